@@ -1,0 +1,49 @@
+// What the brain thinks, for the log and the plots. Nothing acts on it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/geometry/pose.h"
+
+namespace dockyard {
+
+/// One look at the board.
+struct SightingReport {
+  bool accepted = false;
+  std::string reason;  // why not, in the words of PoseFailure; empty when accepted
+  std::string method;  // "stereo", "left", "right" or empty
+  int detected_left = 0, detected_right = 0;  // fiducials measured, not predicted
+  // Board fiducial index for each measured pixel, for scoring the correspondence.
+  struct Mark {
+    int id = -1;
+    bool right_camera = false;
+    double u_px = 0.0, v_px = 0.0;
+  };
+  std::vector<Mark> marks;
+  double reprojection_px = 0.0;  // RMS over the measured fiducials
+  Pose3 X_RB;                    // the board in the rover body
+};
+
+/// A planned arc in the dock frame: from start, length along the way (negative backwards), turn.
+struct PlannedArc {
+  Pose2 X_DR_start;
+  double length_m = 0.0;  // signed
+  double turn_rad = 0.0;
+};
+
+struct Belief {
+  std::string phase;             // a name of the state machine's state
+  bool located = false;          // whether X_DR means anything yet
+  Pose2 X_DR;                    // where the rover thinks it stands
+  double tether_length_m = 0.0;  // exposed, arm tip to anchor, by its own reckoning
+  int recoveries = 0;
+  std::string note;        // why it last changed its mind, in a few words
+  int sighting_count = 0;  // looks so far; last_sighting is of the newest
+  std::optional<SightingReport> last_sighting;
+  std::vector<PlannedArc> plan;  // of the newest plan
+  int plan_count = 0;            // plans so far
+};
+
+}  // namespace dockyard

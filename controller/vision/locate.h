@@ -1,0 +1,47 @@
+// Pictures in, pose of the board out: detect, correspond, estimate (Tsai et al., section III).
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "controller/base/result.h"
+#include "controller/geometry/board.h"
+#include "controller/geometry/camera.h"
+#include "controller/geometry/image.h"
+#include "controller/io/belief.h"
+
+namespace dockyard {
+
+enum class PoseFailure {
+  kTooFewFiducials,   // in neither image
+  kNoCorrespondence,  // no hypothesis explains enough of the detections
+  kBehindCamera,      // the fit puts the board where it cannot be seen
+  kPoorFit,           // residuals larger than the fit's own expectation
+  kEyesDisagree,      // the two images give different boards
+  kNotUpright,        // the board's roll contradicts gravity
+};
+const char* Name(PoseFailure failure);
+
+/// What the rover knows besides the pictures.
+struct LocateHints {
+  Eigen::Vector3d up_R{0, 0, 1};       // against gravity, unit, from the IMU, in the rover body
+  std::optional<Pose3> X_RB_expected;  // from odometry since the last accepted sighting
+};
+
+struct DockSighting {
+  Pose3 X_RB;                    // board in the rover body
+  double reprojection_px = 0.0;  // RMS over the measured fiducials of both images
+  int fiducials_used = 0;        // measured, both images together
+  bool stereo = false;           // whether both images carried the pose
+};
+
+/// The result for the brain and the full account for the log.
+struct LocateOutput {
+  Result<DockSighting, PoseFailure> sighting;
+  SightingReport report;
+};
+
+LocateOutput LocateBoard(const StereoImages& images, const StereoRig& rig,
+                         const FiducialBoard& board, const LocateHints& hints);
+
+}  // namespace dockyard

@@ -1,0 +1,46 @@
+#include "models/random.h"
+
+#include <cmath>
+
+#include "controller/geometry/pose.h"
+
+namespace dockyard {
+namespace {
+
+std::uint64_t Mix(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+  return z ^ (z >> 31);
+}
+
+constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ull;
+
+}  // namespace
+
+std::uint64_t RandomStream::NextBits() { return Mix(key_ + kGolden * ++counter_); }
+
+double RandomStream::Uniform() { return static_cast<double>(NextBits() >> 11) * 0x1.0p-53; }
+
+double RandomStream::Normal() {
+  if (has_spare_) {
+    has_spare_ = false;
+    return spare_;
+  }
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - Uniform()));
+  const double angle = 2.0 * kPi * Uniform();
+  spare_ = radius * std::sin(angle);
+  has_spare_ = true;
+  return radius * std::cos(angle);
+}
+
+std::uint64_t StreamKey(std::uint64_t seed, std::string_view stream) {
+  std::uint64_t hash = 14695981039346656037ull;  // FNV-1a
+  for (const char c : stream) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  return Mix(Mix(seed + kGolden) ^ hash);
+}
+
+std::uint64_t RunSeed(std::uint64_t campaign_seed, std::uint64_t run) {
+  return Mix(Mix(campaign_seed + kGolden) + kGolden * (run + 1));
+}
+
+}  // namespace dockyard

@@ -1,0 +1,35 @@
+// Random numbers: one generator, counter-based, so that every stream of every run can be had by
+// itself and adding a stream shifts no other. Draws are our own arithmetic, the same on every
+// standard library.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace dockyard {
+
+/// SplitMix64's finaliser (Steele, Lea and Flood, OOPSLA 2014) over a counter.
+class RandomStream {
+ public:
+  explicit RandomStream(std::uint64_t key) : key_(key) {}
+
+  std::uint64_t NextBits();
+  /// Uniform in [0, 1), 53 bits.
+  double Uniform();
+  double Uniform(double low, double high) { return low + (high - low) * Uniform(); }
+  /// Standard normal by Box and Muller (1958).
+  double Normal();
+
+ private:
+  std::uint64_t key_ = 0;
+  std::uint64_t counter_ = 0;
+  double spare_ = 0.0;
+  bool has_spare_ = false;
+};
+
+/// Key of one named stream of one run's seed.
+std::uint64_t StreamKey(std::uint64_t seed, std::string_view stream);
+/// Seed of one run of a campaign.
+std::uint64_t RunSeed(std::uint64_t campaign_seed, std::uint64_t run);
+
+}  // namespace dockyard

@@ -1,0 +1,128 @@
+// The two-wheeled tethered rover as built: URDF for what URDF can say, YAML for the rest.
+// A WorldModel never changes during a run.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "controller/geometry/camera.h"
+#include "controller/io/sensors.h"
+#include "models/mesh.h"
+
+namespace dockyard {
+
+/// Collision geometry of a link, from its URDF <collision> elements.
+struct BoxShape {
+  Eigen::Vector3d size_m{0, 0, 0};
+};
+struct CylinderShape {
+  double radius_m = 0.0, length_m = 0.0;  // along the shape frame's z
+};
+struct SphereShape {
+  double radius_m = 0.0;
+};
+struct HullShape {
+  std::vector<Eigen::Vector3d> points;  // convex hull of these, in the shape frame [m]
+};
+struct Collision {
+  std::string name;
+  std::variant<BoxShape, CylinderShape, SphereShape, HullShape> shape;
+  Pose3 X_LG;  // shape frame in the link frame
+};
+
+/// A rigid link as URDF describes it.
+struct LinkModel {
+  std::string name;
+  double mass_kg = 0.0;
+  Eigen::Vector3d p_LoCom_L = Eigen::Vector3d::Zero();  // centre of mass [m]
+  Eigen::Matrix3d I_LCom_L = Eigen::Matrix3d::Zero();   // about the centre of mass [kg m^2]
+  std::vector<Visual> visuals;
+  std::vector<Collision> collisions;
+};
+
+/// A wheel as the soil feels it: a rim with straight radial paddles across its whole width.
+struct WheelModel {
+  double rim_radius_m = 0.0;
+  double width_m = 0.0;
+  int paddle_count = 0;          // 0: a smooth wheel
+  double paddle_height_m = 0.0;  // beyond the rim
+  double paddle_thickness_m = 0.0;
+  double phase_rad = 0.0;  // first paddle from the wheel frame's x axis, about +y
+};
+
+/// A geared motor with its drive, all at the output shaft.
+struct MotorModel {
+  double torque_per_amp_nm = 0.0;  // gear efficiency included
+  double no_load_current_a = 0.0;  // what the motor draws turning its own gears
+  double max_current_a = 0.0;      // drive limit
+  double gear_friction_nm = 0.0;   // Coulomb friction at the output, present in every mode
+  double brake_torque_nm = 0.0;    // what MotorMode::kBrake holds
+  double max_speed_rad_s = 0.0;
+  double max_accel_rad_s2 = 0.0;         // the drive caps profiles at these
+  double reflected_inertia_kg_m2 = 0.0;  // rotor inertia times gear ratio squared
+  int counts_per_rev = 0;                // encoder at the output shaft
+  double current_noise_a = 0.0;          // 1 sigma of one reading
+};
+
+struct TetherModel {
+  double axial_stiffness_n = 0.0;  // EA: tension per strain [N]
+  double damping_ns_per_m = 0.0;   // of the whole exposed length
+  double diameter_m = 0.0;
+  double mass_kg_per_m = 0.0;
+  double friction_on_station = 0.0;  // capstan friction on the cone's lip and throat
+  double drum_radius_m = 0.0;
+};
+
+struct ArmTipModel {
+  double radius_m = 0.0;         // of the flat-nosed tip cylinder
+  double length_m = 0.0;         // of the thick tip part
+  double ground_friction = 0.0;  // dragging over soil
+  double ground_stiffness_n_per_m = 0.0;
+};
+
+struct ImuModel {
+  Eigen::Vector3d p_RI{0, 0, 0};     // its place on the body [m]
+  double attitude_noise_rad = 0.0;   // roll and pitch, 1 sigma of one reading
+  double attitude_bias_rad = 0.0;    // roll and pitch, 1 sigma from power-on to power-on
+  double yaw_drift_rad_s = 0.0;      // 1 sigma from power-on to power-on
+  double yaw_walk_rad_sqrt_s = 0.0;  // random walk
+  double gyro_noise_rad_s = 0.0, gyro_bias_rad_s = 0.0;
+  double accel_noise_m_s2 = 0.0, accel_bias_m_s2 = 0.0;
+};
+
+/// The stereo pair as drawn in the workshop, and how far the built one may be off (1 sigma each).
+struct StereoModel {
+  StereoRig nominal;
+  double relative_yaw_sigma_rad = 0.0;  // right against left camera
+  double rotation_sigma_rad = 0.0;      // each camera, roll and pitch
+  double focal_sigma = 0.0;             // relative
+  double centre_sigma_px = 0.0;
+  // Sensor
+  double full_well_e = 0.0, read_noise_e = 0.0;
+  double vignetting_exponent = 0.0;  // irradiance falls as cos^n of the angle off axis
+  double blur_sigma_px = 0.0;        // lens and pixel together
+};
+
+struct RoverModel {
+  std::string name;
+  LinkModel body, left_wheel, right_wheel, arm;
+  Eigen::Vector3d p_R_left_wheel{0, 0, 0}, p_R_right_wheel{0, 0, 0};  // wheel centres in the body
+  // The arm turns about the body's y axis through its origin. Link frame: A.
+  double arm_lower_rad = 0.0, arm_upper_rad = 0.0;  // joint limits, tip-down positive
+  double arm_length_m = 0.0;                        // axle to the tip's front face
+  WheelModel left_wheel_soil, right_wheel_soil;
+  std::array<MotorModel, kMotorCount> motors;  // by Motor
+  TetherModel tether;
+  ArmTipModel tip;
+  ImuModel imu;
+  StereoModel stereo;
+
+  double mass_kg() const {
+    return body.mass_kg + left_wheel.mass_kg + right_wheel.mass_kg + arm.mass_kg;
+  }
+};
+
+}  // namespace dockyard

@@ -1,0 +1,63 @@
+// One docking to be simulated: which rover, station, soil, light, start and controller. Read from
+// scenarios/*.yaml; a campaign file holds a base scenario and a table of runs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "controller/geometry/pose.h"
+
+namespace dockyard {
+
+enum class Light { kEven, kSpeckled, kHardShadow };
+
+struct StartPose {
+  double r_m = 4.0;
+  double alpha_rad = 0.0;    // file: alpha_deg
+  double heading_rad = 0.0;  // file: heading_deg
+};
+
+/// The yard: gentle undulation, deterministic in the run's seed.
+struct YardModel {
+  double length_m = 0.0,
+         width_m = 0.0;  // grid extent: x from -2 m behind the dock outwards; y centred
+  double cell_m = 0.0;
+  double undulation_rms_m = 0.0;
+  double undulation_wavelength_m = 0.0;
+};
+
+struct Scenario {
+  std::string name;
+  std::string rover_file, station_file, soil_file;  // resolved paths
+  std::string controller = "axel";                  // axel | reel_only
+  StartPose start;
+  Light light = Light::kEven;
+  YardModel yard;
+  int image_width = 1024, image_height = 768;
+  double time_limit_s = 600.0;
+  double physics_step_s = 1e-3;  // 1e-3 unless a convergence study changes it
+  double tip_angle_rad = -1.0;   // < 0: as the station's file says
+  std::uint64_t seed = 1;
+  Pose2 X_WG;  // where the whole yard lies in the world (default identity)
+  bool log_images = true;
+};
+
+/// A row of a campaign's table.
+struct CampaignRun {
+  int run = 0;
+  int day = 0;
+  std::string region;  // interior | boundary
+  std::string soil;    // key of Campaign::soils
+  Scenario scenario;   // fully resolved
+};
+
+struct Campaign {
+  std::string name;
+  std::string file;
+  std::uint64_t seed = 1;
+  std::vector<CampaignRun> runs;
+  std::string resolved_yaml;  // everything, defaults included, for the results folder
+};
+
+}  // namespace dockyard

@@ -1,0 +1,26 @@
+// Soil parameters, SI. Pressure after Bekker: p = (k_c / b + k_phi) z^n, b the plate's smaller
+// side. Shear after Janosi and Hanamoto: tau = (c + p tan phi)(1 - exp(-j / K)).
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+namespace dockyard {
+
+struct SoilModel {
+  std::string name;
+  std::string source;   // where the numbers come from
+  double n = 1.0;       // sinkage exponent [-]
+  double n_slip = 0.0;  // growth of n with |slip| [-]
+  double k_c = 0.0;     // [N/m^(n+1)]
+  double k_phi = 0.0;   // [N/m^(n+2)]
+  double cohesion_pa = 0.0;
+  double friction_angle_rad = 0.0;
+  double shear_modulus_m = 0.0;  // K [m]
+  double density_kg_m3 = 0.0;
+  double unloading_stiffness_pa_per_m = 0.0;  // elastic rebound of loaded soil
+  double damping_pa_s_per_m = 0.0;            // bounded normal damping, never suction
+  Eigen::Vector3d rgb{0.5, 0.4, 0.3};         // linear albedo for the eyes
+};
+
+}  // namespace dockyard
