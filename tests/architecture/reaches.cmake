@@ -1,0 +1,20 @@
+# Compiles one #include of HEADER with the include path INCLUDES and compares with REACHABLE.
+set(flags "")
+foreach(dir IN LISTS INCLUDES)
+  list(APPEND flags "-I${dir}")
+endforeach()
+string(MAKE_C_IDENTIFIER "${HEADER}" name)
+file(WRITE ${WORK}/reach_${name}.cc "#include \"${HEADER}\"\n")
+execute_process(
+  COMMAND ${COMPILER} -std=c++20 ${flags} -fsyntax-only ${WORK}/reach_${name}.cc
+  RESULT_VARIABLE status ERROR_VARIABLE text)
+if(status EQUAL 0)
+  set(found yes)
+elseif(text MATCHES "No such file or directory|file not found")
+  set(found no)
+else()
+  message(FATAL_ERROR "compiling an include of ${HEADER} failed for another reason:\n${text}")
+endif()
+if(NOT found STREQUAL REACHABLE)
+  message(FATAL_ERROR "${HEADER}: reachable from the controller: ${found}, wanted: ${REACHABLE}")
+endif()
