@@ -113,6 +113,7 @@ struct RoverModel {
   // The arm turns about the body's y axis through its origin. Link frame: A.
   double arm_lower_rad = 0.0, arm_upper_rad = 0.0;  // joint limits, tip-down positive
   double arm_length_m = 0.0;                        // axle to the tip's front face
+  double arm_at_power_on_rad = 0.0;                 // stowed against the body, tip-down positive
   WheelModel left_wheel_soil, right_wheel_soil;
   std::array<MotorModel, kMotorCount> motors;  // by Motor
   TetherModel tether;

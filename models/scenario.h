@@ -11,6 +11,7 @@
 namespace dockyard {
 
 enum class Light { kEven, kSpeckled, kHardShadow };
+const char* LightName(Light light);  // even | speckled | hard_shadow, as in the files
 
 struct StartPose {
   double r_m = 4.0;

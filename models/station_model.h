@@ -33,9 +33,10 @@ struct FootModel {
 /// that the cone's axis, going out, points towards the ground.
 struct StationModel {
   std::string name;
-  LinkModel module;             // URDF link; its frame is S standing level and not tipped
-  double tip_angle_rad = 0.0;   // Tsai et al., V-F: 5 deg
-  double mouth_height_m = 0.0;  // centre of the mouth above the soles
+  LinkModel module;                   // URDF link; its frame is S standing level and not tipped
+  std::vector<Visual> stand_visuals;  // feet and legs, in S: they stay when the module is tipped
+  double tip_angle_rad = 0.0;         // Tsai et al., V-F: 5 deg
+  double mouth_height_m = 0.0;        // centre of the mouth above the soles
   ConeModel cone;
   FiducialBoard board;
   double board_height_above_axis_m = 0.0;  // board's centre above the mouth's centre, in the face
@@ -50,6 +51,12 @@ struct StationModel {
 Pose3 MouthInStation(const StationModel& station);  // M: centre of the mouth, x out along the axis
 Pose3 BoardInStation(const StationModel& station);  // B
 Eigen::Vector3d AnchorInStation(const StationModel& station);
+/// Where the cone's mouth and face pass through the board: a circle on it that is no board.
+struct BoardCutout {
+  Eigen::Vector2d p_B = Eigen::Vector2d::Zero();  // centre on the board [m]
+  double radius_m = 0.0;
+};
+BoardCutout CutoutOf(const StationModel& station);
 /// Board in the dock frame D (D and S coincide when the station stands where it was put).
 Pose3 BoardInDock(const StationModel& station);
 

@@ -1,0 +1,19 @@
+#include "controller/docking/axel.h"
+
+#include <utility>
+
+#include "controller/docking/machine.h"
+
+namespace dockyard {
+
+std::unique_ptr<Controller> MakeAxelController(const RoverSheet& sheet, Locator locator) {
+  if (!locator) {
+    locator = [rig = sheet.rig, board = sheet.board](const StereoImages& images,
+                                                     const LocateHints& hints) {
+      return LocateBoard(images, rig, board, hints);
+    };
+  }
+  return MakeAxelMachine(sheet, AxelOptions{}, std::move(locator));
+}
+
+}  // namespace dockyard

@@ -1,0 +1,64 @@
+// From a path to wheel speeds, and from a tension to a spool command.
+#pragma once
+
+#include <vector>
+
+#include "controller/geometry/pose.h"
+#include "controller/io/commands.h"
+#include "controller/io/rover_sheet.h"
+#include "controller/motion/arcs.h"
+
+namespace dockyard {
+
+/// Speed of the axle's middle and turning rate.
+struct Twist {
+  double speed_m_s = 0.0;
+  double turn_rad_s = 0.0;
+};
+
+/// How hard to steer back to the path.
+struct Steering {
+  double settle_m = 0.5;         // way over which an offset dies out (critically damped)
+  double max_turn_rad_s = 0.12;  // bounds the wheels' difference
+};
+
+/// Follows a path of arcs in D from wherever the rover is put: progress by projection onto the
+/// path, steering by offset and heading error. The same law forwards and backwards:
+///   turn = v k - 2|v|/s e_heading - v/s^2 e_left,   s = settle_m.
+class PathFollower {
+ public:
+  PathFollower(const Pose2& X_DR_start, std::vector<Arc> arcs);
+
+  /// Moves the progress to X_DR and answers what to drive at this speed (>= 0; the arc's sign is
+  /// put in here). Zero when done.
+  Twist Follow(const Pose2& X_DR, double speed_m_s, const Steering& steering);
+  bool done() const { return current_ >= arcs_.size(); }
+  double Remaining() const;  // way left [m]
+  bool forward() const { return !done() && arcs_[current_].length_m >= 0.0; }
+  /// Foot of the rover on the path.
+  Pose2 Reference() const;
+
+ private:
+  std::vector<Arc> arcs_;
+  std::vector<Pose2> starts_;
+  std::size_t current_ = 0;
+  double progress_m_ = 0.0;  // along arcs_[current_], >= 0
+};
+
+/// Wheel commands for a twist; speeds kept within the sheet's limits by slowing both wheels alike.
+void CommandWheels(const RoverSheet& sheet, const Twist& twist, double accel_rad_s2,
+                   Commands* commands);
+void SetWheels(MotorMode mode, Commands* commands);
+
+/// Spool current for a tension: torque T r over torque per ampere, plus no-load current.
+double CurrentForTension(const RoverSheet& sheet, double tension_n);
+/// The reverse: tension from a current while reeling [N], >= 0.
+double TensionFromCurrent(const RoverSheet& sheet, double current_a);
+/// Reel in at a speed with the current that tension allows: a winch that takes up slack, stalls at
+/// the tension and is dragged out above it.
+MotorCommand Winch(const RoverSheet& sheet, double reel_m_s, double tension_n, double accel_rad_s2);
+
+/// The command with every number inside the sheet's limits. Checks that all are finite.
+Commands WithinLimits(const RoverSheet& sheet, const Commands& commands);
+
+}  // namespace dockyard

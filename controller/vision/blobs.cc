@@ -1,0 +1,146 @@
+#include "controller/vision/blobs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "controller/geometry/pose.h"
+
+namespace dockyard {
+namespace {
+
+// Closing window: regions up to about 19 px of a level are filled; two levels overlap. A small
+// window follows the light closely, broken shade included.
+constexpr int kWindow = 21;
+constexpr int kLevels = 5;  // up to 16 * 19 = 300 px across: a 10 cm disc at 0.22 m, f = 652 px
+// Thresholds on dark over light. A mark's black over its white, albedo 0.05 to 0.85, is 0.06, with
+// haze, veiling light or a small disc's blur more: up to 0.68 (assumed, 0.6-0.75; ground texture
+// seldom gets there). In broken shade the light itself varies within the window, down to the sky's
+// share; then only a threshold between 0.06 and that share parts black from shaded white.
+constexpr std::array<double, 3> kBlack{0.68, 0.36, 0.19};
+constexpr int kDarkest = 10;  // [DN] light below which nothing is looked for; 5 sigma of noise
+
+/// Smallest blob looked at on the finest level [px]: two thirds of a 7 px disc seen at 45 deg.
+constexpr double kMinAxis = 2.0;
+constexpr double kMaxAxis = 11.0;       // semi-axis; the closing fills no wider blobs
+constexpr double kMinAxisRatio = 0.30;  // 65 deg oblique, and the lens's stretch at the border
+constexpr double kMaxHoleShare = 0.55;  // the bar covers 18 % of the disc; blur and threshold widen
+constexpr int kMaxHoles = 3;            // Euler number >= -2: noise may split the bar's image
+constexpr double kCoincidence = 0.45;   // of the mean radius, between black and white centroids
+
+cv::Mat Flatten(const cv::Mat& gray) {
+  cv::Mat smooth, light, flat;
+  cv::GaussianBlur(gray, smooth, cv::Size(3, 3), 0.7);
+  cv::morphologyEx(smooth, light, cv::MORPH_CLOSE,
+                   cv::getStructuringElement(cv::MORPH_RECT, cv::Size(kWindow, kWindow)));
+  cv::max(light, kDarkest, light);
+  cv::divide(smooth, light, flat, kFlatWhite);
+  return flat;
+}
+
+/// The ellipse with an outline's moments; the outline runs through pixel centres, half a pixel
+/// inside the region.
+std::optional<Ellipse> FromMoments(const cv::Moments& m) {
+  if (m.m00 < 4.0) return std::nullopt;
+  Eigen::Matrix2d covariance;
+  covariance << m.mu20, m.mu11, m.mu11, m.mu02;
+  covariance /= m.m00;
+  // Square root of a 2x2 matrix (Cayley-Hamilton); a disc of radius R has variance R^2/4.
+  const double root = std::sqrt(std::max(covariance.determinant(), 0.0));
+  if (root < 1e-9) return std::nullopt;
+  const Eigen::Matrix2d shape = 2.0 * (covariance + root * Eigen::Matrix2d::Identity()) /
+                                std::sqrt(covariance.trace() + 2.0 * root);
+  return Ellipse{.centre_px = Eigen::Vector2d(m.m10 / m.m00, m.m01 / m.m00),
+                 .shape_px = shape + 0.5 * Eigen::Matrix2d::Identity()};
+}
+
+bool FitsInside(const Ellipse& ellipse, const cv::Size& size) {
+  const double reach_x = ellipse.shape_px.row(0).norm(), reach_y = ellipse.shape_px.row(1).norm();
+  return ellipse.centre_px.x() - reach_x > 0.0 && ellipse.centre_px.y() - reach_y > 0.0 &&
+         ellipse.centre_px.x() + reach_x < size.width - 1.0 &&
+         ellipse.centre_px.y() + reach_y < size.height - 1.0;
+}
+
+using Contours = std::vector<std::vector<cv::Point>>;
+
+/// Filters on the white regions within the black one. No hole is no objection: at a distance the
+/// blur swallows the bar, and the local refinement brings it back.
+bool HolesPass(const Contours& contours, const std::vector<cv::Vec4i>& links, int first,
+               const Ellipse& outer, double outer_area) {
+  int holes = 0;
+  double area = 0.0;
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+  for (int hole = first; hole >= 0; hole = links[static_cast<std::size_t>(hole)][0]) {
+    const cv::Moments m = cv::moments(contours[static_cast<std::size_t>(hole)]);
+    if (m.m00 < 1.0) continue;
+    ++holes;
+    area += m.m00;
+    moment += Eigen::Vector2d(m.m10, m.m01);
+  }
+  if (holes == 0) return true;
+  if (holes > kMaxHoles || area > kMaxHoleShare * outer_area) return false;
+  return (moment / area - outer.centre_px).norm() < kCoincidence * outer.mean_radius_px();
+}
+
+std::optional<Blob> Filter(const Contours& contours, const std::vector<cv::Vec4i>& links, int index,
+                           const BlobLevel& level) {
+  const std::vector<cv::Point>& outline = contours[static_cast<std::size_t>(index)];
+  if (outline.size() < 6 || outline.size() > 8 * kWindow) return std::nullopt;
+  const cv::Moments m = cv::moments(outline);
+  const std::optional<Ellipse> ellipse = FromMoments(m);
+  if (!ellipse || !FitsInside(*ellipse, level.flat.size())) return std::nullopt;
+  const Eigen::Vector2d axes = ellipse->semi_axes_px();
+  const double smallest = level.level == 0 ? kMinAxis : 2.0 * kMinAxis;
+  if (axes(0) < smallest || axes(1) > kMaxAxis / kMinAxisRatio || axes(0) > kMaxAxis) {
+    return std::nullopt;
+  }
+  if (axes(0) < kMinAxisRatio * axes(1)) return std::nullopt;
+  // An ellipse's outline encloses pi a b; frayed and crescent shapes enclose less.
+  const double ellipse_area = kPi * (axes(0) - 0.5) * (axes(1) - 0.5);
+  const double fullness = m.m00 / ellipse_area;
+  if (fullness < 0.75) return std::nullopt;
+  const int hole = links[static_cast<std::size_t>(index)][2];
+  if (!HolesPass(contours, links, hole, *ellipse, m.m00)) return std::nullopt;
+  return Blob{.moments = *ellipse};
+}
+
+}  // namespace
+
+std::vector<BlobLevel> BuildLevels(const GrayImage& image) {
+  // One thread, whatever the machine: a static of the function's own, set once.
+  [[maybe_unused]] static const bool single = (cv::setNumThreads(1), true);
+  std::vector<BlobLevel> levels;
+  cv::Mat gray(image.height, image.width, CV_8U,
+               const_cast<std::uint8_t*>(image.pixels.data()));  // only read
+  for (int level = 0; level < kLevels && gray.rows >= kWindow && gray.cols >= kWindow; ++level) {
+    levels.push_back({.level = level, .gray = gray, .flat = Flatten(gray)});
+    cv::Mat even = gray(cv::Rect(0, 0, gray.cols & ~1, gray.rows & ~1));
+    cv::Mat half;
+    cv::resize(even, half, cv::Size(even.cols / 2, even.rows / 2), 0, 0, cv::INTER_AREA);
+    gray = half;
+  }
+  return levels;
+}
+
+std::vector<Blob> FindBlobs(const BlobLevel& level) {
+  std::vector<Blob> blobs;
+  for (const double threshold : kBlack) {
+    cv::Mat black;
+    cv::threshold(level.flat, black, threshold * kFlatWhite, 255, cv::THRESH_BINARY_INV);
+    Contours contours;
+    std::vector<cv::Vec4i> links;  // next, previous, first hole, parent
+    cv::findContours(black, contours, links, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+    for (int i = 0; i < static_cast<int>(contours.size()); ++i) {
+      if (links[static_cast<std::size_t>(i)][3] >= 0) continue;  // a hole
+      auto blob = Filter(contours, links, i, level);
+      if (!blob) continue;
+      blob->threshold = threshold;
+      blobs.push_back(*blob);
+    }
+  }
+  return blobs;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,310 @@
+#include "controller/vision/correspond.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "controller/vision/homography.h"
+#include "controller/vision/pose_gates.h"
+
+namespace dockyard {
+namespace {
+
+constexpr int kMinMarks = 5;  // four fix a homography and cannot disagree (Tsai et al., V-D)
+// A rotation counts as read when its correlation beats the others by this much (assumed,
+// 0.05-0.2); else the mark may be any.
+constexpr double kSureMargin = 0.10;
+constexpr std::size_t kMaxOfOneClass = 3;
+constexpr std::size_t kTried = 6;  // hypotheses that get a full pose
+// A disc's size against what the homography says, either way: detection is right to 10 %.
+constexpr double kSizeTolerance = 1.35;
+
+/// Distance within which a projected mark and a detection are one [px].
+double GatePx(const DetectedFiducial& detection) {
+  return 2.5 + 0.16 * detection.rim.mean_radius_px();
+}
+
+struct Scene {
+  const std::vector<DetectedFiducial>& detections;
+  const FisheyeCamera& camera;
+  const FiducialBoard& board;
+  TangentPlane plane;
+  std::vector<Eigen::Vector2d> points_T;  // by detection
+  double gate_T = 0.0;                    // the widest gate on the tangent plane
+};
+
+Scene Prepare(const std::vector<DetectedFiducial>& detections, const FisheyeCamera& camera,
+              const FiducialBoard& board) {
+  Scene scene{
+      .detections = detections, .camera = camera, .board = board, .plane = {}, .points_T = {}};
+  std::vector<Eigen::Vector3d> rays;
+  for (const DetectedFiducial& detection : detections) {
+    rays.push_back(camera.Ray(detection.rim.centre_px));
+    scene.gate_T = std::max(scene.gate_T, GatePx(detection) / camera.fx);
+  }
+  scene.plane = TangentPlaneAt(rays);
+  for (const Eigen::Vector3d& ray : rays) scene.points_T.push_back(scene.plane.FromRay(ray));
+  return scene;
+}
+
+/// Ways to name the detections of one rotation: every one-to-one map of the fewer onto the more.
+std::vector<std::vector<MarkMatch>> Namings(const std::vector<int>& detections,
+                                            const std::vector<int>& ids) {
+  std::vector<std::vector<MarkMatch>> namings{{}};
+  const bool few = detections.size() <= ids.size();
+  const std::vector<int>& outer = few ? detections : ids;
+  const std::vector<int>& inner = few ? ids : detections;
+  for (const int o : outer) {
+    std::vector<std::vector<MarkMatch>> longer;
+    for (const std::vector<MarkMatch>& naming : namings) {
+      for (const int i : inner) {
+        const MarkMatch match = few ? MarkMatch{i, o} : MarkMatch{o, i};
+        const bool taken = std::any_of(naming.begin(), naming.end(), [&](const MarkMatch& m) {
+          return m.id == match.id || m.detection == match.detection;
+        });
+        if (taken) continue;
+        longer.push_back(naming);
+        longer.back().push_back(match);
+      }
+    }
+    namings = longer;
+  }
+  return namings;
+}
+
+/// The product of the namings of the four rotations: 16 with two marks of each.
+std::vector<std::vector<MarkMatch>> Hypotheses(const Scene& scene) {
+  std::vector<std::vector<MarkMatch>> hypotheses{{}};
+  for (int c = 0; c < 4; ++c) {
+    std::vector<int> detections, ids;
+    for (std::size_t i = 0; i < scene.detections.size(); ++i) {
+      // Detections come best match first, so the doubtful ones are left out.
+      if (scene.detections[i].rotation_class == c && detections.size() < kMaxOfOneClass) {
+        detections.push_back(static_cast<int>(i));
+      }
+    }
+    for (std::size_t i = 0; i < scene.board.fiducials.size(); ++i) {
+      if (RotationClass(scene.board.fiducials[i].rotation) == c) ids.push_back(static_cast<int>(i));
+    }
+    std::vector<std::vector<MarkMatch>> longer;
+    for (const auto& hypothesis : hypotheses) {
+      for (const auto& naming : Namings(detections, ids)) {
+        longer.push_back(hypothesis);
+        longer.back().insert(longer.back().end(), naming.begin(), naming.end());
+      }
+    }
+    hypotheses = longer;
+  }
+  return hypotheses;
+}
+
+std::optional<Eigen::Vector2d> Reproject(const Scene& scene, const Eigen::Matrix3d& H,
+                                         const Eigen::Vector2d& p_B) {
+  const auto point_T = Map(H, p_B);
+  if (!point_T) return std::nullopt;
+  return scene.camera.Project(scene.plane.ToRay(*point_T));
+}
+
+/// Radius of the projected disc [px], zero when it is seen from behind.
+double ProjectedRadius(const Scene& scene, const Eigen::Matrix3d& H, const Fiducial& fiducial) {
+  const double r = 0.5 * scene.board.disc_diameter_m;
+  const auto c = Reproject(scene, H, fiducial.p_BF);
+  const auto x = Reproject(scene, H, fiducial.p_BF + Eigen::Vector2d(r, 0.0));
+  const auto y = Reproject(scene, H, fiducial.p_BF + Eigen::Vector2d(0.0, r));
+  if (!c || !x || !y) return 0.0;
+  const Eigen::Vector2d a = *x - *c, b = *y - *c;
+  return std::sqrt(std::max(a.x() * b.y() - a.y() * b.x(), 0.0));
+}
+
+bool RotationsAgree(const DetectedFiducial& detection, const Fiducial& fiducial) {
+  return detection.rotation_margin < kSureMargin ||
+         detection.rotation_class == RotationClass(fiducial.rotation);
+}
+
+bool SizesAgree(double radius_px, double projected_px) {
+  return radius_px < kSizeTolerance * projected_px && projected_px < kSizeTolerance * radius_px;
+}
+
+struct Expected {
+  Eigen::Vector2d pixel;
+  double radius_px = 0.0;
+};
+
+/// Nearest pairs first, each fiducial and each detection once, all within gate_scale gates.
+std::vector<MarkMatch> Assign(const std::vector<DetectedFiducial>& detections,
+                              const FiducialBoard& board,
+                              const std::vector<std::optional<Expected>>& expected,
+                              double gate_scale) {
+  std::vector<std::tuple<double, int, int>> pairs;
+  for (std::size_t id = 0; id < expected.size(); ++id) {
+    if (!expected[id]) continue;
+    for (std::size_t d = 0; d < detections.size(); ++d) {
+      const DetectedFiducial& detection = detections[d];
+      const double distance = (detection.rim.centre_px - expected[id]->pixel).norm();
+      if (distance > gate_scale * GatePx(detection) ||
+          !SizesAgree(detection.rim.mean_radius_px(), expected[id]->radius_px) ||
+          !RotationsAgree(detection, board.fiducials[id])) {
+        continue;
+      }
+      pairs.emplace_back(distance, static_cast<int>(id), static_cast<int>(d));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<MarkMatch> matches;
+  for (const auto& [distance, id, detection] : pairs) {
+    const bool taken = std::any_of(matches.begin(), matches.end(), [&](const MarkMatch& m) {
+      return m.id == id || m.detection == detection;
+    });
+    if (!taken) matches.push_back({id, detection});
+  }
+  std::sort(matches.begin(), matches.end(),
+            [](const MarkMatch& a, const MarkMatch& b) { return a.id < b.id; });
+  return matches;
+}
+
+std::vector<std::optional<Expected>> ReprojectBoard(const Scene& scene, const Eigen::Matrix3d& H) {
+  std::vector<std::optional<Expected>> expected;
+  for (const Fiducial& fiducial : scene.board.fiducials) {
+    const auto pixel = Reproject(scene, H, fiducial.p_BF);
+    expected.emplace_back();
+    if (pixel) expected.back() = Expected{*pixel, ProjectedRadius(scene, H, fiducial)};
+  }
+  return expected;
+}
+
+std::vector<PlanePair> Pairs(const Scene& scene, const std::vector<MarkMatch>& matches) {
+  std::vector<PlanePair> pairs;
+  for (const MarkMatch& match : matches) {
+    pairs.push_back({.board = scene.board.fiducials[static_cast<std::size_t>(match.id)].p_BF,
+                     .image = scene.points_T[static_cast<std::size_t>(match.detection)]});
+  }
+  return pairs;
+}
+
+struct Candidate {
+  std::vector<MarkMatch> matches;
+  Eigen::Matrix3d H;
+  double rms = 0.0;
+};
+
+/// One hypothesis: homography, outliers out, re-projection, vote, homography over all that agree.
+std::optional<Candidate> Test(const Scene& scene, const std::vector<MarkMatch>& hypothesis) {
+  if (hypothesis.size() < 4) return std::nullopt;
+  const int kept = std::min<int>(kMinMarks, static_cast<int>(hypothesis.size()));
+  const auto first = FitHomographyRobust(Pairs(scene, hypothesis), scene.gate_T, kept);
+  if (!first) return std::nullopt;
+  std::vector<MarkMatch> matches =
+      Assign(scene.detections, scene.board, ReprojectBoard(scene, first->H), 1.0);
+  if (static_cast<int>(matches.size()) < kMinMarks) return std::nullopt;
+  const auto all = FitHomographyRobust(Pairs(scene, matches), scene.gate_T, kMinMarks);
+  if (!all) return std::nullopt;
+  Candidate candidate{.matches = {}, .H = all->H, .rms = all->rms};
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (all->inlier[i]) candidate.matches.push_back(matches[i]);
+  }
+  return candidate;
+}
+
+bool Same(const std::vector<MarkMatch>& a, const std::vector<MarkMatch>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& m, const auto& n) {
+    return m.id == n.id && m.detection == n.detection;
+  });
+}
+
+std::vector<Candidate> Vote(const Scene& scene) {
+  std::vector<Candidate> candidates;
+  for (const auto& hypothesis : Hypotheses(scene)) {
+    const auto candidate = Test(scene, hypothesis);
+    if (!candidate) continue;
+    const bool known = std::any_of(candidates.begin(), candidates.end(), [&](const auto& other) {
+      return Same(other.matches, candidate->matches);
+    });
+    if (!known) candidates.push_back(*candidate);
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+    return std::make_tuple(-static_cast<int>(a.matches.size()), a.rms) <
+           std::make_tuple(-static_cast<int>(b.matches.size()), b.rms);
+  });
+  if (candidates.size() > kTried) candidates.resize(kTried);
+  return candidates;
+}
+
+/// A homography is no pose: the board must also be rigid, plumb and face the camera.
+std::vector<PlanarBranch> PossiblePoses(const Scene& scene, const Candidate& candidate,
+                                        const Eigen::Vector3d& up_C) {
+  std::vector<MarkPixel> marks;
+  for (const MarkMatch& match : candidate.matches) {
+    const std::size_t d = static_cast<std::size_t>(match.detection);
+    marks.push_back({.id = match.id, .view = 0, .pixel = scene.detections[d].rim.centre_px});
+  }
+  std::vector<PlanarBranch> possible;
+  for (const PlanarBranch& branch : PlanarPose(marks, scene.camera, scene.board)) {
+    if (ShowsItsFace(branch.X_CB) && IsUpright(branch.X_CB.R, up_C) &&
+        branch.rms_px < RmsGatePx(scene.camera, branch.X_CB, scene.board.disc_diameter_m)) {
+      possible.push_back(branch);
+    }
+  }
+  return possible;
+}
+
+EyeCorrespondence Complete(const Scene& scene, const Candidate& candidate,
+                           const std::vector<PlanarBranch>& branches) {
+  EyeCorrespondence eye{.matches = candidate.matches, .centres = {}, .branches = branches};
+  for (const Fiducial& fiducial : scene.board.fiducials) {
+    const Eigen::Vector2d unseen(-1.0, -1.0);
+    eye.centres.push_back(Reproject(scene, candidate.H, fiducial.p_BF).value_or(unseen));
+  }
+  for (const MarkMatch& match : candidate.matches) {
+    eye.centres[static_cast<std::size_t>(match.id)] =
+        scene.detections[static_cast<std::size_t>(match.detection)].rim.centre_px;
+  }
+  return eye;
+}
+
+}  // namespace
+
+Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
+                                                  const FisheyeCamera& camera,
+                                                  const FiducialBoard& board,
+                                                  const Eigen::Vector3d& up_C) {
+  if (static_cast<int>(detections.size()) < kMinMarks) return PoseFailure::kTooFewFiducials;
+  const Scene scene = Prepare(detections, camera, board);
+  std::optional<EyeCorrespondence> best;
+  for (const Candidate& candidate : Vote(scene)) {
+    const std::vector<PlanarBranch> branches = PossiblePoses(scene, candidate, up_C);
+    if (branches.empty()) continue;
+    const bool more = !best || candidate.matches.size() > best->matches.size();
+    const bool as_many = best && candidate.matches.size() == best->matches.size();
+    if (more || (as_many && branches[0].rms_px < best->branches[0].rms_px)) {
+      best = Complete(scene, candidate, branches);
+    }
+  }
+  if (!best) return PoseFailure::kNoCorrespondence;
+  return *best;
+}
+
+std::vector<MarkMatch> MatchByPose(const std::vector<DetectedFiducial>& detections,
+                                   const FisheyeCamera& camera, const FiducialBoard& board,
+                                   const Pose3& X_CB, double gate_px) {
+  std::vector<std::optional<Expected>> expected;
+  for (const Fiducial& fiducial : board.fiducials) {
+    expected.emplace_back();
+    const Eigen::Vector3d p_C = X_CB * Eigen::Vector3d(fiducial.p_BF.x(), fiducial.p_BF.y(), 0.0);
+    const auto pixel = ProjectDisc(camera, X_CB, fiducial, board.disc_diameter_m);
+    if (!pixel || !camera.Sees(*pixel)) continue;
+    const double slant = std::max(X_CB.R.col(2).dot(p_C.normalized()), 0.05);
+    const double radius = 0.5 * board.disc_diameter_m * camera.fx / p_C.norm() * std::sqrt(slant);
+    expected.back() = Expected{*pixel, radius};
+  }
+  std::vector<MarkMatch> matches = Assign(detections, board, expected, 10.0);
+  std::erase_if(matches, [&](const MarkMatch& m) {
+    const auto& pixel = expected[static_cast<std::size_t>(m.id)]->pixel;
+    return (detections[static_cast<std::size_t>(m.detection)].rim.centre_px - pixel).norm() >
+           gate_px;
+  });
+  return matches;
+}
+
+}  // namespace dockyard

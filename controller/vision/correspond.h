@@ -1,0 +1,44 @@
+// Which detection is which fiducial of the board, in one picture (Tsai et al., III-A.3).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "controller/base/result.h"
+#include "controller/geometry/board.h"
+#include "controller/geometry/camera.h"
+#include "controller/vision/fiducials.h"
+#include "controller/vision/locate.h"
+#include "controller/vision/planar_pose.h"
+
+namespace dockyard {
+
+struct MarkMatch {
+  int id = -1;         // fiducial of the board
+  int detection = -1;  // index into the detections
+};
+
+/// What one picture says.
+struct EyeCorrespondence {
+  std::vector<MarkMatch> matches;        // by id
+  std::vector<Eigen::Vector2d> centres;  // pixel of each fiducial: measured, or else filled in
+                                         // through the homography
+  std::vector<PlanarBranch> branches;    // the board in this camera, from this picture alone
+};
+
+/// Two fiducials of each rotation leave (2!)^4 = 16 hypotheses; false marks and missing ones change
+/// the number. Each is put through a homography on the viewing sphere (a homography does not hold
+/// in fish-eye pixels), outliers rejected, the board re-projected, and what lies near counted. The
+/// winner has the most marks, then the least error, and must be a plumb board seen from its front.
+/// up_C: against gravity, unit, in the camera.
+Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
+                                                  const FisheyeCamera& camera,
+                                                  const FiducialBoard& board,
+                                                  const Eigen::Vector3d& up_C);
+
+/// The detections that a known pose explains, nearest first, each once.
+std::vector<MarkMatch> MatchByPose(const std::vector<DetectedFiducial>& detections,
+                                   const FisheyeCamera& camera, const FiducialBoard& board,
+                                   const Pose3& X_CB, double gate_px);
+
+}  // namespace dockyard

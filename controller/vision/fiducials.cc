@@ -1,0 +1,118 @@
+#include "controller/vision/fiducials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "controller/base/check.h"
+#include "controller/vision/bar.h"
+#include "controller/vision/blobs.h"
+#include "controller/vision/rim.h"
+
+namespace dockyard {
+namespace {
+
+// Tuned on synthetic views, range 1-6 m, three kinds of light (assumed, +-0.1).
+constexpr double kMinInner = 0.55;
+constexpr double kMinWhole = 0.70;
+constexpr double kMinContrast = 0.25;
+// Blur of a flat picture, 1 sigma [px]: lens and pixel 0.67, smoothing 0.7; coarser levels see less
+// of the lens.
+constexpr double kFineBlur = 0.97, kCoarseBlur = 0.80;
+
+// White starts at this multiple of the threshold that parted it from black (assumed, 1.4-2).
+constexpr double kWhiteOverThreshold = 1.6;
+
+static_assert(kBarAngles == std::tuple_size_v<decltype(DetectedFiducial::bar_match)>);
+
+Ellipse ToLevel(const Ellipse& rim, const BlobLevel& level) {
+  return {.centre_px = level.FromPicture(rim.centre_px), .shape_px = rim.shape_px / level.scale()};
+}
+Ellipse ToPicture(const Ellipse& rim, const BlobLevel& level) {
+  return {.centre_px = level.ToPicture(rim.centre_px), .shape_px = rim.shape_px * level.scale()};
+}
+
+std::optional<DetectedFiducial> Verify(const GrayImage& image, const BlobLevel& level,
+                                       const Blob& blob, const FiducialBoard& board) {
+  const std::optional<RimFit> rim = RefineRim(image, ToPicture(blob.moments, level));
+  if (!rim) return std::nullopt;
+  const auto bar = MatchBar(level.flat, ToLevel(rim->ellipse, level), board,
+                            level.level == 0 ? kFineBlur : kCoarseBlur,
+                            std::min(1.0, kWhiteOverThreshold * blob.threshold));
+  if (!bar || bar->contrast < kMinContrast || bar->whole < kMinWhole) return std::nullopt;
+  if (*std::max_element(bar->inner.begin(), bar->inner.end()) < kMinInner) return std::nullopt;
+  return DetectedFiducial{.rim = rim->ellipse, .match = bar->whole, .bar_match = bar->inner};
+}
+
+/// Correlation with the bar at an angle between the tabulated ones.
+double BarMatchAt(const DetectedFiducial& fiducial, double angle_rad) {
+  const double at = angle_rad / kPi * kBarAngles;
+  const double floor = std::floor(at);
+  const auto index = [](double i) {
+    const int wrapped = static_cast<int>(i) % kBarAngles;
+    return static_cast<std::size_t>(wrapped < 0 ? wrapped + kBarAngles : wrapped);
+  };
+  const double share = at - floor;
+  return (1.0 - share) * fiducial.bar_match[index(floor)] +
+         share * fiducial.bar_match[index(floor + 1.0)];
+}
+
+/// Direction of the plumb line's picture at a pixel, upwards, unit.
+std::optional<Eigen::Vector2d> UpInPicture(const FisheyeCamera& camera, const Eigen::Vector3d& up_C,
+                                           const Eigen::Vector2d& pixel) {
+  const auto above = camera.Project(camera.Ray(pixel) + 1e-3 * up_C);
+  if (!above || (*above - pixel).norm() < 1e-6) return std::nullopt;
+  return (*above - pixel).normalized();
+}
+
+}  // namespace
+
+int RotationClass(double rotation_rad) {
+  const long quarter = std::lround(rotation_rad / (kPi / 4.0));
+  return static_cast<int>(((quarter % 4) + 4) % 4);
+}
+
+std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image, const FiducialBoard& board) {
+  DOCKYARD_CHECK(image.pixels.size() ==
+                 static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  std::vector<DetectedFiducial> found;
+  if (image.pixels.empty()) return found;
+  for (const BlobLevel& level : BuildLevels(image)) {
+    for (const Blob& blob : FindBlobs(level)) {
+      const auto fiducial = Verify(image, level, blob, board);
+      if (fiducial) found.push_back(*fiducial);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.match > b.match; });
+  std::vector<DetectedFiducial> distinct;  // one disc may show on two levels
+  for (const DetectedFiducial& fiducial : found) {
+    const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const auto& other) {
+      return other.rim.ToDisc(fiducial.rim.centre_px).norm() < 0.7;
+    });
+    if (!known) distinct.push_back(fiducial);
+  }
+  return distinct;
+}
+
+void AssignRotations(std::vector<DetectedFiducial>& fiducials, const FisheyeCamera& camera,
+                     const Eigen::Vector3d& up_C) {
+  for (DetectedFiducial& fiducial : fiducials) {
+    const Ellipse& rim = fiducial.rim;
+    const Eigen::Vector2d up =
+        UpInPicture(camera, up_C, rim.centre_px).value_or(Eigen::Vector2d(0.0, -1.0));
+    const Eigen::Vector2d up_disc = rim.shape_px.inverse() * up;
+    const double lean = std::atan2(-up_disc.y(), up_disc.x()) - kPi / 2.0;
+    std::array<double, 4> scores;
+    for (int c = 0; c < 4; ++c) {
+      scores[static_cast<std::size_t>(c)] = BarMatchAt(fiducial, c * kPi / 4.0 + lean);
+    }
+    const auto best = std::max_element(scores.begin(), scores.end());
+    fiducial.rotation_class = static_cast<int>(best - scores.begin());
+    const double top = *best;
+    *best = -2.0;
+    fiducial.rotation_margin = top - *std::max_element(scores.begin(), scores.end());
+  }
+}
+
+}  // namespace dockyard

@@ -1,0 +1,37 @@
+// Fiducials in one picture (Tsai et al., III-A.2): adaptive threshold, blobs, filters, local
+// refinement, ellipse; then the bar's rotation in one of four classes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "controller/geometry/board.h"
+#include "controller/geometry/camera.h"
+#include "controller/geometry/image.h"
+#include "controller/vision/ellipse.h"
+
+namespace dockyard {
+
+struct DetectedFiducial {
+  Ellipse rim;         // in the picture
+  double match = 0.0;  // correlation of the picture with the printed pattern, up to 1
+  std::array<float, 16> bar_match{};  // the same inside the disc, bar turned by pi i / 16
+  // Filled in by AssignRotations:
+  int rotation_class = -1;       // 0: 0, 1: 45, 2: 90, 3: -45 deg; see RotationClass
+  double rotation_margin = 0.0;  // by how much its correlation beats the next class, 0..2
+};
+
+/// The class of a bar's direction (FiducialBoard's convention).
+int RotationClass(double rotation_rad);
+
+/// Everything in the picture that looks like a fiducial, in any rotation, best match first. The
+/// picture's size is that of its pixels; an empty one gives none.
+std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image, const FiducialBoard& board);
+
+/// The rotation on the board out of the one in the picture, given which way is up. The rim's
+/// ellipse alone leaves a turn open when the board is seen from above and aside at once; the
+/// picture of the plumb line fixes it.
+void AssignRotations(std::vector<DetectedFiducial>& fiducials, const FisheyeCamera& camera,
+                     const Eigen::Vector3d& up_C);
+
+}  // namespace dockyard

@@ -1,0 +1,65 @@
+#include "controller/vision/pose_gates.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard {
+
+bool IsUpright(const Eigen::Matrix3d& R_RB, const Eigen::Vector3d& up_R) {
+  const double roll_sine = std::abs(R_RB.col(0).dot(up_R));
+  const double lean_sine = std::abs(R_RB.col(2).dot(up_R));
+  return -R_RB.col(1).dot(up_R) > 0.0 && roll_sine < std::sin(Radians(15.0)) &&
+         lean_sine < std::sin(Radians(30.0));
+}
+
+bool ShowsItsFace(const Pose3& X_CB) { return X_CB.p.z() > 0.0 && X_CB.R.col(2).dot(X_CB.p) > 0.0; }
+
+double RmsGatePx(const FisheyeCamera& camera, const Pose3& X_CB, double disc_diameter_m) {
+  const double disc_px = camera.fx * disc_diameter_m / std::max(X_CB.p.norm(), 0.1);
+  return 2.0 + 0.02 * disc_px;
+}
+
+std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<CameraView>& views,
+                                 const FiducialBoard& board, const LocateHints& hints) {
+  for (const CameraView& view : views) {
+    if (!ShowsItsFace(Inverse(view.X_RC) * fit.X_RB)) return PoseFailure::kBehindCamera;
+  }
+  const double gate =
+      RmsGatePx(views[0].camera, Inverse(views[0].X_RC) * fit.X_RB, board.disc_diameter_m);
+  if (views.size() == 1 && fit.rms_px > gate) return PoseFailure::kPoorFit;
+  if (views.size() == 2) {
+    // Four sigma of what the calibration may be off.
+    const Eigen::Vector3d sigmas =
+        fit.relative_turn_rad.cwiseQuotient(RefineOptions{}.relative_turn_sigma_rad);
+    const bool twisted = sigmas.cwiseAbs().maxCoeff() > 4.0;
+    if (twisted || fit.rms_px > gate) return PoseFailure::kEyesDisagree;
+  }
+  if (!IsUpright(fit.X_RB.R, hints.up_R)) return PoseFailure::kNotUpright;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> ChooseBranch(const std::vector<PlanarBranch>& branches,
+                                        const Pose3& X_RC, const LocateHints& hints) {
+  // How well odometry knows the heading against the board: assumed 5 deg (3-10), after a leg on
+  // sand.
+  constexpr double kExpectedSigma = 5.0 * kPi / 180.0;
+  std::optional<std::size_t> best;
+  double best_score = 0.0;
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    const Pose3 X_RB = X_RC * branches[i].X_CB;
+    if (!ShowsItsFace(branches[i].X_CB) || !IsUpright(X_RB.R, hints.up_R)) continue;
+    double score = branches[i].cost;
+    if (hints.X_RB_expected) {
+      const double cosine = X_RB.R.col(2).dot(hints.X_RB_expected->R.col(2));
+      const double apart = std::acos(std::clamp(cosine, -1.0, 1.0)) / kExpectedSigma;
+      score += apart * apart;
+    }
+    if (best && score >= best_score) continue;
+    best = i;
+    best_score = score;
+  }
+  return best;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,35 @@
+// Whether a fitted pose may be believed, and which of two mono poses.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "controller/vision/locate.h"
+#include "controller/vision/planar_pose.h"
+#include "controller/vision/pose_refine.h"
+
+namespace dockyard {
+
+/// The board hangs nearly plumb: its x axis is level to 15 deg, its plane upright to 30 deg. The
+/// station leans 5 deg (Tsai et al., V-F); slopes, rover attitude and a noisy far pose are assumed
+/// to add no more than the rest.
+bool IsUpright(const Eigen::Matrix3d& R_RB, const Eigen::Vector3d& up_R);
+
+/// The camera sees the printed side: the board's z points away from it, and it lies ahead.
+bool ShowsItsFace(const Pose3& X_CB);
+
+/// Largest accepted RMS error in the picture [px]: 2 px (assumed, 1.5-3: detection 0.1, focal
+/// length 0.2 % and centre 1 px over the board), more when the discs are large.
+double RmsGatePx(const FisheyeCamera& camera, const Pose3& X_CB, double disc_diameter_m);
+
+/// All checks on a fit; empty when it may be believed.
+std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<CameraView>& views,
+                                 const FiducialBoard& board, const LocateHints& hints);
+
+/// Index of the branch to believe: plumb first, then the sum of the reprojection cost and the
+/// squared deviation from the expected heading; none when no branch is plumb and face-on.
+std::optional<std::size_t> ChooseBranch(const std::vector<PlanarBranch>& branches,
+                                        const Pose3& X_RC, const LocateHints& hints);
+
+}  // namespace dockyard

@@ -1,0 +1,245 @@
+#include "models/load_rover.h"
+
+#include <cmath>
+
+#include "models/config_error.h"
+#include "models/text_file.h"
+#include "models/urdf.h"
+#include "models/yaml_reader.h"
+
+namespace dockyard {
+namespace {
+
+MotorModel ReadMotor(const YamlReader& motors, const char* name) {
+  const YamlReader in(motors.Child(name), motors.PathOf(name),
+                      {"torque_per_amp_nm", "no_load_current_a", "max_current_a",
+                       "gear_friction_nm", "brake_torque_nm", "max_speed_rad_s", "max_accel_rad_s2",
+                       "reflected_inertia_kg_m2", "counts_per_rev", "current_noise_a"});
+  MotorModel motor;
+  motor.torque_per_amp_nm = in.Number("torque_per_amp_nm", Positive(1e4));
+  motor.no_load_current_a = in.Number("no_load_current_a", NonNegative(100.0));
+  motor.max_current_a = in.Number("max_current_a", Positive(1000.0));
+  motor.gear_friction_nm = in.Number("gear_friction_nm", NonNegative(1e3));
+  motor.brake_torque_nm = in.Number("brake_torque_nm", NonNegative(1e5));
+  motor.max_speed_rad_s = in.Number("max_speed_rad_s", Positive(100.0));
+  motor.max_accel_rad_s2 = in.Number("max_accel_rad_s2", Positive(1000.0));
+  motor.reflected_inertia_kg_m2 = in.Number("reflected_inertia_kg_m2", Positive(1e4));
+  motor.counts_per_rev = in.Integer("counts_per_rev", 16, 1 << 30);
+  motor.current_noise_a = in.Number("current_noise_a", NonNegative(10.0));
+  if (motor.max_current_a <= motor.no_load_current_a) {
+    in.Refuse("max_current_a", "more than no_load_current_a");
+  }
+  return motor;
+}
+
+void ReadMotors(const YamlReader& root, RoverModel& rover) {
+  const YamlReader in(root.Child("motors"), "motors", {"wheel", "arm", "spool"});
+  const MotorModel wheel = ReadMotor(in, "wheel");
+  rover.motors[static_cast<int>(Motor::kLeftWheel)] = wheel;
+  rover.motors[static_cast<int>(Motor::kRightWheel)] = wheel;
+  rover.motors[static_cast<int>(Motor::kArm)] = ReadMotor(in, "arm");
+  rover.motors[static_cast<int>(Motor::kSpool)] = ReadMotor(in, "spool");
+}
+
+void ReadWheels(const YamlReader& root, RoverModel& rover) {
+  const YamlReader in(root.Child("wheels"), "wheels",
+                      {"radius_m", "width_m", "paddles", "left_phase_deg", "right_phase_deg"});
+  WheelModel wheel;
+  wheel.rim_radius_m = in.Number("radius_m", Positive(2.0));
+  wheel.width_m = in.Number("width_m", Positive(2.0));
+  const YamlReader paddles(in.Child("paddles"), in.PathOf("paddles"),
+                           {"count", "height_m", "thickness_m"});
+  wheel.paddle_count = paddles.Integer("count", 0, 64);
+  wheel.paddle_height_m = paddles.Number("height_m", NonNegative(0.5));
+  wheel.paddle_thickness_m = paddles.Number("thickness_m", NonNegative(0.1));
+  if (wheel.paddle_count > 0 && !(wheel.paddle_height_m > 0 && wheel.paddle_thickness_m > 0)) {
+    paddles.Refuse("count", "0, or a height_m and a thickness_m above 0");
+  }
+  rover.left_wheel_soil = rover.right_wheel_soil = wheel;
+  rover.left_wheel_soil.phase_rad = in.DegreesOr("left_phase_deg", 0.0, Between(-180.0, 180.0));
+  rover.right_wheel_soil.phase_rad = in.DegreesOr("right_phase_deg", 0.0, Between(-180.0, 180.0));
+}
+
+void ReadArm(const YamlReader& root, RoverModel& rover) {
+  const YamlReader in(root.Child("arm"), "arm",
+                      {"length_m", "at_power_on_deg", "tip_radius_m", "tip_length_m",
+                       "ground_friction", "ground_stiffness_n_per_m"});
+  rover.arm_length_m = in.Number("length_m", Positive(5.0));
+  rover.arm_at_power_on_rad = in.Degrees("at_power_on_deg", Between(-180.0, 180.0));
+  rover.tip.radius_m = in.Number("tip_radius_m", Positive(0.5));
+  rover.tip.length_m = in.Number("tip_length_m", Positive(1.0));
+  rover.tip.ground_friction = in.Number("ground_friction", NonNegative(2.0));
+  rover.tip.ground_stiffness_n_per_m = in.Number("ground_stiffness_n_per_m", Between(100.0, 1e6));
+  if (rover.tip.length_m >= rover.arm_length_m) in.Refuse("tip_length_m", "less than length_m");
+}
+
+void ReadTether(const YamlReader& root, RoverModel& rover) {
+  const YamlReader in(root.Child("tether"), "tether",
+                      {"axial_stiffness_n", "damping_ns_per_m", "diameter_m", "mass_kg_per_m",
+                       "friction_on_station", "drum_radius_m"});
+  TetherModel& tether = rover.tether;
+  tether.axial_stiffness_n = in.Number("axial_stiffness_n", Between(100.0, 1e6));
+  tether.damping_ns_per_m = in.Number("damping_ns_per_m", NonNegative(1e5));
+  tether.diameter_m = in.Number("diameter_m", Positive(0.05));
+  tether.mass_kg_per_m = in.Number("mass_kg_per_m", NonNegative(5.0));
+  tether.friction_on_station = in.Number("friction_on_station", NonNegative(2.0));
+  tether.drum_radius_m = in.Number("drum_radius_m", Between(0.005, 0.5));
+}
+
+void ReadImu(const YamlReader& root, RoverModel& rover) {
+  const YamlReader in(root.Child("imu"), "imu",
+                      {"position_m", "attitude_noise_deg", "attitude_bias_deg",
+                       "yaw_drift_deg_per_h", "yaw_walk_deg_per_sqrt_h", "gyro_noise_rad_s",
+                       "gyro_bias_rad_s", "accel_noise_m_s2", "accel_bias_m_s2"});
+  ImuModel& imu = rover.imu;
+  imu.p_RI = in.Vector3("position_m", Between(-5.0, 5.0));
+  imu.attitude_noise_rad = in.Degrees("attitude_noise_deg", NonNegative(10.0));
+  imu.attitude_bias_rad = in.Degrees("attitude_bias_deg", NonNegative(10.0));
+  imu.yaw_drift_rad_s = in.Degrees("yaw_drift_deg_per_h", NonNegative(3600.0)) / 3600.0;
+  imu.yaw_walk_rad_sqrt_s = in.Degrees("yaw_walk_deg_per_sqrt_h", NonNegative(600.0)) / 60.0;
+  imu.gyro_noise_rad_s = in.Number("gyro_noise_rad_s", NonNegative(1.0));
+  imu.gyro_bias_rad_s = in.Number("gyro_bias_rad_s", NonNegative(1.0));
+  imu.accel_noise_m_s2 = in.Number("accel_noise_m_s2", NonNegative(10.0));
+  imu.accel_bias_m_s2 = in.Number("accel_bias_m_s2", NonNegative(10.0));
+}
+
+/// Cameras side by side, looking along the body's x axis, pitched down together.
+StereoRig MakeRig(double baseline_m, double forward_m, double height_m, double pitch_rad,
+                  const FisheyeCamera& camera) {
+  Eigen::Matrix3d R_level;  // z along the view, x right, y down
+  R_level.col(0) = -Eigen::Vector3d::UnitY();
+  R_level.col(1) = -Eigen::Vector3d::UnitZ();
+  R_level.col(2) = Eigen::Vector3d::UnitX();
+  const Eigen::Matrix3d R = RotY(pitch_rad) * R_level;
+  StereoRig rig;
+  rig.left = rig.right = camera;
+  rig.X_RL = {R, Eigen::Vector3d(forward_m, 0.5 * baseline_m, height_m)};
+  rig.X_RQ = {R, Eigen::Vector3d(forward_m, -0.5 * baseline_m, height_m)};
+  return rig;
+}
+
+void ReadCameras(const YamlReader& root, int width, int height, RoverModel& rover) {
+  const YamlReader in(root.Child("cameras"), "cameras",
+                      {"baseline_m", "forward_m", "height_m", "pitch_deg", "field_of_view_deg",
+                       "as_built", "sensor"});
+  const double fov_rad = in.Degrees("field_of_view_deg", Between(10.0, 200.0));
+  StereoModel& stereo = rover.stereo;
+  stereo.nominal =
+      MakeRig(in.Number("baseline_m", Between(0.01, 2.0)),
+              in.Number("forward_m", Between(-2.0, 2.0)), in.Number("height_m", Between(-2.0, 3.0)),
+              in.DegreesOr("pitch_deg", 0.0, Between(-60.0, 60.0)),
+              EquidistantCamera(width, height, fov_rad));
+  const YamlReader built(in.Child("as_built"), in.PathOf("as_built"),
+                         {"relative_yaw_deg", "rotation_deg", "focal_relative", "centre_px"});
+  stereo.relative_yaw_sigma_rad = built.Degrees("relative_yaw_deg", NonNegative(5.0));
+  stereo.rotation_sigma_rad = built.Degrees("rotation_deg", NonNegative(5.0));
+  stereo.focal_sigma = built.Number("focal_relative", NonNegative(0.1));
+  stereo.centre_sigma_px = built.Number("centre_px", NonNegative(50.0));
+  const YamlReader sensor(in.Child("sensor"), in.PathOf("sensor"),
+                          {"full_well_e", "read_noise_e", "vignetting_exponent", "blur_sigma_px"});
+  stereo.full_well_e = sensor.Number("full_well_e", Between(100.0, 1e6));
+  stereo.read_noise_e = sensor.Number("read_noise_e", NonNegative(1e4));
+  stereo.vignetting_exponent = sensor.Number("vignetting_exponent", NonNegative(8.0));
+  stereo.blur_sigma_px = sensor.Number("blur_sigma_px", NonNegative(10.0));
+}
+
+void CheckJoint(const UrdfJoint& joint, const char* type, const char* child) {
+  const auto refuse = [&](const std::string& expected, const std::string& found) {
+    throw ConfigError(joint.place + ": expected " + expected + ", found '" + found + "'");
+  };
+  if (joint.type != type) refuse(std::string("type ") + type, joint.type);
+  if (joint.parent != "body") refuse("parent body", joint.parent);
+  if (joint.child != child) refuse(std::string("child ") + child, joint.child);
+  if (joint.axis_J != Eigen::Vector3d::UnitY()) refuse("axis 0 1 0", "another axis");
+  if (!joint.X_PJ.R.isIdentity(1e-9)) refuse("an origin without rotation", "a rotation");
+}
+
+const LinkModel& BodyWithMass(const UrdfModel& urdf, const char* name) {
+  const LinkModel& link = urdf.Link(name);
+  if (link.mass_kg > 0.0) return link;
+  throw ConfigError(urdf.file + ": link '" + name + "': expected an <inertial>, found none");
+}
+
+void TakeLinks(const UrdfModel& urdf, RoverModel& rover) {
+  if (urdf.root != "body") {
+    throw ConfigError(urdf.file + ": expected the root link to be 'body', found '" + urdf.root +
+                      "'");
+  }
+  rover.body = BodyWithMass(urdf, "body");
+  rover.left_wheel = BodyWithMass(urdf, "left_wheel");
+  rover.right_wheel = BodyWithMass(urdf, "right_wheel");
+  rover.arm = BodyWithMass(urdf, "arm");
+  const UrdfJoint &left = urdf.Joint("left_wheel_joint"), &right = urdf.Joint("right_wheel_joint"),
+                  &arm = urdf.Joint("arm_joint");
+  CheckJoint(left, "continuous", "left_wheel");
+  CheckJoint(right, "continuous", "right_wheel");
+  CheckJoint(arm, "revolute", "arm");
+  rover.p_R_left_wheel = left.X_PJ.p;
+  rover.p_R_right_wheel = right.X_PJ.p;
+  const Eigen::Vector3d middle = 0.5 * (left.X_PJ.p + right.X_PJ.p);
+  const Eigen::Vector3d apart = left.X_PJ.p - right.X_PJ.p;
+  if (!(apart.y() > 0.0) || std::hypot(apart.x(), apart.z()) > 1e-9 || middle.norm() > 1e-9) {
+    throw ConfigError(left.place +
+                      ": expected the wheels on one axle along y through the body's origin, the "
+                      "left one at y > 0");
+  }
+  if (arm.X_PJ.p.norm() > 1e-9) {
+    throw ConfigError(arm.place + ": expected origin 0 0 0, the middle of the axle");
+  }
+  rover.arm_lower_rad = arm.lower_rad;
+  rover.arm_upper_rad = arm.upper_rad;
+}
+
+/// What is said twice, in the URDF for other tools and in the YAML for the soil and the cone, must
+/// agree to 1 mm: a collision cylinder named "tip" and the wheels' collision cylinders.
+void CheckAgreement(const YamlReader& root, const RoverModel& rover) {
+  constexpr double kSame_m = 1e-3;
+  for (const Collision& part : rover.arm.collisions) {
+    const auto* tip = std::get_if<CylinderShape>(&part.shape);
+    if (part.name != "tip" || tip == nullptr) continue;
+    const double front = part.X_LG.p.x() + 0.5 * tip->length_m;
+    if (std::abs(tip->radius_m - rover.tip.radius_m) > kSame_m ||
+        std::abs(front - rover.arm_length_m) > kSame_m) {
+      root.Refuse("arm", "the radius and front of collision 'tip' of the URDF, " +
+                             NumberText(tip->radius_m) + " and " + NumberText(front));
+    }
+  }
+  const double tip_radius =
+      rover.left_wheel_soil.rim_radius_m +
+      (rover.left_wheel_soil.paddle_count > 0 ? rover.left_wheel_soil.paddle_height_m : 0.0);
+  for (const LinkModel* wheel : {&rover.left_wheel, &rover.right_wheel}) {
+    for (const Collision& part : wheel->collisions) {
+      const auto* disc = std::get_if<CylinderShape>(&part.shape);
+      if (disc == nullptr || std::abs(disc->radius_m - tip_radius) <= kSame_m) continue;
+      root.Refuse("wheels",
+                  "rim and paddle to add up to the radius of the wheel's collision "
+                  "cylinder in the URDF, " +
+                      NumberText(disc->radius_m));
+    }
+  }
+  if (rover.arm_at_power_on_rad < rover.arm_lower_rad ||
+      rover.arm_at_power_on_rad > rover.arm_upper_rad) {
+    root.Refuse("arm", "at_power_on_deg within the limits of the URDF's arm_joint");
+  }
+}
+
+}  // namespace
+
+RoverModel LoadRover(const std::string& file, int image_width, int image_height) {
+  const YamlNode tree = LoadYaml(file);
+  const YamlReader in(tree, "",
+                      {"name", "urdf", "wheels", "motors", "arm", "tether", "imu", "cameras"});
+  RoverModel rover;
+  rover.name = in.Text("name");
+  ReadWheels(in, rover);
+  ReadMotors(in, rover);
+  ReadArm(in, rover);
+  ReadTether(in, rover);
+  ReadImu(in, rover);
+  ReadCameras(in, image_width, image_height, rover);
+  TakeLinks(LoadUrdf(in.File("urdf")), rover);
+  CheckAgreement(in, rover);
+  return rover;
+}
+
+}  // namespace dockyard

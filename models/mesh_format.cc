@@ -1,0 +1,127 @@
+#include "models/mesh_format.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <optional>
+
+#include "models/config_error.h"
+#include "models/mesh_loader.h"
+#include "models/text_file.h"
+
+namespace dockyard {
+namespace {
+
+std::optional<MeshFormat> FormatByExtension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".stl") return MeshFormat::kStl;
+  if (extension == ".obj") return MeshFormat::kObj;
+  if (extension == ".dae") return MeshFormat::kDae;
+  if (extension == ".gltf") return MeshFormat::kGltf;
+  if (extension == ".glb") return MeshFormat::kGlb;
+  return std::nullopt;
+}
+
+std::uint32_t LittleEndian32(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
+  }
+  return value;
+}
+
+/// Binary STL: 80 bytes of header, a count, 50 bytes a triangle (3D Systems, 1989).
+bool IsBinaryStl(std::string_view bytes) {
+  if (bytes.size() < 84) return false;
+  const std::uint64_t triangles = LittleEndian32(bytes, 80);
+  return triangles > 0 && bytes.size() == 84 + 50 * triangles;
+}
+
+std::string_view SkipSpace(std::string_view text) {
+  const std::size_t at = text.find_first_not_of(" \t\r\n");
+  return at == std::string_view::npos ? std::string_view() : text.substr(at);
+}
+
+/// Deepest nesting of braces or tags, by a scan that knows no grammar: enough to keep recursive
+/// parsers from running out of stack.
+int NestingDepth(std::string_view text, MeshFormat format) {
+  int depth = 0, deepest = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (format == MeshFormat::kDae) {
+      if (c != '<' || i + 1 >= text.size()) continue;
+      if (text[i + 1] == '/') {
+        --depth;
+      } else if (text[i + 1] != '?' && text[i + 1] != '!') {
+        const std::size_t end = text.find('>', i);
+        if (end != std::string_view::npos && text[end - 1] != '/') ++depth;
+      }
+    } else {
+      if (c == '{' || c == '[') ++depth;
+      if (c == '}' || c == ']') --depth;
+    }
+    deepest = std::max(deepest, depth);
+  }
+  return deepest;
+}
+
+std::string Objection(MeshFormat format, std::string_view bytes) {
+  constexpr int kMaxNesting = 64;
+  const std::string_view text = SkipSpace(bytes);
+  switch (format) {
+    case MeshFormat::kStl:
+      if (IsBinaryStl(bytes)) return {};
+      if (text.substr(0, 5) == "solid" && text.find("facet") != std::string_view::npos) return {};
+      return "neither a binary STL file of the length that its header tells nor one in text";
+    case MeshFormat::kObj:
+      if (text.find("v ") == std::string_view::npos || text.find("f ") == std::string_view::npos) {
+        return "an OBJ file without vertices or faces";
+      }
+      return {};
+    case MeshFormat::kDae:
+      if (text.substr(0, 1) != "<" || text.find("<COLLADA") == std::string_view::npos) {
+        return "no Collada document";
+      }
+      if (text.find("<!DOCTYPE") != std::string_view::npos) return "a document with a DOCTYPE";
+      if (NestingDepth(text, format) > kMaxNesting) return "nested too deep";
+      return {};
+    case MeshFormat::kGltf:
+      if (text.substr(0, 1) != "{" || text.find("\"asset\"") == std::string_view::npos) {
+        return "no glTF document";
+      }
+      if (NestingDepth(text, format) > kMaxNesting) return "nested too deep";
+      return {};
+    case MeshFormat::kGlb:
+      if (bytes.size() < 20 || bytes.substr(0, 4) != "glTF" || LittleEndian32(bytes, 4) != 2 ||
+          LittleEndian32(bytes, 8) != bytes.size()) {
+        return "no binary glTF 2.0 file of the length that its header tells";
+      }
+      return {};
+  }
+  return "of no known format";
+}
+
+}  // namespace
+
+bool IsMeshFile(const std::filesystem::path& file) { return FormatByExtension(file).has_value(); }
+
+MeshFormat CheckedMeshFormat(const std::filesystem::path& file, std::string_view bytes) {
+  const std::optional<MeshFormat> format = FormatByExtension(file);
+  if (!format) {
+    throw ConfigError(
+        file.string() +
+        ": expected a mesh file (.stl, .obj, .dae, .gltf or .glb), found extension '" +
+        file.extension().string() + "'");
+  }
+  const bool text = *format == MeshFormat::kObj || *format == MeshFormat::kDae ||
+                    *format == MeshFormat::kGltf ||
+                    (*format == MeshFormat::kStl && !IsBinaryStl(bytes));
+  const std::string objection = Objection(*format, bytes);
+  if (!objection.empty()) throw ConfigError(file.string() + ": not a usable mesh: " + objection);
+  if (text) CheckIsText(bytes, file.string());
+  return *format;
+}
+
+}  // namespace dockyard

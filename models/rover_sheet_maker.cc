@@ -1,0 +1,36 @@
+#include "models/rover_sheet_maker.h"
+
+namespace dockyard {
+
+RoverSheet MakeRoverSheet(const RoverModel& rover, const StationModel& station,
+                          double arm_at_zero_rad) {
+  RoverSheet sheet;
+  sheet.rig = rover.stereo.nominal;
+  sheet.board = station.board;
+  sheet.X_DB = BoardInDock(station);
+  for (std::size_t i = 0; i < rover.motors.size(); ++i) {
+    const MotorModel& motor = rover.motors[i];
+    sheet.motors[i] = {.rad_per_count = 2.0 * kPi / motor.counts_per_rev,
+                       .torque_per_amp_nm = motor.torque_per_amp_nm,
+                       .no_load_current_a = motor.no_load_current_a,
+                       .max_current_a = motor.max_current_a,
+                       .max_speed_rad_s = motor.max_speed_rad_s,
+                       .max_accel_rad_s2 = motor.max_accel_rad_s2};
+  }
+  const WheelModel& wheel = rover.left_wheel_soil;
+  sheet.wheel_radius_m =
+      wheel.rim_radius_m + (wheel.paddle_count > 0 ? wheel.paddle_height_m : 0.0);
+  sheet.track_m = rover.p_R_left_wheel.y() - rover.p_R_right_wheel.y();
+  sheet.arm_length_m = rover.arm_length_m;
+  sheet.arm_at_zero_rad = arm_at_zero_rad;
+  sheet.drum_radius_m = rover.tether.drum_radius_m;
+  sheet.mouth_height_m = station.mouth_height_m;
+  sheet.anchor_depth_m = station.anchor_depth_m;
+  return sheet;
+}
+
+RoverSheet MakeRoverSheet(const RoverModel& rover, const StationModel& station) {
+  return MakeRoverSheet(rover, station, rover.arm_at_power_on_rad);
+}
+
+}  // namespace dockyard

@@ -1,0 +1,166 @@
+#include "render/ground_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "controller/geometry/pose.h"
+
+namespace dockyard {
+namespace {
+
+constexpr double kFadeOut_m = 2.0;    // outside the grid, assumed: no yard ends in a cliff
+constexpr double kHorizon_m = 300.0;  // the eye 0.4 m up sees it 0.08 deg below the level
+constexpr int kMaxMarch = 64;         // nodes towards the sun; shadows of ruts are shorter
+
+std::vector<double> RingRadii() {
+  std::vector<double> radii;
+  for (double r = 0.04; r < 0.32; r += 0.04) radii.push_back(r);
+  for (double r = 0.32; r < 8.0; r *= 1.03) radii.push_back(r);
+  for (double r = 8.0; r < kHorizon_m; r *= 1.10) radii.push_back(r);
+  radii.push_back(kHorizon_m);
+  return radii;
+}
+
+double BorderMean(const GroundView& g) {
+  double sum = 0.0;
+  int count = 0;
+  for (int iy = 0; iy < g.ny; ++iy) {
+    for (int ix = 0; ix < g.nx; ++ix) {
+      if (ix > 0 && iy > 0 && ix < g.nx - 1 && iy < g.ny - 1) continue;
+      sum += g.heights_m[static_cast<std::size_t>(iy) * g.nx + ix];
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+// Nodes towards the sun and how high the ray to the sun's centre stands over each of them.
+struct March {
+  std::vector<int> dx, dy;
+  std::vector<double> rise_m, distance_m;
+};
+
+March MarchToSun(const GroundView& g, const Eigen::Vector3d& sun_G, double relief_m) {
+  March march;
+  const double level = std::hypot(sun_G.x(), sun_G.y());
+  if (level < 1e-9) return march;
+  const double slope = sun_G.z() / level;
+  const double ux = sun_G.x() / level, uy = sun_G.y() / level;
+  const double stride = g.cell_m / std::max(std::abs(ux), std::abs(uy));
+  for (int i = 1; i <= kMaxMarch; ++i) {
+    const double distance = i * stride;
+    if (distance * slope > relief_m) break;
+    march.dx.push_back(static_cast<int>(std::lround(distance * ux / g.cell_m)));
+    march.dy.push_back(static_cast<int>(std::lround(distance * uy / g.cell_m)));
+    march.rise_m.push_back(distance * slope);
+    march.distance_m.push_back(distance);
+  }
+  return march;
+}
+
+double SunShare(const GroundView& g, const March& march, int ix, int iy, double sun_radius_rad) {
+  const double here = g.heights_m[static_cast<std::size_t>(iy) * g.nx + ix];
+  double share = 1.0;
+  for (std::size_t i = 0; i < march.dx.size(); ++i) {
+    const int x = ix + march.dx[i], y = iy + march.dy[i];
+    if (x < 0 || y < 0 || x >= g.nx || y >= g.ny) break;
+    const double over =
+        g.heights_m[static_cast<std::size_t>(y) * g.nx + x] - here - march.rise_m[i];
+    if (over < -2.0 * sun_radius_rad * march.distance_m[i]) continue;
+    // The horizon there against the sun's disc, taken as a uniform strip.
+    const double covered = 0.5 + 0.5 * over / (sun_radius_rad * march.distance_m[i]);
+    share = std::min(share, std::clamp(1.0 - covered, 0.0, 1.0));
+    if (share == 0.0) break;
+  }
+  return share;
+}
+
+}  // namespace
+
+void RequireSoundGround(const GroundView& g) {
+  if (!HasGround(g)) return;
+  if (!g.heights_m) throw std::invalid_argument("ground: the grid has a size but no heights");
+  if (g.nx < 2 || g.ny < 2) throw std::invalid_argument("ground: the grid needs 2 x 2 nodes");
+  if (!(g.cell_m > 0.0) || !std::isfinite(g.cell_m + g.x0_m + g.y0_m)) {
+    throw std::invalid_argument("ground: the cell must be positive and the origin finite");
+  }
+  const std::size_t count = static_cast<std::size_t>(g.nx) * g.ny;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!std::isfinite(g.heights_m[i])) {
+      throw std::invalid_argument("ground: height " + std::to_string(i) + " is not finite");
+    }
+  }
+}
+
+GroundHeight::GroundHeight(const GroundView& ground)
+    : ground_(ground), border_mean_m_(BorderMean(ground)) {}
+
+double GroundHeight::operator()(double x_m, double y_m) const {
+  const GroundView& g = ground_;
+  const double u = (x_m - g.x0_m) / g.cell_m, v = (y_m - g.y0_m) / g.cell_m;
+  const double cu = std::clamp(u, 0.0, g.nx - 1.0), cv = std::clamp(v, 0.0, g.ny - 1.0);
+  const int ix = std::min(static_cast<int>(cu), g.nx - 2);
+  const int iy = std::min(static_cast<int>(cv), g.ny - 2);
+  const double* h = g.heights_m + static_cast<std::size_t>(iy) * g.nx + ix;
+  const double fx = cu - ix, fy = cv - iy;
+  const double near_row = h[0] + fx * (h[1] - h[0]);
+  const double far_row = h[g.nx] + fx * (h[g.nx + 1] - h[g.nx]);
+  const double inside = near_row + fy * (far_row - near_row);
+  const double outside_m = g.cell_m * std::hypot(u - cu, v - cv);
+  if (outside_m == 0.0) return inside;
+  const double fade = std::exp(-std::pow(outside_m / kFadeOut_m, 2));
+  return border_mean_m_ + fade * (inside - border_mean_m_);
+}
+
+GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m) {
+  const std::vector<double> radii = RingRadii();
+  const int rings = static_cast<int>(radii.size());
+  GroundFan fan{.pole_x_m = pole_x_m, .pole_y_m = pole_y_m, .vertices = {}, .indices = {}};
+  const auto add = [&](double x, double y) {
+    fan.vertices.push_back(Eigen::Vector3d(x, y, height(pole_x_m + x, pole_y_m + y)).cast<float>());
+  };
+  fan.vertices.reserve(1 + static_cast<std::size_t>(rings) * kGroundSectors);
+  add(0.0, 0.0);
+  for (int s = 0; s < kGroundSectors; ++s) {
+    const double azimuth = 2.0 * kPi * s / kGroundSectors;
+    const double c = std::cos(azimuth), sn = std::sin(azimuth);
+    for (const double r : radii) add(r * c, r * sn);
+  }
+  fan.indices_per_sector = 3 + 6 * (rings - 1);
+  fan.indices.reserve(static_cast<std::size_t>(fan.indices_per_sector) * kGroundSectors);
+  for (int s = 0; s < kGroundSectors; ++s) {
+    const auto a = static_cast<std::uint32_t>(1 + s * rings);
+    const auto b = static_cast<std::uint32_t>(1 + (s + 1) % kGroundSectors * rings);
+    fan.indices.insert(fan.indices.end(), {0u, a, b});
+    for (std::uint32_t r = 0; r + 1 < static_cast<std::uint32_t>(rings); ++r) {
+      fan.indices.insert(fan.indices.end(), {a + r, a + r + 1, b + r, b + r, a + r + 1, b + r + 1});
+    }
+  }
+  return fan;
+}
+
+std::vector<float> GroundRelief(const GroundView& g, const Eigen::Vector3d& sun_G,
+                                double sun_angular_diameter_rad) {
+  const std::size_t count = static_cast<std::size_t>(g.nx) * g.ny;
+  const auto [low, high] = std::minmax_element(g.heights_m, g.heights_m + count);
+  const March march = MarchToSun(g, sun_G, *high - *low);
+  const double sun_radius = std::max(0.5 * sun_angular_diameter_rad, 1e-4);
+  std::vector<float> relief(4 * count);
+  const auto at = [&](int x, int y) {
+    return g.heights_m[static_cast<std::size_t>(std::clamp(y, 0, g.ny - 1)) * g.nx +
+                       std::clamp(x, 0, g.nx - 1)];
+  };
+  for (int iy = 0; iy < g.ny; ++iy) {
+    for (int ix = 0; ix < g.nx; ++ix) {
+      float* texel = &relief[4 * (static_cast<std::size_t>(iy) * g.nx + ix)];
+      texel[0] = static_cast<float>((at(ix + 1, iy) - at(ix - 1, iy)) / (2.0 * g.cell_m));
+      texel[1] = static_cast<float>((at(ix, iy + 1) - at(ix, iy - 1)) / (2.0 * g.cell_m));
+      texel[2] = static_cast<float>(SunShare(g, march, ix, iy, sun_radius));
+      texel[3] = 1.0f;
+    }
+  }
+  return relief;
+}
+
+}  // namespace dockyard

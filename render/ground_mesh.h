@@ -1,0 +1,49 @@
+// The ground as seen from one place: a fan of rings, fine near and coarse far, and a picture of its
+// slopes and own shadow at the grid's full resolution. Plain arithmetic, no GL.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "render/scene.h"
+#include "render/surface_mesh.h"
+
+namespace dockyard {
+
+/// Throws std::invalid_argument for a grid that cannot be drawn (size, cell, heights not finite).
+void RequireSoundGround(const GroundView& ground);
+
+/// Whether there is any ground to draw.
+inline bool HasGround(const GroundView& ground) { return ground.nx > 0 && ground.ny > 0; }
+
+/// Height of the ground in G: bilinear on the grid; outside the border's height, which falls off to
+/// the border's mean within a few metres.
+class GroundHeight {
+ public:
+  explicit GroundHeight(const GroundView& ground);
+  double operator()(double x_m, double y_m) const;
+  double border_mean_m() const { return border_mean_m_; }
+
+ private:
+  const GroundView& ground_;
+  double border_mean_m_ = 0.0;
+};
+
+/// Fan of triangles; positions relative to (pole_x, pole_y, 0) in G's axes. Sector s covers the
+/// azimuths [s, s + 1] * 2 pi / kGroundSectors and its indices follow those of sector s - 1.
+inline constexpr int kGroundSectors = 480;
+struct GroundFan {
+  double pole_x_m = 0.0, pole_y_m = 0.0;
+  std::vector<Eigen::Vector3f> vertices;
+  std::vector<std::uint32_t> indices;
+  int indices_per_sector = 0;
+};
+GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m);
+
+/// Per grid node four numbers: slope along x and along y, share of the sun that the ground itself
+/// leaves there, unused. sun_G: unit, towards the sun.
+std::vector<float> GroundRelief(const GroundView& ground, const Eigen::Vector3d& sun_G,
+                                double sun_angular_diameter_rad);
+
+}  // namespace dockyard

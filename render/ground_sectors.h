@@ -1,0 +1,18 @@
+// Which part of the ground's fan a view can show.
+#pragma once
+
+#include "controller/geometry/pose.h"
+#include "render/fisheye_warp.h"
+
+namespace dockyard {
+
+/// Sectors first, first + 1, ... (modulo kGroundSectors).
+struct SectorRange {
+  int first = 0, count = 0;
+};
+
+/// X_FC: camera in the fan's frame. Exact for ground at least 0.2 m from the camera; all sectors
+/// when the view looks steeply up or down.
+SectorRange VisibleSectors(const Pose3& X_FC, const TanRect& rect);
+
+}  // namespace dockyard

@@ -1,0 +1,54 @@
+#include <GL/osmesa.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "render/gl_context.h"
+
+namespace dockyard {
+namespace {
+
+class OsMesaContext final : public GlContext {
+ public:
+  OsMesaContext() {
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              0,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              3,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              3,
+                              0};
+    context_ = OSMesaCreateContextAttribs(attributes, nullptr);
+    if (!context_) throw std::runtime_error("OSMesa gives no GL 3.3 core context");
+    try {
+      MakeCurrent();
+      functions_ = LoadGlFunctions([](const char* name) { return OSMesaGetProcAddress(name); });
+    } catch (...) {
+      OSMesaDestroyContext(context_);
+      throw;
+    }
+  }
+  ~OsMesaContext() override { OSMesaDestroyContext(context_); }
+
+  void MakeCurrent() override {
+    // The library wants a buffer of its own; nothing is ever drawn there.
+    if (!OSMesaMakeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, kSide, kSide)) {
+      throw std::runtime_error("OSMesa cannot make its context current");
+    }
+  }
+
+ private:
+  static constexpr int kSide = 4;
+  OSMesaContext context_ = nullptr;
+  std::array<unsigned char, 4 * kSide * kSide> unused_{};
+};
+
+}  // namespace
+
+std::unique_ptr<GlContext> CreateOsMesaContext() { return std::make_unique<OsMesaContext>(); }
+
+}  // namespace dockyard

@@ -1,0 +1,61 @@
+// What a scene must fulfil to be drawn.
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "render/scene_painter.h"
+#include "render/shaders.h"
+
+namespace dockyard {
+namespace {
+
+void Require(bool good, const std::string& what) {
+  if (!good) throw std::invalid_argument("scene: " + what);
+}
+
+void RequirePose(const Pose3& X, const std::string& whose) {
+  const double off = (X.R.transpose() * X.R - Eigen::Matrix3d::Identity()).norm();
+  Require(X.p.allFinite() && off < 1e-6, whose + " pose is not a rigid transform");
+}
+
+void RequireLight(const SunAndSky& light) {
+  Require(std::abs(light.to_sun_W.norm() - 1.0) < 1e-6, "to_sun_W must be a unit vector");
+  Require(light.sun_irradiance >= 0.0 && light.sky_irradiance >= 0.0 &&
+              light.ground_bounce_albedo >= 0.0,
+          "light must not be negative");
+  Require(light.sun_angular_diameter_rad >= 0.0 && light.sun_angular_diameter_rad < 0.2,
+          "the sun's diameter must lie in 0 to 0.2 rad");
+}
+
+void RequireBoard(const BoardView& view) {
+  const FiducialBoard& board = view.board;
+  Require(board.width_m >= 0.0 && board.height_m >= 0.0 && board.width_m < 10.0 &&
+              board.height_m < 10.0,
+          "the board's sides must lie in 0 to 10 m");
+  Require(board.fiducials.size() <= static_cast<std::size_t>(kMaxFiducials),
+          "at most " + std::to_string(kMaxFiducials) + " fiducials can be drawn");
+  for (const Fiducial& f : board.fiducials) {
+    Require(f.p_BF.allFinite() && std::isfinite(f.rotation), "a fiducial is not finite");
+  }
+  RequirePose(view.X_WB, "the board's");
+}
+
+}  // namespace
+
+void RequireSoundScene(const Scene& scene) {
+  for (const SceneObject& object : scene.objects) {
+    Require(object.mesh != nullptr, "an object has no mesh");
+    RequirePose(object.X_WO, "an object's");
+    Require(object.albedo.allFinite(), "an albedo is not finite");
+  }
+  for (const Eigen::Vector3d& p : scene.tether.points_W) {
+    Require(p.allFinite(), "a point of the tether is not finite");
+  }
+  Require(scene.tether.diameter_m >= 0.0, "the tether's diameter must not be negative");
+  RequireLight(scene.light);
+  RequireBoard(scene.board);
+  RequireSoundGround(scene.ground);
+  if (HasGround(scene.ground)) RequirePose(scene.ground.X_WG, "the ground's");
+}
+
+}  // namespace dockyard

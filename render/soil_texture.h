@@ -1,0 +1,21 @@
+// A tileable picture of desert soil: grain, lumps and pebbles, the same for the same seed.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace dockyard {
+
+/// side x side texels of four bytes over kSoilTile_m: brightness (128 = mean), slope along x, slope
+/// along y (128 = level, 127 steps = kSoilSlopeFull), height.
+inline constexpr int kSoilSide = 1024;
+inline constexpr double kSoilTile_m = 1.6;
+inline constexpr double kSoilSlopeFull = 1.5;
+
+std::vector<std::uint8_t> SoilTexture(std::uint64_t seed);
+
+/// The same picture at kLumpSide texels a side, for tone over wide ground.
+inline constexpr int kLumpSide = 64;
+std::vector<std::uint8_t> SoilLumps(const std::vector<std::uint8_t>& soil);
+
+}  // namespace dockyard

@@ -1,0 +1,104 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "models/config_error.h"
+#include "models/load_scenario.h"
+#include "sim/app/commands.h"
+#include "sim/app/controller_factory.h"
+#include "sim/app/exit_codes.h"
+#include "sim/app/identity.h"
+#include "sim/app/terminal.h"
+#include "sim/campaign/campaign.h"
+#include "sim/run/loop.h"
+
+namespace dockyard {
+namespace {
+
+struct CampaignArguments {
+  std::string file;
+  int jobs = 0;  // 0: all processors
+  std::string out_dir;
+  std::vector<std::string> overrides;
+  double run_limit_s = 900.0;
+  bool quiet = false;
+};
+
+constexpr const char* kHelp = R"(Simulate all runs of a campaign on several processors.
+
+Examples:
+  dockyard campaign scenarios/mars_yard_40.yaml
+  dockyard campaign scenarios/mars_yard_40.yaml --jobs 2 --out results/yard
+  dockyard campaign scenarios/ci_4.yaml --out results/ci
+
+Stopped by Ctrl-C or a power cut, the same command goes on where it was. The results are the
+same, bit for bit, for any number of jobs. Exit code 10: runs are missing or crashed.)";
+
+RunRecord RunForCampaign(const CampaignRun& run, const std::filesystem::path& log_dir) {
+  try {
+    RunOptions options;
+    options.log_dir = log_dir;
+    return RunDocking(run, MakeController, options);
+  } catch (const ConfigError& error) {
+    throw InputError(error.what());
+  }
+}
+
+bool AnyCrashed(const FinishedRuns& runs) {
+  for (const auto& [number, run] : runs) {
+    if (run.result.outcome == Outcome::kCrashed) return true;
+  }
+  return false;
+}
+
+std::string CommandToGoOn(const CampaignArguments& arguments, const std::string& out_dir) {
+  std::string command = "dockyard campaign " + arguments.file + " --out " + out_dir;
+  for (const std::string& override : arguments.overrides) command += " --set '" + override + "'";
+  return command;
+}
+
+int RunCampaignCommand(const CampaignArguments& arguments) {
+  const Campaign campaign = LoadCampaign(arguments.file, arguments.overrides);
+  CampaignOptions options;
+  options.out_dir =
+      arguments.out_dir.empty() ? "results/" + campaign.name : std::string(arguments.out_dir);
+  options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
+  options.run_time_limit_s = arguments.run_limit_s;
+  options.progress = arguments.quiet ? ProgressStyle::kNone : ProgressStyleOfStderr();
+  options.identity = IdentityText(campaign);
+  const CampaignEnd end = RunCampaign(campaign, RunForCampaign, options);
+  if (end.signal != 0) {
+    PrintNote("stopped: " + std::to_string(end.runs.size()) + " of " + std::to_string(end.total) +
+              " runs are kept in " + options.out_dir.string() +
+              "\nto go on: " + CommandToGoOn(arguments, options.out_dir.string()));
+    return kExitSignal + end.signal;
+  }
+  std::printf("%s", end.summary.c_str());
+  PrintNote("results and plots in " + options.out_dir.string());
+  return end.complete() && !AnyCrashed(end.runs) ? kExitDone : kExitIncomplete;
+}
+
+}  // namespace
+
+void AddCampaignCommand(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<CampaignArguments>();
+  CLI::App* command = app.add_subcommand("campaign", kHelp);
+  command->add_option("FILE", arguments->file, "a campaign file")->required();
+  command->add_option("--jobs", arguments->jobs, "processes at once [all processors]")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--out", arguments->out_dir, "results folder [results/<name>]");
+  command->add_option("--set", arguments->overrides, "key.path=value, on top of the file")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--run-limit", arguments->run_limit_s, "wall time of one run [900 s]")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.001, 1e6));
+  command->add_flag("--quiet", arguments->quiet, "no progress on stderr");
+  command->callback([arguments, &exit_code] { exit_code = RunCampaignCommand(*arguments); });
+}
+
+}  // namespace dockyard

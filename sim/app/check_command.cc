@@ -1,0 +1,48 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "models/check_file.h"
+#include "models/config_error.h"
+#include "sim/app/commands.h"
+#include "sim/app/exit_codes.h"
+#include "sim/app/terminal.h"
+
+namespace dockyard {
+namespace {
+
+constexpr const char* kHelp =
+    R"(Check input files: scenarios, campaigns, rovers, stations, soils, URDF, meshes.
+
+Examples:
+  dockyard check scenarios/mars_yard_40.yaml
+  dockyard check models/axel/axel.yaml models/axel/axel.urdf
+
+Prints a line for each good file on stdout and the first fault of each bad one on stderr.
+Exit code 3: a file is bad.)";
+
+int Check(const std::vector<std::string>& files) {
+  int exit_code = kExitDone;
+  for (const std::string& file : files) {
+    try {
+      const FileCheck check = CheckFile(file);
+      std::printf("%s: %s: %s\n", file.c_str(), check.kind.c_str(), check.summary.c_str());
+    } catch (const ConfigError& error) {
+      PrintError(error.what());
+      exit_code = kExitBadInput;
+    }
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+void AddCheckCommand(CLI::App& app, int& exit_code) {
+  auto files = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = app.add_subcommand("check", kHelp);
+  command->add_option("FILE", *files, "files to check")->required();
+  command->callback([files, &exit_code] { exit_code = Check(*files); });
+}
+
+}  // namespace dockyard

@@ -1,0 +1,16 @@
+// What the program's exit code says. docs/exit_codes.md tells the same at length.
+#pragma once
+
+namespace dockyard {
+
+inline constexpr int kExitDone = 0;       // done; run: docked; replay: the same
+inline constexpr int kExitOurBug = 1;     // a broken promise of ours; replay: not the same
+inline constexpr int kExitUsage = 2;      // arguments that make no sense
+inline constexpr int kExitBadInput = 3;   // a file that is wrong
+inline constexpr int kExitNotDocked = 4;  // run: simulated to its end, but did not dock
+inline constexpr int kExitIncomplete =
+    10;                             // campaign: runs missing or crashed; replay: no such result
+inline constexpr int kExitIo = 50;  // a folder or file that cannot be written or read
+inline constexpr int kExitSignal = 128;  // plus the signal's number: 130 Ctrl-C, 143 terminated
+
+}  // namespace dockyard

@@ -1,0 +1,83 @@
+// dockyard: run | campaign | replay | view | check.
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+#include "models/config_error.h"
+#include "sim/app/commands.h"
+#include "sim/app/exit_codes.h"
+#include "sim/app/terminal.h"
+#include "sim/campaign/campaign.h"
+#include "sim/log/files.h"
+#include "sim/log/run_log.h"
+
+namespace {
+
+using namespace dockyard;
+
+constexpr const char* kHelp = R"(Dockyard: a physics testbed for autonomous rover docking.
+
+Examples:
+  dockyard run scenarios/axel_typical.yaml
+  dockyard campaign scenarios/mars_yard_40.yaml
+  dockyard replay results/mars_yard_40 17
+  dockyard view scenarios/axel_typical.yaml --out out/view
+  dockyard check models/axel/axel.yaml)";
+
+int Fail(const std::exception& error, int exit_code) {
+  PrintError(error.what());
+  return exit_code;
+}
+
+int ParseAndRun(CLI::App& app, int argc, char** argv, int& exit_code) {
+  try {
+    app.parse(argc, argv);
+    return exit_code;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, std::cout, std::cerr) == 0 ? kExitDone : kExitUsage;
+  } catch (const UsageError& error) {
+    return Fail(error, kExitUsage);
+  } catch (const FolderTaken& error) {
+    return Fail(error, kExitUsage);
+  } catch (const ConfigError& error) {
+    return Fail(error, kExitBadInput);
+  } catch (const InputError& error) {
+    return Fail(error, kExitBadInput);
+  } catch (const ResultsError& error) {
+    return Fail(error, kExitBadInput);
+  } catch (const LogError& error) {
+    return Fail(error, kExitBadInput);
+  } catch (const IoError& error) {
+    return Fail(error, kExitIo);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return Fail(error, kExitIo);
+  } catch (const std::exception& error) {
+    return Fail(error, kExitOurBug);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A broken promise has printed its place; it ends with the code that says so.
+  std::signal(SIGABRT, [](int) { ::_exit(kExitOurBug); });
+  int exit_code = kExitDone;
+  CLI::App app(kHelp, "dockyard");
+  app.set_version_flag("--version", "dockyard " DOCKYARD_VERSION);
+  app.require_subcommand(1);
+  AddRunCommand(app, exit_code);
+  AddCampaignCommand(app, exit_code);
+  AddReplayCommand(app, exit_code);
+  AddViewCommand(app, exit_code);
+  AddCheckCommand(app, exit_code);
+  exit_code = ParseAndRun(app, argc, argv, exit_code);
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || !std::cout) {
+    PrintError("cannot write to standard output");
+    return kExitIo;
+  }
+  return exit_code;
+}

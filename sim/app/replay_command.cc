@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "models/load_scenario.h"
+#include "sim/app/commands.h"
+#include "sim/app/controller_factory.h"
+#include "sim/app/exit_codes.h"
+#include "sim/app/identity.h"
+#include "sim/app/terminal.h"
+#include "sim/campaign/campaign_folder.h"
+#include "sim/log/result_row.h"
+#include "sim/log/run_log.h"
+#include "sim/run/loop.h"
+
+namespace dockyard {
+namespace {
+
+struct ReplayArguments {
+  std::string dir;
+  int run = 0;
+};
+
+constexpr const char* kHelp =
+    R"(Run one run of a campaign again and say whether it came out the same.
+
+Examples:
+  dockyard replay results/mars_yard_40 17
+  dockyard replay results/ci 2
+
+Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
+controller alone and compares its commands. Exit code 0: the same, 1: not the same, 10: the
+folder holds no result of this run.)";
+
+/// Columns whose values differ, with both values; true when none does.
+bool ReportRow(const RunResult& then, const RunResult& now) {
+  const std::vector<std::string> differing = DifferingColumns(then, now);
+  if (differing.empty()) {
+    std::printf("run %d: same result row, bit for bit (%s)\n", now.run, Name(now.outcome));
+    return true;
+  }
+  std::printf("run %d: not the same; %zu columns differ\n", now.run, differing.size());
+  const std::vector<std::string> cells_then = RowCells(then), cells_now = RowCells(now);
+  std::size_t i = 0;
+  VisitColumns(now, [&](const char* name, const auto&) {
+    if (std::find(differing.begin(), differing.end(), name) != differing.end()) {
+      std::printf("  %-22s was %s, is %s\n", name, cells_then[i].c_str(), cells_now[i].c_str());
+    }
+    ++i;
+  });
+  return false;
+}
+
+/// True unless the controller, run alone, gave other commands.
+bool ReportController(const std::filesystem::path& run_dir) {
+  if (!std::filesystem::exists(run_dir / "frames.bin")) {
+    std::printf("controller alone: not run, there is no log\n");
+    return true;
+  }
+  RunLogReader log(run_dir);
+  const auto controller = MakeController(log.header().controller, log.header().sheet);
+  const ControllerReplay replay = ReplayController(log, *controller);
+  const auto compared = static_cast<unsigned long long>(replay.compared);
+  if (replay.differs_at) {
+    std::printf("controller alone: other commands at %.3f s, after %llu equal ones\n",
+                kTickSeconds * static_cast<double>(*replay.differs_at), compared);
+    return false;
+  }
+  if (replay.blind_at) {
+    std::printf("controller alone: same for %llu steps, then the log has no images\n", compared);
+  } else {
+    std::printf("controller alone: same commands at all %llu steps%s\n", compared,
+                replay.complete ? "" : "; the log is cut short");
+  }
+  return true;
+}
+
+int Replay(const ReplayArguments& arguments) {
+  const std::filesystem::path dir = arguments.dir;
+  const Campaign campaign = LoadCampaign((dir / "resolved.yaml").string());
+  const auto run = std::find_if(campaign.runs.begin(), campaign.runs.end(),
+                                [&](const CampaignRun& each) { return each.run == arguments.run; });
+  if (run == campaign.runs.end()) {
+    throw UsageError(dir.string() + " has no run " + std::to_string(arguments.run) + "; it has " +
+                     std::to_string(campaign.runs.size()) + " runs");
+  }
+  const FinishedRuns finished = ReadResults(dir);
+  const auto then = finished.find(arguments.run);
+  if (then == finished.end()) {
+    PrintError("run " + std::to_string(arguments.run) + " has no result in " + dir.string() +
+               " yet");
+    return kExitIncomplete;
+  }
+  if (ReadWhole(dir / "identity.txt").value_or("") != IdentityText(campaign)) {
+    PrintNote("note: the program or the model files have changed since (identity.txt)");
+  }
+  const RunRecord now = RunDocking(*run, MakeController, {});
+  const bool same_row = ReportRow(then->second.result, now.result);
+  const bool same_commands = ReportController(RunFolder(dir, arguments.run));
+  return same_row && same_commands ? kExitDone : kExitOurBug;
+}
+
+}  // namespace
+
+void AddReplayCommand(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<ReplayArguments>();
+  CLI::App* command = app.add_subcommand("replay", kHelp);
+  command->add_option("DIR", arguments->dir, "a campaign's results folder")->required();
+  command->add_option("RUN", arguments->run, "number of the run")->required();
+  command->callback([arguments, &exit_code] { exit_code = Replay(*arguments); });
+}
+
+}  // namespace dockyard

@@ -1,0 +1,113 @@
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/load_scenario.h"
+#include "sim/app/commands.h"
+#include "sim/app/controller_factory.h"
+#include "sim/app/exit_codes.h"
+#include "sim/app/terminal.h"
+#include "sim/campaign/run_plots.h"
+#include "sim/log/files.h"
+#include "sim/log/record_files.h"
+#include "sim/log/result_row.h"
+#include "sim/run/loop.h"
+
+namespace dockyard {
+namespace {
+
+struct RunArguments {
+  std::string scenario_file;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> overrides;
+  std::string out_dir;
+  bool json = false;
+};
+
+constexpr const char* kHelp = R"(Simulate one docking.
+
+Examples:
+  dockyard run scenarios/axel_typical.yaml
+  dockyard run scenarios/axel_typical.yaml --seed 7 --set start.r_m=5 --set start.alpha_deg=-20
+  dockyard run scenarios/axel_typical.yaml --out out/typical --json
+
+Prints the result on stdout. Exit code 0: docked, 4: it ran but did not dock.
+With --out the folder gets the log, the history and the plots of the run.)";
+
+CampaignRun SingleRun(const RunArguments& arguments) {
+  CampaignRun run;
+  run.scenario = LoadScenario(arguments.scenario_file, arguments.overrides);
+  if (arguments.seed) run.scenario.seed = *arguments.seed;
+  run.run = 1;
+  run.region = "single";
+  run.soil = std::filesystem::path(run.scenario.soil_file).stem().string();
+  return run;
+}
+
+/// The folder may be new, empty, or an earlier run's; nothing else is written over.
+void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
+  MakeFolder(dir);
+  const bool ours = std::filesystem::exists(dir / "resolved.yaml") &&
+                    !std::filesystem::exists(dir / "results.csv");
+  if (!ours && !std::filesystem::is_empty(dir)) {
+    throw UsageError(dir.string() + " is not empty and holds no single run; choose another --out");
+  }
+  WriteWhole(dir / "resolved.yaml", ResolvedYaml(scenario));
+}
+
+void PrintRecord(const RunRecord& record) {
+  const std::vector<std::string> cells = RowCells(record.result);
+  std::size_t i = 0;
+  VisitColumns(record.result, [&](const char* name, const auto&) {
+    std::printf("%-22s %s\n", name, cells[i++].c_str());
+  });
+  std::printf("%-22s %.3f\n", "cpu_time_s", record.timing.cpu_time_s);
+}
+
+int Run(const RunArguments& arguments) {
+  const CampaignRun run = SingleRun(arguments);
+  RunOptions options;
+  options.log_dir = arguments.out_dir;
+  if (!arguments.out_dir.empty()) PrepareFolder(arguments.out_dir, run.scenario);
+  const RunRecord record = RunDocking(run, MakeController, options);
+  if (!arguments.out_dir.empty()) {
+    WriteRecordFiles(arguments.out_dir, record);
+    WriteRunPlots(arguments.out_dir, record);
+    PrintNote("log and plots in " + arguments.out_dir);
+  }
+  if (arguments.json) {
+    Json json = RowJson(record.result);
+    json["cpu_time_s"] = record.timing.cpu_time_s;
+    std::printf("%s\n", json.dump(1).c_str());
+  } else {
+    PrintRecord(record);
+  }
+  if (!record.failure_note.empty()) PrintNote(record.failure_note);
+  return record.result.docked ? kExitDone : kExitNotDocked;
+}
+
+}  // namespace
+
+void AddRunCommand(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command = app.add_subcommand("run", kHelp);
+  command->add_option("SCENARIO", arguments->scenario_file, "a scenario file")->required();
+  command->add_option("--seed", arguments->seed, "of all that is random; overrides the file's")
+      ->check([](const std::string& text) {  // else -1 would read as 2^64 - 1
+        return text.empty() || text[0] == '-' ? "expected a whole number >= 0" : "";
+      });
+  command->add_option("--set", arguments->overrides, "key.path=value, on top of the file")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--out", arguments->out_dir, "folder for log, history and plots");
+  command->add_flag("--json", arguments->json, "the result as JSON");
+  command->callback([arguments, &exit_code] { exit_code = Run(*arguments); });
+}
+
+}  // namespace dockyard

@@ -1,0 +1,31 @@
+#include "sim/app/terminal.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+namespace dockyard {
+namespace {
+
+bool ColorWanted() {
+  const char* no_color = std::getenv("NO_COLOR");
+  return ::isatty(STDERR_FILENO) && (no_color == nullptr || *no_color == '\0');
+}
+
+}  // namespace
+
+void PrintError(const std::string& message) {
+  const char* word = ColorWanted() ? "\x1b[1;31merror:\x1b[0m" : "error:";
+  std::fprintf(stderr, "%s %s\n", word, message.c_str());
+}
+
+void PrintNote(const std::string& message) { std::fprintf(stderr, "%s\n", message.c_str()); }
+
+int UsableProcessors() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace dockyard

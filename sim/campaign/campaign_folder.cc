@@ -1,0 +1,151 @@
+#include "sim/campaign/campaign_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+
+#include "sim/campaign/database.h"
+#include "sim/campaign/plots.h"
+#include "sim/campaign/summary.h"
+#include "sim/log/json_io.h"
+#include "sim/log/result_row.h"
+
+namespace dockyard {
+namespace {
+
+bool HoldsOnlyScraps(const std::filesystem::path& dir) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(dir, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name != ".lock" && name != "identity.txt" && entry.path().extension() != ".tmp") {
+      return false;
+    }
+  }
+  if (error) throw IoError("cannot read folder " + dir.string() + ": " + error.message());
+  return true;
+}
+
+std::string FailureNote(const std::filesystem::path& run_dir) {
+  const auto text = ReadWhole(run_dir / "outcome.json");
+  if (!text) return "";
+  const Json json = Json::parse(*text, nullptr, /*allow_exceptions=*/false);
+  const bool has_note = json.is_object() && json.contains("failure_note");
+  return has_note && json["failure_note"].is_string() ? json["failure_note"].get<std::string>()
+                                                      : "";
+}
+
+}  // namespace
+
+std::filesystem::path RunFolder(const std::filesystem::path& dir, int run) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%03d", run);
+  return dir / "runs" / name;
+}
+
+CampaignFolder::CampaignFolder(const std::filesystem::path& dir, const Campaign& campaign,
+                               const std::string& identity)
+    : dir_(dir) {
+  MakeFolder(dir_);
+  Lock();
+  try {
+    Claim(campaign, identity);
+    MakeFolder(dir_ / "runs");
+    MakeFolder(dir_ / "plots");
+    finished_ = ReadResults(dir_);
+    CheckRows(campaign);
+    // A line that was cut off goes, so that the next one starts on a line of its own.
+    WriteWhole(dir_ / "timing.csv", TimingCsv(finished_));
+    WriteWhole(dir_ / "results.csv", ResultsCsv(finished_));
+    results_ = std::make_unique<LineAppender>(dir_ / "results.csv");
+    timing_ = std::make_unique<LineAppender>(dir_ / "timing.csv");
+  } catch (...) {
+    ::close(lock_);
+    throw;
+  }
+}
+
+CampaignFolder::~CampaignFolder() { ::close(lock_); }
+
+void CampaignFolder::Lock() {
+  const std::filesystem::path path = dir_ / ".lock";
+  lock_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (lock_ < 0) throw IoErrorFromErrno("write", path);
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(lock_);
+    throw FolderTaken("another campaign is running in " + dir_.string());
+  }
+}
+
+void CampaignFolder::Claim(const Campaign& campaign, const std::string& identity) {
+  const std::string other = "; choose another folder with --out, or remove it";
+  const auto resolved = ReadWhole(dir_ / "resolved.yaml");
+  if (!resolved) {
+    if (!HoldsOnlyScraps(dir_)) {
+      throw FolderTaken(dir_.string() + " is not empty and holds no campaign" + other);
+    }
+    WriteWhole(dir_ / "identity.txt", identity);
+    WriteWhole(dir_ / "resolved.yaml", campaign.resolved_yaml);
+    return;
+  }
+  if (*resolved != campaign.resolved_yaml) {
+    throw FolderTaken(dir_.string() + " holds another campaign (its resolved.yaml differs)" +
+                      other);
+  }
+  if (ReadWhole(dir_ / "identity.txt").value_or("") != identity && !identity.empty()) {
+    throw FolderTaken(dir_.string() +
+                      " was begun with another build of the program or other model files"
+                      " (its identity.txt differs)" +
+                      other);
+  }
+}
+
+void CampaignFolder::CheckRows(const Campaign& campaign) const {
+  for (const auto& [number, run] : finished_) {
+    const auto known =
+        std::find_if(campaign.runs.begin(), campaign.runs.end(),
+                     [number = number](const CampaignRun& each) { return each.run == number; });
+    if (known == campaign.runs.end() || known->scenario.seed != run.result.seed) {
+      throw ResultsError((dir_ / "results.csv").string() + ": run " + std::to_string(number) +
+                         " does not belong to this campaign");
+    }
+  }
+}
+
+std::filesystem::path CampaignFolder::StartRun(int run) const {
+  const std::filesystem::path path = RunFolder(dir_, run);
+  std::error_code error;
+  std::filesystem::remove_all(path, error);
+  if (error) throw IoError("cannot empty folder " + path.string() + ": " + error.message());
+  MakeFolder(path);
+  return path;
+}
+
+// The timing goes first: a run counts as done when its row is there.
+void CampaignFolder::Keep(const FinishedRun& run) {
+  timing_->Append(TimingRow(run.result.run, run.timing));
+  results_->Append(CsvRow(run.result));
+  finished_[run.result.run] = run;
+}
+
+std::string CampaignFolder::Conclude(const Campaign& campaign) const {
+  std::vector<RunResult> rows;
+  std::map<int, std::string> notes;
+  for (const auto& [number, run] : finished_) {
+    rows.push_back(run.result);
+    if (!run.result.docked) notes[number] = FailureNote(RunFolder(dir_, number));
+  }
+  WriteWhole(dir_ / "timing.csv", TimingCsv(finished_));
+  WriteWhole(dir_ / "results.csv", ResultsCsv(finished_));
+  WriteDatabase(dir_ / "results.sqlite", finished_);
+  WriteWhole(dir_ / "plots" / "grid.svg", GridPlot(campaign.name, rows));
+  const std::string summary =
+      SummaryText(campaign.name, finished_, static_cast<int>(campaign.runs.size()), notes);
+  WriteWhole(dir_ / "summary.txt", summary);
+  return summary;
+}
+
+}  // namespace dockyard

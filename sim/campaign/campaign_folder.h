@@ -1,0 +1,65 @@
+// A campaign's results folder:
+//   resolved.yaml, identity.txt   what was run, and with which program and model files
+//   results.csv, timing.csv       a line per finished run; in run order once the campaign stops
+//   results.sqlite, summary.txt, plots/grid.svg
+//   runs/NNN/                     frames.bin, history.csv, sightings.json, plans.json,
+//   outcome.json,
+//                                 path.svg, history.svg, messages.txt (what the run printed, if it
+//                                 did)
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "models/scenario.h"
+#include "sim/campaign/results.h"
+#include "sim/log/files.h"
+
+namespace dockyard {
+
+/// The folder holds something else, or is in use. The message says what to do.
+class FolderTaken : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// "runs/007" of a results folder.
+std::filesystem::path RunFolder(const std::filesystem::path& dir, int run);
+
+class CampaignFolder {
+ public:
+  /// Makes the folder, or opens one that was left in the middle of the same campaign. Only one
+  /// program at a time has it. Throws FolderTaken, ResultsError, IoError.
+  /// @param identity  of program and model files; empty is not compared
+  CampaignFolder(const std::filesystem::path& dir, const Campaign& campaign,
+                 const std::string& identity);
+  ~CampaignFolder();
+  CampaignFolder(const CampaignFolder&) = delete;
+  CampaignFolder& operator=(const CampaignFolder&) = delete;
+
+  const std::filesystem::path& dir() const { return dir_; }
+  const FinishedRuns& finished() const { return finished_; }
+  /// For the workers: a forked child closes it, so that the lock ends with the parent.
+  int lock_descriptor() const { return lock_; }
+
+  /// Empties and makes the run's folder.
+  std::filesystem::path StartRun(int run) const;
+  /// On the disk when it returns. Throws IoError.
+  void Keep(const FinishedRun& run);
+  /// Rewrites the tables in run order, adds database, summary and plot; returns the summary.
+  std::string Conclude(const Campaign& campaign) const;
+
+ private:
+  void Claim(const Campaign& campaign, const std::string& identity);
+  void Lock();
+  void CheckRows(const Campaign& campaign) const;
+
+  std::filesystem::path dir_;
+  int lock_ = -1;
+  FinishedRuns finished_;
+  std::unique_ptr<LineAppender> results_, timing_;
+};
+
+}  // namespace dockyard

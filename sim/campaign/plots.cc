@@ -1,0 +1,190 @@
+#include "sim/campaign/plots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "controller/geometry/pose.h"
+#include "sim/campaign/statistics.h"
+#include "sim/campaign/svg.h"
+
+namespace dockyard {
+namespace {
+
+constexpr const char* kBlue = "#1f5fbf";
+constexpr const char* kRed = "#c8321e";
+constexpr double kScale = 112.0;   // [px/m]
+constexpr double kArrowPx = 46.0;  // tail to point
+constexpr double kLetterPx = 6.0;  // mean advance at size 10
+constexpr double kSmallText = 10.0;
+
+struct Box {
+  double left, top, right, bottom;
+  bool Overlaps(const Box& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+struct Arrow {
+  const RunResult* row;
+  Px tail, point;
+  Px direction;  // unit, on the sheet
+  std::string color;
+};
+
+Px Along(const Arrow& arrow, double forward, double right) {
+  return {arrow.tail.x + forward * arrow.direction.x - right * arrow.direction.y,
+          arrow.tail.y + forward * arrow.direction.y + right * arrow.direction.x};
+}
+
+PlotArea GridArea(const std::vector<RunResult>& rows) {
+  Range x{-1.0, 3.0}, y{-1.5, 1.5};
+  for (const RunResult& row : rows) {
+    const Pose2 start =
+        FromDockingCoords({row.r_m, Radians(row.alpha_deg), Radians(row.heading_deg)});
+    x.Hold(start.x + 0.9);
+    y.Hold(start.y + 0.6);
+    y.Hold(start.y - 0.6);
+  }
+  return {{78.0, 74.0}, kScale * x.span(), kScale * y.span(), x, y};
+}
+
+std::vector<Arrow> Arrows(const std::vector<RunResult>& rows, const PlotArea& area) {
+  std::vector<Arrow> arrows;
+  for (const RunResult& row : rows) {
+    const Pose2 X_DR =
+        FromDockingCoords({row.r_m, Radians(row.alpha_deg), Radians(row.heading_deg)});
+    Arrow arrow{&row, area.At(X_DR.x, X_DR.y), {}, {}, row.docked ? kBlue : kRed};
+    arrow.direction = {std::cos(X_DR.heading), -std::sin(X_DR.heading)};
+    arrow.point = Along(arrow, kArrowPx, 0.0);
+    arrows.push_back(arrow);
+  }
+  return arrows;
+}
+
+void DrawArrow(SvgDocument& svg, const Arrow& arrow) {
+  svg.OpenGroup("run-arrow", "run-" + std::to_string(arrow.row->run));
+  svg.Line(arrow.tail, Along(arrow, kArrowPx - 9.0, 0.0), {arrow.color, 2.2, "", 1.0});
+  svg.Polygon({arrow.point, Along(arrow, kArrowPx - 12.0, 5.0), Along(arrow, kArrowPx - 9.0, 0.0),
+               Along(arrow, kArrowPx - 12.0, -5.0)},
+              arrow.color, {arrow.color, 0.5, "", 1.0});
+  const bool loose = arrow.row->soil == "loose";
+  svg.Circle(arrow.tail, 4.0, loose ? "#ffffff" : arrow.color, {arrow.color, 1.6, "", 1.0});
+  svg.CloseGroup();
+}
+
+// The arrow's shaft as a row of small boxes, for labels to keep clear of.
+void AddObstacles(const Arrow& arrow, std::vector<Box>& taken) {
+  for (double s = 0.0; s <= kArrowPx; s += 6.0) {
+    const Px p = Along(arrow, s, 0.0);
+    taken.push_back({p.x - 5, p.y - 5, p.x + 5, p.y + 5});
+  }
+}
+
+// Tries places round the tail, near ones first, and takes the first that is free.
+Px FreePlace(const Arrow& arrow, double width, const PlotArea& area, const std::vector<Box>& taken,
+             Box& box) {
+  const double height = kSmallText;
+  for (const double distance : {9.0, 16.0, 24.0, 34.0}) {
+    for (const double turn_deg : {0.0, 25.0, -25.0, 50.0, -50.0, 75.0, -75.0, 100.0, -100.0}) {
+      const double turn = Radians(turn_deg);
+      const Px away{-arrow.direction.x * std::cos(turn) + arrow.direction.y * std::sin(turn),
+                    -arrow.direction.y * std::cos(turn) - arrow.direction.x * std::sin(turn)};
+      const Px centre{arrow.tail.x + away.x * (distance + width / 2),
+                      arrow.tail.y + away.y * (distance + height / 2)};
+      box = {centre.x - width / 2, centre.y - height / 2, centre.x + width / 2,
+             centre.y + height / 2};
+      const bool inside =
+          box.left > area.corner.x + 2 && box.right < area.corner.x + area.width - 2;
+      const bool free = inside && std::none_of(taken.begin(), taken.end(), [&](const Box& other) {
+                          return box.Overlaps(other);
+                        });
+      if (free) return {box.left, box.bottom - 1.5};
+    }
+  }
+  return {box.left, box.bottom - 1.5};
+}
+
+void DrawLabels(SvgDocument& svg, const PlotArea& area, const std::vector<Arrow>& arrows) {
+  std::vector<Box> taken;
+  for (const Arrow& arrow : arrows) AddObstacles(arrow, taken);
+  for (const Arrow& arrow : arrows) {
+    std::string label = std::to_string(arrow.row->run);
+    if (!arrow.row->docked) label += std::string(" ") + Name(arrow.row->outcome);
+    Box box{};
+    const Px at = FreePlace(arrow, kLetterPx * static_cast<double>(label.size()), area, taken, box);
+    svg.Text(at, label, {kSmallText, arrow.row->docked ? "#5a6b85" : kRed});
+    taken.push_back(box);
+  }
+}
+
+void DrawStation(SvgDocument& svg, const PlotArea& area) {
+  const Pen outline{"#444444", 1.2, "", 1.0};
+  svg.Polygon(
+      {area.At(-0.8, 0.475), area.At(-0.01, 0.475), area.At(-0.01, -0.475), area.At(-0.8, -0.475)},
+      "#d5d5d5", outline);
+  svg.Polygon({area.At(0, 0.12), area.At(-0.12, 0.033), area.At(-0.37, 0.033),
+               area.At(-0.37, -0.033), area.At(-0.12, -0.033), area.At(0, -0.12)},
+              "#ffffff", outline);
+  const Px label = area.At(-0.42, 0.55);
+  svg.Text(label, "station", {11, "#444444", Anchor::kMiddle});
+}
+
+// The span of alpha that the paper tested, and rings of equal distance.
+void DrawPolarGuides(SvgDocument& svg, const PlotArea& area) {
+  const Pen guide{"#b9c4d0", 1.0, "3 4", 1.0};
+  for (double r = 1.0; r < area.x.high; r += 1.0) {
+    std::vector<Px> arc;
+    for (double alpha_deg = -40.0; alpha_deg <= 40.0; alpha_deg += 2.0) {
+      const double x = r * std::cos(Radians(alpha_deg)), y = r * std::sin(Radians(alpha_deg));
+      if (x < area.x.high && std::abs(y) < area.y.high) arc.push_back(area.At(x, y));
+    }
+    svg.Polyline(arc, guide);
+  }
+  const double reach =
+      std::min(area.y.high / std::sin(Radians(40.0)), area.x.high / std::cos(Radians(40.0)));
+  for (const double alpha_deg : {-40.0, 0.0, 40.0}) {
+    const double r = alpha_deg == 0.0 ? area.x.high : reach;
+    svg.Line(area.At(0, 0),
+             area.At(r * std::cos(Radians(alpha_deg)), r * std::sin(Radians(alpha_deg))), guide);
+  }
+}
+
+void DrawKey(SvgDocument& svg, Px at) {
+  const std::array<std::pair<const char*, const char*>, 2> colors{
+      {{kBlue, "docked"}, {kRed, "not docked (cause)"}}};
+  for (const auto& [color, word] : colors) {
+    svg.Line(at, {at.x + 20, at.y}, {color, 2.2, "", 1.0});
+    svg.Polygon({{at.x + 30, at.y}, {at.x + 18, at.y - 5}, {at.x + 18, at.y + 5}}, color,
+                {color, 0.5, "", 1.0});
+    svg.Text({at.x + 36, at.y + 4}, word, {12, "#333333"});
+    at.x += 52 + 6.6 * static_cast<double>(std::string(word).size());
+  }
+  for (const bool loose : {false, true}) {
+    svg.Circle({at.x + 4, at.y}, 4.0, loose ? "#ffffff" : "#555555", {"#555555", 1.6, "", 1.0});
+    svg.Text({at.x + 13, at.y + 4}, loose ? "loose soil" : "compact soil", {12, "#333333"});
+    at.x += 110;
+  }
+}
+
+}  // namespace
+
+std::string GridPlot(const std::string& title, const std::vector<RunResult>& rows) {
+  const PlotArea area = GridArea(rows);
+  const auto docked =
+      std::count_if(rows.begin(), rows.end(), [](const RunResult& row) { return row.docked; });
+  SvgDocument svg(std::max(area.width + 110.0, 640.0), area.height + 134.0, title);
+  svg.Text({area.corner.x, 30},
+           title + ": " + BriefRate(static_cast<int>(docked), static_cast<int>(rows.size())),
+           {16, "#111111", Anchor::kStart, true});
+  DrawKey(svg, {area.corner.x, 54});
+  area.DrawAxes(svg, "out along the cone's axis, x [m]", "to the left, y [m]");
+  DrawPolarGuides(svg, area);
+  DrawStation(svg, area);
+  const std::vector<Arrow> arrows = Arrows(rows, area);
+  for (const Arrow& arrow : arrows) DrawArrow(svg, arrow);
+  DrawLabels(svg, area, arrows);
+  return svg.Finish();
+}
+
+}  // namespace dockyard

@@ -1,0 +1,16 @@
+// The plot of a whole grid of runs, after Tsai et al., Fig. 9.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/run/record.h"
+
+namespace dockyard {
+
+/// SVG: the dock at the origin, an arrow at each start position in the direction of its heading,
+/// blue docked and red not, named by its cause. Filled tails stand on compact soil, hollow ones on
+/// loose. Each arrow is a group of class "run-arrow" with id "run-<number>".
+std::string GridPlot(const std::string& title, const std::vector<RunResult>& rows);
+
+}  // namespace dockyard

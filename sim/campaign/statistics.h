@@ -1,0 +1,26 @@
+// Rates with their uncertainty: a share of a few dozen runs means little without its interval.
+#pragma once
+
+#include <string>
+
+namespace dockyard {
+
+/// I_x(a, b), the regularised incomplete beta function, a, b > 0, 0 <= x <= 1. Continued fraction
+/// (Abramowitz and Stegun 26.5.8) by Lentz's method, to about 1e-14.
+double RegularizedBeta(double a, double b, double x);
+
+struct Interval {
+  double low = 0.0, high = 1.0;
+};
+
+/// Exact interval of a binomial share (Clopper and Pearson, Biometrika 26, 1934): the shares p for
+/// which neither P(X >= successes) nor P(X <= successes) falls below (1 - confidence) / 2.
+/// @param trials  0 gives [0, 1]
+Interval ClopperPearson(int successes, int trials, double confidence = 0.95);
+
+/// "31/40 (78 %, 62-89 %)", with the 95 % interval; "0/0" without trials.
+std::string RateText(int successes, int trials);
+/// "docked 31/40 (78 %, 62-89 %)"
+std::string BriefRate(int docked, int runs);
+
+}  // namespace dockyard

@@ -1,0 +1,105 @@
+// The log of one run, as the rover could keep it: the data sheet its brain was given, then every
+// sensor frame with the commands that answered it. The controller can be run again from it alone.
+// One file, frames.bin, in the run's folder; layout in docs/run_log.md.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/io/controller.h"
+#include "controller/io/rover_sheet.h"
+#include "sim/log/files.h"
+#include "sim/log/frame_codec.h"
+
+namespace dockyard {
+
+inline constexpr std::uint32_t kRunLogVersion = 1;
+
+struct RunLogHeader {
+  int run = 0;
+  std::uint64_t seed = 0;
+  std::string controller;
+  bool images_kept = true;
+  RoverSheet sheet;
+};
+
+struct RunLogEntry {
+  SensorFrame sensed;
+  bool images_left_out = false;  // the controller saw a pair that the log does not hold
+  Commands commands;
+};
+
+class RunLogWriter {
+ public:
+  /// Makes the folder and dir/frames.bin. Throws IoError.
+  RunLogWriter(const std::filesystem::path& dir, const RunLogHeader& header);
+  /// A log without Finish reads as cut short.
+  ~RunLogWriter() = default;
+
+  /// Throws IoError, as when the disk is full.
+  void Append(const SensorFrame& sensed, const Commands& commands);
+  /// Writes the end mark and closes. Throws IoError.
+  void Finish();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  void WriteRecord(char kind, const std::string& payload);
+
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  bool keep_images_ = true;
+  std::uint64_t entries_ = 0;
+  std::string payload_;  // kept between calls for its memory
+};
+
+/// Reads a log entry by entry. Throws IoError, and LogError for what is not a log of this version
+/// or is damaged.
+class RunLogReader {
+ public:
+  explicit RunLogReader(const std::filesystem::path& dir);
+
+  const RunLogHeader& header() const { return header_; }
+  /// None at the end of the log.
+  std::optional<RunLogEntry> Next();
+  /// After the last entry: whether the end mark was there, or the run was cut short.
+  bool complete() const { return complete_; }
+
+ private:
+  bool ReadRecord(char& kind);
+
+  std::filesystem::path path_;
+  std::ifstream file_;
+  std::uintmax_t bytes_left_ = 0;
+  RunLogHeader header_;
+  std::uint64_t entries_ = 0;
+  bool complete_ = false;
+  std::string payload_;
+};
+
+struct RunLog {
+  RunLogHeader header;
+  std::vector<RunLogEntry> entries;
+  bool complete = false;
+};
+/// The whole log in memory; for long runs with images take the reader.
+RunLog ReadRunLog(const std::filesystem::path& dir);
+
+/// What running the controller alone came to.
+struct ControllerReplay {
+  std::uint64_t compared = 0;      // entries with equal commands, bit for bit
+  std::optional<Tick> differs_at;  // first tick with other commands
+  std::optional<Tick> blind_at;    // first tick whose images the log left out: stopped there
+  bool complete = false;           // the log has its end mark
+  bool same() const { return !differs_at && !blind_at && complete; }
+};
+/// Feeds the logged frames to a fresh controller and compares its commands with the logged ones.
+ControllerReplay ReplayController(RunLogReader& log, Controller& controller);
+
+}  // namespace dockyard

@@ -1,0 +1,117 @@
+#include "sim/log/sheet_json.h"
+
+namespace dockyard {
+namespace {
+
+Json CameraToJson(const FisheyeCamera& camera) {
+  return {{"width", camera.width}, {"height", camera.height}, {"fx", camera.fx}, {"fy", camera.fy},
+          {"cx", camera.cx},       {"cy", camera.cy},         {"k", camera.k}};
+}
+
+FisheyeCamera CameraFromJson(const Json& json) {
+  FisheyeCamera camera;
+  camera.width = json.at("width");
+  camera.height = json.at("height");
+  camera.fx = json.at("fx");
+  camera.fy = json.at("fy");
+  camera.cx = json.at("cx");
+  camera.cy = json.at("cy");
+  camera.k = json.at("k").get<std::array<double, 4>>();
+  return camera;
+}
+
+Json BoardToJson(const FiducialBoard& board) {
+  Json fiducials = Json::array();
+  for (const Fiducial& fiducial : board.fiducials) {
+    fiducials.push_back({{"p_m", ToJson(fiducial.p_BF)}, {"rotation_rad", fiducial.rotation}});
+  }
+  return {{"width_m", board.width_m},
+          {"height_m", board.height_m},
+          {"disc_diameter_m", board.disc_diameter_m},
+          {"bar_length_m", board.bar_length_m},
+          {"bar_width_m", board.bar_width_m},
+          {"fiducials", fiducials}};
+}
+
+FiducialBoard BoardFromJson(const Json& json) {
+  FiducialBoard board;
+  board.width_m = json.at("width_m");
+  board.height_m = json.at("height_m");
+  board.disc_diameter_m = json.at("disc_diameter_m");
+  board.bar_length_m = json.at("bar_length_m");
+  board.bar_width_m = json.at("bar_width_m");
+  for (const Json& entry : json.at("fiducials")) {
+    Fiducial fiducial;
+    fiducial.p_BF =
+        Eigen::Vector2d(entry.at("p_m").at(0).get<double>(), entry.at("p_m").at(1).get<double>());
+    fiducial.rotation = entry.at("rotation_rad");
+    board.fiducials.push_back(fiducial);
+  }
+  return board;
+}
+
+Json MotorToJson(const MotorSheet& motor) {
+  return {{"rad_per_count", motor.rad_per_count},
+          {"torque_per_amp_nm", motor.torque_per_amp_nm},
+          {"no_load_current_a", motor.no_load_current_a},
+          {"max_current_a", motor.max_current_a},
+          {"max_speed_rad_s", motor.max_speed_rad_s},
+          {"max_accel_rad_s2", motor.max_accel_rad_s2}};
+}
+
+MotorSheet MotorFromJson(const Json& json) {
+  MotorSheet motor;
+  motor.rad_per_count = json.at("rad_per_count");
+  motor.torque_per_amp_nm = json.at("torque_per_amp_nm");
+  motor.no_load_current_a = json.at("no_load_current_a");
+  motor.max_current_a = json.at("max_current_a");
+  motor.max_speed_rad_s = json.at("max_speed_rad_s");
+  motor.max_accel_rad_s2 = json.at("max_accel_rad_s2");
+  return motor;
+}
+
+}  // namespace
+
+Json ToJson(const RoverSheet& sheet) {
+  Json motors = Json::array();
+  for (const MotorSheet& motor : sheet.motors) motors.push_back(MotorToJson(motor));
+  return {{"left_camera", CameraToJson(sheet.rig.left)},
+          {"right_camera", CameraToJson(sheet.rig.right)},
+          {"X_RL", ToJson(sheet.rig.X_RL)},
+          {"X_RQ", ToJson(sheet.rig.X_RQ)},
+          {"board", BoardToJson(sheet.board)},
+          {"X_DB", ToJson(sheet.X_DB)},
+          {"motors", motors},
+          {"wheel_radius_m", sheet.wheel_radius_m},
+          {"track_m", sheet.track_m},
+          {"arm_length_m", sheet.arm_length_m},
+          {"arm_at_zero_rad", sheet.arm_at_zero_rad},
+          {"drum_radius_m", sheet.drum_radius_m},
+          {"mouth_height_m", sheet.mouth_height_m},
+          {"anchor_depth_m", sheet.anchor_depth_m},
+          {"mating_depth_m", sheet.mating_depth_m}};
+}
+
+RoverSheet SheetFromJson(const Json& json) {
+  RoverSheet sheet;
+  sheet.rig.left = CameraFromJson(json.at("left_camera"));
+  sheet.rig.right = CameraFromJson(json.at("right_camera"));
+  sheet.rig.X_RL = Pose3FromJson(json.at("X_RL"));
+  sheet.rig.X_RQ = Pose3FromJson(json.at("X_RQ"));
+  sheet.board = BoardFromJson(json.at("board"));
+  sheet.X_DB = Pose3FromJson(json.at("X_DB"));
+  for (std::size_t i = 0; i < sheet.motors.size(); ++i) {
+    sheet.motors[i] = MotorFromJson(json.at("motors").at(i));
+  }
+  sheet.wheel_radius_m = json.at("wheel_radius_m");
+  sheet.track_m = json.at("track_m");
+  sheet.arm_length_m = json.at("arm_length_m");
+  sheet.arm_at_zero_rad = json.at("arm_at_zero_rad");
+  sheet.drum_radius_m = json.at("drum_radius_m");
+  sheet.mouth_height_m = json.at("mouth_height_m");
+  sheet.anchor_depth_m = json.at("anchor_depth_m");
+  sheet.mating_depth_m = json.at("mating_depth_m");
+  return sheet;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,124 @@
+#include "sim/physics/collision_shapes.h"
+
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+
+#include <cmath>
+
+#include "sim/physics/bullet_math.h"
+
+namespace dockyard {
+namespace {
+
+// How far a wedge reaches under its neighbour; more than the deepest elastic penetration
+// (300 N at 2e5 N/m: 1.5 mm).
+constexpr double kWedgeOverlapM = 4e-3;
+
+std::unique_ptr<btCollisionShape> MakeHull(const std::vector<Eigen::Vector3d>& points) {
+  auto hull = std::make_unique<btConvexHullShape>();
+  for (const Eigen::Vector3d& p : points) hull->addPoint(ToBullet(p), false);
+  hull->recalcLocalAabb();
+  return hull;
+}
+
+struct MakeShape {
+  std::unique_ptr<btCollisionShape> operator()(const BoxShape& box) const {
+    return std::make_unique<btBoxShape>(ToBullet(Eigen::Vector3d(0.5 * box.size_m)));
+  }
+  std::unique_ptr<btCollisionShape> operator()(const CylinderShape& cylinder) const {
+    return std::make_unique<btCylinderShapeZ>(
+        btVector3(cylinder.radius_m, cylinder.radius_m, 0.5 * cylinder.length_m));
+  }
+  std::unique_ptr<btCollisionShape> operator()(const SphereShape& sphere) const {
+    return std::make_unique<btSphereShape>(sphere.radius_m);
+  }
+  std::unique_ptr<btCollisionShape> operator()(const HullShape& hull) const {
+    return MakeHull(hull.points);
+  }
+};
+
+// How far a shape reaches along its link's x.
+double ReachAlongX(const Collision& collision) {
+  const Eigen::RowVector3d x_G = collision.X_LG.R.row(0);
+  double reach = 0.0;
+  if (const auto* box = std::get_if<BoxShape>(&collision.shape)) {
+    reach = 0.5 * x_G.cwiseAbs().dot(box->size_m.transpose());
+  } else if (const auto* cylinder = std::get_if<CylinderShape>(&collision.shape)) {
+    reach = 0.5 * std::abs(x_G.z()) * cylinder->length_m +
+            std::hypot(x_G.x(), x_G.y()) * cylinder->radius_m;
+  } else if (const auto* sphere = std::get_if<SphereShape>(&collision.shape)) {
+    reach = sphere->radius_m;
+  } else if (const auto* hull = std::get_if<HullShape>(&collision.shape)) {
+    reach = -1e9;
+    for (const Eigen::Vector3d& p : hull->points) reach = std::max(reach, x_G.dot(p));
+  }
+  return collision.X_LG.p.x() + reach;
+}
+
+}  // namespace
+
+LinkShape::LinkShape() { compound_.setMargin(kCollisionMarginM); }
+
+void LinkShape::Add(const Collision& collision, const Pose3& X_PL) {
+  pieces_.push_back(std::visit(MakeShape{}, collision.shape));
+  if (!std::holds_alternative<SphereShape>(collision.shape)) {
+    pieces_.back()->setMargin(kCollisionMarginM);  // a sphere is all margin
+  }
+  compound_.addChildShape(ToBullet(X_PL * collision.X_LG), pieces_.back().get());
+}
+
+void LinkShape::AddHull(const std::vector<Eigen::Vector3d>& points, const Pose3& X_PL) {
+  pieces_.push_back(MakeHull(points));
+  pieces_.back()->setMargin(kCollisionMarginM);
+  compound_.addChildShape(ToBullet(X_PL), pieces_.back().get());
+}
+
+std::vector<std::vector<Eigen::Vector3d>> ConeWedges(const ConeModel& cone) {
+  const double half_angle = kPi / cone.wedges;
+  // The facets' middles lie nearer the axis than their seams; the mean is the model's radius.
+  const double to_facet = 2.0 * std::cos(half_angle) / (1.0 + std::cos(half_angle));
+  const double mouth = cone.mouth_radius_m * to_facet, throat = cone.throat_radius_m * to_facet;
+  const double slope = (mouth - throat) / cone.funnel_length_m;
+  const double m = kCollisionMarginM;
+  const double lift = m * std::sqrt(1.0 + slope * slope);  // funnel's offset across the axis
+  // Cut through a facet's middle: (x, distance from the axis), shrunk by the margin.
+  const double corner = -cone.funnel_length_m + (m - lift) / slope;
+  const std::vector<Eigen::Vector2d> cut = {
+      {-m, mouth - slope * m + lift},       {corner, throat + m},
+      {-cone.socket_end_m + m, throat + m}, {-cone.socket_end_m + m, cone.face_outer_radius_m - m},
+      {-m, cone.face_outer_radius_m - m},
+  };
+  std::vector<std::vector<Eigen::Vector3d>> wedges;
+  for (int k = 0; k < cone.wedges; ++k) {
+    // Symmetric about the vertical plane through the axis.
+    const double azimuth = (2 * k + 1) * half_angle;
+    const Eigen::Vector3d out(0.0, std::sin(azimuth), std::cos(azimuth));
+    const Eigen::Vector3d side(0.0, std::cos(azimuth), -std::sin(azimuth));
+    std::vector<Eigen::Vector3d> corners;
+    for (const Eigen::Vector2d& c : cut) {
+      const double width = c.y() * std::tan(half_angle) + kWedgeOverlapM - m;
+      const Eigen::Vector3d middle = c.x() * Eigen::Vector3d::UnitX() + c.y() * out;
+      corners.push_back(middle - width * side);
+      corners.push_back(middle + width * side);
+    }
+    wedges.push_back(corners);
+  }
+  return wedges;
+}
+
+std::vector<Collision> ArmCollisions(const RoverModel& rover) {
+  const double tip_middle = rover.arm_length_m - 0.5 * rover.tip.length_m;
+  std::vector<Collision> collisions;
+  for (const Collision& collision : rover.arm.collisions) {
+    if (ReachAlongX(collision) <= tip_middle) collisions.push_back(collision);
+  }
+  Pose3 X_AG;
+  X_AG.R = RotY(0.5 * kPi);
+  X_AG.p.x() = tip_middle;
+  collisions.push_back({"tip", CylinderShape{rover.tip.radius_m, rover.tip.length_m}, X_AG});
+  return collisions;
+}
+
+}  // namespace dockyard

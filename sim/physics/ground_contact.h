@@ -1,0 +1,29 @@
+// A point that may touch the ground: unilateral spring and damper along the ground's normal,
+// bristle friction in its plane. For the station's feet, the arm's tip and the rover's body.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "sim/soil/height_grid.h"
+
+namespace dockyard {
+
+struct GroundMaterial {
+  double stiffness_n_per_m = 0.0;  // normal, and tangential of the bristle
+  double damping_ns_per_m = 0.0;   // of both; normal force never pulls
+  double friction = 0.0;           // Coulomb
+};
+
+struct GroundPoint {
+  Eigen::Vector3d bend_G = Eigen::Vector3d::Zero();  // of the bristle, in the ground's plane [m]
+};
+
+/// Force of the ground on a point at p_G that moves with v_G; advances the bristle by one step.
+Eigen::Vector3d GroundForce(const HeightGrid& ground, const GroundMaterial& material,
+                            const Eigen::Vector3d& p_G, const Eigen::Vector3d& v_G, double dt_s,
+                            GroundPoint& point);
+
+std::uint64_t HashPoint(std::uint64_t hash, const GroundPoint& point);
+
+}  // namespace dockyard

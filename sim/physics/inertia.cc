@@ -1,0 +1,29 @@
+#include "sim/physics/inertia.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace dockyard {
+
+PrincipalInertia FindPrincipalInertia(const LinkModel& link, double added_about_y_kg_m2) {
+  Eigen::Matrix3d I = link.I_LCom_L;
+  I(1, 1) += added_about_y_kg_m2;
+  PrincipalInertia principal;
+  principal.X_LP.p = link.p_LoCom_L;
+  const double tiny = 1e-12 * I.trace();
+  if (std::abs(I(0, 1)) <= tiny && std::abs(I(1, 2)) <= tiny) {
+    if (std::abs(I(0, 2)) > tiny) {
+      principal.X_LP.R = RotY(0.5 * std::atan2(-2.0 * I(0, 2), I(0, 0) - I(2, 2)));
+    }
+    const Eigen::Matrix3d D = principal.X_LP.R.transpose() * I * principal.X_LP.R;
+    principal.moments = D.diagonal();
+    return principal;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(I);
+  principal.X_LP.R = solver.eigenvectors();
+  if (principal.X_LP.R.determinant() < 0.0) principal.X_LP.R.col(2) *= -1.0;
+  principal.moments = solver.eigenvalues();
+  return principal;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,21 @@
+// Principal axes of a link, in which Bullet wants its inertia.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "controller/geometry/pose.h"
+#include "models/rover_model.h"
+
+namespace dockyard {
+
+struct PrincipalInertia {
+  Pose3 X_LP;  // centre of mass and principal axes in the link
+  Eigen::Vector3d moments = Eigen::Vector3d::Zero();  // [kg m^2]
+};
+
+/// added_about_y: rotor inertia that the link carries about its joint's axis, y [kg m^2].
+/// A link that is symmetric about its x-z plane gets axes with y kept exactly, so that mirrored
+/// links have mirrored axes.
+PrincipalInertia FindPrincipalInertia(const LinkModel& link, double added_about_y_kg_m2);
+
+}  // namespace dockyard

@@ -1,0 +1,65 @@
+#include "sim/run/build_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "models/load_scenario.h"
+#include "models/random.h"
+#include "models/rover_sheet_maker.h"
+#include "sim/run/view.h"
+
+namespace dockyard {
+namespace {
+
+// Yard in the dock's surroundings: level enough for the feet, then as undulating as the file says.
+constexpr double kFlatRadiusM = 0.6;
+// The grid begins this far behind the dock.
+constexpr double kGridBehindM = 1.5;
+
+HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed) {
+  HeightGrid ground = LevelGrid(-kGridBehindM, yard.length_m, yard.width_m, yard.cell_m);
+  AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadiusM,
+                StreamKey(seed, "yard"));
+  return ground;
+}
+
+/// The arm angle at which a level body's arm tip rests on level ground.
+double RestingArm(const RoverModel& rover) {
+  const double axle_height =
+      rover.left_wheel_soil.rim_radius_m + 0.5 * rover.left_wheel_soil.paddle_height_m;
+  return std::asin((axle_height - rover.tip.radius_m) / rover.arm_length_m);
+}
+
+}  // namespace
+
+BuiltRun BuildRun(const Scenario& scenario) {
+  BuiltRun run;
+  WorldSetup& world = run.world;
+  ScenarioModels models = LoadModels(scenario);
+  world.rover = std::move(models.rover);
+  world.station = std::move(models.station);
+  world.soil = std::move(models.soil);
+  world.arm_start_rad = RestingArm(world.rover);
+
+  // The controller's sheet is nominal; what follows disturbs the world only.
+  run.sheet = MakeRoverSheet(world.rover, world.station, world.arm_start_rad);
+  RandomStream start(StreamKey(scenario.seed, "start"));
+  const double pitch_rad = 2.0 * kPi / std::max(1, world.rover.left_wheel_soil.paddle_count);
+  world.rover.left_wheel_soil.phase_rad = start.Uniform(0.0, pitch_rad);
+  world.rover.right_wheel_soil.phase_rad = start.Uniform(0.0, pitch_rad);
+  world.slack_start_m = start.Uniform(0.02, 0.10);  // assumed: loosely picked up, range 0-0.2
+  world.ground = MakeGround(scenario.yard, scenario.seed);
+  world.X_WG = scenario.X_WG;
+  world.X_DR_start =
+      FromDockingCoords({scenario.start.r_m, scenario.start.alpha_rad, scenario.start.heading_rad});
+  world.step_s = scenario.physics_step_s;
+
+  run.built_rig = BuiltRig(world.rover.stereo, scenario.seed);
+  run.X_WD = FromGround(world.X_WG * world.X_GD, 0.0);
+  run.lighting =
+      MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed);
+  return run;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,23 @@
+// From a scenario to everything that one run is made of: the world as built, and the data sheet
+// that the controller is given. All dispersion between the two is drawn here.
+#pragma once
+
+#include "controller/io/rover_sheet.h"
+#include "models/scenario.h"
+#include "sim/physics/world.h"
+#include "sim/run/light.h"
+
+namespace dockyard {
+
+struct BuiltRun {
+  WorldSetup world;
+  StereoRig built_rig;  // the cameras that see
+  RoverSheet sheet;     // what the controller is told: nominal
+  Lighting lighting;
+  Pose3 X_WD;  // dock where it was put
+};
+
+/// Reads the scenario's model files (throws ConfigError) and draws the run's dispersions.
+BuiltRun BuildRun(const Scenario& scenario);
+
+}  // namespace dockyard

@@ -1,0 +1,25 @@
+// The three kinds of light of the Mars Yard days, made of sun, sky and things that stand in the way
+// (Tsai et al., V-D: even or lightly speckled on days 1 and 2, an intense uneven shadow on day 3).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "controller/geometry/pose.h"
+#include "models/scenario.h"
+#include "render/scene.h"
+
+namespace dockyard {
+
+struct Lighting {
+  SunAndSky sun_and_sky;
+  std::vector<SceneObject> occluders;  // posed in the world; they stay where they are
+};
+
+/// @param X_WD   the dock's ground frame in the world: the board faces along its +x
+/// @param p_DB   the board's centre in it [m]
+/// @param seed   of the run; sun's place and the occluders' detail vary with it
+Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB,
+                      std::uint64_t seed);
+
+}  // namespace dockyard

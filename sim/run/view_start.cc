@@ -1,0 +1,56 @@
+#include "sim/run/view_start.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "sim/log/files.h"
+#include "sim/log/json_io.h"
+#include "sim/log/frame_codec.h"
+#include "sim/run/build_run.h"
+#include "sim/run/fiducial_truth.h"
+#include "sim/run/view.h"
+
+namespace dockyard {
+namespace {
+
+Json FiducialsJson(const Scene& scene, const FisheyeCamera& camera, const Pose3& X_WC) {
+  Json list = Json::array();
+  const auto fiducials = TrueFiducials(scene, camera, X_WC);
+  for (std::size_t id = 0; id < fiducials.size(); ++id) {
+    const FiducialPixels& truth = fiducials[id];
+    list.push_back({{"id", id},
+                    {"centre_px", truth.centre ? ToJson(*truth.centre) : Json()},
+                    {"centroid_px", truth.centroid ? ToJson(*truth.centroid) : Json()},
+                    {"whole", truth.whole},
+                    {"hidden", truth.hidden}});
+  }
+  return list;
+}
+
+}  // namespace
+
+void WriteStartView(const Scenario& scenario, const std::filesystem::path& out_dir) {
+  const BuiltRun built = BuildRun(scenario);
+  MakeFolder(out_dir);
+  const World world(built.world);
+  const Truth truth = world.truth();
+  const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
+                             built.lighting, scenario.X_WG, scenario.seed);
+  const Scene scene = builder.Make(truth, world.ground());
+  const StereoImages images = StereoRenderer().Render(
+      scene, built.built_rig, truth.X_WR, CameraSensor(built.world.rover.stereo, scenario.seed, 0));
+  WriteWhole(out_dir / "left.png", EncodePng(images.left));
+  WriteWhole(out_dir / "right.png", EncodePng(images.right));
+
+  const Pose3 X_RB = Inverse(truth.X_WR) * scene.board.X_WB;
+  Json view;
+  view["scenario"] = scenario.name;
+  view["seed"] = scenario.seed;
+  view["X_RB"] = ToJson(X_RB);
+  view["X_DR"] = ToJson(truth.X_DR);
+  view["left"] = FiducialsJson(scene, built.built_rig.left, truth.X_WR * built.built_rig.X_RL);
+  view["right"] = FiducialsJson(scene, built.built_rig.right, truth.X_WR * built.built_rig.X_RQ);
+  WriteWhole(out_dir / "view.json", view.dump(2) + "\n");
+}
+
+}  // namespace dockyard

@@ -1,0 +1,32 @@
+// What a wheel leaves behind: the pressed floor of its rut, and berms of the soil it displaced.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "sim/soil/height_grid.h"
+#include "sim/soil/soil_laws.h"
+
+namespace dockyard {
+
+/// The rim as it stands on the ground, in the site frame G.
+struct RimPlace {
+  Eigen::Vector3d p_G{0, 0, 0};     // centre [m]
+  Eigen::Vector3d axis_G{0, 1, 0};  // unit, to the wheel's left
+  double radius_m = 0.0, width_m = 0.0;
+  double reach_m = 0.0;  // half length of the contact, seen from above
+};
+
+/// Working memory, so that pressing allocates nothing once it is warm.
+struct RutScratch {
+  std::vector<unsigned char> under_wheel;
+  std::vector<double> change_m;
+};
+
+/// Presses the grid's samples under the rim to where the soil carries it, moves
+/// the displaced volume to both sides of the rut, and lets slopes steeper than the friction angle
+/// slump beside and behind the wheel. Volume is conserved. Returns the volume moved [m^3].
+double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double n,
+                RutScratch& scratch);
+
+}  // namespace dockyard

@@ -1,0 +1,86 @@
+// Laws of one small patch of soil: pressure by sinkage, shear by displacement, passive pressure.
+#pragma once
+
+#include <cmath>
+
+#include "models/soil_model.h"
+
+namespace dockyard {
+
+/// A soil's constants as the laws use them, for patches of one size.
+struct SoilLaws {
+  double k = 0.0;                 // k_c / b + k_phi [N/m^(n+2)]
+  double elastic_pa_per_m = 0.0;  // of unloading and reloading
+  double damping_pa_s_per_m = 0.0;
+  double cohesion_pa = 0.0, tan_phi = 0.0;
+  double shear_modulus_m = 0.0;      // K
+  double blade_strength_pa = 0.0;    // bearing strength of a narrow blade at the surface
+  double blade_mobilising_m = 1.0;   // depth at which half of it is mobilised
+  double blade_strength_pa_m = 0.0;  // and its growth with depth
+  double passive_pa_per_m = 0.0;     // gamma N_phi
+  double passive_pa = 0.0;           // 2 c sqrt(N_phi)
+  double sqrt_n_phi = 1.0;           // tan(45 deg + phi/2)
+  double bulldoze_n_per_m3 = 0.0;    // per length and squared depth
+};
+
+/// Laws for the rim: a plate whose smaller side is plate_width_m.
+SoilLaws MakeRimLaws(const SoilModel& soil, double plate_width_m);
+/// Laws for a paddle's tip, a blade of this thickness on a wheel of this width.
+SoilLaws MakeTipLaws(const SoilModel& soil, double thickness_m, double width_m);
+
+/// Pressure that yields soil at this sinkage under a wheel (Bekker 1969): k z^n [Pa]; z > 0.
+inline double YieldPressure(const SoilLaws& laws, double n, double sinkage_m) {
+  return laws.k * std::exp(n * std::log(sinkage_m));
+}
+
+/// Pressure that yields soil under a narrow blade: its bearing strength, mobilised with depth along
+/// a hyperbola (Kondner 1963) [Pa]. Zero for laws that are not a tip's.
+inline double BladePressure(const SoilLaws& laws, double sinkage_m) {
+  const double strength = laws.blade_strength_pa + laws.blade_strength_pa_m * sinkage_m;
+  return strength * sinkage_m / (sinkage_m + laws.blade_mobilising_m);
+}
+
+/// Shear strength (Mohr and Coulomb). Cohesion needs contact: it counts up to the pressure, which
+/// makes the strength vanish, and continuously so, where a patch leaves the soil.
+inline double ShearStrength(const SoilLaws& laws, double pressure_pa) {
+  return std::fmin(laws.cohesion_pa, pressure_pa) + pressure_pa * laws.tan_phi;
+}
+
+/// Share of the shear strength that is mobilised, a vector of length <= 1 in the patch's plane.
+/// Under steady sliding it is Janosi and Hanamoto's 1 - exp(-j / K) along j; on reversal it first
+/// unloads at up to twice the virgin stiffness, as sheared soil does (Wong and Preston-Thomas
+/// 1983); at rest it stays. As an equation: dm = (dj - m |dj|) / K (the form of Dahl's friction).
+struct Mobilisation {
+  double t = 0.0, a = 0.0;  // along the wheel's turn, along the axle
+
+  bool operator==(const Mobilisation&) const = default;
+};
+
+/// exp(-x) to third order, bounded by 1 for every x >= 0.
+inline double Decay(double x) { return 1.0 / (1.0 + x * (1.0 + 0.5 * x)); }
+
+inline Mobilisation Shear(const Mobilisation& m, double slide_t_m, double slide_a_m,
+                          double shear_modulus_m) {
+  const double slide = std::sqrt(slide_t_m * slide_t_m + slide_a_m * slide_a_m);
+  if (slide == 0.0) return m;
+  const double keep = Decay(slide / shear_modulus_m), gain = (1.0 - keep) / slide;
+  return {m.t * keep + slide_t_m * gain, m.a * keep + slide_a_m * gain};
+}
+
+/// The same along a line.
+inline double Shear(double m, double slide_m, double shear_modulus_m) {
+  const double keep = Decay(std::fabs(slide_m) / shear_modulus_m);
+  return m * keep + std::copysign(1.0 - keep, slide_m);
+}
+
+/// Passive earth pressure on a wall at this depth (Rankine): gamma z N_phi + 2 c sqrt(N_phi) [Pa].
+inline double PassivePressure(const SoilLaws& laws, double depth_m) {
+  return laws.passive_pa_per_m * depth_m + laws.passive_pa;
+}
+
+/// Bulldozing resistance of a wheel's side per length of rut (Wong 2008, after Hegedus) [N/m].
+inline double BulldozingResistance(const SoilLaws& laws, double depth_m) {
+  return depth_m * (laws.bulldoze_n_per_m3 * depth_m + laws.passive_pa);
+}
+
+}  // namespace dockyard

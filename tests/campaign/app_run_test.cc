@@ -1,0 +1,105 @@
+// Whole short runs through the program: the world is real, the time limit is short.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "campaign/fake_runs.h"
+#include "sim/campaign/results.h"
+#include "sim/log/json_io.h"
+#include "sim/log/result_row.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+namespace fs = std::filesystem;
+
+struct Ended {
+  int code = -1;
+  std::string out, err;
+};
+
+Ended Dockyard(const std::string& arguments) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const std::string err = (folder.path() / "err").string();
+  const std::string command = "cd '" DOCKYARD_SOURCE_DIR "' && '" DOCKYARD_PROGRAM "' " +
+                              arguments + " >'" + out + "' 2>'" + err + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), ReadText(out),
+          ReadText(err)};
+}
+
+TEST(ProgramRun, ThatHasNoTimeToDockEndsWithFour) {
+  const Ended ended = Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=3 --json");
+  EXPECT_EQ(ended.code, 4);
+  const Json json = Json::parse(ended.out);
+  EXPECT_EQ(json["docked"], false);
+  EXPECT_GT(json["cpu_time_s"].get<double>(), 0.0);
+  EXPECT_EQ(json.size(), RowCells({}).size() + 1);
+}
+
+TEST(ProgramRun, WithTheSameSeedHasTheSameStateHash) {
+  const auto hash = [](const std::string& seed) {
+    const Ended ended =
+        Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=3 --json --seed " + seed);
+    return Json::parse(ended.out)["state_hash"].get<std::string>();
+  };
+  const std::string first = hash("5");
+  EXPECT_EQ(first, hash("5"));
+  EXPECT_NE(first, hash("6"));
+}
+
+TEST(ProgramRun, LeavesLogAndPlotsInItsFolder) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "run").string();
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_EQ(Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=2 --out " + out).code,
+              4);
+  }
+  for (const char* file : {"resolved.yaml", "frames.bin", "history.csv", "outcome.json",
+                           "sightings.json", "plans.json", "path.svg", "history.svg"}) {
+    EXPECT_TRUE(fs::exists(fs::path(out) / file)) << file;
+  }
+}
+
+/// scenarios/ci_4.yaml with a time limit that makes it short.
+std::string ShortCampaign(const fs::path& out, int jobs) {
+  return "campaign scenarios/ci_4.yaml --quiet --set scenario.time_limit_s=3 --jobs " +
+         std::to_string(jobs) + " --out " + out.string();
+}
+
+TEST(ProgramCampaign, ComesOutTheSameOnOneProcessorAndOnTwoAndReplays) {
+  const TemporaryFolder folder;
+  const fs::path one = folder.path() / "1", two = folder.path() / "2";
+  ASSERT_EQ(Dockyard(ShortCampaign(one, 1)).code, 0);
+  ASSERT_EQ(Dockyard(ShortCampaign(two, 2)).code, 0);
+  EXPECT_EQ(ReadText(one / "results.csv"), ReadText(two / "results.csv"));
+  EXPECT_EQ(ReadText(one / "results.sqlite"), ReadText(two / "results.sqlite"));
+
+  const int run = ReadResults(one).begin()->first;
+  const std::string replay = "replay " + one.string() + " " + std::to_string(run);
+  const Ended same = Dockyard(replay);
+  EXPECT_EQ(same.code, 0) << same.out;
+  EXPECT_THAT(same.out, HasSubstr("same result row, bit for bit"));
+  EXPECT_THAT(same.out, HasSubstr("controller alone: same"));
+  EXPECT_THAT(same.err, Not(HasSubstr("have changed since")));
+
+  FinishedRuns changed = ReadResults(one);
+  changed[run].result.state_hash ^= 1;
+  WriteText(one / "results.csv", ResultsCsv(changed));
+  const Ended other = Dockyard(replay);
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.out, HasSubstr("state_hash"));
+
+  changed.erase(run);
+  WriteText(one / "results.csv", ResultsCsv(changed));
+  EXPECT_EQ(Dockyard(replay).code, 10);
+  EXPECT_EQ(Dockyard("replay " + one.string() + " 999").code, 2);
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,121 @@
+// The program as its users meet it: words, streams and exit codes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "campaign/fake_runs.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+namespace fs = std::filesystem;
+
+struct Ended {
+  int code = -1;
+  std::string out, err;
+};
+
+/// Runs `dockyard <arguments>` in the source folder through the shell.
+Ended Dockyard(const std::string& arguments, const std::string& redirect = "") {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string(), err = (folder.path() / "err").string();
+  const std::string command = "cd '" DOCKYARD_SOURCE_DIR "' && '" DOCKYARD_PROGRAM "' " +
+                              arguments + " >'" + (redirect.empty() ? out : redirect) + "' 2>'" +
+                              err + "'";
+  const int status = std::system(command.c_str());
+  Ended ended;
+  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  if (redirect.empty()) ended.out = ReadText(out);
+  ended.err = ReadText(err);
+  return ended;
+}
+
+TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
+  for (const std::string command : {"", "run", "campaign", "replay", "view", "check"}) {
+    const Ended ended = Dockyard(command + " --help");
+    EXPECT_EQ(ended.code, 0) << command;
+    const std::size_t examples = ended.out.find("Examples:\n  dockyard " + command);
+    EXPECT_LT(examples, 120u) << command << "\n" << ended.out;
+    EXPECT_EQ(ended.err, "") << command;
+  }
+}
+
+TEST(Program, EndsWithTwoForArgumentsThatMakeNoSense) {
+  for (const char* arguments :
+       {"", "dock", "run", "run a b", "run --sead 3 x.yaml", "campaign x.yaml --jobs 0",
+        "campaign x.yaml --jobs many", "replay somewhere", "view scenarios/axel_typical.yaml",
+        "run scenarios/axel_typical.yaml --seed -1"}) {
+    const Ended ended = Dockyard(arguments);
+    EXPECT_EQ(ended.code, 2) << arguments << "\n" << ended.err;
+    EXPECT_EQ(ended.out, "") << arguments;
+    EXPECT_NE(ended.err, "") << arguments;
+  }
+}
+
+TEST(Program, EndsWithThreeForABadInputFile) {
+  const TemporaryFolder folder;
+  const fs::path bad = folder.path() / "bad.yaml";
+  WriteText(bad, "start: [\n");
+  for (const std::string command : {"run ", "campaign ", "check "}) {
+    for (const std::string& file : {bad.string(), std::string("/no/such/file.yaml")}) {
+      const Ended ended = Dockyard(command + file);
+      EXPECT_EQ(ended.code, 3) << command << file << "\n" << ended.err;
+      EXPECT_THAT(ended.err, HasSubstr("error: " + file));
+    }
+  }
+}
+
+TEST(Program, NamesTheNearestKeyForAnUnknownOne) {
+  const Ended ended = Dockyard("run scenarios/axel_typical.yaml --set start.rm=5");
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("start.r_m"));
+}
+
+TEST(Program, EndsWithFiftyForAFolderThatCannotBeWritten) {
+  for (const char* arguments : {"run scenarios/axel_typical.yaml --out /proc/nothing/here",
+                                "view scenarios/axel_typical.yaml --out /proc/nothing/here",
+                                "campaign scenarios/ci_4.yaml --out /proc/nothing/here"}) {
+    const Ended ended = Dockyard(arguments);
+    EXPECT_EQ(ended.code, 50) << arguments << "\n" << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr("/proc/nothing/here")) << arguments;
+  }
+}
+
+TEST(Program, EndsWithFiftyWhenItsOutputCannotBeWritten) {
+  EXPECT_EQ(Dockyard("check scenarios/axel_typical.yaml", "/dev/full").code, 50);
+}
+
+TEST(Program, ChecksAGoodFile) {
+  const Ended ended = Dockyard("check scenarios/axel_typical.yaml scenarios/mars_yard_40.yaml");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("scenarios/axel_typical.yaml: scenario: "));
+  EXPECT_THAT(ended.out, HasSubstr("scenarios/mars_yard_40.yaml: campaign: "));
+}
+
+TEST(Program, WritesNoColorsIntoAFile) {
+  EXPECT_THAT(Dockyard("check /no/such/file.yaml").err, StartsWith("error: "));
+}
+
+TEST(Program, RefusesAFolderThatHoldsSomethingElse) {
+  const TemporaryFolder folder;
+  WriteText(folder.path() / "thesis.tex", "five years of work");
+  for (const char* command : {"run scenarios/axel_typical.yaml", "campaign scenarios/ci_4.yaml"}) {
+    const Ended ended = Dockyard(std::string(command) + " --out " + folder.path().string());
+    EXPECT_EQ(ended.code, 2) << ended.err;
+  }
+  EXPECT_EQ(ReadText(folder.path() / "thesis.tex"), "five years of work");
+}
+
+TEST(Program, RefusesToReplayWhatIsNotThere) {
+  const Ended ended = Dockyard("replay /no/such/folder 3");
+  EXPECT_THAT(ended.code, AnyOf(3, 50)) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("/no/such/folder"));
+}
+
+}  // namespace
+}  // namespace dockyard

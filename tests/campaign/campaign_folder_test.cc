@@ -1,0 +1,97 @@
+#include "sim/campaign/campaign_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "campaign/fake_runs.h"
+#include "sim/campaign/progress.h"
+#include "sim/campaign/summary.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string TakenOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const FolderTaken& error) {
+    return error.what();
+  }
+  return "not taken";
+}
+
+void Open(const std::filesystem::path& dir, const Campaign& campaign,
+          const std::string& identity = "") {
+  const CampaignFolder folder(dir, campaign, identity);
+}
+
+TEST(CampaignFolder, IsRefusedToAnotherCampaign) {
+  const TemporaryFolder dir;
+  Open(dir.path(), FakeCampaign(3));
+  EXPECT_THAT(TakenOf([&] { Open(dir.path(), FakeCampaign(4)); }),
+              HasSubstr("holds another campaign (its resolved.yaml differs); choose another folder "
+                        "with --out"));
+}
+
+TEST(CampaignFolder, IsRefusedToAnotherBuild) {
+  const TemporaryFolder dir;
+  Open(dir.path(), FakeCampaign(3), "program 1");
+  EXPECT_THAT(TakenOf([&] { Open(dir.path(), FakeCampaign(3), "program 2"); }),
+              HasSubstr("another build of the program or other model files"));
+  EXPECT_EQ(TakenOf([&] { Open(dir.path(), FakeCampaign(3), "program 1"); }), "not taken");
+}
+
+TEST(CampaignFolder, OverwritesNothingThatIsNotItsOwn) {
+  const TemporaryFolder dir;
+  WriteText(dir.path() / "thesis.tex", "five years of work");
+  EXPECT_THAT(TakenOf([&] { Open(dir.path(), FakeCampaign(3)); }),
+              HasSubstr("is not empty and holds no campaign"));
+}
+
+TEST(CampaignFolder, BelongsToOneProgramAtATime) {
+  const TemporaryFolder dir;
+  const CampaignFolder first(dir.path(), FakeCampaign(3), "");
+  EXPECT_THAT(TakenOf([&] { Open(dir.path(), FakeCampaign(3)); }),
+              HasSubstr("another campaign is running in"));
+}
+
+TEST(CampaignFolder, RefusesRowsThatAreNotOfThisCampaign) {
+  const TemporaryFolder dir;
+  Open(dir.path(), FakeCampaign(3));
+  FinishedRuns strange;
+  strange[9].result = FakeRecord(FakeCampaign(9).runs[8]).result;
+  WriteText(dir.path() / "results.csv", ResultsCsv(strange));
+  EXPECT_THROW(Open(dir.path(), FakeCampaign(3)), ResultsError);
+}
+
+TEST(CampaignFolder, ThatCannotBeMadeIsAnIoError) {
+  EXPECT_THROW(Open("/proc/nothing/here", FakeCampaign(1)), IoError);
+  const TemporaryFolder dir;
+  WriteText(dir.path() / "file", "");
+  EXPECT_THROW(Open(dir.path() / "file", FakeCampaign(1)), IoError);
+}
+
+TEST(Summary, TellsRatesByRegionLightAndSoilWithTheirIntervals) {
+  FinishedRuns runs;
+  for (const CampaignRun& run : FakeCampaign(12).runs) {
+    runs[run.run] = {FakeRecord(run).result, {}};
+  }
+  const std::string text = SummaryText("fake", runs, 12, {{3, "it drove past"}});
+  EXPECT_THAT(text, HasSubstr("fake: docked 8/12 (67 %, 35-90 %)"));
+  EXPECT_THAT(text, HasSubstr("boundary      docked 2/3 (67 %, 9-99 %)"));
+  EXPECT_THAT(text, HasSubstr("loose         docked 4/6 (67 %, 22-96 %)"));
+  EXPECT_THAT(text, HasSubstr("missed_cone           4   runs 3 6 9 12"));
+  EXPECT_THAT(text, HasSubstr("it drove past"));
+}
+
+TEST(Duration, IsToldInUnitsOneCanFeel) {
+  EXPECT_EQ(DurationText(44.6), "45 s");
+  EXPECT_EQ(DurationText(750.0), "12 min 30 s");
+  EXPECT_EQ(DurationText(7500.0), "2 h 5 min");
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,232 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "campaign/fake_runs.h"
+#include "sim/campaign/campaign.h"
+#include "sim/campaign/summary.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+CampaignOptions OptionsFor(const fs::path& dir, int jobs) {
+  CampaignOptions options;
+  options.out_dir = dir;
+  options.jobs = jobs;
+  return options;
+}
+
+/// Every file that must not depend on how the campaign came to its end.
+void ExpectSameResults(const fs::path& a, const fs::path& b) {
+  for (const char* file :
+       {"results.csv", "results.sqlite", "summary.txt", "resolved.yaml", "plots/grid.svg",
+        "runs/003/history.csv", "runs/003/outcome.json", "runs/003/path.svg",
+        "runs/003/history.svg", "runs/003/plans.json", "runs/003/sightings.json"}) {
+    EXPECT_EQ(ReadText(a / file), ReadText(b / file)) << file;
+  }
+}
+
+/// Runs the campaign in a process of its own; the test may do to it what it likes.
+pid_t StartCampaignProcess(const fs::path& dir, int count, int jobs, int pause_ms) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  const auto slow = [pause_ms](const CampaignRun& run, const fs::path& log_dir) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
+    return FakeRun(run, log_dir);
+  };
+  const CampaignEnd end = RunCampaign(FakeCampaign(count), slow, OptionsFor(dir, jobs));
+  ::_exit(end.signal != 0 ? 128 + end.signal : 0);
+}
+
+int LinesIn(const fs::path& file) {
+  if (!fs::exists(file)) return 0;
+  const std::string text = ReadText(file);
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+void WaitForRows(const fs::path& dir, int rows) {
+  for (int i = 0; i < 2000 && LinesIn(dir / "results.csv") < rows + 1; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+TEST(RunCampaign, GivesTheSameBytesForAnyNumberOfProcesses) {
+  const TemporaryFolder folder;
+  for (const int jobs : {1, 2, 3}) {
+    const auto end = RunCampaign(FakeCampaign(8), FakeRun,
+                                 OptionsFor(folder.path() / std::to_string(jobs), jobs));
+    EXPECT_TRUE(end.complete());
+  }
+  ExpectSameResults(folder.path() / "1", folder.path() / "2");
+  ExpectSameResults(folder.path() / "1", folder.path() / "3");
+}
+
+TEST(RunCampaign, KeepsARunThatDiesToItself) {
+  const TemporaryFolder folder;
+  const auto dies = [](const CampaignRun& run, const fs::path& dir) -> RunRecord {
+    if (run.run == 2) {
+      ::signal(SIGSEGV, SIG_DFL);
+      ::raise(SIGSEGV);
+    }
+    if (run.run == 3) ::_exit(9);
+    if (run.run == 4) throw std::runtime_error("the renderer found no context");
+    return FakeRun(run, dir);
+  };
+  const CampaignEnd end = RunCampaign(FakeCampaign(5), dies, OptionsFor(folder.path(), 2));
+  ASSERT_TRUE(end.complete());
+  for (const int run : {2, 3, 4}) {
+    EXPECT_EQ(end.runs.at(run).result.outcome, Outcome::kCrashed);
+    EXPECT_EQ(end.runs.at(run).result.seed, FakeCampaign(5).runs[run - 1].scenario.seed);
+  }
+  EXPECT_EQ(end.runs.at(1).result.outcome, Outcome::kDocked);
+  EXPECT_EQ(end.runs.at(5).result.outcome, Outcome::kDocked);
+  EXPECT_THAT(end.summary, HasSubstr("killed by signal 11 (Segmentation fault)"));
+  EXPECT_THAT(end.summary, HasSubstr("ended with exit code 9 before its result"));
+  EXPECT_THAT(end.summary, HasSubstr("threw: the renderer found no context"));
+}
+
+TEST(RunCampaign, KillsARunThatHangs) {
+  const TemporaryFolder folder;
+  const auto hangs = [](const CampaignRun& run, const fs::path& dir) {
+    while (run.run == 1) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return FakeRun(run, dir);
+  };
+  CampaignOptions options = OptionsFor(folder.path(), 2);
+  options.run_time_limit_s = 1.0;
+  const CampaignEnd end = RunCampaign(FakeCampaign(3), hangs, options);
+  EXPECT_EQ(end.runs.at(1).result.outcome, Outcome::kCrashed);
+  EXPECT_TRUE(end.runs.at(2).result.docked);
+  EXPECT_THAT(end.summary, HasSubstr("killed: it took more than 1 s of wall time"));
+}
+
+TEST(RunCampaign, KeepsWhatARunPrintsOutOfTheWay) {
+  const TemporaryFolder folder;
+  const auto prints = [](const CampaignRun& run, const fs::path& dir) {
+    if (run.run == 1) std::printf("a word to stdout\n");
+    if (run.run == 1) std::fprintf(stderr, "a word to stderr\n");
+    return FakeRun(run, dir);
+  };
+  ::testing::internal::CaptureStdout();
+  RunCampaign(FakeCampaign(2), prints, OptionsFor(folder.path(), 1));
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+  EXPECT_THAT(ReadText(folder.path() / "runs/001/messages.txt"), HasSubstr("a word to stdout"));
+  EXPECT_THAT(ReadText(folder.path() / "runs/001/messages.txt"), HasSubstr("a word to stderr"));
+  EXPECT_FALSE(fs::exists(folder.path() / "runs/002/messages.txt"));
+}
+
+TEST(RunCampaign, KilledInTheMiddleGoesOnToTheSameResults) {
+  const TemporaryFolder folder;
+  const fs::path stopped = folder.path() / "stopped", straight = folder.path() / "straight";
+  const pid_t child = StartCampaignProcess(stopped, 8, 2, 60);
+  WaitForRows(stopped, 3);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  const int kept = LinesIn(stopped / "results.csv") - 1;
+  ASSERT_GE(kept, 3);
+  ASSERT_LT(kept, 8);
+  int run_now = 0;
+  for (const auto& entry : fs::directory_iterator(stopped / "runs")) run_now += entry.exists();
+  const CampaignEnd end = RunCampaign(FakeCampaign(8), FakeRun, OptionsFor(stopped, 2));
+  EXPECT_TRUE(end.complete());
+  RunCampaign(FakeCampaign(8), FakeRun, OptionsFor(straight, 1));
+  ExpectSameResults(stopped, straight);
+  EXPECT_GE(run_now, kept);
+}
+
+TEST(RunCampaign, RunsNoFinishedRunAgain) {
+  const TemporaryFolder folder;
+  RunCampaign(FakeCampaign(3), FakeRun, OptionsFor(folder.path(), 1));
+  const auto never = [](const CampaignRun&, const fs::path&) -> RunRecord {
+    throw std::runtime_error("ran again");
+  };
+  const CampaignEnd end = RunCampaign(FakeCampaign(3), never, OptionsFor(folder.path(), 1));
+  EXPECT_TRUE(end.complete());
+  EXPECT_TRUE(end.runs.at(1).result.docked);
+}
+
+TEST(RunCampaign, GoesOnAfterACutOffLine) {
+  const TemporaryFolder folder;
+  const fs::path cut = folder.path() / "cut", straight = folder.path() / "straight";
+  RunCampaign(FakeCampaign(4), FakeRun, OptionsFor(cut, 1));
+  const std::string csv = ReadText(cut / "results.csv");
+  WriteText(cut / "results.csv", csv.substr(0, csv.size() - 7));
+  RunCampaign(FakeCampaign(4), FakeRun, OptionsFor(cut, 1));
+  EXPECT_EQ(ReadText(cut / "results.csv"), csv);
+}
+
+TEST(RunCampaign, KeepsWhatIsDoneOnCtrlC) {
+  const TemporaryFolder folder;
+  const pid_t child = StartCampaignProcess(folder.path(), 20, 2, 60);
+  WaitForRows(folder.path(), 3);
+  const auto asked = std::chrono::steady_clock::now();
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - asked;
+  EXPECT_LT(took.count(), 2.0);
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const int kept = LinesIn(folder.path() / "results.csv") - 1;
+  EXPECT_GE(kept, 3);
+  EXPECT_LT(kept, 20);
+  EXPECT_THAT(ReadText(folder.path() / "summary.txt"),
+              HasSubstr("incomplete: " + std::to_string(kept) + " of 20 runs"));
+}
+
+TEST(RunCampaign, LeavesNoWorkerBehindWhenKilled) {
+  const TemporaryFolder folder;
+  const fs::path alive = folder.path() / "alive";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const auto forever = [&](const CampaignRun&, const fs::path&) -> RunRecord {
+      for (;;) {
+        WriteText(alive, "x");
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+    };
+    RunCampaign(FakeCampaign(1), forever, OptionsFor(folder.path() / "out", 1));
+    ::_exit(0);
+  }
+  for (int i = 0; i < 1000 && !fs::exists(alive); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ASSERT_TRUE(fs::exists(alive));
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  fs::remove(alive);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_FALSE(fs::exists(alive));
+}
+
+TEST(RunCampaign, EndsWhenAnInputFileProvesBad) {
+  const TemporaryFolder folder;
+  const auto bad = [](const CampaignRun& run, const fs::path& dir) {
+    if (run.run == 3) throw InputError("axel.yaml:14:9: wheels.radius_m: expected a number > 0");
+    return FakeRun(run, dir);
+  };
+  EXPECT_THROW(RunCampaign(FakeCampaign(4), bad, OptionsFor(folder.path(), 1)), InputError);
+  EXPECT_EQ(LinesIn(folder.path() / "results.csv"), 3);  // header and the two before it
+}
+
+TEST(RunCampaign, EndsWhenARunCannotWrite) {
+  const TemporaryFolder folder;
+  const auto full = [](const CampaignRun& run, const fs::path& dir) {
+    if (run.run == 2) throw IoError("cannot write frames.bin: No space left on device");
+    return FakeRun(run, dir);
+  };
+  EXPECT_THROW(RunCampaign(FakeCampaign(3), full, OptionsFor(folder.path(), 1)), IoError);
+  EXPECT_EQ(LinesIn(folder.path() / "results.csv"), 2);
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,48 @@
+#include "models/check_file.h"
+
+#include <gmock/gmock.h>
+
+#include "bad_files.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(CheckFile, TellsTheKindOfEveryFileHere) {
+  const auto kind = [](const std::string& name) { return CheckFile(SourceFile(name)).kind; };
+  EXPECT_EQ(kind("models/axel/axel.yaml"), "rover");
+  EXPECT_EQ(kind("models/axel/axel.urdf"), "urdf");
+  EXPECT_EQ(kind("models/axel/meshes/wheel.obj"), "mesh");
+  EXPECT_EQ(kind("models/station/station.yaml"), "station");
+  EXPECT_EQ(kind("models/station/station.urdf"), "urdf");
+  EXPECT_EQ(kind("models/soils/loose_sand.yaml"), "soil");
+  EXPECT_EQ(kind("models/soils/compact_gravel.yaml"), "soil");
+  EXPECT_EQ(kind("scenarios/axel_typical.yaml"), "scenario");
+  EXPECT_EQ(kind("scenarios/mars_yard_40.yaml"), "campaign");
+  EXPECT_EQ(kind("scenarios/ci_4.yaml"), "campaign");
+}
+
+TEST(CheckFile, SaysInALineWhatIsInside) {
+  EXPECT_EQ(CheckFile(SourceFile("models/axel/axel.yaml")).summary,
+            "axel: 40 kg, arm 1 m, stereo baseline 0.35 m");
+  EXPECT_EQ(CheckFile(SourceFile("scenarios/mars_yard_40.yaml")).summary,
+            "mars_yard_40: 40 runs on 2 soils, seed 1");
+}
+
+TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
+  const ScratchFolder folder;
+  const auto message = [&](const std::string& name, const std::string& text) {
+    const std::string file = folder.Write(name, text);
+    return MessageOf([&] { CheckFile(file); }, folder);
+  };
+  EXPECT_EQ(message("a.yaml", "colour: red\n"),
+            "a.yaml:1:1: expected the keys of a rover, station, soil, scenario or campaign, found "
+            "none of them");
+  EXPECT_EQ(message("a.txt", "x"),
+            "a.txt: expected a file .yaml, .urdf, .stl, .obj, .dae, .gltf or .glb, found extension "
+            "'.txt'");
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,142 @@
+// Files mutated at random: each is read or refused with a ConfigError, nothing else happens.
+#include <gmock/gmock.h>
+
+#include "bad_files.h"
+#include "models/check_file.h"
+#include "models/mesh_loader.h"
+#include "models/random.h"
+#include "models/urdf.h"
+
+namespace dockyard {
+namespace {
+
+std::size_t Below(RandomStream& random, std::size_t n) {
+  return n == 0 ? 0 : static_cast<std::size_t>(random.NextBits() % n);
+}
+
+/// One to four edits: bytes changed, removed or repeated, the end cut off, odd words put in.
+std::string Mutated(std::string bytes, RandomStream& random) {
+  static const std::vector<std::string> words{
+      "nan", "-.inf", "1e308",    "-1",   "99999999999999999999",
+      "[",   "]",     "{",        "}",    ":",
+      "&a",  "*a",    "<<:",      "- ",   "\n",
+      "\t",  "\"",    "'",        "<",    "/>",
+      "</",  "&#0;",  "%",        "../",  std::string(1, '\0'),
+      "#",   "!!x",   "\xef\xbb", "\xff", "0"};
+  const std::size_t edits = 1 + Below(random, 4);
+  for (std::size_t i = 0; i < edits; ++i) {
+    const std::size_t at = Below(random, bytes.size() + 1);
+    switch (Below(random, 6)) {
+      case 0:
+        if (at < bytes.size()) bytes[at] = static_cast<char>(random.NextBits());
+        break;
+      case 1:
+        bytes.erase(at, 1 + Below(random, 40));
+        break;
+      case 2:
+        bytes.insert(at, bytes.substr(Below(random, bytes.size() + 1), 1 + Below(random, 60)));
+        break;
+      case 3:
+        if (Below(random, 4) == 0) bytes.resize(at);
+        break;
+      default:
+        bytes.insert(at, words[Below(random, words.size())]);
+        break;
+    }
+  }
+  return bytes;
+}
+
+struct Tally {
+  int read = 0, refused = 0;
+};
+
+/// Mutates the file in its copied folder; `load` must read it or throw ConfigError.
+Tally Fuzz(const std::string& model, const std::string& name, std::uint64_t seed, int count,
+           const std::function<void(const std::string&)>& load) {
+  const ScratchFolder folder;
+  folder.CopyModel(model);
+  const std::string original = Slurp(SourceFile(name));
+  RandomStream random(seed);
+  Tally tally;
+  for (int i = 0; i < count; ++i) {
+    const std::string file = folder.Write(name, Mutated(original, random));
+    try {
+      load(file);
+      ++tally.read;
+    } catch (const ConfigError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+      ++tally.refused;
+    }
+  }
+  EXPECT_EQ(tally.read + tally.refused, count);
+  EXPECT_GT(tally.refused, count / 10);
+  return tally;
+}
+
+void Check(const std::string& file) { CheckFile(file); }
+
+TEST(MutatedFiles, RoverYamlIsReadOrRefused) {
+  Fuzz("axel", "models/axel/axel.yaml", 1, 300, Check);
+}
+TEST(MutatedFiles, StationYamlIsReadOrRefused) {
+  Fuzz("station", "models/station/station.yaml", 2, 300, Check);
+}
+TEST(MutatedFiles, SoilYamlIsReadOrRefused) {
+  Fuzz("soils", "models/soils/loose_sand.yaml", 3, 400, Check);
+}
+TEST(MutatedFiles, UrdfIsReadOrRefused) { Fuzz("axel", "models/axel/axel.urdf", 4, 300, Check); }
+TEST(MutatedFiles, ObjIsReadOrRefused) {
+  Fuzz("axel", "models/axel/meshes/paddles.obj", 5, 300, Check);
+}
+
+TEST(MutatedFiles, ScenariosAndTablesAreReadOrRefused) {
+  const ScratchFolder folder;
+  for (const char* model : {"axel", "station", "soils"}) folder.CopyModel(model);
+  std::vector<std::string> names{"scenarios/axel_typical.yaml", "scenarios/mars_yard_40.csv",
+                                 "scenarios/mars_yard_40.yaml", "scenarios/ci_4.yaml"};
+  for (const std::string& name : names) folder.Write(name, Slurp(SourceFile(name)));
+  RandomStream random(6);
+  int refused = 0;
+  for (int i = 0; i < 300; ++i) {
+    const std::string& name = names[static_cast<std::size_t>(i) % names.size()];
+    const std::string original = Slurp(SourceFile(name));
+    folder.Write(name, Mutated(original, random));
+    const bool table = name == "scenarios/mars_yard_40.csv";
+    try {
+      CheckFile((folder.path() / (table ? "scenarios/mars_yard_40.yaml" : name)).string());
+    } catch (const ConfigError&) {
+      ++refused;
+    }
+    folder.Write(name, original);
+  }
+  EXPECT_GT(refused, 30);
+}
+
+/// Binary STL and GLB have no file here to start from.
+TEST(MutatedFiles, BinaryMeshesAreReadOrRefused) {
+  std::string stl(80, ' ');
+  stl += std::string("\x04\0\0\0", 4);
+  for (int i = 0; i < 4 * 50; ++i) stl += static_cast<char>(i % 63);
+  const std::string glb_json =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
+      R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,)"
+      R"("byteLength":36}],"buffers":[{"uri":"a.bin","byteLength":36}]})";
+  const ScratchFolder folder;
+  folder.Write("a.bin", std::string(36, '\0'));
+  RandomStream random(7);
+  for (int i = 0; i < 300; ++i) {
+    const bool is_stl = i % 2 == 0;
+    const std::string file =
+        folder.Write(is_stl ? "a.stl" : "a.gltf", Mutated(is_stl ? stl : glb_json, random));
+    try {
+      EXPECT_FALSE(LoadMesh(file)->triangles.empty());
+    } catch (const ConfigError& error) {
+      EXPECT_NE(std::string(error.what()), "");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,28 @@
+// A rover, a station and soils with the numbers of the nominal Axel, for tests of the world.
+#pragma once
+
+#include "sim/physics/world.h"
+
+namespace dockyard {
+
+RoverModel TestRover();
+StationModel TestStation();
+SoilModel LooseSand();
+SoilModel CompactSand();
+
+/// The rover on level ground at X_DR, arm level, dock at the site's origin.
+WorldSetup TestSetup(const SoilModel& soil, const Pose2& X_DR);
+
+/// Commands for all four motors.
+using MotorCommands = std::array<MotorCommand, kMotorCount>;
+MotorCommands AllBraked();
+MotorCommand Velocity(double rad_s, double current_a);
+MotorCommand Position(double rad, double rad_s, double current_a);
+MotorCommand FreeWheel();
+inline MotorCommand& At(MotorCommands& commands, Motor motor) {
+  return commands[static_cast<std::size_t>(motor)];
+}
+
+void Play(World& world, const MotorCommands& commands, double seconds, double step_s = 1e-3);
+
+}  // namespace dockyard

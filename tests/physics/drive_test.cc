@@ -1,0 +1,152 @@
+#include "sim/physics/drive.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "physics/axel_numbers.h"
+
+namespace dockyard {
+namespace {
+
+constexpr double kDt = 1e-3;
+
+MotorModel WheelMotor() { return TestRover().motors[0]; }
+
+/// A shaft with its drive and nothing else.
+struct Shaft {
+  explicit Shaft(double inertia) : drive(WheelMotor(), inertia), inertia(inertia) {}
+  void Turn(const MotorCommand& command, double load_nm, double seconds) {
+    for (long i = 0; i < std::lround(seconds / kDt); ++i) {
+      out = drive.Step(command, angle, speed, kDt);
+      speed += (out.torque_nm() + load_nm) / inertia * kDt;
+      angle += speed * kDt;
+      time += kDt;
+    }
+  }
+  MotorDrive drive;
+  double inertia, angle = 0.0, speed = 0.0, time = 0.0;
+  DriveOutput out;
+};
+
+TEST(Profile, IsATrapezoidThatTakesDistanceBySpeedPlusSpeedBySlope) {
+  const MotorCommand command{MotorMode::kPosition, 2.0, 0.5, 1.0, 2.0};
+  ProfileState at;
+  int steps = 0;
+  double fastest = 0.0;
+  while (at.angle_rad < 2.0 - 1e-9 && steps < 10000) {
+    at = AdvanceProfile(at, command, WheelMotor(), kDt);
+    fastest = std::max(fastest, at.speed_rad_s);
+    ++steps;
+  }
+  EXPECT_NEAR(steps * kDt, 2.0 / 0.5 + 0.5 / 1.0, 3 * kDt);
+  EXPECT_DOUBLE_EQ(fastest, 0.5);
+}
+
+TEST(Profile, ShortMoveIsATriangle) {
+  const MotorCommand command{MotorMode::kPosition, 0.04, 0.5, 1.0, 2.0};
+  ProfileState at;
+  int steps = 0;
+  while (at.angle_rad < 0.04 - 1e-9 && steps < 10000) {
+    at = AdvanceProfile(at, command, WheelMotor(), kDt);
+    ++steps;
+  }
+  EXPECT_NEAR(steps * kDt, 2.0 * std::sqrt(0.04 / 1.0), 3 * kDt);
+}
+
+TEST(Profile, NeverPassesItsTargetAndStaysThere) {
+  const MotorCommand command{MotorMode::kPosition, -0.3, 0.7, 1.7, 2.0};
+  ProfileState at;
+  for (int i = 0; i < 5000; ++i) {
+    at = AdvanceProfile(at, command, WheelMotor(), kDt);
+    ASSERT_GE(at.angle_rad, -0.3 - 1e-6);
+  }
+  EXPECT_NEAR(at.angle_rad, -0.3, 1e-9);
+  EXPECT_NEAR(at.speed_rad_s, 0.0, 1e-6);
+}
+
+TEST(Profile, AChangedCommandGoesOnFromThePresentSpeed) {
+  ProfileState at{0.0, 0.5};
+  const MotorCommand back{MotorMode::kVelocity, -0.5, 0.0, 1.0, 2.0};
+  const ProfileState next = AdvanceProfile(at, back, WheelMotor(), kDt);
+  EXPECT_NEAR(next.speed_rad_s, 0.5 - 1.0 * kDt, 1e-12);
+}
+
+TEST(Drive, StallTorqueIsTorquePerAmpTimesCurrentBeyondNoLoad) {
+  MotorDrive drive(WheelMotor(), 0.5);
+  DriveOutput out;
+  for (int i = 0; i < 3000; ++i) out = drive.Step(Velocity(1.0, 1.2), 0.0, 0.0, kDt);
+  EXPECT_DOUBLE_EQ(out.motor_torque_nm, 15.0 * (1.2 - 0.2));
+  EXPECT_NEAR(out.current_a, 1.2, 1e-12);
+}
+
+TEST(Drive, NoCurrentBeyondNoLoadIsNoTorque) {
+  MotorDrive drive(WheelMotor(), 0.5);
+  DriveOutput out;
+  for (int i = 0; i < 1000; ++i) out = drive.Step(Velocity(1.0, 0.15), 0.0, 0.0, kDt);
+  EXPECT_EQ(out.motor_torque_nm, 0.0);
+}
+
+TEST(Drive, ReachesAnAngleAgainstALoad) {
+  Shaft shaft(1.0);
+  shaft.Turn(Position(0.8, 0.5, 2.8), -10.0, 6.0);
+  EXPECT_NEAR(shaft.angle, 0.8, 2e-3);
+  EXPECT_NEAR(shaft.speed, 0.0, 1e-6);
+}
+
+TEST(Drive, OverpoweredShaftIsDraggedAtTheLimitAndDoesNotWindUp) {
+  Shaft shaft(1.0);
+  const MotorCommand hold = Position(0.0, 0.5, 0.6);  // 6 Nm and 1.5 Nm of gears
+  shaft.Turn(hold, -20.0, 0.5);
+  EXPECT_NEAR(shaft.out.motor_torque_nm, 6.0, 1e-9);
+  EXPECT_LT(shaft.angle, -1.0);
+  shaft.Turn(hold, 0.0, 20.0);
+  EXPECT_NEAR(shaft.angle, 0.0, 2e-3);  // comes back at its profile's pace
+}
+
+TEST(Drive, FreeShaftDrawsNothingAndKeepsItsGearFriction) {
+  Shaft shaft(1.0);
+  shaft.speed = 2.0;
+  shaft.Turn(FreeWheel(), 0.0, 0.5);
+  EXPECT_NEAR(shaft.speed, 2.0 - 1.5 * 0.5, 1e-2);
+  EXPECT_EQ(shaft.out.current_a, 0.0);
+  shaft.Turn(FreeWheel(), 0.0, 3.0);
+  EXPECT_NEAR(shaft.speed, 0.0, 1e-9);
+}
+
+TEST(Drive, GearsHoldALoadBelowTheirFrictionWithoutCreep) {
+  Shaft shaft(1.0);
+  shaft.Turn(FreeWheel(), 1.4, 2.0);
+  const double angle = shaft.angle;
+  shaft.Turn(FreeWheel(), 1.4, 10.0);
+  EXPECT_NEAR(shaft.angle, angle, 1e-9);
+}
+
+TEST(Drive, GearsGiveWayAboveTheirFriction) {
+  Shaft shaft(1.0);
+  shaft.Turn(FreeWheel(), 1.6, 1.0);
+  const double speed = shaft.speed;
+  shaft.Turn(FreeWheel(), 1.6, 2.0);
+  EXPECT_NEAR(shaft.speed - speed, (1.6 - 1.5) * 2.0, 1e-9);
+}
+
+TEST(Drive, BrakeHoldsUpToItsTorqueAndSlipsBeyond) {
+  Shaft held(1.0), slipping(1.0);
+  held.Turn(MotorCommand{}, 41.0, 2.0);  // 40 Nm brake, 1.5 Nm gears
+  EXPECT_NEAR(held.speed, 0.0, 1e-6);
+  slipping.Turn(MotorCommand{}, 43.0, 1.0);
+  const double speed = slipping.speed;
+  slipping.Turn(MotorCommand{}, 43.0, 2.0);
+  EXPECT_NEAR(slipping.speed - speed, (43.0 - 41.5) * 2.0, 1e-9);
+}
+
+TEST(Drive, RefusesACommandThatIsNoNumber) {
+  MotorDrive drive(WheelMotor(), 0.5);
+  const MotorCommand bad = Velocity(std::numeric_limits<double>::quiet_NaN(), 1.0);
+  EXPECT_THROW(drive.Step(bad, 0.0, 0.0, kDt), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace dockyard

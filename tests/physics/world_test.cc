@@ -1,0 +1,229 @@
+#include "sim/physics/world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "physics/axel_numbers.h"
+
+namespace dockyard {
+namespace {
+
+/// Arm's elevation, tip up positive, beyond 90 deg when it has gone over the top.
+double ArmUp(const Truth& truth) {
+  const Eigen::Vector3d tip_D = truth.X_DR.R * RotY(truth.arm_rad).col(0);
+  return std::atan2(tip_D.z(), -tip_D.x());
+}
+
+MotorCommands Drive(double rad_s, double tension_n) {
+  MotorCommands commands = AllBraked();
+  At(commands, Motor::kLeftWheel) = At(commands, Motor::kRightWheel) = Velocity(rad_s, 2.8);
+  At(commands, Motor::kArm) = Position(0.0, 0.3, 4.4);
+  if (tension_n > 0.0) {
+    At(commands, Motor::kSpool) = Velocity(0.8, 0.2 + tension_n * 0.06 / 10.0);
+  }
+  return commands;
+}
+
+MotorCommands Reel(double tension_limit_n) {
+  MotorCommands commands = Drive(0.0, tension_limit_n);
+  At(commands, Motor::kLeftWheel) = At(commands, Motor::kRightWheel) = FreeWheel();
+  return commands;
+}
+
+TEST(World, BrakedRoverAndStationStayWhereTheyAre) {
+  WorldSetup setup = TestSetup(LooseSand(), {2.5, 0.3, 3.0});
+  setup.slack_start_m = 0.1;
+  World world(setup);
+  const Truth before = world.truth();
+  Play(world, AllBraked(), 5.0);
+  const Truth after = world.truth();
+  // The rover rocks on the soil by some tenths of a millimetre; the station has nothing to move it.
+  EXPECT_LT((after.X_WR.p - before.X_WR.p).norm(), 2e-3);
+  EXPECT_LT((after.X_WS.p - before.X_WS.p).norm(), 1e-7);
+}
+
+TEST(World, StartsWhereItIsTold) {
+  const Truth truth = World(TestSetup(CompactSand(), {3.0, 0.4, 2.9})).truth();
+  EXPECT_NEAR(truth.X_DR.p.x(), 3.0, 0.01);
+  EXPECT_NEAR(truth.X_DR.p.y(), 0.4, 0.01);
+  EXPECT_NEAR(ToGround(truth.X_DR).heading, 2.9, 0.005);
+  EXPECT_EQ(truth.time_s, 0.0);
+  for (double angle : truth.motor_angle_rad) EXPECT_EQ(angle, 0.0);
+}
+
+TEST(World, SlackIsTheLengthBeyondTheWay) {
+  WorldSetup setup = TestSetup(LooseSand(), {3.0, 0.0, kPi});
+  setup.slack_start_m = 0.2;
+  World world(setup);
+  world.Step(AllBraked());
+  const Truth truth = world.truth();
+  EXPECT_NEAR(truth.tether_free_m - truth.tether_path_m, 0.2, 1e-5);
+  EXPECT_EQ(truth.tether_tension_n, 0.0);
+}
+
+TEST(World, SameCallsGiveTheSameBits) {
+  const WorldSetup setup = TestSetup(CompactSand(), {1.3, 0.1, 3.1});
+  World a(setup), b(setup);
+  Play(a, Reel(200.0), 6.0);  // into the cone
+  Play(b, Reel(200.0), 6.0);
+  EXPECT_GT(a.truth().cone_force_n + a.truth().tether_tension_n, 0.0);
+  EXPECT_EQ(a.StateHash(1), b.StateHash(1));
+}
+
+TEST(World, HashTellsStatesApart) {
+  World world(TestSetup(LooseSand(), {2.5, 0.0, kPi}));
+  const std::uint64_t before = world.StateHash(1);
+  world.Step(AllBraked());
+  EXPECT_NE(world.StateHash(1), before);
+}
+
+TEST(World, MovesTheSameWhereverItLies) {
+  WorldSetup setup = TestSetup(LooseSand(), {2.5, 0.2, 3.0});
+  World here(setup);
+  setup.X_WG = {120.0, -35.0, 2.1};
+  World there(setup);
+  Play(here, Drive(0.2, 45.0), 2.0);
+  Play(there, Drive(0.2, 45.0), 2.0);
+  const Pose3 moved = FromGround(setup.X_WG, 0.0) * here.truth().X_WR;
+  EXPECT_LT((moved.p - there.truth().X_WR.p).norm(), 1e-6);
+  EXPECT_LT((moved.R - there.truth().X_WR.R).norm(), 1e-6);
+  EXPECT_LT((here.truth().X_DR.p - there.truth().X_DR.p).norm(), 1e-6);
+}
+
+TEST(World, DockElsewhereInTheYardMovesTheSame) {
+  WorldSetup setup = TestSetup(LooseSand(), {2.5, 0.2, 3.0});
+  World here(setup);
+  setup.X_GD = {2.0, 0.0, 0.0};  // a whole number of cells
+  World there(setup);
+  Play(here, Drive(0.2, 45.0), 2.0);
+  Play(there, Drive(0.2, 45.0), 2.0);
+  EXPECT_LT((here.truth().X_DR.p - there.truth().X_DR.p).norm(), 1e-6);
+}
+
+TEST(World, MirroredCommandsMirrorTheMotion) {
+  WorldSetup setup = TestSetup(CompactSand(), {3.0, 0.4, 3.0});
+  setup.rover.left_wheel_soil.phase_rad = 0.1;
+  setup.rover.right_wheel_soil.phase_rad = 0.23;
+  WorldSetup mirrored = setup;
+  mirrored.X_DR_start = {3.0, -0.4, -3.0};
+  std::swap(mirrored.rover.left_wheel_soil.phase_rad, mirrored.rover.right_wheel_soil.phase_rad);
+  mirrored.add_right_side_first = true;
+  World a(setup), b(mirrored);
+  MotorCommands commands = Drive(0.2, 45.0), swapped = commands;
+  At(commands, Motor::kLeftWheel) = Velocity(0.12, 2.8);
+  At(swapped, Motor::kRightWheel) = Velocity(0.12, 2.8);
+  for (int i = 0; i < 6; ++i) {
+    Play(a, commands, 1.0);
+    Play(b, swapped, 1.0);
+    const Truth left = a.truth(), right = b.truth();
+    EXPECT_NEAR(left.X_DR.p.x(), right.X_DR.p.x(), 1e-9);
+    EXPECT_NEAR(left.X_DR.p.y(), -right.X_DR.p.y(), 1e-9);
+    EXPECT_NEAR(left.X_DR.p.z(), right.X_DR.p.z(), 1e-9);
+    EXPECT_NEAR(left.motor_angle_rad[0], right.motor_angle_rad[1], 1e-9);
+    EXPECT_NEAR(left.tether_tension_n, right.tether_tension_n, 1e-5);
+    EXPECT_NEAR(ToRollPitchYaw(left.X_WR.R).roll, -ToRollPitchYaw(right.X_WR.R).roll, 1e-9);
+  }
+  EXPECT_GT(std::abs(a.truth().X_DR.p.y() - 0.4), 0.01);
+}
+
+TEST(World, RoverRollsItsWheelsRadiusTimesTheirTurnOnFirmGround) {
+  World world(TestSetup(CompactSand(), {4.0, 0.0, kPi}));
+  MotorCommands commands = Drive(-0.2, 5.0);  // away, paying out
+  const double start = world.truth().X_DR.p.x();
+  Play(world, commands, 12.0);
+  const Truth truth = world.truth();
+  const double rolled = -0.3 * truth.motor_angle_rad[0];
+  EXPECT_GT(rolled, 0.5);
+  EXPECT_NEAR(truth.X_DR.p.x() - start, rolled, 0.12 * rolled);
+  EXPECT_NEAR(truth.X_DR.p.y(), 0.0, 0.02);
+}
+
+// Tsai et al., V-F: "a loose tether results in changing the rover's pitch without making forward
+// progress".
+TEST(World, SlackTetherLetsTheBodyPitchInsteadOfAdvancing) {
+  for (const SoilModel& soil : {LooseSand(), CompactSand()}) {
+    WorldSetup setup = TestSetup(soil, {4.0, 0.0, kPi});
+    setup.slack_start_m = 2.0;
+    World world(setup);
+    Play(world, Drive(0.05 / 0.3, 0.0), 8.0);
+    const Truth truth = world.truth();
+    EXPECT_GT(Degrees(ArmUp(truth)), 40.0) << soil.name;
+    EXPECT_LT(4.0 - truth.X_DR.p.x(), 0.10) << soil.name;  // of 0.4 m commanded
+  }
+}
+
+TEST(World, TautTetherHoldsTheArmAndTheRoverAdvances) {
+  World world(TestSetup(LooseSand(), {4.0, 0.0, kPi}));
+  double highest = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    Play(world, Drive(0.05 / 0.3, 60.0), 1.0);
+    highest = std::max(highest, Degrees(ArmUp(world.truth())));
+  }
+  EXPECT_LT(highest, 20.0);
+  EXPECT_GT(4.0 - world.truth().X_DR.p.x(), 0.25);
+}
+
+TEST(World, FreeWheelsAndSpoolDockAStraightRover) {
+  World world(TestSetup(LooseSand(), {1.4, 0.0, kPi}));
+  Play(world, Reel(290.0), 15.0);
+  const Truth truth = world.truth();
+  EXPECT_LT(truth.p_MT.x(), -0.2);
+  EXPECT_LT(std::hypot(truth.p_MT.y(), truth.p_MT.z()), 5e-3);  // socket's clearance 2.5 mm
+  EXPECT_LT(truth.station_shift_m, 5e-3);
+}
+
+TEST(World, TipThatArrivesTooLowIsCaughtOnTheFlatFace) {
+  WorldSetup setup = TestSetup(LooseSand(), {1.1, 0.0, kPi});
+  setup.station.tip_angle_rad = 0.0;
+  setup.station.mouth_height_m = 0.48;
+  setup.station.cone.mouth_radius_m = 0.10;
+  setup.station.cone.funnel_length_m = 0.15;
+  World world(setup);
+  Play(world, Reel(290.0), 6.0);
+  const Truth truth = world.truth();
+  EXPECT_GT(truth.face_force_n, 50.0);
+  EXPECT_GT(truth.p_MT.x(), -0.01);
+  EXPECT_NEAR(truth.face_force_n, truth.cone_force_n, 1e-9);
+}
+
+double PeakInTheFunnel(double step_s) {
+  // The spool draws the tip onto the funnel and holds it there, jammed at its limit.
+  WorldSetup setup = TestSetup(LooseSand(), {1.1, 0.0, kPi});
+  setup.station.tip_angle_rad = 0.0;
+  setup.station.mouth_height_m = 0.48;
+  setup.step_s = step_s;
+  World world(setup);
+  double peak = 0.0;
+  for (int i = 0; i < std::lround(8.0 / step_s); ++i) {
+    world.Step(Reel(290.0));
+    peak = std::max(peak, world.truth().cone_force_n);
+  }
+  return peak;
+}
+
+TEST(World, PeakForceInTheConeDoesNotDependOnTheStep) {
+  const double fine = PeakInTheFunnel(0.5e-3);
+  EXPECT_GT(fine, 50.0);
+  EXPECT_NEAR(PeakInTheFunnel(1e-3), fine, 0.1 * fine);
+  EXPECT_NEAR(PeakInTheFunnel(2e-3), fine, 0.1 * fine);
+}
+
+TEST(World, LightSlipperyStationIsTowed) {
+  WorldSetup setup = TestSetup(LooseSand(), {2.0, 0.0, kPi});
+  setup.station.module.mass_kg = 15.0;
+  setup.station.foot_friction = 0.2;
+  World world(setup);
+  Play(world, Reel(290.0), 4.0);
+  EXPECT_GT(world.truth().station_shift_m, 0.05);
+}
+
+TEST(World, RefusesATetherShorterThanItsWay) {
+  WorldSetup setup = TestSetup(LooseSand(), {2.0, 0.0, kPi});
+  setup.slack_start_m = -0.1;
+  EXPECT_THROW(World{setup}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,85 @@
+// The laws of a patch of soil against their closed forms.
+#include "sim/soil/soil_laws.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "soil/rig.h"
+
+namespace dockyard::soil_test {
+namespace {
+
+TEST(Pressure, FollowsBekkersPlateCurve) {
+  const SoilLaws sand = MakeRimLaws(PavlovSand(), 0.05);
+  // 8e6 * 0.02^1.46, computed apart.
+  EXPECT_NEAR(YieldPressure(sand, 1.46, 0.020), 26460.24, 0.1);
+}
+
+TEST(Pressure, CountsThePlatesWidthThroughKc) {
+  SoilModel soil = WongDrySand();
+  const SoilLaws narrow = MakeRimLaws(soil, 0.05);
+  EXPECT_NEAR(narrow.k, 0.99e3 / 0.05 + 1528.43e3, 1e-6);
+}
+
+TEST(Shear, FollowsJanosisCurveUnderSteadySliding) {
+  const double K = 0.021;
+  Mobilisation m;
+  for (int step = 1; step <= 600; ++step) {
+    m = Shear(m, 0.8e-4, 0.6e-4, K);  // 0.1 mm a step along (0.8, 0.6)
+    const double janosi = 1.0 - std::exp(-step * 1e-4 / K);
+    ASSERT_NEAR(std::hypot(m.t, m.a), janosi, 1e-5);
+  }
+  EXPECT_NEAR(m.t / m.a, 0.8 / 0.6, 1e-9);
+}
+
+TEST(Shear, StaysAtRest) {
+  const Mobilisation m{0.3, -0.2};
+  EXPECT_EQ(Shear(m, 0.0, 0.0, 0.02), m);
+}
+
+TEST(Shear, UnloadsOnReversalBeforeItReverses) {
+  const double K = 0.02;
+  double m = 0.0;
+  for (int step = 0; step < 1000; ++step) m = Shear(m, 1e-4, K);
+  ASSERT_GT(m, 0.99);
+  // dm = -(1 + m) dj / K back from 1: zero after K ln 2.
+  double back_m = 0.0;
+  while (m > 0.0) {
+    m = Shear(m, -1e-5, K);
+    back_m += 1e-5;
+  }
+  EXPECT_NEAR(back_m, K * std::log(2.0), 2e-4);
+}
+
+TEST(Shear, NeverExceedsTheStrength) {
+  Mobilisation m;
+  for (double slide : {1e-6, 1e-3, 0.1, 10.0, 1e6}) {
+    m = Shear(m, slide, -slide, 0.02);
+    EXPECT_LE(std::hypot(m.t, m.a), 1.0);
+  }
+}
+
+TEST(Shear, StrengthIsMohrCoulombAndVanishesWithThePressure) {
+  const SoilLaws sand = MakeRimLaws(PavlovSand(), 0.05);
+  EXPECT_NEAR(ShearStrength(sand, 20e3), 1000.0 + 20e3 * std::tan(Radians(29.0)), 1e-6);
+  EXPECT_EQ(ShearStrength(sand, 0.0), 0.0);
+}
+
+TEST(PassivePressure, IsRankines) {
+  const SoilLaws granite = MakeRimLaws(CompactGranite(), 0.15);
+  // N_phi = tan^2(64 deg) = 4.2037; 1963 * 9.81 * 0.03 * N_phi + 2 * 5000 * sqrt(N_phi).
+  EXPECT_NEAR(PassivePressure(granite, 0.03), 22931.5, 2.0);
+}
+
+TEST(BladePressure, ReachesTerzaghisStripStrength) {
+  const SoilLaws tip = MakeTipLaws(CompactGranite(), 0.006, 0.15);
+  // Prandtl and Reissner for 38 deg: N_c = 61.35, N_q = 48.93.
+  const double depth_m = 0.02;
+  const double strength = 5000.0 * 61.35 + 1963.0 * 9.81 * depth_m * 48.93;
+  EXPECT_NEAR(BladePressure(tip, depth_m), strength * depth_m / (depth_m + 0.0015), 300.0);
+  EXPECT_EQ(BladePressure(MakeRimLaws(CompactGranite(), 0.15), depth_m), 0.0);
+}
+
+}  // namespace
+}  // namespace dockyard::soil_test

@@ -1,0 +1,139 @@
+#include "controller/vision/fiducials.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "controller/vision/pose_refine.h"
+#include "vision/synthetic_view.h"
+
+namespace dockyard {
+namespace {
+
+struct Seen {
+  int in_view = 0, found = 0, right_class = 0, false_marks = 0;
+  double rms_px = 0.0;
+};
+
+/// Detections in the left picture against the truth.
+Seen Look(const SyntheticScene& scene, const StereoRig& rig) {
+  auto detections = DetectFiducials(SyntheticView(scene, rig.left, rig.X_RL), scene.board);
+  const Pose3 X_CB = Inverse(scene.X_DR * rig.X_RL) * scene.X_DB;
+  const Eigen::Matrix3d R_DC = scene.X_DR.R * rig.X_RL.R;
+  AssignRotations(detections, rig.left, R_DC.transpose() * Eigen::Vector3d::UnitZ());
+  Seen seen;
+  for (const Fiducial& fiducial : scene.board.fiducials) {
+    const auto truth = ProjectDisc(rig.left, X_CB, fiducial, scene.board.disc_diameter_m);
+    const double radius = 0.05 * rig.left.fx / X_CB.p.norm();
+    if (truth && rig.left.Sees(*truth, 1.5 * radius)) ++seen.in_view;
+  }
+  double sum = 0.0;
+  for (const DetectedFiducial& detection : detections) {
+    bool known = false;
+    for (const Fiducial& fiducial : scene.board.fiducials) {
+      const auto truth = ProjectDisc(rig.left, X_CB, fiducial, scene.board.disc_diameter_m);
+      const double error = truth ? (*truth - detection.rim.centre_px).norm() : 1e9;
+      if (error > 2.0) continue;
+      known = true;
+      ++seen.found;
+      sum += error * error;
+      if (detection.rotation_class == RotationClass(fiducial.rotation)) ++seen.right_class;
+    }
+    if (!known) ++seen.false_marks;
+  }
+  seen.rms_px = seen.found > 0 ? std::sqrt(sum / seen.found) : 0.0;
+  return seen;
+}
+
+SyntheticScene From(double r_m, double alpha_deg, double h_deg, double pitch_deg = 0.0) {
+  SyntheticScene scene;
+  scene.X_DR = RoverAt({r_m, Radians(alpha_deg), Radians(h_deg)}, Radians(pitch_deg));
+  return scene;
+}
+
+TEST(Fiducials, AreAllFoundAtTwoMetres) {
+  const Seen seen = Look(From(2.0, 10.0, 5.0), TestRig(640, 480));
+  EXPECT_EQ(seen.found, 8);
+  EXPECT_EQ(seen.right_class, 8);
+  EXPECT_EQ(seen.false_marks, 0);
+}
+
+TEST(Fiducials, AreMeasuredToAFewHundredthsOfAPixel) {
+  // Published for ellipse fits on contours: 0.05-0.08 px at this size; edges do as well or better.
+  EXPECT_LT(Look(From(2.0, 10.0, 5.0), TestRig(640, 480)).rms_px, 0.06);
+}
+
+TEST(Fiducials, AreFoundEightPixelsAcross) {
+  const Seen seen = Look(From(5.0, 5.0, 0.0), TestRig(640, 480));
+  EXPECT_GE(seen.found, 7);
+  EXPECT_GE(seen.right_class, seen.found - 1);
+}
+
+TEST(Fiducials, AreFoundTwoHundredPixelsAcross) {
+  // 0.32 m before the camera at 652 px/rad, looking up: only some are in the picture at all.
+  const Seen seen = Look(From(0.40, 0.0, 0.0, -15.0), TestRig(1024, 768));
+  EXPECT_GE(seen.in_view, 2);
+  EXPECT_GE(seen.found, seen.in_view);
+  EXPECT_EQ(seen.right_class, seen.found);
+  EXPECT_EQ(seen.false_marks, 0);
+}
+
+TEST(Fiducials, AreReadFromAsideAndAbove) {
+  const Seen seen = Look(From(1.8, 38.0, 5.0, 15.0), TestRig(640, 480));
+  EXPECT_EQ(seen.right_class, seen.found);
+  EXPECT_GE(seen.found, 7);
+}
+
+TEST(Fiducials, AreFoundInDimLight) {
+  SyntheticScene scene = From(2.5, 0.0, 0.0);
+  scene.white_dn = 45.0;  // 40 DN between white and black
+  EXPECT_EQ(Look(scene, TestRig(640, 480)).found, 8);
+}
+
+TEST(Fiducials, AreFoundUnderTheEdgeOfAShadow) {
+  SyntheticScene scene = From(2.0, 0.0, 0.0);
+  scene.shadow = SyntheticScene::ShadowEdge{.through_B = {-0.12, -0.18}, .normal_rad = 0.3};
+  EXPECT_EQ(Look(scene, TestRig(640, 480)).found, 8);
+}
+
+TEST(Fiducials, AreFoundInBrokenShade) {
+  SyntheticScene scene = From(2.0, 0.0, 0.0);
+  scene.speckle = 0.5;
+  EXPECT_GE(Look(scene, TestRig(640, 480)).found, 7);
+}
+
+TEST(Fiducials, AreNotSeenInAnEvenPicture) {
+  const GrayImage even{
+      .width = 640, .height = 480, .pixels = std::vector<std::uint8_t>(640 * 480, 90)};
+  EXPECT_TRUE(DetectFiducials(even, TestBoard()).empty());
+}
+
+TEST(Fiducials, AreNotSeenInTinyPictures) {
+  EXPECT_TRUE(DetectFiducials({}, TestBoard()).empty());
+  for (const int size : {1, 2, 3, 20, 21, 22, 43}) {
+    GrayImage image{.width = size, .height = size, .pixels = {}};
+    for (int i = 0; i < size * size; ++i) image.pixels.push_back(i % 7 == 0 ? 10 : 200);
+    EXPECT_TRUE(DetectFiducials(image, TestBoard()).empty());
+  }
+}
+
+TEST(Fiducials, AreNotPlainDarkDiscs) {
+  SyntheticScene scene;
+  scene.has_board = false;
+  scene.clutter_discs = 30;
+  const StereoRig rig = TestRig(640, 480);
+  const auto found = DetectFiducials(SyntheticView(scene, rig.left, rig.X_RL), scene.board);
+  EXPECT_LE(found.size(), 1u);
+}
+
+TEST(RotationClass, FollowsTheBoardsConvention) {
+  EXPECT_EQ(RotationClass(0.0), 0);
+  EXPECT_EQ(RotationClass(kPi / 4.0), 1);
+  EXPECT_EQ(RotationClass(kPi / 2.0), 2);
+  EXPECT_EQ(RotationClass(-kPi / 2.0), 2);
+  EXPECT_EQ(RotationClass(-kPi / 4.0), 3);
+}
+
+}  // namespace
+}  // namespace dockyard
