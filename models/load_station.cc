@@ -14,12 +14,14 @@ namespace {
 void ReadCone(const YamlReader& root, ConeModel& cone) {
   const YamlReader in(root.Child("cone"), "cone",
                       {"mouth_radius_m", "funnel_length_m", "throat_radius_m", "socket_end_m",
+                       "stop_depth_m",
                        "face_outer_radius_m", "wedges", "funnel_friction", "face_friction",
                        "contact_stiffness_n_per_m", "contact_damping_ns_per_m"});
   cone.mouth_radius_m = in.Number("mouth_radius_m", Positive(2.0));
   cone.funnel_length_m = in.Number("funnel_length_m", Positive(2.0));
   cone.throat_radius_m = in.Number("throat_radius_m", Positive(2.0));
   cone.socket_end_m = in.Number("socket_end_m", Positive(5.0));
+  cone.stop_depth_m = in.NumberOr("stop_depth_m", 0.0, NonNegative(5.0));
   cone.face_outer_radius_m = in.Number("face_outer_radius_m", Positive(2.0));
   cone.wedges = in.Integer("wedges", 8, 256);
   cone.funnel_friction = in.Number("funnel_friction", NonNegative(2.0));
@@ -31,6 +33,9 @@ void ReadCone(const YamlReader& root, ConeModel& cone) {
   }
   if (cone.face_outer_radius_m <= cone.mouth_radius_m) {
     in.Refuse("face_outer_radius_m", "more than mouth_radius_m");
+  }
+  if (cone.stop_depth_m > 0.0 && cone.stop_depth_m < cone.funnel_length_m) {
+    in.Refuse("stop_depth_m", "0 or at least funnel_length_m");
   }
   if (cone.socket_end_m < cone.funnel_length_m) {
     in.Refuse("socket_end_m", "at least funnel_length_m");

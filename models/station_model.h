@@ -17,6 +17,8 @@ struct ConeModel {
   double funnel_length_m = 0.0;
   double throat_radius_m = 0.0;
   double socket_end_m = 0.0;                          // depth at which the straight socket ends
+  // A plate across the socket, with a hole for the tether, seats the tip at this depth; 0: none.
+  double stop_depth_m = 0.0;
   double face_outer_radius_m = 0.0;                   // of the annular face round the mouth
   int wedges = 0;                                     // convex pieces round the axis
   double funnel_friction = 0.0, face_friction = 0.0;  // against the arm

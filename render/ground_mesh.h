@@ -2,8 +2,9 @@
 // slopes and own shadow at the grid's full resolution. Plain arithmetic, no GL.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
-#include <utility>
+#include <functional>
 #include <vector>
 
 #include "render/scene.h"
@@ -30,16 +31,29 @@ class GroundHeight {
   double border_mean_m_ = 0.0;
 };
 
-/// Fan of triangles; positions relative to (pole_x, pole_y, 0) in G's axes. Sector s covers the
-/// azimuths [s, s + 1] * 2 pi / kGroundSectors and its indices follow those of sector s - 1.
-inline constexpr int kGroundSectors = 480;
+/// Fan of rings; positions relative to (pole_x, pole_y, 0) in G's axes: the pole, then the rings of
+/// azimuth 0, those of azimuth 2 pi / kGroundSectors, ...
+inline constexpr int kGroundSectors = 360;
 struct GroundFan {
   double pole_x_m = 0.0, pole_y_m = 0.0;
+  int rings = 0;
   std::vector<Eigen::Vector3f> vertices;
-  std::vector<std::uint32_t> indices;
-  int indices_per_sector = 0;
 };
 GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m);
+
+/// Triangles of some of the fan, sector by sector: those of sector s (azimuths s to s + 1) are
+/// indices [start[s], start[s + 1]).
+struct FanPart {
+  std::vector<std::uint32_t> indices;
+  std::vector<int> start;
+};
+
+/// The fan's blocks, a few sectors by a few rings each, by the answer for the box round a block.
+struct FanParts {
+  FanPart open, shaded;
+};
+FanParts SplitFan(const GroundFan& fan, const Pose3& X_UF,
+                  const std::function<bool(const Eigen::AlignedBox3d& box_U)>& may_be_shaded);
 
 /// Per grid node four numbers: slope along x and along y, share of the sun that the ground itself
 /// leaves there, unused. sun_G: unit, towards the sun.

@@ -32,7 +32,10 @@ class OsMesaContext final : public GlContext {
       throw;
     }
   }
-  ~OsMesaContext() override { OSMesaDestroyContext(context_); }
+  ~OsMesaContext() override {
+    OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+    OSMesaDestroyContext(context_);
+  }
 
   void MakeCurrent() override {
     // The library wants a buffer of its own; nothing is ever drawn there.

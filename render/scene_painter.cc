@@ -101,10 +101,12 @@ ScenePainter::ScenePainter(const GlFunctions& gl)
     : gl_(gl),
       shadow_map_(gl),
       surface_(gl, SurfaceVertexShader(), SurfaceFragmentShader()),
-      ground_(gl, SurfaceVertexShader(), GroundFragmentShader()),
+      open_ground_(gl, SurfaceVertexShader(), GroundFragmentShader(false)),
+      shaded_ground_(gl, SurfaceVertexShader(), GroundFragmentShader(true)),
       board_(gl, SurfaceVertexShader(), BoardFragmentShader()),
       sky_(gl, SkyVertexShader(), SkyFragmentShader()),
-      fan_mesh_(gl),
+      open_mesh_(gl),
+      shaded_mesh_(gl),
       board_mesh_(gl),
       tether_mesh_(gl),
       relief_(gl),
@@ -126,6 +128,7 @@ void ScenePainter::Prepare(const Scene& scene, const Pose3& X_WR) {
   shadow_map_.Render(
       fit_, [&](GlProgram& program, const Eigen::Matrix4d& clip_from_U,
                 const ShadowWindow& window) { DrawCasters(program, clip_from_U, window); });
+  if (HasGround(scene.ground)) UploadFan(scene);
 }
 
 void ScenePainter::UploadObjects(const Scene& scene) {
@@ -147,7 +150,6 @@ void ScenePainter::UploadGround(const Scene& scene, const Pose3& X_WR) {
   const GroundView& ground = scene.ground;
   const Eigen::Vector3d p_GR = Inverse(ground.X_WG) * X_WR.p;
   fan_ = MakeGroundFan(GroundHeight(ground), p_GR.x(), p_GR.y());
-  fan_mesh_.Upload(fan_.vertices, fan_.indices);
   X_WF_ = ground.X_WG * Pose3::Translation(p_GR.x(), p_GR.y(), 0.0);
   UploadRelief(scene);
   if (soil_seed_ == ground.texture_seed) return;
@@ -158,6 +160,18 @@ void ScenePainter::UploadGround(const Scene& scene, const Pose3& X_WR) {
   lumps_.Image(GL_RGBA8, kLumpSide, kLumpSide, GL_RGBA, GL_UNSIGNED_BYTE, lumps.data());
   lumps_.Sampling(GL_LINEAR, GL_LINEAR, GL_REPEAT);
   soil_seed_ = ground.texture_seed;
+}
+
+// Most ground is under no caster at all: told apart here, it is drawn without a look at the map.
+void ScenePainter::UploadFan(const Scene& scene) {
+  const Eigen::Vector3d up_U = fit_.X_WU.R.transpose() * scene.ground.X_WG.R.col(2);
+  // Level ground's slope against the light, and as much again for its own relief.
+  const double slope = 2.0 * up_U.head<2>().norm() / std::max(up_U.z(), 0.05) + 0.5;
+  parts_ = SplitFan(fan_, Inverse(fit_.X_WU) * X_WF_, [&](const Eigen::AlignedBox3d& box_U) {
+    return shadow_map_.MayBeShaded(fit_, box_U, slope);
+  });
+  open_mesh_.Upload(fan_.vertices, parts_.open.indices);
+  shaded_mesh_.Upload(fan_.vertices, parts_.shaded.indices);
 }
 
 void ScenePainter::UploadRelief(const Scene& scene) {
@@ -299,26 +313,34 @@ void ScenePainter::PaintBoard(const Eye& eye) {
 }
 
 void ScenePainter::PaintGround(const Eye& eye) {
-  const GroundView& ground = scene_->ground;
-  BeginProgram(ground_, kFlatBias_m);
-  Pose(ground_, eye, X_WF_);
   relief_.Bind(kReliefUnit);
   soil_.Bind(kSoilUnit);
-  ground_.Set("u_relief", kReliefUnit);
   lumps_.Bind(kLumpsUnit);
-  ground_.Set("u_soil", kSoilUnit);
-  ground_.Set("u_lumps", kLumpsUnit);
-  ground_.Set("u_pole", Eigen::Vector2d(fan_.pole_x_m, fan_.pole_y_m));
+  PaintPart(eye, open_ground_, parts_.open, open_mesh_);
+  PaintPart(eye, shaded_ground_, parts_.shaded, shaded_mesh_);
+}
+
+void ScenePainter::PaintPart(const Eye& eye, GlProgram& program, const FanPart& part,
+                             const GlMesh& mesh) {
+  const GroundView& ground = scene_->ground;
+  BeginProgram(program, kFlatBias_m);
+  Pose(program, eye, X_WF_);
+  program.Set("u_relief", kReliefUnit);
+  program.Set("u_soil", kSoilUnit);
+  program.Set("u_lumps", kLumpsUnit);
+  program.Set("u_pole", Eigen::Vector2d(fan_.pole_x_m, fan_.pole_y_m));
   const Eigen::Vector2d scale(1.0 / (ground.cell_m * ground.nx), 1.0 / (ground.cell_m * ground.ny));
   const Eigen::Vector2d first(ground.x0_m - 0.5 * ground.cell_m, ground.y0_m - 0.5 * ground.cell_m);
-  ground_.Set("u_grid_scale", scale);
-  ground_.Set("u_grid_shift", Eigen::Vector2d(-first.cwiseProduct(scale)));
-  ground_.Set("u_albedo", Grey(ground.albedo));
+  program.Set("u_grid_scale", scale);
+  program.Set("u_grid_shift", Eigen::Vector2d(-first.cwiseProduct(scale)));
+  program.Set("u_albedo", Grey(ground.albedo));
   const SectorRange range = VisibleSectors(Inverse(X_WF_) * eye.X_WC, eye.rect);
-  const int stride = fan_.indices_per_sector;
-  const int to_end = std::min(range.count, kGroundSectors - range.first);
-  fan_mesh_.Draw(range.first * stride, to_end * stride);
-  fan_mesh_.Draw(0, (range.count - to_end) * stride);
+  const auto draw = [&](int from, int to) {
+    mesh.Draw(part.start[from], part.start[to] - part.start[from]);
+  };
+  const int end = range.first + range.count;
+  draw(range.first, std::min(end, kGroundSectors));
+  if (end > kGroundSectors) draw(0, end - kGroundSectors);
 }
 
 void ScenePainter::PaintSky(const Eye& eye) {

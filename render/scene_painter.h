@@ -47,6 +47,7 @@ class ScenePainter {
   void UploadObjects(const Scene& scene);
   void UploadGround(const Scene& scene, const Pose3& X_WR);
   void UploadRelief(const Scene& scene);
+  void UploadFan(const Scene& scene);
   std::vector<Ball> Casters(const Scene& scene) const;
   void DrawCasters(GlProgram& program, const Eigen::Matrix4d& clip_from_U,
                    const ShadowWindow& window);
@@ -56,13 +57,14 @@ class ScenePainter {
   void PaintObjects(const Eye& eye);
   void PaintBoard(const Eye& eye);
   void PaintGround(const Eye& eye);
+  void PaintPart(const Eye& eye, GlProgram& program, const FanPart& part, const GlMesh& mesh);
   void PaintSky(const Eye& eye);
   void PaintTether(const Eye& eye);
 
   const GlFunctions& gl_;
   ShadowMap shadow_map_;
-  GlProgram surface_, ground_, board_, sky_;
-  GlMesh fan_mesh_, board_mesh_, tether_mesh_;
+  GlProgram surface_, open_ground_, shaded_ground_, board_, sky_;
+  GlMesh open_mesh_, shaded_mesh_, board_mesh_, tether_mesh_;
   GlTexture relief_, soil_, lumps_;
   GlMesh empty_mesh_;  // core GL draws nothing without a vertex array
   std::map<const RenderMesh*, Cached> cache_;
@@ -74,6 +76,7 @@ class ScenePainter {
   ShadowFit fit_;
   Pose3 X_WF_;  // of the ground's fan
   GroundFan fan_;
+  FanParts parts_;
 };
 
 }  // namespace dockyard

@@ -142,15 +142,15 @@ void main() {
 )";
 }
 
-std::string GroundFragmentShader() {
-  return kVersion + ShadowCode() + Constant("float", "kTileLength", kSoilTile_m) +
+std::string GroundFragmentShader(bool shadows) {
+  return kVersion + ShadowCode() + (shadows ? "" : "#define SunShare(place, normal) 1.0\n") +
+         Constant("float", "kTileLength", kSoilTile_m) +
          Constant("float", "kSlopeFull", kSoilSlopeFull) + R"(
 in vec3 v_light;
 in vec2 v_plane;
 uniform mat4 u_light_from_object;
 uniform sampler2D u_relief, u_soil, u_lumps;
 uniform vec2 u_pole;      // of the fan, in the site frame
-uniform vec2 u_grid_from;  // first node
 uniform vec2 u_grid_scale, u_grid_shift;  // site metres to texture
 uniform float u_albedo;
 out vec4 o_radiance;

@@ -12,7 +12,8 @@ inline constexpr int kShadowReachTiles = 2;
 
 std::string SurfaceVertexShader();
 std::string SurfaceFragmentShader();
-std::string GroundFragmentShader();
+/// Without shadows for ground that no caster stands over.
+std::string GroundFragmentShader(bool shadows);
 std::string BoardFragmentShader();
 std::string SkyVertexShader();
 std::string SkyFragmentShader();

@@ -144,6 +144,34 @@ void ShadowMap::ReduceTiles(const ShadowFit& fit) {
   tiles_.Bind(kTilesUnit);
   spread_program_.Set("u_tiles", kTilesUnit);
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  highest_.resize(static_cast<std::size_t>(kTilesWide) * kTilesHigh);
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_.ReadPixels(0, 0, kTilesWide, kTilesHigh, GL_RED, GL_FLOAT, highest_.data());
+}
+
+bool ShadowMap::MayBeShaded(const ShadowFit& fit, const Eigen::AlignedBox3d& box_U,
+                            double slope) const {
+  return WindowMayShade(fit.fine, box_U, slope) || WindowMayShade(fit.coarse, box_U, slope);
+}
+
+bool ShadowMap::WindowMayShade(const ShadowWindow& window, const Eigen::AlignedBox3d& box_U,
+                               double slope) const {
+  // As in the shader: the ground may sink away under the neighbourhood that a tile stands for.
+  const double sway = slope * window.texel_m() * kShadowTile * (kShadowReachTiles + 1);
+  const double floor_m = box_U.min().z() - sway - 0.01;
+  const auto tile = [&](double u_m) {
+    const double texel = u_m / window.texel_m() + 0.5 * window.texels;
+    return static_cast<int>(std::clamp(std::floor(texel / kShadowTile), -1e6, 1e6));
+  };
+  const int tiles = window.texels / kShadowTile, column = window.column / kShadowTile;
+  const Eigen::Vector2d low = box_U.min().head<2>() - window.center_m;
+  const Eigen::Vector2d high = box_U.max().head<2>() - window.center_m;
+  for (int y = std::max(tile(low.y()), 0); y <= std::min(tile(high.y()), tiles - 1); ++y) {
+    for (int x = std::max(tile(low.x()), 0); x <= std::min(tile(high.x()), tiles - 1); ++x) {
+      if (highest_[static_cast<std::size_t>(y) * kTilesWide + column + x] > floor_m) return true;
+    }
+  }
+  return false;
 }
 
 void ShadowMap::Apply(const ShadowFit& fit, GlProgram& program) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <functional>
 #include <vector>
 
@@ -47,15 +48,22 @@ class ShadowMap {
                                          const ShadowWindow& window)>;
   void Render(const ShadowFit& fit, const DrawCasters& draw);
 
+  /// Whether the sun may be hidden from any ground in a box of the light's axes; never wrongly no.
+  /// slope: of the ground against the light's plane.
+  bool MayBeShaded(const ShadowFit& fit, const Eigen::AlignedBox3d& box_U, double slope) const;
+
   /// Binds the pictures and sets the uniforms of a shading program in use.
   void Apply(const ShadowFit& fit, GlProgram& program) const;
 
  private:
   void ReduceTiles(const ShadowFit& fit);
+  bool WindowMayShade(const ShadowWindow& window, const Eigen::AlignedBox3d& box_U,
+                      double slope) const;
 
   const GlFunctions& gl_;
   GlTexture depth_, tiles_, spread_;
   GlTextureTarget depth_target_, tiles_target_, spread_target_;
+  std::vector<float> highest_;  // caster over each tile and its surroundings, along U's z [m]
   GlProgram depth_program_, bounds_program_, spread_program_;
 };
 

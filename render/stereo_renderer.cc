@@ -16,12 +16,12 @@ namespace {
 // Flat pixels per image pixel in the middle of the picture, where the tan plane is least dense; 56
 // deg off the axis it has 3.2 times as many along the radius. The board gets a view of its own.
 constexpr double kWideDensity = 0.85;
-constexpr double kCloseDensity = 1.8;
+constexpr double kCloseDensity = 3.0;
 constexpr int kSamples = 1;
-constexpr ShadowEffort kWideEffort{.searches = 6, .taps = 12};
-constexpr ShadowEffort kCloseEffort{.searches = 4, .taps = 8};
+constexpr ShadowEffort kWideEffort{.searches = 4, .taps = 8};
+constexpr ShadowEffort kCloseEffort{.searches = 4, .taps = 6};
 constexpr double kMostFlatPixels = 16e6;
-constexpr double kMostClosePixels = 2.0e6;
+constexpr double kMostClosePixels = 0.3e6;
 
 std::unique_ptr<GlContext> CreateContext(GlBackend backend) {
   return backend == GlBackend::kOsMesa ? CreateOsMesaContext() : CreateEglSurfacelessContext();

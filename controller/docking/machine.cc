@@ -113,6 +113,12 @@ class AxelMachine final : public Controller {
   std::optional<LegDriver> driver_;
   // Reeling.
   double to_reel_m_ = 0.0;
+  // Confirming: when the spool was braked, and where it stood.
+  struct Braked {
+    Tick since = 0;
+    double reeled_m = 0.0;
+  };
+  std::optional<Braked> braked_;
 };
 
 std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* commands) {
@@ -290,18 +296,33 @@ std::optional<Event> AxelMachine::Search(Commands* commands) {
 std::optional<Event> AxelMachine::Reel(Commands* commands) {
   const TetherOptions& tether = options_.tether;
   SetWheels(MotorMode::kFree, commands);
-  Spool(commands) = Winch(sheet_, tether.reel_m_s, tether.reel_tension_n, tether.accel_rad_s2);
-  const double left = to_reel_m_ - (ReeledHere());
+  const double left = to_reel_m_ - ReeledHere();
+  const bool seating = left <= options_.mate.short_reel_m;
+  Spool(commands) =
+      Winch(sheet_, tether.reel_m_s, seating ? options_.mate.seat_tension_n : tether.reel_tension_n,
+            tether.accel_rad_s2);
   if (left <= 0.0) return Event::kHome;
   if (!Stuck()) return std::nullopt;
-  if (left <= options_.mate.short_reel_m) return Event::kHome;
+  if (seating) return Event::kHome;
   return Recover(Event::kStuck, "does not go in");
 }
 
+// The tip is home when the length says so; it stays home when the tether is taut under the brake.
 std::optional<Event> AxelMachine::Confirm(Commands* commands) {
   StandStill(sheet_, options_.drive, InPhase(), commands);
-  if (InPhase() < options_.mate.confirm_time) return std::nullopt;
-  const double slipped = std::abs(ReeledHere());
+  if (!braked_) {
+    Spool(commands) = Winch(sheet_, options_.mate.home_m_s, options_.mate.home_tension_n,
+                            options_.tether.accel_rad_s2);
+    const bool waited = InPhase() >= options_.drive.stop_time + options_.tether.taut_after;
+    const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
+    if ((!waited || still < options_.tether.taut_after) && InPhase() < options_.mate.home_limit) {
+      return std::nullopt;
+    }
+    braked_ = Braked{senses_.now(), senses_.reeled_m()};
+    Spool(commands) = {};
+  }
+  if (senses_.now() - braked_->since < options_.mate.confirm_time) return std::nullopt;
+  const double slipped = std::abs(senses_.reeled_m() - braked_->reeled_m);
   if (slipped <= options_.mate.confirm_slip_m) return Event::kSteady;
   return Recover(Event::kStuck, "does not stay in");
 }
@@ -321,6 +342,7 @@ void AxelMachine::Enter(Phase phase) {
   levelling_since_.reset();
   asked_at_.reset();
   driver_.reset();
+  braked_.reset();
   if (phase != Phase::kLook) taut_ = false;
   if (phase == Phase::kLook || phase == Phase::kRecheck) judge_.NewStop();
   if (phase == Phase::kSearch) BeginSearch();

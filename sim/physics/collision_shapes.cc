@@ -108,6 +108,13 @@ std::vector<std::vector<Eigen::Vector3d>> ConeWedges(const ConeModel& cone) {
   return wedges;
 }
 
+Collision SocketStop(const ConeModel& cone) {
+  constexpr double kThickness = 0.03;  // only its front is ever met
+  const double side = 2.0 * cone.throat_radius_m + 2.0 * kWedgeOverlapM;
+  return {"stop", BoxShape{{kThickness, side, side}},
+          Pose3::Translation(-cone.stop_depth_m - 0.5 * kThickness, 0.0, 0.0)};
+}
+
 std::vector<Collision> ArmCollisions(const RoverModel& rover) {
   const double tip_middle = rover.arm_length_m - 0.5 * rover.tip.length_m;
   std::vector<Collision> collisions;

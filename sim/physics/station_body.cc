@@ -66,6 +66,10 @@ void StationBody::AddShapes(bool mirrored_order) {
     shape_.AddHull(wedge, X_PS * X_SM_);
     fills_socket_.push_back(false);
   }
+  if (station_.cone.stop_depth_m > 0.0) {
+    shape_.Add(SocketStop(station_.cone), X_PS * X_SM_);
+    fills_socket_.push_back(false);
+  }
   const Pose3 X_SL = X_SM_ * Pose3::Translation(0.0, 0.0, -station_.mouth_height_m);
   for (const Collision& collision : station_.module.collisions) {
     shape_.Add(collision, X_PS * X_SL);

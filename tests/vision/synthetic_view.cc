@@ -131,7 +131,7 @@ class RayCaster {
   double Pixel(int x, int y) const {
     const Eigen::Vector2d middle(x, y);
     const bool fine = scene_.has_board && NearBoard(middle);
-    const int n = fine || !discs_.empty() ? scene_.samples : 1;
+    const int n = fine || NearClutter(middle) ? scene_.samples : 1;
     double sum = 0.0;
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
@@ -150,6 +150,11 @@ class RayCaster {
   bool NearBoard(const Eigen::Vector2d& pixel) const {
     const auto hit = HitBoardPlane(camera_.Ray(pixel));
     return hit && std::abs(hit->x()) < 0.5 && std::abs(hit->y()) < 0.3;
+  }
+  bool NearClutter(const Eigen::Vector2d& pixel) const {
+    return std::any_of(discs_.begin(), discs_.end(), [&](const Disc& disc) {
+      return (pixel - disc.centre_px).squaredNorm() < 4.0 * disc.radius_px * disc.radius_px;
+    });
   }
   double Radiance(const Eigen::Vector2d& pixel) const {
     const Eigen::Vector3d ray_C = camera_.Ray(pixel);
