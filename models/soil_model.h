@@ -11,7 +11,7 @@ struct SoilModel {
   std::string name;
   std::string source;   // where the numbers come from
   double n = 1.0;       // sinkage exponent [-]
-  double n_slip = 0.0;  // growth of n with |slip| [-]
+  double n_slip = 0.0;  // growth of n with |slip|; also scales the losses by sliding [-]
   double k_c = 0.0;     // [N/m^(n+1)]
   double k_phi = 0.0;   // [N/m^(n+2)]
   double cohesion_pa = 0.0;

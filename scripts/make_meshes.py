@@ -93,10 +93,12 @@ def stereo_bar():
 
 
 def arm():
-    """Frame A: tube, then the thicker flat-nosed tip with a 2 mm edge."""
+    """Frame A: tube, a collar, then the thicker flat-nosed tip with a 2 mm edge."""
     mesh = Mesh()
-    mesh.turned([(0.0, 0.0), (0.0, 0.025), (0.94, 0.025)], "x", 24)
-    mesh.turned([(0.94, 0.025), (0.94, 0.030), (0.998, 0.030), (1.0, 0.028), (1.0, 0.0)], "x", 24)
+    mesh.turned([(0.0, 0.0), (0.0, 0.025), (0.86, 0.025), (0.86, 0.0312), (0.89, 0.0312),
+                 (0.90, 0.0285), (0.90, 0.025), (0.97, 0.025)], "x", 24)
+    mesh.turned([(0.97, 0.025), (0.97, 0.0312), (0.998, 0.0312), (1.0, 0.0292), (1.0, 0.0)], "x",
+                24)
     return mesh
 
 
@@ -145,7 +147,7 @@ def cone_face():
 
 def cone():
     """Funnel, socket and the socket's dark end, seen from inside."""
-    return Mesh().turned([(-0.36, 0.0), (-0.36, 0.0325), (-0.12, 0.0325), (-0.004, 0.120)], "x", 48,
+    return Mesh().turned([(-0.36, 0.0), (-0.36, 0.0320), (-0.12, 0.0320), (-0.004, 0.120)], "x", 48,
                          inward=True)
 
 

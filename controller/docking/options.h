@@ -109,8 +109,8 @@ struct MateOptions {
   double over_reel_m = 0.02;   // beyond the depth asked for: twice the error of 1-2 cm in the start
   double short_reel_m = 0.05;  // a stop this much early counts as home: 0.20 m must be reached
   // The last of it pulls less: the tip may meet the socket's floor. Above the 105 N that lift the
-  // rover over a paddle; assumed, 110-200.
-  double seat_tension_n = 150.0;
+  // rover over a paddle; assumed, 110-300.
+  double seat_tension_n = 220.0;
   Tick stuck_after = 2'000;  // spool at its limit without taking up
   // Home, wheels braked: the tether is drawn taut before the brake, or the rover hangs loose in the
   // socket. Above a straight pull's 90 N, below the 105 N that lift it over a paddle; 60-150.

@@ -12,6 +12,7 @@ namespace dockyard {
 namespace {
 
 constexpr double kSurround = 1.35;  // how far out the pattern is compared, in rim radii
+constexpr double kHopeless = 0.12;  // correlation of a quarter of the angles, below which no more
 
 /// A step blurred over a distance in sigmas: a cubic with the Gaussian's slope in the middle.
 double Step(double distance, double blur_px) {
@@ -57,7 +58,7 @@ std::vector<Sample> Gather(const cv::Mat& flat, const Ellipse& rim, double blur_
     for (int x = std::max(x0, 0); x <= std::min(x1, flat.cols - 1); ++x) {
       const Eigen::Vector2d n = inverse * (Eigen::Vector2d(x, y) - rim.centre_px);
       const double length = n.norm();
-      if (length > kSurround) continue;
+      if (length >= kSurround) continue;
       const double slope = length > 1e-6 ? (inverse * (n / length)).norm() : 1.0;
       const double value = std::min(row[x] / (kFlatWhite * white_level), 1.0);
       samples.push_back({value, n, Step((length - 1.0) / slope, blur_px)});
@@ -121,24 +122,30 @@ std::optional<BarMatch> MatchBar(const cv::Mat& flat, const Ellipse& rim,
   const std::vector<Sample> samples = Gather(flat, rim, blur_px, white_level);
   const double expected = kPi * kSurround * kSurround * rim.shape_px.determinant();
   if (static_cast<double>(samples.size()) < 0.85 * expected) return std::nullopt;
-  BarMatch match;
-  int best = 0;
-  for (int i = 0; i < kBarAngles; ++i) {
-    const BarPattern bar = Pattern(i, rim, board, blur_px, white_level);
-    Correlation inside;
+  const auto correlate = [&](int angle, double reach) {
+    const BarPattern bar = Pattern(angle, rim, board, blur_px, white_level);
+    Correlation correlation;
     for (const Sample& sample : samples) {
-      if (sample.disc.squaredNorm() < 1.0) inside.Add(sample.value, bar.At(sample));
+      if (sample.disc.norm() < reach) correlation.Add(sample.value, bar.At(sample));
     }
-    match.inner[static_cast<std::size_t>(i)] = static_cast<float>(inside.value());
-    if (match.inner[static_cast<std::size_t>(i)] > match.inner[static_cast<std::size_t>(best)]) {
-      best = i;
-    }
+    return correlation.value();
+  };
+  BarMatch match;
+  match.inner.fill(-1.0f);
+  int best = 0;
+  const auto try_angle = [&](int angle) {
+    float& score = match.inner[static_cast<std::size_t>(angle)];
+    score = static_cast<float>(correlate(angle, 1.0));
+    if (score > match.inner[static_cast<std::size_t>(best)]) best = angle;
+  };
+  // Every fourth first: a true bar is at most 22.5 deg from one of them, and shows.
+  for (int i = 0; i < kBarAngles; i += 4) try_angle(i);
+  if (match.inner[static_cast<std::size_t>(best)] < kHopeless) return std::nullopt;
+  for (int i = 0; i < kBarAngles; ++i) {
+    if (i % 4 != 0) try_angle(i);
   }
-  const BarPattern bar = Pattern(best, rim, board, blur_px, white_level);
-  Correlation whole;
-  for (const Sample& sample : samples) whole.Add(sample.value, bar.At(sample));
-  match.whole = whole.value();
-  match.contrast = Contrast(samples, bar);
+  match.whole = correlate(best, kSurround);
+  match.contrast = Contrast(samples, Pattern(best, rim, board, blur_px, white_level));
   return match;
 }
 

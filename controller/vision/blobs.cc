@@ -19,7 +19,7 @@ constexpr int kLevels = 5;  // up to 16 * 19 = 300 px across: a 10 cm disc at 0.
 // haze, veiling light or a small disc's blur more: up to 0.68 (assumed, 0.6-0.75; ground texture
 // seldom gets there). In broken shade the light itself varies within the window, down to the sky's
 // share; then only a threshold between 0.06 and that share parts black from shaded white.
-constexpr std::array<double, 3> kBlack{0.68, 0.36, 0.19};
+constexpr std::array<double, 4> kBlack{0.68, 0.50, 0.36, 0.19};
 constexpr int kDarkest = 10;  // [DN] light below which nothing is looked for; 5 sigma of noise
 
 /// Smallest blob looked at on the finest level [px]: two thirds of a 7 px disc seen at 45 deg.

@@ -14,6 +14,8 @@ namespace {
 
 // Tuned on synthetic views, range 1-6 m, three kinds of light (assumed, +-0.1).
 constexpr double kMinInner = 0.55;
+// A disc under 10 px across hardly shows its bar; its surround must then match the better.
+constexpr double kSmallRadius = 5.0, kMinInnerSmall = 0.25, kMinWholeSmall = 0.78;
 constexpr double kMinWhole = 0.70;
 constexpr double kMinContrast = 0.25;
 // Blur of a flat picture, 1 sigma [px]: lens and pixel 0.67, smoothing 0.7; coarser levels see less
@@ -39,9 +41,20 @@ std::optional<DetectedFiducial> Verify(const GrayImage& image, const BlobLevel& 
   const auto bar = MatchBar(level.flat, ToLevel(rim->ellipse, level), board,
                             level.level == 0 ? kFineBlur : kCoarseBlur,
                             std::min(1.0, kWhiteOverThreshold * blob.threshold));
-  if (!bar || bar->contrast < kMinContrast || bar->whole < kMinWhole) return std::nullopt;
-  if (*std::max_element(bar->inner.begin(), bar->inner.end()) < kMinInner) return std::nullopt;
+  if (!bar || bar->contrast < kMinContrast) return std::nullopt;
+  const double inner = *std::max_element(bar->inner.begin(), bar->inner.end());
+  const bool matches = inner >= kMinInner && bar->whole >= kMinWhole;
+  const bool small_matches = rim->ellipse.mean_radius_px() < kSmallRadius &&
+                             inner >= kMinInnerSmall && bar->whole >= kMinWholeSmall;
+  if (!matches && !small_matches) return std::nullopt;
   return DetectedFiducial{.rim = rim->ellipse, .match = bar->whole, .bar_match = bar->inner};
+}
+
+/// Whether a disc has been found about this place: at another threshold, on a finer level.
+bool IsKnown(const std::vector<DetectedFiducial>& found, const Eigen::Vector2d& pixel) {
+  return std::any_of(found.begin(), found.end(), [&](const DetectedFiducial& other) {
+    return other.rim.ToDisc(pixel).norm() < 0.7;
+  });
 }
 
 /// Correlation with the bar at an angle between the tabulated ones.
@@ -79,18 +92,16 @@ std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image, const Fidu
   if (image.pixels.empty()) return found;
   for (const BlobLevel& level : BuildLevels(image)) {
     for (const Blob& blob : FindBlobs(level)) {
+      if (IsKnown(found, level.ToPicture(blob.moments.centre_px))) continue;
       const auto fiducial = Verify(image, level, blob, board);
       if (fiducial) found.push_back(*fiducial);
     }
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.match > b.match; });
-  std::vector<DetectedFiducial> distinct;  // one disc may show on two levels
+  std::vector<DetectedFiducial> distinct;  // outlines apart may have led to one disc
   for (const DetectedFiducial& fiducial : found) {
-    const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const auto& other) {
-      return other.rim.ToDisc(fiducial.rim.centre_px).norm() < 0.7;
-    });
-    if (!known) distinct.push_back(fiducial);
+    if (!IsKnown(distinct, fiducial.rim.centre_px)) distinct.push_back(fiducial);
   }
   return distinct;
 }

@@ -10,8 +10,8 @@ namespace dockyard {
 namespace {
 
 constexpr double kSampleStep = 0.5;  // [px]
-constexpr double kReach = 0.75;      // [px] half the base of a difference: the blur's sigma
-constexpr double kDarkOffset = 6.0;  // [DN] keeps the logarithm from amplifying noise in the dark
+constexpr double kReach = 1.5;       // [px] half the base of a difference: two sigmas of the blur
+constexpr double kDarkOffset = 6.0;  // [DN] keeps ratios from amplifying noise in the dark
 constexpr double kMinInlierShare = 0.5;
 
 /// Bilinear; outside the picture the border pixel.
@@ -32,13 +32,13 @@ double Vertex(double before, double at, double after) {
   return bend < 0.0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
 }
 
-/// The dark-to-bright step along one ray. Chosen by the steepest rise of the logarithm, in which a
-/// shadow's edge on white is weaker than a mark's edge in shadow; placed by the steepest rise of
-/// the grey itself, which blur does not shift.
+/// The dark-to-bright step along one ray. Chosen by the steepest relative rise, in which a shadow's
+/// edge on white is weaker than a mark's edge in shadow; placed by the steepest rise of the grey
+/// itself, which blur does not shift.
 std::optional<Eigen::Vector2d> FindEdge(const GrayImage& image, const Eigen::Vector2d& from,
                                         const Eigen::Vector2d& to, std::vector<double>& grays) {
   const double length = (to - from).norm();
-  const int reach = static_cast<int>(std::lround(kReach / kSampleStep)) + 1;
+  const int reach = static_cast<int>(kReach / kSampleStep);
   const int count = static_cast<int>(length / kSampleStep) + 1;
   if (count < 2 * reach + 3) return std::nullopt;
   const Eigen::Vector2d step = (to - from) * (kSampleStep / length);
@@ -49,12 +49,12 @@ std::optional<Eigen::Vector2d> FindEdge(const GrayImage& image, const Eigen::Vec
     return grays[static_cast<std::size_t>(i + reach)] - grays[static_cast<std::size_t>(i - reach)];
   };
   int steepest = -1;
-  double best = 0.15;  // a step of 16 % of the light at least
+  double best = 1.16;  // the light must grow by 16 % at least
   for (int i = reach; i < count - reach; ++i) {
-    const double log_rise = std::log((grays[static_cast<std::size_t>(i + reach)] + kDarkOffset) /
-                                     (grays[static_cast<std::size_t>(i - reach)] + kDarkOffset));
-    if (log_rise > best) {
-      best = log_rise;
+    const double growth = (grays[static_cast<std::size_t>(i + reach)] + kDarkOffset) /
+                          (grays[static_cast<std::size_t>(i - reach)] + kDarkOffset);
+    if (growth > best) {
+      best = growth;
       steepest = i;
     }
   }
@@ -85,39 +85,46 @@ std::vector<Eigen::Vector2d> FindEdges(const GrayImage& image, const Ellipse& ab
   return edges;
 }
 
-/// Distance of a point from the rim, to first order [px].
-double RimDistance(const Ellipse& ellipse, const Eigen::Vector2d& p) {
+/// Distances of points from the rim, to first order [px].
+std::vector<double> RimDistances(const Ellipse& ellipse,
+                                 const std::vector<Eigen::Vector2d>& points) {
   const Eigen::Matrix2d inverse = ellipse.shape_px.inverse();
-  const Eigen::Vector2d n = inverse * (p - ellipse.centre_px);
-  const double length = std::max(n.norm(), 1e-9);
-  return std::abs(length - 1.0) / (inverse * n / length).norm();
+  std::vector<double> distances;
+  distances.reserve(points.size());
+  for (const Eigen::Vector2d& p : points) {
+    const Eigen::Vector2d n = inverse * (p - ellipse.centre_px);
+    const double length = std::max(n.norm(), 1e-9);
+    distances.push_back(std::abs(length - 1.0) / (inverse * n / length).norm());
+  }
+  return distances;
 }
 
-/// Fitzgibbon's fit, points beyond 2.5 robust sigmas left out, thrice over.
-std::optional<RimFit> FitRobust(std::vector<Eigen::Vector2d> edges, int rays) {
-  const std::vector<Eigen::Vector2d> all = edges;
-  std::optional<Ellipse> ellipse = FitEllipse(edges);
+/// Fitzgibbon's fit; points beyond 2.5 robust sigmas are left out until none is, thrice at most.
+std::optional<RimFit> FitRobust(const std::vector<Eigen::Vector2d>& all, int rays) {
+  std::optional<Ellipse> ellipse = FitEllipse(all);
+  std::size_t used = all.size();
   double rms = 0.0;
   for (int round = 0; round < 3 && ellipse; ++round) {
-    std::vector<double> distances;
-    for (const Eigen::Vector2d& p : all) distances.push_back(RimDistance(*ellipse, p));
+    const std::vector<double> distances = RimDistances(*ellipse, all);
     std::vector<double> sorted = distances;
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2),
                      sorted.end());
     const double limit = std::max(0.3, 2.5 * 1.4826 * sorted[sorted.size() / 2]);
-    edges.clear();
+    std::vector<Eigen::Vector2d> near;
     double sum = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (distances[i] > limit) continue;
-      edges.push_back(all[i]);
+      near.push_back(all[i]);
       sum += distances[i] * distances[i];
     }
-    rms = edges.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(edges.size()));
-    ellipse = FitEllipse(edges);
+    rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(near.size(), 1)));
+    used = near.size();
+    if (round == 0 && used == all.size()) break;  // nothing left out
+    ellipse = FitEllipse(near);
   }
   if (!ellipse) return std::nullopt;
   return RimFit{
-      .ellipse = *ellipse, .inlier_share = static_cast<double>(edges.size()) / rays, .rms_px = rms};
+      .ellipse = *ellipse, .inlier_share = static_cast<double>(used) / rays, .rms_px = rms};
 }
 
 }  // namespace

@@ -39,13 +39,15 @@ StereoRig BuiltRig(const StereoModel& stereo, std::uint64_t run_seed) {
 SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
                            const SoilModel& soil, Lighting lighting, const Pose2& X_WG,
                            std::uint64_t run_seed)
-    : body_(Convert(rover.body)),
-      left_wheel_(Convert(rover.left_wheel)),
-      right_wheel_(Convert(rover.right_wheel)),
-      arm_(Convert(rover.arm)),
-      station_(Convert(station.module)),
+    : body_(Convert(rover.body.visuals)),
+      left_wheel_(Convert(rover.left_wheel.visuals)),
+      right_wheel_(Convert(rover.right_wheel.visuals)),
+      arm_(Convert(rover.arm.visuals)),
+      station_(Convert(station.module.visuals)),
+      stand_(Convert(station.stand_visuals)),
       X_SB_(BoardInStation(station)),
       board_(station.board),
+      cutout_(CutoutOf(station)),
       soil_rgb_(soil.rgb),
       tether_diameter_m_(rover.tether.diameter_m),
       lighting_(std::move(lighting)),
@@ -55,9 +57,9 @@ SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
   X_S_module_ = MouthInStation(station) * Pose3::Translation(0.0, 0.0, -station.mouth_height_m);
 }
 
-std::vector<SceneBuilder::Part> SceneBuilder::Convert(const LinkModel& link) {
+std::vector<SceneBuilder::Part> SceneBuilder::Convert(const std::vector<Visual>& visuals) {
   std::vector<Part> parts;
-  for (const Visual& visual : link.visuals) {
+  for (const Visual& visual : visuals) {
     auto mesh = std::make_shared<RenderMesh>();
     for (const Eigen::Vector3d& v : visual.mesh->vertices) {
       mesh->vertices.push_back(v.cast<float>());
@@ -80,6 +82,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   Add(scene.objects, right_wheel_, truth.X_W_right_wheel);
   Add(scene.objects, arm_, truth.X_WA);
   Add(scene.objects, station_, truth.X_WS * X_S_module_);
+  Add(scene.objects, stand_, truth.X_WS);
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
   scene.ground = {.X_WG = FromGround(X_WG_, 0.0),
                   .x0_m = ground.x0_m,
@@ -93,6 +96,8 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
                   .texture_seed = texture_seed_};
   scene.board.board = board_;
   scene.board.X_WB = truth.X_WS * X_SB_;
+  scene.board.p_BH = cutout_.p_B;
+  scene.board.hole_radius_m = cutout_.radius_m;
   scene.tether.points_W = truth.tether_W;
   scene.tether.diameter_m = tether_diameter_m_;
   scene.light = lighting_.sun_and_sky;

@@ -35,13 +35,14 @@ class SceneBuilder {
     Pose3 X_LV;
     Eigen::Vector3d albedo;
   };
-  static std::vector<Part> Convert(const LinkModel& link);
+  static std::vector<Part> Convert(const std::vector<Visual>& visuals);
   static void Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
                   const Pose3& X_WL);
 
-  std::vector<Part> body_, left_wheel_, right_wheel_, arm_, station_;
+  std::vector<Part> body_, left_wheel_, right_wheel_, arm_, station_, stand_;
   Pose3 X_S_module_, X_SB_;
   FiducialBoard board_;
+  BoardCutout cutout_;
   Eigen::Vector3d soil_rgb_;
   double tether_diameter_m_ = 0.0;
   Lighting lighting_;

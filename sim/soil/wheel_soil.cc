@@ -17,15 +17,21 @@ constexpr double kSlipMemory_radii = 0.3;
 // steadily. Assumed, range 3-6.
 constexpr double kMostSlid_lengths = 4.0;
 // Shear damping as a time by which the displacement is led by its rate; it stops the shaking of a
-// wheel on elastic shear and never exceeds the strength. Assumed, range 0.005-0.03 s.
+// wheel on elastic shear and never exceeds the strength. Assumed, range 0.005-0.03 s on the way;
+// twice that at rest, where loaded sand damps small strains by some per cent of critical.
 constexpr double kShearLead_s = 0.015;
+// A patch of a resting wheel that slides along its own plane takes the soil below along, over about
+// this distance, and so does not press it: pressure acts along the normal, and were it to change
+// with sliding as well, a rocking wheel would draw energy from the soil. Assumed, range 2-10 mm.
+constexpr double kRide_m = 0.005;
+// Way after which a wheel counts as going and no more as rocking. Assumed, range 2-20 mm.
+constexpr double kGoing_m = 0.005;
 // Ground this much above the highest of the sampled points may touch the wheel.
 constexpr double kGroundMargin_m = 0.03;
 // Steps between write-backs of the rut. A patch knows its own floor, so only later patches wait.
 constexpr int kRutPeriod = 8;
 
-Mobilisation LedBy(const Mobilisation& m, double v_t, double v_a, double shear_modulus_m) {
-  const double lead = kShearLead_s / shear_modulus_m;
+Mobilisation LedBy(const Mobilisation& m, double v_t, double v_a, double lead) {
   const Mobilisation led{m.t + lead * v_t, m.a + lead * v_a};
   const double square = led.t * led.t + led.a * led.a;
   if (square <= 1.0) return led;
@@ -45,12 +51,14 @@ struct WheelSoil::Frame {
 
   struct Axes {
     Eigen::Vector3d r_G;
+    double t_z;  // the way t climbs
     double v_r, v_t, v_a, w_r, w_t, w_a;
   };
   /// Axes and motion of the spoke (cos, 0, -sin) in K.
   Axes Along(double cos, double sin) const {
     Axes axes;
     axes.r_G = cos * x_G - sin * z_G;
+    axes.t_z = -sin * x_G.z() - cos * z_G.z();
     axes.v_r = v_K.x() * cos - v_K.z() * sin;
     axes.v_t = -v_K.x() * sin - v_K.z() * cos;
     axes.v_a = v_K.y();
@@ -142,6 +150,10 @@ void WheelSoil::FollowMotion(const Frame& frame) {
   const double radius = wheel_.rim_radius_m + 0.5 * wheel_.paddle_height_m;
   FollowSlip(slip_, frame.w_K.y() * radius * frame.dt_s, v_ahead * frame.dt_s,
              frame.v_K.y() * frame.dt_s, kSlipMemory_radii * wheel_.rim_radius_m);
+  const double v_up = frame.v_K.x() * frame.x_G.z() + frame.v_K.z() * frame.z_G.z();
+  going_ = Shear(going_, 0.5 * (frame.w_K.y() * radius + v_ahead) * frame.dt_s, v_up * frame.dt_s,
+                 kGoing_m);
+  resting_ = 1.0 - (going_.t * going_.t + going_.a * going_.a);
   slip_sinkage_ = MakeSlipSinkage(slip_, n_, n_slip_);
   // From entry to the lowest point; a millimetre more keeps it from vanishing on first touch.
   const double share = std::min(1.0, sinkage_m_ / wheel_.rim_radius_m);
@@ -152,6 +164,7 @@ void WheelSoil::FollowMotion(const Frame& frame) {
 struct WheelSoil::PatchPlace {
   double z_m = 0.0, surface_m = 0.0, undisturbed_m = 0.0;
   double v_r = 0.0, v_t = 0.0, v_a = 0.0;
+  double climb_m_s = 0.0;  // of its sliding along its own plane
 
   double sinkage_m() const { return undisturbed_m - z_m; }
 
@@ -165,6 +178,7 @@ struct WheelSoil::PatchPlace {
     v_r = axes.v_r + y_m * axes.w_t;
     v_t = axes.v_t + radius_m * axes.w_a - y_m * axes.w_r;
     v_a = axes.v_a - radius_m * axes.w_t;
+    climb_m_s = v_t * axes.t_z + v_a * frame.y_G.z();
   }
 };
 
@@ -172,15 +186,15 @@ namespace {
 
 /// Elastic from the floor, limited by yield, which lowers the floor [Pa].
 double Pressure(const SoilLaws& laws, double n, double z_m, double surface_m, double sinkage_m,
-                double carrying_share, double v_in, double& floor_m) {
+                double carrying_share, double v_in, double ride_m, double& floor_m) {
   const double floor = std::min(surface_m, floor_m);
-  const double pressed = floor - z_m;
+  const double pressed = floor + ride_m - z_m;
   if (pressed <= 0.0 || sinkage_m <= 0.0) return 0.0;
   const double yield =
       std::max(YieldPressure(laws, n, carrying_share * sinkage_m), BladePressure(laws, sinkage_m));
   const double elastic = laws.elastic_pa_per_m * pressed;
   if (elastic >= yield) {
-    floor_m = z_m + yield / laws.elastic_pa_per_m;
+    floor_m = z_m + yield / laws.elastic_pa_per_m - ride_m;
     return yield;
   }
   floor_m = floor;
@@ -195,14 +209,19 @@ WheelSoil::PatchLoad WheelSoil::LoadPatch(const SoilLaws& laws, const PatchPlace
                                           double area_m2, double dt_s, Patch& patch) const {
   const double share =
       CarryingShare(slip_sinkage_, patch.slid_t_m, patch.slid_a_m, contact_length_m_);
+  const double slide_t = at.v_t * dt_s, slide_a = at.v_a * dt_s;
+  if (patch.floor_m < kNoFloor_m) {
+    const double ride = kRide_m * std::max(resting_, 1e-6);
+    const double keep = Decay(std::sqrt(slide_t * slide_t + slide_a * slide_a) / ride);
+    patch.ride_m = keep * (patch.ride_m + at.climb_m_s * dt_s);
+  }
   const double pressure = Pressure(laws, slip_sinkage_.exponent, at.z_m, at.surface_m,
-                                   at.sinkage_m(), share, at.v_r, patch.floor_m);
+                                   at.sinkage_m(), share, at.v_r, patch.ride_m, patch.floor_m);
   if (pressure <= 0.0) {
     // Lifted off its own floor, a patch forgets only once it is clear of the rut as well.
     if (at.z_m >= at.surface_m || at.sinkage_m() <= 0.0) patch = {};
     return {};
   }
-  const double slide_t = at.v_t * dt_s, slide_a = at.v_a * dt_s;
   patch.slid_t_m += slide_t;
   patch.slid_a_m += slide_a;
   const double most = kMostSlid_lengths * contact_length_m_;
@@ -213,7 +232,8 @@ WheelSoil::PatchLoad WheelSoil::LoadPatch(const SoilLaws& laws, const PatchPlace
     patch.slid_a_m *= scale;
   }
   patch.shear = Shear(patch.shear, slide_t, slide_a, laws.shear_modulus_m);
-  const Mobilisation m = LedBy(patch.shear, at.v_t, at.v_a, laws.shear_modulus_m);
+  const double lead = kShearLead_s * (1.0 + resting_) / laws.shear_modulus_m;
+  const Mobilisation m = LedBy(patch.shear, at.v_t, at.v_a, lead);
   const double strength = area_m2 * ShearStrength(laws, pressure);
   return {-area_m2 * pressure, -strength * m.t, -strength * m.a};
 }
@@ -357,13 +377,14 @@ WheelLoad WheelSoil::Step(HeightGrid& grid, const WheelMotion& motion, double dt
 std::uint64_t WheelSoil::StateHash(std::uint64_t seed) const {
   std::uint64_t hash =
       HashDouble(HashDouble(HashDouble(seed, sinkage_m_), slip_.ahead), slip_.aside);
+  hash = HashDouble(HashDouble(hash, going_.t), going_.a);
   hash = HashBits(hash, static_cast<std::uint64_t>(steps_since_rut_));
   for (const std::vector<Spoke>* spokes : {&strips_, &paddles_}) {
     for (const Spoke& spoke : *spokes) {
       for (const Patch& patch : spoke.patches) {
         hash = HashDouble(HashDouble(hash, patch.shear.t), patch.shear.a);
         hash = HashDouble(HashDouble(hash, patch.slid_t_m), patch.slid_a_m);
-        hash = HashDouble(hash, patch.floor_m);
+        hash = HashDouble(HashDouble(hash, patch.floor_m), patch.ride_m);
       }
       for (double face : spoke.faces) hash = HashDouble(hash, face);
       hash = HashDouble(hash, spoke.side);

@@ -4,7 +4,8 @@
 // tips and faces, and the rim's two edges for the wheel's sides. Each patch in the soil carries
 // * pressure on its own normal: elastic from the rut's floor, yielding at Bekker's k z^n, where z
 //   is counted from the soil as it was and slip weakens it (slip_sinkage.h); bounded damping,
-//   never suction;
+//   never suction; a resting wheel's small sliding along a patch's plane presses nothing, so that
+//   the elastic soil gives back no more than it was given;
 // * shear by the displacement of the patch since it entered (Janosi and Hanamoto 1961), kept at
 //   rest, unloaded on reversal, gone when the patch leaves the soil;
 // * on paddle faces passive earth pressure, on sides bulldozing resistance (Wong 2008).
@@ -59,6 +60,7 @@ class WheelSoil {
   struct Patch {
     Mobilisation shear;
     double slid_t_m = 0.0, slid_a_m = 0.0;  // since it entered
+    double ride_m = 0.0;          // change of the floor by sliding along the patch's plane
     double floor_m = kNoFloor_m;  // height at which the soil under this patch ends its rebound
   };
   /// A strip of the rim, or a paddle: its direction from the axle in K is (cos, 0, -sin).
@@ -91,6 +93,8 @@ class WheelSoil {
   std::vector<Spoke> strips_, paddles_;
   int first_strip_ = 0, strip_count_ = 0;  // the strips that may touch, of the last step
   SlipTrack slip_;
+  Mobilisation going_;    // length 1: on its way ahead (t) or up (a); about 0 while it rocks
+  double resting_ = 1.0;  // 1 - going^2
   SlipSinkage slip_sinkage_;
   double sinkage_m_ = 0.0, contact_length_m_ = 0.0;
   int steps_since_rut_ = 0;

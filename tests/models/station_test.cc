@@ -136,7 +136,7 @@ TEST(StationFile, WantsTwoDiscsOfEachRotation) {
 }
 
 TEST(StationFile, RefusesAConeThatDoesNotNarrow) {
-  EXPECT_THAT(ChangedMessage("throat_radius_m: 0.0325", "throat_radius_m: 0.13"),
+  EXPECT_THAT(ChangedMessage("throat_radius_m: 0.0320", "throat_radius_m: 0.13"),
               HasSubstr("cone.throat_radius_m: expected less than mouth_radius_m, found '0.13'"));
   EXPECT_THAT(ChangedMessage("face_outer_radius_m: 0.17", "face_outer_radius_m: 0.11"),
               HasSubstr("cone.face_outer_radius_m: expected more than mouth_radius_m"));

@@ -44,6 +44,27 @@ TEST(World, BrakedRoverAndStationStayWhereTheyAre) {
   EXPECT_LT((after.X_WS.p - before.X_WS.p).norm(), 1e-7);
 }
 
+TEST(World, BrakedRoverThatWasPushedComesToRest) {
+  for (SoilModel soil : {LooseSand(), CompactSand()}) {
+    soil.n_slip = 0.5;
+    soil.unloading_stiffness_pa_per_m = soil.name == "loose" ? 3e7 : 2e8;
+    soil.damping_pa_s_per_m = 1e5;
+    WorldSetup setup = TestSetup(soil, {3.5, 0.0, kPi});
+    setup.slack_start_m = 0.3;
+    World world(setup);
+    MotorCommands push = AllBraked();
+    At(push, Motor::kLeftWheel) = At(push, Motor::kRightWheel) = Velocity(0.05, 2.8);
+    Play(world, push, 0.2);
+    EXPECT_GT(world.truth().v_MT.norm(), 5e-3) << soil.name;
+    Play(world, AllBraked(), 3.0);
+    const Truth rest = world.truth();
+    EXPECT_LT(rest.v_WR_W.norm(), 1e-4) << soil.name;
+    EXPECT_LT(rest.v_MT.norm(), 1e-3) << soil.name;
+    Play(world, AllBraked(), 5.0);
+    EXPECT_LT((world.truth().X_WR.p - rest.X_WR.p).norm(), 2e-4) << soil.name;
+  }
+}
+
 TEST(World, StartsWhereItIsTold) {
   const Truth truth = World(TestSetup(CompactSand(), {3.0, 0.4, 2.9})).truth();
   EXPECT_NEAR(truth.X_DR.p.x(), 3.0, 0.01);

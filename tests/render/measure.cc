@@ -42,7 +42,7 @@ Eigen::Vector2d CentroidOfDark(const RadianceImage& image, const Eigen::Vector2d
 
 Eigen::Vector2d ExactBlackCentroid(const FiducialBoard& board, const Fiducial& fiducial,
                                    const FisheyeCamera& camera, const Pose3& X_CB) {
-  constexpr int kCells = 240;
+  constexpr int kCells = 120;
   const double radius = 0.5 * board.disc_diameter_m, cell = 2.0 * radius / kCells;
   const Eigen::Vector2d along(std::cos(fiducial.rotation), -std::sin(fiducial.rotation));
   const auto project = [&](double x, double y) {
