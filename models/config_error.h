@@ -4,12 +4,22 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace dockyard {
 
 class ConfigError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// Line breaks and other control characters quoted from a file become spaces: one line it stays.
+  explicit ConfigError(std::string message) : std::runtime_error(OneLine(std::move(message))) {}
+
+ private:
+  static std::string OneLine(std::string text) {
+    for (char& c : text) {
+      if (static_cast<unsigned char>(c) < ' ') c = ' ';
+    }
+    return text;
+  }
 };
 
 }  // namespace dockyard

@@ -153,11 +153,12 @@ std::vector<MarkMatch> Assign(const std::vector<DetectedFiducial>& detections,
   }
   std::sort(pairs.begin(), pairs.end());
   std::vector<MarkMatch> matches;
-  for (const auto& [distance, id, detection] : pairs) {
+  for (const auto& pair : pairs) {
+    const MarkMatch match{.id = std::get<1>(pair), .detection = std::get<2>(pair)};
     const bool taken = std::any_of(matches.begin(), matches.end(), [&](const MarkMatch& m) {
-      return m.id == id || m.detection == detection;
+      return m.id == match.id || m.detection == match.detection;
     });
-    if (!taken) matches.push_back({id, detection});
+    if (!taken) matches.push_back(match);
   }
   std::sort(matches.begin(), matches.end(),
             [](const MarkMatch& a, const MarkMatch& b) { return a.id < b.id; });

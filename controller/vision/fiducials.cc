@@ -47,13 +47,29 @@ std::optional<DetectedFiducial> Verify(const GrayImage& image, const BlobLevel& 
   const bool small_matches = rim->ellipse.mean_radius_px() < kSmallRadius &&
                              inner >= kMinInnerSmall && bar->whole >= kMinWholeSmall;
   if (!matches && !small_matches) return std::nullopt;
-  return DetectedFiducial{.rim = rim->ellipse, .match = bar->whole, .bar_match = bar->inner};
+  return DetectedFiducial{
+      .rim = rim->ellipse, .match = bar->whole, .bar_match = bar->inner, .clear = matches};
 }
 
 /// Whether a disc has been found about this place: at another threshold, on a finer level.
 bool IsKnown(const std::vector<DetectedFiducial>& found, const Eigen::Vector2d& pixel) {
   return std::any_of(found.begin(), found.end(), [&](const DetectedFiducial& other) {
     return other.rim.ToDisc(pixel).norm() < 0.7;
+  });
+}
+
+/// Small unclear discs are the board's when it is far, and stones when it is near: with three clear
+/// marks or more, an unclear one under half their median size goes.
+void DropStones(std::vector<DetectedFiducial>& found) {
+  std::vector<double> radii;
+  for (const DetectedFiducial& fiducial : found) {
+    if (fiducial.clear) radii.push_back(fiducial.rim.mean_radius_px());
+  }
+  if (radii.size() < 3) return;
+  std::nth_element(radii.begin(), radii.begin() + static_cast<long>(radii.size() / 2), radii.end());
+  const double median = radii[radii.size() / 2];
+  std::erase_if(found, [&](const DetectedFiducial& fiducial) {
+    return !fiducial.clear && fiducial.rim.mean_radius_px() < 0.5 * median;
   });
 }
 
@@ -103,6 +119,7 @@ std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image, const Fidu
   for (const DetectedFiducial& fiducial : found) {
     if (!IsKnown(distinct, fiducial.rim.centre_px)) distinct.push_back(fiducial);
   }
+  DropStones(distinct);
   return distinct;
 }
 

@@ -193,6 +193,8 @@ class Run {
     row.outcome = verdict.outcome;
     row.docked = verdict.outcome == Outcome::kDocked;
     record_.failure_note = verdict.note;
+    // The ruts sum up all that the wheels did: once, at the end, is enough.
+    for (const double height : world_.ground().heights_m) hash_ = HashDouble(hash_, height);
     row.state_hash = world_.StateHash(hash_);
     if (log_) log_->Finish();
   }

@@ -134,7 +134,8 @@ TEST(Axel, TakesUpTheSlackBeforeItDrives) {
 
 TEST(Axel, KeepsTheTensionBelowTheClampOnTheWay) {
   const KinematicRun run = RunKinematic({}, {4.0, Radians(30.0), 0.0});
-  EXPECT_LT(run.max_tension_n, 80.0);
+  EXPECT_LT(run.max_way_tension_n, 80.0);
+  EXPECT_GT(run.max_way_tension_n, 30.0);
 }
 
 TEST(Axel, StopsTheWheelsWhileTheArmIsLifted) {

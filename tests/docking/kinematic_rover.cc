@@ -247,7 +247,8 @@ KinematicRun RunKinematic(const KinematicWorld& world, const DockingCoords& star
     run.commands.push_back(commands);
     run.verdict = commands.verdict;
     run.max_elevation_rad = std::max(run.max_elevation_rad, rover.elevation_rad());
-    run.max_tension_n = std::max(run.max_tension_n, rover.tension_n());
+    const bool mating = phase == "reel" || phase == "confirm" || phase == "docked";
+    if (!mating) run.max_way_tension_n = std::max(run.max_way_tension_n, rover.tension_n());
     run.time_s = (i + 1) * kStep;
     if (i % 50 == 0) run.path.push_back(rover.X_DR());
   }

@@ -85,10 +85,10 @@ struct KinematicRun {
   std::optional<KinematicRover::Entry> entry;
   Belief belief;
   int looks = 0;
-  double max_elevation_rad = 0.0, max_tension_n = 0.0;
-  std::vector<Commands> commands;   // every tick
-  std::vector<std::string> phases;  // as they changed
-  std::vector<Pose2> path;          // true, every second
+  double max_elevation_rad = 0.0, max_way_tension_n = 0.0;  // until it reels in
+  std::vector<Commands> commands;                           // every tick
+  std::vector<std::string> phases;                          // as they changed
+  std::vector<Pose2> path;                                  // true, every second
 };
 KinematicRun RunKinematic(const KinematicWorld& world, const DockingCoords& start,
                           const AxelOptions& options = {}, double limit_s = 600.0);

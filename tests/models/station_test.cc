@@ -115,7 +115,7 @@ TEST(Station, BoardIsLaidOutWithoutSymmetry) {
 
 TEST(StationFile, RefusesADiscOverTheMouth) {
   EXPECT_EQ(ChangedMessage("{x_m: 0.27, y_m: 0.04,", "{x_m: 0.10, y_m: 0.04,"),
-            "models/station/station.yaml:48:7: board.fiducials[6]: expected a disc clear of the "
+            "models/station/station.yaml:51:7: board.fiducials[6]: expected a disc clear of the "
             "cone's mouth and face, it overlaps by 0.056 m");
 }
 

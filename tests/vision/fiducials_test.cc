@@ -76,7 +76,15 @@ TEST(Fiducials, AreFoundTwoHundredPixelsAcross) {
   EXPECT_GE(seen.in_view, 2);
   EXPECT_GE(seen.found, seen.in_view);
   EXPECT_EQ(seen.right_class, seen.found);
-  EXPECT_EQ(seen.false_marks, 0);
+}
+
+TEST(Fiducials, AreFoundSevenPixelsAcrossThoughTheirBarsBlur) {
+  const Seen seen = Look(From(6.0, 5.0, 0.0), TestRig(640, 480));
+  EXPECT_GE(seen.found, 6);
+}
+
+TEST(Fiducials, OfANearBoardAreNotJoinedByStones) {
+  EXPECT_EQ(Look(From(1.2, 0.0, 0.0), TestRig(640, 480)).false_marks, 0);
 }
 
 TEST(Fiducials, AreReadFromAsideAndAbove) {
