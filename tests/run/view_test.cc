@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "models/load_scenario.h"
@@ -15,28 +16,36 @@ namespace {
 
 const std::string kScenario = std::string(DOCKYARD_SOURCE_DIR) + "/scenarios/axel_typical.yaml";
 
-/// Centroid of what is darker than the plate in a window, the bar filled in: the plate's level
-/// comes from the window's border. Knows nothing of the camera.
-Eigen::Vector2d DarkCentroid(const GrayImage& image, const Eigen::Vector2d& near, int half) {
-  const int x0 = static_cast<int>(std::lround(near.x())) - half;
-  const int y0 = static_cast<int>(std::lround(near.y())) - half;
-  const int side = 2 * half + 1;
-  double border = 0.0;
-  for (int i = 0; i < side; ++i) {
-    border += image.at(x0 + i, y0) + image.at(x0 + i, y0 + side - 1) + image.at(x0, y0 + i) +
-              image.at(x0 + side - 1, y0 + i);
-  }
-  border /= 4.0 * side;
-  // The disc and its bar are symmetric about one centre: the bar's light shifts nothing.
+/// Centroid of a dark disc of about this radius near a place. Grey levels of the plate and of the
+/// ink come from rings inside the picture; a pixel counts by its share of ink, the middle with its
+/// white bar counts as ink. Knows nothing of the camera.
+Eigen::Vector2d InkCentroid(const GrayImage& image, const Eigen::Vector2d& near, double radius_px) {
+  const int half = static_cast<int>(std::ceil(1.4 * radius_px));
+  const auto each = [&](const std::function<void(const Eigen::Vector2d&, double, double)>& visit) {
+    for (int y = -half; y <= half; ++y) {
+      for (int x = -half; x <= half; ++x) {
+        const Eigen::Vector2d p(std::round(near.x()) + x, std::round(near.y()) + y);
+        visit(p, (p - near).norm() / radius_px,
+              image.at(static_cast<int>(p.x()), static_cast<int>(p.y())));
+      }
+    }
+  };
+  double plate = 0.0, ink = 0.0;
+  int plate_count = 0, ink_count = 0;
+  each([&](const Eigen::Vector2d&, double r, double level) {
+    if (r > 1.2 && r < 1.38) plate += level, ++plate_count;
+    if (r > 0.7 && r < 0.82) ink += level, ++ink_count;
+  });
+  plate /= plate_count;
+  ink /= ink_count;
   double weight = 0.0;
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
-  for (int y = y0; y < y0 + side; ++y) {
-    for (int x = x0; x < x0 + side; ++x) {
-      const double dark = border - image.at(x, y);
-      weight += dark;
-      moment += dark * Eigen::Vector2d(x, y);
-    }
-  }
+  each([&](const Eigen::Vector2d& p, double r, double level) {
+    if (r > 1.2) return;
+    const double share = r < 0.75 ? 1.0 : (plate - level) / (plate - ink);
+    weight += share;
+    moment += share * p;
+  });
   return moment / weight;
 }
 
@@ -61,10 +70,10 @@ TEST_P(StartView, DiscCentroidsLieWhereThePictureHasThem) {
     for (const FiducialPixels& fiducial : TrueFiducials(scene, camera, truth.X_WR * X_RC)) {
       if (!fiducial.whole || fiducial.hidden > 0.0) continue;
       const double range = (truth.X_WR * X_RC).p.x() - scene.board.X_WB.p.x();
-      const int half = static_cast<int>(std::lround(0.075 * camera.fx / range)) + 2;
+      const double radius_px = 0.05 * camera.fx / range;
       const Eigen::Vector2d& centroid = *fiducial.centroid;
-      if (!camera.Sees(centroid, half + 1.0)) continue;
-      squares += (DarkCentroid(right ? images.right : images.left, centroid, half) - centroid)
+      if (!camera.Sees(centroid, 1.5 * radius_px + 2.0)) continue;
+      squares += (InkCentroid(right ? images.right : images.left, centroid, radius_px) - centroid)
                      .squaredNorm();
       ++count;
     }
