@@ -195,6 +195,18 @@ TEST(World, FreeWheelsAndSpoolDockAStraightRover) {
   EXPECT_LT(truth.station_shift_m, 5e-3);
 }
 
+TEST(World, SocketFloorSeatsTheTipWhereTheModelHasIt) {
+  WorldSetup setup = TestSetup(LooseSand(), {1.15, 0.0, kPi});
+  setup.station.cone.stop_depth_m = 0.22;
+  World world(setup);
+  Play(world, Reel(200.0), 9.0);
+  const Truth truth = world.truth();
+  // Pressed in by the pull less what the wheels hold back: below 200 N at 2e5 N/m, 1 mm.
+  EXPECT_NEAR(-truth.p_MT.x(), 0.22, 1e-3 + 1e-3 * 0.5);
+  EXPECT_GT(truth.tether_tension_n, 100.0);
+  EXPECT_GT(truth.cone_force_n, 20.0);
+}
+
 TEST(World, TipThatArrivesTooLowIsCaughtOnTheFlatFace) {
   WorldSetup setup = TestSetup(LooseSand(), {1.1, 0.0, kPi});
   setup.station.tip_angle_rad = 0.0;
