@@ -14,9 +14,8 @@ namespace {
 void ReadCone(const YamlReader& root, ConeModel& cone) {
   const YamlReader in(root.Child("cone"), "cone",
                       {"mouth_radius_m", "funnel_length_m", "throat_radius_m", "socket_end_m",
-                       "stop_depth_m",
-                       "face_outer_radius_m", "wedges", "funnel_friction", "face_friction",
-                       "contact_stiffness_n_per_m", "contact_damping_ns_per_m"});
+                       "stop_depth_m", "face_outer_radius_m", "wedges", "funnel_friction",
+                       "face_friction", "contact_stiffness_n_per_m", "contact_damping_ns_per_m"});
   cone.mouth_radius_m = in.Number("mouth_radius_m", Positive(2.0));
   cone.funnel_length_m = in.Number("funnel_length_m", Positive(2.0));
   cone.throat_radius_m = in.Number("throat_radius_m", Positive(2.0));

@@ -16,7 +16,7 @@ struct ConeModel {
   double mouth_radius_m = 0.0;
   double funnel_length_m = 0.0;
   double throat_radius_m = 0.0;
-  double socket_end_m = 0.0;                          // depth at which the straight socket ends
+  double socket_end_m = 0.0;  // depth at which the straight socket ends
   // A plate across the socket, with a hole for the tether, seats the tip at this depth; 0: none.
   double stop_depth_m = 0.0;
   double face_outer_radius_m = 0.0;                   // of the annular face round the mouth

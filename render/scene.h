@@ -39,8 +39,8 @@ struct GroundView {
 struct BoardView {
   FiducialBoard board;
   Pose3 X_WB;
-  Eigen::Vector2d p_BH{0, 0};   // centre of a round hole in the plate; it may reach over its edge
-  double hole_radius_m = 0.0;   // 0: no hole
+  Eigen::Vector2d p_BH{0, 0};  // centre of a round hole in the plate; it may reach over its edge
+  double hole_radius_m = 0.0;  // 0: no hole
   double white_albedo = 0.85, black_albedo = 0.05;  // assumed: matt paint, 0.75-0.9 and 0.03-0.08
 };
 

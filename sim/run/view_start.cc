@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/log/files.h"
-#include "sim/log/json_io.h"
 #include "sim/log/frame_codec.h"
+#include "sim/log/json_io.h"
 #include "sim/run/build_run.h"
 #include "sim/run/fiducial_truth.h"
 #include "sim/run/view.h"

@@ -195,8 +195,9 @@ TEST(RoverFile, BadValuesAreToldByPlaceAndPath) {
 }
 
 TEST(RoverFile, MustAgreeWithItsUrdf) {
-  EXPECT_THAT(ChangedMessage("axel.yaml", "tip_radius_m: 0.0312", "tip_radius_m: 0.034"),
-              HasSubstr("arm: expected the radius and front of collision 'tip' of the URDF, 0.0312"));
+  EXPECT_THAT(
+      ChangedMessage("axel.yaml", "tip_radius_m: 0.0312", "tip_radius_m: 0.034"),
+      HasSubstr("arm: expected the radius and front of collision 'tip' of the URDF, 0.0312"));
   EXPECT_THAT(ChangedMessage("axel.yaml", "radius_m: 0.265", "radius_m: 0.300"),
               HasSubstr("wheels: expected rim and paddle to add up"));
 }
