@@ -62,7 +62,8 @@ TEST(Picture, FollowsTheGroundWhenItsHeightsChangeInPlace) {
 }
 
 TEST(EglContext, DrawsWhatOsMesaDraws) {
-  if (!dlopen("libEGL.so.1", RTLD_NOW)) GTEST_SKIP() << "libEGL.so.1 is not installed";
+  if (!dlopen("libEGL.so.1", RTLD_NOW))
+    FAIL() << "libEGL.so.1 is not installed: scripts/install_packages dev brings it";
   const auto yard = SampleYard(2.0, SunAt(0.5, 0.7));
   const StereoImages a = StereoRenderer().Render(yard->scene, kRig, yard->X_WR, {});
   const StereoImages b =
