@@ -1,5 +1,6 @@
 #include "models/urdf.h"
 
+#include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <Eigen/Eigenvalues>
@@ -201,13 +202,31 @@ UrdfJoint ReadJoint(const urdf::Joint& in, const std::string& place) {
   return joint;
 }
 
+/// Keeps what liburdfdom would print, as long as it lives.
+class Complaints : public console_bridge::OutputHandler {
+ public:
+  Complaints() { console_bridge::useOutputHandler(this); }
+  ~Complaints() override { console_bridge::restorePreviousOutputHandler(); }
+  Complaints(const Complaints&) = delete;
+  Complaints& operator=(const Complaints&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) text_ += "; " + text;
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
 urdf::ModelInterfaceSharedPtr Parse(const std::string& text, const std::string& file) {
+  const Complaints complaints;
   try {
     if (auto model = urdf::parseURDF(text)) return model;
   } catch (const std::exception& error) {
     Refuse(file, std::string("not a usable URDF: ") + error.what());
   }
-  Refuse(file, "not a usable URDF: liburdfdom refuses it (and prints why)");
+  Refuse(file, "not a usable URDF: liburdfdom refuses it" + complaints.text());
 }
 
 }  // namespace

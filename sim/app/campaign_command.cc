@@ -10,6 +10,7 @@
 #include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/identity.h"
+#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/campaign/campaign.h"
 #include "sim/run/loop.h"
@@ -89,11 +90,7 @@ void AddCampaignCommand(CLI::App& app, int& exit_code) {
   command->add_option("--jobs", arguments->jobs, "processes at once [all processors]")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", arguments->out_dir, "results folder [results/<name>]");
-  command->add_option("--set", arguments->overrides, "key.path=value, on top of the file")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+  AddSetOption(*command, arguments->overrides);
   command->add_option("--run-limit", arguments->run_limit_s, "wall time of one run [900 s]")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.001, 1e6));

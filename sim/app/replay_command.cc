@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,10 @@
 #include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/identity.h"
+#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/campaign/campaign_folder.h"
+#include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
 #include "sim/run/loop.h"
@@ -21,15 +24,15 @@ namespace {
 
 struct ReplayArguments {
   std::string dir;
-  int run = 0;
+  std::optional<int> run;  // none: the folder of a single run
 };
 
 constexpr const char* kHelp =
-    R"(Run one run of a campaign again and say whether it came out the same.
+    R"(Run one run again and say whether it came out the same.
 
 Examples:
   dockyard replay results/mars_yard_40 17
-  dockyard replay results/ci 2
+  dockyard replay out/typical
 
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
 controller alone and compares its commands. Exit code 0: the same, 1: not the same, 10: the
@@ -78,28 +81,53 @@ bool ReportController(const std::filesystem::path& run_dir) {
   return true;
 }
 
-int Replay(const ReplayArguments& arguments) {
-  const std::filesystem::path dir = arguments.dir;
+/// What was run, what came out of it then, and the folder of its log.
+struct KeptRun {
+  CampaignRun run;
+  std::optional<RunResult> result;
+  std::filesystem::path log_dir;
+};
+
+KeptRun RunOfCampaign(const std::filesystem::path& dir, int number) {
   const Campaign campaign = LoadCampaign((dir / "resolved.yaml").string());
   const auto run = std::find_if(campaign.runs.begin(), campaign.runs.end(),
-                                [&](const CampaignRun& each) { return each.run == arguments.run; });
+                                [&](const CampaignRun& each) { return each.run == number; });
   if (run == campaign.runs.end()) {
-    throw UsageError(dir.string() + " has no run " + std::to_string(arguments.run) + "; it has " +
+    throw UsageError(dir.string() + " has no run " + std::to_string(number) + "; it has " +
                      std::to_string(campaign.runs.size()) + " runs");
-  }
-  const FinishedRuns finished = ReadResults(dir);
-  const auto then = finished.find(arguments.run);
-  if (then == finished.end()) {
-    PrintError("run " + std::to_string(arguments.run) + " has no result in " + dir.string() +
-               " yet");
-    return kExitIncomplete;
   }
   if (ReadWhole(dir / "identity.txt").value_or("") != IdentityText(campaign)) {
     PrintNote("note: the program or the model files have changed since (identity.txt)");
   }
-  const RunRecord now = RunDocking(*run, MakeController, {});
-  const bool same_row = ReportRow(then->second.result, now.result);
-  const bool same_commands = ReportController(RunFolder(dir, arguments.run));
+  KeptRun kept{*run, {}, RunFolder(dir, number)};
+  const FinishedRuns finished = ReadResults(dir);
+  const auto then = finished.find(number);
+  if (then != finished.end()) kept.result = then->second.result;
+  return kept;
+}
+
+KeptRun FindRun(const ReplayArguments& arguments) {
+  const std::filesystem::path dir = arguments.dir;
+  const bool campaign = std::filesystem::exists(dir / "results.csv");
+  if (campaign && !arguments.run) {
+    throw UsageError(dir.string() + " holds a campaign; name the run, as in: dockyard replay " +
+                     dir.string() + " 1");
+  }
+  if (arguments.run) return RunOfCampaign(dir, *arguments.run);
+  const Scenario scenario = LoadScenario((dir / "resolved.yaml").string());
+  return {SingleRun(scenario), ReadSingleResult(dir), dir};
+}
+
+int Replay(const ReplayArguments& arguments) {
+  const KeptRun kept = FindRun(arguments);
+  if (!kept.result) {
+    PrintError("run " + std::to_string(kept.run.run) + " has no result in " + arguments.dir +
+               " yet");
+    return kExitIncomplete;
+  }
+  const RunRecord now = RunDocking(kept.run, MakeController, {});
+  const bool same_row = ReportRow(*kept.result, now.result);
+  const bool same_commands = ReportController(kept.log_dir);
   return same_row && same_commands ? kExitDone : kExitOurBug;
 }
 
@@ -108,8 +136,9 @@ int Replay(const ReplayArguments& arguments) {
 void AddReplayCommand(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = app.add_subcommand("replay", kHelp);
-  command->add_option("DIR", arguments->dir, "a campaign's results folder")->required();
-  command->add_option("RUN", arguments->run, "number of the run")->required();
+  command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
+      ->required();
+  command->add_option("RUN", arguments->run, "number of the run in a campaign");
   command->callback([arguments, &exit_code] { exit_code = Replay(*arguments); });
 }
 

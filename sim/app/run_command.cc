@@ -1,8 +1,6 @@
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +8,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/campaign/run_plots.h"
 #include "sim/log/files.h"
@@ -21,9 +20,7 @@ namespace dockyard {
 namespace {
 
 struct RunArguments {
-  std::string scenario_file;
-  std::optional<std::uint64_t> seed;
-  std::vector<std::string> overrides;
+  ScenarioOptions scenario;
   std::string out_dir;
   bool json = false;
 };
@@ -36,17 +33,8 @@ Examples:
   dockyard run scenarios/axel_typical.yaml --out out/typical --json
 
 Prints the result on stdout. Exit code 0: docked, 4: it ran but did not dock.
-With --out the folder gets the log, the history and the plots of the run.)";
-
-CampaignRun SingleRun(const RunArguments& arguments) {
-  CampaignRun run;
-  run.scenario = LoadScenario(arguments.scenario_file, arguments.overrides);
-  if (arguments.seed) run.scenario.seed = *arguments.seed;
-  run.run = 1;
-  run.region = "single";
-  run.soil = std::filesystem::path(run.scenario.soil_file).stem().string();
-  return run;
-}
+With --out the folder gets the log, the history and the plots of the run, and
+`dockyard replay` runs it again.)";
 
 /// The folder may be new, empty, or an earlier run's; nothing else is written over.
 void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
@@ -69,13 +57,14 @@ void PrintRecord(const RunRecord& record) {
 }
 
 int Run(const RunArguments& arguments) {
-  const CampaignRun run = SingleRun(arguments);
+  const CampaignRun run = SingleRun(Load(arguments.scenario));
   RunOptions options;
   options.log_dir = arguments.out_dir;
   if (!arguments.out_dir.empty()) PrepareFolder(arguments.out_dir, run.scenario);
   const RunRecord record = RunDocking(run, MakeController, options);
   if (!arguments.out_dir.empty()) {
     WriteRecordFiles(arguments.out_dir, record);
+    WriteSingleResult(arguments.out_dir, record.result);
     WriteRunPlots(arguments.out_dir, record);
     PrintNote("log and plots in " + arguments.out_dir);
   }
@@ -95,16 +84,7 @@ int Run(const RunArguments& arguments) {
 void AddRunCommand(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", kHelp);
-  command->add_option("SCENARIO", arguments->scenario_file, "a scenario file")->required();
-  command->add_option("--seed", arguments->seed, "of all that is random; overrides the file's")
-      ->check([](const std::string& text) {  // else -1 would read as 2^64 - 1
-        return text.empty() || text[0] == '-' ? "expected a whole number >= 0" : "";
-      });
-  command->add_option("--set", arguments->overrides, "key.path=value, on top of the file")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+  AddScenarioOptions(*command, arguments->scenario);
   command->add_option("--out", arguments->out_dir, "folder for log, history and plots");
   command->add_flag("--json", arguments->json, "the result as JSON");
   command->callback([arguments, &exit_code] { exit_code = Run(*arguments); });

@@ -1,10 +1,9 @@
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "models/load_scenario.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/log/files.h"
 #include "sim/run/view_start.h"
@@ -13,8 +12,7 @@ namespace dockyard {
 namespace {
 
 struct ViewArguments {
-  std::string scenario_file;
-  std::vector<std::string> overrides;
+  ScenarioOptions scenario;
   std::string out_dir;
 };
 
@@ -28,7 +26,7 @@ Writes left.png, right.png and view.json: the board's true pose and, for each fi
 its projected centre, the centroid of the projected disc and the share that is hidden.)";
 
 int View(const ViewArguments& arguments) {
-  const Scenario scenario = LoadScenario(arguments.scenario_file, arguments.overrides);
+  const Scenario scenario = Load(arguments.scenario);
   MakeFolder(arguments.out_dir);
   WriteStartView(scenario, arguments.out_dir);
   PrintNote("left.png, right.png and view.json in " + arguments.out_dir);
@@ -40,12 +38,7 @@ int View(const ViewArguments& arguments) {
 void AddViewCommand(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand("view", kHelp);
-  command->add_option("SCENARIO", arguments->scenario_file, "a scenario file")->required();
-  command->add_option("--set", arguments->overrides, "key.path=value, on top of the file")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+  AddScenarioOptions(*command, arguments->scenario);
   command->add_option("--out", arguments->out_dir, "folder for the pictures")->required();
   command->callback([arguments, &exit_code] { exit_code = View(*arguments); });
 }

@@ -8,6 +8,8 @@
 namespace dockyard {
 namespace {
 
+constexpr const char* kSingleResultFile = "result.csv";
+
 /// Calls visit(name, value) for each column; poses in the dock frame, belief beside the truth.
 template <class Visit>
 void VisitHistory(const HistorySample& s, Visit&& visit) {
@@ -129,6 +131,17 @@ void WriteRecordFiles(const std::filesystem::path& dir, const RunRecord& record)
   WriteWhole(dir / "sightings.json", SightingsJson(record.sightings).dump(1) + "\n");
   WriteWhole(dir / "plans.json", PlansJson(record.plans).dump(1) + "\n");
   WriteWhole(dir / "outcome.json", outcome.dump(1) + "\n");
+}
+
+void WriteSingleResult(const std::filesystem::path& dir, const RunResult& row) {
+  WriteWhole(dir / kSingleResultFile, CsvHeader() + "\n" + CsvRow(row) + "\n");
+}
+
+std::optional<RunResult> ReadSingleResult(const std::filesystem::path& dir) {
+  const std::string text = ReadWhole(dir / kSingleResultFile).value_or("");
+  const std::string header = CsvHeader() + "\n";
+  if (text.rfind(header, 0) != 0 || text.back() != '\n') return std::nullopt;
+  return RowFromCsv(std::string_view(text).substr(header.size(), text.size() - header.size() - 1));
 }
 
 }  // namespace dockyard

@@ -11,7 +11,7 @@ set(rules
   "controller/vision|${contract}|controller/vision/|opencv2/"
   "controller/motion|${contract}|controller/motion/"
   "controller/docking|${contract}|controller/vision/locate.h|controller/motion/|controller/docking/"
-  "models|${contract}|models/|yaml-cpp/|assimp/|urdf_parser/|urdf_model/|tinyxml2?.h|sys/|unistd.h|fcntl.h"
+  "models|${contract}|models/|yaml-cpp/|assimp/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h|sys/|unistd.h|fcntl.h"
   "render|${contract}|render/|GL/|EGL/|dlfcn.h"
   "sim/base|sim/base/"
   "sim/soil|${contract}|models/|sim/base/|sim/soil/"

@@ -1,11 +1,14 @@
 // Whole short runs through the program: the world is real, the time limit is short.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
+#include <signal.h>
 
-#include <cstdlib>
+#include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "campaign/fake_runs.h"
+#include "campaign/program.h"
 #include "sim/campaign/results.h"
 #include "sim/log/json_io.h"
 #include "sim/log/result_row.h"
@@ -16,22 +19,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 namespace fs = std::filesystem;
-
-struct Ended {
-  int code = -1;
-  std::string out, err;
-};
-
-Ended Dockyard(const std::string& arguments) {
-  const TemporaryFolder folder;
-  const std::string out = (folder.path() / "out").string();
-  const std::string err = (folder.path() / "err").string();
-  const std::string command = "cd '" DOCKYARD_SOURCE_DIR "' && '" DOCKYARD_PROGRAM "' " +
-                              arguments + " >'" + out + "' 2>'" + err + "'";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), ReadText(out),
-          ReadText(err)};
-}
 
 TEST(ProgramRun, ThatHasNoTimeToDockEndsWithFour) {
   const Ended ended = Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=3 --json");
@@ -60,8 +47,9 @@ TEST(ProgramRun, LeavesLogAndPlotsInItsFolder) {
     EXPECT_EQ(Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=2 --out " + out).code,
               4);
   }
-  for (const char* file : {"resolved.yaml", "frames.bin", "history.csv", "outcome.json",
-                           "sightings.json", "plans.json", "path.svg", "history.svg"}) {
+  for (const char* file :
+       {"resolved.yaml", "frames.bin", "history.csv", "outcome.json", "sightings.json",
+        "plans.json", "result.csv", "path.svg", "history.svg"}) {
     EXPECT_TRUE(fs::exists(fs::path(out) / file)) << file;
   }
 }
@@ -99,6 +87,51 @@ TEST(ProgramCampaign, ComesOutTheSameOnOneProcessorAndOnTwoAndReplays) {
   WriteText(one / "results.csv", ResultsCsv(changed));
   EXPECT_EQ(Dockyard(replay).code, 10);
   EXPECT_EQ(Dockyard("replay " + one.string() + " 999").code, 2);
+}
+
+TEST(ProgramRun, ReplaysFromItsOwnFolder) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "run").string();
+  const std::string replay = "replay " + out;
+  ASSERT_EQ(
+      Dockyard("run scenarios/axel_typical.yaml --seed 9 --set time_limit_s=2 --out " + out).code,
+      4);
+  const Ended same = Dockyard(replay);
+  EXPECT_EQ(same.code, 0) << same.out << same.err;
+  EXPECT_THAT(same.out, HasSubstr("same result row, bit for bit"));
+  EXPECT_THAT(same.out, HasSubstr("controller alone: same"));
+
+  const fs::path result = fs::path(out) / "result.csv";
+  std::string text = ReadText(result);
+  text.replace(text.size() - 2, 1, text[text.size() - 2] == '0' ? "1" : "0");  // of the state hash
+  WriteText(result, text);
+  EXPECT_EQ(Dockyard(replay).code, 1);
+  fs::remove(result);
+  EXPECT_EQ(Dockyard(replay).code, 10);
+}
+
+TEST(ProgramCampaign, StoppedByASignalKeepsItsRunsAndGoesOnToTheSameResults) {
+  const TemporaryFolder folder;
+  const fs::path straight = folder.path() / "straight";
+  ASSERT_EQ(Dockyard(ShortCampaign(straight, 2)).code, 0);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const fs::path stopped = folder.path() / std::to_string(signal);
+    const fs::path results = stopped / "results.csv";
+    const pid_t process = StartDockyard(ShortCampaign(stopped, 1));
+    const auto rows = [&] {
+      const std::string text = fs::exists(results) ? ReadText(results) : "";
+      return std::count(text.begin(), text.end(), '\n') - 1;
+    };
+    for (int i = 0; i < 6000 && rows() < 1; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ASSERT_GE(rows(), 1);
+    ::kill(process, signal);
+    EXPECT_EQ(WaitForEnd(process), 128 + signal);
+    EXPECT_LT(rows(), 4);
+    EXPECT_EQ(Dockyard(ShortCampaign(stopped, 2)).code, 0);
+    EXPECT_EQ(ReadText(results), ReadText(straight / "results.csv"));
+  }
 }
 
 }  // namespace

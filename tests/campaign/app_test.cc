@@ -1,11 +1,9 @@
 // The program as its users meet it: words, streams and exit codes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
 
 #include "campaign/fake_runs.h"
+#include "campaign/program.h"
 
 namespace dockyard {
 namespace {
@@ -14,26 +12,6 @@ using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 namespace fs = std::filesystem;
-
-struct Ended {
-  int code = -1;
-  std::string out, err;
-};
-
-/// Runs `dockyard <arguments>` in the source folder through the shell.
-Ended Dockyard(const std::string& arguments, const std::string& redirect = "") {
-  const TemporaryFolder folder;
-  const std::string out = (folder.path() / "out").string(), err = (folder.path() / "err").string();
-  const std::string command = "cd '" DOCKYARD_SOURCE_DIR "' && '" DOCKYARD_PROGRAM "' " +
-                              arguments + " >'" + (redirect.empty() ? out : redirect) + "' 2>'" +
-                              err + "'";
-  const int status = std::system(command.c_str());
-  Ended ended;
-  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  if (redirect.empty()) ended.out = ReadText(out);
-  ended.err = ReadText(err);
-  return ended;
-}
 
 TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
   for (const std::string command : {"", "run", "campaign", "replay", "view", "check"}) {
@@ -48,8 +26,9 @@ TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
 TEST(Program, EndsWithTwoForArgumentsThatMakeNoSense) {
   for (const char* arguments :
        {"", "dock", "run", "run a b", "run --sead 3 x.yaml", "campaign x.yaml --jobs 0",
-        "campaign x.yaml --jobs many", "replay somewhere", "view scenarios/axel_typical.yaml",
-        "run scenarios/axel_typical.yaml --seed -1"}) {
+        "campaign x.yaml --jobs many", "replay", "view scenarios/axel_typical.yaml",
+        "run scenarios/axel_typical.yaml --seed -1",
+        "view scenarios/axel_typical.yaml --seed -1 --out x"}) {
     const Ended ended = Dockyard(arguments);
     EXPECT_EQ(ended.code, 2) << arguments << "\n" << ended.err;
     EXPECT_EQ(ended.out, "") << arguments;
