@@ -105,7 +105,7 @@ void ReadImu(const YamlReader& root, RoverModel& rover) {
 
 /// Cameras side by side, looking along the body's x axis, pitched down together.
 StereoRig MakeRig(double baseline_m, double forward_m, double height_m, double pitch_rad,
-                  const FisheyeCamera& camera) {
+                  const Camera& camera) {
   Eigen::Matrix3d R_level;  // z along the view, x right, y down
   R_level.col(0) = -Eigen::Vector3d::UnitY();
   R_level.col(1) = -Eigen::Vector3d::UnitZ();

@@ -12,21 +12,21 @@ constexpr int kTableSize = 8192;
 constexpr double kBorder = 0.02;
 constexpr int kMostTaps = 6;
 
-void RequireSound(const FisheyeCamera& c) {
-  const double sum = c.fx + c.fy + c.cx + c.cy + c.k[0] + c.k[1] + c.k[2] + c.k[3];
+void RequireSound(const Camera& c) {
   if (c.width < 1 || c.height < 1 || c.width > 8192 || c.height > 8192) {
     throw std::invalid_argument("camera: the image must have 1 to 8192 pixels a side");
   }
-  if (!std::isfinite(sum) || !(c.fx > 0.0) || !(c.fy > 0.0)) {
+  const Eigen::Vector2d f = c.focal_px(), centre = c.centre_px();
+  if (!f.allFinite() || !centre.allFinite() || !(f.minCoeff() > 0.0)) {
     throw std::invalid_argument("camera: focal lengths must be positive and all numbers finite");
   }
 }
 
-double LargestRho(const FisheyeCamera& c) {
+double LargestRho(const Camera& c, const KannalaBrandt& lens) {
   double rho = 0.0;
   for (const double u : {-0.5, c.width - 0.5}) {
     for (const double v : {-0.5, c.height - 0.5}) {
-      rho = std::max(rho, std::hypot((u - c.cx) / c.fx, (v - c.cy) / c.fy));
+      rho = std::max(rho, std::hypot((u - lens.cx) / lens.fx, (v - lens.cy) / lens.fy));
     }
   }
   return rho;
@@ -34,6 +34,17 @@ double LargestRho(const FisheyeCamera& c) {
 
 double AngleOf(const Eigen::Vector3d& ray) {
   return std::atan2(std::hypot(ray.x(), ray.y()), ray.z());
+}
+
+Eigen::Vector3d RequiredRay(const Camera& camera, const Eigen::Vector2d& pixel) {
+  const Eigen::Vector3d ray = camera.Direction(pixel);
+  if (AngleOf(ray) > kWidest_rad) {
+    throw std::invalid_argument("camera: a pixel sees more than 60 deg off the axis");
+  }
+  if (!camera.HasRay(pixel)) {
+    throw std::invalid_argument("camera: the lens polynomial gives some pixels no ray");
+  }
+  return ray;
 }
 
 // A flat view in its own pixels.
@@ -110,29 +121,45 @@ Footprint InPixels(const Sampler& view, const Footprint& tan) {
 
 }  // namespace
 
-TanScale::TanScale(const FisheyeCamera& camera) : camera_(camera) {
+TanScale::TanScale(const Camera& camera) : camera_(camera) {
   RequireSound(camera);
-  const double largest = LargestRho(camera) * 1.0001;
+  if (const auto* fisheye = std::get_if<KannalaBrandt>(&camera.lens)) {
+    TabulateRadius(*fisheye);
+  } else {
+    TabulateCorners();
+  }
+}
+
+void TanScale::TabulateRadius(const KannalaBrandt& lens) {
+  const double largest = LargestRho(camera_, lens) * 1.0001;
   per_rho2_ = (kTableSize - 2) / (largest * largest);
   table_.resize(kTableSize);
   for (int i = 0; i < kTableSize; ++i) {
     const double rho = std::sqrt(i / per_rho2_);
-    const Eigen::Vector3d ray = camera.Ray({camera.cx + camera.fx * rho, camera.cy});
-    const double theta = AngleOf(ray);
-    if (theta > kWidest_rad) {
-      throw std::invalid_argument("camera: a pixel sees more than 60 deg off the axis");
-    }
-    const auto back = camera.Project(ray);
-    if (!back || std::abs(back->x() - camera.cx - camera.fx * rho) > 1e-6) {
-      throw std::invalid_argument("camera: the lens polynomial gives some pixels no ray");
-    }
+    const Eigen::Vector2d pixel(lens.cx + lens.fx * rho, lens.cy);
+    const double theta = AngleOf(RequiredRay(camera_, pixel));
     table_[i] = rho > 0.0 ? std::tan(theta) / rho : 1.0;
   }
 }
 
+void TanScale::TabulateCorners() {
+  corners_.reserve(static_cast<std::size_t>(camera_.width + 1) * (camera_.height + 1));
+  for (int y = 0; y <= camera_.height; ++y) {
+    for (int x = 0; x <= camera_.width; ++x) {
+      const Eigen::Vector3d ray = RequiredRay(camera_, {x - 0.5, y - 0.5});
+      corners_.emplace_back((ray.head<2>() / ray.z()).cast<float>());
+    }
+  }
+}
+
 Eigen::Vector2d TanScale::operator()(const Eigen::Vector2d& pixel) const {
-  const double mx = (pixel.x() - camera_.cx) / camera_.fx;
-  const double my = (pixel.y() - camera_.cy) / camera_.fy;
+  const auto* lens = std::get_if<KannalaBrandt>(&camera_.lens);
+  if (!lens) {
+    const Eigen::Vector3d ray = camera_.Direction(pixel);
+    return ray.head<2>() / ray.z();
+  }
+  const double mx = (pixel.x() - lens->cx) / lens->fx;
+  const double my = (pixel.y() - lens->cy) / lens->fy;
   const double at = std::min((mx * mx + my * my) * per_rho2_, kTableSize - 1.001);
   const int i = static_cast<int>(at);
   const double scale = table_[i] + (at - i) * (table_[i + 1] - table_[i]);
@@ -140,13 +167,18 @@ Eigen::Vector2d TanScale::operator()(const Eigen::Vector2d& pixel) const {
 }
 
 void TanScale::CornerRow(int y, std::vector<Eigen::Vector2f>& row) const {
+  if (!corners_.empty()) {
+    const auto first = corners_.begin() + static_cast<std::ptrdiff_t>(y) * (camera_.width + 1);
+    row.assign(first, first + camera_.width + 1);
+    return;
+  }
   row.resize(camera_.width + 1);
   for (int x = 0; x <= camera_.width; ++x) {
     row[x] = (*this)(Eigen::Vector2d(x - 0.5, y - 0.5)).cast<float>();
   }
 }
 
-TanRect ImageRect(const FisheyeCamera& camera, const TanScale& scale) {
+TanRect ImageRect(const Camera& camera, const TanScale& scale) {
   TanRect rect{.left = 1e9, .top = 1e9, .right = -1e9, .bottom = -1e9};
   const auto add = [&](double u, double v) {
     const Eigen::Vector2d tan = scale({u, v});
@@ -164,13 +196,13 @@ TanRect ImageRect(const FisheyeCamera& camera, const TanScale& scale) {
     add(camera.width - 0.5, y - 0.5);
   }
   // At least three pixels of the flat view, so that interpolation stays inside it.
-  const double w = std::max(kBorder * (rect.right - rect.left), 4.0 / camera.fx);
-  const double h = std::max(kBorder * (rect.bottom - rect.top), 4.0 / camera.fy);
+  const double w = std::max(kBorder * (rect.right - rect.left), 4.0 / camera.focal_px().x());
+  const double h = std::max(kBorder * (rect.bottom - rect.top), 4.0 / camera.focal_px().y());
   return {rect.left - w, rect.top - h, rect.right + w, rect.bottom + h};
 }
 
-RadianceImage WarpToFisheye(const FisheyeCamera& camera, const TanScale& scale,
-                            const FlatView& wide, const FlatView* close) {
+RadianceImage WarpToFisheye(const Camera& camera, const TanScale& scale, const FlatView& wide,
+                            const FlatView* close) {
   RadianceImage image{.width = camera.width, .height = camera.height, .values = {}};
   image.values.resize(static_cast<std::size_t>(camera.width) * camera.height);
   const Sampler far_view(wide), close_view(close ? *close : wide);

@@ -27,14 +27,14 @@ std::unique_ptr<GlContext> CreateContext(GlBackend backend) {
   return backend == GlBackend::kOsMesa ? CreateOsMesaContext() : CreateEglSurfacelessContext();
 }
 
-FlatView Sized(const FisheyeCamera& camera, const TanRect& rect, double density,
-               double most_pixels) {
+FlatView Sized(const Camera& camera, const TanRect& rect, double density, double most_pixels) {
   const double w = rect.right - rect.left, h = rect.bottom - rect.top;
-  const double wanted = density * density * camera.fx * camera.fy * w * h;
+  const Eigen::Vector2d f = camera.focal_px();
+  const double wanted = density * density * f.x() * f.y() * w * h;
   const double scale = density * std::min(1.0, std::sqrt(most_pixels / wanted));
   return {.rect = rect,
-          .width = std::max(2, static_cast<int>(std::ceil(scale * camera.fx * w))),
-          .height = std::max(2, static_cast<int>(std::ceil(scale * camera.fy * h))),
+          .width = std::max(2, static_cast<int>(std::ceil(scale * f.x() * w))),
+          .height = std::max(2, static_cast<int>(std::ceil(scale * f.y() * h))),
           .values = {}};
 }
 
@@ -86,13 +86,20 @@ class StereoRenderer::Impl {
     RequireSoundScene(scene);
     context_->MakeCurrent();
     painter_->Prepare(scene, X_WR);
-    return {RenderEye(scene, rig.left, X_WR * rig.X_RL),
-            RenderEye(scene, rig.right, X_WR * rig.X_RQ)};
+    return {RenderEye(scene, ScaleOf(0, rig.left), X_WR * rig.X_RL),
+            RenderEye(scene, ScaleOf(1, rig.right), X_WR * rig.X_RQ)};
   }
 
  private:
-  RadianceImage RenderEye(const Scene& scene, const FisheyeCamera& camera, const Pose3& X_WC) {
-    const TanScale scale(camera);
+  // A run's lenses stay: their tables are made once.
+  const TanScale& ScaleOf(int eye, const Camera& camera) {
+    std::optional<TanScale>& scale = scales_[eye];
+    if (!scale || !(scale->camera() == camera)) scale.emplace(camera);
+    return *scale;
+  }
+
+  RadianceImage RenderEye(const Scene& scene, const TanScale& scale, const Pose3& X_WC) {
+    const Camera& camera = scale.camera();
     const TanRect rect = ImageRect(camera, scale);
     FlatView wide = Sized(camera, rect, kWideDensity, kMostFlatPixels);
     PaintInto(wide_target_, X_WC, kWideEffort, wide);
@@ -122,6 +129,7 @@ class StereoRenderer::Impl {
   std::unique_ptr<GlContext> context_;
   std::unique_ptr<ScenePainter> painter_;
   std::unique_ptr<GlGreyTarget> wide_target_, close_target_;
+  std::array<std::optional<TanScale>, 2> scales_;
 };
 
 StereoRenderer::StereoRenderer(GlBackend backend) : impl_(std::make_unique<Impl>(backend)) {}

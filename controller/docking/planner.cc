@@ -84,9 +84,10 @@ PlanGeometry PlanGeometryOf(const RoverSheet& sheet) {
   PlanGeometry geometry;
   geometry.arm_m = sheet.arm_length_m;
   geometry.mating_depth_m = sheet.mating_depth_m;
-  const FisheyeCamera& lens = sheet.rig.left;
-  const double narrow = std::min(lens.cx + 0.5, lens.width - 0.5 - lens.cx);
-  const Eigen::Vector3d edge = lens.Ray({lens.cx + narrow, lens.cy});
+  const Camera& lens = sheet.rig.left;
+  const Eigen::Vector2d centre = lens.centre_px();
+  const double narrow = std::min(centre.x() + 0.5, lens.width - 0.5 - centre.x());
+  const Eigen::Vector3d edge = lens.Direction({centre.x() + narrow, centre.y()});
   geometry.half_view_rad = std::atan2(edge.x(), edge.z());
   geometry.board_half_width_m = 0.5 * sheet.board.width_m;
   geometry.p_DB = sheet.X_DB.p.head<2>();

@@ -5,58 +5,118 @@
 namespace dockyard {
 namespace {
 
-constexpr double kMaxTheta = 120.0 * kPi / 180.0;
-
-double Rho(const std::array<double, 4>& k, double theta) {
-  const double t2 = theta * theta;
-  return theta * (1.0 + t2 * (k[0] + t2 * (k[1] + t2 * (k[2] + t2 * k[3]))));
-}
-
-double RhoDerivative(const std::array<double, 4>& k, double theta) {
-  const double t2 = theta * theta;
-  return 1.0 + t2 * (3.0 * k[0] + t2 * (5.0 * k[1] + t2 * (7.0 * k[2] + t2 * 9.0 * k[3])));
+/// Pixels (u, v) become (a u + b) for any lens.
+void Map(Lens& lens, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  if (auto* cahvore = std::get_if<Cahvore>(&lens)) {
+    cahvore->H = a.x() * cahvore->H + b.x() * cahvore->A;
+    cahvore->V = a.y() * cahvore->V + b.y() * cahvore->A;
+    return;
+  }
+  const auto map = [&](auto& l) {
+    l.fx *= a.x();
+    l.fy *= a.y();
+    l.cx = a.x() * l.cx + b.x();
+    l.cy = a.y() * l.cy + b.y();
+  };
+  if (auto* fisheye = std::get_if<KannalaBrandt>(&lens)) map(*fisheye);
+  if (auto* pinhole = std::get_if<BrownPinhole>(&lens)) map(*pinhole);
 }
 
 }  // namespace
 
-std::optional<Eigen::Vector2d> FisheyeCamera::Project(const Eigen::Vector3d& p_C) const {
-  const double radial = std::hypot(p_C.x(), p_C.y());
-  const double theta = std::atan2(radial, p_C.z());
-  if (theta > kMaxTheta || (radial == 0.0 && p_C.z() <= 0.0)) return std::nullopt;
-  if (radial == 0.0) return Eigen::Vector2d(cx, cy);
-  const double scale = Rho(k, theta) / radial;
-  return Eigen::Vector2d(fx * scale * p_C.x() + cx, fy * scale * p_C.y() + cy);
+std::optional<Eigen::Vector2d> Camera::Project(const Eigen::Vector3d& p_C) const {
+  return std::visit([&](const auto& l) { return l.Project(p_C, nullptr); }, lens);
 }
 
-Eigen::Vector3d FisheyeCamera::Ray(const Eigen::Vector2d& pixel) const {
-  const double mx = (pixel.x() - cx) / fx, my = (pixel.y() - cy) / fy;
-  const double rho = std::hypot(mx, my);
-  if (rho == 0.0) return Eigen::Vector3d::UnitZ();
-  double theta = std::min(rho, kMaxTheta);
-  for (int i = 0; i < 20; ++i) {
-    const double slope = RhoDerivative(k, theta);
-    if (!(slope > 1e-6)) break;  // beyond the polynomial's peak no pixel has a ray
-    const double step = (Rho(k, theta) - rho) / slope;
-    theta = std::min(theta - step, kMaxTheta);
-    if (std::abs(step) < 1e-14) break;
-  }
-  const double s = std::sin(theta) / rho;
-  return {s * mx, s * my, std::cos(theta)};
+std::optional<Eigen::Vector2d> Camera::Project(const Eigen::Vector3d& p_C, PixelJacobian& J) const {
+  return std::visit([&](const auto& l) { return l.Project(p_C, &J); }, lens);
 }
 
-bool FisheyeCamera::Sees(const Eigen::Vector2d& pixel, double margin_px) const {
+LensRay Camera::Ray(const Eigen::Vector2d& pixel) const {
+  return std::visit([&](const auto& l) { return l.Ray(pixel); }, lens);
+}
+
+bool Camera::HasRay(const Eigen::Vector2d& pixel) const {
+  const LensRay ray = Ray(pixel);
+  const auto back = Project(ray.origin + ray.direction);
+  return back && (*back - pixel).norm() < 1e-6;
+}
+
+bool Camera::Sees(const Eigen::Vector2d& pixel, double margin_px) const {
   return pixel.x() >= -0.5 + margin_px && pixel.x() <= width - 0.5 - margin_px &&
          pixel.y() >= -0.5 + margin_px && pixel.y() <= height - 0.5 - margin_px;
 }
 
-FisheyeCamera EquidistantCamera(int width, int height, double horizontal_fov_rad) {
+Eigen::Vector2d Camera::focal_px() const {
+  if (const auto* cahvore = std::get_if<Cahvore>(&lens)) {
+    const CahvScales scales = ScalesOf(*cahvore);
+    return (1.0 + cahvore->R[0]) * Eigen::Vector2d(scales.hs, scales.vs);
+  }
+  if (const auto* pinhole = std::get_if<BrownPinhole>(&lens)) return {pinhole->fx, pinhole->fy};
+  const auto& fisheye = std::get<KannalaBrandt>(lens);
+  return {fisheye.fx, fisheye.fy};
+}
+
+Eigen::Vector2d Camera::centre_px() const {
+  constexpr double kFar_m = 1e6;  // a pupil's centimetre is then nothing
+  const auto pixel = Project({0.0, 0.0, kFar_m});
+  return pixel ? *pixel : Eigen::Vector2d(0.5 * (width - 1), 0.5 * (height - 1));
+}
+
+Camera EquidistantCamera(int width, int height, double horizontal_fov_rad) {
   const double f = width / horizontal_fov_rad;
   return {.width = width,
           .height = height,
-          .fx = f,
-          .fy = f,
-          .cx = 0.5 * (width - 1),
-          .cy = 0.5 * (height - 1)};
+          .lens = KannalaBrandt{
+              .fx = f, .fy = f, .cx = 0.5 * (width - 1), .cy = 0.5 * (height - 1), .k = {}}};
+}
+
+Camera Adjusted(Camera camera, double focal_scale, const Eigen::Vector2d& centre_shift_px) {
+  if (auto* cahvore = std::get_if<Cahvore>(&camera.lens)) {
+    // H = hs H' + hc A with H' across A: scale hs alone.
+    const CahvScales s = ScalesOf(*cahvore);
+    const double a2 = cahvore->A.squaredNorm();
+    const Eigen::Vector2d centre(s.hc / a2, s.vc / a2);
+    const Eigen::Vector2d b = (1.0 - focal_scale) * centre + centre_shift_px;
+    Map(camera.lens, {focal_scale, focal_scale}, b);
+    return camera;
+  }
+  const auto adjust = [&](auto& l) {
+    l.fx *= focal_scale;
+    l.fy *= focal_scale;
+    l.cx += centre_shift_px.x();
+    l.cy += centre_shift_px.y();
+  };
+  if (auto* fisheye = std::get_if<KannalaBrandt>(&camera.lens)) adjust(*fisheye);
+  if (auto* pinhole = std::get_if<BrownPinhole>(&camera.lens)) adjust(*pinhole);
+  return camera;
+}
+
+Camera Bent(Camera camera, double shift_px) {
+  // In each model the first free radial term adds f c x^3, x the model's own distance off the axis.
+  const double half = 0.5 * camera.width;
+  if (auto* cahvore = std::get_if<Cahvore>(&camera.lens)) {
+    const double f = ScalesOf(*cahvore).hs, x = half / f;
+    cahvore->R[1] += shift_px / (f * x * x * x);
+  } else if (auto* pinhole = std::get_if<BrownPinhole>(&camera.lens)) {
+    const double f = pinhole->fx, x = half / f;
+    pinhole->k1 += shift_px / (f * x * x * x);
+  } else {
+    auto& fisheye = std::get<KannalaBrandt>(camera.lens);
+    const double f = fisheye.fx, x = half / f;
+    fisheye.k[0] += shift_px / (f * x * x * x);
+  }
+  return camera;
+}
+
+Camera Resized(Camera camera, int width, int height) {
+  const Eigen::Vector2d a(static_cast<double>(width) / camera.width,
+                          static_cast<double>(height) / camera.height);
+  const Eigen::Vector2d b = 0.5 * a - Eigen::Vector2d(0.5, 0.5);  // (u + 0.5) a - 0.5
+  Map(camera.lens, a, b);
+  camera.width = width;
+  camera.height = height;
+  return camera;
 }
 
 }  // namespace dockyard

@@ -28,21 +28,21 @@ double GatePx(const DetectedFiducial& detection) {
 
 struct Scene {
   const std::vector<DetectedFiducial>& detections;
-  const FisheyeCamera& camera;
+  const Camera& camera;
   const FiducialBoard& board;
   TangentPlane plane;
   std::vector<Eigen::Vector2d> points_T;  // by detection
   double gate_T = 0.0;                    // the widest gate on the tangent plane
 };
 
-Scene Prepare(const std::vector<DetectedFiducial>& detections, const FisheyeCamera& camera,
+Scene Prepare(const std::vector<DetectedFiducial>& detections, const Camera& camera,
               const FiducialBoard& board) {
   Scene scene{
       .detections = detections, .camera = camera, .board = board, .plane = {}, .points_T = {}};
   std::vector<Eigen::Vector3d> rays;
   for (const DetectedFiducial& detection : detections) {
-    rays.push_back(camera.Ray(detection.rim.centre_px));
-    scene.gate_T = std::max(scene.gate_T, GatePx(detection) / camera.fx);
+    rays.push_back(camera.Direction(detection.rim.centre_px));
+    scene.gate_T = std::max(scene.gate_T, GatePx(detection) / camera.focal_px().x());
   }
   scene.plane = TangentPlaneAt(rays);
   for (const Eigen::Vector3d& ray : rays) scene.points_T.push_back(scene.plane.FromRay(ray));
@@ -267,8 +267,7 @@ EyeCorrespondence Complete(const Scene& scene, const Candidate& candidate,
 }  // namespace
 
 Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
-                                                  const FisheyeCamera& camera,
-                                                  const FiducialBoard& board,
+                                                  const Camera& camera, const FiducialBoard& board,
                                                   const Eigen::Vector3d& up_C) {
   if (static_cast<int>(detections.size()) < kMinMarks) return PoseFailure::kTooFewFiducials;
   const Scene scene = Prepare(detections, camera, board);
@@ -287,7 +286,7 @@ Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFidu
 }
 
 std::vector<MarkMatch> MatchByPose(const std::vector<DetectedFiducial>& detections,
-                                   const FisheyeCamera& camera, const FiducialBoard& board,
+                                   const Camera& camera, const FiducialBoard& board,
                                    const Pose3& X_CB, double gate_px) {
   std::vector<std::optional<Expected>> expected;
   for (const Fiducial& fiducial : board.fiducials) {
@@ -296,7 +295,8 @@ std::vector<MarkMatch> MatchByPose(const std::vector<DetectedFiducial>& detectio
     const auto pixel = ProjectDisc(camera, X_CB, fiducial, board.disc_diameter_m);
     if (!pixel || !camera.Sees(*pixel)) continue;
     const double slant = std::max(X_CB.R.col(2).dot(p_C.normalized()), 0.05);
-    const double radius = 0.5 * board.disc_diameter_m * camera.fx / p_C.norm() * std::sqrt(slant);
+    const double radius =
+        0.5 * board.disc_diameter_m * camera.focal_px().x() / p_C.norm() * std::sqrt(slant);
     expected.back() = Expected{*pixel, radius};
   }
   std::vector<MarkMatch> matches = Assign(detections, board, expected, 10.0);

@@ -32,13 +32,12 @@ struct EyeCorrespondence {
 /// winner has the most marks, then the least error, and must be a plumb board seen from its front.
 /// up_C: against gravity, unit, in the camera.
 Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
-                                                  const FisheyeCamera& camera,
-                                                  const FiducialBoard& board,
+                                                  const Camera& camera, const FiducialBoard& board,
                                                   const Eigen::Vector3d& up_C);
 
 /// The detections that a known pose explains, nearest first, each once.
 std::vector<MarkMatch> MatchByPose(const std::vector<DetectedFiducial>& detections,
-                                   const FisheyeCamera& camera, const FiducialBoard& board,
+                                   const Camera& camera, const FiducialBoard& board,
                                    const Pose3& X_CB, double gate_px);
 
 }  // namespace dockyard

@@ -87,9 +87,10 @@ double BarMatchAt(const DetectedFiducial& fiducial, double angle_rad) {
 }
 
 /// Direction of the plumb line's picture at a pixel, upwards, unit.
-std::optional<Eigen::Vector2d> UpInPicture(const FisheyeCamera& camera, const Eigen::Vector3d& up_C,
+std::optional<Eigen::Vector2d> UpInPicture(const Camera& camera, const Eigen::Vector3d& up_C,
                                            const Eigen::Vector2d& pixel) {
-  const auto above = camera.Project(camera.Ray(pixel) + 1e-3 * up_C);
+  const LensRay ray = camera.Ray(pixel);
+  const auto above = camera.Project(ray.origin + ray.direction + 1e-3 * up_C);
   if (!above || (*above - pixel).norm() < 1e-6) return std::nullopt;
   return (*above - pixel).normalized();
 }
@@ -123,7 +124,7 @@ std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image, const Fidu
   return distinct;
 }
 
-void AssignRotations(std::vector<DetectedFiducial>& fiducials, const FisheyeCamera& camera,
+void AssignRotations(std::vector<DetectedFiducial>& fiducials, const Camera& camera,
                      const Eigen::Vector3d& up_C) {
   for (DetectedFiducial& fiducial : fiducials) {
     const Ellipse& rim = fiducial.rim;

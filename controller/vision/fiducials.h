@@ -32,7 +32,7 @@ std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image, const Fidu
 /// The rotation on the board out of the one in the picture, given which way is up. The rim's
 /// ellipse alone leaves a turn open when the board is seen from above and aside at once; the
 /// picture of the plumb line fixes it.
-void AssignRotations(std::vector<DetectedFiducial>& fiducials, const FisheyeCamera& camera,
+void AssignRotations(std::vector<DetectedFiducial>& fiducials, const Camera& camera,
                      const Eigen::Vector3d& up_C);
 
 }  // namespace dockyard

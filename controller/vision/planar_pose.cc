@@ -23,10 +23,10 @@ std::optional<Pose3> Decompose(const Eigen::Matrix3d& H) {
   return Pose3{.R = svd.matrixU() * svd.matrixV().transpose(), .p = scale * H.col(2)};
 }
 
-std::optional<Pose3> StartFromHomography(const std::vector<MarkPixel>& marks,
-                                         const FisheyeCamera& camera, const FiducialBoard& board) {
+std::optional<Pose3> StartFromHomography(const std::vector<MarkPixel>& marks, const Camera& camera,
+                                         const FiducialBoard& board) {
   std::vector<Eigen::Vector3d> rays;
-  for (const MarkPixel& mark : marks) rays.push_back(camera.Ray(mark.pixel));
+  for (const MarkPixel& mark : marks) rays.push_back(camera.Direction(mark.pixel));
   const TangentPlane plane = TangentPlaneAt(rays);
   std::vector<PlanePair> pairs;
   for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -48,7 +48,7 @@ Pose3 Mirrored(const Pose3& X_CB) {
   return {Eigen::Quaterniond::FromTwoVectors(normal, other).toRotationMatrix() * X_CB.R, X_CB.p};
 }
 
-PlanarBranch Settle(const std::vector<MarkPixel>& marks, const FisheyeCamera& camera,
+PlanarBranch Settle(const std::vector<MarkPixel>& marks, const Camera& camera,
                     const FiducialBoard& board, const Pose3& X_CB_start) {
   const RefinedPose refined =
       RefinePose(marks, {{.camera = camera, .X_RC = Pose3{}}}, board, X_CB_start);
@@ -57,8 +57,8 @@ PlanarBranch Settle(const std::vector<MarkPixel>& marks, const FisheyeCamera& ca
 
 }  // namespace
 
-std::vector<PlanarBranch> PlanarPose(const std::vector<MarkPixel>& marks,
-                                     const FisheyeCamera& camera, const FiducialBoard& board) {
+std::vector<PlanarBranch> PlanarPose(const std::vector<MarkPixel>& marks, const Camera& camera,
+                                     const FiducialBoard& board) {
   if (marks.size() < 4) return {};
   const std::optional<Pose3> start = StartFromHomography(marks, camera, board);
   if (!start) return {};

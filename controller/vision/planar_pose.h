@@ -19,7 +19,7 @@ struct PlanarBranch {
 /// A plane seen by one camera has up to two poses that explain it nearly alike, mirrored about the
 /// line of sight (Schweighofer and Pinz, IEEE TPAMI 28(12), 2006). Both are returned, the better
 /// one first; one when they coincide, none when fewer than four marks or no homography.
-std::vector<PlanarBranch> PlanarPose(const std::vector<MarkPixel>& marks,
-                                     const FisheyeCamera& camera, const FiducialBoard& board);
+std::vector<PlanarBranch> PlanarPose(const std::vector<MarkPixel>& marks, const Camera& camera,
+                                     const FiducialBoard& board);
 
 }  // namespace dockyard

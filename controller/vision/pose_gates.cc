@@ -15,8 +15,8 @@ bool IsUpright(const Eigen::Matrix3d& R_RB, const Eigen::Vector3d& up_R) {
 
 bool ShowsItsFace(const Pose3& X_CB) { return X_CB.p.z() > 0.0 && X_CB.R.col(2).dot(X_CB.p) > 0.0; }
 
-double RmsGatePx(const FisheyeCamera& camera, const Pose3& X_CB, double disc_diameter_m) {
-  const double disc_px = camera.fx * disc_diameter_m / std::max(X_CB.p.norm(), 0.1);
+double RmsGatePx(const Camera& camera, const Pose3& X_CB, double disc_diameter_m) {
+  const double disc_px = camera.focal_px().x() * disc_diameter_m / std::max(X_CB.p.norm(), 0.1);
   return 2.0 + 0.02 * disc_px;
 }
 

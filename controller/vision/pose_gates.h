@@ -21,7 +21,7 @@ bool ShowsItsFace(const Pose3& X_CB);
 
 /// Largest accepted RMS error in the picture [px]: 2 px (assumed, 1.5-3: detection 0.1, focal
 /// length 0.2 % and centre 1 px over the board), more when the discs are large.
-double RmsGatePx(const FisheyeCamera& camera, const Pose3& X_CB, double disc_diameter_m);
+double RmsGatePx(const Camera& camera, const Pose3& X_CB, double disc_diameter_m);
 
 /// All checks on a fit; empty when it may be believed.
 std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<CameraView>& views,

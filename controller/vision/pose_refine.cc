@@ -64,7 +64,7 @@ class Problem {
     for (std::size_t i = 0; i < marks_.size(); ++i) {
       const MarkPixel& mark = marks_[i];
       const Fiducial& fiducial = board_.fiducials[static_cast<std::size_t>(mark.id)];
-      const FisheyeCamera& camera = views_[static_cast<std::size_t>(mark.view)].camera;
+      const Camera& camera = views_[static_cast<std::size_t>(mark.view)].camera;
       const Pose3 X_CB = CameraFromBoard(mark.view, X_RB, turn);
       const auto disc = ProjectDisc(camera, X_CB, fiducial, board_.disc_diameter_m);
       const auto centre =
@@ -155,7 +155,7 @@ Estimate Descend(const Problem& problem, Estimate at, int max_iterations) {
 
 }  // namespace
 
-std::optional<Eigen::Vector2d> ProjectDisc(const FisheyeCamera& camera, const Pose3& X_CB,
+std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_CB,
                                            const Fiducial& fiducial, double diameter_m) {
   constexpr int kSides = 24;  // the polygon's centroid then follows the disc's to 1 % of the offset
   std::array<Eigen::Vector2d, kSides> rim;

@@ -12,7 +12,7 @@ namespace dockyard {
 
 /// A camera and its place in the frame R in which the board is sought.
 struct CameraView {
-  FisheyeCamera camera;
+  Camera camera;
   Pose3 X_RC;
 };
 
@@ -49,7 +49,7 @@ struct RefinedPose {
 /// Where the centre of the fitted ellipse of a fiducial would be: the centroid of its projected
 /// disc, which differs from its projected centre by f (R/Z)^2 sin t cos t for a disc tilted by t.
 /// None when part of it cannot be seen.
-std::optional<Eigen::Vector2d> ProjectDisc(const FisheyeCamera& camera, const Pose3& X_CB,
+std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_CB,
                                            const Fiducial& fiducial, double diameter_m);
 
 /// Levenberg-Marquardt from the start. At least three marks.

@@ -9,16 +9,17 @@ namespace dockyard {
 
 std::optional<Eigen::Vector3d> Triangulate(const StereoRig& rig, const Eigen::Vector2d& left_px,
                                            const Eigen::Vector2d& right_px) {
-  const Eigen::Vector3d a = rig.X_RL.R * rig.left.Ray(left_px);
-  const Eigen::Vector3d b = rig.X_RQ.R * rig.right.Ray(right_px);
-  const Eigen::Vector3d base = rig.X_RQ.p - rig.X_RL.p;
-  // Least |X_RL.p + s a - X_RQ.p - t b|^2 over s and t.
+  const LensRay left = rig.left.Ray(left_px), right = rig.right.Ray(right_px);
+  const Eigen::Vector3d a = rig.X_RL.R * left.direction, b = rig.X_RQ.R * right.direction;
+  const Eigen::Vector3d from_left = rig.X_RL * left.origin, from_right = rig.X_RQ * right.origin;
+  const Eigen::Vector3d base = from_right - from_left;
+  // Least |from_left + s a - from_right - t b|^2 over s and t.
   const double ab = a.dot(b), det = 1.0 - ab * ab;
   if (det < 1e-10) return std::nullopt;
   const double s = (base.dot(a) - ab * base.dot(b)) / det;
   const double t = (ab * base.dot(a) - base.dot(b)) / det;
   if (s <= 0.0 || t <= 0.0) return std::nullopt;
-  return Eigen::Vector3d(0.5 * (rig.X_RL.p + s * a + rig.X_RQ.p + t * b));
+  return Eigen::Vector3d(0.5 * (from_left + s * a + from_right + t * b));
 }
 
 std::optional<Pose3> FitRigid(const std::vector<Eigen::Vector3d>& points_B,

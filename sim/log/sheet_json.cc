@@ -3,21 +3,69 @@
 namespace dockyard {
 namespace {
 
-Json CameraToJson(const FisheyeCamera& camera) {
-  return {{"width", camera.width}, {"height", camera.height}, {"fx", camera.fx}, {"fy", camera.fy},
-          {"cx", camera.cx},       {"cy", camera.cy},         {"k", camera.k}};
+Json LensToJson(const KannalaBrandt& lens) {
+  return {{"model", "kannala_brandt"},
+          {"fx", lens.fx},
+          {"fy", lens.fy},
+          {"cx", lens.cx},
+          {"cy", lens.cy},
+          {"k", lens.k}};
 }
 
-FisheyeCamera CameraFromJson(const Json& json) {
-  FisheyeCamera camera;
-  camera.width = json.at("width");
-  camera.height = json.at("height");
-  camera.fx = json.at("fx");
-  camera.fy = json.at("fy");
-  camera.cx = json.at("cx");
-  camera.cy = json.at("cy");
-  camera.k = json.at("k").get<std::array<double, 4>>();
-  return camera;
+Json LensToJson(const BrownPinhole& lens) {
+  return {{"model", "brown"}, {"fx", lens.fx}, {"fy", lens.fy}, {"cx", lens.cx}, {"cy", lens.cy},
+          {"k1", lens.k1},    {"k2", lens.k2}, {"p1", lens.p1}, {"p2", lens.p2}, {"k3", lens.k3}};
+}
+
+Json LensToJson(const Cahvore& lens) {
+  const auto list = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  return {{"model", "cahvore"}, {"C", list(lens.C)}, {"A", list(lens.A)},
+          {"H", list(lens.H)},  {"V", list(lens.V)}, {"O", list(lens.O)},
+          {"R", list(lens.R)},  {"E", list(lens.E)}, {"linearity", lens.linearity}};
+}
+
+Lens LensFromJson(const Json& json) {
+  const auto vector = [&](const char* key) {
+    const auto v = json.at(key).get<std::array<double, 3>>();
+    return Eigen::Vector3d(v[0], v[1], v[2]);
+  };
+  const std::string model = json.at("model");
+  if (model == "cahvore") {
+    return Cahvore{.C = vector("C"),
+                   .A = vector("A"),
+                   .H = vector("H"),
+                   .V = vector("V"),
+                   .O = vector("O"),
+                   .R = vector("R"),
+                   .E = vector("E"),
+                   .linearity = json.at("linearity")};
+  }
+  if (model == "brown") {
+    return BrownPinhole{.fx = json.at("fx"),
+                        .fy = json.at("fy"),
+                        .cx = json.at("cx"),
+                        .cy = json.at("cy"),
+                        .k1 = json.at("k1"),
+                        .k2 = json.at("k2"),
+                        .k3 = json.at("k3"),
+                        .p1 = json.at("p1"),
+                        .p2 = json.at("p2")};
+  }
+  return KannalaBrandt{.fx = json.at("fx"),
+                       .fy = json.at("fy"),
+                       .cx = json.at("cx"),
+                       .cy = json.at("cy"),
+                       .k = json.at("k").get<std::array<double, 4>>()};
+}
+
+Json CameraToJson(const Camera& camera) {
+  Json json{{"width", camera.width}, {"height", camera.height}};
+  json.update(std::visit([](const auto& lens) { return LensToJson(lens); }, camera.lens));
+  return json;
+}
+
+Camera CameraFromJson(const Json& json) {
+  return {.width = json.at("width"), .height = json.at("height"), .lens = LensFromJson(json)};
 }
 
 Json BoardToJson(const FiducialBoard& board) {

@@ -70,7 +70,7 @@ std::optional<Eigen::Vector2d> PolygonCentroid(const std::vector<Eigen::Vector2d
 
 }  // namespace
 
-std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const FisheyeCamera& camera,
+std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const Camera& camera,
                                           const Pose3& X_WC) {
   const auto triangles = Triangles(scene);
   const Pose3 X_CW = Inverse(X_WC);

@@ -18,7 +18,7 @@ struct FiducialPixels {
 };
 
 /// One entry per fiducial of the scene's board, seen by the camera at X_WC.
-std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const FisheyeCamera& camera,
+std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const Camera& camera,
                                           const Pose3& X_WC);
 
 }  // namespace dockyard

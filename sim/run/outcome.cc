@@ -30,8 +30,8 @@ LookQuality JudgeLook(const SightingReport& report, const Pose3& X_RB_true, cons
     const Eigen::Vector3d p_C = X_CB * Eigen::Vector3d(p_BF.x(), p_BF.y(), 0.0);
     const auto pixel = camera.Project(p_C);
     // A disc nearby is many pixels wide: a tenth of its diameter is still the right disc.
-    const double gate =
-        std::max(limits.mark_gate_px, 0.1 * camera.fx * board.disc_diameter_m / p_C.norm());
+    const double gate = std::max(limits.mark_gate_px,
+                                 0.1 * camera.focal_px().x() * board.disc_diameter_m / p_C.norm());
     const bool near = pixel && (*pixel - Eigen::Vector2d(mark.u_px, mark.v_px)).norm() < gate;
     ++(near ? right : wrong)[mark.right_camera];
   }

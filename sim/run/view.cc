@@ -5,13 +5,11 @@
 namespace dockyard {
 namespace {
 
-FisheyeCamera BuiltCamera(FisheyeCamera camera, const StereoModel& stereo, RandomStream& random) {
+Camera BuiltCamera(const Camera& camera, const StereoModel& stereo, RandomStream& random) {
   const double scale = 1.0 + stereo.focal_sigma * random.Normal();
-  camera.fx *= scale;
-  camera.fy *= scale;
-  camera.cx += stereo.centre_sigma_px * random.Normal();
-  camera.cy += stereo.centre_sigma_px * random.Normal();
-  return camera;
+  const double du = stereo.centre_sigma_px * random.Normal();
+  const double dv = stereo.centre_sigma_px * random.Normal();
+  return Adjusted(camera, scale, {du, dv});
 }
 
 Pose3 Turned(Pose3 X_RC, double about_x, double about_y, double about_z) {

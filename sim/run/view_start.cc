@@ -13,7 +13,7 @@
 namespace dockyard {
 namespace {
 
-Json FiducialsJson(const Scene& scene, const FisheyeCamera& camera, const Pose3& X_WC) {
+Json FiducialsJson(const Scene& scene, const Camera& camera, const Pose3& X_WC) {
   Json list = Json::array();
   const auto fiducials = TrueFiducials(scene, camera, X_WC);
   for (std::size_t id = 0; id < fiducials.size(); ++id) {

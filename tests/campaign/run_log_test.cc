@@ -31,7 +31,7 @@ RoverSheet SomeSheet() {
   RoverSheet sheet;
   sheet.rig.left = EquidistantCamera(640, 480, Radians(90.0));
   sheet.rig.right = sheet.rig.left;
-  sheet.rig.right.k = {draw.Normal(), 1e-300, -0.0, 1.0 / 3.0};
+  std::get<KannalaBrandt>(sheet.rig.right.lens).k = {draw.Normal(), 1e-300, -0.0, 1.0 / 3.0};
   sheet.rig.X_RL.R = RotZ(draw.Normal()) * RotX(draw.Normal());
   sheet.rig.X_RL.p = Eigen::Vector3d(0.1, 0.2, draw.Normal());
   sheet.board.width_m = 0.9;
@@ -134,7 +134,7 @@ TEST(RunLog, HoldsTheSheetThatTheControllerWasGiven) {
   EXPECT_EQ(header.controller, "axel");
   EXPECT_EQ(ToJson(header.sheet).dump(), ToJson(SomeSheet()).dump());
   EXPECT_EQ(header.sheet.rig.X_RL.R, SomeSheet().rig.X_RL.R);
-  EXPECT_EQ(header.sheet.rig.right.k, SomeSheet().rig.right.k);
+  EXPECT_EQ(header.sheet.rig.right, SomeSheet().rig.right);
 }
 
 TEST(RunLog, CutShortEndsAtTheLastWholeEntry) {

@@ -116,7 +116,7 @@ TEST(AxelCameras, AreLevelSideBySideWith90Degrees) {
 }
 
 /// Whether any corner of a link's visuals lies in the image of a camera.
-int CornersInView(const LinkModel& link, const Pose3& X_RLink, const FisheyeCamera& camera,
+int CornersInView(const LinkModel& link, const Pose3& X_RLink, const Camera& camera,
                   const Pose3& X_RC) {
   int count = 0;
   for (const Visual& visual : link.visuals) {

@@ -49,7 +49,7 @@ TEST(Scenario, TipAngleAndImageSizeReachTheModels) {
       SourceFile(kTypical), {"tip_angle_deg=0", "camera.width_px=640", "camera.height_px=480"}));
   EXPECT_EQ(models.station.tip_angle_rad, 0.0);
   EXPECT_EQ(models.rover.stereo.nominal.right.width, 640);
-  EXPECT_NEAR(models.rover.stereo.nominal.right.fx, 640 / (kPi / 2), 1e-9);
+  EXPECT_NEAR(models.rover.stereo.nominal.right.focal_px().x(), 640 / (kPi / 2), 1e-9);
 }
 
 TEST(Scenario, BadValuesAreToldByPlaceAndPath) {

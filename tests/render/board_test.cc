@@ -12,7 +12,7 @@ struct Offsets {
   double rms_px = 0.0, worst_px = 0.0;
 };
 
-Offsets CentroidOffsets(const FisheyeCamera& camera, double range_m, double yaw_rad) {
+Offsets CentroidOffsets(const Camera& camera, double range_m, double yaw_rad) {
   Scene scene = BoardOnly();
   scene.board.board.width_m = 1.3;  // its edges stay out of the windows
   scene.board.board.height_m = 0.9;
@@ -28,8 +28,8 @@ Offsets CentroidOffsets(const FisheyeCamera& camera, double range_m, double yaw_
     const Pose3 X_CB = Inverse(eye == 0 ? rig.X_RL : rig.X_RQ) * scene.board.X_WB;
     for (const Fiducial& f : scene.board.board.fiducials) {
       const Eigen::Vector2d exact = ExactBlackCentroid(scene.board.board, f, camera, X_CB);
-      if (!camera.Sees(exact, 1.2 * 0.1 * camera.fx / range_m)) continue;
-      const double window = 0.068 * camera.fx / range_m + 2.0;
+      if (!camera.Sees(exact, 1.2 * 0.1 * camera.focal_px().x() / range_m)) continue;
+      const double window = 0.068 * camera.focal_px().x() / range_m + 2.0;
       const double off = (CentroidOfDark(pair[eye], exact, window, white) - exact).norm();
       offsets.rms_px += off * off;
       offsets.worst_px = std::max(offsets.worst_px, off);
@@ -39,7 +39,7 @@ Offsets CentroidOffsets(const FisheyeCamera& camera, double range_m, double yaw_
   EXPECT_GE(count, 12);
   offsets.rms_px = std::sqrt(offsets.rms_px / count);
   std::printf("range %.1f m, yaw %.0f deg, f %.0f: rms %.4f px, worst %.4f px\n", range_m,
-              Degrees(yaw_rad), camera.fx, offsets.rms_px, offsets.worst_px);
+              Degrees(yaw_rad), camera.focal_px().x(), offsets.rms_px, offsets.worst_px);
   return offsets;
 }
 
@@ -67,10 +67,11 @@ TEST(Centroids640, OfDiscsLieWhereTheyProject) {
 INSTANTIATE_TEST_SUITE_P(Ranges, Centroids, testing::Values(1.0, 2.0, 3.0, 4.0, 5.0));
 
 TEST(Centroids, FollowADistortedLensToo) {
-  FisheyeCamera camera = EquidistantCamera(1024, 768, kPi / 2);
-  camera.k = {-0.02, 0.004, 0.0, 0.0};
-  camera.fy = 655.0;
-  camera.cx += 7.3;
+  Camera camera = EquidistantCamera(1024, 768, kPi / 2);
+  auto& lens = std::get<KannalaBrandt>(camera.lens);
+  lens.k = {-0.02, 0.004, 0.0, 0.0};
+  lens.fy = 655.0;
+  lens.cx += 7.3;
   EXPECT_LT(CentroidOffsets(camera, 2.0, 0.3).rms_px, 0.03);
 }
 
@@ -85,7 +86,7 @@ class Upright : public testing::Test {
     return *camera_.Project(X_CB_ * Eigen::Vector3d(x_m, y_m, 0.0));
   }
 
-  FisheyeCamera camera_ = EquidistantCamera(640, 480, kPi / 2);
+  Camera camera_ = EquidistantCamera(640, 480, kPi / 2);
   Scene scene_ = BoardOnly();
   Pose3 X_WC_ = LookAt({1.0, 0.0, 0.7}, {0.0, 0.0, 0.7});
   Pose3 X_CB_;
@@ -95,8 +96,8 @@ class Upright : public testing::Test {
 TEST_F(Upright, ADiscAtPositiveXAndYLiesRightAndLow) {
   const double white = UnshadedRadiance(scene_.light, Eigen::Vector3d::UnitX(), 0.85);
   const Eigen::Vector2d at = CentroidOfDark(image_, Pixel(0.3, 0.15), 35, white);
-  EXPECT_GT(at.x(), camera_.cx + 80);
-  EXPECT_GT(at.y(), camera_.cy + 40);
+  EXPECT_GT(at.x(), camera_.centre_px().x() + 80);
+  EXPECT_GT(at.y(), camera_.centre_px().y() + 40);
 }
 
 TEST_F(Upright, ABarTurnedCounterClockwiseRisesToTheRight) {

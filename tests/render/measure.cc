@@ -41,7 +41,7 @@ Eigen::Vector2d CentroidOfDark(const RadianceImage& image, const Eigen::Vector2d
 }
 
 Eigen::Vector2d ExactBlackCentroid(const FiducialBoard& board, const Fiducial& fiducial,
-                                   const FisheyeCamera& camera, const Pose3& X_CB) {
+                                   const Camera& camera, const Pose3& X_CB) {
   constexpr int kCells = 120;
   const double radius = 0.5 * board.disc_diameter_m, cell = 2.0 * radius / kCells;
   const Eigen::Vector2d along(std::cos(fiducial.rotation), -std::sin(fiducial.rotation));
@@ -76,7 +76,7 @@ double UnshadedRadiance(const SunAndSky& light, const Eigen::Vector3d& normal_W,
   return albedo / kPi * (sun + sky + bounce);
 }
 
-StereoRig RigAt(const FisheyeCamera& camera, const Pose3& X_WC) {
+StereoRig RigAt(const Camera& camera, const Pose3& X_WC) {
   const Pose3 beside = X_WC * Pose3::Translation(0.35, 0, 0);
   return {.left = camera, .right = camera, .X_RL = X_WC, .X_RQ = beside};
 }

@@ -18,13 +18,13 @@ Eigen::Vector2d CentroidOfDark(const RadianceImage& image, const Eigen::Vector2d
 /// Centroid, in the picture, of a fiducial's black part: its projected area integrated cell by
 /// cell.
 Eigen::Vector2d ExactBlackCentroid(const FiducialBoard& board, const Fiducial& fiducial,
-                                   const FisheyeCamera& camera, const Pose3& X_CB);
+                                   const Camera& camera, const Pose3& X_CB);
 
 /// Lambert's law as scene.h states it, for an unshaded surface with this world normal.
 double UnshadedRadiance(const SunAndSky& light, const Eigen::Vector3d& normal_W, double albedo);
 
 /// A rig whose left camera is at X_WC when the rover stands at the world's origin.
-StereoRig RigAt(const FisheyeCamera& camera, const Pose3& X_WC);
+StereoRig RigAt(const Camera& camera, const Pose3& X_WC);
 
 /// Camera at an eye point, looking at another, its x axis level.
 Pose3 LookAt(const Eigen::Vector3d& eye_W, const Eigen::Vector3d& target_W);

@@ -122,7 +122,7 @@ Pose3 ForwardCamera(double x_m, double y_m, double z_m, double pitch_rad) {
 }
 
 StereoRig SampleRig(int width, int height) {
-  const FisheyeCamera camera = EquidistantCamera(width, height, kPi / 2);
+  const Camera camera = EquidistantCamera(width, height, kPi / 2);
   return {.left = camera,
           .right = camera,
           .X_RL = ForwardCamera(0.05, 0.175, 0.25, 0.05),

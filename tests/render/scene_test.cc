@@ -14,7 +14,7 @@ std::shared_ptr<const RenderMesh> Share(RenderMesh mesh) {
   return std::make_shared<const RenderMesh>(std::move(mesh));
 }
 
-const FisheyeCamera kCamera = EquidistantCamera(640, 480, kPi / 2);
+const Camera kCamera = EquidistantCamera(640, 480, kPi / 2);
 
 // Flat ground without texture worth speaking of after averaging.
 struct FlatYard {
@@ -145,7 +145,7 @@ double PenumbraWidth(double edge_distance_m, double sun_diameter_rad) {
   scene.objects.push_back({Share(BoxMesh({0.02, 2.0, 2.0})),
                            Pose3::Translation(edge_distance_m + 0.01, -1.0, 0.7),
                            {0.5, 0.5, 0.5}});
-  const FisheyeCamera camera = EquidistantCamera(1024, 768, kPi / 2);
+  const Camera camera = EquidistantCamera(1024, 768, kPi / 2);
   const Pose3 X_WC = LookAt({0.7, 0.5, 0.7}, {0, 0, 0.7});
   const RadianceImage image = StereoRenderer().RenderRadiance(scene, RigAt(camera, X_WC), {})[0];
   const auto at = [&](double y) {
@@ -234,7 +234,7 @@ TEST(Tether, ThinnerThanAPixelStaysAFaintLine) {
     mean += missing / 81;
     worst = std::min(worst, missing);
   }
-  const double thickness_px = 0.003 / std::hypot(4.0, 0.5) * kCamera.fx;
+  const double thickness_px = 0.003 / std::hypot(4.0, 0.5) * kCamera.focal_px().x();
   EXPECT_NEAR(mean, thickness_px, 0.2 * thickness_px);
   EXPECT_GT(worst, 0.5 * thickness_px);
 }

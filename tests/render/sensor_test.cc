@@ -128,7 +128,7 @@ TEST(Vignetting, FallsWithTheCosinePower) {
   const GrayImage out = ExposeStereo(Even(1.0f), kRig, sensor).left;
   const double middle = out.at(kWidth / 2, kHeight / 2);
   for (const int x : {20, 80, 140}) {
-    const double cosine = kRig.left.Ray({double(x), 40.0}).z();
+    const double cosine = kRig.left.Direction({double(x), 40.0}).z();
     EXPECT_NEAR(out.at(x, 40) / middle, std::pow(cosine, 4), 0.01) << x;
   }
 }

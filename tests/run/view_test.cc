@@ -65,12 +65,12 @@ TEST_P(StartView, DiscCentroidsLieWhereThePictureHasThem) {
   double squares = 0.0;
   int count = 0;
   for (const bool right : {false, true}) {
-    const FisheyeCamera& camera = right ? built.built_rig.right : built.built_rig.left;
+    const Camera& camera = right ? built.built_rig.right : built.built_rig.left;
     const Pose3& X_RC = right ? built.built_rig.X_RQ : built.built_rig.X_RL;
     for (const FiducialPixels& fiducial : TrueFiducials(scene, camera, truth.X_WR * X_RC)) {
       if (!fiducial.whole || fiducial.hidden > 0.0) continue;
       const double range = (truth.X_WR * X_RC).p.x() - scene.board.X_WB.p.x();
-      const double radius_px = 0.05 * camera.fx / range;
+      const double radius_px = 0.05 * camera.focal_px().x() / range;
       const Eigen::Vector2d& centroid = *fiducial.centroid;
       if (!camera.Sees(centroid, 1.5 * radius_px + 2.0)) continue;
       squares += (InkCentroid(right ? images.right : images.left, centroid, radius_px) - centroid)

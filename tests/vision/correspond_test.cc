@@ -10,7 +10,7 @@
 namespace dockyard {
 namespace {
 
-const FisheyeCamera kCamera = EquidistantCamera(1024, 768, Radians(90.0));
+const Camera kCamera = EquidistantCamera(1024, 768, Radians(90.0));
 const Eigen::Vector3d kUp_C(0.0, -1.0, 0.0);
 
 Pose3 BoardAt(double range_m, double yaw_rad) {
@@ -33,7 +33,7 @@ std::vector<DetectedFiducial> Detections(const FiducialBoard& board, const Pose3
   for (const Fiducial& f : board.fiducials) {
     const Eigen::Vector2d pixel = *ProjectDisc(kCamera, X_CB, f, board.disc_diameter_m);
     const double radius =
-        0.05 * kCamera.fx / X_CB.p.norm() * std::sqrt(std::abs(X_CB.R.col(2).z()));
+        0.05 * kCamera.focal_px().x() / X_CB.p.norm() * std::sqrt(std::abs(X_CB.R.col(2).z()));
     detections.push_back(Detected(pixel, radius, RotationClass(f.rotation)));
   }
   return detections;

@@ -25,7 +25,7 @@ Seen Look(const SyntheticScene& scene, const StereoRig& rig) {
   Seen seen;
   for (const Fiducial& fiducial : scene.board.fiducials) {
     const auto truth = ProjectDisc(rig.left, X_CB, fiducial, scene.board.disc_diameter_m);
-    const double radius = 0.05 * rig.left.fx / X_CB.p.norm();
+    const double radius = 0.05 * rig.left.focal_px().x() / X_CB.p.norm();
     if (truth && rig.left.Sees(*truth, 1.5 * radius)) ++seen.in_view;
   }
   double sum = 0.0;

@@ -40,7 +40,7 @@ TEST(Homography, HoldsExactlyOnTheViewingSphere) {
 
 TEST(Homography, DoesNotHoldInFishEyePixels) {
   // The same board fitted in equidistant pixels, f = 407 px, leaves pixels of error.
-  const FisheyeCamera camera = EquidistantCamera(640, 480, Radians(90.0));
+  const Camera camera = EquidistantCamera(640, 480, Radians(90.0));
   std::vector<PlanePair> pairs = TruePairs();
   const Eigen::Vector3d middle(1.4, 0.2, 2.0);
   const Pose3 X_CB{.R = RotY(Radians(25.0)), .p = 0.5 * middle};

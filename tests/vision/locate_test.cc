@@ -38,7 +38,7 @@ TEST(LocateBoard, ReportsEveryMarkWithItsName) {
   EXPECT_EQ(out.report.method, "stereo");
   ASSERT_EQ(out.report.marks.size(), 16u);
   for (const SightingReport::Mark& mark : out.report.marks) {
-    const FisheyeCamera& camera = mark.right_camera ? kRig.right : kRig.left;
+    const Camera& camera = mark.right_camera ? kRig.right : kRig.left;
     const Pose3 X_CB = Inverse(mark.right_camera ? kRig.X_RQ : kRig.X_RL) * Truth(scene);
     const Eigen::Vector2d p = scene.board.fiducials[static_cast<std::size_t>(mark.id)].p_BF;
     const auto pixel = camera.Project(X_CB * Eigen::Vector3d(p.x(), p.y(), 0.0));

@@ -13,13 +13,13 @@ namespace {
 const FiducialBoard kBoard = TestBoard();
 
 /// A lens with real distortion: k of OpenCV's fisheye test set (test_fisheye.cpp).
-FisheyeCamera DistortedCamera() {
-  FisheyeCamera camera = EquidistantCamera(1024, 768, Radians(90.0));
-  camera.k = {-0.00146, -0.0033, 0.00606, -0.00374};
+Camera DistortedCamera() {
+  Camera camera = EquidistantCamera(1024, 768, Radians(90.0));
+  std::get<KannalaBrandt>(camera.lens).k = {-0.00146, -0.0033, 0.00606, -0.00374};
   return camera;
 }
 
-std::vector<MarkPixel> Marks(const FisheyeCamera& camera, const Pose3& X_CB) {
+std::vector<MarkPixel> Marks(const Camera& camera, const Pose3& X_CB) {
   std::vector<MarkPixel> marks;
   for (int id = 0; id < 8; ++id) {
     const auto pixel = ProjectDisc(camera, X_CB, kBoard.fiducials[static_cast<std::size_t>(id)],
@@ -34,7 +34,7 @@ double Apart(const Pose3& a, const Pose3& b) {
 }
 
 TEST(PlanarPose, IsExactAtTheBorderOfAFishEyePicture) {
-  const FisheyeCamera camera = DistortedCamera();
+  const Camera camera = DistortedCamera();
   for (const double off_axis : {0.0, 20.0, 38.0}) {
     const Eigen::Vector3d p = RotY(Radians(off_axis)) * Eigen::Vector3d(0.0, 0.1, 2.0);
     const Pose3 X_CB{.R = RotY(Radians(off_axis - 15.0)), .p = p};
@@ -45,7 +45,7 @@ TEST(PlanarPose, IsExactAtTheBorderOfAFishEyePicture) {
 }
 
 TEST(PlanarPose, GivesBothPosesOfTheAmbiguity) {
-  const FisheyeCamera camera = EquidistantCamera(640, 480, Radians(90.0));
+  const Camera camera = EquidistantCamera(640, 480, Radians(90.0));
   const Pose3 X_CB{.R = RotY(Radians(25.0)), .p = {0.0, 0.0, 5.0}};
   const auto branches = PlanarPose(Marks(camera, X_CB), camera, kBoard);
   ASSERT_EQ(branches.size(), 2u);
@@ -56,7 +56,7 @@ TEST(PlanarPose, GivesBothPosesOfTheAmbiguity) {
 }
 
 TEST(PlanarPose, NeedsFourMarks) {
-  const FisheyeCamera camera = EquidistantCamera(640, 480, Radians(90.0));
+  const Camera camera = EquidistantCamera(640, 480, Radians(90.0));
   auto marks = Marks(camera, {.R = Eigen::Matrix3d::Identity(), .p = {0.0, 0.0, 2.0}});
   marks.resize(3);
   EXPECT_TRUE(PlanarPose(marks, camera, kBoard).empty());

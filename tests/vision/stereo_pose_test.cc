@@ -25,8 +25,8 @@ Pose3 BoardAhead(double z_m, double yaw_rad = 0.0) {
 }
 
 /// Centres of the projected discs in one camera, with noise.
-std::vector<Eigen::Vector2d> Centres(const FisheyeCamera& camera, const Pose3& X_RC,
-                                     const Pose3& X_RB, double sigma_px, RandomStream& random) {
+std::vector<Eigen::Vector2d> Centres(const Camera& camera, const Pose3& X_RC, const Pose3& X_RB,
+                                     double sigma_px, RandomStream& random) {
   std::vector<Eigen::Vector2d> centres;
   for (const Fiducial& fiducial : kBoard.fiducials) {
     centres.push_back(*ProjectDisc(camera, Inverse(X_RC) * X_RB, fiducial, kBoard.disc_diameter_m) +
@@ -107,7 +107,8 @@ TEST(StereoPose, ObeysTheNoiseLawOfTriangulation) {
   // sigma_range = Z^2 sqrt(2) sigma / (f B sqrt(N)); 400 trials know a sigma to 3.5 %.
   const StereoRig rig = TestRig(640, 480);
   for (const double z : {2.0, 5.0}) {
-    const double law = z * z * std::sqrt(2.0) * 0.1 / (rig.left.fx * 0.35 * std::sqrt(8.0));
+    const double law =
+        z * z * std::sqrt(2.0) * 0.1 / (rig.left.focal_px().x() * 0.35 * std::sqrt(8.0));
     const double measured = MeasureSpread(rig, rig, z, 0.1, 400, false).stereo_m;
     EXPECT_NEAR(measured / law, 1.0, 0.12) << "at " << z << " m";
   }
@@ -181,7 +182,7 @@ TEST(JointFit, IsNotDraggedAwayByOneFalseMark) {
 
 TEST(ProjectedDisc, IsOffItsCentreByTheEccentricityFormula) {
   // f (R/Z)^2 sin t cos t = 0.440 px at f = 407.4, R = 5 cm, Z = 1 m, t = 30 deg.
-  const FisheyeCamera camera = EquidistantCamera(640, 480, Radians(90.0));
+  const Camera camera = EquidistantCamera(640, 480, Radians(90.0));
   const Pose3 X_CB{.R = RotY(Radians(30.0)), .p = {0.0, 0.0, 1.0}};
   const auto disc = ProjectDisc(camera, X_CB, Fiducial{}, 0.10);
   const auto centre = camera.Project(X_CB.p);

@@ -14,7 +14,7 @@ double Halton(int index, int base) {
   return value;
 }
 
-bool AllInView(const SyntheticScene& scene, const FisheyeCamera& camera, const Pose3& X_RC) {
+bool AllInView(const SyntheticScene& scene, const Camera& camera, const Pose3& X_RC) {
   const Pose3 X_CB = Inverse(scene.X_DR * X_RC) * scene.X_DB;
   return std::all_of(
       scene.board.fiducials.begin(), scene.board.fiducials.end(), [&](const Fiducial& fiducial) {
@@ -28,11 +28,11 @@ bool AllInView(const SyntheticScene& scene, const FisheyeCamera& camera, const P
 int WrongMarks(const SyntheticScene& scene, const StereoRig& rig, const SightingReport& report) {
   int wrong = 0;
   for (const SightingReport::Mark& mark : report.marks) {
-    const FisheyeCamera& camera = mark.right_camera ? rig.right : rig.left;
+    const Camera& camera = mark.right_camera ? rig.right : rig.left;
     const Pose3 X_CB = Inverse(scene.X_DR * (mark.right_camera ? rig.X_RQ : rig.X_RL)) * scene.X_DB;
     const Eigen::Vector2d& p = scene.board.fiducials[static_cast<std::size_t>(mark.id)].p_BF;
     const auto pixel = camera.Project(X_CB * Eigen::Vector3d(p.x(), p.y(), 0.0));
-    const double allowed = 3.0 + 0.004 * camera.fx / X_CB.p.norm();
+    const double allowed = 3.0 + 0.004 * camera.focal_px().x() / X_CB.p.norm();
     if (!pixel || (*pixel - Eigen::Vector2d(mark.u_px, mark.v_px)).norm() > allowed) ++wrong;
   }
   return wrong;

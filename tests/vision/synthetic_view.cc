@@ -83,7 +83,7 @@ struct Disc {
   bool with_bar = false;
 };
 
-std::vector<Disc> ClutterDiscs(const SyntheticScene& scene, const FisheyeCamera& camera,
+std::vector<Disc> ClutterDiscs(const SyntheticScene& scene, const Camera& camera,
                                RandomStream& random) {
   std::vector<Disc> discs;
   for (int i = 0; i < scene.clutter_discs + scene.clutter_fiducials; ++i) {
@@ -119,7 +119,7 @@ std::optional<double> ClutterAt(const std::vector<Disc>& discs, const FiducialBo
 
 class RayCaster {
  public:
-  RayCaster(const SyntheticScene& scene, const FisheyeCamera& camera, const Pose3& X_RC,
+  RayCaster(const SyntheticScene& scene, const Camera& camera, const Pose3& X_RC,
             RandomStream& random)
       : scene_(scene),
         camera_(camera),
@@ -148,7 +148,7 @@ class RayCaster {
     return Eigen::Vector2d((X_BC_.p - ray_B * (X_BC_.p.z() / ray_B.z())).head<2>());
   }
   bool NearBoard(const Eigen::Vector2d& pixel) const {
-    const auto hit = HitBoardPlane(camera_.Ray(pixel));
+    const auto hit = HitBoardPlane(camera_.Direction(pixel));
     return hit && std::abs(hit->x()) < 0.5 && std::abs(hit->y()) < 0.3;
   }
   bool NearClutter(const Eigen::Vector2d& pixel) const {
@@ -157,7 +157,7 @@ class RayCaster {
     });
   }
   double Radiance(const Eigen::Vector2d& pixel) const {
-    const Eigen::Vector3d ray_C = camera_.Ray(pixel);
+    const Eigen::Vector3d ray_C = camera_.Direction(pixel);
     if (scene_.has_board) {
       const auto hit = HitBoardPlane(ray_C);
       if (hit && std::abs(hit->x()) < 0.5 * scene_.board.width_m &&
@@ -174,7 +174,7 @@ class RayCaster {
   }
 
   const SyntheticScene& scene_;
-  const FisheyeCamera& camera_;
+  const Camera& camera_;
   Pose3 X_DC_, X_BC_;
   std::vector<Disc> discs_;
 };
@@ -254,22 +254,19 @@ StereoRig Miscalibrated(const StereoRig& rig, std::uint64_t key) {
   RandomStream random(key);
   StereoRig built = rig;
   for (const bool right : {false, true}) {
-    FisheyeCamera& camera = right ? built.right : built.left;
+    Camera& camera = right ? built.right : built.left;
     Pose3& X_RC = right ? built.X_RQ : built.X_RL;
     const double yaw = right ? Radians(0.16) * random.Normal() : 0.0;
     const double pitch = Radians(0.05) * random.Normal(), roll = Radians(0.05) * random.Normal();
     X_RC.R = X_RC.R * RotY(yaw) * RotX(pitch) * RotZ(roll);
     const double focal = 1.0 + 0.002 * random.Normal();
-    camera.fx *= focal;
-    camera.fy *= focal;
-    camera.cx += random.Normal();
-    camera.cy += random.Normal();
+    const double du = random.Normal(), dv = random.Normal();
+    camera = Adjusted(camera, focal, {du, dv});
   }
   return built;
 }
 
-GrayImage SyntheticView(const SyntheticScene& scene, const FisheyeCamera& camera,
-                        const Pose3& X_RC) {
+GrayImage SyntheticView(const SyntheticScene& scene, const Camera& camera, const Pose3& X_RC) {
   RandomStream random(StreamKey(scene.seed, X_RC.p.y() > 0.0 ? "left view" : "right view"));
   const RayCaster caster(scene, camera, X_RC, random);
   const std::size_t count =

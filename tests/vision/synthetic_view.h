@@ -47,8 +47,7 @@ struct SyntheticScene {
   std::uint64_t seed = 1;
 };
 
-GrayImage SyntheticView(const SyntheticScene& scene, const FisheyeCamera& camera,
-                        const Pose3& X_RC);
+GrayImage SyntheticView(const SyntheticScene& scene, const Camera& camera, const Pose3& X_RC);
 StereoImages SyntheticPair(const SyntheticScene& scene, const StereoRig& rig);
 
 }  // namespace dockyard

@@ -1,0 +1,83 @@
+// The lens models, both ways. Lens frame: the camera frame C for the models with a focal length
+// (z along the view, x right, y down); for CAHVORE the frame in which its vectors are written.
+// Pixel (0, 0) is the centre of the first pixel.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <variant>
+
+#include "controller/geometry/pose.h"
+
+namespace dockyard {
+
+using PixelJacobian = Eigen::Matrix<double, 2, 3>;  // d pixel / d point [px/m]
+
+/// No lens here looks further off its axis.
+inline constexpr double kWidestView_rad = 120.0 * kPi / 180.0;
+
+/// The line of points that one pixel shows: origin + s direction, s > 0, direction of length 1.
+struct LensRay {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // [m]; a central lens: its centre
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+};
+
+/// Fish-eye after Kannala and Brandt (IEEE TPAMI 28(8), 2006), as in OpenCV's fisheye module:
+///   theta = angle off the axis,
+///   rho = theta (1 + k1 theta^2 + k2 theta^4 + k3 theta^6 + k4 theta^8),
+///   u = fx rho cos(phi) + cx,  v = fy rho sin(phi) + cy.
+/// All k zero is the equidistant lens.
+struct KannalaBrandt {
+  double fx = 0.0, fy = 0.0;  // [px/rad], > 0
+  double cx = 0.0, cy = 0.0;  // [px]
+  std::array<double, 4> k{};  // k1..k4 [-]
+
+  std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p, PixelJacobian* J) const;
+  LensRay Ray(const Eigen::Vector2d& pixel) const;
+  bool operator==(const KannalaBrandt&) const = default;
+};
+
+/// Pinhole with Brown's distortion (D. C. Brown, Photogrammetric Engineering 32(3), 1966), as in
+/// OpenCV's projectPoints with five coefficients: with x, y = p.xy / p.z and r^2 = x^2 + y^2,
+///   x' = x (1 + k1 r^2 + k2 r^4 + k3 r^6) + 2 p1 x y + p2 (r^2 + 2 x^2),
+///   y' = y (1 + k1 r^2 + k2 r^4 + k3 r^6) + p1 (r^2 + 2 y^2) + 2 p2 x y.
+struct BrownPinhole {
+  double fx = 0.0, fy = 0.0;                                // [px], > 0
+  double cx = 0.0, cy = 0.0;                                // [px]
+  double k1 = 0.0, k2 = 0.0, k3 = 0.0, p1 = 0.0, p2 = 0.0;  // [-]
+
+  std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p, PixelJacobian* J) const;
+  LensRay Ray(const Eigen::Vector2d& pixel) const;
+  bool operator==(const BrownPinhole&) const = default;
+};
+
+/// CAHV, CAHVOR and CAHVORE (Yakimovsky and Cunningham 1978; Gennery 2001 and 2006). Equations in
+/// docs/cameras.md. CAHVOR is linearity 1 with E = 0, CAHV that with R = 0; the types 1, 2, 3 of
+/// camera files are linearity 1, 0 and a number of its own. E != 0 moves the entrance pupil along O
+/// with the angle: the lens has no one centre. A keeps the length that the file gives it; O must
+/// have length 1, else the two directions disagree.
+struct Cahvore {
+  Eigen::Vector3d C = Eigen::Vector3d::Zero();   // centre [m]
+  Eigen::Vector3d A = Eigen::Vector3d::UnitZ();  // axis of the image plane
+  Eigen::Vector3d H = Eigen::Vector3d::UnitX();  // [px]
+  Eigen::Vector3d V = Eigen::Vector3d::UnitY();  // [px]
+  Eigen::Vector3d O = Eigen::Vector3d::UnitZ();  // axis of the lens, length 1
+  Eigen::Vector3d R = Eigen::Vector3d::Zero();   // radial distortion [-]
+  Eigen::Vector3d E = Eigen::Vector3d::Zero();   // entrance pupil [m]
+  double linearity = 1.0;                        // -1 to 1
+
+  std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p, PixelJacobian* J) const;
+  LensRay Ray(const Eigen::Vector2d& pixel) const;
+  bool operator==(const Cahvore&) const = default;
+};
+
+/// Horizontal and vertical focal length and centre of a CAHV* model [px]: hs, vs, hc, vc.
+struct CahvScales {
+  double hs = 0.0, vs = 0.0, hc = 0.0, vc = 0.0;
+};
+CahvScales ScalesOf(const Cahvore& lens);
+
+using Lens = std::variant<KannalaBrandt, BrownPinhole, Cahvore>;
+
+}  // namespace dockyard
