@@ -53,6 +53,12 @@ class ContactWorld::BulletWorld : public btMultiBodyDynamicsWorld {
     }
   }
 
+  void solveExternalForces(btContactSolverInfo& info) override {
+    owner_.rover_.rotors().RememberSpeeds();
+    btMultiBodyDynamicsWorld::solveExternalForces(info);
+    owner_.rover_.rotors().TakeTheirShare();
+  }
+
  private:
   // What Bullet's step comes to without contacts.
   void IntegrateFreely(btScalar dt) {
@@ -60,8 +66,10 @@ class ContactWorld::BulletWorld : public btMultiBodyDynamicsWorld {
     m_scratch_r.resize(rover->getNumLinks() + 1);
     m_scratch_v.resize(rover->getNumLinks() + 1);
     m_scratch_m.resize(rover->getNumLinks() + 1);
+    owner_.rover_.rotors().RememberSpeeds();
     rover->computeAccelerationsArticulatedBodyAlgorithmMultiDof(dt, m_scratch_r, m_scratch_v,
                                                                 m_scratch_m, false, false, false);
+    owner_.rover_.rotors().TakeTheirShare();
     rover->stepPositionsMultiDof(dt);
     btRigidBody* station = owner_.station_.body();
     station->setLinearVelocity(station->getLinearVelocity() +
@@ -103,11 +111,13 @@ ContactWorld::ContactWorld(const ConeModel& cone, double gravity_m_s2, RoverBody
     collider->setActivationState(DISABLE_DEACTIVATION);
     world_->addCollisionObject(collider, kRoverGroup, kStationGroup);
   }
+  for (const auto& row : rover.rotors().rows()) world_->addMultiBodyConstraint(row.get());
   world_->addRigidBody(station.body(), kStationGroup, kRoverGroup);
 }
 
 ContactWorld::~ContactWorld() {
   world_->removeRigidBody(station_.body());
+  for (const auto& row : rover_.rotors().rows()) world_->removeMultiBodyConstraint(row.get());
   for (int i = 0; i < kRoverLinkCount; ++i) {
     world_->removeCollisionObject(rover_.collider(static_cast<RoverLink>(i)));
   }

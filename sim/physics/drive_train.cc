@@ -12,13 +12,12 @@ constexpr double kStopDampingNmsPerRad = 50.0;
 constexpr std::array<RoverLink, 3> kLinks = {RoverLink::kLeftWheel, RoverLink::kRightWheel,
                                              RoverLink::kArm};
 
-// Inertia felt at a joint between link and body, both free about y.
+// Inertia felt at a joint: link and body against each other, both free about y, and the rotor.
 double JointInertia(const RoverModel& rover, const LinkModel& link, Motor motor) {
   const Eigen::Vector3d& c = link.p_LoCom_L;
-  const double own = link.I_LCom_L(1, 1) + link.mass_kg * (c.x() * c.x() + c.z() * c.z()) +
-                     rover.motors[static_cast<int>(motor)].reflected_inertia_kg_m2;
+  const double own = link.I_LCom_L(1, 1) + link.mass_kg * (c.x() * c.x() + c.z() * c.z());
   const double body = rover.body.I_LCom_L(1, 1);
-  return own * body / (own + body);
+  return own * body / (own + body) + rover.motors[static_cast<int>(motor)].reflected_inertia_kg_m2;
 }
 
 MotorDrive MakeDrive(const RoverModel& rover, Motor motor) {

@@ -5,9 +5,8 @@
 
 namespace dockyard {
 
-PrincipalInertia FindPrincipalInertia(const LinkModel& link, double added_about_y_kg_m2) {
-  Eigen::Matrix3d I = link.I_LCom_L;
-  I(1, 1) += added_about_y_kg_m2;
+PrincipalInertia FindPrincipalInertia(const LinkModel& link) {
+  const Eigen::Matrix3d& I = link.I_LCom_L;
   PrincipalInertia principal;
   principal.X_LP.p = link.p_LoCom_L;
   const double tiny = 1e-12 * I.trace();

@@ -13,9 +13,8 @@ struct PrincipalInertia {
   Eigen::Vector3d moments = Eigen::Vector3d::Zero();  // [kg m^2]
 };
 
-/// added_about_y: rotor inertia that the link carries about its joint's axis, y [kg m^2].
 /// A link that is symmetric about its x-z plane gets axes with y kept exactly, so that mirrored
 /// links have mirrored axes.
-PrincipalInertia FindPrincipalInertia(const LinkModel& link, double added_about_y_kg_m2);
+PrincipalInertia FindPrincipalInertia(const LinkModel& link);
 
 }  // namespace dockyard

@@ -23,14 +23,8 @@ const LinkModel& LinkOf(const RoverModel& rover, RoverLink link) {
   return rover.body;
 }
 
-double RotorInertia(const RoverModel& rover, RoverLink link) {
-  const auto Of = [&](Motor motor) {
-    return rover.motors[static_cast<int>(motor)].reflected_inertia_kg_m2;
-  };
-  if (link == RoverLink::kLeftWheel) return Of(Motor::kLeftWheel);
-  if (link == RoverLink::kRightWheel) return Of(Motor::kRightWheel);
-  if (link == RoverLink::kArm) return Of(Motor::kArm);
-  return 0.0;
+double RotorInertia(const RoverModel& rover, Motor motor) {
+  return rover.motors[static_cast<int>(motor)].reflected_inertia_kg_m2;
 }
 
 // Half the diagonal of the box round a shape, from its compound's origin.
@@ -49,7 +43,7 @@ RoverBody::RoverBody(const RoverModel& rover, const Pose3& X_GR, double arm_rad,
                 Eigen::Vector3d::Zero()};
   for (int i = 0; i < kRoverLinkCount; ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
-    inertia_[i] = FindPrincipalInertia(LinkOf(rover, link), RotorInertia(rover, link));
+    inertia_[i] = FindPrincipalInertia(LinkOf(rover, link));
   }
   const bool fixed_base = false, can_sleep = false;
   multibody_ = std::make_unique<btMultiBody>(kRoverLinkCount - 1, rover.body.mass_kg,
@@ -68,6 +62,11 @@ RoverBody::RoverBody(const RoverModel& rover, const Pose3& X_GR, double arm_rad,
   multibody_->setHasSelfCollision(false);
   multibody_->useRK4Integration(false);
   multibody_->setUseGyroTerm(true);
+  const Motor first_motor = right_first ? Motor::kRightWheel : Motor::kLeftWheel;
+  const Motor second_motor = right_first ? Motor::kLeftWheel : Motor::kRightWheel;
+  rotors_ = std::make_unique<Rotors>(
+      *multibody_, std::vector{RotorInertia(rover, first_motor), RotorInertia(rover, second_motor),
+                               RotorInertia(rover, Motor::kArm)});
 
   const Pose3 X_GP = X_GR * inertia_[0].X_LP;
   multibody_->setBasePos(ToBullet(X_GP.p));

@@ -15,6 +15,7 @@
 #include "sim/physics/collision_shapes.h"
 #include "sim/physics/inertia.h"
 #include "sim/physics/motion.h"
+#include "sim/physics/rotors.h"
 
 namespace dockyard {
 
@@ -43,6 +44,7 @@ class RoverBody {
   void SetJointSpeed(RoverLink link, double speed_rad_s);
   void SetBodySpeed(const Eigen::Vector3d& v_GR_G, const Eigen::Vector3d& w_GR_G);
   btMultiBody* multibody() { return multibody_.get(); }
+  Rotors& rotors() { return *rotors_; }
   btMultiBodyLinkCollider* collider(RoverLink link) { return colliders_[Index(link)].get(); }
   /// Radius about the axle's middle that holds the whole rover [m].
   double reach_m() const { return reach_m_; }
@@ -60,6 +62,7 @@ class RoverBody {
   std::array<Eigen::Vector3d, kRoverLinkCount> p_R_hinge_;
   std::array<LinkShape, kRoverLinkCount> shapes_;
   std::unique_ptr<btMultiBody> multibody_;
+  std::unique_ptr<Rotors> rotors_;
   std::array<std::unique_ptr<btMultiBodyLinkCollider>, kRoverLinkCount> colliders_;
   std::array<LinkMotion, kRoverLinkCount> motion_;
   double reach_m_ = 0.0;

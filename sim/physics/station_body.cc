@@ -34,7 +34,7 @@ StationBody::StationBody(const StationModel& station, const Pose3& X_GS, bool mi
     : station_(station), X_SM_(MouthInStation(station)) {
   // The module's own frame stands level; it is tipped about the mouth's centre.
   const Pose3 X_SL = X_SM_ * Pose3::Translation(0.0, 0.0, -station.mouth_height_m);
-  inertia_ = FindPrincipalInertia(station.module, 0.0);
+  inertia_ = FindPrincipalInertia(station.module);
   inertia_.X_LP = X_SL * inertia_.X_LP;
   AddShapes(mirrored_order);
 

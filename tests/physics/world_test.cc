@@ -56,7 +56,7 @@ TEST(World, BrakedRoverThatWasPushedComesToRest) {
     At(push, Motor::kLeftWheel) = At(push, Motor::kRightWheel) = Velocity(0.05, 2.8);
     Play(world, push, 0.2);
     EXPECT_GT(world.truth().v_MT.norm(), 5e-3) << soil.name;
-    Play(world, AllBraked(), 3.0);
+    Play(world, AllBraked(), 5.0);
     const Truth rest = world.truth();
     EXPECT_LT(rest.v_WR_W.norm(), 1e-4) << soil.name;
     EXPECT_LT(rest.v_MT.norm(), 1e-3) << soil.name;
