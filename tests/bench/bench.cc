@@ -1,12 +1,11 @@
 // Speeds of the parts, all in one run, so that their ratios mean something on any machine. CPU time
 // of this process; on a busy machine only the ratios hold.
-#include <ctime>
-
 #include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "bench/physics_speed.h"
 #include "controller/docking/axel.h"
 #include "controller/vision/fiducials.h"
 #include "controller/vision/locate.h"
@@ -19,13 +18,9 @@
 namespace dockyard {
 namespace {
 
+constexpr const char* kLoose = "loose_sand.yaml";
+constexpr const char* kCompact = "compact_gravel.yaml";
 const std::string kScenario = std::string(DOCKYARD_SOURCE_DIR) + "/scenarios/axel_typical.yaml";
-
-double CpuSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double Time(const std::function<void()>& work) {
   const double start = CpuSeconds();
@@ -35,27 +30,6 @@ double Time(const std::function<void()>& work) {
 
 std::unique_ptr<Controller> MakeBrain(const std::string&, const RoverSheet& sheet) {
   return MakeAxelController(sheet);
-}
-
-/// Both wheels driven over their soil, far from the station, the tether in tow.
-double StepsPerSecond(const std::string& soil) {
-  const BuiltRun built = BuildRun(LoadScenario(
-      kScenario, {"soil=" + std::string(DOCKYARD_SOURCE_DIR) + "/models/soils/" + soil}));
-  World world(built.world);
-  std::array<MotorCommand, kMotorCount> commands{};
-  for (int wheel = 0; wheel < 2; ++wheel) {
-    commands[wheel] = {.mode = MotorMode::kVelocity,
-                       .target = 0.17,  // 0.05 m/s
-                       .accel_rad_s2 = 1.0,
-                       .current_limit_a = 2.8};
-  }
-  commands[3] = {
-      .mode = MotorMode::kVelocity, .target = 1.2, .accel_rad_s2 = 2.0, .current_limit_a = 0.5};
-  constexpr int kSteps = 20000;
-  const double seconds = Time([&] {
-    for (int i = 0; i < kSteps; ++i) world.Step(commands);
-  });
-  return kSteps / seconds;
 }
 
 struct EyesSpeed {
@@ -101,11 +75,25 @@ EyesSpeed TimeEyes(int width, int height) {
   return speed;
 }
 
+/// Prints the table of the physics; returns the steps per second of driving on loose sand.
+double ReportPhysics() {
+  const auto drive = [](const char* soil) { return DrivingStepsPerSecond(DrivingSetup(soil)); };
+  const double loose = drive(kLoose), compact = drive(kCompact);
+  std::printf("physics, steps/s                          loose    compact\n");
+  std::printf("  driving, both wheels in soil        %9.0f  %9.0f\n", loose, compact);
+  const double twin = TwinStepsPerSecond(DrivingSetup(kLoose));
+  std::printf(
+      "  MuJoCo twin on a plane, smooth wheels %7.0f; driving is %.2f, %.2f times as fast\n", twin,
+      loose / twin, compact / twin);
+  std::printf("  arm pressed on the cone             %9.0f  %9.0f\n", ConeStepsPerSecond(kLoose),
+              ConeStepsPerSecond(kCompact));
+  std::printf("  braked and at rest                  %9.0f  %9.0f\n", RestingStepsPerSecond(kLoose),
+              RestingStepsPerSecond(kCompact));
+  return loose;
+}
+
 void Report() {
-  const double loose = StepsPerSecond("loose_sand.yaml");
-  const double compact = StepsPerSecond("compact_gravel.yaml");
-  std::printf("physics, both wheels in soil, steps/s      loose %.0f, compact %.0f\n", loose,
-              compact);
+  const double loose = ReportPhysics();
   for (const auto& [width, height] : {std::pair(1024, 768), std::pair(640, 480)}) {
     const EyesSpeed eyes = TimeEyes(width, height);
     std::printf(
@@ -125,7 +113,18 @@ void Report() {
 }  // namespace
 }  // namespace dockyard
 
-int main() {
-  dockyard::Report();
+int main(int argc, char** argv) {
+  const std::string mode = argc > 1 ? argv[1] : "all";
+  if (mode == "all") {
+    dockyard::Report();
+  } else if (mode == "physics") {
+    dockyard::ReportPhysics();
+  } else if (mode == "one-second") {  // under callgrind, see scripts/bench
+    dockyard::World world(dockyard::DrivingSetup(dockyard::kLoose));
+    dockyard::DriveOneSecond(world);
+  } else {
+    std::fprintf(stderr, "usage: %s [all|physics|one-second]\n", argv[0]);
+    return 2;
+  }
   return 0;
 }

@@ -1,0 +1,100 @@
+#include "bench/physics_speed.h"
+
+#include <ctime>
+
+#include "models/load_scenario.h"
+#include "sim/run/build_run.h"
+#include "twin/mujoco_twin.h"
+
+namespace dockyard {
+namespace {
+
+using MotorCommands = std::array<MotorCommand, kMotorCount>;
+
+WorldSetup Setup(const std::string& soil, const std::vector<std::string>& more) {
+  const std::string root = DOCKYARD_SOURCE_DIR;
+  std::vector<std::string> changes = {"soil=" + root + "/models/soils/" + soil};
+  changes.insert(changes.end(), more.begin(), more.end());
+  return BuildRun(LoadScenario(root + "/scenarios/axel_typical.yaml", changes)).world;
+}
+
+MotorCommand Run(double rad_s, double current_a) {
+  return {.mode = MotorMode::kVelocity,
+          .target = rad_s,
+          .accel_rad_s2 = 2.0,
+          .current_limit_a = current_a};
+}
+
+MotorCommands Drive() {
+  MotorCommands commands{};
+  commands[0] = commands[1] = Run(0.17, 2.8);  // 0.05 m/s
+  commands[3] = Run(1.2, 0.5);
+  return commands;
+}
+
+}  // namespace
+
+double CpuSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+WorldSetup DrivingSetup(const std::string& soil) { return Setup(soil, {}); }
+
+double DrivingStepsPerSecond(const WorldSetup& setup) {
+  World world(setup);
+  constexpr int kSteps = 20000;
+  const double start = CpuSeconds();
+  for (int i = 0; i < kSteps; ++i) world.Step(Drive());
+  return kSteps / (CpuSeconds() - start);
+}
+
+double ConeStepsPerSecond(const std::string& soil) {
+  World world(Setup(soil, {"start.r_m=1.3", "start.alpha_deg=8", "start.heading_deg=8"}));
+  MotorCommands commands{};
+  commands[0] = commands[1] = MotorCommand{.mode = MotorMode::kFree};
+  commands[3] = Run(1.2, 2.0);
+  constexpr int kChunk = 20, kChunks = 600;
+  int counted = 0;
+  double seconds = 0.0;
+  for (int i = 0; i < kChunks; ++i) {
+    const bool pressed = world.truth().cone_force_n > 0.0;
+    const double start = CpuSeconds();
+    for (int j = 0; j < kChunk; ++j) world.Step(commands);
+    const double took = CpuSeconds() - start;
+    if (!pressed || world.truth().cone_force_n == 0.0) continue;
+    counted += kChunk;
+    seconds += took;
+  }
+  return counted > 0 ? counted / seconds : 0.0;
+}
+
+double TwinStepsPerSecond(const WorldSetup& setup) {
+  constexpr double kFriction = 0.5;  // of the wheels on the plane
+  const Pose2 X_GR = setup.X_GD * setup.X_DR_start;
+  MujocoTwin twin(setup, kFriction, 9.81);
+  twin.SetPose(FromGround(X_GR, setup.rover.left_wheel_soil.rim_radius_m), 0.0);
+  twin.PowerOn(setup.slack_start_m);
+  constexpr int kSteps = 20000;
+  const double start = CpuSeconds();
+  for (int i = 0; i < kSteps; ++i) twin.Step(Drive());
+  return kSteps / (CpuSeconds() - start);
+}
+
+double RestingStepsPerSecond(const std::string& soil) {
+  World world(Setup(soil, {}));
+  const MotorCommands braked{};
+  for (int i = 0; i < 20000; ++i) world.Step(braked);
+  constexpr int kSteps = 20000;
+  const double start = CpuSeconds();
+  for (int i = 0; i < kSteps; ++i) world.Step(braked);
+  return kSteps / (CpuSeconds() - start);
+}
+
+[[gnu::noinline]] void DriveOneSecond(World& world) {
+  const MotorCommands commands = Drive();
+  for (int i = 0; i < 1000; ++i) world.Step(commands);
+}
+
+}  // namespace dockyard

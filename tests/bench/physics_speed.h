@@ -1,0 +1,30 @@
+// Speed of the physics alone, on the scenario's own rover, station and soils.
+#pragma once
+
+#include <string>
+
+#include "sim/physics/world.h"
+
+namespace dockyard {
+
+/// CPU time of this process [s].
+double CpuSeconds();
+
+/// Both wheels driven over their soil, far from the station, the tether in tow.
+WorldSetup DrivingSetup(const std::string& soil);
+double DrivingStepsPerSecond(const WorldSetup& setup);
+
+/// The spool draws a rover that is 8 deg off the cone's axis into it; only steps in which the cone
+/// presses on the arm are counted.
+double ConeStepsPerSecond(const std::string& soil);
+
+/// The same rover in MuJoCo with smooth rigid wheels on a plane, driven by the same commands.
+double TwinStepsPerSecond(const WorldSetup& setup);
+
+/// Braked and at rest.
+double RestingStepsPerSecond(const std::string& soil);
+
+/// Drives for one second; for a count of its instructions.
+void DriveOneSecond(World& world);
+
+}  // namespace dockyard
