@@ -11,9 +11,9 @@ constexpr double kBodyFriction = 0.4;
 // Collision is looked for when the rover's sphere comes this near the station's [m].
 constexpr double kNearM = 0.1;
 constexpr int kSolverIterations = 50;
-// The solver stops early when a sweep changes the impulses by less than this [(N s)^2]: 0.1 mN at a
-// step of 1 ms.
-constexpr double kSolvedResidual = 1e-14;
+// The solver stops early when a sweep changes no impulse by more than the root of this [(N s)^2]:
+// 1 mN at a step of 1 ms.
+constexpr double kSolvedResidual = 1e-12;
 // A contact belongs to the annular face when it is this near the mouth plane and looks outwards.
 constexpr double kFaceDepthM = 4e-3;
 constexpr double kFaceNormal = 0.9;
