@@ -81,6 +81,7 @@ DriveOutput MotorDrive::Step(const MotorCommand& command, double angle_rad, doub
   if (mode_ == MotorMode::kBrake) {
     out.friction_torque_nm += BristleTorque(brake_, speed_rad_s, dt_s, brake_bend_rad_);
   }
+  profile_moved_rad_ = 0.0;
   if (!driving) return out;
   out.motor_torque_nm = ServoTorque(command, angle_rad, speed_rad_s, dt_s);
   const bool turning = std::abs(speed_rad_s) > kStandstillRadPerS ||
@@ -94,11 +95,13 @@ double MotorDrive::ServoTorque(const MotorCommand& command, double angle_rad, do
                                double dt_s) {
   const double current = std::clamp(command.current_limit_a, 0.0, motor_.max_current_a);
   const double limit = motor_.torque_per_amp_nm * std::max(0.0, current - motor_.no_load_current_a);
+  const double was_rad = profile_.angle_rad;
   profile_ = AdvanceProfile(profile_, command, motor_, dt_s);
   // Leash: a shaft that is dragged off its profile takes the profile along, at the distance where
   // the servo alone gives the limit; nothing winds up.
   const double leash = limit / servo_stiffness_nm_per_rad_;
   profile_.angle_rad = std::clamp(profile_.angle_rad, angle_rad - leash, angle_rad + leash);
+  profile_moved_rad_ = profile_.angle_rad - was_rad;
   const double torque = servo_stiffness_nm_per_rad_ * (profile_.angle_rad - angle_rad) +
                         servo_damping_nms_per_rad_ * (profile_.speed_rad_s - speed_rad_s);
   return std::clamp(torque, -limit, limit);

@@ -39,6 +39,8 @@ class MotorDrive {
 
   /// Angle of the power-on zero: Step's angles are counted from here on.
   void ResetProfile(double angle_rad) { profile_ = {angle_rad, 0.0}; }
+  /// How far the profile went in the last step; a stalled shaft holds it back.
+  double profile_moved_rad() const { return profile_moved_rad_; }
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
@@ -50,6 +52,7 @@ class MotorDrive {
   double servo_stiffness_nm_per_rad_ = 0.0, servo_damping_nms_per_rad_ = 0.0;
   MotorMode mode_ = MotorMode::kBrake;
   ProfileState profile_;
+  double profile_moved_rad_ = 0.0;
   double gear_bend_rad_ = 0.0, brake_bend_rad_ = 0.0;
 };
 

@@ -1,5 +1,7 @@
 #include "sim/physics/drive_train.h"
 
+#include <cmath>
+
 #include "sim/base/hash.h"
 
 namespace dockyard {
@@ -103,6 +105,14 @@ double DriveTrain::tether_given_m(const RoverBody& rover) const {
 
 double DriveTrain::tether_rate_m_s(const RoverBody& rover) const {
   return drum_radius_m_ * (speed_rad_s(Motor::kArm, rover) - drum_rad_s_);
+}
+
+bool DriveTrain::IsStill(double rad_s, double dt_s) const {
+  bool still = std::abs(drum_rad_s_) < rad_s;
+  for (const MotorDrive& drive : drives_) {
+    still = still && std::abs(drive.profile_moved_rad()) < rad_s * dt_s;
+  }
+  return still;
 }
 
 std::uint64_t DriveTrain::StateHash(std::uint64_t seed) const {

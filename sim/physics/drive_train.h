@@ -37,6 +37,8 @@ class DriveTrain {
   /// Unstretched tether given out since power-on [m], and its rate.
   double tether_given_m(const RoverBody& rover) const;
   double tether_rate_m_s(const RoverBody& rover) const;
+  /// Whether neither the drum nor a profile turns faster than this.
+  bool IsStill(double rad_s, double dt_s) const;
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:

@@ -84,17 +84,36 @@ void World::Impl::Settle() {
   tether_at_start_m_ = tether_.path_m() + setup_.slack_start_m;
   tether_.LayOut(p_MT, tether_at_start_m_);
   tether_tied_ = true;
+  still_steps_ = 0;
+}
+
+bool World::Impl::IsStill() const {
+  const auto Still = [](const LinkMotion& link) {
+    return link.v_GL_G.squaredNorm() < kStillMPerS * kStillMPerS &&
+           link.w_GL_G.squaredNorm() < kStillRadPerS * kStillRadPerS;
+  };
+  for (int i = 0; i < kRoverLinkCount; ++i) {
+    if (!Still(rover_.motion(static_cast<RoverLink>(i)))) return false;
+  }
+  return Still(station_.motion()) && drives_.IsStill(kStillRadPerS, setup_.step_s);
 }
 
 void World::Impl::Step(const std::array<MotorCommand, kMotorCount>& commands) {
+  if (commands != last_commands_) still_steps_ = 0;
+  last_commands_ = commands;
+  if (!at_rest()) Move(commands);
+  imu_.Add(rover_.motion(RoverLink::kBody), setup_.step_s);
+  ++steps_;
+}
+
+void World::Impl::Move(const std::array<MotorCommand, kMotorCount>& commands) {
   const double tension = tether_tied_ ? PullTether() : 0.0;
   drives_.Step(commands, tension, setup_.step_s, rover_);
   RollOnSoil();
   rover_ground_.AddForces(ground_, setup_.step_s, rover_);
   station_.AddFeetForces(ground_, setup_.step_s);
   bullet_.Step(setup_.step_s);
-  imu_.Add(rover_.motion(RoverLink::kBody), setup_.step_s);
-  ++steps_;
+  still_steps_ = setup_.may_rest && IsStill() ? still_steps_ + 1 : 0;
 }
 
 double World::Impl::PullTether() {
@@ -164,6 +183,7 @@ World::World(const WorldSetup& setup) {
 World::~World() = default;
 void World::Step(const std::array<MotorCommand, kMotorCount>& commands) { impl_->Step(commands); }
 Tick World::tick() const { return impl_->tick(); }
+bool World::at_rest() const { return impl_->at_rest(); }
 Truth World::truth() const { return impl_->MakeTruth(); }
 const HeightGrid& World::ground() const { return impl_->ground(); }
 ImuSample World::TakeTrueImu() { return impl_->TakeTrueImu(); }

@@ -28,6 +28,7 @@ struct WorldSetup {
   double arm_start_rad = 0.0;  // arm against body, tip-down positive
   double slack_start_m = 0.0;  // exposed tether beyond the straight path at the start, >= 0
   double step_s = 1e-3;
+  bool may_rest = true;               // off: every step is computed, nothing moving or not
   bool add_right_side_first = false;  // order in which the bodies are added (mirror test)
 };
 
@@ -65,6 +66,8 @@ class World {
   void Step(const std::array<MotorCommand, kMotorCount>& commands);
 
   Tick tick() const;
+  /// Whether nothing moves and no step is computed until a command changes.
+  bool at_rest() const;
   /// Computed on demand; cheap enough for every control period, not for every step.
   Truth truth() const;
   const HeightGrid& ground() const;

@@ -24,12 +24,20 @@ class World::Impl {
   void Step(const std::array<MotorCommand, kMotorCount>& commands);
   Truth MakeTruth() const;
   Tick tick() const;
+  bool at_rest() const { return still_steps_ >= kRestSteps; }
   const HeightGrid& ground() const { return ground_; }
   ImuSample TakeTrueImu() { return imu_.Take(rover_.motion(RoverLink::kBody), X_WG_); }
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
+  // Nothing rocks, creeps or is about to move when all has been this slow for this long: in a
+  // minute it would go half a micrometre. Assumed, range 1e-10 to 1e-7 and 20-200 steps.
+  static constexpr double kStillMPerS = 1e-8, kStillRadPerS = 1e-8;
+  static constexpr int kRestSteps = 50;
+
   void Settle();
+  void Move(const std::array<MotorCommand, kMotorCount>& commands);
+  bool IsStill() const;
   double PullTether();
   void RollOnSoil();
   void RollWheel(RoverLink link, WheelSoil& soil, WheelLoad& load);
@@ -57,6 +65,8 @@ class World::Impl {
   double tether_at_start_m_ = 0.0;  // unstretched length out of the arm at power-on
   Eigen::Vector3d p_GM_start_ = Eigen::Vector3d::Zero();
   std::int64_t steps_ = 0;
+  int still_steps_ = 0;  // with the last commands
+  std::array<MotorCommand, kMotorCount> last_commands_{};
 };
 
 }  // namespace dockyard
