@@ -83,14 +83,20 @@ struct ArmTipModel {
   double ground_stiffness_n_per_m = 0.0;
 };
 
+/// An inertial unit that integrates its own attitude: roll and pitch are held by gravity, yaw by
+/// nothing, so that it drifts by what the gyro about z errs. Angle and velocity random walk are the
+/// white noise of rate and specific force: a reading over dt has sigma walk / sqrt(dt) (IEEE 952).
 struct ImuModel {
-  Eigen::Vector3d p_RI{0, 0, 0};     // its place on the body [m]
-  double attitude_noise_rad = 0.0;   // roll and pitch, 1 sigma of one reading
-  double attitude_bias_rad = 0.0;    // roll and pitch, 1 sigma from power-on to power-on
-  double yaw_drift_rad_s = 0.0;      // 1 sigma from power-on to power-on
-  double yaw_walk_rad_sqrt_s = 0.0;  // random walk
-  double gyro_noise_rad_s = 0.0, gyro_bias_rad_s = 0.0;
-  double accel_noise_m_s2 = 0.0, accel_bias_m_s2 = 0.0;
+  Eigen::Vector3d p_RI{0, 0, 0};        // its place on the body [m]
+  double attitude_noise_rad = 0.0;      // roll and pitch, 1 sigma of one reading
+  double attitude_bias_rad = 0.0;       // roll and pitch, 1 sigma from power-on to power-on
+  double gyro_walk_rad_sqrt_s = 0.0;    // angle random walk
+  double gyro_bias_rad_s = 0.0;         // 1 sigma from power-on to power-on
+  double gyro_instability_rad_s = 0.0;  // 1 sigma of the bias' wandering
+  double accel_walk_m_s_sqrt_s = 0.0;   // velocity random walk
+  double accel_bias_m_s2 = 0.0;         // 1 sigma from power-on to power-on
+  double accel_instability_m_s2 = 0.0;  // 1 sigma of the bias' wandering
+  double instability_time_s = 100.0;    // the wandering's correlation time
 };
 
 /// The stereo pair as drawn in the workshop, and how far the built one may be off (1 sigma each).

@@ -26,20 +26,35 @@ SensorSuite::SensorSuite(const RoverModel& rover, std::uint64_t run_seed)
   bias_.pitch_rad = imu.attitude_bias_rad * imu_stream_.Normal();
   bias_.rate_R = NormalVector(imu_stream_, imu.gyro_bias_rad_s);
   bias_.specific_force_R = NormalVector(imu_stream_, imu.accel_bias_m_s2);
-  yaw_drift_rad_s_ = imu.yaw_drift_rad_s * imu_stream_.Normal();
+  wandering_.rate_R = NormalVector(imu_stream_, imu.gyro_instability_rad_s);
+  wandering_.specific_force_R = NormalVector(imu_stream_, imu.accel_instability_m_s2);
+}
+
+void SensorSuite::Wander(double since_s) {
+  const ImuModel& imu = rover_.imu;
+  const double keep = std::exp(-since_s / imu.instability_time_s);
+  const double stir = std::sqrt(1.0 - keep * keep);
+  wandering_.rate_R =
+      keep * wandering_.rate_R + NormalVector(imu_stream_, stir * imu.gyro_instability_rad_s);
+  wandering_.specific_force_R = keep * wandering_.specific_force_R +
+                                NormalVector(imu_stream_, stir * imu.accel_instability_m_s2);
 }
 
 SensorFrame SensorSuite::Read(Tick tick, const Truth& truth, const ImuSample& true_imu) {
   const ImuModel& imu = rover_.imu;
-  if (!started_) {
-    yaw_at_start_rad_ = true_imu.yaw_rad;
-    started_ = true;
-  } else {
-    const double since_s = static_cast<double>(tick - last_tick_) * kTickSeconds;
-    yaw_walk_rad_ += imu.yaw_walk_rad_sqrt_s * std::sqrt(since_s) * imu_stream_.Normal() +
-                     yaw_drift_rad_s_ * since_s;
-  }
+  const bool first = !started_;
+  if (first) yaw_at_start_rad_ = true_imu.yaw_rad;
+  started_ = true;
+  // The first reading averages over one control period, as all do in a run.
+  const Tick since = first ? kControlPeriod : tick - last_tick_;
+  const double since_s = static_cast<double>(since) * kTickSeconds;
   last_tick_ = tick;
+  const double root_s = std::sqrt(std::max(since_s, kTickSeconds));
+  Wander(since_s);
+  const Eigen::Vector3d rate_error = bias_.rate_R + wandering_.rate_R +
+                                     NormalVector(imu_stream_, imu.gyro_walk_rad_sqrt_s / root_s);
+  // The unit integrates its gyros: about the vertical nothing corrects what they err.
+  if (!first) yaw_error_rad_ += rate_error.z() * since_s;
 
   SensorFrame frame;
   frame.tick = tick;
@@ -47,11 +62,11 @@ SensorFrame SensorSuite::Read(Tick tick, const Truth& truth, const ImuSample& tr
       true_imu.roll_rad + bias_.roll_rad + imu.attitude_noise_rad * imu_stream_.Normal();
   frame.imu.pitch_rad =
       true_imu.pitch_rad + bias_.pitch_rad + imu.attitude_noise_rad * imu_stream_.Normal();
-  frame.imu.yaw_rad = WrapPi(true_imu.yaw_rad - yaw_at_start_rad_ + yaw_walk_rad_);
-  frame.imu.rate_R =
-      true_imu.rate_R + bias_.rate_R + NormalVector(imu_stream_, imu.gyro_noise_rad_s);
+  frame.imu.yaw_rad = WrapPi(true_imu.yaw_rad - yaw_at_start_rad_ + yaw_error_rad_);
+  frame.imu.rate_R = true_imu.rate_R + rate_error;
   frame.imu.specific_force_R = true_imu.specific_force_R + bias_.specific_force_R +
-                               NormalVector(imu_stream_, imu.accel_noise_m_s2);
+                               wandering_.specific_force_R +
+                               NormalVector(imu_stream_, imu.accel_walk_m_s_sqrt_s / root_s);
   for (int i = 0; i < kMotorCount; ++i) {
     const MotorModel& motor = rover_.motors[i];
     frame.encoder_counts[i] = Counts(truth.motor_angle_rad[i], motor.counts_per_rev);

@@ -16,10 +16,13 @@ class SensorSuite {
   SensorFrame Read(Tick tick, const Truth& truth, const ImuSample& true_imu);
 
  private:
+  void Wander(double since_s);
+
   RoverModel rover_;
   RandomStream imu_stream_, current_stream_;
-  ImuSample bias_{};
-  double yaw_drift_rad_s_ = 0.0, yaw_walk_rad_ = 0.0, yaw_at_start_rad_ = 0.0;
+  ImuSample bias_{};       // since power-on
+  ImuSample wandering_{};  // first-order Gauss-Markov: the bias' instability
+  double yaw_error_rad_ = 0.0, yaw_at_start_rad_ = 0.0;
   bool started_ = false;
   Tick last_tick_ = 0;
 };

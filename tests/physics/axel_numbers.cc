@@ -83,12 +83,12 @@ RoverModel TestRover() {
   rover.imu.p_RI = Eigen::Vector3d(0.05, 0.0, 0.1);
   rover.imu.attitude_noise_rad = Radians(0.05);
   rover.imu.attitude_bias_rad = Radians(0.2);
-  rover.imu.yaw_drift_rad_s = Radians(5.0 / 3600.0);
-  rover.imu.yaw_walk_rad_sqrt_s = Radians(0.01);
-  rover.imu.gyro_noise_rad_s = 1e-3;
-  rover.imu.gyro_bias_rad_s = 1e-4;
-  rover.imu.accel_noise_m_s2 = 0.02;
-  rover.imu.accel_bias_m_s2 = 0.01;
+  rover.imu.gyro_walk_rad_sqrt_s = Radians(0.15) / 60.0;
+  rover.imu.gyro_bias_rad_s = Radians(10.0) / 3600.0;
+  rover.imu.gyro_instability_rad_s = Radians(0.5) / 3600.0;
+  rover.imu.accel_walk_m_s_sqrt_s = 0.06 / 60.0;
+  rover.imu.accel_bias_m_s2 = 0.02;
+  rover.imu.accel_instability_m_s2 = 4.9e-4;
   return rover;
 }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "physics/axel_numbers.h"
 #include "sim/physics/imu.h"
@@ -102,19 +104,115 @@ TEST(SensorSuite, YawStartsAtZeroWhateverTheTrueHeading) {
   EXPECT_EQ(sensors.Read(0, Truth{}, truth).imu.yaw_rad, 0.0);
 }
 
-TEST(SensorSuite, YawDriftsAndWalksAsTheModelSays) {
+TEST(SensorSuite, YawDriftsAsItsGyroErrs) {
   const RoverModel rover = TestRover();
   const double seconds = 100.0;
   std::uint64_t seed = 1;
-  const Statistics yaw = Sample(2000, [&] {
+  const Statistics yaw = Sample(1000, [&] {
     SensorSuite sensors(rover, seed++);
-    sensors.Read(0, Truth{}, ImuSample{});
-    return sensors.Read(static_cast<Tick>(seconds / kTickSeconds), Truth{}, ImuSample{})
-        .imu.yaw_rad;
+    SensorFrame frame;
+    for (Tick tick = 0; tick <= 100000; tick += 1000) {
+      frame = sensors.Read(tick, Truth{}, ImuSample{});
+    }
+    return frame.imu.yaw_rad;
   });
-  const double sigma = std::hypot(rover.imu.yaw_drift_rad_s * seconds,
-                                  rover.imu.yaw_walk_rad_sqrt_s * std::sqrt(seconds));
-  EXPECT_NEAR(yaw.sigma, sigma, 0.06 * sigma);
+  // Bias t, walk sqrt(t), and the wandering's integral: its variance for a Gauss-Markov process is
+  // 2 s^2 tau^2 (t / tau - 1 + exp(-t / tau)).
+  const ImuModel& imu = rover.imu;
+  const double tau = imu.instability_time_s, x = seconds / tau;
+  const double wandering =
+      imu.gyro_instability_rad_s * tau * std::sqrt(2.0 * (x - 1.0 + std::exp(-x)));
+  const double sigma = std::hypot(imu.gyro_bias_rad_s * seconds,
+                                  imu.gyro_walk_rad_sqrt_s * std::sqrt(seconds), wandering);
+  EXPECT_NEAR(yaw.sigma, sigma, 0.07 * sigma);  // 3 sigma of the spread of 1000
+  EXPECT_NEAR(yaw.mean, 0.0, 0.1 * sigma);
+}
+
+/// Allan deviation over neighbouring averages.
+double Allan(const std::vector<double>& averages) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < averages.size(); ++i) {
+    sum += 0.5 * (averages[i] - averages[i - 1]) * (averages[i] - averages[i - 1]);
+  }
+  return std::sqrt(sum / static_cast<double>(averages.size() - 1));
+}
+
+/// Averages over tau of one axis' rate and specific force, read in every control period.
+struct Averages {
+  std::vector<double> rate, force;
+};
+Averages Average(const RoverModel& rover, int count, double tau_s) {
+  SensorSuite sensors(rover, 77);
+  const int readings = static_cast<int>(std::lround(tau_s / (kControlPeriod * kTickSeconds)));
+  Averages averages;
+  Tick tick = 0;
+  for (int i = 0; i < count; ++i) {
+    double rate = 0.0, force = 0.0;
+    for (int j = 0; j < readings; ++j) {
+      const SensorFrame frame = sensors.Read(tick += kControlPeriod, Truth{}, ImuSample{});
+      rate += frame.imu.rate_R.x() / readings;
+      force += frame.imu.specific_force_R.y() / readings;
+    }
+    averages.rate.push_back(rate);
+    averages.force.push_back(force);
+  }
+  return averages;
+}
+
+TEST(SensorSuite, AllanDeviationAtOneSecondIsTheRandomWalk) {
+  const RoverModel rover = TestRover();
+  const Averages averages = Average(rover, 4000, 1.0);
+  const double walk = rover.imu.gyro_walk_rad_sqrt_s, push = rover.imu.accel_walk_m_s_sqrt_s;
+  EXPECT_NEAR(Allan(averages.rate), walk, 0.04 * walk);
+  EXPECT_NEAR(Allan(averages.force), push, 0.04 * push);
+}
+
+TEST(SensorSuite, AllanDeviationFallsWithTheRootOfTheAveragingTime) {
+  RoverModel rover = TestRover();
+  rover.imu.gyro_instability_rad_s = 0.0;
+  const double walk = rover.imu.gyro_walk_rad_sqrt_s;
+  EXPECT_NEAR(Allan(Average(rover, 2000, 0.1).rate), walk / std::sqrt(0.1),
+              0.06 * walk / std::sqrt(0.1));
+  EXPECT_NEAR(Allan(Average(rover, 1000, 4.0).rate), walk / 2.0, 0.08 * walk / 2.0);
+}
+
+TEST(SensorSuite, BiasWandersByItsInstabilityOverItsTime) {
+  RoverModel rover = TestRover();
+  rover.imu.gyro_walk_rad_sqrt_s = rover.imu.gyro_bias_rad_s = 0.0;
+  std::uint64_t seed = 300;
+  double product = 0.0;
+  const Statistics later = Sample(4000, [&] {
+    SensorSuite sensors(rover, seed++);
+    const double now = sensors.Read(0, Truth{}, ImuSample{}).imu.rate_R.z();
+    const double then = sensors.Read(100000, Truth{}, ImuSample{}).imu.rate_R.z();
+    product += now * then / 4000.0;
+    return then;
+  });
+  const double s = rover.imu.gyro_instability_rad_s;
+  EXPECT_NEAR(later.sigma, s, 0.05 * s);
+  EXPECT_NEAR(product, s * s * std::exp(-1.0), 0.06 * s * s);  // one correlation time
+}
+
+TEST(SensorSuite, RateAndForceBiasesSpreadAsTheModelSays) {
+  const RoverModel rover = TestRover();
+  std::uint64_t seed = 900;
+  ImuSample read;
+  const Statistics rate = Sample(4000, [&] {
+    read = SensorSuite(rover, seed++).Read(0, Truth{}, ImuSample{}).imu;
+    return read.rate_R.y();
+  });
+  const Statistics force = Sample(4000, [&] {
+    read = SensorSuite(rover, seed++).Read(0, Truth{}, ImuSample{}).imu;
+    return read.specific_force_R.x();
+  });
+  const ImuModel& imu = rover.imu;
+  const double root_s = std::sqrt(kControlPeriod * kTickSeconds);
+  const double rates = std::hypot(imu.gyro_bias_rad_s, imu.gyro_walk_rad_sqrt_s / root_s,
+                                  imu.gyro_instability_rad_s);
+  const double forces = std::hypot(imu.accel_bias_m_s2, imu.accel_walk_m_s_sqrt_s / root_s,
+                                   imu.accel_instability_m_s2);
+  EXPECT_NEAR(rate.sigma, rates, 0.05 * rates);
+  EXPECT_NEAR(force.sigma, forces, 0.05 * forces);
 }
 
 TEST(SensorSuite, EncodersCountWholeSteps) {
@@ -124,6 +222,27 @@ TEST(SensorSuite, EncodersCountWholeSteps) {
   truth.motor_angle_rad = {100.4 * step, -7.4 * step, 0.0, 2.6 * step};
   const SensorFrame frame = sensors.Read(0, truth, ImuSample{});
   EXPECT_EQ(frame.encoder_counts, (std::array<std::int64_t, 4>{100, -7, 0, 3}));
+}
+
+TEST(SensorSuite, EncodersErrEvenlyWithinHalfACount) {
+  SensorSuite sensors(TestRover(), 5);
+  const double step = 2.0 * kPi / 40000.0;
+  Truth truth;
+  RandomStream angle(3);
+  double worst = 0.0;
+  int inner = 0;
+  const Statistics error = Sample(20000, [&] {
+    truth.motor_angle_rad[0] = angle.Uniform(-10.0, 10.0);
+    const auto counts = sensors.Read(0, truth, ImuSample{}).encoder_counts[0];
+    const double e = static_cast<double>(counts) * step - truth.motor_angle_rad[0];
+    worst = std::max(worst, std::abs(e));
+    inner += std::abs(e) < 0.25 * step ? 1 : 0;
+    return e;
+  });
+  EXPECT_NEAR(error.sigma, step / std::sqrt(12.0), 0.02 * step / std::sqrt(12.0));
+  EXPECT_NEAR(error.mean, 0.0, 0.01 * step);
+  EXPECT_LE(worst, 0.5 * step * (1.0 + 1e-9));
+  EXPECT_NEAR(inner / 20000.0, 0.5, 0.015);
 }
 
 TEST(SensorSuite, SameSeedReadsTheSame) {
