@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -53,9 +54,14 @@ struct WheelModel {
   double phase_rad = 0.0;  // first paddle from the wheel frame's x axis, about +y
 };
 
+/// How a drive goes to its target: a trapezoid of speed, or a smooth polynomial (spline).
+enum class ProfileShape : std::uint8_t { kTrapezoid, kSpline };
+
 /// A geared motor with its drive, all at the output shaft.
 struct MotorModel {
-  double torque_per_amp_nm = 0.0;  // gear efficiency included
+  double torque_per_amp_nm = 0.0;  // while the motor drives; gear efficiency included
+  double gear_efficiency = 1.0;    // of the loaded teeth; below 1 they resist being driven back
+  ProfileShape profile = ProfileShape::kTrapezoid;
   double no_load_current_a = 0.0;  // what the motor draws turning its own gears
   double max_current_a = 0.0;      // drive limit
   double gear_friction_nm = 0.0;   // Coulomb friction at the output, present in every mode

@@ -17,7 +17,8 @@ MotorModel WheelMotor() { return TestRover().motors[0]; }
 
 /// A shaft with its drive and nothing else.
 struct Shaft {
-  explicit Shaft(double inertia) : drive(WheelMotor(), inertia), inertia(inertia) {}
+  explicit Shaft(double inertia, const MotorModel& motor = WheelMotor())
+      : drive(motor, inertia), inertia(inertia) {}
   void Turn(const MotorCommand& command, double load_nm, double seconds) {
     for (long i = 0; i < std::lround(seconds / kDt); ++i) {
       out = drive.Step(command, angle, speed, kDt);
@@ -72,6 +73,105 @@ TEST(Profile, AChangedCommandGoesOnFromThePresentSpeed) {
   const MotorCommand back{MotorMode::kVelocity, -0.5, 0.0, 1.0, 2.0};
   const ProfileState next = AdvanceProfile(at, back, WheelMotor(), kDt);
   EXPECT_NEAR(next.speed_rad_s, 0.5 - 1.0 * kDt, 1e-12);
+}
+
+/// Follows a spline to its end and notes its peaks.
+struct SplinePeaks {
+  double speed = 0.0, accel = 0.0, jump = 0.0;  // largest change of acceleration in a step
+  ProfileState end;
+};
+SplinePeaks Follow(const SplineMove& move) {
+  SplinePeaks peaks;
+  double last = move.At(0.0).accel_rad_s2;
+  for (double t = 0.0; t < move.duration_s() + 0.01; t += kDt) {
+    peaks.end = move.At(t);
+    peaks.speed = std::max(peaks.speed, std::abs(peaks.end.speed_rad_s));
+    peaks.accel = std::max(peaks.accel, std::abs(peaks.end.accel_rad_s2));
+    peaks.jump = std::max(peaks.jump, std::abs(peaks.end.accel_rad_s2 - last));
+    last = peaks.end.accel_rad_s2;
+  }
+  return peaks;
+}
+
+TEST(Spline, FromRestToRestPeaksAtFifteenEighthsOfTheMeanSpeed) {
+  // Long: the speed limit rules, and T = 15/8 D / v. Short: T = sqrt(10 / sqrt(3) D / a).
+  const SplineMove far({}, {MotorMode::kPosition, 3.0, 0.5, 2.0, 2.0}, WheelMotor());
+  EXPECT_NEAR(far.duration_s(), 1.875 * 3.0 / 0.5, 1e-9);
+  EXPECT_NEAR(Follow(far).speed, 0.5, 1e-6);
+  const SplineMove near({}, {MotorMode::kPosition, 0.01, 0.5, 1.0, 2.0}, WheelMotor());
+  EXPECT_NEAR(near.duration_s(), std::sqrt(10.0 / std::sqrt(3.0) * 0.01), 1e-9);
+  EXPECT_NEAR(Follow(near).accel, 1.0, 1e-3);
+}
+
+TEST(Spline, EndsAtRestOnItsTargetWithoutAJumpOfAcceleration) {
+  const SplineMove move({0.2, -0.3, 0.4}, {MotorMode::kPosition, 1.0, 0.5, 1.0, 2.0}, WheelMotor());
+  EXPECT_NEAR(move.At(0.0).speed_rad_s, -0.3, 1e-12);
+  EXPECT_NEAR(move.At(0.0).accel_rad_s2, 0.4, 1e-12);
+  const SplinePeaks peaks = Follow(move);
+  EXPECT_NEAR(peaks.end.angle_rad, 1.0, 1e-12);
+  EXPECT_NEAR(peaks.end.speed_rad_s, 0.0, 1e-12);
+  EXPECT_NEAR(peaks.end.accel_rad_s2, 0.0, 1e-9);
+  EXPECT_LE(peaks.speed, 0.5 * (1 + 1e-6));
+  EXPECT_LE(peaks.accel, 1.0 * (1 + 1e-3));
+  EXPECT_LT(peaks.jump, 0.02);  // a trapezoid's is the acceleration itself
+}
+
+TEST(Spline, RunsUpToASpeedAndOnAtIt) {
+  const SplineMove move({0.0, 0.1}, {MotorMode::kVelocity, 0.4, 0.0, 0.5, 2.0}, WheelMotor());
+  EXPECT_NEAR(move.duration_s(), 1.5 * 0.3 / 0.5, 1e-9);
+  EXPECT_NEAR(Follow(move).accel, 0.5, 1e-5);
+  const ProfileState at = move.At(move.duration_s() + 2.0);
+  EXPECT_NEAR(at.speed_rad_s, 0.4, 1e-12);
+  EXPECT_NEAR(at.angle_rad - move.At(move.duration_s()).angle_rad, 0.8, 1e-12);
+}
+
+TEST(Drive, FollowsASplineToItsAngleAgainstALoad) {
+  MotorModel motor = WheelMotor();
+  motor.profile = ProfileShape::kSpline;
+  Shaft shaft(1.0, motor);
+  shaft.Turn(Position(0.8, 0.5, 2.8), -10.0, 6.0);
+  EXPECT_NEAR(shaft.angle, 0.8, 2e-3);
+  shaft.Turn(Position(-0.4, 0.5, 2.8), -10.0, 1.0);
+  shaft.Turn(Position(0.3, 0.5, 2.8), -10.0, 8.0);  // turned round on the way
+  EXPECT_NEAR(shaft.angle, 0.3, 2e-3);
+}
+
+/// Current drawn while the shaft turns steadily at this speed under this load.
+double SteadyCurrent(double efficiency, double speed, double load) {
+  MotorModel motor = WheelMotor();
+  motor.gear_efficiency = efficiency;
+  Shaft shaft(1.0, motor);
+  shaft.Turn(Velocity(speed, 2.8), load, 5.0);
+  EXPECT_NEAR(shaft.speed, speed, 1e-6);
+  return shaft.out.current_a;
+}
+
+TEST(Drive, GearsThatLoseTakeLessCurrentToLetALoadDownThanToRaiseIt) {
+  // Raising 10 Nm against 1.5 Nm of friction: (10 + 1.5) / 15 A beyond no load, whatever e is.
+  // Letting it down the friction and (1 - e) k i help: 10 - 1.5 = (2 - e) k i, k = 15 / e.
+  EXPECT_NEAR(SteadyCurrent(1.0, 0.3, -10.0), 0.2 + 11.5 / 15.0, 1e-6);
+  EXPECT_NEAR(SteadyCurrent(0.75, 0.3, -10.0), 0.2 + 11.5 / 15.0, 1e-6);
+  EXPECT_NEAR(SteadyCurrent(1.0, -0.3, -10.0), 0.2 + 8.5 / 15.0, 1e-6);
+  EXPECT_NEAR(SteadyCurrent(0.75, -0.3, -10.0), 0.2 + 8.5 / 1.25 / (15.0 / 0.75), 1e-6);
+}
+
+TEST(Drive, GearsThatLoseHoldAShaftAtRestBetweenRaisingAndLettingDown) {
+  // At 1.2 A: raises up to 15 - 1.5 Nm, is overpowered from 1.25 x 20 + 1.5 Nm.
+  MotorModel motor = WheelMotor();
+  motor.gear_efficiency = 0.75;
+  for (double load : {14.0, 20.0, 26.0}) {
+    Shaft shaft(1.0, motor);
+    const MotorCommand hold = Position(0.0, 0.5, 1.2);
+    shaft.Turn(hold, -load, 2.0);
+    const double angle = shaft.angle;
+    shaft.Turn(hold, -load, 5.0);
+    EXPECT_NEAR(shaft.angle, angle, 1e-6) << load;
+  }
+  Shaft dragged(1.0, motor);
+  dragged.Turn(Position(0.0, 0.5, 1.2), -27.5, 2.0);
+  const double speed = dragged.speed;
+  dragged.Turn(Position(0.0, 0.5, 1.2), -27.5, 1.0);
+  EXPECT_NEAR(dragged.speed - speed, -(27.5 - 26.5), 1e-6);
 }
 
 TEST(Drive, StallTorqueIsTorquePerAmpTimesCurrentBeyondNoLoad) {
