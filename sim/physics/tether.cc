@@ -13,7 +13,7 @@ namespace {
 constexpr double kShortestPieceM = 1e-3;
 // Tensions on both sides of a bend settle to this share within one step.
 constexpr double kSlideTolerance = 1e-9;
-constexpr int kSlideSweeps = 10;
+constexpr int kSlideSweeps = 40;
 
 Eigen::Vector2d InPlane(const Eigen::Vector3d& p_M) {
   return {p_M.x(), std::hypot(p_M.y(), p_M.z())};

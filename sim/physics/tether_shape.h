@@ -9,9 +9,9 @@
 
 namespace dockyard {
 
-/// Points from tip to support, both included. A parabola: sag w D^2 / (8 T) when taut; with excess
-/// length e beyond the distance D the sag is sqrt(3 D e / 8), from the parabola's length
-/// D + 8 s^2 / (3 D); lying on the ground where it would pass below.
+/// Points from tip to support, both included, on a catenary z = a cosh((s - s0) / a) + c: taut, of
+/// the tether's tension at the tip; slacker than a tenth of a newton, of its length, the straight
+/// distance and excess_m; lying on the ground where it would pass below.
 std::vector<Eigen::Vector3d> HangingTether(const TetherModel& tether, const HeightGrid& ground,
                                            const Eigen::Vector3d& tip_G,
                                            const Eigen::Vector3d& support_G, double tension_n,

@@ -149,6 +149,13 @@ SoilModel CompactSand() {
   return soil;
 }
 
+SoilModel AsInTheFiles(SoilModel soil) {
+  soil.n_slip = 0.5;
+  soil.unloading_stiffness_pa_per_m = soil.name == "loose" ? 3e7 : 2e8;
+  soil.damping_pa_s_per_m = 1e5;
+  return soil;
+}
+
 WorldSetup TestSetup(const SoilModel& soil, const Pose2& X_DR) {
   WorldSetup setup;
   setup.rover = TestRover();
@@ -170,6 +177,22 @@ MotorCommand Position(double rad, double rad_s, double current_a) {
 }
 
 MotorCommand FreeWheel() { return {MotorMode::kFree, 0.0, 0.0, 0.0, 0.0}; }
+
+MotorCommands Drive(double rad_s, double tension_n) {
+  MotorCommands commands = AllBraked();
+  At(commands, Motor::kLeftWheel) = At(commands, Motor::kRightWheel) = Velocity(rad_s, 2.8);
+  At(commands, Motor::kArm) = Position(0.0, 0.3, 4.4);
+  if (tension_n > 0.0) {
+    At(commands, Motor::kSpool) = Velocity(0.8, 0.2 + tension_n * 0.06 / 10.0);
+  }
+  return commands;
+}
+
+MotorCommands Reel(double tension_limit_n) {
+  MotorCommands commands = Drive(0.0, tension_limit_n);
+  At(commands, Motor::kLeftWheel) = At(commands, Motor::kRightWheel) = FreeWheel();
+  return commands;
+}
 
 void Play(World& world, const MotorCommands& commands, double seconds, double step_s) {
   const long steps = std::lround(seconds / step_s);

@@ -9,6 +9,8 @@ RoverModel TestRover();
 StationModel TestStation();
 SoilModel LooseSand();
 SoilModel CompactSand();
+/// With the elasticity and damping of models/soils, in which a rover comes to rest.
+SoilModel AsInTheFiles(SoilModel soil);
 
 /// The rover on level ground at X_DR, arm level, dock at the site's origin.
 WorldSetup TestSetup(const SoilModel& soil, const Pose2& X_DR);
@@ -19,6 +21,10 @@ MotorCommands AllBraked();
 MotorCommand Velocity(double rad_s, double current_a);
 MotorCommand Position(double rad, double rad_s, double current_a);
 MotorCommand FreeWheel();
+/// Both wheels at this speed, the arm held; the spool pulls with up to tension_n, if above 0.
+MotorCommands Drive(double rad_s, double tension_n);
+/// Free wheels, the spool reels with up to this tension.
+MotorCommands Reel(double tension_limit_n);
 inline MotorCommand& At(MotorCommands& commands, Motor motor) {
   return commands[static_cast<std::size_t>(motor)];
 }

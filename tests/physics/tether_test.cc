@@ -70,44 +70,66 @@ TEST(Tether, NeverPushes) {
   EXPECT_EQ(load.force_on_tip_M.norm(), 0.0);
 }
 
-TEST(Tether, HangingMassStretchesByHookesLaw) {
-  // 30 kg on the axis, released where the tether is just straight, until it rests.
-  const TetherModel model = TestRover().tether;
+/// 30 kg on the axis, released where the tether is just straight, with a tenth of critical damping.
+struct Hung {
+  double stretch_m = 0.0, tension_n = 0.0, peak_n = 0.0;
+};
+Hung Hang(double stiffness_n_per_m, double seconds) {
+  const double mass = 30.0, free = 2.35;
+  TetherModel model = TestRover().tether;
+  model.axial_stiffness_n = stiffness_n_per_m * (free + kInsideArmM);
+  model.damping_ns_per_m = 0.1 * 2.0 * std::sqrt(stiffness_n_per_m * mass);
   Tether tether(model, TestStation(), kInsideArmM);
-  const double free = 2.35;
   Eigen::Vector3d p(2.0, 0.0, 0.0), v = Eigen::Vector3d::Zero();
   tether.LayOut(p, free);
-  double most = 0.0;
-  TetherLoad load;
-  for (int i = 0; i < 8000; ++i) {
-    load = tether.Step(p, v, free, 0.0);
-    v += (load.force_on_tip_M / 30.0 + Eigen::Vector3d(9.81, 0, 0)) * kDt;
+  Hung hung;
+  for (long i = 0; i < std::lround(seconds / kDt); ++i) {
+    const TetherLoad load = tether.Step(p, v, free, 0.0);
+    v += (load.force_on_tip_M / mass + Eigen::Vector3d(9.81, 0, 0)) * kDt;
     p += v * kDt;
-    most = std::max(most, load.tension_n);
+    hung.tension_n = load.tension_n;
+    hung.peak_n = std::max(hung.peak_n, load.tension_n);
   }
-  EXPECT_NEAR(load.tension_n, 30.0 * 9.81, 1e-3);
-  const double k = model.axial_stiffness_n / (free + kInsideArmM);
-  EXPECT_NEAR(p.x() - 2.0, 30.0 * 9.81 / k, 1e-6);
-  // First peak of a damped spring that is loaded at once.
-  const double zeta = model.damping_ns_per_m / (2.0 * std::sqrt(k * 30.0));
-  const double peak = 1.0 + std::exp(-kPi * zeta / std::sqrt(1.0 - zeta * zeta));
-  EXPECT_NEAR(most / (30.0 * 9.81), peak, 0.05 * peak);
+  hung.stretch_m = p.x() - 2.0;
+  return hung;
+}
+
+/// Peak of k x + c v of a damped spring that is loaded at once, in units of the load:
+/// 1 - exp(-z w t)(cos(d t) - z / s sin(d t)), s = sqrt(1 - z^2), d = w s.
+double PeakOfADampedSpring(double z) {
+  const double s = std::sqrt(1.0 - z * z);
+  double peak = 0.0;
+  for (double t = 0.0; t < 2.0 * kPi; t += 1e-4) {
+    peak = std::max(peak, 1.0 - std::exp(-z * t) * (std::cos(s * t) - z / s * std::sin(s * t)));
+  }
+  return peak;
+}
+
+TEST(Tether, HangingMassStretchesByHookesLawAndPeaksAsADampedSpring) {
+  const double weight = 30.0 * 9.81;
+  EXPECT_NEAR(PeakOfADampedSpring(0.1) * weight, 514.0, 2.0);
+  for (double k : {2e4, 2e5}) {
+    const Hung hung = Hang(k, 8.0);
+    EXPECT_NEAR(hung.tension_n, weight, 1e-6);
+    EXPECT_NEAR(hung.stretch_m, weight / k, 1e-9);
+    EXPECT_NEAR(hung.peak_n, PeakOfADampedSpring(0.1) * weight, 0.01 * 514.0) << k;
+  }
 }
 
 TEST(Tether, CatchesADroppedMassAfterTheFreeFall) {
-  Tether tether(TestRover().tether, TestStation(), kInsideArmM);
-  const double slack = 0.1;
-  Eigen::Vector3d p(2.0, 0.0, 0.0), v = Eigen::Vector3d::Zero();
-  tether.LayOut(p, 2.35 + slack);
-  int steps = 0;
-  while (steps < 1000) {
-    const TetherLoad load = tether.Step(p, v, 2.35 + slack, 0.0);
-    if (load.tension_n > 0.0) break;
-    v += Eigen::Vector3d(9.81, 0, 0) * kDt;
-    p += v * kDt;
-    ++steps;
+  for (double slack : {0.01, 0.1, 0.5}) {
+    Tether tether(TestRover().tether, TestStation(), kInsideArmM);
+    Eigen::Vector3d p(2.0, 0.0, 0.0), v = Eigen::Vector3d::Zero();
+    tether.LayOut(p, 2.35 + slack);
+    int steps = 0;
+    while (steps < 1000) {
+      if (tether.Step(p, v, 2.35 + slack, 0.0).tension_n > 0.0) break;
+      v += Eigen::Vector3d(9.81, 0, 0) * kDt;
+      p += v * kDt;
+      ++steps;
+    }
+    EXPECT_NEAR(steps * kDt, std::sqrt(2.0 * slack / 9.81), kDt) << slack;
   }
-  EXPECT_NEAR(steps * kDt, std::sqrt(2.0 * slack / 9.81), 2 * kDt);
 }
 
 /// Draws the tether in from the side until it slides over both edges.
@@ -135,7 +157,7 @@ TEST(Tether, SlidesOverABendAtTheCapstanRatio) {
   const TetherPath& path = tether.path();
   const double at_anchor = load.force_on_station_M[2].norm();
   const double wrap = path.turn_rad[0] + path.turn_rad[1];
-  EXPECT_NEAR(load.tension_n / at_anchor, std::exp(0.3 * wrap), 1e-5);
+  EXPECT_NEAR(load.tension_n / at_anchor, std::exp(0.3 * wrap), 1e-6);
 }
 
 TEST(Tether, PullsEquallyAllAlongWithoutFriction) {
@@ -175,13 +197,52 @@ TEST(TetherShape, SlackLiesOnTheGround) {
   EXPECT_NEAR(lowest, 0.003, 1e-12);
 }
 
-TEST(TetherShape, TautSagsByWeightTimesSpanSquaredOverEightTensions) {
+double Length(const std::vector<Eigen::Vector3d>& points) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  return length;
+}
+
+TEST(TetherShape, TautHangsInTheCatenaryOfItsTension) {
+  // a = H / w with H = T - w sag at level supports: sag = a (cosh(h / 2a) - 1), length
+  // 2 a sinh(h / 2a).
   const HeightGrid ground = LevelGrid(-1.0, 8.0, 4.0, 0.1);
-  const auto points =
-      HangingTether(TestRover().tether, ground, {4.0, 0, 1.0}, {0, 0, 1.0}, 20.0, 0.0);
-  double lowest = 1.0;
-  for (const auto& p : points) lowest = std::min(lowest, p.z());
-  EXPECT_NEAR(1.0 - lowest, 0.05 * 9.81 * 16.0 / (8.0 * 20.0), 1e-9);
+  const double w = 0.05 * 9.81, span = 4.0;
+  for (double tension : {2.0, 5.0, 20.0, 100.0}) {
+    const auto points =
+        HangingTether(TestRover().tether, ground, {span, 0, 1.0}, {0, 0, 1.0}, tension, 0.0);
+    double a = tension / w;
+    for (int i = 0; i < 50; ++i) a = (tension / w) / std::cosh(0.5 * span / a);
+    double lowest = 1.0;
+    for (const auto& p : points) lowest = std::min(lowest, p.z());
+    EXPECT_NEAR(1.0 - lowest, a * (std::cosh(0.5 * span / a) - 1.0), 1e-6) << tension;
+    const double length = 2.0 * a * std::sinh(0.5 * span / a);
+    EXPECT_NEAR(Length(points), length, 1e-4 * length) << tension;
+  }
+}
+
+TEST(TetherShape, SlackHangsInTheCatenaryOfItsLength) {
+  const HeightGrid ground = LevelGrid(-1.0, 8.0, 4.0, 0.1);
+  for (double rise : {0.0, 0.4}) {
+    const Eigen::Vector3d tip(3.0, 0.2, 5.0), anchor(0.0, 0.0, 5.0 + rise);
+    const double straight = (anchor - tip).norm(), excess = 0.3;
+    const auto points = HangingTether(TestRover().tether, ground, tip, anchor, 0.0, excess);
+    EXPECT_EQ(points.front(), tip);
+    EXPECT_EQ(points.back(), anchor);
+    EXPECT_NEAR(Length(points), straight + excess, 2e-3 * straight) << rise;
+    // Every inner point stands where a catenary has it: z'' = sqrt(1 + z'^2) / a with one a.
+    const double dx = (points[1] - points[0]).head<2>().norm();
+    double least = 1e9, most = 0.0;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      const double second =
+          (points[i + 1].z() - 2.0 * points[i].z() + points[i - 1].z()) / (dx * dx);
+      const double first = (points[i + 1].z() - points[i - 1].z()) / (2.0 * dx);
+      const double a = std::sqrt(1.0 + first * first) / second;
+      least = std::min(least, a);
+      most = std::max(most, a);
+    }
+    EXPECT_NEAR(least, most, 5e-3 * most) << rise;
+  }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
 #include "physics/axel_numbers.h"
@@ -15,30 +14,6 @@ namespace {
 double ArmUp(const Truth& truth) {
   const Eigen::Vector3d tip_D = truth.X_DR.R * RotY(truth.arm_rad).col(0);
   return std::atan2(tip_D.z(), -tip_D.x());
-}
-
-MotorCommands Drive(double rad_s, double tension_n) {
-  MotorCommands commands = AllBraked();
-  At(commands, Motor::kLeftWheel) = At(commands, Motor::kRightWheel) = Velocity(rad_s, 2.8);
-  At(commands, Motor::kArm) = Position(0.0, 0.3, 4.4);
-  if (tension_n > 0.0) {
-    At(commands, Motor::kSpool) = Velocity(0.8, 0.2 + tension_n * 0.06 / 10.0);
-  }
-  return commands;
-}
-
-MotorCommands Reel(double tension_limit_n) {
-  MotorCommands commands = Drive(0.0, tension_limit_n);
-  At(commands, Motor::kLeftWheel) = At(commands, Motor::kRightWheel) = FreeWheel();
-  return commands;
-}
-
-/// With the elasticity and damping of models/soils.
-SoilModel AsInTheFiles(SoilModel soil) {
-  soil.n_slip = 0.5;
-  soil.unloading_stiffness_pa_per_m = soil.name == "loose" ? 3e7 : 2e8;
-  soil.damping_pa_s_per_m = 1e5;
-  return soil;
 }
 
 TEST(World, BrakedRoverAndStationStayWhereTheyAre) {
@@ -69,49 +44,6 @@ TEST(World, BrakedRoverThatWasPushedComesToRest) {
     Play(world, AllBraked(), 5.0);
     EXPECT_LT((world.truth().X_WR.p - rest.X_WR.p).norm(), 2e-4) << soil.name;
   }
-}
-
-/// Braked and fallen asleep.
-std::unique_ptr<World> Asleep(const SoilModel& soil, bool may_rest) {
-  WorldSetup setup = TestSetup(AsInTheFiles(soil), {3.5, 0.1, 3.0});
-  setup.slack_start_m = 0.3;
-  setup.may_rest = may_rest;
-  auto world = std::make_unique<World>(setup);
-  Play(*world, AllBraked(), 12.0);
-  return world;
-}
-
-TEST(Rest, ComesToABrakedRoverAndEndsWithACommand) {
-  for (const SoilModel& soil : {LooseSand(), CompactSand()}) {
-    const auto world = Asleep(soil, true);
-    EXPECT_TRUE(world->at_rest()) << soil.name;
-    world->Step(Drive(0.2, 45.0));
-    EXPECT_FALSE(world->at_rest()) << soil.name;
-    EXPECT_FALSE(Asleep(soil, false)->at_rest()) << soil.name;
-  }
-}
-
-TEST(Rest, LeavesNoTraceHoweverLongItLasts) {
-  const auto a = Asleep(LooseSand(), true), b = Asleep(LooseSand(), true);
-  Play(*b, AllBraked(), 3.217);  // at rest while a waits for it
-  Play(*a, Drive(0.2, 45.0), 2.0);
-  Play(*b, Drive(0.2, 45.0), 2.0);
-  const Truth first = a->truth(), second = b->truth();
-  EXPECT_EQ(first.X_WR.p, second.X_WR.p);
-  EXPECT_EQ(first.X_WR.R, second.X_WR.R);
-  EXPECT_EQ(first.v_MT, second.v_MT);
-  EXPECT_EQ(first.motor_angle_rad, second.motor_angle_rad);
-  EXPECT_EQ(first.motor_current_a, second.motor_current_a);
-  EXPECT_EQ(first.tether_tension_n, second.tether_tension_n);
-  EXPECT_EQ(a->ground().heights_m, b->ground().heights_m);
-}
-
-TEST(Rest, IsWhereAWorldThatStepsOnStands) {
-  const auto resting = Asleep(CompactSand(), true), stepping = Asleep(CompactSand(), false);
-  EXPECT_LT((resting->truth().X_WR.p - stepping->truth().X_WR.p).norm(), 1e-8);
-  Play(*resting, Drive(0.2, 45.0), 2.0);
-  Play(*stepping, Drive(0.2, 45.0), 2.0);
-  EXPECT_LT((resting->truth().X_WR.p - stepping->truth().X_WR.p).norm(), 1e-6);
 }
 
 TEST(World, StartsWhereItIsTold) {

@@ -1,0 +1,40 @@
+// A rover without ground, for tests of its dynamics.
+#pragma once
+
+#include <array>
+
+#include "physics/axel_numbers.h"
+#include "sim/physics/contact_world.h"
+
+namespace dockyard {
+
+/// Rover far from the station, without ground.
+struct Afloat {
+  explicit Afloat(double gravity, double x = 50.0)
+      : rover(model, Pose3::Translation(x, 0.0, 0.0), 0.3, false),
+        station(TestStation(), Pose3{}, false),
+        bullet(TestStation().cone, gravity, rover, station) {}
+
+  RoverModel model = TestRover();
+  RoverBody rover;
+  StationBody station;
+  ContactWorld bullet;
+};
+
+inline constexpr std::array<RoverLink, 4> kAllLinks = {RoverLink::kBody, RoverLink::kLeftWheel,
+                                                       RoverLink::kRightWheel, RoverLink::kArm};
+
+inline const LinkModel& Model(const RoverModel& rover, RoverLink link) {
+  switch (link) {
+    case RoverLink::kLeftWheel:
+      return rover.left_wheel;
+    case RoverLink::kRightWheel:
+      return rover.right_wheel;
+    case RoverLink::kArm:
+      return rover.arm;
+    default:
+      return rover.body;
+  }
+}
+
+}  // namespace dockyard

@@ -1,0 +1,156 @@
+// The cone: its wedges against the analytic surface, and a tip that enters it.
+#include <gtest/gtest.h>
+
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "models/random.h"
+#include "physics/axel_numbers.h"
+#include "sim/physics/bullet_math.h"
+#include "sim/physics/contact_world.h"
+#include "sim/physics/tether.h"
+
+namespace dockyard {
+namespace {
+
+/// Distance from a point in the mouth frame M to the cone's surface, from within.
+double AnalyticDistance(const ConeModel& cone, const Eigen::Vector3d& p_M) {
+  const double radius = std::hypot(p_M.y(), p_M.z());
+  const double rise = cone.mouth_radius_m - cone.throat_radius_m, run = cone.funnel_length_m;
+  const double slope = std::hypot(rise, run);
+  const double to_funnel = ((cone.mouth_radius_m - radius) * run + p_M.x() * rise) / slope;
+  return std::min(to_funnel, 1e9);
+}
+
+struct ClosestPoint : btCollisionWorld::ContactResultCallback {
+  double distance = std::numeric_limits<double>::infinity();
+  btVector3 normal{0, 0, 0};
+  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                           const btCollisionObjectWrapper*, int, int) override {
+    if (point.getDistance() < distance) {
+      distance = point.getDistance();
+      normal = point.m_normalWorldOnB;
+    }
+    return 0.0;
+  }
+};
+
+TEST(Cone, WedgesLieWithinAMillimetreAndThePolygonsErrorOfTheAnalyticFunnel) {
+  StationModel model = TestStation();
+  model.tip_angle_rad = 0.0;
+  StationBody station(model, Pose3{}, false);
+  const Pose3 X_GM = station.X_GM();
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+  world.addCollisionObject(station.body());
+  constexpr double kBall = 0.005;
+  btSphereShape ball(kBall);
+  btCollisionObject probe;
+  probe.setCollisionShape(&ball);
+
+  const ConeModel& cone = model.cone;
+  const double slope = std::atan2(cone.mouth_radius_m - cone.throat_radius_m, cone.funnel_length_m);
+  RandomStream random(11);
+  double worst = 0.0, mean = 0.0, worst_normal = 0.0;
+  constexpr int kSamples = 10000;
+  for (int i = 0; i < kSamples; ++i) {
+    // On the funnel, away from its rims by more than the ball; the ball a little off the surface.
+    const double depth = random.Uniform(0.012, cone.funnel_length_m - 0.012);
+    const double turn = random.Uniform(-kPi, kPi), off = random.Uniform(-0.001, 0.004);
+    const double radius =
+        cone.mouth_radius_m - depth * std::tan(slope) - (kBall + off) / std::cos(slope);
+    const Eigen::Vector3d p_M(-depth, radius * std::cos(turn), radius * std::sin(turn));
+    probe.setWorldTransform(ToBullet(Pose3{Eigen::Matrix3d::Identity(), X_GM * p_M}));
+    ClosestPoint found;
+    found.m_closestDistanceThreshold = 0.02;
+    world.contactPairTest(station.body(), &probe, found);
+    ASSERT_TRUE(std::isfinite(found.distance)) << p_M.transpose();
+    const double error = found.distance - (AnalyticDistance(cone, p_M) - kBall);
+    worst = std::max(worst, std::abs(error));
+    mean += error / kSamples;
+    const Eigen::Vector3d outward(-std::sin(slope), std::cos(slope) * std::cos(turn),
+                                  std::cos(slope) * std::sin(turn));
+    const double along = std::abs(outward.dot(X_GM.R.transpose() * FromBullet(found.normal)));
+    worst_normal = std::max(worst_normal, std::acos(std::min(1.0, along)));
+  }
+  // The polygon's sagitta where it is widest.
+  const double polygon = cone.mouth_radius_m * (1.0 / std::cos(kPi / cone.wedges) - 1.0);
+  std::printf("funnel: worst %.2f mm (polygon %.2f), mean %.3f mm, normal %.2f deg\n", 1e3 * worst,
+              1e3 * polygon, 1e3 * mean, Degrees(worst_normal));
+  EXPECT_LT(worst, polygon);
+  EXPECT_LT(std::abs(mean), 0.2e-3);
+  EXPECT_LT(Degrees(worst_normal), 180.0 / cone.wedges + 0.5);  // half a wedge's turn
+}
+
+/// What a tip does that is drawn into the funnel from 10 cm aside and 10 deg askew: an arm on a
+/// floating rover, pulled by its tether alone.
+struct Entered {
+  double time_s = 0.0, lateral_m = 0.0, depth_m = 0.0, peak_n = 0.0;
+};
+Entered DrawIn(double step_s) {
+  StationModel model = TestStation();
+  model.module.mass_kg = 1e6;  // stands fast
+  model.module.I_LCom_L = 1e6 * Eigen::Matrix3d::Identity();
+  model.cone.stop_depth_m = 0.22;
+  const RoverModel rover_model = TestRover();
+  StationBody station(model, Pose3{}, false);
+  const Pose3 X_GM = station.X_GM();
+  // The tip 0.15 m before the mouth, 10 cm aside; the arm along the axis but for 10 deg of yaw.
+  const Eigen::Matrix3d R = X_GM.R * RotZ(kPi - Radians(10.0));
+  const Eigen::Vector3d tip = X_GM * Eigen::Vector3d(0.15, 0.1, 0.0);
+  RoverBody rover(rover_model, {R, tip - R * Eigen::Vector3d(1.0, 0.0, 0.0)}, 0.0, false);
+  ContactWorld bullet(model.cone, 0.0, rover, station);
+  Tether tether(rover_model.tether, model, 1.0);
+  Entered entered;
+  for (long i = 0; i < std::lround(8.0 / step_s); ++i) {
+    // The joints held, the body slowed as by soil: 400 N s/m, 300 Nm s.
+    const LinkMotion& body = rover.motion(RoverLink::kBody);
+    rover.AddForce(RoverLink::kBody, -400.0 * body.v_GL_G, body.X_GL.p);
+    rover.AddTorque(RoverLink::kBody, -300.0 * body.w_GL_G);
+    for (int joint = 1; joint < 4; ++joint) {
+      const RoverLink link = static_cast<RoverLink>(joint);
+      rover.AddJointTorque(link, -2e4 * rover.joint_rad(link) - 200.0 * rover.joint_rad_s(link));
+    }
+    const LinkMotion& arm = rover.motion(RoverLink::kArm);
+    const Eigen::Vector3d tip_G = arm.X_GL * Eigen::Vector3d(1.0, 0.0, 0.0);
+    const Eigen::Vector3d p_MT = X_GM.R.transpose() * (tip_G - X_GM.p);
+    const TetherPath path = FindTetherPath(model.cone, model.anchor_depth_m,
+                                           {p_MT.x(), std::hypot(p_MT.y(), p_MT.z())});
+    const Eigen::Vector3d aside(0.0, p_MT.y(), p_MT.z());
+    const Eigen::Vector3d next_M = path.nodes[1].x() * Eigen::Vector3d::UnitX() +
+                                   path.nodes[1].y() * aside / std::max(1e-9, aside.norm());
+    rover.AddForce(RoverLink::kArm, 60.0 * (X_GM * next_M - tip_G).normalized(), tip_G);
+    bullet.Step(step_s);
+    entered.peak_n = std::max(entered.peak_n, bullet.arm_contact().total_G.norm());
+    if (entered.time_s == 0.0 && p_MT.x() < -0.2) entered.time_s = i * step_s;
+    entered.depth_m = -p_MT.x();
+    entered.lateral_m = aside.norm();
+  }
+  std::printf("drawn in at %.2f ms: %.3f s, depth %.4f m, aside %.2f mm, peak %.1f N\n",
+              1e3 * step_s, entered.time_s, entered.depth_m, 1e3 * entered.lateral_m,
+              entered.peak_n);
+  return entered;
+}
+
+TEST(Cone, TipTenCentimetresAsideAndTenDegreesAskewEntersAlikeAtEveryStep) {
+  const Entered fine = DrawIn(0.5e-3);
+  EXPECT_GT(fine.depth_m, 0.2);
+  EXPECT_LT(fine.lateral_m, 2.6e-3);  // the socket's clearance is 2.5 mm
+  const Entered coarse = DrawIn(2e-3), middle = DrawIn(1e-3);
+  EXPECT_NEAR(middle.peak_n, fine.peak_n, 0.03 * fine.peak_n);
+  // In proportion to the step: (2 - 0.5) / (1 - 0.5).
+  EXPECT_NEAR((coarse.peak_n - fine.peak_n) / (middle.peak_n - fine.peak_n), 3.0, 0.7);
+  for (const Entered& entered : {coarse, middle}) {
+    EXPECT_NEAR(entered.time_s, fine.time_s, 0.01);
+    EXPECT_NEAR(entered.depth_m, fine.depth_m, 1e-4);
+    EXPECT_NEAR(entered.lateral_m, fine.lateral_m, 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace dockyard
