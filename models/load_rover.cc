@@ -64,10 +64,31 @@ void ReadWheels(const YamlReader& root, RoverModel& rover) {
   rover.right_wheel_soil.phase_rad = in.DegreesOr("right_phase_deg", 0.0, Between(-180.0, 180.0));
 }
 
+void ReadCollar(const YamlReader& arm, RoverModel& rover) {
+  if (!arm.Has("collar")) return;
+  const YamlReader in(arm.Child("collar"), arm.PathOf("collar"),
+                      {"radius_m", "front_m", "front_radius_m", "lead_in_m", "length_m"});
+  CollarModel& collar = rover.collar;
+  collar.radius_m = in.Number("radius_m", Positive(0.5));
+  collar.front_m = in.Number("front_m", Positive(5.0));
+  collar.front_radius_m = in.Number("front_radius_m", Positive(0.5));
+  collar.lead_in_m = in.Number("lead_in_m", Positive(1.0));
+  collar.length_m = in.Number("length_m", Positive(1.0));
+  if (collar.front_m > rover.arm_length_m - rover.tip.length_m) {
+    in.Refuse("front_m", "at most length_m - tip_length_m: a collar behind the tip");
+  }
+  if (collar.lead_in_m + collar.length_m >= collar.front_m) {
+    in.Refuse("length_m", "a collar that ends before the axle");
+  }
+  if (collar.front_radius_m > collar.radius_m) {
+    in.Refuse("front_radius_m", "at most radius_m: the lead-in widens backwards");
+  }
+}
+
 void ReadArm(const YamlReader& root, RoverModel& rover) {
   const YamlReader in(root.Child("arm"), "arm",
                       {"length_m", "at_power_on_deg", "tip_radius_m", "tip_length_m",
-                       "ground_friction", "ground_stiffness_n_per_m"});
+                       "ground_friction", "ground_stiffness_n_per_m", "collar"});
   rover.arm_length_m = in.Number("length_m", Positive(5.0));
   rover.arm_at_power_on_rad = in.Degrees("at_power_on_deg", Between(-180.0, 180.0));
   rover.tip.radius_m = in.Number("tip_radius_m", Positive(0.5));
@@ -75,6 +96,7 @@ void ReadArm(const YamlReader& root, RoverModel& rover) {
   rover.tip.ground_friction = in.Number("ground_friction", NonNegative(2.0));
   rover.tip.ground_stiffness_n_per_m = in.Number("ground_stiffness_n_per_m", Between(100.0, 1e6));
   if (rover.tip.length_m >= rover.arm_length_m) in.Refuse("tip_length_m", "less than length_m");
+  ReadCollar(in, rover);
 }
 
 void ReadTether(const YamlReader& root, RoverModel& rover) {
@@ -232,10 +254,13 @@ void CheckAgreement(const YamlReader& root, const RoverModel& rover) {
 
 }  // namespace
 
-RoverModel LoadRover(const std::string& file, int image_width, int image_height) {
-  const YamlNode tree = LoadYaml(file);
+RoverModel LoadRover(const std::string& file, int image_width, int image_height,
+                     const YamlNode* changes) {
+  YamlNode tree = LoadYaml(file);
+  if (changes != nullptr) MergeYaml(tree, *changes);
   const YamlReader in(tree, "",
-                      {"name", "urdf", "wheels", "motors", "arm", "tether", "imu", "cameras"});
+                      {"name", "urdf", "mass_scale", "body_com_x_m", "wheels", "motors", "arm",
+                       "tether", "imu", "cameras"});
   RoverModel rover;
   rover.name = in.Text("name");
   ReadWheels(in, rover);
@@ -245,6 +270,13 @@ RoverModel LoadRover(const std::string& file, int image_width, int image_height)
   ReadImu(in, rover);
   ReadCameras(in, image_width, image_height, rover);
   TakeLinks(LoadUrdf(in.File("urdf")), rover);
+  const double scale = in.NumberOr("mass_scale", 1.0, Between(0.1, 10.0));
+  for (LinkModel* link : {&rover.body, &rover.left_wheel, &rover.right_wheel, &rover.arm}) {
+    link->mass_kg *= scale;
+    link->I_LCom_L *= scale;
+  }
+  double& com_x_m = rover.body.p_LoCom_L.x();
+  com_x_m = in.NumberOr("body_com_x_m", com_x_m, Between(-1.0, 1.0));
   CheckAgreement(in, rover);
   return rover;
 }

@@ -94,7 +94,7 @@ Scenario ReadScenario(const YamlNode& node, const std::string& path, ScenarioPar
   const YamlReader in(
       node, path,
       {"name", "rover", "station", "soil", "controller", "start", "light", "yard", "camera",
-       "time_limit_s", "physics_step_s", "tip_angle_deg", "seed", "site", "log_images"});
+       "time_limit_s", "physics_step_s", "tip_angle_deg", "seed", "site", "log_images", "changes"});
   const bool whole = part == ScenarioPart::kWhole;
   Scenario scenario;
   if (whole || in.Has("name")) scenario.name = in.Text("name");
@@ -114,6 +114,11 @@ Scenario ReadScenario(const YamlNode& node, const std::string& path, ScenarioPar
       in.DegreesOr("tip_angle_deg", scenario.tip_angle_rad, Between(0.0, 30.0));
   scenario.seed = in.SeedOr("seed", scenario.seed);
   scenario.X_WG = ReadSite(in);
+  if (in.Has("changes")) {
+    // Only named here; what they change checks them, when the models are loaded.
+    const YamlReader known(in.Child("changes"), in.PathOf("changes"), {"rover", "station", "soil"});
+    scenario.changes = in.Child("changes");
+  }
   scenario.log_images = in.BoolOr("log_images", scenario.log_images);
   if (whole || in.Has("start")) {
     const YamlReader start(in.Child("start"), in.PathOf("start"),
@@ -133,8 +138,11 @@ Scenario LoadScenario(const std::string& file, const std::vector<std::string>& o
 }
 
 ScenarioModels LoadModels(const Scenario& scenario) {
-  ScenarioModels models{LoadRover(scenario.rover_file, scenario.image_width, scenario.image_height),
-                        LoadStation(scenario.station_file), LoadSoil(scenario.soil_file)};
+  const YamlNode& changes = scenario.changes;
+  ScenarioModels models{LoadRover(scenario.rover_file, scenario.image_width, scenario.image_height,
+                                  changes.Find("rover")),
+                        LoadStation(scenario.station_file, changes.Find("station")),
+                        LoadSoil(scenario.soil_file, changes.Find("soil"))};
   if (scenario.tip_angle_rad >= 0.0) models.station.tip_angle_rad = scenario.tip_angle_rad;
   if (models.rover.tip.radius_m >= models.station.cone.throat_radius_m) {
     throw ConfigError(scenario.station_file + ": cone.throat_radius_m: expected more than the " +

@@ -4,8 +4,9 @@
 
 namespace dockyard {
 
-SoilModel LoadSoil(const std::string& file) {
-  const YamlNode root = LoadYaml(file);
+SoilModel LoadSoil(const std::string& file, const YamlNode* changes) {
+  YamlNode root = LoadYaml(file);
+  if (changes != nullptr) MergeYaml(root, *changes);
   const YamlReader in(root, "",
                       {"name", "source", "n", "n_slip", "k_c", "k_phi", "cohesion_pa",
                        "friction_angle_deg", "shear_modulus_m", "density_kg_m3",

@@ -4,10 +4,11 @@
 #include <string>
 
 #include "models/soil_model.h"
+#include "models/yaml_tree.h"
 
 namespace dockyard {
 
-/// Throws ConfigError.
-SoilModel LoadSoil(const std::string& file);
+/// `changes` are keys on top of the file's. Throws ConfigError.
+SoilModel LoadSoil(const std::string& file, const YamlNode* changes = nullptr);
 
 }  // namespace dockyard

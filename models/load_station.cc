@@ -138,8 +138,9 @@ void CheckStands(const YamlReader& in, const StationModel& station) {
   }
 }
 
-void TakeLinks(const UrdfModel& urdf, StationModel& station) {
-  const UrdfJoint& tilt = urdf.Joint("tilt_joint");
+/// mass_kg and mouth_height_m of the file, where given, stand instead of the URDF's.
+void TakeLinks(const YamlReader& in, const UrdfModel& urdf, StationModel& station) {
+  UrdfJoint tilt = urdf.Joint("tilt_joint");
   const bool fits = urdf.root == "stand" && tilt.parent == "stand" && tilt.child == "module" &&
                     tilt.type == "revolute" && tilt.axis_J == Eigen::Vector3d::UnitY() &&
                     tilt.X_PJ.R.isIdentity(1e-9) && tilt.X_PJ.p.head<2>().norm() < 1e-9 &&
@@ -149,12 +150,17 @@ void TakeLinks(const UrdfModel& urdf, StationModel& station) {
                       ": expected a revolute joint about 0 1 0 from the root link 'stand' to "
                       "'module', its origin straight above the stand's");
   }
+  tilt.X_PJ.p.z() = in.NumberOr("mouth_height_m", tilt.X_PJ.p.z(), Positive(5.0));
   station.mouth_height_m = tilt.X_PJ.p.z();
   station.stand_visuals = urdf.Link("stand").visuals;
   station.module = urdf.Link("module");
   if (!(station.module.mass_kg > 0.0)) {
     throw ConfigError(urdf.file + ": link 'module': expected an <inertial>, found none");
   }
+  const double scale =
+      in.NumberOr("mass_kg", station.module.mass_kg, Between(0.1, 1e5)) / station.module.mass_kg;
+  station.module.mass_kg *= scale;
+  station.module.I_LCom_L *= scale;
   // From the mouth's frame, where the joint has it, to S.
   station.module.p_LoCom_L = tilt.X_PJ * station.module.p_LoCom_L;
   for (Visual& visual : station.module.visuals) visual.X_LV = tilt.X_PJ * visual.X_LV;
@@ -163,10 +169,12 @@ void TakeLinks(const UrdfModel& urdf, StationModel& station) {
 
 }  // namespace
 
-StationModel LoadStation(const std::string& file) {
-  const YamlNode tree = LoadYaml(file);
+StationModel LoadStation(const std::string& file, const YamlNode* changes) {
+  YamlNode tree = LoadYaml(file);
+  if (changes != nullptr) MergeYaml(tree, *changes);
   const YamlReader in(tree, "",
-                      {"name", "urdf", "tip_angle_deg", "cone", "board", "anchor_depth_m", "feet"});
+                      {"name", "urdf", "tip_angle_deg", "cone", "board", "anchor_depth_m", "feet",
+                       "mass_kg", "mouth_height_m"});
   StationModel station;
   station.name = in.Text("name");
   station.tip_angle_rad = in.Degrees("tip_angle_deg", Between(0.0, 30.0));
@@ -174,7 +182,7 @@ StationModel LoadStation(const std::string& file) {
   ReadBoard(in, station);
   station.anchor_depth_m = in.Number("anchor_depth_m", Positive(5.0));
   ReadFeet(in, station);
-  TakeLinks(LoadUrdf(in.File("urdf")), station);
+  TakeLinks(in, LoadUrdf(in.File("urdf")), station);
   CheckStands(in, station);
   const double lowest = station.mouth_height_m - station.cone.face_outer_radius_m;
   if (lowest <= 0.0) in.Refuse("cone", "a face that clears the ground below the mouth");

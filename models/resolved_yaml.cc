@@ -66,6 +66,7 @@ std::string CommonText(const Scenario& s, const std::string& indent) {
   if (s.tip_angle_rad >= 0.0) text += line("tip_angle_deg", DegreesText(s.tip_angle_rad));
   text += line("site", "{x_m: " + NumberText(s.X_WG.x) + ", y_m: " + NumberText(s.X_WG.y) +
                            ", heading_deg: " + DegreesText(s.X_WG.heading) + "}");
+  if (s.changes.kind == YamlNode::Kind::kMapping) text += line("changes", FlowText(s.changes));
   text += line("log_images", s.log_images ? "true" : "false");
   return text;
 }

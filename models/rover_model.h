@@ -25,12 +25,16 @@ struct CylinderShape {
 struct SphereShape {
   double radius_m = 0.0;
 };
+/// A convex solid turned about the shape frame's z axis: (z, radius) from the lowest z up.
+struct TurnedShape {
+  std::vector<Eigen::Vector2d> profile_m;
+};
 struct HullShape {
   std::vector<Eigen::Vector3d> points;  // convex hull of these, in the shape frame [m]
 };
 struct Collision {
   std::string name;
-  std::variant<BoxShape, CylinderShape, SphereShape, HullShape> shape;
+  std::variant<BoxShape, CylinderShape, SphereShape, HullShape, TurnedShape> shape;
   Pose3 X_LG;  // shape frame in the link frame
 };
 
@@ -89,6 +93,16 @@ struct ArmTipModel {
   double ground_stiffness_n_per_m = 0.0;
 };
 
+/// A collar behind the tip. It enters the throat last and, with the tip, holds the seated arm
+/// straight. Lengths are along the arm; a radius of 0: the arm has none.
+struct CollarModel {
+  double radius_m = 0.0;
+  double front_m = 0.0;         // from the axle to where the lead-in begins, on the shaft
+  double front_radius_m = 0.0;  // there
+  double lead_in_m = 0.0;       // of the cone from there back to the collar
+  double length_m = 0.0;        // of the collar behind its lead-in
+};
+
 /// An inertial unit that integrates its own attitude: roll and pitch are held by gravity, yaw by
 /// nothing, so that it drifts by what the gyro about z errs. Angle and velocity random walk are the
 /// white noise of rate and specific force: a reading over dt has sigma walk / sqrt(dt) (IEEE 952).
@@ -130,6 +144,7 @@ struct RoverModel {
   std::array<MotorModel, kMotorCount> motors;  // by Motor
   TetherModel tether;
   ArmTipModel tip;
+  CollarModel collar;
   ImuModel imu;
   StereoModel stereo;
 

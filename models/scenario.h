@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "controller/geometry/pose.h"
+#include "models/yaml_tree.h"
 
 namespace dockyard {
 
@@ -39,6 +40,8 @@ struct Scenario {
   double time_limit_s = 600.0;
   double physics_step_s = 1e-3;  // 1e-3 unless a convergence study changes it
   double tip_angle_rad = -1.0;   // < 0: as the station's file says
+  // Keys on top of the files of rover, station and soil, by these names; none: kNull.
+  YamlNode changes;
   std::uint64_t seed = 1;
   Pose2 X_WG;  // where the whole yard lies in the world (default identity)
   bool log_images = true;

@@ -204,6 +204,40 @@ YamlNode LoadYaml(const std::filesystem::path& file) {
   return ParseYaml(ReadText(file), file.string());
 }
 
+std::string FlowText(const YamlNode& node) {
+  const auto quoted = [](const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+      if (c == '"' || c == '\\') out += '\\';
+      out += c;
+    }
+    return out + '"';
+  };
+  switch (node.kind) {
+    case YamlNode::Kind::kNull:
+      return "~";
+    case YamlNode::Kind::kScalar: {
+      const bool plain = !node.quoted && !node.scalar.empty() &&
+                         node.scalar.find_first_not_of(
+                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                             "_.+-/") == std::string::npos &&
+                         node.scalar != "-";
+      return plain ? node.scalar : quoted(node.scalar);
+    }
+    case YamlNode::Kind::kSequence:
+    case YamlNode::Kind::kMapping:
+      break;
+  }
+  const bool mapping = node.kind == YamlNode::Kind::kMapping;
+  std::string text = mapping ? "{" : "[";
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    if (i > 0) text += ", ";
+    if (mapping) text += quoted(node.keys[i].name) + ": ";
+    text += FlowText(node.items[i]);
+  }
+  return text + (mapping ? "}" : "]");
+}
+
 void MergeYaml(YamlNode& into, const YamlNode& over) {
   if (into.kind != YamlNode::Kind::kMapping || over.kind != YamlNode::Kind::kMapping) {
     into = over;

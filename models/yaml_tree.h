@@ -42,6 +42,9 @@ struct YamlNode {
 YamlNode ParseYaml(const std::string& text, const std::string& file);
 YamlNode LoadYaml(const std::filesystem::path& file);
 
+/// The node in flow style, which reads back to the same: "{a: 1, b: [x, y]}".
+std::string FlowText(const YamlNode& node);
+
 /// Puts `over` on top of `into`: mappings key by key, everything else replaced.
 void MergeYaml(YamlNode& into, const YamlNode& over);
 

@@ -93,12 +93,12 @@ def stereo_bar():
 
 
 def arm():
-    """Frame A: tube, a collar, then the thicker flat-nosed tip with a 2 mm edge."""
+    """Frame A: tube, a collar with its lead-in, then the flat-nosed disc with a 2 mm edge."""
     mesh = Mesh()
-    mesh.turned([(0.0, 0.0), (0.0, 0.025), (0.86, 0.025), (0.86, 0.0312), (0.89, 0.0312),
-                 (0.90, 0.0285), (0.90, 0.025), (0.97, 0.025)], "x", 24)
-    mesh.turned([(0.97, 0.025), (0.97, 0.0312), (0.998, 0.0312), (1.0, 0.0292), (1.0, 0.0)], "x",
-                24)
+    mesh.turned([(0.0, 0.0), (0.0, 0.0225), (0.845, 0.0225), (0.845, 0.0312), (0.875, 0.0312),
+                 (0.90, 0.0227), (0.90, 0.0225), (0.992, 0.0225)], "x", 24)
+    mesh.turned([(0.992, 0.0225), (0.992, 0.0312), (0.998, 0.0312), (1.0, 0.0292), (1.0, 0.0)],
+                "x", 24)
     return mesh
 
 

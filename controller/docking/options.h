@@ -108,9 +108,9 @@ struct MateOptions {
   double enter_gap_m = -0.03;  // contact by depth estimate: tip this far inside, wheels then free
   double over_reel_m = 0.02;   // beyond the depth asked for: twice the error of 1-2 cm in the start
   double short_reel_m = 0.05;  // a stop this much early counts as home: 0.20 m must be reached
-  // The last of it pulls less: the tip may meet the socket's floor. Above the 105 N that lift the
-  // rover over a paddle; assumed, 110-300.
-  double seat_tension_n = 220.0;
+  // The collar's lead-in straightens the arm over the last 5 cm, which takes all that the spool
+  // has; the socket's floor stands it. Assumed, 200-300.
+  double seat_tension_n = 300.0;
   Tick stuck_after = 2'000;  // spool at its limit without taking up
   // Home, wheels braked: the tether is drawn taut before the brake, or the rover hangs loose in the
   // socket. Above a straight pull's 90 N, below the 105 N that lift it over a paddle; 60-150.

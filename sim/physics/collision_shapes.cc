@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "sim/physics/bullet_math.h"
+#include "sim/physics/turned_shape.h"
 
 namespace dockyard {
 namespace {
@@ -37,6 +38,9 @@ struct MakeShape {
   std::unique_ptr<btCollisionShape> operator()(const HullShape& hull) const {
     return MakeHull(hull.points);
   }
+  std::unique_ptr<btCollisionShape> operator()(const TurnedShape& turned) const {
+    return std::make_unique<TurnedConvexShape>(turned.profile_m, kCollisionMarginM);
+  }
 };
 
 // How far a shape reaches along its link's x.
@@ -53,6 +57,11 @@ double ReachAlongX(const Collision& collision) {
   } else if (const auto* hull = std::get_if<HullShape>(&collision.shape)) {
     reach = -1e9;
     for (const Eigen::Vector3d& p : hull->points) reach = std::max(reach, x_G.dot(p));
+  } else if (const auto* turned = std::get_if<TurnedShape>(&collision.shape)) {
+    reach = -1e9;
+    for (const Eigen::Vector2d& p : turned->profile_m) {
+      reach = std::max(reach, x_G.z() * p.x() + std::hypot(x_G.x(), x_G.y()) * p.y());
+    }
   }
   return collision.X_LG.p.x() + reach;
 }
@@ -63,7 +72,8 @@ LinkShape::LinkShape() { compound_.setMargin(kCollisionMarginM); }
 
 void LinkShape::Add(const Collision& collision, const Pose3& X_PL) {
   pieces_.push_back(std::visit(MakeShape{}, collision.shape));
-  if (!std::holds_alternative<SphereShape>(collision.shape)) {
+  if (!std::holds_alternative<SphereShape>(collision.shape) &&
+      !std::holds_alternative<TurnedShape>(collision.shape)) {
     pieces_.back()->setMargin(kCollisionMarginM);  // a sphere is all margin
   }
   compound_.addChildShape(ToBullet(X_PL * collision.X_LG), pieces_.back().get());
@@ -117,9 +127,20 @@ Collision SocketStop(const ConeModel& cone) {
 
 std::vector<Collision> ArmCollisions(const RoverModel& rover) {
   const double tip_middle = rover.arm_length_m - 0.5 * rover.tip.length_m;
+  const CollarModel& collar = rover.collar;
+  const bool has_collar = collar.radius_m > 0.0;
   std::vector<Collision> collisions;
   for (const Collision& collision : rover.arm.collisions) {
+    if (has_collar && collision.name == "collar") continue;
     if (ReachAlongX(collision) <= tip_middle) collisions.push_back(collision);
+  }
+  if (has_collar) {
+    const double shoulder = collar.front_m - collar.lead_in_m;
+    collisions.push_back({"collar",
+                          TurnedShape{{{shoulder - collar.length_m, collar.radius_m},
+                                       {shoulder, collar.radius_m},
+                                       {collar.front_m, collar.front_radius_m}}},
+                          Pose3{RotY(0.5 * kPi), Eigen::Vector3d::Zero()}});
   }
   Pose3 X_AG;
   X_AG.R = RotY(0.5 * kPi);

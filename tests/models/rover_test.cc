@@ -69,7 +69,7 @@ TEST(AxelMass, BodyIsItsHousingBarAndSpool) {
 }
 
 TEST(AxelMass, ArmIsAUniformRod) {
-  const Eigen::Vector3d along_y = Cylinder(4, 0.025, 1.0);
+  const Eigen::Vector3d along_y = Cylinder(4, 0.0225, 1.0);
   ExpectComposed(Axel().arm, {{4, {0.5, 0, 0}, {along_y.y(), along_y.x(), along_y.z()}}});
 }
 
@@ -172,13 +172,13 @@ TEST(RoverSheet, TellsNominalNumbers) {
   EXPECT_DOUBLE_EQ(sheet.arm_length_m, 1.0);
   EXPECT_DOUBLE_EQ(sheet.drum_radius_m, 0.06);
   EXPECT_DOUBLE_EQ(sheet.arm_at_zero_rad, 0.3);
-  EXPECT_DOUBLE_EQ(sheet.mouth_height_m, 0.37);
+  EXPECT_DOUBLE_EQ(sheet.mouth_height_m, 0.34);
   EXPECT_DOUBLE_EQ(sheet.anchor_depth_m, 0.35);
   EXPECT_NEAR(sheet.motors[static_cast<int>(Motor::kSpool)].rad_per_count * 122880, 2 * kPi, 1e-12);
   EXPECT_EQ(sheet.board.fiducials.size(), 8u);
   // 0.17 m up the face, which is tipped forward by 5 deg.
   EXPECT_NEAR(sheet.X_DB.p.x(), 0.17 * std::sin(Radians(5)), 1e-12);
-  EXPECT_NEAR(sheet.X_DB.p.z(), 0.37 + 0.17 * std::cos(Radians(5)), 1e-12);
+  EXPECT_NEAR(sheet.X_DB.p.z(), 0.34 + 0.17 * std::cos(Radians(5)), 1e-12);
 }
 
 TEST(RoverFile, BadValuesAreToldByPlaceAndPath) {
