@@ -1,52 +1,15 @@
 #include "sim/campaign/campaign.h"
 
-#include <poll.h>
-#include <sys/signalfd.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cmath>
-#include <csignal>
 #include <memory>
 #include <set>
 #include <vector>
 
 #include "controller/base/check.h"
+#include "sim/campaign/signal_queue.h"
 
 namespace dockyard {
 namespace {
-
-/// While it lives, SIGINT, SIGTERM and SIGHUP wait here instead of ending the program.
-class SignalQueue {
- public:
-  SignalQueue() {
-    sigset_t caught;
-    sigemptyset(&caught);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&caught, signal);
-    sigprocmask(SIG_BLOCK, &caught, &before_);
-    descriptor_ = ::signalfd(-1, &caught, SFD_NONBLOCK | SFD_CLOEXEC);
-    DOCKYARD_CHECK(descriptor_ >= 0);
-  }
-  ~SignalQueue() {
-    ::close(descriptor_);
-    sigprocmask(SIG_SETMASK, &before_, nullptr);
-  }
-  SignalQueue(const SignalQueue&) = delete;
-  SignalQueue& operator=(const SignalQueue&) = delete;
-
-  int descriptor() const { return descriptor_; }
-  /// The number of the signal that came, or 0.
-  int Take() {
-    signalfd_siginfo info{};
-    const ssize_t count = ::read(descriptor_, &info, sizeof info);
-    return count == sizeof info ? static_cast<int>(info.ssi_signo) : 0;
-  }
-
- private:
-  sigset_t before_{};
-  int descriptor_ = -1;
-};
 
 using Workers = std::vector<std::unique_ptr<Worker>>;
 
@@ -58,23 +21,16 @@ std::vector<const CampaignRun*> RunsToDo(const Campaign& campaign, const Finishe
   return todo;
 }
 
-/// Sleeps until a worker or a signal has something to say, or a worker's time is over.
 void WaitForNews(const Workers& workers, const SignalQueue& signals) {
-  std::vector<pollfd> watched{{signals.descriptor(), POLLIN, 0}};
-  double patience_s = 1.0;  // the live line's clock
-  for (const auto& worker : workers) {
-    watched.push_back({worker->descriptor(), POLLIN, 0});
-    patience_s = std::min(patience_s, std::max(0.0, worker->seconds_left()));
-  }
-  const int got =
-      ::poll(watched.data(), watched.size(), static_cast<int>(std::ceil(1000.0 * patience_s)));
-  DOCKYARD_CHECK(got >= 0 || errno == EINTR);
+  std::vector<const Child*> children;
+  for (const auto& worker : workers) children.push_back(&worker->child());
+  WaitForChildren(children, signals);
 }
 
 void CollectFinished(Workers& workers, CampaignFolder& folder, Progress& progress) {
   for (auto& worker : workers) {
-    worker->KillIfLate();
-    if (!worker->Read()) continue;
+    worker->child().KillIfLate();
+    if (!worker->child().Read()) continue;
     const WorkerEnd end = worker->Finish();
     folder.Keep(end.run);
     progress.Finished(end.run.result, end.note);

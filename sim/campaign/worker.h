@@ -1,9 +1,6 @@
 // One run in a process of its own: whatever it does, it costs that run and no other.
 #pragma once
 
-#include <sys/types.h>
-
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
@@ -11,6 +8,7 @@
 #include <vector>
 
 #include "models/scenario.h"
+#include "sim/campaign/child.h"
 #include "sim/campaign/results.h"
 #include "sim/run/record.h"
 
@@ -33,42 +31,24 @@ struct WorkerEnd {
   std::string note;  // how it crashed
 };
 
-/// A forked child that runs one run, writes its files and answers with its row over a pipe. The
-/// child dies with its parent, ignores Ctrl-C (the parent's matter), leaves no core file, and
-/// prints into messages.txt of its folder.
+/// A child that runs one run, writes its files and answers with its row.
 class Worker {
  public:
   /// @param close_in_child  descriptors that are the parent's alone
   /// Throws IoError when no process can be had.
   Worker(const CampaignRun& run, const RunFunction& function, const std::filesystem::path& run_dir,
          double time_limit_s, const std::vector<int>& close_in_child);
-  /// Kills the child if it still runs.
-  ~Worker();
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
 
-  int descriptor() const { return pipe_; }  // readable when there is something to read
-  /// Takes what the child has sent; true when it has said all.
-  bool Read();
-  /// Kills the child when its time is over.
-  void KillIfLate();
-  double seconds_left() const;
+  Child& child() { return child_; }
   /// Waits for the child and gives its result. Throws IoError and InputError if the child did.
   WorkerEnd Finish();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  WorkerEnd Crashed(const std::string& note, double cpu_time_s) const;
+  WorkerEnd Crashed(const std::string& note, const Child::End& child) const;
 
   CampaignRun run_;
   std::filesystem::path run_dir_;
-  double time_limit_s_;
-  Clock::time_point started_;
-  pid_t child_ = -1;
-  int pipe_ = -1;
-  bool late_ = false;
-  std::string answer_;
+  Child child_;
 };
 
 }  // namespace dockyard
