@@ -9,6 +9,7 @@
 #include "models/load_soil.h"
 #include "models/load_station.h"
 #include "models/mesh_loader.h"
+#include "models/study.h"
 #include "models/urdf.h"
 #include "models/yaml_reader.h"
 
@@ -70,17 +71,27 @@ FileCheck CheckCampaign(const std::string& file) {
                           std::to_string(campaign.seed)};
 }
 
+FileCheck CheckStudy(const std::string& file) {
+  const Study study = LoadStudy(file);
+  return {"study",
+          study.name + ": " + std::to_string(study.points.size()) + " points, " +
+              std::to_string(study.points.size() * static_cast<std::size_t>(study.repeats)) +
+              " runs"};
+}
+
 FileCheck CheckYaml(const std::string& file) {
   const YamlNode root = LoadYaml(file);
   const auto has = [&](const char* key) { return root.Find(key) != nullptr; };
+  if (has("study")) return CheckStudy(file);
   if (has("campaign") || has("runs") || has("table")) return CheckCampaign(file);
   if (has("start") || has("rover") || has("station")) return CheckScenario(file);
   if (has("wheels") || has("motors") || has("cameras")) return CheckRover(file);
   if (has("cone") || has("board") || has("feet")) return CheckStation(file);
   if (has("k_phi") || has("cohesion_pa") || has("friction_angle_deg")) return CheckSoil(file);
-  throw ConfigError(root.place.Text() +
-                    ": expected the keys of a rover, station, soil, scenario or campaign, found "
-                    "none of them");
+  throw ConfigError(
+      root.place.Text() +
+      ": expected the keys of a rover, station, soil, scenario, campaign or study, found "
+      "none of them");
 }
 
 }  // namespace

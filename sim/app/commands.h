@@ -17,6 +17,7 @@ void AddRunCommand(CLI::App& app, int& exit_code);
 void AddCampaignCommand(CLI::App& app, int& exit_code);
 void AddReplayCommand(CLI::App& app, int& exit_code);
 void AddViewCommand(CLI::App& app, int& exit_code);
+void AddStudyCommand(CLI::App& app, int& exit_code);
 void AddCheckCommand(CLI::App& app, int& exit_code);
 
 }  // namespace dockyard

@@ -1,4 +1,4 @@
-// dockyard: run | campaign | replay | view | check.
+// dockyard: run | campaign | replay | view | study | check.
 #include <unistd.h>
 
 #include <csignal>
@@ -25,6 +25,7 @@ Examples:
   dockyard campaign scenarios/mars_yard_40.yaml
   dockyard replay results/mars_yard_40 17
   dockyard view scenarios/axel_typical.yaml --out out/view
+  dockyard study scenarios/studies/reel_alpha.yaml
   dockyard check models/axel/axel.yaml)";
 
 int Fail(const std::exception& error, int exit_code) {
@@ -72,6 +73,7 @@ int main(int argc, char** argv) {
   AddCampaignCommand(app, exit_code);
   AddReplayCommand(app, exit_code);
   AddViewCommand(app, exit_code);
+  AddStudyCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
   exit_code = ParseAndRun(app, argc, argv, exit_code);
   std::cout.flush();

@@ -123,6 +123,7 @@ class Run {
     spool_current_.Add(truth_.motor_current_a[static_cast<int>(Motor::kSpool)]);
     record_.result.cone_force_peak_n =
         std::max(record_.result.cone_force_peak_n, truth_.cone_force_n);
+    record_.tension_peak_n = std::max(record_.tension_peak_n, truth_.tether_tension_n);
     if (sensed.tick % kHistoryPeriod == 0) record_.history.push_back(Sample(belief));
     if (sensed.tick % kHashPeriod == 0) hash_ = world_.StateHash(hash_);
   }

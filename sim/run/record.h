@@ -89,7 +89,8 @@ struct RunRecord {
   std::vector<HistorySample> history;
   std::vector<SightingSample> sightings;
   std::vector<PlanSample> plans;
-  std::string failure_note;  // a sentence for people: what the truth showed
+  double tension_peak_n = 0.0;  // of the tether at the arm's tip
+  std::string failure_note;     // a sentence for people: what the truth showed
 };
 
 }  // namespace dockyard

@@ -19,6 +19,7 @@ set(rules
   "sim/log|${contract}|models/|sim/base/|sim/log/|sim/run/record.h|nlohmann/|opencv2/|sys/|unistd.h|fcntl.h"
   "sim/run|${contract}|models/|render/|sim/(base|soil|physics|log|run)/|nlohmann/|opencv2/|sys/|unistd.h"
   "sim/campaign|${contract}|models/|sim/(base|log|campaign)/|sim/run/(record|loop).h|nlohmann/|sqlite3.h|sys/|unistd.h|fcntl.h|poll.h"
+  "sim/study|${contract}|models/|sim/(base|log|campaign|study)/|sim/run/(record|loop).h"
   "sim/app|${contract}|models/|controller/docking/axel.h|sim/|CLI/|nlohmann/|sys/|unistd.h|fcntl.h")
 
 set(errors "")
