@@ -22,8 +22,14 @@ struct SightingReport {
     double u_px = 0.0, v_px = 0.0;
   };
   std::vector<Mark> marks;
+  std::vector<Mark> predicted;   // where the others should be, by the pose or the homography
   double reprojection_px = 0.0;  // RMS over the measured fiducials
   Pose3 X_RB;                    // the board in the rover body
+  // Of p_RB [m], then of a small turn about R's axes [rad]; zero when the pipeline gives none.
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  // Right camera against the left beyond the calibration, after this look, and 1 sigma [rad].
+  Eigen::Vector3d camera_turn_rad = Eigen::Vector3d::Zero();
+  Eigen::Vector3d camera_turn_sigma_rad = Eigen::Vector3d::Zero();
 };
 
 /// A planned arc in the dock frame: from start, length along the way (negative backwards), turn.

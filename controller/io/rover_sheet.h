@@ -8,6 +8,7 @@
 #include "controller/geometry/board.h"
 #include "controller/geometry/camera.h"
 #include "controller/io/sensors.h"
+#include "controller/io/vision_settings.h"
 
 namespace dockyard {
 
@@ -23,6 +24,7 @@ struct MotorSheet {
 struct RoverSheet {
   StereoRig rig;  // calibration, not truth
   FiducialBoard board;
+  VisionSettings vision{};
   Pose3 X_DB;  // board in the dock, station standing level on flat ground
   std::array<MotorSheet, kMotorCount> motors;  // by Motor
   double wheel_radius_m = 0.0;                 // rolling radius on firm ground: rim plus paddle

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "controller/base/check.h"
 #include "controller/geometry/pose.h"
 
 namespace dockyard {
@@ -40,29 +41,6 @@ cv::Mat Flatten(const cv::Mat& gray) {
   return flat;
 }
 
-/// The ellipse with an outline's moments; the outline runs through pixel centres, half a pixel
-/// inside the region.
-std::optional<Ellipse> FromMoments(const cv::Moments& m) {
-  if (m.m00 < 4.0) return std::nullopt;
-  Eigen::Matrix2d covariance;
-  covariance << m.mu20, m.mu11, m.mu11, m.mu02;
-  covariance /= m.m00;
-  // Square root of a 2x2 matrix (Cayley-Hamilton); a disc of radius R has variance R^2/4.
-  const double root = std::sqrt(std::max(covariance.determinant(), 0.0));
-  if (root < 1e-9) return std::nullopt;
-  const Eigen::Matrix2d shape = 2.0 * (covariance + root * Eigen::Matrix2d::Identity()) /
-                                std::sqrt(covariance.trace() + 2.0 * root);
-  return Ellipse{.centre_px = Eigen::Vector2d(m.m10 / m.m00, m.m01 / m.m00),
-                 .shape_px = shape + 0.5 * Eigen::Matrix2d::Identity()};
-}
-
-bool FitsInside(const Ellipse& ellipse, const cv::Size& size) {
-  const double reach_x = ellipse.shape_px.row(0).norm(), reach_y = ellipse.shape_px.row(1).norm();
-  return ellipse.centre_px.x() - reach_x > 0.0 && ellipse.centre_px.y() - reach_y > 0.0 &&
-         ellipse.centre_px.x() + reach_x < size.width - 1.0 &&
-         ellipse.centre_px.y() + reach_y < size.height - 1.0;
-}
-
 using Contours = std::vector<std::vector<cv::Point>>;
 
 /// Filters on the white regions within the black one. No hole is no objection: at a distance the
@@ -89,7 +67,7 @@ std::optional<Blob> Filter(const Contours& contours, const std::vector<cv::Vec4i
   const std::vector<cv::Point>& outline = contours[static_cast<std::size_t>(index)];
   if (outline.size() < 6 || outline.size() > 8 * kWindow) return std::nullopt;
   const cv::Moments m = cv::moments(outline);
-  const std::optional<Ellipse> ellipse = FromMoments(m);
+  const std::optional<Ellipse> ellipse = MomentEllipse(m);
   if (!ellipse || !FitsInside(*ellipse, level.flat.size())) return std::nullopt;
   const Eigen::Vector2d axes = ellipse->semi_axes_px();
   const double smallest = level.level == 0 ? kMinAxis : 2.0 * kMinAxis;
@@ -108,7 +86,30 @@ std::optional<Blob> Filter(const Contours& contours, const std::vector<cv::Vec4i
 
 }  // namespace
 
+std::optional<Ellipse> MomentEllipse(const cv::Moments& m) {
+  if (m.m00 < 4.0) return std::nullopt;
+  Eigen::Matrix2d covariance;
+  covariance << m.mu20, m.mu11, m.mu11, m.mu02;
+  covariance /= m.m00;
+  // Square root of a 2x2 matrix (Cayley-Hamilton); a disc of radius R has variance R^2/4.
+  const double root = std::sqrt(std::max(covariance.determinant(), 0.0));
+  if (root < 1e-9) return std::nullopt;
+  const Eigen::Matrix2d shape = 2.0 * (covariance + root * Eigen::Matrix2d::Identity()) /
+                                std::sqrt(covariance.trace() + 2.0 * root);
+  return Ellipse{.centre_px = Eigen::Vector2d(m.m10 / m.m00, m.m01 / m.m00),
+                 .shape_px = shape + 0.5 * Eigen::Matrix2d::Identity()};
+}
+
+bool FitsInside(const Ellipse& ellipse, const cv::Size& size) {
+  const double reach_x = ellipse.shape_px.row(0).norm(), reach_y = ellipse.shape_px.row(1).norm();
+  return ellipse.centre_px.x() - reach_x > 0.0 && ellipse.centre_px.y() - reach_y > 0.0 &&
+         ellipse.centre_px.x() + reach_x < size.width - 1.0 &&
+         ellipse.centre_px.y() + reach_y < size.height - 1.0;
+}
+
 std::vector<BlobLevel> BuildLevels(const GrayImage& image) {
+  DOCKYARD_CHECK(image.pixels.size() ==
+                 static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
   // One thread, whatever the machine: a static of the function's own, set once.
   [[maybe_unused]] static const bool single = (cv::setNumThreads(1), true);
   std::vector<BlobLevel> levels;

@@ -1,4 +1,4 @@
-// Internal to the vision room, the only header with OpenCV in it. Adaptive threshold, connected
+// Internal to the vision room, like every header with OpenCV in it. Adaptive threshold, connected
 // regions and the filters on them (Tsai et al., III-A.2 and Fig. 5).
 #pragma once
 
@@ -32,6 +32,11 @@ struct Blob {
   Ellipse moments;         // the ellipse with its second moments, holes filled
   double threshold = 0.0;  // dark over light, at which it was found
 };
+
+/// The ellipse with an outline's moments; the outline runs through pixel centres, half a pixel
+/// inside the region. None when it encloses next to nothing.
+std::optional<Ellipse> MomentEllipse(const cv::Moments& moments);
+bool FitsInside(const Ellipse& ellipse, const cv::Size& size);
 
 /// Pyramid of the picture with the light divided out. The light is estimated by a grey closing,
 /// which fills what is dark and smaller than its window but keeps the straight edge of a shadow.

@@ -7,12 +7,12 @@
 #include <tuple>
 
 #include "controller/vision/homography.h"
+#include "controller/vision/hypotheses.h"
 #include "controller/vision/pose_gates.h"
 
 namespace dockyard {
 namespace {
 
-constexpr int kMinMarks = 5;  // four fix a homography and cannot disagree (Tsai et al., V-D)
 // A rotation counts as read when its correlation beats the others by this much (assumed,
 // 0.05-0.2); else the mark may be any.
 constexpr double kSureMargin = 0.10;
@@ -33,12 +33,14 @@ struct Scene {
   TangentPlane plane;
   std::vector<Eigen::Vector2d> points_T;  // by detection
   double gate_T = 0.0;                    // the widest gate on the tangent plane
+  int min_marks = 5;                      // four fix a homography and cannot disagree
 };
 
 Scene Prepare(const std::vector<DetectedFiducial>& detections, const Camera& camera,
-              const FiducialBoard& board) {
+              const FiducialBoard& board, int min_marks) {
   Scene scene{
       .detections = detections, .camera = camera, .board = board, .plane = {}, .points_T = {}};
+  scene.min_marks = min_marks;
   std::vector<Eigen::Vector3d> rays;
   for (const DetectedFiducial& detection : detections) {
     rays.push_back(camera.Direction(detection.rim.centre_px));
@@ -47,57 +49,6 @@ Scene Prepare(const std::vector<DetectedFiducial>& detections, const Camera& cam
   scene.plane = TangentPlaneAt(rays);
   for (const Eigen::Vector3d& ray : rays) scene.points_T.push_back(scene.plane.FromRay(ray));
   return scene;
-}
-
-/// Ways to name the detections of one rotation: every one-to-one map of the fewer onto the more.
-std::vector<std::vector<MarkMatch>> Namings(const std::vector<int>& detections,
-                                            const std::vector<int>& ids) {
-  std::vector<std::vector<MarkMatch>> namings{{}};
-  const bool few = detections.size() <= ids.size();
-  const std::vector<int>& outer = few ? detections : ids;
-  const std::vector<int>& inner = few ? ids : detections;
-  for (const int o : outer) {
-    std::vector<std::vector<MarkMatch>> longer;
-    for (const std::vector<MarkMatch>& naming : namings) {
-      for (const int i : inner) {
-        const MarkMatch match = few ? MarkMatch{i, o} : MarkMatch{o, i};
-        const bool taken = std::any_of(naming.begin(), naming.end(), [&](const MarkMatch& m) {
-          return m.id == match.id || m.detection == match.detection;
-        });
-        if (taken) continue;
-        longer.push_back(naming);
-        longer.back().push_back(match);
-      }
-    }
-    namings = longer;
-  }
-  return namings;
-}
-
-/// The product of the namings of the four rotations: 16 with two marks of each.
-std::vector<std::vector<MarkMatch>> Hypotheses(const Scene& scene) {
-  std::vector<std::vector<MarkMatch>> hypotheses{{}};
-  for (int c = 0; c < 4; ++c) {
-    std::vector<int> detections, ids;
-    for (std::size_t i = 0; i < scene.detections.size(); ++i) {
-      // Detections come best match first, so the doubtful ones are left out.
-      if (scene.detections[i].rotation_class == c && detections.size() < kMaxOfOneClass) {
-        detections.push_back(static_cast<int>(i));
-      }
-    }
-    for (std::size_t i = 0; i < scene.board.fiducials.size(); ++i) {
-      if (RotationClass(scene.board.fiducials[i].rotation) == c) ids.push_back(static_cast<int>(i));
-    }
-    std::vector<std::vector<MarkMatch>> longer;
-    for (const auto& hypothesis : hypotheses) {
-      for (const auto& naming : Namings(detections, ids)) {
-        longer.push_back(hypothesis);
-        longer.back().insert(longer.back().end(), naming.begin(), naming.end());
-      }
-    }
-    hypotheses = longer;
-  }
-  return hypotheses;
 }
 
 std::optional<Eigen::Vector2d> Reproject(const Scene& scene, const Eigen::Matrix3d& H,
@@ -193,13 +144,13 @@ struct Candidate {
 /// One hypothesis: homography, outliers out, re-projection, vote, homography over all that agree.
 std::optional<Candidate> Test(const Scene& scene, const std::vector<MarkMatch>& hypothesis) {
   if (hypothesis.size() < 4) return std::nullopt;
-  const int kept = std::min<int>(kMinMarks, static_cast<int>(hypothesis.size()));
+  const int kept = std::min<int>(scene.min_marks, static_cast<int>(hypothesis.size()));
   const auto first = FitHomographyRobust(Pairs(scene, hypothesis), scene.gate_T, kept);
   if (!first) return std::nullopt;
   std::vector<MarkMatch> matches =
       Assign(scene.detections, scene.board, ReprojectBoard(scene, first->H), 1.0);
-  if (static_cast<int>(matches.size()) < kMinMarks) return std::nullopt;
-  const auto all = FitHomographyRobust(Pairs(scene, matches), scene.gate_T, kMinMarks);
+  if (static_cast<int>(matches.size()) < scene.min_marks) return std::nullopt;
+  const auto all = FitHomographyRobust(Pairs(scene, matches), scene.gate_T, scene.min_marks);
   if (!all) return std::nullopt;
   Candidate candidate{.matches = {}, .H = all->H, .rms = all->rms};
   for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -216,7 +167,7 @@ bool Same(const std::vector<MarkMatch>& a, const std::vector<MarkMatch>& b) {
 
 std::vector<Candidate> Vote(const Scene& scene) {
   std::vector<Candidate> candidates;
-  for (const auto& hypothesis : Hypotheses(scene)) {
+  for (const auto& hypothesis : NamingHypotheses(scene.detections, scene.board, kMaxOfOneClass)) {
     const auto candidate = Test(scene, hypothesis);
     if (!candidate) continue;
     const bool known = std::any_of(candidates.begin(), candidates.end(), [&](const auto& other) {
@@ -267,10 +218,11 @@ EyeCorrespondence Complete(const Scene& scene, const Candidate& candidate,
 }  // namespace
 
 Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
-                                                  const Camera& camera, const FiducialBoard& board,
-                                                  const Eigen::Vector3d& up_C) {
-  if (static_cast<int>(detections.size()) < kMinMarks) return PoseFailure::kTooFewFiducials;
-  const Scene scene = Prepare(detections, camera, board);
+                                                  const Camera& camera,
+                                                  const FiducialBoard& board,
+                                                  const Eigen::Vector3d& up_C, int min_marks) {
+  if (static_cast<int>(detections.size()) < min_marks) return PoseFailure::kTooFewFiducials;
+  const Scene scene = Prepare(detections, camera, board, min_marks);
   std::optional<EyeCorrespondence> best;
   for (const Candidate& candidate : Vote(scene)) {
     const std::vector<PlanarBranch> branches = PossiblePoses(scene, candidate, up_C);
@@ -295,8 +247,7 @@ std::vector<MarkMatch> MatchByPose(const std::vector<DetectedFiducial>& detectio
     const auto pixel = ProjectDisc(camera, X_CB, fiducial, board.disc_diameter_m);
     if (!pixel || !camera.Sees(*pixel)) continue;
     const double slant = std::max(X_CB.R.col(2).dot(p_C.normalized()), 0.05);
-    const double radius =
-        0.5 * board.disc_diameter_m * camera.focal_px().x() / p_C.norm() * std::sqrt(slant);
+    const double radius = 0.5 * board.disc_diameter_m * camera.focal_px().x() / p_C.norm() * std::sqrt(slant);
     expected.back() = Expected{*pixel, radius};
   }
   std::vector<MarkMatch> matches = Assign(detections, board, expected, 10.0);

@@ -8,15 +8,11 @@
 #include "controller/geometry/board.h"
 #include "controller/geometry/camera.h"
 #include "controller/vision/fiducials.h"
+#include "controller/vision/hypotheses.h"
 #include "controller/vision/locate.h"
 #include "controller/vision/planar_pose.h"
 
 namespace dockyard {
-
-struct MarkMatch {
-  int id = -1;         // fiducial of the board
-  int detection = -1;  // index into the detections
-};
 
 /// What one picture says.
 struct EyeCorrespondence {
@@ -30,10 +26,12 @@ struct EyeCorrespondence {
 /// the number. Each is put through a homography on the viewing sphere (a homography does not hold
 /// in fish-eye pixels), outliers rejected, the board re-projected, and what lies near counted. The
 /// winner has the most marks, then the least error, and must be a plumb board seen from its front.
-/// up_C: against gravity, unit, in the camera.
+/// up_C: against gravity, unit, in the camera. With min_marks four instead of five a false one goes
+/// unnoticed in this picture alone: the other must confirm.
 Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
-                                                  const Camera& camera, const FiducialBoard& board,
-                                                  const Eigen::Vector3d& up_C);
+                                                  const Camera& camera,
+                                                  const FiducialBoard& board,
+                                                  const Eigen::Vector3d& up_C, int min_marks = 5);
 
 /// The detections that a known pose explains, nearest first, each once.
 std::vector<MarkMatch> MatchByPose(const std::vector<DetectedFiducial>& detections,

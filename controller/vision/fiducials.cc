@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "controller/base/check.h"
 #include "controller/vision/bar.h"
 #include "controller/vision/blobs.h"
+#include "controller/vision/guided.h"
 #include "controller/vision/rim.h"
 
 namespace dockyard {
@@ -103,11 +103,14 @@ int RotationClass(double rotation_rad) {
 }
 
 std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image, const FiducialBoard& board) {
-  DOCKYARD_CHECK(image.pixels.size() ==
-                 static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  return DetectFiducials(image, BuildLevels(image), board);
+}
+
+std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image,
+                                              const std::vector<BlobLevel>& levels,
+                                              const FiducialBoard& board) {
   std::vector<DetectedFiducial> found;
-  if (image.pixels.empty()) return found;
-  for (const BlobLevel& level : BuildLevels(image)) {
+  for (const BlobLevel& level : levels) {
     for (const Blob& blob : FindBlobs(level)) {
       if (IsKnown(found, level.ToPicture(blob.moments.centre_px))) continue;
       const auto fiducial = Verify(image, level, blob, board);

@@ -9,6 +9,8 @@
 #include "controller/geometry/camera.h"
 #include "controller/geometry/image.h"
 #include "controller/io/belief.h"
+#include "controller/io/vision_settings.h"
+#include "controller/vision/pose_refine.h"
 
 namespace dockyard {
 
@@ -19,6 +21,7 @@ enum class PoseFailure {
   kPoorFit,           // residuals larger than the fit's own expectation
   kEyesDisagree,      // the two images give different boards
   kNotUpright,        // the board's roll contradicts gravity
+  kAmbiguous,         // one eye, two poses that fit alike, and nothing tells which
 };
 const char* Name(PoseFailure failure);
 
@@ -26,13 +29,16 @@ const char* Name(PoseFailure failure);
 struct LocateHints {
   Eigen::Vector3d up_R{0, 0, 1};       // against gravity, unit, from the IMU, in the rover body
   std::optional<Pose3> X_RB_expected;  // from odometry since the last accepted sighting
+  CameraTurn camera_turn{};            // of the right camera, from the looks so far
 };
 
 struct DockSighting {
-  Pose3 X_RB;                    // board in the rover body
-  double reprojection_px = 0.0;  // RMS over the measured fiducials of both images
-  int fiducials_used = 0;        // measured, both images together
-  bool stereo = false;           // whether both images carried the pose
+  Pose3 X_RB;                              // board in the rover body
+  double reprojection_px = 0.0;            // RMS over the measured fiducials of both images
+  int fiducials_used = 0;                  // measured, both images together
+  bool stereo = false;                     // whether both images carried the pose
+  Matrix6d covariance = Matrix6d::Zero();  // as RefinedPose's; zero from tsai2013, which has none
+  CameraTurn camera_turn{};                // the belief after this look
 };
 
 /// The result for the brain and the full account for the log.
@@ -42,6 +48,13 @@ struct LocateOutput {
 };
 
 LocateOutput LocateBoard(const StereoImages& images, const StereoRig& rig,
-                         const FiducialBoard& board, const LocateHints& hints);
+                         const FiducialBoard& board, const LocateHints& hints,
+                         const VisionSettings& settings = {});
+
+/// The pipelines behind it.
+LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
+                            const FiducialBoard& board, const LocateHints& hints);
+LocateOutput LocateTsai2013(const StereoImages& images, const StereoRig& rig,
+                            const FiducialBoard& board, const LocateHints& hints, int min_points);
 
 }  // namespace dockyard

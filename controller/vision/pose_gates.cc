@@ -29,9 +29,10 @@ std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<Camer
       RmsGatePx(views[0].camera, Inverse(views[0].X_RC) * fit.X_RB, board.disc_diameter_m);
   if (views.size() == 1 && fit.rms_px > gate) return PoseFailure::kPoorFit;
   if (views.size() == 2) {
-    // Four sigma of what the calibration may be off.
+    // Four sigma of what the calibration may be off, by the belief before the first look.
+    const CameraTurn at_first{};
     const Eigen::Vector3d sigmas =
-        fit.relative_turn_rad.cwiseQuotient(RefineOptions{}.relative_turn_sigma_rad);
+        fit.turn.mean_rad.cwiseQuotient(at_first.covariance.diagonal().cwiseSqrt());
     const bool twisted = sigmas.cwiseAbs().maxCoeff() > 4.0;
     if (twisted || fit.rms_px > gate) return PoseFailure::kEyesDisagree;
   }
@@ -39,27 +40,57 @@ std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<Camer
   return std::nullopt;
 }
 
-std::optional<std::size_t> ChooseBranch(const std::vector<PlanarBranch>& branches,
-                                        const Pose3& X_RC, const LocateHints& hints) {
+namespace {
+
+bool IsPossible(const PlanarBranch& branch, const Pose3& X_RC, const LocateHints& hints) {
+  return ShowsItsFace(branch.X_CB) && IsUpright((X_RC * branch.X_CB).R, hints.up_R);
+}
+
+/// Reprojection cost and squared deviation from the expected heading, both in sigmas squared.
+double BranchScore(const PlanarBranch& branch, const Pose3& X_RC, const LocateHints& hints) {
   // How well odometry knows the heading against the board: assumed 5 deg (3-10), after a leg on
   // sand.
   constexpr double kExpectedSigma = 5.0 * kPi / 180.0;
+  double score = branch.cost;
+  if (hints.X_RB_expected) {
+    const Pose3 X_RB = X_RC * branch.X_CB;
+    const double cosine = X_RB.R.col(2).dot(hints.X_RB_expected->R.col(2));
+    const double apart = std::acos(std::clamp(cosine, -1.0, 1.0)) / kExpectedSigma;
+    score += apart * apart;
+  }
+  return score;
+}
+
+}  // namespace
+
+std::optional<std::size_t> ChooseBranch(const std::vector<PlanarBranch>& branches,
+                                        const Pose3& X_RC, const LocateHints& hints) {
   std::optional<std::size_t> best;
-  double best_score = 0.0;
   for (std::size_t i = 0; i < branches.size(); ++i) {
-    const Pose3 X_RB = X_RC * branches[i].X_CB;
-    if (!ShowsItsFace(branches[i].X_CB) || !IsUpright(X_RB.R, hints.up_R)) continue;
-    double score = branches[i].cost;
-    if (hints.X_RB_expected) {
-      const double cosine = X_RB.R.col(2).dot(hints.X_RB_expected->R.col(2));
-      const double apart = std::acos(std::clamp(cosine, -1.0, 1.0)) / kExpectedSigma;
-      score += apart * apart;
+    if (!IsPossible(branches[i], X_RC, hints)) continue;
+    if (!best ||
+        BranchScore(branches[i], X_RC, hints) < BranchScore(branches[*best], X_RC, hints)) {
+      best = i;
     }
-    if (best && score >= best_score) continue;
-    best = i;
-    best_score = score;
   }
   return best;
+}
+
+bool IsAmbiguous(const std::vector<PlanarBranch>& branches, std::size_t chosen, const Pose3& X_RC,
+                 const LocateHints& hints) {
+  constexpr double kClear = 9.0;  // three sigma between the branches
+  // Branches nearer than this are one pose for any purpose here: half of "wrong" (10 deg).
+  constexpr double kSameRad = 5.0 * kPi / 180.0;
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    if (i == chosen || !IsPossible(branches[i], X_RC, hints)) continue;
+    const Eigen::Matrix3d between = branches[i].X_CB.R.transpose() * branches[chosen].X_CB.R;
+    if (Eigen::AngleAxisd(between).angle() < kSameRad) continue;
+    if (BranchScore(branches[i], X_RC, hints) <
+        BranchScore(branches[chosen], X_RC, hints) + kClear) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace dockyard

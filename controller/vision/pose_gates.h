@@ -27,6 +27,11 @@ double RmsGatePx(const Camera& camera, const Pose3& X_CB, double disc_diameter_m
 std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<CameraView>& views,
                                  const FiducialBoard& board, const LocateHints& hints);
 
+/// Whether the other branch fits nearly as well and nothing known speaks against it: then a pose
+/// from one eye is a guess between two.
+bool IsAmbiguous(const std::vector<PlanarBranch>& branches, std::size_t chosen, const Pose3& X_RC,
+                 const LocateHints& hints);
+
 /// Index of the branch to believe: plumb first, then the sum of the reprojection cost and the
 /// squared deviation from the expected heading; none when no branch is plumb and face-on.
 std::optional<std::size_t> ChooseBranch(const std::vector<PlanarBranch>& branches,

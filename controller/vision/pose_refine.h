@@ -1,4 +1,4 @@
-// Least squares of the board's pose on measured fiducials, in one camera or in two at once.
+// Least squares of a pose on measured points, in one camera or in two at once.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace dockyard {
 
-/// A camera and its place in the frame R in which the board is sought.
+/// A camera and its place in the frame R in which the pose is sought.
 struct CameraView {
   Camera camera;
   Pose3 X_RC;
@@ -23,36 +23,69 @@ struct MarkPixel {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
 
+/// A measured point of any body B.
+struct PointPixel {
+  Eigen::Vector3d p_B = Eigen::Vector3d::Zero();  // [m]
+  int view = 0;
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  double disc_diameter_m = 0.0;  // > 0: the pixel is the middle of a disc square to B's z
+};
+
+/// Belief about how far the right camera is turned against the left from the calibration, about the
+/// camera's x (pitch), y (yaw), z (roll) [rad]; half of it is given to each camera.
+struct CameraTurn {
+  Eigen::Vector3d mean_rad = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Vector3d(1.2e-5, 1.2e-5, 6.3e-6).asDiagonal();
+};
+
+/// What else a calibration may be off, 1 sigma. It is not estimated; the covariance allows for it.
+struct CalibrationSpread {
+  double focal = 0.002;                      // relative; assumed, 0.0005-0.005
+  double centre_px = 1.0;                    // assumed, 0.3-3
+  double mounting_rad = 0.05 * kPi / 180.0;  // of the pair in the rover; assumed, 0.02-0.1 deg
+};
+
 struct RefineOptions {
-  // One mark, one axis. Assumed 0.3 (0.1-0.6): the fit's noise plus what 0.2 % of focal length
-  // leaves over the board.
-  double sigma_px = 0.3;
-  double huber_sigmas = 3.0;
-  // How far the right camera may be turned against the left from the calibration, 1 sigma about the
-  // camera's x (pitch), y (yaw), z (roll) [rad]. The range error of Tsai et al., V-E (20 cm at 5 m)
-  // is what 0.16 deg of relative yaw gives; one pixel of image centre acts like another 0.1 deg.
-  // The board's known size makes it observable. Used with two views only.
-  Eigen::Vector3d relative_turn_sigma_rad{0.0035, 0.0035, 0.0025};
-  bool fit_relative_turn = true;
+  // One mark, one axis. Detection alone scatters by 0.02-0.08 (tests/eyes); 0.2 % of focal length
+  // leaves as much again over the board. Assumed 0.15 (0.1-0.3).
+  double sigma_px = 0.15;
+  double huber_sigmas = 4.0;
+  // The default variances are 0.2, 0.2 and 0.14 deg squared: the range error of Tsai et al., V-E
+  // (20 cm at 5 m) is what 0.16 deg of relative yaw gives; a pixel of image centre in each camera
+  // acts like another 0.12 deg. The board's known size makes it observable. With two views only.
+  CameraTurn turn{};
+  bool fit_turn = true;
+  CalibrationSpread spread{};
   int max_iterations = 30;
 };
 
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
 struct RefinedPose {
   Pose3 X_RB;
-  Eigen::Vector3d relative_turn_rad = Eigen::Vector3d::Zero();  // right against left, beyond X_RC
+  CameraTurn turn{};  // the belief after this look
+  /// Of p_RB [m], then of a small turn of B about R's axes [rad]: x, y, z each. Calibration spread
+  /// and robust weights included.
+  Matrix6d covariance = Matrix6d::Zero();
   double rms_px = 0.0;                  // over all marks, of the distance in the picture
   std::vector<double> view_rms_px{};    // by view; zero without marks
   std::vector<double> mark_error_px{};  // by mark
   double cost = 0.0;                    // robust sum of squares over sigma squared, prior included
 };
 
-/// Where the centre of the fitted ellipse of a fiducial would be: the centroid of its projected
-/// disc, which differs from its projected centre by f (R/Z)^2 sin t cos t for a disc tilted by t.
-/// None when part of it cannot be seen.
+/// Where the centre of the fitted ellipse of a disc would be: the centroid of its projection, which
+/// differs from its projected centre by f (R/Z)^2 sin t cos t for a disc tilted by t. The disc lies
+/// square to B's z. None when part of it cannot be seen.
+std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_CB,
+                                           const Eigen::Vector3d& p_B, double diameter_m);
 std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_CB,
                                            const Fiducial& fiducial, double diameter_m);
 
-/// Levenberg-Marquardt from the start. At least three marks.
+/// Levenberg-Marquardt from the start with Huber's loss on each point. At least three points.
+RefinedPose RefinePoints(const std::vector<PointPixel>& points,
+                         const std::vector<CameraView>& views, const Pose3& X_RB_start,
+                         const RefineOptions& options = {});
+/// The same on the board's fiducials.
 RefinedPose RefinePose(const std::vector<MarkPixel>& marks, const std::vector<CameraView>& views,
                        const FiducialBoard& board, const Pose3& X_RB_start,
                        const RefineOptions& options = {});

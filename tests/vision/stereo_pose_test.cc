@@ -54,7 +54,7 @@ Spread MeasureSpread(const StereoRig& built, const StereoRig& believed, double z
                      int trials, bool fit_turn) {
   const Pose3 X_RB = BoardAhead(z_m);
   RefineOptions options;
-  options.fit_relative_turn = fit_turn;
+  options.fit_turn = fit_turn;
   Spread sum;
   for (int i = 0; i < trials; ++i) {
     RandomStream random(StreamKey(static_cast<std::uint64_t>(i), "stereo noise"));
@@ -154,7 +154,7 @@ TEST(JointFit, ReadsTheToeInOffTheBoard) {
   const auto left = Centres(built.left, built.X_RL, X_RB, 0.0, random);
   const auto right = Centres(built.right, built.X_RQ, X_RB, 0.0, random);
   const RefinedPose fit = RefinePose(BothViews(left, right), Views(believed), kBoard, X_RB);
-  EXPECT_NEAR(fit.relative_turn_rad.y(), Radians(0.16), Radians(0.02));
+  EXPECT_NEAR(fit.turn.mean_rad.y(), Radians(0.16), Radians(0.02));
 }
 
 TEST(JointFit, BringsAFarStartHome) {

@@ -1,0 +1,34 @@
+// Internal to the vision room. Fiducials that the search of the whole picture missed, looked for
+// where a first pose puts them.
+#pragma once
+
+#include <vector>
+
+#include "controller/vision/blobs.h"
+#include "controller/vision/fiducials.h"
+#include "controller/vision/pose_refine.h"
+
+namespace dockyard {
+
+/// DetectFiducials on levels that the caller keeps.
+std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image,
+                                              const std::vector<BlobLevel>& levels,
+                                              const FiducialBoard& board);
+
+/// The rim of a fiducial as a pose puts it; none when it does not lie whole in the picture.
+std::optional<Ellipse> ExpectedRim(const Camera& camera, const Pose3& X_CB,
+                                   const Fiducial& fiducial, double diameter_m);
+
+/// Looks for one fiducial about an expected rim. Its place, size and rotation are known, so that a
+/// weaker match is enough than in the whole picture.
+/// @param gate_px  how far from its place it may be
+std::optional<DetectedFiducial> DetectAt(const GrayImage& image,
+                                         const std::vector<BlobLevel>& levels,
+                                         const Ellipse& expected, double bar_direction_rad,
+                                         const FiducialBoard& board, double gate_px);
+
+/// Direction of a fiducial's bar in the rim's own plane (BarMatch's angle), as the pose puts it.
+double ExpectedBar(const Camera& camera, const Pose3& X_CB, const Fiducial& fiducial,
+                   double length_m, const Ellipse& rim);
+
+}  // namespace dockyard

@@ -1,0 +1,252 @@
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "controller/vision/blobs.h"
+#include "controller/vision/correspond.h"
+#include "controller/vision/fiducials.h"
+#include "controller/vision/guided.h"
+#include "controller/vision/locate.h"
+#include "controller/vision/pose_gates.h"
+#include "controller/vision/pose_refine.h"
+#include "controller/vision/sighting_report.h"
+#include "controller/vision/stereo_pose.h"
+
+namespace dockyard {
+namespace {
+
+constexpr int kMinTogether = 6;   // marks of both pictures that carry a pose when neither has five
+constexpr int kMinSecondEye = 2;  // marks that make the other picture worth a joint fit
+// How far a mark may lie from where the other eye's pose puts it [px]: a mono range error of 0.3 m
+// at 5 m shifts it by 3 px, 0.5 deg between the cameras by 6 px.
+constexpr double kCrossGatePx = 12.0;
+constexpr double kFinalGatePx = 4.0;   // the same once both eyes carried the pose
+constexpr double kGuidedGatePx = 2.5;  // of a missing mark from its place, and 4 % of its diameter
+
+using EyeResult = Result<EyeCorrespondence, PoseFailure>;
+
+struct Eyes {
+  std::array<const GrayImage*, 2> images;
+  std::array<std::vector<BlobLevel>, 2> levels;
+  std::array<std::vector<DetectedFiducial>, 2> detections;
+  std::vector<CameraView> views;
+  std::array<Eigen::Vector3d, 2> up_C;
+  RefineOptions refine;
+};
+
+std::size_t Index(int view) { return static_cast<std::size_t>(view); }
+
+std::vector<MarkPixel> Marks(const Eyes& eyes, int view, const std::vector<MarkMatch>& matches) {
+  std::vector<MarkPixel> marks;
+  for (const MarkMatch& match : matches) {
+    const auto& seen = eyes.detections[Index(view)];
+    const Eigen::Vector2d pixel = seen[Index(match.detection)].rim.centre_px;
+    marks.push_back({.id = match.id, .view = view, .pixel = pixel});
+  }
+  return marks;
+}
+
+std::vector<MarkPixel> Joined(std::vector<MarkPixel> a, const std::vector<MarkPixel>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+long CountIn(const std::vector<MarkPixel>& marks, int view) {
+  return std::count_if(marks.begin(), marks.end(), [&](const auto& m) { return m.view == view; });
+}
+
+/// The least-cost joint fit from several starts.
+std::optional<Fix> BestJointFit(const Eyes& eyes, const FiducialBoard& board,
+                                const std::vector<MarkPixel>& marks,
+                                const std::vector<Pose3>& starts) {
+  std::optional<Fix> best;
+  for (const Pose3& X_RB : starts) {
+    RefinedPose fit = RefinePose(marks, eyes.views, board, X_RB, eyes.refine);
+    if (!best || fit.cost < best->fit.cost) best = Fix{std::move(fit), marks, "stereo"};
+  }
+  return best;
+}
+
+/// Where the fit sees the board from, the estimated turn of the cameras included.
+Pose3 CameraFromBoard(const Eyes& eyes, const Fix& fix, int view) {
+  return TurnedView(eyes.views, Index(view), fix.fit.turn.mean_rad) * fix.fit.X_RB;
+}
+
+Fix Refit(const Eyes& eyes, const FiducialBoard& board, const Fix& fix,
+          const std::vector<MarkPixel>& marks) {
+  if (fix.method == "stereo") {
+    return {RefinePose(marks, eyes.views, board, fix.fit.X_RB, eyes.refine), marks, "stereo"};
+  }
+  const int view = fix.method == "left" ? 0 : 1;
+  std::vector<MarkPixel> alone = marks;
+  for (MarkPixel& mark : alone) mark.view = 0;
+  return {RefinePose(alone, {eyes.views[Index(view)]}, board, fix.fit.X_RB, eyes.refine), marks,
+          fix.method};
+}
+
+/// Gathers what both pictures show where the fit expects it, and fits again.
+Fix WithAllMarks(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) {
+  std::vector<MarkPixel> marks;
+  for (int view = 0; view < 2; ++view) {
+    const auto found = MatchByPose(eyes.detections[Index(view)], eyes.views[Index(view)].camera,
+                                   board, CameraFromBoard(eyes, fix, view), kFinalGatePx);
+    marks = Joined(marks, Marks(eyes, view, found));
+  }
+  if (marks.size() <= fix.marks.size() || CountIn(marks, 0) < kMinSecondEye ||
+      CountIn(marks, 1) < kMinSecondEye) {
+    return fix;
+  }
+  const Fix wider = Refit(eyes, board, fix, marks);
+  return wider.fit.rms_px < fix.fit.rms_px + 0.5 ? wider : fix;
+}
+
+/// Looks again, in both pictures, for the fiducials that nobody found, where the fit puts them.
+Fix WithGuidedMarks(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) {
+  std::vector<MarkPixel> marks = fix.marks;
+  for (int view = 0; view < 2; ++view) {
+    const Pose3 X_CB = fix.method == "stereo"
+                           ? CameraFromBoard(eyes, fix, view)
+                           : Inverse(eyes.views[Index(view)].X_RC) * fix.fit.X_RB;
+    if (fix.method == (view == 0 ? "right" : "left")) continue;
+    const Camera& camera = eyes.views[Index(view)].camera;
+    for (int id = 0; id < static_cast<int>(board.fiducials.size()); ++id) {
+      const bool known = std::any_of(fix.marks.begin(), fix.marks.end(),
+                                     [&](const auto& m) { return m.id == id && m.view == view; });
+      if (known) continue;
+      const Fiducial& fiducial = board.fiducials[Index(id)];
+      const auto rim = ExpectedRim(camera, X_CB, fiducial, board.disc_diameter_m);
+      if (!rim) continue;
+      const auto found = DetectAt(*eyes.images[Index(view)], eyes.levels[Index(view)], *rim,
+                                  ExpectedBar(camera, X_CB, fiducial, board.bar_length_m, *rim),
+                                  board, kGuidedGatePx + 0.08 * rim->mean_radius_px());
+      if (found) marks.push_back({.id = id, .view = view, .pixel = found->rim.centre_px});
+    }
+  }
+  if (marks.size() == fix.marks.size()) return fix;
+  const Fix wider = Refit(eyes, board, fix, marks);
+  return wider.fit.rms_px < fix.fit.rms_px + 0.3 ? wider : fix;
+}
+
+std::vector<Pose3> InRover(const std::vector<PlanarBranch>& branches, const Pose3& X_RC) {
+  std::vector<Pose3> poses;
+  for (const PlanarBranch& branch : branches) poses.push_back(X_RC * branch.X_CB);
+  return poses;
+}
+
+/// Both eyes know their marks: point stereo on complete sets, rigid fit, joint fit.
+std::optional<Fix> FromBoth(const Eyes& eyes, const StereoRig& rig, const FiducialBoard& board,
+                            const EyeCorrespondence& left, const EyeCorrespondence& right) {
+  std::vector<Pose3> starts = InRover(left.branches, eyes.views[0].X_RC);
+  const auto stereo = StereoPose(rig, board, left.centres, right.centres);
+  if (stereo) starts.insert(starts.begin(), *stereo);
+  const auto marks = Joined(Marks(eyes, 0, left.matches), Marks(eyes, 1, right.matches));
+  return BestJointFit(eyes, board, marks, starts);
+}
+
+/// One eye knows its marks; the other is searched where they should be.
+std::optional<Fix> FromOneAndSearch(const Eyes& eyes, const FiducialBoard& board, int view,
+                                    const EyeCorrespondence& eye) {
+  const int other = 1 - view;
+  std::optional<Fix> best;
+  for (const Pose3& X_RB : InRover(eye.branches, eyes.views[Index(view)].X_RC)) {
+    const Pose3 X_OB = Inverse(eyes.views[Index(other)].X_RC) * X_RB;
+    const auto matches = MatchByPose(eyes.detections[Index(other)], eyes.views[Index(other)].camera,
+                                     board, X_OB, kCrossGatePx);
+    if (static_cast<int>(matches.size()) < kMinSecondEye) continue;
+    const auto marks = Joined(Marks(eyes, view, eye.matches), Marks(eyes, other, matches));
+    const auto fix = BestJointFit(eyes, board, marks, {X_RB});
+    if (fix && (!best || fix->marks.size() > best->marks.size() ||
+                (fix->marks.size() == best->marks.size() && fix->fit.cost < best->fit.cost))) {
+      best = fix;
+    }
+  }
+  return best;
+}
+
+/// Neither eye has five marks: four of one, which prove nothing alone, and two or more of the other
+/// that lie where those four put them.
+std::optional<Fix> FromFew(const Eyes& eyes, const FiducialBoard& board) {
+  std::optional<Fix> best;
+  for (int view = 0; view < 2; ++view) {
+    const auto eye = Correspond(eyes.detections[Index(view)], eyes.views[Index(view)].camera, board,
+                                eyes.up_C[Index(view)], 4);
+    if (!eye) continue;
+    auto fix = FromOneAndSearch(eyes, board, view, *eye);
+    if (!fix) continue;
+    fix = WithGuidedMarks(eyes, board, WithAllMarks(eyes, board, *fix));
+    if (static_cast<int>(fix->marks.size()) < kMinTogether) continue;
+    if (!best || fix->marks.size() > best->marks.size()) best = fix;
+  }
+  return best;
+}
+
+Result<Fix, PoseFailure> FromOne(const Eyes& eyes, const FiducialBoard& board, int view,
+                                 const EyeCorrespondence& eye, const LocateHints& hints) {
+  const CameraView& camera = eyes.views[Index(view)];
+  const auto chosen = ChooseBranch(eye.branches, camera.X_RC, hints);
+  if (!chosen) return PoseFailure::kNotUpright;
+  const Fix at{.fit = {.X_RB = camera.X_RC * eye.branches[*chosen].X_CB},
+               .marks = {},
+               .method = view == 0 ? "left" : "right"};
+  const Fix fix = Refit(eyes, board, at, Marks(eyes, view, eye.matches));
+  if (IsAmbiguous(eye.branches, *chosen, camera.X_RC, hints)) return PoseFailure::kAmbiguous;
+  return WithGuidedMarks(eyes, board, fix);
+}
+
+/// The reason of the eye that came further.
+PoseFailure Nearer(PoseFailure left, PoseFailure right) {
+  return left == PoseFailure::kTooFewFiducials ? right : left;
+}
+
+Result<Fix, PoseFailure> FindFix(const Eyes& eyes, const StereoRig& rig, const FiducialBoard& board,
+                                 const LocateHints& hints) {
+  std::vector<EyeResult> found;
+  for (std::size_t v = 0; v < 2; ++v) {
+    found.push_back(Correspond(eyes.detections[v], eyes.views[v].camera, board, eyes.up_C[v]));
+  }
+  if (!found[0] && !found[1]) {
+    const auto few = FromFew(eyes, board);
+    if (few) return *few;
+    return Nearer(found[0].error(), found[1].error());
+  }
+  const int view = found[0] ? 0 : 1;
+  const EyeCorrespondence& eye = *found[Index(view)];
+  const std::optional<Fix> fix = found[0] && found[1]
+                                     ? FromBoth(eyes, rig, board, *found[0], *found[1])
+                                     : FromOneAndSearch(eyes, board, view, eye);
+  if (!fix) return FromOne(eyes, board, view, eye, hints);
+  return WithGuidedMarks(eyes, board, WithAllMarks(eyes, board, *fix));
+}
+
+}  // namespace
+
+LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
+                            const FiducialBoard& board, const LocateHints& hints) {
+  Eyes eyes{.images = {&images.left, &images.right},
+            .levels = {BuildLevels(images.left), BuildLevels(images.right)},
+            .detections = {},
+            .views = Views(rig),
+            .up_C = {},
+            .refine = {.turn = hints.camera_turn}};
+  SightingReport report;
+  for (std::size_t v = 0; v < 2; ++v) {
+    eyes.up_C[v] = eyes.views[v].X_RC.R.transpose() * hints.up_R;
+    eyes.detections[v] = DetectFiducials(*eyes.images[v], eyes.levels[v], board);
+    AssignRotations(eyes.detections[v], eyes.views[v].camera, eyes.up_C[v]);
+  }
+  report.detected_left = static_cast<int>(eyes.detections[0].size());
+  report.detected_right = static_cast<int>(eyes.detections[1].size());
+  const auto fix = FindFix(eyes, rig, board, hints);
+  if (!fix) return Refused(fix.error(), std::move(report));
+  Describe(*fix, eyes.views, board, &report);
+  const bool stereo = fix->method == "stereo";
+  const std::vector<CameraView> used =
+      stereo ? eyes.views : std::vector<CameraView>{eyes.views[fix->method == "left" ? 0 : 1]};
+  if (const auto failure = Judge(fix->fit, used, board, hints)) {
+    return Refused(*failure, std::move(report));
+  }
+  return Accepted(*fix, hints, std::move(report));
+}
+
+}  // namespace dockyard

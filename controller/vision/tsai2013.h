@@ -1,0 +1,33 @@
+// Internal to the vision room. The stages in which the paper's perception differs from ours
+// (Tsai et al., III); its parameters are fixed, as they were held in the field (V-D).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "controller/base/result.h"
+#include "controller/vision/fiducials.h"
+#include "controller/vision/hypotheses.h"
+#include "controller/vision/locate.h"
+
+namespace dockyard {
+
+/// Adaptive threshold, connected regions, filters, local threshold, ellipse through the perimeter;
+/// the rotation from the major axis of the white inside. From the bottom of the picture upwards, as
+/// outlines come from the tracing that is in use.
+std::vector<DetectedFiducial> DetectTsai2013(const GrayImage& image);
+
+/// What one picture says.
+struct TsaiCorrespondence {
+  std::vector<MarkMatch> matches;        // by id
+  std::vector<Eigen::Vector2d> centres;  // of all fiducials, the missing ones by the homography
+  std::vector<double> residual_px{};     // of the matches, by the last homography
+};
+
+/// Each naming of the first min_points detections gives a homography between the board and the raw
+/// pixels; fiducials within the closeness of their re-projection give the last one. With five
+/// points one may be left out. Least mean error wins (Tsai et al., III-A.3).
+Result<TsaiCorrespondence, PoseFailure> CorrespondTsai2013(
+    const std::vector<DetectedFiducial>& detections, const FiducialBoard& board, int min_points);
+
+}  // namespace dockyard
