@@ -1,30 +1,13 @@
-// From flat views to the lens's picture: each pixel averages the flat view over its exact
-// footprint. Plain arithmetic, no GL. Tan plane: (x, y) = ray.xy / ray.z in the camera frame.
+// Where a lens's pixels look in the tan plane, (x, y) = ray.xy / ray.z in the camera frame. Plain
+// arithmetic, no GL.
 #pragma once
 
 #include <vector>
 
 #include "controller/geometry/camera.h"
-#include "render/stereo_renderer.h"
+#include "render/flat_view.h"
 
 namespace dockyard {
-
-/// Part of the tan plane.
-struct TanRect {
-  double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
-
-  bool Contains(const Eigen::Vector2d& tan, double margin) const {
-    return tan.x() >= left + margin && tan.x() <= right - margin && tan.y() >= top + margin &&
-           tan.y() <= bottom - margin;
-  }
-};
-
-/// A rendered part of the tan plane: rows from the top, pixels evenly spread.
-struct FlatView {
-  TanRect rect;
-  int width = 0, height = 0;
-  std::vector<float> values;
-};
 
 /// Tan-plane points of a lens's pixels, tabulated from Camera::Ray: against the radius for a
 /// Kannala-Brandt lens, corner by corner for the others, which costs 0.1 s: keep it for the run.
@@ -52,9 +35,5 @@ class TanScale {
 
 /// The smallest rectangle that holds every pixel's footprint, grown by 2 % and 4 px.
 TanRect ImageRect(const Camera& camera, const TanScale& scale);
-
-/// close may be null; it is used where it holds the whole footprint.
-RadianceImage WarpToFisheye(const Camera& camera, const TanScale& scale, const FlatView& wide,
-                            const FlatView* close);
 
 }  // namespace dockyard

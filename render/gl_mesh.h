@@ -22,6 +22,7 @@ class GlMesh {
   void Upload(const std::vector<Eigen::Vector3f>& positions,
               const std::vector<std::uint32_t>& indices);
   void Bind() const { gl_.BindVertexArray(array_); }
+  int count() const { return count_; }  // of indices
   void Draw() const { Draw(0, count_); }
   void Draw(int first, int count) const;
 

@@ -115,46 +115,45 @@ void GlTexture::Sampling(GLint minify, GLint magnify, GLint wrap) {
   if (mipmapped) gl_.GenerateMipmap(GL_TEXTURE_2D);
 }
 
-GlGreyTarget::GlGreyTarget(const GlFunctions& gl, int width, int height, int samples)
-    : gl_(gl), width_(width), height_(height), samples_(samples > 1 ? samples : 0) {
-  gl_.GenFramebuffers(1, &draw_);
+GlViewTarget::GlViewTarget(const GlFunctions& gl, int width, int height)
+    : gl_(gl), width_(width), height_(height) {
   gl_.GenRenderbuffers(3, buffers_);
-  const auto attach = [&](GLuint buffer, GLenum format, int n, GLenum where) {
+  const auto store = [&](GLuint buffer, GLenum format) {
     gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer);
-    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, n, format, width, height);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, buffer);
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
   };
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, draw_);
-  attach(buffers_[0], GL_R32F, samples_, GL_COLOR_ATTACHMENT0);
-  attach(buffers_[1], GL_DEPTH_COMPONENT32F, samples_, GL_DEPTH_ATTACHMENT);
-  RequireComplete(gl_);
-  if (samples_ == 0) return;
-  gl_.GenFramebuffers(1, &resolve_);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, resolve_);
-  attach(buffers_[2], GL_R32F, 0, GL_COLOR_ATTACHMENT0);
-  RequireComplete(gl_);
+  store(buffers_[0], GL_RG32UI);
+  store(buffers_[1], GL_RGBA32F);
+  store(buffers_[2], GL_DEPTH_COMPONENT32F);
+  const auto frame = [&](GLuint& id, GLuint color) {
+    gl_.GenFramebuffers(1, &id);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, id);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffers_[2]);
+    RequireComplete(gl_);
+  };
+  frame(seen_, buffers_[0]);
+  frame(thin_, buffers_[1]);
 }
 
-GlGreyTarget::~GlGreyTarget() {
-  gl_.DeleteFramebuffers(1, &draw_);
-  if (resolve_) gl_.DeleteFramebuffers(1, &resolve_);
+GlViewTarget::~GlViewTarget() {
+  gl_.DeleteFramebuffers(1, &seen_);
+  gl_.DeleteFramebuffers(1, &thin_);
   gl_.DeleteRenderbuffers(3, buffers_);
 }
 
-void GlGreyTarget::Bind() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, draw_); }
-
-void GlGreyTarget::Read(int w, int h, float* values) const {
+void GlViewTarget::Read(int w, int h, Seen* pixels) const {
+  static_assert(sizeof(Seen) == 8);
   DOCKYARD_CHECK(w <= width_ && h <= height_);
-  if (samples_ > 0) {
-    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, draw_);
-    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolve_);
-    gl_.BlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, resolve_);
-  } else {
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, draw_);
-  }
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl_.ReadPixels(0, 0, w, h, GL_RED, GL_FLOAT, values);
+  gl_.ReadPixels(0, 0, w, h, GL_RG_INTEGER, GL_UNSIGNED_INT, pixels);
+}
+
+void GlViewTarget::Read(int x, int y, int w, int h, Thin* pixels) const {
+  static_assert(sizeof(Thin) == 4 * sizeof(float));
+  DOCKYARD_CHECK(x >= 0 && y >= 0 && x + w <= width_ && y + h <= height_);
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_.ReadPixels(x, y, w, h, GL_RGBA, GL_FLOAT, pixels);
 }
 
 GlTextureTarget::GlTextureTarget(const GlFunctions& gl, const GlTexture* color,

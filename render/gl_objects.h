@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "render/flat_view.h"
 #include "render/gl_functions.h"
 
 namespace dockyard {
@@ -54,25 +55,27 @@ class GlTexture {
   GLuint id_ = 0;
 };
 
-/// One grey float plane with depth to draw into, with or without multisampling, read as floats.
-class GlGreyTarget {
+/// A flat view to draw into: one plane for what is seen, one for thin bodies before it, one depth.
+class GlViewTarget {
  public:
-  /// samples 0 or 1: plain. Throws std::runtime_error when the context cannot.
-  GlGreyTarget(const GlFunctions& gl, int width, int height, int samples);
-  ~GlGreyTarget();
-  GlGreyTarget(const GlGreyTarget&) = delete;
-  GlGreyTarget& operator=(const GlGreyTarget&) = delete;
+  /// Throws std::runtime_error when the context cannot.
+  GlViewTarget(const GlFunctions& gl, int width, int height);
+  ~GlViewTarget();
+  GlViewTarget(const GlViewTarget&) = delete;
+  GlViewTarget& operator=(const GlViewTarget&) = delete;
 
   int width() const { return width_; }
   int height() const { return height_; }
-  void Bind() const;
-  /// Resolves and copies out the lower left w x h pixels, row by row from GL's row 0.
-  void Read(int w, int h, float* values) const;
+  void BindSeen() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, seen_); }
+  void BindThin() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, thin_); }
+  /// Copy pixels out of the plane, which is bound; row by row from GL's row 0.
+  void Read(int w, int h, Seen* pixels) const;
+  void Read(int x, int y, int w, int h, Thin* pixels) const;
 
  private:
   const GlFunctions& gl_;
-  int width_, height_, samples_;
-  GLuint draw_ = 0, resolve_ = 0, buffers_[3] = {};
+  int width_, height_;
+  GLuint seen_ = 0, thin_ = 0, buffers_[3] = {};
 };
 
 /// A framebuffer that draws into textures.

@@ -11,17 +11,15 @@ namespace {
 
 constexpr double kFadeOut_m = 2.0;    // outside the grid, assumed: no yard ends in a cliff
 constexpr double kHorizon_m = 300.0;  // the eye 0.4 m up sees it 0.08 deg below the level
-constexpr int kBlockSectors = 4, kBlockRings = 6;
-static_assert(kGroundSectors % kBlockSectors == 0);
-constexpr int kMaxMarch = 64;  // nodes towards the sun; shadows of ruts are shorter
+constexpr int kMaxMarch = 64;         // nodes towards the sun; shadows of ruts are shorter
 
-// Near rings 3 % apart. Farther out by the square of the distance, for an eye 0.4 m up sees the
-// ground ever flatter: about four pixels apart at 650 px/rad, and tiny triangles are dear. What is
+// Near rings 4 % apart. Farther out by the square of the distance, for an eye 0.4 m up sees the
+// ground ever flatter: about five pixels apart at 650 px/rad, and tiny triangles are dear. What is
 // finer than the rings is still in the relief that shades them.
 std::vector<double> RingRadii() {
   std::vector<double> radii;
   for (double r = 0.04; r < 0.32; r += 0.04) radii.push_back(r);
-  for (double r = 0.32; r < kHorizon_m; r += std::max(0.03 * r, 0.015 * r * r)) radii.push_back(r);
+  for (double r = 0.32; r < kHorizon_m; r += std::max(0.04 * r, 0.02 * r * r)) radii.push_back(r);
   radii.push_back(kHorizon_m);
   return radii;
 }
@@ -84,28 +82,6 @@ std::uint32_t VertexAt(const GroundFan& fan, int sector, int ring) {
   return static_cast<std::uint32_t>(1 + sector % kGroundSectors * fan.rings + ring);
 }
 
-// Round kBlockSectors sectors from this one, rings of block b with the one beyond.
-Eigen::AlignedBox3d BlockBox(const GroundFan& fan, const std::vector<Eigen::Vector3d>& p_U,
-                             int sector, int b) {
-  Eigen::AlignedBox3d box;
-  if (b == 0) box.extend(p_U[0]);
-  const int last = std::min((b + 1) * kBlockRings, fan.rings - 1);
-  for (int s = sector; s <= sector + kBlockSectors; ++s) {
-    for (int r = b * kBlockRings; r <= last; ++r) box.extend(p_U[VertexAt(fan, s, r)]);
-  }
-  return box;
-}
-
-// Block b's triangles within one sector.
-void AddBlock(const GroundFan& fan, int s, int b, std::vector<std::uint32_t>& indices) {
-  if (b == 0) indices.insert(indices.end(), {0u, VertexAt(fan, s, 0), VertexAt(fan, s + 1, 0)});
-  const int last = std::min((b + 1) * kBlockRings, fan.rings - 1);
-  for (int r = b * kBlockRings; r < last; ++r) {
-    const std::uint32_t a = VertexAt(fan, s, r), c = VertexAt(fan, s + 1, r);
-    indices.insert(indices.end(), {a, a + 1, c, c, a + 1, c + 1});
-  }
-}
-
 }  // namespace
 
 void RequireSoundGround(const GroundView& g) {
@@ -148,7 +124,8 @@ GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole
   GroundFan fan{.pole_x_m = pole_x_m,
                 .pole_y_m = pole_y_m,
                 .rings = static_cast<int>(radii.size()),
-                .vertices = {}};
+                .vertices = {},
+                .indices = {}};
   const auto add = [&](double x, double y) {
     fan.vertices.push_back(Eigen::Vector3d(x, y, height(pole_x_m + x, pole_y_m + y)).cast<float>());
   };
@@ -159,28 +136,14 @@ GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole
     const double c = std::cos(azimuth), sn = std::sin(azimuth);
     for (const double r : radii) add(r * c, r * sn);
   }
-  return fan;
-}
-
-FanParts SplitFan(const GroundFan& fan, const Pose3& X_UF,
-                  const std::function<bool(const Eigen::AlignedBox3d& box_U)>& may_be_shaded) {
-  std::vector<Eigen::Vector3d> p_U;
-  p_U.reserve(fan.vertices.size());
-  for (const Eigen::Vector3f& p : fan.vertices) p_U.push_back(X_UF * p.cast<double>());
-  const int blocks = (fan.rings + kBlockRings - 1) / kBlockRings;
-  std::vector<char> shaded(blocks);
-  FanParts parts;
   for (int s = 0; s < kGroundSectors; ++s) {
-    parts.open.start.push_back(static_cast<int>(parts.open.indices.size()));
-    parts.shaded.start.push_back(static_cast<int>(parts.shaded.indices.size()));
-    for (int b = 0; b < blocks; ++b) {
-      if (s % kBlockSectors == 0) shaded[b] = may_be_shaded(BlockBox(fan, p_U, s, b));
-      AddBlock(fan, s, b, (shaded[b] ? parts.shaded : parts.open).indices);
+    fan.indices.insert(fan.indices.end(), {0u, VertexAt(fan, s, 0), VertexAt(fan, s + 1, 0)});
+    for (int r = 0; r + 1 < fan.rings; ++r) {
+      const std::uint32_t a = VertexAt(fan, s, r), c = VertexAt(fan, s + 1, r);
+      fan.indices.insert(fan.indices.end(), {a, a + 1, c, c, a + 1, c + 1});
     }
   }
-  parts.open.start.push_back(static_cast<int>(parts.open.indices.size()));
-  parts.shaded.start.push_back(static_cast<int>(parts.shaded.indices.size()));
-  return parts;
+  return fan;
 }
 
 std::vector<float> GroundRelief(const GroundView& g, const Eigen::Vector3d& sun_G,

@@ -2,13 +2,11 @@
 // slopes and own shadow at the grid's full resolution. Plain arithmetic, no GL.
 #pragma once
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "render/scene.h"
-#include "render/surface_mesh.h"
 
 namespace dockyard {
 
@@ -32,28 +30,16 @@ class GroundHeight {
 };
 
 /// Fan of rings; positions relative to (pole_x, pole_y, 0) in G's axes: the pole, then the rings of
-/// azimuth 0, those of azimuth 2 pi / kGroundSectors, ...
-inline constexpr int kGroundSectors = 360;
+/// azimuth 0, those of azimuth 2 pi / kGroundSectors, ... Triangles sector by sector, as many in
+/// each.
+inline constexpr int kGroundSectors = 300;
 struct GroundFan {
   double pole_x_m = 0.0, pole_y_m = 0.0;
   int rings = 0;
   std::vector<Eigen::Vector3f> vertices;
+  std::vector<std::uint32_t> indices;
 };
 GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m);
-
-/// Triangles of some of the fan, sector by sector: those of sector s (azimuths s to s + 1) are
-/// indices [start[s], start[s + 1]).
-struct FanPart {
-  std::vector<std::uint32_t> indices;
-  std::vector<int> start;
-};
-
-/// The fan's blocks, a few sectors by a few rings each, by the answer for the box round a block.
-struct FanParts {
-  FanPart open, shaded;
-};
-FanParts SplitFan(const GroundFan& fan, const Pose3& X_UF,
-                  const std::function<bool(const Eigen::AlignedBox3d& box_U)>& may_be_shaded);
 
 /// Per grid node four numbers: slope along x and along y, share of the sun that the ground itself
 /// leaves there, unused. sun_G: unit, towards the sun.

@@ -56,6 +56,9 @@ struct SunAndSky {
   double sun_angular_diameter_rad = 0.0093;
   double sky_irradiance = 0.25;  // on a level surface, from the whole sky
   double ground_bounce_albedo = 0.3;
+  // Colour of either as linear red, green, blue; Luminance of each is 1, so that grey does not
+  // know.
+  Eigen::Vector3d sun_rgb{1, 1, 1}, sky_rgb{1, 1, 1};
 };
 
 struct Scene {

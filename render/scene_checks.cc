@@ -4,7 +4,6 @@
 #include <string>
 
 #include "render/scene_painter.h"
-#include "render/shaders.h"
 
 namespace dockyard {
 namespace {
@@ -32,8 +31,6 @@ void RequireBoard(const BoardView& view) {
   Require(board.width_m >= 0.0 && board.height_m >= 0.0 && board.width_m < 10.0 &&
               board.height_m < 10.0,
           "the board's sides must lie in 0 to 10 m");
-  Require(board.fiducials.size() <= static_cast<std::size_t>(kMaxFiducials),
-          "at most " + std::to_string(kMaxFiducials) + " fiducials can be drawn");
   for (const Fiducial& f : board.fiducials) {
     Require(f.p_BF.allFinite() && std::isfinite(f.rotation), "a fiducial is not finite");
   }
@@ -43,6 +40,8 @@ void RequireBoard(const BoardView& view) {
 }  // namespace
 
 void RequireSoundScene(const Scene& scene) {
+  Require(scene.objects.size() <= static_cast<std::size_t>(kMaxObjects),
+          "at most " + std::to_string(kMaxObjects) + " objects can be drawn");
   for (const SceneObject& object : scene.objects) {
     Require(object.mesh != nullptr, "an object has no mesh");
     RequirePose(object.X_WO, "an object's");

@@ -11,13 +11,6 @@ namespace dockyard {
 namespace {
 
 constexpr double kNear_m = 0.02, kFar_m = 400.0;
-constexpr int kReliefUnit = 2, kSoilUnit = 3, kLumpsUnit = 4;
-// A shaded facet's normal and its plane differ by the sagitta of its curve.
-constexpr double kCurvedBias_m = 0.003, kFlatBias_m = 0.001;
-
-// Panchromatic grey of a linear colour (luminance weights of ITU-R BT.601).
-double Grey(const Eigen::Vector3d& rgb) { return rgb.dot(Eigen::Vector3d(0.299, 0.587, 0.114)); }
-
 Eigen::Matrix4d ToMatrix(const Pose3& X) {
   Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
   m.topLeftCorner<3, 3>() = X.R;
@@ -68,18 +61,13 @@ struct ScenePainter::Eye {
 ScenePainter::ScenePainter(const GlFunctions& gl)
     : gl_(gl),
       shadow_map_(gl),
-      surface_(gl, SurfaceVertexShader(), SurfaceFragmentShader()),
-      open_ground_(gl, SurfaceVertexShader(), GroundFragmentShader(false)),
-      shaded_ground_(gl, SurfaceVertexShader(), GroundFragmentShader(true)),
-      board_(gl, SurfaceVertexShader(), BoardFragmentShader()),
-      sky_(gl, SkyVertexShader(), SkyFragmentShader()),
-      open_mesh_(gl),
-      shaded_mesh_(gl),
+      object_(gl, SurfaceVertexShader(), ObjectFragmentShader()),
+      ground_(gl, PlainVertexShader(), GroundFragmentShader()),
+      board_(gl, PlainVertexShader(), BoardFragmentShader()),
+      thin_(gl, SurfaceVertexShader(), ThinFragmentShader()),
+      ground_mesh_(gl),
       board_mesh_(gl),
       tether_mesh_(gl),
-      relief_(gl),
-      soil_(gl),
-      lumps_(gl),
       empty_mesh_(gl) {
   empty_mesh_.Upload(SurfaceMesh{});
 }
@@ -94,9 +82,11 @@ void ScenePainter::Prepare(const Scene& scene, const Pose3& X_WR) {
   fit_ = FitShadow(Casters(scene), board, X_WR, scene.light.to_sun_W);
   empty_mesh_.Bind();
   shadow_map_.Render(
-      fit_, [&](GlProgram& program, const Eigen::Matrix4d& clip_from_U,
-                const ShadowWindow& window) { DrawCasters(program, clip_from_U, window); });
-  if (HasGround(scene.ground)) UploadFan(scene);
+      fit_, scene.light.sun_angular_diameter_rad,
+      [&](GlProgram& program, const Eigen::Matrix4d& clip_from_U, const ShadowWindow& window) {
+        DrawCasters(program, clip_from_U, window);
+      },
+      shadow_);
 }
 
 std::vector<Ball> ScenePainter::Casters(const Scene& scene) const {
@@ -143,81 +133,54 @@ void ScenePainter::DrawCasters(GlProgram& program, const Eigen::Matrix4d& clip_f
   tether_mesh_.Draw();
 }
 
-void ScenePainter::BeginProgram(GlProgram& program, double bias_m) {
-  const SunAndSky& light = scene_->light;
-  program.Use();
-  shadow_map_.Apply(fit_, program);
-  program.Set("u_sun_radius", 0.5 * light.sun_angular_diameter_rad);
-  program.Set("u_bias", bias_m);
-  program.Set("u_effort", Eigen::Vector2d(effort_.searches, effort_.taps));
-  const Eigen::Vector3d up_U = fit_.X_WU.R.row(2).transpose();
-  const double on_level = light.sun_irradiance * std::max(up_U.z(), 0.0) + light.sky_irradiance;
-  program.Set("u_light", Eigen::Vector3d(light.sun_irradiance, light.sky_irradiance,
-                                         light.ground_bounce_albedo * on_level));
-  program.Set("u_up", up_U);
-}
-
 void ScenePainter::Pose(GlProgram& program, const Eye& eye, const Pose3& X_WO) const {
   program.Set("u_clip_from_object", Eigen::Matrix4d(eye.clip_from_C * ToMatrix(eye.X_CW * X_WO)));
   program.Set("u_light_from_object", ToMatrix(Inverse(fit_.X_WU) * X_WO));
 }
 
-void ScenePainter::Paint(const Pose3& X_WC, const TanRect& rect, int width, int height,
-                         ShadowEffort effort) {
-  effort_ = effort;
+void ScenePainter::Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView& view) {
   const Eye eye{.X_WC = X_WC,
                 .X_CW = Inverse(X_WC),
-                .rect = rect,
-                .width = width,
-                .height = height,
-                .clip_from_C = ClipFromCamera(rect)};
-  gl_.Viewport(0, 0, width, height);
+                .rect = view.rect,
+                .width = view.width,
+                .height = view.height,
+                .clip_from_C = ClipFromCamera(view.rect)};
+  target.BindSeen();
+  gl_.Viewport(0, 0, view.width, view.height);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_LEQUAL);
   gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_BLEND);
   gl_.FrontFace(GL_CW);  // the picture is upside down to GL
   gl_.VertexAttrib1f(2, 1.0f);
-  gl_.ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  constexpr GLuint kSky[4] = {0, 0, 0, 0};
+  gl_.ClearBufferuiv(GL_COLOR, 0, kSky);
+  gl_.Clear(GL_DEPTH_BUFFER_BIT);
   PaintObjects(eye);
   if (HasBoard(*scene_)) PaintBoard(eye);
   if (HasGround(scene_->ground)) PaintGround(eye);
-  PaintSky(eye);
-  PaintTether(eye);
+  view.seen.resize(static_cast<std::size_t>(view.width) * view.height);
+  target.Read(view.width, view.height, view.seen.data());
+  PaintTether(eye, target, view);
 }
 
 void ScenePainter::PaintObjects(const Eye& eye) {
-  BeginProgram(surface_, kCurvedBias_m);
+  object_.Use();
+  int index = -1;
   for (const SceneObject& object : scene_->objects) {
+    ++index;
     const Cached& cached = cache_.at(object.mesh.get());
     const Eigen::Vector3d p_C = eye.X_CW * (object.X_WO * cached.ball.center);
     if (!MayShow(eye.rect, p_C, cached.ball.radius)) continue;
-    Pose(surface_, eye, object.X_WO);
-    surface_.Set("u_albedo", Grey(object.albedo));
+    Pose(object_, eye, object.X_WO);
+    object_.Set("u_object", index);
     cached.buffers->Draw();
   }
 }
 
 void ScenePainter::PaintBoard(const Eye& eye) {
-  const BoardView& view = scene_->board;
-  BeginProgram(board_, kFlatBias_m);
-  Pose(board_, eye, view.X_WB);
-  const int count = static_cast<int>(view.board.fiducials.size());
-  Eigen::Matrix<float, 4, Eigen::Dynamic> fiducials(4, count);
-  for (int i = 0; i < count; ++i) {
-    const Fiducial& f = view.board.fiducials[i];
-    // Counter-clockwise for the beholder is towards -y, for y points down.
-    fiducials.col(i) =
-        Eigen::Vector4d(f.p_BF.x(), f.p_BF.y(), std::cos(f.rotation), -std::sin(f.rotation))
-            .cast<float>();
-  }
-  board_.Set("u_fiducials", fiducials);
-  board_.Set("u_fiducial_count", count);
-  board_.Set("u_sizes",
-             Eigen::Vector3d(0.5 * view.board.disc_diameter_m, 0.5 * view.board.bar_length_m,
-                             0.5 * view.board.bar_width_m));
-  board_.Set("u_albedos", Eigen::Vector2d(view.white_albedo, view.black_albedo));
+  board_.Use();
+  Pose(board_, eye, scene_->board.X_WB);
   // A plate that is drawn in the board's plane must not shine through.
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(-1.0f, -8.0f);
@@ -226,61 +189,74 @@ void ScenePainter::PaintBoard(const Eye& eye) {
 }
 
 void ScenePainter::PaintGround(const Eye& eye) {
-  relief_.Bind(kReliefUnit);
-  soil_.Bind(kSoilUnit);
-  lumps_.Bind(kLumpsUnit);
-  PaintPart(eye, open_ground_, parts_.open, open_mesh_);
-  PaintPart(eye, shaded_ground_, parts_.shaded, shaded_mesh_);
-}
-
-void ScenePainter::PaintPart(const Eye& eye, GlProgram& program, const FanPart& part,
-                             const GlMesh& mesh) {
-  const GroundView& ground = scene_->ground;
-  BeginProgram(program, kFlatBias_m);
-  Pose(program, eye, X_WF_);
-  program.Set("u_relief", kReliefUnit);
-  program.Set("u_soil", kSoilUnit);
-  program.Set("u_lumps", kLumpsUnit);
-  program.Set("u_pole", Eigen::Vector2d(fan_.pole_x_m, fan_.pole_y_m));
-  const Eigen::Vector2d scale(1.0 / (ground.cell_m * ground.nx), 1.0 / (ground.cell_m * ground.ny));
-  const Eigen::Vector2d first(ground.x0_m - 0.5 * ground.cell_m, ground.y0_m - 0.5 * ground.cell_m);
-  program.Set("u_grid_scale", scale);
-  program.Set("u_grid_shift", Eigen::Vector2d(-first.cwiseProduct(scale)));
-  program.Set("u_albedo", Grey(ground.albedo));
+  ground_.Use();
+  Pose(ground_, eye, X_WF_);
   const SectorRange range = VisibleSectors(Inverse(X_WF_) * eye.X_WC, eye.rect);
+  const int per_sector = ground_mesh_.count() / kGroundSectors;
   const auto draw = [&](int from, int to) {
-    mesh.Draw(part.start[from], part.start[to] - part.start[from]);
+    ground_mesh_.Draw(per_sector * from, per_sector * (to - from));
   };
   const int end = range.first + range.count;
   draw(range.first, std::min(end, kGroundSectors));
   if (end > kGroundSectors) draw(0, end - kGroundSectors);
 }
 
-void ScenePainter::PaintSky(const Eye& eye) {
-  BeginProgram(sky_, 0.0);
-  const TanRect& r = eye.rect;
-  sky_.Set("u_rect", Eigen::Vector4d(r.left, r.top, r.right - r.left, r.bottom - r.top));
-  sky_.Set("u_up_C", Eigen::Vector3d(eye.X_CW.R.col(2)));
-  sky_.Set("u_sun_C", Eigen::Vector3d(eye.X_CW.R * scene_->light.to_sun_W));
-  empty_mesh_.Bind();
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+// The pixels that the tether may touch.
+bool ScenePainter::FitThin(const Eye& eye, FlatView& view) const {
+  const Pose3& X_CW = eye.X_CW;
+  const double px = (eye.rect.right - eye.rect.left) / eye.width;
+  const double py = (eye.rect.bottom - eye.rect.top) / eye.height;
+  Eigen::AlignedBox2d box;
+  bool any = false;
+  for (const Eigen::Vector3d& p_W : scene_->tether.points_W) {
+    const Eigen::Vector3d p_C = X_CW * p_W;
+    if (p_C.z() < 2.0 * kNear_m) {  // may come up to the eye: anywhere
+      box.extend(Eigen::Vector2d(eye.rect.left, eye.rect.top));
+      box.extend(Eigen::Vector2d(eye.rect.right, eye.rect.bottom));
+      continue;
+    }
+    any = true;
+    const Eigen::Vector2d tan = p_C.head<2>() / p_C.z();
+    const double reach = scene_->tether.diameter_m / p_C.z() + 2.0 * std::max(px, py);
+    box.extend(tan - Eigen::Vector2d::Constant(reach));
+    box.extend(tan + Eigen::Vector2d::Constant(reach));
+  }
+  if (!any) return false;
+  const auto pixel = [](double at, double from, double step, int last) {
+    return static_cast<int>(std::clamp(std::floor((at - from) / step), 0.0, double(last)));
+  };
+  view.thin_x = pixel(box.min().x(), eye.rect.left, px, eye.width);
+  view.thin_y = pixel(box.min().y(), eye.rect.top, py, eye.height);
+  view.thin_width = pixel(box.max().x() + px, eye.rect.left, px, eye.width) - view.thin_x;
+  view.thin_height = pixel(box.max().y() + py, eye.rect.top, py, eye.height) - view.thin_y;
+  return view.thin_width > 0 && view.thin_height > 0;
 }
 
-void ScenePainter::PaintTether(const Eye& eye) {
+void ScenePainter::PaintTether(const Eye& eye, const GlViewTarget& target, FlatView& view) {
+  view.thin.clear();
+  view.thin_width = view.thin_height = 0;
+  if (!FitThin(eye, view)) return;
   const Pose3 X_CP = eye.X_CW * X_WP_;
   const double pixel = (eye.rect.right - eye.rect.left) / eye.width;
-  const SurfaceMesh tube = TetherTube(
-      [&](const Eigen::Vector3d& p_P) { return 0.6 * pixel * std::max((X_CP * p_P).z(), 0.0); });
-  BeginProgram(surface_, kCurvedBias_m);
-  Pose(surface_, eye, X_WP_);
-  surface_.Set("u_albedo", Grey(scene_->tether.albedo));
-  tether_mesh_.Upload(tube);
+  tether_mesh_.Upload(TetherTube(
+      [&](const Eigen::Vector3d& p_P) { return 0.6 * pixel * std::max((X_CP * p_P).z(), 0.0); }));
+  target.BindThin();
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.Scissor(view.thin_x, view.thin_y, view.thin_width, view.thin_height);
+  constexpr GLfloat kNone[4] = {0, 0, 0, 0};
+  gl_.ClearBufferfv(GL_COLOR, 0, kNone);
+  thin_.Use();
+  Pose(thin_, eye, X_WP_);
+  thin_.Set("u_up", Eigen::Vector3d(fit_.X_WU.R.row(2).transpose()));
   gl_.Enable(GL_CULL_FACE);  // or the far side would count as cover too
   gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   tether_mesh_.Draw();
   gl_.Disable(GL_BLEND);
   gl_.Disable(GL_CULL_FACE);
+  gl_.Disable(GL_SCISSOR_TEST);
+  view.thin.resize(static_cast<std::size_t>(view.thin_width) * view.thin_height);
+  target.Read(view.thin_x, view.thin_y, view.thin_width, view.thin_height, view.thin.data());
 }
 
 }  // namespace dockyard

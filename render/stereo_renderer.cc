@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "render/compose.h"
 #include "render/fisheye_warp.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
@@ -13,13 +14,10 @@
 namespace dockyard {
 namespace {
 
-// Flat pixels per image pixel in the middle of the picture, where the tan plane is least dense; 56
-// deg off the axis it has 3.2 times as many along the radius. The board gets a view of its own.
-constexpr double kWideDensity = 0.85;
-constexpr double kCloseDensity = 3.0;
-constexpr int kSamples = 1;
-constexpr ShadowEffort kWideEffort{.searches = 4, .taps = 8};
-constexpr ShadowEffort kCloseEffort{.searches = 4, .taps = 6};
+// Rays per image pixel in the middle of the picture, where the tan plane is least dense; 56 deg off
+// the axis there are 3.2 times as many along the radius. The board gets a view of its own.
+constexpr double kWideDensity = 0.9;
+constexpr double kCloseDensity = 2.0;
 constexpr double kMostFlatPixels = 16e6;
 constexpr double kMostClosePixels = 0.3e6;
 
@@ -27,15 +25,15 @@ std::unique_ptr<GlContext> CreateContext(GlBackend backend) {
   return backend == GlBackend::kOsMesa ? CreateOsMesaContext() : CreateEglSurfacelessContext();
 }
 
-FlatView Sized(const Camera& camera, const TanRect& rect, double density, double most_pixels) {
+void Size(const Camera& camera, const TanRect& rect, double density, double most_pixels,
+          FlatView& view) {
   const double w = rect.right - rect.left, h = rect.bottom - rect.top;
   const Eigen::Vector2d f = camera.focal_px();
   const double wanted = density * density * f.x() * f.y() * w * h;
   const double scale = density * std::min(1.0, std::sqrt(most_pixels / wanted));
-  return {.rect = rect,
-          .width = std::max(2, static_cast<int>(std::ceil(scale * f.x() * w))),
-          .height = std::max(2, static_cast<int>(std::ceil(scale * f.y() * h))),
-          .values = {}};
+  view.rect = rect;
+  view.width = std::max(2, static_cast<int>(std::ceil(scale * f.x() * w)));
+  view.height = std::max(2, static_cast<int>(std::ceil(scale * f.y() * h)));
 }
 
 // The board's outline in the tan plane, cut to the picture; none when it does not stand wholly
@@ -82,54 +80,74 @@ class StereoRenderer::Impl {
   }
 
   std::array<RadianceImage, 2> RenderRadiance(const Scene& scene, const StereoRig& rig,
-                                              const Pose3& X_WR) {
+                                              const Pose3& X_WR, Channel channel) {
     RequireSoundScene(scene);
     context_->MakeCurrent();
     painter_->Prepare(scene, X_WR);
-    return {RenderEye(scene, ScaleOf(0, rig.left), X_WR * rig.X_RL),
-            RenderEye(scene, ScaleOf(1, rig.right), X_WR * rig.X_RQ)};
+    if (HasGround(scene.ground)) {
+      texture_.Update(scene.ground, scene.light.to_sun_W, scene.light.sun_angular_diameter_rad);
+    }
+    return {RenderEye(scene, LensOf(0, rig.left), X_WR * rig.X_RL, channel),
+            RenderEye(scene, LensOf(1, rig.right), X_WR * rig.X_RQ, channel)};
   }
 
  private:
-  // A run's lenses stay: their tables are made once.
-  const TanScale& ScaleOf(int eye, const Camera& camera) {
-    std::optional<TanScale>& scale = scales_[eye];
-    if (!scale || !(scale->camera() == camera)) scale.emplace(camera);
-    return *scale;
-  }
-
-  RadianceImage RenderEye(const Scene& scene, const TanScale& scale, const Pose3& X_WC) {
-    const Camera& camera = scale.camera();
-    const TanRect rect = ImageRect(camera, scale);
-    FlatView wide = Sized(camera, rect, kWideDensity, kMostFlatPixels);
-    PaintInto(wide_target_, X_WC, kWideEffort, wide);
-    std::optional<FlatView> close;
-    if (scene.board.board.width_m > 0.0 && scene.board.board.height_m > 0.0) {
-      if (const auto board = BoardRect(scene.board, X_WC, rect)) {
-        close = Sized(camera, *board, kCloseDensity, kMostClosePixels);
-        PaintInto(close_target_, X_WC, kCloseEffort, *close);
+  // What a camera's pixels see does not change from picture to picture.
+  struct Lens {
+    Camera camera;
+    TanRect rect;
+    PixelGrid grid;
+  };
+  const Lens& LensOf(int eye, const Camera& camera) {
+    std::optional<Lens>& lens = lenses_[eye];
+    if (lens && lens->camera == camera) return *lens;
+    const TanScale scale(camera);
+    lens = Lens{.camera = camera, .rect = ImageRect(camera, scale), .grid = {}};
+    lens->grid.width = camera.width;
+    lens->grid.height = camera.height;
+    std::vector<Eigen::Vector2f> row;
+    for (int y = 0; y <= camera.height; ++y) {
+      scale.CornerRow(y, row);
+      for (const Eigen::Vector2f& corner : row) {
+        lens->grid.x.push_back(corner.x());
+        lens->grid.y.push_back(corner.y());
       }
     }
-    return WarpToFisheye(camera, scale, wide, close ? &*close : nullptr);
+    return *lens;
   }
 
-  void PaintInto(std::unique_ptr<GlGreyTarget>& target, const Pose3& X_WC, ShadowEffort effort,
-                 FlatView& view) {
+  RadianceImage RenderEye(const Scene& scene, const Lens& lens, const Pose3& X_WC,
+                          Channel channel) {
+    const Camera& camera = lens.camera;
+    const TanRect& rect = lens.rect;
+    Size(camera, rect, kWideDensity, kMostFlatPixels, wide_);
+    PaintInto(wide_target_, X_WC, wide_);
+    const FlatView* close = nullptr;
+    if (scene.board.board.width_m > 0.0 && scene.board.board.height_m > 0.0) {
+      if (const auto board = BoardRect(scene.board, X_WC, rect)) {
+        Size(camera, *board, kCloseDensity, kMostClosePixels, close_);
+        PaintInto(close_target_, X_WC, close_);
+        close = &close_;
+      }
+    }
+    return Compose(lens.grid, wide_, close, {scene, texture_, painter_->shadow()}, X_WC, channel);
+  }
+
+  void PaintInto(std::unique_ptr<GlViewTarget>& target, const Pose3& X_WC, FlatView& view) {
     if (!target || target->width() < view.width || target->height() < view.height) {
       const int w = std::max(view.width, target ? target->width() : 0);
       const int h = std::max(view.height, target ? target->height() : 0);
-      target = std::make_unique<GlGreyTarget>(context_->functions(), w, h, kSamples);
+      target = std::make_unique<GlViewTarget>(context_->functions(), w, h);
     }
-    target->Bind();
-    painter_->Paint(X_WC, view.rect, view.width, view.height, effort);
-    view.values.resize(static_cast<std::size_t>(view.width) * view.height);
-    target->Read(view.width, view.height, view.values.data());
+    painter_->Paint(*target, X_WC, view);
   }
 
   std::unique_ptr<GlContext> context_;
   std::unique_ptr<ScenePainter> painter_;
-  std::unique_ptr<GlGreyTarget> wide_target_, close_target_;
-  std::array<std::optional<TanScale>, 2> scales_;
+  std::unique_ptr<GlViewTarget> wide_target_, close_target_;
+  GroundTexture texture_;
+  std::array<std::optional<Lens>, 2> lenses_;
+  FlatView wide_, close_;  // their memory serves the next picture
 };
 
 StereoRenderer::StereoRenderer(GlBackend backend) : impl_(std::make_unique<Impl>(backend)) {}
@@ -138,7 +156,7 @@ StereoRenderer::~StereoRenderer() = default;
 std::array<RadianceImage, 2> StereoRenderer::RenderRadiance(const Scene& scene,
                                                             const StereoRig& rig,
                                                             const Pose3& X_WR) {
-  return impl_->RenderRadiance(scene, rig, X_WR);
+  return impl_->RenderRadiance(scene, rig, X_WR, Channel::kGrey);
 }
 
 StereoImages StereoRenderer::Render(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,

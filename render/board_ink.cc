@@ -1,0 +1,112 @@
+#include "render/board_ink.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard {
+namespace {
+
+// Share of a footprint that reaches `reach` to both sides where a distance is below nought.
+float Below(float distance, float reach) {
+  return std::clamp(0.5f - distance / std::max(2.0f * reach, 1e-9f), 0.0f, 1.0f);
+}
+
+}  // namespace
+
+BoardShader::BoardShader(const Scene& scene, const Pose3& X_WC, Channel channel) {
+  const BoardView& view = scene.board;
+  const Pose3 X_CB = Inverse(X_WC) * view.X_WB;
+  // A point (x, y) of the board lies at x e1 + y e2 + p in the camera; tan is that over its depth.
+  Eigen::Matrix3d tan_from_board;
+  tan_from_board << X_CB.R.col(0), X_CB.R.col(1), X_CB.p;
+  board_from_tan_ = tan_from_board.inverse().cast<float>();
+  printed_side_ = X_CB.R.col(2).dot(X_CB.p) > 0.0;
+  const Eigen::Vector3d normal_W = (printed_side_ ? -1.0 : 1.0) * view.X_WB.R.col(2);
+  const auto to_sun = static_cast<float>(normal_W.dot(scene.light.to_sun_W));
+  const auto to_zenith = static_cast<float>(normal_W.z());
+  const auto radiance = [&](double albedo, float& sun, float& around) {
+    const Reflected r = Reflect(scene.light, Eigen::Vector3d::Constant(albedo), channel);
+    const auto [s, k, b] = std::array{static_cast<float>(r.sun), static_cast<float>(r.sky),
+                                      static_cast<float>(r.bounce)};
+    around = Shade(s, k, b, to_sun, to_zenith, 0.0f);
+    sun = Shade(s, k, b, to_sun, to_zenith, 1.0f) - around;
+  };
+  radiance(view.white_albedo, white_sun_, white_around_);
+  radiance(view.black_albedo, black_sun_, black_around_);
+  for (const Fiducial& f : view.board.fiducials) {
+    // Counter-clockwise for the beholder is towards -y, for y points down.
+    marks_.push_back({static_cast<float>(f.p_BF.x()), static_cast<float>(f.p_BF.y()),
+                      static_cast<float>(std::cos(f.rotation)),
+                      static_cast<float>(-std::sin(f.rotation))});
+  }
+  radius_ = static_cast<float>(0.5 * view.board.disc_diameter_m);
+  half_length_ = static_cast<float>(0.5 * view.board.bar_length_m);
+  half_width_ = static_cast<float>(0.5 * view.board.bar_width_m);
+}
+
+Eigen::Vector2f BoardShader::ToBoard(Tan tan) const {
+  const Eigen::Matrix3f& h = board_from_tan_;
+  const float scale = 1.0f / (h(2, 0) * tan.x + h(2, 1) * tan.y + h(2, 2));
+  return {(h(0, 0) * tan.x + h(0, 1) * tan.y + h(0, 2)) * scale,
+          (h(1, 0) * tan.x + h(1, 1) * tan.y + h(1, 2)) * scale};
+}
+
+float BoardShader::InkAt(const Mark& mark, const Eigen::Vector2f& p, const Eigen::Vector2f& step_x,
+                         const Eigen::Vector2f& step_y) const {
+  const Eigen::Vector2f q(p.x() - mark.x, p.y() - mark.y);
+  const auto reach = [&](float nx, float ny) {
+    return 0.5f * std::hypot(nx * step_x.x() + ny * step_x.y(), nx * step_y.x() + ny * step_y.y());
+  };
+  const float r = std::max(std::hypot(q.x(), q.y()), 1e-6f);
+  const float disc = Below(r - radius_, reach(q.x() / r, q.y() / r));
+  const float a = std::abs(q.x() * mark.along_x + q.y() * mark.along_y) - half_length_;
+  const float b = std::abs(q.y() * mark.along_x - q.x() * mark.along_y) - half_width_;
+  const float bar =
+      Below(a, reach(mark.along_x, mark.along_y)) * Below(b, reach(-mark.along_y, mark.along_x));
+  return disc * (1.0f - bar);
+}
+
+float BoardShader::InkShare(const PixelCorners& c) const {
+  if (!printed_side_) return 0.0f;
+  const Eigen::Vector2f middle = ToBoard(
+      {0.25f * (c[0].x + c[1].x + c[2].x + c[3].x), 0.25f * (c[0].y + c[1].y + c[2].y + c[3].y)});
+  const Mark* near = nullptr;
+  float nearest = 1e9f;
+  for (const Mark& mark : marks_) {
+    const float dx = middle.x() - mark.x, dy = middle.y() - mark.y;
+    const float squared = dx * dx + dy * dy;
+    if (squared < nearest) {
+      nearest = squared;
+      near = &mark;
+    }
+  }
+  const Eigen::Vector2f p00 = ToBoard(c[0]), p10 = ToBoard(c[1]), p01 = ToBoard(c[2]),
+                        p11 = ToBoard(c[3]);
+  const float span = std::max((p11 - p00).cwiseAbs().maxCoeff(), (p01 - p10).cwiseAbs().maxCoeff());
+  const float beyond = radius_ + span;
+  if (nearest > beyond * beyond) return 0.0f;
+  constexpr int kParts = 4;  // a side: the corner of an edge is flat enough by then
+  const Eigen::Vector2f step_x = (0.5f / kParts) * (p10 + p11 - p00 - p01);
+  const Eigen::Vector2f step_y = (0.5f / kParts) * (p01 + p11 - p00 - p10);
+  const float one = InkAt(*near, middle, 2.0f * kParts * step_x, 2.0f * kParts * step_y);
+  if (one == 0.0f || one == 1.0f) return one;  // no edge as near as a pixel
+  float sum = 0.0f;
+  for (int j = 0; j < kParts; ++j) {
+    const float v = (static_cast<float>(j) + 0.5f) / kParts;
+    for (int i = 0; i < kParts; ++i) {
+      const float u = (static_cast<float>(i) + 0.5f) / kParts;
+      const Eigen::Vector2f p = (1 - v) * ((1 - u) * p00 + u * p10) + v * ((1 - u) * p01 + u * p11);
+      sum += InkAt(*near, p, step_x, step_y);
+    }
+  }
+  return sum / (kParts * kParts);
+}
+
+float BoardShader::operator()(const PixelCorners& corners, float share) const {
+  const float ink = InkShare(corners);
+  return (1.0f - ink) * (white_around_ + share * white_sun_) +
+         ink * (black_around_ + share * black_sun_);
+}
+
+}  // namespace dockyard

@@ -1,0 +1,33 @@
+// From flat views to the lens's picture: each pixel takes what the rays within its exact footprint
+// saw, and shades ground, board and sky where it looks itself. Plain arithmetic, no GL.
+#pragma once
+
+#include <vector>
+
+#include "render/flat_view.h"
+#include "render/ground_texture.h"
+#include "render/scene.h"
+#include "render/shading.h"
+#include "render/stereo_renderer.h"
+
+namespace dockyard {
+
+/// Where the corners of a camera's pixels look in the tan plane: (width + 1) x (height + 1), row by
+/// row from the corner of the top left pixel.
+struct PixelGrid {
+  int width = 0, height = 0;
+  std::vector<float> x, y;
+};
+
+/// What a picture is made of, beside the views. The shadow is that of the scene.
+struct Lit {
+  const Scene& scene;
+  const GroundTexture& ground;
+  const SunShadow& shadow;
+};
+
+/// close may be null; it is used where it holds the whole footprint.
+RadianceImage Compose(const PixelGrid& grid, const FlatView& wide, const FlatView* close,
+                      const Lit& lit, const Pose3& X_WC, Channel channel);
+
+}  // namespace dockyard

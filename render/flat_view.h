@@ -1,0 +1,59 @@
+// A part of the tan plane, (x, y) = ray.xy / ray.z in the camera frame, and what a flat view of it
+// found along each of its rays: which kind of surface and how far. Light comes later.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace dockyard {
+
+/// A point or a step of the tan plane; two plain floats, which the compiler keeps in registers.
+struct Tan {
+  float x = 0.0f, y = 0.0f;
+};
+
+struct TanRect {
+  double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
+};
+
+/// What one ray meets.
+struct Seen {
+  std::uint32_t object = 0;  // object's index in the scene, and normal: see UnpackNormal
+  float code = 0.0f;         // object: -1/z; sky: 0; ground: 1/z; board: kBoardCode + 1/z  [1/m]
+};
+
+/// Above 1/z of the near plane (50 / m), far below the step that floats lose.
+inline constexpr float kBoardCode = 64.0f;
+
+inline bool IsObject(float code) { return code < 0.0f; }
+inline bool IsBoard(float code) { return code >= kBoardCode; }
+inline bool IsSky(float code) { return code == 0.0f; }
+/// 1/z of a ray's point; 0 for the sky.
+inline float InverseDepth(float code) {
+  return code < 0.0f ? -code : code >= kBoardCode ? code - kBoardCode : code;
+}
+
+inline constexpr int kMaxObjects = 255;    // eight bits
+inline constexpr int kNormalSteps = 4094;  // twelve bits each; even, so that axes are met exactly
+inline int ObjectOf(const Seen& seen) { return static_cast<int>(seen.object >> 24); }
+/// Of length 1, in light axes; within 5e-4 rad.
+Eigen::Vector3f UnpackNormal(const Seen& seen);
+
+/// Thin bodies before all that, each times its cover: cosine to the sun, cosine to the zenith, 1/z,
+/// and 1.
+struct Thin {
+  float to_sun = 0.0f, to_zenith = 0.0f, inverse_depth = 0.0f, cover = 0.0f;
+};
+
+/// Rows from the top, rays evenly spread.
+struct FlatView {
+  TanRect rect;
+  int width = 0, height = 0;
+  std::vector<Seen> seen;
+  // Of a part of the view; elsewhere there are none.
+  int thin_x = 0, thin_y = 0, thin_width = 0, thin_height = 0;
+  std::vector<Thin> thin;
+};
+
+}  // namespace dockyard

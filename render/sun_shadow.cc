@@ -1,0 +1,226 @@
+#include "render/sun_shadow.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard {
+namespace {
+
+constexpr int kTile = 8;    // texels a side
+constexpr int kSpread = 2;  // tiles round a place that its bounds cover
+constexpr int kTilesWide = kAtlasWidth / kTile, kTilesHigh = kAtlasHeight / kTile;
+constexpr float kMaxReach = kTile * kSpread;           // texels
+constexpr float kBoundsReach = kTile * (kSpread + 1);  // texels
+constexpr float kNoCaster = -1e9f;
+constexpr double kNearScene_m = 4.0;   // round rover and board, what the cameras see in detail
+constexpr double kWidestHalf_m = 8.0;  // 10 mm texels at worst
+
+// Sunflower points at multiples of the golden angle fill a disc evenly (Vogel, Mathematical
+// Biosciences 44, 1979).
+constexpr double kGoldenAngle_rad = 2.39996323;
+
+// x across, level; under a sun at the zenith the rover's forward axis.
+Eigen::Matrix3d LightAxes(const Eigen::Vector3d& to_sun_W, const Pose3& X_WR) {
+  const Eigen::Vector3d z = to_sun_W.normalized();
+  Eigen::Vector3d x = Eigen::Vector3d::UnitZ().cross(z);
+  if (x.norm() < 1e-3) x = X_WR.R.col(0) - X_WR.R.col(0).dot(z) * z;
+  if (x.norm() < 1e-3) x = X_WR.R.col(1) - X_WR.R.col(1).dot(z) * z;
+  x.normalize();
+  Eigen::Matrix3d R_WU;
+  R_WU << x, z.cross(x), z;
+  return R_WU;
+}
+
+struct Box {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(1e9), high = Eigen::Vector2d::Constant(-1e9);
+  void Add(const Eigen::Vector3d& p, double radius) {
+    low = low.cwiseMin(p.head<2>().array().matrix() - Eigen::Vector2d::Constant(radius));
+    high = high.cwiseMax(p.head<2>().array().matrix() + Eigen::Vector2d::Constant(radius));
+  }
+};
+
+// Shadows lie where casters project; only those near the scene matter.
+ShadowWindow CoarseWindow(const Box& casters, const Box& scene) {
+  const Eigen::Vector2d low = casters.low.cwiseMax(scene.low);
+  const Eigen::Vector2d high = casters.high.cwiseMin(scene.high);
+  ShadowWindow window;
+  window.texels = kCoarseTexels;
+  if ((low.array() >= high.array()).any()) return window;
+  window.center_m = 0.5 * (low + high);
+  // A margin of the texels next to the border, which are not looked up.
+  window.half_m = std::clamp(0.52 * (high - low).maxCoeff(), 1.0, kWidestHalf_m);
+  return window;
+}
+
+}  // namespace
+
+ShadowFit FitShadow(const std::vector<Ball>& casters_W, const Ball& board_W, const Pose3& X_WR,
+                    const Eigen::Vector3d& to_sun_W) {
+  ShadowFit fit;
+  fit.X_WU = {LightAxes(to_sun_W, X_WR), board_W.center};
+  const Pose3 X_UW = Inverse(fit.X_WU);
+  Box casters, scene;
+  scene.Add(X_UW * board_W.center, board_W.radius + kNearScene_m);
+  scene.Add(X_UW * X_WR.p, kNearScene_m);
+  fit.top_m = -1e9;
+  fit.bottom_m = 1e9;
+  for (const Ball& ball : casters_W) {
+    const Eigen::Vector3d p = X_UW * ball.center;
+    casters.Add(p, ball.radius);
+    fit.top_m = std::max(fit.top_m, p.z() + ball.radius + 0.01);
+    fit.bottom_m = std::min(fit.bottom_m, p.z() - ball.radius - 0.01);
+  }
+  if (casters_W.empty()) {
+    fit.top_m = 1.0;
+    fit.bottom_m = 0.0;
+  }
+  fit.coarse = CoarseWindow(casters, scene);
+  fit.fine = {.center_m = Eigen::Vector2d::Zero(),
+              .half_m = std::max(1.1 * board_W.radius + 0.05, 0.2),
+              .texels = kFineTexels,
+              .column = kCoarseTexels};
+  return fit;
+}
+
+SunShadow::SunShadow() {
+  for (int i = 0; i < kTurns; ++i) {
+    const double angle = 2.0 * kPi * i / kTurns;
+    turns_[i] = Eigen::Vector2d(std::cos(angle), std::sin(angle)).cast<float>();
+  }
+  for (int n = 1; n <= kMostPoints; ++n) {
+    for (int i = 0; i < n; ++i) {
+      const double angle = i * kGoldenAngle_rad, radius = std::sqrt((i + 0.5) / n);
+      discs_[n][i] =
+          Eigen::Vector2d(radius * std::cos(angle), radius * std::sin(angle)).cast<float>();
+    }
+  }
+}
+
+void SunShadow::Take(const ShadowFit& fit, double sun_angular_diameter_rad) {
+  fit_ = fit;
+  top_ = static_cast<float>(fit.top_m);
+  range_ = static_cast<float>(fit.top_m - fit.bottom_m);
+  sun_radius_ = static_cast<float>(0.5 * sun_angular_diameter_rad);
+  const auto window = [](const ShadowWindow& w) {
+    return Window{.center_x = static_cast<float>(w.center_m.x()),
+                  .center_y = static_cast<float>(w.center_m.y()),
+                  .texel_m = static_cast<float>(w.texel_m()),
+                  .per_texel = static_cast<float>(1.0 / w.texel_m()),
+                  .middle = 0.5f * static_cast<float>(w.texels),
+                  .last = static_cast<float>(w.texels),
+                  .column = w.column};
+  };
+  coarse_ = window(fit.coarse);
+  fine_ = window(fit.fine);
+  ReduceTiles();
+}
+
+void SunShadow::ReduceTiles() {
+  tiles_.assign(std::size_t{kTilesWide} * kTilesHigh, {});
+  for (int ty = 0; ty < kTilesHigh; ++ty) {
+    for (int tx = 0; tx < kTilesWide; ++tx) {
+      const float* corner = &depth_[std::size_t{kTile} * ty * kAtlasWidth + kTile * tx];
+      float nearest[kTile], farthest[kTile];  // side by side, so that they go together
+      for (int x = 0; x < kTile; ++x) nearest[x] = farthest[x] = corner[x];
+      for (int y = 1; y < kTile; ++y) {
+        for (int x = 0; x < kTile; ++x) {
+          const float z = corner[y * kAtlasWidth + x];
+          nearest[x] = z < nearest[x] ? z : nearest[x];
+          farthest[x] = z > farthest[x] ? z : farthest[x];
+        }
+      }
+      const float low = *std::min_element(nearest, nearest + kTile);
+      const float high = *std::max_element(farthest, farthest + kTile);
+      tiles_[std::size_t{kTilesWide} * ty + tx] = {
+          .highest = low < 1.0f ? top_ - low * range_ : kNoCaster,
+          .lowest = high < 1.0f ? top_ - high * range_ : kNoCaster};
+    }
+  }
+  // Over the tiles around: along the rows, then down the columns.
+  const auto spread = [](const std::vector<Bounds>& from, std::vector<Bounds>& to, int step_x,
+                         int step_y) {
+    to.resize(from.size());
+    for (int ty = 0; ty < kTilesHigh; ++ty) {
+      for (int tx = 0; tx < kTilesWide; ++tx) {
+        Bounds bounds = from[std::size_t{kTilesWide} * ty + tx];
+        for (int k = -kSpread; k <= kSpread; ++k) {
+          const int x = std::clamp(tx + k * step_x, 0, kTilesWide - 1);
+          const int y = std::clamp(ty + k * step_y, 0, kTilesHigh - 1);
+          const Bounds& other = from[std::size_t{kTilesWide} * y + x];
+          bounds.highest = std::max(bounds.highest, other.highest);
+          bounds.lowest = std::min(bounds.lowest, other.lowest);
+        }
+        to[std::size_t{kTilesWide} * ty + tx] = bounds;
+      }
+    }
+  };
+  spread(tiles_, around_, 1, 0);
+  spread(around_, tiles_, 0, 1);
+}
+
+float SunShadow::Caster(int column, int row) const {
+  const float z = depth_[static_cast<std::size_t>(row) * kAtlasWidth + column];
+  return z < 1.0f ? top_ - z * range_ : kNoCaster;
+}
+
+float SunShadow::Share(const Place& place, int searches, int points) const {
+  const Eigen::Vector3f &p = place.p, &n = place.n;
+  constexpr float kEdge = kMaxReach + 2.0f;
+  const Window* window = &fine_;
+  float qx = 0.0f, qy = 0.0f;
+  const auto inside = [&] {
+    qx = (p.x() - window->center_x) * window->per_texel + window->middle;
+    qy = (p.y() - window->center_y) * window->per_texel + window->middle;
+    return qx >= kEdge && qy >= kEdge && qx <= window->last - kEdge && qy <= window->last - kEdge;
+  };
+  if (!inside()) {
+    window = &coarse_;
+    if (!inside()) return 1.0f;
+  }
+  qx += static_cast<float>(window->column);
+  const float per_nz = -1.0f / std::max(n.z(), 0.12f);
+  const float slope_x = n.x() * per_nz, slope_y = n.y() * per_nz;
+  const float sway = (std::abs(slope_x) + std::abs(slope_y)) * window->texel_m * kBoundsReach;
+  const Bounds& bounds = tiles_[std::size_t{kTilesWide} * (static_cast<int>(qy) / kTile) +
+                                static_cast<std::size_t>(static_cast<int>(qx) / kTile)];
+  if (bounds.highest < p.z() - sway) return 1.0f;
+  if (bounds.lowest > p.z() + sway + place.bias_m) return 0.0f;
+  const float reach = std::clamp(
+      std::max(sun_radius_ * (bounds.highest - p.z() + sway), place.blur_m) * window->per_texel,
+      1.5f, kMaxReach);
+  return Penumbra(*window, qx, qy, place, slope_x, slope_y, reach, searches, points);
+}
+
+float SunShadow::Penumbra(const Window& window, float x0, float y0, const Place& place,
+                          float slope_x, float slope_y, float reach, int searches,
+                          int points) const {
+  const float c = turns_[place.turn].x(), sn = turns_[place.turn].y();
+  // How far the texel there stands over the receiver's plane.
+  const auto gap = [&](const Eigen::Vector2f& point, float radius) {
+    const int column = static_cast<int>(x0 + radius * (c * point.x() - sn * point.y()));
+    const int row = static_cast<int>(y0 + radius * (sn * point.x() + c * point.y()));
+    const float dx = (static_cast<float>(column) + 0.5f - x0) * window.texel_m;
+    const float dy = (static_cast<float>(row) + 0.5f - y0) * window.texel_m;
+    return Caster(column, row) - (place.p.z() + slope_x * dx + slope_y * dy);
+  };
+  // How far the nearest casters are decides how wide the penumbra is.
+  float total = 0.0f;
+  int found = 0;
+  for (int i = 0; i < searches; ++i) {
+    const float over = gap(discs_[searches][i], reach);
+    if (over > place.bias_m) {
+      total += over;
+      ++found;
+    }
+  }
+  if (found == 0) return 1.0f;
+  const float penumbra = sun_radius_ * total / static_cast<float>(found);
+  const float radius =
+      std::clamp(std::hypot(penumbra, place.blur_m) * window.per_texel, 0.8f, kMaxReach);
+  int blocked = 0;
+  for (int i = 0; i < points; ++i) blocked += gap(discs_[points][i], radius) > place.bias_m;
+  return 1.0f - static_cast<float>(blocked) / static_cast<float>(points);
+}
+
+}  // namespace dockyard

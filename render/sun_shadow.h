@@ -1,0 +1,82 @@
+// How much of the sun's disc a place sees, looked up in the shadow map. No GL.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "controller/geometry/pose.h"
+#include "render/surface_mesh.h"
+
+namespace dockyard {
+
+/// A square of the plane across the sun's rays.
+struct ShadowWindow {
+  Eigen::Vector2d center_m{0, 0};  // in light axes U
+  double half_m = 1.0;
+  int texels = 0;  // a side
+  int column = 0;  // where it begins in the atlas
+
+  double texel_m() const { return 2.0 * half_m / texels; }
+};
+
+/// Light axes U: z towards the sun; origin near the board, so that floats stay small.
+struct ShadowFit {
+  Pose3 X_WU;
+  ShadowWindow coarse, fine;
+  double top_m = 1.0, bottom_m = 0.0;  // along z, all casters in between
+};
+
+inline constexpr int kCoarseTexels = 1536;
+inline constexpr int kFineTexels = 768;
+inline constexpr int kAtlasWidth = kCoarseTexels + kFineTexels, kAtlasHeight = kCoarseTexels;
+
+/// casters_W: balls round everything that casts. board: its centre and half diagonal. The fine
+/// window keeps texels of at most 3 mm on boards up to 1.9 m across.
+ShadowFit FitShadow(const std::vector<Ball>& casters_W, const Ball& board_W, const Pose3& X_WR,
+                    const Eigen::Vector3d& to_sun_W);
+
+class SunShadow {
+ public:
+  /// Takes a new map: depth 0 at fit.top_m towards the sun, 1 at fit.bottom_m and where nothing is.
+  void Take(const ShadowFit& fit, double sun_angular_diameter_rad);
+  /// Room for the map, kAtlasWidth x kAtlasHeight, row by row.
+  std::vector<float>& depth() { return depth_; }
+  const ShadowFit& fit() const { return fit_; }
+
+  /// Share of the sun in sight of a place on a surface.
+  struct Place {
+    Eigen::Vector3f p, n;  // in U; n of length 1, n.z > 0
+    float bias_m;          // how far over the surface a caster counts
+    float blur_m;          // radius over which the share is averaged: the pixel's own
+    int turn;              // 0 to kTurns - 1: scatters the points of the sun's disc
+  };
+  static constexpr int kTurns = 256, kMostPoints = 16;
+  /// searches, points: of the disc, to find casters and to measure their cover; 1 to kMostPoints.
+  float Share(const Place& place, int searches, int points) const;
+
+  SunShadow();
+
+ private:
+  struct Bounds {
+    float highest = 0.0f, lowest = 0.0f;  // caster over a tile and those around it, along U's z [m]
+  };
+  struct Window {
+    float center_x, center_y, texel_m, per_texel, middle, last;
+    int column;
+  };
+  void ReduceTiles();
+  float Caster(int column, int row) const;
+  float Penumbra(const Window& window, float qx, float qy, const Place& place, float slope_x,
+                 float slope_y, float reach, int searches, int points) const;
+
+  ShadowFit fit_;
+  std::array<Eigen::Vector2f, kTurns> turns_;                                    // cosine and sine
+  std::array<std::array<Eigen::Vector2f, kMostPoints>, kMostPoints + 1> discs_;  // by their count
+  std::vector<float> depth_ = std::vector<float>(std::size_t{kAtlasWidth} * kAtlasHeight, 1.0f);
+  std::vector<Bounds> tiles_, around_;
+  Window coarse_{}, fine_{};
+  float top_ = 0.0f, range_ = 1.0f, sun_radius_ = 0.0f;
+};
+
+}  // namespace dockyard
