@@ -8,6 +8,7 @@
 #include "models/load_scenario.h"
 #include "models/load_soil.h"
 #include "models/load_station.h"
+#include "models/load_wheel.h"
 #include "models/mesh_loader.h"
 #include "models/study.h"
 #include "models/urdf.h"
@@ -52,6 +53,13 @@ FileCheck CheckSoil(const std::string& file) {
                       ", cohesion " + NumberText(soil.cohesion_pa) + " Pa"};
 }
 
+FileCheck CheckWheel(const std::string& file) {
+  const WheelFile wheel = LoadWheel(file);
+  return {"wheel", wheel.name + ": radius " + NumberText(wheel.wheel.rim_radius_m) + " m, width " +
+                       NumberText(wheel.wheel.width_m) + " m, " +
+                       std::to_string(wheel.wheel.paddle_count) + " paddles"};
+}
+
 FileCheck CheckScenario(const std::string& file) {
   const Scenario scenario = LoadScenario(file);
   const ScenarioModels models = LoadModels(scenario);
@@ -88,9 +96,10 @@ FileCheck CheckYaml(const std::string& file) {
   if (has("wheels") || has("motors") || has("cameras")) return CheckRover(file);
   if (has("cone") || has("board") || has("feet")) return CheckStation(file);
   if (has("k_phi") || has("cohesion_pa") || has("friction_angle_deg")) return CheckSoil(file);
+  if (has("radius_m") || has("width_m") || has("paddles")) return CheckWheel(file);
   throw ConfigError(
       root.place.Text() +
-      ": expected the keys of a rover, station, soil, scenario, campaign or study, found "
+      ": expected the keys of a rover, station, soil, wheel, scenario, campaign or study, found "
       "none of them");
 }
 

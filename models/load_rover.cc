@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "models/config_error.h"
+#include "models/load_wheel.h"
 #include "models/text_file.h"
 #include "models/urdf.h"
 #include "models/yaml_reader.h"
@@ -48,17 +49,7 @@ void ReadMotors(const YamlReader& root, RoverModel& rover) {
 void ReadWheels(const YamlReader& root, RoverModel& rover) {
   const YamlReader in(root.Child("wheels"), "wheels",
                       {"radius_m", "width_m", "paddles", "left_phase_deg", "right_phase_deg"});
-  WheelModel wheel;
-  wheel.rim_radius_m = in.Number("radius_m", Positive(2.0));
-  wheel.width_m = in.Number("width_m", Positive(2.0));
-  const YamlReader paddles(in.Child("paddles"), in.PathOf("paddles"),
-                           {"count", "height_m", "thickness_m"});
-  wheel.paddle_count = paddles.Integer("count", 0, 64);
-  wheel.paddle_height_m = paddles.Number("height_m", NonNegative(0.5));
-  wheel.paddle_thickness_m = paddles.Number("thickness_m", NonNegative(0.1));
-  if (wheel.paddle_count > 0 && !(wheel.paddle_height_m > 0 && wheel.paddle_thickness_m > 0)) {
-    paddles.Refuse("count", "0, or a height_m and a thickness_m above 0");
-  }
+  const WheelModel wheel = ReadWheelShape(in);
   rover.left_wheel_soil = rover.right_wheel_soil = wheel;
   rover.left_wheel_soil.phase_rad = in.DegreesOr("left_phase_deg", 0.0, Between(-180.0, 180.0));
   rover.right_wheel_soil.phase_rad = in.DegreesOr("right_phase_deg", 0.0, Between(-180.0, 180.0));

@@ -143,6 +143,7 @@ ScenarioModels LoadModels(const Scenario& scenario) {
                                   changes.Find("rover")),
                         LoadStation(scenario.station_file, changes.Find("station")),
                         LoadSoil(scenario.soil_file, changes.Find("soil"))};
+  CheckCarries(models.soil, scenario.soil_file, models.rover.left_wheel_soil);
   if (scenario.tip_angle_rad >= 0.0) models.station.tip_angle_rad = scenario.tip_angle_rad;
   if (models.rover.tip.radius_m >= models.station.cone.throat_radius_m) {
     throw ConfigError(scenario.station_file + ": cone.throat_radius_m: expected more than the " +

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "models/rover_model.h"
 #include "models/soil_model.h"
 #include "models/yaml_tree.h"
 
@@ -10,5 +11,7 @@ namespace dockyard {
 
 /// `changes` are keys on top of the file's. Throws ConfigError.
 SoilModel LoadSoil(const std::string& file, const YamlNode* changes = nullptr);
+/// Throws ConfigError if the soil's modulus k_c / b + k_phi is not positive under this wheel.
+void CheckCarries(const SoilModel& soil, const std::string& file, const WheelModel& wheel);
 
 }  // namespace dockyard

@@ -9,11 +9,11 @@ namespace dockyard {
 
 struct SoilModel {
   std::string name;
-  std::string source;   // where the numbers come from
-  double n = 1.0;       // sinkage exponent [-]
-  double n_slip = 0.0;  // growth of n with |slip|; also scales the losses by sliding [-]
-  double k_c = 0.0;     // [N/m^(n+1)]
-  double k_phi = 0.0;   // [N/m^(n+2)]
+  std::string source;           // where the numbers come from
+  double n = 1.0;               // sinkage exponent [-]
+  double slip_weakening = 0.0;  // 0: sliding costs no bearing; 1: as in the loose sand measured
+  double k_c = 0.0;             // [N/m^(n+1)]
+  double k_phi = 0.0;           // [N/m^(n+2)]
   double cohesion_pa = 0.0;
   double friction_angle_rad = 0.0;
   double shear_modulus_m = 0.0;  // K [m]

@@ -91,7 +91,7 @@ void HeapBeside(HeightGrid& grid, const RimPlace& rim, double x_m, double y_m, d
 }
 
 /// Presses the samples under the rim and marks them; returns the sum of heights taken.
-double Press(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double n,
+double Press(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double excavated_m,
              const Window& area, RutScratch& scratch) {
   double taken = 0.0;
   const Window inner = WindowAround(grid, rim, 1);
@@ -107,7 +107,7 @@ double Press(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double
                           (ix - area.x_begin)] = 1;
       const double sinkage = grid.undisturbed_m[index] - at.z_m;
       // A heap above the soil as it was carries nothing: the wheel ploughs through it.
-      const double yield = sinkage > 0.0 ? YieldPressure(laws, n, sinkage) : 0.0;
+      const double yield = YieldPressure(laws, sinkage - excavated_m);
       const double sunk = gap - yield / laws.elastic_pa_per_m;
       if (sunk <= 0.0) continue;
       grid.heights_m[index] -= sunk;
@@ -155,14 +155,14 @@ void Slump(HeightGrid& grid, const Window& area, double tan_phi, RutScratch& scr
 
 }  // namespace
 
-double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double n,
+double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double excavated_m,
                 RutScratch& scratch) {
   const Window area = WindowAround(grid, rim, kSlumpMargin);
   const std::size_t samples = static_cast<std::size_t>(area.width()) * area.height();
   if (samples == 0) return 0.0;
   scratch.under_wheel.assign(samples, 0);
   scratch.change_m.resize(samples);
-  const double taken = Press(grid, rim, laws, n, area, scratch);
+  const double taken = Press(grid, rim, laws, excavated_m, area, scratch);
   if (taken <= 0.0) return 0.0;
   Slump(grid, area, laws.tan_phi, scratch);
   ++grid.revision;

@@ -23,10 +23,11 @@ struct RutScratch {
   std::vector<double> change_m;
 };
 
-/// Presses the grid's samples under the rim to where the soil carries it, moves
+/// Presses the grid's samples under the rim to where the soil carries it, counted from the surface
+/// less what paddles have carried away (excavated_m), moves
 /// the displaced volume to both sides of the rut, and lets slopes steeper than the friction angle
 /// slump beside and behind the wheel. Volume is conserved. Returns the volume moved [m^3].
-double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double n,
+double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double excavated_m,
                 RutScratch& scratch);
 
 }  // namespace dockyard

@@ -9,6 +9,8 @@ namespace dockyard {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
+// Friction angle of soil on a wall over its own: two thirds (Terzaghi 1943), range 0.6-0.8.
+constexpr double kWallFriction = 2.0 / 3.0;
 // Shear modulus under a paddle's tip is that of a small plate: at most 10 mm (firm dry sand, Wong
 // 2008, section 2.4.3); assumed, range 5-20 mm.
 constexpr double kTipShearModulus_m = 0.010;
@@ -28,10 +30,13 @@ SoilLaws MakeRimLaws(const SoilModel& soil, double plate_width_m) {
   const double gamma = soil.density_kg_m3 * kGravity;
   SoilLaws laws;
   laws.k = soil.k_c / plate_width_m + soil.k_phi;
+  laws.n = soil.n;
+  laws.weakening = soil.slip_weakening;
   laws.elastic_pa_per_m = soil.unloading_stiffness_pa_per_m;
   laws.damping_pa_s_per_m = soil.damping_pa_s_per_m;
   laws.cohesion_pa = soil.cohesion_pa;
   laws.tan_phi = std::tan(phi);
+  laws.tan_rim = std::tan(kWallFriction * phi);
   laws.shear_modulus_m = soil.shear_modulus_m;
   laws.sqrt_n_phi = std::tan(0.25 * kPi + 0.5 * phi);
   const double n_phi = laws.sqrt_n_phi * laws.sqrt_n_phi;

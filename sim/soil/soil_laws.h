@@ -1,4 +1,5 @@
-// Laws of one small patch of soil: pressure by sinkage, shear by displacement, passive pressure.
+// Laws of one small patch of soil: pressure by sinkage and direction, shear by displacement,
+// passive pressure on faces and sides. docs/soil.md gives the equations with their sources.
 #pragma once
 
 #include <cmath>
@@ -9,10 +10,13 @@ namespace dockyard {
 
 /// A soil's constants as the laws use them, for patches of one size.
 struct SoilLaws {
-  double k = 0.0;                 // k_c / b + k_phi [N/m^(n+2)]
+  double k = 0.0;  // k_c / b + k_phi [N/m^(n+2)]
+  double n = 1.0;
   double elastic_pa_per_m = 0.0;  // of unloading and reloading
   double damping_pa_s_per_m = 0.0;
+  double weakening = 0.0;  // 0..1, how much a sliding patch loses of its bearing
   double cohesion_pa = 0.0, tan_phi = 0.0;
+  double tan_rim = 0.0;              // friction of soil on a wheel's metal
   double shear_modulus_m = 0.0;      // K
   double blade_strength_pa = 0.0;    // bearing strength of a narrow blade at the surface
   double blade_mobilising_m = 1.0;   // depth at which half of it is mobilised
@@ -28,9 +32,9 @@ SoilLaws MakeRimLaws(const SoilModel& soil, double plate_width_m);
 /// Laws for a paddle's tip, a blade of this thickness on a wheel of this width.
 SoilLaws MakeTipLaws(const SoilModel& soil, double thickness_m, double width_m);
 
-/// Pressure that yields soil at this sinkage under a wheel (Bekker 1969): k z^n [Pa]; z > 0.
-inline double YieldPressure(const SoilLaws& laws, double n, double sinkage_m) {
-  return laws.k * std::exp(n * std::log(sinkage_m));
+/// Pressure that yields soil at this sinkage under a plate (Bekker 1969): k z^n [Pa]; 0 for z <= 0.
+inline double YieldPressure(const SoilLaws& laws, double sinkage_m) {
+  return sinkage_m > 0.0 ? laws.k * std::exp(laws.n * std::log(sinkage_m)) : 0.0;
 }
 
 /// Pressure that yields soil under a narrow blade: its bearing strength, mobilised with depth along
@@ -40,11 +44,34 @@ inline double BladePressure(const SoilLaws& laws, double sinkage_m) {
   return strength * sinkage_m / (sinkage_m + laws.blade_mobilising_m);
 }
 
-/// Shear strength (Mohr and Coulomb). Cohesion needs contact: it counts up to the pressure, which
-/// makes the strength vanish, and continuously so, where a patch leaves the soil.
-inline double ShearStrength(const SoilLaws& laws, double pressure_pa) {
-  return std::fmin(laws.cohesion_pa, pressure_pa) + pressure_pa * laws.tan_phi;
+/// What a driving patch, which slides back along the soil, still bears of the pressure of one that
+/// goes straight in. Fitted to the single-wheel data (docs/soil.md): 0.27, range 0.24-0.32.
+constexpr double kDrivingShare = 0.27;
+/// What any sliding patch still bears of it. Keeps a wheel dragged sideways from sinking without
+/// end; the data up to 45 deg of side slip do not ask for it. Assumed, range 0-0.02.
+constexpr double kDraggedShare = 0.005;
+/// Way over which a patch's direction is remembered. Fitted likewise: 19 mm, range 15-25 mm.
+constexpr double kDirectionMemory_m = 0.0193;
+
+/// Share of the yield pressure that soil bears under a patch whose motion has the direction cosine
+/// `into` with its inward normal: all of it going straight in, less along the surface, as plates
+/// pushed through sand in all directions show (Li, Zhang and Goldman 2013). `driving` (0..1) is the
+/// share of the sliding that drives the wheel on.
+inline double BearingShare(const SoilLaws& laws, double into, double driving) {
+  const double along = kDraggedShare + (kDrivingShare - kDraggedShare) * driving;
+  const double in = into > 0.0 ? into : 0.0;
+  return 1.0 - laws.weakening * (1.0 - along) * (1.0 - in * in);
 }
+
+/// Shear strength of soil on the wheel (Mohr and Coulomb). Cohesion needs contact: it counts up to
+/// the pressure, which makes the strength vanish, and continuously so, where a patch leaves the
+/// soil.
+inline double ShearStrength(const SoilLaws& laws, double pressure_pa) {
+  return std::fmin(laws.cohesion_pa, pressure_pa) + pressure_pa * laws.tan_rim;
+}
+
+/// exp(-x) to third order, bounded by 1 for every x >= 0.
+inline double Decay(double x) { return 1.0 / (1.0 + x * (1.0 + 0.5 * x)); }
 
 /// Share of the shear strength that is mobilised, a vector of length <= 1 in the patch's plane.
 /// Under steady sliding it is Janosi and Hanamoto's 1 - exp(-j / K) along j; on reversal it first
@@ -55,9 +82,6 @@ struct Mobilisation {
 
   bool operator==(const Mobilisation&) const = default;
 };
-
-/// exp(-x) to third order, bounded by 1 for every x >= 0.
-inline double Decay(double x) { return 1.0 / (1.0 + x * (1.0 + 0.5 * x)); }
 
 inline Mobilisation Shear(const Mobilisation& m, double slide_t_m, double slide_a_m,
                           double shear_modulus_m) {
@@ -72,6 +96,11 @@ inline double Shear(double m, double slide_m, double shear_modulus_m) {
   const double keep = Decay(std::fabs(slide_m) / shear_modulus_m);
   return m * keep + std::copysign(1.0 - keep, slide_m);
 }
+
+/// Resistance of a short wall that heaps soil before it, a paddle's face or a wheel's side, over
+/// that of a long wall without a heap. Fitted to the single-wheel data (docs/soil.md): 3.3, range
+/// 3-5; tines a few depths wide show 2-4 (McKyes 1985).
+constexpr double kHeap = 3.3;
 
 /// Passive earth pressure on a wall at this depth (Rankine): gamma z N_phi + 2 c sqrt(N_phi) [Pa].
 inline double PassivePressure(const SoilLaws& laws, double depth_m) {

@@ -37,7 +37,7 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
     return MessageOf([&] { CheckFile(file); }, folder);
   };
   EXPECT_EQ(message("a.yaml", "colour: red\n"),
-            "a.yaml:1:1: expected the keys of a rover, station, soil, scenario, campaign or "
+            "a.yaml:1:1: expected the keys of a rover, station, soil, wheel, scenario, campaign or "
             "study, found none of them");
   EXPECT_EQ(message("a.txt", "x"),
             "a.txt: expected a file .yaml, .urdf, .stl, .obj, .dae, .gltf or .glb, found extension "

@@ -3,6 +3,7 @@
 #include "bad_files.h"
 #include "models/load_soil.h"
 #include "models/load_station.h"
+#include "models/load_wheel.h"
 
 namespace dockyard {
 namespace {
@@ -160,6 +161,39 @@ TEST(SoilFiles, HoldTheirSourcesNumbers) {
   EXPECT_EQ(compact.cohesion_pa, 5000);
 }
 
+TEST(SoilFiles, EachIsNamedWithItsSource) {
+  for (const char* name : {"compact_gravel", "fjs_1", "grc_1", "lete_sand", "loose_sand",
+                           "pavlov_90", "wong_dry_sand"}) {
+    const SoilModel soil = LoadSoil(SourceFile(std::string("models/soils/") + name + ".yaml"));
+    EXPECT_FALSE(soil.source.empty()) << name;
+    EXPECT_GT(soil.k_c / 0.15 + soil.k_phi, 0.0) << name;
+  }
+}
+
+TEST(SoilFiles, NegativeModulusUnderANarrowWheelIsRefused) {
+  const std::string file = SourceFile("models/soils/grc_1.yaml");
+  const SoilModel soil = LoadSoil(file);
+  WheelModel wheel;
+  wheel.width_m = 0.15;
+  EXPECT_NO_THROW(CheckCarries(soil, file, wheel));
+  wheel.width_m = 0.05;
+  EXPECT_THROW(CheckCarries(soil, file, wheel), ConfigError);
+}
+
+TEST(WheelFiles, AreReadStrictly) {
+  const ScratchFolder folder;
+  const std::string text = Slurp(SourceFile("models/wheels/pavlov_grouser.yaml"));
+  const auto message = [&](const char* from, const char* to) {
+    const std::string file = folder.Write("wheel.yaml", Replaced(text, from, to));
+    return MessageOf([&] { LoadWheel(file); }, folder);
+  };
+  EXPECT_THAT(message("width_m: 0.050", "width: 0.050"), HasSubstr("wheel.yaml:"));
+  EXPECT_THAT(message("radius_m: 0.058", "radius_m: 58"),
+              HasSubstr("radius_m: expected a number > 0 and <= 2, found '58'"));
+  EXPECT_THAT(message("height_m: 0.005", "height_m: 0"),
+              HasSubstr("paddles.count: expected 0, or a height_m and a thickness_m above 0"));
+}
+
 TEST(SoilFiles, UnitsMistakenAreOutOfRange) {
   const ScratchFolder folder;
   const std::string text = Slurp(SourceFile("models/soils/loose_sand.yaml"));
@@ -167,7 +201,7 @@ TEST(SoilFiles, UnitsMistakenAreOutOfRange) {
     const std::string file = folder.Write("soil.yaml", Replaced(text, from, to));
     return MessageOf([&] { LoadSoil(file); }, folder);
   };
-  EXPECT_THAT(message("shear_modulus_m: 0.021", "shear_modulus_m: 21"),
+  EXPECT_THAT(message("shear_modulus_m: 0.0102", "shear_modulus_m: 21"),
               HasSubstr("shear_modulus_m: expected a number from 1e-04 to 0.5, found '21'"));
   EXPECT_THAT(message("friction_angle_deg: 29", "friction_angle_deg: 0.506"),
               HasSubstr("friction_angle_deg: expected a number from 1 to 60, found '0.506'"));

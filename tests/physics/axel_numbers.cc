@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "models/load_soil.h"
+
 namespace dockyard {
 namespace {
 
@@ -117,43 +119,10 @@ StationModel TestStation() {
   return station;
 }
 
-SoilModel LooseSand() {
-  // Pavlov and Johnson (2019), "#90" sand; elastic and damping values assumed.
-  SoilModel soil;
-  soil.name = "loose";
-  soil.n = 1.46;
-  soil.n_slip = 0.74;
-  soil.k_phi = 8.0e6;
-  soil.cohesion_pa = 1000.0;
-  soil.friction_angle_rad = Radians(29.0);
-  soil.shear_modulus_m = 0.021;
-  soil.density_kg_m3 = 1330.0;
-  soil.unloading_stiffness_pa_per_m = 1.0e7;
-  soil.damping_pa_s_per_m = 2.0e4;
-  return soil;
-}
+SoilModel LooseSand() { return LoadSoil(DOCKYARD_SOURCE_DIR "/models/soils/loose_sand.yaml"); }
 
 SoilModel CompactSand() {
-  // Crushed granite of the KRex rover's yard, as in the data set of Pavlov and Johnson (2019).
-  SoilModel soil;
-  soil.name = "compact";
-  soil.n = 0.6;
-  soil.n_slip = 0.5;
-  soil.k_phi = 2.5e6;
-  soil.cohesion_pa = 5000.0;
-  soil.friction_angle_rad = Radians(38.0);
-  soil.shear_modulus_m = 0.040;
-  soil.density_kg_m3 = 1963.0;
-  soil.unloading_stiffness_pa_per_m = 3.0e7;
-  soil.damping_pa_s_per_m = 5.0e4;
-  return soil;
-}
-
-SoilModel AsInTheFiles(SoilModel soil) {
-  soil.n_slip = 0.5;
-  soil.unloading_stiffness_pa_per_m = soil.name == "loose" ? 3e7 : 2e8;
-  soil.damping_pa_s_per_m = 1e5;
-  return soil;
+  return LoadSoil(DOCKYARD_SOURCE_DIR "/models/soils/compact_gravel.yaml");
 }
 
 WorldSetup TestSetup(const SoilModel& soil, const Pose2& X_DR) {

@@ -7,10 +7,8 @@ namespace dockyard {
 
 RoverModel TestRover();
 StationModel TestStation();
-SoilModel LooseSand();
-SoilModel CompactSand();
-/// With the elasticity and damping of models/soils, in which a rover comes to rest.
-SoilModel AsInTheFiles(SoilModel soil);
+SoilModel LooseSand();    // models/soils/loose_sand.yaml
+SoilModel CompactSand();  // models/soils/compact_gravel.yaml
 
 /// The rover on level ground at X_DR, arm level, dock at the site's origin.
 WorldSetup TestSetup(const SoilModel& soil, const Pose2& X_DR);

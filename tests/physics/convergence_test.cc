@@ -17,7 +17,7 @@ struct Reeled {
 };
 
 Reeled ReelIn(const SoilModel& soil, const Pose2& X_DR, double step_s, double seconds) {
-  WorldSetup setup = TestSetup(AsInTheFiles(soil), X_DR);
+  WorldSetup setup = TestSetup(soil, X_DR);
   setup.slack_start_m = 0.05;
   setup.station.cone.stop_depth_m = 0.22;
   setup.station.foot_friction = 0.6;

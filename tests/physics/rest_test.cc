@@ -10,7 +10,7 @@ namespace {
 
 /// Braked and fallen asleep.
 std::unique_ptr<World> Asleep(const SoilModel& soil, bool may_rest) {
-  WorldSetup setup = TestSetup(AsInTheFiles(soil), {3.5, 0.1, 3.0});
+  WorldSetup setup = TestSetup(soil, {3.5, 0.1, 3.0});
   setup.slack_start_m = 0.3;
   setup.may_rest = may_rest;
   auto world = std::make_unique<World>(setup);

@@ -29,7 +29,7 @@ TEST(World, BrakedRoverAndStationStayWhereTheyAre) {
 }
 
 TEST(World, BrakedRoverThatWasPushedComesToRest) {
-  for (const SoilModel& soil : {AsInTheFiles(LooseSand()), AsInTheFiles(CompactSand())}) {
+  for (const SoilModel& soil : {LooseSand(), CompactSand()}) {
     WorldSetup setup = TestSetup(soil, {3.5, 0.0, kPi});
     setup.slack_start_m = 0.3;
     World world(setup);

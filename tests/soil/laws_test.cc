@@ -11,15 +11,33 @@ namespace dockyard::soil_test {
 namespace {
 
 TEST(Pressure, FollowsBekkersPlateCurve) {
-  const SoilLaws sand = MakeRimLaws(PavlovSand(), 0.05);
+  const SoilLaws sand = MakeRimLaws(Soil("pavlov_90"), 0.05);
   // 8e6 * 0.02^1.46, computed apart.
-  EXPECT_NEAR(YieldPressure(sand, 1.46, 0.020), 26460.24, 0.1);
+  EXPECT_NEAR(YieldPressure(sand, 0.020), 26460.24, 0.1);
 }
 
 TEST(Pressure, CountsThePlatesWidthThroughKc) {
-  SoilModel soil = WongDrySand();
+  SoilModel soil = Soil("wong_dry_sand");
   const SoilLaws narrow = MakeRimLaws(soil, 0.05);
   EXPECT_NEAR(narrow.k, 0.99e3 / 0.05 + 1528.43e3, 1e-6);
+}
+
+TEST(Bearing, IsWholeStraightInAndLeastAlongTheSurface) {
+  const SoilLaws sand = MakeRimLaws(Soil("pavlov_90"), 0.05);
+  EXPECT_EQ(BearingShare(sand, 1.0, 0.0), 1.0);
+  EXPECT_EQ(BearingShare(sand, 1.0, 1.0), 1.0);
+  EXPECT_NEAR(BearingShare(sand, 0.0, 0.0), kDraggedShare, 1e-12);
+  EXPECT_NEAR(BearingShare(sand, 0.0, 1.0), kDrivingShare, 1e-12);
+  // A patch that lifts bears as one that slides.
+  EXPECT_EQ(BearingShare(sand, -1.0, 0.5), BearingShare(sand, 0.0, 0.5));
+  EXPECT_NEAR(BearingShare(sand, std::sqrt(0.5), 0.0), 0.5 + 0.5 * kDraggedShare, 1e-12);
+}
+
+TEST(Bearing, DoesNotWeakenInSoilThatSlidingLeavesAsItIs) {
+  SoilModel soil = Soil("pavlov_90");
+  soil.slip_weakening = 0.0;
+  const SoilLaws laws = MakeRimLaws(soil, 0.05);
+  for (double into : {-1.0, 0.0, 0.3, 1.0}) EXPECT_EQ(BearingShare(laws, into, 0.2), 1.0);
 }
 
 TEST(Shear, FollowsJanosisCurveUnderSteadySliding) {
@@ -61,24 +79,25 @@ TEST(Shear, NeverExceedsTheStrength) {
 }
 
 TEST(Shear, StrengthIsMohrCoulombAndVanishesWithThePressure) {
-  const SoilLaws sand = MakeRimLaws(PavlovSand(), 0.05);
-  EXPECT_NEAR(ShearStrength(sand, 20e3), 1000.0 + 20e3 * std::tan(Radians(29.0)), 1e-6);
+  const SoilLaws sand = MakeRimLaws(Soil("pavlov_90"), 0.05);
+  // A wheel's metal holds the soil at two thirds of its own friction angle.
+  EXPECT_NEAR(ShearStrength(sand, 20e3), 168.0 + 20e3 * std::tan(Radians(29.0 * 2.0 / 3.0)), 1e-6);
   EXPECT_EQ(ShearStrength(sand, 0.0), 0.0);
 }
 
 TEST(PassivePressure, IsRankines) {
-  const SoilLaws granite = MakeRimLaws(CompactGranite(), 0.15);
+  const SoilLaws granite = MakeRimLaws(Soil("compact_gravel"), 0.15);
   // N_phi = tan^2(64 deg) = 4.2037; 1963 * 9.81 * 0.03 * N_phi + 2 * 5000 * sqrt(N_phi).
   EXPECT_NEAR(PassivePressure(granite, 0.03), 22931.5, 2.0);
 }
 
 TEST(BladePressure, ReachesTerzaghisStripStrength) {
-  const SoilLaws tip = MakeTipLaws(CompactGranite(), 0.006, 0.15);
+  const SoilLaws tip = MakeTipLaws(Soil("compact_gravel"), 0.006, 0.15);
   // Prandtl and Reissner for 38 deg: N_c = 61.35, N_q = 48.93.
   const double depth_m = 0.02;
   const double strength = 5000.0 * 61.35 + 1963.0 * 9.81 * depth_m * 48.93;
   EXPECT_NEAR(BladePressure(tip, depth_m), strength * depth_m / (depth_m + 0.0015), 300.0);
-  EXPECT_EQ(BladePressure(MakeRimLaws(CompactGranite(), 0.15), depth_m), 0.0);
+  EXPECT_EQ(BladePressure(MakeRimLaws(Soil("compact_gravel"), 0.15), depth_m), 0.0);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 /// Drives a loaded wheel over the grid at a set slip and returns its axle heights' last value.
 double DrivePass(HeightGrid& grid, const WheelModel& wheel, double load_n, double slip) {
-  WheelSoil contact(wheel, PavlovSand());
+  WheelSoil contact(wheel, Soil("pavlov_90"));
   WheelMotion motion;
   const double speed = 0.2, mass_kg = load_n / 9.81, step = 1e-3;
   const double spin = speed / wheel.rim_radius_m / (1.0 - slip);

@@ -1,4 +1,8 @@
 // The model against measured single-wheel tests in dry sand (data/single_wheel.csv).
+//
+// Of the rows with |slip| <= 0.76 and side slip <= 45 deg every second one, the first included, was
+// used to fit the law's constants (docs/soil.md); the others check it. Locked rows and those at
+// slip 0.9 counted with a quarter and half of the weight in the fit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,121 +12,193 @@
 #include <string>
 #include <vector>
 
+#include "controller/geometry/pose.h"
 #include "soil/rig.h"
 
 namespace dockyard::soil_test {
 namespace {
 
 struct Trial {
-  bool paddled = false;
-  double beta_deg, slip, ahead_n, left_n, load_n, sinkage_mm, speed_mm_s, rim_mm_s;
+  std::string wheel;  // "grouser" or "smooth"
+  double beta_deg = 0.0, slip = 0.0, ahead_n = 0.0, side_n = 0.0, load_n = 0.0;
+  double sinkage_mm = 0.0, speed_mm_s = 0.0;
+  bool core = false, fitted = false;
+  SingleWheelResult model;
+
+  double AheadError() const { return (model.ahead_n - ahead_n) / load_n; }
+  double SideError() const { return (model.side_n - side_n) / load_n; }
+  double SinkageError_mm() const { return 1e3 * model.sinkage_m - sinkage_mm; }
 };
+
+SingleWheelResult Simulate(const Trial& trial) {
+  SingleWheelSetup setup;
+  setup.wheel = Wheel("pavlov_" + trial.wheel);
+  setup.soil = Soil("pavlov_90");
+  setup.load_n = trial.load_n;
+  setup.slip = trial.slip;
+  setup.side_slip_rad = Radians(trial.beta_deg);
+  setup.speed_m_s = 1e-3 * trial.speed_mm_s;
+  return RunSingleWheel(setup);
+}
 
 std::vector<Trial> ReadTrials() {
   std::ifstream file(SINGLE_WHEEL_DATA);
   std::vector<Trial> trials;
   std::string line;
+  int core_rows = 0;
   while (std::getline(file, line)) {
     if (line.empty() || line[0] == '#' || line.rfind("wheel,", 0) == 0) continue;
     std::stringstream cells(line);
-    std::string wheel, cell;
-    std::getline(cells, wheel, ',');
+    Trial trial;
+    std::string cell;
+    std::getline(cells, trial.wheel, ',');
     std::vector<double> v;
     while (std::getline(cells, cell, ',')) v.push_back(std::stod(cell));
-    trials.push_back({wheel == "grouser", v.at(0), v.at(1), v.at(2), v.at(3), v.at(4), v.at(5),
-                      v.at(6), v.at(7)});
+    trial.beta_deg = v.at(0);
+    trial.slip = v.at(1);
+    trial.ahead_n = v.at(2);
+    trial.side_n = v.at(3);
+    trial.load_n = v.at(4);
+    trial.sinkage_mm = v.at(5);
+    trial.speed_mm_s = v.at(6);
+    trial.core = std::fabs(trial.slip) <= 0.76 && trial.beta_deg <= 45.0;
+    trial.fitted = trial.core && core_rows++ % 2 == 0;
+    trials.push_back(trial);
   }
   return trials;
 }
 
-RigResult Simulate(const Trial& trial) {
-  // The model's pressures and shear do not depend on speed; five times the rig's 10 mm/s saves
-  // steps.
-  constexpr double kFaster = 5.0;
-  RigSetup setup;
-  setup.wheel = PavlovWheel(trial.paddled);
-  setup.soil = PavlovSand();
-  setup.load_n = trial.load_n;
-  setup.speed_m_s = 1e-3 * kFaster * trial.speed_mm_s;
-  setup.rim_speed_m_s = 1e-3 * kFaster * trial.rim_mm_s;
-  setup.side_slip_rad = -Radians(trial.beta_deg);  // the data count the soil's side force positive
-  setup.travel_m = 0.25;
-  return RunRig(setup);
+/// Every trial up to 45 deg of side slip with the model's answer, computed once.
+const std::vector<Trial>& Trials() {
+  static const std::vector<Trial> trials = [] {
+    std::vector<Trial> all = ReadTrials();
+    std::erase_if(all, [](const Trial& trial) { return trial.beta_deg > 45.0; });
+    for (Trial& trial : all) {
+      trial.model = Simulate(trial);
+      std::printf(
+          "%-7s %2.0f deg, slip %5.2f: Fx %6.2f (%6.2f) N, Fy %5.2f (%5.2f) N, z %4.1f "
+          "(%4.1f) mm, torque %5.3f N m\n",
+          trial.wheel.c_str(), trial.beta_deg, trial.slip, trial.model.ahead_n, trial.ahead_n,
+          trial.model.side_n, trial.side_n, 1e3 * trial.model.sinkage_m, trial.sinkage_mm,
+          trial.model.torque_nm);
+    }
+    return all;
+  }();
+  return trials;
+}
+
+const Trial& At(const std::string& wheel, double beta_deg, double slip) {
+  for (const Trial& trial : Trials()) {
+    if (trial.wheel == wheel && trial.beta_deg == beta_deg && std::fabs(trial.slip - slip) < 0.03) {
+      return trial;
+    }
+  }
+  throw std::runtime_error("no such trial");
 }
 
 struct Errors {
-  double ahead = 0.0, left = 0.0, sinkage_mm = 0.0;  // rms; forces over the load
+  double ahead = 0.0, side = 0.0, sinkage_mm = 0.0;  // rms; forces over the load
   int trials = 0;
 };
 
-Errors Compare(bool paddled, double beta_low_deg, double beta_high_deg) {
+Errors Compare(const std::string& wheel, bool fitted) {
   Errors sum;
-  for (const Trial& trial : ReadTrials()) {
-    if (trial.paddled != paddled || std::fabs(trial.slip) > 0.76) continue;
-    if (trial.beta_deg < beta_low_deg || trial.beta_deg > beta_high_deg) continue;
-    const RigResult model = Simulate(trial);
-    sum.ahead += std::pow((model.ahead_n - trial.ahead_n) / trial.load_n, 2);
-    sum.left += std::pow((model.left_n - trial.left_n) / trial.load_n, 2);
-    sum.sinkage_mm += std::pow(1e3 * model.sinkage_m - trial.sinkage_mm, 2);
+  for (const Trial& trial : Trials()) {
+    if (trial.wheel != wheel || !trial.core || trial.fitted != fitted) continue;
+    sum.ahead += std::pow(trial.AheadError(), 2);
+    sum.side += std::pow(trial.SideError(), 2);
+    sum.sinkage_mm += std::pow(trial.SinkageError_mm(), 2);
     ++sum.trials;
   }
   const auto rms = [&](double square) { return std::sqrt(square / sum.trials); };
-  const Errors errors{rms(sum.ahead), rms(sum.left), rms(sum.sinkage_mm), sum.trials};
-  std::printf("%s, side slip %g-%g deg, %d trials: rms Fx %.3f, Fy %.3f of load, sinkage %.1f mm\n",
-              paddled ? "grousers" : "smooth", beta_low_deg, beta_high_deg, errors.trials,
-              errors.ahead, errors.left, errors.sinkage_mm);
+  const Errors errors{rms(sum.ahead), rms(sum.side), rms(sum.sinkage_mm), sum.trials};
+  std::printf("%s, %d %s rows: rms Fx %.3f, Fy %.3f of the load, sinkage %.2f mm\n", wheel.c_str(),
+              errors.trials, fitted ? "fit" : "check", errors.ahead, errors.side,
+              errors.sinkage_mm);
   return errors;
 }
 
-TEST(SingleWheel, DrawbarAndSinkageWithGrousersFollowTheData) {
-  const Errors errors = Compare(true, 0.0, 15.0);
-  ASSERT_EQ(errors.trials, 12);
-  EXPECT_LT(errors.ahead, 0.085);
-  EXPECT_LT(errors.left, 0.10);
-  EXPECT_LT(errors.sinkage_mm, 4.0);
+TEST(SingleWheel, WithGrousersFollowsTheData) {
+  for (bool fitted : {true, false}) {
+    const Errors errors = Compare("grouser", fitted);
+    EXPECT_EQ(errors.trials, fitted ? 9 : 8);
+    EXPECT_LT(errors.ahead, 0.05);
+    EXPECT_LT(errors.side, 0.07);
+    EXPECT_LT(errors.sinkage_mm, 3.5);
+  }
 }
 
-TEST(SingleWheel, DrawbarAndSinkageOfTheSmoothWheelFollowTheData) {
-  const Errors errors = Compare(false, 0.0, 15.0);
-  ASSERT_EQ(errors.trials, 12);
-  EXPECT_LT(errors.ahead, 0.06);
-  EXPECT_LT(errors.left, 0.135);
-  EXPECT_LT(errors.sinkage_mm, 2.8);
-}
-
-TEST(SingleWheel, StrongSideSlipIsFollowedRoughly) {
-  for (bool paddled : {true, false}) {
-    const Errors errors = Compare(paddled, 45.0, 45.0);
-    ASSERT_EQ(errors.trials, 5);
-    EXPECT_LT(errors.ahead, 0.29);
-    EXPECT_LT(errors.left, 0.16);
-    EXPECT_LT(errors.sinkage_mm, 8.0);
+TEST(SingleWheel, SmoothFollowsTheData) {
+  for (bool fitted : {true, false}) {
+    const Errors errors = Compare("smooth", fitted);
+    EXPECT_EQ(errors.trials, fitted ? 8 : 9);
+    EXPECT_LT(errors.ahead, 0.04);
+    EXPECT_LT(errors.side, 0.07);
+    EXPECT_LT(errors.sinkage_mm, 2.5);
   }
 }
 
 TEST(SingleWheel, GrousersGainDrawbarAsMeasured) {
-  // Differences of the means at beta = 0 [N]: measured 1.1 (slip 0.2) and 1.8 (0.5).
-  double gain[2][2] = {{0, 0}, {0, 0}};
-  for (const Trial& trial : ReadTrials()) {
-    if (trial.beta_deg != 0.0) continue;
-    const int at = std::fabs(trial.slip - 0.22) < 0.02 ? 0 : std::fabs(trial.slip - 0.5) < 0.01;
-    if (at == 0 && std::fabs(trial.slip - 0.22) >= 0.02) continue;
-    const double sign = trial.paddled ? 1.0 : -1.0;
-    gain[at][0] += sign * trial.ahead_n;
-    gain[at][1] += sign * Simulate(trial).ahead_n;
+  // Within 0.05 of the load at each slip. The smooth wheel's slip is 0.23 where the other's is
+  // 0.21.
+  for (double slip : {-0.7, -0.5, -0.2, 0.0, 0.22, 0.5, 0.75, 0.9}) {
+    const Trial &paddled = At("grouser", 0.0, slip), &smooth = At("smooth", 0.0, slip);
+    const double measured = paddled.ahead_n - smooth.ahead_n;
+    const double gain = paddled.model.ahead_n - smooth.model.ahead_n;
+    std::printf("slip %5.2f: grousers gain %5.2f N, measured %5.2f N\n", slip, gain, measured);
+    EXPECT_NEAR(gain, measured, 0.05 * paddled.load_n) << slip;
   }
-  EXPECT_NEAR(gain[0][1], gain[0][0], 0.6);
-  EXPECT_NEAR(gain[1][1], gain[1][0], 1.2);
 }
 
-TEST(SingleWheel, LockedWheelDragsAboveItsLoad) {
-  // Measured 1.97 of the load; the model stays within a third below.
-  for (const Trial& trial : ReadTrials()) {
-    if (trial.beta_deg != 0.0 || trial.slip > -0.99) continue;
-    const double drag = -Simulate(trial).ahead_n / trial.load_n;
-    EXPECT_GT(drag, 1.3);
-    EXPECT_LT(drag, 2.2);
+TEST(SingleWheel, LockedWheelDragsAsMeasured) {
+  for (const Trial& trial : Trials()) {
+    if (trial.slip > -0.99 || trial.beta_deg > 45.0) continue;
+    EXPECT_NEAR(trial.model.ahead_n / trial.ahead_n, 1.0, 0.3) << trial.wheel << trial.beta_deg;
+    EXPECT_NEAR(trial.model.sinkage_m / (1e-3 * trial.sinkage_mm), 1.0, 0.3)
+        << trial.wheel << trial.beta_deg;
   }
+}
+
+TEST(SingleWheel, SlipDigsItInAsMeasured) {
+  // Slip-sinkage: the wheel with grousers sinks 2.7 times as deep at slip 0.9 as at none.
+  const double measured = At("grouser", 0.0, 0.9).sinkage_mm / At("grouser", 0.0, 0.0).sinkage_mm;
+  const double model =
+      At("grouser", 0.0, 0.9).model.sinkage_m / At("grouser", 0.0, 0.0).model.sinkage_m;
+  EXPECT_NEAR(model / measured, 1.0, 0.15);
+}
+
+TEST(SingleWheel, FollowsStrongSideSlipRoughly) {
+  // Side slip beyond 45 deg took no part in the fit. At 60 deg the model's errors are some three
+  // times those at 45; at 75 and 90 deg it is wrong by half and more (docs/soil.md).
+  double ahead = 0.0, side = 0.0, sinkage = 0.0;
+  int trials = 0;
+  for (Trial& trial : ReadTrials()) {
+    if (trial.beta_deg != 60.0 || std::fabs(trial.slip) > 0.76) continue;
+    trial.model = Simulate(trial);
+    std::printf(
+        "%-7s %2.0f deg, slip %5.2f: Fx %6.2f (%6.2f) N, Fy %5.2f (%5.2f) N, z %4.1f "
+        "(%4.1f) mm\n",
+        trial.wheel.c_str(), trial.beta_deg, trial.slip, trial.model.ahead_n, trial.ahead_n,
+        trial.model.side_n, trial.side_n, 1e3 * trial.model.sinkage_m, trial.sinkage_mm);
+    ahead += std::pow(trial.AheadError(), 2);
+    side += std::pow(trial.SideError(), 2);
+    sinkage += std::pow(trial.SinkageError_mm(), 2);
+    ++trials;
+  }
+  ASSERT_EQ(trials, 10);
+  std::printf("60 deg: rms Fx %.3f, Fy %.3f of the load, sinkage %.1f mm\n",
+              std::sqrt(ahead / trials), std::sqrt(side / trials), std::sqrt(sinkage / trials));
+  EXPECT_LT(std::sqrt(ahead / trials), 0.20);
+  EXPECT_LT(std::sqrt(side / trials), 0.25);
+  EXPECT_LT(std::sqrt(sinkage / trials), 9.0);
+}
+
+TEST(SingleWheel, SpeedHardlyMatters) {
+  Trial trial = At("grouser", 15.0, 0.0);
+  trial.speed_mm_s = 50.0;
+  const SingleWheelResult fast = Simulate(trial);
+  EXPECT_NEAR(fast.ahead_n, trial.model.ahead_n, 0.03 * trial.load_n);
+  EXPECT_NEAR(fast.sinkage_m, trial.model.sinkage_m, 0.5e-3);
 }
 
 }  // namespace
