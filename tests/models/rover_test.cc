@@ -194,6 +194,24 @@ TEST(RoverFile, BadValuesAreToldByPlaceAndPath) {
               HasSubstr("imu.position_m[1]: expected a number from -5 to 5, found 'up'"));
 }
 
+TEST(RoverFile, MotorsProfileAndGearsAreOptionalAndChecked) {
+  const RoverModel axel = Axel();
+  EXPECT_EQ(axel.motors[0].profile, ProfileShape::kTrapezoid);
+  const std::string mark = "    counts_per_rev: 204800";
+  EXPECT_THAT(ChangedMessage("axel.yaml", mark, "    profile: jerky\n" + mark),
+              HasSubstr("motors.wheel.profile: expected one of"));
+  EXPECT_THAT(
+      ChangedMessage("axel.yaml", mark, "    gear_efficiency: 1.2\n" + mark),
+      HasSubstr("motors.wheel.gear_efficiency: expected a number from 0.2 to 1, found '1.2'"));
+}
+
+TEST(RoverFile, ImuIsInTheUnitsOfItsDataSheet) {
+  const ImuModel imu = Axel().imu;
+  EXPECT_NEAR(imu.gyro_walk_rad_sqrt_s, 4.3633e-5, 1e-9);     // 0.15 deg per root hour
+  EXPECT_NEAR(imu.gyro_instability_rad_s, 2.4241e-6, 1e-10);  // 0.5 deg/h
+  EXPECT_NEAR(imu.accel_walk_m_s_sqrt_s, 1e-3, 1e-12);        // 0.06 m/s per root hour
+}
+
 TEST(RoverFile, MustAgreeWithItsUrdf) {
   EXPECT_THAT(
       ChangedMessage("axel.yaml", "tip_radius_m: 0.0312", "tip_radius_m: 0.034"),

@@ -154,7 +154,7 @@ TEST(DriveTrain, SpoolWorksAgainstTheTetherForAllItsEnergy) {
   const double speed = drives.speed_rad_s(Motor::kSpool, world.rover);
   const double kinetic = 0.5 * 0.5 * speed * speed;
   EXPECT_GT(tether, 10.0);
-  EXPECT_NEAR(motor, tether + friction + kinetic, 0.01 * motor);
+  EXPECT_NEAR(motor, tether + friction + kinetic, 1e-3 * motor);
 }
 
 TEST(DriveTrain, TetherInTheArmTurnsItTipDownAgainstTheBody) {

@@ -176,6 +176,32 @@ TEST(World, FreeWheelsAndSpoolDockAStraightRover) {
   EXPECT_LT(truth.station_shift_m, 5e-3);
 }
 
+TEST(World, SpoolsWorkIsTheTethersAndItsGearsFriction) {
+  // Reeling over sand from rest to rest of the drum: motor = tension x tether + friction, to 1 %.
+  World world(TestSetup(LooseSand(), {3.0, 0.0, kPi}));
+  const RoverModel rover = TestRover();
+  double motor = 0.0, tether = 0.0, turned = 0.0;
+  const auto Account = [&](const MotorCommands& commands, double seconds) {
+    Truth before = world.truth();
+    for (long i = 0; i < std::lround(seconds * 1e3); ++i) {
+      world.Step(commands);
+      const Truth after = world.truth();
+      const double turn = after.motor_angle_rad[3] - before.motor_angle_rad[3];
+      motor += after.motor_torque_nm[3] * turn;
+      tether += after.tether_tension_n * rover.tether.drum_radius_m * turn;
+      turned += std::abs(turn);
+      before = after;
+    }
+  };
+  MotorCommands stop = Reel(200.0);
+  At(stop, Motor::kSpool) = Velocity(0.0, 2.0);
+  Account(Reel(200.0), 8.0);
+  Account(stop, 1.0);
+  const double friction = rover.motors[3].gear_friction_nm * turned;
+  EXPECT_GT(motor, 20.0);
+  EXPECT_NEAR(motor, tether + friction, 0.01 * motor);
+}
+
 TEST(World, SocketFloorSeatsTheTipWhereTheModelHasIt) {
   WorldSetup setup = TestSetup(LooseSand(), {1.15, 0.0, kPi});
   setup.station.cone.stop_depth_m = 0.22;
