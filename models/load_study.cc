@@ -73,13 +73,15 @@ std::vector<StudyFactor> ReadFactors(const YamlReader& root, const char* key) {
   return factors;
 }
 
-std::vector<ScriptStep> ReadScript(const YamlReader& root) {
+std::vector<ScriptStep> ReadScript(const YamlNode& list, const std::string& path) {
+  if (list.kind != YamlNode::Kind::kSequence || list.items.empty()) {
+    throw ConfigError(list.place.Text() + ": " + path + ": expected a list of steps, found " +
+                      list.Found());
+  }
   std::vector<ScriptStep> script;
-  if (!root.Has("script")) return script;
-  const YamlNode& list = root.List("script", 1, 100);
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const YamlReader in(
-        list.items[i], YamlReader::PathOf("script", i),
+        list.items[i], YamlReader::PathOf(path, i),
         {"for_s", "speed_m_s", "turn_deg_s", "free_wheels", "reel_m_s", "tension_n"});
     ScriptStep step;
     step.for_s = in.Number("for_s", Positive(1e4));
@@ -112,7 +114,17 @@ void Put(YamlNode& tree, const std::string& key, const YamlNode& value) {
   MergeYaml(tree, node);
 }
 
-void AddPoints(const YamlNode& base, Study& study) {
+/// Sets a factor to one of its values at a point.
+void Set(const StudyFactor& factor, int level, YamlNode& tree, StudyPoint& point) {
+  const YamlNode& value = factor.values[static_cast<std::size_t>(level)];
+  if (factor.key == "script") {
+    point.script = ReadScript(value, factor.key);
+  } else {
+    Put(tree, factor.key, value);
+  }
+}
+
+void AddPoints(const YamlNode& base, const std::vector<ScriptStep>& script, Study& study) {
   const int changes = static_cast<int>(study.one_at_a_time.size());
   for (int change = -1; change < changes; ++change) {
     const std::size_t levels =
@@ -120,19 +132,20 @@ void AddPoints(const YamlNode& base, Study& study) {
     for (std::size_t level = 0; level < levels; ++level) {
       for (int i = 0; i < study.grid_size(); ++i) {
         StudyPoint point;
+        point.script = script;
         YamlNode tree = base;
         int rest = i;
         for (const StudyFactor& factor : study.factors) {
           const int count = static_cast<int>(factor.values.size());
           point.level.push_back(rest % count);
-          Put(tree, factor.key, factor.values[static_cast<std::size_t>(rest % count)]);
+          Set(factor, rest % count, tree, point);
           rest /= count;
         }
         if (change >= 0) {
           const StudyFactor& factor = study.one_at_a_time[static_cast<std::size_t>(change)];
           point.changed = change;
           point.changed_level = static_cast<int>(level);
-          Put(tree, factor.key, factor.values[level]);
+          Set(factor, point.changed_level, tree, point);
         }
         point.scenario = ReadScenario(tree, "", ScenarioPart::kWhole);
         // Where the models are changed, one place of the grid tells whether they are sound.
@@ -217,7 +230,8 @@ Study LoadStudy(const std::string& file, const std::vector<std::string>& overrid
   study.repeats = in.Integer("repeats", 1, 10000);
   study.factors = ReadFactors(in, "vary");
   study.one_at_a_time = ReadFactors(in, "one_at_a_time");
-  study.script = ReadScript(in);
+  std::vector<ScriptStep> script;
+  if (in.Has("script")) script = ReadScript(in.Child("script"), "script");
   ReadPlot(in, study);
   std::size_t points = 1;
   for (const StudyFactor& factor : study.factors) {
@@ -226,7 +240,7 @@ Study LoadStudy(const std::string& file, const std::vector<std::string>& overrid
   }
   YamlNode base = LoadYaml(in.File("base"));
   if (in.Has("scenario")) MergeYaml(base, in.Child("scenario"));
-  AddPoints(base, study);
+  AddPoints(base, script, study);
   return study;
 }
 

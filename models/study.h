@@ -10,7 +10,8 @@
 
 namespace dockyard {
 
-/// A key of the scenario (changes.station.cone.funnel_friction) and the values that it takes.
+/// A key of the scenario (changes.station.cone.funnel_friction), or script, and the values that it
+/// takes.
 struct StudyFactor {
   std::string key;
   std::vector<std::string> labels;  // as shown; for numbers the numbers themselves
@@ -33,7 +34,8 @@ struct StudyPoint {
   std::vector<int> level;  // by factor: which of its values
   int changed = -1;        // index in one_at_a_time, -1: none
   int changed_level = -1;
-  Scenario scenario;  // its seed is set per run
+  Scenario scenario;               // its seed is set per run
+  std::vector<ScriptStep> script;  // empty: the scenario's controller drives
 };
 
 struct Study {
@@ -42,7 +44,6 @@ struct Study {
   int repeats = 1;                         // runs at each point
   std::vector<StudyFactor> factors;        // the grid
   std::vector<StudyFactor> one_at_a_time;  // each set alone, at every point of the grid
-  std::vector<ScriptStep> script;          // empty: the scenario's controller drives
   std::string x, curves, panels;           // factors for the plot; may be empty
   std::vector<std::string> measures;       // columns to plot
   std::vector<StudyPoint> points;

@@ -25,14 +25,14 @@ CampaignRun MakeRun(const Study& study, int index) {
 }
 
 /// Outcome and measures in one line.
-std::string Answer(const Study& study, const ControllerFactory& make_controller,
+std::string Answer(const std::vector<ScriptStep>& script, const ControllerFactory& make_controller,
                    const CampaignRun& run) {
   try {
     const ControllerFactory scripted = [&](const std::string&, const RoverSheet& sheet) {
-      return MakeScriptedController(sheet, study.script);
+      return MakeScriptedController(sheet, script);
     };
     const RunRecord record =
-        RunDocking(run, study.script.empty() ? make_controller : scripted, RunOptions{});
+        RunDocking(run, script.empty() ? make_controller : scripted, RunOptions{});
     std::string text = Name(record.result.outcome);
     for (const double measure : MeasuresOf(record)) text += " " + ExactNumber(measure);
     return text;
@@ -88,7 +88,8 @@ StudyEnd RunStudy(const Study& study, const ControllerFactory& make_controller,
     while (next < end.total && static_cast<int>(running.size()) < options.jobs) {
       Running& one = running.emplace_back();
       one.run = MakeRun(study, next++);
-      const auto work = [&] { return Answer(study, make_controller, one.run); };
+      const auto& point = study.points[static_cast<std::size_t>((one.run.run - 1) / study.repeats)];
+      const auto work = [&] { return Answer(point.script, make_controller, one.run); };
       const auto messages = options.out_dir / ("run_" + std::to_string(one.run.run) + ".txt");
       one.child = std::make_unique<Child>(work, messages, options.run_time_limit_s,
                                           std::vector<int>{signals.descriptor()});

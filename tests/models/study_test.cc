@@ -72,11 +72,20 @@ TEST_F(StudyFile, ScriptIsInSIUnits) {
   const Study study = Load(
       "script:\n  - {for_s: 3, speed_m_s: 0.05, turn_deg_s: 90, tension_n: 40}\n"
       "  - {for_s: 1, free_wheels: true}\n");
-  ASSERT_EQ(study.script.size(), 2u);
-  EXPECT_EQ(study.script[0].turn_rad_s, 0.5 * kPi);
-  EXPECT_EQ(study.script[0].tension_n, 40.0);
-  EXPECT_TRUE(study.script[1].free_wheels);
-  EXPECT_FALSE(study.script[1].tension_n.has_value());
+  const std::vector<ScriptStep>& script = study.points.at(0).script;
+  ASSERT_EQ(script.size(), 2u);
+  EXPECT_EQ(script[0].turn_rad_s, 0.5 * kPi);
+  EXPECT_EQ(script[0].tension_n, 40.0);
+  EXPECT_TRUE(script[1].free_wheels);
+  EXPECT_FALSE(script[1].tension_n.has_value());
+}
+
+TEST_F(StudyFile, ScriptCanBeVariedLikeAKey) {
+  const Study study =
+      Load("vary:\n  script:\n    short: [{for_s: 1}]\n    long: [{for_s: 9}, {for_s: 1}]\n");
+  ASSERT_EQ(study.points.size(), 2u);
+  EXPECT_EQ(study.points[0].script.size(), 1u);
+  EXPECT_EQ(study.points[1].script.at(0).for_s, 9.0);
 }
 
 TEST_F(StudyFile, FaultsAreToldByPlaceAndPath) {
