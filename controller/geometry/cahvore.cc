@@ -124,6 +124,22 @@ LensRay Cahvore::Ray(const Eigen::Vector2d& pixel) const {
   return {.origin = C + pupil * O, .direction = s / across * l + std::cos(theta) * O};
 }
 
+Pose3 CameraFrameOf(const Cahvore& lens_F) {
+  const Eigen::Vector3d z = lens_F.A.normalized();
+  const Eigen::Vector3d x = (lens_F.H - lens_F.H.dot(z) * z).normalized();
+  Pose3 X_FC;
+  X_FC.R << x, z.cross(x), z;
+  X_FC.p = lens_F.C;
+  return X_FC;
+}
+
+Cahvore InFrame(const Cahvore& lens_F, const Pose3& X_FG) {
+  Cahvore lens = lens_F;
+  lens.C = Inverse(X_FG) * lens_F.C;
+  for (Eigen::Vector3d* v : {&lens.A, &lens.H, &lens.V, &lens.O}) *v = X_FG.R.transpose() * *v;
+  return lens;
+}
+
 CahvScales ScalesOf(const Cahvore& lens) {
   return {.hs = lens.A.cross(lens.H).norm(),
           .vs = lens.A.cross(lens.V).norm(),

@@ -93,18 +93,19 @@ Camera Adjusted(Camera camera, double focal_scale, const Eigen::Vector2d& centre
 }
 
 Camera Bent(Camera camera, double shift_px) {
-  // In each model the first free radial term adds f c x^3, x the model's own distance off the axis.
+  // The first free radial term of each model adds f c x^3, x being that model's own distance off
+  // the axis at half the image's width.
   const double half = 0.5 * camera.width;
+  const Eigen::Vector3d ray = camera.Direction(camera.centre_px() - Eigen::Vector2d(half, 0.0));
+  const double across = ray.head<2>().norm();
+  const double f = camera.focal_px().x();
+  const auto term = [&](double x) { return shift_px / (f * x * x * x); };
   if (auto* cahvore = std::get_if<Cahvore>(&camera.lens)) {
-    const double f = ScalesOf(*cahvore).hs, x = half / f;
-    cahvore->R[1] += shift_px / (f * x * x * x);
+    cahvore->R[1] += term(half / f);
   } else if (auto* pinhole = std::get_if<BrownPinhole>(&camera.lens)) {
-    const double f = pinhole->fx, x = half / f;
-    pinhole->k1 += shift_px / (f * x * x * x);
+    pinhole->k1 += term(across / ray.z());
   } else {
-    auto& fisheye = std::get<KannalaBrandt>(camera.lens);
-    const double f = fisheye.fx, x = half / f;
-    fisheye.k[0] += shift_px / (f * x * x * x);
+    std::get<KannalaBrandt>(camera.lens).k[0] += term(std::atan2(across, ray.z()));
   }
   return camera;
 }

@@ -78,6 +78,12 @@ struct CahvScales {
 };
 CahvScales ScalesOf(const Cahvore& lens);
 
+/// The camera frame of a lens whose vectors stand in a frame F: at C, z along A, x along the part
+/// of H across A.
+Pose3 CameraFrameOf(const Cahvore& lens_F);
+/// The same lens with its vectors in the frame G.
+Cahvore InFrame(const Cahvore& lens_F, const Pose3& X_FG);
+
 using Lens = std::variant<KannalaBrandt, BrownPinhole, Cahvore>;
 
 }  // namespace dockyard

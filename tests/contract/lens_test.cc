@@ -1,0 +1,270 @@
+// What holds for every lens model: there and back, derivatives, and what it cannot see.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <opencv2/calib3d.hpp>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "controller/geometry/camera.h"
+
+namespace dockyard {
+namespace {
+
+struct Sample {
+  std::string name;
+  Camera camera;
+};
+
+/// Navcam left of Mars 2020 (nasa-jpl/m2020-urdf-models) in a frame of its own: a real moving
+/// pupil, turned any way.
+Cahvore Navcam() {
+  return {.C = {0.12848, -0.214947, -0.056891},
+          .A = {0.999943, -0.005833, 0.00885},
+          .H = {2612.926691, 2943.39557, 14.632299},
+          .V = {1916.489292, -3.389678, 2975.009835},
+          .O = Eigen::Vector3d(0.99995, -0.004409, 0.008967).normalized(),
+          .R = {2e-6, 0.049535, -0.015973},
+          .E = {-0.003612, 0.013016, -0.023961},
+          .linearity = 0.37};
+}
+
+Cahvore Hazcam() {
+  return {.C = {1.103534, -0.008945, -0.729124},
+          .A = {0.884935, -0.17181, 0.432865},
+          .H = {2606.49053, 1675.438136, 1273.544923},
+          .V = {747.819318, -326.899856, 2757.18855},
+          .O = Eigen::Vector3d(0.885293, -0.171227, 0.432363).normalized(),
+          .R = {1e-6, 0.00889, -0.006754},
+          .E = {-0.006127, 0.010389, 0.004541},
+          .linearity = 0.37};
+}
+
+/// MSL's left Navcam, a CAHVOR model (label NRB_701383954).
+Cahvore MslNavcam() {
+  return {.C = {0.953083, 0.737269, -1.83989},
+          .A = {0.61802, -0.158336, 0.770042},
+          .H = {622.069, 1100.35, 388.444},
+          .V = {-588.816, 157.005, 1176.66},
+          .O = Eigen::Vector3d(0.615108, -0.158211, 0.772395).normalized(),
+          .R = {1.35787e-5, 0.00183074, -0.0057552}};
+}
+
+BrownPinhole Webcam() {
+  return {.fx = 535.4,
+          .fy = 539.1,
+          .cx = 320.1,
+          .cy = 247.6,  //
+          .k1 = -0.265,
+          .k2 = -0.047,
+          .k3 = 0.252,
+          .p1 = 0.0018,
+          .p2 = -0.0003};
+}
+
+std::vector<Sample> Samples() {
+  const KannalaBrandt fisheye{
+      .fx = 558.478087865323,
+      .fy = 560.506767351568,
+      .cx = 620.458515360843,
+      .cy = 381.939424848348,
+      .k = {-0.0014613319981768, -0.00329861110580401, 0.00605760088590183, -0.00374209380722371}};
+  Cahvore sine = Navcam();
+  sine.linearity = -0.4;
+  Cahvore cahv = MslNavcam();
+  cahv.R.setZero();
+  const auto own = [](const Cahvore& lens) { return InFrame(lens, CameraFrameOf(lens)); };
+  return {{"kannala_brandt", {1280, 800, fisheye}},
+          {"equidistant", EquidistantCamera(1024, 768, Radians(90))},
+          {"brown", {640, 480, Webcam()}},
+          {"cahv", {1024, 1024, own(cahv)}},
+          {"cahvor", {1024, 1024, own(MslNavcam())}},
+          {"cahvore_hazcam", {5120, 3840, own(Hazcam())}},
+          {"cahvore_navcam", {5120, 3840, own(Navcam())}},
+          {"cahvore_negative_linearity", {5120, 3840, own(sine)}}};
+}
+
+void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.name; }
+
+class EveryLens : public testing::TestWithParam<Sample> {
+ protected:
+  const Camera& camera_ = GetParam().camera;
+  /// Pixels over the whole image, its outer edges and corners included.
+  std::vector<Eigen::Vector2d> Pixels() const {
+    std::vector<Eigen::Vector2d> pixels{camera_.centre_px()};
+    for (int i = 0; i <= 12; ++i) {
+      for (int j = 0; j <= 12; ++j) {
+        pixels.emplace_back(camera_.width * (i / 12.0) - 0.5, camera_.height * (j / 12.0) - 0.5);
+      }
+    }
+    return pixels;
+  }
+};
+
+TEST_P(EveryLens, RayComesBackToItsPixelFromNearToFar) {
+  double worst = 0.0;
+  for (const Eigen::Vector2d& pixel : Pixels()) {
+    const LensRay ray = camera_.Ray(pixel);
+    EXPECT_NEAR(ray.direction.norm(), 1.0, 1e-14);
+    for (const double range_m : {0.3, 1.0, 5.0, 30.0}) {
+      const auto back = camera_.Project(ray.origin + range_m * ray.direction);
+      ASSERT_TRUE(back) << pixel.transpose() << " at " << range_m;
+      worst = std::max(worst, (*back - pixel).norm());
+    }
+  }
+  EXPECT_LT(worst, 1e-8);
+}
+
+TEST_P(EveryLens, DerivativeIsThatOfCentralDifferences) {
+  const double focal = camera_.focal_px().x();
+  for (const Eigen::Vector2d& pixel : Pixels()) {
+    for (const double range_m : {0.3, 5.0}) {
+      const LensRay ray = camera_.Ray(pixel);
+      const Eigen::Vector3d p = ray.origin + range_m * ray.direction;
+      PixelJacobian J;
+      const auto at = camera_.Project(p, J);
+      ASSERT_TRUE(at);
+      EXPECT_EQ(*at, *camera_.Project(p));
+      const double step = 1e-4 * range_m;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Eigen::Vector3d d = step * Eigen::Vector3d::Unit(axis);
+        const auto difference = [&](double times) {
+          return Eigen::Vector2d(
+              (*camera_.Project(p + times * d) - *camera_.Project(p - times * d)) /
+              (2.0 * times * step));
+        };
+        // Richardson's extrapolation: truncation of order step^4.
+        const Eigen::Vector2d slope = (4.0 * difference(0.5) - difference(1.0)) / 3.0;
+        EXPECT_LT((slope - J.col(axis)).norm(), 1e-7 * focal / range_m)
+            << pixel.transpose() << " at " << range_m << " axis " << axis;
+      }
+    }
+  }
+}
+
+TEST_P(EveryLens, SeesNothingBehindIt) {
+  const LensRay axis = camera_.Ray(camera_.centre_px());
+  EXPECT_FALSE(camera_.Project(axis.origin - axis.direction));
+  EXPECT_FALSE(camera_.Project(axis.origin - 20.0 * axis.direction));
+  const Eigen::Vector3d side = axis.direction.unitOrthogonal();
+  EXPECT_FALSE(camera_.Project(axis.origin - axis.direction + 0.1 * side));
+  EXPECT_FALSE(camera_.Project(axis.origin));
+}
+
+TEST_P(EveryLens, KeepsItsViewOnASmallerImage) {
+  const Camera half = Resized(camera_, camera_.width / 2, camera_.height / 2);
+  for (const double x : {0.0, 0.3, 1.0}) {
+    const Eigen::Vector2d share(x, 1.0 - x);
+    const auto edge = [&](const Camera& c) {
+      return c.Direction({share.x() * c.width - 0.5, share.y() * c.height - 0.5});
+    };
+    EXPECT_LT((edge(half) - edge(camera_)).norm(), 1e-12);
+  }
+}
+
+TEST_P(EveryLens, MovesItsCentreAndStretchesItsFocalLength) {
+  const Camera moved = Adjusted(camera_, 1.002, {1.5, -0.7});
+  const Eigen::Vector2d centre = camera_.centre_px();
+  EXPECT_NEAR(moved.focal_px().x() / camera_.focal_px().x(), 1.002, 1e-6);
+  // CAHV* stretch about A, not about O, which may lie some pixels off.
+  EXPECT_LT((moved.centre_px() - centre - Eigen::Vector2d(1.5, -0.7)).norm(), 0.1);
+}
+
+TEST_P(EveryLens, BendsByThatManyPixelsHalfTheImageOut) {
+  const Camera bent = Bent(camera_, 0.5);
+  const Eigen::Vector2d centre = camera_.centre_px();
+  for (const double part : {0.5, 1.0}) {
+    const Eigen::Vector2d pixel = centre - Eigen::Vector2d(0.5 * part * camera_.width, 0.0);
+    const LensRay ray = camera_.Ray(pixel);
+    const auto moved = bent.Project(ray.origin + 3.0 * ray.direction);
+    ASSERT_TRUE(moved);
+    // Within a tenth at the edge, a quarter halfway: the terms go with the models' own distances
+    // off the axis, not with the pixels.
+    const double share = part == 1.0 ? 0.1 : 0.25;
+    const double cube = 0.5 * part * part * part;
+    EXPECT_NEAR(pixel.x() - moved->x(), cube, share * cube);
+  }
+}
+
+TEST(Cahvore, ShowsTheSameInEveryFrame) {
+  const Cahvore lens_F = Hazcam();
+  const Pose3 X_FC = CameraFrameOf(lens_F);
+  const Cahvore lens_C = InFrame(lens_F, X_FC);
+  EXPECT_EQ(lens_C.C, Eigen::Vector3d::Zero());
+  EXPECT_LT((lens_C.A.normalized() - Eigen::Vector3d::UnitZ()).norm(), 1e-15);
+  EXPECT_NEAR(lens_C.H.y(), 0.0, 1e-12);
+  EXPECT_GT(lens_C.V.y(), 0.0);
+  const Eigen::Vector3d p_F(3.0, 0.2, 0.4);
+  const auto from_F = lens_F.Project(p_F, nullptr);
+  const auto from_C = lens_C.Project(Inverse(X_FC) * p_F, nullptr);
+  ASSERT_TRUE(from_F && from_C);
+  EXPECT_LT((*from_F - *from_C).norm(), 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(, EveryLens, testing::ValuesIn(Samples()),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(BrownPinhole, ProjectsAsOpenCvDoes) {
+  const BrownPinhole lens = Webcam();
+  const cv::Matx33d K(lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1);
+  const cv::Vec<double, 5> D(lens.k1, lens.k2, lens.p1, lens.p2, lens.k3);
+  for (const double x : {-0.6, -0.2, 0.0, 0.5}) {
+    for (const double y : {-0.4, 0.1, 0.45}) {
+      const std::vector<cv::Point3d> points{{2 * x, 2 * y, 2.0}};
+      std::vector<cv::Point2d> pixels;
+      cv::projectPoints(points, cv::Vec3d(), cv::Vec3d(), K, D, pixels);
+      const auto pixel = lens.Project({2 * x, 2 * y, 2.0}, nullptr);
+      ASSERT_TRUE(pixel);
+      EXPECT_NEAR(pixel->x(), pixels[0].x, 1e-10);
+      EXPECT_NEAR(pixel->y(), pixels[0].y, 1e-10);
+    }
+  }
+}
+
+// Without the check, barrel distortion brings points far outside back into the picture.
+TEST(BrownPinhole, ShowsNothingFromBeyondItsFold) {
+  const BrownPinhole lens{.fx = 500, .fy = 500, .cx = 320, .cy = 240, .k1 = -0.3};
+  EXPECT_TRUE(lens.Project({1.0, 0.0, 1.0}, nullptr));  // fold at r = 1 / sqrt(0.9) = 1.054
+  EXPECT_FALSE(lens.Project({1.1, 0.0, 1.0}, nullptr));
+  const Camera camera{640, 480, lens};
+  EXPECT_TRUE(camera.HasRay({320 + 500 * 0.70, 240}));  // the fold lies at 0.7027 f
+  EXPECT_FALSE(camera.HasRay({320 + 500 * 0.71, 240}));
+}
+
+TEST(KannalaBrandt, ShowsNothingFromBeyondItsPeak) {
+  const KannalaBrandt lens{.fx = 300, .fy = 300, .cx = 320, .cy = 240, .k = {-0.2, 0, 0, 0}};
+  const double peak = std::sqrt(1.0 / 0.6);  // 1 = 3 x 0.2 theta^2
+  const auto at = [](double theta) { return Eigen::Vector3d(std::sin(theta), 0, std::cos(theta)); };
+  EXPECT_TRUE(lens.Project(at(peak - 0.01), nullptr));
+  EXPECT_FALSE(lens.Project(at(peak + 0.01), nullptr));
+}
+
+TEST(FishEyes, SeeBesideThemselvesAndAPinholeDoesNot) {
+  const Eigen::Vector3d beside(1.0, 0.0, -0.05);  // 93 deg off the axis
+  EXPECT_TRUE(EquidistantCamera(640, 480, Radians(170)).Project(beside));
+  Cahvore wide{.H = {300, 0, 320}, .V = {0, 300, 240}, .linearity = 0.37};
+  const auto pixel = wide.Project(beside, nullptr);
+  ASSERT_TRUE(pixel);
+  EXPECT_GT(pixel->x(), 320);
+  wide.linearity = 1.0;
+  EXPECT_FALSE(wide.Project(beside, nullptr));
+  EXPECT_FALSE(Webcam().Project(beside, nullptr));
+}
+
+// Its own pupil is the reason why a CAHVORE pixel depends on the range, not the bearing alone.
+TEST(MovingPupil, ShiftsTheHazcamsCornerByMillimetres) {
+  const LensRay corner = Hazcam().Ray({0, 0}), middle = Hazcam().Ray({2560, 1920});
+  EXPECT_NEAR((corner.origin - middle.origin).norm(), 0.012, 0.002);  // 12 mm
+  const Eigen::Vector3d p = corner.origin + 2.0 * corner.direction;
+  const Cahvore lens = Hazcam();
+  Cahvore central = lens;
+  central.E.setZero();
+  const double px = (*central.Project(p, nullptr) - *lens.Project(p, nullptr)).norm();
+  EXPECT_NEAR(px, 15.0, 2.0);  // of 5120 at 2 m
+}
+
+}  // namespace
+}  // namespace dockyard
