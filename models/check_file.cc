@@ -1,9 +1,11 @@
 #include "models/check_file.h"
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 
 #include "models/config_error.h"
+#include "models/load_cameras.h"
 #include "models/load_rover.h"
 #include "models/load_scenario.h"
 #include "models/load_soil.h"
@@ -87,6 +89,27 @@ FileCheck CheckStudy(const std::string& file) {
               " runs"};
 }
 
+FileCheck CheckCameras(const std::string& file) {
+  const std::vector<PlacedCamera> cameras = LoadCameras(file);
+  for (const PlacedCamera& placed : cameras) {
+    RequireRays(placed.name.empty() ? file : file + ": " + placed.name, placed.camera);
+  }
+  const Camera& first = cameras[0].camera;
+  const Eigen::Vector2d f = first.focal_px();
+  std::string summary = std::to_string(cameras.size()) +
+                        (cameras.size() == 1 ? " camera, " : " cameras, the first of ") +
+                        std::to_string(first.width) + " x " + std::to_string(first.height) +
+                        " px, " + NumberText(std::round(10.0 * f.x()) / 10.0) + " px/rad";
+  return {"camera", summary};
+}
+
+FileCheck CheckRig(const std::string& file) {
+  const StereoRig rig = LoadRig(file);
+  return {"rig", std::to_string(rig.left.width) + " x " + std::to_string(rig.left.height) +
+                     " px, baseline " + NumberText(std::round(1e4 * rig.baseline_m()) / 1e4) +
+                     " m"};
+}
+
 FileCheck CheckYaml(const std::string& file) {
   const YamlNode root = LoadYaml(file);
   const auto has = [&](const char* key) { return root.Find(key) != nullptr; };
@@ -94,13 +117,15 @@ FileCheck CheckYaml(const std::string& file) {
   if (has("campaign") || has("runs") || has("table")) return CheckCampaign(file);
   if (has("start") || has("rover") || has("station")) return CheckScenario(file);
   if (has("wheels") || has("motors") || has("cameras")) return CheckRover(file);
+  if (has("left") || has("right")) return CheckRig(file);
+  if (has("model")) return CheckCameras(file);
   if (has("cone") || has("board") || has("feet")) return CheckStation(file);
   if (has("k_phi") || has("cohesion_pa") || has("friction_angle_deg")) return CheckSoil(file);
   if (has("radius_m") || has("width_m") || has("paddles")) return CheckWheel(file);
-  throw ConfigError(
-      root.place.Text() +
-      ": expected the keys of a rover, station, soil, wheel, scenario, campaign or study, found "
-      "none of them");
+  throw ConfigError(root.place.Text() +
+                    ": expected the keys of a rover, station, soil, wheel, camera, rig, scenario, "
+                    "campaign or study, found "
+                    "none of them");
 }
 
 }  // namespace
@@ -109,9 +134,10 @@ FileCheck CheckFile(const std::string& file) {
   const std::string extension = std::filesystem::path(file).extension().string();
   if (IsMeshFile(file)) return CheckMesh(file);
   if (extension == ".urdf") return CheckUrdf(file);
+  if (extension == ".json") return CheckCameras(file);
   if (extension == ".yaml" || extension == ".yml") return CheckYaml(file);
   throw ConfigError(file +
-                    ": expected a file .yaml, .urdf, .stl, .obj, .dae, .gltf or .glb, found "
+                    ": expected a file .yaml, .json, .urdf, .stl, .obj, .dae, .gltf or .glb, found "
                     "extension '" +
                     extension + "'");
 }

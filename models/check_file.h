@@ -6,7 +6,7 @@
 namespace dockyard {
 
 struct FileCheck {
-  std::string kind;     // rover | station | soil | scenario | campaign | urdf | mesh
+  std::string kind;     // rover | station | soil | camera | rig | scenario | campaign | urdf | mesh
   std::string summary;  // one line: what it holds
 };
 

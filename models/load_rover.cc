@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "models/config_error.h"
+#include "models/load_cameras.h"
 #include "models/load_wheel.h"
 #include "models/text_file.h"
 #include "models/urdf.h"
@@ -138,23 +139,37 @@ StereoRig MakeRig(double baseline_m, double forward_m, double height_m, double p
   return rig;
 }
 
+StereoRig ReadRig(const YamlReader& in, int width, int height) {
+  if (in.Has("file")) {
+    for (const char* key :
+         {"baseline_m", "forward_m", "height_m", "pitch_deg", "field_of_view_deg"}) {
+      if (in.Has(key)) in.Refuse(key, "no such key beside cameras.file, which says it");
+    }
+    return LoadRig(in.File("file"), width, height);
+  }
+  const double fov_rad = in.Degrees("field_of_view_deg", Between(10.0, 200.0));
+  return MakeRig(in.Number("baseline_m", Between(0.01, 2.0)),
+                 in.Number("forward_m", Between(-2.0, 2.0)),
+                 in.Number("height_m", Between(-2.0, 3.0)),
+                 in.DegreesOr("pitch_deg", 0.0, Between(-60.0, 60.0)),
+                 EquidistantCamera(width > 0 ? width : kDefaultImageWidth,
+                                   height > 0 ? height : kDefaultImageHeight, fov_rad));
+}
+
 void ReadCameras(const YamlReader& root, int width, int height, RoverModel& rover) {
   const YamlReader in(root.Child("cameras"), "cameras",
-                      {"baseline_m", "forward_m", "height_m", "pitch_deg", "field_of_view_deg",
-                       "as_built", "sensor"});
-  const double fov_rad = in.Degrees("field_of_view_deg", Between(10.0, 200.0));
+                      {"file", "baseline_m", "forward_m", "height_m", "pitch_deg",
+                       "field_of_view_deg", "as_built", "sensor"});
   StereoModel& stereo = rover.stereo;
-  stereo.nominal =
-      MakeRig(in.Number("baseline_m", Between(0.01, 2.0)),
-              in.Number("forward_m", Between(-2.0, 2.0)), in.Number("height_m", Between(-2.0, 3.0)),
-              in.DegreesOr("pitch_deg", 0.0, Between(-60.0, 60.0)),
-              EquidistantCamera(width, height, fov_rad));
-  const YamlReader built(in.Child("as_built"), in.PathOf("as_built"),
-                         {"relative_yaw_deg", "rotation_deg", "focal_relative", "centre_px"});
+  stereo.nominal = ReadRig(in, width, height);
+  const YamlReader built(
+      in.Child("as_built"), in.PathOf("as_built"),
+      {"relative_yaw_deg", "rotation_deg", "focal_relative", "centre_px", "radial_px"});
   stereo.relative_yaw_sigma_rad = built.Degrees("relative_yaw_deg", NonNegative(5.0));
   stereo.rotation_sigma_rad = built.Degrees("rotation_deg", NonNegative(5.0));
   stereo.focal_sigma = built.Number("focal_relative", NonNegative(0.1));
   stereo.centre_sigma_px = built.Number("centre_px", NonNegative(50.0));
+  stereo.radial_sigma_px = built.Number("radial_px", NonNegative(50.0));
   const YamlReader sensor(in.Child("sensor"), in.PathOf("sensor"),
                           {"full_well_e", "read_noise_e", "vignetting_exponent", "blur_sigma_px"});
   stereo.full_well_e = sensor.Number("full_well_e", Between(100.0, 1e6));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "models/config_error.h"
+#include "models/load_cameras.h"
 #include "models/load_rover.h"
 #include "models/load_soil.h"
 #include "models/load_station.h"
@@ -43,9 +44,13 @@ YardModel ReadYard(const YamlReader& root) {
 
 void ReadCamera(const YamlReader& root, Scenario& scenario) {
   if (!root.Has("camera")) return;
-  const YamlReader in(root.Child("camera"), root.PathOf("camera"), {"width_px", "height_px"});
-  scenario.image_width = in.IntegerOr("width_px", scenario.image_width, 64, 4096);
-  scenario.image_height = in.IntegerOr("height_px", scenario.image_height, 64, 4096);
+  const YamlReader in(root.Child("camera"), root.PathOf("camera"),
+                      {"file", "width_px", "height_px"});
+  if (in.Has("file")) scenario.camera_file = in.File("file");
+  if (in.Has("width_px") || in.Has("height_px")) {
+    scenario.image_width = in.IntegerOr("width_px", kDefaultImageWidth, 64, 4096);
+    scenario.image_height = in.IntegerOr("height_px", kDefaultImageHeight, 64, 4096);
+  }
 }
 
 Pose2 ReadSite(const YamlReader& root) {
@@ -144,6 +149,10 @@ ScenarioModels LoadModels(const Scenario& scenario) {
                         LoadStation(scenario.station_file, changes.Find("station")),
                         LoadSoil(scenario.soil_file, changes.Find("soil"))};
   CheckCarries(models.soil, scenario.soil_file, models.rover.left_wheel_soil);
+  if (!scenario.camera_file.empty()) {
+    models.rover.stereo.nominal =
+        LoadRig(scenario.camera_file, scenario.image_width, scenario.image_height);
+  }
   if (scenario.tip_angle_rad >= 0.0) models.station.tip_angle_rad = scenario.tip_angle_rad;
   if (models.rover.tip.radius_m >= models.station.cone.throat_radius_m) {
     throw ConfigError(scenario.station_file + ": cone.throat_radius_m: expected more than the " +

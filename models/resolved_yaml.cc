@@ -59,8 +59,13 @@ std::string CommonText(const Scenario& s, const std::string& indent) {
                   NumberText(s.yard.width_m) + ", cell_m: " + NumberText(s.yard.cell_m) +
                   ", undulation_rms_m: " + NumberText(s.yard.undulation_rms_m) +
                   ", undulation_wavelength_m: " + NumberText(s.yard.undulation_wavelength_m) + "}");
-  text += line("camera", "{width_px: " + std::to_string(s.image_width) +
-                             ", height_px: " + std::to_string(s.image_height) + "}");
+  std::string camera;
+  if (!s.camera_file.empty()) camera = "file: " + PathText(s.camera_file);
+  if (s.image_width > 0) {
+    camera += (camera.empty() ? "" : ", ") + ("width_px: " + std::to_string(s.image_width)) +
+              ", height_px: " + std::to_string(s.image_height);
+  }
+  if (!camera.empty()) text += line("camera", "{" + camera + "}");
   text += line("time_limit_s", NumberText(s.time_limit_s));
   text += line("physics_step_s", NumberText(s.physics_step_s));
   if (s.tip_angle_rad >= 0.0) text += line("tip_angle_deg", DegreesText(s.tip_angle_rad));

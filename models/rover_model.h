@@ -126,6 +126,7 @@ struct StereoModel {
   double rotation_sigma_rad = 0.0;      // each camera, roll and pitch
   double focal_sigma = 0.0;             // relative
   double centre_sigma_px = 0.0;
+  double radial_sigma_px = 0.0;  // lens's radial term, at the middle of the image's left edge
   // Sensor
   double full_well_e = 0.0, read_noise_e = 0.0;
   double vignetting_exponent = 0.0;  // irradiance falls as cos^n of the angle off axis

@@ -36,7 +36,8 @@ struct Scenario {
   StartPose start;
   Light light = Light::kEven;
   YardModel yard;
-  int image_width = 1024, image_height = 768;
+  std::string camera_file;                // empty: the rover's own cameras
+  int image_width = 0, image_height = 0;  // 0: as the cameras' file says, else 1024 x 768
   double time_limit_s = 600.0;
   double physics_step_s = 1e-3;  // 1e-3 unless a convergence study changes it
   double tip_angle_rad = -1.0;   // < 0: as the station's file says

@@ -18,6 +18,7 @@ void AddCampaignCommand(CLI::App& app, int& exit_code);
 void AddReplayCommand(CLI::App& app, int& exit_code);
 void AddViewCommand(CLI::App& app, int& exit_code);
 void AddStudyCommand(CLI::App& app, int& exit_code);
+void AddCameraCommand(CLI::App& app, int& exit_code);
 void AddCheckCommand(CLI::App& app, int& exit_code);
 
 }  // namespace dockyard

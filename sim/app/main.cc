@@ -1,4 +1,4 @@
-// dockyard: run | campaign | replay | view | study | check.
+// dockyard: run | campaign | replay | view | study | camera | check.
 #include <unistd.h>
 
 #include <csignal>
@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
   AddReplayCommand(app, exit_code);
   AddViewCommand(app, exit_code);
   AddStudyCommand(app, exit_code);
+  AddCameraCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
   exit_code = ParseAndRun(app, argc, argv, exit_code);
   std::cout.flush();

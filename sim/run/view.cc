@@ -12,6 +12,11 @@ Camera BuiltCamera(const Camera& camera, const StereoModel& stereo, RandomStream
   return Adjusted(camera, scale, {du, dv});
 }
 
+/// Drawn after all the rest, so that a run keeps its other errors whatever this one is.
+Camera BentCamera(const Camera& camera, const StereoModel& stereo, RandomStream& random) {
+  return Bent(camera, stereo.radial_sigma_px * random.Normal());
+}
+
 Pose3 Turned(Pose3 X_RC, double about_x, double about_y, double about_z) {
   X_RC.R = X_RC.R * RotY(about_y) * RotX(about_x) * RotZ(about_z);
   return X_RC;
@@ -29,6 +34,8 @@ StereoRig BuiltRig(const StereoModel& stereo, std::uint64_t run_seed) {
   const double yaw = stereo.relative_yaw_sigma_rad * random.Normal();
   const double left_x = s * random.Normal(), left_z = s * random.Normal();
   const double right_x = s * random.Normal(), right_z = s * random.Normal();
+  built.left = BentCamera(built.left, stereo, random);
+  built.right = BentCamera(built.right, stereo, random);
   built.X_RL = Turned(built.X_RL, left_x, -0.5 * yaw, left_z);
   built.X_RQ = Turned(built.X_RQ, right_x, 0.5 * yaw, right_z);
   return built;

@@ -18,6 +18,8 @@ TEST(CheckFile, TellsTheKindOfEveryFileHere) {
   EXPECT_EQ(kind("models/station/station.urdf"), "urdf");
   EXPECT_EQ(kind("models/soils/loose_sand.yaml"), "soil");
   EXPECT_EQ(kind("models/soils/compact_gravel.yaml"), "soil");
+  EXPECT_EQ(kind("models/cameras/navcam.yaml"), "rig");
+  EXPECT_EQ(kind("tests/models/data/m2020_cameras.json"), "camera");
   EXPECT_EQ(kind("scenarios/axel_typical.yaml"), "scenario");
   EXPECT_EQ(kind("scenarios/mars_yard_40.yaml"), "campaign");
   EXPECT_EQ(kind("scenarios/ci_4.yaml"), "campaign");
@@ -36,11 +38,13 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
     const std::string file = folder.Write(name, text);
     return MessageOf([&] { CheckFile(file); }, folder);
   };
-  EXPECT_EQ(message("a.yaml", "colour: red\n"),
-            "a.yaml:1:1: expected the keys of a rover, station, soil, wheel, scenario, campaign or "
-            "study, found none of them");
+  EXPECT_EQ(
+      message("a.yaml", "colour: red\n"),
+      "a.yaml:1:1: expected the keys of a rover, station, soil, wheel, camera, rig, scenario, "
+      "campaign or study, found none of them");
   EXPECT_EQ(message("a.txt", "x"),
-            "a.txt: expected a file .yaml, .urdf, .stl, .obj, .dae, .gltf or .glb, found extension "
+            "a.txt: expected a file .yaml, .json, .urdf, .stl, .obj, .dae, .gltf or .glb, found "
+            "extension "
             "'.txt'");
 }
 

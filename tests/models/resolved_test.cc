@@ -27,6 +27,10 @@ void ExpectSame(const Scenario& a, const Scenario& b) {
   EXPECT_EQ(a.yard.cell_m, b.yard.cell_m);
   EXPECT_EQ(a.yard.undulation_rms_m, b.yard.undulation_rms_m);
   EXPECT_EQ(a.yard.undulation_wavelength_m, b.yard.undulation_wavelength_m);
+  EXPECT_EQ(a.camera_file.empty(), b.camera_file.empty());
+  if (!a.camera_file.empty()) {
+    EXPECT_EQ(Absolute(a.camera_file), Absolute(b.camera_file));
+  }
   EXPECT_EQ(a.image_width, b.image_width);
   EXPECT_EQ(a.image_height, b.image_height);
   EXPECT_EQ(a.time_limit_s, b.time_limit_s);
