@@ -53,6 +53,17 @@ void ReadCamera(const YamlReader& root, Scenario& scenario) {
   }
 }
 
+VisionSettings ReadVision(const YamlReader& root) {
+  VisionSettings vision;
+  if (!root.Has("vision")) return vision;
+  const YamlReader in(root.Child("vision"), root.PathOf("vision"), {"pipeline", "min_points"});
+  const std::vector<std::string> pipelines{PipelineName(VisionPipeline::kDockyard),
+                                           PipelineName(VisionPipeline::kTsai2013)};
+  vision.pipeline = static_cast<VisionPipeline>(in.ChoiceOr("pipeline", 0, pipelines));
+  vision.min_points = in.IntegerOr("min_points", vision.min_points, 4, 5);
+  return vision;
+}
+
 Pose2 ReadSite(const YamlReader& root) {
   if (!root.Has("site")) return {};
   const YamlReader in(root.Child("site"), root.PathOf("site"), {"x_m", "y_m", "heading_deg"});
@@ -96,10 +107,10 @@ void CheckStartInYard(const Scenario& scenario, const YamlReader& start) {
 }
 
 Scenario ReadScenario(const YamlNode& node, const std::string& path, ScenarioPart part) {
-  const YamlReader in(
-      node, path,
-      {"name", "rover", "station", "soil", "controller", "start", "light", "yard", "camera",
-       "time_limit_s", "physics_step_s", "tip_angle_deg", "seed", "site", "log_images", "changes"});
+  const YamlReader in(node, path,
+                      {"name", "rover", "station", "soil", "controller", "vision", "start", "light",
+                       "yard", "camera", "time_limit_s", "physics_step_s", "tip_angle_deg", "seed",
+                       "site", "log_images", "changes"});
   const bool whole = part == ScenarioPart::kWhole;
   Scenario scenario;
   if (whole || in.Has("name")) scenario.name = in.Text("name");
@@ -109,6 +120,7 @@ Scenario ReadScenario(const YamlNode& node, const std::string& path, ScenarioPar
   const std::vector<std::string> controllers{"axel", "reel_only"};
   scenario.controller =
       controllers[static_cast<std::size_t>(in.ChoiceOr("controller", 0, controllers))];
+  scenario.vision = ReadVision(in);
   scenario.light = static_cast<Light>(in.ChoiceOr("light", 0, LightWords()));
   scenario.yard = ReadYard(in);
   ReadCamera(in, scenario);

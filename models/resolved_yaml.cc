@@ -54,6 +54,8 @@ std::string CommonText(const Scenario& s, const std::string& indent) {
   std::string text = line("rover", PathText(s.rover_file));
   text += line("station", PathText(s.station_file));
   text += line("controller", s.controller);
+  text += line("vision", std::string("{pipeline: ") + PipelineName(s.vision.pipeline) +
+                             ", min_points: " + std::to_string(s.vision.min_points) + "}");
   text += line(
       "yard", "{length_m: " + NumberText(s.yard.length_m) + ", width_m: " +
                   NumberText(s.yard.width_m) + ", cell_m: " + NumberText(s.yard.cell_m) +

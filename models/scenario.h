@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "controller/geometry/pose.h"
+#include "controller/io/vision_settings.h"
 #include "models/yaml_tree.h"
 
 namespace dockyard {
@@ -33,6 +34,7 @@ struct Scenario {
   std::string name;
   std::string rover_file, station_file, soil_file;  // resolved paths
   std::string controller = "axel";                  // axel | reel_only
+  VisionSettings vision{};
   StartPose start;
   Light light = Light::kEven;
   YardModel yard;

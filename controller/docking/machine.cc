@@ -90,6 +90,7 @@ class AxelMachine final : public Controller {
   Senses senses_;
   ArmLevel arm_;
   SightingJudge judge_;
+  CameraTurnFilter camera_turn_;
   StillWatch still_;
 
   bool started_ = false;
@@ -191,7 +192,9 @@ std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* comm
 }
 
 std::optional<Event> AxelMachine::Judge(const StereoImages& images) {
-  const LocateOutput seen = locator_(images, HintsFrom(senses_));
+  LocateHints hints = HintsFrom(senses_);
+  hints.camera_turn = camera_turn_.belief();
+  const LocateOutput seen = locator_(images, hints);
   ++belief_.sighting_count;
   belief_.last_sighting = seen.report;
   auto ruling = SightingJudge::Ruling::kRejected;
@@ -206,6 +209,7 @@ std::optional<Event> AxelMachine::Judge(const StereoImages& images) {
     return std::nullopt;
   }
   if (ruling == SightingJudge::Ruling::kAccepted) {
+    camera_turn_.Take(*seen.sighting);
     attempts_ = 0;
     if (taut_ && !senses_.filter().TetherKnown()) senses_.UseTether(0.0);
     return phase_ == Phase::kRecheck ? AtTheMouth() : AfterSighting();

@@ -1,5 +1,6 @@
 #include "controller/docking/sighting.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dockyard {
@@ -19,6 +20,20 @@ LocateHints HintsFrom(const Senses& senses) {
   hints.up_R = Tilt(senses.imu()).transpose() * Eigen::Vector3d::UnitZ();
   hints.X_RB_expected = senses.ExpectedBoard();
   return hints;
+}
+
+void CameraTurnFilter::Take(const DockSighting& sighting) {
+  if (!sighting.stereo || !sighting.camera_turn.mean_rad.allFinite()) return;
+  // The mount moves with its warmth: assumed 0.01 deg from look to look (0-0.03).
+  constexpr double kDrift = 0.01 * kPi / 180.0;
+  // What the lens's own errors feign differs from place to place and does not average out as noise
+  // does: the belief stays at least this wide (assumed 0.02 deg, 0.01-0.05).
+  constexpr double kFloor = 0.02 * kPi / 180.0;
+  belief_ = sighting.camera_turn;
+  belief_.covariance.diagonal().array() += kDrift * kDrift;
+  for (int i = 0; i < 3; ++i) {
+    belief_.covariance(i, i) = std::max(belief_.covariance(i, i), kFloor * kFloor);
+  }
 }
 
 SightingJudge::Ruling SightingJudge::Judge(const DockSighting& sighting, Senses* senses) {

@@ -34,4 +34,16 @@ class SightingJudge {
 
 LocateHints HintsFrom(const Senses& senses);
 
+/// Belief about the cameras' relative turn over a run. Each look that both eyes carried narrows it:
+/// the look's fit begins with the belief so far and gives the next one.
+class CameraTurnFilter {
+ public:
+  const CameraTurn& belief() const { return belief_; }
+  /// A sighting that the judge accepted.
+  void Take(const DockSighting& sighting);
+
+ private:
+  CameraTurn belief_{};
+};
+
 }  // namespace dockyard

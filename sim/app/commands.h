@@ -19,6 +19,8 @@ void AddReplayCommand(CLI::App& app, int& exit_code);
 void AddViewCommand(CLI::App& app, int& exit_code);
 void AddStudyCommand(CLI::App& app, int& exit_code);
 void AddCameraCommand(CLI::App& app, int& exit_code);
+void AddDetectCommand(CLI::App& app, int& exit_code);
+void AddPoseCommand(CLI::App& app, int& exit_code);
 void AddCheckCommand(CLI::App& app, int& exit_code);
 
 }  // namespace dockyard

@@ -75,6 +75,8 @@ int main(int argc, char** argv) {
   AddViewCommand(app, exit_code);
   AddStudyCommand(app, exit_code);
   AddCameraCommand(app, exit_code);
+  AddDetectCommand(app, exit_code);
+  AddPoseCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
   exit_code = ParseAndRun(app, argc, argv, exit_code);
   std::cout.flush();

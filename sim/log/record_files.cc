@@ -46,6 +46,14 @@ std::string Text(const std::string& value) { return CsvCell(value); }
 std::string Text(bool value) { return value ? "1" : "0"; }
 std::string Text(int value) { return std::to_string(value); }
 
+Json Vector3Json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+/// 1 sigma of the board's place [m] and turn [rad] in the rover's axes.
+Json SigmaJson(const Eigen::Matrix<double, 6, 6>& covariance) {
+  const Eigen::Matrix<double, 6, 1> sigma = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  return {{"p_m", Vector3Json(sigma.head<3>())}, {"turn_rad", Vector3Json(sigma.tail<3>())}};
+}
+
 Json MarksJson(const std::vector<SightingReport::Mark>& marks) {
   Json json = Json::array();
   for (const auto& mark : marks) {
@@ -88,6 +96,9 @@ Json SightingsJson(const std::vector<SightingSample>& sightings) {
                     {"detected_right", report.detected_right},
                     {"reprojection_px", report.reprojection_px},
                     {"X_RB", report.accepted ? ToJson(report.X_RB) : Json()},
+                    {"camera_turn_rad", Vector3Json(report.camera_turn_rad)},
+                    {"camera_turn_sigma_rad", Vector3Json(report.camera_turn_sigma_rad)},
+                    {"sigma", SigmaJson(report.covariance)},
                     {"marks", MarksJson(report.marks)}});
   }
   return json;

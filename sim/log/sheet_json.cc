@@ -128,6 +128,9 @@ Json ToJson(const RoverSheet& sheet) {
           {"X_RL", ToJson(sheet.rig.X_RL)},
           {"X_RQ", ToJson(sheet.rig.X_RQ)},
           {"board", BoardToJson(sheet.board)},
+          {"vision",
+           {{"pipeline", PipelineName(sheet.vision.pipeline)},
+            {"min_points", sheet.vision.min_points}}},
           {"X_DB", ToJson(sheet.X_DB)},
           {"motors", motors},
           {"wheel_radius_m", sheet.wheel_radius_m},
@@ -147,6 +150,13 @@ RoverSheet SheetFromJson(const Json& json) {
   sheet.rig.X_RL = Pose3FromJson(json.at("X_RL"));
   sheet.rig.X_RQ = Pose3FromJson(json.at("X_RQ"));
   sheet.board = BoardFromJson(json.at("board"));
+  if (json.contains("vision")) {  // logs from before had one pipeline
+    const Json& vision = json.at("vision");
+    if (vision.at("pipeline") == PipelineName(VisionPipeline::kTsai2013)) {
+      sheet.vision.pipeline = VisionPipeline::kTsai2013;
+    }
+    sheet.vision.min_points = vision.at("min_points");
+  }
   sheet.X_DB = Pose3FromJson(json.at("X_DB"));
   for (std::size_t i = 0; i < sheet.motors.size(); ++i) {
     sheet.motors[i] = MotorFromJson(json.at("motors").at(i));

@@ -44,6 +44,7 @@ BuiltRun BuildRun(const Scenario& scenario) {
 
   // The controller's sheet is nominal; what follows disturbs the world only.
   run.sheet = MakeRoverSheet(world.rover, world.station, world.arm_start_rad);
+  run.sheet.vision = scenario.vision;
   RandomStream start(StreamKey(scenario.seed, "start"));
   const double pitch_rad = 2.0 * kPi / std::max(1, world.rover.left_wheel_soil.paddle_count);
   world.rover.left_wheel_soil.phase_rad = start.Uniform(0.0, pitch_rad);

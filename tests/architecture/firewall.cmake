@@ -20,7 +20,7 @@ set(rules
   "sim/run|${contract}|models/|render/|sim/(base|soil|physics|log|run)/|nlohmann/|opencv2/|sys/|unistd.h"
   "sim/campaign|${contract}|models/|sim/(base|log|campaign)/|sim/run/(record|loop).h|nlohmann/|sqlite3.h|sys/|unistd.h|fcntl.h|poll.h"
   "sim/study|${contract}|models/|sim/(base|log|campaign|study)/|sim/run/(record|loop).h"
-  "sim/app|${contract}|models/|controller/docking/axel.h|sim/|CLI/|nlohmann/|sys/|unistd.h|fcntl.h")
+  "sim/app|${contract}|models/|controller/docking/axel.h|controller/vision/(locate|point_pose|pose_refine).h|sim/|CLI/|opencv2/|nlohmann/|sys/|unistd.h|fcntl.h")
 
 set(errors "")
 set(files_read 0)

@@ -1,0 +1,160 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "controller/vision/locate.h"
+#include "models/config_error.h"
+#include "sim/app/commands.h"
+#include "sim/app/exit_codes.h"
+#include "sim/app/image_files.h"
+#include "sim/app/terminal.h"
+#include "sim/app/vision_files.h"
+
+namespace dockyard {
+namespace {
+
+struct DetectArguments {
+  std::string left, right, folder, rig, board, draw;
+  double roll_deg = 0.0, pitch_deg = 0.0;
+  PipelineOptions pipeline;
+  bool json = false;
+};
+
+constexpr const char* kHelp = R"(Find the fiducial board in images with the controller's perception.
+
+Examples:
+  dockyard detect left.png right.png --rig models/axel/axel.yaml --board models/station/station.yaml
+  dockyard detect photo.jpg --rig models/axel/axel.yaml --board models/station/station.yaml --json
+  dockyard detect --folder photos --rig models/axel/axel.yaml --board models/station/station.yaml
+
+One image is taken for the left camera's. Prints each fiducial (pixel, id, detected or predicted) and the
+board's pose in the rover body: metres, unit quaternion w x y z, covariance of p_x p_y p_z [m] and of a
+small turn about the rover's x y z [rad]. Exit code 4: no board accepted; the reason is printed.
+--folder looks for a board in every image by itself and counts the accepted ones; exit code 0.)";
+
+LocateOutput Look(const StereoImages& images, const DetectArguments& arguments,
+                  const FiducialBoard& board) {
+  const StereoRig rig = RigOf(arguments.rig, images.left.width, images.left.height);
+  LocateHints hints;
+  hints.up_R =
+      (RotY(Radians(arguments.pitch_deg)) * RotX(Radians(arguments.roll_deg))).transpose() *
+      Eigen::Vector3d::UnitZ();
+  return LocateBoard(images, rig, board, hints, arguments.pipeline.settings());
+}
+
+Json MarksJson(const SightingReport& report) {
+  Json list = Json::array();
+  const auto add = [&](const SightingReport::Mark& mark, const char* state) {
+    list.push_back({{"id", mark.id},
+                    {"camera", mark.right_camera ? "right" : "left"},
+                    {"u_px", mark.u_px},
+                    {"v_px", mark.v_px},
+                    {"state", state}});
+  };
+  for (const auto& mark : report.marks) add(mark, "detected");
+  for (const auto& mark : report.predicted) add(mark, "predicted");
+  return list;
+}
+
+void PrintJson(const DetectArguments& arguments, const SightingReport& report) {
+  Json json;
+  json["pipeline"] = arguments.pipeline.name;
+  json["accepted"] = report.accepted;
+  json["reason"] = report.accepted ? Json() : Json(report.reason);
+  json["method"] = report.method;
+  json["detected_left"] = report.detected_left;
+  json["detected_right"] = report.detected_right;
+  json["board_in_rover"] = report.accepted ? PoseJson(report.X_RB, report.covariance) : Json();
+  json["reprojection_px"] = report.marks.empty() ? Json() : Json(report.reprojection_px);
+  const Eigen::Vector3d &turn = report.camera_turn_rad, &sigma = report.camera_turn_sigma_rad;
+  json["camera_turn_rad"] = {turn.x(), turn.y(), turn.z()};
+  json["camera_turn_sigma_rad"] = {sigma.x(), sigma.y(), sigma.z()};
+  json["fiducials"] = MarksJson(report);
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void PrintText(const SightingReport& report) {
+  for (const Json& mark : MarksJson(report)) {
+    std::printf("%-5s %d  %9.3f %9.3f px  %s\n", mark["camera"].get<std::string>().c_str(),
+                mark["id"].get<int>(), mark["u_px"].get<double>(), mark["v_px"].get<double>(),
+                mark["state"].get<std::string>().c_str());
+  }
+  if (report.accepted) {
+    std::printf("board (%s, %.3f px rms): %s\n", report.method.c_str(), report.reprojection_px,
+                PoseText(report.X_RB, report.covariance).c_str());
+  } else {
+    std::printf("no board: %s (%d and %d discs detected)\n", report.reason.c_str(),
+                report.detected_left, report.detected_right);
+  }
+}
+
+int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board) {
+  int images = 0, accepted = 0;
+  Json list = Json::array();
+  for (const std::string& file : ImageFilesIn(arguments.folder)) {
+    const LocateOutput out = Look({.left = LoadGray(file), .right = {}}, arguments, board);
+    ++images;
+    accepted += out.report.accepted;
+    list.push_back({{"file", file},
+                    {"detected", out.report.detected_left},
+                    {"accepted", out.report.accepted},
+                    {"reason", out.report.accepted ? Json() : Json(out.report.reason)}});
+    if (arguments.json) continue;
+    std::printf("%s: %d discs, %s\n", file.c_str(), out.report.detected_left,
+                out.report.accepted ? "board accepted" : out.report.reason.c_str());
+  }
+  if (arguments.json) {
+    const Json json{{"images", images}, {"boards_accepted", accepted}, {"files", list}};
+    std::printf("%s\n", json.dump(2).c_str());
+  } else {
+    std::printf("%d images, %d boards accepted\n", images, accepted);
+  }
+  return kExitDone;
+}
+
+int Detect(const DetectArguments& arguments) {
+  if (arguments.left.empty() == arguments.folder.empty()) {
+    throw UsageError("give either LEFT [RIGHT] or --folder DIR");
+  }
+  const FiducialBoard board = BoardOf(arguments.board);
+  if (!arguments.folder.empty()) return DetectInFolder(arguments, board);
+  StereoImages images{.left = LoadGray(arguments.left), .right = {}};
+  if (!arguments.right.empty()) {
+    images.right = LoadGray(arguments.right);
+    if (images.right.width != images.left.width || images.right.height != images.left.height) {
+      throw ConfigError(arguments.right + ": expected the size of " + arguments.left + ", " +
+                        std::to_string(images.left.width) + " x " +
+                        std::to_string(images.left.height) + ", found " +
+                        std::to_string(images.right.width) + " x " +
+                        std::to_string(images.right.height));
+    }
+  }
+  const LocateOutput out = Look(images, arguments, board);
+  if (!arguments.draw.empty()) DrawSighting(arguments.draw, images, out.report);
+  arguments.json ? PrintJson(arguments, out.report) : PrintText(out.report);
+  return out.report.accepted ? kExitDone : kExitNotDocked;
+}
+
+}  // namespace
+
+void AddDetectCommand(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<DetectArguments>();
+  CLI::App* command = app.add_subcommand("detect", kHelp);
+  command->add_option("LEFT", arguments->left, "image of the left camera");
+  command->add_option("RIGHT", arguments->right, "image of the right camera");
+  command->add_option("--folder", arguments->folder, "every image of a folder instead, one by one");
+  command->add_option("--rig", arguments->rig, "a rover's file, or a file of two cameras")
+      ->required();
+  command->add_option("--board", arguments->board, "a station's file")->required();
+  command->add_option("--roll-deg", arguments->roll_deg, "attitude of the rover body")
+      ->check(CLI::Range(-60.0, 60.0));
+  command->add_option("--pitch-deg", arguments->pitch_deg, "the same, nose-down positive")
+      ->check(CLI::Range(-60.0, 60.0));
+  command->add_option("--draw", arguments->draw, "PNG of the images with what was found");
+  command->add_flag("--json", arguments->json, "JSON on standard output");
+  AddPipelineOptions(*command, arguments->pipeline);
+  command->callback([arguments, &exit_code] { exit_code = Detect(*arguments); });
+}
+
+}  // namespace dockyard

@@ -1,0 +1,76 @@
+#include "sim/app/image_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "models/config_error.h"
+#include "sim/log/files.h"
+
+namespace dockyard {
+
+GrayImage LoadGray(const std::string& file) {
+  const auto bytes = ReadWhole(file);
+  if (!bytes) throw ConfigError(file + ": expected an image, found no such file");
+  const std::vector<std::uint8_t> buffer(bytes->begin(), bytes->end());
+  const cv::Mat picture = buffer.empty() ? cv::Mat() : cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
+  if (picture.empty()) {
+    throw ConfigError(file + ": expected an image (PNG, PGM, JPEG), found something else");
+  }
+  GrayImage image{.width = picture.cols, .height = picture.rows, .pixels = {}};
+  for (int y = 0; y < picture.rows; ++y) {
+    image.pixels.insert(image.pixels.end(), picture.ptr(y), picture.ptr(y) + picture.cols);
+  }
+  return image;
+}
+
+std::vector<std::string> ImageFilesIn(const std::string& folder) {
+  static const std::vector<std::string> kEndings{".png",  ".pgm", ".ppm", ".jpg",
+                                                 ".jpeg", ".bmp", ".tif", ".tiff"};
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    std::string ending = entry.path().extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) {
+      files.push_back(entry.path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void DrawSighting(const std::string& file, const StereoImages& images,
+                  const SightingReport& report) {
+  const int width = images.left.width + images.right.width;
+  const int height = std::max(images.left.height, images.right.height);
+  cv::Mat canvas(height, width, CV_8UC3, cv::Scalar(0, 0, 0));
+  const auto put = [&](const GrayImage& image, int x0) {
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        canvas.at<cv::Vec3b>(y, x0 + x) = cv::Vec3b::all(image.at(x, y));
+      }
+    }
+  };
+  put(images.left, 0);
+  put(images.right, images.left.width);
+  const auto ring = [&](const SightingReport::Mark& mark, const cv::Scalar& colour) {
+    const double x = mark.u_px + (mark.right_camera ? images.left.width : 0);
+    constexpr int kSub = 4;  // fractional bits of OpenCV's drawing
+    const cv::Point at(static_cast<int>(std::lround(x * (1 << kSub))),
+                       static_cast<int>(std::lround(mark.v_px * (1 << kSub))));
+    const int size = std::max(4, width / 256);
+    cv::circle(canvas, at, size << kSub, colour, 1, cv::LINE_AA, kSub);
+    cv::putText(canvas, std::to_string(mark.id),
+                cv::Point((at.x >> kSub) + size, (at.y >> kSub) - size), cv::FONT_HERSHEY_PLAIN,
+                1.0, colour, 1, cv::LINE_AA);
+  };
+  for (const auto& mark : report.predicted) ring(mark, cv::Scalar(0, 140, 255));
+  for (const auto& mark : report.marks) ring(mark, cv::Scalar(80, 220, 80));
+  std::vector<std::uint8_t> png;
+  cv::imencode(".png", canvas, png);
+  WriteWhole(file, std::string_view(reinterpret_cast<const char*>(png.data()), png.size()));
+}
+
+}  // namespace dockyard

@@ -1,0 +1,21 @@
+// Pictures from files, and pictures of what was seen in them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "controller/geometry/image.h"
+#include "controller/io/belief.h"
+
+namespace dockyard {
+
+/// PNG, PGM, JPEG and what else OpenCV's imgcodecs reads, as 8-bit grey. Throws ConfigError.
+GrayImage LoadGray(const std::string& file);
+/// The folder's picture files by name. Throws IoError when it cannot be read.
+std::vector<std::string> ImageFilesIn(const std::string& folder);
+/// The pictures side by side, the marks ringed and numbered: measured green, predicted orange.
+/// Throws IoError.
+void DrawSighting(const std::string& file, const StereoImages& images,
+                  const SightingReport& report);
+
+}  // namespace dockyard

@@ -1,0 +1,64 @@
+#include "sim/app/vision_files.h"
+
+#include <cstdio>
+
+#include "models/load_rover.h"
+#include "models/load_station.h"
+
+namespace dockyard {
+
+StereoRig RigOf(const std::string& file, int width, int height) {
+  return LoadRover(file, width, height).stereo.nominal;
+}
+
+FiducialBoard BoardOf(const std::string& file) { return LoadStation(file).board; }
+
+VisionSettings PipelineOptions::settings() const {
+  const bool tsai = name == PipelineName(VisionPipeline::kTsai2013);
+  return {.pipeline = tsai ? VisionPipeline::kTsai2013 : VisionPipeline::kDockyard,
+          .min_points = min_points};
+}
+
+void AddPipelineOptions(CLI::App& command, PipelineOptions& options) {
+  command.add_option("--pipeline", options.name, "dockyard (default) or tsai2013")
+      ->check(CLI::IsMember(
+          {PipelineName(VisionPipeline::kDockyard), PipelineName(VisionPipeline::kTsai2013)}));
+  command
+      .add_option("--min-points", options.min_points,
+                  "tsai2013: detections given to the homography, 4 or 5")
+      ->check(CLI::Range(4, 5));
+}
+
+Json PoseJson(const Pose3& X_RB, const Matrix6d& covariance) {
+  const Eigen::Quaterniond q(X_RB.R);
+  const double sign = q.w() < 0.0 ? -1.0 : 1.0;
+  Json json{{"p_m", {X_RB.p.x(), X_RB.p.y(), X_RB.p.z()}},
+            {"quaternion_wxyz", {sign * q.w(), sign * q.x(), sign * q.y(), sign * q.z()}}};
+  if (covariance.isZero()) return json;
+  json["covariance_order"] = {"p_x_m", "p_y_m", "p_z_m", "turn_x_rad", "turn_y_rad", "turn_z_rad"};
+  Json rows = Json::array();
+  for (int i = 0; i < 6; ++i) {
+    Json row = Json::array();
+    for (int j = 0; j < 6; ++j) row.push_back(covariance(i, j));
+    rows.push_back(row);
+  }
+  json["covariance"] = rows;
+  return json;
+}
+
+std::string PoseText(const Pose3& X_RB, const Matrix6d& covariance) {
+  const Eigen::Quaterniond q(X_RB.R);
+  const double sign = q.w() < 0.0 ? -1.0 : 1.0;
+  char text[300];
+  std::snprintf(text, sizeof text, "p %.4f %.4f %.4f m, quaternion wxyz %.5f %.5f %.5f %.5f",
+                X_RB.p.x(), X_RB.p.y(), X_RB.p.z(), sign * q.w(), sign * q.x(), sign * q.y(),
+                sign * q.z());
+  std::string line = text;
+  if (covariance.isZero()) return line;
+  const Eigen::Matrix<double, 6, 1> s = covariance.diagonal().cwiseSqrt();
+  std::snprintf(text, sizeof text, ", 1 sigma %.4f %.4f %.4f m, %.3f %.3f %.3f deg", s(0), s(1),
+                s(2), Degrees(s(3)), Degrees(s(4)), Degrees(s(5)));
+  return line + text;
+}
+
+}  // namespace dockyard
