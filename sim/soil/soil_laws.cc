@@ -9,8 +9,6 @@ namespace dockyard {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
-// Friction angle of soil on a wall over its own: two thirds (Terzaghi 1943), range 0.6-0.8.
-constexpr double kWallFriction = 2.0 / 3.0;
 // Shear modulus under a paddle's tip is that of a small plate: at most 10 mm (firm dry sand, Wong
 // 2008, section 2.4.3); assumed, range 5-20 mm.
 constexpr double kTipShearModulus_m = 0.010;

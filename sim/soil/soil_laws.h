@@ -8,6 +8,10 @@
 
 namespace dockyard {
 
+/// Friction angle of soil on a wall or a wheel's metal over its own: two thirds (Terzaghi 1943),
+/// range 0.6-0.8.
+inline constexpr double kWallFriction = 2.0 / 3.0;
+
 /// A soil's constants as the laws use them, for patches of one size.
 struct SoilLaws {
   double k = 0.0;  // k_c / b + k_phi [N/m^(n+2)]

@@ -15,6 +15,7 @@
 
 #include "physics/axel_numbers.h"
 #include "sim/physics/contact_world.h"
+#include "sim/soil/soil_laws.h"
 #include "twin/mujoco_twin.h"
 
 namespace dockyard {
@@ -69,13 +70,15 @@ TEST(Twin, MovesTheSameAfloatUpToTheStepsFirstOrderError) {
 
 /// Elastic ground that does not yield, and smooth wheels: as near to a rigid plane as our soil
 /// comes at steps of 1 ms. The wheels press it in by a third of a millimetre.
+constexpr double kGroundFriction = 0.5;  // of metal on the ground, in both worlds
+
 SoilModel HardGround() {
   SoilModel soil;
   soil.name = "hard";
   soil.n = 1.0;
   soil.k_phi = 1e13;
   soil.cohesion_pa = 0.0;
-  soil.friction_angle_rad = std::atan(0.5);
+  soil.friction_angle_rad = std::atan(kGroundFriction) / kWallFriction;
   soil.shear_modulus_m = 5e-4;
   soil.density_kg_m3 = 1700.0;
   soil.unloading_stiffness_pa_per_m = 2e8;
@@ -114,7 +117,7 @@ double ArmUp(const Pose3& X_GR, double arm_rad) {
 Apart Compare(const char* name, const WorldSetup& setup, const MotorCommands& commands,
               double seconds) {
   World world(setup);
-  MujocoTwin twin(setup, std::tan(setup.soil.friction_angle_rad), 9.81);
+  MujocoTwin twin(setup, kGroundFriction, 9.81);
   const Truth start = world.truth();
   twin.SetPose(start.X_WR, start.arm_rad);
   twin.PowerOn(setup.slack_start_m);
