@@ -11,7 +11,7 @@
 #include "physics/axel_numbers.h"
 #include "sim/physics/bullet_math.h"
 #include "sim/physics/contact_world.h"
-#include "sim/physics/tether.h"
+#include "sim/physics/tether_path.h"
 
 namespace dockyard {
 namespace {
@@ -24,6 +24,17 @@ double AnalyticDistance(const ConeModel& cone, const Eigen::Vector3d& p_M) {
   const double to_funnel = ((cone.mouth_radius_m - radius) * run + p_M.x() * rise) / slope;
   return std::min(to_funnel, 1e9);
 }
+
+/// Bullet's own collision world, which looks at every pair of pieces.
+struct FullLook {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btCollisionWorld world{&dispatcher, &broadphase, &configuration};
+  btCollisionObject probe;
+
+  double Distance(StationBody& station, btCollisionShape* shape, const btTransform& X_G);
+};
 
 struct ClosestPoint : btCollisionWorld::ContactResultCallback {
   double distance = std::numeric_limits<double>::infinity();
@@ -38,20 +49,23 @@ struct ClosestPoint : btCollisionWorld::ContactResultCallback {
   }
 };
 
+double FullLook::Distance(StationBody& station, btCollisionShape* shape, const btTransform& X_G) {
+  probe.setCollisionShape(shape);
+  probe.setWorldTransform(X_G);
+  ClosestPoint found;
+  found.m_closestDistanceThreshold = 0.02;
+  world.contactPairTest(station.body(), &probe, found);
+  return found.distance;
+}
+
 TEST(Cone, WedgesLieWithinAMillimetreAndThePolygonsErrorOfTheAnalyticFunnel) {
   StationModel model = TestStation();
   model.tip_angle_rad = 0.0;
   StationBody station(model, Pose3{}, false);
   const Pose3 X_GM = station.X_GM();
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher(&configuration);
-  btDbvtBroadphase broadphase;
-  btCollisionWorld world(&dispatcher, &broadphase, &configuration);
-  world.addCollisionObject(station.body());
+  FullLook look;
   constexpr double kBall = 0.005;
   btSphereShape ball(kBall);
-  btCollisionObject probe;
-  probe.setCollisionShape(&ball);
 
   const ConeModel& cone = model.cone;
   const double slope = std::atan2(cone.mouth_radius_m - cone.throat_radius_m, cone.funnel_length_m);
@@ -65,10 +79,11 @@ TEST(Cone, WedgesLieWithinAMillimetreAndThePolygonsErrorOfTheAnalyticFunnel) {
     const double radius =
         cone.mouth_radius_m - depth * std::tan(slope) - (kBall + off) / std::cos(slope);
     const Eigen::Vector3d p_M(-depth, radius * std::cos(turn), radius * std::sin(turn));
-    probe.setWorldTransform(ToBullet(Pose3{Eigen::Matrix3d::Identity(), X_GM * p_M}));
+    look.probe.setCollisionShape(&ball);
+    look.probe.setWorldTransform(ToBullet(Pose3{Eigen::Matrix3d::Identity(), X_GM * p_M}));
     ClosestPoint found;
     found.m_closestDistanceThreshold = 0.02;
-    world.contactPairTest(station.body(), &probe, found);
+    look.world.contactPairTest(station.body(), &look.probe, found);
     ASSERT_TRUE(std::isfinite(found.distance)) << p_M.transpose();
     const double error = found.distance - (AnalyticDistance(cone, p_M) - kBall);
     worst = std::max(worst, std::abs(error));
@@ -91,6 +106,7 @@ TEST(Cone, WedgesLieWithinAMillimetreAndThePolygonsErrorOfTheAnalyticFunnel) {
 /// floating rover, pulled by its tether alone.
 struct Entered {
   double time_s = 0.0, lateral_m = 0.0, depth_m = 0.0, peak_n = 0.0;
+  int touched = 0, missed = 0;  // looks at which the arm was in the cone; without a force on it
 };
 Entered DrawIn(double step_s) {
   StationModel model = TestStation();
@@ -105,7 +121,7 @@ Entered DrawIn(double step_s) {
   const Eigen::Vector3d tip = X_GM * Eigen::Vector3d(0.15, 0.1, 0.0);
   RoverBody rover(rover_model, {R, tip - R * Eigen::Vector3d(1.0, 0.0, 0.0)}, 0.0, false);
   ContactWorld bullet(model.cone, 0.0, rover, station);
-  Tether tether(rover_model.tether, model, 1.0);
+  FullLook look;
   Entered entered;
   for (long i = 0; i < std::lround(8.0 / step_s); ++i) {
     // The joints held, the body slowed as by soil: 400 N s/m, 300 Nm s.
@@ -125,7 +141,16 @@ Entered DrawIn(double step_s) {
     const Eigen::Vector3d next_M = path.nodes[1].x() * Eigen::Vector3d::UnitX() +
                                    path.nodes[1].y() * aside / std::max(1e-9, aside.norm());
     rover.AddForce(RoverLink::kArm, 60.0 * (X_GM * next_M - tip_G).normalized(), tip_G);
+    double distance = 1.0;
+    if (i % 20 == 0) {
+      distance = look.Distance(station, rover.collider(RoverLink::kArm)->getCollisionShape(),
+                               rover.collider(RoverLink::kArm)->getWorldTransform());
+    }
     bullet.Step(step_s);
+    if (distance < -0.2e-3) {
+      ++entered.touched;
+      entered.missed += bullet.arm_contact().points == 0 ? 1 : 0;
+    }
     entered.peak_n = std::max(entered.peak_n, bullet.arm_contact().total_G.norm());
     if (entered.time_s == 0.0 && p_MT.x() < -0.2) entered.time_s = i * step_s;
     entered.depth_m = -p_MT.x();
@@ -140,6 +165,8 @@ Entered DrawIn(double step_s) {
 TEST(Cone, TipTenCentimetresAsideAndTenDegreesAskewEntersAlikeAtEveryStep) {
   const Entered fine = DrawIn(0.5e-3);
   EXPECT_GT(fine.depth_m, 0.2);
+  EXPECT_GT(fine.touched, 100);
+  EXPECT_EQ(fine.missed, 0);          // what is not looked at does not touch
   EXPECT_LT(fine.lateral_m, 2.6e-3);  // the socket's clearance is 2.5 mm
   const Entered coarse = DrawIn(2e-3), middle = DrawIn(1e-3);
   EXPECT_NEAR(middle.peak_n, fine.peak_n, 0.03 * fine.peak_n);
