@@ -122,8 +122,10 @@ int main(int argc, char** argv) {
   } else if (mode == "one-second") {  // under callgrind, see scripts/bench
     dockyard::World world(dockyard::DrivingSetup(dockyard::kLoose));
     dockyard::DriveOneSecond(world);
+  } else if (mode == "cone") {
+    std::printf("%.0f\n", dockyard::ConeStepsPerSecond(dockyard::kLoose));
   } else {
-    std::fprintf(stderr, "usage: %s [all|physics|one-second]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [all|physics|cone|one-second]\n", argv[0]);
     return 2;
   }
   return 0;

@@ -201,8 +201,8 @@ TEST(RoverFile, MotorsProfileAndGearsAreOptionalAndChecked) {
   EXPECT_THAT(ChangedMessage("axel.yaml", mark, "    profile: jerky\n" + mark),
               HasSubstr("motors.wheel.profile: expected one of"));
   EXPECT_THAT(
-      ChangedMessage("axel.yaml", mark, "    gear_efficiency: 1.2\n" + mark),
-      HasSubstr("motors.wheel.gear_efficiency: expected a number from 0.2 to 1, found '1.2'"));
+      ChangedMessage("axel.yaml", "gear_efficiency: 0.8 ", "gear_efficiency: 1.2 "),
+      HasSubstr("motors.arm.gear_efficiency: expected a number from 0.2 to 1, found '1.2'"));
 }
 
 TEST(RoverFile, ImuIsInTheUnitsOfItsDataSheet) {
