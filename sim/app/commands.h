@@ -22,5 +22,6 @@ void AddCameraCommand(CLI::App& app, int& exit_code);
 void AddDetectCommand(CLI::App& app, int& exit_code);
 void AddPoseCommand(CLI::App& app, int& exit_code);
 void AddCheckCommand(CLI::App& app, int& exit_code);
+void AddWheelCommand(CLI::App& app, int& exit_code);
 
 }  // namespace dockyard

@@ -1,4 +1,4 @@
-// dockyard: run | campaign | replay | view | study | camera | check.
+// dockyard: run | campaign | replay | view | study | camera | detect | pose | check | wheel.
 #include <unistd.h>
 
 #include <csignal>
@@ -78,6 +78,7 @@ int main(int argc, char** argv) {
   AddDetectCommand(app, exit_code);
   AddPoseCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
+  AddWheelCommand(app, exit_code);
   exit_code = ParseAndRun(app, argc, argv, exit_code);
   std::cout.flush();
   if (std::fflush(stdout) != 0 || !std::cout) {

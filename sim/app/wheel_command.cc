@@ -1,0 +1,115 @@
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "controller/geometry/pose.h"
+#include "models/config_error.h"
+#include "models/load_soil.h"
+#include "models/load_wheel.h"
+#include "sim/app/commands.h"
+#include "sim/app/exit_codes.h"
+#include "sim/app/terminal.h"
+#include "sim/app/wheel_sweep.h"
+#include "sim/log/files.h"
+
+namespace dockyard {
+namespace {
+
+struct WheelArguments {
+  std::string wheel_file, soil_file, out_dir;
+  std::vector<double> slips{0.0}, betas_deg{0.0}, loads_n;
+  double speed_m_s = 0.01;
+  bool sweep = false, json = false;
+};
+
+constexpr const char* kHelp =
+    R"(Drive one wheel over soil under a fixed load, at a set slip and side slip, to steady state.
+
+Examples:
+  dockyard wheel --wheel models/wheels/pavlov_grouser.yaml --soil models/soils/pavlov_90.yaml \
+    --slip 0.2 --beta 0 --load 24
+  dockyard wheel --wheel models/wheels/axel.yaml --soil models/soils/loose_sand.yaml \
+    --slip 0.2 --beta 15 --load 200 --json
+  dockyard wheel --sweep --wheel models/wheels/pavlov_grouser.yaml \
+    --soil models/soils/pavlov_90.yaml --slip -0.5,0,0.5 --beta 0,15 --load 24 --out out/wheel
+
+Slip is (w r - v) / max(|w r|, |v|), r the rim's radius, v the speed of travel; beta is the angle
+from the wheel's plane to its travel, to the right. Fx_N > 0 is drawbar, Fy_N the soil's force
+against the side slip, Fz_N the load that it carries, torque_Nm what a motor must give, sinkage_m
+that of the paddles' tips; all are means over whole paddle pitches. With --sweep the options --slip,
+--beta and --load take lists; --out gets sweep.csv, drawbar.svg and sinkage.svg.
+Exit code 10: a wheel was still changing at the end of its way; its row says steady 0.)";
+
+SingleWheelSetup MakeSetup(const WheelArguments& arguments) {
+  SingleWheelSetup setup;
+  setup.wheel = LoadWheel(arguments.wheel_file).wheel;
+  setup.soil = LoadSoil(arguments.soil_file);
+  CheckCarries(setup.soil, arguments.soil_file, setup.wheel);
+  setup.speed_m_s = arguments.speed_m_s;
+  return setup;
+}
+
+int Drive(const WheelArguments& arguments) {
+  const std::size_t rows =
+      arguments.slips.size() * arguments.betas_deg.size() * arguments.loads_n.size();
+  if (!arguments.sweep && rows > 1) {
+    throw UsageError("several values of --slip, --beta or --load need --sweep");
+  }
+  if (!arguments.sweep && !arguments.out_dir.empty()) throw UsageError("--out needs --sweep");
+  SingleWheelSetup setup = MakeSetup(arguments);
+  if (!arguments.out_dir.empty()) MakeFolder(arguments.out_dir);
+  std::vector<WheelRow> table;
+  bool steady = true;
+  for (const double load : arguments.loads_n) {
+    for (const double beta : arguments.betas_deg) {
+      for (const double slip : arguments.slips) {
+        setup.load_n = load;
+        setup.side_slip_rad = Radians(beta);
+        setup.slip = slip;
+        table.push_back({load, beta, slip, RunSingleWheel(setup)});
+        steady = steady && table.back().result.steady;
+        if (arguments.sweep && !arguments.json) PrintWheelRow(table.back(), table.size() == 1);
+      }
+    }
+  }
+  if (arguments.json) {
+    std::printf("%s\n", WheelJson(table, arguments.sweep).c_str());
+  } else if (!arguments.sweep) {
+    PrintWheelResult(table.front());
+  }
+  if (!arguments.out_dir.empty()) WriteWheelSweep(table, arguments.out_dir);
+  if (!steady) PrintNote("a wheel was still changing at the end of its way of 60 radii");
+  return steady ? kExitDone : kExitIncomplete;
+}
+
+}  // namespace
+
+void AddWheelCommand(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<WheelArguments>();
+  CLI::App* command = app.add_subcommand("wheel", kHelp);
+  command->add_option("--wheel", arguments->wheel_file, "a wheel file")->required();
+  command->add_option("--soil", arguments->soil_file, "a soil file")->required();
+  command->add_option("--slip", arguments->slips, "slip, -1 to 1 [0]")
+      ->delimiter(',')
+      ->check(CLI::Range(-1.0, 1.0))
+      ->allow_extra_args(false);
+  command->add_option("--beta", arguments->betas_deg, "side slip in degrees, 0 to 90 [0]")
+      ->delimiter(',')
+      ->check(CLI::Range(0.0, 90.0))
+      ->allow_extra_args(false);
+  command->add_option("--load", arguments->loads_n, "load in N")
+      ->delimiter(',')
+      ->check(CLI::Range(0.1, 1e5))
+      ->allow_extra_args(false)
+      ->required();
+  command->add_option("--speed", arguments->speed_m_s, "speed of travel in m/s [0.01]")
+      ->check(CLI::Range(1e-4, 2.0));
+  command->add_flag("--sweep", arguments->sweep, "every combination of the lists");
+  command->add_option("--out", arguments->out_dir, "folder for the sweep's table and plots");
+  command->add_flag("--json", arguments->json, "the result as JSON");
+  command->callback([arguments, &exit_code] { exit_code = Drive(*arguments); });
+}
+
+}  // namespace dockyard

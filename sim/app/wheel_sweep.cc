@@ -1,0 +1,119 @@
+#include "sim/app/wheel_sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <map>
+
+#include "sim/campaign/svg.h"
+#include "sim/log/files.h"
+#include "sim/log/json_io.h"
+
+namespace dockyard {
+namespace {
+
+constexpr const char* kHead =
+    "load_N,beta_deg,slip,Fx_N,Fy_N,Fz_N,torque_Nm,sinkage_m,Fx_rms_N,height_rms_m,travel_m,steps,"
+    "steady";
+
+std::string RowText(const WheelRow& row) {
+  const SingleWheelResult& r = row.result;
+  char text[320];
+  std::snprintf(text, sizeof(text), "%g,%g,%g,%.5g,%.5g,%.5g,%.5g,%.5g,%.3g,%.3g,%.4g,%ld,%d",
+                row.load_n, row.beta_deg, row.slip, r.ahead_n, r.side_n, r.up_n, r.torque_nm,
+                r.sinkage_m, r.ahead_rms_n, r.height_rms_m, r.travel_m, r.steps, r.steady ? 1 : 0);
+  return text;
+}
+
+Json RowObject(const WheelRow& row) {
+  const SingleWheelResult& r = row.result;
+  return {{"load_N", row.load_n},      {"beta_deg", row.beta_deg},
+          {"slip", row.slip},          {"Fx_N", r.ahead_n},
+          {"Fy_N", r.side_n},          {"Fz_N", r.up_n},
+          {"torque_Nm", r.torque_nm},  {"sinkage_m", r.sinkage_m},
+          {"Fx_rms_N", r.ahead_rms_n}, {"height_rms_m", r.height_rms_m},
+          {"travel_m", r.travel_m},    {"steps", r.steps},
+          {"steady", r.steady}};
+}
+
+using Value = std::function<double(const WheelRow&)>;
+
+std::string Plot(const std::vector<WheelRow>& table, const std::string& title,
+                 const std::string& label, const Value& value) {
+  constexpr std::array<const char*, 6> kColours{"#1f5fbf", "#c8321e", "#2a8f5c",
+                                                "#8a4fb0", "#b07a1e", "#444444"};
+  SvgDocument svg(720, 470, title);
+  PlotArea area;
+  area.corner = {86, 66};
+  area.width = 600;
+  area.height = 340;
+  area.x = area.y = Range::Nothing();
+  std::map<std::pair<double, double>, std::vector<const WheelRow*>> curves;
+  for (const WheelRow& row : table) {
+    curves[{row.load_n, row.beta_deg}].push_back(&row);
+    area.x.Hold(row.slip);
+    area.y.Hold(value(row));
+  }
+  area.y.Hold(0.0);
+  const double x_margin = std::max(0.05, 0.04 * area.x.span());
+  const double y_margin = std::max(0.02, 0.06 * area.y.span());
+  area.x = {area.x.low - x_margin, area.x.high + x_margin};
+  area.y = {area.y.low - y_margin, area.y.high + y_margin};
+  svg.Text({86, 26}, title, {.size = 15.0, .bold = true});
+  area.DrawAxes(svg, "slip", label);
+  std::vector<std::pair<std::string, Pen>> legend;
+  for (auto& [key, rows] : curves) {
+    std::sort(rows.begin(), rows.end(),
+              [](const WheelRow* a, const WheelRow* b) { return a->slip < b->slip; });
+    const Pen pen{kColours[legend.size() % kColours.size()], 1.8, "", 1.0};
+    std::vector<Px> points;
+    for (const WheelRow* row : rows) points.push_back(area.At(row->slip, value(*row)));
+    svg.Polyline(points, pen);
+    for (const Px& point : points) svg.Circle(point, 3.0, pen.color, pen);
+    legend.push_back({TickText(key.second, 1.0) + " deg, " + TickText(key.first, 1.0) + " N", pen});
+  }
+  DrawLegend(svg, {area.corner.x + 4, area.corner.y - 8}, legend);
+  return svg.Finish();
+}
+
+}  // namespace
+
+void PrintWheelResult(const WheelRow& row) {
+  const SingleWheelResult& r = row.result;
+  std::printf("Fx_N       %.4g\nFy_N       %.4g\nFz_N       %.4g\ntorque_Nm  %.4g\n", r.ahead_n,
+              r.side_n, r.up_n, r.torque_nm);
+  std::printf("sinkage_m  %.4g\nsteps      %ld\n", r.sinkage_m, r.steps);
+}
+
+void PrintWheelRow(const WheelRow& row, bool with_head) {
+  if (with_head) std::printf("%s\n", kHead);
+  std::printf("%s\n", RowText(row).c_str());
+}
+
+std::string WheelJson(const std::vector<WheelRow>& table, bool as_list) {
+  if (!as_list) return RowObject(table.front()).dump(1);
+  Json list = Json::array();
+  for (const WheelRow& row : table) list.push_back(RowObject(row));
+  return list.dump(1);
+}
+
+std::string DrawbarPlot(const std::vector<WheelRow>& table) {
+  return Plot(table, "Drawbar over the load", "Fx / load",
+              [](const WheelRow& row) { return row.result.ahead_n / row.load_n; });
+}
+
+std::string SinkagePlot(const std::vector<WheelRow>& table) {
+  return Plot(table, "Sinkage", "sinkage [mm]",
+              [](const WheelRow& row) { return 1e3 * row.result.sinkage_m; });
+}
+
+void WriteWheelSweep(const std::vector<WheelRow>& table, const std::filesystem::path& folder) {
+  std::string csv = std::string(kHead) + "\n";
+  for (const WheelRow& row : table) csv += RowText(row) + "\n";
+  WriteWhole(folder / "sweep.csv", csv);
+  WriteWhole(folder / "drawbar.svg", DrawbarPlot(table));
+  WriteWhole(folder / "sinkage.svg", SinkagePlot(table));
+}
+
+}  // namespace dockyard

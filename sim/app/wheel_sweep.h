@@ -1,0 +1,30 @@
+// What `dockyard wheel` prints and writes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/soil/single_wheel.h"
+
+namespace dockyard {
+
+struct WheelRow {
+  double load_n = 0.0, beta_deg = 0.0, slip = 0.0;
+  SingleWheelResult result;
+};
+
+/// One result, a line for each quantity.
+void PrintWheelResult(const WheelRow& row);
+/// A line of the sweep's table, with its head if asked.
+void PrintWheelRow(const WheelRow& row, bool with_head);
+/// An object, or for a sweep a list of objects.
+std::string WheelJson(const std::vector<WheelRow>& table, bool as_list);
+
+/// drawbar.svg's and sinkage.svg's text: curves over slip, one for each side slip and load.
+std::string DrawbarPlot(const std::vector<WheelRow>& table);
+std::string SinkagePlot(const std::vector<WheelRow>& table);
+/// sweep.csv, drawbar.svg and sinkage.svg into the folder. Throws IoError.
+void WriteWheelSweep(const std::vector<WheelRow>& table, const std::filesystem::path& folder);
+
+}  // namespace dockyard
