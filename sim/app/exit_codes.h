@@ -9,8 +9,8 @@ inline constexpr int kExitUsage = 2;      // arguments that make no sense
 inline constexpr int kExitBadInput = 3;   // a file that is wrong
 inline constexpr int kExitNotDocked = 4;  // run: simulated to its end, but did not dock
 inline constexpr int kExitIncomplete =
-    10;                             // campaign: runs missing or crashed; replay: no such result
-inline constexpr int kExitIo = 50;  // a folder or file that cannot be written or read
+    10;  // campaign: runs missing or crashed; replay: no such result; wheel: not steady
+inline constexpr int kExitIo = 50;       // a folder or file that cannot be written or read
 inline constexpr int kExitSignal = 128;  // plus the signal's number: 130 Ctrl-C, 143 terminated
 
 }  // namespace dockyard

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "campaign/fake_runs.h"
 #include "campaign/program.h"
 
@@ -14,7 +16,7 @@ using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
 TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
-  for (const std::string command : {"", "run", "campaign", "replay", "view", "check"}) {
+  for (const std::string command : {"", "run", "campaign", "replay", "view", "check", "wheel"}) {
     const Ended ended = Dockyard(command + " --help");
     EXPECT_EQ(ended.code, 0) << command;
     const std::size_t examples = ended.out.find("Examples:\n  dockyard " + command);
@@ -94,6 +96,45 @@ TEST(Program, RefusesToReplayWhatIsNotThere) {
   const Ended ended = Dockyard("replay /no/such/folder 3");
   EXPECT_THAT(ended.code, AnyOf(3, 50)) << ended.err;
   EXPECT_THAT(ended.err, HasSubstr("/no/such/folder"));
+}
+
+const std::string kWheel =
+    "wheel --wheel models/wheels/pavlov_smooth.yaml --soil models/soils/pavlov_90.yaml ";
+
+TEST(WheelCommand, GivesForcesTorqueSinkageAndSteps) {
+  const Ended ended = Dockyard(kWheel + "--slip 0.75 --beta 0 --load 24 --json");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  for (const char* key : {"Fx_N", "Fy_N", "Fz_N", "torque_Nm", "sinkage_m", "steps"}) {
+    EXPECT_THAT(ended.out, HasSubstr("\"" + std::string(key) + "\":"));
+  }
+}
+
+TEST(WheelCommand, SweepsListsIntoATableAndPlots) {
+  const TemporaryFolder folder;
+  const Ended ended = Dockyard(kWheel + "--sweep --slip 0.75,0.9 --beta 0,15 --load 24 --out '" +
+                               folder.path().string() + "'");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const std::string table = ReadText(folder.path() / "sweep.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5);
+  EXPECT_EQ(ended.out, table);
+  for (const char* plot : {"drawbar.svg", "sinkage.svg"}) {
+    EXPECT_THAT(ReadText(folder.path() / plot), HasSubstr("15 deg, 24 N"));
+  }
+}
+
+TEST(WheelCommand, RefusesWhatItCannotDrive) {
+  const std::string soil = "models/soils/grc_1.yaml";
+  EXPECT_EQ(Dockyard(kWheel).code, 2);
+  EXPECT_EQ(Dockyard(kWheel + "--load 24 --slip 1.5").code, 2);
+  EXPECT_EQ(Dockyard(kWheel + "--load 24 --slip 0.1,0.2").code, 2);
+  EXPECT_EQ(Dockyard(kWheel + "--load -3").code, 2);
+  const Ended narrow =
+      Dockyard("wheel --wheel models/wheels/pavlov_smooth.yaml --load 24 --soil " + soil);
+  EXPECT_EQ(narrow.code, 3);
+  EXPECT_THAT(narrow.err, HasSubstr(soil + ": k_c: expected k_c / width + k_phi > 0"));
+  const Ended wrong = Dockyard("wheel --load 24 --soil " + soil + " --wheel " + soil);
+  EXPECT_EQ(wrong.code, 3);
+  EXPECT_THAT(wrong.err, HasSubstr("grc_1.yaml:6:1: n: unknown key"));
 }
 
 }  // namespace
