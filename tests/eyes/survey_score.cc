@@ -17,7 +17,8 @@ LookScore Score(const YardLook& look, const LocateOutput& out) {
   LookScore score{.index = look.index, .at = look.at, .in_view = look.InView()};
   score.accepted = static_cast<bool>(out.sighting);
   score.reason = out.report.reason;
-  const double disc_px = 0.10 * look.built_rig.left.focal_px().x() / std::max(look.X_RB.p.norm(), 0.2);
+  const double disc_px =
+      0.10 * look.built_rig.left.focal_px().x() / std::max(look.X_RB.p.norm(), 0.2);
   int right = 0;
   for (const SightingReport::Mark& mark : out.report.marks) {
     ++score.detections;
@@ -43,8 +44,12 @@ LookScore Score(const YardLook& look, const LocateOutput& out) {
   score.range_error_m = seen.r - look.at.r;
   score.heading_error_rad = WrapPi(seen.h - look.at.h);
   const double shift = (out.sighting->X_RB.p - look.X_RB.p).norm();
-  const double turn = Eigen::AngleAxisd(out.sighting->X_RB.R.transpose() * look.X_RB.R).angle();
-  score.wrong = shift > 0.3 || turn > Radians(10.0);
+  const Eigen::AngleAxisd turn(look.X_RB.R * out.sighting->X_RB.R.transpose());
+  score.wrong = shift > 0.3 || turn.angle() > Radians(10.0);
+  if (out.sighting->covariance.isZero()) return score;
+  Eigen::Matrix<double, 6, 1> error;
+  error << look.X_RB.p - out.sighting->X_RB.p, turn.angle() * turn.axis();
+  score.nees = error.dot(out.sighting->covariance.ldlt().solve(error));
   return score;
 }
 
@@ -63,12 +68,19 @@ void SurveyTally::Add(const LookScore& score) {
   stereo += score.stereo;
   wrong += score.wrong;
   nees += score.nees;
+  if (score.wrong_marks == 0) {
+    ++named;
+    named_range_m2 += score.range_error_m * score.range_error_m;
+    named_heading_rad2 += score.heading_error_rad * score.heading_error_rad;
+  }
   range_m2 += score.range_error_m * score.range_error_m;
   heading_rad2 += score.heading_error_rad * score.heading_error_rad;
 }
 
 double SurveyTally::range_rms_m() const { return Root(range_m2, accepted); }
 double SurveyTally::heading_rms_rad() const { return Root(heading_rad2, accepted); }
+double SurveyTally::named_range_rms_m() const { return Root(named_range_m2, named); }
+double SurveyTally::named_heading_rms_rad() const { return Root(named_heading_rad2, named); }
 double SurveyTally::plain_rms_px() const { return Root(plain_px2, plain); }
 double SurveyTally::cut_rms_px() const { return Root(cut_px2, cut); }
 

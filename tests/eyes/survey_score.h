@@ -19,7 +19,6 @@ struct LookScore {
   std::string reason{};  // why no pose came out
   int detections = 0, wrong_marks = 0;
   double range_error_m = 0.0, heading_error_rad = 0.0;  // of the rover in the dock
-  double homography_sum_px = 0.0;  // sum over the board of a raw-pixel homography's residuals
   // Distances of detected, rightly named fiducials from the truth, squared; unshaded or wholly
   // shaded ones, and those that a shadow's edge cuts.
   double plain_px2 = 0.0, cut_px2 = 0.0;
@@ -34,16 +33,20 @@ struct SurveyTally {
   int looks = 0, in_view = 0, found = 0, accepted = 0, wrong = 0, stereo = 0, wrong_marks = 0;
   int plain = 0, cut = 0;
   double range_m2 = 0.0, heading_rad2 = 0.0, plain_px2 = 0.0, cut_px2 = 0.0, nees = 0.0;
-  double homography_px = 0.0;
+  // Over the accepted without a wrong mark: what is left when the naming is right.
+  int named = 0;
+  double named_range_m2 = 0.0, named_heading_rad2 = 0.0;
 
   void Add(const LookScore& score);
   double range_rms_m() const;
   double heading_rms_rad() const;
+  double named_range_rms_m() const;
+  double named_heading_rms_rad() const;
   double plain_rms_px() const;
   double cut_rms_px() const;
 };
 
-/// Looks with r in (low, high], out of view ones included when `all`.
+/// Looks with r in (low, high].
 SurveyTally TallyOf(const std::vector<LookScore>& scores, double r_low_m, double r_high_m);
 
 }  // namespace dockyard

@@ -1,0 +1,127 @@
+// dockyard detect and dockyard pose as their users meet them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "campaign/fake_runs.h"
+#include "campaign/program.h"
+#include "controller/geometry/camera.h"
+#include "sim/log/frame_codec.h"
+
+namespace dockyard {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+const std::string kFiles = " --rig models/axel/axel.yaml --board models/station/station.yaml";
+
+std::string PointsCsv(const std::string& last_row) {
+  // Corners of a cube of 0.4 m, 2 m ahead of the pair, by the nominal rig.
+  Pose3 X_RC;  // models/axel/axel.yaml: 0.35 m apart, 0.12 m ahead, 0.22 m up, level
+  X_RC.R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  const Camera camera = EquidistantCamera(1024, 768, Radians(90.0));
+  std::string csv = "camera,u_px,v_px,x_m,y_m,z_m\n";
+  const Pose3 X_RB{RotZ(0.2), {2.2, 0.1, 0.3}};
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d p_B(i & 1 ? 0.2 : -0.2, i & 2 ? 0.2 : -0.2, i & 4 ? 0.2 : -0.2);
+    for (const bool right : {false, true}) {
+      X_RC.p = {0.12, right ? -0.175 : 0.175, 0.22};
+      const auto pixel = camera.Project(Inverse(X_RC) * X_RB * p_B);
+      char row[200];
+      std::snprintf(row, sizeof row, "%s,%.6f,%.6f,%.3f,%.3f,%.3f\n", right ? "right" : "left",
+                    pixel->x(), pixel->y(), p_B.x(), p_B.y(), p_B.z());
+      csv += row;
+    }
+  }
+  return csv + last_row;
+}
+
+TEST(DetectCommand, FindsTheBoardOfARenderedPair) {
+  const TemporaryFolder folder;
+  const std::string out_dir = folder.path().string();
+  ASSERT_EQ(Dockyard("view scenarios/axel_typical.yaml --set start.r_m=2.5 --set "
+                     "camera.width_px=640 --set camera.height_px=480 --out " +
+                     out_dir)
+                .code,
+            0);
+  const json view = json::parse(ReadText(folder.path() / "view.json"));
+  const std::string left = out_dir + "/left.png", right = out_dir + "/right.png";
+  const std::string drawn = out_dir + "/drawn.png";
+  const Ended ended = Dockyard("detect " + left + " " + right + kFiles + " --json --draw " + drawn);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const json out = json::parse(ended.out);
+  EXPECT_EQ(out["accepted"], true);
+  EXPECT_EQ(out["method"], "stereo");
+  const json& pose = out["board_in_rover"];
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(pose["p_m"][i].get<double>(), view["X_RB"]["p_m"][i].get<double>(), 0.03);
+  double norm = 0.0;
+  for (const json& q : pose["quaternion_wxyz"]) norm += q.get<double>() * q.get<double>();
+  EXPECT_NEAR(norm, 1.0, 1e-9);
+  EXPECT_EQ(pose["covariance"].size(), 6u);
+  EXPECT_EQ(out["fiducials"].size(), 16u);
+  EXPECT_GT(std::filesystem::file_size(drawn), 10000u);
+  const Ended folder_run = Dockyard("detect --folder " + folder.path().string() + kFiles);
+  EXPECT_EQ(folder_run.code, 0);
+  EXPECT_THAT(folder_run.out, HasSubstr("3 images"));
+}
+
+TEST(DetectCommand, SaysWhyThereIsNoBoard) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "grey.png").string();
+  WriteText(
+      file,
+      EncodePng({.width = 64, .height = 48, .pixels = std::vector<std::uint8_t>(64 * 48, 90)}));
+  const Ended ended = Dockyard("detect " + file + kFiles);
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_THAT(ended.out, HasSubstr("no board: too few fiducials"));
+}
+
+TEST(DetectCommand, RefusesWhatIsNoImage) {
+  EXPECT_EQ(Dockyard("detect README.md" + kFiles).code, 3);
+  EXPECT_EQ(Dockyard("detect missing.png" + kFiles).code, 3);
+  EXPECT_EQ(Dockyard("detect" + kFiles).code, 2);
+}
+
+TEST(PoseCommand, SolvesPointsAndNamesTheOutlier) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "points.csv").string();
+  WriteText(file, PointsCsv("left,100,100,0.2,0.2,0.2\n"));
+  const Ended ended = Dockyard("pose " + file + " --rig models/axel/axel.yaml --json");
+  ASSERT_EQ(ended.code, 0) << ended.err << ended.out;
+  const json out = json::parse(ended.out);
+  EXPECT_EQ(out["points_used"], 16);
+  EXPECT_EQ(out["inlier"].back(), false);
+  const double expected[3] = {2.2, 0.1, 0.3};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(out["body_in_rover"]["p_m"][i].get<double>(), expected[i], 1e-4);
+  }
+  EXPECT_NEAR(out["body_in_rover"]["quaternion_wxyz"][0].get<double>(), std::cos(0.1), 1e-4);
+}
+
+TEST(PoseCommand, NamesTheRowThatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "points.csv").string();
+  WriteText(file, PointsCsv("middle,100,100,0.2,0.2,0.2\n"));
+  const Ended ended = Dockyard("pose " + file + " --rig models/axel/axel.yaml");
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("points.csv:18:1"));
+  EXPECT_THAT(ended.err, HasSubstr("camera"));
+}
+
+TEST(PoseCommand, EndsWithFourWhenTooFewAgree) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "points.csv").string();
+  WriteText(file, "camera,u_px,v_px,x_m,y_m,z_m\nleft,1,2,0,0,0\nleft,5,9,1,0,0\n");
+  const Ended ended = Dockyard("pose " + file + " --rig models/axel/axel.yaml");
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_THAT(ended.out, HasSubstr("no pose"));
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,58 @@
+// A small survey on rendered pairs. Limits leave room below what the long one measures
+// (docs/perception.md), so that a real loss shows and rounding does not.
+#include <gtest/gtest.h>
+
+#include "eyes/false_boards.h"
+#include "eyes/survey_score.h"
+
+namespace dockyard {
+namespace {
+
+SurveyTally Look(Light light, int count, const VisionSettings& settings = {}) {
+  YardOptions options{.light = light};
+  YardViews views(options);
+  SurveyTally tally;
+  for (int i = 0; tally.in_view < count && i < 4 * count; ++i) {
+    if (!views.Take(i, false).InView()) continue;
+    const YardLook look = views.Take(i);
+    tally.Add(Score(
+        look, LocateBoard(look.images, views.calibration(), views.board(), look.hints, settings)));
+  }
+  return tally;
+}
+
+TEST(YardSurvey, FindsTheBoardInEvenLight) {
+  const SurveyTally tally = Look(Light::kEven, 30);
+  ASSERT_EQ(tally.in_view, 30);
+  EXPECT_GE(tally.accepted, 29);  // [30]
+  EXPECT_EQ(tally.wrong, 0);
+  EXPECT_EQ(tally.wrong_marks, 0);
+  EXPECT_LT(tally.plain_rms_px(), 0.08);
+  EXPECT_LT(tally.range_rms_m(), 0.02);
+  EXPECT_LT(tally.heading_rms_rad(), Radians(0.6));
+  // Six degrees of freedom: a mean of 6 when the covariance tells the errors as they are. Far more
+  // is overconfidence, far less timidity.
+  EXPECT_LT(tally.nees / tally.accepted, 12.0);
+  EXPECT_GT(tally.nees / tally.accepted, 1.0);
+}
+
+TEST(YardSurvey, FindsTheBoardUnderAHardShadow) {
+  const SurveyTally tally = Look(Light::kHardShadow, 30);
+  ASSERT_EQ(tally.in_view, 30);
+  EXPECT_GE(tally.accepted, 28);  // [30]
+  EXPECT_EQ(tally.wrong, 0);
+  EXPECT_EQ(tally.wrong_marks, 0);
+  EXPECT_GT(tally.cut, 10);
+  EXPECT_LT(tally.plain_rms_px(), 0.12);
+  EXPECT_LT(tally.cut_rms_px(), 0.2);
+  EXPECT_LT(tally.range_rms_m(), 0.025);
+}
+
+TEST(YardSurvey, SeesNoBoardWhereThereIsNone) {
+  const FalseBoards seen = LookWithoutBoard(0, 100, 640, {});
+  EXPECT_EQ(seen.views, 100);
+  EXPECT_EQ(seen.accepted, 0);
+}
+
+}  // namespace
+}  // namespace dockyard
