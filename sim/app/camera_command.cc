@@ -78,8 +78,9 @@ int Project(const CameraArguments& arguments) {
   const PlacedCamera placed = LoadCamera(arguments.file, arguments.name);
   const Eigen::Vector3d p_F(arguments.numbers[0], arguments.numbers[1], arguments.numbers[2]);
   const auto pixel = placed.camera.Project(Inverse(placed.X_FC) * p_F);
+  const bool shown = pixel && pixel->allFinite();  // numbers near the greatest overflow
   Json result{{"pixel", nullptr}};
-  if (pixel) {
+  if (shown) {
     result = {{"pixel", ToJson(*pixel)}, {"in_image", placed.camera.Sees(*pixel)}};
   } else {
     result["in_image"] = false;

@@ -26,6 +26,7 @@ Examples:
   dockyard replay results/mars_yard_40 17
   dockyard view scenarios/axel_typical.yaml --out out/view
   dockyard study scenarios/studies/reel_alpha.yaml
+  dockyard camera project models/cameras/navcam.yaml 2.1 0.3 0.2 --name left
   dockyard check models/axel/axel.yaml)";
 
 int Fail(const std::exception& error, int exit_code) {

@@ -16,7 +16,8 @@ using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
 TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
-  for (const std::string command : {"", "run", "campaign", "replay", "view", "check", "wheel"}) {
+  for (const std::string command : {"", "run", "campaign", "replay", "view", "check", "wheel",
+                                    "study", "camera", "detect", "pose"}) {
     const Ended ended = Dockyard(command + " --help");
     EXPECT_EQ(ended.code, 0) << command;
     const std::size_t examples = ended.out.find("Examples:\n  dockyard " + command);

@@ -76,6 +76,12 @@ Tally Fuzz(const std::string& model, const std::string& name, std::uint64_t seed
 
 void Check(const std::string& file) { CheckFile(file); }
 
+TEST(MutatedFiles, CameraFilesAreReadOrRefused) {
+  Fuzz("cameras", "models/cameras/navcam.yaml", 11, 300, Check);
+  Fuzz("cameras", "models/cameras/axel_640.yaml", 12, 300, Check);
+  Fuzz("cameras", "tests/models/data/m2020_cameras.json", 13, 300, Check);
+}
+
 TEST(MutatedFiles, RoverYamlIsReadOrRefused) {
   Fuzz("axel", "models/axel/axel.yaml", 1, 300, Check);
 }
