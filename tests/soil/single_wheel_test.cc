@@ -1,7 +1,8 @@
 // The model against measured single-wheel tests in dry sand (data/single_wheel.csv).
 //
 // Of the rows with |slip| <= 0.76 and side slip <= 45 deg every second one, the first included, was
-// used to fit the law's constants (docs/soil.md); the others check it. Locked rows and those at
+// used to fit the law's constants; the others check it, though they were in view when its structure
+// was chosen and three constants were finished by hand (docs/soil.md). Locked rows and those at
 // slip 0.9 counted with a quarter and half of the weight in the fit.
 #include <gtest/gtest.h>
 
