@@ -63,9 +63,9 @@ void ReadCollar(const YamlReader& arm, RoverModel& rover) {
   CollarModel& collar = rover.collar;
   collar.radius_m = in.Number("radius_m", Positive(0.5));
   collar.front_m = in.Number("front_m", Positive(5.0));
-  collar.front_radius_m = in.Number("front_radius_m", Positive(0.5));
-  collar.lead_in_m = in.Number("lead_in_m", Positive(1.0));
-  collar.length_m = in.Number("length_m", Positive(1.0));
+  collar.front_radius_m = in.Number("front_radius_m", Between(0.002, 0.5));
+  collar.lead_in_m = in.Number("lead_in_m", Between(0.002, 1.0));
+  collar.length_m = in.Number("length_m", Between(0.002, 1.0));
   if (collar.front_m > rover.arm_length_m - rover.tip.length_m) {
     in.Refuse("front_m", "at most length_m - tip_length_m: a collar behind the tip");
   }

@@ -106,8 +106,11 @@ struct MateOptions {
   double socket_rad = Radians(4.0);
   double look_gap_m = 0.06;    // recheck with the tip this far before the mouth
   double enter_gap_m = -0.03;  // contact by depth estimate: tip this far inside, wheels then free
-  double over_reel_m = 0.02;   // beyond the depth asked for: twice the error of 1-2 cm in the start
-  double short_reel_m = 0.05;  // a stop this much early counts as home: 0.20 m must be reached
+  // The socket's floor ends the reeling, not the length: where the tip was when it began is known
+  // to 1-2 cm, to 4 cm after it has pushed at the mouth. So much more is asked for; assumed,
+  // 0.04-0.10.
+  double over_reel_m = 0.08;
+  double short_reel_m = 0.11;  // a stop this much early counts as home: by the estimate 0.22 m deep
   // The collar's lead-in straightens the arm over the last 5 cm, which takes all that the spool
   // has; the socket's floor stands it. Assumed, 200-300.
   double seat_tension_n = 300.0;

@@ -8,6 +8,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/log/files.h"
 #include "sim/study/run_study.h"
@@ -87,11 +88,7 @@ void AddStudyCommand(CLI::App& app, int& exit_code) {
   command->add_option("--jobs", arguments->jobs, "processes; all processors if not given")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", arguments->out_dir, "results folder; results/NAME if not given");
-  command->add_option("--set", arguments->overrides, "key.path=value, on top of the study file")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false);
+  AddSetOption(*command, arguments->overrides);
   command->add_option("--run-limit", arguments->run_limit_s, "wall time of one run [s]")
       ->check(CLI::Range(1.0, 1e6));
   command->add_flag("--quiet", arguments->quiet, "no progress");

@@ -27,6 +27,7 @@ std::vector<Eigen::Vector2d> DrawnIn(const std::vector<Eigen::Vector2d>& profile
   for (std::size_t i = 0; i + 1 < profile_m.size(); ++i) {
     const Eigen::Vector2d along = (profile_m[i + 1] - profile_m[i]).normalized();
     const Eigen::Vector2d out(-along.y(), along.x());
+    if ((out - sides.back().normal).norm() < 1e-9) continue;  // goes straight on
     sides.push_back({out, out.dot(profile_m[i]) - margin_m});
   }
   sides.push_back({{1.0, 0.0}, profile_m.back().x() - margin_m});

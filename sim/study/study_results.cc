@@ -187,6 +187,10 @@ std::string StudyTable(const Study& study, const std::vector<StudyRow>& rows) {
     for (const std::string& name : study.measures) {
       if (name == "docked") continue;
       const Spread spread = SpreadOf(name, group);
+      if (spread.count == 0) {
+        text += " |";
+        continue;
+      }
       text += " " + Brief(spread.median) + " (" + Brief(spread.low) + " to " + Brief(spread.high) +
               ") |";
     }

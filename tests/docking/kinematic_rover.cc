@@ -13,6 +13,7 @@ namespace {
 constexpr double kStep = kTickSeconds * kControlPeriod;
 constexpr double kTetherStiffness = 5000.0;  // [N/m]
 constexpr double kSpoolFriction = 0.5;       // [Nm]
+constexpr double kFloorDepthM = 0.27;        // of the socket
 
 const MotorCommand& Of(const Commands& commands, Motor motor) {
   return commands.motors[static_cast<std::size_t>(motor)];
@@ -172,7 +173,7 @@ void KinematicRover::PullAlong() {
 
 // Inside the mouth the cone leads the tip to the axis; the arm turns about the axle.
 void KinematicRover::Guide(const Pose2& before) {
-  if (world_.jam_depth_m && depth_m() > *world_.jam_depth_m) {
+  if (depth_m() > world_.jam_depth_m.value_or(kFloorDepthM)) {
     X_DR_ = before;
     return;
   }

@@ -18,6 +18,12 @@ TEST(TurnedShape, CylinderIsDrawnInByTheMarginAllRound) {
   for (const auto& corner : core) EXPECT_NEAR(corner.y(), 0.029, 1e-15);
 }
 
+TEST(TurnedShape, CornerThatIsNoneIsLeftOut) {
+  const auto core = DrawnIn({{-0.02, 0.03}, {0.0, 0.03}, {0.02, 0.03}}, kMargin);
+  ASSERT_EQ(core.size(), 2u);
+  EXPECT_NEAR(core[1].x(), 0.019, 1e-15);
+}
+
 TEST(TurnedShape, SlantedSideIsDrawnInAcrossItself) {
   // A cone of 3 : 4; the distance of a core corner from the slanted line is the margin.
   const auto core = DrawnIn({{0.0, 0.05}, {0.04, 0.02}}, kMargin);
