@@ -156,6 +156,35 @@ StereoRig ReadRig(const YamlReader& in, int width, int height) {
                                    height > 0 ? height : kDefaultImageHeight, fov_rad));
 }
 
+ExposureModel ReadExposure(const YamlReader& sensor) {
+  ExposureModel exposure;
+  if (!sensor.Has("exposure")) return exposure;
+  const YamlReader in(sensor.Child("exposure"), sensor.PathOf("exposure"),
+                      {"rule", "percent", "level", "fixed_e", "bracket_stops"});
+  exposure.rule =
+      static_cast<ExposureRule>(in.ChoiceOr("rule", 0, {"automatic", "fixed", "bracketed"}));
+  exposure.percent = in.NumberOr("percent", exposure.percent, Between(0.01, 99.0));
+  exposure.level = in.NumberOr("level", exposure.level, Between(0.01, 1.0));
+  exposure.bracket_stops = in.NumberOr("bracket_stops", exposure.bracket_stops, Positive(8.0));
+  if (exposure.rule == ExposureRule::kFixed) exposure.fixed_e = in.Number("fixed_e", Positive(1e9));
+  return exposure;
+}
+
+FocusModel ReadFocus(const YamlReader& sensor) {
+  FocusModel focus;
+  if (!sensor.Has("focus")) return focus;
+  const YamlReader in(sensor.Child("focus"), sensor.PathOf("focus"),
+                      {"focal_length_m", "f_number", "distance_m", "pixel_pitch_m"});
+  focus.focal_length_m = in.Number("focal_length_m", Between(1e-4, 1.0));
+  focus.f_number = in.Number("f_number", Between(0.5, 64.0));
+  focus.distance_m = in.Number("distance_m", Positive(1e6));
+  focus.pixel_pitch_m = in.Number("pixel_pitch_m", Between(1e-7, 1e-3));
+  if (focus.distance_m <= focus.focal_length_m) {
+    in.Refuse("distance_m", "a number above focal_length_m");
+  }
+  return focus;
+}
+
 void ReadCameras(const YamlReader& root, int width, int height, RoverModel& rover) {
   const YamlReader in(root.Child("cameras"), "cameras",
                       {"file", "baseline_m", "forward_m", "height_m", "pitch_deg",
@@ -171,11 +200,16 @@ void ReadCameras(const YamlReader& root, int width, int height, RoverModel& rove
   stereo.centre_sigma_px = built.Number("centre_px", NonNegative(50.0));
   stereo.radial_sigma_px = built.Number("radial_px", NonNegative(50.0));
   const YamlReader sensor(in.Child("sensor"), in.PathOf("sensor"),
-                          {"full_well_e", "read_noise_e", "vignetting_exponent", "blur_sigma_px"});
+                          {"full_well_e", "read_noise_e", "vignetting_exponent", "blur_sigma_px",
+                           "response_sigma", "bits", "exposure", "focus"});
   stereo.full_well_e = sensor.Number("full_well_e", Between(100.0, 1e6));
   stereo.read_noise_e = sensor.Number("read_noise_e", NonNegative(1e4));
   stereo.vignetting_exponent = sensor.Number("vignetting_exponent", NonNegative(8.0));
   stereo.blur_sigma_px = sensor.Number("blur_sigma_px", NonNegative(10.0));
+  stereo.response_sigma = sensor.NumberOr("response_sigma", 0.0, NonNegative(0.2));
+  stereo.bits = sensor.IntegerOr("bits", 8, 8, 16);
+  stereo.exposure = ReadExposure(sensor);
+  stereo.focus = ReadFocus(sensor);
 }
 
 void CheckJoint(const UrdfJoint& joint, const char* type, const char* child) {

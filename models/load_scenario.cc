@@ -45,12 +45,13 @@ YardModel ReadYard(const YamlReader& root) {
 void ReadCamera(const YamlReader& root, Scenario& scenario) {
   if (!root.Has("camera")) return;
   const YamlReader in(root.Child("camera"), root.PathOf("camera"),
-                      {"file", "width_px", "height_px"});
+                      {"file", "width_px", "height_px", "colour"});
   if (in.Has("file")) scenario.camera_file = in.File("file");
   if (in.Has("width_px") || in.Has("height_px")) {
     scenario.image_width = in.IntegerOr("width_px", kDefaultImageWidth, 64, 4096);
     scenario.image_height = in.IntegerOr("height_px", kDefaultImageHeight, 64, 4096);
   }
+  scenario.colour = in.BoolOr("colour", scenario.colour);
 }
 
 VisionSettings ReadVision(const YamlReader& root) {
@@ -62,6 +63,20 @@ VisionSettings ReadVision(const YamlReader& root) {
   vision.pipeline = static_cast<VisionPipeline>(in.ChoiceOr("pipeline", 0, pipelines));
   vision.min_points = in.IntegerOr("min_points", vision.min_points, 4, 5);
   return vision;
+}
+
+SunModel ReadSun(const YamlReader& root) {
+  SunModel sun;
+  if (!root.Has("sun")) return sun;
+  const YamlReader in(root.Child("sun"), root.PathOf("sun"),
+                      {"azimuth_deg", "elevation_deg", "temperature_k", "sky_temperature_k"});
+  sun.azimuth_rad = in.DegreesOr("azimuth_deg", sun.azimuth_rad, Between(-180.0, 180.0));
+  sun.elevation_rad = in.DegreesOr("elevation_deg", sun.elevation_rad, Between(2.0, 90.0));
+  // The Planckian locus is known from 1667 to 25000 K.
+  sun.temperature_k = in.NumberOr("temperature_k", sun.temperature_k, Between(1667.0, 25000.0));
+  sun.sky_temperature_k =
+      in.NumberOr("sky_temperature_k", sun.sky_temperature_k, Between(1667.0, 25000.0));
+  return sun;
 }
 
 Pose2 ReadSite(const YamlReader& root) {
@@ -109,8 +124,8 @@ void CheckStartInYard(const Scenario& scenario, const YamlReader& start) {
 Scenario ReadScenario(const YamlNode& node, const std::string& path, ScenarioPart part) {
   const YamlReader in(node, path,
                       {"name", "rover", "station", "soil", "controller", "vision", "start", "light",
-                       "yard", "camera", "time_limit_s", "physics_step_s", "tip_angle_deg", "seed",
-                       "site", "log_images", "changes"});
+                       "sun", "board_dust", "yard", "camera", "time_limit_s", "physics_step_s",
+                       "tip_angle_deg", "seed", "site", "log_images", "changes"});
   const bool whole = part == ScenarioPart::kWhole;
   Scenario scenario;
   if (whole || in.Has("name")) scenario.name = in.Text("name");
@@ -122,6 +137,8 @@ Scenario ReadScenario(const YamlNode& node, const std::string& path, ScenarioPar
       controllers[static_cast<std::size_t>(in.ChoiceOr("controller", 0, controllers))];
   scenario.vision = ReadVision(in);
   scenario.light = static_cast<Light>(in.ChoiceOr("light", 0, LightWords()));
+  scenario.sun = ReadSun(in);
+  scenario.board_dust = in.NumberOr("board_dust", scenario.board_dust, NonNegative(0.6));
   scenario.yard = ReadYard(in);
   ReadCamera(in, scenario);
   scenario.time_limit_s = in.NumberOr("time_limit_s", scenario.time_limit_s, Positive(1e5));

@@ -46,6 +46,19 @@ std::string StartText(const StartPose& start) {
          ", heading_deg: " + DegreesText(start.heading_rad);
 }
 
+/// Only what the file said.
+std::string SunText(const SunModel& sun) {
+  std::string text;
+  const auto add = [&](bool said, const char* key, const std::string& value) {
+    if (said) text += (text.empty() ? "{" : ", ") + std::string(key) + ": " + value;
+  };
+  add(!std::isnan(sun.azimuth_rad), "azimuth_deg", DegreesText(sun.azimuth_rad));
+  add(!std::isnan(sun.elevation_rad), "elevation_deg", DegreesText(sun.elevation_rad));
+  add(sun.temperature_k > 0.0, "temperature_k", NumberText(sun.temperature_k));
+  add(sun.sky_temperature_k > 0.0, "sky_temperature_k", NumberText(sun.sky_temperature_k));
+  return text.empty() ? text : text + "}";
+}
+
 /// What the runs of a campaign have in common, each line indented.
 std::string CommonText(const Scenario& s, const std::string& indent) {
   const auto line = [&](const std::string& key, const std::string& value) {
@@ -67,7 +80,10 @@ std::string CommonText(const Scenario& s, const std::string& indent) {
     camera += (camera.empty() ? "" : ", ") + ("width_px: " + std::to_string(s.image_width)) +
               ", height_px: " + std::to_string(s.image_height);
   }
+  if (s.colour) camera += (camera.empty() ? "" : ", ") + std::string("colour: true");
   if (!camera.empty()) text += line("camera", "{" + camera + "}");
+  if (const std::string sun = SunText(s.sun); !sun.empty()) text += line("sun", sun);
+  if (s.board_dust > 0.0) text += line("board_dust", NumberText(s.board_dust));
   text += line("time_limit_s", NumberText(s.time_limit_s));
   text += line("physics_step_s", NumberText(s.physics_step_s));
   if (s.tip_angle_rad >= 0.0) text += line("tip_angle_deg", DegreesText(s.tip_angle_rad));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct StartPose {
   double heading_rad = 0.0;  // file: heading_deg
 };
 
+/// What of the light is not left to its kind; NaN or 0: as the kind draws it, white.
+struct SunModel {
+  double azimuth_rad = std::numeric_limits<double>::quiet_NaN();    // from the way the board faces
+  double elevation_rad = std::numeric_limits<double>::quiet_NaN();  // above the level
+  double temperature_k = 0.0, sky_temperature_k = 0.0;              // 0: white
+};
+
 /// The yard: gentle undulation, deterministic in the run's seed.
 struct YardModel {
   double length_m = 0.0,
@@ -37,9 +45,12 @@ struct Scenario {
   VisionSettings vision{};
   StartPose start;
   Light light = Light::kEven;
+  SunModel sun;
+  double board_dust = 0.0;  // mean share of the board's face under dust
   YardModel yard;
   std::string camera_file;                // empty: the rover's own cameras
   int image_width = 0, image_height = 0;  // 0: as the cameras' file says, else 1024 x 768
+  bool colour = false;                    // view writes colour pictures beside the grey ones
   double time_limit_s = 600.0;
   double physics_step_s = 1e-3;  // 1e-3 unless a convergence study changes it
   double tip_angle_rad = -1.0;   // < 0: as the station's file says

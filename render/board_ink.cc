@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/pixel_noise.h"
+
 namespace dockyard {
 namespace {
 
@@ -12,9 +14,35 @@ float Below(float distance, float reach) {
   return std::clamp(0.5f - distance / std::max(2.0f * reach, 1e-9f), 0.0f, 1.0f);
 }
 
+Tan Middle(const PixelCorners& c) {
+  return {0.25f * (c[0].x + c[1].x + c[2].x + c[3].x), 0.25f * (c[0].y + c[1].y + c[2].y + c[3].y)};
+}
+
 }  // namespace
 
-BoardShader::BoardShader(const Scene& scene, const Pose3& X_WC, Channel channel) {
+float DustShare(const BoardView& board, const Eigen::Vector2f& p_B) {
+  if (board.dust_cover <= 0.0) return 0.0f;
+  float patches = 0.0f;  // 0 to 1, mean 1/2
+  for (const auto& [size_m, part] : {std::pair(0.08f, 0.6f), {0.02f, 0.4f}}) {
+    const float x = p_B.x() / size_m, y = p_B.y() / size_m;
+    const float ix = std::floor(x), iy = std::floor(y);
+    const auto knot = [&](int dx, int dy) {
+      const auto column = static_cast<std::uint32_t>(static_cast<int>(ix) + dx);
+      const auto row = static_cast<std::uint32_t>(static_cast<int>(iy) + dy);
+      return static_cast<float>(HashUniform(board.dust_seed + (size_m > 0.05f ? 0u : 1u),
+                                            std::uint64_t{row} << 32 | column));
+    };
+    const auto smooth = [](float t) { return t * t * (3.0f - 2.0f * t); };
+    const float fx = smooth(x - ix), fy = smooth(y - iy);
+    const float top = knot(0, 0) + fx * (knot(1, 0) - knot(0, 0));
+    const float low = knot(0, 1) + fx * (knot(1, 1) - knot(0, 1));
+    patches += part * (top + fy * (low - top));
+  }
+  return std::min(static_cast<float>(board.dust_cover) * (0.5f + patches), 1.0f);
+}
+
+BoardShader::BoardShader(const Scene& scene, const Pose3& X_WC, Channel channel)
+    : view_(scene.board) {
   const BoardView& view = scene.board;
   const Pose3 X_CB = Inverse(X_WC) * view.X_WB;
   // A point (x, y) of the board lies at x e1 + y e2 + p in the camera; tan is that over its depth.
@@ -25,15 +53,16 @@ BoardShader::BoardShader(const Scene& scene, const Pose3& X_WC, Channel channel)
   const Eigen::Vector3d normal_W = (printed_side_ ? -1.0 : 1.0) * view.X_WB.R.col(2);
   const auto to_sun = static_cast<float>(normal_W.dot(scene.light.to_sun_W));
   const auto to_zenith = static_cast<float>(normal_W.z());
-  const auto radiance = [&](double albedo, float& sun, float& around) {
-    const Reflected r = Reflect(scene.light, Eigen::Vector3d::Constant(albedo), channel);
+  const auto radiance = [&](const Eigen::Vector3d& albedo, float& sun, float& around) {
+    const Reflected r = Reflect(scene.light, albedo, channel);
     const auto [s, k, b] = std::array{static_cast<float>(r.sun), static_cast<float>(r.sky),
                                       static_cast<float>(r.bounce)};
     around = Shade(s, k, b, to_sun, to_zenith, 0.0f);
     sun = Shade(s, k, b, to_sun, to_zenith, 1.0f) - around;
   };
-  radiance(view.white_albedo, white_sun_, white_around_);
-  radiance(view.black_albedo, black_sun_, black_around_);
+  radiance(Eigen::Vector3d::Constant(view.white_albedo), white_sun_, white_around_);
+  radiance(Eigen::Vector3d::Constant(view.black_albedo), black_sun_, black_around_);
+  radiance(view.dust_albedo, dust_sun_, dust_around_);
   for (const Fiducial& f : view.board.fiducials) {
     // Counter-clockwise for the beholder is towards -y, for y points down.
     marks_.push_back({static_cast<float>(f.p_BF.x()), static_cast<float>(f.p_BF.y()),
@@ -105,8 +134,11 @@ float BoardShader::InkShare(const PixelCorners& c) const {
 
 float BoardShader::operator()(const PixelCorners& corners, float share) const {
   const float ink = InkShare(corners);
-  return (1.0f - ink) * (white_around_ + share * white_sun_) +
-         ink * (black_around_ + share * black_sun_);
+  const float clean = (1.0f - ink) * (white_around_ + share * white_sun_) +
+                      ink * (black_around_ + share * black_sun_);
+  if (view_.dust_cover <= 0.0 || !printed_side_) return clean;
+  const float dust = DustShare(view_, ToBoard(Middle(corners)));
+  return clean + dust * (dust_around_ + share * dust_sun_ - clean);
 }
 
 }  // namespace dockyard

@@ -14,6 +14,10 @@ namespace dockyard {
 /// Points of the tan plane where the corners of a pixel look: 00, 10, 01, 11.
 using PixelCorners = std::array<Tan, 4>;
 
+/// Share of the face covered with dust at a place of the board [m]: patches of 2 and 8 cm about the
+/// mean (assumed).
+float DustShare(const BoardView& board, const Eigen::Vector2f& p_B);
+
 class BoardShader {
  public:
   BoardShader(const Scene& scene, const Pose3& X_WC, Channel channel);
@@ -35,7 +39,8 @@ class BoardShader {
   Eigen::Matrix3f board_from_tan_;  // homogeneous
   bool printed_side_ = true;
   float radius_, half_length_, half_width_;
-  float white_sun_, white_around_, black_sun_, black_around_;  // radiance
+  float white_sun_, white_around_, black_sun_, black_around_, dust_sun_, dust_around_;  // radiance
+  const BoardView& view_;
 };
 
 }  // namespace dockyard

@@ -6,15 +6,13 @@
 
 #include "render/board_ink.h"
 #include "render/ground_mesh.h"
+#include "render/object_shader.h"
+#include "render/sky_shader.h"
 
 namespace dockyard {
 namespace {
 
 constexpr int kRays = 4;  // of a pixel: the middles of its quarters
-// A shaded facet's normal and its plane differ by the sagitta of its curve.
-constexpr float kCurvedBias_m = 0.003f, kFlatBias_m = 0.001f;
-// Points of the sun's disc: to find casters, to measure their cover.
-constexpr int kSearches = 4, kPoints = 8, kBoardSearches = 8, kBoardPoints = 16;
 
 // A flat view's own pixels from the tan plane.
 struct Sampler {
@@ -63,104 +61,6 @@ struct Sampler {
 
   const FlatView& view;
   float sx, sy, x0, y0;
-};
-
-// Sky twice as bright at the horizon as overhead (assumed, 1-3 for a clear sky); over the level
-// surface it adds up to the whole sky's irradiance: 2 * integral of 0.75 (2 - s) s ds = 1.
-class SkyShader {
- public:
-  SkyShader(const Scene& scene, const Pose3& X_WC, Channel channel)
-      : up_C_(X_WC.R.row(2).transpose().cast<float>()),
-        sun_C_((X_WC.R.transpose() * scene.light.to_sun_W).cast<float>()) {
-    const Reflected r = Reflect(scene.light, Eigen::Vector3d::Ones(), channel);
-    const double radius = 0.5 * scene.light.sun_angular_diameter_rad;
-    sky_ = static_cast<float>(r.sky) * kInversePi;
-    bounce_ = static_cast<float>(r.bounce) * kInversePi;
-    near_sun_ = static_cast<float>(std::cos(radius));
-    if (radius > 0.0) disc_ = static_cast<float>(r.sun / (kPi * radius * radius));
-  }
-  float operator()(Tan tan) const {
-    const float shorten = 1.0f / std::sqrt(1.0f + tan.x * tan.x + tan.y * tan.y);
-    const float s = (up_C_.x() * tan.x + up_C_.y() * tan.y + up_C_.z()) * shorten;
-    const float cosine = (sun_C_.x() * tan.x + sun_C_.y() * tan.y + sun_C_.z()) * shorten;
-    const float sky = s > 0.0f ? sky_ * 0.75f * (2.0f - s) : bounce_;
-    return cosine > near_sun_ ? sky + disc_ : sky;
-  }
-
- private:
-  Eigen::Vector3f up_C_, sun_C_;
-  float sky_, bounce_, near_sun_, disc_ = 0.0f;
-};
-
-// Objects' and thin bodies' light, and any place's share of the sun.
-class ObjectShader {
- public:
-  ObjectShader(const Lit& lit, const Pose3& X_WC, Channel channel)
-      : shadow_(lit.shadow), thin_(ToFloats(lit.scene, lit.scene.tether.albedo, channel)) {
-    const Pose3 X_UC = Inverse(shadow_.fit().X_WU) * X_WC;
-    R_UC_ = X_UC.R.cast<float>();
-    p_UC_ = X_UC.p.cast<float>();
-    up_U_ = shadow_.fit().X_WU.R.row(2).transpose().cast<float>();
-    for (const SceneObject& object : lit.scene.objects) {
-      objects_.push_back(ToFloats(lit.scene, object.albedo, channel));
-    }
-    const BoardView& board = lit.scene.board;
-    n_board_U_ = (shadow_.fit().X_WU.R.transpose() * board.X_WB.R.col(2)).cast<float>();
-    const Eigen::Vector3d p_B = Inverse(board.X_WB) * X_WC.p;
-    const Eigen::Vector3d n_C = X_WC.R.transpose() * board.X_WB.R.col(2);
-    board_plane_C_ = (n_C / n_C.dot(X_WC.R.transpose() * (board.X_WB.p - X_WC.p))).cast<float>();
-    if (p_B.z() < 0.0) n_board_U_ = -n_board_U_;  // its face, which looks along -z
-  }
-
-  float operator()(const Seen& seen, Tan tan, float blur, int turn) const {
-    const Eigen::Vector3f n = UnpackNormal(seen);
-    const Floats& f = objects_[static_cast<std::size_t>(ObjectOf(seen))];
-    const float share =
-        n.z() > 0.0f ? Share(tan, -seen.code, n, kCurvedBias_m, blur, turn, kSearches, kPoints)
-                     : 0.0f;
-    return Shade(f.sun, f.sky, f.bounce, n.z(), n.dot(up_U_), share);
-  }
-  float BoardShare(Tan tan, float blur, int turn) const {
-    if (n_board_U_.z() <= 0.0f) return 0.0f;
-    // Its plane is known better than any ray's depth.
-    const float inverse_depth =
-        board_plane_C_.x() * tan.x + board_plane_C_.y() * tan.y + board_plane_C_.z();
-    return Share(tan, inverse_depth, n_board_U_, kFlatBias_m, blur, turn, kBoardSearches,
-                 kBoardPoints);
-  }
-  /// Radiance times cover.
-  float OfThin(const Thin& thin, Tan tan, float blur, int turn) const {
-    const float per = 1.0f / thin.cover;
-    const float share = Share(tan, thin.inverse_depth * per, Eigen::Vector3f::UnitZ(),
-                              kCurvedBias_m, blur, turn, kSearches, kPoints);
-    return thin.cover * Shade(thin_.sun, thin_.sky, thin_.bounce, thin.to_sun * per,
-                              thin.to_zenith * per, share);
-  }
-
- private:
-  struct Floats {
-    float sun, sky, bounce;
-  };
-  static Floats ToFloats(const Scene& scene, const Eigen::Vector3d& albedo, Channel channel) {
-    const Reflected r = Reflect(scene.light, albedo, channel);
-    return {static_cast<float>(r.sun), static_cast<float>(r.sky), static_cast<float>(r.bounce)};
-  }
-  float Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n, float bias, float blur,
-              int turn, int searches, int points) const {
-    const float z = 1.0f / inverse_depth;
-    return shadow_.Share({.p = p_UC_ + R_UC_ * Eigen::Vector3f(z * tan.x, z * tan.y, z),
-                          .n = n,
-                          .bias_m = bias,
-                          .blur_m = blur * z,
-                          .turn = turn},
-                         searches, points);
-  }
-
-  const SunShadow& shadow_;
-  Floats thin_;
-  std::vector<Floats> objects_;
-  Eigen::Matrix3f R_UC_;
-  Eigen::Vector3f p_UC_, up_U_, n_board_U_, board_plane_C_;
 };
 
 // The pixels of one row: where their middles look, and how that changes along and down the picture.
@@ -219,7 +119,9 @@ class Composer {
  public:
   Composer(const FlatView& wide, const FlatView* close, const Lit& lit, const Pose3& X_WC,
            Channel channel)
-      : wide_(wide), sky_(lit.scene, X_WC, channel), objects_(lit, X_WC, channel) {
+      : wide_(wide),
+        sky_(lit.scene, X_WC, channel),
+        objects_(lit.scene, lit.shadow, X_WC, channel) {
     if (close) close_.emplace(*close);
     if (HasGround(lit.scene.ground)) {
       ground_.emplace(lit.ground, lit.scene, lit.shadow, X_WC, channel);
@@ -252,6 +154,11 @@ class Composer {
     }
     return view.HasThin(at[0][0], at[0][1], at[3][0], at[3][1]) ? Behind(view, pixel, radiance)
                                                                 : radiance;
+  }
+
+  /// 1/z of what the middle of a pixel shows, thin bodies aside.
+  float InverseDepthAt(Tan middle) const {
+    return InverseDepth(wide_.At(wide_.Column(middle.x), wide_.Row(middle.y)).code);
   }
 
  private:
@@ -319,20 +226,10 @@ class Composer {
 
 }  // namespace
 
-Eigen::Vector3f UnpackNormal(const Seen& seen) {
-  constexpr float kPerStep = 2.0f / kNormalSteps;
-  const float x = static_cast<float>(seen.object & 4095u) * kPerStep - 1.0f;
-  const float y = static_cast<float>(seen.object >> 12 & 4095u) * kPerStep - 1.0f;
-  const float z = 1.0f - std::abs(x) - std::abs(y);
-  const float back = std::max(-z, 0.0f);  // folded over the edges
-  const float nx = x >= 0.0f ? x - back : x + back, ny = y >= 0.0f ? y - back : y + back;
-  const float shorten = 1.0f / std::sqrt(nx * nx + ny * ny + z * z);
-  return {nx * shorten, ny * shorten, z * shorten};
-}
-
 RadianceImage Compose(const PixelGrid& grid, const FlatView& wide, const FlatView* close,
-                      const Lit& lit, const Pose3& X_WC, Channel channel) {
-  RadianceImage image{.width = grid.width, .height = grid.height, .values = {}};
+                      const Lit& lit, const Pose3& X_WC, Channel channel, bool with_depth) {
+  RadianceImage image{
+      .width = grid.width, .height = grid.height, .values = {}, .inverse_depth = {}};
   image.values.resize(static_cast<std::size_t>(grid.width) * grid.height);
   const Composer composer(wide, close, lit, X_WC, channel);
   Row row(grid.width);
@@ -340,6 +237,7 @@ RadianceImage Compose(const PixelGrid& grid, const FlatView& wide, const FlatVie
     row.Fill(grid, y);
     float* out = &image.values[static_cast<std::size_t>(y) * grid.width];
     for (int x = 0; x < grid.width; ++x) {
+      if (with_depth) image.inverse_depth.push_back(composer.InverseDepthAt({row.x[x], row.y[x]}));
       out[x] = composer({.middle = {row.x[x], row.y[x]},
                          .along = {row.along_x[x], row.along_y[x]},
                          .down = {row.down_x[x], row.down_y[x]},

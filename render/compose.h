@@ -28,6 +28,6 @@ struct Lit {
 
 /// close may be null; it is used where it holds the whole footprint.
 RadianceImage Compose(const PixelGrid& grid, const FlatView& wide, const FlatView* close,
-                      const Lit& lit, const Pose3& X_WC, Channel channel);
+                      const Lit& lit, const Pose3& X_WC, Channel channel, bool with_depth);
 
 }  // namespace dockyard

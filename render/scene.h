@@ -42,6 +42,10 @@ struct BoardView {
   Eigen::Vector2d p_BH{0, 0};  // centre of a round hole in the plate; it may reach over its edge
   double hole_radius_m = 0.0;  // 0: no hole
   double white_albedo = 0.85, black_albedo = 0.05;  // assumed: matt paint, 0.75-0.9 and 0.03-0.08
+  // Dust on its face: mean share covered, 0 to 0.6, where it lies, its albedo (that of the soil).
+  double dust_cover = 0.0;
+  std::uint64_t dust_seed = 1;
+  Eigen::Vector3d dust_albedo{0.45, 0.36, 0.28};
 };
 
 struct TetherView {

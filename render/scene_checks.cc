@@ -22,6 +22,8 @@ void RequireLight(const SunAndSky& light) {
   Require(light.sun_irradiance >= 0.0 && light.sky_irradiance >= 0.0 &&
               light.ground_bounce_albedo >= 0.0,
           "light must not be negative");
+  Require(light.sun_rgb.minCoeff() >= 0.0 && light.sky_rgb.minCoeff() >= 0.0,
+          "no colour of light may be negative");
   Require(light.sun_angular_diameter_rad >= 0.0 && light.sun_angular_diameter_rad < 0.2,
           "the sun's diameter must lie in 0 to 0.2 rad");
 }
@@ -34,6 +36,8 @@ void RequireBoard(const BoardView& view) {
   for (const Fiducial& f : board.fiducials) {
     Require(f.p_BF.allFinite() && std::isfinite(f.rotation), "a fiducial is not finite");
   }
+  Require(view.dust_cover >= 0.0 && view.dust_cover <= 0.6,
+          "dust must cover 0 to 0.6 of the board");
   RequirePose(view.X_WB, "the board's");
 }
 

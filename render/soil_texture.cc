@@ -101,6 +101,7 @@ Field MakeField(std::uint64_t seed) {
 }  // namespace
 
 std::vector<std::uint8_t> SoilTexture(std::uint64_t seed) {
+  if (seed == 0) return std::vector<std::uint8_t>(4u * kSoilSide * kSoilSide, 128);
   const Field field = MakeField(seed);
   std::vector<std::uint8_t> texels(4u * kSoilSide * kSoilSide);
   const auto height = [&](int x, int y) { return field.height_m[Wrap(y) * kSoilSide + Wrap(x)]; };

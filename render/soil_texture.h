@@ -12,6 +12,7 @@ inline constexpr int kSoilSide = 1024;
 inline constexpr double kSoilTile_m = 1.6;
 inline constexpr double kSoilSlopeFull = 1.5;
 
+/// Seed 0: level and even, no grain at all.
 std::vector<std::uint8_t> SoilTexture(std::uint64_t seed);
 
 /// The same picture at kLumpSide texels a side, for tone over wide ground.

@@ -79,16 +79,19 @@ class StereoRenderer::Impl {
     close_target_.reset();
   }
 
-  std::array<RadianceImage, 2> RenderRadiance(const Scene& scene, const StereoRig& rig,
-                                              const Pose3& X_WR, Channel channel) {
+  /// Each channel of both views.
+  std::array<std::vector<RadianceImage>, 2> Render(const Scene& scene, const StereoRig& rig,
+                                                   const Pose3& X_WR,
+                                                   const std::vector<Channel>& channels,
+                                                   bool with_depth) {
     RequireSoundScene(scene);
     context_->MakeCurrent();
     painter_->Prepare(scene, X_WR);
     if (HasGround(scene.ground)) {
       texture_.Update(scene.ground, scene.light.to_sun_W, scene.light.sun_angular_diameter_rad);
     }
-    return {RenderEye(scene, LensOf(0, rig.left), X_WR * rig.X_RL, channel),
-            RenderEye(scene, LensOf(1, rig.right), X_WR * rig.X_RQ, channel)};
+    return {RenderEye(scene, LensOf(0, rig.left), X_WR * rig.X_RL, channels, with_depth),
+            RenderEye(scene, LensOf(1, rig.right), X_WR * rig.X_RQ, channels, with_depth)};
   }
 
  private:
@@ -116,8 +119,8 @@ class StereoRenderer::Impl {
     return *lens;
   }
 
-  RadianceImage RenderEye(const Scene& scene, const Lens& lens, const Pose3& X_WC,
-                          Channel channel) {
+  std::vector<RadianceImage> RenderEye(const Scene& scene, const Lens& lens, const Pose3& X_WC,
+                                       const std::vector<Channel>& channels, bool with_depth) {
     const Camera& camera = lens.camera;
     const TanRect& rect = lens.rect;
     Size(camera, rect, kWideDensity, kMostFlatPixels, wide_);
@@ -130,7 +133,12 @@ class StereoRenderer::Impl {
         close = &close_;
       }
     }
-    return Compose(lens.grid, wide_, close, {scene, texture_, painter_->shadow()}, X_WC, channel);
+    const Lit lit{scene, texture_, painter_->shadow()};
+    std::vector<RadianceImage> images;
+    for (const Channel channel : channels) {
+      images.push_back(Compose(lens.grid, wide_, close, lit, X_WC, channel, with_depth));
+    }
+    return images;
   }
 
   void PaintInto(std::unique_ptr<GlViewTarget>& target, const Pose3& X_WC, FlatView& view) {
@@ -154,14 +162,30 @@ StereoRenderer::StereoRenderer(GlBackend backend) : impl_(std::make_unique<Impl>
 StereoRenderer::~StereoRenderer() = default;
 
 std::array<RadianceImage, 2> StereoRenderer::RenderRadiance(const Scene& scene,
-                                                            const StereoRig& rig,
-                                                            const Pose3& X_WR) {
-  return impl_->RenderRadiance(scene, rig, X_WR, Channel::kGrey);
+                                                            const StereoRig& rig, const Pose3& X_WR,
+                                                            bool with_depth) {
+  auto eyes = impl_->Render(scene, rig, X_WR, {Channel::kGrey}, with_depth);
+  return {std::move(eyes[0][0]), std::move(eyes[1][0])};
+}
+
+std::array<std::array<RadianceImage, 3>, 2> StereoRenderer::RenderColour(const Scene& scene,
+                                                                         const StereoRig& rig,
+                                                                         const Pose3& X_WR,
+                                                                         bool with_depth) {
+  auto eyes =
+      impl_->Render(scene, rig, X_WR, {Channel::kRed, Channel::kGreen, Channel::kBlue}, with_depth);
+  std::array<std::array<RadianceImage, 3>, 2> colour;
+  for (int eye = 0; eye < 2; ++eye) {
+    for (int channel = 0; channel < 3; ++channel) {
+      colour[eye][channel] = std::move(eyes[eye][channel]);
+    }
+  }
+  return colour;
 }
 
 StereoImages StereoRenderer::Render(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
                                     const SensorOptions& sensor) {
-  return ExposeStereo(RenderRadiance(scene, rig, X_WR), rig, sensor);
+  return ExposeStereo(RenderRadiance(scene, rig, X_WR, sensor.focus.distance_m > 0.0), rig, sensor);
 }
 
 }  // namespace dockyard

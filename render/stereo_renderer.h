@@ -15,20 +15,39 @@ namespace dockyard {
 /// Linear radiance of one ideal view: exact lens geometry, no sensor.
 struct RadianceImage {
   int width = 0, height = 0;
-  std::vector<float> values;  // one grey channel, row by row from the top left
+  std::vector<float> values;           // one channel, row by row from the top left
+  std::vector<float> inverse_depth{};  // 1/z of what each pixel shows [1/m]; empty: not asked for
   float at(int x, int y) const { return values[static_cast<std::size_t>(y) * width + x]; }
 };
 
-/// The sensor behind the lens.
+/// Thin lens; all is sharp when distance_m is 0.
+struct Focus {
+  double focal_length_m = 0.0, f_number = 0.0, distance_m = 0.0, pixel_pitch_m = 0.0;
+};
+
+/// The sensor behind the lens. Equations and sources: docs/images.md.
 struct SensorOptions {
   double full_well_e = 20000.0;
   double read_noise_e = 15.0;
+  double response_sigma = 0.0;  // of pixels among each other, 1 sigma; the same in every picture
+  int bits = 8;                 // 8 to 16
   double vignetting_exponent = 0.0;
   double blur_sigma_px = 0.0;  // Gaussian, lens and pixel together
+  Focus focus{};
   // Automatic exposure: the radiance that this share of pixels exceeds is put at target_level.
   double exposure_percent = 5.0;  // MSL navcam practice: 5 % of pixels above the cut
   double target_level = 0.49;     // 2000 of 4095
+  double fixed_exposure_e = 0.0;  // electrons of radiance 1; 0: automatic
+  double exposure_stops = 0.0;    // off that, as a power of two: one of a bracket
   std::uint64_t noise_key = 0;    // stream of this picture
+  std::uint64_t pattern_key = 0;  // stream of these cameras
+};
+
+/// A picture as the converter gave it: 0 to 2^bits - 1.
+struct DeepImage {
+  int width = 0, height = 0, bits = 8;
+  std::vector<std::uint16_t> pixels;  // row by row from the top left
+  bool operator==(const DeepImage&) const = default;
 };
 
 enum class GlBackend { kOsMesa, kEglSurfaceless };
@@ -43,7 +62,11 @@ class StereoRenderer {
 
   /// Both ideal views. X_WR: rover body in the world; the rig is the world's, not the calibration.
   std::array<RadianceImage, 2> RenderRadiance(const Scene& scene, const StereoRig& rig,
-                                              const Pose3& X_WR);
+                                              const Pose3& X_WR, bool with_depth = false);
+  /// Red, green and blue of both ideal views; their luminance is what RenderRadiance gives.
+  std::array<std::array<RadianceImage, 3>, 2> RenderColour(const Scene& scene, const StereoRig& rig,
+                                                           const Pose3& X_WR,
+                                                           bool with_depth = false);
   /// Both views through the sensor; one exposure for the pair.
   StereoImages Render(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
                       const SensorOptions& sensor);
@@ -53,7 +76,15 @@ class StereoRenderer {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Exposure, noise and quantisation of a pair of ideal views; pure function of its arguments.
+/// Lens, exposure, noise and quantisation of a pair of ideal views; pure functions of their
+/// arguments. The views hold depths if the lens has a focus.
+std::array<DeepImage, 2> ExposeDeep(const std::array<RadianceImage, 2>& radiance,
+                                    const StereoRig& rig, const SensorOptions& sensor);
+/// The same in colour: red, green, blue of each eye, exposed as the grey pair would be.
+std::array<std::array<DeepImage, 3>, 2> ExposeColour(
+    const std::array<std::array<RadianceImage, 3>, 2>& radiance, const StereoRig& rig,
+    const SensorOptions& sensor);
+/// What the controller gets: the upper eight bits.
 StereoImages ExposeStereo(const std::array<RadianceImage, 2>& radiance, const StereoRig& rig,
                           const SensorOptions& sensor);
 

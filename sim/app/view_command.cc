@@ -14,6 +14,7 @@ namespace {
 struct ViewArguments {
   ScenarioOptions scenario;
   std::string out_dir;
+  bool colour = false;
 };
 
 constexpr const char* kHelp = R"(Render the stereo pair at a scenario's start pose.
@@ -21,12 +22,16 @@ constexpr const char* kHelp = R"(Render the stereo pair at a scenario's start po
 Examples:
   dockyard view scenarios/axel_typical.yaml --out out/view
   dockyard view scenarios/axel_typical.yaml --set start.r_m=2 --set light=hard_shadow --out out/near
+  dockyard view scenarios/axel_typical.yaml --colour --set sun.temperature_k=4500 --out out/warm
 
 Writes left.png, right.png and view.json: the board's true pose and, for each fiducial and camera,
-its projected centre, the centroid of the projected disc and the share that is hidden.)";
+its projected centre, the centroid of the projected disc and the share that is hidden. With --colour
+(or camera.colour in the scenario) also left_colour.png and right_colour.png, linear red, green and
+blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.png of 16 bits.)";
 
 int View(const ViewArguments& arguments) {
-  const Scenario scenario = Load(arguments.scenario);
+  Scenario scenario = Load(arguments.scenario);
+  scenario.colour = scenario.colour || arguments.colour;
   MakeFolder(arguments.out_dir);
   WriteStartView(scenario, arguments.out_dir);
   PrintNote("left.png, right.png and view.json in " + arguments.out_dir);
@@ -40,6 +45,7 @@ void AddViewCommand(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("view", kHelp);
   AddScenarioOptions(*command, arguments->scenario);
   command->add_option("--out", arguments->out_dir, "folder for the pictures")->required();
+  command->add_flag("--colour", arguments->colour, "write colour pictures beside the grey ones");
   command->callback([arguments, &exit_code] { exit_code = View(*arguments); });
 }
 

@@ -58,8 +58,9 @@ BuiltRun BuildRun(const Scenario& scenario) {
 
   run.built_rig = BuiltRig(world.rover.stereo, scenario.seed);
   run.X_WD = FromGround(world.X_WG * world.X_GD, 0.0);
-  run.lighting =
-      MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed);
+  run.lighting = MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed,
+                              scenario.sun);
+  run.lighting.board_dust = scenario.board_dust;
   return run;
 }
 

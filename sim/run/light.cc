@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "models/random.h"
+#include "render/blackbody.h"
 
 namespace dockyard {
 namespace {
@@ -18,7 +19,8 @@ Eigen::Vector3d ToSun(double azimuth_rad, double elevation_rad) {
 Pose3 FacingSun(const Eigen::Vector3d& p, const Eigen::Vector3d& to_sun) {
   Pose3 X;
   X.R.col(2) = to_sun;
-  X.R.col(0) = Eigen::Vector3d::UnitZ().cross(to_sun).normalized();
+  const Eigen::Vector3d level = Eigen::Vector3d::UnitZ().cross(to_sun);
+  X.R.col(0) = level.norm() > 1e-6 ? level.normalized() : Eigen::Vector3d::UnitY();
   X.R.col(1) = to_sun.cross(X.R.col(0));
   X.p = p;
   return X;
@@ -64,23 +66,29 @@ RenderMesh Leaves(RandomStream& random) {
   return mesh;
 }
 
-Lighting Even(RandomStream& random) {
+/// The sun where the file wants it, else where the kind of light has drawn it.
+Eigen::Vector3d Wanted(const SunModel& sun, double azimuth_rad, double elevation_rad) {
+  return ToSun(std::isnan(sun.azimuth_rad) ? azimuth_rad : sun.azimuth_rad,
+               std::isnan(sun.elevation_rad) ? elevation_rad : sun.elevation_rad);
+}
+
+Lighting Even(RandomStream& random, const SunModel& sun) {
   Lighting lit;
   const double azimuth = Radians(random.Uniform(-50.0, 50.0));
   const double elevation = Radians(random.Uniform(45.0, 60.0));
-  lit.sun_and_sky.to_sun_W = ToSun(azimuth, elevation);
+  lit.sun_and_sky.to_sun_W = Wanted(sun, azimuth, elevation);
   // assumed: thin cloud, direct to diffuse about 1 : 1 (range 0.5-2)
   lit.sun_and_sky.sun_irradiance = 1.0;
   lit.sun_and_sky.sky_irradiance = 0.8;
   return lit;
 }
 
-Lighting Speckled(RandomStream& random, const Eigen::Vector3d& p_DB) {
+Lighting Speckled(RandomStream& random, const Eigen::Vector3d& p_DB, const SunModel& sun) {
   Lighting lit;
   const double side = random.Uniform() < 0.5 ? -1.0 : 1.0;
   const double azimuth = side * Radians(random.Uniform(25.0, 45.0));
   const double elevation = Radians(random.Uniform(48.0, 58.0));
-  const Eigen::Vector3d to_sun = ToSun(azimuth, elevation);
+  const Eigen::Vector3d to_sun = Wanted(sun, azimuth, elevation);
   lit.sun_and_sky.to_sun_W = to_sun;
   // assumed: clear desert sky, direct to diffuse 3 : 1 under a crown that scatters (range 2-5)
   lit.sun_and_sky.sun_irradiance = 1.2;
@@ -92,12 +100,12 @@ Lighting Speckled(RandomStream& random, const Eigen::Vector3d& p_DB) {
   return lit;
 }
 
-Lighting HardShadow(RandomStream& random, const Eigen::Vector3d& p_DB) {
+Lighting HardShadow(RandomStream& random, const Eigen::Vector3d& p_DB, const SunModel& sun) {
   Lighting lit;
   const double side = random.Uniform() < 0.5 ? -1.0 : 1.0;
   const double azimuth = side * Radians(random.Uniform(45.0, 65.0));
   const double elevation = Radians(random.Uniform(30.0, 45.0));
-  const Eigen::Vector3d to_sun = ToSun(azimuth, elevation);
+  const Eigen::Vector3d to_sun = Wanted(sun, azimuth, elevation);
   lit.sun_and_sky.to_sun_W = to_sun;
   // assumed: clear desert sky, direct to diffuse on a surface facing the sun 6 : 1 (range 4-9)
   lit.sun_and_sky.sun_irradiance = 1.3;
@@ -127,20 +135,22 @@ Lighting HardShadow(RandomStream& random, const Eigen::Vector3d& p_DB) {
 }  // namespace
 
 Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB,
-                      std::uint64_t seed) {
+                      std::uint64_t seed, const SunModel& sun) {
   RandomStream random(StreamKey(seed, "light"));
   Lighting lit;
   switch (light) {
     case Light::kEven:
-      lit = Even(random);
+      lit = Even(random, sun);
       break;
     case Light::kSpeckled:
-      lit = Speckled(random, p_DB);
+      lit = Speckled(random, p_DB, sun);
       break;
     case Light::kHardShadow:
-      lit = HardShadow(random, p_DB);
+      lit = HardShadow(random, p_DB, sun);
       break;
   }
+  if (sun.temperature_k > 0.0) lit.sun_and_sky.sun_rgb = BlackbodyRgb(sun.temperature_k);
+  if (sun.sky_temperature_k > 0.0) lit.sun_and_sky.sky_rgb = BlackbodyRgb(sun.sky_temperature_k);
   // Made in the dock frame, placed in the world.
   lit.sun_and_sky.to_sun_W = X_WD.R * lit.sun_and_sky.to_sun_W;
   for (SceneObject& occluder : lit.occluders) occluder.X_WO = X_WD * occluder.X_WO;

@@ -14,12 +14,14 @@ namespace dockyard {
 struct Lighting {
   SunAndSky sun_and_sky;
   std::vector<SceneObject> occluders;  // posed in the world; they stay where they are
+  double board_dust = 0.0;             // mean share of the board's face under dust
 };
 
 /// @param X_WD   the dock's ground frame in the world: the board faces along its +x
 /// @param p_DB   the board's centre in it [m]
 /// @param seed   of the run; sun's place and the occluders' detail vary with it
+/// @param sun    what the file says of it; its azimuth counts from +x of D, counter-clockwise
 Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB,
-                      std::uint64_t seed);
+                      std::uint64_t seed, const SunModel& sun = {});
 
 }  // namespace dockyard

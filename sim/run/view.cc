@@ -103,6 +103,9 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   scene.board.X_WB = truth.X_WS * X_SB_;
   scene.board.p_BH = cutout_.p_B;
   scene.board.hole_radius_m = cutout_.radius_m;
+  scene.board.dust_cover = lighting_.board_dust;
+  scene.board.dust_seed = texture_seed_;
+  scene.board.dust_albedo = soil_rgb_;
   scene.tether.points_W = truth.tether_W;
   scene.tether.diameter_m = tether_diameter_m_;
   scene.light = lighting_.sun_and_sky;
@@ -110,11 +113,25 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
 }
 
 SensorOptions CameraSensor(const StereoModel& stereo, std::uint64_t run_seed, int index) {
+  const ExposureModel& exposure = stereo.exposure;
+  constexpr double kTurns[3] = {0.0, -1.0, 1.0};
+  const bool bracketed = exposure.rule == ExposureRule::kBracketed;
   return {.full_well_e = stereo.full_well_e,
           .read_noise_e = stereo.read_noise_e,
+          .response_sigma = stereo.response_sigma,
+          .bits = stereo.bits,
           .vignetting_exponent = stereo.vignetting_exponent,
           .blur_sigma_px = stereo.blur_sigma_px,
-          .noise_key = RunSeed(StreamKey(run_seed, "camera"), static_cast<std::uint64_t>(index))};
+          .focus = {.focal_length_m = stereo.focus.focal_length_m,
+                    .f_number = stereo.focus.f_number,
+                    .distance_m = stereo.focus.distance_m,
+                    .pixel_pitch_m = stereo.focus.pixel_pitch_m},
+          .exposure_percent = exposure.percent,
+          .target_level = exposure.level,
+          .fixed_exposure_e = exposure.fixed_e,
+          .exposure_stops = bracketed ? exposure.bracket_stops * kTurns[index % 3] : 0.0,
+          .noise_key = RunSeed(StreamKey(run_seed, "camera"), static_cast<std::uint64_t>(index)),
+          .pattern_key = StreamKey(run_seed, "response")};
 }
 
 }  // namespace dockyard

@@ -7,6 +7,7 @@
 #include "sim/log/frame_codec.h"
 #include "sim/log/json_io.h"
 #include "sim/run/build_run.h"
+#include "sim/run/deep_png.h"
 #include "sim/run/fiducial_truth.h"
 #include "sim/run/view.h"
 
@@ -27,6 +28,25 @@ Json FiducialsJson(const Scene& scene, const Camera& camera, const Pose3& X_WC) 
   return list;
 }
 
+void WritePictures(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
+                   const SensorOptions& sensor, bool colour, const std::filesystem::path& out_dir) {
+  StereoRenderer renderer;
+  const bool with_depth = sensor.focus.distance_m > 0.0;
+  const auto radiance = renderer.RenderRadiance(scene, rig, X_WR, with_depth);
+  const StereoImages images = ExposeStereo(radiance, rig, sensor);
+  WriteWhole(out_dir / "left.png", EncodePng(images.left));
+  WriteWhole(out_dir / "right.png", EncodePng(images.right));
+  if (sensor.bits > 8) {
+    const auto deep = ExposeDeep(radiance, rig, sensor);
+    WriteWhole(out_dir / "left_deep.png", EncodePng(deep[0]));
+    WriteWhole(out_dir / "right_deep.png", EncodePng(deep[1]));
+  }
+  if (!colour) return;
+  const auto rgb = ExposeColour(renderer.RenderColour(scene, rig, X_WR, with_depth), rig, sensor);
+  WriteWhole(out_dir / "left_colour.png", EncodePng(rgb[0]));
+  WriteWhole(out_dir / "right_colour.png", EncodePng(rgb[1]));
+}
+
 }  // namespace
 
 void WriteStartView(const Scenario& scenario, const std::filesystem::path& out_dir) {
@@ -37,10 +57,8 @@ void WriteStartView(const Scenario& scenario, const std::filesystem::path& out_d
   const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
                              built.lighting, scenario.X_WG, scenario.seed);
   const Scene scene = builder.Make(truth, world.ground());
-  const StereoImages images = StereoRenderer().Render(
-      scene, built.built_rig, truth.X_WR, CameraSensor(built.world.rover.stereo, scenario.seed, 0));
-  WriteWhole(out_dir / "left.png", EncodePng(images.left));
-  WriteWhole(out_dir / "right.png", EncodePng(images.right));
+  WritePictures(scene, built.built_rig, truth.X_WR,
+                CameraSensor(built.world.rover.stereo, scenario.seed, 0), scenario.colour, out_dir);
 
   const Pose3 X_RB = Inverse(truth.X_WR) * scene.board.X_WB;
   Json view;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/physics_speed.h"
+#include "bench/picture_speed.h"
 #include "controller/docking/axel.h"
 #include "controller/vision/fiducials.h"
 #include "controller/vision/locate.h"
@@ -92,16 +93,26 @@ double ReportPhysics() {
   return loose;
 }
 
-void Report() {
-  const double loose = ReportPhysics();
+/// loose: physics steps per second to compare with; 0: none.
+void ReportEyes(double loose) {
   for (const auto& [width, height] : {std::pair(1024, 768), std::pair(640, 480)}) {
     const EyesSpeed eyes = TimeEyes(width, height);
     std::printf(
         "%4d x %3d: stereo pairs/s %.2f; detection %.1f ms an image; board from a pair %.1f ms\n",
         width, height, 1.0 / eyes.pair_s, 1e3 * eyes.detect_s, 1e3 * eyes.locate_s);
-    std::printf("            a pair costs as much as %.0f physics steps on loose sand\n",
-                eyes.pair_s * loose);
+    const double mujoco_s = MujocoPairSeconds(width, height);
+    std::printf(
+        "            a pair takes %.3f s of CPU, MuJoCo's renderer %.3f s: %.2f times as fast\n",
+        eyes.pair_s, mujoco_s, mujoco_s / eyes.pair_s);
+    if (loose > 0.0) {
+      std::printf("            a pair costs as much as %.0f physics steps on loose sand\n",
+                  eyes.pair_s * loose);
+    }
   }
+}
+
+void Report() {
+  ReportEyes(ReportPhysics());
   CampaignRun run;
   run.scenario = LoadScenario(kScenario);
   const RunRecord record = RunDocking(run, MakeBrain, {});
@@ -119,13 +130,15 @@ int main(int argc, char** argv) {
     dockyard::Report();
   } else if (mode == "physics") {
     dockyard::ReportPhysics();
+  } else if (mode == "pictures") {
+    dockyard::ReportEyes(0.0);
   } else if (mode == "one-second") {  // under callgrind, see scripts/bench
     dockyard::World world(dockyard::DrivingSetup(dockyard::kLoose));
     dockyard::DriveOneSecond(world);
   } else if (mode == "cone") {
     std::printf("%.0f\n", dockyard::ConeStepsPerSecond(dockyard::kLoose));
   } else {
-    std::fprintf(stderr, "usage: %s [all|physics|cone|one-second]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [all|physics|pictures|cone|one-second]\n", argv[0]);
     return 2;
   }
   return 0;

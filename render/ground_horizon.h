@@ -1,0 +1,22 @@
+// The ground's shadow on what stands over it. No GL.
+#pragma once
+
+#include "render/scene.h"
+
+namespace dockyard {
+
+class GroundHorizon {
+ public:
+  /// The scene must outlive this.
+  explicit GroundHorizon(const Scene& scene);
+  /// Share of the sun's disc over the ground's horizon, seen from a point of the site frame.
+  float Share(const Eigen::Vector3f& p_G) const;
+
+ private:
+  const GroundView& ground_;
+  float highest_m_ = -1e9f, sun_radius_rad_ = 0.0f;
+  Eigen::Vector2f level_{0, 0};  // towards the sun, length 1
+  float slope_ = 0.0f;           // of the sun's rays
+};
+
+}  // namespace dockyard

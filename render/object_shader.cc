@@ -1,0 +1,92 @@
+#include "render/object_shader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard {
+namespace {
+
+// A shaded facet's normal and its plane differ by the sagitta of its curve.
+constexpr float kCurvedBias_m = 0.003f, kFlatBias_m = 0.001f;
+// Points of the sun's disc: to find casters, to measure their cover.
+constexpr int kSearches = 4, kPoints = 8, kBoardSearches = 8, kBoardPoints = 16;
+
+}  // namespace
+
+Eigen::Vector3f UnpackNormal(const Seen& seen) {
+  constexpr float kPerStep = 2.0f / kNormalSteps;
+  const float x = static_cast<float>(seen.object & 4095u) * kPerStep - 1.0f;
+  const float y = static_cast<float>(seen.object >> 12 & 4095u) * kPerStep - 1.0f;
+  const float z = 1.0f - std::abs(x) - std::abs(y);
+  const float back = std::max(-z, 0.0f);  // folded over the edges
+  const float nx = x >= 0.0f ? x - back : x + back, ny = y >= 0.0f ? y - back : y + back;
+  const float shorten = 1.0f / std::sqrt(nx * nx + ny * ny + z * z);
+  return {nx * shorten, ny * shorten, z * shorten};
+}
+
+ObjectShader::ObjectShader(const Scene& scene, const SunShadow& shadow, const Pose3& X_WC,
+                           Channel channel)
+    : shadow_(shadow), horizon_(scene), thin_(ToFloats(scene, scene.tether.albedo, channel)) {
+  const Pose3 X_UC = Inverse(shadow_.fit().X_WU) * X_WC;
+  R_UC_ = X_UC.R.cast<float>();
+  p_UC_ = X_UC.p.cast<float>();
+  const Pose3 X_GC = Inverse(scene.ground.X_WG) * X_WC;
+  R_GC_ = X_GC.R.cast<float>();
+  p_GC_ = X_GC.p.cast<float>();
+  up_U_ = shadow_.fit().X_WU.R.row(2).transpose().cast<float>();
+  for (const SceneObject& object : scene.objects) {
+    objects_.push_back(ToFloats(scene, object.albedo, channel));
+  }
+  const BoardView& board = scene.board;
+  n_board_U_ = (shadow_.fit().X_WU.R.transpose() * board.X_WB.R.col(2)).cast<float>();
+  const Eigen::Vector3d p_B = Inverse(board.X_WB) * X_WC.p;
+  const Eigen::Vector3d n_C = X_WC.R.transpose() * board.X_WB.R.col(2);
+  board_plane_C_ = (n_C / n_C.dot(X_WC.R.transpose() * (board.X_WB.p - X_WC.p))).cast<float>();
+  if (p_B.z() < 0.0) n_board_U_ = -n_board_U_;  // its face, which looks along -z
+}
+
+float ObjectShader::operator()(const Seen& seen, Tan tan, float blur, int turn) const {
+  const Eigen::Vector3f n = UnpackNormal(seen);
+  const Floats& f = objects_[static_cast<std::size_t>(ObjectOf(seen))];
+  const float share = n.z() > 0.0f
+                          ? Share(tan, -seen.code, n, kCurvedBias_m, blur, turn, kSearches, kPoints)
+                          : 0.0f;
+  return Shade(f.sun, f.sky, f.bounce, n.z(), n.dot(up_U_), share);
+}
+
+float ObjectShader::BoardShare(Tan tan, float blur, int turn) const {
+  if (n_board_U_.z() <= 0.0f) return 0.0f;
+  // Its plane is known better than any ray's depth.
+  const float inverse_depth =
+      board_plane_C_.x() * tan.x + board_plane_C_.y() * tan.y + board_plane_C_.z();
+  return Share(tan, inverse_depth, n_board_U_, kFlatBias_m, blur, turn, kBoardSearches,
+               kBoardPoints);
+}
+
+float ObjectShader::OfThin(const Thin& thin, Tan tan, float blur, int turn) const {
+  const float per = 1.0f / thin.cover;
+  const float share = Share(tan, thin.inverse_depth * per, Eigen::Vector3f::UnitZ(), kCurvedBias_m,
+                            blur, turn, kSearches, kPoints);
+  return thin.cover *
+         Shade(thin_.sun, thin_.sky, thin_.bounce, thin.to_sun * per, thin.to_zenith * per, share);
+}
+
+ObjectShader::Floats ObjectShader::ToFloats(const Scene& scene, const Eigen::Vector3d& albedo,
+                                            Channel channel) {
+  const Reflected r = Reflect(scene.light, albedo, channel);
+  return {static_cast<float>(r.sun), static_cast<float>(r.sky), static_cast<float>(r.bounce)};
+}
+
+float ObjectShader::Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n, float bias,
+                          float blur, int turn, int searches, int points) const {
+  const float z = 1.0f / inverse_depth;
+  const Eigen::Vector3f p_C(z * tan.x, z * tan.y, z);
+  const float over_ground = horizon_.Share(p_GC_ + R_GC_ * p_C);
+  if (over_ground == 0.0f) return 0.0f;
+  return over_ground *
+         shadow_.Share(
+             {.p = p_UC_ + R_UC_ * p_C, .n = n, .bias_m = bias, .blur_m = blur * z, .turn = turn},
+             searches, points);
+}
+
+}  // namespace dockyard

@@ -1,0 +1,43 @@
+// Light of objects and thin bodies for one camera, and the board's share of the sun. No GL.
+#pragma once
+
+#include <vector>
+
+#include "render/flat_view.h"
+#include "render/ground_horizon.h"
+#include "render/scene.h"
+#include "render/shading.h"
+#include "render/sun_shadow.h"
+
+namespace dockyard {
+
+class ObjectShader {
+ public:
+  /// scene and shadow must outlive this.
+  ObjectShader(const Scene& scene, const SunShadow& shadow, const Pose3& X_WC, Channel channel);
+
+  /// Radiance of an object where the ray (tan, 1) meets it. blur: half a pixel's width in the tan
+  /// plane; turn: see SunShadow.
+  float operator()(const Seen& seen, Tan tan, float blur, int turn) const;
+  /// Share of the sun where the ray meets the board's plane.
+  float BoardShare(Tan tan, float blur, int turn) const;
+  /// Radiance times cover.
+  float OfThin(const Thin& thin, Tan tan, float blur, int turn) const;
+
+ private:
+  struct Floats {
+    float sun, sky, bounce;
+  };
+  static Floats ToFloats(const Scene& scene, const Eigen::Vector3d& albedo, Channel channel);
+  float Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n, float bias, float blur,
+              int turn, int searches, int points) const;
+
+  const SunShadow& shadow_;
+  GroundHorizon horizon_;
+  Floats thin_;
+  std::vector<Floats> objects_;
+  Eigen::Matrix3f R_UC_, R_GC_;
+  Eigen::Vector3f p_UC_, p_GC_, up_U_, n_board_U_, board_plane_C_;
+};
+
+}  // namespace dockyard

@@ -1,0 +1,18 @@
+// What the lens does to an ideal view before it is light on the sensor: defocus, falloff, blur.
+#pragma once
+
+#include "render/stereo_renderer.h"
+
+namespace dockyard {
+
+/// Blur circle on the sensor of a point at depth z_m [px]; thin lens, c = f^2/N |z - zf| / (z (zf -
+/// f)) (e.g. Ray, Applied Photographic Optics). 0 when the focus distance is 0: all is sharp.
+double BlurCircle_px(const Focus& focus, double z_m);
+
+/// Throws std::invalid_argument when options are no lens's.
+void RequireSoundOptics(const SensorOptions& sensor);
+
+/// Defocus needs the view's depths.
+void ApplyOptics(const Camera& camera, const SensorOptions& sensor, RadianceImage& image);
+
+}  // namespace dockyard
