@@ -1,6 +1,7 @@
 // Collision of the rover's links with the station, piece by piece. Bullet's own algorithm for
 // compounds asks GJK about every pair of pieces whose boxes overlap, and in the socket that is all
-// of them; here a pair is asked about only when no face of the station's piece parts it from the
+// of them; here a pair is asked about only when, after what the link has moved since it was last
+// asked about, it may be near enough to meet and no face of the station's piece parts it from the
 // rover's piece.
 #pragma once
 
