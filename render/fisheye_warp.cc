@@ -70,11 +70,19 @@ void TanScale::TabulateRadius(const KannalaBrandt& lens) {
 }
 
 void TanScale::TabulateCorners() {
-  corners_.reserve(static_cast<std::size_t>(camera_.width + 1) * (camera_.height + 1));
+  const std::size_t count = static_cast<std::size_t>(camera_.width + 1) * (camera_.height + 1);
+  corners_.reserve(count);
+  const auto* cahvore = std::get_if<Cahvore>(&camera_.lens);
+  const bool moves = cahvore && !cahvore->E.isZero(0.0);
+  if (moves) pupil_m_.reserve(count);
   for (int y = 0; y <= camera_.height; ++y) {
     for (int x = 0; x <= camera_.width; ++x) {
-      const Eigen::Vector3d ray = RequiredRay(camera_, {x - 0.5, y - 0.5});
+      const Eigen::Vector2d pixel(x - 0.5, y - 0.5);
+      const Eigen::Vector3d ray = RequiredRay(camera_, pixel);
       corners_.emplace_back((ray.head<2>() / ray.z()).cast<float>());
+      if (moves) {
+        pupil_m_.push_back(static_cast<float>(camera_.Ray(pixel).origin.dot(cahvore->O)));
+      }
     }
   }
 }
@@ -93,10 +101,16 @@ Eigen::Vector2d TanScale::operator()(const Eigen::Vector2d& pixel) const {
   return {scale * mx, scale * my};
 }
 
-void TanScale::CornerRow(int y, std::vector<Eigen::Vector2f>& row) const {
+void TanScale::CornerRow(int y, const RayEnds& ends, std::vector<Eigen::Vector2f>& row) const {
   if (!corners_.empty()) {
-    const auto first = corners_.begin() + static_cast<std::ptrdiff_t>(y) * (camera_.width + 1);
-    row.assign(first, first + camera_.width + 1);
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * (camera_.width + 1);
+    row.assign(corners_.begin() + first, corners_.begin() + first + camera_.width + 1);
+    if (pupil_m_.empty()) return;
+    const Eigen::Vector3d& O = std::get<Cahvore>(camera_.lens).O;
+    for (int x = 0; x <= camera_.width; ++x) {
+      const Eigen::Vector3d o = static_cast<double>(pupil_m_[first + x]) * O;
+      row[x] = ends.Seen(o, row[x].cast<double>()).cast<float>();
+    }
     return;
   }
   row.resize(camera_.width + 1);

@@ -6,6 +6,7 @@
 
 #include "controller/geometry/camera.h"
 #include "render/flat_view.h"
+#include "render/pupil.h"
 
 namespace dockyard {
 
@@ -18,8 +19,11 @@ class TanScale {
   explicit TanScale(const Camera& camera);
   /// Tan-plane point of a pixel; error below 1e-8.
   Eigen::Vector2d operator()(const Eigen::Vector2d& pixel) const;
-  /// Of a whole row of pixel corners (x - 0.5, y - 0.5), x = 0 ... width.
-  void CornerRow(int y, std::vector<Eigen::Vector2f>& row) const;
+  /// Of a whole row of pixel corners (x - 0.5, y - 0.5), x = 0 ... width. A lens with a moving
+  /// pupil sees them where its rays end.
+  void CornerRow(int y, const RayEnds& ends, std::vector<Eigen::Vector2f>& row) const;
+  /// Whether the rays come from more than one point, so that rows depend on where they end.
+  bool pupil_moves() const { return !pupil_m_.empty(); }
 
   const Camera& camera() const { return camera_; }
 
@@ -31,6 +35,7 @@ class TanScale {
   double per_rho2_ = 0.0;
   std::vector<double> table_;             // tan(theta) / rho
   std::vector<Eigen::Vector2f> corners_;  // row by row
+  std::vector<float> pupil_m_;            // shift of each corner's ray along O; empty: a centre
 };
 
 /// The smallest rectangle that holds every pixel's footprint, grown by 2 % and 4 px.

@@ -90,27 +90,30 @@ class StereoRenderer::Impl {
     if (HasGround(scene.ground)) {
       texture_.Update(scene.ground, scene.light.to_sun_W, scene.light.sun_angular_diameter_rad);
     }
-    return {RenderEye(scene, LensOf(0, rig.left), X_WR * rig.X_RL, channels, with_depth),
-            RenderEye(scene, LensOf(1, rig.right), X_WR * rig.X_RQ, channels, with_depth)};
+    const Pose3 X_WL = X_WR * rig.X_RL, X_WQ = X_WR * rig.X_RQ;
+    return {RenderEye(scene, LensOf(0, rig.left, scene, X_WL), X_WL, channels, with_depth),
+            RenderEye(scene, LensOf(1, rig.right, scene, X_WQ), X_WQ, channels, with_depth)};
   }
 
  private:
-  // What a camera's pixels see does not change from picture to picture.
+  // What a camera's pixels see does not change from picture to picture, unless its pupil moves.
   struct Lens {
-    Camera camera;
+    TanScale scale;
     TanRect rect;
-    PixelGrid grid;
+    PixelGrid grid{};
   };
-  const Lens& LensOf(int eye, const Camera& camera) {
+  const Lens& LensOf(int eye, const Camera& camera, const Scene& scene, const Pose3& X_WC) {
     std::optional<Lens>& lens = lenses_[eye];
-    if (lens && lens->camera == camera) return *lens;
-    const TanScale scale(camera);
-    lens = Lens{.camera = camera, .rect = ImageRect(camera, scale), .grid = {}};
-    lens->grid.width = camera.width;
-    lens->grid.height = camera.height;
+    if (lens && lens->scale.camera() == camera && !lens->scale.pupil_moves()) return *lens;
+    if (!lens || !(lens->scale.camera() == camera)) {
+      const TanScale scale(camera);
+      lens = Lens{.scale = scale, .rect = ImageRect(camera, scale)};
+    }
+    const RayEnds ends(scene, X_WC);
+    lens->grid = {.width = camera.width, .height = camera.height, .x = {}, .y = {}};
     std::vector<Eigen::Vector2f> row;
     for (int y = 0; y <= camera.height; ++y) {
-      scale.CornerRow(y, row);
+      lens->scale.CornerRow(y, ends, row);
       for (const Eigen::Vector2f& corner : row) {
         lens->grid.x.push_back(corner.x());
         lens->grid.y.push_back(corner.y());
@@ -121,7 +124,7 @@ class StereoRenderer::Impl {
 
   std::vector<RadianceImage> RenderEye(const Scene& scene, const Lens& lens, const Pose3& X_WC,
                                        const std::vector<Channel>& channels, bool with_depth) {
-    const Camera& camera = lens.camera;
+    const Camera& camera = lens.scale.camera();
     const TanRect& rect = lens.rect;
     Size(camera, rect, kWideDensity, kMostFlatPixels, wide_);
     PaintInto(wide_target_, X_WC, wide_);

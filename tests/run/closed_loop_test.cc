@@ -115,6 +115,16 @@ TEST(ClosedLoop, TheWholeWorldMovedAndTurnedChangesNoCommand) {
   EXPECT_GT(pictures, 0);
 }
 
+// Lenses with a pupil that moves, in the world and in the controller's calibration.
+TEST(ClosedLoop, AShortDockingWithTheNavcamsOfMars2020Docks) {
+  const std::string navcam = std::string(DOCKYARD_SOURCE_DIR) + "/models/cameras/navcam.yaml";
+  const RunRecord record = RunDocking(
+      OneRun({"start.r_m=2.5", "start.alpha_deg=5", "time_limit_s=400", "camera.file=" + navcam}),
+      MakeBrain, {});
+  EXPECT_EQ(record.result.outcome, Outcome::kDocked) << record.failure_note;
+  EXPECT_GT(record.result.image_pairs, 0);
+}
+
 TEST(ClosedLoop, AShortDockingDocks) {
   const RunRecord record =
       RunDocking(OneRun({"start.r_m=2.5", "start.alpha_deg=5", "time_limit_s=400"}), MakeBrain, {});

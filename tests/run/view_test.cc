@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "models/load_scenario.h"
 #include "render/stereo_renderer.h"
@@ -15,6 +16,8 @@ namespace dockyard {
 namespace {
 
 const std::string kScenario = std::string(DOCKYARD_SOURCE_DIR) + "/scenarios/axel_typical.yaml";
+const std::string kNavcam =
+    "camera.file=" + std::string(DOCKYARD_SOURCE_DIR) + "/models/cameras/navcam.yaml";
 
 /// Centroid of a dark disc of about this radius near a place. Grey levels of the plate and of the
 /// ink come from rings inside the picture; a pixel counts by its share of ink, the middle with its
@@ -49,11 +52,12 @@ Eigen::Vector2d InkCentroid(const GrayImage& image, const Eigen::Vector2d& near,
   return moment / weight;
 }
 
-class StartView : public testing::TestWithParam<const char*> {};
+class StartView : public testing::TestWithParam<std::vector<std::string>> {};
 
 TEST_P(StartView, DiscCentroidsLieWhereThePictureHasThem) {
-  const Scenario scenario =
-      LoadScenario(kScenario, {std::string("start.r_m=") + GetParam(), "start.alpha_deg=0"});
+  std::vector<std::string> overrides = GetParam();
+  overrides.push_back("start.alpha_deg=0");
+  const Scenario scenario = LoadScenario(kScenario, overrides);
   BuiltRun built = BuildRun(scenario);
   const World world(built.world);
   const Truth truth = world.truth();
@@ -82,7 +86,13 @@ TEST_P(StartView, DiscCentroidsLieWhereThePictureHasThem) {
   EXPECT_LT(std::sqrt(squares / count), 0.1) << count << " discs";
 }
 
-INSTANTIATE_TEST_SUITE_P(Ranges, StartView, testing::Values("1.8", "2", "3", "4"));
+using Overrides = std::vector<std::string>;
+INSTANTIATE_TEST_SUITE_P(Ranges, StartView,
+                         testing::Values(Overrides{"start.r_m=1.8"}, Overrides{"start.r_m=2"},
+                                         Overrides{"start.r_m=3"}, Overrides{"start.r_m=4"}));
+INSTANTIATE_TEST_SUITE_P(NavcamRanges, StartView,
+                         testing::Values(Overrides{"start.r_m=1.8", kNavcam},
+                                         Overrides{"start.r_m=3", kNavcam}));
 
 TEST(FiducialTruth, ArmInFrontHidesWhatTheRendererHides) {
   // A plate a hand's breadth before one fiducial, and nothing before the others.

@@ -1,0 +1,27 @@
+// A lens whose entrance pupil moves with the angle sees from no one point, but a flat view is drawn
+// from one. Where a ray meets the scene tells which point of the flat view it shows.
+#pragma once
+
+#include "controller/geometry/camera.h"
+#include "render/scene.h"
+
+namespace dockyard {
+
+/// The two surfaces on which rays are taken to end: the board's plate, exactly; else the level
+/// ground under the yard; else nothing, far away. What stands elsewhere is drawn where the surface
+/// behind it would be: wrong by at most the pupil's shift over its distance.
+class RayEnds {
+ public:
+  RayEnds(const Scene& scene, const Pose3& X_WC);
+  /// The tan-plane point, seen from the camera's origin, that the ray shows. tan: the ray's own
+  /// direction over its z; o: its origin [m].
+  Eigen::Vector2d Seen(const Eigen::Vector3d& o, const Eigen::Vector2d& tan) const;
+
+ private:
+  Pose3 X_BC_;
+  double half_width_ = 0.0, half_height_ = 0.0;  // of the plate, with a margin; 0: no plate
+  Eigen::Vector3d up_C_;
+  double height_ = 0.0;  // of the camera above the ground
+};
+
+}  // namespace dockyard
