@@ -218,8 +218,7 @@ EyeCorrespondence Complete(const Scene& scene, const Candidate& candidate,
 }  // namespace
 
 Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
-                                                  const Camera& camera,
-                                                  const FiducialBoard& board,
+                                                  const Camera& camera, const FiducialBoard& board,
                                                   const Eigen::Vector3d& up_C, int min_marks) {
   if (static_cast<int>(detections.size()) < min_marks) return PoseFailure::kTooFewFiducials;
   const Scene scene = Prepare(detections, camera, board, min_marks);
@@ -247,7 +246,8 @@ std::vector<MarkMatch> MatchByPose(const std::vector<DetectedFiducial>& detectio
     const auto pixel = ProjectDisc(camera, X_CB, fiducial, board.disc_diameter_m);
     if (!pixel || !camera.Sees(*pixel)) continue;
     const double slant = std::max(X_CB.R.col(2).dot(p_C.normalized()), 0.05);
-    const double radius = 0.5 * board.disc_diameter_m * camera.focal_px().x() / p_C.norm() * std::sqrt(slant);
+    const double radius =
+        0.5 * board.disc_diameter_m * camera.focal_px().x() / p_C.norm() * std::sqrt(slant);
     expected.back() = Expected{*pixel, radius};
   }
   std::vector<MarkMatch> matches = Assign(detections, board, expected, 10.0);

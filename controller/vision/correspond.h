@@ -29,8 +29,7 @@ struct EyeCorrespondence {
 /// up_C: against gravity, unit, in the camera. With min_marks four instead of five a false one goes
 /// unnoticed in this picture alone: the other must confirm.
 Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
-                                                  const Camera& camera,
-                                                  const FiducialBoard& board,
+                                                  const Camera& camera, const FiducialBoard& board,
                                                   const Eigen::Vector3d& up_C, int min_marks = 5);
 
 /// The detections that a known pose explains, nearest first, each once.

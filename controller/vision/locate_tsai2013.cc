@@ -33,8 +33,8 @@ std::optional<Pose3> OneEye(const TsaiCorrespondence& eye, const Camera& camera,
   return minima[0].X_CB;
 }
 
-void AddMarks(const TsaiCorrespondence& eye, int view, const Camera& camera,
-              SightingReport* report, std::vector<MarkPixel>* marks) {
+void AddMarks(const TsaiCorrespondence& eye, int view, const Camera& camera, SightingReport* report,
+              std::vector<MarkPixel>* marks) {
   std::vector<bool> measured(eye.centres.size(), false);
   for (const MarkMatch& match : eye.matches) {
     const std::size_t id = static_cast<std::size_t>(match.id);

@@ -93,7 +93,7 @@ class Problem {
 
   /// How the errors move with what the calibration may be off by one sigma: focal length and centre
   /// of each camera.
-  Eigen::MatrixXd CalibrationJacobian() const {
+  Eigen::MatrixXd CalibrationJacobian(bool with_centre) const {
     const Eigen::Index each = 3;
     Eigen::MatrixXd J =
         Eigen::MatrixXd::Zero(rows(), each * static_cast<Eigen::Index>(views_.size()));
@@ -103,6 +103,7 @@ class Problem {
           views_[static_cast<std::size_t>(point.view)].camera.centre_px();
       const Eigen::Index row = 2 * static_cast<Eigen::Index>(i), column = each * point.view;
       J.block<2, 1>(row, column) = options_.spread.focal * (point.pixel - centre);
+      if (!with_centre) continue;
       J.block<2, 2>(row, column + 1) = options_.spread.centre_px * Eigen::Matrix2d::Identity();
     }
     return J / options_.sigma_px;
@@ -175,7 +176,7 @@ Estimate Descend(const Problem& problem, Estimate at, int max_iterations) {
 
 /// Covariance of the state, calibration spread as in Schmidt's consider covariance (NASA TR R-135,
 /// 1962): what is not estimated enters through its sensitivity.
-Eigen::MatrixXd StateCovariance(const Problem& problem, const Estimate& at) {
+Eigen::MatrixXd StateCovariance(const Problem& problem, const Estimate& at, bool with_centre) {
   const Eigen::VectorXd errors = problem.Errors(at.X_RB, at.turn);
   Eigen::VectorXd weights;
   problem.Cost(errors, &weights);
@@ -185,7 +186,7 @@ Eigen::MatrixXd StateCovariance(const Problem& problem, const Estimate& at) {
   const Eigen::MatrixXd P =
       A.ldlt().solve(Eigen::MatrixXd::Identity(problem.parameters(), problem.parameters()));
   const Eigen::MatrixXd K =
-      P * J.transpose() * weights.asDiagonal() * problem.CalibrationJacobian();
+      P * J.transpose() * weights.asDiagonal() * problem.CalibrationJacobian(with_centre);
   return P + K * K.transpose();
 }
 
@@ -248,9 +249,13 @@ RefinedPose RefinePoints(const std::vector<PointPixel>& points,
   const Eigen::VectorXd errors = problem.Errors(at.X_RB, at.turn);
   RefinedPose refined{.X_RB = at.X_RB, .turn = options.turn};
   refined.cost = problem.Cost(errors, nullptr);
-  const Eigen::MatrixXd state = StateCovariance(problem, at);
+  const Eigen::MatrixXd state = StateCovariance(problem, at, true);
   refined.covariance = PoseCovariance(state, at.X_RB, options.spread.mounting_rad);
-  if (problem.joint()) refined.turn = {at.turn, state.bottomRightCorner<3, 3>()};
+  if (problem.joint()) {
+    // A shift of the image centres acts as a turn and is part of what is estimated: the first
+    // belief holds it, so it does not widen the next one.
+    refined.turn = {at.turn, StateCovariance(problem, at, false).bottomRightCorner<3, 3>()};
+  }
   refined.view_rms_px.assign(views.size(), 0.0);
   std::vector<int> counts(views.size(), 0);
   double sum = 0.0;

@@ -98,8 +98,10 @@ void ReportEyes(double loose) {
   for (const auto& [width, height] : {std::pair(1024, 768), std::pair(640, 480)}) {
     const EyesSpeed eyes = TimeEyes(width, height);
     std::printf(
-        "%4d x %3d: stereo pairs/s %.2f; detection %.1f ms an image; board from a pair %.1f ms\n",
-        width, height, 1.0 / eyes.pair_s, 1e3 * eyes.detect_s, 1e3 * eyes.locate_s);
+        "%4d x %3d: stereo pairs/s %.2f; detection %.1f ms an image; board from a pair %.1f ms, "
+        "names and pose alone %.2f ms\n",
+        width, height, 1.0 / eyes.pair_s, 1e3 * eyes.detect_s, 1e3 * eyes.locate_s,
+        1e3 * (eyes.locate_s - 2.0 * eyes.detect_s));
     const double mujoco_s = MujocoPairSeconds(width, height);
     std::printf(
         "            a pair takes %.3f s of CPU, MuJoCo's renderer %.3f s: %.2f times as fast\n",

@@ -22,11 +22,13 @@ struct Arguments {
 
 void PrintRow(const std::string& name, const SurveyTally& t) {
   std::printf(
-      "  %-8s in view %4d  found %-24s accepted %-24s wrong %3d | centre %.3f px (%d), cut %.3f px "
-      "(%d) | range %6.2f cm heading %5.2f deg (%d rightly named) | nees %.1f\n",
+      "  %-8s in view %4d  found %-26s accepted %-26s wrong %3d | centre %.3f px (%d), cut %.3f px "
+      "(%d) | range %6.2f cm, heading %5.2f deg; of %d with six right marks in each picture %6.2f "
+      "cm, %5.2f deg | nees %.1f\n",
       name.c_str(), t.in_view, RateText(t.found, t.in_view).c_str(),
       RateText(t.accepted, t.in_view).c_str(), t.wrong, t.plain_rms_px(), t.plain, t.cut_rms_px(),
-      t.cut, 100.0 * t.named_range_rms_m(), Degrees(t.named_heading_rms_rad()), t.named,
+      t.cut, 100.0 * t.range_rms_m(), Degrees(t.heading_rms_rad()), t.named,
+      100.0 * t.named_range_rms_m(), Degrees(t.named_heading_rms_rad()),
       t.accepted > 0 ? t.nees / t.accepted : 0.0);
 }
 

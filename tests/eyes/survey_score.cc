@@ -22,6 +22,7 @@ LookScore Score(const YardLook& look, const LocateOutput& out) {
   int right = 0;
   for (const SightingReport::Mark& mark : out.report.marks) {
     ++score.detections;
+    ++(mark.right_camera ? score.right_marks : score.left_marks);
     const auto& eye = look.marks[mark.right_camera ? 1 : 0];
     if (eye.empty()) continue;
     const YardMark& truth = eye[static_cast<std::size_t>(mark.id)];
@@ -68,7 +69,7 @@ void SurveyTally::Add(const LookScore& score) {
   stereo += score.stereo;
   wrong += score.wrong;
   nees += score.nees;
-  if (score.wrong_marks == 0) {
+  if (score.wrong_marks == 0 && score.left_marks >= 6 && score.right_marks >= 6) {
     ++named;
     named_range_m2 += score.range_error_m * score.range_error_m;
     named_heading_rad2 += score.heading_error_rad * score.heading_error_rad;

@@ -18,6 +18,7 @@ struct LookScore {
   bool stereo = false;
   std::string reason{};  // why no pose came out
   int detections = 0, wrong_marks = 0;
+  int left_marks = 0, right_marks = 0;
   double range_error_m = 0.0, heading_error_rad = 0.0;  // of the rover in the dock
   // Distances of detected, rightly named fiducials from the truth, squared; unshaded or wholly
   // shaded ones, and those that a shadow's edge cuts.
@@ -33,7 +34,8 @@ struct SurveyTally {
   int looks = 0, in_view = 0, found = 0, accepted = 0, wrong = 0, stereo = 0, wrong_marks = 0;
   int plain = 0, cut = 0;
   double range_m2 = 0.0, heading_rad2 = 0.0, plain_px2 = 0.0, cut_px2 = 0.0, nees = 0.0;
-  // Over the accepted without a wrong mark: what is left when the naming is right.
+  // Over the accepted whose marks are all right, at least six in each picture ("typically 6-7",
+  // Tsai et al., V-D): what calibration and noise leave when detection and naming do their work.
   int named = 0;
   double named_range_m2 = 0.0, named_heading_rad2 = 0.0;
 
