@@ -44,17 +44,5 @@ TEST(Mating, ArmThatComesThreeDegreesAskewIsDrawnHomeAndHeld) {
   }
 }
 
-// Why the collar has a lead-in: without one its front stops at the throat, 0.12 m deep, with the
-// tip 0.125 m before it, and the arm is held by one disc.
-TEST(Mating, CollarWithoutALeadInStopsAtTheThroat) {
-  const auto depth = [](const std::vector<std::string>& sets) {
-    const BuiltRun built = Built("compact_gravel", 4.0, sets);
-    World world(built.world);
-    return -Reel(world, built.world.rover, 22.0).p_MT.x();
-  };
-  EXPECT_LT(depth({"changes.rover.arm.collar.front_radius_m=0.0312"}), 0.235);
-  EXPECT_GT(depth({}), 0.25);
-}
-
 }  // namespace
 }  // namespace dockyard
