@@ -10,8 +10,8 @@ constexpr int kRoverGroup = 1, kStationGroup = 2;
 constexpr double kBodyFriction = 0.4;
 // Collision is looked for when the rover's sphere comes this near the station's [m].
 constexpr double kNearM = 0.1;
-// Against 300 iterations to rounding, a docking's peak force on the cone changes by 0.1 N of 349 and
-// its pose by less than 0.01 mm.
+// Against 300 iterations to rounding, a docking's peak force on the cone changes by 0.1 N of 349
+// and its pose by less than 0.01 mm.
 constexpr int kSolverIterations = 30;
 // The solver stops early when a sweep changes no impulse by more than the root of this [(N s)^2]:
 // 3 mN at a step of 1 ms.
