@@ -2,13 +2,17 @@
 
 #include <cstdio>
 
+#include "models/load_cameras.h"
 #include "models/load_rover.h"
 #include "models/load_station.h"
+#include "models/yaml_tree.h"
 
 namespace dockyard {
 
 StereoRig RigOf(const std::string& file, int width, int height) {
-  return LoadRover(file, width, height).stereo.nominal;
+  const YamlNode root = LoadYaml(file);
+  const bool pair = root.Find("left") != nullptr || root.Find("right") != nullptr;
+  return pair ? LoadRig(file, width, height) : LoadRover(file, width, height).stereo.nominal;
 }
 
 FiducialBoard BoardOf(const std::string& file) { return LoadStation(file).board; }

@@ -141,7 +141,7 @@ TEST(LocateBoard, TheCamerasTurnIsLearntOverARun) {
   StereoRig built = kRig;
   built.X_RQ.R = built.X_RQ.R * RotY(Radians(0.3));
   LocateHints hints;
-  double sigma = std::sqrt(hints.camera_turn.covariance(1, 1));
+  const double at_first = std::sqrt(hints.camera_turn.covariance(1, 1));
   for (int i = 0; i < 6; ++i) {
     SyntheticScene scene = From(4.5 - 0.5 * i, 10.0 - 3.0 * i, 4.0);
     scene.seed = static_cast<std::uint64_t>(i + 1);
@@ -149,9 +149,8 @@ TEST(LocateBoard, TheCamerasTurnIsLearntOverARun) {
     const LocateOutput out = LocateBoard(SyntheticPair(scene, built), kRig, scene.board, hints);
     ASSERT_TRUE(out.sighting) << i;
     hints.camera_turn = out.sighting->camera_turn;
-    const double next = std::sqrt(hints.camera_turn.covariance(1, 1));
-    EXPECT_LE(next, sigma * 1.01);
-    sigma = next;
+    // It widens again as the board comes near, where an unknown focal length counts for more.
+    EXPECT_LT(std::sqrt(hints.camera_turn.covariance(1, 1)), 0.2 * at_first) << i;
   }
   EXPECT_NEAR(hints.camera_turn.mean_rad.y(), Radians(0.3), Radians(0.05));
 }
