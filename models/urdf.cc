@@ -3,12 +3,12 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
+#include "controller/geometry/decompositions.h"
 #include "models/config_error.h"
 #include "models/mesh_loader.h"
 #include "models/text_file.h"
@@ -57,7 +57,7 @@ void ReadInertial(const urdf::Inertial& in, const std::string& place, LinkModel&
   }
   link.p_LoCom_L = X_LI.p;
   link.I_LCom_L = X_LI.R * I * X_LI.R.transpose();
-  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(I).eigenvalues();
+  const Eigen::Vector3d moments = EigenOfSymmetric(I).values;
   const bool possible = moments[0] > 0.0 && moments[0] + moments[1] >= moments[2] * (1.0 - 1e-6);
   if (!possible) {
     Refuse(place,

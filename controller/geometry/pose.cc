@@ -45,6 +45,23 @@ Eigen::Matrix3d RotZ(double angle_rad) {
   return Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
+Eigen::Matrix3d RotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  // Two mirrors: one that keeps a, then one that swaps a and b; both stand across the plane of the
+  // two, so that the axis is square to both and the turn is the smallest.
+  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+  const auto mirror = [](const Eigen::Vector3d& normal) {
+    return Eigen::Matrix3d(Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose());
+  };
+  if (a.dot(b) > 0.0) {  // the middle of both is far from zero
+    const Eigen::Vector3d middle = (a + b).normalized();
+    return mirror(middle) * mirror(a);
+  }
+  const Eigen::Vector3d aside = b - a.dot(b) * a;
+  Eigen::Vector3d square = aside.norm() > 1e-14 ? aside.normalized() : a.unitOrthogonal();
+  square = (square - a.dot(square) * a).normalized();
+  return mirror((a - b).normalized()) * mirror(square);
+}
+
 RollPitchYaw ToRollPitchYaw(const Eigen::Matrix3d& R) {
   return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)),
           std::atan2(R(1, 0), R(0, 0))};

@@ -65,6 +65,10 @@ Eigen::Matrix3d RotX(double angle_rad);
 Eigen::Matrix3d RotY(double angle_rad);
 Eigen::Matrix3d RotZ(double angle_rad);
 
+/// The smallest rotation that brings the direction of `from` to that of `to`. Lengths do not
+/// matter, but must not be zero; opposite directions take any half turn.
+Eigen::Matrix3d RotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 /// Roll, pitch, yaw about the moving axes z-y'-x'': R = RotZ(yaw) RotY(pitch) RotX(roll).
 struct RollPitchYaw {
   double roll = 0.0, pitch = 0.0, yaw = 0.0;  // [rad]

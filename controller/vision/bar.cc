@@ -1,6 +1,6 @@
 #include "controller/vision/bar.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,7 +1,9 @@
 #include "controller/vision/ellipse.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
+
+#include "controller/geometry/decompositions.h"
 
 namespace dockyard {
 namespace {
@@ -18,15 +20,17 @@ std::optional<Conic> FitConic(const std::vector<Eigen::Vector2d>& points) {
     S2 += quadratic * linear.transpose();
     S3 += linear * linear.transpose();
   }
-  const Eigen::FullPivLU<Eigen::Matrix3d> lu(S3);
-  if (!lu.isInvertible()) return std::nullopt;
-  const Eigen::Matrix3d T = -lu.solve(S2.transpose());
+  Eigen::Matrix3d S3_inverse;
+  bool invertible = false;  // not when the points lie on a line
+  S3.computeInverseWithCheck(S3_inverse, invertible, 1e-12);
+  if (!invertible) return std::nullopt;
+  const Eigen::Matrix3d T = -S3_inverse * S2.transpose();
   const Eigen::Matrix3d M = S1 + S2 * T;
   Eigen::Matrix3d constrained;  // inverse of the ellipse constraint 4ac - b^2 = 1, times M
   constrained << M.row(2) / 2.0, -M.row(1), M.row(0) / 2.0;
-  const Eigen::EigenSolver<Eigen::Matrix3d> solver(constrained);
+  const GeneralEigen eigen = EigenOf(constrained);
   for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d a = solver.eigenvectors().col(i).real();
+    const Eigen::Vector3d a = eigen.vectors.col(i).real();
     if (4.0 * a(0) * a(2) - a(1) * a(1) <= 0.0) continue;
     Conic conic;
     conic << a, T * a;
@@ -41,9 +45,13 @@ std::optional<Ellipse> FromConic(const Conic& q) {
   if (std::abs(A.determinant()) < 1e-12 * A.squaredNorm()) return std::nullopt;
   const Eigen::Vector2d centre = -0.5 * A.inverse() * q.segment<2>(3);
   const double level = centre.dot(A * centre) - q(5);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eig(A / level);
-  if (!(eig.eigenvalues().minCoeff() > 0.0)) return std::nullopt;
-  return Ellipse{.centre_px = centre, .shape_px = eig.operatorInverseSqrt()};
+  A /= level;
+  const double det = A.determinant(), trace = A.trace();
+  if (!(det > 0.0) || !(trace > 0.0)) return std::nullopt;
+  // The square root of a positive 2 x 2 matrix (Cayley-Hamilton), and its inverse.
+  const Eigen::Matrix2d root =
+      (A + std::sqrt(det) * Eigen::Matrix2d::Identity()) / std::sqrt(trace + 2.0 * std::sqrt(det));
+  return Ellipse{.centre_px = centre, .shape_px = root.inverse()};
 }
 
 }  // namespace
@@ -51,7 +59,9 @@ std::optional<Ellipse> FromConic(const Conic& q) {
 double Ellipse::mean_radius_px() const { return std::sqrt(shape_px.determinant()); }
 
 Eigen::Vector2d Ellipse::semi_axes_px() const {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(shape_px).eigenvalues();
+  const double half = 0.5 * shape_px.trace();
+  const double apart = std::hypot(0.5 * (shape_px(0, 0) - shape_px(1, 1)), shape_px(0, 1));
+  return {half - apart, half + apart};
 }
 
 Eigen::Vector2d Ellipse::ToDisc(const Eigen::Vector2d& pixel) const {

@@ -1,6 +1,7 @@
 #include "controller/vision/homography.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -56,7 +57,7 @@ TangentPlane TangentPlaneAt(const std::vector<Eigen::Vector3d>& rays_C) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& ray : rays_C) mean += ray;
   if (mean.norm() < 1e-6) mean = Eigen::Vector3d::UnitZ();
-  return {Eigen::Quaterniond::FromTwoVectors(mean, Eigen::Vector3d::UnitZ()).toRotationMatrix()};
+  return {RotationBetween(mean, Eigen::Vector3d::UnitZ())};
 }
 
 std::optional<Eigen::Matrix3d> FitHomography(const std::vector<PlanePair>& pairs) {

@@ -1,8 +1,9 @@
 #include "controller/vision/p3p.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 
+#include "controller/geometry/decompositions.h"
 #include "controller/vision/stereo_pose.h"
 
 namespace dockyard {
@@ -15,10 +16,10 @@ std::vector<double> RealRoots(const std::array<double, 5>& a) {
   companion.bottomLeftCorner<3, 3>().setIdentity();
   for (int i = 0; i < 4; ++i) companion(i, 3) = -a[static_cast<std::size_t>(i)] / a[4];
   if (!companion.allFinite()) return {};
-  const Eigen::EigenSolver<Eigen::Matrix4d> solver(companion, false);
+  const GeneralEigen eigen = EigenOf(companion);
   std::vector<double> roots;
   for (int i = 0; i < 4; ++i) {
-    const std::complex<double> root = solver.eigenvalues()(i);
+    const std::complex<double> root = eigen.values(i);
     if (std::abs(root.imag()) < 1e-4 * (1.0 + std::abs(root.real()))) roots.push_back(root.real());
   }
   return roots;

@@ -1,10 +1,11 @@
 #include "controller/vision/planar_pose.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "controller/geometry/decompositions.h"
 #include "controller/vision/homography.h"
 
 namespace dockyard {
@@ -19,8 +20,7 @@ std::optional<Pose3> Decompose(const Eigen::Matrix3d& H) {
   M.col(1) = scale * H.col(1);
   M.col(2) = M.col(0).cross(M.col(1));
   if (!M.allFinite() || std::abs(M.determinant()) < 1e-12) return std::nullopt;
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return Pose3{.R = svd.matrixU() * svd.matrixV().transpose(), .p = scale * H.col(2)};
+  return Pose3{.R = NearestRotation(M), .p = scale * H.col(2)};
 }
 
 std::optional<Pose3> StartFromHomography(const std::vector<MarkPixel>& marks, const Camera& camera,
@@ -45,7 +45,7 @@ std::optional<Pose3> StartFromHomography(const std::vector<MarkPixel>& marks, co
 Pose3 Mirrored(const Pose3& X_CB) {
   const Eigen::Vector3d sight = X_CB.p.normalized(), normal = X_CB.R.col(2);
   const Eigen::Vector3d other = 2.0 * normal.dot(sight) * sight - normal;
-  return {Eigen::Quaterniond::FromTwoVectors(normal, other).toRotationMatrix() * X_CB.R, X_CB.p};
+  return {RotationBetween(normal, other) * X_CB.R, X_CB.p};
 }
 
 PlanarBranch Settle(const std::vector<MarkPixel>& marks, const Camera& camera,

@@ -1,11 +1,12 @@
 #include "controller/vision/point_pose.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
+#include "controller/geometry/decompositions.h"
 #include "controller/vision/p3p.h"
 #include "controller/vision/robust_planar_pose.h"
 #include "controller/vision/stereo_pose.h"
@@ -120,9 +121,9 @@ std::optional<Eigen::Vector3d> PlaneNormal(const std::vector<PointPixel>& points
   for (const PointPixel& point : points) {
     M += (point.p_B - *centre) * (point.p_B - *centre).transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eig(M);
-  if (eig.eigenvalues()(0) > 1e-8 * eig.eigenvalues()(2)) return std::nullopt;
-  return eig.eigenvectors().col(0);
+  const SymmetricEigen3 eigen = EigenOfSymmetric(M);
+  if (eigen.values(0) > 1e-8 * eigen.values(2)) return std::nullopt;
+  return eigen.vectors.col(0);
 }
 
 /// The planar ambiguity's other branch: the plane's normal mirrored about the line of sight.
@@ -137,7 +138,7 @@ void AddOtherBranch(const std::vector<PointPixel>& points, const std::vector<Cam
   const Eigen::Vector3d normal = X_CB.R * *normal_B;
   const Eigen::Vector3d other = 2.0 * normal.dot(sight) * sight - normal;
   Pose3 start;
-  start.R = Eigen::Quaterniond::FromTwoVectors(normal, other).toRotationMatrix() * X_CB.R;
+  start.R = RotationBetween(normal, other) * X_CB.R;
   start.p = centre_C - start.R * centre_B;
   const RefinedPose fit = RefinePoints(points, views, view.X_RC * start, {.fit_turn = false});
   if (Eigen::AngleAxisd(fit.X_RB.R.transpose() * pose->fit.X_RB.R).angle() < Radians(0.5)) return;
@@ -217,8 +218,7 @@ Result<PointPose, PoseFailure> AsTsai(const std::vector<PointPixel>& points, con
     if (!normal_B) return PoseFailure::kNoCorrespondence;
     // P: a frame in the plane, z along the normal.
     Pose3 X_BP;
-    X_BP.R =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), *normal_B).toRotationMatrix();
+    X_BP.R = RotationBetween(Eigen::Vector3d::UnitZ(), *normal_B);
     X_BP.p = centre_B;
     const CameraView& view = views[pose.method == "left" ? 0 : 1];
     std::vector<Eigen::Vector2d> points_P, sights;

@@ -1,8 +1,10 @@
 #include "controller/vision/robust_planar_pose.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "controller/geometry/decompositions.h"
 
 namespace dockyard {
 namespace {
@@ -56,10 +58,7 @@ class ObjectSpace {
       for (std::size_t k = 0; k < points_.size(); ++k) {
         M += (lines_[k] * (R * points_[k] + t)) * (points_[k] - mean).transpose();
       }
-      const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-      Eigen::Vector3d signs(1.0, 1.0, 1.0);
-      if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0) signs.z() = -1.0;
-      R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+      R = NearestRotation(M);
       t = Translation(R);
       const double next = Error(R, t);
       const bool done = std::abs(error - next) <= kStop * (error + 1e-18);
@@ -98,8 +97,7 @@ Eigen::Matrix3d Start(const std::vector<Eigen::Vector2d>& points_B,
 /// (Schweighofer and Pinz, section 3).
 std::vector<Eigen::Matrix3d> Minima(const ObjectSpace& space, const PlanarMinimum& first) {
   // R_t turns the translation onto the z axis; R_t R = R_z(a) R_y(b) R_z(c).
-  const Eigen::Matrix3d R_t =
-      Eigen::Quaterniond::FromTwoVectors(first.X_CB.p, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d R_t = RotationBetween(first.X_CB.p, Eigen::Vector3d::UnitZ());
   const Eigen::Matrix3d Q = R_t * first.X_CB.R;
   const double b = std::atan2(std::hypot(Q(2, 0), Q(2, 1)), Q(2, 2));
   if (std::sin(b) < 1e-9) return {};  // square to the view: nothing to turn about

@@ -1,9 +1,10 @@
 #include "controller/vision/stereo_pose.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "controller/base/check.h"
+#include "controller/geometry/decompositions.h"
 
 namespace dockyard {
 
@@ -36,11 +37,9 @@ std::optional<Pose3> FitRigid(const std::vector<Eigen::Vector3d>& points_B,
   for (std::size_t i = 0; i < points_A.size(); ++i) {
     M += (points_A[i] - mean_a) * (points_B[i] - mean_b).transpose();
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (!(svd.singularValues()(1) > 1e-9 * svd.singularValues()(0))) return std::nullopt;
-  Eigen::Vector3d signs(1.0, 1.0, 1.0);
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0) signs.z() = -1.0;
-  const Eigen::Matrix3d R_AB = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  const Svd3 svd = Svd(M);
+  if (!(svd.values(1) > 1e-9 * svd.values(0))) return std::nullopt;
+  const Eigen::Matrix3d R_AB = NearestRotation(svd);
   return Pose3{.R = R_AB, .p = mean_a - R_AB * mean_b};
 }
 

@@ -1,7 +1,9 @@
 #include "sim/physics/inertia.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
+
+#include "controller/geometry/decompositions.h"
 
 namespace dockyard {
 
@@ -18,10 +20,10 @@ PrincipalInertia FindPrincipalInertia(const LinkModel& link) {
     principal.moments = D.diagonal();
     return principal;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(I);
-  principal.X_LP.R = solver.eigenvectors();
+  const SymmetricEigen3 eigen = EigenOfSymmetric(I);
+  principal.X_LP.R = eigen.vectors;
   if (principal.X_LP.R.determinant() < 0.0) principal.X_LP.R.col(2) *= -1.0;
-  principal.moments = solver.eigenvalues();
+  principal.moments = eigen.values;
   return principal;
 }
 
