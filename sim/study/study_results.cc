@@ -57,6 +57,27 @@ std::vector<std::pair<int, std::vector<const StudyRow*>>> ByPoint(
   return {groups.begin(), groups.end()};
 }
 
+/// What it takes to bring the arm in: mean spool current and peak force on the cone from the mouth
+/// to 20 cm deep, before the socket's floor stops it. NaN when the tip never came past the mouth.
+struct Entry {
+  double current_a = std::nan(""), force_peak_n = std::nan("");
+};
+
+Entry EntryOf(const RunRecord& record) {
+  constexpr double kHome_m = 0.20;  // docked from here on
+  double current_sum = 0.0, force = 0.0;
+  int count = 0;
+  for (const HistorySample& sample : record.history) {
+    if (sample.tip_depth_m < 0.0) continue;
+    if (sample.tip_depth_m > kHome_m) break;
+    current_sum += std::abs(sample.spool_current_a);
+    force = std::max(force, sample.cone_force_n);
+    ++count;
+  }
+  if (count == 0) return {};
+  return {.current_a = current_sum / count, .force_peak_n = force};
+}
+
 }  // namespace
 
 std::size_t MeasureIndex(const std::string& name) {
@@ -68,6 +89,7 @@ std::size_t MeasureIndex(const std::string& name) {
 
 std::vector<double> MeasuresOf(const RunRecord& record) {
   const RunResult& row = record.result;
+  const Entry entry = EntryOf(record);
   double arm_up_rad = 0.0, roll_squares = 0.0, advance_m = 0.0, turned_rad = 0.0;
   for (const HistorySample& sample : record.history) {
     arm_up_rad = std::max(arm_up_rad, -(sample.pitch_rad + sample.arm_rad));
@@ -79,20 +101,13 @@ std::vector<double> MeasuresOf(const RunRecord& record) {
     advance_m = std::cos(from.heading) * (to.x - from.x) + std::sin(from.heading) * (to.y - from.y);
     turned_rad = WrapPi(to.heading - from.heading);
   }
-  return {row.docked ? 1.0 : 0.0,
-          row.sim_time_s,
-          row.tip_depth_m,
-          row.lateral_error_m,
-          row.yaw_error_deg,
-          row.station_shift_m,
-          row.cone_force_peak_n,
-          record.tension_peak_n,
-          row.spool_current_mean_a,
-          row.spool_current_peak_a,
-          Degrees(arm_up_rad),
-          Degrees(std::sqrt(roll_squares / samples)),
-          advance_m,
-          Degrees(turned_rad)};
+  return {
+      row.docked ? 1.0 : 0.0,   row.sim_time_s,        row.tip_depth_m,
+      row.lateral_error_m,      row.yaw_error_deg,     row.station_shift_m,
+      row.cone_force_peak_n,    record.tension_peak_n, row.spool_current_mean_a,
+      row.spool_current_peak_a, Degrees(arm_up_rad),   Degrees(std::sqrt(roll_squares / samples)),
+      entry.current_a,          entry.force_peak_n,    advance_m,
+      Degrees(turned_rad)};
 }
 
 Spread SpreadOf(const std::string& measure, const std::vector<const StudyRow*>& rows) {
@@ -100,7 +115,9 @@ Spread SpreadOf(const std::string& measure, const std::vector<const StudyRow*>& 
   const std::size_t column = MeasureIndex(measure);
   std::vector<double> values;
   for (const StudyRow* row : rows) {
-    if (!row->measures.empty()) values.push_back(row->measures[column]);
+    if (!row->measures.empty() && !std::isnan(row->measures[column])) {
+      values.push_back(row->measures[column]);
+    }
   }
   spread.count = static_cast<int>(values.size());
   if (values.empty()) return spread;
@@ -155,8 +172,9 @@ std::string StudyPointsCsv(const Study& study, const std::vector<StudyRow>& rows
     for (const std::string& name : StudyMeasures()) {
       if (name == "docked") continue;
       const Spread spread = SpreadOf(name, group);
-      text += "," + ExactNumber(spread.mean) + "," + ExactNumber(spread.low) + "," +
-              ExactNumber(spread.high);
+      text += spread.count == 0 ? ",,,"
+                                : "," + ExactNumber(spread.mean) + "," + ExactNumber(spread.low) +
+                                      "," + ExactNumber(spread.high);
     }
     text += "\n";
   }

@@ -18,7 +18,8 @@ struct StudyRow {
   std::vector<double> measures;  // by StudyMeasures
 };
 
-/// Measures of one run. Angles of arm and roll come from its 10 Hz history.
+/// Measures of one run. Angles of arm and roll and what the entry took come from its 10 Hz history;
+/// NaN: does not apply, and counts in no spread.
 std::vector<double> MeasuresOf(const RunRecord& record);
 
 /// Index of a measure's column; it must be one.

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <set>
 
 #include "sim/campaign/statistics.h"
@@ -75,6 +76,35 @@ TEST(Study, ShareHasTheExactIntervalAndOthersTheirQuantiles) {
   EXPECT_DOUBLE_EQ(tension.median, 50.0);
   EXPECT_DOUBLE_EQ(tension.low, 10.0);
   EXPECT_DOUBLE_EQ(tension.high, 90.0);
+}
+
+HistorySample At(double tip_depth_m, double current_a, double force_n) {
+  HistorySample sample;
+  sample.tip_depth_m = tip_depth_m;
+  sample.spool_current_a = current_a;
+  sample.cone_force_n = force_n;
+  return sample;
+}
+
+TEST(Study, EntryIsFromTheMouthToTwentyCentimetresAndEndsThere) {
+  RunRecord record;
+  record.history = {At(-0.30, 9.0, 0.0), At(0.02, 0.5, 10.0), At(0.15, -0.7, 40.0),
+                    At(0.21, 2.0, 300.0), At(0.19, 2.0, 300.0)};
+  const auto measures = MeasuresOf(record);
+  EXPECT_DOUBLE_EQ(measures[MeasureIndex("entry_current_a")], 0.6);
+  EXPECT_DOUBLE_EQ(measures[MeasureIndex("entry_force_peak_n")], 40.0);
+}
+
+TEST(Study, EntryOfAnArmThatStaysOutsideIsNaNAndInNoSpread) {
+  RunRecord record;
+  record.history = {At(-0.30, 0.5, 0.0), At(-0.01, 0.5, 90.0)};
+  StudyRow outside = Row(1, 0, false, 0.0), inside = Row(2, 0, true, 0.0);
+  outside.measures = MeasuresOf(record);
+  EXPECT_TRUE(std::isnan(outside.measures[MeasureIndex("entry_current_a")]));
+  inside.measures[MeasureIndex("entry_current_a")] = 0.4;
+  const Spread spread = SpreadOf("entry_current_a", {&outside, &inside});
+  EXPECT_EQ(spread.count, 1);
+  EXPECT_DOUBLE_EQ(spread.mean, 0.4);
 }
 
 TEST(Study, RunsWithoutMeasuresCountInNoSpread) {
