@@ -128,7 +128,7 @@ std::optional<Eigen::Vector3d> PlaneNormal(const std::vector<PointPixel>& points
 
 /// The planar ambiguity's other branch: the plane's normal mirrored about the line of sight.
 void AddOtherBranch(const std::vector<PointPixel>& points, const std::vector<CameraView>& views,
-                    PointPose* pose) {
+                    double sigma_px, PointPose* pose) {
   Eigen::Vector3d centre_B;
   const auto normal_B = PlaneNormal(points, &centre_B);
   if (!normal_B) return;
@@ -140,7 +140,8 @@ void AddOtherBranch(const std::vector<PointPixel>& points, const std::vector<Cam
   Pose3 start;
   start.R = RotationBetween(normal, other) * X_CB.R;
   start.p = centre_C - start.R * centre_B;
-  const RefinedPose fit = RefinePoints(points, views, view.X_RC * start, {.fit_turn = false});
+  const RefinedPose fit =
+      RefinePoints(points, views, view.X_RC * start, {.sigma_px = sigma_px, .fit_turn = false});
   if (Eigen::AngleAxisd(fit.X_RB.R.transpose() * pose->fit.X_RB.R).angle() < Radians(0.5)) return;
   pose->other_RB = fit.X_RB;
   pose->other_cost = fit.cost;
@@ -149,6 +150,15 @@ void AddOtherBranch(const std::vector<PointPixel>& points, const std::vector<Cam
     pose->other_cost = pose->fit.cost;
     pose->fit = fit;
   }
+}
+
+/// The pixels' noise as the fit's residuals show it: whoever found the points may have found them
+/// worse than we find fiducials, and the covariance must say so.
+double SigmaOf(const RefinedPose& fit, double at_least_px) {
+  double squares = 0.0;
+  for (const double error : fit.mark_error_px) squares += error * error;
+  const double freedom = 2.0 * static_cast<double>(fit.mark_error_px.size()) - 6.0;
+  return std::max(at_least_px, std::sqrt(squares / std::max(1.0, freedom)));
 }
 
 std::string Method(const std::vector<PointPixel>& points) {
@@ -165,13 +175,16 @@ Result<PointPose, PoseFailure> Ours(const std::vector<PointPixel>& points,
   if (!consensus || consensus->count < kMinInliers) return PoseFailure::kNoCorrespondence;
   PointPose pose{.fit = {}, .inlier = consensus->inlier, .method = {}, .other_RB = {}};
   pose.fit.X_RB = consensus->X_RB;
+  double sigma_px = RefineOptions{}.sigma_px;
   for (int round = 0; round < 4; ++round) {
     const std::vector<PointPixel> chosen = Chosen(points, pose.inlier);
     pose.method = Method(chosen);
     RefineOptions options;
     options.fit_turn = pose.method == "stereo";
+    options.sigma_px = sigma_px;
     pose.fit = RefinePoints(chosen, views, pose.fit.X_RB, options);
     if (round == 3) break;
+    sigma_px = SigmaOf(pose.fit, RefineOptions{}.sigma_px);
     // Residuals with the cameras turned as the fit found them.
     std::vector<CameraView> turned = views;
     if (options.fit_turn) {
@@ -186,7 +199,7 @@ Result<PointPose, PoseFailure> Ours(const std::vector<PointPixel>& points,
     for (std::size_t i = 0; i < points.size(); ++i) pose.inlier[i] = errors[i] < gate;
     if (Chosen(points, pose.inlier).size() < kMinInliers) return PoseFailure::kPoorFit;
   }
-  if (pose.method != "stereo") AddOtherBranch(Chosen(points, pose.inlier), views, &pose);
+  if (pose.method != "stereo") AddOtherBranch(Chosen(points, pose.inlier), views, sigma_px, &pose);
   return pose;
 }
 
