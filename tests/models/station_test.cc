@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "bad_files.h"
 #include "models/load_soil.h"
 #include "models/load_station.h"
@@ -115,9 +117,13 @@ TEST(Station, BoardIsLaidOutWithoutSymmetry) {
 }
 
 TEST(StationFile, RefusesADiscOverTheMouth) {
-  EXPECT_EQ(ChangedMessage("{x_m: 0.27, y_m: 0.04,", "{x_m: 0.10, y_m: 0.04,"),
-            "models/station/station.yaml:53:7: board.fiducials[6]: expected a disc clear of the "
-            "cone's mouth and face, it overlaps by 0.056 m");
+  const std::string disc = "{x_m: 0.27, y_m: 0.04,";
+  const std::string text = Slurp(SourceFile("models/station/station.yaml"));
+  const auto line = 1 + std::count(text.begin(), text.begin() + text.find(disc), '\n');
+  EXPECT_EQ(ChangedMessage(disc, "{x_m: 0.10, y_m: 0.04,"),
+            "models/station/station.yaml:" + std::to_string(line) +
+                ":7: board.fiducials[6]: expected a disc clear of the cone's mouth and face, it "
+                "overlaps by 0.056 m");
 }
 
 TEST(StationFile, RefusesDiscsThatTouchOrStickOut) {
