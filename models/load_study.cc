@@ -213,7 +213,8 @@ const std::vector<std::string>& StudyMeasures() {
                                               "spool_current_peak_a",
                                               "arm_up_peak_deg",
                                               "roll_rms_deg",
-                                              "entry_current_a",
+                                              "entry_current_mean_a",
+                                              "entry_current_peak_a",
                                               "entry_force_peak_n",
                                               "advance_m",
                                               "turned_deg"};

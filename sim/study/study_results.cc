@@ -57,25 +57,28 @@ std::vector<std::pair<int, std::vector<const StudyRow*>>> ByPoint(
   return {groups.begin(), groups.end()};
 }
 
-/// What it takes to bring the arm in: mean spool current and peak force on the cone from the mouth
+/// What it takes to bring the arm in: spool current and peak force on the cone from the mouth
 /// to 20 cm deep, before the socket's floor stops it. NaN when the tip never came past the mouth.
 struct Entry {
-  double current_a = std::nan(""), force_peak_n = std::nan("");
+  double current_mean_a = std::nan(""), current_peak_a = std::nan("");
+  double force_peak_n = std::nan("");
 };
 
 Entry EntryOf(const RunRecord& record) {
   constexpr double kHome_m = 0.20;  // docked from here on
-  double current_sum = 0.0, force = 0.0;
+  double current_sum = 0.0, current_peak = 0.0, force = 0.0;
   int count = 0;
   for (const HistorySample& sample : record.history) {
     if (sample.tip_depth_m < 0.0) continue;
     if (sample.tip_depth_m > kHome_m) break;
     current_sum += std::abs(sample.spool_current_a);
+    current_peak = std::max(current_peak, std::abs(sample.spool_current_a));
     force = std::max(force, sample.cone_force_n);
     ++count;
   }
   if (count == 0) return {};
-  return {.current_a = current_sum / count, .force_peak_n = force};
+  return {
+      .current_mean_a = current_sum / count, .current_peak_a = current_peak, .force_peak_n = force};
 }
 
 }  // namespace
@@ -101,13 +104,15 @@ std::vector<double> MeasuresOf(const RunRecord& record) {
     advance_m = std::cos(from.heading) * (to.x - from.x) + std::sin(from.heading) * (to.y - from.y);
     turned_rad = WrapPi(to.heading - from.heading);
   }
-  return {
-      row.docked ? 1.0 : 0.0,   row.sim_time_s,        row.tip_depth_m,
-      row.lateral_error_m,      row.yaw_error_deg,     row.station_shift_m,
-      row.cone_force_peak_n,    record.tension_peak_n, row.spool_current_mean_a,
-      row.spool_current_peak_a, Degrees(arm_up_rad),   Degrees(std::sqrt(roll_squares / samples)),
-      entry.current_a,          entry.force_peak_n,    advance_m,
-      Degrees(turned_rad)};
+  return {row.docked ? 1.0 : 0.0,   row.sim_time_s,
+          row.tip_depth_m,          row.lateral_error_m,
+          row.yaw_error_deg,        row.station_shift_m,
+          row.cone_force_peak_n,    record.tension_peak_n,
+          row.spool_current_mean_a, row.spool_current_peak_a,
+          Degrees(arm_up_rad),      Degrees(std::sqrt(roll_squares / samples)),
+          entry.current_mean_a,     entry.current_peak_a,
+          entry.force_peak_n,       advance_m,
+          Degrees(turned_rad)};
 }
 
 Spread SpreadOf(const std::string& measure, const std::vector<const StudyRow*>& rows) {

@@ -91,7 +91,8 @@ TEST(Study, EntryIsFromTheMouthToTwentyCentimetresAndEndsThere) {
   record.history = {At(-0.30, 9.0, 0.0), At(0.02, 0.5, 10.0), At(0.15, -0.7, 40.0),
                     At(0.21, 2.0, 300.0), At(0.19, 2.0, 300.0)};
   const auto measures = MeasuresOf(record);
-  EXPECT_DOUBLE_EQ(measures[MeasureIndex("entry_current_a")], 0.6);
+  EXPECT_DOUBLE_EQ(measures[MeasureIndex("entry_current_mean_a")], 0.6);
+  EXPECT_DOUBLE_EQ(measures[MeasureIndex("entry_current_peak_a")], 0.7);
   EXPECT_DOUBLE_EQ(measures[MeasureIndex("entry_force_peak_n")], 40.0);
 }
 
@@ -100,9 +101,9 @@ TEST(Study, EntryOfAnArmThatStaysOutsideIsNaNAndInNoSpread) {
   record.history = {At(-0.30, 0.5, 0.0), At(-0.01, 0.5, 90.0)};
   StudyRow outside = Row(1, 0, false, 0.0), inside = Row(2, 0, true, 0.0);
   outside.measures = MeasuresOf(record);
-  EXPECT_TRUE(std::isnan(outside.measures[MeasureIndex("entry_current_a")]));
-  inside.measures[MeasureIndex("entry_current_a")] = 0.4;
-  const Spread spread = SpreadOf("entry_current_a", {&outside, &inside});
+  EXPECT_TRUE(std::isnan(outside.measures[MeasureIndex("entry_current_mean_a")]));
+  inside.measures[MeasureIndex("entry_current_mean_a")] = 0.4;
+  const Spread spread = SpreadOf("entry_current_mean_a", {&outside, &inside});
   EXPECT_EQ(spread.count, 1);
   EXPECT_DOUBLE_EQ(spread.mean, 0.4);
 }
