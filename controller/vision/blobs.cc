@@ -21,6 +21,11 @@ constexpr int kLevels = 5;  // up to 16 * 19 = 300 px across: a 10 cm disc at 0.
 // seldom gets there). In broken shade the light itself varies within the window, down to the sky's
 // share; then only a threshold between 0.06 and that share parts black from shaded white.
 constexpr std::array<double, 4> kBlack{0.68, 0.50, 0.36, 0.19};
+// Light that the lens spreads over the whole picture (sun in the lens, dust on it) lifts the black
+// too, and ratios say nothing until it is taken off. It is what the darkest thousandth of the
+// pixels has beyond an ordinary picture's black (3-9 DN in rendered views; assumed, 10-40).
+constexpr double kVeiledShare = 0.001;
+constexpr int kOrdinaryBlack = 20;
 constexpr int kDarkest = 10;  // [DN] light below which nothing is looked for; 5 sigma of noise
 
 /// Smallest blob looked at on the finest level [px]: two thirds of a 7 px disc seen at 45 deg.
@@ -31,9 +36,23 @@ constexpr double kMaxHoleShare = 0.55;  // the bar covers 18 % of the disc; blur
 constexpr int kMaxHoles = 3;            // Euler number >= -2: noise may split the bar's image
 constexpr double kCoincidence = 0.45;   // of the mean radius, between black and white centroids
 
-cv::Mat Flatten(const cv::Mat& gray) {
+int VeilingLight(const GrayImage& image) {
+  std::array<std::size_t, 256> histogram{};
+  for (const std::uint8_t value : image.pixels) ++histogram[value];
+  const double wanted = kVeiledShare * static_cast<double>(image.pixels.size());
+  std::size_t count = 0;
+  int black = 0;
+  while (black < 255 &&
+         static_cast<double>(count += histogram[static_cast<std::size_t>(black)]) < wanted) {
+    ++black;
+  }
+  return std::max(0, black - kOrdinaryBlack);
+}
+
+cv::Mat Flatten(const cv::Mat& gray, int veil) {
   cv::Mat smooth, light, flat;
   cv::GaussianBlur(gray, smooth, cv::Size(3, 3), 0.7);
+  if (veil > 0) cv::subtract(smooth, veil, smooth);
   cv::morphologyEx(smooth, light, cv::MORPH_CLOSE,
                    cv::getStructuringElement(cv::MORPH_RECT, cv::Size(kWindow, kWindow)));
   cv::max(light, kDarkest, light);
@@ -112,11 +131,12 @@ std::vector<BlobLevel> BuildLevels(const GrayImage& image) {
                  static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
   // One thread, whatever the machine: a static of the function's own, set once.
   [[maybe_unused]] static const bool single = (cv::setNumThreads(1), true);
+  const int veil = VeilingLight(image);
   std::vector<BlobLevel> levels;
   cv::Mat gray(image.height, image.width, CV_8U,
                const_cast<std::uint8_t*>(image.pixels.data()));  // only read
   for (int level = 0; level < kLevels && gray.rows >= kWindow && gray.cols >= kWindow; ++level) {
-    levels.push_back({.level = level, .gray = gray, .flat = Flatten(gray)});
+    levels.push_back({.level = level, .gray = gray, .flat = Flatten(gray, veil)});
     cv::Mat even = gray(cv::Rect(0, 0, gray.cols & ~1, gray.rows & ~1));
     cv::Mat half;
     cv::resize(even, half, cv::Size(even.cols / 2, even.rows / 2), 0, 0, cv::INTER_AREA);

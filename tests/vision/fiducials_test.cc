@@ -99,6 +99,17 @@ TEST(Fiducials, AreFoundInDimLight) {
   EXPECT_EQ(Look(scene, TestRig(640, 480)).found, 8);
 }
 
+TEST(Fiducials, AreFoundThroughVeilingLight) {
+  for (const double r_m : {1.5, 3.0, 5.0}) {
+    const SyntheticScene scene = From(r_m, 10.0, 5.0);
+    const StereoRig rig = TestRig(1024, 768);
+    GrayImage image = SyntheticView(scene, rig.left, rig.X_RL);
+    EXPECT_EQ(DetectFiducials(image, scene.board).size(), 8u) << r_m;
+    for (std::uint8_t& pixel : image.pixels) pixel = static_cast<std::uint8_t>(120 + 2 * pixel / 5);
+    EXPECT_EQ(DetectFiducials(image, scene.board).size(), 8u) << r_m;
+  }
+}
+
 TEST(Fiducials, AreFoundUnderTheEdgeOfAShadow) {
   SyntheticScene scene = From(2.0, 0.0, 0.0);
   scene.shadow = SyntheticScene::ShadowEdge{.through_B = {-0.12, -0.18}, .normal_rad = 0.3};
