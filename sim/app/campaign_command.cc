@@ -10,6 +10,7 @@
 #include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/identity.h"
+#include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/campaign/campaign.h"
@@ -93,7 +94,7 @@ void AddCampaignCommand(CLI::App& app, int& exit_code) {
   AddSetOption(*command, arguments->overrides);
   command->add_option("--run-limit", arguments->run_limit_s, "wall time of one run [900 s]")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.001, 1e6));
+      ->check(NumberWithin(0.001, 1e6));
   command->add_flag("--quiet", arguments->quiet, "no progress on stderr");
   command->callback([arguments, &exit_code] { exit_code = RunCampaignCommand(*arguments); });
 }

@@ -8,6 +8,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/image_files.h"
+#include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
 
@@ -148,9 +149,9 @@ void AddDetectCommand(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--board", arguments->board, "a station's file")->required();
   command->add_option("--roll-deg", arguments->roll_deg, "attitude of the rover body")
-      ->check(CLI::Range(-60.0, 60.0));
+      ->check(NumberWithin(-60.0, 60.0));
   command->add_option("--pitch-deg", arguments->pitch_deg, "the same, nose-down positive")
-      ->check(CLI::Range(-60.0, 60.0));
+      ->check(NumberWithin(-60.0, 60.0));
   command->add_option("--draw", arguments->draw, "PNG of the images with what was found");
   command->add_flag("--json", arguments->json, "JSON on standard output");
   AddPipelineOptions(*command, arguments->pipeline);

@@ -8,6 +8,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/log/files.h"
@@ -90,7 +91,7 @@ void AddStudyCommand(CLI::App& app, int& exit_code) {
   command->add_option("--out", arguments->out_dir, "results folder; results/NAME if not given");
   AddSetOption(*command, arguments->overrides);
   command->add_option("--run-limit", arguments->run_limit_s, "wall time of one run [s]")
-      ->check(CLI::Range(1.0, 1e6));
+      ->check(NumberWithin(1.0, 1e6));
   command->add_flag("--quiet", arguments->quiet, "no progress");
   command->callback([arguments, &exit_code] { exit_code = RunTheStudy(*arguments); });
 }

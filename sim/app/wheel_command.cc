@@ -10,6 +10,7 @@
 #include "models/load_wheel.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
 #include "sim/app/wheel_sweep.h"
 #include "sim/log/files.h"
@@ -93,19 +94,19 @@ void AddWheelCommand(CLI::App& app, int& exit_code) {
   command->add_option("--soil", arguments->soil_file, "a soil file")->required();
   command->add_option("--slip", arguments->slips, "slip, -1 to 1 [0]")
       ->delimiter(',')
-      ->check(CLI::Range(-1.0, 1.0))
+      ->check(NumberWithin(-1.0, 1.0))
       ->allow_extra_args(false);
   command->add_option("--beta", arguments->betas_deg, "side slip in degrees, 0 to 90 [0]")
       ->delimiter(',')
-      ->check(CLI::Range(0.0, 90.0))
+      ->check(NumberWithin(0.0, 90.0))
       ->allow_extra_args(false);
   command->add_option("--load", arguments->loads_n, "load in N")
       ->delimiter(',')
-      ->check(CLI::Range(0.1, 1e5))
+      ->check(NumberWithin(0.1, 1e5))
       ->allow_extra_args(false)
       ->required();
   command->add_option("--speed", arguments->speed_m_s, "speed of travel in m/s [0.01]")
-      ->check(CLI::Range(1e-4, 2.0));
+      ->check(NumberWithin(1e-4, 2.0));
   command->add_flag("--sweep", arguments->sweep, "every combination of the lists");
   command->add_option("--out", arguments->out_dir, "folder for the sweep's table and plots");
   command->add_flag("--json", arguments->json, "the result as JSON");

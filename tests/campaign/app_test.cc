@@ -129,6 +129,9 @@ TEST(WheelCommand, RefusesWhatItCannotDrive) {
   EXPECT_EQ(Dockyard(kWheel + "--load 24 --slip 1.5").code, 2);
   EXPECT_EQ(Dockyard(kWheel + "--load 24 --slip 0.1,0.2").code, 2);
   EXPECT_EQ(Dockyard(kWheel + "--load -3").code, 2);
+  const Ended no_number = Dockyard(kWheel + "--load 24 --slip nan");
+  EXPECT_EQ(no_number.code, 2);
+  EXPECT_THAT(no_number.err, HasSubstr("expected a number from -1 to 1, found 'nan'"));
   const Ended narrow =
       Dockyard("wheel --wheel models/wheels/pavlov_smooth.yaml --load 24 --soil " + soil);
   EXPECT_EQ(narrow.code, 3);
