@@ -17,17 +17,20 @@ struct RimPlace {
   double reach_m = 0.0;  // half length of the contact, seen from above
 };
 
-/// Working memory, so that pressing allocates nothing once it is warm.
+/// Working memory, so that slumping allocates nothing once it is warm.
 struct RutScratch {
   std::vector<unsigned char> under_wheel;
   std::vector<double> change_m;
 };
 
 /// Presses the grid's samples under the rim to where the soil carries it, counted from the surface
-/// less what paddles have carried away (excavated_m), moves
-/// the displaced volume to both sides of the rut, and lets slopes steeper than the friction angle
-/// slump beside and behind the wheel. Volume is conserved. Returns the volume moved [m^3].
-double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double excavated_m,
-                RutScratch& scratch);
+/// less what paddles have carried away (excavated_m), and moves the displaced volume to both sides
+/// of the rut. Does nothing the second time. Returns the volume moved [m^3].
+double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double excavated_m);
+
+/// Lets slopes steeper than the friction angle slump beside and behind the wheel for dt. Conserves
+/// volume.
+void SlumpBeside(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double dt_s,
+                 RutScratch& scratch);
 
 }  // namespace dockyard

@@ -11,9 +11,10 @@ namespace {
 
 constexpr int kStrips = 144;  // 2.5 deg each
 // Ground this much above the highest of the sampled points may touch the wheel.
-constexpr double kGroundMargin_m = 0.03;
-// Steps between write-backs of the rut. A patch knows its own floor, so only later patches wait.
-constexpr int kRutPeriod = 8;
+constexpr double kGroundMargin_m = 0.015;
+// Time between two passes in which slopes beside the wheel slump. A time, not a count of steps: the
+// soil must not run faster when steps are short.
+constexpr double kSlumpPeriod_s = 2e-3;
 
 }  // namespace
 
@@ -201,12 +202,17 @@ void WheelSoil::AddPaddles(const HeightGrid& grid, const WheelFrame& frame, Load
 }
 
 void WheelSoil::LeaveRut(HeightGrid& grid, const WheelFrame& frame) {
-  if (strip_count_ == 0 || ++steps_since_rut_ < kRutPeriod) return;
-  steps_since_rut_ = 0;
+  if (strip_count_ == 0) return;
   const double half = strip_count_ * kPi / kStrips;
   const RimPlace rim{frame.p_G, frame.y_G, bearing_radius_m_, wheel_.width_m,
                      bearing_radius_m_ * std::sin(std::min(half, 0.5 * kPi))};
-  PressRut(grid, rim, rim_, travel_.excavated_m, scratch_);
+  pressed_ = PressRut(grid, rim, rim_, travel_.excavated_m) > 0.0 || pressed_;
+  since_slump_s_ += frame.dt_s;
+  if (since_slump_s_ < kSlumpPeriod_s - 1e-9) return;
+  // Soil that a resting wheel leaves alone has come to rest as well.
+  if (pressed_) SlumpBeside(grid, rim, rim_, since_slump_s_, scratch_);
+  since_slump_s_ = 0.0;
+  pressed_ = false;
 }
 
 WheelLoad WheelSoil::Step(HeightGrid& grid, const WheelMotion& motion, double dt_s) {
@@ -242,7 +248,7 @@ std::uint64_t HashPatch(std::uint64_t hash, const Patch& patch) {
 std::uint64_t WheelSoil::StateHash(std::uint64_t seed) const {
   std::uint64_t hash = HashDouble(HashDouble(seed, sinkage_m_), travel_.excavated_m);
   hash = HashDouble(HashDouble(hash, travel_.going.t), travel_.going.a);
-  hash = HashBits(hash, static_cast<std::uint64_t>(steps_since_rut_));
+  hash = HashBits(HashDouble(hash, since_slump_s_), pressed_ ? 1 : 0);
   for (const Strip& strip : strips_) {
     for (const Patch& patch : strip.patches) hash = HashPatch(hash, patch);
     hash = HashDouble(HashDouble(HashDouble(hash, strip.side.r), strip.side.t), strip.side.a);

@@ -85,7 +85,8 @@ class WheelSoil {
   int first_strip_ = 0, strip_count_ = 0;  // the strips that may touch, of the last step
   WheelTravel travel_;
   double sinkage_m_ = 0.0;
-  int steps_since_rut_ = 0;
+  double since_slump_s_ = 0.0;
+  bool pressed_ = false;  // since the last slump
   RutScratch scratch_;
 };
 

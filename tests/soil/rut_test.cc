@@ -67,6 +67,26 @@ TEST(Rut, WallsSlumpToTheFrictionAngle) {
   EXPECT_LT(steepest, 1.15 * std::tan(Radians(29.0)));
 }
 
+TEST(Rut, SlumpsByTheTimeAndNotByTheNumberOfPasses) {
+  // A ridge beside a wheel that hangs above the soil, for 40 ms in passes of 1, 2 and 4 ms.
+  const RimPlace rim{{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, 0.3, 0.15, 0.15};
+  const SoilLaws laws = MakeRimLaws(Soil("pavlov_90"), 0.15);
+  const auto ridge = [&](double pass_s) {
+    HeightGrid grid = LevelGrid(-1.0, 2.0, 1.2, 0.02);
+    for (int ix = 45; ix < 56; ++ix) grid.heights_m[34 * grid.nx + ix] = 0.03;
+    RutScratch scratch;
+    for (double t = 0.0; t < 0.04 - 1e-9; t += pass_s) {
+      SlumpBeside(grid, rim, laws, pass_s, scratch);
+    }
+    EXPECT_NEAR(Volume(grid, false), 11 * 0.03 * 0.02 * 0.02, 1e-12);
+    return grid.heights_m[34 * grid.nx + 50];
+  };
+  const double fine_m = ridge(1e-3);
+  EXPECT_LT(fine_m, 0.025);
+  EXPECT_NEAR(ridge(2e-3), fine_m, 2e-4);
+  EXPECT_NEAR(ridge(4e-3), fine_m, 4e-4);
+}
+
 TEST(Rut, SecondPassSinksLittleFurther) {
   HeightGrid grid = LevelGrid(-1.0, 3.0, 1.6, 0.02);
   const WheelModel wheel = AxelWheel(0);

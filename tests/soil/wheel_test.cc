@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim/base/hash.h"
@@ -18,20 +19,21 @@ constexpr double kStep_s = 1e-3;
 struct BrakedWheel {
   HeightGrid grid = LevelGrid(-1.0, 2.0, 1.2, 0.02);
   WheelSoil contact;
-  double mass_kg = 20.0;
+  double mass_kg = 20.0, step_s = kStep_s;
   WheelMotion motion;
   WheelLoad load;
 
-  BrakedWheel(const WheelModel& wheel, const SoilModel& soil, double height_m)
-      : contact(wheel, soil) {
+  BrakedWheel(const WheelModel& wheel, const SoilModel& soil, double height_m,
+              double set_step_s = kStep_s)
+      : contact(wheel, soil), step_s(set_step_s) {
     motion.X_GK.p = Eigen::Vector3d(0.0, 0.0, height_m);
   }
   void Run(double seconds, const Eigen::Vector3d& force_G) {
-    const int steps = static_cast<int>(seconds / kStep_s);
+    const int steps = static_cast<int>(seconds / step_s);
     for (int i = 0; i < steps; ++i) {
-      load = contact.Step(grid, motion, kStep_s);
-      motion.v_GK_G += (load.force_G + force_G) / mass_kg * kStep_s;
-      motion.X_GK.p += motion.v_GK_G * kStep_s;
+      load = contact.Step(grid, motion, step_s);
+      motion.v_GK_G += (load.force_G + force_G) / mass_kg * step_s;
+      motion.X_GK.p += motion.v_GK_G * step_s;
     }
   }
 };
@@ -55,6 +57,22 @@ TEST(Wheel, SettlesAfterADrop) {
       EXPECT_LT(wheel.motion.v_GK_G.norm(), 1e-5) << soil.name << paddles;
       EXPECT_NEAR(wheel.load.force_G.z(), 200.0, 0.2) << soil.name << paddles;
     }
+  }
+}
+
+TEST(Wheel, SettlesToTheSameDepthWhateverTheStep) {
+  // Heights differ by what the steps err on the way down; it halves with the step.
+  std::array<double, 4> height_m{};
+  for (int i = 0; i < 4; ++i) {
+    BrakedWheel wheel(AxelWheel(12), Soil("pavlov_90"), 0.33, 1e-3 / (1 << i));
+    wheel.motion.X_GK.R = RotY(0.5 * kPi);  // a paddle straight down
+    wheel.Run(0.5, WeightOnSlope(200.0, 0.0));
+    height_m[i] = wheel.motion.X_GK.p.z();
+  }
+  EXPECT_LT(std::fabs(height_m[0] - height_m[1]), 4e-5);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_LT(std::fabs(height_m[i + 1] - height_m[i + 2]),
+              0.7 * std::fabs(height_m[i] - height_m[i + 1]));
   }
 }
 
