@@ -66,6 +66,7 @@ class Run {
         scene_(built_.world.rover, built_.world.station, built_.world.soil, built_.lighting,
                what.scenario.X_WG, what.scenario.seed),
         judge_(built_.world.station, limits_) {
+    CheckStart(built_, world_.truth());
     record_.result = StartOfRow(what);
     if (!options.log_dir.empty()) {
       log_ = std::make_unique<RunLogWriter>(options.log_dir,

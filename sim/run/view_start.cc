@@ -51,9 +51,10 @@ void WritePictures(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
 
 void WriteStartView(const Scenario& scenario, const std::filesystem::path& out_dir) {
   const BuiltRun built = BuildRun(scenario);
-  MakeFolder(out_dir);
   const World world(built.world);
   const Truth truth = world.truth();
+  CheckStart(built, truth);
+  MakeFolder(out_dir);
   const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
                              built.lighting, scenario.X_WG, scenario.seed);
   const Scene scene = builder.Make(truth, world.ground());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "models/config_error.h"
 #include "models/load_cameras.h"
 #include "models/load_scenario.h"
 #include "models/rover_sheet_maker.h"
@@ -43,6 +44,21 @@ class BuiltRigs : public testing::TestWithParam<std::string> {
 
 // 2 000 draws tell a sigma within 1.6 % (1 sigma); four of them.
 constexpr double kShare = 0.065;
+
+TEST(Start, InsideTheStationIsRefusedAndBesideItIsNot) {
+  const auto check = [](const std::string& start) {
+    const BuiltRun run = BuildRun(LoadScenario(kScenario, {"start=" + start}));
+    CheckStart(run, World(run.world).truth());
+  };
+  EXPECT_NO_THROW(check("{r_m: 1.2, alpha_deg: 0, heading_deg: 0}"));
+  EXPECT_NO_THROW(check("{r_m: 1.0, alpha_deg: 0, heading_deg: 0}"));  // the tip in the mouth
+  try {
+    check("{r_m: 0.65, alpha_deg: 0, heading_deg: 0}");
+    FAIL() << "accepted";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("clear of the station"), std::string::npos);
+  }
+}
 
 TEST_P(BuiltRigs, TurnAgainstEachOtherAsTheModelSays) {
   const StereoRig& nominal = stereo_.nominal;
