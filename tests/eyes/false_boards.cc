@@ -1,33 +1,42 @@
 #include "eyes/false_boards.h"
 
-#include <memory>
 #include <vector>
 
-#include "eyes/yard_views.h"
+#include "eyes/survey_run.h"
 
 namespace dockyard {
 
-FalseBoards LookWithoutBoard(int first, int count, int width, const VisionSettings& settings) {
-  std::vector<std::unique_ptr<YardViews>> views;
-  for (const Light light : {Light::kEven, Light::kSpeckled, Light::kHardShadow}) {
-    YardOptions options{.light = light, .width = width, .height = width * 3 / 4};
+FalseBoards LookWithoutBoard(int count, int width, int jobs, bool with_tsai2013) {
+  FalseBoards sum;
+  const Light lights[] = {Light::kEven, Light::kSpeckled, Light::kHardShadow};
+  for (int light = 0; light < 3; ++light) {
+    YardOptions options{.light = lights[light], .width = width, .height = width * 3 / 4};
     options.has_board = false;
     options.r_min_m = 0.8;
     options.r_max_m = 9.0;
     options.alpha_rad = Radians(80.0);
     options.h_rad = Radians(180.0);
     options.seed = 41;
-    views.push_back(std::make_unique<YardViews>(options));
-  }
-  FalseBoards sum;
-  for (int i = first; i < first + count; ++i) {
-    YardViews& yard = *views[static_cast<std::size_t>(i) % views.size()];
-    const YardLook look = yard.Take(i);
-    const LocateOutput out =
-        LocateBoard(look.images, yard.calibration(), yard.board(), look.hints, settings);
-    ++sum.views;
-    sum.discs += out.report.detected_left + out.report.detected_right;
-    sum.accepted += out.report.accepted;
+    const int turns = (count - light + 2) / 3;
+    std::vector<FalseBoards> seen(static_cast<std::size_t>(turns));
+    ForEachLook(options, turns, jobs, [&](YardViews& yard, int turn) {
+      FalseBoards& here = seen[static_cast<std::size_t>(turn)];
+      const YardLook look = yard.Take(3 * turn + light);
+      const LocateOutput out =
+          LocateBoard(look.images, yard.calibration(), yard.board(), look.hints);
+      here.discs = out.report.detected_left + out.report.detected_right;
+      here.accepted = out.report.accepted;
+      if (!with_tsai2013) return;
+      here.accepted_by_tsai2013 = LocateBoard(look.images, yard.calibration(), yard.board(),
+                                              look.hints, {.pipeline = VisionPipeline::kTsai2013})
+                                      .report.accepted;
+    });
+    for (const FalseBoards& one : seen) {
+      ++sum.views;
+      sum.discs += one.discs;
+      sum.accepted += one.accepted;
+      sum.accepted_by_tsai2013 += one.accepted_by_tsai2013;
+    }
   }
   return sum;
 }

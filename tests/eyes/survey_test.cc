@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "eyes/false_boards.h"
-#include "eyes/survey_score.h"
+#include "eyes/survey_run.h"
 
 namespace dockyard {
 namespace {
@@ -48,8 +48,23 @@ TEST(YardSurvey, FindsTheBoardUnderAHardShadow) {
   EXPECT_LT(tally.range_rms_m(), 0.025);
 }
 
+TEST(YardSurvey, FindsTheSameWhateverTheNumberOfThreads) {
+  SurveyPlan plan{.yard = {.light = Light::kHardShadow, .width = 640, .height = 480}, .count = 8};
+  const std::vector<LookScore> alone = RunSurvey(plan).dockyard.scores;
+  plan.jobs = 3;
+  const std::vector<LookScore> shared = RunSurvey(plan).dockyard.scores;
+  ASSERT_GE(alone.size(), 5u);
+  ASSERT_EQ(alone.size(), shared.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(alone[i].index, shared[i].index);
+    EXPECT_EQ(alone[i].range_error_m, shared[i].range_error_m);
+    EXPECT_EQ(alone[i].plain_px2, shared[i].plain_px2);
+    EXPECT_EQ(alone[i].nees, shared[i].nees);
+  }
+}
+
 TEST(YardSurvey, SeesNoBoardWhereThereIsNone) {
-  const FalseBoards seen = LookWithoutBoard(0, 100, 640, {});
+  const FalseBoards seen = LookWithoutBoard(100, 640, 1, false);
   EXPECT_EQ(seen.views, 100);
   EXPECT_EQ(seen.accepted, 0);
 }
