@@ -6,6 +6,7 @@
 
 #include "controller/vision/bar.h"
 #include "controller/vision/blobs.h"
+#include "controller/vision/disc_fit.h"
 #include "controller/vision/guided.h"
 #include "controller/vision/rim.h"
 
@@ -24,6 +25,12 @@ constexpr double kFineBlur = 0.97, kCoarseBlur = 0.80;
 
 // White starts at this multiple of the threshold that parted it from black (assumed, 1.4-2).
 constexpr double kWhiteOverThreshold = 1.6;
+
+// Centres' errors on rendered pairs, one axis [px] (docs/perception.md): by the grey, beside its
+// noise [DN], what blur and print leave to the pattern; by the rim alone, under a shadow's edge.
+constexpr double kGreyNoise = 2.0;  // assumed, 1-3
+constexpr double kPatternSigma = 0.006, kPatternSigmaRadius = 0.05;
+constexpr double kRimSigma = 0.12;
 
 static_assert(kBarAngles == std::tuple_size_v<decltype(DetectedFiducial::bar_match)>);
 
@@ -124,7 +131,21 @@ std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image,
     if (!IsKnown(distinct, fiducial.rim.centre_px)) distinct.push_back(fiducial);
   }
   DropStones(distinct);
+  for (DetectedFiducial& fiducial : distinct) SettleCentre(image, board, &fiducial);
   return distinct;
+}
+
+void SettleCentre(const GrayImage& image, const FiducialBoard& board, DetectedFiducial* fiducial) {
+  const auto best = std::max_element(fiducial->bar_match.begin(), fiducial->bar_match.end());
+  const double bar_rad = kPi / kBarAngles * static_cast<double>(best - fiducial->bar_match.begin());
+  const auto fit = FitDisc(image, fiducial->rim, bar_rad, board);
+  if (!fit) {
+    fiducial->sigma_px = kRimSigma;
+    return;
+  }
+  const double pattern = kPatternSigma + kPatternSigmaRadius / fiducial->rim.mean_radius_px();
+  fiducial->rim.centre_px = fit->centre_px;
+  fiducial->sigma_px = std::hypot(kGreyNoise * fit->sigma_px, pattern);
 }
 
 void AssignRotations(std::vector<DetectedFiducial>& fiducials, const Camera& camera,

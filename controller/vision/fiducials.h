@@ -13,8 +13,9 @@
 namespace dockyard {
 
 struct DetectedFiducial {
-  Ellipse rim;         // in the picture
-  double match = 0.0;  // correlation of the picture with the printed pattern, up to 1
+  Ellipse rim;             // in the picture
+  double sigma_px = 0.12;  // predicted error of its centre, one axis, from size, contrast and noise
+  double match = 0.0;      // correlation of the picture with the printed pattern, up to 1
   std::array<float, 16> bar_match{};  // the same inside the disc, bar turned by pi i / 16
   bool clear = false;                 // whether its bar shows; else it is a disc too small to tell
   // Filled in by AssignRotations:

@@ -73,8 +73,10 @@ std::optional<DetectedFiducial> DetectAt(const GrayImage& image,
   const float best = *std::max_element(bar->inner.begin(), bar->inner.end());
   const bool shows = best > 0.3f;  // a small disc hardly shows its bar
   if (shows && bar->inner[static_cast<std::size_t>(index)] < best - kBarSlack) return std::nullopt;
-  return DetectedFiducial{
+  DetectedFiducial found{
       .rim = rim->ellipse, .match = bar->whole, .bar_match = bar->inner, .clear = shows};
+  SettleCentre(image, board, &found);
+  return found;
 }
 
 }  // namespace dockyard

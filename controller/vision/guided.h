@@ -15,6 +15,9 @@ std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image,
                                               const std::vector<BlobLevel>& levels,
                                               const FiducialBoard& board);
 
+/// Replaces the rim's centre by the grey's where the light allows, and predicts the centre's error.
+void SettleCentre(const GrayImage& image, const FiducialBoard& board, DetectedFiducial* fiducial);
+
 /// The rim of a fiducial as a pose puts it; none when it does not lie whole in the picture.
 std::optional<Ellipse> ExpectedRim(const Camera& camera, const Pose3& X_CB,
                                    const Fiducial& fiducial, double diameter_m);
