@@ -142,9 +142,10 @@ struct Candidate {
 };
 
 /// One hypothesis: homography, outliers out, re-projection, vote, homography over all that agree.
-std::optional<Candidate> Test(const Scene& scene, const std::vector<MarkMatch>& hypothesis) {
+/// @param kept  how many of the hypothesis's marks must agree with the first homography
+std::optional<Candidate> Test(const Scene& scene, const std::vector<MarkMatch>& hypothesis,
+                              int kept) {
   if (hypothesis.size() < 4) return std::nullopt;
-  const int kept = std::min<int>(scene.min_marks, static_cast<int>(hypothesis.size()));
   const auto first = FitHomographyRobust(Pairs(scene, hypothesis), scene.gate_T, kept);
   if (!first) return std::nullopt;
   std::vector<MarkMatch> matches =
@@ -165,16 +166,31 @@ bool Same(const std::vector<MarkMatch>& a, const std::vector<MarkMatch>& b) {
   });
 }
 
-std::vector<Candidate> Vote(const Scene& scene) {
-  std::vector<Candidate> candidates;
-  for (const auto& hypothesis : NamingHypotheses(scene.detections, scene.board, kMaxOfOneClass)) {
-    const auto candidate = Test(scene, hypothesis);
+/// Adds what the hypotheses come to, each naming once.
+/// @param whole  try those alone that agree with a homography without leaving out any mark
+void TestAll(const Scene& scene, const std::vector<std::vector<MarkMatch>>& hypotheses, bool whole,
+             std::vector<Candidate>& candidates) {
+  for (const auto& hypothesis : hypotheses) {
+    const int size = static_cast<int>(hypothesis.size());
+    const auto candidate = Test(scene, hypothesis, whole ? size : std::min(scene.min_marks, size));
     if (!candidate) continue;
     const bool known = std::any_of(candidates.begin(), candidates.end(), [&](const auto& other) {
       return Same(other.matches, candidate->matches);
     });
     if (!known) candidates.push_back(*candidate);
   }
+}
+
+std::vector<Candidate> Vote(const Scene& scene) {
+  std::vector<Candidate> candidates;
+  const auto hypotheses = NamingHypotheses(scene.detections, scene.board, kMaxOfOneClass);
+  TestAll(scene, hypotheses, true, candidates);
+  // With every detection named, or every fiducial, no other naming can win: leaving marks out,
+  // which takes most of the time, is for pictures with false or misread ones.
+  const std::size_t most = std::min(scene.detections.size(), scene.board.fiducials.size());
+  const bool complete = std::any_of(candidates.begin(), candidates.end(),
+                                    [&](const auto& c) { return c.matches.size() == most; });
+  if (!complete) TestAll(scene, hypotheses, false, candidates);
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::make_tuple(-static_cast<int>(a.matches.size()), a.rms) <
            std::make_tuple(-static_cast<int>(b.matches.size()), b.rms);
@@ -189,7 +205,10 @@ std::vector<PlanarBranch> PossiblePoses(const Scene& scene, const Candidate& can
   std::vector<MarkPixel> marks;
   for (const MarkMatch& match : candidate.matches) {
     const std::size_t d = static_cast<std::size_t>(match.detection);
-    marks.push_back({.id = match.id, .view = 0, .pixel = scene.detections[d].rim.centre_px});
+    marks.push_back({.id = match.id,
+                     .view = 0,
+                     .pixel = scene.detections[d].rim.centre_px,
+                     .sigma_px = scene.detections[d].sigma_px});
   }
   std::vector<PlanarBranch> possible;
   for (const PlanarBranch& branch : PlanarPose(marks, scene.camera, scene.board)) {
@@ -224,6 +243,7 @@ Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFidu
   const Scene scene = Prepare(detections, camera, board, min_marks);
   std::optional<EyeCorrespondence> best;
   for (const Candidate& candidate : Vote(scene)) {
+    if (best && candidate.matches.size() < best->matches.size()) break;  // most marks come first
     const std::vector<PlanarBranch> branches = PossiblePoses(scene, candidate, up_C);
     if (branches.empty()) continue;
     const bool more = !best || candidate.matches.size() > best->matches.size();

@@ -14,6 +14,8 @@ const char* Name(PoseFailure failure) {
       return "poor fit";
     case PoseFailure::kEyesDisagree:
       return "eyes disagree";
+    case PoseFailure::kUncertain:
+      return "too uncertain";
     case PoseFailure::kNotUpright:
       return "not upright";
     case PoseFailure::kAmbiguous:

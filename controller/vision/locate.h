@@ -18,8 +18,9 @@ enum class PoseFailure {
   kTooFewFiducials,   // in neither image
   kNoCorrespondence,  // no hypothesis explains enough of the detections
   kBehindCamera,      // the fit puts the board where it cannot be seen
-  kPoorFit,           // residuals larger than the fit's own expectation
-  kEyesDisagree,      // the two images give different boards
+  kPoorFit,           // one image: residuals larger than their prediction
+  kEyesDisagree,      // both: the same, or the cameras turned beyond belief
+  kUncertain,         // the pose's own covariance is too large to be of use
   kNotUpright,        // the board's roll contradicts gravity
   kAmbiguous,         // one eye, two poses that fit alike, and nothing tells which
 };

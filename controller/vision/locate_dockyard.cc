@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,9 @@ std::vector<MarkPixel> Marks(const Eyes& eyes, int view, const std::vector<MarkM
   std::vector<MarkPixel> marks;
   for (const MarkMatch& match : matches) {
     const auto& seen = eyes.detections[Index(view)];
-    const Eigen::Vector2d pixel = seen[Index(match.detection)].rim.centre_px;
-    marks.push_back({.id = match.id, .view = view, .pixel = pixel});
+    const DetectedFiducial& mark = seen[Index(match.detection)];
+    marks.push_back(
+        {.id = match.id, .view = view, .pixel = mark.rim.centre_px, .sigma_px = mark.sigma_px});
   }
   return marks;
 }
@@ -56,12 +58,18 @@ long CountIn(const std::vector<MarkPixel>& marks, int view) {
   return std::count_if(marks.begin(), marks.end(), [&](const auto& m) { return m.view == view; });
 }
 
+bool Near(const Pose3& a, const Pose3& b) {
+  return (a.p - b.p).norm() < 0.05 * a.p.norm() &&
+         (a.R - b.R).norm() < std::sqrt(2.0) * Radians(3.0);  // Frobenius: 2 sqrt(2) sin(turn / 2)
+}
+
 /// The least-cost joint fit from several starts.
 std::optional<Fix> BestJointFit(const Eyes& eyes, const FiducialBoard& board,
                                 const std::vector<MarkPixel>& marks,
                                 const std::vector<Pose3>& starts) {
   std::optional<Fix> best;
   for (const Pose3& X_RB : starts) {
+    if (best && Near(best->fit.X_RB, X_RB)) continue;  // it would end there again
     RefinedPose fit = RefinePose(marks, eyes.views, board, X_RB, eyes.refine);
     if (!best || fit.cost < best->fit.cost) best = Fix{std::move(fit), marks, "stereo"};
   }
@@ -74,15 +82,36 @@ Pose3 CameraFromBoard(const Eyes& eyes, const Fix& fix, int view) {
 }
 
 Fix Refit(const Eyes& eyes, const FiducialBoard& board, const Fix& fix,
-          const std::vector<MarkPixel>& marks) {
+          const std::vector<MarkPixel>& marks, bool with_covariance = false) {
+  RefineOptions options = eyes.refine;
+  options.with_covariance = with_covariance;
   if (fix.method == "stereo") {
-    return {RefinePose(marks, eyes.views, board, fix.fit.X_RB, eyes.refine), marks, "stereo"};
+    return {RefinePose(marks, eyes.views, board, fix.fit.X_RB, options), marks, "stereo"};
   }
   const int view = fix.method == "left" ? 0 : 1;
   std::vector<MarkPixel> alone = marks;
   for (MarkPixel& mark : alone) mark.view = 0;
-  return {RefinePose(alone, {eyes.views[Index(view)]}, board, fix.fit.X_RB, eyes.refine), marks,
+  return {RefinePose(alone, {eyes.views[Index(view)]}, board, fix.fit.X_RB, options), marks,
           fix.method};
+}
+
+/// The fit with its covariance, and without marks that contradict the rest by more than 4.5 of
+/// their predicted sigmas (4e-5 of honest ones): a disc half hidden, a shadow's edge along a rim.
+/// Six marks, and two thirds, must stay; from less the fit is judged as it is.
+Fix WithoutStrays(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) {
+  constexpr double kStray = 4.5;
+  Fix at = Refit(eyes, board, fix, fix.marks, true);
+  const std::size_t least = std::max<std::size_t>(kMinTogether, (2 * fix.marks.size() + 2) / 3);
+  while (at.marks.size() > least) {
+    const auto worst = std::max_element(at.fit.mark_sigmas.begin(), at.fit.mark_sigmas.end());
+    if (*worst < kStray) break;
+    std::vector<MarkPixel> rest = at.marks;
+    rest.erase(rest.begin() + (worst - at.fit.mark_sigmas.begin()));
+    if (at.method == "stereo" && std::min(CountIn(rest, 0), CountIn(rest, 1)) < kMinSecondEye)
+      break;
+    at = Refit(eyes, board, at, rest, true);
+  }
+  return at;
 }
 
 /// Gathers what both pictures show where the fit expects it, and fits again.
@@ -120,7 +149,9 @@ Fix WithGuidedMarks(const Eyes& eyes, const FiducialBoard& board, const Fix& fix
       const auto found = DetectAt(*eyes.images[Index(view)], eyes.levels[Index(view)], *rim,
                                   ExpectedBar(camera, X_CB, fiducial, board.bar_length_m, *rim),
                                   board, kGuidedGatePx + 0.08 * rim->mean_radius_px());
-      if (found) marks.push_back({.id = id, .view = view, .pixel = found->rim.centre_px});
+      if (found)
+        marks.push_back(
+            {.id = id, .view = view, .pixel = found->rim.centre_px, .sigma_px = found->sigma_px});
     }
   }
   if (marks.size() == fix.marks.size()) return fix;
@@ -228,7 +259,7 @@ LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
             .detections = {},
             .views = Views(rig),
             .up_C = {},
-            .refine = {.turn = hints.camera_turn}};
+            .refine = {.turn = hints.camera_turn, .with_covariance = false}};
   SightingReport report;
   for (std::size_t v = 0; v < 2; ++v) {
     eyes.up_C[v] = eyes.views[v].X_RC.R.transpose() * hints.up_R;
@@ -237,16 +268,17 @@ LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
   }
   report.detected_left = static_cast<int>(eyes.detections[0].size());
   report.detected_right = static_cast<int>(eyes.detections[1].size());
-  const auto fix = FindFix(eyes, rig, board, hints);
-  if (!fix) return Refused(fix.error(), std::move(report));
-  Describe(*fix, eyes.views, board, &report);
-  const bool stereo = fix->method == "stereo";
+  const auto found = FindFix(eyes, rig, board, hints);
+  if (!found) return Refused(found.error(), std::move(report));
+  const Fix fix = WithoutStrays(eyes, board, *found);
+  Describe(fix, eyes.views, board, &report);
+  const bool stereo = fix.method == "stereo";
   const std::vector<CameraView> used =
-      stereo ? eyes.views : std::vector<CameraView>{eyes.views[fix->method == "left" ? 0 : 1]};
-  if (const auto failure = Judge(fix->fit, used, board, hints)) {
+      stereo ? eyes.views : std::vector<CameraView>{eyes.views[fix.method == "left" ? 0 : 1]};
+  if (const auto failure = Judge(fix.fit, used, hints)) {
     return Refused(*failure, std::move(report));
   }
-  return Accepted(*fix, hints, std::move(report));
+  return Accepted(fix, hints, std::move(report));
 }
 
 }  // namespace dockyard

@@ -50,8 +50,8 @@ Pose3 Mirrored(const Pose3& X_CB) {
 
 PlanarBranch Settle(const std::vector<MarkPixel>& marks, const Camera& camera,
                     const FiducialBoard& board, const Pose3& X_CB_start) {
-  const RefinedPose refined =
-      RefinePose(marks, {{.camera = camera, .X_RC = Pose3{}}}, board, X_CB_start);
+  const RefinedPose refined = RefinePose(marks, {{.camera = camera, .X_RC = Pose3{}}}, board,
+                                         X_CB_start, {.with_covariance = false});
   return {.X_CB = refined.X_RB, .rms_px = refined.rms_px, .cost = refined.cost};
 }
 

@@ -9,6 +9,7 @@
 #include "controller/geometry/decompositions.h"
 #include "controller/vision/p3p.h"
 #include "controller/vision/robust_planar_pose.h"
+#include "controller/vision/sighting_report.h"
 #include "controller/vision/stereo_pose.h"
 
 namespace dockyard {
@@ -189,8 +190,7 @@ Result<PointPose, PoseFailure> Ours(const std::vector<PointPixel>& points,
     std::vector<CameraView> turned = views;
     if (options.fit_turn) {
       for (std::size_t v = 0; v < 2; ++v) {
-        const Eigen::Vector3d half = (v == 0 ? -0.5 : 0.5) * pose.fit.turn.mean_rad;
-        turned[v].X_RC.R = turned[v].X_RC.R * RotZ(half.z()) * RotY(half.y()) * RotX(half.x());
+        turned[v].X_RC = Inverse(TurnedView(views, v, pose.fit.turn.mean_rad));
       }
     }
     const std::vector<double> errors = Errors(points, turned, pose.fit.X_RB);

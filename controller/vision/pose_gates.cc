@@ -5,6 +5,12 @@
 #include <cmath>
 
 namespace dockyard {
+namespace {
+
+// A third of the errors that count as wrong (0.3 m, 10 deg).
+constexpr double kMostPlaceSigma_m = 0.1, kMostTurnSigma_rad = 10.0 / 3.0 * kPi / 180.0;
+
+}  // namespace
 
 bool IsUpright(const Eigen::Matrix3d& R_RB, const Eigen::Vector3d& up_R) {
   const double roll_sine = std::abs(R_RB.col(0).dot(up_R));
@@ -20,21 +26,31 @@ double RmsGatePx(const Camera& camera, const Pose3& X_CB, double disc_diameter_m
   return 2.0 + 0.02 * disc_px;
 }
 
+double ChiSquareLimit(int freedom) {
+  constexpr double kNormalQuantile = 3.090;  // one in a thousand
+  const double share = 2.0 / (9.0 * freedom);
+  return freedom * std::pow(1.0 - share + kNormalQuantile * std::sqrt(share), 3);
+}
+
 std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<CameraView>& views,
-                                 const FiducialBoard& board, const LocateHints& hints) {
+                                 const LocateHints& hints) {
   for (const CameraView& view : views) {
     if (!ShowsItsFace(Inverse(view.X_RC) * fit.X_RB)) return PoseFailure::kBehindCamera;
   }
-  const double gate =
-      RmsGatePx(views[0].camera, Inverse(views[0].X_RC) * fit.X_RB, board.disc_diameter_m);
-  if (views.size() == 1 && fit.rms_px > gate) return PoseFailure::kPoorFit;
+  const bool fits = fit.misfit <= ChiSquareLimit(fit.freedom);
+  if (views.size() == 1 && !fits) return PoseFailure::kPoorFit;
   if (views.size() == 2) {
     // Four sigma of what the calibration may be off, by the belief before the first look.
     const CameraTurn at_first{};
     const Eigen::Vector3d sigmas =
         fit.turn.mean_rad.cwiseQuotient(at_first.covariance.diagonal().cwiseSqrt());
     const bool twisted = sigmas.cwiseAbs().maxCoeff() > 4.0;
-    if (twisted || fit.rms_px > gate) return PoseFailure::kEyesDisagree;
+    if (twisted || !fits) return PoseFailure::kEyesDisagree;
+  }
+  const double place_m = std::sqrt(fit.covariance.topLeftCorner<3, 3>().trace());
+  const double turn_rad = std::sqrt(fit.covariance.bottomRightCorner<3, 3>().trace());
+  if (!(place_m < kMostPlaceSigma_m && turn_rad < kMostTurnSigma_rad)) {
+    return PoseFailure::kUncertain;
   }
   if (!IsUpright(fit.X_RB.R, hints.up_R)) return PoseFailure::kNotUpright;
   return std::nullopt;

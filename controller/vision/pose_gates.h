@@ -19,13 +19,19 @@ bool IsUpright(const Eigen::Matrix3d& R_RB, const Eigen::Vector3d& up_R);
 /// The camera sees the printed side: the board's z points away from it, and it lies ahead.
 bool ShowsItsFace(const Pose3& X_CB);
 
-/// Largest accepted RMS error in the picture [px]: 2 px (assumed, 1.5-3: detection 0.1, focal
-/// length 0.2 % and centre 1 px over the board), more when the discs are large.
+/// Largest RMS error of a naming worth a closer look [px]: 2 px (assumed, 1.5-3), more when the
+/// discs are large. Judge is stricter.
 double RmsGatePx(const Camera& camera, const Pose3& X_CB, double disc_diameter_m);
 
-/// All checks on a fit; empty when it may be believed.
+/// The value that chi-square with this many degrees of freedom exceeds in one case of a thousand
+/// (Wilson and Hilferty, Proc. Natl. Acad. Sci. 17, 1931; to 1 % from four degrees on).
+double ChiSquareLimit(int freedom);
+
+/// All checks on a fit with its covariance: before the cameras; misfit below ChiSquareLimit;
+/// cameras turned by no more than four sigma; a third of what counts as wrong (0.3 m, 10 deg) or
+/// less as 1 sigma of place and turn; plumb. Empty when it may be believed.
 std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<CameraView>& views,
-                                 const FiducialBoard& board, const LocateHints& hints);
+                                 const LocateHints& hints);
 
 /// Whether the other branch fits nearly as well and nothing known speaks against it: then a pose
 /// from one eye is a guess between two.

@@ -1,201 +1,113 @@
 #include "controller/vision/pose_refine.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <array>
 #include <cmath>
 #include <optional>
 
 #include "controller/base/check.h"
+#include "controller/vision/pose_problem.h"
 
 namespace dockyard {
 namespace {
 
-using State = Eigen::Matrix<double, 9, 1>;  // turn and shift of the body, relative turn
-constexpr double kUnseenPx = 1e3;           // error of a point that the pose puts out of sight
-
-Eigen::Matrix3d Turn(const Eigen::Vector3d& w) {
-  const double angle = w.norm();
-  if (angle < 1e-14) return Eigen::Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
-}
-
-/// The problem about a current estimate; a State is a step away from it.
-class Problem {
- public:
-  Problem(const std::vector<PointPixel>& points, const std::vector<CameraView>& views,
-          const RefineOptions& options)
-      : points_(points), views_(views), options_(options) {
-    joint_ = options.fit_turn && views.size() == 2;
-    offsets_.assign(points.size(), Eigen::Vector2d::Zero());
-    // Square root of the prior's information: errors of unit variance.
-    const Eigen::LLT<Eigen::Matrix3d> information(options.turn.covariance.inverse());
-    DOCKYARD_CHECK(!joint_ || information.info() == Eigen::Success);
-    prior_root_ = information.matrixU();
-  }
-
-  bool joint() const { return joint_; }
-  int parameters() const { return joint_ ? 9 : 6; }
-  int rows() const { return 2 * static_cast<int>(points_.size()) + (joint_ ? 3 : 0); }
-
-  Pose3 CameraFromBody(int view, const Pose3& X_RB, const Eigen::Vector3d& turn) const {
-    Pose3 X_RC = views_[static_cast<std::size_t>(view)].X_RC;
-    if (views_.size() == 2) X_RC.R = X_RC.R * Turn((view == 0 ? -0.5 : 0.5) * turn);
-    return Inverse(X_RC) * X_RB;
-  }
-
-  /// Errors over sigma: two for each point, then the relative turn's.
-  Eigen::VectorXd Errors(const Pose3& X_RB, const Eigen::Vector3d& turn) const {
-    Eigen::VectorXd errors(rows());
-    std::vector<Pose3> X_CB;
-    for (std::size_t v = 0; v < views_.size(); ++v) {
-      X_CB.push_back(CameraFromBody(static_cast<int>(v), X_RB, turn));
-    }
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const PointPixel& point = points_[i];
-      const std::size_t view = static_cast<std::size_t>(point.view);
-      const Eigen::Vector3d p_C = X_CB[view] * point.p_B;
-      const std::optional<Eigen::Vector2d> pixel = views_[view].camera.Project(p_C);
-      Eigen::Vector2d error(kUnseenPx, kUnseenPx);
-      if (pixel && p_C.z() > -0.3 * p_C.norm()) error = *pixel + offsets_[i] - point.pixel;
-      errors.segment<2>(2 * static_cast<Eigen::Index>(i)) = error / options_.sigma_px;
-    }
-    if (joint_) errors.tail<3>() = prior_root_ * (turn - options_.turn.mean_rad);
-    return errors;
-  }
-
-  /// Centre of the projected disc less projected centre, for the current pose.
-  void UpdateOffsets(const Pose3& X_RB, const Eigen::Vector3d& turn) {
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const PointPixel& point = points_[i];
-      if (point.disc_diameter_m <= 0.0) continue;
-      const Camera& camera = views_[static_cast<std::size_t>(point.view)].camera;
-      const Pose3 X_CB = CameraFromBody(point.view, X_RB, turn);
-      const auto disc = ProjectDisc(camera, X_CB, point.p_B, point.disc_diameter_m);
-      const auto centre = camera.Project(X_CB * point.p_B);
-      offsets_[i] = disc && centre ? Eigen::Vector2d(*disc - *centre) : Eigen::Vector2d::Zero();
-    }
-  }
-
-  /// Huber's loss on the length of each point's error; weights come out for reweighted least
-  /// squares.
-  double Cost(const Eigen::VectorXd& errors, Eigen::VectorXd* weights) const {
-    if (weights) weights->setOnes(errors.size());
-    double cost = joint_ ? errors.tail<3>().squaredNorm() : 0.0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
-      const double length = errors.segment<2>(row).norm();
-      const double bend = options_.huber_sigmas;
-      cost += length <= bend ? length * length : bend * (2.0 * length - bend);
-      if (weights && length > bend) weights->segment<2>(row).setConstant(bend / length);
-    }
-    return cost;
-  }
-
-  /// How the errors move with what the calibration may be off by one sigma: focal length and centre
-  /// of each camera.
-  Eigen::MatrixXd CalibrationJacobian(bool with_centre) const {
-    const Eigen::Index each = 3;
-    Eigen::MatrixXd J =
-        Eigen::MatrixXd::Zero(rows(), each * static_cast<Eigen::Index>(views_.size()));
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const PointPixel& point = points_[i];
-      const Eigen::Vector2d centre =
-          views_[static_cast<std::size_t>(point.view)].camera.centre_px();
-      const Eigen::Index row = 2 * static_cast<Eigen::Index>(i), column = each * point.view;
-      J.block<2, 1>(row, column) = options_.spread.focal * (point.pixel - centre);
-      if (!with_centre) continue;
-      J.block<2, 2>(row, column + 1) = options_.spread.centre_px * Eigen::Matrix2d::Identity();
-    }
-    return J / options_.sigma_px;
-  }
-
- private:
-  const std::vector<PointPixel>& points_;
-  const std::vector<CameraView>& views_;
-  const RefineOptions& options_;
-  bool joint_ = false;
-  Eigen::Matrix3d prior_root_ = Eigen::Matrix3d::Identity();
-  std::vector<Eigen::Vector2d> offsets_;
-};
-
-struct Estimate {
-  Pose3 X_RB;
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
-};
-
-Estimate Moved(const Estimate& at, const State& step) {
-  return {.X_RB = {at.X_RB.R * Turn(step.head<3>()), at.X_RB.p + step.segment<3>(3)},
-          .turn = at.turn + step.tail<3>()};
-}
-
-Eigen::MatrixXd Jacobian(const Problem& problem, const Estimate& at,
-                         const Eigen::VectorXd& errors) {
-  constexpr double kStep = 1e-6;  // rad or m: rounding 1e-7 px against a curvature below 1e-6 px
-  Eigen::MatrixXd J(problem.rows(), problem.parameters());
-  for (int column = 0; column < problem.parameters(); ++column) {
-    const Estimate moved = Moved(at, kStep * State::Unit(column));
-    J.col(column) = (problem.Errors(moved.X_RB, moved.turn) - errors) / kStep;
-  }
-  return J;
-}
+constexpr int kMostNuisance = 8;  // calibration terms of two cameras
+constexpr int kMost = 9 + kMostNuisance;
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
 
 /// Levenberg-Marquardt with fixed offsets.
-Estimate Descend(const Problem& problem, Estimate at, int max_iterations) {
+PoseEstimate Descend(const PoseProblem& problem, PoseEstimate at, int max_iterations) {
   double damping = 1e-3;
-  Eigen::VectorXd weights;
-  Eigen::VectorXd errors = problem.Errors(at.X_RB, at.turn);
-  double cost = problem.Cost(errors, &weights);
+  NormalEquations normal;
+  double cost = problem.Cost(at, &normal);
   for (int i = 0; i < max_iterations; ++i) {
-    const Eigen::MatrixXd J = Jacobian(problem, at, errors);
-    const Eigen::MatrixXd A = J.transpose() * weights.asDiagonal() * J;
-    const Eigen::VectorXd g = J.transpose() * weights.asDiagonal() * errors;
     bool better = false;
     double gain = 0.0;
     while (!better && damping < 1e8) {
-      Eigen::MatrixXd damped = A;
+      Eigen::Matrix<double, 9, 9> damped = normal.A;
       damped.diagonal() *= 1.0 + damping;
       damped.diagonal().array() += 1e-12;
-      State step = State::Zero();
-      step.head(problem.parameters()) = -damped.ldlt().solve(g);
+      const PoseStep step = -damped.ldlt().solve(normal.b);
       if (!step.allFinite()) return at;
-      const Estimate moved = Moved(at, step);
-      const Eigen::VectorXd moved_errors = problem.Errors(moved.X_RB, moved.turn);
-      const double moved_cost = problem.Cost(moved_errors, nullptr);
+      const PoseEstimate moved = Moved(at, step);
+      const double moved_cost = problem.Cost(moved);
       better = moved_cost < cost;
-      damping *= better ? 0.2 : 8.0;
+      damping *= better ? 0.1 : 8.0;
       if (!better) continue;
       gain = cost - moved_cost;
       at = moved;
-      errors = moved_errors;
-      cost = problem.Cost(errors, &weights);
+      cost = moved_cost;
     }
     if (!better || gain < 1e-9 * (1.0 + cost)) break;
+    problem.Cost(at, &normal);
   }
   return at;
 }
 
-/// Covariance of the state, calibration spread as in Schmidt's consider covariance (NASA TR R-135,
+/// All errors about the optimum, linear: A over the step and the calibration terms of all views.
+struct Linear {
+  Square step;           // normal matrix of the step, Huber's weights and prior included
+  Square to_nuisance;    // weighted, step against calibration
+  Square all;            // step and calibration together, without weights
+  Column b;              // of the same
+  double squares = 0.0;  // of all errors
+};
+
+Linear Linearise(const PoseProblem& problem, const PoseEstimate& at, std::size_t views,
+                 const std::vector<PointPixel>& points) {
+  const int nuisance = 4 * static_cast<int>(views), n = 9 + nuisance;
+  Linear linear{.step = Square::Zero(9, 9),
+                .to_nuisance = Square::Zero(9, nuisance),
+                .all = Square::Zero(n, n),
+                .b = Column::Zero(n)};
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const PoseProblem::PointRows rows = problem.Rows(at, i);
+    const int own = 4 * points[i].view;
+    linear.step += rows.weight * rows.by_step.transpose() * rows.by_step;
+    linear.to_nuisance.middleCols(own, 4) +=
+        rows.weight * rows.by_step.transpose() * rows.by_calibration;
+    Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, kMost> line =
+        Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, kMost>::Zero(2, n);
+    line.leftCols<9>() = rows.by_step;
+    line.middleCols(9 + own, 4) = rows.by_calibration;
+    linear.all += line.transpose() * line;
+    linear.b += line.transpose() * rows.error;
+    linear.squares += rows.error.squaredNorm();
+  }
+  if (problem.joint()) {
+    const Eigen::Matrix3d information = problem.prior_root().transpose() * problem.prior_root();
+    const Eigen::Vector3d prior = problem.PriorError(at);
+    linear.step.bottomRightCorner(3, 3) += information;
+    linear.all.block(6, 6, 3, 3) += information;
+    linear.b.segment(6, 3) += problem.prior_root().transpose() * prior;
+    linear.squares += prior.squaredNorm();
+  } else {
+    linear.step.bottomRightCorner(3, 3).setIdentity();
+    linear.all.block(6, 6, 3, 3).setIdentity();
+  }
+  linear.all.bottomRightCorner(nuisance, nuisance).diagonal().array() += 1.0;
+  linear.step.diagonal().array() += 1e-12;
+  return linear;
+}
+
+/// Covariance of the step, calibration spread as in Schmidt's consider covariance (NASA TR R-135,
 /// 1962): what is not estimated enters through its sensitivity.
-Eigen::MatrixXd StateCovariance(const Problem& problem, const Estimate& at, bool with_centre) {
-  const Eigen::VectorXd errors = problem.Errors(at.X_RB, at.turn);
-  Eigen::VectorXd weights;
-  problem.Cost(errors, &weights);
-  const Eigen::MatrixXd J = Jacobian(problem, at, errors);
-  Eigen::MatrixXd A = J.transpose() * weights.asDiagonal() * J;
-  A.diagonal().array() += 1e-12;
-  const Eigen::MatrixXd P =
-      A.ldlt().solve(Eigen::MatrixXd::Identity(problem.parameters(), problem.parameters()));
-  const Eigen::MatrixXd K =
-      P * J.transpose() * weights.asDiagonal() * problem.CalibrationJacobian(with_centre);
+Square StepCovariance(const Linear& linear, bool with_centre) {
+  const Square P = linear.step.ldlt().solve(Square::Identity(9, 9));
+  Square K = P * linear.to_nuisance;
+  for (Eigen::Index c = 0; c < K.cols() && !with_centre; ++c) {
+    if (c % 4 == 1 || c % 4 == 2) K.col(c).setZero();
+  }
   return P + K * K.transpose();
 }
 
-/// The upper 6x6 of a state's covariance as RefinedPose gives it, the pair's mounting added.
-Matrix6d PoseCovariance(const Eigen::MatrixXd& state, const Pose3& X_RB, double mounting_rad) {
+/// The upper 6x6 of a step's covariance as RefinedPose gives it, the pair's mounting added.
+Matrix6d PoseCovariance(const Square& step, const Pose3& X_RB, double mounting_rad) {
   Matrix6d T = Matrix6d::Zero();  // (turn about B's axes, shift) -> (shift, turn about R's axes)
   T.block<3, 3>(0, 3) = Eigen::Matrix3d::Identity();
   T.block<3, 3>(3, 0) = X_RB.R;
-  Matrix6d covariance = T * state.topLeftCorner<6, 6>() * T.transpose();
+  Matrix6d covariance = T * step.topLeftCorner<6, 6>() * T.transpose();
   Eigen::Matrix<double, 6, 3> mounting;  // a turn w of the pair: shift w x p, turn w
   mounting.topRows<3>() << 0, X_RB.p.z(), -X_RB.p.y(), -X_RB.p.z(), 0, X_RB.p.x(), X_RB.p.y(),
       -X_RB.p.x(), 0;
@@ -204,18 +116,58 @@ Matrix6d PoseCovariance(const Eigen::MatrixXd& state, const Pose3& X_RB, double 
   return covariance;
 }
 
+/// How well the errors agree with their own prediction: least squares over the step and the
+/// calibration terms, each of unit variance. With true sigmas `misfit` is chi-square distributed.
+void AddConsistency(const PoseProblem& problem, const PoseEstimate& at, const Linear& linear,
+                    const std::vector<PointPixel>& points, RefinedPose* refined) {
+  const Column shift = -linear.all.ldlt().solve(linear.b);
+  refined->misfit = std::max(0.0, linear.squares + linear.b.dot(shift));
+  refined->freedom = 2 * static_cast<int>(problem.size()) - 6;
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const PoseProblem::PointRows rows = problem.Rows(at, i);
+    const Eigen::Vector2d left = rows.error + rows.by_step * shift.head(9) +
+                                 rows.by_calibration * shift.segment(9 + 4 * points[i].view, 4);
+    refined->mark_sigmas.push_back(left.norm());
+  }
+}
+
+void AddErrors(const PoseProblem& problem, const PoseEstimate& at, std::size_t views,
+               const std::vector<PointPixel>& points, RefinedPose* refined) {
+  refined->view_rms_px.assign(views, 0.0);
+  std::vector<int> counts(views, 0);
+  double sum = 0.0;
+  const std::vector<Eigen::Vector2d> errors = problem.Errors(at);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const std::size_t view = static_cast<std::size_t>(points[i].view);
+    refined->mark_error_px.push_back(errors[i].norm());
+    refined->view_rms_px[view] += errors[i].squaredNorm();
+    ++counts[view];
+    sum += errors[i].squaredNorm();
+  }
+  for (std::size_t v = 0; v < views; ++v) {
+    if (counts[v] > 0) refined->view_rms_px[v] = std::sqrt(refined->view_rms_px[v] / counts[v]);
+  }
+  refined->rms_px = std::sqrt(sum / static_cast<double>(errors.size()));
+}
+
 }  // namespace
 
 std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_CB,
                                            const Eigen::Vector3d& p_BF, double diameter_m) {
-  constexpr int kSides = 24;  // the polygon's centroid then follows the disc's to 1 % of the offset
+  // A regular octagon with the disc's second moment: radius r sqrt(3 / (2 + cos(45 deg))). Its
+  // picture's centroid is then off the disc's by what the fourth moment does.
+  constexpr int kSides = 8;
+  const double radius_m = 0.5 * diameter_m * std::sqrt(3.0 / (2.0 + std::sqrt(0.5)));
   std::array<Eigen::Vector2d, kSides> rim;
-  for (int i = 0; i < kSides; ++i) {
-    const double angle = 2.0 * kPi * i / kSides;
-    const auto pixel = camera.Project(
-        X_CB * (p_BF + 0.5 * diameter_m * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0)));
+  const double h = std::sqrt(0.5);
+  constexpr std::array<std::array<int, 2>, kSides> kDirections{
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  for (std::size_t i = 0; i < kSides; ++i) {
+    const double scale = radius_m * (i % 2 == 0 ? 1.0 : h);
+    const Eigen::Vector3d out(scale * kDirections[i][0], scale * kDirections[i][1], 0.0);
+    const auto pixel = camera.Project(X_CB * (p_BF + out));
     if (!pixel) return std::nullopt;
-    rim[static_cast<std::size_t>(i)] = *pixel;
+    rim[i] = *pixel;
   }
   double area = 0.0;
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
@@ -239,39 +191,28 @@ std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_
 RefinedPose RefinePoints(const std::vector<PointPixel>& points,
                          const std::vector<CameraView>& views, const Pose3& X_RB_start,
                          const RefineOptions& options) {
-  DOCKYARD_CHECK(points.size() >= 3 && !views.empty());
-  Problem problem(points, views, options);
-  Estimate at{.X_RB = X_RB_start, .turn = options.turn.mean_rad};
-  for (int round = 0; round < 3; ++round) {  // offsets depend on the pose, but weakly
-    problem.UpdateOffsets(at.X_RB, at.turn);
+  DOCKYARD_CHECK(points.size() >= 3 && !views.empty() && views.size() <= 2);
+  PoseProblem problem(points, views, options);
+  PoseEstimate at{.X_RB = X_RB_start, .turn_rad = options.turn.mean_rad};
+  for (int round = 0; round < 4; ++round) {  // offsets depend on the pose, but weakly
+    const double change = problem.UpdateOffsets(at);
+    if (round > 0 && change < 1e-3) break;
     at = Descend(problem, at, round == 0 ? options.max_iterations : 6);
   }
-  const Eigen::VectorXd errors = problem.Errors(at.X_RB, at.turn);
   RefinedPose refined{.X_RB = at.X_RB, .turn = options.turn};
-  refined.cost = problem.Cost(errors, nullptr);
-  const Eigen::MatrixXd state = StateCovariance(problem, at, true);
-  refined.covariance = PoseCovariance(state, at.X_RB, options.spread.mounting_rad);
+  if (problem.joint()) refined.turn.mean_rad = at.turn_rad;
+  refined.cost = problem.Cost(at);
+  AddErrors(problem, at, views.size(), points, &refined);
+  if (!options.with_covariance) return refined;
+  const Linear linear = Linearise(problem, at, views.size(), points);
+  refined.covariance =
+      PoseCovariance(StepCovariance(linear, true), at.X_RB, options.spread.mounting_rad);
   if (problem.joint()) {
     // A shift of the image centres acts as a turn and is part of what is estimated: the first
     // belief holds it, so it does not widen the next one.
-    refined.turn = {at.turn, StateCovariance(problem, at, false).bottomRightCorner<3, 3>()};
+    refined.turn.covariance = StepCovariance(linear, false).bottomRightCorner<3, 3>();
   }
-  refined.view_rms_px.assign(views.size(), 0.0);
-  std::vector<int> counts(views.size(), 0);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double error =
-        options.sigma_px * errors.segment<2>(2 * static_cast<Eigen::Index>(i)).norm();
-    const std::size_t view = static_cast<std::size_t>(points[i].view);
-    refined.mark_error_px.push_back(error);
-    refined.view_rms_px[view] += error * error;
-    ++counts[view];
-    sum += error * error;
-  }
-  for (std::size_t v = 0; v < views.size(); ++v) {
-    if (counts[v] > 0) refined.view_rms_px[v] = std::sqrt(refined.view_rms_px[v] / counts[v]);
-  }
-  refined.rms_px = std::sqrt(sum / static_cast<double>(points.size()));
+  AddConsistency(problem, at, linear, points, &refined);
   return refined;
 }
 
@@ -281,10 +222,12 @@ RefinedPose RefinePose(const std::vector<MarkPixel>& marks, const std::vector<Ca
   std::vector<PointPixel> points;
   for (const MarkPixel& mark : marks) {
     const Eigen::Vector2d& p = board.fiducials[static_cast<std::size_t>(mark.id)].p_BF;
-    points.push_back({.p_B = {p.x(), p.y(), 0.0},
-                      .view = mark.view,
-                      .pixel = mark.pixel,
-                      .disc_diameter_m = board.disc_diameter_m});
+    points.push_back(
+        {.p_B = {p.x(), p.y(), 0.0},
+         .view = mark.view,
+         .pixel = mark.pixel,
+         .disc_diameter_m = board.disc_diameter_m,
+         .sigma_px = mark.sigma_px > 0.0 ? std::hypot(mark.sigma_px, options.model_px) : 0.0});
   }
   return RefinePoints(points, views, X_RB_start, options);
 }

@@ -21,6 +21,7 @@ struct MarkPixel {
   int id = -1;   // index into FiducialBoard::fiducials
   int view = 0;  // index into the views
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  double sigma_px = 0.0;  // predicted error, one axis; zero: RefineOptions::sigma_px
 };
 
 /// A measured point of any body B.
@@ -29,6 +30,7 @@ struct PointPixel {
   int view = 0;
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double disc_diameter_m = 0.0;  // > 0: the pixel is the middle of a disc square to B's z
+  double sigma_px = 0.0;         // one axis; zero: RefineOptions::sigma_px
 };
 
 /// Belief about how far the right camera is turned against the left from the calibration, about the
@@ -42,13 +44,15 @@ struct CameraTurn {
 struct CalibrationSpread {
   double focal = 0.002;                      // relative; assumed, 0.0005-0.005
   double centre_px = 1.0;                    // assumed, 0.3-3
+  double radial_px = 0.3;                    // half the width out; assumed, 0.1-1
   double mounting_rad = 0.05 * kPi / 180.0;  // of the pair in the rover; assumed, 0.02-0.1 deg
 };
 
 struct RefineOptions {
-  // One mark, one axis. Detection alone scatters by 0.02-0.08 (tests/eyes); 0.2 % of focal length
-  // leaves as much again over the board. Assumed 0.15 (0.1-0.3).
-  double sigma_px = 0.15;
+  double sigma_px = 0.15;  // a point of unknown error, one axis; assumed, 0.1-0.3
+  // What lens and board are off beyond CalibrationSpread, added to a mark's predicted error: 0.2 mm
+  // of print at 2.5 m. Assumed, 0.03-0.1.
+  double model_px = 0.05;
   double huber_sigmas = 4.0;
   // The default variances are 0.2, 0.2 and 0.14 deg squared: the range error of Tsai et al., V-E
   // (20 cm at 5 m) is what 0.16 deg of relative yaw gives; a pixel of image centre in each camera
@@ -57,6 +61,7 @@ struct RefineOptions {
   bool fit_turn = true;
   CalibrationSpread spread{};
   int max_iterations = 30;
+  bool with_covariance = true;  // and turn, misfit, mark_sigmas; without: the pose and its cost
 };
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
@@ -70,7 +75,12 @@ struct RefinedPose {
   double rms_px = 0.0;                  // over all marks, of the distance in the picture
   std::vector<double> view_rms_px{};    // by view; zero without marks
   std::vector<double> mark_error_px{};  // by mark
-  double cost = 0.0;                    // robust sum of squares over sigma squared, prior included
+  // Errors left over their predicted sigmas, calibration spread allowed for: by mark, and the sum
+  // of all squares, chi-square with `freedom` degrees when the predictions hold.
+  std::vector<double> mark_sigmas{};
+  double misfit = 0.0;
+  int freedom = 0;
+  double cost = 0.0;  // robust sum of squares over sigma squared, prior included
 };
 
 /// Where the centre of the fitted ellipse of a disc would be: the centroid of its projection, which
