@@ -24,7 +24,7 @@ bool ShowsItsFace(const Pose3& X_CB);
 double RmsGatePx(const Camera& camera, const Pose3& X_CB, double disc_diameter_m);
 
 /// The value that chi-square with this many degrees of freedom exceeds in one case of a thousand
-/// (Wilson and Hilferty, Proc. Natl. Acad. Sci. 17, 1931; to 1 % from four degrees on).
+/// (Wilson and Hilferty, Proc. Natl. Acad. Sci. 17, 1931; to 1.5 % from four degrees on).
 double ChiSquareLimit(int freedom);
 
 /// All checks on a fit with its covariance: before the cameras; misfit below ChiSquareLimit;
