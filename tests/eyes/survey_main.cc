@@ -66,10 +66,10 @@ std::vector<SurveyCurve> Survey(Light light, const Arguments& arguments) {
   const bool even = light == Light::kEven;
   const std::string word = even ? "even" : "hard shadow";
   const std::string color = even ? "#1f5fbf" : "#c8321e";
-  std::vector<SurveyCurve> curves{{"dockyard, " + word, color, "", found.dockyard.scores}};
+  std::vector<SurveyCurve> curves{{"dockyard, " + word, color, "", found.dockyard.scores, true}};
   PrintCurve(curves[0], found.dockyard, arguments);
   if (plan.tsai_count > 0) {
-    curves.push_back({"tsai2013, " + word, color, "5 4", found.tsai2013.scores});
+    curves.push_back({"tsai2013, " + word, color, "5 4", found.tsai2013.scores, false});
     PrintCurve(curves[1], found.tsai2013, arguments);
   }
   std::fflush(stdout);

@@ -32,20 +32,27 @@ Value RateValue(int successes, int trials) {
 
 struct Panel {
   const char* label;
-  double top;  // larger values are drawn at the top
+  double top;      // larger values are drawn at the top
+  bool ours_only;  // the other pipeline's values are too large to show both
   std::function<Value(const SurveyTally&)> value;
 };
 
 std::vector<Panel> Panels() {
+  const auto range = [](const SurveyTally& t) {
+    return RmsValue(100.0 * t.named_range_rms_m(), t.named);
+  };
+  const auto heading = [](const SurveyTally& t) {
+    return RmsValue(Degrees(t.named_heading_rms_rad()), t.named);
+  };
   return {
-      {"accepted of in view [%]", 100.0,
+      {"accepted and right, of in view [%]", 100.0, false,
        [](const SurveyTally& t) { return RateValue(t.accepted - t.wrong, t.in_view); }},
-      {"range error, rms [cm]", 80.0,
-       [](const SurveyTally& t) { return RmsValue(100.0 * t.named_range_rms_m(), t.named); }},
-      {"heading error, rms [deg]", 12.0,
-       [](const SurveyTally& t) { return RmsValue(Degrees(t.named_heading_rms_rad()), t.named); }},
-      {"centre error, rms [px]", 0.25,
+      {"centre error, rms [px]", 0.25, false,
        [](const SurveyTally& t) { return RmsValue(t.plain_rms_px(), t.plain); }},
+      {"range error, rms [cm]", 80.0, false, range},
+      {"heading error, rms [deg]", 12.0, false, heading},
+      {"range error of dockyard, rms [cm]", 80.0, true, range},
+      {"heading error of dockyard, rms [deg]", 12.0, true, heading},
   };
 }
 
@@ -54,7 +61,7 @@ std::vector<Panel> Panels() {
 std::string SurveyPlot(const std::string& title, const std::vector<SurveyCurve>& curves,
                        double r_max_m) {
   constexpr double kWidth = 430.0, kHeight = 230.0, kLeft = 70.0, kTop = 70.0, kGap = 80.0;
-  SvgDocument svg(2 * kWidth + kLeft + 130.0, 2 * kHeight + kTop + kGap + 60.0, title);
+  SvgDocument svg(2 * kWidth + kLeft + 130.0, 3 * kHeight + kTop + 2 * kGap + 60.0, title);
   svg.Text({kLeft, 24.0}, title, {.size = 15.0, .bold = true});
   std::vector<std::pair<std::string, Pen>> legend;
   for (const SurveyCurve& curve : curves) {
@@ -64,8 +71,8 @@ std::string SurveyPlot(const std::string& title, const std::vector<SurveyCurve>&
   int index = 0;
   for (const Panel& panel : Panels()) {
     double most = 0.0;
-    std::vector<std::vector<Px>> lines;
     for (const SurveyCurve& curve : curves) {
+      if (panel.ours_only && !curve.ours) continue;
       for (int r = 0; r < r_max_m; ++r) {
         const Value value = panel.value(TallyOf(curve.scores, r, r + 1));
         if (value.known) most = std::max(most, value.interval.high);
@@ -80,6 +87,7 @@ std::string SurveyPlot(const std::string& title, const std::vector<SurveyCurve>&
     area.DrawAxes(svg, "range [m]", panel.label);
     const double top = area.y.high;
     for (const SurveyCurve& curve : curves) {
+      if (panel.ours_only && !curve.ours) continue;
       std::vector<Px> points;
       for (int r = 0; r < r_max_m; ++r) {
         const Value value = panel.value(TallyOf(curve.scores, r, r + 1));
@@ -100,24 +108,29 @@ std::string SurveyPlot(const std::string& title, const std::vector<SurveyCurve>&
 
 std::string SurveyCsv(const std::vector<SurveyCurve>& curves, double r_max_m) {
   std::string csv =
-      "curve,r_low_m,r_high_m,in_view,found,accepted,wrong,accepted_low,accepted_high,"
+      "curve,r_low_m,r_high_m,in_view,found,found_low,found_high,accepted,accepted_low,accepted_"
+      "high,"
+      "wrong,wrong_high,"
       "range_rms_cm,range_low_cm,range_high_cm,heading_rms_deg,heading_low_deg,heading_high_deg,"
       "centre_rms_px,centre_marks,cut_rms_px,cut_marks,nees_mean\n";
   for (const SurveyCurve& curve : curves) {
     for (int r = 0; r < r_max_m; ++r) {
       const SurveyTally t = TallyOf(curve.scores, r, r + 1);
       if (t.in_view == 0) continue;
-      const Interval rate = ClopperPearson(t.accepted - t.wrong, t.in_view);
+      const Interval found = ClopperPearson(t.found, t.in_view);
+      const Interval accepted = ClopperPearson(t.accepted, t.in_view);
+      const Interval wrong = ClopperPearson(t.wrong, t.accepted);
       const Value range = RmsValue(100.0 * t.named_range_rms_m(), t.named);
       const Value heading = RmsValue(Degrees(t.named_heading_rms_rad()), t.named);
       char line[400];
       std::snprintf(line, sizeof line,
-                    "\"%s\",%d,%d,%d,%d,%d,%d,%.4f,%.4f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.4f,%d,"
-                    "%.4f,%d,%.2f\n",
-                    curve.name.c_str(), r, r + 1, t.in_view, t.found, t.accepted, t.wrong, rate.low,
-                    rate.high, range.middle, range.interval.low, range.interval.high,
-                    heading.middle, heading.interval.low, heading.interval.high, t.plain_rms_px(),
-                    t.plain, t.cut_rms_px(), t.cut, t.accepted > 0 ? t.nees / t.accepted : 0.0);
+                    "\"%s\",%d,%d,%d,%d,%.4f,%.4f,%d,%.4f,%.4f,%d,%.4f,%.3f,%.3f,%.3f,%.3f,%.3f,"
+                    "%.3f,%.4f,%d,%.4f,%d,%.2f\n",
+                    curve.name.c_str(), r, r + 1, t.in_view, t.found, found.low, found.high,
+                    t.accepted, accepted.low, accepted.high, t.wrong, wrong.high, range.middle,
+                    range.interval.low, range.interval.high, heading.middle, heading.interval.low,
+                    heading.interval.high, t.plain_rms_px(), t.plain, t.cut_rms_px(), t.cut,
+                    t.accepted > 0 ? t.nees / t.accepted : 0.0);
       csv += line;
     }
   }

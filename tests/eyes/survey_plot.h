@@ -13,6 +13,7 @@ struct SurveyCurve {
   std::string color;  // "#1f5fbf"
   std::string dash;
   std::vector<LookScore> scores;
+  bool ours = true;  // dockyard's
 };
 
 /// SVG: share of poses accepted, range error and heading error (rms), centre error, each by metre
