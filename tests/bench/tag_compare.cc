@@ -4,6 +4,7 @@
 #include <apriltag/tag36h11.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "controller/vision/fiducials.h"
+#include "controller/vision/pose_refine.h"
 #include "models/random.h"
 #include "vision/synthetic_view.h"
 
@@ -20,17 +22,33 @@ namespace {
 constexpr double kTagSize = 0.10;  // black edge [m]
 constexpr int kModules = 10;       // of a tag's picture, white ring included; eight are the edge
 
-/// Where a mark's middle is in the picture and how large it is.
+/// Where a mark is in the picture and how large it is.
 struct Truth {
-  Eigen::Vector2d pixel;
+  Eigen::Vector2d centre;    // picture of its middle, which a tag's corners give
+  Eigen::Vector2d centroid;  // of a disc's picture, which a rim gives
   double disc_px = 0.0;
 };
 
+/// By mark: how far off it was found [px]; negative when it was not.
+using Finds = std::vector<double>;
+
 struct Tally {
   int marks = 0, found = 0;
-  double squares_px2 = 0.0, seconds = 0.0;
+  double seconds = 0.0;
   int images = 0;
   double rate() const { return marks > 0 ? 100.0 * found / marks : 0.0; }
+  void Add(const Finds& finds, double took) {
+    for (const double off : finds) found += off >= 0.0;
+    marks += static_cast<int>(finds.size());
+    seconds += took;
+    ++images;
+  }
+};
+
+/// Centre errors over the marks that the fiducials' detector and AprilTag both found.
+struct Shared {
+  int marks = 0;
+  double discs_px2 = 0.0, tags_px2 = 0.0;
 };
 
 double CpuSeconds() {
@@ -71,64 +89,33 @@ class TagPrint {
   std::vector<std::vector<bool>> white_;
 };
 
-class Comparison {
+class TagDetector {
  public:
-  Comparison() : family_(tag36h11_create()), detector_(apriltag_detector_create()) {
+  /// @param decimate  1: full resolution, its longest range; 2: the library's default, faster
+  explicit TagDetector(float decimate)
+      : family_(tag36h11_create()), detector_(apriltag_detector_create()) {
     apriltag_detector_add_family(detector_, family_);
     detector_->nthreads = 1;
-    detector_->quad_decimate = 1.0f;  // full resolution: its longest range
+    detector_->quad_decimate = decimate;
   }
-  ~Comparison() {
+  ~TagDetector() {
     apriltag_detector_destroy(detector_);
     tag36h11_destroy(family_);
   }
-  Comparison(const Comparison&) = delete;
-  Comparison& operator=(const Comparison&) = delete;
+  TagDetector(const TagDetector&) = delete;
+  TagDetector& operator=(const TagDetector&) = delete;
 
-  void Look(SyntheticScene scene, const StereoRig& rig, Tally* discs, Tally* tags) {
-    const std::vector<Truth> truths = Truths(scene, rig);
-    Discs(SyntheticView(scene, rig.left, rig.X_RL), scene.board, truths, discs);
-    scene.print = TagPrint(family_, scene.board);
-    Tags(SyntheticView(scene, rig.left, rig.X_RL), truths, tags);
-  }
+  apriltag_family_t* family() const { return family_; }
 
- private:
-  static std::vector<Truth> Truths(const SyntheticScene& scene, const StereoRig& rig) {
-    std::vector<Truth> truths;
-    const Pose3 X_CB = Inverse(scene.X_DR * rig.X_RL) * scene.X_DB;
-    for (const Fiducial& fiducial : scene.board.fiducials) {
-      const Eigen::Vector3d p_C = X_CB * Eigen::Vector3d(fiducial.p_BF.x(), fiducial.p_BF.y(), 0.0);
-      truths.push_back({*rig.left.Project(p_C), kTagSize * rig.left.focal_px().x() / p_C.norm()});
-    }
-    return truths;
-  }
-  static void Discs(const GrayImage& image, const FiducialBoard& board,
-                    const std::vector<Truth>& truths, Tally* tally) {
-    const double begin = CpuSeconds();
-    const std::vector<DetectedFiducial> found = DetectFiducials(image, board);
-    tally->seconds += CpuSeconds() - begin;
-    ++tally->images;
-    for (const Truth& truth : truths) {
-      ++tally->marks;
-      double nearest = 1e9;
-      for (const DetectedFiducial& fiducial : found) {
-        nearest = std::min(nearest, (fiducial.rim.centre_px - truth.pixel).norm());
-      }
-      if (nearest > 0.25 * truth.disc_px) continue;
-      ++tally->found;
-      tally->squares_px2 += nearest * nearest;
-    }
-  }
-  void Tags(const GrayImage& image, const std::vector<Truth>& truths, Tally* tally) {
+  Finds Look(const GrayImage& image, const std::vector<Truth>& truths, Tally* tally) {
     std::vector<std::uint8_t> pixels = image.pixels;
     image_u8_t view{
         .width = image.width, .height = image.height, .stride = image.width, .buf = pixels.data()};
     const double begin = CpuSeconds();
     zarray_t* found = apriltag_detector_detect(detector_, &view);
-    tally->seconds += CpuSeconds() - begin;
-    ++tally->images;
+    const double took = CpuSeconds() - begin;
+    Finds finds;
     for (std::size_t id = 0; id < truths.size(); ++id) {
-      ++tally->marks;
       double nearest = 1e9;
       for (int i = 0; i < zarray_size(found); ++i) {
         apriltag_detection_t* tag = nullptr;
@@ -136,17 +123,73 @@ class Comparison {
         if (tag->id != static_cast<int>(id)) continue;
         // AprilTag counts from the corner of the first pixel.
         const Eigen::Vector2d centre(tag->c[0] - 0.5, tag->c[1] - 0.5);
-        nearest = std::min(nearest, (centre - truths[id].pixel).norm());
+        nearest = std::min(nearest, (centre - truths[id].centre).norm());
       }
-      if (nearest > 0.25 * truths[id].disc_px) continue;
-      ++tally->found;
-      tally->squares_px2 += nearest * nearest;
+      finds.push_back(nearest < 0.25 * truths[id].disc_px ? nearest : -1.0);
     }
     apriltag_detections_destroy(found);
+    tally->Add(finds, took);
+    return finds;
   }
 
+ private:
   apriltag_family_t* family_;
   apriltag_detector_t* detector_;
+};
+
+Finds LookForDiscs(const GrayImage& image, const FiducialBoard& board,
+                   const std::vector<Truth>& truths, Tally* tally) {
+  const double begin = CpuSeconds();
+  const std::vector<DetectedFiducial> found = DetectFiducials(image, board);
+  const double took = CpuSeconds() - begin;
+  Finds finds;
+  for (const Truth& truth : truths) {
+    double nearest = 1e9;
+    for (const DetectedFiducial& fiducial : found) {
+      nearest = std::min(nearest, (fiducial.rim.centre_px - truth.centroid).norm());
+    }
+    finds.push_back(nearest < 0.25 * truth.disc_px ? nearest : -1.0);
+  }
+  tally->Add(finds, took);
+  return finds;
+}
+
+std::vector<Truth> Truths(const SyntheticScene& scene, const StereoRig& rig) {
+  std::vector<Truth> truths;
+  const Pose3 X_CB = Inverse(scene.X_DR * rig.X_RL) * scene.X_DB;
+  for (const Fiducial& fiducial : scene.board.fiducials) {
+    const Eigen::Vector3d p_C = X_CB * Eigen::Vector3d(fiducial.p_BF.x(), fiducial.p_BF.y(), 0.0);
+    truths.push_back({*rig.left.Project(p_C),
+                      *ProjectDisc(rig.left, X_CB, fiducial, scene.board.disc_diameter_m),
+                      kTagSize * rig.left.focal_px().x() / p_C.norm()});
+  }
+  return truths;
+}
+
+enum Detector { kDiscs, kTags, kQuickTags };
+constexpr const char* kNames[3] = {"fiducials", "AprilTag 36h11", "  decimate 2"};
+
+class Comparison {
+ public:
+  void Look(SyntheticScene scene, const StereoRig& rig, std::array<Tally, 3>* tallies,
+            Shared* shared) {
+    const std::vector<Truth> truths = Truths(scene, rig);
+    const GrayImage discs = SyntheticView(scene, rig.left, rig.X_RL);
+    const Finds ours = LookForDiscs(discs, scene.board, truths, &(*tallies)[kDiscs]);
+    scene.print = TagPrint(full_.family(), scene.board);
+    const GrayImage tags = SyntheticView(scene, rig.left, rig.X_RL);
+    const Finds theirs = full_.Look(tags, truths, &(*tallies)[kTags]);
+    quick_.Look(tags, truths, &(*tallies)[kQuickTags]);
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+      if (ours[i] < 0.0 || theirs[i] < 0.0) continue;
+      ++shared->marks;
+      shared->discs_px2 += ours[i] * ours[i];
+      shared->tags_px2 += theirs[i] * theirs[i];
+    }
+  }
+
+ private:
+  TagDetector full_{1.0f}, quick_{2.0f};
 };
 
 /// Largest range up to which the rate stays at or above the share, linear between the samples.
@@ -165,60 +208,82 @@ double RangeAt(const std::vector<double>& ranges, const std::vector<Tally>& tall
   return range;
 }
 
+SyntheticScene SceneAt(double range_m, double angle_rad, bool shadow, std::uint64_t key) {
+  RandomStream random(StreamKey(key, "tags"));
+  SyntheticScene scene;
+  scene.seed = key + 1;
+  // The nose turned a little: marks lie at other fractions of a pixel in each view.
+  scene.X_DR = RoverAt({range_m, angle_rad, angle_rad + Radians(random.Uniform(-8.0, 8.0))},
+                       Radians(random.Uniform(-4.0, 4.0)));
+  if (shadow) {
+    scene.shadow = SyntheticScene::ShadowEdge{
+        .through_B = {random.Uniform(-0.3, 0.3), random.Uniform(-0.15, 0.15)},
+        .normal_rad = random.Uniform(0.0, 2.0 * kPi),
+        .shade = random.Uniform(0.15, 0.35)};
+  }
+  return scene;
+}
+
 void Compare(int views) {
   const StereoRig rig = TestRig(1024, 768);
-  const std::vector<double> ranges{1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  const std::vector<double> ranges{1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14};
   Comparison comparison;
-  Tally all_discs, all_tags;
+  std::vector<Shared> shared(ranges.size());
+  std::array<Tally, 3> all;
+  std::printf("%d marks in each cell; 1024 x 768 px, 90 deg, marks of 10 cm\n", 8 * views);
   for (const bool shadow : {false, true}) {
     for (const double angle_deg : {0.0, 30.0, 45.0}) {
-      std::vector<Tally> discs(ranges.size()), tags(ranges.size());
+      std::vector<std::array<Tally, 3>> cells(ranges.size());
       for (std::size_t r = 0; r < ranges.size(); ++r) {
         for (int i = 0; i < views; ++i) {
-          RandomStream random(StreamKey(static_cast<std::uint64_t>(100 * r + i), "tags"));
-          SyntheticScene scene;
-          scene.seed = static_cast<std::uint64_t>(i + 1);
-          // The nose turned a little: marks lie at other fractions of a pixel in each view.
-          const double alpha = Radians(angle_deg);
-          scene.X_DR = RoverAt({ranges[r], alpha, alpha + Radians(random.Uniform(-8.0, 8.0))},
-                               Radians(random.Uniform(-4.0, 4.0)));
-          if (shadow) {
-            scene.shadow = SyntheticScene::ShadowEdge{
-                .through_B = {random.Uniform(-0.3, 0.3), random.Uniform(-0.15, 0.15)},
-                .normal_rad = random.Uniform(0.0, 2.0 * kPi),
-                .shade = random.Uniform(0.15, 0.35)};
-          }
-          comparison.Look(scene, rig, &discs[r], &tags[r]);
+          comparison.Look(SceneAt(ranges[r], Radians(angle_deg), shadow,
+                                  static_cast<std::uint64_t>(100 * r) + i),
+                          rig, &cells[r], &shared[r]);
         }
       }
       std::printf("%s, seen at %.0f deg\n  range [m]      ", shadow ? "hard shadow" : "even light",
                   angle_deg);
       for (const double range : ranges) std::printf("%6.1f", range);
-      const auto print = [&](const char* name, const std::vector<Tally>& tallies, Tally* all) {
-        std::printf("\n  %-14s", name);
-        for (const Tally& tally : tallies) {
-          std::printf("%5.0f%%", tally.rate());
-          all->found += tally.found;
-          all->marks += tally.marks;
-          all->squares_px2 += tally.squares_px2;
-          all->seconds += tally.seconds;
-          all->images += tally.images;
+      std::array<double, 3> to95, to50;
+      for (std::size_t d = 0; d < 3; ++d) {
+        std::vector<Tally> row;
+        std::printf("\n  %-14s", kNames[d]);
+        for (const auto& cell : cells) {
+          row.push_back(cell[d]);
+          std::printf("%5.0f%%", cell[d].rate());
+          all[d].seconds += cell[d].seconds;
+          all[d].images += cell[d].images;
         }
-        std::printf("   95 %% to %.1f m, 50 %% to %.1f m", RangeAt(ranges, tallies, 95.0),
-                    RangeAt(ranges, tallies, 50.0));
-      };
-      print("fiducials", discs, &all_discs);
-      print("AprilTag 36h11", tags, &all_tags);
-      std::printf("\n");
+        to95[d] = RangeAt(ranges, row, 95.0);
+        to50[d] = RangeAt(ranges, row, 50.0);
+        std::printf("   95 %% to %4.1f m, 50 %% to %4.1f m", to95[d], to50[d]);
+      }
+      std::printf("\n  fiducials over AprilTag: %.1f times the range at 50 %%, ",
+                  to50[kDiscs] / to50[kTags]);
+      if (to95[kTags] > 0.0) {
+        std::printf("%.1f at 95 %%\n", to95[kDiscs] / to95[kTags]);
+      } else {
+        std::printf("AprilTag never at 95 %%\n");
+      }
     }
   }
-  const auto sum = [](const char* name, const Tally& all) {
-    std::printf("%s: centre error %.3f px rms, %.1f ms an image\n", name,
-                std::sqrt(all.squares_px2 / std::max(all.found, 1)),
-                1e3 * all.seconds / std::max(all.images, 1));
-  };
-  sum("fiducials", all_discs);
-  sum("AprilTag 36h11", all_tags);
+  std::printf("centre error, rms, of marks that both found [px]\n  range [m]      ");
+  for (const double range : ranges) std::printf("%6.1f", range);
+  for (const bool tags : {false, true}) {
+    std::printf("\n  %-14s", tags ? "AprilTag 36h11" : "fiducials");
+    for (const Shared& at : shared) {
+      if (at.marks == 0) {
+        std::printf("     -");
+      } else {
+        std::printf("%6.3f", std::sqrt((tags ? at.tags_px2 : at.discs_px2) / at.marks));
+      }
+    }
+  }
+  std::printf("\n");
+  for (std::size_t d = 0; d < 3; ++d) {
+    std::printf("%s: %.1f ms of CPU an image\n", kNames[d],
+                1e3 * all[d].seconds / std::max(all[d].images, 1));
+  }
 }
 
 }  // namespace
@@ -226,8 +291,8 @@ void Compare(int views) {
 
 int main(int argc, char** argv) {
   const int views = argc > 1 ? std::atoi(argv[1]) : 3;
-  if (views < 1) {
-    std::fprintf(stderr, "tag_compare [views for each range, at least 1]\n");
+  if (views < 1 || views > 100) {
+    std::fprintf(stderr, "tag_compare [views for each range, 1 to 100]\n");
     return 2;
   }
   dockyard::Compare(views);
