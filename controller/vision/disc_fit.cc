@@ -97,10 +97,11 @@ std::optional<DiscFit> FitDisc(const GrayImage& image, const Ellipse& rim, doubl
   const int y1 = static_cast<int>(std::floor(rim.centre_px.y() + reach_y));
   if (x0 < 0 || y0 < 0 || x1 >= image.width || y1 >= image.height) return std::nullopt;
   DiscFit fit{.centre_px = rim.centre_px};
-  double size = 1.0;       // of the disc, in radii of the rim
-  double step_dn = 100.0;  // white less black; only scales the shift's columns
+  double size = 1.0;         // of the disc, in radii of the rim
+  double black_share = 0.1;  // black over white, in the gradient alone
+  double step_dn = 100.0;    // white less black; only scales the shift's columns
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    // Unknowns: white, its gradient, black, the disc's size, shift of the centre.
+    // Unknowns: white, the light's gradient, black, the disc's size, shift of the centre.
     Matrix7 A = Matrix7::Zero();
     Vector7 b = Vector7::Zero();
     double squares = 0.0;
@@ -115,7 +116,8 @@ std::optional<DiscFit> FitDisc(const GrayImage& image, const Ellipse& rim, doubl
         if (seen.bar && !with_bar) continue;
         const double white = seen.value;
         Vector7 line;
-        line << white, white * at.x() / reach_x, white * at.y() / reach_y, 1.0 - white,
+        const double lit = white + black_share * (1.0 - white);
+        line << white, lit * at.x() / reach_x, lit * at.y() / reach_y, 1.0 - white,
             step_dn * seen.by_size, -step_dn * seen.gradient;
         A.selfadjointView<Eigen::Lower>().rankUpdate(line);
         b += row[x] * line;
@@ -138,7 +140,9 @@ std::optional<DiscFit> FitDisc(const GrayImage& image, const Ellipse& rim, doubl
       return std::nullopt;
     }
     // The shift was found with the columns of the step before: scale it at the next round.
-    if (iteration + 1 < kIterations) step_dn = fit.contrast_dn;
+    if (iteration + 1 == kIterations) break;
+    step_dn = fit.contrast_dn;
+    black_share = std::clamp(solution(3) / solution(0), 0.0, 1.0);
   }
   const double most = with_bar ? kMostMisfitWithBar : kMostMisfit;
   if (fit.misfit_dn > most * fit.contrast_dn) return std::nullopt;
