@@ -6,7 +6,7 @@
 
 namespace dockyard {
 
-FalseBoards LookWithoutBoard(int count, int width, int jobs, bool with_tsai2013) {
+FalseBoards LookWithoutBoard(int count, int width, int jobs, int tsai_count) {
   FalseBoards sum;
   const Light lights[] = {Light::kEven, Light::kSpeckled, Light::kHardShadow};
   for (int light = 0; light < 3; ++light) {
@@ -26,16 +26,18 @@ FalseBoards LookWithoutBoard(int count, int width, int jobs, bool with_tsai2013)
           LocateBoard(look.images, yard.calibration(), yard.board(), look.hints);
       here.discs = out.report.detected_left + out.report.detected_right;
       here.accepted = out.report.accepted;
-      if (!with_tsai2013) return;
-      here.accepted_by_tsai2013 = LocateBoard(look.images, yard.calibration(), yard.board(),
-                                              look.hints, {.pipeline = VisionPipeline::kTsai2013})
-                                      .report.accepted;
+      if (look.index >= tsai_count) return;
+      here.tsai2013_views = 1;
+      here.tsai2013_accepted = LocateBoard(look.images, yard.calibration(), yard.board(),
+                                           look.hints, {.pipeline = VisionPipeline::kTsai2013})
+                                   .report.accepted;
     });
     for (const FalseBoards& one : seen) {
       ++sum.views;
       sum.discs += one.discs;
       sum.accepted += one.accepted;
-      sum.accepted_by_tsai2013 += one.accepted_by_tsai2013;
+      sum.tsai2013_views += one.tsai2013_views;
+      sum.tsai2013_accepted += one.tsai2013_accepted;
     }
   }
   return sum;

@@ -7,11 +7,11 @@ struct FalseBoards {
   int views = 0;  // stereo pairs
   int discs = 0;  // detections in them
   int accepted = 0;
-  int accepted_by_tsai2013 = 0;
+  int tsai2013_views = 0, tsai2013_accepted = 0;
 };
 
 /// Looks 0 to count - 1 of the yard, its station without the board, from everywhere about it; the
-/// three kinds of light in turns.
-FalseBoards LookWithoutBoard(int count, int width, int jobs, bool with_tsai2013);
+/// three kinds of light in turns. The first tsai_count are shown to tsai2013 too, which is slow.
+FalseBoards LookWithoutBoard(int count, int width, int jobs, int tsai_count);
 
 }  // namespace dockyard

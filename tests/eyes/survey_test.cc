@@ -64,7 +64,7 @@ TEST(YardSurvey, FindsTheSameWhateverTheNumberOfThreads) {
 }
 
 TEST(YardSurvey, SeesNoBoardWhereThereIsNone) {
-  const FalseBoards seen = LookWithoutBoard(100, 640, 1, false);
+  const FalseBoards seen = LookWithoutBoard(100, 640, 1, 0);
   EXPECT_EQ(seen.views, 100);
   EXPECT_EQ(seen.accepted, 0);
 }
