@@ -166,10 +166,11 @@ bool Same(const std::vector<MarkMatch>& a, const std::vector<MarkMatch>& b) {
   });
 }
 
-/// Adds what the hypotheses come to, each naming once.
-/// @param whole  try those alone that agree with a homography without leaving out any mark
-void TestAll(const Scene& scene, const std::vector<std::vector<MarkMatch>>& hypotheses, bool whole,
-             std::vector<Candidate>& candidates) {
+/// What the hypotheses come to, the best of them, each naming once.
+/// @param whole  those alone that agree with a homography without leaving out any mark
+std::vector<Candidate> Vote(const Scene& scene,
+                            const std::vector<std::vector<MarkMatch>>& hypotheses, bool whole) {
+  std::vector<Candidate> candidates;
   for (const auto& hypothesis : hypotheses) {
     const int size = static_cast<int>(hypothesis.size());
     const auto candidate = Test(scene, hypothesis, whole ? size : std::min(scene.min_marks, size));
@@ -179,18 +180,6 @@ void TestAll(const Scene& scene, const std::vector<std::vector<MarkMatch>>& hypo
     });
     if (!known) candidates.push_back(*candidate);
   }
-}
-
-std::vector<Candidate> Vote(const Scene& scene) {
-  std::vector<Candidate> candidates;
-  const auto hypotheses = NamingHypotheses(scene.detections, scene.board, kMaxOfOneClass);
-  TestAll(scene, hypotheses, true, candidates);
-  // With every detection named, or every fiducial, no other naming can win: leaving marks out,
-  // which takes most of the time, is for pictures with false or misread ones.
-  const std::size_t most = std::min(scene.detections.size(), scene.board.fiducials.size());
-  const bool complete = std::any_of(candidates.begin(), candidates.end(),
-                                    [&](const auto& c) { return c.matches.size() == most; });
-  if (!complete) TestAll(scene, hypotheses, false, candidates);
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return std::make_tuple(-static_cast<int>(a.matches.size()), a.rms) <
            std::make_tuple(-static_cast<int>(b.matches.size()), b.rms);
@@ -241,15 +230,21 @@ Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFidu
                                                   const Eigen::Vector3d& up_C, int min_marks) {
   if (static_cast<int>(detections.size()) < min_marks) return PoseFailure::kTooFewFiducials;
   const Scene scene = Prepare(detections, camera, board, min_marks);
+  const auto hypotheses = NamingHypotheses(detections, board, kMaxOfOneClass);
   std::optional<EyeCorrespondence> best;
-  for (const Candidate& candidate : Vote(scene)) {
-    if (best && candidate.matches.size() < best->matches.size()) break;  // most marks come first
-    const std::vector<PlanarBranch> branches = PossiblePoses(scene, candidate, up_C);
-    if (branches.empty()) continue;
-    const bool more = !best || candidate.matches.size() > best->matches.size();
-    const bool as_many = best && candidate.matches.size() == best->matches.size();
-    if (more || (as_many && branches[0].rms_px < best->branches[0].rms_px)) {
-      best = Complete(scene, candidate, branches);
+  // Leaving marks out takes most of the time and is for pictures with false or misread ones: with
+  // every detection named, or every fiducial, no other naming can win.
+  const std::size_t most = std::min(detections.size(), board.fiducials.size());
+  for (const bool whole : {true, false}) {
+    if (best && best->matches.size() == most) break;
+    for (const Candidate& candidate : Vote(scene, hypotheses, whole)) {
+      if (best && candidate.matches.size() < best->matches.size()) break;  // most marks come first
+      const std::vector<PlanarBranch> branches = PossiblePoses(scene, candidate, up_C);
+      if (branches.empty()) continue;
+      const bool more = !best || candidate.matches.size() > best->matches.size();
+      if (more || branches[0].rms_px < best->branches[0].rms_px) {
+        best = Complete(scene, candidate, branches);
+      }
     }
   }
   if (!best) return PoseFailure::kNoCorrespondence;
