@@ -20,6 +20,8 @@ struct Sampler {
       : view(v),
         sx(static_cast<float>(v.width / (v.rect.right - v.rect.left))),
         sy(static_cast<float>(v.height / (v.rect.bottom - v.rect.top))),
+        per_sx(1.0f / sx),
+        per_sy(1.0f / sy),
         x0(static_cast<float>(v.rect.left)),
         y0(static_cast<float>(v.rect.top)) {}
 
@@ -53,6 +55,11 @@ struct Sampler {
     sum.inverse_depth += weight * thin.inverse_depth;
     sum.cover += weight * thin.cover;
   }
+  // Where the ray of a pixel of the view looks.
+  Tan Centre(const int (&at)[2]) const {
+    return {(static_cast<float>(at[0]) + 0.5f) * per_sx + x0,
+            (static_cast<float>(at[1]) + 0.5f) * per_sy + y0};
+  }
   bool Holds(Tan tan) const {
     const float x = (tan.x - x0) * sx, y = (tan.y - y0) * sy;
     return x >= 0.0f && y >= 0.0f && x < static_cast<float>(view.width) &&
@@ -60,7 +67,7 @@ struct Sampler {
   }
 
   const FlatView& view;
-  float sx, sy, x0, y0;
+  float sx, sy, per_sx, per_sy, x0, y0;
 };
 
 // The pixels of one row: where their middles look, and how that changes along and down the picture.
@@ -133,11 +140,13 @@ class Composer {
     const Sampler& view = close_ && HeldClose(pixel) ? *close_ : wide_;
     int at[kRays][2];
     Seen seen[kRays];
+    Tan from[kRays];  // each met what it met there, up to half a ray's distance off the pixel's own
     for (int k = 0; k < kRays; ++k) {
       const Tan tan = pixel.Ray(k);
       at[k][0] = view.Column(tan.x);
       at[k][1] = view.Row(tan.y);
       seen[k] = view.At(at[k][0], at[k][1]);
+      from[k] = view.Centre(at[k]);
     }
     const float least =
         std::min(std::min(seen[0].code, seen[1].code), std::min(seen[2].code, seen[3].code));
@@ -146,11 +155,11 @@ class Composer {
     float radiance = 0.0f;
     if (least > 0.0f && most < kBoardCode) {
       const float code = 0.25f * (seen[0].code + seen[1].code + seen[2].code + seen[3].code);
-      radiance = (*ground_)(pixel.middle, code, pixel.along, pixel.down, pixel.turn);
+      radiance = (*ground_)({pixel.middle, Mean(from)}, code, pixel.along, pixel.down, pixel.turn);
     } else if (least == 0.0f && most == 0.0f) {
       radiance = sky_(pixel.middle);
     } else {
-      radiance = Mixed(pixel, seen);
+      radiance = Mixed(pixel, seen, from);
     }
     return view.HasThin(at[0][0], at[0][1], at[3][0], at[3][1]) ? Behind(view, pixel, radiance)
                                                                 : radiance;
@@ -169,42 +178,65 @@ class Composer {
   }
 
   // Rays of one pixel that met objects, the board, or different things.
-  float Mixed(const Pixel& pixel, const Seen (&seen)[kRays]) const {
-    float radiance = 0.0f, ground_near = 0.0f;
-    float grounds = 0.0f, boards = 0.0f, skies = 0.0f;
-    float last = 0.0f;
-    Tan ground_tan, board_tan;
+  float Mixed(const Pixel& pixel, const Seen (&seen)[kRays], const Tan (&from)[kRays]) const {
+    float radiance = 0.0f;
+    Met grounds, boards;
+    float skies = 0.0f;
     for (int k = 0; k < kRays; ++k) {
       if (IsObject(seen[k].code)) {
-        // Rays that met the same facet share one look.
-        if (k > 0 && seen[k].object == seen[k - 1].object) {
-          radiance += last;
-          continue;
-        }
-        last = objects_(seen[k], pixel.Ray(k), pixel.blur(), pixel.turn);
-        radiance += last;
+        radiance += Facet(pixel, seen, from, k);
       } else if (IsBoard(seen[k].code)) {
-        ++boards;
-        board_tan = {board_tan.x + pixel.Ray(k).x, board_tan.y + pixel.Ray(k).y};
+        boards.Add(seen[k].code, pixel.Ray(k), from[k]);
       } else if (IsSky(seen[k].code)) {
         ++skies;
       } else {
-        ++grounds;
-        ground_near += seen[k].code;
-        ground_tan = {ground_tan.x + pixel.Ray(k).x, ground_tan.y + pixel.Ray(k).y};
+        grounds.Add(seen[k].code, pixel.Ray(k), from[k]);
       }
     }
-    if (grounds > 0.0f) {
-      radiance += grounds * (*ground_)({ground_tan.x / grounds, ground_tan.y / grounds},
-                                       ground_near / grounds, pixel.along, pixel.down, pixel.turn);
+    if (grounds.count > 0.0f) {
+      radiance += grounds.count * (*ground_)({grounds.MeanRay(), grounds.MeanFrom()},
+                                             grounds.code / grounds.count, pixel.along, pixel.down,
+                                             pixel.turn);
     }
-    if (boards > 0.0f) {
-      const float share = objects_.BoardShare({board_tan.x / boards, board_tan.y / boards},
-                                              pixel.blur(), pixel.turn);
-      radiance += boards * (*board_)(pixel.corners(), share);
+    if (boards.count > 0.0f) {
+      const float share = objects_.BoardShare(boards.MeanRay(), pixel.blur(), pixel.turn);
+      radiance += boards.count * (*board_)(pixel.corners(), share);
     }
     if (skies > 0.0f) radiance += skies * sky_(pixel.middle);
     return radiance * (1.0f / kRays);
+  }
+
+  // Rays that met one thing.
+  struct Met {
+    float count = 0.0f, code = 0.0f;
+    Tan ray, from;
+
+    void Add(float c, Tan r, Tan f) {
+      ++count;
+      code += c;
+      ray = {ray.x + r.x, ray.y + r.y};
+      from = {from.x + f.x, from.y + f.y};
+    }
+    Tan MeanRay() const { return {ray.x / count, ray.y / count}; }
+    Tan MeanFrom() const { return {from.x / count, from.y / count}; }
+  };
+
+  // All rays that met the facet of ray k share one look, in their middle; the first of them has it.
+  float Facet(const Pixel& pixel, const Seen (&seen)[kRays], const Tan (&from)[kRays],
+              int k) const {
+    Met met;
+    for (int j = 0; j < kRays; ++j) {
+      if (!IsObject(seen[j].code) || seen[j].object != seen[k].object) continue;
+      if (j < k) return 0.0f;
+      met.Add(seen[j].code, from[j], from[j]);
+    }
+    const Seen middle{.object = seen[k].object, .code = met.code / met.count};
+    return met.count * objects_(middle, met.MeanFrom(), pixel.blur(), pixel.turn);
+  }
+
+  static Tan Mean(const Tan (&t)[kRays]) {
+    return {0.25f * (t[0].x + t[1].x + t[2].x + t[3].x),
+            0.25f * (t[0].y + t[1].y + t[2].y + t[3].y)};
   }
 
   // The same behind thin bodies.

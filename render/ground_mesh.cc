@@ -13,13 +13,13 @@ constexpr double kFadeOut_m = 2.0;    // outside the grid, assumed: no yard ends
 constexpr double kHorizon_m = 300.0;  // the eye 0.4 m up sees it 0.08 deg below the level
 constexpr int kMaxMarch = 64;         // nodes towards the sun; shadows of ruts are shorter
 
-// Near rings 4 % apart. Farther out by the square of the distance, for an eye 0.4 m up sees the
+// Near rings 2 % apart. Farther out by the square of the distance, for an eye 0.4 m up sees the
 // ground ever flatter: about five pixels apart at 650 px/rad, and tiny triangles are dear. What is
 // finer than the rings is still in the relief that shades them.
 std::vector<double> RingRadii() {
   std::vector<double> radii;
   for (double r = 0.04; r < 0.32; r += 0.04) radii.push_back(r);
-  for (double r = 0.32; r < kHorizon_m; r += std::max(0.04 * r, 0.02 * r * r)) radii.push_back(r);
+  for (double r = 0.32; r < kHorizon_m; r += std::max(0.02 * r, 0.02 * r * r)) radii.push_back(r);
   radii.push_back(kHorizon_m);
   return radii;
 }
@@ -87,7 +87,7 @@ std::uint32_t VertexAt(const GroundFan& fan, int sector, int ring) {
 void RequireSoundGround(const GroundView& g) {
   if (!HasGround(g)) return;
   if (!g.heights_m) throw std::invalid_argument("ground: the grid has a size but no heights");
-  if (g.nx < 2 || g.ny < 2) throw std::invalid_argument("ground: the grid needs 2 x 2 nodes");
+  if (g.nx < 3 || g.ny < 3) throw std::invalid_argument("ground: the grid needs 3 x 3 nodes");
   if (!(g.cell_m > 0.0) || !std::isfinite(g.cell_m + g.x0_m + g.y0_m)) {
     throw std::invalid_argument("ground: the cell must be positive and the origin finite");
   }
@@ -152,18 +152,23 @@ std::vector<float> GroundRelief(const GroundView& g, const Eigen::Vector3d& sun_
   const auto [low, high] = std::minmax_element(g.heights_m, g.heights_m + count);
   const March march = MarchToSun(g, sun_G, *high - *low);
   const double sun_radius = std::max(0.5 * sun_angular_diameter_rad, 1e-4);
-  std::vector<float> relief(4 * count);
-  const auto at = [&](int x, int y) {
-    return g.heights_m[static_cast<std::size_t>(std::clamp(y, 0, g.ny - 1)) * g.nx +
-                       std::clamp(x, 0, g.nx - 1)];
-  };
+  std::vector<float> shares(count);
   for (int iy = 0; iy < g.ny; ++iy) {
     for (int ix = 0; ix < g.nx; ++ix) {
-      float* texel = &relief[4 * (static_cast<std::size_t>(iy) * g.nx + ix)];
-      texel[0] = static_cast<float>((at(ix + 1, iy) - at(ix - 1, iy)) / (2.0 * g.cell_m));
-      texel[1] = static_cast<float>((at(ix, iy + 1) - at(ix, iy - 1)) / (2.0 * g.cell_m));
-      texel[2] = static_cast<float>(SunShare(g, march, ix, iy, sun_radius));
-      texel[3] = 1.0f;
+      shares[static_cast<std::size_t>(iy) * g.nx + ix] =
+          static_cast<float>(SunShare(g, march, ix, iy, sun_radius));
+    }
+  }
+  std::vector<float> relief;
+  relief.reserve(3 * count);
+  for (int iy = 0; iy + 1 < g.ny; ++iy) {
+    for (int ix = 0; ix + 1 < g.nx; ++ix) {
+      const std::size_t at = static_cast<std::size_t>(iy) * g.nx + ix;
+      const double *h = g.heights_m + at, *k = h + g.nx;
+      const float *s = &shares[at], *t = s + g.nx;
+      relief.push_back(static_cast<float>((h[1] - h[0] + k[1] - k[0]) / (2.0 * g.cell_m)));
+      relief.push_back(static_cast<float>((k[0] - h[0] + k[1] - h[1]) / (2.0 * g.cell_m)));
+      relief.push_back(0.25f * (s[0] + s[1] + t[0] + t[1]));
     }
   }
   return relief;

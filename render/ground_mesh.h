@@ -32,7 +32,7 @@ class GroundHeight {
 /// Fan of rings; positions relative to (pole_x, pole_y, 0) in G's axes: the pole, then the rings of
 /// azimuth 0, those of azimuth 2 pi / kGroundSectors, ... Triangles sector by sector, as many in
 /// each.
-inline constexpr int kGroundSectors = 300;
+inline constexpr int kGroundSectors = 600;
 struct GroundFan {
   double pole_x_m = 0.0, pole_y_m = 0.0;
   int rings = 0;
@@ -41,8 +41,8 @@ struct GroundFan {
 };
 GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m);
 
-/// Per grid node four numbers: slope along x and along y, share of the sun that the ground itself
-/// leaves there, unused. sun_G: unit, towards the sun.
+/// Per cell of the grid, (nx - 1) x (ny - 1), three numbers for its middle: slope along x and along
+/// y, share of the sun that the ground itself leaves there. sun_G: unit, towards the sun.
 std::vector<float> GroundRelief(const GroundView& ground, const Eigen::Vector3d& sun_G,
                                 double sun_angular_diameter_rad);
 

@@ -13,7 +13,7 @@ namespace dockyard {
 namespace {
 
 // A footprint on the ground is long and narrow: by its length alone the grain would blur away.
-constexpr float kSharper = 0.7f;
+constexpr float kSharper = 0.7f, kReliefSharper = 2.0f;
 constexpr float kBias_m = 0.001f;
 constexpr int kSearches = 4, kPoints = 8;  // of the sun's disc
 constexpr float kFadeOut_m = 0.3f;         // of the relief beyond the grid's border
@@ -157,14 +157,15 @@ void GroundTexture::Update(const GroundView& ground, const Eigen::Vector3d& to_s
   const std::uint64_t key = ReliefKey(ground, sun_G, sun_diameter_rad);
   if (relief_key_ == key) return;
   const std::vector<float> relief = GroundRelief(ground, sun_G, sun_diameter_rad);
-  std::vector<Four> nodes(relief.size() / 4);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double x = ground.x0_m + ground.cell_m * static_cast<double>(i % ground.nx);
-    const double y = ground.y0_m + ground.cell_m * static_cast<double>(i / ground.nx);
-    nodes[i] = Four{relief[4 * i], relief[4 * i + 1], relief[4 * i + 2], 0.0f} +
+  const int columns = ground.nx - 1;
+  std::vector<Four> cells(relief.size() / 3);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double x = ground.x0_m + ground.cell_m * (static_cast<double>(i % columns) + 0.5);
+    const double y = ground.y0_m + ground.cell_m * (static_cast<double>(i / columns) + 0.5);
+    cells[i] = Four{relief[3 * i], relief[3 * i + 1], relief[3 * i + 2], 0.0f} +
                Lumps(static_cast<float>(x), static_cast<float>(y));
   }
-  relief_ = ReliefPyramid(std::move(nodes), ground.nx, ground.ny);
+  relief_ = ReliefPyramid(std::move(cells), columns, ground.ny - 1);
   relief_key_ = key;
 }
 
@@ -195,9 +196,14 @@ GroundShader::GroundShader(const GroundTexture& texture, const Scene& scene,
   bounce_ = static_cast<float>(r.bounce);
 }
 
-float GroundShader::operator()(Tan tan, float inverse_depth, Tan step_x, Tan step_y,
+float GroundShader::operator()(const Look& look, float inverse_depth, Tan step_x, Tan step_y,
                                int turn) const {
-  const float z = 1.0f / inverse_depth;
+  // On level ground depths go inversely with how much a ray sinks in a metre of depth.
+  const auto sunk = [&](Tan t) {
+    return std::min(up_C_.x() * t.x + up_C_.y() * t.y + up_C_.z(), -1e-3f);
+  };
+  const Tan tan = look.tan;
+  const float z = sunk(look.known) / (sunk(tan) * inverse_depth);
   const float x =
       p_GC_.x() + z * (to_level_(0, 0) * tan.x + to_level_(0, 1) * tan.y + to_level_(0, 2));
   const float y =
@@ -210,8 +216,8 @@ float GroundShader::operator()(Tan tan, float inverse_depth, Tan step_x, Tan ste
                               std::abs(up_C_.x() * step_y.x + up_C_.y() * step_y.y));
   const float across =
       std::max(std::abs(step_x.x) + std::abs(step_x.y), std::abs(step_y.x) + std::abs(step_y.y));
-  const float footprint = z * std::max(tilt / sinking * (1.0f + std::abs(tan.x)), across);
-  const float lod_m = RoughLog2(footprint);  // of one metre
+  const float length = z * std::max(tilt / sinking * (1.0f + std::abs(tan.x)), across);
+  const float lod_m = RoughLog2(length);  // of one metre
 
   constexpr float kTile = static_cast<float>(kSoilTile_m);
   constexpr float kTexelLog = -9.3219281f;  // of a texel, log2(1.6 / 1024)
@@ -222,7 +228,9 @@ float GroundShader::operator()(Tan tan, float inverse_depth, Tan step_x, Tan ste
   const Four level{0.0f, 0.0f, 1.0f, 0.0f};
   Four relief;
   if (beyond < kFadeOut_m) {
-    relief = texture_.relief_.At(column, row, lod_m - cell_log_);
+    // Of a footprint that is long and narrow the relief keeps more than its length would leave.
+    const float relief_lod = std::max(RoughLog2(z * across), lod_m - kReliefSharper) - cell_log_;
+    relief = texture_.relief_.At(column - 0.5f, row - 0.5f, relief_lod);
     if (beyond > 0.0f) {
       const float t = beyond / kFadeOut_m;
       relief = Mix(relief, level + texture_.Lumps(x, y), t * t * (3.0f - 2.0f * t));

@@ -72,9 +72,13 @@ class GroundShader {
  public:
   GroundShader(const GroundTexture& texture, const Scene& scene, const SunShadow& shadow,
                const Pose3& X_WC, Channel channel);
-  /// At the point of the ray (x, y, 1) where 1/z is inverse_depth; step_x, step_y: that ray's
-  /// change from pixel to pixel along and down the picture; turn: see SunShadow.
-  float operator()(Tan tan, float inverse_depth, Tan step_x, Tan step_y, int turn) const;
+  /// A ray into the ground, and the ray next to it whose 1/z is known.
+  struct Look {
+    Tan tan, known;
+  };
+  /// Where the ray (tan, 1) meets the ground; inverse_depth: where its neighbour does. step_x,
+  /// step_y: the ray's change from pixel to pixel along and down the picture; turn: see SunShadow.
+  float operator()(const Look& look, float inverse_depth, Tan step_x, Tan step_y, int turn) const;
 
  private:
   const GroundTexture& texture_;

@@ -51,20 +51,20 @@ class Centroids : public testing::TestWithParam<double> {};
 
 TEST_P(Centroids, OfDiscsLieWhereTheyProject) {
   const Offsets off = CentroidOffsets(EquidistantCamera(1024, 768, kPi / 2), GetParam(), 0.0);
-  EXPECT_LT(off.rms_px, 0.03);
-  EXPECT_LT(off.worst_px, 0.06);
+  EXPECT_LT(off.rms_px, 0.01);
+  EXPECT_LT(off.worst_px, 0.02);
 }
 
 TEST_P(Centroids, OfObliqueDiscsLieWhereTheyProject) {
   const Offsets off =
       CentroidOffsets(EquidistantCamera(1024, 768, kPi / 2), GetParam(), Radians(30));
-  EXPECT_LT(off.rms_px, 0.03);
+  EXPECT_LT(off.rms_px, 0.01);
 }
 
 TEST(Centroids640, OfDiscsLieWhereTheyProject) {
   for (const double range_m : {1.0, 2.5, 5.0}) {
     const Offsets off = CentroidOffsets(EquidistantCamera(640, 480, kPi / 2), range_m, 0.0);
-    EXPECT_LT(off.rms_px, 0.03);
+    EXPECT_LT(off.rms_px, 0.01);
   }
 }
 
@@ -76,7 +76,7 @@ TEST(Centroids, FollowADistortedLensToo) {
   lens.k = {-0.02, 0.004, 0.0, 0.0};
   lens.fy = 655.0;
   lens.cx += 7.3;
-  EXPECT_LT(CentroidOffsets(camera, 2.0, 0.3).rms_px, 0.03);
+  EXPECT_LT(CentroidOffsets(camera, 2.0, 0.3).rms_px, 0.01);
 }
 
 // The left Navcam of Mars 2020 (nasa-jpl/m2020-urdf-models) in its own frame, at 1024 x 768. Its
@@ -93,9 +93,9 @@ TEST(Centroids, FollowALensWhosePupilMoves) {
   const Camera camera = Resized({5120, 3840, lens}, 1024, 768);
   const Eigen::Matrix3d to_corner = RotY(Radians(-28)) * RotX(Radians(20));
   for (const double range_m : {1.0, 1.5, 2.0}) {
-    EXPECT_LT(CentroidOffsets(camera, range_m, 0.0, to_corner, 6).rms_px, 0.03);
+    EXPECT_LT(CentroidOffsets(camera, range_m, 0.0, to_corner, 6).rms_px, 0.01);
   }
-  EXPECT_LT(CentroidOffsets(camera, 0.75, 0.2).rms_px, 0.03);
+  EXPECT_LT(CentroidOffsets(camera, 0.75, 0.2).rms_px, 0.01);
 }
 
 class Upright : public testing::Test {

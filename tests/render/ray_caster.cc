@@ -3,6 +3,8 @@
 #include <embree3/rtcore.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -104,7 +106,9 @@ class World {
     }
     Add(points, {{0, 1, 2}, {0, 2, 3}}, kBoard);
   }
-  // The grid's own cells, and coarse ones out to 200 m.
+  // The smooth ground of which the grid's heights are samples (Catmull and Rom's cubic through
+  // them) in triangles of half a cell, and coarse ones out to 200 m. In triangles of whole cells
+  // the ground would have facets that no soil has.
   void AddGround() {
     const GroundView& g = scene_.ground;
     const auto patch = [&](double x0, double y0, double cell, int nx, int ny, auto height,
@@ -126,10 +130,34 @@ class World {
     };
     const GroundHeight height(g);
     const double x1 = g.x0_m + (g.nx - 1) * g.cell_m, y1 = g.y0_m + (g.ny - 1) * g.cell_m;
-    patch(g.x0_m, g.y0_m, g.cell_m, g.nx, g.ny, height, [](double, double) { return false; });
+    const auto smooth = [&](double x, double y) {
+      const double u = (x - g.x0_m) / g.cell_m, v = (y - g.y0_m) / g.cell_m;
+      const int ix = static_cast<int>(std::floor(u)), iy = static_cast<int>(std::floor(v));
+      std::array<double, 4> rows{};
+      for (int j = 0; j < 4; ++j) {
+        std::array<double, 4> row{};
+        for (int i = 0; i < 4; ++i) row[i] = Node(ix - 1 + i, iy - 1 + j);
+        rows[j] = Cubic(row, u - ix);
+      }
+      return Cubic(rows, v - iy);
+    };
+    patch(g.x0_m, g.y0_m, 0.5 * g.cell_m, 2 * g.nx - 1, 2 * g.ny - 1, smooth,
+          [](double, double) { return false; });
     patch(g.x0_m - 200.0, g.y0_m - 200.0, 0.5, 821, 813, height,
           [&](double x, double y) { return x > g.x0_m && x < x1 && y > g.y0_m && y < y1; });
   }
+  double Node(int ix, int iy) const {
+    const GroundView& g = scene_.ground;
+    return g.heights_m[std::clamp(iy, 0, g.ny - 1) * g.nx + std::clamp(ix, 0, g.nx - 1)];
+  }
+  // Between the second and the third of four values, t from 0 to 1.
+  static double Cubic(const std::array<double, 4>& h, double t) {
+    return h[1] + 0.5 * t *
+                      (h[2] - h[0] +
+                       t * (2.0 * h[0] - 5.0 * h[1] + 4.0 * h[2] - h[3] +
+                            t * (3.0 * (h[1] - h[2]) + h[3] - h[0])));
+  }
+
   // Six flat sides round each piece.
   void AddTether() {
     const auto& line = scene_.tether.points_W;
