@@ -5,14 +5,11 @@
 #include <array>
 #include <vector>
 
-#include "render/flat_view.h"
+#include "render/pixel_row.h"
 #include "render/scene.h"
 #include "render/shading.h"
 
 namespace dockyard {
-
-/// Points of the tan plane where the corners of a pixel look: 00, 10, 01, 11.
-using PixelCorners = std::array<Tan, 4>;
 
 /// Share of the face covered with dust at a place of the board [m]: patches of 2 and 8 cm about the
 /// mean (assumed).

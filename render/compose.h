@@ -4,20 +4,14 @@
 
 #include <vector>
 
-#include "render/flat_view.h"
 #include "render/ground_texture.h"
+#include "render/pixel_row.h"
 #include "render/scene.h"
 #include "render/shading.h"
 #include "render/stereo_renderer.h"
+#include "render/sun_shadow.h"
 
 namespace dockyard {
-
-/// Where the corners of a camera's pixels look in the tan plane: (width + 1) x (height + 1), row by
-/// row from the corner of the top left pixel.
-struct PixelGrid {
-  int width = 0, height = 0;
-  std::vector<float> x, y;
-};
 
 /// What a picture is made of, beside the views. The shadow is that of the scene.
 struct Lit {

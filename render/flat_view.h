@@ -44,6 +44,13 @@ Eigen::Vector3f UnpackNormal(const Seen& seen);
 /// and 1.
 struct Thin {
   float to_sun = 0.0f, to_zenith = 0.0f, inverse_depth = 0.0f, cover = 0.0f;
+
+  void Add(const Thin& thin, float weight) {
+    to_sun += weight * thin.to_sun;
+    to_zenith += weight * thin.to_zenith;
+    inverse_depth += weight * thin.inverse_depth;
+    cover += weight * thin.cover;
+  }
 };
 
 /// Rows from the top, rays evenly spread.

@@ -13,60 +13,72 @@ constexpr double kSharp_px = 0.25;   // a blur circle below this is drawn as a p
 constexpr double kWidest_px = 24.0;  // beyond it blur grows no more
 constexpr double kDiameterStep_px = 0.1;
 
-// cos^n of the angle off axis on a grid of pixels, straight between: within 3e-5 of itself.
-void VignetteByGrid(const Camera& camera, double exponent, RadianceImage& image) {
-  constexpr int kStep = 8;
-  const int nx = camera.width / kStep + 2, ny = camera.height / kStep + 2;
-  std::vector<float> falloff;
-  for (int j = 0; j < ny; ++j) {
-    for (int i = 0; i < nx; ++i) {
-      const Eigen::Vector2d pixel(std::min(i * kStep, camera.width),
-                                  std::min(j * kStep, camera.height));
-      const double cosine = std::max(camera.Direction(pixel).z(), 0.0);
-      falloff.push_back(static_cast<float>(std::pow(cosine, exponent)));
+// Falloff at places 8 px apart, straight between: within 3e-5 of itself.
+constexpr int kStep = 8;
+
+template <typename FalloffAt>
+void VignetteByKnots(const Camera& camera, FalloffAt falloff_at, RadianceImage& image) {
+  const int w = camera.width, h = camera.height;
+  const auto knots = [&](int y) {
+    std::vector<float> row;
+    for (int x = 0; x < w + kStep; x += kStep) row.push_back(falloff_at(std::min(x, w), y));
+    return row;
+  };
+  std::vector<float> top = knots(0), low, mixed(top.size());
+  for (int y = 0; y < h; ++y) {
+    const int from = y / kStep * kStep, to = std::min(from + kStep, h);
+    if (y == from) {
+      if (y > 0) top = std::move(low);
+      low = knots(to);
     }
-  }
-  for (int y = 0; y < camera.height; ++y) {
-    const int j = y / kStep;
-    const float t = static_cast<float>(y - j * kStep) / std::min(kStep, camera.height - j * kStep);
-    for (int x = 0; x < camera.width; ++x) {
-      const int i = x / kStep;
-      const float s = static_cast<float>(x - i * kStep) / std::min(kStep, camera.width - i * kStep);
-      const float* top = &falloff[static_cast<std::size_t>(j) * nx + i];
-      const float* low = top + nx;
-      const float above = top[0] + s * (top[1] - top[0]), below = low[0] + s * (low[1] - low[0]);
-      image.values[static_cast<std::size_t>(y) * image.width + x] *= above + t * (below - above);
+    const float t = static_cast<float>(y - from) / static_cast<float>(to - from);
+    for (std::size_t i = 0; i < top.size(); ++i) mixed[i] = top[i] + t * (low[i] - top[i]);
+    float* row = &image.values[static_cast<std::size_t>(y) * w];
+    for (int x0 = 0, i = 0; x0 < w; x0 += kStep, ++i) {
+      const int count = std::min(kStep, w - x0);
+      const float first = mixed[i], per_px = (mixed[i + 1] - first) / static_cast<float>(count);
+      for (int k = 0; k < count; ++k) row[x0 + k] *= first + static_cast<float>(k) * per_px;
     }
   }
 }
 
-// The same against rho^2, so that no pixel needs the lens's inverse.
+void VignetteByAngle(const Camera& camera, double exponent, RadianceImage& image) {
+  VignetteByKnots(
+      camera,
+      [&](int x, int y) {
+        const double cosine = std::max(camera.Direction(Eigen::Vector2d(x, y)).z(), 0.0);
+        return static_cast<float>(std::pow(cosine, exponent));
+      },
+      image);
+}
+
+// The same against rho^2, so that no knot needs the lens's inverse.
 void VignetteByRadius(const Camera& camera, const KannalaBrandt& lens, double exponent,
                       RadianceImage& image) {
   constexpr int kSize = 2048;
-  double largest = 0.0;
-  for (const double u : {0.0, camera.width - 1.0}) {
-    for (const double v : {0.0, camera.height - 1.0}) {
-      largest = std::max(largest, std::hypot((u - lens.cx) / lens.fx, (v - lens.cy) / lens.fy));
-    }
+  const auto rho2 = [&](double u, double v) {
+    const double mx = (u - lens.cx) / lens.fx, my = (v - lens.cy) / lens.fy;
+    return mx * mx + my * my;
+  };
+  double largest = 1e-12;
+  for (const double u : {0, camera.width}) {
+    for (const double v : {0, camera.height}) largest = std::max(largest, rho2(u, v));
   }
-  const double per_rho2 = (kSize - 2) / std::max(largest * largest, 1e-12);
+  const double per_rho2 = (kSize - 2) / largest;
   std::array<float, kSize> falloff{};
   for (int i = 0; i < kSize; ++i) {
     const double rho = std::sqrt(i / per_rho2);
     const Eigen::Vector3d ray = camera.Direction({lens.cx + lens.fx * rho, lens.cy});
     falloff[i] = static_cast<float>(std::pow(std::max(ray.z(), 0.0), exponent));
   }
-  for (int y = 0; y < camera.height; ++y) {
-    const double my = (y - lens.cy) / lens.fy;
-    for (int x = 0; x < camera.width; ++x) {
-      const double mx = (x - lens.cx) / lens.fx;
-      const auto at = static_cast<float>((mx * mx + my * my) * per_rho2);
-      const int i = static_cast<int>(at);
-      const float share = falloff[i] + (at - static_cast<float>(i)) * (falloff[i + 1] - falloff[i]);
-      image.values[static_cast<std::size_t>(y) * image.width + x] *= share;
-    }
-  }
+  VignetteByKnots(
+      camera,
+      [&](int x, int y) {
+        const auto at = static_cast<float>(rho2(x, y) * per_rho2);
+        const int i = static_cast<int>(at);
+        return falloff[i] + (at - static_cast<float>(i)) * (falloff[i + 1] - falloff[i]);
+      },
+      image);
 }
 
 void ApplyVignetting(const Camera& camera, double exponent, RadianceImage& image) {
@@ -74,7 +86,7 @@ void ApplyVignetting(const Camera& camera, double exponent, RadianceImage& image
   if (const auto* fisheye = std::get_if<KannalaBrandt>(&camera.lens)) {
     VignetteByRadius(camera, *fisheye, exponent, image);
   } else {
-    VignetteByGrid(camera, exponent, image);
+    VignetteByAngle(camera, exponent, image);
   }
 }
 
@@ -99,7 +111,9 @@ void Blur(double sigma, RadianceImage& image) {
   std::vector<float> padded(w + 2 * radius), out(image.values.size(), 0.0f);
   for (int y = 0; y < h; ++y) {  // along the rows, in place
     float* row = &image.values[static_cast<std::size_t>(y) * w];
-    for (int x = 0; x < w + 2 * radius; ++x) padded[x] = row[std::clamp(x - radius, 0, w - 1)];
+    std::fill(padded.begin(), padded.begin() + radius, row[0]);
+    std::copy(row, row + w, padded.begin() + radius);
+    std::fill(padded.end() - radius, padded.end(), row[w - 1]);
     std::fill(row, row + w, 0.0f);
     for (std::size_t k = 0; k < kernel.size(); ++k) {
       const float weight = kernel[k];

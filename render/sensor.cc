@@ -54,7 +54,9 @@ float Smallest(const std::array<RadianceImage, 2>& images, std::size_t k) {
   each([&](std::uint32_t bits) { ++counts[bits >> 16]; });
   const std::uint32_t upper = find();
   std::fill(counts.begin(), counts.end(), 0u);
-  each([&](std::uint32_t bits) { counts[bits & 0xffffu] += (bits >> 16) == upper; });
+  each([&](std::uint32_t bits) {
+    if (bits >> 16 == upper) ++counts[bits & 0xffffu];
+  });
   return std::bit_cast<float>(upper << 16 | find());
 }
 
@@ -114,9 +116,8 @@ DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOption
 const Camera& CameraOf(const StereoRig& rig, int eye) { return eye == 0 ? rig.left : rig.right; }
 
 // Light on the sensor.
-std::array<RadianceImage, 2> ThroughLens(const std::array<RadianceImage, 2>& radiance,
-                                         const StereoRig& rig, const SensorOptions& sensor) {
-  std::array<RadianceImage, 2> images = radiance;
+std::array<RadianceImage, 2> ThroughLens(std::array<RadianceImage, 2> images, const StereoRig& rig,
+                                         const SensorOptions& sensor) {
   for (int eye = 0; eye < 2; ++eye) {
     const Camera& camera = CameraOf(rig, eye);
     DOCKYARD_CHECK(images[eye].width == camera.width && images[eye].height == camera.height);
@@ -139,18 +140,18 @@ GrayImage UpperBits(const DeepImage& deep) {
 
 }  // namespace
 
-std::array<DeepImage, 2> ExposeDeep(const std::array<RadianceImage, 2>& radiance,
-                                    const StereoRig& rig, const SensorOptions& sensor) {
+std::array<DeepImage, 2> ExposeDeep(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
+                                    const SensorOptions& sensor) {
   RequireSound(sensor);
-  const std::array<RadianceImage, 2> images = ThroughLens(radiance, rig, sensor);
+  const std::array<RadianceImage, 2> images = ThroughLens(std::move(radiance), rig, sensor);
   const double gain = Gain(images, sensor);
   return {Digitise(images[0], gain, sensor, 0, HashBits(sensor.noise_key, 0)),
           Digitise(images[1], gain, sensor, 1, HashBits(sensor.noise_key, 1))};
 }
 
-StereoImages ExposeStereo(const std::array<RadianceImage, 2>& radiance, const StereoRig& rig,
+StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
                           const SensorOptions& sensor) {
-  const std::array<DeepImage, 2> deep = ExposeDeep(radiance, rig, sensor);
+  const std::array<DeepImage, 2> deep = ExposeDeep(std::move(radiance), rig, sensor);
   return {.left = UpperBits(deep[0]), .right = UpperBits(deep[1])};
 }
 

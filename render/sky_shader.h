@@ -31,6 +31,10 @@ class SkyShader {
     const float sky = s > 0.0f ? sky_ * 0.75f * (2.0f - s) : bounce_;
     return cosine > near_sun_ ? sky + disc_ : sky;
   }
+  /// Of many points at once.
+  void operator()(const float* x, const float* y, int count, float* radiance) const {
+    for (int i = 0; i < count; ++i) radiance[i] = (*this)({x[i], y[i]});
+  }
 
  private:
   Eigen::Vector3f up_C_, sun_C_;

@@ -78,14 +78,14 @@ class StereoRenderer {
 
 /// Lens, exposure, noise and quantisation of a pair of ideal views; pure functions of their
 /// arguments. The views hold depths if the lens has a focus.
-std::array<DeepImage, 2> ExposeDeep(const std::array<RadianceImage, 2>& radiance,
-                                    const StereoRig& rig, const SensorOptions& sensor);
+std::array<DeepImage, 2> ExposeDeep(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
+                                    const SensorOptions& sensor);
 /// The same in colour: red, green, blue of each eye, exposed as the grey pair would be.
 std::array<std::array<DeepImage, 3>, 2> ExposeColour(
     const std::array<std::array<RadianceImage, 3>, 2>& radiance, const StereoRig& rig,
     const SensorOptions& sensor);
 /// What the controller gets: the upper eight bits.
-StereoImages ExposeStereo(const std::array<RadianceImage, 2>& radiance, const StereoRig& rig,
+StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
                           const SensorOptions& sensor);
 
 }  // namespace dockyard

@@ -52,6 +52,15 @@ class SunShadow {
     int turn;              // 0 to kTurns - 1: scatters the points of the sun's disc
   };
   static constexpr int kTurns = 256, kMostPoints = 16;
+  /// Scatters neighbouring pixels (Jimenez, SIGGRAPH 2014, interleaved gradient noise).
+  static int Turn(int pixel_x, int pixel_y) {
+    const float a =
+        0.06711056f * static_cast<float>(pixel_x) + 0.00583715f * static_cast<float>(pixel_y);
+    const float b = 52.9829189f * (a - static_cast<float>(static_cast<int>(a)));
+    const float c = b - static_cast<float>(static_cast<int>(b));
+    const int turn = static_cast<int>(c * kTurns);
+    return turn < kTurns ? turn : kTurns - 1;
+  }
   /// searches, points: of the disc, to find casters and to measure their cover; 1 to kMostPoints.
   float Share(const Place& place, int searches, int points) const;
 

@@ -1,0 +1,175 @@
+#include "render/ground_shader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard {
+namespace {
+
+// A footprint on the ground is long and narrow: by its length alone the grain would blur away, and
+// the walls of ruts with it.
+constexpr float kSharper = 0.7f, kReliefSharper = 2.0f;
+constexpr float kBias_m = 0.001f;
+constexpr int kSearches = 4, kPoints = 8;  // of the sun's disc
+constexpr float kFadeOut_m = 0.3f;         // of the relief beyond the grid's border
+constexpr float kTexelLog = -9.3219281f;   // log2 of a texel of the soil's picture, 1.6 m / 1024
+constexpr float kPerTile = static_cast<float>(1.0 / kSoilTile_m);
+constexpr float kFull = static_cast<float>(kSoilSlopeFull);
+
+}  // namespace
+
+// Where pixels look on the ground.
+struct GroundShader::Places {
+  float z[kAtOnce], x[kAtOnce], y[kAtOnce];  // depth; in the site's frame
+  float column[kAtOnce], row[kAtOnce];       // of the grid
+  float blur[kAtOnce];                       // half the footprint's width
+  float soil_lod[kAtOnce], relief_lod[kAtOnce];
+};
+
+// What is there, and its light.
+struct GroundShader::Lights {
+  float relief_x[kAtOnce], relief_y[kAtOnce], over_ground[kAtOnce], lump_tone[kAtOnce];
+  float tone[kAtOnce], slope_x[kAtOnce], slope_y[kAtOnce], height[kAtOnce];  // of the grain
+  float sun[kAtOnce], around[kAtOnce];                                       // radiance
+};
+
+GroundShader::GroundShader(const GroundTexture& texture, const Scene& scene,
+                           const SunShadow& shadow, const Pose3& X_WC, Channel channel)
+    : texture_(texture), shadow_(shadow) {
+  const Pose3 X_UC = Inverse(shadow.fit().X_WU) * X_WC;
+  R_UC_ = X_UC.R.cast<float>();
+  p_UC_ = X_UC.p.cast<float>();
+  R_UG_ = (shadow.fit().X_WU.R.transpose() * scene.ground.X_WG.R).cast<float>();
+  const GroundView& ground = scene.ground;
+  const Pose3 X_GC = Inverse(ground.X_WG) * X_WC;
+  p_GC_ = X_GC.p.head<2>().cast<float>();
+  to_level_ = X_GC.R.topRows<2>().cast<float>();
+  up_C_ = X_WC.R.row(2).transpose().cast<float>();
+  sun_G_ = (ground.X_WG.R.transpose() * scene.light.to_sun_W).cast<float>();
+  up_G_ = ground.X_WG.R.row(2).transpose().cast<float>();
+  x0_ = static_cast<float>(ground.x0_m);
+  y0_ = static_cast<float>(ground.y0_m);
+  cell_ = static_cast<float>(ground.cell_m);
+  per_cell_ = 1.0f / cell_;
+  cell_log_ = RoughLog2(cell_);
+  last_column_ = static_cast<float>(ground.nx - 1);
+  last_row_ = static_cast<float>(ground.ny - 1);
+  const Reflected r = Reflect(scene.light, ground.albedo, channel);
+  sun_ = static_cast<float>(r.sun);
+  sky_ = static_cast<float>(r.sky);
+  bounce_ = static_cast<float>(r.bounce);
+}
+
+void GroundShader::operator()(const Looks& looks, float* radiance) const {
+  Places places;
+  Lights lights;
+  for (int first = 0; first < looks.count; first += kAtOnce) {
+    const int count = std::min(kAtOnce, looks.count - first);
+    Find(looks, first, count, places);
+    Fetch(count, places, lights);
+    Light(count, lights);
+    for (int i = 0; i < count; ++i) {
+      radiance[first + i] =
+          lights.around[i] + (lights.sun[i] > 0.0f
+                                  ? lights.sun[i] * SunShare(looks, first + i, places, lights, i)
+                                  : 0.0f);
+    }
+  }
+}
+
+void GroundShader::Find(const Looks& l, int first, int count, Places& p) const {
+  const float ux = up_C_.x(), uy = up_C_.y(), uz = up_C_.z();
+  const Eigen::Matrix<float, 2, 3> m = to_level_;
+  const float px = p_GC_.x(), py = p_GC_.y();
+  for (int i = 0; i < count; ++i) {
+    const float x = l.x[first + i], y = l.y[first + i];
+    const float ax = l.along_x[first + i], ay = l.along_y[first + i];
+    const float dx = l.down_x[first + i], dy = l.down_y[first + i];
+    // On level ground depths go inversely with how much a ray sinks in a metre of depth.
+    const float sinks = std::min(ux * x + uy * y + uz, -1e-3f);
+    const float known_sinks =
+        std::min(ux * l.known_x[first + i] + uy * l.known_y[first + i] + uz, -1e-3f);
+    const float z = known_sinks / (sinks * l.inverse_depth[first + i]);
+    // The footprint on level ground: a step that changes the sinking moves the point along the ray
+    // in proportion.
+    const float tilt = std::max(std::abs(ux * ax + uy * ay), std::abs(ux * dx + uy * dy));
+    const float width = z * std::max(std::abs(ax) + std::abs(ay), std::abs(dx) + std::abs(dy));
+    const float length = std::max(z * tilt / -sinks * (1.0f + std::abs(x)), width);
+    const float length_log = RoughLog2(length);
+    p.z[i] = z;
+    p.x[i] = px + z * (m(0, 0) * x + m(0, 1) * y + m(0, 2));
+    p.y[i] = py + z * (m(1, 0) * x + m(1, 1) * y + m(1, 2));
+    p.column[i] = (p.x[i] - x0_) * per_cell_;
+    p.row[i] = (p.y[i] - y0_) * per_cell_;
+    p.blur[i] = 0.5f * width;
+    p.soil_lod[i] = length_log - (kTexelLog + kSharper);
+    p.relief_lod[i] = std::max(RoughLog2(width), length_log - kReliefSharper) - cell_log_;
+  }
+}
+
+Four GroundShader::Relief(float x, float y, float column, float row, float lod) const {
+  const float beyond = cell_ * std::max(std::max(std::max(-column, column - last_column_),
+                                                 std::max(-row, row - last_row_)),
+                                        0.0f);
+  if (beyond >= kFadeOut_m) return texture_.Beyond(x, y);
+  const Four relief = texture_.relief().At(column - 0.5f, row - 0.5f, lod);
+  if (beyond == 0.0f) return relief;
+  const float t = beyond * (1.0f / kFadeOut_m);
+  return Mix(relief, texture_.Beyond(x, y), t * t * (3.0f - 2.0f * t));
+}
+
+void GroundShader::Fetch(int count, const Places& p, Lights& l) const {
+  for (int i = 0; i < count; ++i) {
+    const Four relief = Relief(p.x[i], p.y[i], p.column[i], p.row[i], p.relief_lod[i]);
+    l.relief_x[i] = relief[0];
+    l.relief_y[i] = relief[1];
+    l.over_ground[i] = relief[2];
+    l.lump_tone[i] = relief[3];
+  }
+  const SoilPyramid& soil = texture_.soil();
+  for (int i = 0; i < count; ++i) {
+    const Four grain = GroundTexture::Signed(
+        soil.At(p.x[i] * kPerTile, p.y[i] * kPerTile, p.soil_lod[i]));
+    l.tone[i] = grain[0];
+    l.slope_x[i] = grain[1];
+    l.slope_y[i] = grain[2];
+    l.height[i] = grain[3];
+  }
+}
+
+void GroundShader::Light(int count, Lights& l) const {
+  const float sun_x = sun_G_.x(), sun_y = sun_G_.y(), sun_z = sun_G_.z();
+  const float up_x = up_G_.x(), up_y = up_G_.y(), up_z = up_G_.z();
+  for (int i = 0; i < count; ++i) {
+    const float sx = l.relief_x[i] + kFull * l.slope_x[i];
+    const float sy = l.relief_y[i] + kFull * l.slope_y[i];
+    const float shorten = 1.0f / std::sqrt(1.0f + sx * sx + sy * sy);
+    const float to_sun = (sun_z - sx * sun_x - sy * sun_y) * shorten;
+    const float to_zenith = (up_z - sx * up_x - sy * up_y) * shorten;
+    const float tone = (1.0f + l.tone[i]) * l.lump_tone[i];
+    // Grain holds back some of the sky.
+    const float open = std::min(std::max(0.92f + 0.5f * l.height[i], 0.7f), 1.0f);
+    l.around[i] = tone * Shade(sun_, sky_ * open, bounce_ * open, 0.0f, to_zenith, 0.0f);
+    l.sun[i] = tone * kInversePi * sun_ * std::max(to_sun, 0.0f) * l.over_ground[i];
+  }
+}
+
+// Share of the sun that objects leave a pixel.
+float GroundShader::SunShare(const Looks& looks, int pixel, const Places& p, const Lights& l,
+                             int i) const {
+  const float z = p.z[i];
+  const Eigen::Vector3f p_U =
+      p_UC_ + R_UC_ * Eigen::Vector3f(z * looks.x[pixel], z * looks.y[pixel], z);
+  const float length =
+      1.0f / std::sqrt(1.0f + l.relief_x[i] * l.relief_x[i] + l.relief_y[i] * l.relief_y[i]);
+  const Eigen::Vector3f n_U =
+      R_UG_ * Eigen::Vector3f(-l.relief_x[i] * length, -l.relief_y[i] * length, length);
+  return shadow_.Share({.p = p_U,
+                        .n = n_U,
+                        .bias_m = kBias_m,
+                        .blur_m = p.blur[i],
+                        .turn = SunShadow::Turn(looks.column + pixel, looks.row)},
+                       kSearches, kPoints);
+}
+
+}  // namespace dockyard

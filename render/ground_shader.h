@@ -1,0 +1,52 @@
+// The ground's light for one camera, many pixels at a time. No GL.
+#pragma once
+
+#include "render/ground_texture.h"
+#include "render/scene.h"
+#include "render/shading.h"
+#include "render/sun_shadow.h"
+
+namespace dockyard {
+
+class GroundShader {
+ public:
+  /// texture and shadow must outlive this.
+  GroundShader(const GroundTexture& texture, const Scene& scene, const SunShadow& shadow,
+               const Pose3& X_WC, Channel channel);
+
+  /// Pixels side by side in one row of the picture that look into the ground. Arrays of count:
+  struct Looks {
+    const float *x, *y;                           // where each looks in the tan plane
+    const float *known_x, *known_y;               // a ray next to it
+    const float* inverse_depth;                   // 1/z of where that one meets the ground
+    const float *along_x, *along_y;               // change of x, y from pixel to pixel
+    const float *down_x, *down_y;                 // the same from row to row
+    int count;
+    int column, row;  // of the first pixel
+  };
+  /// Their radiance. A pixel's does not depend on its company.
+  void operator()(const Looks& looks, float* radiance) const;
+
+ private:
+  static constexpr int kAtOnce = 64;
+  struct Places;
+  struct Lights;
+  void Find(const Looks& looks, int first, int count, Places& places) const;
+  void Fetch(int count, const Places& places, Lights& lights) const;
+  void Light(int count, Lights& lights) const;
+  Four Relief(float x, float y, float column, float row, float lod) const;
+  float SunShare(const Looks& looks, int pixel, const Places& places, const Lights& lights,
+                int i) const;
+
+  const GroundTexture& texture_;
+  const SunShadow& shadow_;
+  Eigen::Vector2f p_GC_;
+  Eigen::Matrix<float, 2, 3> to_level_;  // camera axes to the site's x and y
+  Eigen::Matrix3f R_UC_, R_UG_;
+  Eigen::Vector3f p_UC_, up_C_, sun_G_, up_G_;
+  float x0_, y0_, per_cell_, cell_, cell_log_;
+  float last_column_, last_row_;
+  float sun_, sky_, bounce_;
+};
+
+}  // namespace dockyard

@@ -1,0 +1,76 @@
+// Looking up a flat view's rays from the tan plane. No GL.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "render/flat_view.h"
+#include "render/pixel_row.h"
+
+namespace dockyard {
+
+/// For pixels of a row: which rays of a view theirs are, and the middle of where those look.
+struct RowRays {
+  explicit RowRays(int width) : from_x(width), from_y(width), columns(width), lines(width) {
+    for (std::vector<int>& a : at) a.resize(width);
+  }
+  std::array<std::vector<int>, kRays> at;  // places in FlatView::seen
+  std::vector<float> from_x, from_y;
+  std::vector<float> columns, lines;  // of one of the rays
+};
+
+class ViewSampler {
+ public:
+  explicit ViewSampler(const FlatView& v)
+      : view_(v),
+        sx_(static_cast<float>(v.width / (v.rect.right - v.rect.left))),
+        sy_(static_cast<float>(v.height / (v.rect.bottom - v.rect.top))),
+        per_sx_(1.0f / sx_),
+        per_sy_(1.0f / sy_),
+        x0_(static_cast<float>(v.rect.left)),
+        y0_(static_cast<float>(v.rect.top)) {}
+
+  const Seen& At(int place) const { return view_.seen[static_cast<std::size_t>(place)]; }
+  const Seen& At(Tan tan) const { return At(Row(tan.y) * view_.width + Column(tan.x)); }
+  void Prefetch(int place) const { __builtin_prefetch(&At(place)); }
+  /// Where a ray of the view looks.
+  Tan From(int place) const {
+    const int row = place / view_.width;
+    return {(static_cast<float>(place - row * view_.width) + 0.5f) * per_sx_ + x0_,
+            (static_cast<float>(row) + 0.5f) * per_sy_ + y0_};
+  }
+
+  /// The rays of pixels first to last - 1, all of which the view holds.
+  void Find(const PixelRow& row, int first, int last, RowRays& rays) const;
+  /// Which of count pixels have their whole footprint in the view: 1, else 0.
+  void Hold(const PixelRow& row, int count, std::uint8_t* held) const;
+  /// Which of pixels first to last - 1 thin bodies may touch.
+  void HaveThin(const PixelRow& row, int first, int last, std::uint8_t* have) const;
+  /// Bilinear, for the bodies are drawn hardly wider than the rays are apart.
+  Thin ThinAt(Tan tan) const {
+    const float x = (tan.x - x0_) * sx_ - 0.5f, y = (tan.y - y0_) * sy_ - 0.5f;
+    const int ix = static_cast<int>(std::floor(x)), iy = static_cast<int>(std::floor(y));
+    const float fx = x - static_cast<float>(ix), fy = y - static_cast<float>(iy);
+    Thin sum;
+    for (int k = 0; k < 4; ++k) {
+      const int tx = ix + (k & 1) - view_.thin_x, ty = iy + (k >> 1) - view_.thin_y;
+      if (tx < 0 || ty < 0 || tx >= view_.thin_width || ty >= view_.thin_height) continue;
+      const float weight = ((k & 1) ? fx : 1.0f - fx) * ((k & 2) ? fy : 1.0f - fy);
+      sum.Add(view_.thin[static_cast<std::size_t>(ty) * view_.thin_width + tx], weight);
+    }
+    return sum;
+  }
+
+ private:
+  int Column(float tan_x) const { return static_cast<int>((tan_x - x0_) * sx_); }
+  int Row(float tan_y) const { return static_cast<int>((tan_y - y0_) * sy_); }
+  // Whether footprints lie in (inside) or touch a part of the view, in its pixels.
+  static void Mark(const PixelRow& row, int first, int last, const TanRect& part, bool inside,
+                   std::uint8_t* marks);
+
+  const FlatView& view_;
+  float sx_, sy_, per_sx_, per_sy_, x0_, y0_;
+};
+
+}  // namespace dockyard
