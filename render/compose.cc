@@ -57,7 +57,6 @@ class Composer {
 
   void Row(const PixelGrid& grid, int y, float* radiance) {
     row_.Fill(grid, y);
-    y_ = y;
     if (close_) close_->Hold(row_, grid.width, held_.data());
     for (int first = 0, last; first < grid.width; first = last) {
       last = first + 1;
@@ -70,7 +69,6 @@ class Composer {
 
  private:
   Tan Middle(int x) const { return {row_.x[x], row_.y[x]}; }
-  Pixel PixelAt(int x) const { return row_.At(x, SunShadow::Turn(x, y_)); }
 
   // Pixels first to last - 1, all from one view.
   void Part(const ViewSampler& view, int first, int last, float* radiance) {
@@ -86,9 +84,9 @@ class Composer {
       const float least = std::min(std::min(a, b), std::min(c, d));
       const float most = std::max(std::max(a, b), std::max(c, d));
       code_[x] = 0.25f * (a + b + c + d);
-      kind_[x] = least > 0.0f && most < kBoardCode  ? Kind::kGround
-                 : least == 0.0f && most == 0.0f ? Kind::kSky
-                                                 : Kind::kOther;
+      kind_[x] = least > 0.0f && most < kBoardCode ? Kind::kGround
+                 : least == 0.0f && most == 0.0f   ? Kind::kSky
+                                                   : Kind::kOther;
     }
     for (int from = first, to; from < last; from = to) {
       to = from + 1;
@@ -120,13 +118,13 @@ class Composer {
                 .down_y = &row_.down_y[from],
                 .count = to - from,
                 .column = from,
-                .row = y_},
+                .row = row_.number},
                radiance + from);
   }
 
   // Rays of one pixel that met objects, the board, or different things.
   float Mixed(const ViewSampler& view, int x) const {
-    const Pixel pixel = PixelAt(x);
+    const Pixel pixel = row_.At(x);
     Seen seen[kRays];
     Tan from[kRays];  // each met what it met there, up to half a ray's distance off the pixel's own
     for (int k = 0; k < kRays; ++k) {
@@ -148,7 +146,7 @@ class Composer {
     }
     if (grounds.count > 0.0f) radiance += grounds.count * GroundPart(pixel, grounds, x);
     if (boards.count > 0.0f) {
-      const float share = objects_.BoardShare(boards.MeanRay(), pixel.blur(), pixel.turn);
+      const float share = objects_.BoardShare(boards.MeanRay(), pixel);
       radiance += boards.count * (*board_)(pixel.corners(), share);
     }
     if (skies > 0.0f) radiance += skies * sky_(pixel.middle);
@@ -170,7 +168,7 @@ class Composer {
                 .down_y = &pixel.down.y,
                 .count = 1,
                 .column = x,
-                .row = y_},
+                .row = row_.number},
                &radiance);
     return radiance;
   }
@@ -185,22 +183,20 @@ class Composer {
       met.Add(seen[j].code, pixel.Ray(j), from[j]);
     }
     const Seen middle{.object = seen[k].object, .code = met.MeanCode()};
-    return met.count * objects_(middle, met.MeanFrom(), pixel.blur(), pixel.turn);
+    return met.count * objects_(middle, met.MeanFrom(), pixel);
   }
 
   // The same behind thin bodies.
   float Behind(const ViewSampler& view, int x, float radiance) const {
-    const Pixel pixel = PixelAt(x);
+    const Pixel pixel = row_.At(x);
     Thin sum;
     for (int k = 0; k < kRays; ++k) sum.Add(view.ThinAt(pixel.Ray(k)), 0.25f);
     if (sum.cover <= 0.0f) return radiance;
-    return radiance * (1.0f - sum.cover) +
-           objects_.OfThin(sum, pixel.middle, pixel.blur(), pixel.turn);
+    return radiance * (1.0f - sum.cover) + objects_.OfThin(sum, pixel.middle, pixel);
   }
 
   PixelRow row_;
   RowRays rays_;
-  int y_ = 0;
   std::vector<float> code_;
   std::vector<Kind> kind_;
   std::vector<std::uint8_t> held_, thin_;  // by the close view; by bodies that are thin

@@ -31,6 +31,7 @@ struct GroundShader::Lights {
   float relief_x[kAtOnce], relief_y[kAtOnce], over_ground[kAtOnce], lump_tone[kAtOnce];
   float tone[kAtOnce], slope_x[kAtOnce], slope_y[kAtOnce], height[kAtOnce];  // of the grain
   float sun[kAtOnce], around[kAtOnce];                                       // radiance
+  float p_x[kAtOnce], p_y[kAtOnce], p_z[kAtOnce], n_x[kAtOnce], n_y[kAtOnce], n_z[kAtOnce];
 };
 
 GroundShader::GroundShader(const GroundTexture& texture, const Scene& scene,
@@ -68,11 +69,19 @@ void GroundShader::operator()(const Looks& looks, float* radiance) const {
     Find(looks, first, count, places);
     Fetch(count, places, lights);
     Light(count, lights);
+    Turn(looks, first, count, places, lights);
     for (int i = 0; i < count; ++i) {
-      radiance[first + i] =
-          lights.around[i] + (lights.sun[i] > 0.0f
-                                  ? lights.sun[i] * SunShare(looks, first + i, places, lights, i)
-                                  : 0.0f);
+      float share = 0.0f;
+      if (lights.sun[i] > 0.0f) {
+        share = shadow_.Share({.p = {lights.p_x[i], lights.p_y[i], lights.p_z[i]},
+                               .n = {lights.n_x[i], lights.n_y[i], lights.n_z[i]},
+                               .bias_m = kBias_m,
+                               .blur_m = places.blur[i],
+                               .pixel_x = looks.column + first + i,
+                               .pixel_y = looks.row},
+                              kSearches, kPoints);
+      }
+      radiance[first + i] = lights.around[i] + share * lights.sun[i];
     }
   }
 }
@@ -128,8 +137,8 @@ void GroundShader::Fetch(int count, const Places& p, Lights& l) const {
   }
   const SoilPyramid& soil = texture_.soil();
   for (int i = 0; i < count; ++i) {
-    const Four grain = GroundTexture::Signed(
-        soil.At(p.x[i] * kPerTile, p.y[i] * kPerTile, p.soil_lod[i]));
+    const Four grain =
+        GroundTexture::Signed(soil.At(p.x[i] * kPerTile, p.y[i] * kPerTile, p.soil_lod[i]));
     l.tone[i] = grain[0];
     l.slope_x[i] = grain[1];
     l.slope_y[i] = grain[2];
@@ -154,22 +163,24 @@ void GroundShader::Light(int count, Lights& l) const {
   }
 }
 
-// Share of the sun that objects leave a pixel.
-float GroundShader::SunShare(const Looks& looks, int pixel, const Places& p, const Lights& l,
-                             int i) const {
-  const float z = p.z[i];
-  const Eigen::Vector3f p_U =
-      p_UC_ + R_UC_ * Eigen::Vector3f(z * looks.x[pixel], z * looks.y[pixel], z);
-  const float length =
-      1.0f / std::sqrt(1.0f + l.relief_x[i] * l.relief_x[i] + l.relief_y[i] * l.relief_y[i]);
-  const Eigen::Vector3f n_U =
-      R_UG_ * Eigen::Vector3f(-l.relief_x[i] * length, -l.relief_y[i] * length, length);
-  return shadow_.Share({.p = p_U,
-                        .n = n_U,
-                        .bias_m = kBias_m,
-                        .blur_m = p.blur[i],
-                        .turn = SunShadow::Turn(looks.column + pixel, looks.row)},
-                       kSearches, kPoints);
+// Places and normals in light axes.
+void GroundShader::Turn(const Looks& looks, int first, int count, const Places& p,
+                        Lights& l) const {
+  const Eigen::Matrix3f m = R_UC_, r = R_UG_;
+  const Eigen::Vector3f o = p_UC_;
+  for (int i = 0; i < count; ++i) {
+    const float x = p.z[i] * looks.x[first + i], y = p.z[i] * looks.y[first + i];
+    l.p_x[i] = o[0] + (m(0, 0) * x + m(0, 1) * y + m(0, 2) * p.z[i]);
+    l.p_y[i] = o[1] + (m(1, 0) * x + m(1, 1) * y + m(1, 2) * p.z[i]);
+    l.p_z[i] = o[2] + (m(2, 0) * x + m(2, 1) * y + m(2, 2) * p.z[i]);
+  }
+  for (int i = 0; i < count; ++i) {
+    const float sx = -l.relief_x[i], sy = -l.relief_y[i];
+    const float shorten = 1.0f / std::sqrt(1.0f + sx * sx + sy * sy);
+    l.n_x[i] = (r(0, 0) * sx + r(0, 1) * sy + r(0, 2)) * shorten;
+    l.n_y[i] = (r(1, 0) * sx + r(1, 1) * sy + r(1, 2)) * shorten;
+    l.n_z[i] = (r(2, 0) * sx + r(2, 1) * sy + r(2, 2)) * shorten;
+  }
 }
 
 }  // namespace dockyard

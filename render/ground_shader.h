@@ -16,11 +16,11 @@ class GroundShader {
 
   /// Pixels side by side in one row of the picture that look into the ground. Arrays of count:
   struct Looks {
-    const float *x, *y;                           // where each looks in the tan plane
-    const float *known_x, *known_y;               // a ray next to it
-    const float* inverse_depth;                   // 1/z of where that one meets the ground
-    const float *along_x, *along_y;               // change of x, y from pixel to pixel
-    const float *down_x, *down_y;                 // the same from row to row
+    const float *x, *y;              // where each looks in the tan plane
+    const float *known_x, *known_y;  // a ray next to it
+    const float* inverse_depth;      // 1/z of where that one meets the ground
+    const float *along_x, *along_y;  // change of x, y from pixel to pixel
+    const float *down_x, *down_y;    // the same from row to row
     int count;
     int column, row;  // of the first pixel
   };
@@ -35,8 +35,7 @@ class GroundShader {
   void Fetch(int count, const Places& places, Lights& lights) const;
   void Light(int count, Lights& lights) const;
   Four Relief(float x, float y, float column, float row, float lod) const;
-  float SunShare(const Looks& looks, int pixel, const Places& places, const Lights& lights,
-                int i) const;
+  void Turn(const Looks& looks, int first, int count, const Places& places, Lights& lights) const;
 
   const GroundTexture& texture_;
   const SunShadow& shadow_;

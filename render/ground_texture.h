@@ -21,9 +21,7 @@ class GroundTexture {
   /// Brightness, slopes and height of the grain; see soil_texture.h.
   const SoilPyramid& soil() const { return soil_; }
   /// Relief of level ground in full sun beyond the grid.
-  Four Beyond(float x_m, float y_m) const {
-    return Four{0.0f, 0.0f, 1.0f, 0.0f} + Lumps(x_m, y_m);
-  }
+  Four Beyond(float x_m, float y_m) const { return Four{0.0f, 0.0f, 1.0f, 0.0f} + Lumps(x_m, y_m); }
   /// Brightness and slopes of a texel: 128 is nought, 127 steps are one.
   static Four Signed(Four texel) { return (texel - 128.0f) * (1.0f / 127.0f); }
 

@@ -45,28 +45,26 @@ ObjectShader::ObjectShader(const Scene& scene, const SunShadow& shadow, const Po
   if (p_B.z() < 0.0) n_board_U_ = -n_board_U_;  // its face, which looks along -z
 }
 
-float ObjectShader::operator()(const Seen& seen, Tan tan, float blur, int turn) const {
+float ObjectShader::operator()(const Seen& seen, Tan tan, const Pixel& pixel) const {
   const Eigen::Vector3f n = UnpackNormal(seen);
   const Floats& f = objects_[static_cast<std::size_t>(ObjectOf(seen))];
-  const float share = n.z() > 0.0f
-                          ? Share(tan, -seen.code, n, kCurvedBias_m, blur, turn, kSearches, kPoints)
-                          : 0.0f;
+  const float share =
+      n.z() > 0.0f ? Share(tan, -seen.code, n, kCurvedBias_m, pixel, kSearches, kPoints) : 0.0f;
   return Shade(f.sun, f.sky, f.bounce, n.z(), n.dot(up_U_), share);
 }
 
-float ObjectShader::BoardShare(Tan tan, float blur, int turn) const {
+float ObjectShader::BoardShare(Tan tan, const Pixel& pixel) const {
   if (n_board_U_.z() <= 0.0f) return 0.0f;
   // Its plane is known better than any ray's depth.
   const float inverse_depth =
       board_plane_C_.x() * tan.x + board_plane_C_.y() * tan.y + board_plane_C_.z();
-  return Share(tan, inverse_depth, n_board_U_, kFlatBias_m, blur, turn, kBoardSearches,
-               kBoardPoints);
+  return Share(tan, inverse_depth, n_board_U_, kFlatBias_m, pixel, kBoardSearches, kBoardPoints);
 }
 
-float ObjectShader::OfThin(const Thin& thin, Tan tan, float blur, int turn) const {
+float ObjectShader::OfThin(const Thin& thin, Tan tan, const Pixel& pixel) const {
   const float per = 1.0f / thin.cover;
   const float share = Share(tan, thin.inverse_depth * per, Eigen::Vector3f::UnitZ(), kCurvedBias_m,
-                            blur, turn, kSearches, kPoints);
+                            pixel, kSearches, kPoints);
   return thin.cover *
          Shade(thin_.sun, thin_.sky, thin_.bounce, thin.to_sun * per, thin.to_zenith * per, share);
 }
@@ -78,15 +76,18 @@ ObjectShader::Floats ObjectShader::ToFloats(const Scene& scene, const Eigen::Vec
 }
 
 float ObjectShader::Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n, float bias,
-                          float blur, int turn, int searches, int points) const {
+                          const Pixel& pixel, int searches, int points) const {
   const float z = 1.0f / inverse_depth;
   const Eigen::Vector3f p_C(z * tan.x, z * tan.y, z);
   const float over_ground = horizon_.Share(p_GC_ + R_GC_ * p_C);
   if (over_ground == 0.0f) return 0.0f;
-  return over_ground *
-         shadow_.Share(
-             {.p = p_UC_ + R_UC_ * p_C, .n = n, .bias_m = bias, .blur_m = blur * z, .turn = turn},
-             searches, points);
+  return over_ground * shadow_.Share({.p = p_UC_ + R_UC_ * p_C,
+                                      .n = n,
+                                      .bias_m = bias,
+                                      .blur_m = pixel.blur() * z,
+                                      .pixel_x = pixel.column,
+                                      .pixel_y = pixel.row},
+                                     searches, points);
 }
 
 }  // namespace dockyard

@@ -5,6 +5,7 @@
 
 #include "render/flat_view.h"
 #include "render/ground_horizon.h"
+#include "render/pixel_row.h"
 #include "render/scene.h"
 #include "render/shading.h"
 #include "render/sun_shadow.h"
@@ -16,21 +17,20 @@ class ObjectShader {
   /// scene and shadow must outlive this.
   ObjectShader(const Scene& scene, const SunShadow& shadow, const Pose3& X_WC, Channel channel);
 
-  /// Radiance of an object where the ray (tan, 1) meets it. blur: half a pixel's width in the tan
-  /// plane; turn: see SunShadow.
-  float operator()(const Seen& seen, Tan tan, float blur, int turn) const;
+  /// Radiance of an object where the ray (tan, 1) meets it, in a pixel of the picture.
+  float operator()(const Seen& seen, Tan tan, const Pixel& pixel) const;
   /// Share of the sun where the ray meets the board's plane.
-  float BoardShare(Tan tan, float blur, int turn) const;
+  float BoardShare(Tan tan, const Pixel& pixel) const;
   /// Radiance times cover.
-  float OfThin(const Thin& thin, Tan tan, float blur, int turn) const;
+  float OfThin(const Thin& thin, Tan tan, const Pixel& pixel) const;
 
  private:
   struct Floats {
     float sun, sky, bounce;
   };
   static Floats ToFloats(const Scene& scene, const Eigen::Vector3d& albedo, Channel channel);
-  float Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n, float bias, float blur,
-              int turn, int searches, int points) const;
+  float Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n, float bias,
+              const Pixel& pixel, int searches, int points) const;
 
   const SunShadow& shadow_;
   GroundHorizon horizon_;

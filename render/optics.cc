@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <variant>
 
 namespace dockyard {
@@ -104,30 +105,43 @@ std::vector<float> GaussianKernel(double sigma) {
   return kernel;
 }
 
+// out[x] = sum of kernel[k] * rows[k][x], as many x at once as registers hold.
+void Weigh(const std::vector<const float*>& rows, const std::vector<float>& kernel, int count,
+           float* __restrict out) {
+  constexpr int kAtOnce = 16;
+  const auto block = [&](int x, auto width) {
+    float sum[kAtOnce] = {};
+    for (std::size_t k = 0; k < kernel.size(); ++k) {
+      const float weight = kernel[k];
+      const float* from = rows[k] + x;
+      for (int i = 0; i < width; ++i) sum[i] += weight * from[i];
+    }
+    std::copy(sum, sum + width, out + x);
+  };
+  int x = 0;
+  for (; x + kAtOnce <= count; x += kAtOnce) block(x, std::integral_constant<int, kAtOnce>());
+  for (; x < count; ++x) block(x, std::integral_constant<int, 1>());
+}
+
 void Blur(double sigma, RadianceImage& image) {
   if (sigma == 0.0) return;
   const std::vector<float> kernel = GaussianKernel(sigma);
   const int radius = static_cast<int>(kernel.size() / 2), w = image.width, h = image.height;
-  std::vector<float> padded(w + 2 * radius), out(image.values.size(), 0.0f);
+  std::vector<float> padded(w + 2 * radius), out(image.values.size());
+  std::vector<const float*> rows(kernel.size());
+  for (std::size_t k = 0; k < kernel.size(); ++k) rows[k] = padded.data() + k;
   for (int y = 0; y < h; ++y) {  // along the rows, in place
     float* row = &image.values[static_cast<std::size_t>(y) * w];
     std::fill(padded.begin(), padded.begin() + radius, row[0]);
     std::copy(row, row + w, padded.begin() + radius);
     std::fill(padded.end() - radius, padded.end(), row[w - 1]);
-    std::fill(row, row + w, 0.0f);
-    for (std::size_t k = 0; k < kernel.size(); ++k) {
-      const float weight = kernel[k];
-      const float* from = padded.data() + k;
-      for (int x = 0; x < w; ++x) row[x] += weight * from[x];
-    }
+    Weigh(rows, kernel, w, row);
   }
   for (int y = 0; y < h; ++y) {  // down the columns
-    float* row = &out[static_cast<std::size_t>(y) * w];
     for (int k = -radius; k <= radius; ++k) {
-      const float weight = kernel[k + radius];
-      const float* from = &image.values[static_cast<std::size_t>(std::clamp(y + k, 0, h - 1)) * w];
-      for (int x = 0; x < w; ++x) row[x] += weight * from[x];
+      rows[k + radius] = &image.values[static_cast<std::size_t>(std::clamp(y + k, 0, h - 1)) * w];
     }
+    Weigh(rows, kernel, w, &out[static_cast<std::size_t>(y) * w]);
   }
   image.values = std::move(out);
 }

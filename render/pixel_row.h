@@ -24,7 +24,7 @@ inline constexpr int kRays = 4;
 
 struct Pixel {
   Tan middle, along, down;  // where it looks, and how that changes along and down the picture
-  int turn;                 // see SunShadow
+  int column, row;          // of the picture
 
   float blur() const {  // half its width
     return 0.25f * (std::abs(along.x) + std::abs(along.y) + std::abs(down.x) + std::abs(down.y));
@@ -45,6 +45,7 @@ struct PixelRow {
       : x(width), y(width), along_x(width), along_y(width), down_x(width), down_y(width) {}
 
   void Fill(const PixelGrid& grid, int row) {
+    number = row;
     const std::size_t first = static_cast<std::size_t>(row) * (grid.width + 1);
     const float *ax = &grid.x[first], *ay = &grid.y[first];
     const float *bx = ax + grid.width + 1, *by = ay + grid.width + 1;
@@ -59,14 +60,16 @@ struct PixelRow {
       down_y[i] = 0.5f * (by[i] + by[i + 1] - ay[i] - ay[i + 1]);
     }
   }
-  Pixel At(int i, int turn) const {
+  Pixel At(int i) const {
     return {.middle = {x[i], y[i]},
             .along = {along_x[i], along_y[i]},
             .down = {down_x[i], down_y[i]},
-            .turn = turn};
+            .column = i,
+            .row = number};
   }
 
   std::vector<float> x, y, along_x, along_y, down_x, down_y;
+  int number = 0;  // of the picture's rows
 };
 
 }  // namespace dockyard

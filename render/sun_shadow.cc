@@ -192,10 +192,20 @@ float SunShadow::Share(const Place& place, int searches, int points) const {
   return Penumbra(*window, qx, qy, place, slope_x, slope_y, reach, searches, points);
 }
 
+// Interleaved gradient noise (Jimenez, SIGGRAPH 2014).
+int SunShadow::Turn(int pixel_x, int pixel_y) {
+  const float a =
+      0.06711056f * static_cast<float>(pixel_x) + 0.00583715f * static_cast<float>(pixel_y);
+  const float b = 52.9829189f * (a - static_cast<float>(static_cast<int>(a)));
+  const float c = b - static_cast<float>(static_cast<int>(b));
+  return std::min(static_cast<int>(c * kTurns), kTurns - 1);
+}
+
 float SunShadow::Penumbra(const Window& window, float x0, float y0, const Place& place,
                           float slope_x, float slope_y, float reach, int searches,
                           int points) const {
-  const float c = turns_[place.turn].x(), sn = turns_[place.turn].y();
+  const Eigen::Vector2f& turn = turns_[Turn(place.pixel_x, place.pixel_y)];
+  const float c = turn.x(), sn = turn.y();
   // How far the texel there stands over the receiver's plane.
   const auto gap = [&](const Eigen::Vector2f& point, float radius) {
     const int column = static_cast<int>(x0 + radius * (c * point.x() - sn * point.y()));

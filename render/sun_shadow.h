@@ -49,18 +49,10 @@ class SunShadow {
     Eigen::Vector3f p, n;  // in U; n of length 1, n.z > 0
     float bias_m;          // how far over the surface a caster counts
     float blur_m;          // radius over which the share is averaged: the pixel's own
-    int turn;              // 0 to kTurns - 1: scatters the points of the sun's disc
+    // Of the picture: neighbouring pixels take the points of the sun's disc turned unlike.
+    int pixel_x, pixel_y;
   };
-  static constexpr int kTurns = 256, kMostPoints = 16;
-  /// Scatters neighbouring pixels (Jimenez, SIGGRAPH 2014, interleaved gradient noise).
-  static int Turn(int pixel_x, int pixel_y) {
-    const float a =
-        0.06711056f * static_cast<float>(pixel_x) + 0.00583715f * static_cast<float>(pixel_y);
-    const float b = 52.9829189f * (a - static_cast<float>(static_cast<int>(a)));
-    const float c = b - static_cast<float>(static_cast<int>(b));
-    const int turn = static_cast<int>(c * kTurns);
-    return turn < kTurns ? turn : kTurns - 1;
-  }
+  static constexpr int kMostPoints = 16;
   /// searches, points: of the disc, to find casters and to measure their cover; 1 to kMostPoints.
   float Share(const Place& place, int searches, int points) const;
 
@@ -74,6 +66,9 @@ class SunShadow {
     float center_x, center_y, texel_m, per_texel, middle, last;
     int column;
   };
+  static constexpr int kTurns = 256;
+
+  static int Turn(int pixel_x, int pixel_y);
   void ReduceTiles();
   float Caster(int column, int row) const;
   float Penumbra(const Window& window, float qx, float qy, const Place& place, float slope_x,

@@ -64,8 +64,8 @@ void ViewSampler::Mark(const PixelRow& row, int first, int last, const TanRect& 
   for (int i = first; i < last; ++i) {
     const float hx = side * (std::abs(ax[i]) + std::abs(dx[i]));
     const float hy = side * (std::abs(ay[i]) + std::abs(dy[i]));
-    const bool mark = (x[i] + hx >= left) & (x[i] - hx < right) & (y[i] + hy >= top) &
-                      (y[i] - hy < bottom);
+    const bool mark =
+        (x[i] + hx >= left) & (x[i] - hx < right) & (y[i] + hy >= top) & (y[i] - hy < bottom);
     marks[i] = mark ? 1 : 0;
   }
 }
@@ -76,12 +76,11 @@ void ViewSampler::Hold(const PixelRow& row, int count, std::uint8_t* held) const
 
 void ViewSampler::HaveThin(const PixelRow& row, int first, int last, std::uint8_t* have) const {
   // Bodies spread over a pixel of the view by interpolation.
-  const TanRect part{.left = x0_ + (static_cast<float>(view_.thin_x) - 1.0f) * per_sx_,
-                     .top = y0_ + (static_cast<float>(view_.thin_y) - 1.0f) * per_sy_,
-                     .right = x0_ + (static_cast<float>(view_.thin_x + view_.thin_width) + 1.0f) *
-                                        per_sx_,
-                     .bottom = y0_ + (static_cast<float>(view_.thin_y + view_.thin_height) + 1.0f) *
-                                         per_sy_};
+  const TanRect part{
+      .left = x0_ + (static_cast<float>(view_.thin_x) - 1.0f) * per_sx_,
+      .top = y0_ + (static_cast<float>(view_.thin_y) - 1.0f) * per_sy_,
+      .right = x0_ + (static_cast<float>(view_.thin_x + view_.thin_width) + 1.0f) * per_sx_,
+      .bottom = y0_ + (static_cast<float>(view_.thin_y + view_.thin_height) + 1.0f) * per_sy_};
   Mark(row, first, last, part, false, have);
 }
 
