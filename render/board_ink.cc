@@ -85,9 +85,10 @@ float BoardShader::InkAt(const Mark& mark, const Eigen::Vector2f& p, const Eigen
                          const Eigen::Vector2f& step_y) const {
   const Eigen::Vector2f q(p.x() - mark.x, p.y() - mark.y);
   const auto reach = [&](float nx, float ny) {
-    return 0.5f * std::hypot(nx * step_x.x() + ny * step_x.y(), nx * step_y.x() + ny * step_y.y());
+    const float x = nx * step_x.x() + ny * step_x.y(), y = nx * step_y.x() + ny * step_y.y();
+    return 0.5f * std::sqrt(x * x + y * y);
   };
-  const float r = std::max(std::hypot(q.x(), q.y()), 1e-6f);
+  const float r = std::max(std::sqrt(q.x() * q.x() + q.y() * q.y()), 1e-6f);
   const float disc = Below(r - radius_, reach(q.x() / r, q.y() / r));
   const float a = std::abs(q.x() * mark.along_x + q.y() * mark.along_y) - half_length_;
   const float b = std::abs(q.y() * mark.along_x - q.x() * mark.along_y) - half_width_;

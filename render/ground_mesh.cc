@@ -13,13 +13,14 @@ constexpr double kFadeOut_m = 2.0;    // outside the grid, assumed: no yard ends
 constexpr double kHorizon_m = 300.0;  // the eye 0.4 m up sees it 0.08 deg below the level
 constexpr int kMaxMarch = 64;         // nodes towards the sun; shadows of ruts are shorter
 
-// Near rings 2 % apart. Farther out by the square of the distance, for an eye 0.4 m up sees the
-// ground ever flatter: about five pixels apart at 650 px/rad, and tiny triangles are dear. What is
-// finer than the rings is still in the relief that shades them.
+// Near rings a little closer than the cells of the usual grid. Farther out by the square of the
+// distance, for an eye 0.4 m up sees the ground ever flatter: about ten pixels apart at 650 px/rad,
+// and tiny triangles are dear. What is finer than the rings is still in the relief that shades
+// them.
 std::vector<double> RingRadii() {
   std::vector<double> radii;
   for (double r = 0.04; r < 0.32; r += 0.04) radii.push_back(r);
-  for (double r = 0.32; r < kHorizon_m; r += std::max(0.02 * r, 0.02 * r * r)) radii.push_back(r);
+  for (double r = 0.32; r < kHorizon_m; r += std::max(0.014, 0.02 * r * r)) radii.push_back(r);
   radii.push_back(kHorizon_m);
   return radii;
 }

@@ -56,7 +56,7 @@ void VignetteByAngle(const Camera& camera, double exponent, RadianceImage& image
 // The same against rho^2, so that no knot needs the lens's inverse.
 void VignetteByRadius(const Camera& camera, const KannalaBrandt& lens, double exponent,
                       RadianceImage& image) {
-  constexpr int kSize = 2048;
+  constexpr int kSize = 512;
   const auto rho2 = [&](double u, double v) {
     const double mx = (u - lens.cx) / lens.fx, my = (v - lens.cy) / lens.fy;
     return mx * mx + my * my;

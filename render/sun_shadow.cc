@@ -227,7 +227,8 @@ float SunShadow::Penumbra(const Window& window, float x0, float y0, const Place&
   if (found == 0) return 1.0f;
   const float penumbra = sun_radius_ * total / static_cast<float>(found);
   const float radius =
-      std::clamp(std::hypot(penumbra, place.blur_m) * window.per_texel, 0.8f, kMaxReach);
+      std::clamp(std::sqrt(penumbra * penumbra + place.blur_m * place.blur_m) * window.per_texel,
+                 0.8f, kMaxReach);
   int blocked = 0;
   for (int i = 0; i < points; ++i) blocked += gap(discs_[points][i], radius) > place.bias_m;
   return 1.0f - static_cast<float>(blocked) / static_cast<float>(points);
