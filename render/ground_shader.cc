@@ -71,19 +71,33 @@ void GroundShader::operator()(const Looks& looks, float* radiance) const {
     Light(count, lights);
     Turn(looks, first, count, places, lights);
     for (int i = 0; i < count; ++i) {
-      float share = 0.0f;
-      if (lights.sun[i] > 0.0f) {
-        share = shadow_.Share({.p = {lights.p_x[i], lights.p_y[i], lights.p_z[i]},
-                               .n = {lights.n_x[i], lights.n_y[i], lights.n_z[i]},
-                               .bias_m = kBias_m,
-                               .blur_m = places.blur[i],
-                               .pixel_x = looks.column + first + i,
-                               .pixel_y = looks.row},
-                              kSearches, kPoints);
-      }
+      const float share = lights.sun[i] > 0.0f ? SunShare(looks, first + i, places, lights, i) : 0;
       radiance[first + i] = lights.around[i] + share * lights.sun[i];
     }
   }
+}
+
+// Share of the sun that objects leave a pixel.
+float GroundShader::SunShare(const Looks& looks, int pixel, const Places& places,
+                             const Lights& lights, int i) const {
+  SunShadow::Place place{.p = {lights.p_x[i], lights.p_y[i], lights.p_z[i]},
+                         .n = {lights.n_x[i], lights.n_y[i], lights.n_z[i]},
+                         .bias_m = kBias_m,
+                         .blur_m = places.blur[i],
+                         .pixel_x = looks.column + pixel,
+                         .pixel_y = looks.row};
+  const float plain = shadow_.Plain(place);
+  if (plain >= 0.0f) return plain;
+  const Eigen::Vector3f ray(looks.x[pixel], looks.y[pixel], 1.0f);
+  const Eigen::Vector3f along(looks.along_x[pixel], looks.along_y[pixel], 0.0f);
+  const Eigen::Vector3f down(looks.down_x[pixel], looks.down_y[pixel], 0.0f);
+  const float tilt_a = up_C_.dot(along), tilt_d = up_C_.dot(down);
+  const bool a_is_longer = std::abs(tilt_a) > std::abs(tilt_d);
+  const Eigen::Vector3f& step = a_is_longer ? along : down;
+  const float deeper = -(a_is_longer ? tilt_a : tilt_d) / std::min(up_C_.dot(ray), -1e-3f);
+  const Eigen::Vector3f length = places.z[i] * (step + deeper * ray);
+  if (length.norm() > 4.0f * place.blur_m) place.length = R_UC_ * length;
+  return shadow_.Partly(place, kSearches, kPoints);
 }
 
 void GroundShader::Find(const Looks& l, int first, int count, Places& p) const {

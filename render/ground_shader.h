@@ -35,6 +35,8 @@ class GroundShader {
   void Fetch(int count, const Places& places, Lights& lights) const;
   void Light(int count, Lights& lights) const;
   Four Relief(float x, float y, float column, float row, float lod) const;
+  float SunShare(const Looks& looks, int pixel, const Places& places, const Lights& lights,
+                 int i) const;
   void Turn(const Looks& looks, int first, int count, const Places& places, Lights& lights) const;
 
   const GroundTexture& texture_;

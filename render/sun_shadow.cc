@@ -12,6 +12,7 @@ constexpr int kSpread = 2;  // tiles round a place that its bounds cover
 constexpr int kTilesWide = kAtlasWidth / kTile, kTilesHigh = kAtlasHeight / kTile;
 constexpr float kMaxReach = kTile * kSpread;           // texels
 constexpr float kBoundsReach = kTile * (kSpread + 1);  // texels
+constexpr float kEdge = kMaxReach + 2.0f;              // texels next to the border, not looked at
 constexpr float kNoCaster = -1e9f;
 constexpr double kNearScene_m = 4.0;   // round rover and board, what the cameras see in detail
 constexpr double kWidestHalf_m = 8.0;  // 10 mm texels at worst
@@ -164,32 +165,63 @@ float SunShadow::Caster(int column, int row) const {
   return z < 1.0f ? top_ - z * range_ : kNoCaster;
 }
 
-float SunShadow::Share(const Place& place, int searches, int points) const {
+SunShadow::Spot SunShadow::SpotOf(const Place& place) const {
   const Eigen::Vector3f &p = place.p, &n = place.n;
-  constexpr float kEdge = kMaxReach + 2.0f;
-  const Window* window = &fine_;
-  float qx = 0.0f, qy = 0.0f;
-  const auto inside = [&] {
-    qx = (p.x() - window->center_x) * window->per_texel + window->middle;
-    qy = (p.y() - window->center_y) * window->per_texel + window->middle;
-    return qx >= kEdge && qy >= kEdge && qx <= window->last - kEdge && qy <= window->last - kEdge;
+  Spot spot;
+  const auto inside = [&](const Window& window) {
+    spot.x = (p.x() - window.center_x) * window.per_texel + window.middle;
+    spot.y = (p.y() - window.center_y) * window.per_texel + window.middle;
+    return spot.x >= kEdge && spot.y >= kEdge && spot.x <= window.last - kEdge &&
+           spot.y <= window.last - kEdge;
   };
-  if (!inside()) {
-    window = &coarse_;
-    if (!inside()) return 1.0f;
-  }
-  qx += static_cast<float>(window->column);
+  spot.window = inside(fine_) ? &fine_ : inside(coarse_) ? &coarse_ : nullptr;
+  if (!spot.window) return spot;
+  spot.x += static_cast<float>(spot.window->column);
   const float per_nz = -1.0f / std::max(n.z(), 0.12f);
-  const float slope_x = n.x() * per_nz, slope_y = n.y() * per_nz;
-  const float sway = (std::abs(slope_x) + std::abs(slope_y)) * window->texel_m * kBoundsReach;
-  const Bounds& bounds = tiles_[std::size_t{kTilesWide} * (static_cast<int>(qy) / kTile) +
-                                static_cast<std::size_t>(static_cast<int>(qx) / kTile)];
-  if (bounds.highest < p.z() - sway) return 1.0f;
-  if (bounds.lowest > p.z() + sway + place.bias_m) return 0.0f;
-  const float reach = std::clamp(
-      std::max(sun_radius_ * (bounds.highest - p.z() + sway), place.blur_m) * window->per_texel,
-      1.5f, kMaxReach);
-  return Penumbra(*window, qx, qy, place, slope_x, slope_y, reach, searches, points);
+  spot.slope_x = n.x() * per_nz;
+  spot.slope_y = n.y() * per_nz;
+  spot.sway =
+      (std::abs(spot.slope_x) + std::abs(spot.slope_y)) * spot.window->texel_m * kBoundsReach;
+  return spot;
+}
+
+const SunShadow::Bounds& SunShadow::BoundsAt(const Spot& spot) const {
+  return tiles_[std::size_t{kTilesWide} * (static_cast<int>(spot.y) / kTile) +
+                static_cast<std::size_t>(static_cast<int>(spot.x) / kTile)];
+}
+
+float SunShadow::Plain(const Place& place) const {
+  const Spot spot = SpotOf(place);
+  if (!spot.window) return 1.0f;
+  const Bounds& bounds = BoundsAt(spot);
+  if (bounds.highest < place.p.z() - spot.sway) return 1.0f;
+  if (bounds.lowest > place.p.z() + spot.sway + place.bias_m) return 0.0f;
+  return -1.0f;
+}
+
+float SunShadow::Partly(const Place& place, int searches, int points) const {
+  const Spot spot = SpotOf(place);
+  if (!spot.window) return 1.0f;
+  const Window& window = *spot.window;
+  const float over = BoundsAt(spot).highest - place.p.z() + spot.sway;
+  const float reach =
+      std::clamp(std::max(sun_radius_ * over, place.blur_m) * window.per_texel, 1.5f, kMaxReach);
+  if (place.length.isZero(0.0f)) return Penumbra(spot, place, reach, searches, points);
+  constexpr int kParts = 4;  // of the footprint's length
+  const float first = static_cast<float>(window.column) + kEdge;
+  const float last = static_cast<float>(window.column) + window.last - kEdge;
+  float sum = 0.0f;
+  for (int i = 0; i < kParts; ++i) {
+    const float u = (static_cast<float>(i) + 0.5f) / kParts - 0.5f;
+    Spot part = spot;
+    part.x = std::clamp(spot.x + u * place.length.x() * window.per_texel, first, last);
+    part.y =
+        std::clamp(spot.y + u * place.length.y() * window.per_texel, kEdge, window.last - kEdge);
+    Place there = place;
+    there.p += u * place.length;
+    sum += Penumbra(part, there, reach, searches, std::max(points / 2, 1));
+  }
+  return sum * (1.0f / kParts);
 }
 
 // Interleaved gradient noise (Jimenez, SIGGRAPH 2014).
@@ -201,18 +233,18 @@ int SunShadow::Turn(int pixel_x, int pixel_y) {
   return std::min(static_cast<int>(c * kTurns), kTurns - 1);
 }
 
-float SunShadow::Penumbra(const Window& window, float x0, float y0, const Place& place,
-                          float slope_x, float slope_y, float reach, int searches,
+float SunShadow::Penumbra(const Spot& spot, const Place& place, float reach, int searches,
                           int points) const {
+  const Window& window = *spot.window;
   const Eigen::Vector2f& turn = turns_[Turn(place.pixel_x, place.pixel_y)];
   const float c = turn.x(), sn = turn.y();
   // How far the texel there stands over the receiver's plane.
   const auto gap = [&](const Eigen::Vector2f& point, float radius) {
-    const int column = static_cast<int>(x0 + radius * (c * point.x() - sn * point.y()));
-    const int row = static_cast<int>(y0 + radius * (sn * point.x() + c * point.y()));
-    const float dx = (static_cast<float>(column) + 0.5f - x0) * window.texel_m;
-    const float dy = (static_cast<float>(row) + 0.5f - y0) * window.texel_m;
-    return Caster(column, row) - (place.p.z() + slope_x * dx + slope_y * dy);
+    const int column = static_cast<int>(spot.x + radius * (c * point.x() - sn * point.y()));
+    const int row = static_cast<int>(spot.y + radius * (sn * point.x() + c * point.y()));
+    const float dx = (static_cast<float>(column) + 0.5f - spot.x) * window.texel_m;
+    const float dy = (static_cast<float>(row) + 0.5f - spot.y) * window.texel_m;
+    return Caster(column, row) - (place.p.z() + spot.slope_x * dx + spot.slope_y * dy);
   };
   // How far the nearest casters are decides how wide the penumbra is.
   float total = 0.0f;

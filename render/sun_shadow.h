@@ -49,12 +49,21 @@ class SunShadow {
     Eigen::Vector3f p, n;  // in U; n of length 1, n.z > 0
     float bias_m;          // how far over the surface a caster counts
     float blur_m;          // radius over which the share is averaged: the pixel's own
+    // How long the pixel's footprint is, where that is much more than its width; else nought.
+    Eigen::Vector3f length{0, 0, 0};
     // Of the picture: neighbouring pixels take the points of the sun's disc turned unlike.
     int pixel_x, pixel_y;
   };
   static constexpr int kMostPoints = 16;
   /// searches, points: of the disc, to find casters and to measure their cover; 1 to kMostPoints.
-  float Share(const Place& place, int searches, int points) const;
+  float Share(const Place& place, int searches, int points) const {
+    const float plain = Plain(place);
+    return plain >= 0.0f ? plain : Partly(place, searches, points);
+  }
+  /// The share where all casters near say the same, without any point; else -1.
+  float Plain(const Place& place) const;
+  /// The share by points, whatever Plain says.
+  float Partly(const Place& place, int searches, int points) const;
 
   SunShadow();
 
@@ -71,8 +80,16 @@ class SunShadow {
   static int Turn(int pixel_x, int pixel_y);
   void ReduceTiles();
   float Caster(int column, int row) const;
-  float Penumbra(const Window& window, float qx, float qy, const Place& place, float slope_x,
-                 float slope_y, float reach, int searches, int points) const;
+  // A place in a window of the map; none: outside.
+  struct Spot {
+    const Window* window = nullptr;
+    float x = 0.0f, y = 0.0f;              // in its texels
+    float slope_x = 0.0f, slope_y = 0.0f;  // of the surface
+    float sway = 0.0f;                     // how far the surface leaves the level within its bounds
+  };
+  Spot SpotOf(const Place& place) const;
+  const Bounds& BoundsAt(const Spot& spot) const;
+  float Penumbra(const Spot& spot, const Place& place, float reach, int searches, int points) const;
 
   ShadowFit fit_;
   std::array<Eigen::Vector2f, kTurns> turns_;                                    // cosine and sine
