@@ -40,8 +40,10 @@ SurfaceMesh BoardPlate(const BoardView& view) {
   const auto across = [&](double x) { return std::clamp(x, -half_width, half_width); };
   const auto down = [&](double y) { return std::clamp(y, -half_height, half_height); };
   const double radius = view.hole_radius_m;
-  AddStrip(plate, {-half_width, across(view.p_BH.x() - radius)}, top, bottom);
-  AddStrip(plate, {across(view.p_BH.x() + radius), half_width}, top, bottom);
+  // A hair over the strips beside them, or single rays pass through where the corners differ.
+  constexpr double kOver_m = 1e-4;
+  AddStrip(plate, {-half_width, across(view.p_BH.x() - radius + kOver_m)}, top, bottom);
+  AddStrip(plate, {across(view.p_BH.x() + radius - kOver_m), half_width}, top, bottom);
   for (int i = 0; i < kStrips; ++i) {
     Eigen::Vector2d x, above, below;
     for (int side = 0; side < 2; ++side) {

@@ -13,7 +13,10 @@ GroundHorizon::GroundHorizon(const Scene& scene) : ground_(scene.ground) {
   if (!HasGround(ground_) || level < 1e-6) return;  // a sun at the zenith: nothing is between
   level_ = (sun_G.head<2>() / level).cast<float>();
   slope_ = static_cast<float>(sun_G.z() / level);
-  sun_radius_rad_ = static_cast<float>(std::max(0.5 * scene.light.sun_angular_diameter_rad, 1e-4));
+  // Over a level metre the disc's radius takes up 1 / cos^2 of the elevation times as much height:
+  // the way there is longer, and the disc stands askew.
+  const double radius = std::max(0.5 * scene.light.sun_angular_diameter_rad, 1e-4);
+  sun_rise_ = static_cast<float>(radius / std::max(level * level, 1e-4));
   const std::size_t count = static_cast<std::size_t>(ground_.nx) * ground_.ny;
   highest_m_ = static_cast<float>(*std::max_element(ground_.heights_m, ground_.heights_m + count));
 }
@@ -25,7 +28,7 @@ float GroundHorizon::Share(const Eigen::Vector3f& p_G) const {
   for (int i = 1; i <= kMostSteps; ++i) {
     const float along = cell * static_cast<float>(i);
     const float ray_m = p_G.z() + along * slope_;
-    if (ray_m > highest_m_ + 2.0f * sun_radius_rad_ * along) break;
+    if (ray_m > highest_m_ + 2.0f * sun_rise_ * along) break;
     const float u = (p_G.x() + along * level_.x() - static_cast<float>(ground_.x0_m)) / cell;
     const float v = (p_G.y() + along * level_.y() - static_cast<float>(ground_.y0_m)) / cell;
     if (!(u >= 0.0f && v >= 0.0f && u < static_cast<float>(ground_.nx - 1) &&
@@ -39,7 +42,7 @@ float GroundHorizon::Share(const Eigen::Vector3f& p_G) const {
         static_cast<float>((1 - fy) * ((1 - fx) * h[0] + fx * h[1]) +
                            fy * ((1 - fx) * h[ground_.nx] + fx * h[ground_.nx + 1]));
     // The horizon there against the sun's disc, taken as a uniform strip.
-    const float over = (height - ray_m) / (sun_radius_rad_ * along);
+    const float over = (height - ray_m) / (sun_rise_ * along);
     share = std::min(share, std::clamp(0.5f - 0.5f * over, 0.0f, 1.0f));
   }
   return share;

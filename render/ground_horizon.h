@@ -14,9 +14,9 @@ class GroundHorizon {
 
  private:
   const GroundView& ground_;
-  float highest_m_ = -1e9f, sun_radius_rad_ = 0.0f;
+  float highest_m_ = -1e9f, sun_rise_ = 0.0f;
   Eigen::Vector2f level_{0, 0};  // towards the sun, length 1
-  float slope_ = 0.0f;           // of the sun's rays
+  float slope_ = 0.0f;           // of the sun's rays; sun_rise_: of the disc's rim against that
 };
 
 }  // namespace dockyard

@@ -62,7 +62,7 @@ March MarchToSun(const GroundView& g, const Eigen::Vector3d& sun_G, double relie
   return march;
 }
 
-double SunShare(const GroundView& g, const March& march, int ix, int iy, double sun_radius_rad) {
+double SunShare(const GroundView& g, const March& march, int ix, int iy, double sun_rise) {
   const double here = g.heights_m[static_cast<std::size_t>(iy) * g.nx + ix];
   double share = 1.0;
   for (std::size_t i = 0; i < march.dx.size(); ++i) {
@@ -70,9 +70,9 @@ double SunShare(const GroundView& g, const March& march, int ix, int iy, double 
     if (x < 0 || y < 0 || x >= g.nx || y >= g.ny) break;
     const double over =
         g.heights_m[static_cast<std::size_t>(y) * g.nx + x] - here - march.rise_m[i];
-    if (over < -2.0 * sun_radius_rad * march.distance_m[i]) continue;
+    if (over < -2.0 * sun_rise * march.distance_m[i]) continue;
     // The horizon there against the sun's disc, taken as a uniform strip.
-    const double covered = 0.5 + 0.5 * over / (sun_radius_rad * march.distance_m[i]);
+    const double covered = 0.5 + 0.5 * over / (sun_rise * march.distance_m[i]);
     share = std::min(share, std::clamp(1.0 - covered, 0.0, 1.0));
     if (share == 0.0) break;
   }
@@ -152,12 +152,15 @@ std::vector<float> GroundRelief(const GroundView& g, const Eigen::Vector3d& sun_
   const std::size_t count = static_cast<std::size_t>(g.nx) * g.ny;
   const auto [low, high] = std::minmax_element(g.heights_m, g.heights_m + count);
   const March march = MarchToSun(g, sun_G, *high - *low);
-  const double sun_radius = std::max(0.5 * sun_angular_diameter_rad, 1e-4);
+  // Height of the disc's radius over a level metre; see ground_horizon.cc.
+  const double level = sun_G.head<2>().norm();
+  const double sun_rise =
+      std::max(0.5 * sun_angular_diameter_rad, 1e-4) / std::max(level * level, 1e-4);
   std::vector<float> shares(count);
   for (int iy = 0; iy < g.ny; ++iy) {
     for (int ix = 0; ix < g.nx; ++ix) {
       shares[static_cast<std::size_t>(iy) * g.nx + ix] =
-          static_cast<float>(SunShare(g, march, ix, iy, sun_radius));
+          static_cast<float>(SunShare(g, march, ix, iy, sun_rise));
     }
   }
   std::vector<float> relief;
