@@ -47,7 +47,7 @@ class Composer {
         wide_(wide),
         has_thin_(wide.thin_width > 0 || (close && close->thin_width > 0)),
         sky_(lit.scene, X_WC, channel),
-        objects_(lit.scene, lit.shadow, X_WC, channel) {
+        objects_(lit.scene, lit.ground.highest_m(), lit.shadow, X_WC, channel) {
     if (close) close_.emplace(*close);
     if (HasGround(lit.scene.ground)) {
       ground_.emplace(lit.ground, lit.scene, lit.shadow, X_WC, channel);

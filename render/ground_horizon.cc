@@ -7,7 +7,7 @@
 
 namespace dockyard {
 
-GroundHorizon::GroundHorizon(const Scene& scene) : ground_(scene.ground) {
+GroundHorizon::GroundHorizon(const Scene& scene, double highest_m) : ground_(scene.ground) {
   const Eigen::Vector3d sun_G = ground_.X_WG.R.transpose() * scene.light.to_sun_W;
   const double level = sun_G.head<2>().norm();
   if (!HasGround(ground_) || level < 1e-6) return;  // a sun at the zenith: nothing is between
@@ -17,8 +17,7 @@ GroundHorizon::GroundHorizon(const Scene& scene) : ground_(scene.ground) {
   // the way there is longer, and the disc stands askew.
   const double radius = std::max(0.5 * scene.light.sun_angular_diameter_rad, 1e-4);
   sun_rise_ = static_cast<float>(radius / std::max(level * level, 1e-4));
-  const std::size_t count = static_cast<std::size_t>(ground_.nx) * ground_.ny;
-  highest_m_ = static_cast<float>(*std::max_element(ground_.heights_m, ground_.heights_m + count));
+  highest_m_ = static_cast<float>(highest_m);
 }
 
 float GroundHorizon::Share(const Eigen::Vector3f& p_G) const {

@@ -7,8 +7,8 @@ namespace dockyard {
 
 class GroundHorizon {
  public:
-  /// The scene must outlive this.
-  explicit GroundHorizon(const Scene& scene);
+  /// The scene must outlive this. highest_m: of its ground.
+  GroundHorizon(const Scene& scene, double highest_m);
   /// Share of the sun's disc over the ground's horizon, seen from a point of the site frame.
   float Share(const Eigen::Vector3f& p_G) const;
 

@@ -28,8 +28,9 @@ class SoilPyramid {
   Four At(float u, float v, float lod) const {
     const float at = std::clamp(lod, 0.0f, static_cast<float>(top()) - 0.001f);
     const int level = static_cast<int>(at);
-    return Mix(Bilinear(levels_[level], u, v), Bilinear(levels_[level + 1], u, v),
-               at - static_cast<float>(level));
+    const Four fine = Bilinear(levels_[level], u, v);
+    const float t = at - static_cast<float>(level);
+    return t == 0.0f ? fine : Mix(fine, Bilinear(levels_[level + 1], u, v), t);
   }
   /// Bilinear in the finest level.
   Four Finest(float u, float v) const { return Bilinear(levels_.front(), u, v); }

@@ -31,7 +31,8 @@ struct GroundShader::Lights {
   float relief_x[kAtOnce], relief_y[kAtOnce], over_ground[kAtOnce], lump_tone[kAtOnce];
   float tone[kAtOnce], slope_x[kAtOnce], slope_y[kAtOnce], height[kAtOnce];  // of the grain
   float sun[kAtOnce], around[kAtOnce];                                       // radiance
-  float p_x[kAtOnce], p_y[kAtOnce], p_z[kAtOnce], n_x[kAtOnce], n_y[kAtOnce], n_z[kAtOnce];
+  float p_x[kAtOnce], p_y[kAtOnce], p_z[kAtOnce];
+  float slope_u_x[kAtOnce], slope_u_y[kAtOnce];  // see SunShadow::Slopes
 };
 
 GroundShader::GroundShader(const GroundTexture& texture, const Scene& scene,
@@ -81,7 +82,7 @@ void GroundShader::operator()(const Looks& looks, float* radiance) const {
 float GroundShader::SunShare(const Looks& looks, int pixel, const Places& places,
                              const Lights& lights, int i) const {
   SunShadow::Place place{.p = {lights.p_x[i], lights.p_y[i], lights.p_z[i]},
-                         .n = {lights.n_x[i], lights.n_y[i], lights.n_z[i]},
+                         .slopes = {lights.slope_u_x[i], lights.slope_u_y[i]},
                          .bias_m = kBias_m,
                          .blur_m = places.blur[i],
                          .pixel_x = looks.column + pixel,
@@ -177,7 +178,7 @@ void GroundShader::Light(int count, Lights& l) const {
   }
 }
 
-// Places and normals in light axes.
+// Places and slopes in light axes.
 void GroundShader::Turn(const Looks& looks, int first, int count, const Places& p,
                         Lights& l) const {
   const Eigen::Matrix3f m = R_UC_, r = R_UG_;
@@ -190,10 +191,10 @@ void GroundShader::Turn(const Looks& looks, int first, int count, const Places& 
   }
   for (int i = 0; i < count; ++i) {
     const float sx = -l.relief_x[i], sy = -l.relief_y[i];
-    const float shorten = 1.0f / std::sqrt(1.0f + sx * sx + sy * sy);
-    l.n_x[i] = (r(0, 0) * sx + r(0, 1) * sy + r(0, 2)) * shorten;
-    l.n_y[i] = (r(1, 0) * sx + r(1, 1) * sy + r(1, 2)) * shorten;
-    l.n_z[i] = (r(2, 0) * sx + r(2, 1) * sy + r(2, 2)) * shorten;
+    const float least = SunShadow::kLeastCosine * std::sqrt(1.0f + sx * sx + sy * sy);
+    const float per_z = -1.0f / std::max(r(2, 0) * sx + r(2, 1) * sy + r(2, 2), least);
+    l.slope_u_x[i] = (r(0, 0) * sx + r(0, 1) * sy + r(0, 2)) * per_z;
+    l.slope_u_y[i] = (r(1, 0) * sx + r(1, 1) * sy + r(1, 2)) * per_z;
   }
 }
 

@@ -1,5 +1,7 @@
 #include "render/ground_texture.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 
 #include "render/ground_mesh.h"
@@ -9,18 +11,24 @@ namespace dockyard {
 namespace {
 
 std::uint64_t ReliefKey(const GroundView& g, const Eigen::Vector3d& sun_G, double sun_diameter) {
-  std::uint64_t key = MixBits(g.revision + 1);
-  const auto add = [&](double value) {
+  constexpr int kLanes = 4;  // side by side, for each waits for its last product
+  std::array<std::uint64_t, kLanes> keys{};
+  const auto add = [](std::uint64_t& key, double value) {
     key = (key ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15ull;
     key ^= key >> 32;
   };
+  keys[0] = MixBits(g.revision + 1);
   for (const double v : {g.x0_m, g.y0_m, g.cell_m, double(g.nx), double(g.ny), sun_diameter,
                          sun_G.x(), sun_G.y(), sun_G.z()}) {
-    add(v);
+    add(keys[0], v);
   }
   const std::size_t count = static_cast<std::size_t>(g.nx) * g.ny;
-  for (std::size_t i = 0; i < count; ++i) add(g.heights_m[i]);
-  return key;
+  std::size_t i = 0;
+  for (; i + kLanes <= count; i += kLanes) {
+    for (int k = 0; k < kLanes; ++k) add(keys[k], g.heights_m[i + k]);
+  }
+  for (; i < count; ++i) add(keys[0], g.heights_m[i]);
+  return HashBits(HashBits(keys[0], keys[1]), HashBits(keys[2], keys[3]));
 }
 
 }  // namespace
@@ -59,6 +67,8 @@ void GroundTexture::Update(const GroundView& ground, const Eigen::Vector3d& to_s
   }
   relief_ = ReliefPyramid(std::move(cells), columns, ground.ny - 1);
   relief_key_ = key;
+  const std::size_t count = static_cast<std::size_t>(ground.nx) * ground.ny;
+  highest_m_ = *std::max_element(ground.heights_m, ground.heights_m + count);
 }
 
 }  // namespace dockyard

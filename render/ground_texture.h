@@ -20,6 +20,8 @@ class GroundTexture {
   const ReliefPyramid& relief() const { return relief_; }
   /// Brightness, slopes and height of the grain; see soil_texture.h.
   const SoilPyramid& soil() const { return soil_; }
+  /// Of the grid.
+  double highest_m() const { return highest_m_; }
   /// Relief of level ground in full sun beyond the grid.
   Four Beyond(float x_m, float y_m) const { return Four{0.0f, 0.0f, 1.0f, 0.0f} + Lumps(x_m, y_m); }
   /// Brightness and slopes of a texel: 128 is nought, 127 steps are one.
@@ -30,6 +32,7 @@ class GroundTexture {
 
   ReliefPyramid relief_;
   SoilPyramid soil_, lumps_;
+  double highest_m_ = 0.0;
   std::optional<std::uint64_t> relief_key_, soil_seed_;
 };
 

@@ -24,9 +24,11 @@ Eigen::Vector3f UnpackNormal(const Seen& seen) {
   return {nx * shorten, ny * shorten, z * shorten};
 }
 
-ObjectShader::ObjectShader(const Scene& scene, const SunShadow& shadow, const Pose3& X_WC,
-                           Channel channel)
-    : shadow_(shadow), horizon_(scene), thin_(ToFloats(scene, scene.tether.albedo, channel)) {
+ObjectShader::ObjectShader(const Scene& scene, double highest_m, const SunShadow& shadow,
+                           const Pose3& X_WC, Channel channel)
+    : shadow_(shadow),
+      horizon_(scene, highest_m),
+      thin_(ToFloats(scene, scene.tether.albedo, channel)) {
   const Pose3 X_UC = Inverse(shadow_.fit().X_WU) * X_WC;
   R_UC_ = X_UC.R.cast<float>();
   p_UC_ = X_UC.p.cast<float>();
@@ -82,7 +84,7 @@ float ObjectShader::Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n
   const float over_ground = horizon_.Share(p_GC_ + R_GC_ * p_C);
   if (over_ground == 0.0f) return 0.0f;
   return over_ground * shadow_.Share({.p = p_UC_ + R_UC_ * p_C,
-                                      .n = n,
+                                      .slopes = SunShadow::SlopesOf(n),
                                       .bias_m = bias,
                                       .blur_m = pixel.blur() * z,
                                       .pixel_x = pixel.column,

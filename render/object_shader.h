@@ -14,8 +14,9 @@ namespace dockyard {
 
 class ObjectShader {
  public:
-  /// scene and shadow must outlive this.
-  ObjectShader(const Scene& scene, const SunShadow& shadow, const Pose3& X_WC, Channel channel);
+  /// scene and shadow must outlive this. highest_m: of the scene's ground.
+  ObjectShader(const Scene& scene, double highest_m, const SunShadow& shadow, const Pose3& X_WC,
+               Channel channel);
 
   /// Radiance of an object where the ray (tan, 1) meets it, in a pixel of the picture.
   float operator()(const Seen& seen, Tan tan, const Pixel& pixel) const;

@@ -35,10 +35,14 @@ void VignetteByKnots(const Camera& camera, FalloffAt falloff_at, RadianceImage& 
     const float t = static_cast<float>(y - from) / static_cast<float>(to - from);
     for (std::size_t i = 0; i < top.size(); ++i) mixed[i] = top[i] + t * (low[i] - top[i]);
     float* row = &image.values[static_cast<std::size_t>(y) * w];
-    for (int x0 = 0, i = 0; x0 < w; x0 += kStep, ++i) {
-      const int count = std::min(kStep, w - x0);
-      const float first = mixed[i], per_px = (mixed[i + 1] - first) / static_cast<float>(count);
-      for (int k = 0; k < count; ++k) row[x0 + k] *= first + static_cast<float>(k) * per_px;
+    int x0 = 0, i = 0;
+    for (; x0 + kStep <= w; x0 += kStep, ++i) {
+      const float first = mixed[i], per_px = (mixed[i + 1] - first) * (1.0f / kStep);
+      for (int k = 0; k < kStep; ++k) row[x0 + k] *= first + static_cast<float>(k) * per_px;
+    }
+    for (int k = 0; x0 + k < w; ++k) {
+      const float per_px = (mixed[i + 1] - mixed[i]) / static_cast<float>(w - x0);
+      row[x0 + k] *= mixed[i] + static_cast<float>(k) * per_px;
     }
   }
 }

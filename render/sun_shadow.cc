@@ -166,7 +166,7 @@ float SunShadow::Caster(int column, int row) const {
 }
 
 SunShadow::Spot SunShadow::SpotOf(const Place& place) const {
-  const Eigen::Vector3f &p = place.p, &n = place.n;
+  const Eigen::Vector3f& p = place.p;
   Spot spot;
   const auto inside = [&](const Window& window) {
     spot.x = (p.x() - window.center_x) * window.per_texel + window.middle;
@@ -177,11 +177,8 @@ SunShadow::Spot SunShadow::SpotOf(const Place& place) const {
   spot.window = inside(fine_) ? &fine_ : inside(coarse_) ? &coarse_ : nullptr;
   if (!spot.window) return spot;
   spot.x += static_cast<float>(spot.window->column);
-  const float per_nz = -1.0f / std::max(n.z(), 0.12f);
-  spot.slope_x = n.x() * per_nz;
-  spot.slope_y = n.y() * per_nz;
   spot.sway =
-      (std::abs(spot.slope_x) + std::abs(spot.slope_y)) * spot.window->texel_m * kBoundsReach;
+      (std::abs(place.slopes.x) + std::abs(place.slopes.y)) * spot.window->texel_m * kBoundsReach;
   return spot;
 }
 
@@ -244,7 +241,7 @@ float SunShadow::Penumbra(const Spot& spot, const Place& place, float reach, int
     const int row = static_cast<int>(spot.y + radius * (sn * point.x() + c * point.y()));
     const float dx = (static_cast<float>(column) + 0.5f - spot.x) * window.texel_m;
     const float dy = (static_cast<float>(row) + 0.5f - spot.y) * window.texel_m;
-    return Caster(column, row) - (place.p.z() + spot.slope_x * dx + spot.slope_y * dy);
+    return Caster(column, row) - (place.p.z() + place.slopes.x * dx + place.slopes.y * dy);
   };
   // How far the nearest casters are decides how wide the penumbra is.
   float total = 0.0f;

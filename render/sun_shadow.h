@@ -44,11 +44,22 @@ class SunShadow {
   std::vector<float>& depth() { return depth_; }
   const ShadowFit& fit() const { return fit_; }
 
+  /// How a surface rises towards the sun along U's x and y.
+  struct Slopes {
+    float x = 0.0f, y = 0.0f;
+  };
+  /// n: its normal in U. A surface that the sun grazes is taken as less steep than it is.
+  static Slopes SlopesOf(const Eigen::Vector3f& n) {
+    const float per_z = -1.0f / (n.z() > kLeastCosine ? n.z() : kLeastCosine);
+    return {n.x() * per_z, n.y() * per_z};
+  }
+  static constexpr float kLeastCosine = 0.12f;
   /// Share of the sun in sight of a place on a surface.
   struct Place {
-    Eigen::Vector3f p, n;  // in U; n of length 1, n.z > 0
-    float bias_m;          // how far over the surface a caster counts
-    float blur_m;          // radius over which the share is averaged: the pixel's own
+    Eigen::Vector3f p;  // in U
+    Slopes slopes;      // of the surface
+    float bias_m;       // how far over the surface a caster counts
+    float blur_m;       // radius over which the share is averaged: the pixel's own
     // How long the pixel's footprint is, where that is much more than its width; else nought.
     Eigen::Vector3f length{0, 0, 0};
     // Of the picture: neighbouring pixels take the points of the sun's disc turned unlike.
@@ -83,9 +94,8 @@ class SunShadow {
   // A place in a window of the map; none: outside.
   struct Spot {
     const Window* window = nullptr;
-    float x = 0.0f, y = 0.0f;              // in its texels
-    float slope_x = 0.0f, slope_y = 0.0f;  // of the surface
-    float sway = 0.0f;                     // how far the surface leaves the level within its bounds
+    float x = 0.0f, y = 0.0f;  // in its texels
+    float sway = 0.0f;         // how far the surface leaves the level within its bounds
   };
   Spot SpotOf(const Place& place) const;
   const Bounds& BoundsAt(const Spot& spot) const;

@@ -1,6 +1,8 @@
 // The ground's own shadow and slopes against closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/ground_horizon.h"
@@ -33,7 +35,8 @@ struct Terrace {
   Terrace& operator=(const Terrace&) = delete;
   static double X(int ix) { return -2.0 + kCell_m * ix; }
   double Share(double x, double z) const {
-    return GroundHorizon(scene).Share(Eigen::Vector3d(x, 0.0, z).cast<float>());
+    return GroundHorizon(scene, *std::max_element(heights.begin(), heights.end()))
+        .Share(Eigen::Vector3d(x, 0.0, z).cast<float>());
   }
 
   std::vector<double> heights;
