@@ -254,6 +254,7 @@ float SunShadow::Penumbra(const Spot& spot, const Place& place, float reach, int
     }
   }
   if (found == 0) return 1.0f;
+  if (found == searches) return 0.0f;
   const float penumbra = sun_radius_ * total / static_cast<float>(found);
   const float radius =
       std::clamp(std::sqrt(penumbra * penumbra + place.blur_m * place.blur_m) * window.per_texel,
