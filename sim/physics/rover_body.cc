@@ -9,20 +9,6 @@
 namespace dockyard {
 namespace {
 
-const LinkModel& LinkOf(const RoverModel& rover, RoverLink link) {
-  switch (link) {
-    case RoverLink::kBody:
-      return rover.body;
-    case RoverLink::kLeftWheel:
-      return rover.left_wheel;
-    case RoverLink::kRightWheel:
-      return rover.right_wheel;
-    case RoverLink::kArm:
-      return rover.arm;
-  }
-  return rover.body;
-}
-
 double RotorInertia(const RoverModel& rover, Motor motor) {
   return rover.motors[static_cast<int>(motor)].reflected_inertia_kg_m2;
 }
@@ -36,6 +22,20 @@ double Reach(btCompoundShape* shape) {
 }
 
 }  // namespace
+
+const LinkModel& LinkOf(const RoverModel& rover, RoverLink link) {
+  switch (link) {
+    case RoverLink::kBody:
+      return rover.body;
+    case RoverLink::kLeftWheel:
+      return rover.left_wheel;
+    case RoverLink::kRightWheel:
+      return rover.right_wheel;
+    case RoverLink::kArm:
+      return rover.arm;
+  }
+  return rover.body;
+}
 
 RoverBody::RoverBody(const RoverModel& rover, const Pose3& X_GR, double arm_rad, bool right_first) {
   bullet_index_ = {-1, right_first ? 1 : 0, right_first ? 0 : 1, 2};

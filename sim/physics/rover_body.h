@@ -22,6 +22,9 @@ namespace dockyard {
 enum class RoverLink { kBody, kLeftWheel, kRightWheel, kArm };
 inline constexpr int kRoverLinkCount = 4;
 
+/// The model of one link.
+const LinkModel& LinkOf(const RoverModel& rover, RoverLink link);
+
 class RoverBody {
  public:
   /// right_first: order of the wheels among the links.

@@ -24,17 +24,4 @@ struct Afloat {
 inline constexpr std::array<RoverLink, 4> kAllLinks = {RoverLink::kBody, RoverLink::kLeftWheel,
                                                        RoverLink::kRightWheel, RoverLink::kArm};
 
-inline const LinkModel& Model(const RoverModel& rover, RoverLink link) {
-  switch (link) {
-    case RoverLink::kLeftWheel:
-      return rover.left_wheel;
-    case RoverLink::kRightWheel:
-      return rover.right_wheel;
-    case RoverLink::kArm:
-      return rover.arm;
-    default:
-      return rover.body;
-  }
-}
-
 }  // namespace dockyard

@@ -51,7 +51,7 @@ Rolling RollDown(double slope_rad, double seconds) {
   for (long i = 0; i < std::lround(seconds * 1e3); ++i) {
     for (RoverLink link : kAllLinks) {
       const Eigen::Vector3d g(9.81 * std::sin(slope_rad), 0.0, -9.81 * std::cos(slope_rad));
-      rover.AddForce(link, Model(model, link).mass_kg * g, rover.CentreOfMass(link));
+      rover.AddForce(link, LinkOf(model, link).mass_kg * g, rover.CentreOfMass(link));
     }
     for (RoverLink link : {RoverLink::kLeftWheel, RoverLink::kRightWheel}) {
       const LinkMotion& motion = rover.motion(link);
@@ -120,7 +120,7 @@ Drift TumbleRover(double step_s) {
   const auto Energy = [&] {
     double sum = 0.0;
     for (RoverLink link : kAllLinks) {
-      const LinkModel& model = Model(world.model, link);
+      const LinkModel& model = LinkOf(world.model, link);
       const LinkMotion& motion = world.rover.motion(link);
       const Eigen::Vector3d w = motion.X_GL.R.transpose() * motion.w_GL_G;
       const Eigen::Vector3d v = motion.VelocityAt(motion.X_GL * model.p_LoCom_L);

@@ -15,7 +15,7 @@ constexpr double kDt = 1e-3;
 double KineticEnergy(const Afloat& world) {
   double sum = 0.0;
   for (RoverLink link : kAllLinks) {
-    const LinkModel& model = Model(world.model, link);
+    const LinkModel& model = LinkOf(world.model, link);
     const LinkMotion& motion = world.rover.motion(link);
     const Eigen::Vector3d v = motion.VelocityAt(motion.X_GL * model.p_LoCom_L);
     const Eigen::Vector3d w = motion.X_GL.R.transpose() * motion.w_GL_G;
@@ -63,7 +63,7 @@ TEST(Rotors, DoNotResistTheBodyThatTurnsAsAWhole) {
   ContactWorld bullet(TestStation().cone, 0.0, rover, station);
   for (int i = 0; i < 100; ++i) {
     for (RoverLink link : kAllLinks) {
-      rover.AddTorque(link, Eigen::Vector3d(0.0, Model(model, link).I_LCom_L(1, 1), 0.0));
+      rover.AddTorque(link, Eigen::Vector3d(0.0, LinkOf(model, link).I_LCom_L(1, 1), 0.0));
     }
     bullet.Step(kDt);
   }

@@ -21,7 +21,7 @@ struct Momentum {
 Momentum TotalMomentum(const Afloat& world) {
   Momentum sum;
   for (RoverLink link : kAllLinks) {
-    const LinkModel& model = Model(world.model, link);
+    const LinkModel& model = LinkOf(world.model, link);
     const LinkMotion& motion = world.rover.motion(link);
     const Eigen::Vector3d com = motion.X_GL * model.p_LoCom_L;
     const Eigen::Matrix3d& I = model.I_LCom_L;
