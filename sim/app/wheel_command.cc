@@ -12,6 +12,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
+#include "sim/app/wheel_data.h"
 #include "sim/app/wheel_sweep.h"
 #include "sim/log/files.h"
 
@@ -19,7 +20,7 @@ namespace dockyard {
 namespace {
 
 struct WheelArguments {
-  std::string wheel_file, soil_file, out_dir;
+  std::string wheel_file, soil_file, out_dir, data_file, data_wheel;
   std::vector<double> slips{0.0}, betas_deg{0.0}, loads_n;
   double speed_m_s = 0.01;
   bool sweep = false, json = false;
@@ -34,13 +35,16 @@ Examples:
   dockyard wheel --wheel models/wheels/axel.yaml --soil models/soils/loose_sand.yaml \
     --slip 0.2 --beta 15 --load 200 --json
   dockyard wheel --sweep --wheel models/wheels/pavlov_grouser.yaml \
-    --soil models/soils/pavlov_90.yaml --slip -0.5,0,0.5 --beta 0,15 --load 24 --out out/wheel
+    --soil models/soils/pavlov_90.yaml --slip -0.5,0,0.5 --beta 0,15 --load 24 --out out/wheel \
+    --data tests/soil/data/single_wheel.csv --data-wheel grouser
 
 Slip is (w r - v) / max(|w r|, |v|), r the rim's radius, v the speed of travel; beta is the angle
 from the wheel's plane to its travel, to the right. Fx_N > 0 is drawbar, Fy_N the soil's force
 against the side slip, Fz_N the load that it carries, torque_Nm what a motor must give, sinkage_m
 that of the paddles' tips; all are means over whole paddle pitches. With --sweep the options --slip,
---beta and --load take lists; --out gets sweep.csv, drawbar.svg and sinkage.svg.
+--beta and --load take lists; --out gets sweep.csv, drawbar.svg and sinkage.svg. --data draws measured
+rows over the curves of their side slip: a CSV table with the columns beta_deg, slip, Fx_N, Fz_N,
+sinkage_mm and, if it holds several wheels, wheel.
 Exit code 10: a wheel was still changing at the end of its way; its row says steady 0.)";
 
 SingleWheelSetup MakeSetup(const WheelArguments& arguments) {
@@ -59,7 +63,14 @@ int Drive(const WheelArguments& arguments) {
     throw UsageError("several values of --slip, --beta or --load need --sweep");
   }
   if (!arguments.sweep && !arguments.out_dir.empty()) throw UsageError("--out needs --sweep");
+  if (!arguments.data_file.empty() && arguments.out_dir.empty()) {
+    throw UsageError("--data needs --sweep and --out");
+  }
   SingleWheelSetup setup = MakeSetup(arguments);
+  std::vector<MeasuredRow> measured;
+  if (!arguments.data_file.empty()) {
+    measured = LoadMeasuredRows(arguments.data_file, arguments.data_wheel);
+  }
   if (!arguments.out_dir.empty()) MakeFolder(arguments.out_dir);
   std::vector<WheelRow> table;
   bool steady = true;
@@ -80,7 +91,7 @@ int Drive(const WheelArguments& arguments) {
   } else if (!arguments.sweep) {
     PrintWheelResult(table.front());
   }
-  if (!arguments.out_dir.empty()) WriteWheelSweep(table, arguments.out_dir);
+  if (!arguments.out_dir.empty()) WriteWheelSweep(table, measured, arguments.out_dir);
   if (!steady) PrintNote("a wheel was still changing at the end of its way of 60 radii");
   return steady ? kExitDone : kExitIncomplete;
 }
@@ -109,6 +120,10 @@ void AddWheelCommand(CLI::App& app, int& exit_code) {
       ->check(NumberWithin(1e-4, 2.0));
   command->add_flag("--sweep", arguments->sweep, "every combination of the lists");
   command->add_option("--out", arguments->out_dir, "folder for the sweep's table and plots");
+  CLI::Option* data = command->add_option("--data", arguments->data_file,
+                                          "a table of measured rows, drawn over the sweep's plots");
+  command->add_option("--data-wheel", arguments->data_wheel, "only the data's rows of this wheel")
+      ->needs(data);
   command->add_flag("--json", arguments->json, "the result as JSON");
   command->callback([arguments, &exit_code] { exit_code = Drive(*arguments); });
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
-#include <functional>
 #include <map>
 
 #include "sim/campaign/svg.h"
@@ -37,10 +37,55 @@ Json RowObject(const WheelRow& row) {
           {"steady", r.steady}};
 }
 
-using Value = std::function<double(const WheelRow&)>;
+struct Point {
+  double slip = 0.0, value = 0.0;
+};
 
-std::string Plot(const std::vector<WheelRow>& table, const std::string& title,
-                 const std::string& label, const Value& value) {
+/// A curve of the model with what was measured at its side slip.
+struct Curve {
+  double load_n = 0.0, beta_deg = 0.0;
+  std::vector<Point> model, measured;
+};
+
+// Side slips of a table are nominal: closer ones are the same [deg].
+constexpr double kSameSideSlip_deg = 0.5;
+
+template <typename OfModel, typename OfMeasured>
+std::vector<Curve> MakeCurves(const std::vector<WheelRow>& table,
+                              const std::vector<MeasuredRow>& measured, const OfModel& of_model,
+                              const OfMeasured& of_measured) {
+  std::map<std::pair<double, double>, Curve> curves;
+  for (const WheelRow& row : table) {
+    Curve& curve = curves[{row.load_n, row.beta_deg}];
+    curve.load_n = row.load_n;
+    curve.beta_deg = row.beta_deg;
+    curve.model.push_back({row.slip, of_model(row)});
+  }
+  std::vector<Curve> list;
+  for (auto& [key, curve] : curves) {
+    std::sort(curve.model.begin(), curve.model.end(),
+              [](const Point& a, const Point& b) { return a.slip < b.slip; });
+    for (const MeasuredRow& row : measured) {
+      if (std::fabs(row.beta_deg - curve.beta_deg) > kSameSideSlip_deg) continue;
+      curve.measured.push_back({row.slip, of_measured(row)});
+    }
+    list.push_back(std::move(curve));
+  }
+  return list;
+}
+
+void DrawSquare(SvgDocument& svg, Px at, const std::string& colour) {
+  constexpr double kHalf = 4.0;
+  const double x = at.x, y = at.y;
+  svg.Polygon({{x - kHalf, y - kHalf},
+               {x + kHalf, y - kHalf},
+               {x + kHalf, y + kHalf},
+               {x - kHalf, y + kHalf}},
+              "none", {colour, 1.6, "", 1.0});
+}
+
+std::string Plot(const std::vector<Curve>& curves, const std::string& title,
+                 const std::string& label) {
   constexpr std::array<const char*, 6> kColours{"#1f5fbf", "#c8321e", "#2a8f5c",
                                                 "#8a4fb0", "#b07a1e", "#444444"};
   SvgDocument svg(720, 470, title);
@@ -49,29 +94,36 @@ std::string Plot(const std::vector<WheelRow>& table, const std::string& title,
   area.width = 600;
   area.height = 340;
   area.x = area.y = Range::Nothing();
-  std::map<std::pair<double, double>, std::vector<const WheelRow*>> curves;
-  for (const WheelRow& row : table) {
-    curves[{row.load_n, row.beta_deg}].push_back(&row);
-    area.x.Hold(row.slip);
-    area.y.Hold(value(row));
+  bool any_measured = false;
+  for (const Curve& curve : curves) {
+    for (const auto* points : {&curve.model, &curve.measured}) {
+      for (const Point& point : *points) {
+        area.x.Hold(point.slip);
+        area.y.Hold(point.value);
+      }
+    }
+    any_measured = any_measured || !curve.measured.empty();
   }
   area.y.Hold(0.0);
   const double x_margin = std::max(0.05, 0.04 * area.x.span());
   const double y_margin = std::max(0.02, 0.06 * area.y.span());
   area.x = {area.x.low - x_margin, area.x.high + x_margin};
   area.y = {area.y.low - y_margin, area.y.high + y_margin};
-  svg.Text({86, 26}, title, {.size = 15.0, .bold = true});
+  svg.Text({86, 26}, title + (any_measured ? "; squares: measured" : ""),
+           {.size = 15.0, .bold = true});
   area.DrawAxes(svg, "slip", label);
   std::vector<std::pair<std::string, Pen>> legend;
-  for (auto& [key, rows] : curves) {
-    std::sort(rows.begin(), rows.end(),
-              [](const WheelRow* a, const WheelRow* b) { return a->slip < b->slip; });
+  for (const Curve& curve : curves) {
     const Pen pen{kColours[legend.size() % kColours.size()], 1.8, "", 1.0};
     std::vector<Px> points;
-    for (const WheelRow* row : rows) points.push_back(area.At(row->slip, value(*row)));
+    for (const Point& point : curve.model) points.push_back(area.At(point.slip, point.value));
     svg.Polyline(points, pen);
     for (const Px& point : points) svg.Circle(point, 3.0, pen.color, pen);
-    legend.push_back({TickText(key.second, 1.0) + " deg, " + TickText(key.first, 1.0) + " N", pen});
+    for (const Point& point : curve.measured) {
+      DrawSquare(svg, area.At(point.slip, point.value), pen.color);
+    }
+    legend.push_back(
+        {TickText(curve.beta_deg, 1.0) + " deg, " + TickText(curve.load_n, 1.0) + " N", pen});
   }
   DrawLegend(svg, {area.corner.x + 4, area.corner.y - 8}, legend);
   return svg.Finish();
@@ -98,22 +150,29 @@ std::string WheelJson(const std::vector<WheelRow>& table, bool as_list) {
   return list.dump(1);
 }
 
-std::string DrawbarPlot(const std::vector<WheelRow>& table) {
-  return Plot(table, "Drawbar over the load", "Fx / load",
-              [](const WheelRow& row) { return row.result.ahead_n / row.load_n; });
+std::string DrawbarPlot(const std::vector<WheelRow>& table,
+                        const std::vector<MeasuredRow>& measured) {
+  const auto curves = MakeCurves(
+      table, measured, [](const WheelRow& row) { return row.result.ahead_n / row.load_n; },
+      [](const MeasuredRow& row) { return row.ahead_n / row.load_n; });
+  return Plot(curves, "Drawbar over the load", "Fx / load");
 }
 
-std::string SinkagePlot(const std::vector<WheelRow>& table) {
-  return Plot(table, "Sinkage", "sinkage [mm]",
-              [](const WheelRow& row) { return 1e3 * row.result.sinkage_m; });
+std::string SinkagePlot(const std::vector<WheelRow>& table,
+                        const std::vector<MeasuredRow>& measured) {
+  const auto curves = MakeCurves(
+      table, measured, [](const WheelRow& row) { return 1e3 * row.result.sinkage_m; },
+      [](const MeasuredRow& row) { return 1e3 * row.sinkage_m; });
+  return Plot(curves, "Sinkage", "sinkage [mm]");
 }
 
-void WriteWheelSweep(const std::vector<WheelRow>& table, const std::filesystem::path& folder) {
+void WriteWheelSweep(const std::vector<WheelRow>& table, const std::vector<MeasuredRow>& measured,
+                     const std::filesystem::path& folder) {
   std::string csv = std::string(kHead) + "\n";
   for (const WheelRow& row : table) csv += RowText(row) + "\n";
   WriteWhole(folder / "sweep.csv", csv);
-  WriteWhole(folder / "drawbar.svg", DrawbarPlot(table));
-  WriteWhole(folder / "sinkage.svg", SinkagePlot(table));
+  WriteWhole(folder / "drawbar.svg", DrawbarPlot(table, measured));
+  WriteWhole(folder / "sinkage.svg", SinkagePlot(table, measured));
 }
 
 }  // namespace dockyard

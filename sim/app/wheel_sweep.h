@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/app/wheel_data.h"
 #include "sim/soil/single_wheel.h"
 
 namespace dockyard {
@@ -21,10 +22,15 @@ void PrintWheelRow(const WheelRow& row, bool with_head);
 /// An object, or for a sweep a list of objects.
 std::string WheelJson(const std::vector<WheelRow>& table, bool as_list);
 
-/// drawbar.svg's and sinkage.svg's text: curves over slip, one for each side slip and load.
-std::string DrawbarPlot(const std::vector<WheelRow>& table);
-std::string SinkagePlot(const std::vector<WheelRow>& table);
+/// drawbar.svg's and sinkage.svg's text: curves over slip, one for each side slip and load, with
+/// the measured rows as squares in the colour of their side slip; rows of other side slips are left
+/// out.
+std::string DrawbarPlot(const std::vector<WheelRow>& table,
+                        const std::vector<MeasuredRow>& measured);
+std::string SinkagePlot(const std::vector<WheelRow>& table,
+                        const std::vector<MeasuredRow>& measured);
 /// sweep.csv, drawbar.svg and sinkage.svg into the folder. Throws IoError.
-void WriteWheelSweep(const std::vector<WheelRow>& table, const std::filesystem::path& folder);
+void WriteWheelSweep(const std::vector<WheelRow>& table, const std::vector<MeasuredRow>& measured,
+                     const std::filesystem::path& folder);
 
 }  // namespace dockyard

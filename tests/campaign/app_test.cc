@@ -123,6 +123,35 @@ TEST(WheelCommand, SweepsListsIntoATableAndPlots) {
   }
 }
 
+TEST(WheelCommand, DrawsMeasuredRowsOverTheCurvesOfTheirSideSlip) {
+  const TemporaryFolder folder;
+  const std::string data = (folder.path() / "data.csv").string();
+  const std::string out = (folder.path() / "out").string();
+  const std::string sweep = kWheel + "--sweep --slip 0.75,0.9 --load 24 --data '" + data + "'";
+  const std::string head = "# a comment\nwheel,beta_deg,slip,Fx_N,Fz_N,sinkage_mm\n";
+  const std::string rows = "smooth,0,0.75,0.82,24.0,25.4\nsmooth,15,0.75,0.84,23.7,25.5\n";
+  WriteText(data, head + rows + "smooth,0,0.9,1.5,25.7,25.7\n");
+  ASSERT_EQ(Dockyard(sweep + " --out '" + out + "'").code, 0);
+  for (const char* plot : {"drawbar.svg", "sinkage.svg"}) {
+    const std::string svg = ReadText(folder.path() / "out" / plot);
+    int polygons = 0;
+    for (std::size_t at = 0; (at = svg.find("<polygon", at)) != std::string::npos; ++at) ++polygons;
+    EXPECT_EQ(polygons, 1 + 2) << plot;  // the frame; the row at 15 deg has no curve
+  }
+  EXPECT_EQ(Dockyard(sweep).code, 2);  // no --out
+  WriteText(data, head + rows + "smooth,0,two,1,24,20\n");
+  const Ended word = Dockyard(sweep + " --out '" + out + "'");
+  EXPECT_EQ(word.code, 3);
+  EXPECT_THAT(word.err, HasSubstr("data.csv:5:10: row 3.slip: expected"));
+  WriteText(data, head + rows + "grouser,0,0.9,1,24,20\n");
+  const Ended two = Dockyard(sweep + " --out '" + out + "'");
+  EXPECT_EQ(two.code, 3);
+  EXPECT_THAT(two.err, HasSubstr("--data-wheel, found smooth, grouser"));
+  const Ended none = Dockyard(sweep + " --data-wheel round --out '" + out + "'");
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.err, HasSubstr("expected rows of 'round', found smooth, grouser"));
+}
+
 TEST(WheelCommand, RefusesWhatItCannotDrive) {
   const std::string soil = "models/soils/grc_1.yaml";
   EXPECT_EQ(Dockyard(kWheel).code, 2);
