@@ -1,0 +1,106 @@
+// What Wong and Reece's integrals (1967) predict for towed wheels when nothing rebounds, beside the
+// trials and our wheel: docs/soil.md, "Towed wheels".
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "soil/rig.h"
+
+namespace dockyard::soil_test {
+namespace {
+
+/// Where pressure is highest, over the angle of entry: c1 + c2 slip.
+struct Peak {
+  double c1 = 0.0, c2 = 0.0;
+};
+
+struct Integral {
+  double up_n = 0.0, ahead_n = 0.0, torque_nm = 0.0;
+};
+
+/// A smooth wheel in contact from its entry to its lowest point, slip as of the rig.
+Integral Integrate(const SingleWheelSetup& setup, const Peak& peak, double entry, double slip) {
+  const double r = setup.wheel.rim_radius_m, b = setup.wheel.width_m;
+  const SoilModel& soil = setup.soil;
+  const double k = soil.k_c / b + soil.k_phi, tan_phi = std::tan(soil.friction_angle_rad);
+  const double highest = std::max(1e-4, peak.c1 + peak.c2 * slip) * entry;
+  constexpr int kPoints = 1000;
+  const double step = entry / kPoints;
+  Integral sum;
+  double slid = 0.0;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = entry - (i + 0.5) * step;
+    const double front = angle >= highest ? angle : entry - angle / highest * (entry - highest);
+    const double z = r * std::max(0.0, std::cos(front) - std::cos(entry));
+    const double pressure = k * std::pow(z, soil.n);
+    // Per angle the rim goes r back, and travel / spin, r / (1 + slip) for a towed wheel, ahead.
+    const double slide = r * (1.0 - std::cos(angle) / (slip < 0.0 ? 1.0 + slip : 1.0)) * step;
+    const double at = slid + 0.5 * slide;
+    slid += slide;
+    const double shear = (soil.cohesion_pa + pressure * tan_phi) *
+                         std::copysign(1.0 - std::exp(-std::fabs(at) / soil.shear_modulus_m), at);
+    const double area = b * r * step;
+    sum.up_n += area * (pressure * std::cos(angle) + shear * std::sin(angle));
+    sum.ahead_n += area * (shear * std::cos(angle) - pressure * std::sin(angle));
+    sum.torque_nm += area * shear * r;
+  }
+  return sum;
+}
+
+/// Resistance over the load at the slip at which the soil gives no torque.
+double Predict(const SingleWheelSetup& setup, const Peak& peak) {
+  const auto entry_at = [&](double slip) {
+    double low = 1e-3, high = 1.5;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (low + high);
+      (Integrate(setup, peak, middle, slip).up_n < setup.load_n ? low : high) = middle;
+    }
+    return low;
+  };
+  double low = -0.3, high = 0.0;
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (low + high);
+    (Integrate(setup, peak, entry_at(middle), middle).torque_nm < 0.0 ? low : high) = middle;
+  }
+  return -Integrate(setup, peak, entry_at(low), low).ahead_n / setup.load_n;
+}
+
+constexpr Peak kDriven{0.40, 0.15}, kBottom{0.0, 0.0};
+
+SingleWheelSetup Large(const char* soil, double load_n) {
+  SingleWheelSetup setup;
+  setup.wheel = AxelWheel(0);
+  setup.soil = Soil(soil);
+  setup.load_n = load_n;
+  setup.speed_m_s = 0.1;
+  setup.free_spin = true;
+  return setup;
+}
+
+TEST(TowedTheory, PredictionsComeFromPressureThatIsHighestFarAhead) {
+  EXPECT_NEAR(Predict(Large("loose_sand", 150.0), kDriven), 0.169, 0.003);
+  EXPECT_NEAR(Predict(Large("loose_sand", 300.0), kDriven), 0.203, 0.003);
+  EXPECT_NEAR(Predict(Large("compact_gravel", 150.0), kDriven), 0.050, 0.002);
+  EXPECT_NEAR(Predict(Large("compact_gravel", 300.0), kDriven), 0.068, 0.002);
+}
+
+TEST(TowedTheory, OurWheelWithoutReboundIsTheirsWithTheHighestPressureAtTheBottom) {
+  for (double load_n : {150.0, 300.0}) {
+    SingleWheelSetup setup = Large("loose_sand", load_n);
+    setup.soil.unloading_stiffness_pa_per_m = 5e8;
+    setup.step_s = 5e-4;
+    EXPECT_NEAR(-RunSingleWheel(setup).ahead_n / load_n / Predict(setup, kBottom), 1.0, 0.04);
+  }
+}
+
+TEST(TowedTheory, PredictsForTheTrialsWheelTwiceWhatWasMeasured) {
+  SingleWheelSetup setup = Large("pavlov_90", 24.0);
+  setup.wheel = Wheel("pavlov_smooth");
+  // 0.18: the trials' drawbar between slip -0.2 and 0 where the wheel would need no torque.
+  EXPECT_GT(Predict(setup, kDriven), 2.0 * 0.18);
+  EXPECT_GT(Predict(setup, kBottom), 1.3 * 0.18);
+}
+
+}  // namespace
+}  // namespace dockyard::soil_test
