@@ -1,5 +1,6 @@
 // Speeds of the parts, all in one run, so that their ratios mean something on any machine. CPU time
 // of this process; on a busy machine only the ratios hold.
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <string>
@@ -29,12 +30,18 @@ double Time(const std::function<void()>& work) {
   return CpuSeconds() - start;
 }
 
+double Middle(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 std::unique_ptr<Controller> MakeBrain(const std::string&, const RoverSheet& sheet) {
   return MakeAxelController(sheet);
 }
 
 struct EyesSpeed {
-  double pair_s = 0.0, detect_s = 0.0, locate_s = 0.0;
+  double pair_s = 0.0, detect_s = 0.0, locate_s = 0.0, alone_s = 0.0;
 };
 
 EyesSpeed TimeEyes(int width, int height) {
@@ -58,20 +65,24 @@ EyesSpeed TimeEyes(int width, int height) {
                    for (int i = 1; i <= kRounds; ++i) render(i);
                  }) /
                  kRounds;
+  // Names and pose are the small difference of large times: of each round, then the middle one.
   std::size_t found = 0;
-  speed.detect_s = Time([&] {
-                     for (int i = 0; i < kRounds; ++i) {
-                       found += DetectFiducials(images.left, built.sheet.board).size();
-                     }
-                   }) /
-                   kRounds;
-  speed.locate_s = Time([&] {
-                     for (int i = 0; i < kRounds; ++i) {
-                       found += static_cast<bool>(
-                           LocateBoard(images, built.sheet.rig, built.sheet.board, {}).sighting);
-                     }
-                   }) /
-                   kRounds;
+  std::vector<double> detect_s, locate_s, alone_s;
+  for (int i = 0; i < 2 * kRounds + 1; ++i) {
+    detect_s.push_back(Time([&] {
+      for (const GrayImage* image : {&images.left, &images.right}) {
+        found += DetectFiducials(*image, built.sheet.board).size();
+      }
+    }));
+    locate_s.push_back(Time([&] {
+      found +=
+          static_cast<bool>(LocateBoard(images, built.sheet.rig, built.sheet.board, {}).sighting);
+    }));
+    alone_s.push_back(locate_s.back() - detect_s.back());
+  }
+  speed.detect_s = 0.5 * Middle(detect_s);
+  speed.locate_s = Middle(locate_s);
+  speed.alone_s = Middle(alone_s);
   if (found == 0) std::printf("  nothing was found in the picture\n");
   return speed;
 }
@@ -101,7 +112,7 @@ void ReportEyes(double loose) {
         "%4d x %3d: stereo pairs/s %.2f; detection %.1f ms an image; board from a pair %.1f ms, "
         "names and pose alone %.2f ms\n",
         width, height, 1.0 / eyes.pair_s, 1e3 * eyes.detect_s, 1e3 * eyes.locate_s,
-        1e3 * (eyes.locate_s - 2.0 * eyes.detect_s));
+        1e3 * eyes.alone_s);
     const double mujoco_s = MujocoPairSeconds(width, height);
     std::printf(
         "            a pair takes %.3f s of CPU, MuJoCo's renderer %.3f s: %.2f times as fast\n",
