@@ -175,14 +175,16 @@ std::shared_ptr<const TriangleMesh> LoadMesh(const fs::path& file) {
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     importer.SetIOHandler(new OneFolder(file, std::move(bytes)));
     const aiScene* scene =
-        importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
-                                             aiProcess_ValidateDataStructure);
+        importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr) {
       std::string reason = importer.GetErrorString();
       std::replace(reason.begin(), reason.end(), '\n', ' ');
       throw ConfigError(file.string() + ": not a usable mesh: " +
                         (reason.empty() ? "it cannot be read" : reason.substr(0, 200)));
     }
+    // First as it is: what joins vertices drops those that are not numbers.
+    Collector(*scene, file.string()).Take();
+    scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);
     return std::make_shared<const TriangleMesh>(Collector(*scene, file.string()).Take());
   } catch (const ConfigError&) {
     throw;

@@ -14,7 +14,12 @@ GrayImage LoadGray(const std::string& file) {
   const auto bytes = ReadWhole(file);
   if (!bytes) throw ConfigError(file + ": expected an image, found no such file");
   const std::vector<std::uint8_t> buffer(bytes->begin(), bytes->end());
-  const cv::Mat picture = buffer.empty() ? cv::Mat() : cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
+  cv::Mat picture;
+  try {
+    if (!buffer.empty()) picture = cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
+  } catch (const cv::Exception&) {
+    throw ConfigError(file + ": expected an image of at most 2^30 pixels that can be read");
+  }
   if (picture.empty()) {
     throw ConfigError(file + ": expected an image (PNG, PGM, JPEG), found something else");
   }
@@ -28,6 +33,9 @@ GrayImage LoadGray(const std::string& file) {
 std::vector<std::string> ImageFilesIn(const std::string& folder) {
   static const std::vector<std::string> kEndings{".png",  ".pgm", ".ppm", ".jpg",
                                                  ".jpeg", ".bmp", ".tif", ".tiff"};
+  if (!std::filesystem::is_directory(folder)) {
+    throw ConfigError(folder + ": expected a folder of images, found none");
+  }
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     std::string ending = entry.path().extension().string();

@@ -57,12 +57,8 @@ bool ReportRow(const RunResult& then, const RunResult& now) {
   return false;
 }
 
-/// True unless the controller, run alone, gave other commands.
+/// False when the controller, run alone from its log, gave other commands.
 bool ReportController(const std::filesystem::path& run_dir) {
-  if (!std::filesystem::exists(run_dir / "frames.bin")) {
-    std::printf("controller alone: not run, there is no log\n");
-    return true;
-  }
   RunLogReader log(run_dir);
   const auto controller = MakeController(log.header().controller, log.header().sheet);
   const ControllerReplay replay = ReplayController(log, *controller);
@@ -113,6 +109,9 @@ KeptRun FindRun(const ReplayArguments& arguments) {
     throw UsageError(dir.string() + " holds a campaign; name the run, as in: dockyard replay " +
                      dir.string() + " 1");
   }
+  if (!campaign && arguments.run && std::filesystem::exists(dir / "result.csv")) {
+    throw UsageError(dir.string() + " holds one run; leave out the number");
+  }
   if (arguments.run) return RunOfCampaign(dir, *arguments.run);
   const Scenario scenario = LoadScenario((dir / "resolved.yaml").string());
   return {SingleRun(scenario), ReadSingleResult(dir), dir};
@@ -125,8 +124,17 @@ int Replay(const ReplayArguments& arguments) {
                " yet");
     return kExitIncomplete;
   }
+  if (kept.result->outcome == Outcome::kCrashed) {
+    PrintError("run " + std::to_string(kept.run.run) +
+               " crashed: there is nothing to compare with");
+    return kExitIncomplete;
+  }
   const RunRecord now = RunDocking(kept.run, MakeController, {});
   const bool same_row = ReportRow(*kept.result, now.result);
+  if (!std::filesystem::exists(kept.log_dir / "frames.bin")) {
+    PrintError("controller alone: not run, there is no log in " + kept.log_dir.string());
+    return same_row ? kExitIncomplete : kExitOurBug;
+  }
   const bool same_commands = ReportController(kept.log_dir);
   return same_row && same_commands ? kExitDone : kExitOurBug;
 }

@@ -1,5 +1,6 @@
 #include "sim/app/scenario_options.h"
 
+#include <charconv>
 #include <filesystem>
 
 #include "models/load_scenario.h"
@@ -17,8 +18,11 @@ void AddSetOption(CLI::App& command, std::vector<std::string>& overrides) {
 void AddScenarioOptions(CLI::App& command, ScenarioOptions& options) {
   command.add_option("SCENARIO", options.file, "a scenario file")->required();
   command.add_option("--seed", options.seed, "of all that is random; overrides the file's")
-      ->check([](const std::string& text) {  // else -1 would read as 2^64 - 1
-        return text.empty() || text[0] == '-' ? "expected a whole number >= 0" : "";
+      ->check([](const std::string& text) {  // else -1 and 2^64 would read as 2^64 - 1
+        std::uint64_t seed = 0;
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), seed);
+        const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
+        return whole ? "" : "expected a whole number from 0 to 2^64 - 1, found '" + text + "'";
       });
   AddSetOption(command, options.overrides);
 }

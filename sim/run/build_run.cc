@@ -37,6 +37,26 @@ double RestingArm(const RoverModel& rover) {
 // centimetres at most.
 constexpr double kMostSettlingM = 0.05;
 
+/// The renderer draws what lies within 60 deg of a lens's axis (docs/images.md).
+void CheckPicturesCanBeDrawn(const StereoRig& rig) {
+  constexpr double kWidest_rad = 60.0 * kPi / 180.0;
+  for (const Camera* camera : {&rig.left, &rig.right}) {
+    for (const double u : {-0.5, camera->width - 0.5}) {
+      for (const double v : {-0.5, camera->height - 0.5}) {
+        const Eigen::Vector3d ray = camera->Direction({u, v});
+        const double angle = std::atan2(std::hypot(ray.x(), ray.y()), ray.z());
+        if (angle <= kWidest_rad) continue;
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "camera: expected all pixels within 60 deg of the lens's axis, at %d x %d a "
+                      "corner is %.0f deg off it",
+                      camera->width, camera->height, Degrees(angle));
+        throw ConfigError(text);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void CheckStart(const BuiltRun& run, const Truth& start) {
@@ -74,6 +94,7 @@ BuiltRun BuildRun(const Scenario& scenario) {
       FromDockingCoords({scenario.start.r_m, scenario.start.alpha_rad, scenario.start.heading_rad});
   world.step_s = scenario.physics_step_s;
 
+  CheckPicturesCanBeDrawn(world.rover.stereo.nominal);
   run.built_rig = BuiltRig(world.rover.stereo, scenario.seed);
   run.X_WD = FromGround(world.X_WG * world.X_GD, 0.0);
   run.lighting = MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed,

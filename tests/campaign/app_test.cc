@@ -31,6 +31,7 @@ TEST(Program, EndsWithTwoForArgumentsThatMakeNoSense) {
        {"", "dock", "run", "run a b", "run --sead 3 x.yaml", "campaign x.yaml --jobs 0",
         "campaign x.yaml --jobs many", "replay", "view scenarios/axel_typical.yaml",
         "run scenarios/axel_typical.yaml --seed -1",
+        "run scenarios/axel_typical.yaml --seed 18446744073709551616",
         "view scenarios/axel_typical.yaml --seed -1 --out x"}) {
     const Ended ended = Dockyard(arguments);
     EXPECT_EQ(ended.code, 2) << arguments << "\n" << ended.err;

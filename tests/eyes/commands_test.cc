@@ -68,6 +68,9 @@ TEST(DetectCommand, FindsTheBoardOfARenderedPair) {
   EXPECT_GT(std::filesystem::file_size(drawn), 10000u);
   const Ended folder_run = Dockyard("detect --folder " + folder.path().string() + kFiles);
   EXPECT_EQ(folder_run.code, 0);
+  const Ended nowhere = Dockyard("detect --folder " + folder.path().string() + "/none" + kFiles);
+  EXPECT_EQ(nowhere.code, 3);
+  EXPECT_THAT(nowhere.err, HasSubstr("none: expected a folder of images"));
   EXPECT_THAT(folder_run.out, HasSubstr("3 images"));
 }
 

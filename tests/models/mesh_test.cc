@@ -147,6 +147,8 @@ TEST(Mesh, CoordinatesMustBeFiniteAndWithinAKilometre) {
                 HasSubstr("not a usable mesh: "))
         << bad;
   }
+  EXPECT_THAT(MessageFor("a.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"),
+              HasSubstr("a coordinate that is not finite"));
   EXPECT_THAT(MessageFor("a.obj", "v 0 0 0\nv 1e5 0 0\nv 0 1 0\nf 1 2 3\n"),
               HasSubstr("a coordinate that is not finite or beyond 1000 m"));
 }

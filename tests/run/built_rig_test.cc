@@ -60,6 +60,15 @@ TEST(Start, InsideTheStationIsRefusedAndBesideItIsNot) {
   }
 }
 
+TEST(Start, PicturesWiderThanCanBeDrawnAreRefused) {
+  try {
+    BuildRun(LoadScenario(kScenario, {"camera={width_px: 1200, height_px: 1200}"}));
+    FAIL() << "accepted";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("within 60 deg"), std::string::npos);
+  }
+}
+
 TEST_P(BuiltRigs, TurnAgainstEachOtherAsTheModelSays) {
   const StereoRig& nominal = stereo_.nominal;
   const double yaw = Rms(stereo_, [&](const StereoRig& built) {
