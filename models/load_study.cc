@@ -68,6 +68,10 @@ std::vector<StudyFactor> ReadFactors(const YamlReader& root, const char* key) {
   }
   for (std::size_t i = 0; i < node.keys.size(); ++i) {
     const std::string& name = node.keys[i].name;
+    if (name == "seed") {
+      throw ConfigError(node.keys[i].place.Text() + ": " + root.PathOf(key) +
+                        ".seed: expected none; seeds follow from the study's seed and repeats");
+    }
     factors.push_back(ReadFactor(name, node.items[i], root.PathOf(key) + "." + name));
   }
   return factors;
@@ -242,7 +246,12 @@ Study LoadStudy(const std::string& file, const std::vector<std::string>& overrid
     if (points > kMaxPoints) in.Refuse("vary", "at most 20000 points");
   }
   YamlNode base = LoadYaml(in.File("base"));
-  if (in.Has("scenario")) MergeYaml(base, in.Child("scenario"));
+  if (in.Has("scenario")) {
+    if (in.Child("scenario").Find("seed") != nullptr) {
+      in.Refuse("scenario", "no seed in it; seeds follow from the study's seed and repeats");
+    }
+    MergeYaml(base, in.Child("scenario"));
+  }
   AddPoints(base, script, study);
   return study;
 }

@@ -100,6 +100,10 @@ TEST_F(StudyFile, FaultsAreToldByPlaceAndPath) {
   EXPECT_THAT(Message("plot: {measures: [dcked]}\n"), HasSubstr("nearest is 'docked'"));
   EXPECT_THAT(Message("plot: {x: start.r_m}\n"), HasSubstr("scenarios/s.yaml:4:"));
   EXPECT_THAT(Message("repeats2: 3\n"), HasSubstr("repeats"));
+  EXPECT_EQ(
+      Message("vary:\n  seed: [1, 2]\n"),
+      "scenarios/s.yaml:5:3: vary.seed: expected none; seeds follow from the study's seed and "
+      "repeats");
 }
 
 TEST(Studies, OfTheTreeLoad) {
