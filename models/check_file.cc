@@ -128,18 +128,27 @@ FileCheck CheckYaml(const std::string& file) {
                     "none of them");
 }
 
+FileCheck CheckTable(const std::string& file) {
+  return {"campaign table", std::to_string(CheckCampaignTable(file)) + " runs"};
+}
+
 }  // namespace
 
 FileCheck CheckFile(const std::string& file) {
+  if (std::filesystem::is_directory(file)) {
+    throw ConfigError(file + ": expected a file, found a folder");
+  }
   const std::string extension = std::filesystem::path(file).extension().string();
   if (IsMeshFile(file)) return CheckMesh(file);
   if (extension == ".urdf") return CheckUrdf(file);
   if (extension == ".json") return CheckCameras(file);
+  if (extension == ".csv") return CheckTable(file);
   if (extension == ".yaml" || extension == ".yml") return CheckYaml(file);
-  throw ConfigError(file +
-                    ": expected a file .yaml, .json, .urdf, .stl, .obj, .dae, .gltf or .glb, found "
-                    "extension '" +
-                    extension + "'");
+  throw ConfigError(
+      file +
+      ": expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or .glb, found "
+      "extension '" +
+      extension + "'");
 }
 
 }  // namespace dockyard

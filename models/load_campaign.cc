@@ -37,6 +37,12 @@ YamlNode BaseTree(const YamlReader& root) {
   return base;
 }
 
+const std::vector<std::string>& RunColumns() {
+  static const std::vector<std::string> columns{"run",   "day", "region",    "soil",
+                                                "light", "r_m", "alpha_deg", "heading_deg"};
+  return columns;
+}
+
 CampaignRun ReadRun(const YamlReader& in, const Campaign& campaign, const Scenario& base,
                     const SoilFiles& soils) {
   CampaignRun run;
@@ -65,9 +71,8 @@ void ReadRuns(const YamlNode& list, const std::string& path, const Scenario& bas
   std::set<int> seen;
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     // A table's rows need no path: the file and line say where.
-    const YamlReader in(
-        list.items[i], path.empty() ? "" : YamlReader::PathOf(path, i),
-        {"run", "day", "region", "soil", "light", "r_m", "alpha_deg", "heading_deg"});
+    const YamlReader in(list.items[i], path.empty() ? "" : YamlReader::PathOf(path, i),
+                        RunColumns());
     campaign.runs.push_back(ReadRun(in, campaign, base, soils));
     if (!seen.insert(campaign.runs.back().run).second) {
       in.Refuse("run", "a number that no other run has");
@@ -77,12 +82,31 @@ void ReadRuns(const YamlNode& list, const std::string& path, const Scenario& bas
 
 }  // namespace
 
+int CheckCampaignTable(const std::string& file) {
+  const YamlNode table = LoadCsv(file);
+  Campaign campaign;
+  Scenario base;
+  base.yard.length_m = base.yard.width_m = 1000.0;  // wide enough: the campaign's file has it
+  SoilFiles soils;                                  // whatever the table names
+  for (const YamlNode& row : table.items) {
+    const YamlReader in(row, "", RunColumns());
+    soils.names.push_back(in.Text("soil"));
+    soils.files.push_back("");
+  }
+  ReadRuns(table, "", base, soils, campaign);
+  return static_cast<int>(campaign.runs.size());
+}
+
 Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& overrides) {
   YamlNode tree = LoadYaml(file);
   for (const std::string& assignment : overrides) SetYaml(tree, assignment);
   const YamlReader in(tree, "", {"campaign", "seed", "base", "scenario", "soils", "table", "runs"});
   Campaign campaign;
   campaign.name = in.Text("campaign");
+  if (campaign.name.size() > 100 || campaign.name[0] == '.' ||
+      campaign.name.find('/') != std::string::npos) {
+    in.Refuse("campaign", "a name that its results folder can have: up to 100 bytes, no '/'");
+  }
   campaign.file = file;
   campaign.seed = in.SeedOr("seed", 1);
   const YamlNode base_tree = BaseTree(in);

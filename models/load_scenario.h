@@ -20,6 +20,10 @@ Scenario LoadScenario(const std::string& file, const std::vector<std::string>& o
 /// file. Throws ConfigError.
 Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& overrides = {});
 
+/// Runs in a campaign's table (CSV), all of it checked but the soils' names, which the campaign's
+/// file gives a meaning, and whether the starts lie in its yard. Throws ConfigError.
+int CheckCampaignTable(const std::string& file);
+
 /// Everything, defaults included, with absolute paths; LoadScenario and LoadCampaign read it back
 /// to the same values, bit for bit, when angles came from degrees in a file.
 std::string ResolvedYaml(const Scenario& scenario);

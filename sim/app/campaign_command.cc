@@ -14,6 +14,7 @@
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/campaign/campaign.h"
+#include "sim/log/result_row.h"
 #include "sim/run/loop.h"
 
 namespace dockyard {
@@ -55,9 +56,22 @@ bool AnyCrashed(const FinishedRuns& runs) {
   return false;
 }
 
+/// As a shell takes it for one word.
+std::string Quoted(const std::string& word) {
+  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=-";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
 std::string CommandToGoOn(const CampaignArguments& arguments, const std::string& out_dir) {
-  std::string command = "dockyard campaign " + arguments.file + " --out " + out_dir;
-  for (const std::string& override : arguments.overrides) command += " --set '" + override + "'";
+  std::string command = "dockyard campaign " + Quoted(arguments.file) + " --out " + Quoted(out_dir);
+  for (const std::string& override : arguments.overrides) command += " --set " + Quoted(override);
+  if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
+  if (arguments.run_limit_s != CampaignArguments{}.run_limit_s) {
+    command += " --run-limit " + ExactNumber(arguments.run_limit_s);
+  }
   return command;
 }
 

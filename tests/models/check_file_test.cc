@@ -23,6 +23,7 @@ TEST(CheckFile, TellsTheKindOfEveryFileHere) {
   EXPECT_EQ(kind("scenarios/axel_typical.yaml"), "scenario");
   EXPECT_EQ(kind("scenarios/mars_yard_40.yaml"), "campaign");
   EXPECT_EQ(kind("scenarios/ci_4.yaml"), "campaign");
+  EXPECT_EQ(kind("scenarios/mars_yard_40.csv"), "campaign table");
 }
 
 TEST(CheckFile, SaysInALineWhatIsInside) {
@@ -30,6 +31,7 @@ TEST(CheckFile, SaysInALineWhatIsInside) {
             "axel: 40 kg, arm 1 m, stereo baseline 0.35 m");
   EXPECT_EQ(CheckFile(SourceFile("scenarios/mars_yard_40.yaml")).summary,
             "mars_yard_40: 40 runs on 2 soils, seed 1");
+  EXPECT_EQ(CheckFile(SourceFile("scenarios/mars_yard_40.csv")).summary, "40 runs");
 }
 
 TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
@@ -43,9 +45,16 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
       "a.yaml:1:1: expected the keys of a rover, station, soil, wheel, camera, rig, scenario, "
       "campaign or study, found none of them");
   EXPECT_EQ(message("a.txt", "x"),
-            "a.txt: expected a file .yaml, .json, .urdf, .stl, .obj, .dae, .gltf or .glb, found "
+            "a.txt: expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or "
+            ".glb, found "
             "extension "
             "'.txt'");
+  EXPECT_EQ(message("a.csv", "run,day\n1,ten\n").rfind("a.csv:2:", 0), 0u);
+  EXPECT_EQ(message("b.yaml", "campaign: ../up\nbase: x.yaml\n"),
+            "b.yaml:1:11: campaign: expected a name that its results folder can have: up to 100 "
+            "bytes, no '/', found '../up'");
+  EXPECT_THAT(MessageOf([&] { CheckFile(folder.path().string()); }, folder),
+              HasSubstr("expected a file, found a folder"));
 }
 
 }  // namespace
