@@ -28,8 +28,22 @@ SoilFiles ReadSoils(const YamlReader& root) {
   return soils;
 }
 
+/// What each run brings itself would be lost if it stood in the campaign's own keys. A base file
+/// may have it: it is a scenario of its own.
+void RefuseKeysOfRuns(const YamlNode& scenario, const std::string& path) {
+  for (const YamlNode::Key& key : scenario.keys) {
+    for (const char* of_runs : {"name", "soil", "light", "start", "seed"}) {
+      if (key.name != of_runs) continue;
+      throw ConfigError(key.place.Text() + ": " + path + "." + key.name +
+                        ": expected only keys that all runs share; each run has its own " +
+                        key.name);
+    }
+  }
+}
+
 /// The base: a scenario file, with the keys of `scenario` on top.
 YamlNode BaseTree(const YamlReader& root) {
+  if (root.Has("scenario")) RefuseKeysOfRuns(root.Child("scenario"), root.PathOf("scenario"));
   if (!root.Has("base") && !root.Has("scenario")) return root.Child("scenario");  // throws: missing
   if (!root.Has("base")) return root.Child("scenario");
   YamlNode base = LoadYaml(root.File("base"));

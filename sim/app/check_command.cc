@@ -5,9 +5,11 @@
 
 #include "models/check_file.h"
 #include "models/config_error.h"
+#include "models/load_scenario.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/terminal.h"
+#include "sim/run/build_run.h"
 
 namespace dockyard {
 namespace {
@@ -22,11 +24,21 @@ Examples:
 Prints a line for each good file on stdout and the first fault of each bad one on stderr.
 Exit code 3: a file is bad.)";
 
+/// What only the renderer knows: whether it can draw for the cameras that a file names.
+void CheckCanBeDrawn(const std::string& kind, const std::string& file) {
+  if (kind == "scenario") {
+    CheckPicturesCanBeDrawn(LoadModels(LoadScenario(file)).rover.stereo.nominal);
+  } else if (kind == "campaign") {
+    CheckPicturesCanBeDrawn(LoadModels(LoadCampaign(file).runs[0].scenario).rover.stereo.nominal);
+  }
+}
+
 int Check(const std::vector<std::string>& files) {
   int exit_code = kExitDone;
   for (const std::string& file : files) {
     try {
       const FileCheck check = CheckFile(file);
+      CheckCanBeDrawn(check.kind, file);
       std::printf("%s: %s: %s\n", file.c_str(), check.kind.c_str(), check.summary.c_str());
     } catch (const ConfigError& error) {
       PrintError(error.what());

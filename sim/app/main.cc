@@ -34,8 +34,22 @@ int Fail(const std::exception& error, int exit_code) {
   return exit_code;
 }
 
+/// A first word that names no subcommand; empty if there is none or it does.
+std::string StrangeWord(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return "";
+  }
+  return argv[1];
+}
+
 int ParseAndRun(CLI::App& app, int argc, char** argv, int& exit_code) {
   try {
+    const std::string strange = StrangeWord(app, argc, argv);
+    if (!strange.empty()) {
+      throw UsageError("expected a subcommand, found '" + strange +
+                       "'; dockyard --help lists them");
+    }
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {

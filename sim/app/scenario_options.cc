@@ -10,6 +10,11 @@ namespace dockyard {
 void AddSetOption(CLI::App& command, std::vector<std::string>& overrides) {
   command.add_option("--set", overrides, "key.path=value, on top of the file")
       ->type_name("KEY=VALUE")
+      ->check([](const std::string& text) {
+        const std::size_t equals = text.find('=');
+        const bool fine = equals != std::string::npos && equals > 0;
+        return fine ? "" : "expected key=value such as start.r_m=5, found '" + text + "'";
+      })
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);

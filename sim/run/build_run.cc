@@ -37,7 +37,8 @@ double RestingArm(const RoverModel& rover) {
 // centimetres at most.
 constexpr double kMostSettlingM = 0.05;
 
-/// The renderer draws what lies within 60 deg of a lens's axis (docs/images.md).
+}  // namespace
+
 void CheckPicturesCanBeDrawn(const StereoRig& rig) {
   constexpr double kWidest_rad = 60.0 * kPi / 180.0;
   for (const Camera* camera : {&rig.left, &rig.right}) {
@@ -56,8 +57,6 @@ void CheckPicturesCanBeDrawn(const StereoRig& rig) {
     }
   }
 }
-
-}  // namespace
 
 void CheckStart(const BuiltRun& run, const Truth& start) {
   const Pose2 &wanted = run.world.X_DR_start, is = ToGround(start.X_DR);

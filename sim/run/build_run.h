@@ -20,6 +20,10 @@ struct BuiltRun {
 /// Reads the scenario's model files (throws ConfigError) and draws the run's dispersions.
 BuiltRun BuildRun(const Scenario& scenario);
 
+/// Throws ConfigError when pictures of these cameras reach beyond what the renderer draws, 60 deg
+/// from a lens's axis (docs/images.md).
+void CheckPicturesCanBeDrawn(const StereoRig& rig);
+
 /// Throws ConfigError when rover and station were put into each other: the contacts have then
 /// thrown them apart while the world came to rest.
 void CheckStart(const BuiltRun& run, const Truth& start);

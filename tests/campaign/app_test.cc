@@ -30,7 +30,8 @@ TEST(Program, EndsWithTwoForArgumentsThatMakeNoSense) {
   for (const char* arguments :
        {"", "dock", "run", "run a b", "run --sead 3 x.yaml", "campaign x.yaml --jobs 0",
         "campaign x.yaml --jobs many", "replay", "view scenarios/axel_typical.yaml",
-        "run scenarios/axel_typical.yaml --seed -1",
+        "run scenarios/axel_typical.yaml --seed -1", "run scenarios/axel_typical.yaml --set start",
+        "run scenarios/axel_typical.yaml --set =5",
         "run scenarios/axel_typical.yaml --seed 18446744073709551616",
         "view scenarios/axel_typical.yaml --seed -1 --out x"}) {
     const Ended ended = Dockyard(arguments);
@@ -38,6 +39,10 @@ TEST(Program, EndsWithTwoForArgumentsThatMakeNoSense) {
     EXPECT_EQ(ended.out, "") << arguments;
     EXPECT_NE(ended.err, "") << arguments;
   }
+}
+
+TEST(Program, SaysWhichWordIsNoSubcommand) {
+  EXPECT_THAT(Dockyard("dock scenarios/axel_typical.yaml").err, HasSubstr("found 'dock'"));
 }
 
 TEST(Program, EndsWithThreeForABadInputFile) {
@@ -78,6 +83,19 @@ TEST(Program, ChecksAGoodFile) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("scenarios/axel_typical.yaml: scenario: "));
   EXPECT_THAT(ended.out, HasSubstr("scenarios/mars_yard_40.yaml: campaign: "));
+}
+
+TEST(Program, ChecksThatPicturesOfAScenarioCanBeDrawn) {
+  const TemporaryFolder folder;
+  const fs::path wide = folder.path() / "wide.yaml";
+  std::string text = ReadText(fs::path(DOCKYARD_SOURCE_DIR) / "scenarios/axel_typical.yaml");
+  for (std::size_t at = 0; (at = text.find("../models", at)) != std::string::npos; at += 9) {
+    text.replace(at, 9, DOCKYARD_SOURCE_DIR "/models");
+  }
+  WriteText(wide, text + "camera: {width_px: 1200, height_px: 1200}\n");
+  const Ended ended = Dockyard("check " + wide.string());
+  EXPECT_EQ(ended.code, 3) << ended.out;
+  EXPECT_THAT(ended.err, HasSubstr("within 60 deg"));
 }
 
 TEST(Program, WritesNoColorsIntoAFile) {

@@ -106,6 +106,15 @@ TEST(Campaign, SetReachesEveryRun) {
   for (const CampaignRun& run : grid.runs) EXPECT_EQ(run.scenario.image_width, 640);
 }
 
+TEST(Campaign, KeysThatEachRunBringsAreRefused) {
+  const ScratchFolder folder;
+  for (const std::string set : {"light=hard_shadow", "start.r_m=5", "seed=3", "soil=a.yaml"}) {
+    EXPECT_THAT(MessageOf([&] { LoadCampaign(SourceFile(kGrid), {"scenario." + set}); }, folder),
+                HasSubstr("expected only keys that all runs share"))
+        << set;
+  }
+}
+
 TEST(Campaign, NeedsExactlyOneTable) {
   const ScratchFolder folder;
   const auto message = [&](const std::string& set) {
