@@ -11,7 +11,7 @@ namespace {
 constexpr double kPressureHeight = 2.0 / 3.0;
 // Direction cosine at which a wall that slides along the soil has mobilised about half of the
 // resistance. Fitted likewise; range 0.3-0.5.
-constexpr double kHalfMobilised = 0.362;
+constexpr double kHalfMobilised = 0.35;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void AddSideWall(const SoilLaws& laws, const SpokeAxes& axes, const SideStrip& s
   if (depth <= 0.0) return;
   const double y_m = left_leads ? strip.half_width_m : -strip.half_width_m;
   const double share = (1.0 + kHalfMobilised) / (std::fabs(wall.a) + kHalfMobilised);
-  const double wall_n = kHeap * share * strip.length_m * down * BulldozingResistance(laws, depth);
+  const double wall_n = share * strip.length_m * down * BulldozingResistance(laws, depth);
   const double push = wall_n * wall.a, rub = laws.tan_phi * std::fabs(push);
   sum.AddAt(axes, radius, y_m, {-rub * wall.r, -rub * wall.t, -push});
 }

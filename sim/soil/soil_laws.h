@@ -49,13 +49,13 @@ inline double BladePressure(const SoilLaws& laws, double sinkage_m) {
 }
 
 /// What a driving patch, which slides back along the soil, still bears of the pressure of one that
-/// goes straight in. Fitted to the single-wheel data (docs/soil.md): 0.27, range 0.24-0.32.
-constexpr double kDrivingShare = 0.27;
+/// goes straight in. Fitted to the single-wheel data (docs/soil.md): 0.24, range 0.21-0.32.
+constexpr double kDrivingShare = 0.24;
 /// What any sliding patch still bears of it. Keeps a wheel dragged sideways from sinking without
 /// end; the data up to 45 deg of side slip do not ask for it. Assumed, range 0-0.02.
 constexpr double kDraggedShare = 0.005;
 /// Way over which a patch's direction is remembered. Fitted likewise: 19 mm, range 15-25 mm.
-constexpr double kDirectionMemory_m = 0.0193;
+constexpr double kDirectionMemory_m = 0.0187;
 
 /// Share of the yield pressure that soil bears under a patch whose motion has the direction cosine
 /// `into` with its inward normal: all of it going straight in, less along the surface, as plates
@@ -102,18 +102,23 @@ inline double Shear(double m, double slide_m, double shear_modulus_m) {
 }
 
 /// Resistance of a short wall that heaps soil before it, a paddle's face or a wheel's side, over
-/// that of a long wall without a heap. Fitted to the single-wheel data (docs/soil.md): 3.3, range
-/// 3-5; tines a few depths wide show 2-4 (McKyes 1985).
-constexpr double kHeap = 3.3;
+/// that of a long wall without a heap. Fitted to the single-wheel data (docs/soil.md): 3.9, range
+/// 3-5; tines a few depths wide show 2-4 (McKyes 1985). It multiplies what soil resists by its
+/// weight alone: a heap is a surcharge of loose soil, and has no cohesion.
+constexpr double kHeap = 3.9;
 
-/// Passive earth pressure on a wall at this depth (Rankine): gamma z N_phi + 2 c sqrt(N_phi) [Pa].
-inline double PassivePressure(const SoilLaws& laws, double depth_m) {
-  return laws.passive_pa_per_m * depth_m + laws.passive_pa;
+/// Passive earth pressure on a paddle's face at this depth: Rankine's gamma z N_phi +
+/// 2 c sqrt(N_phi) [Pa], the first part with the heap. `driving` (0..1): a driving paddle cuts and
+/// heaps soil that rests; a dragged one (0) is in loosened soil that goes along with the wheel.
+inline double FacePressure(const SoilLaws& laws, double depth_m, double driving) {
+  const double heap = 1.0 + (kHeap - 1.0) * driving;
+  return heap * laws.passive_pa_per_m * depth_m + driving * laws.passive_pa;
 }
 
-/// Bulldozing resistance of a wheel's side per length of rut (Wong 2008, after Hegedus) [N/m].
+/// Bulldozing resistance of a wheel's side per length of rut (Wong 2008, after Hegedus), its
+/// weight's part with the heap [N/m].
 inline double BulldozingResistance(const SoilLaws& laws, double depth_m) {
-  return depth_m * (laws.bulldoze_n_per_m3 * depth_m + laws.passive_pa);
+  return depth_m * (kHeap * laws.bulldoze_n_per_m3 * depth_m + laws.passive_pa);
 }
 
 }  // namespace dockyard

@@ -153,11 +153,9 @@ SpokeLoad WheelSoil::LoadFace(const PatchPlace& tip, const SpokeVelocity& v, dou
   const double wedge = std::max(tip.sinkage_m(), height) * rim_.sqrt_n_phi;
   const double apart = std::min(1.0, paddle_spacing_m_ / wedge);
   const double own_share = apart * (2.0 - apart);
-  // A driving paddle heaps soil that rests; a dragged one is in soil that goes along with the
-  // wheel.
-  const double heap = 1.0 + (kHeap - 1.0) * std::max(0.0, face.t * travel_.going.t);
+  const double driving = std::max(0.0, face.t * travel_.going.t);
   const double area = share * height * line_width_m_;
-  return {0.0, -face.t * heap * own_share * PassivePressure(rim_, depth) * area, 0.0};
+  return {0.0, -face.t * own_share * FacePressure(rim_, depth, driving) * area, 0.0};
 }
 
 void WheelSoil::AddPaddle(const HeightGrid& grid, const WheelFrame& frame, Paddle& paddle,

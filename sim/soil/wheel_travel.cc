@@ -10,7 +10,7 @@ namespace {
 constexpr double kGoing_m = 0.005;
 // Share of a paddle's buried height that it carries along. Fitted to the single-wheel data, see
 // docs/soil.md; range 0.4-0.7.
-constexpr double kCarriedShare = 0.48;
+constexpr double kCarriedShare = 0.50;
 // Length over which the dug and the fresh soil balance: about the contact's. Assumed, 0.15-0.6.
 constexpr double kBalance_radii = 0.3;
 // A wheel that has dug itself in this deep digs no further: what it lifts falls back. Assumed,

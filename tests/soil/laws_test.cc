@@ -81,14 +81,15 @@ TEST(Shear, NeverExceedsTheStrength) {
 TEST(Shear, StrengthIsMohrCoulombAndVanishesWithThePressure) {
   const SoilLaws sand = MakeRimLaws(Soil("pavlov_90"), 0.05);
   // A wheel's metal holds the soil at two thirds of its own friction angle.
-  EXPECT_NEAR(ShearStrength(sand, 20e3), 168.0 + 20e3 * std::tan(Radians(29.0 * 2.0 / 3.0)), 1e-6);
+  EXPECT_NEAR(ShearStrength(sand, 20e3), 450.0 + 20e3 * std::tan(Radians(29.0 * 2.0 / 3.0)), 1e-6);
   EXPECT_EQ(ShearStrength(sand, 0.0), 0.0);
 }
 
-TEST(PassivePressure, IsRankines) {
+TEST(FacePressure, IsRankinesWithTheHeapOnTheWeightAlone) {
   const SoilLaws granite = MakeRimLaws(Soil("compact_gravel"), 0.15);
-  // N_phi = tan^2(64 deg) = 4.2037; 1963 * 9.81 * 0.03 * N_phi + 2 * 5000 * sqrt(N_phi).
-  EXPECT_NEAR(PassivePressure(granite, 0.03), 22931.5, 2.0);
+  // N_phi = tan^2(64 deg) = 4.2037; 1963 * 9.81 * 0.03 * N_phi, and 2 * 5000 * sqrt(N_phi).
+  EXPECT_NEAR(FacePressure(granite, 0.03, 0.0), 2428.5, 0.5);
+  EXPECT_NEAR(FacePressure(granite, 0.03, 1.0), kHeap * 2428.5 + 20503.0, 2.0);
 }
 
 TEST(BladePressure, ReachesTerzaghisStripStrength) {

@@ -177,7 +177,7 @@ TEST(SingleWheel, SlipDigsItInAsMeasured) {
 }
 
 TEST(SingleWheel, FollowsStrongSideSlipRoughly) {
-  // Side slip beyond 45 deg took no part in the fit. At 60 deg the model's errors are some three
+  // Side slip beyond 45 deg took no part in the fit. At 60 deg the model's errors are some four
   // times those at 45; at 75 and 90 deg it is wrong by half and more (docs/soil.md).
   double ahead = 0.0, side = 0.0, sinkage = 0.0;
   int trials = 0;
@@ -191,8 +191,8 @@ TEST(SingleWheel, FollowsStrongSideSlipRoughly) {
   ASSERT_EQ(trials, 10);
   std::printf("60 deg: rms Fx %.3f, Fy %.3f of the load, sinkage %.1f mm\n",
               std::sqrt(ahead / trials), std::sqrt(side / trials), std::sqrt(sinkage / trials));
-  EXPECT_LT(std::sqrt(ahead / trials), 0.20);
-  EXPECT_LT(std::sqrt(side / trials), 0.25);
+  EXPECT_LT(std::sqrt(ahead / trials), 0.18);
+  EXPECT_LT(std::sqrt(side / trials), 0.28);
   EXPECT_LT(std::sqrt(sinkage / trials), 10.0);
 }
 

@@ -70,9 +70,10 @@ TEST(Wheel, SettlesToTheSameDepthWhateverTheStep) {
     height_m[i] = wheel.motion.X_GK.p.z();
   }
   EXPECT_LT(std::fabs(height_m[0] - height_m[1]), 4e-5);
+  // Down to some micrometres, which depend on where the last swing ends.
   for (int i = 0; i < 2; ++i) {
     EXPECT_LT(std::fabs(height_m[i + 1] - height_m[i + 2]),
-              0.7 * std::fabs(height_m[i] - height_m[i + 1]));
+              std::max(4e-6, 0.7 * std::fabs(height_m[i] - height_m[i + 1])));
   }
 }
 
