@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "physics/axel_numbers.h"
+#include "physics/product.h"
 #include "sim/physics/contact_world.h"
 
 namespace dockyard {
@@ -12,10 +12,10 @@ namespace dockyard {
 struct Afloat {
   explicit Afloat(double gravity, double x = 50.0)
       : rover(model, Pose3::Translation(x, 0.0, 0.0), 0.3, false),
-        station(TestStation(), Pose3{}, false),
-        bullet(TestStation().cone, gravity, rover, station) {}
+        station(Station(), Pose3{}, false),
+        bullet(Station().cone, gravity, rover, station) {}
 
-  RoverModel model = TestRover();
+  RoverModel model = Axel();
   RoverBody rover;
   StationBody station;
   ContactWorld bullet;

@@ -30,7 +30,7 @@ struct Rolling {
   double v_m_s = 0.0, way_m = 0.0, pitch_rad = 0.0;
 };
 Rolling RollDown(double slope_rad, double seconds) {
-  RoverModel model = TestRover();
+  RoverModel model = Axel();
   model.body.p_LoCom_L.setZero();
   model.arm.p_LoCom_L.setZero();
   for (MotorModel& motor : model.motors) motor.reflected_inertia_kg_m2 = 1e-9;
@@ -45,8 +45,8 @@ Rolling RollDown(double slope_rad, double seconds) {
   hard.damping_pa_s_per_m = 1e4;
   HeightGrid ground = LevelGrid(-1.0, 8.0, 4.0, 0.05);
   RoverBody rover(model, Pose3::Translation(0.0, 0.0, 0.2997), 0.0, false);
-  StationBody station(TestStation(), Pose3::Translation(-50.0, 0.0, 0.0), false);
-  ContactWorld bullet(TestStation().cone, 0.0, rover, station);
+  StationBody station(Station(), Pose3::Translation(-50.0, 0.0, 0.0), false);
+  ContactWorld bullet(Station().cone, 0.0, rover, station);
   WheelSoil left(model.left_wheel_soil, hard), right(model.right_wheel_soil, hard);
   for (long i = 0; i < std::lround(seconds * 1e3); ++i) {
     for (RoverLink link : kAllLinks) {
@@ -68,7 +68,7 @@ Rolling RollDown(double slope_rad, double seconds) {
 
 TEST(ClosedForm, WheelsRollDownASlopeAsRollingInertiaSays) {
   // a = g sin / (1 + 2 I / (m R^2)); for a sphere the bracket is 7/5.
-  const RoverModel model = TestRover();
+  const RoverModel model = Axel();
   const double R = 0.3, seconds = 2.0, slope = Radians(15.0);
   const double a = 9.81 * std::sin(slope) /
                    (1.0 + 2.0 * model.left_wheel.I_LCom_L(1, 1) / (model.mass_kg() * R * R));
@@ -83,12 +83,12 @@ struct Drift {
   double energy = 0.0, momentum = 0.0;
 };
 Drift Tumble(double step_s) {
-  StationModel model = TestStation();
+  StationModel model = Station();
   model.tip_angle_rad = 0.0;
   model.module.mass_kg = 10.0;
   model.module.I_LCom_L = Eigen::Vector3d(0.5, 1.0, 1.4).asDiagonal();
   StationBody station(model, Pose3{}, false);
-  RoverBody rover(TestRover(), Pose3::Translation(50.0, 0.0, 0.0), 0.0, false);
+  RoverBody rover(Axel(), Pose3::Translation(50.0, 0.0, 0.0), 0.0, false);
   ContactWorld bullet(model.cone, 0.0, rover, station);
   station.body()->setAngularVelocity(btVector3(0.3, 2.0, 0.4));  // about the middle axis, nearly
   station.Refresh();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "physics/axel_numbers.h"
+#include "physics/product.h"
 
 namespace dockyard {
 namespace {
@@ -83,7 +83,7 @@ TEST(Convergence, PeaksOfAStraightDockingAreOfFirstOrderInTheStep) {
 }
 
 TEST(Convergence, DockingFromAsideIsOfFirstOrderOnEachSoil) {
-  for (const SoilModel& soil : {LooseSand(), CompactSand()}) {
+  for (const SoilModel& soil : {LooseSand(), CompactGravel()}) {
     SCOPED_TRACE(soil.name);
     const bool loose = soil.name == LooseSand().name;
     std::array<Reeled, 3> reeled;

@@ -6,14 +6,25 @@
 #include <limits>
 #include <stdexcept>
 
-#include "physics/axel_numbers.h"
+#include "physics/product.h"
 
 namespace dockyard {
 namespace {
 
 constexpr double kDt = 1e-3;
 
-MotorModel WheelMotor() { return TestRover().motors[0]; }
+/// Axel's wheel motor, quicker than the file has it (0.5 rad/s and rad/s^2), so that the moves are
+/// short, and with gears that lose nothing; what theirs lose has tests of its own.
+const MotorModel& WheelMotor() {
+  static const MotorModel motor = [] {
+    MotorModel wheel = Axel().motors[static_cast<std::size_t>(Motor::kLeftWheel)];
+    wheel.max_speed_rad_s = 1.0;
+    wheel.max_accel_rad_s2 = 2.0;
+    wheel.gear_efficiency = 1.0;
+    return wheel;
+  }();
+  return motor;
+}
 
 /// A shaft with its drive and nothing else.
 struct Shaft {
@@ -175,11 +186,16 @@ TEST(Drive, GearsThatLoseHoldAShaftAtRestBetweenRaisingAndLettingDown) {
 }
 
 TEST(Drive, StallTorqueIsTorquePerAmpTimesCurrentBeyondNoLoad) {
-  MotorDrive drive(WheelMotor(), 0.5);
-  DriveOutput out;
-  for (int i = 0; i < 3000; ++i) out = drive.Step(Velocity(1.0, 1.2), 0.0, 0.0, kDt);
-  EXPECT_DOUBLE_EQ(out.motor_torque_nm, 15.0 * (1.2 - 0.2));
-  EXPECT_NEAR(out.current_a, 1.2, 1e-12);
+  // In front of the gears: those of the file's wheel lose a quarter of it.
+  MotorModel losing = WheelMotor();
+  losing.gear_efficiency = 0.75;
+  for (const MotorModel& motor : {WheelMotor(), losing}) {
+    MotorDrive drive(motor, 0.5);
+    DriveOutput out;
+    for (int i = 0; i < 3000; ++i) out = drive.Step(Velocity(1.0, 1.2), 0.0, 0.0, kDt);
+    EXPECT_DOUBLE_EQ(out.motor_torque_nm * motor.gear_efficiency, 15.0 * (1.2 - 0.2));
+    EXPECT_NEAR(out.current_a, 1.2, 1e-12);
+  }
 }
 
 TEST(Drive, NoCurrentBeyondNoLoadIsNoTorque) {
@@ -234,12 +250,12 @@ TEST(Drive, GearsGiveWayAboveTheirFriction) {
 
 TEST(Drive, BrakeHoldsUpToItsTorqueAndSlipsBeyond) {
   Shaft held(1.0), slipping(1.0);
-  held.Turn(MotorCommand{}, 41.0, 2.0);  // 40 Nm brake, 1.5 Nm gears
+  held.Turn(MotorCommand{}, 61.0, 2.0);  // 60 Nm brake, 1.5 Nm gears
   EXPECT_NEAR(held.speed, 0.0, 1e-6);
-  slipping.Turn(MotorCommand{}, 43.0, 1.0);
+  slipping.Turn(MotorCommand{}, 63.0, 1.0);
   const double speed = slipping.speed;
-  slipping.Turn(MotorCommand{}, 43.0, 2.0);
-  EXPECT_NEAR(slipping.speed - speed, (43.0 - 41.5) * 2.0, 1e-9);
+  slipping.Turn(MotorCommand{}, 63.0, 2.0);
+  EXPECT_NEAR(slipping.speed - speed, (63.0 - 61.5) * 2.0, 1e-9);
 }
 
 TEST(Drive, RefusesACommandThatIsNoNumber) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "physics/axel_numbers.h"
+#include "physics/product.h"
 #include "sim/physics/station_body.h"
 
 namespace dockyard {

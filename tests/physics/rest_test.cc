@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "physics/axel_numbers.h"
+#include "physics/product.h"
 
 namespace dockyard {
 namespace {
@@ -19,7 +19,7 @@ std::unique_ptr<World> Asleep(const SoilModel& soil, bool may_rest) {
 }
 
 TEST(Rest, ComesToABrakedRoverAndEndsWithACommand) {
-  for (const SoilModel& soil : {LooseSand(), CompactSand()}) {
+  for (const SoilModel& soil : {LooseSand(), CompactGravel()}) {
     const auto world = Asleep(soil, true);
     EXPECT_TRUE(world->at_rest()) << soil.name;
     world->Step(Drive(0.2, 45.0));
@@ -44,7 +44,7 @@ TEST(Rest, LeavesNoTraceHoweverLongItLasts) {
 }
 
 TEST(Rest, IsWhereAWorldThatStepsOnStands) {
-  const auto resting = Asleep(CompactSand(), true), stepping = Asleep(CompactSand(), false);
+  const auto resting = Asleep(CompactGravel(), true), stepping = Asleep(CompactGravel(), false);
   EXPECT_LT((resting->truth().X_WR.p - stepping->truth().X_WR.p).norm(), 1e-8);
   Play(*resting, Drive(0.2, 45.0), 2.0);
   Play(*stepping, Drive(0.2, 45.0), 2.0);

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "physics/axel_numbers.h"
+#include "physics/product.h"
 
 namespace dockyard {
 namespace {
@@ -70,7 +70,7 @@ double Amplitude(const std::vector<double>& signal, double hertz) {
 }
 
 TEST(Rocking, PaddlesRockTheRoverOnCompactSoilAndNotOnLoose) {
-  const Motion loose = Drive(LooseSand()), compact = Drive(CompactSand());
+  const Motion loose = Drive(LooseSand()), compact = Drive(CompactGravel());
   const double paddles_hz = kWheel_rad_s * 12.0 / (2.0 * kPi);
   const auto report = [&](const char* what, const std::vector<double>& on_loose,
                           const std::vector<double>& on_compact) {

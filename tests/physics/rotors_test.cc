@@ -55,12 +55,12 @@ TEST(Rotors, TakeTheirShareOfTheJointsWork) {
 
 TEST(Rotors, DoNotResistTheBodyThatTurnsAsAWhole) {
   // Each link gets the torque that turns it by itself at 1 rad/s^2, so no joint moves.
-  RoverModel model = TestRover();
+  RoverModel model = Axel();
   model.body.p_LoCom_L.setZero();
   model.arm.p_LoCom_L.setZero();
   RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.0, false);
-  StationBody station(TestStation(), Pose3{}, false);
-  ContactWorld bullet(TestStation().cone, 0.0, rover, station);
+  StationBody station(Station(), Pose3{}, false);
+  ContactWorld bullet(Station().cone, 0.0, rover, station);
   for (int i = 0; i < 100; ++i) {
     for (RoverLink link : kAllLinks) {
       rover.AddTorque(link, Eigen::Vector3d(0.0, LinkOf(model, link).I_LCom_L(1, 1), 0.0));
@@ -73,26 +73,27 @@ TEST(Rotors, DoNotResistTheBodyThatTurnsAsAWhole) {
 
 TEST(Rotors, ResistTheJointsTurningByTheirWholeInertia) {
   // A wheel against a body that cannot turn: I + J.
-  RoverModel model = TestRover();
+  RoverModel model = Axel();
   model.body.mass_kg = 1e9;
   model.body.I_LCom_L = 1e9 * Eigen::Matrix3d::Identity();
   RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.0, false);
-  StationBody station(TestStation(), Pose3{}, false);
-  ContactWorld bullet(TestStation().cone, 0.0, rover, station);
+  StationBody station(Station(), Pose3{}, false);
+  ContactWorld bullet(Station().cone, 0.0, rover, station);
+  const double I = model.left_wheel.I_LCom_L(1, 1), J = model.motors[0].reflected_inertia_kg_m2;
   for (int i = 0; i < 1000; ++i) {
     rover.AddJointTorque(RoverLink::kLeftWheel, 2.0);
     bullet.Step(kDt);
   }
-  EXPECT_NEAR(rover.joint_rad_s(RoverLink::kLeftWheel), 2.0 / (0.38 + 0.8), 1e-6);
+  EXPECT_NEAR(rover.joint_rad_s(RoverLink::kLeftWheel), 2.0 / (I + J), 1e-6);
 }
 
 /// Peak force of the arm's tip that turns at 0.2 rad/s onto the face of a station that stands fast.
 double PeakOfAnArmsBlow(double rotor_kg_m2, double step_s) {
-  RoverModel model = TestRover();
+  RoverModel model = Axel();
   model.motors[static_cast<int>(Motor::kArm)].reflected_inertia_kg_m2 = rotor_kg_m2;
   model.body.mass_kg = 1e9;
   model.body.I_LCom_L = 1e9 * Eigen::Matrix3d::Identity();
-  StationModel heavy = TestStation();
+  StationModel heavy = Station();
   heavy.module.mass_kg = 1e9;
   heavy.module.I_LCom_L = 1e9 * Eigen::Matrix3d::Identity();
   heavy.tip_angle_rad = 0.0;
@@ -115,7 +116,7 @@ TEST(Rotors, GiveTheirMomentumToWhatTheArmStrikes) {
   // A spring's peak: w sqrt(k (I + J)). The edge of the nose is a polygon of contacts in parallel,
   // so the stiffness is not known by name; the ratio of two blows is.
   const double light = PeakOfAnArmsBlow(0.1, 1e-4), heavy = PeakOfAnArmsBlow(4.0, 1e-4);
-  const double arm = 0.34 + 4.0 * 0.25;
+  const double arm = 0.33384 + 4.0 * 0.25;  // axel.urdf
   EXPECT_GT(light, 20.0);
   EXPECT_NEAR(heavy / light, std::sqrt((arm + 4.0) / (arm + 0.1)), 0.05);
 }

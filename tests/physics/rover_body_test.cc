@@ -62,13 +62,13 @@ TEST(RoverBody, InnerTorquesMakeNoMomentumButByTheStepsFirstOrderError) {
 
 TEST(RoverBody, ArmSwingsWithThePeriodOfAPendulum) {
   // A body so heavy that the arm's hinge stands still, the arm hanging down.
-  RoverModel model = TestRover();
+  RoverModel model = Axel();
   model.body.mass_kg = 1e9;
   model.body.I_LCom_L = 1e9 * Eigen::Matrix3d::Identity();
   model.body.p_LoCom_L.setZero();
   RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.5 * kPi + 0.01, false);
-  StationBody station(TestStation(), Pose3{}, false);
-  ContactWorld bullet(TestStation().cone, 0.0, rover, station);
+  StationBody station(Station(), Pose3{}, false);
+  ContactWorld bullet(Station().cone, 0.0, rover, station);
   double last = 0.01, first_crossing = 0.0, last_crossing = 0.0;
   int crossings = 0;
   for (int i = 1; i <= 20000; ++i) {
@@ -84,19 +84,19 @@ TEST(RoverBody, ArmSwingsWithThePeriodOfAPendulum) {
     }
     last = swing;
   }
-  const double inertia = 0.34 + 4.0 * 0.25 + 0.5;  // own, to the hinge, rotor
+  const double inertia = 0.33384 + 4.0 * 0.25 + 2.0;  // own, to the hinge, rotor
   const double period = 2.0 * kPi * std::sqrt(inertia / (4.0 * 9.81 * 0.5));
   ASSERT_GT(crossings, 4);
   EXPECT_NEAR((last_crossing - first_crossing) / (crossings - 1), period, 1e-3 * period);
 }
 
 TEST(RoverBody, OrderOfTheWheelsChangesNothing) {
-  const RoverModel model = TestRover();
+  const RoverModel model = Axel();
   const Pose3 X_GR = Pose3::Translation(50.0, 0, 0);
   RoverBody a(model, X_GR, 0.2, false), b(model, X_GR, 0.2, true);
-  StationBody station_a(TestStation(), Pose3{}, false), station_b(TestStation(), Pose3{}, false);
-  ContactWorld bullet_a(TestStation().cone, 9.81, a, station_a);
-  ContactWorld bullet_b(TestStation().cone, 9.81, b, station_b);
+  StationBody station_a(Station(), Pose3{}, false), station_b(Station(), Pose3{}, false);
+  ContactWorld bullet_a(Station().cone, 9.81, a, station_a);
+  ContactWorld bullet_b(Station().cone, 9.81, b, station_b);
   for (int i = 0; i < 1000; ++i) {
     a.AddJointTorque(RoverLink::kLeftWheel, 1.0);
     b.AddJointTorque(RoverLink::kLeftWheel, 1.0);
@@ -152,7 +152,8 @@ TEST(DriveTrain, SpoolWorksAgainstTheTetherForAllItsEnergy) {
   }
   tether = tension * pay_out;
   const double speed = drives.speed_rad_s(Motor::kSpool, world.rover);
-  const double kinetic = 0.5 * 0.5 * speed * speed;
+  const double J = world.model.motors[static_cast<int>(Motor::kSpool)].reflected_inertia_kg_m2;
+  const double kinetic = 0.5 * J * speed * speed;
   EXPECT_GT(tether, 10.0);
   EXPECT_NEAR(motor, tether + friction + kinetic, 1e-3 * motor);
 }

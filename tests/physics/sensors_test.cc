@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "physics/axel_numbers.h"
+#include "physics/product.h"
 #include "sim/physics/imu.h"
 
 namespace dockyard {
@@ -70,7 +70,7 @@ Statistics Sample(int count, Draw draw) {
 }
 
 TEST(SensorSuite, NoiseHasTheModelsSpread) {
-  const RoverModel rover = TestRover();
+  const RoverModel rover = Axel();
   SensorSuite sensors(rover, 5);
   Tick tick = 0;
   Truth truth;
@@ -88,7 +88,7 @@ TEST(SensorSuite, NoiseHasTheModelsSpread) {
 }
 
 TEST(SensorSuite, BiasesDifferFromPowerOnToPowerOnByTheModelsSpread) {
-  const RoverModel rover = TestRover();
+  const RoverModel rover = Axel();
   std::uint64_t seed = 100;
   const Statistics pitch = Sample(
       4000, [&] { return SensorSuite(rover, seed++).Read(0, Truth{}, ImuSample{}).imu.pitch_rad; });
@@ -98,14 +98,14 @@ TEST(SensorSuite, BiasesDifferFromPowerOnToPowerOnByTheModelsSpread) {
 }
 
 TEST(SensorSuite, YawStartsAtZeroWhateverTheTrueHeading) {
-  SensorSuite sensors(TestRover(), 5);
+  SensorSuite sensors(Axel(), 5);
   ImuSample truth;
   truth.yaw_rad = 2.7;
   EXPECT_EQ(sensors.Read(0, Truth{}, truth).imu.yaw_rad, 0.0);
 }
 
 TEST(SensorSuite, YawDriftsAsItsGyroErrs) {
-  const RoverModel rover = TestRover();
+  const RoverModel rover = Axel();
   const double seconds = 100.0;
   std::uint64_t seed = 1;
   const Statistics yaw = Sample(1000, [&] {
@@ -160,7 +160,7 @@ Averages Average(const RoverModel& rover, int count, double tau_s) {
 }
 
 TEST(SensorSuite, AllanDeviationAtOneSecondIsTheRandomWalk) {
-  const RoverModel rover = TestRover();
+  const RoverModel rover = Axel();
   const Averages averages = Average(rover, 4000, 1.0);
   const double walk = rover.imu.gyro_walk_rad_sqrt_s, push = rover.imu.accel_walk_m_s_sqrt_s;
   EXPECT_NEAR(Allan(averages.rate), walk, 0.04 * walk);
@@ -168,7 +168,7 @@ TEST(SensorSuite, AllanDeviationAtOneSecondIsTheRandomWalk) {
 }
 
 TEST(SensorSuite, AllanDeviationFallsWithTheRootOfTheAveragingTime) {
-  RoverModel rover = TestRover();
+  RoverModel rover = Axel();
   rover.imu.gyro_instability_rad_s = 0.0;
   const double walk = rover.imu.gyro_walk_rad_sqrt_s;
   EXPECT_NEAR(Allan(Average(rover, 2000, 0.1).rate), walk / std::sqrt(0.1),
@@ -177,7 +177,7 @@ TEST(SensorSuite, AllanDeviationFallsWithTheRootOfTheAveragingTime) {
 }
 
 TEST(SensorSuite, BiasWandersByItsInstabilityOverItsTime) {
-  RoverModel rover = TestRover();
+  RoverModel rover = Axel();
   rover.imu.gyro_walk_rad_sqrt_s = rover.imu.gyro_bias_rad_s = 0.0;
   std::uint64_t seed = 300;
   double product = 0.0;
@@ -194,7 +194,7 @@ TEST(SensorSuite, BiasWandersByItsInstabilityOverItsTime) {
 }
 
 TEST(SensorSuite, RateAndForceBiasesSpreadAsTheModelSays) {
-  const RoverModel rover = TestRover();
+  const RoverModel rover = Axel();
   std::uint64_t seed = 900;
   ImuSample read;
   const Statistics rate = Sample(4000, [&] {
@@ -216,17 +216,17 @@ TEST(SensorSuite, RateAndForceBiasesSpreadAsTheModelSays) {
 }
 
 TEST(SensorSuite, EncodersCountWholeSteps) {
-  SensorSuite sensors(TestRover(), 5);
+  SensorSuite sensors(Axel(), 5);
   Truth truth;
-  const double step = 2.0 * kPi / 40000.0;
-  truth.motor_angle_rad = {100.4 * step, -7.4 * step, 0.0, 2.6 * step};
+  const double step = 2.0 * kPi / 204800.0, spool_step = 2.0 * kPi / 122880.0;
+  truth.motor_angle_rad = {100.4 * step, -7.4 * step, 0.0, 2.6 * spool_step};
   const SensorFrame frame = sensors.Read(0, truth, ImuSample{});
   EXPECT_EQ(frame.encoder_counts, (std::array<std::int64_t, 4>{100, -7, 0, 3}));
 }
 
 TEST(SensorSuite, EncodersErrEvenlyWithinHalfACount) {
-  SensorSuite sensors(TestRover(), 5);
-  const double step = 2.0 * kPi / 40000.0;
+  SensorSuite sensors(Axel(), 5);
+  const double step = 2.0 * kPi / 204800.0;
   Truth truth;
   RandomStream angle(3);
   double worst = 0.0;
@@ -246,7 +246,7 @@ TEST(SensorSuite, EncodersErrEvenlyWithinHalfACount) {
 }
 
 TEST(SensorSuite, SameSeedReadsTheSame) {
-  SensorSuite a(TestRover(), 9), b(TestRover(), 9);
+  SensorSuite a(Axel(), 9), b(Axel(), 9);
   EXPECT_EQ(a.Read(20, Truth{}, ImuSample{}).imu.pitch_rad,
             b.Read(20, Truth{}, ImuSample{}).imu.pitch_rad);
 }

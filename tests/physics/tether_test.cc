@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "models/random.h"
-#include "physics/axel_numbers.h"
+#include "physics/product.h"
 #include "sim/physics/tether_path.h"
 #include "sim/physics/tether_shape.h"
 
@@ -16,23 +16,23 @@ constexpr double kInsideArmM = 1.0;
 constexpr double kDt = 1e-3;
 
 TEST(TetherPath, IsStraightOnTheAxis) {
-  const TetherPath path = FindTetherPath(TestStation().cone, 0.35, {2.0, 0.0});
+  const TetherPath path = FindTetherPath(Station().cone, 0.35, {2.0, 0.0});
   EXPECT_EQ(path.pieces, 1);
   EXPECT_DOUBLE_EQ(path.total_m(), 2.35);
 }
 
 TEST(TetherPath, BendsOverThroatAndLipFromTheSide) {
-  const TetherPath path = FindTetherPath(TestStation().cone, 0.35, {1.0, 2.0});
+  const TetherPath path = FindTetherPath(Station().cone, 0.35, {1.0, 2.0});
   ASSERT_EQ(path.pieces, 3);
   EXPECT_DOUBLE_EQ(path.length_m[0], std::hypot(1.0, 1.88));
-  EXPECT_DOUBLE_EQ(path.length_m[1], std::hypot(0.12, 0.0875));
-  EXPECT_DOUBLE_EQ(path.length_m[2], std::hypot(0.23, 0.0325));
-  EXPECT_NEAR(path.turn_rad[0] + path.turn_rad[1], std::atan2(1.88, 1.0) - std::atan2(0.0325, 0.23),
+  EXPECT_DOUBLE_EQ(path.length_m[1], std::hypot(0.12, 0.088));
+  EXPECT_DOUBLE_EQ(path.length_m[2], std::hypot(0.23, 0.0320));
+  EXPECT_NEAR(path.turn_rad[0] + path.turn_rad[1], std::atan2(1.88, 1.0) - std::atan2(0.0320, 0.23),
               1e-12);
 }
 
 TEST(TetherPath, IsAsShortAsABruteForceSearchFinds) {
-  const ConeModel cone = TestStation().cone;
+  const ConeModel cone = Station().cone;
   RandomStream random(7);
   for (int trial = 0; trial < 50; ++trial) {
     const Eigen::Vector2d tip(random.Uniform(0.01, 4.0), random.Uniform(0.0, 3.0));
@@ -52,7 +52,7 @@ TEST(TetherPath, IsAsShortAsABruteForceSearchFinds) {
 }
 
 TEST(TetherPath, ChangesItsLengthSmoothlyAsTheTipGoesRound) {
-  const ConeModel cone = TestStation().cone;
+  const ConeModel cone = Station().cone;
   double last = FindTetherPath(cone, 0.35, {2.0, 0.0}).total_m();
   for (double angle = 1e-3; angle < 1.5; angle += 1e-3) {
     const Eigen::Vector2d tip(2.0 * std::cos(angle), 2.0 * std::sin(angle));
@@ -63,7 +63,7 @@ TEST(TetherPath, ChangesItsLengthSmoothlyAsTheTipGoesRound) {
 }
 
 TEST(Tether, NeverPushes) {
-  Tether tether(TestRover().tether, TestStation(), kInsideArmM);
+  Tether tether(Axel().tether, Station(), kInsideArmM);
   tether.LayOut({2.0, 0.0, 0.0}, 2.5);
   const TetherLoad load = tether.Step({2.0, 0.0, 0.0}, {1.0, 0, 0}, 2.5, 0.0);
   EXPECT_EQ(load.tension_n, 0.0);
@@ -76,10 +76,10 @@ struct Hung {
 };
 Hung Hang(double stiffness_n_per_m, double seconds) {
   const double mass = 30.0, free = 2.35;
-  TetherModel model = TestRover().tether;
+  TetherModel model = Axel().tether;
   model.axial_stiffness_n = stiffness_n_per_m * (free + kInsideArmM);
   model.damping_ns_per_m = 0.1 * 2.0 * std::sqrt(stiffness_n_per_m * mass);
-  Tether tether(model, TestStation(), kInsideArmM);
+  Tether tether(model, Station(), kInsideArmM);
   Eigen::Vector3d p(2.0, 0.0, 0.0), v = Eigen::Vector3d::Zero();
   tether.LayOut(p, free);
   Hung hung;
@@ -118,7 +118,7 @@ TEST(Tether, HangingMassStretchesByHookesLawAndPeaksAsADampedSpring) {
 
 TEST(Tether, CatchesADroppedMassAfterTheFreeFall) {
   for (double slack : {0.01, 0.1, 0.5}) {
-    Tether tether(TestRover().tether, TestStation(), kInsideArmM);
+    Tether tether(Axel().tether, Station(), kInsideArmM);
     Eigen::Vector3d p(2.0, 0.0, 0.0), v = Eigen::Vector3d::Zero();
     tether.LayOut(p, 2.35 + slack);
     int steps = 0;
@@ -134,9 +134,9 @@ TEST(Tether, CatchesADroppedMassAfterTheFreeFall) {
 
 /// Draws the tether in from the side until it slides over both edges.
 TetherLoad PullFromTheSide(double friction, Tether* out = nullptr) {
-  TetherModel model = TestRover().tether;
+  TetherModel model = Axel().tether;
   model.friction_on_station = friction;
-  Tether tether(model, TestStation(), kInsideArmM);
+  Tether tether(model, Station(), kInsideArmM);
   const Eigen::Vector3d p(1.0, 2.0, 0.5);
   tether.LayOut(p, 1.0);
   double free = tether.path_m();
@@ -151,7 +151,7 @@ TetherLoad PullFromTheSide(double friction, Tether* out = nullptr) {
 }
 
 TEST(Tether, SlidesOverABendAtTheCapstanRatio) {
-  Tether tether(TestRover().tether, TestStation(), kInsideArmM);
+  Tether tether(Axel().tether, Station(), kInsideArmM);
   const TetherLoad load = PullFromTheSide(0.3, &tether);
   ASSERT_EQ(load.nodes, 3);
   const TetherPath& path = tether.path();
@@ -179,7 +179,7 @@ TEST(Tether, ForcesOnTipAndStationAddUpToNothing) {
 }
 
 TEST(Tether, KeepsItsLengthWhenItComesToLieOverAnEdge) {
-  Tether tether(TestRover().tether, TestStation(), kInsideArmM);
+  Tether tether(Axel().tether, Station(), kInsideArmM);
   tether.LayOut({2.0, 0.0, 0.0}, 2.34);
   for (double angle = 0.0; angle < 1.4; angle += 1e-3) {
     const Eigen::Vector3d p(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
@@ -190,8 +190,7 @@ TEST(Tether, KeepsItsLengthWhenItComesToLieOverAnEdge) {
 
 TEST(TetherShape, SlackLiesOnTheGround) {
   const HeightGrid ground = LevelGrid(-1.0, 8.0, 4.0, 0.1);
-  const auto points =
-      HangingTether(TestRover().tether, ground, {3.0, 0, 0.3}, {0, 0, 0.4}, 0.0, 0.3);
+  const auto points = HangingTether(Axel().tether, ground, {3.0, 0, 0.3}, {0, 0, 0.4}, 0.0, 0.3);
   double lowest = 1.0;
   for (const auto& p : points) lowest = std::min(lowest, p.z());
   EXPECT_NEAR(lowest, 0.003, 1e-12);
@@ -210,7 +209,7 @@ TEST(TetherShape, TautHangsInTheCatenaryOfItsTension) {
   const double w = 0.05 * 9.81, span = 4.0;
   for (double tension : {2.0, 5.0, 20.0, 100.0}) {
     const auto points =
-        HangingTether(TestRover().tether, ground, {span, 0, 1.0}, {0, 0, 1.0}, tension, 0.0);
+        HangingTether(Axel().tether, ground, {span, 0, 1.0}, {0, 0, 1.0}, tension, 0.0);
     double a = tension / w;
     for (int i = 0; i < 50; ++i) a = (tension / w) / std::cosh(0.5 * span / a);
     double lowest = 1.0;
@@ -226,7 +225,7 @@ TEST(TetherShape, SlackHangsInTheCatenaryOfItsLength) {
   for (double rise : {0.0, 0.4}) {
     const Eigen::Vector3d tip(3.0, 0.2, 5.0), anchor(0.0, 0.0, 5.0 + rise);
     const double straight = (anchor - tip).norm(), excess = 0.3;
-    const auto points = HangingTether(TestRover().tether, ground, tip, anchor, 0.0, excess);
+    const auto points = HangingTether(Axel().tether, ground, tip, anchor, 0.0, excess);
     EXPECT_EQ(points.front(), tip);
     EXPECT_EQ(points.back(), anchor);
     EXPECT_NEAR(Length(points), straight + excess, 2e-3 * straight) << rise;

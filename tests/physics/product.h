@@ -1,14 +1,15 @@
-// A rover, a station and soils with the numbers of the nominal Axel, for tests of the world.
+// The rover, station and soils that the program runs, from models/, for tests of the world. A test
+// that needs another number changes it where it stands.
 #pragma once
 
 #include "sim/physics/world.h"
 
 namespace dockyard {
 
-RoverModel TestRover();
-StationModel TestStation();
-SoilModel LooseSand();    // models/soils/loose_sand.yaml
-SoilModel CompactSand();  // models/soils/compact_gravel.yaml
+RoverModel Axel();          // models/axel/axel.yaml
+StationModel Station();     // models/station/station.yaml
+SoilModel LooseSand();      // models/soils/loose_sand.yaml
+SoilModel CompactGravel();  // models/soils/compact_gravel.yaml
 
 /// The rover on level ground at X_DR, arm level, dock at the site's origin.
 WorldSetup TestSetup(const SoilModel& soil, const Pose2& X_DR);
@@ -19,6 +20,8 @@ MotorCommands AllBraked();
 MotorCommand Velocity(double rad_s, double current_a);
 MotorCommand Position(double rad, double rad_s, double current_a);
 MotorCommand FreeWheel();
+/// The current at which Axel's spool pulls with this tension when it stands.
+double SpoolCurrent(double tension_n);
 /// Both wheels at this speed, the arm held; the spool pulls with up to tension_n, if above 0.
 MotorCommands Drive(double rad_s, double tension_n);
 /// Free wheels, the spool reels with up to this tension.
