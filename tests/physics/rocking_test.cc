@@ -1,99 +1,57 @@
 // Compact soil carries the paddles on their tips, so that the rover rocks from side to side and its
-// heading swings; loose sand takes the paddles in (Tsai et al., V-B). Spectra of both, printed.
+// heading swings; loose sand takes the paddles in (Tsai et al., V-B). scripts/rocking_plot draws
+// it.
+#include "physics/rocking.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
-#include <vector>
+#include <numeric>
 
 #include "physics/product.h"
 
 namespace dockyard {
 namespace {
 
-constexpr double kSample_s = 0.02;
-constexpr double kWheel_rad_s = 0.2;  // 0.06 m/s on the paddles' tips, 0.30 m from the axle
-
-struct Motion {
-  std::vector<double> roll_deg, heading_deg;
-};
-
-/// Reels the rover in on free wheels for 25 s and keeps the last 20.
-Motion Drive(const SoilModel& soil) {
-  WorldSetup setup = TestSetup(soil, {4.5, 0.0, kPi});
-  setup.rover.right_wheel_soil.phase_rad = Radians(15.0);  // half a pitch, as axel.yaml has it
-  World world(setup);
-  MotorCommands commands = AllBraked();
-  At(commands, Motor::kLeftWheel) = At(commands, Motor::kRightWheel) = FreeWheel();
-  At(commands, Motor::kSpool) = Velocity(1.0, 2.0);  // 0.06 m/s
-  Play(world, commands, 5.0);
-  Motion motion;
-  for (double t = 0.0; t < 20.0; t += kSample_s) {
-    Play(world, commands, kSample_s);
-    const Eigen::Matrix3d& R = world.truth().X_WR.R;
-    motion.roll_deg.push_back(Degrees(std::asin(R(2, 1))));
-    motion.heading_deg.push_back(Degrees(std::asin(R(1, 0))));
+TEST(Spectrum, GivesAToneItsHalfSquareAndAllOfItTheRms) {
+  std::vector<double> signal;
+  for (int i = 0; i < 2000; ++i) {  // 40 s: 0.375 and 1.5 Hz are multiples of a fortieth
+    const double t = i * kRockingSample_s;
+    signal.push_back(5.0 + 0.1 * t + 3.0 * std::cos(2.0 * kPi * 0.375 * t) +
+                     std::sin(2.0 * kPi * 1.5 * t));
   }
-  return motion;
-}
-
-/// The signal less its mean and trend.
-std::vector<double> Straightened(const std::vector<double>& signal) {
-  const double n = static_cast<double>(signal.size()), middle = 0.5 * (n - 1.0);
-  double mean = 0.0, moment = 0.0, square = 0.0;
-  for (std::size_t i = 0; i < signal.size(); ++i) {
-    mean += signal[i] / n;
-    moment += (i - middle) * signal[i];
-    square += (i - middle) * (i - middle);
-  }
-  std::vector<double> out(signal.size());
-  for (std::size_t i = 0; i < signal.size(); ++i) {
-    out[i] = signal[i] - mean - (i - middle) * moment / square;
-  }
-  return out;
-}
-
-double Rms(const std::vector<double>& signal) {
-  double square = 0.0;
-  for (double value : signal) square += value * value;
-  return std::sqrt(square / static_cast<double>(signal.size()));
-}
-
-/// Amplitude of the signal at a frequency.
-double Amplitude(const std::vector<double>& signal, double hertz) {
-  double in = 0.0, quad = 0.0;
-  for (std::size_t i = 0; i < signal.size(); ++i) {
-    in += signal[i] * std::cos(2.0 * kPi * hertz * kSample_s * i);
-    quad += signal[i] * std::sin(2.0 * kPi * hertz * kSample_s * i);
-  }
-  return 2.0 * std::hypot(in, quad) / static_cast<double>(signal.size());
+  const Spectrum spectrum = SpectrumOf(signal, 2.5);
+  EXPECT_NEAR(spectrum.PowerNear(0.375), 4.5, 0.05);
+  EXPECT_NEAR(spectrum.PowerNear(1.5), 0.5, 0.01);
+  EXPECT_NEAR(std::accumulate(spectrum.power.begin(), spectrum.power.end(), 0.0), 5.0, 0.05);
 }
 
 TEST(Rocking, PaddlesRockTheRoverOnCompactSoilAndNotOnLoose) {
-  const Motion loose = Drive(LooseSand()), compact = Drive(CompactGravel());
-  const double paddles_hz = kWheel_rad_s * 12.0 / (2.0 * kPi);
-  const auto report = [&](const char* what, const std::vector<double>& on_loose,
-                          const std::vector<double>& on_compact) {
-    std::printf("%s, amplitude [deg] at n times the paddles' %.2f Hz\n  n   loose  compact\n", what,
-                paddles_hz);
-    for (double n : {0.125, 0.25, 0.375, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 3.0, 4.0, 6.0}) {
-      std::printf("%5.2f  %.4f  %.4f\n", n, Amplitude(on_loose, n * paddles_hz),
-                  Amplitude(on_compact, n * paddles_hz));
+  const RockingSpectra loose = MeanSpectra(LooseSand()), compact = MeanSpectra(CompactGravel());
+  const auto report = [](const char* what, const Spectrum& on_loose, const Spectrum& on_compact) {
+    std::printf("%s, power [deg^2] within 12.5 %% of n times the paddles' %.2f Hz\n", what,
+                kPaddles_hz);
+    for (double n : {0.5, 1.0, 2.0, 3.0}) {
+      const double a = on_loose.PowerNear(n * kPaddles_hz),
+                   b = on_compact.PowerNear(n * kPaddles_hz);
+      std::printf("  n %.1f: loose %.5f, compact %.5f, ratio %.1f\n", n, a, b, b / a);
     }
-    std::printf("  rms  %.4f  %.4f\n", Rms(on_loose), Rms(on_compact));
   };
-  const std::vector<double> roll_l = Straightened(loose.roll_deg);
-  const std::vector<double> roll_c = Straightened(compact.roll_deg);
-  const std::vector<double> heading_l = Straightened(loose.heading_deg);
-  const std::vector<double> heading_c = Straightened(compact.heading_deg);
-  report("roll", roll_l, roll_c);
-  report("heading", heading_l, heading_c);
-  EXPECT_GT(Rms(roll_c), 2.0 * Rms(roll_l));
-  EXPECT_GT(Rms(heading_c), 2.0 * Rms(heading_l));
-  EXPECT_GT(Rms(heading_c), 3.0);  // [deg]: excursions beyond 5 deg
-  // Two wheels half a pitch apart, each dropping by R (1 - cos 15 deg) = 10 mm between its tips
-  // over a track of 0.85 m: the roll swings at the paddles' frequency, most of the 0.7 deg.
-  EXPECT_GT(Amplitude(roll_c, paddles_hz), 0.15);
+  report("roll", loose.roll, compact.roll);
+  report("heading", loose.heading, compact.heading);
+  std::printf("at most: roll %.2f and %.2f deg, heading %.1f and %.1f deg\n", loose.most_roll_deg,
+              compact.most_roll_deg, loose.most_heading_deg, compact.most_heading_deg);
+  EXPECT_GT(compact.roll.PowerNear(kPaddles_hz), 4.0 * loose.roll.PowerNear(kPaddles_hz));
+  EXPECT_GT(compact.heading.PowerNear(kPaddles_hz), 3.0 * loose.heading.PowerNear(kPaddles_hz));
+  // The paper's "exceed the 5 deg heading tolerances", on compact soil alone.
+  EXPECT_GT(compact.most_heading_deg, 5.0);
+  EXPECT_LT(loose.most_heading_deg, 5.0);
+  // Tips half a pitch apart on hard ground: each wheel's height is R cos(x), |x| <= 15 deg, whose
+  // first harmonic is 2 R (15 deg)^2 / pi^2 = 4.2 mm; over a track of 0.85 m and every phase the
+  // roll's power is (4.2 / 850)^2 = 0.080 deg^2. Wheels that fall from tip to tip have no more.
+  EXPECT_GT(compact.roll.PowerNear(kPaddles_hz), 0.25 * 0.080);
+  EXPECT_LT(compact.roll.PowerNear(kPaddles_hz), 0.080);
 }
 
 }  // namespace
