@@ -16,7 +16,7 @@ constexpr double kServoRadPerS = 100.0;
 constexpr double kBristleTravelRad = 2e-3;
 // ... but never so stiff that it rings faster than this, so that 1 ms steps carry it well.
 constexpr double kBristleRadPerS = 150.0;
-// A shaft that turns slower than this draws no no-load current.
+// A shaft that turns slower than this draws no no-load current (assumed, range 1e-4 to 1e-2).
 constexpr double kStandstillRadPerS = 1e-3;
 
 ShaftBristle MakeBristle(double limit_nm, double inertia_kg_m2) {

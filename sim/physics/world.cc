@@ -10,7 +10,7 @@
 namespace dockyard {
 namespace {
 
-// Rover and station come to rest before the run begins [s].
+// Rover and station come to rest before the run begins [s] (assumed, range 1-3).
 constexpr double kSettleSeconds = 1.5;
 
 void Require(bool holds, const char* what) {

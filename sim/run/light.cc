@@ -117,7 +117,7 @@ Lighting HardShadow(RandomStream& random, const Eigen::Vector3d& p_DB, const Sun
   const double slant = random.Uniform(-0.5, 0.5);
   const double edge = random.Uniform(-0.22, 0.22);
   RenderMesh mesh;
-  constexpr double kHalfWidth = 0.7;
+  constexpr double kHalfWidth = 0.7;  // of the panel [m]; assumed, range 0.4-1
   Pose3 X_PB;
   X_PB.R = RotZ(slant);
   X_PB.p = X_PB.R * Eigen::Vector3d(side * (kHalfWidth + edge), 0.25, 0.0);
