@@ -1,5 +1,5 @@
-// What Wong and Reece's integrals (1967) predict for towed wheels when nothing rebounds, beside the
-// trials and our wheel: docs/soil.md, "Towed wheels".
+// What Wong and Reece's integrals (1967) predict for towed wheels when nothing rebounds, and when
+// the soil does, beside the trials and our wheel: docs/soil.md, "Towed wheels".
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,21 +19,29 @@ struct Integral {
   double up_n = 0.0, ahead_n = 0.0, torque_nm = 0.0;
 };
 
-/// A smooth wheel in contact from its entry to its lowest point, slip as of the rig.
-Integral Integrate(const SingleWheelSetup& setup, const Peak& peak, double entry, double slip) {
+/// A smooth wheel in contact from its entry to its lowest point, slip as of the rig. With rebound
+/// (theirs is none) also behind it, where the pressure falls by K_el for every metre that the rim
+/// has lifted.
+Integral Integrate(const SingleWheelSetup& setup, const Peak& peak, bool rebounds, double entry,
+                   double slip) {
   const double r = setup.wheel.rim_radius_m, b = setup.wheel.width_m;
   const SoilModel& soil = setup.soil;
   const double k = soil.k_c / b + soil.k_phi, tan_phi = std::tan(soil.friction_angle_rad);
   const double highest = std::max(1e-4, peak.c1 + peak.c2 * slip) * entry;
+  const double deepest_pa = k * std::pow(r * (1.0 - std::cos(entry)), soil.n);
+  const double lift_m = rebounds ? deepest_pa / soil.unloading_stiffness_pa_per_m : 0.0;
+  const double exit = std::acos(1.0 - std::min(1.0, lift_m / r));
   constexpr int kPoints = 1000;
-  const double step = entry / kPoints;
+  const double step = (entry + exit) / kPoints;
   Integral sum;
   double slid = 0.0;
   for (int i = 0; i < kPoints; ++i) {
     const double angle = entry - (i + 0.5) * step;
     const double front = angle >= highest ? angle : entry - angle / highest * (entry - highest);
     const double z = r * std::max(0.0, std::cos(front) - std::cos(entry));
-    const double pressure = k * std::pow(z, soil.n);
+    const double pressure =
+        angle >= 0.0 ? k * std::pow(z, soil.n)
+                     : deepest_pa * std::max(0.0, 1.0 - r * (1.0 - std::cos(angle)) / lift_m);
     // Per angle the rim goes r back, and travel / spin, r / (1 + slip) for a towed wheel, ahead.
     const double slide = r * (1.0 - std::cos(angle) / (slip < 0.0 ? 1.0 + slip : 1.0)) * step;
     const double at = slid + 0.5 * slide;
@@ -49,21 +57,22 @@ Integral Integrate(const SingleWheelSetup& setup, const Peak& peak, double entry
 }
 
 /// Resistance over the load at the slip at which the soil gives no torque.
-double Predict(const SingleWheelSetup& setup, const Peak& peak) {
+double Predict(const SingleWheelSetup& setup, const Peak& peak, bool rebounds = false) {
   const auto entry_at = [&](double slip) {
     double low = 1e-3, high = 1.5;
     for (int i = 0; i < 40; ++i) {
       const double middle = 0.5 * (low + high);
-      (Integrate(setup, peak, middle, slip).up_n < setup.load_n ? low : high) = middle;
+      (Integrate(setup, peak, rebounds, middle, slip).up_n < setup.load_n ? low : high) = middle;
     }
     return low;
   };
   double low = -0.3, high = 0.0;
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (low + high);
-    (Integrate(setup, peak, entry_at(middle), middle).torque_nm < 0.0 ? low : high) = middle;
+    (Integrate(setup, peak, rebounds, entry_at(middle), middle).torque_nm < 0.0 ? low : high) =
+        middle;
   }
-  return -Integrate(setup, peak, entry_at(low), low).ahead_n / setup.load_n;
+  return -Integrate(setup, peak, rebounds, entry_at(low), low).ahead_n / setup.load_n;
 }
 
 constexpr Peak kDriven{0.40, 0.15}, kBottom{0.0, 0.0};
@@ -78,7 +87,9 @@ SingleWheelSetup Large(const char* soil, double load_n) {
   return setup;
 }
 
-TEST(TowedTheory, PredictionsComeFromPressureThatIsHighestFarAhead) {
+TEST(TowedTheory, ThisIntegralGivesTheIndependentPredictions) {
+  // 0.169, 0.203, 0.050 and 0.068 of the load were integrated apart, with Wong and Reece's 0.4 and
+  // 0.15; what follows stands on the same integral.
   EXPECT_NEAR(Predict(Large("loose_sand", 150.0), kDriven), 0.169, 0.003);
   EXPECT_NEAR(Predict(Large("loose_sand", 300.0), kDriven), 0.203, 0.003);
   EXPECT_NEAR(Predict(Large("compact_gravel", 150.0), kDriven), 0.050, 0.002);
@@ -94,12 +105,26 @@ TEST(TowedTheory, OurWheelWithoutReboundIsTheirsWithTheHighestPressureAtTheBotto
   }
 }
 
-TEST(TowedTheory, PredictsForTheTrialsWheelTwiceWhatWasMeasured) {
+TEST(TowedTheory, OurWheelResistsAsTheirsWithOurRebound) {
+  for (const char* soil : {"loose_sand", "wong_dry_sand"}) {
+    for (double load_n : {150.0, 300.0}) {
+      const SingleWheelSetup setup = Large(soil, load_n);
+      const double ours = -RunSingleWheel(setup).ahead_n / load_n;
+      const double theirs = Predict(setup, kBottom, true);
+      // 3 to 5 % more: their metal holds the soil with all of its friction, and nothing weakens.
+      EXPECT_NEAR(ours / theirs, 1.0, 0.08) << soil << " " << load_n;
+    }
+  }
+}
+
+TEST(TowedTheory, PredictsForTheTrialsWheelTwiceWhatWasMeasuredAndOurs) {
   SingleWheelSetup setup = Large("pavlov_90", 24.0);
   setup.wheel = Wheel("pavlov_smooth");
   // 0.18: the trials' drawbar between slip -0.2 and 0 where the wheel would need no torque.
   EXPECT_GT(Predict(setup, kDriven), 2.0 * 0.18);
   EXPECT_GT(Predict(setup, kBottom), 1.3 * 0.18);
+  setup.speed_m_s = 0.01;
+  EXPECT_NEAR(-RunSingleWheel(setup).ahead_n / setup.load_n, 0.18, 0.01);
 }
 
 }  // namespace
