@@ -76,19 +76,25 @@ YardViews::YardViews(const YardOptions& options) : options_(options) {
 YardViews::~YardViews() = default;
 
 YardLook YardViews::Take(int i, bool render) {
-  const std::uint64_t seed = RunSeed(options_.seed, static_cast<std::uint64_t>(i));
   const auto spread = [&](int base, double half) {
     return half * (2.0 * Halton(i + 1, base) - 1.0);
   };
+  const double r = options_.r_min_m + (options_.r_max_m - options_.r_min_m) * Halton(i + 1, 2);
+  return TakeAt(i, {r, spread(3, options_.alpha_rad), spread(5, options_.h_rad)},
+                spread(7, options_.pitch_rad), render);
+}
+
+YardLook YardViews::TakeAt(int i, const DockingCoords& at, double pitch_rad, bool render) {
+  const std::uint64_t seed = RunSeed(options_.seed, static_cast<std::uint64_t>(i));
   YardLook look;
   look.index = i;
-  look.at.r = options_.r_min_m + (options_.r_max_m - options_.r_min_m) * Halton(i + 1, 2);
-  look.at.alpha = spread(3, options_.alpha_rad);
-  look.at.h = spread(5, options_.h_rad);
-  look.pitch_rad = spread(7, options_.pitch_rad);
+  look.at = at;
+  look.pitch_rad = pitch_rad;
   const BuiltRun& built = built_;
   const Truth truth = Placed(world_->truth(), built, look);
+  look.X_WR = truth.X_WR;
   look.built_rig = BuiltRig(built.world.rover.stereo, seed);
+  look.sensor = CameraSensor(built.world.rover.stereo, seed, 0);
   const Lighting lighting =
       MakeLighting(scenario_.light, built.X_WD, BoardInDock(built.world.station).p, seed);
   builder_ = std::make_unique<SceneBuilder>(built.world.rover, built.world.station,
@@ -115,20 +121,18 @@ YardLook YardViews::Take(int i, bool render) {
     scene_.board.X_WB.p.z() = -5.0;  // under the ground
     for (auto& eye : look.marks) eye.clear();
   }
-  if (render) Draw(look, truth, seed, &look.images);
+  if (render) Draw(look, &look.images);
   return look;
 }
 
-void YardViews::Draw(const YardLook& look, const Truth& truth, std::uint64_t seed,
-                     StereoImages* images) {
+void YardViews::Draw(const YardLook& look, StereoImages* images) {
   const std::string stem = options_.cache + "/" + std::to_string(look.index);
   if (!options_.cache.empty() && ReadPgm(stem + "_left.pgm", &images->left) &&
       ReadPgm(stem + "_right.pgm", &images->right)) {
     return;
   }
   if (!renderer_) renderer_ = std::make_unique<StereoRenderer>();
-  *images = renderer_->Render(scene_, look.built_rig, truth.X_WR,
-                              CameraSensor(built_.world.rover.stereo, seed, 0));
+  *images = renderer_->Render(scene_, look.built_rig, look.X_WR, look.sensor);
   if (options_.cache.empty()) return;
   WritePgm(stem + "_left.pgm", images->left);
   WritePgm(stem + "_right.pgm", images->right);

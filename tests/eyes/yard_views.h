@@ -39,6 +39,8 @@ struct YardLook {
   double pitch_rad = 0.0;
   StereoImages images;
   StereoRig built_rig;                         // the cameras that saw
+  SensorOptions sensor;                        // the sensor behind them
+  Pose3 X_WR;                                  // truth
   Pose3 X_RB;                                  // truth
   Pose3 X_DB;                                  // truth
   std::array<std::vector<YardMark>, 2> marks;  // left, right; by id
@@ -55,12 +57,14 @@ class YardViews {
 
   /// With render false the truth only; images stay empty.
   YardLook Take(int i, bool render = true);
+  /// The same from a place of the caller's.
+  YardLook TakeAt(int i, const DockingCoords& at, double pitch_rad, bool render = true);
   const StereoRig& calibration() const { return built_.sheet.rig; }
   const FiducialBoard& board() const { return built_.sheet.board; }
   const Scene& last_scene() const { return scene_; }
 
  private:
-  void Draw(const YardLook& look, const Truth& truth, std::uint64_t seed, StereoImages* images);
+  void Draw(const YardLook& look, StereoImages* images);
 
   YardOptions options_;
   Scenario scenario_;

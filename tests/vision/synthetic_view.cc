@@ -162,7 +162,7 @@ class RayCaster {
       const auto hit = HitBoardPlane(ray_C);
       if (hit && std::abs(hit->x()) < 0.5 * scene_.board.width_m &&
           std::abs(hit->y()) < 0.5 * scene_.board.height_m) {
-        const double albedo = scene_.print ? scene_.print(*hit) : PlateAlbedo(scene_.board, *hit);
+        const double albedo = PlateAlbedo(scene_.board, *hit);
         return albedo * BoardLight(scene_, *hit);
       }
       // The module behind the plate, down to the ground.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 
 #include "controller/geometry/board.h"
@@ -44,8 +43,6 @@ struct SyntheticScene {
   int clutter_fiducials = 0;  // real fiducials of random size and rotation lying about
   double blur_px = 0.6;
   double noise_dn = 2.0;
-  // Albedo of the plate by the place on it, instead of the board's print.
-  std::function<double(const Eigen::Vector2d&)> print{};
   int samples = 4;  // per pixel and axis on the board
   std::uint64_t seed = 1;
 };

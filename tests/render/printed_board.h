@@ -1,0 +1,36 @@
+// A board with pictures of black and white squares on it, such as AprilTags, seen by the renderer:
+// for comparisons only, the renderer itself knows discs.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "render/stereo_renderer.h"
+
+namespace dockyard {
+
+/// A square picture printed on the board's face; its rows run along the board's x axis.
+struct PrintedPicture {
+  Eigen::Vector2d p_BM{0, 0};  // its middle [m]
+  double module_m = 0.0;       // side of one square
+  int modules = 0;             // a side
+  std::vector<bool> black;     // row by row from the top left
+
+  bool IsBlack(int column, int row) const {
+    return black[static_cast<std::size_t>(row * modules + column)];
+  }
+};
+
+/// Share of a pixel's footprint that the picture's ink covers: areas of polygons, exact for a plane
+/// footprint. corners_B go round it.
+double InkShare(const PrintedPicture& picture, const std::array<Eigen::Vector2d, 4>& corners_B);
+
+/// Both ideal views with the pictures in the fiducials' place. The renderer draws the plate once
+/// all white, once all black; a pixel lies between the two by its share of ink. Light, shadow,
+/// dust, what hides the board and its edges are thus the renderer's.
+std::array<RadianceImage, 2> RenderPrinted(StereoRenderer& renderer, const Scene& scene,
+                                           const StereoRig& rig, const Pose3& X_WR,
+                                           const std::vector<PrintedPicture>& pictures);
+
+}  // namespace dockyard
