@@ -162,7 +162,9 @@ PlacedCamera ReadNasa(const YamlNode& node, const std::string& path) {
       in.Child("model"), in.PathOf("model"),
       {"type", "C", "A", "H", "V", "O", "R", "E", "pupilType", "linearity", "width", "height"});
   const YamlReader& typed = model.Has("type") ? model : in;
-  const auto kind = static_cast<CahvKind>(typed.Choice("type", kCahvWords));
+  // JPL's own camera files write the names in capitals.
+  const std::vector<std::string> words{"cahv", "cahvor", "cahvore", "CAHV", "CAHVOR", "CAHVORE"};
+  const auto kind = static_cast<CahvKind>(typed.Choice("type", words) % 3);
   Cahvore lens = ReadCahv(model, kind);
   if (kind == CahvKind::kCahvore) {
     const int pupil = Absent(model, "pupilType") ? 3 : model.Integer("pupilType", 1, 3);
@@ -261,7 +263,7 @@ StereoRig LoadRig(const std::string& file, int width, int height) {
     if (width > 0) {
       const double shape = static_cast<double>(width) / height;
       if (std::abs(shape * camera.height / camera.width - 1.0) > 0.01) {
-        throw ConfigError(place + ": expected images of the shape of the scenario's " +
+        throw ConfigError(place + ": expected a camera of the shape of images of " +
                           std::to_string(width) + " x " + std::to_string(height) + ", found '" +
                           std::to_string(camera.width) + " x " + std::to_string(camera.height) +
                           "'");

@@ -32,7 +32,8 @@ Examples:
 One image is taken for the left camera's. Prints each fiducial (pixel, id, detected or predicted) and the
 board's pose in the rover body: metres, unit quaternion w x y z, covariance of p_x p_y p_z [m] and of a
 small turn about the rover's x y z [rad]. Exit code 4: no board accepted; the reason is printed.
---folder looks for a board in every image by itself and counts the accepted ones; exit code 0.)";
+--folder looks for a board in every image of a folder by itself and counts the accepted ones; exit code 0,
+or 3 when some file could not be looked at (it is named, the others are done).)";
 
 LocateOutput Look(const StereoImages& images, const DetectArguments& arguments,
                   const FiducialBoard& board) {
@@ -91,33 +92,51 @@ void PrintText(const SightingReport& report) {
 }
 
 int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board) {
-  int images = 0, accepted = 0;
+  RigOf(arguments.rig, 0, 0);  // a bad rig is no image's fault
+  int images = 0, failed = 0, accepted = 0;
   Json list = Json::array();
   for (const std::string& file : ImageFilesIn(arguments.folder)) {
-    const LocateOutput out = Look({.left = LoadGray(file), .right = {}}, arguments, board);
+    SightingReport report;
+    try {
+      report = Look({.left = LoadGray(file), .right = {}}, arguments, board).report;
+    } catch (const ConfigError& error) {  // no image, or not of the cameras' shape
+      ++failed;
+      std::fprintf(stderr, "%s\n", error.what());
+      list.push_back({{"file", file}, {"error", error.what()}});
+      continue;
+    }
     ++images;
-    accepted += out.report.accepted;
+    accepted += report.accepted;
     list.push_back({{"file", file},
-                    {"detected", out.report.detected_left},
-                    {"accepted", out.report.accepted},
-                    {"reason", out.report.accepted ? Json() : Json(out.report.reason)}});
+                    {"detected", report.detected_left},
+                    {"accepted", report.accepted},
+                    {"reason", report.accepted ? Json() : Json(report.reason)}});
     if (arguments.json) continue;
-    std::printf("%s: %d discs, %s\n", file.c_str(), out.report.detected_left,
-                out.report.accepted ? "board accepted" : out.report.reason.c_str());
+    std::printf("%s: %d discs, %s\n", file.c_str(), report.detected_left,
+                report.accepted ? "board accepted" : report.reason.c_str());
   }
   if (arguments.json) {
-    const Json json{{"images", images}, {"boards_accepted", accepted}, {"files", list}};
+    const Json json{{"images", images},
+                    {"not_looked_at", failed},
+                    {"boards_accepted", accepted},
+                    {"files", list}};
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    std::printf("%d images, %d boards accepted\n", images, accepted);
+    std::printf("%d images, %d boards accepted", images, accepted);
+    if (failed > 0) std::printf("; %d not looked at", failed);
+    std::printf("\n");
   }
-  return kExitDone;
+  return failed > 0 ? kExitBadInput : kExitDone;
 }
 
 int Detect(const DetectArguments& arguments) {
   if (arguments.left.empty() == arguments.folder.empty()) {
     throw UsageError("give either LEFT [RIGHT] or --folder DIR");
   }
+  if (!arguments.folder.empty() && !arguments.draw.empty()) {
+    throw UsageError("--draw draws LEFT [RIGHT]; leave it out with --folder");
+  }
+  arguments.pipeline.RequireSound();
   const FiducialBoard board = BoardOf(arguments.board);
   if (!arguments.folder.empty()) return DetectInFolder(arguments, board);
   StereoImages images{.left = LoadGray(arguments.left), .right = {}};

@@ -31,8 +31,8 @@ GrayImage LoadGray(const std::string& file) {
 }
 
 std::vector<std::string> ImageFilesIn(const std::string& folder) {
-  static const std::vector<std::string> kEndings{".png",  ".pgm", ".ppm", ".jpg",
-                                                 ".jpeg", ".bmp", ".tif", ".tiff"};
+  static const std::vector<std::string> kEndings{".png", ".pgm", ".ppm",  ".jpg", ".jpeg",
+                                                 ".bmp", ".tif", ".tiff", ".webp"};
   if (!std::filesystem::is_directory(folder)) {
     throw ConfigError(folder + ": expected a folder of images, found none");
   }
@@ -41,10 +41,12 @@ std::vector<std::string> ImageFilesIn(const std::string& folder) {
     std::string ending = entry.path().extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) {
+    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end() &&
+        !entry.is_directory()) {
       files.push_back(entry.path().string());
     }
   }
+  if (files.empty()) throw ConfigError(folder + ": expected images in the folder, found none");
   std::sort(files.begin(), files.end());
   return files;
 }

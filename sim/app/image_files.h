@@ -11,7 +11,7 @@ namespace dockyard {
 
 /// PNG, PGM, JPEG and what else OpenCV's imgcodecs reads, as 8-bit grey. Throws ConfigError.
 GrayImage LoadGray(const std::string& file);
-/// The folder's picture files by name. Throws IoError when it cannot be read.
+/// The folder's picture files by name, at least one. Throws ConfigError.
 std::vector<std::string> ImageFilesIn(const std::string& folder);
 /// The pictures side by side, the marks ringed and numbered: measured green, predicted orange.
 /// Throws IoError.

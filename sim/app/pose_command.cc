@@ -49,6 +49,7 @@ std::vector<PointPixel> LoadPoints(const std::string& file) {
 }
 
 int Pose(const PoseArguments& arguments) {
+  arguments.pipeline.RequireSound();
   const std::vector<PointPixel> points = LoadPoints(arguments.points);
   const StereoRig rig = RigOf(arguments.rig, arguments.width, arguments.height);
   const auto pose = PoseFromPoints(points, rig, arguments.pipeline.settings());

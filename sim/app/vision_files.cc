@@ -6,6 +6,7 @@
 #include "models/load_rover.h"
 #include "models/load_station.h"
 #include "models/yaml_tree.h"
+#include "sim/app/commands.h"
 
 namespace dockyard {
 
@@ -19,8 +20,14 @@ FiducialBoard BoardOf(const std::string& file) { return LoadStation(file).board;
 
 VisionSettings PipelineOptions::settings() const {
   const bool tsai = name == PipelineName(VisionPipeline::kTsai2013);
-  return {.pipeline = tsai ? VisionPipeline::kTsai2013 : VisionPipeline::kDockyard,
-          .min_points = min_points};
+  VisionSettings settings{.pipeline = tsai ? VisionPipeline::kTsai2013 : VisionPipeline::kDockyard};
+  settings.min_points = min_points.value_or(settings.min_points);
+  return settings;
+}
+
+void PipelineOptions::RequireSound() const {
+  if (!min_points || settings().pipeline == VisionPipeline::kTsai2013) return;
+  throw UsageError("--min-points is a choice of --pipeline tsai2013 alone");
 }
 
 void AddPipelineOptions(CLI::App& command, PipelineOptions& options) {
@@ -29,7 +36,7 @@ void AddPipelineOptions(CLI::App& command, PipelineOptions& options) {
           {PipelineName(VisionPipeline::kDockyard), PipelineName(VisionPipeline::kTsai2013)}));
   command
       .add_option("--min-points", options.min_points,
-                  "tsai2013: detections given to the homography, 4 or 5")
+                  "tsai2013: detections given to the homography, 4 (default) or 5")
       ->check(CLI::Range(4, 5));
 }
 

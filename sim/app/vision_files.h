@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "controller/geometry/board.h"
@@ -20,7 +21,9 @@ FiducialBoard BoardOf(const std::string& file);
 
 struct PipelineOptions {
   std::string name = "dockyard";
-  int min_points = 4;
+  std::optional<int> min_points{};
+  /// Throws UsageError when min_points stands beside another pipeline than tsai2013.
+  void RequireSound() const;
   VisionSettings settings() const;
 };
 void AddPipelineOptions(CLI::App& command, PipelineOptions& options);

@@ -91,6 +91,49 @@ TEST(DetectCommand, RefusesWhatIsNoImage) {
   EXPECT_EQ(Dockyard("detect" + kFiles).code, 2);
 }
 
+TEST(DetectCommand, NamesTheFilesOfAFolderThatAreNoImagesAndGoesOn) {
+  const TemporaryFolder folder;
+  const auto grey = [](int width, int height) {
+    return EncodePng({.width = width,
+                      .height = height,
+                      .pixels = std::vector<std::uint8_t>(width * height, 90)});
+  };
+  const std::string dir = folder.path().string();
+  EXPECT_EQ(Dockyard("detect --folder " + dir + kFiles).code, 3);  // empty
+  WriteText(folder.path() / "a.png", "no picture");
+  WriteText(folder.path() / "b.png", grey(64, 48));
+  WriteText(folder.path() / "c.png", grey(48, 64));
+  std::filesystem::create_directory(folder.path() / "d.png");
+  const Ended ended = Dockyard("detect --folder " + dir + kFiles);
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("a.png: expected an image"));
+  EXPECT_THAT(ended.out, HasSubstr("2 images, 0 boards accepted; 1 not looked at"));
+  // These cameras are of one shape; the picture that stands upright is not.
+  const Ended navcam = Dockyard("detect --json --folder " + dir +
+                                " --rig models/cameras/navcam.yaml "
+                                "--board models/station/station.yaml");
+  EXPECT_EQ(navcam.code, 3);
+  const json out = json::parse(navcam.out);
+  EXPECT_EQ(out["images"], 1);
+  EXPECT_EQ(out["not_looked_at"], 2);
+  EXPECT_THAT(out["files"][2]["error"].get<std::string>(), HasSubstr("48 x 64"));
+  // A bad rig is told once.
+  const Ended bad =
+      Dockyard("detect --folder " + dir + " --rig README.md --board models/station/station.yaml");
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_THAT(bad.err, HasSubstr("README.md"));
+  EXPECT_EQ(bad.out, "");
+}
+
+TEST(DetectCommand, RefusesOptionsThatWouldDoNothing) {
+  const Ended points = Dockyard("detect x.png --min-points 5" + kFiles);
+  EXPECT_EQ(points.code, 2);
+  EXPECT_THAT(points.err, HasSubstr("--min-points is a choice of --pipeline tsai2013"));
+  EXPECT_EQ(Dockyard("pose x.csv --min-points 5 --rig models/axel/axel.yaml").code, 2);
+  EXPECT_EQ(Dockyard("detect x.png --min-points 5 --pipeline tsai2013" + kFiles).code, 3);
+  EXPECT_EQ(Dockyard("detect --folder . --draw x.png" + kFiles).code, 2);
+}
+
 TEST(PoseCommand, SolvesPointsAndNamesTheOutlier) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "points.csv").string();

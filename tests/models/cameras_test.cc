@@ -108,6 +108,34 @@ TEST(CameraFile, PupilTypesOneAndTwoArePerspectiveAndFishEye) {
   EXPECT_EQ(lens("\"pupilType\": 3", "HAZFLA").linearity, 0.37);
 }
 
+/// The objects of a JSON list, each as its text stands there.
+std::vector<std::string> Elements(const std::string& list) {
+  std::vector<std::string> elements;
+  int depth = 0;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i] == '{' && depth++ == 0) first = i;
+    if (list[i] == '}' && --depth == 0) elements.push_back(list.substr(first, i + 1 - first));
+  }
+  return elements;
+}
+
+TEST(CameraFile, EachOfNasasElementsReadsByItselfAndInCapitals) {
+  const ScratchFolder folder;
+  const std::vector<PlacedCamera> all = LoadCameras(kMars);
+  const std::vector<std::string> elements = Elements(Slurp(kMars));
+  ASSERT_EQ(elements.size(), all.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const PlacedCamera one = LoadCamera(folder.Write("c.json", elements[i]));
+    const PlacedCamera capital =
+        LoadCamera(folder.Write("c.json", Replaced(elements[i], "\"cahvore\"", "\"CAHVORE\"")));
+    for (const PlacedCamera* cut : {&one, &capital}) {
+      EXPECT_EQ(cut->name, all[i].name);
+      EXPECT_TRUE(cut->camera == all[i].camera && Same(cut->X_FC, all[i].X_FC)) << all[i].name;
+    }
+  }
+}
+
 constexpr const char* kWebcam =
     "name: webcam\nmodel: brown\npixel_zero: centre\nwidth_px: 640\nheight_px: 480\n"
     "fx_px: 535.4\nfy_px: 539.1\ncx_px: 320.1\ncy_px: 247.6\nk1: -0.265\nk2: -0.047\np1: 0.0018\n"
@@ -235,7 +263,7 @@ TEST(Rig, BadOnesAreToldByPlaceAndPath) {
             "'-0.5 -0.5'");
   EXPECT_EQ(message("right:", "rihgt:"), "r.yaml:25:1: rihgt: unknown key, did you mean 'right'?");
   EXPECT_THAT(message("name", "name", 1000),
-              HasSubstr("expected images of the shape of the scenario's 1000 x 1000"));
+              HasSubstr("expected a camera of the shape of images of 1000 x 1000"));
   EXPECT_THAT(MessageOf([] { LoadRig(kMars); }, folder), HasSubstr("expected a mapping"));
 }
 
