@@ -50,6 +50,22 @@ void PrintCurve(const SurveyCurve& curve, const SurveyScores& found, const Argum
   PrintRow("all", TallyOf(curve.scores, 0.0, 100.0));
 }
 
+/// Of pictures whose marks are all rightly named.
+void PrintHomographies(const SurveyScores& found, double r_max_m) {
+  const auto print = [&](const std::string& name, double low_m, double high_m) {
+    std::vector<HomographySum> sums;
+    for (const LookScore& score : found.scores) {
+      if (score.at.r <= low_m || score.at.r > high_m || score.wrong_marks > 0) continue;
+      sums.insert(sums.end(), score.homography.begin(), score.homography.end());
+    }
+    std::printf("  homography, %-7s %s\n", name.c_str(), SumsText(sums).c_str());
+  };
+  for (int r = 1; r < r_max_m; ++r) {
+    print(std::to_string(r) + "-" + std::to_string(r + 1) + " m", r, r + 1);
+  }
+  print("1-5 m", 1.0, 5.0);
+}
+
 /// Both pipelines on the same pictures.
 std::vector<SurveyCurve> Survey(Light light, const Arguments& arguments) {
   SurveyPlan plan{.yard = {.light = light,
@@ -71,6 +87,7 @@ std::vector<SurveyCurve> Survey(Light light, const Arguments& arguments) {
   if (plan.tsai_count > 0) {
     curves.push_back({"tsai2013, " + word, color, "5 4", found.tsai2013.scores, false});
     PrintCurve(curves[1], found.tsai2013, arguments);
+    PrintHomographies(found.tsai2013, arguments.r_max_m);
   }
   std::fflush(stdout);
   return curves;

@@ -29,7 +29,9 @@ Scored Locate(const YardViews& views, const YardLook& look, const VisionSettings
   const LocateOutput out =
       LocateBoard(look.images, views.calibration(), views.board(), look.hints, settings);
   const double end = ThreadCpuSeconds();
-  return {Score(look, out), end - begin};
+  Scored scored{Score(look, out), end - begin};
+  scored.score.homography = HomographySums(out.report, views.calibration(), views.board());
+  return scored;
 }
 
 void Gather(const char* name, const std::vector<std::optional<Scored>>& from, SurveyScores* to,

@@ -1,9 +1,11 @@
 // How one look did against the truth, and what many of them come to, by range.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "eyes/homography_sums.h"
 #include "eyes/yard_views.h"
 
 namespace dockyard {
@@ -25,6 +27,7 @@ struct LookScore {
   double plain_px2 = 0.0, cut_px2 = 0.0;
   int plain = 0, cut = 0;
   double nees = 0.0;  // pose error squared over the covariance given, 6 degrees of freedom
+  std::array<HomographySum, 2> homography{};  // left, right
 };
 
 LookScore Score(const YardLook& look, const LocateOutput& out);
