@@ -2,6 +2,7 @@
 // patches: Bekker's curve, and unloading and reloading along the elastic line.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -22,28 +23,39 @@ class Plate {
   /// To this depth in steps of a micrometre, slowly, so that damping counts for nothing [Pa].
   double MoveTo(double depth_m) {
     const int steps = static_cast<int>(std::lround(std::abs(depth_m - depth_m_) / 1e-6));
-    for (int i = 0; i < steps; ++i) Step(depth_m > depth_m_ ? 1e-6 : -1e-6);
+    for (int i = 0; i < steps; ++i) Step(depth_m > depth_m_ ? 1e-6 : -1e-6, 0.1);
     return pressure_pa_;
+  }
+  /// Free to sink under a weight that is put on within so many seconds, and three more at rest.
+  void Load(double weight_n, double within_s) {
+    constexpr double kDt_s = 1e-3;
+    const double mass_kg = weight_n / 9.81;
+    double speed_m_s = 0.0;
+    for (double t = 0.0; t < within_s + 3.0; t += kDt_s) {
+      const double carried_n = pressure_pa_ * width_m_ * width_m_;
+      speed_m_s += (weight_n * std::min(1.0, t / within_s) - carried_n) / mass_kg * kDt_s;
+      Step(speed_m_s * kDt_s, kDt_s);
+    }
+    EXPECT_LT(std::abs(speed_m_s), 1e-6);
   }
   double depth_m() const { return depth_m_; }
 
  private:
   static constexpr int kPatches = 5;  // along each side
 
-  void Step(double down_m) {
-    constexpr double kDt_s = 0.1;
+  void Step(double down_m, double dt_s) {
     depth_m_ += down_m;
     const double side_m = width_m_ / kPatches, area_m2 = side_m * side_m;
-    motion_.v_GK_G.z() = -down_m / kDt_s;
+    motion_.v_GK_G.z() = -down_m / dt_s;
     double force_n = 0.0;
     for (int ix = 0; ix < kPatches; ++ix) {
       motion_.X_GK.p = Eigen::Vector3d((ix - 2) * side_m, 0.0, -depth_m_);
-      const WheelFrame frame(motion_, kDt_s);
+      const WheelFrame frame(motion_, dt_s);
       const SpokeAxes down = frame.Along(0.0, 1.0);
       for (int iy = 0; iy < kPatches; ++iy) {
         const PatchPlace at(grid_, frame, down, 0.0, (iy - 2) * side_m, 0.0);
         const SpokeLoad load =
-            LoadPatch(laws_, travel_, at, area_m2, kDt_s, patches_[ix * kPatches + iy]);
+            LoadPatch(laws_, travel_, at, area_m2, dt_s, patches_[ix * kPatches + iy]);
         force_n -= load.r;
         EXPECT_EQ(load.t, 0.0);
         EXPECT_EQ(load.a, 0.0);
@@ -94,6 +106,18 @@ TEST(Plate, SinksAlongBekkersCurveForTwoSoilsAndTwoWidths) {
     // Width counts: otherwise the above would hold for k_phi alone.
     EXPECT_GT(std::abs(Bekker(bed, bed.widths_m[0], 0.01) / Bekker(bed, bed.widths_m[1], 0.01) - 1),
               0.2);
+  }
+}
+
+TEST(Plate, SinksUnderAWeightToWhereBekkerCarriesIt) {
+  for (const Bed& bed : kBeds) {
+    for (const double width_m : bed.widths_m) {
+      Plate plate(Soil(bed.soil), width_m);
+      const double weight_n = 20e3 * width_m * width_m;  // 20 kPa
+      plate.Load(weight_n, 20.0);                        // slowly: what it overshoots, it keeps
+      const double depth_m = std::pow(20e3 / Bekker(bed, width_m, 1.0), 1.0 / bed.n);
+      EXPECT_NEAR(plate.depth_m() / depth_m, 1.0, 0.01) << bed.soil << " " << width_m;
+    }
   }
 }
 
