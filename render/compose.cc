@@ -9,6 +9,7 @@
 #include "render/ground_shader.h"
 #include "render/object_shader.h"
 #include "render/sky_shader.h"
+#include "render/two_widths.h"
 #include "render/view_sampler.h"
 
 namespace dockyard {
@@ -211,6 +212,7 @@ class Composer {
 
 }  // namespace
 
+DOCKYARD_TWO_WIDTHS
 RadianceImage Compose(const PixelGrid& grid, const FlatView& wide, const FlatView* close,
                       const Lit& lit, const Pose3& X_WC, Channel channel, bool with_depth) {
   RadianceImage image{

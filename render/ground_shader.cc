@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/two_widths.h"
+
 namespace dockyard {
 namespace {
 
@@ -101,6 +103,7 @@ float GroundShader::SunShare(const Looks& looks, int pixel, const Places& places
   return shadow_.Partly(place, kSearches, kPoints);
 }
 
+DOCKYARD_TWO_WIDTHS
 void GroundShader::Find(const Looks& l, int first, int count, Places& p) const {
   const float ux = up_C_.x(), uy = up_C_.y(), uz = up_C_.z();
   const Eigen::Matrix<float, 2, 3> m = to_level_;
@@ -142,6 +145,7 @@ Four GroundShader::Relief(float x, float y, float column, float row, float lod) 
   return Mix(relief, texture_.Beyond(x, y), t * t * (3.0f - 2.0f * t));
 }
 
+DOCKYARD_TWO_WIDTHS
 void GroundShader::Fetch(int count, const Places& p, Lights& l) const {
   for (int i = 0; i < count; ++i) {
     const Four relief = Relief(p.x[i], p.y[i], p.column[i], p.row[i], p.relief_lod[i]);
@@ -161,6 +165,7 @@ void GroundShader::Fetch(int count, const Places& p, Lights& l) const {
   }
 }
 
+DOCKYARD_TWO_WIDTHS
 void GroundShader::Light(int count, Lights& l) const {
   const float sun_x = sun_G_.x(), sun_y = sun_G_.y(), sun_z = sun_G_.z();
   const float up_x = up_G_.x(), up_y = up_G_.y(), up_z = up_G_.z();
@@ -179,6 +184,7 @@ void GroundShader::Light(int count, Lights& l) const {
 }
 
 // Places and slopes in light axes.
+DOCKYARD_TWO_WIDTHS
 void GroundShader::Turn(const Looks& looks, int first, int count, const Places& p,
                         Lights& l) const {
   const Eigen::Matrix3f m = R_UC_, r = R_UG_;

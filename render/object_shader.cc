@@ -60,7 +60,8 @@ float ObjectShader::BoardShare(Tan tan, const Pixel& pixel) const {
   // Its plane is known better than any ray's depth.
   const float inverse_depth =
       board_plane_C_.x() * tan.x + board_plane_C_.y() * tan.y + board_plane_C_.z();
-  return Share(tan, inverse_depth, n_board_U_, kFlatBias_m, pixel, kBoardSearches, kBoardPoints);
+  return Share(tan, inverse_depth, n_board_U_, kFlatBias_m, pixel, kBoardSearches, kBoardPoints,
+               true);
 }
 
 float ObjectShader::OfThin(const Thin& thin, Tan tan, const Pixel& pixel) const {
@@ -78,7 +79,7 @@ ObjectShader::Floats ObjectShader::ToFloats(const Scene& scene, const Eigen::Vec
 }
 
 float ObjectShader::Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n, float bias,
-                          const Pixel& pixel, int searches, int points) const {
+                          const Pixel& pixel, int searches, int points, bool of_board) const {
   const float z = 1.0f / inverse_depth;
   const Eigen::Vector3f p_C(z * tan.x, z * tan.y, z);
   const float over_ground = horizon_.Share(p_GC_ + R_GC_ * p_C);
@@ -88,7 +89,8 @@ float ObjectShader::Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n
                                       .bias_m = bias,
                                       .blur_m = pixel.blur() * z,
                                       .pixel_x = pixel.column,
-                                      .pixel_y = pixel.row},
+                                      .pixel_y = pixel.row,
+                                      .in_plane = of_board},
                                      searches, points);
 }
 

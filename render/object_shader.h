@@ -31,7 +31,7 @@ class ObjectShader {
   };
   static Floats ToFloats(const Scene& scene, const Eigen::Vector3d& albedo, Channel channel);
   float Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n, float bias,
-              const Pixel& pixel, int searches, int points) const;
+              const Pixel& pixel, int searches, int points, bool of_board = false) const;
 
   const SunShadow& shadow_;
   GroundHorizon horizon_;

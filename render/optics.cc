@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <variant>
 
+#include "render/two_widths.h"
+
 namespace dockyard {
 namespace {
 
@@ -110,6 +112,7 @@ std::vector<float> GaussianKernel(double sigma) {
 }
 
 // out[x] = sum of kernel[k] * rows[k][x], as many x at once as registers hold.
+DOCKYARD_TWO_WIDTHS
 void Weigh(const std::vector<const float*>& rows, const std::vector<float>& kernel, int count,
            float* __restrict out) {
   constexpr int kAtOnce = 16;

@@ -87,6 +87,10 @@ void ScenePainter::Prepare(const Scene& scene, const Pose3& X_WR) {
         DrawCasters(program, clip_from_U, window);
       },
       shadow_);
+  if (HasBoard(scene)) {
+    const Pose3 X_UB = Inverse(fit_.X_WU) * scene.board.X_WB;
+    shadow_.TakePlane(X_UB.p, X_UB.R.col(2));
+  }
 }
 
 std::vector<Ball> ScenePainter::Casters(const Scene& scene) const {

@@ -10,6 +10,7 @@
 #include "render/pixel_noise.h"
 #include "render/shading.h"
 #include "render/stereo_renderer.h"
+#include "render/two_widths.h"
 
 namespace dockyard {
 namespace {
@@ -88,6 +89,7 @@ float DrawPoisson(float mean, std::uint64_t key, std::size_t place) {
   return static_cast<float>(n);
 }
 
+DOCKYARD_TWO_WIDTHS
 DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOptions& s, int eye,
                    std::uint64_t key) {
   DeepImage out{.width = image.width, .height = image.height, .bits = s.bits, .pixels = {}};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/two_widths.h"
+
 namespace dockyard {
 namespace {
 
@@ -14,6 +16,8 @@ constexpr float kMaxReach = kTile * kSpread;           // texels
 constexpr float kBoundsReach = kTile * (kSpread + 1);  // texels
 constexpr float kEdge = kMaxReach + 2.0f;              // texels next to the border, not looked at
 constexpr float kNoCaster = -1e9f;
+constexpr int kPlaneTiles = kFineTexels / kTile;  // a side of the fine window
+constexpr float kPlaneSlack_m = 1e-4f;            // far above what floats lose
 constexpr double kNearScene_m = 4.0;   // round rover and board, what the cameras see in detail
 constexpr double kWidestHalf_m = 8.0;  // 10 mm texels at worst
 
@@ -92,8 +96,8 @@ SunShadow::SunShadow() {
   for (int n = 1; n <= kMostPoints; ++n) {
     for (int i = 0; i < n; ++i) {
       const double angle = i * kGoldenAngle_rad, radius = std::sqrt((i + 0.5) / n);
-      discs_[n][i] =
-          Eigen::Vector2d(radius * std::cos(angle), radius * std::sin(angle)).cast<float>();
+      discs_[n].x[i] = static_cast<float>(radius * std::cos(angle));
+      discs_[n].y[i] = static_cast<float>(radius * std::sin(angle));
     }
   }
 }
@@ -114,9 +118,11 @@ void SunShadow::Take(const ShadowFit& fit, double sun_angular_diameter_rad) {
   };
   coarse_ = window(fit.coarse);
   fine_ = window(fit.fine);
+  plane_tiles_.clear();
   ReduceTiles();
 }
 
+DOCKYARD_TWO_WIDTHS
 void SunShadow::ReduceTiles() {
   tiles_.assign(std::size_t{kTilesWide} * kTilesHigh, {});
   for (int ty = 0; ty < kTilesHigh; ++ty) {
@@ -138,31 +144,64 @@ void SunShadow::ReduceTiles() {
           .lowest = high < 1.0f ? top_ - high * range_ : kNoCaster};
     }
   }
-  // Over the tiles around: along the rows, then down the columns.
-  const auto spread = [](const std::vector<Bounds>& from, std::vector<Bounds>& to, int step_x,
-                         int step_y) {
+  Spread(tiles_, around_, kTilesWide, kTilesHigh);
+}
+
+void SunShadow::Spread(std::vector<Bounds>& tiles, std::vector<Bounds>& room, int wide, int high) {
+  // Along the rows, then down the columns.
+  const auto spread = [&](const std::vector<Bounds>& from, std::vector<Bounds>& to, int step_x,
+                          int step_y) {
     to.resize(from.size());
-    for (int ty = 0; ty < kTilesHigh; ++ty) {
-      for (int tx = 0; tx < kTilesWide; ++tx) {
-        Bounds bounds = from[std::size_t{kTilesWide} * ty + tx];
+    for (int ty = 0; ty < high; ++ty) {
+      for (int tx = 0; tx < wide; ++tx) {
+        Bounds bounds = from[static_cast<std::size_t>(ty) * wide + tx];
         for (int k = -kSpread; k <= kSpread; ++k) {
-          const int x = std::clamp(tx + k * step_x, 0, kTilesWide - 1);
-          const int y = std::clamp(ty + k * step_y, 0, kTilesHigh - 1);
-          const Bounds& other = from[std::size_t{kTilesWide} * y + x];
+          const int x = std::clamp(tx + k * step_x, 0, wide - 1);
+          const int y = std::clamp(ty + k * step_y, 0, high - 1);
+          const Bounds& other = from[static_cast<std::size_t>(y) * wide + x];
           bounds.highest = std::max(bounds.highest, other.highest);
           bounds.lowest = std::min(bounds.lowest, other.lowest);
         }
-        to[std::size_t{kTilesWide} * ty + tx] = bounds;
+        to[static_cast<std::size_t>(ty) * wide + tx] = bounds;
       }
     }
   };
-  spread(tiles_, around_, 1, 0);
-  spread(around_, tiles_, 0, 1);
+  spread(tiles, room, 1, 0);
+  spread(room, tiles, 0, 1);
 }
 
-float SunShadow::Caster(int column, int row) const {
-  const float z = depth_[static_cast<std::size_t>(row) * kAtlasWidth + column];
-  return z < 1.0f ? top_ - z * range_ : kNoCaster;
+DOCKYARD_TWO_WIDTHS
+void SunShadow::TakePlane(const Eigen::Vector3d& p_U, const Eigen::Vector3d& normal_U) {
+  plane_tiles_.clear();
+  // One that the sun grazes is taken as less steep than it is, about each place anew.
+  if (std::abs(normal_U.z()) <= kLeastCosine) return;
+  const auto slope_x = static_cast<float>(-normal_U.x() / normal_U.z());
+  const auto slope_y = static_cast<float>(-normal_U.y() / normal_U.z());
+  const auto x0 = fine_.center_x - static_cast<float>(p_U.x());
+  const auto y0 = fine_.center_y - static_cast<float>(p_U.y());
+  const auto z0 = static_cast<float>(p_U.z());
+  plane_tiles_.assign(std::size_t{kPlaneTiles} * kPlaneTiles,
+                      {.highest = kNoCaster, .lowest = -kNoCaster});
+  for (int row = 0; row < kFineTexels; ++row) {
+    const float* depth = &depth_[static_cast<std::size_t>(row) * kAtlasWidth + fine_.column];
+    const float dy = (static_cast<float>(row) + 0.5f - fine_.middle) * fine_.texel_m + y0;
+    Bounds* tiles = &plane_tiles_[std::size_t{kPlaneTiles} * (row / kTile)];
+    for (int tile = 0; tile < kPlaneTiles; ++tile) {
+      float over[kTile];
+      for (int i = 0; i < kTile; ++i) {
+        const int column = tile * kTile + i;
+        const float dx = (static_cast<float>(column) + 0.5f - fine_.middle) * fine_.texel_m + x0;
+        const float z = depth[column];
+        const float caster = z < 1.0f ? top_ - z * range_ : kNoCaster;
+        over[i] = caster - (z0 + slope_x * dx + slope_y * dy);
+      }
+      for (const float gap : over) {
+        tiles[tile].highest = std::max(tiles[tile].highest, gap);
+        tiles[tile].lowest = std::min(tiles[tile].lowest, gap);
+      }
+    }
+  }
+  Spread(plane_tiles_, around_, kPlaneTiles, kPlaneTiles);
 }
 
 SunShadow::Spot SunShadow::SpotOf(const Place& place) const {
@@ -193,6 +232,12 @@ float SunShadow::Plain(const Place& place) const {
   const Bounds& bounds = BoundsAt(spot);
   if (bounds.highest < place.p.z() - spot.sway) return 1.0f;
   if (bounds.lowest > place.p.z() + spot.sway + place.bias_m) return 0.0f;
+  if (!place.in_plane || plane_tiles_.empty() || spot.window != &fine_) return -1.0f;
+  const int column = (static_cast<int>(spot.x) - fine_.column) / kTile;
+  const Bounds& over = plane_tiles_[std::size_t{kPlaneTiles} * (static_cast<int>(spot.y) / kTile) +
+                                    static_cast<std::size_t>(column)];
+  if (over.highest < place.bias_m - kPlaneSlack_m) return 1.0f;
+  if (over.lowest > place.bias_m + kPlaneSlack_m) return 0.0f;
   return -1.0f;
 }
 
@@ -230,37 +275,57 @@ int SunShadow::Turn(int pixel_x, int pixel_y) {
   return std::min(static_cast<int>(c * kTurns), kTurns - 1);
 }
 
-float SunShadow::Penumbra(const Spot& spot, const Place& place, float reach, int searches,
-                          int points) const {
+DOCKYARD_TWO_WIDTHS
+void SunShadow::Gaps(const Spot& spot, const Place& place, int points, float radius,
+                     float* __restrict gaps) const {
+  static_assert(kMostPoints % 4 == 0);
   const Window& window = *spot.window;
+  const Disc& disc = discs_[points];
   const Eigen::Vector2f& turn = turns_[Turn(place.pixel_x, place.pixel_y)];
   const float c = turn.x(), sn = turn.y();
-  // How far the texel there stands over the receiver's plane.
-  const auto gap = [&](const Eigen::Vector2f& point, float radius) {
-    const int column = static_cast<int>(spot.x + radius * (c * point.x() - sn * point.y()));
-    const int row = static_cast<int>(spot.y + radius * (sn * point.x() + c * point.y()));
-    const float dx = (static_cast<float>(column) + 0.5f - spot.x) * window.texel_m;
-    const float dy = (static_cast<float>(row) + 0.5f - spot.y) * window.texel_m;
-    return Caster(column, row) - (place.p.z() + place.slopes.x * dx + place.slopes.y * dy);
-  };
+  const float x = spot.x, y = spot.y, texel_m = window.texel_m, top = top_, range = range_;
+  const float p_z = place.p.z(), slope_x = place.slopes.x, slope_y = place.slopes.y;
+  const int count = (points + 3) / 4 * 4;  // what is over is not looked at
+  int texels[kMostPoints];
+  float over[kMostPoints];
+  for (int i = 0; i < count; ++i) {
+    const int column = static_cast<int>(x + radius * (c * disc.x[i] - sn * disc.y[i]));
+    const int row = static_cast<int>(y + radius * (sn * disc.x[i] + c * disc.y[i]));
+    const auto in_row = static_cast<float>(column), rows = static_cast<float>(row);
+    // Exact: the map has fewer than 2^24 texels.
+    texels[i] = static_cast<int>(rows * static_cast<float>(kAtlasWidth) + in_row);
+    const float dx = (in_row + 0.5f - x) * texel_m, dy = (rows + 0.5f - y) * texel_m;
+    over[i] = p_z + slope_x * dx + slope_y * dy;
+  }
+  for (int i = 0; i < count; ++i) gaps[i] = depth_[static_cast<std::size_t>(texels[i])];
+  for (int i = 0; i < count; ++i) {
+    const float caster = gaps[i] < 1.0f ? top - gaps[i] * range : kNoCaster;
+    gaps[i] = caster - over[i];
+  }
+}
+
+float SunShadow::Penumbra(const Spot& spot, const Place& place, float reach, int searches,
+                          int points) const {
+  float gaps[kMostPoints];
   // How far the nearest casters are decides how wide the penumbra is.
+  Gaps(spot, place, searches, reach, gaps);
   float total = 0.0f;
   int found = 0;
   for (int i = 0; i < searches; ++i) {
-    const float over = gap(discs_[searches][i], reach);
-    if (over > place.bias_m) {
-      total += over;
+    if (gaps[i] > place.bias_m) {
+      total += gaps[i];
       ++found;
     }
   }
   if (found == 0) return 1.0f;
   if (found == searches) return 0.0f;
   const float penumbra = sun_radius_ * total / static_cast<float>(found);
-  const float radius =
-      std::clamp(std::sqrt(penumbra * penumbra + place.blur_m * place.blur_m) * window.per_texel,
-                 0.8f, kMaxReach);
+  const float radius = std::clamp(
+      std::sqrt(penumbra * penumbra + place.blur_m * place.blur_m) * spot.window->per_texel, 0.8f,
+      kMaxReach);
+  Gaps(spot, place, points, radius, gaps);
   int blocked = 0;
-  for (int i = 0; i < points; ++i) blocked += gap(discs_[points][i], radius) > place.bias_m;
+  for (int i = 0; i < points; ++i) blocked += gaps[i] > place.bias_m;
   return 1.0f - static_cast<float>(blocked) / static_cast<float>(points);
 }
 

@@ -40,6 +40,9 @@ class SunShadow {
  public:
   /// Takes a new map: depth 0 at fit.top_m towards the sun, 1 at fit.bottom_m and where nothing is.
   void Take(const ShadowFit& fit, double sun_angular_diameter_rad);
+  /// Of the map taken last: a plane in U in which many places lie, the board's. What stands over it
+  /// is bounded tile by tile, so that its sunlit parts need no points.
+  void TakePlane(const Eigen::Vector3d& p_U, const Eigen::Vector3d& normal_U);
   /// Room for the map, kAtlasWidth x kAtlasHeight, row by row.
   std::vector<float>& depth() { return depth_; }
   const ShadowFit& fit() const { return fit_; }
@@ -64,6 +67,7 @@ class SunShadow {
     Eigen::Vector3f length{0, 0, 0};
     // Of the picture: neighbouring pixels take the points of the sun's disc turned unlike.
     int pixel_x, pixel_y;
+    bool in_plane = false;  // in that of TakePlane
   };
   static constexpr int kMostPoints = 16;
   /// searches, points: of the disc, to find casters and to measure their cover; 1 to kMostPoints.
@@ -87,10 +91,15 @@ class SunShadow {
     int column;
   };
   static constexpr int kTurns = 256;
+  /// Points of a disc of radius 1, side by side, so that four go at once.
+  struct Disc {
+    std::array<float, kMostPoints> x{}, y{};
+  };
 
   static int Turn(int pixel_x, int pixel_y);
   void ReduceTiles();
-  float Caster(int column, int row) const;
+  // Bounds over each tile and those around it.
+  static void Spread(std::vector<Bounds>& tiles, std::vector<Bounds>& room, int wide, int high);
   // A place in a window of the map; none: outside.
   struct Spot {
     const Window* window = nullptr;
@@ -100,12 +109,15 @@ class SunShadow {
   Spot SpotOf(const Place& place) const;
   const Bounds& BoundsAt(const Spot& spot) const;
   float Penumbra(const Spot& spot, const Place& place, float reach, int searches, int points) const;
+  // How far the texels at the first points of a disc about the spot stand over the place's plane.
+  void Gaps(const Spot& spot, const Place& place, int points, float radius, float* gaps) const;
 
   ShadowFit fit_;
-  std::array<Eigen::Vector2f, kTurns> turns_;                                    // cosine and sine
-  std::array<std::array<Eigen::Vector2f, kMostPoints>, kMostPoints + 1> discs_;  // by their count
+  std::array<Eigen::Vector2f, kTurns> turns_;  // cosine and sine
+  std::array<Disc, kMostPoints + 1> discs_;    // by the count of their points
   std::vector<float> depth_ = std::vector<float>(std::size_t{kAtlasWidth} * kAtlasHeight, 1.0f);
   std::vector<Bounds> tiles_, around_;
+  std::vector<Bounds> plane_tiles_;  // of the fine window, heights over the plane; empty: no plane
   Window coarse_{}, fine_{};
   float top_ = 0.0f, range_ = 1.0f, sun_radius_ = 0.0f;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/two_widths.h"
+
 namespace dockyard {
 namespace {
 
@@ -33,6 +35,7 @@ void Add(const float* __restrict steps, bool afresh, int count, float* __restric
 
 }  // namespace
 
+DOCKYARD_TWO_WIDTHS
 void ViewSampler::Find(const PixelRow& row, int first, int last, RowRays& rays) const {
   const int count = last - first;
   for (int k = 0; k < kRays; ++k) {
@@ -50,6 +53,7 @@ void ViewSampler::Find(const PixelRow& row, int first, int last, RowRays& rays) 
   for (int i = first; i < last; ++i) rays.from_y[i] = rays.from_y[i] * per_y + middle_y;
 }
 
+DOCKYARD_TWO_WIDTHS
 void ViewSampler::Mark(const PixelRow& row, int first, int last, const TanRect& part, bool inside,
                        std::uint8_t* marks) {
   const auto left = static_cast<float>(part.left), right = static_cast<float>(part.right);
