@@ -9,7 +9,8 @@ namespace dockyard {
 namespace {
 
 // How far beside the wheel the displaced soil comes to rest, in cells from the rim's edge, and how
-// it is shared: a berm about as wide as the rut's wall is high. Assumed.
+// it is shared: a berm about as wide as the rut's wall is high. Assumed, range 1-5 cells, any
+// shares that sum to a half.
 constexpr std::array<double, 3> kBermCells{1.5, 2.5, 3.5};
 constexpr std::array<double, 3> kBermShares{0.25, 0.15, 0.10};  // of each of two sides
 // Cells beside the rim, and before and behind the contact, in which slopes may slump: berms lie

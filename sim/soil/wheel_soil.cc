@@ -10,10 +10,11 @@ namespace dockyard {
 namespace {
 
 constexpr int kStrips = 144;  // 2.5 deg each
-// Ground this much above the highest of the sampled points may touch the wheel.
+// Ground this much above the highest of the sampled points may touch the wheel; assumed, range
+// 0.005-0.03: below it ruts' walls between the samples are missed, above it time is lost.
 constexpr double kGroundMargin_m = 0.015;
-// Time between two passes in which slopes beside the wheel slump. A time, not a count of steps: the
-// soil must not run faster when steps are short.
+// Time between two passes in which slopes beside the wheel slump; assumed, range 1-8 ms. A time,
+// not a count of steps: the soil must not run faster when steps are short.
 constexpr double kSlumpPeriod_s = 2e-3;
 
 }  // namespace
