@@ -1,6 +1,10 @@
 #include "render/ray_caster.h"
 
+#if __has_include(<embree3/rtcore.h>)
 #include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,6 +17,23 @@
 
 namespace dockyard {
 namespace {
+
+// Embree 3 takes a context, Embree 4 none.
+#if RTC_VERSION_MAJOR >= 4
+void Intersect(RTCScene world, RTCRayHit& hit) { rtcIntersect1(world, &hit); }
+void Occlude(RTCScene world, RTCRay& ray) { rtcOccluded1(world, &ray); }
+#else
+void Intersect(RTCScene world, RTCRayHit& hit) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(world, &context, &hit);
+}
+void Occlude(RTCScene world, RTCRay& ray) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(world, &context, &ray);
+}
+#endif
 
 // What an Embree geometry is.
 constexpr int kBoard = -1, kGround = -2, kTether = -3;
@@ -42,9 +63,7 @@ class World {
   double Radiance(const Eigen::Vector3d& from_W, const Eigen::Vector3d& ray_W,
                   const Eigen::Vector2d& sun_point) const {
     RTCRayHit hit = Query(from_W, ray_W, 1e-3);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(world_, &context, &hit);
+    Intersect(world_, hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return Sky(ray_W);
     const Eigen::Vector3d p_W = from_W + static_cast<double>(hit.ray.tfar) * ray_W;
     Eigen::Vector3d n = Eigen::Vector3d(hit.hit.Ng_x, hit.hit.Ng_y, hit.hit.Ng_z).normalized();
@@ -219,9 +238,7 @@ class World {
       const Eigen::Vector3d towards =
           (light.to_sun_W + radius * (sun_point.x() * side + sun_point.y() * up)).normalized();
       RTCRayHit ray = Query(p_W + 1e-4 * n, towards, 1e-4);
-      RTCIntersectContext context;
-      rtcInitIntersectContext(&context);
-      rtcOccluded1(world_, &context, &ray.ray);
+      Occlude(world_, ray.ray);
       if (ray.ray.tfar > 0.0f) sun = cosine * light.sun_irradiance;
     }
     return albedo / kPi * (sun + sky * open);
