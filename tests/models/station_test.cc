@@ -207,7 +207,7 @@ TEST(SoilFiles, UnitsMistakenAreOutOfRange) {
     const std::string file = folder.Write("soil.yaml", Replaced(text, from, to));
     return MessageOf([&] { LoadSoil(file); }, folder);
   };
-  EXPECT_THAT(message("shear_modulus_m: 0.0102", "shear_modulus_m: 21"),
+  EXPECT_THAT(message("shear_modulus_m: 0.0115", "shear_modulus_m: 21"),
               HasSubstr("shear_modulus_m: expected a number from 1e-04 to 0.5, found '21'"));
   EXPECT_THAT(message("friction_angle_deg: 29", "friction_angle_deg: 0.506"),
               HasSubstr("friction_angle_deg: expected a number from 1 to 60, found '0.506'"));
