@@ -15,7 +15,7 @@ namespace dockyard {
 namespace {
 
 struct Arguments {
-  int count = 300, tsai_count = 300, width = 1024, min_points = 4, jobs = 1;
+  int count = 300, hard_count = 0, tsai_count = 300, width = 1024, min_points = 4, jobs = 1;
   double r_max_m = 7.0;
   std::string out, cache;
   bool verbose = false;
@@ -68,18 +68,19 @@ void PrintHomographies(const SurveyScores& found, double r_max_m) {
 
 /// Both pipelines on the same pictures.
 std::vector<SurveyCurve> Survey(Light light, const Arguments& arguments) {
+  const bool even = light == Light::kEven;
+  const int count = even || arguments.hard_count == 0 ? arguments.count : arguments.hard_count;
   SurveyPlan plan{.yard = {.light = light,
                            .width = arguments.width,
                            .height = arguments.width * 3 / 4,
                            .r_max_m = arguments.r_max_m},
-                  .count = arguments.count,
-                  .tsai_count = std::min(arguments.tsai_count, arguments.count),
+                  .count = count,
+                  .tsai_count = std::min(arguments.tsai_count, count),
                   .min_points = arguments.min_points,
                   .jobs = arguments.jobs};
   if (!arguments.cache.empty()) plan.yard.cache = arguments.cache + "/" + LightName(light);
   const SurveyFindings found = RunSurvey(plan);
   if (arguments.verbose) std::printf("%s", found.failures.c_str());
-  const bool even = light == Light::kEven;
   const std::string word = even ? "even" : "hard shadow";
   const std::string color = even ? "#1f5fbf" : "#c8321e";
   std::vector<SurveyCurve> curves{{"dockyard, " + word, color, "", found.dockyard.scores, true}};
@@ -97,6 +98,7 @@ int Main(int argc, char** argv) {
   CLI::App app("Survey of the perception on rendered pairs");
   Arguments arguments;
   app.add_option("--count", arguments.count, "poses for each light");
+  app.add_option("--hard-count", arguments.hard_count, "under the hard shadow, if fewer");
   app.add_option("--tsai-count", arguments.tsai_count, "of them for tsai2013, at most");
   app.add_option("--jobs", arguments.jobs, "threads")->check(CLI::Range(1, 64));
   app.add_option("--width", arguments.width, "of the images [px]")->check(CLI::Range(320, 2048));
