@@ -44,20 +44,38 @@ struct EyesSpeed {
   double pair_s = 0.0, detect_s = 0.0, locate_s = 0.0, alone_s = 0.0;
 };
 
+/// A rover at the start of a scenario, and what its cameras see there.
+class StartView {
+ public:
+  explicit StartView(const std::vector<std::string>& overrides)
+      : scenario_(LoadScenario(kScenario, overrides)),
+        built_(BuildRun(scenario_)),
+        world_(built_.world),
+        truth_(world_.truth()),
+        builder_(built_.world.rover, built_.world.station, built_.world.soil, built_.lighting,
+                 scenario_.X_WG, scenario_.seed) {}
+
+  const BuiltRun& built() const { return built_; }
+  StereoImages Render(int index) {
+    return renderer_.Render(builder_.Make(truth_, world_.ground()), built_.built_rig, truth_.X_WR,
+                            CameraSensor(built_.world.rover.stereo, scenario_.seed, index));
+  }
+
+ private:
+  Scenario scenario_;
+  BuiltRun built_;
+  World world_;
+  Truth truth_;
+  SceneBuilder builder_;
+  StereoRenderer renderer_;
+};
+
 EyesSpeed TimeEyes(int width, int height) {
-  const Scenario scenario = LoadScenario(kScenario, {"camera.width_px=" + std::to_string(width),
-                                                     "camera.height_px=" + std::to_string(height)});
-  const BuiltRun built = BuildRun(scenario);
-  const World world(built.world);
-  const Truth truth = world.truth();
-  const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
-                             built.lighting, scenario.X_WG, scenario.seed);
-  StereoRenderer renderer;
+  StartView view(
+      {"camera.width_px=" + std::to_string(width), "camera.height_px=" + std::to_string(height)});
+  const BuiltRun& built = view.built();
   StereoImages images;
-  const auto render = [&](int index) {
-    images = renderer.Render(builder.Make(truth, world.ground()), built.built_rig, truth.X_WR,
-                             CameraSensor(built.world.rover.stereo, scenario.seed, index));
-  };
+  const auto render = [&](int index) { images = view.Render(index); };
   render(0);  // shaders and meshes are made once
   constexpr int kRounds = 8;
   EyesSpeed speed;
@@ -89,19 +107,10 @@ EyesSpeed TimeEyes(int width, int height) {
 
 /// CPU of a pair at 1024 x 768; the least of several, which other programs disturb least.
 double PairSeconds(const std::string& light, const std::string& range_m) {
-  const Scenario scenario = LoadScenario(kScenario, {"light=" + light, "start.r_m=" + range_m});
-  const BuiltRun built = BuildRun(scenario);
-  const World world(built.world);
-  const Truth truth = world.truth();
-  const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
-                             built.lighting, scenario.X_WG, scenario.seed);
-  StereoRenderer renderer;
+  StartView view({"light=" + light, "start.r_m=" + range_m});
   double least_s = 1e9;
   for (int i = 0; i < 9; ++i) {
-    const double pair_s = Time([&] {
-      renderer.Render(builder.Make(truth, world.ground()), built.built_rig, truth.X_WR,
-                      CameraSensor(built.world.rover.stereo, scenario.seed, i));
-    });
+    const double pair_s = Time([&] { view.Render(i); });
     if (i > 0) least_s = std::min(least_s, pair_s);  // shaders and meshes are made once
   }
   return least_s;
