@@ -93,7 +93,7 @@ std::string Plot(const std::vector<Curve>& curves, const std::string& title,
   area.corner = {86, 66};
   area.width = 600;
   area.height = 340;
-  area.x = area.y = Range::Nothing();
+  area.x = area.y = DataRange::Nothing();
   bool any_measured = false;
   for (const Curve& curve : curves) {
     for (const auto* points : {&curve.model, &curve.measured}) {

@@ -56,8 +56,8 @@ std::vector<Panel> Panels() {
   };
 }
 
-Range ValueRange(const Panel& panel, const std::vector<HistorySample>& history) {
-  Range range = Range::Nothing();
+DataRange ValueRange(const Panel& panel, const std::vector<HistorySample>& history) {
+  DataRange range = DataRange::Nothing();
   for (const Curve& curve : panel.curves) {
     for (const HistorySample& sample : history) range.Hold(curve.value(sample));
   }

@@ -38,7 +38,7 @@ Px Along(const Arrow& arrow, double forward, double right) {
 }
 
 PlotArea GridArea(const std::vector<RunResult>& rows) {
-  Range x{-1.0, 3.0}, y{-1.5, 1.5};
+  DataRange x{-1.0, 3.0}, y{-1.5, 1.5};
   for (const RunResult& row : rows) {
     const Pose2 start =
         FromDockingCoords({row.r_m, Radians(row.alpha_deg), Radians(row.heading_deg)});

@@ -33,7 +33,7 @@ void AddThinned(std::vector<Px>& line, Px point) {
 }
 
 PlotArea PathArea(const RunRecord& record) {
-  Range x{-0.6, 1.5}, y{-0.9, 0.9};
+  DataRange x{-0.6, 1.5}, y{-0.9, 0.9};
   const auto hold = [&](double px, double py) {
     x.Hold(px + 0.4);
     y.Hold(py + 0.4);

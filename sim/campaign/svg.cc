@@ -144,11 +144,11 @@ std::string TickText(double value, double step) {
   return text;
 }
 
-Range Range::Nothing() {
+DataRange DataRange::Nothing() {
   return {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 }
 
-void Range::Hold(double value) {
+void DataRange::Hold(double value) {
   if (!std::isfinite(value)) return;
   low = std::min(low, value);
   high = std::max(high, value);

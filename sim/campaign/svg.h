@@ -58,13 +58,13 @@ std::string TickText(double value, double step);
 /// 1, 2 or 5 times a power of ten, so that about `wanted` steps cover the span.
 double NiceStep(double span, int wanted);
 
-struct Range {
+struct DataRange {
   double low = 0.0, high = 1.0;
   /// Grows to hold the value; NaN and infinity are ignored.
   void Hold(double value);
   double span() const { return high - low; }
   /// Empty: grows from the first value on.
-  static Range Nothing();
+  static DataRange Nothing();
   bool empty() const { return !(low <= high); }
 };
 
@@ -72,7 +72,7 @@ struct Range {
 struct PlotArea {
   Px corner;  // top left
   double width = 0.0, height = 0.0;
-  Range x, y;
+  DataRange x, y;
 
   Px At(double x_value, double y_value) const;
   /// Frame, grid lines, ticks and labels with units.

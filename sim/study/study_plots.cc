@@ -90,8 +90,8 @@ void DrawCurve(SvgDocument& svg, const PlotArea& area, const Curve& curve,
   for (const Px& p : line) svg.Circle(p, 2.4, color, {color, 0.5, "", 1.0});
 }
 
-Range XRange(const StudyFactor& factor) {
-  Range range = Range::Nothing();
+DataRange XRange(const StudyFactor& factor) {
+  DataRange range = DataRange::Nothing();
   for (std::size_t i = 0; i < factor.labels.size(); ++i) {
     range.Hold(factor.numeric() ? std::stod(factor.labels[i]) : static_cast<double>(i));
   }
@@ -175,7 +175,7 @@ std::string StudyCurves(const Study& study, const std::vector<StudyRow>& rows) {
   DrawLegend(svg, {kLeft, 46}, legend);
   double top = kTop;
   for (const std::string& measure : study.measures) {
-    Range range = measure == "docked" ? Range{0.0, 1.0} : Range::Nothing();
+    DataRange range = measure == "docked" ? DataRange{0.0, 1.0} : DataRange::Nothing();
     std::vector<std::vector<Curve>> curves(static_cast<std::size_t>(columns));
     for (int panel = 0; panel < columns; ++panel) {
       for (int i = 0; i < LevelsOf(study, axes.curves); ++i) {
@@ -218,7 +218,7 @@ std::string StudyBars(const Study& study, const std::vector<StudyRow>& rows) {
   if (groups.empty()) return "";
   constexpr double kLeft = 330, kTop = 84, kWide = 260, kGap = 50, kBarPx = 11, kGroupGap = 7;
   double high = 0.0;
-  Range share = {-0.05, 0.05}, tension = {-5.0, 5.0};
+  DataRange share = {-0.05, 0.05}, tension = {-5.0, 5.0};
   for (const BarGroup& group : groups) {
     high += kBarPx * static_cast<double>(group.bars.size()) + kGroupGap;
     for (const Bar& bar : group.bars) {
@@ -237,8 +237,8 @@ std::string StudyBars(const Study& study, const std::vector<StudyRow>& rows) {
                ", peak tension " +
                std::to_string(std::lround(SpreadOf("tension_peak_n", base).mean)) + " N",
            {12, "#333333"});
-  const auto padded = [](const Range& range) {
-    return Range{range.low - 0.05 * range.span(), range.high + 0.05 * range.span()};
+  const auto padded = [](const DataRange& range) {
+    return DataRange{range.low - 0.05 * range.span(), range.high + 0.05 * range.span()};
   };
   const PlotArea left{{kLeft, kTop}, kWide, high, padded(share), {0.0, 1.0}};
   const PlotArea right{{kLeft + kWide + kGap, kTop}, kWide, high, padded(tension), {0.0, 1.0}};

@@ -15,7 +15,7 @@ constexpr const char *kLoose = "#d9772b", *kCompact = "#1f5fa8";
 
 void DrawPanel(SvgDocument& svg, double top, const char* label, const Spectrum& loose,
                const Spectrum& compact) {
-  Range y{0.0, 0.0};
+  DataRange y{0.0, 0.0};
   for (const Spectrum* spectrum : {&loose, &compact}) {
     for (double power : spectrum->power) y.Hold(1.05 * std::sqrt(2.0 * power));
   }
