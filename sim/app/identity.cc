@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <set>
 
+#include "models/text_file.h"
+#include "models/yaml_tree.h"
 #include "sim/base/hash.h"
 #include "sim/log/files.h"
 
@@ -33,6 +35,24 @@ void AddWithNeighbours(const fs::path& file, std::set<fs::path>& files) {
   if (error) throw IoError("cannot read folder " + folder.string() + ": " + error.message());
 }
 
+/// The files that a model's YAML names by the keys `urdf` and `file`, which may lie elsewhere. What
+/// is not there is left out: the model's reader refuses it with its line.
+void AddNamed(const YamlNode& node, std::set<fs::path>& files) {
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const YamlNode& item = node.items[i];
+    const std::string key = node.keys.empty() ? "" : node.keys[i].name;
+    AddNamed(item, files);
+    if (item.kind != YamlNode::Kind::kScalar || (key != "urdf" && key != "file")) continue;
+    const fs::path named = item.place.from_option()
+                               ? fs::path(item.scalar)
+                               : ResolveBeside(*item.place.source, item.scalar);
+    std::error_code error;
+    if (!fs::is_regular_file(named, error)) continue;
+    const fs::path file = fs::weakly_canonical(named);
+    key == "urdf" ? AddWithNeighbours(file, files) : void(files.insert(file));
+  }
+}
+
 }  // namespace
 
 std::string IdentityText(const Campaign& campaign) {
@@ -43,8 +63,15 @@ std::string IdentityText(const Campaign& campaign) {
       // One spelling for each file: resolved.yaml spells them otherwise than the campaign's file.
       models.insert(fs::weakly_canonical(*file));
     }
+    if (!run.scenario.camera_file.empty()) {
+      files.insert(fs::weakly_canonical(run.scenario.camera_file));
+    }
+    AddNamed(run.scenario.changes, files);
   }
-  for (const fs::path& model : models) AddWithNeighbours(model, files);
+  for (const fs::path& model : models) {
+    AddWithNeighbours(model, files);
+    AddNamed(LoadYaml(model), files);
+  }
   std::string text = "dockyard " DOCKYARD_VERSION " " + Fingerprint("/proc/self/exe") + "\n";
   for (const fs::path& file : files) text += file.string() + " " + Fingerprint(file) + "\n";
   return text;

@@ -7,8 +7,9 @@
 
 namespace dockyard {
 
-/// A line for the program and one for each file in the folders of the campaign's models (URDF,
-/// meshes and YAML), in a fixed order. Throws IoError.
+/// A line for the program and one for each file that the campaign's runs read: the folders of the
+/// models (URDF, meshes and YAML), the scenario's camera file, and what else scenario and models
+/// name, in a fixed order. Throws IoError, and ConfigError for a model that is no YAML.
 std::string IdentityText(const Campaign& campaign);
 
 }  // namespace dockyard
