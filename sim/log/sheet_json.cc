@@ -1,5 +1,7 @@
 #include "sim/log/sheet_json.h"
 
+#include "sim/log/frame_codec.h"
+
 namespace dockyard {
 namespace {
 
@@ -51,11 +53,14 @@ Lens LensFromJson(const Json& json) {
                         .p1 = json.at("p1"),
                         .p2 = json.at("p2")};
   }
-  return KannalaBrandt{.fx = json.at("fx"),
-                       .fy = json.at("fy"),
-                       .cx = json.at("cx"),
-                       .cy = json.at("cy"),
-                       .k = json.at("k").get<std::array<double, 4>>()};
+  if (model == "kannala_brandt") {
+    return KannalaBrandt{.fx = json.at("fx"),
+                         .fy = json.at("fy"),
+                         .cx = json.at("cx"),
+                         .cy = json.at("cy"),
+                         .k = json.at("k").get<std::array<double, 4>>()};
+  }
+  throw LogError("lens model: expected kannala_brandt, brown or cahvore, found '" + model + "'");
 }
 
 Json CameraToJson(const Camera& camera) {
@@ -79,6 +84,18 @@ Json BoardToJson(const FiducialBoard& board) {
           {"bar_length_m", board.bar_length_m},
           {"bar_width_m", board.bar_width_m},
           {"fiducials", fiducials}};
+}
+
+VisionSettings VisionFromJson(const Json& json) {
+  VisionSettings vision;
+  const std::string name = json.at("pipeline");
+  if (name == PipelineName(VisionPipeline::kTsai2013)) {
+    vision.pipeline = VisionPipeline::kTsai2013;
+  } else if (name != PipelineName(VisionPipeline::kDockyard)) {
+    throw LogError("vision pipeline: expected dockyard or tsai2013, found '" + name + "'");
+  }
+  vision.min_points = json.at("min_points");
+  return vision;
 }
 
 FiducialBoard BoardFromJson(const Json& json) {
@@ -150,13 +167,8 @@ RoverSheet SheetFromJson(const Json& json) {
   sheet.rig.X_RL = Pose3FromJson(json.at("X_RL"));
   sheet.rig.X_RQ = Pose3FromJson(json.at("X_RQ"));
   sheet.board = BoardFromJson(json.at("board"));
-  if (json.contains("vision")) {  // logs from before had one pipeline
-    const Json& vision = json.at("vision");
-    if (vision.at("pipeline") == PipelineName(VisionPipeline::kTsai2013)) {
-      sheet.vision.pipeline = VisionPipeline::kTsai2013;
-    }
-    sheet.vision.min_points = vision.at("min_points");
-  }
+  // Logs from before had one pipeline.
+  if (json.contains("vision")) sheet.vision = VisionFromJson(json.at("vision"));
   sheet.X_DB = Pose3FromJson(json.at("X_DB"));
   for (std::size_t i = 0; i < sheet.motors.size(); ++i) {
     sheet.motors[i] = MotorFromJson(json.at("motors").at(i));

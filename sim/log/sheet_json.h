@@ -7,7 +7,8 @@
 namespace dockyard {
 
 Json ToJson(const RoverSheet& sheet);
-/// Every number as it was, bit for bit. Throws nlohmann::json::exception.
+/// Every number as it was, bit for bit. Throws LogError for a lens model or vision pipeline that it
+/// does not know, nlohmann::json::exception for what else it cannot read.
 RoverSheet SheetFromJson(const Json& json);
 
 }  // namespace dockyard

@@ -137,6 +137,43 @@ TEST(RunLog, HoldsTheSheetThatTheControllerWasGiven) {
   EXPECT_EQ(header.sheet.rig.right, SomeSheet().rig.right);
 }
 
+TEST(RoverSheetJson, ReadsBackEachLensModelAndPipeline) {
+  RoverSheet sheet = SomeSheet();
+  sheet.vision = {VisionPipeline::kTsai2013, 5};
+  for (const Lens& lens : {Lens(KannalaBrandt{.fx = 1.0}), Lens(BrownPinhole{.k3 = 2.0}),
+                           Lens(Cahvore{.linearity = 0.5})}) {
+    sheet.rig.left.lens = lens;
+    const RoverSheet read = SheetFromJson(ToJson(sheet));
+    EXPECT_EQ(read.rig.left, sheet.rig.left);
+    EXPECT_EQ(read.vision, sheet.vision);
+  }
+}
+
+TEST(RoverSheetJson, RefusesALensModelOrPipelineThatItDoesNotKnow) {
+  const auto error_of = [](const char* part, const char* key, const char* name) {
+    Json json = ToJson(SomeSheet());
+    json[part][key] = name;
+    return ErrorOf([&] { SheetFromJson(json); });
+  };
+  EXPECT_EQ(error_of("left_camera", "model", "mei"),
+            "lens model: expected kannala_brandt, brown or cahvore, found 'mei'");
+  EXPECT_EQ(error_of("vision", "pipeline", "tsai2014"),
+            "vision pipeline: expected dockyard or tsai2013, found 'tsai2014'");
+  EXPECT_EQ(error_of("vision", "pipeline", "dockyard"), "no error");
+}
+
+TEST(RunLog, WithAHeaderOfUnknownNamesIsRefusedWithItsPath) {
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 1);
+  std::string bytes = ReadText(folder.path() / "frames.bin");
+  const std::size_t at = bytes.find("kannala_brandt");
+  ASSERT_NE(at, std::string::npos);
+  bytes[at] = 'K';
+  WriteText(folder.path() / "frames.bin", bytes);
+  EXPECT_THAT(ErrorOf([&] { ReadRunLog(folder.path()); }),
+              testing::AllOf(HasSubstr("frames.bin: "), HasSubstr("found 'Kannala_brandt'")));
+}
+
 TEST(RunLog, CutShortEndsAtTheLastWholeEntry) {
   const TemporaryFolder folder;
   WriteLog(folder.path(), 3);
