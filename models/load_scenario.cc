@@ -13,14 +13,13 @@ namespace dockyard {
 namespace {
 
 // Gentle undulation as on the Mars Yard's docking site ("relatively small terrain undulations",
-// Tsai et al., IV): assumed 10 mm rms, range 0-30 mm, over 2 m, range 1-5 m. The yard reaches 3 m
-// beyond the farthest start of 7 m; cells of 20 mm, range 10-40 mm.
+// Tsai et al., IV): assumed 10 mm rms, range 0-30 mm, over 2 m, range 1-5 m. The yard reaches 3.5
+// m beyond the farthest start of 7 m; cells of 20 mm, range 10-40 mm.
 constexpr YardModel kDefaultYard{.length_m = 12.0,
                                  .width_m = 12.0,
                                  .cell_m = 0.02,
                                  .undulation_rms_m = 0.010,
                                  .undulation_wavelength_m = 2.0};
-constexpr double kYardBehindDock_m = 2.0;  // as in YardModel
 constexpr double kMaxCells = 4e6;
 
 YardModel ReadYard(const YamlReader& root) {
@@ -110,7 +109,7 @@ StartPose ReadStart(const YamlReader& in) {
 }
 
 void CheckStartInYard(const Scenario& scenario, const YamlReader& start) {
-  constexpr double kMargin_m = 1.0;
+  constexpr double kMargin_m = 1.0;  // room for the rover about its axle; assumed, range 0.5-2
   const double x = scenario.start.r_m * std::cos(scenario.start.alpha_rad);
   const double y = scenario.start.r_m * std::sin(scenario.start.alpha_rad);
   const double x_end = scenario.yard.length_m - kYardBehindDock_m - kMargin_m;

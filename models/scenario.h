@@ -29,10 +29,14 @@ struct SunModel {
   double temperature_k = 0.0, sky_temperature_k = 0.0;              // 0: white
 };
 
+/// The yard's grid begins this far behind the dock: clear of the station, which is 0.8 m deep
+/// (station.urdf). Assumed, range 1-3 m; it fixes the cells' places and with them every run's bits.
+inline constexpr double kYardBehindDock_m = 1.5;
+
 /// The yard: gentle undulation, deterministic in the run's seed.
 struct YardModel {
-  double length_m = 0.0,
-         width_m = 0.0;  // grid extent: x from -2 m behind the dock outwards; y centred
+  // Extent of the grid: x from kYardBehindDock_m behind the dock outwards; y centred.
+  double length_m = 0.0, width_m = 0.0;
   double cell_m = 0.0;
   double undulation_rms_m = 0.0;
   double undulation_wavelength_m = 0.0;

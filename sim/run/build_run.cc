@@ -16,11 +16,9 @@ namespace {
 
 // Yard in the dock's surroundings: level enough for the feet, then as undulating as the file says.
 constexpr double kFlatRadiusM = 0.6;
-// The grid begins this far behind the dock.
-constexpr double kGridBehindM = 1.5;
 
 HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed) {
-  HeightGrid ground = LevelGrid(-kGridBehindM, yard.length_m, yard.width_m, yard.cell_m);
+  HeightGrid ground = LevelGrid(-kYardBehindDock_m, yard.length_m, yard.width_m, yard.cell_m);
   AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadiusM,
                 StreamKey(seed, "yard"));
   return ground;

@@ -74,9 +74,10 @@ TEST(Scenario, FilesThatAreNotThereAreToldWithThePathThatWasTried) {
 }
 
 TEST(Scenario, StartMustLieInTheYard) {
-  EXPECT_EQ(MessageOfChanged("r_m: 4,", "r_m: 12,"),
-            "scenarios/s.yaml:8:14: start.r_m: expected a start inside the yard (x up to 9 m, y up "
-            "to +-5 m), found '12'");
+  EXPECT_EQ(
+      MessageOfChanged("r_m: 4,", "r_m: 12,"),
+      "scenarios/s.yaml:8:14: start.r_m: expected a start inside the yard (x up to 9.5 m, y up "
+      "to +-5 m), found '12'");
 }
 
 TEST(Scenario, YardOfTooManyCellsIsRefused) {
