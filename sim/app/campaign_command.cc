@@ -6,6 +6,7 @@
 
 #include "models/config_error.h"
 #include "models/load_scenario.h"
+#include "models/load_station.h"
 #include "sim/app/commands.h"
 #include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
@@ -49,6 +50,12 @@ RunRecord RunForCampaign(const CampaignRun& run, const std::filesystem::path& lo
   }
 }
 
+/// All runs of a campaign have the station of its base scenario.
+ConeModel ConeOf(const Campaign& campaign) {
+  const Scenario& scenario = campaign.runs.front().scenario;
+  return LoadStation(scenario.station_file, scenario.changes.Find("station")).cone;
+}
+
 bool AnyCrashed(const FinishedRuns& runs) {
   for (const auto& [number, run] : runs) {
     if (run.result.outcome == Outcome::kCrashed) return true;
@@ -84,6 +91,7 @@ int RunCampaignCommand(const CampaignArguments& arguments) {
   options.run_time_limit_s = arguments.run_limit_s;
   options.progress = arguments.quiet ? ProgressStyle::kNone : ProgressStyleOfStderr();
   options.identity = IdentityText(campaign);
+  options.cone = ConeOf(campaign);
   const CampaignEnd end = RunCampaign(campaign, RunForCampaign, options);
   if (end.signal != 0) {
     PrintNote("stopped: " + std::to_string(end.runs.size()) + " of " + std::to_string(end.total) +

@@ -78,7 +78,7 @@ CampaignEnd RunCampaign(const Campaign& campaign, const RunFunction& function,
   SignalQueue signals;
   CampaignEnd end;
   end.signal = RunAll(campaign, function, options, folder, signals);
-  end.summary = folder.Conclude(campaign);
+  end.summary = folder.Conclude(campaign, options.cone);
   end.runs = folder.finished();
   end.total = static_cast<int>(campaign.runs.size());
   return end;

@@ -17,6 +17,7 @@ struct CampaignOptions {
   int jobs = 1;                     // processes, >= 1
   double run_time_limit_s = 900.0;  // wall time of one run; a run beyond it is killed: crashed
   ProgressStyle progress = ProgressStyle::kNone;
+  ConeModel cone;        // of the campaign's station, for the plot of its grid
   std::string identity;  // of program and model files; a folder begun with another is refused
 };
 

@@ -131,7 +131,7 @@ void CampaignFolder::Keep(const FinishedRun& run) {
   finished_[run.result.run] = run;
 }
 
-std::string CampaignFolder::Conclude(const Campaign& campaign) const {
+std::string CampaignFolder::Conclude(const Campaign& campaign, const ConeModel& cone) const {
   std::vector<RunResult> rows;
   std::map<int, std::string> notes;
   for (const auto& [number, run] : finished_) {
@@ -141,7 +141,7 @@ std::string CampaignFolder::Conclude(const Campaign& campaign) const {
   WriteWhole(dir_ / "timing.csv", TimingCsv(finished_));
   WriteWhole(dir_ / "results.csv", ResultsCsv(finished_));
   WriteDatabase(dir_ / "results.sqlite", finished_);
-  WriteWhole(dir_ / "plots" / "grid.svg", GridPlot(campaign.name, rows));
+  WriteWhole(dir_ / "plots" / "grid.svg", GridPlot(campaign.name, rows, cone));
   const std::string summary =
       SummaryText(campaign.name, finished_, static_cast<int>(campaign.runs.size()), notes);
   WriteWhole(dir_ / "summary.txt", summary);

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "models/scenario.h"
+#include "models/station_model.h"
 #include "sim/campaign/results.h"
 #include "sim/log/files.h"
 
@@ -49,7 +50,8 @@ class CampaignFolder {
   /// On the disk when it returns. Throws IoError.
   void Keep(const FinishedRun& run);
   /// Rewrites the tables in run order, adds database, summary and plot; returns the summary.
-  std::string Conclude(const Campaign& campaign) const;
+  /// @param cone  of the campaign's station, for the plot
+  std::string Conclude(const Campaign& campaign, const ConeModel& cone) const;
 
  private:
   void Claim(const Campaign& campaign, const std::string& identity);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "controller/geometry/pose.h"
+#include "sim/campaign/station_outline.h"
 #include "sim/campaign/statistics.h"
 #include "sim/campaign/svg.h"
 
@@ -118,18 +119,6 @@ void DrawLabels(SvgDocument& svg, const PlotArea& area, const std::vector<Arrow>
   }
 }
 
-void DrawStation(SvgDocument& svg, const PlotArea& area) {
-  const Pen outline{"#444444", 1.2, "", 1.0};
-  svg.Polygon(
-      {area.At(-0.8, 0.475), area.At(-0.01, 0.475), area.At(-0.01, -0.475), area.At(-0.8, -0.475)},
-      "#d5d5d5", outline);
-  svg.Polygon({area.At(0, 0.12), area.At(-0.12, 0.033), area.At(-0.37, 0.033),
-               area.At(-0.37, -0.033), area.At(-0.12, -0.033), area.At(0, -0.12)},
-              "#ffffff", outline);
-  const Px label = area.At(-0.42, 0.55);
-  svg.Text(label, "station", {11, "#444444", Anchor::kMiddle});
-}
-
 // The span of alpha that the paper tested, and rings of equal distance.
 void DrawPolarGuides(SvgDocument& svg, const PlotArea& area) {
   const Pen guide{"#b9c4d0", 1.0, "3 4", 1.0};
@@ -169,7 +158,8 @@ void DrawKey(SvgDocument& svg, Px at) {
 
 }  // namespace
 
-std::string GridPlot(const std::string& title, const std::vector<RunResult>& rows) {
+std::string GridPlot(const std::string& title, const std::vector<RunResult>& rows,
+                     const ConeModel& cone) {
   const PlotArea area = GridArea(rows);
   const auto docked =
       std::count_if(rows.begin(), rows.end(), [](const RunResult& row) { return row.docked; });
@@ -180,7 +170,8 @@ std::string GridPlot(const std::string& title, const std::vector<RunResult>& row
   DrawKey(svg, {area.corner.x, 54});
   area.DrawAxes(svg, "out along the cone's axis, x [m]", "to the left, y [m]");
   DrawPolarGuides(svg, area);
-  DrawStation(svg, area);
+  DrawStation(svg, area, cone);
+  svg.Text(area.At(-0.42, 0.55), "station", {11, "#444444", Anchor::kMiddle});
   const std::vector<Arrow> arrows = Arrows(rows, area);
   for (const Arrow& arrow : arrows) DrawArrow(svg, arrow);
   DrawLabels(svg, area, arrows);

@@ -4,13 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "models/station_model.h"
 #include "sim/run/record.h"
 
 namespace dockyard {
 
 /// SVG: the dock at the origin, an arrow at each start position in the direction of its heading,
-/// blue docked and red not, named by its cause. Filled tails stand on compact soil, hollow ones on
-/// loose. Each arrow is a group of class "run-arrow" with id "run-<number>".
-std::string GridPlot(const std::string& title, const std::vector<RunResult>& rows);
+/// blue docked and red not, named by its cause. `cone` is drawn at the dock. Filled tails stand on
+/// compact soil, hollow ones on loose. Each arrow is a group of class "run-arrow" with id
+/// "run-<number>".
+std::string GridPlot(const std::string& title, const std::vector<RunResult>& rows,
+                     const ConeModel& cone);
 
 }  // namespace dockyard

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "sim/campaign/station_outline.h"
 #include "sim/log/files.h"
 
 namespace dockyard {
@@ -101,17 +102,6 @@ void DrawSightings(SvgDocument& svg, const PlotArea& area,
   }
 }
 
-void DrawStation(SvgDocument& svg, const PlotArea& area) {
-  const Pen outline{"#444444", 1.2, "", 1.0};
-  const double back = std::max(area.x.low, -0.8);
-  svg.Polygon(
-      {area.At(back, 0.475), area.At(-0.01, 0.475), area.At(-0.01, -0.475), area.At(back, -0.475)},
-      "#d5d5d5", outline);
-  svg.Polygon({area.At(0, 0.12), area.At(-0.12, 0.033), area.At(-0.37, 0.033),
-               area.At(-0.37, -0.033), area.At(-0.12, -0.033), area.At(0, -0.12)},
-              "#ffffff", outline);
-}
-
 void DrawPathKey(SvgDocument& svg, Px at) {
   DrawLegend(svg, at,
              {{"true path", kTruth}, {"planned arcs", kPlan}, {"vision estimate", kVision}});
@@ -151,7 +141,7 @@ std::string PathPlot(const RunRecord& record) {
   svg.Text({area.corner.x, 30}, title, {14, "#111111", Anchor::kStart, true});
   DrawPathKey(svg, {area.corner.x, 56});
   area.DrawAxes(svg, "out along the cone's axis, x [m]", "to the left, y [m]");
-  DrawStation(svg, area);
+  DrawStation(svg, area, record.cone);
   DrawPlans(svg, area, record.plans);
   std::vector<Px> path;
   for (const HistorySample& sample : record.history) {

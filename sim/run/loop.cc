@@ -68,6 +68,7 @@ class Run {
         judge_(built_.world.station, limits_) {
     CheckStart(built_, world_.truth());
     record_.result = StartOfRow(what);
+    record_.cone = built_.world.station.cone;
     if (!options.log_dir.empty()) {
       log_ = std::make_unique<RunLogWriter>(options.log_dir,
                                             RunLogHeader{.run = what.run,

@@ -9,6 +9,7 @@
 #include "controller/io/belief.h"
 #include "controller/io/commands.h"
 #include "controller/io/sensors.h"
+#include "models/station_model.h"
 
 namespace dockyard {
 
@@ -89,6 +90,7 @@ struct RunRecord {
   std::vector<HistorySample> history;
   std::vector<SightingSample> sightings;
   std::vector<PlanSample> plans;
+  ConeModel cone;               // of the station that was simulated
   double tension_peak_n = 0.0;  // of the tether at the arm's tip
   std::string failure_note;     // a sentence for people: what the truth showed
 };

@@ -3,8 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "campaign/fake_runs.h"
@@ -63,6 +69,54 @@ std::vector<RunResult> FakeRows(int count) {
   return rows;
 }
 
+const ConeModel kCone{.mouth_radius_m = 0.2,
+                      .funnel_length_m = 0.25,
+                      .throat_radius_m = 0.05,
+                      .socket_end_m = 0.5,
+                      .stop_depth_m = 0.45};
+
+/// The element of that class and what stands in it, to the first </g>.
+std::string GroupOf(const std::string& svg, const std::string& attribute) {
+  const std::size_t start = svg.find("<g " + attribute);
+  if (start == std::string::npos) return "";
+  return svg.substr(start, svg.find("</g>", start) - start);
+}
+
+/// The numbers of the n-th occurrence of `name="..."`.
+std::vector<double> Numbers(const std::string& svg, const std::string& name, int n = 0) {
+  std::size_t at = 0;
+  for (int i = 0; i <= n; ++i) at = svg.find(" " + name + "=\"", at) + name.size() + 3;
+  std::string text = svg.substr(at, svg.find('"', at) - at);
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream in(text);
+  return {std::istream_iterator<double>(in), {}};
+}
+
+/// Pixels per metre of a grid plot: two runs a metre apart on the axis.
+struct GridScale {
+  double px_per_m = 0.0, x0_px = 0.0, y0_px = 0.0;  // of the dock's origin
+};
+GridScale ScaleOf(const std::string& svg, const std::string& at_2m, const std::string& at_3m) {
+  const std::string two = GroupOf(svg, at_2m), three = GroupOf(svg, at_3m);
+  const double x2 = Numbers(two, "cx")[0], x3 = Numbers(three, "cx")[0];
+  return {x3 - x2, x2 - 2.0 * (x3 - x2), Numbers(two, "cy")[0]};
+}
+
+/// Runs 1 and 2 on the cone's axis at 2 and 3 m, facing the dock; then the given one.
+std::vector<RunResult> RowsForScale(double r_m, double alpha_deg, double heading_deg) {
+  std::vector<RunResult> rows(3);
+  for (int i = 0; i < 3; ++i) rows[static_cast<std::size_t>(i)].run = i + 1;
+  rows[0].r_m = 2.0;
+  rows[1].r_m = 3.0;
+  rows[2].r_m = r_m;
+  rows[2].alpha_deg = alpha_deg;
+  rows[2].heading_deg = heading_deg;
+  return rows;
+}
+std::string RunGroup(int run) {
+  return "class=\"run-arrow\" id=\"run-" + std::to_string(run) + "\"";
+}
+
 TEST(XmlFault, SeesFaults) {  // the checker itself
   EXPECT_FALSE(XmlFault("<a><b c=\"1\"/>x &amp; y</a>"));
   for (const char* bad : {"<a><b></a></b>", "<a>", "<a>&</a>", "<a b=\"></a>", "a > b"}) {
@@ -71,20 +125,45 @@ TEST(XmlFault, SeesFaults) {  // the checker itself
 }
 
 TEST(GridPlot, HasOneArrowPerRun) {
-  const std::string svg = GridPlot("grid", FakeRows(40));
+  const std::string svg = GridPlot("grid", FakeRows(40), kCone);
   EXPECT_EQ(XmlFault(svg), std::nullopt);
   EXPECT_EQ(Occurrences(svg, "class=\"run-arrow\""), 40);
   EXPECT_EQ(Occurrences(svg, "id=\"run-40\""), 1);
 }
 
 TEST(GridPlot, NamesTheCauseOfEachFailureAndTheRate) {
-  const std::string svg = GridPlot("grid", FakeRows(9));
+  const std::string svg = GridPlot("grid", FakeRows(9), kCone);
   EXPECT_EQ(Occurrences(svg, " missed_cone<"), 3);
   EXPECT_THAT(svg, HasSubstr("docked 6/9 (67 %, 30-93 %)"));
 }
 
+TEST(GridPlot, DrawsTheConeThatItIsGiven) {
+  const std::string svg = GridPlot("grid", RowsForScale(2.5, 0.0, 0.0), kCone);
+  const GridScale scale = ScaleOf(svg, RunGroup(1), RunGroup(2));
+  const std::string cone = GroupOf(svg, "class=\"cone\"");
+  const std::vector<double> px = Numbers(cone, "points");
+  const double outline_m[6][2] = {{0, 0.2},      {-0.25, 0.05},  {-0.5, 0.05},
+                                  {-0.5, -0.05}, {-0.25, -0.05}, {0, -0.2}};
+  ASSERT_EQ(px.size(), 12u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR((px[2 * i] - scale.x0_px) / scale.px_per_m, outline_m[i][0], 1e-3);
+    EXPECT_NEAR((scale.y0_px - px[2 * i + 1]) / scale.px_per_m, outline_m[i][1], 1e-3);
+  }
+  EXPECT_NEAR((Numbers(cone, "x1")[0] - scale.x0_px) / scale.px_per_m, -0.45, 1e-3);
+}
+
 TEST(GridPlot, IsWellFormedWithoutRunsAndWithHostileText) {
-  EXPECT_EQ(XmlFault(GridPlot("a < b & \"c\"", {})), std::nullopt);
+  EXPECT_EQ(XmlFault(GridPlot("a < b & \"c\"", {}, {})), std::nullopt);
+}
+
+TEST(PathPlot, DrawsTheConeOfTheStationThatWasSimulated) {
+  RunRecord record = FakeRecord(FakeCampaign(1).runs[0]);
+  record.cone = kCone;
+  const std::vector<double> px = Numbers(GroupOf(PathPlot(record), "class=\"cone\""), "points");
+  ASSERT_EQ(px.size(), 12u);
+  const double mouth_px = px[11] - px[1], throat_px = px[9] - px[3], end_px = px[0] - px[4];
+  EXPECT_NEAR(throat_px / mouth_px, 0.05 / 0.2, 1e-3);
+  EXPECT_NEAR(end_px / mouth_px, 0.5 / 0.4, 1e-3);
 }
 
 TEST(PathPlot, IsWellFormedForAnyRecord) {
