@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "controller/geometry/pose.h"
 #include "sim/campaign/station_outline.h"
@@ -31,7 +32,29 @@ struct Arrow {
   Px tail, point;
   Px direction;  // unit, on the sheet
   std::string color;
+  int marker = 0;
 };
+
+/// What stands at an arrow's tail for a soil: its place in the order in which soils first appear.
+std::map<std::string, int> MarkersOf(const std::vector<RunResult>& rows) {
+  std::map<std::string, int> markers;
+  for (const RunResult& row : rows) markers.emplace(row.soil, static_cast<int>(markers.size()));
+  return markers;
+}
+
+/// Filled and hollow by turns: first circles, then polygons of 3, 4, 5 ... corners.
+void DrawMarker(SvgDocument& svg, Px centre, int marker, const std::string& color) {
+  const Pen pen{color, 1.6, "", 1.0};
+  const std::string fill = marker % 2 == 0 ? color : "#ffffff";
+  const int shape = marker / 2, corners = shape + 2;
+  if (shape == 0) return svg.Circle(centre, 4.0, fill, pen);
+  std::vector<Px> points;
+  for (int i = 0; i < corners; ++i) {
+    const double turn = 2.0 * kPi * i / corners;
+    points.push_back({centre.x + 5.0 * std::sin(turn), centre.y - 5.0 * std::cos(turn)});
+  }
+  svg.Polygon(points, fill, pen);
+}
 
 Px Along(const Arrow& arrow, double forward, double right) {
   return {arrow.tail.x + forward * arrow.direction.x - right * arrow.direction.y,
@@ -51,11 +74,13 @@ PlotArea GridArea(const std::vector<RunResult>& rows) {
 }
 
 std::vector<Arrow> Arrows(const std::vector<RunResult>& rows, const PlotArea& area) {
+  const std::map<std::string, int> markers = MarkersOf(rows);
   std::vector<Arrow> arrows;
   for (const RunResult& row : rows) {
     const Pose2 X_DR =
         FromDockingCoords({row.r_m, Radians(row.alpha_deg), Radians(row.heading_deg)});
-    Arrow arrow{&row, area.At(X_DR.x, X_DR.y), {}, {}, row.docked ? kBlue : kRed};
+    Arrow arrow{&row, area.At(X_DR.x, X_DR.y),   {},
+                {},   row.docked ? kBlue : kRed, markers.at(row.soil)};
     arrow.direction = {std::cos(X_DR.heading), -std::sin(X_DR.heading)};
     arrow.point = Along(arrow, kArrowPx, 0.0);
     arrows.push_back(arrow);
@@ -69,8 +94,7 @@ void DrawArrow(SvgDocument& svg, const Arrow& arrow) {
   svg.Polygon({arrow.point, Along(arrow, kArrowPx - 12.0, 5.0), Along(arrow, kArrowPx - 9.0, 0.0),
                Along(arrow, kArrowPx - 12.0, -5.0)},
               arrow.color, {arrow.color, 0.5, "", 1.0});
-  const bool loose = arrow.row->soil == "loose";
-  svg.Circle(arrow.tail, 4.0, loose ? "#ffffff" : arrow.color, {arrow.color, 1.6, "", 1.0});
+  DrawMarker(svg, arrow.tail, arrow.marker, arrow.color);
   svg.CloseGroup();
 }
 
@@ -139,7 +163,8 @@ void DrawPolarGuides(SvgDocument& svg, const PlotArea& area) {
   }
 }
 
-void DrawKey(SvgDocument& svg, Px at) {
+/// What the colours and the markers at the tails stand for; returns where it ends.
+double DrawKey(SvgDocument& svg, Px at, const std::vector<RunResult>& rows) {
   const std::array<std::pair<const char*, const char*>, 2> colors{
       {{kBlue, "docked"}, {kRed, "not docked (cause)"}}};
   for (const auto& [color, word] : colors) {
@@ -149,11 +174,18 @@ void DrawKey(SvgDocument& svg, Px at) {
     svg.Text({at.x + 36, at.y + 4}, word, {12, "#333333"});
     at.x += 52 + 6.6 * static_cast<double>(std::string(word).size());
   }
-  for (const bool loose : {false, true}) {
-    svg.Circle({at.x + 4, at.y}, 4.0, loose ? "#ffffff" : "#555555", {"#555555", 1.6, "", 1.0});
-    svg.Text({at.x + 13, at.y + 4}, loose ? "loose soil" : "compact soil", {12, "#333333"});
-    at.x += 110;
+  std::map<int, std::string> soils;
+  for (const auto& [soil, marker] : MarkersOf(rows)) soils[marker] = soil.empty() ? "-" : soil;
+  if (!soils.empty()) svg.Text({at.x, at.y + 4}, "soil:", {12, "#333333"});
+  at.x += 36;
+  for (const auto& [marker, soil] : soils) {
+    svg.OpenGroup("soil-key");
+    DrawMarker(svg, {at.x + 4, at.y}, marker, "#555555");
+    svg.Text({at.x + 13, at.y + 4}, soil, {12, "#333333"});
+    svg.CloseGroup();
+    at.x += 28 + 6.6 * static_cast<double>(soil.size());
   }
+  return at.x;
 }
 
 }  // namespace
@@ -163,11 +195,14 @@ std::string GridPlot(const std::string& title, const std::vector<RunResult>& row
   const PlotArea area = GridArea(rows);
   const auto docked =
       std::count_if(rows.begin(), rows.end(), [](const RunResult& row) { return row.docked; });
-  SvgDocument svg(std::max(area.width + 110.0, 640.0), area.height + 134.0, title);
+  const Px key{area.corner.x, 54};
+  SvgDocument trial(1.0, 1.0, "");  // only to learn how wide the key is
+  const double width = std::max({area.width + 110.0, 640.0, DrawKey(trial, key, rows) + 10.0});
+  SvgDocument svg(width, area.height + 134.0, title);
   svg.Text({area.corner.x, 30},
            title + ": " + BriefRate(static_cast<int>(docked), static_cast<int>(rows.size())),
            {16, "#111111", Anchor::kStart, true});
-  DrawKey(svg, {area.corner.x, 54});
+  DrawKey(svg, key, rows);
   area.DrawAxes(svg, "out along the cone's axis, x [m]", "to the left, y [m]");
   DrawPolarGuides(svg, area);
   DrawStation(svg, area, cone);

@@ -10,9 +10,10 @@
 namespace dockyard {
 
 /// SVG: the dock at the origin, an arrow at each start position in the direction of its heading,
-/// blue docked and red not, named by its cause. `cone` is drawn at the dock. Filled tails stand on
-/// compact soil, hollow ones on loose. Each arrow is a group of class "run-arrow" with id
-/// "run-<number>".
+/// blue docked and red not, named by its cause. `cone` is drawn at the dock. The marker at an
+/// arrow's tail stands for the soil's label; markers go by the order in which labels first appear,
+/// and the key names them (groups of class "soil-key"). Each arrow is a group of class "run-arrow"
+/// with id "run-<number>".
 std::string GridPlot(const std::string& title, const std::vector<RunResult>& rows,
                      const ConeModel& cone);
 

@@ -137,6 +137,30 @@ TEST(GridPlot, NamesTheCauseOfEachFailureAndTheRate) {
   EXPECT_THAT(svg, HasSubstr("docked 6/9 (67 %, 30-93 %)"));
 }
 
+// Tsai et al., Fig. 7 and Eq. 1: alpha and heading count counter-clockwise from above; on the sheet
+// x runs to the right and y upwards, while pixels count downwards.
+TEST(GridPlot, PutsEachArrowAtItsStartAndPointsItAlongItsHeading) {
+  for (const double alpha_deg : {30.0, -20.0}) {
+    for (const double heading_deg : {0.0, 10.0, -40.0}) {
+      const std::string svg = GridPlot("grid", RowsForScale(2.5, alpha_deg, heading_deg), kCone);
+      const GridScale scale = ScaleOf(svg, RunGroup(1), RunGroup(2));
+      ASSERT_GT(scale.px_per_m, 20.0);
+      const std::string arrow = GroupOf(svg, RunGroup(3));
+      const double alpha = Radians(alpha_deg), heading = Radians(heading_deg);
+      const double x_px = Numbers(arrow, "cx")[0], y_px = Numbers(arrow, "cy")[0];
+      EXPECT_NEAR(x_px, scale.x0_px + scale.px_per_m * 2.5 * std::cos(alpha), 0.1);
+      EXPECT_NEAR(y_px, scale.y0_px - scale.px_per_m * 2.5 * std::sin(alpha), 0.1);
+      // h = 0 points into the station: along -x. The head's point is the polygon's first.
+      const std::vector<double> head = Numbers(arrow, "points");
+      ASSERT_GE(head.size(), 2u);
+      const double length = std::hypot(head[0] - x_px, head[1] - y_px);
+      EXPECT_GT(length, 20.0);
+      EXPECT_NEAR((head[0] - x_px) / length, -std::cos(heading), 0.01);
+      EXPECT_NEAR((head[1] - y_px) / length, std::sin(heading), 0.01);
+    }
+  }
+}
+
 TEST(GridPlot, DrawsTheConeThatItIsGiven) {
   const std::string svg = GridPlot("grid", RowsForScale(2.5, 0.0, 0.0), kCone);
   const GridScale scale = ScaleOf(svg, RunGroup(1), RunGroup(2));
@@ -150,6 +174,35 @@ TEST(GridPlot, DrawsTheConeThatItIsGiven) {
     EXPECT_NEAR((scale.y0_px - px[2 * i + 1]) / scale.px_per_m, outline_m[i][1], 1e-3);
   }
   EXPECT_NEAR((Numbers(cone, "x1")[0] - scale.x0_px) / scale.px_per_m, -0.45, 1e-3);
+}
+
+TEST(GridPlot, MarksEachSoilByItsLabelAndNamesItInTheKey) {
+  std::vector<RunResult> rows = FakeRows(6);
+  const char* soils[] = {"gravel", "GRC-1", "gravel", "a < b", "", "GRC-1"};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].soil = soils[i];
+    rows[i].docked = true;
+  }
+  const std::string svg = GridPlot("grid", rows, kCone);
+  EXPECT_EQ(XmlFault(svg), std::nullopt);
+  EXPECT_EQ(Occurrences(svg, "class=\"soil-key\""), 4);
+  for (const char* label : {">gravel<", ">GRC-1<", ">a &lt; b<", ">-<"}) {
+    EXPECT_THAT(svg, HasSubstr(label));
+  }
+  EXPECT_THAT(svg, Not(HasSubstr("compact")));
+  // The marker without its place: its kind, fill and number of corners.
+  const auto marker = [&](int run) {
+    const std::string group = GroupOf(svg, RunGroup(run));
+    const std::string last = group.substr(group.rfind('<'));
+    const std::string kind = last.substr(0, last.find(' '));
+    const std::string corners =
+        kind == "<polygon" ? std::to_string(Numbers(last, "points").size()) : "";
+    return kind + corners + last.substr(last.find(" fill="));
+  };
+  EXPECT_EQ(marker(1), marker(3));
+  EXPECT_EQ(marker(2), marker(6));
+  const std::set<std::string> kinds{marker(1), marker(2), marker(4), marker(5)};
+  EXPECT_EQ(kinds.size(), 4u) << ::testing::PrintToString(kinds);
 }
 
 TEST(GridPlot, IsWellFormedWithoutRunsAndWithHostileText) {
