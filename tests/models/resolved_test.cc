@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "bad_files.h"
@@ -12,12 +13,27 @@ std::string Absolute(const std::string& file) {
   return std::filesystem::absolute(file).lexically_normal().string();
 }
 
+bool SameOrBothNaN(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
 void ExpectSame(const Scenario& a, const Scenario& b) {
+  // Does not compile once a Scenario has another field: compare it below, and add its key to
+  // HoldsEveryKeyThatAScenarioMaySet.
+  [[maybe_unused]] const auto& [name, rover, station, soil, controller, vision, start, light, sun,
+                                board_dust, yard, camera, width, height, colour, time_limit, step,
+                                tip_angle, changes, seed, X_WG, log_images] = a;
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(Absolute(a.rover_file), Absolute(b.rover_file));
   EXPECT_EQ(Absolute(a.station_file), Absolute(b.station_file));
   EXPECT_EQ(Absolute(a.soil_file), Absolute(b.soil_file));
   EXPECT_EQ(a.controller, b.controller);
+  EXPECT_EQ(a.vision, b.vision);
+  EXPECT_TRUE(SameOrBothNaN(a.sun.azimuth_rad, b.sun.azimuth_rad));
+  EXPECT_TRUE(SameOrBothNaN(a.sun.elevation_rad, b.sun.elevation_rad));
+  EXPECT_EQ(a.sun.temperature_k, b.sun.temperature_k);
+  EXPECT_EQ(a.sun.sky_temperature_k, b.sun.sky_temperature_k);
+  EXPECT_EQ(a.board_dust, b.board_dust);
+  EXPECT_EQ(a.colour, b.colour);
+  EXPECT_EQ(FlowText(a.changes), FlowText(b.changes));
   EXPECT_EQ(a.start.r_m, b.start.r_m);
   EXPECT_EQ(a.start.alpha_rad, b.start.alpha_rad);
   EXPECT_EQ(a.start.heading_rad, b.start.heading_rad);
@@ -45,6 +61,56 @@ TEST(ResolvedScenario, ReadsBackToTheSameValues) {
   const Scenario typical = LoadScenario(SourceFile("scenarios/axel_typical.yaml"));
   const ScratchFolder folder;
   ExpectSame(typical, LoadScenario(folder.Write("r.yaml", ResolvedYaml(typical))));
+}
+
+// Each key alone, at another value than its default.
+TEST(ResolvedScenario, HoldsEveryKeyThatAScenarioMaySet) {
+  const std::string file = SourceFile("scenarios/axel_typical.yaml");
+  const std::string models = SourceFile("models/");
+  const std::string typical = ResolvedYaml(LoadScenario(file));
+  const ScratchFolder folder;
+  const std::vector<std::string> keys{"name=other",
+                                      "rover=" + folder.Write("other.yaml", "name: x\n"),
+                                      "station=" + folder.Write("other.yaml", "name: x\n"),
+                                      "soil=" + models + "soils/grc_1.yaml",
+                                      "controller=reel_only",
+                                      "vision.pipeline=tsai2013",
+                                      "vision.min_points=5",
+                                      "start.r_m=3",
+                                      "start.alpha_deg=-7",
+                                      "start.heading_deg=11",
+                                      "light=speckled",
+                                      "sun.azimuth_deg=0",
+                                      "sun.elevation_deg=33",
+                                      "sun.temperature_k=4300",
+                                      "sun.sky_temperature_k=9100",
+                                      "board_dust=0.2",
+                                      "yard.length_m=13",
+                                      "yard.width_m=11",
+                                      "yard.cell_m=0.03",
+                                      "yard.undulation_rms_m=0.004",
+                                      "yard.undulation_wavelength_m=3.5",
+                                      "camera.file=" + models + "cameras/axel_640.yaml",
+                                      "camera={width_px: 800, height_px: 768}",
+                                      "camera={width_px: 1024, height_px: 600}",
+                                      "camera.colour=true",
+                                      "time_limit_s=77",
+                                      "physics_step_s=0.002",
+                                      "tip_angle_deg=0",
+                                      "seed=8",
+                                      "site.x_m=2",
+                                      "site.y_m=-3",
+                                      "site.heading_deg=90",
+                                      "log_images=false",
+                                      "changes.rover.mass_scale=1.5"};
+  for (const std::string& key : keys) {
+    const Scenario changed = LoadScenario(file, {key});
+    const std::string resolved = ResolvedYaml(changed);
+    EXPECT_NE(resolved, typical) << key << " is not written";
+    const Scenario again = LoadScenario(folder.Write("r.yaml", resolved));
+    ExpectSame(changed, again);
+    EXPECT_EQ(ResolvedYaml(again), resolved) << key;
+  }
 }
 
 TEST(ResolvedScenario, ReadsBackOddValuesBitForBit) {

@@ -2,6 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
 #include "bad_files.h"
 #include "models/load_scenario.h"
 
@@ -106,10 +113,30 @@ TEST_F(StudyFile, FaultsAreToldByPlaceAndPath) {
       "repeats");
 }
 
-TEST(Studies, OfTheTreeLoad) {
+// The products of the numbers of values in each file, counted by hand; with one_at_a_time the grid
+// times one more than all its values.
+TEST(Studies, OfTheTreeHaveAllTheirPoints) {
+  const std::map<std::string, std::size_t> expected{{"assisted", 2 * 2 * 10},
+                                                    {"cone_height", 2 * 2 * 11},
+                                                    {"reel_alpha", 2 * 3 * 15},
+                                                    {"reel_heading", 2 * 2 * 9},
+                                                    {"sensitivity", 2 * 4 * (1 + 24 * 2)},
+                                                    {"sensitivity_compact", 4 * (1 + 2 + 9 * 2)},
+                                                    {"sensitivity_loose", 4 * (1 + 2 + 9 * 2)},
+                                                    {"slack_arc", 6 * 3 * 2},
+                                                    {"tether_arc", 4 * 2}};
+  std::map<std::string, std::size_t> found;
   for (const auto& entry : std::filesystem::directory_iterator(SourceFile("scenarios/studies"))) {
-    EXPECT_GT(LoadStudy(entry.path().string()).points.size(), 0u) << entry.path();
+    const Study study = LoadStudy(entry.path().string());
+    EXPECT_EQ(study.name, entry.path().stem()) << entry.path();
+    std::set<std::tuple<std::vector<int>, int, int>> places;
+    for (const StudyPoint& point : study.points) {
+      places.insert({point.level, point.changed, point.changed_level});
+    }
+    EXPECT_EQ(places.size(), study.points.size()) << entry.path();
+    found[study.name] = study.points.size();
   }
+  EXPECT_EQ(found, expected);
 }
 
 TEST(Changes, ReachTheModelsOfAScenario) {
