@@ -22,7 +22,6 @@ class GroundHeight {
  public:
   explicit GroundHeight(const GroundView& ground);
   double operator()(double x_m, double y_m) const;
-  double border_mean_m() const { return border_mean_m_; }
 
  private:
   const GroundView& ground_;

@@ -52,7 +52,6 @@ void LegDriver::Guard(const Senses& senses, bool forward) {
   } else if (forward && senses.elevation_rad() > options_.drive.arm_guard_rad &&
              senses.now() >= guard_off_until_) {
     paused_since_ = senses.now();
-    ++pauses_;
   }
 }
 

@@ -43,7 +43,6 @@ class LegDriver {
   /// Fills in wheels and spool. Feeds the taut tether back into the senses' place.
   Status Drive(Senses* senses, Commands* commands);
   bool paused() const { return paused_since_.has_value(); }
-  int pauses() const { return pauses_; }
 
  private:
   void Guard(const Senses& senses, bool forward);
@@ -57,7 +56,6 @@ class LegDriver {
   Tick deadline_ = 0;
   std::optional<Tick> paused_since_;
   Tick guard_off_until_ = 0;
-  int pauses_ = 0;
 };
 
 /// Reels slack in up to the driving tension.

@@ -34,7 +34,6 @@ struct PoseFilter::Innovation {
 };
 
 double PoseFilter::PositionSigma() const { return std::sqrt(P_(0, 0) + P_(1, 1)); }
-double PoseFilter::HeadingSigma() const { return std::sqrt(P_(2, 2)); }
 
 void PoseFilter::Predict(const Motion& motion, double seconds) {
   if (!located_) return;

@@ -60,7 +60,6 @@ class PoseFilter {
   /// Whether the tether's whole length has been tied to a place yet.
   bool TetherKnown() const { return located_ && P_(3, 3) < 1.0; }
   double PositionSigma() const;  // [m]
-  double HeadingSigma() const;   // [rad]
 
   void Predict(const Motion& motion, double seconds);
   /// Whether the fix fits what is known; true before the first.
