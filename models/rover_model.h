@@ -58,6 +58,15 @@ struct WheelModel {
   double phase_rad = 0.0;  // first paddle from the wheel frame's x axis, about +y
 };
 
+/// How far paddles stand out of the rim [m]; 0 for a smooth wheel.
+inline double PaddleReach(const WheelModel& wheel) {
+  return wheel.paddle_count > 0 ? wheel.paddle_height_m : 0.0;
+}
+/// From the axle to the paddles' tips [m]: what a turn of the wheel rolls off on hard ground.
+inline double RollingRadius(const WheelModel& wheel) {
+  return wheel.rim_radius_m + PaddleReach(wheel);
+}
+
 /// How a drive goes to its target: a trapezoid of speed, or a smooth polynomial (spline).
 enum class ProfileShape : std::uint8_t { kTrapezoid, kSpline };
 

@@ -17,9 +17,7 @@ RoverSheet MakeRoverSheet(const RoverModel& rover, const StationModel& station,
                        .max_speed_rad_s = motor.max_speed_rad_s,
                        .max_accel_rad_s2 = motor.max_accel_rad_s2};
   }
-  const WheelModel& wheel = rover.left_wheel_soil;
-  sheet.wheel_radius_m =
-      wheel.rim_radius_m + (wheel.paddle_count > 0 ? wheel.paddle_height_m : 0.0);
+  sheet.wheel_radius_m = RollingRadius(rover.left_wheel_soil);
   sheet.track_m = rover.p_R_left_wheel.y() - rover.p_R_right_wheel.y();
   sheet.arm_length_m = rover.arm_length_m;
   sheet.arm_at_zero_rad = arm_at_zero_rad;

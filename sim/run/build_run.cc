@@ -27,7 +27,7 @@ HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed) {
 /// The arm angle at which a level body's arm tip rests on level ground.
 double RestingArm(const RoverModel& rover) {
   const double axle_height =
-      rover.left_wheel_soil.rim_radius_m + 0.5 * rover.left_wheel_soil.paddle_height_m;
+      rover.left_wheel_soil.rim_radius_m + 0.5 * PaddleReach(rover.left_wheel_soil);
   return std::asin((axle_height - rover.tip.radius_m) / rover.arm_length_m);
 }
 

@@ -22,8 +22,7 @@ class Shaker {
   }
 
   void Drive(double forward_m_s, double turn_rad_s, Tick ticks) {
-    const double radius =
-        rover_.left_wheel_soil.rim_radius_m + rover_.left_wheel_soil.paddle_height_m;
+    const double radius = RollingRadius(rover_.left_wheel_soil);
     const double half_track = 0.5 * (rover_.p_R_left_wheel.y() - rover_.p_R_right_wheel.y());
     std::array<MotorCommand, kMotorCount> commands{};
     commands[0] = Wheel((forward_m_s - half_track * turn_rad_s) / radius, Motor::kLeftWheel);

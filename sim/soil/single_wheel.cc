@@ -54,7 +54,7 @@ class Rig {
     spin_ = rim_speed_ / radius;
     drive_G_ = travel_speed_ *
                Eigen::Vector3d(std::cos(setup.side_slip_rad), -std::sin(setup.side_slip_rad), 0.0);
-    reach_ = radius + (setup.wheel.paddle_count > 0 ? setup.wheel.paddle_height_m : 0.0);
+    reach_ = radius + PaddleReach(setup.wheel);
     const double longest = kLongest_radii * radius, margin = 8.0 * reach_;
     grid_ = LevelGrid(-0.5 * margin, longest * std::fabs(std::cos(setup.side_slip_rad)) + margin,
                       2.0 * longest * std::fabs(std::sin(setup.side_slip_rad)) + margin,

@@ -64,7 +64,7 @@ void WheelSoil::FindTop(const HeightGrid& grid, WheelFrame& frame) const {
 void WheelSoil::FollowMotion(const WheelFrame& frame) {
   // Level and forward: the axle's left, turned down to the ground and to the right.
   const Eigen::Vector3d ahead_G(frame.y_G.y(), -frame.y_G.x(), 0.0);
-  const double height = wheel_.paddle_count > 0 ? wheel_.paddle_height_m : 0.0;
+  const double height = PaddleReach(wheel_);
   WheelWay way;
   way.rolled_m = frame.dt_s * frame.w_K.y() * (wheel_.rim_radius_m + height);
   way.ahead_m = frame.dt_s *
