@@ -2,22 +2,12 @@
 
 #include <cmath>
 
+#include "controller/base/split_mix.h"
 #include "controller/geometry/pose.h"
 
 namespace dockyard {
-namespace {
 
-std::uint64_t Mix(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-  return z ^ (z >> 31);
-}
-
-constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ull;
-
-}  // namespace
-
-std::uint64_t RandomStream::NextBits() { return Mix(key_ + kGolden * ++counter_); }
+std::uint64_t RandomStream::NextBits() { return SplitMix(key_, counter_++); }
 
 double RandomStream::Uniform() { return static_cast<double>(NextBits() >> 11) * 0x1.0p-53; }
 
@@ -36,11 +26,11 @@ double RandomStream::Normal() {
 std::uint64_t StreamKey(std::uint64_t seed, std::string_view stream) {
   std::uint64_t hash = 14695981039346656037ull;  // FNV-1a
   for (const char c : stream) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-  return Mix(Mix(seed + kGolden) ^ hash);
+  return MixBits(SplitMix(seed, 0) ^ hash);
 }
 
 std::uint64_t RunSeed(std::uint64_t campaign_seed, std::uint64_t run) {
-  return Mix(Mix(campaign_seed + kGolden) + kGolden * (run + 1));
+  return SplitMix(SplitMix(campaign_seed, 0), run);
 }
 
 }  // namespace dockyard

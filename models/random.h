@@ -8,7 +8,7 @@
 
 namespace dockyard {
 
-/// SplitMix64's finaliser (Steele, Lea and Flood, OOPSLA 2014) over a counter.
+/// The sequence of SplitMix64 whose seed is the key.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t key) : key_(key) {}

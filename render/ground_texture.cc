@@ -28,7 +28,7 @@ std::uint64_t ReliefKey(const GroundView& g, const Eigen::Vector3d& sun_G, doubl
     for (int k = 0; k < kLanes; ++k) add(keys[k], g.heights_m[i + k]);
   }
   for (; i < count; ++i) add(keys[0], g.heights_m[i]);
-  return NoiseBits(NoiseBits(keys[0], keys[1]), NoiseBits(keys[2], keys[3]));
+  return SplitMix(SplitMix(keys[0], keys[1]), SplitMix(keys[2], keys[3]));
 }
 
 }  // namespace

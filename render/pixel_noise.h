@@ -3,28 +3,19 @@
 
 #include <cstdint>
 
+#include "controller/base/split_mix.h"
+
 namespace dockyard {
-
-/// SplitMix64's finaliser (Steele, Lea and Flood, OOPSLA 2014).
-constexpr std::uint64_t MixBits(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-  return z ^ (z >> 31);
-}
-
-constexpr std::uint64_t NoiseBits(std::uint64_t key, std::uint64_t place) {
-  return MixBits(key + 0x9e3779b97f4a7c15ull * (place + 1));
-}
 
 /// Uniform in [0, 1).
 constexpr double HashUniform(std::uint64_t key, std::uint64_t place) {
-  return static_cast<double>(NoiseBits(key, place) >> 11) * 0x1.0p-53;
+  return static_cast<double>(SplitMix(key, place) >> 11) * 0x1.0p-53;
 }
 
 /// Standard normal to within an excess kurtosis of -0.03, tails to 8 sigma: the count of ones among
 /// 64 fair bits (variance 16), its lattice filled by a uniform (variance 1/12).
 inline float HashNormal(std::uint64_t key, std::uint64_t place) {
-  const std::uint64_t bits = NoiseBits(key, place);
+  const std::uint64_t bits = SplitMix(key, place);
   std::uint64_t n = bits - ((bits >> 1) & 0x5555555555555555ull);
   n = (n & 0x3333333333333333ull) + ((n >> 2) & 0x3333333333333333ull);
   n = (n + (n >> 4)) & 0x0f0f0f0f0f0f0f0full;

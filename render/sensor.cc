@@ -100,7 +100,7 @@ DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOption
   const auto most = static_cast<float>((1 << s.bits) - 1);
   const auto levels_per_e = static_cast<float>(most / s.full_well_e);
   const auto response = static_cast<float>(s.response_sigma);
-  const std::uint64_t pattern = NoiseBits(s.pattern_key, static_cast<std::uint64_t>(eye));
+  const std::uint64_t pattern = SplitMix(s.pattern_key, static_cast<std::uint64_t>(eye));
   for (std::size_t i = 0; i < out.pixels.size(); ++i) {
     float electrons = std::max(gain * image.values[i], 0.0f);
     if (response > 0.0f) electrons *= std::max(1.0f + response * HashNormal(pattern, i), 0.0f);
@@ -147,8 +147,8 @@ std::array<DeepImage, 2> ExposeDeep(std::array<RadianceImage, 2> radiance, const
   RequireSound(sensor);
   const std::array<RadianceImage, 2> images = ThroughLens(std::move(radiance), rig, sensor);
   const double gain = Gain(images, sensor);
-  return {Digitise(images[0], gain, sensor, 0, NoiseBits(sensor.noise_key, 0)),
-          Digitise(images[1], gain, sensor, 1, NoiseBits(sensor.noise_key, 1))};
+  return {Digitise(images[0], gain, sensor, 0, SplitMix(sensor.noise_key, 0)),
+          Digitise(images[1], gain, sensor, 1, SplitMix(sensor.noise_key, 1))};
 }
 
 StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
@@ -181,7 +181,7 @@ std::array<std::array<DeepImage, 3>, 2> ExposeColour(
     for (int channel = 0; channel < 3; ++channel) {
       const auto stream = static_cast<std::uint64_t>(2 + 3 * eye + channel);
       out[eye][channel] = Digitise(seen[channel][eye], gain, sensor, 2 + 3 * eye + channel,
-                                   NoiseBits(sensor.noise_key, stream));
+                                   SplitMix(sensor.noise_key, stream));
     }
   }
   return out;
