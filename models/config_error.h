@@ -8,18 +8,18 @@
 
 namespace dockyard {
 
+/// Line breaks and other control characters become spaces.
+inline std::string OneLine(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  return text;
+}
+
 class ConfigError : public std::runtime_error {
  public:
-  /// Line breaks and other control characters quoted from a file become spaces: one line it stays.
+  /// One line it stays, whatever a file that it quotes holds.
   explicit ConfigError(std::string message) : std::runtime_error(OneLine(std::move(message))) {}
-
- private:
-  static std::string OneLine(std::string text) {
-    for (char& c : text) {
-      if (static_cast<unsigned char>(c) < ' ') c = ' ';
-    }
-    return text;
-  }
 };
 
 }  // namespace dockyard

@@ -52,17 +52,6 @@ std::string Joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::string NumberText(double value) {
-  char buffer[64];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return {buffer, end};
-}
-
-bool ParseNumber(std::string_view text, double& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-}
-
 std::string Describe(const Range& range, bool too_high, std::string_view noun) {
   const std::string text(noun);
   if (range.low != 0.0) {
@@ -231,11 +220,6 @@ Eigen::Vector3d YamlReader::Vector3(std::string_view key, const Range& range) co
     v[i] = NumberAt(list.items[index], PathOf(PathOf(key), index), range);
   }
   return v;
-}
-
-Eigen::Vector3d YamlReader::Vector3Or(std::string_view key, const Eigen::Vector3d& fallback,
-                                      const Range& range) const {
-  return Has(key) ? Vector3(key, range) : fallback;
 }
 
 std::string YamlReader::File(std::string_view key) const {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/number_text.h"
 #include "models/yaml_tree.h"
 
 namespace dockyard {
@@ -24,10 +25,6 @@ constexpr Range Between(double low, double high) { return {low, high, false}; }
 
 /// "a number > 0" (with "and <= 5" when the value is beyond it), "a number from -1 to 1".
 std::string Describe(const Range& range, bool too_high, std::string_view noun = "a number");
-/// Shortest text that reads back to the same number.
-std::string NumberText(double value);
-/// The whole text as a finite number; no spaces, no hexadecimal, no nan or inf.
-bool ParseNumber(std::string_view text, double& value);
 /// The known name nearest to the given one by edit distance (Levenshtein); empty if none is near.
 std::string NearestName(std::string_view name, const std::vector<std::string>& known);
 
@@ -54,8 +51,6 @@ class YamlReader {
   int Choice(std::string_view key, const std::vector<std::string>& words) const;
   int ChoiceOr(std::string_view key, int fallback, const std::vector<std::string>& words) const;
   Eigen::Vector3d Vector3(std::string_view key, const Range& range) const;
-  Eigen::Vector3d Vector3Or(std::string_view key, const Eigen::Vector3d& fallback,
-                            const Range& range) const;
   /// Red, green, blue, each 0 to 1.
   Eigen::Vector3d Rgb(std::string_view key) const { return Vector3(key, Between(0.0, 1.0)); }
   /// A file that exists, relative to the file in which the value is written.

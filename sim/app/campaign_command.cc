@@ -77,7 +77,7 @@ std::string CommandToGoOn(const CampaignArguments& arguments, const std::string&
   for (const std::string& override : arguments.overrides) command += " --set " + Quoted(override);
   if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
   if (arguments.run_limit_s != CampaignArguments{}.run_limit_s) {
-    command += " --run-limit " + ExactNumber(arguments.run_limit_s);
+    command += " --run-limit " + NumberText(arguments.run_limit_s);
   }
   return command;
 }

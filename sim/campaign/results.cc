@@ -38,8 +38,8 @@ std::optional<std::pair<int, RunTiming>> TimingFromCsv(std::string_view line) {
 std::string TimingHeader() { return "run,cpu_time_s,wall_time_s"; }
 
 std::string TimingRow(int run, const RunTiming& timing) {
-  return std::to_string(run) + "," + ExactNumber(timing.cpu_time_s) + "," +
-         ExactNumber(timing.wall_time_s);
+  return std::to_string(run) + "," + NumberText(timing.cpu_time_s) + "," +
+         NumberText(timing.wall_time_s);
 }
 
 std::string ResultsCsv(const FinishedRuns& runs) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "models/number_text.h"
 #include "sim/campaign/station_outline.h"
 #include "sim/log/files.h"
 
@@ -16,12 +17,6 @@ const Pen kPlan{"#2a8f5c", 1.6, "6 3", 0.9};
 const Pen kVision{"#e07b00", 1.6, "", 1.0};
 const Pen kRefused{"#c8321e", 1.4, "", 1.0};
 constexpr const char* kImageFill = "#1f5fbf";
-
-std::string Fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 // Drops points nearer than a third of a pixel to the last one: the eye cannot tell.
 void AddThinned(std::vector<Px>& line, Px point) {

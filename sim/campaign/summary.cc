@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "models/number_text.h"
 #include "sim/campaign/statistics.h"
 
 namespace dockyard {
@@ -16,12 +17,6 @@ struct Count {
 
 std::string Padded(std::string text, std::size_t width) {
   if (text.size() < width) text.append(width - text.size(), ' ');
-  return text;
-}
-
-std::string Fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
   return text;
 }
 

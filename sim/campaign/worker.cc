@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "controller/base/check.h"
+#include "models/config_error.h"
 #include "sim/campaign/run_plots.h"
 #include "sim/log/files.h"
 #include "sim/log/record_files.h"
@@ -17,13 +18,6 @@ constexpr const char* kIoError = "io_error";
 constexpr const char* kInputError = "input_error";
 constexpr const char* kThrew = "threw";
 
-std::string OneLine(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  return text;
-}
-
 std::string Answer(const std::string& kind, const std::string& text) {
   return kind + "\n" + OneLine(text) + "\n";
 }
@@ -35,7 +29,7 @@ std::string RunAndAnswer(const CampaignRun& run, const RunFunction& function,
     WriteRecordFiles(run_dir, record);
     WriteRunPlots(run_dir, record);
     return std::string(kRow) + "\n" + CsvRow(record.result) + "\n" +
-           ExactNumber(record.timing.cpu_time_s) + " " + ExactNumber(record.timing.wall_time_s) +
+           NumberText(record.timing.cpu_time_s) + " " + NumberText(record.timing.wall_time_s) +
            "\n";
   } catch (const IoError& error) {
     return Answer(kIoError, error.what());

@@ -41,7 +41,7 @@ void VisitHistory(const HistorySample& s, Visit&& visit) {
   visit("recoveries", s.recoveries);
 }
 
-std::string Text(double value) { return ExactNumber(value); }
+std::string Text(double value) { return NumberText(value); }
 std::string Text(const std::string& value) { return CsvCell(value); }
 std::string Text(bool value) { return value ? "1" : "0"; }
 std::string Text(int value) { return std::to_string(value); }

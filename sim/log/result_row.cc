@@ -31,7 +31,7 @@ std::string CellText(std::string_view name, const T& value) {
   if constexpr (std::is_same_v<T, std::string>)
     return value;
   else if constexpr (std::is_same_v<T, double>)
-    return ExactNumber(value);
+    return NumberText(value);
   else if constexpr (std::is_same_v<T, bool>)
     return value ? "1" : "0";
   else if constexpr (std::is_same_v<T, Outcome>)
@@ -83,21 +83,6 @@ RunResult StartOfRow(const CampaignRun& run) {
   row.alpha_deg = RoundedDegrees(run.scenario.start.alpha_rad);
   row.heading_deg = RoundedDegrees(run.scenario.start.heading_rad);
   return row;
-}
-
-std::string ExactNumber(double value) {
-  if (std::isnan(value)) return "nan";  // one spelling, whatever its sign bit
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value);
-  return std::string(text, end.ptr);
-}
-
-std::optional<double> NumberFromText(std::string_view text) {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  if (text.empty() || read.ec != std::errc() || read.ptr != end) return std::nullopt;
-  return value;
 }
 
 std::string CsvCell(std::string_view text) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/number_text.h"
 #include "models/scenario.h"
 #include "sim/run/record.h"
 
@@ -57,11 +58,6 @@ std::vector<std::string> RowCells(const RunResult& row);
 std::optional<RunResult> RowFromCsv(std::string_view line);
 /// Names of the columns whose text differs: equal text is equal bits.
 std::vector<std::string> DifferingColumns(const RunResult& a, const RunResult& b);
-
-/// Shortest decimal form that reads back to the same bits; "nan", "inf" and "-inf" for the rest.
-std::string ExactNumber(double value);
-/// The whole text as a number, or none.
-std::optional<double> NumberFromText(std::string_view text);
 
 /// RFC 4180: quoted where it must be.
 std::string CsvCell(std::string_view text);

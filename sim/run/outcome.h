@@ -14,7 +14,7 @@ namespace dockyard {
 
 /// Every threshold of the judgement, in one place.
 struct OutcomeLimits {
-  double docked_depth_m = 0.20;  // of the 0.25 m commanded (Tsai et al., II)
+  double docked_depth_m = kDockedDepth_m;
   double rest_speed_m_s = 1e-3;  // tip in the mouth frame
   double rest_time_s = 1.0;
   double taut_n = 5.0;  // tension that counts as taut

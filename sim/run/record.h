@@ -13,6 +13,9 @@
 
 namespace dockyard {
 
+/// The tip counts as home from this deep on: of the 0.25 m commanded (Tsai et al., II).
+inline constexpr double kDockedDepth_m = 0.20;
+
 /// How a run ended. The order is the order of the table in docs/outcomes.md.
 enum class Outcome {
   kDocked,

@@ -34,7 +34,7 @@ std::string Answer(const std::vector<ScriptStep>& script, const ControllerFactor
     const RunRecord record =
         RunDocking(run, script.empty() ? make_controller : scripted, RunOptions{});
     std::string text = Name(record.result.outcome);
-    for (const double measure : MeasuresOf(record)) text += " " + ExactNumber(measure);
+    for (const double measure : MeasuresOf(record)) text += " " + NumberText(measure);
     return text;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "run %d: %s\n", run.run, error.what());

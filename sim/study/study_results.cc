@@ -65,12 +65,11 @@ struct Entry {
 };
 
 Entry EntryOf(const RunRecord& record) {
-  constexpr double kHome_m = 0.20;  // docked from here on
   double current_sum = 0.0, current_peak = 0.0, force = 0.0;
   int count = 0;
   for (const HistorySample& sample : record.history) {
     if (sample.tip_depth_m < 0.0) continue;
-    if (sample.tip_depth_m > kHome_m) break;
+    if (sample.tip_depth_m > kDockedDepth_m) break;
     current_sum += std::abs(sample.spool_current_a);
     current_peak = std::max(current_peak, std::abs(sample.spool_current_a));
     force = std::max(force, sample.cone_force_n);
@@ -154,7 +153,7 @@ std::string StudyRunsCsv(const Study& study, const std::vector<StudyRow>& rows) 
     }
     text += "," + row.outcome;
     for (std::size_t i = 0; i < StudyMeasures().size(); ++i) {
-      text += "," + (row.measures.empty() ? std::string() : ExactNumber(row.measures[i]));
+      text += "," + (row.measures.empty() ? std::string() : NumberText(row.measures[i]));
     }
     text += "\n";
   }
@@ -172,14 +171,14 @@ std::string StudyPointsCsv(const Study& study, const std::vector<StudyRow>& rows
       text += CsvCell(cell) + ",";
     }
     const Spread share = SpreadOf("docked", group);
-    text += std::to_string(share.count) + "," + ExactNumber(share.mean) + "," +
-            ExactNumber(share.low) + "," + ExactNumber(share.high);
+    text += std::to_string(share.count) + "," + NumberText(share.mean) + "," +
+            NumberText(share.low) + "," + NumberText(share.high);
     for (const std::string& name : StudyMeasures()) {
       if (name == "docked") continue;
       const Spread spread = SpreadOf(name, group);
       text += spread.count == 0 ? ",,,"
-                                : "," + ExactNumber(spread.mean) + "," + ExactNumber(spread.low) +
-                                      "," + ExactNumber(spread.high);
+                                : "," + NumberText(spread.mean) + "," + NumberText(spread.low) +
+                                      "," + NumberText(spread.high);
     }
     text += "\n";
   }

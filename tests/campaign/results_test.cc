@@ -135,7 +135,7 @@ void ExpectTableEquals(sqlite3* database, const FinishedRuns& runs) {
     for (int i = 0; i < sqlite3_column_count(query); ++i) {
       const std::string& cell = cells[static_cast<std::size_t>(i)];
       if (sqlite3_column_type(query, i) == SQLITE_FLOAT) {
-        EXPECT_EQ(ExactNumber(sqlite3_column_double(query, i)), cell);
+        EXPECT_EQ(NumberText(sqlite3_column_double(query, i)), cell);
       } else {
         EXPECT_EQ(reinterpret_cast<const char*>(sqlite3_column_text(query, i)), cell);
       }
