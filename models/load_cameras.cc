@@ -43,7 +43,7 @@ void ReadFocal(const YamlReader& in, L& lens) {
 }
 
 Eigen::Vector3d Unit(const YamlReader& in, const char* key) {
-  const Eigen::Vector3d v = in.Vector3(key, Between(-2.0, 2.0));
+  Eigen::Vector3d v = in.Vector3(key, Between(-2.0, 2.0));
   if (std::abs(v.norm() - 1.0) > 1e-3) in.Refuse(key, "a vector of length 1 within 0.001");
   return v;
 }
@@ -81,20 +81,14 @@ PlacedCamera Placed(const Cahvore& lens_F, int width, int height) {
   return placed;
 }
 
-PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
-  const std::vector<std::string> models{"kannala_brandt", "brown", "cahv", "cahvor", "cahvore"};
-  const std::vector<std::string> common{"name",     "source",    "model",       "pixel_zero",
-                                        "width_px", "height_px", "scaled_to_px"};
-  // Which other keys are known depends on the model: read that first.
-  std::vector<std::string> written{"model"};
-  for (const YamlNode::Key& key : node.keys) written.push_back(key.name);
-  const std::string model = models[YamlReader(node, path, written).Choice("model", models)];
-  std::vector<std::string> keys = common;
-  const auto know = [&](std::vector<std::string> more) {
+/// The keys that a camera of this model may have.
+std::vector<std::string> KeysOf(const std::string& model) {
+  std::vector<std::string> keys{"name",     "source",    "model",       "pixel_zero",
+                                "width_px", "height_px", "scaled_to_px"};
+  const auto know = [&](const std::vector<std::string>& more) {
     keys.insert(keys.end(), more.begin(), more.end());
   };
-  const bool focal = model == "kannala_brandt" || model == "brown";
-  if (focal) {
+  if (model == "kannala_brandt" || model == "brown") {
     know({"fx_px", "fy_px", "cx_px", "cy_px", "position_m", "yaw_deg", "pitch_deg", "roll_deg"});
     model == "brown" ? know({"k1", "k2", "k3", "p1", "p2"}) : know({"k"});
   } else {
@@ -102,34 +96,73 @@ PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
     if (model != "cahv") know({"O", "R"});
     if (model != "cahv" && model != "cahvor") know({"E", "linearity"});
   }
-  const YamlReader in(node, path, keys);
+  return keys;
+}
+
+BrownPinhole ReadBrown(const YamlReader& in) {
+  BrownPinhole lens;
+  ReadFocal(in, lens);
+  lens.k1 = in.Number("k1", kVector);
+  lens.k2 = in.Number("k2", kVector);
+  lens.k3 = in.NumberOr("k3", 0.0, kVector);
+  lens.p1 = in.NumberOr("p1", 0.0, kVector);
+  lens.p2 = in.NumberOr("p2", 0.0, kVector);
+  return lens;
+}
+
+KannalaBrandt ReadKannalaBrandt(const YamlReader& in) {
+  KannalaBrandt lens;
+  ReadFocal(in, lens);
+  const YamlNode& list = in.List("k", 4, 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!ParseNumber(list.items[i].scalar, lens.k[i])) in.Refuse("k", "a list of 4 numbers");
+  }
+  return lens;
+}
+
+/// A lens about a principal point, placed by position and angles.
+PlacedCamera ReadFocalCamera(const YamlReader& in, const std::string& model, int width,
+                             int height) {
+  PlacedCamera placed;
+  placed.camera = {.width = width, .height = height, .lens = {}};
+  if (model == "brown") {
+    placed.camera.lens = ReadBrown(in);
+  } else {
+    placed.camera.lens = ReadKannalaBrandt(in);
+  }
+  if (in.Has("position_m")) placed.X_FC = ReadPose(in);
+  for (const char* key : {"yaw_deg", "pitch_deg", "roll_deg"}) {
+    if (in.Has(key) && !in.Has("position_m")) in.Refuse(key, "a position_m beside it");
+  }
+  return placed;
+}
+
+/// The camera at the size that `scaled_to_px` says.
+Camera ScaledAsSaid(const YamlReader& in, const Camera& camera) {
+  if (!in.Has("scaled_to_px")) return camera;
+  const YamlNode& size = in.List("scaled_to_px", 2, 2);
+  double to[2] = {};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool number = ParseNumber(size.items[i].scalar, to[i]);
+    if (!number || to[i] < 1 || to[i] > kMostPixels || to[i] != std::floor(to[i])) {
+      in.Refuse("scaled_to_px", "a list of 2 whole numbers");
+    }
+  }
+  return Resized(camera, static_cast<int>(to[0]), static_cast<int>(to[1]));
+}
+
+PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
+  const std::vector<std::string> models{"kannala_brandt", "brown", "cahv", "cahvor", "cahvore"};
+  // Which other keys are known depends on the model: read that first.
+  std::vector<std::string> written{"model"};
+  for (const YamlNode::Key& key : node.keys) written.push_back(key.name);
+  const std::string model = models[YamlReader(node, path, written).Choice("model", models)];
+  const YamlReader in(node, path, KeysOf(model));
   const int width = in.Integer("width_px", 1, kMostPixels);
   const int height = in.Integer("height_px", 1, kMostPixels);
   PlacedCamera placed;
-  if (focal) {
-    placed.camera = {.width = width, .height = height, .lens = {}};
-    if (model == "brown") {
-      BrownPinhole lens;
-      ReadFocal(in, lens);
-      lens.k1 = in.Number("k1", kVector);
-      lens.k2 = in.Number("k2", kVector);
-      lens.k3 = in.NumberOr("k3", 0.0, kVector);
-      lens.p1 = in.NumberOr("p1", 0.0, kVector);
-      lens.p2 = in.NumberOr("p2", 0.0, kVector);
-      placed.camera.lens = lens;
-    } else {
-      KannalaBrandt lens;
-      ReadFocal(in, lens);
-      const YamlNode& list = in.List("k", 4, 4);
-      for (std::size_t i = 0; i < 4; ++i) {
-        if (!ParseNumber(list.items[i].scalar, lens.k[i])) in.Refuse("k", "a list of 4 numbers");
-      }
-      placed.camera.lens = lens;
-    }
-    if (in.Has("position_m")) placed.X_FC = ReadPose(in);
-    for (const char* key : {"yaw_deg", "pitch_deg", "roll_deg"}) {
-      if (in.Has(key) && !in.Has("position_m")) in.Refuse(key, "a position_m beside it");
-    }
+  if (model == "kannala_brandt" || model == "brown") {
+    placed = ReadFocalCamera(in, model, width, height);
   } else {
     const auto kind = std::find(kCahvWords.begin(), kCahvWords.end(), model) - kCahvWords.begin();
     Cahvore lens = ReadCahv(in, static_cast<CahvKind>(kind));
@@ -139,18 +172,7 @@ PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
   placed.name = in.TextOr("name", "");
   in.TextOr("source", "-");
   const double first = FirstPixel(in);
-  placed.camera = Adjusted(placed.camera, 1.0, {first, first});
-  if (in.Has("scaled_to_px")) {
-    const YamlNode& size = in.List("scaled_to_px", 2, 2);
-    double to[2] = {};
-    for (std::size_t i = 0; i < 2; ++i) {
-      const bool number = ParseNumber(size.items[i].scalar, to[i]);
-      if (!number || to[i] < 1 || to[i] > kMostPixels || to[i] != std::floor(to[i])) {
-        in.Refuse("scaled_to_px", "a list of 2 whole numbers");
-      }
-    }
-    placed.camera = Resized(placed.camera, static_cast<int>(to[0]), static_cast<int>(to[1]));
-  }
+  placed.camera = ScaledAsSaid(in, Adjusted(placed.camera, 1.0, {first, first}));
   return placed;
 }
 

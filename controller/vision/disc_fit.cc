@@ -80,71 +80,110 @@ class Print {
   double half_length_, half_width_, along_slope_ = 1.0, across_slope_ = 1.0;
 };
 
+/// The pixels that take part, the same in every round.
+struct Window {
+  explicit Window(const Ellipse& rim)
+      : centre_px(rim.centre_px),
+        inverse(rim.shape_px.inverse()),
+        with_bar(rim.mean_radius_px() < kWithBarPx),
+        ring(1.0 + kRingPx / rim.mean_radius_px()),
+        inside(with_bar ? 0.0 : std::max(1.0 - kInsidePx / rim.mean_radius_px(), 0.0)),
+        reach_x(ring * rim.shape_px.row(0).norm()),
+        reach_y(ring * rim.shape_px.row(1).norm()),
+        x0(static_cast<int>(std::ceil(rim.centre_px.x() - reach_x))),
+        x1(static_cast<int>(std::floor(rim.centre_px.x() + reach_x))),
+        y0(static_cast<int>(std::ceil(rim.centre_px.y() - reach_y))),
+        y1(static_cast<int>(std::floor(rim.centre_px.y() + reach_y))) {}
+
+  bool FitsInto(const GrayImage& image) const {
+    return x0 >= 0 && y0 >= 0 && x1 < image.width && y1 < image.height;
+  }
+  bool Holds(double x, double y) const {
+    const double out = (inverse * (Eigen::Vector2d(x, y) - centre_px)).squaredNorm();
+    return !(out > ring * ring || out < inside * inside);
+  }
+
+  Eigen::Vector2d centre_px;
+  Eigen::Matrix2d inverse;
+  bool with_bar;
+  double ring, inside;      // in radii of the rim
+  double reach_x, reach_y;  // [px]
+  int x0, x1, y0, y1;
+};
+
+/// What a round starts from.
+struct Guess {
+  Eigen::Vector2d centre_px;
+  double size = 1.0;         // of the disc, in radii of the rim
+  double black_share = 0.1;  // black over white, in the gradient alone
+  double step_dn = 100.0;    // white less black; only scales the shift's columns
+};
+
+/// Least squares: A x = b. Unknowns: white, the light's gradient, black, the disc's size, shift of
+/// the centre.
+struct Sums {
+  Matrix7 A = Matrix7::Zero();
+  Vector7 b = Vector7::Zero();
+  double squares = 0.0;
+  int samples = 0;
+};
+
+Sums SumOver(const GrayImage& image, const Print& print, const Window& window, const Guess& guess) {
+  Sums sums;
+  for (int y = window.y0; y <= window.y1; ++y) {
+    const std::uint8_t* row = &image.pixels[static_cast<std::size_t>(y) * image.width];
+    for (int x = window.x0; x <= window.x1; ++x) {
+      if (!window.Holds(x, y)) continue;
+      const Eigen::Vector2d at = Eigen::Vector2d(x, y) - guess.centre_px;
+      const Print::Sample seen = print.At(at, guess.size);
+      if (seen.bar && !window.with_bar) continue;
+      const double white = seen.value;
+      Vector7 line;
+      const double lit = white + guess.black_share * (1.0 - white);
+      line << white, lit * at.x() / window.reach_x, lit * at.y() / window.reach_y, 1.0 - white,
+          guess.step_dn * seen.by_size, -guess.step_dn * seen.gradient;
+      sums.A.selfadjointView<Eigen::Lower>().rankUpdate(line);
+      sums.b += row[x] * line;
+      sums.squares += row[x] * row[x];
+      ++sums.samples;
+    }
+  }
+  sums.A.triangularView<Eigen::StrictlyUpper>() = sums.A.transpose();
+  return sums;
+}
+
 }  // namespace
 
 std::optional<DiscFit> FitDisc(const GrayImage& image, const Ellipse& rim, double bar_rad,
                                const FiducialBoard& board) {
   const Print print(rim, bar_rad, board);
-  const Eigen::Matrix2d inverse = rim.shape_px.inverse();
-  const bool with_bar = rim.mean_radius_px() < kWithBarPx;
-  const double ring = 1.0 + kRingPx / rim.mean_radius_px();
-  const double inside = with_bar ? 0.0 : std::max(1.0 - kInsidePx / rim.mean_radius_px(), 0.0);
-  const double reach_x = ring * rim.shape_px.row(0).norm();
-  const double reach_y = ring * rim.shape_px.row(1).norm();
-  const int x0 = static_cast<int>(std::ceil(rim.centre_px.x() - reach_x));
-  const int x1 = static_cast<int>(std::floor(rim.centre_px.x() + reach_x));
-  const int y0 = static_cast<int>(std::ceil(rim.centre_px.y() - reach_y));
-  const int y1 = static_cast<int>(std::floor(rim.centre_px.y() + reach_y));
-  if (x0 < 0 || y0 < 0 || x1 >= image.width || y1 >= image.height) return std::nullopt;
+  const Window window(rim);
+  if (!window.FitsInto(image)) return std::nullopt;
   DiscFit fit{.centre_px = rim.centre_px};
-  double size = 1.0;         // of the disc, in radii of the rim
-  double black_share = 0.1;  // black over white, in the gradient alone
-  double step_dn = 100.0;    // white less black; only scales the shift's columns
+  Guess guess{.centre_px = rim.centre_px};
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    // Unknowns: white, the light's gradient, black, the disc's size, shift of the centre.
-    Matrix7 A = Matrix7::Zero();
-    Vector7 b = Vector7::Zero();
-    double squares = 0.0;
-    int samples = 0;
-    for (int y = y0; y <= y1; ++y) {
-      const std::uint8_t* row = &image.pixels[static_cast<std::size_t>(y) * image.width];
-      for (int x = x0; x <= x1; ++x) {
-        const double out = (inverse * (Eigen::Vector2d(x, y) - rim.centre_px)).squaredNorm();
-        if (out > ring * ring || out < inside * inside) continue;
-        const Eigen::Vector2d at = Eigen::Vector2d(x, y) - fit.centre_px;
-        const Print::Sample seen = print.At(at, size);
-        if (seen.bar && !with_bar) continue;
-        const double white = seen.value;
-        Vector7 line;
-        const double lit = white + black_share * (1.0 - white);
-        line << white, lit * at.x() / reach_x, lit * at.y() / reach_y, 1.0 - white,
-            step_dn * seen.by_size, -step_dn * seen.gradient;
-        A.selfadjointView<Eigen::Lower>().rankUpdate(line);
-        b += row[x] * line;
-        squares += row[x] * row[x];
-        ++samples;
-      }
-    }
-    A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
-    const Eigen::LLT<Matrix7> solver(A);
-    if (samples < 20 || solver.info() != Eigen::Success) return std::nullopt;
-    const Vector7 solution = solver.solve(b);
+    const Sums sums = SumOver(image, print, window, guess);
+    const Eigen::LLT<Matrix7> solver(sums.A);
+    if (sums.samples < 20 || solver.info() != Eigen::Success) return std::nullopt;
+    const Vector7 solution = solver.solve(sums.b);
     fit.contrast_dn = solution(0) - solution(3);
     const Matrix7 P = solver.solve(Matrix7::Identity());
     fit.sigma_px = std::sqrt(0.5 * (P(5, 5) + P(6, 6)));
-    fit.misfit_dn = std::sqrt(std::max(squares - b.dot(solution), 0.0) / (samples - 7));
-    fit.centre_px += solution.tail<2>();
-    size += solution(4);
+    fit.misfit_dn =
+        std::sqrt(std::max(sums.squares - sums.b.dot(solution), 0.0) / (sums.samples - 7));
+    guess.centre_px += solution.tail<2>();
+    guess.size += solution(4);
+    fit.centre_px = guess.centre_px;
     if (!fit.centre_px.allFinite() || fit.contrast_dn < 5.0 ||
         (fit.centre_px - rim.centre_px).norm() > kFarthestPx) {
       return std::nullopt;
     }
     // The shift was found with the columns of the step before: scale it at the next round.
     if (iteration + 1 == kIterations) break;
-    step_dn = fit.contrast_dn;
-    black_share = std::clamp(solution(3) / solution(0), 0.0, 1.0);
+    guess.step_dn = fit.contrast_dn;
+    guess.black_share = std::clamp(solution(3) / solution(0), 0.0, 1.0);
   }
-  const double most = with_bar ? kMostMisfitWithBar : kMostMisfit;
+  const double most = window.with_bar ? kMostMisfitWithBar : kMostMisfit;
   if (fit.misfit_dn > most * fit.contrast_dn) return std::nullopt;
   return fit;
 }
