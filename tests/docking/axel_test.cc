@@ -59,14 +59,15 @@ TEST(NoisyGrid, MostlyReachesTheMouthWithinTheTolerances) {
   EXPECT_GE(good, 37);  // measured: 40 of these, 397 of 400 over ten seeds
 }
 
-// The paper's typical run, from 4 m at 15 deg, took about 200 s (Tsai et al., V). At least, the tip
-// must be driven and reeled from its start to home at the speed of the approach.
-TEST(Axel, TypicalRunTakesNoLongerThanThePapersAndNoLessThanItsWay) {
+// The paper's typical run, from 4 m at 15 deg, took about 200 s (Tsai et al., Fig. 10). Ours takes
+// half of that: 98.8 s here, 93-116 s in the simulation; its speeds are assumed. At the least, the
+// tip has its way to go at the speed of the approach.
+TEST(Axel, TypicalRunTakesHalfThePapersTime) {
   const KinematicRun run = RunKinematic({}, {4.0, Radians(15.0), 0.0});
   EXPECT_TRUE(Home(run));
   const double way_m = 4.0 - TestSheet().arm_length_m + 0.20;
   EXPECT_GT(run.time_s, way_m / AxelOptions{}.drive.approach_m_s);
-  EXPECT_LT(run.time_s, 200.0);
+  EXPECT_NEAR(run.time_s, 98.8, 10.0);
 }
 
 TEST(Axel, ChecksItsAlignmentBeforeItReels) {
