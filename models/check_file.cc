@@ -14,6 +14,7 @@
 #include "models/mesh_loader.h"
 #include "models/study.h"
 #include "models/urdf.h"
+#include "models/urdf_weld.h"
 #include "models/yaml_reader.h"
 
 namespace dockyard {
@@ -29,9 +30,21 @@ FileCheck CheckUrdf(const std::string& file) {
   const UrdfModel model = LoadUrdf(file);
   double mass_kg = 0.0;
   for (const LinkModel& link : model.links) mass_kg += link.mass_kg;
-  return {"urdf", model.name + ": " + std::to_string(model.links.size()) + " links, " +
-                      std::to_string(model.joints.size()) + " joints, " + NumberText(mass_kg) +
-                      " kg"};
+  std::string summary = model.name + ": " + std::to_string(model.links.size()) + " links, " +
+                        std::to_string(model.joints.size()) + " joints, " + NumberText(mass_kg) +
+                        " kg";
+  std::string welded;
+  for (const LinkModel& link : model.links) {
+    const std::string carrier = CarrierOf(model, link.name);
+    if (carrier == link.name) continue;
+    welded += (welded.empty() ? "; welded: " : ", ") + link.name + " into " + carrier;
+  }
+  std::string left_out;
+  for (const auto& [element, count] : model.left_out) {
+    left_out +=
+        (left_out.empty() ? "; left out: " : ", ") + std::to_string(count) + " <" + element + ">";
+  }
+  return {"urdf", summary + welded + left_out};
 }
 
 FileCheck CheckRover(const std::string& file) {

@@ -1,12 +1,15 @@
 #include "models/load_rover.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "models/config_error.h"
 #include "models/load_cameras.h"
 #include "models/load_wheel.h"
 #include "models/text_file.h"
 #include "models/urdf.h"
+#include "models/urdf_weld.h"
 #include "models/yaml_reader.h"
 
 namespace dockyard {
@@ -212,37 +215,57 @@ void ReadCameras(const YamlReader& root, int width, int height, RoverModel& rove
   stereo.focus = ReadFocus(sensor);
 }
 
-void CheckJoint(const UrdfJoint& joint, const char* type, const char* child) {
-  const auto refuse = [&](const std::string& expected, const std::string& found) {
-    throw ConfigError(joint.place + ": expected " + expected + ", found '" + found + "'");
-  };
-  if (joint.type != type) refuse(std::string("type ") + type, joint.type);
-  if (joint.parent != "body") refuse("parent body", joint.parent);
-  if (joint.child != child) refuse(std::string("child ") + child, joint.child);
-  if (joint.axis_J != Eigen::Vector3d::UnitY()) refuse("axis 0 1 0", "another axis");
-  if (!joint.X_PJ.R.isIdentity(1e-9)) refuse("an origin without rotation", "a rotation");
+[[noreturn]] void RefuseJoint(const UrdfJoint& joint, const std::string& expected,
+                              const std::string& found) {
+  throw ConfigError(joint.place + ": expected " + expected + ", found '" + found + "'");
+}
+
+void CheckType(const UrdfJoint& joint, const char* type) {
+  if (joint.type != type) RefuseJoint(joint, std::string("type ") + type, joint.type);
+}
+
+void CheckJoint(const UrdfJoint& joint, const char* child) {
+  if (joint.parent != "body") RefuseJoint(joint, "parent body", joint.parent);
+  if (joint.child != child) RefuseJoint(joint, std::string("child ") + child, joint.child);
+  if (joint.axis_J != Eigen::Vector3d::UnitY()) RefuseJoint(joint, "axis 0 1 0", "another axis");
+  if (!joint.X_PJ.R.isIdentity(1e-9)) {
+    RefuseJoint(joint, "an origin without rotation", "a rotation");
+  }
 }
 
 const LinkModel& BodyWithMass(const UrdfModel& urdf, const char* name) {
   const LinkModel& link = urdf.Link(name);
   if (link.mass_kg > 0.0) return link;
-  throw ConfigError(urdf.file + ": link '" + name + "': expected an <inertial>, found none");
+  throw ConfigError(urdf.PlaceOf(name) + ": expected an <inertial>, found none");
 }
 
-void TakeLinks(const UrdfModel& urdf, RoverModel& rover) {
+/// The model with fixed links welded: body, wheels and arm are left, and their three joints.
+UrdfModel WeldRover(const UrdfModel& urdf) {
   if (urdf.root != "body") {
-    throw ConfigError(urdf.file + ": expected the root link to be 'body', found '" + urdf.root +
-                      "'");
+    throw ConfigError(urdf.PlaceOf(urdf.root) + ": expected the root link to be 'body'");
   }
+  for (const auto& [name, type] :
+       {std::pair("left_wheel_joint", "continuous"), std::pair("right_wheel_joint", "continuous"),
+        std::pair("arm_joint", "revolute")}) {
+    CheckType(urdf.Joint(name), type);
+  }
+  UrdfModel welded = WeldFixedLinks(urdf);
+  RequireJoints(welded, {"left_wheel_joint", "right_wheel_joint", "arm_joint"},
+                "'body', 'left_wheel', 'right_wheel' and 'arm'");
+  return welded;
+}
+
+void TakeLinks(const UrdfModel& file, RoverModel& rover) {
+  const UrdfModel urdf = WeldRover(file);
   rover.body = BodyWithMass(urdf, "body");
   rover.left_wheel = BodyWithMass(urdf, "left_wheel");
   rover.right_wheel = BodyWithMass(urdf, "right_wheel");
   rover.arm = BodyWithMass(urdf, "arm");
   const UrdfJoint &left = urdf.Joint("left_wheel_joint"), &right = urdf.Joint("right_wheel_joint"),
                   &arm = urdf.Joint("arm_joint");
-  CheckJoint(left, "continuous", "left_wheel");
-  CheckJoint(right, "continuous", "right_wheel");
-  CheckJoint(arm, "revolute", "arm");
+  CheckJoint(left, "left_wheel");
+  CheckJoint(right, "right_wheel");
+  CheckJoint(arm, "arm");
   rover.p_R_left_wheel = left.X_PJ.p;
   rover.p_R_right_wheel = right.X_PJ.p;
   const Eigen::Vector3d middle = 0.5 * (left.X_PJ.p + right.X_PJ.p);
@@ -260,7 +283,7 @@ void TakeLinks(const UrdfModel& urdf, RoverModel& rover) {
 }
 
 /// What is said twice, in the URDF for other tools and in the YAML for the soil and the cone, must
-/// agree to 1 mm: a collision cylinder named "tip" and the wheels' collision cylinders.
+/// agree to 1 mm: a collision cylinder named "tip" and each wheel's largest collision cylinder.
 void CheckAgreement(const YamlReader& root, const RoverModel& rover) {
   constexpr double kSame_m = 1e-3;
   for (const Collision& part : rover.arm.collisions) {
@@ -277,14 +300,16 @@ void CheckAgreement(const YamlReader& root, const RoverModel& rover) {
       rover.left_wheel_soil.rim_radius_m +
       (rover.left_wheel_soil.paddle_count > 0 ? rover.left_wheel_soil.paddle_height_m : 0.0);
   for (const LinkModel* wheel : {&rover.left_wheel, &rover.right_wheel}) {
+    double largest = 0.0;  // smaller ones are hubs and caps
     for (const Collision& part : wheel->collisions) {
       const auto* disc = std::get_if<CylinderShape>(&part.shape);
-      if (disc == nullptr || std::abs(disc->radius_m - tip_radius) <= kSame_m) continue;
-      root.Refuse("wheels",
-                  "rim and paddle to add up to the radius of the wheel's collision "
-                  "cylinder in the URDF, " +
-                      NumberText(disc->radius_m));
+      if (disc != nullptr) largest = std::max(largest, disc->radius_m);
     }
+    if (largest == 0.0 || std::abs(largest - tip_radius) <= kSame_m) continue;
+    root.Refuse("wheels",
+                "rim and paddle to add up to the radius of the wheel's collision "
+                "cylinder in the URDF, " +
+                    NumberText(largest));
   }
   if (rover.arm_at_power_on_rad < rover.arm_lower_rad ||
       rover.arm_at_power_on_rad > rover.arm_upper_rad) {

@@ -6,6 +6,7 @@
 #include "models/config_error.h"
 #include "models/text_file.h"
 #include "models/urdf.h"
+#include "models/urdf_weld.h"
 #include "models/yaml_reader.h"
 
 namespace dockyard {
@@ -138,8 +139,25 @@ void CheckStands(const YamlReader& in, const StationModel& station) {
   }
 }
 
+/// The model with fixed links welded: the stand, which only stands there, and the module on it.
+UrdfModel WeldStation(const UrdfModel& urdf) {
+  for (std::size_t i = 0; i < urdf.links.size(); ++i) {
+    const LinkModel& link = urdf.links[i];
+    if (CarrierOf(urdf, link.name) != "stand") continue;
+    if (link.mass_kg == 0.0 && link.collisions.empty()) continue;
+    throw ConfigError(urdf.place[i] +
+                      ": expected neither <inertial> nor <collision>: mass and shape of the whole "
+                      "station are the module's, the stand and what is fixed to it is drawn");
+  }
+  if (urdf.Joint("tilt_joint").type == "fixed") return urdf;  // TakeLinks refuses it
+  UrdfModel welded = WeldFixedLinks(urdf);
+  RequireJoints(welded, {"tilt_joint"}, "'stand' and 'module'");
+  return welded;
+}
+
 /// mass_kg and mouth_height_m of the file, where given, stand instead of the URDF's.
-void TakeLinks(const YamlReader& in, const UrdfModel& urdf, StationModel& station) {
+void TakeLinks(const YamlReader& in, const UrdfModel& file, StationModel& station) {
+  const UrdfModel urdf = WeldStation(file);
   UrdfJoint tilt = urdf.Joint("tilt_joint");
   const bool fits = urdf.root == "stand" && tilt.parent == "stand" && tilt.child == "module" &&
                     tilt.type == "revolute" && tilt.axis_J == Eigen::Vector3d::UnitY() &&
@@ -155,7 +173,7 @@ void TakeLinks(const YamlReader& in, const UrdfModel& urdf, StationModel& statio
   station.stand_visuals = urdf.Link("stand").visuals;
   station.module = urdf.Link("module");
   if (!(station.module.mass_kg > 0.0)) {
-    throw ConfigError(urdf.file + ": link 'module': expected an <inertial>, found none");
+    throw ConfigError(urdf.PlaceOf("module") + ": expected an <inertial>, found none");
   }
   const double scale =
       in.NumberOr("mass_kg", station.module.mass_kg, Between(0.1, 1e5)) / station.module.mass_kg;

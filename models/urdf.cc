@@ -238,6 +238,10 @@ const LinkModel& UrdfModel::Link(const std::string& link_name) const {
   Refuse(file, "expected a link named '" + link_name + "', found none");
 }
 
+const std::string& UrdfModel::PlaceOf(const std::string& link_name) const {
+  return place[static_cast<std::size_t>(&Link(link_name) - links.data())];
+}
+
 const UrdfJoint& UrdfModel::Joint(const std::string& joint_name) const {
   for (const UrdfJoint& joint : joints) {
     if (joint.name == joint_name) return joint;
@@ -247,15 +251,16 @@ const UrdfJoint& UrdfModel::Joint(const std::string& joint_name) const {
 
 UrdfModel LoadUrdf(const std::string& file) {
   const std::string text = ReadText(file);
-  const std::map<std::string, std::string> places = CheckUrdfXml(text, file);
+  const UrdfText checked = CheckUrdfXml(text, file);
   const auto place_of = [&](const std::string& element, const std::string& name) {
-    const auto at = places.find(element + " " + name);
-    return (at == places.end() ? file : at->second) + ": " + element + " '" + name + "'";
+    const auto at = checked.places.find(element + " " + name);
+    return (at == checked.places.end() ? file : at->second) + ": " + element + " '" + name + "'";
   };
   const urdf::ModelInterfaceSharedPtr parsed = Parse(text, file);
   UrdfModel model;
   model.name = parsed->getName();
   model.file = file;
+  model.left_out = checked.left_out;
   model.root = parsed->getRoot() ? parsed->getRoot()->name : "";
   for (const auto& [name, link] : parsed->links_) {
     model.place.push_back(place_of("link", name));

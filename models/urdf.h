@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,18 +23,21 @@ struct UrdfJoint {
 /// Poses in LinkModel are in the link's own frame.
 struct UrdfModel {
   std::string name, file, root;
-  std::vector<LinkModel> links;    // by name
-  std::vector<UrdfJoint> joints;   // by name
-  std::vector<std::string> place;  // of each link, for messages
+  std::vector<LinkModel> links;         // by name
+  std::vector<UrdfJoint> joints;        // by name
+  std::vector<std::string> place;       // of each link, for messages
+  std::map<std::string, int> left_out;  // elements that change nothing here -> how many
 
   /// Throw ConfigError when there is no such link or joint.
   const LinkModel& Link(const std::string& name) const;
   const UrdfJoint& Joint(const std::string& name) const;
+  const std::string& PlaceOf(const std::string& link) const;
 };
 
-/// Throws ConfigError: XML that does not parse (with line and column), what liburdfdom objects to,
-/// masses or inertias that no body can have, numbers out of range, meshes that are missing, leave
-/// the file's folder or do not load. Links without <inertial> have zero mass.
+/// Any tree of links and joints. Throws ConfigError: XML that does not parse, elements that are
+/// neither read nor without effect, links outside the tree (with line and column), what liburdfdom
+/// objects to, masses or inertias that no body can have, numbers out of range, meshes that are
+/// missing, leave the file's folder or do not load. Links without <inertial> have zero mass.
 UrdfModel LoadUrdf(const std::string& file);
 
 }  // namespace dockyard

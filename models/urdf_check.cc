@@ -3,24 +3,27 @@
 #include <tinyxml.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "models/config_error.h"
+#include "models/urdf_elements.h"
+#include "models/urdf_tree.h"
+#include "models/xml_scan.h"
 #include "models/yaml_reader.h"
 
 namespace dockyard {
 namespace {
 
-constexpr int kMaxNesting = 64;
-
 /// Attributes that hold numbers, and how many; `value` only counts in <mass>.
 const std::vector<std::pair<std::string, std::size_t>>& NumberAttributes() {
   static const std::vector<std::pair<std::string, std::size_t>> attributes{
-      {"xyz", 3},    {"rpy", 3},   {"size", 3},  {"scale", 3},  {"rgba", 4},    {"radius", 1},
-      {"length", 1}, {"ixx", 1},   {"ixy", 1},   {"ixz", 1},    {"iyy", 1},     {"iyz", 1},
-      {"izz", 1},    {"lower", 1}, {"upper", 1}, {"effort", 1}, {"velocity", 1}};
+      {"xyz", 3},    {"rpy", 3},      {"size", 3},    {"scale", 3},   {"rgba", 4},
+      {"radius", 1}, {"length", 1},   {"ixx", 1},     {"ixy", 1},     {"ixz", 1},
+      {"iyy", 1},    {"iyz", 1},      {"izz", 1},     {"lower", 1},   {"upper", 1},
+      {"effort", 1}, {"velocity", 1}, {"damping", 1}, {"friction", 1}};
   return attributes;
 }
 
@@ -28,7 +31,7 @@ class XmlCheck {
  public:
   explicit XmlCheck(std::string file) : file_(std::move(file)) {}
 
-  std::map<std::string, std::string> Run(const std::string& text) {
+  UrdfText Run(const std::string& text) {
     CheckNesting(text);
     TiXmlDocument document;
     document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
@@ -49,7 +52,11 @@ class XmlCheck {
          e = e->NextSiblingElement("joint")) {
       CheckJoint(*e);
     }
-    return std::move(places_);
+    UrdfText checked;
+    checked.left_out = CheckUrdfElements(*robot, file_);
+    CheckUrdfTree(*robot, file_);
+    checked.places = std::move(places_);
+    return checked;
   }
 
  private:
@@ -60,19 +67,11 @@ class XmlCheck {
     throw ConfigError(Place(at.Row(), at.Column()) + ": <" + at.Value() + ">: " + what);
   }
 
-  /// Tags open at once, by a scan: keeps the recursive XML parser within its stack.
+  /// Keeps the recursive XML parser within its stack and its time.
   void CheckNesting(const std::string& text) const {
-    int depth = 0;
-    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-      if (text[i] != '<') continue;
-      if (text.compare(i, 9, "<!DOCTYPE") == 0) {
-        throw ConfigError(file_ + ": XML with a DOCTYPE is not read");
-      }
-      if (text[i + 1] == '/') --depth;
-      if (text[i + 1] == '/' || text[i + 1] == '!' || text[i + 1] == '?') continue;
-      const std::size_t end = text.find('>', i);
-      if (end == std::string::npos || text[end - 1] != '/') ++depth;
-      if (depth > kMaxNesting) throw ConfigError(file_ + ": elements nested deeper than 64 levels");
+    if (const std::optional<XmlFault> fault = ScanXml(text)) {
+      throw ConfigError(file_ + ":" + LineAndColumn(text, fault->at) +
+                        ": not usable XML: " + fault->what);
     }
   }
 
@@ -141,7 +140,7 @@ class XmlCheck {
 
 }  // namespace
 
-std::map<std::string, std::string> CheckUrdfXml(const std::string& text, const std::string& file) {
+UrdfText CheckUrdfXml(const std::string& text, const std::string& file) {
   return XmlCheck(file).Run(text);
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
 #include "campaign/fake_runs.h"
@@ -38,6 +40,31 @@ TEST(ProgramRun, WithTheSameSeedHasTheSameStateHash) {
   const std::string first = hash("5");
   EXPECT_EQ(first, hash("5"));
   EXPECT_NE(first, hash("6"));
+}
+
+TEST(ProgramRun, FeelsAMastOnAFixedJoint) {
+  const TemporaryFolder folder;
+  const fs::path axel = folder.path() / "axel";
+  const fs::path models = fs::path(DOCKYARD_SOURCE_DIR) / "models";
+  fs::copy(models / "axel", axel, fs::copy_options::recursive);
+  const auto hash = [&] {
+    const Ended ended =
+        Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=1 --set rover=" +
+                 (axel / "axel.yaml").string() + " --json");
+    EXPECT_EQ(ended.code, 4) << ended.err;
+    return Json::parse(ended.out)["state_hash"].get<std::string>();
+  };
+  const std::string without = hash();
+  EXPECT_EQ(hash(), without);
+  std::ifstream in(axel / "axel.urdf");
+  std::string urdf((std::istreambuf_iterator<char>(in)), {});
+  urdf.insert(urdf.rfind("</robot>"),
+              "<link name=\"mast\"><inertial><mass value=\"6\"/><inertia ixx=\"0.2\" iyy=\"0.2\" "
+              "izz=\"0.1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
+              "<joint name=\"mast_joint\" type=\"fixed\"><parent link=\"body\"/>"
+              "<child link=\"mast\"/><origin xyz=\"0 0 0.5\"/></joint>");
+  std::ofstream(axel / "axel.urdf") << urdf;
+  EXPECT_NE(hash(), without);
 }
 
 TEST(ProgramRun, LeavesLogAndPlotsInItsFolder) {

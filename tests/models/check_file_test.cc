@@ -34,6 +34,16 @@ TEST(CheckFile, SaysInALineWhatIsInside) {
   EXPECT_EQ(CheckFile(SourceFile("scenarios/mars_yard_40.csv")).summary, "40 runs");
 }
 
+TEST(CheckFile, SaysWhatOfAUrdfIsWeldedAndLeftOut) {
+  const ScratchFolder folder;
+  const std::string file = folder.Write(
+      "m.urdf",
+      "<robot name=\"m\"><gazebo/><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" "
+      "type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/></joint></robot>");
+  EXPECT_EQ(CheckFile(file).summary,
+            "m: 2 links, 1 joints, 0 kg; welded: b into a; left out: 1 <gazebo>");
+}
+
 TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
   const ScratchFolder folder;
   const auto message = [&](const std::string& name, const std::string& text) {
