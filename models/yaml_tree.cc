@@ -4,6 +4,7 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -58,6 +59,7 @@ class TreeBuilder : public YAML::EventHandler {
   struct Level {
     YamlNode node;
     bool has_key = false;  // a key has been read and its value has not
+    std::map<std::string, int> line_of_key;
   };
 
   YamlPlace PlaceOf(const YAML::Mark& mark) const {
@@ -89,7 +91,7 @@ class TreeBuilder : public YAML::EventHandler {
       Refuse(mark, "nested deeper than " + std::to_string(kMaxDepth) + " levels");
     }
     if (ExpectsKey()) Refuse(mark, "expected a key, found a list or mapping");
-    levels_.push_back({Make(kind, mark), false});
+    levels_.push_back({Make(kind, mark), false, {}});
   }
   void Close() {
     YamlNode node = std::move(levels_.back().node);
@@ -112,11 +114,10 @@ class TreeBuilder : public YAML::EventHandler {
       throw ConfigError(node.place.Text() + ": expected a key, found " + node.Found());
     }
     Level& level = levels_.back();
-    for (const YamlNode::Key& key : level.node.keys) {
-      if (key.name == node.scalar) {
-        throw ConfigError(node.place.Text() + ": " + PathTo(node.scalar) +
-                          ": given twice, first in line " + std::to_string(key.place.line));
-      }
+    const auto [first, fresh] = level.line_of_key.emplace(node.scalar, node.place.line);
+    if (!fresh) {
+      throw ConfigError(node.place.Text() + ": " + PathTo(node.scalar) +
+                        ": given twice, first in line " + std::to_string(first->second));
     }
     level.node.keys.push_back({std::move(node.scalar), std::move(node.place)});
     level.has_key = true;
@@ -243,15 +244,15 @@ void MergeYaml(YamlNode& into, const YamlNode& over) {
     into = over;
     return;
   }
+  std::map<std::string, std::size_t> index;
+  for (std::size_t k = 0; k < into.keys.size(); ++k) index.emplace(into.keys[k].name, k);
   for (std::size_t i = 0; i < over.keys.size(); ++i) {
-    bool known = false;
-    for (std::size_t k = 0; k < into.keys.size() && !known; ++k) {
-      if (into.keys[k].name != over.keys[i].name) continue;
-      MergeYaml(into.items[k], over.items[i]);
-      into.keys[k].place = over.keys[i].place;
-      known = true;
+    const auto known = index.find(over.keys[i].name);
+    if (known != index.end()) {
+      MergeYaml(into.items[known->second], over.items[i]);
+      into.keys[known->second].place = over.keys[i].place;
+      continue;
     }
-    if (known) continue;
     into.keys.push_back(over.keys[i]);
     into.items.push_back(over.items[i]);
   }
