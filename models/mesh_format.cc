@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "models/config_error.h"
+#include "models/gltf_check.h"
 #include "models/mesh_loader.h"
 #include "models/text_file.h"
 
@@ -44,31 +45,31 @@ std::string_view SkipSpace(std::string_view text) {
   return at == std::string_view::npos ? std::string_view() : text.substr(at);
 }
 
-/// Deepest nesting of braces or tags, by a scan that knows no grammar: enough to keep recursive
-/// parsers from running out of stack.
-int NestingDepth(std::string_view text, MeshFormat format) {
-  int depth = 0, deepest = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (format == MeshFormat::kDae) {
-      if (c != '<' || i + 1 >= text.size()) continue;
-      if (text[i + 1] == '/') {
-        --depth;
-      } else if (text[i + 1] != '?' && text[i + 1] != '!') {
-        const std::size_t end = text.find('>', i);
-        if (end != std::string_view::npos && text[end - 1] != '/') ++depth;
-      }
-    } else {
-      if (c == '{' || c == '[') ++depth;
-      if (c == '}' || c == ']') --depth;
-    }
-    deepest = std::max(deepest, depth);
+constexpr char kNoGlb[] = "no binary glTF 2.0 file of the length that its header tells";
+
+/// The JSON chunk of a GLB file (Khronos, glTF 2.0, 4.4): a header of 12 bytes, then chunks, each
+/// with its length and type before it; JSON first. Nothing when the lengths do not add up.
+std::optional<std::string_view> JsonOfGlb(std::string_view bytes) {
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+  if (bytes.size() < kHeader + kChunkHeader || bytes.substr(0, 4) != "glTF" ||
+      LittleEndian32(bytes, 4) != 2 || LittleEndian32(bytes, 8) != bytes.size()) {
+    return std::nullopt;
   }
-  return deepest;
+  std::optional<std::string_view> json;
+  for (std::size_t at = kHeader; at < bytes.size();) {
+    if (bytes.size() - at < kChunkHeader) return std::nullopt;
+    const std::size_t length = LittleEndian32(bytes, at);
+    if (length % 4 != 0 || length > bytes.size() - at - kChunkHeader) return std::nullopt;
+    if (!json) {
+      if (bytes.substr(at + 4, 4) != "JSON") return std::nullopt;
+      json = bytes.substr(at + kChunkHeader, length);
+    }
+    at += kChunkHeader + length;
+  }
+  return json;
 }
 
 std::string Objection(MeshFormat format, std::string_view bytes) {
-  constexpr int kMaxNesting = 64;
   const std::string_view text = SkipSpace(bytes);
   switch (format) {
     case MeshFormat::kStl:
@@ -85,20 +86,16 @@ std::string Objection(MeshFormat format, std::string_view bytes) {
         return "no Collada document";
       }
       if (text.find("<!DOCTYPE") != std::string_view::npos) return "a document with a DOCTYPE";
-      if (NestingDepth(text, format) > kMaxNesting) return "nested too deep";
       return {};
     case MeshFormat::kGltf:
       if (text.substr(0, 1) != "{" || text.find("\"asset\"") == std::string_view::npos) {
         return "no glTF document";
       }
-      if (NestingDepth(text, format) > kMaxNesting) return "nested too deep";
-      return {};
-    case MeshFormat::kGlb:
-      if (bytes.size() < 20 || bytes.substr(0, 4) != "glTF" || LittleEndian32(bytes, 4) != 2 ||
-          LittleEndian32(bytes, 8) != bytes.size()) {
-        return "no binary glTF 2.0 file of the length that its header tells";
-      }
-      return {};
+      return GltfObjection(text);
+    case MeshFormat::kGlb: {
+      const std::optional<std::string_view> json = JsonOfGlb(bytes);
+      return json ? GltfObjection(*json) : kNoGlb;
+    }
   }
   return "of no known format";
 }
@@ -121,6 +118,7 @@ MeshFormat CheckedMeshFormat(const std::filesystem::path& file, std::string_view
   const std::string objection = Objection(*format, bytes);
   if (!objection.empty()) throw ConfigError(file.string() + ": not a usable mesh: " + objection);
   if (text) CheckIsText(bytes, file.string());
+  if (*format == MeshFormat::kGlb) CheckIsText(*JsonOfGlb(bytes), file.string());
   return *format;
 }
 

@@ -14,6 +14,7 @@
 #include <exception>
 #include <set>
 
+#include "models/collada_check.h"
 #include "models/config_error.h"
 #include "models/mesh_format.h"
 #include "models/text_file.h"
@@ -167,7 +168,9 @@ class Collector {
 std::shared_ptr<const TriangleMesh> LoadMesh(const fs::path& file) {
   if (!IsMeshFile(file)) CheckedMeshFormat(file, {});  // throws before the file is touched
   std::string bytes = ReadBytes(file, kMaxMeshBytes);
-  CheckedMeshFormat(file, bytes);
+  if (CheckedMeshFormat(file, bytes) == MeshFormat::kDae) {
+    bytes = CheckedCollada(bytes, file.string());
+  }
   try {
     Assimp::Importer importer;
     KeepAllowedFormats(importer);

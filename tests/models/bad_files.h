@@ -32,6 +32,15 @@ std::string Slurp(const std::filesystem::path& file);
 /// The text with the first occurrence of `from`, which must be there, replaced.
 std::string Replaced(std::string text, const std::string& from, const std::string& to);
 
+/// A binary glTF file of this JSON and these bytes of geometry.
+std::string Glb(const std::string& json, const std::string& binary);
+/// The JSON of a triangle with its corners in a buffer of 36 bytes, at `uri` or in the GLB's own.
+std::string TriangleGltf(const std::string& uri = "");
+/// Its corners: (0, 0, 0), (1, 0, 0), (0, 1, 0).
+std::string TriangleBytes();
+/// A Collada document of one triangle: (0, 0, 0), (1, 0, 0), (0, 0, 2).
+std::string TriangleCollada();
+
 /// The message of the ConfigError that the call throws, with the folder's path cut out; a note that
 /// none was thrown otherwise.
 std::string MessageOf(const std::function<void()>& call, const ScratchFolder& folder);
