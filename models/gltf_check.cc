@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kMaxNesting = 64;
 constexpr long kMaxBytes = static_cast<long>(kMaxMeshBytes);
 constexpr long kMaxCount = 3 * static_cast<long>(kMaxMeshTriangles);
+constexpr long kMaxValues = 2000000;  // of the JSON text; geometry is in buffers
 constexpr long kMaxElements =
     16000000;  // three vertices a triangle, with eight attributes, and more
 
@@ -43,9 +44,10 @@ class GltfWalk {
     if (c == '{' || c == '[') {
       Open(c == '{');
     } else if (c == '}' || c == ']') {
-      if (levels_.empty()) return Object("brackets that close nothing");
+      if (levels_.empty()) return Fail("brackets that close nothing");
       levels_.pop_back();
     } else if (c == ',') {
+      if (++values_ > kMaxValues) return Fail("more than 2 million values of JSON");
       if (!levels_.empty()) {
         levels_.back().expects_key = levels_.back().object;
         ++levels_.back().item;
@@ -58,7 +60,7 @@ class GltfWalk {
     return at + 1;
   }
 
-  std::size_t Object(std::string what) {
+  std::size_t Fail(std::string what) {
     objection_ = std::move(what);
     return json_.size();
   }
@@ -72,7 +74,7 @@ class GltfWalk {
 
   void Open(bool object) {
     if (levels_.size() >= kMaxNesting) {
-      Object("nested deeper than 64 levels");
+      Fail("nested deeper than 64 levels");
       return;
     }
     const std::string path = Path();
@@ -87,14 +89,14 @@ class GltfWalk {
       escaped = escaped || json_[end] == '\\';
       end += json_[end] == '\\' ? 2 : 1;
     }
-    if (end >= json_.size()) return Object("a string without its end");
+    if (end >= json_.size()) return Fail("a string without its end");
     const std::string_view text = json_.substr(at + 1, end - at - 1);
     if (!levels_.empty() && levels_.back().expects_key) {
-      if (escaped) return Object("a key with a backslash");
+      if (escaped) return Fail("a key with a backslash");
       Key(text);
     } else if (Path() == "asset/version") {
       has_version_ = text.substr(0, 2) == "2.";
-      if (!has_version_) return Object("no glTF document of version 2");
+      if (!has_version_) return Fail("no glTF document of version 2");
     }
     return objection_.empty() ? end + 1 : json_.size();
   }
@@ -105,9 +107,9 @@ class GltfWalk {
     Level& level = levels_.back();
     level.expects_key = false;
     level.inner = level.path + (level.path.empty() ? "" : "/") + std::string(key.substr(0, 100));
-    if (not_read.count(key) > 0) Object("\"" + std::string(key) + "\", which is not read");
+    if (not_read.count(key) > 0) Fail("\"" + std::string(key) + "\", which is not read");
     const bool first = levels_.size() > 1 || top_keys_.insert(std::string(key)).second;
-    if (!first) Object("\"" + std::string(key.substr(0, 40)) + "\" given twice");
+    if (!first) Fail("\"" + std::string(key.substr(0, 40)) + "\" given twice");
   }
 
   std::size_t Number(std::size_t at) {
@@ -123,7 +125,7 @@ class GltfWalk {
       accessor_counts_[Item()] = Bounded(path, text, kMaxCount);
     } else if (path == "buffers/byteLength") {
       buffer_bytes_ += Bounded(path, text, kMaxBytes);
-      if (buffer_bytes_ > 2 * kMaxBytes) Object("more than 64 MiB of buffers");
+      if (buffer_bytes_ > 2 * kMaxBytes) Fail("more than 64 MiB of buffers");
     } else if (path == "bufferViews/byteLength") {
       view_bytes_[Item()] = Bounded(path, text, kMaxBytes);
     } else if (path == "bufferViews/byteOffset" || path == "bufferViews/byteStride" ||
@@ -136,9 +138,9 @@ class GltfWalk {
       named_accessors_.push_back(Bounded(path, text, kMaxBytes));
     } else if (path == "nodes/children") {
       const long child = Bounded(path, text, kMaxBytes);
-      if (!parents_.emplace(child, Item()).second) Object("a node with two parents");
+      if (!parents_.emplace(child, Item()).second) Fail("a node with two parents");
     } else if (path == "scenes/nodes") {
-      if (!of_scene_.insert(Bounded(path, text, kMaxBytes)).second) Object("a node given twice");
+      if (!of_scene_.insert(Bounded(path, text, kMaxBytes)).second) Fail("a node given twice");
     }
   }
 
@@ -148,8 +150,8 @@ class GltfWalk {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = error == std::errc() && end == text.data() + text.size();
     if (whole && value >= 0 && value <= most) return value;
-    Object(path + ": expected a whole number from 0 to " + std::to_string(most) + ", found '" +
-           std::string(text.substr(0, 40)) + "'");
+    Fail(path + ": expected a whole number from 0 to " + std::to_string(most) + ", found '" +
+         std::string(text.substr(0, 40)) + "'");
     return 0;
   }
 
@@ -158,8 +160,8 @@ class GltfWalk {
     long elements = 0, image_bytes = 0;
     for (const long accessor : named_accessors_) elements += accessor_counts_[accessor];
     for (const long view : image_views_) image_bytes += view_bytes_[view];
-    if (elements > kMaxElements) Object("more than 16 million elements over all accessors named");
-    if (image_bytes > kMaxBytes) Object("more than 32 MiB of images");
+    if (elements > kMaxElements) Fail("more than 16 million elements over all accessors named");
+    if (image_bytes > kMaxBytes) Fail("more than 32 MiB of images");
   }
 
   void CheckNodes() {
@@ -169,7 +171,7 @@ class GltfWalk {
       for (auto at = parents_.find(node); at != parents_.end(); at = parents_.find(node)) {
         node = at->second;
         if (++depth <= kMaxNesting) continue;
-        Object("nodes in a circle or nested deeper than 64 levels");
+        Fail("nodes in a circle or nested deeper than 64 levels");
         return;
       }
     }
@@ -183,7 +185,7 @@ class GltfWalk {
   std::map<long, long> accessor_counts_, view_bytes_, parents_;
   std::vector<long> named_accessors_, image_views_;
   std::set<long> of_scene_;
-  long buffer_bytes_ = 0;
+  long buffer_bytes_ = 0, values_ = 0;
 };
 
 }  // namespace

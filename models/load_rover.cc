@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "models/collision_reach.h"
 #include "models/config_error.h"
 #include "models/load_cameras.h"
 #include "models/load_wheel.h"
@@ -255,12 +256,28 @@ UrdfModel WeldRover(const UrdfModel& urdf) {
   return welded;
 }
 
+/// The tip's disc is simulated by itself: nothing else of the arm may reach past its middle.
+void CheckArm(const UrdfModel& urdf, const RoverModel& rover) {
+  const double tip_middle = rover.arm_length_m - 0.5 * rover.tip.length_m;
+  for (const Collision& part : rover.arm.collisions) {
+    const bool is_tip = part.name == "tip" && std::holds_alternative<CylinderShape>(part.shape);
+    const bool is_collar = part.name == "collar" && rover.collar.radius_m > 0.0;
+    if (is_tip || is_collar || ReachAlongX(part) <= tip_middle) continue;
+    throw ConfigError(urdf.PlaceOf("arm") + ": collision '" + part.name + "' reaches to x " +
+                      NumberText(ReachAlongX(part)) + ", expected at most " +
+                      NumberText(tip_middle) +
+                      ", the middle of the tip (arm.length_m less half "
+                      "of arm.tip_length_m)");
+  }
+}
+
 void TakeLinks(const UrdfModel& file, RoverModel& rover) {
   const UrdfModel urdf = WeldRover(file);
   rover.body = BodyWithMass(urdf, "body");
   rover.left_wheel = BodyWithMass(urdf, "left_wheel");
   rover.right_wheel = BodyWithMass(urdf, "right_wheel");
   rover.arm = BodyWithMass(urdf, "arm");
+  CheckArm(urdf, rover);
   const UrdfJoint &left = urdf.Joint("left_wheel_joint"), &right = urdf.Joint("right_wheel_joint"),
                   &arm = urdf.Joint("arm_joint");
   CheckJoint(left, "left_wheel");

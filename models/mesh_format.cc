@@ -13,6 +13,8 @@
 namespace dockyard {
 namespace {
 
+constexpr std::size_t kMaxObjParts = 10000;
+
 std::optional<MeshFormat> FormatByExtension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -69,6 +71,20 @@ std::optional<std::string_view> JsonOfGlb(std::string_view bytes) {
   return json;
 }
 
+/// Lines of an OBJ text that open an object, group or material: assimp compares each with all.
+std::size_t CountObjParts(std::string_view text) {
+  std::size_t parts = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n\\", at), text.size());
+    const std::string_view line = text.substr(begin, 7);
+    if (line.substr(0, 2) == "o " || line.substr(0, 2) == "g " || line.substr(0, 6) == "usemtl") {
+      ++parts;
+    }
+    at = std::min(text.find_first_of("\r\n", begin), text.size());
+  }
+  return parts;
+}
+
 std::string Objection(MeshFormat format, std::string_view bytes) {
   const std::string_view text = SkipSpace(bytes);
   switch (format) {
@@ -79,6 +95,9 @@ std::string Objection(MeshFormat format, std::string_view bytes) {
     case MeshFormat::kObj:
       if (text.find("v ") == std::string_view::npos || text.find("f ") == std::string_view::npos) {
         return "an OBJ file without vertices or faces";
+      }
+      if (CountObjParts(text) > kMaxObjParts) {
+        return "more than 10000 objects, groups and changes of material";
       }
       return {};
     case MeshFormat::kDae:

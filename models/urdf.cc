@@ -222,7 +222,9 @@ class Complaints : public console_bridge::OutputHandler {
 urdf::ModelInterfaceSharedPtr Parse(const std::string& text, const std::string& file) {
   const Complaints complaints;
   try {
-    if (auto model = urdf::parseURDF(text)) return model;
+    auto model = urdf::parseURDF(text);
+    // It also goes on after an error, without the part that it was about.
+    if (model && complaints.text().empty()) return model;
   } catch (const std::exception& error) {
     Refuse(file, std::string("not a usable URDF: ") + error.what());
   }

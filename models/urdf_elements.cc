@@ -10,21 +10,22 @@
 namespace dockyard {
 namespace {
 
-/// What may stand in an element. `once` holds the children that may not be repeated.
+/// What may stand in an element. `once` holds the children that may not be repeated, `must` those
+/// of them that may not be missing.
 struct Rule {
-  std::vector<std::string> attributes, once, any;
+  std::vector<std::string> attributes, once, any, must = {};
 };
 
 const std::map<std::string, Rule>& Rules() {
   static const std::map<std::string, Rule> rules{
       {"robot", {{"name", "version"}, {}, {"link", "joint", "material"}}},
       {"link", {{"name"}, {"inertial"}, {"visual", "collision"}}},
-      {"inertial", {{}, {"origin", "mass", "inertia"}, {}}},
+      {"inertial", {{}, {"origin", "mass", "inertia"}, {}, {"mass", "inertia"}}},
       {"origin", {{"xyz", "rpy"}, {}, {}}},
       {"mass", {{"value"}, {}, {}}},
       {"inertia", {{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}, {}, {}}},
-      {"visual", {{"name"}, {"origin", "geometry", "material"}, {}}},
-      {"collision", {{"name"}, {"origin", "geometry"}, {}}},
+      {"visual", {{"name"}, {"origin", "geometry", "material"}, {}, {"geometry"}}},
+      {"collision", {{"name"}, {"origin", "geometry"}, {}, {"geometry"}}},
       {"geometry", {{}, {"box", "cylinder", "sphere", "mesh"}, {}}},
       {"box", {{"size"}, {}, {}}},
       {"cylinder", {{"radius", "length"}, {}, {}}},
@@ -85,10 +86,23 @@ class ElementCheck {
       if (once && !seen.insert(child).second) Refuse(*e, "given twice in one <" + name + ">");
       Visit(*e);
     }
+    for (const std::string& needed : rule.must) {
+      if (seen.count(needed) == 0) Refuse(element, "missing <" + needed + ">");
+    }
     if (name == "geometry" && seen.size() != 1) {
       Refuse(element, "expected one shape, found " + std::to_string(seen.size()));
     }
     CheckValues(element, name);
+    if (name == "material") TakeMaterial(element);
+  }
+
+  /// Materials of the robot hold for all links, wherever they stand.
+  void TakeMaterials(const TiXmlElement& robot) {
+    for (const TiXmlElement* e = robot.FirstChildElement("material"); e;
+         e = e->NextSiblingElement("material")) {
+      const char *name = e->Attribute("name"), *rgba = ColourOf(*e);
+      if (name != nullptr && rgba != nullptr) colours_.emplace(name, rgba);
+    }
   }
 
   std::map<std::string, int> TakeLeftOut() { return std::move(left_out_); }
@@ -152,7 +166,26 @@ class ElementCheck {
     }
   }
 
+  static const char* ColourOf(const TiXmlElement& material) {
+    const TiXmlElement* color = material.FirstChildElement("color");
+    return color == nullptr ? nullptr : color->Attribute("rgba");
+  }
+
+  /// One name is one colour: a parser takes the first for all.
+  void TakeMaterial(const TiXmlElement& material) {
+    const std::string name = material.Attribute("name") ? material.Attribute("name") : "";
+    const char* rgba = ColourOf(material);
+    if (rgba != nullptr && name.empty()) return;
+    if (rgba == nullptr && colours_.count(name) == 0) {
+      Refuse(material,
+             "expected a <color>, or the name of a material before, found '" + name + "'");
+    }
+    if (rgba == nullptr || colours_.emplace(name, rgba).first->second == rgba) return;
+    Refuse(material, "'" + name + "' has another colour before");
+  }
+
   std::string file_;
+  std::map<std::string, std::string> colours_;  // by material
   std::map<std::string, int> left_out_;
 };
 
@@ -160,6 +193,7 @@ class ElementCheck {
 
 std::map<std::string, int> CheckUrdfElements(const TiXmlElement& robot, const std::string& file) {
   ElementCheck check(file);
+  check.TakeMaterials(robot);
   check.Visit(robot);
   return check.TakeLeftOut();
 }

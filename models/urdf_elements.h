@@ -11,8 +11,9 @@ namespace dockyard {
 
 /// How often each element occurs that is left out: "transmission" -> 2. Throws ConfigError with
 /// line and column for an element or attribute that is neither read nor left out, one given twice
-/// that may stand once, and values that would change what is simulated or drawn: damping and
-/// friction of a joint other than 0, a colour that is not opaque.
+/// that may stand once, one missing that must stand, a material with no colour or two, and values
+/// that would change what is simulated or drawn: damping and friction of a joint other than 0, a
+/// colour that is not opaque.
 std::map<std::string, int> CheckUrdfElements(const TiXmlElement& robot, const std::string& file);
 
 }  // namespace dockyard

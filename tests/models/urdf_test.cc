@@ -232,6 +232,28 @@ TEST(UrdfElements, ThatStandOnceAreRefusedTwice) {
               HasSubstr("m.urdf:4:1: <axis>: given twice in one <joint>"));
 }
 
+TEST(UrdfElements, ThatMustStandAreMissed) {
+  EXPECT_EQ(MessageFor(Link("<visual/>")), "m.urdf:2:17: <visual>: missing <geometry>");
+  EXPECT_EQ(MessageFor(Link("<collision/>")), "m.urdf:2:17: <collision>: missing <geometry>");
+  EXPECT_EQ(MessageFor(Link("<inertial><mass value=\"1\"/></inertial>")),
+            "m.urdf:2:17: <inertial>: missing <inertia>");
+}
+
+TEST(UrdfElements, MaterialsHaveOneColour) {
+  const auto with = [](const std::string& before, const std::string& material) {
+    return Robot(before + "<link name=\"a\"><visual><geometry><sphere radius=\"1\"/></geometry>\n" +
+                 material + "</visual></link>");
+  };
+  const std::string red = "<material name=\"x\"><color rgba=\"1 0 0 1\"/></material>";
+  const std::string blue = "<material name=\"x\"><color rgba=\"0 0 1 1\"/></material>";
+  EXPECT_EQ(with(red, "<material name=\"x\"/>"), "(no error)");
+  EXPECT_EQ(with("", red), "(no error)");
+  EXPECT_EQ(with("", "<material name=\"x\"/>"),
+            "m.urdf:3:1: <material>: expected a <color>, or the name of a material before, found "
+            "'x'");
+  EXPECT_EQ(with(red, blue), "m.urdf:3:1: <material>: 'x' has another colour before");
+}
+
 TEST(UrdfElements, WithoutEffectAreLeftOutAndCounted) {
   const ScratchFolder folder;
   const UrdfModel model = LoadUrdf(folder.Write(

@@ -236,6 +236,15 @@ TEST(RoverLinks, ALinkOnNoJointIsRefusedWithItsLine) {
                 ":1: <link>: 'lost' hangs on no joint, expected one tree, its root is 'body'");
 }
 
+TEST(RoverLinks, APartOfTheArmThatReachesPastTheTipIsRefused) {
+  // Past the tip's middle nothing but its disc meets the cone: it would be dropped.
+  const std::string box = BoxLink("claw", 0.1, {0.02, 0.02, 0.02});
+  EXPECT_EQ(MessageWith("axel", box + Joint("fixed", "arm", "claw", Origin("0.9 0 0", "0 0 0"))),
+            "(no error)");
+  EXPECT_THAT(MessageWith("axel", box + Joint("fixed", "arm", "claw", Origin("1.0 0 0", "0 0 0"))),
+              HasSubstr("link 'arm': collision 'c_claw' reaches to x 1.0"));
+}
+
 TEST(StationLinks, AFixedPartOfTheModuleCountsAndOneOfTheStandMayNotWeigh) {
   const std::string ballast = BoxLink("ballast", 5, {0.1, 0.1, 0.1});
   EXPECT_EQ(MessageWith("station",
