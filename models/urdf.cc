@@ -65,9 +65,16 @@ void ReadInertial(const urdf::Inertial& in, const std::string& place, LinkModel&
   }
 }
 
+/// What all links of one file may hold together, and the meshes that it has named already.
+struct Budget {
+  std::size_t parts = 2000, corners = 6 * kMaxMeshTriangles;
+  std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes;  // by path
+};
+
 /// A cylinder, box or sphere as a mesh; a mesh from its file.
 std::shared_ptr<const TriangleMesh> ReadMesh(const urdf::Geometry& geometry,
-                                             const std::string& place, const std::string& file) {
+                                             const std::string& place, const std::string& file,
+                                             Budget& left) {
   switch (geometry.type) {
     case urdf::Geometry::BOX: {
       const auto& box = static_cast<const urdf::Box&>(geometry);
@@ -89,7 +96,9 @@ std::shared_ptr<const TriangleMesh> ReadMesh(const urdf::Geometry& geometry,
   if (scale.cwiseAbs().minCoeff() < 1e-6) {
     Refuse(place, "mesh scale: expected numbers other than 0");
   }
-  const auto loaded = LoadMesh(ResolveInside(file, mesh.filename, place + ": mesh filename"));
+  const auto path = ResolveInside(file, mesh.filename, place + ": mesh filename");
+  std::shared_ptr<const TriangleMesh>& loaded = left.meshes[path.string()];
+  if (!loaded) loaded = LoadMesh(path);
   if (scale == Eigen::Vector3d::Ones()) return loaded;
   return std::make_shared<const TriangleMesh>(Scaled(*loaded, scale));
 }
@@ -108,13 +117,14 @@ void CheckShape(const urdf::Geometry& geometry, const std::string& place) {
   }
 }
 
-Visual ReadVisual(const urdf::Visual& in, const std::string& place, const std::string& file) {
+Visual ReadVisual(const urdf::Visual& in, const std::string& place, const std::string& file,
+                  Budget& left) {
   if (!in.geometry) Refuse(place, "visual: expected a <geometry>, found none");
   CheckShape(*in.geometry, place);
   Visual visual;
   visual.name = in.name;
   visual.X_LV = ToPose(in.origin, place, "visual");
-  visual.mesh = ReadMesh(*in.geometry, place, file);
+  visual.mesh = ReadMesh(*in.geometry, place, file, left);
   if (in.material) {
     const urdf::Color& c = in.material->color;
     for (const float x : {c.r, c.g, c.b}) Checked(x, Between(0.0, 1.0), place, "colour");
@@ -124,7 +134,7 @@ Visual ReadVisual(const urdf::Visual& in, const std::string& place, const std::s
 }
 
 Collision ReadCollision(const urdf::Collision& in, const std::string& place,
-                        const std::string& file) {
+                        const std::string& file, Budget& left) {
   if (!in.geometry) Refuse(place, "collision: expected a <geometry>, found none");
   CheckShape(*in.geometry, place);
   Collision collision;
@@ -140,12 +150,20 @@ Collision ReadCollision(const urdf::Collision& in, const std::string& place,
   } else if (geometry.type == urdf::Geometry::SPHERE) {
     collision.shape = SphereShape{static_cast<const urdf::Sphere&>(geometry).radius};
   } else {
-    collision.shape = HullShape{ReadMesh(geometry, place, file)->vertices};
+    collision.shape = HullShape{ReadMesh(geometry, place, file, left)->vertices};
   }
   return collision;
 }
 
-LinkModel ReadLink(const urdf::Link& in, const std::string& place, const std::string& file) {
+void Spend(std::size_t corners, const std::string& place, Budget& left) {
+  if (left.parts == 0) Refuse(place, "more than 2000 visuals and collisions in one file");
+  if (corners > left.corners) Refuse(place, "more than 3 million mesh vertices in one file");
+  --left.parts;
+  left.corners -= corners;
+}
+
+LinkModel ReadLink(const urdf::Link& in, const std::string& place, const std::string& file,
+                   Budget& left) {
   constexpr std::size_t kMaxParts = 256;
   if (in.visual_array.size() > kMaxParts || in.collision_array.size() > kMaxParts) {
     Refuse(place, "more than 256 visuals or collisions in one link");
@@ -154,10 +172,15 @@ LinkModel ReadLink(const urdf::Link& in, const std::string& place, const std::st
   link.name = in.name;
   if (in.inertial) ReadInertial(*in.inertial, place, link);
   for (const auto& visual : in.visual_array) {
-    if (visual) link.visuals.push_back(ReadVisual(*visual, place, file));
+    if (!visual) continue;
+    link.visuals.push_back(ReadVisual(*visual, place, file, left));
+    Spend(link.visuals.back().mesh->vertices.size(), place, left);
   }
   for (const auto& collision : in.collision_array) {
-    if (collision) link.collisions.push_back(ReadCollision(*collision, place, file));
+    if (!collision) continue;
+    link.collisions.push_back(ReadCollision(*collision, place, file, left));
+    const auto* hull = std::get_if<HullShape>(&link.collisions.back().shape);
+    Spend(hull == nullptr ? 0 : hull->points.size(), place, left);
   }
   return link;
 }
@@ -264,9 +287,10 @@ UrdfModel LoadUrdf(const std::string& file) {
   model.file = file;
   model.left_out = checked.left_out;
   model.root = parsed->getRoot() ? parsed->getRoot()->name : "";
+  Budget left;
   for (const auto& [name, link] : parsed->links_) {
     model.place.push_back(place_of("link", name));
-    model.links.push_back(ReadLink(*link, model.place.back(), file));
+    model.links.push_back(ReadLink(*link, model.place.back(), file, left));
   }
   for (const auto& [name, joint] : parsed->joints_) {
     model.joints.push_back(ReadJoint(*joint, place_of("joint", name)));

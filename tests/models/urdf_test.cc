@@ -283,6 +283,34 @@ TEST(UrdfTree, LinksOutsideItAreRefusedWithTheirLine) {
             "m.urdf:3:1: <joint>: joints in a circle, expected a tree");
 }
 
+TEST(Urdf, AllPartsOfAFileTogetherAreBounded) {
+  const auto robot = [](int links, int parts, const std::string& geometry) {
+    std::string text = "<link name=\"root\"/>";
+    for (int i = 0; i < links; ++i) {
+      const std::string name = std::to_string(i);
+      text += "<link name=\"" + name + "\">" +
+              Times(static_cast<std::size_t>(parts),
+                    "<collision><geometry>" + geometry + "</geometry></collision>") +
+              "</link><joint name=\"" + name +
+              "\" type=\"fixed\"><parent link=\"root\"/><child link=\"" + name + "\"/></joint>\n";
+    }
+    return "<robot name=\"m\">\n" + text + "</robot>\n";
+  };
+  EXPECT_THAT(MessageFor(robot(21, 100, "<sphere radius=\"1\"/>")),
+              HasSubstr("more than 2000 visuals and collisions in one file"));
+  EXPECT_EQ(MessageFor(robot(20, 100, "<sphere radius=\"1\"/>")), "(no error)");
+  const ScratchFolder folder;
+  std::string mesh;
+  for (int i = 0; i < 40000; ++i) {
+    mesh += "v " + std::to_string(i) + "e-4 0 0\nv 0 " + std::to_string(i) + "e-4 1\nv 0 0 " +
+            std::to_string(i) + "e-4\nf -1 -2 -3\n";
+  }
+  folder.Write("big.obj", mesh);
+  const std::string file = folder.Write("m.urdf", robot(1, 40, "<mesh filename=\"big.obj\"/>"));
+  EXPECT_THAT(MessageOf([&] { LoadUrdf(file); }, folder),
+              HasSubstr("more than 3 million mesh vertices in one file"));
+}
+
 TEST(UrdfTree, HasAtMostAThousandLinks) {
   std::string chain;
   for (int i = 0; i < 1001; ++i) {
