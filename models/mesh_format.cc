@@ -77,9 +77,8 @@ std::size_t CountObjParts(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n\\", at), text.size());
     const std::string_view line = text.substr(begin, 7);
-    if (line.substr(0, 2) == "o " || line.substr(0, 2) == "g " || line.substr(0, 6) == "usemtl") {
-      ++parts;
-    }
+    const bool named = line.size() > 1 && (line[1] == ' ' || line[1] == '\t');
+    if ((named && (line[0] == 'o' || line[0] == 'g')) || line.substr(0, 6) == "usemtl") ++parts;
     at = std::min(text.find_first_of("\r\n", begin), text.size());
   }
   return parts;

@@ -136,8 +136,10 @@ TEST(ObjBounds, PartsAreSoManyThatComparingAllTakesNoTime) {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (int i = 0; i < 10000; ++i) text += "o a" + std::to_string(i) + "\nf 1 2 3\n";
   EXPECT_EQ(MessageFor("a.obj", text), "(no error)");
-  EXPECT_EQ(MessageFor("a.obj", text + "usemtl b\nf 1 2 3\n"),
-            "a.obj: not a usable mesh: more than 10000 objects, groups and changes of material");
+  for (const char* more : {"usemtl b\n", "o b\n", "o\tb\n", "\r  g b\n"}) {
+    EXPECT_EQ(MessageFor("a.obj", text + more),
+              "a.obj: not a usable mesh: more than 10000 objects, groups and changes of material");
+  }
 }
 
 /// The messages for the triangle as .gltf and as .glb, which must be the same reason.
