@@ -82,7 +82,8 @@ PlacedCamera Placed(const Cahvore& lens_F, int width, int height) {
 }
 
 PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
-  const std::vector<std::string> models{"kannala_brandt", "brown", "cahv", "cahvor", "cahvore"};
+  const std::vector<std::string> models{"kannala_brandt", "brown",  "pinhole",
+                                        "cahv",           "cahvor", "cahvore"};
   const std::vector<std::string> common{"name",     "source",    "model",       "pixel_zero",
                                         "width_px", "height_px", "scaled_to_px"};
   // Which other keys are known depends on the model: read that first.
@@ -93,10 +94,11 @@ PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
   const auto know = [&](std::vector<std::string> more) {
     keys.insert(keys.end(), more.begin(), more.end());
   };
-  const bool focal = model == "kannala_brandt" || model == "brown";
+  const bool focal = model == "kannala_brandt" || model == "brown" || model == "pinhole";
   if (focal) {
     know({"fx_px", "fy_px", "cx_px", "cy_px", "position_m", "yaw_deg", "pitch_deg", "roll_deg"});
-    model == "brown" ? know({"k1", "k2", "k3", "p1", "p2"}) : know({"k"});
+    if (model == "brown") know({"k1", "k2", "k3", "p1", "p2"});
+    if (model == "kannala_brandt") know({"k"});
   } else {
     know({"C", "A", "H", "V"});
     if (model != "cahv") know({"O", "R"});
@@ -108,7 +110,11 @@ PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
   PlacedCamera placed;
   if (focal) {
     placed.camera = {.width = width, .height = height, .lens = {}};
-    if (model == "brown") {
+    if (model == "pinhole") {
+      BrownPinhole lens{};
+      ReadFocal(in, lens);
+      placed.camera.lens = lens;
+    } else if (model == "brown") {
       BrownPinhole lens;
       ReadFocal(in, lens);
       lens.k1 = in.Number("k1", kVector);

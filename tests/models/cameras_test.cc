@@ -148,6 +148,16 @@ TEST(CameraFile, WithoutAPlaceIsItsOwnFrame) {
   EXPECT_EQ(placed.camera.Project({0, 0, 2}), Eigen::Vector2d(320.1, 247.6));
 }
 
+TEST(CameraFile, APinholeHasNoDistortionToGive) {
+  const ScratchFolder folder;
+  const std::string text =
+      "model: pinhole\npixel_zero: centre\nwidth_px: 640\nheight_px: 480\nfx_px: 500\n"
+      "fy_px: 510\ncx_px: 320\ncy_px: 240\n";
+  const PlacedCamera placed = LoadCamera(folder.Write("c.yaml", text));
+  const auto pixel = placed.camera.Project({0.4, -0.2, 2.0});
+  EXPECT_TRUE(pixel->isApprox(Eigen::Vector2d(320 + 500 * 0.2, 240 - 510 * 0.1), 1e-12));
+}
+
 TEST(CameraFile, SaysWhichPointOfTheFirstPixelIsZero) {
   const ScratchFolder folder;
   const auto centre = [&](const char* word) {
@@ -168,9 +178,10 @@ TEST(CameraFile, BadOnesAreToldByPlaceAndPath) {
   EXPECT_EQ(message("fx_px: 535.4", "fx_px: -1"),
             "c.yaml:6:8: fx_px: expected a number > 0, found '-1'");
   EXPECT_EQ(message("k1:", "k_1:"), "c.yaml:10:1: k_1: unknown key, did you mean 'k1'?");
-  EXPECT_EQ(message("model: brown", "model: pinhole"),
-            "c.yaml:2:8: model: expected one of kannala_brandt, brown, cahv, cahvor, cahvore, "
-            "found 'pinhole'");
+  EXPECT_EQ(message("model: brown", "model: fisheye"),
+            "c.yaml:2:8: model: expected one of kannala_brandt, brown, pinhole, cahv, cahvor, "
+            "cahvore, found 'fisheye'");
+  EXPECT_THAT(message("model: brown", "model: pinhole"), HasSubstr("c.yaml:10:1: k1: unknown key"));
   EXPECT_EQ(message("pixel_zero: centre\n", ""), "c.yaml:1:1: missing key 'pixel_zero'");
   EXPECT_EQ(message("p1: 0.0018", "yaw_deg: 3"),
             "c.yaml:12:10: yaw_deg: expected a position_m beside it, found '3'");
