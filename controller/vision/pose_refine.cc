@@ -6,15 +6,11 @@
 #include <optional>
 
 #include "controller/base/check.h"
+#include "controller/vision/pose_linear.h"
 #include "controller/vision/pose_problem.h"
 
 namespace dockyard {
 namespace {
-
-constexpr int kMostNuisance = 8;  // calibration terms of two cameras
-constexpr int kMost = 9 + kMostNuisance;
-using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
-using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
 
 /// Levenberg-Marquardt with fixed offsets.
 PoseEstimate Descend(const PoseProblem& problem, PoseEstimate at, int max_iterations) {
@@ -102,7 +98,8 @@ Square StepCovariance(const Linear& linear, bool with_centre) {
   return P + K * K.transpose();
 }
 
-/// The upper 6x6 of a step's covariance as RefinedPose gives it, the pair's mounting added.
+}  // namespace
+
 Matrix6d PoseCovariance(const Square& step, const Pose3& X_RB, double mounting_rad) {
   Matrix6d T = Matrix6d::Zero();  // (turn about B's axes, shift) -> (shift, turn about R's axes)
   T.block<3, 3>(0, 3) = Eigen::Matrix3d::Identity();
@@ -115,6 +112,8 @@ Matrix6d PoseCovariance(const Square& step, const Pose3& X_RB, double mounting_r
   covariance += mounting_rad * mounting_rad * mounting * mounting.transpose();
   return covariance;
 }
+
+namespace {
 
 /// How well the errors agree with their own prediction: least squares over the step and the
 /// calibration terms, each of unit variance. With true sigmas `misfit` is chi-square distributed.
@@ -130,6 +129,8 @@ void AddConsistency(const PoseProblem& problem, const PoseEstimate& at, const Li
     refined->mark_sigmas.push_back(left.norm());
   }
 }
+
+}  // namespace
 
 void AddErrors(const PoseProblem& problem, const PoseEstimate& at, std::size_t views,
                const std::vector<PointPixel>& points, RefinedPose* refined) {
@@ -149,8 +150,6 @@ void AddErrors(const PoseProblem& problem, const PoseEstimate& at, std::size_t v
   }
   refined->rms_px = std::sqrt(sum / static_cast<double>(errors.size()));
 }
-
-}  // namespace
 
 std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_CB,
                                            const Eigen::Vector3d& p_BF, double diameter_m) {

@@ -2,10 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "campaign/fake_runs.h"
 #include "campaign/program.h"
@@ -148,6 +150,137 @@ TEST(PoseCommand, SolvesPointsAndNamesTheOutlier) {
     EXPECT_NEAR(out["body_in_rover"]["p_m"][i].get<double>(), expected[i], 1e-4);
   }
   EXPECT_NEAR(out["body_in_rover"]["quaternion_wxyz"][0].get<double>(), std::cos(0.1), 1e-4);
+}
+
+/// PointsCsv with a first column `frame` and a last one that nobody knows.
+std::string FramesCsv(const std::string& second_frame) {
+  std::string csv;
+  for (std::size_t begin = 0, row = 0; begin < PointsCsv("").size(); ++row) {
+    const std::string all = PointsCsv("");
+    const std::size_t end = all.find('\n', begin);
+    csv += (row == 0 ? "frame," : "late,") + all.substr(begin, end - begin) +
+           (row == 0 ? ",tag\n" : ",7\n");
+    begin = end + 1;
+  }
+  return csv + second_frame;
+}
+
+TEST(PoseCommand, ASequenceGivesOneObjectAFrameInOrderOfAppearance) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "frames.csv").string();
+  WriteText(file, FramesCsv("1,left,100,100,0.2,0.2,0.2,\n1,left,120,100,0.2,-0.2,0.2,9\n"));
+  const std::string command = "pose --rig models/axel/axel.yaml --sequence " + file;
+  const Ended ended = Dockyard(command + " --json");
+  ASSERT_EQ(ended.code, 0) << ended.err << ended.out;
+  std::istringstream lines(ended.out);
+  std::string line;
+  ASSERT_TRUE(std::getline(lines, line));
+  const json late = json::parse(line);
+  EXPECT_EQ(late["frame"], "late");
+  EXPECT_EQ(late["points_used"], 16);
+  const double here[3] = {2.2, 0.1, 0.3};  // turned by 0.2 about z
+  const double back[3] = {-2.2 * std::cos(0.2) - 0.1 * std::sin(0.2),
+                          2.2 * std::sin(0.2) - 0.1 * std::cos(0.2), -0.3};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(late["body_in_rover"]["p_m"][i].get<double>(), here[i], 1e-4);
+    EXPECT_NEAR(late["rover_in_body"]["p_m"][i].get<double>(), back[i], 1e-4);
+  }
+  EXPECT_GT(late["rover_in_body"]["covariance"][0][0].get<double>(), 0.0);
+  EXPECT_LT(late["chi_square"].get<double>(), 1.0);
+  EXPECT_EQ(late["freedom"], 26);
+  ASSERT_TRUE(std::getline(lines, line));
+  const json second = json::parse(line);
+  EXPECT_EQ(second["frame"], "1");
+  EXPECT_EQ(second["accepted"], false);
+  EXPECT_EQ(second["reason"], "too few fiducials");
+  EXPECT_FALSE(std::getline(lines, line));
+
+  const Ended table = Dockyard(command + " --csv");
+  ASSERT_EQ(table.code, 0);
+  std::istringstream rows(table.out);
+  std::vector<long> commas;
+  while (std::getline(rows, line)) commas.push_back(std::count(line.begin(), line.end(), ','));
+  EXPECT_THAT(commas, testing::ElementsAre(37, 37, 37));
+}
+
+TEST(PoseCommand, SaysWhatAFileOfFramesMustHave) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "points.csv").string();
+  const std::string rig = " --rig models/axel/axel.yaml";
+  WriteText(file, PointsCsv(""));
+  const Ended without = Dockyard("pose --sequence " + file + rig);
+  EXPECT_EQ(without.code, 3);
+  EXPECT_THAT(without.err, HasSubstr("missing key 'frame'"));
+  EXPECT_EQ(Dockyard("pose " + file + " --sequence " + file + rig).code, 2);
+  EXPECT_EQ(Dockyard("pose" + rig).code, 2);
+  WriteText(file, FramesCsv("1,left,100,100,0.2,0.2,0.2,\n"));
+  const Ended several = Dockyard("pose " + file + rig);
+  EXPECT_EQ(several.code, 3);
+  EXPECT_THAT(several.err, HasSubstr("points.csv:18:1: row 17.frame: expected the same frame"));
+  WriteText(file, "camera,u_px,v_px,x_m,y_m,z_m,survey_eror_m\nleft,1,2,0,0,0,1\n");
+  const Ended slip = Dockyard("pose " + file + rig);
+  EXPECT_EQ(slip.code, 3);
+  EXPECT_THAT(slip.err, HasSubstr("points.csv:1:30: survey_eror_m: unknown column, did you mean"));
+  WriteText(file, "frame,camera,u_px,v_px,x_m,y_m,z_m\na,left,1,2,0,0,0\n");
+  EXPECT_EQ(Dockyard("pose --sequence " + file + rig).code, 4);
+}
+
+TEST(PoseCommand, NoticesThatLeftAndRightAreExchanged) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "points.csv").string();
+  std::string csv = PointsCsv("");
+  const auto rename = [&](const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = csv.find(from, at)) != std::string::npos; at += to.size()) {
+      csv.replace(at, from.size(), to);
+    }
+  };
+  rename("left", "other");
+  rename("right", "left");
+  rename("other", "right");
+  WriteText(file, csv);
+  const Ended ended = Dockyard("pose " + file + " --rig models/axel/axel.yaml");
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_THAT(ended.out, HasSubstr("with left and right exchanged they do"));
+}
+
+TEST(PoseCommand, TakesTheImagesSizeFromTheRigAndTheSurveysErrorFromItsColumn) {
+  // A rectified pair in the left camera's frame, as docs/cameras.md writes it, not of 4 to 3.
+  const TemporaryFolder folder;
+  const std::string rig = (folder.path() / "rig.yaml").string();
+  const std::string file = (folder.path() / "points.csv").string();
+  const std::string camera =
+      "model: pinhole, pixel_zero: centre, width_px: 1920, height_px: 1080, fx_px: 1000, fy_px: "
+      "1000, cx_px: 960, cy_px: 540";
+  WriteText(rig, "left: {" + camera + "}\nright: {" + camera +
+                     ", position_m: [0.12, 0, 0], pitch_deg: -90, roll_deg: 90}\n");
+  const auto write = [&](const char* survey) {
+    std::string csv = "camera,u_px,v_px,x_m,y_m,z_m,survey_error_m\n";
+    for (int i = 0; i < 8; ++i) {
+      const double x = i & 1 ? 0.5 : -0.5, y = i & 2 ? 0.4 : -0.4, z = i & 4 ? 0.3 : -0.3;
+      for (const double at : {0.0, 0.12}) {
+        char row[200];
+        std::snprintf(row, sizeof row, "%s,%.6f,%.6f,%.2f,%.2f,%.2f,%s\n",
+                      at > 0.0 ? "right" : "left", 960 + 1000 * (x - at) / (z + 3.0),
+                      540 + 1000 * y / (z + 3.0), x, y, z, survey);
+        csv += row;
+      }
+    }
+    WriteText(file, csv);
+    const Ended ended = Dockyard("pose " + file + " --json --rig " + rig);
+    EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+    return json::parse(ended.out);
+  };
+  const json exact = write("0"), empty = write(""), coarse = write("0.05");
+  const double expected[3] = {0.0, 0.0, 3.0};
+  const auto variance = [](const json& out) {
+    return out["body_in_rover"]["covariance"][2][2].get<double>();
+  };
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(exact["body_in_rover"]["p_m"][i].get<double>(), expected[i], 1e-5);
+  }
+  EXPECT_NEAR(empty["survey_error_m"].get<double>(), 0.001, 1e-12);  // of 1 m
+  EXPECT_LT(variance(exact), variance(coarse));
+  EXPECT_LT(variance(empty), variance(coarse));
 }
 
 TEST(PoseCommand, NamesTheRowThatIsWrong) {
