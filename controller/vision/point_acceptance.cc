@@ -20,13 +20,16 @@ constexpr double kMostTurnSigma_rad = kPi / 6.0, kMostPlaceSigma = 0.5;
 
 /// Chance that at least `least` of n independent events of probability p happen.
 double AtLeast(std::size_t least, std::size_t n, double p) {
+  if (least == 0 || p >= 1.0) return 1.0;
+  if (!(p > 0.0)) return 0.0;
+  const auto log_factorial = [](std::size_t k) {
+    return std::lgamma(static_cast<double>(k) + 1.0);
+  };
   double sum = 0.0;
   for (std::size_t k = least; k <= n; ++k) {
-    double term = 1.0;
-    for (std::size_t i = 0; i < k; ++i) {
-      term *= p * static_cast<double>(n - i) / static_cast<double>(i + 1);
-    }
-    sum += term * std::pow(1.0 - p, static_cast<double>(n - k));
+    sum += std::exp(log_factorial(n) - log_factorial(k) - log_factorial(n - k) +
+                    static_cast<double>(k) * std::log(p) +
+                    static_cast<double>(n - k) * std::log1p(-p));
   }
   return std::min(sum, 1.0);
 }

@@ -25,14 +25,15 @@ struct PointPose {
   std::optional<Pose3> other_RB;  // a plane seen by one camera: the other pose that fits nearly
   double other_cost = 0.0;        // RefinedPose::cost of it
   double sigma_px = 0.0;          // noise of the pixels as the residuals show it
-  double survey_share = 1.0;      // of the survey's error as given: the same
+  double survey_share = 1.0;      // of the survey's error as stated: the same
 };
 
 /// dockyard: the pose from three points that the others fit best (FindConsensus), then rounds of
 /// the joint fit (FitPoints) with what lies within 4 sigmas of it, their scale taken from the
-/// median over all pixels, never from the kept ones alone. The pixels' noise and the survey's error
-/// are at last taken from the residuals, for the covariance: the noise is at least `sigma_px`, the
-/// error at most `survey_m`. JudgePoints then accepts or refuses: at least four different points
+/// median over all pixels, never from the kept ones alone: the pixels' noise or the survey's error,
+/// whichever explains the errors better, is raised above what is stated. For the covariance the
+/// noise is taken from all that agree, and the survey's error may come out below what is stated.
+/// JudgePoints then accepts or refuses: at least four different points
 /// and half of all must agree, in each image that shows four or more, and more than accident
 /// explains; when each camera's points agree by themselves but not together it is kEyesDisagree.
 /// tsai2013: with both cameras, points that both see are triangulated and a rigid fit

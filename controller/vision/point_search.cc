@@ -47,7 +47,9 @@ class PointSearch {
                       .survey_share = survey_share_,
                       .fit_turn = fit_turn});
   }
-  double NoiseOfAll(const std::vector<PixelError>& errors) const;
+  double MedianExcess(const std::vector<PixelError>& errors, double sigma_px, double share) const;
+  double Unlikeliness(const std::vector<PixelError>& errors, double sigma_px, double share) const;
+  void TakeNoiseOfAll(const std::vector<PixelError>& errors);
   double Misfit(const std::vector<PixelError>& errors, double sigma_px, double survey_share) const;
   void TakeNoiseOfInliers(const std::vector<PixelError>& errors);
   std::vector<bool> Gated(const std::vector<PixelError>& errors) const;
@@ -76,18 +78,52 @@ double NoiseWhere(double least_px, Excess excess) {
   return high;
 }
 
-/// By the median over every pixel, so that it does not depend on which were left out.
-double PointSearch::NoiseOfAll(const std::vector<PixelError>& errors) const {
-  const double count = static_cast<double>(errors.size());
+/// Of every pixel, so that it does not depend on which were left out: the median of the squared
+/// sigmas less what it should be.
+double PointSearch::MedianExcess(const std::vector<PixelError>& errors, double sigma_px,
+                                 double share) const {
+  std::vector<double> squares;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    squares.push_back(SquaredSigmas(errors, {i}, sigma_px, share * Survey(i)));
+  }
   // Chi-square's median with two degrees of freedom, less what the pose takes.
-  const double median = 2.0 * std::log(2.0) * std::max(0.25, 1.0 - 3.0 / count);
-  return NoiseWhere(options_.sigma_px, [&](double sigma_px) {
-    std::vector<double> squares;
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-      squares.push_back(SquaredSigmas(errors, {i}, sigma_px, Survey(i)));
+  const double count = static_cast<double>(errors.size());
+  return Median(squares) - 2.0 * std::log(2.0) * std::max(0.25, 1.0 - 3.0 / count);
+}
+
+/// Twice the negative logarithm of the errors' likelihood but for a constant; what lies beyond the
+/// gate counts as if on it.
+double PointSearch::Unlikeliness(const std::vector<PixelError>& errors, double sigma_px,
+                                 double share) const {
+  double sum = 0.0;
+  for (const auto& group : groups_) {
+    const double survey = share * Survey(group[0]) / sigma_px;
+    Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
+    for (const std::size_t i : group) {
+      A += survey * survey * errors[i].by_point.transpose() * errors[i].by_point;
     }
-    return Median(squares) - median;
-  });
+    sum += std::min(Limit(group.size()), SquaredSigmas(errors, group, sigma_px, survey * sigma_px));
+    sum += 4.0 * static_cast<double>(group.size()) * std::log(sigma_px) + std::log(A.determinant());
+  }
+  return sum;
+}
+
+/// Where errors are larger than stated, either the pixels are noisier or the survey is worse: the
+/// likelier of the two.
+void PointSearch::TakeNoiseOfAll(const std::vector<PixelError>& errors) {
+  constexpr double kMostShare = 10.0;  // beyond it no survey error; assumed, 5-20
+  survey_share_ = 1.0;
+  sigma_px_ = NoiseWhere(options_.sigma_px,
+                         [&](double sigma_px) { return MedianExcess(errors, sigma_px, 1.0); });
+  if (sigma_px_ <= options_.sigma_px) return;
+  const double share =
+      NoiseWhere(1.0, [&](double by) { return MedianExcess(errors, options_.sigma_px, by); });
+  if (share > kMostShare ||
+      Unlikeliness(errors, options_.sigma_px, share) >= Unlikeliness(errors, sigma_px_, 1.0)) {
+    return;
+  }
+  sigma_px_ = options_.sigma_px;
+  survey_share_ = share;
 }
 
 /// Sum of squares of all that agree, over what pixels and survey are thought to err.
@@ -124,10 +160,10 @@ void PointSearch::TakeNoiseOfInliers(const std::vector<PixelError>& errors) {
                          [&](double sigma_px) { return Misfit(errors, sigma_px, 1.0) - freedom; });
   if (sigma_px_ > options_.sigma_px) return;
   constexpr double kLeastShare = 0.1;
-  survey_share_ = std::min(1.0, NoiseWhere(kLeastShare, [&](double share) {
-                             return Misfit(errors, sigma_px_, share) +
-                                    kPriorFreedom / (share * share) - freedom - kPriorFreedom;
-                           }));
+  survey_share_ *= std::min(1.0, NoiseWhere(kLeastShare, [&](double share) {
+                              return Misfit(errors, sigma_px_, share) +
+                                     kPriorFreedom / (share * share) - freedom - kPriorFreedom;
+                            }));
 }
 
 /// Pixels that agree with the pose by themselves, and with the other pixels of their point.
@@ -210,17 +246,18 @@ Result<PointPose, PoseFailure> PointSearch::Find() {
     const std::vector<PixelError> errors = ErrorsOf(points_, views_, at, fit_turn);
     error_px.clear();
     for (const PixelError& error : errors) error_px.push_back(error.error_px.norm());
-    sigma_px_ = NoiseOfAll(errors);
+    TakeNoiseOfAll(errors);
     const std::vector<bool> gated = Gated(errors);
     const bool same = gated == inlier_;
     if (same || round + 1 == kRounds) {
       // A few residuals show the survey's error too poorly to weigh by it: it goes into the
       // covariance alone.
       TakeNoiseOfInliers(errors);
+      const double stated = 1.0 / survey_share_;  // Misfit counts from the share
       const RefinedPose shown = Fit(at, fit_turn).fit;
       pose.fit.covariance = shown.covariance;
       pose.fit.turn.covariance = shown.turn.covariance;
-      pose.fit.misfit = Misfit(errors, options_.sigma_px, 1.0) + at.calibration.squaredNorm() +
+      pose.fit.misfit = Misfit(errors, options_.sigma_px, stated) + at.calibration.squaredNorm() +
                         TurnSquares(found.fit, fit_turn);
       break;
     }

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include "controller/vision/p3p.h"
+#include "controller/vision/point_acceptance.h"
 #include "controller/vision/point_fit.h"
 #include "models/random.h"
 #include "vision/synthetic_view.h"
@@ -311,6 +312,21 @@ TEST(PointPose, WrongNamesGiveNoPose) {
     if (PoseFromPoints(seen, kRig, {}, {.survey_m = 0.005})) ++poses;
   }
   EXPECT_LE(poses, 1);
+}
+
+TEST(PointPose, AccidentsAreCountedAsTheClosedFormHasThem) {
+  // Seven points of one image in a box of 400 x 300 px, five of them within 5 px: 35 triples of
+  // four poses each, and two or more of the four others in a circle of that radius.
+  std::vector<PointPixel> points(7);
+  const std::vector<bool> inlier{true, true, true, true, true, false, false};
+  for (int i = 0; i < 7; ++i) {
+    points[static_cast<std::size_t>(i)].p_B.x() = i;
+    points[static_cast<std::size_t>(i)].pixel = {400.0 * (i % 2), 50.0 * i};
+  }
+  const double p = kPi * 25.0 / (400.0 * 300.0), q = 1.0 - p;
+  const double tail = 6.0 * p * p * q * q + 4.0 * p * p * p * q + p * p * p * p;
+  EXPECT_NEAR(ExpectedAccidents(points, inlier, {1, 5, 2, 3, 0, 90, 80}) / (4.0 * 35.0 * tail), 1.0,
+              1e-9);
 }
 
 TEST(PointPose, NeedsFourPointsHoweverManyPixels) {
