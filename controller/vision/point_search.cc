@@ -1,5 +1,6 @@
 #include "controller/vision/point_search.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "sim/app/point_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "models/yaml_reader.h"

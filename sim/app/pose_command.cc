@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -37,7 +36,8 @@ they are left out. Optional columns, where an empty cell is as no column:
   disc_diameter_m  the pixel is the middle of a disc of this size, square to the body's z
   frame            any text; --sequence needs it: rows with the same text are seen at the same time
 Further columns are ignored. The survey's error is shared by all pixels of a point; it enters what counts as
-wrong, the weights and the covariance, and the default holds for the whole file.
+wrong, the weights and the covariance, and the default holds for the whole file. Pipeline tsai2013 knows
+neither it nor discs, and leaves no point out.
 
 Prints the body's pose in the rover body (metres, unit quaternion w x y z, covariance), the rover's in the
 body, chi-square, the fitted turn of the cameras, and which points were left out. With --sequence: one line,
@@ -66,6 +66,10 @@ void RequireSound(const PoseArguments& arguments) {
   }
   if (arguments.width.has_value() != arguments.height.has_value()) {
     throw UsageError("--width and --height go together");
+  }
+  const bool tsai = arguments.pipeline.settings().pipeline == VisionPipeline::kTsai2013;
+  if (tsai && arguments.survey_m) {
+    throw UsageError("--survey-error-m is not known to --pipeline tsai2013");
   }
   if (arguments.json && arguments.csv) throw UsageError("--json and --csv are two forms: give one");
 }
@@ -108,10 +112,11 @@ void AddPoseCommand(CLI::App& app, int& exit_code) {
                    "the box about all points of the file")
       ->check(CLI::Range(0.0, 10.0));
   command
-      ->add_option("--width", arguments->width,
-                   "of the images [px]; default: what the rig's file says")
+      ->add_option(
+          "--width", arguments->width,
+          "of the images [px]; default: what the rig's file says, 1024 when it says nothing")
       ->check(CLI::Range(64, 16384));
-  command->add_option("--height", arguments->height, "of the images [px]; with --width")
+  command->add_option("--height", arguments->height, "of the images [px], with --width; else 768")
       ->check(CLI::Range(64, 16384));
   command->add_flag("--json", arguments->json, "JSON; of a sequence one object a line");
   command->add_flag("--csv", arguments->csv, "a table, one row a frame");

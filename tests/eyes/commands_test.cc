@@ -213,6 +213,7 @@ TEST(PoseCommand, SaysWhatAFileOfFramesMustHave) {
   EXPECT_THAT(without.err, HasSubstr("missing key 'frame'"));
   EXPECT_EQ(Dockyard("pose " + file + " --sequence " + file + rig).code, 2);
   EXPECT_EQ(Dockyard("pose" + rig).code, 2);
+  EXPECT_EQ(Dockyard("pose " + file + rig + " --survey-error-m 0.01 --pipeline tsai2013").code, 2);
   WriteText(file, FramesCsv("1,left,100,100,0.2,0.2,0.2,\n"));
   const Ended several = Dockyard("pose " + file + rig);
   EXPECT_EQ(several.code, 3);
