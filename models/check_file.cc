@@ -5,6 +5,7 @@
 #include <set>
 
 #include "models/config_error.h"
+#include "models/load_board.h"
 #include "models/load_cameras.h"
 #include "models/load_rover.h"
 #include "models/load_scenario.h"
@@ -47,6 +48,14 @@ FileCheck CheckStation(const std::string& file) {
                          std::to_string(station.feet.size()) + " feet, " +
                          std::to_string(station.board.fiducials.size()) + " fiducials, cone " +
                          NumberText(station.mouth_height_m) + " m above the ground"};
+}
+
+FileCheck CheckBoard(const std::string& file) {
+  const NamedBoard named = LoadBoard(file);
+  return {"board", named.name + ": " + std::to_string(named.board.fiducials.size()) +
+                       (named.board.HasBars() ? " discs with bars, " : " plain discs, ") +
+                       NumberText(named.board.width_m) + " x " + NumberText(named.board.height_m) +
+                       " m"};
 }
 
 FileCheck CheckSoil(const std::string& file) {
@@ -119,13 +128,15 @@ FileCheck CheckYaml(const std::string& file) {
   if (has("wheels") || has("motors") || has("cameras")) return CheckRover(file);
   if (has("left") || has("right")) return CheckRig(file);
   if (has("model")) return CheckCameras(file);
+  if (IsBoardFile(root)) return CheckBoard(file);
   if (has("cone") || has("board") || has("feet")) return CheckStation(file);
   if (has("k_phi") || has("cohesion_pa") || has("friction_angle_deg")) return CheckSoil(file);
   if (has("radius_m") || has("width_m") || has("paddles")) return CheckWheel(file);
-  throw ConfigError(root.place.Text() +
-                    ": expected the keys of a rover, station, soil, wheel, camera, rig, scenario, "
-                    "campaign or study, found "
-                    "none of them");
+  throw ConfigError(
+      root.place.Text() +
+      ": expected the keys of a rover, station, board, soil, wheel, camera, rig, scenario, "
+      "campaign or study, found "
+      "none of them");
 }
 
 FileCheck CheckTable(const std::string& file) {

@@ -182,6 +182,12 @@ ScenarioModels LoadModels(const Scenario& scenario) {
     models.rover.stereo.nominal =
         LoadRig(scenario.camera_file, scenario.image_width, scenario.image_height);
   }
+  if (scenario.vision.pipeline == VisionPipeline::kTsai2013 &&
+      !HasTwoOfEachRotation(models.station.board)) {
+    throw ConfigError(scenario.station_file +
+                      ": board: expected two bars of each rotation, as vision.pipeline: tsai2013 "
+                      "needs them, found others");
+  }
   if (scenario.tip_angle_rad >= 0.0) models.station.tip_angle_rad = scenario.tip_angle_rad;
   if (models.rover.tip.radius_m >= models.station.cone.throat_radius_m) {
     throw ConfigError(scenario.station_file + ": cone.throat_radius_m: expected more than the " +

@@ -1,9 +1,9 @@
 #include "models/load_station.h"
 
-#include <array>
 #include <cmath>
 
 #include "models/config_error.h"
+#include "models/load_board.h"
 #include "models/text_file.h"
 #include "models/urdf.h"
 #include "models/yaml_reader.h"
@@ -41,72 +41,26 @@ void ReadCone(const YamlReader& root, ConeModel& cone) {
   }
 }
 
-/// The four rotations of Tsai et al., III-A, exactly as written.
-double ReadRotation(const YamlReader& mark) {
-  constexpr std::array<double, 4> kRotations{-kPi / 4, 0.0, kPi / 4, kPi / 2};
-  return kRotations[static_cast<std::size_t>(
-      mark.Choice("rotation_deg", {"-45", "0", "45", "90"}))];
-}
-
-void CheckMarks(const YamlReader& board_in, const std::vector<Fiducial>& marks,
-                const FiducialBoard& board, const BoardCutout& cutout) {
-  const double radius = 0.5 * board.disc_diameter_m;
-  const auto refuse = [&](std::size_t i, const std::string& why) {
-    const YamlNode& node = board_in.Child("fiducials").items[i];
-    throw ConfigError(node.place.Text() + ": " +
-                      YamlReader::PathOf(board_in.PathOf("fiducials"), i) + ": " + why);
-  };
-  std::array<int, 4> count{};
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    const Eigen::Vector2d& p = marks[i].p_BF;
-    if (std::abs(p.x()) + radius > 0.5 * board.width_m ||
-        std::abs(p.y()) + radius > 0.5 * board.height_m) {
-      refuse(i, "expected a disc inside the board, it sticks out");
-    }
-    if ((p - cutout.p_B).norm() < radius + cutout.radius_m) {
-      refuse(i,
-             "expected a disc clear of the cone's mouth and face, it overlaps by " +
-                 NumberText(std::round(1e4 * (radius + cutout.radius_m - (p - cutout.p_B).norm())) /
-                            1e4) +
-                 " m");
-    }
-    for (std::size_t k = 0; k < i; ++k) {
-      if ((p - marks[k].p_BF).norm() < 2.0 * radius) {
-        refuse(i, "expected a disc clear of the others, it overlaps number " + std::to_string(k));
-      }
-    }
-    count[static_cast<std::size_t>(std::lround(marks[i].rotation / (kPi / 4))) + 1] += 1;
-  }
-  for (const int of_one_rotation : count) {
-    if (of_one_rotation != 2) board_in.Refuse("fiducials", "two fiducials of each rotation");
-  }
-}
-
-void ReadBoard(const YamlReader& root, StationModel& station) {
-  const YamlReader in(root.Child("board"), "board",
-                      {"width_m", "height_m", "height_above_axis_m", "disc_diameter_m",
-                       "bar_length_m", "bar_width_m", "fiducials"});
-  FiducialBoard& board = station.board;
-  board.width_m = in.Number("width_m", Positive(5.0));
-  board.height_m = in.Number("height_m", Positive(5.0));
-  board.disc_diameter_m = in.Number("disc_diameter_m", Positive(1.0));
-  board.bar_length_m = in.Number("bar_length_m", Positive(1.0));
-  board.bar_width_m = in.Number("bar_width_m", Positive(1.0));
+/// The board inline, or by the name of its file; where it hangs is the station's affair.
+void ReadBoardOf(const YamlReader& root, StationModel& station) {
+  const YamlNode& node = root.Child("board");
+  const bool named = node.Find("file") != nullptr;
+  const YamlReader in(node, "board",
+                      named ? std::vector<std::string>{"file", "height_above_axis_m"}
+                            : BoardKeys({"height_above_axis_m"}));
   station.board_height_above_axis_m = in.Number("height_above_axis_m", Between(-2.0, 2.0));
-  if (std::hypot(board.bar_length_m, board.bar_width_m) >= board.disc_diameter_m) {
-    in.Refuse("bar_length_m", "a bar whose corners lie inside the disc");
+  station.board = named ? LoadBoard(in.File("file")).board : ReadBoard(in);
+  const BoardCutout cutout = CutoutOf(station);
+  const double least_m = 0.5 * station.board.disc_diameter_m + cutout.radius_m;
+  for (std::size_t i = 0; i < station.board.fiducials.size(); ++i) {
+    const double overlap_m = least_m - (station.board.fiducials[i].p_BF - cutout.p_B).norm();
+    if (overlap_m <= 0.0) continue;
+    const bool listed = !named && in.Has("fiducials");
+    const YamlNode& place = listed ? in.Child("fiducials").items[i] : node;
+    throw ConfigError(place.place.Text() + ": " + YamlReader::PathOf(in.PathOf("fiducials"), i) +
+                      ": expected a disc clear of the cone's mouth and face, it overlaps by " +
+                      NumberText(std::round(1e4 * overlap_m) / 1e4) + " m");
   }
-  const YamlNode& list = in.List("fiducials", 8, 8);
-  for (std::size_t i = 0; i < list.items.size(); ++i) {
-    const YamlReader mark(list.items[i], YamlReader::PathOf(in.PathOf("fiducials"), i),
-                          {"x_m", "y_m", "rotation_deg"});
-    Fiducial fiducial;
-    fiducial.p_BF = {mark.Number("x_m", Between(-3.0, 3.0)),
-                     mark.Number("y_m", Between(-3.0, 3.0))};
-    fiducial.rotation = ReadRotation(mark);
-    board.fiducials.push_back(fiducial);
-  }
-  CheckMarks(in, board.fiducials, board, CutoutOf(station));
 }
 
 void ReadFeet(const YamlReader& root, StationModel& station) {
@@ -179,7 +133,7 @@ StationModel LoadStation(const std::string& file, const YamlNode* changes) {
   station.name = in.Text("name");
   station.tip_angle_rad = in.Degrees("tip_angle_deg", Between(0.0, 30.0));
   ReadCone(in, station.cone);
-  ReadBoard(in, station);
+  ReadBoardOf(in, station);
   station.anchor_depth_m = in.Number("anchor_depth_m", Positive(5.0));
   ReadFeet(in, station);
   TakeLinks(in, LoadUrdf(in.File("urdf")), station);

@@ -8,6 +8,7 @@
 
 #include "controller/vision/homography.h"
 #include "controller/vision/hypotheses.h"
+#include "controller/vision/layout_namings.h"
 #include "controller/vision/pose_gates.h"
 
 namespace dockyard {
@@ -201,7 +202,7 @@ std::vector<PlanarBranch> PossiblePoses(const Scene& scene, const Candidate& can
   }
   std::vector<PlanarBranch> possible;
   for (const PlanarBranch& branch : PlanarPose(marks, scene.camera, scene.board)) {
-    if (ShowsItsFace(branch.X_CB) && IsUpright(branch.X_CB.R, up_C) &&
+    if (ShowsItsFace(branch.X_CB) && IsUpright(branch.X_CB, scene.board.upright, Pose3{}, up_C) &&
         branch.rms_px < RmsGatePx(scene.camera, branch.X_CB, scene.board.disc_diameter_m)) {
       possible.push_back(branch);
     }
@@ -223,6 +224,54 @@ EyeCorrespondence Complete(const Scene& scene, const Candidate& candidate,
   return eye;
 }
 
+/// Whether the layout alone names the marks: nothing else does for plain discs, and of many bars in
+/// one rotation there are too many namings.
+bool NamedByLayout(const FiducialBoard& board) {
+  std::array<int, 4> of_class{};
+  for (const Fiducial& fiducial : board.fiducials) {
+    of_class[static_cast<std::size_t>(RotationClass(fiducial.rotation))] += 1;
+  }
+  return !board.HasBars() ||
+         *std::max_element(of_class.begin(), of_class.end()) > static_cast<int>(kMaxOfOneClass);
+}
+
+/// Whether most of the detections that both name have another name in the other.
+bool Contradict(const std::vector<MarkMatch>& a, const std::vector<MarkMatch>& b) {
+  int shared = 0, same = 0;
+  for (const MarkMatch& m : a) {
+    for (const MarkMatch& n : b) {
+      if (m.detection != n.detection) continue;
+      ++shared;
+      same += m.id == n.id;
+    }
+  }
+  return 2 * same <= shared;
+}
+
+/// The best naming, unless another comes near it: part of a grid is alike to its other parts. A
+/// rival has as many marks but one, and fits nearly as well or better.
+Result<EyeCorrespondence, PoseFailure> BestWithoutRival(
+    const Scene& scene, const std::vector<std::vector<MarkMatch>>& hypotheses,
+    const Eigen::Vector3d& up_C) {
+  constexpr double kFitsAsWell = 3.0, kFitsAsWellPx = 0.3;  // assumed, 2-4 and 0.2-0.5
+  std::optional<EyeCorrespondence> best;
+  for (const Candidate& candidate : Vote(scene, hypotheses, false)) {
+    if (best && candidate.matches.size() + 1 < best->matches.size()) break;
+    const std::vector<PlanarBranch> branches = PossiblePoses(scene, candidate, up_C);
+    if (branches.empty()) continue;
+    if (!best) {
+      best = Complete(scene, candidate, branches);
+      continue;
+    }
+    const double most_px = kFitsAsWell * best->branches[0].rms_px + kFitsAsWellPx;
+    if (branches[0].rms_px < most_px && Contradict(candidate.matches, best->matches)) {
+      return PoseFailure::kAmbiguous;
+    }
+  }
+  if (!best) return PoseFailure::kNoCorrespondence;
+  return *best;
+}
+
 }  // namespace
 
 Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
@@ -230,6 +279,9 @@ Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFidu
                                                   const Eigen::Vector3d& up_C, int min_marks) {
   if (static_cast<int>(detections.size()) < min_marks) return PoseFailure::kTooFewFiducials;
   const Scene scene = Prepare(detections, camera, board, min_marks);
+  if (NamedByLayout(board)) {
+    return BestWithoutRival(scene, NamingsByLayout(detections, camera, board, up_C), up_C);
+  }
   const auto hypotheses = NamingHypotheses(detections, board, kMaxOfOneClass);
   std::optional<EyeCorrespondence> best;
   // Leaving marks out takes most of the time and is for pictures with false or misread ones: with

@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
+#include "models/load_board.h"
 #include "models/load_cameras.h"
 #include "models/load_rover.h"
-#include "models/load_station.h"
 #include "models/yaml_tree.h"
 #include "sim/app/commands.h"
 
@@ -16,7 +16,7 @@ StereoRig RigOf(const std::string& file, int width, int height) {
   return pair ? LoadRig(file, width, height) : LoadRover(file, width, height).stereo.nominal;
 }
 
-FiducialBoard BoardOf(const std::string& file) { return LoadStation(file).board; }
+FiducialBoard BoardOf(const std::string& file) { return LoadAnyBoard(file).board; }
 
 VisionSettings PipelineOptions::settings() const {
   const bool tsai = name == PipelineName(VisionPipeline::kTsai2013);

@@ -16,7 +16,7 @@ namespace dockyard {
 /// A rover's file (its `cameras`) or a file of cameras with `left` and `right` (docs/cameras.md).
 /// Throws ConfigError.
 StereoRig RigOf(const std::string& file, int width, int height);
-/// A station's file: its `board`. Throws ConfigError.
+/// A board's file, or a station's: its `board`. Throws ConfigError.
 FiducialBoard BoardOf(const std::string& file);
 
 struct PipelineOptions {

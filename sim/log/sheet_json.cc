@@ -73,12 +73,17 @@ Json BoardToJson(const FiducialBoard& board) {
   for (const Fiducial& fiducial : board.fiducials) {
     fiducials.push_back({{"p_m", ToJson(fiducial.p_BF)}, {"rotation_rad", fiducial.rotation}});
   }
-  return {{"width_m", board.width_m},
-          {"height_m", board.height_m},
-          {"disc_diameter_m", board.disc_diameter_m},
-          {"bar_length_m", board.bar_length_m},
-          {"bar_width_m", board.bar_width_m},
-          {"fiducials", fiducials}};
+  Json json{{"width_m", board.width_m},
+            {"height_m", board.height_m},
+            {"disc_diameter_m", board.disc_diameter_m},
+            {"bar_length_m", board.bar_length_m},
+            {"bar_width_m", board.bar_width_m},
+            {"fiducials", fiducials}};
+  const Upright& upright = board.upright;
+  if (upright.against == Upright::Against::kPlumb) return json;
+  json["upright_in"] = upright.against == Upright::Against::kGravity ? "gravity" : "picture";
+  json["upright_within_rad"] = upright.within_rad;
+  return json;
 }
 
 FiducialBoard BoardFromJson(const Json& json) {
@@ -94,6 +99,12 @@ FiducialBoard BoardFromJson(const Json& json) {
         Eigen::Vector2d(entry.at("p_m").at(0).get<double>(), entry.at("p_m").at(1).get<double>());
     fiducial.rotation = entry.at("rotation_rad");
     board.fiducials.push_back(fiducial);
+  }
+  if (json.contains("upright_in")) {
+    board.upright.against = json.at("upright_in").get<std::string>() == "gravity"
+                                ? Upright::Against::kGravity
+                                : Upright::Against::kPicture;
+    board.upright.within_rad = json.at("upright_within_rad");
   }
   return board;
 }

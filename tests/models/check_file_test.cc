@@ -42,7 +42,7 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
   };
   EXPECT_EQ(
       message("a.yaml", "colour: red\n"),
-      "a.yaml:1:1: expected the keys of a rover, station, soil, wheel, camera, rig, scenario, "
+      "a.yaml:1:1: expected the keys of a rover, station, board, soil, wheel, camera, rig, scenario, "
       "campaign or study, found none of them");
   EXPECT_EQ(message("a.txt", "x"),
             "a.txt: expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or "

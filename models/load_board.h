@@ -1,0 +1,34 @@
+// A fiducial board out of a file of its own, or out of a station's file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/geometry/board.h"
+#include "models/station_model.h"
+#include "models/yaml_reader.h"
+
+namespace dockyard {
+
+/// Keys of a board's mapping, of which a station's adds more.
+std::vector<std::string> BoardKeys(std::vector<std::string> more);
+
+/// The board that the mapping describes (docs/models.md). Throws ConfigError, also when a disc
+/// overlaps another or sticks out, or when the layout leaves a mark's identity open.
+FiducialBoard ReadBoard(const YamlReader& in);
+
+/// Whether the root has a board's keys and not a station's.
+bool IsBoardFile(const YamlNode& root);
+
+struct NamedBoard {
+  std::string name;
+  FiducialBoard board;
+  std::optional<BoardCutout> cutout{};  // a station's
+};
+/// A board's file. Throws ConfigError.
+NamedBoard LoadBoard(const std::string& file);
+/// A board's file or a station's. Throws ConfigError.
+NamedBoard LoadAnyBoard(const std::string& file);
+
+}  // namespace dockyard
