@@ -117,14 +117,19 @@ std::vector<MarkMatch> Assign(const std::vector<DetectedFiducial>& detections,
   return matches;
 }
 
-std::vector<std::optional<Expected>> ReprojectBoard(const Scene& scene, const Eigen::Matrix3d& H) {
+std::vector<std::optional<Expected>> ReprojectMarks(const Scene& scene, const Eigen::Matrix3d& H,
+                                                    const std::vector<Fiducial>& fiducials) {
   std::vector<std::optional<Expected>> expected;
-  for (const Fiducial& fiducial : scene.board.fiducials) {
+  for (const Fiducial& fiducial : fiducials) {
     const auto pixel = Reproject(scene, H, fiducial.p_BF);
     expected.emplace_back();
     if (pixel) expected.back() = Expected{*pixel, ProjectedRadius(scene, H, fiducial)};
   }
   return expected;
+}
+
+std::vector<std::optional<Expected>> ReprojectBoard(const Scene& scene, const Eigen::Matrix3d& H) {
+  return ReprojectMarks(scene, H, scene.board.fiducials);
 }
 
 std::vector<PlanePair> Pairs(const Scene& scene, const std::vector<MarkMatch>& matches) {
@@ -248,8 +253,43 @@ bool Contradict(const std::vector<MarkMatch>& a, const std::vector<MarkMatch>& b
   return 2 * same <= shared;
 }
 
-/// The best naming, unless another comes near it: part of a grid is alike to its other parts. A
-/// rival has as many marks but one, and fits nearly as well or better.
+/// Whether the board, moved in its own plane, would find as many marks but one: so it is with a
+/// part of its pattern, and with a part of a larger one. Tried are the motions that put the first
+/// mark and its nearest upon any two as far apart.
+bool FitsElsewhere(const Scene& scene, const Candidate& candidate, const Pose3& X_CB,
+                   const Eigen::Vector3d& up_C) {
+  const auto& marks = scene.board.fiducials;
+  const double near_m = 0.25 * scene.board.disc_diameter_m;
+  const auto nearest = std::min_element(marks.begin() + 1, marks.end(), [&](auto& a, auto& b) {
+    return (a.p_BF - marks[0].p_BF).norm() < (b.p_BF - marks[0].p_BF).norm();
+  });
+  const Eigen::Vector2d from = nearest->p_BF - marks[0].p_BF;
+  for (const Fiducial& a : marks) {
+    for (const Fiducial& b : marks) {
+      const Eigen::Vector2d to = b.p_BF - a.p_BF;
+      if (&a == &b || std::abs(to.norm() - from.norm()) > near_m) continue;
+      const Eigen::Rotation2Dd turn(
+          std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to)));
+      const Pose3 X_CM = X_CB * Pose3{RotZ(turn.angle()), Eigen::Vector3d::Zero()};
+      if (!IsUpright(X_CM, scene.board.upright, Pose3{}, up_C)) continue;
+      std::vector<Fiducial> moved = marks;
+      double most_m = 0.0;
+      for (Fiducial& mark : moved) {
+        const Eigen::Vector2d p = a.p_BF + turn * (mark.p_BF - marks[0].p_BF);
+        most_m = std::max(most_m, (p - mark.p_BF).norm());
+        mark.p_BF = p;
+      }
+      if (most_m < near_m) continue;  // it stays where it is
+      const auto found =
+          Assign(scene.detections, scene.board, ReprojectMarks(scene, candidate.H, moved), 1.0);
+      if (found.size() + 1 >= candidate.matches.size()) return true;
+    }
+  }
+  return false;
+}
+
+/// The best naming, unless another comes near it: a rival has as many marks but one, and fits
+/// nearly as well or better.
 Result<EyeCorrespondence, PoseFailure> BestWithoutRival(
     const Scene& scene, const std::vector<std::vector<MarkMatch>>& hypotheses,
     const Eigen::Vector3d& up_C) {
@@ -260,6 +300,7 @@ Result<EyeCorrespondence, PoseFailure> BestWithoutRival(
     const std::vector<PlanarBranch> branches = PossiblePoses(scene, candidate, up_C);
     if (branches.empty()) continue;
     if (!best) {
+      if (FitsElsewhere(scene, candidate, branches[0].X_CB, up_C)) return PoseFailure::kAmbiguous;
       best = Complete(scene, candidate, branches);
       continue;
     }
