@@ -21,6 +21,7 @@ void AddStudyCommand(CLI::App& app, int& exit_code);
 void AddCameraCommand(CLI::App& app, int& exit_code);
 void AddDetectCommand(CLI::App& app, int& exit_code);
 void AddPoseCommand(CLI::App& app, int& exit_code);
+void AddBoardCommand(CLI::App& app, int& exit_code);
 void AddCheckCommand(CLI::App& app, int& exit_code);
 void AddWheelCommand(CLI::App& app, int& exit_code);
 

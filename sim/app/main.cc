@@ -1,4 +1,4 @@
-// dockyard: run | campaign | replay | view | study | camera | detect | pose | check | wheel.
+// dockyard: run | campaign | replay | view | study | camera | detect | pose | board | check | wheel.
 #include <unistd.h>
 
 #include <csignal>
@@ -92,6 +92,7 @@ int main(int argc, char** argv) {
   AddCameraCommand(app, exit_code);
   AddDetectCommand(app, exit_code);
   AddPoseCommand(app, exit_code);
+  AddBoardCommand(app, exit_code);
   AddCheckCommand(app, exit_code);
   AddWheelCommand(app, exit_code);
   exit_code = ParseAndRun(app, argc, argv, exit_code);
