@@ -30,6 +30,20 @@ GrayImage LoadGray(const std::string& file) {
   return image;
 }
 
+GrayImage UpsideDown(const GrayImage& image) {
+  GrayImage turned = image;
+  std::reverse(turned.pixels.begin(), turned.pixels.end());
+  return turned;
+}
+
+bool IsCutJpeg(const std::string& file) {
+  const auto bytes = ReadWhole(file);
+  if (!bytes || bytes->size() < 4 || bytes->compare(0, 2, "\xff\xd8") != 0) return false;
+  // A thumbnail has marks of its own, all before the scan of the image itself.
+  const std::size_t scan = bytes->rfind("\xff\xda");
+  return scan == std::string::npos || bytes->find("\xff\xd9", scan) == std::string::npos;
+}
+
 std::vector<std::string> ImageFilesIn(const std::string& folder) {
   static const std::vector<std::string> kEndings{".png", ".pgm", ".ppm",  ".jpg", ".jpeg",
                                                  ".bmp", ".tif", ".tiff", ".webp"};

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include "campaign/fake_runs.h"
 #include "campaign/program.h"
@@ -66,6 +68,37 @@ TEST(DetectCommand, FindsTheBoardOfARenderedPair) {
   EXPECT_EQ(pose["covariance"].size(), 6u);
   EXPECT_EQ(out["fiducials"].size(), 16u);
   EXPECT_GT(std::filesystem::file_size(drawn), 10000u);
+  // The right one alone, as what it is.
+  const json alone =
+      json::parse(Dockyard("detect " + right + " --camera right --json" + kFiles).out);
+  EXPECT_EQ(alone["accepted"], true);
+  EXPECT_EQ(alone["method"], "right");
+  EXPECT_EQ(alone["detected_left"], 0);
+  EXPECT_TRUE(alone["warnings"].empty());
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(alone["board_in_rover"]["p_m"][i].get<double>(),
+                view["X_RB"]["p_m"][i].get<double>(), 0.05);
+  }
+  EXPECT_EQ(Dockyard("detect " + left + " " + right + " --camera right" + kFiles).code, 2);
+  EXPECT_EQ(Dockyard("detect " + left + " --camera middle" + kFiles).code, 2);
+  // Upside down.
+  const TemporaryFolder others;
+  const std::string turned = (others.path() / "turned.png").string();
+  cv::Mat image = cv::imread(left, cv::IMREAD_GRAYSCALE), flipped;
+  cv::flip(image, flipped, -1);
+  cv::imwrite(turned, flipped);
+  const Ended upside_down = Dockyard("detect " + turned + kFiles);
+  EXPECT_EQ(upside_down.code, 4);
+  EXPECT_THAT(upside_down.err,
+              HasSubstr("turned by 180 deg the left image shows the board: is it upside down?"));
+  // A JPEG that lost its end, and one that did not.
+  const std::string jpeg = (others.path() / "whole.jpg").string();
+  cv::imwrite(jpeg, image);
+  EXPECT_EQ(Dockyard("detect " + jpeg + kFiles).err, "");
+  const std::string bytes = ReadText(jpeg);
+  WriteText(others.path() / "cut.jpg", bytes.substr(0, bytes.size() * 9 / 10));
+  EXPECT_THAT(Dockyard("detect " + (others.path() / "cut.jpg").string() + kFiles).err,
+              HasSubstr("cut.jpg: expected a whole JPEG, found one without its end"));
   const Ended folder_run = Dockyard("detect --folder " + folder.path().string() + kFiles);
   EXPECT_EQ(folder_run.code, 0);
   const Ended nowhere = Dockyard("detect --folder " + folder.path().string() + "/none" + kFiles);
