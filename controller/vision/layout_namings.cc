@@ -25,6 +25,7 @@ constexpr double kLeastSine = 0.3;      // of the angle between the two neighbou
 constexpr double kSizeTolerance = 1.5;  // either way, of a disc's radius against the pose's
 constexpr int kRounds = 3;              // of naming by homography
 constexpr std::size_t kKept = 40;       // namings
+constexpr int kMostTriples = 25000;     // compared in one image; 2 s for a board of 44 not found
 constexpr double kLargeShare = 0.75;    // of the marks, in a naming whose discs are not tried again
 
 struct Seen {
@@ -157,15 +158,19 @@ Naming NameBy(const Picture& picture, const std::vector<Eigen::Vector2d>& places
 
 const Eigen::Vector2d kUnseen(std::nan(""), std::nan(""));
 
+double RadiusPx(const Camera& camera, const FiducialBoard& board, const Pose3& X_CB,
+                const Eigen::Vector3d& p_C) {
+  const double slant = std::max(X_CB.R.col(2).dot(p_C.normalized()), 0.05);
+  return 0.5 * board.disc_diameter_m * camera.focal_px().x() / p_C.norm() * std::sqrt(slant);
+}
+
 Naming NameByPose(const Picture& picture, const Camera& camera, const FiducialBoard& board,
                   const Pose3& X_CB) {
   std::vector<Eigen::Vector2d> places;
   std::vector<double> radii;
   for (const Fiducial& mark : board.fiducials) {
     const Eigen::Vector3d p_C = X_CB * Eigen::Vector3d(mark.p_BF.x(), mark.p_BF.y(), 0.0);
-    const double slant = std::max(X_CB.R.col(2).dot(p_C.normalized()), 0.05);
-    radii.push_back(0.5 * board.disc_diameter_m * camera.focal_px().x() / p_C.norm() *
-                    std::sqrt(slant));
+    radii.push_back(RadiusPx(camera, board, X_CB, p_C));
     places.push_back(p_C.z() > 0.0 ? picture.plane.FromRay(p_C.normalized()) : kUnseen);
   }
   return NameBy(picture, places, radii);
@@ -205,7 +210,15 @@ struct Search {
   const Eigen::Vector3d& up_C;
   std::vector<std::vector<Beside>> printed;
   std::vector<Naming> found;
+  int triples = 0;
 };
+
+/// Whether a disc at this point of the board would be as large as the one seen.
+bool SizeFits(const Seen& seen, const Search& search, const Pose3& X_CB,
+              const Eigen::Vector3d& p_B) {
+  const double ratio = seen.radius_px / RadiusPx(search.camera, search.board, X_CB, X_CB * p_B);
+  return ratio < kSizeTolerance && ratio > 1.0 / kSizeTolerance;
+}
 
 /// The seed and two beside it are taken for a mark and two beside that.
 void TryTriple(Search& search, std::size_t seed, const Beside& a, const Beside& b, std::size_t mark,
@@ -220,7 +233,8 @@ void TryTriple(Search& search, std::size_t seed, const Beside& a, const Beside& 
       PosesFromThreePoints({point(mark), point(at(mark_a.index)), point(at(mark_b.index))},
                            {sight(seed), sight(at(a.index)), sight(at(b.index))});
   for (const Pose3& X_CB : poses) {
-    if (!ShowsItsFace(X_CB) || !IsUpright(X_CB, search.board.upright, Pose3{}, search.up_C)) {
+    if (!ShowsItsFace(X_CB) || !IsUpright(X_CB, search.board.upright, Pose3{}, search.up_C) ||
+        !SizeFits(search.picture.seen[seed], search, X_CB, point(mark))) {
       continue;
     }
     const Naming naming = Grown(search.picture, search.board,
@@ -245,6 +259,7 @@ void TrySeed(Search& search, std::size_t seed) {
                 !TurnsAgree(a, b, mark_a, mark_b)) {
               continue;
             }
+            if (++search.triples > kMostTriples) return;
             TryTriple(search, seed, a, b, mark, mark_a, mark_b);
           }
         }
@@ -260,7 +275,7 @@ std::vector<std::vector<MarkMatch>> NamingsByLayout(const std::vector<DetectedFi
                                                     const FiducialBoard& board,
                                                     const Eigen::Vector3d& up_C) {
   const Picture picture = Prepare(detections, camera, board);
-  Search search{picture, camera, board, up_C, PrintedBeside(board), {}};
+  Search search{picture, camera, board, up_C, PrintedBeside(board), {}, 0};
   for (std::size_t seed = 0; seed < std::min(kSeeds, detections.size()); ++seed) {
     // A disc of a large naming gives that naming again, and its rivals; a small one may be false.
     const bool named = std::any_of(search.found.begin(), search.found.end(), [&](const Naming& n) {

@@ -14,7 +14,8 @@ namespace dockyard {
 /// neighbours are compared with every mark and its neighbours. Those alike give poses (three points
 /// of known place), of which the upright ones that face the camera are tried on all detections:
 /// what lies near is named, and a homography through it names the rest. False detections and
-/// missing marks leave a naming smaller.
+/// missing marks leave a naming smaller. Not every triple is tried in a crowded picture
+/// (kMostTriples).
 /// @param up_C  against gravity, unit, in the camera
 /// @returns namings of MarksNeeded(board) marks or more, each once, the largest first
 std::vector<std::vector<MarkMatch>> NamingsByLayout(const std::vector<DetectedFiducial>& detections,

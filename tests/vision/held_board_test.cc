@@ -75,6 +75,23 @@ TEST(HeldBoard, PartOfAGridIsRefusedWhereItCouldBeAnotherPart) {
   }
 }
 
+TEST(HeldBoard, PartOfALargerGridIsRefused) {
+  // Upright, and turned by 45 deg, where a slant makes other squares of it.
+  for (const double roll : {0.0, kPi / 4.0}) {
+    const HeldOptions options = FarGrid();
+    for (std::uint64_t i = 0; i < 4; ++i) {
+      HeldLook look = LookAtHeld(options, i);
+      look.scene.board = PlainGrid(7, 6, 0.09, 0.05, kPi);
+      look.scene.X_DB.R = look.scene.X_DB.R * RotZ(roll);
+      const StereoRig rig = HeldRig(options);
+      const auto report =
+          LocateBoard(SyntheticPair(look.scene, rig), rig, options.board, {}).report;
+      EXPECT_GE(report.detected_left, 20);
+      EXPECT_FALSE(report.accepted) << "roll " << roll << ", look " << i;
+    }
+  }
+}
+
 TEST(HeldBoard, AGridWithoutOneDiscKeepsItsNames) {
   HeldOptions options = FarGrid();
   FiducialBoard printed = options.board;
