@@ -43,13 +43,6 @@ struct SensorOptions {
   std::uint64_t pattern_key = 0;  // stream of these cameras
 };
 
-/// A picture as the converter gave it: 0 to 2^bits - 1.
-struct DeepImage {
-  int width = 0, height = 0, bits = 8;
-  std::vector<std::uint16_t> pixels;  // row by row from the top left
-  bool operator==(const DeepImage&) const = default;
-};
-
 enum class GlBackend { kOsMesa, kEglSurfaceless };
 
 class StereoRenderer {

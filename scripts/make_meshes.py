@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Writes the meshes of models/axel and models/station (OBJ, metres, faces counter-clockwise from
+"""Writes the meshes of models/axel and models/axel/station (OBJ, metres, faces counter-clockwise from
 outside). Python's standard library only; the same bytes every time. Run from anywhere:
 
     scripts/make_meshes.py            writes them
     scripts/make_meshes.py --check    says which committed file differs, exit 1 if one does
 
-Dimensions are those of models/axel/axel.yaml, models/station/station.yaml and their URDF files.
+Dimensions are those of models/axel/axel.yaml, models/axel/station/station.yaml and their URDF files.
 """
 
 import math
@@ -172,10 +172,10 @@ FILES = {
     "models/axel/meshes/arm.obj": arm,
     "models/axel/meshes/wheel.obj": wheel,
     "models/axel/meshes/paddles.obj": paddles,
-    "models/station/meshes/module.obj": module,
-    "models/station/meshes/cone_face.obj": cone_face,
-    "models/station/meshes/cone.obj": cone,
-    "models/station/meshes/stand.obj": stand,
+    "models/axel/station/meshes/module.obj": module,
+    "models/axel/station/meshes/cone_face.obj": cone_face,
+    "models/axel/station/meshes/cone.obj": cone,
+    "models/axel/station/meshes/stand.obj": stand,
 }
 
 

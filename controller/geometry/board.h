@@ -1,5 +1,6 @@
-// The fiducial board as printed: eight discs with a bar through the middle, each in one of four
-// rotations (Tsai et al., III-A). The bar's shape and the layout are ours; the paper gives none.
+// The fiducial board as printed. The station's has eight discs with a bar through the middle, each
+// in one of four rotations (Tsai et al., III-A); the bar's shape and the layout are ours, the paper
+// gives none. Other boards have another number of marks, or plain discs without bars.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,11 +16,34 @@ struct Fiducial {
   double rotation = 0.0;
 };
 
-struct FiducialBoard {
-  double width_m = 0.0, height_m = 0.0;  // the white plate
-  double disc_diameter_m = 0.10;         // Tsai et al., III-A
-  double bar_length_m = 0.0, bar_width_m = 0.0;
-  std::vector<Fiducial> fiducials;  // two of each rotation
+/// Which poses of a board may be believed. A pose outside is refused, and so is a naming of the
+/// marks that needs one.
+struct Upright {
+  enum class Against {
+    kPlumb,    // gravity: the board's x axis level to 15 deg, its plane upright to 30 deg
+    kGravity,  // a roll about the line of sight, from gravity's up
+    kPicture,  // the same, from the picture's up (-y of the camera)
+  };
+  Against against = Against::kPlumb;
+  double within_rad = 0.0;  // the largest roll either way; unused by kPlumb
 };
+
+struct FiducialBoard {
+  double width_m = 0.0, height_m = 0.0;          // the white plate
+  double disc_diameter_m = 0.10;                 // Tsai et al., III-A
+  double bar_length_m = 0.0, bar_width_m = 0.0;  // zero: plain discs
+  std::vector<Fiducial> fiducials;
+  Upright upright{};
+
+  bool HasBars() const { return bar_length_m > 0.0; }
+};
+
+/// How many marks one picture must show, named, for a pose. With bars: five, four of which fix a
+/// homography and the fifth can vote a false one out (Tsai et al., V-D); a board of four needs all.
+/// Plain discs: half of them, and five at least, as a plain disc says less than a bar.
+int MarksNeeded(const FiducialBoard& board);
+
+/// Whether it has bars, two of each rotation, as the pipeline tsai2013 wants them.
+bool HasTwoOfEachRotation(const FiducialBoard& board);
 
 }  // namespace dockyard

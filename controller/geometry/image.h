@@ -1,4 +1,4 @@
-// An 8-bit grey image, row by row from the top left, without padding.
+// Images, row by row from the top left, without padding.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,21 @@ struct GrayImage {
 
   std::uint8_t at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
   bool operator==(const GrayImage&) const = default;
+};
+
+/// Linear red, green, blue, three bytes a pixel.
+struct RgbImage {
+  int width = 0, height = 0;         // [px]
+  std::vector<std::uint8_t> pixels;  // 3 * width * height
+
+  bool operator==(const RgbImage&) const = default;
+};
+
+/// A picture as the converter gave it: 0 to 2^bits - 1.
+struct DeepImage {
+  int width = 0, height = 0, bits = 8;
+  std::vector<std::uint16_t> pixels;  // row by row from the top left
+  bool operator==(const DeepImage&) const = default;
 };
 
 struct StereoImages {

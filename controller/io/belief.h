@@ -1,8 +1,9 @@
-// What the brain thinks, for the log and the plots. Nothing acts on it.
+// What the controller believes, for the log and the plots. Nothing acts on it.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "controller/geometry/pose.h"
@@ -12,13 +13,17 @@ namespace dockyard {
 /// One look at the board.
 struct SightingReport {
   bool accepted = false;
-  std::string reason;  // why not, in the words of PoseFailure; empty when accepted
-  std::string method;  // "stereo", "left", "right" or empty
-  int detected_left = 0, detected_right = 0;  // fiducials measured, not predicted
+  std::string reason;         // why not, in the words of PoseFailure; empty when accepted
+  std::string method;         // "stereo", "left", "right" or empty
+  std::vector<int> detected;  // marks measured, not predicted, by camera
+  int DetectedBy(int camera) const {
+    return camera < static_cast<int>(detected.size()) ? detected[static_cast<std::size_t>(camera)]
+                                                      : 0;
+  }
   // Board fiducial index for each measured pixel, for scoring the correspondence.
   struct Mark {
     int id = -1;
-    bool right_camera = false;
+    int camera = 0;
     double u_px = 0.0, v_px = 0.0;
   };
   std::vector<Mark> marks;
@@ -39,17 +44,25 @@ struct PlannedArc {
   double turn_rad = 0.0;
 };
 
+/// A number with its name; the name ends in its unit.
+struct NamedValue {
+  std::string name;
+  double value = 0.0;
+};
+
 struct Belief {
-  std::string phase;             // a name of the state machine's state
-  bool located = false;          // whether X_DR means anything yet
-  Pose2 X_DR;                    // where the rover thinks it stands
-  double tether_length_m = 0.0;  // exposed, arm tip to anchor, by its own reckoning
-  int recoveries = 0;
+  std::string phase;       // a name of the state machine's state
+  bool located = false;    // whether X_DR means anything yet
+  Pose2 X_DR;              // where the rover thinks it stands
   std::string note;        // why it last changed its mind, in a few words
   int sighting_count = 0;  // looks so far; last_sighting is of the newest
   std::optional<SightingReport> last_sighting;
-  std::vector<PlannedArc> plan;  // of the newest plan
-  int plan_count = 0;            // plans so far
+  std::vector<PlannedArc> plan;    // of the newest plan
+  int plan_count = 0;              // plans so far
+  std::vector<NamedValue> values;  // all else that it wants to be seen, such as "recoveries"
 };
+
+/// The belief's value of that name, or the fallback.
+double ValueOf(const Belief& belief, std::string_view name, double fallback);
 
 }  // namespace dockyard

@@ -1,9 +1,8 @@
-// What the rover's brain can ask for: four motors and a pair of pictures.
+// What a robot's controller can ask for: its motors, images, and switches such as lamps.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <string>
+#include <vector>
 
 #include "controller/io/sensors.h"
 
@@ -17,7 +16,7 @@ enum class MotorMode : std::uint8_t {
   kPosition,  // go to target [rad since power-on] and hold it by current
 };
 
-/// All values at the output shaft, signs as in SensorFrame::encoder_counts. The current limit
+/// All values at the output shaft, signs as the encoder counts. The current limit
 /// bounds the drive's torque: overpowered, the shaft is dragged off its profile (a spool pays out).
 struct MotorCommand {
   MotorMode mode = MotorMode::kBrake;
@@ -29,12 +28,13 @@ struct MotorCommand {
   bool operator==(const MotorCommand&) const = default;
 };
 
-/// What the brain says of the docking; scoring never uses it but to name a false claim.
+/// What the controller says of its task; scoring never uses it but to name a false claim.
 enum class Verdict : std::uint8_t { kUnderWay, kDocked, kGivenUp };
 
 struct Commands {
-  std::array<MotorCommand, kMotorCount> motors{};  // by Motor
-  bool take_images = false;                        // the next frame brings a pair
+  std::vector<MotorCommand> motors{};    // one for each of the robot's motors, in their order
+  std::vector<int> take_images{};        // cameras whose image the next frame brings
+  std::vector<std::uint8_t> switches{};  // lamps and the like, by index: 1 on, 0 off
   Verdict verdict = Verdict::kUnderWay;
 
   bool operator==(const Commands&) const = default;

@@ -1,4 +1,4 @@
-// A robot brain. The testbed, a log and a real robot drive it through this one call.
+// A controller. The testbed, a log and a real robot drive it through this one call.
 #pragma once
 
 #include "controller/io/belief.h"
@@ -10,7 +10,7 @@ namespace dockyard {
 class Controller {
  public:
   virtual ~Controller() = default;
-  /// Called every kControlPeriod ticks with what the sensors say; answers what to do.
+  /// Called once every control period with what the sensors say; answers what to do.
   virtual Commands Step(const SensorFrame& sensed) = 0;
   /// What it thinks now.
   virtual const Belief& belief() const = 0;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kSurround = 1.35;  // how far out the pattern is compared, in rim radii
 constexpr double kHopeless = 0.12;  // correlation of a quarter of the angles, below which no more
+constexpr double kNoBar = -10.0;    // half a bar's length in rim radii, beyond any blur
 
 /// A step blurred over a distance in sigmas: a cubic with the Gaussian's slope in the middle.
 double Step(double distance, double blur_px) {
@@ -89,7 +90,7 @@ BarPattern Pattern(int index, const Ellipse& rim, const FiducialBoard& board, do
   BarPattern bar;
   bar.along = Eigen::Vector2d(std::cos(angle), -std::sin(angle));
   bar.across = Eigen::Vector2d(std::sin(angle), std::cos(angle));
-  bar.half_length = board.bar_length_m / board.disc_diameter_m;
+  bar.half_length = board.HasBars() ? board.bar_length_m / board.disc_diameter_m : kNoBar;
   bar.half_width = board.bar_width_m / board.disc_diameter_m;
   const Eigen::Matrix2d inverse = rim.shape_px.inverse();
   bar.along_slope = (inverse * bar.along).norm();
@@ -131,6 +132,11 @@ std::optional<BarMatch> MatchBar(const cv::Mat& flat, const Ellipse& rim,
     return correlation.value();
   };
   BarMatch match;
+  if (!board.HasBars()) {
+    match.whole = correlate(0, kSurround);
+    match.contrast = Contrast(samples, Pattern(0, rim, board, blur_px, white_level));
+    return match;
+  }
   match.inner.fill(-1.0f);
   int best = 0;
   const auto try_angle = [&](int angle) {

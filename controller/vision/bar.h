@@ -18,6 +18,7 @@ struct BarMatch {
   std::array<float, kBarAngles> inner{};
   double whole = 0.0;     // correlation of disc and surround with the best of them
   double contrast = 0.0;  // share of the surrounding white that the black lacks
+  // Of a plain disc (FiducialBoard without bars) `inner` is zero.
 };
 
 /// flat: picture with the light divided out, 8 bit. blur_px: 1 sigma of its blur. None when the

@@ -8,6 +8,7 @@
 
 #include "controller/vision/homography.h"
 #include "controller/vision/hypotheses.h"
+#include "controller/vision/layout_namings.h"
 #include "controller/vision/pose_gates.h"
 
 namespace dockyard {
@@ -116,14 +117,19 @@ std::vector<MarkMatch> Assign(const std::vector<DetectedFiducial>& detections,
   return matches;
 }
 
-std::vector<std::optional<Expected>> ReprojectBoard(const Scene& scene, const Eigen::Matrix3d& H) {
+std::vector<std::optional<Expected>> ReprojectMarks(const Scene& scene, const Eigen::Matrix3d& H,
+                                                    const std::vector<Fiducial>& fiducials) {
   std::vector<std::optional<Expected>> expected;
-  for (const Fiducial& fiducial : scene.board.fiducials) {
+  for (const Fiducial& fiducial : fiducials) {
     const auto pixel = Reproject(scene, H, fiducial.p_BF);
     expected.emplace_back();
     if (pixel) expected.back() = Expected{*pixel, ProjectedRadius(scene, H, fiducial)};
   }
   return expected;
+}
+
+std::vector<std::optional<Expected>> ReprojectBoard(const Scene& scene, const Eigen::Matrix3d& H) {
+  return ReprojectMarks(scene, H, scene.board.fiducials);
 }
 
 std::vector<PlanePair> Pairs(const Scene& scene, const std::vector<MarkMatch>& matches) {
@@ -201,7 +207,7 @@ std::vector<PlanarBranch> PossiblePoses(const Scene& scene, const Candidate& can
   }
   std::vector<PlanarBranch> possible;
   for (const PlanarBranch& branch : PlanarPose(marks, scene.camera, scene.board)) {
-    if (ShowsItsFace(branch.X_CB) && IsUpright(branch.X_CB.R, up_C) &&
+    if (ShowsItsFace(branch.X_CB) && IsUpright(branch.X_CB, scene.board.upright, Pose3{}, up_C) &&
         branch.rms_px < RmsGatePx(scene.camera, branch.X_CB, scene.board.disc_diameter_m)) {
       possible.push_back(branch);
     }
@@ -223,6 +229,90 @@ EyeCorrespondence Complete(const Scene& scene, const Candidate& candidate,
   return eye;
 }
 
+/// Whether the layout alone names the marks: nothing else does for plain discs, and of many bars in
+/// one rotation there are too many namings.
+bool NamedByLayout(const FiducialBoard& board) {
+  std::array<int, 4> of_class{};
+  for (const Fiducial& fiducial : board.fiducials) {
+    of_class[static_cast<std::size_t>(RotationClass(fiducial.rotation))] += 1;
+  }
+  return !board.HasBars() ||
+         *std::max_element(of_class.begin(), of_class.end()) > static_cast<int>(kMaxOfOneClass);
+}
+
+/// Whether most of the detections that both name have another name in the other.
+bool Contradict(const std::vector<MarkMatch>& a, const std::vector<MarkMatch>& b) {
+  int shared = 0, same = 0;
+  for (const MarkMatch& m : a) {
+    for (const MarkMatch& n : b) {
+      if (m.detection != n.detection) continue;
+      ++shared;
+      same += m.id == n.id;
+    }
+  }
+  return 2 * same <= shared;
+}
+
+/// Whether the board, moved in its own plane, would find as many marks but one: so it is with a
+/// part of its pattern, and with a part of a larger one. Tried are the motions that put the first
+/// mark and its nearest upon any two as far apart.
+bool FitsElsewhere(const Scene& scene, const Candidate& candidate, const Pose3& X_CB,
+                   const Eigen::Vector3d& up_C) {
+  const auto& marks = scene.board.fiducials;
+  const double near_m = 0.25 * scene.board.disc_diameter_m;
+  const auto nearest = std::min_element(marks.begin() + 1, marks.end(), [&](auto& a, auto& b) {
+    return (a.p_BF - marks[0].p_BF).norm() < (b.p_BF - marks[0].p_BF).norm();
+  });
+  const Eigen::Vector2d from = nearest->p_BF - marks[0].p_BF;
+  for (const Fiducial& a : marks) {
+    for (const Fiducial& b : marks) {
+      const Eigen::Vector2d to = b.p_BF - a.p_BF;
+      if (&a == &b || std::abs(to.norm() - from.norm()) > near_m) continue;
+      const Eigen::Rotation2Dd turn(
+          std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to)));
+      const Pose3 X_CM = X_CB * Pose3{RotZ(turn.angle()), Eigen::Vector3d::Zero()};
+      if (!IsUpright(X_CM, scene.board.upright, Pose3{}, up_C)) continue;
+      std::vector<Fiducial> moved = marks;
+      double most_m = 0.0;
+      for (Fiducial& mark : moved) {
+        const Eigen::Vector2d p = a.p_BF + turn * (mark.p_BF - marks[0].p_BF);
+        most_m = std::max(most_m, (p - mark.p_BF).norm());
+        mark.p_BF = p;
+      }
+      if (most_m < near_m) continue;  // it stays where it is
+      const auto found =
+          Assign(scene.detections, scene.board, ReprojectMarks(scene, candidate.H, moved), 1.0);
+      if (found.size() + 1 >= candidate.matches.size()) return true;
+    }
+  }
+  return false;
+}
+
+/// The best naming, unless another comes near it: a rival has as many marks but one, and fits
+/// nearly as well or better.
+Result<EyeCorrespondence, PoseFailure> BestWithoutRival(
+    const Scene& scene, const std::vector<std::vector<MarkMatch>>& hypotheses,
+    const Eigen::Vector3d& up_C) {
+  constexpr double kFitsAsWell = 3.0, kFitsAsWellPx = 0.3;  // assumed, 2-4 and 0.2-0.5
+  std::optional<EyeCorrespondence> best;
+  for (const Candidate& candidate : Vote(scene, hypotheses, false)) {
+    if (best && candidate.matches.size() + 1 < best->matches.size()) break;
+    const std::vector<PlanarBranch> branches = PossiblePoses(scene, candidate, up_C);
+    if (branches.empty()) continue;
+    if (!best) {
+      if (FitsElsewhere(scene, candidate, branches[0].X_CB, up_C)) return PoseFailure::kAmbiguous;
+      best = Complete(scene, candidate, branches);
+      continue;
+    }
+    const double most_px = kFitsAsWell * best->branches[0].rms_px + kFitsAsWellPx;
+    if (branches[0].rms_px < most_px && Contradict(candidate.matches, best->matches)) {
+      return PoseFailure::kAmbiguous;
+    }
+  }
+  if (!best) return PoseFailure::kNoCorrespondence;
+  return *best;
+}
+
 }  // namespace
 
 Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
@@ -230,6 +320,9 @@ Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFidu
                                                   const Eigen::Vector3d& up_C, int min_marks) {
   if (static_cast<int>(detections.size()) < min_marks) return PoseFailure::kTooFewFiducials;
   const Scene scene = Prepare(detections, camera, board, min_marks);
+  if (NamedByLayout(board)) {
+    return BestWithoutRival(scene, NamingsByLayout(detections, camera, board, up_C), up_C);
+  }
   const auto hypotheses = NamingHypotheses(detections, board, kMaxOfOneClass);
   std::optional<EyeCorrespondence> best;
   // Leaving marks out takes most of the time and is for pictures with false or misread ones: with

@@ -21,7 +21,8 @@ constexpr double kFarthestPx = 1.0;  // a rim's centre is not off by more
 // Misfit over contrast that an even light leaves at most (99 % of rendered discs): without and with
 // the bar. A shadow's edge across the disc leaves more, and pulls the centre.
 constexpr double kMostMisfit = 0.07, kMostMisfitWithBar = 0.12;
-constexpr int kIterations = 3;  // each leaves a hundredth of the shift
+constexpr int kIterations = 3;   // each leaves a hundredth of the shift
+constexpr double kNoBar = -1e3;  // half a bar's length in rim radii, beyond any blur
 
 using Vector7 = Eigen::Matrix<double, 7, 1>;
 using Matrix7 = Eigen::Matrix<double, 7, 7>;
@@ -43,7 +44,7 @@ class Print {
       : inverse_(rim.shape_px.inverse()),
         along_(std::cos(bar_rad), -std::sin(bar_rad)),
         across_(std::sin(bar_rad), std::cos(bar_rad)),
-        half_length_(board.bar_length_m / board.disc_diameter_m),
+        half_length_(board.HasBars() ? board.bar_length_m / board.disc_diameter_m : kNoBar),
         half_width_(board.bar_width_m / board.disc_diameter_m) {
     to_along_ = inverse_ * along_;
     to_across_ = inverse_ * across_;

@@ -19,6 +19,8 @@ constexpr double kMinInner = 0.55;
 constexpr double kSmallRadius = 5.0, kMinInnerSmall = 0.25, kMinWholeSmall = 0.78;
 constexpr double kMinWhole = 0.70;
 constexpr double kMinContrast = 0.25;
+// A disc without a bar: nothing but the rim speaks for it, so it must show the better.
+constexpr double kMinWholePlain = 0.85;
 // Blur of a flat picture, 1 sigma [px]: lens and pixel 0.67, smoothing 0.7; coarser levels see less
 // of the lens.
 constexpr double kFineBlur = 0.97, kCoarseBlur = 0.80;
@@ -49,6 +51,11 @@ std::optional<DetectedFiducial> Verify(const GrayImage& image, const BlobLevel& 
                             level.level == 0 ? kFineBlur : kCoarseBlur,
                             std::min(1.0, kWhiteOverThreshold * blob.threshold));
   if (!bar || bar->contrast < kMinContrast) return std::nullopt;
+  if (!board.HasBars()) {
+    if (bar->whole < kMinWholePlain) return std::nullopt;
+    return DetectedFiducial{
+        .rim = rim->ellipse, .match = bar->whole, .bar_match = bar->inner, .clear = true};
+  }
   const double inner = *std::max_element(bar->inner.begin(), bar->inner.end());
   const bool matches = inner >= kMinInner && bar->whole >= kMinWhole;
   const bool small_matches = rim->ellipse.mean_radius_px() < kSmallRadius &&

@@ -16,8 +16,9 @@ struct DetectedFiducial {
   Ellipse rim;             // in the picture
   double sigma_px = 0.12;  // predicted error of its centre, one axis, from size, contrast and noise
   double match = 0.0;      // correlation of the picture with the printed pattern, up to 1
-  std::array<float, 16> bar_match{};  // the same inside the disc, bar turned by pi i / 16
-  bool clear = false;                 // whether its bar shows; else it is a disc too small to tell
+  // The same inside the disc, bar turned by pi i / 16; zero on a board of plain discs.
+  std::array<float, 16> bar_match{};
+  bool clear = false;  // whether its bar shows; else it is a disc too small to tell
   // Filled in by AssignRotations:
   int rotation_class = -1;       // 0: 0, 1: 45, 2: 90, 3: -45 deg; see RotationClass
   double rotation_margin = 0.0;  // by how much its correlation beats the next class, 0..2

@@ -12,6 +12,7 @@ namespace {
 
 // Against 0.70 in the whole picture: one place of known size and rotation is tried, not thousands.
 constexpr double kMinWhole = 0.55;
+constexpr double kMinWholePlain = 0.75;  // against 0.85; no bar's direction is there to be checked
 constexpr double kMinContrast = 0.20;
 constexpr double kSizeTolerance = 1.15;  // either way; a pose knows sizes to a few per cent
 // How much worse than the best direction the known one may match.
@@ -67,7 +68,8 @@ std::optional<DetectedFiducial> DetectAt(const GrayImage& image,
                       .shape_px = rim->ellipse.shape_px / level.scale()};
   const auto bar =
       MatchBar(level.flat, there, board, level.level == 0 ? kFineBlur : kCoarseBlur, 1.0);
-  if (!bar || bar->whole < kMinWhole || bar->contrast < kMinContrast) return std::nullopt;
+  const double least = board.HasBars() ? kMinWhole : kMinWholePlain;
+  if (!bar || bar->whole < least || bar->contrast < kMinContrast) return std::nullopt;
   const double turns = bar_direction_rad / kPi * kBarAngles;
   const int index = ((static_cast<int>(std::lround(turns)) % kBarAngles) + kBarAngles) % kBarAngles;
   const float best = *std::max_element(bar->inner.begin(), bar->inner.end());

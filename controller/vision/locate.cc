@@ -1,5 +1,7 @@
 #include "controller/vision/locate.h"
 
+#include "controller/base/check.h"
+
 namespace dockyard {
 
 const char* Name(PoseFailure failure) {
@@ -13,7 +15,7 @@ const char* Name(PoseFailure failure) {
     case PoseFailure::kPoorFit:
       return "poor fit";
     case PoseFailure::kEyesDisagree:
-      return "eyes disagree";
+      return "cameras disagree";
     case PoseFailure::kUncertain:
       return "too uncertain";
     case PoseFailure::kNotUpright:
@@ -28,6 +30,7 @@ LocateOutput LocateBoard(const StereoImages& images, const StereoRig& rig,
                          const FiducialBoard& board, const LocateHints& hints,
                          const VisionSettings& settings) {
   if (settings.pipeline == VisionPipeline::kTsai2013) {
+    DOCKYARD_CHECK(HasTwoOfEachRotation(board));
     return LocateTsai2013(images, rig, board, hints, settings.min_points);
   }
   return LocateDockyard(images, rig, board, hints);

@@ -21,8 +21,8 @@ enum class PoseFailure {
   kPoorFit,           // one image: residuals larger than their prediction
   kEyesDisagree,      // both: the same, or the cameras turned beyond belief
   kUncertain,         // the pose's own covariance is too large to be of use
-  kNotUpright,        // the board's roll contradicts gravity
-  kAmbiguous,         // one eye, two poses that fit alike, and nothing tells which
+  kNotUpright,        // the board's roll contradicts gravity, or what its file allows
+  kAmbiguous,         // two poses or two namings that fit alike, and nothing tells which
 };
 const char* Name(PoseFailure failure);
 
@@ -42,12 +42,13 @@ struct DockSighting {
   CameraTurn camera_turn{};                // the belief after this look
 };
 
-/// The result for the brain and the full account for the log.
+/// The result for the controller and the full account for the log.
 struct LocateOutput {
   Result<DockSighting, PoseFailure> sighting;
   SightingReport report;
 };
 
+/// tsai2013 takes a board with two bars of each rotation alone; the other any (MarksNeeded).
 LocateOutput LocateBoard(const StereoImages& images, const StereoRig& rig,
                          const FiducialBoard& board, const LocateHints& hints,
                          const VisionSettings& settings = {});

@@ -196,8 +196,9 @@ std::optional<Fix> FromOneAndSearch(const Eyes& eyes, const FiducialBoard& board
 }
 
 /// Neither eye has five marks: four of one, which prove nothing alone, and two or more of the other
-/// that lie where those four put them.
+/// that lie where those four put them. Four plain discs are found in too many pictures.
 std::optional<Fix> FromFew(const Eyes& eyes, const FiducialBoard& board) {
+  if (!board.HasBars()) return std::nullopt;
   std::optional<Fix> best;
   for (int view = 0; view < 2; ++view) {
     const auto eye = Correspond(eyes.detections[Index(view)], eyes.views[Index(view)].camera, board,
@@ -215,13 +216,14 @@ std::optional<Fix> FromFew(const Eyes& eyes, const FiducialBoard& board) {
 Result<Fix, PoseFailure> FromOne(const Eyes& eyes, const FiducialBoard& board, int view,
                                  const EyeCorrespondence& eye, const LocateHints& hints) {
   const CameraView& camera = eyes.views[Index(view)];
-  const auto chosen = ChooseBranch(eye.branches, camera.X_RC, hints);
+  const auto chosen = ChooseBranch(eye.branches, camera.X_RC, hints, board.upright);
   if (!chosen) return PoseFailure::kNotUpright;
   const Fix at{.fit = {.X_RB = camera.X_RC * eye.branches[*chosen].X_CB},
                .marks = {},
                .method = view == 0 ? "left" : "right"};
   const Fix fix = Refit(eyes, board, at, Marks(eyes, view, eye.matches));
-  if (IsAmbiguous(eye.branches, *chosen, camera.X_RC, hints)) return PoseFailure::kAmbiguous;
+  if (IsAmbiguous(eye.branches, *chosen, camera.X_RC, hints, board.upright))
+    return PoseFailure::kAmbiguous;
   return WithGuidedMarks(eyes, board, fix);
 }
 
@@ -234,7 +236,8 @@ Result<Fix, PoseFailure> FindFix(const Eyes& eyes, const StereoRig& rig, const F
                                  const LocateHints& hints) {
   std::vector<EyeResult> found;
   for (std::size_t v = 0; v < 2; ++v) {
-    found.push_back(Correspond(eyes.detections[v], eyes.views[v].camera, board, eyes.up_C[v]));
+    found.push_back(Correspond(eyes.detections[v], eyes.views[v].camera, board, eyes.up_C[v],
+                               MarksNeeded(board)));
   }
   if (!found[0] && !found[1]) {
     const auto few = FromFew(eyes, board);
@@ -266,8 +269,8 @@ LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
     eyes.detections[v] = DetectFiducials(*eyes.images[v], eyes.levels[v], board);
     AssignRotations(eyes.detections[v], eyes.views[v].camera, eyes.up_C[v]);
   }
-  report.detected_left = static_cast<int>(eyes.detections[0].size());
-  report.detected_right = static_cast<int>(eyes.detections[1].size());
+  report.detected = {static_cast<int>(eyes.detections[0].size()),
+                     static_cast<int>(eyes.detections[1].size())};
   const auto found = FindFix(eyes, rig, board, hints);
   if (!found) return Refused(found.error(), std::move(report));
   const Fix fix = WithoutStrays(eyes, board, *found);
@@ -275,7 +278,7 @@ LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
   const bool stereo = fix.method == "stereo";
   const std::vector<CameraView> used =
       stereo ? eyes.views : std::vector<CameraView>{eyes.views[fix.method == "left" ? 0 : 1]};
-  if (const auto failure = Judge(fix.fit, used, hints)) {
+  if (const auto failure = Judge(fix.fit, used, hints, board.upright)) {
     return Refused(*failure, std::move(report));
   }
   return Accepted(fix, hints, std::move(report));

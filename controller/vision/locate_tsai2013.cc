@@ -44,7 +44,7 @@ void AddMarks(const TsaiCorrespondence& eye, int view, const Camera& camera, Sig
   for (std::size_t id = 0; id < measured.size(); ++id) {
     if (measured[id] || !camera.Sees(eye.centres[id])) continue;
     report->predicted.push_back({.id = static_cast<int>(id),
-                                 .right_camera = view == 1,
+                                 .camera = view,
                                  .u_px = eye.centres[id].x(),
                                  .v_px = eye.centres[id].y()});
   }
@@ -61,7 +61,7 @@ LocateOutput LocateTsai2013(const StereoImages& images, const StereoRig& rig,
   for (std::size_t v = 0; v < 2; ++v) {
     std::vector<DetectedFiducial> detections = DetectTsai2013(*pictures[v]);
     AssignRotations(detections, views[v].camera, views[v].X_RC.R.transpose() * hints.up_R);
-    (v == 0 ? report.detected_left : report.detected_right) = static_cast<int>(detections.size());
+    report.detected.push_back(static_cast<int>(detections.size()));
     eyes.push_back(CorrespondTsai2013(detections, board, min_points));
   }
   if (!eyes[0] && !eyes[1]) {
@@ -88,10 +88,8 @@ LocateOutput LocateTsai2013(const StereoImages& images, const StereoRig& rig,
     if (X_CB) X_RB = views[view].X_RC * *X_CB;
   }
   for (const MarkPixel& mark : fix.marks) {
-    report.marks.push_back({.id = mark.id,
-                            .right_camera = mark.view == 1,
-                            .u_px = mark.pixel.x(),
-                            .v_px = mark.pixel.y()});
+    report.marks.push_back(
+        {.id = mark.id, .camera = mark.view, .u_px = mark.pixel.x(), .v_px = mark.pixel.y()});
   }
   report.method = fix.method;
   report.reprojection_px = fix.fit.rms_px;

@@ -19,6 +19,20 @@ bool IsUpright(const Eigen::Matrix3d& R_RB, const Eigen::Vector3d& up_R) {
          lean_sine < std::sin(Radians(30.0));
 }
 
+bool IsUpright(const Pose3& X_RB, const Upright& rule, const Pose3& X_RC,
+               const Eigen::Vector3d& up_R) {
+  if (rule.against == Upright::Against::kPlumb) return IsUpright(X_RB.R, up_R);
+  const Eigen::Vector3d sight = (X_RB.p - X_RC.p).normalized();
+  const auto across = [&](const Eigen::Vector3d& v) {
+    return Eigen::Vector3d(v - v.dot(sight) * sight);
+  };
+  const bool gravity = rule.against == Upright::Against::kGravity;
+  const Eigen::Vector3d up = across(gravity ? up_R : Eigen::Vector3d(-X_RC.R.col(1)));
+  const Eigen::Vector3d board_up = across(-X_RB.R.col(1));
+  if (gravity && up.norm() < std::sin(Radians(15.0))) return false;
+  return std::atan2(up.cross(board_up).norm(), up.dot(board_up)) <= rule.within_rad;
+}
+
 bool ShowsItsFace(const Pose3& X_CB) { return X_CB.p.z() > 0.0 && X_CB.R.col(2).dot(X_CB.p) > 0.0; }
 
 double RmsGatePx(const Camera& camera, const Pose3& X_CB, double disc_diameter_m) {
@@ -33,7 +47,7 @@ double ChiSquareLimit(int freedom) {
 }
 
 std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<CameraView>& views,
-                                 const LocateHints& hints) {
+                                 const LocateHints& hints, const Upright& rule) {
   for (const CameraView& view : views) {
     if (!ShowsItsFace(Inverse(view.X_RC) * fit.X_RB)) return PoseFailure::kBehindCamera;
   }
@@ -52,14 +66,15 @@ std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<Camer
   if (!(place_m < kMostPlaceSigma_m && turn_rad < kMostTurnSigma_rad)) {
     return PoseFailure::kUncertain;
   }
-  if (!IsUpright(fit.X_RB.R, hints.up_R)) return PoseFailure::kNotUpright;
+  if (!IsUpright(fit.X_RB, rule, views[0].X_RC, hints.up_R)) return PoseFailure::kNotUpright;
   return std::nullopt;
 }
 
 namespace {
 
-bool IsPossible(const PlanarBranch& branch, const Pose3& X_RC, const LocateHints& hints) {
-  return ShowsItsFace(branch.X_CB) && IsUpright((X_RC * branch.X_CB).R, hints.up_R);
+bool IsPossible(const PlanarBranch& branch, const Pose3& X_RC, const LocateHints& hints,
+                const Upright& rule) {
+  return ShowsItsFace(branch.X_CB) && IsUpright(X_RC * branch.X_CB, rule, X_RC, hints.up_R);
 }
 
 /// Reprojection cost and squared deviation from the expected heading, both in sigmas squared.
@@ -80,10 +95,11 @@ double BranchScore(const PlanarBranch& branch, const Pose3& X_RC, const LocateHi
 }  // namespace
 
 std::optional<std::size_t> ChooseBranch(const std::vector<PlanarBranch>& branches,
-                                        const Pose3& X_RC, const LocateHints& hints) {
+                                        const Pose3& X_RC, const LocateHints& hints,
+                                        const Upright& rule) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < branches.size(); ++i) {
-    if (!IsPossible(branches[i], X_RC, hints)) continue;
+    if (!IsPossible(branches[i], X_RC, hints, rule)) continue;
     if (!best ||
         BranchScore(branches[i], X_RC, hints) < BranchScore(branches[*best], X_RC, hints)) {
       best = i;
@@ -93,12 +109,12 @@ std::optional<std::size_t> ChooseBranch(const std::vector<PlanarBranch>& branche
 }
 
 bool IsAmbiguous(const std::vector<PlanarBranch>& branches, std::size_t chosen, const Pose3& X_RC,
-                 const LocateHints& hints) {
+                 const LocateHints& hints, const Upright& rule) {
   constexpr double kClear = 9.0;  // three sigma between the branches
   // Branches nearer than this are one pose for any purpose here: half of "wrong" (10 deg).
   constexpr double kSameRad = 5.0 * kPi / 180.0;
   for (std::size_t i = 0; i < branches.size(); ++i) {
-    if (i == chosen || !IsPossible(branches[i], X_RC, hints)) continue;
+    if (i == chosen || !IsPossible(branches[i], X_RC, hints, rule)) continue;
     const Eigen::Matrix3d between = branches[i].X_CB.R.transpose() * branches[chosen].X_CB.R;
     if (Eigen::AngleAxisd(between).angle() < kSameRad) continue;
     if (BranchScore(branches[i], X_RC, hints) <

@@ -6,15 +6,11 @@
 #include <optional>
 
 #include "controller/base/check.h"
+#include "controller/vision/pose_linear.h"
 #include "controller/vision/pose_problem.h"
 
 namespace dockyard {
 namespace {
-
-constexpr int kMostNuisance = 8;  // calibration terms of two cameras
-constexpr int kMost = 9 + kMostNuisance;
-using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
-using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
 
 /// Levenberg-Marquardt with fixed offsets.
 PoseEstimate Descend(const PoseProblem& problem, PoseEstimate at, int max_iterations) {
@@ -50,7 +46,7 @@ struct Linear {
   Square step;           // normal matrix of the step, Huber's weights and prior included
   Square to_nuisance;    // weighted, step against calibration
   Square all;            // step and calibration together, without weights
-  Column b;              // of the same
+  StateColumn b;         // of the same
   double squares = 0.0;  // of all errors
 };
 
@@ -60,7 +56,7 @@ Linear Linearise(const PoseProblem& problem, const PoseEstimate& at, std::size_t
   Linear linear{.step = Square::Zero(9, 9),
                 .to_nuisance = Square::Zero(9, nuisance),
                 .all = Square::Zero(n, n),
-                .b = Column::Zero(n)};
+                .b = StateColumn::Zero(n)};
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const PoseProblem::PointRows rows = problem.Rows(at, i);
     const int own = 4 * points[i].view;
@@ -102,7 +98,8 @@ Square StepCovariance(const Linear& linear, bool with_centre) {
   return P + K * K.transpose();
 }
 
-/// The upper 6x6 of a step's covariance as RefinedPose gives it, the pair's mounting added.
+}  // namespace
+
 Matrix6d PoseCovariance(const Square& step, const Pose3& X_RB, double mounting_rad) {
   Matrix6d T = Matrix6d::Zero();  // (turn about B's axes, shift) -> (shift, turn about R's axes)
   T.block<3, 3>(0, 3) = Eigen::Matrix3d::Identity();
@@ -116,11 +113,13 @@ Matrix6d PoseCovariance(const Square& step, const Pose3& X_RB, double mounting_r
   return covariance;
 }
 
+namespace {
+
 /// How well the errors agree with their own prediction: least squares over the step and the
 /// calibration terms, each of unit variance. With true sigmas `misfit` is chi-square distributed.
 void AddConsistency(const PoseProblem& problem, const PoseEstimate& at, const Linear& linear,
                     const std::vector<PointPixel>& points, RefinedPose* refined) {
-  const Column shift = -linear.all.ldlt().solve(linear.b);
+  const StateColumn shift = -linear.all.ldlt().solve(linear.b);
   refined->misfit = std::max(0.0, linear.squares + linear.b.dot(shift));
   refined->freedom = 2 * static_cast<int>(problem.size()) - 6;
   for (std::size_t i = 0; i < problem.size(); ++i) {
@@ -130,6 +129,8 @@ void AddConsistency(const PoseProblem& problem, const PoseEstimate& at, const Li
     refined->mark_sigmas.push_back(left.norm());
   }
 }
+
+}  // namespace
 
 void AddErrors(const PoseProblem& problem, const PoseEstimate& at, std::size_t views,
                const std::vector<PointPixel>& points, RefinedPose* refined) {
@@ -149,8 +150,6 @@ void AddErrors(const PoseProblem& problem, const PoseEstimate& at, std::size_t v
   }
   refined->rms_px = std::sqrt(sum / static_cast<double>(errors.size()));
 }
-
-}  // namespace
 
 std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_CB,
                                            const Eigen::Vector3d& p_BF, double diameter_m) {

@@ -31,6 +31,8 @@ struct PointPixel {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double disc_diameter_m = 0.0;  // > 0: the pixel is the middle of a disc square to B's z
   double sigma_px = 0.0;         // one axis; zero: RefineOptions::sigma_px
+  // Error of p_B, one axis; negative: PointOptions::survey_m. Known to PoseFromPoints alone.
+  double survey_m = -1.0;
 };
 
 /// Belief about how far the right camera is turned against the left from the calibration, about the

@@ -24,10 +24,8 @@ void Describe(const Fix& fix, const std::vector<CameraView>& views, const Fiduci
   report->camera_turn_rad = fix.fit.turn.mean_rad;
   report->camera_turn_sigma_rad = fix.fit.turn.covariance.diagonal().cwiseSqrt();
   for (const MarkPixel& mark : fix.marks) {
-    report->marks.push_back({.id = mark.id,
-                             .right_camera = mark.view == 1,
-                             .u_px = mark.pixel.x(),
-                             .v_px = mark.pixel.y()});
+    report->marks.push_back(
+        {.id = mark.id, .camera = mark.view, .u_px = mark.pixel.x(), .v_px = mark.pixel.y()});
   }
   for (std::size_t view = 0; view < views.size(); ++view) {
     const Pose3 X_CB = TurnedView(views, view, fix.fit.turn.mean_rad) * fix.fit.X_RB;
@@ -41,7 +39,7 @@ void Describe(const Fix& fix, const std::vector<CameraView>& views, const Fiduci
                       board.disc_diameter_m);
       if (!pixel || !views[view].camera.Sees(*pixel)) continue;
       report->predicted.push_back(
-          {.id = id, .right_camera = view == 1, .u_px = pixel->x(), .v_px = pixel->y()});
+          {.id = id, .camera = static_cast<int>(view), .u_px = pixel->x(), .v_px = pixel->y()});
     }
   }
 }

@@ -1,5 +1,5 @@
-// Internal to the vision room. From a pose and the marks that carry it to what the brain and the
-// log are told; both pipelines end here.
+// Internal to the vision room. From a pose and the marks that carry it to what the controller and
+// the log are told; both pipelines end here.
 #pragma once
 
 #include <string>

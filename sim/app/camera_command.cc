@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "models/load_cameras.h"
+#include "models/read/load_cameras.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
-#include "sim/log/json_io.h"
+#include "sim/base/json.h"
 
 namespace dockyard {
 namespace {

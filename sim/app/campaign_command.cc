@@ -1,22 +1,23 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "models/config_error.h"
-#include "models/load_scenario.h"
-#include "models/load_station.h"
+#include "models/read/config_error.h"
 #include "sim/app/commands.h"
-#include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/identity.h"
 #include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
+#include "sim/base/text.h"
 #include "sim/campaign/campaign.h"
 #include "sim/log/result_row.h"
 #include "sim/run/loop.h"
+#include "sim/scenario/load_scenario.h"
+#include "sim/scenario/scenario_keys.h"
 
 namespace dockyard {
 namespace {
@@ -28,6 +29,7 @@ struct CampaignArguments {
   std::vector<std::string> overrides;
   double run_limit_s = 900.0;
   bool quiet = false;
+  CommandOptions commands;
 };
 
 constexpr const char* kHelp = R"(Simulate all runs of a campaign on several processors.
@@ -40,27 +42,23 @@ Examples:
 Stopped by Ctrl-C or a power cut, the same command goes on where it was. The results are the
 same, bit for bit, for any number of jobs. Exit code 10: runs are missing or crashed.)";
 
-RunRecord RunForCampaign(const CampaignRun& run, const std::filesystem::path& log_dir) {
-  try {
-    RunOptions options;
-    options.log_dir = log_dir;
-    return RunDocking(run, MakeController, options);
-  } catch (const ConfigError& error) {
-    throw InputError(error.what());
-  }
-}
-
-/// All runs of a campaign have the station of its base scenario.
-ConeModel ConeOf(const Campaign& campaign) {
-  const Scenario& scenario = campaign.runs.front().scenario;
-  return LoadStation(scenario.station_file, scenario.changes.Find("station")).cone;
-}
-
 bool AnyCrashed(const FinishedRuns& runs) {
   for (const auto& [number, run] : runs) {
-    if (run.result.outcome == Outcome::kCrashed) return true;
+    if (run.result.outcome == kCrashed) return true;
   }
   return false;
+}
+
+/// Loads the models of the first runs here, so that bad files are found before a run and the
+/// workers, which are forked, share what is loaded.
+void CheckModels(const Campaign& campaign, const System& system) {
+  constexpr std::size_t kMostChecked = 16;  // as many sets of models as a system keeps
+  std::set<std::string> seen;
+  for (const CampaignRun& run : campaign.runs) {
+    if (!seen.insert(ModelText(run.scenario)).second) continue;
+    system.check(run.scenario);
+    if (seen.size() >= kMostChecked) return;
+  }
 }
 
 /// As a shell takes it for one word.
@@ -76,23 +74,34 @@ std::string CommandToGoOn(const CampaignArguments& arguments, const std::string&
   std::string command = "dockyard campaign " + Quoted(arguments.file) + " --out " + Quoted(out_dir);
   for (const std::string& override : arguments.overrides) command += " --set " + Quoted(override);
   if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
+  if (arguments.commands.allow) command += " --allow-commands";
   if (arguments.run_limit_s != CampaignArguments{}.run_limit_s) {
     command += " --run-limit " + NumberText(arguments.run_limit_s);
   }
   return command;
 }
 
-int RunCampaignCommand(const CampaignArguments& arguments) {
-  const Campaign campaign = LoadCampaign(arguments.file, arguments.overrides);
+int RunCampaignCommand(const CampaignArguments& arguments, const std::vector<System>& systems) {
+  const Campaign campaign =
+      LoadCampaign(arguments.file, arguments.overrides, KnownSystems(systems));
+  const System& system = FindSystem(systems, campaign.runs.front().scenario.system);
   CampaignOptions options;
   options.out_dir =
       arguments.out_dir.empty() ? "results/" + campaign.name : std::string(arguments.out_dir);
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
   options.run_time_limit_s = arguments.run_limit_s;
   options.progress = arguments.quiet ? ProgressStyle::kNone : ProgressStyleOfStderr();
-  options.identity = IdentityText(campaign);
-  options.cone = ConeOf(campaign);
-  const CampaignEnd end = RunCampaign(campaign, RunForCampaign, options);
+  options.identity = IdentityText(campaign, system);
+  options.columns = system.Columns(campaign.labels);
+  options.draw = system.draw;
+  options.draw_campaign = system.draw_campaign;
+  CheckModels(campaign, system);
+  const RunFunction run = [&](const CampaignRun& what, const std::filesystem::path& log_dir) {
+    RunOptions of_run{.log_dir = log_dir, .labels = campaign.labels};
+    arguments.commands.Fill(of_run);
+    return Simulate(system, what, of_run);
+  };
+  const CampaignEnd end = RunCampaign(campaign, run, options);
   if (end.signal != 0) {
     PrintNote("stopped: " + std::to_string(end.runs.size()) + " of " + std::to_string(end.total) +
               " runs are kept in " + options.out_dir.string() +
@@ -106,7 +115,7 @@ int RunCampaignCommand(const CampaignArguments& arguments) {
 
 }  // namespace
 
-void AddCampaignCommand(CLI::App& app, int& exit_code) {
+void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<CampaignArguments>();
   CLI::App* command = app.add_subcommand("campaign", kHelp);
   command->add_option("FILE", arguments->file, "a campaign file")->required();
@@ -114,11 +123,13 @@ void AddCampaignCommand(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", arguments->out_dir, "results folder [results/<name>]");
   AddSetOption(*command, arguments->overrides);
+  AddCommandOptions(*command, arguments->commands);
   command->add_option("--run-limit", arguments->run_limit_s, "wall time of one run [900 s]")
       ->type_name("SECONDS")
       ->check(NumberWithin(0.001, 1e6));
   command->add_flag("--quiet", arguments->quiet, "no progress on stderr");
-  command->callback([arguments, &exit_code] { exit_code = RunCampaignCommand(*arguments); });
+  command->callback(
+      [arguments, &systems, &exit_code] { exit_code = RunCampaignCommand(*arguments, systems); });
 }
 
 }  // namespace dockyard

@@ -3,13 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "models/check_file.h"
-#include "models/config_error.h"
-#include "models/load_scenario.h"
+#include "models/read/config_error.h"
+#include "sim/app/check_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/terminal.h"
-#include "sim/run/build_run.h"
 
 namespace dockyard {
 namespace {
@@ -24,21 +22,11 @@ Examples:
 Prints a line for each good file on stdout and the first fault of each bad one on stderr.
 Exit code 3: a file is bad.)";
 
-/// What only the renderer knows: whether it can draw for the cameras that a file names.
-void CheckCanBeDrawn(const std::string& kind, const std::string& file) {
-  if (kind == "scenario") {
-    CheckPicturesCanBeDrawn(LoadModels(LoadScenario(file)).rover.stereo.nominal);
-  } else if (kind == "campaign") {
-    CheckPicturesCanBeDrawn(LoadModels(LoadCampaign(file).runs[0].scenario).rover.stereo.nominal);
-  }
-}
-
-int Check(const std::vector<std::string>& files) {
+int Check(const std::vector<std::string>& files, const std::vector<System>& systems) {
   int exit_code = kExitDone;
   for (const std::string& file : files) {
     try {
-      const FileCheck check = CheckFile(file);
-      CheckCanBeDrawn(check.kind, file);
+      const FileCheck check = CheckFile(file, systems);
       std::printf("%s: %s: %s\n", file.c_str(), check.kind.c_str(), check.summary.c_str());
     } catch (const ConfigError& error) {
       PrintError(error.what());
@@ -50,11 +38,11 @@ int Check(const std::vector<std::string>& files) {
 
 }  // namespace
 
-void AddCheckCommand(CLI::App& app, int& exit_code) {
+void AddCheckCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand("check", kHelp);
   command->add_option("FILE", *files, "files to check")->required();
-  command->callback([files, &exit_code] { exit_code = Check(*files); });
+  command->callback([files, &systems, &exit_code] { exit_code = Check(*files, systems); });
 }
 
 }  // namespace dockyard

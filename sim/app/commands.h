@@ -1,9 +1,12 @@
 // The subcommands of the program. Each adds itself, and when chosen leaves its exit code; it throws
-// what main turns into one.
+// what RunProgram turns into one. `systems` outlives the parsing.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <stdexcept>
+#include <vector>
+
+#include "sim/run/system.h"
 
 namespace dockyard {
 
@@ -13,15 +16,19 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-void AddRunCommand(CLI::App& app, int& exit_code);
-void AddCampaignCommand(CLI::App& app, int& exit_code);
-void AddReplayCommand(CLI::App& app, int& exit_code);
-void AddViewCommand(CLI::App& app, int& exit_code);
-void AddStudyCommand(CLI::App& app, int& exit_code);
+void AddRunCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddStudyCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddCameraCommand(CLI::App& app, int& exit_code);
-void AddDetectCommand(CLI::App& app, int& exit_code);
-void AddPoseCommand(CLI::App& app, int& exit_code);
-void AddCheckCommand(CLI::App& app, int& exit_code);
+void AddDetectCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddBoardCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddCheckCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddWheelCommand(CLI::App& app, int& exit_code);
+
+/// Commands of the systems' own.
+void AddSystemCommands(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 
 }  // namespace dockyard

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "controller/vision/locate.h"
-#include "models/config_error.h"
+#include "models/read/config_error.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/image_files.h"
@@ -16,7 +16,9 @@ namespace dockyard {
 namespace {
 
 struct DetectArguments {
-  std::string left, right, folder, rig, board, draw;
+  std::string left, right, folder, board, draw;
+  RigOptions rig;
+  std::string camera = "left";  // of an image alone
   double roll_deg = 0.0, pitch_deg = 0.0;
   PipelineOptions pipeline;
   bool json = false;
@@ -25,19 +27,22 @@ struct DetectArguments {
 constexpr const char* kHelp = R"(Find the fiducial board in images with the controller's perception.
 
 Examples:
-  dockyard detect left.png right.png --rig models/axel/axel.yaml --board models/station/station.yaml
-  dockyard detect photo.jpg --rig models/axel/axel.yaml --board models/station/station.yaml --json
-  dockyard detect --folder photos --rig models/axel/axel.yaml --board models/station/station.yaml
+  dockyard detect left.png right.png --robot models/axel/axel.yaml --board models/axel/station/station.yaml
+  dockyard detect photo.jpg --robot models/axel/axel.yaml --board models/axel/station/station.yaml --json
+  dockyard detect right.png --camera right --robot models/axel/axel.yaml --board models/boards/grid_4x3.yaml
+  dockyard detect --folder photos --robot models/axel/axel.yaml --board models/axel/station/station.yaml
 
-One image is taken for the left camera's. Prints each fiducial (pixel, id, detected or predicted) and the
-board's pose in the rover body: metres, unit quaternion w x y z, covariance of p_x p_y p_z [m] and of a
-small turn about the rover's x y z [rad]. Exit code 4: no board accepted; the reason is printed.
+One image is taken for the left camera's unless --camera says right. --board is a station's file or a board's
+own (docs/models.md): discs with bars or plain ones. Prints each fiducial (pixel, id, detected or predicted)
+and the board's pose in the rover body: metres, unit quaternion w x y z, covariance of p_x p_y p_z [m] and of
+a small turn about the rover's x y z [rad]. Exit code 4: no board accepted; the reason is printed.
 --folder looks for a board in every image of a folder by itself and counts the accepted ones; exit code 0,
 or 3 when some file could not be looked at (it is named, the others are done).)";
 
 LocateOutput Look(const StereoImages& images, const DetectArguments& arguments,
-                  const FiducialBoard& board) {
-  const StereoRig rig = RigOf(arguments.rig, images.left.width, images.left.height);
+                  const FiducialBoard& board, const std::vector<System>& systems) {
+  const GrayImage& any = images.left.pixels.empty() ? images.right : images.left;
+  const StereoRig rig = RigOf(arguments.rig, systems, any.width, any.height);
   LocateHints hints;
   hints.up_R =
       (RotY(Radians(arguments.pitch_deg)) * RotX(Radians(arguments.roll_deg))).transpose() *
@@ -45,11 +50,42 @@ LocateOutput Look(const StereoImages& images, const DetectArguments& arguments,
   return LocateBoard(images, rig, board, hints, arguments.pipeline.settings());
 }
 
+/// What one camera saw.
+StereoImages Alone(GrayImage image, bool right) {
+  return right ? StereoImages{.left = {}, .right = std::move(image)}
+               : StereoImages{.left = std::move(image), .right = {}};
+}
+
+void Warn(const std::string& text, Json* warnings) {
+  std::fprintf(stderr, "warning: %s\n", text.c_str());
+  warnings->push_back(text);
+}
+
+void WarnIfCut(const std::string& file, Json* warnings) {
+  if (file.empty() || !IsCutJpeg(file)) return;
+  Warn(file + ": expected a whole JPEG, found one without its end; what is missing is grey",
+       warnings);
+}
+
+/// The board was not found: whether it hangs there upside down.
+void WarnIfTurned(const StereoImages& images, const DetectArguments& arguments,
+                  const FiducialBoard& board, const std::vector<System>& systems, Json* warnings) {
+  for (const bool right : {false, true}) {
+    const GrayImage& image = right ? images.right : images.left;
+    if (image.pixels.empty()) continue;
+    if (Look(Alone(UpsideDown(image), right), arguments, board, systems).report.marks.empty())
+      continue;
+    Warn("turned by 180 deg the " + std::string(right ? "right" : "left") +
+             " image shows the board: is it upside down?",
+         warnings);
+  }
+}
+
 Json MarksJson(const SightingReport& report) {
   Json list = Json::array();
   const auto add = [&](const SightingReport::Mark& mark, const char* state) {
     list.push_back({{"id", mark.id},
-                    {"camera", mark.right_camera ? "right" : "left"},
+                    {"camera", mark.camera == 1 ? "right" : "left"},
                     {"u_px", mark.u_px},
                     {"v_px", mark.v_px},
                     {"state", state}});
@@ -59,20 +95,22 @@ Json MarksJson(const SightingReport& report) {
   return list;
 }
 
-void PrintJson(const DetectArguments& arguments, const SightingReport& report) {
+void PrintJson(const DetectArguments& arguments, const SightingReport& report,
+               const Json& warnings) {
   Json json;
   json["pipeline"] = arguments.pipeline.name;
   json["accepted"] = report.accepted;
   json["reason"] = report.accepted ? Json() : Json(report.reason);
   json["method"] = report.method;
-  json["detected_left"] = report.detected_left;
-  json["detected_right"] = report.detected_right;
+  json["detected_left"] = report.DetectedBy(0);
+  json["detected_right"] = report.DetectedBy(1);
   json["board_in_rover"] = report.accepted ? PoseJson(report.X_RB, report.covariance) : Json();
   json["reprojection_px"] = report.marks.empty() ? Json() : Json(report.reprojection_px);
   const Eigen::Vector3d &turn = report.camera_turn_rad, &sigma = report.camera_turn_sigma_rad;
   json["camera_turn_rad"] = {turn.x(), turn.y(), turn.z()};
   json["camera_turn_sigma_rad"] = {sigma.x(), sigma.y(), sigma.z()};
   json["fiducials"] = MarksJson(report);
+  json["warnings"] = warnings;
   std::printf("%s\n", json.dump(2).c_str());
 }
 
@@ -87,18 +125,22 @@ void PrintText(const SightingReport& report) {
                 PoseText(report.X_RB, report.covariance).c_str());
   } else {
     std::printf("no board: %s (%d and %d discs detected)\n", report.reason.c_str(),
-                report.detected_left, report.detected_right);
+                report.DetectedBy(0), report.DetectedBy(1));
   }
 }
 
-int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board) {
-  RigOf(arguments.rig, 0, 0);  // a bad rig is no image's fault
+int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board,
+                   const std::vector<System>& systems) {
+  RigOf(arguments.rig, systems, 0, 0);  // a bad rig is no image's fault
+  const bool right = arguments.camera == "right";
   int images = 0, failed = 0, accepted = 0;
   Json list = Json::array();
   for (const std::string& file : ImageFilesIn(arguments.folder)) {
     SightingReport report;
+    Json warnings = Json::array();
     try {
-      report = Look({.left = LoadGray(file), .right = {}}, arguments, board).report;
+      report = Look(Alone(LoadGray(file), right), arguments, board, systems).report;
+      WarnIfCut(file, &warnings);
     } catch (const ConfigError& error) {  // no image, or not of the cameras' shape
       ++failed;
       std::fprintf(stderr, "%s\n", error.what());
@@ -108,11 +150,12 @@ int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board)
     ++images;
     accepted += report.accepted;
     list.push_back({{"file", file},
-                    {"detected", report.detected_left},
+                    {"detected", report.DetectedBy(0) + report.DetectedBy(1)},
+                    {"warnings", warnings},
                     {"accepted", report.accepted},
                     {"reason", report.accepted ? Json() : Json(report.reason)}});
     if (arguments.json) continue;
-    std::printf("%s: %d discs, %s\n", file.c_str(), report.detected_left,
+    std::printf("%s: %d discs, %s\n", file.c_str(), report.DetectedBy(0) + report.DetectedBy(1),
                 report.accepted ? "board accepted" : report.reason.c_str());
   }
   if (arguments.json) {
@@ -129,44 +172,68 @@ int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board)
   return failed > 0 ? kExitBadInput : kExitDone;
 }
 
-int Detect(const DetectArguments& arguments) {
+StereoImages LoadImages(const DetectArguments& arguments) {
+  if (arguments.right.empty()) return Alone(LoadGray(arguments.left), arguments.camera == "right");
+  StereoImages images{.left = LoadGray(arguments.left), .right = LoadGray(arguments.right)};
+  if (images.right.width != images.left.width || images.right.height != images.left.height) {
+    throw ConfigError(arguments.right + ": expected the size of " + arguments.left + ", " +
+                      std::to_string(images.left.width) + " x " +
+                      std::to_string(images.left.height) + ", found " +
+                      std::to_string(images.right.width) + " x " +
+                      std::to_string(images.right.height));
+  }
+  return images;
+}
+
+void RequireSound(const DetectArguments& arguments) {
   if (arguments.left.empty() == arguments.folder.empty()) {
     throw UsageError("give either LEFT [RIGHT] or --folder DIR");
   }
   if (!arguments.folder.empty() && !arguments.draw.empty()) {
     throw UsageError("--draw draws LEFT [RIGHT]; leave it out with --folder");
   }
-  arguments.pipeline.RequireSound();
-  const FiducialBoard board = BoardOf(arguments.board);
-  if (!arguments.folder.empty()) return DetectInFolder(arguments, board);
-  StereoImages images{.left = LoadGray(arguments.left), .right = {}};
-  if (!arguments.right.empty()) {
-    images.right = LoadGray(arguments.right);
-    if (images.right.width != images.left.width || images.right.height != images.left.height) {
-      throw ConfigError(arguments.right + ": expected the size of " + arguments.left + ", " +
-                        std::to_string(images.left.width) + " x " +
-                        std::to_string(images.left.height) + ", found " +
-                        std::to_string(images.right.width) + " x " +
-                        std::to_string(images.right.height));
-    }
+  if (!arguments.right.empty() && arguments.camera == "right") {
+    throw UsageError("--camera is of one image alone; leave it out with LEFT RIGHT");
   }
-  const LocateOutput out = Look(images, arguments, board);
+  arguments.pipeline.RequireSound();
+}
+
+int Detect(const DetectArguments& arguments, const std::vector<System>& systems) {
+  RequireSound(arguments);
+  const FiducialBoard board = BoardOf(arguments.board, systems).board;
+  if (arguments.pipeline.settings().pipeline == VisionPipeline::kTsai2013 &&
+      !HasTwoOfEachRotation(board)) {
+    throw ConfigError(arguments.board +
+                      ": expected two bars of each rotation, as --pipeline tsai2013 needs them, "
+                      "found others");
+  }
+  if (!arguments.folder.empty()) return DetectInFolder(arguments, board, systems);
+  const StereoImages images = LoadImages(arguments);
+  Json warnings = Json::array();
+  WarnIfCut(arguments.left, &warnings);
+  WarnIfCut(arguments.right, &warnings);
+  const LocateOutput out = Look(images, arguments, board, systems);
+  if (!out.report.accepted) WarnIfTurned(images, arguments, board, systems, &warnings);
   if (!arguments.draw.empty()) DrawSighting(arguments.draw, images, out.report);
-  arguments.json ? PrintJson(arguments, out.report) : PrintText(out.report);
+  arguments.json ? PrintJson(arguments, out.report, warnings) : PrintText(out.report);
   return out.report.accepted ? kExitDone : kExitNotDocked;
 }
 
 }  // namespace
 
-void AddDetectCommand(CLI::App& app, int& exit_code) {
+void AddDetectCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<DetectArguments>();
   CLI::App* command = app.add_subcommand("detect", kHelp);
-  command->add_option("LEFT", arguments->left, "image of the left camera");
+  command->add_option("LEFT", arguments->left,
+                      "image of the left camera, or of the one that --camera names");
   command->add_option("RIGHT", arguments->right, "image of the right camera");
   command->add_option("--folder", arguments->folder, "every image of a folder instead, one by one");
-  command->add_option("--rig", arguments->rig, "a rover's file, or a file of two cameras")
-      ->required();
-  command->add_option("--board", arguments->board, "a station's file")->required();
+  command
+      ->add_option("--camera", arguments->camera,
+                   "of one image, or of a folder's: left (default), right")
+      ->check(CLI::IsMember({"left", "right"}));
+  AddRigOptions(*command, arguments->rig);
+  command->add_option("--board", arguments->board, "a station's file, or a board's")->required();
   command->add_option("--roll-deg", arguments->roll_deg, "attitude of the rover body")
       ->check(NumberWithin(-60.0, 60.0));
   command->add_option("--pitch-deg", arguments->pitch_deg, "the same, nose-down positive")
@@ -174,7 +241,7 @@ void AddDetectCommand(CLI::App& app, int& exit_code) {
   command->add_option("--draw", arguments->draw, "PNG of the images with what was found");
   command->add_flag("--json", arguments->json, "JSON on standard output");
   AddPipelineOptions(*command, arguments->pipeline);
-  command->callback([arguments, &exit_code] { exit_code = Detect(*arguments); });
+  command->callback([arguments, &systems, &exit_code] { exit_code = Detect(*arguments, systems); });
 }
 
 }  // namespace dockyard

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <set>
 
-#include "models/text_file.h"
-#include "models/yaml_tree.h"
+#include "models/read/text_file.h"
+#include "models/read/yaml_tree.h"
+#include "sim/base/files.h"
 #include "sim/base/hash.h"
-#include "sim/log/files.h"
 
 namespace dockyard {
 namespace {
@@ -55,18 +55,20 @@ void AddNamed(const YamlNode& node, std::set<fs::path>& files) {
 
 }  // namespace
 
-std::string IdentityText(const Campaign& campaign) {
+std::string IdentityText(const Campaign& campaign, const System& system) {
   std::set<fs::path> models, files;
   for (const CampaignRun& run : campaign.runs) {
-    for (const std::string* file :
-         {&run.scenario.rover_file, &run.scenario.station_file, &run.scenario.soil_file}) {
-      // One spelling for each file: resolved.yaml spells them otherwise than the campaign's file.
-      models.insert(fs::weakly_canonical(*file));
+    const Scenario& scenario = run.scenario;
+    // One spelling for each file: resolved.yaml spells them otherwise than the campaign's file.
+    for (const std::string* file : {&scenario.robot_file, &scenario.soil_file}) {
+      if (!file->empty()) models.insert(fs::weakly_canonical(*file));
     }
-    if (!run.scenario.camera_file.empty()) {
-      files.insert(fs::weakly_canonical(run.scenario.camera_file));
+    for (const std::string& key : system.file_keys) {
+      const YamlNode* file = scenario.of_system.Find(key);
+      if (file != nullptr) models.insert(fs::weakly_canonical(file->scalar));
     }
-    AddNamed(run.scenario.changes, files);
+    if (!scenario.camera_file.empty()) files.insert(fs::weakly_canonical(scenario.camera_file));
+    AddNamed(scenario.changes, files);
   }
   for (const fs::path& model : models) {
     AddWithNeighbours(model, files);

@@ -5,8 +5,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "models/config_error.h"
-#include "sim/log/files.h"
+#include "models/read/config_error.h"
+#include "sim/base/files.h"
 
 namespace dockyard {
 
@@ -28,6 +28,20 @@ GrayImage LoadGray(const std::string& file) {
     image.pixels.insert(image.pixels.end(), picture.ptr(y), picture.ptr(y) + picture.cols);
   }
   return image;
+}
+
+GrayImage UpsideDown(const GrayImage& image) {
+  GrayImage turned = image;
+  std::reverse(turned.pixels.begin(), turned.pixels.end());
+  return turned;
+}
+
+bool IsCutJpeg(const std::string& file) {
+  const auto bytes = ReadWhole(file);
+  if (!bytes || bytes->size() < 4 || bytes->compare(0, 2, "\xff\xd8") != 0) return false;
+  // A thumbnail has marks of its own, all before the scan of the image itself.
+  const std::size_t scan = bytes->rfind("\xff\xda");
+  return scan == std::string::npos || bytes->find("\xff\xd9", scan) == std::string::npos;
 }
 
 std::vector<std::string> ImageFilesIn(const std::string& folder) {
@@ -66,7 +80,7 @@ void DrawSighting(const std::string& file, const StereoImages& images,
   put(images.left, 0);
   put(images.right, images.left.width);
   const auto ring = [&](const SightingReport::Mark& mark, const cv::Scalar& colour) {
-    const double x = mark.u_px + (mark.right_camera ? images.left.width : 0);
+    const double x = mark.u_px + (mark.camera == 1 ? images.left.width : 0);
     constexpr int kSub = 4;  // fractional bits of OpenCV's drawing
     const cv::Point at(static_cast<int>(std::lround(x * (1 << kSub))),
                        static_cast<int>(std::lround(mark.v_px * (1 << kSub))));

@@ -11,6 +11,10 @@ namespace dockyard {
 
 /// PNG, PGM, JPEG and what else OpenCV's imgcodecs reads, as 8-bit grey. Throws ConfigError.
 GrayImage LoadGray(const std::string& file);
+/// The image turned by 180 deg.
+GrayImage UpsideDown(const GrayImage& image);
+/// Whether a JPEG ends before its end mark; the decoder fills the rest with grey.
+bool IsCutJpeg(const std::string& file);
 /// The folder's picture files by name, at least one. Throws ConfigError.
 std::vector<std::string> ImageFilesIn(const std::string& folder);
 /// The pictures side by side, the marks ringed and numbered: measured green, predicted orange.

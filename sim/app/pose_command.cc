@@ -1,114 +1,127 @@
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "controller/vision/point_pose.h"
-#include "models/config_error.h"
-#include "models/csv_table.h"
-#include "models/yaml_reader.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/point_files.h"
+#include "sim/app/point_report.h"
 #include "sim/app/vision_files.h"
 
 namespace dockyard {
 namespace {
 
 struct PoseArguments {
-  std::string points, rig;
-  int width = 1024, height = 768;
+  std::string points, sequence;
+  RigOptions rig;
+  std::optional<int> width{}, height{};
+  std::optional<double> survey_m{};
   PipelineOptions pipeline;
-  bool json = false;
+  bool json = false, csv = false;
 };
 
 constexpr const char* kHelp = R"(Pose of a body from pixels of its known points, one camera or two.
 
 Examples:
-  dockyard pose points.csv --rig models/axel/axel.yaml
-  dockyard pose points.csv --rig models/axel/axel.yaml --pipeline tsai2013 --json
+  dockyard pose points.csv --robot models/axel/axel.yaml
+  dockyard pose points.csv --robot models/axel/axel.yaml --pipeline tsai2013 --json
+  dockyard pose --sequence frames.csv --rig rig.yaml --survey-error-m 0.01 --csv
 
 POINTS has the columns camera,u_px,v_px,x_m,y_m,z_m: camera is left or right, pixel (0, 0) the middle of
-the first pixel, x y z a point of the body. The points may lie in a plane or not; wrong ones are found and
-left out. Prints the body's pose in the rover body (metres, unit quaternion w x y z, covariance) and which
-points agree. Exit code 4: no pose; the reason is printed.)";
+the first pixel, x y z a point of the body. The points may lie in a plane or not; up to half may be wrong:
+they are left out. Optional columns, where an empty cell is as no column:
+  survey_error_m   1 sigma of the point's place on the body, one axis; else that of --survey-error-m
+  disc_diameter_m  the pixel is the middle of a disc of this size, square to the body's z
+  frame            any text; --sequence needs it: rows with the same text are seen at the same time
+Further columns are ignored. The survey's error is shared by all pixels of a point; it enters what counts as
+wrong, the weights and the covariance, and the default holds for the whole file. Pipeline tsai2013 knows
+neither it nor discs, and leaves no point out.
 
-std::vector<PointPixel> LoadPoints(const std::string& file) {
-  const YamlNode table = LoadCsv(file);
-  std::vector<PointPixel> points;
-  for (std::size_t i = 0; i < table.items.size(); ++i) {
-    const YamlReader in(table.items[i], "row " + std::to_string(i + 1),
-                        {"camera", "u_px", "v_px", "x_m", "y_m", "z_m"});
-    PointPixel point;
-    point.view = in.Choice("camera", {"left", "right"});
-    point.pixel = {in.Number("u_px", Between(-1e5, 1e5)), in.Number("v_px", Between(-1e5, 1e5))};
-    point.p_B = {in.Number("x_m", Between(-1e4, 1e4)), in.Number("y_m", Between(-1e4, 1e4)),
-                 in.Number("z_m", Between(-1e4, 1e4))};
-    points.push_back(point);
+Prints the body's pose in the rover body (metres, unit quaternion w x y z, covariance), the rover's in the
+body, chi-square, the fitted turn of the cameras, and which points were left out. With --sequence: one line,
+JSON object or CSV row for each frame, in order of their first rows. Exit code 0: a pose (of a sequence: of one
+frame at least); 4: no pose, the reason is printed; 3: a bad file; 2: usage.)";
+
+FrameAnswer Answer(const PointFrame& frame, const StereoRig& rig, const VisionSettings& settings,
+                   const PointOptions& options) {
+  FrameAnswer answer{.pose = PoseFromPoints(frame.points, rig, settings, options),
+                     .survey_m = options.survey_m,
+                     .agree_when_exchanged = false,
+                     .pipeline = PipelineName(settings.pipeline)};
+  if (!answer.pose && answer.pose.error() == PoseFailure::kEyesDisagree) {
+    std::vector<PointPixel> exchanged = frame.points;
+    for (PointPixel& point : exchanged) point.view = 1 - point.view;
+    answer.agree_when_exchanged =
+        static_cast<bool>(PoseFromPoints(exchanged, rig, settings, options));
   }
-  return points;
+  return answer;
 }
 
-int Pose(const PoseArguments& arguments) {
+void RequireSound(const PoseArguments& arguments) {
   arguments.pipeline.RequireSound();
-  const std::vector<PointPixel> points = LoadPoints(arguments.points);
-  const StereoRig rig = RigOf(arguments.rig, arguments.width, arguments.height);
-  const auto pose = PoseFromPoints(points, rig, arguments.pipeline.settings());
-  Json json;
-  json["pipeline"] = arguments.pipeline.name;
-  json["accepted"] = static_cast<bool>(pose);
-  json["reason"] = pose ? Json() : Json(Name(pose.error()));
-  if (!pose) {
-    std::printf("%s\n", arguments.json ? json.dump(2).c_str()
-                                       : (std::string("no pose: ") + Name(pose.error())).c_str());
-    return kExitNotDocked;
+  if (arguments.points.empty() == arguments.sequence.empty()) {
+    throw UsageError("give either POINTS or --sequence FILE");
   }
-  int used = 0;
-  Json inliers = Json::array();
-  for (const bool inlier : pose->inlier) {
-    used += inlier;
-    inliers.push_back(inlier);
+  if (arguments.width.has_value() != arguments.height.has_value()) {
+    throw UsageError("--width and --height go together");
   }
-  json["method"] = pose->method;
-  json["body_in_rover"] = PoseJson(pose->fit.X_RB, pose->fit.covariance);
-  json["reprojection_px"] = pose->fit.rms_px;
-  json["points_used"] = used;
-  json["inlier"] = inliers;
-  // Of a plane seen by one camera: the other pose that its picture allows, and by how many sigmas
-  // squared it fits worse.
-  json["other_branch"] = pose->other_RB ? PoseJson(*pose->other_RB, Matrix6d::Zero()) : Json();
-  if (pose->other_RB) json["other_branch"]["cost_more"] = pose->other_cost - pose->fit.cost;
-  if (arguments.json) {
-    std::printf("%s\n", json.dump(2).c_str());
-    return kExitDone;
+  const bool tsai = arguments.pipeline.settings().pipeline == VisionPipeline::kTsai2013;
+  if (tsai && arguments.survey_m) {
+    throw UsageError("--survey-error-m is not known to --pipeline tsai2013");
   }
-  std::printf("body (%s, %d of %zu points, %.3f px rms): %s\n", pose->method.c_str(), used,
-              points.size(), pose->fit.rms_px,
-              PoseText(pose->fit.X_RB, pose->fit.covariance).c_str());
-  if (pose->other_RB) {
-    std::printf("or, fitting worse by %.1f sigma^2: %s\n", pose->other_cost - pose->fit.cost,
-                PoseText(*pose->other_RB, Matrix6d::Zero()).c_str());
+  if (arguments.json && arguments.csv) throw UsageError("--json and --csv are two forms: give one");
+}
+
+int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
+  RequireSound(arguments);
+  const bool sequence = !arguments.sequence.empty();
+  const std::vector<PointFrame> frames =
+      LoadPointFrames(sequence ? arguments.sequence : arguments.points, sequence);
+  const StereoRig rig =
+      RigOf(arguments.rig, systems, arguments.width.value_or(0), arguments.height.value_or(0));
+  PointOptions options;
+  options.survey_m = arguments.survey_m.value_or(DefaultSurveyError(frames));
+  if (arguments.csv) std::printf("%s\n", PoseTableHeader().c_str());
+  std::size_t poses = 0;
+  for (const PointFrame& frame : frames) {
+    const FrameAnswer answer = Answer(frame, rig, arguments.pipeline.settings(), options);
+    poses += static_cast<bool>(answer.pose);
+    const std::string text = arguments.json  ? FrameJson(frame, answer).dump(sequence ? -1 : 2)
+                             : arguments.csv ? PoseTableRow(frame, answer)
+                                             : FrameText(frame, answer, !sequence);
+    std::printf("%s\n", text.c_str());
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!pose->inlier[i]) std::printf("row %zu left out\n", i + 1);
-  }
-  return kExitDone;
+  if (sequence) std::fprintf(stderr, "%zu frames, %zu poses\n", frames.size(), poses);
+  return poses > 0 ? kExitDone : kExitNotDocked;
 }
 
 }  // namespace
 
-void AddPoseCommand(CLI::App& app, int& exit_code) {
+void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<PoseArguments>();
   CLI::App* command = app.add_subcommand("pose", kHelp);
-  command->add_option("POINTS", arguments->points, "a CSV file")->required();
-  command->add_option("--rig", arguments->rig, "a rover's file, or a file of two cameras")
-      ->required();
-  command->add_option("--width", arguments->width, "of the images [px]")
+  command->add_option("POINTS", arguments->points, "a CSV file of one frame");
+  command->add_option("--sequence", arguments->sequence, "a CSV file of many frames");
+  AddRigOptions(*command, arguments->rig);
+  command
+      ->add_option("--survey-error-m", arguments->survey_m,
+                   "1 sigma of a point's place on the body; default 0.001 of the longest side of "
+                   "the box about all points of the file")
+      ->check(CLI::Range(0.0, 10.0));
+  command
+      ->add_option(
+          "--width", arguments->width,
+          "of the images [px]; default: what the rig's file says, 1024 when it says nothing")
       ->check(CLI::Range(64, 16384));
-  command->add_option("--height", arguments->height, "of the images [px]")
+  command->add_option("--height", arguments->height, "of the images [px], with --width; else 768")
       ->check(CLI::Range(64, 16384));
-  command->add_flag("--json", arguments->json, "JSON on standard output");
+  command->add_flag("--json", arguments->json, "JSON; of a sequence one object a line");
+  command->add_flag("--csv", arguments->csv, "a table, one row a frame");
   AddPipelineOptions(*command, arguments->pipeline);
-  command->callback([arguments, &exit_code] { exit_code = Pose(*arguments); });
+  command->callback([arguments, &systems, &exit_code] { exit_code = Pose(*arguments, systems); });
 }
 
 }  // namespace dockyard

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "models/load_scenario.h"
 #include "sim/app/commands.h"
-#include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/identity.h"
 #include "sim/app/scenario_options.h"
@@ -18,6 +16,7 @@
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
 #include "sim/run/loop.h"
+#include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
 namespace {
@@ -25,6 +24,7 @@ namespace {
 struct ReplayArguments {
   std::string dir;
   std::optional<int> run;  // none: the folder of a single run
+  CommandOptions commands;
 };
 
 constexpr const char* kHelp =
@@ -39,28 +39,34 @@ controller alone and compares its commands. Exit code 0: the same, 1: not the sa
 folder holds no result of this run.)";
 
 /// Columns whose values differ, with both values; true when none does.
-bool ReportRow(const RunResult& then, const RunResult& now) {
-  const std::vector<std::string> differing = DifferingColumns(then, now);
+bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& columns) {
+  const std::vector<std::string> names = ColumnNames(columns);
+  const std::vector<std::string> cells_then = RowCells(then, columns),
+                                 cells_now = RowCells(now, columns);
+  std::vector<std::size_t> differing;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (cells_then[i] != cells_now[i]) differing.push_back(i);
+  }
   if (differing.empty()) {
-    std::printf("run %d: same result row, bit for bit (%s)\n", now.run, Name(now.outcome));
+    std::printf("run %d: same result row, bit for bit (%s)\n", now.run, now.outcome.c_str());
     return true;
   }
   std::printf("run %d: not the same; %zu columns differ\n", now.run, differing.size());
-  const std::vector<std::string> cells_then = RowCells(then), cells_now = RowCells(now);
-  std::size_t i = 0;
-  VisitColumns(now, [&](const char* name, const auto&) {
-    if (std::find(differing.begin(), differing.end(), name) != differing.end()) {
-      std::printf("  %-22s was %s, is %s\n", name, cells_then[i].c_str(), cells_now[i].c_str());
-    }
-    ++i;
-  });
+  for (const std::size_t i : differing) {
+    std::printf("  %-22s was %s, is %s\n", names[i].c_str(), cells_then[i].c_str(),
+                cells_now[i].c_str());
+  }
   return false;
 }
 
 /// False when the controller, run alone from its log, gave other commands.
-bool ReportController(const std::filesystem::path& run_dir) {
+bool ReportController(const std::filesystem::path& run_dir, const Scenario& scenario,
+                      const RunOptions& options, const std::vector<System>& systems) {
   RunLogReader log(run_dir);
-  const auto controller = MakeController(log.header().controller, log.header().sheet);
+  const System& system = FindSystem(systems, log.header().system);
+  ReadyRun ready = system.make_ready(scenario);
+  ready.nominal = log.header().nominal;
+  const auto controller = MakeController(system, scenario, ready, options);
   const ControllerReplay replay = ReplayController(log, *controller);
   const auto compared = static_cast<unsigned long long>(replay.compared);
   if (replay.differs_at) {
@@ -80,29 +86,33 @@ bool ReportController(const std::filesystem::path& run_dir) {
 /// What was run, what came out of it then, and the folder of its log.
 struct KeptRun {
   CampaignRun run;
+  RowColumns columns;
   std::optional<RunResult> result;
   std::filesystem::path log_dir;
 };
 
-KeptRun RunOfCampaign(const std::filesystem::path& dir, int number) {
-  const Campaign campaign = LoadCampaign((dir / "resolved.yaml").string());
+KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
+                      const std::vector<System>& systems) {
+  const Campaign campaign =
+      LoadCampaign((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
+  const System& system = FindSystem(systems, campaign.runs.front().scenario.system);
   const auto run = std::find_if(campaign.runs.begin(), campaign.runs.end(),
                                 [&](const CampaignRun& each) { return each.run == number; });
   if (run == campaign.runs.end()) {
     throw UsageError(dir.string() + " has no run " + std::to_string(number) + "; it has " +
                      std::to_string(campaign.runs.size()) + " runs");
   }
-  if (ReadWhole(dir / "identity.txt").value_or("") != IdentityText(campaign)) {
+  if (ReadWhole(dir / "identity.txt").value_or("") != IdentityText(campaign, system)) {
     PrintNote("note: the program or the model files have changed since (identity.txt)");
   }
-  KeptRun kept{*run, {}, RunFolder(dir, number)};
-  const FinishedRuns finished = ReadResults(dir);
+  KeptRun kept{*run, system.Columns(campaign.labels), {}, RunFolder(dir, number)};
+  const FinishedRuns finished = ReadResults(dir, kept.columns);
   const auto then = finished.find(number);
   if (then != finished.end()) kept.result = then->second.result;
   return kept;
 }
 
-KeptRun FindRun(const ReplayArguments& arguments) {
+KeptRun FindRun(const ReplayArguments& arguments, const std::vector<System>& systems) {
   const std::filesystem::path dir = arguments.dir;
   const bool campaign = std::filesystem::exists(dir / "results.csv");
   if (campaign && !arguments.run) {
@@ -112,42 +122,48 @@ KeptRun FindRun(const ReplayArguments& arguments) {
   if (!campaign && arguments.run && std::filesystem::exists(dir / "result.csv")) {
     throw UsageError(dir.string() + " holds one run; leave out the number");
   }
-  if (arguments.run) return RunOfCampaign(dir, *arguments.run);
-  const Scenario scenario = LoadScenario((dir / "resolved.yaml").string());
-  return {SingleRun(scenario), ReadSingleResult(dir), dir};
+  if (arguments.run) return RunOfCampaign(dir, *arguments.run, systems);
+  const Scenario scenario =
+      LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
+  const RowColumns columns = FindSystem(systems, scenario.system).Columns({});
+  return {SingleRun(scenario), columns, ReadSingleResult(dir, columns), dir};
 }
 
-int Replay(const ReplayArguments& arguments) {
-  const KeptRun kept = FindRun(arguments);
+int Replay(const ReplayArguments& arguments, const std::vector<System>& systems) {
+  const KeptRun kept = FindRun(arguments, systems);
   if (!kept.result) {
     PrintError("run " + std::to_string(kept.run.run) + " has no result in " + arguments.dir +
                " yet");
     return kExitIncomplete;
   }
-  if (kept.result->outcome == Outcome::kCrashed) {
+  if (kept.result->outcome == kCrashed) {
     PrintError("run " + std::to_string(kept.run.run) +
                " crashed: there is nothing to compare with");
     return kExitIncomplete;
   }
-  const RunRecord now = RunDocking(kept.run, MakeController, {});
-  const bool same_row = ReportRow(*kept.result, now.result);
+  const System& system = FindSystem(systems, kept.run.scenario.system);
+  RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
+  arguments.commands.Fill(options);
+  const RunRecord now = Simulate(system, kept.run, options);
+  const bool same_row = ReportRow(*kept.result, now.result, kept.columns);
   if (!std::filesystem::exists(kept.log_dir / "frames.bin")) {
     PrintError("controller alone: not run, there is no log in " + kept.log_dir.string());
     return same_row ? kExitIncomplete : kExitOurBug;
   }
-  const bool same_commands = ReportController(kept.log_dir);
+  const bool same_commands = ReportController(kept.log_dir, kept.run.scenario, options, systems);
   return same_row && same_commands ? kExitDone : kExitOurBug;
 }
 
 }  // namespace
 
-void AddReplayCommand(CLI::App& app, int& exit_code) {
+void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = app.add_subcommand("replay", kHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
       ->required();
   command->add_option("RUN", arguments->run, "number of the run in a campaign");
-  command->callback([arguments, &exit_code] { exit_code = Replay(*arguments); });
+  AddCommandOptions(*command, arguments->commands);
+  command->callback([arguments, &systems, &exit_code] { exit_code = Replay(*arguments, systems); });
 }
 
 }  // namespace dockyard

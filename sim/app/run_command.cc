@@ -4,23 +4,23 @@
 #include <string>
 #include <vector>
 
-#include "models/load_scenario.h"
 #include "sim/app/commands.h"
-#include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
-#include "sim/campaign/run_plots.h"
-#include "sim/log/files.h"
+#include "sim/base/files.h"
+#include "sim/campaign/worker.h"
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
 #include "sim/run/loop.h"
+#include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
 namespace {
 
 struct RunArguments {
   ScenarioOptions scenario;
+  CommandOptions commands;
   std::string out_dir;
   bool json = false;
 };
@@ -48,46 +48,53 @@ void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
 }
 
 void PrintRecord(const RunRecord& record) {
-  const std::vector<std::string> cells = RowCells(record.result);
-  std::size_t i = 0;
-  VisitColumns(record.result, [&](const char* name, const auto&) {
-    std::printf("%-22s %s\n", name, cells[i++].c_str());
-  });
+  const std::vector<std::string> names = ColumnNames(record.columns);
+  const std::vector<std::string> cells = RowCells(record.result, record.columns);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::printf("%-22s %s\n", names[i].c_str(), cells[i].c_str());
+  }
   std::printf("%-22s %.3f\n", "cpu_time_s", record.timing.cpu_time_s);
 }
 
-int Run(const RunArguments& arguments) {
-  const CampaignRun run = SingleRun(Load(arguments.scenario));
+int Run(const RunArguments& arguments, const std::vector<System>& systems) {
+  const CampaignRun run = SingleRun(Load(arguments.scenario, systems));
+  const System& system = FindSystem(systems, run.scenario.system);
   RunOptions options;
   options.log_dir = arguments.out_dir;
+  arguments.commands.Fill(options);
   if (!arguments.out_dir.empty()) PrepareFolder(arguments.out_dir, run.scenario);
-  const RunRecord record = RunDocking(run, MakeController, options);
+  const RunRecord record = Simulate(system, run, options);
   if (!arguments.out_dir.empty()) {
     WriteRecordFiles(arguments.out_dir, record);
-    WriteSingleResult(arguments.out_dir, record.result);
-    WriteRunPlots(arguments.out_dir, record);
+    WriteSingleResult(arguments.out_dir, record.result, record.columns);
+    if (system.draw) WriteFigures(arguments.out_dir, system.draw(record, run.scenario));
+    if (!record.messages.empty()) {
+      WriteWhole(std::filesystem::path(arguments.out_dir) / "messages.txt", record.messages);
+    }
     PrintNote("log and plots in " + arguments.out_dir);
   }
   if (arguments.json) {
-    Json json = RowJson(record.result);
+    Json json = RowJson(record.result, record.columns);
     json["cpu_time_s"] = record.timing.cpu_time_s;
     std::printf("%s\n", json.dump(1).c_str());
   } else {
     PrintRecord(record);
   }
+  if (!record.messages.empty()) PrintNote("the controller said:\n" + record.messages);
   if (!record.failure_note.empty()) PrintNote(record.failure_note);
   return record.result.docked ? kExitDone : kExitNotDocked;
 }
 
 }  // namespace
 
-void AddRunCommand(CLI::App& app, int& exit_code) {
+void AddRunCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", kHelp);
   AddScenarioOptions(*command, arguments->scenario);
+  AddCommandOptions(*command, arguments->commands);
   command->add_option("--out", arguments->out_dir, "folder for log, history and plots");
   command->add_flag("--json", arguments->json, "the result as JSON");
-  command->callback([arguments, &exit_code] { exit_code = Run(*arguments); });
+  command->callback([arguments, &systems, &exit_code] { exit_code = Run(*arguments, systems); });
 }
 
 }  // namespace dockyard

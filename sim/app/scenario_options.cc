@@ -1,9 +1,10 @@
 #include "sim/app/scenario_options.h"
 
-#include <charconv>
-#include <filesystem>
+#include "sim/app/number_option.h"
 
-#include "models/load_scenario.h"
+#include <charconv>
+
+#include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
 
@@ -20,6 +21,16 @@ void AddSetOption(CLI::App& command, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
+void AddCommandOptions(CLI::App& command, CommandOptions& options) {
+  command.add_flag("--allow-commands", options.allow,
+                   "let a scenario start the program that it names as its controller");
+  command
+      .add_option("--answer-limit", options.answer_limit_s,
+                  "wall time of one answer of such a program [10 s]")
+      ->type_name("SECONDS")
+      ->check(NumberWithin(0.001, 1e6));
+}
+
 void AddScenarioOptions(CLI::App& command, ScenarioOptions& options) {
   command.add_option("SCENARIO", options.file, "a scenario file")->required();
   command.add_option("--seed", options.seed, "of all that is random; overrides the file's")
@@ -32,18 +43,26 @@ void AddScenarioOptions(CLI::App& command, ScenarioOptions& options) {
   AddSetOption(command, options.overrides);
 }
 
-Scenario Load(const ScenarioOptions& options) {
-  Scenario scenario = LoadScenario(options.file, options.overrides);
+Scenario Load(const ScenarioOptions& options, const std::vector<System>& systems) {
+  Scenario scenario = LoadScenario(options.file, options.overrides, KnownSystems(systems));
   if (options.seed) scenario.seed = *options.seed;
   return scenario;
+}
+
+StudySystems StudySystemsOf(const std::vector<System>& systems) {
+  const auto measures = [&systems](const std::string& name) {
+    std::vector<std::string> names{"docked", "sim_time_s"};
+    for (const Column& column : FindSystem(systems, name).measures) names.push_back(column.name);
+    return names;
+  };
+  const auto check = [&systems](const Scenario& s) { FindSystem(systems, s.system).check(s); };
+  return {KnownSystems(systems), measures, check};
 }
 
 CampaignRun SingleRun(const Scenario& scenario) {
   CampaignRun run;
   run.scenario = scenario;
   run.run = 1;
-  run.region = "single";
-  run.soil = std::filesystem::path(scenario.soil_file).stem().string();
   return run;
 }
 

@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "models/scenario.h"
+#include "sim/run/loop.h"
+#include "sim/run/system.h"
+#include "sim/scenario/scenario.h"
+#include "sim/scenario/study.h"
 
 namespace dockyard {
 
@@ -21,7 +24,21 @@ void AddSetOption(CLI::App& command, std::vector<std::string>& overrides);
 void AddScenarioOptions(CLI::App& command, ScenarioOptions& options);
 
 /// Throws ConfigError.
-Scenario Load(const ScenarioOptions& options);
+Scenario Load(const ScenarioOptions& options, const std::vector<System>& systems);
+
+/// Whether a controller's program may be started, and how long one of its answers may take.
+struct CommandOptions {
+  bool allow = false;
+  double answer_limit_s = 10.0;
+  void Fill(RunOptions& options) const {
+    options.allow_commands = allow;
+    options.answer_limit_s = answer_limit_s;
+  }
+};
+void AddCommandOptions(CLI::App& command, CommandOptions& options);
+
+/// What a study's reader must know of the systems.
+StudySystems StudySystemsOf(const std::vector<System>& systems);
 
 /// A scenario as the one run of its own folder.
 CampaignRun SingleRun(const Scenario& scenario);

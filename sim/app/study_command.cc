@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "models/study.h"
 #include "sim/app/commands.h"
-#include "sim/app/controller_factory.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
-#include "sim/log/files.h"
+#include "sim/base/files.h"
+#include "sim/run/loop.h"
+#include "sim/scenario/study.h"
 #include "sim/study/run_study.h"
 
 namespace dockyard {
@@ -38,12 +38,13 @@ Any key of a scenario can be varied, those of its models too:
 changes.station.cone.funnel_friction. The folder gets runs.csv, points.csv, table.md, curves.svg
 and bars.svg. Exit code 10: runs are missing or crashed.)";
 
-void WriteResults(const std::filesystem::path& dir, const Study& study,
+void WriteResults(const std::filesystem::path& dir, const Study& study, const RowColumns& columns,
                   const std::vector<StudyRow>& rows) {
-  WriteWhole(dir / "runs.csv", StudyRunsCsv(study, rows));
-  WriteWhole(dir / "points.csv", StudyPointsCsv(study, rows));
-  WriteWhole(dir / "table.md", StudyTable(study, rows));
-  const std::string curves = StudyCurves(study, rows), bars = StudyBars(study, rows);
+  WriteWhole(dir / "runs.csv", StudyRunsCsv(study, columns, rows));
+  WriteWhole(dir / "points.csv", StudyPointsCsv(study, columns, rows));
+  WriteWhole(dir / "table.md", StudyTable(study, columns, rows));
+  const std::string curves = StudyCurves(study, columns, rows),
+                    bars = StudyBars(study, columns, rows);
   if (!curves.empty()) WriteWhole(dir / "curves.svg", curves);
   if (!bars.empty()) WriteWhole(dir / "bars.svg", bars);
 }
@@ -57,8 +58,10 @@ void PrepareFolder(const std::filesystem::path& dir) {
   }
 }
 
-int RunTheStudy(const StudyArguments& arguments) {
-  const Study study = LoadStudy(arguments.file, arguments.overrides);
+int RunTheStudy(const StudyArguments& arguments, const std::vector<System>& systems) {
+  const Study study = LoadStudy(arguments.file, arguments.overrides, StudySystemsOf(systems));
+  const System& system = FindSystem(systems, study.points.front().scenario.system);
+  const RowColumns columns = system.Columns({});
   StudyOptions options;
   options.out_dir = arguments.out_dir.empty() ? "results/" + study.name : arguments.out_dir;
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
@@ -71,9 +74,12 @@ int RunTheStudy(const StudyArguments& arguments) {
     told_percent = percent;
     std::fprintf(stderr, "%d/%d runs done\n", done, total);
   };
-  const StudyEnd end = RunStudy(study, MakeController, options);
-  WriteResults(options.out_dir, study, end.rows);
-  std::printf("%s", StudyTable(study, end.rows).c_str());
+  const auto simulate = [&](const CampaignRun& run) {
+    return Simulate(FindSystem(systems, run.scenario.system), run, {});
+  };
+  const StudyEnd end = RunStudy(study, simulate, columns, options);
+  WriteResults(options.out_dir, study, columns, end.rows);
+  std::printf("%s", StudyTable(study, columns, end.rows).c_str());
   PrintNote(std::to_string(end.rows.size()) + " of " + std::to_string(end.total) + " runs in " +
             options.out_dir.string());
   if (end.signal != 0) return kExitSignal + end.signal;
@@ -82,7 +88,7 @@ int RunTheStudy(const StudyArguments& arguments) {
 
 }  // namespace
 
-void AddStudyCommand(CLI::App& app, int& exit_code) {
+void AddStudyCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command = app.add_subcommand("study", kHelp);
   command->add_option("STUDY", arguments->file, "a study file")->required();
@@ -93,7 +99,8 @@ void AddStudyCommand(CLI::App& app, int& exit_code) {
   command->add_option("--run-limit", arguments->run_limit_s, "wall time of one run [s]")
       ->check(NumberWithin(1.0, 1e6));
   command->add_flag("--quiet", arguments->quiet, "no progress");
-  command->callback([arguments, &exit_code] { exit_code = RunTheStudy(*arguments); });
+  command->callback(
+      [arguments, &systems, &exit_code] { exit_code = RunTheStudy(*arguments, systems); });
 }
 
 }  // namespace dockyard

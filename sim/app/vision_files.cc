@@ -2,21 +2,38 @@
 
 #include <cstdio>
 
-#include "models/load_cameras.h"
-#include "models/load_rover.h"
-#include "models/load_station.h"
-#include "models/yaml_tree.h"
+#include "models/read/config_error.h"
+#include "models/read/load_cameras.h"
 #include "sim/app/commands.h"
 
 namespace dockyard {
 
-StereoRig RigOf(const std::string& file, int width, int height) {
-  const YamlNode root = LoadYaml(file);
-  const bool pair = root.Find("left") != nullptr || root.Find("right") != nullptr;
-  return pair ? LoadRig(file, width, height) : LoadRover(file, width, height).stereo.nominal;
+void AddRigOptions(CLI::App& command, RigOptions& options) {
+  command.add_option("--robot", options.robot, "a robot's file: its stereo cameras");
+  command.add_option("--rig", options.rig, "instead: a file of two cameras, left and right");
 }
 
-FiducialBoard BoardOf(const std::string& file) { return LoadStation(file).board; }
+StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, int width,
+                int height) {
+  if (options.robot.empty() == options.rig.empty()) {
+    throw UsageError("give one of --robot FILE and --rig FILE");
+  }
+  if (!options.rig.empty()) return LoadRig(options.rig, width, height);
+  for (const System& system : systems) {
+    if (!system.rig) continue;
+    if (const auto rig = system.rig(options.robot, width, height)) return *rig;
+  }
+  throw ConfigError(options.robot + ": expected a robot's file with a stereo pair, found another");
+}
+
+NamedBoard BoardOf(const std::string& file, const std::vector<System>& systems) {
+  if (IsBoardFile(LoadYaml(file))) return LoadBoard(file);
+  for (const System& system : systems) {
+    if (!system.board) continue;
+    if (auto board = system.board(file)) return *board;
+  }
+  throw ConfigError(file + ": expected a board's file or a target's with a board, found another");
+}
 
 VisionSettings PipelineOptions::settings() const {
   const bool tsai = name == PipelineName(VisionPipeline::kTsai2013);

@@ -5,19 +5,26 @@
 #include <optional>
 #include <string>
 
-#include "controller/geometry/board.h"
 #include "controller/geometry/camera.h"
 #include "controller/io/vision_settings.h"
 #include "controller/vision/pose_refine.h"
-#include "sim/log/json_io.h"
+#include "models/read/load_board.h"
+#include "sim/base/json.h"
+#include "sim/run/system.h"
 
 namespace dockyard {
 
-/// A rover's file (its `cameras`) or a file of cameras with `left` and `right` (docs/cameras.md).
-/// Throws ConfigError.
-StereoRig RigOf(const std::string& file, int width, int height);
-/// A station's file: its `board`. Throws ConfigError.
-FiducialBoard BoardOf(const std::string& file);
+/// Where the cameras come from: a robot's file, or a file of two cameras.
+struct RigOptions {
+  std::string robot, rig;
+};
+void AddRigOptions(CLI::App& command, RigOptions& options);
+/// The robot's nominal pair, or the file's `left` and `right` (docs/cameras.md). Throws UsageError
+/// unless one of both is given, and ConfigError.
+StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, int width,
+                int height);
+/// A board's file, or that of a system's target: its board. Throws ConfigError.
+NamedBoard BoardOf(const std::string& file, const std::vector<System>& systems);
 
 struct PipelineOptions {
   std::string name = "dockyard";

@@ -5,16 +5,16 @@
 #include <vector>
 
 #include "controller/geometry/pose.h"
-#include "models/config_error.h"
-#include "models/load_soil.h"
-#include "models/load_wheel.h"
+#include "models/read/config_error.h"
+#include "models/read/load_soil.h"
+#include "models/read/load_wheel.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
-#include "sim/app/wheel_data.h"
 #include "sim/app/wheel_sweep.h"
-#include "sim/log/files.h"
+#include "sim/base/files.h"
+#include "sim/soil/wheel_data.h"
 
 namespace dockyard {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <map>
 
-#include "sim/campaign/svg.h"
-#include "sim/log/files.h"
-#include "sim/log/json_io.h"
+#include "sim/base/files.h"
+#include "sim/base/json.h"
+#include "sim/report/svg.h"
 
 namespace dockyard {
 namespace {

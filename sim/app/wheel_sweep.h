@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/app/wheel_data.h"
 #include "sim/soil/single_wheel.h"
+#include "sim/soil/wheel_data.h"
 
 namespace dockyard {
 

@@ -1,17 +1,14 @@
 #include "sim/campaign/campaign.h"
 
-#include <algorithm>
-#include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "controller/base/check.h"
-#include "sim/campaign/signal_queue.h"
+#include "sim/jobs/pool.h"
 
 namespace dockyard {
 namespace {
-
-using Workers = std::vector<std::unique_ptr<Worker>>;
 
 std::vector<const CampaignRun*> RunsToDo(const Campaign& campaign, const FinishedRuns& finished) {
   std::vector<const CampaignRun*> todo;
@@ -19,24 +16,6 @@ std::vector<const CampaignRun*> RunsToDo(const Campaign& campaign, const Finishe
     if (finished.count(run.run) == 0) todo.push_back(&run);
   }
   return todo;
-}
-
-void WaitForNews(const Workers& workers, const SignalQueue& signals) {
-  std::vector<const Child*> children;
-  for (const auto& worker : workers) children.push_back(&worker->child());
-  WaitForChildren(children, signals);
-}
-
-void CollectFinished(Workers& workers, CampaignFolder& folder, Progress& progress) {
-  for (auto& worker : workers) {
-    worker->child().KillIfLate();
-    if (!worker->child().Read()) continue;
-    const WorkerEnd end = worker->Finish();
-    folder.Keep(end.run);
-    progress.Finished(end.run.result, end.note);
-    worker.reset();
-  }
-  workers.erase(std::remove(workers.begin(), workers.end(), nullptr), workers.end());
 }
 
 void CheckRunNumbers(const Campaign& campaign) {
@@ -48,22 +27,29 @@ void CheckRunNumbers(const Campaign& campaign) {
 int RunAll(const Campaign& campaign, const RunFunction& function, const CampaignOptions& options,
            CampaignFolder& folder, SignalQueue& signals) {
   const std::vector<const CampaignRun*> todo = RunsToDo(campaign, folder.finished());
+  const RunWork work{function, options.draw, options.columns};
   Progress progress(options.progress, static_cast<int>(campaign.runs.size()), folder.finished());
-  Workers workers;  // destroyed on the way out, whatever the way: no child outlives this call
-  std::size_t next = 0;
-  int signal = 0;
-  while (signal == 0 && (next < todo.size() || !workers.empty())) {
-    while (next < todo.size() && static_cast<int>(workers.size()) < options.jobs) {
-      const CampaignRun& run = *todo[next++];
-      workers.push_back(std::make_unique<Worker>(
-          run, function, folder.StartRun(run.run), options.run_time_limit_s,
-          std::vector<int>{folder.lock_descriptor(), signals.descriptor()}));
-    }
-    progress.Tick(static_cast<int>(workers.size()));
-    WaitForNews(workers, signals);
-    CollectFinished(workers, folder, progress);
-    signal = signals.Take();
-  }
+  std::size_t started = 0;
+  const auto next = [&]() -> std::optional<Job> {
+    if (started == todo.size()) return std::nullopt;
+    const CampaignRun& run = *todo[started];
+    const std::filesystem::path dir = folder.StartRun(run.run);
+    return Job{started++, [&run, &work, dir] { return RunAndAnswer(run, work, dir); },
+               dir / "messages.txt"};
+  };
+  const auto take = [&](std::size_t index, const Child::End& end) {
+    const CampaignRun& run = *todo[index];
+    const FinishedRun finished =
+        ReadAnswer(run, options.columns, RunFolder(folder.dir(), run.run), end);
+    folder.Keep(finished);
+    const bool crashed = finished.result.outcome == kCrashed;
+    progress.Finished(finished.result, crashed ? finished.note : "");
+  };
+  const PoolOptions pool{.processes = options.jobs,
+                         .time_limit_s = options.run_time_limit_s,
+                         .close_in_child = {folder.lock_descriptor()},
+                         .waiting = [&](int running) { progress.Tick(running); }};
+  const int signal = RunPool(pool, signals, next, take);
   progress.End();
   return signal;
 }
@@ -73,12 +59,13 @@ int RunAll(const Campaign& campaign, const RunFunction& function, const Campaign
 CampaignEnd RunCampaign(const Campaign& campaign, const RunFunction& function,
                         const CampaignOptions& options) {
   DOCKYARD_CHECK(options.jobs >= 1 && options.run_time_limit_s > 0.0);
+  DOCKYARD_CHECK(options.columns.labels == campaign.labels);
   CheckRunNumbers(campaign);
-  CampaignFolder folder(options.out_dir, campaign, options.identity);
+  CampaignFolder folder(options.out_dir, campaign, options.columns, options.identity);
   SignalQueue signals;
   CampaignEnd end;
   end.signal = RunAll(campaign, function, options, folder, signals);
-  end.summary = folder.Conclude(campaign, options.cone);
+  end.summary = folder.Conclude(campaign, options.draw_campaign);
   end.runs = folder.finished();
   end.total = static_cast<int>(campaign.runs.size());
   return end;

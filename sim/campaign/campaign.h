@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <string>
 
-#include "models/scenario.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/progress.h"
 #include "sim/campaign/worker.h"
+#include "sim/scenario/scenario.h"
 
 namespace dockyard {
 
@@ -17,8 +17,10 @@ struct CampaignOptions {
   int jobs = 1;                     // processes, >= 1
   double run_time_limit_s = 900.0;  // wall time of one run; a run beyond it is killed: crashed
   ProgressStyle progress = ProgressStyle::kNone;
-  ConeModel cone;        // of the campaign's station, for the plot of its grid
-  std::string identity;  // of program and model files; a folder begun with another is refused
+  std::string identity;        // of program and model files; a folder begun with another is refused
+  RowColumns columns;          // of the campaign's system, with the campaign's labels
+  DrawRun draw;                // figures into each run's folder; empty: none
+  DrawCampaign draw_campaign;  // figures into plots/; empty: none
 };
 
 struct CampaignEnd {
@@ -31,8 +33,9 @@ struct CampaignEnd {
 };
 
 /// Runs what the folder does not hold yet. On SIGINT, SIGTERM or SIGHUP it kills the runs under
-/// way, keeps the finished ones and returns. Throws FolderTaken, ResultsError, InputError, and
-/// IoError when something cannot be written; what was finished by then stays.
+/// way, keeps the finished ones and returns. Throws FolderTaken, ResultsError, ConfigError of
+/// a run's input files, and IoError when something cannot be written; what was finished by then
+/// stays.
 CampaignEnd RunCampaign(const Campaign& campaign, const RunFunction& function,
                         const CampaignOptions& options);
 

@@ -4,15 +4,16 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
+#include <map>
 
+#include "sim/base/json.h"
 #include "sim/campaign/database.h"
-#include "sim/campaign/plots.h"
-#include "sim/campaign/summary.h"
-#include "sim/log/json_io.h"
+#include "sim/campaign/worker.h"
 #include "sim/log/result_row.h"
+#include "sim/report/summary.h"
 
 namespace dockyard {
 namespace {
@@ -47,19 +48,20 @@ std::filesystem::path RunFolder(const std::filesystem::path& dir, int run) {
 }
 
 CampaignFolder::CampaignFolder(const std::filesystem::path& dir, const Campaign& campaign,
-                               const std::string& identity)
-    : dir_(dir) {
+                               const RowColumns& columns, const std::string& identity)
+    : dir_(dir), columns_(columns) {
   MakeFolder(dir_);
   Lock();
   try {
     Claim(campaign, identity);
     MakeFolder(dir_ / "runs");
     MakeFolder(dir_ / "plots");
-    finished_ = ReadResults(dir_);
+    finished_ = ReadResults(dir_, columns_);
     CheckRows(campaign);
+    ReadNotes();
     // A line that was cut off goes, so that the next one starts on a line of its own.
     WriteWhole(dir_ / "timing.csv", TimingCsv(finished_));
-    WriteWhole(dir_ / "results.csv", ResultsCsv(finished_));
+    WriteWhole(dir_ / "results.csv", ResultsCsv(finished_, columns_));
     results_ = std::make_unique<LineAppender>(dir_ / "results.csv");
     timing_ = std::make_unique<LineAppender>(dir_ / "timing.csv");
   } catch (...) {
@@ -104,14 +106,20 @@ void CampaignFolder::Claim(const Campaign& campaign, const std::string& identity
 }
 
 void CampaignFolder::CheckRows(const Campaign& campaign) const {
+  std::map<int, std::uint64_t> seeds;
+  for (const CampaignRun& run : campaign.runs) seeds[run.run] = run.scenario.seed;
   for (const auto& [number, run] : finished_) {
-    const auto known =
-        std::find_if(campaign.runs.begin(), campaign.runs.end(),
-                     [number = number](const CampaignRun& each) { return each.run == number; });
-    if (known == campaign.runs.end() || known->scenario.seed != run.result.seed) {
+    const auto known = seeds.find(number);
+    if (known == seeds.end() || known->second != run.result.seed) {
       throw ResultsError((dir_ / "results.csv").string() + ": run " + std::to_string(number) +
                          " does not belong to this campaign");
     }
+  }
+}
+
+void CampaignFolder::ReadNotes() {
+  for (auto& [number, run] : finished_) {
+    if (!run.result.docked) run.note = FailureNote(RunFolder(dir_, number));
   }
 }
 
@@ -127,23 +135,19 @@ std::filesystem::path CampaignFolder::StartRun(int run) const {
 // The timing goes first: a run counts as done when its row is there.
 void CampaignFolder::Keep(const FinishedRun& run) {
   timing_->Append(TimingRow(run.result.run, run.timing));
-  results_->Append(CsvRow(run.result));
+  results_->Append(CsvRow(run.result, columns_));
   finished_[run.result.run] = run;
 }
 
-std::string CampaignFolder::Conclude(const Campaign& campaign, const ConeModel& cone) const {
+std::string CampaignFolder::Conclude(const Campaign& campaign, const DrawCampaign& draw) const {
   std::vector<RunResult> rows;
-  std::map<int, std::string> notes;
-  for (const auto& [number, run] : finished_) {
-    rows.push_back(run.result);
-    if (!run.result.docked) notes[number] = FailureNote(RunFolder(dir_, number));
-  }
+  for (const auto& [number, run] : finished_) rows.push_back(run.result);
   WriteWhole(dir_ / "timing.csv", TimingCsv(finished_));
-  WriteWhole(dir_ / "results.csv", ResultsCsv(finished_));
-  WriteDatabase(dir_ / "results.sqlite", finished_);
-  WriteWhole(dir_ / "plots" / "grid.svg", GridPlot(campaign.name, rows, cone));
+  WriteWhole(dir_ / "results.csv", ResultsCsv(finished_, columns_));
+  WriteDatabase(dir_ / "results.sqlite", finished_, columns_);
+  if (draw) WriteFigures(dir_ / "plots", draw(campaign, columns_, rows));
   const std::string summary =
-      SummaryText(campaign.name, finished_, static_cast<int>(campaign.runs.size()), notes);
+      SummaryText(campaign.name, finished_, columns_, static_cast<int>(campaign.runs.size()));
   WriteWhole(dir_ / "summary.txt", summary);
   return summary;
 }

@@ -1,22 +1,24 @@
 // A campaign's results folder:
 //   resolved.yaml, identity.txt   what was run, and with which program and model files
 //   results.csv, timing.csv       a line per finished run; in run order once the campaign stops
-//   results.sqlite, summary.txt, plots/grid.svg
+//   results.sqlite, summary.txt, plots/ (figures of the system)
 //   runs/NNN/                     frames.bin, history.csv, sightings.json, plans.json,
 //   outcome.json,
-//                                 path.svg, history.svg, messages.txt (what the run printed, if it
+//                                 figures of the system, messages.txt (what the run printed, if it
 //                                 did)
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "models/scenario.h"
-#include "models/station_model.h"
-#include "sim/campaign/results.h"
-#include "sim/log/files.h"
+#include "sim/base/files.h"
+#include "sim/log/results.h"
+#include "sim/run/system.h"
+#include "sim/scenario/scenario.h"
 
 namespace dockyard {
 
@@ -26,6 +28,9 @@ class FolderTaken : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+using DrawCampaign = std::function<std::vector<Figure>(const Campaign&, const RowColumns&,
+                                                       const std::vector<RunResult>&)>;
+
 /// "runs/007" of a results folder.
 std::filesystem::path RunFolder(const std::filesystem::path& dir, int run);
 
@@ -33,9 +38,10 @@ class CampaignFolder {
  public:
   /// Makes the folder, or opens one that was left in the middle of the same campaign. Only one
   /// program at a time has it. Throws FolderTaken, ResultsError, IoError.
+  /// @param columns   of its results, with the campaign's labels
   /// @param identity  of program and model files; empty is not compared
   CampaignFolder(const std::filesystem::path& dir, const Campaign& campaign,
-                 const std::string& identity);
+                 const RowColumns& columns, const std::string& identity);
   ~CampaignFolder();
   CampaignFolder(const CampaignFolder&) = delete;
   CampaignFolder& operator=(const CampaignFolder&) = delete;
@@ -49,16 +55,18 @@ class CampaignFolder {
   std::filesystem::path StartRun(int run) const;
   /// On the disk when it returns. Throws IoError.
   void Keep(const FinishedRun& run);
-  /// Rewrites the tables in run order, adds database, summary and plot; returns the summary.
-  /// @param cone  of the campaign's station, for the plot
-  std::string Conclude(const Campaign& campaign, const ConeModel& cone) const;
+  /// Rewrites the tables in run order, adds database, summary and what `draw` gives, if it is
+  /// there; returns the summary. Throws IoError.
+  std::string Conclude(const Campaign& campaign, const DrawCampaign& draw) const;
 
  private:
   void Claim(const Campaign& campaign, const std::string& identity);
   void Lock();
   void CheckRows(const Campaign& campaign) const;
+  void ReadNotes();
 
   std::filesystem::path dir_;
+  RowColumns columns_;
   int lock_ = -1;
   FinishedRuns finished_;
   std::unique_ptr<LineAppender> results_, timing_;

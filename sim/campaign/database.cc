@@ -2,17 +2,20 @@
 
 #include <sqlite3.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <system_error>
-#include <type_traits>
+#include <vector>
 
-#include "sim/log/files.h"
+#include "sim/base/files.h"
+#include "sim/base/text.h"
 #include "sim/log/result_row.h"
 
 namespace dockyard {
 namespace {
 
+using Cells = std::vector<std::string>;
 using Database = std::unique_ptr<sqlite3, decltype(&sqlite3_close)>;
 using Statement = std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)>;
 
@@ -25,48 +28,67 @@ void Execute(sqlite3* database, const std::string& sql, const std::filesystem::p
   Demand(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK, database, path);
 }
 
-template <class T>
-const char* SqlType(const char* name, const T&) {
-  if (std::is_same_v<T, double>) return "REAL";
-  const bool small = std::is_same_v<T, int> || std::is_same_v<T, bool>;
-  return std::string_view(name) == "run" ? "INTEGER PRIMARY KEY" : small ? "INTEGER" : "TEXT";
+const char* SqlType(CellKind kind) {
+  switch (kind) {
+    case CellKind::kInteger:
+    case CellKind::kFlag:
+      return "INTEGER";
+    case CellKind::kReal:
+    case CellKind::kMeasure:
+      return "REAL";
+    case CellKind::kLabel:
+      return "NUMERIC";
+    case CellKind::kSeed:
+    case CellKind::kText:
+    case CellKind::kHash:
+      break;
+  }
+  return "TEXT";
 }
 
-std::string CreateTable() {
-  const RunResult row;
-  std::string columns;
-  VisitColumns(row, [&](const char* name, const auto& value) {
-    columns += (columns.empty() ? "" : ", ") + std::string(name) + " " + SqlType(name, value);
-  });
-  return "CREATE TABLE runs (" + columns + ")";
+/// As SQL takes any name: in quotes.
+std::string SqlName(const std::string& name) {
+  std::string quoted = "\"";
+  for (const char c : name) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
 }
 
-void BindRow(sqlite3_stmt* insert, const RunResult& row) {
-  const std::vector<std::string> cells = RowCells(row);
-  int column = 0;
-  VisitColumns(row, [&](const char*, const auto& value) {
-    using Field = std::decay_t<decltype(value)>;
-    const std::string& text = cells[static_cast<std::size_t>(column++)];
-    if constexpr (std::is_same_v<Field, double>) {
-      sqlite3_bind_double(insert, column, value);  // SQLite stores NaN as NULL
-    } else if constexpr (std::is_same_v<Field, int> || std::is_same_v<Field, bool>) {
-      sqlite3_bind_int(insert, column, value);
+std::string CreateTable(const std::vector<RowColumn>& columns) {
+  std::string text;
+  for (const RowColumn& column : columns) {
+    text += (text.empty() ? "" : ", ") + SqlName(column.name) + " " + SqlType(column.kind);
+    if (column.name == "run") text += " PRIMARY KEY";
+  }
+  return "CREATE TABLE runs (" + text + ")";
+}
+
+/// Cells are bound as text, which the columns' types turn into numbers, but for reals: SQLite reads
+/// their text to fewer digits than they have.
+void BindRow(sqlite3_stmt* insert, const std::vector<RowColumn>& columns, const Cells& cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const int at = static_cast<int>(i) + 1;
+    if (columns[i].kind == CellKind::kReal || columns[i].kind == CellKind::kMeasure) {
+      const auto value = NumberFromText(cells[i]);  // SQLite stores NaN as NULL
+      sqlite3_bind_double(insert, at, value.value_or(std::nan("")));
     } else {
-      sqlite3_bind_text(insert, column, text.c_str(), -1, SQLITE_TRANSIENT);
+      sqlite3_bind_text(insert, at, cells[i].c_str(), static_cast<int>(cells[i].size()),
+                        SQLITE_TRANSIENT);
     }
-  });
+  }
 }
 
-void Fill(sqlite3* database, const FinishedRuns& runs, const std::filesystem::path& path) {
-  Execute(database, CreateTable(), path);
+void Fill(sqlite3* database, const FinishedRuns& runs, const RowColumns& columns,
+          const std::filesystem::path& path) {
+  const std::vector<RowColumn> named = ColumnsOfRow(columns);
+  Execute(database, CreateTable(named), path);
   std::string marks;
-  for (std::size_t i = 0; i < RowCells({}).size(); ++i) marks += i == 0 ? "?" : ",?";
+  for (std::size_t i = 0; i < named.size(); ++i) marks += i == 0 ? "?" : ",?";
   sqlite3_stmt* raw = nullptr;
   const std::string sql = "INSERT INTO runs VALUES (" + marks + ")";
   Demand(sqlite3_prepare_v2(database, sql.c_str(), -1, &raw, nullptr), SQLITE_OK, database, path);
   const Statement insert(raw, sqlite3_finalize);
   for (const auto& [number, run] : runs) {
-    BindRow(insert.get(), run.result);
+    BindRow(insert.get(), named, RowCells(run.result, columns));
     Demand(sqlite3_step(insert.get()), SQLITE_DONE, database, path);
     sqlite3_reset(insert.get());
   }
@@ -74,7 +96,8 @@ void Fill(sqlite3* database, const FinishedRuns& runs, const std::filesystem::pa
 
 }  // namespace
 
-void WriteDatabase(const std::filesystem::path& path, const FinishedRuns& runs) {
+void WriteDatabase(const std::filesystem::path& path, const FinishedRuns& runs,
+                   const RowColumns& columns) {
   std::filesystem::path temporary = path;
   temporary += ".tmp";
   std::error_code ignored;
@@ -85,7 +108,7 @@ void WriteDatabase(const std::filesystem::path& path, const FinishedRuns& runs) 
     const Database database(raw, sqlite3_close);
     Demand(opened, SQLITE_OK, raw, path);
     Execute(raw, "BEGIN", path);
-    Fill(raw, runs, path);
+    Fill(raw, runs, columns, path);
     Execute(raw, "COMMIT", path);
   }
   std::error_code error;

@@ -47,7 +47,7 @@ std::string Progress::Line(int running) const {
 void Progress::Finished(const RunResult& row, const std::string& note) {
   ++done_;
   docked_ += row.docked ? 1 : 0;
-  const std::string what = "run " + std::to_string(row.run) + ": " + Name(row.outcome) +
+  const std::string what = "run " + std::to_string(row.run) + ": " + row.outcome +
                            (note.empty() ? "" : " (" + note + ")");
   if (style_ == ProgressStyle::kLines) {
     std::fprintf(stderr, "%s; %s\n", what.c_str(), Line(0).c_str());

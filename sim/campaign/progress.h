@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "sim/campaign/results.h"
+#include "sim/log/results.h"
 
 namespace dockyard {
 

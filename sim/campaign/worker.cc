@@ -1,13 +1,15 @@
 #include "sim/campaign/worker.h"
 
+#include <cstdio>
 #include <sstream>
 
 #include "controller/base/check.h"
-#include "models/config_error.h"
-#include "sim/campaign/run_plots.h"
-#include "sim/log/files.h"
+#include "models/read/config_error.h"
+#include "sim/base/files.h"
+#include "sim/base/text.h"
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
+#include "sim/run/loop.h"
 
 namespace dockyard {
 namespace {
@@ -15,74 +17,65 @@ namespace {
 // The answer is lines of text: a kind, then what belongs to it.
 constexpr const char* kRow = "row";
 constexpr const char* kIoError = "io_error";
-constexpr const char* kInputError = "input_error";
+constexpr const char* kConfigError = "config_error";
 constexpr const char* kThrew = "threw";
 
 std::string Answer(const std::string& kind, const std::string& text) {
   return kind + "\n" + OneLine(text) + "\n";
 }
 
-std::string RunAndAnswer(const CampaignRun& run, const RunFunction& function,
+FinishedRun Crashed(const CampaignRun& run, const RowColumns& columns,
+                    const std::filesystem::path& run_dir, const std::string& note,
+                    const Child::End& child) {
+  RunRecord record;
+  record.columns = columns;
+  record.result = StartOfRow(run);
+  record.result.outcome = kCrashed;
+  record.failure_note = note;
+  WriteRecordFiles(run_dir, record);
+  return {record.result, {child.cpu_time_s, child.wall_time_s}, note};
+}
+
+}  // namespace
+
+void WriteFigures(const std::filesystem::path& dir, const std::vector<Figure>& figures) {
+  for (const Figure& figure : figures) WriteWhole(dir / figure.file, figure.text);
+}
+
+std::string RunAndAnswer(const CampaignRun& run, const RunWork& work,
                          const std::filesystem::path& run_dir) {
   try {
-    const RunRecord record = function(run, run_dir);
+    const RunRecord record = work.simulate(run, run_dir);
     WriteRecordFiles(run_dir, record);
-    WriteRunPlots(run_dir, record);
-    return std::string(kRow) + "\n" + CsvRow(record.result) + "\n" +
-           NumberText(record.timing.cpu_time_s) + " " + NumberText(record.timing.wall_time_s) +
-           "\n";
+    if (!record.messages.empty()) std::fputs(record.messages.c_str(), stderr);  // messages.txt
+    if (work.draw) WriteFigures(run_dir, work.draw(record, run.scenario));
+    return Answer(kRow, CsvRow(record.result, work.columns)) +
+           NumberText(record.timing.cpu_time_s) + "\n" + NumberText(record.timing.wall_time_s) +
+           "\n" + OneLine(record.failure_note) + "\n";
   } catch (const IoError& error) {
     return Answer(kIoError, error.what());
-  } catch (const InputError& error) {
-    return Answer(kInputError, error.what());
+  } catch (const ConfigError& error) {
+    return Answer(kConfigError, error.what());
   } catch (const std::exception& error) {
     return Answer(kThrew, error.what());
   }
 }
 
-}  // namespace
-
-Worker::Worker(const CampaignRun& run, const RunFunction& function,
-               const std::filesystem::path& run_dir, double time_limit_s,
-               const std::vector<int>& close_in_child)
-    : run_(run),
-      run_dir_(run_dir),
-      child_([&] { return RunAndAnswer(run, function, run_dir); }, run_dir / "messages.txt",
-             time_limit_s, close_in_child) {}
-
-WorkerEnd Worker::Crashed(const std::string& note, const Child::End& child) const {
-  WorkerEnd end;
-  end.crashed = true;
-  end.note = note;
-  end.run.result = StartOfRow(run_);
-  end.run.result.outcome = Outcome::kCrashed;
-  end.run.timing = {child.cpu_time_s, child.wall_time_s};
-  RunRecord record;
-  record.result = end.run.result;
-  record.failure_note = note;
-  WriteRecordFiles(run_dir_, record);
-  return end;
-}
-
-WorkerEnd Worker::Finish() {
-  const Child::End child = child_.Finish();
-  if (!child.how_it_died.empty()) return Crashed(child.how_it_died, child);
+FinishedRun ReadAnswer(const CampaignRun& run, const RowColumns& columns,
+                       const std::filesystem::path& run_dir, const Child::End& child) {
+  if (!child.how_it_died.empty()) {
+    return Crashed(run, columns, run_dir, child.how_it_died, child);
+  }
   std::istringstream lines(child.answer);
-  std::string kind, text, timing;
-  std::getline(lines, kind);
-  std::getline(lines, text);
-  std::getline(lines, timing);
+  std::string kind, text, cpu, wall, note;
+  for (std::string* line : {&kind, &text, &cpu, &wall, &note}) std::getline(lines, *line);
   if (kind == kIoError) throw IoError(text);
-  if (kind == kInputError) throw InputError(text);
-  if (kind == kThrew) return Crashed("threw: " + text, child);
-  const auto row = RowFromCsv(text);
-  DOCKYARD_CHECK(kind == kRow && row.has_value() && row->run == run_.run);
-  WorkerEnd good;
-  good.run.result = *row;
-  const std::size_t space = timing.find(' ');
-  good.run.timing.cpu_time_s = NumberFromText(timing.substr(0, space)).value_or(0.0);
-  good.run.timing.wall_time_s = NumberFromText(timing.substr(space + 1)).value_or(0.0);
-  return good;
+  if (kind == kConfigError) throw ConfigError(text);
+  if (kind == kThrew) return Crashed(run, columns, run_dir, "threw: " + text, child);
+  const auto row = RowFromCsv(text, columns);
+  const auto cpu_s = NumberFromText(cpu), wall_s = NumberFromText(wall);
+  DOCKYARD_CHECK(kind == kRow && row && row->run == run.run && cpu_s && wall_s);
+  return {*row, {*cpu_s, *wall_s}, row->docked ? "" : note};
 }
 
 }  // namespace dockyard

@@ -1,54 +1,42 @@
-// One run in a process of its own: whatever it does, it costs that run and no other.
+// One run in a process of its own: what the child does and answers, and how the answer is read.
 #pragma once
 
 #include <filesystem>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "models/scenario.h"
-#include "sim/campaign/child.h"
-#include "sim/campaign/results.h"
-#include "sim/run/record.h"
+#include "sim/jobs/child.h"
+#include "sim/log/record.h"
+#include "sim/log/results.h"
+#include "sim/run/system.h"
+#include "sim/scenario/scenario.h"
 
 namespace dockyard {
 
 using RunFunction =
     std::function<RunRecord(const CampaignRun& run, const std::filesystem::path& log_dir)>;
+using DrawRun = std::function<std::vector<Figure>(const RunRecord&, const Scenario&)>;
 
-/// An input file proved bad when a run read it. A run function throws it to end the campaign: every
-/// other run would fail the same way.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
+/// Writes each figure as a file of the folder, which exists. Throws IoError.
+void WriteFigures(const std::filesystem::path& dir, const std::vector<Figure>& figures);
+
+/// What a run's process does.
+struct RunWork {
+  RunFunction simulate;
+  DrawRun draw;  // empty: it draws nothing
+  RowColumns columns;
 };
 
-/// What a worker left: a row, whether the run came to its end or not.
-struct WorkerEnd {
-  FinishedRun run;
-  bool crashed = false;
-  std::string note;  // how it crashed
-};
+/// In the child: simulates, writes the run's files and figures into its folder, and gives the
+/// answer as lines of text: row, timing and failure note, or what was thrown.
+std::string RunAndAnswer(const CampaignRun& run, const RunWork& work,
+                         const std::filesystem::path& run_dir);
 
-/// A child that runs one run, writes its files and answers with its row.
-class Worker {
- public:
-  /// @param close_in_child  descriptors that are the parent's alone
-  /// Throws IoError when no process can be had.
-  Worker(const CampaignRun& run, const RunFunction& function, const std::filesystem::path& run_dir,
-         double time_limit_s, const std::vector<int>& close_in_child);
-
-  Child& child() { return child_; }
-  /// Waits for the child and gives its result. Throws IoError and InputError if the child did.
-  WorkerEnd Finish();
-
- private:
-  WorkerEnd Crashed(const std::string& note, const Child::End& child) const;
-
-  CampaignRun run_;
-  std::filesystem::path run_dir_;
-  Child child_;
-};
+/// In the parent: the run as the child left it. A child that died, or threw what is not the
+/// campaign's matter, leaves a row with the outcome crashed and the files to it. Throws IoError and
+/// ConfigError where the child did: every other run would fail the same way.
+FinishedRun ReadAnswer(const CampaignRun& run, const RowColumns& columns,
+                       const std::filesystem::path& run_dir, const Child::End& child);
 
 }  // namespace dockyard

@@ -1,15 +1,16 @@
 #include "sim/log/frame_codec.h"
 
 #include <bit>
-#include <opencv2/imgcodecs.hpp>
+#include <type_traits>
 #include <vector>
 
 #include "controller/base/check.h"
+#include "sim/base/png.h"
 
 namespace dockyard {
 namespace {
 
-enum class Pictures : std::uint8_t { kNone, kKept, kLeftOut };
+enum class PixelKind : std::uint8_t { kGray, kRgb };
 
 void PutVector(std::string& out, const Eigen::Vector3d& value) {
   for (int i = 0; i < 3; ++i) PutDouble(out, value(i));
@@ -21,37 +22,75 @@ Eigen::Vector3d TakeVector(ByteReader& in) {
   return value;
 }
 
-void PutImage(std::string& out, const GrayImage& image) {
-  DOCKYARD_CHECK(image.pixels.size() == static_cast<std::size_t>(image.width) * image.height);
-  PutU32(out, static_cast<std::uint32_t>(image.width));
-  PutU32(out, static_cast<std::uint32_t>(image.height));
-  const std::string png = image.pixels.empty() ? std::string() : EncodePng(image);
-  PutU32(out, static_cast<std::uint32_t>(png.size()));
-  out.append(png);
+void PutBytes(std::string& out, const std::string& bytes) {
+  PutU32(out, static_cast<std::uint32_t>(bytes.size()));
+  out.append(bytes);
 }
 
-GrayImage TakeImage(ByteReader& in) {
-  constexpr std::uint32_t kLargestSide = 16384;
-  GrayImage image;
-  const std::uint32_t width = in.U32(), height = in.U32();
-  const std::string_view png = in.Take(in.U32());
-  if (width > kLargestSide || height > kLargestSide) throw LogError("an image is impossibly large");
+void PutImage(std::string& out, const CameraImage& image, ImageCoding coding) {
+  PutU32(out, static_cast<std::uint32_t>(image.camera));
+  std::visit(
+      [&](const auto& pixels) {
+        constexpr bool rgb = std::is_same_v<std::decay_t<decltype(pixels)>, RgbImage>;
+        const std::size_t count = static_cast<std::size_t>(pixels.width) * pixels.height;
+        DOCKYARD_CHECK(pixels.pixels.size() == count * (rgb ? 3 : 1));
+        PutU8(out, static_cast<std::uint8_t>(rgb ? PixelKind::kRgb : PixelKind::kGray));
+        PutU32(out, static_cast<std::uint32_t>(pixels.width));
+        PutU32(out, static_cast<std::uint32_t>(pixels.height));
+        if (coding == ImageCoding::kRaw) {
+          PutBytes(out, std::string(pixels.pixels.begin(), pixels.pixels.end()));
+        } else {
+          PutBytes(out, count == 0 ? std::string() : EncodePng(pixels));
+        }
+      },
+      image.pixels);
+}
+
+/// The bytes of one image, raw or PNG, into pixels of its kind.
+template <class Image>
+Image TakePixels(std::uint32_t width, std::uint32_t height, std::string_view bytes,
+                 ImageCoding coding) {
+  constexpr int channels = std::is_same_v<Image, RgbImage> ? 3 : 1;
+  Image image;
   image.width = static_cast<int>(width);
   image.height = static_cast<int>(height);
-  if (png.empty() && (width == 0 || height == 0)) return image;
-  cv::Mat decoded;
-  try {
-    const cv::Mat bytes(1, static_cast<int>(png.size()), CV_8UC1, const_cast<char*>(png.data()));
-    decoded = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
+  if (coding == ImageCoding::kRaw || bytes.empty()) {
+    image.pixels.assign(bytes.begin(), bytes.end());
+  } else if (auto decoded = DecodePng<Image>(bytes)) {
+    image = std::move(*decoded);
+  }
+  const std::size_t wanted = static_cast<std::size_t>(width) * height * channels;
+  if (image.pixels.size() != wanted || image.width != static_cast<int>(width) ||
+      image.height != static_cast<int>(height)) {
     throw LogError("an image cannot be decoded");
   }
-  if (decoded.type() != CV_8UC1 || decoded.cols != image.width || decoded.rows != image.height ||
-      !decoded.isContinuous()) {
-    throw LogError("an image cannot be decoded");
-  }
-  image.pixels.assign(decoded.data, decoded.data + decoded.total());
   return image;
+}
+
+CameraImage TakeImage(ByteReader& in, ImageCoding coding) {
+  constexpr std::uint32_t kLargestSide = 16384;
+  CameraImage image;
+  image.camera = static_cast<int>(in.U32());
+  const std::uint8_t kind = in.U8();
+  const std::uint32_t width = in.U32(), height = in.U32();
+  const std::string_view bytes = in.Take(in.U32());
+  if (width > kLargestSide || height > kLargestSide) throw LogError("an image is impossibly large");
+  if (kind == static_cast<std::uint8_t>(PixelKind::kGray)) {
+    image.pixels = TakePixels<GrayImage>(width, height, bytes, coding);
+  } else if (kind == static_cast<std::uint8_t>(PixelKind::kRgb)) {
+    image.pixels = TakePixels<RgbImage>(width, height, bytes, coding);
+  } else {
+    throw LogError("unknown kind of image " + std::to_string(kind));
+  }
+  return image;
+}
+
+/// A count of things that follow; more than any robot has means a damaged log.
+std::uint32_t TakeCount(ByteReader& in) {
+  constexpr std::uint32_t kMost = 1024;
+  const std::uint32_t count = in.U32();
+  if (count > kMost) throw LogError("a count of " + std::to_string(count) + " is damaged");
+  return count;
 }
 
 MotorCommand TakeMotor(ByteReader& in) {
@@ -69,17 +108,6 @@ MotorCommand TakeMotor(ByteReader& in) {
 }
 
 }  // namespace
-
-std::string EncodePng(const GrayImage& image) {
-  const cv::Mat view(image.height, image.width, CV_8UC1,
-                     const_cast<std::uint8_t*>(image.pixels.data()));
-  std::vector<std::uint8_t> png;
-  // OpenCV's default, run lengths over a horizontal difference: measured on a noisy 1024x768
-  // picture 11 ms and 356 kB; an explicit level 1 takes 23 ms and 403 kB, level 6 139 ms and 378
-  // kB.
-  DOCKYARD_CHECK(cv::imencode(".png", view, png));
-  return {reinterpret_cast<const char*>(png.data()), png.size()};
-}
 
 std::string_view ByteReader::Take(std::size_t count) {
   if (count > bytes_.size()) throw LogError("the log ends in the middle of a record");
@@ -116,27 +144,26 @@ void PutU64(std::string& out, std::uint64_t value) {
 
 void PutDouble(std::string& out, double value) { PutU64(out, std::bit_cast<std::uint64_t>(value)); }
 
-void PutFrame(std::string& out, const SensorFrame& frame, bool keep_images) {
+void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding) {
   PutU64(out, static_cast<std::uint64_t>(frame.tick));
   PutDouble(out, frame.imu.roll_rad);
   PutDouble(out, frame.imu.pitch_rad);
   PutDouble(out, frame.imu.yaw_rad);
   PutVector(out, frame.imu.rate_R);
   PutVector(out, frame.imu.specific_force_R);
-  for (const std::int64_t counts : frame.encoder_counts) {
-    PutU64(out, static_cast<std::uint64_t>(counts));
+  PutU32(out, static_cast<std::uint32_t>(frame.motors.size()));
+  for (const MotorReading& motor : frame.motors) {
+    PutU64(out, static_cast<std::uint64_t>(motor.encoder_counts));
+    PutDouble(out, motor.current_a);
   }
-  for (const double current : frame.current_a) PutDouble(out, current);
-  const Pictures pictures = !frame.images ? Pictures::kNone
-                            : keep_images ? Pictures::kKept
-                                          : Pictures::kLeftOut;
-  PutU8(out, static_cast<std::uint8_t>(pictures));
-  if (pictures != Pictures::kKept) return;
-  PutImage(out, frame.images->left);
-  PutImage(out, frame.images->right);
+  const bool left_out = coding == ImageCoding::kLeftOut && !frame.images.empty();
+  PutU8(out, left_out ? 1 : 0);
+  PutU32(out, left_out ? 0 : static_cast<std::uint32_t>(frame.images.size()));
+  if (left_out) return;
+  for (const CameraImage& image : frame.images) PutImage(out, image, coding);
 }
 
-LoggedFrame TakeFrame(ByteReader& in) {
+LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding) {
   LoggedFrame logged;
   SensorFrame& frame = logged.frame;
   frame.tick = static_cast<Tick>(in.U64());
@@ -145,21 +172,21 @@ LoggedFrame TakeFrame(ByteReader& in) {
   frame.imu.yaw_rad = in.Double();
   frame.imu.rate_R = TakeVector(in);
   frame.imu.specific_force_R = TakeVector(in);
-  for (std::int64_t& counts : frame.encoder_counts) counts = static_cast<std::int64_t>(in.U64());
-  for (double& current : frame.current_a) current = in.Double();
-  const std::uint8_t pictures = in.U8();
-  if (pictures > static_cast<std::uint8_t>(Pictures::kLeftOut)) {
-    throw LogError("unknown kind of pictures " + std::to_string(pictures));
+  frame.motors.resize(TakeCount(in));
+  for (MotorReading& motor : frame.motors) {
+    motor.encoder_counts = static_cast<std::int64_t>(in.U64());
+    motor.current_a = in.Double();
   }
-  logged.images_left_out = pictures == static_cast<std::uint8_t>(Pictures::kLeftOut);
-  if (pictures != static_cast<std::uint8_t>(Pictures::kKept)) return logged;
-  frame.images.emplace();
-  frame.images->left = TakeImage(in);
-  frame.images->right = TakeImage(in);
+  const std::uint8_t left_out = in.U8();
+  if (left_out > 1) throw LogError("unknown kind of images " + std::to_string(left_out));
+  logged.images_left_out = left_out == 1;
+  const std::uint32_t images = TakeCount(in);
+  for (std::uint32_t i = 0; i < images; ++i) frame.images.push_back(TakeImage(in, coding));
   return logged;
 }
 
 void PutCommands(std::string& out, const Commands& commands) {
+  PutU32(out, static_cast<std::uint32_t>(commands.motors.size()));
   for (const MotorCommand& motor : commands.motors) {
     PutU8(out, static_cast<std::uint8_t>(motor.mode));
     PutDouble(out, motor.target);
@@ -167,14 +194,21 @@ void PutCommands(std::string& out, const Commands& commands) {
     PutDouble(out, motor.accel_rad_s2);
     PutDouble(out, motor.current_limit_a);
   }
-  PutU8(out, commands.take_images ? 1 : 0);
+  PutU32(out, static_cast<std::uint32_t>(commands.take_images.size()));
+  for (const int camera : commands.take_images) PutU32(out, static_cast<std::uint32_t>(camera));
+  PutU32(out, static_cast<std::uint32_t>(commands.switches.size()));
+  for (const std::uint8_t on : commands.switches) PutU8(out, on);
   PutU8(out, static_cast<std::uint8_t>(commands.verdict));
 }
 
 Commands TakeCommands(ByteReader& in) {
   Commands commands;
+  commands.motors.resize(TakeCount(in));
   for (MotorCommand& motor : commands.motors) motor = TakeMotor(in);
-  commands.take_images = in.U8() != 0;
+  commands.take_images.resize(TakeCount(in));
+  for (int& camera : commands.take_images) camera = static_cast<int>(in.U32());
+  commands.switches.resize(TakeCount(in));
+  for (std::uint8_t& on : commands.switches) on = in.U8();
   const std::uint8_t verdict = in.U8();
   if (verdict > static_cast<std::uint8_t>(Verdict::kGivenUp)) {
     throw LogError("unknown verdict " + std::to_string(verdict));

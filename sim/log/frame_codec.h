@@ -38,18 +38,18 @@ void PutU32(std::string& out, std::uint32_t value);
 void PutU64(std::string& out, std::uint64_t value);
 void PutDouble(std::string& out, double value);
 
-/// The file's bytes. The image has at least one pixel.
-std::string EncodePng(const GrayImage& image);
+/// How images go into a record: as PNG (a log), raw (a pipe), or only the fact that they were
+/// there.
+enum class ImageCoding { kPng, kRaw, kLeftOut };
 
-/// Images go as PNG; with keep_images false only their size and the fact that they were there.
-void PutFrame(std::string& out, const SensorFrame& frame, bool keep_images);
+void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding);
 void PutCommands(std::string& out, const Commands& commands);
 
 struct LoggedFrame {
   SensorFrame frame;
-  bool images_left_out = false;  // the controller saw a pair that the log does not hold
+  bool images_left_out = false;  // the controller saw images that the log does not hold
 };
-LoggedFrame TakeFrame(ByteReader& in);
+LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding);
 Commands TakeCommands(ByteReader& in);
 
 }  // namespace dockyard

@@ -1,8 +1,8 @@
 #include "sim/log/record_files.h"
 
-#include <type_traits>
-
-#include "sim/log/files.h"
+#include "controller/base/check.h"
+#include "sim/base/files.h"
+#include "sim/base/text.h"
 #include "sim/log/result_row.h"
 
 namespace dockyard {
@@ -10,41 +10,33 @@ namespace {
 
 constexpr const char* kSingleResultFile = "result.csv";
 
-/// Calls visit(name, value) for each column; poses in the dock frame, belief beside the truth.
-template <class Visit>
-void VisitHistory(const HistorySample& s, Visit&& visit) {
-  visit("time_s", s.time_s);
-  visit("x_m", s.X_DR.x);
-  visit("y_m", s.X_DR.y);
-  visit("heading_deg", Degrees(s.X_DR.heading));
-  visit("z_m", s.z_m);
-  visit("roll_deg", Degrees(s.roll_rad));
-  visit("pitch_deg", Degrees(s.pitch_rad));
-  visit("arm_deg", Degrees(s.arm_rad));
-  visit("tip_depth_m", s.tip_depth_m);
-  visit("tip_lateral_m", s.tip_lateral_m);
-  visit("tension_n", s.tension_n);
-  visit("cone_force_n", s.cone_force_n);
-  visit("station_shift_m", s.station_shift_m);
-  visit("left_current_a", s.left_current_a);
-  visit("right_current_a", s.right_current_a);
-  visit("spool_current_a", s.spool_current_a);
-  visit("left_sinkage_m", s.left_sinkage_m);
-  visit("right_sinkage_m", s.right_sinkage_m);
-  visit("phase", s.phase);
-  visit("located", s.located);
-  visit("believed_x_m", s.X_DR_believed.x);
-  visit("believed_y_m", s.X_DR_believed.y);
-  visit("believed_heading_deg", Degrees(s.X_DR_believed.heading));
-  visit("sightings", s.sighting_count);
-  visit("plans", s.plan_count);
-  visit("recoveries", s.recoveries);
+std::vector<std::string> HistoryNames(const RunRecord& record) {
+  std::vector<std::string> names{"time_s", "x_m", "y_m", "heading_deg"};
+  for (const Column& channel : record.channels) names.push_back(channel.name);
+  names.insert(names.end(), {"phase", "located", "believed_x_m", "believed_y_m",
+                             "believed_heading_deg", "sightings", "plans"});
+  for (const Column& belief : record.belief_columns) names.push_back(belief.name);
+  return names;
 }
 
-std::string Text(double value) { return NumberText(value); }
-std::string Text(const std::string& value) { return CsvCell(value); }
-std::string Text(bool value) { return value ? "1" : "0"; }
-std::string Text(int value) { return std::to_string(value); }
+std::vector<std::string> HistoryCells(const HistorySample& sample) {
+  std::vector<std::string> cells;
+  const auto add_pose = [&cells](const Pose2& pose) {
+    for (const double value : {pose.x, pose.y, Degrees(pose.heading)}) {
+      cells.push_back(NumberText(value));
+    }
+  };
+  cells.push_back(NumberText(sample.time_s));
+  add_pose(sample.X_DR);
+  for (const double value : sample.channels) cells.push_back(NumberText(value));
+  cells.push_back(sample.phase);
+  cells.push_back(sample.located ? "1" : "0");
+  add_pose(sample.X_DR_believed);
+  cells.push_back(std::to_string(sample.sighting_count));
+  cells.push_back(std::to_string(sample.plan_count));
+  for (const double value : sample.beliefs) cells.push_back(NumberText(value));
+  return cells;
+}
 
 Json Vector3Json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
@@ -57,27 +49,20 @@ Json SigmaJson(const Eigen::Matrix<double, 6, 6>& covariance) {
 Json MarksJson(const std::vector<SightingReport::Mark>& marks) {
   Json json = Json::array();
   for (const auto& mark : marks) {
-    json.push_back({{"id", mark.id},
-                    {"camera", mark.right_camera ? "right" : "left"},
-                    {"u_px", mark.u_px},
-                    {"v_px", mark.v_px}});
+    json.push_back(
+        {{"id", mark.id}, {"camera", mark.camera}, {"u_px", mark.u_px}, {"v_px", mark.v_px}});
   }
   return json;
 }
 
 }  // namespace
 
-std::string HistoryCsv(const std::vector<HistorySample>& history) {
-  std::string csv;
-  const auto add = [&](const std::string& cell) {
-    if (!csv.empty() && csv.back() != '\n') csv += ',';
-    csv += cell;
-  };
-  VisitHistory({}, [&](const char* name, const auto&) { add(name); });
-  csv += '\n';
-  for (const HistorySample& sample : history) {
-    VisitHistory(sample, [&](const char*, const auto& value) { add(Text(value)); });
-    csv += '\n';
+std::string HistoryCsv(const RunRecord& record) {
+  std::string csv = CsvLine(HistoryNames(record)) + "\n";
+  for (const HistorySample& sample : record.history) {
+    DOCKYARD_CHECK(sample.channels.size() == record.channels.size() &&
+                   sample.beliefs.size() == record.belief_columns.size());
+    csv += CsvLine(HistoryCells(sample)) + "\n";
   }
   return csv;
 }
@@ -92,8 +77,7 @@ Json SightingsJson(const std::vector<SightingSample>& sightings) {
                     {"reason", report.reason},
                     {"method", report.method},
                     {"measured_X_DR", report.accepted ? ToJson(sample.X_DR_measured) : Json()},
-                    {"detected_left", report.detected_left},
-                    {"detected_right", report.detected_right},
+                    {"detected", report.detected},
                     {"reprojection_px", report.reprojection_px},
                     {"X_RB", report.accepted ? ToJson(report.X_RB) : Json()},
                     {"camera_turn_rad", Vector3Json(report.camera_turn_rad)},
@@ -118,41 +102,28 @@ Json PlansJson(const std::vector<PlanSample>& plans) {
   return json;
 }
 
-Json RowJson(const RunResult& row) {
-  Json json;
-  const std::vector<std::string> cells = RowCells(row);
-  std::size_t i = 0;
-  VisitColumns(row, [&](const char* name, const auto& value) {
-    using Field = std::decay_t<decltype(value)>;
-    const std::string& text = cells[i++];
-    if constexpr (std::is_same_v<Field, Outcome>) {
-      json[name] = text;
-    } else {
-      json[name] = std::string_view(name) == "state_hash" ? Json(text) : Json(value);
-    }
-  });
-  return json;
-}
-
 void WriteRecordFiles(const std::filesystem::path& dir, const RunRecord& record) {
   MakeFolder(dir);
-  Json outcome = RowJson(record.result);
+  Json outcome = RowJson(record.result, record.columns);
   outcome["failure_note"] = record.failure_note;
-  WriteWhole(dir / "history.csv", HistoryCsv(record.history));
+  WriteWhole(dir / "history.csv", HistoryCsv(record));
   WriteWhole(dir / "sightings.json", SightingsJson(record.sightings).dump(1) + "\n");
   WriteWhole(dir / "plans.json", PlansJson(record.plans).dump(1) + "\n");
   WriteWhole(dir / "outcome.json", outcome.dump(1) + "\n");
 }
 
-void WriteSingleResult(const std::filesystem::path& dir, const RunResult& row) {
-  WriteWhole(dir / kSingleResultFile, CsvHeader() + "\n" + CsvRow(row) + "\n");
+void WriteSingleResult(const std::filesystem::path& dir, const RunResult& row,
+                       const RowColumns& columns) {
+  WriteWhole(dir / kSingleResultFile, CsvHeader(columns) + "\n" + CsvRow(row, columns) + "\n");
 }
 
-std::optional<RunResult> ReadSingleResult(const std::filesystem::path& dir) {
+std::optional<RunResult> ReadSingleResult(const std::filesystem::path& dir,
+                                          const RowColumns& columns) {
   const std::string text = ReadWhole(dir / kSingleResultFile).value_or("");
-  const std::string header = CsvHeader() + "\n";
+  const std::string header = CsvHeader(columns) + "\n";
   if (text.rfind(header, 0) != 0 || text.back() != '\n') return std::nullopt;
-  return RowFromCsv(std::string_view(text).substr(header.size(), text.size() - header.size() - 1));
+  return RowFromCsv(std::string_view(text).substr(header.size(), text.size() - header.size() - 1),
+                    columns);
 }
 
 }  // namespace dockyard

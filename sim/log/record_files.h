@@ -6,25 +6,28 @@
 #include <optional>
 #include <string>
 
-#include "sim/log/json_io.h"
-#include "sim/run/record.h"
+#include "sim/base/json.h"
+#include "sim/log/record.h"
 
 namespace dockyard {
 
-/// One line per history sample, header first; angles in degrees, the rest SI.
-std::string HistoryCsv(const std::vector<HistorySample>& history);
+/// One line per sample of the history, header first: time and true pose, the system's channels, the
+/// believed pose with the counts of sightings and plans, the system's beliefs. Headings in degrees,
+/// channels and beliefs in their columns' units.
+std::string HistoryCsv(const RunRecord& record);
+/// `detected` counts by camera; each mark names its camera by index.
 Json SightingsJson(const std::vector<SightingSample>& sightings);
 Json PlansJson(const std::vector<PlanSample>& plans);
-/// The result row in the order of results.csv; docked as a boolean, NaN as null.
-Json RowJson(const RunResult& row);
 
-/// Writes history.csv, sightings.json, plans.json and outcome.json into the folder, which it makes.
-/// Throws IoError.
+/// Writes history.csv, sightings.json, plans.json and outcome.json (the row and failure_note) into
+/// the folder, which it makes. Throws IoError.
 void WriteRecordFiles(const std::filesystem::path& dir, const RunRecord& record);
 
 /// result.csv: header and row, as a campaign's results.csv has them. Throws IoError.
-void WriteSingleResult(const std::filesystem::path& dir, const RunResult& row);
-/// None when there is no such file or it holds no whole row.
-std::optional<RunResult> ReadSingleResult(const std::filesystem::path& dir);
+void WriteSingleResult(const std::filesystem::path& dir, const RunResult& row,
+                       const RowColumns& columns);
+/// None when there is no such file or it holds no whole row of these columns.
+std::optional<RunResult> ReadSingleResult(const std::filesystem::path& dir,
+                                          const RowColumns& columns);
 
 }  // namespace dockyard

@@ -1,8 +1,15 @@
 #include "sim/log/result_row.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <type_traits>
+#include <utility>
+
+#include "controller/base/check.h"
+#include "sim/base/text.h"
 
 namespace dockyard {
 namespace {
@@ -21,148 +28,193 @@ bool ReadInteger(std::string_view text, T& value, int base = 10) {
   return read.ec == std::errc() && read.ptr == end && !text.empty();
 }
 
-std::string HexText(std::uint64_t value) {
-  const std::string digits = IntegerText(value, 16);
-  return std::string(16 - digits.size(), '0') + digits;
+/// Calls visit(name, kind, field) for every column in order: this is the one list of them. Row is
+/// RunResult or const RunResult, with as many labels and measures as there are columns.
+template <class Row, class Visit>
+void VisitRow(Row& row, const RowColumns& columns, Visit&& visit) {
+  visit("run", CellKind::kInteger, row.run);
+  visit("seed", CellKind::kSeed, row.seed);
+  visit("system", CellKind::kText, row.system);
+  visit("controller", CellKind::kText, row.controller);
+  for (std::size_t i = 0; i < columns.labels.size(); ++i) {
+    visit(columns.labels[i], CellKind::kLabel, row.labels[i]);
+  }
+  visit("docked", CellKind::kFlag, row.docked);
+  visit("outcome", CellKind::kText, row.outcome);
+  visit("sim_time_s", CellKind::kReal, row.sim_time_s);
+  visit("images", CellKind::kInteger, row.images);
+  for (std::size_t i = 0; i < columns.measures.size(); ++i) {
+    visit(columns.measures[i].name, CellKind::kMeasure, row.measures[i]);
+  }
+  visit("state_hash", CellKind::kHash, row.state_hash);
 }
 
 template <class T>
-std::string CellText(std::string_view name, const T& value) {
-  if constexpr (std::is_same_v<T, std::string>)
+std::string CellText(CellKind kind, const T& value) {
+  if constexpr (std::is_same_v<T, std::string>) {
     return value;
-  else if constexpr (std::is_same_v<T, double>)
+  } else if constexpr (std::is_same_v<T, double>) {
     return NumberText(value);
-  else if constexpr (std::is_same_v<T, bool>)
+  } else if constexpr (std::is_same_v<T, bool>) {
     return value ? "1" : "0";
-  else if constexpr (std::is_same_v<T, Outcome>)
-    return dockyard::Name(value);
-  else
-    return name == "state_hash" ? HexText(static_cast<std::uint64_t>(value)) : IntegerText(value);
+  } else {
+    const std::string digits = IntegerText(value, kind == CellKind::kHash ? 16 : 10);
+    return kind == CellKind::kHash ? std::string(16 - digits.size(), '0') + digits : digits;
+  }
 }
 
-bool ReadCell(const std::string& text, std::string_view, std::string& value) {
-  value = text;
-  return true;
-}
-bool ReadCell(const std::string& text, std::string_view, double& value) {
-  const auto number = NumberFromText(text);
-  if (number) value = *number;
-  return number.has_value();
-}
-bool ReadCell(const std::string& text, std::string_view, bool& value) {
-  value = text == "1";
-  return text == "0" || text == "1";
-}
-bool ReadCell(const std::string& text, std::string_view, Outcome& value) {
-  const auto outcome = OutcomeFromName(text);
-  if (outcome) value = *outcome;
-  return outcome.has_value();
-}
-bool ReadCell(const std::string& text, std::string_view, int& value) {
-  return ReadInteger(text, value);
-}
-bool ReadCell(const std::string& text, std::string_view name, std::uint64_t& value) {
-  if (name != "state_hash") return ReadInteger(text, value);
-  return text.size() == 16 && ReadInteger(text, value, 16);
+template <class T>
+bool ReadCell(CellKind kind, const std::string& text, T& value) {
+  if constexpr (std::is_same_v<T, std::string>) {
+    value = text;
+    return true;
+  } else if constexpr (std::is_same_v<T, double>) {
+    const auto number = NumberFromText(text);
+    value = number.value_or(0.0);
+    return number.has_value();
+  } else if constexpr (std::is_same_v<T, bool>) {
+    value = text == "1";
+    return text == "0" || text == "1";
+  } else {
+    if (kind == CellKind::kHash) return text.size() == 16 && ReadInteger(text, value, 16);
+    return ReadInteger(text, value);
+  }
 }
 
-double RoundedDegrees(double angle_rad) { return std::round(Degrees(angle_rad) * 1e9) / 1e9; }
+RunResult EmptyRow(const RowColumns& columns) {
+  RunResult row;
+  row.labels.resize(columns.labels.size());
+  row.measures.resize(columns.measures.size());
+  return row;
+}
+
+/// Without case, since SQLite's names have none.
+std::string Folded(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name;
+}
+
+/// The names that stand beside a row's own in outcome.json and in what `run --json` prints.
+const std::set<std::string> kNamesBesideTheRow{"failure_note", "cpu_time_s", "wall_time_s"};
+
+bool IsAnOutcome(const RunResult& row, const RowColumns& columns) {
+  if (row.outcome == kCrashed) return !row.docked;
+  return std::any_of(columns.outcomes.begin(), columns.outcomes.end(),
+                     [&](const OutcomeName& each) {
+                       return each.name == row.outcome && each.success == row.docked;
+                     });
+}
+
+Json CellJson(CellKind kind, const std::string& cell) {
+  switch (kind) {
+    case CellKind::kInteger:
+    case CellKind::kSeed:
+      return Json::parse(cell);
+    case CellKind::kReal:
+    case CellKind::kMeasure: {
+      const double value = NumberFromText(cell).value_or(std::nan(""));
+      return std::isfinite(value) ? Json(value) : Json();
+    }
+    case CellKind::kFlag:
+      return cell == "1";
+    case CellKind::kText:
+    case CellKind::kLabel:
+    case CellKind::kHash:
+      break;
+  }
+  return cell;
+}
 
 }  // namespace
 
-RunResult StartOfRow(const CampaignRun& run) {
-  RunResult row;
-  row.run = run.run;
-  row.seed = run.scenario.seed;
-  row.controller = run.scenario.controller;
-  row.region = run.region;
-  row.day = run.day;
-  row.soil = run.soil;
-  row.light = LightName(run.scenario.light);
-  row.r_m = run.scenario.start.r_m;
-  row.alpha_deg = RoundedDegrees(run.scenario.start.alpha_rad);
-  row.heading_deg = RoundedDegrees(run.scenario.start.heading_rad);
-  return row;
-}
-
-std::string CsvCell(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += (c == '\n' || c == '\r') ? ' ' : c;  // a row is a line, always
-  }
-  return quoted + '"';
-}
-
-std::optional<std::vector<std::string>> SplitCsv(std::string_view line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') {
-      cells.back() += line[++i];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  if (quoted) return std::nullopt;
-  return cells;
-}
-
-std::string CsvHeader() {
-  const RunResult row;
-  std::string header;
-  VisitColumns(row, [&](const char* name, const auto&) {
-    if (!header.empty()) header += ',';
-    header += name;
+std::vector<RowColumn> ColumnsOfRow(const RowColumns& columns) {
+  std::vector<RowColumn> made;
+  std::set<std::string> taken = kNamesBesideTheRow;
+  const RunResult row = EmptyRow(columns);
+  VisitRow(row, columns, [&](const std::string& name, CellKind kind, const auto&) {
+    made.push_back({name, kind});
+    const bool fresh = kind == CellKind::kLabel || taken.insert(Folded(name)).second;
+    DOCKYARD_CHECK(fresh);  // a system's measure with a name of the head, or of another measure
   });
-  return header;
-}
-
-std::vector<std::string> RowCells(const RunResult& row) {
-  std::vector<std::string> cells;
-  VisitColumns(
-      row, [&](const char* name, const auto& value) { cells.push_back(CellText(name, value)); });
-  return cells;
-}
-
-std::string CsvRow(const RunResult& row) {
-  std::string line;
-  for (const std::string& cell : RowCells(row)) {
-    if (!line.empty()) line += ',';
-    line += CsvCell(cell);
+  for (RowColumn& column : made) {
+    if (column.kind != CellKind::kLabel) continue;
+    while (!taken.insert(Folded(column.name)).second) column.name = "table." + column.name;
   }
-  return line;
+  return made;
 }
 
-std::optional<RunResult> RowFromCsv(std::string_view line) {
-  const auto cells = SplitCsv(line);
-  if (!cells) return std::nullopt;
-  RunResult row;
-  std::size_t next = 0;
-  bool good = true;
-  VisitColumns(row, [&](const char* column, auto& value) {
-    good = good && next < cells->size() && ReadCell((*cells)[next], column, value);
-    ++next;
-  });
-  if (!good || next != cells->size()) return std::nullopt;
-  return row;
-}
-
-std::vector<std::string> DifferingColumns(const RunResult& a, const RunResult& b) {
-  const std::vector<std::string> cells_a = RowCells(a), cells_b = RowCells(b);
+std::vector<std::string> ColumnNames(const RowColumns& columns) {
   std::vector<std::string> names;
-  std::size_t i = 0;
-  VisitColumns(a, [&](const char* name, const auto&) {
-    if (cells_a[i] != cells_b[i]) names.push_back(name);
-    ++i;
-  });
+  for (const RowColumn& column : ColumnsOfRow(columns)) names.push_back(column.name);
   return names;
+}
+
+std::vector<std::string> RowCells(const RunResult& row, const RowColumns& columns) {
+  DOCKYARD_CHECK(row.labels.size() == columns.labels.size());
+  const bool measured = !row.measures.empty();
+  DOCKYARD_CHECK(!measured || row.measures.size() == columns.measures.size());
+  RunResult padded;
+  if (!measured) {
+    padded = row;
+    padded.measures.resize(columns.measures.size());
+  }
+  std::vector<std::string> cells;
+  VisitRow(measured ? row : std::as_const(padded), columns,
+           [&](const std::string&, CellKind kind, const auto& value) {
+             const bool empty = kind == CellKind::kMeasure && !measured;
+             cells.push_back(empty ? std::string() : CellText(kind, value));
+           });
+  return cells;
+}
+
+std::string CsvHeader(const RowColumns& columns) { return CsvLine(ColumnNames(columns)); }
+
+std::string CsvRow(const RunResult& row, const RowColumns& columns) {
+  return CsvLine(RowCells(row, columns));
+}
+
+std::optional<RunResult> RowFromCsv(std::string_view line, const RowColumns& columns) {
+  const auto cells = SplitCsv(line);
+  RunResult row = EmptyRow(columns);
+  std::size_t next = 0, empty = 0;
+  bool good = cells.has_value();
+  VisitRow(row, columns, [&](const std::string&, CellKind kind, auto& value) {
+    good = good && next < cells->size();
+    if (!good) return;
+    const std::string& cell = (*cells)[next++];
+    if (kind == CellKind::kMeasure && cell.empty()) {
+      ++empty;
+    } else {
+      good = ReadCell(kind, cell, value);
+    }
+  });
+  if (!good || next != cells->size() || !IsAnOutcome(row, columns)) return std::nullopt;
+  if (empty == 0) return row;
+  if (empty != columns.measures.size() || row.outcome != kCrashed) return std::nullopt;
+  row.measures.clear();
+  return row;
+}
+
+Json RowJson(const RunResult& row, const RowColumns& columns) {
+  const std::vector<RowColumn> named = ColumnsOfRow(columns);
+  const std::vector<std::string> cells = RowCells(row, columns);
+  Json json;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    json[named[i].name] = CellJson(named[i].kind, cells[i]);
+  }
+  return json;
+}
+
+std::vector<std::string> DifferingColumns(const RunResult& a, const RunResult& b,
+                                          const RowColumns& columns) {
+  const std::vector<std::string> names = ColumnNames(columns);
+  const std::vector<std::string> cells_a = RowCells(a, columns), cells_b = RowCells(b, columns);
+  std::vector<std::string> differing;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (cells_a[i] != cells_b[i]) differing.push_back(names[i]);
+  }
+  return differing;
 }
 
 }  // namespace dockyard

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "controller/base/check.h"
-#include "sim/log/sheet_json.h"
 
 namespace dockyard {
 namespace {
@@ -19,9 +18,10 @@ std::filesystem::path LogFile(const std::filesystem::path& dir) { return dir / "
 std::string HeaderText(const RunLogHeader& header) {
   const Json json = {{"run", header.run},
                      {"seed", header.seed},
+                     {"system", header.system},
                      {"controller", header.controller},
                      {"images_kept", header.images_kept},
-                     {"sheet", ToJson(header.sheet)}};
+                     {"nominal", header.nominal}};
   return json.dump();
 }
 
@@ -31,9 +31,10 @@ RunLogHeader HeaderFromText(const std::string& text) {
     RunLogHeader header;
     header.run = json.at("run");
     header.seed = json.at("seed");
+    header.system = json.at("system");
     header.controller = json.at("controller");
     header.images_kept = json.at("images_kept");
-    header.sheet = SheetFromJson(json.at("sheet"));
+    header.nominal = json.at("nominal");
     return header;
   } catch (const Json::exception& error) {
     throw LogError(std::string("its header cannot be read: ") + error.what());
@@ -73,7 +74,7 @@ void RunLogWriter::WriteRecord(char kind, const std::string& payload) {
 
 void RunLogWriter::Append(const SensorFrame& sensed, const Commands& commands) {
   payload_.clear();
-  PutFrame(payload_, sensed, keep_images_);
+  PutFrame(payload_, sensed, keep_images_ ? ImageCoding::kPng : ImageCoding::kLeftOut);
   PutCommands(payload_, commands);
   WriteRecord(kEntryKind, payload_);
   ++entries_;
@@ -138,7 +139,7 @@ std::optional<RunLogEntry> RunLogReader::Next() {
       return std::nullopt;
     }
     if (kind != kEntryKind) throw LogError("a record is of unknown kind");
-    LoggedFrame logged = TakeFrame(in);
+    LoggedFrame logged = TakeFrame(in, ImageCoding::kPng);
     RunLogEntry entry{std::move(logged.frame), logged.images_left_out, TakeCommands(in)};
     if (!in.AtEnd()) throw LogError("a record is longer than its content");
     ++entries_;

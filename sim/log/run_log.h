@@ -1,6 +1,6 @@
-// The log of one run, as the rover could keep it: the data sheet its brain was given, then every
-// sensor frame with the commands that answered it. The controller can be run again from it alone.
-// One file, frames.bin, in the run's folder; layout in docs/run_log.md.
+// The log of one run, as the robot could keep it: the nominal parameters that its controller was
+// given, then every sensor frame with the commands that answered it. The controller can be run
+// again from it alone. One file, frames.bin, in the run's folder; layout in docs/run_log.md.
 #pragma once
 
 #include <cstdio>
@@ -12,25 +12,25 @@
 #include <vector>
 
 #include "controller/io/controller.h"
-#include "controller/io/rover_sheet.h"
-#include "sim/log/files.h"
+#include "sim/base/files.h"
+#include "sim/base/json.h"
 #include "sim/log/frame_codec.h"
 
 namespace dockyard {
 
-inline constexpr std::uint32_t kRunLogVersion = 1;
+inline constexpr std::uint32_t kRunLogVersion = 2;
 
 struct RunLogHeader {
   int run = 0;
   std::uint64_t seed = 0;
-  std::string controller;
+  std::string system, controller;
   bool images_kept = true;
-  RoverSheet sheet;
+  Json nominal;  // the nominal parameters that the controller was given
 };
 
 struct RunLogEntry {
   SensorFrame sensed;
-  bool images_left_out = false;  // the controller saw a pair that the log does not hold
+  bool images_left_out = false;  // the controller saw images that the log does not hold
   Commands commands;
 };
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "controller/geometry/pose.h"
-#include "models/rover_model.h"
+#include "models/parts/link.h"
 
 namespace dockyard {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "controller/io/commands.h"
-#include "models/rover_model.h"
+#include "models/parts/motor.h"
 
 namespace dockyard {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "models/random.h"
 #include "render/blackbody.h"
+#include "sim/base/random.h"
 
 namespace dockyard {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "controller/geometry/pose.h"
-#include "models/scenario.h"
 #include "render/scene.h"
+#include "sim/scenario/scenario.h"
 
 namespace dockyard {
 

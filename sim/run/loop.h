@@ -2,27 +2,32 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <memory>
 
-#include "controller/io/controller.h"
-#include "controller/io/rover_sheet.h"
-#include "models/scenario.h"
-#include "sim/run/record.h"
+#include "sim/log/record.h"
+#include "sim/run/system.h"
+#include "sim/scenario/scenario.h"
 
 namespace dockyard {
 
-/// Makes the brain named in the scenario; the one place where both sides meet is sim/app.
-using ControllerFactory =
-    std::function<std::unique_ptr<Controller>(const std::string& name, const RoverSheet& sheet)>;
-
 struct RunOptions {
-  std::filesystem::path log_dir;  // empty: no log is written
+  std::filesystem::path log_dir;    // empty: no log is written
+  std::vector<std::string> labels;  // names of the run's labels
+  // Whether a scenario's `controller: {command: ...}` may start its program, and how long one of
+  // its answers may take. Wall time; assumed, 1-60 s.
+  bool allow_commands = false;
+  double answer_limit_s = 10.0;
 };
 
-/// Simulates the run and scores it. Throws ConfigError for files that cannot be read and
-/// std::runtime_error for a folder that cannot be written; everything else is an outcome.
-RunRecord RunDocking(const CampaignRun& run, const ControllerFactory& make_controller,
-                     const RunOptions& options);
+/// The scenario's controller, fresh, told the run's nominal parameters. Throws ConfigError, also
+/// for a command that the options do not allow; for a command ControllerFailure.
+std::unique_ptr<Controller> MakeController(const System& system, const Scenario& scenario,
+                                           const ReadyRun& ready, const RunOptions& options);
+
+/// What is known of a run before it: what a crashed run's row holds.
+RunResult StartOfRow(const CampaignRun& run);
+
+/// Simulates the run and scores it. Throws ConfigError for files that cannot be read and IoError
+/// for a folder that cannot be written; everything else is an outcome.
+RunRecord Simulate(const System& system, const CampaignRun& run, const RunOptions& options);
 
 }  // namespace dockyard

@@ -5,7 +5,7 @@
 
 #include "controller/base/check.h"
 #include "controller/geometry/pose.h"
-#include "models/random.h"
+#include "sim/base/random.h"
 
 namespace dockyard {
 

@@ -3,8 +3,8 @@
 // the soil is that of the rover.
 #pragma once
 
-#include "models/rover_model.h"
-#include "models/soil_model.h"
+#include "models/parts/soil_model.h"
+#include "models/parts/wheel.h"
 
 namespace dockyard {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "models/soil_model.h"
+#include "models/parts/soil_model.h"
 
 namespace dockyard {
 

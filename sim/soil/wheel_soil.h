@@ -17,8 +17,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "models/rover_model.h"
-#include "models/soil_model.h"
+#include "models/parts/soil_model.h"
+#include "models/parts/wheel.h"
 #include "sim/soil/height_grid.h"
 #include "sim/soil/patch.h"
 #include "sim/soil/rut.h"

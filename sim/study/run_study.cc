@@ -1,14 +1,13 @@
 #include "sim/study/run_study.h"
 
 #include <algorithm>
-#include <memory>
-#include <sstream>
+#include <cstdio>
+#include <optional>
 
 #include "controller/base/check.h"
-#include "models/random.h"
-#include "sim/campaign/signal_queue.h"
+#include "sim/base/random.h"
+#include "sim/jobs/pool.h"
 #include "sim/log/result_row.h"
-#include "sim/study/scripted_controller.h"
 
 namespace dockyard {
 namespace {
@@ -17,58 +16,38 @@ CampaignRun MakeRun(const Study& study, int index) {
   const int point = index / study.repeats;
   CampaignRun run;
   run.run = index + 1;
-  run.region = "study";
   run.scenario = study.points[static_cast<std::size_t>(point)].scenario;
   run.scenario.seed = StudySeed(study, point, index % study.repeats);
-  run.soil = std::filesystem::path(run.scenario.soil_file).stem().string();
   return run;
 }
 
-/// Outcome and measures in one line.
-std::string Answer(const std::vector<ScriptStep>& script, const ControllerFactory& make_controller,
-                   const CampaignRun& run) {
+/// The run's row; nothing where it threw.
+std::string Answer(const StudyRunFunction& simulate, const CampaignRun& run,
+                   const RowColumns& columns) {
   try {
-    const ControllerFactory scripted = [&](const std::string&, const RoverSheet& sheet) {
-      return MakeScriptedController(sheet, script);
-    };
-    const RunRecord record =
-        RunDocking(run, script.empty() ? make_controller : scripted, RunOptions{});
-    std::string text = Name(record.result.outcome);
-    for (const double measure : MeasuresOf(record)) text += " " + NumberText(measure);
-    return text;
+    return CsvRow(simulate(run).result, columns);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "run %d: %s\n", run.run, error.what());
     return "";
   }
 }
 
-StudyRow MakeRow(const Study& study, const CampaignRun& run, const std::string& answer) {
-  StudyRow row;
-  row.run = run.run;
-  row.point = (run.run - 1) / study.repeats;
-  row.seed = run.scenario.seed;
-  row.outcome = Name(Outcome::kCrashed);
-  std::istringstream words(answer);
-  std::string word;
-  if (words >> word) row.outcome = word;
-  while (words >> word) {
-    const auto number = NumberFromText(word);
-    DOCKYARD_CHECK(number.has_value());
-    row.measures.push_back(*number);
-  }
+StudyRow MakeRow(const Study& study, const CampaignRun& run, const std::string& answer,
+                 const RowColumns& columns) {
+  StudyRow row{run.run, (run.run - 1) / study.repeats, run.scenario.seed, kCrashed, {}};
+  if (answer.empty()) return row;
+  const auto result = RowFromCsv(answer, columns);
+  DOCKYARD_CHECK(result && result->run == run.run);
+  row.outcome = result->outcome;
+  if (row.outcome != kCrashed) row.measures = MeasuresOf(*result);
   return row;
 }
-
-struct Running {
-  CampaignRun run;
-  std::unique_ptr<Child> child;
-};
 
 }  // namespace
 
 bool StudyEnd::any_crashed() const {
   return std::any_of(rows.begin(), rows.end(),
-                     [](const StudyRow& row) { return row.measures.empty(); });
+                     [](const StudyRow& row) { return row.outcome == kCrashed; });
 }
 
 std::uint64_t StudySeed(const Study& study, int point, int repeat) {
@@ -76,39 +55,28 @@ std::uint64_t StudySeed(const Study& study, int point, int repeat) {
   return RunSeed(study.seed, static_cast<std::uint64_t>(place * study.repeats + repeat + 1));
 }
 
-StudyEnd RunStudy(const Study& study, const ControllerFactory& make_controller,
+StudyEnd RunStudy(const Study& study, const StudyRunFunction& simulate, const RowColumns& columns,
                   const StudyOptions& options) {
-  DOCKYARD_CHECK(options.jobs >= 1 && study.repeats >= 1);
+  DOCKYARD_CHECK(study.repeats >= 1 && columns.labels.empty());
+  CheckMeasures(study, columns);
   StudyEnd end;
   end.total = static_cast<int>(study.points.size()) * study.repeats;
+  int started = 0;
+  const auto next = [&]() -> std::optional<Job> {
+    if (started == end.total) return std::nullopt;
+    const CampaignRun run = MakeRun(study, started++);
+    return Job{static_cast<std::size_t>(run.run - 1),
+               [&simulate, &columns, run] { return Answer(simulate, run, columns); },
+               options.out_dir / ("run_" + std::to_string(run.run) + ".txt")};
+  };
+  const auto take = [&](std::size_t index, const Child::End& child) {
+    const CampaignRun run = MakeRun(study, static_cast<int>(index));
+    end.rows.push_back(MakeRow(study, run, child.answer, columns));
+    if (options.progress) options.progress(static_cast<int>(end.rows.size()), end.total);
+  };
   SignalQueue signals;
-  std::vector<Running> running;
-  int next = 0;
-  while (end.signal == 0 && (next < end.total || !running.empty())) {
-    while (next < end.total && static_cast<int>(running.size()) < options.jobs) {
-      Running& one = running.emplace_back();
-      one.run = MakeRun(study, next++);
-      const auto& point = study.points[static_cast<std::size_t>((one.run.run - 1) / study.repeats)];
-      const auto work = [&] { return Answer(point.script, make_controller, one.run); };
-      const auto messages = options.out_dir / ("run_" + std::to_string(one.run.run) + ".txt");
-      one.child = std::make_unique<Child>(work, messages, options.run_time_limit_s,
-                                          std::vector<int>{signals.descriptor()});
-    }
-    std::vector<const Child*> children;
-    for (const Running& one : running) children.push_back(one.child.get());
-    WaitForChildren(children, signals);
-    for (Running& one : running) {
-      one.child->KillIfLate();
-      if (!one.child->Read()) continue;
-      end.rows.push_back(MakeRow(study, one.run, one.child->Finish().answer));
-      one.child.reset();
-      if (options.progress) options.progress(static_cast<int>(end.rows.size()), end.total);
-    }
-    running.erase(std::remove_if(running.begin(), running.end(),
-                                 [](const Running& one) { return one.child == nullptr; }),
-                  running.end());
-    end.signal = signals.Take();
-  }
+  end.signal = RunPool({.processes = options.jobs, .time_limit_s = options.run_time_limit_s},
+                       signals, next, take);
   std::sort(end.rows.begin(), end.rows.end(),
             [](const StudyRow& a, const StudyRow& b) { return a.run < b.run; });
   return end;

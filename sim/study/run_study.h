@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "models/study.h"
-#include "sim/run/loop.h"
+#include "sim/log/record.h"
+#include "sim/scenario/study.h"
 #include "sim/study/study_results.h"
 
 namespace dockyard {
+
+/// Simulates one run. A run of a study leaves no log.
+using StudyRunFunction = std::function<RunRecord(const CampaignRun& run)>;
 
 struct StudyOptions {
   std::filesystem::path out_dir;    // exists; gets messages of runs that print
@@ -34,8 +37,9 @@ std::uint64_t StudySeed(const Study& study, int point, int repeat);
 
 /// Runs every point `repeats` times. A run that dies or throws has the outcome crashed and no
 /// measures. On SIGINT, SIGTERM or SIGHUP it kills the runs under way and returns what is finished.
-/// Throws IoError.
-StudyEnd RunStudy(const Study& study, const ControllerFactory& make_controller,
+/// @param columns  of the study's system, without labels
+/// Throws ConfigError as CheckMeasures, and IoError.
+StudyEnd RunStudy(const Study& study, const StudyRunFunction& simulate, const RowColumns& columns,
                   const StudyOptions& options);
 
 }  // namespace dockyard

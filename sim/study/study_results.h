@@ -1,12 +1,12 @@
 // What a study's runs came to, and what is said of them together.
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "models/study.h"
-#include "sim/run/record.h"
+#include "sim/log/record.h"
+#include "sim/scenario/study.h"
 
 namespace dockyard {
 
@@ -14,16 +14,17 @@ struct StudyRow {
   int run = 0;    // from 1
   int point = 0;  // index in Study::points
   std::uint64_t seed = 0;
-  std::string outcome;           // as in docs/outcomes.md
-  std::vector<double> measures;  // by StudyMeasures
+  std::string outcome;           // one of the system's
+  std::vector<double> measures;  // by StudyColumns; empty for a run that crashed
 };
 
-/// Measures of one run. Angles of arm and roll and what the entry took come from its 10 Hz history;
-/// NaN: does not apply, and counts in no spread.
-std::vector<double> MeasuresOf(const RunRecord& record);
-
-/// Index of a measure's column; it must be one.
-std::size_t MeasureIndex(const std::string& name);
+/// What a study of this system can measure, the columns of its runs.csv: docked (1 or 0),
+/// sim_time_s, then the system's measures.
+std::vector<Column> StudyColumns(const RowColumns& columns);
+/// By StudyColumns. NaN: does not apply, and counts in no spread.
+std::vector<double> MeasuresOf(const RunResult& row);
+/// Throws ConfigError when the study's plot names a measure that is none of StudyColumns.
+void CheckMeasures(const Study& study, const RowColumns& columns);
 
 /// Rows of one curve's one place, told together.
 struct Spread {
@@ -31,19 +32,26 @@ struct Spread {
   double mean = 0.0, median = 0.0;
   double low = 0.0, high = 0.0;  // of a share: 95 % Clopper-Pearson; else 10 and 90 % quantiles
 };
-Spread SpreadOf(const std::string& measure, const std::vector<const StudyRow*>& rows);
+/// @param measure  name of one of the columns
+Spread SpreadOf(const std::vector<Column>& study_columns, const std::string& measure,
+                const std::vector<const StudyRow*>& rows);
 
 /// A line per run, and a line per point: what was set, then what came out.
-std::string StudyRunsCsv(const Study& study, const std::vector<StudyRow>& rows);
-std::string StudyPointsCsv(const Study& study, const std::vector<StudyRow>& rows);
+std::string StudyRunsCsv(const Study& study, const RowColumns& columns,
+                         const std::vector<StudyRow>& rows);
+std::string StudyPointsCsv(const Study& study, const RowColumns& columns,
+                           const std::vector<StudyRow>& rows);
 /// The same per point for people, rates with their intervals.
-std::string StudyTable(const Study& study, const std::vector<StudyRow>& rows);
+std::string StudyTable(const Study& study, const RowColumns& columns,
+                       const std::vector<StudyRow>& rows);
 
 /// Curves of the study's measures over its x, a row of plots for each measure, with bands as in
 /// Spread. Factors that are neither x, curves nor panels are pooled. Empty without x.
-std::string StudyCurves(const Study& study, const std::vector<StudyRow>& rows);
-/// Bars of what each key changed alone does to the docked share and the tension's mean peak,
-/// longest first. Empty when no key was changed alone.
-std::string StudyBars(const Study& study, const std::vector<StudyRow>& rows);
+std::string StudyCurves(const Study& study, const RowColumns& columns,
+                        const std::vector<StudyRow>& rows);
+/// Bars of what each key changed alone does to the docked share, and to the mean of the first other
+/// measure of the study's plot, if it has one; longest first. Empty when no key was changed alone.
+std::string StudyBars(const Study& study, const RowColumns& columns,
+                      const std::vector<StudyRow>& rows);
 
 }  // namespace dockyard

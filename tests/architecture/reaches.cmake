@@ -1,5 +1,6 @@
-# Compiles one #include of HEADER with the include path INCLUDES and compares with REACHABLE.
+# Compiles one #include of HEADER with the include path INCLUDES (by commas) and compares with REACHABLE.
 set(flags "")
+string(REPLACE "," ";" INCLUDES "${INCLUDES}")
 foreach(dir IN LISTS INCLUDES)
   list(APPEND flags "-I${dir}")
 endforeach()

@@ -6,23 +6,19 @@
 #include <string>
 #include <vector>
 
+#include "axel/sim/scenarios.h"
 #include "bench/physics_speed.h"
 #include "bench/picture_speed.h"
-#include "controller/docking/axel.h"
 #include "controller/vision/fiducials.h"
 #include "controller/vision/locate.h"
-#include "models/load_scenario.h"
 #include "render/stereo_renderer.h"
-#include "sim/run/build_run.h"
-#include "sim/run/loop.h"
-#include "sim/run/view.h"
+#include "sim/axel/axel_view.h"
 
-namespace dockyard {
+namespace dockyard::axel {
 namespace {
 
 constexpr const char* kLoose = "loose_sand.yaml";
 constexpr const char* kCompact = "compact_gravel.yaml";
-const std::string kScenario = std::string(DOCKYARD_SOURCE_DIR) + "/scenarios/axel_typical.yaml";
 
 double Time(const std::function<void()>& work) {
   const double start = CpuSeconds();
@@ -36,10 +32,6 @@ double Middle(std::vector<double> values) {
   return *middle;
 }
 
-std::unique_ptr<Controller> MakeBrain(const std::string&, const RoverSheet& sheet) {
-  return MakeAxelController(sheet);
-}
-
 struct EyesSpeed {
   double pair_s = 0.0, detect_s = 0.0, locate_s = 0.0, alone_s = 0.0;
 };
@@ -48,8 +40,8 @@ struct EyesSpeed {
 class StartView {
  public:
   explicit StartView(const std::vector<std::string>& overrides)
-      : scenario_(LoadScenario(kScenario, overrides)),
-        built_(BuildRun(scenario_)),
+      : scenario_(TypicalScenario(overrides)),
+        built_(Build(scenario_)),
         world_(built_.world),
         truth_(world_.truth()),
         builder_(built_.world.rover, built_.world.station, built_.world.soil, built_.lighting,
@@ -89,12 +81,12 @@ EyesSpeed TimeEyes(int width, int height) {
   for (int i = 0; i < 2 * kRounds + 1; ++i) {
     detect_s.push_back(Time([&] {
       for (const GrayImage* image : {&images.left, &images.right}) {
-        found += DetectFiducials(*image, built.sheet.board).size();
+        found += DetectFiducials(*image, built.nominal.board).size();
       }
     }));
     locate_s.push_back(Time([&] {
-      found +=
-          static_cast<bool>(LocateBoard(images, built.sheet.rig, built.sheet.board, {}).sighting);
+      found += static_cast<bool>(
+          LocateBoard(images, built.nominal.rig, built.nominal.board, {}).sighting);
     }));
     alone_s.push_back(locate_s.back() - detect_s.back());
   }
@@ -159,30 +151,28 @@ void ReportEyes(double loose) {
 
 void Report() {
   ReportEyes(ReportPhysics());
-  CampaignRun run;
-  run.scenario = LoadScenario(kScenario);
-  const RunRecord record = RunDocking(run, MakeBrain, {});
+  const RunRecord record = SimulateTypical({});
   std::printf("whole docking (%s): %.1f s simulated, %.2f simulated seconds per CPU second\n",
-              Name(record.result.outcome), record.result.sim_time_s,
+              record.result.outcome.c_str(), record.result.sim_time_s,
               record.result.sim_time_s / record.timing.cpu_time_s);
 }
 
 }  // namespace
-}  // namespace dockyard
+}  // namespace dockyard::axel
 
 int main(int argc, char** argv) {
   const std::string mode = argc > 1 ? argv[1] : "all";
   if (mode == "all") {
-    dockyard::Report();
+    dockyard::axel::Report();
   } else if (mode == "physics") {
-    dockyard::ReportPhysics();
+    dockyard::axel::ReportPhysics();
   } else if (mode == "pictures") {
-    dockyard::ReportEyes(0.0);
+    dockyard::axel::ReportEyes(0.0);
   } else if (mode == "one-second") {  // under callgrind, see scripts/bench
-    dockyard::World world(dockyard::DrivingSetup(dockyard::kLoose));
-    dockyard::DriveOneSecond(world);
+    dockyard::axel::World world(dockyard::axel::DrivingSetup(dockyard::axel::kLoose));
+    dockyard::axel::DriveOneSecond(world);
   } else if (mode == "cone") {
-    std::printf("%.0f\n", dockyard::ConeStepsPerSecond(dockyard::kLoose));
+    std::printf("%.0f\n", dockyard::axel::ConeStepsPerSecond(dockyard::axel::kLoose));
   } else {
     std::fprintf(stderr, "usage: %s [all|physics|pictures|cone|one-second]\n", argv[0]);
     return 2;

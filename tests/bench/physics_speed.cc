@@ -2,11 +2,11 @@
 
 #include <ctime>
 
-#include "models/load_scenario.h"
-#include "sim/run/build_run.h"
-#include "twin/mujoco_twin.h"
+#include "axel/sim/scenarios.h"
+#include "axel/twin/mujoco_twin.h"
+#include "sim/axel/build_run.h"
 
-namespace dockyard {
+namespace dockyard::axel {
 namespace {
 
 using MotorCommands = std::array<MotorCommand, kMotorCount>;
@@ -15,7 +15,7 @@ WorldSetup Setup(const std::string& soil, const std::vector<std::string>& more) 
   const std::string root = DOCKYARD_SOURCE_DIR;
   std::vector<std::string> changes = {"soil=" + root + "/models/soils/" + soil};
   changes.insert(changes.end(), more.begin(), more.end());
-  return BuildRun(LoadScenario(root + "/scenarios/axel_typical.yaml", changes)).world;
+  return Build(TypicalScenario(changes)).world;
 }
 
 MotorCommand Run(double rad_s, double current_a) {
@@ -97,4 +97,4 @@ double RestingStepsPerSecond(const std::string& soil) {
   for (int i = 0; i < 1000; ++i) world.Step(commands);
 }
 
-}  // namespace dockyard
+}  // namespace dockyard::axel

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "sim/physics/world.h"
+#include "sim/axel/world.h"
 
-namespace dockyard {
+namespace dockyard::axel {
 
 /// CPU time of this process [s].
 double CpuSeconds();
@@ -27,4 +27,4 @@ double RestingStepsPerSecond(const std::string& soil);
 /// Drives for one second; for a count of its instructions.
 void DriveOneSecond(World& world);
 
-}  // namespace dockyard
+}  // namespace dockyard::axel

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dockyard {
+namespace dockyard::axel {
 namespace {
 
 constexpr int kGridSide = 150;  // ours draws 600; MuJoCo would spend all its time on it
@@ -121,4 +121,4 @@ double MujocoPairSeconds(int width, int height) {
   return seconds;
 }
 
-}  // namespace dockyard
+}  // namespace dockyard::axel

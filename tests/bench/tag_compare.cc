@@ -13,12 +13,13 @@
 
 #include "bench/tags.h"
 #include "controller/vision/fiducials.h"
-#include "eyes/yard_views.h"
-#include "models/random.h"
-#include "sim/log/files.h"
+#include "perception/yard_views.h"
+#include "sim/base/files.h"
+#include "sim/base/png.h"
+#include "sim/base/random.h"
 #include "sim/log/frame_codec.h"
 
-namespace dockyard {
+namespace dockyard::axel {
 namespace {
 
 /// Where a mark is in the picture and how large it is.
@@ -298,7 +299,7 @@ void Compare(int views, const std::string& folder) {
 }
 
 }  // namespace
-}  // namespace dockyard
+}  // namespace dockyard::axel
 
 int main(int argc, char** argv) {
   const int views = argc > 1 ? std::atoi(argv[1]) : 4;
@@ -307,6 +308,6 @@ int main(int argc, char** argv) {
                  "tag_compare [views for each range, 1 to 100] [folder for the pictures]\n");
     return 2;
   }
-  dockyard::Compare(views, argc > 2 ? argv[2] : "");
+  dockyard::axel::Compare(views, argc > 2 ? argv[2] : "");
   return 0;
 }

@@ -5,9 +5,9 @@
 
 #include <functional>
 
-#include "campaign/fake_runs.h"
 #include "sim/campaign/progress.h"
-#include "sim/campaign/summary.h"
+#include "sim/log/result_row.h"
+#include "support/fake_runs.h"
 
 namespace dockyard {
 namespace {
@@ -25,7 +25,7 @@ std::string TakenOf(const std::function<void()>& action) {
 
 void Open(const std::filesystem::path& dir, const Campaign& campaign,
           const std::string& identity = "") {
-  const CampaignFolder folder(dir, campaign, identity);
+  const CampaignFolder folder(dir, campaign, FakeColumns(), identity);
 }
 
 TEST(CampaignFolder, IsRefusedToAnotherCampaign) {
@@ -53,7 +53,7 @@ TEST(CampaignFolder, OverwritesNothingThatIsNotItsOwn) {
 
 TEST(CampaignFolder, BelongsToOneProgramAtATime) {
   const TemporaryFolder dir;
-  const CampaignFolder first(dir.path(), FakeCampaign(3), "");
+  const CampaignFolder first(dir.path(), FakeCampaign(3), FakeColumns(), "");
   EXPECT_THAT(TakenOf([&] { Open(dir.path(), FakeCampaign(3)); }),
               HasSubstr("another campaign is running in"));
 }
@@ -63,7 +63,7 @@ TEST(CampaignFolder, RefusesRowsThatAreNotOfThisCampaign) {
   Open(dir.path(), FakeCampaign(3));
   FinishedRuns strange;
   strange[9].result = FakeRecord(FakeCampaign(9).runs[8]).result;
-  WriteText(dir.path() / "results.csv", ResultsCsv(strange));
+  WriteText(dir.path() / "results.csv", ResultsCsv(strange, FakeColumns()));
   EXPECT_THROW(Open(dir.path(), FakeCampaign(3)), ResultsError);
 }
 
@@ -74,17 +74,13 @@ TEST(CampaignFolder, ThatCannotBeMadeIsAnIoError) {
   EXPECT_THROW(Open(dir.path() / "file", FakeCampaign(1)), IoError);
 }
 
-TEST(Summary, TellsRatesByRegionLightAndSoilWithTheirIntervals) {
-  FinishedRuns runs;
-  for (const CampaignRun& run : FakeCampaign(12).runs) {
-    runs[run.run] = {FakeRecord(run).result, {}};
-  }
-  const std::string text = SummaryText("fake", runs, 12, {{3, "it drove past"}});
-  EXPECT_THAT(text, HasSubstr("fake: docked 8/12 (67 %, 35-90 %)"));
-  EXPECT_THAT(text, HasSubstr("boundary      docked 2/3 (67 %, 9-99 %)"));
-  EXPECT_THAT(text, HasSubstr("loose         docked 4/6 (67 %, 22-96 %)"));
-  EXPECT_THAT(text, HasSubstr("missed_cone           4   runs 3 6 9 12"));
-  EXPECT_THAT(text, HasSubstr("it drove past"));
+TEST(CampaignFolder, RefusesResultsWithOtherColumns) {
+  const TemporaryFolder dir;
+  Open(dir.path(), FakeCampaign(3));
+  RowColumns others = FakeColumns();
+  others.measures.pop_back();
+  WriteText(dir.path() / "results.csv", CsvHeader(others) + "\n");
+  EXPECT_THROW(Open(dir.path(), FakeCampaign(3)), ResultsError);
 }
 
 TEST(Duration, IsToldInUnitsOneCanFeel) {

@@ -9,9 +9,10 @@
 #include <cstdlib>
 #include <thread>
 
-#include "campaign/fake_runs.h"
+#include "models/read/config_error.h"
 #include "sim/campaign/campaign.h"
-#include "sim/campaign/summary.h"
+#include "sim/log/result_row.h"
+#include "support/fake_runs.h"
 
 namespace dockyard {
 namespace {
@@ -19,20 +20,33 @@ namespace {
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
+std::string ResultRows(const RowColumns& columns, const std::vector<RunResult>& rows) {
+  std::string text;
+  for (const RunResult& row : rows) text += CsvRow(row, columns) + "\n";
+  return text;
+}
+
 CampaignOptions OptionsFor(const fs::path& dir, int jobs) {
   CampaignOptions options;
   options.out_dir = dir;
   options.jobs = jobs;
+  options.columns = FakeColumns();
+  options.draw = [](const RunRecord& record, const Scenario&) {
+    return std::vector<Figure>{{"path.svg", std::to_string(record.history.size()) + " samples"}};
+  };
+  options.draw_campaign = [](const Campaign& campaign, const RowColumns& columns,
+                             const std::vector<RunResult>& rows) {
+    return std::vector<Figure>{{"grid.svg", campaign.name + " " + ResultRows(columns, rows)}};
+  };
   return options;
 }
 
 /// Every file that must not depend on how the campaign came to its end.
 void ExpectSameResults(const fs::path& a, const fs::path& b) {
-  for (const char* file :
-       {"results.csv", "results.sqlite", "summary.txt", "resolved.yaml", "plots/grid.svg",
-        "runs/003/history.csv", "runs/003/outcome.json", "runs/003/path.svg",
-        "runs/003/history.svg", "runs/003/plans.json", "runs/003/sightings.json"}) {
-    EXPECT_EQ(ReadText(a / file), ReadText(b / file)) << file;
+  for (const char* file : {"results.csv", "results.sqlite", "summary.txt", "resolved.yaml",
+                           "plots/grid.svg", "runs/003/history.csv", "runs/003/outcome.json",
+                           "runs/003/path.svg", "runs/003/plans.json", "runs/003/sightings.json"}) {
+    EXPECT_EQ(Slurp(a / file), Slurp(b / file)) << file;
   }
 }
 
@@ -50,7 +64,7 @@ pid_t StartCampaignProcess(const fs::path& dir, int count, int jobs, int pause_m
 
 int LinesIn(const fs::path& file) {
   if (!fs::exists(file)) return 0;
-  const std::string text = ReadText(file);
+  const std::string text = Slurp(file);
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
@@ -85,11 +99,13 @@ TEST(RunCampaign, KeepsARunThatDiesToItself) {
   const CampaignEnd end = RunCampaign(FakeCampaign(5), dies, OptionsFor(folder.path(), 2));
   ASSERT_TRUE(end.complete());
   for (const int run : {2, 3, 4}) {
-    EXPECT_EQ(end.runs.at(run).result.outcome, Outcome::kCrashed);
+    EXPECT_EQ(end.runs.at(run).result.outcome, kCrashed);
+    EXPECT_TRUE(end.runs.at(run).result.measures.empty());
+    EXPECT_EQ(end.runs.at(run).result.labels, FakeCampaign(5).runs[run - 1].labels);
     EXPECT_EQ(end.runs.at(run).result.seed, FakeCampaign(5).runs[run - 1].scenario.seed);
   }
-  EXPECT_EQ(end.runs.at(1).result.outcome, Outcome::kDocked);
-  EXPECT_EQ(end.runs.at(5).result.outcome, Outcome::kDocked);
+  EXPECT_EQ(end.runs.at(1).result.outcome, "docked");
+  EXPECT_EQ(end.runs.at(5).result.outcome, "docked");
   EXPECT_THAT(end.summary, HasSubstr("killed by signal 11 (Segmentation fault)"));
   EXPECT_THAT(end.summary, HasSubstr("ended with exit code 9 before its result"));
   EXPECT_THAT(end.summary, HasSubstr("threw: the renderer found no context"));
@@ -104,7 +120,7 @@ TEST(RunCampaign, KillsARunThatHangs) {
   CampaignOptions options = OptionsFor(folder.path(), 2);
   options.run_time_limit_s = 1.0;
   const CampaignEnd end = RunCampaign(FakeCampaign(3), hangs, options);
-  EXPECT_EQ(end.runs.at(1).result.outcome, Outcome::kCrashed);
+  EXPECT_EQ(end.runs.at(1).result.outcome, kCrashed);
   EXPECT_TRUE(end.runs.at(2).result.docked);
   EXPECT_THAT(end.summary, HasSubstr("killed: it took more than 1 s of wall time"));
 }
@@ -119,8 +135,8 @@ TEST(RunCampaign, KeepsWhatARunPrintsOutOfTheWay) {
   ::testing::internal::CaptureStdout();
   RunCampaign(FakeCampaign(2), prints, OptionsFor(folder.path(), 1));
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
-  EXPECT_THAT(ReadText(folder.path() / "runs/001/messages.txt"), HasSubstr("a word to stdout"));
-  EXPECT_THAT(ReadText(folder.path() / "runs/001/messages.txt"), HasSubstr("a word to stderr"));
+  EXPECT_THAT(Slurp(folder.path() / "runs/001/messages.txt"), HasSubstr("a word to stdout"));
+  EXPECT_THAT(Slurp(folder.path() / "runs/001/messages.txt"), HasSubstr("a word to stderr"));
   EXPECT_FALSE(fs::exists(folder.path() / "runs/002/messages.txt"));
 }
 
@@ -158,10 +174,10 @@ TEST(RunCampaign, GoesOnAfterACutOffLine) {
   const TemporaryFolder folder;
   const fs::path cut = folder.path() / "cut", straight = folder.path() / "straight";
   RunCampaign(FakeCampaign(4), FakeRun, OptionsFor(cut, 1));
-  const std::string csv = ReadText(cut / "results.csv");
+  const std::string csv = Slurp(cut / "results.csv");
   WriteText(cut / "results.csv", csv.substr(0, csv.size() - 7));
   RunCampaign(FakeCampaign(4), FakeRun, OptionsFor(cut, 1));
-  EXPECT_EQ(ReadText(cut / "results.csv"), csv);
+  EXPECT_EQ(Slurp(cut / "results.csv"), csv);
 }
 
 TEST(RunCampaign, KeepsWhatIsDoneOnCtrlC) {
@@ -178,7 +194,7 @@ TEST(RunCampaign, KeepsWhatIsDoneOnCtrlC) {
   const int kept = LinesIn(folder.path() / "results.csv") - 1;
   EXPECT_GE(kept, 3);
   EXPECT_LT(kept, 20);
-  EXPECT_THAT(ReadText(folder.path() / "summary.txt"),
+  EXPECT_THAT(Slurp(folder.path() / "summary.txt"),
               HasSubstr("incomplete: " + std::to_string(kept) + " of 20 runs"));
 }
 
@@ -208,13 +224,40 @@ TEST(RunCampaign, LeavesNoWorkerBehindWhenKilled) {
   EXPECT_FALSE(fs::exists(alive));
 }
 
+TEST(RunCampaign, DrawsEachRunAndAllOfThemByTheSystemsHooks) {
+  const TemporaryFolder folder;
+  const CampaignEnd end = RunCampaign(FakeCampaign(2), FakeRun, OptionsFor(folder.path(), 2));
+  EXPECT_EQ(Slurp(folder.path() / "runs/002/path.svg"), "200 samples");
+  EXPECT_EQ(Slurp(folder.path() / "plots/grid.svg"),
+            "fake " + ResultRows(FakeColumns(), {end.runs.at(1).result, end.runs.at(2).result}));
+  CampaignOptions undrawn = OptionsFor(folder.path() / "undrawn", 1);
+  undrawn.draw = nullptr;
+  undrawn.draw_campaign = nullptr;
+  RunCampaign(FakeCampaign(1), FakeRun, undrawn);
+  EXPECT_FALSE(fs::exists(folder.path() / "undrawn/runs/001/path.svg"));
+  EXPECT_FALSE(fs::exists(folder.path() / "undrawn/plots/grid.svg"));
+}
+
+TEST(RunCampaign, TellsANoteOfSeveralLinesInOne) {
+  const TemporaryFolder folder;
+  const auto run = [](const CampaignRun& what, const fs::path& dir) {
+    RunRecord record = FakeRun(what, dir);
+    record.failure_note = "first\nsecond";
+    return record;
+  };
+  const CampaignEnd end = RunCampaign(FakeCampaign(3), run, OptionsFor(folder.path(), 1));
+  EXPECT_EQ(end.runs.at(3).note, "first second");
+  EXPECT_EQ(end.runs.at(1).note, "");  // it docked
+  EXPECT_THAT(end.summary, HasSubstr("\n     first second\n"));
+}
+
 TEST(RunCampaign, EndsWhenAnInputFileProvesBad) {
   const TemporaryFolder folder;
   const auto bad = [](const CampaignRun& run, const fs::path& dir) {
-    if (run.run == 3) throw InputError("axel.yaml:14:9: wheels.radius_m: expected a number > 0");
+    if (run.run == 3) throw ConfigError("axel.yaml:14:9: wheels.radius_m: expected a number > 0");
     return FakeRun(run, dir);
   };
-  EXPECT_THROW(RunCampaign(FakeCampaign(4), bad, OptionsFor(folder.path(), 1)), InputError);
+  EXPECT_THROW(RunCampaign(FakeCampaign(4), bad, OptionsFor(folder.path(), 1)), ConfigError);
   EXPECT_EQ(LinesIn(folder.path() / "results.csv"), 3);  // header and the two before it
 }
 

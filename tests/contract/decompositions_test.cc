@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 
 #include "controller/geometry/pose.h"
-#include "models/random.h"
+#include "sim/base/random.h"
 
 namespace dockyard {
 namespace {

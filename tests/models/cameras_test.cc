@@ -1,13 +1,15 @@
-#include "models/load_cameras.h"
+#include "models/read/load_cameras.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <ostream>
 
-#include "bad_files.h"
-#include "models/load_rover.h"
-#include "models/load_scenario.h"
+#include "models/axel/load_axel.h"
+#include "sim/app/systems.h"
+#include "sim/axel/load_models.h"
+#include "sim/scenario/load_scenario.h"
+#include "support/bad_files.h"
 
 namespace dockyard {
 namespace {
@@ -148,6 +150,16 @@ TEST(CameraFile, WithoutAPlaceIsItsOwnFrame) {
   EXPECT_EQ(placed.camera.Project({0, 0, 2}), Eigen::Vector2d(320.1, 247.6));
 }
 
+TEST(CameraFile, APinholeHasNoDistortionToGive) {
+  const ScratchFolder folder;
+  const std::string text =
+      "model: pinhole\npixel_zero: centre\nwidth_px: 640\nheight_px: 480\nfx_px: 500\n"
+      "fy_px: 510\ncx_px: 320\ncy_px: 240\n";
+  const PlacedCamera placed = LoadCamera(folder.Write("c.yaml", text));
+  const auto pixel = placed.camera.Project({0.4, -0.2, 2.0});
+  EXPECT_TRUE(pixel->isApprox(Eigen::Vector2d(320 + 500 * 0.2, 240 - 510 * 0.1), 1e-12));
+}
+
 TEST(CameraFile, SaysWhichPointOfTheFirstPixelIsZero) {
   const ScratchFolder folder;
   const auto centre = [&](const char* word) {
@@ -168,9 +180,10 @@ TEST(CameraFile, BadOnesAreToldByPlaceAndPath) {
   EXPECT_EQ(message("fx_px: 535.4", "fx_px: -1"),
             "c.yaml:6:8: fx_px: expected a number > 0, found '-1'");
   EXPECT_EQ(message("k1:", "k_1:"), "c.yaml:10:1: k_1: unknown key, did you mean 'k1'?");
-  EXPECT_EQ(message("model: brown", "model: pinhole"),
-            "c.yaml:2:8: model: expected one of kannala_brandt, brown, cahv, cahvor, cahvore, "
-            "found 'pinhole'");
+  EXPECT_EQ(message("model: brown", "model: fisheye"),
+            "c.yaml:2:8: model: expected one of kannala_brandt, brown, pinhole, cahv, cahvor, "
+            "cahvore, found 'fisheye'");
+  EXPECT_THAT(message("model: brown", "model: pinhole"), HasSubstr("c.yaml:10:1: k1: unknown key"));
   EXPECT_EQ(message("pixel_zero: centre\n", ""), "c.yaml:1:1: missing key 'pixel_zero'");
   EXPECT_EQ(message("p1: 0.0018", "yaw_deg: 3"),
             "c.yaml:12:10: yaw_deg: expected a position_m beside it, found '3'");
@@ -196,7 +209,7 @@ TEST(Rig, AxelsFilesAreTheCamerasOfItsModel) {
     const StereoRig file =
         LoadRig(SourceFile("models/cameras/axel_" + std::to_string(width) + ".yaml"));
     const StereoRig model =
-        LoadRover(SourceFile("models/axel/axel.yaml"), width, width * 3 / 4).stereo.nominal;
+        axel::LoadRover(SourceFile("models/axel/axel.yaml"), width, width * 3 / 4).stereo.nominal;
     EXPECT_EQ(file.left, model.left);
     EXPECT_EQ(file.right, model.right);
     EXPECT_TRUE(Same(file.X_RL, model.X_RL));
@@ -231,12 +244,14 @@ TEST(Rig, ScalingKeepsTheOuterEdgesOfTheImage) {
 TEST(Rig, ReplacesTheRoversCamerasFromTheScenarioOrTheRoversFile) {
   const std::string typical = SourceFile("scenarios/axel_typical.yaml");
   const StereoRig navcam = LoadRig(kNavcam);
-  const auto rig = [](const Scenario& s) { return LoadModels(s).rover.stereo.nominal; };
-  const StereoRig chosen = rig(LoadScenario(typical, {"camera.file=" + kNavcam}));
+  const auto rig = [](const Scenario& s) { return axel::LoadModels(s).rover.stereo.nominal; };
+  const StereoRig chosen =
+      rig(LoadScenario(typical, {"camera.file=" + kNavcam}, KnownSystems(Systems())));
   EXPECT_EQ(chosen.left, navcam.left);
   EXPECT_TRUE(Same(chosen.X_RQ, navcam.X_RQ));
   const StereoRig small = rig(LoadScenario(
-      typical, {"camera.file=" + kNavcam, "camera.width_px=640", "camera.height_px=480"}));
+      typical, {"camera.file=" + kNavcam, "camera.width_px=640", "camera.height_px=480"},
+      KnownSystems(Systems())));
   EXPECT_EQ(small.left, Resized(navcam.left, 640, 480));
 
   const ScratchFolder folder;
@@ -249,7 +264,7 @@ TEST(Rig, ReplacesTheRoversCamerasFromTheScenarioOrTheRoversFile) {
   }
   text = Replaced(text, "cameras:\n", "cameras:\n  file: " + kNavcam + "\n");
   const std::string changed = folder.Write("models/axel/axel.yaml", text);
-  EXPECT_EQ(LoadRover(changed).stereo.nominal.left, navcam.left);
+  EXPECT_EQ(axel::LoadRover(changed).stereo.nominal.left, navcam.left);
 }
 
 TEST(Rig, BadOnesAreToldByPlaceAndPath) {

@@ -1,11 +1,12 @@
 // Files mutated at random: each is read or refused with a ConfigError, nothing else happens.
 #include <gmock/gmock.h>
 
-#include "bad_files.h"
-#include "models/check_file.h"
-#include "models/mesh_loader.h"
-#include "models/random.h"
-#include "models/urdf.h"
+#include "models/read/mesh_loader.h"
+#include "models/read/urdf.h"
+#include "sim/app/check_file.h"
+#include "sim/app/systems.h"
+#include "sim/base/random.h"
+#include "support/bad_files.h"
 
 namespace dockyard {
 namespace {
@@ -51,9 +52,29 @@ struct Tally {
   int read = 0, refused = 0;
 };
 
+/// Reads the file or refuses it with a ConfigError; anything else that is thrown ends the test.
+void Try(const std::string& file, const std::function<void(const std::string&)>& load,
+         Tally& tally) {
+  try {
+    load(file);
+    ++tally.read;
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    ++tally.refused;
+  }
+}
+
+/// Both happen: at least a tenth is refused and a fiftieth read (of most kinds a third is; of the
+/// strictest, GLB with its length changed, a thirtieth). Else the mutations try nothing.
+void ExpectBoth(const Tally& tally, const std::string& name) {
+  const int count = tally.read + tally.refused;
+  EXPECT_GT(tally.read, count / 50) << name;
+  EXPECT_GT(tally.refused, count / 10) << name;
+}
+
 /// Mutates the file in its copied folder; `load` must read it or throw ConfigError.
-Tally Fuzz(const std::string& model, const std::string& name, std::uint64_t seed, int count,
-           const std::function<void(const std::string&)>& load) {
+void Fuzz(const std::string& model, const std::string& name, std::uint64_t seed, int count,
+          const std::function<void(const std::string&)>& load) {
   const ScratchFolder folder;
   folder.CopyModel(model);
   const std::string original = Slurp(SourceFile(name));
@@ -61,20 +82,12 @@ Tally Fuzz(const std::string& model, const std::string& name, std::uint64_t seed
   Tally tally;
   for (int i = 0; i < count; ++i) {
     const std::string file = folder.Write(name, Mutated(original, random));
-    try {
-      load(file);
-      ++tally.read;
-    } catch (const ConfigError& error) {
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-      ++tally.refused;
-    }
+    Try(file, load, tally);
   }
-  EXPECT_EQ(tally.read + tally.refused, count);
-  EXPECT_GT(tally.refused, count / 10);
-  return tally;
+  ExpectBoth(tally, name);
 }
 
-void Check(const std::string& file) { CheckFile(file); }
+void Check(const std::string& file) { CheckFile(file, Systems()); }
 
 TEST(MutatedFiles, CameraFilesAreReadOrRefused) {
   Fuzz("cameras", "models/cameras/navcam.yaml", 11, 300, Check);
@@ -86,7 +99,7 @@ TEST(MutatedFiles, RoverYamlIsReadOrRefused) {
   Fuzz("axel", "models/axel/axel.yaml", 1, 300, Check);
 }
 TEST(MutatedFiles, StationYamlIsReadOrRefused) {
-  Fuzz("station", "models/station/station.yaml", 2, 300, Check);
+  Fuzz("axel", "models/axel/station/station.yaml", 2, 300, Check);
 }
 TEST(MutatedFiles, SoilYamlIsReadOrRefused) {
   Fuzz("soils", "models/soils/loose_sand.yaml", 3, 400, Check);
@@ -98,7 +111,7 @@ TEST(MutatedFiles, ObjIsReadOrRefused) {
 
 TEST(MutatedFiles, ScenariosAndTablesAreReadOrRefused) {
   const ScratchFolder folder;
-  for (const char* model : {"axel", "station", "soils"}) folder.CopyModel(model);
+  for (const char* model : {"axel", "soils"}) folder.CopyModel(model);
   std::vector<std::string> names{"scenarios/axel_typical.yaml", "scenarios/mars_yard_40.csv",
                                  "scenarios/mars_yard_40.yaml", "scenarios/ci_4.yaml"};
   for (const std::string& name : names) folder.Write(name, Slurp(SourceFile(name)));
@@ -110,7 +123,8 @@ TEST(MutatedFiles, ScenariosAndTablesAreReadOrRefused) {
     folder.Write(name, Mutated(original, random));
     const bool table = name == "scenarios/mars_yard_40.csv";
     try {
-      CheckFile((folder.path() / (table ? "scenarios/mars_yard_40.yaml" : name)).string());
+      CheckFile((folder.path() / (table ? "scenarios/mars_yard_40.yaml" : name)).string(),
+                Systems());
     } catch (const ConfigError&) {
       ++refused;
     }
@@ -119,29 +133,43 @@ TEST(MutatedFiles, ScenariosAndTablesAreReadOrRefused) {
   EXPECT_GT(refused, 30);
 }
 
-/// Binary STL and GLB have no file here to start from.
-TEST(MutatedFiles, BinaryMeshesAreReadOrRefused) {
+using Wrap = std::function<std::string(const std::string&)>;
+std::string Bare(const std::string& bytes) { return bytes; }
+
+/// Mutates bytes that no file here holds, `count` times; the file is what `wrap` makes of them.
+void FuzzMesh(const std::string& name, const std::string& original, std::uint64_t seed, int count,
+              const Wrap& wrap = Bare) {
+  const ScratchFolder folder;
+  folder.Write("a.bin", TriangleBytes());
+  RandomStream random(seed);
+  Tally tally;
+  const auto load = [](const std::string& file) {
+    EXPECT_FALSE(LoadMesh(file)->triangles.empty());
+  };
+  EXPECT_NO_THROW(load(folder.Write(name, wrap(original)))) << name;
+  for (int i = 0; i < count; ++i) {
+    Try(folder.Write(name, wrap(Mutated(original, random))), load, tally);
+  }
+  ExpectBoth(tally, name);
+}
+
+TEST(MutatedFiles, StlInBytesIsReadOrRefused) {
+  // As many triangles as its length tells, so a byte more or less is refused and a byte changed
+  // is mostly read.
   std::string stl(80, ' ');
   stl += std::string("\x04\0\0\0", 4);
   for (int i = 0; i < 4 * 50; ++i) stl += static_cast<char>(i % 63);
-  const std::string glb_json =
-      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
-      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
-      R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,)"
-      R"("byteLength":36}],"buffers":[{"uri":"a.bin","byteLength":36}]})";
-  const ScratchFolder folder;
-  folder.Write("a.bin", std::string(36, '\0'));
-  RandomStream random(7);
-  for (int i = 0; i < 300; ++i) {
-    const bool is_stl = i % 2 == 0;
-    const std::string file =
-        folder.Write(is_stl ? "a.stl" : "a.gltf", Mutated(is_stl ? stl : glb_json, random));
-    try {
-      EXPECT_FALSE(LoadMesh(file)->triangles.empty());
-    } catch (const ConfigError& error) {
-      EXPECT_NE(std::string(error.what()), "");
-    }
-  }
+  FuzzMesh("a.stl", stl, 7, 300);
+}
+
+TEST(MutatedFiles, ColladaIsReadOrRefused) { FuzzMesh("a.dae", TriangleCollada(), 8, 400); }
+
+TEST(MutatedFiles, GltfInTextAndBytesIsReadOrRefused) {
+  FuzzMesh("a.gltf", TriangleGltf("a.bin"), 9, 300);
+  FuzzMesh("a.glb", Glb(TriangleGltf(), TriangleBytes()), 10, 300);
+  // With lengths that fit, so that more than the header is tried.
+  FuzzMesh("a.glb", TriangleGltf(), 11, 300,
+           [](const std::string& json) { return Glb(json, TriangleBytes()); });
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-#include "bad_files.h"
-#include "models/mesh_loader.h"
+#include "models/read/mesh_loader.h"
+#include "support/bad_files.h"
 
 namespace dockyard {
 namespace {
@@ -68,19 +68,7 @@ TEST(Mesh, StlIsReadFromTextAndBytes) {
 
 TEST(Mesh, ColladaIsReadInMetresWithZUp) {
   const ScratchFolder folder;
-  const auto mesh = LoadMesh(folder.Write("a.dae", R"(<?xml version="1.0"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-<asset><unit meter="1" name="meter"/><up_axis>Z_UP</up_axis></asset>
-<library_geometries><geometry id="g"><mesh>
-<source id="p"><float_array id="pa" count="9">0 0 0 1 0 0 0 0 2</float_array><technique_common>
-<accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y"
-type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
-<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
-</mesh></geometry></library_geometries>
-<library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node>
-</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
-)"));
+  const auto mesh = LoadMesh(folder.Write("a.dae", TriangleCollada()));
   ASSERT_EQ(mesh->triangles.size(), 1u);
   Eigen::Vector3d high(-9, -9, -9);
   for (const Eigen::Vector3d& v : mesh->vertices) high = high.cwiseMax(v);
@@ -89,19 +77,20 @@ type="float"/><param name="Z" type="float"/></accessor></technique_common></sour
 
 TEST(Mesh, GltfIsReadWithTheBufferBesideItAndNoneElsewhere) {
   const ScratchFolder folder;
-  const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-  const std::string buffer(reinterpret_cast<const char*>(corners), sizeof corners);
-  folder.Write("in/a.bin", buffer);
-  folder.Write("out.bin", buffer);
-  const std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
-"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
-"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],
-"max":[1,1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],
-"buffers":[{"uri":"a.bin","byteLength":36}]})";
+  folder.Write("in/a.bin", TriangleBytes());
+  folder.Write("out.bin", TriangleBytes());
+  const std::string text = TriangleGltf("a.bin");
   EXPECT_EQ(LoadMesh(folder.Write("in/a.gltf", text))->triangles.size(), 1u);
   const std::string outside = folder.Write("in/b.gltf", Replaced(text, "a.bin", "../out.bin"));
   EXPECT_THAT(MessageOf([&] { LoadMesh(outside); }, folder),
               StartsWith("in/b.gltf: not a usable mesh: "));
+}
+
+TEST(Mesh, GlbIsReadWithItsOwnBytes) {
+  const ScratchFolder folder;
+  const auto mesh = LoadMesh(folder.Write("a.glb", Glb(TriangleGltf(), TriangleBytes())));
+  ASSERT_EQ(mesh->triangles.size(), 1u);
+  EXPECT_EQ(mesh->vertices[mesh->triangles[0][1]], Eigen::Vector3d(1, 0, 0));
 }
 
 TEST(Mesh, OtherFormatsAreRefusedUnseen) {
@@ -178,8 +167,8 @@ TEST(MeshShapes, MirroredScaleKeepsFacesOutwards) {
 
 TEST(MeshesHere, LookOutwardsAndAreSmall) {
   for (const char* name : {"axel/meshes/body", "axel/meshes/stereo_bar", "axel/meshes/arm",
-                           "axel/meshes/wheel", "axel/meshes/paddles", "station/meshes/module",
-                           "station/meshes/cone_face", "station/meshes/stand"}) {
+                           "axel/meshes/wheel", "axel/meshes/paddles", "axel/station/meshes/module",
+                           "axel/station/meshes/cone_face", "axel/station/meshes/stand"}) {
     const auto mesh = LoadMesh(SourceFile("models/" + std::string(name) + ".obj"));
     EXPECT_GT(SignedVolume(*mesh), 0.0) << name;
     EXPECT_LT(mesh->triangles.size(), 3000u) << name;
@@ -187,7 +176,7 @@ TEST(MeshesHere, LookOutwardsAndAreSmall) {
 }
 
 TEST(MeshesHere, ConeIsSeenFromInside) {
-  const auto cone = LoadMesh(SourceFile("models/station/meshes/cone.obj"));
+  const auto cone = LoadMesh(SourceFile("models/axel/station/meshes/cone.obj"));
   for (const auto& t : cone->triangles) {
     const Eigen::Vector3d a = cone->vertices[t[0]], b = cone->vertices[t[1]],
                           c = cone->vertices[t[2]], normal = (b - a).cross(c - a);

@@ -1,8 +1,10 @@
-#include "models/urdf.h"
+#include "models/read/urdf.h"
 
 #include <gmock/gmock.h>
 
-#include "bad_files.h"
+#include <chrono>
+
+#include "support/bad_files.h"
 
 namespace dockyard {
 namespace {
@@ -135,6 +137,190 @@ TEST(Urdf, IsNotNestedWithoutBoundNorHasADoctype) {
   EXPECT_THAT(MessageFor(deep), HasSubstr("nested deeper than 64 levels"));
   EXPECT_THAT(MessageFor("<!DOCTYPE x [<!ENTITY a \"b\">]><robot name=\"m\"/>"),
               HasSubstr("DOCTYPE"));
+}
+
+/// `text` n times.
+std::string Times(std::size_t n, const std::string& text) {
+  std::string all;
+  for (std::size_t i = 0; i < n; ++i) all += text;
+  return all;
+}
+
+double Seconds(const std::function<void()>& call) {
+  const auto start = std::chrono::steady_clock::now();
+  call();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST(Urdf, NestingIsCountedOutsideCommentsCdataAndAttributes) {
+  const std::string deep = Times(40000, "<a>") + Times(40000, "</a>");
+  const std::string up = Times(40000, "</a>");
+  for (const std::string& hidden :
+       {"<!-- " + up + " -->", "<![CDATA[" + up + "]]>", "<b c=\"" + up.substr(0, 4000) + "\"/>"}) {
+    EXPECT_THAT(MessageFor("<robot name=\"m\">" + hidden + deep + "</robot>"),
+                HasSubstr("nested deeper than 64 levels"));
+  }
+  EXPECT_EQ(
+      MessageFor("<robot name=\"m\"><!-- " + Times(100, "<a>") + " --><link name=\"a\"/></robot>"),
+      "(no error)");
+}
+
+TEST(Urdf, BrokenTagsAreRefusedInLinearTime) {
+  // 3.8 MB took more than 60 s where every '<' looked for its '>' anew; now 0.2 s.
+  const auto call = [] {
+    EXPECT_THAT(MessageFor("<robot>" + Times(1900000, "<a") + "/>"),
+                HasSubstr("m.urdf:1:8: not usable XML: a tag without its end"));
+  };
+  EXPECT_LT(Seconds(call), 10.0);
+}
+
+TEST(Urdf, OneTagHoldsABoundedNumberOfAttributes) {
+  // Each attribute of a tag is compared with all others.
+  std::string tag = "<robot name=\"m\"><link name=\"a\"";
+  for (int i = 0; i < 100000; ++i) tag += " a" + std::to_string(i) + "=\"\"";
+  EXPECT_THAT(MessageFor(tag + "/></robot>"), HasSubstr("a tag of more than 8192 bytes"));
+}
+
+std::string Robot(const std::string& inside) {
+  return MessageFor("<robot name=\"m\">\n" + inside + "\n</robot>\n");
+}
+
+/// Two links and a joint with this inside, in line 3.
+std::string WithInJoint(const std::string& inside) {
+  return Robot(
+      "<link name=\"a\"/><link name=\"b\"/>\n<joint name=\"j\" type=\"continuous\">"
+      "<parent link=\"a\"/><child link=\"b\"/>" +
+      inside + "</joint>");
+}
+
+TEST(UrdfElements, ThatWouldChangeTheMotionAreRefusedWithTheirLine) {
+  EXPECT_EQ(WithInJoint("\n<mimic joint=\"k\"/>"),
+            "m.urdf:4:1: <mimic>: joints that follow another are not simulated");
+  EXPECT_EQ(WithInJoint("\n<dynamics damping=\"0.1\"/>"),
+            "m.urdf:4:1: <dynamics>: damping: expected 0, the robot's YAML file has the motors' "
+            "friction; found '0.1'");
+  EXPECT_THAT(WithInJoint("\n<dynamics friction=\"1\"/>"), StartsWith("m.urdf:4:1: <dynamics>"));
+  EXPECT_EQ(WithInJoint("\n<safety_controller k_velocity=\"1\"/>"),
+            "m.urdf:4:1: <safety_controller>: its soft limits are not simulated; <limit> is");
+}
+
+TEST(UrdfElements, ThatWouldChangeTheImageAreRefusedWithTheirLine) {
+  const auto material = [](const std::string& inside) {
+    return Robot("<material name=\"x\">" + inside + "</material>\n<link name=\"a\"/>");
+  };
+  EXPECT_EQ(material("<color rgba=\"1 0 0 1\"/>"), "(no error)");
+  EXPECT_THAT(material("<color rgba=\"1 0 0 0.5\"/>"), HasSubstr("nothing is drawn transparent"));
+  EXPECT_THAT(material("<texture filename=\"a.png\"/>"), HasSubstr("m.urdf:2:20: <texture>: "));
+}
+
+TEST(UrdfElements, ThatAreUnknownAreRefusedWithTheirLine) {
+  EXPECT_EQ(Robot("<link name=\"a\">\n<visuals/></link>"),
+            "m.urdf:3:1: <visuals>: unknown element in <link>, did you mean 'visual'?");
+  EXPECT_EQ(Robot("<link name=\"a\" kind=\"arm\"/>"),
+            "m.urdf:2:1: <link>: kind: unknown attribute in <link>, known are: name");
+  EXPECT_EQ(Robot("<xacro:wheel side=\"left\"/><link name=\"a\"/>"),
+            "m.urdf:2:1: <xacro:wheel>: macros are not expanded; run xacro first");
+  EXPECT_THAT(MessageFor(Visual("<capsule radius=\"1\" length=\"1\"/>")), HasSubstr("<capsule>: "));
+}
+
+TEST(UrdfElements, ThatStandOnceAreRefusedTwice) {
+  EXPECT_THAT(MessageFor(Visual("<sphere radius=\"1\"/><sphere radius=\"2\"/>")),
+              HasSubstr("<sphere>: given twice in one <geometry>"));
+  EXPECT_THAT(MessageFor(Visual("<sphere radius=\"1\"/><box size=\"1 1 1\"/>")),
+              HasSubstr("<geometry>: expected one shape, found 2"));
+  EXPECT_THAT(WithInJoint("<axis xyz=\"1 0 0\"/>\n<axis xyz=\"0 1 0\"/>"),
+              HasSubstr("m.urdf:4:1: <axis>: given twice in one <joint>"));
+}
+
+TEST(UrdfElements, ThatMustStandAreMissed) {
+  EXPECT_EQ(MessageFor(Link("<visual/>")), "m.urdf:2:17: <visual>: missing <geometry>");
+  EXPECT_EQ(MessageFor(Link("<collision/>")), "m.urdf:2:17: <collision>: missing <geometry>");
+  EXPECT_EQ(MessageFor(Link("<inertial><mass value=\"1\"/></inertial>")),
+            "m.urdf:2:17: <inertial>: missing <inertia>");
+}
+
+TEST(UrdfElements, MaterialsHaveOneColour) {
+  const auto with = [](const std::string& before, const std::string& material) {
+    return Robot(before + "<link name=\"a\"><visual><geometry><sphere radius=\"1\"/></geometry>\n" +
+                 material + "</visual></link>");
+  };
+  const std::string red = "<material name=\"x\"><color rgba=\"1 0 0 1\"/></material>";
+  const std::string blue = "<material name=\"x\"><color rgba=\"0 0 1 1\"/></material>";
+  EXPECT_EQ(with(red, "<material name=\"x\"/>"), "(no error)");
+  EXPECT_EQ(with("", red), "(no error)");
+  EXPECT_EQ(with("", "<material name=\"x\"/>"),
+            "m.urdf:3:1: <material>: expected a <color>, or the name of a material before, found "
+            "'x'");
+  EXPECT_EQ(with(red, blue), "m.urdf:3:1: <material>: 'x' has another colour before");
+}
+
+TEST(UrdfElements, WithoutEffectAreLeftOutAndCounted) {
+  const ScratchFolder folder;
+  const UrdfModel model = LoadUrdf(folder.Write(
+      "m.urdf",
+      "<robot name=\"m\" xmlns:xacro=\"x\"><link name=\"a\"/><link name=\"b\"/>"
+      "<gazebo reference=\"a\"><mu1>0.2</mu1></gazebo><gazebo/><transmission name=\"t\"/>"
+      "<joint name=\"j\" type=\"continuous\"><parent link=\"a\"/><child link=\"b\"/>"
+      "<calibration rising=\"0\"/><dynamics damping=\"0\" friction=\"0.0\"/></joint></robot>"));
+  const std::map<std::string, int> expected{{"calibration", 1}, {"gazebo", 2}, {"transmission", 1}};
+  EXPECT_EQ(model.left_out, expected);
+}
+
+TEST(UrdfTree, LinksOutsideItAreRefusedWithTheirLine) {
+  const auto joint = [](const std::string& parent, const std::string& child) {
+    return "<joint name=\"" + parent + child + "\" type=\"fixed\"><parent link=\"" + parent +
+           "\"/><child link=\"" + child + "\"/></joint>\n";
+  };
+  const std::string links = "<link name=\"a\"/>\n<link name=\"b\"/>\n<link name=\"c\"/>\n";
+  EXPECT_EQ(Robot(links + joint("a", "b") + joint("b", "c")), "(no error)");
+  EXPECT_EQ(Robot(links + joint("b", "c")),
+            "m.urdf:2:1: <link>: 'a' hangs on no joint, expected one tree, its root is 'b'");
+  EXPECT_EQ(Robot(links + joint("a", "c") + joint("b", "c")),
+            "m.urdf:6:1: <joint>: link 'c' is the child of two joints, the first at m.urdf:5:1");
+  EXPECT_EQ(Robot(links + joint("b", "c") + joint("c", "b")),
+            "m.urdf:6:1: <joint>: joints in a circle, expected a tree");
+  EXPECT_EQ(Robot("<link name=\"a\"/>\n" + joint("a", "a")),
+            "m.urdf:3:1: <joint>: joints in a circle, expected a tree");
+}
+
+TEST(Urdf, AllPartsOfAFileTogetherAreBounded) {
+  const auto robot = [](int links, int parts, const std::string& geometry) {
+    std::string text = "<link name=\"root\"/>";
+    for (int i = 0; i < links; ++i) {
+      const std::string name = std::to_string(i);
+      text += "<link name=\"" + name + "\">" +
+              Times(static_cast<std::size_t>(parts),
+                    "<collision><geometry>" + geometry + "</geometry></collision>") +
+              "</link><joint name=\"" + name +
+              "\" type=\"fixed\"><parent link=\"root\"/><child link=\"" + name + "\"/></joint>\n";
+    }
+    return "<robot name=\"m\">\n" + text + "</robot>\n";
+  };
+  EXPECT_THAT(MessageFor(robot(21, 100, "<sphere radius=\"1\"/>")),
+              HasSubstr("more than 2000 visuals and collisions in one file"));
+  EXPECT_EQ(MessageFor(robot(20, 100, "<sphere radius=\"1\"/>")), "(no error)");
+  const ScratchFolder folder;
+  std::string mesh;
+  for (int i = 0; i < 40000; ++i) {
+    mesh += "v " + std::to_string(i) + "e-4 0 0\nv 0 " + std::to_string(i) + "e-4 1\nv 0 0 " +
+            std::to_string(i) + "e-4\nf -1 -2 -3\n";
+  }
+  folder.Write("big.obj", mesh);
+  const std::string file = folder.Write("m.urdf", robot(1, 40, "<mesh filename=\"big.obj\"/>"));
+  EXPECT_THAT(MessageOf([&] { LoadUrdf(file); }, folder),
+              HasSubstr("more than 3 million mesh vertices in one file"));
+}
+
+TEST(UrdfTree, HasAtMostAThousandLinks) {
+  std::string chain;
+  for (int i = 0; i < 1001; ++i) {
+    const std::string n = std::to_string(i), before = std::to_string(i - 1);
+    chain += "<link name=\"" + n + "\"/>";
+    if (i == 0) continue;
+    chain += "<joint name=\"" + n + "\" type=\"fixed\"><parent link=\"" + before +
+             "\"/><child link=\"" + n + "\"/></joint>\n";
+  }
+  EXPECT_THAT(Robot(chain), HasSubstr("more than 1000 links"));
 }
 
 TEST(Urdf, ModelsHereHaveTheirNamedParts) {

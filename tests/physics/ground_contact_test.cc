@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "physics/product.h"
-#include "sim/physics/station_body.h"
+#include "sim/physics/ground_contact.h"
 
 namespace dockyard {
 namespace {

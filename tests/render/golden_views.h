@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "models/scenario.h"
 #include "render/scene_samples.h"
+#include "sim/scenario/scenario.h"
 
 namespace dockyard {
 

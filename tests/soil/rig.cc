@@ -1,7 +1,7 @@
 #include "soil/rig.h"
 
-#include "models/load_soil.h"
-#include "models/load_wheel.h"
+#include "models/read/load_soil.h"
+#include "models/read/load_wheel.h"
 
 namespace dockyard::soil_test {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "models/random.h"
+#include "sim/base/random.h"
 #include "vision/synthetic_view.h"
 
 namespace dockyard {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "controller/geometry/pose.h"
-#include "models/random.h"
+#include "sim/base/random.h"
 
 namespace dockyard {
 namespace {

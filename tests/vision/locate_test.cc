@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "models/random.h"
+#include "sim/base/random.h"
 #include "vision/synthetic_view.h"
 
 namespace dockyard {
@@ -38,8 +38,8 @@ TEST(LocateBoard, ReportsEveryMarkWithItsName) {
   EXPECT_EQ(out.report.method, "stereo");
   ASSERT_EQ(out.report.marks.size(), 16u);
   for (const SightingReport::Mark& mark : out.report.marks) {
-    const Camera& camera = mark.right_camera ? kRig.right : kRig.left;
-    const Pose3 X_CB = Inverse(mark.right_camera ? kRig.X_RQ : kRig.X_RL) * Truth(scene);
+    const Camera& camera = mark.camera == 1 ? kRig.right : kRig.left;
+    const Pose3 X_CB = Inverse(mark.camera == 1 ? kRig.X_RQ : kRig.X_RL) * Truth(scene);
     const Eigen::Vector2d p = scene.board.fiducials[static_cast<std::size_t>(mark.id)].p_BF;
     const auto pixel = camera.Project(X_CB * Eigen::Vector3d(p.x(), p.y(), 0.0));
     EXPECT_LT((*pixel - Eigen::Vector2d(mark.u_px, mark.v_px)).norm(), 0.5);

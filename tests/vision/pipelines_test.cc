@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "controller/vision/locate.h"
-#include "models/random.h"
+#include "sim/base/random.h"
 #include "vision/synthetic_view.h"
 
 namespace dockyard {
@@ -75,7 +75,7 @@ TEST(Tsai2013, FillsTheMissingByTheHomography) {
   ASSERT_TRUE(out.sighting);
   ASSERT_EQ(out.report.predicted.size(), 1u);
   EXPECT_EQ(out.report.predicted[0].id, 2);
-  EXPECT_FALSE(out.report.predicted[0].right_camera);
+  EXPECT_EQ(out.report.predicted[0].camera, 0);
 }
 
 TEST(Tsai2013, FailsUnderAHardShadowWhereOursDoesNot) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "models/random.h"
+#include "sim/base/random.h"
 #include "vision/synthetic_view.h"
 
 namespace dockyard {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "models/random.h"
+#include "sim/base/random.h"
 #include "vision/synthetic_view.h"
 
 namespace dockyard {

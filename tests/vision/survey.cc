@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "models/random.h"
+#include "sim/base/random.h"
 
 namespace dockyard {
 namespace {
@@ -28,8 +28,8 @@ bool AllInView(const SyntheticScene& scene, const Camera& camera, const Pose3& X
 int WrongMarks(const SyntheticScene& scene, const StereoRig& rig, const SightingReport& report) {
   int wrong = 0;
   for (const SightingReport::Mark& mark : report.marks) {
-    const Camera& camera = mark.right_camera ? rig.right : rig.left;
-    const Pose3 X_CB = Inverse(scene.X_DR * (mark.right_camera ? rig.X_RQ : rig.X_RL)) * scene.X_DB;
+    const Camera& camera = mark.camera == 1 ? rig.right : rig.left;
+    const Pose3 X_CB = Inverse(scene.X_DR * (mark.camera == 1 ? rig.X_RQ : rig.X_RL)) * scene.X_DB;
     const Eigen::Vector2d& p = scene.board.fiducials[static_cast<std::size_t>(mark.id)].p_BF;
     const auto pixel = camera.Project(X_CB * Eigen::Vector3d(p.x(), p.y(), 0.0));
     const double allowed = 3.0 + 0.004 * camera.focal_px().x() / X_CB.p.norm();

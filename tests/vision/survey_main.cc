@@ -7,7 +7,7 @@
 #include <string>
 
 #include "controller/vision/fiducials.h"
-#include "models/random.h"
+#include "sim/base/random.h"
 #include "vision/survey.h"
 
 namespace dockyard {

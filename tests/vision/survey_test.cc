@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "models/random.h"
+#include "sim/base/random.h"
 
 namespace dockyard {
 namespace {

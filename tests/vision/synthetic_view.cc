@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "models/random.h"
+#include "sim/base/random.h"
 
 namespace dockyard {
 namespace {
@@ -36,8 +36,13 @@ bool OnBlack(const Eigen::Vector2d& from_centre, const FiducialBoard& board, dou
   return !(u < 0.5 * board.bar_length_m && v < 0.5 * board.bar_width_m);
 }
 
-double PlateAlbedo(const FiducialBoard& board, const Eigen::Vector2d& p_B) {
-  if ((p_B - Eigen::Vector2d(0.0, 0.17)).norm() < 0.12) return 0.03;  // the cone's mouth
+double PlateAlbedo(const SyntheticScene& scene, const Eigen::Vector2d& p_B) {
+  const FiducialBoard& board = scene.board;
+  if (scene.has_station && (p_B - Eigen::Vector2d(0.0, 0.17)).norm() < 0.12) return 0.03;  // mouth
+  if (scene.cover) {
+    const Eigen::Vector2d from = (p_B - scene.cover->middle_B).cwiseAbs();
+    if ((from.array() < 0.5 * scene.cover->size_m.array()).all()) return 0.4;
+  }
   for (const Fiducial& fiducial : board.fiducials) {
     if (OnBlack(p_B - fiducial.p_BF, board, fiducial.rotation)) return kBlack;
   }
@@ -162,11 +167,12 @@ class RayCaster {
       const auto hit = HitBoardPlane(ray_C);
       if (hit && std::abs(hit->x()) < 0.5 * scene_.board.width_m &&
           std::abs(hit->y()) < 0.5 * scene_.board.height_m) {
-        const double albedo = PlateAlbedo(scene_.board, *hit);
+        const double albedo = PlateAlbedo(scene_, *hit);
         return albedo * BoardLight(scene_, *hit);
       }
       // The module behind the plate, down to the ground.
-      if (hit && std::abs(hit->x()) < 0.6 && hit->y() > -0.4 && hit->y() < 0.6) {
+      if (scene_.has_station && hit && std::abs(hit->x()) < 0.6 && hit->y() > -0.4 &&
+          hit->y() < 0.6) {
         return 0.42 * BoardLight(scene_, *hit);
       }
     }

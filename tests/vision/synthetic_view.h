@@ -27,6 +27,7 @@ StereoRig Miscalibrated(const StereoRig& rig, std::uint64_t key);
 struct SyntheticScene {
   FiducialBoard board = TestBoard();
   bool has_board = true;
+  bool has_station = true;  // the mouth in the plate, the module behind it
   Pose3 X_DB = TestBoardInDock();
   Pose3 X_DR;
   double white_dn = 170.0;  // the plate in full light
@@ -41,6 +42,11 @@ struct SyntheticScene {
   std::optional<ShadowEdge> shadow;
   int clutter_discs = 0;      // dark discs lying about in the picture
   int clutter_fiducials = 0;  // real fiducials of random size and rotation lying about
+  // Grey paper over the board: the marks under it are missing.
+  struct Cover {
+    Eigen::Vector2d middle_B{0.0, 0.0}, size_m{0.0, 0.0};
+  };
+  std::optional<Cover> cover;
   double blur_px = 0.6;
   double noise_dn = 2.0;
   int samples = 4;  // per pixel and axis on the board

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "controller/vision/pose_refine.h"
-#include "models/random.h"
+#include "sim/base/random.h"
 
 namespace dockyard {
 namespace {

@@ -1,0 +1,23 @@
+// The docking algorithm of Tsai, Nesnas and Zarzhitsky (2013) for a tethered two-wheel rover:
+// look, locate, plan arcs, drive with the tether in hand, check, back up or mate.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "controller/axel/nominal/nominal.h"
+#include "controller/io/controller.h"
+#include "controller/vision/locate.h"
+
+namespace dockyard::axel {
+
+using Locator = std::function<LocateOutput(const StereoImages&, const LocateHints&)>;
+
+/// Vision-based, tether-assisted docking. The locator defaults to LocateBoard with the nominal's
+/// rig and board; tests may give another.
+std::unique_ptr<Controller> MakeAxelController(const Nominal& nominal, Locator locator = {});
+
+/// The control experiment (Tsai et al., V-C): wheels free, reel in until the tip is home.
+std::unique_ptr<Controller> MakeReelOnlyController(const Nominal& nominal);
+
+}  // namespace dockyard::axel

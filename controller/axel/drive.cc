@@ -1,0 +1,78 @@
+#include "controller/axel/drive.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/base/check.h"
+
+namespace dockyard::axel {
+namespace {
+
+const NominalMotor& NominalOf(const Nominal& nominal, Motor motor) {
+  return nominal.motors[static_cast<std::size_t>(motor)];
+}
+MotorCommand& CommandOf(Commands* commands, Motor motor) {
+  return commands->motors[static_cast<std::size_t>(motor)];
+}
+
+}  // namespace
+
+void CommandWheels(const Nominal& nominal, const Twist& twist, double accel_rad_s2,
+                   Commands* commands) {
+  const double difference = 0.5 * nominal.track_m * twist.turn_rad_s;
+  double left = (twist.speed_m_s - difference) / nominal.wheel_radius_m;
+  double right = (twist.speed_m_s + difference) / nominal.wheel_radius_m;
+  const double limit = std::min(NominalOf(nominal, Motor::kLeftWheel).max_speed_rad_s,
+                                NominalOf(nominal, Motor::kRightWheel).max_speed_rad_s);
+  const double fastest = std::max(std::abs(left), std::abs(right));
+  if (fastest > limit) left *= limit / fastest, right *= limit / fastest;
+  for (const Motor wheel : {Motor::kLeftWheel, Motor::kRightWheel}) {
+    CommandOf(commands, wheel) = {.mode = MotorMode::kVelocity,
+                                  .target = wheel == Motor::kLeftWheel ? left : right,
+                                  .accel_rad_s2 = accel_rad_s2,
+                                  .current_limit_a = NominalOf(nominal, wheel).max_current_a};
+  }
+}
+
+void SetWheels(MotorMode mode, Commands* commands) {
+  DOCKYARD_CHECK(mode == MotorMode::kFree || mode == MotorMode::kBrake);
+  CommandOf(commands, Motor::kLeftWheel) = {.mode = mode};
+  CommandOf(commands, Motor::kRightWheel) = {.mode = mode};
+}
+
+double CurrentForTension(const Nominal& nominal, double tension_n) {
+  const NominalMotor& spool = NominalOf(nominal, Motor::kSpool);
+  return spool.no_load_current_a + tension_n * nominal.drum_radius_m / spool.torque_per_amp_nm;
+}
+
+double TensionFromCurrent(const Nominal& nominal, double current_a) {
+  const NominalMotor& spool = NominalOf(nominal, Motor::kSpool);
+  return std::max(0.0, current_a - spool.no_load_current_a) * spool.torque_per_amp_nm /
+         nominal.drum_radius_m;
+}
+
+MotorCommand Winch(const Nominal& nominal, double reel_m_s, double tension_n, double accel_rad_s2) {
+  return {.mode = MotorMode::kVelocity,
+          .target = reel_m_s / nominal.drum_radius_m,
+          .accel_rad_s2 = accel_rad_s2,
+          .current_limit_a = CurrentForTension(nominal, tension_n)};
+}
+
+Commands WithinLimits(const Nominal& nominal, const Commands& commands) {
+  Commands bounded = commands;
+  DOCKYARD_CHECK(bounded.motors.size() == nominal.motors.size());
+  for (std::size_t i = 0; i < bounded.motors.size(); ++i) {
+    MotorCommand& motor = bounded.motors[i];
+    const NominalMotor& limit = nominal.motors[i];
+    DOCKYARD_CHECK(std::isfinite(motor.target) && std::isfinite(motor.speed_limit_rad_s) &&
+                   std::isfinite(motor.accel_rad_s2) && std::isfinite(motor.current_limit_a));
+    if (motor.mode == MotorMode::kVelocity)
+      motor.target = std::clamp(motor.target, -limit.max_speed_rad_s, limit.max_speed_rad_s);
+    motor.speed_limit_rad_s = std::clamp(motor.speed_limit_rad_s, 0.0, limit.max_speed_rad_s);
+    motor.accel_rad_s2 = std::clamp(motor.accel_rad_s2, 0.0, limit.max_accel_rad_s2);
+    motor.current_limit_a = std::clamp(motor.current_limit_a, 0.0, limit.max_current_a);
+  }
+  return bounded;
+}
+
+}  // namespace dockyard::axel

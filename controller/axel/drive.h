@@ -1,0 +1,27 @@
+// From a twist to wheel speeds, and from a tension to a spool command.
+#pragma once
+
+#include "controller/axel/nominal/nominal.h"
+#include "controller/io/commands.h"
+#include "controller/motion/path_follower.h"
+
+namespace dockyard::axel {
+
+/// Wheel commands for a twist; speeds kept within the nominal's limits by slowing both wheels
+/// alike.
+void CommandWheels(const Nominal& nominal, const Twist& twist, double accel_rad_s2,
+                   Commands* commands);
+void SetWheels(MotorMode mode, Commands* commands);
+
+/// Spool current for a tension: torque T r over torque per ampere, plus no-load current.
+double CurrentForTension(const Nominal& nominal, double tension_n);
+/// The reverse: tension from a current while reeling [N], >= 0.
+double TensionFromCurrent(const Nominal& nominal, double current_a);
+/// Reel in at a speed with the current that tension allows: a winch that takes up slack, stalls at
+/// the tension and is dragged out above it.
+MotorCommand Winch(const Nominal& nominal, double reel_m_s, double tension_n, double accel_rad_s2);
+
+/// The command with every number inside the nominal's limits. Checks that all are finite.
+Commands WithinLimits(const Nominal& nominal, const Commands& commands);
+
+}  // namespace dockyard::axel

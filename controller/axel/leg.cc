@@ -1,0 +1,115 @@
+#include "controller/axel/leg.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard::axel {
+
+void ArmLevel::Level(const Senses& senses, double target_pitch_rad) {
+  const Tick since = last_level_ < 0 ? 0 : senses.now() - last_level_;
+  last_level_ = senses.now();
+  if (!wanted_rad_) wanted_rad_ = senses.arm_rad();
+  const double error = senses.pitch_rad() - target_pitch_rad;
+  if (std::abs(error) < options_.dead_band_rad) return;
+  // A pause between two calls is no time to catch up with.
+  const double seconds = kTickSeconds * static_cast<double>(std::min(since, 2 * kControlPeriod));
+  const double rate = std::clamp(options_.level_gain_per_s * error, -options_.level_rate_rad_s,
+                                 options_.level_rate_rad_s);
+  *wanted_rad_ = std::clamp(*wanted_rad_ + rate * seconds, -options_.limit_rad, options_.limit_rad);
+}
+
+MotorCommand ArmLevel::Hold(const Senses& senses) {
+  if (!wanted_rad_) wanted_rad_ = senses.arm_rad();
+  const NominalMotor& arm = nominal_.motors[static_cast<std::size_t>(Motor::kArm)];
+  return {.mode = MotorMode::kPosition,
+          .target = *wanted_rad_ - nominal_.arm_at_zero_rad,
+          .speed_limit_rad_s = options_.speed_rad_s,
+          .accel_rad_s2 = options_.accel_rad_s2,
+          .current_limit_a = arm.max_current_a};
+}
+
+LegDriver::LegDriver(const Nominal& nominal, const AxelOptions& options, const Pose2& X_DR_start,
+                     std::vector<Arc> arcs, const Speed& speed, Tick now)
+    : nominal_(nominal),
+      options_(options),
+      tether_(TetherGeometryOf(nominal)),
+      follower_(X_DR_start, std::move(arcs)),
+      speed_(speed) {
+  const double slowest = std::min(speed.forward_m_s, speed.reverse_m_s);
+  const double seconds = options.drive.patience * follower_.Remaining() / slowest + 5.0;
+  deadline_ = now + static_cast<Tick>(seconds / kTickSeconds);
+}
+
+void LegDriver::Guard(const Senses& senses, bool forward) {
+  if (paused_since_) {
+    const bool enough = senses.elevation_rad() < options_.drive.arm_resume_rad;
+    const bool too_long = senses.now() - *paused_since_ > options_.drive.guard_limit;
+    if (!enough && !too_long) return;
+    deadline_ += senses.now() - *paused_since_;
+    paused_since_.reset();
+    // Reeling does not bring it down: drive for a while before trying again.
+    if (too_long) guard_off_until_ = senses.now() + options_.drive.guard_limit;
+  } else if (forward && senses.elevation_rad() > options_.drive.arm_guard_rad &&
+             senses.now() >= guard_off_until_) {
+    paused_since_ = senses.now();
+  }
+}
+
+MotorCommand LegDriver::Spool(const Senses& senses, const Twist& twist) const {
+  const TetherOptions& tether = options_.tether;
+  const double shorten = -ExposedTetherRate(tether_, senses.pose(), senses.elevation_rad(),
+                                            twist.speed_m_s, twist.turn_rad_s);
+  const double reel = std::max(0.0, shorten) + tether.catch_up_m_s;
+  const double wanted = twist.speed_m_s < 0.0 ? tether.reverse_tension_n : tether.drive_tension_n;
+  const double friction = shorten < 0.0 ? -tether.spool_friction_n : tether.spool_friction_n;
+  return Winch(nominal_, reel, std::max(0.0, wanted + friction), tether.accel_rad_s2);
+}
+
+LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
+  const bool forward = follower_.forward();
+  Twist twist = follower_.Follow(senses->pose(), forward ? speed_.forward_m_s : speed_.reverse_m_s,
+                                 speed_.steering);
+  Guard(*senses, forward);
+  if (paused_since_) twist = {};
+  CommandWheels(nominal_, twist, options_.drive.wheel_accel_rad_s2, commands);
+  commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
+      paused_since_ ? TautWinch(nominal_, options_.tether) : Spool(*senses, twist);
+  const double set = forward ? options_.tether.drive_tension_n : options_.tether.reverse_tension_n;
+  senses->UseTether(options_.tether.taut_share * set);
+  if (follower_.done()) return Status::kArrived;
+  return senses->now() > deadline_ && !paused_since_ ? Status::kFellShort : Status::kUnderWay;
+}
+
+MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options) {
+  return Winch(nominal, options.tighten_m_s, options.drive_tension_n + options.spool_friction_n,
+               options.accel_rad_s2);
+}
+
+bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amount_rad,
+                 double turned_rad, Commands* commands) {
+  const double left = WrapPi(amount_rad - turned_rad);
+  if (left * amount_rad <= 0.0) return true;
+  const double rate = amount_rad < 0.0 ? -options.drive.turn_rad_s : options.drive.turn_rad_s;
+  CommandWheels(nominal, {0.0, rate}, options.drive.wheel_accel_rad_s2, commands);
+  const TetherOptions& tether = options.tether;
+  commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
+      Winch(nominal, tether.catch_up_m_s, tether.reverse_tension_n, tether.accel_rad_s2);
+  return false;
+}
+
+void ReelNearer(const Nominal& nominal, const TetherOptions& options, Commands* commands) {
+  SetWheels(MotorMode::kFree, commands);
+  commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
+      Winch(nominal, options.tighten_m_s, options.search_tension_n, options.accel_rad_s2);
+}
+
+void StandStill(const Nominal& nominal, const DriveOptions& options, Tick since_stop,
+                Commands* commands) {
+  if (since_stop < options.stop_time) {
+    CommandWheels(nominal, {}, options.wheel_accel_rad_s2, commands);
+  } else {
+    SetWheels(MotorMode::kBrake, commands);
+  }
+}
+
+}  // namespace dockyard::axel

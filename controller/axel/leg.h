@@ -1,0 +1,75 @@
+// Driving one leg: path, tether and arm together, and the guard against a lifting arm.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "controller/axel/drive.h"
+#include "controller/axel/senses.h"
+#include "controller/io/commands.h"
+
+namespace dockyard::axel {
+
+/// Keeps body and cameras level: the arm motor sets only the angle between body and arm, and the
+/// arm lies where tether, gravity and wheel torque put it, so the body follows the angle.
+class ArmLevel {
+ public:
+  ArmLevel(const Nominal& nominal, const ArmOptions& options)
+      : nominal_(nominal), options_(options) {}
+
+  /// Moves the wanted angle so that the pitch goes to target_pitch_rad; only where the body is
+  /// free to turn about the axle (wheels driven or free, not braked).
+  void Level(const Senses& senses, double target_pitch_rad = 0.0);
+  /// The arm motor's command: hold the wanted angle.
+  MotorCommand Hold(const Senses& senses);
+
+ private:
+  Nominal nominal_;
+  ArmOptions options_;
+  std::optional<double> wanted_rad_;
+  Tick last_level_ = -1;
+};
+
+class LegDriver {
+ public:
+  struct Speed {
+    double forward_m_s = 0.05, reverse_m_s = 0.05;
+    Steering steering{};
+  };
+  enum class Status { kUnderWay, kArrived, kFellShort };
+
+  LegDriver(const Nominal& nominal, const AxelOptions& options, const Pose2& X_DR_start,
+            std::vector<Arc> arcs, const Speed& speed, Tick now);
+
+  /// Fills in wheels and spool. Feeds the taut tether back into the senses' place.
+  Status Drive(Senses* senses, Commands* commands);
+  bool paused() const { return paused_since_.has_value(); }
+
+ private:
+  void Guard(const Senses& senses, bool forward);
+  MotorCommand Spool(const Senses& senses, const Twist& twist) const;
+
+  Nominal nominal_;
+  AxelOptions options_;
+  TetherGeometry tether_;
+  PathFollower follower_;
+  Speed speed_;
+  Tick deadline_ = 0;
+  std::optional<Tick> paused_since_;
+  Tick guard_off_until_ = 0;
+};
+
+/// Reels slack in up to the driving tension.
+MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options);
+
+/// Turns in place until turned_rad reaches amount_rad; whether it has. The spool gives way.
+bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amount_rad,
+                 double turned_rad, Commands* commands);
+/// Wheels free, spool pulling the rover along.
+void ReelNearer(const Nominal& nominal, const TetherOptions& options, Commands* commands);
+
+/// Wheels run down, then braked.
+void StandStill(const Nominal& nominal, const DriveOptions& options, Tick since_stop,
+                Commands* commands);
+
+}  // namespace dockyard::axel

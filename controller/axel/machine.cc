@@ -1,0 +1,397 @@
+#include "controller/axel/machine.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "controller/axel/leg.h"
+#include "controller/axel/phases.h"
+#include "controller/axel/planner.h"
+#include "controller/axel/search.h"
+#include "controller/axel/senses.h"
+#include "controller/axel/sighting.h"
+#include "controller/base/check.h"
+
+namespace dockyard::axel {
+namespace {
+
+std::optional<Event> ArrivedIf(bool arrived) {
+  return arrived ? std::optional<Event>(Event::kArrived) : std::nullopt;
+}
+
+class AxelMachine final : public Controller {
+ public:
+  AxelMachine(const Nominal& nominal, const AxelOptions& options, Locator locator)
+      : nominal_(nominal),
+        options_(options),
+        locator_(std::move(locator)),
+        geometry_(PlanGeometryOf(nominal)),
+        senses_(nominal, options),
+        arm_(nominal, options.arm),
+        judge_(options.look, nominal.X_DB),
+        still_(options.tether.still_m) {
+    DOCKYARD_CHECK(locator_ != nullptr);
+    belief_.phase = Name(phase_);
+    belief_.values = {{"tether_length_m", 0.0}, {"recoveries", 0.0}};
+  }
+
+  Commands Step(const SensorFrame& sensed) override {
+    senses_.Update(sensed);
+    if (!started_) Enter(Phase::kTighten);
+    started_ = true;
+    Commands commands = BrakedCommands();
+    const std::optional<Event> event = Act(sensed, &commands);
+    if (event) Change(*event);
+    commands.motors[static_cast<std::size_t>(Motor::kArm)] = arm_.Hold(senses_);
+    commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDocked
+                       : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
+                                                   : Verdict::kUnderWay;
+    FillBelief();
+    return WithinLimits(nominal_, commands);
+  }
+
+  const Belief& belief() const override { return belief_; }
+
+ private:
+  MotorCommand& Spool(Commands* commands) const {
+    return commands->motors[static_cast<std::size_t>(Motor::kSpool)];
+  }
+  Tick InPhase() const { return senses_.now() - entered_; }
+  double ReeledHere() const { return senses_.reeled_m() - reeled_at_entry_m_; }
+  bool Stuck() {
+    return still_.Still(senses_.now(), senses_.reeled_m()) >= options_.mate.stuck_after;
+  }
+
+  std::optional<Event> Act(const SensorFrame& sensed, Commands* commands);
+  std::optional<Event> Tighten(Commands* commands);
+  std::optional<Event> Look(const SensorFrame& sensed, Commands* commands);
+  std::optional<Event> Drive(Commands* commands);
+  std::optional<Event> Search(Commands* commands);
+  std::optional<Event> Level(double target_pitch_rad, Commands* commands);
+  std::optional<Event> Reel(Commands* commands);
+  std::optional<Event> Confirm(Commands* commands);
+
+  std::optional<Event> Judge(const StereoImages& images);
+  Event AfterSighting();
+  Event AtTheMouth();
+  Event Recover(Event event, const std::string& why);
+  void BeginSearch();
+
+  void Change(Event event);
+  void Enter(Phase phase);
+  void StartLeg();
+  void PutPlan(const std::vector<Arc>& plan, const Pose2& start);
+  void FillBelief();
+
+  const Nominal nominal_;
+  const AxelOptions options_;
+  const Locator locator_;
+  const PlanGeometry geometry_;
+  Senses senses_;
+  ArmLevel arm_;
+  SightingJudge judge_;
+  CameraTurnFilter camera_turn_;
+  StillWatch still_;
+
+  bool started_ = false;
+  Phase phase_ = Phase::kTighten;
+  Tick entered_ = 0;
+  double reeled_at_entry_m_ = 0.0, yaw_at_entry_rad_ = 0.0;
+  Belief belief_;
+  int recoveries_ = 0;
+
+  // Tightening.
+  std::optional<Tick> levelling_since_;
+  bool taut_ = false;
+  // Looking.
+  Tick look_from_ = 0;
+  std::optional<Tick> asked_at_;
+  // Searching.
+  int attempts_ = 0;
+  std::optional<SearchAction> search_;
+  // Driving.
+  Pose2 leg_start_{};
+  std::vector<Arc> leg_;
+  std::optional<LegDriver> driver_;
+  // Reeling.
+  double to_reel_m_ = 0.0;
+  // Confirming: when the spool was braked, and where it stood.
+  struct Braked {
+    Tick since = 0;
+    double reeled_m = 0.0;
+  };
+  std::optional<Braked> braked_;
+};
+
+std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* commands) {
+  switch (phase_) {
+    case Phase::kTighten:
+      return Tighten(commands);
+    case Phase::kLook:
+    case Phase::kRecheck:
+      return Look(sensed, commands);
+    case Phase::kSearch:
+      return Search(commands);
+    case Phase::kApproach:
+    case Phase::kAlign:
+    case Phase::kBackOff:
+    case Phase::kRecover:
+    case Phase::kMate:
+    case Phase::kEnter:
+      return Drive(commands);
+    case Phase::kReel:
+      return Reel(commands);
+    case Phase::kConfirm:
+      return Confirm(commands);
+    case Phase::kDocked:
+    case Phase::kGivenUp:
+      break;
+  }
+  return std::nullopt;  // brakes, as commands are made
+}
+
+std::optional<Event> AxelMachine::Tighten(Commands* commands) {
+  if (levelling_since_) return Level(0.0, commands);
+  const TetherOptions& tether = options_.tether;
+  StandStill(nominal_, options_.drive, InPhase(), commands);
+  Spool(commands) = TautWinch(nominal_, tether);
+  const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
+  const bool waited = InPhase() >= options_.drive.stop_time + tether.taut_after;
+  const bool taut = waited && still >= tether.taut_after;
+  if (!taut && InPhase() < tether.tighten_limit) return std::nullopt;
+  taut_ = taut;
+  if (taut && senses_.filter().TetherKnown()) senses_.UseTether(0.0);
+  if (!taut) belief_.note = "tether does not come taut";
+  if (std::abs(senses_.pitch_rad()) <= options_.arm.look_pitch_rad) return Event::kTaut;
+  levelling_since_ = senses_.now();
+  return std::nullopt;
+}
+
+// The body turns about the axle only while the wheels are free; the braked spool holds the rover.
+std::optional<Event> AxelMachine::Level(double target_pitch_rad, Commands* commands) {
+  SetWheels(MotorMode::kFree, commands);
+  arm_.Level(senses_, target_pitch_rad);
+  const bool level =
+      std::abs(senses_.pitch_rad() - target_pitch_rad) <= 2.0 * options_.arm.dead_band_rad;
+  const Tick since = senses_.now() - levelling_since_.value_or(entered_);
+  if (!level && since < options_.arm.level_limit) return std::nullopt;
+  return phase_ == Phase::kTighten ? Event::kTaut : Event::kArrived;
+}
+
+std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* commands) {
+  StandStill(nominal_, options_.drive, InPhase(), commands);
+  const GrayImage* left = GrayImageOf(sensed, kLeftCamera);
+  const GrayImage* right = GrayImageOf(sensed, kRightCamera);
+  if (left && right && asked_at_) {
+    asked_at_.reset();
+    return Judge({*left, *right});
+  }
+  if (senses_.now() - look_from_ < options_.look.settle) return std::nullopt;
+  if (!asked_at_ || senses_.now() - *asked_at_ >= options_.look.image_limit) {
+    commands->take_images = {kLeftCamera, kRightCamera};
+    asked_at_ = senses_.now();
+  }
+  return std::nullopt;
+}
+
+std::optional<Event> AxelMachine::Judge(const StereoImages& images) {
+  LocateHints hints = HintsFrom(senses_);
+  hints.camera_turn = camera_turn_.belief();
+  const LocateOutput seen = locator_(images, hints);
+  ++belief_.sighting_count;
+  belief_.last_sighting = seen.report;
+  auto ruling = SightingJudge::Ruling::kRejected;
+  if (seen.sighting) {
+    ruling = judge_.Judge(*seen.sighting, &senses_);
+    belief_.note = judge_.why();
+  } else {
+    belief_.note = std::string("not located: ") + seen.report.reason;
+  }
+  if (ruling == SightingJudge::Ruling::kLookAgain) {
+    look_from_ = senses_.now();
+    return std::nullopt;
+  }
+  if (ruling == SightingJudge::Ruling::kAccepted) {
+    camera_turn_.Take(*seen.sighting);
+    attempts_ = 0;
+    if (taut_ && !senses_.filter().TetherKnown()) senses_.UseTether(0.0);
+    return phase_ == Phase::kRecheck ? AtTheMouth() : AfterSighting();
+  }
+  // At the mouth the marks may be too near to be seen (Tsai et al., II): the last estimate decides.
+  return phase_ == Phase::kRecheck ? AtTheMouth() : Event::kNotSeen;
+}
+
+Event AxelMachine::AfterSighting() {
+  Decision decision = Decide(geometry_, options_, senses_.pose());
+  if (decision.event == Event::kGoRecover) return Recover(Event::kGoRecover, "misaligned");
+  leg_ = std::move(decision.leg);
+  leg_start_ = senses_.pose();
+  if (decision.event == Event::kGoMate) leg_start_ = {leg_start_.x, 0.0, kPi};
+  PutPlan(decision.plan, leg_start_);
+  return belief_.plan_count > options_.limit.plans ? Event::kLimitReached : decision.event;
+}
+
+Event AxelMachine::AtTheMouth() {
+  if (!Aligned(geometry_, options_.mate, senses_.pose()))
+    return Recover(Event::kGoRecover, "misaligned at the mouth");
+  const double gap = TipOf(geometry_, senses_.pose()).gap_m;
+  leg_start_ = {senses_.pose().x, 0.0, kPi};
+  leg_ = {{std::max(0.0, gap - options_.mate.enter_gap_m), 0.0}};
+  PutPlan(leg_, leg_start_);
+  return Event::kGoMate;
+}
+
+Event AxelMachine::Recover(Event event, const std::string& why) {
+  belief_.note = why;
+  if (recoveries_ >= options_.limit.recoveries) return Event::kLimitReached;
+  ++recoveries_;
+  leg_start_ = senses_.pose();
+  leg_ = PlanRecovery(geometry_, options_, leg_start_);
+  PutPlan(leg_, leg_start_);
+  return event;
+}
+
+std::optional<Event> AxelMachine::Drive(Commands* commands) {
+  const LegDriver::Status status = driver_->Drive(&senses_, commands);
+  // A body far from level is tumbling: the arm motor could only make it worse.
+  const bool may_level = !driver_->paused() && std::abs(senses_.pitch_rad()) < Radians(45.0);
+  if (may_level) arm_.Level(senses_);
+  if (driver_->paused()) belief_.note = "arm lifted: reeling in";
+  if (status == LegDriver::Status::kUnderWay) return std::nullopt;
+  if (status == LegDriver::Status::kFellShort) belief_.note = "leg fell short";
+  return Event::kArrived;
+}
+
+void AxelMachine::BeginSearch() {
+  const SearchKnowledge known{
+      senses_.filter().located(), SeesBoard(geometry_, options_.look, senses_.pose()),
+      BoardBearing(geometry_, senses_.pose()), TipOf(geometry_, senses_.pose()).gap_m};
+  search_ = NextSearchAction(attempts_++, known, options_.search);
+  if (!search_ || search_->move != SearchMove::kAdvance) return;
+  leg_start_ = senses_.pose();
+  const std::vector<Arc> plan = PlanToAxis(geometry_, options_, leg_start_);
+  leg_ = Truncate(plan, search_->amount);
+  PutPlan(plan, leg_start_);
+  StartLeg();
+}
+
+std::optional<Event> AxelMachine::Search(Commands* commands) {
+  if (!search_) {
+    belief_.note = "board not found";
+    return Event::kLimitReached;
+  }
+  if (InPhase() > options_.search.move_limit) return Event::kArrived;
+  switch (search_->move) {
+    case SearchMove::kAgain:
+      return Event::kArrived;
+    case SearchMove::kTilt:
+      return Level(search_->amount, commands);
+    case SearchMove::kTurn:
+      return ArrivedIf(TurnInPlace(nominal_, options_, search_->amount,
+                                   senses_.imu().yaw_rad - yaw_at_entry_rad_, commands));
+    case SearchMove::kReel:
+      ReelNearer(nominal_, options_.tether, commands);
+      return ArrivedIf(Stuck() || ReeledHere() >= search_->amount);
+    case SearchMove::kAdvance:
+      return Drive(commands);
+    case SearchMove::kBackUp:
+      return Recover(Event::kGoRecover, "board lost near the station");
+  }
+  return std::nullopt;
+}
+
+std::optional<Event> AxelMachine::Reel(Commands* commands) {
+  const TetherOptions& tether = options_.tether;
+  SetWheels(MotorMode::kFree, commands);
+  const double left = to_reel_m_ - ReeledHere();
+  const bool seating = left <= options_.mate.short_reel_m;
+  Spool(commands) =
+      Winch(nominal_, tether.reel_m_s,
+            seating ? options_.mate.seat_tension_n : tether.reel_tension_n, tether.accel_rad_s2);
+  if (left <= 0.0) return Event::kHome;
+  if (!Stuck()) return std::nullopt;
+  if (seating) return Event::kHome;
+  return Recover(Event::kStuck, "does not go in");
+}
+
+// The tip is home when the length says so; it stays home when the tether is taut under the brake.
+std::optional<Event> AxelMachine::Confirm(Commands* commands) {
+  StandStill(nominal_, options_.drive, InPhase(), commands);
+  if (!braked_) {
+    Spool(commands) = Winch(nominal_, options_.mate.home_m_s, options_.mate.home_tension_n,
+                            options_.tether.accel_rad_s2);
+    const bool waited = InPhase() >= options_.drive.stop_time + options_.tether.taut_after;
+    const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
+    if ((!waited || still < options_.tether.taut_after) && InPhase() < options_.mate.home_limit) {
+      return std::nullopt;
+    }
+    braked_ = Braked{senses_.now(), senses_.reeled_m()};
+    Spool(commands) = {};
+  }
+  if (senses_.now() - braked_->since < options_.mate.confirm_time) return std::nullopt;
+  const double slipped = std::abs(senses_.reeled_m() - braked_->reeled_m);
+  if (slipped <= options_.mate.confirm_slip_m) return Event::kSteady;
+  return Recover(Event::kStuck, "does not stay in");
+}
+
+void AxelMachine::Change(Event event) {
+  const std::optional<Phase> next = Next(phase_, event);
+  DOCKYARD_CHECK(next.has_value());
+  Enter(*next);
+}
+
+void AxelMachine::Enter(Phase phase) {
+  phase_ = phase;
+  entered_ = look_from_ = senses_.now();
+  reeled_at_entry_m_ = senses_.reeled_m();
+  yaw_at_entry_rad_ = senses_.imu().yaw_rad;
+  still_.Reset();
+  levelling_since_.reset();
+  asked_at_.reset();
+  driver_.reset();
+  braked_.reset();
+  if (phase != Phase::kLook) taut_ = false;
+  if (phase == Phase::kLook || phase == Phase::kRecheck) judge_.NewStop();
+  if (phase == Phase::kSearch) BeginSearch();
+  if (phase == Phase::kReel) {
+    const double gap = TipOf(geometry_, senses_.pose()).gap_m;
+    to_reel_m_ = gap + nominal_.mating_depth_m + options_.mate.over_reel_m;
+  }
+  const bool drives = phase == Phase::kApproach || phase == Phase::kAlign ||
+                      phase == Phase::kBackOff || phase == Phase::kRecover ||
+                      phase == Phase::kMate || phase == Phase::kEnter;
+  if (drives) StartLeg();
+}
+
+void AxelMachine::StartLeg() {
+  const DriveOptions& drive = options_.drive;
+  LegDriver::Speed speed{drive.approach_m_s, drive.reverse_m_s, drive.steering};
+  if (phase_ == Phase::kMate || phase_ == Phase::kEnter)
+    speed = {drive.mate_m_s, drive.mate_m_s, drive.fine_steering};
+  driver_.emplace(nominal_, options_, leg_start_, leg_, speed, senses_.now());
+}
+
+void AxelMachine::PutPlan(const std::vector<Arc>& plan, const Pose2& start) {
+  belief_.plan = Planned(plan, start);
+  ++belief_.plan_count;
+}
+
+void AxelMachine::FillBelief() {
+  belief_.phase = Name(phase_);
+  belief_.located = senses_.filter().located();
+  belief_.X_DR = senses_.pose();
+  // By its own reckoning: arm tip to anchor.
+  belief_.values[0].value =
+      belief_.located ? senses_.filter().ExposedLength(senses_.reeled_m()) : 0.0;
+  belief_.values[1].value = recoveries_;
+}
+
+}  // namespace
+
+std::unique_ptr<Controller> MakeAxelMachine(const Nominal& nominal, const AxelOptions& options,
+                                            Locator locator) {
+  return std::make_unique<AxelMachine>(nominal, options, std::move(locator));
+}
+
+}  // namespace dockyard::axel

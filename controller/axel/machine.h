@@ -1,0 +1,15 @@
+// The docking machine of MakeAxelController, with its options open: for tests and tuning.
+#pragma once
+
+#include <memory>
+
+#include "controller/axel/axel.h"
+#include "controller/axel/options.h"
+
+namespace dockyard::axel {
+
+/// As MakeAxelController, with other options. The locator must be callable.
+std::unique_ptr<Controller> MakeAxelMachine(const Nominal& nominal, const AxelOptions& options,
+                                            Locator locator);
+
+}  // namespace dockyard::axel

@@ -1,0 +1,32 @@
+// Axel's nominal parameters: the numbers from calibration and drawings that its controller is told.
+// The world is built from numbers of its own, which differ.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "controller/axel/nominal/motors.h"
+#include "controller/geometry/board.h"
+#include "controller/geometry/camera.h"
+#include "controller/io/nominal_motor.h"
+#include "controller/io/vision_settings.h"
+
+namespace dockyard::axel {
+
+struct Nominal {
+  StereoRig rig;  // calibration, not truth
+  FiducialBoard board;
+  VisionSettings vision{};
+  Pose3 X_DB;  // board in the dock, station standing level on flat ground
+  std::array<NominalMotor, kMotorCount> motors;  // by Motor
+  double wheel_radius_m = 0.0;                   // rolling radius on firm ground: rim plus paddle
+  double track_m = 0.0;                          // between the wheels' middles
+  double arm_length_m = 0.0;                     // axle to arm tip
+  double arm_at_zero_rad = 0.0;  // arm against body at encoder zero, about +y: tip-down positive
+  double drum_radius_m = 0.0;
+  double mouth_height_m = 0.0;   // centre of the cone's mouth above the ground
+  double anchor_depth_m = 0.0;   // tether anchor behind the mouth plane, along the axis
+  double mating_depth_m = 0.25;  // how far to reel the tip in (Tsai et al., II)
+};
+
+}  // namespace dockyard::axel

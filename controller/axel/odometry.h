@@ -1,0 +1,41 @@
+// Dead reckoning: how far from the wheels' counts, where to from the inertial unit's yaw.
+#pragma once
+
+#include <optional>
+
+#include "controller/axel/nominal/nominal.h"
+#include "controller/geometry/pose.h"
+#include "controller/io/sensors.h"
+
+namespace dockyard::axel {
+
+/// Output-shaft angle of a motor since power-on [rad].
+double MotorAngle(const Nominal& nominal, const SensorFrame& sensed, Motor motor);
+/// Arm against body, tip-down positive [rad].
+double ArmAngle(const Nominal& nominal, const SensorFrame& sensed);
+/// Arm's tip above the horizontal through the axle [rad]: body pitch and arm angle both count
+/// downwards.
+double ArmElevation(const Nominal& nominal, const SensorFrame& sensed);
+/// A piece of way. The wheels' encoders count against the body, so a body that pitches by p turns
+/// them by -p without rolling: added back here. Wheel slip is in it; the pose filter deals with it.
+struct Motion {
+  double length_m = 0.0;  // along the heading
+  double turn_rad = 0.0;  // of the inertial yaw
+  bool operator==(const Motion&) const = default;
+};
+
+class Odometer {
+ public:
+  explicit Odometer(const Nominal& nominal) : nominal_(nominal) {}
+  /// Motion since the last call; none at the first.
+  Motion Read(const SensorFrame& sensed);
+
+ private:
+  Nominal nominal_;
+  struct Last {
+    double left_rad = 0.0, right_rad = 0.0, pitch_rad = 0.0, yaw_rad = 0.0;
+  };
+  std::optional<Last> last_;
+};
+
+}  // namespace dockyard::axel

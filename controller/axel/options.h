@@ -1,0 +1,153 @@
+// Every number of the docking behaviour in one place, each with its reason. SI and radians.
+#pragma once
+
+#include "controller/axel/drive.h"
+#include "controller/axel/pose_filter.h"
+#include "controller/geometry/pose.h"
+#include "controller/io/sensors.h"
+
+namespace dockyard::axel {
+
+struct TetherOptions {
+  // One set point for loose and compact soil: slack lifts the arm below about rho W = 40 N on loose
+  // soil, arcs fall short above 60 N (m = 40 kg). Assumed, range 35-60.
+  double drive_tension_n = 47.0;
+  // Reversing drags the tether out; 20-30 N costs a tenth of the way on loose soil. Range 5-30.
+  double reverse_tension_n = 22.0;
+  // Of the spool's gears, at the drum: the tether gets this less than the motor pulls while it is
+  // reeled in, and this more while it is dragged out. 0.5 N m at 6 cm; assumed, range 3-25.
+  double spool_friction_n = 8.0;
+  // The winch runs this much faster than the cosine law asks, to take up slack. Range 0.01-0.04.
+  double catch_up_m_s = 0.02;
+  double tighten_m_s = 0.05;        // reeling slack at rest; assumed, 0.03-0.10
+  double reel_m_s = 0.03;           // into the cone: slow, against jamming; assumed, 0.02-0.05
+  double reel_tension_n = 300.0;    // paddles peak at W tan(pi/n) = 105 N; forced fits up to 300 N
+  double search_tension_n = 150.0;  // rolls free wheels on either soil (88 N loose); range 110-200
+  double accel_rad_s2 = 2.0;        // of the drum; reaches 0.05 m/s in half a second; assumed, 1-5
+  // Still: less than this taken up for that long. 2 mm at 0.05 m/s is 0.04 s of running.
+  double still_m = 0.002;
+  Tick taut_after = 500;
+  Tick tighten_limit = 60'000;  // 3 m of slack; more means a torn tether
+  // Counts as taut while driving from this share of the set tension, low-passed over 0.3 s.
+  double taut_share = 0.5;
+  double current_smoothing_s = 0.3;
+  Tick tether_fix_period = 400;  // corrections nearer in time repeat the same error
+};
+
+struct DriveOptions {
+  double approach_m_s = 0.05;       // Axel-class test speed; assumed, 0.03-0.10
+  double mate_m_s = 0.03;           // "speed is reduced" (Tsai et al., IV); assumed, 0.02-0.05
+  double reverse_m_s = 0.05;        // assumed, 0.03-0.10
+  double turn_rad_s = 0.08;         // turning in place; assumed, 0.05-0.15
+  double wheel_accel_rad_s2 = 0.3;  // 0.05 m/s in 0.6 s; assumed, 0.1-1
+  Steering steering{};              // far from the cone
+  // Near it: 0.3 m is all the way there is; sharper than this it enters askew. Range 0.3-0.6.
+  Steering fine_steering{.settle_m = 0.45, .max_turn_rad_s = 0.10};
+  // Arm lifting: slack tether, no progress, at 48-62 deg over the top. Stop early. Range 20-25 deg.
+  double arm_guard_rad = Radians(22.0);
+  double arm_resume_rad = Radians(10.0);
+  Tick guard_limit = 8'000;  // then drive on, come what may; assumed, 4-15 s
+  double patience = 2.5;     // times the nominal duration before a leg is called short
+  Tick stop_time = 600;      // wheels run down before the brake; speed over acceleration
+};
+
+struct ArmOptions {
+  double level_gain_per_s = 0.5;           // slow against the arm's own swing (1-2 s); 0.2-1
+  double level_rate_rad_s = Radians(6.0);  // assumed, 3-10
+  double dead_band_rad = Radians(0.5);     // of the inertial pitch's noise; assumed, 0.2-1
+  double limit_rad = Radians(60.0);        // arm against body
+  double speed_rad_s = Radians(10.0), accel_rad_s2 = 1.0;  // of the drive's profile; assumed
+  // Worse than this at rest, the body is levelled before a look. The lens covers +-37 deg up and
+  // down, so only large angles matter. Assumed, range 5-15 deg.
+  double look_pitch_rad = Radians(8.0);
+  Tick level_limit = 5'000;
+};
+
+struct LookOptions {
+  Tick settle = 800;         // body swings about the axle for about a second; assumed
+  Tick image_limit = 1'000;  // a pair that has not come by then is asked for again
+  int contradictions = 2;    // looks that may disagree with dead reckoning before it is dropped
+  double max_range_m = 12.0, min_range_m = 0.4;  // discs of 10 cm are 6 px at 12 m, f 700 px
+  double view_margin_rad = Radians(3.0);  // edge marks are the first to be lost (V-D); 0-5 deg
+  // Share of the board's half width that must be in view: five of eight marks. Assumed, 0.3-1.
+  double board_share = 0.6;
+};
+
+struct PlanOptions {
+  // Arm tip before the mouth at the alignment goal: board still within the lens with +-27 deg.
+  double align_gap_m = 0.30;
+  double align_tolerance_m = 0.12;  // counts as arrived; 3 % of a leg's slip and 2.5 cm of vision
+  double recover_gap_m = 1.40;      // axle at 2.4 m: room for +-0.4 m of offset; assumed, 1.0-2.0
+  double max_curvature = 1.0;       // [1/m] tighter arcs only skid on loose soil; 0.5-1.5
+  double max_recover_curvature = 1.5;
+  int curvatures = 20;        // per side
+  double turn_cost_m = 0.6;   // a radian of turning in metres of way; assumed, 0.3-1.5
+  double reverse_cost = 1.4;  // a metre backwards in metres; assumed, 1-2
+  double unseen_cost = 0.35;  // a metre with the board out of view, more; assumed, 0-1
+  // Tether against arm in plan: above 45 deg on loose soil only tensions to 70 N turn at all.
+  double tether_angle_rad = Radians(45.0);
+  double tether_angle_cost = 1.0;  // a metre at one radian more, in metres
+  double back_step_m = 0.5, back_limit_m = 3.5;
+  double back_turn_rad = Radians(10.0);
+  int back_turns = 4;                       // per side: to +-40 deg
+  double max_range_m = 5.5;                 // marks are made for 5 m (Tsai et al., III-A)
+  double min_tip_gap_m = 0.15;              // no part of a plan brings the tip nearer than this
+  double leg_min_m = 0.7, leg_max_m = 1.4;  // look again in between; about a quarter of 4 m
+  double leg_turn_rad = Radians(25.0);
+  double align_range_m = 2.6;  // alignment region inside, approach region outside
+};
+
+struct MateOptions {
+  double heading_rad = Radians(5.0);  // Tsai et al., V-B
+  // Tip at the mouth within its radius of 10-12 cm less the tip's 3 cm. Range 0.06-0.09.
+  double tip_offset_m = 0.07;
+  // Arm against the socket when home: psi = asin(y/L) exp(-depth/L) for an axle that rolls without
+  // scrubbing behind a tip on the axis; the socket takes about 5 deg. Range 3-5 deg.
+  double socket_rad = Radians(4.0);
+  double look_gap_m = 0.06;    // recheck with the tip this far before the mouth
+  double enter_gap_m = -0.03;  // contact by depth estimate: tip this far inside, wheels then free
+  // The socket's floor ends the reeling, not the length: where the tip was when it began is known
+  // to 1-2 cm, to 4 cm after it has pushed at the mouth. So much more is asked for; assumed,
+  // 0.04-0.10.
+  double over_reel_m = 0.08;
+  double short_reel_m = 0.11;  // a stop this much early counts as home: by the estimate 0.22 m deep
+  // The collar's lead-in straightens the arm over the last 5 cm, which takes all that the spool
+  // has; the socket's floor stands it. Assumed, 200-300.
+  double seat_tension_n = 300.0;
+  Tick stuck_after = 2'000;  // spool at its limit without taking up
+  // Home, wheels braked: the tether is drawn taut before the brake, or the rover hangs loose in the
+  // socket. Above a straight pull's 90 N, below the 105 N that lift it over a paddle; 60-150.
+  double home_tension_n = 100.0;
+  double home_m_s = 0.02;     // assumed, 0.01-0.05
+  Tick home_limit = 10'000;   // then brake, come what may
+  Tick confirm_time = 1'500;  // spool braked: nothing may move
+  double confirm_slip_m = 0.003;
+};
+
+struct SearchOptions {
+  double tilt_rad = Radians(6.0);
+  double turn_rad = Radians(12.0);  // two overlap the lens's edge region; assumed, 8-20
+  double reel_m = 0.6;              // towards the station, arm swinging into line; thrice at most
+  double advance_m = 0.6;           // on dead reckoning: 6 cm of error at 10 % slip
+  double near_gap_m = 1.2;          // nearer than this back up rather than go on blindly
+  Tick move_limit = 25'000;
+};
+
+struct LimitOptions {
+  int recoveries = 4;  // the limit that the paper asks for (V-B); assumed, 2-6
+  int plans = 40;      // legs in all; ten times a straight approach
+};
+
+struct AxelOptions {
+  TetherOptions tether{};
+  DriveOptions drive{};
+  ArmOptions arm{};
+  LookOptions look{};
+  PlanOptions plan{};
+  MateOptions mate{};
+  SearchOptions search{};
+  LimitOptions limit{};
+  FilterNoise noise{};
+};
+
+}  // namespace dockyard::axel

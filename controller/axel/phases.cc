@@ -1,0 +1,58 @@
+#include "controller/axel/phases.h"
+
+#include <array>
+
+#include "controller/base/check.h"
+
+namespace dockyard::axel {
+namespace {
+
+struct Transition {
+  Phase from;
+  Event event;
+  Phase to;
+};
+
+constexpr std::array kTransitions = {
+    Transition{Phase::kTighten, Event::kTaut, Phase::kLook},
+    Transition{Phase::kLook, Event::kNotSeen, Phase::kSearch},
+    Transition{Phase::kLook, Event::kGoApproach, Phase::kApproach},
+    Transition{Phase::kLook, Event::kGoAlign, Phase::kAlign},
+    Transition{Phase::kLook, Event::kGoBackOff, Phase::kBackOff},
+    Transition{Phase::kLook, Event::kGoMate, Phase::kMate},
+    Transition{Phase::kLook, Event::kGoRecover, Phase::kRecover},
+    Transition{Phase::kSearch, Event::kArrived, Phase::kTighten},
+    Transition{Phase::kSearch, Event::kGoRecover, Phase::kRecover},
+    Transition{Phase::kApproach, Event::kArrived, Phase::kTighten},
+    Transition{Phase::kAlign, Event::kArrived, Phase::kTighten},
+    Transition{Phase::kBackOff, Event::kArrived, Phase::kTighten},
+    Transition{Phase::kRecover, Event::kArrived, Phase::kTighten},
+    Transition{Phase::kMate, Event::kArrived, Phase::kRecheck},
+    Transition{Phase::kRecheck, Event::kGoMate, Phase::kEnter},
+    Transition{Phase::kRecheck, Event::kGoRecover, Phase::kRecover},
+    Transition{Phase::kEnter, Event::kArrived, Phase::kReel},
+    Transition{Phase::kReel, Event::kHome, Phase::kConfirm},
+    Transition{Phase::kReel, Event::kStuck, Phase::kRecover},
+    Transition{Phase::kConfirm, Event::kSteady, Phase::kDocked},
+    Transition{Phase::kConfirm, Event::kStuck, Phase::kRecover},
+};
+
+}  // namespace
+
+const char* Name(Phase phase) {
+  static constexpr std::array<const char*, kPhaseCount> kNames = {
+      "tighten", "look",    "search", "approach", "align",   "back_off", "recover",
+      "mate",    "recheck", "enter",  "reel",     "confirm", "docked",   "given_up"};
+  return kNames[static_cast<std::size_t>(phase)];
+}
+
+std::optional<Phase> Next(Phase phase, Event event) {
+  const bool over = phase == Phase::kDocked || phase == Phase::kGivenUp;
+  if (event == Event::kLimitReached && !over) return Phase::kGivenUp;
+  for (const Transition& row : kTransitions) {
+    if (row.from == phase && row.event == event) return row.to;
+  }
+  return std::nullopt;
+}
+
+}  // namespace dockyard::axel

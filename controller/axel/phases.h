@@ -1,0 +1,48 @@
+// The states of the docking and what leads from one to the next: Tsai et al., Fig. 4 and IV, with
+// the search, the recheck at the mouth and the limits that the paper leaves to future work.
+#pragma once
+
+#include <optional>
+
+namespace dockyard::axel {
+
+enum class Phase {
+  kTighten,   // wheels braked, reel until the tether is taut
+  kLook,      // stand, take a pair, locate, decide
+  kSearch,    // board not seen: tilt, turn, come nearer
+  kApproach,  // drive a leg, far away
+  kAlign,     // drive a leg onto the cone's axis
+  kBackOff,   // reverse because there is no room for the arcs
+  kRecover,   // reverse to the recovery goal after a failed check
+  kMate,      // slowly to the mouth
+  kRecheck,   // look once more
+  kEnter,     // slowly until the tip is in the mouth
+  kReel,      // wheels free, reel in
+  kConfirm,   // spool braked, nothing may move
+  kDocked,
+  kGivenUp,
+};
+inline constexpr int kPhaseCount = static_cast<int>(Phase::kGivenUp) + 1;
+
+enum class Event {
+  kTaut,
+  kNotSeen,
+  kGoApproach,
+  kGoAlign,
+  kGoBackOff,
+  kGoMate,     // aligned
+  kGoRecover,  // misaligned and too near
+  kArrived,    // the move is over, complete or not
+  kHome,       // reeled in as far as asked
+  kStuck,      // it does not go in, or does not stay in
+  kSteady,
+  kLimitReached,
+};
+inline constexpr int kEventCount = static_cast<int>(Event::kLimitReached) + 1;
+
+const char* Name(Phase phase);
+
+/// Where the event leads; none when it means nothing in this phase.
+std::optional<Phase> Next(Phase phase, Event event);
+
+}  // namespace dockyard::axel

@@ -1,0 +1,85 @@
+// Where the rover stands in the dock frame: an extended Kalman filter over x, y, heading and the
+// tether's whole length, fed by odometry, by looks at the board and by the taut tether, which
+// measures the way to the station whatever the wheels slip. (Kalman 1960; Thrun, Burgard and Fox,
+// Probabilistic Robotics, 2005, ch. 7.)
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "controller/axel/odometry.h"
+#include "controller/axel/tether_length.h"
+#include "controller/geometry/pose.h"
+#include "controller/io/sensors.h"
+
+namespace dockyard::axel {
+
+/// Standard deviations. Growths are per square root of way or time.
+struct FilterNoise {
+  // Wheels slip 0-25 % under the tether's pull, assumed; 0.1 m per metre is the middle.
+  double along_m_per_sqrt_m = 0.10;
+  double across_m_per_sqrt_m = 0.04;       // scrubbing sideways; assumed, range 0.02-0.08
+  double heading_rad_per_sqrt_m = 0.005;   // inertial yaw while driving; assumed, 0.002-0.01
+  double heading_rad_per_sqrt_s = 0.0002;  // yaw drift at rest; assumed, 0.0001-0.0005
+  // Tsai et al., V-E: 0.20 m at 5 m, growing as the square of the range.
+  double range_m_per_m2 = 0.008;
+  double range_floor_m = 0.012;
+  // Half of a relative camera yaw error of 0.16 deg and a pixel or two; assumed, 0.003-0.02.
+  double bearing_rad = 0.008;
+  // Tsai et al., V-E give mean heading errors of 2.5 deg at 1 m and 4.6 deg at 2 m with four-pixel
+  // class detections; 0.7 deg + 0.8 deg/m assumed for sub-pixel marks, range 0.3-2.3 deg/m.
+  double board_heading_floor_rad = 0.012;
+  double board_heading_rad_per_m = 0.014;
+  double tether_m = 0.02;  // lip bends, stretch, arm elevation; assumed, range 0.005-0.04
+  // Squared Mahalanobis distance beyond which a look contradicts: chi-square, 3 degrees of
+  // freedom, 99.99 %.
+  double gate = 21.1;
+};
+
+/// A look at the board put into the plane: the board from the level rover.
+struct BoardFix {
+  double range_m = 0.0, bearing_rad = 0.0;  // of the board's centre, bearing from the x axis
+  double heading_rad = 0.0;                 // the rover's heading in D
+};
+/// Levels a sighting by the inertial unit and takes its planar part.
+BoardFix LevelSighting(const Pose3& X_RB, const ImuSample& imu, const Pose3& X_DB);
+/// The pose that a fix stands for.
+Pose2 PoseOf(const BoardFix& fix, const Pose3& X_DB);
+/// Attitude of the body against gravity, heading left out: R_HR of the level heading frame H.
+Eigen::Matrix3d Tilt(const ImuSample& imu);
+
+class PoseFilter {
+ public:
+  PoseFilter(const FilterNoise& noise, const TetherGeometry& geometry, const Pose3& X_DB)
+      : noise_(noise), geometry_(geometry), X_DB_(X_DB) {}
+
+  bool located() const { return located_; }
+  Pose2 pose() const { return {state_.x(), state_.y(), state_.z()}; }
+  /// Exposed tether by the filter's reckoning; reeled_m is what the drum took up since power-on.
+  double ExposedLength(double reeled_m) const { return state_(3) - reeled_m; }
+  /// Whether the tether's whole length has been tied to a place yet.
+  bool TetherKnown() const { return located_ && P_(3, 3) < 1.0; }
+  double PositionSigma() const;  // [m]
+
+  void Predict(const Motion& motion, double seconds);
+  /// Whether the fix fits what is known; true before the first.
+  bool Fits(const BoardFix& fix) const;
+  void Correct(const BoardFix& fix);
+  /// Forgets the place and begins again at this fix.
+  void Restart(const BoardFix& fix);
+  /// The tether is taut: its length says how far the tip is from the mouth.
+  void CorrectByTether(double reeled_m, double elevation_rad);
+
+ private:
+  struct Innovation;
+  Innovation Compare(const BoardFix& fix) const;
+
+  FilterNoise noise_;
+  TetherGeometry geometry_;
+  Pose3 X_DB_;
+  bool located_ = false;
+  Eigen::Vector4d state_ = Eigen::Vector4d::Zero();  // x, y, heading, whole tether
+  Eigen::Matrix4d P_ = Eigen::Matrix4d::Identity();
+};
+
+}  // namespace dockyard::axel

@@ -1,0 +1,63 @@
+#include "controller/axel/scripted.h"
+
+#include "controller/axel/drive.h"
+
+namespace dockyard::axel {
+namespace {
+
+// Of wheels and drum, as the docking controller has them (assumed, 0.1-1 and 1-5).
+constexpr double kWheelAccel_rad_s2 = 0.3, kDrumAccel_rad_s2 = 2.0;
+constexpr double kWinch_m_s = 0.05;  // of a winch whose speed the script leaves open
+
+class Scripted final : public Controller {
+ public:
+  Scripted(const Nominal& nominal, const std::vector<ScriptStep>& script)
+      : nominal_(nominal), script_(script) {
+    belief_.phase = "script";
+  }
+
+  Commands Step(const SensorFrame& sensed) override {
+    Commands commands = BrakedCommands();
+    double begun_s = 0.0;
+    const double now_s = static_cast<double>(sensed.tick) * kTickSeconds;
+    for (const ScriptStep& step : script_) {
+      begun_s += step.for_s;
+      if (now_s >= begun_s) continue;
+      Play(step, &commands);
+      return WithinLimits(nominal_, commands);
+    }
+    commands.verdict = Verdict::kGivenUp;
+    return commands;
+  }
+
+  const Belief& belief() const override { return belief_; }
+
+ private:
+  void Play(const ScriptStep& step, Commands* commands) const {
+    if (step.free_wheels) {
+      SetWheels(MotorMode::kFree, commands);
+    } else {
+      CommandWheels(nominal_, {step.speed_m_s, step.turn_rad_s}, kWheelAccel_rad_s2, commands);
+    }
+    const bool open_speed = step.reel_m_s == 0.0;
+    if (open_speed && !step.tension_n) return;  // braked
+    const NominalMotor& spool = nominal_.motors[static_cast<std::size_t>(Motor::kSpool)];
+    const double strongest_n = TensionFromCurrent(nominal_, spool.max_current_a);
+    commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
+        Winch(nominal_, open_speed ? kWinch_m_s : step.reel_m_s,
+              step.tension_n.value_or(strongest_n), kDrumAccel_rad_s2);
+  }
+
+  const Nominal nominal_;
+  const std::vector<ScriptStep> script_;
+  Belief belief_;
+};
+
+}  // namespace
+
+std::unique_ptr<Controller> MakeScriptedController(const Nominal& nominal,
+                                                   const std::vector<ScriptStep>& script) {
+  return std::make_unique<Scripted>(nominal, script);
+}
+
+}  // namespace dockyard::axel

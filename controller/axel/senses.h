@@ -1,0 +1,64 @@
+// What the sensors mean, put together once per control tick: time, attitude, arm, spool, place.
+#pragma once
+
+#include <optional>
+
+#include "controller/axel/nominal/nominal.h"
+#include "controller/axel/odometry.h"
+#include "controller/axel/options.h"
+#include "controller/axel/pose_filter.h"
+
+namespace dockyard::axel {
+
+/// Since when a value has stayed within a band.
+class StillWatch {
+ public:
+  explicit StillWatch(double band) : band_(band) {}
+  void Reset() { anchor_.reset(); }
+  /// How long the value has been still now [ticks].
+  Tick Still(Tick now, double value);
+
+ private:
+  double band_;
+  struct Anchor {
+    double value = 0.0;
+    Tick since = 0;
+  };
+  std::optional<Anchor> anchor_;
+};
+
+class Senses {
+ public:
+  Senses(const Nominal& nominal, const AxelOptions& options);
+
+  void Update(const SensorFrame& sensed);
+
+  Tick now() const { return now_; }
+  const ImuSample& imu() const { return imu_; }
+  double pitch_rad() const { return imu_.pitch_rad; }
+  double elevation_rad() const { return elevation_rad_; }  // of the arm's tip, up positive
+  double arm_rad() const { return arm_rad_; }              // against the body, tip-down positive
+  double reeled_m() const { return reeled_m_; }            // taken up since power-on
+  double spool_current_a() const { return spool_current_a_; }  // low-passed
+  const PoseFilter& filter() const { return filter_; }
+  PoseFilter& filter() { return filter_; }
+  Pose2 pose() const { return filter_.pose(); }
+
+  /// Board in the body, by dead reckoning; none before the first fix.
+  std::optional<Pose3> ExpectedBoard() const;
+  /// Corrects the place by the tether if it carries at least this tension and the last time is long
+  /// enough ago.
+  void UseTether(double tension_n);
+
+ private:
+  Nominal nominal_;
+  TetherOptions tether_;
+  Odometer odometer_;
+  PoseFilter filter_;
+  bool started_ = false;
+  Tick now_ = 0, last_tether_fix_ = 0;
+  ImuSample imu_{};
+  double elevation_rad_ = 0.0, arm_rad_ = 0.0, reeled_m_ = 0.0, spool_current_a_ = 0.0;
+};
+
+}  // namespace dockyard::axel

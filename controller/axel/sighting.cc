@@ -1,0 +1,75 @@
+#include "controller/axel/sighting.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard::axel {
+namespace {
+
+// Two looks from one place: noise only. Three sigma of 0.2 m at 5 m and 4.6 deg (Tsai et al., V-E).
+bool Agree(const BoardFix& a, const BoardFix& b) {
+  return std::abs(a.range_m - b.range_m) < 0.05 + 0.1 * a.range_m &&
+         std::abs(WrapPi(a.bearing_rad - b.bearing_rad)) < 0.05 &&
+         std::abs(WrapPi(a.heading_rad - b.heading_rad)) < 0.2;
+}
+
+}  // namespace
+
+LocateHints HintsFrom(const Senses& senses) {
+  LocateHints hints;
+  hints.up_R = Tilt(senses.imu()).transpose() * Eigen::Vector3d::UnitZ();
+  hints.X_RB_expected = senses.ExpectedBoard();
+  return hints;
+}
+
+void CameraTurnFilter::Take(const DockSighting& sighting) {
+  if (!sighting.stereo || !sighting.camera_turn.mean_rad.allFinite()) return;
+  // The mount moves with its warmth: assumed 0.01 deg from look to look (0-0.03).
+  constexpr double kDrift = 0.01 * kPi / 180.0;
+  // What the lens's own errors feign differs from place to place and does not average out as noise
+  // does: the belief stays at least this wide (assumed 0.02 deg, 0.01-0.05).
+  constexpr double kFloor = 0.02 * kPi / 180.0;
+  belief_ = sighting.camera_turn;
+  belief_.covariance.diagonal().array() += kDrift * kDrift;
+  for (int i = 0; i < 3; ++i) {
+    belief_.covariance(i, i) = std::max(belief_.covariance(i, i), kFloor * kFloor);
+  }
+}
+
+SightingJudge::Ruling SightingJudge::Judge(const DockSighting& sighting, Senses* senses) {
+  const BoardFix fix = LevelSighting(sighting.X_RB, senses->imu(), X_DB_);
+  const bool finite = sighting.X_RB.p.allFinite() && sighting.X_RB.R.allFinite();
+  const bool in_front = std::abs(fix.bearing_rad) < 0.5 * kPi;
+  if (!finite || !in_front || fix.range_m < options_.min_range_m ||
+      fix.range_m > options_.max_range_m) {
+    why_ = "board where it cannot be seen";
+    return Ruling::kRejected;
+  }
+  if (!senses->filter().Fits(fix)) return Doubt(fix, senses);
+  senses->filter().Correct(fix);
+  doubted_.reset();
+  doubts_ = 0;
+  ++accepted_;
+  why_ = "board seen";
+  return Ruling::kAccepted;
+}
+
+SightingJudge::Ruling SightingJudge::Doubt(const BoardFix& fix, Senses* senses) {
+  doubts_ = doubted_ && Agree(*doubted_, fix) ? doubts_ + 1 : 1;
+  ++doubts_here_;
+  doubted_ = fix;
+  // Dead reckoning that rests on several looks takes more to be dropped than one that rests on one.
+  const int enough = options_.contradictions * (accepted_ < 2 ? 1 : 2);
+  if (doubts_ >= enough) {
+    senses->filter().Restart(fix);
+    doubted_.reset();
+    doubts_ = 0;
+    accepted_ = 1;
+    why_ = "dead reckoning dropped";
+    return Ruling::kAccepted;
+  }
+  why_ = "look contradicts dead reckoning";
+  return doubts_here_ < options_.contradictions ? Ruling::kLookAgain : Ruling::kRejected;
+}
+
+}  // namespace dockyard::axel

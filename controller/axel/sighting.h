@@ -1,0 +1,49 @@
+// From a look to the estimate: accepts, doubts or drops what the vision says.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "controller/axel/senses.h"
+#include "controller/vision/locate.h"
+
+namespace dockyard::axel {
+
+/// Weighs sightings against dead reckoning. One that contradicts it is asked for again; it is
+/// believed, and dead reckoning dropped, once enough looks in a row agree with each other.
+class SightingJudge {
+ public:
+  enum class Ruling { kAccepted, kLookAgain, kRejected };
+
+  SightingJudge(const LookOptions& options, const Pose3& X_DB) : options_(options), X_DB_(X_DB) {}
+
+  Ruling Judge(const DockSighting& sighting, Senses* senses);
+  const std::string& why() const { return why_; }
+  /// A new stop: its looks are counted afresh.
+  void NewStop() { doubts_here_ = 0; }
+
+ private:
+  Ruling Doubt(const BoardFix& fix, Senses* senses);
+
+  LookOptions options_;
+  Pose3 X_DB_;
+  std::optional<BoardFix> doubted_;
+  int doubts_ = 0, doubts_here_ = 0, accepted_ = 0;
+  std::string why_;
+};
+
+LocateHints HintsFrom(const Senses& senses);
+
+/// Belief about the cameras' relative turn over a run. Each look that both eyes carried narrows it:
+/// the look's fit begins with the belief so far and gives the next one.
+class CameraTurnFilter {
+ public:
+  const CameraTurn& belief() const { return belief_; }
+  /// A sighting that the judge accepted.
+  void Take(const DockSighting& sighting);
+
+ private:
+  CameraTurn belief_{};
+};
+
+}  // namespace dockyard::axel

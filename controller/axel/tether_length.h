@@ -1,0 +1,55 @@
+// How long the exposed tether is: Tsai et al., Eq. (1), with the true places of mouth, anchor and
+// arm instead of one common origin.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "controller/axel/nominal/nominal.h"
+#include "controller/geometry/pose.h"
+#include "controller/motion/arcs.h"
+
+namespace dockyard::axel {
+
+/// Eq. (1): tether from the arm's tip to a station at the origin, in the plane [m].
+double CosineLawTether(double arm_m, const DockingCoords& at);
+
+/// Depth of the funnel's throat behind the mouth, through which the tether always runs; the nominal
+/// does not tell it. Assumed, range 0.10-0.15 m: 1 cm of it is 1 mm of tether at 25 deg aside.
+inline constexpr double kThroatDepthM = 0.12;
+
+/// What the exposed length depends on, in the dock frame D.
+struct TetherGeometry {
+  Eigen::Vector3d p_DQ = Eigen::Vector3d::Zero();  // centre of the throat [m]
+  Eigen::Vector3d p_DA = Eigen::Vector3d::Zero();  // anchor behind it on the cone's axis [m]
+  double arm_m = 0.0;                              // axle to tip
+  double axle_height_m = 0.0;
+};
+TetherGeometry TetherGeometryOf(const Nominal& nominal);
+
+/// Arm tip in D for an arm raised by elevation_rad above the horizontal.
+Eigen::Vector3d TipInDock(const TetherGeometry& geometry, const Pose2& X_DR, double elevation_rad);
+
+/// Exposed length [m]: tip to the centre of the throat and on to the anchor; with the tip beyond
+/// the throat, straight to the anchor. The cone's lip, mouth radius 0.1 m, makes the true path from
+/// 40 deg aside about a centimetre longer; what counts is how it changes.
+double ExposedTether(const TetherGeometry& geometry, const Pose2& X_DR, double elevation_rad);
+
+/// Its slope along x, y [-] and heading [m/rad] of X_DR; by central differences of 0.1 mm.
+Eigen::Vector3d ExposedTetherSlope(const TetherGeometry& geometry, const Pose2& X_DR,
+                                   double elevation_rad);
+
+/// How fast the exposed length grows [m/s] while the axle moves at speed_m_s and the rover turns
+/// at turn_rad_s: the exact schedule for the spool along an arc.
+double ExposedTetherRate(const TetherGeometry& geometry, const Pose2& X_DR, double elevation_rad,
+                         double speed_m_s, double turn_rad_s);
+
+/// The linear approximation of the paper (IV-A): most slack (positive) and most shortage
+/// (negative) against the exact length when the spool turns evenly over each arc [m].
+struct LinearTetherError {
+  double most_slack_m = 0.0, most_shortage_m = 0.0;
+};
+LinearTetherError LinearTetherErrorAlong(const TetherGeometry& geometry, const Pose2& X_DR_start,
+                                         const std::vector<Arc>& arcs);
+
+}  // namespace dockyard::axel

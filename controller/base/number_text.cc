@@ -1,0 +1,37 @@
+#include "controller/base/number_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace dockyard {
+
+std::string NumberText(double value) {
+  if (std::isnan(value)) return "nan";  // one spelling, whatever its sign bit
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return {text, end};
+}
+
+std::string Fixed(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::optional<double> NumberFromText(std::string_view text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  if (text.empty() || read.ec != std::errc() || read.ptr != end) return std::nullopt;
+  return value;
+}
+
+bool ParseNumber(std::string_view text, double& value) {
+  const std::optional<double> number = NumberFromText(text);
+  if (!number || !std::isfinite(*number)) return false;
+  value = *number;
+  return true;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,56 @@
+"""Docks Axel from straight ahead: looks once, then lets the tether pull the rover into the cone.
+
+The wheels roll free, the arm is held, the spool reels in until it stalls. Tsai et al. (2013), V-C:
+below 5 deg off the cone's axis that is enough.
+"""
+
+from dockyard_client import DOCKED, FREE, POSITION, UNDER_WAY, VELOCITY, Commands, Motor, serve
+
+LEFT_WHEEL, RIGHT_WHEEL, ARM, SPOOL = range(4)
+REEL_M_S = 0.05  # assumed, 0.03-0.10
+PULL_N = 300.0  # what a forced fit into the cone takes; assumed, 105-300
+STALLED_S, STALL_M = 2.0, 0.002  # no more than this taken up for that long: home
+
+
+class DockStraight:
+    def __init__(self, hello):
+        self.nominal = hello["nominal"]
+        spool = self.nominal["motors"][SPOOL]
+        self.drum_m = self.nominal["drum_radius_m"]
+        self.count_m = self.drum_m * spool["rad_per_count"]
+        self.pull_a = spool["no_load_current_a"] + PULL_N * self.drum_m / spool["torque_per_amp_nm"]
+        self.pull_a = min(self.pull_a, spool["max_current_a"])
+        self.reeled_m, self.still_since_s = 0.0, 0.0
+        self.looked = False
+
+    def step(self, frame):
+        if frame.images:
+            self.look(frame.images[0])
+        reeled_m = self.count_m * frame.counts[SPOOL]
+        if abs(reeled_m - self.reeled_m) > STALL_M:
+            self.reeled_m, self.still_since_s = reeled_m, frame.time_s
+        home = frame.time_s - self.still_since_s > STALLED_S
+        arm = self.nominal["motors"][ARM]
+        motors = [Motor() if home else Motor(FREE) for _ in range(4)]
+        motors[ARM] = Motor(POSITION, 0.0, 0.17, 1.0, arm["max_current_a"])
+        if not home:
+            motors[SPOOL] = Motor(VELOCITY, REEL_M_S / self.drum_m, 0.0, 2.0, self.pull_a)
+        ask = () if self.looked else (0,)  # one image of the left camera
+        self.looked = True
+        return Commands(
+            motors,
+            cameras=ask,
+            verdict=DOCKED if home else UNDER_WAY,
+            belief={"phase": "docked" if home else "reel", "values": {"reeled_m": reeled_m}},
+        )
+
+    def look(self, image):
+        """Says which column of the image is the darkest. Plain Python will do for that; Image.array()
+        gives a numpy array."""
+        columns = [sum(image.pixels[x :: image.width]) for x in range(image.width)]
+        darkest = columns.index(min(columns))
+        print("image of %d x %d, darkest column %d" % (image.width, image.height, darkest))
+
+
+if __name__ == "__main__":
+    serve(DockStraight)

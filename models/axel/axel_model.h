@@ -1,0 +1,56 @@
+// Axel, the two-wheeled tethered rover, as built: URDF for what URDF can say, YAML for the rest.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+
+#include "controller/axel/nominal/motors.h"
+#include "models/parts/cameras.h"
+#include "models/parts/imu.h"
+#include "models/parts/link.h"
+#include "models/parts/motor.h"
+#include "models/parts/tether.h"
+#include "models/parts/wheel.h"
+
+namespace dockyard::axel {
+
+struct ArmTipModel {
+  double radius_m = 0.0;         // of the flat-nosed tip cylinder
+  double length_m = 0.0;         // of the thick tip part
+  double ground_friction = 0.0;  // dragging over soil
+  double ground_stiffness_n_per_m = 0.0;
+};
+
+/// A collar behind the tip. It enters the throat last and, with the tip, holds the seated arm
+/// straight. Lengths are along the arm; a radius of 0: the arm has none.
+struct CollarModel {
+  double radius_m = 0.0;
+  double front_m = 0.0;         // from the axle to where the lead-in begins, on the shaft
+  double front_radius_m = 0.0;  // there
+  double lead_in_m = 0.0;       // of the cone from there back to the collar
+  double length_m = 0.0;        // of the collar behind its lead-in
+};
+
+struct RoverModel {
+  std::string name;
+  LinkModel body, left_wheel, right_wheel, arm;
+  Eigen::Vector3d p_R_left_wheel{0, 0, 0}, p_R_right_wheel{0, 0, 0};  // wheel centres in the body
+  // The arm turns about the body's y axis through its origin. Link frame: A.
+  double arm_lower_rad = 0.0, arm_upper_rad = 0.0;  // joint limits, tip-down positive
+  double arm_length_m = 0.0;                        // axle to the tip's front face
+  double arm_at_power_on_rad = 0.0;                 // stowed against the body, tip-down positive
+  WheelModel left_wheel_soil, right_wheel_soil;
+  std::array<MotorModel, kMotorCount> motors;  // by Motor
+  TetherModel tether;
+  ArmTipModel tip;
+  CollarModel collar;
+  ImuModel imu;
+  StereoModel stereo;
+
+  double mass_kg() const {
+    return body.mass_kg + left_wheel.mass_kg + right_wheel.mass_kg + arm.mass_kg;
+  }
+};
+
+}  // namespace dockyard::axel

@@ -1,0 +1,164 @@
+#include "models/axel/load_station.h"
+
+#include <cmath>
+
+#include "models/read/config_error.h"
+#include "models/read/load_board.h"
+#include "models/read/text_file.h"
+#include "models/read/urdf.h"
+#include "models/read/urdf_weld.h"
+#include "models/read/yaml_reader.h"
+
+namespace dockyard::axel {
+namespace {
+
+void ReadCone(const YamlReader& root, ConeModel& cone) {
+  const YamlReader in(root.Child("cone"), "cone",
+                      {"mouth_radius_m", "funnel_length_m", "throat_radius_m", "socket_end_m",
+                       "stop_depth_m", "face_outer_radius_m", "wedges", "funnel_friction",
+                       "face_friction", "contact_stiffness_n_per_m", "contact_damping_ns_per_m"});
+  cone.mouth_radius_m = in.Number("mouth_radius_m", Positive(2.0));
+  cone.funnel_length_m = in.Number("funnel_length_m", Positive(2.0));
+  cone.throat_radius_m = in.Number("throat_radius_m", Positive(2.0));
+  cone.socket_end_m = in.Number("socket_end_m", Positive(5.0));
+  cone.stop_depth_m = in.NumberOr("stop_depth_m", 0.0, NonNegative(5.0));
+  cone.face_outer_radius_m = in.Number("face_outer_radius_m", Positive(2.0));
+  cone.wedges = in.Integer("wedges", 8, 256);
+  cone.funnel_friction = in.Number("funnel_friction", NonNegative(2.0));
+  cone.face_friction = in.Number("face_friction", NonNegative(2.0));
+  cone.contact_stiffness_n_per_m = in.Number("contact_stiffness_n_per_m", Between(1e3, 1e7));
+  cone.contact_damping_ns_per_m = in.Number("contact_damping_ns_per_m", NonNegative(1e6));
+  if (cone.throat_radius_m >= cone.mouth_radius_m) {
+    in.Refuse("throat_radius_m", "less than mouth_radius_m");
+  }
+  if (cone.face_outer_radius_m <= cone.mouth_radius_m) {
+    in.Refuse("face_outer_radius_m", "more than mouth_radius_m");
+  }
+  if (cone.stop_depth_m > 0.0 && cone.stop_depth_m < cone.funnel_length_m) {
+    in.Refuse("stop_depth_m", "0 or at least funnel_length_m");
+  }
+  if (cone.socket_end_m < cone.funnel_length_m) {
+    in.Refuse("socket_end_m", "at least funnel_length_m");
+  }
+}
+
+/// The board inline, or by the name of its file; where it hangs is the station's affair.
+void ReadBoardOf(const YamlReader& root, StationModel& station) {
+  const YamlNode& node = root.Child("board");
+  const bool named = node.Find("file") != nullptr;
+  const YamlReader in(node, "board",
+                      named ? std::vector<std::string>{"file", "height_above_axis_m"}
+                            : BoardKeys({"height_above_axis_m"}));
+  station.board_height_above_axis_m = in.Number("height_above_axis_m", Between(-2.0, 2.0));
+  station.board = named ? LoadBoard(in.File("file")).board : ReadBoard(in);
+  const BoardCutout cutout = CutoutOf(station);
+  const double least_m = 0.5 * station.board.disc_diameter_m + cutout.radius_m;
+  for (std::size_t i = 0; i < station.board.fiducials.size(); ++i) {
+    const double overlap_m = least_m - (station.board.fiducials[i].p_BF - cutout.p_B).norm();
+    if (overlap_m <= 0.0) continue;
+    const bool listed = !named && in.Has("fiducials");
+    const YamlNode& place = listed ? in.Child("fiducials").items[i] : node;
+    throw ConfigError(place.place.Text() + ": " + YamlReader::PathOf(in.PathOf("fiducials"), i) +
+                      ": expected a disc clear of the cone's mouth and face, it overlaps by " +
+                      NumberText(std::round(1e4 * overlap_m) / 1e4) + " m");
+  }
+}
+
+void ReadFeet(const YamlReader& root, StationModel& station) {
+  const YamlReader in(root.Child("feet"), "feet", {"soles_m", "friction", "stiffness_n_per_m"});
+  const YamlNode& list = in.List("soles_m", 3, 16);
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    const YamlReader sole(list.items[i], YamlReader::PathOf(in.PathOf("soles_m"), i), {"x", "y"});
+    station.feet.push_back({Eigen::Vector3d(sole.Number("x", Between(-5.0, 5.0)),
+                                            sole.Number("y", Between(-5.0, 5.0)), 0.0)});
+  }
+  station.foot_friction = in.Number("friction", NonNegative(3.0));
+  station.foot_stiffness_n_per_m = in.Number("stiffness_n_per_m", Between(1e3, 1e8));
+}
+
+/// Standing: the weight must fall between the soles, else the station topples by itself.
+void CheckStands(const YamlReader& in, const StationModel& station) {
+  Eigen::Vector2d low = station.feet[0].p_SF.head<2>(), high = low;
+  for (const FootModel& foot : station.feet) {
+    low = low.cwiseMin(foot.p_SF.head<2>());
+    high = high.cwiseMax(foot.p_SF.head<2>());
+  }
+  const Pose3 X_SM = MouthInStation(station);
+  const Eigen::Vector3d p_MCom =
+      station.module.p_LoCom_L - Eigen::Vector3d(0.0, 0.0, station.mouth_height_m);
+  const Eigen::Vector2d com = (X_SM * p_MCom).head<2>();
+  if ((com.array() <= low.array()).any() || (com.array() >= high.array()).any()) {
+    in.Refuse("feet", "soles on both sides of the centre of mass at x " + NumberText(com.x()) +
+                          ", y " + NumberText(com.y()));
+  }
+}
+
+/// The model with fixed links welded: the stand, which only stands there, and the module on it.
+UrdfModel WeldStation(const UrdfModel& urdf) {
+  for (std::size_t i = 0; i < urdf.links.size(); ++i) {
+    const LinkModel& link = urdf.links[i];
+    if (CarrierOf(urdf, link.name) != "stand") continue;
+    if (link.mass_kg == 0.0 && link.collisions.empty()) continue;
+    throw ConfigError(urdf.place[i] +
+                      ": expected neither <inertial> nor <collision>: mass and shape of the whole "
+                      "station are the module's, the stand and what is fixed to it is drawn");
+  }
+  if (urdf.Joint("tilt_joint").type == "fixed") return urdf;  // TakeLinks refuses it
+  UrdfModel welded = WeldFixedLinks(urdf);
+  RequireJoints(welded, {"tilt_joint"}, "'stand' and 'module'");
+  return welded;
+}
+
+/// mass_kg and mouth_height_m of the file, where given, stand instead of the URDF's.
+void TakeLinks(const YamlReader& in, const UrdfModel& file, StationModel& station) {
+  const UrdfModel urdf = WeldStation(file);
+  UrdfJoint tilt = urdf.Joint("tilt_joint");
+  const bool fits = urdf.root == "stand" && tilt.parent == "stand" && tilt.child == "module" &&
+                    tilt.type == "revolute" && tilt.axis_J == Eigen::Vector3d::UnitY() &&
+                    tilt.X_PJ.R.isIdentity(1e-9) && tilt.X_PJ.p.head<2>().norm() < 1e-9 &&
+                    tilt.X_PJ.p.z() > 0.0;
+  if (!fits) {
+    throw ConfigError(tilt.place +
+                      ": expected a revolute joint about 0 1 0 from the root link 'stand' to "
+                      "'module', its origin straight above the stand's");
+  }
+  tilt.X_PJ.p.z() = in.NumberOr("mouth_height_m", tilt.X_PJ.p.z(), Positive(5.0));
+  station.mouth_height_m = tilt.X_PJ.p.z();
+  station.stand_visuals = urdf.Link("stand").visuals;
+  station.module = urdf.Link("module");
+  if (!(station.module.mass_kg > 0.0)) {
+    throw ConfigError(urdf.PlaceOf("module") + ": expected an <inertial>, found none");
+  }
+  const double scale =
+      in.NumberOr("mass_kg", station.module.mass_kg, Between(0.1, 1e5)) / station.module.mass_kg;
+  station.module.mass_kg *= scale;
+  station.module.I_LCom_L *= scale;
+  // From the mouth's frame, where the joint has it, to S.
+  station.module.p_LoCom_L = tilt.X_PJ * station.module.p_LoCom_L;
+  for (Visual& visual : station.module.visuals) visual.X_LV = tilt.X_PJ * visual.X_LV;
+  for (Collision& part : station.module.collisions) part.X_LG = tilt.X_PJ * part.X_LG;
+}
+
+}  // namespace
+
+StationModel LoadStation(const std::string& file, const YamlNode* changes) {
+  YamlNode tree = LoadYaml(file);
+  if (changes != nullptr) MergeYaml(tree, *changes);
+  const YamlReader in(tree, "",
+                      {"name", "urdf", "tip_angle_deg", "cone", "board", "anchor_depth_m", "feet",
+                       "mass_kg", "mouth_height_m"});
+  StationModel station;
+  station.name = in.Text("name");
+  station.tip_angle_rad = in.Degrees("tip_angle_deg", Between(0.0, 30.0));
+  ReadCone(in, station.cone);
+  ReadBoardOf(in, station);
+  station.anchor_depth_m = in.Number("anchor_depth_m", Positive(5.0));
+  ReadFeet(in, station);
+  TakeLinks(in, LoadUrdf(in.File("urdf")), station);
+  CheckStands(in, station);
+  const double lowest = station.mouth_height_m - station.cone.face_outer_radius_m;
+  if (lowest <= 0.0) in.Refuse("cone", "a face that clears the ground below the mouth");
+  return station;
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,18 @@
+// models/<station>/<station>.yaml and the URDF that it names -> StationModel.
+#pragma once
+
+#include <string>
+
+#include "models/axel/station_model.h"
+#include "models/read/yaml_tree.h"
+
+namespace dockyard::axel {
+
+/// The URDF must have the root link stand (feet and legs; no mass, the module's counts for all),
+/// the link module and between them the joint tilt_joint (revolute about +y) at the centre of the
+/// cone's mouth, straight above the stand's origin. Throws ConfigError, also when a fiducial
+/// overlaps the mouth's face, another fiducial or the board's edge. `changes` are keys on top of
+/// the file's.
+StationModel LoadStation(const std::string& file, const YamlNode* changes = nullptr);
+
+}  // namespace dockyard::axel

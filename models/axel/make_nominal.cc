@@ -1,0 +1,33 @@
+#include "models/axel/make_nominal.h"
+
+namespace dockyard::axel {
+
+Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double arm_at_zero_rad) {
+  Nominal nominal;
+  nominal.rig = rover.stereo.nominal;
+  nominal.board = station.board;
+  nominal.X_DB = BoardInDock(station);
+  for (std::size_t i = 0; i < rover.motors.size(); ++i) {
+    const MotorModel& motor = rover.motors[i];
+    nominal.motors[i] = {.rad_per_count = 2.0 * kPi / motor.counts_per_rev,
+                         .torque_per_amp_nm = motor.torque_per_amp_nm,
+                         .no_load_current_a = motor.no_load_current_a,
+                         .max_current_a = motor.max_current_a,
+                         .max_speed_rad_s = motor.max_speed_rad_s,
+                         .max_accel_rad_s2 = motor.max_accel_rad_s2};
+  }
+  nominal.wheel_radius_m = RollingRadius(rover.left_wheel_soil);
+  nominal.track_m = rover.p_R_left_wheel.y() - rover.p_R_right_wheel.y();
+  nominal.arm_length_m = rover.arm_length_m;
+  nominal.arm_at_zero_rad = arm_at_zero_rad;
+  nominal.drum_radius_m = rover.tether.drum_radius_m;
+  nominal.mouth_height_m = station.mouth_height_m;
+  nominal.anchor_depth_m = station.anchor_depth_m;
+  return nominal;
+}
+
+Nominal MakeNominal(const RoverModel& rover, const StationModel& station) {
+  return MakeNominal(rover, station, rover.arm_at_power_on_rad);
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,99 @@
+#include "models/axel/rover_links.h"
+
+#include <cmath>
+#include <utility>
+
+#include "models/parts/collision_reach.h"
+#include "models/read/config_error.h"
+#include "models/read/urdf_weld.h"
+#include "models/read/yaml_reader.h"
+
+namespace dockyard::axel {
+namespace {
+
+[[noreturn]] void RefuseJoint(const UrdfJoint& joint, const std::string& expected,
+                              const std::string& found) {
+  throw ConfigError(joint.place + ": expected " + expected + ", found '" + found + "'");
+}
+
+void CheckType(const UrdfJoint& joint, const char* type) {
+  if (joint.type != type) RefuseJoint(joint, std::string("type ") + type, joint.type);
+}
+
+void CheckJoint(const UrdfJoint& joint, const char* child) {
+  if (joint.parent != "body") RefuseJoint(joint, "parent body", joint.parent);
+  if (joint.child != child) RefuseJoint(joint, std::string("child ") + child, joint.child);
+  if (joint.axis_J != Eigen::Vector3d::UnitY()) RefuseJoint(joint, "axis 0 1 0", "another axis");
+  if (!joint.X_PJ.R.isIdentity(1e-9)) {
+    RefuseJoint(joint, "an origin without rotation", "a rotation");
+  }
+}
+
+const LinkModel& BodyWithMass(const UrdfModel& urdf, const char* name) {
+  const LinkModel& link = urdf.Link(name);
+  if (link.mass_kg > 0.0) return link;
+  throw ConfigError(urdf.PlaceOf(name) + ": expected an <inertial>, found none");
+}
+
+/// The model with fixed links welded: body, wheels and arm are left, and their three joints.
+UrdfModel WeldRover(const UrdfModel& urdf) {
+  if (urdf.root != "body") {
+    throw ConfigError(urdf.PlaceOf(urdf.root) + ": expected the root link to be 'body'");
+  }
+  for (const auto& [name, type] :
+       {std::pair("left_wheel_joint", "continuous"), std::pair("right_wheel_joint", "continuous"),
+        std::pair("arm_joint", "revolute")}) {
+    CheckType(urdf.Joint(name), type);
+  }
+  UrdfModel welded = WeldFixedLinks(urdf);
+  RequireJoints(welded, {"left_wheel_joint", "right_wheel_joint", "arm_joint"},
+                "'body', 'left_wheel', 'right_wheel' and 'arm'");
+  return welded;
+}
+
+/// The tip's disc is simulated by itself: nothing else of the arm may reach past its middle.
+void CheckArm(const UrdfModel& urdf, const RoverModel& rover) {
+  const double tip_middle = rover.arm_length_m - 0.5 * rover.tip.length_m;
+  for (const Collision& part : rover.arm.collisions) {
+    const bool is_tip = part.name == "tip" && std::holds_alternative<CylinderShape>(part.shape);
+    const bool is_collar = part.name == "collar" && rover.collar.radius_m > 0.0;
+    if (is_tip || is_collar || ReachAlongX(part) <= tip_middle) continue;
+    throw ConfigError(urdf.PlaceOf("arm") + ": collision '" + part.name + "' reaches to x " +
+                      NumberText(ReachAlongX(part)) + ", expected at most " +
+                      NumberText(tip_middle) +
+                      ", the middle of the tip (arm.length_m less half "
+                      "of arm.tip_length_m)");
+  }
+}
+
+}  // namespace
+
+void TakeRoverLinks(const UrdfModel& file, RoverModel& rover) {
+  const UrdfModel urdf = WeldRover(file);
+  rover.body = BodyWithMass(urdf, "body");
+  rover.left_wheel = BodyWithMass(urdf, "left_wheel");
+  rover.right_wheel = BodyWithMass(urdf, "right_wheel");
+  rover.arm = BodyWithMass(urdf, "arm");
+  CheckArm(urdf, rover);
+  const UrdfJoint &left = urdf.Joint("left_wheel_joint"), &right = urdf.Joint("right_wheel_joint"),
+                  &arm = urdf.Joint("arm_joint");
+  CheckJoint(left, "left_wheel");
+  CheckJoint(right, "right_wheel");
+  CheckJoint(arm, "arm");
+  rover.p_R_left_wheel = left.X_PJ.p;
+  rover.p_R_right_wheel = right.X_PJ.p;
+  const Eigen::Vector3d middle = 0.5 * (left.X_PJ.p + right.X_PJ.p);
+  const Eigen::Vector3d apart = left.X_PJ.p - right.X_PJ.p;
+  if (!(apart.y() > 0.0) || std::hypot(apart.x(), apart.z()) > 1e-9 || middle.norm() > 1e-9) {
+    throw ConfigError(left.place +
+                      ": expected the wheels on one axle along y through the body's origin, the "
+                      "left one at y > 0");
+  }
+  if (arm.X_PJ.p.norm() > 1e-9) {
+    throw ConfigError(arm.place + ": expected origin 0 0 0, the middle of the axle");
+  }
+  rover.arm_lower_rad = arm.lower_rad;
+  rover.arm_upper_rad = arm.upper_rad;
+}
+
+}  // namespace dockyard::axel

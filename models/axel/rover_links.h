@@ -1,0 +1,15 @@
+// The rover's links and joints out of its URDF.
+#pragma once
+
+#include "models/axel/axel_model.h"
+#include "models/read/urdf.h"
+
+namespace dockyard::axel {
+
+/// Body, wheels and arm with all that is fixed to them, where they are joined, and the arm's
+/// limits. Arm length and tip must have been read before. Throws ConfigError with the line for
+/// links and joints that are missing, turned otherwise than the rover's model has them, or further
+/// than these.
+void TakeRoverLinks(const UrdfModel& file, RoverModel& rover);
+
+}  // namespace dockyard::axel

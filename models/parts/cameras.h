@@ -1,0 +1,41 @@
+// A stereo pair with its sensors and the errors that it may be built with.
+#pragma once
+
+#include "controller/geometry/camera.h"
+
+namespace dockyard {
+
+/// How the pictures' exposure is set.
+enum class ExposureRule { kAutomatic, kFixed, kBracketed };
+struct ExposureModel {
+  ExposureRule rule = ExposureRule::kAutomatic;
+  double percent = 5.0;        // automatic: this share of the pixels exceeds ...
+  double level = 0.49;         // ... this share of the full well
+  double fixed_e = 0.0;        // fixed: electrons of radiance 1
+  double bracket_stops = 2.0;  // bracketed: pictures in turn at 0, less, more
+};
+
+/// Thin lens; all is sharp when distance_m is 0.
+struct FocusModel {
+  double focal_length_m = 0.0, f_number = 0.0, distance_m = 0.0, pixel_pitch_m = 0.0;
+};
+
+/// The stereo pair as drawn in the workshop, and how far the built one may be off (1 sigma each).
+struct StereoModel {
+  StereoRig nominal;
+  double relative_yaw_sigma_rad = 0.0;  // right against left camera
+  double rotation_sigma_rad = 0.0;      // each camera, roll and pitch
+  double focal_sigma = 0.0;             // relative
+  double centre_sigma_px = 0.0;
+  double radial_sigma_px = 0.0;  // lens's radial term, at the middle of the image's left edge
+  // Sensor
+  double full_well_e = 0.0, read_noise_e = 0.0;
+  double vignetting_exponent = 0.0;  // irradiance falls as cos^n of the angle off axis
+  double blur_sigma_px = 0.0;        // lens and pixel together
+  double response_sigma = 0.0;       // of pixels among each other
+  int bits = 8;                      // of a pixel; the controller gets the upper eight
+  ExposureModel exposure;
+  FocusModel focus;
+};
+
+}  // namespace dockyard

@@ -1,0 +1,107 @@
+#include "models/read/csv_table.h"
+
+#include <utility>
+
+#include "models/read/config_error.h"
+#include "models/read/text_file.h"
+
+namespace dockyard {
+namespace {
+
+struct Cell {
+  std::string text;
+  int column = 0;
+};
+
+std::vector<Cell> Split(std::string_view line) {
+  std::vector<Cell> cells;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t comma = line.find(',', begin);
+    std::string_view cell = line.substr(begin, comma - begin);
+    int column = static_cast<int>(begin) + 1;
+    while (!cell.empty() && cell.front() == ' ') {
+      cell.remove_prefix(1);
+      ++column;
+    }
+    while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
+    cells.push_back({std::string(cell), column});
+    if (comma == std::string_view::npos) return cells;
+    begin = comma + 1;
+  }
+}
+
+class Table {
+ public:
+  explicit Table(const std::string& file) : source_(std::make_shared<const std::string>(file)) {
+    list_.kind = YamlNode::Kind::kSequence;
+    list_.place = {source_, 1, 1};
+  }
+  YamlNode Take() { return std::move(list_); }
+
+  void AddLine(const std::vector<Cell>& cells, int line) {
+    if (header_.empty()) {
+      TakeHeader(cells, line);
+    } else {
+      TakeRow(cells, line);
+    }
+  }
+
+ private:
+  [[noreturn]] void Refuse(int line, int column, const std::string& what) const {
+    throw ConfigError(YamlPlace{source_, line, column}.Text() + ": " + what);
+  }
+  void TakeHeader(const std::vector<Cell>& cells, int line) {
+    for (const Cell& cell : cells) {
+      if (cell.text.empty()) Refuse(line, cell.column, "expected a column's name, found nothing");
+      for (const YamlNode::Key& key : header_) {
+        if (key.name == cell.text) Refuse(line, cell.column, cell.text + ": given twice");
+      }
+      header_.push_back({cell.text, {source_, line, cell.column}});
+    }
+  }
+  void TakeRow(const std::vector<Cell>& cells, int line) {
+    if (cells.size() != header_.size()) {
+      Refuse(line, cells.back().column,
+             "expected " + std::to_string(header_.size()) + " cells as in the header, found " +
+                 std::to_string(cells.size()));
+    }
+    YamlNode row;
+    row.kind = YamlNode::Kind::kMapping;
+    row.place = {source_, line, 1};
+    row.keys = header_;
+    for (const Cell& cell : cells) {
+      YamlNode value;
+      value.kind = cell.text.empty() ? YamlNode::Kind::kNull : YamlNode::Kind::kScalar;
+      value.place = {source_, line, cell.column};
+      value.scalar = cell.text;
+      row.items.push_back(std::move(value));
+    }
+    list_.items.push_back(std::move(row));
+  }
+
+  std::shared_ptr<const std::string> source_;
+  std::vector<YamlNode::Key> header_;
+  YamlNode list_;
+};
+
+}  // namespace
+
+YamlNode LoadCsv(const std::string& file) {
+  const std::string text = ReadText(file);
+  Table table(file);
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = text.find('\n', begin);
+    if (end == std::string::npos) end = text.size();
+    std::string_view line(text.data() + begin, end - begin);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    begin = end + 1;
+    ++number;
+    if (line.find_first_not_of(" \t") == std::string_view::npos || line.front() == '#') continue;
+    table.AddLine(Split(line), number);
+  }
+  return table.Take();
+}
+
+}  // namespace dockyard

@@ -1,0 +1,14 @@
+// A table in comma-separated values as a list of YAML mappings, so that rows are checked as
+// everything else: one header line, no quotes, lines that begin with # are comments.
+#pragma once
+
+#include <string>
+
+#include "models/read/yaml_tree.h"
+
+namespace dockyard {
+
+/// Throws ConfigError with file:line:col (columns count bytes from 1).
+YamlNode LoadCsv(const std::string& file);
+
+}  // namespace dockyard

@@ -1,0 +1,38 @@
+#include "models/read/load_soil.h"
+
+#include "models/read/config_error.h"
+#include "models/read/yaml_reader.h"
+
+namespace dockyard {
+
+SoilModel LoadSoil(const std::string& file, const YamlNode* changes) {
+  YamlNode root = LoadYaml(file);
+  if (changes != nullptr) MergeYaml(root, *changes);
+  const YamlReader in(root, "",
+                      {"name", "source", "n", "slip_weakening", "k_c", "k_phi", "cohesion_pa",
+                       "friction_angle_deg", "shear_modulus_m", "density_kg_m3",
+                       "unloading_stiffness_pa_per_m", "damping_pa_s_per_m", "rgb"});
+  SoilModel soil;
+  soil.name = in.Text("name");
+  soil.source = in.Text("source");
+  soil.n = in.Number("n", Between(0.2, 2.5));
+  soil.slip_weakening = in.Number("slip_weakening", Between(0.0, 1.0));
+  soil.k_c = in.Number("k_c", Between(-1e6, 1e6));
+  soil.k_phi = in.Number("k_phi", Positive(1e9));
+  soil.cohesion_pa = in.Number("cohesion_pa", NonNegative(1e5));
+  soil.friction_angle_rad = in.Degrees("friction_angle_deg", Between(1.0, 60.0));
+  soil.shear_modulus_m = in.Number("shear_modulus_m", Between(1e-4, 0.5));
+  soil.density_kg_m3 = in.Number("density_kg_m3", Between(200.0, 5000.0));
+  soil.unloading_stiffness_pa_per_m = in.Number("unloading_stiffness_pa_per_m", Between(1e5, 1e9));
+  soil.damping_pa_s_per_m = in.Number("damping_pa_s_per_m", NonNegative(1e8));
+  soil.rgb = in.Rgb("rgb");
+  return soil;
+}
+
+void CheckCarries(const SoilModel& soil, const std::string& file, const WheelModel& wheel) {
+  if (soil.k_c / wheel.width_m + soil.k_phi > 0.0) return;
+  throw ConfigError(file + ": k_c: expected k_c / width + k_phi > 0 under a wheel " +
+                    NumberText(wheel.width_m) + " m wide, found '" + NumberText(soil.k_c) + "'");
+}
+
+}  // namespace dockyard

@@ -1,0 +1,23 @@
+// models/wheels/*.yaml -> a single wheel, as the rig of `dockyard wheel` drives it.
+#pragma once
+
+#include <string>
+
+#include "models/parts/wheel.h"
+#include "models/read/yaml_reader.h"
+
+namespace dockyard {
+
+struct WheelFile {
+  std::string name;
+  std::string source;  // where the numbers come from
+  WheelModel wheel;
+};
+
+/// Throws ConfigError.
+WheelFile LoadWheel(const std::string& file);
+
+/// Reads radius_m, width_m and paddles of a mapping that has them, phase zero.
+WheelModel ReadWheelShape(const YamlReader& in);
+
+}  // namespace dockyard

@@ -1,0 +1,143 @@
+#include "models/read/mesh_format.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <optional>
+
+#include "models/read/config_error.h"
+#include "models/read/gltf_check.h"
+#include "models/read/mesh_loader.h"
+#include "models/read/text_file.h"
+
+namespace dockyard {
+namespace {
+
+constexpr std::size_t kMaxObjParts = 10000;
+
+std::optional<MeshFormat> FormatByExtension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".stl") return MeshFormat::kStl;
+  if (extension == ".obj") return MeshFormat::kObj;
+  if (extension == ".dae") return MeshFormat::kDae;
+  if (extension == ".gltf") return MeshFormat::kGltf;
+  if (extension == ".glb") return MeshFormat::kGlb;
+  return std::nullopt;
+}
+
+std::uint32_t LittleEndian32(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
+  }
+  return value;
+}
+
+/// Binary STL: 80 bytes of header, a count, 50 bytes a triangle (3D Systems, 1989).
+bool IsBinaryStl(std::string_view bytes) {
+  if (bytes.size() < 84) return false;
+  const std::uint64_t triangles = LittleEndian32(bytes, 80);
+  return triangles > 0 && bytes.size() == 84 + 50 * triangles;
+}
+
+std::string_view SkipSpace(std::string_view text) {
+  const std::size_t at = text.find_first_not_of(" \t\r\n");
+  return at == std::string_view::npos ? std::string_view() : text.substr(at);
+}
+
+constexpr char kNoGlb[] = "no binary glTF 2.0 file of the length that its header tells";
+
+/// The JSON chunk of a GLB file (Khronos, glTF 2.0, 4.4): a header of 12 bytes, then chunks, each
+/// with its length and type before it; JSON first. Nothing when the lengths do not add up.
+std::optional<std::string_view> JsonOfGlb(std::string_view bytes) {
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+  if (bytes.size() < kHeader + kChunkHeader || bytes.substr(0, 4) != "glTF" ||
+      LittleEndian32(bytes, 4) != 2 || LittleEndian32(bytes, 8) != bytes.size()) {
+    return std::nullopt;
+  }
+  std::optional<std::string_view> json;
+  for (std::size_t at = kHeader; at < bytes.size();) {
+    if (bytes.size() - at < kChunkHeader) return std::nullopt;
+    const std::size_t length = LittleEndian32(bytes, at);
+    if (length % 4 != 0 || length > bytes.size() - at - kChunkHeader) return std::nullopt;
+    if (!json) {
+      if (bytes.substr(at + 4, 4) != "JSON") return std::nullopt;
+      json = bytes.substr(at + kChunkHeader, length);
+    }
+    at += kChunkHeader + length;
+  }
+  return json;
+}
+
+/// Lines of an OBJ text that open an object, group or material: assimp compares each with all.
+std::size_t CountObjParts(std::string_view text) {
+  std::size_t parts = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n\\", at), text.size());
+    const std::string_view line = text.substr(begin, 7);
+    const bool named = line.size() > 1 && (line[1] == ' ' || line[1] == '\t');
+    if ((named && (line[0] == 'o' || line[0] == 'g')) || line.substr(0, 6) == "usemtl") ++parts;
+    at = std::min(text.find_first_of("\r\n", begin), text.size());
+  }
+  return parts;
+}
+
+std::string Objection(MeshFormat format, std::string_view bytes) {
+  const std::string_view text = SkipSpace(bytes);
+  switch (format) {
+    case MeshFormat::kStl:
+      if (IsBinaryStl(bytes)) return {};
+      if (text.substr(0, 5) == "solid" && text.find("facet") != std::string_view::npos) return {};
+      return "neither a binary STL file of the length that its header tells nor one in text";
+    case MeshFormat::kObj:
+      if (text.find("v ") == std::string_view::npos || text.find("f ") == std::string_view::npos) {
+        return "an OBJ file without vertices or faces";
+      }
+      if (CountObjParts(text) > kMaxObjParts) {
+        return "more than 10000 objects, groups and changes of material";
+      }
+      return {};
+    case MeshFormat::kDae:
+      if (text.substr(0, 1) != "<" || text.find("<COLLADA") == std::string_view::npos) {
+        return "no Collada document";
+      }
+      if (text.find("<!DOCTYPE") != std::string_view::npos) return "a document with a DOCTYPE";
+      return {};
+    case MeshFormat::kGltf:
+      if (text.substr(0, 1) != "{" || text.find("\"asset\"") == std::string_view::npos) {
+        return "no glTF document";
+      }
+      return GltfObjection(text);
+    case MeshFormat::kGlb: {
+      const std::optional<std::string_view> json = JsonOfGlb(bytes);
+      return json ? GltfObjection(*json) : kNoGlb;
+    }
+  }
+  return "of no known format";
+}
+
+}  // namespace
+
+bool IsMeshFile(const std::filesystem::path& file) { return FormatByExtension(file).has_value(); }
+
+MeshFormat CheckedMeshFormat(const std::filesystem::path& file, std::string_view bytes) {
+  const std::optional<MeshFormat> format = FormatByExtension(file);
+  if (!format) {
+    throw ConfigError(
+        file.string() +
+        ": expected a mesh file (.stl, .obj, .dae, .gltf or .glb), found extension '" +
+        file.extension().string() + "'");
+  }
+  const bool text = *format == MeshFormat::kObj || *format == MeshFormat::kDae ||
+                    *format == MeshFormat::kGltf ||
+                    (*format == MeshFormat::kStl && !IsBinaryStl(bytes));
+  const std::string objection = Objection(*format, bytes);
+  if (!objection.empty()) throw ConfigError(file.string() + ": not a usable mesh: " + objection);
+  if (text) CheckIsText(bytes, file.string());
+  if (*format == MeshFormat::kGlb) CheckIsText(*JsonOfGlb(bytes), file.string());
+  return *format;
+}
+
+}  // namespace dockyard

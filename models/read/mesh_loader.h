@@ -1,0 +1,36 @@
+// Triangle meshes from files: STL, OBJ, Collada (DAE) and glTF (gltf, glb) through assimp, kept on
+// a short leash because mesh importers are known for crashing on malformed input: only these
+// formats, magic bytes checked first, sizes capped, nothing read from outside the file's folder,
+// and the outcome checked number by number.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <memory>
+
+#include "models/parts/mesh.h"
+
+namespace dockyard {
+
+inline constexpr std::size_t kMaxMeshBytes = 32u << 20;
+inline constexpr std::size_t kMaxMeshTriangles = 500000;
+inline constexpr double kMaxMeshCoordinate_m = 1000.0;
+
+/// All triangles of the file in its root frame, axes as the numbers are written (Collada's up_axis
+/// is not followed, glTF is not turned), lengths in metres. Throws ConfigError with one sentence
+/// when the file is no mesh of an allowed format, is too large, has no triangle, an index out of
+/// range, or a coordinate that is not finite or beyond kMaxMeshCoordinate_m.
+std::shared_ptr<const TriangleMesh> LoadMesh(const std::filesystem::path& file);
+
+/// Whether the file's extension is one of the allowed ones (.stl .obj .dae .gltf .glb).
+bool IsMeshFile(const std::filesystem::path& file);
+
+/// Scales the vertices; mirrored scales (negative product) turn the triangles round.
+TriangleMesh Scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale);
+
+/// Primitive bodies for files that have no mesh; cylinder along z. Faces outwards.
+TriangleMesh BoxMesh(const Eigen::Vector3d& size_m);
+TriangleMesh CylinderMesh(double radius_m, double length_m, int sides = 32);
+TriangleMesh SphereMesh(double radius_m, int rings = 16);
+
+}  // namespace dockyard

@@ -1,0 +1,117 @@
+#include "models/read/text_file.h"
+
+#include <fstream>
+#include <system_error>
+
+#include "models/read/config_error.h"
+
+namespace dockyard {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Length of the UTF-8 sequence that starts at text[i], 0 if it is not one (RFC 3629, section 4).
+int SequenceLength(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
+  };
+  const auto tail = [&](std::size_t k) { return (byte(k) & 0xC0u) == 0x80u; };
+  const unsigned lead = byte(i), second = byte(i + 1);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return tail(i + 1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    const bool overlong = lead == 0xE0 && second < 0xA0;
+    const bool surrogate = lead == 0xED && second > 0x9F;
+    return tail(i + 1) && tail(i + 2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    const bool overlong = lead == 0xF0 && second < 0x90, beyond = lead == 0xF4 && second > 0x8F;
+    return tail(i + 1) && tail(i + 2) && tail(i + 3) && !overlong && !beyond ? 4 : 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string ReadBytes(const fs::path& file, std::size_t max_bytes) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) throw ConfigError(file.string() + ": no such file");
+  if (!fs::is_regular_file(status)) throw ConfigError(file.string() + ": not a regular file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw ConfigError(file.string() + ": cannot be opened for reading");
+  std::string bytes;
+  char buffer[65536];
+  while (in.read(buffer, sizeof buffer) || in.gcount() > 0) {
+    bytes.append(buffer, static_cast<std::size_t>(in.gcount()));
+    if (bytes.size() > max_bytes) {
+      throw ConfigError(file.string() + ": larger than " + std::to_string(max_bytes >> 20) +
+                        " MiB, which is more than this kind of file may have");
+    }
+  }
+  if (in.bad()) throw ConfigError(file.string() + ": cannot be read to its end");
+  return bytes;
+}
+
+void CheckIsText(std::string_view text, const std::string& file) {
+  int line = 1, column = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    const int length = SequenceLength(text, i);
+    const unsigned char c = static_cast<unsigned char>(text[i]);
+    const bool control = (c < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F;
+    if (length == 0 || control) {
+      throw ConfigError(file + ":" + std::to_string(line) + ":" + std::to_string(column) +
+                        ": expected text in UTF-8, found byte " + std::to_string(c));
+    }
+    if (c == '\n') {
+      ++line;
+      column = 1;
+    } else {
+      ++column;
+    }
+    i += static_cast<std::size_t>(length);
+  }
+}
+
+std::string ReadText(const fs::path& file) {
+  const std::string text = ReadBytes(file, kMaxTextBytes);
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw ConfigError(file.string() + ":1:1: the file is empty");
+  }
+  CheckIsText(text, file.string());
+  return text;
+}
+
+fs::path ResolveBeside(const std::string& written_in, const std::string& path) {
+  return (fs::path(written_in).parent_path() / path).lexically_normal();
+}
+
+fs::path ResolveInside(const std::string& written_in, const std::string& path,
+                       const std::string& place) {
+  const auto refuse = [&](const std::string& why) {
+    throw ConfigError(place + ": expected a path inside the model's folder, found '" + path +
+                      "' (" + why + ")");
+  };
+  if (path.empty()) refuse("it is empty");
+  if (path.find("://") != std::string::npos) {
+    refuse(
+        "addresses such as package:// or file:// are not followed; write it relative to the "
+        "file");
+  }
+  if (fs::path(path).is_absolute()) refuse("it is absolute");
+  std::error_code error;
+  const fs::path parent = fs::path(written_in).parent_path();
+  const fs::path root = fs::canonical(parent.empty() ? fs::path(".") : parent, error);
+  if (error) refuse(error.message());
+  const fs::path real = fs::weakly_canonical(root / path, error);
+  if (error) refuse(error.message());
+  const fs::path inside = real.lexically_relative(root);
+  if (inside.empty() || *inside.begin() == "..") refuse("it leads out of it");
+  const fs::path file = ResolveBeside(written_in, path);
+  if (!fs::is_regular_file(file, error)) {
+    throw ConfigError(place + ": expected a file, found none at '" + file.string() + "'");
+  }
+  return file;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,19 @@
+// Which elements and attributes of URDF are read, which are left out because they change nothing
+// here, and which are refused because they would. The table of docs/models.md.
+#pragma once
+
+#include <tinyxml.h>
+
+#include <map>
+#include <string>
+
+namespace dockyard {
+
+/// How often each element occurs that is left out: "transmission" -> 2. Throws ConfigError with
+/// line and column for an element or attribute that is neither read nor left out, one given twice
+/// that may stand once, one missing that must stand, a material with no colour or two, and values
+/// that would change what is simulated or drawn: damping and friction of a joint other than 0, a
+/// colour that is not opaque.
+std::map<std::string, int> CheckUrdfElements(const TiXmlElement& robot, const std::string& file);
+
+}  // namespace dockyard

@@ -1,0 +1,67 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "sim/app/board_sheet.h"
+#include "sim/app/commands.h"
+#include "sim/app/exit_codes.h"
+#include "sim/app/vision_files.h"
+#include "sim/base/files.h"
+
+namespace dockyard {
+namespace {
+
+struct BoardArguments {
+  std::string board, out;
+  std::optional<std::string> paper{};
+  bool tile = false;
+};
+
+constexpr const char* kHelp = R"(Draw a fiducial board for printing at true size.
+
+Examples:
+  dockyard board models/boards/grid_4x3.yaml --out grid.pdf --paper a3
+  dockyard board models/axel/station/station.yaml --out station.pdf --paper a4 --tile
+  dockyard board models/boards/five_discs.yaml --out five.svg
+
+FILE is a board's file or a station's. --out names the format by its ending: .svg or .pdf. Without --paper the
+page is as large as the board needs. Print it at 100 % and hold a rule against the 100 mm below the board; matt
+paper, laid flat on a stiff plate.)";
+
+int Board(const BoardArguments& arguments, const std::vector<System>& systems) {
+  const std::string ending = std::filesystem::path(arguments.out).extension().string();
+  if (ending != ".svg" && ending != ".pdf") {
+    throw UsageError("--out: expected a file .svg or .pdf, found '" + arguments.out + "'");
+  }
+  if (arguments.tile && !arguments.paper) {
+    throw UsageError("--tile: expected --paper beside it, of which the tiles are");
+  }
+  const NamedBoard named = BoardOf(arguments.board, systems);
+  const std::vector<Page> pages = BoardPages(named, arguments.paper, arguments.tile);
+  if (ending == ".svg" && pages.size() > 1) {
+    throw UsageError("--out: expected a file .pdf for " + std::to_string(pages.size()) +
+                     " pages, found '" + arguments.out + "'");
+  }
+  WriteWhole(arguments.out, ending == ".svg" ? SvgText(pages[0]) : PdfText(pages));
+  std::printf("%s: %s, %zu page%s of %.0f x %.0f mm\n", arguments.out.c_str(), named.name.c_str(),
+              pages.size(), pages.size() == 1 ? "" : "s", pages[0].width_mm, pages[0].height_mm);
+  return kExitDone;
+}
+
+}  // namespace
+
+void AddBoardCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+  auto arguments = std::make_shared<BoardArguments>();
+  CLI::App* command = app.add_subcommand("board", kHelp);
+  command->add_option("FILE", arguments->board, "a board's file, or a station's")->required();
+  command->add_option("--out", arguments->out, "the drawing, .svg or .pdf")->required();
+  command->add_option("--paper", arguments->paper, "a4, a3, a2, a1, a0 or letter, either way round")
+      ->check(CLI::IsMember(PaperNames()));
+  command->add_flag("--tile", arguments->tile,
+                    "on several papers (.pdf) when it is too large for one");
+  command->callback([arguments, &systems, &exit_code] { exit_code = Board(*arguments, systems); });
+}
+
+}  // namespace dockyard

@@ -1,0 +1,173 @@
+#include "sim/app/check_file.h"
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "models/read/config_error.h"
+#include "models/read/load_board.h"
+#include "models/read/load_cameras.h"
+#include "models/read/load_soil.h"
+#include "models/read/load_wheel.h"
+#include "models/read/mesh_loader.h"
+#include "models/read/urdf.h"
+#include "models/read/urdf_weld.h"
+#include "models/read/yaml_reader.h"
+#include "sim/app/scenario_options.h"
+#include "sim/scenario/load_scenario.h"
+#include "sim/scenario/scenario_keys.h"
+#include "sim/scenario/study.h"
+
+namespace dockyard {
+namespace {
+
+FileCheck CheckMesh(const std::string& file) {
+  const auto mesh = LoadMesh(file);
+  return {"mesh", std::to_string(mesh->vertices.size()) + " vertices, " +
+                      std::to_string(mesh->triangles.size()) + " triangles"};
+}
+
+FileCheck CheckUrdf(const std::string& file) {
+  const UrdfModel model = LoadUrdf(file);
+  double mass_kg = 0.0;
+  for (const LinkModel& link : model.links) mass_kg += link.mass_kg;
+  std::string summary = model.name + ": " + std::to_string(model.links.size()) + " links, " +
+                        std::to_string(model.joints.size()) + " joints, " + NumberText(mass_kg) +
+                        " kg";
+  std::string welded;
+  for (const LinkModel& link : model.links) {
+    const std::string carrier = CarrierOf(model, link.name);
+    if (carrier == link.name) continue;
+    welded += (welded.empty() ? "; welded: " : ", ") + link.name + " into " + carrier;
+  }
+  std::string left_out;
+  for (const auto& [element, count] : model.left_out) {
+    left_out +=
+        (left_out.empty() ? "; left out: " : ", ") + std::to_string(count) + " <" + element + ">";
+  }
+  return {"urdf", summary + welded + left_out};
+}
+
+FileCheck CheckBoard(const std::string& file) {
+  const NamedBoard named = LoadBoard(file);
+  return {"board", named.name + ": " + std::to_string(named.board.fiducials.size()) +
+                       (named.board.HasBars() ? " discs with bars, " : " plain discs, ") +
+                       NumberText(named.board.width_m) + " x " + NumberText(named.board.height_m) +
+                       " m"};
+}
+
+FileCheck CheckSoil(const std::string& file) {
+  const SoilModel soil = LoadSoil(file);
+  return {"soil", soil.name + ": n " + NumberText(soil.n) + ", k_phi " + NumberText(soil.k_phi) +
+                      ", cohesion " + NumberText(soil.cohesion_pa) + " Pa"};
+}
+
+FileCheck CheckWheel(const std::string& file) {
+  const WheelFile wheel = LoadWheel(file);
+  return {"wheel", wheel.name + ": radius " + NumberText(wheel.wheel.rim_radius_m) + " m, width " +
+                       NumberText(wheel.wheel.width_m) + " m, " +
+                       std::to_string(wheel.wheel.paddle_count) + " paddles"};
+}
+
+FileCheck CheckCameras(const std::string& file) {
+  const std::vector<PlacedCamera> cameras = LoadCameras(file);
+  for (const PlacedCamera& placed : cameras) {
+    RequireRays(placed.name.empty() ? file : file + ": " + placed.name, placed.camera);
+  }
+  const Camera& first = cameras[0].camera;
+  const Eigen::Vector2d f = first.focal_px();
+  std::string summary = std::to_string(cameras.size()) +
+                        (cameras.size() == 1 ? " camera, " : " cameras, the first of ") +
+                        std::to_string(first.width) + " x " + std::to_string(first.height) +
+                        " px, " + NumberText(std::round(10.0 * f.x()) / 10.0) + " px/rad";
+  return {"camera", summary};
+}
+
+FileCheck CheckRig(const std::string& file) {
+  const StereoRig rig = LoadRig(file);
+  return {"rig", std::to_string(rig.left.width) + " x " + std::to_string(rig.left.height) +
+                     " px, baseline " + NumberText(std::round(1e4 * rig.baseline_m()) / 1e4) +
+                     " m"};
+}
+
+FileCheck CheckScenario(const std::string& file, const std::vector<System>& systems) {
+  const Scenario scenario = LoadScenario(file, {}, KnownSystems(systems));
+  const std::string found = FindSystem(systems, scenario.system).check(scenario);
+  return {"scenario", scenario.name + ": " + found + ", controller " + scenario.controller};
+}
+
+FileCheck CheckCampaign(const std::string& file, const std::vector<System>& systems) {
+  const Campaign campaign = LoadCampaign(file, {}, KnownSystems(systems));
+  std::set<std::string> checked;  // runs that differ in their start alone have the same models
+  for (const CampaignRun& run : campaign.runs) {
+    if (!checked.insert(ModelText(run.scenario)).second) continue;
+    FindSystem(systems, run.scenario.system).check(run.scenario);
+  }
+  std::string labels;
+  for (const std::string& label : campaign.labels) labels += (labels.empty() ? "" : ", ") + label;
+  return {"campaign", campaign.name + ": " + std::to_string(campaign.runs.size()) + " runs" +
+                          (labels.empty() ? "" : " by " + labels) + "; seed " +
+                          std::to_string(campaign.seed)};
+}
+
+FileCheck CheckStudy(const std::string& file, const std::vector<System>& systems) {
+  const Study study = LoadStudy(file, {}, StudySystemsOf(systems));
+  return {"study",
+          study.name + ": " + std::to_string(study.points.size()) + " points, " +
+              std::to_string(study.points.size() * static_cast<std::size_t>(study.repeats)) +
+              " runs"};
+}
+
+FileCheck CheckTable(const std::string& file) {
+  const TableCheck table = CheckCampaignTable(file);
+  const auto list = [](const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text.empty() ? "none" : text;
+  };
+  return {"campaign table", std::to_string(table.runs) + " runs; checked: " + list(table.checked) +
+                                "; left to the campaign's file: " + list(table.left_to_campaign)};
+}
+
+FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems) {
+  const YamlNode root = LoadYaml(file);
+  const auto has = [&](const char* key) { return root.Find(key) != nullptr; };
+  if (has("study")) return CheckStudy(file, systems);
+  if (has("campaign") || has("runs") || has("table")) return CheckCampaign(file, systems);
+  if (has("system") || has("start")) return CheckScenario(file, systems);
+  if (IsBoardFile(root)) return CheckBoard(file);
+  for (const System& system : systems) {
+    if (!system.check_file) continue;
+    if (const std::optional<FileCheck> check = system.check_file(file)) return *check;
+  }
+  if (has("left") || has("right")) return CheckRig(file);
+  if (has("model")) return CheckCameras(file);
+  if (has("k_phi") || has("cohesion_pa") || has("friction_angle_deg")) return CheckSoil(file);
+  if (has("radius_m") || has("width_m") || has("paddles")) return CheckWheel(file);
+  throw ConfigError(
+      root.place.Text() +
+      ": expected the keys of a scenario, campaign, study, board, soil, wheel, camera, rig "
+      "or of a system's own model, found none of them");
+}
+
+}  // namespace
+
+FileCheck CheckFile(const std::string& file, const std::vector<System>& systems) {
+  if (std::filesystem::is_directory(file)) {
+    throw ConfigError(file + ": expected a file, found a folder");
+  }
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (IsMeshFile(file)) return CheckMesh(file);
+  if (extension == ".urdf") return CheckUrdf(file);
+  if (extension == ".json") return CheckCameras(file);
+  if (extension == ".csv") return CheckTable(file);
+  if (extension == ".yaml" || extension == ".yml") return CheckYaml(file, systems);
+  throw ConfigError(
+      file +
+      ": expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or .glb, found "
+      "extension '" +
+      extension + "'");
+}
+
+}  // namespace dockyard

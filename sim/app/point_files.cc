@@ -1,0 +1,102 @@
+#include "sim/app/point_files.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "models/read/config_error.h"
+#include "models/read/csv_table.h"
+#include "models/read/yaml_reader.h"
+
+namespace dockyard {
+namespace {
+
+const std::vector<std::string> kOptional{"frame", "survey_error_m", "disc_diameter_m"};
+
+/// All columns' names: those that a row may have, and those that we leave alone.
+std::vector<std::string> Columns(const YamlNode& row) {
+  std::vector<std::string> known{"camera", "u_px", "v_px", "x_m", "y_m", "z_m"};
+  known.insert(known.end(), kOptional.begin(), kOptional.end());
+  std::vector<std::string> all = known;
+  for (const YamlNode::Key& key : row.keys) {
+    if (std::find(known.begin(), known.end(), key.name) != known.end()) continue;
+    // `name` is no slip of `frame`: without a frame a sequence is refused anyway.
+    const std::string near = NearestName(key.name, {"survey_error_m", "disc_diameter_m"});
+    if (!near.empty()) {
+      throw ConfigError(key.place.Text() + ": " + key.name + ": unknown column, did you mean '" +
+                        near + "'?");
+    }
+    all.push_back(key.name);
+  }
+  return all;
+}
+
+bool Given(const YamlNode& row, const char* column) {
+  const YamlNode* cell = row.Find(column);
+  return cell && cell->kind != YamlNode::Kind::kNull;
+}
+
+PointPixel ReadPoint(const YamlNode& row, const YamlReader& in) {
+  PointPixel point;
+  point.view = in.Choice("camera", {"left", "right"});
+  point.pixel = {in.Number("u_px", Between(-1e5, 1e5)), in.Number("v_px", Between(-1e5, 1e5))};
+  point.p_B = {in.Number("x_m", Between(-1e4, 1e4)), in.Number("y_m", Between(-1e4, 1e4)),
+               in.Number("z_m", Between(-1e4, 1e4))};
+  if (Given(row, "survey_error_m")) point.survey_m = in.Number("survey_error_m", NonNegative(10.0));
+  if (Given(row, "disc_diameter_m")) {
+    point.disc_diameter_m = in.Number("disc_diameter_m", NonNegative(100.0));
+  }
+  return point;
+}
+
+}  // namespace
+
+std::vector<PointFrame> LoadPointFrames(const std::string& file, bool sequence) {
+  const YamlNode table = LoadCsv(file);
+  std::vector<PointFrame> frames;
+  if (table.items.empty()) {
+    if (sequence) throw ConfigError(table.place.Text() + ": expected rows of points, found none");
+    return {PointFrame{}};
+  }
+  const std::vector<std::string> columns = Columns(table.items[0]);
+  std::map<std::string, std::size_t> by_name;
+  // Frame and place of a point: its survey's error.
+  std::map<std::tuple<std::size_t, double, double, double>, double> surveys;
+  for (std::size_t i = 0; i < table.items.size(); ++i) {
+    const YamlNode& row = table.items[i];
+    const YamlReader in(row, "row " + std::to_string(i + 1), columns);
+    std::string name;
+    if (sequence || row.Find("frame")) name = in.Text("frame");
+    const auto [at, is_new] = by_name.try_emplace(name, frames.size());
+    if (is_new && !frames.empty() && !sequence) {
+      in.Refuse("frame", "the same frame in every row (--sequence reads several)");
+    }
+    if (is_new) frames.push_back({.name = name, .points = {}, .rows = {}});
+    const PointPixel point = ReadPoint(row, in);
+    const auto [known, first] = surveys.try_emplace(
+        {at->second, point.p_B.x(), point.p_B.y(), point.p_B.z()}, point.survey_m);
+    if (!first && known->second != point.survey_m) {
+      const char* column = Given(row, "survey_error_m") ? "survey_error_m" : "x_m";
+      in.Refuse(column, "the same survey_error_m in all rows of a point of a frame");
+    }
+    frames[at->second].points.push_back(point);
+    frames[at->second].rows.push_back(static_cast<int>(i) + 1);
+  }
+  return frames;
+}
+
+double DefaultSurveyError(const std::vector<PointFrame>& frames) {
+  // What a tape or a total station leaves, and 1 cm in the room of 10 m of STAR-loc (Dumbgen et
+  // al., arXiv 2309.05518). Assumed, 0.0002-0.003.
+  constexpr double kRelative = 0.001;
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e9), high = -low;
+  for (const PointFrame& frame : frames) {
+    for (const PointPixel& point : frame.points) {
+      low = low.cwiseMin(point.p_B);
+      high = high.cwiseMax(point.p_B);
+    }
+  }
+  return kRelative * std::max(0.0, (high - low).maxCoeff());
+}
+
+}  // namespace dockyard

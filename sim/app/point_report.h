@@ -1,0 +1,40 @@
+// What the command pose says of a frame: JSON, a row of a table, a line for people.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "controller/vision/point_pose.h"
+#include "sim/app/point_files.h"
+#include "sim/base/json.h"
+
+namespace dockyard {
+
+struct FrameAnswer {
+  Result<PointPose, PoseFailure> pose = PoseFailure::kTooFewFiducials;
+  double survey_m = 0.0;              // as stated, of a point whose row states none
+  bool agree_when_exchanged = false;  // refused, but left and right exchanged would be accepted
+  std::string pipeline;
+};
+
+/// The rover in the body's frame, with the covariance in the order of Matrix6d: place, then a small
+/// turn about the body's axes.
+struct InversePose {
+  Pose3 X_BR;
+  Matrix6d covariance = Matrix6d::Zero();
+};
+InversePose Inverted(const Pose3& X_RB, const Matrix6d& covariance);
+
+/// Why there is no pose, as a sentence's part.
+std::string Detail(const FrameAnswer& answer);
+
+Json FrameJson(const PointFrame& frame, const FrameAnswer& answer);
+
+/// Header and rows of --csv.
+std::string PoseTableHeader();
+std::string PoseTableRow(const PointFrame& frame, const FrameAnswer& answer);
+
+/// One line; with `rows` further ones name what was left out.
+std::string FrameText(const PointFrame& frame, const FrameAnswer& answer, bool rows);
+
+}  // namespace dockyard

@@ -1,0 +1,106 @@
+#include "sim/app/program.h"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+#include "models/read/config_error.h"
+#include "sim/app/commands.h"
+#include "sim/app/exit_codes.h"
+#include "sim/app/terminal.h"
+#include "sim/base/files.h"
+#include "sim/campaign/campaign.h"
+#include "sim/log/run_log.h"
+
+namespace dockyard {
+namespace {
+
+constexpr const char* kHelp = R"(Dockyard: a physics testbed for autonomous rover docking.
+
+Examples:
+  dockyard run scenarios/axel_typical.yaml
+  dockyard campaign scenarios/mars_yard_40.yaml
+  dockyard replay results/mars_yard_40 17
+  dockyard view scenarios/axel_typical.yaml --out out/view
+  dockyard study scenarios/studies/reel_alpha.yaml
+  dockyard camera project models/cameras/navcam.yaml 2.1 0.3 0.2 --name left
+  dockyard check models/axel/axel.yaml)";
+
+int Fail(const std::exception& error, int exit_code) {
+  PrintError(error.what());
+  return exit_code;
+}
+
+/// A first word that names no subcommand; empty if there is none or it does.
+std::string StrangeWord(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return "";
+  }
+  return argv[1];
+}
+
+int ParseAndRun(CLI::App& app, int argc, char** argv, int& exit_code) {
+  try {
+    const std::string strange = StrangeWord(app, argc, argv);
+    if (!strange.empty()) {
+      throw UsageError("expected a subcommand, found '" + strange +
+                       "'; dockyard --help lists them");
+    }
+    app.parse(argc, argv);
+    return exit_code;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, std::cout, std::cerr) == 0 ? kExitDone : kExitUsage;
+  } catch (const UsageError& error) {
+    return Fail(error, kExitUsage);
+  } catch (const FolderTaken& error) {
+    return Fail(error, kExitUsage);
+  } catch (const ConfigError& error) {
+    return Fail(error, kExitBadInput);
+  } catch (const ResultsError& error) {
+    return Fail(error, kExitBadInput);
+  } catch (const LogError& error) {
+    return Fail(error, kExitBadInput);
+  } catch (const IoError& error) {
+    return Fail(error, kExitIo);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return Fail(error, kExitIo);
+  } catch (const std::exception& error) {
+    return Fail(error, kExitOurBug);
+  }
+}
+
+}  // namespace
+
+int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
+  // A failed internal check has printed its place; it ends with the code that says so.
+  std::signal(SIGABRT, [](int) { ::_exit(kExitOurBug); });
+  int exit_code = kExitDone;
+  CLI::App app(kHelp, "dockyard");
+  app.set_version_flag("--version", "dockyard " DOCKYARD_VERSION);
+  app.require_subcommand(1);
+  AddRunCommand(app, systems, exit_code);
+  AddCampaignCommand(app, systems, exit_code);
+  AddReplayCommand(app, systems, exit_code);
+  AddViewCommand(app, systems, exit_code);
+  AddStudyCommand(app, systems, exit_code);
+  AddCameraCommand(app, exit_code);
+  AddDetectCommand(app, systems, exit_code);
+  AddPoseCommand(app, systems, exit_code);
+  AddBoardCommand(app, systems, exit_code);
+  AddCheckCommand(app, systems, exit_code);
+  AddWheelCommand(app, exit_code);
+  AddSystemCommands(app, systems, exit_code);
+  exit_code = ParseAndRun(app, argc, argv, exit_code);
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || !std::cout) {
+    PrintError("cannot write to standard output");
+    return kExitIo;
+  }
+  return exit_code;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,21 @@
+// Commands that a system brings with it.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/app/commands.h"
+
+namespace dockyard {
+
+void AddSystemCommands(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+  for (const System& system : systems) {
+    for (const SystemCommand& own : system.commands) {
+      CLI::App* command = app.add_subcommand(own.name, own.help);
+      command->prefix_command();  // what follows is the system's to read
+      command->callback(
+          [command, run = own.run, &exit_code] { exit_code = run(command->remaining()); });
+    }
+  }
+}
+
+}  // namespace dockyard

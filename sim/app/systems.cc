@@ -1,0 +1,16 @@
+#include "sim/app/systems.h"
+
+#include "controller/axel/axel.h"
+#include "controller/axel/scripted.h"
+#include "sim/axel/axel_system.h"
+
+namespace dockyard {
+
+std::vector<System> Systems() {
+  return {axel::AxelSystem(
+      {{"axel", [](const axel::Nominal& nominal) { return axel::MakeAxelController(nominal); }},
+       {"reel_only", axel::MakeReelOnlyController}},
+      axel::MakeScriptedController)};
+}
+
+}  // namespace dockyard

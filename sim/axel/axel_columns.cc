@@ -1,0 +1,35 @@
+#include "sim/axel/axel_columns.h"
+
+namespace dockyard::axel {
+
+std::vector<Column> Channels() {
+  std::vector<Column> columns;
+  VisitChannels(Truth{}, [&](const char* name, const char* unit, const char* meaning, double) {
+    columns.push_back({name, unit, meaning});
+  });
+  return columns;
+}
+
+std::vector<Column> Measures() {
+  std::vector<Column> columns;
+  VisitMeasures(
+      {}, [&](const char* name, const char* unit, const char* meaning, bool headline, double) {
+        columns.push_back({name, unit, meaning, headline});
+      });
+  return columns;
+}
+
+std::vector<Column> Beliefs() {
+  return {{"recoveries", "", "times that the controller backed up to try again"},
+          {"tether_length_m", "m", "exposed tether, arm tip to anchor, by its own reckoning"}};
+}
+
+std::vector<double> Values(const AxelMeasures& measures) {
+  std::vector<double> values;
+  VisitMeasures(measures, [&](const char*, const char*, const char*, bool, double value) {
+    values.push_back(value);
+  });
+  return values;
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,91 @@
+// The numbers of Axel's runs: each stands here once, with its name, unit, meaning and value.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "sim/axel/world.h"
+#include "sim/log/column.h"
+
+namespace dockyard::axel {
+
+/// Calls visit(name, unit, meaning, value) for each channel of the history.
+template <class Visit>
+void VisitChannels(const Truth& truth, Visit&& visit) {
+  const RollPitchYaw rpy = ToRollPitchYaw(truth.X_WR.R);
+  const auto current = [&](Motor motor) { return truth.motor_current_a[static_cast<int>(motor)]; };
+  visit("z_m", "m", "middle of the axle above the dock's ground", truth.X_DR.p.z());
+  visit("roll_deg", "deg", "of the body against the level", Degrees(rpy.roll));
+  visit("pitch_deg", "deg", "of the body against the level, nose-down positive",
+        Degrees(rpy.pitch));
+  visit("arm_deg", "deg", "arm against body, tip-down positive", Degrees(truth.arm_rad));
+  visit("tip_depth_m", "m", "arm tip behind the plane of the cone's mouth", -truth.p_MT.x());
+  visit("tip_lateral_m", "m", "arm tip off the cone's axis",
+        std::hypot(truth.p_MT.y(), truth.p_MT.z()));
+  visit("tension_n", "N", "of the tether at the arm's tip", truth.tether_tension_n);
+  visit("cone_force_n", "N", "sum of the contact forces of cone and face on the arm",
+        truth.cone_force_n);
+  visit("station_shift_m", "m", "mouth from where it stood at the start, horizontal",
+        truth.station_shift_m);
+  visit("left_current_a", "A", "of the left wheel's motor", current(Motor::kLeftWheel));
+  visit("right_current_a", "A", "of the right wheel's motor", current(Motor::kRightWheel));
+  visit("spool_current_a", "A", "of the spool's motor", current(Motor::kSpool));
+  visit("left_sinkage_m", "m", "of the left wheel in the soil", truth.left_sinkage_m);
+  visit("right_sinkage_m", "m", "of the right wheel in the soil", truth.right_sinkage_m);
+}
+
+/// What the result row says of a run beside its outcome. NaN: does not apply.
+struct AxelMeasures {
+  double recoveries = 0.0;
+  double tip_depth_m = 0.0, lateral_error_m = 0.0, yaw_error_deg = 0.0, station_shift_m = 0.0;
+  double cone_force_peak_n = 0.0, tension_peak_n = 0.0;
+  double spool_current_mean_a = 0.0, spool_current_peak_a = 0.0;
+  double wheel_current_mean_a = 0.0, wheel_current_peak_a = 0.0;
+  double arm_up_peak_deg = 0.0, roll_rms_deg = 0.0;
+  double entry_current_mean_a = std::nan(""), entry_current_peak_a = std::nan("");
+  double entry_force_peak_n = std::nan("");
+  double advance_m = 0.0, turned_deg = 0.0;
+};
+
+/// Calls visit(name, unit, meaning, headline, value) for each measure of the result row.
+template <class Visit>
+void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
+  visit("recoveries", "", "times that the controller backed up to try again", true, m.recoveries);
+  visit("tip_depth_m", "m", "arm tip behind the plane of the cone's mouth, at the end", true,
+        m.tip_depth_m);
+  visit("lateral_error_m", "m", "arm tip off the cone's axis, at the end", false,
+        m.lateral_error_m);
+  visit("yaw_error_deg", "deg", "body's heading against the cone's axis, at the end", false,
+        m.yaw_error_deg);
+  visit("station_shift_m", "m", "mouth from where it stood at the start, at the end", false,
+        m.station_shift_m);
+  visit("cone_force_peak_n", "N", "largest contact force of cone and face on the arm", false,
+        m.cone_force_peak_n);
+  visit("tension_peak_n", "N", "largest tension of the tether at the arm's tip", false,
+        m.tension_peak_n);
+  visit("spool_current_mean_a", "A", "of the spool's motor while it draws any", false,
+        m.spool_current_mean_a);
+  visit("spool_current_peak_a", "A", "of the spool's motor", false, m.spool_current_peak_a);
+  visit("wheel_current_mean_a", "A", "of both wheels' motors while they draw any", false,
+        m.wheel_current_mean_a);
+  visit("wheel_current_peak_a", "A", "of both wheels' motors", false, m.wheel_current_peak_a);
+  visit("arm_up_peak_deg", "deg", "highest lift of the arm above the level", false,
+        m.arm_up_peak_deg);
+  visit("roll_rms_deg", "deg", "of the body, over the whole run", false, m.roll_rms_deg);
+  visit("entry_current_mean_a", "A", "of the spool's motor from the mouth to 0.20 m deep", false,
+        m.entry_current_mean_a);
+  visit("entry_current_peak_a", "A", "of the spool's motor from the mouth to 0.20 m deep", false,
+        m.entry_current_peak_a);
+  visit("entry_force_peak_n", "N", "of the cone on the arm from the mouth to 0.20 m deep", false,
+        m.entry_force_peak_n);
+  visit("advance_m", "m", "way from start to end along the first heading", false, m.advance_m);
+  visit("turned_deg", "deg", "heading at the end against that at the start", false, m.turned_deg);
+}
+
+std::vector<Column> Channels();
+std::vector<Column> Measures();
+/// What the controllers' beliefs may hold by name.
+std::vector<Column> Beliefs();
+std::vector<double> Values(const AxelMeasures& measures);
+
+}  // namespace dockyard::axel

@@ -1,0 +1,82 @@
+#include "sim/axel/axel_plant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/base/check.h"
+#include "sim/axel/axel_columns.h"
+#include "sim/base/hash.h"
+
+namespace dockyard::axel {
+namespace {
+
+std::vector<MotorTruth> Motors(const Truth& truth) {
+  std::vector<MotorTruth> motors(kMotorCount);
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    motors[i] = {truth.motor_angle_rad[i], truth.motor_speed_rad_s[i], truth.motor_torque_nm[i],
+                 truth.motor_current_a[i]};
+  }
+  return motors;
+}
+
+std::vector<MotorModel> MotorModels(const RoverModel& rover) {
+  return {rover.motors.begin(), rover.motors.end()};
+}
+
+}  // namespace
+
+AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built)
+    : seed_(scenario.seed),
+      step_s_(scenario.physics_step_s),
+      built_(std::move(built)),
+      world_(built_.world),
+      sensors_(built_.world.rover.imu, MotorModels(built_.world.rover), kControlPeriod, seed_),
+      scene_(built_.world.rover, built_.world.station, built_.world.soil, built_.lighting,
+             built_.world.X_WG, seed_),
+      truth_(world_.truth()) {
+  CheckStart(built_, truth_);
+}
+
+SensorFrame AxelPlant::Sense() {
+  RefreshTruth();
+  return sensors_.Read(world_.tick(), Motors(truth_), world_.TakeTrueImu());
+}
+
+std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras) {
+  if (!renderer_) renderer_ = std::make_unique<StereoRenderer>();
+  const SensorOptions sensor = CameraSensor(built_.world.rover.stereo, seed_, pairs_taken_++);
+  StereoImages pair = renderer_->Render(scene_.Make(truth_, world_.ground()), built_.built_rig,
+                                        truth_.X_WR, sensor);
+  std::vector<CameraImage> images;
+  for (const int camera : cameras) {
+    DOCKYARD_CHECK(camera == kLeftCamera || camera == kRightCamera);
+    images.push_back({camera, std::move(camera == kLeftCamera ? pair.left : pair.right)});
+  }
+  return images;
+}
+
+void AxelPlant::Advance(const Commands& commands) {
+  DOCKYARD_CHECK(commands.motors.size() == kMotorCount);
+  std::array<MotorCommand, kMotorCount> motors;
+  std::copy(commands.motors.begin(), commands.motors.end(), motors.begin());
+  const int steps = static_cast<int>(std::llround(kControlPeriod * kTickSeconds / step_s_));
+  for (int i = 0; i < steps; ++i) world_.Step(motors);
+}
+
+void AxelPlant::AppendChannels(std::vector<double>& values) const {
+  VisitChannels(truth_, [&](const char*, const char*, const char*, double value) {
+    values.push_back(value);
+  });
+}
+
+Pose2 AxelPlant::MeasuredPose(const SightingReport& report) const {
+  return ToGround(built_.nominal.X_DB * Inverse(report.X_RB));
+}
+
+// The ruts sum up all that the wheels did: once, at the end, is enough.
+std::uint64_t AxelPlant::FinalHash(std::uint64_t seed) const {
+  for (const double height : world_.ground().heights_m) seed = HashDouble(seed, height);
+  return world_.StateHash(seed);
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,48 @@
+// Axel, its station and the yard as the plant of one run.
+#pragma once
+
+#include <memory>
+
+#include "render/stereo_renderer.h"
+#include "sim/axel/axel_view.h"
+#include "sim/axel/build_run.h"
+#include "sim/axel/world.h"
+#include "sim/physics/sensor_suite.h"
+#include "sim/run/plant.h"
+
+namespace dockyard::axel {
+
+class AxelPlant final : public Plant {
+ public:
+  /// Throws ConfigError when rover and station were put into each other.
+  AxelPlant(const Scenario& scenario, BuiltRun built);
+
+  Tick tick() const override { return world_.tick(); }
+  SensorFrame Sense() override;
+  std::vector<CameraImage> TakeImages(const std::vector<int>& cameras) override;
+  void Advance(const Commands& commands) override;
+  Pose2 X_DR() const override { return ToGround(truth_.X_DR); }
+  void AppendChannels(std::vector<double>& values) const override;
+  Pose2 MeasuredPose(const SightingReport& report) const override;
+  std::uint64_t StateHash(std::uint64_t seed) const override { return world_.StateHash(seed); }
+  std::uint64_t FinalHash(std::uint64_t seed) const override;
+
+  const BuiltRun& built() const { return built_; }
+  /// As it was when last sensed.
+  const Truth& truth() const { return truth_; }
+  void RefreshTruth() { truth_ = world_.truth(); }
+  World& world() { return world_; }
+
+ private:
+  std::uint64_t seed_;
+  double step_s_;
+  BuiltRun built_;
+  World world_;
+  SensorSuite sensors_;
+  SceneBuilder scene_;
+  std::unique_ptr<StereoRenderer> renderer_;  // made at the first image: a blind run needs none
+  int pairs_taken_ = 0;
+  Truth truth_;
+};
+
+}  // namespace dockyard::axel

@@ -1,0 +1,129 @@
+#include "sim/axel/axel_system.h"
+
+#include "models/axel/load_axel.h"
+#include "models/axel/load_station.h"
+#include "models/read/config_error.h"
+#include "models/read/yaml_reader.h"
+#include "sim/axel/axel_columns.h"
+#include "sim/axel/axel_judge.h"
+#include "sim/axel/axel_plant.h"
+#include "sim/axel/grid_plot.h"
+#include "sim/axel/load_models.h"
+#include "sim/axel/nominal_json.h"
+#include "sim/axel/read_script.h"
+#include "sim/axel/run_plots.h"
+#include "sim/axel/view_start.h"
+
+namespace dockyard::axel {
+namespace {
+
+ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models) {
+  BuiltRun built = BuildRun(scenario, models);
+  ReadyRun ready;
+  ready.nominal = ToJson(built.nominal);
+  ready.control_period = kControlPeriod;
+  ready.motor_count = kMotorCount;
+  ready.camera_count = kCameraCount;
+  auto plant = std::make_unique<AxelPlant>(scenario, std::move(built));
+  ready.judge = std::make_unique<AxelJudge>(*plant);
+  ready.plant = std::move(plant);
+  return ready;
+}
+
+std::string Check(const Scenario& scenario, const AxelModels& models) {
+  CheckPicturesCanBeDrawn(models.rover.stereo.nominal);
+  if (scenario.script.kind != YamlNode::Kind::kNull) ReadScript(scenario.script);
+  return models.rover.name + " from " + NumberText(scenario.start.r) + " m to " +
+         models.station.name + " on " + models.soil.name;
+}
+
+bool IsRobotFile(const YamlNode& root) {
+  return root.Find("wheels") != nullptr || root.Find("motors") != nullptr;
+}
+
+bool IsStationFile(const YamlNode& root) {
+  return root.Find("cone") != nullptr || root.Find("feet") != nullptr;
+}
+
+std::optional<FileCheck> CheckModelFile(const std::string& file) {
+  const YamlNode root = LoadYaml(file);
+  if (IsRobotFile(root)) {
+    const RoverModel rover = LoadRover(file);
+    return FileCheck{"rover", rover.name + ": " + NumberText(rover.mass_kg()) + " kg, arm " +
+                                  NumberText(rover.arm_length_m) + " m, stereo baseline " +
+                                  NumberText(rover.stereo.nominal.baseline_m()) + " m"};
+  }
+  if (!IsStationFile(root)) return std::nullopt;
+  const StationModel station = LoadStation(file);
+  return FileCheck{"station", station.name + ": " + NumberText(station.module.mass_kg) + " kg on " +
+                                  std::to_string(station.feet.size()) + " feet, " +
+                                  std::to_string(station.board.fiducials.size()) +
+                                  " fiducials, cone " + NumberText(station.mouth_height_m) +
+                                  " m above the ground"};
+}
+
+std::optional<StereoRig> RigOfRobot(const std::string& file, int width, int height) {
+  if (!IsRobotFile(LoadYaml(file))) return std::nullopt;
+  return LoadRover(file, width, height).stereo.nominal;
+}
+
+std::optional<NamedBoard> BoardOfStation(const std::string& file) {
+  if (!IsStationFile(LoadYaml(file))) return std::nullopt;
+  const StationModel station = LoadStation(file);
+  return NamedBoard{.name = station.name, .board = station.board, .cutout = CutoutOf(station)};
+}
+
+std::vector<Figure> Draw(const RunRecord& record, const AxelModels& models) {
+  return {{"path.svg", PathPlot(record, models.station.cone)},
+          {"history.svg", HistoryPlot(record)}};
+}
+
+std::vector<Figure> DrawCampaign(const std::string& title, const RowColumns& columns,
+                                 const std::vector<RunResult>& rows, const AxelModels& models) {
+  if (!HasStartPoses(columns)) return {};
+  return {{"grid.svg", GridPlot(title, columns, rows, models.station.cone)}};
+}
+
+}  // namespace
+
+System AxelSystem(const std::vector<NamedController>& controllers, const ScriptPlayer& play) {
+  const auto store = std::make_shared<ModelStore>();
+  System system;
+  system.name = "axel";
+  for (const NamedController& controller : controllers) {
+    system.controllers.push_back({controller.name, [make = controller.make](const Json& nominal) {
+                                    return make(NominalFromJson(nominal));
+                                  }});
+  }
+  system.file_keys = {"station"};
+  system.changes_file_keys = {"robot.urdf", "robot.cameras.file", "station.urdf"};
+  system.outcomes = OutcomeNames();
+  system.channels = Channels();
+  system.beliefs = Beliefs();
+  system.measures = Measures();
+  system.check = [store](const Scenario& scenario) {
+    return Check(scenario, *store->Get(scenario));
+  };
+  system.make_ready = [store](const Scenario& scenario) {
+    return MakeReady(scenario, *store->Get(scenario));
+  };
+  system.play = [play](const Json& nominal, const YamlNode& script) {
+    return play(NominalFromJson(nominal), ReadScript(script));
+  };
+  system.draw = [store](const RunRecord& record, const Scenario& scenario) {
+    return Draw(record, *store->Get(scenario));
+  };
+  system.draw_campaign = [store](const Campaign& campaign, const RowColumns& columns,
+                                 const std::vector<RunResult>& rows) {
+    return DrawCampaign(campaign.name, columns, rows, *store->Get(campaign.runs.front().scenario));
+  };
+  system.view = [store](const Scenario& scenario, const std::filesystem::path& dir) {
+    WriteStartView(scenario, *store->Get(scenario), dir);
+  };
+  system.check_file = CheckModelFile;
+  system.rig = RigOfRobot;
+  system.board = BoardOfStation;
+  return system;
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,137 @@
+#include "sim/axel/axel_view.h"
+
+#include "sim/base/random.h"
+
+namespace dockyard::axel {
+namespace {
+
+Camera BuiltCamera(const Camera& camera, const StereoModel& stereo, RandomStream& random) {
+  const double scale = 1.0 + stereo.focal_sigma * random.Normal();
+  const double du = stereo.centre_sigma_px * random.Normal();
+  const double dv = stereo.centre_sigma_px * random.Normal();
+  return Adjusted(camera, scale, {du, dv});
+}
+
+/// Drawn after all the rest, so that a run keeps its other errors whatever this one is.
+Camera BentCamera(const Camera& camera, const StereoModel& stereo, RandomStream& random) {
+  return Bent(camera, stereo.radial_sigma_px * random.Normal());
+}
+
+Pose3 Turned(Pose3 X_RC, double about_x, double about_y, double about_z) {
+  X_RC.R = X_RC.R * RotY(about_y) * RotX(about_x) * RotZ(about_z);
+  return X_RC;
+}
+
+}  // namespace
+
+StereoRig BuiltRig(const StereoModel& stereo, std::uint64_t run_seed) {
+  RandomStream random(StreamKey(run_seed, "calibration"));
+  StereoRig built = stereo.nominal;
+  const double s = stereo.rotation_sigma_rad;
+  built.left = BuiltCamera(built.left, stereo, random);
+  built.right = BuiltCamera(built.right, stereo, random);
+  // A camera's y axis points down: a turn about it is the camera's yaw.
+  const double yaw = stereo.relative_yaw_sigma_rad * random.Normal();
+  const double left_x = s * random.Normal(), left_z = s * random.Normal();
+  const double right_x = s * random.Normal(), right_z = s * random.Normal();
+  built.left = BentCamera(built.left, stereo, random);
+  built.right = BentCamera(built.right, stereo, random);
+  built.X_RL = Turned(built.X_RL, left_x, -0.5 * yaw, left_z);
+  built.X_RQ = Turned(built.X_RQ, right_x, 0.5 * yaw, right_z);
+  return built;
+}
+
+SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
+                           const SoilModel& soil, Lighting lighting, const Pose2& X_WG,
+                           std::uint64_t run_seed)
+    : body_(Convert(rover.body.visuals)),
+      left_wheel_(Convert(rover.left_wheel.visuals)),
+      right_wheel_(Convert(rover.right_wheel.visuals)),
+      arm_(Convert(rover.arm.visuals)),
+      station_(Convert(station.module.visuals)),
+      stand_(Convert(station.stand_visuals)),
+      X_SB_(BoardInStation(station)),
+      board_(station.board),
+      cutout_(CutoutOf(station)),
+      soil_rgb_(soil.rgb),
+      tether_diameter_m_(rover.tether.diameter_m),
+      lighting_(std::move(lighting)),
+      X_WG_(X_WG),
+      texture_seed_(StreamKey(run_seed, "texture")) {
+  // The module's drawing stands upright; the built one is tipped about the mouth's centre.
+  X_S_module_ = MouthInStation(station) * Pose3::Translation(0.0, 0.0, -station.mouth_height_m);
+}
+
+std::vector<SceneBuilder::Part> SceneBuilder::Convert(const std::vector<Visual>& visuals) {
+  std::vector<Part> parts;
+  for (const Visual& visual : visuals) {
+    auto mesh = std::make_shared<RenderMesh>();
+    for (const Eigen::Vector3d& v : visual.mesh->vertices) {
+      mesh->vertices.push_back(v.cast<float>());
+    }
+    mesh->triangles = visual.mesh->triangles;
+    parts.push_back({std::move(mesh), visual.X_LV, visual.rgb});
+  }
+  return parts;
+}
+
+void SceneBuilder::Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
+                       const Pose3& X_WL) {
+  for (const Part& part : parts) objects.push_back({part.mesh, X_WL * part.X_LV, part.albedo});
+}
+
+Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
+  Scene scene;
+  Add(scene.objects, body_, truth.X_WR);
+  Add(scene.objects, left_wheel_, truth.X_W_left_wheel);
+  Add(scene.objects, right_wheel_, truth.X_W_right_wheel);
+  Add(scene.objects, arm_, truth.X_WA);
+  Add(scene.objects, station_, truth.X_WS * X_S_module_);
+  Add(scene.objects, stand_, truth.X_WS);
+  for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
+  scene.ground = {.X_WG = FromGround(X_WG_, 0.0),
+                  .x0_m = ground.x0_m,
+                  .y0_m = ground.y0_m,
+                  .cell_m = ground.cell_m,
+                  .nx = ground.nx,
+                  .ny = ground.ny,
+                  .heights_m = ground.heights_m.data(),
+                  .revision = ground.revision,
+                  .albedo = soil_rgb_,
+                  .texture_seed = texture_seed_};
+  scene.board.board = board_;
+  scene.board.X_WB = truth.X_WS * X_SB_;
+  scene.board.p_BH = cutout_.p_B;
+  scene.board.hole_radius_m = cutout_.radius_m;
+  scene.board.dust_cover = lighting_.board_dust;
+  scene.board.dust_seed = texture_seed_;
+  scene.board.dust_albedo = soil_rgb_;
+  scene.tether.points_W = truth.tether_W;
+  scene.tether.diameter_m = tether_diameter_m_;
+  scene.light = lighting_.sun_and_sky;
+  return scene;
+}
+
+SensorOptions CameraSensor(const StereoModel& stereo, std::uint64_t run_seed, int index) {
+  const ExposureModel& exposure = stereo.exposure;
+  constexpr double kTurns[3] = {0.0, -1.0, 1.0};
+  const bool bracketed = exposure.rule == ExposureRule::kBracketed;
+  return {.full_well_e = stereo.full_well_e,
+          .read_noise_e = stereo.read_noise_e,
+          .response_sigma = stereo.response_sigma,
+          .bits = stereo.bits,
+          .vignetting_exponent = stereo.vignetting_exponent,
+          .blur_sigma_px = stereo.blur_sigma_px,
+          .focus = {.focal_length_m = stereo.focus.focal_length_m,
+                    .f_number = stereo.focus.f_number,
+                    .distance_m = stereo.focus.distance_m,
+                    .pixel_pitch_m = stereo.focus.pixel_pitch_m},
+          .exposure_percent = exposure.percent,
+          .target_level = exposure.level,
+          .fixed_exposure_e = exposure.fixed_e,
+          .exposure_stops = bracketed ? exposure.bracket_stops * kTurns[index % 3] : 0.0,
+          .noise_key = RunSeed(StreamKey(run_seed, "camera"), static_cast<std::uint64_t>(index)),
+          .pattern_key = StreamKey(run_seed, "response")};
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,56 @@
+// From the truth to pictures: the only caller of render/.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "controller/geometry/camera.h"
+#include "models/axel/axel_model.h"
+#include "models/axel/station_model.h"
+#include "models/parts/soil_model.h"
+#include "render/scene.h"
+#include "render/stereo_renderer.h"
+#include "sim/axel/world.h"
+#include "sim/run/light.h"
+#include "sim/scenario/scenario.h"
+
+namespace dockyard::axel {
+
+/// The pair as built: the nominal rig with the workshop's errors of this run (1 sigma each from the
+/// rover's file). The controller keeps the nominal one.
+StereoRig BuiltRig(const StereoModel& stereo, std::uint64_t run_seed);
+
+/// Builds what the cameras see. Meshes are converted once; poses come from the truth.
+class SceneBuilder {
+ public:
+  SceneBuilder(const RoverModel& rover, const StationModel& station, const SoilModel& soil,
+               Lighting lighting, const Pose2& X_WG, std::uint64_t run_seed);
+
+  /// The scene borrows the grid's heights: draw it before the grid changes.
+  Scene Make(const Truth& truth, const HeightGrid& ground) const;
+
+ private:
+  struct Part {
+    std::shared_ptr<const RenderMesh> mesh;
+    Pose3 X_LV;
+    Eigen::Vector3d albedo;
+  };
+  static std::vector<Part> Convert(const std::vector<Visual>& visuals);
+  static void Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
+                  const Pose3& X_WL);
+
+  std::vector<Part> body_, left_wheel_, right_wheel_, arm_, station_, stand_;
+  Pose3 X_S_module_, X_SB_;
+  FiducialBoard board_;
+  BoardCutout cutout_;
+  Eigen::Vector3d soil_rgb_;
+  double tether_diameter_m_ = 0.0;
+  Lighting lighting_;
+  Pose2 X_WG_;
+  std::uint64_t texture_seed_ = 0;
+};
+
+/// The sensor of the rover's cameras, for picture number index of a run.
+SensorOptions CameraSensor(const StereoModel& stereo, std::uint64_t run_seed, int index);
+
+}  // namespace dockyard::axel

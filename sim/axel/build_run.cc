@@ -1,0 +1,100 @@
+#include "sim/axel/build_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "models/axel/make_nominal.h"
+#include "models/read/config_error.h"
+#include "sim/axel/axel_view.h"
+#include "sim/base/random.h"
+
+namespace dockyard::axel {
+namespace {
+
+// Yard in the dock's surroundings: level enough for the feet, then as undulating as the file says.
+constexpr double kFlatRadiusM = 0.6;
+
+HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed) {
+  HeightGrid ground = LevelGrid(-kYardBehind_m, yard.length_m, yard.width_m, yard.cell_m);
+  AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadiusM,
+                StreamKey(seed, "yard"));
+  return ground;
+}
+
+/// The arm angle at which a level body's arm tip rests on level ground.
+double RestingArm(const RoverModel& rover) {
+  const double axle_height =
+      rover.left_wheel_soil.rim_radius_m + 0.5 * PaddleReach(rover.left_wheel_soil);
+  return std::asin((axle_height - rover.tip.radius_m) / rover.arm_length_m);
+}
+
+// On its wheels the rover settles by millimetres; an arm laid on the funnel slides down a few
+// centimetres at most.
+constexpr double kMostSettlingM = 0.05;
+
+}  // namespace
+
+void CheckPicturesCanBeDrawn(const StereoRig& rig) {
+  constexpr double kWidest_rad = 60.0 * kPi / 180.0;
+  for (const Camera* camera : {&rig.left, &rig.right}) {
+    for (const double u : {-0.5, camera->width - 0.5}) {
+      for (const double v : {-0.5, camera->height - 0.5}) {
+        const Eigen::Vector3d ray = camera->Direction({u, v});
+        const double angle = std::atan2(std::hypot(ray.x(), ray.y()), ray.z());
+        if (angle <= kWidest_rad) continue;
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "camera: expected all pixels within 60 deg of the lens's axis, at %d x %d a "
+                      "corner is %.0f deg off it",
+                      camera->width, camera->height, Degrees(angle));
+        throw ConfigError(text);
+      }
+    }
+  }
+}
+
+void CheckStart(const BuiltRun& run, const Truth& start) {
+  const Pose2 &wanted = run.world.X_DR_start, is = ToGround(start.X_DR);
+  const double moved_m = std::hypot(is.x - wanted.x, is.y - wanted.y);
+  if (moved_m < kMostSettlingM) return;
+  char text[120];
+  std::snprintf(
+      text, sizeof text,
+      "start: expected a rover clear of the station, this one was pushed %.2f m aside by it",
+      moved_m);
+  throw ConfigError(text);
+}
+
+BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
+  BuiltRun run;
+  WorldSetup& world = run.world;
+  world.rover = models.rover;
+  world.station = models.station;
+  world.soil = models.soil;
+  world.arm_start_rad = RestingArm(world.rover);
+
+  // The controller is told nominal numbers; what follows disturbs the world only.
+  run.nominal = MakeNominal(world.rover, world.station, world.arm_start_rad);
+  run.nominal.vision = models.keys.vision;
+  RandomStream start(StreamKey(scenario.seed, "start"));
+  const double pitch_rad = 2.0 * kPi / std::max(1, world.rover.left_wheel_soil.paddle_count);
+  world.rover.left_wheel_soil.phase_rad = start.Uniform(0.0, pitch_rad);
+  world.rover.right_wheel_soil.phase_rad = start.Uniform(0.0, pitch_rad);
+  world.slack_start_m = start.Uniform(0.02, 0.10);  // assumed: loosely picked up, range 0-0.2
+  world.ground = MakeGround(scenario.yard, scenario.seed);
+  world.X_WG = scenario.X_WG;
+  world.X_DR_start = FromDockingCoords(scenario.start);
+  world.step_s = scenario.physics_step_s;
+
+  CheckPicturesCanBeDrawn(world.rover.stereo.nominal);
+  run.built_rig = BuiltRig(world.rover.stereo, scenario.seed);
+  run.X_WD = FromGround(world.X_WG * world.X_GD, 0.0);
+  run.lighting = MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed,
+                              scenario.sun);
+  run.lighting.board_dust = models.keys.board_dust;
+  return run;
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,40 @@
+// The models that a scenario of Axel names, loaded once.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "models/axel/axel_model.h"
+#include "models/axel/station_model.h"
+#include "models/parts/soil_model.h"
+#include "sim/axel/axel_keys.h"
+#include "sim/scenario/scenario.h"
+
+namespace dockyard::axel {
+
+struct AxelModels {
+  AxelKeys keys;
+  RoverModel rover;
+  StationModel station;
+  SoilModel soil;
+};
+
+/// Reads the files, puts the scenario's changes, cameras and tip angle on top and checks the models
+/// against each other. Throws ConfigError.
+AxelModels LoadModels(const Scenario& scenario);
+
+/// Keeps the last few sets of models, so that the runs of a campaign share them. Workers that are
+/// forked after a set was loaded have it without reading a file.
+class ModelStore {
+ public:
+  /// As LoadModels. Files that changed since are not noticed.
+  std::shared_ptr<const AxelModels> Get(const Scenario& scenario);
+
+ private:
+  static constexpr std::size_t kMostSets = 16;  // a set holds some megabytes of meshes
+  std::vector<std::pair<std::string, std::shared_ptr<const AxelModels>>> sets_;  // newest last
+};
+
+}  // namespace dockyard::axel

@@ -1,0 +1,208 @@
+#include "sim/axel/nominal_json.h"
+
+#include "models/read/config_error.h"
+
+namespace dockyard::axel {
+namespace {
+
+using dockyard::ToJson;
+
+Json LensToJson(const KannalaBrandt& lens) {
+  return {{"model", "kannala_brandt"},
+          {"fx", lens.fx},
+          {"fy", lens.fy},
+          {"cx", lens.cx},
+          {"cy", lens.cy},
+          {"k", lens.k}};
+}
+
+Json LensToJson(const BrownPinhole& lens) {
+  return {{"model", "brown"}, {"fx", lens.fx}, {"fy", lens.fy}, {"cx", lens.cx}, {"cy", lens.cy},
+          {"k1", lens.k1},    {"k2", lens.k2}, {"p1", lens.p1}, {"p2", lens.p2}, {"k3", lens.k3}};
+}
+
+Json LensToJson(const Cahvore& lens) {
+  const auto list = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  return {{"model", "cahvore"}, {"C", list(lens.C)}, {"A", list(lens.A)},
+          {"H", list(lens.H)},  {"V", list(lens.V)}, {"O", list(lens.O)},
+          {"R", list(lens.R)},  {"E", list(lens.E)}, {"linearity", lens.linearity}};
+}
+
+Lens LensFromJson(const Json& json) {
+  const auto vector = [&](const char* key) {
+    const auto v = json.at(key).get<std::array<double, 3>>();
+    return Eigen::Vector3d(v[0], v[1], v[2]);
+  };
+  const std::string model = json.at("model");
+  if (model == "cahvore") {
+    return Cahvore{.C = vector("C"),
+                   .A = vector("A"),
+                   .H = vector("H"),
+                   .V = vector("V"),
+                   .O = vector("O"),
+                   .R = vector("R"),
+                   .E = vector("E"),
+                   .linearity = json.at("linearity")};
+  }
+  if (model == "brown") {
+    return BrownPinhole{.fx = json.at("fx"),
+                        .fy = json.at("fy"),
+                        .cx = json.at("cx"),
+                        .cy = json.at("cy"),
+                        .k1 = json.at("k1"),
+                        .k2 = json.at("k2"),
+                        .k3 = json.at("k3"),
+                        .p1 = json.at("p1"),
+                        .p2 = json.at("p2")};
+  }
+  if (model == "kannala_brandt") {
+    return KannalaBrandt{.fx = json.at("fx"),
+                         .fy = json.at("fy"),
+                         .cx = json.at("cx"),
+                         .cy = json.at("cy"),
+                         .k = json.at("k").get<std::array<double, 4>>()};
+  }
+  throw ConfigError("lens model: expected kannala_brandt, brown or cahvore, found '" + model + "'");
+}
+
+Json CameraToJson(const Camera& camera) {
+  Json json{{"width", camera.width}, {"height", camera.height}};
+  json.update(std::visit([](const auto& lens) { return LensToJson(lens); }, camera.lens));
+  return json;
+}
+
+Camera CameraFromJson(const Json& json) {
+  return {.width = json.at("width"), .height = json.at("height"), .lens = LensFromJson(json)};
+}
+
+Json BoardToJson(const FiducialBoard& board) {
+  Json fiducials = Json::array();
+  for (const Fiducial& fiducial : board.fiducials) {
+    fiducials.push_back({{"p_m", ToJson(fiducial.p_BF)}, {"rotation_rad", fiducial.rotation}});
+  }
+  Json json{{"width_m", board.width_m},
+            {"height_m", board.height_m},
+            {"disc_diameter_m", board.disc_diameter_m},
+            {"bar_length_m", board.bar_length_m},
+            {"bar_width_m", board.bar_width_m},
+            {"fiducials", fiducials}};
+  const Upright& upright = board.upright;
+  if (upright.against == Upright::Against::kPlumb) return json;
+  json["upright_in"] = upright.against == Upright::Against::kGravity ? "gravity" : "picture";
+  json["upright_within_rad"] = upright.within_rad;
+  return json;
+}
+
+FiducialBoard BoardFromJson(const Json& json) {
+  FiducialBoard board;
+  board.width_m = json.at("width_m");
+  board.height_m = json.at("height_m");
+  board.disc_diameter_m = json.at("disc_diameter_m");
+  board.bar_length_m = json.at("bar_length_m");
+  board.bar_width_m = json.at("bar_width_m");
+  for (const Json& entry : json.at("fiducials")) {
+    Fiducial fiducial;
+    fiducial.p_BF =
+        Eigen::Vector2d(entry.at("p_m").at(0).get<double>(), entry.at("p_m").at(1).get<double>());
+    fiducial.rotation = entry.at("rotation_rad");
+    board.fiducials.push_back(fiducial);
+  }
+  if (json.contains("upright_in")) {
+    board.upright.against = json.at("upright_in").get<std::string>() == "gravity"
+                                ? Upright::Against::kGravity
+                                : Upright::Against::kPicture;
+    board.upright.within_rad = json.at("upright_within_rad");
+  }
+  return board;
+}
+
+Json MotorToJson(const NominalMotor& motor) {
+  return {{"rad_per_count", motor.rad_per_count},
+          {"torque_per_amp_nm", motor.torque_per_amp_nm},
+          {"no_load_current_a", motor.no_load_current_a},
+          {"max_current_a", motor.max_current_a},
+          {"max_speed_rad_s", motor.max_speed_rad_s},
+          {"max_accel_rad_s2", motor.max_accel_rad_s2}};
+}
+
+NominalMotor MotorFromJson(const Json& json) {
+  NominalMotor motor;
+  motor.rad_per_count = json.at("rad_per_count");
+  motor.torque_per_amp_nm = json.at("torque_per_amp_nm");
+  motor.no_load_current_a = json.at("no_load_current_a");
+  motor.max_current_a = json.at("max_current_a");
+  motor.max_speed_rad_s = json.at("max_speed_rad_s");
+  motor.max_accel_rad_s2 = json.at("max_accel_rad_s2");
+  return motor;
+}
+
+VisionSettings VisionFromJson(const Json& json) {
+  VisionSettings vision;
+  const std::string name = json.at("pipeline");
+  if (name == PipelineName(VisionPipeline::kTsai2013)) {
+    vision.pipeline = VisionPipeline::kTsai2013;
+  } else if (name != PipelineName(VisionPipeline::kDockyard)) {
+    throw ConfigError("vision pipeline: expected dockyard or tsai2013, found '" + name + "'");
+  }
+  vision.min_points = json.at("min_points");
+  return vision;
+}
+
+Nominal Read(const Json& json) {
+  Nominal nominal;
+  nominal.rig.left = CameraFromJson(json.at("left_camera"));
+  nominal.rig.right = CameraFromJson(json.at("right_camera"));
+  nominal.rig.X_RL = Pose3FromJson(json.at("X_RL"));
+  nominal.rig.X_RQ = Pose3FromJson(json.at("X_RQ"));
+  nominal.board = BoardFromJson(json.at("board"));
+  nominal.vision = VisionFromJson(json.at("vision"));
+  nominal.X_DB = Pose3FromJson(json.at("X_DB"));
+  for (std::size_t i = 0; i < nominal.motors.size(); ++i) {
+    nominal.motors[i] = MotorFromJson(json.at("motors").at(i));
+  }
+  nominal.wheel_radius_m = json.at("wheel_radius_m");
+  nominal.track_m = json.at("track_m");
+  nominal.arm_length_m = json.at("arm_length_m");
+  nominal.arm_at_zero_rad = json.at("arm_at_zero_rad");
+  nominal.drum_radius_m = json.at("drum_radius_m");
+  nominal.mouth_height_m = json.at("mouth_height_m");
+  nominal.anchor_depth_m = json.at("anchor_depth_m");
+  nominal.mating_depth_m = json.at("mating_depth_m");
+  return nominal;
+}
+
+}  // namespace
+
+Json ToJson(const Nominal& nominal) {
+  Json motors = Json::array();
+  for (const NominalMotor& motor : nominal.motors) motors.push_back(MotorToJson(motor));
+  return {{"left_camera", CameraToJson(nominal.rig.left)},
+          {"right_camera", CameraToJson(nominal.rig.right)},
+          {"X_RL", ToJson(nominal.rig.X_RL)},
+          {"X_RQ", ToJson(nominal.rig.X_RQ)},
+          {"board", BoardToJson(nominal.board)},
+          {"vision",
+           {{"pipeline", PipelineName(nominal.vision.pipeline)},
+            {"min_points", nominal.vision.min_points}}},
+          {"X_DB", ToJson(nominal.X_DB)},
+          {"motors", motors},
+          {"wheel_radius_m", nominal.wheel_radius_m},
+          {"track_m", nominal.track_m},
+          {"arm_length_m", nominal.arm_length_m},
+          {"arm_at_zero_rad", nominal.arm_at_zero_rad},
+          {"drum_radius_m", nominal.drum_radius_m},
+          {"mouth_height_m", nominal.mouth_height_m},
+          {"anchor_depth_m", nominal.anchor_depth_m},
+          {"mating_depth_m", nominal.mating_depth_m}};
+}
+
+Nominal NominalFromJson(const Json& json) {
+  try {
+    return Read(json);
+  } catch (const Json::exception& error) {
+    throw ConfigError(std::string("nominal parameters: expected Axel's, found others: ") +
+                      error.what());
+  }
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,172 @@
+#include "sim/axel/outcome.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace dockyard::axel {
+namespace {
+
+double Lateral(const Truth& truth) { return std::hypot(truth.p_MT.y(), truth.p_MT.z()); }
+double Depth(const Truth& truth) { return -truth.p_MT.x(); }
+
+std::string Sentence(const char* format, double a, double b = 0.0, double c = 0.0) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, a, b, c);
+  return text;
+}
+
+}  // namespace
+
+const std::vector<OutcomeName>& OutcomeNames() {
+  static const std::vector<OutcomeName> names{
+      {"docked", true, "tip at least 0.20 m deep, at rest, taut, and held by the shake"},
+      {"no_detection", false, "fewer than four fiducials found in either image"},
+      {"wrong_correspondence", false, "detections matched to the wrong fiducials"},
+      {"pose_rejected", false, "fiducials found, but no pose accepted"},
+      {"missed_cone", false, "the tip passed the mouth plane outside the mouth"},
+      {"face_catch", false, "the tip pressed on the flat face around the mouth"},
+      {"jammed", false, "the tip stuck in the cone under pull"},
+      {"recovery_limit", false, "the controller gave up"},
+      {"tether_overload", false, "the tether's tension stayed above its working load"},
+      {"tipped_over", false, "the axle stood on end or the arm went over the top"},
+      {"false_docked", false, "the controller claimed a docking that the truth does not show"},
+      {"timeout", false, "the simulated time ran out"},
+  };
+  return names;
+}
+
+const char* Name(Outcome outcome) {
+  return OutcomeNames()[static_cast<std::size_t>(outcome)].name.c_str();
+}
+
+LookQuality JudgeLook(const SightingReport& report, const Pose3& X_RB_true, const StereoRig& built,
+                      const FiducialBoard& board, const OutcomeLimits& limits) {
+  std::array<int, 2> right{}, wrong{};
+  for (const SightingReport::Mark& mark : report.marks) {
+    if (mark.id < 0 || mark.id >= static_cast<int>(board.fiducials.size())) continue;
+    const auto& camera = mark.camera == kRightCamera ? built.right : built.left;
+    const Pose3 X_CB = Inverse(mark.camera == kRightCamera ? built.X_RQ : built.X_RL) * X_RB_true;
+    const Eigen::Vector2d& p_BF = board.fiducials[mark.id].p_BF;
+    const Eigen::Vector3d p_C = X_CB * Eigen::Vector3d(p_BF.x(), p_BF.y(), 0.0);
+    const auto pixel = camera.Project(p_C);
+    // A disc nearby is many pixels wide: a tenth of its diameter is still the right disc.
+    const double gate = std::max(limits.mark_gate_px,
+                                 0.1 * camera.focal_px().x() * board.disc_diameter_m / p_C.norm());
+    const bool near = pixel && (*pixel - Eigen::Vector2d(mark.u_px, mark.v_px)).norm() < gate;
+    ++(near ? right : wrong)[mark.camera == kRightCamera];
+  }
+  if (wrong[0] + wrong[1] > 0 && (wrong[0] >= right[0] || wrong[1] >= right[1])) {
+    return LookQuality::kWrongCorrespondence;
+  }
+  if (report.accepted) return LookQuality::kGood;
+  const int detected = std::max(
+      {right[0], right[1], report.DetectedBy(kLeftCamera), report.DetectedBy(kRightCamera)});
+  return detected < limits.few_marks ? LookQuality::kUndetected : LookQuality::kRejected;
+}
+
+void OutcomeJudge::Condition::Update(bool holds, double time_s) {
+  if (!holds) {
+    since_s.reset();
+  } else if (!since_s) {
+    since_s = time_s;
+  }
+}
+
+OutcomeJudge::OutcomeJudge(const StationModel& station, const OutcomeLimits& limits)
+    : station_(station), limits_(limits) {}
+
+void OutcomeJudge::Observe(const Truth& truth) {
+  last_ = truth;
+  const double now = truth.time_s;
+  const double depth = Depth(truth), lateral = Lateral(truth);
+  const double speed = truth.v_MT.norm();
+
+  rest_.Update(speed < limits_.rest_speed_m_s, now);
+  // The axle on end, or the arm gone over the top.
+  const double axle_tilt = std::asin(std::clamp(std::abs(truth.X_WR.R(2, 1)), 0.0, 1.0));
+  const bool arm_over = truth.X_WA.R(2, 2) < 0.0;
+  tipped_.Update(axle_tilt > limits_.tipped_rad || arm_over, now);
+  overload_.Update(truth.tether_tension_n > limits_.overload_n, now);
+  fatal_ = fatal_ || tipped_.since_s || overload_.Held(now, limits_.overload_time_s);
+
+  const bool at_face = depth > -0.01 && depth < limits_.catch_depth_m;
+  face_.Update(at_face && truth.face_force_n > limits_.catch_force_n, now);
+  const bool inside = depth >= limits_.catch_depth_m && lateral < station_.cone.mouth_radius_m;
+  jam_.Update(inside && depth < limits_.docked_depth_m && speed < limits_.jam_speed_m_s &&
+                  truth.tether_tension_n > limits_.jam_tension_n,
+              now);
+  missed_.Update(depth > limits_.catch_depth_m && lateral > station_.cone.face_outer_radius_m, now);
+}
+
+void OutcomeJudge::ObserveLook(double time_s, LookQuality quality) {
+  blind_.Update(quality == LookQuality::kUndetected, time_s);
+  confused_.Update(quality == LookQuality::kWrongCorrespondence, time_s);
+  rejected_.Update(quality == LookQuality::kRejected, time_s);
+}
+
+bool OutcomeJudge::fatal() const { return fatal_; }
+
+bool OutcomeJudge::at_rest_home() const {
+  return Depth(last_) >= limits_.docked_depth_m && Lateral(last_) < station_.cone.mouth_radius_m &&
+         rest_.Held(last_.time_s, limits_.rest_time_s) && last_.tether_tension_n > limits_.taut_n;
+}
+
+OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
+                                               const ShakeResult& shake) const {
+  const double now = last_.time_s;
+  const bool firm = shake.done && shake.turn_rad < limits_.shake_turn_rad &&
+                    shake.travel_m < limits_.shake_travel_m;
+  if (claimed == Verdict::kDocked && at_rest_home() && firm) {
+    return {Outcome::kDocked,
+            Sentence("tip %.0f mm deep, shake turned it %.1f deg and moved it %.1f mm",
+                     1e3 * Depth(last_), Degrees(shake.turn_rad), 1e3 * shake.travel_m)};
+  }
+
+  struct Candidate {
+    Outcome outcome;
+    std::optional<double> since_s;
+    std::string note;
+  };
+  std::array<Candidate, 8> candidates{{
+      {Outcome::kTippedOver, tipped_.since_s,
+       "the axle stands on end or the arm went over the top"},
+      {Outcome::kTetherOverload,
+       overload_.Held(now, limits_.overload_time_s) ? overload_.since_s : std::nullopt,
+       Sentence("tension above %.0f N", limits_.overload_n)},
+      {Outcome::kFaceCatch, face_.Held(now, limits_.catch_time_s) ? face_.since_s : std::nullopt,
+       Sentence("tip pressed on the flat face with %.0f N, %.0f mm off the axis",
+                last_.face_force_n, 1e3 * Lateral(last_))},
+      {Outcome::kJammed, jam_.Held(now, limits_.jam_time_s) ? jam_.since_s : std::nullopt,
+       Sentence("stuck %.0f mm deep under %.0f N", 1e3 * Depth(last_), last_.tether_tension_n)},
+      {Outcome::kMissedCone, missed_.since_s,
+       Sentence("tip passed the mouth plane %.0f mm off the axis", 1e3 * Lateral(last_))},
+      {Outcome::kNoDetection, blind_.since_s, "fewer than four fiducials found in either image"},
+      {Outcome::kWrongCorrespondence, confused_.since_s,
+       "detections matched to the wrong fiducials"},
+      {Outcome::kPoseRejected, rejected_.since_s, "fiducials found, but no pose accepted"},
+  }};
+  const Candidate* first = nullptr;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.since_s && (!first || *candidate.since_s < *first->since_s)) first = &candidate;
+  }
+  if (first) return {first->outcome, first->note};
+  switch (claimed) {
+    case Verdict::kDocked:
+      return {Outcome::kFalseDocked,
+              Sentence(
+                  "claimed docked; tip %.0f mm deep, shake turned it %.1f deg and moved it %.1f mm",
+                  1e3 * Depth(last_), Degrees(shake.turn_rad), 1e3 * shake.travel_m)};
+    case Verdict::kGivenUp:
+      return {Outcome::kRecoveryLimit,
+              Sentence("gave up after %.0f recoveries, tip %.0f mm before the mouth", recoveries,
+                       -1e3 * Depth(last_))};
+    case Verdict::kUnderWay:
+      break;
+  }
+  return {Outcome::kTimeout,
+          Sentence("time ran out, tip %.0f mm before the mouth", -1e3 * Depth(last_))};
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,108 @@
+// What a run comes to, judged from the truth alone. docs/outcomes.md tells the same in words.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/io/belief.h"
+#include "controller/io/commands.h"
+#include "models/axel/axel_model.h"
+#include "models/axel/station_model.h"
+#include "sim/axel/world.h"
+#include "sim/log/column.h"
+
+namespace dockyard::axel {
+
+/// How a run ends. The order is the order of the table in docs/outcomes.md.
+enum class Outcome {
+  kDocked,
+  kNoDetection,
+  kWrongCorrespondence,
+  kPoseRejected,
+  kMissedCone,
+  kFaceCatch,
+  kJammed,
+  kRecoveryLimit,
+  kTetherOverload,
+  kTippedOver,
+  kFalseDocked,
+  kTimeout,
+};
+const char* Name(Outcome outcome);  // "docked", "no_detection", ...
+/// All of them with their meanings, in order.
+const std::vector<OutcomeName>& OutcomeNames();
+
+/// Every threshold of the judgement, in one place.
+struct OutcomeLimits {
+  double docked_depth_m = 0.20;
+  double rest_speed_m_s = 1e-3;  // tip in the mouth frame
+  double rest_time_s = 1.0;
+  double taut_n = 5.0;  // tension that counts as taut
+  double shake_turn_rad = Radians(2.0);
+  double shake_travel_m = 0.01;
+  double tipped_rad = Radians(60.0);  // roll of the axle, or the arm lifted past the upright
+  double overload_n = 1000.0;         // assumed working load of the tether, range 500-2000
+  double overload_time_s = 0.1;
+  double catch_force_n = 10.0;  // on the annular face
+  double catch_depth_m = 0.02;  // tip's front no deeper than this
+  double catch_time_s = 3.0;
+  double jam_speed_m_s = 2e-3;  // slower than this under pull is no progress
+  double jam_tension_n = 60.0;
+  double jam_time_s = 8.0;
+  double mark_gate_px = 3.0;  // a detection nearer than this to its true place is right
+  int few_marks = 4;          // correct detections in one image below which none counts
+};
+
+/// How one look at the board went, by the truth.
+enum class LookQuality { kGood, kUndetected, kWrongCorrespondence, kRejected };
+
+/// Compares a sighting with the true pixels of the board's fiducials in both built cameras.
+LookQuality JudgeLook(const SightingReport& report, const Pose3& X_RB_true, const StereoRig& built,
+                      const FiducialBoard& board, const OutcomeLimits& limits);
+
+/// The shake after a claim: what it did to the rover.
+struct ShakeResult {
+  bool done = false;
+  double turn_rad = 0.0;  // largest change of heading against the station
+  double travel_m = 0.0;  // largest travel of the tip in the mouth frame
+};
+
+/// Watches a run and names its outcome: of the conditions still in force at the end, the one that
+/// began first.
+class OutcomeJudge {
+ public:
+  OutcomeJudge(const StationModel& station, const OutcomeLimits& limits);
+
+  /// Called every control period.
+  void Observe(const Truth& truth);
+  /// Called for every look the controller took.
+  void ObserveLook(double time_s, LookQuality quality);
+
+  /// Whether the run cannot go on: tipped over, tether overloaded.
+  bool fatal() const;
+  /// Whether the truth has the tip home, at rest and taut now.
+  bool at_rest_home() const;
+
+  struct Verdicted {
+    Outcome outcome = Outcome::kTimeout;
+    std::string note;  // a sentence: what the truth showed
+  };
+  Verdicted Conclude(Verdict claimed, int recoveries, const ShakeResult& shake) const;
+
+ private:
+  struct Condition {
+    std::optional<double> since_s;
+    /// Starts or keeps the clock while it holds, clears it when it does not.
+    void Update(bool holds, double time_s);
+    bool Held(double now_s, double for_s) const { return since_s && now_s - *since_s >= for_s; }
+  };
+
+  StationModel station_;
+  OutcomeLimits limits_;
+  Truth last_{};
+  Condition rest_, tipped_, overload_, face_, jam_, missed_, blind_, confused_, rejected_;
+  bool fatal_ = false;
+};
+
+}  // namespace dockyard::axel

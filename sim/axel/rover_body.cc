@@ -1,0 +1,189 @@
+#include "sim/axel/rover_body.h"
+#include "sim/axel/cone_shapes.h"
+
+#include <algorithm>
+
+#include "controller/io/sensors.h"
+#include "sim/base/hash.h"
+#include "sim/physics/bullet_math.h"
+
+namespace dockyard::axel {
+namespace {
+
+double RotorInertia(const RoverModel& rover, Motor motor) {
+  return rover.motors[static_cast<int>(motor)].reflected_inertia_kg_m2;
+}
+
+// Half the diagonal of the box round a shape, from its compound's origin.
+double Reach(btCompoundShape* shape) {
+  if (shape->getNumChildShapes() == 0) return 0.0;
+  btVector3 low, high;
+  shape->getAabb(btTransform::getIdentity(), low, high);
+  return std::max(low.length(), high.length());
+}
+
+}  // namespace
+
+const LinkModel& LinkOf(const RoverModel& rover, RoverLink link) {
+  switch (link) {
+    case RoverLink::kBody:
+      return rover.body;
+    case RoverLink::kLeftWheel:
+      return rover.left_wheel;
+    case RoverLink::kRightWheel:
+      return rover.right_wheel;
+    case RoverLink::kArm:
+      return rover.arm;
+  }
+  return rover.body;
+}
+
+RoverBody::RoverBody(const RoverModel& rover, const Pose3& X_GR, double arm_rad, bool right_first) {
+  bullet_index_ = {-1, right_first ? 1 : 0, right_first ? 0 : 1, 2};
+  p_R_hinge_ = {Eigen::Vector3d::Zero(), rover.p_R_left_wheel, rover.p_R_right_wheel,
+                Eigen::Vector3d::Zero()};
+  for (int i = 0; i < kRoverLinkCount; ++i) {
+    const RoverLink link = static_cast<RoverLink>(i);
+    inertia_[i] = FindPrincipalInertia(LinkOf(rover, link));
+  }
+  const bool fixed_base = false, can_sleep = false;
+  multibody_ = std::make_unique<btMultiBody>(kRoverLinkCount - 1, rover.body.mass_kg,
+                                             ToBullet(inertia_[0].moments), fixed_base, can_sleep);
+  const RoverLink first = right_first ? RoverLink::kRightWheel : RoverLink::kLeftWheel;
+  const RoverLink second = right_first ? RoverLink::kLeftWheel : RoverLink::kRightWheel;
+  AddHinge(rover, first);
+  AddHinge(rover, second);
+  AddHinge(rover, RoverLink::kArm);
+  multibody_->finalizeMultiDof();
+  // Nothing but the loads given acts: Bullet's own damping and limits are taken away.
+  multibody_->setLinearDamping(0.0);
+  multibody_->setAngularDamping(0.0);
+  multibody_->setMaxAppliedImpulse(1e18);
+  multibody_->setMaxCoordinateVelocity(1e9);
+  multibody_->setHasSelfCollision(false);
+  multibody_->useRK4Integration(false);
+  multibody_->setUseGyroTerm(true);
+  const Motor first_motor = right_first ? Motor::kRightWheel : Motor::kLeftWheel;
+  const Motor second_motor = right_first ? Motor::kLeftWheel : Motor::kRightWheel;
+  rotors_ = std::make_unique<Rotors>(
+      *multibody_, std::vector{RotorInertia(rover, first_motor), RotorInertia(rover, second_motor),
+                               RotorInertia(rover, Motor::kArm)});
+
+  const Pose3 X_GP = X_GR * inertia_[0].X_LP;
+  multibody_->setBasePos(ToBullet(X_GP.p));
+  multibody_->setWorldToBaseRot(ToQuaternion(X_GP.R.transpose()));
+  multibody_->setJointPos(BulletIndex(RoverLink::kArm), arm_rad);
+
+  AddCollider(RoverLink::kBody, rover.body.collisions);
+  AddCollider(first, LinkOf(rover, first).collisions);
+  AddCollider(second, LinkOf(rover, second).collisions);
+  AddCollider(RoverLink::kArm, ArmCollisions(rover));
+  for (int i = 0; i < kRoverLinkCount; ++i) {
+    reach_m_ = std::max(
+        reach_m_, p_R_hinge_[i].norm() + inertia_[i].X_LP.p.norm() + Reach(shapes_[i].compound()));
+  }
+  Refresh();
+}
+
+void RoverBody::AddHinge(const RoverModel& rover, RoverLink link) {
+  const PrincipalInertia& parent = inertia_[0];
+  const PrincipalInertia& own = inertia_[Index(link)];
+  const Eigen::Matrix3d R_own_parent = own.X_LP.R.transpose() * parent.X_LP.R;
+  const Eigen::Vector3d axis = own.X_LP.R.transpose() * Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d to_hinge =
+      parent.X_LP.R.transpose() * (p_R_hinge_[Index(link)] - parent.X_LP.p);
+  const Eigen::Vector3d to_com = own.X_LP.R.transpose() * own.X_LP.p;
+  multibody_->setupRevolute(BulletIndex(link), LinkOf(rover, link).mass_kg, ToBullet(own.moments),
+                            -1, ToQuaternion(R_own_parent), ToBullet(axis), ToBullet(to_hinge),
+                            ToBullet(to_com), true);
+}
+
+void RoverBody::AddCollider(RoverLink link, const std::vector<Collision>& collisions) {
+  const int i = Index(link);
+  for (const Collision& collision : collisions) {
+    shapes_[i].Add(collision, Inverse(inertia_[i].X_LP));
+  }
+  colliders_[i] = std::make_unique<btMultiBodyLinkCollider>(multibody_.get(), BulletIndex(link));
+  colliders_[i]->setCollisionShape(shapes_[i].compound());
+  if (link == RoverLink::kBody) {
+    multibody_->setBaseCollider(colliders_[i].get());
+  } else {
+    multibody_->getLink(BulletIndex(link)).m_collider = colliders_[i].get();
+  }
+}
+
+void RoverBody::AddForce(RoverLink link, const Eigen::Vector3d& force_G,
+                         const Eigen::Vector3d& p_G) {
+  const Eigen::Vector3d torque_G = (p_G - CentreOfMass(link)).cross(force_G);
+  if (link == RoverLink::kBody) {
+    multibody_->addBaseForce(ToBullet(force_G));
+  } else {
+    multibody_->addLinkForce(BulletIndex(link), ToBullet(force_G));
+  }
+  AddTorque(link, torque_G);
+}
+
+void RoverBody::AddTorque(RoverLink link, const Eigen::Vector3d& torque_G) {
+  if (link == RoverLink::kBody) {
+    multibody_->addBaseTorque(ToBullet(torque_G));
+  } else {
+    multibody_->addLinkTorque(BulletIndex(link), ToBullet(torque_G));
+  }
+}
+
+void RoverBody::AddJointTorque(RoverLink link, double torque_nm) {
+  multibody_->addJointTorque(BulletIndex(link), torque_nm);
+}
+
+Eigen::Vector3d RoverBody::CentreOfMass(RoverLink link) const {
+  return motion_[Index(link)].X_GL * inertia_[Index(link)].X_LP.p;
+}
+
+void RoverBody::Refresh() {
+  const Pose3 X_GP = {FromBullet(btMatrix3x3(multibody_->getWorldToBaseRot().inverse())),
+                      FromBullet(multibody_->getBasePos())};
+  LinkMotion& body = motion_[0];
+  body.X_GL.R = X_GP.R * inertia_[0].X_LP.R.transpose();
+  body.X_GL.p = X_GP.p - body.X_GL.R * inertia_[0].X_LP.p;
+  body.w_GL_G = FromBullet(multibody_->getBaseOmega());
+  body.v_GL_G = FromBullet(multibody_->getBaseVel()) + body.w_GL_G.cross(body.X_GL.p - X_GP.p);
+  const Eigen::Vector3d y_G = body.X_GL.R.col(1);
+  for (int i = 1; i < kRoverLinkCount; ++i) {
+    const RoverLink link = static_cast<RoverLink>(i);
+    LinkMotion& own = motion_[i];
+    own.X_GL.R = body.X_GL.R * RotY(joint_rad(link));
+    own.X_GL.p = body.X_GL * p_R_hinge_[i];
+    own.w_GL_G = body.w_GL_G + joint_rad_s(link) * y_G;
+    own.v_GL_G = body.VelocityAt(own.X_GL.p);
+  }
+}
+
+void RoverBody::SetJointSpeed(RoverLink link, double speed_rad_s) {
+  multibody_->setJointVel(BulletIndex(link), speed_rad_s);
+  Refresh();
+}
+
+void RoverBody::SetBodySpeed(const Eigen::Vector3d& v_GR_G, const Eigen::Vector3d& w_GR_G) {
+  const Eigen::Vector3d v_com =
+      v_GR_G + w_GR_G.cross(CentreOfMass(RoverLink::kBody) - motion_[0].X_GL.p);
+  multibody_->setBaseVel(ToBullet(v_com));
+  multibody_->setBaseOmega(ToBullet(w_GR_G));
+  Refresh();
+}
+
+std::uint64_t RoverBody::StateHash(std::uint64_t seed) const {
+  std::uint64_t hash = seed;
+  const btQuaternion q = multibody_->getWorldToBaseRot();
+  for (double value : {q.x(), q.y(), q.z(), q.w()}) hash = HashDouble(hash, value);
+  const btVector3 p = multibody_->getBasePos(), v = multibody_->getBaseVel(),
+                  w = multibody_->getBaseOmega();
+  for (int i = 0; i < 3; ++i) {
+    for (double value : {p[i], v[i], w[i]}) hash = HashDouble(hash, value);
+  }
+  for (RoverLink link : {RoverLink::kLeftWheel, RoverLink::kRightWheel, RoverLink::kArm}) {
+    hash = HashDouble(HashDouble(hash, joint_rad(link)), joint_rad_s(link));
+  }
+  return hash;
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,74 @@
+// The rover as an articulated body (Featherstone's algorithm, Bullet's btMultiBody): a free body
+// with two wheels and the arm on hinges about y. It feels nothing but the loads given to it and
+// contacts.
+#pragma once
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "models/axel/axel_model.h"
+#include "sim/physics/collision_shapes.h"
+#include "sim/physics/inertia.h"
+#include "sim/physics/motion.h"
+#include "sim/physics/rotors.h"
+
+namespace dockyard::axel {
+
+enum class RoverLink { kBody, kLeftWheel, kRightWheel, kArm };
+inline constexpr int kRoverLinkCount = 4;
+
+/// The model of one link.
+const LinkModel& LinkOf(const RoverModel& rover, RoverLink link);
+
+class RoverBody {
+ public:
+  /// right_first: order of the wheels among the links.
+  RoverBody(const RoverModel& rover, const Pose3& X_GR, double arm_rad, bool right_first);
+  RoverBody(const RoverBody&) = delete;
+  RoverBody& operator=(const RoverBody&) = delete;
+
+  const LinkMotion& motion(RoverLink link) const { return motion_[Index(link)]; }
+  double joint_rad(RoverLink link) const { return multibody_->getJointPos(BulletIndex(link)); }
+  double joint_rad_s(RoverLink link) const { return multibody_->getJointVel(BulletIndex(link)); }
+
+  /// Loads of the next step, in G. A torque on a joint acts on the link, its opposite on the body.
+  void AddForce(RoverLink link, const Eigen::Vector3d& force_G, const Eigen::Vector3d& p_G);
+  void AddTorque(RoverLink link, const Eigen::Vector3d& torque_G);
+  void AddJointTorque(RoverLink link, double torque_nm);
+
+  /// Takes over positions and speeds after Bullet's step.
+  void Refresh();
+
+  void SetJointSpeed(RoverLink link, double speed_rad_s);
+  void SetBodySpeed(const Eigen::Vector3d& v_GR_G, const Eigen::Vector3d& w_GR_G);
+  btMultiBody* multibody() { return multibody_.get(); }
+  Rotors& rotors() { return *rotors_; }
+  btMultiBodyLinkCollider* collider(RoverLink link) { return colliders_[Index(link)].get(); }
+  /// Radius about the axle's middle that holds the whole rover [m].
+  double reach_m() const { return reach_m_; }
+  Eigen::Vector3d CentreOfMass(RoverLink link) const;
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  static int Index(RoverLink link) { return static_cast<int>(link); }
+  int BulletIndex(RoverLink link) const { return bullet_index_[Index(link)]; }
+  void AddHinge(const RoverModel& rover, RoverLink link);
+  void AddCollider(RoverLink link, const std::vector<Collision>& collisions);
+
+  std::array<int, kRoverLinkCount> bullet_index_{};
+  std::array<PrincipalInertia, kRoverLinkCount> inertia_;
+  std::array<Eigen::Vector3d, kRoverLinkCount> p_R_hinge_;
+  std::array<LinkShape, kRoverLinkCount> shapes_;
+  std::unique_ptr<btMultiBody> multibody_;
+  std::unique_ptr<Rotors> rotors_;
+  std::array<std::unique_ptr<btMultiBodyLinkCollider>, kRoverLinkCount> colliders_;
+  std::array<LinkMotion, kRoverLinkCount> motion_;
+  double reach_m_ = 0.0;
+};
+
+}  // namespace dockyard::axel

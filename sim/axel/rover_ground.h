@@ -1,0 +1,41 @@
+// Rover against ground where it has no wheels: the arm's tip dragging, the body after a tumble.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "models/axel/axel_model.h"
+#include "sim/axel/rover_body.h"
+#include "sim/physics/ground_contact.h"
+
+namespace dockyard::axel {
+
+class RoverGround {
+ public:
+  explicit RoverGround(const RoverModel& rover);
+
+  /// Adds the ground's forces of this step to the rover's loads.
+  void AddForces(const HeightGrid& ground, double dt_s, RoverBody& rover);
+  /// Ground's force on the arm's tip in the last step [N].
+  double tip_force_n() const { return tip_force_n_; }
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  // A circle whose lowest point can touch; radius 0: a corner; no axis: a sphere.
+  struct Rim {
+    RoverLink link = RoverLink::kBody;
+    Eigen::Vector3d p_L = Eigen::Vector3d::Zero();
+    Eigen::Vector3d axis_L = Eigen::Vector3d::Zero();
+    double radius_m = 0.0;
+    GroundPoint contact;
+  };
+  void AddShape(const Collision& collision);
+  static Eigen::Vector3d LowestPoint(const Rim& rim, const Pose3& X_GL);
+
+  GroundMaterial tip_material_, body_material_;
+  std::vector<Rim> rims_;
+  double tip_force_n_ = 0.0;
+};
+
+}  // namespace dockyard::axel

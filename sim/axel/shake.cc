@@ -1,0 +1,72 @@
+#include "sim/axel/shake.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard::axel {
+namespace {
+
+// How a claim is tried: docs/outcomes.md. Assumed, ranges 0.05-0.2 rad/s and m/s, 5-20 deg, 0.1-0.3
+// m.
+constexpr double kYawRate = 0.1;    // [rad/s]
+constexpr Tick kYawTicks = 1920;    // 0.1 rad/s for 1.92 s: 11 deg
+constexpr double kAwaySpeed = 0.1;  // [m/s]
+constexpr Tick kAwayTicks = 2000;
+
+class Shaker {
+ public:
+  Shaker(World& world, const RoverModel& rover) : world_(world), rover_(rover) {
+    const Truth before = world_.truth();
+    heading_ = ToGround(before.X_DR).heading;
+    p_MT_ = before.p_MT;
+  }
+
+  void Drive(double forward_m_s, double turn_rad_s, Tick ticks) {
+    const double radius = RollingRadius(rover_.left_wheel_soil);
+    const double half_track = 0.5 * (rover_.p_R_left_wheel.y() - rover_.p_R_right_wheel.y());
+    std::array<MotorCommand, kMotorCount> commands{};
+    commands[0] = Wheel((forward_m_s - half_track * turn_rad_s) / radius, Motor::kLeftWheel);
+    commands[1] = Wheel((forward_m_s + half_track * turn_rad_s) / radius, Motor::kRightWheel);
+    for (Tick i = 0; i < ticks; ++i) {
+      world_.Step(commands);
+      if (i % kControlPeriod == 0) Observe();
+    }
+    Observe();
+  }
+
+  ShakeResult result() const { return {true, turn_, travel_}; }
+
+ private:
+  MotorCommand Wheel(double speed_rad_s, Motor motor) const {
+    const MotorModel& model = rover_.motors[static_cast<int>(motor)];
+    return {.mode = MotorMode::kVelocity,
+            .target = speed_rad_s,
+            .accel_rad_s2 = model.max_accel_rad_s2,
+            .current_limit_a = model.max_current_a};
+  }
+
+  void Observe() {
+    const Truth now = world_.truth();
+    turn_ = std::max(turn_, std::abs(WrapPi(ToGround(now.X_DR).heading - heading_)));
+    travel_ = std::max(travel_, (now.p_MT - p_MT_).norm());
+  }
+
+  World& world_;
+  const RoverModel& rover_;
+  double heading_ = 0.0;
+  Eigen::Vector3d p_MT_;
+  double turn_ = 0.0, travel_ = 0.0;
+};
+
+}  // namespace
+
+ShakeResult Shake(World& world, const RoverModel& rover) {
+  Shaker shaker(world, rover);
+  shaker.Drive(0.0, kYawRate, kYawTicks);
+  shaker.Drive(0.0, -kYawRate, 2 * kYawTicks);
+  shaker.Drive(0.0, kYawRate, kYawTicks);
+  shaker.Drive(-kAwaySpeed, 0.0, kAwayTicks);
+  return shaker.result();
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,154 @@
+#include "sim/axel/station_body.h"
+
+#include "sim/axel/cone_shapes.h"
+
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "controller/base/check.h"
+#include "sim/base/hash.h"
+#include "sim/physics/bullet_math.h"
+
+namespace dockyard::axel {
+namespace {
+
+// Share of critical damping in the feet (assumed, range 0.1-0.5: soil under a pad).
+constexpr double kFootDampingRatio = 0.3;
+
+// Whether the cone's axis, from the throat to the socket's end, passes through a module's shape.
+bool CrossesAxis(const Collision& collision, const Pose3& X_GL_axis, double from_m, double to_m) {
+  const auto* box = std::get_if<BoxShape>(&collision.shape);
+  if (box == nullptr) return false;
+  for (int i = 0; i <= 10; ++i) {
+    const double depth = from_m + (to_m - from_m) * i / 10.0;
+    const Eigen::Vector3d p = X_GL_axis * Eigen::Vector3d(-depth, 0.0, 0.0);
+    if ((p.cwiseAbs() - 0.5 * box->size_m).maxCoeff() < 0.0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+StationBody::StationBody(const StationModel& station, const Pose3& X_GS, bool mirrored_order)
+    : station_(station), X_SM_(MouthInStation(station)) {
+  // The module's own frame stands level; it is tipped about the mouth's centre.
+  const Pose3 X_SL = X_SM_ * Pose3::Translation(0.0, 0.0, -station.mouth_height_m);
+  inertia_ = FindPrincipalInertia(station.module);
+  inertia_.X_LP = X_SL * inertia_.X_LP;
+  AddShapes(mirrored_order);
+
+  btRigidBody::btRigidBodyConstructionInfo info(station.module.mass_kg, nullptr, shape_.compound(),
+                                                ToBullet(inertia_.moments));
+  info.m_startWorldTransform = ToBullet(X_GS * inertia_.X_LP);
+  info.m_linearDamping = 0.0;
+  info.m_angularDamping = 0.0;
+  body_ = std::make_unique<btRigidBody>(info);
+  body_->setActivationState(DISABLE_DEACTIVATION);
+  body_->setContactStiffnessAndDamping(station.cone.contact_stiffness_n_per_m,
+                                       station.cone.contact_damping_ns_per_m);
+
+  DOCKYARD_CHECK(!station.feet.empty());
+  feet_.resize(station.feet.size());
+  const double share_kg = station.module.mass_kg / static_cast<double>(station.feet.size());
+  sole_ = {station.foot_stiffness_n_per_m,
+           2.0 * kFootDampingRatio * std::sqrt(station.foot_stiffness_n_per_m * share_kg),
+           station.foot_friction};
+  Refresh();
+}
+
+void StationBody::AddShapes(bool mirrored_order) {
+  const Pose3 X_PS = Inverse(inertia_.X_LP);
+  std::vector<std::vector<Eigen::Vector3d>> wedges = ConeWedges(station_.cone);
+  if (mirrored_order) std::reverse(wedges.begin(), wedges.end());
+  wedge_count_ = static_cast<int>(wedges.size());
+  for (const auto& wedge : wedges) {
+    shape_.AddHull(wedge, X_PS * X_SM_);
+    fills_socket_.push_back(false);
+  }
+  if (station_.cone.stop_depth_m > 0.0) {
+    shape_.Add(SocketStop(station_.cone), X_PS * X_SM_);
+    fills_socket_.push_back(false);
+  }
+  const Pose3 X_SL = X_SM_ * Pose3::Translation(0.0, 0.0, -station_.mouth_height_m);
+  for (const Collision& collision : station_.module.collisions) {
+    shape_.Add(collision, X_PS * X_SL);
+    const Pose3 X_GM = Inverse(X_SL * collision.X_LG) * X_SM_;
+    fills_socket_.push_back(CrossesAxis(collision, X_GM, 0.0, station_.cone.socket_end_m));
+  }
+  AddFaces();
+  btVector3 low, high;
+  shape_.compound()->getAabb(btTransform::getIdentity(), low, high);
+  reach_m_ = std::max(low.length(), high.length()) + (X_SM_.p - inertia_.X_LP.p).norm();
+}
+
+void StationBody::AddFaces() {
+  // Of a wedge: the three that look at the arm (ConeWedges' corners 0 to 9 go round the cut, two
+  // by two). Of other pieces: their box in the shape's axes.
+  for (int piece = 0; piece < shape_.pieces(); ++piece) {
+    std::vector<StationFace>& faces = faces_.emplace_back();
+    btCompoundShape* all = shape_.compound();
+    const btTransform& X = all->getChildTransform(piece);
+    if (IsWedge(piece)) {
+      const auto* hull = static_cast<const btConvexHullShape*>(all->getChildShape(piece));
+      const auto Corner = [&](int i) { return X * hull->getUnscaledPoints()[i]; };
+      btVector3 middle(0, 0, 0);
+      for (int i = 0; i < hull->getNumPoints(); ++i) middle += Corner(i) / hull->getNumPoints();
+      for (const std::array<int, 3>& corners :
+           {std::array{0, 1, 2}, std::array{2, 3, 4}, std::array{0, 1, 8}}) {
+        btVector3 normal = (Corner(corners[1]) - Corner(corners[0]))
+                               .cross(Corner(corners[2]) - Corner(corners[0]));
+        normal.normalize();
+        if (normal.dot(middle - Corner(corners[0])) > 0.0) normal = -normal;
+        faces.push_back({normal, normal.dot(Corner(corners[0])) + kCollisionMargin_m});
+      }
+      continue;
+    }
+    btVector3 low, high;
+    all->getChildShape(piece)->getAabb(X, low, high);
+    for (int axis = 0; axis < 3; ++axis) {
+      btVector3 normal(0, 0, 0);
+      normal[axis] = 1.0;
+      faces.push_back({normal, high[axis]});
+      faces.push_back({-normal, -low[axis]});
+    }
+  }
+}
+
+void StationBody::AddForce(const Eigen::Vector3d& force_G, const Eigen::Vector3d& p_G) {
+  const Eigen::Vector3d com_G = motion_.X_GL * inertia_.X_LP.p;
+  body_->applyForce(ToBullet(force_G), ToBullet(Eigen::Vector3d(p_G - com_G)));
+}
+
+void StationBody::AddFeetForces(const HeightGrid& ground, double dt_s) {
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    const Eigen::Vector3d p_G = motion_.X_GL * station_.feet[i].p_SF;
+    const Eigen::Vector3d force_G =
+        GroundForce(ground, sole_, p_G, motion_.VelocityAt(p_G), dt_s, feet_[i]);
+    if (!force_G.isZero(0.0)) AddForce(force_G, p_G);
+  }
+}
+
+void StationBody::Refresh() {
+  const Pose3 X_GP = FromBullet(body_->getWorldTransform());
+  motion_.X_GL = X_GP * Inverse(inertia_.X_LP);
+  motion_.w_GL_G = FromBullet(body_->getAngularVelocity());
+  motion_.v_GL_G =
+      FromBullet(body_->getLinearVelocity()) + motion_.w_GL_G.cross(motion_.X_GL.p - X_GP.p);
+}
+
+std::uint64_t StationBody::StateHash(std::uint64_t seed) const {
+  std::uint64_t hash = seed;
+  const btTransform& X = body_->getWorldTransform();
+  const btVector3 v = body_->getLinearVelocity(), w = body_->getAngularVelocity();
+  for (int i = 0; i < 3; ++i) {
+    for (double value : {X.getOrigin()[i], v[i], w[i]}) hash = HashDouble(hash, value);
+    for (int j = 0; j < 3; ++j) hash = HashDouble(hash, X.getBasis()[i][j]);
+  }
+  for (const GroundPoint& foot : feet_) hash = HashPoint(hash, foot);
+  return hash;
+}
+
+}  // namespace dockyard::axel

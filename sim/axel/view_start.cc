@@ -1,0 +1,75 @@
+#include "sim/axel/view_start.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "sim/axel/axel_view.h"
+#include "sim/axel/build_run.h"
+#include "sim/axel/fiducial_truth.h"
+#include "sim/base/files.h"
+#include "sim/base/json.h"
+#include "sim/base/png.h"
+
+namespace dockyard::axel {
+namespace {
+
+Json FiducialsJson(const Scene& scene, const Camera& camera, const Pose3& X_WC) {
+  Json list = Json::array();
+  const auto fiducials = TrueFiducials(scene, camera, X_WC);
+  for (std::size_t id = 0; id < fiducials.size(); ++id) {
+    const FiducialPixels& truth = fiducials[id];
+    list.push_back({{"id", id},
+                    {"centre_px", truth.centre ? ToJson(*truth.centre) : Json()},
+                    {"centroid_px", truth.centroid ? ToJson(*truth.centroid) : Json()},
+                    {"whole", truth.whole},
+                    {"hidden", truth.hidden}});
+  }
+  return list;
+}
+
+void WritePictures(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
+                   const SensorOptions& sensor, bool colour, const std::filesystem::path& out_dir) {
+  StereoRenderer renderer;
+  const bool with_depth = sensor.focus.distance_m > 0.0;
+  const auto radiance = renderer.RenderRadiance(scene, rig, X_WR, with_depth);
+  const StereoImages images = ExposeStereo(radiance, rig, sensor);
+  WriteWhole(out_dir / "left.png", EncodePng(images.left));
+  WriteWhole(out_dir / "right.png", EncodePng(images.right));
+  if (sensor.bits > 8) {
+    const auto deep = ExposeDeep(radiance, rig, sensor);
+    WriteWhole(out_dir / "left_deep.png", EncodePng(deep[0]));
+    WriteWhole(out_dir / "right_deep.png", EncodePng(deep[1]));
+  }
+  if (!colour) return;
+  const auto rgb = ExposeColour(renderer.RenderColour(scene, rig, X_WR, with_depth), rig, sensor);
+  WriteWhole(out_dir / "left_colour.png", EncodePng(rgb[0]));
+  WriteWhole(out_dir / "right_colour.png", EncodePng(rgb[1]));
+}
+
+}  // namespace
+
+void WriteStartView(const Scenario& scenario, const AxelModels& models,
+                    const std::filesystem::path& out_dir) {
+  const BuiltRun built = BuildRun(scenario, models);
+  const World world(built.world);
+  const Truth truth = world.truth();
+  CheckStart(built, truth);
+  MakeFolder(out_dir);
+  const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
+                             built.lighting, scenario.X_WG, scenario.seed);
+  const Scene scene = builder.Make(truth, world.ground());
+  WritePictures(scene, built.built_rig, truth.X_WR,
+                CameraSensor(built.world.rover.stereo, scenario.seed, 0), scenario.colour, out_dir);
+
+  const Pose3 X_RB = Inverse(truth.X_WR) * scene.board.X_WB;
+  Json view;
+  view["scenario"] = scenario.name;
+  view["seed"] = scenario.seed;
+  view["X_RB"] = ToJson(X_RB);
+  view["X_DR"] = ToJson(truth.X_DR);
+  view["left"] = FiducialsJson(scene, built.built_rig.left, truth.X_WR * built.built_rig.X_RL);
+  view["right"] = FiducialsJson(scene, built.built_rig.right, truth.X_WR * built.built_rig.X_RQ);
+  WriteWhole(out_dir / "view.json", view.dump(2) + "\n");
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,84 @@
+// The physical world of one run: rover, station, tether and soil under 1 ms steps of Bullet.
+// A world is made fresh for each run and never reset, which is what makes it repeatable
+// (bullet3 issue 2442). No Bullet type appears in this header.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "controller/io/commands.h"
+#include "controller/io/sensors.h"
+#include "models/axel/axel_model.h"
+#include "models/axel/station_model.h"
+#include "models/parts/soil_model.h"
+#include "sim/soil/height_grid.h"
+
+namespace dockyard::axel {
+
+struct WorldSetup {
+  RoverModel rover;
+  StationModel station;
+  SoilModel soil;
+  HeightGrid ground;  // in the site frame G
+  Pose2 X_WG;         // site in the world
+  Pose2 X_GD;         // dock in the site: where the station is put
+  Pose2 X_DR_start;
+  double arm_start_rad = 0.0;  // arm against body, tip-down positive
+  double slack_start_m = 0.0;  // exposed tether beyond the straight path at the start, >= 0
+  double step_s = 1e-3;
+  bool may_rest = true;               // off: every step is computed, nothing moving or not
+  bool add_right_side_first = false;  // order in which the bodies are added (mirror test)
+};
+
+/// What is true now, for scoring, plots and drawing. Never handed to a controller.
+struct Truth {
+  double time_s = 0.0;
+  Pose3 X_WR, X_WA, X_W_left_wheel, X_W_right_wheel, X_WS;  // body, arm, wheels, station
+  Eigen::Vector3d v_WR_W = Eigen::Vector3d::Zero(), w_WR_W = Eigen::Vector3d::Zero();
+  Pose3 X_DR;  // rover in the dock frame carried by the station where it is now
+  Eigen::Vector3d p_MT = Eigen::Vector3d::Zero();  // arm tip in the mouth frame M: -x is depth
+  Eigen::Vector3d v_MT = Eigen::Vector3d::Zero();  // its velocity there [m/s]
+  double arm_rad = 0.0, arm_rate_rad_s = 0.0;      // joint, tip-down positive
+  std::array<double, kMotorCount> motor_angle_rad{}, motor_speed_rad_s{}, motor_torque_nm{},
+      motor_current_a{};                  // current as drawn, without reading noise
+  double tether_tension_n = 0.0;          // at the arm's tip
+  double tether_path_m = 0.0;             // arm tip to anchor, round the bends
+  double tether_free_m = 0.0;             // unstretched length paid out
+  std::vector<Eigen::Vector3d> tether_W;  // bends of the path, arm tip first, anchor last
+  double cone_force_n = 0.0;  // magnitude of the sum of contact forces of cone and face on the arm
+  double face_force_n = 0.0;  // part of it on the annular face
+  double tip_ground_force_n = 0.0;
+  double station_shift_m =
+      0.0;  // horizontal distance of the mouth from where it stood at the start
+  double left_sinkage_m = 0.0, right_sinkage_m = 0.0;
+};
+
+class World {
+ public:
+  explicit World(const WorldSetup& setup);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// One step with the drives obeying these commands (held until changed).
+  void Step(const std::array<MotorCommand, kMotorCount>& commands);
+
+  Tick tick() const;
+  /// Whether nothing moves and no step is computed until a command changes.
+  bool at_rest() const;
+  /// Computed on demand; cheap enough for every control period, not for every step.
+  Truth truth() const;
+  const HeightGrid& ground() const;
+  /// Specific force and body rate averaged over the steps since the last call, in R.
+  ImuSample TakeTrueImu();
+  /// Bit-exact fingerprint of all bodies, joints, drives, tether and soil contact.
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dockyard::axel

@@ -1,0 +1,72 @@
+// Inside of World: what it is made of.
+#pragma once
+
+#include "sim/axel/contact_world.h"
+#include "sim/axel/drive_train.h"
+#include "sim/axel/rover_body.h"
+#include "sim/axel/rover_ground.h"
+#include "sim/axel/station_body.h"
+#include "sim/axel/tether.h"
+#include "sim/axel/world.h"
+#include "sim/physics/imu.h"
+#include "sim/soil/wheel_soil.h"
+
+namespace dockyard::axel {
+
+/// Standard gravity, rounded: the Mars Yard is in Pasadena (9.796 m/s^2) [m/s^2].
+inline constexpr double kEarthGravity = 9.81;
+
+/// All motion is computed in the site frame G; the world frame W enters with the truth only.
+class World::Impl {
+ public:
+  explicit Impl(const WorldSetup& setup);
+
+  void Step(const std::array<MotorCommand, kMotorCount>& commands);
+  Truth MakeTruth() const;
+  Tick tick() const;
+  bool at_rest() const { return still_steps_ >= kRestSteps; }
+  const HeightGrid& ground() const { return ground_; }
+  ImuSample TakeTrueImu() { return imu_.Take(rover_.motion(RoverLink::kBody), X_WG_); }
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  // Nothing rocks, creeps or is about to move when all has been this slow for this long: in a
+  // minute it would go half a micrometre. Assumed, range 1e-10 to 1e-7 and 20-200 steps.
+  static constexpr double kStillMPerS = 1e-8, kStillRadPerS = 1e-8;
+  static constexpr int kRestSteps = 50;
+
+  void Settle();
+  void Move(const std::array<MotorCommand, kMotorCount>& commands);
+  bool IsStill() const;
+  double PullTether();
+  void RollOnSoil();
+  void RollWheel(RoverLink link, WheelSoil& soil, WheelLoad& load);
+  Eigen::Vector3d TipInG() const;
+  Eigen::Vector3d TipInMouth() const;
+  Eigen::Vector3d TipVelocityInMouth() const;
+  void TellMotion(Truth& truth) const;
+  void TellMotors(Truth& truth) const;
+  void TellTether(Truth& truth) const;
+
+  WorldSetup setup_;
+  Pose3 X_WG_;
+  HeightGrid ground_;
+  RoverBody rover_;
+  StationBody station_;
+  ContactWorld bullet_;
+  DriveTrain drives_;
+  Tether tether_;
+  RoverGround rover_ground_;
+  WheelSoil left_soil_, right_soil_;
+  WheelLoad left_load_, right_load_;
+  ImuAverage imu_;
+  TetherLoad pull_;
+  bool tether_tied_ = false;        // not before the rover has settled
+  double tether_at_start_m_ = 0.0;  // unstretched length out of the arm at power-on
+  Eigen::Vector3d p_GM_start_ = Eigen::Vector3d::Zero();
+  std::int64_t steps_ = 0;
+  int still_steps_ = 0;  // with the last commands
+  std::array<MotorCommand, kMotorCount> last_commands_{};
+};
+
+}  // namespace dockyard::axel

@@ -1,0 +1,36 @@
+#include "sim/base/random.h"
+
+#include <cmath>
+
+#include "controller/base/split_mix.h"
+#include "controller/geometry/pose.h"
+
+namespace dockyard {
+
+std::uint64_t RandomStream::NextBits() { return SplitMix(key_, counter_++); }
+
+double RandomStream::Uniform() { return static_cast<double>(NextBits() >> 11) * 0x1.0p-53; }
+
+double RandomStream::Normal() {
+  if (has_spare_) {
+    has_spare_ = false;
+    return spare_;
+  }
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - Uniform()));
+  const double angle = 2.0 * kPi * Uniform();
+  spare_ = radius * std::sin(angle);
+  has_spare_ = true;
+  return radius * std::cos(angle);
+}
+
+std::uint64_t StreamKey(std::uint64_t seed, std::string_view stream) {
+  std::uint64_t hash = 14695981039346656037ull;  // FNV-1a
+  for (const char c : stream) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  return MixBits(SplitMix(seed, 0) ^ hash);
+}
+
+std::uint64_t RunSeed(std::uint64_t campaign_seed, std::uint64_t run) {
+  return SplitMix(SplitMix(campaign_seed, 0), run);
+}
+
+}  // namespace dockyard

@@ -1,0 +1,175 @@
+#include "sim/bridge/pipe_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/log/frame_codec.h"
+
+namespace dockyard {
+namespace {
+
+constexpr char kHello = 'H', kFrame = 'F', kCommands = 'C', kBelief = 'B', kBye = 'X';
+constexpr std::uint32_t kLongestAnswer = 1u << 20;
+constexpr double kByeSeconds = 2.0;
+
+std::string LastLine(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \n\r\t");
+  if (end == std::string::npos) return "";
+  const std::size_t begin = text.find_last_of('\n', end);
+  return text.substr(begin == std::string::npos ? 0 : begin + 1,
+                     end - (begin == std::string::npos ? 0 : begin + 1) + 1);
+}
+
+/// Fields that are there replace what was believed before.
+void TakeBelief(const Json& json, Belief& belief) {
+  belief.phase = json.value("phase", belief.phase);
+  belief.note = json.value("note", belief.note);
+  if (json.contains("x_m")) {
+    belief.located = true;
+    belief.X_DR = {json.at("x_m"), json.at("y_m"), WrapPi(json.at("heading_rad"))};
+  }
+  if (!json.contains("values")) return;
+  belief.values.clear();
+  for (const auto& [name, value] : json.at("values").items())
+    belief.values.push_back({name, value});
+}
+
+}  // namespace
+
+PipeController::PipeController(const std::vector<std::string>& command,
+                               const std::filesystem::path& folder,
+                               const ControllerGreeting& greeting, double limit_s)
+    : greeting_(greeting), limit_s_(limit_s), process_(command, folder) {
+  belief_.phase = "external";
+  const Json hello{{"protocol", kControllerProtocol},
+                   {"system", greeting.system},
+                   {"control_period_ms", greeting.control_period},
+                   {"motors", greeting.motor_count},
+                   {"cameras", greeting.camera_count},
+                   {"switches", greeting.switch_count},
+                   {"seed", greeting.seed},
+                   {"nominal", greeting.nominal}};
+  Send(kHello, hello.dump());
+  CheckHello(Receive());
+}
+
+void PipeController::CheckHello(const Message& hello) {
+  const Json json = Json::parse(hello.payload, nullptr, /*allow_exceptions=*/false);
+  if (hello.kind != kHello || !json.is_object() || !json.contains("protocol")) {
+    FailBadly("its first message is no hello");
+  }
+  if (json["protocol"] != kControllerProtocol) {
+    FailBadly("it speaks protocol " + json["protocol"].dump() + ", expected " +
+              std::to_string(kControllerProtocol));
+  }
+}
+
+void PipeController::Send(char kind, const std::string& payload) {
+  bytes_.clear();
+  PutU32(bytes_, static_cast<std::uint32_t>(payload.size()));
+  bytes_ += kind;
+  bytes_ += payload;
+  const Trouble trouble = process_.Write(bytes_, limit_s_);
+  if (trouble != Trouble::kNone) Fail(trouble);
+}
+
+PipeController::Message PipeController::Receive() {
+  std::string head;
+  Trouble trouble = process_.Read(5, limit_s_, head);
+  if (trouble != Trouble::kNone) Fail(trouble);
+  const std::uint32_t length = ByteReader(head).U32();
+  if (length > kLongestAnswer) {
+    FailBadly("a message of " + std::to_string(length) +
+              " bytes; does it print to its standard output?");
+  }
+  Message message{head[4], {}};
+  trouble = process_.Read(length, limit_s_, message.payload);
+  if (trouble != Trouble::kNone) Fail(trouble);
+  return message;
+}
+
+Commands PipeController::Step(const SensorFrame& sensed) {
+  std::string frame;
+  PutFrame(frame, sensed, ImageCoding::kRaw);
+  Send(kFrame, frame);
+  for (;;) {
+    const Message message = Receive();
+    try {
+      if (message.kind == kBelief) {
+        TakeBelief(Json::parse(message.payload), belief_);
+        continue;
+      }
+      if (message.kind != kCommands) {
+        FailBadly("a message of unknown kind; does it print to its standard output?");
+      }
+      ByteReader in(message.payload);
+      const Commands commands = TakeCommands(in);
+      if (!in.AtEnd()) FailBadly("commands longer than their content");
+      CheckCommands(commands);
+      return commands;
+    } catch (const LogError& error) {
+      FailBadly(std::string("bad commands: ") + error.what());
+    } catch (const Json::exception& error) {
+      FailBadly(std::string("a bad belief: ") + error.what());
+    }
+  }
+}
+
+void PipeController::CheckCommands(const Commands& commands) const {
+  const auto bad = [](const std::string& what) { throw LogError(what); };
+  if (commands.motors.size() != static_cast<std::size_t>(greeting_.motor_count)) {
+    bad("expected " + std::to_string(greeting_.motor_count) + " motors, found " +
+        std::to_string(commands.motors.size()));
+  }
+  for (const MotorCommand& motor : commands.motors) {
+    if (!std::isfinite(motor.target) || !(motor.speed_limit_rad_s >= 0.0) ||
+        !(motor.accel_rad_s2 >= 0.0) || !(motor.current_limit_a >= 0.0) ||
+        !std::isfinite(motor.speed_limit_rad_s + motor.accel_rad_s2 + motor.current_limit_a)) {
+      bad("a motor's numbers must be finite, its limits not negative");
+    }
+  }
+  for (const int camera : commands.take_images) {
+    if (camera < 0 || camera >= greeting_.camera_count) {
+      bad("there is no camera " + std::to_string(camera));
+    }
+    if (std::count(commands.take_images.begin(), commands.take_images.end(), camera) > 1) {
+      bad("camera " + std::to_string(camera) + " is asked for twice");
+    }
+  }
+  if (!commands.switches.empty() &&
+      commands.switches.size() != static_cast<std::size_t>(greeting_.switch_count)) {
+    bad("expected " + std::to_string(greeting_.switch_count) + " switches, found " +
+        std::to_string(commands.switches.size()));
+  }
+}
+
+void PipeController::Finish() {
+  bytes_.assign(4, '\0');
+  bytes_ += kBye;
+  process_.Write(bytes_, kByeSeconds);
+  process_.End(kByeSeconds);
+}
+
+void PipeController::Fail(Trouble trouble) {
+  if (trouble == Trouble::kLate) {
+    process_.End(0.0);
+    throw ControllerFailure(kControllerTimeout,
+                            "the controller's program gave no answer for " +
+                                std::to_string(std::lround(limit_s_)) + " s",
+                            process_.Messages());
+  }
+  const std::string how = process_.End(kByeSeconds);
+  const std::string last = LastLine(process_.Messages());
+  throw ControllerFailure(
+      kControllerCrashed,
+      "the controller's program ended: " + how + (last.empty() ? "" : ", " + last),
+      process_.Messages());
+}
+
+void PipeController::FailBadly(const std::string& what) {
+  process_.End(0.0);
+  throw ControllerFailure(kControllerError, "the controller's program sent " + what,
+                          process_.Messages());
+}
+
+}  // namespace dockyard

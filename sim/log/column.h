@@ -1,0 +1,40 @@
+// What the numbers of a system are: each is stated once, by name and unit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace dockyard {
+
+struct Column {
+  std::string name;       // ends in its unit where it has one: "tip_depth_m"
+  std::string unit;       // "m", "deg", "A"; empty for a count or a share
+  std::string meaning;    // where, when and against what it is measured
+  bool headline = false;  // shown in a campaign's summary table
+};
+
+/// How a run can end.
+struct OutcomeName {
+  std::string name;  // "docked", "no_detection"
+  bool success = false;
+  std::string meaning;
+};
+
+/// Outcomes that every system has beside its own: the engine gives them, no judge does.
+inline constexpr const char* kCrashed = "crashed";  // the run's process died or was ended
+
+/// What a result row's vectors mean, in their order.
+struct RowColumns {
+  std::vector<std::string> labels;    // columns of the campaign's table, the run's number left out
+  std::vector<Column> measures;       // of the system
+  std::vector<OutcomeName> outcomes;  // of the system, then those of every system
+
+  bool IsSuccess(const std::string& outcome) const {
+    for (const OutcomeName& known : outcomes) {
+      if (known.name == outcome) return known.success;
+    }
+    return false;
+  }
+};
+
+}  // namespace dockyard

@@ -1,0 +1,69 @@
+// What is kept of one run: its result row, its history for plots, its log.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "controller/io/belief.h"
+#include "sim/log/column.h"
+
+namespace dockyard {
+
+/// One row of results.csv. RowColumns names the labels and measures.
+struct RunResult {
+  int run = 0;
+  std::uint64_t seed = 0;
+  std::string system, controller;
+  std::vector<std::string> labels;  // as the campaign's table has them
+  bool docked = false;              // whether the outcome is a success of this system
+  std::string outcome = kCrashed;
+  double sim_time_s = 0.0;
+  int images = 0;                // images that the controller was given, all cameras together
+  std::vector<double> measures;  // empty for a run that crashed
+  std::uint64_t state_hash = 0;  // written as 16 hex digits
+};
+
+/// What differs from machine to machine.
+struct RunTiming {
+  double cpu_time_s = 0.0, wall_time_s = 0.0;
+};
+
+/// One sample of the truth and of what the controller believed, every 0.1 s, for plots.
+struct HistorySample {
+  double time_s = 0.0;
+  Pose2 X_DR;                    // truth
+  std::vector<double> channels;  // truth, by System::channels
+  std::string phase;             // belief
+  bool located = false;
+  Pose2 X_DR_believed;
+  int sighting_count = 0, plan_count = 0;
+  std::vector<double> beliefs;  // by System::beliefs
+};
+
+/// A look at the target: where the robot truly stood and what its controller made of it.
+struct SightingSample {
+  double time_s = 0.0;
+  Pose2 X_DR;  // truth
+  SightingReport report;
+  Pose2 X_DR_measured;  // from the report, ground plane; meaningful when accepted
+};
+
+struct PlanSample {
+  double time_s = 0.0;
+  std::vector<PlannedArc> arcs;
+};
+
+struct RunRecord {
+  RunResult result;
+  RunTiming timing;
+  RowColumns columns;                            // of the result
+  std::vector<Column> channels, belief_columns;  // of the history's samples
+  std::vector<HistorySample> history;
+  std::vector<SightingSample> sightings;
+  std::vector<PlanSample> plans;
+  std::string failure_note;  // a sentence for people: what the truth showed
+  std::string messages;      // what a controller's program wrote to its standard error
+};
+
+}  // namespace dockyard

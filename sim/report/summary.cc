@@ -1,0 +1,203 @@
+#include "sim/report/summary.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "sim/base/text.h"
+#include "sim/report/statistics.h"
+
+namespace dockyard {
+namespace {
+
+constexpr std::size_t kMostGroups =
+    8;  // a label with more values is a measure of the start, no group
+constexpr std::size_t kMostColumns = 99;
+
+using Cells = std::vector<std::string>;
+
+/// Rows of one value of a label.
+struct Group {
+  std::string value;
+  int docked = 0, runs = 0;
+};
+
+std::string Padded(std::string text, std::size_t width) {
+  if (text.size() < width) text.append(width - text.size(), ' ');
+  return text;
+}
+
+// Trailing spaces make diffs of tables noisy.
+void AddLine(std::string& out, std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  out += line + "\n";
+}
+
+/// Empty cells would shift the reader's eye, line breaks the table.
+std::string CellOrDash(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text.empty() ? "-" : text;
+}
+
+/// Ends where there are too many to show.
+std::vector<Group> GroupsBy(std::size_t label, const FinishedRuns& runs) {
+  std::vector<Group> groups;
+  for (const auto& [number, run] : runs) {
+    if (groups.size() > kMostGroups) break;
+    const std::string value = CellOrDash(run.result.labels[label]);
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const Group& each) { return each.value == value; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {value});
+    ++group->runs;
+    group->docked += run.result.docked ? 1 : 0;
+  }
+  return groups;
+}
+
+void AddGroups(std::string& out, const std::vector<std::vector<Group>>& by_label,
+               const RowColumns& columns) {
+  const auto shown = [](const std::vector<Group>& groups) {
+    return groups.size() >= 2 && groups.size() <= kMostGroups;
+  };
+  std::size_t name_width = 0, value_width = 0;
+  for (std::size_t i = 0; i < by_label.size(); ++i) {
+    if (!shown(by_label[i])) continue;
+    name_width = std::max(name_width, columns.labels[i].size());
+    for (const Group& group : by_label[i]) value_width = std::max(value_width, group.value.size());
+  }
+  for (std::size_t i = 0; i < by_label.size(); ++i) {
+    if (!shown(by_label[i])) continue;
+    for (const Group& group : by_label[i]) {
+      AddLine(out, "  " + Padded(columns.labels[i], name_width + 2) +
+                       Padded(group.value, value_width + 2) + BriefRate(group.docked, group.runs));
+    }
+  }
+}
+
+/// "run 3", "runs 3 6 9", on as many lines as it takes.
+void AddNumbers(std::string& out, std::string line, const std::vector<int>& numbers) {
+  const std::size_t indent = line.size() + 5;
+  line += numbers.size() == 1 ? "run" : "runs";
+  for (const int number : numbers) {
+    const std::string word = " " + std::to_string(number);
+    if (line.size() + word.size() > kMostColumns) {
+      AddLine(out, line);
+      line = std::string(indent - 1, ' ');
+    }
+    line += word;
+  }
+  AddLine(out, line);
+}
+
+void AddCauses(std::string& out, const FinishedRuns& runs, const RowColumns& columns) {
+  std::vector<std::string> causes;
+  for (const OutcomeName& outcome : columns.outcomes) causes.push_back(outcome.name);
+  if (std::find(causes.begin(), causes.end(), kCrashed) == causes.end()) causes.push_back(kCrashed);
+  std::vector<std::vector<int>> numbers(causes.size());
+  std::size_t width = 0;
+  for (const auto& [number, run] : runs) {
+    const auto cause = std::find(causes.begin(), causes.end(), run.result.outcome);
+    if (run.result.docked || cause == causes.end()) continue;
+    numbers[static_cast<std::size_t>(cause - causes.begin())].push_back(number);
+    width = std::max(width, cause->size());
+  }
+  if (width == 0) return;
+  AddLine(out, "");
+  AddLine(out, "failures by cause");
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    if (numbers[i].empty()) continue;
+    AddNumbers(out,
+               "  " + Padded(causes[i], width + 2) + Padded(std::to_string(numbers[i].size()), 4),
+               numbers[i]);
+  }
+}
+
+/// "r_m" of "start.r_m", where no other label ends so.
+std::string ShortName(std::size_t label, const RowColumns& columns) {
+  const auto last = [](const std::string& key) { return key.substr(key.rfind('.') + 1); };
+  const std::string name = last(columns.labels[label]);
+  const auto same = std::count_if(columns.labels.begin(), columns.labels.end(),
+                                  [&](const std::string& each) { return last(each) == name; });
+  return same == 1 && !name.empty() ? name : columns.labels[label];
+}
+
+/// A line of cells, as wide as their columns' longest: numbers to the right, words to the left.
+std::string TableLine(const Cells& cells, const std::vector<std::size_t>& widths,
+                      const std::vector<char>& numeric) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string space(widths[i] - cells[i].size(), ' ');
+    line += (i == 0 ? "" : "  ") + (numeric[i] ? space + cells[i] : cells[i] + space);
+  }
+  return line;
+}
+
+Cells TableCells(const RunResult& row, const std::vector<std::size_t>& labels,
+                 const RowColumns& columns) {
+  Cells cells{std::to_string(row.run)};
+  for (const std::size_t label : labels) cells.push_back(CellOrDash(row.labels[label]));
+  cells.insert(cells.end(), {row.outcome, Fixed(row.sim_time_s, 1), std::to_string(row.images)});
+  for (std::size_t i = 0; i < columns.measures.size(); ++i) {
+    if (!columns.measures[i].headline) continue;
+    cells.push_back(row.measures.empty() ? "-" : BriefNumber(row.measures[i]));
+  }
+  return cells;
+}
+
+void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& columns,
+              const std::vector<std::size_t>& labels) {
+  Cells header{"run"};
+  for (const std::size_t label : labels) header.push_back(ShortName(label, columns));
+  header.insert(header.end(), {"outcome", "time_s", "images"});
+  for (const Column& measure : columns.measures) {
+    if (measure.headline) header.push_back(measure.name);
+  }
+  std::vector<Cells> table;
+  for (const auto& [number, run] : runs) table.push_back(TableCells(run.result, labels, columns));
+  std::vector<std::size_t> widths;
+  std::vector<char> numeric(header.size(), 1);
+  for (const std::string& cell : header) widths.push_back(cell.size());
+  for (const Cells& cells : table) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      widths[i] = std::max(widths[i], cells[i].size());
+      if (cells[i] != "-" && !NumberFromText(cells[i])) numeric[i] = 0;
+    }
+  }
+  AddLine(out, "");
+  AddLine(out, TableLine(header, widths, numeric));
+  auto line = table.begin();
+  for (const auto& [number, run] : runs) {
+    AddLine(out, TableLine(*line++, widths, numeric));
+    if (!run.note.empty()) AddLine(out, std::string(widths[0] + 2, ' ') + run.note);
+  }
+}
+
+}  // namespace
+
+std::string SummaryText(const std::string& title, const FinishedRuns& runs,
+                        const RowColumns& columns, int total) {
+  int docked = 0;
+  for (const auto& [number, run] : runs) docked += run.result.docked ? 1 : 0;
+  const int done = static_cast<int>(runs.size());
+  std::string out;
+  AddLine(out, title + ": " + BriefRate(docked, done) + ", 95 % intervals (Clopper-Pearson)");
+  if (done < total) {
+    AddLine(out, "incomplete: " + std::to_string(done) + " of " + std::to_string(total) + " runs");
+  }
+  std::vector<std::vector<Group>> by_label;
+  std::vector<std::size_t> differing;
+  for (std::size_t i = 0; i < columns.labels.size(); ++i) {
+    by_label.push_back(GroupsBy(i, runs));
+    if (by_label[i].size() > 1) differing.push_back(i);
+    if (by_label[i].size() == 1) {
+      AddLine(out, "all runs: " + columns.labels[i] + " " + by_label[i].front().value);
+    }
+  }
+  AddLine(out, "");
+  AddGroups(out, by_label, columns);
+  AddCauses(out, runs, columns);
+  AddTable(out, runs, columns, differing);
+  return out;
+}
+
+}  // namespace dockyard

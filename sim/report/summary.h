@@ -1,0 +1,17 @@
+// The result table of a campaign: rates with intervals by label, failures by cause, a line per run.
+#pragma once
+
+#include <string>
+
+#include "sim/log/results.h"
+
+namespace dockyard {
+
+/// Plain text, the same for the same rows. A label with 2 to 8 values has a line for each, in the
+/// order in which they appear. The table of runs has the labels that differ between runs, the
+/// outcome and the headline measures; its lines stay under 100 columns where the labels allow.
+/// @param total  runs of the whole campaign
+std::string SummaryText(const std::string& title, const FinishedRuns& runs,
+                        const RowColumns& columns, int total);
+
+}  // namespace dockyard

@@ -1,0 +1,31 @@
+// Names the outcome of a run from the truth alone. A judge is made on its own system's plant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "controller/io/belief.h"
+#include "controller/io/commands.h"
+
+namespace dockyard {
+
+struct Conclusion {
+  std::string outcome;           // one of the system's
+  std::string note;              // a sentence: what the truth showed
+  std::vector<double> measures;  // by System::measures
+};
+
+class Judge {
+ public:
+  virtual ~Judge() = default;
+  /// Called every control period, before the commands take effect.
+  virtual void Observe() = 0;
+  /// Called for every sighting that the controller reports, after Observe.
+  virtual void ObserveSighting(const SightingReport& report) = 0;
+  /// Whether the run cannot go on.
+  virtual bool fatal() const = 0;
+  /// Called once, at the end. May move the plant on, to try a claim.
+  virtual Conclusion Conclude(const Commands& last, const Belief& belief) = 0;
+};
+
+}  // namespace dockyard

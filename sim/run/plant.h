@@ -1,0 +1,40 @@
+// The physical side of one run: the robot, its target and its surroundings, with the sensors. A
+// plant is made fresh for each run and is repeatable bit for bit.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "controller/geometry/pose.h"
+#include "controller/io/belief.h"
+#include "controller/io/commands.h"
+#include "controller/io/sensors.h"
+
+namespace dockyard {
+
+class Plant {
+ public:
+  virtual ~Plant() = default;
+
+  virtual Tick tick() const = 0;
+  /// What all sensors but the cameras say now. Called once every control period.
+  virtual SensorFrame Sense() = 0;
+  /// What these cameras see now.
+  virtual std::vector<CameraImage> TakeImages(const std::vector<int>& cameras) = 0;
+  /// One control period under these commands.
+  virtual void Advance(const Commands& commands) = 0;
+
+  /// Truth, for the record: the robot in its target's frame D on the ground.
+  virtual Pose2 X_DR() const = 0;
+  /// Truth, for the history: appends the system's channels, in their order.
+  virtual void AppendChannels(std::vector<double>& values) const = 0;
+  /// Where the robot stands by an accepted sighting of its target.
+  virtual Pose2 MeasuredPose(const SightingReport& report) const = 0;
+
+  /// Bit-exact fingerprint of the moving state, on top of `seed`.
+  virtual std::uint64_t StateHash(std::uint64_t seed) const = 0;
+  /// The same at the end of a run, with all that changes slowly, such as the ground.
+  virtual std::uint64_t FinalHash(std::uint64_t seed) const { return StateHash(seed); }
+};
+
+}  // namespace dockyard

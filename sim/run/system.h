@@ -1,0 +1,113 @@
+// A system as a value: one kind of robot with its target, controllers, judge, plots and commands.
+// The program knows systems by this alone (sim/app/systems.cc lists them).
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/geometry/camera.h"
+#include "controller/io/controller.h"
+#include "models/read/load_board.h"
+#include "sim/base/json.h"
+#include "sim/log/column.h"
+#include "sim/log/record.h"
+#include "sim/run/judge.h"
+#include "sim/run/plant.h"
+#include "sim/scenario/scenario.h"
+
+namespace dockyard {
+
+/// All that one run is made of but its controller.
+struct ReadyRun {
+  std::unique_ptr<Plant> plant;
+  std::unique_ptr<Judge> judge;
+  Json nominal;  // the nominal parameters that the controller is told, and no truth
+  Tick control_period = 20;
+  int motor_count = 0, camera_count = 0, switch_count = 0;
+};
+
+/// Makes a fresh controller from the nominal parameters. Throws ConfigError when they are not its
+/// system's.
+struct ControllerEntry {
+  std::string name;
+  std::function<std::unique_ptr<Controller>(const Json& nominal)> make;
+};
+
+/// What kind of file it is and, in a line, what it holds.
+struct FileCheck {
+  std::string kind, summary;
+};
+
+/// A text file of a figure or table.
+struct Figure {
+  std::string file;  // name in the folder
+  std::string text;
+};
+
+/// A command of the system's own: `dockyard NAME ...`.
+struct SystemCommand {
+  std::string name, help;
+  /// Gets the words after the name; returns the exit code, throws as the program's own commands.
+  std::function<int(const std::vector<std::string>& words)> run;
+};
+
+/// A published experiment that the system reproduces.
+struct Reproduction {
+  std::string name;           // "axel2013"
+  std::string campaign_file;  // relative to the scenarios folder
+  std::string meaning;
+};
+
+struct System {
+  std::string name;                          // the key `system` of a scenario
+  std::vector<ControllerEntry> controllers;  // the first is the default
+  std::vector<OutcomeName> outcomes;
+  std::vector<Column> channels, beliefs, measures;
+  std::vector<std::string> file_keys;          // keys under its own name whose values are files
+  std::vector<std::string> changes_file_keys;  // and dotted keys under `changes`
+
+  /// Reads the system's own keys and all models that the scenario names, and says in a line what it
+  /// is. Throws ConfigError.
+  std::function<std::string(const Scenario&)> check;
+  /// Throws ConfigError.
+  std::function<ReadyRun(const Scenario&)> make_ready;
+  /// Open-loop commands in place of a controller, from the scenario's `script`. Throws ConfigError.
+  /// Empty: the system knows none.
+  std::function<std::unique_ptr<Controller>(const Json& nominal, const YamlNode& script)> play;
+  /// Figures of one run, and of all runs of a campaign. Empty: it draws none.
+  std::function<std::vector<Figure>(const RunRecord&, const Scenario&)> draw;
+  std::function<std::vector<Figure>(const Campaign&, const RowColumns&,
+                                    const std::vector<RunResult>&)>
+      draw_campaign;
+  /// The images at the start pose with the truth beside them, into a folder. Empty: it has none.
+  std::function<void(const Scenario&, const std::filesystem::path& dir)> view;
+  /// What a model file of the system's own is (its robot, its target); none: it is no such file.
+  /// Throws ConfigError for one that is bad.
+  std::function<std::optional<FileCheck>(const std::string& yaml_file)> check_file;
+  /// The nominal stereo cameras of a robot's file, images of that size (0: as the file says); none:
+  /// the file is not this system's, or the robot has no pair. Throws ConfigError.
+  std::function<std::optional<StereoRig>(const std::string& robot_file, int width, int height)> rig;
+  /// The fiducial board in a target's file; none: the file is not this system's, or has none.
+  /// Throws ConfigError.
+  std::function<std::optional<NamedBoard>(const std::string& target_file)> board;
+  /// `dockyard detect` for a robot of this system whose perception is its own. Gets the words after
+  /// `detect`; returns the exit code. Empty: the program's own, which locates boards of discs.
+  std::function<int(const std::vector<std::string>& words)> detect;
+  std::vector<SystemCommand> commands;
+  std::vector<Reproduction> reproductions;
+
+  RowColumns Columns(std::vector<std::string> labels) const;
+  /// Throws ConfigError that names all.
+  const ControllerEntry& RequireController(const std::string& controller) const;
+};
+
+/// The system of that name. Throws ConfigError that names all.
+const System& FindSystem(const std::vector<System>& systems, const std::string& name);
+/// What the scenario's reader must know of them.
+std::vector<KnownSystem> KnownSystems(const std::vector<System>& systems);
+
+}  // namespace dockyard

@@ -1,0 +1,35 @@
+// Dotted keys ("start.r_m") in a tree of YAML, and a tree as text.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "models/read/yaml_tree.h"
+
+namespace dockyard {
+
+/// The value under a dotted key, or null.
+const YamlNode* FindPath(const YamlNode& tree, std::string_view path);
+YamlNode* FindPath(YamlNode& tree, std::string_view path);
+
+/// Puts the value under a dotted key on top of the tree, mappings key by key. Messages about an
+/// unknown key give `key_place`.
+void PutPath(YamlNode& tree, std::string_view path, const YamlPlace& key_place,
+             const YamlNode& value);
+
+/// Takes a dotted key out, and the mappings that are empty then.
+void RemovePath(YamlNode& tree, std::string_view path);
+
+/// Whether one is the other or holds it: "start" and "start.r_m".
+bool PathsOverlap(std::string_view a, std::string_view b);
+
+/// The mapping with a line for each key, which reads back to the same.
+std::string BlockText(const YamlNode& mapping, int indent = 0);
+
+/// Absolute, without "." and "..".
+std::string AbsolutePath(const std::string& file);
+
+/// A scalar that stands in no file.
+YamlNode ScalarNode(const std::string& text, bool quoted);
+
+}  // namespace dockyard

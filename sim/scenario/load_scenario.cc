@@ -1,0 +1,22 @@
+#include "sim/scenario/load_scenario.h"
+
+#include "models/read/config_error.h"
+#include "sim/scenario/key_path.h"
+#include "sim/scenario/scenario_keys.h"
+
+namespace dockyard {
+
+Scenario LoadScenario(const std::string& file, const std::vector<std::string>& overrides,
+                      const std::vector<KnownSystem>& systems) {
+  YamlNode root = LoadYaml(file);
+  for (const std::string& assignment : overrides) SetYaml(root, assignment);
+  for (const char* kind : {"campaign", "study"}) {
+    if (root.Find(kind) == nullptr) continue;
+    throw ConfigError(root.place.Text() + ": expected one scenario, found a " + kind);
+  }
+  return ReadScenario(root, systems);
+}
+
+std::string ResolvedYaml(const Scenario& scenario) { return BlockText(WriteScenario(scenario)); }
+
+}  // namespace dockyard

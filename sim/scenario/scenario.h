@@ -1,0 +1,91 @@
+// One run to be simulated: which system, robot, soil, light, start and controller. Read from
+// scenarios/*.yaml; a campaign file holds a base scenario and a table of runs.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "controller/geometry/pose.h"
+#include "models/read/yaml_tree.h"
+
+namespace dockyard {
+
+enum class Light { kEven, kSpeckled, kHardShadow };
+const char* LightName(Light light);  // even | speckled | hard_shadow, as in the files
+
+/// Overrides of the light's defaults. NaN (angles) or 0 (temperatures) keeps the default: random
+/// angles, white light.
+struct SunModel {
+  double azimuth_rad = std::numeric_limits<double>::quiet_NaN();    // from the way the target faces
+  double elevation_rad = std::numeric_limits<double>::quiet_NaN();  // above the level
+  double temperature_k = 0.0, sky_temperature_k = 0.0;
+};
+
+/// The yard: gentle undulation, deterministic in the run's seed.
+struct YardModel {
+  // Gentle undulation as on the Mars Yard's docking site ("relatively small terrain undulations",
+  // Tsai et al., IV): assumed 10 mm rms, range 0-30 mm, over 2 m, range 1-5 m. The yard reaches 3 m
+  // beyond the farthest start of 7 m; cells of 20 mm, range 10-40 mm.
+  double length_m = 12.0;  // x, from kYardBehind_m behind the target outwards
+  double width_m = 12.0;   // y, centred
+  double cell_m = 0.02;
+  double undulation_rms_m = 0.010;
+  double undulation_wavelength_m = 2.0;
+};
+/// The grid begins this far behind the target.
+inline constexpr double kYardBehind_m = 1.5;
+
+struct Scenario {
+  std::string name;
+  std::string system;                              // name of a system
+  std::string robot_file, soil_file, camera_file;  // resolved paths; empty: none named
+  std::string controller;                          // a name that the system knows
+  std::vector<std::string> command;                // else: a program that is the controller,
+  std::string command_folder;                      // and where it runs: its file's folder
+  DockingCoords start{.r = 4.0};
+  Light light = Light::kEven;
+  SunModel sun;
+  YardModel yard;
+  int image_width = 0, image_height = 0;  // 0: as the cameras' file says, else the system's default
+  bool colour = false;                    // view writes colour images beside the grey ones
+  double time_limit_s = 600.0;
+  double physics_step_s = 1e-3;  // 1e-3 unless a convergence study changes it
+  std::uint64_t seed = 1;
+  Pose2 X_WG;  // where the whole yard lies in the world (default identity)
+  bool log_images = true;
+  YamlNode of_system;  // the mapping under the system's own name; the system reads it. kNull: none
+  YamlNode changes;    // keys on top of the model files, by model; the system reads it. kNull: none
+  YamlNode script;  // open-loop commands in place of a controller; the system reads it. kNull: none
+};
+
+/// What a reader must know of a system to check a scenario's words.
+struct KnownSystem {
+  std::string name;
+  std::vector<std::string> controllers;  // the first is the default
+  std::vector<std::string> file_keys;    // keys under its own name whose values are files
+  // The same under `changes`. The reader makes both absolute, so that a scenario can be written
+  // into another folder.
+  std::vector<std::string> changes_file_keys{};
+};
+
+/// A row of a campaign's table.
+struct CampaignRun {
+  int run = 0;
+  std::vector<std::string> labels;  // by Campaign::labels
+  Scenario scenario;                // fully resolved
+};
+
+struct Campaign {
+  std::string name;
+  std::string file;
+  std::uint64_t seed = 1;
+  // Columns of the table, keys of the scenario and tags; `run` and `controller` left out, which a
+  // result row has beside the labels.
+  std::vector<std::string> labels;
+  std::vector<CampaignRun> runs;
+  std::string resolved_yaml;  // everything, defaults included, for the results folder
+};
+
+}  // namespace dockyard

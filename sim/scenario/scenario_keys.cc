@@ -1,0 +1,256 @@
+#include "sim/scenario/scenario_keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "models/read/config_error.h"
+#include "models/read/text_file.h"
+#include "sim/scenario/key_path.h"
+
+namespace dockyard {
+namespace {
+
+constexpr double kMaxCells = 4e6;
+constexpr const char* kCommand = "command";
+
+void VisitCamera(Keys& keys, Scenario& s) {
+  using enum Presence;
+  keys.File({"file", "", "cameras instead of the robot's own", kUnset}, s.camera_file);
+  keys.Integer({"width_px", "px", "image width, given together with height_px", kUnset},
+               s.image_width, 64, 4096);
+  keys.Integer({"height_px", "px", "image height, given together with width_px", kUnset},
+               s.image_height, 64, 4096);
+  keys.Bool({"colour", "", "`view` writes colour images beside the grey ones"}, s.colour);
+}
+
+void VisitController(Keys& keys, Scenario& s, const KnownSystem* system) {
+  static const std::vector<std::string> none;
+  const std::vector<std::string>& words = system == nullptr ? none : system->controllers;
+  if (s.controller.empty() && !words.empty()) s.controller = words.front();
+  keys.WordOrMapping(
+      {"controller", "", "a controller of the system, or a program"}, s.controller, words, kCommand,
+      [&](Keys& in) {
+        in.Texts({"command", "", "the program's name and arguments", Presence::kRequired},
+                 s.command, 64);
+        in.Text(
+            {"folder", "", "where the program runs, else the file's own folder", Presence::kUnset},
+            s.command_folder);
+      });
+}
+
+void VisitStart(Keys& keys, DockingCoords& start) {
+  using enum Presence;
+  keys.Number({"r_m", "m", "distance from the target", kRequired}, start.r, Between(0.5, 100.0));
+  keys.Degrees({"alpha_deg", "deg", "bearing about the target, from its axis", kRequired},
+               start.alpha, Between(-90.0, 90.0));
+  keys.Degrees({"heading_deg", "deg", "heading against the target's axis", kRequired}, start.h,
+               Between(-180.0, 180.0));
+}
+
+void VisitSun(Keys& keys, SunModel& sun) {
+  using enum Presence;
+  keys.Degrees({"azimuth_deg", "deg", "from the way the target faces; none: random", kUnset},
+               sun.azimuth_rad, Between(-180.0, 180.0));
+  keys.Degrees({"elevation_deg", "deg", "above the level; none: random", kUnset}, sun.elevation_rad,
+               Between(2.0, 90.0));
+  // The Planckian locus is known from 1667 to 25000 K.
+  keys.Number({"temperature_k", "K", "colour of the sun; none: white", kUnset}, sun.temperature_k,
+              Between(1667.0, 25000.0));
+  keys.Number({"sky_temperature_k", "K", "colour of the sky; none: white", kUnset},
+              sun.sky_temperature_k, Between(1667.0, 25000.0));
+}
+
+void VisitYard(Keys& keys, YardModel& yard) {
+  keys.Number({"length_m", "m", "of the ground, from 1.5 m behind the target"}, yard.length_m,
+              Between(4.0, 200.0));
+  keys.Number({"width_m", "m", "of the ground, to both sides"}, yard.width_m, Between(4.0, 200.0));
+  keys.Number({"cell_m", "m", "of the ground's grid; at most 4 million cells"}, yard.cell_m,
+              Between(0.002, 0.2));
+  keys.Number({"undulation_rms_m", "m", "rms height of the undulation"}, yard.undulation_rms_m,
+              NonNegative(0.2));
+  keys.Number({"undulation_wavelength_m", "m", "wavelength of the undulation"},
+              yard.undulation_wavelength_m, Between(0.2, 50.0));
+}
+
+void VisitSite(Keys& keys, Pose2& X_WG) {
+  keys.Number({"x_m", "m", "of the whole yard in the world"}, X_WG.x, Between(-1e6, 1e6));
+  keys.Number({"y_m", "m", "of the whole yard in the world"}, X_WG.y, Between(-1e6, 1e6));
+  keys.Degrees({"heading_deg", "deg", "of the whole yard in the world"}, X_WG.heading,
+               Between(-180.0, 180.0));
+}
+
+/// The mapping under the system's own name; one under another system's is refused. Before the
+/// system is known all are.
+void VisitOfSystem(Keys& keys, Scenario& s, const std::vector<KnownSystem>& systems) {
+  const std::string hint = "no keys of another system than '" + s.system + "'";
+  for (const KnownSystem& system : systems) {
+    if (s.system.empty() || s.system == system.name) {
+      keys.Tree({system.name, "", "keys of the system's own", Presence::kUnset}, s.of_system,
+                YamlNode::Kind::kMapping);
+    } else {
+      keys.Refused(system.name, hint);
+    }
+  }
+}
+
+void RefuseFormerKeys(Keys& keys) {
+  keys.Refused("rover", "the key 'robot' instead");
+  for (const char* of_system : {"station", "vision", "tip_angle_deg", "board_dust"}) {
+    keys.Refused(of_system, "it under the key of the system's own name");
+  }
+}
+
+std::vector<std::string> NamesOf(const std::vector<KnownSystem>& systems) {
+  std::vector<std::string> names;
+  for (const KnownSystem& system : systems) names.push_back(system.name);
+  return names;
+}
+
+const KnownSystem* Find(const std::vector<KnownSystem>& systems, const std::string& name) {
+  const auto at = std::find_if(systems.begin(), systems.end(),
+                               [&](const KnownSystem& system) { return system.name == name; });
+  return at == systems.end() ? nullptr : &*at;
+}
+
+[[noreturn]] void RefuseValue(const YamlNode& root, const std::string& path,
+                              const std::string& expected) {
+  const YamlNode* value = FindPath(root, path);
+  const YamlNode& at = value == nullptr ? root : *value;
+  throw ConfigError(at.place.Text() + ": " + path + ": expected " + expected +
+                    (value == nullptr ? "" : ", found " + at.Found()));
+}
+
+/// Between them the keys must agree.
+void CheckTogether(const Scenario& s, const YamlNode& root) {
+  const YardModel& yard = s.yard;
+  if (yard.length_m * yard.width_m / (yard.cell_m * yard.cell_m) > kMaxCells) {
+    RefuseValue(root, "yard", "at most 4 million cells");
+  }
+  if ((s.image_width > 0) != (s.image_height > 0)) {
+    RefuseValue(root, "camera", "both width_px and height_px, or neither");
+  }
+  constexpr double kMargin_m = 1.0;  // from the yard's border
+  const double x = s.start.r * std::cos(s.start.alpha), y = s.start.r * std::sin(s.start.alpha);
+  const double x_end = yard.length_m - kYardBehind_m - kMargin_m;
+  const double y_end = 0.5 * yard.width_m - kMargin_m;
+  if (x > x_end || std::abs(y) > y_end) {
+    RefuseValue(root, "start.r_m",
+                "a start inside the yard (x up to " + NumberText(x_end) + " m, y up to +-" +
+                    NumberText(y_end) + " m)");
+  }
+}
+
+/// Where the scenario's program runs, absolute: the folder that is named beside its file, else the
+/// file's own. One that comes from an option stands as it is.
+std::string CommandFolder(const YamlNode& root, const std::string& named) {
+  const char* key = named.empty() ? "controller.command" : "controller.folder";
+  const YamlPlace& place = FindPath(root, key)->place;
+  const std::filesystem::path written = named.empty() ? "." : named;
+  const std::filesystem::path folder =
+      place.from_option() ? written : ResolveBeside(*place.source, written.string());
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw ConfigError(place.Text() + ": controller.folder: expected a folder, found none at '" +
+                      folder.string() + "'");
+  }
+  return AbsolutePath(folder.string());
+}
+
+/// Dotted keys of a tree of the scenario whose values are files.
+void MakeFilesAbsolute(YamlNode& tree, const std::string& path,
+                       const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) {
+    YamlNode* node = FindPath(tree, key);
+    if (node == nullptr) continue;
+    const std::string name = path + "." + key;
+    YamlNode holder;  // a reader needs a mapping
+    holder.kind = YamlNode::Kind::kMapping;
+    holder.keys.push_back({name, node->place});
+    holder.items.push_back(*node);
+    node->scalar = AbsolutePath(YamlReader(holder, "", {name}).File(name));
+    node->quoted = true;
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& LightWords() {
+  static const std::vector<std::string> words{LightName(Light::kEven), LightName(Light::kSpeckled),
+                                              LightName(Light::kHardShadow)};
+  return words;
+}
+
+void VisitScenario(Keys& keys, Scenario& s, const std::vector<KnownSystem>& systems) {
+  using enum Presence;
+  keys.Text({"name", "", "shown in results and messages", kRequired}, s.name);
+  keys.Word({"system", "", "which kind of robot and target", kRequired}, s.system,
+            NamesOf(systems));
+  keys.File({"robot", "", "the robot's model", kUnset}, s.robot_file);
+  keys.File({"soil", "", "the soil's model", kUnset}, s.soil_file);
+  keys.Mapping({"camera", "", ""}, [&](Keys& in) { VisitCamera(in, s); });
+  VisitController(keys, s, Find(systems, s.system));
+  keys.Mapping({"start", "", "", kRequired}, [&](Keys& in) { VisitStart(in, s.start); });
+  keys.Choice({"light", "", "kind of light"}, s.light, LightWords());
+  keys.Mapping({"sun", "", ""}, [&](Keys& in) { VisitSun(in, s.sun); });
+  keys.Mapping({"yard", "", ""}, [&](Keys& in) { VisitYard(in, s.yard); });
+  keys.Number({"time_limit_s", "s", "simulated time after which the run ends"}, s.time_limit_s,
+              Positive(1e5));
+  // The physics refuses longer steps.
+  keys.Number({"physics_step_s", "s", "of the physics, for convergence studies"}, s.physics_step_s,
+              Between(1e-5, 5e-3));
+  keys.Seed({"seed", "", "every random draw follows from it"}, s.seed);
+  keys.Mapping({"site", "", ""}, [&](Keys& in) { VisitSite(in, s.X_WG); });
+  keys.Bool({"log_images", "", "keep the images in the run's log"}, s.log_images);
+  keys.Tree({"changes", "", "keys on top of the model files, by model", kUnset}, s.changes,
+            YamlNode::Kind::kMapping);
+  keys.Tree({"script", "", "open-loop commands in place of a controller", kUnset}, s.script,
+            YamlNode::Kind::kSequence);
+  VisitOfSystem(keys, s, systems);
+  RefuseFormerKeys(keys);
+}
+
+Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& systems) {
+  Scenario scenario;
+  ReadKeys(root, "", [&](Keys& keys) { VisitScenario(keys, scenario, systems); });
+  if (scenario.of_system.kind == YamlNode::Kind::kNull) scenario.of_system.place = root.place;
+  CheckTogether(scenario, root);
+  if (!scenario.command.empty()) {
+    scenario.command_folder = CommandFolder(root, scenario.command_folder);
+  }
+  const KnownSystem& system = *Find(systems, scenario.system);
+  MakeFilesAbsolute(scenario.of_system, system.name, system.file_keys);
+  MakeFilesAbsolute(scenario.changes, "changes", system.changes_file_keys);
+  return scenario;
+}
+
+YamlNode WriteScenario(const Scenario& scenario) {
+  Scenario copy = scenario;
+  const std::vector<KnownSystem> itself{{scenario.system, {scenario.controller}, {}, {}}};
+  return WriteKeys([&](Keys& keys) { VisitScenario(keys, copy, itself); });
+}
+
+std::vector<std::string> DifferingKeys(const Scenario& a, const Scenario& b) {
+  return DifferingKeys(WriteScenario(a), WriteScenario(b));
+}
+
+std::string ModelText(const Scenario& scenario) {
+  YamlNode tree = WriteScenario(scenario);
+  for (const char* key : {"name", "seed", "start"}) RemovePath(tree, key);
+  return BlockText(tree);
+}
+
+std::vector<KeyRow> ScenarioRows() {
+  Scenario scenario;
+  const std::vector<KnownSystem> any{{"<system>", {"<controller>"}, {}, {}}};
+  std::vector<KeyRow> rows;
+  rows = DocumentKeys([&](Keys& keys) { VisitScenario(keys, scenario, any); });
+  for (KeyRow& row : rows) {
+    if (row.key == "system") row.range = "name of a system";
+    if (row.key == "controller") row.default_text = "the system's first";
+    if (row.key == "controller") row.range = "name of a controller, or a mapping";
+  }
+  return rows;
+}
+
+}  // namespace dockyard

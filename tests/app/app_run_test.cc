@@ -1,0 +1,177 @@
+// Whole short runs through the program: the world is real, the time limit is short.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include "app/program.h"
+#include "sim/app/systems.h"
+#include "sim/base/json.h"
+#include "sim/log/result_row.h"
+#include "sim/log/results.h"
+#include "support/fake_runs.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+namespace fs = std::filesystem;
+
+RowColumns AxelColumns(const std::vector<std::string>& labels) {
+  return Systems().front().Columns(labels);
+}
+
+TEST(ProgramRun, ThatHasNoTimeToDockEndsWithFour) {
+  const Ended ended = Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=3 --json");
+  EXPECT_EQ(ended.code, 4);
+  const Json json = Json::parse(ended.out);
+  EXPECT_EQ(json["docked"], false);
+  EXPECT_GT(json["cpu_time_s"].get<double>(), 0.0);
+  EXPECT_EQ(json.size(), ColumnNames(AxelColumns({})).size() + 1);
+}
+
+TEST(ProgramRun, WithTheSameSeedHasTheSameStateHash) {
+  const auto hash = [](const std::string& seed) {
+    const Ended ended =
+        Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=3 --json --seed " + seed);
+    return Json::parse(ended.out)["state_hash"].get<std::string>();
+  };
+  const std::string first = hash("5");
+  EXPECT_EQ(first, hash("5"));
+  EXPECT_NE(first, hash("6"));
+}
+
+TEST(ProgramRun, FeelsAMastOnAFixedJoint) {
+  const TemporaryFolder folder;
+  const fs::path axel = folder.path() / "axel";
+  const fs::path models = fs::path(DOCKYARD_SOURCE_DIR) / "models";
+  fs::copy(models / "axel", axel, fs::copy_options::recursive);
+  const auto hash = [&] {
+    const Ended ended =
+        Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=1 --set robot=" +
+                 (axel / "axel.yaml").string() + " --json");
+    EXPECT_EQ(ended.code, 4) << ended.err;
+    return Json::parse(ended.out)["state_hash"].get<std::string>();
+  };
+  const std::string without = hash();
+  EXPECT_EQ(hash(), without);
+  std::ifstream in(axel / "axel.urdf");
+  std::string urdf((std::istreambuf_iterator<char>(in)), {});
+  urdf.insert(urdf.rfind("</robot>"),
+              "<link name=\"mast\"><inertial><mass value=\"6\"/><inertia ixx=\"0.2\" iyy=\"0.2\" "
+              "izz=\"0.1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
+              "<joint name=\"mast_joint\" type=\"fixed\"><parent link=\"body\"/>"
+              "<child link=\"mast\"/><origin xyz=\"0 0 0.5\"/></joint>");
+  std::ofstream(axel / "axel.urdf") << urdf;
+  EXPECT_NE(hash(), without);
+}
+
+TEST(ProgramRun, LeavesLogAndPlotsInItsFolder) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "run").string();
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_EQ(Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=2 --out " + out).code,
+              4);
+  }
+  for (const char* file :
+       {"resolved.yaml", "frames.bin", "history.csv", "outcome.json", "sightings.json",
+        "plans.json", "result.csv", "path.svg", "history.svg"}) {
+    EXPECT_TRUE(fs::exists(fs::path(out) / file)) << file;
+  }
+}
+
+/// scenarios/ci_4.yaml with a time limit that makes it short.
+std::string ShortCampaign(const fs::path& out, int jobs) {
+  return "campaign scenarios/ci_4.yaml --quiet --set scenario.time_limit_s=3 --jobs " +
+         std::to_string(jobs) + " --out " + out.string();
+}
+
+TEST(ProgramCampaign, ComesOutTheSameOnOneProcessorAndOnTwoAndReplays) {
+  const TemporaryFolder folder;
+  const fs::path one = folder.path() / "1", two = folder.path() / "2";
+  ASSERT_EQ(Dockyard(ShortCampaign(one, 1)).code, 0);
+  ASSERT_EQ(Dockyard(ShortCampaign(two, 2)).code, 0);
+  EXPECT_EQ(Slurp(one / "results.csv"), Slurp(two / "results.csv"));
+  EXPECT_EQ(Slurp(one / "results.sqlite"), Slurp(two / "results.sqlite"));
+
+  const RowColumns columns = AxelColumns(
+      {"day", "region", "soil", "light", "start.r_m", "start.alpha_deg", "start.heading_deg"});
+  const int run = ReadResults(one, columns).begin()->first;
+  const std::string replay = "replay " + one.string() + " " + std::to_string(run);
+  const Ended same = Dockyard(replay);
+  EXPECT_EQ(same.code, 0) << same.out;
+  EXPECT_THAT(same.out, HasSubstr("same result row, bit for bit"));
+  EXPECT_THAT(same.out, HasSubstr("controller alone: same"));
+  EXPECT_THAT(same.err, Not(HasSubstr("have changed since")));
+
+  FinishedRuns changed = ReadResults(one, columns);
+  changed[run].result.state_hash ^= 1;
+  WriteText(one / "results.csv", ResultsCsv(changed, columns));
+  const Ended other = Dockyard(replay);
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.out, HasSubstr("state_hash"));
+
+  changed.erase(run);
+  WriteText(one / "results.csv", ResultsCsv(changed, columns));
+  EXPECT_EQ(Dockyard(replay).code, 10);
+  EXPECT_EQ(Dockyard("replay " + one.string() + " 999").code, 2);
+}
+
+TEST(ProgramRun, ReplaysFromItsOwnFolder) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "run").string();
+  const std::string replay = "replay " + out;
+  ASSERT_EQ(
+      Dockyard("run scenarios/axel_typical.yaml --seed 9 --set time_limit_s=2 --out " + out).code,
+      4);
+  const Ended same = Dockyard(replay);
+  EXPECT_EQ(same.code, 0) << same.out << same.err;
+  EXPECT_THAT(same.out, HasSubstr("same result row, bit for bit"));
+  EXPECT_THAT(same.out, HasSubstr("controller alone: same"));
+  EXPECT_EQ(Dockyard(replay + " 2").code, 2);  // it holds one run
+
+  const fs::path frames = fs::path(out) / "frames.bin", aside = folder.path() / "frames.bin";
+  fs::rename(frames, aside);  // half of the comparison is then left out
+  EXPECT_EQ(Dockyard(replay).code, 10);
+  fs::rename(aside, frames);
+  const fs::path result = fs::path(out) / "result.csv";
+  std::string text = Slurp(result);
+  text.replace(text.size() - 2, 1, text[text.size() - 2] == '0' ? "1" : "0");  // of the state hash
+  WriteText(result, text);
+  EXPECT_EQ(Dockyard(replay).code, 1);
+  fs::remove(result);
+  EXPECT_EQ(Dockyard(replay).code, 10);
+}
+
+TEST(ProgramCampaign, StoppedByASignalKeepsItsRunsAndGoesOnToTheSameResults) {
+  const TemporaryFolder folder;
+  const fs::path straight = folder.path() / "straight";
+  ASSERT_EQ(Dockyard(ShortCampaign(straight, 2)).code, 0);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const fs::path stopped = folder.path() / std::to_string(signal);
+    const fs::path results = stopped / "results.csv";
+    const pid_t process = StartDockyard(ShortCampaign(stopped, 1));
+    const auto rows = [&] {
+      const std::string text = fs::exists(results) ? Slurp(results) : "";
+      return std::count(text.begin(), text.end(), '\n') - 1;
+    };
+    for (int i = 0; i < 6000 && rows() < 1; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ASSERT_GE(rows(), 1);
+    ::kill(process, signal);
+    EXPECT_EQ(WaitForEnd(process), 128 + signal);
+    EXPECT_LT(rows(), 4);
+    EXPECT_EQ(Dockyard(ShortCampaign(stopped, 2)).code, 0);
+    EXPECT_EQ(Slurp(results), Slurp(straight / "results.csv"));
+  }
+}
+
+}  // namespace
+}  // namespace dockyard

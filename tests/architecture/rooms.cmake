@@ -1,0 +1,36 @@
+# The rooms and what each may include: folder | its job | a regular expression on the path between the
+# quotes or brackets. <system> stands for one of `systems`: the rooms of a system know the generic rooms
+# and their own system, never another. The standard library is open to all, the operating system to those
+# that name it. A folder with sources and without a line here is an error. No semicolon in a line: CMake ends an item there.
+set(systems axel)
+
+set(contract "controller/(base|geometry|io)/|Eigen/")
+set(os "sys/|unistd.h|fcntl.h|poll.h|signal.h")
+set(models "${contract}|models/(parts|read)/")
+set(low "sim/(base|jobs|scenario|soil|physics|log|bridge|report|run)/")
+
+set(rooms
+  "controller/base|checks and results|${contract}"
+  "controller/geometry|poses, cameras, lenses, images|${contract}"
+  "controller/io|what any robot senses, can be told and believes|${contract}"
+  "controller/vision|images in, pose of the board out|${contract}|controller/vision/|opencv2/"
+  "controller/motion|arcs and following them|${contract}|controller/motion/"
+  "controller/<system>/nominal|the nominal parameters that a controller is told|${contract}|controller/<system>/nominal/"
+  "controller/<system>|a system's controllers|${contract}|controller/(vision|motion|<system>)/"
+  "models/parts|what things are: links, motors, wheels, cameras, soil|${contract}|models/parts/"
+  "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h|${os}"
+  "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
+  "render|a scene in, images out, without physics|${contract}|render/|GL/|EGL/|dlfcn.h"
+  "sim/base|random streams, hashes, files, text, JSON, PNG|${contract}|sim/base/|nlohmann/|opencv2/|${os}"
+  "sim/jobs|work in processes of its own|controller/base/|sim/(base|jobs)/|${os}"
+  "sim/scenario|what is to be simulated: scenarios, campaigns, studies|${models}|sim/(base|scenario)/"
+  "sim/soil|stress of deformable soil on wheels with paddles, without Bullet|${models}|sim/(base|soil)/"
+  "sim/physics|parts of any robot's world: drives, inertial unit, shapes, cables|${models}|sim/(base|soil|physics)/|bt|Bullet|LinearMath/"
+  "sim/log|files of one run: log, history, result row|${contract}|sim/(base|log)/|nlohmann/|opencv2/"
+  "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|${os}"
+  "sim/report|results in figures and words|${contract}|sim/(base|log|report)/|boost/math/"
+  "sim/run|one run in closed loop, for any system|${contract}|models/read/|render/|sim/(base|scenario|log|bridge|run)/"
+  "sim/<system>|a system's world, cameras, judge and plots|${models}|models/<system>/|controller/<system>/nominal/|controller/motion/|render/|${low}|sim/<system>/|bt|Bullet|LinearMath/|nlohmann/"
+  "sim/campaign|many runs: workers, results, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
+  "sim/study|sweeps over any key, curves|${contract}|models/read/|${low}|sim/study/"
+  "sim/app|the program: the command line, the list of systems|${contract}|controller/|models/|sim/|CLI/|opencv2/|nlohmann/|${os}")

@@ -1,0 +1,122 @@
+#include "controller/axel/drive.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "axel/controller/kinematic_rover.h"
+#include "controller/axel/odometry.h"
+
+namespace dockyard::axel {
+namespace {
+
+using testing::DoubleNear;
+
+// Perfect wheels along a path from a start beside it.
+Pose2 FollowToTheEnd(const std::vector<Arc>& arcs, Pose2 at) {
+  PathFollower follower({}, arcs);
+  for (int i = 0; i < 100'000 && !follower.done(); ++i) {
+    const Twist twist = follower.Follow(at, 0.05, {.settle_m = 0.5, .max_turn_rad_s = 0.2});
+    at = Advance(at, Arc{twist.speed_m_s * 0.02, twist.turn_rad_s * 0.02});
+  }
+  return at;
+}
+
+TEST(PathFollower, EndsWhereThePathEnds) {
+  const std::vector<Arc> arcs{{1.2, 0.6}, {0.9, -0.9}};
+  const Pose2 end = FollowToTheEnd(arcs, {});
+  const Pose2 goal = Advance({}, arcs);
+  EXPECT_LT(std::hypot(end.x - goal.x, end.y - goal.y), 0.02);
+  EXPECT_THAT(end.heading, DoubleNear(goal.heading, 0.02));
+}
+
+TEST(PathFollower, SteersBackForwards) {
+  const Pose2 end = FollowToTheEnd({{3.0, 0.0}}, {0.0, 0.1, 0.1});
+  EXPECT_THAT(end.y, DoubleNear(0.0, 0.005));
+}
+
+TEST(PathFollower, SteersBackBackwards) {
+  const Pose2 end = FollowToTheEnd({{-3.0, 0.0}}, {0.0, 0.1, 0.1});
+  EXPECT_THAT(end.x, DoubleNear(-3.0, 0.01));
+  EXPECT_THAT(end.y, DoubleNear(0.0, 0.005));
+}
+
+TEST(PathFollower, GoesForwardsThenBackwards) {
+  const Pose2 end = FollowToTheEnd({{1.0, 0.5}, {-0.7, 0.3}}, {});
+  const Pose2 goal = Advance({}, std::vector<Arc>{{1.0, 0.5}, {-0.7, 0.3}});
+  EXPECT_LT(std::hypot(end.x - goal.x, end.y - goal.y), 0.03);
+}
+
+TEST(Wheels, TurnAgainstEachOtherByTheTrack) {
+  const Nominal nominal = TestNominal();
+  Commands commands = BrakedCommands();
+  CommandWheels(nominal, {0.03, 0.1}, 0.3, &commands);
+  EXPECT_THAT(commands.motors[0].target, DoubleNear((0.03 - 0.0425) / 0.3, 1e-12));
+  EXPECT_THAT(commands.motors[1].target, DoubleNear((0.03 + 0.0425) / 0.3, 1e-12));
+}
+
+TEST(Wheels, KeepTheCurvatureAtTheSpeedLimit) {
+  const Nominal nominal = TestNominal();
+  Commands commands = BrakedCommands();
+  CommandWheels(nominal, {1.0, 1.0}, 0.3, &commands);
+  EXPECT_DOUBLE_EQ(commands.motors[1].target, 1.0);
+  EXPECT_THAT(commands.motors[0].target, DoubleNear(0.575 / 1.425, 1e-12));
+}
+
+TEST(Spool, TensionAndCurrentAreInverse) {
+  const Nominal nominal = TestNominal();
+  // 50 N on a drum of 6 cm is 3 Nm: 0.3 A beyond the 0.2 A without load.
+  EXPECT_DOUBLE_EQ(CurrentForTension(nominal, 50.0), 0.5);
+  EXPECT_DOUBLE_EQ(TensionFromCurrent(nominal, 0.5), 50.0);
+}
+
+TEST(Limits, BoundEveryCommand) {
+  const Nominal nominal = TestNominal();
+  Commands wild = BrakedCommands();
+  wild.motors[3] = {MotorMode::kVelocity, -100.0, 9.0, 1e6, 50.0};
+  const MotorCommand spool = WithinLimits(nominal, wild).motors[3];
+  EXPECT_EQ(spool, (MotorCommand{MotorMode::kVelocity, -2.0, 2.0, 5.0, 2.2}));
+}
+
+SensorFrame Frame(double left_rad, double right_rad, double pitch_rad, double yaw_rad) {
+  SensorFrame frame = StillFrame();
+  frame.motors[0].encoder_counts = std::llround(left_rad * 1e3);
+  frame.motors[1].encoder_counts = std::llround(right_rad * 1e3);
+  frame.imu.pitch_rad = pitch_rad;
+  frame.imu.yaw_rad = yaw_rad;
+  return frame;
+}
+
+TEST(Odometer, RollsItsRadiusTimesTheAngle) {
+  Odometer odometer(TestNominal());
+  odometer.Read(Frame(0, 0, 0, 0));
+  const Motion motion = odometer.Read(Frame(1.0, 2.0, 0, 0.3));
+  EXPECT_THAT(motion.length_m, DoubleNear(0.45, 1e-12));
+  EXPECT_THAT(motion.turn_rad, DoubleNear(0.3, 1e-12));
+}
+
+TEST(Odometer, StandsStillWhenOnlyTheBodyPitches) {
+  Odometer odometer(TestNominal());
+  odometer.Read(Frame(0, 0, 0, 0));
+  // Nose down by 0.4: the encoders see the wheels turn back against the body.
+  EXPECT_THAT(odometer.Read(Frame(-0.4, -0.4, 0.4, 0)).length_m, DoubleNear(0.0, 1e-12));
+}
+
+TEST(Odometer, CrossesTheHalfTurnOfYaw) {
+  Odometer odometer(TestNominal());
+  odometer.Read(Frame(0, 0, 0, 3.1));
+  EXPECT_THAT(odometer.Read(Frame(0, 0, 0, -3.1)).turn_rad, DoubleNear(2 * kPi - 6.2, 1e-12));
+}
+
+TEST(Arm, IsLevelWhenItsAngleUndoesThePitch) {
+  Nominal nominal = TestNominal();
+  nominal.arm_at_zero_rad = 0.1;
+  SensorFrame frame = StillFrame();
+  frame.imu.pitch_rad = -0.3;
+  frame.motors[2].encoder_counts = 2000;  // 0.2 rad further down
+  EXPECT_THAT(ArmElevation(nominal, frame), DoubleNear(0.0, 1e-12));
+}
+
+}  // namespace
+}  // namespace dockyard::axel

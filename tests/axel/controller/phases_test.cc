@@ -1,0 +1,86 @@
+#include "controller/axel/phases.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <tuple>
+
+namespace dockyard::axel {
+namespace {
+
+Phase PhaseAt(int i) { return static_cast<Phase>(i); }
+Event EventAt(int i) { return static_cast<Event>(i); }
+
+struct Row {
+  Phase from;
+  Event event;
+  Phase to;
+};
+class PhaseTable : public testing::TestWithParam<Row> {};
+
+TEST_P(PhaseTable, LeadsOn) { EXPECT_EQ(Next(GetParam().from, GetParam().event), GetParam().to); }
+
+INSTANTIATE_TEST_SUITE_P(Paper, PhaseTable,
+                         testing::Values(Row{Phase::kTighten, Event::kTaut, Phase::kLook},
+                                         Row{Phase::kLook, Event::kGoApproach, Phase::kApproach},
+                                         Row{Phase::kApproach, Event::kArrived, Phase::kTighten},
+                                         Row{Phase::kLook, Event::kGoAlign, Phase::kAlign},
+                                         Row{Phase::kLook, Event::kGoMate, Phase::kMate},
+                                         Row{Phase::kMate, Event::kArrived, Phase::kRecheck},
+                                         Row{Phase::kRecheck, Event::kGoMate, Phase::kEnter},
+                                         Row{Phase::kRecheck, Event::kGoRecover, Phase::kRecover},
+                                         Row{Phase::kEnter, Event::kArrived, Phase::kReel},
+                                         Row{Phase::kReel, Event::kStuck, Phase::kRecover},
+                                         Row{Phase::kReel, Event::kHome, Phase::kConfirm},
+                                         Row{Phase::kConfirm, Event::kSteady, Phase::kDocked}));
+
+TEST(Phases, ReelingIsReachedOnlyByTheCheckAtTheMouth) {
+  for (int p = 0; p < kPhaseCount; ++p) {
+    for (int e = 0; e < kEventCount; ++e) {
+      const auto to = Next(PhaseAt(p), EventAt(e));
+      if (to == Phase::kReel) {
+        EXPECT_EQ(PhaseAt(p), Phase::kEnter);
+      }
+      if (to == Phase::kEnter) {
+        EXPECT_EQ(PhaseAt(p), Phase::kRecheck);
+      }
+      if (to == Phase::kDocked) {
+        EXPECT_EQ(PhaseAt(p), Phase::kConfirm);
+      }
+    }
+  }
+}
+
+TEST(Phases, NothingLeavesTheEnd) {
+  for (int e = 0; e < kEventCount; ++e) {
+    EXPECT_FALSE(Next(Phase::kDocked, EventAt(e)));
+    EXPECT_FALSE(Next(Phase::kGivenUp, EventAt(e)));
+  }
+}
+
+TEST(Phases, GivingUpIsPossibleFromEveryOtherPhase) {
+  for (int p = 0; p < static_cast<int>(Phase::kDocked); ++p)
+    EXPECT_EQ(Next(PhaseAt(p), Event::kLimitReached), Phase::kGivenUp);
+}
+
+TEST(Phases, EveryPhaseCanBeReached) {
+  std::set<Phase> reached{Phase::kTighten};
+  for (int round = 0; round < kPhaseCount; ++round) {
+    for (const Phase from : std::set<Phase>(reached)) {
+      for (int e = 0; e < kEventCount; ++e) {
+        if (const auto to = Next(from, EventAt(e))) reached.insert(*to);
+      }
+    }
+  }
+  EXPECT_EQ(reached.size(), static_cast<std::size_t>(kPhaseCount));
+}
+
+TEST(Phases, HaveDifferentNames) {
+  std::set<std::string> names;
+  for (int p = 0; p < kPhaseCount; ++p) names.insert(Name(PhaseAt(p)));
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(kPhaseCount));
+}
+
+}  // namespace
+}  // namespace dockyard::axel

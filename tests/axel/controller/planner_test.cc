@@ -1,0 +1,134 @@
+#include "controller/axel/planner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "axel/controller/grid.h"
+#include "axel/controller/kinematic_rover.h"
+
+namespace dockyard::axel {
+namespace {
+
+using testing::DoubleNear;
+
+class Planner : public testing::Test {
+ protected:
+  const Nominal nominal_ = TestNominal();
+  const PlanGeometry geometry_ = PlanGeometryOf(nominal_);
+  const AxelOptions options_{};
+};
+
+Pose2 At(double r, double alpha_deg, double h_deg) {
+  return FromDockingCoords({r, Radians(alpha_deg), Radians(h_deg)});
+}
+
+TEST_F(Planner, KnowsTheLens) {
+  // Half a pixel on either side of 1024 spread over 90 deg.
+  EXPECT_THAT(Degrees(geometry_.half_view_rad), DoubleNear(45.0, 0.1));
+}
+
+TEST_F(Planner, TipLeadsByTheArm) {
+  const TipPlace tip = TipOf(geometry_, {1.3, 0.1, kPi});
+  EXPECT_THAT(tip.gap_m, DoubleNear(0.3, 1e-12));
+  EXPECT_THAT(tip.offset_m, DoubleNear(0.1, 1e-12));
+}
+
+TEST_F(Planner, BoardLiesAtAlphaLessHeading) {
+  EXPECT_THAT(Degrees(BoardBearing(geometry_, At(5.0, 20.0, 5.0))), DoubleNear(15.0, 0.3));
+}
+
+TEST_F(Planner, SeesTheBoardOfTheTypicalRun) {
+  EXPECT_TRUE(SeesBoard(geometry_, options_.look, At(4.0, 15.0, 0.0)));
+}
+
+TEST_F(Planner, LosesTheBoardBeyondTheLens) {
+  EXPECT_FALSE(SeesBoard(geometry_, options_.look, At(4.0, 40.0, -10.0)));
+}
+
+TEST_F(Planner, EveryGridStartHasAPlanToTheAxis) {
+  for (const GridStart& start : MarsYardGrid()) {
+    const Pose2 X_DR = FromDockingCoords(start.at);
+    const Pose2 end = Advance(X_DR, PlanToAxis(geometry_, options_, X_DR));
+    EXPECT_THAT(end.x, DoubleNear(1.3, 1e-5)) << start.run;
+    EXPECT_THAT(end.y, DoubleNear(0.0, 1e-5)) << start.run;
+    EXPECT_THAT(WrapPi(end.heading - kPi), DoubleNear(0.0, 1e-5)) << start.run;
+  }
+}
+
+TEST_F(Planner, GoesForwardsOnlyWhenThereIsRoom) {
+  const auto plan = PlanToAxis(geometry_, options_, At(4.0, 15.0, 0.0));
+  for (const Arc& arc : plan) EXPECT_GE(arc.length_m, 0.0);
+}
+
+TEST_F(Planner, BacksOffFirstWhenTooNearForTheAngle) {
+  EXPECT_LT(PlanToAxis(geometry_, options_, At(2.0, 40.0, 0.0)).front().length_m, 0.0);
+}
+
+TEST_F(Planner, SeesTheBoardAtTheEndOfEveryLegOfTheGrid) {
+  for (const GridStart& start : MarsYardGrid()) {
+    const Pose2 X_DR = FromDockingCoords(start.at);
+    const Decision decision = Decide(geometry_, options_, X_DR);
+    EXPECT_TRUE(SeesBoard(geometry_, options_.look, Advance(X_DR, decision.leg))) << start.run;
+  }
+}
+
+TEST_F(Planner, LegsAreTheBeginningOfThePlan) {
+  const Pose2 X_DR = At(5.0, 10.0, 0.0);
+  const Decision decision = Decide(geometry_, options_, X_DR);
+  EXPECT_LT(Length(decision.leg), Length(decision.plan));
+  EXPECT_EQ(Truncate(decision.plan, Length(decision.leg)), decision.leg);
+}
+
+TEST_F(Planner, MatesFromTheAlignmentGoal) {
+  EXPECT_EQ(Decide(geometry_, options_, {1.3, 0.0, kPi}).event, Event::kGoMate);
+}
+
+TEST_F(Planner, RecoversWhenTheHeadingIsBeyondFiveDegrees) {
+  EXPECT_EQ(Decide(geometry_, options_, At(1.3, 0.0, 5.5)).event, Event::kGoRecover);
+  EXPECT_EQ(Decide(geometry_, options_, At(1.3, 0.0, -5.5)).event, Event::kGoRecover);
+}
+
+TEST_F(Planner, AcceptsTheHeadingWithinFiveDegreesIfTheTipMeetsTheMouth) {
+  // Heading 4 deg with the axle where the arm points into the mouth.
+  EXPECT_EQ(Decide(geometry_, options_, At(1.3, 3.0, 3.0)).event, Event::kGoMate);
+}
+
+TEST_F(Planner, RecoversWhenTheTipWouldMissTheMouth) {
+  EXPECT_EQ(Decide(geometry_, options_, {1.3, 0.12, kPi}).event, Event::kGoRecover);
+}
+
+TEST_F(Planner, RecoveryEndsOnTheAxisAtTheRecoveryGoal) {
+  const Pose2 X_DR{1.28, 0.11, WrapPi(kPi + Radians(7.0))};
+  const Pose2 end = Advance(X_DR, PlanRecovery(geometry_, options_, X_DR));
+  EXPECT_THAT(end.x, DoubleNear(2.4, 1e-5));
+  EXPECT_THAT(end.y, DoubleNear(0.0, 1e-5));
+}
+
+TEST_F(Planner, RecoveryFromTheConeComesOutStraightFirst) {
+  const auto plan = PlanRecovery(geometry_, options_, {0.9, 0.02, kPi});
+  EXPECT_EQ(plan.front().turn_rad, 0.0);
+  EXPECT_THAT(plan.front().length_m, DoubleNear(-0.25, 1e-9));
+}
+
+TEST_F(Planner, SocketAngleIsATrailersAngleAfterTheDepth) {
+  // psi' = -sin(psi)/L for a tip on the axis and an axle that does not scrub: exp(-0.25) = 0.78.
+  double psi = std::asin(0.08);
+  const double step = 1e-5;
+  for (double s = 0.0; s < 0.25; s += step) psi -= std::sin(psi) * step;
+  EXPECT_THAT(SocketAngle(geometry_, 0.08), DoubleNear(psi, 1e-4));
+}
+
+TEST_F(Planner, MirroredStartHasTheMirroredPlan) {
+  const auto left = PlanToAxis(geometry_, options_, At(3.3, 32.0, 7.0));
+  const auto right = PlanToAxis(geometry_, options_, At(3.3, -32.0, -7.0));
+  ASSERT_EQ(left.size(), right.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    EXPECT_THAT(left[i].length_m, DoubleNear(right[i].length_m, 1e-9));
+    EXPECT_THAT(left[i].turn_rad, DoubleNear(-right[i].turn_rad, 1e-9));
+  }
+}
+
+}  // namespace
+}  // namespace dockyard::axel

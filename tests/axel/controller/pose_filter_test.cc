@@ -1,0 +1,99 @@
+#include "controller/axel/pose_filter.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "axel/controller/kinematic_rover.h"
+
+namespace dockyard::axel {
+namespace {
+
+using testing::DoubleNear;
+
+BoardFix TrueFix(const Pose2& X_DR, const Pose3& X_DB) {
+  const double dx = X_DB.p.x() - X_DR.x, dy = X_DB.p.y() - X_DR.y;
+  return {std::hypot(dx, dy), WrapPi(std::atan2(dy, dx) - X_DR.heading), X_DR.heading};
+}
+
+class Filter : public testing::Test {
+ protected:
+  const Nominal nominal_ = TestNominal();
+  const TetherGeometry tether_ = TetherGeometryOf(nominal_);
+  PoseFilter filter_{FilterNoise{}, tether_, nominal_.X_DB};
+  const Pose2 start_ = FromDockingCoords({4.0, 0.3, 0.1});
+};
+
+TEST_F(Filter, IsWhereTheFirstLookSays) {
+  filter_.Correct(TrueFix(start_, nominal_.X_DB));
+  EXPECT_THAT(filter_.pose().x, DoubleNear(start_.x, 1e-9));
+  EXPECT_THAT(filter_.pose().y, DoubleNear(start_.y, 1e-9));
+  EXPECT_THAT(filter_.pose().heading, DoubleNear(start_.heading, 1e-9));
+}
+
+TEST_F(Filter, LevelsATiltedSighting) {
+  ImuSample imu;
+  imu.pitch_rad = 0.2;
+  imu.roll_rad = -0.1;
+  const Pose3 X_HR{Tilt(imu), Eigen::Vector3d::Zero()};
+  const Pose3 X_RB = Inverse(FromGround(start_, 0.3) * X_HR) * nominal_.X_DB;
+  const Pose2 pose = PoseOf(LevelSighting(X_RB, imu, nominal_.X_DB), nominal_.X_DB);
+  EXPECT_THAT(pose.x, DoubleNear(start_.x, 1e-9));
+  EXPECT_THAT(pose.y, DoubleNear(start_.y, 1e-9));
+  EXPECT_THAT(WrapPi(pose.heading - start_.heading), DoubleNear(0.0, 1e-9));
+}
+
+TEST_F(Filter, DeadReckonsAlongTheArc) {
+  filter_.Correct(TrueFix(start_, nominal_.X_DB));
+  filter_.Predict({1.0, 0.4}, 20.0);
+  const Pose2 expected = Advance(start_, Arc{1.0, 0.4});
+  EXPECT_THAT(filter_.pose().x, DoubleNear(expected.x, 1e-9));
+  EXPECT_THAT(filter_.pose().y, DoubleNear(expected.y, 1e-9));
+}
+
+TEST_F(Filter, GrowsLessSureWithTheWay) {
+  // Sure of the heading first: else driving towards the board undoes part of the sideways doubt.
+  for (int i = 0; i < 100; ++i) filter_.Correct(TrueFix(start_, nominal_.X_DB));
+  const double before = filter_.PositionSigma();
+  filter_.Predict({1.0, 0.0}, 20.0);
+  // 0.10 along and 0.04 across.
+  EXPECT_THAT(filter_.PositionSigma(), DoubleNear(std::hypot(before, 0.108), 0.01));
+}
+
+TEST_F(Filter, TautTetherTellsOfWheelSlip) {
+  const Pose2 ahead = FromDockingCoords({4.0, 0.0, 0.0});
+  filter_.Correct(TrueFix(ahead, nominal_.X_DB));
+  filter_.CorrectByTether(0.0, 0.0);
+  // Wheels say 1 m, the drum only took up 0.7 m.
+  for (int i = 0; i < 100; ++i) filter_.Predict({0.01, 0.0}, 0.2);
+  filter_.CorrectByTether(0.7, 0.0);
+  EXPECT_THAT(filter_.pose().x, DoubleNear(3.3, 0.03));
+}
+
+TEST_F(Filter, TetherKnowsTheExposedLength) {
+  filter_.Correct(TrueFix(start_, nominal_.X_DB));
+  filter_.CorrectByTether(1.25, 0.05);
+  EXPECT_THAT(filter_.ExposedLength(1.25), DoubleNear(ExposedTether(tether_, start_, 0.05), 1e-3));
+}
+
+TEST_F(Filter, ManyNoisyHeadingsAverageOut) {
+  RandomStream random(StreamKey(5, "filter"));
+  for (int i = 0; i < 40; ++i) {
+    BoardFix fix = TrueFix(start_, nominal_.X_DB);
+    fix.heading_rad += Radians(4.0) * random.Normal();
+    filter_.Correct(fix);
+  }
+  EXPECT_THAT(Degrees(WrapPi(filter_.pose().heading - start_.heading)), DoubleNear(0.0, 1.5));
+}
+
+TEST_F(Filter, ALookFromAnotherPlaceDoesNotFit) {
+  for (int i = 0; i < 2; ++i) filter_.Correct(TrueFix(start_, nominal_.X_DB));
+  BoardFix wrong = TrueFix(start_, nominal_.X_DB);
+  EXPECT_TRUE(filter_.Fits(wrong));
+  wrong.heading_rad += 0.6;
+  EXPECT_FALSE(filter_.Fits(wrong));
+}
+
+}  // namespace
+}  // namespace dockyard::axel

@@ -1,0 +1,74 @@
+#include "sim/axel/nominal_json.h"
+
+#include <gtest/gtest.h>
+
+#include "models/read/config_error.h"
+#include "sim/base/random.h"
+
+namespace dockyard::axel {
+namespace {
+
+Nominal SomeNominal() {
+  RandomStream draw(5);
+  Nominal nominal;
+  nominal.rig.left = EquidistantCamera(640, 480, Radians(90.0));
+  nominal.rig.right = nominal.rig.left;
+  std::get<KannalaBrandt>(nominal.rig.right.lens).k = {draw.Normal(), 1e-300, -0.0, 1.0 / 3.0};
+  nominal.rig.X_RL.R = RotZ(draw.Normal()) * RotX(draw.Normal());
+  nominal.rig.X_RL.p = Eigen::Vector3d(0.1, 0.2, draw.Normal());
+  nominal.board.width_m = 0.9;
+  nominal.board.fiducials = {{Eigen::Vector2d(0.1, -0.2), kPi / 4},
+                             {Eigen::Vector2d(0.3, 0.1), 0.0}};
+  for (NominalMotor& motor : nominal.motors) motor.rad_per_count = draw.Uniform();
+  nominal.track_m = 0.85;
+  return nominal;
+}
+
+std::string ErrorOf(const Json& json) {
+  try {
+    NominalFromJson(json);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(NominalJson, ReadsBackEveryNumberBitForBit) {
+  const Nominal nominal = SomeNominal(), read = NominalFromJson(ToJson(nominal));
+  EXPECT_EQ(ToJson(read).dump(), ToJson(nominal).dump());
+  EXPECT_EQ(read.rig.X_RL.R, nominal.rig.X_RL.R);
+  EXPECT_EQ(read.rig.right, nominal.rig.right);
+  EXPECT_EQ(read.motors, nominal.motors);
+}
+
+TEST(NominalJson, ReadsBackEachLensModelAndPipeline) {
+  Nominal nominal = SomeNominal();
+  nominal.vision = {VisionPipeline::kTsai2013, 5};
+  for (const Lens& lens : {Lens(KannalaBrandt{.fx = 1.0}), Lens(BrownPinhole{.k3 = 2.0}),
+                           Lens(Cahvore{.linearity = 0.5})}) {
+    nominal.rig.left.lens = lens;
+    const Nominal read = NominalFromJson(ToJson(nominal));
+    EXPECT_EQ(read.rig.left, nominal.rig.left);
+    EXPECT_EQ(read.vision, nominal.vision);
+  }
+}
+
+TEST(NominalJson, RefusesALensModelOrPipelineThatItDoesNotKnow) {
+  const auto error_of = [](const char* part, const char* key, const char* name) {
+    Json json = ToJson(SomeNominal());
+    json[part][key] = name;
+    return ErrorOf(json);
+  };
+  EXPECT_EQ(error_of("left_camera", "model", "mei"),
+            "lens model: expected kannala_brandt, brown or cahvore, found 'mei'");
+  EXPECT_EQ(error_of("vision", "pipeline", "tsai2014"),
+            "vision pipeline: expected dockyard or tsai2013, found 'tsai2014'");
+  EXPECT_EQ(error_of("vision", "pipeline", "dockyard"), "no error");
+}
+
+TEST(NominalJson, RefusesTheParametersOfAnotherSystem) {
+  EXPECT_NE(ErrorOf({{"distance_m", 2.0}}), "no error");
+}
+
+}  // namespace
+}  // namespace dockyard::axel

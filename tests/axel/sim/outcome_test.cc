@@ -1,0 +1,204 @@
+#include "sim/axel/outcome.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace dockyard::axel {
+namespace {
+
+StationModel Station() {
+  StationModel station;
+  station.cone.mouth_radius_m = 0.12;
+  station.cone.face_outer_radius_m = 0.16;
+  return station;
+}
+
+/// A rover that stands upright and still with its tip at this depth, off the axis by this much.
+Truth At(double time_s, double depth_m, double lateral_m, double tension_n) {
+  Truth truth;
+  truth.time_s = time_s;
+  truth.p_MT = {-depth_m, lateral_m, 0.0};
+  truth.tether_tension_n = tension_n;
+  return truth;
+}
+
+/// Feeds the same truth for a while, every control period.
+void Hold(OutcomeJudge& judge, Truth truth, double seconds) {
+  const double end = truth.time_s + seconds;
+  for (; truth.time_s <= end; truth.time_s += 0.02) judge.Observe(truth);
+}
+
+const ShakeResult kFirm{true, Radians(1.0), 0.005};
+
+TEST(Outcome, DockedNeedsDepthRestTensionAndAFirmShake) {
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, At(100.0, 0.24, 0.005, 50.0), 2.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, kFirm).outcome, Outcome::kDocked);
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(2.5), 0.005}).outcome,
+            Outcome::kFalseDocked);
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(1.0), 0.02}).outcome,
+            Outcome::kFalseDocked);
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {}).outcome, Outcome::kFalseDocked);
+}
+
+TEST(Outcome, SlackShallowOrMovingIsNotHome) {
+  for (const Truth& truth : {At(10.0, 0.24, 0.0, 0.0), At(10.0, 0.19, 0.0, 50.0)}) {
+    OutcomeJudge judge(Station(), {});
+    Hold(judge, truth, 2.0);
+    EXPECT_FALSE(judge.at_rest_home());
+  }
+  Truth moving = At(10.0, 0.24, 0.0, 50.0);
+  moving.v_MT.x() = -2e-3;
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, moving, 2.0);
+  EXPECT_FALSE(judge.at_rest_home());
+}
+
+TEST(Outcome, RestTakesAWholeSecond) {
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, At(10.0, 0.24, 0.0, 50.0), 0.9);
+  EXPECT_FALSE(judge.at_rest_home());
+  Hold(judge, At(10.92, 0.24, 0.0, 50.0), 0.2);
+  EXPECT_TRUE(judge.at_rest_home());
+}
+
+TEST(Outcome, TruthIsNotDockedUnlessTheControllerSaysSo) {
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, At(100.0, 0.24, 0.005, 50.0), 2.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kUnderWay, 0, {}).outcome, Outcome::kTimeout);
+}
+
+TEST(Outcome, AJamIsStillnessUnderPullInsideTheCone) {
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, At(50.0, 0.15, 0.02, 200.0), 10.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, 2, {}).outcome, Outcome::kJammed);
+}
+
+TEST(Outcome, AFaceCatchIsTheTipPressedOnTheFace) {
+  Truth truth = At(50.0, 0.0, 0.13, 90.0);
+  truth.face_force_n = 60.0;
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, truth, 5.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kUnderWay, 0, {}).outcome, Outcome::kFaceCatch);
+}
+
+TEST(Outcome, AJamThatTheControllerTakesForADockingIsAJam) {
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, At(50.0, 0.15, 0.02, 200.0), 10.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {}).outcome, Outcome::kJammed);
+}
+
+TEST(Outcome, PassingTheMouthOutsideTheFaceMissesTheCone) {
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, At(50.0, 0.05, 0.3, 20.0), 1.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {}).outcome, Outcome::kMissedCone);
+}
+
+TEST(Outcome, TheConditionInForceThatBeganFirstNamesTheRun) {
+  OutcomeJudge judge(Station(), {});
+  judge.ObserveLook(20.0, LookQuality::kUndetected);
+  Hold(judge, At(50.0, 0.05, 0.3, 20.0), 1.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, 0, {}).outcome, Outcome::kNoDetection);
+  // A good look in between, and the blindness decided nothing.
+  judge.ObserveLook(30.0, LookQuality::kGood);
+  EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, 0, {}).outcome, Outcome::kMissedCone);
+}
+
+TEST(Outcome, TippingAndOverloadEndTheRun) {
+  OutcomeJudge tipped(Station(), {});
+  Truth truth = At(5.0, -2.0, 0.0, 0.0);
+  truth.X_WR.R = RotX(Radians(70));
+  tipped.Observe(truth);
+  EXPECT_TRUE(tipped.fatal());
+  EXPECT_EQ(tipped.Conclude(Verdict::kUnderWay, 0, {}).outcome, Outcome::kTippedOver);
+
+  OutcomeJudge over_the_top(Station(), {});
+  truth = At(5.0, -2.0, 0.0, 0.0);
+  truth.X_WA.R = RotY(Radians(-100));
+  over_the_top.Observe(truth);
+  EXPECT_TRUE(over_the_top.fatal());
+
+  OutcomeJudge overload(Station(), {});
+  Hold(overload, At(5.0, -2.0, 0.0, 1200.0), 0.3);
+  EXPECT_TRUE(overload.fatal());
+  EXPECT_EQ(overload.Conclude(Verdict::kUnderWay, 0, {}).outcome, Outcome::kTetherOverload);
+}
+
+TEST(Outcome, GivingUpInSightOfTheBoardIsTheRecoveryLimit) {
+  OutcomeJudge judge(Station(), {});
+  judge.ObserveLook(20.0, LookQuality::kGood);
+  Hold(judge, At(50.0, -0.5, 0.1, 20.0), 1.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, 4, {}).outcome, Outcome::kRecoveryLimit);
+}
+
+TEST(Outcome, EveryOneHasANameOfItsOwnAndOneIsASuccess) {
+  std::set<std::string> names;
+  int successes = 0;
+  for (const OutcomeName& outcome : OutcomeNames()) {
+    EXPECT_TRUE(names.insert(outcome.name).second) << outcome.name;
+    EXPECT_FALSE(outcome.meaning.empty());
+    successes += outcome.success;
+  }
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(Outcome::kTimeout) + 1);
+  EXPECT_EQ(successes, 1);
+  EXPECT_STREQ(Name(Outcome::kDocked), "docked");
+  EXPECT_STREQ(Name(Outcome::kFalseDocked), "false_docked");
+  EXPECT_STREQ(Name(Outcome::kTimeout), "timeout");
+}
+
+class Look : public testing::Test {
+ protected:
+  Look() {
+    rig_.left = rig_.right = EquidistantCamera(1024, 768, Radians(90.0));
+    rig_.X_RL.R.col(0) = -Eigen::Vector3d::UnitY();
+    rig_.X_RL.R.col(1) = -Eigen::Vector3d::UnitZ();
+    rig_.X_RL.R.col(2) = Eigen::Vector3d::UnitX();
+    rig_.X_RQ = rig_.X_RL;
+    rig_.X_RQ.p.y() = -0.35;
+    X_RB_.R = rig_.X_RL.R;
+    X_RB_.p = {4.0, 0.0, 0.0};
+    for (int i = 0; i < 8; ++i) {
+      board_.fiducials.push_back({.p_BF = {0.1 * (i - 4), i % 2 ? 0.15 : -0.15}});
+    }
+  }
+
+  /// A report in which mark i of the left camera lies on fiducial (i + shift) mod 8.
+  SightingReport Report(int count, int shift, bool accepted) const {
+    SightingReport report;
+    report.accepted = accepted;
+    report.detected = {count, 0};
+    for (int i = 0; i < count; ++i) {
+      const Eigen::Vector2d p = board_.fiducials[(i + shift) % 8].p_BF;
+      const auto pixel =
+          rig_.left.Project(Inverse(rig_.X_RL) * X_RB_ * Eigen::Vector3d(p.x(), p.y(), 0.0));
+      report.marks.push_back({i, false, pixel->x() + 0.5, pixel->y()});
+    }
+    return report;
+  }
+
+  LookQuality Judge(const SightingReport& report) const {
+    return JudgeLook(report, X_RB_, rig_, board_, {});
+  }
+
+  StereoRig rig_;
+  FiducialBoard board_;
+  Pose3 X_RB_;
+};
+
+TEST_F(Look, IsGoodWhenAcceptedOnTheRightFiducials) {
+  EXPECT_EQ(Judge(Report(6, 0, true)), LookQuality::kGood);
+}
+TEST_F(Look, IsWrongWhenPixelsCarryOtherIds) {
+  EXPECT_EQ(Judge(Report(6, 1, true)), LookQuality::kWrongCorrespondence);
+  EXPECT_EQ(Judge(Report(6, 1, false)), LookQuality::kWrongCorrespondence);
+}
+TEST_F(Look, IsBlindBelowFourFiducials) {
+  EXPECT_EQ(Judge(Report(3, 0, false)), LookQuality::kUndetected);
+}
+TEST_F(Look, IsARejectionWhenEnoughWereFound) {
+  EXPECT_EQ(Judge(Report(5, 0, false)), LookQuality::kRejected);
+}
+
+}  // namespace
+}  // namespace dockyard::axel

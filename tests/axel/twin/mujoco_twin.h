@@ -1,0 +1,60 @@
+// The rover once more, in MuJoCo: the same masses, joints, rotors, drives and tether, but rigid
+// smooth wheels on a rigid plane and another engine's dynamics and contacts. For tests and the
+// benchmark only; nothing of ours but the models and the motors' drives (no Bullet, no soil).
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <array>
+#include <memory>
+
+#include "sim/axel/world.h"
+#include "sim/physics/motor_drive.h"
+
+namespace dockyard::axel {
+
+class MujocoTwin {
+ public:
+  /// ground_friction: Coulomb, of wheels on the plane. The station stands fast and must be reached
+  /// by the tether without a bend. Without gravity there is no ground either.
+  MujocoTwin(const WorldSetup& setup, double ground_friction, double gravity_m_s2);
+
+  void Step(const std::array<MotorCommand, kMotorCount>& commands);
+  /// The same without drives and tether: torques on the three hinges.
+  void StepUnder(const std::array<double, 3>& joint_torque_nm);
+
+  void SetPose(const Pose3& X_GR, double arm_rad);
+  Pose3 X_GR() const;
+  Eigen::Vector3d w_GR_R() const;
+  /// Left wheel, right wheel, arm.
+  double joint_rad(int joint) const { return data_->qpos[7 + joint]; }
+  double joint_rad_s(int joint) const { return data_->qvel[6 + joint]; }
+  double spool_rad() const { return drum_rad_; }
+  double tension_n() const { return tension_n_; }
+  /// Contact forces of the wheels on the plane, in G [N].
+  Eigen::Vector3d GroundForce() const;
+  Eigen::Vector3d TipInG() const;
+
+  /// Ties the tether with this slack, drums and drives at their zeros.
+  void PowerOn(double slack_m);
+
+ private:
+  void Pull();
+
+  struct FreeModel {
+    void operator()(mjModel* model) const { mj_deleteModel(model); }
+  };
+  struct FreeData {
+    void operator()(mjData* data) const { mj_deleteData(data); }
+  };
+  std::unique_ptr<mjModel, FreeModel> model_;
+  std::unique_ptr<mjData, FreeData> data_;
+  RoverModel rover_;
+  Eigen::Vector3d anchor_G_;
+  std::array<MotorDrive, kMotorCount> drives_;
+  std::array<double, 3> zero_rad_{};
+  int body_ = 0, arm_ = 0;
+  double drum_rad_ = 0.0, drum_rad_s_ = 0.0, free_at_start_m_ = 1e9, tension_n_ = 0.0;
+};
+
+}  // namespace dockyard::axel

@@ -1,0 +1,35 @@
+"""The toy's own controller, written again in Python: drives the way that it was told."""
+
+import os
+import sys
+import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/python"))
+from dockyard_client import BRAKE, DOCKED, UNDER_WAY, VELOCITY, Commands, Motor, serve
+
+
+class Counting:
+    def __init__(self, hello):
+        self.way_m, self.speed_m_s = hello["nominal"]["distance_m"], hello["nominal"]["speed_m_s"]
+        self.fault = sys.argv[1] if len(sys.argv) > 1 else ""
+
+    def step(self, frame):
+        gone_m = 0.1 * 1e-3 * frame.counts[0]
+        if gone_m > 0.5 * self.way_m:
+            self.misbehave()
+        there = gone_m >= self.way_m
+        motor = Motor(BRAKE if there else VELOCITY, self.speed_m_s / 0.1)
+        belief = {"phase": "drive", "x_m": self.way_m - gone_m, "y_m": 0.0, "heading_rad": 3.14159}
+        motors = [motor] if self.fault != "motors" else [motor, motor]
+        return Commands(motors, verdict=DOCKED if there else UNDER_WAY, belief=belief)
+
+    def misbehave(self):
+        if self.fault == "crash":
+            raise RuntimeError("the wheel fell off")
+        if self.fault == "hang":
+            time.sleep(60)
+        if self.fault == "not_a_number":
+            self.speed_m_s = float("nan")
+
+
+serve(Counting)

@@ -1,0 +1,86 @@
+#include "sim/log/record_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/log/result_row.h"
+#include "support/fake_runs.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::StartsWith;
+
+TEST(History, HasTheSystemsChannelsAndBeliefsByName) {
+  RunRecord record = FakeRecord(FakeCampaign(1).runs[0]);
+  HistorySample& sample = record.history[0];
+  sample = {};
+  sample.time_s = 0.1;
+  sample.X_DR = {4.0, -0.5, Radians(90.0)};
+  sample.channels = {40.5, -1.5};
+  sample.phase = "look, again";
+  sample.located = true;
+  sample.X_DR_believed = {3.5, 0.25, 0.0};
+  sample.sighting_count = 3;
+  sample.plan_count = 2;
+  sample.beliefs = {1.0};
+  record.history.resize(1);
+  EXPECT_EQ(HistoryCsv(record),
+            "time_s,x_m,y_m,heading_deg,tension_n,roll_deg,phase,located,believed_x_m,believed_y_m,"
+            "believed_heading_deg,sightings,plans,recoveries\n"
+            "0.1,4,-0.5,90,40.5,-1.5,\"look, again\",1,3.5,0.25,0,3,2,1\n");
+}
+
+TEST(History, OfASystemWithoutChannelsIsThePathAndTheBelief) {
+  RunRecord record;
+  record.history.resize(1);
+  EXPECT_EQ(HistoryCsv(record),
+            "time_s,x_m,y_m,heading_deg,phase,located,believed_x_m,believed_y_m,"
+            "believed_heading_deg,sightings,plans\n0,0,0,0,,0,0,0,0,0,0\n");
+}
+
+TEST(HistoryDeathTest, RefusesASampleThatLacksAChannel) {
+  RunRecord record = FakeRecord(FakeCampaign(1).runs[0]);
+  record.history[7].channels.pop_back();
+  EXPECT_DEATH(HistoryCsv(record), "broken promise");
+}
+
+TEST(RecordFiles, HaveMarksAndCountsByCamera) {
+  const TemporaryFolder folder;
+  WriteRecordFiles(folder.path(), FakeRecord(FakeCampaign(1).runs[0]));
+  const Json looks = Json::parse(Slurp(folder.path() / "sightings.json"));
+  ASSERT_EQ(looks.size(), 1u);
+  EXPECT_THAT(looks[0]["detected"].get<std::vector<int>>(), ElementsAre(3, 4));
+  EXPECT_EQ(looks[0]["marks"][0]["camera"], 1);
+  EXPECT_EQ(looks[0]["marks"][0]["id"], 7);
+  EXPECT_EQ(Json::parse(Slurp(folder.path() / "plans.json"))[0]["arcs"].size(), 2u);
+  EXPECT_THAT(Slurp(folder.path() / "history.csv"), StartsWith("time_s,"));
+}
+
+TEST(RecordFiles, TellTheOutcomeWithTheRowAndTheNote) {
+  const TemporaryFolder folder;
+  const RunRecord record = FakeRecord(FakeCampaign(3).runs[2]);
+  WriteRecordFiles(folder.path(), record);
+  Json outcome = Json::parse(Slurp(folder.path() / "outcome.json"));
+  EXPECT_EQ(outcome["failure_note"], "it passed the flag on the left");
+  outcome.erase("failure_note");
+  EXPECT_EQ(outcome.dump(), RowJson(record.result, FakeColumns()).dump());
+}
+
+TEST(SingleResult, ReadsBackAndIsNoneForOtherColumns) {
+  const TemporaryFolder folder;
+  const RowColumns columns = FakeColumns();
+  const RunResult row = FakeRecord(FakeCampaign(1).runs[0]).result;
+  EXPECT_FALSE(ReadSingleResult(folder.path(), columns).has_value());
+  WriteSingleResult(folder.path(), row, columns);
+  const auto back = ReadSingleResult(folder.path(), columns);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(CsvRow(*back, columns), CsvRow(row, columns));
+  RowColumns others = columns;
+  others.measures.pop_back();
+  EXPECT_FALSE(ReadSingleResult(folder.path(), others).has_value());
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,167 @@
+#include "sim/log/result_row.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sim/base/text.h"
+#include "support/fake_runs.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+RunResult SomeRow() {
+  RunResult row = FakeRecord(FakeCampaign(5).runs[4]).result;
+  row.seed = 0xfedcba9876543210ull;  // beyond 2^63
+  row.state_hash = 0x00000000000000afull;
+  row.measures = {-0.0, 0.1 + 0.2, 5e-324};
+  row.labels = {"in, \"quotes\"", "2.5"};
+  return row;
+}
+
+RunResult CrashedRow() {
+  RunResult row = SomeRow();
+  row.docked = false;
+  row.outcome = kCrashed;
+  row.measures.clear();
+  return row;
+}
+
+TEST(ResultRow, HasTheHeadThenLabelsThenOutcomeThenMeasuresByName) {
+  EXPECT_EQ(CsvHeader(FakeColumns()),
+            "run,seed,system,controller,soil,start.r_m,docked,outcome,sim_time_s,images,depth_m,"
+            "force_peak_n,yaw_error_deg,state_hash");
+}
+
+TEST(ResultRow, ReadsBackToTheSameBits) {
+  const RowColumns columns = FakeColumns();
+  const RunResult row = SomeRow();
+  const auto back = RowFromCsv(CsvRow(row, columns), columns);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_THAT(DifferingColumns(row, *back, columns), IsEmpty());
+  EXPECT_EQ(back->labels, row.labels);
+  EXPECT_TRUE(std::signbit(back->measures[0]));
+  EXPECT_EQ(back->measures[1], 0.1 + 0.2);
+  EXPECT_EQ(back->measures[2], 5e-324);
+  EXPECT_EQ(back->seed, row.seed);
+}
+
+TEST(ResultRow, OfACrashedRunHasEmptyMeasuresAndReadsBackToNone) {
+  const RowColumns columns = FakeColumns();
+  const std::string line = CsvRow(CrashedRow(), columns);
+  EXPECT_THAT(line, EndsWith(",14,,,,00000000000000af"));
+  const auto back = RowFromCsv(line, columns);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_THAT(back->measures, IsEmpty());
+  EXPECT_EQ(CsvRow(*back, columns), line);
+}
+
+TEST(ResultRow, WithoutLabelsAndMeasuresIsItsHeadAlone) {
+  RowColumns columns = FakeColumns();
+  columns.labels.clear();
+  columns.measures.clear();
+  RunResult row = SomeRow();
+  row.labels.clear();
+  row.measures.clear();
+  const auto back = RowFromCsv(CsvRow(row, columns), columns);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(CsvHeader(columns),
+            "run,seed,system,controller,docked,outcome,sim_time_s,images,state_hash");
+  EXPECT_THAT(DifferingColumns(row, *back, columns), IsEmpty());
+}
+
+TEST(ResultRow, TellsWhichColumnsDiffer) {
+  const RunResult row = SomeRow();
+  RunResult other = row;
+  other.state_hash ^= 1;
+  other.labels[1] = "2.50";
+  other.measures[1] = std::nextafter(row.measures[1], 1.0);
+  EXPECT_THAT(DifferingColumns(row, other, FakeColumns()),
+              ElementsAre("start.r_m", "force_peak_n", "state_hash"));
+  EXPECT_THAT(DifferingColumns(row, CrashedRow(), FakeColumns()),
+              ElementsAre("docked", "outcome", "depth_m", "force_peak_n", "yaw_error_deg"));
+}
+
+TEST(ResultRow, RefusesALineThatIsNotOneWholeRow) {
+  const RowColumns columns = FakeColumns();
+  const std::string line = CsvRow(SomeRow(), columns);
+  ASSERT_TRUE(RowFromCsv(line, columns).has_value());
+  for (std::size_t length = 0; length < line.size(); ++length) {
+    EXPECT_FALSE(RowFromCsv(line.substr(0, length), columns).has_value()) << length;
+  }
+  EXPECT_FALSE(RowFromCsv(line + ",1", columns).has_value());
+}
+
+/// The row of one docked run with one cell changed.
+bool IsRead(std::size_t cell, const std::string& text) {
+  const RowColumns columns = FakeColumns();
+  std::vector<std::string> cells = RowCells(SomeRow(), columns);
+  cells.at(cell) = text;
+  return RowFromCsv(CsvLine(cells), columns).has_value();
+}
+
+TEST(ResultRow, RefusesADamagedCell) {
+  ASSERT_TRUE(IsRead(0, "5"));
+  EXPECT_FALSE(IsRead(0, "five"));
+  EXPECT_FALSE(IsRead(1, "18446744073709551616"));  // 2^64
+  EXPECT_FALSE(IsRead(6, "true"));
+  EXPECT_FALSE(IsRead(6, "0"));           // docked is the outcome of a success
+  EXPECT_FALSE(IsRead(7, "drove_past"));  // none of this system's
+  EXPECT_FALSE(IsRead(7, "missed"));      // no success
+  EXPECT_FALSE(IsRead(8, ""));
+  EXPECT_FALSE(IsRead(11, ""));  // one measure alone
+  EXPECT_FALSE(IsRead(11, "0.3 N"));
+  EXPECT_FALSE(IsRead(13, "af"));
+}
+
+TEST(ResultRow, OfARunThatDidNotCrashHasItsMeasures) {
+  const RowColumns columns = FakeColumns();
+  std::vector<std::string> cells = RowCells(SomeRow(), columns);
+  cells[10] = cells[11] = cells[12] = "";
+  EXPECT_FALSE(RowFromCsv(CsvLine(cells), columns).has_value());
+}
+
+TEST(ResultRow, GivesALabelThatIsAlreadyAColumnANameOfItsOwn) {
+  RowColumns columns = FakeColumns();
+  columns.labels = {"controller", "depth_m", "Seed", "failure_note", "table.controller"};
+  EXPECT_EQ(CsvHeader(columns),
+            "run,seed,system,controller,table.controller,table.depth_m,table.Seed,"
+            "table.failure_note,table.table.controller,docked,outcome,sim_time_s,images,depth_m,"
+            "force_peak_n,yaw_error_deg,state_hash");
+}
+
+TEST(RowAsJson, HoldsWhatTheCsvHoldsByName) {
+  const RowColumns columns = FakeColumns();
+  const RunResult row = SomeRow();
+  const Json json = Json::parse(RowJson(row, columns).dump());
+  std::vector<std::string> names;
+  for (const auto& [name, value] : json.items()) names.push_back(name);
+  EXPECT_EQ(names, ColumnNames(columns));
+  EXPECT_EQ(json["seed"].get<std::uint64_t>(), row.seed);
+  EXPECT_EQ(json["docked"], true);
+  EXPECT_EQ(json["outcome"], "docked");
+  EXPECT_EQ(json["soil"], "in, \"quotes\"");
+  EXPECT_EQ(json["start.r_m"], "2.5");  // text, as the table has it
+  EXPECT_EQ(json["force_peak_n"].get<double>(), 0.1 + 0.2);
+  EXPECT_EQ(json["state_hash"], "00000000000000af");
+}
+
+TEST(RowAsJson, HasNullForWhatIsNotANumberAndForWhatIsMissing) {
+  RunResult row = SomeRow();
+  row.measures[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(RowJson(row, FakeColumns()).dump(),
+              HasSubstr("\"depth_m\":null,\"force_peak_n\":0.3"));
+  const Json crashed = RowJson(CrashedRow(), FakeColumns());
+  EXPECT_TRUE(crashed["depth_m"].is_null());
+  EXPECT_TRUE(crashed["yaw_error_deg"].is_null());
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,267 @@
+#include "sim/log/run_log.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "sim/base/random.h"
+#include "support/fake_runs.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+
+GrayImage NoisyImage(int width, int height, std::uint64_t key) {
+  RandomStream draw(key);
+  GrayImage image{width, height, {}};
+  for (int i = 0; i < width * height; ++i) {
+    image.pixels.push_back(static_cast<std::uint8_t>(draw.NextBits()));
+  }
+  return image;
+}
+
+/// Nominal parameters of a robot that is not there, with numbers that must keep their bits.
+Json SomeNominal() {
+  RandomStream draw(5);
+  return {{"track_m", draw.Normal()}, {"tiny", 1e-300}, {"minus_zero", -0.0}, {"third", 1.0 / 3.0}};
+}
+
+SensorFrame SomeFrame(Tick tick) {
+  RandomStream draw(static_cast<std::uint64_t>(tick) + 1);
+  SensorFrame frame;
+  frame.tick = tick;
+  frame.imu.roll_rad = draw.Normal();
+  frame.imu.specific_force_R = Eigen::Vector3d(draw.Normal(), -0.0, 9.81);
+  frame.motors = {{-5, draw.Uniform()}, {1ll << 62, 5e-324}, {0, 0.0}, {tick, 1.0}};
+  if (tick % 60 == 0) {
+    const auto key = static_cast<std::uint64_t>(tick);
+    const GrayImage other = NoisyImage(3 * 64, 48, key + 1);
+    frame.images = {{0, NoisyImage(64, 48, key)}, {2, RgbImage{64, 48, other.pixels}}};
+  }
+  return frame;
+}
+
+/// Answers from all it has seen so far, images included.
+class MixingController : public Controller {
+ public:
+  Commands Step(const SensorFrame& sensed) override {
+    sum_ += sensed.imu.roll_rad + sensed.motors[0].current_a;
+    if (const RgbImage* image = RgbImageOf(sensed, 2)) sum_ += 1e-3 * image->pixels[17];
+    Commands commands;
+    commands.motors.resize(4);
+    commands.switches = {1, 0};
+    commands.motors[2] = {MotorMode::kPosition, sum_, 1.0, 0.5, 2.0};
+    if (sensed.tick % 60 == 40) commands.take_images = {0, 2};
+    return commands;
+  }
+  const Belief& belief() const override { return belief_; }
+
+ private:
+  double sum_ = 0.0;
+  Belief belief_;
+};
+
+void WriteLog(const std::filesystem::path& dir, int entries, bool keep_images = true,
+              bool finish = true) {
+  RunLogWriter writer(dir,
+                      {17, 0xffffffffffffffffull, "toy", "mixing", keep_images, SomeNominal()});
+  MixingController controller;
+  for (int i = 0; i < entries; ++i) {
+    const SensorFrame frame = SomeFrame(20 * i);
+    writer.Append(frame, controller.Step(frame));
+  }
+  if (finish) writer.Finish();
+}
+
+std::string FrameBytes(const SensorFrame& frame) {
+  std::string bytes;
+  PutFrame(bytes, frame, ImageCoding::kRaw);
+  return bytes;
+}
+
+std::string ErrorOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(RunLog, GivesBackEveryFrameBitForBit) {
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 30);
+  const RunLog log = ReadRunLog(folder.path());
+  ASSERT_EQ(log.entries.size(), 30u);
+  EXPECT_TRUE(log.complete);
+  for (std::size_t i = 0; i < log.entries.size(); ++i) {
+    const SensorFrame frame = SomeFrame(static_cast<Tick>(20 * i)), &read = log.entries[i].sensed;
+    EXPECT_EQ(FrameBytes(read), FrameBytes(frame));
+    ASSERT_EQ(read.images.size(), frame.images.size());
+    EXPECT_EQ(read.motors[1].encoder_counts, frame.motors[1].encoder_counts);
+    EXPECT_EQ(read.imu.roll_rad, frame.imu.roll_rad);
+    EXPECT_TRUE(std::signbit(read.imu.specific_force_R.y()));
+  }
+}
+
+TEST(RunLog, GivesBackTheCommands) {
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 5);
+  MixingController controller;
+  for (const RunLogEntry& entry : ReadRunLog(folder.path()).entries) {
+    EXPECT_EQ(entry.commands, controller.Step(entry.sensed));
+  }
+}
+
+TEST(RunLog, HoldsTheNominalParametersThatTheControllerWasGiven) {
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 1);
+  const RunLogHeader header = ReadRunLog(folder.path()).header;
+  EXPECT_EQ(header.run, 17);
+  EXPECT_EQ(header.seed, 0xffffffffffffffffull);
+  EXPECT_EQ(header.system, "toy");
+  EXPECT_EQ(header.controller, "mixing");
+  const Json nominal = SomeNominal();
+  for (const char* key : {"track_m", "tiny", "minus_zero", "third"}) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(header.nominal[key].get<double>()),
+              std::bit_cast<std::uint64_t>(nominal[key].get<double>()));
+  }
+}
+
+TEST(RunLog, CutShortEndsAtTheLastWholeEntry) {
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 3);
+  const std::string whole = Slurp(folder.path() / "frames.bin");
+  std::size_t most = 0;
+  for (std::size_t cut = 1; cut < whole.size(); cut += 97) {
+    WriteText(folder.path() / "frames.bin", whole.substr(0, whole.size() - cut));
+    try {
+      const RunLog log = ReadRunLog(folder.path());
+      EXPECT_FALSE(log.complete);
+      most = std::max(most, log.entries.size());
+    } catch (const LogError&) {  // cut into the header
+    }
+  }
+  EXPECT_EQ(most, 3u);
+}
+
+TEST(RunLog, WithoutFinishIsNotComplete) {
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 4, true, /*finish=*/false);
+  const RunLog log = ReadRunLog(folder.path());
+  EXPECT_EQ(log.entries.size(), 4u);
+  EXPECT_FALSE(log.complete);
+}
+
+// Damage may go unnoticed in a number, but it must never crash the reader or eat the memory.
+TEST(RunLog, DamagedAnywhereIsReadOrRefused) {
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 4);
+  const std::string whole = Slurp(folder.path() / "frames.bin");
+  RandomStream draw(99);
+  int refused = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::string damaged = whole;
+    const double at = draw.Uniform(0.0, static_cast<double>(whole.size()));
+    damaged[static_cast<std::size_t>(at)] ^= static_cast<char>(1 + draw.NextBits() % 255);
+    WriteText(folder.path() / "frames.bin", damaged);
+    try {
+      (void)ReadRunLog(folder.path());
+    } catch (const LogError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 10);
+}
+
+TEST(RunLog, OfAnotherKindIsRefusedWithASentence) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "frames.bin").string();
+  const auto read = [&] { (void)ReadRunLog(folder.path()); };
+  EXPECT_EQ(ErrorOf(read), "cannot read " + file + ": No such file or directory");
+  WriteText(file, "");
+  EXPECT_EQ(ErrorOf(read), file + ": it is not a run log");
+  WriteText(file, std::string("DOCKLOG\n") + '\1' + std::string(3, '\0'));
+  EXPECT_EQ(ErrorOf(read), file + ": its version is 1, this program reads 2");
+}
+
+TEST(RunLog, OnAFullDiskSaysSo) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "frames.bin");
+  const std::string error = ErrorOf([&] { WriteLog(folder.path(), 60); });
+  EXPECT_THAT(error, HasSubstr("No space left on device"));
+}
+
+TEST(RunLog, InAnUnwritableFolderSaysSo) {
+  EXPECT_THAT(ErrorOf([] { WriteLog("/proc/no/such", 1); }),
+              HasSubstr("cannot make folder /proc/no/such"));
+}
+
+TEST(ControllerReplay, OfTheSameControllerGivesTheSameCommands) {
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 30);
+  RunLogReader log(folder.path());
+  MixingController controller;
+  const ControllerReplay replay = ReplayController(log, controller);
+  EXPECT_TRUE(replay.same());
+  EXPECT_EQ(replay.compared, 30u);
+}
+
+TEST(ControllerReplay, NamesTheFirstTickThatDiffers) {
+  class Hesitant : public MixingController {
+   public:
+    Commands Step(const SensorFrame& sensed) override {
+      Commands commands = MixingController::Step(sensed);
+      if (sensed.tick >= 200)
+        commands.motors[2].target = std::nextafter(commands.motors[2].target, 9);
+      return commands;
+    }
+  };
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 30);
+  RunLogReader log(folder.path());
+  Hesitant controller;
+  const ControllerReplay replay = ReplayController(log, controller);
+  EXPECT_FALSE(replay.same());
+  EXPECT_EQ(replay.differs_at, 200);
+  EXPECT_EQ(replay.compared, 10u);
+}
+
+TEST(ControllerReplay, StopsWhereTheLogLeftTheImagesOut) {
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 30, /*keep_images=*/false);
+  RunLogReader log(folder.path());
+  MixingController controller;
+  const ControllerReplay replay = ReplayController(log, controller);
+  EXPECT_FALSE(replay.same());
+  EXPECT_EQ(replay.blind_at, 0);
+}
+
+TEST(ControllerReplay, TakesACommandThatIsNotANumberForEqualToItself) {
+  class Lost : public MixingController {
+   public:
+    Commands Step(const SensorFrame&) override {
+      Commands commands;
+      commands.motors.resize(1);
+      commands.motors[0].target = std::numeric_limits<double>::quiet_NaN();
+      return commands;
+    }
+  };
+  const TemporaryFolder folder;
+  Lost lost;
+  {
+    RunLogWriter writer(folder.path(), {1, 1, "toy", "lost", true, SomeNominal()});
+    writer.Append(SomeFrame(20), lost.Step({}));
+    writer.Finish();
+  }
+  RunLogReader log(folder.path());
+  EXPECT_TRUE(ReplayController(log, lost).same());
+}
+
+}  // namespace
+}  // namespace dockyard

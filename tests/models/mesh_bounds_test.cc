@@ -1,0 +1,198 @@
+// Mesh files whose counts, strides, indices, nesting or references would lead an importer out of
+// its memory, its stack or its time. Each minimal file made assimp 5.2.5 crash, hang or read wrong
+// geometry; each is refused before it is asked.
+#include <gmock/gmock.h>
+
+#include <chrono>
+
+#include "models/read/mesh_loader.h"
+#include "support/bad_files.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string MessageFor(const std::string& name, const std::string& bytes) {
+  const ScratchFolder folder;
+  const std::string file = folder.Write(name, bytes);
+  return MessageOf([&] { LoadMesh(file); }, folder);
+}
+
+std::string Times(std::size_t n, const std::string& text) {
+  std::string all;
+  for (std::size_t i = 0; i < n; ++i) all += text;
+  return all;
+}
+
+/// The message for the Collada triangle with one place changed.
+std::string Changed(const std::string& from, const std::string& to) {
+  return MessageFor("a.dae", Replaced(TriangleCollada(), from, to));
+}
+
+TEST(ColladaBounds, ArraysHoldAsManyNumbersAsTheirCount) {
+  EXPECT_EQ(Changed("count=\"9\"", "count=\"0\""),
+            "a.dae:5:16: not a usable mesh: <float_array>: count: expected 9, as many as there are "
+            "numbers");
+  EXPECT_THAT(Changed("count=\"9\"", "count=\"\""), HasSubstr("<float_array>: count: expected a"));
+  EXPECT_THAT(Changed("count=\"9\"", "count=\"4000000000\""), HasSubstr("a whole number from 0"));
+  EXPECT_THAT(Changed("count=\"9\"", "count=\"-1\""), HasSubstr("a whole number from 0 to 1e8"));
+  EXPECT_THAT(Changed("0 0 0 1 0 0", "0 0 0 one 0 0"), HasSubstr("expected numbers, found 'one'"));
+}
+
+TEST(ColladaBounds, AccessorsStayWithinTheirArray) {
+  EXPECT_THAT(Changed("stride=\"3\"", "stride=\"99999999999\""),
+              HasSubstr("a.dae:6:1: not a usable mesh: <accessor>: stride: expected a whole"));
+  const char* within = "<accessor>: count, stride and offset: expected all within the array's 9";
+  EXPECT_THAT(Changed("stride=\"3\"", "stride=\"4\""), HasSubstr(within));
+  EXPECT_THAT(Changed("count=\"3\" stride", "count=\"4\" stride"), HasSubstr(within));
+  EXPECT_THAT(Changed("stride=\"3\"", "stride=\"3\" offset=\"1\""), HasSubstr(within));
+  EXPECT_THAT(Changed("source=\"#pa\"", "source=\"#q\""), HasSubstr("id of a <float_array>"));
+  EXPECT_THAT(Changed("name=\"X\" type=\"float\"", "name=\"X\" type=\"float4x4\""),
+              HasSubstr("<param>: type: expected float"));
+}
+
+TEST(ColladaBounds, IndicesNameVerticesThatAreThere) {
+  for (const char* bad : {"3", "-1", "2147483648", "99999999999999999999", "x", "1.5"}) {
+    EXPECT_EQ(Changed("<p>0 1 2", std::string("<p>0 1 ") + bad),
+              std::string("a.dae:9:71: not a usable mesh: <p>: expected indices from 0 to 2, found "
+                          "'") +
+                  bad + "'");
+  }
+}
+
+TEST(ColladaBounds, FacesAddUpToTheirCount) {
+  EXPECT_THAT(Changed("triangles count=\"1\"", "triangles count=\"2\""),
+              HasSubstr("expected one list of 6 corners, found 3"));
+  EXPECT_THAT(Changed("<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>", ""),
+              HasSubstr("expected one <input semantic=\"VERTEX\">"));
+  EXPECT_THAT(Changed("offset=\"0\"", "offset=\"4000000\""), HasSubstr("offset: expected less"));
+  const std::string strips = Replaced(Replaced(TriangleCollada(), "<triangles", "<tristrips"),
+                                      "</triangles", "</tristrips");
+  EXPECT_EQ(MessageFor("a.dae", strips), "(no error)");
+  EXPECT_THAT(MessageFor("a.dae", Replaced(strips, "0 1 2</p>", "0</p>")),
+              HasSubstr("expected at least 3 corners"));
+}
+
+TEST(ColladaBounds, PolygonsWithTheirCornersAreRead) {
+  const ScratchFolder folder;
+  const std::string list = Replaced(
+      Replaced(Replaced(TriangleCollada(), "<triangles", "<polylist"), "</triangles", "</polylist"),
+      "<p>", "<vcount>3</vcount><p>");
+  EXPECT_EQ(LoadMesh(folder.Write("a.dae", list))->triangles.size(), 1u);
+  for (const char* bad : {"4", "0", "3 3", "x", ""}) {
+    EXPECT_THAT(MessageFor("a.dae", Replaced(list, "<vcount>3", std::string("<vcount>") + bad)),
+                HasSubstr("not a usable mesh"))
+        << bad;
+  }
+}
+
+TEST(ColladaBounds, NestingIsCountedOutsideComments) {
+  const std::string hidden = "<!-- " + Times(90000, "</a>") + " -->" + Times(90000, "<node>");
+  EXPECT_THAT(Changed("<node>", hidden), HasSubstr("elements nested deeper than 64 levels"));
+}
+
+TEST(ColladaBounds, BrokenTagsAreRefusedInLinearTime) {
+  // 6 MB took more than 60 s where every '<' looked for its '>' anew; now 0.2 s.
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(MessageFor("a.dae", "<COLLADA " + Times(3000000, "<a")),
+            "a.dae:1:1: not a usable mesh: a tag without its end");
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(took.count(), 10.0);
+}
+
+TEST(ColladaBounds, InstancesNeitherReturnToThemselvesNorMultiply) {
+  const auto with = [](const std::string& nodes, const std::string& first) {
+    const std::string library = Replaced(TriangleCollada(), "<library_visual_scenes>",
+                                         "<library_nodes>" + nodes +
+                                             "</library_nodes>"
+                                             "<library_visual_scenes>");
+    return MessageFor("a.dae", Replaced(library, "<node><inst",
+                                        "<node><instance_node url=\"#" + first + "\"/><inst"));
+  };
+  EXPECT_EQ(with("<node id=\"a\"><instance_geometry url=\"#g\"/></node>", "a"), "(no error)");
+  EXPECT_THAT(with("<node id=\"a\"><instance_node url=\"#a\"/></node>", "a"),
+              HasSubstr("deeper than 64 levels once instances are followed"));
+  std::string tenfold = "<node id=\"n9\"><instance_geometry url=\"#g\"/></node>";
+  for (int i = 8; i >= 0; --i) {
+    const std::string next = "<instance_node url=\"#n" + std::to_string(i + 1) + "\"/>";
+    tenfold += "<node id=\"n" + std::to_string(i) + "\">" + Times(10, next) + "</node>";
+  }
+  EXPECT_THAT(with(tenfold, "n0"), HasSubstr("more than 10000 nodes once instances"));
+}
+
+TEST(ColladaBounds, WhatHasNoPartInTheMeshIsLeftOut) {
+  const std::string skin =
+      "<library_controllers><controller id=\"c\"><skin source=\"#g\">"
+      "<vertex_weights count=\"4000000000\"><vcount>1</vcount><v>1 1</v>"
+      "</vertex_weights></skin></controller></library_controllers>";
+  EXPECT_EQ(Changed("<library_visual_scenes>", skin + "<library_visual_scenes>"), "(no error)");
+  EXPECT_THAT(Changed("instance_geometry", "instance_controller"),
+              HasSubstr("<instance_controller>: skinned meshes are not read"));
+}
+
+TEST(ObjBounds, PartsAreSoManyThatComparingAllTakesNoTime) {
+  // 100 000 objects took more than 60 s, 200 000 materials more than 60 s and 2 GB.
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 10000; ++i) text += "o a" + std::to_string(i) + "\nf 1 2 3\n";
+  EXPECT_EQ(MessageFor("a.obj", text), "(no error)");
+  for (const char* more : {"usemtl b\n", "o b\n", "o\tb\n", "\r  g b\n"}) {
+    EXPECT_EQ(MessageFor("a.obj", text + more),
+              "a.obj: not a usable mesh: more than 10000 objects, groups and changes of material");
+  }
+}
+
+/// The messages for the triangle as .gltf and as .glb, which must be the same reason.
+std::string ChangedGltf(const std::string& from, const std::string& to) {
+  const std::string json = Replaced(TriangleGltf(), from, to);
+  const std::string binary = MessageFor("a.glb", Glb(json, TriangleBytes()));
+  const std::string text = MessageFor("a.gltf", json);
+  const std::string prefix = "a.gltf: not a usable mesh: ";
+  EXPECT_EQ(text.substr(0, prefix.size()), prefix) << text;
+  EXPECT_EQ("a.glb" + text.substr(6), binary);
+  return text.substr(std::min(prefix.size(), text.size()));
+}
+
+TEST(GltfBounds, NestingIsCountedOutsideStringsAlsoInGlb) {
+  const std::string deep = Times(200000, "[") + Times(200000, "]");
+  const std::string hidden = "\"y\":\"" + Times(200000, "]") + "\",";
+  EXPECT_EQ(ChangedGltf("\"scene\":0", hidden + "\"x\":" + deep), "nested deeper than 64 levels");
+  EXPECT_EQ(ChangedGltf("\"scene\":0", "\"y\\\"]]\":0"), "a key with a backslash");
+}
+
+TEST(GltfBounds, NodesMakeATree) {
+  std::string chain = "\"nodes\":[{\"mesh\":0,\"children\":[1]},";
+  for (int i = 2; i < 50000; ++i) chain += "{\"children\":[" + std::to_string(i) + "]},";
+  EXPECT_EQ(ChangedGltf("\"nodes\":[{\"mesh\":0}]", chain + "{}]"),
+            "nodes in a circle or nested deeper than 64 levels");
+  EXPECT_EQ(ChangedGltf("\"nodes\":[{\"mesh\":0}]", "\"nodes\":[{\"mesh\":0,\"children\":[0]}]"),
+            "nodes in a circle or nested deeper than 64 levels");
+  EXPECT_EQ(
+      ChangedGltf("\"nodes\":[{\"mesh\":0}]", "\"nodes\":[{\"children\":[1,1]},{\"mesh\":0}]"),
+      "a node with two parents");
+}
+
+TEST(GltfBounds, CountsAndLengthsAreThoseOfAMesh) {
+  EXPECT_EQ(ChangedGltf("\"count\":3", "\"count\":3000000000"),
+            "accessors/count: expected a whole number from 0 to 1500000, found '3000000000'");
+  EXPECT_THAT(ChangedGltf("\"byteLength\":36}]}", "\"byteLength\":1e12}]}"),
+              HasSubstr("buffers/byteLength: expected a whole number"));
+  EXPECT_EQ(ChangedGltf("\"scene\":0", "\"x\":[" + Times(2000001, "0,") + "0]"),
+            "more than 2 million values of JSON");
+  std::string primitives = "\"primitives\":[";
+  for (int i = 0; i < 20; ++i) primitives += "{\"attributes\":{\"POSITION\":0}},";
+  const std::string many = Replaced(TriangleGltf(), "\"primitives\":[", primitives);
+  EXPECT_EQ(MessageFor("a.glb", Glb(many, TriangleBytes())), "(no error)");
+  EXPECT_THAT(MessageFor("a.gltf", Replaced(many, "\"count\":3", "\"count\":1000000")),
+              HasSubstr("more than 16 million elements"));
+}
+
+TEST(GltfBounds, WhatIsNotReadIsRefused) {
+  EXPECT_EQ(ChangedGltf("\"scene\":0", "\"skins\":[]"), "\"skins\", which is not read");
+  EXPECT_EQ(ChangedGltf("\"count\":3", "\"sparse\":{},\"count\":3"),
+            "\"sparse\", which is not read");
+  EXPECT_EQ(ChangedGltf("\"2.0\"", "\"1.0\""), "no glTF document of version 2");
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,96 @@
+#include "sim/report/summary.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "support/fake_runs.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Four runs whose every number is known.
+FinishedRuns FourRuns() {
+  FinishedRuns runs;
+  for (int i = 1; i <= 4; ++i) {
+    RunResult& row = runs[i].result;
+    row.run = i;
+    row.labels = {i % 2 == 1 ? "loose" : "compact", "1.5"};
+    row.docked = i == 1;
+    row.outcome = i == 1 ? "docked" : i == 2 ? "timeout" : i == 3 ? "missed" : kCrashed;
+    row.sim_time_s = 100.25 * i;
+    row.images = 2 * i;
+    if (i < 4) row.measures = {0.21034 * i, 7.0, 8.0};
+  }
+  runs[3].note = "it drove past";
+  return runs;
+}
+
+TEST(Summary, OfFourRunsIsThis) {
+  EXPECT_EQ(SummaryText("four", FourRuns(), FakeColumns(), 6),
+            "four: docked 1/4 (25 %, 1-81 %), 95 % intervals (Clopper-Pearson)\n"
+            "incomplete: 4 of 6 runs\n"
+            "all runs: start.r_m 1.5\n"
+            "\n"
+            "  soil  loose    docked 1/2 (50 %, 1-99 %)\n"
+            "  soil  compact  docked 0/2 (0 %, 0-84 %)\n"
+            "\n"
+            "failures by cause\n"
+            "  missed   1   run 3\n"
+            "  timeout  1   run 2\n"
+            "  crashed  1   run 4\n"
+            "\n"
+            "run  soil     outcome  time_s  images  depth_m\n"
+            "  1  loose    docked    100.2       2   0.2103\n"
+            "  2  compact  timeout   200.5       4   0.4207\n"
+            "  3  loose    missed    300.8       6    0.631\n"
+            "     it drove past\n"
+            "  4  compact  crashed   401.0       8        -\n");
+}
+
+TEST(Summary, GroupsByEveryLabelOfTwoToEightValues) {
+  const std::string text = SummaryText("fake", FakeResults(12), FakeColumns(), 12);
+  EXPECT_THAT(text, HasSubstr("fake: docked 8/12 (67 %, 35-90 %)"));
+  EXPECT_THAT(text, HasSubstr("  soil  compact  docked 4/6 (67 %, 22-96 %)\n"
+                              "  soil  loose    docked 4/6 (67 %, 22-96 %)\n"));
+  EXPECT_THAT(text, Not(HasSubstr("start.r_m  2.5")));  // nine values
+  const std::string eight = SummaryText("fake", FakeResults(8), FakeColumns(), 8);
+  EXPECT_THAT(eight, HasSubstr("  start.r_m  2.5      docked 1/1"));
+  EXPECT_THAT(text, HasSubstr("missed  4   runs 3 6 9 12"));
+  EXPECT_THAT(text, Not(HasSubstr("incomplete")));
+}
+
+TEST(Summary, HasColumnsAsWideAsTheirLongestCell) {
+  FinishedRuns runs = FourRuns();
+  runs[2].result.labels[0] = "a soil with a long name, \"quoted\"";
+  const std::string text = SummaryText("four", runs, FakeColumns(), 4);
+  EXPECT_THAT(text, HasSubstr("\n  2  a soil with a long name, \"quoted\"  timeout"));
+  EXPECT_THAT(text, HasSubstr("\n  1  loose                              docked"));
+}
+
+TEST(Summary, StaysUnderAHundredColumns) {
+  FinishedRuns runs = FakeResults(120);
+  for (auto& [number, run] : runs) {
+    run.result.docked = false;
+    run.result.outcome = "missed";
+  }
+  std::istringstream lines(SummaryText("fake", runs, FakeColumns(), 120));
+  std::string line, all;
+  while (std::getline(lines, line)) {
+    EXPECT_LT(line.size(), 100u) << line;
+    all += line + " ";
+  }
+  EXPECT_THAT(all, HasSubstr(" 119 120 "));
+}
+
+TEST(Summary, OfNoRunsSaysSo) {
+  EXPECT_THAT(SummaryText("none", {}, FakeColumns(), 3),
+              HasSubstr("none: docked 0/0, 95 % intervals (Clopper-Pearson)\nincomplete: 0 of 3"));
+}
+
+}  // namespace
+}  // namespace dockyard

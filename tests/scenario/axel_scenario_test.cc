@@ -1,0 +1,118 @@
+// What a scenario says under `axel` and `changes` reaches the models, or is refused by its place.
+#include "sim/axel/load_models.h"
+
+#include <gmock/gmock.h>
+
+#include "sim/scenario/keys.h"
+#include "sim/scenario/load_scenario.h"
+#include "support/bad_files.h"
+
+namespace dockyard::axel {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::vector<KnownSystem>& Known() {
+  static const std::vector<KnownSystem> known{
+      {.name = "axel", .controllers = {"axel", "reel_only"}, .file_keys = {"station"}}};
+  return known;
+}
+Scenario Typical(const std::vector<std::string>& sets = {}) {
+  return LoadScenario(SourceFile("scenarios/axel_typical.yaml"), sets, Known());
+}
+std::string SetMessage(const std::string& set) {
+  const ScratchFolder folder;
+  return MessageOf([&] { LoadModels(Typical({set})); }, folder);
+}
+
+TEST(TypicalScenario, NamesModelsThatLoadAndFitEachOther) {
+  const AxelModels models = LoadModels(Typical());
+  EXPECT_EQ(models.rover.name, "axel");
+  EXPECT_EQ(models.station.tip_angle_rad, Radians(5.0));
+  EXPECT_EQ(models.soil.name, "compact_gravel");
+  EXPECT_EQ(models.rover.stereo.nominal.left.width, 1024);
+}
+
+TEST(AxelKeys, PageHasTheTableThatTheVisitorDocuments) {
+  const std::string page = Slurp(SourceFile("docs/scenarios.md"));
+  const std::string begin = "tests/scenario/axel_scenario_test.cc -->\n";
+  const std::size_t from = page.find(begin), to = page.find("<!-- end of keys of axel -->");
+  ASSERT_NE(from, std::string::npos);
+  ASSERT_NE(to, std::string::npos);
+  AxelKeys values;
+  const std::string table =
+      KeyTable(DocumentKeys([&](Keys& keys) { VisitAxelKeys(keys, values); }));
+  EXPECT_EQ(page.substr(from + begin.size(), to - from - begin.size()), table);
+}
+
+TEST(AxelKeys, TipAngleAndImageSizeReachTheModels) {
+  const AxelModels models =
+      LoadModels(Typical({"axel.tip_angle_deg=0", "camera.width_px=640", "camera.height_px=480"}));
+  EXPECT_EQ(models.station.tip_angle_rad, 0.0);
+  EXPECT_EQ(models.rover.stereo.nominal.right.width, 640);
+  EXPECT_NEAR(models.rover.stereo.nominal.right.focal_px().x(), 640 / (kPi / 2), 1e-9);
+}
+
+TEST(AxelKeys, DustIsAShareUpToItsLimit) {
+  EXPECT_EQ(LoadModels(Typical({"axel.board_dust=0.25"})).keys.board_dust, 0.25);
+  EXPECT_EQ(LoadModels(Typical()).keys.board_dust, 0.0);
+  EXPECT_EQ(SetMessage("axel.board_dust=0.7"),
+            "--set axel.board_dust=0.7: axel.board_dust: expected a number >= 0 and <= 0.6, found "
+            "'0.7'");
+  EXPECT_EQ(SetMessage("axel.board_dust=much"),
+            "--set axel.board_dust=much: axel.board_dust: expected a number >= 0, found 'much'");
+}
+
+TEST(AxelKeys, UnknownKeyNamesTheNearest) {
+  EXPECT_THAT(SetMessage("axel.board_dst=0.1"), HasSubstr("did you mean 'axel.board_dust'?"));
+}
+
+TEST(Changes, ReachTheModelsOfAScenario) {
+  const AxelModels models =
+      LoadModels(Typical({"changes.station.feet.friction=0.3", "changes.station.mass_kg=70",
+                          "changes.station.mouth_height_m=0.4", "changes.robot.mass_scale=1.5",
+                          "changes.robot.body_com_x_m=-0.02", "changes.soil.cohesion_pa=123"}));
+  EXPECT_EQ(models.station.foot_friction, 0.3);
+  EXPECT_EQ(models.station.module.mass_kg, 70.0);
+  EXPECT_NEAR(models.station.module.I_LCom_L(1, 1), 2.0 * 3.23203125, 1e-9);
+  EXPECT_EQ(models.station.mouth_height_m, 0.4);
+  EXPECT_NEAR(models.rover.mass_kg(), 60.0, 1e-9);
+  EXPECT_EQ(models.rover.body.p_LoCom_L.x(), -0.02);
+  EXPECT_EQ(models.soil.cohesion_pa, 123.0);
+}
+
+TEST(Changes, AreWrittenOutAndReadBack) {
+  const Scenario s =
+      Typical({"changes.station.feet.friction=0.3", "changes.robot.name='a \"b\" \\ c'",
+               "changes.soil.rgb=[0.1, 0.2, 0.3]"});
+  const ScratchFolder folder;
+  const Scenario back = LoadScenario(folder.Write("r.yaml", ResolvedYaml(s)), {}, Known());
+  EXPECT_EQ(FlowText(back.changes), FlowText(s.changes));
+  EXPECT_EQ(LoadModels(back).rover.name, "a \"b\" \\ c");
+  EXPECT_EQ(LoadModels(back).soil.rgb.y(), 0.2);
+}
+
+TEST(Changes, UnknownKeysAndValuesAreRefusedWithTheirPlace) {
+  EXPECT_THAT(SetMessage("changes.staton.mass_kg=3"), HasSubstr("station"));
+  EXPECT_THAT(SetMessage("changes.rover.mass_scale=3"), HasSubstr("robot"));
+  EXPECT_THAT(SetMessage("changes.station.feet.frction=3"), HasSubstr("--set"));
+  EXPECT_EQ(SetMessage("changes.station.feet.friction=x"),
+            "--set changes.station.feet.friction=x: feet.friction: expected a number >= 0, found "
+            "'x'");
+}
+
+TEST(ScenarioModels, ThroatNarrowerThanTheArmsTipIsRefused) {
+  const ScratchFolder folder;
+  for (const char* model : {"axel", "soils"}) folder.CopyModel(model);
+  const std::string station = "models/axel/station/station.yaml";
+  folder.Write(station, Replaced(Slurp(SourceFile(station)), "throat_radius_m: 0.0320",
+                                 "throat_radius_m: 0.0295"));
+  const std::string file =
+      folder.Write("scenarios/s.yaml", Slurp(SourceFile("scenarios/axel_typical.yaml")));
+  EXPECT_EQ(MessageOf([&] { LoadModels(LoadScenario(file, {}, Known())); }, folder),
+            "models/axel/station/station.yaml: cone.throat_radius_m: expected more than the 0.0312 "
+            "m of the arm's tip in models/axel/axel.yaml, found '0.0295'");
+}
+
+}  // namespace
+}  // namespace dockyard::axel

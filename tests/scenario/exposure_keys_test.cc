@@ -1,0 +1,83 @@
+// Keys of the cameras' exposure in the rover's file.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "models/axel/load_axel.h"
+#include "support/bad_files.h"
+
+namespace dockyard::axel {
+namespace {
+
+const char kRover[] = "models/axel/axel.yaml";
+
+class ExposureKeys : public testing::Test {
+ protected:
+  ExposureKeys() { folder_.CopyModel("axel"); }
+  /// The rover's file with lines in cameras.sensor.
+  std::string WithSensor(const std::string& lines) const {
+    return folder_.Write(kRover, Replaced(Slurp(SourceFile(kRover)), "\n  sensor:\n",
+                                          "\n  sensor:\n" + lines + "\n"));
+  }
+  ExposureModel Exposure(const std::string& lines) const {
+    return LoadRover(WithSensor(lines)).stereo.exposure;
+  }
+  /// The message after the file and line, which are checked here.
+  std::string Refused(const std::string& lines) const {
+    const std::string file = WithSensor(lines);
+    const std::string text = Slurp(file);
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(lines)),
+                       '\n');
+    const std::string message = MessageOf([&] { LoadRover(file); }, folder_);
+    const std::string place = std::string(kRover) + ":" + std::to_string(line) + ":";
+    EXPECT_THAT(message, testing::StartsWith(place));
+    return message.substr(std::min(message.size(), place.size()));
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(ExposureKeys, ExposureIsAutomaticUnlessTheFileSays) {
+  const ExposureModel given = Exposure("    exposure: {rule: automatic, percent: 2, level: 0.6}");
+  EXPECT_EQ(given.rule, ExposureRule::kAutomatic);
+  EXPECT_EQ(given.percent, 2.0);
+  EXPECT_EQ(given.level, 0.6);
+}
+
+TEST_F(ExposureKeys, FixedExposureHoldsItsElectrons) {
+  const ExposureModel given = Exposure("    exposure: {rule: fixed, fixed_e: 30000}");
+  EXPECT_EQ(given.rule, ExposureRule::kFixed);
+  EXPECT_EQ(given.fixed_e, 30000.0);
+}
+
+TEST_F(ExposureKeys, BracketHoldsItsStops) {
+  const ExposureModel given = Exposure("    exposure: {rule: bracketed, bracket_stops: 1.5}");
+  EXPECT_EQ(given.rule, ExposureRule::kBracketed);
+  EXPECT_EQ(given.bracket_stops, 1.5);
+}
+
+TEST_F(ExposureKeys, BadRuleIsReportedByPlace) {
+  EXPECT_EQ(Refused("    exposure: {rule: manual}"),
+            "22: cameras.sensor.exposure.rule: expected one of automatic, fixed, bracketed, found "
+            "'manual'");
+}
+
+TEST_F(ExposureKeys, BadPercentIsReportedByPlace) {
+  EXPECT_EQ(Refused("    exposure: {percent: 100}"),
+            "25: cameras.sensor.exposure.percent: expected a number from 0.01 to 99, found '100'");
+}
+
+TEST_F(ExposureKeys, FixedExposureWithoutElectronsIsRefused) {
+  EXPECT_EQ(Refused("    exposure: {rule: fixed}"),
+            "15: cameras.sensor.exposure: missing key 'fixed_e'");
+}
+
+TEST_F(ExposureKeys, UnknownExposureKeyIsRefused) {
+  EXPECT_EQ(Refused("    exposure: {stops: 1}"),
+            "16: cameras.sensor.exposure.stops: unknown key, known are: rule, percent, level, "
+            "fixed_e, bracket_stops");
+}
+
+}  // namespace
+}  // namespace dockyard::axel

@@ -1,0 +1,144 @@
+// The files of scenarios/, read as the program does.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "sim/base/random.h"
+#include "sim/scenario/key_path.h"
+#include "sim/scenario/load_scenario.h"
+#include "sim/scenario/study.h"
+#include "support/bad_files.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::vector<KnownSystem>& Known() {
+  static const std::vector<KnownSystem> known{
+      {.name = "axel", .controllers = {"axel", "reel_only"}, .file_keys = {"station"}}};
+  return known;
+}
+Campaign Load(const std::string& file) { return LoadCampaign(SourceFile(file), {}, Known()); }
+Campaign Grid() { return Load("scenarios/mars_yard_40.yaml"); }
+
+std::string Label(const Campaign& campaign, const CampaignRun& run, const std::string& name) {
+  const auto at = std::find(campaign.labels.begin(), campaign.labels.end(), name);
+  return run.labels.at(static_cast<std::size_t>(at - campaign.labels.begin()));
+}
+int Count(const Campaign& campaign, const std::string& name, const std::string& value) {
+  return static_cast<int>(
+      std::count_if(campaign.runs.begin(), campaign.runs.end(),
+                    [&](const CampaignRun& run) { return Label(campaign, run, name) == value; }));
+}
+
+TEST(TypicalScenario, IsTheOneOfFigure10) {
+  const Scenario s = LoadScenario(SourceFile("scenarios/axel_typical.yaml"), {}, Known());
+  EXPECT_EQ(s.start.r, 4.0);
+  EXPECT_EQ(s.start.alpha, Radians(15.0));
+  EXPECT_EQ(s.start.h, 0.0);
+  EXPECT_EQ(s.controller, "axel");
+  EXPECT_EQ(s.of_system.Find("station")->scalar,
+            AbsolutePath(SourceFile("models/axel/station/station.yaml")));
+}
+
+TEST(MarsYardGrid, KeepsEveryCountThatIsPublished) {
+  const Campaign grid = Grid();
+  EXPECT_EQ(grid.runs.size(), 40u);
+  EXPECT_THAT(grid.labels, ElementsAre("day", "region", "soil", "light", "start.r_m",
+                                       "start.alpha_deg", "start.heading_deg"));
+  EXPECT_EQ(Count(grid, "soil", "loose"), 20);
+  EXPECT_EQ(Count(grid, "region", "boundary"), 16);
+  EXPECT_EQ(Count(grid, "light", "hard_shadow"), 15);
+  EXPECT_EQ(Count(grid, "day", "3"), 15);
+  for (const CampaignRun& run : grid.runs) {
+    EXPECT_LE(run.scenario.start.r, 7.0);
+    EXPECT_LE(std::abs(run.scenario.start.alpha), Radians(40.0));
+    EXPECT_LE(std::abs(run.scenario.start.h), Radians(25.0));
+  }
+}
+
+TEST(MarsYardGrid, GivesEachRunASeedOfItsOwn) {
+  std::set<std::uint64_t> seeds;
+  for (const CampaignRun& run : Grid().runs) {
+    EXPECT_EQ(run.scenario.seed, RunSeed(1, static_cast<std::uint64_t>(run.run)));
+    EXPECT_EQ(run.scenario.name, "mars_yard_40 run " + std::to_string(run.run));
+    seeds.insert(run.scenario.seed);
+  }
+  EXPECT_EQ(seeds.size(), 40u);
+}
+
+TEST(MarsYardGrid, TakesTheSoilFileByItsName) {
+  const Campaign grid = Grid();
+  EXPECT_THAT(grid.runs[3].scenario.soil_file, HasSubstr("loose_sand.yaml"));
+  EXPECT_THAT(grid.runs[0].scenario.soil_file, HasSubstr("compact_gravel.yaml"));
+}
+
+TEST(MarsYardGrid, ResolvedReadsBackToTheSame) {
+  const Campaign grid = Grid();
+  const ScratchFolder folder;
+  const Campaign again = LoadCampaign(folder.Write("r.yaml", grid.resolved_yaml), {}, Known());
+  EXPECT_EQ(again.resolved_yaml, grid.resolved_yaml);
+}
+
+TEST(SmokeCampaign, HasRunsOfTheGrid) {
+  const Campaign grid = Grid();
+  const Campaign smoke = Load("scenarios/ci_4.yaml");
+  ASSERT_EQ(smoke.runs.size(), 4u);
+  EXPECT_EQ(smoke.labels, grid.labels);
+  for (const CampaignRun& run : smoke.runs) {
+    const CampaignRun& same = grid.runs[static_cast<std::size_t>(run.run - 1)];
+    EXPECT_EQ(run.labels, same.labels);
+    EXPECT_EQ(run.scenario.start.r, same.scenario.start.r);
+    EXPECT_EQ(run.scenario.start.alpha, same.scenario.start.alpha);
+    EXPECT_EQ(run.scenario.start.h, same.scenario.start.h);
+    EXPECT_EQ(run.scenario.light, same.scenario.light);
+    EXPECT_EQ(run.scenario.image_width, 640);
+  }
+}
+
+/// Points of each study, as its factors multiply.
+const std::vector<std::pair<std::string, std::size_t>> kStudies{
+    {"assisted.yaml", 2 * 2 * 10},
+    {"cone_height.yaml", 2 * 2 * 11},
+    {"reel_alpha.yaml", 2 * 3 * 15},
+    {"reel_heading.yaml", 2 * 2 * 9},
+    {"sensitivity.yaml", 8 * (1 + 48)},
+    {"sensitivity_compact.yaml", 4 * (1 + 20)},
+    {"sensitivity_loose.yaml", 4 * (1 + 20)},
+    {"slack_arc.yaml", 6 * 3 * 2},
+    {"tether_arc.yaml", 4 * 2},
+};
+
+TEST(Studies, OfTheTreeHaveTheirPoints) {
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(SourceFile("scenarios/studies"))) {
+    files.insert(entry.path().filename().string());
+  }
+  StudySystems systems{Known(),
+                       [](const std::string&) {
+                         return std::vector<std::string>{"docked",
+                                                         "tip_depth_m",
+                                                         "station_shift_m",
+                                                         "tension_peak_n",
+                                                         "entry_force_peak_n",
+                                                         "entry_current_peak_a",
+                                                         "spool_current_mean_a",
+                                                         "arm_up_peak_deg",
+                                                         "advance_m",
+                                                         "turned_deg"};
+                       },
+                       {}};
+  for (const auto& [file, points] : kStudies) {
+    EXPECT_EQ(files.erase(file), 1u) << file;
+    const Study study = LoadStudy(SourceFile("scenarios/studies/" + file), {}, systems);
+    EXPECT_EQ(study.points.size(), points) << file;
+  }
+  EXPECT_THAT(files, ElementsAre());
+}
+
+}  // namespace
+}  // namespace dockyard

@@ -1,0 +1,142 @@
+// What is written reads back to the same, key by key.
+#include <gmock/gmock.h>
+
+#include "scenario/toy_system.h"
+#include "sim/scenario/key_path.h"
+#include "sim/scenario/load_scenario.h"
+#include "sim/scenario/scenario_keys.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// A value other than the default for every key of a scenario.
+const std::vector<std::pair<std::string, std::string>>& OtherValues() {
+  static const std::vector<std::pair<std::string, std::string>> values{
+      {"name", "'a \"b\" \\ : c'"},
+      {"robot", "ROOT/models/eye.yaml"},
+      {"soil", "ROOT/models/gravel.yaml"},
+      {"camera.file", "ROOT/models/eye.yaml"},
+      {"camera.width_px", "800"},
+      {"camera.height_px", "600"},
+      {"camera.colour", "true"},
+      {"controller", "straight"},
+      {"start.r_m", "3.0000000000000004"},
+      {"start.alpha_deg", "-33.333333333333336"},
+      {"start.heading_deg", "7.2957795130823"},
+      {"light", "hard_shadow"},
+      {"sun.azimuth_deg", "0.1"},
+      {"sun.elevation_deg", "89.99999"},
+      {"sun.temperature_k", "4500"},
+      {"sun.sky_temperature_k", "12000.5"},
+      {"yard.length_m", "11"},
+      {"yard.width_m", "10"},
+      {"yard.cell_m", "0.0123"},
+      {"yard.undulation_rms_m", "0"},
+      {"yard.undulation_wavelength_m", "3"},
+      {"time_limit_s", "12.5"},
+      {"physics_step_s", "0.0005"},
+      {"seed", "18446744073709551615"},
+      {"site.x_m", "-1000.1"},
+      {"site.y_m", "500"},
+      {"site.heading_deg", "179.9"},
+      {"log_images", "false"},
+      {"changes", "{soil: {k: 1e+3, name: 'x: \"y\"'}}"},
+      {"script", "[{for_s: 1}, wait]"},
+      {"toy", "{colour: blue}"},
+  };
+  return values;
+}
+
+class Resolved : public testing::Test {
+ protected:
+  Scenario Load(const std::vector<std::string>& overrides) const {
+    return LoadScenario(folder_.scenario, overrides, ToySystems());
+  }
+  std::string Set(const std::string& key, std::string value) const {
+    const std::size_t root = value.find("ROOT");
+    if (root != std::string::npos) value.replace(root, 4, folder_.path().string());
+    return key + "=" + value;
+  }
+  /// With every key that has a default at another value.
+  Scenario Odd() const {
+    std::vector<std::string> sets;
+    for (const auto& [key, value] : OtherValues()) sets.push_back(Set(key, value));
+    return Load(sets);
+  }
+  static Scenario Again(const Scenario& scenario) {
+    const ScratchFolder elsewhere;
+    return LoadScenario(elsewhere.Write("r.yaml", ResolvedYaml(scenario)), {}, ToySystems());
+  }
+
+  ToyFolder folder_;
+};
+
+TEST_F(Resolved, OtherValuesCoverEveryKeyOfAScenario) {
+  std::vector<std::string> known, here;
+  for (const KeyRow& row : ScenarioRows()) known.push_back(row.key);
+  for (const auto& [key, value] : OtherValues()) here.push_back(key);
+  here.insert(here.begin() + 1, "system");
+  here.insert(here.begin() + 9, "controller.command");
+  here.insert(here.begin() + 10, "controller.folder");
+  here.back() = "<system>";
+  EXPECT_EQ(here, known);
+}
+
+TEST_F(Resolved, EveryKeyIsWrittenAndReadBack) {
+  const Scenario odd = Odd();
+  const YamlNode written = WriteScenario(odd);
+  for (const auto& [key, value] : OtherValues()) {
+    EXPECT_NE(FindPath(written, key), nullptr) << key;
+  }
+  EXPECT_THAT(DifferingKeys(odd, Again(odd)), ElementsAre());
+}
+
+TEST_F(Resolved, ReadsBackBitForBit) {
+  const Scenario odd = Odd(), again = Again(odd);
+  EXPECT_EQ(again.name, odd.name);
+  EXPECT_EQ(again.seed, odd.seed);
+  EXPECT_EQ(again.start.r, odd.start.r);
+  EXPECT_EQ(again.start.alpha, odd.start.alpha);
+  EXPECT_EQ(again.start.h, odd.start.h);
+  EXPECT_EQ(again.X_WG, odd.X_WG);
+  EXPECT_EQ(again.sun.azimuth_rad, odd.sun.azimuth_rad);
+  EXPECT_EQ(FlowText(again.changes), FlowText(odd.changes));
+  EXPECT_EQ(FlowText(again.script), FlowText(odd.script));
+  EXPECT_EQ(FlowText(again.of_system), FlowText(odd.of_system));
+}
+
+TEST_F(Resolved, WritesEveryDefaultOut) {
+  const std::string text = ResolvedYaml(Load({}));
+  for (const char* line :
+       {"time_limit_s: 600\n", "physics_step_s: 0.001\n", "  cell_m: 0.02\n", "log_images: true\n",
+        "controller: wave\n", "  colour: false\n", "  heading_deg: 0\n"}) {
+    EXPECT_THAT(text, ::testing::HasSubstr(line));
+  }
+}
+
+TEST_F(Resolved, KeepsAProgramAsController) {
+  const Scenario s = Load({"controller={command: [python3, 'a b.py', \"-x\"]}"});
+  EXPECT_THAT(Again(s).command, ElementsAre("python3", "a b.py", "-x"));
+  EXPECT_EQ(Again(s).controller, "command");
+  EXPECT_EQ(Again(s).command_folder, s.command_folder);
+}
+
+TEST_F(Resolved, EachKeyAloneIsTheOneThatDiffers) {
+  const Scenario plain = Load({"camera={width_px: 640, height_px: 480}"});
+  for (const auto& [key, value] : OtherValues()) {
+    const Scenario changed = Load({"camera={width_px: 640, height_px: 480}", Set(key, value)});
+    const std::vector<std::string> differing = DifferingKeys(plain, changed);
+    if (key == "changes") {
+      EXPECT_THAT(differing, ElementsAre("changes.soil.k", "changes.soil.name"));
+    } else if (key == "toy") {
+      EXPECT_THAT(differing, ElementsAre("toy.colour"));
+    } else {
+      EXPECT_THAT(differing, ElementsAre(key));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dockyard

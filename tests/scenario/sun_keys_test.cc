@@ -1,0 +1,58 @@
+// Keys of the sun: what good values become and how bad ones are reported.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "scenario/toy_system.h"
+#include "sim/scenario/load_scenario.h"
+
+namespace dockyard {
+namespace {
+
+class SunKeys : public testing::Test {
+ protected:
+  Scenario Loaded(const std::string& lines) const {
+    return LoadScenario(folder_.And(lines), {}, ToySystems());
+  }
+  std::string Refused(const std::string& lines) const {
+    return folder_.ScenarioMessage(folder_.And(lines));
+  }
+
+  ToyFolder folder_;
+};
+
+TEST_F(SunKeys, WhatIsLeftOutIsDrawnByTheKindOfLight) {
+  const Scenario s = Loaded("");
+  EXPECT_TRUE(std::isnan(s.sun.azimuth_rad));
+  EXPECT_TRUE(std::isnan(s.sun.elevation_rad));
+  EXPECT_EQ(s.sun.temperature_k, 0.0);
+  EXPECT_EQ(s.sun.sky_temperature_k, 0.0);
+}
+
+TEST_F(SunKeys, AnglesArriveInRadians) {
+  const Scenario s = Loaded(
+      "sun: {azimuth_deg: -30, elevation_deg: 12.5, temperature_k: 4500, sky_temperature_k: "
+      "12000}");
+  EXPECT_EQ(s.sun.azimuth_rad, Radians(-30.0));
+  EXPECT_EQ(s.sun.elevation_rad, Radians(12.5));
+  EXPECT_EQ(s.sun.temperature_k, 4500.0);
+  EXPECT_EQ(s.sun.sky_temperature_k, 12000.0);
+}
+
+TEST_F(SunKeys, BadSunIsReportedByPlace) {
+  EXPECT_EQ(Refused("sun: {azimuth_deg: 181}"),
+            "scenarios/s.yaml:10:20: sun.azimuth_deg: expected a number from -180 to 180, found "
+            "'181'");
+  EXPECT_EQ(Refused("sun: {elevation_deg: 1}"),
+            "scenarios/s.yaml:10:22: sun.elevation_deg: expected a number from 2 to 90, found '1'");
+  EXPECT_EQ(Refused("sun: {temperature_k: 1000}"),
+            "scenarios/s.yaml:10:22: sun.temperature_k: expected a number from 1667 to 25000, "
+            "found '1000'");
+  EXPECT_EQ(Refused("sun: {elevation: 30}"),
+            "scenarios/s.yaml:10:7: sun.elevation: unknown key, did you mean 'elevation_deg'?");
+  EXPECT_EQ(Refused("sun: noon"),
+            "scenarios/s.yaml:10:6: sun: expected a mapping (key: value), found 'noon'");
+}
+
+}  // namespace
+}  // namespace dockyard

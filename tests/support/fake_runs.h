@@ -1,0 +1,44 @@
+// Runs of a system that is not there: what a campaign does with good, slow, crashing and hanging
+// ones.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/log/record.h"
+#include "sim/log/results.h"
+#include "sim/scenario/scenario.h"
+#include "support/bad_files.h"
+
+namespace dockyard {
+
+/// A folder of its own for each test, removed afterwards.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Labels soil and start.r_m; measures depth_m (headline), force_peak_n, yaw_error_deg; outcomes
+/// docked, missed, timeout, crashed.
+RowColumns FakeColumns();
+
+/// Runs 1..count over two soils and nine ranges.
+Campaign FakeCampaign(int count);
+
+/// A record that depends on the run alone; every third run fails.
+RunRecord FakeRecord(const CampaignRun& run);
+/// Results of FakeCampaign(count), notes included.
+FinishedRuns FakeResults(int count);
+
+/// FakeRecord, later for runs of odd number, so that runs do not end in order.
+RunRecord FakeRun(const CampaignRun& run, const std::filesystem::path& log_dir);
+
+void WriteText(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace dockyard

@@ -1,0 +1,84 @@
+// A system that no generic room names goes through the whole program.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "app/program.h"
+#include "sim/base/files.h"
+
+namespace dockyard {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const std::string kToy = "tests/toy/";
+
+class Toy : public testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = fs::temp_directory_path() / ("dockyard_toy_" + std::to_string(::getpid()));
+    fs::remove_all(dir_);
+  }
+  void TearDown() override { fs::remove_all(dir_); }
+  std::string Text(const std::string& name) const { return ReadWhole(dir_ / name).value_or(""); }
+  fs::path dir_;
+};
+
+TEST_F(Toy, RunsIsCheckedAndReplays) {
+  EXPECT_EQ(Dockyard("check " + kToy + "scenario.yaml").code, 0);
+  const auto run = Dockyard("run " + kToy + "scenario.yaml --out " + dir_.string());
+  EXPECT_THAT(run.out, HasSubstr("miss_m"));
+  EXPECT_THAT(Text("history.csv"), HasSubstr("wheel_rad"));
+  const auto replay = Dockyard("replay " + dir_.string());
+  EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
+  EXPECT_THAT(replay.out, HasSubstr("same commands at all"));
+}
+
+TEST_F(Toy, TheTruthDecidesNotTheClaim) {
+  int hits = 0, misses = 0;
+  for (int seed = 1; seed <= 20; ++seed) {
+    const auto run = Dockyard("run " + kToy + "scenario.yaml --seed " + std::to_string(seed));
+    hits += run.code == 0;
+    misses += run.code == 4;
+  }
+  // Put down within +-10 cm and judged at +-5 cm: half of 20 each on the mean.
+  EXPECT_EQ(hits + misses, 20);
+  EXPECT_GT(hits, 3);
+  EXPECT_GT(misses, 3);
+}
+
+TEST_F(Toy, GoesThroughACampaignWithKeysAndTagsOfItsOwn) {
+  EXPECT_EQ(Dockyard("check " + kToy + "campaign.yaml").code, 0);
+  const auto end = Dockyard("campaign " + kToy + "campaign.yaml --quiet --out " + dir_.string());
+  EXPECT_EQ(end.code, 0) << end.err;
+  EXPECT_THAT(Text("results.csv"), HasSubstr("run,seed,system,controller,weather,start.r_m,"
+                                             "toy.speed_m_s,docked,outcome,sim_time_s,images,"
+                                             "miss_m,state_hash\n"));
+  EXPECT_THAT(Text("results.csv"), HasSubstr(",toy,counting,windy,3,1,"));
+  EXPECT_THAT(end.out, HasSubstr("weather"));
+  EXPECT_EQ(Dockyard("replay " + dir_.string() + " 3").code, 0);
+}
+
+TEST_F(Toy, GoesThroughAStudy) {
+  const auto end = Dockyard("study " + kToy + "study.yaml --quiet --out " + dir_.string());
+  EXPECT_EQ(end.code, 0) << end.err;
+  EXPECT_THAT(Text("points.csv"), HasSubstr("miss_m_mean"));
+}
+
+TEST_F(Toy, BringsACommandOfItsOwn) {
+  EXPECT_EQ(Dockyard("way 7").out, "the flag is 7 m away\n");
+  EXPECT_THAT(Dockyard("--help").out, HasSubstr("Say how far the flag is."));
+}
+
+TEST_F(Toy, RefusesTheKeysOfAnotherSystem) {
+  const auto run = Dockyard("run " + kToy + "scenario.yaml --set system=axel");
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, HasSubstr("toy"));
+}
+
+}  // namespace
+}  // namespace dockyard
