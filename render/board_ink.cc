@@ -25,12 +25,12 @@ float DustShare(const BoardView& board, const Eigen::Vector2f& p_B) {
   float patches = 0.0f;  // 0 to 1, mean 1/2
   for (const auto& [size_m, part] : {std::pair(0.08f, 0.6f), {0.02f, 0.4f}}) {
     const float x = p_B.x() / size_m, y = p_B.y() / size_m;
+    const std::uint64_t seed = board.dust_seed + (size_m > 0.05f ? 0u : 1u);
     const float ix = std::floor(x), iy = std::floor(y);
     const auto knot = [&](int dx, int dy) {
       const auto column = static_cast<std::uint32_t>(static_cast<int>(ix) + dx);
       const auto row = static_cast<std::uint32_t>(static_cast<int>(iy) + dy);
-      return static_cast<float>(HashUniform(board.dust_seed + (size_m > 0.05f ? 0u : 1u),
-                                            std::uint64_t{row} << 32 | column));
+      return static_cast<float>(HashUniform(seed, std::uint64_t{row} << 32 | column));
     };
     const auto smooth = [](float t) { return t * t * (3.0f - 2.0f * t); };
     const float fx = smooth(x - ix), fy = smooth(y - iy);

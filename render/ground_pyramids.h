@@ -48,10 +48,10 @@ class SoilPyramid {
     typedef std::uint16_t Words __attribute__((vector_size(16)));
     typedef std::int32_t Numbers __attribute__((vector_size(16)));
     const Bytes bytes = (Bytes)(Numbers{static_cast<std::int32_t>(texel), 0, 0, 0});
-    const Words words = (Words)__builtin_shuffle(
-        bytes, Bytes{}, Bytes{0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23});
+    const Words words = (Words)__builtin_shufflevector(bytes, Bytes{}, 0, 16, 1, 17, 2, 18, 3, 19,
+                                                       4, 20, 5, 21, 6, 22, 7, 23);
     const Numbers numbers =
-        (Numbers)__builtin_shuffle(words, Words{}, Words{0, 8, 1, 9, 2, 10, 3, 11});
+        (Numbers)__builtin_shufflevector(words, Words{}, 0, 8, 1, 9, 2, 10, 3, 11);
     return __builtin_convertvector(numbers, Four);
   }
   static Four Bilinear(const Level& level, float u, float v) {

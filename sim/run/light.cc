@@ -58,7 +58,10 @@ RenderMesh Leaves(RandomStream& random) {
     const double angle = random.Uniform(0.0, 2.0 * kPi);
     const double size = random.Uniform(0.02, 0.06);
     Pose3 X;
-    X.R = RotZ(random.Uniform(0.0, 2.0 * kPi)) * RotX(random.Uniform(-0.8, 0.8));
+    // One after the other: compilers differ in which factor they draw first.
+    const double tilt = random.Uniform(-0.8, 0.8);
+    const double turn = random.Uniform(0.0, 2.0 * kPi);
+    X.R = RotZ(turn) * RotX(tilt);
     X.p = Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle),
                           random.Uniform(-kCrownDepth, kCrownDepth));
     AddBox(mesh, X, {size, 0.7 * size, 0.002});
