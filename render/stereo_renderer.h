@@ -25,7 +25,7 @@ struct Focus {
   double focal_length_m = 0.0, f_number = 0.0, distance_m = 0.0, pixel_pitch_m = 0.0;
 };
 
-/// The sensor behind the lens. Equations and sources: docs/images.md.
+/// The sensor behind the lens. Equations and sources: docs/reference/images.md.
 struct SensorOptions {
   double full_well_e = 20000.0;
   double read_noise_e = 15.0;

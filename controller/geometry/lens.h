@@ -53,10 +53,10 @@ struct BrownPinhole {
 };
 
 /// CAHV, CAHVOR and CAHVORE (Yakimovsky and Cunningham 1978; Gennery 2001 and 2006). Equations in
-/// docs/cameras.md. CAHVOR is linearity 1 with E = 0, CAHV that with R = 0; the types 1, 2, 3 of
-/// camera files are linearity 1, 0 and a number of its own. E != 0 moves the entrance pupil along O
-/// with the angle: the lens has no one centre. A keeps the length that the file gives it; O must
-/// have length 1, else the two directions disagree.
+/// docs/reference/cameras.md. CAHVOR is linearity 1 with E = 0, CAHV that with R = 0; the types 1,
+/// 2, 3 of camera files are linearity 1, 0 and a number of its own. E != 0 moves the entrance pupil
+/// along O with the angle: the lens has no one centre. A keeps the length that the file gives it; O
+/// must have length 1, else the two directions disagree.
 struct Cahvore {
   Eigen::Vector3d C = Eigen::Vector3d::Zero();   // centre [m]
   Eigen::Vector3d A = Eigen::Vector3d::UnitZ();  // axis of the image plane

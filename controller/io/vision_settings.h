@@ -4,7 +4,7 @@
 namespace dockyard {
 
 enum class VisionPipeline {
-  kDockyard,  // ours: docs/perception.md
+  kDockyard,  // ours: docs/reference/perception.md
   kTsai2013,  // as Tsai et al. (2013), III, describe theirs
 };
 inline const char* PipelineName(VisionPipeline pipeline) {

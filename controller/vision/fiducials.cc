@@ -28,8 +28,9 @@ constexpr double kFineBlur = 0.97, kCoarseBlur = 0.80;
 // White starts at this multiple of the threshold that parted it from black (assumed, 1.4-2).
 constexpr double kWhiteOverThreshold = 1.6;
 
-// Centres' errors on rendered pairs, one axis [px] (docs/perception.md): by the grey, beside its
-// noise [DN], what blur and print leave to the pattern; by the rim alone, under a shadow's edge.
+// Centres' errors on rendered pairs, one axis [px] (docs/results/perception.md): by the grey,
+// beside its noise [DN], what blur and print leave to the pattern; by the rim alone, under a
+// shadow's edge.
 constexpr double kGreyNoise = 2.0;  // assumed, 1-3
 constexpr double kPatternSigma = 0.006, kPatternSigmaRadius = 0.05;
 constexpr double kRimSigma = 0.12;

@@ -15,7 +15,7 @@ namespace {
 // paper cites: black is what lies this share below the Gaussian mean about it, of a standard
 // deviation of a twentieth of the width. The paper's levels "were chosen empirically"; these are
 // the toolbox's window and, of 0.10-0.40, the share that finds most fiducials in even light
-// (docs/perception.md).
+// (docs/reference/perception.md).
 constexpr double kBelowMean = 0.25;
 constexpr double kWindowShare = 1.0 / 20.0;
 // "Thresholds on individual filters had wide ranges" (III-A.2); all assumed.

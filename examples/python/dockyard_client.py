@@ -1,7 +1,7 @@
 """Talks to the Dockyard testbed: sensor frames come in, commands go out, in lock step.
 
 Python's standard library only; numpy is needed for images alone (Image.array). Every byte of the
-protocol is in docs/controller_protocol.md.
+protocol is in docs/reference/controller_protocol.md.
 
     class MyController:
         def __init__(self, hello): ...          # hello["nominal"]: what the robot is known to be

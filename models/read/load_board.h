@@ -14,8 +14,8 @@ namespace dockyard {
 /// Keys of a board's mapping, of which a station's adds more.
 std::vector<std::string> BoardKeys(std::vector<std::string> more);
 
-/// The board that the mapping describes (docs/models.md). Throws ConfigError, also when a disc
-/// overlaps another or sticks out, or when the layout leaves a mark's identity open.
+/// The board that the mapping describes (docs/reference/models.md). Throws ConfigError, also when a
+/// disc overlaps another or sticks out, or when the layout leaves a mark's identity open.
 FiducialBoard ReadBoard(const YamlReader& in);
 
 /// Whether the root has a board's keys and not a station's.

@@ -1,5 +1,5 @@
 // models/cameras/*.yaml, and cameras as JSON objects in the form in which NASA publishes those of
-// Mars 2020, -> Camera. docs/cameras.md describes both.
+// Mars 2020, -> Camera. docs/reference/cameras.md describes both.
 #pragma once
 
 #include <string>

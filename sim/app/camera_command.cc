@@ -26,7 +26,7 @@ Examples:
   dockyard camera project hazcam.json 3 0 0.5
 
 FILE holds one camera, a list of them or a rig: our YAML, or JSON in the form in which NASA publishes
-the cameras of Mars 2020 (docs/cameras.md). Points and rays are in the frame of the file's numbers,
+the cameras of Mars 2020 (docs/reference/cameras.md). Points and rays are in the frame of the file's numbers,
 in metres; pixel 0 0 is the centre of the first pixel.)";
 
 constexpr const char* kProjectHelp = R"(The pixel that shows a point.

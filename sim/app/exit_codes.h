@@ -1,4 +1,4 @@
-// What the program's exit code says. docs/exit_codes.md tells the same at length.
+// What the program's exit code says. docs/reference/exit_codes.md tells the same at length.
 #pragma once
 
 namespace dockyard {

@@ -8,7 +8,7 @@
 
 namespace dockyard {
 
-/// Runs the command that the words name; returns the exit code (docs/exit_codes.md).
+/// Runs the command that the words name; returns the exit code (docs/reference/exit_codes.md).
 int RunProgram(int argc, char** argv, const std::vector<System>& systems);
 
 }  // namespace dockyard

@@ -19,8 +19,8 @@ struct RigOptions {
   std::string robot, rig;
 };
 void AddRigOptions(CLI::App& command, RigOptions& options);
-/// The robot's nominal pair, or the file's `left` and `right` (docs/cameras.md). Throws UsageError
-/// unless one of both is given, and ConfigError.
+/// The robot's nominal pair, or the file's `left` and `right` (docs/reference/cameras.md). Throws
+/// UsageError unless one of both is given, and ConfigError.
 StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, int width,
                 int height);
 /// A board's file, or that of a system's target: its board. Throws ConfigError.

@@ -18,7 +18,7 @@ struct AxelKeys {
   double board_dust = 0.0;                       // mean share of the board's face under dust
 };
 
-/// Names every key: for reading, and for docs/scenarios.md.
+/// Names every key: for reading, and for docs/reference/scenarios.md.
 void VisitAxelKeys(Keys& keys, AxelKeys& values);
 /// Reads and checks them. Throws ConfigError.
 AxelKeys ReadAxelKeys(const Scenario& scenario);

@@ -22,7 +22,7 @@ struct BuiltRun {
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models);
 
 /// Throws ConfigError when pictures of these cameras reach beyond what the renderer draws, 60 deg
-/// from a lens's axis (docs/images.md).
+/// from a lens's axis (docs/reference/images.md).
 void CheckPicturesCanBeDrawn(const StereoRig& rig);
 
 /// Throws ConfigError when rover and station were put into each other: the contacts have then

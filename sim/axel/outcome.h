@@ -1,4 +1,5 @@
-// What a run comes to, judged from the truth alone. docs/outcomes.md tells the same in words.
+// What a run comes to, judged from the truth alone. docs/reference/outcomes.md tells the same in
+// words.
 #pragma once
 
 #include <optional>
@@ -14,7 +15,7 @@
 
 namespace dockyard::axel {
 
-/// How a run ends. The order is the order of the table in docs/outcomes.md.
+/// How a run ends. The order is the order of the table in docs/reference/outcomes.md.
 enum class Outcome {
   kDocked,
   kNoDetection,

@@ -6,8 +6,8 @@
 namespace dockyard::axel {
 namespace {
 
-// How a claim is tried: docs/outcomes.md. Assumed, ranges 0.05-0.2 rad/s and m/s, 5-20 deg, 0.1-0.3
-// m.
+// How a claim is tried: docs/reference/outcomes.md. Assumed, ranges 0.05-0.2 rad/s and m/s, 5-20
+// deg, 0.1-0.3 m.
 constexpr double kYawRate = 0.1;    // [rad/s]
 constexpr Tick kYawTicks = 1920;    // 0.1 rad/s for 1.92 s: 11 deg
 constexpr double kAwaySpeed = 0.1;  // [m/s]

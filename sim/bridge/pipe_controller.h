@@ -1,6 +1,6 @@
 // A controller that is a program of its own, in any language. It gets what the sensors say on its
 // standard input and answers on its standard output, in lock step: the simulation waits. It never
-// gets the truth. docs/controller_protocol.md has every byte.
+// gets the truth. docs/reference/controller_protocol.md has every byte.
 #pragma once
 
 #include <filesystem>

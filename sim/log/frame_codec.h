@@ -1,5 +1,5 @@
 // Sensor frames and commands as bytes, little-endian, doubles as their bits. Layout in
-// docs/run_log.md.
+// docs/reference/run_log.md.
 #pragma once
 
 #include <cstdint>

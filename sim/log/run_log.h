@@ -1,6 +1,7 @@
 // The log of one run, as the robot could keep it: the nominal parameters that its controller was
 // given, then every sensor frame with the commands that answered it. The controller can be run
-// again from it alone. One file, frames.bin, in the run's folder; layout in docs/run_log.md.
+// again from it alone. One file, frames.bin, in the run's folder; layout in
+// docs/reference/run_log.md.
 #pragma once
 
 #include <cstdio>

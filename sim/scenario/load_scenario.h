@@ -1,5 +1,5 @@
 // scenarios/*.yaml -> Scenario and Campaign; and a scenario back to YAML with every default written
-// out. docs/scenarios.md lists the keys.
+// out. docs/reference/scenarios.md lists the keys.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // Laws of one small patch of soil: pressure by sinkage and direction, shear by displacement,
-// passive pressure on faces and sides. docs/soil.md gives the equations with their sources.
+// passive pressure on faces and sides. docs/reference/soil.md gives the equations with their
+// sources.
 #pragma once
 
 #include <cmath>
@@ -49,7 +50,7 @@ inline double BladePressure(const SoilLaws& laws, double sinkage_m) {
 }
 
 /// What a driving patch, which slides back along the soil, still bears of the pressure of one that
-/// goes straight in. Fitted to the single-wheel data (docs/soil.md): 0.24, range 0.21-0.32.
+/// goes straight in. Fitted to the single-wheel data (docs/results/soil.md): 0.24, range 0.21-0.32.
 constexpr double kDrivingShare = 0.24;
 /// What any sliding patch still bears of it. Keeps a wheel dragged sideways from sinking without
 /// end; the data up to 45 deg of side slip do not ask for it. Assumed, range 0-0.02.
@@ -102,9 +103,9 @@ inline double Shear(double m, double slide_m, double shear_modulus_m) {
 }
 
 /// Resistance of a short wall that heaps soil before it, a paddle's face or a wheel's side, over
-/// that of a long wall without a heap. Fitted to the single-wheel data (docs/soil.md): 3.9, range
-/// 3-5; tines a few depths wide show 2-4 (McKyes 1985). It multiplies what soil resists by its
-/// weight alone: a heap is a surcharge of loose soil, and has no cohesion.
+/// that of a long wall without a heap. Fitted to the single-wheel data (docs/results/soil.md): 3.9,
+/// range 3-5; tines a few depths wide show 2-4 (McKyes 1985). It multiplies what soil resists by
+/// its weight alone: a heap is a surcharge of loose soil, and has no cohesion.
 constexpr double kHeap = 3.9;
 
 /// Passive earth pressure on a paddle's face at this depth: Rankine's gamma z N_phi +

@@ -9,7 +9,8 @@
 // * shear by the displacement of the patch since it entered (Janosi and Hanamoto 1961), kept at
 //   rest, unloaded on reversal, gone when the patch leaves the soil;
 // * on paddle faces passive earth pressure; on sides bulldozing resistance and its friction.
-// Nothing divides by a velocity, so a wheel at rest stays at rest. docs/soil.md has the equations.
+// Nothing divides by a velocity, so a wheel at rest stays at rest. docs/reference/soil.md has the
+// equations.
 #pragma once
 
 #include <Eigen/Core>

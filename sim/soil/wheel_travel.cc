@@ -9,7 +9,7 @@ namespace {
 // Way after which a wheel counts as going and no more as rocking. Assumed, range 2-20 mm.
 constexpr double kGoing_m = 0.005;
 // Share of a paddle's buried height that it carries along. Fitted to the single-wheel data, see
-// docs/soil.md; range 0.4-0.7.
+// docs/results/soil.md; range 0.4-0.7.
 constexpr double kCarriedShare = 0.50;
 // Length over which the dug and the fresh soil balance: about the contact's. Assumed, 0.15-0.6.
 constexpr double kBalance_radii = 0.3;

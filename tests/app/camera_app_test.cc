@@ -25,7 +25,7 @@ Json Answer(const std::string& arguments) {
   return Json::parse(ended.out);
 }
 
-// Reference: the equations of docs/cameras.md in another language, O brought to length 1.
+// Reference: the equations of docs/reference/cameras.md in another language, O brought to length 1.
 TEST(CameraCommand, ProjectsThroughAPublishedHazcam) {
   const Json answer = Answer("project " + kMars + " 3 0.2 0.5 --name HAZFLA");
   EXPECT_NEAR(answer.at("pixel").at(0).get<double>(), 3140.325646955424, 1e-6);

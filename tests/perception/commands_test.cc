@@ -279,7 +279,8 @@ TEST(PoseCommand, NoticesThatLeftAndRightAreExchanged) {
 }
 
 TEST(PoseCommand, TakesTheImagesSizeFromTheRigAndTheSurveysErrorFromItsColumn) {
-  // A rectified pair in the left camera's frame, as docs/cameras.md writes it, not of 4 to 3.
+  // A rectified pair in the left camera's frame, as docs/reference/cameras.md writes it, not of 4
+  // to 3.
   const TemporaryFolder folder;
   const std::string rig = (folder.path() / "rig.yaml").string();
   const std::string file = (folder.path() / "points.csv").string();

@@ -1,5 +1,5 @@
 // A small survey on rendered pairs. Limits leave room below what the long one measures
-// (docs/perception.md), so that a real loss shows and rounding does not.
+// (docs/results/perception.md), so that a real loss shows and rounding does not.
 #include <gtest/gtest.h>
 
 #include "perception/false_boards.h"
@@ -63,7 +63,8 @@ TEST(YardSurvey, FindsTheSameWhateverTheNumberOfThreads) {
   }
 }
 
-// What the seed's measure of its correspondence holds near the dock: the lens (docs/perception.md).
+// What the seed's measure of its correspondence holds near the dock: the lens
+// (docs/results/perception.md).
 TEST(YardSurvey, NearTheDockTheLensFillsTheSeedsReprojection) {
   SurveyPlan plan{.yard = {.r_max_m = 2.0}, .count = 12, .tsai_count = 12};
   double raw_px = 0.0, linear_px = 0.0;

@@ -1,4 +1,4 @@
-// Each effect of lens and sensor against the formula that it stands for (docs/images.md).
+// Each effect of lens and sensor against the formula that it stands for (docs/reference/images.md).
 #include <gtest/gtest.h>
 
 #include <cmath>

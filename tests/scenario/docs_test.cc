@@ -1,4 +1,4 @@
-// docs/scenarios.md has the keys as the code reads them.
+// docs/reference/scenarios.md has the keys as the code reads them.
 #include <gtest/gtest.h>
 
 #include "sim/scenario/scenario_keys.h"
@@ -8,14 +8,15 @@ namespace dockyard {
 namespace {
 
 TEST(ScenarioPage, HasTheTableOfKeysThatTheVisitorDocuments) {
-  const std::string page = Slurp(SourceFile("docs/scenarios.md"));
+  const std::string page = Slurp(SourceFile("docs/reference/scenarios.md"));
   const std::string begin = "tests/scenario/docs_test.cc -->\n", end = "<!-- end of keys -->";
   const std::size_t from = page.find(begin), to = page.find(end);
   ASSERT_NE(from, std::string::npos);
   ASSERT_NE(to, std::string::npos);
   const std::size_t first = from + begin.size();
   const std::string table = KeyTable(ScenarioRows());
-  EXPECT_EQ(page.substr(first, to - first), table) << "docs/scenarios.md should have\n" << table;
+  EXPECT_EQ(page.substr(first, to - first), table) << "docs/reference/scenarios.md should have\n"
+                                                   << table;
 }
 
 TEST(ScenarioPage, EveryRowHasAMeaning) {

@@ -74,14 +74,15 @@ class Plate {
 
 /// A soil whose bearing does not depend on how a patch moved. Otherwise the law counts lifting as
 /// it counts sliding (BearingShare), and a plate raised by millimetres comes back to less than it
-/// bore: docs/physics_checks.md.
+/// bore: docs/results/physics_checks.md.
 SoilModel Unweakened(const char* name) {
   SoilModel soil = Soil(name);
   soil.slip_weakening = 0.0;
   return soil;
 }
 
-/// A soil's published constants (docs/soil.md), and two plates that it has to carry differently.
+/// A soil's published constants (docs/results/soil.md), and two plates that it has to carry
+/// differently.
 struct Bed {
   const char* soil;
   double n, k_c, k_phi;

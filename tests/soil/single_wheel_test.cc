@@ -2,8 +2,8 @@
 //
 // Of the rows with |slip| <= 0.76 and side slip <= 45 deg every second one, the first included, was
 // used to fit the law's constants; the others check it, though they were in view when its structure
-// was chosen and three constants were finished by hand (docs/soil.md). Locked rows and those at
-// slip 0.9 counted with a quarter and half of the weight in the fit.
+// was chosen and three constants were finished by hand (docs/results/soil.md). Locked rows and
+// those at slip 0.9 counted with a quarter and half of the weight in the fit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -178,7 +178,7 @@ TEST(SingleWheel, SlipDigsItInAsMeasured) {
 
 TEST(SingleWheel, FollowsStrongSideSlipRoughly) {
   // Side slip beyond 45 deg took no part in the fit. At 60 deg the model's errors are some four
-  // times those at 45; at 75 and 90 deg it is wrong by half and more (docs/soil.md).
+  // times those at 45; at 75 and 90 deg it is wrong by half and more (docs/results/soil.md).
   double ahead = 0.0, side = 0.0, sinkage = 0.0;
   int trials = 0;
   for (const Trial& trial : ReadTrials()) {

@@ -1,5 +1,5 @@
 // What Wong and Reece's integrals (1967) predict for towed wheels when nothing rebounds, and when
-// the soil does, beside the trials and our wheel: docs/soil.md, "Towed wheels".
+// the soil does, beside the trials and our wheel: docs/results/soil.md, "Towed wheels".
 #include <gtest/gtest.h>
 
 #include <algorithm>
