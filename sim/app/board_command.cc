@@ -22,9 +22,9 @@ struct BoardArguments {
 constexpr const char* kHelp = R"(Draw a fiducial board for printing at true size.
 
 Examples:
-  dockyard board models/boards/grid_4x3.yaml --out grid.pdf --paper a3
-  dockyard board models/axel/station/station.yaml --out station.pdf --paper a4 --tile
-  dockyard board models/boards/five_discs.yaml --out five.svg
+  dockyard board models/boards/grid_4x3.yaml --out out/grid.pdf --paper a3
+  dockyard board models/axel/station/station.yaml --out out/station.pdf --paper a4 --tile
+  dockyard board models/boards/five_discs.yaml --out out/five.svg
 
 FILE is a board's file or a station's. --out names the format by its ending: .svg or .pdf. Without --paper the
 page is as large as the board needs. Print it at 100 % and hold a rule against the 100 mm below the board; matt
@@ -36,7 +36,7 @@ int Board(const BoardArguments& arguments, const std::vector<System>& systems) {
     throw UsageError("--out: expected a file .svg or .pdf, found '" + arguments.out + "'");
   }
   if (arguments.tile && !arguments.paper) {
-    throw UsageError("--tile: expected --paper beside it, of which the tiles are");
+    throw UsageError("--tile: expected --paper with it, the size of the tiles");
   }
   const NamedBoard named = BoardOf(arguments.board, systems);
   const std::vector<Page> pages = BoardPages(named, arguments.paper, arguments.tile);

@@ -23,7 +23,7 @@ constexpr const char* kHelp = R"(Points to pixels and pixels to rays, with a cam
 Examples:
   dockyard camera project models/cameras/navcam.yaml 2.1 0.3 0.2 --name left
   dockyard camera ray models/cameras/navcam.yaml 512 384 --name left --json
-  dockyard camera project hazcam.json 3 0 0.5
+  dockyard camera project tests/models/data/m2020_cameras.json 3 0 0.5 --name HAZFLA
 
 FILE holds one camera, a list of them or a rig: our YAML, or JSON in the form in which NASA publishes
 the cameras of Mars 2020 (docs/reference/cameras.md). Points and rays are in the frame of the file's numbers,
@@ -84,7 +84,7 @@ int Project(const CameraArguments& arguments) {
     result = {{"pixel", ToJson(*pixel)}, {"in_image", placed.camera.Sees(*pixel)}};
   } else {
     result["in_image"] = false;
-    result["reason"] = "the point lies behind the camera or outside what the lens bends into view";
+    result["reason"] = "the point lies behind the camera or outside the lens's field of view";
   }
   Print(result, arguments.json);
   return kExitDone;

@@ -27,15 +27,15 @@ struct DetectArguments {
 constexpr const char* kHelp = R"(Find the fiducial board in images with the controller's perception.
 
 Examples:
-  dockyard detect left.png right.png --robot models/axel/axel.yaml --board models/axel/station/station.yaml
-  dockyard detect photo.jpg --robot models/axel/axel.yaml --board models/axel/station/station.yaml --json
-  dockyard detect right.png --camera right --robot models/axel/axel.yaml --board models/boards/grid_4x3.yaml
-  dockyard detect --folder photos --robot models/axel/axel.yaml --board models/axel/station/station.yaml
+  dockyard view scenarios/axel_typical.yaml --out out/view
+  dockyard detect out/view/left.png out/view/right.png --robot models/axel/axel.yaml --board models/axel/station/station.yaml
+  dockyard detect out/view/left.png --robot models/axel/axel.yaml --board models/axel/station/station.yaml --json
+  dockyard detect out/view/right.png --camera right --robot models/axel/axel.yaml --board models/axel/station/station.yaml --draw out/view/seen.png
+  dockyard detect --folder out/view --robot models/axel/axel.yaml --board models/axel/station/station.yaml   # exit code 3: view.json is no image
 
 One image is taken for the left camera's unless --camera says right. --board is a station's file or a board's
 own (docs/reference/models.md): discs with bars or plain ones. Prints each fiducial (pixel, id, detected
-or predicted)
-and the board's pose in the rover body: metres, unit quaternion w x y z, covariance of p_x p_y p_z [m] and of
+or predicted) and the board's pose in the rover body: metres, unit quaternion w x y z, covariance of p_x p_y p_z [m] and of
 a small turn about the rover's x y z [rad]. Exit code 4: no board accepted; the reason is printed.
 --folder looks for a board in every image of a folder by itself and counts the accepted ones; exit code 0,
 or 3 when some file could not be looked at (it is named, the others are done).)";
@@ -64,11 +64,11 @@ void Warn(const std::string& text, Json* warnings) {
 
 void WarnIfCut(const std::string& file, Json* warnings) {
   if (file.empty() || !IsCutJpeg(file)) return;
-  Warn(file + ": expected a whole JPEG, found one without its end; what is missing is grey",
+  Warn(file + ": expected a whole JPEG, found one without its end; the missing part is grey",
        warnings);
 }
 
-/// The board was not found: whether it hangs there upside down.
+/// The board was not found: checks whether it hangs upside down.
 void WarnIfTurned(const StereoImages& images, const DetectArguments& arguments,
                   const FiducialBoard& board, const std::vector<System>& systems, Json* warnings) {
   for (const bool right : {false, true}) {
@@ -132,7 +132,7 @@ void PrintText(const SightingReport& report) {
 
 int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board,
                    const std::vector<System>& systems) {
-  RigOf(arguments.rig, systems, 0, 0);  // a bad rig is no image's fault
+  RigOf(arguments.rig, systems, 0, 0);  // a bad rig is not the fault of an image
   const bool right = arguments.camera == "right";
   int images = 0, failed = 0, accepted = 0;
   Json list = Json::array();
@@ -167,7 +167,7 @@ int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board,
     std::printf("%s\n", json.dump(2).c_str());
   } else {
     std::printf("%d images, %d boards accepted", images, accepted);
-    if (failed > 0) std::printf("; %d not looked at", failed);
+    if (failed > 0) std::printf("; %d not usable", failed);
     std::printf("\n");
   }
   return failed > 0 ? kExitBadInput : kExitDone;
@@ -239,7 +239,7 @@ void AddDetectCommand(CLI::App& app, const std::vector<System>& systems, int& ex
       ->check(NumberWithin(-60.0, 60.0));
   command->add_option("--pitch-deg", arguments->pitch_deg, "the same, nose-down positive")
       ->check(NumberWithin(-60.0, 60.0));
-  command->add_option("--draw", arguments->draw, "PNG of the images with what was found");
+  command->add_option("--draw", arguments->draw, "PNG of the images with the detections marked");
   command->add_flag("--json", arguments->json, "JSON on standard output");
   AddPipelineOptions(*command, arguments->pipeline);
   command->callback([arguments, &systems, &exit_code] { exit_code = Detect(*arguments, systems); });

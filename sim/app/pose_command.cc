@@ -26,9 +26,9 @@ struct PoseArguments {
 constexpr const char* kHelp = R"(Pose of a body from pixels of its known points, one camera or two.
 
 Examples:
-  dockyard pose points.csv --robot models/axel/axel.yaml
-  dockyard pose points.csv --robot models/axel/axel.yaml --pipeline tsai2013 --json
-  dockyard pose --sequence frames.csv --rig rig.yaml --survey-error-m 0.01 --csv
+  dockyard pose examples/points.csv --robot models/axel/axel.yaml
+  dockyard pose examples/points.csv --robot models/axel/axel.yaml --pipeline tsai2013 --json
+  dockyard pose --sequence examples/frames.csv --rig models/cameras/axel_1024.yaml --csv
 
 POINTS has the columns camera,u_px,v_px,x_m,y_m,z_m: camera is left or right, pixel (0, 0) the middle of
 the first pixel, x y z a point of the body. The points may lie in a plane or not; up to half may be wrong:
@@ -70,7 +70,7 @@ void RequireSound(const PoseArguments& arguments) {
   }
   const bool tsai = arguments.pipeline.settings().pipeline == VisionPipeline::kTsai2013;
   if (tsai && arguments.survey_m) {
-    throw UsageError("--survey-error-m is not known to --pipeline tsai2013");
+    throw UsageError("--survey-error-m does not go with --pipeline tsai2013");
   }
   if (arguments.json && arguments.csv) throw UsageError("--json and --csv are two forms: give one");
 }

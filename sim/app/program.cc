@@ -34,6 +34,18 @@ int Fail(const std::exception& error, int exit_code) {
   return exit_code;
 }
 
+/// Examples are to be pasted: they name the program as it was called.
+void NameAsCalled(CLI::App& app, const std::string& program) {
+  const std::string named = "\n  dockyard ";
+  std::string help = app.get_description();
+  for (std::size_t at = 0; (at = help.find(named, at)) != std::string::npos;) {
+    help.replace(at, named.size(), "\n  " + program + " ");
+    at += program.size();
+  }
+  app.description(help);
+  for (CLI::App* command : app.get_subcommands({})) NameAsCalled(*command, program);
+}
+
 /// A first word that names no subcommand; empty if there is none or it does.
 std::string StrangeWord(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return "";
@@ -94,6 +106,7 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   AddCheckCommand(app, systems, exit_code);
   AddWheelCommand(app, exit_code);
   AddSystemCommands(app, systems, exit_code);
+  if (argc > 0) NameAsCalled(app, argv[0]);
   exit_code = ParseAndRun(app, argc, argv, exit_code);
   std::cout.flush();
   if (std::fflush(stdout) != 0 || !std::cout) {

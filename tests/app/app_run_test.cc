@@ -1,4 +1,4 @@
-// Whole short runs through the program: the world is real, the time limit is short.
+// Whole short runs through the program: the real world, with a short time limit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>

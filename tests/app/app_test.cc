@@ -1,4 +1,4 @@
-// The program as its users meet it: words, streams and exit codes.
+// The program as its users meet it: arguments, streams and exit codes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
                                     "study", "camera", "detect", "pose"}) {
     const Ended ended = Dockyard(command + " --help");
     EXPECT_EQ(ended.code, 0) << command;
-    const std::size_t examples = ended.out.find("Examples:\n  dockyard " + command);
+    const std::size_t examples = ended.out.find("Examples:\n  " DOCKYARD_PROGRAM " " + command);
     EXPECT_LT(examples, 120u) << command << "\n" << ended.out;
     EXPECT_EQ(ended.err, "") << command;
   }

@@ -1,4 +1,4 @@
-// Runs the program in a process of its own: words, streams and exit codes.
+// Runs the program in a process of its own: arguments, streams and exit codes.
 #pragma once
 
 #include <sys/types.h>

@@ -1,4 +1,4 @@
-// dockyard detect and dockyard pose as their users meet them.
+// dockyard detect and dockyard pose, run from the command line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST(DetectCommand, FindsTheBoardOfARenderedPair) {
   EXPECT_EQ(pose["covariance"].size(), 6u);
   EXPECT_EQ(out["fiducials"].size(), 16u);
   EXPECT_GT(std::filesystem::file_size(drawn), 10000u);
-  // The right one alone, as what it is.
+  // The right image alone, named as such.
   const json alone =
       json::parse(Dockyard("detect " + right + " --camera right --json" + kFiles).out);
   EXPECT_EQ(alone["accepted"], true);
@@ -143,8 +143,8 @@ TEST(DetectCommand, NamesTheFilesOfAFolderThatAreNoImagesAndGoesOn) {
   const Ended ended = Dockyard("detect --folder " + dir + kFiles);
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err, HasSubstr("a.png: expected an image"));
-  EXPECT_THAT(ended.out, HasSubstr("2 images, 0 boards accepted; 1 not looked at"));
-  // These cameras are of one shape; the picture that stands upright is not.
+  EXPECT_THAT(ended.out, HasSubstr("2 images, 0 boards accepted; 1 not usable"));
+  // These cameras have one aspect ratio; the upright image has another.
   const Ended navcam = Dockyard("detect --json --folder " + dir +
                                 " --rig models/cameras/navcam.yaml "
                                 "--board models/axel/station/station.yaml");
@@ -153,7 +153,7 @@ TEST(DetectCommand, NamesTheFilesOfAFolderThatAreNoImagesAndGoesOn) {
   EXPECT_EQ(out["images"], 1);
   EXPECT_EQ(out["not_looked_at"], 2);
   EXPECT_THAT(out["files"][2]["error"].get<std::string>(), HasSubstr("48 x 64"));
-  // A bad rig is told once.
+  // A bad rig is reported once.
   const Ended bad = Dockyard("detect --folder " + dir +
                              " --rig README.md --board models/axel/station/station.yaml");
   EXPECT_EQ(bad.code, 3);
@@ -186,7 +186,7 @@ TEST(PoseCommand, SolvesPointsAndNamesTheOutlier) {
   EXPECT_NEAR(out["body_in_rover"]["quaternion_wxyz"][0].get<double>(), std::cos(0.1), 1e-4);
 }
 
-/// PointsCsv with a first column `frame` and a last one that nobody knows.
+/// PointsCsv with a first column `frame` and an unknown last one.
 std::string FramesCsv(const std::string& second_frame) {
   std::string csv;
   for (std::size_t begin = 0, row = 0; begin < PointsCsv("").size(); ++row) {
