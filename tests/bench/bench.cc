@@ -9,6 +9,7 @@
 #include "axel/sim/scenarios.h"
 #include "bench/physics_speed.h"
 #include "bench/picture_speed.h"
+#include "bench/pipe_speed.h"
 #include "controller/vision/fiducials.h"
 #include "controller/vision/locate.h"
 #include "render/stereo_renderer.h"
@@ -36,7 +37,7 @@ struct EyesSpeed {
   double pair_s = 0.0, detect_s = 0.0, locate_s = 0.0, alone_s = 0.0;
 };
 
-/// A rover at the start of a scenario, and what its cameras see there.
+/// A rover at the start of a scenario, and its cameras' images there.
 class StartView {
  public:
   explicit StartView(const std::vector<std::string>& overrides)
@@ -75,7 +76,7 @@ EyesSpeed TimeEyes(int width, int height) {
                    for (int i = 1; i <= kRounds; ++i) render(i);
                  }) /
                  kRounds;
-  // Names and pose are the small difference of large times: of each round, then the middle one.
+  // Correspondence and pose are a small difference of large times: of each round, then the median.
   std::size_t found = 0;
   std::vector<double> detect_s, locate_s, alone_s;
   for (int i = 0; i < 2 * kRounds + 1; ++i) {
@@ -93,7 +94,7 @@ EyesSpeed TimeEyes(int width, int height) {
   speed.detect_s = 0.5 * Middle(detect_s);
   speed.locate_s = Middle(locate_s);
   speed.alone_s = Middle(alone_s);
-  if (found == 0) std::printf("  nothing was found in the picture\n");
+  if (found == 0) std::printf("  nothing was found in the image\n");
   return speed;
 }
 
@@ -149,8 +150,18 @@ void ReportEyes(double loose) {
   }
 }
 
+void ReportPipe() {
+  const PipeSpeed pipe = TimePipe("/proc/self/exe", 1024, 768);
+  std::printf(
+      "a call of a controller in another process: %.3f ms of wall time without images, %.2f ms "
+      "with "
+      "a pair at 1024 x 768\n",
+      1e3 * pipe.without_images_s, 1e3 * pipe.with_pair_s);
+}
+
 void Report() {
   ReportEyes(ReportPhysics());
+  ReportPipe();
   const RunRecord record = SimulateTypical({});
   std::printf("whole docking (%s): %.1f s simulated, %.2f simulated seconds per CPU second\n",
               record.result.outcome.c_str(), record.result.sim_time_s,
@@ -168,13 +179,17 @@ int main(int argc, char** argv) {
     dockyard::axel::ReportPhysics();
   } else if (mode == "pictures") {
     dockyard::axel::ReportEyes(0.0);
+  } else if (mode == "pipe") {
+    dockyard::axel::ReportPipe();
+  } else if (mode == "peer") {  // the other end of the pipe
+    return dockyard::RunPeer();
   } else if (mode == "one-second") {  // under callgrind, see scripts/bench
     dockyard::axel::World world(dockyard::axel::DrivingSetup(dockyard::axel::kLoose));
     dockyard::axel::DriveOneSecond(world);
   } else if (mode == "cone") {
     std::printf("%.0f\n", dockyard::axel::ConeStepsPerSecond(dockyard::axel::kLoose));
   } else {
-    std::fprintf(stderr, "usage: %s [all|physics|pictures|cone|one-second]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [all|physics|pictures|pipe|cone|one-second]\n", argv[0]);
     return 2;
   }
   return 0;

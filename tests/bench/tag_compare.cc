@@ -22,10 +22,10 @@
 namespace dockyard::axel {
 namespace {
 
-/// Where a mark is in the picture and how large it is.
+/// Place and size of a mark in the image.
 struct Truth {
-  Eigen::Vector2d centre;    // picture of its middle, which a tag's corners give
-  Eigen::Vector2d centroid;  // of a disc's picture, which a rim gives
+  Eigen::Vector2d centre;    // image of its middle, which a tag's corners give
+  Eigen::Vector2d centroid;  // of a disc's image, which a rim gives
   double size_px = 0.0;
 };
 /// By id; none where the tag with its white ring is not whole and unhidden.
@@ -36,7 +36,7 @@ using Finds = std::vector<double>;
 
 struct Tally {
   int marks = 0, found = 0;    // marks in view
-  int boards = 0, placed = 0;  // pairs of pictures; of these with the board's pose
+  int boards = 0, placed = 0;  // image pairs; of these with the board's pose
   double seconds = 0.0;
   int images = 0;
   void Add(const Finds& finds, const Truths& truths) {
@@ -61,7 +61,7 @@ double CpuSeconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Finds by the nearest of the candidates; more than a quarter of the mark off is another thing.
+/// Finds by the nearest of the candidates; more than a quarter of the mark off is another object.
 Finds Match(const Truths& truths,
             const std::function<double(std::size_t id, const Truth&)>& nearest) {
   Finds finds;
@@ -107,7 +107,7 @@ Finds LookForTags(const GrayImage& image, TagDetector& detector, const Truths& t
   return finds;
 }
 
-/// For one eye; of marks that a disc round the tag's white corners tells to be in view.
+/// For one camera; of marks in view, by a disc round the tag's white corners.
 Truths TruthsOf(const YardViews& views, const YardLook& look, bool right) {
   Scene scene = views.last_scene();
   scene.board.board.disc_diameter_m = kTagPicture_m * std::sqrt(2.0);
@@ -131,7 +131,7 @@ constexpr std::array<const char*, 3> kBoardNames{"board's pose", "one tag or mor
 
 class Comparison {
  public:
-  /// folder: keeps each view's left picture with tags; empty: none.
+  /// folder: keeps each view's left image with tags; empty: none.
   explicit Comparison(std::string folder) : folder_(std::move(folder)) {
     if (!folder_.empty()) MakeFolder(folder_);
   }
@@ -247,7 +247,7 @@ void Compare(int views, const std::string& folder) {
   std::vector<Shared> shared(ranges.size());
   std::array<Tally, 3> all;
   std::printf(
-      "%d pairs in each cell, 8 marks in each picture; 1024 x 768 px, 90 deg, marks of 10 cm\n",
+      "%d pairs in each cell, 8 marks in each image; 1024 x 768 px, 90 deg, marks of 10 cm\n",
       views);
   for (const Light light : {Light::kEven, Light::kSpeckled, Light::kHardShadow}) {
     YardViews yard({.light = light, .seed = 43});
@@ -304,8 +304,7 @@ void Compare(int views, const std::string& folder) {
 int main(int argc, char** argv) {
   const int views = argc > 1 ? std::atoi(argv[1]) : 4;
   if (views < 1 || views > 100) {
-    std::fprintf(stderr,
-                 "tag_compare [views for each range, 1 to 100] [folder for the pictures]\n");
+    std::fprintf(stderr, "tag_compare [views for each range, 1 to 100] [folder for the images]\n");
     return 2;
   }
   dockyard::axel::Compare(views, argc > 2 ? argv[2] : "");

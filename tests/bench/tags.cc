@@ -7,7 +7,7 @@
 namespace dockyard {
 namespace {
 
-constexpr int kModules = 10;  // of a tag's picture, white ring included; eight are the edge
+constexpr int kModules = 10;  // of a tag's pattern, white ring included; eight are the edge
 
 }  // namespace
 
@@ -37,7 +37,7 @@ std::vector<PrintedPicture> TagDetector::Pictures(const FiducialBoard& board) co
       }
     }
     pictures.push_back(picture);
-    std::free(image->buf);  // the library keeps its own way to do this to itself
+    std::free(image->buf);  // the library's own function for this is not public
     std::free(image);
   }
   return pictures;

@@ -1,4 +1,4 @@
-// AprilTag 3 (Debian's libapriltag-dev) as the comparison needs it: tags to print, tags found.
+// AprilTag 3 (Debian's libapriltag-dev) for the comparison: patterns to print, and detections.
 #pragma once
 
 #include <apriltag/apriltag.h>
