@@ -9,7 +9,7 @@
 namespace dockyard {
 namespace {
 
-// Share of a footprint that reaches `reach` to both sides where a distance is below nought.
+// Share of a footprint that reaches `reach` to both sides where a distance is below zero.
 float Below(float distance, float reach) {
   return std::clamp(0.5f - distance / std::max(2.0f * reach, 1e-9f), 0.0f, 1.0f);
 }
@@ -64,7 +64,7 @@ BoardShader::BoardShader(const Scene& scene, const Pose3& X_WC, Channel channel)
   radiance(Eigen::Vector3d::Constant(view.black_albedo), black_sun_, black_around_);
   radiance(view.dust_albedo, dust_sun_, dust_around_);
   for (const Fiducial& f : view.board.fiducials) {
-    // Counter-clockwise for the beholder is towards -y, for y points down.
+    // Counter-clockwise for the viewer is towards -y, for y points down.
     marks_.push_back({static_cast<float>(f.p_BF.x()), static_cast<float>(f.p_BF.y()),
                       static_cast<float>(std::cos(f.rotation)),
                       static_cast<float>(-std::sin(f.rotation))});

@@ -1,4 +1,4 @@
-// The printed board for one camera: which share of a pixel is ink, to a hair. No GL.
+// The printed board for one camera: the exact share of each pixel that is ink. No GL.
 #pragma once
 
 #include <Eigen/Core>

@@ -40,7 +40,7 @@ SurfaceMesh BoardPlate(const BoardView& view) {
   const auto across = [&](double x) { return std::clamp(x, -half_width, half_width); };
   const auto down = [&](double y) { return std::clamp(y, -half_height, half_height); };
   const double radius = view.hole_radius_m;
-  // A hair over the strips beside them, or single rays pass through where the corners differ.
+  // Slightly over the strips beside them, or single rays pass through where the corners differ.
   constexpr double kOver_m = 1e-4;
   AddStrip(plate, {-half_width, across(view.p_BH.x() - radius + kOver_m)}, top, bottom);
   AddStrip(plate, {across(view.p_BH.x() + radius - kOver_m), half_width}, top, bottom);

@@ -1,4 +1,4 @@
-// The board's white plate as a flat mesh, with the hole that the docking cone looks through.
+// The board's white plate as a flat mesh, with the hole for the docking cone.
 #pragma once
 
 #include "render/scene.h"
@@ -6,8 +6,8 @@
 
 namespace dockyard {
 
-/// In the board's frame B; triangles face its beholder. The hole's edge is a polygon of
-/// 4 x 48 corners, within 0.1 mm of the circle at a radius of 0.17 m.
+/// In the board's frame B; triangles face its viewer. The hole's edge is a polygon of 4 x 48
+/// corners, within 0.1 mm of the circle at a radius of 0.17 m.
 SurfaceMesh BoardPlate(const BoardView& view);
 
 }  // namespace dockyard

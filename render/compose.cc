@@ -15,13 +15,13 @@
 namespace dockyard {
 namespace {
 
-// What all rays of a pixel met.
+// The kind of surface that all rays of a pixel met.
 enum class Kind : std::uint8_t { kOther, kGround, kSky };
 
 // Rays of one pixel that met one thing.
 struct Met {
   float count = 0.0f, code = 0.0f;
-  Tan ray, from;  // where the pixel's rays look; where those of the view look that met it
+  Tan ray, from;  // where the pixel's rays point; where those of the view that met it point
 
   void Add(float c, Tan r, Tan f) {
     ++count;
@@ -34,7 +34,7 @@ struct Met {
   Tan MeanFrom() const { return {from.x / count, from.y / count}; }
 };
 
-// One camera's picture, row by row.
+// One camera's image, row by row.
 class Composer {
  public:
   Composer(int width, const FlatView& wide, const FlatView* close, const Lit& lit,
@@ -65,7 +65,7 @@ class Composer {
       Part(held_[first] ? *close_ : wide_, first, last, radiance);
     }
   }
-  /// 1/z of what the middle of a pixel of the last row shows, thin bodies aside.
+  /// 1/z of the surface in the middle of a pixel of the last row, thin bodies aside.
   float InverseDepthAt(int x) const { return InverseDepth(wide_.At(Middle(x)).code); }
 
  private:
@@ -127,7 +127,7 @@ class Composer {
   float Mixed(const ViewSampler& view, int x) const {
     const Pixel pixel = row_.At(x);
     Seen seen[kRays];
-    Tan from[kRays];  // each met what it met there, up to half a ray's distance off the pixel's own
+    Tan from[kRays];  // of the view's rays: each up to half a ray's distance off the pixel's own
     for (int k = 0; k < kRays; ++k) {
       seen[k] = view.At(rays_.at[k][x]);
       from[k] = view.From(rays_.at[k][x]);
@@ -174,7 +174,7 @@ class Composer {
     return radiance;
   }
 
-  // All rays that met the facet of ray k share one look, in their middle; the first of them has it.
+  // All rays that met the facet of ray k are shaded once, in their middle, by the first of them.
   float Facet(const Pixel& pixel, const Seen (&seen)[kRays], const Tan (&from)[kRays],
               int k) const {
     Met met;

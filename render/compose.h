@@ -1,5 +1,5 @@
-// From flat views to the lens's picture: each pixel takes what the rays within its exact footprint
-// saw, and shades ground, board and sky where it looks itself. Plain arithmetic, no GL.
+// From flat views to the lens's image: each pixel takes the hits of the rays within its exact
+// footprint, and shades ground, board and sky where it points itself. Plain arithmetic, no GL.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace dockyard {
 
-/// What a picture is made of, beside the views. The shadow is that of the scene.
+/// The parts of an image beside the views. The shadow is that of the scene.
 struct Lit {
   const Scene& scene;
   const GroundTexture& ground;

@@ -9,7 +9,7 @@
 namespace dockyard {
 namespace {
 
-// What we need of EGL 1.5 (Khronos registry), so that its headers need not be installed.
+// The part of EGL 1.5 (Khronos registry) in use, so that its headers need not be installed.
 using EglDisplay = void*;
 using EglContext = void*;
 using EglInt = std::int32_t;

@@ -1,4 +1,4 @@
-// Where a lens's pixels look in the tan plane, (x, y) = ray.xy / ray.z in the camera frame. Plain
+// Points of the tan plane for a lens's pixels, (x, y) = ray.xy / ray.z in the camera frame. Plain
 // arithmetic, no GL.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace dockyard {
 /// Kannala-Brandt lens, corner by corner for the others, which costs 0.1 s: keep it for the run.
 class TanScale {
  public:
-  /// Throws std::invalid_argument when the camera's numbers are no camera, or a pixel sees more
+  /// Throws std::invalid_argument when the camera's numbers are no camera, or a pixel points more
   /// than 60 deg off the axis, where one flat view no longer serves.
   explicit TanScale(const Camera& camera);
   /// Tan-plane point of a pixel; error below 1e-8.

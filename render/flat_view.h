@@ -1,5 +1,5 @@
-// A part of the tan plane, (x, y) = ray.xy / ray.z in the camera frame, and what a flat view of it
-// found along each of its rays: which kind of surface and how far. Light comes later.
+// A part of the tan plane, (x, y) = ray.xy / ray.z in the camera frame, and the hits of a flat view
+// of it along each of its rays: which kind of surface and how far. Light comes later.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,13 +17,13 @@ struct TanRect {
   double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
 };
 
-/// What one ray meets.
+/// The hit of one ray.
 struct Seen {
   std::uint32_t object = 0;  // object's index in the scene, and normal: see UnpackNormal
   float code = 0.0f;         // object: -1/z; sky: 0; ground: 1/z; board: kBoardCode + 1/z  [1/m]
 };
 
-/// Above 1/z of the near plane (50 / m), far below the step that floats lose.
+/// Above 1/z of the near plane (50 / m), far below the step at which floats lose precision.
 inline constexpr float kBoardCode = 64.0f;
 
 inline bool IsObject(float code) { return code < 0.0f; }

@@ -1,5 +1,5 @@
 // A GL 3.3 core context without a window. Drawing goes into framebuffers of our own only, so that
-// the back ends differ in nothing but how they come to life. One context per thread.
+// the back ends differ in nothing but their creation. One context per thread.
 #pragma once
 
 #include <memory>

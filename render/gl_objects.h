@@ -55,7 +55,7 @@ class GlTexture {
   GLuint id_ = 0;
 };
 
-/// A flat view to draw into: one plane for what is seen, one for thin bodies before it, one depth.
+/// A flat view to draw into: one plane for surfaces, one for thin bodies before them, one depth.
 class GlViewTarget {
  public:
   /// Throws std::runtime_error when the context cannot.

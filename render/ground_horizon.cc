@@ -40,7 +40,7 @@ float GroundHorizon::Share(const Eigen::Vector3f& p_G) const {
     const auto height =
         static_cast<float>((1 - fy) * ((1 - fx) * h[0] + fx * h[1]) +
                            fy * ((1 - fx) * h[ground_.nx] + fx * h[ground_.nx + 1]));
-    // The horizon there against the sun's disc, taken as a uniform strip.
+    // The horizon there against the sun's disc, which counts as a uniform strip.
     const float over = (height - ray_m) / (sun_rise_ * along);
     share = std::min(share, std::clamp(0.5f - 0.5f * over, 0.0f, 1.0f));
   }

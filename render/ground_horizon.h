@@ -1,4 +1,4 @@
-// The ground's shadow on what stands over it. No GL.
+// The ground's shadow on the things above it. No GL.
 #pragma once
 
 #include "render/scene.h"

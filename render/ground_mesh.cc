@@ -10,13 +10,13 @@ namespace dockyard {
 namespace {
 
 constexpr double kFadeOut_m = 2.0;    // outside the grid, assumed: no yard ends in a cliff
-constexpr double kHorizon_m = 300.0;  // the eye 0.4 m up sees it 0.08 deg below the level
+constexpr double kHorizon_m = 300.0;  // a camera 0.4 m up sees it 0.08 deg below the level
 constexpr int kMaxMarch = 64;         // nodes towards the sun; shadows of ruts are shorter
 
 // Near rings a little closer than the cells of the usual grid. Farther out by the square of the
-// distance, for an eye 0.4 m up sees the ground ever flatter: about ten pixels apart at 650 px/rad,
-// and tiny triangles are dear. What is finer than the rings is still in the relief that shades
-// them.
+// distance, for a camera 0.4 m up sees the ground ever flatter: about ten pixels apart at 650
+// px/rad, because tiny triangles are slow. Detail finer than the rings is still in the relief that
+// shades them.
 std::vector<double> RingRadii() {
   std::vector<double> radii;
   for (double r = 0.04; r < 0.32; r += 0.04) radii.push_back(r);
@@ -71,7 +71,7 @@ double SunShare(const GroundView& g, const March& march, int ix, int iy, double 
     const double over =
         g.heights_m[static_cast<std::size_t>(y) * g.nx + x] - here - march.rise_m[i];
     if (over < -2.0 * sun_rise * march.distance_m[i]) continue;
-    // The horizon there against the sun's disc, taken as a uniform strip.
+    // The horizon there against the sun's disc, which counts as a uniform strip.
     const double covered = 0.5 + 0.5 * over / (sun_rise * march.distance_m[i]);
     share = std::min(share, std::clamp(1.0 - covered, 0.0, 1.0));
     if (share == 0.0) break;

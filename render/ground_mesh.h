@@ -1,4 +1,4 @@
-// The ground as seen from one place: a fan of rings, fine near and coarse far, and a picture of its
+// The ground as seen from one place: a fan of rings, fine near and coarse far, and a texture of its
 // slopes and own shadow at the grid's full resolution. Plain arithmetic, no GL.
 #pragma once
 

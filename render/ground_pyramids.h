@@ -1,4 +1,4 @@
-// Pictures of the ground, each as a pyramid of ever coarser ones. No GL.
+// Textures of the ground, each as a pyramid of ever coarser ones. No GL.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline float RoughLog2(float x) {
   return static_cast<float>(std::bit_cast<std::int32_t>(x) - 0x3f800000) * 0x1.0p-23f;
 }
 
-/// Pictures of four bytes a texel, each half the size of the one before; they repeat.
+/// Textures of four bytes a texel, each half the size of the one before; they repeat.
 class SoilPyramid {
  public:
   SoilPyramid() = default;
@@ -41,8 +41,7 @@ class SoilPyramid {
     int side = 0;
     std::vector<std::uint32_t> texels;
   };
-  // Four bytes as four floats: interleaved twice with noughts, one instruction each on every
-  // x86-64.
+  // Four bytes as four floats: interleaved twice with zeros, one instruction each on every x86-64.
   static Four Unpacked(std::uint32_t texel) {
     typedef std::uint8_t Bytes __attribute__((vector_size(16)));
     typedef std::uint16_t Words __attribute__((vector_size(16)));
@@ -55,7 +54,7 @@ class SoilPyramid {
     return __builtin_convertvector(numbers, Four);
   }
   static Four Bilinear(const Level& level, float u, float v) {
-    // Far enough from nought that cutting off is rounding down, near enough to keep the fraction.
+    // Far enough from zero that cutting off is rounding down, near enough to keep the fraction.
     const float x = u * static_cast<float>(level.side) - 0.5f;
     const float y = v * static_cast<float>(level.side) - 0.5f;
     int ix = static_cast<int>(x), iy = static_cast<int>(y);

@@ -12,7 +12,7 @@ struct SectorRange {
 };
 
 /// X_FC: camera in the fan's frame. Exact for ground at least 0.2 m from the camera; all sectors
-/// when the view looks steeply up or down.
+/// when the view points steeply up or down.
 SectorRange VisibleSectors(const Pose3& X_FC, const TanRect& rect);
 
 }  // namespace dockyard

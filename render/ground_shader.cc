@@ -8,19 +8,19 @@
 namespace dockyard {
 namespace {
 
-// A footprint on the ground is long and narrow: by its length alone the grain would blur away, and
-// the walls of ruts with it.
+// A footprint on the ground is long and narrow: filtered by its length alone, the grain would blur
+// away, and the walls of ruts with it.
 constexpr float kSharper = 0.7f, kReliefSharper = 2.0f;
 constexpr float kBias_m = 0.001f;
 constexpr int kSearches = 4, kPoints = 8;  // of the sun's disc
 constexpr float kFadeOut_m = 0.3f;         // of the relief beyond the grid's border
-constexpr float kTexelLog = -9.3219281f;   // log2 of a texel of the soil's picture, 1.6 m / 1024
+constexpr float kTexelLog = -9.3219281f;   // log2 of a texel of the soil's texture, 1.6 m / 1024
 constexpr float kPerTile = static_cast<float>(1.0 / kSoilTile_m);
 constexpr float kFull = static_cast<float>(kSoilSlopeFull);
 
 }  // namespace
 
-// Where pixels look on the ground.
+// The points of the ground in which pixels are shaded.
 struct GroundShader::Places {
   float z[kAtOnce], x[kAtOnce], y[kAtOnce];  // depth; in the site's frame
   float column[kAtOnce], row[kAtOnce];       // of the grid
@@ -28,7 +28,7 @@ struct GroundShader::Places {
   float soil_lod[kAtOnce], relief_lod[kAtOnce];
 };
 
-// What is there, and its light.
+// The ground in these points, and its light.
 struct GroundShader::Lights {
   float relief_x[kAtOnce], relief_y[kAtOnce], over_ground[kAtOnce], lump_tone[kAtOnce];
   float tone[kAtOnce], slope_x[kAtOnce], slope_y[kAtOnce], height[kAtOnce];  // of the grain

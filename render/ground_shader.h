@@ -14,9 +14,9 @@ class GroundShader {
   GroundShader(const GroundTexture& texture, const Scene& scene, const SunShadow& shadow,
                const Pose3& X_WC, Channel channel);
 
-  /// Pixels side by side in one row of the picture that look into the ground. Arrays of count:
+  /// Pixels side by side in one row of the image that show the ground. Arrays of count:
   struct Looks {
-    const float *x, *y;              // where each looks in the tan plane
+    const float *x, *y;              // where each points in the tan plane
     const float *known_x, *known_y;  // a ray next to it
     const float* inverse_depth;      // 1/z of where that one meets the ground
     const float *along_x, *along_y;  // change of x, y from pixel to pixel
@@ -24,7 +24,7 @@ class GroundShader {
     int count;
     int column, row;  // of the first pixel
   };
-  /// Their radiance. A pixel's does not depend on its company.
+  /// Their radiance. A pixel's radiance does not depend on the other pixels.
   void operator()(const Looks& looks, float* radiance) const;
 
  private:

@@ -33,7 +33,7 @@ std::uint64_t ReliefKey(const GroundView& g, const Eigen::Vector3d& sun_G, doubl
 
 }  // namespace
 
-// Slopes and tone of what is wider than a tile: nought, nought, slopes first, tone last.
+// Slopes and tone wider than a tile: zero, zero, slopes first, tone last.
 Four GroundTexture::Lumps(float x, float y) const {
   constexpr float kTile = static_cast<float>(kSoilTile_m);
   constexpr float kFull = static_cast<float>(kSoilSlopeFull);

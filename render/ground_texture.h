@@ -1,4 +1,4 @@
-// What the ground looks like where geometry ends: slopes and own shadow of the height grid, grain,
+// The ground's detail finer than its geometry: slopes and own shadow of the height grid, grain,
 // pebbles and lumps of the soil. No GL.
 #pragma once
 
@@ -24,7 +24,7 @@ class GroundTexture {
   double highest_m() const { return highest_m_; }
   /// Relief of level ground in full sun beyond the grid.
   Four Beyond(float x_m, float y_m) const { return Four{0.0f, 0.0f, 1.0f, 0.0f} + Lumps(x_m, y_m); }
-  /// Brightness and slopes of a texel: 128 is nought, 127 steps are one.
+  /// Brightness and slopes of a texel: 128 is zero, 127 steps are one.
   static Four Signed(Four texel) { return (texel - 128.0f) * (1.0f / 127.0f); }
 
  private:

@@ -44,7 +44,7 @@ ObjectShader::ObjectShader(const Scene& scene, double highest_m, const SunShadow
   const Eigen::Vector3d p_B = Inverse(board.X_WB) * X_WC.p;
   const Eigen::Vector3d n_C = X_WC.R.transpose() * board.X_WB.R.col(2);
   board_plane_C_ = (n_C / n_C.dot(X_WC.R.transpose() * (board.X_WB.p - X_WC.p))).cast<float>();
-  if (p_B.z() < 0.0) n_board_U_ = -n_board_U_;  // its face, which looks along -z
+  if (p_B.z() < 0.0) n_board_U_ = -n_board_U_;  // its face, which points along -z
 }
 
 float ObjectShader::operator()(const Seen& seen, Tan tan, const Pixel& pixel) const {

@@ -18,7 +18,7 @@ class ObjectShader {
   ObjectShader(const Scene& scene, double highest_m, const SunShadow& shadow, const Pose3& X_WC,
                Channel channel);
 
-  /// Radiance of an object where the ray (tan, 1) meets it, in a pixel of the picture.
+  /// Radiance of an object where the ray (tan, 1) meets it, in a pixel of the image.
   float operator()(const Seen& seen, Tan tan, const Pixel& pixel) const;
   /// Share of the sun where the ray meets the board's plane.
   float BoardShare(Tan tan, const Pixel& pixel) const;

@@ -204,8 +204,8 @@ Disc MakeDisc(double diameter_px) {
   return RawDisc(high);
 }
 
-// Each pixel spreads its light over its own blur circle; what a pixel gets is their mean. Where
-// near and far meet, the blur of either spills over the other.
+// Each pixel spreads its light over its own blur circle; a pixel gets the mean of all. Where near
+// and far meet, the blur of either spills over the other.
 void Defocus(const Focus& focus, RadianceImage& image) {
   if (focus.distance_m == 0.0) return;
   if (image.inverse_depth.size() != image.values.size()) {

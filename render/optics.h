@@ -1,4 +1,4 @@
-// What the lens does to an ideal view before it is light on the sensor: defocus, falloff, blur.
+// The lens's effects on an ideal view before its light reaches the sensor: defocus, falloff, blur.
 #pragma once
 
 #include "render/stereo_renderer.h"

@@ -1,4 +1,4 @@
-// Pixels of a picture, one by one and as rows of arrays that loops go through side by side.
+// Pixels of an image, one by one and as rows of arrays that loops go through side by side.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace dockyard {
 
-/// Where the corners of a camera's pixels look in the tan plane: (width + 1) x (height + 1), row by
-/// row from the corner of the top left pixel.
+/// Tan-plane points of the corners of a camera's pixels: (width + 1) x (height + 1), row by row
+/// from the corner of the top left pixel.
 struct PixelGrid {
   int width = 0, height = 0;
   std::vector<float> x, y;
 };
 
-/// Points of the tan plane where the corners of a pixel look: 00, 10, 01, 11.
+/// Tan-plane points of the corners of a pixel: 00, 10, 01, 11.
 using PixelCorners = std::array<Tan, 4>;
 
 /// Rays of a pixel: the middles of its quarters.
 inline constexpr int kRays = 4;
 
 struct Pixel {
-  Tan middle, along, down;  // where it looks, and how that changes along and down the picture
-  int column, row;          // of the picture
+  Tan middle, along, down;  // its point, and how that changes along and down the image
+  int column, row;          // of the image
 
   float blur() const {  // half its width
     return 0.25f * (std::abs(along.x) + std::abs(along.y) + std::abs(down.x) + std::abs(down.y));
@@ -69,7 +69,7 @@ struct PixelRow {
   }
 
   std::vector<float> x, y, along_x, along_y, down_x, down_y;
-  int number = 0;  // of the picture's rows
+  int number = 0;  // of the image's rows
 };
 
 }  // namespace dockyard

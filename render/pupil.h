@@ -1,5 +1,5 @@
-// A lens whose entrance pupil moves with the angle sees from no one point, but a flat view is drawn
-// from one. Where a ray meets the scene tells which point of the flat view it shows.
+// A lens whose entrance pupil moves with the angle has no single centre, but a flat view is drawn
+// from one point. The end of a ray in the scene decides which point of the flat view the ray shows.
 #pragma once
 
 #include "controller/geometry/camera.h"
@@ -8,12 +8,12 @@
 namespace dockyard {
 
 /// The two surfaces on which rays are taken to end: the board's plate, exactly; else the level
-/// ground under the yard; else nothing, far away. What stands elsewhere is drawn where the surface
-/// behind it would be: wrong by at most the pupil's shift over its distance.
+/// ground under the yard; else nothing, far away. Other things are drawn where the surface behind
+/// them would be: wrong by at most the pupil's shift over their distance.
 class RayEnds {
  public:
   RayEnds(const Scene& scene, const Pose3& X_WC);
-  /// The tan-plane point, seen from the camera's origin, that the ray shows. tan: the ray's own
+  /// The point in the tan plane of the camera's origin that the ray shows. tan: the ray's own
   /// direction over its z; o: its origin [m].
   Eigen::Vector2d Seen(const Eigen::Vector3d& o, const Eigen::Vector2d& tan) const;
 

@@ -1,4 +1,4 @@
-// What is to be drawn: posed meshes, board, ground, tether, sun and sky. Knows no physics.
+// The scene to draw: posed meshes, board, ground, tether, sun and sky. It contains no physics.
 // Lengths in metres, colours linear 0..1, light in arbitrary radiance units.
 #pragma once
 
@@ -60,8 +60,8 @@ struct SunAndSky {
   double sun_angular_diameter_rad = 0.0093;
   double sky_irradiance = 0.25;  // on a level surface, from the whole sky
   double ground_bounce_albedo = 0.3;
-  // Colour of either as linear red, green, blue; Luminance of each is 1, so that grey does not
-  // know.
+  // Colour of either as linear red, green, blue; Luminance of each is 1, so that it does not change
+  // grey images.
   Eigen::Vector3d sun_rgb{1, 1, 1}, sky_rgb{1, 1, 1};
 };
 

@@ -1,4 +1,4 @@
-// What a scene must fulfil to be drawn.
+// The conditions on a scene that can be drawn.
 #include <cmath>
 #include <stdexcept>
 #include <string>

@@ -130,7 +130,7 @@ void ScenePainter::DrawCasters(GlProgram& program, const Eigen::Matrix4d& clip_f
     place(scene_->board.X_WB);
     board_mesh_.Draw();
   }
-  // Thinner than a texel the tether would come and go along its length.
+  // Thinner than a texel, the tether would flicker along its length.
   const double least = 0.6 * window.texel_m();
   tether_mesh_.Upload(TetherTube([&](const Eigen::Vector3d&) { return least; }));
   place(X_WP_);
@@ -155,7 +155,7 @@ void ScenePainter::Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView
   gl_.DepthFunc(GL_LEQUAL);
   gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_BLEND);
-  gl_.FrontFace(GL_CW);  // the picture is upside down to GL
+  gl_.FrontFace(GL_CW);  // the image is upside down to GL
   gl_.VertexAttrib1f(2, 1.0f);
   constexpr GLuint kSky[4] = {0, 0, 0, 0};
   gl_.ClearBufferuiv(GL_COLOR, 0, kSky);
@@ -214,7 +214,7 @@ bool ScenePainter::FitThin(const Eye& eye, FlatView& view) const {
   bool any = false;
   for (const Eigen::Vector3d& p_W : scene_->tether.points_W) {
     const Eigen::Vector3d p_C = X_CW * p_W;
-    if (p_C.z() < 2.0 * kNear_m) {  // may come up to the eye: anywhere
+    if (p_C.z() < 2.0 * kNear_m) {  // may come up to the camera: anywhere
       box.extend(Eigen::Vector2d(eye.rect.left, eye.rect.top));
       box.extend(Eigen::Vector2d(eye.rect.right, eye.rect.bottom));
       continue;

@@ -1,4 +1,4 @@
-// Draws one scene: uploads what is new, renders its shadow map, finds what views of it see.
+// Draws one scene: uploads its new parts, renders its shadow map, finds the surfaces in its views.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace dockyard {
 
-/// Throws std::invalid_argument naming what in the scene cannot be drawn.
+/// Throws std::invalid_argument that names the part of the scene that cannot be drawn.
 void RequireSoundScene(const Scene& scene);
 
 class ScenePainter {
@@ -63,7 +63,7 @@ class ScenePainter {
   std::map<const RenderMesh*, Cached> cache_;
 
   const Scene* scene_ = nullptr;
-  Pose3 X_WP_;  // rover's place with the world's axes: origin of what is built anew for each pair
+  Pose3 X_WP_;  // rover's place with the world's axes: origin of the meshes made anew for each pair
   ShadowFit fit_;
   Pose3 X_WF_;  // of the ground's fan
 };

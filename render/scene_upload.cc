@@ -1,4 +1,4 @@
-// What of a scene goes to the GPU, and when it has to go again.
+// The upload of a scene to the GPU, and the conditions for uploading again.
 #include "render/scene_painter.h"
 
 namespace dockyard {

@@ -73,7 +73,7 @@ double ExceededBy(const std::array<RadianceImage, 2>& images, double percent) {
 double Gain(const std::array<RadianceImage, 2>& images, const SensorOptions& s) {
   const double stops = std::exp2(s.exposure_stops);
   if (s.fixed_exposure_e > 0.0) return stops * s.fixed_exposure_e;
-  // In the dark the exposure is not opened without end.
+  // In the dark the exposure is limited.
   const double cut = std::max(ExceededBy(images, s.exposure_percent), 1e-6);
   return stops * s.target_level * s.full_well_e / cut;
 }
@@ -161,11 +161,11 @@ std::array<std::array<DeepImage, 3>, 2> ExposeColour(
     const std::array<std::array<RadianceImage, 3>, 2>& radiance, const StereoRig& rig,
     const SensorOptions& sensor) {
   RequireSound(sensor);
-  std::array<std::array<RadianceImage, 2>, 3> seen;  // by channel, then eye
+  std::array<std::array<RadianceImage, 2>, 3> seen;  // by channel, then camera
   for (int channel = 0; channel < 3; ++channel) {
     seen[channel] = ThroughLens({radiance[0][channel], radiance[1][channel]}, rig, sensor);
   }
-  // Exposed as the grey picture would be.
+  // Exposed as the grey image would be.
   const Eigen::Vector3d share = ChannelWeights(Channel::kGrey);
   std::array<RadianceImage, 2> grey = seen[0];
   for (int eye = 0; eye < 2; ++eye) {

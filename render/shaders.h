@@ -1,4 +1,4 @@
-// GLSL sources. They tell what each ray sees as flat_view.h says. Light axes U: z towards the sun,
+// GLSL sources. They give the hit of each ray as in flat_view.h. Light axes U: z towards the sun,
 // lengths in metres.
 #pragma once
 

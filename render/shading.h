@@ -1,4 +1,4 @@
-// Lambert's law under sun, sky and the ground's bounce, for one channel of the picture.
+// Lambert's law under sun, sky and the ground's bounce, for one channel of the image.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace dockyard {
 
-/// Grey is what a panchromatic sensor makes of linear red, green and blue.
+/// Grey is a panchromatic sensor's sum of linear red, green and blue.
 enum class Channel { kGrey, kRed, kGreen, kBlue };
 
 /// Share of red, green and blue in a channel. Grey: luminance weights of ITU-R BT.601.

@@ -1,4 +1,4 @@
-// The sun's shadow map: two windows in one picture, a fine one round the board and a coarse one
+// The sun's shadow map: two windows in one texture, a fine one round the board and a coarse one
 // over everything near.
 #pragma once
 

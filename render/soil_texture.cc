@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTexel_m = kSoilTile_m / kSoilSide;
 
-// Looks, all assumed: a raked yard of sand with some gravel.
+// The appearance, all assumed: a raked yard of sand with some gravel.
 constexpr int kPebbles = 2600;
 constexpr double kPebbleMin_m = 0.0025, kPebbleMax_m = 0.022;
 constexpr double kPebbleSlopeLimit = 1.2;

@@ -1,4 +1,4 @@
-// A tileable picture of desert soil: grain, lumps and pebbles, the same for the same seed.
+// A tileable texture of desert soil: grain, lumps and pebbles, the same for the same seed.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ inline constexpr double kSoilSlopeFull = 1.5;
 /// Seed 0: level and even, no grain at all.
 std::vector<std::uint8_t> SoilTexture(std::uint64_t seed);
 
-/// The same picture at kLumpSide texels a side, for tone over wide ground.
+/// The same texture at kLumpSide texels a side, for tone over wide ground.
 inline constexpr int kLumpSide = 64;
 std::vector<std::uint8_t> SoilLumps(const std::vector<std::uint8_t>& soil);
 

@@ -14,7 +14,7 @@
 namespace dockyard {
 namespace {
 
-// Rays per image pixel in the middle of the picture, where the tan plane is least dense; 56 deg off
+// Rays per image pixel in the middle of the image, where the tan plane is least dense; 56 deg off
 // the axis there are 3.2 times as many along the radius. The board gets a view of its own.
 constexpr double kWideDensity = 0.9;
 constexpr double kCloseDensity = 2.0;
@@ -36,8 +36,8 @@ void Size(const Camera& camera, const TanRect& rect, double density, double most
   view.height = std::max(2, static_cast<int>(std::ceil(scale * f.y() * h)));
 }
 
-// The board's outline in the tan plane, cut to the picture; none when it does not stand wholly
-// before the camera or lies outside the picture.
+// The board's outline in the tan plane, cut to the image; none when it does not stand wholly before
+// the camera or lies outside the image.
 std::optional<TanRect> BoardRect(const BoardView& view, const Pose3& X_WC, const TanRect& image) {
   const Pose3 X_CB = Inverse(X_WC) * view.X_WB;
   TanRect rect{.left = 1e9, .top = 1e9, .right = -1e9, .bottom = -1e9};
@@ -96,7 +96,7 @@ class StereoRenderer::Impl {
   }
 
  private:
-  // What a camera's pixels see does not change from picture to picture, unless its pupil moves.
+  // The rays of a camera's pixels do not change from image to image, unless its pupil moves.
   struct Lens {
     TanScale scale;
     TanRect rect;
@@ -158,7 +158,7 @@ class StereoRenderer::Impl {
   std::unique_ptr<GlViewTarget> wide_target_, close_target_;
   GroundTexture texture_;
   std::array<std::optional<Lens>, 2> lenses_;
-  FlatView wide_, close_;  // their memory serves the next picture
+  FlatView wide_, close_;  // their memory serves the next image
 };
 
 StereoRenderer::StereoRenderer(GlBackend backend) : impl_(std::make_unique<Impl>(backend)) {}

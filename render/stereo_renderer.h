@@ -29,7 +29,7 @@ struct Focus {
 struct SensorOptions {
   double full_well_e = 20000.0;
   double read_noise_e = 15.0;
-  double response_sigma = 0.0;  // of pixels among each other, 1 sigma; the same in every picture
+  double response_sigma = 0.0;  // of pixels among each other, 1 sigma; the same in every image
   int bits = 8;                 // 8 to 16
   double vignetting_exponent = 0.0;
   double blur_sigma_px = 0.0;  // Gaussian, lens and pixel together
@@ -39,7 +39,7 @@ struct SensorOptions {
   double target_level = 0.49;     // 2000 of 4095
   double fixed_exposure_e = 0.0;  // electrons of radiance 1; 0: automatic
   double exposure_stops = 0.0;    // off that, as a power of two: one of a bracket
-  std::uint64_t noise_key = 0;    // stream of this picture
+  std::uint64_t noise_key = 0;    // stream of this image
   std::uint64_t pattern_key = 0;  // stream of these cameras
 };
 
@@ -73,11 +73,11 @@ class StereoRenderer {
 /// arguments. The views hold depths if the lens has a focus.
 std::array<DeepImage, 2> ExposeDeep(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
                                     const SensorOptions& sensor);
-/// The same in colour: red, green, blue of each eye, exposed as the grey pair would be.
+/// The same in colour: red, green, blue of each camera, exposed as the grey pair would be.
 std::array<std::array<DeepImage, 3>, 2> ExposeColour(
     const std::array<std::array<RadianceImage, 3>, 2>& radiance, const StereoRig& rig,
     const SensorOptions& sensor);
-/// What the controller gets: the upper eight bits.
+/// The image that the controller gets: the upper eight bits.
 StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
                           const SensorOptions& sensor);
 

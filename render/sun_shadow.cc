@@ -14,7 +14,7 @@ constexpr int kSpread = 2;  // tiles round a place that its bounds cover
 constexpr int kTilesWide = kAtlasWidth / kTile, kTilesHigh = kAtlasHeight / kTile;
 constexpr float kMaxReach = kTile * kSpread;           // texels
 constexpr float kBoundsReach = kTile * (kSpread + 1);  // texels
-constexpr float kEdge = kMaxReach + 2.0f;              // texels next to the border, not looked at
+constexpr float kEdge = kMaxReach + 2.0f;              // texels next to the border, not used
 constexpr float kNoCaster = -1e9f;
 constexpr int kPlaneTiles = kFineTexels / kTile;  // a side of the fine window
 constexpr float kPlaneSlack_m = 1e-4f;            // far above what floats lose
@@ -53,7 +53,7 @@ ShadowWindow CoarseWindow(const Box& casters, const Box& scene) {
   window.texels = kCoarseTexels;
   if ((low.array() >= high.array()).any()) return window;
   window.center_m = 0.5 * (low + high);
-  // A margin of the texels next to the border, which are not looked up.
+  // A margin of the texels next to the border, which are not used.
   window.half_m = std::clamp(0.52 * (high - low).maxCoeff(), 1.0, kWidestHalf_m);
   return window;
 }
@@ -285,7 +285,7 @@ void SunShadow::Gaps(const Spot& spot, const Place& place, int points, float rad
   const float c = turn.x(), sn = turn.y();
   const float x = spot.x, y = spot.y, texel_m = window.texel_m, top = top_, range = range_;
   const float p_z = place.p.z(), slope_x = place.slopes.x, slope_y = place.slopes.y;
-  const int count = (points + 3) / 4 * 4;  // what is over is not looked at
+  const int count = (points + 3) / 4 * 4;  // the surplus is not used
   int texels[kMostPoints];
   float over[kMostPoints];
   for (int i = 0; i < count; ++i) {

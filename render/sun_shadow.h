@@ -1,4 +1,4 @@
-// How much of the sun's disc a place sees, looked up in the shadow map. No GL.
+// The share of the sun's disc that a place sees, from the shadow map. No GL.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,7 +38,8 @@ ShadowFit FitShadow(const std::vector<Ball>& casters_W, const Ball& board_W, con
 
 class SunShadow {
  public:
-  /// Takes a new map: depth 0 at fit.top_m towards the sun, 1 at fit.bottom_m and where nothing is.
+  /// Takes a new map: depth 0 at fit.top_m towards the sun, 1 at fit.bottom_m and without a
+  /// caster.
   void Take(const ShadowFit& fit, double sun_angular_diameter_rad);
   /// Of the map taken last: a plane in U in which many places lie, the board's. What stands over it
   /// is bounded tile by tile, so that its sunlit parts need no points.
@@ -63,9 +64,9 @@ class SunShadow {
     Slopes slopes;      // of the surface
     float bias_m;       // how far over the surface a caster counts
     float blur_m;       // radius over which the share is averaged: the pixel's own
-    // How long the pixel's footprint is, where that is much more than its width; else nought.
+    // How long the pixel's footprint is, where that is much more than its width; else zero.
     Eigen::Vector3f length{0, 0, 0};
-    // Of the picture: neighbouring pixels take the points of the sun's disc turned unlike.
+    // Of the image: neighbouring pixels turn the points of the sun's disc by different angles.
     int pixel_x, pixel_y;
     bool in_plane = false;  // in that of TakePlane
   };
@@ -75,9 +76,9 @@ class SunShadow {
     const float plain = Plain(place);
     return plain >= 0.0f ? plain : Partly(place, searches, points);
   }
-  /// The share where all casters near say the same, without any point; else -1.
+  /// The share where all casters near agree, without any point; else -1.
   float Plain(const Place& place) const;
-  /// The share by points, whatever Plain says.
+  /// The share by points, whatever the result of Plain.
   float Partly(const Place& place, int searches, int points) const;
 
   SunShadow();

@@ -10,7 +10,7 @@ namespace {
 
 // Loops of few arrays, which the compiler takes four at a time.
 
-// Whole columns or lines of a view where a ray of each pixel looks.
+// Whole columns or lines of a view to which a ray of each pixel points.
 void Steps(const float* __restrict at, const float* __restrict along, const float* __restrict down,
            float u, float v, float origin, float per_tan, int count, float* __restrict steps) {
   for (int i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Looking up a flat view's rays from the tan plane. No GL.
+// Finds a flat view's rays from the tan plane. No GL.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace dockyard {
 
-/// For pixels of a row: which rays of a view theirs are, and the middle of where those look.
+/// For pixels of a row: which rays of a view are theirs, and the middle of those rays' directions.
 struct RowRays {
   explicit RowRays(int width) : from_x(width), from_y(width), columns(width), lines(width) {
     for (std::vector<int>& a : at) a.resize(width);
@@ -34,7 +34,7 @@ class ViewSampler {
   const Seen& At(int place) const { return view_.seen[static_cast<std::size_t>(place)]; }
   const Seen& At(Tan tan) const { return At(Row(tan.y) * view_.width + Column(tan.x)); }
   void Prefetch(int place) const { __builtin_prefetch(&At(place)); }
-  /// Where a ray of the view looks.
+  /// The direction of a ray of the view.
   Tan From(int place) const {
     const int row = place / view_.width;
     return {(static_cast<float>(place - row * view_.width) + 0.5f) * per_sx_ + x0_,

@@ -1,5 +1,5 @@
-// The docking algorithm of Tsai, Nesnas and Zarzhitsky (2013) for a tethered two-wheel rover:
-// look, locate, plan arcs, drive with the tether in hand, check, back up or mate.
+// The docking algorithm of Tsai, Nesnas and Zarzhitsky (2013) for a tethered two-wheel rover: take
+// an image pair, locate the board, plan arcs, drive with the tether taut, check, back up or mate.
 #pragma once
 
 #include <functional>
@@ -13,11 +13,11 @@ namespace dockyard::axel {
 
 using Locator = std::function<LocateOutput(const StereoImages&, const LocateHints&)>;
 
-/// Vision-based, tether-assisted docking. The locator defaults to LocateBoard with the nominal's
-/// rig and board; tests may give another.
+/// Vision-based, tether-assisted docking. The locator defaults to LocateBoard with the nominal rig
+/// and board; tests may give another.
 std::unique_ptr<Controller> MakeAxelController(const Nominal& nominal, Locator locator = {});
 
-/// The control experiment (Tsai et al., V-C): wheels free, reel in until the tip is home.
+/// The control experiment (Tsai et al., V-C): wheels free, reel in until the tip is seated.
 std::unique_ptr<Controller> MakeReelOnlyController(const Nominal& nominal);
 
 }  // namespace dockyard::axel

@@ -7,8 +7,8 @@
 
 namespace dockyard::axel {
 
-/// Wheel commands for a twist; speeds kept within the nominal's limits by slowing both wheels
-/// alike.
+/// Wheel commands for a twist. If one wheel would exceed the nominal limit, both are slowed by the
+/// same factor.
 void CommandWheels(const Nominal& nominal, const Twist& twist, double accel_rad_s2,
                    Commands* commands);
 void SetWheels(MotorMode mode, Commands* commands);
@@ -17,8 +17,8 @@ void SetWheels(MotorMode mode, Commands* commands);
 double CurrentForTension(const Nominal& nominal, double tension_n);
 /// The reverse: tension from a current while reeling [N], >= 0.
 double TensionFromCurrent(const Nominal& nominal, double current_a);
-/// Reel in at a speed with the current that tension allows: a winch that takes up slack, stalls at
-/// the tension and is dragged out above it.
+/// Reels in at this speed, with the current limit for this tension: the spool takes up slack,
+/// stalls at the tension and pays out above it.
 MotorCommand Winch(const Nominal& nominal, double reel_m_s, double tension_n, double accel_rad_s2);
 
 /// The command with every number inside the nominal's limits. Checks that all are finite.

@@ -11,7 +11,7 @@ void ArmLevel::Level(const Senses& senses, double target_pitch_rad) {
   if (!wanted_rad_) wanted_rad_ = senses.arm_rad();
   const double error = senses.pitch_rad() - target_pitch_rad;
   if (std::abs(error) < options_.dead_band_rad) return;
-  // A pause between two calls is no time to catch up with.
+  // The time of a pause between two calls is not made up for.
   const double seconds = kTickSeconds * static_cast<double>(std::min(since, 2 * kControlPeriod));
   const double rate = std::clamp(options_.level_gain_per_s * error, -options_.level_rate_rad_s,
                                  options_.level_rate_rad_s);

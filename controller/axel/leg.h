@@ -1,4 +1,4 @@
-// Driving one leg: path, tether and arm together, and the guard against a lifting arm.
+// Drives one leg: path, tether and arm together, with a guard against a lifting arm.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace dockyard::axel {
 
-/// Keeps body and cameras level: the arm motor sets only the angle between body and arm, and the
-/// arm lies where tether, gravity and wheel torque put it, so the body follows the angle.
+/// Keeps body and cameras level. The arm motor sets only the angle between body and arm. Tether,
+/// gravity and wheel torque decide where the arm lies, so the body follows the angle.
 class ArmLevel {
  public:
   ArmLevel(const Nominal& nominal, const ArmOptions& options)
       : nominal_(nominal), options_(options) {}
 
-  /// Moves the wanted angle so that the pitch goes to target_pitch_rad; only where the body is
-  /// free to turn about the axle (wheels driven or free, not braked).
+  /// Moves the wanted angle so that the pitch goes to target_pitch_rad. Call it only while the body
+  /// can turn about the axle (wheels driven or free, not braked).
   void Level(const Senses& senses, double target_pitch_rad = 0.0);
   /// The arm motor's command: hold the wanted angle.
   MotorCommand Hold(const Senses& senses);
@@ -41,7 +41,7 @@ class LegDriver {
   LegDriver(const Nominal& nominal, const AxelOptions& options, const Pose2& X_DR_start,
             std::vector<Arc> arcs, const Speed& speed, Tick now);
 
-  /// Fills in wheels and spool. Feeds the taut tether back into the senses' place.
+  /// Sets the commands of wheels and spool. Corrects the pose in `senses` by the taut tether.
   Status Drive(Senses* senses, Commands* commands);
   bool paused() const { return paused_since_.has_value(); }
 
@@ -62,13 +62,13 @@ class LegDriver {
 /// Reels slack in up to the driving tension.
 MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options);
 
-/// Turns in place until turned_rad reaches amount_rad; whether it has. The spool gives way.
+/// Turns in place until turned_rad reaches amount_rad; returns whether it has. The spool gives way.
 bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amount_rad,
                  double turned_rad, Commands* commands);
 /// Wheels free, spool pulling the rover along.
 void ReelNearer(const Nominal& nominal, const TetherOptions& options, Commands* commands);
 
-/// Wheels run down, then braked.
+/// Lets the wheels run down, then brakes them.
 void StandStill(const Nominal& nominal, const DriveOptions& options, Tick since_stop,
                 Commands* commands);
 

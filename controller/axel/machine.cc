@@ -104,7 +104,7 @@ class AxelMachine final : public Controller {
   // Tightening.
   std::optional<Tick> levelling_since_;
   bool taut_ = false;
-  // Looking.
+  // Taking sightings.
   Tick look_from_ = 0;
   std::optional<Tick> asked_at_;
   // Searching.
@@ -148,7 +148,7 @@ std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* comma
     case Phase::kGivenUp:
       break;
   }
-  return std::nullopt;  // brakes, as commands are made
+  return std::nullopt;  // brakes: the default of Commands
 }
 
 std::optional<Event> AxelMachine::Tighten(Commands* commands) {
@@ -315,7 +315,8 @@ std::optional<Event> AxelMachine::Reel(Commands* commands) {
   return Recover(Event::kStuck, "does not go in");
 }
 
-// The tip is home when the length says so; it stays home when the tether is taut under the brake.
+// The reeled length shows that the tip is seated. Then the braked spool must not slip under the
+// taut tether.
 std::optional<Event> AxelMachine::Confirm(Commands* commands) {
   StandStill(nominal_, options_.drive, InPhase(), commands);
   if (!braked_) {
@@ -381,7 +382,7 @@ void AxelMachine::FillBelief() {
   belief_.phase = Name(phase_);
   belief_.located = senses_.filter().located();
   belief_.X_DR = senses_.pose();
-  // By its own reckoning: arm tip to anchor.
+  // Estimated: arm tip to anchor.
   belief_.values[0].value =
       belief_.located ? senses_.filter().ExposedLength(senses_.reeled_m()) : 0.0;
   belief_.values[1].value = recoveries_;

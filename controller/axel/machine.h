@@ -1,4 +1,5 @@
-// The docking machine of MakeAxelController, with its options open: for tests and tuning.
+// The docking controller of MakeAxelController with its options as a parameter, for tests and
+// tuning.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Dead reckoning: how far from the wheels' counts, where to from the inertial unit's yaw.
+// Dead reckoning: distance from the wheels' encoder counts, direction from the inertial unit's yaw.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,14 @@ namespace dockyard::axel {
 
 /// Output-shaft angle of a motor since power-on [rad].
 double MotorAngle(const Nominal& nominal, const SensorFrame& sensed, Motor motor);
-/// Arm against body, tip-down positive [rad].
+/// Angle of the arm against the body, tip-down positive [rad].
 double ArmAngle(const Nominal& nominal, const SensorFrame& sensed);
 /// Arm's tip above the horizontal through the axle [rad]: body pitch and arm angle both count
 /// downwards.
 double ArmElevation(const Nominal& nominal, const SensorFrame& sensed);
-/// A piece of way. The wheels' encoders count against the body, so a body that pitches by p turns
-/// them by -p without rolling: added back here. Wheel slip is in it; the pose filter deals with it.
+/// Motion between two readings. The wheels' encoders count against the body, so a body that pitches
+/// by p turns them by -p without rolling; Odometer adds p back. It does not remove wheel slip: the
+/// pose filter allows for it.
 struct Motion {
   double length_m = 0.0;  // along the heading
   double turn_rad = 0.0;  // of the inertial yaw

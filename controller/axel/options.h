@@ -14,8 +14,9 @@ struct TetherOptions {
   double drive_tension_n = 47.0;
   // Reversing drags the tether out; 20-30 N costs a tenth of the way on loose soil. Range 5-30.
   double reverse_tension_n = 22.0;
-  // Of the spool's gears, at the drum: the tether gets this less than the motor pulls while it is
-  // reeled in, and this more while it is dragged out. 0.5 N m at 6 cm; assumed, range 3-25.
+  // Friction of the spool's gears, at the drum. The tether pulls this much less than the motor
+  // while it is reeled in, and this much more while it is pulled out. 0.5 N m at 6 cm; assumed,
+  // range 3-25.
   double spool_friction_n = 8.0;
   // The winch runs this much faster than the cosine law asks, to take up slack. Range 0.01-0.04.
   double catch_up_m_s = 0.02;
@@ -41,12 +42,13 @@ struct DriveOptions {
   double turn_rad_s = 0.08;         // turning in place; assumed, 0.05-0.15
   double wheel_accel_rad_s2 = 0.3;  // 0.05 m/s in 0.6 s; assumed, 0.1-1
   Steering steering{};              // far from the cone
-  // Near it: 0.3 m is all the way there is; sharper than this it enters askew. Range 0.3-0.6.
+  // Near it only 0.3 m of way is left; with a shorter settle_m the rover enters askew. Range
+  // 0.3-0.6.
   Steering fine_steering{.settle_m = 0.45, .max_turn_rad_s = 0.10};
   // Arm lifting: slack tether, no progress, at 48-62 deg over the top. Stop early. Range 20-25 deg.
   double arm_guard_rad = Radians(22.0);
   double arm_resume_rad = Radians(10.0);
-  Tick guard_limit = 8'000;  // then drive on, come what may; assumed, 4-15 s
+  Tick guard_limit = 8'000;  // then drive on in any case; assumed, 4-15 s
   double patience = 2.5;     // times the nominal duration before a leg is called short
   Tick stop_time = 600;      // wheels run down before the brake; speed over acceleration
 };
@@ -57,16 +59,16 @@ struct ArmOptions {
   double dead_band_rad = Radians(0.5);     // of the inertial pitch's noise; assumed, 0.2-1
   double limit_rad = Radians(60.0);        // arm against body
   double speed_rad_s = Radians(10.0), accel_rad_s2 = 1.0;  // of the drive's profile; assumed
-  // Worse than this at rest, the body is levelled before a look. The lens covers +-37 deg up and
-  // down, so only large angles matter. Assumed, range 5-15 deg.
+  // At rest, a body pitched by more than this is levelled before an image pair is taken. The lens
+  // covers +-37 deg up and down, so only large angles matter. Assumed, range 5-15 deg.
   double look_pitch_rad = Radians(8.0);
   Tick level_limit = 5'000;
 };
 
 struct LookOptions {
   Tick settle = 800;         // body swings about the axle for about a second; assumed
-  Tick image_limit = 1'000;  // a pair that has not come by then is asked for again
-  int contradictions = 2;    // looks that may disagree with dead reckoning before it is dropped
+  Tick image_limit = 1'000;  // then a missing image pair is asked for again
+  int contradictions = 2;    // this many agreeing sightings against dead reckoning drop it
   double max_range_m = 12.0, min_range_m = 0.4;  // discs of 10 cm are 6 px at 12 m, f 700 px
   double view_margin_rad = Radians(3.0);  // edge marks are the first to be lost (V-D); 0-5 deg
   // Share of the board's half width that must be in view: five of eight marks. Assumed, 0.3-1.
@@ -83,8 +85,9 @@ struct PlanOptions {
   int curvatures = 20;        // per side
   double turn_cost_m = 0.6;   // a radian of turning in metres of way; assumed, 0.3-1.5
   double reverse_cost = 1.4;  // a metre backwards in metres; assumed, 1-2
-  double unseen_cost = 0.35;  // a metre with the board out of view, more; assumed, 0-1
-  // Tether against arm in plan: above 45 deg on loose soil only tensions to 70 N turn at all.
+  double unseen_cost = 0.35;  // added to a metre with the board out of view; assumed, 0-1
+  // Tether against arm in plan. Above 45 deg on loose soil, the rover turns only at tensions up to
+  // 70 N.
   double tether_angle_rad = Radians(45.0);
   double tether_angle_cost = 1.0;  // a metre at one radian more, in metres
   double back_step_m = 0.5, back_limit_m = 3.5;
@@ -92,7 +95,7 @@ struct PlanOptions {
   int back_turns = 4;                       // per side: to +-40 deg
   double max_range_m = 5.5;                 // marks are made for 5 m (Tsai et al., III-A)
   double min_tip_gap_m = 0.15;              // no part of a plan brings the tip nearer than this
-  double leg_min_m = 0.7, leg_max_m = 1.4;  // look again in between; about a quarter of 4 m
+  double leg_min_m = 0.7, leg_max_m = 1.4;  // then a new image pair; about a quarter of 4 m
   double leg_turn_rad = Radians(25.0);
   double align_range_m = 2.6;  // alignment region inside, approach region outside
 };
@@ -101,25 +104,25 @@ struct MateOptions {
   double heading_rad = Radians(5.0);  // Tsai et al., V-B
   // Tip at the mouth within its radius of 10-12 cm less the tip's 3 cm. Range 0.06-0.09.
   double tip_offset_m = 0.07;
-  // Arm against the socket when home: psi = asin(y/L) exp(-depth/L) for an axle that rolls without
-  // scrubbing behind a tip on the axis; the socket takes about 5 deg. Range 3-5 deg.
+  // Arm against the socket when seated: psi = asin(y/L) exp(-depth/L) for an axle that rolls
+  // without scrubbing behind a tip on the axis; the socket takes about 5 deg. Range 3-5 deg.
   double socket_rad = Radians(4.0);
   double look_gap_m = 0.06;    // recheck with the tip this far before the mouth
   double enter_gap_m = -0.03;  // contact by depth estimate: tip this far inside, wheels then free
-  // The socket's floor ends the reeling, not the length: where the tip was when it began is known
-  // to 1-2 cm, to 4 cm after it has pushed at the mouth. So much more is asked for; assumed,
-  // 0.04-0.10.
+  // The socket's floor ends the reeling, not the length. The tip's place at the start is known to
+  // 1-2 cm, to 4 cm after it has pushed at the mouth. So the spool is asked for this much more;
+  // assumed, 0.04-0.10.
   double over_reel_m = 0.08;
-  double short_reel_m = 0.11;  // a stop this much early counts as home: by the estimate 0.22 m deep
-  // The collar's lead-in straightens the arm over the last 5 cm, which takes all that the spool
-  // has; the socket's floor stands it. Assumed, 200-300.
+  double short_reel_m = 0.11;  // a stop this early counts as seated: by the estimate 0.22 m deep
+  // The collar's lead-in straightens the arm over the last 5 cm. This takes the spool's full pull,
+  // which the socket's floor bears. Assumed, 200-300.
   double seat_tension_n = 300.0;
   Tick stuck_after = 2'000;  // spool at its limit without taking up
-  // Home, wheels braked: the tether is drawn taut before the brake, or the rover hangs loose in the
-  // socket. Above a straight pull's 90 N, below the 105 N that lift it over a paddle; 60-150.
+  // Seated, wheels braked: the tether is drawn taut before the brake, else the rover hangs loose in
+  // the socket. Above a straight pull's 90 N, below the 105 N that lift it over a paddle; 60-150.
   double home_tension_n = 100.0;
   double home_m_s = 0.02;     // assumed, 0.01-0.05
-  Tick home_limit = 10'000;   // then brake, come what may
+  Tick home_limit = 10'000;   // then brake in any case
   Tick confirm_time = 1'500;  // spool braked: nothing may move
   double confirm_slip_m = 0.003;
 };
@@ -127,9 +130,9 @@ struct MateOptions {
 struct SearchOptions {
   double tilt_rad = Radians(6.0);
   double turn_rad = Radians(12.0);  // two overlap the lens's edge region; assumed, 8-20
-  double reel_m = 0.6;              // towards the station, arm swinging into line; thrice at most
-  double advance_m = 0.6;           // on dead reckoning: 6 cm of error at 10 % slip
-  double near_gap_m = 1.2;          // nearer than this back up rather than go on blindly
+  double reel_m = 0.6;      // towards the station, arm swinging into line; three times at most
+  double advance_m = 0.6;   // on dead reckoning: 6 cm of error at 10 % slip
+  double near_gap_m = 1.2;  // nearer than this back up rather than go on blindly
   Tick move_limit = 25'000;
 };
 

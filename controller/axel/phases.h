@@ -1,5 +1,5 @@
-// The states of the docking and what leads from one to the next: Tsai et al., Fig. 4 and IV, with
-// the search, the recheck at the mouth and the limits that the paper leaves to future work.
+// The states of the docking and the transitions between them: Tsai et al., Fig. 4 and IV, with the
+// search, the recheck at the mouth and the limits that the paper leaves to future work.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@ namespace dockyard::axel {
 
 enum class Phase {
   kTighten,   // wheels braked, reel until the tether is taut
-  kLook,      // stand, take a pair, locate, decide
+  kLook,      // stand still, take an image pair, locate, decide
   kSearch,    // board not seen: tilt, turn, come nearer
   kApproach,  // drive a leg, far away
   kAlign,     // drive a leg onto the cone's axis
   kBackOff,   // reverse because there is no room for the arcs
   kRecover,   // reverse to the recovery goal after a failed check
   kMate,      // slowly to the mouth
-  kRecheck,   // look once more
+  kRecheck,   // take one more sighting
   kEnter,     // slowly until the tip is in the mouth
   kReel,      // wheels free, reel in
   kConfirm,   // spool braked, nothing may move
@@ -42,7 +42,7 @@ inline constexpr int kEventCount = static_cast<int>(Event::kLimitReached) + 1;
 
 const char* Name(Phase phase);
 
-/// Where the event leads; none when it means nothing in this phase.
+/// The phase that follows the event; none when the event means nothing in this phase.
 std::optional<Phase> Next(Phase phase, Event event);
 
 }  // namespace dockyard::axel

@@ -12,8 +12,8 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 Pose2 OnAxis(double x_m) { return {x_m, 0.0, kPi}; }
 
-// What driving this arc costs beyond its length: being blind, tether aside. Infinite if it leaves
-// the room there is.
+// Cost of this arc beyond its length: board out of view, tether aside. Infinite if the arc leaves
+// the allowed region.
 double SideCost(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& start,
                 const Arc& arc) {
   const double step = std::abs(arc.length_m) / kSamplesPerArc;
@@ -62,7 +62,7 @@ Candidate BestForward(const PlanGeometry& geometry, const AxelOptions& options, 
   return best;
 }
 
-// A look must be possible after backing off: the board in view there.
+// The board must be in view after backing off, for the next image pair.
 void TryBackingOff(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
                    const Arc& back, Candidate* best) {
   const Pose2 end = Advance(X_DR, back);

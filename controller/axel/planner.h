@@ -1,4 +1,4 @@
-// What to drive next from where the rover stands: a pure function of the estimated pose.
+// Chooses the next drive: a pure function of the estimated pose.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace dockyard::axel {
 
-/// What the planner needs of rover and station.
+/// Dimensions of rover and station for the planner.
 struct PlanGeometry {
   double arm_m = 0.0;
   double mating_depth_m = 0.0;
@@ -21,8 +21,8 @@ struct PlanGeometry {
 };
 PlanGeometry PlanGeometryOf(const Nominal& nominal);
 
-/// Arm's tip level with the rover: how far before the mouth plane (negative inside), how far to
-/// the left of the axis as D counts it (+y).
+/// The arm's tip in the plane: its distance before the mouth plane (negative inside) and its offset
+/// to the left of the axis as D counts it (+y).
 struct TipPlace {
   double gap_m = 0.0, offset_m = 0.0;
 };
@@ -34,10 +34,10 @@ bool SeesBoard(const PlanGeometry& geometry, const LookOptions& look, const Pose
 /// In plan, tether (tip to mouth) against arm [rad], positive to the left.
 double TetherAngle(const PlanGeometry& geometry, const Pose2& X_DR);
 
-/// Whether straight on from here the arm finds its way home: heading within the tolerance, tip
-/// within the mouth, and the angle at which the arm will end in the socket.
+/// Whether the arm will seat if the rover drives straight on: heading within the tolerance, tip
+/// within the mouth, and the arm's final angle in the socket within its limit.
 bool Aligned(const PlanGeometry& geometry, const MateOptions& mate, const Pose2& X_DR);
-/// Angle of the arm against the cone's axis when home, for an axle y beside the axis [rad].
+/// Angle of the arm against the cone's axis when seated, for an axle y beside the axis [rad].
 double SocketAngle(const PlanGeometry& geometry, double axle_offset_m);
 
 /// Back off if that pays, then two forward arcs to the alignment goal. Minimises Eq. (14) of the
@@ -48,7 +48,7 @@ std::vector<Arc> PlanToAxis(const PlanGeometry& geometry, const AxelOptions& opt
 /// Straight out of the cone if in it, then two reverse arcs to the recovery goal.
 std::vector<Arc> PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options,
                               const Pose2& X_DR);
-/// The first part of a plan, up to where to look next. A move backwards is driven whole.
+/// The first part of a plan, up to the next image pair. A move backwards is driven whole.
 std::vector<Arc> FirstLeg(const PlanGeometry& geometry, const AxelOptions& options,
                           const Pose2& X_DR, const std::vector<Arc>& plan);
 
@@ -57,10 +57,10 @@ struct Decision {
   std::vector<Arc> plan;  // whole
   std::vector<Arc> leg;   // to drive now
 };
-/// After a look: mate, recover, or the next leg.
+/// After a sighting: mate, recover, or the next leg.
 Decision Decide(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR);
 
-/// A path as the belief tells it.
+/// A path in the belief's form.
 std::vector<PlannedArc> Planned(const std::vector<Arc>& arcs, const Pose2& X_DR_start);
 
 }  // namespace dockyard::axel

@@ -6,7 +6,7 @@
 namespace dockyard::axel {
 namespace {
 
-constexpr double kUnknown = 1e3;  // variance of what nothing is known about [m^2, rad^2]
+constexpr double kUnknown = 1e3;  // variance of an unknown [m^2, rad^2]
 
 double Square(double x) { return x * x; }
 
@@ -104,7 +104,7 @@ void PoseFilter::CorrectByTether(double reeled_m, double elevation_rad) {
   const double expected = ExposedTether(geometry_, pose(), elevation_rad);
   Eigen::RowVector4d H;
   H << -ExposedTetherSlope(geometry_, pose(), elevation_rad).transpose(), 1.0;
-  // Measured: the drum's count. Whole length less drum less path should be nothing.
+  // Measured: the drum's count. Whole length less drum less path should be zero.
   const double residual = -(state_(3) - reeled_m - expected);
   const double S = H * P_ * H.transpose() + Square(noise_.tether_m);
   const Eigen::Vector4d K = P_ * H.transpose() / S;

@@ -1,7 +1,7 @@
-// Where the rover stands in the dock frame: an extended Kalman filter over x, y, heading and the
-// tether's whole length, fed by odometry, by looks at the board and by the taut tether, which
-// measures the way to the station whatever the wheels slip. (Kalman 1960; Thrun, Burgard and Fox,
-// Probabilistic Robotics, 2005, ch. 7.)
+// The rover's pose in the dock frame, by an extended Kalman filter (Kalman 1960; Thrun, Burgard and
+// Fox, Probabilistic Robotics, 2005, ch. 7). Its states are x, y, heading and the tether's whole
+// length. Odometry, sightings of the board and the taut tether feed it. The tether measures the
+// distance to the station, however much the wheels slip.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 
 namespace dockyard::axel {
 
-/// Standard deviations. Growths are per square root of way or time.
+/// Standard deviations. Growths are per square root of distance or time.
 struct FilterNoise {
   // Wheels slip 0-25 % under the tether's pull, assumed; 0.1 m per metre is the middle.
   double along_m_per_sqrt_m = 0.10;
@@ -31,19 +31,19 @@ struct FilterNoise {
   double board_heading_floor_rad = 0.012;
   double board_heading_rad_per_m = 0.014;
   double tether_m = 0.02;  // lip bends, stretch, arm elevation; assumed, range 0.005-0.04
-  // Squared Mahalanobis distance beyond which a look contradicts: chi-square, 3 degrees of
-  // freedom, 99.99 %.
+  // Squared Mahalanobis distance beyond which a sighting contradicts the estimate: chi-square, 3
+  // degrees of freedom, 99.99 %.
   double gate = 21.1;
 };
 
-/// A look at the board put into the plane: the board from the level rover.
+/// A sighting reduced to the plane: the board as the level rover sees it.
 struct BoardFix {
   double range_m = 0.0, bearing_rad = 0.0;  // of the board's centre, bearing from the x axis
   double heading_rad = 0.0;                 // the rover's heading in D
 };
 /// Levels a sighting by the inertial unit and takes its planar part.
 BoardFix LevelSighting(const Pose3& X_RB, const ImuSample& imu, const Pose3& X_DB);
-/// The pose that a fix stands for.
+/// The rover's pose that a fix implies.
 Pose2 PoseOf(const BoardFix& fix, const Pose3& X_DB);
 /// Attitude of the body against gravity, heading left out: R_HR of the level heading frame H.
 Eigen::Matrix3d Tilt(const ImuSample& imu);
@@ -55,19 +55,19 @@ class PoseFilter {
 
   bool located() const { return located_; }
   Pose2 pose() const { return {state_.x(), state_.y(), state_.z()}; }
-  /// Exposed tether by the filter's reckoning; reeled_m is what the drum took up since power-on.
+  /// Estimated exposed tether; reeled_m is the length that the drum took up since power-on.
   double ExposedLength(double reeled_m) const { return state_(3) - reeled_m; }
-  /// Whether the tether's whole length has been tied to a place yet.
+  /// Whether the tether's whole length has been estimated yet.
   bool TetherKnown() const { return located_ && P_(3, 3) < 1.0; }
   double PositionSigma() const;  // [m]
 
   void Predict(const Motion& motion, double seconds);
-  /// Whether the fix fits what is known; true before the first.
+  /// Whether the fix agrees with the estimate; true before the first.
   bool Fits(const BoardFix& fix) const;
   void Correct(const BoardFix& fix);
-  /// Forgets the place and begins again at this fix.
+  /// Forgets the pose and begins again at this fix.
   void Restart(const BoardFix& fix);
-  /// The tether is taut: its length says how far the tip is from the mouth.
+  /// For a taut tether: its length gives the distance from the tip to the mouth.
   void CorrectByTether(double reeled_m, double elevation_rad);
 
  private:

@@ -1,4 +1,4 @@
-// The control experiment of Tsai et al., V-C: no eyes, no wheels, only the spool.
+// The control experiment of Tsai et al., V-C: no cameras, no wheels, only the spool.
 #include <optional>
 
 #include "controller/axel/axel.h"
@@ -21,8 +21,8 @@ class ReelOnly final : public Controller {
     senses_.Update(sensed);
     Commands commands = BrakedCommands();
     const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
-    // It cannot know how much tether is out: the end is where the spool stalls. In the socket's
-    // end, or jammed on the way there: the experiment has no eyes to tell.
+    // It cannot know how much tether is out, so it ends where the spool stalls. It cannot tell the
+    // socket's end from a jam on the way there.
     if (still >= options_.mate.stuck_after) home_ = true;
     if (home_) {
       belief_.phase = "docked";

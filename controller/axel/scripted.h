@@ -1,4 +1,4 @@
-// A controller that senses nothing and does what a script says: for physics alone.
+// A controller that ignores its sensors and plays a script, to run the physics alone.
 #pragma once
 
 #include <memory>

@@ -21,7 +21,7 @@ std::optional<SearchAction> Lost(int attempt, const SearchOptions& options) {
 }
 
 // Seen before: first towards where it should be, then on by dead reckoning. Turns go towards the
-// side where it is expected first, so that a mirrored rover does the mirrored thing.
+// side where it is expected first, so that a mirrored start gives mirrored moves.
 std::optional<SearchAction> Remembering(int attempt, const SearchKnowledge& known,
                                         const SearchOptions& options) {
   const double side = known.expected_bearing_rad < 0.0 ? -1.0 : 1.0;

@@ -1,4 +1,4 @@
-// What to do when the board is not seen: a fixed, bounded list of things to try between looks.
+// The search for a board that is not seen: a fixed, bounded list of moves between image pairs.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 namespace dockyard::axel {
 
 enum class SearchMove {
-  kAgain,    // light and noise change
+  kAgain,    // another image pair: light and noise change
   kTilt,     // pitch the cameras by amount
   kTurn,     // turn in place by amount
   kReel,     // wheels free, reel: the arm swings towards the station and comes nearer [m]
@@ -21,7 +21,7 @@ struct SearchAction {
   double amount = 0.0;  // [rad] or [m], counter-clockwise and nose-down positive
 };
 
-/// What is known while not seeing.
+/// Knowledge while the board is not seen.
 struct SearchKnowledge {
   bool located = false;
   bool board_expected_in_view = false;
@@ -29,7 +29,8 @@ struct SearchKnowledge {
   double tip_gap_m = 0.0;
 };
 
-/// The attempt-th thing to try since the board was last seen, from 0; none when all were tried.
+/// The move of this attempt, counted from 0 since the board was last seen; none when all were
+/// tried.
 std::optional<SearchAction> NextSearchAction(int attempt, const SearchKnowledge& known,
                                              const SearchOptions& options);
 

@@ -1,4 +1,4 @@
-// What the sensors mean, put together once per control tick: time, attitude, arm, spool, place.
+// The sensors' readings, converted once per control tick: time, attitude, arm, spool, pose.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace dockyard::axel {
 
-/// Since when a value has stayed within a band.
+/// Measures how long a value has stayed within a band.
 class StillWatch {
  public:
   explicit StillWatch(double band) : band_(band) {}
@@ -46,8 +46,8 @@ class Senses {
 
   /// Board in the body, by dead reckoning; none before the first fix.
   std::optional<Pose3> ExpectedBoard() const;
-  /// Corrects the place by the tether if it carries at least this tension and the last time is long
-  /// enough ago.
+  /// Corrects the pose by the tether if the tether carries at least this tension and the last
+  /// correction is long enough ago.
   void UseTether(double tension_n);
 
  private:

@@ -6,7 +6,8 @@
 namespace dockyard::axel {
 namespace {
 
-// Two looks from one place: noise only. Three sigma of 0.2 m at 5 m and 4.6 deg (Tsai et al., V-E).
+// Two sightings from one place differ by noise only. Three sigma of 0.2 m at 5 m and 4.6 deg (Tsai
+// et al., V-E).
 bool Agree(const BoardFix& a, const BoardFix& b) {
   return std::abs(a.range_m - b.range_m) < 0.05 + 0.1 * a.range_m &&
          std::abs(WrapPi(a.bearing_rad - b.bearing_rad)) < 0.05 &&
@@ -24,10 +25,10 @@ LocateHints HintsFrom(const Senses& senses) {
 
 void CameraTurnFilter::Take(const DockSighting& sighting) {
   if (!sighting.stereo || !sighting.camera_turn.mean_rad.allFinite()) return;
-  // The mount moves with its warmth: assumed 0.01 deg from look to look (0-0.03).
+  // The mount moves with temperature: assumed 0.01 deg from sighting to sighting (0-0.03).
   constexpr double kDrift = 0.01 * kPi / 180.0;
-  // What the lens's own errors feign differs from place to place and does not average out as noise
-  // does: the belief stays at least this wide (assumed 0.02 deg, 0.01-0.05).
+  // The lens's own errors act as a turn that differs from place to place and does not average out
+  // as noise does. So the belief stays at least this wide (assumed 0.02 deg, 0.01-0.05).
   constexpr double kFloor = 0.02 * kPi / 180.0;
   belief_ = sighting.camera_turn;
   belief_.covariance.diagonal().array() += kDrift * kDrift;
@@ -58,7 +59,7 @@ SightingJudge::Ruling SightingJudge::Doubt(const BoardFix& fix, Senses* senses) 
   doubts_ = doubted_ && Agree(*doubted_, fix) ? doubts_ + 1 : 1;
   ++doubts_here_;
   doubted_ = fix;
-  // Dead reckoning that rests on several looks takes more to be dropped than one that rests on one.
+  // Dead reckoning from several sightings is dropped after more doubts than from one sighting.
   const int enough = options_.contradictions * (accepted_ < 2 ? 1 : 2);
   if (doubts_ >= enough) {
     senses->filter().Restart(fix);
@@ -68,7 +69,7 @@ SightingJudge::Ruling SightingJudge::Doubt(const BoardFix& fix, Senses* senses) 
     why_ = "dead reckoning dropped";
     return Ruling::kAccepted;
   }
-  why_ = "look contradicts dead reckoning";
+  why_ = "sighting contradicts dead reckoning";
   return doubts_here_ < options_.contradictions ? Ruling::kLookAgain : Ruling::kRejected;
 }
 

@@ -1,4 +1,4 @@
-// From a look to the estimate: accepts, doubts or drops what the vision says.
+// From a sighting to the estimate: accepts, doubts or rejects the measurement.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,9 @@
 
 namespace dockyard::axel {
 
-/// Weighs sightings against dead reckoning. One that contradicts it is asked for again; it is
-/// believed, and dead reckoning dropped, once enough looks in a row agree with each other.
+/// Checks sightings against dead reckoning. When one contradicts it, another is asked for. Once
+/// enough sightings in a row agree with each other, they are accepted and dead reckoning is
+/// dropped.
 class SightingJudge {
  public:
   enum class Ruling { kAccepted, kLookAgain, kRejected };
@@ -19,7 +20,7 @@ class SightingJudge {
 
   Ruling Judge(const DockSighting& sighting, Senses* senses);
   const std::string& why() const { return why_; }
-  /// A new stop: its looks are counted afresh.
+  /// A new stop: its doubted sightings are counted from zero.
   void NewStop() { doubts_here_ = 0; }
 
  private:
@@ -34,8 +35,8 @@ class SightingJudge {
 
 LocateHints HintsFrom(const Senses& senses);
 
-/// Belief about the cameras' relative turn over a run. Each look that both eyes carried narrows it:
-/// the look's fit begins with the belief so far and gives the next one.
+/// Belief about the cameras' relative turn over a run. Each stereo sighting narrows it: its fit
+/// begins with the belief so far and gives the next one.
 class CameraTurnFilter {
  public:
   const CameraTurn& belief() const { return belief_; }

@@ -1,5 +1,5 @@
-// How long the exposed tether is: Tsai et al., Eq. (1), with the true places of mouth, anchor and
-// arm instead of one common origin.
+// Length of the exposed tether: Tsai et al., Eq. (1), with the true places of mouth, anchor and arm
+// instead of one common origin.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,11 +14,12 @@ namespace dockyard::axel {
 /// Eq. (1): tether from the arm's tip to a station at the origin, in the plane [m].
 double CosineLawTether(double arm_m, const DockingCoords& at);
 
-/// Depth of the funnel's throat behind the mouth, through which the tether always runs; the nominal
-/// does not tell it. Assumed, range 0.10-0.15 m: 1 cm of it is 1 mm of tether at 25 deg aside.
+/// Depth of the funnel's throat behind the mouth, through which the tether always runs. The nominal
+/// parameters do not hold it. Assumed, range 0.10-0.15 m: 1 cm of it is 1 mm of tether at 25 deg
+/// aside.
 inline constexpr double kThroatDepthM = 0.12;
 
-/// What the exposed length depends on, in the dock frame D.
+/// The dimensions that set the exposed length, in the dock frame D.
 struct TetherGeometry {
   Eigen::Vector3d p_DQ = Eigen::Vector3d::Zero();  // centre of the throat [m]
   Eigen::Vector3d p_DA = Eigen::Vector3d::Zero();  // anchor behind it on the cone's axis [m]
@@ -32,10 +33,10 @@ Eigen::Vector3d TipInDock(const TetherGeometry& geometry, const Pose2& X_DR, dou
 
 /// Exposed length [m]: tip to the centre of the throat and on to the anchor; with the tip beyond
 /// the throat, straight to the anchor. The cone's lip, mouth radius 0.1 m, makes the true path from
-/// 40 deg aside about a centimetre longer; what counts is how it changes.
+/// 40 deg aside about a centimetre longer; only the change of the length matters.
 double ExposedTether(const TetherGeometry& geometry, const Pose2& X_DR, double elevation_rad);
 
-/// Its slope along x, y [-] and heading [m/rad] of X_DR; by central differences of 0.1 mm.
+/// Its derivative by x, y [-] and heading [m/rad] of X_DR, by central differences of 0.1 mm.
 Eigen::Vector3d ExposedTetherSlope(const TetherGeometry& geometry, const Pose2& X_DR,
                                    double elevation_rad);
 

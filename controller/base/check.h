@@ -1,4 +1,4 @@
-// Our own broken promises stop the run. Never used to judge input files or sensor values.
+// A fault of the program itself stops the run. Never used to judge input files or sensor values.
 #pragma once
 
 #include <cstdio>

@@ -9,12 +9,12 @@ namespace dockyard {
 
 /// Shortest decimal form that reads back to the same bits; "nan", "inf" and "-inf" for the rest.
 std::string NumberText(double value);
-/// With so many digits after the point.
+/// With this many digits after the point.
 std::string Fixed(double value, int decimals);
 
-/// The whole text as a number, nan and inf among them, or none; no spaces, no hexadecimal.
+/// The whole text as a number, nan and inf included; otherwise none. No spaces, no hexadecimal.
 std::optional<double> NumberFromText(std::string_view text);
-/// The whole text as a finite number; otherwise false, and `value` stays.
+/// The whole text as a finite number; otherwise false, and `value` keeps its old value.
 bool ParseNumber(std::string_view text, double& value);
 
 }  // namespace dockyard

@@ -6,7 +6,7 @@
 
 namespace dockyard {
 
-/// Its finaliser: every bit of z changes half of the result's.
+/// Its finaliser: every bit of z changes half of the result's bits.
 constexpr std::uint64_t MixBits(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;

@@ -12,17 +12,17 @@ namespace dockyard {
 struct Fiducial {
   Eigen::Vector2d p_BF = Eigen::Vector2d::Zero();  // its centre on the board: x right, y down [m]
   // Direction of the bar's long axis, from the board's x axis towards y *up* (counter-clockwise as
-  // the beholder sees it): -pi/4, 0, pi/4 or pi/2 [rad]. The bar has a half-turn symmetry.
+  // the viewer sees it): -pi/4, 0, pi/4 or pi/2 [rad]. The bar has a half-turn symmetry.
   double rotation = 0.0;
 };
 
-/// Which poses of a board may be believed. A pose outside is refused, and so is a naming of the
-/// marks that needs one.
+/// Which poses of a board are accepted. Any other pose is refused, and so is a naming of the marks
+/// that needs one.
 struct Upright {
   enum class Against {
     kPlumb,    // gravity: the board's x axis level to 15 deg, its plane upright to 30 deg
     kGravity,  // a roll about the line of sight, from gravity's up
-    kPicture,  // the same, from the picture's up (-y of the camera)
+    kPicture,  // the same, from the image's up (-y of the camera)
   };
   Against against = Against::kPlumb;
   double within_rad = 0.0;  // the largest roll either way; unused by kPlumb
@@ -38,12 +38,13 @@ struct FiducialBoard {
   bool HasBars() const { return bar_length_m > 0.0; }
 };
 
-/// How many marks one picture must show, named, for a pose. With bars: five, four of which fix a
+/// How many named marks one image must show for a pose. With bars: five, four of which fix a
 /// homography and the fifth can vote a false one out (Tsai et al., V-D); a board of four needs all.
-/// Plain discs: half of them, and five at least, as a plain disc says less than a bar.
+/// Plain discs: half of them, and five at least, because a plain disc is weaker evidence than a
+/// bar.
 int MarksNeeded(const FiducialBoard& board);
 
-/// Whether it has bars, two of each rotation, as the pipeline tsai2013 wants them.
+/// Whether it has bars, two of each rotation, as the pipeline tsai2013 needs them.
 bool HasTwoOfEachRotation(const FiducialBoard& board);
 
 }  // namespace dockyard

@@ -19,7 +19,7 @@ Eigen::Vector2d Distort(const BrownPinhole& lens, const Eigen::Vector2d& m, Eige
           y * radial + p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y};
 }
 
-/// Whether the picture is still the right way out: beyond that the polynomial folds back.
+/// Whether the image is not folded here: further out the polynomial folds back.
 bool Unfolded(const Eigen::Matrix2d& M) { return M.determinant() > 0.0 && M.trace() > 0.0; }
 
 }  // namespace
@@ -45,7 +45,7 @@ LensRay BrownPinhole::Ray(const Eigen::Vector2d& pixel) const {
   Eigen::Matrix2d M;
   for (int i = 0; i < 50; ++i) {
     const Eigen::Vector2d miss = Distort(*this, m, M) - wanted;
-    // Strong barrel distortion folds the start: draw it in until it unfolds.
+    // Strong barrel distortion folds the start: move it inwards until it unfolds.
     if (!Unfolded(M)) {
       m *= 0.8;
       continue;

@@ -107,7 +107,7 @@ LensRay Cahvore::Ray(const Eigen::Vector2d& pixel) const {
   const Eigen::Vector3d l = image - ahead * O;
   const double across = l.norm();
   if (across == 0.0) return {.origin = C, .direction = O};
-  // A pixel behind the lens's own plane has no ray: the widest stands for it.
+  // A pixel behind the lens's own plane has no ray: the widest ray stands for it.
   const double seen = ahead > 0.0 ? across / ahead : 1e6;
   double chi = seen;
   while (!(Spread(R, chi) > 0.0) && chi > 1e-3) chi *= 0.8;

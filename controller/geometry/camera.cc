@@ -58,7 +58,7 @@ Eigen::Vector2d Camera::focal_px() const {
 }
 
 Eigen::Vector2d Camera::centre_px() const {
-  constexpr double kFar_m = 1e6;  // a pupil's centimetre is then nothing
+  constexpr double kFar_m = 1e6;  // a pupil's centimetre is then negligible
   const auto pixel = Project({0.0, 0.0, kFar_m});
   return pixel ? *pixel : Eigen::Vector2d(0.5 * (width - 1), 0.5 * (height - 1));
 }

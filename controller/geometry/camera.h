@@ -1,5 +1,5 @@
-// The camera that the renderer draws with and the controller measures with. One implementation,
-// two sets of numbers: the world's cameras and the controller's calibration differ.
+// The camera model of renderer and controller. One implementation, two sets of numbers: the world's
+// cameras and the controller's calibration differ.
 #pragma once
 
 #include <Eigen/Core>
@@ -45,8 +45,8 @@ Camera EquidistantCamera(int width, int height, double horizontal_fov_rad);
 /// The same lens with its focal lengths times `scale` and its centre moved.
 Camera Adjusted(Camera camera, double focal_scale, const Eigen::Vector2d& centre_shift_px);
 
-/// The same lens with a radial term more: it shifts pixels outwards by shift_px half the image's
-/// width from the axis, and as the cube of the distance elsewhere.
+/// The same lens with one more radial term. It shifts pixels outwards: by shift_px at half the
+/// image's width from the axis, elsewhere as the cube of the distance.
 Camera Bent(Camera camera, double shift_px);
 
 /// The same view on an image of another size: the outer edges of the image keep their rays.

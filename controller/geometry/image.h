@@ -22,7 +22,7 @@ struct RgbImage {
   bool operator==(const RgbImage&) const = default;
 };
 
-/// A picture as the converter gave it: 0 to 2^bits - 1.
+/// An image as the converter gave it: 0 to 2^bits - 1.
 struct DeepImage {
   int width = 0, height = 0, bits = 8;
   std::vector<std::uint16_t> pixels;  // row by row from the top left

@@ -1,6 +1,6 @@
-// The lens models, both ways. Lens frame: the camera frame C for the models with a focal length
-// (z along the view, x right, y down); for CAHVORE the frame in which its vectors are written.
-// Pixel (0, 0) is the centre of the first pixel.
+// The lens models: projection and its inverse. Lens frame: the camera frame C for the models with a
+// focal length (z along the view, x right, y down); for CAHVORE the frame in which its vectors are
+// written. Pixel (0, 0) is the centre of the first pixel.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@ namespace dockyard {
 
 using PixelJacobian = Eigen::Matrix<double, 2, 3>;  // d pixel / d point [px/m]
 
-/// No lens here looks further off its axis.
+/// No lens here sees further off its axis.
 inline constexpr double kWidestView_rad = 120.0 * kPi / 180.0;
 
 /// The line of points that one pixel shows: origin + s direction, s > 0, direction of length 1.
@@ -55,8 +55,8 @@ struct BrownPinhole {
 /// CAHV, CAHVOR and CAHVORE (Yakimovsky and Cunningham 1978; Gennery 2001 and 2006). Equations in
 /// docs/reference/cameras.md. CAHVOR is linearity 1 with E = 0, CAHV that with R = 0; the types 1,
 /// 2, 3 of camera files are linearity 1, 0 and a number of its own. E != 0 moves the entrance pupil
-/// along O with the angle: the lens has no one centre. A keeps the length that the file gives it; O
-/// must have length 1, else the two directions disagree.
+/// along O with the angle: the lens has no single centre. A keeps the length that the file gives
+/// it; O must have length 1, else the two directions disagree.
 struct Cahvore {
   Eigen::Vector3d C = Eigen::Vector3d::Zero();   // centre [m]
   Eigen::Vector3d A = Eigen::Vector3d::UnitZ();  // axis of the image plane

@@ -46,8 +46,8 @@ Eigen::Matrix3d RotZ(double angle_rad) {
 }
 
 Eigen::Matrix3d RotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  // Two mirrors: one that keeps a, then one that swaps a and b; both stand across the plane of the
-  // two, so that the axis is square to both and the turn is the smallest.
+  // Two mirrors: one that keeps a, then one that swaps a and b; both are perpendicular to the plane
+  // of the two, so that the axis is perpendicular to both and the turn is the smallest.
   const Eigen::Vector3d a = from.normalized(), b = to.normalized();
   const auto mirror = [](const Eigen::Vector3d& normal) {
     return Eigen::Matrix3d(Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose());

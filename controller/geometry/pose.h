@@ -14,9 +14,7 @@
 //   T  arm tip
 //   K  a wheel: its centre, y along the axle to the left; turns about y
 //   L  left camera, Q right camera, C any camera: z along the view, x right, y down
-//   B  fiducial board: its centre, x right and y down as its beholder sees it, z away from him,
-//   into
-//      the station
+//   B  fiducial board: its centre, x right and y down as its viewer sees it, z into the station
 // A positive pitch turns about +y, so it is nose-down. Yaw is positive counter-clockwise from
 // above.
 #pragma once

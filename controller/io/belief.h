@@ -1,4 +1,4 @@
-// What the controller believes, for the log and the plots. Nothing acts on it.
+// The controller's belief, for the log and the plots. Nothing acts on it.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace dockyard {
 
-/// One look at the board.
+/// One sighting of the board, accepted or refused.
 struct SightingReport {
   bool accepted = false;
   std::string reason;         // why not, in the words of PoseFailure; empty when accepted
@@ -32,7 +32,7 @@ struct SightingReport {
   Pose3 X_RB;                    // the board in the rover body
   // Of p_RB [m], then of a small turn about R's axes [rad]; zero when the pipeline gives none.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
-  // Right camera against the left beyond the calibration, after this look, and 1 sigma [rad].
+  // Right camera against the left beyond the calibration, after this sighting, and 1 sigma [rad].
   Eigen::Vector3d camera_turn_rad = Eigen::Vector3d::Zero();
   Eigen::Vector3d camera_turn_sigma_rad = Eigen::Vector3d::Zero();
 };
@@ -53,13 +53,13 @@ struct NamedValue {
 struct Belief {
   std::string phase;       // a name of the state machine's state
   bool located = false;    // whether X_DR means anything yet
-  Pose2 X_DR;              // where the rover thinks it stands
-  std::string note;        // why it last changed its mind, in a few words
-  int sighting_count = 0;  // looks so far; last_sighting is of the newest
+  Pose2 X_DR;              // estimated pose of the rover
+  std::string note;        // reason of the last decision, in a few words
+  int sighting_count = 0;  // sightings so far; last_sighting is the newest
   std::optional<SightingReport> last_sighting;
   std::vector<PlannedArc> plan;    // of the newest plan
   int plan_count = 0;              // plans so far
-  std::vector<NamedValue> values;  // all else that it wants to be seen, such as "recoveries"
+  std::vector<NamedValue> values;  // further values for the log, such as "recoveries"
 };
 
 /// The belief's value of that name, or the fallback.

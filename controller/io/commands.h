@@ -1,4 +1,4 @@
-// What a robot's controller can ask for: its motors, images, and switches such as lamps.
+// Commands of a robot's controller: to motors, for images, and to switches such as lamps.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ enum class MotorMode : std::uint8_t {
   kPosition,  // go to target [rad since power-on] and hold it by current
 };
 
-/// All values at the output shaft, signs as the encoder counts. The current limit
-/// bounds the drive's torque: overpowered, the shaft is dragged off its profile (a spool pays out).
+/// All values at the output shaft, signs as the encoder counts. The current limit bounds the
+/// drive's torque: a larger load turns the shaft off its profile (a spool pays out).
 struct MotorCommand {
   MotorMode mode = MotorMode::kBrake;
   double target = 0.0;             // [rad] or [rad/s]
@@ -28,7 +28,7 @@ struct MotorCommand {
   bool operator==(const MotorCommand&) const = default;
 };
 
-/// What the controller says of its task; scoring never uses it but to name a false claim.
+/// The controller's own verdict on its task. Scoring uses it only to name a false claim.
 enum class Verdict : std::uint8_t { kUnderWay, kDocked, kGivenUp };
 
 struct Commands {

@@ -1,4 +1,4 @@
-// A controller. The testbed, a log and a real robot drive it through this one call.
+// A robot's controller. The testbed, a log and a real robot all run it through this one call.
 #pragma once
 
 #include "controller/io/belief.h"
@@ -10,9 +10,9 @@ namespace dockyard {
 class Controller {
  public:
   virtual ~Controller() = default;
-  /// Called once every control period with what the sensors say; answers what to do.
+  /// Called once every control period with the sensors' readings; returns the commands.
   virtual Commands Step(const SensorFrame& sensed) = 0;
-  /// What it thinks now.
+  /// Its present belief.
   virtual const Belief& belief() const = 0;
 };
 

@@ -1,4 +1,4 @@
-// A motor as its drawing and data sheet have it, at the output shaft.
+// A motor's nominal parameters, from its drawing and data sheet, at the output shaft.
 #pragma once
 
 namespace dockyard {

@@ -14,21 +14,21 @@ namespace dockyard {
 using Tick = std::int64_t;
 inline constexpr double kTickSeconds = 1e-3;
 
-/// The robot's inertial unit: attitude as its own filter gives it, rates and specific force.
+/// The robot's inertial unit: attitude from its own filter, rates and specific force.
 struct ImuSample {
   double roll_rad = 0.0, pitch_rad = 0.0;  // against gravity; pitch is nose-down positive
-  double yaw_rad = 0.0;                    // since power-on, drifting; knows nothing of the target
+  double yaw_rad = 0.0;                    // since power-on, drifting; independent of the target
   Eigen::Vector3d rate_R = Eigen::Vector3d::Zero();            // [rad/s]
   Eigen::Vector3d specific_force_R = Eigen::Vector3d::Zero();  // [m/s^2]; +g along z at rest
 };
 
-/// What one motor's drive reports.
+/// The readings of one motor's drive.
 struct MotorReading {
   std::int64_t encoder_counts = 0;  // at the output shaft, since power-on
   double current_a = 0.0;           // magnitude, >= 0
 };
 
-/// What one camera took.
+/// One image of one camera.
 struct CameraImage {
   int camera = 0;  // index in the order of the robot's nominal parameters
   std::variant<GrayImage, RgbImage> pixels;

@@ -1,4 +1,5 @@
-// Which perception the rover runs. Part of its data sheet, so that a log replays with it.
+// Which perception pipeline the robot runs. Part of its nominal parameters, so that a log replays
+// with it.
 #pragma once
 
 namespace dockyard {

@@ -1,6 +1,6 @@
 // Paths of circular arcs for a rover that steers no faster than it drives: Nesnas, Maimone and Das
-// (ICRA 2000), equations (1)-(14). The driven point is the middle of the axle, so their offset P
-// of the point to place is zero unless given.
+// (ICRA 2000), equations (1)-(14). The driven point is the middle of the axle, so the paper's
+// offset P of the point to place is zero unless given.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,7 +25,7 @@ Pose2 Advance(const Pose2& X_AR, const Arc& arc);
 Pose2 Advance(const Pose2& X_AR, const std::vector<Arc>& arcs);
 /// The first part of an arc; share in [0, 1].
 Arc Part(const Arc& arc, double share);
-/// The path's first metres; a path that is shorter whole.
+/// The first length_m of the path; the whole path if it is shorter.
 std::vector<Arc> Truncate(const std::vector<Arc>& arcs, double length_m);
 double Length(const std::vector<Arc>& arcs);   // distance travelled [m]
 double Turning(const std::vector<Arc>& arcs);  // sum of absolute turns [rad]
@@ -40,7 +40,7 @@ std::optional<Arc> OneArcTo(const Eigen::Vector2d& p_RG, const Eigen::Vector2d& 
 /// pair needs a turn in place or more than half a circle in one arc.
 std::optional<std::vector<Arc>> TwoArcsTo(const Pose2& X_RG, double first_curvature);
 
-/// What Eq. (14) minimises: |l1| + |l2| + ||l1| - |l2|| [m]; for a single arc its length twice.
+/// The cost of Eq. (14): |l1| + |l2| + ||l1| - |l2|| [m]; for a single arc its length twice.
 double TwoArcCost(const std::vector<Arc>& arcs);
 
 /// First curvatures worth trying, symmetric about zero, sharpest +-max_curvature.

@@ -1,4 +1,4 @@
-// Following a path of arcs: from where the robot is to how fast it should drive and turn.
+// Follows a path of arcs: from the robot's pose to the speed and the turning rate to drive.
 #pragma once
 
 #include <vector>
@@ -16,24 +16,24 @@ struct Twist {
 
 /// How hard to steer back to the path.
 struct Steering {
-  double settle_m = 0.5;         // way over which an offset dies out (critically damped)
+  double settle_m = 0.5;         // distance over which an offset dies out (critically damped)
   double max_turn_rad_s = 0.12;  // bounds the wheels' difference
 };
 
-/// Follows a path of arcs in D from wherever the rover is put: progress by projection onto the
-/// path, steering by offset and heading error. The same law forwards and backwards:
+/// Follows a path of arcs in D from any pose of the rover: progress by projection onto the path,
+/// steering by offset and heading error. The same law forwards and backwards:
 ///   turn = v k - 2|v|/s e_heading - v/s^2 e_left,   s = settle_m.
 class PathFollower {
  public:
   PathFollower(const Pose2& X_DR_start, std::vector<Arc> arcs);
 
-  /// Moves the progress to X_DR and answers what to drive at this speed (>= 0; the arc's sign is
-  /// put in here). Zero when done.
+  /// Moves the progress to X_DR and returns the twist at this speed (>= 0; the arc gives the sign).
+  /// Zero when done.
   Twist Follow(const Pose2& X_DR, double speed_m_s, const Steering& steering);
   bool done() const { return current_ >= arcs_.size(); }
-  double Remaining() const;  // way left [m]
+  double Remaining() const;  // distance left [m]
   bool forward() const { return !done() && arcs_[current_].length_m >= 0.0; }
-  /// Foot of the rover on the path.
+  /// Projection of the rover onto the path.
   Pose2 Reference() const;
 
  private:

@@ -14,15 +14,15 @@ inline constexpr int kBarAngles = 16;  // over half a turn
 
 struct BarMatch {
   // Correlation inside the disc with the printed pattern, its bar turned by pi i / kBarAngles
-  // counter-clockwise as the beholder sees it, in the plane where the rim is a unit circle.
+  // counter-clockwise as the viewer sees it, in the plane where the rim is a unit circle.
   std::array<float, kBarAngles> inner{};
   double whole = 0.0;     // correlation of disc and surround with the best of them
   double contrast = 0.0;  // share of the surrounding white that the black lacks
-  // Of a plain disc (FiducialBoard without bars) `inner` is zero.
+  // For a plain disc (FiducialBoard without bars) `inner` is zero.
 };
 
-/// flat: picture with the light divided out, 8 bit. blur_px: 1 sigma of its blur. None when the
-/// disc with its surround is not all in the picture.
+/// flat: image with the light divided out, 8 bit. blur_px: 1 sigma of its blur. None when part of
+/// the disc with its surround lies outside the image.
 std::optional<BarMatch> MatchBar(const cv::Mat& flat, const Ellipse& rim,
                                  const FiducialBoard& board, double blur_px, double white_level);
 

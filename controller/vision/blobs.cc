@@ -21,14 +21,14 @@ constexpr int kLevels = 5;  // up to 16 * 19 = 300 px across: a 10 cm disc at 0.
 // seldom gets there). In broken shade the light itself varies within the window, down to the sky's
 // share; then only a threshold between 0.06 and that share parts black from shaded white.
 constexpr std::array<double, 4> kBlack{0.68, 0.50, 0.36, 0.19};
-// Light that the lens spreads over the whole picture (sun in the lens, dust on it) lifts the black
-// too, and ratios say nothing until it is taken off. It is what the darkest thousandth of the
-// pixels has beyond an ordinary picture's black (3-9 DN in rendered views; assumed, 10-40).
+// Light that the lens spreads over the whole image (sun in the lens, dust on it) lifts the black
+// too, and ratios mean nothing until it is subtracted. It is the level of the darkest thousandth of
+// the pixels beyond an ordinary image's black (3-9 DN in rendered views; assumed, 10-40).
 constexpr double kVeiledShare = 0.001;
 constexpr int kOrdinaryBlack = 20;
-constexpr int kDarkest = 10;  // [DN] light below which nothing is looked for; 5 sigma of noise
+constexpr int kDarkest = 10;  // [DN] light below which nothing is searched; 5 sigma of noise
 
-/// Smallest blob looked at on the finest level [px]: two thirds of a 7 px disc seen at 45 deg.
+/// Smallest blob considered on the finest level [px]: two thirds of a 7 px disc seen at 45 deg.
 constexpr double kMinAxis = 2.0;
 constexpr double kMaxAxis = 11.0;       // semi-axis; the closing fills no wider blobs
 constexpr double kMinAxisRatio = 0.30;  // 65 deg oblique, and the lens's stretch at the border
@@ -62,8 +62,8 @@ cv::Mat Flatten(const cv::Mat& gray, int veil) {
 
 using Contours = std::vector<std::vector<cv::Point>>;
 
-/// Filters on the white regions within the black one. No hole is no objection: at a distance the
-/// blur swallows the bar, and the local refinement brings it back.
+/// Filters on the white regions within the black one. A region without a hole passes: at a distance
+/// the blur hides the bar, and the local refinement brings it back.
 bool HolesPass(const Contours& contours, const std::vector<cv::Vec4i>& links, int first,
                const Ellipse& outer, double outer_area) {
   int holes = 0;

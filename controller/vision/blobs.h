@@ -11,13 +11,13 @@
 
 namespace dockyard {
 
-/// One level of the image pyramid: everything is 2^level times smaller than the picture.
+/// One level of the image pyramid: everything is 2^level times smaller than the image.
 struct BlobLevel {
   int level = 0;
   cv::Mat gray;  // 8 bit
   cv::Mat flat;  // 8 bit: kFlatWhite times the grey over the white that surrounds it
   double scale() const { return static_cast<double>(1 << level); }
-  /// A pixel of this level in the picture, and a picture's pixel in this level.
+  /// A pixel of this level in the image, and a pixel of the image in this level.
   Eigen::Vector2d ToPicture(const Eigen::Vector2d& at) const {
     return scale() * (at + Eigen::Vector2d(0.5, 0.5)) - Eigen::Vector2d(0.5, 0.5);
   }
@@ -38,8 +38,8 @@ struct Blob {
 std::optional<Ellipse> MomentEllipse(const cv::Moments& moments);
 bool FitsInside(const Ellipse& ellipse, const cv::Size& size);
 
-/// Pyramid of the picture with the light divided out. The light is estimated by a grey closing,
-/// which fills what is dark and smaller than its window but keeps the straight edge of a shadow.
+/// Pyramid of the image with the light divided out. The light is estimated by a grey closing, which
+/// fills dark regions smaller than its window but keeps the straight edge of a shadow.
 std::vector<BlobLevel> BuildLevels(const GrayImage& image);
 
 /// Regions of one level, at several thresholds, that pass the filters on size, eccentricity, Euler

@@ -19,7 +19,7 @@ namespace {
 constexpr double kSureMargin = 0.10;
 constexpr std::size_t kMaxOfOneClass = 3;
 constexpr std::size_t kTried = 6;  // hypotheses that get a full pose
-// A disc's size against what the homography says, either way: detection is right to 10 %.
+// A disc's size against the homography's, either way: detection is right to 10 %.
 constexpr double kSizeTolerance = 1.35;
 
 /// Distance within which a projected mark and a detection are one [px].
@@ -172,7 +172,7 @@ bool Same(const std::vector<MarkMatch>& a, const std::vector<MarkMatch>& b) {
   });
 }
 
-/// What the hypotheses come to, the best of them, each naming once.
+/// The candidates of the hypotheses, best first, each naming once.
 /// @param whole  those alone that agree with a homography without leaving out any mark
 std::vector<Candidate> Vote(const Scene& scene,
                             const std::vector<std::vector<MarkMatch>>& hypotheses, bool whole) {
@@ -253,9 +253,9 @@ bool Contradict(const std::vector<MarkMatch>& a, const std::vector<MarkMatch>& b
   return 2 * same <= shared;
 }
 
-/// Whether the board, moved in its own plane, would find as many marks but one: so it is with a
-/// part of its pattern, and with a part of a larger one. Tried are the motions that put the first
-/// mark and its nearest upon any two as far apart.
+/// Whether the board, moved in its own plane, would find at most one mark less. A part of its
+/// pattern allows this, and so does a part of a larger pattern. The motions tried put the first
+/// mark and its nearest upon any two marks as far apart.
 bool FitsElsewhere(const Scene& scene, const Candidate& candidate, const Pose3& X_CB,
                    const Eigen::Vector3d& up_C) {
   const auto& marks = scene.board.fiducials;
@@ -288,7 +288,7 @@ bool FitsElsewhere(const Scene& scene, const Candidate& candidate, const Pose3& 
   return false;
 }
 
-/// The best naming, unless another comes near it: a rival has as many marks but one, and fits
+/// The best naming, unless another comes near it: a rival has at most one mark less, and fits
 /// nearly as well or better.
 Result<EyeCorrespondence, PoseFailure> BestWithoutRival(
     const Scene& scene, const std::vector<std::vector<MarkMatch>>& hypotheses,
@@ -325,8 +325,8 @@ Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFidu
   }
   const auto hypotheses = NamingHypotheses(detections, board, kMaxOfOneClass);
   std::optional<EyeCorrespondence> best;
-  // Leaving marks out takes most of the time and is for pictures with false or misread ones: with
-  // every detection named, or every fiducial, no other naming can win.
+  // Leaving marks out takes most of the time and serves images with false or misread ones. When
+  // every detection or every fiducial is named, no other naming can win.
   const std::size_t most = std::min(detections.size(), board.fiducials.size());
   for (const bool whole : {true, false}) {
     if (best && best->matches.size() == most) break;

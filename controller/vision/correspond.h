@@ -1,4 +1,4 @@
-// Which detection is which fiducial of the board, in one picture (Tsai et al., III-A.3).
+// Which detection is which fiducial of the board, in one image (Tsai et al., III-A.3).
 #pragma once
 
 #include <Eigen/Core>
@@ -14,20 +14,20 @@
 
 namespace dockyard {
 
-/// What one picture says.
+/// The correspondence in one image.
 struct EyeCorrespondence {
   std::vector<MarkMatch> matches;        // by id
   std::vector<Eigen::Vector2d> centres;  // pixel of each fiducial: measured, or else filled in
                                          // through the homography
-  std::vector<PlanarBranch> branches;    // the board in this camera, from this picture alone
+  std::vector<PlanarBranch> branches;    // the board in this camera, from this image alone
 };
 
 /// Two fiducials of each rotation leave (2!)^4 = 16 hypotheses; false marks and missing ones change
-/// the number. Each is put through a homography on the viewing sphere (a homography does not hold
-/// in fish-eye pixels), outliers rejected, the board re-projected, and what lies near counted. The
-/// winner has the most marks, then the least error, and must be a plumb board seen from its front.
-/// up_C: against gravity, unit, in the camera. With min_marks four instead of five a false one goes
-/// unnoticed in this picture alone: the other must confirm.
+/// the number. For each, a homography is fitted on the viewing sphere (it does not hold in fish-eye
+/// pixels), outliers are rejected, the board is re-projected, and the detections near it are
+/// counted. The winner has the most marks, then the least error, and must be a plumb board seen
+/// from its front. up_C: against gravity, unit, in the camera. With min_marks four instead of five,
+/// this image alone cannot show a false mark: the other image must confirm.
 Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
                                                   const Camera& camera, const FiducialBoard& board,
                                                   const Eigen::Vector3d& up_C, int min_marks = 5);

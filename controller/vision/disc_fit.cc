@@ -11,15 +11,16 @@ namespace dockyard {
 namespace {
 
 constexpr double kBlurPx = 0.7;  // lens and pixel, 1 sigma; assumed, 0.5-1.0
-// Beyond the rim and inside it [px]: three sigmas of blur, and levels to compare; no more, or what
-// else changes the light comes in.
+// Beyond the rim and inside it [px]: three sigmas of blur, and levels to compare. A wider ring
+// would take in other changes of the light.
 constexpr double kRingPx = 2.0, kInsidePx = 4.0;
 // In a disc smaller than this [px] the bar's blur reaches the rim, and both are fitted. In a larger
-// one the bar is left out: its middle is the disc's printed one, which is not that of the picture.
+// one the bar is left out: its middle is the disc's printed centre, which is not the centre of the
+// disc's image.
 constexpr double kWithBarPx = 6.5;
-constexpr double kFarthestPx = 1.0;  // a rim's centre is not off by more
-// Misfit over contrast that an even light leaves at most (99 % of rendered discs): without and with
-// the bar. A shadow's edge across the disc leaves more, and pulls the centre.
+constexpr double kFarthestPx = 1.0;  // no rim's centre is off by more
+// Largest misfit over contrast in even light (99 % of rendered discs): without and with the bar. A
+// shadow's edge across the disc leaves more, and pulls the centre.
 constexpr double kMostMisfit = 0.07, kMostMisfitWithBar = 0.12;
 constexpr int kIterations = 3;   // each leaves a hundredth of the shift
 constexpr double kNoBar = -1e3;  // half a bar's length in rim radii, beyond any blur
@@ -112,7 +113,7 @@ struct Window {
   int x0, x1, y0, y1;
 };
 
-/// What a round starts from.
+/// Start values of a round.
 struct Guess {
   Eigen::Vector2d centre_px;
   double size = 1.0;         // of the disc, in radii of the rim

@@ -15,22 +15,22 @@ namespace {
 
 // Tuned on synthetic views, range 1-6 m, three kinds of light (assumed, +-0.1).
 constexpr double kMinInner = 0.55;
-// A disc under 10 px across hardly shows its bar; its surround must then match the better.
+// A disc under 10 px across hardly shows its bar; its surround must then match better.
 constexpr double kSmallRadius = 5.0, kMinInnerSmall = 0.25, kMinWholeSmall = 0.78;
 constexpr double kMinWhole = 0.70;
 constexpr double kMinContrast = 0.25;
-// A disc without a bar: nothing but the rim speaks for it, so it must show the better.
+// A disc without a bar is recognised by its rim alone, so it must match better.
 constexpr double kMinWholePlain = 0.85;
-// Blur of a flat picture, 1 sigma [px]: lens and pixel 0.67, smoothing 0.7; coarser levels see less
+// Blur of a flat image, 1 sigma [px]: lens and pixel 0.67, smoothing 0.7; coarser levels see less
 // of the lens.
 constexpr double kFineBlur = 0.97, kCoarseBlur = 0.80;
 
-// White starts at this multiple of the threshold that parted it from black (assumed, 1.4-2).
+// White starts at this multiple of the threshold that separated it from black (assumed, 1.4-2).
 constexpr double kWhiteOverThreshold = 1.6;
 
-// Centres' errors on rendered pairs, one axis [px] (docs/results/perception.md): by the grey,
-// beside its noise [DN], what blur and print leave to the pattern; by the rim alone, under a
-// shadow's edge.
+// Errors of centres on rendered pairs, one axis [px] (docs/results/perception.md). From the grey
+// levels: their noise [DN], and the error that blur and print leave in the pattern. From the rim
+// alone: under a shadow's edge.
 constexpr double kGreyNoise = 2.0;  // assumed, 1-3
 constexpr double kPatternSigma = 0.006, kPatternSigmaRadius = 0.05;
 constexpr double kRimSigma = 0.12;
@@ -73,8 +73,8 @@ bool IsKnown(const std::vector<DetectedFiducial>& found, const Eigen::Vector2d& 
   });
 }
 
-/// Small unclear discs are the board's when it is far, and stones when it is near: with three clear
-/// marks or more, an unclear one under half their median size goes.
+/// Small unclear discs are marks when the board is far, and stones when it is near. With three
+/// clear marks or more, an unclear disc under half their median size is dropped.
 void DropStones(std::vector<DetectedFiducial>& found) {
   std::vector<double> radii;
   for (const DetectedFiducial& fiducial : found) {
@@ -101,7 +101,7 @@ double BarMatchAt(const DetectedFiducial& fiducial, double angle_rad) {
          share * fiducial.bar_match[index(floor + 1.0)];
 }
 
-/// Direction of the plumb line's picture at a pixel, upwards, unit.
+/// Direction of the plumb line's image at a pixel, upwards, unit.
 std::optional<Eigen::Vector2d> UpInPicture(const Camera& camera, const Eigen::Vector3d& up_C,
                                            const Eigen::Vector2d& pixel) {
   const LensRay ray = camera.Ray(pixel);
@@ -134,7 +134,7 @@ std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image,
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.match > b.match; });
-  std::vector<DetectedFiducial> distinct;  // outlines apart may have led to one disc
+  std::vector<DetectedFiducial> distinct;  // several outlines may have led to one disc
   for (const DetectedFiducial& fiducial : found) {
     if (!IsKnown(distinct, fiducial.rim.centre_px)) distinct.push_back(fiducial);
   }

@@ -1,4 +1,4 @@
-// Fiducials in one picture (Tsai et al., III-A.2): adaptive threshold, blobs, filters, local
+// Fiducials in one image (Tsai et al., III-A.2): adaptive threshold, blobs, filters, local
 // refinement, ellipse; then the bar's rotation in one of four classes.
 #pragma once
 
@@ -13,9 +13,9 @@
 namespace dockyard {
 
 struct DetectedFiducial {
-  Ellipse rim;             // in the picture
+  Ellipse rim;             // in the image
   double sigma_px = 0.12;  // predicted error of its centre, one axis, from size, contrast and noise
-  double match = 0.0;      // correlation of the picture with the printed pattern, up to 1
+  double match = 0.0;      // correlation of the image with the printed pattern, up to 1
   // The same inside the disc, bar turned by pi i / 16; zero on a board of plain discs.
   std::array<float, 16> bar_match{};
   bool clear = false;  // whether its bar shows; else it is a disc too small to tell
@@ -27,13 +27,13 @@ struct DetectedFiducial {
 /// The class of a bar's direction (FiducialBoard's convention).
 int RotationClass(double rotation_rad);
 
-/// Everything in the picture that looks like a fiducial, in any rotation, best match first. The
-/// picture's size is that of its pixels; an empty one gives none.
+/// All candidates for fiducials in the image, in any rotation, best match first. The image's size
+/// is that of its pixels; an empty one gives none.
 std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image, const FiducialBoard& board);
 
-/// The rotation on the board out of the one in the picture, given which way is up. The rim's
-/// ellipse alone leaves a turn open when the board is seen from above and aside at once; the
-/// picture of the plumb line fixes it.
+/// Finds each rotation on the board from the one in the image, given which way is up. When the
+/// board is seen from above and aside at once, the rim's ellipse alone leaves a turn open; the
+/// image of the plumb line fixes it.
 void AssignRotations(std::vector<DetectedFiducial>& fiducials, const Camera& camera,
                      const Eigen::Vector3d& up_C);
 

@@ -10,7 +10,7 @@
 namespace dockyard {
 namespace {
 
-// Against 0.70 in the whole picture: one place of known size and rotation is tried, not thousands.
+// Against 0.70 in the whole image: one place of known size and rotation is tried, not thousands.
 constexpr double kMinWhole = 0.55;
 constexpr double kMinWholePlain = 0.75;  // against 0.85; no bar's direction is there to be checked
 constexpr double kMinContrast = 0.20;

@@ -1,4 +1,4 @@
-// Internal to the vision room. Fiducials that the search of the whole picture missed, looked for
+// Internal to the vision room. Searches for fiducials that the search of the whole image missed,
 // where a first pose puts them.
 #pragma once
 
@@ -15,15 +15,16 @@ std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image,
                                               const std::vector<BlobLevel>& levels,
                                               const FiducialBoard& board);
 
-/// Replaces the rim's centre by the grey's where the light allows, and predicts the centre's error.
+/// Replaces the rim's centre by that of the grey levels where the light allows, and predicts the
+/// centre's error.
 void SettleCentre(const GrayImage& image, const FiducialBoard& board, DetectedFiducial* fiducial);
 
-/// The rim of a fiducial as a pose puts it; none when it does not lie whole in the picture.
+/// The rim of a fiducial as a pose puts it; none when part of it lies outside the image.
 std::optional<Ellipse> ExpectedRim(const Camera& camera, const Pose3& X_CB,
                                    const Fiducial& fiducial, double diameter_m);
 
-/// Looks for one fiducial about an expected rim. Its place, size and rotation are known, so that a
-/// weaker match is enough than in the whole picture.
+/// Searches for one fiducial about an expected rim. Its place, size and rotation are known, so a
+/// weaker match is enough than in a search of the whole image.
 /// @param gate_px  how far from its place it may be
 std::optional<DetectedFiducial> DetectAt(const GrayImage& image,
                                          const std::vector<BlobLevel>& levels,

@@ -24,7 +24,7 @@ Eigen::Matrix3d Normaliser(const std::vector<PlanePair>& pairs, Eigen::Vector2d 
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 using Vector8 = Eigen::Matrix<double, 8, 1>;
 
-/// Normal equations of the homography of normalised points; those of fewer points are had by
+/// Normal equations of the homography of normalised points; those of fewer points follow by
 /// subtraction.
 struct Equations {
   Matrix8 A = Matrix8::Zero();

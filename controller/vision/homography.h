@@ -1,5 +1,5 @@
 // Homography from the board to a plane before the camera. It holds between planes, not on a
-// fish-eye picture: points are given on the tangent plane of the viewing sphere.
+// fish-eye image: points are given on the tangent plane of the viewing sphere.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +15,8 @@ struct PlanePair {
   Eigen::Vector2d image;  // on the tangent plane [-]
 };
 
-/// The plane that touches the viewing sphere in the middle of what is looked at; frame T has its z
-/// there. Rays up to 60 deg about it are well represented, wherever in the picture they are.
+/// The plane that touches the viewing sphere in the middle of the given rays; z of frame T points
+/// there. Rays up to 60 deg about it are well represented, wherever in the image they are.
 struct TangentPlane {
   Eigen::Matrix3d R_TC = Eigen::Matrix3d::Identity();
 
@@ -28,7 +28,7 @@ TangentPlane TangentPlaneAt(const std::vector<Eigen::Vector3d>& rays_C);
 /// Normalised direct linear transform (Hartley, IEEE TPAMI 19(6), 1997): image ~ H board. Needs
 /// four points in general position, none of them at infinity.
 std::optional<Eigen::Matrix3d> FitHomography(const std::vector<PlanePair>& pairs);
-/// None where the point goes to infinity or behind.
+/// None where the point goes to infinity or behind the camera.
 std::optional<Eigen::Vector2d> Map(const Eigen::Matrix3d& H, const Eigen::Vector2d& board);
 
 struct RobustHomography {

@@ -13,8 +13,8 @@ struct MarkMatch {
   int detection = -1;  // index into the detections
 };
 
-/// The product of the namings of the four rotations: (2!)^4 = 16 with two marks of each. Of one
-/// rotation only the first few detections are named.
+/// The product of the namings of the four rotations: (2!)^4 = 16 with two marks of each. At most
+/// max_of_one_class detections of one rotation are named.
 std::vector<std::vector<MarkMatch>> NamingHypotheses(
     const std::vector<DetectedFiducial>& detections, const FiducialBoard& board,
     std::size_t max_of_one_class);

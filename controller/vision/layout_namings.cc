@@ -73,7 +73,7 @@ double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Something beside the first disc: where, as the board would have it.
+/// A neighbour of the first disc, and its place relative to it on the board.
 struct Beside {
   int index = -1;
   Eigen::Vector2d way_m;
@@ -176,7 +176,7 @@ Naming NameByPose(const Picture& picture, const Camera& camera, const FiducialBo
   return NameBy(picture, places, radii);
 }
 
-/// The naming with what a homography through it adds.
+/// The naming, with the marks that a homography through it adds.
 Naming Grown(const Picture& picture, const FiducialBoard& board, Naming naming) {
   for (int round = 0; round < kRounds && naming.size() >= 4; ++round) {
     std::vector<PlanePair> pairs;
@@ -220,7 +220,7 @@ bool SizeFits(const Seen& seen, const Search& search, const Pose3& X_CB,
   return ratio < kSizeTolerance && ratio > 1.0 / kSizeTolerance;
 }
 
-/// The seed and two beside it are taken for a mark and two beside that.
+/// Takes the seed and two neighbours for a mark and two of its neighbours.
 void TryTriple(Search& search, std::size_t seed, const Beside& a, const Beside& b, std::size_t mark,
                const Beside& mark_a, const Beside& mark_b) {
   const auto point = [&](std::size_t id) {
@@ -277,7 +277,8 @@ std::vector<std::vector<MarkMatch>> NamingsByLayout(const std::vector<DetectedFi
   const Picture picture = Prepare(detections, camera, board);
   Search search{picture, camera, board, up_C, PrintedBeside(board), {}, 0};
   for (std::size_t seed = 0; seed < std::min(kSeeds, detections.size()); ++seed) {
-    // A disc of a large naming gives that naming again, and its rivals; a small one may be false.
+    // A disc of a large naming would give that naming and its rivals again. A small naming may be
+    // false.
     const bool named = std::any_of(search.found.begin(), search.found.end(), [&](const Naming& n) {
       if (n.size() < kLargeShare * static_cast<double>(board.fiducials.size())) return false;
       return std::any_of(n.begin(), n.end(),

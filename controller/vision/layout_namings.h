@@ -10,11 +10,11 @@
 
 namespace dockyard {
 
-/// A disc's ellipse is the local map from board to picture, but for a turn; with it a disc and two
-/// neighbours are compared with every mark and its neighbours. Those alike give poses (three points
-/// of known place), of which the upright ones that face the camera are tried on all detections:
-/// what lies near is named, and a homography through it names the rest. False detections and
-/// missing marks leave a naming smaller. Not every triple is tried in a crowded picture
+/// A disc's ellipse is the local map from board to image, but for a turn. With this map a disc and
+/// two neighbours are compared with every mark and its neighbours. Triples that agree give poses
+/// (three points of known place). Each upright pose that faces the camera is tried on all
+/// detections: it names those near its marks, and a homography through them names the rest. False
+/// detections and missing marks make a naming smaller. In a crowded image not every triple is tried
 /// (kMostTriples).
 /// @param up_C  against gravity, unit, in the camera
 /// @returns namings of MarksNeeded(board) marks or more, each once, the largest first

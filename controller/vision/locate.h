@@ -1,4 +1,4 @@
-// Pictures in, pose of the board out: detect, correspond, estimate (Tsai et al., section III).
+// Images in, pose of the board out: detect, correspond, estimate (Tsai et al., section III).
 #pragma once
 
 #include <Eigen/Core>
@@ -19,27 +19,27 @@ enum class PoseFailure {
   kNoCorrespondence,  // no hypothesis explains enough of the detections
   kBehindCamera,      // the fit puts the board where it cannot be seen
   kPoorFit,           // one image: residuals larger than their prediction
-  kEyesDisagree,      // both: the same, or the cameras turned beyond belief
+  kEyesDisagree,      // both images: the same, or a camera turn beyond the first belief
   kUncertain,         // the pose's own covariance is too large to be of use
   kNotUpright,        // the board's roll contradicts gravity, or what its file allows
-  kAmbiguous,         // two poses or two namings that fit alike, and nothing tells which
+  kAmbiguous,         // two poses or two namings that fit alike, and nothing decides
 };
 const char* Name(PoseFailure failure);
 
-/// What the rover knows besides the pictures.
+/// The rover's knowledge besides the images.
 struct LocateHints {
   Eigen::Vector3d up_R{0, 0, 1};       // against gravity, unit, from the IMU, in the rover body
   std::optional<Pose3> X_RB_expected;  // from odometry since the last accepted sighting
-  CameraTurn camera_turn{};            // of the right camera, from the looks so far
+  CameraTurn camera_turn{};            // of the right camera, from the sightings so far
 };
 
 struct DockSighting {
   Pose3 X_RB;                              // board in the rover body
   double reprojection_px = 0.0;            // RMS over the measured fiducials of both images
   int fiducials_used = 0;                  // measured, both images together
-  bool stereo = false;                     // whether both images carried the pose
+  bool stereo = false;                     // whether both images gave the pose
   Matrix6d covariance = Matrix6d::Zero();  // as RefinedPose's; zero from tsai2013, which has none
-  CameraTurn camera_turn{};                // the belief after this look
+  CameraTurn camera_turn{};                // the belief after this sighting
 };
 
 /// The result for the controller and the full account for the log.
@@ -48,7 +48,7 @@ struct LocateOutput {
   SightingReport report;
 };
 
-/// tsai2013 takes a board with two bars of each rotation alone; the other any (MarksNeeded).
+/// tsai2013 takes only a board with two bars of each rotation; dockyard takes any (MarksNeeded).
 LocateOutput LocateBoard(const StereoImages& images, const StereoRig& rig,
                          const FiducialBoard& board, const LocateHints& hints,
                          const VisionSettings& settings = {});

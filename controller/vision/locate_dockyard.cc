@@ -17,12 +17,12 @@
 namespace dockyard {
 namespace {
 
-constexpr int kMinTogether = 6;   // marks of both pictures that carry a pose when neither has five
-constexpr int kMinSecondEye = 2;  // marks that make the other picture worth a joint fit
-// How far a mark may lie from where the other eye's pose puts it [px]: a mono range error of 0.3 m
-// at 5 m shifts it by 3 px, 0.5 deg between the cameras by 6 px.
+constexpr int kMinTogether = 6;   // marks of both images that give a pose when neither has five
+constexpr int kMinSecondEye = 2;  // marks in the other image that allow a joint fit
+// How far a mark may lie from where the other camera's pose puts it [px]: a mono range error of 0.3
+// m at 5 m shifts it by 3 px, 0.5 deg between the cameras by 6 px.
 constexpr double kCrossGatePx = 12.0;
-constexpr double kFinalGatePx = 4.0;   // the same once both eyes carried the pose
+constexpr double kFinalGatePx = 4.0;   // the same once both cameras gave the pose
 constexpr double kGuidedGatePx = 2.5;  // of a missing mark from its place, and 4 % of its diameter
 
 using EyeResult = Result<EyeCorrespondence, PoseFailure>;
@@ -96,8 +96,8 @@ Fix Refit(const Eyes& eyes, const FiducialBoard& board, const Fix& fix,
 }
 
 /// The fit with its covariance, and without marks that contradict the rest by more than 4.5 of
-/// their predicted sigmas (4e-5 of honest ones): a disc half hidden, a shadow's edge along a rim.
-/// Six marks, and two thirds, must stay; from less the fit is judged as it is.
+/// their predicted sigmas (4e-5 of good ones): a disc half hidden, a shadow's edge along a rim. Six
+/// marks, and two thirds, must stay; from less the fit is judged as it is.
 Fix WithoutStrays(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) {
   constexpr double kStray = 4.5;
   Fix at = Refit(eyes, board, fix, fix.marks, true);
@@ -114,7 +114,7 @@ Fix WithoutStrays(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) 
   return at;
 }
 
-/// Gathers what both pictures show where the fit expects it, and fits again.
+/// Gathers the detections of both images where the fit expects them, and fits again.
 Fix WithAllMarks(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) {
   std::vector<MarkPixel> marks;
   for (int view = 0; view < 2; ++view) {
@@ -130,7 +130,7 @@ Fix WithAllMarks(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) {
   return wider.fit.rms_px < fix.fit.rms_px + 0.5 ? wider : fix;
 }
 
-/// Looks again, in both pictures, for the fiducials that nobody found, where the fit puts them.
+/// Searches both images again for the missing fiducials, where the fit puts them.
 Fix WithGuidedMarks(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) {
   std::vector<MarkPixel> marks = fix.marks;
   for (int view = 0; view < 2; ++view) {
@@ -165,7 +165,7 @@ std::vector<Pose3> InRover(const std::vector<PlanarBranch>& branches, const Pose
   return poses;
 }
 
-/// Both eyes know their marks: point stereo on complete sets, rigid fit, joint fit.
+/// The marks of both images are named: point stereo on complete sets, rigid fit, joint fit.
 std::optional<Fix> FromBoth(const Eyes& eyes, const StereoRig& rig, const FiducialBoard& board,
                             const EyeCorrespondence& left, const EyeCorrespondence& right) {
   std::vector<Pose3> starts = InRover(left.branches, eyes.views[0].X_RC);
@@ -175,7 +175,7 @@ std::optional<Fix> FromBoth(const Eyes& eyes, const StereoRig& rig, const Fiduci
   return BestJointFit(eyes, board, marks, starts);
 }
 
-/// One eye knows its marks; the other is searched where they should be.
+/// The marks of one image are named; the other image is searched where they should be.
 std::optional<Fix> FromOneAndSearch(const Eyes& eyes, const FiducialBoard& board, int view,
                                     const EyeCorrespondence& eye) {
   const int other = 1 - view;
@@ -195,8 +195,8 @@ std::optional<Fix> FromOneAndSearch(const Eyes& eyes, const FiducialBoard& board
   return best;
 }
 
-/// Neither eye has five marks: four of one, which prove nothing alone, and two or more of the other
-/// that lie where those four put them. Four plain discs are found in too many pictures.
+/// Neither image has five marks. Four of one prove nothing alone, so two or more of the other must
+/// lie where those four put them. Four plain discs are found in too many images.
 std::optional<Fix> FromFew(const Eyes& eyes, const FiducialBoard& board) {
   if (!board.HasBars()) return std::nullopt;
   std::optional<Fix> best;
@@ -227,7 +227,7 @@ Result<Fix, PoseFailure> FromOne(const Eyes& eyes, const FiducialBoard& board, i
   return WithGuidedMarks(eyes, board, fix);
 }
 
-/// The reason of the eye that came further.
+/// The failure of the image that came further.
 PoseFailure Nearer(PoseFailure left, PoseFailure right) {
   return left == PoseFailure::kTooFewFiducials ? right : left;
 }

@@ -18,7 +18,7 @@ double RootMeanSquare(const std::vector<double>& values) {
   return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// Planar pose of the marks of one eye under the linear model; the better branch, as the method
+/// Planar pose of the marks of one image under the linear model; the better branch, as the method
 /// itself chooses.
 std::optional<Pose3> OneEye(const TsaiCorrespondence& eye, const Camera& camera,
                             const FiducialBoard& board) {

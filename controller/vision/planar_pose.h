@@ -1,4 +1,4 @@
-// Pose of the board from one camera alone, on rays, so that the lens does no harm.
+// Pose of the board from one camera alone. It is fitted on rays, so distortion does no harm.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Internal to the vision room. Whether a pose from anybody's points is to be believed.
+// Internal to the vision room. Decides whether a pose from given points is accepted.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,19 @@ namespace dockyard {
 std::size_t DistinctPoints(const std::vector<PointPixel>& points, const std::vector<bool>& chosen,
                            int view = -1);
 
-/// How many poses with as many agreeing points as this one are to be expected if every point's name
-/// were drawn at random (the number of false alarms of Moisan and Stival, IJCV 57(3), 2004): each
-/// triple gives up to four poses, and each further point falls within the largest error with the
-/// share of the points' picture that this circle has. The least of the images.
+/// The expected number of poses with as many agreeing points as this one, if every point's name
+/// were drawn at random (the number of false alarms of Moisan and Stival, IJCV 57(3), 2004). Each
+/// triple gives up to four poses. Each further point falls within the largest error with a
+/// probability equal to the area of this circle over the area of the box about the points. The
+/// least of the images.
 /// @param error_px  by pixel, the survey's error not taken out
 double ExpectedAccidents(const std::vector<PointPixel>& points, const std::vector<bool>& inlier,
                          const std::vector<double>& error_px);
 
 /// None: accepted. kTooFewFiducials: fewer than four points agree. kNoCorrespondence: fewer than
-/// half agree, or accident explains it. kEyesDisagree: one image has half of its points in
-/// agreement, the other with four or more has not. kUncertain: the covariance is not positive, or
-/// 1 sigma exceeds 30 deg or half the distance.
+/// half agree, or chance explains it. kEyesDisagree: one image has half of its points in agreement,
+/// the other with four or more has not. kUncertain: the covariance is not positive, or 1 sigma
+/// exceeds 30 deg or half the distance.
 std::optional<PoseFailure> JudgePoints(const std::vector<PointPixel>& points,
                                        const std::vector<bool>& inlier,
                                        const std::vector<double>& error_px,

@@ -11,11 +11,11 @@ namespace dockyard {
 namespace {
 
 constexpr std::size_t kMaxTriples = 400;
-// A pose from three points errs by pixels elsewhere; in the other picture by what the calibration
-// is off too (0.5 deg at 700 px a radian). Assumed, 2-8 and 6-20.
+// A pose from three points errs by pixels elsewhere, in the other image by the calibration's error
+// too (0.5 deg at 700 px a radian). Assumed, 2-8 and 6-20.
 constexpr double kOwnGatePx = 5.0, kOtherGatePx = 12.0;
-// So many sigmas of the survey's error widen a gate: a point's own and what those of the three
-// make of it. Assumed, 2-5.
+// A gate is widened by this many sigmas of the survey's error: the point's own, and the one that
+// the three points pass on. Assumed, 2-5.
 constexpr double kSurveySigmas = 3.0;
 
 std::vector<std::array<std::size_t, 3>> Triples(const std::vector<std::size_t>& of) {

@@ -12,14 +12,14 @@ namespace dockyard {
 using PointGroups = std::vector<std::vector<std::size_t>>;
 PointGroups GroupsOf(const std::vector<PointPixel>& points);
 
-/// What FitPoints seeks: pose, turn of the cameras and, of each camera, how many sigmas of
+/// The unknowns of FitPoints: pose, turn of the cameras and, for each camera, by how many sigmas of
 /// CalibrationSpread its focal length, its centre along u and v and its radial term are off.
 struct PointEstimate {
   PoseEstimate pose;
   Eigen::Matrix<double, 8, 1> calibration = Eigen::Matrix<double, 8, 1>::Zero();
 };
 
-/// A pixel's error at an estimate, and what one metre of its point moves it by.
+/// A pixel's error at an estimate, and its derivative by the place of its point.
 struct PixelError {
   Eigen::Vector2d error_px = Eigen::Vector2d::Zero();
   Eigen::Matrix<double, 2, 3> by_point = Eigen::Matrix<double, 2, 3>::Zero();  // [px/m]

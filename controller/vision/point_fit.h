@@ -12,7 +12,7 @@ namespace dockyard {
 struct PointFitOptions {
   double sigma_px = 0.15;     // of a pixel, one axis, where the point names none
   double survey_m = 0.0;      // of a point of the body, one axis, where the point names none
-  double survey_share = 1.0;  // by which every point's is multiplied
+  double survey_share = 1.0;  // factor on every point's survey error
   bool fit_turn = true;       // of the cameras against each other; with two views only
 };
 

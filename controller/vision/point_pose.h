@@ -24,22 +24,24 @@ struct PointPose {
   std::string method;             // "stereo", "left", "right"
   std::optional<Pose3> other_RB;  // a plane seen by one camera: the other pose that fits nearly
   double other_cost = 0.0;        // RefinedPose::cost of it
-  double sigma_px = 0.0;          // noise of the pixels as the residuals show it
-  double survey_share = 1.0;      // of the survey's error as stated: the same
+  double sigma_px = 0.0;          // noise of the pixels, from the residuals
+  double survey_share = 1.0;      // factor on the stated survey error, likewise
 };
 
-/// dockyard: the pose from three points that the others fit best (FindConsensus), then rounds of
-/// the joint fit (FitPoints) with what lies within 4 sigmas of it, their scale taken from the
-/// median over all pixels, never from the kept ones alone: the pixels' noise or the survey's error,
-/// whichever explains the errors better, is raised above what is stated. For the covariance the
-/// noise is taken from all that agree, and the survey's error may come out below what is stated.
-/// JudgePoints then accepts or refuses: at least four different points
-/// and half of all must agree, in each image that shows four or more, and more than accident
-/// explains; when each camera's points agree by themselves but not together it is kEyesDisagree.
-/// tsai2013: with both cameras, points that both see are triangulated and a rigid fit
-/// made; with one, the planar pose under the linear model; no point is left out, the survey's error
-/// is not used, and a body that is no plane gives kNoCorrespondence.
-/// @param views  left and right; points name them by index, one may have none
+/// dockyard: it starts from the pose of three points that the others fit best (FindConsensus).
+/// Rounds of the joint fit (FitPoints) follow, on the points within 4 sigmas. The scale of the
+/// sigmas comes from the median over all pixels, never from the kept ones alone: the pixels' noise
+/// or the survey's error, whichever explains the errors better, is raised above the stated value.
+/// For the covariance the noise is taken from all points that agree, and the survey's error may
+/// come out below the stated value. JudgePoints then accepts or refuses: at least four different
+/// points and half of all must agree, in each image that shows four or more, and more than chance
+/// explains. When each camera's points agree by themselves but not together, the result is
+/// kEyesDisagree.
+///
+/// tsai2013: with both cameras, it triangulates the points that both see and makes a rigid fit;
+/// with one, it takes the planar pose under the linear model. No point is left out, the survey's
+/// error is not used, and a body that is no plane gives kNoCorrespondence.
+/// @param rig  left camera: view 0 of the points, right camera: view 1; one may have no points
 Result<PointPose, PoseFailure> PoseFromPoints(const std::vector<PointPixel>& points,
                                               const StereoRig& rig, const VisionSettings& settings,
                                               const PointOptions& options = {});

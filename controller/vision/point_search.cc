@@ -28,7 +28,7 @@ double Limit(std::size_t pixels) {
   return freedom * std::pow(1.0 - share + kNormalQuantile * std::sqrt(share), 3);
 }
 
-/// The fit of PoseFromPoints: what it is given, and the rounds of fitting and leaving out.
+/// The fit of PoseFromPoints: its inputs, and the rounds of fitting and leaving out.
 class PointSearch {
  public:
   PointSearch(const std::vector<PointPixel>& points, const std::vector<CameraView>& views,
@@ -79,21 +79,21 @@ double NoiseWhere(double least_px, Excess excess) {
   return high;
 }
 
-/// Of every pixel, so that it does not depend on which were left out: the median of the squared
-/// sigmas less what it should be.
+/// The median of the squared sigmas less its expected value, over every pixel, so that it does not
+/// depend on which were left out.
 double PointSearch::MedianExcess(const std::vector<PixelError>& errors, double sigma_px,
                                  double share) const {
   std::vector<double> squares;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     squares.push_back(SquaredSigmas(errors, {i}, sigma_px, share * Survey(i)));
   }
-  // Chi-square's median with two degrees of freedom, less what the pose takes.
+  // Chi-square's median with two degrees of freedom, less the part that the pose takes.
   const double count = static_cast<double>(errors.size());
   return Median(squares) - 2.0 * std::log(2.0) * std::max(0.25, 1.0 - 3.0 / count);
 }
 
-/// Twice the negative logarithm of the errors' likelihood but for a constant; what lies beyond the
-/// gate counts as if on it.
+/// Twice the negative logarithm of the errors' likelihood but for a constant; errors beyond the
+/// gate count as if on it.
 double PointSearch::Unlikeliness(const std::vector<PixelError>& errors, double sigma_px,
                                  double share) const {
   double sum = 0.0;
@@ -127,7 +127,7 @@ void PointSearch::TakeNoiseOfAll(const std::vector<PixelError>& errors) {
   survey_share_ = share;
 }
 
-/// Sum of squares of all that agree, over what pixels and survey are thought to err.
+/// Sum of squares of all that agree, in sigmas of pixels and survey.
 double PointSearch::Misfit(const std::vector<PixelError>& errors, double sigma_px,
                            double survey_share) const {
   double squares = 0.0;
@@ -149,11 +149,11 @@ double TurnSquares(const RefinedPose& fit, bool fit_turn) {
   return fit.turn.mean_rad.cwiseAbs2().cwiseQuotient(before.covariance.diagonal()).sum();
 }
 
-/// The noise as the residuals show it: whoever found the points may have found them worse than we
-/// find fiducials, and may have surveyed them better than he dares to say. The covariance tells.
+/// Takes the noise from the residuals, for the covariance. Given points may be measured less
+/// precisely than our fiducials, and surveyed better than stated.
 void PointSearch::TakeNoiseOfInliers(const std::vector<PixelError>& errors) {
-  // What the survey's stated error is worth against the residuals, in degrees of freedom: those of
-  // one more pixel. Assumed, 1-4.
+  // Weight of the survey's stated error against the residuals, in degrees of freedom: those of one
+  // more pixel. Assumed, 1-4.
   constexpr double kPriorFreedom = 2.0;
   const double used = static_cast<double>(std::count(inlier_.begin(), inlier_.end(), true));
   const double freedom = std::max(1.0, 2.0 * used - 6.0);
@@ -300,10 +300,10 @@ std::string Method(const std::vector<PointPixel>& points, const std::vector<bool
 Result<PointPose, PoseFailure> SearchPose(const std::vector<PointPixel>& points,
                                           const std::vector<CameraView>& views,
                                           const PointOptions& options) {
-  // Pixels that err by more are looked at twice. Assumed, 1-4.
+  // With more noise than this the cameras are checked one by one. Assumed, 1-4.
   constexpr double kDoubtfulPx = 2.0;
-  // Each camera alone fits so many times better than both together: left and right exchanged give
-  // 50, chance with five points 1 in 1000. Assumed, 2-6.
+  // Each camera alone must fit this many times better than both together: left and right exchanged
+  // give 50, chance with five points 1 in 1000. Assumed, 2-6.
   constexpr double kBetterAlone = 3.0;
   const auto found = PointSearch(points, views, options).Find();
   if (found && (found->method != "stereo" || found->sigma_px < kDoubtfulPx)) return found;

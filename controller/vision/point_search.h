@@ -9,7 +9,7 @@
 
 namespace dockyard {
 
-/// As PoseFromPoints says of `dockyard`.
+/// The pipeline `dockyard` of PoseFromPoints.
 Result<PointPose, PoseFailure> SearchPose(const std::vector<PointPixel>& points,
                                           const std::vector<CameraView>& views,
                                           const PointOptions& options);

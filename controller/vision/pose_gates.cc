@@ -54,7 +54,7 @@ std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<Camer
   const bool fits = fit.misfit <= ChiSquareLimit(fit.freedom);
   if (views.size() == 1 && !fits) return PoseFailure::kPoorFit;
   if (views.size() == 2) {
-    // Four sigma of what the calibration may be off, by the belief before the first look.
+    // Four sigma of the calibration's error, by the belief before the first sighting.
     const CameraTurn at_first{};
     const Eigen::Vector3d sigmas =
         fit.turn.mean_rad.cwiseQuotient(at_first.covariance.diagonal().cwiseSqrt());

@@ -1,4 +1,4 @@
-// Internal to the vision room. What the fits of pose_refine.h and point_fit.h share: covariance and
+// Internal to the vision room. Shared by the fits of pose_refine.h and point_fit.h: covariance and
 // errors of an estimate.
 #pragma once
 

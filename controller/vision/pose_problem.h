@@ -1,5 +1,5 @@
-// Internal to the vision room. The equations of RefinePoints: errors of points in one picture or
-// two, over their sigmas, with their derivatives.
+// Internal to the vision room. The equations of RefinePoints: errors of points in one image or two,
+// over their sigmas, with their derivatives.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace dockyard {
 
-/// What is sought: the body's pose and the cameras' relative turn.
+/// The unknowns: the body's pose and the cameras' relative turn.
 struct PoseEstimate {
   Pose3 X_RB;
   Eigen::Vector3d turn_rad = Eigen::Vector3d::Zero();
@@ -35,7 +35,7 @@ class PoseProblem {
   bool joint() const { return joint_; }  // whether the relative turn is sought
   std::size_t size() const { return points_.size(); }
 
-  /// Sets, for this pose, by how much a disc's picture is off the picture of its centre.
+  /// Sets, for this pose, by how much the centre of a disc's image is off the image of its centre.
   /// @returns the largest change [px]
   double UpdateOffsets(const PoseEstimate& at);
 
@@ -46,8 +46,8 @@ class PoseProblem {
   /// Error of each point [px].
   std::vector<Eigen::Vector2d> Errors(const PoseEstimate& at) const;
 
-  /// One point: its error over sigma, how that moves with the step, and with one sigma of what the
-  /// calibration of its camera may be off: focal length, centre along u and v, radial term.
+  /// One point: its error over sigma, the derivative by the step, and the derivative by the errors
+  /// of its camera's calibration in sigmas: focal length, centre along u and v, radial term.
   struct PointRows {
     Eigen::Vector2d error;
     Eigen::Matrix<double, 2, 9> by_step;

@@ -88,7 +88,7 @@ Linear Linearise(const PoseProblem& problem, const PoseEstimate& at, std::size_t
 }
 
 /// Covariance of the step, calibration spread as in Schmidt's consider covariance (NASA TR R-135,
-/// 1962): what is not estimated enters through its sensitivity.
+/// 1962): terms that are not estimated enter through their sensitivity.
 Square StepCovariance(const Linear& linear, bool with_centre) {
   const Square P = linear.step.ldlt().solve(Square::Identity(9, 9));
   Square K = P * linear.to_nuisance;
@@ -154,7 +154,7 @@ void AddErrors(const PoseProblem& problem, const PoseEstimate& at, std::size_t v
 std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_CB,
                                            const Eigen::Vector3d& p_BF, double diameter_m) {
   // A regular octagon with the disc's second moment: radius r sqrt(3 / (2 + cos(45 deg))). Its
-  // picture's centroid is then off the disc's by what the fourth moment does.
+  // image's centroid then differs from the disc's by the effect of the fourth moment alone.
   constexpr int kSides = 8;
   const double radius_m = 0.5 * diameter_m * std::sqrt(3.0 / (2.0 + std::sqrt(0.5)));
   std::array<Eigen::Vector2d, kSides> rim;
@@ -207,8 +207,8 @@ RefinedPose RefinePoints(const std::vector<PointPixel>& points,
   refined.covariance =
       PoseCovariance(StepCovariance(linear, true), at.X_RB, options.spread.mounting_rad);
   if (problem.joint()) {
-    // A shift of the image centres acts as a turn and is part of what is estimated: the first
-    // belief holds it, so it does not widen the next one.
+    // A shift of the image centres acts as a turn and is estimated with it. The first belief
+    // contains it, so it does not widen the next one.
     refined.turn.covariance = StepCovariance(linear, false).bottomRightCorner<3, 3>();
   }
   AddConsistency(problem, at, linear, points, &refined);

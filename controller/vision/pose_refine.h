@@ -29,9 +29,9 @@ struct PointPixel {
   Eigen::Vector3d p_B = Eigen::Vector3d::Zero();  // [m]
   int view = 0;
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  double disc_diameter_m = 0.0;  // > 0: the pixel is the middle of a disc square to B's z
+  double disc_diameter_m = 0.0;  // > 0: the pixel is the middle of a disc perpendicular to B's z
   double sigma_px = 0.0;         // one axis; zero: RefineOptions::sigma_px
-  // Error of p_B, one axis; negative: PointOptions::survey_m. Known to PoseFromPoints alone.
+  // Error of p_B, one axis; negative: PointOptions::survey_m. Used by PoseFromPoints alone.
   double survey_m = -1.0;
 };
 
@@ -42,7 +42,7 @@ struct CameraTurn {
   Eigen::Matrix3d covariance = Eigen::Vector3d(1.2e-5, 1.2e-5, 6.3e-6).asDiagonal();
 };
 
-/// What else a calibration may be off, 1 sigma. It is not estimated; the covariance allows for it.
+/// Other errors of a calibration, 1 sigma. They are not estimated; the covariance allows for them.
 struct CalibrationSpread {
   double focal = 0.002;                      // relative; assumed, 0.0005-0.005
   double centre_px = 1.0;                    // assumed, 0.3-3
@@ -52,8 +52,8 @@ struct CalibrationSpread {
 
 struct RefineOptions {
   double sigma_px = 0.15;  // a point of unknown error, one axis; assumed, 0.1-0.3
-  // What lens and board are off beyond CalibrationSpread, added to a mark's predicted error: 0.2 mm
-  // of print at 2.5 m. Assumed, 0.03-0.1.
+  // Errors of lens and board beyond CalibrationSpread, added to a mark's predicted error: 0.2 mm of
+  // print at 2.5 m. Assumed, 0.03-0.1.
   double model_px = 0.05;
   double huber_sigmas = 4.0;
   // The default variances are 0.2, 0.2 and 0.14 deg squared: the range error of Tsai et al., V-E
@@ -70,11 +70,11 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 struct RefinedPose {
   Pose3 X_RB;
-  CameraTurn turn{};  // the belief after this look
+  CameraTurn turn{};  // the belief after this sighting
   /// Of p_RB [m], then of a small turn of B about R's axes [rad]: x, y, z each. Calibration spread
   /// and robust weights included.
   Matrix6d covariance = Matrix6d::Zero();
-  double rms_px = 0.0;                  // over all marks, of the distance in the picture
+  double rms_px = 0.0;                  // over all marks, of the distance in the image
   std::vector<double> view_rms_px{};    // by view; zero without marks
   std::vector<double> mark_error_px{};  // by mark
   // Errors left over their predicted sigmas, calibration spread allowed for: by mark, and the sum
@@ -87,7 +87,7 @@ struct RefinedPose {
 
 /// Where the centre of the fitted ellipse of a disc would be: the centroid of its projection, which
 /// differs from its projected centre by f (R/Z)^2 sin t cos t for a disc tilted by t. The disc lies
-/// square to B's z. None when part of it cannot be seen.
+/// perpendicular to B's z. None when part of it cannot be seen.
 std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_CB,
                                            const Eigen::Vector3d& p_B, double diameter_m);
 std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_CB,

@@ -14,7 +14,7 @@ constexpr double kReach = 1.5;       // [px] half the base of a difference: two 
 constexpr double kDarkOffset = 6.0;  // [DN] keeps ratios from amplifying noise in the dark
 constexpr double kMinInlierShare = 0.5;
 
-/// Bilinear; outside the picture the border pixel.
+/// Bilinear; outside the image the border pixel.
 double Sample(const GrayImage& image, const Eigen::Vector2d& at) {
   const double x = std::clamp(at.x(), 0.0, image.width - 1.001);
   const double y = std::clamp(at.y(), 0.0, image.height - 1.001);
@@ -99,7 +99,8 @@ std::vector<double> RimDistances(const Ellipse& ellipse,
   return distances;
 }
 
-/// Fitzgibbon's fit; points beyond 2.5 robust sigmas are left out until none is, thrice at most.
+/// Fitzgibbon's fit; points beyond 2.5 robust sigmas are left out until none is, three times at
+/// most.
 std::optional<RimFit> FitRobust(const std::vector<Eigen::Vector2d>& all, int rays) {
   std::optional<Ellipse> ellipse = FitEllipse(all);
   std::size_t used = all.size();

@@ -14,9 +14,9 @@ struct RimFit {
   double rms_px = 0.0;        // of the inliers
 };
 
-/// Grows the start (right to about a quarter of its size) onto the disc's edge. A shadow's edge, a
-/// tether or an arm across part of the rim is left out as an outlier. None when no ellipse holds
-/// together.
+/// Fits the start (right to about a quarter of its size) to the disc's edge. A shadow's edge, a
+/// tether or an arm across part of the rim is left out as an outlier. None when too few rays agree
+/// on an ellipse.
 std::optional<RimFit> RefineRim(const GrayImage& image, const Ellipse& start);
 
 }  // namespace dockyard

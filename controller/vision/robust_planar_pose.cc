@@ -74,7 +74,8 @@ class ObjectSpace {
   Eigen::Matrix3d solve_;
 };
 
-/// A rotation to start from: weak perspective (Lu et al., section 4): the plane square to the view.
+/// A rotation to start from: weak perspective (Lu et al., section 4): the plane perpendicular to
+/// the view.
 Eigen::Matrix3d Start(const std::vector<Eigen::Vector2d>& points_B,
                       const std::vector<Eigen::Vector2d>& sights) {
   Eigen::Vector2d mean_b = Eigen::Vector2d::Zero(), mean_s = mean_b;
@@ -93,14 +94,14 @@ Eigen::Matrix3d Start(const std::vector<Eigen::Vector2d>& points_B,
 }
 
 /// All minima over beta of the error of R_z(gamma) ... R_y(beta): with t on the z axis, the poses
-/// that the ambiguity leaves are turns of the plane about one axis square to the view
+/// that the ambiguity leaves are turns of the plane about one axis perpendicular to the view
 /// (Schweighofer and Pinz, section 3).
 std::vector<Eigen::Matrix3d> Minima(const ObjectSpace& space, const PlanarMinimum& first) {
   // R_t turns the translation onto the z axis; R_t R = R_z(a) R_y(b) R_z(c).
   const Eigen::Matrix3d R_t = RotationBetween(first.X_CB.p, Eigen::Vector3d::UnitZ());
   const Eigen::Matrix3d Q = R_t * first.X_CB.R;
   const double b = std::atan2(std::hypot(Q(2, 0), Q(2, 1)), Q(2, 2));
-  if (std::sin(b) < 1e-9) return {};  // square to the view: nothing to turn about
+  if (std::sin(b) < 1e-9) return {};  // perpendicular to the view: nothing to turn about
   const double a = std::atan2(Q(1, 2), Q(0, 2)), c = std::atan2(Q(2, 1), -Q(2, 0));
   const auto rotation = [&](double beta) {
     return Eigen::Matrix3d(R_t.transpose() * RotZ(a) * RotY(beta) * RotZ(c));

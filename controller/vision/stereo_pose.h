@@ -1,4 +1,4 @@
-// Point stereo and rigid fit (Tsai et al., III-B), then the joint fit in both pictures.
+// Point stereo and rigid fit (Tsai et al., III-B), then the joint fit in both images.
 #pragma once
 
 #include <Eigen/Core>

@@ -13,11 +13,11 @@
 namespace dockyard {
 
 /// Adaptive threshold, connected regions, filters, local threshold, ellipse through the perimeter;
-/// the rotation from the major axis of the white inside. From the bottom of the picture upwards, as
-/// outlines come from the tracing that is in use.
+/// the rotation from the major axis of the white inside. Their order is from the bottom of the
+/// image upwards, as the contour tracing returns them.
 std::vector<DetectedFiducial> DetectTsai2013(const GrayImage& image);
 
-/// What one picture says.
+/// The correspondence in one image.
 struct TsaiCorrespondence {
   std::vector<MarkMatch> matches;        // by id
   std::vector<Eigen::Vector2d> centres;  // of all fiducials, the missing ones by the homography

@@ -12,21 +12,21 @@ namespace dockyard {
 namespace {
 
 // Wellner's adaptive threshold (EuroPARC EPC-93-110, 1993) in the form of the toolbox that the
-// paper cites: black is what lies this share below the Gaussian mean about it, of a standard
-// deviation of a twentieth of the width. The paper's levels "were chosen empirically"; these are
-// the toolbox's window and, of 0.10-0.40, the share that finds most fiducials in even light
-// (docs/reference/perception.md).
+// paper cites: a pixel is black when it lies this share below the Gaussian mean about it, of a
+// standard deviation of a twentieth of the width. The paper's levels "were chosen empirically";
+// these are the toolbox's window and, of 0.10-0.40, the share that finds most fiducials in even
+// light (docs/reference/perception.md).
 constexpr double kBelowMean = 0.25;
 constexpr double kWindowShare = 1.0 / 20.0;
 // "Thresholds on individual filters had wide ranges" (III-A.2); all assumed.
 constexpr double kMinArea = 20.0;                     // [px]: a disc 5 px across
-constexpr double kMaxAreaShare = 0.05;                // of the picture: a disc at half a metre
+constexpr double kMaxAreaShare = 0.05;                // of the image: a disc at half a metre
 constexpr double kMinAxisRatio = 0.45;                // 60 deg oblique
 constexpr int kMaxHoles = 2;                          // Euler number -1 or more
 constexpr double kCoincidence = 0.25;                 // of the mean radius
 constexpr double kMinWhite = 0.04, kMaxWhite = 0.45;  // share of the disc; the printed bar has 0.18
 constexpr double kFullness = 0.8;                     // outline's area over its ellipse's
-constexpr double kInside = 0.8;  // of the radius, where the pattern is looked for
+constexpr double kInside = 0.8;  // of the radius: the pattern is read within it
 
 cv::Mat AdaptiveBlack(const cv::Mat& gray) {
   cv::Mat values, mean, black;
@@ -50,7 +50,7 @@ double LocalThreshold(const cv::Mat& patch) {
 struct Pattern {
   double white_share = 0.0;
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();  // of the white, in rim radii
-  double direction_rad = 0.0;  // major axis, counter-clockwise as the beholder sees it
+  double direction_rad = 0.0;  // major axis, counter-clockwise as the viewer sees it
 };
 
 /// The white inside a disc, seen with the rim as a unit circle.

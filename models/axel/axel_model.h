@@ -1,4 +1,5 @@
-// Axel, the two-wheeled tethered rover, as built: URDF for what URDF can say, YAML for the rest.
+// Axel, the two-wheeled tethered rover, as built: URDF for the parts that it can describe, YAML for
+// the rest.
 #pragma once
 
 #include <Eigen/Core>

@@ -126,7 +126,7 @@ void ReadImu(const YamlReader& root, RoverModel& rover) {
   imu.instability_time_s = in.Number("instability_time_s", Between(1.0, 1e5));
 }
 
-/// Cameras side by side, looking along the body's x axis, pitched down together.
+/// Cameras side by side, facing along the body's x axis, pitched down together.
 StereoRig MakeRig(double baseline_m, double forward_m, double height_m, double pitch_rad,
                   const Camera& camera) {
   Eigen::Matrix3d R_level;  // z along the view, x right, y down
@@ -145,7 +145,7 @@ StereoRig ReadRig(const YamlReader& in, int width, int height) {
   if (in.Has("file")) {
     for (const char* key :
          {"baseline_m", "forward_m", "height_m", "pitch_deg", "field_of_view_deg"}) {
-      if (in.Has(key)) in.Refuse(key, "no such key beside cameras.file, which says it");
+      if (in.Has(key)) in.Refuse(key, "no such key beside cameras.file, which sets it");
     }
     return LoadRig(in.File("file"), width, height);
   }
@@ -214,8 +214,9 @@ void ReadCameras(const YamlReader& root, int width, int height, RoverModel& rove
   stereo.focus = ReadFocus(sensor);
 }
 
-/// What is said twice, in the URDF for other tools and in the YAML for the soil and the cone, must
-/// agree to 1 mm: a collision cylinder named "tip" and each wheel's largest collision cylinder.
+/// The URDF holds some numbers for other tools that the YAML holds for the soil and the cone. They
+/// must agree to 1 mm: a collision cylinder named "tip" and each wheel's largest collision
+/// cylinder.
 void CheckAgreement(const YamlReader& root, const RoverModel& rover) {
   constexpr double kSame_m = 1e-3;
   for (const Collision& part : rover.arm.collisions) {

@@ -12,8 +12,8 @@ inline constexpr int kDefaultImageWidth = 1024, kDefaultImageHeight = 768;
 
 /// The URDF must have the links body (its root), left_wheel, right_wheel and arm, and the joints
 /// left_wheel_joint, right_wheel_joint (continuous) and arm_joint (revolute, at the body's origin),
-/// all about +y. The images' size belongs to the scenario; 0: as the cameras' file says, else the
-/// default. `changes` are keys on top of the file's. Throws ConfigError.
+/// all about +y. The scenario sets the images' size; 0: as in the cameras' file, else the default.
+/// `changes` are keys on top of the file's. Throws ConfigError.
 RoverModel LoadRover(const std::string& file, int image_width = 0, int image_height = 0,
                      const YamlNode* changes = nullptr);
 

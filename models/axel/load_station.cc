@@ -42,7 +42,7 @@ void ReadCone(const YamlReader& root, ConeModel& cone) {
   }
 }
 
-/// The board inline, or by the name of its file; where it hangs is the station's affair.
+/// The board inline, or by the name of its file; the station places it.
 void ReadBoardOf(const YamlReader& root, StationModel& station) {
   const YamlNode& node = root.Child("board");
   const bool named = node.Find("file") != nullptr;
@@ -76,7 +76,7 @@ void ReadFeet(const YamlReader& root, StationModel& station) {
   station.foot_stiffness_n_per_m = in.Number("stiffness_n_per_m", Between(1e3, 1e8));
 }
 
-/// Standing: the weight must fall between the soles, else the station topples by itself.
+/// The station must stand: the weight must fall between the soles, else it topples by itself.
 void CheckStands(const YamlReader& in, const StationModel& station) {
   Eigen::Vector2d low = station.feet[0].p_SF.head<2>(), high = low;
   for (const FootModel& foot : station.feet) {
@@ -93,7 +93,7 @@ void CheckStands(const YamlReader& in, const StationModel& station) {
   }
 }
 
-/// The model with fixed links welded: the stand, which only stands there, and the module on it.
+/// The model with fixed links welded: the stand, which is only drawn, and the module on it.
 UrdfModel WeldStation(const UrdfModel& urdf) {
   for (std::size_t i = 0; i < urdf.links.size(); ++i) {
     const LinkModel& link = urdf.links[i];

@@ -1,4 +1,4 @@
-// The nominal parameters that the controller is told, out of the models.
+// The nominal parameters that the controller gets, made from the models.
 #pragma once
 
 #include "controller/axel/nominal/nominal.h"
@@ -8,7 +8,7 @@
 namespace dockyard::axel {
 
 /// Nominal: the stereo rig as drawn, not as built. `arm_at_zero_rad` is the arm's angle at
-/// power-on, which a rover knows from its stowed position.
+/// power-on; a rover knows it from its stowed position.
 Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double arm_at_zero_rad);
 /// With the arm as the rover's file has it at power-on.
 Nominal MakeNominal(const RoverModel& rover, const StationModel& station);

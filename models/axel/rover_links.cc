@@ -51,7 +51,7 @@ UrdfModel WeldRover(const UrdfModel& urdf) {
   return welded;
 }
 
-/// The tip's disc is simulated by itself: nothing else of the arm may reach past its middle.
+/// The tip's disc is simulated by itself: no other part of the arm may reach past its middle.
 void CheckArm(const UrdfModel& urdf, const RoverModel& rover) {
   const double tip_middle = rover.arm_length_m - 0.5 * rover.tip.length_m;
   for (const Collision& part : rover.arm.collisions) {

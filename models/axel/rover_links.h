@@ -1,4 +1,4 @@
-// The rover's links and joints out of its URDF.
+// The rover's links and joints from its URDF.
 #pragma once
 
 #include "models/axel/axel_model.h"
@@ -6,7 +6,7 @@
 
 namespace dockyard::axel {
 
-/// Body, wheels and arm with all that is fixed to them, where they are joined, and the arm's
+/// Body, wheels and arm with all links fixed to them, the joints between them, and the arm's
 /// limits. Arm length and tip must have been read before. Throws ConfigError with the line for
 /// links and joints that are missing, turned otherwise than the rover's model has them, or further
 /// than these.

@@ -9,7 +9,7 @@ Pose3 MouthInStation(const StationModel& station) {
 
 Pose3 BoardInStation(const StationModel& station) {
   Pose3 X_MB;
-  // He stands on +x and looks along -x, so his right is +y.
+  // The viewer stands on +x and faces -x, so his right is +y.
   X_MB.R.col(0) = Eigen::Vector3d::UnitY();
   X_MB.R.col(1) = -Eigen::Vector3d::UnitZ();
   X_MB.R.col(2) = -Eigen::Vector3d::UnitX();

@@ -49,8 +49,8 @@ struct StationModel {
   double foot_stiffness_n_per_m = 0.0;  // each foot, vertical and tangential
 };
 
-/// Poses on the station as it stands in its own frame S. Used by the world, the renderer and the
-/// nominal that the controller gets.
+/// Poses on the station in its own frame S, for the world, the renderer and the controller's
+/// nominal parameters.
 Pose3 MouthInStation(const StationModel& station);  // M: centre of the mouth, x out along the axis
 Pose3 BoardInStation(const StationModel& station);  // B
 Eigen::Vector3d AnchorInStation(const StationModel& station);

@@ -1,4 +1,4 @@
-// A circle on a fiducial board that is no board.
+// A circular cut-out of a fiducial board.
 #pragma once
 
 #include <Eigen/Core>

@@ -8,12 +8,12 @@
 namespace dockyard {
 namespace {
 
-// Nearer than this two places are one to the naming's gate (controller/vision/correspond.cc: 2.5 px
-// and 8 % of the diameter), for discs of 15 px or more.
+// Two places nearer than this count as one for the correspondence gate
+// (controller/vision/correspond.cc: 2.5 px and 8 % of the diameter), for discs of 15 px or more.
 constexpr double kSameInDiameters = 0.25;
-constexpr double kSameBar_rad = kPi / 8.0;  // half of what is between two rotations
+constexpr double kSameBar_rad = kPi / 8.0;  // half the angle between two rotations
 
-/// Board coordinates have y down, so a counter-clockwise turn for the beholder is a negative one.
+/// Board coordinates have y down, so a counter-clockwise turn for the viewer is a negative one.
 Eigen::Vector2d Turned(double turn_rad, const Eigen::Vector2d& p) {
   const double c = std::cos(turn_rad), s = std::sin(turn_rad);
   return {c * p.x() + s * p.y(), c * p.y() - s * p.x()};
@@ -47,7 +47,8 @@ bool StandsStill(const FiducialBoard& board, const BoardMotion& motion) {
 }  // namespace
 
 BoardMotion LargestSymmetry(const FiducialBoard& board, int least, double below_rad) {
-  // Two marks and where they land fix a motion. Of the first n - least + 2 marks two at least land.
+  // Two marks and the places where they land fix a motion. Of the first n - least + 2 marks at
+  // least two land.
   BoardMotion best;
   const auto& marks = board.fiducials;
   const std::size_t first = marks.size() + 1 - std::min<std::size_t>(marks.size(), least);

@@ -1,18 +1,18 @@
-// A stereo pair with its sensors and the errors that it may be built with.
+// A stereo pair with its sensors and its manufacturing errors.
 #pragma once
 
 #include "controller/geometry/camera.h"
 
 namespace dockyard {
 
-/// How the pictures' exposure is set.
+/// How the images' exposure is set.
 enum class ExposureRule { kAutomatic, kFixed, kBracketed };
 struct ExposureModel {
   ExposureRule rule = ExposureRule::kAutomatic;
   double percent = 5.0;        // automatic: this share of the pixels exceeds ...
   double level = 0.49;         // ... this share of the full well
   double fixed_e = 0.0;        // fixed: electrons of radiance 1
-  double bracket_stops = 2.0;  // bracketed: pictures in turn at 0, less, more
+  double bracket_stops = 2.0;  // bracketed: images in turn at 0, less, more
 };
 
 /// Thin lens; all is sharp when distance_m is 0.
@@ -20,7 +20,7 @@ struct FocusModel {
   double focal_length_m = 0.0, f_number = 0.0, distance_m = 0.0, pixel_pitch_m = 0.0;
 };
 
-/// The stereo pair as drawn in the workshop, and how far the built one may be off (1 sigma each).
+/// The stereo pair as designed, and how far the built one may be off (1 sigma each).
 struct StereoModel {
   StereoRig nominal;
   double relative_yaw_sigma_rad = 0.0;  // right against left camera

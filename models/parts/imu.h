@@ -5,8 +5,8 @@
 
 namespace dockyard {
 
-/// An inertial unit that integrates its own attitude: roll and pitch are held by gravity, yaw by
-/// nothing, so that it drifts by what the gyro about z errs. Angle and velocity random walk are the
+/// An inertial unit that integrates its own attitude. Gravity holds roll and pitch. Nothing holds
+/// yaw, so that it drifts by the error of the gyro about z. Angle and velocity random walk are the
 /// white noise of rate and specific force: a reading over dt has sigma walk / sqrt(dt) (IEEE 952).
 struct ImuModel {
   Eigen::Vector3d p_RI{0, 0, 0};        // its place on the body [m]

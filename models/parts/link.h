@@ -1,4 +1,4 @@
-// A rigid link as URDF describes it: mass, looks, collision shapes.
+// A rigid link as URDF describes it: mass, visuals, collision shapes.
 #pragma once
 
 #include <Eigen/Core>

@@ -5,7 +5,7 @@
 
 namespace dockyard {
 
-/// How a drive goes to its target: a trapezoid of speed, or a smooth polynomial (spline).
+/// The path of a drive to its target: a trapezoid of speed, or a smooth polynomial (spline).
 enum class ProfileShape : std::uint8_t { kTrapezoid, kSpline };
 
 /// A geared motor with its drive, all at the output shaft.
@@ -13,10 +13,10 @@ struct MotorModel {
   double torque_per_amp_nm = 0.0;  // while the motor drives; gear efficiency included
   double gear_efficiency = 1.0;    // of the loaded teeth; below 1 they resist being driven back
   ProfileShape profile = ProfileShape::kTrapezoid;
-  double no_load_current_a = 0.0;  // what the motor draws turning its own gears
+  double no_load_current_a = 0.0;  // drawn to turn its own gears
   double max_current_a = 0.0;      // drive limit
   double gear_friction_nm = 0.0;   // Coulomb friction at the output, present in every mode
-  double brake_torque_nm = 0.0;    // what MotorMode::kBrake holds
+  double brake_torque_nm = 0.0;    // held by MotorMode::kBrake
   double max_speed_rad_s = 0.0;
   double max_accel_rad_s2 = 0.0;         // the drive caps profiles at these
   double reflected_inertia_kg_m2 = 0.0;  // rotor inertia times gear ratio squared

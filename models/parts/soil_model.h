@@ -9,7 +9,7 @@ namespace dockyard {
 
 struct SoilModel {
   std::string name;
-  std::string source;           // where the numbers come from
+  std::string source;           // of the numbers
   double n = 1.0;               // sinkage exponent [-]
   double slip_weakening = 0.0;  // 0: sliding costs no bearing; 1: as in the loose sand measured
   double k_c = 0.0;             // [N/m^(n+1)]
@@ -20,7 +20,7 @@ struct SoilModel {
   double density_kg_m3 = 0.0;
   double unloading_stiffness_pa_per_m = 0.0;  // elastic rebound of loaded soil
   double damping_pa_s_per_m = 0.0;            // bounded normal damping, never suction
-  Eigen::Vector3d rgb{0.5, 0.4, 0.3};         // linear albedo for the eyes
+  Eigen::Vector3d rgb{0.5, 0.4, 0.3};         // linear albedo, for drawing
 };
 
 }  // namespace dockyard

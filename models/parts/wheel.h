@@ -1,9 +1,9 @@
-// A wheel as the soil feels it.
+// A wheel as the soil meets it.
 #pragma once
 
 namespace dockyard {
 
-/// A wheel as the soil feels it: a rim with straight radial paddles across its whole width.
+/// A wheel as the soil meets it: a rim with straight radial paddles across its whole width.
 struct WheelModel {
   double rim_radius_m = 0.0;
   double width_m = 0.0;
@@ -17,7 +17,7 @@ struct WheelModel {
 inline double PaddleReach(const WheelModel& wheel) {
   return wheel.paddle_count > 0 ? wheel.paddle_height_m : 0.0;
 }
-/// From the axle to the paddles' tips [m]: what a turn of the wheel rolls off on hard ground.
+/// From the axle to the paddles' tips [m]: the rolling radius on hard ground.
 inline double RollingRadius(const WheelModel& wheel) {
   return wheel.rim_radius_m + PaddleReach(wheel);
 }

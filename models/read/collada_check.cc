@@ -24,7 +24,7 @@ void Strip(TiXmlElement& parent, const std::set<std::string>& names, bool listed
   }
 }
 
-/// What has no part in a mesh, at every depth: notes, materials, lights, lines.
+/// Elements without a part in a mesh, at every depth: notes, materials, lights, lines.
 void StripDeep(TiXmlElement& parent) {
   static const std::set<std::string> no_part{"extra",  "technique",      "bind_material",
                                              "lines",  "linestrips",     "instance_light",

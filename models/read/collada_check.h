@@ -6,7 +6,7 @@
 
 namespace dockyard {
 
-/// The document with its geometry and scene alone, written anew from what was checked here. Throws
+/// The document reduced to its geometry and scene, written anew from the checked parts. Throws
 /// ConfigError with line and column: XML that does not parse or that ScanXml refuses, a DOCTYPE,
 /// arrays that do not hold as many numbers as their count, accessors beyond their array, indices
 /// beyond their source, faces that do not add up to their count, skins, nodes that contain

@@ -1,5 +1,5 @@
-// What is thrown when an input file cannot be used. The message is one sentence for people, with
-// the place first: "file:line:col: path: expected ..., found '...'".
+// Thrown when an input file cannot be used. The message is one sentence for people, with the place
+// first: "file:line:col: path: expected ..., found '...'".
 #pragma once
 
 #include <stdexcept>
@@ -18,7 +18,7 @@ inline std::string OneLine(std::string text) {
 
 class ConfigError : public std::runtime_error {
  public:
-  /// One line it stays, whatever a file that it quotes holds.
+  /// The message stays one line, whatever a file that it quotes holds.
   explicit ConfigError(std::string message) : std::runtime_error(OneLine(std::move(message))) {}
 };
 

@@ -1,5 +1,5 @@
-// A table in comma-separated values as a list of YAML mappings, so that rows are checked as
-// everything else: one header line, no quotes, lines that begin with # are comments.
+// A table in comma-separated values as a list of YAML mappings, so that rows get the same checks as
+// other input: one header line, no quotes, lines that begin with # are comments.
 #pragma once
 
 #include <string>

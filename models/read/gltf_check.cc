@@ -18,8 +18,8 @@ constexpr long kMaxValues = 2000000;  // of the JSON text; geometry is in buffer
 constexpr long kMaxElements =
     16000000;  // three vertices a triangle, with eight attributes, and more
 
-/// Walks over a JSON text. What matters is known by its path: the keys that lead to it, arrays
-/// passed over: "nodes/children".
+/// Walks over a JSON text. A value is known by its path: the keys that lead to it, arrays passed
+/// over: "nodes/children".
 class GltfWalk {
  public:
   explicit GltfWalk(std::string_view json) : json_(json) {}

@@ -10,7 +10,7 @@
 namespace dockyard {
 namespace {
 
-constexpr int kMostBars = 32, kMostDiscs = 100;  // of one board; naming grows steeply with them
+constexpr int kMostBars = 32, kMostDiscs = 100;  // of one board; naming slows steeply
 // White between two plain discs, in diameters: detection compares the print with a ring of 0.175
 // diameters about the disc (controller/vision/bar.cc).
 constexpr double kPlainGap = 0.2;
@@ -91,7 +91,7 @@ void CheckPlaces(const YamlReader& in, const FiducialBoard& board) {
   }
 }
 
-/// What a motion does, in words.
+/// The motion in words.
 std::string Text(const BoardMotion& motion) {
   const double turn_deg = std::round(10.0 * Degrees(std::abs(motion.turn_rad))) / 10.0;
   if (turn_deg > 0.0) return "a turn by " + NumberText(turn_deg) + " deg";
@@ -106,7 +106,7 @@ void CheckBarsDiffer(const YamlReader& in, const FiducialBoard& board) {
                              std::to_string(motion.marks) + " marks upon marks with the same bar)");
 }
 
-/// Two poses within the allowed roll differ by less than twice that roll: no turn that small may
+/// Two poses within the allowed roll differ by less than twice that roll, so no turn that small may
 /// map the board onto itself.
 void CheckUprightDecides(const YamlReader& in, const FiducialBoard& board) {
   const int all = static_cast<int>(board.fiducials.size());

@@ -1,4 +1,4 @@
-// A fiducial board out of a file of its own, or out of a mapping in another.
+// A fiducial board from a file of its own, or from a mapping in another.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace dockyard {
 
-/// Keys of a board's mapping, of which a station's adds more.
+/// Keys of a board's mapping; a station's board has more.
 std::vector<std::string> BoardKeys(std::vector<std::string> more);
 
 /// The board that the mapping describes (docs/reference/models.md). Throws ConfigError, also when a

@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostPixels = 16384;
 const Range kVector = Between(-1e6, 1e6);
 
-/// What the file calls (0, 0), in pixels from the first pixel's centre.
+/// The place of the file's (0, 0), in pixels from the first pixel's centre.
 double FirstPixel(const YamlReader& in) {
   const std::vector<std::string> words{"centre", "corner", "one"};
   const double of_words[] = {0.0, -0.5, -1.0};
@@ -56,7 +56,7 @@ bool Absent(const YamlReader& in, const char* key) {
 enum class CahvKind { kCahv, kCahvor, kCahvore };
 const std::vector<std::string> kCahvWords{"cahv", "cahvor", "cahvore"};
 
-/// The vectors that the kind needs; those that it has not are left alone.
+/// The vectors that the kind needs; it leaves the others alone.
 Cahvore ReadCahv(const YamlReader& in, CahvKind kind) {
   Cahvore lens;
   lens.C = in.Vector3("C", kVector);
@@ -187,7 +187,7 @@ PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
   return placed;
 }
 
-/// An element of NASA's m2020-camera-models.json. It says nothing of pixels' zero: the centre of
+/// An element of NASA's m2020-camera-models.json. It does not state the pixels' zero: the centre of
 /// the first pixel, as Vision Workbench and mrcal take it.
 PlacedCamera ReadNasa(const YamlNode& node, const std::string& path) {
   const YamlReader in(node, path, {"type", "name", "frame", "model"});

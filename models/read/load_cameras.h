@@ -1,5 +1,5 @@
-// models/cameras/*.yaml, and cameras as JSON objects in the form in which NASA publishes those of
-// Mars 2020, -> Camera. docs/reference/cameras.md describes both.
+// models/cameras/*.yaml, and JSON objects in NASA's published form for the cameras of Mars 2020, ->
+// Camera. docs/reference/cameras.md describes both.
 #pragma once
 
 #include <string>
@@ -23,8 +23,8 @@ std::vector<PlacedCamera> LoadCameras(const std::string& file);
 PlacedCamera LoadCamera(const std::string& file, const std::string& name = {});
 
 /// A pair on the rover: the file's `left` and `right`, taken to the rover body by its `in_rover`.
-/// width and height 0: as the file says; else that size, which must have the same shape. Every
-/// pixel must have a ray. Throws ConfigError.
+/// width and height 0: as in the file; else that size, which must have the same shape. Every pixel
+/// must have a ray. Throws ConfigError.
 StereoRig LoadRig(const std::string& file, int width = 0, int height = 0);
 
 /// Throws ConfigError unless a ray reaches every pixel of the image.

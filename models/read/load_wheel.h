@@ -10,7 +10,7 @@ namespace dockyard {
 
 struct WheelFile {
   std::string name;
-  std::string source;  // where the numbers come from
+  std::string source;  // of the numbers
   WheelModel wheel;
 };
 

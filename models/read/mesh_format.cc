@@ -47,7 +47,7 @@ std::string_view SkipSpace(std::string_view text) {
   return at == std::string_view::npos ? std::string_view() : text.substr(at);
 }
 
-constexpr char kNoGlb[] = "no binary glTF 2.0 file of the length that its header tells";
+constexpr char kNoGlb[] = "no binary glTF 2.0 file of the length that its header states";
 
 /// The JSON chunk of a GLB file (Khronos, glTF 2.0, 4.4): a header of 12 bytes, then chunks, each
 /// with its length and type before it; JSON first. Nothing when the lengths do not add up.
@@ -90,7 +90,7 @@ std::string Objection(MeshFormat format, std::string_view bytes) {
     case MeshFormat::kStl:
       if (IsBinaryStl(bytes)) return {};
       if (text.substr(0, 5) == "solid" && text.find("facet") != std::string_view::npos) return {};
-      return "neither a binary STL file of the length that its header tells nor one in text";
+      return "neither a binary STL file of the length that its header states nor one in text";
     case MeshFormat::kObj:
       if (text.find("v ") == std::string_view::npos || text.find("f ") == std::string_view::npos) {
         return "an OBJ file without vertices or faces";

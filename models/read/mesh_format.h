@@ -1,4 +1,4 @@
-// What a mesh file claims to be, judged before any importer sees it.
+// The stated format of a mesh file, checked before any importer sees the file.
 #pragma once
 
 #include <filesystem>

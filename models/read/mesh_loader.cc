@@ -54,7 +54,7 @@ class MemoryStream : public Assimp::IOStream {
   std::size_t at_ = 0;
 };
 
-/// All that an importer can reach: the mesh itself, and .bin buffers of glTF in the same folder.
+/// All files open to an importer: the mesh itself, and .bin buffers of glTF in the same folder.
 class OneFolder : public Assimp::IOSystem {
  public:
   OneFolder(fs::path file, std::string bytes) : file_(std::move(file)), bytes_(std::move(bytes)) {}
@@ -174,7 +174,7 @@ std::shared_ptr<const TriangleMesh> LoadMesh(const fs::path& file) {
   try {
     Assimp::Importer importer;
     KeepAllowedFormats(importer);
-    // Numbers as written: a link frame is z up whatever the file says of itself.
+    // Numbers as written: a link frame is z up, whatever up axis the file states.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     importer.SetIOHandler(new OneFolder(file, std::move(bytes)));
     const aiScene* scene =
@@ -185,7 +185,7 @@ std::shared_ptr<const TriangleMesh> LoadMesh(const fs::path& file) {
       throw ConfigError(file.string() + ": not a usable mesh: " +
                         (reason.empty() ? "it cannot be read" : reason.substr(0, 200)));
     }
-    // First as it is: what joins vertices drops those that are not numbers.
+    // First as it is: the step that joins vertices drops those that are not numbers.
     Collector(*scene, file.string()).Take();
     scene = importer.ApplyPostProcessing(aiProcess_JoinIdenticalVertices);
     return std::make_shared<const TriangleMesh>(Collector(*scene, file.string()).Take());

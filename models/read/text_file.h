@@ -1,5 +1,4 @@
-// Reading input files that may be anything: size caps, plain text only, paths that stay in a
-// folder.
+// Reading input files of unknown content: size caps, plain text only, paths that stay in a folder.
 #pragma once
 
 #include <cstddef>

@@ -65,7 +65,7 @@ void ReadInertial(const urdf::Inertial& in, const std::string& place, LinkModel&
   }
 }
 
-/// What all links of one file may hold together, and the meshes that it has named already.
+/// The totals over all links of one file, and the meshes that it has named already.
 struct Budget {
   std::size_t parts = 2000, corners = 6 * kMaxMeshTriangles;
   std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes;  // by path
@@ -225,7 +225,7 @@ UrdfJoint ReadJoint(const urdf::Joint& in, const std::string& place) {
   return joint;
 }
 
-/// Keeps what liburdfdom would print, as long as it lives.
+/// Catches the messages of liburdfdom, as long as it lives.
 class Complaints : public console_bridge::OutputHandler {
  public:
   Complaints() { console_bridge::useOutputHandler(this); }
@@ -246,7 +246,7 @@ urdf::ModelInterfaceSharedPtr Parse(const std::string& text, const std::string& 
   const Complaints complaints;
   try {
     auto model = urdf::parseURDF(text);
-    // It also goes on after an error, without the part that it was about.
+    // After an error it continues without the faulty part.
     if (model && complaints.text().empty()) return model;
   } catch (const std::exception& error) {
     Refuse(file, std::string("not a usable URDF: ") + error.what());

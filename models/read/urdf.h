@@ -35,8 +35,8 @@ struct UrdfModel {
 };
 
 /// Any tree of links and joints. Throws ConfigError: XML that does not parse, elements that are
-/// neither read nor without effect, links outside the tree (with line and column), what liburdfdom
-/// objects to, masses or inertias that no body can have, numbers out of range, meshes that are
+/// neither read nor without effect, links outside the tree (with line and column), objections of
+/// liburdfdom, masses or inertias that no body can have, numbers out of range, meshes that are
 /// missing, leave the file's folder or do not load. Links without <inertial> have zero mass.
 UrdfModel LoadUrdf(const std::string& file);
 

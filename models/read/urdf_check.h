@@ -1,5 +1,5 @@
-// A first look at a URDF file's XML, for what liburdfdom tells without line numbers: syntax, names,
-// references between links and joints, elements nobody reads, and every number.
+// A first check of a URDF file's XML, for faults that liburdfdom reports without line numbers:
+// syntax, names, references between links and joints, elements nobody reads, and every number.
 #pragma once
 
 #include <map>

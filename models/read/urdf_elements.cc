@@ -10,8 +10,8 @@
 namespace dockyard {
 namespace {
 
-/// What may stand in an element. `once` holds the children that may not be repeated, `must` those
-/// of them that may not be missing.
+/// The allowed content of an element. `once` holds the children that may not be repeated, `must`
+/// those of them that may not be missing.
 struct Rule {
   std::vector<std::string> attributes, once, any, must = {};
 };

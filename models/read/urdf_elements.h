@@ -1,5 +1,5 @@
-// Which elements and attributes of URDF are read, which are left out because they change nothing
-// here, and which are refused because they would. The table of docs/reference/models.md.
+// The elements and attributes of URDF: some are read, some are left out because they change nothing
+// here, and some are refused because they would. The table of docs/reference/models.md.
 #pragma once
 
 #include <tinyxml.h>

@@ -9,7 +9,7 @@
 namespace dockyard {
 namespace {
 
-// Parsers and what follows recurse from link to link.
+// Parsers and the code after them recurse from link to link.
 constexpr std::size_t kMaxLinks = 1000;
 
 class TreeCheck {
@@ -84,7 +84,7 @@ class TreeCheck {
     return reached;
   }
 
-  /// Whether going up from the link never ends.
+  /// Whether the way up from the link never ends.
   bool InCircle(std::string link) const {
     std::set<std::string> seen;
     for (auto at = parent_.find(link); at != parent_.end(); at = parent_.find(at->second)) {

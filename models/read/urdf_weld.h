@@ -9,7 +9,7 @@
 namespace dockyard {
 
 /// The link that carries `link` over fixed joints alone: itself when it is the root or hangs on a
-/// joint that moves. The model must be a tree, as LoadUrdf gives it.
+/// moving joint. The model must be a tree, as LoadUrdf gives it.
 std::string CarrierOf(const UrdfModel& model, const std::string& link);
 
 /// The same robot without fixed joints. Every link on one, or on a chain of them, is welded into
@@ -20,7 +20,7 @@ std::string CarrierOf(const UrdfModel& model, const std::string& link);
 UrdfModel WeldFixedLinks(const UrdfModel& model);
 
 /// Throws ConfigError, with its line, for the first joint of a welded model that is none of these;
-/// `simulated` says what is: "a body, two wheels and an arm".
+/// `simulated` names the simulated ones: "a body, two wheels and an arm".
 void RequireJoints(const UrdfModel& welded, const std::vector<std::string>& joints,
                    const std::string& simulated);
 

@@ -27,14 +27,14 @@ class Scan {
     fault_ = XmlFault{at, std::move(what)};
     return text_.size();
   }
-  /// The byte after the next `end`, looked for from `from`.
+  /// The byte after the next `end` at or after `from`.
   std::size_t After(std::size_t at, std::size_t from, std::string_view end, const char* of) {
     const std::size_t found = text_.find(end, from);
     if (found == kNowhere) return Fault(at, std::string("a ") + of + " without its end");
     return found + end.size();
   }
 
-  /// The byte after what begins with the '<' at `at`.
+  /// The byte after the part that begins with the '<' at `at`.
   std::size_t Skip(std::size_t at) {
     if (++parts_ > limits_.parts) {
       return Fault(at, "more than " + std::to_string(limits_.parts) + " tags and attributes");

@@ -65,7 +65,7 @@ std::string Describe(const Range& range, bool too_high, std::string_view noun) {
 std::string NearestName(std::string_view name, const std::vector<std::string>& known) {
   if (name.size() > 64) return {};
   std::string nearest;
-  std::size_t best = 2 + name.size() / 3;  // farther off is no likely slip of the pen
+  std::size_t best = 2 + name.size() / 3;  // a name farther off is no likely typing error
   for (const std::string& candidate : known) {
     const std::size_t distance = EditDistance(name, candidate);
     if (distance < best) {

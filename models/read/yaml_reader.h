@@ -14,7 +14,7 @@
 
 namespace dockyard {
 
-/// What a number may be.
+/// The allowed values of a number.
 struct Range {
   double low = 0.0, high = 0.0;
   bool open_low = false;  // low itself is out

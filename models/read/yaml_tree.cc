@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kMaxDepth = 32;
 constexpr int kMaxNodes = 200000;
 
-/// Builds the tree from the parser's events, so that keys keep their places, which yaml-cpp's own
-/// nodes do not tell for repeated keys.
+/// Builds the tree from the parser's events, so that keys keep their places; yaml-cpp's own nodes
+/// lose them for repeated keys.
 class TreeBuilder : public YAML::EventHandler {
  public:
   explicit TreeBuilder(std::shared_ptr<const std::string> source) : source_(std::move(source)) {}

@@ -1,5 +1,5 @@
-// A YAML document as a plain tree that knows where each part was written. A strict subset: one
-// document, no anchors, aliases or tags, no repeated keys, bounded depth and size.
+// A YAML document as a plain tree that keeps the place of each part in the file. A strict subset:
+// one document, no anchors, aliases or tags, no repeated keys, bounded depth and size.
 #pragma once
 
 #include <filesystem>

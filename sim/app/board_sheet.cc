@@ -74,7 +74,7 @@ void AddCutout(const BoardCutout& cutout, const Eigen::Vector2d& middle_mm,
   }
 }
 
-/// 100 mm with a tick at each centimetre, and what to do with it.
+/// 100 mm with a tick at each centimetre, and the instruction for it.
 void AddFooter(const NamedBoard& named, double top_mm, Sketch& sketch) {
   const double y = top_mm + 6.0, x = 1.0;
   sketch.shapes.push_back(LineShape{.from_mm = {x, y}, .to_mm = {x + 100.0, y}, .line_mm = 0.2});

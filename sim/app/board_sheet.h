@@ -1,4 +1,4 @@
-// A fiducial board laid out on paper.
+// The drawing of a fiducial board on paper.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace dockyard {
 std::vector<std::string> PaperNames();
 
 /// The board with its outline to cut along, and below it its name, its size and a rule of 100 mm.
-/// @param paper  one of PaperNames, either way round; none: a page as large as the board needs
-/// @param tile   as many papers as it takes, to be cut along their frames and laid edge to edge
+/// @param paper  one of PaperNames, upright or sideways; none: a page as large as the board needs
+/// @param tile   on as many papers as needed, to be cut along their frames and laid edge to edge
 /// @throws UsageError when the board does not fit on the paper
 std::vector<Page> BoardPages(const NamedBoard& named, const std::optional<std::string>& paper,
                              bool tile);

@@ -49,8 +49,8 @@ bool AnyCrashed(const FinishedRuns& runs) {
   return false;
 }
 
-/// Loads the models of the first runs here, so that bad files are found before a run and the
-/// workers, which are forked, share what is loaded.
+/// Loads the models of the first runs here: bad files are found before a run, and the workers,
+/// which are forked, share the loaded models.
 void CheckModels(const Campaign& campaign, const System& system) {
   constexpr std::size_t kMostChecked = 16;  // as many sets of models as a system keeps
   std::set<std::string> seen;
@@ -61,7 +61,7 @@ void CheckModels(const Campaign& campaign, const System& system) {
   }
 }
 
-/// As a shell takes it for one word.
+/// The text quoted as one word for a shell.
 std::string Quoted(const std::string& word) {
   const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=-";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;

@@ -1,4 +1,4 @@
-// What kind of input file is this, and is it good? For `dockyard check`.
+// Recognises the kind of an input file and checks the file, for `dockyard check`.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace dockyard {
 
-/// Reads the file and everything that it names. The kind comes from the extension, for YAML from
-/// the keys; systems say which files are theirs. Throws ConfigError with the first fault, also when
-/// it is of no kind that is known.
+/// Reads the file and every file that it names. The kind comes from the extension, for YAML from
+/// the keys; the systems recognise files of their own. Throws ConfigError with the first fault,
+/// also for a file of unknown kind.
 FileCheck CheckFile(const std::string& file, const std::vector<System>& systems);
 
 }  // namespace dockyard

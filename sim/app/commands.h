@@ -1,5 +1,6 @@
-// The subcommands of the program. Each adds itself, and when chosen leaves its exit code; it throws
-// what RunProgram turns into one. `systems` outlives the parsing.
+// The subcommands of the program. Each adds itself to the command line. When chosen, it sets its
+// exit code or throws; RunProgram turns what was thrown into an exit code. `systems` must outlive
+// the parsing.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,7 +11,7 @@
 
 namespace dockyard {
 
-/// Arguments that parse but make no sense together. The message is a sentence.
+/// Arguments that parse but contradict each other. The message is a sentence.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -28,7 +28,7 @@ struct TextShape {
 };
 using Shape = std::variant<DiscShape, PolygonShape, LineShape, TextShape>;
 
-/// A page, and what of its shapes is clipped to a window.
+/// A page, and a window to which some of its shapes are clipped.
 struct Page {
   double width_mm = 0.0, height_mm = 0.0;
   Eigen::Vector2d window_mm{0, 0}, window_size_mm{0, 0};  // on the page
@@ -37,7 +37,7 @@ struct Page {
   std::vector<Shape> marks;  // over them, neither clipped nor shifted
 };
 
-/// One page. Its clipped shapes are shifted, and not clipped.
+/// One page. Its clipped shapes are shifted, but not clipped.
 std::string SvgText(const Page& page);
 /// PDF 1.4, uncompressed, its text in Helvetica, which every viewer has.
 std::string PdfText(const std::vector<Page>& pages);

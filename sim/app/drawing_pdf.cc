@@ -39,7 +39,7 @@ std::string CirclePath(const Eigen::Vector2d& centre, double radius) {
   return path + "h ";
 }
 
-/// What Helvetica's standard encoding lacks becomes a question mark.
+/// A character that Helvetica's standard encoding lacks becomes a question mark.
 std::string Escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -106,7 +106,7 @@ std::string PdfText(const std::vector<Page>& pages) {
     objects.push_back(Format("<< /Length %zu >>\nstream\n", content.size()) + content +
                       "endstream");
   }
-  // Without scaling is what the print dialogue should offer first.
+  // The print dialogue should first offer printing without scaling.
   objects[0] = "<< /Type /Catalog /Pages 2 0 R /ViewerPreferences << /PrintScaling /None >> >>";
   objects[1] = "<< /Type /Pages /Kids [" + kids + "] " + Format("/Count %zu >>", pages.size());
   std::string text = "%PDF-1.4\n";

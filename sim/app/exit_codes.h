@@ -1,10 +1,10 @@
-// What the program's exit code says. docs/reference/exit_codes.md tells the same at length.
+// The exit codes of the program; docs/reference/exit_codes.md explains them.
 #pragma once
 
 namespace dockyard {
 
 inline constexpr int kExitDone = 0;       // done; run: docked; replay: the same
-inline constexpr int kExitOurBug = 1;     // a broken promise of ours; replay: not the same
+inline constexpr int kExitOurBug = 1;     // a fault of this program; replay: not the same
 inline constexpr int kExitUsage = 2;      // arguments that make no sense
 inline constexpr int kExitBadInput = 3;   // a file that is wrong
 inline constexpr int kExitNotDocked = 4;  // run: simulated to its end, but did not dock

@@ -24,7 +24,7 @@ std::string Fingerprint(const fs::path& path) {
   return text;
 }
 
-/// The file itself, and for a rover or station what lies in its folder: URDF and meshes.
+/// The file itself, and for a rover or station the files in its folder: URDF and meshes.
 void AddWithNeighbours(const fs::path& file, std::set<fs::path>& files) {
   files.insert(file);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
@@ -35,8 +35,8 @@ void AddWithNeighbours(const fs::path& file, std::set<fs::path>& files) {
   if (error) throw IoError("cannot read folder " + folder.string() + ": " + error.message());
 }
 
-/// The files that a model's YAML names by the keys `urdf` and `file`, which may lie elsewhere. What
-/// is not there is left out: the model's reader refuses it with its line.
+/// The files that a model's YAML names by the keys `urdf` and `file`, which may lie elsewhere.
+/// Missing files are left out: the model's reader refuses them with their line.
 void AddNamed(const YamlNode& node, std::set<fs::path>& files) {
   for (std::size_t i = 0; i < node.items.size(); ++i) {
     const YamlNode& item = node.items[i];

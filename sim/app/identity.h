@@ -1,4 +1,4 @@
-// What results depend on beside the scenario: this program and the model files, by fingerprint.
+// What results depend on beside the scenario: fingerprints of this program and of the model files.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace dockyard {
 
-/// A line for the program and one for each file that the campaign's runs read: the folders of the
-/// models (URDF, meshes and YAML), the scenario's camera file, and what else scenario and models
-/// name, in a fixed order. Throws IoError, and ConfigError for a model that is no YAML.
+/// A line for the program and one for each file that the campaign's runs read, in a fixed order:
+/// the folders of the models (URDF, meshes and YAML), the scenario's camera file, and all other
+/// files that scenario and models name. Throws IoError, and ConfigError for a model that is not
+/// YAML.
 std::string IdentityText(const Campaign& campaign, const System& system);
 
 }  // namespace dockyard

@@ -1,4 +1,4 @@
-// Pictures from files, and pictures of what was seen in them.
+// Reads images from files, and marks the detections in them.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace dockyard {
 
-/// PNG, PGM, JPEG and what else OpenCV's imgcodecs reads, as 8-bit grey. Throws ConfigError.
+/// PNG, PGM, JPEG and other formats of OpenCV's imgcodecs, as 8-bit grey. Throws ConfigError.
 GrayImage LoadGray(const std::string& file);
 /// The image turned by 180 deg.
 GrayImage UpsideDown(const GrayImage& image);
 /// Whether a JPEG ends before its end mark; the decoder fills the rest with grey.
 bool IsCutJpeg(const std::string& file);
-/// The folder's picture files by name, at least one. Throws ConfigError.
+/// The folder's image files by name, at least one. Throws ConfigError.
 std::vector<std::string> ImageFilesIn(const std::string& folder);
-/// The pictures side by side, the marks ringed and numbered: measured green, predicted orange.
-/// Throws IoError.
+/// The images side by side, the marks ringed and numbered: measured green, predicted orange. Throws
+/// IoError.
 void DrawSighting(const std::string& file, const StereoImages& images,
                   const SightingReport& report);
 

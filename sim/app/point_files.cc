@@ -86,7 +86,7 @@ std::vector<PointFrame> LoadPointFrames(const std::string& file, bool sequence) 
 }
 
 double DefaultSurveyError(const std::vector<PointFrame>& frames) {
-  // What a tape or a total station leaves, and 1 cm in the room of 10 m of STAR-loc (Dumbgen et
+  // The error of a tape or a total station, and 1 cm in the room of 10 m of STAR-loc (Dumbgen et
   // al., arXiv 2309.05518). Assumed, 0.0002-0.003.
   constexpr double kRelative = 0.001;
   Eigen::Vector3d low = Eigen::Vector3d::Constant(1e9), high = -low;

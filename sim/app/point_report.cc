@@ -94,7 +94,7 @@ Json FrameJson(const PointFrame& frame, const FrameAnswer& answer) {
     json["camera_turn_sigma_rad"] =
         both ? Three(pose.fit.turn.covariance.diagonal().cwiseSqrt()) : Json();
   }
-  // Of a plane seen by one camera: the other pose that its picture allows, and by how many sigmas
+  // Of a plane seen by one camera: the other pose that its image allows, and by how many sigmas
   // squared it fits worse.
   json["other_branch"] = pose.other_RB ? PoseJson(*pose.other_RB, Matrix6d::Zero()) : Json();
   if (pose.other_RB) json["other_branch"]["cost_more"] = pose.other_cost - pose.fit.cost;

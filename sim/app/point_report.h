@@ -1,4 +1,4 @@
-// What the command pose says of a frame: JSON, a row of a table, a line for people.
+// Reports of the command pose on a frame: JSON, a row of a table, a line of text.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace dockyard {
 
 struct FrameAnswer {
   Result<PointPose, PoseFailure> pose = PoseFailure::kTooFewFiducials;
-  double survey_m = 0.0;              // as stated, of a point whose row states none
+  double survey_m = 0.0;              // survey error of points whose row states none
   bool agree_when_exchanged = false;  // refused, but left and right exchanged would be accepted
   std::string pipeline;
 };
@@ -25,7 +25,7 @@ struct InversePose {
 };
 InversePose Inverted(const Pose3& X_RB, const Matrix6d& covariance);
 
-/// Why there is no pose, as a sentence's part.
+/// Why there is no pose, as part of a sentence.
 std::string Detail(const FrameAnswer& answer);
 
 Json FrameJson(const PointFrame& frame, const FrameAnswer& answer);
@@ -34,7 +34,7 @@ Json FrameJson(const PointFrame& frame, const FrameAnswer& answer);
 std::string PoseTableHeader();
 std::string PoseTableRow(const PointFrame& frame, const FrameAnswer& answer);
 
-/// One line; with `rows` further ones name what was left out.
+/// One line; with `rows`, further lines name the rows that were left out.
 std::string FrameText(const PointFrame& frame, const FrameAnswer& answer, bool rows);
 
 }  // namespace dockyard

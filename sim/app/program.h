@@ -1,4 +1,4 @@
-// The command line over any systems. A project of its own calls it from its main, with its systems
+// The command line over any systems. Another project calls it from its main, with its own systems
 // or controllers beside ours.
 #pragma once
 

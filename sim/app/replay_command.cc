@@ -83,7 +83,7 @@ bool ReportController(const std::filesystem::path& run_dir, const Scenario& scen
   return true;
 }
 
-/// What was run, what came out of it then, and the folder of its log.
+/// A run as kept: its scenario, its result, and the folder of its log.
 struct KeptRun {
   CampaignRun run;
   RowColumns columns;

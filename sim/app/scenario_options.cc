@@ -33,7 +33,7 @@ void AddCommandOptions(CLI::App& command, CommandOptions& options) {
 
 void AddScenarioOptions(CLI::App& command, ScenarioOptions& options) {
   command.add_option("SCENARIO", options.file, "a scenario file")->required();
-  command.add_option("--seed", options.seed, "of all that is random; overrides the file's")
+  command.add_option("--seed", options.seed, "of all random draws; overrides the file's")
       ->check([](const std::string& text) {  // else -1 and 2^64 would read as 2^64 - 1
         std::uint64_t seed = 0;
         const auto read = std::from_chars(text.data(), text.data() + text.size(), seed);

@@ -37,7 +37,7 @@ struct CommandOptions {
 };
 void AddCommandOptions(CLI::App& command, CommandOptions& options);
 
-/// What a study's reader must know of the systems.
+/// The part of the systems that a study's reader needs.
 StudySystems StudySystemsOf(const std::vector<System>& systems);
 
 /// A scenario as the one run of its own folder.

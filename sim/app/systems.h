@@ -1,4 +1,4 @@
-// The systems of this project, with their controllers: the one place where both sides meet.
+// The systems of this project, with their controllers: the only place that knows both.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Words for people, on stderr; results alone go to stdout.
+// Messages for people, on stderr; stdout gets results only.
 #pragma once
 
 #include <string>

@@ -45,8 +45,8 @@ void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit
   auto arguments = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand("view", kHelp);
   AddScenarioOptions(*command, arguments->scenario);
-  command->add_option("--out", arguments->out_dir, "folder for the pictures")->required();
-  command->add_flag("--colour", arguments->colour, "write colour pictures beside the grey ones");
+  command->add_option("--out", arguments->out_dir, "folder for the images")->required();
+  command->add_flag("--colour", arguments->colour, "write colour images beside the grey ones");
   command->callback([arguments, &systems, &exit_code] { exit_code = View(*arguments, systems); });
 }
 

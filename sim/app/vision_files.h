@@ -1,4 +1,4 @@
-// What detect and pose share: the rig and board of files, the pipeline's name, a pose as JSON.
+// Shared by detect and pose: the rig and board of files, the pipeline's name, a pose as JSON.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,17 +19,18 @@ struct RigOptions {
   std::string robot, rig;
 };
 void AddRigOptions(CLI::App& command, RigOptions& options);
-/// The robot's nominal pair, or the file's `left` and `right` (docs/reference/cameras.md). Throws
-/// UsageError unless one of both is given, and ConfigError.
+/// The nominal pair of the robot's file, or the cameras `left` and `right` of the rig's file
+/// (docs/reference/cameras.md). Throws UsageError unless exactly one of the two is given, and
+/// ConfigError.
 StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, int width,
                 int height);
-/// A board's file, or that of a system's target: its board. Throws ConfigError.
+/// The board of a board's file, or of a system's target file. Throws ConfigError.
 NamedBoard BoardOf(const std::string& file, const std::vector<System>& systems);
 
 struct PipelineOptions {
   std::string name = "dockyard";
   std::optional<int> min_points{};
-  /// Throws UsageError when min_points stands beside another pipeline than tsai2013.
+  /// Throws UsageError when min_points is given with a pipeline other than tsai2013.
   void RequireSound() const;
   VisionSettings settings() const;
 };

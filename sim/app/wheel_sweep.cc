@@ -41,7 +41,7 @@ struct Point {
   double slip = 0.0, value = 0.0;
 };
 
-/// A curve of the model with what was measured at its side slip.
+/// A curve of the model with the rows measured at its side slip.
 struct Curve {
   double load_n = 0.0, beta_deg = 0.0;
   std::vector<Point> model, measured;

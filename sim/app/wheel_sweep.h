@@ -1,4 +1,4 @@
-// What `dockyard wheel` prints and writes.
+// The printed results and the files of `dockyard wheel`.
 #pragma once
 
 #include <filesystem>

@@ -20,8 +20,9 @@ std::vector<Column> Measures() {
 }
 
 std::vector<Column> Beliefs() {
-  return {{"recoveries", "", "times that the controller backed up to try again"},
-          {"tether_length_m", "m", "exposed tether, arm tip to anchor, by its own reckoning"}};
+  return {
+      {"recoveries", "", "times that the controller backed up to try again"},
+      {"tether_length_m", "m", "exposed tether, arm tip to anchor, by the controller's estimate"}};
 }
 
 std::vector<double> Values(const AxelMeasures& measures) {

@@ -34,7 +34,7 @@ void VisitChannels(const Truth& truth, Visit&& visit) {
   visit("right_sinkage_m", "m", "of the right wheel in the soil", truth.right_sinkage_m);
 }
 
-/// What the result row says of a run beside its outcome. NaN: does not apply.
+/// The measures of a result row. NaN: does not apply.
 struct AxelMeasures {
   double recoveries = 0.0;
   double tip_depth_m = 0.0, lateral_error_m = 0.0, yaw_error_deg = 0.0, station_shift_m = 0.0;
@@ -84,7 +84,7 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
 
 std::vector<Column> Channels();
 std::vector<Column> Measures();
-/// What the controllers' beliefs may hold by name.
+/// Names of the values that the controllers' beliefs may hold.
 std::vector<Column> Beliefs();
 std::vector<double> Values(const AxelMeasures& measures);
 

@@ -1,4 +1,4 @@
-// The judge of Axel's dockings: watches the truth, measures, tries a claim by shaking the rover.
+// The judge of Axel's dockings. It watches the truth, measures, and tests a claim by a shake.
 #pragma once
 
 #include <algorithm>
@@ -25,12 +25,12 @@ struct CurrentMeter {
   double mean() const { return count ? sum / static_cast<double>(count) : 0.0; }
 };
 
-/// What it takes to bring the arm in: spool current and peak force on the cone from the mouth to
-/// the depth that counts as docked, before the socket's floor stops it.
+/// Spool current and peak force on the cone while the arm is reeled in, from the mouth to the depth
+/// that counts as docked. The meter stops before the arm meets the socket's floor.
 class EntryMeter {
  public:
   void Add(double depth_m, double spool_current_a, double cone_force_n, double docked_depth_m);
-  /// Leaves NaN when the tip never came past the mouth.
+  /// Leaves NaN when the tip never passed the mouth.
   void Fill(AxelMeasures& measures) const;
 
  private:

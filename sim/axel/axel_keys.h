@@ -1,4 +1,4 @@
-// What a scenario may say under the key `axel`.
+// The keys of a scenario under `axel`.
 #pragma once
 
 #include <limits>
@@ -12,9 +12,9 @@ namespace dockyard::axel {
 
 struct AxelKeys {
   std::string station_file;  // resolved path
-  VisionSettings vision{};   // what the controller's perception runs
+  VisionSettings vision{};   // of the controller's perception
   double tip_angle_rad =
-      std::numeric_limits<double>::quiet_NaN();  // of the cone; NaN: as the station's file says
+      std::numeric_limits<double>::quiet_NaN();  // of the cone; NaN: as in the station's file
   double board_dust = 0.0;                       // mean share of the board's face under dust
 };
 

@@ -14,7 +14,7 @@ namespace dockyard::axel {
 
 class AxelPlant final : public Plant {
  public:
-  /// Throws ConfigError when rover and station were put into each other.
+  /// Throws ConfigError when rover and station overlapped at the start.
   AxelPlant(const Scenario& scenario, BuiltRun built);
 
   Tick tick() const override { return world_.tick(); }
@@ -28,7 +28,7 @@ class AxelPlant final : public Plant {
   std::uint64_t FinalHash(std::uint64_t seed) const override;
 
   const BuiltRun& built() const { return built_; }
-  /// As it was when last sensed.
+  /// The truth at the last sensor reading.
   const Truth& truth() const { return truth_; }
   void RefreshTruth() { truth_ = world_.truth(); }
   World& world() { return world_; }

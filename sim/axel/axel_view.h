@@ -1,4 +1,4 @@
-// From the truth to pictures: the only caller of render/.
+// From the truth to images: the only caller of render/.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,11 @@
 
 namespace dockyard::axel {
 
-/// The pair as built: the nominal rig with the workshop's errors of this run (1 sigma each from the
-/// rover's file). The controller keeps the nominal one.
+/// The pair as built: the nominal rig with the manufacturing errors of this run (1 sigma each from
+/// the rover's file). The controller keeps the nominal rig.
 StereoRig BuiltRig(const StereoModel& stereo, std::uint64_t run_seed);
 
-/// Builds what the cameras see. Meshes are converted once; poses come from the truth.
+/// Builds the scene that the cameras see. Meshes are converted once; poses come from the truth.
 class SceneBuilder {
  public:
   SceneBuilder(const RoverModel& rover, const StationModel& station, const SoilModel& soil,
@@ -50,7 +50,7 @@ class SceneBuilder {
   std::uint64_t texture_seed_ = 0;
 };
 
-/// The sensor of the rover's cameras, for picture number index of a run.
+/// The sensor of the rover's cameras, for image number index of a run.
 SensorOptions CameraSensor(const StereoModel& stereo, std::uint64_t run_seed, int index);
 
 }  // namespace dockyard::axel

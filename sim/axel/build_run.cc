@@ -75,7 +75,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.soil = models.soil;
   world.arm_start_rad = RestingArm(world.rover);
 
-  // The controller is told nominal numbers; what follows disturbs the world only.
+  // The controller gets nominal numbers; the lines that follow disturb the world only.
   run.nominal = MakeNominal(world.rover, world.station, world.arm_start_rad);
   run.nominal.vision = models.keys.vision;
   RandomStream start(StreamKey(scenario.seed, "start"));

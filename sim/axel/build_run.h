@@ -1,5 +1,5 @@
-// From a scenario to everything that one run is made of: the world as built, and the nominal
-// parameters that the controller is told. All dispersion between the two is drawn here.
+// From a scenario to all parts of one run: the world as built, and the nominal parameters that the
+// controller gets. All dispersion between the two is drawn here.
 #pragma once
 
 #include "controller/axel/nominal/nominal.h"
@@ -13,7 +13,7 @@ namespace dockyard::axel {
 struct BuiltRun {
   WorldSetup world;
   StereoRig built_rig;  // the cameras that see
-  Nominal nominal;      // what the controller is told
+  Nominal nominal;      // what the controller gets
   Lighting lighting;
   Pose3 X_WD;  // dock where it was put
 };
@@ -21,12 +21,12 @@ struct BuiltRun {
 /// Draws the run's dispersions. Throws ConfigError for images that cannot be drawn.
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models);
 
-/// Throws ConfigError when pictures of these cameras reach beyond what the renderer draws, 60 deg
-/// from a lens's axis (docs/reference/images.md).
+/// Throws ConfigError when an image of these cameras reaches more than 60 deg from a lens's axis,
+/// beyond what the renderer draws (docs/reference/images.md).
 void CheckPicturesCanBeDrawn(const StereoRig& rig);
 
-/// Throws ConfigError when rover and station were put into each other: the contacts have then
-/// thrown them apart while the world came to rest.
+/// Throws ConfigError when rover and station overlapped at the start: the contacts have then pushed
+/// them apart while the world came to rest.
 void CheckStart(const BuiltRun& run, const Truth& start);
 
 }  // namespace dockyard::axel

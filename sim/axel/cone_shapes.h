@@ -18,8 +18,8 @@ std::vector<std::vector<Eigen::Vector3d>> ConeWedges(const ConeModel& cone);
 /// The plate that seats the tip, in the mouth frame M; its front is at stop_depth_m (> 0).
 Collision SocketStop(const ConeModel& cone);
 
-/// The arm's shapes: its tip cylinder after ArmTipModel, flat-nosed, its collar after CollarModel,
-/// and the collisions of its link but for those that model the same tip and collar.
+/// The arm's shapes: the flat-nosed tip cylinder of ArmTipModel, the collar of CollarModel, and the
+/// collisions of the arm's link except those of the same tip and collar.
 std::vector<Collision> ArmCollisions(const RoverModel& rover);
 
 }  // namespace dockyard::axel

@@ -8,7 +8,7 @@ namespace {
 constexpr int kRoverGroup = 1, kStationGroup = 2;
 // Wheels and body against the station: painted metal on rubber or metal (assumed, range 0.3-0.6).
 constexpr double kBodyFriction = 0.4;
-// Collision is looked for when the rover's sphere comes this near the station's [m].
+// Collision is tested when the rover's sphere comes this near the station's [m].
 constexpr double kNearM = 0.1;
 // Against 300 iterations to rounding, a docking's peak force on the cone changes by 0.1 N of 349
 // and its pose by less than 0.01 mm.
@@ -16,7 +16,7 @@ constexpr int kSolverIterations = 30;
 // The solver stops early when a sweep changes no impulse by more than the root of this [(N s)^2]:
 // 3 mN at a step of 1 ms.
 constexpr double kSolvedResidual = 1e-11;
-// A contact belongs to the annular face when it is this near the mouth plane and looks outwards.
+// A contact belongs to the annular face when it is this near the mouth plane and faces outwards.
 constexpr double kFaceDepthM = 4e-3;
 constexpr double kFaceNormal = 0.9;
 
@@ -62,7 +62,7 @@ class ContactWorld::BulletWorld : public btMultiBodyDynamicsWorld {
   }
 
  private:
-  // What Bullet's step comes to without contacts.
+  // Bullet's step for a world without contacts.
   void IntegrateFreely(btScalar dt) {
     btMultiBody* rover = owner_.rover_.multibody();
     m_scratch_r.resize(rover->getNumLinks() + 1);

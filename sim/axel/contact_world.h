@@ -1,5 +1,5 @@
 // Bullet's world: integrates rover and station and resolves the contacts between them. Without a
-// contact it holds not one constraint row. No ground: soil and feet come as loads.
+// contact it has no constraint rows. It has no ground: soil and feet act as loads.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>

@@ -1,4 +1,4 @@
-// Where the fiducials truly lie in a picture, from geometry alone.
+// The true places of the fiducials in an image, from geometry alone.
 #pragma once
 
 #include <optional>

@@ -42,7 +42,7 @@ Px Along(const Arrow& arrow, double forward, double right) {
           arrow.tail.y + forward * arrow.direction.y + right * arrow.direction.x};
 }
 
-/// Where the labels hold what the plot shows.
+/// The indices of the labels that the plot shows.
 struct LabelIndex {
   std::size_t r, alpha, heading;
   std::optional<std::size_t> soil;
@@ -68,7 +68,8 @@ Pose2 StartOf(const RunResult& row, const LabelIndex& at) {
   return FromDockingCoords({number(at.r), Radians(number(at.alpha)), Radians(number(at.heading))});
 }
 
-/// What stands at an arrow's tail for a soil: its place in the order in which soils first appear.
+/// The marker at an arrow's tail by soil: the soil's place in the order in which soils first
+/// appear.
 std::map<std::string, int> MarkersOf(const std::vector<RunResult>& rows, const LabelIndex& at) {
   std::map<std::string, int> markers;
   if (!at.soil) return markers;
@@ -191,7 +192,7 @@ void DrawPolarGuides(SvgDocument& svg, const PlotArea& area) {
   }
 }
 
-/// What the colours and the markers at the tails stand for; returns where it ends.
+/// Draws the key of the colours and the tails' markers; returns where it ends.
 double DrawKey(SvgDocument& svg, Px at, const std::map<std::string, int>& markers) {
   const std::array<std::pair<const char*, const char*>, 2> colors{
       {{kBlue, "docked"}, {kRed, "not docked (cause)"}}};

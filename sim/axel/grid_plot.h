@@ -10,13 +10,13 @@
 namespace dockyard::axel {
 
 /// SVG: the dock at the origin, an arrow at each start position in the direction of its heading,
-/// blue docked and red not, named by its cause. The tail's marker tells the label "soil": filled
-/// and hollow discs, then triangles, squares, ... by order of appearance; the key names them. Each
-/// arrow is a group of class "run-arrow" with id "run-<number>". The labels start.r_m,
+/// blue when docked, red with the cause when not. The marker at the tail shows the label "soil":
+/// filled and hollow discs, then triangles, squares, ... by order of appearance; the key names
+/// them. Each arrow is a group of class "run-arrow" with id "run-<number>". The labels start.r_m,
 /// start.alpha_deg and start.heading_deg must be there.
 std::string GridPlot(const std::string& title, const RowColumns& columns,
                      const std::vector<RunResult>& rows, const ConeModel& cone);
-/// Whether they are.
+/// Whether these three labels are there.
 bool HasStartPoses(const RowColumns& columns);
 
 }  // namespace dockyard::axel

@@ -13,7 +13,7 @@
 namespace dockyard::axel {
 namespace {
 
-/// What the models depend on, as text: equal text means equal models.
+/// All that the models depend on, as text: equal text means equal models.
 std::string ModelKey(const Scenario& scenario) {
   return scenario.robot_file + "\n" + scenario.soil_file + "\n" + scenario.camera_file + "\n" +
          std::to_string(scenario.image_width) + "x" + std::to_string(scenario.image_height) + "\n" +

@@ -21,12 +21,12 @@ struct AxelModels {
   SoilModel soil;
 };
 
-/// Reads the files, puts the scenario's changes, cameras and tip angle on top and checks the models
+/// Reads the files, applies the scenario's changes, cameras and tip angle, and checks the models
 /// against each other. Throws ConfigError.
 AxelModels LoadModels(const Scenario& scenario);
 
-/// Keeps the last few sets of models, so that the runs of a campaign share them. Workers that are
-/// forked after a set was loaded have it without reading a file.
+/// Keeps the last few sets of models, so that the runs of a campaign share them. A worker that is
+/// forked after a set was loaded has the set without reading a file.
 class ModelStore {
  public:
   /// As LoadModels. Files that changed since are not noticed.

@@ -1,4 +1,4 @@
-// Axel's nominal parameters as JSON, so that a log holds all that its controller was told.
+// Axel's nominal parameters as JSON, so that a log holds all that its controller got.
 #pragma once
 
 #include "controller/axel/nominal/nominal.h"
@@ -7,7 +7,7 @@
 namespace dockyard::axel {
 
 Json ToJson(const Nominal& nominal);
-/// Every number as it was, bit for bit. Throws ConfigError when it is not Axel's.
+/// Every number keeps its bits. Throws ConfigError when the JSON is not Axel's.
 Nominal NominalFromJson(const Json& json);
 
 }  // namespace dockyard::axel

@@ -51,7 +51,7 @@ LookQuality JudgeLook(const SightingReport& report, const Pose3& X_RB_true, cons
     const Eigen::Vector2d& p_BF = board.fiducials[mark.id].p_BF;
     const Eigen::Vector3d p_C = X_CB * Eigen::Vector3d(p_BF.x(), p_BF.y(), 0.0);
     const auto pixel = camera.Project(p_C);
-    // A disc nearby is many pixels wide: a tenth of its diameter is still the right disc.
+    // A near disc is many pixels wide: a detection within a tenth of its diameter is still right.
     const double gate = std::max(limits.mark_gate_px,
                                  0.1 * camera.focal_px().x() * board.disc_diameter_m / p_C.norm());
     const bool near = pixel && (*pixel - Eigen::Vector2d(mark.u_px, mark.v_px)).norm() < gate;
@@ -84,7 +84,7 @@ void OutcomeJudge::Observe(const Truth& truth) {
   const double speed = truth.v_MT.norm();
 
   rest_.Update(speed < limits_.rest_speed_m_s, now);
-  // The axle on end, or the arm gone over the top.
+  // The axle stands on end, or the arm went over the top.
   const double axle_tilt = std::asin(std::clamp(std::abs(truth.X_WR.R(2, 1)), 0.0, 1.0));
   const bool arm_over = truth.X_WA.R(2, 2) < 0.0;
   tipped_.Update(axle_tilt > limits_.tipped_rad || arm_over, now);

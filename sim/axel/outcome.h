@@ -1,5 +1,4 @@
-// What a run comes to, judged from the truth alone. docs/reference/outcomes.md tells the same in
-// words.
+// The outcome of a run, judged from the truth alone. docs/reference/outcomes.md explains all.
 #pragma once
 
 #include <optional>
@@ -52,10 +51,10 @@ struct OutcomeLimits {
   double jam_tension_n = 60.0;
   double jam_time_s = 8.0;
   double mark_gate_px = 3.0;  // a detection nearer than this to its true place is right
-  int few_marks = 4;          // correct detections in one image below which none counts
+  int few_marks = 4;          // fewer detections than this in both images: not detected
 };
 
-/// How one look at the board went, by the truth.
+/// How one sighting of the board went, by the truth.
 enum class LookQuality { kGood, kUndetected, kWrongCorrespondence, kRejected };
 
 /// Compares a sighting with the true pixels of the board's fiducials in both built cameras.
@@ -69,7 +68,7 @@ struct ShakeResult {
   double travel_m = 0.0;  // largest travel of the tip in the mouth frame
 };
 
-/// Watches a run and names its outcome: of the conditions still in force at the end, the one that
+/// Watches a run and names its outcome: of the conditions that still hold at the end, the one that
 /// began first.
 class OutcomeJudge {
  public:
@@ -77,24 +76,24 @@ class OutcomeJudge {
 
   /// Called every control period.
   void Observe(const Truth& truth);
-  /// Called for every look the controller took.
+  /// Called for every sighting that the controller took.
   void ObserveLook(double time_s, LookQuality quality);
 
-  /// Whether the run cannot go on: tipped over, tether overloaded.
+  /// Whether the run cannot continue: tipped over, tether overloaded.
   bool fatal() const;
-  /// Whether the truth has the tip home, at rest and taut now.
+  /// Whether the tip is seated, at rest and taut now, by the truth.
   bool at_rest_home() const;
 
   struct Verdicted {
     Outcome outcome = Outcome::kTimeout;
-    std::string note;  // a sentence: what the truth showed
+    std::string note;  // a sentence on the truth
   };
   Verdicted Conclude(Verdict claimed, int recoveries, const ShakeResult& shake) const;
 
  private:
   struct Condition {
     std::optional<double> since_s;
-    /// Starts or keeps the clock while it holds, clears it when it does not.
+    /// Starts or keeps the clock while the condition holds, clears it when it does not.
     void Update(bool holds, double time_s);
     bool Held(double now_s, double for_s) const { return since_s && now_s - *since_s >= for_s; }
   };

@@ -1,6 +1,5 @@
 // The rover as an articulated body (Featherstone's algorithm, Bullet's btMultiBody): a free body
-// with two wheels and the arm on hinges about y. It feels nothing but the loads given to it and
-// contacts.
+// with two wheels and the arm on hinges about y. Only contacts and the loads given to it act on it.
 #pragma once
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>

@@ -16,7 +16,7 @@ GroundMaterial MakeMaterial(const ArmTipModel& tip, double mass_kg) {
 }  // namespace
 
 RoverGround::RoverGround(const RoverModel& rover) {
-  // What the ground feels of a slender arm that turns about its other end: a third of its mass.
+  // The mass that the ground meets at the end of a slender arm on a hinge: a third of the arm's.
   tip_material_ = MakeMaterial(rover.tip, rover.arm.mass_kg / 3.0);
   // Four corners carry a body that has tumbled.
   body_material_ = MakeMaterial(rover.tip, rover.mass_kg() / 4.0);

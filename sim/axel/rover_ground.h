@@ -1,4 +1,5 @@
-// Rover against ground where it has no wheels: the arm's tip dragging, the body after a tumble.
+// The rover's contact with the ground other than by wheels: the arm's tip when it drags, the body
+// after a tumble.
 #pragma once
 
 #include <Eigen/Core>

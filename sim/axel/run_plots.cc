@@ -17,7 +17,7 @@ const Pen kVision{"#e07b00", 1.6, "", 1.0};
 const Pen kRefused{"#c8321e", 1.4, "", 1.0};
 constexpr const char* kImageFill = "#1f5fbf";
 
-// Drops points nearer than a third of a pixel to the last one: the eye cannot tell.
+// Drops points nearer than a third of a pixel to the last one: the difference is not visible.
 void AddThinned(std::vector<Px>& line, Px point) {
   constexpr double kNearPx = 0.33;
   if (!std::isfinite(point.x) || !std::isfinite(point.y)) return;
@@ -43,7 +43,7 @@ PlotArea PathArea(const RunRecord& record) {
       for (const Eigen::Vector2d& p : ArcPoints(arc, 8)) hold(p.x(), p.y());
     }
   }
-  // A wild estimate must not shrink the rest of the picture to a dot.
+  // A wild estimate must not shrink the rest of the plot to a dot.
   x = {std::max(x.low, -3.0), std::min(x.high, 15.0)};
   y = {std::max(y.low, -8.0), std::min(y.high, 8.0)};
   const double scale = std::min(860.0 / x.span(), 760.0 / y.span());

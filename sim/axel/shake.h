@@ -1,4 +1,4 @@
-// The testbed's own proof of a docking: with the spool braked, turn to and fro, then drive away.
+// The testbed's proof of a docking: spool braked, the rover turns to and fro, then drives away.
 #pragma once
 
 #include "sim/axel/axel_judge.h"
@@ -6,8 +6,8 @@
 
 namespace dockyard::axel {
 
-/// Shakes the rover in the world and returns how far it gave. Wheels turn it 11 deg to and fro at
-/// 0.1 rad/s, then both drive away at 0.1 m/s for 2 s. The world is not the same afterwards.
+/// Shakes the rover in the world and returns how far it moved. Wheels turn it 11 deg to and fro at
+/// 0.1 rad/s, then both drive away at 0.1 m/s for 2 s. The world keeps the changes.
 ShakeResult Shake(World& world, const RoverModel& rover);
 
 }  // namespace dockyard::axel

@@ -85,8 +85,8 @@ void StationBody::AddShapes(bool mirrored_order) {
 }
 
 void StationBody::AddFaces() {
-  // Of a wedge: the three that look at the arm (ConeWedges' corners 0 to 9 go round the cut, two
-  // by two). Of other pieces: their box in the shape's axes.
+  // Of a wedge: the three that face the arm (ConeWedges' corners 0 to 9 go round the cut, two by
+  // two). Of other pieces: their box in the shape's axes.
   for (int piece = 0; piece < shape_.pieces(); ++piece) {
     std::vector<StationFace>& faces = faces_.emplace_back();
     btCompoundShape* all = shape_.compound();

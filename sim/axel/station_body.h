@@ -41,7 +41,7 @@ class StationBody {
   }
   /// Whether a piece of the body's shape is a wedge of the cone.
   bool IsWedge(int piece) const { return piece < wedge_count_; }
-  /// Whether a piece of the module stands where the socket's hole is: the arm does not feel it.
+  /// Whether a piece of the module fills the socket's hole: it has no contact with the arm.
   bool FillsSocket(int piece) const { return fills_socket_[static_cast<std::size_t>(piece)]; }
   /// Radius about the mouth that holds the whole station [m].
   double reach_m() const { return reach_m_; }

@@ -9,7 +9,7 @@
 namespace dockyard::axel {
 namespace {
 
-// A piece is never counted shorter than this, so that its stiffness stays finite.
+// A piece always counts as at least this long, so that its stiffness stays finite.
 constexpr double kShortestPieceM = 1e-3;
 // Tensions on both sides of a bend settle to this share within one step.
 constexpr double kSlideTolerance = 1e-9;

@@ -45,7 +45,7 @@ class Tether {
   void Rethread(const TetherPath& next);
   void SlideOverBends();
   double Inside(int piece) const { return piece == 0 ? inside_arm_m_ : 0.0; }
-  /// Tension of a piece [N]; negative when it is longer than its way.
+  /// Tension of a piece [N]; negative when the tether is longer than the piece's path.
   double Pull(int piece) const;
   PerPiece Tensions() const;
 

@@ -1,4 +1,4 @@
-// The taut tether's way from the arm's tip to the anchor: the shortest path round the edges of the
+// The taut tether's path from the arm's tip to the anchor: the shortest path round the edges of the
 // cone's throat and lip. Throat and lip are circles about the cone's axis and the anchor lies on
 // the axis, so the path lies in the plane through the axis and the tip.
 #pragma once

@@ -1,4 +1,4 @@
-// The pictures at a start pose with the truth beside them: dockyard view.
+// The images at a start pose with the truth beside them: dockyard view.
 #pragma once
 
 #include <filesystem>

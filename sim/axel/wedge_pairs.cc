@@ -52,8 +52,8 @@ class WedgePairs : public btCollisionAlgorithm {
  private:
   struct Pair {
     btCollisionAlgorithm* algorithm = nullptr;
-    // The pieces are at least this far apart: as found when last looked at, less what the link has
-    // moved since. While it exceeds the gap there is nothing to look for.
+    // The pieces are at least this far apart: the distance at the last test, less the motion of the
+    // link since. While it exceeds the gap nothing needs a test.
     double clear_m = 0.0;
   };
   void Part(Pair& pair) {
@@ -71,7 +71,7 @@ class WedgePairs : public btCollisionAlgorithm {
   btTransform last_X_SL_ = btTransform::getIdentity();
 };
 
-// Bound of what any point of the link has moved against the station since the last call.
+// Bound of the motion of any point of the link against the station since the last call.
 double WedgePairs::MovedSinceLastStep(const btCompoundShape& link, const btTransform& X_SL) {
   btVector3 low, high;
   link.getAabb(btTransform::getIdentity(), low, high);
@@ -98,7 +98,7 @@ double WedgePairs::Separation(const btConvexShape& rover_piece, const btTransfor
   return 0.0;
 }
 
-// Of the points that Bullet has found; 0 when it has found none.
+// The least distance of the points that Bullet has found; 0 when it has found none.
 double Distance(btCollisionAlgorithm& algorithm) {
   btManifoldArray manifolds;
   algorithm.getAllContactManifolds(manifolds);

@@ -1,8 +1,7 @@
 // Collision of the rover's links with the station, piece by piece. Bullet's own algorithm for
-// compounds asks GJK about every pair of pieces whose boxes overlap, and in the socket that is all
-// of them; here a pair is asked about only when, after what the link has moved since it was last
-// asked about, it may be near enough to meet and no face of the station's piece parts it from the
-// rover's piece.
+// compounds calls GJK for every pair of pieces whose boxes overlap; in the socket all of them do.
+// Here GJK is called for a pair only when two things hold: since its last call the link has moved
+// far enough that the pieces may meet, and no face of the station's piece separates them.
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionCreateFunc.h>

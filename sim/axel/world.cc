@@ -174,7 +174,7 @@ std::uint64_t World::Impl::StateHash(std::uint64_t seed) const {
 
 World::World(const WorldSetup& setup) {
   // A wheel that stands on one paddle rolls off it as it settles, by up to half a paddle's pitch.
-  // So it is put down twice, the second time as far aside as it came off the first time.
+  // So the rover is put down twice, the second time as far aside as it rolled the first time.
   const Pose2 settled = ToGround(Impl(setup).MakeTruth().X_DR);
   WorldSetup placed = setup;
   placed.X_DR_start = setup.X_DR_start * Inverse(settled) * setup.X_DR_start;

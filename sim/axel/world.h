@@ -1,6 +1,6 @@
 // The physical world of one run: rover, station, tether and soil under 1 ms steps of Bullet.
-// A world is made fresh for each run and never reset, which is what makes it repeatable
-// (bullet3 issue 2442). No Bullet type appears in this header.
+// Every run makes a new world and never resets it, so runs are repeatable (bullet3 issue 2442). No
+// Bullet type appears in this header.
 #pragma once
 
 #include <array>

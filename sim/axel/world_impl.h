@@ -1,4 +1,4 @@
-// Inside of World: what it is made of.
+// The parts of World.
 #pragma once
 
 #include "sim/axel/contact_world.h"
@@ -30,8 +30,8 @@ class World::Impl {
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
-  // Nothing rocks, creeps or is about to move when all has been this slow for this long: in a
-  // minute it would go half a micrometre. Assumed, range 1e-10 to 1e-7 and 20-200 steps.
+  // At rest: no speed was above these for this many steps. Such a speed moves a body by half a
+  // micrometre in a minute. Assumed, range 1e-10 to 1e-7 and 20-200 steps.
   static constexpr double kStillMPerS = 1e-8, kStillRadPerS = 1e-8;
   static constexpr int kRestSteps = 50;
 

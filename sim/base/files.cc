@@ -20,7 +20,7 @@ void WriteAll(int descriptor, std::string_view bytes, const std::filesystem::pat
   }
 }
 
-// Some file systems know no fsync for what they hold; that is no reason to lose the run.
+// Some file systems have no fsync for their files; that is no reason to lose the run.
 void Flush(int descriptor, const std::filesystem::path& path) {
   if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) {
     throw IoErrorFromErrno("flush", path);

@@ -1,4 +1,4 @@
-// Files that are whole or not there: what a run leaves on the disk survives a crash.
+// Files that are whole or not there: a run's files survive a crash.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Random numbers: one generator, counter-based, so that every stream of every run can be had by
-// itself and adding a stream shifts no other. Draws are our own arithmetic, the same on every
+// Random numbers from one counter-based generator, so that each stream of each run can be drawn by
+// itself and a further stream shifts no other. The draws are our own arithmetic, the same on every
 // standard library.
 #pragma once
 

@@ -14,7 +14,7 @@ namespace dockyard {
 std::string CsvCell(std::string_view text);
 /// The cells with commas between them, no newline.
 std::string CsvLine(const std::vector<std::string>& cells);
-/// Cells of one line; none when a quotation is left open.
+/// Cells of one line; none when a quotation is not closed.
 std::optional<std::vector<std::string>> SplitCsv(std::string_view line);
 
 }  // namespace dockyard

@@ -20,7 +20,7 @@ std::string LastLine(const std::string& text) {
                      end - (begin == std::string::npos ? 0 : begin + 1) + 1);
 }
 
-/// Fields that are there replace what was believed before.
+/// A field that is there replaces the earlier belief.
 void TakeBelief(const Json& json, Belief& belief) {
   belief.phase = json.value("phase", belief.phase);
   belief.note = json.value("note", belief.note);

@@ -1,6 +1,6 @@
-// A controller that is a program of its own, in any language. It gets what the sensors say on its
-// standard input and answers on its standard output, in lock step: the simulation waits. It never
-// gets the truth. docs/reference/controller_protocol.md has every byte.
+// A controller that is a program of its own, in any language. It gets the sensor readings on its
+// standard input and answers on its standard output. The simulation waits for each answer. The
+// program never gets the truth. docs/reference/controller_protocol.md defines every byte.
 #pragma once
 
 #include <filesystem>
@@ -16,12 +16,12 @@ namespace dockyard {
 
 inline constexpr int kControllerProtocol = 1;
 
-/// What such a controller is told first.
+/// The first message to such a controller.
 struct ControllerGreeting {
   std::string system;
   Tick control_period = 20;
   int motor_count = 0, camera_count = 0, switch_count = 0;
-  std::uint64_t seed = 0;  // for what it draws itself; tells nothing of the world
+  std::uint64_t seed = 0;  // for its own random draws; reveals nothing of the world
   Json nominal;
 };
 
@@ -32,7 +32,7 @@ class ControllerFailure : public std::runtime_error {
   ControllerFailure(std::string outcome, const std::string& message, std::string messages)
       : std::runtime_error(message), outcome_(std::move(outcome)), messages_(std::move(messages)) {}
   const std::string& outcome() const { return outcome_; }
-  /// What the program wrote to its standard error.
+  /// The program's output on its standard error.
   const std::string& messages() const { return messages_; }
 
  private:
@@ -53,9 +53,9 @@ class PipeController final : public Controller {
   Commands Step(const SensorFrame& sensed) override;
   const Belief& belief() const override { return belief_; }
 
-  /// Says good-bye and waits a little for its end.
+  /// Sends the good-bye and waits a little for the program's end.
   void Finish();
-  /// What it wrote to its standard error.
+  /// The program's output on its standard error.
   std::string Messages() const { return process_.Messages(); }
 
  private:

@@ -1,4 +1,4 @@
-// A program in a process of its own, its standard input and output in our hands.
+// A program in a process of its own, with its standard input and output connected to us.
 #pragma once
 
 #include <sys/types.h>
@@ -10,7 +10,7 @@
 
 namespace dockyard {
 
-/// How a conversation with the program failed.
+/// How an exchange with the program failed.
 enum class Trouble { kNone, kEnded, kLate };
 
 /// Dies with this object, and with this process. Its environment is PATH, HOME, LANG and
@@ -33,7 +33,7 @@ class Process {
   /// Closes its standard input and gives it this long to end, then kills it. Says how it ended:
   /// "exit code 1", "signal 11".
   std::string End(double limit_s);
-  /// What it wrote to its standard error, the last 64 KiB.
+  /// The program's output on its standard error, the last 64 KiB.
   std::string Messages() const;
 
  private:

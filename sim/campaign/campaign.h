@@ -32,10 +32,10 @@ struct CampaignEnd {
   bool complete() const { return static_cast<int>(runs.size()) == total; }
 };
 
-/// Runs what the folder does not hold yet. On SIGINT, SIGTERM or SIGHUP it kills the runs under
+/// Runs the runs that the folder lacks. On SIGINT, SIGTERM or SIGHUP it kills the runs under
 /// way, keeps the finished ones and returns. Throws FolderTaken, ResultsError, ConfigError of
-/// a run's input files, and IoError when something cannot be written; what was finished by then
-/// stays.
+/// a run's input files, and IoError when something cannot be written; the runs finished by then
+/// stay.
 CampaignEnd RunCampaign(const Campaign& campaign, const RunFunction& function,
                         const CampaignOptions& options);
 

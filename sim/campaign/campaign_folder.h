@@ -3,9 +3,8 @@
 //   results.csv, timing.csv       a line per finished run; in run order once the campaign stops
 //   results.sqlite, summary.txt, plots/ (figures of the system)
 //   runs/NNN/                     frames.bin, history.csv, sightings.json, plans.json,
-//   outcome.json,
-//                                 figures of the system, messages.txt (what the run printed, if it
-//                                 did)
+//                                 outcome.json, figures of the system, messages.txt (the run's
+//                                 printed lines, if any)
 #pragma once
 
 #include <filesystem>
@@ -55,7 +54,7 @@ class CampaignFolder {
   std::filesystem::path StartRun(int run) const;
   /// On the disk when it returns. Throws IoError.
   void Keep(const FinishedRun& run);
-  /// Rewrites the tables in run order, adds database, summary and what `draw` gives, if it is
+  /// Rewrites the tables in run order, adds database, summary and the figures of `draw`, if it is
   /// there; returns the summary. Throws IoError.
   std::string Conclude(const Campaign& campaign, const DrawCampaign& draw) const;
 

@@ -1,4 +1,4 @@
-// How a campaign is coming along, for whoever waits for it: on stderr, never among the results.
+// The progress of a campaign: on stderr, never among the results.
 #pragma once
 
 #include <chrono>

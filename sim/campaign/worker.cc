@@ -14,7 +14,7 @@
 namespace dockyard {
 namespace {
 
-// The answer is lines of text: a kind, then what belongs to it.
+// The answer is lines of text: a kind, then the kind's content.
 constexpr const char* kRow = "row";
 constexpr const char* kIoError = "io_error";
 constexpr const char* kConfigError = "config_error";

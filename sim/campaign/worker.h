@@ -1,4 +1,4 @@
-// One run in a process of its own: what the child does and answers, and how the answer is read.
+// One run in a process of its own: the child's work and answer, and the reading of the answer.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ using DrawRun = std::function<std::vector<Figure>(const RunRecord&, const Scenar
 /// Writes each figure as a file of the folder, which exists. Throws IoError.
 void WriteFigures(const std::filesystem::path& dir, const std::vector<Figure>& figures);
 
-/// What a run's process does.
+/// The work of a run's process.
 struct RunWork {
   RunFunction simulate;
   DrawRun draw;  // empty: it draws nothing
@@ -29,13 +29,13 @@ struct RunWork {
 };
 
 /// In the child: simulates, writes the run's files and figures into its folder, and gives the
-/// answer as lines of text: row, timing and failure note, or what was thrown.
+/// answer as lines of text: row, timing and failure note, or the exception.
 std::string RunAndAnswer(const CampaignRun& run, const RunWork& work,
                          const std::filesystem::path& run_dir);
 
-/// In the parent: the run as the child left it. A child that died, or threw what is not the
-/// campaign's matter, leaves a row with the outcome crashed and the files to it. Throws IoError and
-/// ConfigError where the child did: every other run would fail the same way.
+/// In the parent: the run as the child left it. When the child died or threw another exception than
+/// those below, this writes a row with the outcome crashed and the files for it. Throws IoError and
+/// ConfigError where the child did, because every other run would fail the same way.
 FinishedRun ReadAnswer(const CampaignRun& run, const RowColumns& columns,
                        const std::filesystem::path& run_dir, const Child::End& child);
 

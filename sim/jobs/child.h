@@ -1,4 +1,4 @@
-// A piece of work in a process of its own: whatever it does, it costs that piece and no other.
+// A piece of work in a process of its own: a crash costs only that piece.
 #pragma once
 
 #include <sys/types.h>
@@ -12,10 +12,10 @@
 namespace dockyard {
 
 /// A forked child that does its work and answers with a text over a pipe. It dies with its parent,
-/// ignores Ctrl-C (the parent's matter), leaves no core file, and prints into a file.
+/// ignores Ctrl-C (the parent handles it), leaves no core file, and prints into a file.
 class Child {
  public:
-  /// What is left of it: its answer, whole if `how_it_died` is empty.
+  /// The result of the child: its answer, whole if `how_it_died` is empty.
   struct End {
     std::string answer;
     std::string how_it_died;
@@ -34,12 +34,12 @@ class Child {
   Child& operator=(const Child&) = delete;
 
   int descriptor() const { return pipe_; }  // readable when there is something to read
-  /// Takes what the child has sent; true when it has said all.
+  /// Takes the bytes that the child has sent; true at their end.
   bool Read();
   /// Kills the child when its time is over.
   void KillIfLate();
   double seconds_left() const;
-  /// Waits for the child and gives what it left.
+  /// Waits for the child and gives its result.
   End Finish();
 
  private:

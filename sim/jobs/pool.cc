@@ -17,7 +17,7 @@ struct Running {
   std::unique_ptr<Child> child;  // kills the process where it still runs
 };
 
-/// Sleeps until a child or a signal has something to say, a child's time is over, or a second has
+/// Sleeps until a child or a signal reports, a child's time is over, or a second has
 /// passed.
 void WaitForNews(const std::vector<Running>& running, const SignalQueue& signals) {
   std::vector<pollfd> watched{{signals.descriptor(), POLLIN, 0}};

@@ -25,11 +25,11 @@ struct PoolOptions {
   std::function<void(int running)> waiting{};  // called at least once a second; may be empty
 };
 
-/// Starts what `next` gives while there are processes free, until it gives none, and hands every
-/// end to `take`, in the order in which the jobs end. Returns 0, or the signal that stopped it: the
-/// jobs under way are then killed and `take` never hears of them. What `next` and `take` throw
-/// comes out after all children are gone; no child outlives the call. Throws IoError when no
-/// process can be had.
+/// Starts the jobs that `next` gives while processes are free, until it gives none. Hands the end
+/// of each job to `take`, in the order in which the jobs end. Returns 0, or the signal that stopped
+/// it: it then kills the jobs under way and does not call `take` for them. An exception of `next`
+/// or `take` is passed on after all children are gone; no child outlives the call. Throws IoError
+/// when no process can be started.
 int RunPool(const PoolOptions& options, SignalQueue& signals,
             const std::function<std::optional<Job>()>& next,
             const std::function<void(std::size_t index, const Child::End& end)>& take);

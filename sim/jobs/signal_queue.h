@@ -1,4 +1,4 @@
-// The signals that end a program, held until they are asked for.
+// The signals that end a program, held until the program asks for them.
 #pragma once
 
 #include <csignal>

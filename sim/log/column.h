@@ -1,4 +1,4 @@
-// What the numbers of a system are: each is stated once, by name and unit.
+// The meaning of a system's numbers: each is stated once, by name and unit.
 #pragma once
 
 #include <string>
@@ -20,10 +20,10 @@ struct OutcomeName {
   std::string meaning;
 };
 
-/// Outcomes that every system has beside its own: the engine gives them, no judge does.
+/// Outcomes that every system has beside its own. The engine gives them, no judge does.
 inline constexpr const char* kCrashed = "crashed";  // the run's process died or was ended
 
-/// What a result row's vectors mean, in their order.
+/// The meaning of a result row's vectors, in their order.
 struct RowColumns {
   std::vector<std::string> labels;    // columns of the campaign's table, the run's number left out
   std::vector<Column> measures;       // of the system

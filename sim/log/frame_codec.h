@@ -12,7 +12,7 @@
 
 namespace dockyard {
 
-/// A log that is not one, or is damaged. The message is a sentence.
+/// Thrown for a file that is no log, or a damaged one. The message is a sentence.
 class LogError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -38,8 +38,7 @@ void PutU32(std::string& out, std::uint32_t value);
 void PutU64(std::string& out, std::uint64_t value);
 void PutDouble(std::string& out, double value);
 
-/// How images go into a record: as PNG (a log), raw (a pipe), or only the fact that they were
-/// there.
+/// How images go into a record: as PNG (a log), raw (a pipe), or only a note that there were some.
 enum class ImageCoding { kPng, kRaw, kLeftOut };
 
 void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding);

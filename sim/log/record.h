@@ -1,4 +1,4 @@
-// What is kept of one run: its result row, its history for plots, its log.
+// The record of one run: its result row, its history for plots, its log.
 #pragma once
 
 #include <cstdint>
@@ -24,12 +24,12 @@ struct RunResult {
   std::uint64_t state_hash = 0;  // written as 16 hex digits
 };
 
-/// What differs from machine to machine.
+/// Timing, which differs from machine to machine.
 struct RunTiming {
   double cpu_time_s = 0.0, wall_time_s = 0.0;
 };
 
-/// One sample of the truth and of what the controller believed, every 0.1 s, for plots.
+/// One sample of the truth and of the controller's beliefs, every 0.1 s, for plots.
 struct HistorySample {
   double time_s = 0.0;
   Pose2 X_DR;                    // truth
@@ -41,7 +41,7 @@ struct HistorySample {
   std::vector<double> beliefs;  // by System::beliefs
 };
 
-/// A look at the target: where the robot truly stood and what its controller made of it.
+/// A sighting of the target: the robot's true pose and the controller's measurement.
 struct SightingSample {
   double time_s = 0.0;
   Pose2 X_DR;  // truth
@@ -62,8 +62,8 @@ struct RunRecord {
   std::vector<HistorySample> history;
   std::vector<SightingSample> sightings;
   std::vector<PlanSample> plans;
-  std::string failure_note;  // a sentence for people: what the truth showed
-  std::string messages;      // what a controller's program wrote to its standard error
+  std::string failure_note;  // a sentence on the truth, for people
+  std::string messages;      // a controller program's output on its standard error
 };
 
 }  // namespace dockyard

@@ -95,7 +95,7 @@ std::string Folded(std::string name) {
   return name;
 }
 
-/// The names that stand beside a row's own in outcome.json and in what `run --json` prints.
+/// The names beside a row's own in outcome.json and in the output of `run --json`.
 const std::set<std::string> kNamesBesideTheRow{"failure_note", "cpu_time_s", "wall_time_s"};
 
 bool IsAnOutcome(const RunResult& row, const RowColumns& columns) {

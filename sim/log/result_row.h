@@ -11,7 +11,7 @@
 
 namespace dockyard {
 
-/// What a column's cells hold.
+/// The content of a column's cells.
 enum class CellKind {
   kInteger,  // decimal, within 32 bits
   kSeed,     // decimal, within 64 bits without sign
@@ -29,7 +29,7 @@ struct RowColumn {
 };
 
 /// All columns in order: the fixed head, the labels, the outcome, the measures, state_hash. Every
-/// name is there once: a label whose name another column has is called "table.<name>".
+/// name occurs once: a label whose name another column has is called "table.<name>".
 std::vector<RowColumn> ColumnsOfRow(const RowColumns& columns);
 std::vector<std::string> ColumnNames(const RowColumns& columns);
 

@@ -10,7 +10,7 @@
 namespace dockyard {
 namespace {
 
-/// Gives every whole line after the header to read, which says whether it is a row.
+/// Gives every whole line after the header to `read`, which returns whether it is a row.
 void ReadLines(std::string_view bytes, const std::string& file, const std::string& header,
                const std::function<bool(std::string_view)>& read) {
   for (int number = 1; !bytes.empty(); ++number) {

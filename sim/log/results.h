@@ -1,5 +1,5 @@
 // results.csv and timing.csv of a campaign's folder: written line by line as runs end, read back to
-// go on after a stop, rewritten in run order at the end.
+// continue after a stop, rewritten in run order at the end.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace dockyard {
 
-/// A results folder that is not what it should be. The message is a sentence with file and line.
+/// A results folder with a wrong file. The message is a sentence with file and line.
 class ResultsError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -34,9 +34,9 @@ std::string TimingRow(int run, const RunTiming& timing);
 std::string ResultsCsv(const FinishedRuns& runs, const RowColumns& columns);
 std::string TimingCsv(const FinishedRuns& runs);
 
-/// Reads a folder's results.csv and timing.csv; none there gives no runs. A last line without its
-/// newline was being written when the campaign stopped and is left out; any other line that is not
-/// a row throws ResultsError. Timings without a row are left out; notes are not read. Throws
+/// Reads a folder's results.csv and timing.csv; without the files there are no runs. A last line
+/// without its newline was cut off when the campaign stopped and is left out. Any other line that
+/// is not a row throws ResultsError. Timings without a row are left out; notes are not read. Throws
 /// IoError.
 FinishedRuns ReadResults(const std::filesystem::path& dir, const RowColumns& columns);
 

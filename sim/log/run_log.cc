@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kMagic = "DOCKLOG\n";
 constexpr char kHeaderKind = 'H', kEntryKind = 'F', kEndKind = 'E';
-// No record is near this; a damaged length must not ask for the machine's memory.
+// Records are far smaller than this; a damaged length must not allocate all memory.
 constexpr std::uint32_t kLargestRecord = 256u << 20;
 
 std::filesystem::path LogFile(const std::filesystem::path& dir) { return dir / "frames.bin"; }

@@ -1,7 +1,6 @@
-// The log of one run, as the robot could keep it: the nominal parameters that its controller was
-// given, then every sensor frame with the commands that answered it. The controller can be run
-// again from it alone. One file, frames.bin, in the run's folder; layout in
-// docs/reference/run_log.md.
+// The log of one run, as the robot could keep it: the nominal parameters that its controller got,
+// then every sensor frame with the commands that answered it. The log alone is enough to run the
+// controller again. One file, frames.bin, in the run's folder; layout in docs/reference/run_log.md.
 #pragma once
 
 #include <cstdio>
@@ -26,7 +25,7 @@ struct RunLogHeader {
   std::uint64_t seed = 0;
   std::string system, controller;
   bool images_kept = true;
-  Json nominal;  // the nominal parameters that the controller was given
+  Json nominal;  // the nominal parameters that the controller got
 };
 
 struct RunLogEntry {
@@ -60,8 +59,8 @@ class RunLogWriter {
   std::string payload_;  // kept between calls for its memory
 };
 
-/// Reads a log entry by entry. Throws IoError, and LogError for what is not a log of this version
-/// or is damaged.
+/// Reads a log entry by entry. Throws IoError, and LogError for a damaged log, another version, or
+/// a file that is no log.
 class RunLogReader {
  public:
   explicit RunLogReader(const std::filesystem::path& dir);
@@ -92,7 +91,7 @@ struct RunLog {
 /// The whole log in memory; for long runs with images take the reader.
 RunLog ReadRunLog(const std::filesystem::path& dir);
 
-/// What running the controller alone came to.
+/// The result of running the controller alone.
 struct ControllerReplay {
   std::uint64_t compared = 0;      // entries with equal commands, bit for bit
   std::optional<Tick> differs_at;  // first tick with other commands

@@ -1,4 +1,4 @@
-// How the hanging tether looks: sag by its own weight, or slack on the ground. For drawing only.
+// The shape of the hanging tether: sag by its own weight, or slack on the ground. For drawing only.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,9 +9,10 @@
 
 namespace dockyard {
 
-/// Points from tip to support, both included, on a catenary z = a cosh((s - s0) / a) + c: taut, of
-/// the tether's tension at the tip; slacker than a tenth of a newton, of its length, the straight
-/// distance and excess_m; lying on the ground where it would pass below.
+/// Points from tip to support, both included, on a catenary z = a cosh((s - s0) / a) + c. When
+/// taut, it has the tether's tension at the tip. When slacker than a tenth of a newton, it has the
+/// length of the straight distance plus excess_m. Where it would pass below the ground, it lies on
+/// the ground.
 std::vector<Eigen::Vector3d> HangingTether(const TetherModel& tether, const HeightGrid& ground,
                                            const Eigen::Vector3d& tip_G,
                                            const Eigen::Vector3d& support_G, double tension_n,

@@ -1,4 +1,4 @@
-// Principal axes of a link, in which Bullet wants its inertia.
+// Principal axes of a link: Bullet takes inertia about them.
 #pragma once
 
 #include <Eigen/Core>

@@ -11,10 +11,10 @@
 
 namespace dockyard {
 
-/// Of the current i beyond the no-load current the gears pass on e k i when the motor drives and,
-/// bearing on their other flanks, hold against up to (2 - e) k i when they are driven, with e the
-/// gears' efficiency and e k the model's torque per ampere: their loss is friction in proportion to
-/// the load, and so it also holds a shaft at rest anywhere between.
+/// The gears' losses. i is the current beyond the no-load current, e the gears' efficiency, and e k
+/// the model's torque per ampere. When the motor drives, the gears pass on e k i. When the load
+/// drives them, they bear on their other flanks and hold against up to (2 - e) k i. So the loss is
+/// friction in proportion to the load, and it also holds a resting shaft anywhere between the two.
 struct DriveOutput {
   double motor_torque_nm = 0.0;     // k i, by current
   double friction_torque_nm = 0.0;  // gears and brake

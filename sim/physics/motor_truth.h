@@ -1,4 +1,4 @@
-// What is true of one motor at its output shaft.
+// The true state of one motor at its output shaft.
 #pragma once
 
 namespace dockyard {

@@ -71,7 +71,7 @@ void SplineMove::Fit(const ProfileState& from, const MotorCommand& command, doub
     c_[3] = (-a - 12.0 * c_[4] * T * T) / (6.0 * T);
     return;
   }
-  // What is missing at the end in angle, speed and acceleration, in units of the way.
+  // The error at the end in angle, speed and acceleration, in units of the way.
   const double D = target - from.angle_rad - v * T - 0.5 * a * T * T;
   const double V = (-v - a * T) * T, A = -a * T * T;
   c_[3] = (10.0 * D - 4.0 * V + 0.5 * A) / (T * T * T);

@@ -1,4 +1,4 @@
-// How a drive goes to its target: the path its servo follows, trapezoid of speed or smooth spline.
+// The path of a drive to its target, which its servo follows: trapezoid of speed or smooth spline.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
-// Rotor inertia of the geared joints, which Bullet's articulated body has no word for. A rotor on
+// Rotor inertia of the geared joints, which Bullet's articulated body does not model. A rotor on
 // the body turns N times as fast as its joint, so its inertia N^2 J resists the joint's own
 // acceleration alone, not the turning of body and link together: it stands on the diagonal of the
-// joint-space inertia (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.6). What is
-// left out is smaller by 1 / N, some per mille here.
+// joint-space inertia (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.6). The terms
+// left out are smaller by 1 / N, some per mille here.
 #pragma once
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
@@ -18,14 +18,14 @@ class Rotors {
   /// inertia_kg_m2 by Bullet's index of the link, reflected to the joint; > 0.
   Rotors(btMultiBody& body, std::vector<double> inertia_kg_m2);
 
-  /// To be called before a step's loads act on the body's speeds.
+  /// Call it before a step's loads act on the body's speeds.
   void RememberSpeeds();
-  /// After them, before contacts: takes from the joints' speeds what turning the rotors takes. With
-  /// H the body's inertia without rotors and E its joints' axes, by the matrix inversion lemma
-  /// (H + E J E^T)^-1 = H^-1 - H^-1 E (J^-1 + E^T H^-1 E)^-1 E^T H^-1.
+  /// Call it after the loads and before contacts. It takes from the joints' speeds the share that
+  /// turns the rotors. With H the body's inertia without rotors and E its joints' axes, by the
+  /// matrix inversion lemma (H + E J E^T)^-1 = H^-1 - H^-1 E (J^-1 + E^T H^-1 E)^-1 E^T H^-1.
   void TakeTheirShare();
-  /// What the rotors add to contacts: one solver row for each, a soft velocity constraint with
-  /// impulse -J times the joint's change of speed.
+  /// The rotors' part in contacts: one solver row for each, a soft velocity constraint with impulse
+  /// -J times the joint's change of speed.
   const std::vector<std::unique_ptr<btMultiBodyConstraint>>& rows() const { return rows_; }
 
  private:

@@ -56,7 +56,7 @@ SensorFrame SensorSuite::Read(Tick tick, const std::vector<MotorTruth>& motors,
   Wander(since_s);
   const Eigen::Vector3d rate_error = bias_.rate_R + wandering_.rate_R +
                                      NormalVector(imu_stream_, imu.gyro_walk_rad_sqrt_s / root_s);
-  // The unit integrates its gyros: about the vertical nothing corrects what they err.
+  // The unit integrates its gyros: about the vertical nothing corrects their error.
   if (!first) yaw_error_rad_ += rate_error.z() * since_s;
 
   SensorFrame frame;

@@ -8,14 +8,14 @@
 
 namespace dockyard {
 
-/// The profile drawn in by a margin, so that the solid and the margin round it have the surface
-/// that was meant; the edges are rounded by it. Each side of the profile, its flat ends included,
+/// The profile drawn in by a margin, so that the solid and the margin round it together have the
+/// intended surface; the margin rounds the edges. Each side of the profile, its flat ends included,
 /// moves in by the margin. Both profiles: (z, radius), lowest z first, convex, radii > 0.
 /// Throws std::invalid_argument when the profile is not convex or thinner than twice the margin.
 std::vector<Eigen::Vector2d> DrawnIn(const std::vector<Eigen::Vector2d>& profile_m,
                                      double margin_m);
 
-/// About its z axis. Inertia is not the shape's business here.
+/// About its z axis. It computes no inertia.
 class TurnedConvexShape : public btConvexInternalShape {
  public:
   TurnedConvexShape(const std::vector<Eigen::Vector2d>& profile_m, double margin_m);

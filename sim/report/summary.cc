@@ -32,14 +32,14 @@ void AddLine(std::string& out, std::string line) {
   out += line + "\n";
 }
 
-/// Empty cells would shift the reader's eye, line breaks the table.
+/// Empty cells would make a row hard to read; line breaks would break the table.
 std::string CellOrDash(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return text.empty() ? "-" : text;
 }
 
-/// Ends where there are too many to show.
+/// The text, cut where there are too many values to show.
 std::vector<Group> GroupsBy(std::size_t label, const FinishedRuns& runs) {
   std::vector<Group> groups;
   for (const auto& [number, run] : runs) {

@@ -20,7 +20,7 @@ std::string Coordinate(double value) {
 
 bool Drawable(const Px& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-// What has no place is left out: one bad sample must not spoil the sheet.
+// Points without a place are left out: one bad sample must not spoil the plot.
 std::string Points(const std::vector<Px>& points) {
   std::string text;
   for (const Px& p : points) {

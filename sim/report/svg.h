@@ -8,7 +8,7 @@
 
 namespace dockyard {
 
-/// A place on the sheet, x right, y down [px].
+/// A place on the page, x right, y down [px].
 struct Px {
   double x = 0.0, y = 0.0;
 };
@@ -68,7 +68,7 @@ struct DataRange {
   bool empty() const { return !(low <= high); }
 };
 
-/// A rectangle of the sheet with a data range on each side.
+/// A rectangle of the page with a data range on each side.
 struct PlotArea {
   Px corner;  // top left
   double width = 0.0, height = 0.0;

@@ -11,7 +11,7 @@ namespace dockyard {
 
 struct Conclusion {
   std::string outcome;           // one of the system's
-  std::string note;              // a sentence: what the truth showed
+  std::string note;              // a sentence on the truth
   std::vector<double> measures;  // by System::measures
 };
 
@@ -24,7 +24,7 @@ class Judge {
   virtual void ObserveSighting(const SightingReport& report) = 0;
   /// Whether the run cannot go on.
   virtual bool fatal() const = 0;
-  /// Called once, at the end. May move the plant on, to try a claim.
+  /// Called once, at the end. May step the plant further, to test a claim.
   virtual Conclusion Conclude(const Commands& last, const Belief& belief) = 0;
 };
 

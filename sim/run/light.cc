@@ -69,7 +69,7 @@ RenderMesh Leaves(RandomStream& random) {
   return mesh;
 }
 
-/// The sun where the file wants it, else where the kind of light has drawn it.
+/// The sun where the file puts it, else where the draw for this kind of light puts it.
 Eigen::Vector3d Wanted(const SunModel& sun, double azimuth_rad, double elevation_rad) {
   return ToSun(std::isnan(sun.azimuth_rad) ? azimuth_rad : sun.azimuth_rad,
                std::isnan(sun.elevation_rad) ? elevation_rad : sun.elevation_rad);

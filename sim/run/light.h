@@ -1,5 +1,5 @@
-// The three kinds of light of the Mars Yard days, made of sun, sky and things that stand in the way
-// (Tsai et al., V-D: even or lightly speckled on days 1 and 2, an intense uneven shadow on day 3).
+// The three kinds of light of the Mars Yard days, made of sun, sky and occluders (Tsai et al., V-D:
+// even or lightly speckled on days 1 and 2, an intense uneven shadow on day 3).
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct Lighting {
 /// @param X_WD   the dock's ground frame in the world: the board faces along its +x
 /// @param p_DB   the board's centre in it [m]
 /// @param seed   of the run; sun's place and the occluders' detail vary with it
-/// @param sun    what the file says of it; its azimuth counts from +x of D, counter-clockwise
+/// @param sun    the scenario's values; its azimuth counts from +x of D, counter-clockwise
 Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB,
                       std::uint64_t seed, const SunModel& sun = {});
 

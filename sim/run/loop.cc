@@ -48,7 +48,7 @@ void RequireAllowed(const Scenario& scenario, const RunOptions& options) {
                     ": controller.command: it starts a program; allow it with --allow-commands");
 }
 
-/// One run under way: plant, controller, judge and what is kept of them.
+/// One run under way: plant, controller, judge and their records.
 class Run {
  public:
   Run(const System& system, const CampaignRun& what, const RunOptions& options)
@@ -105,7 +105,7 @@ class Run {
   Plant& plant() const { return *ready_.plant; }
   double time_s() const { return static_cast<double>(plant().tick()) * kTickSeconds; }
 
-  /// Scores and stores what this control period showed.
+  /// Scores and stores the state of this control period.
   void Keep(Tick tick) {
     ready_.judge->Observe();
     const Belief& belief = controller_->belief();
@@ -184,7 +184,7 @@ std::unique_ptr<Controller> MakeController(const System& system, const Scenario&
   if (scenario.script.kind != YamlNode::Kind::kNull) {
     if (system.play) return system.play(ready.nominal, scenario.script);
     throw ConfigError(scenario.script.place.Text() + ": script: expected none, as the system " +
-                      system.name + " knows no script");
+                      system.name + " takes no script");
   }
   if (scenario.command.empty()) {
     return system.RequireController(scenario.controller).make(ready.nominal);

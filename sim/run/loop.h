@@ -18,12 +18,13 @@ struct RunOptions {
   double answer_limit_s = 10.0;
 };
 
-/// The scenario's controller, fresh, told the run's nominal parameters. Throws ConfigError, also
-/// for a command that the options do not allow; for a command ControllerFailure.
+/// A new controller as the scenario names it, made from the run's nominal parameters. Throws
+/// ConfigError, also for a command that the options do not allow, and ControllerFailure for a
+/// command.
 std::unique_ptr<Controller> MakeController(const System& system, const Scenario& scenario,
                                            const ReadyRun& ready, const RunOptions& options);
 
-/// What is known of a run before it: what a crashed run's row holds.
+/// The part of a result that is known before the run. The row of a crashed run holds no more.
 RunResult StartOfRow(const CampaignRun& run);
 
 /// Simulates the run and scores it. Throws ConfigError for files that cannot be read and IoError

@@ -17,9 +17,9 @@ class Plant {
   virtual ~Plant() = default;
 
   virtual Tick tick() const = 0;
-  /// What all sensors but the cameras say now. Called once every control period.
+  /// The readings of all sensors but the cameras now. Called once every control period.
   virtual SensorFrame Sense() = 0;
-  /// What these cameras see now.
+  /// The images of these cameras now.
   virtual std::vector<CameraImage> TakeImages(const std::vector<int>& cameras) = 0;
   /// One control period under these commands.
   virtual void Advance(const Commands& commands) = 0;
@@ -28,7 +28,7 @@ class Plant {
   virtual Pose2 X_DR() const = 0;
   /// Truth, for the history: appends the system's channels, in their order.
   virtual void AppendChannels(std::vector<double>& values) const = 0;
-  /// Where the robot stands by an accepted sighting of its target.
+  /// The robot's pose by an accepted sighting of its target.
   virtual Pose2 MeasuredPose(const SightingReport& report) const = 0;
 
   /// Bit-exact fingerprint of the moving state, on top of `seed`.

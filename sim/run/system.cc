@@ -23,7 +23,7 @@ RowColumns System::Columns(std::vector<std::string> labels) const {
   columns.outcomes.push_back(
       {kControllerTimeout, false, "the controller's program gave no answer in time"});
   columns.outcomes.push_back(
-      {kControllerError, false, "the controller's program answered what is no answer"});
+      {kControllerError, false, "the controller's program sent an invalid answer"});
   columns.outcomes.push_back({kCrashed, false, "the run's process died or was ended"});
   return columns;
 }

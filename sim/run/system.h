@@ -1,5 +1,5 @@
 // A system as a value: one kind of robot with its target, controllers, judge, plots and commands.
-// The program knows systems by this alone (sim/app/systems.cc lists them).
+// The program uses systems through this struct alone (sim/app/systems.cc lists them).
 #pragma once
 
 #include <filesystem>
@@ -21,23 +21,23 @@
 
 namespace dockyard {
 
-/// All that one run is made of but its controller.
+/// All parts of one run except its controller.
 struct ReadyRun {
   std::unique_ptr<Plant> plant;
   std::unique_ptr<Judge> judge;
-  Json nominal;  // the nominal parameters that the controller is told, and no truth
+  Json nominal;  // the nominal parameters that the controller gets; no truth
   Tick control_period = 20;
   int motor_count = 0, camera_count = 0, switch_count = 0;
 };
 
-/// Makes a fresh controller from the nominal parameters. Throws ConfigError when they are not its
-/// system's.
+/// Makes a new controller from the nominal parameters. Throws ConfigError when they are those of
+/// another system.
 struct ControllerEntry {
   std::string name;
   std::function<std::unique_ptr<Controller>(const Json& nominal)> make;
 };
 
-/// What kind of file it is and, in a line, what it holds.
+/// The kind of a file and, in a line, its content.
 struct FileCheck {
   std::string kind, summary;
 };
@@ -51,7 +51,7 @@ struct Figure {
 /// A command of the system's own: `dockyard NAME ...`.
 struct SystemCommand {
   std::string name, help;
-  /// Gets the words after the name; returns the exit code, throws as the program's own commands.
+  /// Gets the words after the name; returns the exit code and throws like the program's commands.
   std::function<int(const std::vector<std::string>& words)> run;
 };
 
@@ -70,13 +70,13 @@ struct System {
   std::vector<std::string> file_keys;          // keys under its own name whose values are files
   std::vector<std::string> changes_file_keys;  // and dotted keys under `changes`
 
-  /// Reads the system's own keys and all models that the scenario names, and says in a line what it
-  /// is. Throws ConfigError.
+  /// Reads the system's own keys and all models that the scenario names; returns a line that
+  /// describes the system. Throws ConfigError.
   std::function<std::string(const Scenario&)> check;
   /// Throws ConfigError.
   std::function<ReadyRun(const Scenario&)> make_ready;
   /// Open-loop commands in place of a controller, from the scenario's `script`. Throws ConfigError.
-  /// Empty: the system knows none.
+  /// Empty: the system has none.
   std::function<std::unique_ptr<Controller>(const Json& nominal, const YamlNode& script)> play;
   /// Figures of one run, and of all runs of a campaign. Empty: it draws none.
   std::function<std::vector<Figure>(const RunRecord&, const Scenario&)> draw;
@@ -85,11 +85,11 @@ struct System {
       draw_campaign;
   /// The images at the start pose with the truth beside them, into a folder. Empty: it has none.
   std::function<void(const Scenario&, const std::filesystem::path& dir)> view;
-  /// What a model file of the system's own is (its robot, its target); none: it is no such file.
-  /// Throws ConfigError for one that is bad.
+  /// The kind of a model file of the system's own (its robot, its target); none: another file.
+  /// Throws ConfigError for a bad one.
   std::function<std::optional<FileCheck>(const std::string& yaml_file)> check_file;
-  /// The nominal stereo cameras of a robot's file, images of that size (0: as the file says); none:
-  /// the file is not this system's, or the robot has no pair. Throws ConfigError.
+  /// The nominal stereo cameras of a robot's file, for images of that size (0: as in the file);
+  /// none: the file is not this system's, or the robot has no pair. Throws ConfigError.
   std::function<std::optional<StereoRig>(const std::string& robot_file, int width, int height)> rig;
   /// The fiducial board in a target's file; none: the file is not this system's, or has none.
   /// Throws ConfigError.
@@ -107,7 +107,7 @@ struct System {
 
 /// The system of that name. Throws ConfigError that names all.
 const System& FindSystem(const std::vector<System>& systems, const std::string& name);
-/// What the scenario's reader must know of them.
+/// The part of the systems that a scenario's reader needs.
 std::vector<KnownSystem> KnownSystems(const std::vector<System>& systems);
 
 }  // namespace dockyard

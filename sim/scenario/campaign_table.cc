@@ -25,7 +25,7 @@ bool Contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What a row of results has beside its labels.
+/// The columns of a row of results beside its labels.
 bool IsResultColumn(const std::string& name) {
   static const std::vector<std::string> columns{"run",        "seed",       "system",
                                                 "controller", "docked",     "outcome",

@@ -28,7 +28,7 @@ CampaignTable ReadTable(const YamlNode& list, const std::string& path);
 void CheckColumn(const YamlNode::Key& column, bool is_tag,
                  const std::vector<std::string>& scenario_keys);
 
-/// The cell's text as a row of results shows it.
+/// The cell's text, as in a row of results.
 std::string CellText(const YamlNode& cell);
 
 }  // namespace dockyard

@@ -9,7 +9,7 @@
 
 namespace dockyard {
 
-/// What the campaign's file says of a column.
+/// How the campaign's file uses a column.
 struct ColumnUse {
   bool is_tag = false;
   const YamlNode* values = nullptr;  // names of values; none: the cells are the values

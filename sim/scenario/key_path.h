@@ -17,7 +17,7 @@ YamlNode* FindPath(YamlNode& tree, std::string_view path);
 void PutPath(YamlNode& tree, std::string_view path, const YamlPlace& key_place,
              const YamlNode& value);
 
-/// Takes a dotted key out, and the mappings that are empty then.
+/// Removes a dotted key, and the mappings that are then empty.
 void RemovePath(YamlNode& tree, std::string_view path);
 
 /// Whether one is the other or holds it: "start" and "start.r_m".

@@ -30,7 +30,7 @@ enum class Presence {
               // (NaN for a number), an empty text or an empty list, which is never written
 };
 
-/// What a key is, beside its range and its variable.
+/// The description of a key, beside its range and its variable.
 struct Key {
   std::string_view name;
   std::string_view unit;     // "m", "deg", "px"; empty for none
@@ -38,7 +38,7 @@ struct Key {
   Presence presence = Presence::kDefault;
 };
 
-/// What a visitor calls. Variables have the units of the program, keys those of the file.
+/// The calls for a visitor. Variables have the units of the program, keys those of the file.
 class Keys {
  public:
   using Visit = std::function<void(Keys&)>;
@@ -65,7 +65,7 @@ class Keys {
   /// A whole mapping or list, kept as it is; kNull: none.
   virtual void Tree(const Key& key, YamlNode& tree, YamlNode::Kind kind) = 0;
   virtual void Mapping(const Key& key, const Visit& inside) = 0;
-  /// A key that is never right here. `hint` says what is: "expected ..." goes on with it.
+  /// A key that is never allowed here. `hint` completes the message "expected ...".
   virtual void Refused(std::string_view name, std::string_view hint) = 0;
 
   /// An enumeration whose values 0, 1, ... are called by the words in their order.

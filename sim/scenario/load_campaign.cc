@@ -34,8 +34,8 @@ const YamlNode::Key* FindKey(const YamlNode& tree, std::string_view path) {
   return nullptr;
 }
 
-/// What each run brings itself would be lost if it stood in the campaign's own keys. A base file
-/// may have it: it is a scenario of its own.
+/// Keys that each run sets itself would be lost in the campaign's own keys. A base file may have
+/// them: it is a scenario of its own.
 void RefuseKeysOfRuns(const YamlNode& scenario, std::vector<std::string> of_runs) {
   of_runs.insert(of_runs.end(), {"name", "seed"});
   for (const std::string& name : of_runs) {

@@ -9,9 +9,9 @@
 
 namespace dockyard {
 
-/// `overrides` are "key.path=value" as of the option --set, later ones on top of earlier ones; file
-/// names in them are taken from the working directory. What is the system's own is checked by the
-/// system (System::check). Throws ConfigError.
+/// `overrides` are "key.path=value" as of the option --set; a later one replaces an earlier one.
+/// File names in them are relative to the working directory. The system checks its own part
+/// (System::check). Throws ConfigError.
 Scenario LoadScenario(const std::string& file, const std::vector<std::string>& overrides,
                       const std::vector<KnownSystem>& systems);
 
@@ -26,7 +26,7 @@ Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& o
 /// same for a campaign.
 std::string ResolvedYaml(const Scenario& scenario);
 
-/// What can be said of a campaign's table without the campaign's file.
+/// The check of a campaign's table without the campaign's file.
 struct TableCheck {
   int runs = 0;
   std::vector<std::string> checked;  // columns that are keys, every cell within its range

@@ -89,7 +89,7 @@ void Set(const StudyFactor& factor, int level, YamlNode& tree) {
   PutPath(tree, factor.key, value.place, value);
 }
 
-/// Checks a scenario unless one was that its system sees as the same.
+/// Checks a scenario unless its system saw an equal one before.
 class SystemCheck {
  public:
   explicit SystemCheck(const StudySystems& systems) : systems_(systems) {}

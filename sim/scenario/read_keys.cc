@@ -7,7 +7,7 @@
 namespace dockyard {
 namespace {
 
-/// The mapping's own keys, before any is read: an unknown key is told before a missing one.
+/// The mapping's own keys, before any is read: an unknown key is reported before a missing one.
 class NameKeys : public Keys {
  public:
   struct RefusedKey {

@@ -8,8 +8,8 @@
 namespace dockyard {
 namespace {
 
-/// The table with cells and named values that read the same from any folder: a cell that does not
-/// say its value as it is written out becomes the name of that value.
+/// The table with cells and named values that read the same from any folder: a cell whose text is
+/// not its written-out value becomes the name of that value.
 class ResolvedTable {
  public:
   ResolvedTable(const CampaignTree& parts, const std::vector<CampaignRun>& runs)

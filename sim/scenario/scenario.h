@@ -60,7 +60,7 @@ struct Scenario {
   YamlNode script;  // open-loop commands in place of a controller; the system reads it. kNull: none
 };
 
-/// What a reader must know of a system to check a scenario's words.
+/// The part of a system that a reader needs to check a scenario.
 struct KnownSystem {
   std::string name;
   std::vector<std::string> controllers;  // the first is the default

@@ -141,8 +141,8 @@ void CheckTogether(const Scenario& s, const YamlNode& root) {
   }
 }
 
-/// Where the scenario's program runs, absolute: the folder that is named beside its file, else the
-/// file's own. One that comes from an option stands as it is.
+/// The folder in which the scenario's program runs, absolute: the folder named beside its file,
+/// else the file's own. A folder from an option stays as it is.
 std::string CommandFolder(const YamlNode& root, const std::string& named) {
   const char* key = named.empty() ? "controller.command" : "controller.folder";
   const YamlPlace& place = FindPath(root, key)->place;

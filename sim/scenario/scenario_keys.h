@@ -10,8 +10,8 @@
 namespace dockyard {
 
 /// Names every key of a scenario that may be of one of these systems. The system's own keys stay a
-/// tree; its own visitor names them. `scenario.system` decides which system's mapping is the right
-/// one, and what `controller` may say.
+/// tree; its own visitor names them. `scenario.system` decides which system's mapping is allowed,
+/// and which values `controller` may have.
 void VisitScenario(Keys& keys, Scenario& scenario, const std::vector<KnownSystem>& systems);
 
 /// A whole scenario from a tree, checked but for what its system checks. File names in the system's
@@ -24,7 +24,7 @@ YamlNode WriteScenario(const Scenario& scenario);
 /// Dotted keys whose values differ, those of the system and of `changes` too.
 std::vector<std::string> DifferingKeys(const Scenario& a, const Scenario& b);
 
-/// All that the system's own check may look at, as text: scenarios with equal texts differ in name,
+/// All that the system's own check may use, as text: scenarios with equal texts differ in name,
 /// seed and start alone.
 std::string ModelText(const Scenario& scenario);
 

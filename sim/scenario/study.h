@@ -41,10 +41,10 @@ struct Study {
   int grid_size() const;
 };
 
-/// What a study's reader must be told of the systems.
+/// The part of the systems that a study's reader needs.
 struct StudySystems {
   std::vector<KnownSystem> known;
-  /// What runs of a system measure, by its name: what a study can plot.
+  /// The measures of a system's runs, by the system's name: a study can plot these.
   std::function<std::vector<std::string>(const std::string& system)> measures;
   /// Throws ConfigError for a scenario with faults that only its system sees. Called once for each
   /// set of models. Empty: nothing is checked.

@@ -42,8 +42,8 @@ struct Wave {
 };
 
 std::vector<Wave> DrawWaves(double wavelength_m, std::uint64_t seed) {
-  // Enough waves for heights that look Gaussian; lengths within a third of an octave each way keep
-  // the band narrow.
+  // Enough waves for nearly Gaussian heights; lengths within a third of an octave each way keep the
+  // band narrow.
   constexpr int kWaves = 24;
   RandomStream random(StreamKey(seed, "undulation"));
   std::vector<Wave> waves(kWaves);

@@ -1,4 +1,4 @@
-// One small piece of a wheel's surface in the soil: what it remembers and how it is loaded.
+// One small piece of a wheel's surface in the soil: its state and its load.
 #pragma once
 
 #include "sim/soil/height_grid.h"
@@ -10,7 +10,7 @@ namespace dockyard {
 
 constexpr double kNoFloor_m = 1e9;
 
-/// What a patch remembers while it is in the soil.
+/// The state of a patch while it is in the soil.
 struct Patch {
   Mobilisation shear;
   double into = 1.0;            // direction cosine of its way with its inward normal

@@ -120,7 +120,7 @@ void ForSamplesInside(const HeightGrid& grid, const RimPlace& rim, const Visit& 
   }
 }
 
-/// What slides between the samples of one row and their neighbours, next in the row or in the next
+/// The flow between the samples of one row and their neighbours, next in the row or in the next
 /// row: `far` samples on.
 struct Slope {
   double steepest_m = 0.0, share = 0.0;

@@ -1,4 +1,4 @@
-// What a wheel leaves behind: the pressed floor of its rut, and berms of the soil it displaced.
+// The track of a wheel: the pressed floor of its rut, and berms of the soil that it displaced.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,7 +25,7 @@ struct RutScratch {
 
 /// Presses the grid's samples under the rim to where the soil carries it, counted from the surface
 /// less what paddles have carried away (excavated_m), and moves the displaced volume to both sides
-/// of the rut. Does nothing the second time. Returns the volume moved [m^3].
+/// of the rut. A second call changes nothing. Returns the volume moved [m^3].
 double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double excavated_m);
 
 /// Lets slopes steeper than the friction angle slump beside and behind the wheel for dt. Conserves

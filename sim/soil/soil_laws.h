@@ -49,13 +49,13 @@ inline double BladePressure(const SoilLaws& laws, double sinkage_m) {
   return strength * sinkage_m / (sinkage_m + laws.blade_mobilising_m);
 }
 
-/// What a driving patch, which slides back along the soil, still bears of the pressure of one that
-/// goes straight in. Fitted to the single-wheel data (docs/results/soil.md): 0.24, range 0.21-0.32.
+/// Share of the straight-in pressure that a driving patch, which slides back along the soil, still
+/// bears. Fitted to the single-wheel data (docs/results/soil.md): 0.24, range 0.21-0.32.
 constexpr double kDrivingShare = 0.24;
-/// What any sliding patch still bears of it. Keeps a wheel dragged sideways from sinking without
-/// end; the data up to 45 deg of side slip do not ask for it. Assumed, range 0-0.02.
+/// Share of it that any sliding patch still bears. Keeps a wheel dragged sideways from sinking
+/// without end; the data up to 45 deg of side slip do not need it. Assumed, range 0-0.02.
 constexpr double kDraggedShare = 0.005;
-/// Way over which a patch's direction is remembered. Fitted likewise: 19 mm, range 15-25 mm.
+/// Distance over which a patch's direction is remembered. Fitted likewise: 19 mm, range 15-25 mm.
 constexpr double kDirectionMemory_m = 0.0187;
 
 /// Share of the yield pressure that soil bears under a patch whose motion has the direction cosine
@@ -68,9 +68,8 @@ inline double BearingShare(const SoilLaws& laws, double into, double driving) {
   return 1.0 - laws.weakening * (1.0 - along) * (1.0 - in * in);
 }
 
-/// Shear strength of soil on the wheel (Mohr and Coulomb). Cohesion needs contact: it counts up to
-/// the pressure, which makes the strength vanish, and continuously so, where a patch leaves the
-/// soil.
+/// Shear strength of soil on the wheel (Mohr and Coulomb). Cohesion needs contact: it counts only
+/// up to the pressure, so the strength falls continuously to zero where a patch leaves the soil.
 inline double ShearStrength(const SoilLaws& laws, double pressure_pa) {
   return std::fmin(laws.cohesion_pa, pressure_pa) + pressure_pa * laws.tan_rim;
 }
@@ -104,8 +103,8 @@ inline double Shear(double m, double slide_m, double shear_modulus_m) {
 
 /// Resistance of a short wall that heaps soil before it, a paddle's face or a wheel's side, over
 /// that of a long wall without a heap. Fitted to the single-wheel data (docs/results/soil.md): 3.9,
-/// range 3-5; tines a few depths wide show 2-4 (McKyes 1985). It multiplies what soil resists by
-/// its weight alone: a heap is a surcharge of loose soil, and has no cohesion.
+/// range 3-5; tines a few depths wide show 2-4 (McKyes 1985). It multiplies only the resistance by
+/// the soil's weight: a heap is a surcharge of loose soil, and has no cohesion.
 constexpr double kHeap = 3.9;
 
 /// Passive earth pressure on a paddle's face at this depth: Rankine's gamma z N_phi +

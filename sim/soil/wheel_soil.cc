@@ -208,7 +208,7 @@ void WheelSoil::LeaveRut(HeightGrid& grid, const WheelFrame& frame) {
   pressed_ = PressRut(grid, rim, rim_, travel_.excavated_m) > 0.0 || pressed_;
   since_slump_s_ += frame.dt_s;
   if (since_slump_s_ < kSlumpPeriod_s - 1e-9) return;
-  // Soil that a resting wheel leaves alone has come to rest as well.
+  // A wheel that has pressed nothing since the last slump rests, and its soil with it.
   if (pressed_) SlumpBeside(grid, rim, rim_, since_slump_s_, scratch_);
   since_slump_s_ = 0.0;
   pressed_ = false;

@@ -13,8 +13,8 @@ constexpr double kGoing_m = 0.005;
 constexpr double kCarriedShare = 0.50;
 // Length over which the dug and the fresh soil balance: about the contact's. Assumed, 0.15-0.6.
 constexpr double kBalance_radii = 0.3;
-// A wheel that has dug itself in this deep digs no further: what it lifts falls back. Assumed,
-// range 0.5-2.
+// A wheel that has dug itself in this deep digs no further: lifted soil falls back. Assumed, range
+// 0.5-2.
 constexpr double kDeepest_radii = 1.0;
 
 }  // namespace

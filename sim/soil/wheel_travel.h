@@ -1,12 +1,12 @@
-// What a wheel's way does to the soil under all of its patches. Driven by displacements alone, so
-// that nothing happens at rest.
+// The effect of a wheel's motion on the soil under all of its patches. It depends on displacements
+// alone, so nothing happens at rest.
 #pragma once
 
 #include "sim/soil/soil_laws.h"
 
 namespace dockyard {
 
-/// One step of a wheel's way [m].
+/// One step of a wheel's motion [m].
 struct WheelWay {
   double rolled_m = 0.0;  // of the paddles' tips about the axle, forward positive
   double ahead_m = 0.0, left_m = 0.0, up_m = 0.0;  // of the centre

@@ -1,4 +1,4 @@
-// What a study's plots share: colours, and words for their axes.
+// Shared by a study's plots: colours, and words for their axes.
 #pragma once
 
 #include <array>

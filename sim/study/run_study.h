@@ -36,7 +36,8 @@ struct StudyEnd {
 std::uint64_t StudySeed(const Study& study, int point, int repeat);
 
 /// Runs every point `repeats` times. A run that dies or throws has the outcome crashed and no
-/// measures. On SIGINT, SIGTERM or SIGHUP it kills the runs under way and returns what is finished.
+/// measures. On SIGINT, SIGTERM or SIGHUP it kills the runs under way and returns the finished
+/// ones.
 /// @param columns  of the study's system, without labels
 /// Throws ConfigError as CheckMeasures, and IoError.
 StudyEnd RunStudy(const Study& study, const StudyRunFunction& simulate, const RowColumns& columns,

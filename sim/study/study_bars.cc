@@ -28,7 +28,7 @@ struct BarGroup {
   }
 };
 
-/// What the second column of bars is about: the first measure of the study's plot that is no share.
+/// The measure of the second column of bars: the first of the study's plot that is no share.
 std::optional<Column> SecondMeasure(const Study& study, const std::vector<Column>& measured) {
   for (const std::string& name : study.measures) {
     if (name == "docked") continue;
@@ -85,7 +85,7 @@ double HeightOf(const std::vector<BarGroup>& groups) {
 }
 
 PlotArea BarArea(int column, const std::vector<BarGroup>& groups, double Bar::*change) {
-  // Zero is in it, and no span is nothing.
+  // The range holds zero and is never empty.
   DataRange range = change == &Bar::share_change ? DataRange{-0.05, 0.05} : DataRange{0.0, 0.0};
   for (const BarGroup& group : groups) {
     for (const Bar& bar : group.bars) range.Hold(bar.*change);

@@ -28,7 +28,7 @@ void Append(Cells& cells, const Cells& more) {
   cells.insert(cells.end(), more.begin(), more.end());
 }
 
-/// What was set at a point: a cell for each factor, then the key changed alone and its value.
+/// The settings of a point: a cell for each factor, then the key changed alone and its value.
 Cells Settings(const Study& study, int index) {
   const StudyPoint& point = study.points[static_cast<std::size_t>(index)];
   Cells cells;
@@ -58,7 +58,7 @@ std::string MarkdownLine(const Cells& cells) {
   return line + "\n";
 }
 
-/// Points that are told in one line: all with the same settings. In the order of the points.
+/// Points that share one line: all with the same settings. In the order of the points.
 std::vector<std::pair<int, std::vector<const StudyRow*>>> ByPoint(
     const std::vector<StudyRow>& rows) {
   std::map<int, std::vector<const StudyRow*>> groups;

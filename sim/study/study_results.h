@@ -1,4 +1,4 @@
-// What a study's runs came to, and what is said of them together.
+// The results of a study's runs, and their summaries.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct StudyRow {
   std::vector<double> measures;  // by StudyColumns; empty for a run that crashed
 };
 
-/// What a study of this system can measure, the columns of its runs.csv: docked (1 or 0),
+/// The measures of a study of this system, the columns of its runs.csv: docked (1 or 0),
 /// sim_time_s, then the system's measures.
 std::vector<Column> StudyColumns(const RowColumns& columns);
 /// By StudyColumns. NaN: does not apply, and counts in no spread.
@@ -26,7 +26,7 @@ std::vector<double> MeasuresOf(const RunResult& row);
 /// Throws ConfigError when the study's plot names a measure that is none of StudyColumns.
 void CheckMeasures(const Study& study, const RowColumns& columns);
 
-/// Rows of one curve's one place, told together.
+/// The summary of the rows at one place of one curve.
 struct Spread {
   int count = 0;
   double mean = 0.0, median = 0.0;
@@ -36,12 +36,12 @@ struct Spread {
 Spread SpreadOf(const std::vector<Column>& study_columns, const std::string& measure,
                 const std::vector<const StudyRow*>& rows);
 
-/// A line per run, and a line per point: what was set, then what came out.
+/// A line per run, and a line per point: the settings, then the results.
 std::string StudyRunsCsv(const Study& study, const RowColumns& columns,
                          const std::vector<StudyRow>& rows);
 std::string StudyPointsCsv(const Study& study, const RowColumns& columns,
                            const std::vector<StudyRow>& rows);
-/// The same per point for people, rates with their intervals.
+/// The same per point as text for people, rates with their intervals.
 std::string StudyTable(const Study& study, const RowColumns& columns,
                        const std::vector<StudyRow>& rows);
 
@@ -49,7 +49,7 @@ std::string StudyTable(const Study& study, const RowColumns& columns,
 /// Spread. Factors that are neither x, curves nor panels are pooled. Empty without x.
 std::string StudyCurves(const Study& study, const RowColumns& columns,
                         const std::vector<StudyRow>& rows);
-/// Bars of what each key changed alone does to the docked share, and to the mean of the first other
+/// Bars of how each key changed alone changes the docked share, and the mean of the first other
 /// measure of the study's plot, if it has one; longest first. Empty when no key was changed alone.
 std::string StudyBars(const Study& study, const RowColumns& columns,
                       const std::vector<StudyRow>& rows);

@@ -1,4 +1,4 @@
-// What holds for every lens model: there and back, derivatives, and what it cannot see.
+// Properties of every lens model: projection and back, derivatives, and what it cannot see.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -224,7 +224,7 @@ TEST(BrownPinhole, ProjectsAsOpenCvDoes) {
   }
 }
 
-// Without the check, barrel distortion brings points far outside back into the picture.
+// Without the check, barrel distortion brings points far outside back into the image.
 TEST(BrownPinhole, ShowsNothingFromBeyondItsFold) {
   const BrownPinhole lens{.fx = 500, .fy = 500, .cx = 320, .cy = 240, .k1 = -0.3};
   EXPECT_TRUE(lens.Project({1.0, 0.0, 1.0}, nullptr));  // fold at r = 1 / sqrt(0.9) = 1.054

@@ -25,7 +25,7 @@ GrayImage NoisyImage(int width, int height, std::uint64_t key) {
   return image;
 }
 
-/// Nominal parameters of a robot that is not there, with numbers that must keep their bits.
+/// Nominal parameters of a robot that does not exist, with numbers that must keep their bits.
 Json SomeNominal() {
   RandomStream draw(5);
   return {{"track_m", draw.Normal()}, {"tiny", 1e-300}, {"minus_zero", -0.0}, {"third", 1.0 / 3.0}};

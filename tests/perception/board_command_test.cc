@@ -1,4 +1,4 @@
-// dockyard board: what comes out of the printer, measured in its raster.
+// dockyard board: its printed pages, measured in their raster.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -158,7 +158,7 @@ TEST(BoardCommand, RuleIsAHundredMillimetres) {
 }
 
 TEST(BoardCommand, DetectFindsThePrint) {
-  // Through a pinhole square before the page: 10 px a mm at 1 m are f = 10 000 px, here halved.
+  // Through a pinhole facing the page squarely: 10 px a mm at 1 m are f = 10 000 px, here halved.
   const TemporaryFolder folder;
   Print(folder, "models/boards/five_discs.yaml", "b.pdf");
   cv::Mat page = Rastered(folder, "b.pdf"), seen;

@@ -10,8 +10,9 @@ struct FalseBoards {
   int tsai2013_views = 0, tsai2013_accepted = 0;
 };
 
-/// Looks 0 to count - 1 of the yard, its station without the board, from everywhere about it; the
-/// three kinds of light in turns. The first tsai_count are shown to tsai2013 too, which is slow.
+/// Image pairs 0 to count - 1 of the yard, with no board on its station, from everywhere about it;
+/// the three kinds of light in turns. The first tsai_count are shown to tsai2013 too, which is
+/// slow.
 FalseBoards LookWithoutBoard(int count, int width, int jobs, int tsai_count);
 
 }  // namespace dockyard::axel

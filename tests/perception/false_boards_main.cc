@@ -1,5 +1,5 @@
-// eyes_false_boards [views] [width] [jobs] [views for tsai2013]: boards accepted on rendered views
-// without one.
+// perception_false_boards [views] [width] [jobs] [views for tsai2013]: boards accepted on rendered
+// views without one.
 #include <cstdio>
 #include <cstdlib>
 
@@ -12,8 +12,8 @@ int main(int argc, char** argv) {
   const int tsai_count = argc > 4 ? std::atoi(argv[4]) : 0;
   if (count < 3 || width < 320 || jobs < 1) {
     std::fprintf(stderr,
-                 "eyes_false_boards [views, at least 3] [width, at least 320] [jobs, at least 1] "
-                 "[views for tsai2013]\n");
+                 "perception_false_boards [views, at least 3] [width, at least 320] "
+                 "[jobs, at least 1] [views for tsai2013]\n");
     return 2;
   }
   const dockyard::axel::FalseBoards seen =

@@ -53,11 +53,11 @@ std::string SumsText(const std::vector<HomographySum>& sums) {
     raw2 += sum.raw_px * sum.raw_px;
     linear += sum.linear_px;
   }
-  if (pictures == 0) return "no picture with six marks";
+  if (pictures == 0) return "no image with six marks";
   const double mean = raw / pictures;
   char text[200];
   std::snprintf(text, sizeof text,
-                "%d pictures: sum %.2f +- %.2f px, %.2f a mark; without the lens %.2f px", pictures,
+                "%d images: sum %.2f +- %.2f px, %.2f a mark; without the lens %.2f px", pictures,
                 mean, std::sqrt(std::max(raw2 / pictures - mean * mean, 0.0)), raw / marks,
                 linear / pictures);
   return text;

@@ -25,7 +25,7 @@ void PrintRow(const std::string& name, const SurveyTally& t) {
   std::printf(
       "  %-8s in view %4d  found %-30s accepted %-30s wrong %-30s | centre %.3f px (%d), cut %.3f "
       "px "
-      "(%d) | range %6.2f cm, heading %5.2f deg; of %d with six right marks in each picture %6.2f "
+      "(%d) | range %6.2f cm, heading %5.2f deg; of %d with six right marks in each image %6.2f "
       "cm, %5.2f deg | nees %.1f\n",
       name.c_str(), t.in_view, RateText(t.found, t.in_view).c_str(),
       RateText(t.accepted, t.in_view).c_str(), RateText(t.wrong, t.accepted).c_str(),
@@ -50,7 +50,7 @@ void PrintCurve(const SurveyCurve& curve, const SurveyScores& found, const Argum
   PrintRow("all", TallyOf(curve.scores, 0.0, 100.0));
 }
 
-/// Of pictures whose marks are all rightly named.
+/// Of images whose marks are all rightly named.
 void PrintHomographies(const SurveyScores& found, double r_max_m) {
   const auto print = [&](const std::string& name, double low_m, double high_m) {
     std::vector<HomographySum> sums;
@@ -66,7 +66,7 @@ void PrintHomographies(const SurveyScores& found, double r_max_m) {
   print("1-5 m", 1.0, 5.0);
 }
 
-/// Both pipelines on the same pictures.
+/// Both pipelines on the same images.
 std::vector<SurveyCurve> Survey(Light light, const Arguments& arguments) {
   const bool even = light == Light::kEven;
   const int count = even || arguments.hard_count == 0 ? arguments.count : arguments.hard_count;
@@ -105,8 +105,8 @@ int Main(int argc, char** argv) {
   app.add_option("--r-max", arguments.r_max_m, "largest range [m]")->check(CLI::Range(2.0, 9.0));
   app.add_option("--min-points", arguments.min_points, "of tsai2013")->check(CLI::Range(4, 5));
   app.add_option("--out", arguments.out, "folder for curves.csv and curves.svg");
-  app.add_option("--cache", arguments.cache, "folder that keeps the pictures");
-  app.add_flag("--verbose", arguments.verbose, "a line for each look that failed");
+  app.add_option("--cache", arguments.cache, "folder that keeps the images");
+  app.add_flag("--verbose", arguments.verbose, "a line for each image pair that failed");
   CLI11_PARSE(app, argc, argv);
   std::vector<SurveyCurve> curves;
   for (const Light light : {Light::kEven, Light::kHardShadow}) {

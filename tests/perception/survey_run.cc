@@ -57,7 +57,7 @@ void Gather(const char* name, const std::vector<std::optional<Scored>>& from, Su
 
 void ForEachLook(const YardOptions& options, int count, int jobs,
                  const std::function<void(YardViews&, int)>& work) {
-  // Threads of ours instead of Mesa's; its pictures do not depend on their number.
+  // Threads of ours instead of Mesa's; its images do not depend on their number.
   if (jobs > 1) setenv("LP_NUM_THREADS", "0", 0);
   std::atomic<int> next{0};
   std::mutex one_at_a_time;  // worlds and renderers come and go alone

@@ -1,4 +1,4 @@
-// Looks of a survey shared out among threads, each with its own world and renderer.
+// Image pairs of a survey, shared out among threads, each with its own world and renderer.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,7 @@
 namespace dockyard::axel {
 
 /// Calls work(views, i) once for each i in [0, count), views built anew from `options` in each of
-/// `jobs` threads. Which thread takes which i is open: work writes what it finds to a place of i's
-/// own.
+/// `jobs` threads. Any thread may take any i: work writes its results to a place of i's own.
 void ForEachLook(const YardOptions& options, int count, int jobs,
                  const std::function<void(YardViews&, int)>& work);
 
@@ -24,17 +23,17 @@ struct SurveyPlan {
   int jobs = 1;
 };
 
-/// What one pipeline made of the looks in view, in the order of the sequence.
+/// One pipeline's results on the image pairs in view, in the order of the sequence.
 struct SurveyScores {
   std::vector<LookScore> scores;
   double cpu_s = 0.0;  // of the pipeline alone
 };
 struct SurveyFindings {
   SurveyScores dockyard, tsai2013;
-  std::string failures;  // a line for each look that failed
+  std::string failures;  // a line for each image pair that failed
 };
 
-/// The same findings, times apart, whatever the number of jobs.
+/// The findings do not depend on the number of jobs, except the times.
 SurveyFindings RunSurvey(const SurveyPlan& plan);
 
 }  // namespace dockyard::axel

@@ -1,4 +1,4 @@
-// How one look did against the truth, and what many of them come to, by range.
+// The score of one image pair against the truth, and sums over many, by range.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace dockyard::axel {
 struct LookScore {
   int index = 0;
   DockingCoords at;
-  bool in_view = false;   // five fiducials whole and unhidden in one picture
-  bool found = false;     // five rightly named detections, both pictures together
+  bool in_view = false;   // five fiducials whole and unhidden in one image
+  bool found = false;     // five rightly named detections, both images together
   bool accepted = false;  // a pose came out
   bool wrong = false;     // it is off by more than 0.3 m or 10 deg
   bool stereo = false;
@@ -32,13 +32,13 @@ struct LookScore {
 
 LookScore Score(const YardLook& look, const LocateOutput& out);
 
-/// Sums over looks of one kind.
+/// Sums over image pairs of one kind.
 struct SurveyTally {
   int looks = 0, in_view = 0, found = 0, accepted = 0, wrong = 0, stereo = 0, wrong_marks = 0;
   int plain = 0, cut = 0;
   double range_m2 = 0.0, heading_rad2 = 0.0, plain_px2 = 0.0, cut_px2 = 0.0, nees = 0.0;
-  // Over the accepted whose marks are all right, at least six in each picture ("typically 6-7",
-  // Tsai et al., V-D): what calibration and noise leave when detection and naming do their work.
+  // Over the accepted whose marks are all right, at least six in each image ("typically 6-7", Tsai
+  // et al., V-D): the errors that calibration and noise leave when detection and naming succeed.
   int named = 0;
   double named_range_m2 = 0.0, named_heading_rad2 = 0.0;
 
@@ -51,7 +51,7 @@ struct SurveyTally {
   double cut_rms_px() const;
 };
 
-/// Looks with r in (low, high].
+/// Image pairs with r in (low, high].
 SurveyTally TallyOf(const std::vector<LookScore>& scores, double r_low_m, double r_high_m);
 
 }  // namespace dockyard::axel

@@ -30,8 +30,8 @@ TEST(YardSurvey, FindsTheBoardInEvenLight) {
   EXPECT_LT(tally.plain_rms_px(), 0.03);  // [0.015]
   EXPECT_LT(tally.range_rms_m(), 0.012);  // [0.006]
   EXPECT_LT(tally.heading_rms_rad(), Radians(0.6));
-  // Six degrees of freedom: a mean of 6 when the covariance tells the errors as they are. Far more
-  // is overconfidence, far less timidity.
+  // Six degrees of freedom: a mean of 6 when the covariance matches the errors. Far more is
+  // overconfidence, far less is excess caution.
   EXPECT_LT(tally.nees / tally.accepted, 12.0);
   EXPECT_GT(tally.nees / tally.accepted, 1.0);
 }
@@ -63,7 +63,7 @@ TEST(YardSurvey, FindsTheSameWhateverTheNumberOfThreads) {
   }
 }
 
-// What the seed's measure of its correspondence holds near the dock: the lens
+// Near the dock the paper's measure of its correspondence holds mainly the lens
 // (docs/results/perception.md).
 TEST(YardSurvey, NearTheDockTheLensFillsTheSeedsReprojection) {
   SurveyPlan plan{.yard = {.r_max_m = 2.0}, .count = 12, .tsai_count = 12};

@@ -21,11 +21,11 @@ struct YardOptions {
   double r_min_m = 1.0, r_max_m = 7.0;
   double alpha_rad = Radians(45.0), h_rad = Radians(30.0), pitch_rad = Radians(10.0);
   bool has_board = true;    // without: the yard from random places, no fiducial anywhere
-  std::string cache{};      // a folder that keeps the pictures; empty: none
-  std::uint64_t seed = 40;  // of world, light, rig and sensor, with the number of the look
+  std::string cache{};      // a folder that keeps the images; empty: none
+  std::uint64_t seed = 40;  // of world, light, rig and sensor, with the number of the image pair
 };
 
-/// One fiducial in one picture.
+/// One fiducial in one image.
 struct YardMark {
   FiducialPixels truth;
   double shaded = 0.0;  // share of the disc from which the sun's middle is hidden, 0..1
@@ -38,18 +38,18 @@ struct YardLook {
   DockingCoords at;
   double pitch_rad = 0.0;
   StereoImages images;
-  StereoRig built_rig;                         // the cameras that saw
+  StereoRig built_rig;                         // the cameras that took the images
   SensorOptions sensor;                        // the sensor behind them
   Pose3 X_WR;                                  // truth
   Pose3 X_RB;                                  // truth
   Pose3 X_DB;                                  // truth
   std::array<std::vector<YardMark>, 2> marks;  // left, right; by id
   LocateHints hints;                           // up as the IMU would give it
-  /// At least five fiducials whole and unhidden in one picture.
+  /// At least five fiducials whole and unhidden in one image.
   bool InView() const;
 };
 
-/// Poses, light, rig and noise of look i are functions of options and i alone.
+/// Poses, light, rig and noise of image pair i are functions of options and i alone.
 class YardViews {
  public:
   explicit YardViews(const YardOptions& options);
@@ -57,7 +57,7 @@ class YardViews {
 
   /// With render false the truth only; images stay empty.
   YardLook Take(int i, bool render = true);
-  /// The same from a place of the caller's.
+  /// The same from a given place.
   YardLook TakeAt(int i, const DockingCoords& at, double pitch_rad, bool render = true);
   const StereoRig& calibration() const { return built_.nominal.rig; }
   const FiducialBoard& board() const { return built_.nominal.board; }

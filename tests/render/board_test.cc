@@ -12,7 +12,7 @@ struct Offsets {
   double rms_px = 0.0, worst_px = 0.0;
 };
 
-/// turn_C: from looking at the board's middle to looking past it; fewer discs are then in view.
+/// turn_C: from facing the board's middle to facing past it; fewer discs are then in view.
 Offsets CentroidOffsets(const Camera& camera, double range_m, double yaw_rad,
                         const Eigen::Matrix3d& turn_C = Eigen::Matrix3d::Identity(),
                         int least_discs = 12) {

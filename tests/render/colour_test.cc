@@ -1,4 +1,4 @@
-// Colour of light and of pictures, dust; and that grey is the luminance of colour.
+// Colour of light and of images, dust; and that grey is the luminance of colour.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -90,7 +90,7 @@ TEST(Dust, LowersTheContrastByItsShare) {
   const auto clean = renderer.RenderRadiance(scene, rig, {})[0];
   scene.board.dust_cover = 0.3;
   const auto dusty = renderer.RenderRadiance(scene, rig, {})[0];
-  // On the board's pixels the picture moves towards the dust's own radiance, pixel by pixel.
+  // On the board's pixels the image moves towards the dust's own radiance, pixel by pixel.
   const double dust = UnshadedRadiance(scene.light, {1, 0, 0}, Luminance(scene.board.dust_albedo));
   double share = 0.0;
   int count = 0;

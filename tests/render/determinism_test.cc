@@ -1,4 +1,4 @@
-// The same scene gives the same bits, whatever renders it and with how many threads.
+// The same scene gives the same bits, on any back end and with any number of threads.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Makes the kept pictures afresh: render_golden FOLDER.
+// Makes the kept images anew: render_golden FOLDER.
 #include <cstdio>
 #include <exception>
 

@@ -1,4 +1,4 @@
-// Pictures as they were when somebody last looked at them; and that a change would be seen.
+// Images against those that somebody last checked by sight; and that a change would be noticed.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -30,11 +30,11 @@ TEST_P(Golden, PictureIsStillTheSame) {
   if (!same) {
     const std::string path = std::string(testing::TempDir()) + view.name + "_drawn.png";
     WritePng(path, drawn);
-    std::printf("the picture as drawn now: %s\n", path.c_str());
+    std::printf("the image as drawn now: %s\n", path.c_str());
   }
 }
 
-// The other way round: what the tolerance must not let through.
+// The other way round: differences that the tolerance must not let through.
 
 TEST_P(Golden, APixelsShiftIsSeen) {
   StereoRig rig = GoldenRig();

@@ -1,4 +1,4 @@
-// The pictures kept in tests/render/golden: how they are made and when another equals them.
+// The images kept in tests/render/golden: how they are made and when another equals them.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ const std::vector<GoldenView>& GoldenViews();
 /// The sample yard under one of the three kinds of light, 320 x 240.
 std::unique_ptr<Yard> GoldenYard(const GoldenView& view);
 StereoRig GoldenRig();
-/// Its left picture.
+/// Its left image.
 GrayImage DrawGolden(const Yard& yard, const StereoRig& rig);
 
 struct PictureDifference {
@@ -28,7 +28,7 @@ struct PictureDifference {
   double beyond_4 = 0.0;  // share of the pixels
   double block = 0.0;     // largest difference of the means of 8 x 8 pixels [grey levels]
 
-  /// Below what another Mesa or processor may differ by.
+  /// Within the difference that another Mesa or processor may make.
   bool small() const { return mean < 0.5 && beyond_4 < 0.01 && block < 5.0; }
 };
 PictureDifference Compare(const GrayImage& a, const GrayImage& b);

@@ -1,22 +1,21 @@
-// Reading numbers off rendered pictures, and what they should be, by ways of their own.
+// Numbers measured in rendered images, and their expected values, computed independently.
 #pragma once
 
 #include "render/scene_samples.h"
 
 namespace dockyard {
 
-/// Interpolated radiance at a pixel inside the picture.
+/// Interpolated radiance at a pixel inside the image.
 double RadianceAt(const RadianceImage& image, const Eigen::Vector2d& pixel);
 
-/// Largest difference of two pictures over the largest value of the first.
+/// Largest difference of two images over the largest value of the first.
 double LargestRelativeDifference(const RadianceImage& a, const RadianceImage& b);
 
-/// Centroid of what is darker than white_radiance in the window round a pixel.
+/// Centroid of the part darker than white_radiance in the window round a pixel.
 Eigen::Vector2d CentroidOfDark(const RadianceImage& image, const Eigen::Vector2d& middle,
                                double half_window_px, double white_radiance);
 
-/// Centroid, in the picture, of a fiducial's black part: its projected area integrated cell by
-/// cell.
+/// Centroid, in the image, of a fiducial's black part: its projected area integrated cell by cell.
 Eigen::Vector2d ExactBlackCentroid(const FiducialBoard& board, const Fiducial& fiducial,
                                    const Camera& camera, const Pose3& X_CB);
 
@@ -26,7 +25,7 @@ double UnshadedRadiance(const SunAndSky& light, const Eigen::Vector3d& normal_W,
 /// A rig whose left camera is at X_WC when the rover stands at the world's origin.
 StereoRig RigAt(const Camera& camera, const Pose3& X_WC);
 
-/// Camera at an eye point, looking at another, its x axis level.
+/// Camera at one point, facing another, its x axis level.
 Pose3 LookAt(const Eigen::Vector3d& eye_W, const Eigen::Vector3d& target_W);
 
 }  // namespace dockyard

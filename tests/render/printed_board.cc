@@ -17,7 +17,7 @@ double TwiceArea(const Polygon& polygon) {
   return std::abs(sum);
 }
 
-/// What of a convex polygon lies where sign * (coordinate - limit) <= 0 (Sutherland and Hodgman,
+/// The part of a convex polygon where sign * (coordinate - limit) <= 0 (Sutherland and Hodgman,
 /// 1974).
 Polygon Cut(const Polygon& polygon, int axis, double limit, double sign) {
   Polygon kept;
@@ -32,7 +32,8 @@ Polygon Cut(const Polygon& polygon, int axis, double limit, double sign) {
   return kept;
 }
 
-/// Where the corners of a camera's pixels meet the board's plane, each found when first asked for.
+/// The points where the corners of a camera's pixels meet the board's plane, each computed on first
+/// use.
 class Footprints {
  public:
   Footprints(const Camera& camera, const Pose3& X_BC)
@@ -66,7 +67,7 @@ class Footprints {
 
 double InkShare(const PrintedPicture& picture, const std::array<Eigen::Vector2d, 4>& corners_B) {
   const double half = 0.5 * picture.modules;
-  Polygon pixel;  // in modules, from the picture's top left corner
+  Polygon pixel;  // in modules, from the pattern's top left corner
   Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
   for (const Eigen::Vector2d& corner : corners_B) {
     pixel.push_back((corner - picture.p_BM) / picture.module_m + Eigen::Vector2d(half, half));

@@ -1,5 +1,5 @@
-// A board with pictures of black and white squares on it, such as AprilTags, seen by the renderer:
-// for comparisons only, the renderer itself knows discs.
+// A board with patterns of black and white squares on it, such as AprilTags, as the renderer sees
+// it: for comparisons only, the renderer itself draws discs.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace dockyard {
 
-/// A square picture printed on the board's face; its rows run along the board's x axis.
+/// A square pattern printed on the board's face; its rows run along the board's x axis.
 struct PrintedPicture {
   Eigen::Vector2d p_BM{0, 0};  // its middle [m]
   double module_m = 0.0;       // side of one square
@@ -22,13 +22,13 @@ struct PrintedPicture {
   }
 };
 
-/// Share of a pixel's footprint that the picture's ink covers: areas of polygons, exact for a plane
+/// Share of a pixel's footprint that the pattern's ink covers: areas of polygons, exact for a plane
 /// footprint. corners_B go round it.
 double InkShare(const PrintedPicture& picture, const std::array<Eigen::Vector2d, 4>& corners_B);
 
-/// Both ideal views with the pictures in the fiducials' place. The renderer draws the plate once
+/// Both ideal views with the patterns in the fiducials' place. The renderer draws the plate once
 /// all white, once all black; a pixel lies between the two by its share of ink. Light, shadow,
-/// dust, what hides the board and its edges are thus the renderer's.
+/// dust, occlusion and the board's edges are thus the renderer's.
 std::array<RadianceImage, 2> RenderPrinted(StereoRenderer& renderer, const Scene& scene,
                                            const StereoRig& rig, const Pose3& X_WR,
                                            const std::vector<PrintedPicture>& pictures);

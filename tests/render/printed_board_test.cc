@@ -84,7 +84,7 @@ TEST(PrintedBoard, DiscsOfFineSquaresLookLikeTheRenderers) {
   }
 }
 
-// What a detector of squares measures: centroids of black squares as large as a tag.
+// The measurement of a detector of squares: centroids of black squares as large as a tag.
 TEST(PrintedBoard, CentroidsOfSquaresLieWhereTheyProject) {
   for (const double range_m : {1.5, 3.0, 5.0}) {
     Scene scene = BoardOnly();
@@ -103,7 +103,7 @@ TEST(PrintedBoard, CentroidsOfSquaresLieWhereTheyProject) {
     const Pose3 X_CB = Inverse(rig.X_RL) * scene.board.X_WB;
     double squares = 0.0;
     for (const PrintedPicture& picture : pictures) {
-      // Its area in the picture and the area's centroid, cell by cell.
+      // Its area in the image and the area's centroid, cell by cell.
       constexpr int kCells = 60;
       const auto project = [&](int i, int j) {
         const Eigen::Vector2d p = picture.p_BM + 0.1 * Eigen::Vector2d(i - 30, j - 30) / kCells;

@@ -35,7 +35,7 @@ void Occlude(RTCScene world, RTCRay& ray) {
 }
 #endif
 
-// What an Embree geometry is.
+// The kind of an Embree geometry.
 constexpr int kBoard = -1, kGround = -2, kTether = -3;
 
 double Grey(const Eigen::Vector3d& rgb) { return rgb.dot(Eigen::Vector3d(0.299, 0.587, 0.114)); }

@@ -1,4 +1,4 @@
-// Writes sample pictures to look at: render_samples FOLDER [WIDTH HEIGHT]. Prints timings.
+// Writes sample images for viewing: render_samples FOLDER [WIDTH HEIGHT]. Prints timings.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

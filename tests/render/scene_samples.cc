@@ -141,7 +141,7 @@ FiducialBoard SampleBoard() {
 
 Pose3 UprightBoard(double x_m, double y_m, double z_m) {
   Eigen::Matrix3d axes;
-  axes << 0, 0, -1, 1, 0, 0, 0, -1, 0;  // columns: beholder's right, down, into the station
+  axes << 0, 0, -1, 1, 0, 0, 0, -1, 0;  // columns: viewer's right, down, into the station
   return {axes, {x_m, y_m, z_m}};
 }
 

@@ -130,7 +130,7 @@ TEST(Response, VariesFromPixelToPixelAndStays) {
   const auto first = ExposeDeep(Pair(Flat(1.0f)), kRig, sensor);
   const Statistics s = Of(first[0]);
   EXPECT_NEAR(std::sqrt(s.variance) / s.mean, 0.01, 2e-4);
-  // Another picture of the same cameras: the same pattern, hidden by no noise to speak of.
+  // Another image of the same cameras: the same pattern, hidden by no noise to speak of.
   sensor.noise_key = 2;
   const auto second = ExposeDeep(Pair(Flat(1.0f)), kRig, sensor);
   double worst = 0.0;

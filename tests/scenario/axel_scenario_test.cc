@@ -1,4 +1,4 @@
-// What a scenario says under `axel` and `changes` reaches the models, or is refused by its place.
+// The keys under `axel` and `changes` reach the models, or are refused with their place.
 #include "sim/axel/load_models.h"
 
 #include <gmock/gmock.h>

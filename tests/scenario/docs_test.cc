@@ -1,4 +1,4 @@
-// docs/reference/scenarios.md has the keys as the code reads them.
+// docs/reference/scenarios.md lists the keys as the code reads them.
 #include <gtest/gtest.h>
 
 #include "sim/scenario/scenario_keys.h"

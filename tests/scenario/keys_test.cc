@@ -1,4 +1,4 @@
-// The archives, on a struct of their own.
+// Reading, writing and comparing keys, on a struct of the tests.
 #include "sim/scenario/keys.h"
 
 #include <gmock/gmock.h>

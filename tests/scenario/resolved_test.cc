@@ -1,4 +1,4 @@
-// What is written reads back to the same, key by key.
+// Written scenarios read back to the same, key by key.
 #include <gmock/gmock.h>
 
 #include "scenario/toy_system.h"

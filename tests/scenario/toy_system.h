@@ -12,7 +12,8 @@ namespace dockyard {
 
 /// "toy" with controllers "straight" and "wave", whose own key toy.flag names a file; and "other".
 std::vector<KnownSystem> ToySystems();
-/// The same with what a study's reader asks for; every checked scenario's name goes into `checked`.
+/// The same with the functions that a study's reader needs; every checked scenario's name goes into
+/// `checked`.
 StudySystems ToyStudies(std::vector<std::string>* checked = nullptr);
 
 /// A folder with a scenario of the toy, scenarios/toy.yaml, and the files that it names.
@@ -22,7 +23,7 @@ class ToyFolder : public ScratchFolder {
   /// The scenario with one place of it changed, or lines after its end, in a file of its own.
   std::string With(const std::string& from, const std::string& to) const;
   std::string And(const std::string& lines) const;
-  /// What loading the file says.
+  /// The message of the error when the file is loaded.
   std::string ScenarioMessage(const std::string& file) const;
 
   const std::string scenario_text;

@@ -1,7 +1,7 @@
-// Grousered wheels on GRC-1 simulant, of which one published number is known: a wheel of 23 cm
-// pulls 0.11 +- 0.02 of its load at slip 0.2, in lunar gravity (IEEE Aerospace 2012, through a
-// secondary source that says neither load nor width nor grousers). What is not said is assumed over
-// a range.
+// Grousered wheels on GRC-1 simulant, against the one published number that is known: a wheel of
+// 23 cm pulls 0.11 +- 0.02 of its load at slip 0.2, in lunar gravity (IEEE Aerospace 2012, through
+// a secondary source). The source states neither load nor width nor grousers, so these are assumed
+// over a range.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -26,7 +26,7 @@ struct Trial {
   double sinkage_mm = 0.0, speed_mm_s = 0.0;
   bool core = false, fitted = false;
 
-  /// What the model answers, driven when first asked for: each fact runs in a process of its own.
+  /// The model's answers, simulated when first asked for: each test runs in a process of its own.
   const SingleWheelResult& model() const;
   double AheadError() const { return (model().ahead_n - ahead_n) / load_n; }
   double SideError() const { return (model().side_n - side_n) / load_n; }

@@ -1,5 +1,5 @@
-// What Wong and Reece's integrals (1967) predict for towed wheels when nothing rebounds, and when
-// the soil does, beside the trials and our wheel: docs/results/soil.md, "Towed wheels".
+// Wong and Reece's integrals (1967) for towed wheels when nothing rebounds, and when the soil does,
+// beside the trials and our wheel: docs/results/soil.md, "Towed wheels".
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -88,8 +88,8 @@ SingleWheelSetup Large(const char* soil, double load_n) {
 }
 
 TEST(TowedTheory, ThisIntegralGivesTheIndependentPredictions) {
-  // 0.169, 0.203, 0.050 and 0.068 of the load were integrated apart, with Wong and Reece's 0.4 and
-  // 0.15; what follows stands on the same integral.
+  // 0.169, 0.203, 0.050 and 0.068 of the load were integrated independently, with Wong and Reece's
+  // 0.4 and 0.15; the tests below use the same integral.
   EXPECT_NEAR(Predict(Large("loose_sand", 150.0), kDriven), 0.169, 0.003);
   EXPECT_NEAR(Predict(Large("loose_sand", 300.0), kDriven), 0.203, 0.003);
   EXPECT_NEAR(Predict(Large("compact_gravel", 150.0), kDriven), 0.050, 0.002);

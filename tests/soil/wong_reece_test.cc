@@ -124,7 +124,7 @@ TEST(WongReece, IntegralsOfOurLawsAreTheirs) {
         loose(0.3048, 9275.0, 0.4, 0.2079, 0.1670, 0.5231)}) {
     SCOPED_TRACE(testing::Message()
                  << wheel.name << " " << wheel.width_m << " slip " << wheel.slip);
-    // Their equations give the table, whose drawbar is told to 0.07 % at worst, ...
+    // Their equations give the table, whose drawbar is stated to 0.07 % at worst, ...
     const double sinkage_m = SinkageOf(wheel, Theirs);
     const Wheel theirs = Theirs(wheel, sinkage_m);
     EXPECT_NEAR(sinkage_m / wheel.sinkage_m, 1.0, 0.001);

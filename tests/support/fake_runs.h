@@ -1,4 +1,4 @@
-// Runs of a system that is not there: what a campaign does with good, slow, crashing and hanging
+// Runs of a system that does not exist: a campaign's handling of good, slow, crashing and hanging
 // ones.
 #pragma once
 

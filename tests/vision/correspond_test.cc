@@ -27,7 +27,7 @@ DetectedFiducial Detected(const Eigen::Vector2d& pixel, double radius_px, int ro
   return detection;
 }
 
-/// What a perfect detector would find of the board, fiducial by fiducial.
+/// The detections of a perfect detector, fiducial by fiducial.
 std::vector<DetectedFiducial> Detections(const FiducialBoard& board, const Pose3& X_CB) {
   std::vector<DetectedFiducial> detections;
   for (const Fiducial& f : board.fiducials) {
@@ -39,7 +39,7 @@ std::vector<DetectedFiducial> Detections(const FiducialBoard& board, const Pose3
   return detections;
 }
 
-/// Fiducial of each detection, by name of the answer.
+/// Fiducial of each detection, as the result names it.
 std::map<int, int> IdByDetection(const EyeCorrespondence& eye) {
   std::map<int, int> ids;
   for (const MarkMatch& match : eye.matches) ids[match.detection] = match.id;
@@ -50,7 +50,7 @@ class SixteenHypotheses : public testing::TestWithParam<int> {};
 
 TEST_P(SixteenHypotheses, EachIsFoundWhenItIsTheTruth) {
   // The two fiducials of a rotation change names where a bit is set, so that of the 16 namings of
-  // the same picture each is right once.
+  // the same image each is right once.
   const FiducialBoard named = TestBoard();
   FiducialBoard renamed = named;
   std::vector<int> truth{0, 1, 2, 3, 4, 5, 6, 7};

@@ -1,4 +1,5 @@
-// Centres from the grey: on pictures made here, blurred by sampling, against the closed-form bound.
+// Centres from the grey levels: on images made here, blurred by sampling, against the closed-form
+// bound.
 #include "controller/vision/disc_fit.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ Disc Somewhere(double radius_px, RandomStream& random) {
           .bar_rad = random.Uniform(0.0, kPi)};
 }
 
-/// What a rim's fit would give: centre and radius a little off.
+/// The result of a fit to the rim: centre and radius a little off.
 Ellipse Rim(const Disc& disc, RandomStream& random) {
   return {.centre_px = disc.centre_px + 0.15 * Eigen::Vector2d(random.Normal(), random.Normal()),
           .shape_px = (disc.radius_px + random.Uniform(-0.15, 0.15)) * Eigen::Matrix2d::Identity()};
@@ -94,8 +95,8 @@ TEST(DiscFit, ErrorIsWithinTwiceTheCramerRaoBound) {
       predicted += kNoise * fit->sigma_px / kCount;
     }
     const double error = std::sqrt(squares / kCount);
-    // The bound knows neither the light's gradient, which is sought too, nor the bar's edges; and
-    // the edge's model is a cubic. [1.2 to 1.8 times the bound]
+    // The bound includes neither the light's gradient, which is fitted too, nor the bar's edges;
+    // and the edge's model is a cubic. [1.2 to 1.8 times the bound]
     EXPECT_LT(error, 2.0 * Bound(radius_px)) << radius_px;
     EXPECT_NEAR(predicted, Bound(radius_px), 0.4 * Bound(radius_px)) << radius_px;
   }

@@ -16,7 +16,7 @@ struct Seen {
   double rms_px = 0.0;
 };
 
-/// Detections in the left picture against the truth.
+/// Detections in the left image against the truth.
 Seen Look(const SyntheticScene& scene, const StereoRig& rig) {
   auto detections = DetectFiducials(SyntheticView(scene, rig.left, rig.X_RL), scene.board);
   const Pose3 X_CB = Inverse(scene.X_DR * rig.X_RL) * scene.X_DB;
@@ -71,7 +71,7 @@ TEST(Fiducials, AreFoundEightPixelsAcross) {
 }
 
 TEST(Fiducials, AreFoundTwoHundredPixelsAcross) {
-  // 0.32 m before the camera at 652 px/rad, looking up: only some are in the picture at all.
+  // 0.32 m before the camera at 652 px/rad, tilted up: only some are in the image at all.
   const Seen seen = Look(From(0.40, 0.0, 0.0, -15.0), TestRig(1024, 768));
   EXPECT_GE(seen.in_view, 2);
   EXPECT_GE(seen.found, seen.in_view);

@@ -1,4 +1,4 @@
-// Looks at a board held before a pair of cameras, scored against the truth.
+// Image pairs of a board held before two cameras, scored against the truth.
 #pragma once
 
 #include <cstdint>
@@ -28,21 +28,21 @@ struct HeldOptions {
   int clutter = 0;           // discs like the board's on white ground, anywhere else
   double covered_share = 0;  // of the board's width, from its left edge
   bool has_board = true;
-  bool one_eye = false;  // the left picture alone
+  bool one_eye = false;  // the left image alone
   int samples = 3;
 };
 
 struct HeldLook {
   SyntheticScene scene;
   StereoImages images;
-  int in_view = 0;  // marks whole in the left picture and not covered
+  int in_view = 0;  // marks whole in the left image and not covered
   SightingReport report;
-  int wrong_marks = 0;  // further from the picture of their true place than half a radius
+  int wrong_marks = 0;  // further from the image of their true place than half a radius
   double place_error = 0.0, turn_error_rad = 0.0;  // place: over the range; of an accepted pose
 };
 
 StereoRig HeldRig(const HeldOptions& options);
-/// Look i: range, tilt, roll and place drawn by i alone.
+/// Image pair i: its range, tilt, roll and place are drawn by i alone.
 HeldLook LookAtHeld(const HeldOptions& options, std::uint64_t i);
 
 struct HeldScore {
@@ -51,7 +51,7 @@ struct HeldScore {
   int marks = 0, wrong_marks = 0;
   double worst_place = 0.0, worst_turn_rad = 0.0, cpu_s = 0.0;
 };
-/// Looks 0 to count - 1 that have at least `in_view` marks in view.
+/// Image pairs 0 to count - 1 that have at least `in_view` marks in view.
 HeldScore ScoreHeld(const HeldOptions& options, int count, int in_view);
 
 }  // namespace dockyard

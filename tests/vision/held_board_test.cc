@@ -1,5 +1,5 @@
 // Boards of other kinds than the station's, held before a pair of cameras. The truth is the ray
-// caster's own; looks are drawn, not chosen.
+// caster's own; poses are drawn at random, not chosen.
 #include "vision/held_board.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ HeldOptions FarGrid() {
   return options;
 }
 
-/// Prints what was found and wants no wrong name and no wrong pose.
+/// Prints the result and expects no wrong name and no wrong pose.
 HeldScore Scored(const HeldOptions& options, int count, int in_view) {
   const HeldScore score = ScoreHeld(options, count, in_view);
   std::printf("    %d of %d accepted; %d marks; worst place %.2e of the range, turn %.3f deg\n",
@@ -64,7 +64,7 @@ TEST(HeldBoard, OtherDiscsAboutDoNotMisleadAPlainGrid) {
 }
 
 TEST(HeldBoard, PartOfAGridIsRefusedWhereItCouldBeAnotherPart) {
-  // Without its left column the grid may as well lack the right one.
+  // Without its left column the grid may just as well lack the right one.
   HeldOptions options = FarGrid();
   options.covered_share = 0.25;
   for (std::uint64_t i = 0; i < 8; ++i) {
@@ -87,7 +87,7 @@ TEST(HeldBoard, PartOfALargerGridIsRefused) {
       const auto report =
           LocateBoard(SyntheticPair(look.scene, rig), rig, options.board, {}).report;
       EXPECT_GE(report.DetectedBy(0), 20);
-      EXPECT_FALSE(report.accepted) << "roll " << roll << ", look " << i;
+      EXPECT_FALSE(report.accepted) << "roll " << roll << ", image pair " << i;
     }
   }
 }
@@ -168,7 +168,7 @@ TEST(HeldBoard, IsNotSeenWhereThereIsNone) {
         options.clutter = static_cast<int>(8 * i);  // up to 40 discs like the board's
         const HeldLook look = LookAtHeld(options, i);
         discs += look.report.DetectedBy(0) + look.report.DetectedBy(1);
-        EXPECT_FALSE(look.report.accepted) << marks << " marks, look " << i;
+        EXPECT_FALSE(look.report.accepted) << marks << " marks, image pair " << i;
       }
       EXPECT_GT(discs, 100);  // or the test shows nothing
     }

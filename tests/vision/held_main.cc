@@ -1,4 +1,5 @@
-// vision_held [looks]: rates and errors for boards of other kinds than the station's, as a table.
+// vision_held [image pairs]: rates and errors for boards of other kinds than the station's, as a
+// table.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -30,14 +31,14 @@ int main(int argc, char** argv) {
   photo.r_min_m = 0.22;
   photo.r_max_m = 0.45;
   photo.one_eye = true;
-  Row("plain 4x3, 110 deg lens, 0.22-0.45 m, one eye", photo, count, 12);
+  Row("plain 4x3, 110 deg lens, 0.22-0.45 m, one camera", photo, count, 12);
   photo.one_eye = false;
   Row("the same, pair", photo, count, 12);
   HeldOptions far{.board = PlainGrid(4, 3, 0.09, 0.05, Radians(80.0)), .camera = normal};
   far.r_max_m = 1.5;
   far.roll_rad = Radians(60.0);
   far.one_eye = true;
-  Row("plain 4x3, 0.5-1.5 m, roll 60 deg, one eye", far, count, 12);
+  Row("plain 4x3, 0.5-1.5 m, roll 60 deg, one camera", far, count, 12);
   far.one_eye = false;
   Row("the same, pair", far, count, 12);
   far.covered_share = 0.2;
@@ -54,7 +55,7 @@ int main(int argc, char** argv) {
     bars.r_max_m = 2.0;
     const std::string name = std::to_string(marks) + " bars, 0.7-2 m, ";
     bars.one_eye = true;
-    Row((name + "one eye").c_str(), bars, count, marks);
+    Row((name + "one camera").c_str(), bars, count, marks);
     bars.one_eye = false;
     Row((name + "pair").c_str(), bars, count, marks);
   }

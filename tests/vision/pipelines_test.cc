@@ -1,4 +1,4 @@
-// The two pipelines behind LocateBoard, and what ours adds to a first pose.
+// The two pipelines behind LocateBoard, and the steps that ours adds to a first pose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ SyntheticScene From(double r_m, double alpha_deg, double h_deg) {
 
 Pose3 Truth(const SyntheticScene& scene) { return Inverse(scene.X_DR) * scene.X_DB; }
 
-/// Paints a grey patch over fiducials of one picture.
+/// Paints a grey patch over fiducials of one image.
 void Hide(GrayImage* image, const Camera& camera, const Pose3& X_RC, const SyntheticScene& scene,
           const std::vector<int>& ids) {
   const Pose3 X_CB = Inverse(scene.X_DR * X_RC) * scene.X_DB;
@@ -125,8 +125,7 @@ TEST(LocateBoard, SaysWhereTheHiddenMarksShouldBe) {
 }
 
 TEST(LocateBoard, WorksAtFortyCentimetresAndAtTheBorder) {
-  // The cameras 0.4 m before the plate, looking up at it: part of it lies outside of either
-  // picture.
+  // The cameras 0.4 m before the plate, tilted up at it: part of it lies outside of either image.
   SyntheticScene scene = From(0.45, 0.0, 0.0);
   scene.X_DR = RoverAt({0.45, 0.0, 0.0}, Radians(-20.0));
   LocateHints hints;

@@ -62,7 +62,7 @@ TEST(PlanarPose, NeedsFourMarks) {
   EXPECT_TRUE(PlanarPose(marks, camera, kBoard).empty());
 }
 
-/// Two mirrored branches as one camera would leave them, in a camera that looks ahead.
+/// Two mirrored branches as one camera would leave them, in a camera that points ahead.
 std::vector<PlanarBranch> TwoBranches() {
   return {{.X_CB = {.R = RotY(Radians(15.0)), .p = {0, 0, 4}}, .rms_px = 0.2, .cost = 3.0},
           {.X_CB = {.R = RotY(Radians(-15.0)), .p = {0, 0, 4}}, .rms_px = 0.3, .cost = 5.0}};

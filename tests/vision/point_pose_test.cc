@@ -144,7 +144,7 @@ TEST(PointPose, SaysWhatIsMissing) {
 }
 
 TEST(PointPose, CovarianceTellsTheScatter) {
-  // Noise alone: no calibration spread in the world, so the told sigma may not be below the
+  // Noise alone: no calibration spread in the world, so the stated sigma may not be below the
   // scatter; with sigma 0.15 px assumed and 0.15 drawn it may not be far above in the depth either.
   double depth2 = 0.0, told2 = 0.0;
   constexpr int kTimes = 60;
@@ -183,7 +183,7 @@ TEST(PointPose, CovarianceFollowsTheNoiseOfAnybodysPoints) {
   }
 }
 
-/// Both images of the points as they are, told as the survey has them: off by survey_m, 1 sigma.
+/// Both images of the points as they are, with places as surveyed: off by survey_m, 1 sigma.
 std::vector<PointPixel> Surveyed(double survey_m, double noise_px, std::uint64_t seed) {
   RandomStream random(1000 + seed);
   std::vector<Eigen::Vector3d> truth = Solid();
@@ -224,8 +224,8 @@ TEST(PointPose, BadlySurveyedPointsAreKeptAndTheCovarianceTells) {
 }
 
 TEST(PointPose, APointsTwoPixelsShareItsSurveyError) {
-  // Noise of 3 px that both pixels of a point share tells less than the same for each by itself:
-  // the place across the view is known as by one camera, not by two.
+  // Noise of 3 px that both pixels of a point share carries less information than independent noise
+  // in each: the place across the view is known as by one camera, not by two.
   const auto seen = Surveyed(0.0, 0.0, 1);
   PointFitOptions shared{.sigma_px = 0.15, .survey_m = 0.01, .survey_share = 1.0};
   const std::vector<bool> all(seen.size(), true);
@@ -355,7 +355,7 @@ TEST(PointPose, ExchangedCamerasAreNoticed) {
 }
 
 TEST(PointPose, DiscsAreComparedWithTheMiddleOfTheirEllipse) {
-  // 0.3 m across at 2.4 m, tilted: the ellipse's middle is off the centre's picture.
+  // 0.3 m across at 2.4 m, tilted: the ellipse's middle is off the centre's image.
   const Pose3 X_LB = Inverse(kRig.X_RL) * kBody, X_QB = Inverse(kRig.X_RQ) * kBody;
   std::vector<PointPixel> seen = Seen(Solid(), true, true, 0.0);
   double most = 0.0;

@@ -1,4 +1,4 @@
-// Whether a pose fits its own predicted error: the prediction's distribution, and what it refuses.
+// Checks of a pose against its own predicted error: the distribution, and what is refused.
 #include "controller/vision/pose_gates.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ Pose3 BoardAt(double r_m, double alpha_deg, double h_deg) {
 
 const LocateHints kLevel{};
 
-/// A rig off its calibration by one draw of what RefineOptions believes, pair's mounting apart.
+/// A rig off its calibration by one draw from RefineOptions, except the pair's mounting.
 StereoRig Built(StereoRig rig, RandomStream& random) {
   const CalibrationSpread spread;
   const CameraTurn turn;
@@ -40,7 +40,7 @@ StereoRig Built(StereoRig rig, RandomStream& random) {
   return rig;
 }
 
-/// Every fiducial in both pictures, off by noise of the predicted sigma, model's part included.
+/// Every fiducial in both images, off by noise of the predicted sigma, model's part included.
 std::vector<MarkPixel> NoisyMarks(const StereoRig& built, const Pose3& X_RB, RandomStream& random) {
   const double sigma = std::hypot(kSigma, RefineOptions{}.model_px);
   std::vector<MarkPixel> marks;

@@ -55,7 +55,7 @@ TEST(RobustPlanarPose, FindsBothMinimaOfAnObliquePlane) {
 }
 
 TEST(RobustPlanarPose, TheLinearModelErrsAtAFishEyesBorder) {
-  // What the paper's footnote calls unreliable: distortion left out. In the middle it does no harm.
+  // The paper's footnote calls this unreliable: distortion left out. In the middle it does no harm.
   const FiducialBoard board = TestBoard();
   const Camera camera = EquidistantCamera(1024, 768, Radians(90.0));
   const auto error_m = [&](double aside_deg) {

@@ -1,4 +1,4 @@
-// Many looks at the board over the workspace, scored against the truth.
+// Many image pairs of the board over the workspace, scored against the truth.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@ namespace dockyard {
 struct Look {
   DockingCoords at;
   double pitch_rad = 0.0;
-  bool in_view = false;  // whether all eight fiducials are in at least one picture
+  bool in_view = false;  // whether all eight fiducials are in at least one image
   LocateOutput out;
   int wrong_marks = 0;  // named wrongly, or nothing there
   // Of the rover in the dock.
@@ -26,14 +26,14 @@ struct SurveyOptions {
   double alpha_rad = 40.0 * kPi / 180.0, h_rad = 25.0 * kPi / 180.0;
   double pitch_rad = 10.0 * kPi / 180.0;
   bool miscalibrated = false;
-  // What to change in the scene of look i, after the pose is set.
+  // Changes the scene of image pair i, after its pose is set.
   std::function<void(SyntheticScene&, int)> arrange{};
 };
 
-/// Look i of the survey, at point i of a Halton sequence over the ranges.
+/// Image pair i of the survey, at point i of a Halton sequence over the ranges.
 Look TakeLook(const SurveyOptions& options, int i);
 
-/// Looks at poses i of the sequence until count of them are in view.
+/// Takes image pairs at poses i of the sequence until count of them are in view.
 std::vector<Look> Survey(const SurveyOptions& options, int count);
 
 }  // namespace dockyard

@@ -1,5 +1,5 @@
-// Prints how detection and pose do over the workspace on synthetic pictures, and how long they
-// take: vision_survey [looks for each row]
+// Prints how detection and pose do over the workspace on synthetic images, and their times:
+// vision_survey [image pairs for each row]
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -32,7 +32,7 @@ void PrintTimes(int width) {
   }
   const auto end = std::chrono::steady_clock::now();
   const double detect_ms = Milliseconds(middle - begin) / kTimes;
-  std::printf("%d px wide: detection %.1f ms a picture, whole look %.1f ms a pair (%zu marks)\n",
+  std::printf("%d px wide: detection %.1f ms an image, whole sighting %.1f ms a pair (%zu marks)\n",
               width, detect_ms, Milliseconds(end - middle) / kTimes, found);
 }
 
@@ -50,7 +50,7 @@ void PrintRow(const char* name, const SurveyOptions& options, int count) {
   }
   const double n = accepted > 0 ? accepted : 1;
   std::printf(
-      "%-14s %4d px %.1f-%.1f m: %3d of %3zu located, %3d by both eyes, %d wrong marks, "
+      "%-14s %4d px %.1f-%.1f m: %3d of %3zu located, %3d by both cameras, %d wrong marks, "
       "rms range %5.2f cm, heading %5.2f deg\n",
       name, options.width, options.r_min_m, options.r_max_m, accepted, looks.size(), stereo, wrong,
       100.0 * std::sqrt(range / n), Degrees(std::sqrt(heading / n)));
@@ -83,7 +83,7 @@ void PrintTable(int width, int count) {
 int main(int argc, char** argv) {
   const int count = argc > 1 ? std::atoi(argv[1]) : 20;
   if (count < 1) {
-    std::fprintf(stderr, "vision_survey [looks for each row, at least 1]\n");
+    std::fprintf(stderr, "vision_survey [image pairs for each row, at least 1]\n");
     return 2;
   }
   for (const int width : {1024, 640}) {

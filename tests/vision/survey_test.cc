@@ -1,4 +1,4 @@
-// Rates and errors over the workspace, on pictures. The figures asserted leave room below what was
+// Rates and errors over the workspace, on images. The figures asserted leave room below what was
 // measured (in brackets), so that a real loss shows and rounding does not.
 #include "vision/survey.h"
 
@@ -106,7 +106,7 @@ TEST(Survey, KeepsThePosesErrorBelowThePapersWithAMiscalibratedRig) {
 }
 
 TEST(Survey, SeesNoBoardWhereThereIsNone) {
-  // 200 pictures: ground, stones, dark discs, and up to three stray fiducials.
+  // 200 images: ground, stones, dark discs, and up to three stray fiducials.
   const StereoRig rig = TestRig(640, 480);
   for (int i = 0; i < 100; ++i) {
     SyntheticScene scene;
@@ -117,7 +117,7 @@ TEST(Survey, SeesNoBoardWhereThereIsNone) {
     scene.seed = static_cast<std::uint64_t>(5000 + i);
     scene.X_DR = RoverAt({2.0 + 0.04 * i, 0.0, 0.0}, Radians(0.2 * (i - 50)));
     const LocateOutput out = LocateBoard(SyntheticPair(scene, rig), rig, scene.board, {});
-    EXPECT_FALSE(out.sighting) << "picture pair " << i;
+    EXPECT_FALSE(out.sighting) << "image pair " << i;
   }
 }
 

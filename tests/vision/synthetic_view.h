@@ -1,4 +1,4 @@
-// Pictures of the board by casting rays, for tests only: independent of the renderer, exact in
+// Images of the board by casting rays, for tests only: independent of the renderer, exact in
 // geometry, simple in light. Frame D is the dock's, as in controller/geometry/pose.h.
 #pragma once
 
@@ -23,7 +23,7 @@ Pose3 RoverAt(const DockingCoords& at, double pitch_rad);
 /// relative yaw, 0.05 deg of roll and pitch of each camera, 0.2 % of focal length, 1 px of centre).
 StereoRig Miscalibrated(const StereoRig& rig, std::uint64_t key);
 
-/// What is seen and in what light.
+/// The scene and its light.
 struct SyntheticScene {
   FiducialBoard board = TestBoard();
   bool has_board = true;
@@ -40,7 +40,7 @@ struct SyntheticScene {
     double penumbra_m = 0.005;
   };
   std::optional<ShadowEdge> shadow;
-  int clutter_discs = 0;      // dark discs lying about in the picture
+  int clutter_discs = 0;      // dark discs lying about in the image
   int clutter_fiducials = 0;  // real fiducials of random size and rotation lying about
   // Grey paper over the board: the marks under it are missing.
   struct Cover {

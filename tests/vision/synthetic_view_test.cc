@@ -1,4 +1,4 @@
-// The picture maker has to be right before it can judge anything.
+// The ray caster must be right before it can judge anything.
 #include "vision/synthetic_view.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace dockyard {
 namespace {
 
-/// Centroid of what is missing from white within a radius about a pixel.
+/// Centroid of the darkness against white within a radius about a pixel.
 Eigen::Vector2d DarkCentroid(const GrayImage& image, const Eigen::Vector2d& about, double radius,
                              double white) {
   const int half = static_cast<int>(std::ceil(radius));

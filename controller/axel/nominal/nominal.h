@@ -1,5 +1,5 @@
-// Axel's nominal parameters: the numbers from calibration and drawings that its controller is told.
-// The world is built from numbers of its own, which differ.
+// Axel's nominal parameters: the numbers from calibration and drawings that its controller uses.
+// The world is built from its own numbers, which differ.
 #pragma once
 
 #include <Eigen/Core>

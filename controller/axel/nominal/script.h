@@ -1,11 +1,11 @@
-// Open-loop commands for Axel, as a scenario's `script` has them.
+// Open-loop commands for Axel, as a scenario's `script` gives them.
 #pragma once
 
 #include <optional>
 
 namespace dockyard::axel {
 
-/// What the motors do for a while.
+/// The motors' commands for a time.
 struct ScriptStep {
   double for_s = 0.0;
   double speed_m_s = 0.0, turn_rad_s = 0.0;  // of the axle's middle; wheels driven to match

@@ -83,7 +83,7 @@ TEST(Axel, ChecksItsAlignmentBeforeItReels) {
 TEST(Axel, FreesItsWheelsWhileReelingIntoTheCone) {
   const KinematicRun run = RunKinematic({}, {2.0, 0.0, 0.0});
   const MotorCommand& spool_limit = run.commands.back().motors[3];
-  EXPECT_EQ(spool_limit.mode, MotorMode::kBrake);  // held when home
+  EXPECT_EQ(spool_limit.mode, MotorMode::kBrake);  // held when seated
   const bool free_and_strong =
       std::any_of(run.commands.begin(), run.commands.end(), [](const Commands& commands) {
         return commands.motors[0].mode == MotorMode::kFree &&

@@ -215,7 +215,7 @@ LocateOutput KinematicRover::Locate() {
   if (!seen) return out;
   const double k = world_.vision_noise;
   Pose2 X_DR = X_DR_;
-  // Noise as eyes make it: the board is seen too far or near, aside, and turned.
+  // Noise as cameras make it: the board is seen too far or near, aside, and turned.
   const double new_range = range + k * 0.008 * range * range * noise_.Normal();
   const double new_bearing = bearing + k * Radians(0.3) * noise_.Normal();
   X_DR.heading = WrapPi(X_DR.heading + k * Radians(1.0) * range * noise_.Normal());

@@ -1,6 +1,6 @@
 // A planar stand-in for the rover, for testing the controller without physics: wheels that slip,
 // turns that fall short, a stiff tether on a rated spool, an arm that lifts when the tether is
-// slack, and eyes that report the true board pose through a lens with edges and noise.
+// slack, and cameras that report the true board pose through a lens with edges and noise.
 #pragma once
 
 #include <memory>
@@ -40,7 +40,7 @@ class KinematicRover {
  public:
   KinematicRover(const Nominal& nominal, const KinematicWorld& world, const Pose2& X_DR);
 
-  /// What the sensors say now.
+  /// The sensors' present readings.
   SensorFrame Sense();
   /// One control period under these commands.
   void Step(const Commands& commands);
@@ -55,7 +55,7 @@ class KinematicRover {
   int looks() const { return looks_; }
   void Unjam() { world_.jam_depth_m.reset(); }
 
-  // Where things were when the tip passed the mouth; the last time.
+  // The places when the tip last passed the mouth.
   struct Entry {
     double offset_m = 0.0, heading_rad = 0.0;
   };

@@ -15,7 +15,7 @@ using testing::DoubleNear;
 using testing::Ge;
 using testing::Le;
 
-// Everything at one point and one height: the seed's Eq. (1).
+// Everything at one point and one height: the paper's Eq. (1).
 TetherGeometry PaperGeometry() {
   TetherGeometry geometry;
   geometry.arm_m = 1.0;

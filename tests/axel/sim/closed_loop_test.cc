@@ -1,4 +1,4 @@
-// The whole thing: physics, pixels and the real controller, on short runs.
+// The whole loop: physics, pixels and the real controller, on short runs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace dockyard::axel {
 namespace {
 
-/// A folder that goes away with the test.
+/// A folder that is removed after the test.
 class Folder {
  public:
   explicit Folder(const std::string& name)
@@ -69,8 +69,8 @@ TEST(ClosedLoop, AControllerFedItsOwnLogGivesTheSameCommands) {
   EXPECT_GT(pictures, 0);
 }
 
-// Rounding differs in a world that lies elsewhere, and a docking amplifies it; the first looks and
-// drives must agree closely, picture by picture and command by command.
+// Rounding differs in a world that lies elsewhere, and a docking amplifies it; the first sightings
+// and drives must agree closely, image by image and command by command.
 TEST(ClosedLoop, TheWholeWorldMovedAndTurnedChangesNoCommand) {
   const Folder here("closed_loop_here"), there("closed_loop_there");
   auto overrides = kShort;

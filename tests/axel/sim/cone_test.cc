@@ -27,7 +27,7 @@ double AnalyticDistance(const ConeModel& cone, const Eigen::Vector3d& p_M) {
   return std::min(to_funnel, 1e9);
 }
 
-/// Bullet's own collision world, which looks at every pair of pieces.
+/// Bullet's own collision world, which checks every pair of pieces.
 struct FullLook {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
@@ -104,12 +104,12 @@ TEST(Cone, WedgesLieWithinAMillimetreAndThePolygonsErrorOfTheAnalyticFunnel) {
   EXPECT_LT(Degrees(worst_normal), 180.0 / cone.wedges + 0.5);  // half a wedge's turn
 }
 
-/// What a tip does that is drawn into the funnel from 10 cm aside and 10 deg askew: an arm on a
+/// The motion of a tip that is drawn into the funnel from 10 cm aside and 10 deg askew: an arm on a
 /// floating rover, pulled by its tether alone.
 struct Entered {
   double time_s = 0.0, lateral_m = 0.0, depth_m = 0.0;
   double peak_n = 0.0, held_n = 0.0;  // of the force in the cone; its largest mean over 10 ms
-  int touched = 0, missed = 0;  // looks at which the arm was in the cone; without a force on it
+  int touched = 0, missed = 0;  // checks that found the arm in the cone; without a force on it
 };
 Entered DrawIn(double step_s, double damping_ns_per_m) {
   StationModel model = Station();
@@ -188,7 +188,7 @@ TEST(Cone, TipTenCentimetresAsideAndTenDegreesAskewEntersAlikeAtEveryStep) {
     EXPECT_GT(entered.depth_m, 0.24);      // past the collar's lead-in, where 60 N leave it askew
     EXPECT_LT(entered.lateral_m, 0.8e-3);  // the socket's clearance
     EXPECT_GT(entered.touched, 50);
-    EXPECT_EQ(entered.missed, 0);  // what is not looked at does not touch
+    EXPECT_EQ(entered.missed, 0);  // pairs that are not checked do not touch
     EXPECT_NEAR(entered.time_s, runs[2].time_s, 2e-3);
   }
   ExpectConverging(runs, &Entered::depth_m, 1e-3);

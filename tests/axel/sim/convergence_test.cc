@@ -79,8 +79,8 @@ TEST(Convergence, DockingOnSmoothWheelsIsOfFirstOrderInTheStep) {
   }
 }
 
-// With paddles no order is to be had: over which tip a settling wheel comes to rest is decided by
-// less than a step, and moves the way by tenths of a millimetre at any step.
+// With paddles there is no order: over which tip a settling wheel comes to rest is decided by less
+// than a step, and moves the way by tenths of a millimetre at any step.
 void ExpectAlike(const std::array<Reeled, 3>& reeled, double held_share) {
   const Reeled& fine = reeled[2];
   EXPECT_LT(fine.end.p_MT.x(), -0.26);

@@ -1,4 +1,4 @@
-// What docks: disc, shaft and collar in throat and socket, drawn in by the spool alone.
+// The mating parts: disc, shaft and collar in throat and socket, drawn in by the spool alone.
 #include <gtest/gtest.h>
 
 #include "axel/sim/scenarios.h"

@@ -14,7 +14,7 @@ namespace {
 constexpr double kDt = 1e-3;
 
 /// Axel's wheel motor, quicker than the file has it (0.5 rad/s and rad/s^2), so that the moves are
-/// short, and with gears that lose nothing; what theirs lose has tests of its own.
+/// short, and with gears without losses; other tests cover the losses.
 const MotorModel& WheelMotor() {
   static const MotorModel motor = [] {
     MotorModel wheel = Axel().motors[static_cast<std::size_t>(Motor::kLeftWheel)];

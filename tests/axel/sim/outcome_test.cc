@@ -100,7 +100,7 @@ TEST(Outcome, TheConditionInForceThatBeganFirstNamesTheRun) {
   judge.ObserveLook(20.0, LookQuality::kUndetected);
   Hold(judge, At(50.0, 0.05, 0.3, 20.0), 1.0);
   EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, 0, {}).outcome, Outcome::kNoDetection);
-  // A good look in between, and the blindness decided nothing.
+  // With a good sighting in between, the blindness decided nothing.
   judge.ObserveLook(30.0, LookQuality::kGood);
   EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, 0, {}).outcome, Outcome::kMissedCone);
 }

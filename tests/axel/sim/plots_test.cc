@@ -116,7 +116,7 @@ RunRecord FakeRecord() {
   return record;
 }
 
-/// The element of that class and what stands in it, to the first </g>.
+/// The element of that class with its content, to the first </g>.
 std::string GroupOf(const std::string& svg, const std::string& attribute) {
   const std::size_t start = svg.find("<g " + attribute);
   if (start == std::string::npos) return "";

@@ -1,5 +1,5 @@
 // The rover, station and soils that the program runs, from models/, for tests of the world. A test
-// that needs another number changes it where it stands.
+// that needs another number changes it itself.
 #pragma once
 
 #include "sim/axel/world.h"

@@ -1,4 +1,4 @@
-// A world in which nothing moves computes no step, and nobody can tell.
+// A world in which nothing moves computes no step, and its results do not change.
 #include <gtest/gtest.h>
 
 #include <memory>

@@ -12,7 +12,7 @@ struct Rocking {
   std::vector<double> roll_deg, heading_deg;
 };
 inline constexpr double kRockingSample_s = 0.02;
-/// With which the paddles' tips take the ground: 12 of them, 0.06 m/s over 0.30 m.
+/// Frequency with which the paddles' tips take the ground: 12 of them, 0.06 m/s over 0.30 m.
 inline constexpr double kPaddles_hz = 0.2 * 12.0 / (2.0 * 3.14159265358979);
 
 /// 40 s from 4.5 m, the right wheel's paddles this far before the left one's.

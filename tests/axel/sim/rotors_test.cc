@@ -28,7 +28,7 @@ double KineticEnergy(const Afloat& world) {
   return sum;
 }
 
-/// What three joints' torques have worked in half a second, less what has become motion.
+/// Work of three joints' torques in half a second, less the kinetic energy.
 double EnergyError(double dt, double x) {
   Afloat world(0.0, x);
   const std::array<double, 4> torque = {0.0, 2.0, -1.0, 3.0};

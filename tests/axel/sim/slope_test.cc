@@ -53,8 +53,8 @@ TEST(Slope, BrakedRoverCreepsLessThanATenthOfAMillimetreInAMinuteAtTenDegrees) {
 }
 
 TEST(Slope, LetsARoverGoThatItsSoilCannotHold) {
-  // That the test above can fail: at 45 deg, beyond the sand's 29 and what its paddles dig in for
-  // (they still hold it at 35), the braked rover slides.
+  // This shows that the test above can fail: at 45 deg, beyond the sand's 29 and what its paddles
+  // dig in for (they still hold it at 35), the braked rover slides.
   World world(OnASlope(LooseSand(), Radians(45.0), kPi));
   const double x = world.truth().X_WR.p.x();
   Play(world, AllBraked(), 5.0);

@@ -1,4 +1,4 @@
-// The truth that "dockyard view" writes, against the rendered pictures themselves.
+// The truth that "dockyard view" writes, against the rendered images themselves.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,8 +19,8 @@ const std::string kNavcam =
     "camera.file=" + std::string(DOCKYARD_SOURCE_DIR) + "/models/cameras/navcam.yaml";
 
 /// Centroid of a dark disc of about this radius near a place. Grey levels of the plate and of the
-/// ink come from rings inside the picture; a pixel counts by its share of ink, the middle with its
-/// white bar counts as ink. Knows nothing of the camera.
+/// ink come from rings inside the image; a pixel counts by its share of ink, the middle with its
+/// white bar counts as ink. It uses no camera model.
 Eigen::Vector2d InkCentroid(const GrayImage& image, const Eigen::Vector2d& near, double radius_px) {
   const int half = static_cast<int>(std::ceil(1.4 * radius_px));
   const auto each = [&](const std::function<void(const Eigen::Vector2d&, double, double)>& visit) {

@@ -1,6 +1,6 @@
-// The rover once more, in MuJoCo: the same masses, joints, rotors, drives and tether, but rigid
-// smooth wheels on a rigid plane and another engine's dynamics and contacts. For tests and the
-// benchmark only; nothing of ours but the models and the motors' drives (no Bullet, no soil).
+// A second model of the rover, in MuJoCo: the same masses, joints, rotors, drives and tether, but
+// rigid smooth wheels on a rigid plane and another engine's dynamics and contacts. For tests and
+// the benchmark only; it shares only the models and the motors' drives (no Bullet, no soil).
 #pragma once
 
 #include <mujoco/mujoco.h>

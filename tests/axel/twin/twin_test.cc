@@ -6,8 +6,8 @@
 // wheel, is divided into strips of 2.5 deg, over which a wheel rolls as a polygon of 144 sides, and
 // presses over an area; it bends a little before it slides. MuJoCo's is a row of points on an edge,
 // and holds at rest only up to a slow creep. So the pitch of the rover, which swings like a
-// pendulum in the taut tether, falls out of step by and by, and with it the axle, by the wheel's
-// radius times the pitch; tension, the way gone and the heading stay together.
+// pendulum in the taut tether, gradually falls out of step, and with it the axle, by the wheel's
+// radius times the pitch; tension, distance and heading stay together.
 #include <gtest/gtest.h>
 
 #include <cmath>
