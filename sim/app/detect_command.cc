@@ -35,10 +35,11 @@ Examples:
 
 One image is taken for the left camera's unless --camera says right. --board is a station's file or a board's
 own (docs/reference/models.md): discs with bars or plain ones. Prints each fiducial (pixel, id, detected
-or predicted) and the board's pose in the rover body: metres, unit quaternion w x y z, covariance of p_x p_y p_z [m] and of
-a small turn about the rover's x y z [rad]. Exit code 4: no board accepted; the reason is printed.
---folder looks for a board in every image of a folder by itself and counts the accepted ones; exit code 0,
-or 3 when some file could not be looked at (it is named, the others are done).)";
+or predicted) and the board's pose in the rover body: metres, unit quaternion w x y z, covariance of
+p_x p_y p_z [m] and of a small turn about the rover's x y z [rad]. Exit code 4: no board accepted; the reason
+is printed.
+--folder searches every image of a folder by itself and counts the accepted boards. Exit code 0, or 3 when
+some file is no image (it is named, the others are done).)";
 
 LocateOutput Look(const StereoImages& images, const DetectArguments& arguments,
                   const FiducialBoard& board, const std::vector<System>& systems) {
