@@ -31,7 +31,7 @@ Examples:
   dockyard detect out/view/left.png out/view/right.png --robot models/axel/axel.yaml --board models/axel/station/station.yaml
   dockyard detect out/view/left.png --robot models/axel/axel.yaml --board models/axel/station/station.yaml --json
   dockyard detect out/view/right.png --camera right --robot models/axel/axel.yaml --board models/axel/station/station.yaml --draw out/view/seen.png
-  dockyard detect --folder out/view --robot models/axel/axel.yaml --board models/axel/station/station.yaml   # exit code 3: view.json is no image
+  dockyard detect --folder out/view --robot models/axel/axel.yaml --board models/axel/station/station.yaml
 
 One image is taken for the left camera's unless --camera says right. --board is a station's file or a board's
 own (docs/reference/models.md): discs with bars or plain ones. Prints each fiducial (pixel, id, detected

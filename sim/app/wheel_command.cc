@@ -35,7 +35,7 @@ Examples:
   dockyard wheel --wheel models/wheels/axel.yaml --soil models/soils/loose_sand.yaml \
     --slip 0.2 --beta 15 --load 200 --json
   dockyard wheel --sweep --wheel models/wheels/pavlov_grouser.yaml \
-    --soil models/soils/pavlov_90.yaml --slip -0.5,0,0.5 --beta 0,15 --load 24 --out out/wheel \
+    --soil models/soils/pavlov_90.yaml --slip -0.5,0.2,0.5 --beta 0,15 --load 24 --out out/wheel \
     --data tests/soil/data/single_wheel.csv --data-wheel grouser
 
 Slip is (w r - v) / max(|w r|, |v|), r the rim's radius, v the speed of travel; beta is the angle
