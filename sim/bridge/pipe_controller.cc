@@ -65,11 +65,11 @@ void PipeController::CheckHello(const Message& hello) {
 }
 
 void PipeController::Send(char kind, const std::string& payload) {
-  bytes_.clear();
-  PutU32(bytes_, static_cast<std::uint32_t>(payload.size()));
-  bytes_ += kind;
-  bytes_ += payload;
-  const Trouble trouble = process_.Write(bytes_, limit_s_);
+  std::string head;
+  PutU32(head, static_cast<std::uint32_t>(payload.size()));
+  head += kind;
+  Trouble trouble = process_.Write(head, limit_s_);
+  if (trouble == Trouble::kNone) trouble = process_.Write(payload, limit_s_);
   if (trouble != Trouble::kNone) Fail(trouble);
 }
 
@@ -89,9 +89,9 @@ PipeController::Message PipeController::Receive() {
 }
 
 Commands PipeController::Step(const SensorFrame& sensed) {
-  std::string frame;
-  PutFrame(frame, sensed, ImageCoding::kRaw);
-  Send(kFrame, frame);
+  bytes_.clear();
+  PutFrame(bytes_, sensed, ImageCoding::kRaw);
+  Send(kFrame, bytes_);
   for (;;) {
     const Message message = Receive();
     try {

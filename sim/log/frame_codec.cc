@@ -38,7 +38,8 @@ void PutImage(std::string& out, const CameraImage& image, ImageCoding coding) {
         PutU32(out, static_cast<std::uint32_t>(pixels.width));
         PutU32(out, static_cast<std::uint32_t>(pixels.height));
         if (coding == ImageCoding::kRaw) {
-          PutBytes(out, std::string(pixels.pixels.begin(), pixels.pixels.end()));
+          PutU32(out, static_cast<std::uint32_t>(pixels.pixels.size()));
+          out.append(reinterpret_cast<const char*>(pixels.pixels.data()), pixels.pixels.size());
         } else {
           PutBytes(out, count == 0 ? std::string() : EncodePng(pixels));
         }
