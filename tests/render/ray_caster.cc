@@ -271,8 +271,9 @@ RadianceImage CastRays(const Scene& scene, const Camera& camera, const Pose3& X_
     for (int x = 0; x < camera.width; ++x) {
       double sum = 0.0;
       for (int k = 0; k < rays_a_side * rays_a_side; ++k) {
-        const double u = x - 0.5 + (k % rays_a_side + 0.5) / rays_a_side;
-        const double v = y - 0.5 + (k / rays_a_side + 0.5) / rays_a_side;
+        const int column = k % rays_a_side, row = k / rays_a_side;
+        const double u = x - 0.5 + (column + 0.5) / rays_a_side;
+        const double v = y - 0.5 + (row + 0.5) / rays_a_side;
         const double radius = std::sqrt(HashUniform(11, ++place));
         const double angle = 2.0 * kPi * HashUniform(12, place);
         sum += world.Radiance(X_WC.p, X_WC.R * camera.Direction({u, v}),
