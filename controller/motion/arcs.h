@@ -31,8 +31,9 @@ double Length(const std::vector<Arc>& arcs);   // distance travelled [m]
 double Turning(const std::vector<Arc>& arcs);  // sum of absolute turns [rad]
 
 /// The one arc that carries the point p_RP of the rover onto a goal given in the rover's frame;
-/// Eqs. (2) and (3). Goals behind the axle are reached backwards. None when every turn would do
-/// or none (goal on the rover's point itself, or on its mirror image through the axle).
+/// Eqs. (2) and (3). A goal farther behind the axle than the point lies before it is reached
+/// backwards. None for the point itself, which every turn would do, and for its mirror image
+/// through the axle, which no turn reaches.
 std::optional<Arc> OneArcTo(const Eigen::Vector2d& p_RG, const Eigen::Vector2d& p_RP);
 
 /// The pair of arcs to a pose in the rover's frame whose first arc has the given curvature [1/m];
