@@ -26,6 +26,7 @@ constexpr std::array<double, 4> kBlack{0.68, 0.50, 0.36, 0.19};
 // the pixels beyond an ordinary image's black (3-9 DN in rendered views; assumed, 10-40).
 constexpr double kVeiledShare = 0.001;
 constexpr int kOrdinaryBlack = 20;
+
 constexpr int kDarkest = 10;  // [DN] light below which nothing is searched; 5 sigma of noise
 
 /// Smallest blob considered on the finest level [px]: two thirds of a 7 px disc seen at 45 deg.
