@@ -64,36 +64,36 @@ GroundShader::GroundShader(const GroundTexture& texture, const Scene& scene,
   bounce_ = static_cast<float>(r.bounce);
 }
 
-void GroundShader::operator()(const Looks& looks, float* radiance) const {
+void GroundShader::operator()(const PixelRow& row, float* radiance) const {
   Places places;
   Lights lights;
-  for (int first = 0; first < looks.count; first += kAtOnce) {
-    const int count = std::min(kAtOnce, looks.count - first);
-    Find(looks, first, count, places);
+  for (int first = 0; first < row.count; first += kAtOnce) {
+    const int count = std::min(kAtOnce, row.count - first);
+    Find(row, first, count, places);
     Fetch(count, places, lights);
     Light(count, lights);
-    Turn(looks, first, count, places, lights);
+    Turn(row, first, count, places, lights);
     for (int i = 0; i < count; ++i) {
-      const float share = lights.sun[i] > 0.0f ? SunShare(looks, first + i, places, lights, i) : 0;
+      const float share = lights.sun[i] > 0.0f ? SunShare(row, first + i, places, lights, i) : 0;
       radiance[first + i] = lights.around[i] + share * lights.sun[i];
     }
   }
 }
 
 // Share of the sun that objects leave a pixel.
-float GroundShader::SunShare(const Looks& looks, int pixel, const Places& places,
+float GroundShader::SunShare(const PixelRow& row, int pixel, const Places& places,
                              const Lights& lights, int i) const {
   SunShadow::Place place{.p = {lights.p_x[i], lights.p_y[i], lights.p_z[i]},
                          .slopes = {lights.slope_u_x[i], lights.slope_u_y[i]},
                          .bias_m = kBias_m,
                          .blur_m = places.blur[i],
-                         .pixel_x = looks.column + pixel,
-                         .pixel_y = looks.row};
+                         .pixel_x = row.column + pixel,
+                         .pixel_y = row.row};
   const float plain = shadow_.Plain(place);
   if (plain >= 0.0f) return plain;
-  const Eigen::Vector3f ray(looks.x[pixel], looks.y[pixel], 1.0f);
-  const Eigen::Vector3f along(looks.along_x[pixel], looks.along_y[pixel], 0.0f);
-  const Eigen::Vector3f down(looks.down_x[pixel], looks.down_y[pixel], 0.0f);
+  const Eigen::Vector3f ray(row.x[pixel], row.y[pixel], 1.0f);
+  const Eigen::Vector3f along(row.along_x[pixel], row.along_y[pixel], 0.0f);
+  const Eigen::Vector3f down(row.down_x[pixel], row.down_y[pixel], 0.0f);
   const float tilt_a = up_C_.dot(along), tilt_d = up_C_.dot(down);
   const bool a_is_longer = std::abs(tilt_a) > std::abs(tilt_d);
   const Eigen::Vector3f& step = a_is_longer ? along : down;
@@ -104,7 +104,7 @@ float GroundShader::SunShare(const Looks& looks, int pixel, const Places& places
 }
 
 DOCKYARD_TWO_WIDTHS
-void GroundShader::Find(const Looks& l, int first, int count, Places& p) const {
+void GroundShader::Find(const PixelRow& l, int first, int count, Places& p) const {
   const float ux = up_C_.x(), uy = up_C_.y(), uz = up_C_.z();
   const Eigen::Matrix<float, 2, 3> m = to_level_;
   const float px = p_GC_.x(), py = p_GC_.y();
@@ -185,12 +185,12 @@ void GroundShader::Light(int count, Lights& l) const {
 
 // Places and slopes in light axes.
 DOCKYARD_TWO_WIDTHS
-void GroundShader::Turn(const Looks& looks, int first, int count, const Places& p,
+void GroundShader::Turn(const PixelRow& row, int first, int count, const Places& p,
                         Lights& l) const {
   const Eigen::Matrix3f m = R_UC_, r = R_UG_;
   const Eigen::Vector3f o = p_UC_;
   for (int i = 0; i < count; ++i) {
-    const float x = p.z[i] * looks.x[first + i], y = p.z[i] * looks.y[first + i];
+    const float x = p.z[i] * row.x[first + i], y = p.z[i] * row.y[first + i];
     l.p_x[i] = o[0] + (m(0, 0) * x + m(0, 1) * y + m(0, 2) * p.z[i]);
     l.p_y[i] = o[1] + (m(1, 0) * x + m(1, 1) * y + m(1, 2) * p.z[i]);
     l.p_z[i] = o[2] + (m(2, 0) * x + m(2, 1) * y + m(2, 2) * p.z[i]);

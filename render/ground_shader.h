@@ -15,7 +15,7 @@ class GroundShader {
                const Pose3& X_WC, Channel channel);
 
   /// Pixels side by side in one row of the image that show the ground. Arrays of count:
-  struct Looks {
+  struct PixelRow {
     const float *x, *y;              // where each points in the tan plane
     const float *known_x, *known_y;  // a ray next to it
     const float* inverse_depth;      // 1/z of where that one meets the ground
@@ -25,19 +25,19 @@ class GroundShader {
     int column, row;  // of the first pixel
   };
   /// Their radiance. A pixel's radiance does not depend on the other pixels.
-  void operator()(const Looks& looks, float* radiance) const;
+  void operator()(const PixelRow& row, float* radiance) const;
 
  private:
   static constexpr int kAtOnce = 64;
   struct Places;
   struct Lights;
-  void Find(const Looks& looks, int first, int count, Places& places) const;
+  void Find(const PixelRow& row, int first, int count, Places& places) const;
   void Fetch(int count, const Places& places, Lights& lights) const;
   void Light(int count, Lights& lights) const;
   Four Relief(float x, float y, float column, float row, float lod) const;
-  float SunShare(const Looks& looks, int pixel, const Places& places, const Lights& lights,
+  float SunShare(const PixelRow& row, int pixel, const Places& places, const Lights& lights,
                  int i) const;
-  void Turn(const Looks& looks, int first, int count, const Places& places, Lights& lights) const;
+  void Turn(const PixelRow& row, int first, int count, const Places& places, Lights& lights) const;
 
   const GroundTexture& texture_;
   const SunShadow& shadow_;

@@ -51,7 +51,7 @@ Ball BoardBall(const Scene& scene) {
 }  // namespace
 
 // One view being painted.
-struct ScenePainter::Eye {
+struct ScenePainter::Frustum {
   Pose3 X_WC, X_CW;
   TanRect rect;
   int width = 0, height = 0;
@@ -137,18 +137,19 @@ void ScenePainter::DrawCasters(GlProgram& program, const Eigen::Matrix4d& clip_f
   tether_mesh_.Draw();
 }
 
-void ScenePainter::Pose(GlProgram& program, const Eye& eye, const Pose3& X_WO) const {
-  program.Set("u_clip_from_object", Eigen::Matrix4d(eye.clip_from_C * ToMatrix(eye.X_CW * X_WO)));
+void ScenePainter::Pose(GlProgram& program, const Frustum& frustum, const Pose3& X_WO) const {
+  program.Set("u_clip_from_object",
+              Eigen::Matrix4d(frustum.clip_from_C * ToMatrix(frustum.X_CW * X_WO)));
   program.Set("u_light_from_object", ToMatrix(Inverse(fit_.X_WU) * X_WO));
 }
 
 void ScenePainter::Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView& view) {
-  const Eye eye{.X_WC = X_WC,
-                .X_CW = Inverse(X_WC),
-                .rect = view.rect,
-                .width = view.width,
-                .height = view.height,
-                .clip_from_C = ClipFromCamera(view.rect)};
+  const Frustum frustum{.X_WC = X_WC,
+                        .X_CW = Inverse(X_WC),
+                        .rect = view.rect,
+                        .width = view.width,
+                        .height = view.height,
+                        .clip_from_C = ClipFromCamera(view.rect)};
   target.BindSeen();
   gl_.Viewport(0, 0, view.width, view.height);
   gl_.Enable(GL_DEPTH_TEST);
@@ -160,31 +161,31 @@ void ScenePainter::Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView
   constexpr GLuint kSky[4] = {0, 0, 0, 0};
   gl_.ClearBufferuiv(GL_COLOR, 0, kSky);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
-  PaintObjects(eye);
-  if (HasBoard(*scene_)) PaintBoard(eye);
-  if (HasGround(scene_->ground)) PaintGround(eye);
+  PaintObjects(frustum);
+  if (HasBoard(*scene_)) PaintBoard(frustum);
+  if (HasGround(scene_->ground)) PaintGround(frustum);
   view.seen.resize(static_cast<std::size_t>(view.width) * view.height);
   target.Read(view.width, view.height, view.seen.data());
-  PaintTether(eye, target, view);
+  PaintTether(frustum, target, view);
 }
 
-void ScenePainter::PaintObjects(const Eye& eye) {
+void ScenePainter::PaintObjects(const Frustum& frustum) {
   object_.Use();
   int index = -1;
   for (const SceneObject& object : scene_->objects) {
     ++index;
     const Cached& cached = cache_.at(object.mesh.get());
-    const Eigen::Vector3d p_C = eye.X_CW * (object.X_WO * cached.ball.center);
-    if (!MayShow(eye.rect, p_C, cached.ball.radius)) continue;
-    Pose(object_, eye, object.X_WO);
+    const Eigen::Vector3d p_C = frustum.X_CW * (object.X_WO * cached.ball.center);
+    if (!MayShow(frustum.rect, p_C, cached.ball.radius)) continue;
+    Pose(object_, frustum, object.X_WO);
     object_.Set("u_object", index);
     cached.buffers->Draw();
   }
 }
 
-void ScenePainter::PaintBoard(const Eye& eye) {
+void ScenePainter::PaintBoard(const Frustum& frustum) {
   board_.Use();
-  Pose(board_, eye, scene_->board.X_WB);
+  Pose(board_, frustum, scene_->board.X_WB);
   // A plate that is drawn in the board's plane must not shine through.
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(-1.0f, -8.0f);
@@ -192,10 +193,10 @@ void ScenePainter::PaintBoard(const Eye& eye) {
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void ScenePainter::PaintGround(const Eye& eye) {
+void ScenePainter::PaintGround(const Frustum& frustum) {
   ground_.Use();
-  Pose(ground_, eye, X_WF_);
-  const SectorRange range = VisibleSectors(Inverse(X_WF_) * eye.X_WC, eye.rect);
+  Pose(ground_, frustum, X_WF_);
+  const SectorRange range = VisibleSectors(Inverse(X_WF_) * frustum.X_WC, frustum.rect);
   const int per_sector = ground_mesh_.count() / kGroundSectors;
   const auto draw = [&](int from, int to) {
     ground_mesh_.Draw(per_sector * from, per_sector * (to - from));
@@ -206,17 +207,17 @@ void ScenePainter::PaintGround(const Eye& eye) {
 }
 
 // The pixels that the tether may touch.
-bool ScenePainter::FitThin(const Eye& eye, FlatView& view) const {
-  const Pose3& X_CW = eye.X_CW;
-  const double px = (eye.rect.right - eye.rect.left) / eye.width;
-  const double py = (eye.rect.bottom - eye.rect.top) / eye.height;
+bool ScenePainter::FitThin(const Frustum& frustum, FlatView& view) const {
+  const Pose3& X_CW = frustum.X_CW;
+  const double px = (frustum.rect.right - frustum.rect.left) / frustum.width;
+  const double py = (frustum.rect.bottom - frustum.rect.top) / frustum.height;
   Eigen::AlignedBox2d box;
   bool any = false;
   for (const Eigen::Vector3d& p_W : scene_->tether.points_W) {
     const Eigen::Vector3d p_C = X_CW * p_W;
     if (p_C.z() < 2.0 * kNear_m) {  // may come up to the camera: anywhere
-      box.extend(Eigen::Vector2d(eye.rect.left, eye.rect.top));
-      box.extend(Eigen::Vector2d(eye.rect.right, eye.rect.bottom));
+      box.extend(Eigen::Vector2d(frustum.rect.left, frustum.rect.top));
+      box.extend(Eigen::Vector2d(frustum.rect.right, frustum.rect.bottom));
       continue;
     }
     any = true;
@@ -229,19 +230,19 @@ bool ScenePainter::FitThin(const Eye& eye, FlatView& view) const {
   const auto pixel = [](double at, double from, double step, int last) {
     return static_cast<int>(std::clamp(std::floor((at - from) / step), 0.0, double(last)));
   };
-  view.thin_x = pixel(box.min().x(), eye.rect.left, px, eye.width);
-  view.thin_y = pixel(box.min().y(), eye.rect.top, py, eye.height);
-  view.thin_width = pixel(box.max().x() + px, eye.rect.left, px, eye.width) - view.thin_x;
-  view.thin_height = pixel(box.max().y() + py, eye.rect.top, py, eye.height) - view.thin_y;
+  view.thin_x = pixel(box.min().x(), frustum.rect.left, px, frustum.width);
+  view.thin_y = pixel(box.min().y(), frustum.rect.top, py, frustum.height);
+  view.thin_width = pixel(box.max().x() + px, frustum.rect.left, px, frustum.width) - view.thin_x;
+  view.thin_height = pixel(box.max().y() + py, frustum.rect.top, py, frustum.height) - view.thin_y;
   return view.thin_width > 0 && view.thin_height > 0;
 }
 
-void ScenePainter::PaintTether(const Eye& eye, const GlViewTarget& target, FlatView& view) {
+void ScenePainter::PaintTether(const Frustum& frustum, const GlViewTarget& target, FlatView& view) {
   view.thin.clear();
   view.thin_width = view.thin_height = 0;
-  if (!FitThin(eye, view)) return;
-  const Pose3 X_CP = eye.X_CW * X_WP_;
-  const double pixel = (eye.rect.right - eye.rect.left) / eye.width;
+  if (!FitThin(frustum, view)) return;
+  const Pose3 X_CP = frustum.X_CW * X_WP_;
+  const double pixel = (frustum.rect.right - frustum.rect.left) / frustum.width;
   tether_mesh_.Upload(TetherTube(
       [&](const Eigen::Vector3d& p_P) { return 0.6 * pixel * std::max((X_CP * p_P).z(), 0.0); }));
   target.BindThin();
@@ -250,7 +251,7 @@ void ScenePainter::PaintTether(const Eye& eye, const GlViewTarget& target, FlatV
   constexpr GLfloat kNone[4] = {0, 0, 0, 0};
   gl_.ClearBufferfv(GL_COLOR, 0, kNone);
   thin_.Use();
-  Pose(thin_, eye, X_WP_);
+  Pose(thin_, frustum, X_WP_);
   thin_.Set("u_up", Eigen::Vector3d(fit_.X_WU.R.row(2).transpose()));
   gl_.Enable(GL_CULL_FACE);  // or the far side would count as cover too
   gl_.Enable(GL_BLEND);

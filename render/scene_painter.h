@@ -39,7 +39,7 @@ class ScenePainter {
     Ball ball;
     bool used = false;
   };
-  struct Eye;
+  struct Frustum;
 
   void UploadObjects(const Scene& scene);
   void UploadGround(const Scene& scene, const Pose3& X_WR);
@@ -47,12 +47,12 @@ class ScenePainter {
   void DrawCasters(GlProgram& program, const Eigen::Matrix4d& clip_from_U,
                    const ShadowWindow& window);
   SurfaceMesh TetherTube(const std::function<double(const Eigen::Vector3d&)>& drawn);
-  void Pose(GlProgram& program, const Eye& eye, const Pose3& X_WO) const;
-  void PaintObjects(const Eye& eye);
-  void PaintBoard(const Eye& eye);
-  void PaintGround(const Eye& eye);
-  bool FitThin(const Eye& eye, FlatView& view) const;
-  void PaintTether(const Eye& eye, const GlViewTarget& target, FlatView& view);
+  void Pose(GlProgram& program, const Frustum& frustum, const Pose3& X_WO) const;
+  void PaintObjects(const Frustum& frustum);
+  void PaintBoard(const Frustum& frustum);
+  void PaintGround(const Frustum& frustum);
+  bool FitThin(const Frustum& frustum, FlatView& view) const;
+  void PaintTether(const Frustum& frustum, const GlViewTarget& target, FlatView& view);
 
   const GlFunctions& gl_;
   ShadowMap shadow_map_;

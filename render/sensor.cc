@@ -90,7 +90,7 @@ float DrawPoisson(float mean, std::uint64_t key, std::size_t place) {
 }
 
 DOCKYARD_TWO_WIDTHS
-DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOptions& s, int eye,
+DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOptions& s, int view,
                    std::uint64_t key) {
   DeepImage out{.width = image.width, .height = image.height, .bits = s.bits, .pixels = {}};
   out.pixels.resize(image.values.size());
@@ -100,7 +100,7 @@ DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOption
   const auto most = static_cast<float>((1 << s.bits) - 1);
   const auto levels_per_e = static_cast<float>(most / s.full_well_e);
   const auto response = static_cast<float>(s.response_sigma);
-  const std::uint64_t pattern = SplitMix(s.pattern_key, static_cast<std::uint64_t>(eye));
+  const std::uint64_t pattern = SplitMix(s.pattern_key, static_cast<std::uint64_t>(view));
   for (std::size_t i = 0; i < out.pixels.size(); ++i) {
     float electrons = std::max(gain * image.values[i], 0.0f);
     if (response > 0.0f) electrons *= std::max(1.0f + response * HashNormal(pattern, i), 0.0f);
@@ -115,17 +115,17 @@ DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOption
   return out;
 }
 
-const Camera& CameraOf(const StereoRig& rig, int eye) { return eye == 0 ? rig.left : rig.right; }
+const Camera& CameraOf(const StereoRig& rig, int view) { return view == 0 ? rig.left : rig.right; }
 
 // Light on the sensor.
 std::array<RadianceImage, 2> ThroughLens(std::array<RadianceImage, 2> images, const StereoRig& rig,
                                          const SensorOptions& sensor) {
-  for (int eye = 0; eye < 2; ++eye) {
-    const Camera& camera = CameraOf(rig, eye);
-    DOCKYARD_CHECK(images[eye].width == camera.width && images[eye].height == camera.height);
-    DOCKYARD_CHECK(images[eye].values.size() ==
+  for (int view = 0; view < 2; ++view) {
+    const Camera& camera = CameraOf(rig, view);
+    DOCKYARD_CHECK(images[view].width == camera.width && images[view].height == camera.height);
+    DOCKYARD_CHECK(images[view].values.size() ==
                    static_cast<std::size_t>(camera.width) * camera.height);
-    ApplyOptics(camera, sensor, images[eye]);
+    ApplyOptics(camera, sensor, images[view]);
   }
   return images;
 }
@@ -168,20 +168,20 @@ std::array<std::array<DeepImage, 3>, 2> ExposeColour(
   // Exposed as the grey image would be.
   const Eigen::Vector3d share = ChannelWeights(Channel::kGrey);
   std::array<RadianceImage, 2> grey = seen[0];
-  for (int eye = 0; eye < 2; ++eye) {
-    for (std::size_t i = 0; i < grey[eye].values.size(); ++i) {
-      grey[eye].values[i] =
-          static_cast<float>(share[0] * seen[0][eye].values[i] + share[1] * seen[1][eye].values[i] +
-                             share[2] * seen[2][eye].values[i]);
+  for (int view = 0; view < 2; ++view) {
+    for (std::size_t i = 0; i < grey[view].values.size(); ++i) {
+      grey[view].values[i] = static_cast<float>(share[0] * seen[0][view].values[i] +
+                                                share[1] * seen[1][view].values[i] +
+                                                share[2] * seen[2][view].values[i]);
     }
   }
   const double gain = Gain(grey, sensor);
   std::array<std::array<DeepImage, 3>, 2> out;
-  for (int eye = 0; eye < 2; ++eye) {
+  for (int view = 0; view < 2; ++view) {
     for (int channel = 0; channel < 3; ++channel) {
-      const auto stream = static_cast<std::uint64_t>(2 + 3 * eye + channel);
-      out[eye][channel] = Digitise(seen[channel][eye], gain, sensor, 2 + 3 * eye + channel,
-                                   SplitMix(sensor.noise_key, stream));
+      const auto stream = static_cast<std::uint64_t>(2 + 3 * view + channel);
+      out[view][channel] = Digitise(seen[channel][view], gain, sensor, 2 + 3 * view + channel,
+                                    SplitMix(sensor.noise_key, stream));
     }
   }
   return out;

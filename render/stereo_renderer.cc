@@ -91,8 +91,8 @@ class StereoRenderer::Impl {
       texture_.Update(scene.ground, scene.light.to_sun_W, scene.light.sun_angular_diameter_rad);
     }
     const Pose3 X_WL = X_WR * rig.X_RL, X_WQ = X_WR * rig.X_RQ;
-    return {RenderEye(scene, LensOf(0, rig.left, scene, X_WL), X_WL, channels, with_depth),
-            RenderEye(scene, LensOf(1, rig.right, scene, X_WQ), X_WQ, channels, with_depth)};
+    return {RenderView(scene, LensOf(0, rig.left, scene, X_WL), X_WL, channels, with_depth),
+            RenderView(scene, LensOf(1, rig.right, scene, X_WQ), X_WQ, channels, with_depth)};
   }
 
  private:
@@ -102,8 +102,8 @@ class StereoRenderer::Impl {
     TanRect rect;
     PixelGrid grid{};
   };
-  const Lens& LensOf(int eye, const Camera& camera, const Scene& scene, const Pose3& X_WC) {
-    std::optional<Lens>& lens = lenses_[eye];
+  const Lens& LensOf(int view, const Camera& camera, const Scene& scene, const Pose3& X_WC) {
+    std::optional<Lens>& lens = lenses_[view];
     if (lens && lens->scale.camera() == camera && !lens->scale.pupil_moves()) return *lens;
     if (!lens || !(lens->scale.camera() == camera)) {
       const TanScale scale(camera);
@@ -122,8 +122,8 @@ class StereoRenderer::Impl {
     return *lens;
   }
 
-  std::vector<RadianceImage> RenderEye(const Scene& scene, const Lens& lens, const Pose3& X_WC,
-                                       const std::vector<Channel>& channels, bool with_depth) {
+  std::vector<RadianceImage> RenderView(const Scene& scene, const Lens& lens, const Pose3& X_WC,
+                                        const std::vector<Channel>& channels, bool with_depth) {
     const Camera& camera = lens.scale.camera();
     const TanRect& rect = lens.rect;
     Size(camera, rect, kWideDensity, kMostFlatPixels, wide_);
@@ -167,20 +167,20 @@ StereoRenderer::~StereoRenderer() = default;
 std::array<RadianceImage, 2> StereoRenderer::RenderRadiance(const Scene& scene,
                                                             const StereoRig& rig, const Pose3& X_WR,
                                                             bool with_depth) {
-  auto eyes = impl_->Render(scene, rig, X_WR, {Channel::kGrey}, with_depth);
-  return {std::move(eyes[0][0]), std::move(eyes[1][0])};
+  auto seen = impl_->Render(scene, rig, X_WR, {Channel::kGrey}, with_depth);
+  return {std::move(seen[0][0]), std::move(seen[1][0])};
 }
 
 std::array<std::array<RadianceImage, 3>, 2> StereoRenderer::RenderColour(const Scene& scene,
                                                                          const StereoRig& rig,
                                                                          const Pose3& X_WR,
                                                                          bool with_depth) {
-  auto eyes =
+  auto seen =
       impl_->Render(scene, rig, X_WR, {Channel::kRed, Channel::kGreen, Channel::kBlue}, with_depth);
   std::array<std::array<RadianceImage, 3>, 2> colour;
-  for (int eye = 0; eye < 2; ++eye) {
+  for (int view = 0; view < 2; ++view) {
     for (int channel = 0; channel < 3; ++channel) {
-      colour[eye][channel] = std::move(eyes[eye][channel]);
+      colour[view][channel] = std::move(seen[view][channel]);
     }
   }
   return colour;

@@ -309,9 +309,9 @@ std::optional<Event> AxelMachine::Reel(Commands* commands) {
   Spool(commands) =
       Winch(nominal_, tether.reel_m_s,
             seating ? options_.mate.seat_tension_n : tether.reel_tension_n, tether.accel_rad_s2);
-  if (left <= 0.0) return Event::kHome;
+  if (left <= 0.0) return Event::kReeledIn;
   if (!Stuck()) return std::nullopt;
-  if (seating) return Event::kHome;
+  if (seating) return Event::kReeledIn;
   return Recover(Event::kStuck, "does not go in");
 }
 
@@ -320,11 +320,11 @@ std::optional<Event> AxelMachine::Reel(Commands* commands) {
 std::optional<Event> AxelMachine::Confirm(Commands* commands) {
   StandStill(nominal_, options_.drive, InPhase(), commands);
   if (!braked_) {
-    Spool(commands) = Winch(nominal_, options_.mate.home_m_s, options_.mate.home_tension_n,
+    Spool(commands) = Winch(nominal_, options_.mate.taut_m_s, options_.mate.taut_tension_n,
                             options_.tether.accel_rad_s2);
     const bool waited = InPhase() >= options_.drive.stop_time + options_.tether.taut_after;
     const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
-    if ((!waited || still < options_.tether.taut_after) && InPhase() < options_.mate.home_limit) {
+    if ((!waited || still < options_.tether.taut_after) && InPhase() < options_.mate.taut_limit) {
       return std::nullopt;
     }
     braked_ = Braked{senses_.now(), senses_.reeled_m()};

@@ -120,9 +120,9 @@ struct MateOptions {
   Tick stuck_after = 2'000;  // spool at its limit without taking up
   // Seated, wheels braked: the tether is drawn taut before the brake, else the rover hangs loose in
   // the socket. Above a straight pull's 90 N, below the 105 N that lift it over a paddle; 60-150.
-  double home_tension_n = 100.0;
-  double home_m_s = 0.02;     // assumed, 0.01-0.05
-  Tick home_limit = 10'000;   // then brake in any case
+  double taut_tension_n = 100.0;
+  double taut_m_s = 0.02;     // assumed, 0.01-0.05
+  Tick taut_limit = 10'000;   // then brake in any case
   Tick confirm_time = 1'500;  // spool braked: nothing may move
   double confirm_slip_m = 0.003;
 };

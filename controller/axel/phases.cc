@@ -31,7 +31,7 @@ constexpr std::array kTransitions = {
     Transition{Phase::kRecheck, Event::kGoMate, Phase::kEnter},
     Transition{Phase::kRecheck, Event::kGoRecover, Phase::kRecover},
     Transition{Phase::kEnter, Event::kArrived, Phase::kReel},
-    Transition{Phase::kReel, Event::kHome, Phase::kConfirm},
+    Transition{Phase::kReel, Event::kReeledIn, Phase::kConfirm},
     Transition{Phase::kReel, Event::kStuck, Phase::kRecover},
     Transition{Phase::kConfirm, Event::kSteady, Phase::kDocked},
     Transition{Phase::kConfirm, Event::kStuck, Phase::kRecover},

@@ -33,7 +33,7 @@ enum class Event {
   kGoMate,     // aligned
   kGoRecover,  // misaligned and too near
   kArrived,    // the move is over, complete or not
-  kHome,       // reeled in as far as asked
+  kReeledIn,   // reeled in as far as asked
   kStuck,      // it does not go in, or does not stay in
   kSteady,
   kLimitReached,

@@ -23,8 +23,8 @@ class ReelOnly final : public Controller {
     const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
     // It cannot know how much tether is out, so it ends where the spool stalls. It cannot tell the
     // socket's end from a jam on the way there.
-    if (still >= options_.mate.stuck_after) home_ = true;
-    if (home_) {
+    if (still >= options_.mate.stuck_after) reeled_in_ = true;
+    if (reeled_in_) {
       belief_.phase = "docked";
       commands.verdict = Verdict::kDocked;
     } else {
@@ -46,7 +46,7 @@ class ReelOnly final : public Controller {
   Senses senses_;
   ArmLevel arm_;
   StillWatch still_;
-  bool home_ = false;
+  bool reeled_in_ = false;
   Belief belief_;
 };
 

@@ -22,7 +22,7 @@ struct Upright {
   enum class Against {
     kPlumb,    // gravity: the board's x axis level to 15 deg, its plane upright to 30 deg
     kGravity,  // a roll about the line of sight, from gravity's up
-    kPicture,  // the same, from the image's up (-y of the camera)
+    kImage,    // the same, from the image's up (-y of the camera)
   };
   Against against = Against::kPlumb;
   double within_rad = 0.0;  // the largest roll either way; unused by kPlumb

@@ -18,10 +18,10 @@ struct BlobLevel {
   cv::Mat flat;  // 8 bit: kFlatWhite times the grey over the white that surrounds it
   double scale() const { return static_cast<double>(1 << level); }
   /// A pixel of this level in the image, and a pixel of the image in this level.
-  Eigen::Vector2d ToPicture(const Eigen::Vector2d& at) const {
+  Eigen::Vector2d ToImage(const Eigen::Vector2d& at) const {
     return scale() * (at + Eigen::Vector2d(0.5, 0.5)) - Eigen::Vector2d(0.5, 0.5);
   }
-  Eigen::Vector2d FromPicture(const Eigen::Vector2d& at) const {
+  Eigen::Vector2d FromImage(const Eigen::Vector2d& at) const {
     return (at + Eigen::Vector2d(0.5, 0.5)) / scale() - Eigen::Vector2d(0.5, 0.5);
   }
 };

@@ -215,18 +215,18 @@ std::vector<PlanarBranch> PossiblePoses(const Scene& scene, const Candidate& can
   return possible;
 }
 
-EyeCorrespondence Complete(const Scene& scene, const Candidate& candidate,
-                           const std::vector<PlanarBranch>& branches) {
-  EyeCorrespondence eye{.matches = candidate.matches, .centres = {}, .branches = branches};
+Correspondence Complete(const Scene& scene, const Candidate& candidate,
+                        const std::vector<PlanarBranch>& branches) {
+  Correspondence named{.matches = candidate.matches, .centres = {}, .branches = branches};
   for (const Fiducial& fiducial : scene.board.fiducials) {
     const Eigen::Vector2d unseen(-1.0, -1.0);
-    eye.centres.push_back(Reproject(scene, candidate.H, fiducial.p_BF).value_or(unseen));
+    named.centres.push_back(Reproject(scene, candidate.H, fiducial.p_BF).value_or(unseen));
   }
   for (const MarkMatch& match : candidate.matches) {
-    eye.centres[static_cast<std::size_t>(match.id)] =
+    named.centres[static_cast<std::size_t>(match.id)] =
         scene.detections[static_cast<std::size_t>(match.detection)].rim.centre_px;
   }
-  return eye;
+  return named;
 }
 
 /// Whether the layout alone names the marks: nothing else does for plain discs, and of many bars in
@@ -290,11 +290,11 @@ bool FitsElsewhere(const Scene& scene, const Candidate& candidate, const Pose3& 
 
 /// The best naming, unless another comes near it: a rival has at most one mark less, and fits
 /// nearly as well or better.
-Result<EyeCorrespondence, PoseFailure> BestWithoutRival(
+Result<Correspondence, PoseFailure> BestWithoutRival(
     const Scene& scene, const std::vector<std::vector<MarkMatch>>& hypotheses,
     const Eigen::Vector3d& up_C) {
   constexpr double kFitsAsWell = 3.0, kFitsAsWellPx = 0.3;  // assumed, 2-4 and 0.2-0.5
-  std::optional<EyeCorrespondence> best;
+  std::optional<Correspondence> best;
   for (const Candidate& candidate : Vote(scene, hypotheses, false)) {
     if (best && candidate.matches.size() + 1 < best->matches.size()) break;
     const std::vector<PlanarBranch> branches = PossiblePoses(scene, candidate, up_C);
@@ -315,16 +315,16 @@ Result<EyeCorrespondence, PoseFailure> BestWithoutRival(
 
 }  // namespace
 
-Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
-                                                  const Camera& camera, const FiducialBoard& board,
-                                                  const Eigen::Vector3d& up_C, int min_marks) {
+Result<Correspondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
+                                               const Camera& camera, const FiducialBoard& board,
+                                               const Eigen::Vector3d& up_C, int min_marks) {
   if (static_cast<int>(detections.size()) < min_marks) return PoseFailure::kTooFewFiducials;
   const Scene scene = Prepare(detections, camera, board, min_marks);
   if (NamedByLayout(board)) {
     return BestWithoutRival(scene, NamingsByLayout(detections, camera, board, up_C), up_C);
   }
   const auto hypotheses = NamingHypotheses(detections, board, kMaxOfOneClass);
-  std::optional<EyeCorrespondence> best;
+  std::optional<Correspondence> best;
   // Leaving marks out takes most of the time and serves images with false or misread ones. When
   // every detection or every fiducial is named, no other naming can win.
   const std::size_t most = std::min(detections.size(), board.fiducials.size());

@@ -15,7 +15,7 @@
 namespace dockyard {
 
 /// The correspondence in one image.
-struct EyeCorrespondence {
+struct Correspondence {
   std::vector<MarkMatch> matches;        // by id
   std::vector<Eigen::Vector2d> centres;  // pixel of each fiducial: measured, or else filled in
                                          // through the homography
@@ -28,9 +28,9 @@ struct EyeCorrespondence {
 /// counted. The winner has the most marks, then the least error, and must be a plumb board seen
 /// from its front. up_C: against gravity, unit, in the camera. With min_marks four instead of five,
 /// this image alone cannot show a false mark: the other image must confirm.
-Result<EyeCorrespondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
-                                                  const Camera& camera, const FiducialBoard& board,
-                                                  const Eigen::Vector3d& up_C, int min_marks = 5);
+Result<Correspondence, PoseFailure> Correspond(const std::vector<DetectedFiducial>& detections,
+                                               const Camera& camera, const FiducialBoard& board,
+                                               const Eigen::Vector3d& up_C, int min_marks = 5);
 
 /// The detections that a known pose explains, nearest first, each once.
 std::vector<MarkMatch> MatchByPose(const std::vector<DetectedFiducial>& detections,

@@ -38,15 +38,15 @@ constexpr double kRimSigma = 0.12;
 static_assert(kBarAngles == std::tuple_size_v<decltype(DetectedFiducial::bar_match)>);
 
 Ellipse ToLevel(const Ellipse& rim, const BlobLevel& level) {
-  return {.centre_px = level.FromPicture(rim.centre_px), .shape_px = rim.shape_px / level.scale()};
+  return {.centre_px = level.FromImage(rim.centre_px), .shape_px = rim.shape_px / level.scale()};
 }
-Ellipse ToPicture(const Ellipse& rim, const BlobLevel& level) {
-  return {.centre_px = level.ToPicture(rim.centre_px), .shape_px = rim.shape_px * level.scale()};
+Ellipse ToImage(const Ellipse& rim, const BlobLevel& level) {
+  return {.centre_px = level.ToImage(rim.centre_px), .shape_px = rim.shape_px * level.scale()};
 }
 
 std::optional<DetectedFiducial> Verify(const GrayImage& image, const BlobLevel& level,
                                        const Blob& blob, const FiducialBoard& board) {
-  const std::optional<RimFit> rim = RefineRim(image, ToPicture(blob.moments, level));
+  const std::optional<RimFit> rim = RefineRim(image, ToImage(blob.moments, level));
   if (!rim) return std::nullopt;
   const auto bar = MatchBar(level.flat, ToLevel(rim->ellipse, level), board,
                             level.level == 0 ? kFineBlur : kCoarseBlur,
@@ -102,8 +102,8 @@ double BarMatchAt(const DetectedFiducial& fiducial, double angle_rad) {
 }
 
 /// Direction of the plumb line's image at a pixel, upwards, unit.
-std::optional<Eigen::Vector2d> UpInPicture(const Camera& camera, const Eigen::Vector3d& up_C,
-                                           const Eigen::Vector2d& pixel) {
+std::optional<Eigen::Vector2d> UpInImage(const Camera& camera, const Eigen::Vector3d& up_C,
+                                         const Eigen::Vector2d& pixel) {
   const LensRay ray = camera.Ray(pixel);
   const auto above = camera.Project(ray.origin + ray.direction + 1e-3 * up_C);
   if (!above || (*above - pixel).norm() < 1e-6) return std::nullopt;
@@ -127,7 +127,7 @@ std::vector<DetectedFiducial> DetectFiducials(const GrayImage& image,
   std::vector<DetectedFiducial> found;
   for (const BlobLevel& level : levels) {
     for (const Blob& blob : FindBlobs(level)) {
-      if (IsKnown(found, level.ToPicture(blob.moments.centre_px))) continue;
+      if (IsKnown(found, level.ToImage(blob.moments.centre_px))) continue;
       const auto fiducial = Verify(image, level, blob, board);
       if (fiducial) found.push_back(*fiducial);
     }
@@ -161,7 +161,7 @@ void AssignRotations(std::vector<DetectedFiducial>& fiducials, const Camera& cam
   for (DetectedFiducial& fiducial : fiducials) {
     const Ellipse& rim = fiducial.rim;
     const Eigen::Vector2d up =
-        UpInPicture(camera, up_C, rim.centre_px).value_or(Eigen::Vector2d(0.0, -1.0));
+        UpInImage(camera, up_C, rim.centre_px).value_or(Eigen::Vector2d(0.0, -1.0));
     const Eigen::Vector2d up_disc = rim.shape_px.inverse() * up;
     const double lean = std::atan2(-up_disc.y(), up_disc.x()) - kPi / 2.0;
     std::array<double, 4> scores;

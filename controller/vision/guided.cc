@@ -64,7 +64,7 @@ std::optional<DetectedFiducial> DetectAt(const GrayImage& image,
   std::size_t at = 0;
   while (at + 1 < levels.size() && radius / levels[at].scale() > kMaxLevelRadius) ++at;
   const BlobLevel& level = levels[at];
-  const Ellipse there{.centre_px = level.FromPicture(rim->ellipse.centre_px),
+  const Ellipse there{.centre_px = level.FromImage(rim->ellipse.centre_px),
                       .shape_px = rim->ellipse.shape_px / level.scale()};
   const auto bar =
       MatchBar(level.flat, there, board, level.level == 0 ? kFineBlur : kCoarseBlur, 1.0);

@@ -37,36 +37,36 @@ struct Seen {
   double gate_px = 0.0;
 };
 
-struct Picture {
+struct DetectedMarks {
   TangentPlane plane;
   std::vector<Seen> seen;
 };
 
-Picture Prepare(const std::vector<DetectedFiducial>& detections, const Camera& camera,
-                const FiducialBoard& board) {
-  Picture picture;
+DetectedMarks Prepare(const std::vector<DetectedFiducial>& detections, const Camera& camera,
+                      const FiducialBoard& board) {
+  DetectedMarks marks;
   std::vector<Eigen::Vector3d> rays;
   for (const auto& detection : detections)
     rays.push_back(camera.Direction(detection.rim.centre_px));
-  picture.plane = TangentPlaneAt(rays);
+  marks.plane = TangentPlaneAt(rays);
   for (std::size_t i = 0; i < detections.size(); ++i) {
     const Ellipse& rim = detections[i].rim;
     const auto on_plane = [&](double du, double dv) {
-      return picture.plane.FromRay(camera.Direction(rim.centre_px + Eigen::Vector2d(du, dv)));
+      return marks.plane.FromRay(camera.Direction(rim.centre_px + Eigen::Vector2d(du, dv)));
     };
     Eigen::Matrix2d T_by_px;
     T_by_px.col(0) = 0.5 * (on_plane(1, 0) - on_plane(-1, 0));
     T_by_px.col(1) = 0.5 * (on_plane(0, 1) - on_plane(0, -1));
     Seen seen;
-    seen.at_T = picture.plane.FromRay(rays[i]);
+    seen.at_T = marks.plane.FromRay(rays[i]);
     seen.px_by_T = T_by_px.inverse();
     seen.board_by_T = 0.5 * board.disc_diameter_m * rim.shape_px.inverse() * seen.px_by_T;
     seen.sight_C = rays[i];
     seen.radius_px = rim.mean_radius_px();
     seen.gate_px = 3.0 + 0.25 * seen.radius_px;
-    picture.seen.push_back(seen);
+    marks.seen.push_back(seen);
   }
-  return picture;
+  return marks;
 }
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -87,13 +87,13 @@ std::vector<Beside> Nearest(std::vector<Beside> all, std::size_t count) {
   return all;
 }
 
-std::vector<Beside> SeenBeside(const Picture& picture, std::size_t seed) {
+std::vector<Beside> SeenBeside(const DetectedMarks& marks, std::size_t seed) {
   std::vector<Beside> all;
-  const Seen& from = picture.seen[seed];
-  for (std::size_t i = 0; i < picture.seen.size(); ++i) {
-    const double ratio = picture.seen[i].radius_px / from.radius_px;
+  const Seen& from = marks.seen[seed];
+  for (std::size_t i = 0; i < marks.seen.size(); ++i) {
+    const double ratio = marks.seen[i].radius_px / from.radius_px;
     if (i == seed || ratio > 2.0 || ratio < 0.5 || !from.board_by_T.allFinite()) continue;
-    all.push_back({static_cast<int>(i), from.board_by_T * (picture.seen[i].at_T - from.at_T)});
+    all.push_back({static_cast<int>(i), from.board_by_T * (marks.seen[i].at_T - from.at_T)});
   }
   return Nearest(std::move(all), kNearSeen);
 }
@@ -130,12 +130,12 @@ bool OnALine(const Beside& a, const Beside& b) {
 /// Each mark with the nearest detection of its size within the gate, both once.
 /// @param places_T  by mark; NaN: not to be seen
 /// @param radii_px  by mark; zero: any
-Naming NameBy(const Picture& picture, const std::vector<Eigen::Vector2d>& places_T,
+Naming NameBy(const DetectedMarks& marks, const std::vector<Eigen::Vector2d>& places_T,
               const std::vector<double>& radii_px) {
   std::vector<std::tuple<double, int, int>> pairs;
   for (std::size_t id = 0; id < places_T.size(); ++id) {
-    for (std::size_t d = 0; d < picture.seen.size(); ++d) {
-      const Seen& seen = picture.seen[d];
+    for (std::size_t d = 0; d < marks.seen.size(); ++d) {
+      const Seen& seen = marks.seen[d];
       const double ratio = radii_px[id] > 0.0 ? seen.radius_px / radii_px[id] : 1.0;
       if (ratio > kSizeTolerance || ratio < 1.0 / kSizeTolerance) continue;
       const double distance = (seen.px_by_T * (places_T[id] - seen.at_T)).norm();
@@ -164,25 +164,25 @@ double RadiusPx(const Camera& camera, const FiducialBoard& board, const Pose3& X
   return 0.5 * board.disc_diameter_m * camera.focal_px().x() / p_C.norm() * std::sqrt(slant);
 }
 
-Naming NameByPose(const Picture& picture, const Camera& camera, const FiducialBoard& board,
+Naming NameByPose(const DetectedMarks& marks, const Camera& camera, const FiducialBoard& board,
                   const Pose3& X_CB) {
   std::vector<Eigen::Vector2d> places;
   std::vector<double> radii;
   for (const Fiducial& mark : board.fiducials) {
     const Eigen::Vector3d p_C = X_CB * Eigen::Vector3d(mark.p_BF.x(), mark.p_BF.y(), 0.0);
     radii.push_back(RadiusPx(camera, board, X_CB, p_C));
-    places.push_back(p_C.z() > 0.0 ? picture.plane.FromRay(p_C.normalized()) : kUnseen);
+    places.push_back(p_C.z() > 0.0 ? marks.plane.FromRay(p_C.normalized()) : kUnseen);
   }
-  return NameBy(picture, places, radii);
+  return NameBy(marks, places, radii);
 }
 
 /// The naming, with the marks that a homography through it adds.
-Naming Grown(const Picture& picture, const FiducialBoard& board, Naming naming) {
+Naming Grown(const DetectedMarks& marks, const FiducialBoard& board, Naming naming) {
   for (int round = 0; round < kRounds && naming.size() >= 4; ++round) {
     std::vector<PlanePair> pairs;
     for (const MarkMatch& match : naming) {
       pairs.push_back({.board = board.fiducials[static_cast<std::size_t>(match.id)].p_BF,
-                       .image = picture.seen[static_cast<std::size_t>(match.detection)].at_T});
+                       .image = marks.seen[static_cast<std::size_t>(match.detection)].at_T});
     }
     const auto H = FitHomography(pairs);
     if (!H) break;
@@ -190,7 +190,7 @@ Naming Grown(const Picture& picture, const FiducialBoard& board, Naming naming) 
     for (const Fiducial& mark : board.fiducials) {
       places.push_back(Map(*H, mark.p_BF).value_or(kUnseen));
     }
-    Naming wider = NameBy(picture, places, std::vector<double>(places.size(), 0.0));
+    Naming wider = NameBy(marks, places, std::vector<double>(places.size(), 0.0));
     if (wider.size() <= naming.size()) break;
     naming = std::move(wider);
   }
@@ -204,7 +204,7 @@ bool Same(const Naming& a, const Naming& b) {
 }
 
 struct Search {
-  const Picture& picture;
+  const DetectedMarks& marks;
   const Camera& camera;
   const FiducialBoard& board;
   const Eigen::Vector3d& up_C;
@@ -227,18 +227,18 @@ void TryTriple(Search& search, std::size_t seed, const Beside& a, const Beside& 
     const Eigen::Vector2d& p = search.board.fiducials[id].p_BF;
     return Eigen::Vector3d(p.x(), p.y(), 0.0);
   };
-  const auto sight = [&](std::size_t i) { return search.picture.seen[i].sight_C; };
+  const auto sight = [&](std::size_t i) { return search.marks.seen[i].sight_C; };
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const auto poses =
       PosesFromThreePoints({point(mark), point(at(mark_a.index)), point(at(mark_b.index))},
                            {sight(seed), sight(at(a.index)), sight(at(b.index))});
   for (const Pose3& X_CB : poses) {
     if (!ShowsItsFace(X_CB) || !IsUpright(X_CB, search.board.upright, Pose3{}, search.up_C) ||
-        !SizeFits(search.picture.seen[seed], search, X_CB, point(mark))) {
+        !SizeFits(search.marks.seen[seed], search, X_CB, point(mark))) {
       continue;
     }
-    const Naming naming = Grown(search.picture, search.board,
-                                NameByPose(search.picture, search.camera, search.board, X_CB));
+    const Naming naming = Grown(search.marks, search.board,
+                                NameByPose(search.marks, search.camera, search.board, X_CB));
     if (static_cast<int>(naming.size()) < MarksNeeded(search.board)) continue;
     const bool known = std::any_of(search.found.begin(), search.found.end(),
                                    [&](const Naming& other) { return Same(naming, other); });
@@ -247,7 +247,7 @@ void TryTriple(Search& search, std::size_t seed, const Beside& a, const Beside& 
 }
 
 void TrySeed(Search& search, std::size_t seed) {
-  const std::vector<Beside> seen = SeenBeside(search.picture, seed);
+  const std::vector<Beside> seen = SeenBeside(search.marks, seed);
   for (const Beside& a : seen) {
     for (const Beside& b : seen) {
       if (OnALine(a, b)) continue;  // the same beside itself, too; each pair in one order only
@@ -274,8 +274,8 @@ std::vector<std::vector<MarkMatch>> NamingsByLayout(const std::vector<DetectedFi
                                                     const Camera& camera,
                                                     const FiducialBoard& board,
                                                     const Eigen::Vector3d& up_C) {
-  const Picture picture = Prepare(detections, camera, board);
-  Search search{picture, camera, board, up_C, PrintedBeside(board), {}, 0};
+  const DetectedMarks marks = Prepare(detections, camera, board);
+  Search search{marks, camera, board, up_C, PrintedBeside(board), {}, 0};
   for (std::size_t seed = 0; seed < std::min(kSeeds, detections.size()); ++seed) {
     // A disc of a large naming would give that naming and its rivals again. A small naming may be
     // false.

@@ -14,7 +14,7 @@ const char* Name(PoseFailure failure) {
       return "behind camera";
     case PoseFailure::kPoorFit:
       return "poor fit";
-    case PoseFailure::kEyesDisagree:
+    case PoseFailure::kCamerasDisagree:
       return "cameras disagree";
     case PoseFailure::kUncertain:
       return "too uncertain";

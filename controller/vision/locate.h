@@ -19,7 +19,7 @@ enum class PoseFailure {
   kNoCorrespondence,  // no hypothesis explains enough of the detections
   kBehindCamera,      // the fit puts the board where it cannot be seen
   kPoorFit,           // one image: residuals larger than their prediction
-  kEyesDisagree,      // both images: the same, or a camera turn beyond the first belief
+  kCamerasDisagree,   // both images: the same, or a camera turn beyond the first belief
   kUncertain,         // the pose's own covariance is too large to be of use
   kNotUpright,        // the board's roll contradicts gravity, or what its file allows
   kAmbiguous,         // two poses or two namings that fit alike, and nothing decides

@@ -17,17 +17,17 @@
 namespace dockyard {
 namespace {
 
-constexpr int kMinTogether = 6;   // marks of both images that give a pose when neither has five
-constexpr int kMinSecondEye = 2;  // marks in the other image that allow a joint fit
+constexpr int kMinTogether = 6;      // marks of both images that give a pose when neither has five
+constexpr int kMinSecondCamera = 2;  // marks in the other image that allow a joint fit
 // How far a mark may lie from where the other camera's pose puts it [px]: a mono range error of 0.3
 // m at 5 m shifts it by 3 px, 0.5 deg between the cameras by 6 px.
 constexpr double kCrossGatePx = 12.0;
 constexpr double kFinalGatePx = 4.0;   // the same once both cameras gave the pose
 constexpr double kGuidedGatePx = 2.5;  // of a missing mark from its place, and 4 % of its diameter
 
-using EyeResult = Result<EyeCorrespondence, PoseFailure>;
+using CorrespondenceResult = Result<Correspondence, PoseFailure>;
 
-struct Eyes {
+struct DetectedPair {
   std::array<const GrayImage*, 2> images;
   std::array<std::vector<BlobLevel>, 2> levels;
   std::array<std::vector<DetectedFiducial>, 2> detections;
@@ -38,10 +38,11 @@ struct Eyes {
 
 std::size_t Index(int view) { return static_cast<std::size_t>(view); }
 
-std::vector<MarkPixel> Marks(const Eyes& eyes, int view, const std::vector<MarkMatch>& matches) {
+std::vector<MarkPixel> Marks(const DetectedPair& pair, int view,
+                             const std::vector<MarkMatch>& matches) {
   std::vector<MarkPixel> marks;
   for (const MarkMatch& match : matches) {
-    const auto& seen = eyes.detections[Index(view)];
+    const auto& seen = pair.detections[Index(view)];
     const DetectedFiducial& mark = seen[Index(match.detection)];
     marks.push_back(
         {.id = match.id, .view = view, .pixel = mark.rim.centre_px, .sigma_px = mark.sigma_px});
@@ -64,81 +65,81 @@ bool Near(const Pose3& a, const Pose3& b) {
 }
 
 /// The least-cost joint fit from several starts.
-std::optional<Fix> BestJointFit(const Eyes& eyes, const FiducialBoard& board,
+std::optional<Fix> BestJointFit(const DetectedPair& pair, const FiducialBoard& board,
                                 const std::vector<MarkPixel>& marks,
                                 const std::vector<Pose3>& starts) {
   std::optional<Fix> best;
   for (const Pose3& X_RB : starts) {
     if (best && Near(best->fit.X_RB, X_RB)) continue;  // it would end there again
-    RefinedPose fit = RefinePose(marks, eyes.views, board, X_RB, eyes.refine);
+    RefinedPose fit = RefinePose(marks, pair.views, board, X_RB, pair.refine);
     if (!best || fit.cost < best->fit.cost) best = Fix{std::move(fit), marks, "stereo"};
   }
   return best;
 }
 
 /// Where the fit sees the board from, the estimated turn of the cameras included.
-Pose3 CameraFromBoard(const Eyes& eyes, const Fix& fix, int view) {
-  return TurnedView(eyes.views, Index(view), fix.fit.turn.mean_rad) * fix.fit.X_RB;
+Pose3 CameraFromBoard(const DetectedPair& pair, const Fix& fix, int view) {
+  return TurnedView(pair.views, Index(view), fix.fit.turn.mean_rad) * fix.fit.X_RB;
 }
 
-Fix Refit(const Eyes& eyes, const FiducialBoard& board, const Fix& fix,
+Fix Refit(const DetectedPair& pair, const FiducialBoard& board, const Fix& fix,
           const std::vector<MarkPixel>& marks, bool with_covariance = false) {
-  RefineOptions options = eyes.refine;
+  RefineOptions options = pair.refine;
   options.with_covariance = with_covariance;
   if (fix.method == "stereo") {
-    return {RefinePose(marks, eyes.views, board, fix.fit.X_RB, options), marks, "stereo"};
+    return {RefinePose(marks, pair.views, board, fix.fit.X_RB, options), marks, "stereo"};
   }
   const int view = fix.method == "left" ? 0 : 1;
   std::vector<MarkPixel> alone = marks;
   for (MarkPixel& mark : alone) mark.view = 0;
-  return {RefinePose(alone, {eyes.views[Index(view)]}, board, fix.fit.X_RB, options), marks,
+  return {RefinePose(alone, {pair.views[Index(view)]}, board, fix.fit.X_RB, options), marks,
           fix.method};
 }
 
 /// The fit with its covariance, and without marks that contradict the rest by more than 4.5 of
 /// their predicted sigmas (4e-5 of good ones): a disc half hidden, a shadow's edge along a rim. Six
 /// marks, and two thirds, must stay; from less the fit is judged as it is.
-Fix WithoutStrays(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) {
+Fix WithoutStrays(const DetectedPair& pair, const FiducialBoard& board, const Fix& fix) {
   constexpr double kStray = 4.5;
-  Fix at = Refit(eyes, board, fix, fix.marks, true);
+  Fix at = Refit(pair, board, fix, fix.marks, true);
   const std::size_t least = std::max<std::size_t>(kMinTogether, (2 * fix.marks.size() + 2) / 3);
   while (at.marks.size() > least) {
     const auto worst = std::max_element(at.fit.mark_sigmas.begin(), at.fit.mark_sigmas.end());
     if (*worst < kStray) break;
     std::vector<MarkPixel> rest = at.marks;
     rest.erase(rest.begin() + (worst - at.fit.mark_sigmas.begin()));
-    if (at.method == "stereo" && std::min(CountIn(rest, 0), CountIn(rest, 1)) < kMinSecondEye)
+    if (at.method == "stereo" && std::min(CountIn(rest, 0), CountIn(rest, 1)) < kMinSecondCamera)
       break;
-    at = Refit(eyes, board, at, rest, true);
+    at = Refit(pair, board, at, rest, true);
   }
   return at;
 }
 
 /// Gathers the detections of both images where the fit expects them, and fits again.
-Fix WithAllMarks(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) {
+Fix WithAllMarks(const DetectedPair& pair, const FiducialBoard& board, const Fix& fix) {
   std::vector<MarkPixel> marks;
   for (int view = 0; view < 2; ++view) {
-    const auto found = MatchByPose(eyes.detections[Index(view)], eyes.views[Index(view)].camera,
-                                   board, CameraFromBoard(eyes, fix, view), kFinalGatePx);
-    marks = Joined(marks, Marks(eyes, view, found));
+    const auto found = MatchByPose(pair.detections[Index(view)], pair.views[Index(view)].camera,
+                                   board, CameraFromBoard(pair, fix, view), kFinalGatePx);
+    marks = Joined(marks, Marks(pair, view, found));
   }
-  if (marks.size() <= fix.marks.size() || CountIn(marks, 0) < kMinSecondEye ||
-      CountIn(marks, 1) < kMinSecondEye) {
+  if (marks.size() <= fix.marks.size() || CountIn(marks, 0) < kMinSecondCamera ||
+      CountIn(marks, 1) < kMinSecondCamera) {
     return fix;
   }
-  const Fix wider = Refit(eyes, board, fix, marks);
+  const Fix wider = Refit(pair, board, fix, marks);
   return wider.fit.rms_px < fix.fit.rms_px + 0.5 ? wider : fix;
 }
 
 /// Searches both images again for the missing fiducials, where the fit puts them.
-Fix WithGuidedMarks(const Eyes& eyes, const FiducialBoard& board, const Fix& fix) {
+Fix WithGuidedMarks(const DetectedPair& pair, const FiducialBoard& board, const Fix& fix) {
   std::vector<MarkPixel> marks = fix.marks;
   for (int view = 0; view < 2; ++view) {
     const Pose3 X_CB = fix.method == "stereo"
-                           ? CameraFromBoard(eyes, fix, view)
-                           : Inverse(eyes.views[Index(view)].X_RC) * fix.fit.X_RB;
+                           ? CameraFromBoard(pair, fix, view)
+                           : Inverse(pair.views[Index(view)].X_RC) * fix.fit.X_RB;
     if (fix.method == (view == 0 ? "right" : "left")) continue;
-    const Camera& camera = eyes.views[Index(view)].camera;
+    const Camera& camera = pair.views[Index(view)].camera;
     for (int id = 0; id < static_cast<int>(board.fiducials.size()); ++id) {
       const bool known = std::any_of(fix.marks.begin(), fix.marks.end(),
                                      [&](const auto& m) { return m.id == id && m.view == view; });
@@ -146,7 +147,7 @@ Fix WithGuidedMarks(const Eyes& eyes, const FiducialBoard& board, const Fix& fix
       const Fiducial& fiducial = board.fiducials[Index(id)];
       const auto rim = ExpectedRim(camera, X_CB, fiducial, board.disc_diameter_m);
       if (!rim) continue;
-      const auto found = DetectAt(*eyes.images[Index(view)], eyes.levels[Index(view)], *rim,
+      const auto found = DetectAt(*pair.images[Index(view)], pair.levels[Index(view)], *rim,
                                   ExpectedBar(camera, X_CB, fiducial, board.bar_length_m, *rim),
                                   board, kGuidedGatePx + 0.08 * rim->mean_radius_px());
       if (found)
@@ -155,7 +156,7 @@ Fix WithGuidedMarks(const Eyes& eyes, const FiducialBoard& board, const Fix& fix
     }
   }
   if (marks.size() == fix.marks.size()) return fix;
-  const Fix wider = Refit(eyes, board, fix, marks);
+  const Fix wider = Refit(pair, board, fix, marks);
   return wider.fit.rms_px < fix.fit.rms_px + 0.3 ? wider : fix;
 }
 
@@ -166,27 +167,28 @@ std::vector<Pose3> InRover(const std::vector<PlanarBranch>& branches, const Pose
 }
 
 /// The marks of both images are named: point stereo on complete sets, rigid fit, joint fit.
-std::optional<Fix> FromBoth(const Eyes& eyes, const StereoRig& rig, const FiducialBoard& board,
-                            const EyeCorrespondence& left, const EyeCorrespondence& right) {
-  std::vector<Pose3> starts = InRover(left.branches, eyes.views[0].X_RC);
+std::optional<Fix> FromBoth(const DetectedPair& pair, const StereoRig& rig,
+                            const FiducialBoard& board, const Correspondence& left,
+                            const Correspondence& right) {
+  std::vector<Pose3> starts = InRover(left.branches, pair.views[0].X_RC);
   const auto stereo = StereoPose(rig, board, left.centres, right.centres);
   if (stereo) starts.insert(starts.begin(), *stereo);
-  const auto marks = Joined(Marks(eyes, 0, left.matches), Marks(eyes, 1, right.matches));
-  return BestJointFit(eyes, board, marks, starts);
+  const auto marks = Joined(Marks(pair, 0, left.matches), Marks(pair, 1, right.matches));
+  return BestJointFit(pair, board, marks, starts);
 }
 
 /// The marks of one image are named; the other image is searched where they should be.
-std::optional<Fix> FromOneAndSearch(const Eyes& eyes, const FiducialBoard& board, int view,
-                                    const EyeCorrespondence& eye) {
+std::optional<Fix> FromOneAndSearch(const DetectedPair& pair, const FiducialBoard& board, int view,
+                                    const Correspondence& named) {
   const int other = 1 - view;
   std::optional<Fix> best;
-  for (const Pose3& X_RB : InRover(eye.branches, eyes.views[Index(view)].X_RC)) {
-    const Pose3 X_OB = Inverse(eyes.views[Index(other)].X_RC) * X_RB;
-    const auto matches = MatchByPose(eyes.detections[Index(other)], eyes.views[Index(other)].camera,
+  for (const Pose3& X_RB : InRover(named.branches, pair.views[Index(view)].X_RC)) {
+    const Pose3 X_OB = Inverse(pair.views[Index(other)].X_RC) * X_RB;
+    const auto matches = MatchByPose(pair.detections[Index(other)], pair.views[Index(other)].camera,
                                      board, X_OB, kCrossGatePx);
-    if (static_cast<int>(matches.size()) < kMinSecondEye) continue;
-    const auto marks = Joined(Marks(eyes, view, eye.matches), Marks(eyes, other, matches));
-    const auto fix = BestJointFit(eyes, board, marks, {X_RB});
+    if (static_cast<int>(matches.size()) < kMinSecondCamera) continue;
+    const auto marks = Joined(Marks(pair, view, named.matches), Marks(pair, other, matches));
+    const auto fix = BestJointFit(pair, board, marks, {X_RB});
     if (fix && (!best || fix->marks.size() > best->marks.size() ||
                 (fix->marks.size() == best->marks.size() && fix->fit.cost < best->fit.cost))) {
       best = fix;
@@ -197,34 +199,34 @@ std::optional<Fix> FromOneAndSearch(const Eyes& eyes, const FiducialBoard& board
 
 /// Neither image has five marks. Four of one prove nothing alone, so two or more of the other must
 /// lie where those four put them. Four plain discs are found in too many images.
-std::optional<Fix> FromFew(const Eyes& eyes, const FiducialBoard& board) {
+std::optional<Fix> FromFew(const DetectedPair& pair, const FiducialBoard& board) {
   if (!board.HasBars()) return std::nullopt;
   std::optional<Fix> best;
   for (int view = 0; view < 2; ++view) {
-    const auto eye = Correspond(eyes.detections[Index(view)], eyes.views[Index(view)].camera, board,
-                                eyes.up_C[Index(view)], 4);
-    if (!eye) continue;
-    auto fix = FromOneAndSearch(eyes, board, view, *eye);
+    const auto named = Correspond(pair.detections[Index(view)], pair.views[Index(view)].camera,
+                                  board, pair.up_C[Index(view)], 4);
+    if (!named) continue;
+    auto fix = FromOneAndSearch(pair, board, view, *named);
     if (!fix) continue;
-    fix = WithGuidedMarks(eyes, board, WithAllMarks(eyes, board, *fix));
+    fix = WithGuidedMarks(pair, board, WithAllMarks(pair, board, *fix));
     if (static_cast<int>(fix->marks.size()) < kMinTogether) continue;
     if (!best || fix->marks.size() > best->marks.size()) best = fix;
   }
   return best;
 }
 
-Result<Fix, PoseFailure> FromOne(const Eyes& eyes, const FiducialBoard& board, int view,
-                                 const EyeCorrespondence& eye, const LocateHints& hints) {
-  const CameraView& camera = eyes.views[Index(view)];
-  const auto chosen = ChooseBranch(eye.branches, camera.X_RC, hints, board.upright);
+Result<Fix, PoseFailure> FromOne(const DetectedPair& pair, const FiducialBoard& board, int view,
+                                 const Correspondence& named, const LocateHints& hints) {
+  const CameraView& camera = pair.views[Index(view)];
+  const auto chosen = ChooseBranch(named.branches, camera.X_RC, hints, board.upright);
   if (!chosen) return PoseFailure::kNotUpright;
-  const Fix at{.fit = {.X_RB = camera.X_RC * eye.branches[*chosen].X_CB},
+  const Fix at{.fit = {.X_RB = camera.X_RC * named.branches[*chosen].X_CB},
                .marks = {},
                .method = view == 0 ? "left" : "right"};
-  const Fix fix = Refit(eyes, board, at, Marks(eyes, view, eye.matches));
-  if (IsAmbiguous(eye.branches, *chosen, camera.X_RC, hints, board.upright))
+  const Fix fix = Refit(pair, board, at, Marks(pair, view, named.matches));
+  if (IsAmbiguous(named.branches, *chosen, camera.X_RC, hints, board.upright))
     return PoseFailure::kAmbiguous;
-  return WithGuidedMarks(eyes, board, fix);
+  return WithGuidedMarks(pair, board, fix);
 }
 
 /// The failure of the image that came further.
@@ -232,52 +234,52 @@ PoseFailure Nearer(PoseFailure left, PoseFailure right) {
   return left == PoseFailure::kTooFewFiducials ? right : left;
 }
 
-Result<Fix, PoseFailure> FindFix(const Eyes& eyes, const StereoRig& rig, const FiducialBoard& board,
-                                 const LocateHints& hints) {
-  std::vector<EyeResult> found;
+Result<Fix, PoseFailure> FindFix(const DetectedPair& pair, const StereoRig& rig,
+                                 const FiducialBoard& board, const LocateHints& hints) {
+  std::vector<CorrespondenceResult> found;
   for (std::size_t v = 0; v < 2; ++v) {
-    found.push_back(Correspond(eyes.detections[v], eyes.views[v].camera, board, eyes.up_C[v],
+    found.push_back(Correspond(pair.detections[v], pair.views[v].camera, board, pair.up_C[v],
                                MarksNeeded(board)));
   }
   if (!found[0] && !found[1]) {
-    const auto few = FromFew(eyes, board);
+    const auto few = FromFew(pair, board);
     if (few) return *few;
     return Nearer(found[0].error(), found[1].error());
   }
   const int view = found[0] ? 0 : 1;
-  const EyeCorrespondence& eye = *found[Index(view)];
+  const Correspondence& named = *found[Index(view)];
   const std::optional<Fix> fix = found[0] && found[1]
-                                     ? FromBoth(eyes, rig, board, *found[0], *found[1])
-                                     : FromOneAndSearch(eyes, board, view, eye);
-  if (!fix) return FromOne(eyes, board, view, eye, hints);
-  return WithGuidedMarks(eyes, board, WithAllMarks(eyes, board, *fix));
+                                     ? FromBoth(pair, rig, board, *found[0], *found[1])
+                                     : FromOneAndSearch(pair, board, view, named);
+  if (!fix) return FromOne(pair, board, view, named, hints);
+  return WithGuidedMarks(pair, board, WithAllMarks(pair, board, *fix));
 }
 
 }  // namespace
 
 LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
                             const FiducialBoard& board, const LocateHints& hints) {
-  Eyes eyes{.images = {&images.left, &images.right},
-            .levels = {BuildLevels(images.left), BuildLevels(images.right)},
-            .detections = {},
-            .views = Views(rig),
-            .up_C = {},
-            .refine = {.turn = hints.camera_turn, .with_covariance = false}};
+  DetectedPair pair{.images = {&images.left, &images.right},
+                    .levels = {BuildLevels(images.left), BuildLevels(images.right)},
+                    .detections = {},
+                    .views = Views(rig),
+                    .up_C = {},
+                    .refine = {.turn = hints.camera_turn, .with_covariance = false}};
   SightingReport report;
   for (std::size_t v = 0; v < 2; ++v) {
-    eyes.up_C[v] = eyes.views[v].X_RC.R.transpose() * hints.up_R;
-    eyes.detections[v] = DetectFiducials(*eyes.images[v], eyes.levels[v], board);
-    AssignRotations(eyes.detections[v], eyes.views[v].camera, eyes.up_C[v]);
+    pair.up_C[v] = pair.views[v].X_RC.R.transpose() * hints.up_R;
+    pair.detections[v] = DetectFiducials(*pair.images[v], pair.levels[v], board);
+    AssignRotations(pair.detections[v], pair.views[v].camera, pair.up_C[v]);
   }
-  report.detected = {static_cast<int>(eyes.detections[0].size()),
-                     static_cast<int>(eyes.detections[1].size())};
-  const auto found = FindFix(eyes, rig, board, hints);
+  report.detected = {static_cast<int>(pair.detections[0].size()),
+                     static_cast<int>(pair.detections[1].size())};
+  const auto found = FindFix(pair, rig, board, hints);
   if (!found) return Refused(found.error(), std::move(report));
-  const Fix fix = WithoutStrays(eyes, board, *found);
-  Describe(fix, eyes.views, board, &report);
+  const Fix fix = WithoutStrays(pair, board, *found);
+  Describe(fix, pair.views, board, &report);
   const bool stereo = fix.method == "stereo";
   const std::vector<CameraView> used =
-      stereo ? eyes.views : std::vector<CameraView>{eyes.views[fix.method == "left" ? 0 : 1]};
+      stereo ? pair.views : std::vector<CameraView>{pair.views[fix.method == "left" ? 0 : 1]};
   if (const auto failure = Judge(fix.fit, used, hints, board.upright)) {
     return Refused(*failure, std::move(report));
   }

@@ -10,7 +10,7 @@
 namespace dockyard {
 namespace {
 
-using EyeResult = Result<TsaiCorrespondence, PoseFailure>;
+using CorrespondenceResult = Result<TsaiCorrespondence, PoseFailure>;
 
 double RootMeanSquare(const std::vector<double>& values) {
   double sum = 0.0;
@@ -20,33 +20,33 @@ double RootMeanSquare(const std::vector<double>& values) {
 
 /// Planar pose of the marks of one image under the linear model; the better branch, as the method
 /// itself chooses.
-std::optional<Pose3> OneEye(const TsaiCorrespondence& eye, const Camera& camera,
-                            const FiducialBoard& board) {
+std::optional<Pose3> FromOneCamera(const TsaiCorrespondence& named, const Camera& camera,
+                                   const FiducialBoard& board) {
   std::vector<Eigen::Vector2d> points_B, sights;
-  for (const MarkMatch& match : eye.matches) {
+  for (const MarkMatch& match : named.matches) {
     const std::size_t id = static_cast<std::size_t>(match.id);
     points_B.push_back(board.fiducials[id].p_BF);
-    sights.push_back(LinearSight(camera, eye.centres[id]));
+    sights.push_back(LinearSight(camera, named.centres[id]));
   }
   const auto minima = RobustPlanarPose(points_B, sights);
   if (minima.empty()) return std::nullopt;
   return minima[0].X_CB;
 }
 
-void AddMarks(const TsaiCorrespondence& eye, int view, const Camera& camera, SightingReport* report,
-              std::vector<MarkPixel>* marks) {
-  std::vector<bool> measured(eye.centres.size(), false);
-  for (const MarkMatch& match : eye.matches) {
+void AddMarks(const TsaiCorrespondence& named, int view, const Camera& camera,
+              SightingReport* report, std::vector<MarkPixel>* marks) {
+  std::vector<bool> measured(named.centres.size(), false);
+  for (const MarkMatch& match : named.matches) {
     const std::size_t id = static_cast<std::size_t>(match.id);
     measured[id] = true;
-    marks->push_back({.id = match.id, .view = view, .pixel = eye.centres[id]});
+    marks->push_back({.id = match.id, .view = view, .pixel = named.centres[id]});
   }
   for (std::size_t id = 0; id < measured.size(); ++id) {
-    if (measured[id] || !camera.Sees(eye.centres[id])) continue;
+    if (measured[id] || !camera.Sees(named.centres[id])) continue;
     report->predicted.push_back({.id = static_cast<int>(id),
                                  .camera = view,
-                                 .u_px = eye.centres[id].x(),
-                                 .v_px = eye.centres[id].y()});
+                                 .u_px = named.centres[id].x(),
+                                 .v_px = named.centres[id].y()});
   }
 }
 
@@ -55,36 +55,36 @@ void AddMarks(const TsaiCorrespondence& eye, int view, const Camera& camera, Sig
 LocateOutput LocateTsai2013(const StereoImages& images, const StereoRig& rig,
                             const FiducialBoard& board, const LocateHints& hints, int min_points) {
   const std::vector<CameraView> views = Views(rig);
-  const std::array<const GrayImage*, 2> pictures{&images.left, &images.right};
-  std::vector<EyeResult> eyes;
+  const std::array<const GrayImage*, 2> by_camera{&images.left, &images.right};
+  std::vector<CorrespondenceResult> found;
   SightingReport report;
   for (std::size_t v = 0; v < 2; ++v) {
-    std::vector<DetectedFiducial> detections = DetectTsai2013(*pictures[v]);
+    std::vector<DetectedFiducial> detections = DetectTsai2013(*by_camera[v]);
     AssignRotations(detections, views[v].camera, views[v].X_RC.R.transpose() * hints.up_R);
     report.detected.push_back(static_cast<int>(detections.size()));
-    eyes.push_back(CorrespondTsai2013(detections, board, min_points));
+    found.push_back(CorrespondTsai2013(detections, board, min_points));
   }
-  if (!eyes[0] && !eyes[1]) {
-    const bool left_first = eyes[0].error() != PoseFailure::kTooFewFiducials;
-    return Refused(eyes[left_first ? 0 : 1].error(), std::move(report));
+  if (!found[0] && !found[1]) {
+    const bool left_first = found[0].error() != PoseFailure::kTooFewFiducials;
+    return Refused(found[left_first ? 0 : 1].error(), std::move(report));
   }
   Fix fix;
   std::vector<double> residual_px;
   for (int view = 0; view < 2; ++view) {
-    const EyeResult& eye = eyes[static_cast<std::size_t>(view)];
-    if (!eye) continue;
-    AddMarks(*eye, view, views[static_cast<std::size_t>(view)].camera, &report, &fix.marks);
-    residual_px.insert(residual_px.end(), eye->residual_px.begin(), eye->residual_px.end());
+    const CorrespondenceResult& named = found[static_cast<std::size_t>(view)];
+    if (!named) continue;
+    AddMarks(*named, view, views[static_cast<std::size_t>(view)].camera, &report, &fix.marks);
+    residual_px.insert(residual_px.end(), named->residual_px.begin(), named->residual_px.end());
   }
   fix.fit.rms_px = RootMeanSquare(residual_px);
   std::optional<Pose3> X_RB;
-  if (eyes[0] && eyes[1]) {
+  if (found[0] && found[1]) {
     fix.method = "stereo";
-    X_RB = StereoPose(rig, board, eyes[0]->centres, eyes[1]->centres);
+    X_RB = StereoPose(rig, board, found[0]->centres, found[1]->centres);
   } else {
-    const std::size_t view = eyes[0] ? 0 : 1;
+    const std::size_t view = found[0] ? 0 : 1;
     fix.method = view == 0 ? "left" : "right";
-    const auto X_CB = OneEye(*eyes[view], views[view].camera, board);
+    const auto X_CB = FromOneCamera(*found[view], views[view].camera, board);
     if (X_CB) X_RB = views[view].X_RC * *X_CB;
   }
   for (const MarkPixel& mark : fix.marks) {

@@ -116,7 +116,7 @@ std::optional<PoseFailure> JudgePoints(const std::vector<PointPixel>& points,
   if (share(-1) < kLeastShare) return PoseFailure::kNoCorrespondence;
   for (int view = 0; view < 2; ++view) {
     const bool enough = DistinctPoints(points, all, view) >= kMinPoints;
-    if (enough && share(view) < kLeastShare) return PoseFailure::kEyesDisagree;
+    if (enough && share(view) < kLeastShare) return PoseFailure::kCamerasDisagree;
   }
   if (ExpectedAccidents(points, inlier, error_px) > kMostAccidents) {
     return PoseFailure::kNoCorrespondence;

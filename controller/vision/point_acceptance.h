@@ -23,9 +23,9 @@ double ExpectedAccidents(const std::vector<PointPixel>& points, const std::vecto
                          const std::vector<double>& error_px);
 
 /// None: accepted. kTooFewFiducials: fewer than four points agree. kNoCorrespondence: fewer than
-/// half agree, or chance explains it. kEyesDisagree: one image has half of its points in agreement,
-/// the other with four or more has not. kUncertain: the covariance is not positive, or 1 sigma
-/// exceeds 30 deg or half the distance.
+/// half agree, or chance explains it. kCamerasDisagree: one image has half of its points in
+/// agreement, the other with four or more has not. kUncertain: the covariance is not positive, or 1
+/// sigma exceeds 30 deg or half the distance.
 std::optional<PoseFailure> JudgePoints(const std::vector<PointPixel>& points,
                                        const std::vector<bool>& inlier,
                                        const std::vector<double>& error_px,

@@ -101,15 +101,15 @@ std::optional<PointConsensus> FindConsensus(const std::vector<PointPixel>& point
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (points[i].view == view) mine.push_back(i);
     }
-    const CameraView& eye = views[static_cast<std::size_t>(view)];
+    const CameraView& seen_by = views[static_cast<std::size_t>(view)];
     for (const auto& triple : Triples(mine)) {
       std::array<Eigen::Vector3d, 3> points_B, sights_C;
       for (std::size_t k = 0; k < 3; ++k) {
         points_B[k] = points[triple[k]].p_B;
-        sights_C[k] = eye.camera.Direction(points[triple[k]].pixel);
+        sights_C[k] = seen_by.camera.Direction(points[triple[k]].pixel);
       }
       for (const Pose3& X_CB : PosesFromThreePoints(points_B, sights_C)) {
-        search.Try(eye.X_RC * X_CB, view);
+        search.Try(seen_by.X_RC * X_CB, view);
       }
     }
   }

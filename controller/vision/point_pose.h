@@ -36,7 +36,7 @@ struct PointPose {
 /// come out below the stated value. JudgePoints then accepts or refuses: at least four different
 /// points and half of all must agree, in each image that shows four or more, and more than chance
 /// explains. When each camera's points agree by themselves but not together, the result is
-/// kEyesDisagree.
+/// kCamerasDisagree.
 ///
 /// tsai2013: with both cameras, it triangulates the points that both see and makes a rigid fit;
 /// with one, it takes the planar pose under the linear model. No point is left out, the survey's

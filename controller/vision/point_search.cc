@@ -316,7 +316,7 @@ Result<PointPose, PoseFailure> SearchPose(const std::vector<PointPixel>& points,
     agree += alone && (!found || kBetterAlone * alone->sigma_px < found->sigma_px);
   }
   // Without a common pose one camera whose points agree by themselves is enough to say so.
-  if (agree >= (found ? 2 : 1)) return PoseFailure::kEyesDisagree;
+  if (agree >= (found ? 2 : 1)) return PoseFailure::kCamerasDisagree;
   return found;
 }
 

@@ -59,7 +59,7 @@ std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<Camer
     const Eigen::Vector3d sigmas =
         fit.turn.mean_rad.cwiseQuotient(at_first.covariance.diagonal().cwiseSqrt());
     const bool twisted = sigmas.cwiseAbs().maxCoeff() > 4.0;
-    if (twisted || !fits) return PoseFailure::kEyesDisagree;
+    if (twisted || !fits) return PoseFailure::kCamerasDisagree;
   }
   const double place_m = std::sqrt(fit.covariance.topLeftCorner<3, 3>().trace());
   const double turn_rad = std::sqrt(fit.covariance.bottomRightCorner<3, 3>().trace());

@@ -18,7 +18,7 @@ bool IsUpright(const Eigen::Matrix3d& R_RB, const Eigen::Vector3d& up_R);
 /// The same by the board's own rule. The roll is the angle between the board's up and gravity's or
 /// the image's, seen along the line of sight. Gravity within 15 deg of that line gives no roll, and
 /// such a pose is refused.
-/// @param X_RC  the camera that sees the board; for kPicture its image gives the up side
+/// @param X_RC  the camera that sees the board; for kImage its image gives the up side
 bool IsUpright(const Pose3& X_RB, const Upright& rule, const Pose3& X_RC,
                const Eigen::Vector3d& up_R);
 

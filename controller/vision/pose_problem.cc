@@ -44,24 +44,24 @@ PoseProblem::PoseProblem(const std::vector<PointPixel>& points,
   prior_root_ = information.matrixU();
 }
 
-std::array<PoseProblem::Eye, 2> PoseProblem::Eyes(const PoseEstimate& at) const {
-  std::array<Eye, 2> eyes;
+std::array<PoseProblem::PosedCamera, 2> PoseProblem::PosedCameras(const PoseEstimate& at) const {
+  std::array<PosedCamera, 2> posed_cameras;
   for (std::size_t v = 0; v < views_.size(); ++v) {
-    Eye& eye = eyes[v];
+    PosedCamera& posed = posed_cameras[v];
     const Pose3& X_RC = views_[v].X_RC;
-    eye.R_CR = X_RC.R.transpose();
-    eye.turn_by_step.setZero();
+    posed.R_CR = X_RC.R.transpose();
+    posed.turn_by_step.setZero();
     if (views_.size() == 2) {
       const double half = v == 0 ? -0.5 : 0.5;
-      eye.R_CR = Turn(half * at.turn_rad).transpose() * eye.R_CR;
+      posed.R_CR = Turn(half * at.turn_rad).transpose() * posed.R_CR;
       // Right Jacobian of the rotation vector, to first order: the turn is below 1 deg.
-      eye.turn_by_step = half * (Eigen::Matrix3d::Identity() - 0.5 * half * Cross(at.turn_rad));
+      posed.turn_by_step = half * (Eigen::Matrix3d::Identity() - 0.5 * half * Cross(at.turn_rad));
     }
-    eye.p_CR = -(eye.R_CR * X_RC.p);
-    eye.R_CB = eye.R_CR * at.X_RB.R;
-    eye.p_CB = eye.R_CR * at.X_RB.p + eye.p_CR;
+    posed.p_CR = -(posed.R_CR * X_RC.p);
+    posed.R_CB = posed.R_CR * at.X_RB.R;
+    posed.p_CB = posed.R_CR * at.X_RB.p + posed.p_CR;
   }
-  return eyes;
+  return posed_cameras;
 }
 
 double PoseProblem::Sigma(std::size_t point) const {
@@ -69,10 +69,11 @@ double PoseProblem::Sigma(std::size_t point) const {
   return own > 0.0 ? own : options_.sigma_px;
 }
 
-Eigen::Vector2d PoseProblem::Error(const Eye& eye, std::size_t i, PixelJacobian* J) const {
+Eigen::Vector2d PoseProblem::Error(const PosedCamera& posed, std::size_t i,
+                                   PixelJacobian* J) const {
   const PointPixel& point = points_[i];
   const Camera& camera = views_[static_cast<std::size_t>(point.view)].camera;
-  const Eigen::Vector3d p_C = eye.R_CB * point.p_B + eye.p_CB;
+  const Eigen::Vector3d p_C = posed.R_CB * point.p_B + posed.p_CB;
   const auto pixel = J ? camera.Project(p_C, *J) : camera.Project(p_C);
   if (!pixel || p_C.z() <= -0.3 * p_C.norm()) {
     if (J) J->setZero();
@@ -81,28 +82,28 @@ Eigen::Vector2d PoseProblem::Error(const Eye& eye, std::size_t i, PixelJacobian*
   return *pixel + offsets_[i] - point.pixel;
 }
 
-void PoseProblem::Steps(const Eye& eye, std::size_t i, const PixelJacobian& J,
+void PoseProblem::Steps(const PosedCamera& posed, std::size_t i, const PixelJacobian& J,
                         Eigen::Matrix<double, 2, 9>* by_step) const {
   const PointPixel& point = points_[i];
-  by_step->leftCols<3>() = -(J * eye.R_CB) * Cross(point.p_B);
-  by_step->middleCols<3>(3) = J * eye.R_CR;
+  by_step->leftCols<3>() = -(J * posed.R_CB) * Cross(point.p_B);
+  by_step->middleCols<3>(3) = J * posed.R_CR;
   if (joint_) {
-    const Eigen::Vector3d p_C = eye.R_CB * point.p_B + eye.p_CB;
-    by_step->rightCols<3>() = J * Cross(p_C) * eye.turn_by_step;
+    const Eigen::Vector3d p_C = posed.R_CB * point.p_B + posed.p_CB;
+    by_step->rightCols<3>() = J * Cross(p_C) * posed.turn_by_step;
   } else {
     by_step->rightCols<3>().setZero();
   }
 }
 
 double PoseProblem::UpdateOffsets(const PoseEstimate& at) {
-  const std::array<Eye, 2> eyes = Eyes(at);
+  const std::array<PosedCamera, 2> posed_cameras = PosedCameras(at);
   double most = 0.0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const PointPixel& point = points_[i];
     if (point.disc_diameter_m <= 0.0) continue;
     const Camera& camera = views_[static_cast<std::size_t>(point.view)].camera;
-    const Eye& eye = eyes[static_cast<std::size_t>(point.view)];
-    const Pose3 X_CB{eye.R_CB, eye.p_CB};
+    const PosedCamera& posed = posed_cameras[static_cast<std::size_t>(point.view)];
+    const Pose3 X_CB{posed.R_CB, posed.p_CB};
     const auto disc = ProjectDisc(camera, X_CB, point.p_B, point.disc_diameter_m);
     const auto centre = camera.Project(X_CB * point.p_B);
     const Eigen::Vector2d offset =
@@ -116,7 +117,7 @@ double PoseProblem::UpdateOffsets(const PoseEstimate& at) {
 double PoseProblem::Cost(const PoseEstimate& at) const { return Cost(at, nullptr); }
 
 double PoseProblem::Cost(const PoseEstimate& at, NormalEquations* normal) const {
-  const std::array<Eye, 2> eyes = Eyes(at);
+  const std::array<PosedCamera, 2> posed_cameras = PosedCameras(at);
   const double bend = options_.huber_sigmas;
   double cost = 0.0;
   if (normal) {
@@ -124,16 +125,16 @@ double PoseProblem::Cost(const PoseEstimate& at, NormalEquations* normal) const 
     normal->b.setZero();
   }
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Eye& eye = eyes[static_cast<std::size_t>(points_[i].view)];
+    const PosedCamera& posed = posed_cameras[static_cast<std::size_t>(points_[i].view)];
     PixelJacobian J;
     const double sigma = Sigma(i);
-    const Eigen::Vector2d error = Error(eye, i, normal ? &J : nullptr) / sigma;
+    const Eigen::Vector2d error = Error(posed, i, normal ? &J : nullptr) / sigma;
     const double length = error.norm();
     cost += length <= bend ? length * length : bend * (2.0 * length - bend);
     if (!normal) continue;
     const double weight = length <= bend ? 1.0 : bend / length;
     Eigen::Matrix<double, 2, 9> rows;
-    Steps(eye, i, J, &rows);
+    Steps(posed, i, J, &rows);
     rows /= sigma;
     normal->A.noalias() += weight * rows.transpose() * rows;
     normal->b.noalias() += weight * rows.transpose() * error;
@@ -152,23 +153,23 @@ double PoseProblem::Cost(const PoseEstimate& at, NormalEquations* normal) const 
 }
 
 std::vector<Eigen::Vector2d> PoseProblem::Errors(const PoseEstimate& at) const {
-  const std::array<Eye, 2> eyes = Eyes(at);
+  const std::array<PosedCamera, 2> posed_cameras = PosedCameras(at);
   std::vector<Eigen::Vector2d> errors;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    errors.push_back(Error(eyes[static_cast<std::size_t>(points_[i].view)], i, nullptr));
+    errors.push_back(Error(posed_cameras[static_cast<std::size_t>(points_[i].view)], i, nullptr));
   }
   return errors;
 }
 
 PoseProblem::PointRows PoseProblem::Rows(const PoseEstimate& at, std::size_t i) const {
   const PointPixel& point = points_[i];
-  const Eye eye = Eyes(at)[static_cast<std::size_t>(point.view)];
+  const PosedCamera posed = PosedCameras(at)[static_cast<std::size_t>(point.view)];
   PixelJacobian J;
   PointRows rows;
   const double sigma = Sigma(i);
-  rows.error = Error(eye, i, &J) / sigma;
+  rows.error = Error(posed, i, &J) / sigma;
   rows.weight = std::min(1.0, options_.huber_sigmas / std::max(rows.error.norm(), 1e-12));
-  Steps(eye, i, J, &rows.by_step);
+  Steps(posed, i, J, &rows.by_step);
   rows.by_step /= sigma;
   const Camera& camera = views_[static_cast<std::size_t>(point.view)].camera;
   const Eigen::Vector2d out = point.pixel - camera.centre_px();

@@ -60,15 +60,15 @@ class PoseProblem {
   Eigen::Vector3d PriorError(const PoseEstimate& at) const;
 
  private:
-  struct Eye {
+  struct PosedCamera {
     Eigen::Matrix3d R_CR, R_CB;
     Eigen::Vector3d p_CR, p_CB;
     Eigen::Matrix3d turn_by_step;  // of d p_C = [p_C]x turn_by_step d turn
   };
-  std::array<Eye, 2> Eyes(const PoseEstimate& at) const;
+  std::array<PosedCamera, 2> PosedCameras(const PoseEstimate& at) const;
   double Sigma(std::size_t point) const;
-  Eigen::Vector2d Error(const Eye& eye, std::size_t point, PixelJacobian* J) const;
-  void Steps(const Eye& eye, std::size_t point, const PixelJacobian& J,
+  Eigen::Vector2d Error(const PosedCamera& posed, std::size_t point, PixelJacobian* J) const;
+  void Steps(const PosedCamera& posed, std::size_t point, const PixelJacobian& J,
              Eigen::Matrix<double, 2, 9>* by_step) const;
 
   const std::vector<PointPixel>& points_;

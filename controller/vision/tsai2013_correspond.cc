@@ -131,15 +131,16 @@ Result<TsaiCorrespondence, PoseFailure> CorrespondTsai2013(
     if (more || (as_many && hypothesis->mean_px < best->mean_px)) best = hypothesis;
   }
   if (!best) return PoseFailure::kNoCorrespondence;
-  TsaiCorrespondence eye{.matches = best->matches, .centres = {}, .residual_px = best->residual_px};
+  TsaiCorrespondence named{
+      .matches = best->matches, .centres = {}, .residual_px = best->residual_px};
   for (const Fiducial& fiducial : board.fiducials) {
-    eye.centres.push_back(Map(best->H, fiducial.p_BF).value_or(Eigen::Vector2d(-1.0, -1.0)));
+    named.centres.push_back(Map(best->H, fiducial.p_BF).value_or(Eigen::Vector2d(-1.0, -1.0)));
   }
   for (const MarkMatch& match : best->matches) {
-    eye.centres[static_cast<std::size_t>(match.id)] =
+    named.centres[static_cast<std::size_t>(match.id)] =
         detections[static_cast<std::size_t>(match.detection)].rim.centre_px;
   }
-  return eye;
+  return named;
 }
 
 }  // namespace dockyard

@@ -17,7 +17,7 @@ using dockyard::axel::Nominal;
 constexpr double kReel_m_s = 0.05;       // assumed, 0.03-0.10
 constexpr double kPull_n = 300.0;        // what a forced fit into the cone takes; assumed, 105-300
 constexpr double kDrumAccel_rad_s2 = 2;  // 0.05 m/s within half a second; assumed, 1-5
-constexpr double kStall_m = 0.002;       // taken up less than this for kStalled: home
+constexpr double kStall_m = 0.002;       // taken up less than this for kStalled: reeled in
 constexpr Tick kStalled = 2000;          // [ms] assumed, 1000-4000
 constexpr double kArmSpeed_rad_s = 0.17, kArmAccel_rad_s2 = 1.0;  // of the drive; assumed
 

@@ -9,7 +9,7 @@ from dockyard_client import DOCKED, FREE, POSITION, UNDER_WAY, VELOCITY, Command
 LEFT_WHEEL, RIGHT_WHEEL, ARM, SPOOL = range(4)
 REEL_M_S = 0.05  # assumed, 0.03-0.10
 PULL_N = 300.0  # what a forced fit into the cone takes; assumed, 105-300
-STALLED_S, STALL_M = 2.0, 0.002  # no more than this taken up for that long: home
+STALLED_S, STALL_M = 2.0, 0.002  # no more than this taken up for that long: reeled in
 
 
 class DockStraight:
@@ -25,26 +25,26 @@ class DockStraight:
 
     def step(self, frame):
         if frame.images:
-            self.look(frame.images[0])
+            self.locate(frame.images[0])
         reeled_m = self.count_m * frame.counts[SPOOL]
         if abs(reeled_m - self.reeled_m) > STALL_M:
             self.reeled_m, self.still_since_s = reeled_m, frame.time_s
-        home = frame.time_s - self.still_since_s > STALLED_S
+        reeled_in = frame.time_s - self.still_since_s > STALLED_S
         arm = self.nominal["motors"][ARM]
-        motors = [Motor() if home else Motor(FREE) for _ in range(4)]
+        motors = [Motor() if reeled_in else Motor(FREE) for _ in range(4)]
         motors[ARM] = Motor(POSITION, 0.0, 0.17, 1.0, arm["max_current_a"])
-        if not home:
+        if not reeled_in:
             motors[SPOOL] = Motor(VELOCITY, REEL_M_S / self.drum_m, 0.0, 2.0, self.pull_a)
         ask = () if self.looked else (0,)  # one image of the left camera
         self.looked = True
         return Commands(
             motors,
             cameras=ask,
-            verdict=DOCKED if home else UNDER_WAY,
-            belief={"phase": "docked" if home else "reel", "values": {"reeled_m": reeled_m}},
+            verdict=DOCKED if reeled_in else UNDER_WAY,
+            belief={"phase": "docked" if reeled_in else "reel", "values": {"reeled_m": reeled_m}},
         )
 
-    def look(self, image):
+    def locate(self, image):
         """Says which column of the image is the darkest. Plain Python will do for that; Image.array()
         gives a numpy array."""
         columns = [sum(image.pixels[x :: image.width]) for x in range(image.width)]

@@ -119,11 +119,10 @@ void CheckUprightDecides(const YamlReader& in, const FiducialBoard& board) {
 }
 
 Upright ReadUpright(const YamlReader& in) {
-  constexpr std::array kWords{Upright::Against::kPicture, Upright::Against::kGravity};
-  return {
-      .against =
-          kWords[static_cast<std::size_t>(in.ChoiceOr("upright_in", 0, {"picture", "gravity"}))],
-      .within_rad = in.Degrees("upright_within_deg", Between(1.0, 180.0))};
+  constexpr std::array kWords{Upright::Against::kImage, Upright::Against::kGravity};
+  return {.against =
+              kWords[static_cast<std::size_t>(in.ChoiceOr("upright_in", 0, {"image", "gravity"}))],
+          .within_rad = in.Degrees("upright_within_deg", Between(1.0, 180.0))};
 }
 
 void RefuseKeys(const YamlReader& in, const std::vector<std::string>& keys,

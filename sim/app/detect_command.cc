@@ -41,8 +41,8 @@ is printed.
 --folder searches every image of a folder by itself and counts the accepted boards. Exit code 0, or 3 when
 some file is no image (it is named, the others are done).)";
 
-LocateOutput Look(const StereoImages& images, const DetectArguments& arguments,
-                  const FiducialBoard& board, const std::vector<System>& systems) {
+LocateOutput LocatePair(const StereoImages& images, const DetectArguments& arguments,
+                        const FiducialBoard& board, const std::vector<System>& systems) {
   const GrayImage& any = images.left.pixels.empty() ? images.right : images.left;
   const StereoRig rig = RigOf(arguments.rig, systems, any.width, any.height);
   LocateHints hints;
@@ -75,7 +75,7 @@ void WarnIfTurned(const StereoImages& images, const DetectArguments& arguments,
   for (const bool right : {false, true}) {
     const GrayImage& image = right ? images.right : images.left;
     if (image.pixels.empty()) continue;
-    if (Look(Alone(UpsideDown(image), right), arguments, board, systems).report.marks.empty())
+    if (LocatePair(Alone(UpsideDown(image), right), arguments, board, systems).report.marks.empty())
       continue;
     Warn("turned by 180 deg the " + std::string(right ? "right" : "left") +
              " image shows the board: is it upside down?",
@@ -141,7 +141,7 @@ int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board,
     SightingReport report;
     Json warnings = Json::array();
     try {
-      report = Look(Alone(LoadGray(file), right), arguments, board, systems).report;
+      report = LocatePair(Alone(LoadGray(file), right), arguments, board, systems).report;
       WarnIfCut(file, &warnings);
     } catch (const ConfigError& error) {  // no image, or not of the cameras' shape
       ++failed;
@@ -214,7 +214,7 @@ int Detect(const DetectArguments& arguments, const std::vector<System>& systems)
   Json warnings = Json::array();
   WarnIfCut(arguments.left, &warnings);
   WarnIfCut(arguments.right, &warnings);
-  const LocateOutput out = Look(images, arguments, board, systems);
+  const LocateOutput out = LocatePair(images, arguments, board, systems);
   if (!out.report.accepted) WarnIfTurned(images, arguments, board, systems, &warnings);
   if (!arguments.draw.empty()) DrawSighting(arguments.draw, images, out.report);
   arguments.json ? PrintJson(arguments, out.report, warnings) : PrintText(out.report);

@@ -14,18 +14,18 @@ GrayImage LoadGray(const std::string& file) {
   const auto bytes = ReadWhole(file);
   if (!bytes) throw ConfigError(file + ": expected an image, found no such file");
   const std::vector<std::uint8_t> buffer(bytes->begin(), bytes->end());
-  cv::Mat picture;
+  cv::Mat decoded;
   try {
-    if (!buffer.empty()) picture = cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
+    if (!buffer.empty()) decoded = cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
   } catch (const cv::Exception&) {
     throw ConfigError(file + ": expected an image of at most 2^30 pixels that can be read");
   }
-  if (picture.empty()) {
+  if (decoded.empty()) {
     throw ConfigError(file + ": expected an image (PNG, PGM, JPEG), found something else");
   }
-  GrayImage image{.width = picture.cols, .height = picture.rows, .pixels = {}};
-  for (int y = 0; y < picture.rows; ++y) {
-    image.pixels.insert(image.pixels.end(), picture.ptr(y), picture.ptr(y) + picture.cols);
+  GrayImage image{.width = decoded.cols, .height = decoded.rows, .pixels = {}};
+  for (int y = 0; y < decoded.rows; ++y) {
+    image.pixels.insert(image.pixels.end(), decoded.ptr(y), decoded.ptr(y) + decoded.cols);
   }
   return image;
 }

@@ -55,7 +55,7 @@ std::string Detail(const FrameAnswer& answer) {
       return "fewer than four different points agree; three fix a pose and agree with any";
     case PoseFailure::kNoCorrespondence:
       return "fewer than half of the points agree on a pose, or so few that accident explains it";
-    case PoseFailure::kEyesDisagree:
+    case PoseFailure::kCamerasDisagree:
       return std::string("the points of one camera alone agree on a pose, those of both do not") +
              (answer.agree_when_exchanged ? "; with left and right exchanged they do" : "");
     case PoseFailure::kUncertain:

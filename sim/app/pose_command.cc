@@ -51,7 +51,7 @@ FrameAnswer Answer(const PointFrame& frame, const StereoRig& rig, const VisionSe
                      .survey_m = options.survey_m,
                      .agree_when_exchanged = false,
                      .pipeline = PipelineName(settings.pipeline)};
-  if (!answer.pose && answer.pose.error() == PoseFailure::kEyesDisagree) {
+  if (!answer.pose && answer.pose.error() == PoseFailure::kCamerasDisagree) {
     std::vector<PointPixel> exchanged = frame.points;
     for (PointPixel& point : exchanged) point.view = 1 - point.view;
     answer.agree_when_exchanged =

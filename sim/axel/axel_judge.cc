@@ -59,8 +59,8 @@ void AxelJudge::ObserveSighting(const SightingReport& report) {
   const Truth& truth = plant_.truth();
   const BuiltRun& built = plant_.built();
   const Pose3 X_RB = Inverse(truth.X_WR) * truth.X_WS * BoardInStation(built.world.station);
-  outcome_.ObserveLook(truth.time_s,
-                       JudgeLook(report, X_RB, built.built_rig, built.nominal.board, limits_));
+  outcome_.ObserveSighting(
+      truth.time_s, JudgeSighting(report, X_RB, built.built_rig, built.nominal.board, limits_));
 }
 
 AxelMeasures AxelJudge::FinalMeasures(const Belief& belief) const {
@@ -99,7 +99,7 @@ Conclusion AxelJudge::Conclude(const Commands& last, const Belief& belief) {
   outcome_.Observe(plant_.truth());
   const AxelMeasures measures = FinalMeasures(belief);
   ShakeResult shake;
-  if (outcome_.at_rest_home()) shake = Shake(plant_.world(), plant_.built().world.rover);
+  if (outcome_.seated_at_rest()) shake = Shake(plant_.world(), plant_.built().world.rover);
   const auto verdict =
       outcome_.Conclude(last.verdict, static_cast<int>(measures.recoveries), shake);
   return {Name(verdict.outcome), verdict.note, Values(measures)};

@@ -31,7 +31,7 @@ ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models) {
 }
 
 std::string Check(const Scenario& scenario, const AxelModels& models) {
-  CheckPicturesCanBeDrawn(models.rover.stereo.nominal);
+  CheckImagesCanBeDrawn(models.rover.stereo.nominal);
   if (scenario.script.kind != YamlNode::Kind::kNull) ReadScript(scenario.script);
   return models.rover.name + " from " + NumberText(scenario.start.r) + " m to " +
          models.station.name + " on " + models.soil.name;

@@ -36,7 +36,7 @@ constexpr double kMostSettlingM = 0.05;
 
 }  // namespace
 
-void CheckPicturesCanBeDrawn(const StereoRig& rig) {
+void CheckImagesCanBeDrawn(const StereoRig& rig) {
   constexpr double kWidest_rad = 60.0 * kPi / 180.0;
   for (const Camera* camera : {&rig.left, &rig.right}) {
     for (const double u : {-0.5, camera->width - 0.5}) {
@@ -88,7 +88,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.X_DR_start = FromDockingCoords(scenario.start);
   world.step_s = scenario.physics_step_s;
 
-  CheckPicturesCanBeDrawn(world.rover.stereo.nominal);
+  CheckImagesCanBeDrawn(world.rover.stereo.nominal);
   run.built_rig = BuiltRig(world.rover.stereo, scenario.seed);
   run.X_WD = FromGround(world.X_WG * world.X_GD, 0.0);
   run.lighting = MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed,

@@ -23,7 +23,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models);
 
 /// Throws ConfigError when an image of these cameras reaches more than 60 deg from a lens's axis,
 /// beyond what the renderer draws (docs/reference/images.md).
-void CheckPicturesCanBeDrawn(const StereoRig& rig);
+void CheckImagesCanBeDrawn(const StereoRig& rig);
 
 /// Throws ConfigError when rover and station overlapped at the start: the contacts have then pushed
 /// them apart while the world came to rest.

@@ -88,7 +88,7 @@ Json BoardToJson(const FiducialBoard& board) {
             {"fiducials", fiducials}};
   const Upright& upright = board.upright;
   if (upright.against == Upright::Against::kPlumb) return json;
-  json["upright_in"] = upright.against == Upright::Against::kGravity ? "gravity" : "picture";
+  json["upright_in"] = upright.against == Upright::Against::kGravity ? "gravity" : "image";
   json["upright_within_rad"] = upright.within_rad;
   return json;
 }
@@ -110,7 +110,7 @@ FiducialBoard BoardFromJson(const Json& json) {
   if (json.contains("upright_in")) {
     board.upright.against = json.at("upright_in").get<std::string>() == "gravity"
                                 ? Upright::Against::kGravity
-                                : Upright::Against::kPicture;
+                                : Upright::Against::kImage;
     board.upright.within_rad = json.at("upright_within_rad");
   }
   return board;

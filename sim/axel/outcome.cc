@@ -41,8 +41,9 @@ const char* Name(Outcome outcome) {
   return OutcomeNames()[static_cast<std::size_t>(outcome)].name.c_str();
 }
 
-LookQuality JudgeLook(const SightingReport& report, const Pose3& X_RB_true, const StereoRig& built,
-                      const FiducialBoard& board, const OutcomeLimits& limits) {
+SightingQuality JudgeSighting(const SightingReport& report, const Pose3& X_RB_true,
+                              const StereoRig& built, const FiducialBoard& board,
+                              const OutcomeLimits& limits) {
   std::array<int, 2> right{}, wrong{};
   for (const SightingReport::Mark& mark : report.marks) {
     if (mark.id < 0 || mark.id >= static_cast<int>(board.fiducials.size())) continue;
@@ -58,12 +59,12 @@ LookQuality JudgeLook(const SightingReport& report, const Pose3& X_RB_true, cons
     ++(near ? right : wrong)[mark.camera == kRightCamera];
   }
   if (wrong[0] + wrong[1] > 0 && (wrong[0] >= right[0] || wrong[1] >= right[1])) {
-    return LookQuality::kWrongCorrespondence;
+    return SightingQuality::kWrongCorrespondence;
   }
-  if (report.accepted) return LookQuality::kGood;
+  if (report.accepted) return SightingQuality::kGood;
   const int detected = std::max(
       {right[0], right[1], report.DetectedBy(kLeftCamera), report.DetectedBy(kRightCamera)});
-  return detected < limits.few_marks ? LookQuality::kUndetected : LookQuality::kRejected;
+  return detected < limits.few_marks ? SightingQuality::kUndetected : SightingQuality::kRejected;
 }
 
 void OutcomeJudge::Condition::Update(bool holds, double time_s) {
@@ -100,15 +101,15 @@ void OutcomeJudge::Observe(const Truth& truth) {
   missed_.Update(depth > limits_.catch_depth_m && lateral > station_.cone.face_outer_radius_m, now);
 }
 
-void OutcomeJudge::ObserveLook(double time_s, LookQuality quality) {
-  blind_.Update(quality == LookQuality::kUndetected, time_s);
-  confused_.Update(quality == LookQuality::kWrongCorrespondence, time_s);
-  rejected_.Update(quality == LookQuality::kRejected, time_s);
+void OutcomeJudge::ObserveSighting(double time_s, SightingQuality quality) {
+  blind_.Update(quality == SightingQuality::kUndetected, time_s);
+  confused_.Update(quality == SightingQuality::kWrongCorrespondence, time_s);
+  rejected_.Update(quality == SightingQuality::kRejected, time_s);
 }
 
 bool OutcomeJudge::fatal() const { return fatal_; }
 
-bool OutcomeJudge::at_rest_home() const {
+bool OutcomeJudge::seated_at_rest() const {
   return Depth(last_) >= limits_.docked_depth_m && Lateral(last_) < station_.cone.mouth_radius_m &&
          rest_.Held(last_.time_s, limits_.rest_time_s) && last_.tether_tension_n > limits_.taut_n;
 }
@@ -118,7 +119,7 @@ OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
   const double now = last_.time_s;
   const bool firm = shake.done && shake.turn_rad < limits_.shake_turn_rad &&
                     shake.travel_m < limits_.shake_travel_m;
-  if (claimed == Verdict::kDocked && at_rest_home() && firm) {
+  if (claimed == Verdict::kDocked && seated_at_rest() && firm) {
     return {Outcome::kDocked,
             Sentence("tip %.0f mm deep, shake turned it %.1f deg and moved it %.1f mm",
                      1e3 * Depth(last_), Degrees(shake.turn_rad), 1e3 * shake.travel_m)};

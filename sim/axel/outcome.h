@@ -55,11 +55,12 @@ struct OutcomeLimits {
 };
 
 /// How one sighting of the board went, by the truth.
-enum class LookQuality { kGood, kUndetected, kWrongCorrespondence, kRejected };
+enum class SightingQuality { kGood, kUndetected, kWrongCorrespondence, kRejected };
 
 /// Compares a sighting with the true pixels of the board's fiducials in both built cameras.
-LookQuality JudgeLook(const SightingReport& report, const Pose3& X_RB_true, const StereoRig& built,
-                      const FiducialBoard& board, const OutcomeLimits& limits);
+SightingQuality JudgeSighting(const SightingReport& report, const Pose3& X_RB_true,
+                              const StereoRig& built, const FiducialBoard& board,
+                              const OutcomeLimits& limits);
 
 /// The shake after a claim: what it did to the rover.
 struct ShakeResult {
@@ -77,12 +78,12 @@ class OutcomeJudge {
   /// Called every control period.
   void Observe(const Truth& truth);
   /// Called for every sighting that the controller took.
-  void ObserveLook(double time_s, LookQuality quality);
+  void ObserveSighting(double time_s, SightingQuality quality);
 
   /// Whether the run cannot continue: tipped over, tether overloaded.
   bool fatal() const;
   /// Whether the tip is seated, at rest and taut now, by the truth.
-  bool at_rest_home() const;
+  bool seated_at_rest() const;
 
   struct Verdicted {
     Outcome outcome = Outcome::kTimeout;

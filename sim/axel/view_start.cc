@@ -27,8 +27,8 @@ Json FiducialsJson(const Scene& scene, const Camera& camera, const Pose3& X_WC) 
   return list;
 }
 
-void WritePictures(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
-                   const SensorOptions& sensor, bool colour, const std::filesystem::path& out_dir) {
+void WriteImages(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
+                 const SensorOptions& sensor, bool colour, const std::filesystem::path& out_dir) {
   StereoRenderer renderer;
   const bool with_depth = sensor.focus.distance_m > 0.0;
   const auto radiance = renderer.RenderRadiance(scene, rig, X_WR, with_depth);
@@ -58,8 +58,8 @@ void WriteStartView(const Scenario& scenario, const AxelModels& models,
   const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
                              built.lighting, scenario.X_WG, scenario.seed);
   const Scene scene = builder.Make(truth, world.ground());
-  WritePictures(scene, built.built_rig, truth.X_WR,
-                CameraSensor(built.world.rover.stereo, scenario.seed, 0), scenario.colour, out_dir);
+  WriteImages(scene, built.built_rig, truth.X_WR,
+              CameraSensor(built.world.rover.stereo, scenario.seed, 0), scenario.colour, out_dir);
 
   const Pose3 X_RB = Inverse(truth.X_WR) * scene.board.X_WB;
   Json view;

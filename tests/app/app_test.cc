@@ -85,7 +85,7 @@ TEST(Program, ChecksAGoodFile) {
   EXPECT_THAT(ended.out, HasSubstr("scenarios/mars_yard_40.yaml: campaign: "));
 }
 
-TEST(Program, ChecksThatPicturesOfAScenarioCanBeDrawn) {
+TEST(Program, ChecksThatImagesOfAScenarioCanBeDrawn) {
   const TemporaryFolder folder;
   const fs::path wide = folder.path() / "wide.yaml";
   std::string text = Slurp(fs::path(DOCKYARD_SOURCE_DIR) / "scenarios/axel_typical.yaml");

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "axel/sim/scenarios.h"
+#include "bench/image_speed.h"
 #include "bench/physics_speed.h"
-#include "bench/picture_speed.h"
 #include "bench/pipe_speed.h"
 #include "controller/vision/fiducials.h"
 #include "controller/vision/locate.h"
@@ -33,7 +33,7 @@ double Middle(std::vector<double> values) {
   return *middle;
 }
 
-struct EyesSpeed {
+struct VisionSpeed {
   double pair_s = 0.0, detect_s = 0.0, locate_s = 0.0, alone_s = 0.0;
 };
 
@@ -63,7 +63,7 @@ class StartView {
   StereoRenderer renderer_;
 };
 
-EyesSpeed TimeEyes(int width, int height) {
+VisionSpeed TimeVision(int width, int height) {
   StartView view(
       {"camera.width_px=" + std::to_string(width), "camera.height_px=" + std::to_string(height)});
   const BuiltRun& built = view.built();
@@ -71,7 +71,7 @@ EyesSpeed TimeEyes(int width, int height) {
   const auto render = [&](int index) { images = view.Render(index); };
   render(0);  // shaders and meshes are made once
   constexpr int kRounds = 8;
-  EyesSpeed speed;
+  VisionSpeed speed;
   speed.pair_s = Time([&] {
                    for (int i = 1; i <= kRounds; ++i) render(i);
                  }) /
@@ -127,25 +127,25 @@ double ReportPhysics() {
 }
 
 /// loose: physics steps per second to compare with; 0: none.
-void ReportEyes(double loose) {
+void ReportVision(double loose) {
   for (const char* light : {"even", "hard_shadow", "speckled"}) {
     std::printf("1024 x 768, %-11s: a pair takes %.3f s of CPU at 1.1 m, %.3f s at 3 m\n", light,
                 PairSeconds(light, "1.1"), PairSeconds(light, "3"));
   }
   for (const auto& [width, height] : {std::pair(1024, 768), std::pair(640, 480)}) {
-    const EyesSpeed eyes = TimeEyes(width, height);
+    const VisionSpeed speed = TimeVision(width, height);
     std::printf(
         "%4d x %3d: stereo pairs/s %.2f; detection %.1f ms an image; board from a pair %.1f ms, "
         "names and pose alone %.2f ms\n",
-        width, height, 1.0 / eyes.pair_s, 1e3 * eyes.detect_s, 1e3 * eyes.locate_s,
-        1e3 * eyes.alone_s);
+        width, height, 1.0 / speed.pair_s, 1e3 * speed.detect_s, 1e3 * speed.locate_s,
+        1e3 * speed.alone_s);
     const double mujoco_s = MujocoPairSeconds(width, height);
     std::printf(
         "            a pair takes %.3f s of CPU, MuJoCo's renderer %.3f s: %.2f times as fast\n",
-        eyes.pair_s, mujoco_s, mujoco_s / eyes.pair_s);
+        speed.pair_s, mujoco_s, mujoco_s / speed.pair_s);
     if (loose > 0.0) {
       std::printf("            a pair costs as much as %.0f physics steps on loose sand\n",
-                  eyes.pair_s * loose);
+                  speed.pair_s * loose);
     }
   }
 }
@@ -160,7 +160,7 @@ void ReportPipe() {
 }
 
 void Report() {
-  ReportEyes(ReportPhysics());
+  ReportVision(ReportPhysics());
   ReportPipe();
   const RunRecord record = SimulateTypical({});
   std::printf("whole docking (%s): %.1f s simulated, %.2f simulated seconds per CPU second\n",
@@ -177,8 +177,8 @@ int main(int argc, char** argv) {
     dockyard::axel::Report();
   } else if (mode == "physics") {
     dockyard::axel::ReportPhysics();
-  } else if (mode == "pictures") {
-    dockyard::axel::ReportEyes(0.0);
+  } else if (mode == "images") {
+    dockyard::axel::ReportVision(0.0);
   } else if (mode == "pipe") {
     dockyard::axel::ReportPipe();
   } else if (mode == "peer") {  // the other end of the pipe
@@ -189,7 +189,7 @@ int main(int argc, char** argv) {
   } else if (mode == "cone") {
     std::printf("%.0f\n", dockyard::axel::ConeStepsPerSecond(dockyard::axel::kLoose));
   } else {
-    std::fprintf(stderr, "usage: %s [all|physics|pictures|pipe|cone|one-second]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [all|physics|images|pipe|cone|one-second]\n", argv[0]);
     return 2;
   }
   return 0;

@@ -1,4 +1,4 @@
-#include "bench/picture_speed.h"
+#include "bench/image_speed.h"
 
 #include <GL/osmesa.h>
 #include <mujoco/mujoco.h>
@@ -99,11 +99,11 @@ double MujocoPairSeconds(int width, int height) {
   mjv_defaultOption(&option);
   std::vector<unsigned char> rgb(static_cast<std::size_t>(width) * height * 3);
   const auto pair = [&] {
-    for (int eye = 0; eye < 2; ++eye) {
+    for (int view = 0; view < 2; ++view) {
       mjvCamera camera;
       mjv_defaultCamera(&camera);
       camera.type = mjCAMERA_FIXED;
-      camera.fixedcamid = eye;
+      camera.fixedcamid = view;
       mjv_updateScene(model.get(), data.get(), &option, nullptr, &camera, mjCAT_ALL, &scene);
       const mjrRect view{0, 0, width, height};
       mjr_render(view, &scene, &context);

@@ -92,7 +92,7 @@ Finds LookForDiscs(const GrayImage& image, const FiducialBoard& board, const Tru
 Finds LookForTags(const GrayImage& image, TagDetector& detector, const Truths& truths,
                   Tally* tally) {
   const double begin = CpuSeconds();
-  const std::vector<SeenTag> found = detector.Look(image);
+  const std::vector<SeenTag> found = detector.Detect(image);
   tally->seconds += CpuSeconds() - begin;
   ++tally->images;
   const Finds finds = Match(truths, [&](std::size_t id, const Truth& truth) {
@@ -108,15 +108,15 @@ Finds LookForTags(const GrayImage& image, TagDetector& detector, const Truths& t
 }
 
 /// For one camera; of marks in view, by a disc round the tag's white corners.
-Truths TruthsOf(const YardViews& views, const YardLook& look, bool right) {
+Truths TruthsOf(const YardViews& views, const YardSample& sample, bool right) {
   Scene scene = views.last_scene();
-  scene.board.board.disc_diameter_m = kTagPicture_m * std::sqrt(2.0);
-  const Camera& camera = right ? look.built_rig.right : look.built_rig.left;
-  const Pose3 X_WC = look.X_WR * (right ? look.built_rig.X_RQ : look.built_rig.X_RL);
+  scene.board.board.disc_diameter_m = kTagImage_m * std::sqrt(2.0);
+  const Camera& camera = right ? sample.built_rig.right : sample.built_rig.left;
+  const Pose3 X_WC = sample.X_WR * (right ? sample.built_rig.X_RQ : sample.built_rig.X_RL);
   Truths truths;
   const std::vector<FiducialPixels> around = TrueFiducials(scene, camera, X_WC);
   for (std::size_t id = 0; id < around.size(); ++id) {
-    const std::optional<Eigen::Vector2d>& centroid = look.marks[right ? 1 : 0][id].truth.centroid;
+    const std::optional<Eigen::Vector2d>& centroid = sample.marks[right ? 1 : 0][id].truth.centroid;
     truths.emplace_back();
     if (!around[id].whole || around[id].hidden > 0.0 || !centroid) continue;
     const double range_m = (Inverse(X_WC) * scene.board.X_WB.p).norm();
@@ -136,19 +136,19 @@ class Comparison {
     if (!folder_.empty()) MakeFolder(folder_);
   }
 
-  void Look(YardViews& views, const YardLook& look, const std::string& name,
-            std::array<Tally, 3>* tallies, Shared* shared) {
+  void Detect(YardViews& views, const YardSample& sample, const std::string& name,
+              std::array<Tally, 3>* tallies, Shared* shared) {
     const StereoImages tags =
-        ExposeStereo(RenderPrinted(renderer_, views.last_scene(), look.built_rig, look.X_WR,
-                                   full_.Pictures(views.board())),
-                     look.built_rig, look.sensor);
+        ExposeStereo(RenderPrinted(renderer_, views.last_scene(), sample.built_rig, sample.X_WR,
+                                   full_.Images(views.board())),
+                     sample.built_rig, sample.sensor);
     if (!folder_.empty()) WriteWhole(folder_ + "/" + name + ".png", EncodePng(tags.left));
     std::array<int, 2> seen{};
     for (const bool right : {false, true}) {
-      const Truths truths = TruthsOf(views, look, right);
+      const Truths truths = TruthsOf(views, sample, right);
       const GrayImage& with_tags = right ? tags.right : tags.left;
-      const Finds ours = LookForDiscs(right ? look.images.right : look.images.left, views.board(),
-                                      truths, &(*tallies)[kDiscs]);
+      const Finds ours = LookForDiscs(right ? sample.images.right : sample.images.left,
+                                      views.board(), truths, &(*tallies)[kDiscs]);
       const Finds theirs = LookForTags(with_tags, full_, truths, &(*tallies)[kTags]);
       const Finds quick = LookForTags(with_tags, quick_, truths, &(*tallies)[kQuickTags]);
       const auto found = [](double off) { return off >= 0.0; };
@@ -162,8 +162,8 @@ class Comparison {
       }
     }
     const double begin = CpuSeconds();
-    const bool placed =
-        LocateBoard(look.images, views.calibration(), views.board(), look.hints).report.accepted;
+    const bool placed = LocateBoard(sample.images, views.calibration(), views.board(), sample.hints)
+                            .report.accepted;
     locate_s_ += CpuSeconds() - begin;
     ++located_;
     (*tallies)[kDiscs].placed += placed;
@@ -260,12 +260,12 @@ void Compare(int views, const std::string& folder) {
           // The nose turned a little: marks lie at other fractions of a pixel in each view.
           const double alpha = Radians(i % 2 == 0 ? angle_deg : -angle_deg);
           const double h = alpha + Radians(random.Uniform(-8.0, 8.0));
-          const YardLook look =
+          const YardSample sample =
               yard.TakeAt(key, {ranges[r], alpha, h}, Radians(random.Uniform(-4.0, 4.0)));
           char name[80];
           std::snprintf(name, sizeof name, "%s_%.0fdeg_%.1fm_%d", LightName(light), angle_deg,
                         ranges[r], i);
-          comparison.Look(yard, look, name, &cells[r], &shared[r]);
+          comparison.Detect(yard, sample, name, &cells[r], &shared[r]);
         }
         for (std::size_t d = 0; d < 3; ++d) {
           all[d].seconds += cells[r][d].seconds;

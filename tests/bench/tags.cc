@@ -23,27 +23,27 @@ TagDetector::~TagDetector() {
   tag36h11_destroy(family_);
 }
 
-std::vector<PrintedPicture> TagDetector::Pictures(const FiducialBoard& board) const {
-  std::vector<PrintedPicture> pictures;
+std::vector<PrintedImage> TagDetector::Images(const FiducialBoard& board) const {
+  std::vector<PrintedImage> images;
   for (std::size_t i = 0; i < board.fiducials.size(); ++i) {
     image_u8_t* image = apriltag_to_image(family_, static_cast<int>(i));
-    PrintedPicture picture{.p_BM = board.fiducials[i].p_BF,
-                           .module_m = kTagPicture_m / kModules,
-                           .modules = kModules,
-                           .black = {}};
+    PrintedImage printed{.p_BM = board.fiducials[i].p_BF,
+                         .module_m = kTagImage_m / kModules,
+                         .modules = kModules,
+                         .black = {}};
     for (int y = 0; y < kModules; ++y) {
       for (int x = 0; x < kModules; ++x) {
-        picture.black.push_back(image->buf[y * image->stride + x] < 128);
+        printed.black.push_back(image->buf[y * image->stride + x] < 128);
       }
     }
-    pictures.push_back(picture);
+    images.push_back(printed);
     std::free(image->buf);  // the library's own function for this is not public
     std::free(image);
   }
-  return pictures;
+  return images;
 }
 
-std::vector<SeenTag> TagDetector::Look(const GrayImage& image) {
+std::vector<SeenTag> TagDetector::Detect(const GrayImage& image) {
   std::vector<std::uint8_t> pixels = image.pixels;
   image_u8_t view{
       .width = image.width, .height = image.height, .stride = image.width, .buf = pixels.data()};

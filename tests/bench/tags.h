@@ -11,8 +11,8 @@
 
 namespace dockyard {
 
-inline constexpr double kTagSize_m = 0.10;      // black edge, as large as a disc
-inline constexpr double kTagPicture_m = 0.125;  // with the white ring round it
+inline constexpr double kTagSize_m = 0.10;    // black edge, as large as a disc
+inline constexpr double kTagImage_m = 0.125;  // with the white ring round it
 
 struct SeenTag {
   int id = 0;
@@ -29,8 +29,8 @@ class TagDetector {
   TagDetector& operator=(const TagDetector&) = delete;
 
   /// Tag i of the family about fiducial i of the board.
-  std::vector<PrintedPicture> Pictures(const FiducialBoard& board) const;
-  std::vector<SeenTag> Look(const GrayImage& image);
+  std::vector<PrintedImage> Images(const FiducialBoard& board) const;
+  std::vector<SeenTag> Detect(const GrayImage& image);
 
  private:
   apriltag_family_t* family_;

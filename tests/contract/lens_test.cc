@@ -242,7 +242,7 @@ TEST(KannalaBrandt, ShowsNothingFromBeyondItsPeak) {
   EXPECT_FALSE(lens.Project(at(peak + 0.01), nullptr));
 }
 
-TEST(FishEyes, SeeBesideThemselvesAndAPinholeDoesNot) {
+TEST(Fisheyes, SeeBesideThemselvesAndAPinholeDoesNot) {
   const Eigen::Vector3d beside(1.0, 0.0, -0.05);  // 93 deg off the axis
   EXPECT_TRUE(EquidistantCamera(640, 480, Radians(170)).Project(beside));
   Cahvore wide{.H = {300, 0, 320}, .V = {0, 300, 240}, .linearity = 0.37};

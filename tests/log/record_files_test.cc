@@ -43,17 +43,17 @@ TEST(History, OfASystemWithoutChannelsIsThePathAndTheBelief) {
 TEST(HistoryDeathTest, RefusesASampleThatLacksAChannel) {
   RunRecord record = FakeRecord(FakeCampaign(1).runs[0]);
   record.history[7].channels.pop_back();
-  EXPECT_DEATH(HistoryCsv(record), "broken promise");
+  EXPECT_DEATH(HistoryCsv(record), "check failed");
 }
 
 TEST(RecordFiles, HaveMarksAndCountsByCamera) {
   const TemporaryFolder folder;
   WriteRecordFiles(folder.path(), FakeRecord(FakeCampaign(1).runs[0]));
-  const Json looks = Json::parse(Slurp(folder.path() / "sightings.json"));
-  ASSERT_EQ(looks.size(), 1u);
-  EXPECT_THAT(looks[0]["detected"].get<std::vector<int>>(), ElementsAre(3, 4));
-  EXPECT_EQ(looks[0]["marks"][0]["camera"], 1);
-  EXPECT_EQ(looks[0]["marks"][0]["id"], 7);
+  const Json sightings = Json::parse(Slurp(folder.path() / "sightings.json"));
+  ASSERT_EQ(sightings.size(), 1u);
+  EXPECT_THAT(sightings[0]["detected"].get<std::vector<int>>(), ElementsAre(3, 4));
+  EXPECT_EQ(sightings[0]["marks"][0]["camera"], 1);
+  EXPECT_EQ(sightings[0]["marks"][0]["id"], 7);
   EXPECT_EQ(Json::parse(Slurp(folder.path() / "plans.json"))[0]["arcs"].size(), 2u);
   EXPECT_THAT(Slurp(folder.path() / "history.csv"), StartsWith("time_s,"));
 }

@@ -48,7 +48,7 @@ TEST(Board, GridRunsRowByRowAboutTheMiddle) {
     EXPECT_LT((board.fiducials[static_cast<std::size_t>(i)].p_BF - wanted).norm(), 1e-12);
   }
   EXPECT_FALSE(board.HasBars());
-  EXPECT_EQ(board.upright.against, Upright::Against::kPicture);
+  EXPECT_EQ(board.upright.against, Upright::Against::kImage);
   EXPECT_NEAR(Degrees(board.upright.within_rad), 80.0, 1e-12);
 }
 

@@ -99,7 +99,7 @@ TEST(CameraFile, PointsAreInTheFrameOfItsNumbers) {
   EXPECT_NEAR(pixel->y(), p.dot(Eigen::Vector3d(875.629195, 80856.268049, -566.334899)) / w, 1e-7);
 }
 
-TEST(CameraFile, PupilTypesOneAndTwoArePerspectiveAndFishEye) {
+TEST(CameraFile, PupilTypesOneAndTwoArePerspectiveAndFisheye) {
   const ScratchFolder folder;
   const auto lens = [&](const std::string& from, const std::string& to) {
     const std::string one = Replaced(Slurp(kMars), "\"pupilType\": 3", from);

@@ -136,7 +136,7 @@ TEST(DetectCommand, NamesTheFilesOfAFolderThatAreNoImagesAndGoesOn) {
   };
   const std::string dir = folder.path().string();
   EXPECT_EQ(Dockyard("detect --folder " + dir + kFiles).code, 3);  // empty
-  WriteText(folder.path() / "a.png", "no picture");
+  WriteText(folder.path() / "a.png", "no image");
   WriteText(folder.path() / "b.png", grey(64, 48));
   WriteText(folder.path() / "c.png", grey(48, 64));
   std::filesystem::create_directory(folder.path() / "d.png");

@@ -21,15 +21,15 @@ FalseBoards LookWithoutBoard(int count, int width, int jobs, int tsai_count) {
     std::vector<FalseBoards> seen(static_cast<std::size_t>(turns));
     ForEachLook(options, turns, jobs, [&](YardViews& yard, int turn) {
       FalseBoards& here = seen[static_cast<std::size_t>(turn)];
-      const YardLook look = yard.Take(3 * turn + light);
+      const YardSample sample = yard.Take(3 * turn + light);
       const LocateOutput out =
-          LocateBoard(look.images, yard.calibration(), yard.board(), look.hints);
+          LocateBoard(sample.images, yard.calibration(), yard.board(), sample.hints);
       here.discs = out.report.DetectedBy(0) + out.report.DetectedBy(1);
       here.accepted = out.report.accepted;
-      if (look.index >= tsai_count) return;
+      if (sample.index >= tsai_count) return;
       here.tsai2013_views = 1;
-      here.tsai2013_accepted = LocateBoard(look.images, yard.calibration(), yard.board(),
-                                           look.hints, {.pipeline = VisionPipeline::kTsai2013})
+      here.tsai2013_accepted = LocateBoard(sample.images, yard.calibration(), yard.board(),
+                                           sample.hints, {.pipeline = VisionPipeline::kTsai2013})
                                    .report.accepted;
     });
     for (const FalseBoards& one : seen) {

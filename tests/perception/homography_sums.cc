@@ -43,23 +43,23 @@ std::array<HomographySum, 2> HomographySums(const SightingReport& report,
 }
 
 std::string SumsText(const std::vector<HomographySum>& sums) {
-  int pictures = 0, marks = 0;
+  int images = 0, marks = 0;
   double raw = 0.0, raw2 = 0.0, linear = 0.0;
   for (const HomographySum& sum : sums) {
     if (sum.marks < 6) continue;
-    ++pictures;
+    ++images;
     marks += sum.marks;
     raw += sum.raw_px;
     raw2 += sum.raw_px * sum.raw_px;
     linear += sum.linear_px;
   }
-  if (pictures == 0) return "no image with six marks";
-  const double mean = raw / pictures;
+  if (images == 0) return "no image with six marks";
+  const double mean = raw / images;
   char text[200];
   std::snprintf(text, sizeof text,
-                "%d images: sum %.2f +- %.2f px, %.2f a mark; without the lens %.2f px", pictures,
-                mean, std::sqrt(std::max(raw2 / pictures - mean * mean, 0.0)), raw / marks,
-                linear / pictures);
+                "%d images: sum %.2f +- %.2f px, %.2f a mark; without the lens %.2f px", images,
+                mean, std::sqrt(std::max(raw2 / images - mean * mean, 0.0)), raw / marks,
+                linear / images);
   return text;
 }
 

@@ -54,7 +54,7 @@ void PrintCurve(const SurveyCurve& curve, const SurveyScores& found, const Argum
 void PrintHomographies(const SurveyScores& found, double r_max_m) {
   const auto print = [&](const std::string& name, double low_m, double high_m) {
     std::vector<HomographySum> sums;
-    for (const LookScore& score : found.scores) {
+    for (const SampleScore& score : found.scores) {
       if (score.at.r <= low_m || score.at.r > high_m || score.wrong_marks > 0) continue;
       sums.insert(sums.end(), score.homography.begin(), score.homography.end());
     }

@@ -79,7 +79,8 @@ std::string SurveyPlot(const std::string& title, const std::vector<SurveyCurve>&
       }
     }
     PlotArea area;
-    area.corner = {kLeft + (index % 2) * (kWidth + 80.0), kTop + (index / 2) * (kHeight + kGap)};
+    const int column = index % 2, row = index / 2;
+    area.corner = {kLeft + column * (kWidth + 80.0), kTop + row * (kHeight + kGap)};
     area.width = kWidth;
     area.height = kHeight;
     area.x = {0.0, r_max_m};

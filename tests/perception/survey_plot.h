@@ -12,7 +12,7 @@ struct SurveyCurve {
   std::string name;   // "dockyard, even"
   std::string color;  // "#1f5fbf"
   std::string dash;
-  std::vector<LookScore> scores;
+  std::vector<SampleScore> scores;
   bool ours = true;  // dockyard's
 };
 

@@ -20,16 +20,16 @@ double ThreadCpuSeconds() {
 }
 
 struct Scored {
-  LookScore score;
+  SampleScore score;
   double cpu_s = 0.0;
 };
 
-Scored Locate(const YardViews& views, const YardLook& look, const VisionSettings& settings) {
+Scored Locate(const YardViews& views, const YardSample& sample, const VisionSettings& settings) {
   const double begin = ThreadCpuSeconds();
   const LocateOutput out =
-      LocateBoard(look.images, views.calibration(), views.board(), look.hints, settings);
+      LocateBoard(sample.images, views.calibration(), views.board(), sample.hints, settings);
   const double end = ThreadCpuSeconds();
-  Scored scored{Score(look, out), end - begin};
+  Scored scored{Score(sample, out), end - begin};
   scored.score.homography = HomographySums(out.report, views.calibration(), views.board());
   return scored;
 }
@@ -40,7 +40,7 @@ void Gather(const char* name, const std::vector<std::optional<Scored>>& from, Su
     if (!scored) continue;
     to->scores.push_back(scored->score);
     to->cpu_s += scored->cpu_s;
-    const LookScore& s = scored->score;
+    const SampleScore& s = scored->score;
     if (s.accepted && !s.wrong && s.wrong_marks == 0) continue;
     char line[240];
     std::snprintf(line, sizeof line,
@@ -89,12 +89,12 @@ SurveyFindings RunSurvey(const SurveyPlan& plan) {
   std::vector<std::optional<Scored>> dockyard(n), tsai2013(n);
   ForEachLook(plan.yard, plan.count, plan.jobs, [&](YardViews& views, int i) {
     if (!views.Take(i, false).InView()) return;
-    const YardLook look = views.Take(i);
+    const YardSample sample = views.Take(i);
     const std::size_t at = static_cast<std::size_t>(i);
-    dockyard[at] = Locate(views, look, {});
+    dockyard[at] = Locate(views, sample, {});
     if (i >= plan.tsai_count) return;
-    tsai2013[at] =
-        Locate(views, look, {.pipeline = VisionPipeline::kTsai2013, .min_points = plan.min_points});
+    tsai2013[at] = Locate(views, sample,
+                          {.pipeline = VisionPipeline::kTsai2013, .min_points = plan.min_points});
   });
   SurveyFindings findings;
   Gather("dockyard", dockyard, &findings.dockyard, &findings.failures);

@@ -25,7 +25,7 @@ struct SurveyPlan {
 
 /// One pipeline's results on the image pairs in view, in the order of the sequence.
 struct SurveyScores {
-  std::vector<LookScore> scores;
+  std::vector<SampleScore> scores;
   double cpu_s = 0.0;  // of the pipeline alone
 };
 struct SurveyFindings {

@@ -13,19 +13,19 @@ double Root(double sum, int count) { return count > 0 ? std::sqrt(sum / count) :
 
 }  // namespace
 
-LookScore Score(const YardLook& look, const LocateOutput& out) {
-  LookScore score{.index = look.index, .at = look.at, .in_view = look.InView()};
+SampleScore Score(const YardSample& sample, const LocateOutput& out) {
+  SampleScore score{.index = sample.index, .at = sample.at, .in_view = sample.InView()};
   score.accepted = static_cast<bool>(out.sighting);
   score.reason = out.report.reason;
   const double disc_px =
-      0.10 * look.built_rig.left.focal_px().x() / std::max(look.X_RB.p.norm(), 0.2);
+      0.10 * sample.built_rig.left.focal_px().x() / std::max(sample.X_RB.p.norm(), 0.2);
   int right = 0;
   for (const SightingReport::Mark& mark : out.report.marks) {
     ++score.detections;
     ++(mark.camera == 1 ? score.right_marks : score.left_marks);
-    const auto& eye = look.marks[mark.camera == 1 ? 1 : 0];
-    if (eye.empty()) continue;
-    const YardMark& truth = eye[static_cast<std::size_t>(mark.id)];
+    const auto& in_image = sample.marks[mark.camera == 1 ? 1 : 0];
+    if (in_image.empty()) continue;
+    const YardMark& truth = in_image[static_cast<std::size_t>(mark.id)];
     const auto& centre = truth.truth.centroid;
     const double off = centre ? (*centre - Eigen::Vector2d(mark.u_px, mark.v_px)).norm() : 1e9;
     if (off > AllowedPx(disc_px)) {
@@ -40,22 +40,22 @@ LookScore Score(const YardLook& look, const LocateOutput& out) {
   score.found = right >= 5;
   if (!out.sighting) return score;
   score.stereo = out.sighting->stereo;
-  const Pose3 X_DR = look.X_DB * Inverse(out.sighting->X_RB);
+  const Pose3 X_DR = sample.X_DB * Inverse(out.sighting->X_RB);
   const DockingCoords seen = ToDockingCoords(ToGround(X_DR));
-  score.range_error_m = seen.r - look.at.r;
-  score.heading_error_rad = WrapPi(seen.h - look.at.h);
-  const double shift = (out.sighting->X_RB.p - look.X_RB.p).norm();
-  const Eigen::AngleAxisd turn(look.X_RB.R * out.sighting->X_RB.R.transpose());
+  score.range_error_m = seen.r - sample.at.r;
+  score.heading_error_rad = WrapPi(seen.h - sample.at.h);
+  const double shift = (out.sighting->X_RB.p - sample.X_RB.p).norm();
+  const Eigen::AngleAxisd turn(sample.X_RB.R * out.sighting->X_RB.R.transpose());
   score.wrong = shift > 0.3 || turn.angle() > Radians(10.0);
   if (out.sighting->covariance.isZero()) return score;
   Eigen::Matrix<double, 6, 1> error;
-  error << look.X_RB.p - out.sighting->X_RB.p, turn.angle() * turn.axis();
+  error << sample.X_RB.p - out.sighting->X_RB.p, turn.angle() * turn.axis();
   score.nees = error.dot(out.sighting->covariance.ldlt().solve(error));
   return score;
 }
 
-void SurveyTally::Add(const LookScore& score) {
-  ++looks;
+void SurveyTally::Add(const SampleScore& score) {
+  ++pairs;
   if (!score.in_view) return;
   ++in_view;
   found += score.found;
@@ -85,9 +85,9 @@ double SurveyTally::named_heading_rms_rad() const { return Root(named_heading_ra
 double SurveyTally::plain_rms_px() const { return Root(plain_px2, plain); }
 double SurveyTally::cut_rms_px() const { return Root(cut_px2, cut); }
 
-SurveyTally TallyOf(const std::vector<LookScore>& scores, double r_low_m, double r_high_m) {
+SurveyTally TallyOf(const std::vector<SampleScore>& scores, double r_low_m, double r_high_m) {
   SurveyTally tally;
-  for (const LookScore& score : scores) {
+  for (const SampleScore& score : scores) {
     if (score.at.r > r_low_m && score.at.r <= r_high_m) tally.Add(score);
   }
   return tally;

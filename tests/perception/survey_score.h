@@ -10,7 +10,7 @@
 
 namespace dockyard::axel {
 
-struct LookScore {
+struct SampleScore {
   int index = 0;
   DockingCoords at;
   bool in_view = false;   // five fiducials whole and unhidden in one image
@@ -30,11 +30,11 @@ struct LookScore {
   std::array<HomographySum, 2> homography{};  // left, right
 };
 
-LookScore Score(const YardLook& look, const LocateOutput& out);
+SampleScore Score(const YardSample& sample, const LocateOutput& out);
 
 /// Sums over image pairs of one kind.
 struct SurveyTally {
-  int looks = 0, in_view = 0, found = 0, accepted = 0, wrong = 0, stereo = 0, wrong_marks = 0;
+  int pairs = 0, in_view = 0, found = 0, accepted = 0, wrong = 0, stereo = 0, wrong_marks = 0;
   int plain = 0, cut = 0;
   double range_m2 = 0.0, heading_rad2 = 0.0, plain_px2 = 0.0, cut_px2 = 0.0, nees = 0.0;
   // Over the accepted whose marks are all right, at least six in each image ("typically 6-7", Tsai
@@ -42,7 +42,7 @@ struct SurveyTally {
   int named = 0;
   double named_range_m2 = 0.0, named_heading_rad2 = 0.0;
 
-  void Add(const LookScore& score);
+  void Add(const SampleScore& score);
   double range_rms_m() const;
   double heading_rms_rad() const;
   double named_range_rms_m() const;
@@ -52,6 +52,6 @@ struct SurveyTally {
 };
 
 /// Image pairs with r in (low, high].
-SurveyTally TallyOf(const std::vector<LookScore>& scores, double r_low_m, double r_high_m);
+SurveyTally TallyOf(const std::vector<SampleScore>& scores, double r_low_m, double r_high_m);
 
 }  // namespace dockyard::axel

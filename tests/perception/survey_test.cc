@@ -8,21 +8,21 @@
 namespace dockyard::axel {
 namespace {
 
-SurveyTally Look(Light light, int count, const VisionSettings& settings = {}) {
+SurveyTally TallyAt(Light light, int count, const VisionSettings& settings = {}) {
   YardOptions options{.light = light};
   YardViews views(options);
   SurveyTally tally;
   for (int i = 0; tally.in_view < count && i < 4 * count; ++i) {
     if (!views.Take(i, false).InView()) continue;
-    const YardLook look = views.Take(i);
-    tally.Add(Score(
-        look, LocateBoard(look.images, views.calibration(), views.board(), look.hints, settings)));
+    const YardSample sample = views.Take(i);
+    tally.Add(Score(sample, LocateBoard(sample.images, views.calibration(), views.board(),
+                                        sample.hints, settings)));
   }
   return tally;
 }
 
 TEST(YardSurvey, FindsTheBoardInEvenLight) {
-  const SurveyTally tally = Look(Light::kEven, 30);
+  const SurveyTally tally = TallyAt(Light::kEven, 30);
   ASSERT_EQ(tally.in_view, 30);
   EXPECT_GE(tally.accepted, 29);  // [30]
   EXPECT_EQ(tally.wrong, 0);
@@ -37,7 +37,7 @@ TEST(YardSurvey, FindsTheBoardInEvenLight) {
 }
 
 TEST(YardSurvey, FindsTheBoardUnderAHardShadow) {
-  const SurveyTally tally = Look(Light::kHardShadow, 30);
+  const SurveyTally tally = TallyAt(Light::kHardShadow, 30);
   ASSERT_EQ(tally.in_view, 30);
   EXPECT_GE(tally.accepted, 28);  // [30]
   EXPECT_EQ(tally.wrong, 0);
@@ -50,9 +50,9 @@ TEST(YardSurvey, FindsTheBoardUnderAHardShadow) {
 
 TEST(YardSurvey, FindsTheSameWhateverTheNumberOfThreads) {
   SurveyPlan plan{.yard = {.light = Light::kHardShadow, .width = 640, .height = 480}, .count = 8};
-  const std::vector<LookScore> alone = RunSurvey(plan).dockyard.scores;
+  const std::vector<SampleScore> alone = RunSurvey(plan).dockyard.scores;
   plan.jobs = 3;
-  const std::vector<LookScore> shared = RunSurvey(plan).dockyard.scores;
+  const std::vector<SampleScore> shared = RunSurvey(plan).dockyard.scores;
   ASSERT_GE(alone.size(), 5u);
   ASSERT_EQ(alone.size(), shared.size());
   for (std::size_t i = 0; i < alone.size(); ++i) {
@@ -68,19 +68,19 @@ TEST(YardSurvey, FindsTheSameWhateverTheNumberOfThreads) {
 TEST(YardSurvey, NearTheDockTheLensFillsTheSeedsReprojection) {
   SurveyPlan plan{.yard = {.r_max_m = 2.0}, .count = 12, .tsai_count = 12};
   double raw_px = 0.0, linear_px = 0.0;
-  int pictures = 0;
-  for (const LookScore& score : RunSurvey(plan).tsai2013.scores) {
+  int images = 0;
+  for (const SampleScore& score : RunSurvey(plan).tsai2013.scores) {
     if (score.wrong_marks > 0) continue;
     for (const HomographySum& sum : score.homography) {
       if (sum.marks < 6) continue;
       raw_px += sum.raw_px;
       linear_px += sum.linear_px;
-      ++pictures;
+      ++images;
     }
   }
-  ASSERT_GE(pictures, 6);
-  EXPECT_GT(raw_px / pictures, 3.0);     // [9.4]; the paper's: 8.21 +- 2.4
-  EXPECT_LT(linear_px / pictures, 1.0);  // [0.31]
+  ASSERT_GE(images, 6);
+  EXPECT_GT(raw_px / images, 3.0);     // [9.4]; the paper's: 8.21 +- 2.4
+  EXPECT_LT(linear_px / images, 1.0);  // [0.31]
 }
 
 TEST(YardSurvey, SeesNoBoardWhereThereIsNone) {

@@ -13,15 +13,15 @@ namespace {
 
 /// The truth with the rover put somewhere else: level axle on its wheels, body pitched, arm down to
 /// the ground or, before the station, up to the mouth, tether straight from its tip to the anchor.
-Truth Placed(const Truth& at_start, const BuiltRun& built, const YardLook& look) {
+Truth Placed(const Truth& at_start, const BuiltRun& built, const YardSample& sample) {
   Truth truth = at_start;
   const RoverModel& rover = built.world.rover;
   const double axle_m = built.nominal.wheel_radius_m;
-  const Pose3 X_WH = built.X_WD * FromGround(FromDockingCoords(look.at), axle_m);
-  truth.X_WR = X_WH * Pose3{RotY(look.pitch_rad), Eigen::Vector3d::Zero()};
+  const Pose3 X_WH = built.X_WD * FromGround(FromDockingCoords(sample.at), axle_m);
+  truth.X_WR = X_WH * Pose3{RotY(sample.pitch_rad), Eigen::Vector3d::Zero()};
   truth.X_W_left_wheel = X_WH * Pose3{Eigen::Matrix3d::Identity(), rover.p_R_left_wheel};
   truth.X_W_right_wheel = X_WH * Pose3{Eigen::Matrix3d::Identity(), rover.p_R_right_wheel};
-  const bool near = look.at.r < rover.arm_length_m + 0.5;
+  const bool near = sample.at.r < rover.arm_length_m + 0.5;
   const double tip_m = near ? built.nominal.mouth_height_m : rover.tip.radius_m;
   const double down_rad = std::asin((axle_m - tip_m) / rover.arm_length_m);
   truth.X_WA = X_WH * Pose3{RotY(down_rad), Eigen::Vector3d::Zero()};
@@ -56,9 +56,10 @@ double Halton(int index, int base) {
   return value;
 }
 
-bool YardLook::InView() const {
-  return std::any_of(marks.begin(), marks.end(), [](const std::vector<YardMark>& eye) {
-    return std::count_if(eye.begin(), eye.end(), [](const YardMark& m) { return m.InView(); }) >= 5;
+bool YardSample::InView() const {
+  return std::any_of(marks.begin(), marks.end(), [](const std::vector<YardMark>& view) {
+    return std::count_if(view.begin(), view.end(), [](const YardMark& m) { return m.InView(); }) >=
+           5;
   });
 }
 
@@ -73,7 +74,7 @@ YardViews::YardViews(const YardOptions& options) : options_(options) {
 }
 YardViews::~YardViews() = default;
 
-YardLook YardViews::Take(int i, bool render) {
+YardSample YardViews::Take(int i, bool render) {
   const auto spread = [&](int base, double half) {
     return half * (2.0 * Halton(i + 1, base) - 1.0);
   };
@@ -82,31 +83,31 @@ YardLook YardViews::Take(int i, bool render) {
                 spread(7, options_.pitch_rad), render);
 }
 
-YardLook YardViews::TakeAt(int i, const DockingCoords& at, double pitch_rad, bool render) {
+YardSample YardViews::TakeAt(int i, const DockingCoords& at, double pitch_rad, bool render) {
   const std::uint64_t seed = RunSeed(options_.seed, static_cast<std::uint64_t>(i));
-  YardLook look;
-  look.index = i;
-  look.at = at;
-  look.pitch_rad = pitch_rad;
+  YardSample sample;
+  sample.index = i;
+  sample.at = at;
+  sample.pitch_rad = pitch_rad;
   const BuiltRun& built = built_;
-  const Truth truth = Placed(world_->truth(), built, look);
-  look.X_WR = truth.X_WR;
-  look.built_rig = BuiltRig(built.world.rover.stereo, seed);
-  look.sensor = CameraSensor(built.world.rover.stereo, seed, 0);
+  const Truth truth = Placed(world_->truth(), built, sample);
+  sample.X_WR = truth.X_WR;
+  sample.built_rig = BuiltRig(built.world.rover.stereo, seed);
+  sample.sensor = CameraSensor(built.world.rover.stereo, seed, 0);
   const Lighting lighting =
       MakeLighting(scenario_.light, built.X_WD, BoardInDock(built.world.station).p, seed);
   builder_ = std::make_unique<SceneBuilder>(built.world.rover, built.world.station,
                                             built.world.soil, lighting, scenario_.X_WG, seed);
   scene_ = builder_->Make(truth, world_->ground());
-  look.X_RB = Inverse(truth.X_WR) * scene_.board.X_WB;
-  look.X_DB = Inverse(built.X_WD) * scene_.board.X_WB;
-  const std::array<const Camera*, 2> cameras{&look.built_rig.left, &look.built_rig.right};
-  const std::array<Pose3, 2> X_RC{look.built_rig.X_RL, look.built_rig.X_RQ};
+  sample.X_RB = Inverse(truth.X_WR) * scene_.board.X_WB;
+  sample.X_DB = Inverse(built.X_WD) * scene_.board.X_WB;
+  const std::array<const Camera*, 2> cameras{&sample.built_rig.left, &sample.built_rig.right};
+  const std::array<Pose3, 2> X_RC{sample.built_rig.X_RL, sample.built_rig.X_RQ};
   const std::vector<double> shaded = ShadedShares(scene_);
-  for (std::size_t eye = 0; eye < 2; ++eye) {
-    const auto pixels = TrueFiducials(scene_, *cameras[eye], truth.X_WR * X_RC[eye]);
+  for (std::size_t view = 0; view < 2; ++view) {
+    const auto pixels = TrueFiducials(scene_, *cameras[view], truth.X_WR * X_RC[view]);
     for (std::size_t id = 0; id < pixels.size(); ++id) {
-      look.marks[eye].push_back({.truth = pixels[id], .shaded = shaded[id]});
+      sample.marks[view].push_back({.truth = pixels[id], .shaded = shaded[id]});
     }
   }
   // What the attitude filter gives, bias and noise of the rover's file.
@@ -114,23 +115,23 @@ YardLook YardViews::TakeAt(int i, const DockingCoords& at, double pitch_rad, boo
   const double sigma =
       std::hypot(built.world.rover.imu.attitude_bias_rad, built.world.rover.imu.attitude_noise_rad);
   const Eigen::Matrix3d R_WR_sensed = RotY(sigma * imu.Normal()) * RotX(sigma * imu.Normal());
-  look.hints.up_R = R_WR_sensed.transpose() * truth.X_WR.R.transpose() * Eigen::Vector3d::UnitZ();
+  sample.hints.up_R = R_WR_sensed.transpose() * truth.X_WR.R.transpose() * Eigen::Vector3d::UnitZ();
   if (!options_.has_board) {
     scene_.board.X_WB.p.z() = -5.0;  // under the ground
-    for (auto& eye : look.marks) eye.clear();
+    for (auto& view : sample.marks) view.clear();
   }
-  if (render) Draw(look, &look.images);
-  return look;
+  if (render) Draw(sample, &sample.images);
+  return sample;
 }
 
-void YardViews::Draw(const YardLook& look, StereoImages* images) {
-  const std::string stem = options_.cache + "/" + std::to_string(look.index);
+void YardViews::Draw(const YardSample& sample, StereoImages* images) {
+  const std::string stem = options_.cache + "/" + std::to_string(sample.index);
   if (!options_.cache.empty() && ReadPgm(stem + "_left.pgm", &images->left) &&
       ReadPgm(stem + "_right.pgm", &images->right)) {
     return;
   }
   if (!renderer_) renderer_ = std::make_unique<StereoRenderer>();
-  *images = renderer_->Render(scene_, look.built_rig, look.X_WR, look.sensor);
+  *images = renderer_->Render(scene_, sample.built_rig, sample.X_WR, sample.sensor);
   if (options_.cache.empty()) return;
   WritePgm(stem + "_left.pgm", images->left);
   WritePgm(stem + "_right.pgm", images->right);

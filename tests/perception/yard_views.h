@@ -33,7 +33,7 @@ struct YardMark {
   bool CutByShadow() const { return shaded > 0.02 && shaded < 0.98; }
 };
 
-struct YardLook {
+struct YardSample {
   int index = 0;
   DockingCoords at;
   double pitch_rad = 0.0;
@@ -56,15 +56,15 @@ class YardViews {
   ~YardViews();
 
   /// With render false the truth only; images stay empty.
-  YardLook Take(int i, bool render = true);
+  YardSample Take(int i, bool render = true);
   /// The same from a given place.
-  YardLook TakeAt(int i, const DockingCoords& at, double pitch_rad, bool render = true);
+  YardSample TakeAt(int i, const DockingCoords& at, double pitch_rad, bool render = true);
   const StereoRig& calibration() const { return built_.nominal.rig; }
   const FiducialBoard& board() const { return built_.nominal.board; }
   const Scene& last_scene() const { return scene_; }
 
  private:
-  void Draw(const YardLook& look, StereoImages* images);
+  void Draw(const YardSample& sample, StereoImages* images);
 
   YardOptions options_;
   Scenario scenario_;

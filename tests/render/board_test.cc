@@ -28,13 +28,13 @@ Offsets CentroidOffsets(const Camera& camera, double range_m, double yaw_rad,
   const double white = UnshadedRadiance(scene.light, -scene.board.X_WB.R.col(2), 0.85);
   Offsets offsets;
   int count = 0;
-  for (int eye = 0; eye < 2; ++eye) {
-    const Pose3 X_CB = Inverse(eye == 0 ? rig.X_RL : rig.X_RQ) * scene.board.X_WB;
+  for (int view = 0; view < 2; ++view) {
+    const Pose3 X_CB = Inverse(view == 0 ? rig.X_RL : rig.X_RQ) * scene.board.X_WB;
     for (const Fiducial& f : scene.board.board.fiducials) {
       const Eigen::Vector2d exact = ExactBlackCentroid(scene.board.board, f, camera, X_CB);
       if (!camera.Sees(exact, 1.2 * 0.1 * camera.focal_px().x() / range_m)) continue;
       const double window = 0.068 * camera.focal_px().x() / range_m + 2.0;
-      const double off = (CentroidOfDark(pair[eye], exact, window, white) - exact).norm();
+      const double off = (CentroidOfDark(pair[view], exact, window, white) - exact).norm();
       offsets.rms_px += off * off;
       offsets.worst_px = std::max(offsets.worst_px, off);
       ++count;

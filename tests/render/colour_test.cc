@@ -28,7 +28,7 @@ TEST(Blackbody, LowSunIsRedderAndNoBrighter) {
   EXPECT_NEAR(Luminance(high), 1.0, 1e-12);
 }
 
-TEST(Colour, LuminanceIsTheGreyPicture) {
+TEST(Colour, LuminanceIsTheGreyImage) {
   auto yard = SampleYard(2.0, SunAt(0.5, 0.7));
   yard->scene.light.sun_rgb = BlackbodyRgb(4500);
   yard->scene.light.sky_rgb = BlackbodyRgb(9000);
@@ -40,12 +40,12 @@ TEST(Colour, LuminanceIsTheGreyPicture) {
   const auto colour = renderer.RenderColour(yard->scene, rig, yard->X_WR);
   const Eigen::Vector3d share = ChannelWeights(Channel::kGrey);
   double worst = 0.0, least_alike = 0.0;
-  for (int eye = 0; eye < 2; ++eye) {
-    for (std::size_t i = 0; i < grey[eye].values.size(); ++i) {
-      const double r = colour[eye][0].values[i], g = colour[eye][1].values[i],
-                   b = colour[eye][2].values[i];
+  for (int view = 0; view < 2; ++view) {
+    for (std::size_t i = 0; i < grey[view].values.size(); ++i) {
+      const double r = colour[view][0].values[i], g = colour[view][1].values[i],
+                   b = colour[view][2].values[i];
       const double luminance = share[0] * r + share[1] * g + share[2] * b;
-      worst = std::max(worst, std::abs(luminance / grey[eye].values[i] - 1.0));
+      worst = std::max(worst, std::abs(luminance / grey[view].values[i] - 1.0));
       least_alike = std::max(least_alike, r / b);
     }
   }

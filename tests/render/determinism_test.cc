@@ -26,7 +26,7 @@ std::string HashWithThreads(const char* count) {
   return got && status == 0 ? line.data() : "";
 }
 
-TEST(Picture, HasTheSameBitsTwice) {
+TEST(Image, HasTheSameBitsTwice) {
   const auto yard = SampleYard(2.0, SunAt(0.5, 0.7));
   StereoRenderer renderer;
   const StereoImages first = renderer.Render(yard->scene, kRig, yard->X_WR, {.noise_key = 9});
@@ -37,7 +37,7 @@ TEST(Picture, HasTheSameBitsTwice) {
   EXPECT_EQ(first, anew);
 }
 
-TEST(Picture, DoesNotDependOnWhatWasDrawnBefore) {
+TEST(Image, DoesNotDependOnWhatWasDrawnBefore) {
   const auto yard = SampleYard(2.0, SunAt(0.5, 0.7));
   const auto other = SampleYard(4.0, SunAt(-0.5, 0.4));
   StereoRenderer renderer;
@@ -46,14 +46,14 @@ TEST(Picture, DoesNotDependOnWhatWasDrawnBefore) {
   EXPECT_EQ(first, renderer.Render(yard->scene, kRig, yard->X_WR, {}));
 }
 
-TEST(Picture, HasTheSameBitsWithAnyNumberOfThreads) {
+TEST(Image, HasTheSameBitsWithAnyNumberOfThreads) {
   const std::string alone = HashWithThreads("0");
   ASSERT_FALSE(alone.empty());
   EXPECT_EQ(alone, HashWithThreads("1"));
   EXPECT_EQ(alone, HashWithThreads("2"));
 }
 
-TEST(Picture, FollowsTheGroundWhenItsHeightsChangeInPlace) {
+TEST(Image, FollowsTheGroundWhenItsHeightsChangeInPlace) {
   const auto yard = SampleYard(2.0, SunAt(0.5, 0.7));
   StereoRenderer renderer;
   const StereoImages before = renderer.Render(yard->scene, kRig, yard->X_WR, {});

@@ -13,8 +13,8 @@ GrayImage Kept(const GoldenView& view) {
   return ReadPng(std::string(DOCKYARD_SOURCE_DIR) + "/tests/render/golden/" + view.name + ".png");
 }
 
-PictureDifference FromKept(const GoldenView& view, const GrayImage& drawn) {
-  const PictureDifference d = Compare(Kept(view), drawn);
+ImageDifference FromKept(const GoldenView& view, const GrayImage& drawn) {
+  const ImageDifference d = Compare(Kept(view), drawn);
   std::printf("%s: mean %.3f levels, %.3f %% of the pixels off by more than 4, a block by %.2f\n",
               view.name, d.mean, 100.0 * d.beyond_4, d.block);
   return d;
@@ -22,7 +22,7 @@ PictureDifference FromKept(const GoldenView& view, const GrayImage& drawn) {
 
 class Golden : public testing::TestWithParam<GoldenView> {};
 
-TEST_P(Golden, PictureIsStillTheSame) {
+TEST_P(Golden, ImageIsStillTheSame) {
   const GoldenView& view = GetParam();
   const GrayImage drawn = DrawGolden(*GoldenYard(view), GoldenRig());
   const bool same = FromKept(view, drawn).small();
@@ -62,7 +62,7 @@ TEST(GoldenShadow, ATurnOfTheSunByTwoDegreesIsSeen) {
   EXPECT_FALSE(FromKept(view, DrawGolden(*yard, GoldenRig())).small());
 }
 
-TEST(GoldenPictures, AreAllInUse) {
+TEST(GoldenImages, AreAllInUse) {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(DOCKYARD_SOURCE_DIR) +
                                                                "/tests/render/golden")) {

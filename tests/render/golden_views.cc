@@ -36,9 +36,9 @@ GrayImage DrawGolden(const Yard& yard, const StereoRig& rig) {
       .left;
 }
 
-PictureDifference Compare(const GrayImage& a, const GrayImage& b) {
+ImageDifference Compare(const GrayImage& a, const GrayImage& b) {
   if (a.width != b.width || a.height != b.height) throw std::runtime_error("images of two sizes");
-  PictureDifference d;
+  ImageDifference d;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const int off = std::abs(a.pixels[i] - b.pixels[i]);
     d.mean += off;

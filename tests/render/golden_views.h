@@ -23,7 +23,7 @@ StereoRig GoldenRig();
 /// Its left image.
 GrayImage DrawGolden(const Yard& yard, const StereoRig& rig);
 
-struct PictureDifference {
+struct ImageDifference {
   double mean = 0.0;      // grey levels
   double beyond_4 = 0.0;  // share of the pixels
   double block = 0.0;     // largest difference of the means of 8 x 8 pixels [grey levels]
@@ -31,7 +31,7 @@ struct PictureDifference {
   /// Within the difference that another Mesa or processor may make.
   bool small() const { return mean < 0.5 && beyond_4 < 0.01 && block < 5.0; }
 };
-PictureDifference Compare(const GrayImage& a, const GrayImage& b);
+ImageDifference Compare(const GrayImage& a, const GrayImage& b);
 
 /// Throws std::runtime_error when the file cannot be read or written.
 GrayImage ReadPng(const std::string& path);

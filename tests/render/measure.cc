@@ -81,12 +81,12 @@ StereoRig RigAt(const Camera& camera, const Pose3& X_WC) {
   return {.left = camera, .right = camera, .X_RL = X_WC, .X_RQ = beside};
 }
 
-Pose3 LookAt(const Eigen::Vector3d& eye_W, const Eigen::Vector3d& target_W) {
-  const Eigen::Vector3d forward = (target_W - eye_W).normalized();
+Pose3 LookAt(const Eigen::Vector3d& from_W, const Eigen::Vector3d& target_W) {
+  const Eigen::Vector3d forward = (target_W - from_W).normalized();
   const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
   Pose3 X_WC;
   X_WC.R << right, forward.cross(right), forward;
-  X_WC.p = eye_W;
+  X_WC.p = from_W;
   return X_WC;
 }
 

@@ -26,6 +26,6 @@ double UnshadedRadiance(const SunAndSky& light, const Eigen::Vector3d& normal_W,
 StereoRig RigAt(const Camera& camera, const Pose3& X_WC);
 
 /// Camera at one point, facing another, its x axis level.
-Pose3 LookAt(const Eigen::Vector3d& eye_W, const Eigen::Vector3d& target_W);
+Pose3 LookAt(const Eigen::Vector3d& from_W, const Eigen::Vector3d& target_W);
 
 }  // namespace dockyard

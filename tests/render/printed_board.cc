@@ -65,24 +65,24 @@ class Footprints {
 
 }  // namespace
 
-double InkShare(const PrintedPicture& picture, const std::array<Eigen::Vector2d, 4>& corners_B) {
-  const double half = 0.5 * picture.modules;
+double InkShare(const PrintedImage& print, const std::array<Eigen::Vector2d, 4>& corners_B) {
+  const double half = 0.5 * print.modules;
   Polygon pixel;  // in modules, from the pattern's top left corner
   Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
   for (const Eigen::Vector2d& corner : corners_B) {
-    pixel.push_back((corner - picture.p_BM) / picture.module_m + Eigen::Vector2d(half, half));
+    pixel.push_back((corner - print.p_BM) / print.module_m + Eigen::Vector2d(half, half));
     low = low.cwiseMin(pixel.back());
     high = high.cwiseMax(pixel.back());
   }
-  if (low.maxCoeff() >= picture.modules || high.minCoeff() <= 0.0) return 0.0;
+  if (low.maxCoeff() >= print.modules || high.minCoeff() <= 0.0) return 0.0;
   const auto module = [&](double at) {
-    return static_cast<int>(std::clamp(std::floor(at), 0.0, picture.modules - 1.0));
+    return static_cast<int>(std::clamp(std::floor(at), 0.0, print.modules - 1.0));
   };
   double black = 0.0;
   for (int row = module(low.y()); row <= module(high.y()); ++row) {
     const Polygon strip = Cut(Cut(pixel, 1, row, -1.0), 1, row + 1, 1.0);
     for (int column = module(low.x()); column <= module(high.x()); ++column) {
-      if (!picture.IsBlack(column, row)) continue;
+      if (!print.IsBlack(column, row)) continue;
       black += TwiceArea(Cut(Cut(strip, 0, column, -1.0), 0, column + 1, 1.0));
     }
   }
@@ -91,24 +91,24 @@ double InkShare(const PrintedPicture& picture, const std::array<Eigen::Vector2d,
 
 std::array<RadianceImage, 2> RenderPrinted(StereoRenderer& renderer, const Scene& scene,
                                            const StereoRig& rig, const Pose3& X_WR,
-                                           const std::vector<PrintedPicture>& pictures) {
+                                           const std::vector<PrintedImage>& prints) {
   Scene plain = scene;
   plain.board.board.fiducials.clear();
   std::array<RadianceImage, 2> views = renderer.RenderRadiance(plain, rig, X_WR);
   plain.board.white_albedo = plain.board.black_albedo;
   const std::array<RadianceImage, 2> black = renderer.RenderRadiance(plain, rig, X_WR);
-  for (std::size_t eye = 0; eye < 2; ++eye) {
-    const Camera& camera = eye == 0 ? rig.left : rig.right;
-    const Pose3 X_WC = X_WR * (eye == 0 ? rig.X_RL : rig.X_RQ);
+  for (std::size_t view = 0; view < 2; ++view) {
+    const Camera& camera = view == 0 ? rig.left : rig.right;
+    const Pose3 X_WC = X_WR * (view == 0 ? rig.X_RL : rig.X_RQ);
     Footprints footprints(camera, Inverse(scene.board.X_WB) * X_WC);
     for (int y = 0; y < camera.height; ++y) {
       for (int x = 0; x < camera.width; ++x) {
-        float& value = views[eye].values[static_cast<std::size_t>(y) * camera.width + x];
-        const float all_black = black[eye].at(x, y);
+        float& value = views[view].values[static_cast<std::size_t>(y) * camera.width + x];
+        const float all_black = black[view].at(x, y);
         if (value == all_black) continue;  // no part of it shows the board
         const std::array<Eigen::Vector2d, 4> corners_B = footprints.Of(x, y);
         double ink = 0.0;
-        for (const PrintedPicture& picture : pictures) ink += InkShare(picture, corners_B);
+        for (const PrintedImage& print : prints) ink += InkShare(print, corners_B);
         value += static_cast<float>(ink) * (all_black - value);
       }
     }

@@ -42,7 +42,7 @@ TEST_P(Rays, SeeWhatTheRendererDraws) {
   const Difference d = Compare(drawn, cast);
   std::printf("%.1f m: mean %.3f grey levels, %.3f %% of the pixels off by more than 8\n",
               GetParam(), d.mean, 100.0 * d.beyond_8);
-  if (const char* folder = std::getenv("DOCKYARD_PICTURES")) {
+  if (const char* folder = std::getenv("DOCKYARD_IMAGES")) {
     for (const auto& [name, image] : {std::pair("drawn", &drawn), {"cast", &cast}}) {
       char path[300];
       std::snprintf(path, sizeof path, "%s/%s_%.0f.pgm", folder, name, GetParam());

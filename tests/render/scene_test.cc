@@ -70,9 +70,9 @@ TEST(Object, InFrontHidesTheBoard) {
   const Fiducial& f = scene.board.board.fiducials[0];
   const Eigen::Vector3d disc_W =
       scene.board.X_WB * Eigen::Vector3d(f.p_BF.x() + 0.03, f.p_BF.y() + 0.02, 0);
-  const Eigen::Vector3d eye(1.5, 0, 0.7);
-  const Eigen::Vector3d between = eye + 0.5 * (disc_W - eye);
-  const Pose3 X_WC = LookAt(eye, {0, 0, 0.7});
+  const Eigen::Vector3d from(1.5, 0, 0.7);
+  const Eigen::Vector3d between = from + 0.5 * (disc_W - from);
+  const Pose3 X_WC = LookAt(from, {0, 0, 0.7});
   const StereoRig rig = RigAt(kCamera, X_WC);
   const Eigen::Vector2d pixel = *kCamera.Project(Inverse(X_WC) * disc_W);
   StereoRenderer renderer;

@@ -69,7 +69,7 @@ TEST(Noise, IsTheSameForTheSameKeyAndAnotherForAnother) {
             ExposeStereo(radiance, kRig, {.noise_key = 6}));
 }
 
-TEST(Noise, OfTheTwoEyesIsIndependent) {
+TEST(Noise, OfTheTwoCamerasIsIndependent) {
   const StereoImages out = ExposeStereo(Even(1.0f), kRig, {});
   const double l = Of(out.left).mean, r = Of(out.right).mean;
   double covariance = 0.0;

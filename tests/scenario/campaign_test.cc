@@ -101,7 +101,7 @@ TEST_F(CampaignFile, ResolvedReadsBackFromAListWithMappingsAndFiles) {
       "campaign: list\nbase: toy.yaml\nscenario: {yard: {cell_m: 0.03}}\n"
       "values: {start: {near: {r_m: 2}, aside: {alpha_deg: 20}}}\nruns:\n"
       "  - {run: 3, start: near, soil: ../models/gravel.yaml, controller: straight,\n"
-      "     toy: {flag: ../models/eye.yaml}, sun: {elevation_deg: 12.3}}\n"
+      "     toy: {flag: ../models/lens.yaml}, sun: {elevation_deg: 12.3}}\n"
       "  - {run: 2, start: aside, soil: ../models/sand.yaml, controller: {command: [a, b]},\n"
       "     toy: {colour: null}, sun: {}}\n");
   EXPECT_THAT(campaign.labels, ElementsAre("start", "soil", "toy", "sun"));

@@ -24,7 +24,7 @@ struct Flag {
   int threads = 0;
   std::uint64_t seed = 7;
   bool waves = false;
-  std::string owner, wind = "calm", picture;
+  std::string owner, wind = "calm", cloth_file;
   std::vector<std::string> gusts, sponsors;
   Cloth cloth = Cloth::kBlue;
   YamlNode notes, moves;
@@ -45,7 +45,7 @@ void VisitFlag(Keys& keys, Flag& flag) {
                      [&](Keys& in) {
                        in.Texts({"gusts", "", "one after the other", kRequired}, flag.gusts, 3);
                      });
-  keys.File({"picture", "", "on it", kUnset}, flag.picture);
+  keys.File({"cloth_file", "", "on it", kUnset}, flag.cloth_file);
   keys.Texts({"sponsors", "", "who paid", kUnset}, flag.sponsors, 2);
   keys.Choice({"cloth", "", "its colour"}, flag.cloth, {"red", "blue"});
   keys.Tree({"notes", "", "anything", kUnset}, flag.notes, YamlNode::Kind::kMapping);
@@ -74,7 +74,7 @@ seed: 18446744073709551615
 waves: true
 owner: 'a "b" \ : c'
 wind: {gusts: [north, "west: 3"]}
-picture: cloth.txt
+cloth_file: cloth.txt
 sponsors: [x]
 cloth: red
 notes: {a: {b: [1, two]}}
@@ -157,7 +157,7 @@ TEST(WriteKeys, LeavesOutWhatIsUnsetAndWritesDefaults) {
   const YamlNode written = Written({});
   EXPECT_EQ(FindPath(written, "pole.weight_kg"), nullptr);
   EXPECT_EQ(written.Find("threads"), nullptr);
-  EXPECT_EQ(written.Find("picture"), nullptr);
+  EXPECT_EQ(written.Find("cloth_file"), nullptr);
   EXPECT_EQ(written.Find("notes"), nullptr);
   EXPECT_EQ(written.Find("x_m")->scalar, "2");
   EXPECT_EQ(written.Find("cloth")->scalar, "blue");
@@ -201,7 +201,7 @@ TEST(DocumentKeys, SaysKindRangeUnitDefaultAndMeaning) {
         "| `owner` | text |  |  | required | whose it is |\n",
         "| `wind` | word | calm, storm, or a mapping |  | calm | how it blows |\n",
         "| `wind.gusts` | list of texts | 1 to 3 |  | required | one after the other |\n",
-        "| `picture` | file |  |  | none | on it |\n",
+        "| `cloth_file` | file |  |  | none | on it |\n",
         "| `cloth` | word | red, blue |  | blue | its colour |\n",
         "| `moves` | list |  |  | none | anything in order |\n"}) {
     EXPECT_THAT(table, HasSubstr(line));

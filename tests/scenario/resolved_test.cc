@@ -15,9 +15,9 @@ using ::testing::ElementsAre;
 const std::vector<std::pair<std::string, std::string>>& OtherValues() {
   static const std::vector<std::pair<std::string, std::string>> values{
       {"name", "'a \"b\" \\ : c'"},
-      {"robot", "ROOT/models/eye.yaml"},
+      {"robot", "ROOT/models/lens.yaml"},
       {"soil", "ROOT/models/gravel.yaml"},
-      {"camera.file", "ROOT/models/eye.yaml"},
+      {"camera.file", "ROOT/models/lens.yaml"},
       {"camera.width_px", "800"},
       {"camera.height_px", "600"},
       {"camera.colour", "true"},

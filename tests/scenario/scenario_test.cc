@@ -81,11 +81,11 @@ TEST_F(ScenarioFile, KeepsTheSystemsMappingChangesAndScriptAsTheyAre) {
 
 TEST_F(ScenarioFile, FilesOfTheSystemAndOfChangesBecomeAbsolute) {
   const Scenario s = LoadScenario(folder_.And("changes: {robot: {cameras: {file: "
-                                              "../models/eye.yaml}}}"),
+                                              "../models/lens.yaml}}}"),
                                   {}, ToySystems());
   EXPECT_EQ(s.of_system.Find("flag")->scalar, (folder_.path() / "models/flag.yaml").string());
   EXPECT_EQ(FindPath(s.changes, "robot.cameras.file")->scalar,
-            (folder_.path() / "models/eye.yaml").string());
+            (folder_.path() / "models/lens.yaml").string());
   EXPECT_EQ(Changed("../models/flag.yaml", "../models/none.yaml"),
             "scenarios/s.yaml:9:13: toy.flag: expected a file, found none at 'models/none.yaml'");
 }

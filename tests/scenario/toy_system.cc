@@ -34,7 +34,7 @@ StudySystems ToyStudies(std::vector<std::string>* checked) {
 }
 
 ToyFolder::ToyFolder() : scenario_text(kScenario) {
-  for (const char* model : {"point", "sand", "gravel", "flag", "eye"}) {
+  for (const char* model : {"point", "sand", "gravel", "flag", "lens"}) {
     Write(std::string("models/") + model + ".yaml", "name: " + std::string(model) + "\n");
   }
   scenario = Write("scenarios/toy.yaml", scenario_text);

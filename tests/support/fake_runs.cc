@@ -83,13 +83,13 @@ RunRecord FakeRecord(const CampaignRun& run) {
     sample.beliefs = {i < 100 ? 0.0 : 1.0};
     record.history.push_back(sample);
   }
-  SightingSample look;
-  look.report.accepted = true;
-  look.report.detected = {3, 4};
-  look.report.marks = {{7, 1, 10.5, 20.25}};
-  look.X_DR = {4.0, 0.0, -3.0};
-  look.X_DR_measured = {4.1, 0.1, -3.0};
-  record.sightings.push_back(look);
+  SightingSample sample;
+  sample.report.accepted = true;
+  sample.report.detected = {3, 4};
+  sample.report.marks = {{7, 1, 10.5, 20.25}};
+  sample.X_DR = {4.0, 0.0, -3.0};
+  sample.X_DR_measured = {4.1, 0.1, -3.0};
+  record.sightings.push_back(sample);
   record.plans.push_back({1.0, {{{4.0, 0.0, -3.0}, 1.0, 0.5}, {{3.0, 0.1, -2.5}, 1.0, -0.5}}});
   return record;
 }

@@ -40,9 +40,9 @@ std::vector<DetectedFiducial> Detections(const FiducialBoard& board, const Pose3
 }
 
 /// Fiducial of each detection, as the result names it.
-std::map<int, int> IdByDetection(const EyeCorrespondence& eye) {
+std::map<int, int> IdByDetection(const Correspondence& found) {
   std::map<int, int> ids;
-  for (const MarkMatch& match : eye.matches) ids[match.detection] = match.id;
+  for (const MarkMatch& match : found.matches) ids[match.detection] = match.id;
   return ids;
 }
 
@@ -64,10 +64,10 @@ TEST_P(SixteenHypotheses, EachIsFoundWhenItIsTheTruth) {
     std::swap(truth[pair[0]], truth[pair[1]]);
   }
   const auto detections = Detections(named, BoardAt(3.0, Radians(20.0)));
-  const auto eye = Correspond(detections, kCamera, renamed, kUp_C);
-  ASSERT_TRUE(eye);
-  ASSERT_EQ(eye->matches.size(), 8u);
-  for (const MarkMatch& match : eye->matches) {
+  const auto found = Correspond(detections, kCamera, renamed, kUp_C);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->matches.size(), 8u);
+  for (const MarkMatch& match : found->matches) {
     EXPECT_EQ(match.id, truth[static_cast<std::size_t>(match.detection)]);
   }
 }
@@ -80,10 +80,10 @@ TEST(Correspondence, SurvivesTwoHiddenAndOneFalseMark) {
   detections.erase(detections.begin() + 5);
   detections.erase(detections.begin() + 2);
   detections.push_back(Detected({600.0, 500.0}, 10.0, RotationClass(Radians(90.0))));
-  const auto eye = Correspond(detections, kCamera, board, kUp_C);
-  ASSERT_TRUE(eye);
+  const auto found = Correspond(detections, kCamera, board, kUp_C);
+  ASSERT_TRUE(found);
   const std::map<int, int> expected{{0, 0}, {1, 1}, {2, 3}, {3, 4}, {4, 6}, {5, 7}};
-  EXPECT_EQ(IdByDetection(*eye), expected);
+  EXPECT_EQ(IdByDetection(*found), expected);
 }
 
 TEST(Correspondence, FillsHiddenFiducialsInWhereTheyAre) {
@@ -91,10 +91,10 @@ TEST(Correspondence, FillsHiddenFiducialsInWhereTheyAre) {
   const Pose3 X_CB = BoardAt(2.5, Radians(15.0));
   auto detections = Detections(board, X_CB);
   detections.erase(detections.begin() + 6);
-  const auto eye = Correspond(detections, kCamera, board, kUp_C);
-  ASSERT_TRUE(eye);
+  const auto found = Correspond(detections, kCamera, board, kUp_C);
+  ASSERT_TRUE(found);
   const auto truth = ProjectDisc(kCamera, X_CB, board.fiducials[6], board.disc_diameter_m);
-  EXPECT_LT((eye->centres[6] - *truth).norm(), 0.3);
+  EXPECT_LT((found->centres[6] - *truth).norm(), 0.3);
 }
 
 TEST(Correspondence, SurvivesTwoMisreadRotations) {
@@ -104,10 +104,10 @@ TEST(Correspondence, SurvivesTwoMisreadRotations) {
     detections[misread].rotation_class = (detections[misread].rotation_class + 1) % 4;
     detections[misread].rotation_margin = 0.04;
   }
-  const auto eye = Correspond(detections, kCamera, board, kUp_C);
-  ASSERT_TRUE(eye);
+  const auto found = Correspond(detections, kCamera, board, kUp_C);
+  ASSERT_TRUE(found);
   const std::map<int, int> expected{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}, {6, 6}, {7, 7}};
-  EXPECT_EQ(IdByDetection(*eye), expected);
+  EXPECT_EQ(IdByDetection(*found), expected);
 }
 
 TEST(Correspondence, DoesNotSeeTheBoardUpsideDown) {
@@ -115,9 +115,9 @@ TEST(Correspondence, DoesNotSeeTheBoardUpsideDown) {
   Pose3 X_CB = BoardAt(3.0, 0.0);
   X_CB.R = X_CB.R * RotZ(kPi);
   // Half a turn leaves every bar's direction as it was.
-  const auto eye = Correspond(Detections(board, X_CB), kCamera, board, kUp_C);
-  ASSERT_FALSE(eye);
-  EXPECT_EQ(eye.error(), PoseFailure::kNoCorrespondence);
+  const auto found = Correspond(Detections(board, X_CB), kCamera, board, kUp_C);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error(), PoseFailure::kNoCorrespondence);
 }
 
 TEST(Correspondence, RefusesMarksOfTheWrongSize) {
@@ -131,9 +131,9 @@ TEST(Correspondence, NeedsFiveMarks) {
   const FiducialBoard board = TestBoard();
   auto detections = Detections(board, BoardAt(3.0, 0.0));
   detections.resize(4);
-  const auto eye = Correspond(detections, kCamera, board, kUp_C);
-  ASSERT_FALSE(eye);
-  EXPECT_EQ(eye.error(), PoseFailure::kTooFewFiducials);
+  const auto found = Correspond(detections, kCamera, board, kUp_C);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error(), PoseFailure::kTooFewFiducials);
 }
 
 TEST(MatchByPose, LeavesFarMarksAlone) {

@@ -24,7 +24,7 @@ struct Disc {
 
 /// The print in a light, blurred by a Gaussian: albedo on a grid of an eighth of a pixel, smoothed
 /// along x, then along y.
-GrayImage Picture(const Disc& disc, RandomStream& random,
+GrayImage ImageOf(const Disc& disc, RandomStream& random,
                   const std::function<double(const Eigen::Vector2d&)>& light = {}) {
   constexpr int kSize = 44, kFine = 8, kReach = 24;  // three pixels either side
   const FiducialBoard board = TestBoard();
@@ -51,11 +51,11 @@ GrayImage Picture(const Disc& disc, RandomStream& random,
     }
     smooth.col(pixel) /= smooth.col(pixel).sum();
   }
-  const Eigen::MatrixXd picture = smooth.transpose() * albedo * smooth;
+  const Eigen::MatrixXd exact = smooth.transpose() * albedo * smooth;
   GrayImage image{.width = kSize, .height = kSize, .pixels = {}};
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
-      const double value = picture(y, x) + kNoise * random.Normal();
+      const double value = exact(y, x) + kNoise * random.Normal();
       image.pixels.push_back(static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)));
     }
   }
@@ -88,7 +88,7 @@ TEST(DiscFit, ErrorIsWithinTwiceTheCramerRaoBound) {
     constexpr int kCount = 30;
     for (int i = 0; i < kCount; ++i) {
       const Disc disc = Somewhere(radius_px, random);
-      const GrayImage image = Picture(disc, random);
+      const GrayImage image = ImageOf(disc, random);
       const auto fit = FitDisc(image, Rim(disc, random), disc.bar_rad, TestBoard());
       ASSERT_TRUE(fit) << radius_px;
       squares += 0.5 * (fit->centre_px - disc.centre_px).squaredNorm();
@@ -111,7 +111,7 @@ TEST(DiscFit, SlopingLightDoesNotMoveTheCentre) {
         return 1.0 + 0.3 * (at - disc.centre_px).x() / (radius_px + 2.0);  // 0.7 to 1.3 across it
       };
       const auto fit =
-          FitDisc(Picture(disc, random, light), Rim(disc, random), disc.bar_rad, TestBoard());
+          FitDisc(ImageOf(disc, random, light), Rim(disc, random), disc.bar_rad, TestBoard());
       ASSERT_TRUE(fit);
       EXPECT_LT((fit->centre_px - disc.centre_px).norm(), 0.06);
     }
@@ -127,14 +127,14 @@ TEST(DiscFit, LeavesDiscsThatAShadowsEdgeCutsToTheRim) {
         return (at - disc.centre_px).x() > 0.0 ? 0.25 : 1.0;
       };
       EXPECT_FALSE(
-          FitDisc(Picture(disc, random, light), Rim(disc, random), disc.bar_rad, TestBoard()));
+          FitDisc(ImageOf(disc, random, light), Rim(disc, random), disc.bar_rad, TestBoard()));
     }
   }
 }
 
-TEST(DiscFit, NeedsTheRingWholeInThePicture) {
+TEST(DiscFit, NeedsTheRingWholeInTheImage) {
   RandomStream random(StreamKey(4, "disc"));
-  const GrayImage image = Picture(Somewhere(5.0, random), random);
+  const GrayImage image = ImageOf(Somewhere(5.0, random), random);
   const Ellipse at_border{.centre_px = {5.5, 20.0}, .shape_px = 5.0 * Eigen::Matrix2d::Identity()};
   EXPECT_FALSE(FitDisc(image, at_border, 0.0, TestBoard()));
 }

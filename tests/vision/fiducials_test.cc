@@ -17,7 +17,7 @@ struct Seen {
 };
 
 /// Detections in the left image against the truth.
-Seen Look(const SyntheticScene& scene, const StereoRig& rig) {
+Seen Detect(const SyntheticScene& scene, const StereoRig& rig) {
   auto detections = DetectFiducials(SyntheticView(scene, rig.left, rig.X_RL), scene.board);
   const Pose3 X_CB = Inverse(scene.X_DR * rig.X_RL) * scene.X_DB;
   const Eigen::Matrix3d R_DC = scene.X_DR.R * rig.X_RL.R;
@@ -53,7 +53,7 @@ SyntheticScene From(double r_m, double alpha_deg, double h_deg, double pitch_deg
 }
 
 TEST(Fiducials, AreAllFoundAtTwoMetres) {
-  const Seen seen = Look(From(2.0, 10.0, 5.0), TestRig(640, 480));
+  const Seen seen = Detect(From(2.0, 10.0, 5.0), TestRig(640, 480));
   EXPECT_EQ(seen.found, 8);
   EXPECT_EQ(seen.right_class, 8);
   EXPECT_EQ(seen.false_marks, 0);
@@ -61,34 +61,34 @@ TEST(Fiducials, AreAllFoundAtTwoMetres) {
 
 TEST(Fiducials, AreMeasuredToAFewHundredthsOfAPixel) {
   // Published for ellipse fits on contours: 0.05-0.08 px at this size; edges do as well or better.
-  EXPECT_LT(Look(From(2.0, 10.0, 5.0), TestRig(640, 480)).rms_px, 0.06);
+  EXPECT_LT(Detect(From(2.0, 10.0, 5.0), TestRig(640, 480)).rms_px, 0.06);
 }
 
 TEST(Fiducials, AreFoundEightPixelsAcross) {
-  const Seen seen = Look(From(5.0, 5.0, 0.0), TestRig(640, 480));
+  const Seen seen = Detect(From(5.0, 5.0, 0.0), TestRig(640, 480));
   EXPECT_GE(seen.found, 7);
   EXPECT_GE(seen.right_class, seen.found - 1);
 }
 
 TEST(Fiducials, AreFoundTwoHundredPixelsAcross) {
   // 0.32 m before the camera at 652 px/rad, tilted up: only some are in the image at all.
-  const Seen seen = Look(From(0.40, 0.0, 0.0, -15.0), TestRig(1024, 768));
+  const Seen seen = Detect(From(0.40, 0.0, 0.0, -15.0), TestRig(1024, 768));
   EXPECT_GE(seen.in_view, 2);
   EXPECT_GE(seen.found, seen.in_view);
   EXPECT_EQ(seen.right_class, seen.found);
 }
 
 TEST(Fiducials, AreFoundSevenPixelsAcrossThoughTheirBarsBlur) {
-  const Seen seen = Look(From(6.0, 5.0, 0.0), TestRig(640, 480));
+  const Seen seen = Detect(From(6.0, 5.0, 0.0), TestRig(640, 480));
   EXPECT_GE(seen.found, 6);
 }
 
 TEST(Fiducials, OfANearBoardAreNotJoinedByStones) {
-  EXPECT_EQ(Look(From(1.2, 0.0, 0.0), TestRig(640, 480)).false_marks, 0);
+  EXPECT_EQ(Detect(From(1.2, 0.0, 0.0), TestRig(640, 480)).false_marks, 0);
 }
 
 TEST(Fiducials, AreReadFromAsideAndAbove) {
-  const Seen seen = Look(From(1.8, 38.0, 5.0, 15.0), TestRig(640, 480));
+  const Seen seen = Detect(From(1.8, 38.0, 5.0, 15.0), TestRig(640, 480));
   EXPECT_EQ(seen.right_class, seen.found);
   EXPECT_GE(seen.found, 7);
 }
@@ -96,7 +96,7 @@ TEST(Fiducials, AreReadFromAsideAndAbove) {
 TEST(Fiducials, AreFoundInDimLight) {
   SyntheticScene scene = From(2.5, 0.0, 0.0);
   scene.white_dn = 45.0;  // 40 DN between white and black
-  EXPECT_EQ(Look(scene, TestRig(640, 480)).found, 8);
+  EXPECT_EQ(Detect(scene, TestRig(640, 480)).found, 8);
 }
 
 TEST(Fiducials, AreFoundThroughVeilingLight) {
@@ -113,22 +113,22 @@ TEST(Fiducials, AreFoundThroughVeilingLight) {
 TEST(Fiducials, AreFoundUnderTheEdgeOfAShadow) {
   SyntheticScene scene = From(2.0, 0.0, 0.0);
   scene.shadow = SyntheticScene::ShadowEdge{.through_B = {-0.12, -0.18}, .normal_rad = 0.3};
-  EXPECT_EQ(Look(scene, TestRig(640, 480)).found, 8);
+  EXPECT_EQ(Detect(scene, TestRig(640, 480)).found, 8);
 }
 
 TEST(Fiducials, AreFoundInBrokenShade) {
   SyntheticScene scene = From(2.0, 0.0, 0.0);
   scene.speckle = 0.5;
-  EXPECT_GE(Look(scene, TestRig(640, 480)).found, 7);
+  EXPECT_GE(Detect(scene, TestRig(640, 480)).found, 7);
 }
 
-TEST(Fiducials, AreNotSeenInAnEvenPicture) {
+TEST(Fiducials, AreNotSeenInAnEvenImage) {
   const GrayImage even{
       .width = 640, .height = 480, .pixels = std::vector<std::uint8_t>(640 * 480, 90)};
   EXPECT_TRUE(DetectFiducials(even, TestBoard()).empty());
 }
 
-TEST(Fiducials, AreNotSeenInTinyPictures) {
+TEST(Fiducials, AreNotSeenInTinyImages) {
   EXPECT_TRUE(DetectFiducials({}, TestBoard()).empty());
   for (const int size : {1, 2, 3, 20, 21, 22, 43}) {
     GrayImage image{.width = size, .height = size, .pixels = {}};

@@ -44,15 +44,15 @@ bool Covered(const SyntheticScene& scene, const Fiducial& mark) {
   return ((from - 0.5 * scene.cover->size_m).array() < margin).all();
 }
 
-int WrongMarks(const HeldLook& look, const StereoRig& rig, const Pose3& X_RB) {
+int WrongMarks(const HeldSample& sample, const StereoRig& rig, const Pose3& X_RB) {
   int wrong = 0;
-  for (const SightingReport::Mark& mark : look.report.marks) {
+  for (const SightingReport::Mark& mark : sample.report.marks) {
     const Camera& camera = mark.camera == 1 ? rig.right : rig.left;
     const Pose3 X_CB = Inverse(mark.camera == 1 ? rig.X_RQ : rig.X_RL) * X_RB;
-    const Eigen::Vector2d p = look.scene.board.fiducials[static_cast<std::size_t>(mark.id)].p_BF;
+    const Eigen::Vector2d p = sample.scene.board.fiducials[static_cast<std::size_t>(mark.id)].p_BF;
     const Eigen::Vector3d p_C = X_CB * Eigen::Vector3d(p.x(), p.y(), 0.0);
     const double radius_px =
-        0.5 * look.scene.board.disc_diameter_m * camera.focal_px().x() / p_C.norm();
+        0.5 * sample.scene.board.disc_diameter_m * camera.focal_px().x() / p_C.norm();
     const auto pixel = camera.Project(p_C);
     wrong += !pixel || (*pixel - Eigen::Vector2d(mark.u_px, mark.v_px)).norm() > 0.5 * radius_px;
   }
@@ -68,7 +68,7 @@ FiducialBoard PlainGrid(int columns, int rows, double pitch_m, double diameter_m
       .height_m = rows * pitch_m,
       .disc_diameter_m = diameter_m,
       .fiducials = {},
-      .upright = {.against = Upright::Against::kPicture, .within_rad = upright_within_rad}};
+      .upright = {.against = Upright::Against::kImage, .within_rad = upright_within_rad}};
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       board.fiducials.push_back(
@@ -110,56 +110,56 @@ StereoRig HeldRig(const HeldOptions& options) {
   return rig;
 }
 
-HeldLook LookAtHeld(const HeldOptions& options, std::uint64_t i) {
+HeldSample TakeHeld(const HeldOptions& options, std::uint64_t i) {
   RandomStream random(StreamKey(i, "held board"));
   const StereoRig rig = HeldRig(options);
   const Pose3 X_CB = Held(options, random);
   const Pose3 X_RB = rig.X_RL * X_CB;
-  HeldLook look;
-  look.scene.board = options.board;
-  look.scene.has_board = options.has_board;
-  look.scene.has_station = false;
-  look.scene.X_DR = Pose3::Translation(0.0, 0.0, 1.2);  // above the ground
-  look.scene.X_DB = look.scene.X_DR * X_RB;
-  look.scene.clutter_fiducials = options.clutter;
-  look.scene.noise_dn = options.noise_dn;
-  look.scene.samples = options.samples;
-  look.scene.seed = i + 1;
+  HeldSample sample;
+  sample.scene.board = options.board;
+  sample.scene.has_board = options.has_board;
+  sample.scene.has_station = false;
+  sample.scene.X_DR = Pose3::Translation(0.0, 0.0, 1.2);  // above the ground
+  sample.scene.X_DB = sample.scene.X_DR * X_RB;
+  sample.scene.clutter_fiducials = options.clutter;
+  sample.scene.noise_dn = options.noise_dn;
+  sample.scene.samples = options.samples;
+  sample.scene.seed = i + 1;
   if (options.covered_share > 0.0) {
     const double width = options.covered_share * options.board.width_m;
-    look.scene.cover = {.middle_B = {0.5 * (width - options.board.width_m), 0.0},
-                        .size_m = {width, options.board.height_m}};
+    sample.scene.cover = {.middle_B = {0.5 * (width - options.board.width_m), 0.0},
+                          .size_m = {width, options.board.height_m}};
   }
   for (const Fiducial& mark : options.board.fiducials) {
-    look.in_view +=
-        Whole(rig.left, X_CB, mark, options.board.disc_diameter_m) && !Covered(look.scene, mark);
+    sample.in_view +=
+        Whole(rig.left, X_CB, mark, options.board.disc_diameter_m) && !Covered(sample.scene, mark);
   }
-  look.images.left = SyntheticView(look.scene, rig.left, rig.X_RL);
-  if (!options.one_eye) look.images.right = SyntheticView(look.scene, rig.right, rig.X_RQ);
-  look.report = LocateBoard(look.images, rig, options.board, {}).report;
-  look.wrong_marks = WrongMarks(look, rig, X_RB);
-  const Pose3& got = look.report.X_RB;
-  look.place_error = (got.p - X_RB.p).norm() / X_CB.p.norm();
-  look.turn_error_rad = Eigen::AngleAxisd(got.R.transpose() * X_RB.R).angle();
-  return look;
+  sample.images.left = SyntheticView(sample.scene, rig.left, rig.X_RL);
+  if (!options.left_only) sample.images.right = SyntheticView(sample.scene, rig.right, rig.X_RQ);
+  sample.report = LocateBoard(sample.images, rig, options.board, {}).report;
+  sample.wrong_marks = WrongMarks(sample, rig, X_RB);
+  const Pose3& got = sample.report.X_RB;
+  sample.place_error = (got.p - X_RB.p).norm() / X_CB.p.norm();
+  sample.turn_error_rad = Eigen::AngleAxisd(got.R.transpose() * X_RB.R).angle();
+  return sample;
 }
 
 HeldScore ScoreHeld(const HeldOptions& options, int count, int in_view) {
   HeldScore score;
-  for (std::uint64_t i = 0; score.looks < count; ++i) {
+  for (std::uint64_t i = 0; score.pairs < count; ++i) {
     const std::clock_t begin = std::clock();
-    const HeldLook look = LookAtHeld(options, i);
-    if (look.in_view < in_view) continue;
+    const HeldSample sample = TakeHeld(options, i);
+    if (sample.in_view < in_view) continue;
     score.cpu_s += static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    ++score.looks;
-    if (!look.report.accepted) continue;
+    ++score.pairs;
+    if (!sample.report.accepted) continue;
     ++score.accepted;
-    score.marks += static_cast<int>(look.report.marks.size());
-    score.wrong_marks += look.wrong_marks;
-    const bool wrong = look.place_error > 0.1 || look.turn_error_rad > Radians(10.0);
+    score.marks += static_cast<int>(sample.report.marks.size());
+    score.wrong_marks += sample.wrong_marks;
+    const bool wrong = sample.place_error > 0.1 || sample.turn_error_rad > Radians(10.0);
     score.wrong_poses += wrong;
-    score.worst_place = std::max(score.worst_place, look.place_error);
-    score.worst_turn_rad = std::max(score.worst_turn_rad, look.turn_error_rad);
+    score.worst_place = std::max(score.worst_place, sample.place_error);
+    score.worst_turn_rad = std::max(score.worst_turn_rad, sample.turn_error_rad);
   }
   return score;
 }

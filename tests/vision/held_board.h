@@ -28,11 +28,11 @@ struct HeldOptions {
   int clutter = 0;           // discs like the board's on white ground, anywhere else
   double covered_share = 0;  // of the board's width, from its left edge
   bool has_board = true;
-  bool one_eye = false;  // the left image alone
+  bool left_only = false;  // the left image alone
   int samples = 3;
 };
 
-struct HeldLook {
+struct HeldSample {
   SyntheticScene scene;
   StereoImages images;
   int in_view = 0;  // marks whole in the left image and not covered
@@ -43,10 +43,10 @@ struct HeldLook {
 
 StereoRig HeldRig(const HeldOptions& options);
 /// Image pair i: its range, tilt, roll and place are drawn by i alone.
-HeldLook LookAtHeld(const HeldOptions& options, std::uint64_t i);
+HeldSample TakeHeld(const HeldOptions& options, std::uint64_t i);
 
 struct HeldScore {
-  int looks = 0, accepted = 0;
+  int pairs = 0, accepted = 0;
   int wrong_poses = 0;  // accepted and off by a tenth of the range or 10 deg
   int marks = 0, wrong_marks = 0;
   double worst_place = 0.0, worst_turn_rad = 0.0, cpu_s = 0.0;

@@ -29,7 +29,7 @@ HeldOptions FarGrid() {
 HeldScore Scored(const HeldOptions& options, int count, int in_view) {
   const HeldScore score = ScoreHeld(options, count, in_view);
   std::printf("    %d of %d accepted; %d marks; worst place %.2e of the range, turn %.3f deg\n",
-              score.accepted, score.looks, score.marks, score.worst_place,
+              score.accepted, score.pairs, score.marks, score.worst_place,
               Degrees(score.worst_turn_rad));
   EXPECT_EQ(score.wrong_poses, 0);
   EXPECT_EQ(score.wrong_marks, 0);
@@ -38,13 +38,13 @@ HeldScore Scored(const HeldOptions& options, int count, int in_view) {
 
 TEST(HeldBoard, PlainGridIsFoundNearAndThroughAWideLens) {
   HeldOptions options = NearGrid();
-  options.one_eye = true;
+  options.left_only = true;
   const HeldScore one = Scored(options, 20, 12);
   EXPECT_EQ(one.accepted, 20);
   EXPECT_EQ(one.marks, 20 * 12);
   EXPECT_LT(one.worst_place, 1e-3);
   EXPECT_LT(one.worst_turn_rad, Radians(0.2));
-  options.one_eye = false;
+  options.left_only = false;
   const HeldScore both = Scored(options, 12, 12);
   EXPECT_EQ(both.accepted, 12);
 }
@@ -52,7 +52,7 @@ TEST(HeldBoard, PlainGridIsFoundNearAndThroughAWideLens) {
 TEST(HeldBoard, PlainGridIsFoundInAnyRollThatItsFileAllows) {
   HeldOptions options = FarGrid();
   EXPECT_EQ(Scored(options, 12, 12).accepted, 12);
-  options.one_eye = true;
+  options.left_only = true;
   options.noise_dn = 5.0;
   EXPECT_EQ(Scored(options, 20, 12).accepted, 20);
 }
@@ -68,10 +68,10 @@ TEST(HeldBoard, PartOfAGridIsRefusedWhereItCouldBeAnotherPart) {
   HeldOptions options = FarGrid();
   options.covered_share = 0.25;
   for (std::uint64_t i = 0; i < 8; ++i) {
-    const HeldLook look = LookAtHeld(options, i);
-    if (look.in_view < 9) continue;
-    EXPECT_FALSE(look.report.accepted);
-    EXPECT_EQ(look.report.reason, "ambiguous");
+    const HeldSample sample = TakeHeld(options, i);
+    if (sample.in_view < 9) continue;
+    EXPECT_FALSE(sample.report.accepted);
+    EXPECT_EQ(sample.report.reason, "ambiguous");
   }
 }
 
@@ -80,12 +80,12 @@ TEST(HeldBoard, PartOfALargerGridIsRefused) {
   for (const double roll : {0.0, kPi / 4.0}) {
     const HeldOptions options = FarGrid();
     for (std::uint64_t i = 0; i < 4; ++i) {
-      HeldLook look = LookAtHeld(options, i);
-      look.scene.board = PlainGrid(7, 6, 0.09, 0.05, kPi);
-      look.scene.X_DB.R = look.scene.X_DB.R * RotZ(roll);
+      HeldSample sample = TakeHeld(options, i);
+      sample.scene.board = PlainGrid(7, 6, 0.09, 0.05, kPi);
+      sample.scene.X_DB.R = sample.scene.X_DB.R * RotZ(roll);
       const StereoRig rig = HeldRig(options);
       const auto report =
-          LocateBoard(SyntheticPair(look.scene, rig), rig, options.board, {}).report;
+          LocateBoard(SyntheticPair(sample.scene, rig), rig, options.board, {}).report;
       EXPECT_GE(report.DetectedBy(0), 20);
       EXPECT_FALSE(report.accepted) << "roll " << roll << ", image pair " << i;
     }
@@ -97,13 +97,13 @@ TEST(HeldBoard, AGridWithoutOneDiscKeepsItsNames) {
   FiducialBoard printed = options.board;
   printed.fiducials.erase(printed.fiducials.begin() + 5);
   for (std::uint64_t i = 0; i < 10; ++i) {
-    HeldLook look = LookAtHeld(options, i);
-    if (look.in_view < 12) continue;
-    look.scene.board = printed;
+    HeldSample sample = TakeHeld(options, i);
+    if (sample.in_view < 12) continue;
+    sample.scene.board = printed;
     const StereoRig rig = HeldRig(options);
-    const auto out = LocateBoard(SyntheticPair(look.scene, rig), rig, options.board, {});
+    const auto out = LocateBoard(SyntheticPair(sample.scene, rig), rig, options.board, {});
     ASSERT_TRUE(out.report.accepted) << i << ": " << out.report.reason;
-    const Pose3 X_RB = Inverse(look.scene.X_DR) * look.scene.X_DB;
+    const Pose3 X_RB = Inverse(sample.scene.X_DR) * sample.scene.X_DB;
     EXPECT_LT((out.report.X_RB.p - X_RB.p).norm(), 0.002 * X_RB.p.norm());
     EXPECT_EQ(out.report.marks.size(), 22u);
   }
@@ -130,10 +130,10 @@ TEST(HeldBoard, FourToSevenBarsAreFound) {
                         .camera = EquidistantCamera(640, 480, Radians(90.0))};
     options.tilt_rad = Radians(28.0);  // the board must hang plumb to 30 deg
     options.r_min_m = 0.7;
-    options.one_eye = true;
+    options.left_only = true;
     std::printf("  %d bars\n", marks);
     EXPECT_EQ(Scored(options, 10, marks).accepted, 10);
-    options.one_eye = false;
+    options.left_only = false;
     const HeldScore both = Scored(options, 10, marks);
     EXPECT_EQ(both.accepted, 10);
     EXPECT_LT(both.worst_place, 1e-3);
@@ -166,9 +166,9 @@ TEST(HeldBoard, IsNotSeenWhereThereIsNone) {
       options.samples = 2;
       for (std::uint64_t i = 0; i < 6; ++i) {
         options.clutter = static_cast<int>(8 * i);  // up to 40 discs like the board's
-        const HeldLook look = LookAtHeld(options, i);
-        discs += look.report.DetectedBy(0) + look.report.DetectedBy(1);
-        EXPECT_FALSE(look.report.accepted) << marks << " marks, image pair " << i;
+        const HeldSample sample = TakeHeld(options, i);
+        discs += sample.report.DetectedBy(0) + sample.report.DetectedBy(1);
+        EXPECT_FALSE(sample.report.accepted) << marks << " marks, image pair " << i;
       }
       EXPECT_GT(discs, 100);  // or the test shows nothing
     }

@@ -15,7 +15,7 @@ void Row(const char* name, const HeldOptions& options, int count, int in_view) {
   std::printf(
       "%-44s %3d of %3d accepted, %d wrong; %d marks, %d wrong; worst %.4f of the range, %.2f "
       "deg\n",
-      name, s.accepted, s.looks, s.wrong_poses, s.marks, s.wrong_marks, s.worst_place,
+      name, s.accepted, s.pairs, s.wrong_poses, s.marks, s.wrong_marks, s.worst_place,
       Degrees(s.worst_turn_rad));
   std::fflush(stdout);
 }
@@ -30,16 +30,16 @@ int main(int argc, char** argv) {
   photo.baseline_m = 0.097;
   photo.r_min_m = 0.22;
   photo.r_max_m = 0.45;
-  photo.one_eye = true;
+  photo.left_only = true;
   Row("plain 4x3, 110 deg lens, 0.22-0.45 m, one camera", photo, count, 12);
-  photo.one_eye = false;
+  photo.left_only = false;
   Row("the same, pair", photo, count, 12);
   HeldOptions far{.board = PlainGrid(4, 3, 0.09, 0.05, Radians(80.0)), .camera = normal};
   far.r_max_m = 1.5;
   far.roll_rad = Radians(60.0);
-  far.one_eye = true;
+  far.left_only = true;
   Row("plain 4x3, 0.5-1.5 m, roll 60 deg, one camera", far, count, 12);
-  far.one_eye = false;
+  far.left_only = false;
   Row("the same, pair", far, count, 12);
   far.covered_share = 0.2;
   Row("the same, a column covered", far, count, 9);
@@ -54,9 +54,9 @@ int main(int argc, char** argv) {
     bars.r_min_m = 0.7;
     bars.r_max_m = 2.0;
     const std::string name = std::to_string(marks) + " bars, 0.7-2 m, ";
-    bars.one_eye = true;
+    bars.left_only = true;
     Row((name + "one camera").c_str(), bars, count, marks);
-    bars.one_eye = false;
+    bars.left_only = false;
     Row((name + "pair").c_str(), bars, count, marks);
   }
   return 0;

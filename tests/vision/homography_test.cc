@@ -38,7 +38,7 @@ TEST(Homography, HoldsExactlyOnTheViewingSphere) {
   }
 }
 
-TEST(Homography, DoesNotHoldInFishEyePixels) {
+TEST(Homography, DoesNotHoldInFisheyePixels) {
   // The same board fitted in equidistant pixels, f = 407 px, leaves pixels of error.
   const Camera camera = EquidistantCamera(640, 480, Radians(90.0));
   std::vector<PlanePair> pairs = TruePairs();

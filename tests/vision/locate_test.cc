@@ -46,7 +46,7 @@ TEST(LocateBoard, ReportsEveryMarkWithItsName) {
   }
 }
 
-TEST(LocateBoard, DoesWithOneEye) {
+TEST(LocateBoard, DoesWithOneCamera) {
   const SyntheticScene scene = From(2.0, 20.0, 5.0);
   StereoImages images = SyntheticPair(scene, kRig);
   images.left = Blank();
@@ -64,12 +64,12 @@ TEST(LocateBoard, SaysThatNothingIsToBeSeen) {
   EXPECT_EQ(out.report.reason, "too few fiducials");
 }
 
-TEST(LocateBoard, NoticesWhenTheEyesSeeDifferentBoards) {
+TEST(LocateBoard, NoticesWhenTheCamerasSeeDifferentBoards) {
   StereoImages images = SyntheticPair(From(2.0, 0.0, 0.0), kRig);
   images.right = SyntheticPair(From(2.0, 0.0, 8.0), kRig).right;
   const LocateOutput out = LocateBoard(images, kRig, TestBoard(), {});
   ASSERT_FALSE(out.sighting);
-  EXPECT_EQ(out.sighting.error(), PoseFailure::kEyesDisagree);
+  EXPECT_EQ(out.sighting.error(), PoseFailure::kCamerasDisagree);
 }
 
 TEST(LocateBoard, ToleratesTheCalibrationErrorOfARealRig) {

@@ -95,7 +95,7 @@ TEST(Tsai2013, FailsUnderAHardShadowWhereOursDoesNot) {
   EXPECT_LT(theirs, 6);
 }
 
-TEST(LocateBoard, FourMarksOfEachEyeAreEnoughTogether) {
+TEST(LocateBoard, FourMarksOfEachCameraAreEnoughTogether) {
   const SyntheticScene scene = From(2.0, 5.0, 0.0);
   StereoImages images = SyntheticPair(scene, kRig);
   Hide(&images.left, kRig.left, kRig.X_RL, scene, {0, 2, 5, 7});

@@ -33,7 +33,7 @@ double Apart(const Pose3& a, const Pose3& b) {
   return (a.p - b.p).norm() + Eigen::AngleAxisd(a.R.transpose() * b.R).angle();
 }
 
-TEST(PlanarPose, IsExactAtTheBorderOfAFishEyePicture) {
+TEST(PlanarPose, IsExactAtTheBorderOfAFisheyeImage) {
   const Camera camera = DistortedCamera();
   for (const double off_axis : {0.0, 20.0, 38.0}) {
     const Eigen::Vector3d p = RotY(Radians(off_axis)) * Eigen::Vector3d(0.0, 0.1, 2.0);

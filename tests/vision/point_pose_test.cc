@@ -351,7 +351,7 @@ TEST(PointPose, ExchangedCamerasAreNoticed) {
   for (PointPixel& point : seen) point.view = 1 - point.view;
   const auto pose = PoseFromPoints(seen, kRig, {});
   ASSERT_FALSE(pose);
-  EXPECT_EQ(pose.error(), PoseFailure::kEyesDisagree);
+  EXPECT_EQ(pose.error(), PoseFailure::kCamerasDisagree);
 }
 
 TEST(PointPose, DiscsAreComparedWithTheMiddleOfTheirEllipse) {

@@ -121,7 +121,7 @@ TEST(PoseGate, TellsTheFalseMarkAmongTheRightOnes) {
     const auto worst = std::max_element(fit.mark_sigmas.begin(), fit.mark_sigmas.end());
     EXPECT_EQ(static_cast<std::size_t>(worst - fit.mark_sigmas.begin()), i);
     EXPECT_GT(*worst, 4.5);
-    EXPECT_EQ(Judge(fit, Views(rig), kLevel), PoseFailure::kEyesDisagree);
+    EXPECT_EQ(Judge(fit, Views(rig), kLevel), PoseFailure::kCamerasDisagree);
   }
 }
 

@@ -54,7 +54,7 @@ TEST(RobustPlanarPose, FindsBothMinimaOfAnObliquePlane) {
   EXPECT_LT(minima[0].error, minima[1].error);
 }
 
-TEST(RobustPlanarPose, TheLinearModelErrsAtAFishEyesBorder) {
+TEST(RobustPlanarPose, TheLinearModelErrsAtAFisheyesBorder) {
   // The paper's footnote calls this unreliable: distortion left out. In the middle it does no harm.
   const FiducialBoard board = TestBoard();
   const Camera camera = EquidistantCamera(1024, 768, Radians(90.0));

@@ -157,7 +157,7 @@ TEST(JointFit, ReadsTheToeInOffTheBoard) {
   EXPECT_NEAR(fit.turn.mean_rad.y(), Radians(0.16), Radians(0.02));
 }
 
-TEST(JointFit, BringsAFarStartHome) {
+TEST(JointFit, BringsAFarStartIn) {
   const StereoRig rig = TestRig(640, 480);
   const Pose3 X_RB = BoardAhead(3.0, Radians(25.0));
   RandomStream random(6);

@@ -40,45 +40,45 @@ int WrongMarks(const SyntheticScene& scene, const StereoRig& rig, const Sighting
 
 }  // namespace
 
-Look TakeLook(const SurveyOptions& options, int i) {
+PoseSample TakeSample(const SurveyOptions& options, int i) {
   const auto spread = [&](int base, double half) {
     return half * (2.0 * Halton(i + 1, base) - 1.0);
   };
-  Look look{.at = {}, .out = {PoseFailure::kTooFewFiducials, {}}};
-  look.at.r = options.r_min_m + (options.r_max_m - options.r_min_m) * Halton(i + 1, 2);
-  look.at.alpha = spread(3, options.alpha_rad);
-  look.at.h = spread(5, options.h_rad);
-  look.pitch_rad = spread(7, options.pitch_rad);
+  PoseSample sample{.at = {}, .out = {PoseFailure::kTooFewFiducials, {}}};
+  sample.at.r = options.r_min_m + (options.r_max_m - options.r_min_m) * Halton(i + 1, 2);
+  sample.at.alpha = spread(3, options.alpha_rad);
+  sample.at.h = spread(5, options.h_rad);
+  sample.pitch_rad = spread(7, options.pitch_rad);
   SyntheticScene scene;
-  scene.X_DR = RoverAt(look.at, look.pitch_rad);
+  scene.X_DR = RoverAt(sample.at, sample.pitch_rad);
   scene.seed = static_cast<std::uint64_t>(1000 + i);
   if (options.arrange) options.arrange(scene, i);
   const StereoRig rig = TestRig(options.width, options.height);
   const StereoRig built =
       options.miscalibrated ? Miscalibrated(rig, StreamKey(scene.seed, "rig")) : rig;
-  look.in_view =
+  sample.in_view =
       AllInView(scene, built.left, built.X_RL) || AllInView(scene, built.right, built.X_RQ);
-  if (!look.in_view) return look;
+  if (!sample.in_view) return sample;
   LocateHints hints;
   hints.up_R = scene.X_DR.R.transpose() * Eigen::Vector3d::UnitZ();
-  look.out = LocateBoard(SyntheticPair(scene, built), rig, scene.board, hints);
-  look.wrong_marks = WrongMarks(scene, built, look.out.report);
-  if (!look.out.sighting) return look;
-  const Pose3 X_DR = scene.X_DB * Inverse(look.out.sighting->X_RB);
+  sample.out = LocateBoard(SyntheticPair(scene, built), rig, scene.board, hints);
+  sample.wrong_marks = WrongMarks(scene, built, sample.out.report);
+  if (!sample.out.sighting) return sample;
+  const Pose3 X_DR = scene.X_DB * Inverse(sample.out.sighting->X_RB);
   const DockingCoords seen = ToDockingCoords(ToGround(X_DR));
-  look.range_error_m = seen.r - look.at.r;
-  look.heading_error_rad = WrapPi(seen.h - look.at.h);
-  look.place_error_m = (X_DR.p - scene.X_DR.p).head<2>().norm();
-  return look;
+  sample.range_error_m = seen.r - sample.at.r;
+  sample.heading_error_rad = WrapPi(seen.h - sample.at.h);
+  sample.place_error_m = (X_DR.p - scene.X_DR.p).head<2>().norm();
+  return sample;
 }
 
-std::vector<Look> Survey(const SurveyOptions& options, int count) {
-  std::vector<Look> looks;
-  for (int i = 0; static_cast<int>(looks.size()) < count && i < 20 * count; ++i) {
-    Look look = TakeLook(options, i);
-    if (look.in_view) looks.push_back(std::move(look));
+std::vector<PoseSample> Survey(const SurveyOptions& options, int count) {
+  std::vector<PoseSample> pairs;
+  for (int i = 0; static_cast<int>(pairs.size()) < count && i < 20 * count; ++i) {
+    PoseSample sample = TakeSample(options, i);
+    if (sample.in_view) pairs.push_back(std::move(sample));
   }
-  return looks;
+  return pairs;
 }
 
 }  // namespace dockyard

@@ -9,7 +9,7 @@
 
 namespace dockyard {
 
-struct Look {
+struct PoseSample {
   DockingCoords at;
   double pitch_rad = 0.0;
   bool in_view = false;  // whether all eight fiducials are in at least one image
@@ -31,9 +31,9 @@ struct SurveyOptions {
 };
 
 /// Image pair i of the survey, at point i of a Halton sequence over the ranges.
-Look TakeLook(const SurveyOptions& options, int i);
+PoseSample TakeSample(const SurveyOptions& options, int i);
 
 /// Takes image pairs at poses i of the sequence until count of them are in view.
-std::vector<Look> Survey(const SurveyOptions& options, int count);
+std::vector<PoseSample> Survey(const SurveyOptions& options, int count);
 
 }  // namespace dockyard

@@ -39,20 +39,20 @@ void PrintTimes(int width) {
 void PrintRow(const char* name, const SurveyOptions& options, int count) {
   int accepted = 0, stereo = 0, wrong = 0;
   double range = 0.0, heading = 0.0;
-  const std::vector<Look> looks = Survey(options, count);
-  for (const Look& look : looks) {
-    if (!look.out.sighting) continue;
+  const std::vector<PoseSample> pairs = Survey(options, count);
+  for (const PoseSample& sample : pairs) {
+    if (!sample.out.sighting) continue;
     ++accepted;
-    stereo += look.out.sighting->stereo ? 1 : 0;
-    wrong += look.wrong_marks;
-    range += look.range_error_m * look.range_error_m;
-    heading += look.heading_error_rad * look.heading_error_rad;
+    stereo += sample.out.sighting->stereo ? 1 : 0;
+    wrong += sample.wrong_marks;
+    range += sample.range_error_m * sample.range_error_m;
+    heading += sample.heading_error_rad * sample.heading_error_rad;
   }
   const double n = accepted > 0 ? accepted : 1;
   std::printf(
       "%-14s %4d px %.1f-%.1f m: %3d of %3zu located, %3d by both cameras, %d wrong marks, "
       "rms range %5.2f cm, heading %5.2f deg\n",
-      name, options.width, options.r_min_m, options.r_max_m, accepted, looks.size(), stereo, wrong,
+      name, options.width, options.r_min_m, options.r_max_m, accepted, pairs.size(), stereo, wrong,
       100.0 * std::sqrt(range / n), Degrees(std::sqrt(heading / n)));
 }
 

@@ -14,19 +14,19 @@ namespace dockyard {
 namespace {
 
 struct Tally {
-  int looks = 0, accepted = 0, wrong_marks = 0, far_off = 0;
+  int pairs = 0, accepted = 0, wrong_marks = 0, far_off = 0;
   double rms_range_m = 0.0, rms_heading_rad = 0.0;
 };
 
-Tally Count(const std::vector<Look>& looks) {
-  Tally tally{.looks = static_cast<int>(looks.size())};
-  for (const Look& look : looks) {
-    if (!look.out.sighting) continue;
+Tally Count(const std::vector<PoseSample>& pairs) {
+  Tally tally{.pairs = static_cast<int>(pairs.size())};
+  for (const PoseSample& sample : pairs) {
+    if (!sample.out.sighting) continue;
     ++tally.accepted;
-    tally.wrong_marks += look.wrong_marks;
-    if (look.place_error_m > 0.05 + 0.05 * look.at.r) ++tally.far_off;
-    tally.rms_range_m += look.range_error_m * look.range_error_m;
-    tally.rms_heading_rad += look.heading_error_rad * look.heading_error_rad;
+    tally.wrong_marks += sample.wrong_marks;
+    if (sample.place_error_m > 0.05 + 0.05 * sample.at.r) ++tally.far_off;
+    tally.rms_range_m += sample.range_error_m * sample.range_error_m;
+    tally.rms_heading_rad += sample.heading_error_rad * sample.heading_error_rad;
   }
   if (tally.accepted > 0) {
     tally.rms_range_m = std::sqrt(tally.rms_range_m / tally.accepted);

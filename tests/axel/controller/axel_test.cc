@@ -26,7 +26,7 @@ KinematicWorld SoilWorld(const GridStart& start) {
   return world;
 }
 
-bool Home(const KinematicRun& run) {
+bool Docked(const KinematicRun& run) {
   return run.verdict == Verdict::kDocked && run.depth_m >= 0.20 && run.entry.has_value();
 }
 
@@ -40,7 +40,7 @@ class Grid : public testing::TestWithParam<int> {};
 TEST_P(Grid, ReachesTheMouthWithinTheTolerances) {
   const GridStart start = MarsYardGrid().at(static_cast<std::size_t>(GetParam()));
   const KinematicRun run = RunKinematic(SoilWorld(start), start.at);
-  EXPECT_TRUE(Home(run)) << run.belief.note << " depth " << run.depth_m;
+  EXPECT_TRUE(Docked(run)) << run.belief.note << " depth " << run.depth_m;
   EXPECT_TRUE(EnteredWell(run));
   EXPECT_LT(run.time_s, 300.0);
 }
@@ -54,7 +54,7 @@ TEST(NoisyGrid, MostlyReachesTheMouthWithinTheTolerances) {
     world.vision_noise = 1.0;
     world.yaw_drift_rad_s = Radians(0.003);
     const KinematicRun run = RunKinematic(world, start.at);
-    if (Home(run) && EnteredWell(run)) ++good;
+    if (Docked(run) && EnteredWell(run)) ++good;
   }
   EXPECT_GE(good, 37);  // measured: 40 of these, 397 of 400 over ten seeds
 }
@@ -64,7 +64,7 @@ TEST(NoisyGrid, MostlyReachesTheMouthWithinTheTolerances) {
 // tip has its way to go at the speed of the approach.
 TEST(Axel, TypicalRunTakesHalfThePapersTime) {
   const KinematicRun run = RunKinematic({}, {4.0, Radians(15.0), 0.0});
-  EXPECT_TRUE(Home(run));
+  EXPECT_TRUE(Docked(run));
   const double way_m = 4.0 - TestNominal().arm_length_m + 0.20;
   EXPECT_GT(run.time_s, way_m / AxelOptions{}.drive.approach_m_s);
   EXPECT_NEAR(run.time_s, 98.8, 10.0);
@@ -98,7 +98,7 @@ TEST(Axel, BacksUpWhenItDoesNotGoIn) {
   const KinematicRun run = RunKinematic(world, {3.0, 0.0, 0.0});
   EXPECT_THAT(run.phases, Contains("recover"));
   EXPECT_EQ(ValueOf(run.belief, "recoveries", -1.0), 1);
-  EXPECT_TRUE(Home(run));
+  EXPECT_TRUE(Docked(run));
 }
 
 TEST(Axel, GivesUpAfterItsLimitOfRecoveries) {
@@ -115,7 +115,7 @@ TEST(Axel, SearchesAndGivesUpWithoutABoard) {
   const KinematicRun run = RunKinematic(world, {4.0, 0.0, 0.0});
   EXPECT_EQ(run.verdict, Verdict::kGivenUp);
   EXPECT_THAT(run.phases, Contains("search"));
-  EXPECT_GE(run.looks, 8);
+  EXPECT_GE(run.sightings, 8);
   EXPECT_LT(run.time_s, 300.0);
   EXPECT_EQ(run.belief.note, "board not found");
 }
@@ -125,7 +125,7 @@ TEST(Axel, ComesNearerByTheTetherWhenTheBoardIsTooFar) {
   world.marks_range_m = 5.0;
   const KinematicRun run = RunKinematic(world, {5.3, 0.0, Radians(5.0)});
   EXPECT_THAT(run.phases, Contains("search"));
-  EXPECT_TRUE(Home(run));
+  EXPECT_TRUE(Docked(run));
 }
 
 TEST(Axel, TakesUpTheSlackBeforeItDrives) {
@@ -133,7 +133,7 @@ TEST(Axel, TakesUpTheSlackBeforeItDrives) {
   world.slack_m = 0.8;
   const KinematicRun run = RunKinematic(world, {4.0, 0.0, 0.0});
   EXPECT_LT(Degrees(run.max_elevation_rad), 22.0);
-  EXPECT_TRUE(Home(run));
+  EXPECT_TRUE(Docked(run));
 }
 
 TEST(Axel, KeepsTheTensionBelowTheClampOnTheWay) {
@@ -232,7 +232,7 @@ TEST(Axel, TellsWhatItThinks) {
   const KinematicRun run = RunKinematic({}, {4.0, Radians(15.0), 0.0});
   EXPECT_EQ(run.belief.phase, "docked");
   EXPECT_TRUE(run.belief.located);
-  EXPECT_EQ(run.belief.sighting_count, run.looks);
+  EXPECT_EQ(run.belief.sighting_count, run.sightings);
   EXPECT_GT(run.belief.plan_count, 2);
   EXPECT_NEAR(ValueOf(run.belief, "tether_length_m", -1.0), 0.35 - run.depth_m, 0.03);
 }

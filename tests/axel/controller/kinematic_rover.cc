@@ -91,8 +91,8 @@ SensorFrame KinematicRover::Sense() {
 // Elevation that puts the tip on the cone's axis, blended in from the mouth to the throat.
 double KinematicRover::Guided() const {
   const double axis = nominal_.mouth_height_m + depth_m() * std::sin(Radians(5.0));
-  const double home = std::asin((axis - nominal_.wheel_radius_m) / nominal_.arm_length_m);
-  return home * std::clamp(depth_m() / kThroatDepthM, 0.0, 1.0);
+  const double seated = std::asin((axis - nominal_.wheel_radius_m) / nominal_.arm_length_m);
+  return seated * std::clamp(depth_m() / kThroatDepthM, 0.0, 1.0);
 }
 
 void KinematicRover::MoveWheels(const Commands& commands) {
@@ -202,7 +202,7 @@ void KinematicRover::Step(const Commands& commands) {
 }
 
 LocateOutput KinematicRover::Locate() {
-  ++looks_;
+  ++sightings_;
   const Eigen::Vector2d p_DB = nominal_.X_DB.p.head<2>();
   const Eigen::Vector2d to = p_DB - Eigen::Vector2d(X_DR_.x, X_DR_.y);
   const double range = to.norm();
@@ -257,7 +257,7 @@ KinematicRun RunKinematic(const KinematicWorld& world, const DockingCoords& star
   run.depth_m = rover.depth_m();
   run.entry = rover.entry();
   run.belief = controller->belief();
-  run.looks = rover.looks();
+  run.sightings = rover.sightings();
   return run;
 }
 

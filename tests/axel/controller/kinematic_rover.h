@@ -52,7 +52,7 @@ class KinematicRover {
   double elevation_rad() const { return elevation_; }
   double depth_m() const;       // tip behind the mouth plane
   double tip_offset_m() const;  // beside the cone's axis
-  int looks() const { return looks_; }
+  int sightings() const { return sightings_; }
   void Unjam() { world_.jam_depth_m.reset(); }
 
   // The places when the tip last passed the mouth.
@@ -80,7 +80,7 @@ class KinematicRover {
   double free_m_ = 0.0, reeled_m_ = 0.0, reel_speed_ = 0.0, tension_n_ = 0.0;
   double spool_current_ = 0.0;
   bool wheels_free_ = false, images_due_ = false;
-  int looks_ = 0;
+  int sightings_ = 0;
   std::optional<Entry> entry_;
 };
 
@@ -91,7 +91,7 @@ struct KinematicRun {
   double depth_m = 0.0;
   std::optional<KinematicRover::Entry> entry;
   Belief belief;
-  int looks = 0;
+  int sightings = 0;
   double max_elevation_rad = 0.0, max_way_tension_n = 0.0;  // until it reels in
   std::vector<Commands> commands;                           // every tick
   std::vector<std::string> phases;                          // as they changed

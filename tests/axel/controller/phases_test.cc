@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(Paper, PhaseTable,
                                          Row{Phase::kRecheck, Event::kGoRecover, Phase::kRecover},
                                          Row{Phase::kEnter, Event::kArrived, Phase::kReel},
                                          Row{Phase::kReel, Event::kStuck, Phase::kRecover},
-                                         Row{Phase::kReel, Event::kHome, Phase::kConfirm},
+                                         Row{Phase::kReel, Event::kReeledIn, Phase::kConfirm},
                                          Row{Phase::kConfirm, Event::kSteady, Phase::kDocked}));
 
 TEST(Phases, ReelingIsReachedOnlyByTheCheckAtTheMouth) {

@@ -9,7 +9,7 @@ namespace {
 struct Outcome {
   Verdict verdict = Verdict::kUnderWay;
   double depth_m = 0.0;
-  int looks = 0;
+  int sightings = 0;
 };
 
 Outcome Reel(const DockingCoords& start) {
@@ -21,7 +21,7 @@ Outcome Reel(const DockingCoords& start) {
   Outcome outcome;
   for (int i = 0; i < 15'000 && outcome.verdict == Verdict::kUnderWay; ++i) {
     const Commands commands = controller->Step(rover.Sense());
-    if (!commands.take_images.empty()) ++outcome.looks;
+    if (!commands.take_images.empty()) ++outcome.sightings;
     rover.Step(commands);
     outcome.verdict = commands.verdict;
   }
@@ -39,7 +39,7 @@ TEST(ReelOnly, SwingsAroundFromALargeHeading) {
   EXPECT_GT(Reel({3.0, 0.0, Radians(60.0)}).depth_m, 0.20);
 }
 
-TEST(ReelOnly, TakesNoPictures) { EXPECT_EQ(Reel({2.0, 0.0, 0.0}).looks, 0); }
+TEST(ReelOnly, TakesNoImages) { EXPECT_EQ(Reel({2.0, 0.0, 0.0}).sightings, 0); }
 
 }  // namespace
 }  // namespace dockyard::axel

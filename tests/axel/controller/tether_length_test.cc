@@ -36,15 +36,15 @@ TEST(Tether, ExactLengthIsTheCosineLawWhenAllIsAtTheOrigin) {
               DoubleNear(CosineLawTether(1.0, at), 1e-12));
 }
 
-TEST(Tether, IsTheAnchorsDistanceFromTheTipWhenTheTipIsHome) {
+TEST(Tether, IsTheAnchorsDistanceFromTheTipWhenTheTipIsSeated) {
   const Nominal nominal = TestNominal();
   const TetherGeometry geometry = TetherGeometryOf(nominal);
   const double tilt = Radians(5.0);
   // Tip on the cone's axis, 25 cm deep.
   const double height = nominal.mouth_height_m + 0.25 * std::sin(tilt);
   const double elevation = std::asin(height - nominal.wheel_radius_m);
-  const Pose2 home{std::cos(elevation) - 0.25 * std::cos(tilt), 0.0, kPi};
-  EXPECT_THAT(ExposedTether(geometry, home, elevation), DoubleNear(0.10, 1e-9));
+  const Pose2 seated{std::cos(elevation) - 0.25 * std::cos(tilt), 0.0, kPi};
+  EXPECT_THAT(ExposedTether(geometry, seated, elevation), DoubleNear(0.10, 1e-9));
 }
 
 TEST(Tether, AnchorLiesBehindTheMouthAlongTheTippedAxis) {

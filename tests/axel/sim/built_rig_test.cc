@@ -58,7 +58,7 @@ TEST(Start, InsideTheStationIsRefusedAndBesideItIsNot) {
   }
 }
 
-TEST(Start, PicturesWiderThanCanBeDrawnAreRefused) {
+TEST(Start, ImagesWiderThanCanBeDrawnAreRefused) {
   try {
     Build(TypicalScenario({"camera={width_px: 1200, height_px: 1200}"}));
     FAIL() << "accepted";

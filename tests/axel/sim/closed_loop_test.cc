@@ -59,14 +59,14 @@ TEST(ClosedLoop, AControllerFedItsOwnLogGivesTheSameCommands) {
   const std::vector<System> systems = Systems();
   const auto controller =
       systems.front().RequireController(reader.header().controller).make(reader.header().nominal);
-  int frames = 0, pictures = 0;
+  int frames = 0, image_frames = 0;
   while (const auto entry = reader.Next()) {
     ASSERT_EQ(controller->Step(entry->sensed), entry->commands) << "tick " << entry->sensed.tick;
     ++frames;
-    pictures += !entry->sensed.images.empty();
+    image_frames += !entry->sensed.images.empty();
   }
   EXPECT_GT(frames, 1000);
-  EXPECT_GT(pictures, 0);
+  EXPECT_GT(image_frames, 0);
 }
 
 // Rounding differs in a world that lies elsewhere, and a docking amplifies it; the first sightings
@@ -82,7 +82,7 @@ TEST(ClosedLoop, TheWholeWorldMovedAndTurnedChangesNoCommand) {
   Simulate(systems.front(), run, {.log_dir = there.path(), .labels = {}});
   const auto a = ReadAll(here.path()), b = ReadAll(there.path());
   ASSERT_EQ(a.size(), b.size());
-  int pictures = 0;
+  int image_frames = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     SCOPED_TRACE(testing::Message() << "tick " << a[i].sensed.tick);
     ASSERT_NEAR(a[i].sensed.imu.pitch_rad, b[i].sensed.imu.pitch_rad, 1e-5);
@@ -95,14 +95,14 @@ TEST(ClosedLoop, TheWholeWorldMovedAndTurnedChangesNoCommand) {
     }
     ASSERT_EQ(a[i].commands.take_images, b[i].commands.take_images);
     if (a[i].sensed.images.empty()) continue;
-    ++pictures;
+    ++image_frames;
     const auto& left = GrayImageOf(a[i].sensed, kLeftCamera)->pixels;
     const auto& moved = GrayImageOf(b[i].sensed, kLeftCamera)->pixels;
     double difference = 0.0;
     for (std::size_t p = 0; p < left.size(); ++p) difference += std::abs(left[p] - moved[p]);
     ASSERT_LT(difference / static_cast<double>(left.size()), 0.05);  // grey levels, mean
   }
-  EXPECT_GT(pictures, 0);
+  EXPECT_GT(image_frames, 0);
 }
 
 // Lenses with a pupil that moves, in the world and in the controller's calibration.

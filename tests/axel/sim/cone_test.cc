@@ -28,7 +28,7 @@ double AnalyticDistance(const ConeModel& cone, const Eigen::Vector3d& p_M) {
 }
 
 /// Bullet's own collision world, which checks every pair of pieces.
-struct FullLook {
+struct FullQuery {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
@@ -51,7 +51,7 @@ struct ClosestPoint : btCollisionWorld::ContactResultCallback {
   }
 };
 
-double FullLook::Distance(StationBody& station, btCollisionShape* shape, const btTransform& X_G) {
+double FullQuery::Distance(StationBody& station, btCollisionShape* shape, const btTransform& X_G) {
   probe.setCollisionShape(shape);
   probe.setWorldTransform(X_G);
   ClosestPoint found;
@@ -65,7 +65,7 @@ TEST(Cone, WedgesLieWithinAMillimetreAndThePolygonsErrorOfTheAnalyticFunnel) {
   model.tip_angle_rad = 0.0;
   StationBody station(model, Pose3{}, false);
   const Pose3 X_GM = station.X_GM();
-  FullLook look;
+  FullQuery query;
   constexpr double kBall = 0.005;
   btSphereShape ball(kBall);
 
@@ -81,11 +81,11 @@ TEST(Cone, WedgesLieWithinAMillimetreAndThePolygonsErrorOfTheAnalyticFunnel) {
     const double radius =
         cone.mouth_radius_m - depth * std::tan(slope) - (kBall + off) / std::cos(slope);
     const Eigen::Vector3d p_M(-depth, radius * std::cos(turn), radius * std::sin(turn));
-    look.probe.setCollisionShape(&ball);
-    look.probe.setWorldTransform(ToBullet(Pose3{Eigen::Matrix3d::Identity(), X_GM * p_M}));
+    query.probe.setCollisionShape(&ball);
+    query.probe.setWorldTransform(ToBullet(Pose3{Eigen::Matrix3d::Identity(), X_GM * p_M}));
     ClosestPoint found;
     found.m_closestDistanceThreshold = 0.02;
-    look.world.contactPairTest(station.body(), &look.probe, found);
+    query.world.contactPairTest(station.body(), &query.probe, found);
     ASSERT_TRUE(std::isfinite(found.distance)) << p_M.transpose();
     const double error = found.distance - (AnalyticDistance(cone, p_M) - kBall);
     worst = std::max(worst, std::abs(error));
@@ -124,7 +124,7 @@ Entered DrawIn(double step_s, double damping_ns_per_m) {
   const Eigen::Vector3d tip = X_GM * Eigen::Vector3d(0.15, 0.1, 0.0);
   RoverBody rover(rover_model, {R, tip - R * Eigen::Vector3d(1.0, 0.0, 0.0)}, 0.0, false);
   ContactWorld bullet(model.cone, 0.0, rover, station);
-  FullLook look;
+  FullQuery query;
   Entered entered;
   const long window = std::lround(10e-3 / step_s);
   double sum_n = 0.0;
@@ -148,8 +148,8 @@ Entered DrawIn(double step_s, double damping_ns_per_m) {
     rover.AddForce(RoverLink::kArm, 60.0 * (X_GM * next_M - tip_G).normalized(), tip_G);
     double distance = 1.0;
     if (i % 20 == 0) {
-      distance = look.Distance(station, rover.collider(RoverLink::kArm)->getCollisionShape(),
-                               rover.collider(RoverLink::kArm)->getWorldTransform());
+      distance = query.Distance(station, rover.collider(RoverLink::kArm)->getCollisionShape(),
+                                rover.collider(RoverLink::kArm)->getWorldTransform());
     }
     bullet.Step(step_s);
     if (distance < -0.2e-3) {

@@ -31,13 +31,13 @@ Truth Reel(World& world, const RoverModel& rover, double seconds) {
   return world.truth();
 }
 
-TEST(Mating, ArmThatComesThreeDegreesAskewIsDrawnHomeAndHeld) {
+TEST(Mating, ArmThatComesThreeDegreesAskewIsDrawnInAndHeld) {
   for (const char* soil : {"compact_gravel", "loose_sand"}) {
     const BuiltRun built = Built(soil, 3.0);
     World world(built.world);
-    const Truth home = Reel(world, built.world.rover, 22.0);
-    EXPECT_LT(home.p_MT.x(), -0.22) << soil;
-    EXPECT_GT(home.tether_tension_n, 5.0) << soil;
+    const Truth seated = Reel(world, built.world.rover, 22.0);
+    EXPECT_LT(seated.p_MT.x(), -0.22) << soil;
+    EXPECT_GT(seated.tether_tension_n, 5.0) << soil;
     const ShakeResult shake = Shake(world, built.world.rover);
     EXPECT_LT(Degrees(shake.turn_rad), 2.0) << soil;
     EXPECT_LT(shake.travel_m, 0.01) << soil;

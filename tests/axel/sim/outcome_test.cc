@@ -42,25 +42,25 @@ TEST(Outcome, DockedNeedsDepthRestTensionAndAFirmShake) {
   EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {}).outcome, Outcome::kFalseDocked);
 }
 
-TEST(Outcome, SlackShallowOrMovingIsNotHome) {
+TEST(Outcome, SlackShallowOrMovingIsNotSeated) {
   for (const Truth& truth : {At(10.0, 0.24, 0.0, 0.0), At(10.0, 0.19, 0.0, 50.0)}) {
     OutcomeJudge judge(Station(), {});
     Hold(judge, truth, 2.0);
-    EXPECT_FALSE(judge.at_rest_home());
+    EXPECT_FALSE(judge.seated_at_rest());
   }
   Truth moving = At(10.0, 0.24, 0.0, 50.0);
   moving.v_MT.x() = -2e-3;
   OutcomeJudge judge(Station(), {});
   Hold(judge, moving, 2.0);
-  EXPECT_FALSE(judge.at_rest_home());
+  EXPECT_FALSE(judge.seated_at_rest());
 }
 
 TEST(Outcome, RestTakesAWholeSecond) {
   OutcomeJudge judge(Station(), {});
   Hold(judge, At(10.0, 0.24, 0.0, 50.0), 0.9);
-  EXPECT_FALSE(judge.at_rest_home());
+  EXPECT_FALSE(judge.seated_at_rest());
   Hold(judge, At(10.92, 0.24, 0.0, 50.0), 0.2);
-  EXPECT_TRUE(judge.at_rest_home());
+  EXPECT_TRUE(judge.seated_at_rest());
 }
 
 TEST(Outcome, TruthIsNotDockedUnlessTheControllerSaysSo) {
@@ -97,11 +97,11 @@ TEST(Outcome, PassingTheMouthOutsideTheFaceMissesTheCone) {
 
 TEST(Outcome, TheConditionInForceThatBeganFirstNamesTheRun) {
   OutcomeJudge judge(Station(), {});
-  judge.ObserveLook(20.0, LookQuality::kUndetected);
+  judge.ObserveSighting(20.0, SightingQuality::kUndetected);
   Hold(judge, At(50.0, 0.05, 0.3, 20.0), 1.0);
   EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, 0, {}).outcome, Outcome::kNoDetection);
   // With a good sighting in between, the blindness decided nothing.
-  judge.ObserveLook(30.0, LookQuality::kGood);
+  judge.ObserveSighting(30.0, SightingQuality::kGood);
   EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, 0, {}).outcome, Outcome::kMissedCone);
 }
 
@@ -127,7 +127,7 @@ TEST(Outcome, TippingAndOverloadEndTheRun) {
 
 TEST(Outcome, GivingUpInSightOfTheBoardIsTheRecoveryLimit) {
   OutcomeJudge judge(Station(), {});
-  judge.ObserveLook(20.0, LookQuality::kGood);
+  judge.ObserveSighting(20.0, SightingQuality::kGood);
   Hold(judge, At(50.0, -0.5, 0.1, 20.0), 1.0);
   EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, 4, {}).outcome, Outcome::kRecoveryLimit);
 }
@@ -147,9 +147,9 @@ TEST(Outcome, EveryOneHasANameOfItsOwnAndOneIsASuccess) {
   EXPECT_STREQ(Name(Outcome::kTimeout), "timeout");
 }
 
-class Look : public testing::Test {
+class Sighting : public testing::Test {
  protected:
-  Look() {
+  Sighting() {
     rig_.left = rig_.right = EquidistantCamera(1024, 768, Radians(90.0));
     rig_.X_RL.R.col(0) = -Eigen::Vector3d::UnitY();
     rig_.X_RL.R.col(1) = -Eigen::Vector3d::UnitZ();
@@ -177,8 +177,8 @@ class Look : public testing::Test {
     return report;
   }
 
-  LookQuality Judge(const SightingReport& report) const {
-    return JudgeLook(report, X_RB_, rig_, board_, {});
+  SightingQuality Judge(const SightingReport& report) const {
+    return JudgeSighting(report, X_RB_, rig_, board_, {});
   }
 
   StereoRig rig_;
@@ -186,18 +186,18 @@ class Look : public testing::Test {
   Pose3 X_RB_;
 };
 
-TEST_F(Look, IsGoodWhenAcceptedOnTheRightFiducials) {
-  EXPECT_EQ(Judge(Report(6, 0, true)), LookQuality::kGood);
+TEST_F(Sighting, IsGoodWhenAcceptedOnTheRightFiducials) {
+  EXPECT_EQ(Judge(Report(6, 0, true)), SightingQuality::kGood);
 }
-TEST_F(Look, IsWrongWhenPixelsCarryOtherIds) {
-  EXPECT_EQ(Judge(Report(6, 1, true)), LookQuality::kWrongCorrespondence);
-  EXPECT_EQ(Judge(Report(6, 1, false)), LookQuality::kWrongCorrespondence);
+TEST_F(Sighting, IsWrongWhenPixelsCarryOtherIds) {
+  EXPECT_EQ(Judge(Report(6, 1, true)), SightingQuality::kWrongCorrespondence);
+  EXPECT_EQ(Judge(Report(6, 1, false)), SightingQuality::kWrongCorrespondence);
 }
-TEST_F(Look, IsBlindBelowFourFiducials) {
-  EXPECT_EQ(Judge(Report(3, 0, false)), LookQuality::kUndetected);
+TEST_F(Sighting, IsBlindBelowFourFiducials) {
+  EXPECT_EQ(Judge(Report(3, 0, false)), SightingQuality::kUndetected);
 }
-TEST_F(Look, IsARejectionWhenEnoughWereFound) {
-  EXPECT_EQ(Judge(Report(5, 0, false)), LookQuality::kRejected);
+TEST_F(Sighting, IsARejectionWhenEnoughWereFound) {
+  EXPECT_EQ(Judge(Report(5, 0, false)), SightingQuality::kRejected);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ Eigen::Vector2d InkCentroid(const GrayImage& image, const Eigen::Vector2d& near,
 
 class StartView : public testing::TestWithParam<std::vector<std::string>> {};
 
-TEST_P(StartView, DiscCentroidsLieWhereThePictureHasThem) {
+TEST_P(StartView, DiscCentroidsLieWhereTheImageHasThem) {
   std::vector<std::string> overrides = GetParam();
   overrides.push_back("start.alpha_deg=0");
   const Scenario scenario = TypicalScenario(overrides);
