@@ -108,9 +108,12 @@ FiducialBoard BoardFromJson(const Json& json) {
     board.fiducials.push_back(fiducial);
   }
   if (json.contains("upright_in")) {
-    board.upright.against = json.at("upright_in").get<std::string>() == "gravity"
-                                ? Upright::Against::kGravity
-                                : Upright::Against::kImage;
+    const std::string against = json.at("upright_in");
+    if (against != "gravity" && against != "image") {
+      throw ConfigError("upright_in: expected gravity or image, found '" + against + "'");
+    }
+    board.upright.against =
+        against == "gravity" ? Upright::Against::kGravity : Upright::Against::kImage;
     board.upright.within_rad = json.at("upright_within_rad");
   }
   return board;

@@ -66,6 +66,15 @@ TEST(NominalJson, RefusesALensModelOrPipelineThatItDoesNotKnow) {
   EXPECT_EQ(error_of("vision", "pipeline", "dockyard"), "no error");
 }
 
+TEST(NominalJson, RefusesABoardUprightInWhatItDoesNotKnow) {
+  Json json = ToJson(SomeNominal());
+  json["board"]["upright_within_rad"] = 0.1;
+  json["board"]["upright_in"] = "picture";  // the former name of image
+  EXPECT_EQ(ErrorOf(json), "upright_in: expected gravity or image, found 'picture'");
+  json["board"]["upright_in"] = "image";
+  EXPECT_EQ(ErrorOf(json), "no error");
+}
+
 TEST(NominalJson, RefusesTheParametersOfAnotherSystem) {
   EXPECT_NE(ErrorOf({{"distance_m", 2.0}}), "no error");
 }
