@@ -23,7 +23,7 @@ constexpr const char* kHelp = R"(Draw a fiducial board for printing at true size
 
 Examples:
   dockyard board models/boards/grid_4x3.yaml --out out/grid.pdf --paper a3
-  dockyard board models/axel/station/station.yaml --out out/station.pdf --paper a4 --tile
+  dockyard board {target} --out out/station.pdf --paper a4 --tile
   dockyard board models/boards/five_discs.yaml --out out/five.svg
 
 FILE is a board's file or a station's. --out names the format by its ending: .svg or .pdf. Without --paper the

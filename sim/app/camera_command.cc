@@ -32,7 +32,7 @@ in metres; pixel 0 0 is the centre of the first pixel.)";
 constexpr const char* kProjectHelp = R"(The pixel that shows a point.
 
 Example:
-  dockyard camera project models/cameras/axel_1024.yaml 2 0.1 0.3 --name left --json
+  dockyard camera project models/cameras/navcam.yaml 2 0.1 0.3 --name left --json
 
 --json: pixel [u, v], or null with the reason; in_image. A point that the camera cannot show is no
 error.)";
@@ -40,7 +40,7 @@ error.)";
 constexpr const char* kRayHelp = R"(The points that a pixel shows: origin + s direction, s > 0.
 
 Example:
-  dockyard camera ray models/cameras/axel_1024.yaml 511.5 383.5 --name left --json
+  dockyard camera ray models/cameras/navcam.yaml 511.5 383.5 --name left --json
 
 --json: origin [x, y, z] in metres, direction [x, y, z] of length 1, or both null with the
 reason; in_image.)";

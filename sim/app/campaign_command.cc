@@ -35,12 +35,19 @@ struct CampaignArguments {
 constexpr const char* kHelp = R"(Simulate all runs of a campaign on several processors.
 
 Examples:
-  dockyard campaign scenarios/mars_yard_40.yaml
-  dockyard campaign scenarios/mars_yard_40.yaml --jobs 2 --out results/yard
+  dockyard campaign {campaign}
+  dockyard campaign {campaign} --jobs 2 --out results/yard
   dockyard campaign scenarios/ci_4.yaml --out results/ci
 
 Stopped by Ctrl-C or a power cut, the same command goes on where it was. The results are the
 same, bit for bit, for any number of jobs. Exit code 10: runs are missing or crashed.)";
+
+constexpr const char* kReproduceHelp = R"(Simulate the runs of a published experiment.
+
+Examples:
+  dockyard reproduce
+
+The experiment is a campaign of its system: the options, results and exit codes are those of `campaign`.)";
 
 bool AnyCrashed(const FinishedRuns& runs) {
   for (const auto& [number, run] : runs) {
@@ -75,6 +82,9 @@ std::string CommandToGoOn(const CampaignArguments& arguments, const std::string&
   for (const std::string& override : arguments.overrides) command += " --set " + Quoted(override);
   if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
   if (arguments.commands.allow) command += " --allow-commands";
+  if (arguments.commands.answer_limit_s != CommandOptions{}.answer_limit_s) {
+    command += " --answer-limit " + NumberText(arguments.commands.answer_limit_s);
+  }
   if (arguments.run_limit_s != CampaignArguments{}.run_limit_s) {
     command += " --run-limit " + NumberText(arguments.run_limit_s);
   }
@@ -113,21 +123,54 @@ int RunCampaignCommand(const CampaignArguments& arguments, const std::vector<Sys
   return end.complete() && !AnyCrashed(end.runs) ? kExitDone : kExitIncomplete;
 }
 
+void AddOptions(CLI::App& command, CampaignArguments& arguments) {
+  command.add_option("--jobs", arguments.jobs, "processes at once [all processors]")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--out", arguments.out_dir, "results folder [results/<name>]");
+  AddSetOption(command, arguments.overrides);
+  AddCommandOptions(command, arguments.commands);
+  command.add_option("--run-limit", arguments.run_limit_s, "wall time of one run [900 s]")
+      ->type_name("SECONDS")
+      ->check(NumberWithin(0.001, 1e6));
+  command.add_flag("--quiet", arguments.quiet, "no progress on stderr");
+}
+
+/// Without a name: lists all.
+int Reproduce(const std::string& name, CampaignArguments arguments,
+              const std::vector<System>& systems) {
+  std::string names;
+  for (const System& system : systems) {
+    for (const Reproduction& each : system.reproductions) {
+      if (name.empty()) std::printf("%s: %s\n", each.name.c_str(), each.meaning.c_str());
+      names += (names.empty() ? "" : ", ") + each.name;
+      if (name != each.name) continue;
+      PrintNote(each.meaning);
+      arguments.file = each.campaign_file;
+      return RunCampaignCommand(arguments, systems);
+    }
+  }
+  if (name.empty()) return kExitDone;
+  throw UsageError("NAME: expected one of " + names + ", found '" + name + "'");
+}
+
 }  // namespace
+
+void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+  auto arguments = std::make_shared<CampaignArguments>();
+  auto name = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("reproduce", kReproduceHelp);
+  command->add_option("NAME", *name, "the experiment; without it, all are listed");
+  AddOptions(*command, *arguments);
+  command->callback([arguments, name, &systems, &exit_code] {
+    exit_code = Reproduce(*name, *arguments, systems);
+  });
+}
 
 void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<CampaignArguments>();
   CLI::App* command = app.add_subcommand("campaign", kHelp);
   command->add_option("FILE", arguments->file, "a campaign file")->required();
-  command->add_option("--jobs", arguments->jobs, "processes at once [all processors]")
-      ->check(CLI::Range(1, 1024));
-  command->add_option("--out", arguments->out_dir, "results folder [results/<name>]");
-  AddSetOption(*command, arguments->overrides);
-  AddCommandOptions(*command, arguments->commands);
-  command->add_option("--run-limit", arguments->run_limit_s, "wall time of one run [900 s]")
-      ->type_name("SECONDS")
-      ->check(NumberWithin(0.001, 1e6));
-  command->add_flag("--quiet", arguments->quiet, "no progress on stderr");
+  AddOptions(*command, *arguments);
   command->callback(
       [arguments, &systems, &exit_code] { exit_code = RunCampaignCommand(*arguments, systems); });
 }

@@ -16,8 +16,8 @@ constexpr const char* kHelp =
     R"(Check input files: scenarios, campaigns, rovers, stations, soils, URDF, meshes.
 
 Examples:
-  dockyard check scenarios/mars_yard_40.yaml
-  dockyard check models/axel/axel.yaml models/axel/axel.urdf
+  dockyard check {campaign}
+  dockyard check {robot}
 
 Prints a line for each good file on stdout and the first fault of each bad one on stderr.
 Exit code 3: a file is bad.)";

@@ -27,11 +27,11 @@ struct DetectArguments {
 constexpr const char* kHelp = R"(Find the fiducial board in images with the controller's perception.
 
 Examples:
-  dockyard view scenarios/axel_typical.yaml --out out/view
-  dockyard detect out/view/left.png out/view/right.png --robot models/axel/axel.yaml --board models/axel/station/station.yaml
-  dockyard detect out/view/left.png --robot models/axel/axel.yaml --board models/axel/station/station.yaml --json
-  dockyard detect out/view/right.png --camera right --robot models/axel/axel.yaml --board models/axel/station/station.yaml --draw out/view/seen.png
-  dockyard detect --folder out/view --robot models/axel/axel.yaml --board models/axel/station/station.yaml
+  dockyard view {scenario} --out out/view
+  dockyard detect out/view/left.png out/view/right.png --robot {robot} --board {target}
+  dockyard detect out/view/left.png --robot {robot} --board {target} --json
+  dockyard detect out/view/right.png --camera right --robot {robot} --board {target} --draw out/view/seen.png
+  dockyard detect --folder out/view --robot {robot} --board {target}
 
 One image is taken for the left camera's unless --camera says right. --board is a station's file or a board's
 own (docs/reference/models.md): discs with bars or plain ones. Prints each fiducial (pixel, id, detected

@@ -2,13 +2,16 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <optional>
 
 #include "models/read/config_error.h"
 #include "sim/app/commands.h"
+#include "sim/app/examples.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
@@ -21,29 +24,37 @@ namespace {
 constexpr const char* kHelp = R"(Dockyard: a physics testbed for autonomous rover docking.
 
 Examples:
-  dockyard run scenarios/axel_typical.yaml
-  dockyard campaign scenarios/mars_yard_40.yaml
-  dockyard replay results/mars_yard_40 17
-  dockyard view scenarios/axel_typical.yaml --out out/view
-  dockyard study scenarios/studies/reel_alpha.yaml
+  dockyard run {scenario}
+  dockyard campaign {campaign}
+  dockyard replay results/{campaign_name} 17
+  dockyard view {scenario} --out out/view
+  dockyard study {study}
   dockyard camera project models/cameras/navcam.yaml 2.1 0.3 0.2 --name left
-  dockyard check models/axel/axel.yaml)";
+  dockyard check {robot})";
 
 int Fail(const std::exception& error, int exit_code) {
   PrintError(error.what());
   return exit_code;
 }
 
-/// Examples are to be pasted: they name the program as it was called.
-void NameAsCalled(CLI::App& app, const std::string& program) {
-  const std::string named = "\n  dockyard ";
-  std::string help = app.get_description();
-  for (std::size_t at = 0; (at = help.find(named, at)) != std::string::npos;) {
-    help.replace(at, named.size(), "\n  " + program + " ");
-    at += program.size();
+/// Examples are to be pasted: they name the program as it was called and files of its first system.
+void FillExamples(CLI::App& app, const std::string& program, const ExampleFiles& files) {
+  app.description(WithExamples(app.get_description(), program, files));
+  for (CLI::App* command : app.get_subcommands({})) FillExamples(*command, program, files);
+}
+
+/// The exit code of `detect` where the robot's system has a perception of its own.
+std::optional<int> DetectBySystem(int argc, char** argv, const std::vector<System>& systems) {
+  if (argc < 2 || std::string(argv[1]) != "detect") return std::nullopt;
+  const std::vector<std::string> words(argv + 2, argv + argc);
+  const auto option = std::find(words.begin(), words.end(), "--robot");
+  if (option == words.end() || option + 1 == words.end()) return std::nullopt;
+  for (const System& system : systems) {
+    if (system.detect && system.check_file && system.check_file(*(option + 1))) {
+      return system.detect(words);
+    }
   }
-  app.description(help);
-  for (CLI::App* command : app.get_subcommands({})) NameAsCalled(*command, program);
+  return std::nullopt;
 }
 
 /// A first word that names no subcommand; empty if there is none or it does.
@@ -55,13 +66,15 @@ std::string StrangeWord(const CLI::App& app, int argc, char** argv) {
   return argv[1];
 }
 
-int ParseAndRun(CLI::App& app, int argc, char** argv, int& exit_code) {
+int ParseAndRun(CLI::App& app, int argc, char** argv, const std::vector<System>& systems,
+                int& exit_code) {
   try {
     const std::string strange = StrangeWord(app, argc, argv);
     if (!strange.empty()) {
       throw UsageError("expected a subcommand, found '" + strange +
                        "'; dockyard --help lists them");
     }
+    if (const auto ended = DetectBySystem(argc, argv, systems)) return *ended;
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {
@@ -105,9 +118,11 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   AddBoardCommand(app, systems, exit_code);
   AddCheckCommand(app, systems, exit_code);
   AddWheelCommand(app, exit_code);
+  AddReproduceCommand(app, systems, exit_code);
   AddSystemCommands(app, systems, exit_code);
-  if (argc > 0) NameAsCalled(app, argv[0]);
-  exit_code = ParseAndRun(app, argc, argv, exit_code);
+  FillExamples(app, argc > 0 ? argv[0] : "dockyard",
+               systems.empty() ? ExampleFiles{} : systems.front().example_files);
+  exit_code = ParseAndRun(app, argc, argv, systems, exit_code);
   std::cout.flush();
   if (std::fflush(stdout) != 0 || !std::cout) {
     PrintError("cannot write to standard output");

@@ -28,9 +28,9 @@ struct RunArguments {
 constexpr const char* kHelp = R"(Simulate one docking.
 
 Examples:
-  dockyard run scenarios/axel_typical.yaml
-  dockyard run scenarios/axel_typical.yaml --seed 7 --set start.r_m=5 --set start.alpha_deg=-20
-  dockyard run scenarios/axel_typical.yaml --out out/typical --json
+  dockyard run {scenario}
+  dockyard run {scenario} --seed 7 --set start.r_m=5 --set start.alpha_deg=-20
+  dockyard run {scenario} --out out/typical --json
 
 Prints the result on stdout. Exit code 0: docked, 4: it ran but did not dock.
 With --out the folder gets the log, the history and the plots of the run, and

@@ -24,15 +24,16 @@ struct StudyArguments {
   std::vector<std::string> overrides;
   double run_limit_s = 300.0;
   bool quiet = false;
+  CommandOptions commands;
 };
 
 constexpr const char* kHelp =
     R"(Run one scenario over ranges of its keys, or with one key changed at a time.
 
 Examples:
-  dockyard study scenarios/studies/reel_alpha.yaml
-  dockyard study scenarios/studies/reel_alpha.yaml --set repeats=1 --jobs 2 --out out/quick
-  dockyard study scenarios/studies/sensitivity.yaml --set 'vary={start.alpha_deg: [0, 3]}'
+  dockyard study {study}
+  dockyard study {study} --set repeats=1 --jobs 2 --out out/quick
+  dockyard study {study} --set 'vary={start.alpha_deg: [0, 3]}' --out out/two
 
 Any key of a scenario can be varied, those of its models too:
 changes.station.cone.funnel_friction. The folder gets runs.csv, points.csv, table.md, curves.svg
@@ -66,6 +67,9 @@ int RunTheStudy(const StudyArguments& arguments, const std::vector<System>& syst
   options.out_dir = arguments.out_dir.empty() ? "results/" + study.name : arguments.out_dir;
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
   options.run_time_limit_s = arguments.run_limit_s;
+  RunOptions run_options;
+  arguments.commands.Fill(run_options);
+  for (const StudyPoint& point : study.points) RequireAllowed(point.scenario, run_options);
   PrepareFolder(options.out_dir);
   int told_percent = 0;
   options.progress = [&](int done, int total) {
@@ -75,7 +79,7 @@ int RunTheStudy(const StudyArguments& arguments, const std::vector<System>& syst
     std::fprintf(stderr, "%d/%d runs done\n", done, total);
   };
   const auto simulate = [&](const CampaignRun& run) {
-    return Simulate(FindSystem(systems, run.scenario.system), run, {});
+    return Simulate(FindSystem(systems, run.scenario.system), run, run_options);
   };
   const StudyEnd end = RunStudy(study, simulate, columns, options);
   WriteResults(options.out_dir, study, columns, end.rows);
@@ -99,6 +103,7 @@ void AddStudyCommand(CLI::App& app, const std::vector<System>& systems, int& exi
   command->add_option("--run-limit", arguments->run_limit_s, "wall time of one run [s]")
       ->check(NumberWithin(1.0, 1e6));
   command->add_flag("--quiet", arguments->quiet, "no progress");
+  AddCommandOptions(*command, arguments->commands);
   command->callback(
       [arguments, &systems, &exit_code] { exit_code = RunTheStudy(*arguments, systems); });
 }

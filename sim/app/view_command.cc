@@ -19,9 +19,9 @@ struct ViewArguments {
 constexpr const char* kHelp = R"(Render the stereo pair at a scenario's start pose.
 
 Examples:
-  dockyard view scenarios/axel_typical.yaml --out out/view
-  dockyard view scenarios/axel_typical.yaml --set start.r_m=2 --set light=hard_shadow --out out/near
-  dockyard view scenarios/axel_typical.yaml --colour --set sun.temperature_k=4500 --out out/warm
+  dockyard view {scenario} --out out/view
+  dockyard view {scenario} --set start.r_m=2 --set light=hard_shadow --out out/near
+  dockyard view {scenario} --colour --set sun.temperature_k=4500 --out out/warm
 
 Writes left.png, right.png and view.json: the board's true pose and, for each fiducial and camera,
 its projected centre, the centroid of the projected disc and the share that is hidden. With --colour

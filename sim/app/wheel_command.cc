@@ -32,7 +32,7 @@ constexpr const char* kHelp =
 Examples:
   dockyard wheel --wheel models/wheels/pavlov_grouser.yaml --soil models/soils/pavlov_90.yaml \
     --slip 0.2 --beta 0 --load 24
-  dockyard wheel --wheel models/wheels/axel.yaml --soil models/soils/loose_sand.yaml \
+  dockyard wheel --wheel models/wheels/pavlov_smooth.yaml --soil models/soils/loose_sand.yaml \
     --slip 0.2 --beta 15 --load 200 --json
   dockyard wheel --sweep --wheel models/wheels/pavlov_grouser.yaml \
     --soil models/soils/pavlov_90.yaml --slip -0.5,0.2,0.5 --beta 0,15 --load 24 --out out/wheel \

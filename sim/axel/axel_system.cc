@@ -122,6 +122,15 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   };
   system.check_file = CheckModelFile;
   system.rig = RigOfRobot;
+  system.example_files = {.scenario = "scenarios/axel_typical.yaml",
+                          .campaign = "scenarios/mars_yard_40.yaml",
+                          .study = "scenarios/studies/reel_alpha.yaml",
+                          .robot = "models/axel/axel.yaml",
+                          .target = "models/axel/station/station.yaml"};
+  system.reproductions = {
+      {"axel2013", "scenarios/mars_yard_40.yaml",
+       "The 40 docking runs of Tsai et al. 2013 in the Mars Yard, driven by our "
+       "controller: the paper's is not here yet."}};
   system.board = BoardOfStation;
   return system;
 }

@@ -42,12 +42,6 @@ std::uint64_t HashCommands(std::uint64_t hash, const Commands& commands, int cam
   return HashBits(hash, static_cast<std::uint64_t>(commands.verdict));
 }
 
-void RequireAllowed(const Scenario& scenario, const RunOptions& options) {
-  if (scenario.command.empty() || options.allow_commands) return;
-  throw ConfigError(scenario.name +
-                    ": controller.command: it starts a program; allow it with --allow-commands");
-}
-
 /// One run under way: plant, controller, judge and their records.
 class Run {
  public:
@@ -177,6 +171,12 @@ class Run {
 };
 
 }  // namespace
+
+void RequireAllowed(const Scenario& scenario, const RunOptions& options) {
+  if (scenario.command.empty() || options.allow_commands) return;
+  throw ConfigError(scenario.name +
+                    ": controller.command: it starts a program; allow it with --allow-commands");
+}
 
 std::unique_ptr<Controller> MakeController(const System& system, const Scenario& scenario,
                                            const ReadyRun& ready, const RunOptions& options) {

@@ -18,6 +18,9 @@ struct RunOptions {
   double answer_limit_s = 10.0;
 };
 
+/// Throws ConfigError for a scenario whose controller is a program that may not be started.
+void RequireAllowed(const Scenario& scenario, const RunOptions& options);
+
 /// A new controller as the scenario names it, made from the run's nominal parameters. Throws
 /// ConfigError, also for a command that the options do not allow, and ControllerFailure for a
 /// command.

@@ -57,9 +57,15 @@ struct SystemCommand {
 
 /// A published experiment that the system reproduces.
 struct Reproduction {
-  std::string name;           // "axel2013"
-  std::string campaign_file;  // relative to the scenarios folder
-  std::string meaning;
+  std::string name;  // of the paper and its year
+  std::string campaign_file;
+  std::string meaning;  // a sentence: what is run, and where it differs from the paper
+};
+
+/// Files of the system's for the examples in the program's help, as written on the command line. A
+/// line of help whose file is empty is left out.
+struct ExampleFiles {
+  std::string scenario, campaign, study, robot, target;
 };
 
 struct System {
@@ -99,6 +105,7 @@ struct System {
   std::function<int(const std::vector<std::string>& words)> detect;
   std::vector<SystemCommand> commands;
   std::vector<Reproduction> reproductions;
+  ExampleFiles example_files;
 
   RowColumns Columns(std::vector<std::string> labels) const;
   /// Throws ConfigError that names all.

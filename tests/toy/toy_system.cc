@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "models/read/yaml_reader.h"
+#include "models/read/yaml_tree.h"
 #include "sim/base/hash.h"
 #include "sim/base/random.h"
 
@@ -108,6 +109,16 @@ int SayWay(const std::vector<std::string>& words) {
   return 0;
 }
 
+std::optional<FileCheck> CheckPoint(const std::string& file) {
+  if (LoadYaml(file).Find("point") == nullptr) return std::nullopt;
+  return FileCheck{"point", "a robot that sees a lamp"};
+}
+
+int Detect(const std::vector<std::string>& words) {
+  std::printf("a lamp seen by a point, asked with %zu words\n", words.size());
+  return 0;
+}
+
 }  // namespace
 
 System ToySystem() {
@@ -121,6 +132,10 @@ System ToySystem() {
   system.measures = {{"miss_m", "m", "distance from the flag at the end", true}};
   system.check = [](const Scenario& s) { return "a point at " + NumberText(SpeedOf(s)) + " m/s"; };
   system.make_ready = MakeReady;
+  system.check_file = CheckPoint;
+  system.detect = Detect;
+  system.example_files.scenario = "tests/toy/scenario.yaml";
+  system.reproductions = {{"toy", "tests/toy/campaign.yaml", "Four drives to the flag."}};
   system.commands = {{"way", "Say how far the flag is.", SayWay}};
   return system;
 }

@@ -38,6 +38,36 @@ TEST_F(Toy, RunsIsCheckedAndReplays) {
   EXPECT_THAT(replay.out, HasSubstr("same commands at all"));
 }
 
+TEST_F(Toy, DetectsWithAPerceptionOfItsOwn) {
+  EXPECT_EQ(Dockyard("check " + kToy + "point.yaml").code, 0);
+  const auto own = Dockyard("detect a.png --robot " + kToy + "point.yaml --blinking 3");
+  EXPECT_EQ(own.code, 0) << own.err;
+  EXPECT_EQ(own.out, "a lamp seen by a point, asked with 5 words\n");
+  // A file of another system is the program's matter, which misses --board.
+  EXPECT_EQ(Dockyard("detect a.png --robot models/axel/axel.yaml").code, 2);
+}
+
+TEST_F(Toy, ReproducesWhatItStates) {
+  EXPECT_EQ(Dockyard("reproduce").out, "toy: Four drives to the flag.\n");
+  const auto end = Dockyard("reproduce toy --quiet --out " + dir_.string());
+  EXPECT_EQ(end.code, 0) << end.err;
+  EXPECT_THAT(Text("results.csv"), HasSubstr("toy.speed_m_s"));
+  const auto unknown = Dockyard("reproduce tay");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("expected one of toy, found 'tay'"));
+}
+
+TEST_F(Toy, IsTheOnlySystemThatItsProgramsHelpNames) {
+  EXPECT_THAT(Dockyard("--help").out, HasSubstr(" run tests/toy/scenario.yaml"));
+  for (const char* command : {"", "run ", "campaign ", "replay ", "view ", "study ", "camera ",
+                              "detect ", "pose ", "board ", "check ", "wheel ", "reproduce "}) {
+    const auto help = Dockyard(std::string(command) + "--help");
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_THAT(help.out, testing::Not(testing::AnyOf(HasSubstr("axel"), HasSubstr("mars_yard"))))
+        << command;
+  }
+}
+
 TEST_F(Toy, TheTruthDecidesNotTheClaim) {
   int hits = 0, misses = 0;
   for (int seed = 1; seed <= 20; ++seed) {
