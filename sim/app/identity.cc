@@ -17,8 +17,7 @@ namespace fs = std::filesystem;
 std::string Fingerprint(const fs::path& path) {
   const auto bytes = ReadWhole(path);
   if (!bytes) throw IoError("cannot read " + path.string() + ": it is not there");
-  std::uint64_t hash = kHashSeed;
-  for (const char c : *bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  const std::uint64_t hash = HashText(kHashSeed, *bytes);
   char text[32];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
   return text;
@@ -53,6 +52,24 @@ void AddNamed(const YamlNode& node, std::set<fs::path>& files) {
   }
 }
 
+/// A controller's program: the words of its command that are files, and the files beside each with
+/// the same ending, which it may import.
+void AddProgram(const Scenario& scenario, std::set<fs::path>& files) {
+  const fs::path folder = scenario.command_folder.empty() ? "." : scenario.command_folder;
+  for (const std::string& word : scenario.command) {
+    std::error_code error;
+    const fs::path file = fs::weakly_canonical(folder / word, error);
+    if (error || !fs::is_regular_file(file, error)) continue;
+    files.insert(file);
+    if (!file.has_extension()) continue;
+    for (const auto& entry : fs::directory_iterator(file.parent_path(), error)) {
+      if (entry.is_regular_file(error) && entry.path().extension() == file.extension()) {
+        files.insert(entry.path());
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::string IdentityText(const Campaign& campaign, const System& system) {
@@ -69,6 +86,7 @@ std::string IdentityText(const Campaign& campaign, const System& system) {
     }
     if (!scenario.camera_file.empty()) files.insert(fs::weakly_canonical(scenario.camera_file));
     AddNamed(scenario.changes, files);
+    AddProgram(scenario, files);
   }
   for (const fs::path& model : models) {
     AddWithNeighbours(model, files);

@@ -11,6 +11,7 @@
 #include "sim/app/identity.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
+#include "sim/bridge/pipe_controller.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
@@ -31,7 +32,7 @@ constexpr const char* kHelp =
     R"(Run one run again and say whether it came out the same.
 
 Examples:
-  dockyard replay results/mars_yard_40 17
+  dockyard replay results/{campaign_name} 17
   dockyard replay out/typical
 
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
@@ -59,9 +60,10 @@ bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& co
   return false;
 }
 
-/// False when the controller, run alone from its log, gave other commands.
-bool ReportController(const std::filesystem::path& run_dir, const Scenario& scenario,
-                      const RunOptions& options, const std::vector<System>& systems) {
+/// False when the controller, run alone from its log, gave other commands. Throws ControllerFailure
+/// where its program fails.
+bool ReportCommands(const std::filesystem::path& run_dir, const Scenario& scenario,
+                    const RunOptions& options, const std::vector<System>& systems) {
   RunLogReader log(run_dir);
   const System& system = FindSystem(systems, log.header().system);
   ReadyRun ready = system.make_ready(scenario);
@@ -81,6 +83,20 @@ bool ReportController(const std::filesystem::path& run_dir, const Scenario& scen
                 replay.complete ? "" : "; the log is cut short");
   }
   return true;
+}
+
+/// The same; a program that fails must have failed so in the run.
+bool ReportController(const std::filesystem::path& run_dir, const Scenario& scenario,
+                      const std::string& outcome, const RunOptions& options,
+                      const std::vector<System>& systems) {
+  try {
+    return ReportCommands(run_dir, scenario, options, systems);
+  } catch (const ControllerFailure& failure) {
+    const bool same = failure.outcome() == outcome;
+    std::printf("controller alone: %s (%s)\n",
+                same ? "fails as it did in the run" : "fails, unlike in the run", failure.what());
+    return same;
+  }
 }
 
 /// A run as kept: its scenario, its result, and the folder of its log.
@@ -150,7 +166,8 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
     PrintError("controller alone: not run, there is no log in " + kept.log_dir.string());
     return same_row ? kExitIncomplete : kExitOurBug;
   }
-  const bool same_commands = ReportController(kept.log_dir, kept.run.scenario, options, systems);
+  const bool same_commands =
+      ReportController(kept.log_dir, kept.run.scenario, now.result.outcome, options, systems);
   return same_row && same_commands ? kExitDone : kExitOurBug;
 }
 

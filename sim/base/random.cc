@@ -4,6 +4,7 @@
 
 #include "controller/base/split_mix.h"
 #include "controller/geometry/pose.h"
+#include "sim/base/hash.h"
 
 namespace dockyard {
 
@@ -24,9 +25,7 @@ double RandomStream::Normal() {
 }
 
 std::uint64_t StreamKey(std::uint64_t seed, std::string_view stream) {
-  std::uint64_t hash = 14695981039346656037ull;  // FNV-1a
-  for (const char c : stream) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-  return MixBits(SplitMix(seed, 0) ^ hash);
+  return MixBits(SplitMix(seed, 0) ^ HashText(kHashSeed, stream));
 }
 
 std::uint64_t RunSeed(std::uint64_t campaign_seed, std::uint64_t run) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/text.h"
 #include "sim/log/frame_codec.h"
 
 namespace dockyard {
@@ -18,6 +19,16 @@ std::string LastLine(const std::string& text) {
   const std::size_t begin = text.find_last_of('\n', end);
   return text.substr(begin == std::string::npos ? 0 : begin + 1,
                      end - (begin == std::string::npos ? 0 : begin + 1) + 1);
+}
+
+/// For a note, which goes into CSV, JSON and a terminal: a program may have written any bytes.
+std::string Printable(std::string text) {
+  constexpr std::size_t kMost = 300;
+  if (text.size() > kMost) text = text.substr(0, kMost) + " ...";
+  for (char& c : text) {
+    if (c < 0x20 || c > 0x7e) c = '?';
+  }
+  return text;
 }
 
 /// A field that is there replaces the earlier belief.
@@ -49,8 +60,9 @@ PipeController::PipeController(const std::vector<std::string>& command,
                    {"switches", greeting.switch_count},
                    {"seed", greeting.seed},
                    {"nominal", greeting.nominal}};
-  Send(kHello, hello.dump());
-  CheckHello(Receive());
+  const Deadline deadline = DeadlineIn(limit_s_);
+  Send(kHello, hello.dump(), deadline);
+  CheckHello(Receive(deadline));
 }
 
 void PipeController::CheckHello(const Message& hello) {
@@ -64,18 +76,18 @@ void PipeController::CheckHello(const Message& hello) {
   }
 }
 
-void PipeController::Send(char kind, const std::string& payload) {
+void PipeController::Send(char kind, const std::string& payload, Deadline deadline) {
   std::string head;
   PutU32(head, static_cast<std::uint32_t>(payload.size()));
   head += kind;
-  Trouble trouble = process_.Write(head, limit_s_);
-  if (trouble == Trouble::kNone) trouble = process_.Write(payload, limit_s_);
+  Trouble trouble = process_.Write(head, deadline);
+  if (trouble == Trouble::kNone) trouble = process_.Write(payload, deadline);
   if (trouble != Trouble::kNone) Fail(trouble);
 }
 
-PipeController::Message PipeController::Receive() {
+PipeController::Message PipeController::Receive(Deadline deadline) {
   std::string head;
-  Trouble trouble = process_.Read(5, limit_s_, head);
+  Trouble trouble = process_.Read(5, deadline, head);
   if (trouble != Trouble::kNone) Fail(trouble);
   const std::uint32_t length = ByteReader(head).U32();
   if (length > kLongestAnswer) {
@@ -83,7 +95,7 @@ PipeController::Message PipeController::Receive() {
               " bytes; does it print to its standard output?");
   }
   Message message{head[4], {}};
-  trouble = process_.Read(length, limit_s_, message.payload);
+  trouble = process_.Read(length, deadline, message.payload);
   if (trouble != Trouble::kNone) Fail(trouble);
   return message;
 }
@@ -91,9 +103,11 @@ PipeController::Message PipeController::Receive() {
 Commands PipeController::Step(const SensorFrame& sensed) {
   bytes_.clear();
   PutFrame(bytes_, sensed, ImageCoding::kRaw);
-  Send(kFrame, bytes_);
+  // One deadline for the frame and all that answers it, else beliefs could go on for ever.
+  const Deadline deadline = DeadlineIn(limit_s_);
+  Send(kFrame, bytes_, deadline);
   for (;;) {
-    const Message message = Receive();
+    const Message message = Receive(deadline);
     try {
       if (message.kind == kBelief) {
         TakeBelief(Json::parse(message.payload), belief_);
@@ -146,20 +160,20 @@ void PipeController::CheckCommands(const Commands& commands) const {
 void PipeController::Finish() {
   bytes_.assign(4, '\0');
   bytes_ += kBye;
-  process_.Write(bytes_, kByeSeconds);
+  process_.Write(bytes_, DeadlineIn(kByeSeconds));
   process_.End(kByeSeconds);
 }
 
 void PipeController::Fail(Trouble trouble) {
   if (trouble == Trouble::kLate) {
     process_.End(0.0);
-    throw ControllerFailure(kControllerTimeout,
-                            "the controller's program gave no answer for " +
-                                std::to_string(std::lround(limit_s_)) + " s",
-                            process_.Messages());
+    throw ControllerFailure(
+        kControllerTimeout,
+        "the controller's program gave no whole answer within " + NumberText(limit_s_) + " s",
+        process_.Messages());
   }
   const std::string how = process_.End(kByeSeconds);
-  const std::string last = LastLine(process_.Messages());
+  const std::string last = Printable(LastLine(process_.Messages()));
   throw ControllerFailure(
       kControllerCrashed,
       "the controller's program ended: " + how + (last.empty() ? "" : ", " + last),
@@ -168,7 +182,7 @@ void PipeController::Fail(Trouble trouble) {
 
 void PipeController::FailBadly(const std::string& what) {
   process_.End(0.0);
-  throw ControllerFailure(kControllerError, "the controller's program sent " + what,
+  throw ControllerFailure(kControllerError, "the controller's program sent " + Printable(what),
                           process_.Messages());
 }
 

@@ -45,7 +45,7 @@ inline constexpr const char* kControllerError = "controller_error";
 
 class PipeController final : public Controller {
  public:
-  /// @param limit_s  wall time of one answer
+  /// @param limit_s  wall time from the start of a message to the end of its whole answer
   /// Throws ControllerFailure, also from Step, and IoError.
   PipeController(const std::vector<std::string>& command, const std::filesystem::path& folder,
                  const ControllerGreeting& greeting, double limit_s);
@@ -63,8 +63,8 @@ class PipeController final : public Controller {
     char kind = 0;
     std::string payload;
   };
-  void Send(char kind, const std::string& payload);
-  Message Receive();
+  void Send(char kind, const std::string& payload, Deadline deadline);
+  Message Receive(Deadline deadline);
   void CheckHello(const Message& hello);
   void CheckCommands(const Commands& commands) const;
   [[noreturn]] void Fail(Trouble trouble);

@@ -21,23 +21,16 @@
 namespace dockyard {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Whether the socket became ready for this before the deadline.
-bool Wait(int socket, short events, Clock::time_point deadline) {
+bool Wait(int socket, short events, Deadline deadline) {
   for (;;) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+        deadline - std::chrono::steady_clock::now());
     pollfd ready{socket, events, 0};
     const int count = ::poll(&ready, 1, static_cast<int>(std::max<long>(0, left.count())));
     if (count > 0) return true;
     if (count == 0 || errno != EINTR) return false;
   }
-}
-
-Clock::time_point After(double seconds) {
-  return Clock::now() +
-         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
 std::vector<std::string> ReducedEnvironment() {
@@ -77,6 +70,11 @@ std::vector<char*> Pointers(std::vector<std::string>& texts) {
 
 }  // namespace
 
+Deadline DeadlineIn(double seconds) {
+  return std::chrono::steady_clock::now() +
+         std::chrono::duration_cast<Deadline::duration>(std::chrono::duration<double>(seconds));
+}
+
 Process::Process(const std::vector<std::string>& words, const std::filesystem::path& folder) {
   int ends[2] = {-1, -1};
   messages_ = ::memfd_create("messages", MFD_CLOEXEC);
@@ -102,14 +100,21 @@ Process::~Process() {
   ::close(messages_);
 }
 
-Trouble Process::Write(std::string_view bytes, double limit_s) {
-  const auto deadline = After(limit_s);
+Trouble Process::LateOrEnded() const {
+  siginfo_t info{};
+  const int flags = WEXITED | WNOHANG | WNOWAIT;
+  const bool ended =
+      ::waitid(P_PID, static_cast<id_t>(child_), &info, flags) == 0 && info.si_pid == child_;
+  return ended ? Trouble::kEnded : Trouble::kLate;
+}
+
+Trouble Process::Write(std::string_view bytes, Deadline deadline) {
   while (!bytes.empty()) {
     const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (count > 0) {
       bytes.remove_prefix(static_cast<std::size_t>(count));
     } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-      if (!Wait(socket_, POLLOUT, deadline)) return Trouble::kLate;
+      if (!Wait(socket_, POLLOUT, deadline)) return LateOrEnded();
     } else if (errno != EINTR) {
       return Trouble::kEnded;
     }
@@ -117,8 +122,7 @@ Trouble Process::Write(std::string_view bytes, double limit_s) {
   return Trouble::kNone;
 }
 
-Trouble Process::Read(std::size_t count, double limit_s, std::string& into) {
-  const auto deadline = After(limit_s);
+Trouble Process::Read(std::size_t count, Deadline deadline, std::string& into) {
   const std::size_t wanted = into.size() + count;
   std::size_t have = into.size();
   into.resize(wanted);
@@ -127,7 +131,7 @@ Trouble Process::Read(std::size_t count, double limit_s, std::string& into) {
     if (got > 0) {
       have += static_cast<std::size_t>(got);
     } else if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
-      if (!Wait(socket_, POLLIN, deadline)) return Trouble::kLate;
+      if (!Wait(socket_, POLLIN, deadline)) return LateOrEnded();
     } else if (got == 0 || errno != EINTR) {
       return Trouble::kEnded;
     }
@@ -138,10 +142,10 @@ Trouble Process::Read(std::size_t count, double limit_s, std::string& into) {
 std::string Process::End(double limit_s) {
   if (child_ < 0) return ended_;
   ::shutdown(socket_, SHUT_WR);
-  const auto deadline = After(limit_s);
+  const Deadline deadline = DeadlineIn(limit_s);
   int status = 0;
   while (::waitpid(child_, &status, WNOHANG) == 0) {
-    if (Clock::now() >= deadline) {
+    if (std::chrono::steady_clock::now() >= deadline) {
       ::kill(-child_, SIGKILL);
       ::kill(child_, SIGKILL);
       ::waitpid(child_, &status, 0);

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,6 +13,10 @@ namespace dockyard {
 
 /// How an exchange with the program failed.
 enum class Trouble { kNone, kEnded, kLate };
+
+using Deadline = std::chrono::steady_clock::time_point;
+/// So many seconds of wall time from now.
+Deadline DeadlineIn(double seconds);
 
 /// Dies with this object, and with this process. Its environment is PATH, HOME, LANG and
 /// DOCKYARD_CONTROLLER alone; its standard error is kept for Messages.
@@ -26,10 +31,10 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Writes all bytes within this wall time.
-  Trouble Write(std::string_view bytes, double limit_s);
+  /// Writes all bytes. kLate: not before the deadline, though the program still runs.
+  Trouble Write(std::string_view bytes, Deadline deadline);
   /// Reads exactly `count` bytes, on top of `into`.
-  Trouble Read(std::size_t count, double limit_s, std::string& into);
+  Trouble Read(std::size_t count, Deadline deadline, std::string& into);
   /// Closes its standard input and gives it this long to end, then kills it. Says how it ended:
   /// "exit code 1", "signal 11".
   std::string End(double limit_s);
@@ -37,6 +42,10 @@ class Process {
   std::string Messages() const;
 
  private:
+  /// At the deadline. A program that ended may have left its end of the socket to a process that
+  /// it started, so the socket alone does not tell.
+  Trouble LateOrEnded() const;
+
   pid_t child_ = -1;
   int socket_ = -1, messages_ = -1;
   std::string ended_;

@@ -98,10 +98,11 @@ void CampaignFolder::Claim(const Campaign& campaign, const std::string& identity
                       other);
   }
   if (ReadWhole(dir_ / "identity.txt").value_or("") != identity && !identity.empty()) {
-    throw FolderTaken(dir_.string() +
-                      " was begun with another build of the program or other model files"
-                      " (its identity.txt differs)" +
-                      other);
+    throw FolderTaken(
+        dir_.string() +
+        " was begun with another build of the program, or with other files of models or "
+        "controllers (its identity.txt differs)" +
+        other);
   }
 }
 

@@ -46,14 +46,46 @@ TEST(CommandController, ReplaysFromItsLog) {
   EXPECT_THAT(replay.out, HasSubstr("controller alone: same commands at all"));
 }
 
+TEST(CommandController, ThatNeverSaidHelloReplaysAsTheSameFailure) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "run").string();
+  RunWith("no_such_program_here", "--out " + out);
+  const Ended replay = Dockyard("replay " + out + " --allow-commands");
+  EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
+  EXPECT_THAT(replay.out, HasSubstr("controller alone: fails as it did in the run"));
+}
+
+/// A folder with a campaign and a study of the toy whose controller is the given program.
+void WriteCommandFiles(const fs::path& folder, const std::string& words) {
+  const std::string base = "base: " DOCKYARD_SOURCE_DIR "/tests/toy/scenario.yaml\n";
+  const std::string command = "controller: {command: [" + words + "], folder: .}";
+  WriteText(folder / "campaign.yaml", "campaign: c\nseed: 1\n" + base + "scenario: {" + command +
+                                          "}\nruns: [{run: 1, start.r_m: 1}]\n");
+  WriteText(folder / "study.yaml", "study: s\nseed: 1\nrepeats: 1\n" + base + "scenario: {" +
+                                       command + "}\nvary: {start.r_m: [1]}\n");
+}
+
 TEST(CommandController, IsNeverStartedUnasked) {
   const TemporaryFolder folder;
-  const std::string mark = (folder.path() / "started").string();
+  const std::string in = folder.path().string();
+  const std::string mark = in + "/started";
   const std::string command = Command("touch, " + mark);
-  EXPECT_EQ(Dockyard("run " + kScenario + command).code, 3);
+  WriteCommandFiles(folder.path(), "touch, " + mark);
+  RunWith("python3, counting.py", "--out " + in + "/run");
+  const std::vector<std::string> refused{
+      "run " + kScenario + command, "campaign " + in + "/campaign.yaml --out " + in + "/c",
+      "study " + in + "/study.yaml --out " + in + "/s", "replay " + in + "/run"};
+  for (const std::string& words : refused) {
+    const Ended ended = Dockyard(words);
+    EXPECT_EQ(ended.code, 3) << words << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr("--allow-commands")) << words;
+  }
+  for (const char* file : {"/campaign.yaml", "/study.yaml"}) {
+    EXPECT_EQ(Dockyard("check " + in + file).code, 0) << file;
+  }
   EXPECT_FALSE(fs::exists(mark));
-  const Ended refused = Dockyard("run " + kScenario + command);
-  EXPECT_THAT(refused.err, HasSubstr("--allow-commands"));
+  Dockyard("campaign " + in + "/campaign.yaml --allow-commands --out " + in + "/c");
+  EXPECT_TRUE(fs::exists(mark));
 }
 
 TEST(CommandController, ThatDiesIsAnOutcomeWithItsLastWords) {
@@ -66,6 +98,20 @@ TEST(CommandController, ThatDiesIsAnOutcomeWithItsLastWords) {
   EXPECT_GT(run["sim_time_s"].get<double>(), 0.5);
 }
 
+TEST(CommandController, LastWordsThatAreNoTextAreKeptAsTheyAre) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "run").string();
+  const Json run = RunWith("python3, counting.py, crash_in_bytes", "--out " + out);
+  EXPECT_EQ(run["outcome"], "controller_crashed");
+  EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("exit code 3, bad ?? words"));
+  EXPECT_THAT(Slurp(folder.path() / "run" / "messages.txt"), HasSubstr("bad \xff\xfe words"));
+}
+
+TEST(CommandController, ThatDiesWhileItsChildLivesHasCrashed) {
+  EXPECT_EQ(RunWith("python3, counting.py, child", "--answer-limit 1")["outcome"],
+            "controller_crashed");
+}
+
 TEST(CommandController, ThatCannotBeStartedSaysWhy) {
   const Json run = RunWith("no_such_program_here");
   EXPECT_EQ(run["outcome"], "controller_crashed");
@@ -75,12 +121,30 @@ TEST(CommandController, ThatCannotBeStartedSaysWhy) {
 TEST(CommandController, ThatHangsIsEndedAtTheAnswersLimit) {
   const Json run = RunWith("python3, counting.py, hang", "--answer-limit 0.5");
   EXPECT_EQ(run["outcome"], "controller_timeout");
+  // Beliefs without end are no answer.
+  EXPECT_EQ(RunWith("python3, counting.py, believe", "--answer-limit 1")["outcome"],
+            "controller_timeout");
 }
 
 TEST(CommandController, ThatAnswersNonsenseIsAnError) {
   EXPECT_EQ(RunWith("echo, hello world")["outcome"], "controller_error");
   EXPECT_EQ(RunWith("python3, counting.py, motors")["outcome"], "controller_error");
   EXPECT_EQ(RunWith("python3, counting.py, not_a_number")["outcome"], "controller_error");
+}
+
+TEST(CommandController, ThatHasChangedIsNotTheSameCampaign) {
+  const TemporaryFolder folder;
+  const std::string in = folder.path().string();
+  WriteCommandFiles(folder.path(), "sh, controller.sh");
+  const std::string campaign =
+      "campaign " + in + "/campaign.yaml --quiet --allow-commands --out " + in + "/out";
+  WriteText(folder.path() / "controller.sh", "exit 1\n");
+  EXPECT_EQ(Dockyard(campaign).code, 0);
+  EXPECT_EQ(Dockyard(campaign).code, 0);
+  WriteText(folder.path() / "controller.sh", "exit 2\n");
+  const Ended changed = Dockyard(campaign);
+  EXPECT_EQ(changed.code, 2);
+  EXPECT_THAT(changed.err, HasSubstr("or with other files of models or controllers"));
 }
 
 TEST(CommandController, CostsOneRunOfACampaign) {

@@ -1,6 +1,8 @@
 """The toy's own controller, written again in Python: drives the way that it was told."""
 
 import os
+import struct
+import subprocess
 import sys
 import time
 
@@ -26,8 +28,20 @@ class Counting:
     def misbehave(self):
         if self.fault == "crash":
             raise RuntimeError("the wheel fell off")
+        if self.fault == "crash_in_bytes":
+            os.write(2, b"bad \xff\xfe words\n")
+            os._exit(3)
         if self.fault == "hang":
             time.sleep(60)
+        if self.fault == "child":
+            subprocess.Popen(["sleep", "60"])  # it keeps our standard output open
+            os.write(2, b"left a child behind\n")
+            os._exit(4)
+        while self.fault == "believe":
+            belief = b"{}"
+            sys.stdout.buffer.write(struct.pack("<I", len(belief)) + b"B" + belief)
+            sys.stdout.buffer.flush()
+            time.sleep(0.01)
         if self.fault == "not_a_number":
             self.speed_m_s = float("nan")
 

@@ -40,7 +40,8 @@ TEST(CampaignFolder, IsRefusedToAnotherBuild) {
   const TemporaryFolder dir;
   Open(dir.path(), FakeCampaign(3), "program 1");
   EXPECT_THAT(TakenOf([&] { Open(dir.path(), FakeCampaign(3), "program 2"); }),
-              HasSubstr("another build of the program or other model files"));
+              HasSubstr("another build of the program, or with other files of models or "
+                        "controllers"));
   EXPECT_EQ(TakenOf([&] { Open(dir.path(), FakeCampaign(3), "program 1"); }), "not taken");
 }
 
