@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "sim/scenario/load_scenario.h"
+#include "sim/study/study_results.h"
 
 namespace dockyard {
 
@@ -51,8 +52,10 @@ Scenario Load(const ScenarioOptions& options, const std::vector<System>& systems
 
 StudySystems StudySystemsOf(const std::vector<System>& systems) {
   const auto measures = [&systems](const std::string& name) {
-    std::vector<std::string> names{"docked", "sim_time_s"};
-    for (const Column& column : FindSystem(systems, name).measures) names.push_back(column.name);
+    std::vector<std::string> names;
+    for (const Column& column : StudyColumns(FindSystem(systems, name).Columns({}))) {
+      names.push_back(column.name);
+    }
     return names;
   };
   const auto check = [&systems](const Scenario& s) { FindSystem(systems, s.system).check(s); };

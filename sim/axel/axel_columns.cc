@@ -12,10 +12,10 @@ std::vector<Column> Channels() {
 
 std::vector<Column> Measures() {
   std::vector<Column> columns;
-  VisitMeasures(
-      {}, [&](const char* name, const char* unit, const char* meaning, bool headline, double) {
-        columns.push_back({name, unit, meaning, headline});
-      });
+  VisitMeasures({}, [&](const char* name, const char* unit, const std::string& meaning,
+                        bool headline, double) {
+    columns.push_back({name, unit, meaning, headline});
+  });
   return columns;
 }
 
@@ -27,7 +27,7 @@ std::vector<Column> Beliefs() {
 
 std::vector<double> Values(const AxelMeasures& measures) {
   std::vector<double> values;
-  VisitMeasures(measures, [&](const char*, const char*, const char*, bool, double value) {
+  VisitMeasures(measures, [&](const char*, const char*, const std::string&, bool, double value) {
     values.push_back(value);
   });
   return values;

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 #include <vector>
 
+#include "controller/base/number_text.h"
+#include "sim/axel/outcome.h"
 #include "sim/axel/world.h"
 #include "sim/log/column.h"
 
@@ -50,6 +53,8 @@ struct AxelMeasures {
 /// Calls visit(name, unit, meaning, headline, value) for each measure of the result row.
 template <class Visit>
 void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
+  const std::string entry =
+      " from the mouth to " + NumberText(OutcomeLimits{}.docked_depth_m) + " m deep";
   visit("recoveries", "", "times that the controller backed up to try again", true, m.recoveries);
   visit("tip_depth_m", "m", "arm tip behind the plane of the cone's mouth, at the end", true,
         m.tip_depth_m);
@@ -72,12 +77,9 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
   visit("arm_up_peak_deg", "deg", "highest lift of the arm above the level", false,
         m.arm_up_peak_deg);
   visit("roll_rms_deg", "deg", "of the body, over the whole run", false, m.roll_rms_deg);
-  visit("entry_current_mean_a", "A", "of the spool's motor from the mouth to 0.20 m deep", false,
-        m.entry_current_mean_a);
-  visit("entry_current_peak_a", "A", "of the spool's motor from the mouth to 0.20 m deep", false,
-        m.entry_current_peak_a);
-  visit("entry_force_peak_n", "N", "of the cone on the arm from the mouth to 0.20 m deep", false,
-        m.entry_force_peak_n);
+  visit("entry_current_mean_a", "A", "of the spool's motor" + entry, false, m.entry_current_mean_a);
+  visit("entry_current_peak_a", "A", "of the spool's motor" + entry, false, m.entry_current_peak_a);
+  visit("entry_force_peak_n", "N", "of the cone on the arm" + entry, false, m.entry_force_peak_n);
   visit("advance_m", "m", "way from start to end along the first heading", false, m.advance_m);
   visit("turned_deg", "deg", "heading at the end against that at the start", false, m.turned_deg);
 }

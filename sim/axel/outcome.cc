@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "controller/base/number_text.h"
+
 namespace dockyard::axel {
 namespace {
 
@@ -21,7 +23,9 @@ std::string Sentence(const char* format, double a, double b = 0.0, double c = 0.
 
 const std::vector<OutcomeName>& OutcomeNames() {
   static const std::vector<OutcomeName> names{
-      {"docked", true, "tip at least 0.20 m deep, at rest, taut, and held by the shake"},
+      {"docked", true,
+       "tip at least " + NumberText(OutcomeLimits{}.docked_depth_m) +
+           " m deep, at rest, taut, and held by the shake"},
       {"no_detection", false, "fewer than four fiducials found in either image"},
       {"wrong_correspondence", false, "detections matched to the wrong fiducials"},
       {"pose_rejected", false, "fiducials found, but no pose accepted"},

@@ -179,7 +179,7 @@ std::string StudyTable(const Study& study, const RowColumns& columns,
   Cells header;
   for (const StudyFactor& factor : study.factors) header.push_back(factor.key);
   if (!study.one_at_a_time.empty()) Append(header, {"changed", "to"});
-  header.push_back("docked");
+  header.push_back(kDockedShare);
   for (const std::string& name : study.measures) {
     if (name != kDockedShare) header.push_back(name + " (10-90 %)");
   }

@@ -35,7 +35,7 @@ TEST(TypicalScenario, NamesModelsThatLoadAndFitEachOther) {
 
 TEST(AxelKeys, PageHasTheTableThatTheVisitorDocuments) {
   const std::string page = Slurp(SourceFile("docs/reference/scenarios.md"));
-  const std::string begin = "tests/scenario/axel_scenario_test.cc -->\n";
+  const std::string begin = "tests/axel/sim/axel_scenario_test.cc -->\n";
   const std::size_t from = page.find(begin), to = page.find("<!-- end of keys of axel -->");
   ASSERT_NE(from, std::string::npos);
   ASSERT_NE(to, std::string::npos);
