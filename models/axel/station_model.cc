@@ -17,10 +17,6 @@ Pose3 BoardInStation(const StationModel& station) {
   return MouthInStation(station) * X_MB;
 }
 
-Eigen::Vector3d AnchorInStation(const StationModel& station) {
-  return MouthInStation(station) * Eigen::Vector3d(-station.anchor_depth_m, 0.0, 0.0);
-}
-
 BoardCutout CutoutOf(const StationModel& station) {
   return {.p_B = Eigen::Vector2d(0.0, station.board_height_above_axis_m),
           .radius_m = station.cone.face_outer_radius_m};

@@ -53,7 +53,6 @@ struct StationModel {
 /// nominal parameters.
 Pose3 MouthInStation(const StationModel& station);  // M: centre of the mouth, x out along the axis
 Pose3 BoardInStation(const StationModel& station);  // B
-Eigen::Vector3d AnchorInStation(const StationModel& station);
 /// Where the cone's mouth and face pass through the board.
 BoardCutout CutoutOf(const StationModel& station);
 /// Board in the dock frame D (D and S coincide when the station stands where it was put).

@@ -149,15 +149,6 @@ std::optional<RunLogEntry> RunLogReader::Next() {
   }
 }
 
-RunLog ReadRunLog(const std::filesystem::path& dir) {
-  RunLogReader reader(dir);
-  RunLog log;
-  log.header = reader.header();
-  while (auto entry = reader.Next()) log.entries.push_back(std::move(*entry));
-  log.complete = reader.complete();
-  return log;
-}
-
 ControllerReplay ReplayController(RunLogReader& log, Controller& controller) {
   ControllerReplay replay;
   while (const auto entry = log.Next()) {

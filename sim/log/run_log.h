@@ -83,14 +83,6 @@ class RunLogReader {
   std::string payload_;
 };
 
-struct RunLog {
-  RunLogHeader header;
-  std::vector<RunLogEntry> entries;
-  bool complete = false;
-};
-/// The whole log in memory; for long runs with images take the reader.
-RunLog ReadRunLog(const std::filesystem::path& dir);
-
 /// The result of running the controller alone.
 struct ControllerReplay {
   std::uint64_t compared = 0;      // entries with equal commands, bit for bit

@@ -46,6 +46,20 @@ SensorFrame SomeFrame(Tick tick) {
   return frame;
 }
 
+struct WholeLog {
+  RunLogHeader header;
+  std::vector<RunLogEntry> entries;
+  bool complete = false;
+};
+WholeLog ReadWholeLog(const std::filesystem::path& dir) {
+  RunLogReader reader(dir);
+  WholeLog log;
+  log.header = reader.header();
+  while (auto entry = reader.Next()) log.entries.push_back(std::move(*entry));
+  log.complete = reader.complete();
+  return log;
+}
+
 /// Answers from all it has seen so far, images included.
 class MixingController : public Controller {
  public:
@@ -96,7 +110,7 @@ std::string ErrorOf(const std::function<void()>& action) {
 TEST(RunLog, GivesBackEveryFrameBitForBit) {
   const TemporaryFolder folder;
   WriteLog(folder.path(), 30);
-  const RunLog log = ReadRunLog(folder.path());
+  const WholeLog log = ReadWholeLog(folder.path());
   ASSERT_EQ(log.entries.size(), 30u);
   EXPECT_TRUE(log.complete);
   for (std::size_t i = 0; i < log.entries.size(); ++i) {
@@ -113,7 +127,7 @@ TEST(RunLog, GivesBackTheCommands) {
   const TemporaryFolder folder;
   WriteLog(folder.path(), 5);
   MixingController controller;
-  for (const RunLogEntry& entry : ReadRunLog(folder.path()).entries) {
+  for (const RunLogEntry& entry : ReadWholeLog(folder.path()).entries) {
     EXPECT_EQ(entry.commands, controller.Step(entry.sensed));
   }
 }
@@ -121,7 +135,7 @@ TEST(RunLog, GivesBackTheCommands) {
 TEST(RunLog, HoldsTheNominalParametersThatTheControllerWasGiven) {
   const TemporaryFolder folder;
   WriteLog(folder.path(), 1);
-  const RunLogHeader header = ReadRunLog(folder.path()).header;
+  const RunLogHeader header = ReadWholeLog(folder.path()).header;
   EXPECT_EQ(header.run, 17);
   EXPECT_EQ(header.seed, 0xffffffffffffffffull);
   EXPECT_EQ(header.system, "toy");
@@ -141,7 +155,7 @@ TEST(RunLog, CutShortEndsAtTheLastWholeEntry) {
   for (std::size_t cut = 1; cut < whole.size(); cut += 97) {
     WriteText(folder.path() / "frames.bin", whole.substr(0, whole.size() - cut));
     try {
-      const RunLog log = ReadRunLog(folder.path());
+      const WholeLog log = ReadWholeLog(folder.path());
       EXPECT_FALSE(log.complete);
       most = std::max(most, log.entries.size());
     } catch (const LogError&) {  // cut into the header
@@ -153,7 +167,7 @@ TEST(RunLog, CutShortEndsAtTheLastWholeEntry) {
 TEST(RunLog, WithoutFinishIsNotComplete) {
   const TemporaryFolder folder;
   WriteLog(folder.path(), 4, true, /*finish=*/false);
-  const RunLog log = ReadRunLog(folder.path());
+  const WholeLog log = ReadWholeLog(folder.path());
   EXPECT_EQ(log.entries.size(), 4u);
   EXPECT_FALSE(log.complete);
 }
@@ -171,7 +185,7 @@ TEST(RunLog, DamagedAnywhereIsReadOrRefused) {
     damaged[static_cast<std::size_t>(at)] ^= static_cast<char>(1 + draw.NextBits() % 255);
     WriteText(folder.path() / "frames.bin", damaged);
     try {
-      (void)ReadRunLog(folder.path());
+      (void)ReadWholeLog(folder.path());
     } catch (const LogError&) {
       ++refused;
     }
@@ -182,7 +196,7 @@ TEST(RunLog, DamagedAnywhereIsReadOrRefused) {
 TEST(RunLog, OfAnotherKindIsRefusedWithASentence) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "frames.bin").string();
-  const auto read = [&] { (void)ReadRunLog(folder.path()); };
+  const auto read = [&] { (void)ReadWholeLog(folder.path()); };
   EXPECT_EQ(ErrorOf(read), "cannot read " + file + ": No such file or directory");
   WriteText(file, "");
   EXPECT_EQ(ErrorOf(read), file + ": it is not a run log");

@@ -26,7 +26,9 @@ Truth Placed(const Truth& at_start, const BuiltRun& built, const YardSample& sam
   const double down_rad = std::asin((axle_m - tip_m) / rover.arm_length_m);
   truth.X_WA = X_WH * Pose3{RotY(down_rad), Eigen::Vector3d::Zero()};
   const Eigen::Vector3d tip_W = truth.X_WA * Eigen::Vector3d(rover.arm_length_m, 0.0, 0.0);
-  truth.tether_W = {tip_W, truth.X_WS * AnchorInStation(built.world.station)};
+  const StationModel& station = built.world.station;
+  const Eigen::Vector3d anchor_M(-station.anchor_depth_m, 0.0, 0.0);
+  truth.tether_W = {tip_W, truth.X_WS * (MouthInStation(station) * anchor_M)};
   return truth;
 }
 
