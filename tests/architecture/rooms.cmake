@@ -1,6 +1,8 @@
 # The rooms and what each may include: folder | its job | a regular expression on the path between the
 # quotes or brackets. <system> stands for one of `systems`: the rooms of a system know the generic rooms
-# and their own system, never another. The standard library is open to all, the operating system to those
+# and their own system, never another. In a line whose folder names no system it stands for any of them.
+# A single file may have a line of its own, which holds instead of its folder's.
+# The standard library is open to all by its C++ names (<cmath>, not math.h), the operating system to those
 # that name it. A folder with sources and without a line here is an error. No semicolon in a line: CMake ends an item there.
 set(systems axel)
 
@@ -18,7 +20,7 @@ set(rooms
   "controller/<system>/nominal|the nominal parameters that a controller is told|${contract}|controller/<system>/nominal/"
   "controller/<system>|a system's controllers|${contract}|controller/(vision|motion|<system>)/"
   "models/parts|what things are: links, motors, wheels, cameras, soil|${contract}|models/parts/"
-  "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h|${os}"
+  "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h"
   "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
   "render|a scene in, images out, without physics|${contract}|render/|GL/|EGL/|dlfcn.h"
   "sim/base|random streams, hashes, files, text, JSON, PNG|${contract}|sim/base/|nlohmann/|opencv2/|${os}"
@@ -33,4 +35,5 @@ set(rooms
   "sim/<system>|a system's world, cameras, judge and plots|${models}|models/<system>/|controller/<system>/nominal/|controller/motion/|render/|${low}|sim/<system>/|bt|Bullet|LinearMath/|nlohmann/"
   "sim/campaign|many runs: workers, results, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
   "sim/study|sweeps over any key, curves|${contract}|models/read/|${low}|sim/study/"
-  "sim/app|the program: the command line, the list of systems|${contract}|controller/|models/|sim/|CLI/|opencv2/|nlohmann/|${os}")
+  "sim/app/systems.cc|the list of systems with their controllers|${contract}|sim/(run|app)/|controller/<system>/|sim/<system>/"
+  "sim/app|the program: the command line|${models}|controller/vision/|${low}|sim/(campaign|study|app)/|CLI/|opencv2/|nlohmann/|${os}")
