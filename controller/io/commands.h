@@ -17,7 +17,7 @@ enum class MotorMode : std::uint8_t {
 };
 
 /// All values at the output shaft, signs as the encoder counts. The current limit bounds the
-/// drive's torque: a larger load turns the shaft off its profile (a spool pays out).
+/// drive's torque: a larger load turns the shaft off its profile.
 struct MotorCommand {
   MotorMode mode = MotorMode::kBrake;
   double target = 0.0;             // [rad] or [rad/s]

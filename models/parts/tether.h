@@ -8,7 +8,7 @@ struct TetherModel {
   double damping_ns_per_m = 0.0;   // of the whole exposed length
   double diameter_m = 0.0;
   double mass_kg_per_m = 0.0;
-  double friction_on_station = 0.0;  // capstan friction on the cone's lip and throat
+  double friction_on_station = 0.0;  // capstan friction where it bends round the station's edges
   double drum_radius_m = 0.0;
 };
 

@@ -8,8 +8,8 @@
 namespace dockyard {
 namespace {
 
-/// Direction to the sun in the dock frame. Azimuth counts from the cone's axis (the way that the
-/// board faces), counter-clockwise from above.
+/// Direction to the sun in the dock frame. Azimuth counts from the dock's x axis, the way that
+/// the target faces, counter-clockwise from above.
 Eigen::Vector3d ToSun(double azimuth_rad, double elevation_rad) {
   return {std::cos(elevation_rad) * std::cos(azimuth_rad),
           std::cos(elevation_rad) * std::sin(azimuth_rad), std::sin(elevation_rad)};

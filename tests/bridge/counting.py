@@ -39,8 +39,7 @@ class Counting:
             os._exit(4)
         while self.fault == "believe":
             belief = b"{}"
-            sys.stdout.buffer.write(struct.pack("<I", len(belief)) + b"B" + belief)
-            sys.stdout.buffer.flush()
+            os.write(0, struct.pack("<I", len(belief)) + b"B" + belief)  # 0: the same socket
             time.sleep(0.01)
         if self.fault == "not_a_number":
             self.speed_m_s = float("nan")

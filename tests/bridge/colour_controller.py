@@ -1,0 +1,24 @@
+"""Answers with a number made of the colours that it saw, as the controller of colour_test.cc does."""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/python"))
+from dockyard_client import DOCKED, UNDER_WAY, VELOCITY, Commands, Motor, serve
+
+
+class Colour:
+    def __init__(self, hello):
+        self.camera = hello["nominal"]["colour_camera"]
+
+    def step(self, frame):
+        target = 0.0
+        if self.camera in frame.images:
+            image = frame.images[self.camera]
+            assert (image.channels, image.width, image.height) == (3, 3, 2)
+            target = float(sum((i + 1) * value for i, value in enumerate(image.pixels)))
+        verdict = DOCKED if frame.tick_ms >= 200 else UNDER_WAY
+        return Commands([Motor(VELOCITY, target)], cameras=[self.camera], verdict=verdict)
+
+
+serve(Colour)
