@@ -60,8 +60,9 @@ void GroundTexture::Update(const GroundView& ground, const Eigen::Vector3d& to_s
   const int columns = ground.nx - 1;
   std::vector<Four> cells(relief.size() / 3);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const double x = ground.x0_m + ground.cell_m * (static_cast<double>(i % columns) + 0.5);
-    const double y = ground.y0_m + ground.cell_m * (static_cast<double>(i / columns) + 0.5);
+    const std::size_t column = i % columns, row = i / columns;
+    const double x = ground.x0_m + ground.cell_m * (static_cast<double>(column) + 0.5);
+    const double y = ground.y0_m + ground.cell_m * (static_cast<double>(row) + 0.5);
     cells[i] = Four{relief[3 * i], relief[3 * i + 1], relief[3 * i + 2], 0.0f} +
                Lumps(static_cast<float>(x), static_cast<float>(y));
   }

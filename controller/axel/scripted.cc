@@ -1,13 +1,10 @@
 #include "controller/axel/scripted.h"
 
 #include "controller/axel/drive.h"
+#include "controller/axel/options.h"
 
 namespace dockyard::axel {
 namespace {
-
-// Of wheels and drum, as the docking controller has them (assumed, 0.1-1 and 1-5).
-constexpr double kWheelAccel_rad_s2 = 0.3, kDrumAccel_rad_s2 = 2.0;
-constexpr double kWinch_m_s = 0.05;  // of a winch whose speed the script leaves open
 
 class Scripted final : public Controller {
  public:
@@ -37,19 +34,21 @@ class Scripted final : public Controller {
     if (step.free_wheels) {
       SetWheels(MotorMode::kFree, commands);
     } else {
-      CommandWheels(nominal_, {step.speed_m_s, step.turn_rad_s}, kWheelAccel_rad_s2, commands);
+      CommandWheels(nominal_, {step.speed_m_s, step.turn_rad_s}, options_.drive.wheel_accel_rad_s2,
+                    commands);
     }
     const bool open_speed = step.reel_m_s == 0.0;
     if (open_speed && !step.tension_n) return;  // braked
     const NominalMotor& spool = nominal_.motors[static_cast<std::size_t>(Motor::kSpool)];
     const double strongest_n = TensionFromCurrent(nominal_, spool.max_current_a);
     commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
-        Winch(nominal_, open_speed ? kWinch_m_s : step.reel_m_s,
-              step.tension_n.value_or(strongest_n), kDrumAccel_rad_s2);
+        Winch(nominal_, open_speed ? options_.tether.tighten_m_s : step.reel_m_s,
+              step.tension_n.value_or(strongest_n), options_.tether.accel_rad_s2);
   }
 
   const Nominal nominal_;
   const std::vector<ScriptStep> script_;
+  const AxelOptions options_{};  // accelerations and the winch's speed, as the docking controller's
   Belief belief_;
 };
 

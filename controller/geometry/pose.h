@@ -80,8 +80,8 @@ Pose2 ToGround(const Pose3& X_AB);
 Pose3 FromGround(const Pose2& X_AB, double z_m);
 
 /// Docking coordinates (Tsai et al., Fig. 7 and Eq. 1): the rover's place about its target in polar
-/// form and its heading against the target's x axis. h = 0: its own x axis points against the
-/// target's, wherever it stands; alpha = h: its x axis points at the target.
+/// form, and its heading. h = 0: its x axis points against the target's, wherever it stands;
+/// alpha = h: its x axis points at the target.
 struct DockingCoords {
   double r = 0.0;      // [m]
   double alpha = 0.0;  // [rad], counter-clockwise from above

@@ -85,7 +85,7 @@ class TreeCheck {
   }
 
   /// Whether the way up from the link never ends.
-  bool InCircle(std::string link) const {
+  bool InCircle(const std::string& link) const {
     std::set<std::string> seen;
     for (auto at = parent_.find(link); at != parent_.end(); at = parent_.find(at->second)) {
       if (!seen.insert(at->first).second) return true;

@@ -44,7 +44,8 @@ TEST(Board, GridRunsRowByRowAboutTheMiddle) {
       Loaded(kPlain + "grid: {columns: 4, rows: 3, pitch_m: 0.09}\nupright_within_deg: 80\n").board;
   ASSERT_EQ(board.fiducials.size(), 12u);
   for (int i = 0; i < 12; ++i) {
-    const Eigen::Vector2d wanted(0.09 * (i % 4) - 0.135, 0.09 * (i / 4) - 0.09);
+    const int column = i % 4, row = i / 4;
+    const Eigen::Vector2d wanted(0.09 * column - 0.135, 0.09 * row - 0.09);
     EXPECT_LT((board.fiducials[static_cast<std::size_t>(i)].p_BF - wanted).norm(), 1e-12);
   }
   EXPECT_FALSE(board.HasBars());

@@ -75,9 +75,10 @@ TEST(RunStudy, MeasuresEachPointsOwnScenario) {
   for (int i = 0; i < 6; ++i) {
     const StudyRow& row = end.rows[static_cast<std::size_t>(i)];
     EXPECT_EQ(row.run, i + 1);
-    EXPECT_EQ(row.point, i / 2);
-    EXPECT_EQ(row.seed, StudySeed(study, i / 2, i % 2));
-    EXPECT_EQ(row.measures[2], 1.0 + i / 2);
+    const int point = i / 2;
+    EXPECT_EQ(row.point, point);
+    EXPECT_EQ(row.seed, StudySeed(study, point, i % 2));
+    EXPECT_EQ(row.measures[2], 1.0 + point);
     EXPECT_EQ(row.outcome, row.measures[0] == 1.0 ? "docked" : "missed");
   }
 }
