@@ -29,7 +29,7 @@ class Motor:
 
 
 class Commands:
-    """What the robot is to do until the next frame. `belief` is for the testbed's log alone: phase,
+    """What the robot is to do until the next frame. `belief` is for the run's history alone: phase,
     note, x_m, y_m, heading_rad (in the target's frame), values (a dict of numbers)."""
 
     def __init__(self, motors, cameras=(), switches=(), verdict=UNDER_WAY, belief=None):
