@@ -29,7 +29,8 @@ std::string WithExamples(const std::string& help, const std::string& program,
   const std::string name = std::filesystem::path(files.campaign).stem().string();
   const std::vector<Word> words{{"{scenario}", files.scenario}, {"{campaign}", files.campaign},
                                 {"{campaign_name}", name},      {"{study}", files.study},
-                                {"{robot}", files.robot},       {"{target}", files.target}};
+                                {"{cameras}", files.cameras},   {"{robot}", files.robot},
+                                {"{target}", files.target}};
   const std::string called = "  dockyard ";
   std::istringstream in(help);
   std::string text, line;

@@ -28,7 +28,7 @@ constexpr const char* kHelp = R"(Pose of a body from pixels of its known points,
 Examples:
   dockyard pose examples/points.csv --robot {robot}
   dockyard pose examples/points.csv --robot {robot} --pipeline tsai2013 --json
-  dockyard pose --sequence examples/frames.csv --rig models/cameras/navcam.yaml --csv
+  dockyard pose --sequence examples/frames.csv --rig {cameras} --csv
 
 POINTS has the columns camera,u_px,v_px,x_m,y_m,z_m: camera is left or right, pixel (0, 0) the middle of
 the first pixel, x y z a point of the body. The points may lie in a plane or not; up to half may be wrong:

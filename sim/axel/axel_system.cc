@@ -126,7 +126,8 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
                           .campaign = "scenarios/mars_yard_40.yaml",
                           .study = "scenarios/studies/reel_alpha.yaml",
                           .robot = "models/axel/axel.yaml",
-                          .target = "models/axel/station/station.yaml"};
+                          .target = "models/axel/station/station.yaml",
+                          .cameras = "models/cameras/axel_1024.yaml"};
   system.reproductions = {
       {"axel2013", "scenarios/mars_yard_40.yaml",
        "The 40 docking runs of Tsai et al. 2013 in the Mars Yard, driven by our "

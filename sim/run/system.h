@@ -65,7 +65,7 @@ struct Reproduction {
 /// Files of the system's for the examples in the program's help, as written on the command line. A
 /// line of help whose file is empty is left out.
 struct ExampleFiles {
-  std::string scenario, campaign, study, robot, target;
+  std::string scenario, campaign, study, robot, target, cameras;
 };
 
 struct System {
