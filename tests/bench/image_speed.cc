@@ -101,11 +101,11 @@ double MujocoPairSeconds(int width, int height) {
   mjv_defaultOption(&option);
   std::vector<unsigned char> rgb(static_cast<std::size_t>(width) * height * 3);
   const auto pair = [&] {
-    for (int view = 0; view < 2; ++view) {
+    for (int side = 0; side < 2; ++side) {
       mjvCamera camera;
       mjv_defaultCamera(&camera);
       camera.type = mjCAMERA_FIXED;
-      camera.fixedcamid = view;
+      camera.fixedcamid = side;
       mjv_updateScene(model.get(), data.get(), &option, nullptr, &camera, mjCAT_ALL, &scene);
       const mjrRect view{0, 0, width, height};
       mjr_render(view, &scene, &context);
