@@ -37,7 +37,6 @@ constexpr const char* kHelp = R"(Simulate all runs of a campaign on several proc
 Examples:
   dockyard campaign {campaign}
   dockyard campaign {campaign} --jobs 2 --out results/yard
-  dockyard campaign scenarios/ci_4.yaml --out results/ci
 
 Stopped by Ctrl-C or a power cut, the same command goes on where it was. The results are the
 same, bit for bit, for any number of jobs. Exit code 10: runs are missing or crashed.)";

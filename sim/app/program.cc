@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -43,14 +42,23 @@ void FillExamples(CLI::App& app, const std::string& program, const ExampleFiles&
   for (CLI::App* command : app.get_subcommands({})) FillExamples(*command, program, files);
 }
 
+/// The value of an option given as `--name value` or `--name=value`; empty if it is not.
+std::string ValueOf(const std::vector<std::string>& words, const std::string& option) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == option && i + 1 < words.size()) return words[i + 1];
+    if (words[i].rfind(option + "=", 0) == 0) return words[i].substr(option.size() + 1);
+  }
+  return "";
+}
+
 /// The exit code of `detect` where the robot's system has a perception of its own.
 std::optional<int> DetectBySystem(int argc, char** argv, const std::vector<System>& systems) {
   if (argc < 2 || std::string(argv[1]) != "detect") return std::nullopt;
   const std::vector<std::string> words(argv + 2, argv + argc);
-  const auto option = std::find(words.begin(), words.end(), "--robot");
-  if (option == words.end() || option + 1 == words.end()) return std::nullopt;
+  const std::string robot = ValueOf(words, "--robot");
+  if (robot.empty()) return std::nullopt;
   for (const System& system : systems) {
-    if (system.detect && system.check_file && system.check_file(*(option + 1))) {
+    if (system.detect && system.check_file && system.check_file(robot)) {
       return system.detect(words);
     }
   }

@@ -15,7 +15,7 @@ constexpr double kGravity = 9.81;  // [m/s^2]
 constexpr double kSteady = 0.002;
 constexpr int kSteadyWindows = 3;
 constexpr double kLongest_radii = 60.0;
-// Cells of the rig's ground per radius, as fine as a yard's ground has about a rover's wheel.
+// Cells of the rig's ground per radius; a yard's ground has 13 for a wheel of 0.3 m.
 constexpr double kCellsPerRadius = 12.0;
 // Inertia of the towed wheel about its axle: of a third of the load, as a disc.
 constexpr double kWheelMassShare = 0.3;
