@@ -27,8 +27,18 @@ class RandomStream {
   bool has_spare_ = false;
 };
 
+/// Uniform in the open interval (0, 1) from a word of random bits: the middle of one of 2^52 equal
+/// cells, so at least 2^-53 from either end.
+double OpenUnit(std::uint64_t bits);
+
 /// Key of one named stream of one run's seed.
 std::uint64_t StreamKey(std::uint64_t seed, std::string_view stream);
+/// Seed of all that the runs at one place of a campaign share. A place is a point of the campaign's
+/// grid or a row of its table, counted from 0.
+std::uint64_t PlaceSeed(std::uint64_t campaign_seed, std::uint64_t place);
+/// Seed of one run's world: the run at that place with `repeat` others before it. Place and repeat
+/// are mixed one after the other, so that more places or more repeats shift no seed.
+std::uint64_t WorldSeed(std::uint64_t campaign_seed, std::uint64_t place, std::uint64_t repeat);
 /// Seed of one run of a campaign.
 std::uint64_t RunSeed(std::uint64_t campaign_seed, std::uint64_t run);
 

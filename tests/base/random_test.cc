@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace dockyard {
 namespace {
@@ -40,6 +41,31 @@ TEST(StreamKey, AndRunSeedAreThoseOfAnIndependentProgram) {
   EXPECT_EQ(StreamKey(0xffffffffffffffffull, "yard"), 0x0be4496cc861c8eaull);
   EXPECT_EQ(RunSeed(1, 1), 0xf18d6ce93d6cf1eeull);
   EXPECT_EQ(RunSeed(20131109, 40), 0x3be648065aa0ee99ull);
+}
+
+TEST(WorldSeed, AndPlaceSeedAreThoseOfAnIndependentProgram) {
+  EXPECT_EQ(PlaceSeed(1, 0), 0x5e41ab087439611eull);
+  EXPECT_EQ(PlaceSeed(20131109, 40), 0x3be648065aa0ee99ull);
+  EXPECT_EQ(WorldSeed(1, 0, 0), 0xb18a02f46d8d86c3ull);
+  EXPECT_EQ(WorldSeed(1, 0, 1), 0xf8c5b62c83f707e8ull);
+  EXPECT_EQ(WorldSeed(1, 1, 0), 0x9edbe9bd18ad781dull);
+  EXPECT_EQ(WorldSeed(20131109, 40, 7), 0x2504f60129ab0f0eull);
+}
+
+TEST(WorldSeed, IsAnotherForEachPlaceAndRepeat) {
+  std::set<std::uint64_t> seeds;
+  for (std::uint64_t place = 0; place < 100; ++place) {
+    for (std::uint64_t repeat = 0; repeat < 100; ++repeat) {
+      seeds.insert(WorldSeed(1, place, repeat));
+    }
+  }
+  EXPECT_EQ(seeds.size(), 10000u);
+}
+
+TEST(OpenUnit, LeavesBothEndsOutByHalfACell) {
+  EXPECT_EQ(OpenUnit(0), 0x1.0p-53);
+  EXPECT_EQ(OpenUnit(~0ull), 1.0 - 0x1.0p-53);
+  EXPECT_EQ(OpenUnit(1ull << 63), 0.5 + 0x1.0p-53);
 }
 
 TEST(RandomStream, IsTheSameForTheSameKeyAndOtherForAnother) {
