@@ -23,7 +23,7 @@ set(rooms
   "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h"
   "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
   "render|a scene in, images out, without physics|${contract}|render/|GL/|EGL/|dlfcn.h"
-  "sim/base|random streams, hashes, files, text, JSON, PNG|${contract}|sim/base/|nlohmann/|opencv2/|${os}"
+  "sim/base|random streams, normal numbers, hashes, files, text, JSON, PNG|${contract}|sim/base/|nlohmann/|opencv2/|${os}"
   "sim/jobs|work in processes of its own|controller/base/|sim/(base|jobs)/|${os}"
   "sim/scenario|what is to be simulated: scenarios, campaigns, studies|${models}|sim/(base|scenario)/"
   "sim/soil|stress of deformable soil on wheels with paddles, without Bullet|${models}|sim/(base|soil)/"
