@@ -9,7 +9,7 @@ set(systems axel)
 set(contract "controller/(base|geometry|io)/|Eigen/")
 set(os "sys/|unistd.h|fcntl.h|poll.h|signal.h")
 set(models "${contract}|models/(parts|read)/")
-set(low "sim/(base|jobs|scenario|soil|physics|log|bridge|report|run)/")
+set(low "sim/(base|draws|jobs|scenario|soil|physics|log|bridge|report|run)/")
 
 set(rooms
   "controller/base|checks and results|${contract}"
@@ -24,8 +24,9 @@ set(rooms
   "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
   "render|a scene in, images out, without physics|${contract}|render/|GL/|EGL/|dlfcn.h"
   "sim/base|random streams, normal numbers, hashes, files, text, JSON, PNG|${contract}|sim/base/|nlohmann/|opencv2/|${os}"
+  "sim/draws|values of dispersed numbers: distributions, designs, correlation|${contract}|sim/(base|draws)/|boost/random/"
   "sim/jobs|work in processes of its own|controller/base/|sim/(base|jobs)/|${os}"
-  "sim/scenario|what is to be simulated: scenarios, campaigns, studies|${models}|sim/(base|scenario)/"
+  "sim/scenario|what is to be simulated: scenarios, campaigns, studies|${models}|sim/(base|draws|scenario)/"
   "sim/soil|stress of deformable soil on wheels with paddles, without Bullet|${models}|sim/(base|soil)/"
   "sim/physics|parts of any robot's world: drives, inertial unit, shapes, cables|${models}|sim/(base|soil|physics)/|bt|Bullet|LinearMath/"
   "sim/log|files of one run: log, history, result row|${contract}|sim/(base|log)/|nlohmann/|opencv2/"
