@@ -8,19 +8,23 @@
 #include "models/read/yaml_tree.h"
 #include "sim/base/files.h"
 #include "sim/base/hash.h"
+#include "sim/base/math_pin.h"
 
 namespace dockyard {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string Fingerprint(const fs::path& path) {
-  const auto bytes = ReadWhole(path);
-  if (!bytes) throw IoError("cannot read " + path.string() + ": it is not there");
-  const std::uint64_t hash = HashText(kHashSeed, *bytes);
+std::string HexText(std::uint64_t hash) {
   char text[32];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
   return text;
+}
+
+std::string Fingerprint(const fs::path& path) {
+  const auto bytes = ReadWhole(path);
+  if (!bytes) throw IoError("cannot read " + path.string() + ": it is not there");
+  return HexText(HashText(kHashSeed, *bytes));
 }
 
 /// The file itself, and for a rover or station the files in its folder: URDF and meshes.
@@ -93,6 +97,7 @@ std::string IdentityText(const Campaign& campaign, const System& system) {
     AddNamed(LoadYaml(model), files);
   }
   std::string text = "dockyard " DOCKYARD_VERSION " " + Fingerprint("/proc/self/exe") + "\n";
+  text += "mathematics " + HexText(MathFingerprint()) + "\n";
   for (const fs::path& file : files) text += file.string() + " " + Fingerprint(file) + "\n";
   return text;
 }

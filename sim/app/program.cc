@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -14,6 +15,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
+#include "sim/base/math_pin.h"
 #include "sim/campaign/campaign.h"
 #include "sim/log/run_log.h"
 
@@ -65,6 +67,15 @@ std::optional<int> DetectBySystem(int argc, char** argv, const std::vector<Syste
   return std::nullopt;
 }
 
+/// Whether the words ask for more than help or a check of files: for numbers, whose bits must not
+/// depend on the processor.
+bool AskForNumbers(int argc, char** argv) {
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty() || words[0].empty() || words[0][0] == '-' || words[0] == "check") return false;
+  return std::none_of(words.begin(), words.end(),
+                      [](const std::string& word) { return word == "--help" || word == "-h"; });
+}
+
 /// A first word that names no subcommand; empty if there is none or it does.
 std::string StrangeWord(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return "";
@@ -109,6 +120,12 @@ int ParseAndRun(CLI::App& app, int argc, char** argv, const std::vector<System>&
 }  // namespace
 
 int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
+  if (AskForNumbers(argc, argv) && !PinMathFunctions(argv)) {
+    PrintNote(
+        "note: results hold for processors like this one alone; the program could not start "
+        "again with GLIBC_TUNABLES=" +
+        PinnedTunables(""));
+  }
   // A failed internal check has printed its place; it ends with the code that says so.
   std::signal(SIGABRT, [](int) { ::_exit(kExitOurBug); });
   int exit_code = kExitDone;

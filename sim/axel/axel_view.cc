@@ -1,5 +1,6 @@
 #include "sim/axel/axel_view.h"
 
+#include "controller/base/split_mix.h"
 #include "sim/base/random.h"
 
 namespace dockyard::axel {
@@ -130,7 +131,7 @@ SensorOptions CameraSensor(const StereoModel& stereo, std::uint64_t run_seed, in
           .target_level = exposure.level,
           .fixed_exposure_e = exposure.fixed_e,
           .exposure_stops = bracketed ? exposure.bracket_stops * kTurns[index % 3] : 0.0,
-          .noise_key = RunSeed(StreamKey(run_seed, "camera"), static_cast<std::uint64_t>(index)),
+          .noise_key = SplitMix(StreamKey(run_seed, "camera"), static_cast<std::uint64_t>(index)),
           .pattern_key = StreamKey(run_seed, "response")};
 }
 

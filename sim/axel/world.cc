@@ -33,8 +33,7 @@ Pose3 RoverStart(const WorldSetup& setup) {
     const Eigen::Vector3d& p = left ? setup.rover.p_R_left_wheel : setup.rover.p_R_right_wheel;
     const WheelModel& wheel = left ? setup.rover.left_wheel_soil : setup.rover.right_wheel_soil;
     const Eigen::Vector2d at = X_GR * Eigen::Vector2d(p.x(), p.y());
-    z = std::max(
-        z, setup.ground.Height(at.x(), at.y()) + wheel.rim_radius_m + PaddleReach(wheel) - p.z());
+    z = std::max(z, setup.ground.Height(at.x(), at.y()) + RollingRadius(wheel) - p.z());
   }
   return FromGround(X_GR, z);
 }

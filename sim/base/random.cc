@@ -1,10 +1,8 @@
 #include "sim/base/random.h"
 
-#include <cmath>
-
 #include "controller/base/split_mix.h"
-#include "controller/geometry/pose.h"
 #include "sim/base/hash.h"
+#include "sim/base/normal.h"
 
 namespace dockyard {
 
@@ -12,17 +10,7 @@ std::uint64_t RandomStream::NextBits() { return SplitMix(key_, counter_++); }
 
 double RandomStream::Uniform() { return static_cast<double>(NextBits() >> 11) * 0x1.0p-53; }
 
-double RandomStream::Normal() {
-  if (has_spare_) {
-    has_spare_ = false;
-    return spare_;
-  }
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - Uniform()));
-  const double angle = 2.0 * kPi * Uniform();
-  spare_ = radius * std::sin(angle);
-  has_spare_ = true;
-  return radius * std::cos(angle);
-}
+double RandomStream::Normal() { return NormalQuantile(OpenUnit(NextBits())); }
 
 double OpenUnit(std::uint64_t bits) { return (static_cast<double>(bits >> 12) + 0.5) * 0x1.0p-52; }
 
@@ -36,10 +24,6 @@ std::uint64_t PlaceSeed(std::uint64_t campaign_seed, std::uint64_t place) {
 
 std::uint64_t WorldSeed(std::uint64_t campaign_seed, std::uint64_t place, std::uint64_t repeat) {
   return SplitMix(PlaceSeed(campaign_seed, place), repeat);
-}
-
-std::uint64_t RunSeed(std::uint64_t campaign_seed, std::uint64_t run) {
-  return SplitMix(SplitMix(campaign_seed, 0), run);
 }
 
 }  // namespace dockyard

@@ -17,14 +17,12 @@ class RandomStream {
   /// Uniform in [0, 1), 53 bits.
   double Uniform();
   double Uniform(double low, double high) { return low + (high - low) * Uniform(); }
-  /// Standard normal by Box and Muller (1958).
+  /// Standard normal by the inverse of its distribution function: one word of bits each.
   double Normal();
 
  private:
   std::uint64_t key_ = 0;
   std::uint64_t counter_ = 0;
-  double spare_ = 0.0;
-  bool has_spare_ = false;
 };
 
 /// Uniform in the open interval (0, 1) from a word of random bits: the middle of one of 2^52 equal
@@ -39,7 +37,5 @@ std::uint64_t PlaceSeed(std::uint64_t campaign_seed, std::uint64_t place);
 /// Seed of one run's world: the run at that place with `repeat` others before it. Place and repeat
 /// are mixed one after the other, so that more places or more repeats shift no seed.
 std::uint64_t WorldSeed(std::uint64_t campaign_seed, std::uint64_t place, std::uint64_t repeat);
-/// Seed of one run of a campaign.
-std::uint64_t RunSeed(std::uint64_t campaign_seed, std::uint64_t run);
 
 }  // namespace dockyard

@@ -156,7 +156,7 @@ CampaignRun MakeRun(const Campaign& campaign, const CampaignTree& parts,
   PutPath(tree, "name", {}, ScalarNode(campaign.name + " run " + std::to_string(run.run), true));
   RemovePath(tree, "seed");  // the base's own
   run.scenario = ReadScenario(tree, systems);
-  run.scenario.seed = RunSeed(campaign.seed, static_cast<std::uint64_t>(run.run));
+  run.scenario.seed = WorldSeed(campaign.seed, static_cast<std::uint64_t>(run.run), 0);
   return run;
 }
 

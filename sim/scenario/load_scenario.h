@@ -16,8 +16,8 @@ Scenario LoadScenario(const std::string& file, const std::vector<std::string>& o
                       const std::vector<KnownSystem>& systems);
 
 /// A campaign: a base scenario and a table of runs (a CSV file, or a list in the file itself). The
-/// seed of each run is RunSeed(campaign seed, run). Overrides as above, for keys of the campaign
-/// file. Throws ConfigError.
+/// seed of each run is WorldSeed(campaign seed, run, 0). Overrides as above, for keys of the
+/// campaign file. Throws ConfigError.
 Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& overrides,
                       const std::vector<KnownSystem>& systems);
 

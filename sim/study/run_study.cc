@@ -52,7 +52,8 @@ bool StudyEnd::any_crashed() const {
 
 std::uint64_t StudySeed(const Study& study, int point, int repeat) {
   const int place = point % study.grid_size();
-  return RunSeed(study.seed, static_cast<std::uint64_t>(place * study.repeats + repeat + 1));
+  return WorldSeed(study.seed, static_cast<std::uint64_t>(place),
+                   static_cast<std::uint64_t>(repeat));
 }
 
 StudyEnd RunStudy(const Study& study, const StudyRunFunction& simulate, const RowColumns& columns,

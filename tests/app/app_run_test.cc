@@ -47,6 +47,29 @@ TEST(ProgramRun, WithTheSameSeedHasTheSameStateHash) {
   EXPECT_NE(first, hash("6"));
 }
 
+// Each mask hides instructions of the processor from one library: OpenCV, Mesa, the C library.
+TEST(ProgramRun, HasTheSameStateHashWhateverTheProcessorHas) {
+  const auto hash = [] {
+    const Ended ended = Dockyard(
+        "run scenarios/axel_typical.yaml --set time_limit_s=12 --set camera.width_px=640 "
+        "--set camera.height_px=480 --json");
+    const Json json = Json::parse(ended.out);
+    EXPECT_GT(json["images"].get<int>(), 0);
+    return json["state_hash"].get<std::string>();
+  };
+  const std::string unmasked = hash();
+  const std::vector<std::pair<const char*, const char*>> masks{
+      {"OPENCV_CPU_DISABLE", "AVX512_SKX,AVX2,FP16,AVX,FMA3"},
+      {"LP_NATIVE_VECTOR_WIDTH", "128"},
+      {"GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F,-AVX"}};
+  for (const auto& [name, value] : masks) {
+    ::setenv(name, value, 1);
+    EXPECT_EQ(hash(), unmasked) << name;
+  }
+  EXPECT_EQ(hash(), unmasked) << "all three";
+  for (const auto& [name, value] : masks) ::unsetenv(name);
+}
+
 TEST(ProgramRun, FeelsAMastOnAFixedJoint) {
   const TemporaryFolder folder;
   const fs::path axel = folder.path() / "axel";

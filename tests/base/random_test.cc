@@ -29,18 +29,16 @@ TEST(RandomStream, DrawsTheSameNumbersAsAnIndependentProgram) {
     EXPECT_EQ(unit.Uniform(), u);
     EXPECT_DOUBLE_EQ(scaled.Uniform(-2.0, 3.0), -2.0 + 5.0 * u);
   }
-  for (const double z :
-       {0.4284879007349292, 0.8235342802616957, 0.007685698515048663, 1.2326398530118996}) {
-    EXPECT_NEAR(normal.Normal(), z, 1e-14);  // the C library's log, sin and cos may differ
+  for (const double z : {-0.3851057284348681, -0.9398623079942611, 0.08081963600853463,
+                         -0.677615816951901, 1.2240297132741078}) {
+    EXPECT_NEAR(normal.Normal(), z, 1e-15);
   }
 }
 
-TEST(StreamKey, AndRunSeedAreThoseOfAnIndependentProgram) {
+TEST(StreamKey, IsThatOfAnIndependentProgram) {
   EXPECT_EQ(StreamKey(7, "imu"), 0x72979f5c0d56402eull);
   EXPECT_EQ(StreamKey(0, ""), 0xaebe53f85cdc3c4cull);
   EXPECT_EQ(StreamKey(0xffffffffffffffffull, "yard"), 0x0be4496cc861c8eaull);
-  EXPECT_EQ(RunSeed(1, 1), 0xf18d6ce93d6cf1eeull);
-  EXPECT_EQ(RunSeed(20131109, 40), 0x3be648065aa0ee99ull);
 }
 
 TEST(WorldSeed, AndPlaceSeedAreThoseOfAnIndependentProgram) {
@@ -100,12 +98,6 @@ TEST(RandomStream, NormalFollowsItsDistributionFunction) {
     const double p = 0.5 * std::erfc(-z / std::sqrt(2.0));
     EXPECT_NEAR(static_cast<double>(below) / kDraws, p, 4.0 * std::sqrt(p * (1 - p) / kDraws));
   }
-}
-
-TEST(RunSeed, DiffersFromRunToRunAndFromCampaignToCampaign) {
-  EXPECT_NE(RunSeed(1, 1), RunSeed(1, 2));
-  EXPECT_NE(RunSeed(1, 1), RunSeed(2, 1));
-  EXPECT_NE(RunSeed(1, 2), RunSeed(2, 1));
 }
 
 }  // namespace

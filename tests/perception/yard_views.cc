@@ -86,7 +86,7 @@ YardSample YardViews::Take(int i, bool render) {
 }
 
 YardSample YardViews::TakeAt(int i, const DockingCoords& at, double pitch_rad, bool render) {
-  const std::uint64_t seed = RunSeed(options_.seed, static_cast<std::uint64_t>(i));
+  const std::uint64_t seed = WorldSeed(options_.seed, static_cast<std::uint64_t>(i), 0);
   YardSample sample;
   sample.index = i;
   sample.at = at;

@@ -88,7 +88,7 @@ TEST_F(CampaignFile, LabelsAreTheCellsAsWritten) {
 TEST_F(CampaignFile, GivesEachRunASeedOfItsOwn) {
   std::set<std::uint64_t> seeds;
   for (const CampaignRun& run : Load().runs) {
-    EXPECT_EQ(run.scenario.seed, RunSeed(9, static_cast<std::uint64_t>(run.run)));
+    EXPECT_EQ(run.scenario.seed, WorldSeed(9, static_cast<std::uint64_t>(run.run), 0));
     seeds.insert(run.scenario.seed);
   }
   EXPECT_EQ(seeds.size(), 2u);

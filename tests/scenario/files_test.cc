@@ -64,7 +64,7 @@ TEST(MarsYardGrid, KeepsEveryCountThatIsPublished) {
 TEST(MarsYardGrid, GivesEachRunASeedOfItsOwn) {
   std::set<std::uint64_t> seeds;
   for (const CampaignRun& run : Grid().runs) {
-    EXPECT_EQ(run.scenario.seed, RunSeed(1, static_cast<std::uint64_t>(run.run)));
+    EXPECT_EQ(run.scenario.seed, WorldSeed(1, static_cast<std::uint64_t>(run.run), 0));
     EXPECT_EQ(run.scenario.name, "mars_yard_40 run " + std::to_string(run.run));
     seeds.insert(run.scenario.seed);
   }

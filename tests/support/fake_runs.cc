@@ -45,7 +45,7 @@ Campaign FakeCampaign(int count) {
     run.run = i;
     run.scenario.system = "fake";
     run.scenario.controller = "straight";
-    run.scenario.seed = RunSeed(7, static_cast<std::uint64_t>(i));
+    run.scenario.seed = WorldSeed(7, static_cast<std::uint64_t>(i), 0);
     run.scenario.start.r = 2.0 + 0.5 * (i % 9);
     run.labels = {i % 2 == 0 ? "loose" : "compact", NumberText(run.scenario.start.r)};
     campaign.runs.push_back(run);
