@@ -10,7 +10,7 @@
 #include "controller/geometry/pose.h"
 #include "sim/axel/station_outline.h"
 #include "sim/base/text.h"
-#include "sim/report/statistics.h"
+#include "sim/report/rate_text.h"
 #include "sim/report/svg.h"
 
 namespace dockyard::axel {

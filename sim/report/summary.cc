@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/base/text.h"
-#include "sim/report/statistics.h"
+#include "sim/report/rate_text.h"
 
 namespace dockyard {
 namespace {

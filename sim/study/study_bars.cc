@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "controller/base/check.h"
-#include "sim/report/statistics.h"
+#include "sim/report/rate_text.h"
 #include "sim/report/svg.h"
 #include "sim/study/plot_labels.h"
 #include "sim/study/study_results.h"

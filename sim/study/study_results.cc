@@ -8,7 +8,8 @@
 #include "models/read/config_error.h"
 #include "models/read/yaml_reader.h"
 #include "sim/base/text.h"
-#include "sim/report/statistics.h"
+#include "sim/report/rate_text.h"
+#include "sim/statistics/intervals.h"
 
 namespace dockyard {
 namespace {

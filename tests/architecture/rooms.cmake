@@ -9,7 +9,7 @@ set(systems axel)
 set(contract "controller/(base|geometry|io)/|Eigen/")
 set(os "sys/|unistd.h|fcntl.h|poll.h|signal.h")
 set(models "${contract}|models/(parts|read)/")
-set(low "sim/(base|draws|jobs|scenario|soil|physics|log|bridge|report|run)/")
+set(low "sim/(base|draws|jobs|scenario|soil|physics|log|bridge|statistics|report|run)/")
 
 set(rooms
   "controller/base|checks and results|${contract}"
@@ -31,7 +31,8 @@ set(rooms
   "sim/physics|parts of any robot's world: drives, inertial unit, shapes, cables|${models}|sim/(base|soil|physics)/|bt|Bullet|LinearMath/"
   "sim/log|files of one run: log, history, result row|${contract}|sim/(base|log)/|nlohmann/|opencv2/"
   "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|${os}"
-  "sim/report|results in figures and words|${contract}|sim/(base|log|report)/|boost/math/"
+  "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
+  "sim/report|results in figures and words|${contract}|sim/(base|log|statistics|report)/"
   "sim/run|one run in closed loop, for any system|${contract}|models/read/|render/|sim/(base|scenario|log|bridge|run)/"
   "sim/<system>|a system's world, cameras, judge and plots|${models}|models/<system>/|controller/<system>/nominal/|controller/motion/|render/|${low}|sim/<system>/|bt|Bullet|LinearMath/|nlohmann/"
   "sim/campaign|many runs: workers, results, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"

@@ -9,7 +9,7 @@
 #include "perception/survey_plot.h"
 #include "perception/survey_run.h"
 #include "sim/base/files.h"
-#include "sim/report/statistics.h"
+#include "sim/report/rate_text.h"
 
 namespace dockyard::axel {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <functional>
 
-#include "sim/report/statistics.h"
 #include "sim/report/svg.h"
+#include "sim/statistics/intervals.h"
 
 namespace dockyard::axel {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "models/read/config_error.h"
-#include "sim/report/statistics.h"
+#include "sim/statistics/intervals.h"
 #include "sim/study/plot_labels.h"
 #include "sim/study/run_study.h"
 #include "support/fake_runs.h"

@@ -1,4 +1,4 @@
-#include "sim/report/statistics.h"
+#include "sim/statistics/intervals.h"
 
 #include <gtest/gtest.h>
 
@@ -52,18 +52,6 @@ TEST(ClopperPearson, HasClosedFormsWhenNoneOrAllDock) {  // 1 - 0.025^(1/n)
 TEST(ClopperPearson, KnowsNothingWithoutTrials) {
   EXPECT_EQ(ClopperPearson(0, 0).low, 0.0);
   EXPECT_EQ(ClopperPearson(0, 0).high, 1.0);
-}
-
-TEST(BriefRate, SaysHowSureItIs) {
-  EXPECT_EQ(BriefRate(31, 40), "docked 31/40 (78 %, 62-89 %)");
-  EXPECT_EQ(BriefRate(29, 40), "docked 29/40 (73 %, 56-85 %)");
-  EXPECT_EQ(BriefRate(0, 0), "docked 0/0");
-}
-
-TEST(BriefNumber, HasFourFigures) {
-  EXPECT_EQ(BriefNumber(0.210349), "0.2103");
-  EXPECT_EQ(BriefNumber(-12.0), "-12");
-  EXPECT_EQ(BriefNumber(-std::nan("")), "nan");
 }
 
 }  // namespace

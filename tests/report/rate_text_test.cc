@@ -1,0 +1,23 @@
+#include "sim/report/rate_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dockyard {
+namespace {
+
+TEST(BriefRate, SaysHowSureItIs) {
+  EXPECT_EQ(BriefRate(31, 40), "docked 31/40 (78 %, 62-89 %)");
+  EXPECT_EQ(BriefRate(29, 40), "docked 29/40 (73 %, 56-85 %)");
+  EXPECT_EQ(BriefRate(0, 0), "docked 0/0");
+}
+
+TEST(BriefNumber, HasFourFigures) {
+  EXPECT_EQ(BriefNumber(0.210349), "0.2103");
+  EXPECT_EQ(BriefNumber(-12.0), "-12");
+  EXPECT_EQ(BriefNumber(-std::nan("")), "nan");
+}
+
+}  // namespace
+}  // namespace dockyard
