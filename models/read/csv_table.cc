@@ -13,19 +13,44 @@ struct Cell {
   int column = 0;
 };
 
-std::vector<Cell> Split(std::string_view line) {
+/// The end of a cell that begins with a quotation mark: behind the mark that closes it, or npos.
+std::size_t EndOfQuotation(std::string_view line, std::size_t begin) {
+  for (std::size_t at = begin + 1; at < line.size(); ++at) {
+    if (line[at] != '"') continue;
+    if (at + 1 == line.size() || line[at + 1] != '"') return at + 1;
+    ++at;  // two marks stand for one
+  }
+  return std::string_view::npos;
+}
+
+/// Takes the marks off.
+std::string Unquoted(std::string_view quotation) {
+  std::string text;
+  for (std::size_t at = 1; at + 1 < quotation.size(); ++at) {
+    text += quotation[at];
+    if (quotation[at] == '"') ++at;
+  }
+  return text;
+}
+
+/// Cells of RFC 4180 with spaces around them, each on one line.
+std::vector<Cell> Split(std::string_view line, const YamlPlace& place) {
   std::vector<Cell> cells;
   std::size_t begin = 0;
   while (true) {
-    const std::size_t comma = line.find(',', begin);
+    while (begin < line.size() && line[begin] == ' ') ++begin;
+    const int column = static_cast<int>(begin) + 1;
+    const bool quoted = begin < line.size() && line[begin] == '"';
+    const std::size_t quotation = quoted ? EndOfQuotation(line, begin) : begin;
+    const std::size_t comma =
+        quotation == std::string_view::npos ? quotation : line.find(',', quotation);
     std::string_view cell = line.substr(begin, comma - begin);
-    int column = static_cast<int>(begin) + 1;
-    while (!cell.empty() && cell.front() == ' ') {
-      cell.remove_prefix(1);
-      ++column;
-    }
     while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
-    cells.push_back({std::string(cell), column});
+    if (quoted && (quotation == std::string_view::npos || cell.size() != quotation - begin)) {
+      throw ConfigError(YamlPlace{place.source, place.line, column}.Text() +
+                        ": expected one quotation as the whole cell");
+    }
+    cells.push_back({quoted ? Unquoted(cell) : std::string(cell), column});
     if (comma == std::string_view::npos) return cells;
     begin = comma + 1;
   }
@@ -38,6 +63,8 @@ class Table {
     list_.place = {source_, 1, 1};
   }
   YamlNode Take() { return std::move(list_); }
+
+  YamlPlace PlaceOf(int line) const { return {source_, line, 1}; }
 
   void AddLine(const std::vector<Cell>& cells, int line) {
     if (header_.empty()) {
@@ -99,7 +126,7 @@ YamlNode LoadCsv(const std::string& file) {
     begin = end + 1;
     ++number;
     if (line.find_first_not_of(" \t") == std::string_view::npos || line.front() == '#') continue;
-    table.AddLine(Split(line), number);
+    table.AddLine(Split(line, table.PlaceOf(number)), number);
   }
   return table.Take();
 }
