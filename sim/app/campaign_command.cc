@@ -1,11 +1,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "models/read/config_error.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/identity.h"
@@ -15,9 +13,8 @@
 #include "sim/base/text.h"
 #include "sim/campaign/campaign.h"
 #include "sim/log/result_row.h"
+#include "sim/plan/make_run.h"
 #include "sim/run/loop.h"
-#include "sim/scenario/load_scenario.h"
-#include "sim/scenario/scenario_keys.h"
 
 namespace dockyard {
 namespace {
@@ -28,7 +25,7 @@ struct CampaignArguments {
   std::string out_dir;
   std::vector<std::string> overrides;
   double run_limit_s = 900.0;
-  bool quiet = false;
+  bool quiet = false, dry_run = false;
   CommandOptions commands;
 };
 
@@ -37,8 +34,11 @@ constexpr const char* kHelp = R"(Simulate all runs of a campaign on several proc
 Examples:
   dockyard campaign {campaign}
   dockyard campaign {campaign} --jobs 2 --out results/yard
+  dockyard campaign {campaign} --dry-run
+  dockyard campaign {sweep} --set design.runs=1 --out out/quick
+  dockyard campaign {sweep} --set 'vary={start.alpha_deg: [0, 3]}' --set figures= --out out/two
 
-Stopped by Ctrl-C or a power cut, the same command goes on where it was. The results are the
+Any key of a scenario can be varied or drawn, those of its models too. Stopped by Ctrl-C or a power cut, the same command goes on where it was. The results are the
 same, bit for bit, for any number of jobs. Exit code 10: runs are missing or crashed.)";
 
 constexpr const char* kReproduceHelp = R"(Simulate the runs of a published experiment.
@@ -53,18 +53,6 @@ bool AnyCrashed(const FinishedRuns& runs) {
     if (run.result.outcome == kCrashed) return true;
   }
   return false;
-}
-
-/// Loads the models of the first runs here: bad files are found before a run, and the workers,
-/// which are forked, share the loaded models.
-void CheckModels(const Campaign& campaign, const System& system) {
-  constexpr std::size_t kMostChecked = 16;  // as many sets of models as a system keeps
-  std::set<std::string> seen;
-  for (const CampaignRun& run : campaign.runs) {
-    if (!seen.insert(ModelText(run.scenario)).second) continue;
-    system.check(run.scenario);
-    if (seen.size() >= kMostChecked) return;
-  }
 }
 
 /// The text quoted as one word for a shell.
@@ -90,25 +78,44 @@ std::string CommandToGoOn(const CampaignArguments& arguments, const std::string&
   return command;
 }
 
+/// Every mistake is found before a run. The workers, which are forked, share the loaded models.
+/// Returns the first run.
+CampaignRun CheckAll(const Campaign& campaign, const RunOptions& options,
+                     const std::vector<System>& systems) {
+  const std::vector<KnownSystem> known = KnownSystems(systems);
+  CheckRuns(campaign, known, [&](const Scenario& scenario) {
+    RequireAllowed(scenario, options);
+    FindSystem(systems, scenario.system).check(scenario);
+  });
+  return RunMaker(campaign, known).Make(0);
+}
+
 int RunCampaignCommand(const CampaignArguments& arguments, const std::vector<System>& systems) {
   const Campaign campaign =
-      LoadCampaign(arguments.file, arguments.overrides, KnownSystems(systems));
-  const System& system = FindSystem(systems, campaign.runs.front().scenario.system);
+      LoadCampaign(arguments.file, arguments.overrides, CampaignSystemsOf(systems));
+  RunOptions of_run{.log_dir = {}, .labels = campaign.labels};
+  arguments.commands.Fill(of_run);
+  if (arguments.dry_run) {
+    std::printf("%s", PlanCsv(campaign, KnownSystems(systems)).c_str());
+    return kExitDone;
+  }
+  const CampaignRun first = CheckAll(campaign, of_run, systems);
+  const System& system = FindSystem(systems, first.scenario.system);
   CampaignOptions options;
+  options.systems = KnownSystems(systems);
   options.out_dir =
       arguments.out_dir.empty() ? "results/" + campaign.name : std::string(arguments.out_dir);
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
   options.run_time_limit_s = arguments.run_limit_s;
   options.progress = arguments.quiet ? ProgressStyle::kNone : ProgressStyleOfStderr();
-  options.identity = IdentityText(campaign, system);
+  options.identity = IdentityText(campaign, options.systems);
   options.columns = system.Columns(campaign.labels);
   options.draw = system.draw;
   options.draw_campaign = system.draw_campaign;
-  CheckModels(campaign, system);
   const RunFunction run = [&](const CampaignRun& what, const std::filesystem::path& log_dir) {
-    RunOptions of_run{.log_dir = log_dir, .labels = campaign.labels};
-    arguments.commands.Fill(of_run);
-    return Simulate(system, what, of_run);
+    RunOptions logged = of_run;
+    logged.log_dir = log_dir;
+    return Simulate(system, what, logged);
   };
   const CampaignEnd end = RunCampaign(campaign, run, options);
   if (end.signal != 0) {
@@ -132,6 +139,8 @@ void AddOptions(CLI::App& command, CampaignArguments& arguments) {
       ->type_name("SECONDS")
       ->check(NumberWithin(0.001, 1e6));
   command.add_flag("--quiet", arguments.quiet, "no progress on stderr");
+  command.add_flag("--dry-run", arguments.dry_run,
+                   "print the runs as CSV, which can be a campaign's table, and run none");
 }
 
 /// Without a name: lists all.
@@ -172,6 +181,16 @@ void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& 
   AddOptions(*command, *arguments);
   command->callback(
       [arguments, &systems, &exit_code] { exit_code = RunCampaignCommand(*arguments, systems); });
+}
+
+void AddStudyCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("study", "A study is a campaign: dockyard campaign FILE");
+  command->group("")->allow_extras();
+  command->callback([] {
+    throw UsageError(
+        "a study is a campaign: dockyard campaign FILE, with 'campaign' in place of 'study', "
+        "'design: {runs: N}' of 'repeats' and 'figures' of 'plot' (docs/reference/campaigns.md)");
+  });
 }
 
 }  // namespace dockyard

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <set>
 
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
@@ -15,9 +14,8 @@
 #include "models/read/urdf_weld.h"
 #include "models/read/yaml_reader.h"
 #include "sim/app/scenario_options.h"
+#include "sim/plan/make_run.h"
 #include "sim/scenario/load_scenario.h"
-#include "sim/scenario/scenario_keys.h"
-#include "sim/scenario/study.h"
 
 namespace dockyard {
 namespace {
@@ -98,29 +96,19 @@ FileCheck CheckScenario(const std::string& file, const std::vector<System>& syst
 }
 
 FileCheck CheckCampaign(const std::string& file, const std::vector<System>& systems) {
-  const Campaign campaign = LoadCampaign(file, {}, KnownSystems(systems));
-  std::set<std::string> checked;  // runs that differ in their start alone have the same models
-  for (const CampaignRun& run : campaign.runs) {
-    if (!checked.insert(ModelText(run.scenario)).second) continue;
-    FindSystem(systems, run.scenario.system).check(run.scenario);
-  }
+  const Campaign campaign = LoadCampaign(file, {}, CampaignSystemsOf(systems));
+  CheckRuns(campaign, KnownSystems(systems), [&](const Scenario& scenario) {
+    FindSystem(systems, scenario.system).check(scenario);
+  });
   std::string labels;
   for (const std::string& label : campaign.labels) labels += (labels.empty() ? "" : ", ") + label;
-  return {"campaign", campaign.name + ": " + std::to_string(campaign.runs.size()) + " runs" +
+  return {"campaign", campaign.name + ": " + std::to_string(campaign.run_count()) + " runs" +
                           (labels.empty() ? "" : " by " + labels) + "; seed " +
                           std::to_string(campaign.seed)};
 }
 
-FileCheck CheckStudy(const std::string& file, const std::vector<System>& systems) {
-  const Study study = LoadStudy(file, {}, StudySystemsOf(systems));
-  return {"study",
-          study.name + ": " + std::to_string(study.points.size()) + " points, " +
-              std::to_string(study.points.size() * static_cast<std::size_t>(study.repeats)) +
-              " runs"};
-}
-
 FileCheck CheckTable(const std::string& file) {
-  const TableCheck table = CheckCampaignTable(file);
+  const TableCheck table = CheckRunTable(file);
   const auto list = [](const std::vector<std::string>& names) {
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -133,8 +121,8 @@ FileCheck CheckTable(const std::string& file) {
 FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems) {
   const YamlNode root = LoadYaml(file);
   const auto has = [&](const char* key) { return root.Find(key) != nullptr; };
-  if (has("study")) return CheckStudy(file, systems);
-  if (has("campaign") || has("runs") || has("table")) return CheckCampaign(file, systems);
+  if (has("campaign") || has("study") || has("runs") || has("table"))
+    return CheckCampaign(file, systems);
   if (has("system") || has("start")) return CheckScenario(file, systems);
   if (IsBoardFile(root)) return CheckBoard(file);
   for (const System& system : systems) {
@@ -145,10 +133,9 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
   if (has("model")) return CheckCameras(file);
   if (has("k_phi") || has("cohesion_pa") || has("friction_angle_deg")) return CheckSoil(file);
   if (has("radius_m") || has("width_m") || has("paddles")) return CheckWheel(file);
-  throw ConfigError(
-      root.place.Text() +
-      ": expected the keys of a scenario, campaign, study, board, soil, wheel, camera, rig "
-      "or of a system's own model, found none of them");
+  throw ConfigError(root.place.Text() +
+                    ": expected the keys of a scenario, campaign, board, soil, wheel, camera, rig "
+                    "or of a system's own model, found none of them");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::string WithExamples(const std::string& help, const std::string& program,
                          const ExampleFiles& files) {
   const std::string name = std::filesystem::path(files.campaign).stem().string();
   const std::vector<Word> words{{"{scenario}", files.scenario}, {"{campaign}", files.campaign},
-                                {"{campaign_name}", name},      {"{study}", files.study},
+                                {"{campaign_name}", name},      {"{sweep}", files.sweep},
                                 {"{cameras}", files.cameras},   {"{robot}", files.robot},
                                 {"{target}", files.target}};
   const std::string called = "  dockyard ";

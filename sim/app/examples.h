@@ -8,7 +8,7 @@
 namespace dockyard {
 
 /// The help with `dockyard` at the head of a line called as the program was, and with the system's
-/// files in place of {scenario}, {campaign}, {campaign_name}, {study}, {robot}, {target} and
+/// files in place of {scenario}, {campaign}, {campaign_name}, {sweep}, {robot}, {target} and
 /// {cameras}. A line whose file is empty is left out.
 std::string WithExamples(const std::string& help, const std::string& program,
                          const ExampleFiles& files);

@@ -9,6 +9,7 @@
 #include "sim/base/files.h"
 #include "sim/base/hash.h"
 #include "sim/base/math_pin.h"
+#include "sim/plan/file_keys.h"
 
 namespace dockyard {
 namespace {
@@ -58,9 +59,9 @@ void AddNamed(const YamlNode& node, std::set<fs::path>& files) {
 
 /// A controller's program: the words of its command that are files, and the files beside each with
 /// the same ending, which it may import.
-void AddProgram(const Scenario& scenario, std::set<fs::path>& files) {
-  const fs::path folder = scenario.command_folder.empty() ? "." : scenario.command_folder;
-  for (const std::string& word : scenario.command) {
+void AddProgram(const NamedCommand& command, std::set<fs::path>& files) {
+  const fs::path folder = command.folder.empty() ? "." : command.folder;
+  for (const std::string& word : command.words) {
     std::error_code error;
     const fs::path file = fs::weakly_canonical(folder / word, error);
     if (error || !fs::is_regular_file(file, error)) continue;
@@ -76,22 +77,20 @@ void AddProgram(const Scenario& scenario, std::set<fs::path>& files) {
 
 }  // namespace
 
-std::string IdentityText(const Campaign& campaign, const System& system) {
+std::string IdentityText(const Campaign& campaign, const std::vector<KnownSystem>& systems) {
   std::set<fs::path> models, files;
-  for (const CampaignRun& run : campaign.runs) {
-    const Scenario& scenario = run.scenario;
+  const CampaignFiles named = FilesOf(campaign, systems);
+  for (const NamedFile& file : named.files) {
     // One spelling for each file: resolved.yaml spells them otherwise than the campaign's file.
-    for (const std::string* file : {&scenario.robot_file, &scenario.soil_file}) {
-      if (!file->empty()) models.insert(fs::weakly_canonical(*file));
+    const fs::path path = fs::weakly_canonical(file.path);
+    const bool alone = file.key.ends_with(".file");
+    if (file.key.ends_with(".urdf")) {
+      AddWithNeighbours(path, files);
+    } else {
+      (alone ? files : models).insert(path);
     }
-    for (const std::string& key : system.file_keys) {
-      const YamlNode* file = scenario.of_system.Find(key);
-      if (file != nullptr) models.insert(fs::weakly_canonical(file->scalar));
-    }
-    if (!scenario.camera_file.empty()) files.insert(fs::weakly_canonical(scenario.camera_file));
-    AddNamed(scenario.changes, files);
-    AddProgram(scenario, files);
   }
+  for (const NamedCommand& command : named.commands) AddProgram(command, files);
   for (const fs::path& model : models) {
     AddWithNeighbours(model, files);
     AddNamed(LoadYaml(model), files);

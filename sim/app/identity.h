@@ -2,16 +2,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "sim/run/system.h"
-#include "sim/scenario/scenario.h"
+#include "sim/plan/campaign.h"
 
 namespace dockyard {
 
-/// A line for the program and one for each file that the campaign's runs read, in a fixed order:
-/// the folders of the models (URDF, meshes and YAML), the scenario's camera file, and all other
-/// files that scenario and models name. Throws IoError, and ConfigError for a model that is not
-/// YAML.
-std::string IdentityText(const Campaign& campaign, const System& system);
+/// A line for the program, one for the C library's mathematics, and one for each file that the
+/// campaign's runs read, in a fixed order: the folders of the models (URDF, meshes and YAML),
+/// camera files, all other files that scenario and models name, and a controller's program. Throws
+/// IoError, and ConfigError for a model that is not YAML.
+std::string IdentityText(const Campaign& campaign, const std::vector<KnownSystem>& systems);
 
 }  // namespace dockyard

@@ -29,7 +29,6 @@ Examples:
   dockyard campaign {campaign}
   dockyard replay results/{campaign_name} 17
   dockyard view {scenario} --out out/view
-  dockyard study {study}
   dockyard camera project models/cameras/navcam.yaml 2.1 0.3 0.2 --name left
   dockyard check {robot})";
 
@@ -136,7 +135,7 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   AddCampaignCommand(app, systems, exit_code);
   AddReplayCommand(app, systems, exit_code);
   AddViewCommand(app, systems, exit_code);
-  AddStudyCommand(app, systems, exit_code);
+  AddStudyCommand(app);
   AddCameraCommand(app, exit_code);
   AddDetectCommand(app, systems, exit_code);
   AddPoseCommand(app, systems, exit_code);

@@ -16,6 +16,7 @@
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
+#include "sim/plan/make_run.h"
 #include "sim/run/loop.h"
 #include "sim/scenario/load_scenario.h"
 
@@ -109,19 +110,23 @@ struct KeptRun {
 
 KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
                       const std::vector<System>& systems) {
+  const std::vector<KnownSystem> known = KnownSystems(systems);
   const Campaign campaign =
-      LoadCampaign((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
-  const System& system = FindSystem(systems, campaign.runs.front().scenario.system);
-  const auto run = std::find_if(campaign.runs.begin(), campaign.runs.end(),
-                                [&](const CampaignRun& each) { return each.run == number; });
-  if (run == campaign.runs.end()) {
+      LoadCampaign((dir / "resolved.yaml").string(), {}, CampaignSystemsOf(systems));
+  const RunMaker maker(campaign, known);
+  const std::int64_t index = maker.IndexOf(number);
+  if (index < 0) {
     throw UsageError(dir.string() + " has no run " + std::to_string(number) + "; it has " +
-                     std::to_string(campaign.runs.size()) + " runs");
+                     std::to_string(campaign.run_count()) + " runs");
   }
-  if (ReadWhole(dir / "identity.txt").value_or("") != IdentityText(campaign, system)) {
-    PrintNote("note: the program or the model files have changed since (identity.txt)");
+  const CampaignRun run = maker.Make(index);
+  const System& system = FindSystem(systems, run.scenario.system);
+  if (ReadWhole(dir / "identity.txt").value_or("") != IdentityText(campaign, known)) {
+    PrintNote(
+        "note: the program, the model files or the processor's mathematics have changed since "
+        "(identity.txt)");
   }
-  KeptRun kept{*run, system.Columns(campaign.labels), {}, RunFolder(dir, number)};
+  KeptRun kept{run, system.Columns(campaign.labels), {}, RunFolder(dir, number)};
   const FinishedRuns finished = ReadResults(dir, kept.columns);
   const auto then = finished.find(number);
   if (then != finished.end()) kept.result = then->second.result;

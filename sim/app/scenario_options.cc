@@ -4,8 +4,8 @@
 
 #include <charconv>
 
+#include "sim/report/points.h"
 #include "sim/scenario/load_scenario.h"
-#include "sim/study/study_results.h"
 
 namespace dockyard {
 
@@ -50,16 +50,15 @@ Scenario Load(const ScenarioOptions& options, const std::vector<System>& systems
   return scenario;
 }
 
-StudySystems StudySystemsOf(const std::vector<System>& systems) {
+CampaignSystems CampaignSystemsOf(const std::vector<System>& systems) {
   const auto measures = [&systems](const std::string& name) {
     std::vector<std::string> names;
-    for (const Column& column : StudyColumns(FindSystem(systems, name).Columns({}))) {
+    for (const Column& column : SummedColumns(FindSystem(systems, name).Columns({}))) {
       names.push_back(column.name);
     }
     return names;
   };
-  const auto check = [&systems](const Scenario& s) { FindSystem(systems, s.system).check(s); };
-  return {KnownSystems(systems), measures, check};
+  return {KnownSystems(systems), measures};
 }
 
 CampaignRun SingleRun(const Scenario& scenario) {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/plan/campaign.h"
 #include "sim/run/loop.h"
 #include "sim/run/system.h"
 #include "sim/scenario/scenario.h"
-#include "sim/scenario/study.h"
 
 namespace dockyard {
 
@@ -37,8 +37,8 @@ struct CommandOptions {
 };
 void AddCommandOptions(CLI::App& command, CommandOptions& options);
 
-/// The part of the systems that a study's reader needs.
-StudySystems StudySystemsOf(const std::vector<System>& systems);
+/// The part of the systems that a campaign's reader needs.
+CampaignSystems CampaignSystemsOf(const std::vector<System>& systems);
 
 /// A scenario as the one run of its own folder.
 CampaignRun SingleRun(const Scenario& scenario);

@@ -113,9 +113,9 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   system.draw = [store](const RunRecord& record, const Scenario& scenario) {
     return Draw(record, *store->Get(scenario));
   };
-  system.draw_campaign = [store](const Campaign& campaign, const RowColumns& columns,
-                                 const std::vector<RunResult>& rows) {
-    return DrawCampaign(campaign.name, columns, rows, *store->Get(campaign.runs.front().scenario));
+  system.draw_campaign = [store](const std::string& title, const Scenario& first,
+                                 const RowColumns& columns, const std::vector<RunResult>& rows) {
+    return DrawCampaign(title, columns, rows, *store->Get(first));
   };
   system.view = [store](const Scenario& scenario, const std::filesystem::path& dir) {
     WriteStartView(scenario, *store->Get(scenario), dir);
@@ -124,7 +124,7 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   system.rig = RigOfRobot;
   system.example_files = {.scenario = "scenarios/axel_typical.yaml",
                           .campaign = "scenarios/mars_yard_40.yaml",
-                          .study = "scenarios/studies/reel_alpha.yaml",
+                          .sweep = "scenarios/studies/reel_alpha.yaml",
                           .robot = "models/axel/axel.yaml",
                           .target = "models/axel/station/station.yaml",
                           .cameras = "models/cameras/axel_1024.yaml"};

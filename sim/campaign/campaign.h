@@ -4,11 +4,12 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/progress.h"
 #include "sim/campaign/worker.h"
-#include "sim/scenario/scenario.h"
+#include "sim/plan/campaign.h"
 
 namespace dockyard {
 
@@ -17,7 +18,8 @@ struct CampaignOptions {
   int jobs = 1;                     // processes, >= 1
   double run_time_limit_s = 900.0;  // wall time of one run; a run beyond it is killed: crashed
   ProgressStyle progress = ProgressStyle::kNone;
-  std::string identity;        // of program and model files; a folder begun with another is refused
+  std::string identity;  // of program and model files; a folder begun with another is refused
+  std::vector<KnownSystem> systems;
   RowColumns columns;          // of the campaign's system, with the campaign's labels
   DrawRun draw;                // figures into each run's folder; empty: none
   DrawCampaign draw_campaign;  // figures into plots/; empty: none
@@ -25,11 +27,11 @@ struct CampaignOptions {
 
 struct CampaignEnd {
   FinishedRuns runs;  // those of earlier calls in the same folder included
-  int total = 0;
+  std::int64_t total = 0;
   int signal = 0;  // SIGINT, SIGTERM or SIGHUP that stopped it; 0: none did
   std::string summary;
 
-  bool complete() const { return static_cast<int>(runs.size()) == total; }
+  bool complete() const { return static_cast<std::int64_t>(runs.size()) == total; }
 };
 
 /// Runs the runs that the folder lacks. On SIGINT, SIGTERM or SIGHUP it kills the runs under

@@ -4,15 +4,16 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
-#include <map>
 
 #include "sim/base/json.h"
 #include "sim/campaign/database.h"
 #include "sim/campaign/worker.h"
 #include "sim/log/result_row.h"
+#include "sim/report/points.h"
 #include "sim/report/summary.h"
 
 namespace dockyard {
@@ -48,16 +49,16 @@ std::filesystem::path RunFolder(const std::filesystem::path& dir, int run) {
 }
 
 CampaignFolder::CampaignFolder(const std::filesystem::path& dir, const Campaign& campaign,
-                               const RowColumns& columns, const std::string& identity)
-    : dir_(dir), columns_(columns) {
+                               const RunMaker& maker, const FolderIdentity& identity)
+    : dir_(dir), columns_(identity.columns) {
   MakeFolder(dir_);
   Lock();
   try {
-    Claim(campaign, identity);
-    MakeFolder(dir_ / "runs");
+    Claim(identity);
+    if (campaign.keep == Keep::kAll) MakeFolder(dir_ / "runs");
     MakeFolder(dir_ / "plots");
     finished_ = ReadResults(dir_, columns_);
-    CheckRows(campaign);
+    CheckRows(maker);
     ReadNotes();
     // A line that was cut off goes, so that the next one starts on a line of its own.
     WriteWhole(dir_ / "timing.csv", TimingCsv(finished_));
@@ -82,22 +83,22 @@ void CampaignFolder::Lock() {
   }
 }
 
-void CampaignFolder::Claim(const Campaign& campaign, const std::string& identity) {
+void CampaignFolder::Claim(const FolderIdentity& of) {
   const std::string other = "; choose another folder with --out, or remove it";
   const auto resolved = ReadWhole(dir_ / "resolved.yaml");
   if (!resolved) {
     if (!HoldsOnlyScraps(dir_)) {
       throw FolderTaken(dir_.string() + " is not empty and holds no campaign" + other);
     }
-    WriteWhole(dir_ / "identity.txt", identity);
-    WriteWhole(dir_ / "resolved.yaml", campaign.resolved_yaml);
+    WriteWhole(dir_ / "identity.txt", of.identity);
+    WriteWhole(dir_ / "resolved.yaml", of.resolved_yaml);
     return;
   }
-  if (*resolved != campaign.resolved_yaml) {
+  if (*resolved != of.resolved_yaml) {
     throw FolderTaken(dir_.string() + " holds another campaign (its resolved.yaml differs)" +
                       other);
   }
-  if (ReadWhole(dir_ / "identity.txt").value_or("") != identity && !identity.empty()) {
+  if (ReadWhole(dir_ / "identity.txt").value_or("") != of.identity && !of.identity.empty()) {
     throw FolderTaken(
         dir_.string() +
         " was begun with another build of the program, or with other files of models or "
@@ -106,12 +107,10 @@ void CampaignFolder::Claim(const Campaign& campaign, const std::string& identity
   }
 }
 
-void CampaignFolder::CheckRows(const Campaign& campaign) const {
-  std::map<int, std::uint64_t> seeds;
-  for (const CampaignRun& run : campaign.runs) seeds[run.run] = run.scenario.seed;
+void CampaignFolder::CheckRows(const RunMaker& maker) const {
   for (const auto& [number, run] : finished_) {
-    const auto known = seeds.find(number);
-    if (known == seeds.end() || known->second != run.result.seed) {
+    const std::int64_t index = maker.IndexOf(number);
+    if (index < 0 || maker.Seed(index) != run.result.seed) {
       throw ResultsError((dir_ / "results.csv").string() + ": run " + std::to_string(number) +
                          " does not belong to this campaign");
     }
@@ -140,17 +139,37 @@ void CampaignFolder::Keep(const FinishedRun& run) {
   finished_[run.result.run] = run;
 }
 
-std::string CampaignFolder::Conclude(const Campaign& campaign, const DrawCampaign& draw) const {
+std::string CampaignFolder::Conclude(const Campaign& campaign, const RunMaker& maker,
+                                     const DrawCampaign& draw) const {
   std::vector<RunResult> rows;
   for (const auto& [number, run] : finished_) rows.push_back(run.result);
   WriteWhole(dir_ / "timing.csv", TimingCsv(finished_));
   WriteWhole(dir_ / "results.csv", ResultsCsv(finished_, columns_));
   WriteDatabase(dir_ / "results.sqlite", finished_, columns_);
-  if (draw) WriteFigures(dir_ / "plots", draw(campaign, columns_, rows));
-  const std::string summary =
-      SummaryText(campaign.name, finished_, columns_, static_cast<int>(campaign.runs.size()));
+  if (draw) {
+    WriteFigures(dir_ / "plots", draw(campaign.name, maker.Make(0).scenario, columns_, rows));
+  }
+  WritePoints(campaign, rows);
+  const std::string summary = SummaryText(campaign.name, finished_, columns_, campaign.run_count());
   WriteWhole(dir_ / "summary.txt", summary);
   return summary;
+}
+
+void CampaignFolder::WritePoints(const Campaign& campaign,
+                                 const std::vector<RunResult>& rows) const {
+  const std::vector<std::string> settings = campaign.settings();
+  const std::vector<std::string>& measures = campaign.figures.measures;
+  if (!settings.empty()) {
+    WriteWhole(dir_ / "points.csv", PointsCsv(settings, columns_, rows));
+    WriteWhole(dir_ / "points.md", PointsTable(settings, measures, columns_, rows));
+  }
+  std::vector<Figure> figures{
+      {"curves.svg", CurvesPlot(campaign.name, campaign.figures, columns_, rows)},
+      {"bars.svg", BarsPlot(campaign.name, measures, columns_, rows)}};
+  figures.erase(std::remove_if(figures.begin(), figures.end(),
+                               [](const Figure& figure) { return figure.text.empty(); }),
+                figures.end());
+  WriteFigures(dir_ / "plots", figures);
 }
 
 }  // namespace dockyard

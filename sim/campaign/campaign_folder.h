@@ -1,7 +1,9 @@
 // A campaign's results folder:
 //   resolved.yaml, identity.txt   what was run, and with which program and model files
 //   results.csv, timing.csv       a line per finished run; in run order once the campaign stops
-//   results.sqlite, summary.txt, plots/ (figures of the system)
+//   results.sqlite, summary.txt
+//   points.csv, points.md         of a campaign with a grid or arms: a line per point
+//   plots/                        curves.svg, bars.svg and figures of the system
 //   runs/NNN/                     frames.bin, history.csv, sightings.json, plans.json,
 //                                 outcome.json, figures of the system, messages.txt (the run's
 //                                 printed lines, if any)
@@ -16,8 +18,8 @@
 
 #include "sim/base/files.h"
 #include "sim/log/results.h"
+#include "sim/plan/make_run.h"
 #include "sim/run/system.h"
-#include "sim/scenario/scenario.h"
 
 namespace dockyard {
 
@@ -27,20 +29,26 @@ class FolderTaken : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-using DrawCampaign = std::function<std::vector<Figure>(const Campaign&, const RowColumns&,
-                                                       const std::vector<RunResult>&)>;
+using DrawCampaign =
+    std::function<std::vector<Figure>(const std::string& title, const Scenario& first,
+                                      const RowColumns&, const std::vector<RunResult>&)>;
 
 /// "runs/007" of a results folder.
 std::filesystem::path RunFolder(const std::filesystem::path& dir, int run);
+
+/// What a folder belongs to.
+struct FolderIdentity {
+  RowColumns columns;         // of its results, with the campaign's labels
+  std::string resolved_yaml;  // the campaign
+  std::string identity;       // of program and model files; empty is not compared
+};
 
 class CampaignFolder {
  public:
   /// Makes the folder, or opens one that was left in the middle of the same campaign. Only one
   /// program at a time has it. Throws FolderTaken, ResultsError, IoError.
-  /// @param columns   of its results, with the campaign's labels
-  /// @param identity  of program and model files; empty is not compared
-  CampaignFolder(const std::filesystem::path& dir, const Campaign& campaign,
-                 const RowColumns& columns, const std::string& identity);
+  CampaignFolder(const std::filesystem::path& dir, const Campaign& campaign, const RunMaker& maker,
+                 const FolderIdentity& identity);
   ~CampaignFolder();
   CampaignFolder(const CampaignFolder&) = delete;
   CampaignFolder& operator=(const CampaignFolder&) = delete;
@@ -56,13 +64,15 @@ class CampaignFolder {
   void Keep(const FinishedRun& run);
   /// Rewrites the tables in run order, adds database, summary and the figures of `draw`, if it is
   /// there; returns the summary. Throws IoError.
-  std::string Conclude(const Campaign& campaign, const DrawCampaign& draw) const;
+  std::string Conclude(const Campaign& campaign, const RunMaker& maker,
+                       const DrawCampaign& draw) const;
 
  private:
-  void Claim(const Campaign& campaign, const std::string& identity);
+  void Claim(const FolderIdentity& identity);
   void Lock();
-  void CheckRows(const Campaign& campaign) const;
+  void CheckRows(const RunMaker& maker) const;
   void ReadNotes();
+  void WritePoints(const Campaign& campaign, const std::vector<RunResult>& rows) const;
 
   std::filesystem::path dir_;
   RowColumns columns_;

@@ -22,7 +22,7 @@ std::string DurationText(double seconds) {
   return std::to_string(s) + " s";
 }
 
-Progress::Progress(ProgressStyle style, int total, const FinishedRuns& already)
+Progress::Progress(ProgressStyle style, std::int64_t total, const FinishedRuns& already)
     : style_(style), total_(total), started_(std::chrono::steady_clock::now()) {
   for (const auto& [number, run] : already) docked_ += run.result.docked ? 1 : 0;
   done_ = done_before_ = static_cast<int>(already.size());
@@ -38,7 +38,9 @@ std::string Progress::Line(int running) const {
     char rate[64];
     std::snprintf(rate, sizeof rate, ", %.1f runs/min", per_minute);
     line += rate;
-    if (done_ < total_) line += ", " + DurationText(60.0 * (total_ - done_) / per_minute) + " left";
+    if (done_ < total_)
+      line +=
+          ", " + DurationText(60.0 * static_cast<double>(total_ - done_) / per_minute) + " left";
   }
   if (running > 0) line += ", " + std::to_string(running) + " running";
   return line;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 #include "sim/log/results.h"
@@ -19,7 +20,7 @@ ProgressStyle ProgressStyleOfStderr();
 
 class Progress {
  public:
-  Progress(ProgressStyle style, int total, const FinishedRuns& already);
+  Progress(ProgressStyle style, std::int64_t total, const FinishedRuns& already);
 
   void Finished(const RunResult& row, const std::string& note);
   /// Refreshes the live line; call it now and then.
@@ -31,7 +32,8 @@ class Progress {
   std::string Line(int running) const;
 
   ProgressStyle style_;
-  int total_, done_ = 0, docked_ = 0, done_before_ = 0;
+  std::int64_t total_;
+  int done_ = 0, docked_ = 0, done_before_ = 0;
   std::chrono::steady_clock::time_point started_;
 };
 

@@ -32,7 +32,7 @@ FinishedRun Crashed(const CampaignRun& run, const RowColumns& columns,
   record.result = StartOfRow(run);
   record.result.outcome = kCrashed;
   record.failure_note = note;
-  WriteRecordFiles(run_dir, record);
+  if (!run_dir.empty()) WriteRecordFiles(run_dir, record);
   return {record.result, {child.cpu_time_s, child.wall_time_s}, note};
 }
 
@@ -46,9 +46,9 @@ std::string RunAndAnswer(const CampaignRun& run, const RunWork& work,
                          const std::filesystem::path& run_dir) {
   try {
     const RunRecord record = work.simulate(run, run_dir);
-    WriteRecordFiles(run_dir, record);
+    if (!run_dir.empty()) WriteRecordFiles(run_dir, record);
     if (!record.messages.empty()) std::fputs(record.messages.c_str(), stderr);  // messages.txt
-    if (work.draw) WriteFigures(run_dir, work.draw(record, run.scenario));
+    if (work.draw && !run_dir.empty()) WriteFigures(run_dir, work.draw(record, run.scenario));
     return Answer(kRow, CsvRow(record.result, work.columns)) +
            NumberText(record.timing.cpu_time_s) + "\n" + NumberText(record.timing.wall_time_s) +
            "\n" + OneLine(record.failure_note) + "\n";

@@ -28,8 +28,8 @@ struct RunWork {
   RowColumns columns;
 };
 
-/// In the child: simulates, writes the run's files and figures into its folder, and gives the
-/// answer as lines of text: row, timing and failure note, or the exception.
+/// In the child: simulates, writes the run's files and figures into its folder, if it has one, and
+/// gives the answer as lines of text: row, timing and failure note, or the exception.
 std::string RunAndAnswer(const CampaignRun& run, const RunWork& work,
                          const std::filesystem::path& run_dir);
 

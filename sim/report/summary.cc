@@ -175,7 +175,7 @@ void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& colu
 }  // namespace
 
 std::string SummaryText(const std::string& title, const FinishedRuns& runs,
-                        const RowColumns& columns, int total) {
+                        const RowColumns& columns, std::int64_t total) {
   int docked = 0;
   for (const auto& [number, run] : runs) docked += run.result.docked ? 1 : 0;
   const int done = static_cast<int>(runs.size());

@@ -12,6 +12,6 @@ namespace dockyard {
 /// outcome and the headline measures; its lines stay under 100 columns where the labels allow.
 /// @param total  runs of the whole campaign
 std::string SummaryText(const std::string& title, const FinishedRuns& runs,
-                        const RowColumns& columns, int total);
+                        const RowColumns& columns, std::int64_t total);
 
 }  // namespace dockyard

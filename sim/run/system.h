@@ -65,7 +65,7 @@ struct Reproduction {
 /// Files of the system's for the examples in the program's help, as written on the command line. A
 /// line of help whose file is empty is left out.
 struct ExampleFiles {
-  std::string scenario, campaign, study, robot, target, cameras;
+  std::string scenario, campaign, sweep, robot, target, cameras;
 };
 
 struct System {
@@ -86,8 +86,8 @@ struct System {
   std::function<std::unique_ptr<Controller>(const Json& nominal, const YamlNode& script)> play;
   /// Figures of one run, and of all runs of a campaign. Empty: it draws none.
   std::function<std::vector<Figure>(const RunRecord&, const Scenario&)> draw;
-  std::function<std::vector<Figure>(const Campaign&, const RowColumns&,
-                                    const std::vector<RunResult>&)>
+  std::function<std::vector<Figure>(const std::string& title, const Scenario& first,
+                                    const RowColumns&, const std::vector<RunResult>&)>
       draw_campaign;
   /// The images at the start pose with the truth beside them, into a folder. Empty: it has none.
   std::function<void(const Scenario&, const std::filesystem::path& dir)> view;

@@ -87,6 +87,10 @@ std::string BlockText(const YamlNode& mapping, int indent) {
   return text;
 }
 
+std::string CellText(const YamlNode& node) {
+  return node.kind == YamlNode::Kind::kScalar ? node.scalar : FlowText(node);
+}
+
 std::string AbsolutePath(const std::string& file) {
   return std::filesystem::absolute(file).lexically_normal().string();
 }

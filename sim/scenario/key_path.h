@@ -29,6 +29,9 @@ std::string BlockText(const YamlNode& mapping, int indent = 0);
 /// Absolute, without "." and "..".
 std::string AbsolutePath(const std::string& file);
 
+/// The node as a cell of a table: a scalar's text, else flow style.
+std::string CellText(const YamlNode& node);
+
 /// A scalar that stands in no file.
 YamlNode ScalarNode(const std::string& text, bool quoted);
 

@@ -10,9 +10,8 @@ Scenario LoadScenario(const std::string& file, const std::vector<std::string>& o
                       const std::vector<KnownSystem>& systems) {
   YamlNode root = LoadYaml(file);
   for (const std::string& assignment : overrides) SetYaml(root, assignment);
-  for (const char* kind : {"campaign", "study"}) {
-    if (root.Find(kind) == nullptr) continue;
-    throw ConfigError(root.place.Text() + ": expected one scenario, found a " + kind);
+  if (root.Find("campaign") != nullptr) {
+    throw ConfigError(root.place.Text() + ": expected one scenario, found a campaign");
   }
   return ReadScenario(root, systems);
 }

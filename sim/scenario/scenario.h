@@ -1,5 +1,5 @@
 // One run to be simulated: which system, robot, soil, light, start and controller. Read from
-// scenarios/*.yaml; a campaign file holds a base scenario and a table of runs.
+// scenarios/*.yaml.
 #pragma once
 
 #include <cstdint>
@@ -70,22 +70,11 @@ struct KnownSystem {
   std::vector<std::string> changes_file_keys{};
 };
 
-/// A row of a campaign's table.
+/// One run of many, or alone.
 struct CampaignRun {
   int run = 0;
-  std::vector<std::string> labels;  // by Campaign::labels
+  std::vector<std::string> labels;  // by the campaign's names of labels
   Scenario scenario;                // fully resolved
-};
-
-struct Campaign {
-  std::string name;
-  std::string file;
-  std::uint64_t seed = 1;
-  // Columns of the table, keys of the scenario and tags; `run` and `controller` left out, which a
-  // result row has beside the labels.
-  std::vector<std::string> labels;
-  std::vector<CampaignRun> runs;
-  std::string resolved_yaml;  // everything, defaults included, for the results folder
 };
 
 }  // namespace dockyard

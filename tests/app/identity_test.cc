@@ -3,43 +3,42 @@
 #include <gtest/gtest.h>
 
 #include "models/read/yaml_tree.h"
+#include "sim/scenario/key_path.h"
 #include "support/bad_files.h"
 
 namespace dockyard {
 namespace {
 
-/// Two runs of models in folders of their own.
+/// A campaign of models in folders of their own.
 class Identity : public testing::Test {
  protected:
   void SetUp() override {
-    system_.file_keys = {"target"};
     for (const char* name : {"robot/robot.yaml", "station/station.yaml", "soil/soil.yaml",
                              "far/camera.yaml", "far/rig.yaml", "urdf/a.urdf", "urdf/a.stl"}) {
       folder_.Write(name, "name: as it was\n");
     }
-    campaign_.runs.resize(2);
-    for (CampaignRun& run : campaign_.runs) {
-      run.scenario.robot_file = At("robot/robot.yaml");
-      run.scenario.of_system =
-          ParseYaml("target: " + At("station/station.yaml") + "\n", At("x.yaml"));
-      run.scenario.soil_file = At("soil/soil.yaml");
-    }
+    campaign_.base = ParseYaml(
+        "{robot: robot/robot.yaml, soil: soil/soil.yaml, toy: {target: station/station.yaml}}",
+        At("x.yaml"));
   }
 
   std::string At(const std::string& name) const { return (folder_.path() / name).string(); }
-  Scenario& LastScenario() { return campaign_.runs.back().scenario; }
-
+  void Set(const std::string& key, const std::string& text) {
+    PutPath(campaign_.base, key, {}, ParseYaml(text, At("x.yaml")));
+  }
+  std::string Text() const {
+    return IdentityText(campaign_, {{"toy", {}, {"target"}, {"robot.cameras.file"}}});
+  }
   bool SeesAChangeOf(const std::string& name) const {
-    const std::string before = IdentityText(campaign_, system_), text = Slurp(At(name));
+    const std::string before = Text(), text = Slurp(At(name));
     folder_.Write(name, text + "# changed\n");
-    const bool differs = IdentityText(campaign_, system_) != before;
+    const bool differs = Text() != before;
     folder_.Write(name, text);
-    EXPECT_EQ(IdentityText(campaign_, system_), before);
+    EXPECT_EQ(Text(), before);
     return differs;
   }
 
   Campaign campaign_;
-  System system_;
   ScratchFolder folder_;
 };
 
@@ -51,7 +50,7 @@ TEST_F(Identity, ChangesWithEachModelOfARun) {
 
 TEST_F(Identity, ChangesWithTheCameraFileOfAScenario) {
   EXPECT_FALSE(SeesAChangeOf("far/camera.yaml"));
-  LastScenario().camera_file = At("far/camera.yaml");
+  Set("camera.file", "far/camera.yaml");
   EXPECT_TRUE(SeesAChangeOf("far/camera.yaml"));
 }
 
@@ -62,8 +61,15 @@ TEST_F(Identity, ChangesWithFilesThatAModelNamesInOtherFolders) {
   }
 }
 
+TEST_F(Identity, ChangesWithAFileOfAnyArmPointOrDraw) {
+  campaign_.grid = {ReadFactor({"soil", {}}, ParseYaml("[far/camera.yaml]", At("x.yaml")), "soil")};
+  EXPECT_TRUE(SeesAChangeOf("far/camera.yaml"));
+  campaign_.arms = {{"other", {{{"robot", {}}, ParseYaml("far/rig.yaml", At("x.yaml"))}}}};
+  EXPECT_TRUE(SeesAChangeOf("far/rig.yaml"));
+}
+
 TEST_F(Identity, ChangesWithFilesThatTheChangesOfAScenarioName) {
-  LastScenario().changes = ParseYaml("robot: {cameras: {file: far/rig.yaml}}", At("x.yaml"));
+  Set("changes.robot.cameras.file", "far/rig.yaml");
   EXPECT_TRUE(SeesAChangeOf("far/rig.yaml"));
 }
 

@@ -9,7 +9,7 @@ set(systems axel)
 set(contract "controller/(base|geometry|io)/|Eigen/")
 set(os "sys/|unistd.h|fcntl.h|poll.h|signal.h")
 set(models "${contract}|models/(parts|read)/")
-set(low "sim/(base|draws|jobs|scenario|soil|physics|log|bridge|statistics|report|run)/")
+set(low "sim/(base|draws|jobs|scenario|plan|soil|physics|log|bridge|statistics|report|run)/")
 
 set(rooms
   "controller/base|checks and results|${contract}"
@@ -26,16 +26,16 @@ set(rooms
   "sim/base|random streams, normal numbers, hashes, files, text, JSON, PNG|${contract}|sim/base/|nlohmann/|opencv2/|${os}"
   "sim/draws|values of dispersed numbers: distributions, designs, correlation|${contract}|sim/(base|draws)/|boost/random/"
   "sim/jobs|work in processes of its own|controller/base/|sim/(base|jobs)/|${os}"
-  "sim/scenario|what is to be simulated: scenarios, campaigns, studies|${models}|sim/(base|draws|scenario)/"
+  "sim/scenario|what one run is: a scenario, its keys and files|${models}|sim/(base|scenario)/"
+  "sim/plan|which runs a campaign has, and how each is made|${models}|sim/(base|draws|scenario|plan)/"
   "sim/soil|stress of deformable soil on wheels with paddles, without Bullet|${models}|sim/(base|soil)/"
   "sim/physics|parts of any robot's world: drives, inertial unit, shapes, cables|${models}|sim/(base|soil|physics)/|bt|Bullet|LinearMath/"
   "sim/log|files of one run: log, history, result row|${contract}|sim/(base|log)/|nlohmann/|opencv2/"
   "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|${os}"
   "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
-  "sim/report|results in figures and words|${contract}|sim/(base|log|statistics|report)/"
+  "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"
   "sim/run|one run in closed loop, for any system|${contract}|models/read/|render/|sim/(base|scenario|log|bridge|run)/"
   "sim/<system>|a system's world, cameras, judge and plots|${models}|models/<system>/|controller/<system>/nominal/|controller/motion/|render/|${low}|sim/<system>/|bt|Bullet|LinearMath/|nlohmann/"
   "sim/campaign|many runs: workers, results, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
-  "sim/study|sweeps over any key, curves|${contract}|models/read/|${low}|sim/study/"
   "sim/app/systems.cc|the list of systems with their controllers|${contract}|sim/(run|app)/|controller/<system>/|sim/<system>/"
-  "sim/app|the program: the command line|${models}|controller/vision/|${low}|sim/(campaign|study|app)/|CLI/|opencv2/|nlohmann/|${os}")
+  "sim/app|the program: the command line|${models}|controller/vision/|${low}|sim/(campaign|app)/|CLI/|opencv2/|nlohmann/|${os}")

@@ -55,14 +55,14 @@ TEST(CommandController, ThatNeverSaidHelloReplaysAsTheSameFailure) {
   EXPECT_THAT(replay.out, HasSubstr("controller alone: fails as it did in the run"));
 }
 
-/// A folder with a campaign and a study of the toy whose controller is the given program.
+/// A folder with a table and a sweep of the toy whose controller is the given program.
 void WriteCommandFiles(const fs::path& folder, const std::string& words) {
   const std::string base = "base: " DOCKYARD_SOURCE_DIR "/tests/toy/scenario.yaml\n";
   const std::string command = "controller: {command: [" + words + "], folder: .}";
   WriteText(folder / "campaign.yaml", "campaign: c\nseed: 1\n" + base + "scenario: {" + command +
                                           "}\nruns: [{run: 1, start.r_m: 1}]\n");
-  WriteText(folder / "study.yaml", "study: s\nseed: 1\nrepeats: 1\n" + base + "scenario: {" +
-                                       command + "}\nvary: {start.r_m: [1]}\n");
+  WriteText(folder / "sweep.yaml",
+            "campaign: s\n" + base + "arms: {mine: {" + command + "}}\nvary: {start.r_m: [1]}\n");
 }
 
 TEST(CommandController, IsNeverStartedUnasked) {
@@ -74,13 +74,13 @@ TEST(CommandController, IsNeverStartedUnasked) {
   RunWith("python3, counting.py", "--out " + in + "/run");
   const std::vector<std::string> refused{
       "run " + kScenario + command, "campaign " + in + "/campaign.yaml --out " + in + "/c",
-      "study " + in + "/study.yaml --out " + in + "/s", "replay " + in + "/run"};
+      "campaign " + in + "/sweep.yaml --out " + in + "/s", "replay " + in + "/run"};
   for (const std::string& words : refused) {
     const Ended ended = Dockyard(words);
     EXPECT_EQ(ended.code, 3) << words << ended.err;
     EXPECT_THAT(ended.err, HasSubstr("--allow-commands")) << words;
   }
-  for (const char* file : {"/campaign.yaml", "/study.yaml"}) {
+  for (const char* file : {"/campaign.yaml", "/sweep.yaml"}) {
     EXPECT_EQ(Dockyard("check " + in + file).code, 0) << file;
   }
   EXPECT_FALSE(fs::exists(mark));

@@ -7,6 +7,7 @@
 
 #include "sim/campaign/progress.h"
 #include "sim/log/result_row.h"
+#include "support/fake_campaign.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -25,7 +26,9 @@ std::string TakenOf(const std::function<void()>& action) {
 
 void Open(const std::filesystem::path& dir, const Campaign& campaign,
           const std::string& identity = "") {
-  const CampaignFolder folder(dir, campaign, FakeColumns(), identity);
+  const std::vector<KnownSystem> systems = FakeSystems();
+  const CampaignFolder folder(dir, campaign, RunMaker(campaign, systems),
+                              {FakeColumns(), ResolvedYaml(campaign, systems), identity});
 }
 
 TEST(CampaignFolder, IsRefusedToAnotherCampaign) {
@@ -54,7 +57,10 @@ TEST(CampaignFolder, OverwritesNothingThatIsNotItsOwn) {
 
 TEST(CampaignFolder, BelongsToOneProgramAtATime) {
   const TemporaryFolder dir;
-  const CampaignFolder first(dir.path(), FakeCampaign(3), FakeColumns(), "");
+  const Campaign campaign = FakeCampaign(3);
+  const std::vector<KnownSystem> systems = FakeSystems();
+  const CampaignFolder first(dir.path(), campaign, RunMaker(campaign, systems),
+                             {FakeColumns(), ResolvedYaml(campaign, systems), ""});
   EXPECT_THAT(TakenOf([&] { Open(dir.path(), FakeCampaign(3)); }),
               HasSubstr("another campaign is running in"));
 }
@@ -63,7 +69,7 @@ TEST(CampaignFolder, RefusesRowsThatAreNotOfThisCampaign) {
   const TemporaryFolder dir;
   Open(dir.path(), FakeCampaign(3));
   FinishedRuns strange;
-  strange[9].result = FakeRecord(FakeCampaign(9).runs[8]).result;
+  strange[9].result = FakeRecord(FakeRuns(9)[8]).result;
   WriteText(dir.path() / "results.csv", ResultsCsv(strange, FakeColumns()));
   EXPECT_THROW(Open(dir.path(), FakeCampaign(3)), ResultsError);
 }

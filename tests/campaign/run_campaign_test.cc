@@ -12,6 +12,8 @@
 #include "models/read/config_error.h"
 #include "sim/campaign/campaign.h"
 #include "sim/log/result_row.h"
+#include "sim/scenario/key_path.h"
+#include "support/fake_campaign.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -30,13 +32,14 @@ CampaignOptions OptionsFor(const fs::path& dir, int jobs) {
   CampaignOptions options;
   options.out_dir = dir;
   options.jobs = jobs;
+  options.systems = FakeSystems();
   options.columns = FakeColumns();
   options.draw = [](const RunRecord& record, const Scenario&) {
     return std::vector<Figure>{{"path.svg", std::to_string(record.history.size()) + " samples"}};
   };
-  options.draw_campaign = [](const Campaign& campaign, const RowColumns& columns,
+  options.draw_campaign = [](const std::string& title, const Scenario&, const RowColumns& columns,
                              const std::vector<RunResult>& rows) {
-    return std::vector<Figure>{{"grid.svg", campaign.name + " " + ResultRows(columns, rows)}};
+    return std::vector<Figure>{{"grid.svg", title + " " + ResultRows(columns, rows)}};
   };
   return options;
 }
@@ -101,8 +104,8 @@ TEST(RunCampaign, KeepsARunThatDiesToItself) {
   for (const int run : {2, 3, 4}) {
     EXPECT_EQ(end.runs.at(run).result.outcome, kCrashed);
     EXPECT_TRUE(end.runs.at(run).result.measures.empty());
-    EXPECT_EQ(end.runs.at(run).result.labels, FakeCampaign(5).runs[run - 1].labels);
-    EXPECT_EQ(end.runs.at(run).result.seed, FakeCampaign(5).runs[run - 1].scenario.seed);
+    EXPECT_EQ(end.runs.at(run).result.labels, FakeRuns(5)[run - 1].labels);
+    EXPECT_EQ(end.runs.at(run).result.seed, FakeRuns(5)[run - 1].scenario.seed);
   }
   EXPECT_EQ(end.runs.at(1).result.outcome, "docked");
   EXPECT_EQ(end.runs.at(5).result.outcome, "docked");
@@ -236,6 +239,49 @@ TEST(RunCampaign, DrawsEachRunAndAllOfThemByTheSystemsHooks) {
   RunCampaign(FakeCampaign(1), FakeRun, undrawn);
   EXPECT_FALSE(fs::exists(folder.path() / "undrawn/runs/001/path.svg"));
   EXPECT_FALSE(fs::exists(folder.path() / "undrawn/plots/grid.svg"));
+}
+
+TEST(RunCampaign, WithoutLogsLeavesNoFolderOfARun) {
+  const TemporaryFolder folder;
+  Campaign campaign = FakeCampaign(3);
+  campaign.keep = Keep::kNone;
+  const auto run = [](const CampaignRun& what, const fs::path& dir) -> RunRecord {
+    EXPECT_TRUE(dir.empty());
+    if (what.run == 2) throw std::runtime_error("no context");
+    return FakeRun(what, dir);
+  };
+  const CampaignEnd end = RunCampaign(campaign, run, OptionsFor(folder.path(), 2));
+  EXPECT_TRUE(end.complete());
+  EXPECT_EQ(end.runs.at(2).result.outcome, kCrashed);
+  EXPECT_EQ(end.runs.at(2).note, "threw: no context");
+  EXPECT_FALSE(fs::exists(folder.path() / "runs"));
+  for (const int number : {1, 2, 3}) {
+    EXPECT_FALSE(fs::exists(folder.path() / ("run_" + std::to_string(number) + ".txt")));
+  }
+}
+
+TEST(RunCampaign, SumsUpAGridPointByPoint) {
+  const TemporaryFolder folder;
+  Campaign campaign = FakeCampaign(1);
+  campaign.table = {};
+  campaign.tags.clear();
+  campaign.grid = {
+      {{"start.r_m", {}}, {"2", "3"}, {ScalarNode("2", false), ScalarNode("3", false)}}};
+  campaign.repeats = 2;
+  campaign.labels = {"point", "repeat", "start.r_m"};
+  campaign.figures = {.x = "start.r_m", .measures = {"docked"}};
+  CampaignOptions options = OptionsFor(folder.path(), 2);
+  options.columns.labels = campaign.labels;
+  const auto run = [&](const CampaignRun& what, const fs::path& dir) {
+    RunRecord record = FakeRun(what, dir);
+    record.columns = options.columns;
+    return record;
+  };
+  EXPECT_TRUE(RunCampaign(campaign, run, options).complete());
+  EXPECT_THAT(Slurp(folder.path() / "points.csv"), HasSubstr("start.r_m,runs,docked,"));
+  EXPECT_THAT(Slurp(folder.path() / "points.csv"), HasSubstr("\n2,2,1,"));
+  EXPECT_THAT(Slurp(folder.path() / "points.csv"), HasSubstr("\n3,2,0.5,"));  // run 3 misses
+  EXPECT_THAT(Slurp(folder.path() / "plots/curves.svg"), HasSubstr("fake, 4 runs"));
 }
 
 TEST(RunCampaign, TellsANoteOfSeveralLinesInOne) {

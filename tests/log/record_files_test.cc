@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::StartsWith;
 
 TEST(History, HasTheSystemsChannelsAndBeliefsByName) {
-  RunRecord record = FakeRecord(FakeCampaign(1).runs[0]);
+  RunRecord record = FakeRecord(FakeRuns(1)[0]);
   HistorySample& sample = record.history[0];
   sample = {};
   sample.time_s = 0.1;
@@ -41,14 +41,14 @@ TEST(History, OfASystemWithoutChannelsIsThePathAndTheBelief) {
 }
 
 TEST(HistoryDeathTest, RefusesASampleThatLacksAChannel) {
-  RunRecord record = FakeRecord(FakeCampaign(1).runs[0]);
+  RunRecord record = FakeRecord(FakeRuns(1)[0]);
   record.history[7].channels.pop_back();
   EXPECT_DEATH(HistoryCsv(record), "check failed");
 }
 
 TEST(RecordFiles, HaveMarksAndCountsByCamera) {
   const TemporaryFolder folder;
-  WriteRecordFiles(folder.path(), FakeRecord(FakeCampaign(1).runs[0]));
+  WriteRecordFiles(folder.path(), FakeRecord(FakeRuns(1)[0]));
   const Json sightings = Json::parse(Slurp(folder.path() / "sightings.json"));
   ASSERT_EQ(sightings.size(), 1u);
   EXPECT_THAT(sightings[0]["detected"].get<std::vector<int>>(), ElementsAre(3, 4));
@@ -60,7 +60,7 @@ TEST(RecordFiles, HaveMarksAndCountsByCamera) {
 
 TEST(RecordFiles, TellTheOutcomeWithTheRowAndTheNote) {
   const TemporaryFolder folder;
-  const RunRecord record = FakeRecord(FakeCampaign(3).runs[2]);
+  const RunRecord record = FakeRecord(FakeRuns(3)[2]);
   WriteRecordFiles(folder.path(), record);
   Json outcome = Json::parse(Slurp(folder.path() / "outcome.json"));
   EXPECT_EQ(outcome["failure_note"], "it passed the flag on the left");
@@ -71,7 +71,7 @@ TEST(RecordFiles, TellTheOutcomeWithTheRowAndTheNote) {
 TEST(SingleResult, ReadsBackAndIsNoneForOtherColumns) {
   const TemporaryFolder folder;
   const RowColumns columns = FakeColumns();
-  const RunResult row = FakeRecord(FakeCampaign(1).runs[0]).result;
+  const RunResult row = FakeRecord(FakeRuns(1)[0]).result;
   EXPECT_FALSE(ReadSingleResult(folder.path(), columns).has_value());
   WriteSingleResult(folder.path(), row, columns);
   const auto back = ReadSingleResult(folder.path(), columns);

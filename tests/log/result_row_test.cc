@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 RunResult SomeRow() {
-  RunResult row = FakeRecord(FakeCampaign(5).runs[4]).result;
+  RunResult row = FakeRecord(FakeRuns(5)[4]).result;
   row.seed = 0xfedcba9876543210ull;  // beyond 2^63
   row.state_hash = 0x00000000000000afull;
   row.measures = {-0.0, 0.1 + 0.2, 5e-324};

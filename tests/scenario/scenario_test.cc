@@ -161,9 +161,8 @@ TEST_F(ScenarioFile, YardOfTooManyCellsIsRefused) {
               HasSubstr("yard: expected at most 4 million cells"));
 }
 
-TEST_F(ScenarioFile, IsNoCampaignAndNoStudy) {
+TEST_F(ScenarioFile, IsNoCampaign) {
   EXPECT_THAT(Changed("name: toy", "campaign: c"), HasSubstr("one scenario, found a campaign"));
-  EXPECT_THAT(Changed("name: toy", "study: c"), HasSubstr("one scenario, found a study"));
 }
 
 TEST_F(ScenarioFile, SetChangesOneValueAndLeavesTheRest) {

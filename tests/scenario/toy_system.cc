@@ -23,16 +23,6 @@ std::vector<KnownSystem> ToySystems() {
           {"other", {"idle"}, {}, {}}};
 }
 
-StudySystems ToyStudies(std::vector<std::string>* checked) {
-  return {ToySystems(),
-          [](const std::string& system) {
-            return std::vector<std::string>{"docked", "distance_to_" + system};
-          },
-          [checked](const Scenario& scenario) {
-            if (checked != nullptr) checked->push_back(FlowText(scenario.changes));
-          }};
-}
-
 ToyFolder::ToyFolder() : scenario_text(kScenario) {
   for (const char* model : {"point", "sand", "gravel", "flag", "lens"}) {
     Write(std::string("models/") + model + ".yaml", "name: " + std::string(model) + "\n");

@@ -5,16 +5,12 @@
 #include <vector>
 
 #include "sim/scenario/scenario.h"
-#include "sim/scenario/study.h"
 #include "support/bad_files.h"
 
 namespace dockyard {
 
 /// "toy" with controllers "straight" and "wave", whose own key toy.flag names a file; and "other".
 std::vector<KnownSystem> ToySystems();
-/// The same with the functions that a study's reader needs; every checked scenario's name goes into
-/// `checked`.
-StudySystems ToyStudies(std::vector<std::string>* checked = nullptr);
 
 /// A folder with a scenario of the toy, scenarios/toy.yaml, and the files that it names.
 class ToyFolder : public ScratchFolder {

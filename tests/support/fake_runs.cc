@@ -36,10 +36,8 @@ RowColumns FakeColumns() {
                        {kCrashed, false, "its process died"}}};
 }
 
-Campaign FakeCampaign(int count) {
-  Campaign campaign;
-  campaign.name = "fake";
-  campaign.labels = FakeColumns().labels;
+std::vector<CampaignRun> FakeRuns(int count) {
+  std::vector<CampaignRun> runs;
   for (int i = 1; i <= count; ++i) {
     CampaignRun run;
     run.run = i;
@@ -48,10 +46,9 @@ Campaign FakeCampaign(int count) {
     run.scenario.seed = WorldSeed(7, static_cast<std::uint64_t>(i), 0);
     run.scenario.start.r = 2.0 + 0.5 * (i % 9);
     run.labels = {i % 2 == 0 ? "loose" : "compact", NumberText(run.scenario.start.r)};
-    campaign.runs.push_back(run);
+    runs.push_back(run);
   }
-  campaign.resolved_yaml = "name: fake\nruns: " + std::to_string(count) + "\n";
-  return campaign;
+  return runs;
 }
 
 RunRecord FakeRecord(const CampaignRun& run) {
@@ -96,7 +93,7 @@ RunRecord FakeRecord(const CampaignRun& run) {
 
 FinishedRuns FakeResults(int count) {
   FinishedRuns runs;
-  for (const CampaignRun& run : FakeCampaign(count).runs) {
+  for (const CampaignRun& run : FakeRuns(count)) {
     const RunRecord record = FakeRecord(run);
     runs[run.run] = {record.result, record.timing, record.failure_note};
   }

@@ -29,11 +29,11 @@ class TemporaryFolder {
 RowColumns FakeColumns();
 
 /// Runs 1..count over two soils and nine ranges.
-Campaign FakeCampaign(int count);
+std::vector<CampaignRun> FakeRuns(int count);
 
 /// A record that depends on the run alone; every third run fails.
 RunRecord FakeRecord(const CampaignRun& run);
-/// Results of FakeCampaign(count), notes included.
+/// Results of FakeRuns(count), notes included.
 FinishedRuns FakeResults(int count);
 
 /// FakeRecord, later for runs of odd number, so that runs do not end in order.

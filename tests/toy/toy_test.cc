@@ -61,8 +61,8 @@ TEST_F(Toy, ReproducesWhatItStates) {
 
 TEST_F(Toy, IsTheOnlySystemThatItsProgramsHelpNames) {
   EXPECT_THAT(Dockyard("--help").out, HasSubstr(" run tests/toy/scenario.yaml"));
-  for (const char* command : {"", "run ", "campaign ", "replay ", "view ", "study ", "camera ",
-                              "detect ", "pose ", "board ", "check ", "wheel ", "reproduce "}) {
+  for (const char* command : {"", "run ", "campaign ", "replay ", "view ", "camera ", "detect ",
+                              "pose ", "board ", "check ", "wheel ", "reproduce "}) {
     const auto help = Dockyard(std::string(command) + "--help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.out, testing::Not(testing::AnyOf(HasSubstr("axel"), HasSubstr(" scenarios/"))))
@@ -95,10 +95,15 @@ TEST_F(Toy, GoesThroughACampaignWithKeysAndTagsOfItsOwn) {
   EXPECT_EQ(Dockyard("replay " + dir_.string() + " 3").code, 0);
 }
 
-TEST_F(Toy, GoesThroughAStudy) {
-  const auto end = Dockyard("study " + kToy + "study.yaml --quiet --out " + dir_.string());
+TEST_F(Toy, GoesThroughASweepOfAKey) {
+  const auto end = Dockyard("campaign " + kToy + "sweep.yaml --quiet --out " + dir_.string());
   EXPECT_EQ(end.code, 0) << end.err;
   EXPECT_THAT(Text("points.csv"), HasSubstr("miss_m_mean"));
+  EXPECT_THAT(Text("plots/curves.svg"), HasSubstr("toy_sweep, 9 runs"));
+  EXPECT_FALSE(fs::exists(dir_ / "runs"));
+  const auto former = Dockyard("study " + kToy + "sweep.yaml");
+  EXPECT_EQ(former.code, 2);
+  EXPECT_THAT(former.err, HasSubstr("a study is a campaign: dockyard campaign FILE"));
 }
 
 TEST_F(Toy, BringsACommandOfItsOwn) {

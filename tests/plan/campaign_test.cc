@@ -2,10 +2,9 @@
 
 #include <set>
 
-#include "scenario/toy_system.h"
+#include "plan/toy_campaign.h"
 #include "sim/base/random.h"
 #include "sim/scenario/key_path.h"
-#include "sim/scenario/load_scenario.h"
 #include "sim/scenario/scenario_keys.h"
 
 namespace dockyard {
@@ -17,7 +16,7 @@ using ::testing::HasSubstr;
 constexpr const char* kCampaign = R"(campaign: c
 seed: 9
 base: toy.yaml
-values:
+vary:
   soil: {loose: ../models/sand.yaml, hard: ../models/gravel.yaml}
 tags: [day, region]
 table: c.csv
@@ -33,7 +32,7 @@ class CampaignFile : public testing::Test {
   void WriteTable(const std::string& text) const { folder_.Write("scenarios/c.csv", text); }
   Campaign Load(const std::string& text = kCampaign,
                 const std::vector<std::string>& overrides = {}) const {
-    return LoadCampaign(folder_.Write("scenarios/c.yaml", text), overrides, ToySystems());
+    return LoadAndCheck(folder_.Write("scenarios/c.yaml", text), overrides);
   }
   std::string Message(const std::string& from, const std::string& to) const {
     return MessageOf([&] { Load(Replaced(kCampaign, from, to)); }, folder_);
@@ -47,18 +46,20 @@ class CampaignFile : public testing::Test {
   }
   void ExpectReadsBack(const Campaign& campaign) const {
     const ScratchFolder elsewhere;
+    const std::string resolved = ResolvedYaml(campaign, ToySystems());
     const Campaign again =
-        LoadCampaign(elsewhere.Write("resolved.yaml", campaign.resolved_yaml), {}, ToySystems());
+        LoadCampaign(elsewhere.Write("resolved.yaml", resolved), {}, ToyCampaigns());
     EXPECT_EQ(again.name, campaign.name);
     EXPECT_EQ(again.seed, campaign.seed);
     EXPECT_EQ(again.labels, campaign.labels);
-    ASSERT_EQ(again.runs.size(), campaign.runs.size());
-    for (std::size_t i = 0; i < campaign.runs.size(); ++i) {
-      EXPECT_EQ(again.runs[i].run, campaign.runs[i].run);
-      EXPECT_EQ(again.runs[i].labels, campaign.runs[i].labels);
-      EXPECT_THAT(DifferingKeys(again.runs[i].scenario, campaign.runs[i].scenario), ElementsAre());
+    const std::vector<CampaignRun> runs = AllRuns(campaign), same = AllRuns(again);
+    ASSERT_EQ(same.size(), runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      EXPECT_EQ(same[i].run, runs[i].run);
+      EXPECT_EQ(same[i].scenario.seed, runs[i].scenario.seed);
+      EXPECT_THAT(DifferingKeys(same[i].scenario, runs[i].scenario), ElementsAre());
     }
-    EXPECT_EQ(again.resolved_yaml, campaign.resolved_yaml);
+    EXPECT_EQ(ResolvedYaml(again, ToySystems()), resolved);
   }
 
   ToyFolder folder_;
@@ -66,8 +67,9 @@ class CampaignFile : public testing::Test {
 
 TEST_F(CampaignFile, ColumnsSetKeysOfTheScenario) {
   const Campaign campaign = Load();
-  ASSERT_EQ(campaign.runs.size(), 2u);
-  const Scenario& run = campaign.runs[1].scenario;
+  const std::vector<CampaignRun> runs = AllRuns(campaign);
+  ASSERT_EQ(runs.size(), 2u);
+  const Scenario& run = runs[1].scenario;
   EXPECT_EQ(run.name, "c run 4");
   EXPECT_EQ(run.soil_file, (folder_.path() / "models/sand.yaml").string());
   EXPECT_EQ(run.light, Light::kHardShadow);
@@ -81,13 +83,13 @@ TEST_F(CampaignFile, LabelsAreTheCellsAsWritten) {
   const Campaign campaign = Load();
   EXPECT_THAT(campaign.labels, ElementsAre("day", "region", "soil", "light", "start.r_m",
                                            "toy.colour", "changes.soil.k"));
-  EXPECT_THAT(campaign.runs[1].labels,
+  EXPECT_THAT(AllRuns(campaign)[1].labels,
               ElementsAre("2", "edge", "loose", "hard_shadow", "2.50", "blue", "1e3"));
 }
 
 TEST_F(CampaignFile, GivesEachRunASeedOfItsOwn) {
   std::set<std::uint64_t> seeds;
-  for (const CampaignRun& run : Load().runs) {
+  for (const CampaignRun& run : AllRuns(Load())) {
     EXPECT_EQ(run.scenario.seed, WorldSeed(9, static_cast<std::uint64_t>(run.run), 0));
     seeds.insert(run.scenario.seed);
   }
@@ -99,15 +101,16 @@ TEST_F(CampaignFile, ResolvedReadsBackToTheSame) { ExpectReadsBack(Load()); }
 TEST_F(CampaignFile, ResolvedReadsBackFromAListWithMappingsAndFiles) {
   const Campaign campaign = Load(
       "campaign: list\nbase: toy.yaml\nscenario: {yard: {cell_m: 0.03}}\n"
-      "values: {start: {near: {r_m: 2}, aside: {alpha_deg: 20}}}\nruns:\n"
+      "vary: {start: {near: {r_m: 2}, aside: {alpha_deg: 20}}}\nruns:\n"
       "  - {run: 3, start: near, soil: ../models/gravel.yaml, controller: straight,\n"
       "     toy: {flag: ../models/lens.yaml}, sun: {elevation_deg: 12.3}}\n"
       "  - {run: 2, start: aside, soil: ../models/sand.yaml, controller: {command: [a, b]},\n"
       "     toy: {colour: null}, sun: {}}\n");
   EXPECT_THAT(campaign.labels, ElementsAre("start", "soil", "toy", "sun"));
-  EXPECT_EQ(campaign.runs[0].labels[1], "../models/gravel.yaml");
-  EXPECT_EQ(campaign.runs[1].scenario.start.r, 4.0);
-  EXPECT_EQ(campaign.runs[1].scenario.controller, "command");
+  const std::vector<CampaignRun> runs = AllRuns(campaign);
+  EXPECT_EQ(runs[0].labels[1], "../models/gravel.yaml");
+  EXPECT_EQ(runs[1].scenario.start.r, 4.0);
+  EXPECT_EQ(runs[1].scenario.controller, "command");
   ExpectReadsBack(campaign);
 }
 
@@ -136,8 +139,9 @@ TEST_F(CampaignFile, UnknownColumnsAreToldByPlace) {
 }
 
 TEST_F(CampaignFile, FormerKeysAndColumnsSayWhereTheyAreNow) {
-  EXPECT_EQ(Message("values:\n  soil:", "soils:"),
-            "scenarios/c.yaml:4:1: soils: expected values: {soil: {NAME: FILE, ...}} instead");
+  EXPECT_EQ(Message("vary:\n  soil:", "soils:"),
+            "scenarios/c.yaml:4:1: soils: expected vary: {soil: {NAME: FILE, ...}} instead");
+  EXPECT_EQ(Message("vary:\n", "values:\n"), "scenarios/c.yaml:4:1: values: expected vary instead");
   for (const std::string key : {"r_m", "alpha_deg", "heading_deg"}) {
     EXPECT_EQ(TableMessage("start.r_m", key),
               "scenarios/c.csv:1:27: " + key + ": expected the key 'start." + key + "' instead");
@@ -145,10 +149,10 @@ TEST_F(CampaignFile, FormerKeysAndColumnsSayWhereTheyAreNow) {
 }
 
 TEST_F(CampaignFile, ColumnsThatCannotBeAreRefused) {
-  EXPECT_THAT(TableMessage(",light,", ",seed,"), HasSubstr("seed: expected no such column"));
+  EXPECT_THAT(TableMessage(",light,", ",name,"), HasSubstr("seeds follow from the runs' numbers"));
   EXPECT_THAT(TableMessage(",light,", ",system,"), HasSubstr("all runs are of one system"));
   EXPECT_THAT(TableMessage(",light,", ",start,"),
-              HasSubstr("start.r_m: expected a column that sets other keys than 'start'"));
+              HasSubstr("start.r_m: expected a key that is not set by 'start' as well"));
 }
 
 TEST_F(CampaignFile, TagsAreColumnsAndNoKeys) {
@@ -162,19 +166,15 @@ TEST_F(CampaignFile, TagsAreColumnsAndNoKeys) {
               HasSubstr("outcome: expected a tag that is no column of every result"));
 }
 
-TEST_F(CampaignFile, ValuesNeedAColumnAndAMapping) {
-  EXPECT_EQ(Message("  soil: {", "  robot: {"),
-            "scenarios/c.yaml:5:3: values.robot: expected a column of the table");
+TEST_F(CampaignFile, ATagVariesNothing) {
   EXPECT_EQ(Message("  soil: {", "  day: {"),
-            "scenarios/c.yaml:5:3: values.day: expected none; it is a tag");
-  EXPECT_THAT(Message("{loose: ../models/sand.yaml, hard: ../models/gravel.yaml}", "3"),
-              HasSubstr("values.soil: expected a mapping of names to values, found '3'"));
+            "scenarios/c.yaml:5:3: vary.day: expected none; it is a tag");
 }
 
 TEST_F(CampaignFile, SetReachesEveryRun) {
   const Campaign campaign = Load(kCampaign, {"scenario.time_limit_s=33", "seed=10"});
   EXPECT_EQ(campaign.seed, 10u);
-  for (const CampaignRun& run : campaign.runs) EXPECT_EQ(run.scenario.time_limit_s, 33.0);
+  for (const CampaignRun& run : AllRuns(campaign)) EXPECT_EQ(run.scenario.time_limit_s, 33.0);
 }
 
 TEST_F(CampaignFile, KeysThatEachRunBringsAreRefused) {
@@ -186,7 +186,7 @@ TEST_F(CampaignFile, KeysThatEachRunBringsAreRefused) {
   EXPECT_EQ(SetMessage("scenario.start.alpha_deg=5"), "(no error)");
 }
 
-TEST_F(CampaignFile, NeedsExactlyOneTable) {
+TEST_F(CampaignFile, HasOneTableAtMost) {
   EXPECT_THAT(SetMessage("runs=[]"),
               HasSubstr("expected one of the keys 'table' and 'runs', found both"));
   EXPECT_THAT(SetMessage("table="), HasSubstr("table: expected one line of text"));
@@ -210,18 +210,18 @@ TEST_F(CampaignFile, WithoutBaseOrScenarioIsRefused) {
 
 TEST_F(CampaignFile, TableAloneIsCheckedAsFarAsItCanBe) {
   const std::string file = (folder_.path() / "scenarios/c.csv").string();
-  const TableCheck check = CheckCampaignTable(file);
+  const TableCheck check = CheckRunTable(file);
   EXPECT_EQ(check.runs, 2);
   EXPECT_THAT(check.checked, ElementsAre("light", "start.r_m"));
   EXPECT_THAT(check.left_to_campaign,
               ElementsAre("day", "region", "soil", "toy.colour", "changes.soil.k"));
   WriteTable("run,start.r_m\n1,2\n2,far\n");
-  EXPECT_EQ(MessageOf([&] { CheckCampaignTable(file); }, folder_),
+  EXPECT_EQ(MessageOf([&] { CheckRunTable(file); }, folder_),
             "scenarios/c.csv:3:3: start.r_m: expected a number from 0.5 to 100, found 'far'");
   WriteTable("run,start.r_m\n1,near\n2,far\n");
-  EXPECT_THAT(CheckCampaignTable(file).left_to_campaign, ElementsAre("start.r_m"));
+  EXPECT_THAT(CheckRunTable(file).left_to_campaign, ElementsAre("start.r_m"));
   WriteTable("run,r_m\n1,2\n");
-  EXPECT_THAT(MessageOf([&] { CheckCampaignTable(file); }, folder_), HasSubstr("'start.r_m'"));
+  EXPECT_THAT(MessageOf([&] { CheckRunTable(file); }, folder_), HasSubstr("'start.r_m'"));
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <optional>
 
 #include "controller/base/check.h"
+#include "sim/report/plot_labels.h"
+#include "sim/report/points.h"
 #include "sim/report/rate_text.h"
 #include "sim/report/svg.h"
-#include "sim/study/plot_labels.h"
-#include "sim/study/study_results.h"
 
 namespace dockyard {
 namespace {
@@ -28,46 +28,58 @@ struct BarGroup {
   }
 };
 
-/// The measure of the second column of bars: the first of the study's plot that is no share.
-std::optional<Column> SecondMeasure(const Study& study, const std::vector<Column>& measured) {
-  for (const std::string& name : study.measures) {
+/// The measure of the second column of bars: the first that is no share.
+std::optional<Column> SecondMeasure(const std::vector<std::string>& measures,
+                                    const RowColumns& columns) {
+  for (const std::string& name : measures) {
     if (name == "docked") continue;
-    const auto found = std::find_if(measured.begin(), measured.end(),
+    const std::vector<Column> summed = SummedColumns(columns);
+    const auto found = std::find_if(summed.begin(), summed.end(),
                                     [&](const Column& each) { return each.name == name; });
-    DOCKYARD_CHECK(found != measured.end());
+    DOCKYARD_CHECK(found != summed.end());
     return *found;
   }
   return std::nullopt;
 }
 
-std::vector<const StudyRow*> RowsChanged(const Study& study, const std::vector<StudyRow>& rows,
-                                         int changed, int level) {
-  std::vector<const StudyRow*> found;
-  for (const StudyRow& row : rows) {
-    const StudyPoint& point = study.points[static_cast<std::size_t>(row.point)];
-    if (point.changed == changed && point.changed_level == level) found.push_back(&row);
+/// Rows in which a key was changed alone, in the order of the keys and their values.
+struct Change {
+  std::string key, to;
+  Rows rows;
+};
+
+std::vector<Change> ChangesOf(const RowColumns& columns, const std::vector<RunResult>& rows) {
+  std::vector<Change> changes;
+  const auto& labels = columns.labels;
+  if (std::find(labels.begin(), labels.end(), "changed") == labels.end()) return changes;
+  for (const RunResult& row : rows) {
+    const std::string &key = LabelOf(row, columns, "changed"),
+                      &to = LabelOf(row, columns, "changed_to");
+    if (key.empty()) continue;
+    const auto known = std::find_if(changes.begin(), changes.end(), [&](const Change& each) {
+      return each.key == key && each.to == to;
+    });
+    if (known == changes.end()) {
+      changes.push_back({key, to, {&row}});
+    } else {
+      known->rows.push_back(&row);
+    }
   }
-  return found;
+  return changes;
 }
 
-std::vector<BarGroup> BarGroups(const Study& study, const std::vector<Column>& measured,
-                                const std::optional<Column>& second,
-                                const std::vector<StudyRow>& rows) {
-  const auto mean = [&](const std::string& name, const std::vector<const StudyRow*>& of) {
-    return SpreadOf(measured, name, of).mean;
+std::vector<BarGroup> BarGroups(const RowColumns& columns, const std::optional<Column>& second,
+                                const std::vector<RunResult>& rows) {
+  const auto mean = [&](const std::string& name, const Rows& of) {
+    return SpreadOf(columns, name, of).mean;
   };
-  const auto base = RowsChanged(study, rows, -1, -1);
+  const Rows base = UnchangedRows(rows, columns);
   std::vector<BarGroup> groups;
-  for (std::size_t i = 0; i < study.one_at_a_time.size(); ++i) {
-    const StudyFactor& factor = study.one_at_a_time[i];
-    BarGroup group{factor.key, {}};
-    for (std::size_t level = 0; level < factor.values.size(); ++level) {
-      const auto there = RowsChanged(study, rows, static_cast<int>(i), static_cast<int>(level));
-      if (there.empty()) continue;
-      group.bars.push_back({factor.labels[level], mean("docked", there) - mean("docked", base),
-                            second ? mean(second->name, there) - mean(second->name, base) : 0.0});
-    }
-    if (!group.bars.empty()) groups.push_back(std::move(group));
+  for (const Change& change : ChangesOf(columns, rows)) {
+    if (groups.empty() || groups.back().key != change.key) groups.push_back({change.key, {}});
+    groups.back().bars.push_back(
+        {change.to, mean("docked", change.rows) - mean("docked", base),
+         second ? mean(second->name, change.rows) - mean(second->name, base) : 0.0});
   }
   std::stable_sort(groups.begin(), groups.end(),
                    [](const BarGroup& a, const BarGroup& b) { return a.reach() > b.reach(); });
@@ -117,7 +129,7 @@ void DrawBars(SvgDocument& svg, const PlotArea& area, const std::vector<BarGroup
     for (const Bar& bar : group.bars) {
       const double zero = area.At(0.0, 0.0).x, end = area.At(bar.*change, 0.0).x;
       svg.Rect({std::min(zero, end), top + 1}, std::max(0.8, std::abs(end - zero)), kBarPx - 2,
-               StudyColor(color++));
+               CurveColor(color++));
       top += kBarPx;
     }
     top += kGroupGap;
@@ -138,24 +150,21 @@ void DrawNames(SvgDocument& svg, const std::vector<BarGroup>& groups) {
 
 }  // namespace
 
-std::string StudyBars(const Study& study, const RowColumns& columns,
-                      const std::vector<StudyRow>& rows) {
-  const std::vector<Column> measured = StudyColumns(columns);
-  const std::optional<Column> second = SecondMeasure(study, measured);
-  const std::vector<BarGroup> groups = BarGroups(study, measured, second, rows);
+std::string BarsPlot(const std::string& title, const std::vector<std::string>& measures,
+                     const RowColumns& columns, const std::vector<RunResult>& rows) {
+  const std::optional<Column> second = SecondMeasure(measures, columns);
+  const std::vector<BarGroup> groups = BarGroups(columns, second, rows);
   if (groups.empty()) return "";
-  SvgDocument svg(kLeft + (second ? 2 : 1) * (kWide + kGap), kTop + HeightOf(groups) + 60,
-                  study.name);
-  svg.Text({16, 26}, study.name + ": one key changed at a time",
-           {15, "#111111", Anchor::kStart, true});
-  const auto base = RowsChanged(study, rows, -1, -1);
-  const Spread docked = SpreadOf(measured, "docked", base);
+  SvgDocument svg(kLeft + (second ? 2 : 1) * (kWide + kGap), kTop + HeightOf(groups) + 60, title);
+  svg.Text({16, 26}, title + ": one key changed at a time", {15, "#111111", Anchor::kStart, true});
+  const Rows base = UnchangedRows(rows, columns);
+  const Spread docked = SpreadOf(columns, "docked", base);
   std::string unchanged =
       "unchanged: " +
       BriefRate(static_cast<int>(std::lround(docked.mean * docked.count)), docked.count);
   if (second) {
     unchanged += ", mean " + AxisLabel(*second) + " " +
-                 BriefNumber(SpreadOf(measured, second->name, base).mean);
+                 BriefNumber(SpreadOf(columns, second->name, base).mean);
   }
   svg.Text({16, 48}, unchanged, {12, "#333333"});
   const PlotArea share = BarArea(0, groups, &Bar::share_change);

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <set>
 
+#include "plan/toy_campaign.h"
 #include "sim/base/random.h"
 #include "sim/scenario/key_path.h"
 #include "sim/scenario/load_scenario.h"
-#include "sim/scenario/study.h"
 #include "support/bad_files.h"
 
 namespace dockyard {
@@ -22,17 +22,28 @@ const std::vector<KnownSystem>& Known() {
       {.name = "axel", .controllers = {"axel", "reel_only"}, .file_keys = {"station"}}};
   return known;
 }
-Campaign Load(const std::string& file) { return LoadCampaign(SourceFile(file), {}, Known()); }
+CampaignSystems Systems() {
+  return {Known(), [](const std::string&) {
+            return std::vector<std::string>{
+                "docked",          "tip_depth_m",          "station_shift_m",
+                "tension_peak_n",  "entry_force_peak_n",   "entry_current_peak_a",
+                "arm_up_peak_deg", "spool_current_mean_a", "advance_m",
+                "turned_deg"};
+          }};
+}
+Campaign Load(const std::string& file) { return LoadCampaign(SourceFile(file), {}, Systems()); }
 Campaign Grid() { return Load("scenarios/mars_yard_40.yaml"); }
+std::vector<CampaignRun> Runs(const Campaign& campaign) { return AllRuns(campaign, Known()); }
 
 std::string Label(const Campaign& campaign, const CampaignRun& run, const std::string& name) {
   const auto at = std::find(campaign.labels.begin(), campaign.labels.end(), name);
   return run.labels.at(static_cast<std::size_t>(at - campaign.labels.begin()));
 }
 int Count(const Campaign& campaign, const std::string& name, const std::string& value) {
-  return static_cast<int>(
-      std::count_if(campaign.runs.begin(), campaign.runs.end(),
-                    [&](const CampaignRun& run) { return Label(campaign, run, name) == value; }));
+  const std::vector<CampaignRun> runs = Runs(campaign);
+  return static_cast<int>(std::count_if(runs.begin(), runs.end(), [&](const CampaignRun& run) {
+    return Label(campaign, run, name) == value;
+  }));
 }
 
 TEST(TypicalScenario, IsTheOneOfFigure10) {
@@ -47,14 +58,14 @@ TEST(TypicalScenario, IsTheOneOfFigure10) {
 
 TEST(MarsYardGrid, KeepsEveryCountThatIsPublished) {
   const Campaign grid = Grid();
-  EXPECT_EQ(grid.runs.size(), 40u);
+  EXPECT_EQ(grid.run_count(), 40);
   EXPECT_THAT(grid.labels, ElementsAre("day", "region", "soil", "light", "start.r_m",
                                        "start.alpha_deg", "start.heading_deg"));
   EXPECT_EQ(Count(grid, "soil", "loose"), 20);
   EXPECT_EQ(Count(grid, "region", "boundary"), 16);
   EXPECT_EQ(Count(grid, "light", "hard_shadow"), 15);
   EXPECT_EQ(Count(grid, "day", "3"), 15);
-  for (const CampaignRun& run : grid.runs) {
+  for (const CampaignRun& run : Runs(grid)) {
     EXPECT_LE(run.scenario.start.r, 7.0);
     EXPECT_LE(std::abs(run.scenario.start.alpha), Radians(40.0));
     EXPECT_LE(std::abs(run.scenario.start.h), Radians(25.0));
@@ -63,7 +74,7 @@ TEST(MarsYardGrid, KeepsEveryCountThatIsPublished) {
 
 TEST(MarsYardGrid, GivesEachRunASeedOfItsOwn) {
   std::set<std::uint64_t> seeds;
-  for (const CampaignRun& run : Grid().runs) {
+  for (const CampaignRun& run : Runs(Grid())) {
     EXPECT_EQ(run.scenario.seed, WorldSeed(1, static_cast<std::uint64_t>(run.run), 0));
     EXPECT_EQ(run.scenario.name, "mars_yard_40 run " + std::to_string(run.run));
     seeds.insert(run.scenario.seed);
@@ -73,24 +84,26 @@ TEST(MarsYardGrid, GivesEachRunASeedOfItsOwn) {
 
 TEST(MarsYardGrid, TakesTheSoilFileByItsName) {
   const Campaign grid = Grid();
-  EXPECT_THAT(grid.runs[3].scenario.soil_file, HasSubstr("loose_sand.yaml"));
-  EXPECT_THAT(grid.runs[0].scenario.soil_file, HasSubstr("compact_gravel.yaml"));
+  EXPECT_THAT(Runs(grid)[3].scenario.soil_file, HasSubstr("loose_sand.yaml"));
+  EXPECT_THAT(Runs(grid)[0].scenario.soil_file, HasSubstr("compact_gravel.yaml"));
 }
 
 TEST(MarsYardGrid, ResolvedReadsBackToTheSame) {
   const Campaign grid = Grid();
   const ScratchFolder folder;
-  const Campaign again = LoadCampaign(folder.Write("r.yaml", grid.resolved_yaml), {}, Known());
-  EXPECT_EQ(again.resolved_yaml, grid.resolved_yaml);
+  const std::string resolved = ResolvedYaml(grid, Known());
+  const Campaign again = LoadCampaign(folder.Write("r.yaml", resolved), {}, Systems());
+  EXPECT_EQ(ResolvedYaml(again, Known()), resolved);
 }
 
 TEST(SmokeCampaign, HasRunsOfTheGrid) {
   const Campaign grid = Grid();
   const Campaign smoke = Load("scenarios/ci_4.yaml");
-  ASSERT_EQ(smoke.runs.size(), 4u);
+  const std::vector<CampaignRun> runs = Runs(grid);
+  ASSERT_EQ(smoke.run_count(), 4);
   EXPECT_EQ(smoke.labels, grid.labels);
-  for (const CampaignRun& run : smoke.runs) {
-    const CampaignRun& same = grid.runs[static_cast<std::size_t>(run.run - 1)];
+  for (const CampaignRun& run : Runs(smoke)) {
+    const CampaignRun& same = runs[static_cast<std::size_t>(run.run - 1)];
     EXPECT_EQ(run.labels, same.labels);
     EXPECT_EQ(run.scenario.start.r, same.scenario.start.r);
     EXPECT_EQ(run.scenario.start.alpha, same.scenario.start.alpha);
@@ -101,7 +114,7 @@ TEST(SmokeCampaign, HasRunsOfTheGrid) {
 }
 
 /// Points of each study, as its factors multiply.
-const std::vector<std::pair<std::string, std::size_t>> kStudies{
+const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"assisted.yaml", 2 * 2 * 10},
     {"cone_height.yaml", 2 * 2 * 11},
     {"reel_alpha.yaml", 2 * 3 * 15},
@@ -118,24 +131,9 @@ TEST(Studies, OfTheTreeHaveTheirPoints) {
   for (const auto& entry : std::filesystem::directory_iterator(SourceFile("scenarios/studies"))) {
     files.insert(entry.path().filename().string());
   }
-  StudySystems systems{Known(),
-                       [](const std::string&) {
-                         return std::vector<std::string>{"docked",
-                                                         "tip_depth_m",
-                                                         "station_shift_m",
-                                                         "tension_peak_n",
-                                                         "entry_force_peak_n",
-                                                         "entry_current_peak_a",
-                                                         "spool_current_mean_a",
-                                                         "arm_up_peak_deg",
-                                                         "advance_m",
-                                                         "turned_deg"};
-                       },
-                       {}};
   for (const auto& [file, points] : kStudies) {
     EXPECT_EQ(files.erase(file), 1u) << file;
-    const Study study = LoadStudy(SourceFile("scenarios/studies/" + file), {}, systems);
-    EXPECT_EQ(study.points.size(), points) << file;
+    EXPECT_EQ(Load("scenarios/studies/" + file).point_count(), points) << file;
   }
   EXPECT_THAT(files, ElementsAre());
 }

@@ -1,4 +1,4 @@
-#include "sim/scenario/campaign_table.h"
+#include "sim/plan/table.h"
 
 #include <algorithm>
 #include <set>
@@ -6,8 +6,8 @@
 #include "models/read/config_error.h"
 #include "models/read/csv_table.h"
 #include "models/read/yaml_reader.h"
+#include "sim/plan/factor.h"
 #include "sim/scenario/key_path.h"
-#include "sim/scenario/load_scenario.h"
 #include "sim/scenario/scenario_keys.h"
 
 namespace dockyard {
@@ -33,14 +33,15 @@ bool IsResultColumn(const std::string& name) {
   return Contains(columns, name);
 }
 
-CampaignTable::Row ReadRow(const YamlReader& in, const std::vector<std::string>& columns) {
-  CampaignTable::Row row;
+RunTable::Row ReadRow(const YamlReader& in, const std::vector<std::string>& columns) {
+  RunTable::Row row;
   row.run = in.Integer("run", 0, 1000000);
   row.cells.reserve(columns.size());
   for (const std::string& column : columns) {
     row.cells.push_back(in.Child(column));
     YamlNode& cell = row.cells.back();
-    if (cell.kind == YamlNode::Kind::kNull) in.Refuse(column, "a value");
+    const bool may_be_empty = column == "changed" || column == "changed_to";
+    if (cell.kind == YamlNode::Kind::kNull && !may_be_empty) in.Refuse(column, "a value");
     if (cell.scalar == "null") cell.quoted = true;  // from CSV: a text, also in YAML
   }
   return row;
@@ -48,11 +49,11 @@ CampaignTable::Row ReadRow(const YamlReader& in, const std::vector<std::string>&
 
 /// Whether the column's cells are values of this key. A column without a single good cell holds
 /// names that the campaign's file gives values.
-bool CheckCells(const CampaignTable& table, std::size_t column) {
+bool CheckCells(const RunTable& table, std::size_t column) {
   const YamlNode::Key& key = table.columns[column];
   std::size_t good = 0;
   std::string first_fault;
-  for (const CampaignTable::Row& row : table.rows) {
+  for (const RunTable::Row& row : table.rows) {
     YamlNode tree;
     PutPath(tree, key.name, key.place, row.cells[column]);
     Scenario scenario;
@@ -76,29 +77,32 @@ bool IsPlain(const KeyRow& row) {
 
 }  // namespace
 
-std::vector<std::string> CampaignTable::Names() const {
-  std::vector<std::string> names;
-  for (const YamlNode::Key& column : columns) names.push_back(column.name);
-  return names;
+std::optional<std::size_t> RunTable::Find(const std::string& column) const {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].name == column) return i;
+  }
+  return std::nullopt;
 }
 
-std::string CellText(const YamlNode& cell) {
-  return cell.kind == YamlNode::Kind::kScalar ? cell.scalar : FlowText(cell);
+bool IsPlanColumn(const std::string& name) {
+  static const std::vector<std::string> columns{"seed",   "arm",     "point",
+                                                "repeat", "changed", "changed_to"};
+  return Contains(columns, name);
 }
 
-CampaignTable ReadTable(const YamlNode& list, const std::string& path) {
+RunTable ReadTable(const YamlNode& list, const std::string& path) {
   if (list.items.empty() || list.items.size() > kMaxRuns) {
     throw ConfigError(list.place.Text() + ": expected 1 to " + std::to_string(kMaxRuns) +
                       " runs, found " + std::to_string(list.items.size()));
   }
-  CampaignTable table;
+  RunTable table;
   std::vector<std::string> known{"run"};
   for (const YamlNode::Key& key : list.items[0].keys) {
     if (key.name == "run") continue;
     table.columns.push_back(key);
     known.push_back(key.name);
   }
-  const std::vector<std::string> names = table.Names();
+  const std::vector<std::string> names(known.begin() + 1, known.end());
   std::set<int> seen;
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     // A table's rows need no path: the file and line say where.
@@ -115,6 +119,7 @@ void CheckColumn(const YamlNode::Key& column, bool is_tag,
                  const std::vector<std::string>& scenario_keys) {
   const std::string& name = column.name;
   const bool is_key = Contains(scenario_keys, HeadOf(name));
+  if (IsPlanColumn(name) && !is_tag) return;
   if (is_tag) {
     if (is_key) RefuseColumn(column, "a tag that is no key of a scenario");
     if (IsResultColumn(name)) RefuseColumn(column, "a tag that is no column of every result");
@@ -123,20 +128,15 @@ void CheckColumn(const YamlNode::Key& column, bool is_tag,
   for (const char* former : {"r_m", "alpha_deg", "heading_deg"}) {
     if (name == former) RefuseColumn(column, "the key 'start." + name + "' instead");
   }
-  for (const char* of_campaign : {"name", "seed", "system"}) {
-    if (name != of_campaign) continue;
-    RefuseColumn(column,
-                 "no such column; name and seed follow from the run's number, all runs are "
-                 "of one system");
-  }
+  RequireSettable(column, name);
   if (is_key) return;
   const std::string nearest = NearestName(name, scenario_keys);
   RefuseColumn(column, "a key of the scenario or one of the campaign's tags" +
                            (nearest.empty() ? "" : "; nearest key is '" + nearest + "'"));
 }
 
-TableCheck CheckCampaignTable(const std::string& file) {
-  const CampaignTable table = ReadTable(LoadCsv(file), "");
+TableCheck CheckRunTable(const std::string& file) {
+  const RunTable table = ReadTable(LoadCsv(file), "");
   const std::vector<KeyRow> rows = ScenarioRows();
   TableCheck check;
   check.runs = static_cast<int>(table.rows.size());

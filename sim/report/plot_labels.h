@@ -1,4 +1,4 @@
-// Shared by a study's plots: colours, and words for their axes.
+// Shared by the plots of curves and bars: colours, and words for their axes.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace dockyard {
 
-inline const char* StudyColor(std::size_t i) {
+inline const char* CurveColor(std::size_t i) {
   static constexpr std::array<const char*, 6> kColors{"#1f5fa8", "#d9772b", "#2e8b57",
                                                       "#b8323c", "#7b5ea7", "#666666"};
   return kColors[i % kColors.size()];

@@ -1,0 +1,307 @@
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "models/read/config_error.h"
+#include "models/read/csv_table.h"
+#include "models/read/yaml_reader.h"
+#include "sim/plan/campaign.h"
+#include "sim/scenario/key_path.h"
+#include "sim/scenario/scenario_keys.h"
+
+namespace dockyard {
+namespace {
+
+constexpr std::int64_t kMostPoints = 1000000;
+constexpr std::int64_t kMostRuns = 2000000000;  // a run's number has 31 bits
+
+[[noreturn]] void RefuseKey(const YamlNode::Key& key, const std::string& path,
+                            const std::string& expected) {
+  throw ConfigError(key.place.Text() + ": " + path + ": expected " + expected);
+}
+
+void RefuseFormerKeys(const YamlNode& tree) {
+  static const std::vector<std::pair<std::string, std::string>> former{
+      {"study", "campaign: NAME; a study is a campaign"},
+      {"repeats", "design: {runs: N} instead"},
+      {"plot", "figures instead"},
+      {"soils", "vary: {soil: {NAME: FILE, ...}} instead"},
+      {"values", "vary instead"}};
+  for (const YamlNode::Key& key : tree.keys) {
+    for (const auto& [name, now] : former) {
+      if (key.name == name) RefuseKey(key, name, now);
+    }
+  }
+}
+
+/// Finds the place of the innermost key of a dotted path that is there.
+const YamlNode::Key* FindKey(const YamlNode& tree, std::string_view path) {
+  const std::string_view first = path.substr(0, path.find('.'));
+  for (std::size_t i = 0; i < tree.keys.size(); ++i) {
+    if (tree.keys[i].name != first) continue;
+    if (first.size() == path.size()) return &tree.keys[i];
+    return FindKey(tree.items[i], path.substr(first.size() + 1));
+  }
+  return nullptr;
+}
+
+/// The base: a scenario file, with the keys of `scenario` and `script` on top.
+YamlNode BaseTree(const YamlReader& root) {
+  YamlNode base = root.Has("base") ? LoadYaml(root.File("base")) : root.Child("scenario");
+  if (root.Has("base") && root.Has("scenario")) MergeYaml(base, root.Child("scenario"));
+  if (root.Has("script")) {
+    PutPath(base, "script", root.Child("script").place, root.Child("script"));
+  }
+  return base;
+}
+
+RunTable ReadTableOf(const YamlReader& in, const YamlNode& tree) {
+  if (in.Has("table") && in.Has("runs")) {
+    throw ConfigError(tree.place.Text() +
+                      ": expected one of the keys 'table' and 'runs', found both");
+  }
+  if (in.Has("table")) return ReadTable(LoadCsv(in.File("table")), "");
+  if (in.Has("runs")) return ReadTable(in.List("runs", 0, 1u << 30), in.PathOf("runs"));
+  return {};
+}
+
+void ReadTags(const YamlReader& in, Campaign& campaign) {
+  if (!in.Has("tags")) return;
+  for (const YamlNode& tag : in.List("tags", 1, 100).items) {
+    const auto column = campaign.table.Find(tag.scalar);
+    if (!column) {
+      throw ConfigError(tag.place.Text() + ": tags: expected a column of the table, found " +
+                        tag.Found());
+    }
+    campaign.tags.push_back(tag.scalar);
+    for (const RunTable::Row& row : campaign.table.rows) {
+      if (row.cells[*column].kind != YamlNode::Kind::kScalar) {
+        throw ConfigError(row.cells[*column].place.Text() + ": " + tag.scalar +
+                          ": expected a value, found " + row.cells[*column].Found());
+      }
+    }
+  }
+}
+
+/// Factors that the table has a column of name its values; the rest is the grid.
+void ReadVary(const YamlReader& in, Campaign& campaign) {
+  for (Factor& factor : ReadFactors(in, "vary")) {
+    const std::string& key = factor.key.name;
+    if (IsTag(campaign, key)) RefuseKey(factor.key, "vary." + key, "none; it is a tag");
+    (campaign.table.Find(key) ? campaign.named : campaign.grid).push_back(std::move(factor));
+  }
+}
+
+void ReadArms(const YamlReader& in, Campaign& campaign) {
+  if (!in.Has("arms")) return;
+  const YamlNode& arms = in.Child("arms");
+  if (arms.kind != YamlNode::Kind::kMapping || arms.keys.empty()) {
+    in.Refuse("arms", "names, each with the keys that it sets");
+  }
+  for (std::size_t i = 0; i < arms.keys.size(); ++i) {
+    const std::string path = "arms." + arms.keys[i].name;
+    const YamlNode& sets = arms.items[i];
+    if (sets.kind != YamlNode::Kind::kMapping) {
+      throw ConfigError(sets.place.Text() + ": " + path +
+                        ": expected keys of the scenario with their values, found " + sets.Found());
+    }
+    Arm arm{arms.keys[i].name, {}};
+    for (std::size_t k = 0; k < sets.keys.size(); ++k) {
+      RequireSettable(sets.keys[k], path + "." + sets.keys[k].name);
+      arm.sets.push_back({sets.keys[k], sets.items[k]});
+    }
+    campaign.arms.push_back(std::move(arm));
+  }
+}
+
+void ReadDesign(const YamlReader& root, Campaign& campaign) {
+  if (!root.Has("design")) return;
+  const YamlReader in(root.Child("design"), "design", {"kind", "runs"});
+  static const std::vector<std::string> kinds{"monte_carlo", "latin_hypercube", "sobol"};
+  campaign.design = static_cast<DesignKind>(in.ChoiceOr("kind", 0, kinds));
+  campaign.repeats = in.IntegerOr("runs", 1, 1, 1000000000);
+  if (campaign.design != DesignKind::kMonteCarlo && campaign.dispersions.empty()) {
+    in.Refuse("kind", "keys in draw for this design");
+  }
+  if (campaign.design == DesignKind::kSobol && campaign.dispersions.size() > kSobolDimensions) {
+    in.Refuse("kind", "at most " + std::to_string(kSobolDimensions) + " keys in draw");
+  }
+}
+
+/// Each key of a run comes from one place, or the file would say less than it seems to.
+void CheckOverlaps(const Campaign& campaign, const YamlReader& root) {
+  const std::vector<YamlNode::Key> keys = KeysOfRuns(campaign);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!PathsOverlap(keys[k].name, keys[i].name)) continue;
+      RefuseKey(keys[i], keys[i].name, "a key that is not set by '" + keys[k].name + "' as well");
+    }
+    for (const Arm& arm : campaign.arms) {
+      for (const KeyValue& set : arm.sets) {
+        if (!PathsOverlap(set.key.name, keys[i].name)) continue;
+        RefuseKey(set.key, "arms." + arm.name + "." + set.key.name,
+                  "a key that is not set by '" + keys[i].name + "' as well");
+      }
+    }
+  }
+  for (const Dispersion& dispersion : campaign.dispersions) {
+    for (const Factor& changed : campaign.one_at_a_time) {
+      if (!PathsOverlap(changed.key.name, dispersion.key.name)) continue;
+      RefuseKey(changed.key, "one_at_a_time." + changed.key.name,
+                "a key that is not drawn as well");
+    }
+  }
+  if (!root.Has("scenario")) return;
+  std::vector<std::string> of_runs{"name", "seed"};
+  for (const YamlNode::Key& key : keys) of_runs.push_back(key.name);
+  for (const std::string& name : of_runs) {
+    const YamlNode::Key* key = FindKey(root.Child("scenario"), name);
+    if (key == nullptr) continue;
+    // Runs put their mappings key by key on top of the base's.
+    if (FindPath(root.Child("scenario"), name)->kind == YamlNode::Kind::kMapping) continue;
+    RefuseKey(*key, "scenario." + name,
+              "only keys that all runs share; each run has its own " + name);
+  }
+}
+
+void CheckColumns(const Campaign& campaign, const std::vector<KnownSystem>& systems) {
+  Scenario none;
+  const std::vector<std::string> keys =
+      KeyNames([&](Keys& in) { VisitScenario(in, none, systems); });
+  for (const YamlNode::Key& column : campaign.table.columns) {
+    CheckColumn(column, IsTag(campaign, column.name), keys);
+  }
+  if (campaign.table.Find("arm") && campaign.arms.empty()) {
+    RefuseKey(campaign.table.columns[*campaign.table.Find("arm")], "arm",
+              "a campaign's file with arms");
+  }
+  if (!campaign.table.Find("changed") != !campaign.table.Find("changed_to")) {
+    throw ConfigError(campaign.table.columns.front().place.Text() +
+                      ": expected both columns 'changed' and 'changed_to', or neither");
+  }
+}
+
+void AddLabels(Campaign& campaign) {
+  std::vector<std::string>& labels = campaign.labels;
+  const auto add = [&](const std::string& key, const Factor* named) {
+    if (TellsController(key, named)) {
+      campaign.sets_controller = true;
+    } else {
+      labels.push_back(key);
+    }
+  };
+  if (!campaign.arms.empty()) labels.push_back("arm");
+  if (campaign.has_points()) labels.push_back("point");
+  if (campaign.has_repeats()) labels.push_back("repeat");
+  for (const YamlNode::Key& column : campaign.table.columns) {
+    if (IsPlanColumn(column.name)) continue;
+    const auto named =
+        std::find_if(campaign.named.begin(), campaign.named.end(),
+                     [&](const Factor& factor) { return factor.key.name == column.name; });
+    add(column.name, named == campaign.named.end() ? nullptr : &*named);
+  }
+  for (const Factor& factor : campaign.grid) add(factor.key.name, &factor);
+  if (!campaign.one_at_a_time.empty()) labels.insert(labels.end(), {"changed", "changed_to"});
+  for (const Dispersion& dispersion : campaign.dispersions) labels.push_back(dispersion.key.name);
+}
+
+void ReadFigures(const YamlReader& root, const std::vector<std::string>& measures,
+                 Campaign& campaign) {
+  campaign.figures.measures = {"docked"};
+  if (!root.Has("figures")) return;
+  const YamlReader in(root.Child("figures"), "figures", {"x", "curves", "panels", "measures"});
+  std::vector<std::string> labels = campaign.labels;
+  if (campaign.sets_controller) labels.push_back("controller");
+  const auto label = [&](const char* key) {
+    return in.Has(key) ? labels[static_cast<std::size_t>(in.Choice(key, labels))] : std::string();
+  };
+  campaign.figures.x = label("x");
+  campaign.figures.curves = label("curves");
+  campaign.figures.panels = label("panels");
+  if (!in.Has("measures")) return;
+  campaign.figures.measures.clear();
+  for (const YamlNode& item : in.List("measures", 1, 8).items) {
+    if (std::find(measures.begin(), measures.end(), item.scalar) == measures.end()) {
+      const std::string near = NearestName(item.scalar, measures);
+      throw ConfigError(item.place.Text() +
+                        ": figures.measures: expected a column of results.csv, found " +
+                        item.Found() + (near.empty() ? "" : "; nearest is '" + near + "'"));
+    }
+    campaign.figures.measures.push_back(item.scalar);
+  }
+}
+
+void CheckSize(const Campaign& campaign, const YamlReader& in) {
+  double points = static_cast<double>(campaign.row_count());
+  for (const Factor& factor : campaign.grid) points *= static_cast<double>(factor.values.size());
+  if (points > static_cast<double>(kMostPoints) || campaign.point_count() > kMostPoints) {
+    throw ConfigError(campaign.tree.place.Text() + ": expected at most " +
+                      std::to_string(kMostPoints) + " points (rows x grid x changed values)");
+  }
+  if (static_cast<double>(campaign.point_count()) * campaign.repeats *
+          static_cast<double>(campaign.arm_count()) >
+      static_cast<double>(kMostRuns)) {
+    in.Refuse("design", "at most 2e9 runs in all");
+  }
+}
+
+std::string NameOf(const YamlReader& in) {
+  const std::string name = in.Text("campaign");
+  if (name.size() > 100 || name[0] == '.' || name.find('/') != std::string::npos) {
+    in.Refuse("campaign", "a name that its results folder can have: up to 100 bytes, no '/'");
+  }
+  return name;
+}
+
+/// A table made by --dry-run holds all that the file draws and repeats: nothing is drawn again.
+void LeaveToTable(Campaign& campaign, const YamlReader& in) {
+  if (campaign.table.Find("repeat")) campaign.repeats = 1;
+  auto& dispersions = campaign.dispersions;
+  const std::size_t before = dispersions.size();
+  dispersions.erase(std::remove_if(dispersions.begin(), dispersions.end(),
+                                   [&](const Dispersion& each) {
+                                     return campaign.table.Find(each.key.name).has_value();
+                                   }),
+                    dispersions.end());
+  if (dispersions.size() == before || !campaign.correlation) return;
+  if (!dispersions.empty()) in.Refuse("correlate", "a table with all keys of draw, or with none");
+  campaign.correlation.reset();
+}
+
+}  // namespace
+
+Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& overrides,
+                      const CampaignSystems& systems) {
+  Campaign campaign;
+  campaign.tree = LoadYaml(file);
+  for (const std::string& assignment : overrides) SetYaml(campaign.tree, assignment);
+  RefuseFormerKeys(campaign.tree);
+  const YamlReader in(
+      campaign.tree, "",
+      {"campaign", "seed", "base", "scenario", "script", "arms", "vary", "one_at_a_time", "draw",
+       "correlate", "design", "tags", "table", "runs", "keep", "figures"});
+  campaign.name = NameOf(in);
+  campaign.file = file;
+  campaign.seed = in.SeedOr("seed", 1);
+  campaign.base = BaseTree(in);
+  campaign.table = ReadTableOf(in, campaign.tree);
+  ReadTags(in, campaign);
+  ReadArms(in, campaign);
+  ReadVary(in, campaign);
+  campaign.one_at_a_time = ReadFactors(in, "one_at_a_time");
+  campaign.dispersions = ReadDispersions(in);
+  ReadDesign(in, campaign);
+  campaign.keep = static_cast<Keep>(in.ChoiceOr("keep", 0, {"all", "none"}));
+  campaign.correlation = ReadCorrelation(in, campaign.dispersions);
+  LeaveToTable(campaign, in);
+  CheckColumns(campaign, systems.known);
+  CheckOverlaps(campaign, in);
+  CheckSize(campaign, in);
+  AddLabels(campaign);
+  const YamlNode* system = campaign.base.Find("system");
+  const bool named = system != nullptr && systems.measures;
+  ReadFigures(in, named ? systems.measures(system->scalar) : std::vector<std::string>(), campaign);
+  return campaign;
+}
+
+}  // namespace dockyard

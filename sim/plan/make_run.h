@@ -1,0 +1,54 @@
+// The runs of a campaign, each made when it is its turn.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/plan/campaign.h"
+
+namespace dockyard {
+
+/// Makes runs in any order: a run follows from the campaign and its index alone.
+class RunMaker {
+ public:
+  /// Both must outlive it.
+  RunMaker(const Campaign& campaign, const std::vector<KnownSystem>& systems);
+
+  /// @param index  0 .. run_count() - 1: arm by arm, repeat by repeat, point by point
+  /// Throws ConfigError for a scenario that its reader refuses.
+  CampaignRun Make(std::int64_t index) const;
+  /// The run's number, which names it in results.
+  int Number(std::int64_t index) const;
+  /// The seed of its world: the same for all arms and for every key changed alone.
+  std::uint64_t Seed(std::int64_t index) const;
+  /// The index of the run with that number; -1: there is none.
+  std::int64_t IndexOf(int number) const;
+
+ private:
+  struct Place;
+  Place PlaceOf(std::int64_t index) const;
+  std::uint64_t WorldPlace(const Place& place) const;
+  std::uint64_t SeedAt(const Place& place) const;
+  void SetArm(const Place& place, YamlNode& tree, CampaignRun& run) const;
+  void SetRow(const Place& place, YamlNode& tree, CampaignRun& run) const;
+  void SetGrid(const Place& place, YamlNode& tree, CampaignRun& run) const;
+  void SetChange(const Place& place, YamlNode& tree, CampaignRun& run) const;
+  void Draw(const Place& place, YamlNode& tree, CampaignRun& run) const;
+
+  const Campaign& campaign_;
+  const std::vector<KnownSystem>& systems_;
+  Design design_;
+};
+
+/// Makes runs to find every mistake of the file before the first is simulated: each place once, and
+/// the ends of every distribution. `check` gets a scenario for each set of models, for what its
+/// system alone sees; it may be empty. Throws ConfigError.
+void CheckRuns(const Campaign& campaign, const std::vector<KnownSystem>& systems,
+               const std::function<void(const Scenario&)>& check);
+
+/// The runs as CSV with a line each: a table that makes the same runs again.
+std::string PlanCsv(const Campaign& campaign, const std::vector<KnownSystem>& systems);
+
+}  // namespace dockyard

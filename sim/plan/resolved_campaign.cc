@@ -1,0 +1,120 @@
+#include <utility>
+
+#include "sim/plan/campaign.h"
+#include "sim/plan/file_keys.h"
+#include "sim/scenario/key_path.h"
+
+namespace dockyard {
+namespace {
+
+using Kind = YamlNode::Kind;
+
+YamlNode Mapping() {
+  YamlNode node;
+  node.kind = Kind::kMapping;
+  return node;
+}
+
+void Add(YamlNode& mapping, const std::string& key, YamlNode value) {
+  mapping.keys.push_back({key, {}});
+  mapping.items.push_back(std::move(value));
+}
+
+/// Labels with values, which read the same whatever the values are.
+YamlNode ValuesNode(const Factor& factor, const std::vector<std::string>& files) {
+  YamlNode values = Mapping();
+  for (std::size_t i = 0; i < factor.values.size(); ++i) {
+    YamlNode value = factor.values[i];
+    MakeAbsolute(value, factor.key.name, files);
+    Add(values, factor.labels[i], std::move(value));
+  }
+  return values;
+}
+
+YamlNode FactorsNode(const std::vector<Factor>& factors, const std::vector<std::string>& files) {
+  YamlNode mapping = Mapping();
+  for (const Factor& factor : factors) Add(mapping, factor.key.name, ValuesNode(factor, files));
+  return mapping;
+}
+
+YamlNode ArmsNode(const Campaign& campaign, const std::vector<std::string>& files) {
+  YamlNode arms = Mapping();
+  for (const Arm& arm : campaign.arms) {
+    YamlNode sets = Mapping();
+    for (const KeyValue& set : arm.sets) {
+      YamlNode value = set.value;
+      MakeAbsolute(value, set.key.name, files);
+      Add(sets, set.key.name, std::move(value));
+    }
+    Add(arms, arm.name, std::move(sets));
+  }
+  return arms;
+}
+
+/// As in the file, but for files among a discrete distribution's values.
+YamlNode DrawNode(const Campaign& campaign, const std::vector<std::string>& files) {
+  YamlNode draw = Mapping();
+  for (const Dispersion& dispersion : campaign.dispersions) {
+    YamlNode node = *campaign.tree.Find("draw")->Find(dispersion.key.name);
+    if (dispersion.discrete()) {
+      *FindPath(node, "discrete.values") = ValuesNode(dispersion.values, files);
+    }
+    Add(draw, dispersion.key.name, std::move(node));
+  }
+  return draw;
+}
+
+std::string RowsText(const Campaign& campaign, const std::vector<std::string>& files) {
+  std::string text = "runs:\n";
+  for (const RunTable::Row& row : campaign.table.rows) {
+    YamlNode mapping = Mapping();
+    Add(mapping, "run", ScalarNode(std::to_string(row.run), false));
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const std::string& key = campaign.table.columns[i].name;
+      YamlNode cell = row.cells[i];
+      bool named = false;
+      for (const Factor& factor : campaign.named) named = named || factor.key.name == key;
+      if (!named) MakeAbsolute(cell, key, files);
+      Add(mapping, key, std::move(cell));
+    }
+    text += "  - " + FlowText(mapping) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string ResolvedYaml(const Campaign& campaign, const std::vector<KnownSystem>& systems) {
+  const std::vector<std::string> files = FileKeys(systems);
+  YamlNode base = campaign.base;
+  MakeAbsolute(base, "", files);
+  RemovePath(base, "name");
+  RemovePath(base, "seed");
+  // What each run replaces goes; a mapping stays, as a run's keys go on top of it.
+  for (const YamlNode::Key& key : KeysOfRuns(campaign)) {
+    const YamlNode* value = FindPath(base, key.name);
+    if (value != nullptr && value->kind != Kind::kMapping) RemovePath(base, key.name);
+  }
+  std::string text = "campaign: " + FlowText(ScalarNode(campaign.name, true)) + "\n";
+  text += "seed: " + std::to_string(campaign.seed) + "\n";
+  text += "scenario:\n" + BlockText(base, 2);
+  const auto add = [&](const char* key, const YamlNode& mapping) {
+    if (!mapping.keys.empty()) text += std::string(key) + ":\n" + BlockText(mapping, 2);
+  };
+  add("arms", ArmsNode(campaign, files));
+  std::vector<Factor> vary = campaign.grid;
+  vary.insert(vary.end(), campaign.named.begin(), campaign.named.end());
+  add("vary", FactorsNode(vary, files));
+  add("one_at_a_time", FactorsNode(campaign.one_at_a_time, files));
+  add("draw", DrawNode(campaign, files));
+  for (const char* key : {"correlate", "design", "tags", "keep", "figures"}) {
+    const YamlNode* node = campaign.tree.Find(key);
+    if (node != nullptr && (campaign.correlation || std::string(key) != "correlate")) {
+      text += std::string(key) + ": " + FlowText(*node) + "\n";
+    }
+  }
+  if (!campaign.table.rows.empty()) text += RowsText(campaign, files);
+  return text;
+}
+
+}  // namespace dockyard

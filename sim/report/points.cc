@@ -1,0 +1,195 @@
+#include "sim/report/points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "controller/base/check.h"
+#include "sim/base/text.h"
+#include "sim/report/rate_text.h"
+#include "sim/statistics/intervals.h"
+
+namespace dockyard {
+namespace {
+
+constexpr const char* kDocked = "docked";
+
+using Cells = std::vector<std::string>;
+
+double Quantile(const std::vector<double>& sorted, double share) {
+  const double at = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+void Append(Cells& cells, const Cells& more) {
+  cells.insert(cells.end(), more.begin(), more.end());
+}
+
+/// By SummedColumns; NaN for what a row does not have.
+double ValueOf(const RunResult& row, std::size_t column) {
+  if (column == 0) return row.docked ? 1.0 : 0.0;
+  if (row.measures.empty()) return std::nan("");
+  return column == 1 ? row.sim_time_s : row.measures[column - 2];
+}
+
+std::string MarkdownLine(const Cells& cells) {
+  std::string line = "|";
+  for (const std::string& cell : cells) line += " " + cell + " |";
+  return line + "\n";
+}
+
+struct Point {
+  Cells settings;
+  Rows rows;
+};
+
+/// Rows with equal settings together, in the order in which the settings first appear.
+std::vector<Point> ByPoint(const std::vector<std::string>& settings, const RowColumns& columns,
+                           const std::vector<RunResult>& rows) {
+  std::vector<Point> points;
+  std::map<Cells, std::size_t> places;
+  for (const RunResult& row : rows) {
+    Cells cells;
+    for (const std::string& label : settings) cells.push_back(LabelOf(row, columns, label));
+    const auto [place, fresh] = places.emplace(cells, points.size());
+    if (fresh) points.push_back({cells, {}});
+    points[place->second].rows.push_back(&row);
+  }
+  return points;
+}
+
+int DockedOf(const Rows& rows) {
+  return static_cast<int>(
+      std::count_if(rows.begin(), rows.end(), [](const RunResult* row) { return row->docked; }));
+}
+
+}  // namespace
+
+std::vector<Column> SummedColumns(const RowColumns& columns) {
+  std::vector<Column> made{{kDocked, "", "whether the outcome is a success", true},
+                           {"sim_time_s", "s", "from the start to the end of the run"}};
+  made.insert(made.end(), columns.measures.begin(), columns.measures.end());
+  return made;
+}
+
+const std::string& LabelOf(const RunResult& row, const RowColumns& columns,
+                           const std::string& name) {
+  const auto at = std::find(columns.labels.begin(), columns.labels.end(), name);
+  if (at != columns.labels.end()) {
+    return row.labels[static_cast<std::size_t>(at - columns.labels.begin())];
+  }
+  DOCKYARD_CHECK(name == "controller");
+  return row.controller;
+}
+
+Rows UnchangedRows(const std::vector<RunResult>& rows, const RowColumns& columns) {
+  const bool told =
+      std::find(columns.labels.begin(), columns.labels.end(), "changed") != columns.labels.end();
+  Rows unchanged;
+  for (const RunResult& row : rows) {
+    if (!told || LabelOf(row, columns, "changed").empty()) unchanged.push_back(&row);
+  }
+  return unchanged;
+}
+
+std::vector<std::string> LevelsOf(const Rows& rows, const RowColumns& columns,
+                                  const std::string& label) {
+  std::vector<std::string> levels;
+  std::set<std::string> known;
+  for (const RunResult* row : rows) {
+    const std::string& text = LabelOf(*row, columns, label);
+    if (known.insert(text).second) levels.push_back(text);
+  }
+  return levels;
+}
+
+Spread SpreadOf(const RowColumns& columns, const std::string& measure, const Rows& rows) {
+  const std::vector<Column> summed = SummedColumns(columns);
+  const auto found = std::find_if(summed.begin(), summed.end(),
+                                  [&](const Column& each) { return each.name == measure; });
+  DOCKYARD_CHECK(found != summed.end());
+  std::vector<double> values;
+  for (const RunResult* row : rows) {
+    const double value = ValueOf(*row, static_cast<std::size_t>(found - summed.begin()));
+    if (!std::isnan(value)) values.push_back(value);
+  }
+  Spread spread;
+  spread.count = static_cast<int>(values.size());
+  if (values.empty()) return spread;
+  std::sort(values.begin(), values.end());
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  spread.mean = sum / static_cast<double>(values.size());
+  spread.median = Quantile(values, 0.5);
+  spread.low = Quantile(values, 0.1);
+  spread.high = Quantile(values, 0.9);
+  if (measure == kDocked) {
+    const Interval interval = ClopperPearson(static_cast<int>(std::lround(sum)), spread.count);
+    spread.median = spread.mean;
+    spread.low = interval.low;
+    spread.high = interval.high;
+  }
+  return spread;
+}
+
+std::string PointsCsv(const std::vector<std::string>& settings, const RowColumns& columns,
+                      const std::vector<RunResult>& rows) {
+  const std::vector<Column> summed = SummedColumns(columns);
+  Cells header = settings;
+  Append(header, {"runs", kDocked, "docked_low", "docked_high"});
+  for (const Column& column : summed) {
+    if (column.name == kDocked) continue;
+    Append(header, {column.name + "_mean", column.name + "_p10", column.name + "_p90"});
+  }
+  std::string text = CsvLine(header) + "\n";
+  for (const Point& point : ByPoint(settings, columns, rows)) {
+    Cells cells = point.settings;
+    const Spread share = SpreadOf(columns, kDocked, point.rows);
+    Append(cells, {std::to_string(share.count), NumberText(share.mean), NumberText(share.low),
+                   NumberText(share.high)});
+    for (const Column& column : summed) {
+      if (column.name == kDocked) continue;
+      const Spread spread = SpreadOf(columns, column.name, point.rows);
+      if (spread.count == 0) {
+        Append(cells, {"", "", ""});
+      } else {
+        Append(cells, {NumberText(spread.mean), NumberText(spread.low), NumberText(spread.high)});
+      }
+    }
+    text += CsvLine(cells) + "\n";
+  }
+  return text;
+}
+
+std::string PointsTable(const std::vector<std::string>& settings,
+                        const std::vector<std::string>& measures, const RowColumns& columns,
+                        const std::vector<RunResult>& rows) {
+  Cells header = settings;
+  header.push_back(kDocked);
+  for (const std::string& name : measures) {
+    if (name != kDocked) header.push_back(name + " (10-90 %)");
+  }
+  std::string text = MarkdownLine(header), rule = text;
+  std::replace_if(
+      rule.begin(), rule.end(), [](char c) { return c != '|' && c != '\n'; }, '-');
+  text += rule;
+  for (const Point& point : ByPoint(settings, columns, rows)) {
+    Cells cells = point.settings;
+    cells.push_back(RateText(DockedOf(point.rows), static_cast<int>(point.rows.size())));
+    for (const std::string& name : measures) {
+      if (name == kDocked) continue;
+      const Spread spread = SpreadOf(columns, name, point.rows);
+      cells.push_back(spread.count == 0
+                          ? ""
+                          : BriefNumber(spread.median) + " (" + BriefNumber(spread.low) + " to " +
+                                BriefNumber(spread.high) + ")");
+    }
+    text += MarkdownLine(cells);
+  }
+  return text;
+}
+
+}  // namespace dockyard
