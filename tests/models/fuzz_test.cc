@@ -106,7 +106,7 @@ TEST(MutatedFiles, SoilYamlIsReadOrRefused) {
 }
 TEST(MutatedFiles, UrdfIsReadOrRefused) { Fuzz("axel", "models/axel/axel.urdf", 4, 300, Check); }
 TEST(MutatedFiles, ObjIsReadOrRefused) {
-  Fuzz("axel", "models/axel/meshes/paddles.obj", 5, 300, Check);
+  Fuzz("axel", "models/axel/meshes/paddles.obj", 5, 150, Check);
 }
 
 TEST(MutatedFiles, ScenariosAndTablesAreReadOrRefused) {
@@ -163,10 +163,10 @@ TEST(MutatedFiles, StlInBytesIsReadOrRefused) {
 TEST(MutatedFiles, ColladaIsReadOrRefused) { FuzzMesh("a.dae", TriangleCollada(), 8, 400); }
 
 TEST(MutatedFiles, GltfInTextAndBytesIsReadOrRefused) {
-  FuzzMesh("a.gltf", TriangleGltf("a.bin"), 9, 300);
-  FuzzMesh("a.glb", Glb(TriangleGltf(), TriangleBytes()), 10, 300);
+  FuzzMesh("a.gltf", TriangleGltf("a.bin"), 9, 200);
+  FuzzMesh("a.glb", Glb(TriangleGltf(), TriangleBytes()), 10, 200);
   // With lengths that fit, so that more than the header is tried.
-  FuzzMesh("a.glb", TriangleGltf(), 11, 300,
+  FuzzMesh("a.glb", TriangleGltf(), 11, 200,
            [](const std::string& json) { return Glb(json, TriangleBytes()); });
 }
 
