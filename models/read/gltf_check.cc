@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "models/read/gltf_layout.h"
 #include "models/read/mesh_loader.h"
 
 namespace dockyard {
@@ -14,6 +15,7 @@ namespace {
 constexpr std::size_t kMaxNesting = 64;
 constexpr long kMaxBytes = static_cast<long>(kMaxMeshBytes);
 constexpr long kMaxCount = 3 * static_cast<long>(kMaxMeshTriangles);
+constexpr long kMaxMode = 6;          // triangle fans
 constexpr long kMaxValues = 2000000;  // of the JSON text; geometry is in buffers
 constexpr long kMaxElements =
     16000000;  // three vertices a triangle, with eight attributes, and more
@@ -24,19 +26,21 @@ class GltfWalk {
  public:
   explicit GltfWalk(std::string_view json) : json_(json) {}
 
-  std::string Run() {
+  GltfFindings Run(std::size_t own_bytes) {
     for (std::size_t at = 0; at < json_.size() && objection_.empty();) at = Step(at);
     if (objection_.empty() && !has_version_) objection_ = "no glTF document of version 2";
     if (objection_.empty()) CheckElements();
     if (objection_.empty()) CheckNodes();
-    return objection_;
+    if (objection_.empty()) objection_ = LayoutObjection(layout_, own_bytes);
+    return {objection_, objection_.empty() ? TrianglesOf(layout_) : 0};
   }
 
  private:
   struct Level {
     bool object = false, expects_key = false;
-    long item = 0;            // of an array
-    std::string path, inner;  // of the value itself; of what stands in it
+    long item = 0;                            // of an array
+    std::string path, inner;                  // of the value itself; of what stands in it
+    std::set<std::string, std::less<>> keys;  // of an object
   };
 
   std::size_t Step(std::size_t at) {
@@ -72,13 +76,18 @@ class GltfWalk {
   /// The place in the array that a key of the document holds, such as "nodes".
   long Item() const { return levels_.size() > 1 ? levels_[1].item : 0; }
 
+  /// The primitive that the walk is in: document, list of meshes, mesh, list of primitives.
+  GltfLayout::Primitive& Primitive() {
+    return layout_.primitives[{Item(), levels_.size() > 3 ? levels_[3].item : 0}];
+  }
+
   void Open(bool object) {
     if (levels_.size() >= kMaxNesting) {
       Fail("nested deeper than 64 levels");
       return;
     }
     const std::string path = Path();
-    levels_.push_back({object, object, 0, path, path});
+    levels_.push_back({object, object, 0, path, path, {}});
     if (path == "scenes" && object) of_scene_.clear();
   }
 
@@ -94,11 +103,36 @@ class GltfWalk {
     if (!levels_.empty() && levels_.back().expects_key) {
       if (escaped) return Fail("a key with a backslash");
       Key(text);
-    } else if (Path() == "asset/version") {
-      has_version_ = text.substr(0, 2) == "2.";
-      if (!has_version_) return Fail("no glTF document of version 2");
+    } else {
+      Word(text);
     }
     return objection_.empty() ? end + 1 : json_.size();
+  }
+
+  /// A value that is a string.
+  void Word(std::string_view text) {
+    const std::string& path = Path();
+    if (path == "asset/version") {
+      has_version_ = text.substr(0, 2) == "2.";
+      if (!has_version_) Fail("no glTF document of version 2");
+    } else if (path == "accessors/type") {
+      layout_.accessors[Item()].type = std::string(text.substr(0, 100));
+    } else if (path == "buffers/uri") {
+      layout_.buffers[Item()].elsewhere = true;
+      if (!IsBeside(text)) {
+        Fail("buffers/uri: expected the name of a .bin file in the mesh's own folder, found '" +
+             std::string(text.substr(0, 40)) + "'");
+      }
+    }
+  }
+
+  /// Whether an address is data, or a plain name with nothing to resolve: given a path, assimp
+  /// takes the file of that name beside the mesh, which is another one.
+  static bool IsBeside(std::string_view uri) {
+    if (uri.substr(0, 5) == "data:") return true;
+    const std::string_view ending = ".bin";
+    return uri.size() > ending.size() && uri.substr(uri.size() - ending.size()) == ending &&
+           uri.find_first_of("/\\:%") == std::string_view::npos;
   }
 
   void Key(std::string_view key) {
@@ -108,8 +142,9 @@ class GltfWalk {
     level.expects_key = false;
     level.inner = level.path + (level.path.empty() ? "" : "/") + std::string(key.substr(0, 100));
     if (not_read.count(key) > 0) Fail("\"" + std::string(key) + "\", which is not read");
-    const bool first = levels_.size() > 1 || top_keys_.insert(std::string(key)).second;
-    if (!first) Fail("\"" + std::string(key.substr(0, 40)) + "\" given twice");
+    // Of two the importer takes the first, and this walk the last.
+    if (!level.keys.insert(std::string(key)).second)
+      Fail("\"" + std::string(key.substr(0, 40)) + "\" given twice");
   }
 
   std::size_t Number(std::size_t at) {
@@ -121,27 +156,45 @@ class GltfWalk {
 
   void Take(const std::string& path, std::string_view text) {
     const auto starts = [&](std::string_view with) { return path.rfind(with, 0) == 0; };
-    if (path == "accessors/count") {
-      accessor_counts_[Item()] = Bounded(path, text, kMaxCount);
+    if (starts("accessors/")) {
+      TakeAccessor(path, text);
+    } else if (starts("bufferViews/")) {
+      TakeView(path, text);
     } else if (path == "buffers/byteLength") {
-      buffer_bytes_ += Bounded(path, text, kMaxBytes);
+      layout_.buffers[Item()].bytes = Bounded(path, text, kMaxBytes);
+      buffer_bytes_ += layout_.buffers[Item()].bytes;
       if (buffer_bytes_ > 2 * kMaxBytes) Fail("more than 64 MiB of buffers");
-    } else if (path == "bufferViews/byteLength") {
-      view_bytes_[Item()] = Bounded(path, text, kMaxBytes);
-    } else if (path == "bufferViews/byteOffset" || path == "bufferViews/byteStride" ||
-               path == "accessors/byteOffset") {
-      Bounded(path, text, kMaxBytes);
+    } else if (path == "meshes/primitives/mode") {
+      Primitive().mode = Bounded(path, text, kMaxMode);
     } else if (path == "images/bufferView") {
       image_views_.push_back(Bounded(path, text, kMaxBytes));
     } else if (starts("meshes/primitives/attributes/") || path == "meshes/primitives/indices" ||
                starts("animations/samplers/")) {
       named_accessors_.push_back(Bounded(path, text, kMaxBytes));
+      const long accessor = named_accessors_.back();
+      if (path == "meshes/primitives/indices") Primitive().indices = accessor;
+      if (path == "meshes/primitives/attributes/POSITION") Primitive().positions = accessor;
     } else if (path == "nodes/children") {
       const long child = Bounded(path, text, kMaxBytes);
       if (!parents_.emplace(child, Item()).second) Fail("a node with two parents");
     } else if (path == "scenes/nodes") {
       if (!of_scene_.insert(Bounded(path, text, kMaxBytes)).second) Fail("a node given twice");
     }
+  }
+
+  void TakeAccessor(const std::string& path, std::string_view text) {
+    GltfLayout::Accessor& accessor = layout_.accessors[Item()];
+    if (path == "accessors/count") accessor.count = Bounded(path, text, kMaxCount);
+    if (path == "accessors/bufferView") accessor.view = Bounded(path, text, kMaxBytes);
+    if (path == "accessors/byteOffset") accessor.offset = Bounded(path, text, kMaxBytes);
+    if (path == "accessors/componentType") accessor.component = Bounded(path, text, kMaxBytes);
+  }
+  void TakeView(const std::string& path, std::string_view text) {
+    GltfLayout::View& view = layout_.views[Item()];
+    if (path == "bufferViews/buffer") view.buffer = Bounded(path, text, kMaxBytes);
+    if (path == "bufferViews/byteLength") view.bytes = Bounded(path, text, kMaxBytes);
+    if (path == "bufferViews/byteOffset") view.offset = Bounded(path, text, kMaxBytes);
+    if (path == "bufferViews/byteStride") view.stride = Bounded(path, text, kMaxBytes);
   }
 
   /// The number, or 0 and an objection when it is not a whole one from 0 to `most`.
@@ -158,8 +211,14 @@ class GltfWalk {
   /// Each naming of an accessor or of an image's bytes makes a copy of them.
   void CheckElements() {
     long elements = 0, image_bytes = 0;
-    for (const long accessor : named_accessors_) elements += accessor_counts_[accessor];
-    for (const long view : image_views_) image_bytes += view_bytes_[view];
+    for (const long accessor : named_accessors_) {
+      const auto named = layout_.accessors.find(accessor);
+      elements += named == layout_.accessors.end() ? 0 : named->second.count;
+    }
+    for (const long view : image_views_) {
+      const auto named = layout_.views.find(view);
+      image_bytes += named == layout_.views.end() ? 0 : named->second.bytes;
+    }
     if (elements > kMaxElements) Fail("more than 16 million elements over all accessors named");
     if (image_bytes > kMaxBytes) Fail("more than 32 MiB of images");
   }
@@ -180,9 +239,9 @@ class GltfWalk {
   std::string_view json_;
   std::string objection_;
   std::vector<Level> levels_;
-  std::set<std::string> top_keys_;
   bool has_version_ = false;
-  std::map<long, long> accessor_counts_, view_bytes_, parents_;
+  GltfLayout layout_;
+  std::map<long, long> parents_;
   std::vector<long> named_accessors_, image_views_;
   std::set<long> of_scene_;
   long buffer_bytes_ = 0, values_ = 0;
@@ -190,6 +249,8 @@ class GltfWalk {
 
 }  // namespace
 
-std::string GltfObjection(std::string_view json) { return GltfWalk(json).Run(); }
+GltfFindings CheckGltf(std::string_view json, std::size_t own_bytes) {
+  return GltfWalk(json).Run(own_bytes);
+}
 
 }  // namespace dockyard

@@ -9,6 +9,7 @@
 #include "models/read/gltf_check.h"
 #include "models/read/mesh_loader.h"
 #include "models/read/text_file.h"
+#include "models/read/text_mesh_check.h"
 
 namespace dockyard {
 namespace {
@@ -49,26 +50,36 @@ std::string_view SkipSpace(std::string_view text) {
 
 constexpr char kNoGlb[] = "no binary glTF 2.0 file of the length that its header states";
 
-/// The JSON chunk of a GLB file (Khronos, glTF 2.0, 4.4): a header of 12 bytes, then chunks, each
-/// with its length and type before it; JSON first. Nothing when the lengths do not add up.
-std::optional<std::string_view> JsonOfGlb(std::string_view bytes) {
+struct GlbChunks {
+  std::string_view json;
+  std::size_t own_bytes = 0;  // of the buffer in the file
+};
+
+/// The chunks of a GLB file (Khronos, glTF 2.0, 4.4): a header of 12 bytes, then chunks, each with
+/// its length and type before it; JSON first, then the buffer. Nothing when the lengths do not add
+/// up.
+std::optional<GlbChunks> ChunksOf(std::string_view bytes) {
   constexpr std::size_t kHeader = 12, kChunkHeader = 8;
   if (bytes.size() < kHeader + kChunkHeader || bytes.substr(0, 4) != "glTF" ||
       LittleEndian32(bytes, 4) != 2 || LittleEndian32(bytes, 8) != bytes.size()) {
     return std::nullopt;
   }
-  std::optional<std::string_view> json;
+  std::optional<GlbChunks> chunks;
+  std::size_t json_end = 0;
   for (std::size_t at = kHeader; at < bytes.size();) {
     if (bytes.size() - at < kChunkHeader) return std::nullopt;
     const std::size_t length = LittleEndian32(bytes, at);
     if (length % 4 != 0 || length > bytes.size() - at - kChunkHeader) return std::nullopt;
-    if (!json) {
+    if (!chunks) {
       if (bytes.substr(at + 4, 4) != "JSON") return std::nullopt;
-      json = bytes.substr(at + kChunkHeader, length);
+      chunks = GlbChunks{bytes.substr(at + kChunkHeader, length), 0};
+      json_end = at + kChunkHeader + length;
+    } else if (at == json_end && bytes.substr(at + 4, 3) == "BIN") {
+      chunks->own_bytes = length;
     }
     at += kChunkHeader + length;
   }
-  return json;
+  return chunks;
 }
 
 /// Lines of an OBJ text that open an object, group or material: assimp compares each with all.
@@ -84,6 +95,7 @@ std::size_t CountObjParts(std::string_view text) {
   return parts;
 }
 
+/// Of the formats that are not glTF.
 std::string Objection(MeshFormat format, std::string_view bytes) {
   const std::string_view text = SkipSpace(bytes);
   switch (format) {
@@ -106,23 +118,29 @@ std::string Objection(MeshFormat format, std::string_view bytes) {
       if (text.find("<!DOCTYPE") != std::string_view::npos) return "a document with a DOCTYPE";
       return {};
     case MeshFormat::kGltf:
-      if (text.substr(0, 1) != "{" || text.find("\"asset\"") == std::string_view::npos) {
-        return "no glTF document";
-      }
-      return GltfObjection(text);
-    case MeshFormat::kGlb: {
-      const std::optional<std::string_view> json = JsonOfGlb(bytes);
-      return json ? GltfObjection(*json) : kNoGlb;
-    }
+    case MeshFormat::kGlb:
+      break;
   }
   return "of no known format";
+}
+
+GltfFindings FindingsOf(MeshFormat format, std::string_view bytes) {
+  if (format == MeshFormat::kGlb) {
+    const std::optional<GlbChunks> chunks = ChunksOf(bytes);
+    return chunks ? CheckGltf(chunks->json, chunks->own_bytes) : GltfFindings{kNoGlb, 0};
+  }
+  const std::string_view text = SkipSpace(bytes);
+  if (text.substr(0, 1) != "{" || text.find("\"asset\"") == std::string_view::npos) {
+    return {"no glTF document", 0};
+  }
+  return CheckGltf(text, 0);
 }
 
 }  // namespace
 
 bool IsMeshFile(const std::filesystem::path& file) { return FormatByExtension(file).has_value(); }
 
-MeshFormat CheckedMeshFormat(const std::filesystem::path& file, std::string_view bytes) {
+MeshStatement CheckMeshFormat(const std::filesystem::path& file, std::string_view bytes) {
   const std::optional<MeshFormat> format = FormatByExtension(file);
   if (!format) {
     throw ConfigError(
@@ -133,11 +151,15 @@ MeshFormat CheckedMeshFormat(const std::filesystem::path& file, std::string_view
   const bool text = *format == MeshFormat::kObj || *format == MeshFormat::kDae ||
                     *format == MeshFormat::kGltf ||
                     (*format == MeshFormat::kStl && !IsBinaryStl(bytes));
-  const std::string objection = Objection(*format, bytes);
+  const bool gltf = *format == MeshFormat::kGltf || *format == MeshFormat::kGlb;
+  const GltfFindings findings = gltf ? FindingsOf(*format, bytes) : GltfFindings{};
+  const std::string objection = gltf ? findings.objection : Objection(*format, bytes);
   if (!objection.empty()) throw ConfigError(file.string() + ": not a usable mesh: " + objection);
   if (text) CheckIsText(bytes, file.string());
-  if (*format == MeshFormat::kGlb) CheckIsText(*JsonOfGlb(bytes), file.string());
-  return *format;
+  if (*format == MeshFormat::kObj) CheckObjText(bytes, file.string());
+  if (*format == MeshFormat::kStl && text) CheckStlText(bytes, file.string());
+  if (*format == MeshFormat::kGlb) CheckIsText(ChunksOf(bytes)->json, file.string());
+  return {*format, gltf ? findings.triangles : -1};
 }
 
 }  // namespace dockyard

@@ -9,7 +9,12 @@ namespace dockyard {
 
 enum class MeshFormat { kStl, kObj, kDae, kGltf, kGlb };
 
+struct MeshStatement {
+  MeshFormat format;
+  long triangles = -1;  // as a glTF document states them; -1: not known
+};
+
 /// The format by extension, confirmed by the file's own bytes; throws ConfigError, naming the file.
-MeshFormat CheckedMeshFormat(const std::filesystem::path& file, std::string_view bytes);
+MeshStatement CheckMeshFormat(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace dockyard

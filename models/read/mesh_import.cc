@@ -101,6 +101,16 @@ void KeepAllowedFormats(Assimp::Importer& importer) {
   }
 }
 
+long CountTriangles(const aiScene& scene) {
+  long count = 0;
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    const aiMesh& part = *scene.mMeshes[i];
+    count += std::count_if(part.mFaces, part.mFaces + part.mNumFaces,
+                           [](const aiFace& face) { return face.mNumIndices == 3; });
+  }
+  return count;
+}
+
 class Collector {
  public:
   Collector(const aiScene& scene, std::string file) : scene_(scene), file_(std::move(file)) {}
@@ -164,7 +174,7 @@ class Collector {
 
 }  // namespace
 
-TriangleMesh ImportMesh(const fs::path& file, std::string bytes) {
+TriangleMesh ImportMesh(const fs::path& file, std::string bytes, long triangles) {
   try {
     Assimp::Importer importer;
     KeepAllowedFormats(importer);
@@ -178,6 +188,12 @@ TriangleMesh ImportMesh(const fs::path& file, std::string bytes) {
       std::replace(reason.begin(), reason.end(), '\n', ' ');
       throw ConfigError(file.string() + ": not a usable mesh: " +
                         (reason.empty() ? "it cannot be read" : reason.substr(0, 200)));
+    }
+    const long found = CountTriangles(*scene);
+    if (triangles >= 0 && found != triangles) {
+      throw ConfigError(file.string() + ": not a usable mesh: expected " +
+                        std::to_string(triangles) + " triangles with indices in range, found " +
+                        std::to_string(found));
     }
     // First as it is: the step that joins vertices drops those that are not numbers.
     Collector(*scene, file.string()).Take();

@@ -10,9 +10,11 @@
 
 namespace dockyard {
 
-/// The triangles of a file that CheckedMeshFormat and CheckedCollada have let pass.
-/// @param bytes  what the importer sees as the file
+/// The triangles of a file that CheckMeshFormat and CheckedCollada have let pass.
+/// @param bytes      what the importer sees as the file
+/// @param triangles  that the importer must find, -1: any number; it drops those whose index is out
+///                   of range
 /// Throws ConfigError as LoadMesh does.
-TriangleMesh ImportMesh(const std::filesystem::path& file, std::string bytes);
+TriangleMesh ImportMesh(const std::filesystem::path& file, std::string bytes, long triangles);
 
 }  // namespace dockyard

@@ -43,17 +43,18 @@ class MeshMemory {
 }  // namespace
 
 SharedMesh LoadMesh(const std::filesystem::path& file) {
-  if (!IsMeshFile(file)) CheckedMeshFormat(file, {});  // throws before the file is touched
+  if (!IsMeshFile(file)) CheckMeshFormat(file, {});  // throws before the file is touched
   std::string bytes = ReadBytes(file, kMaxMeshBytes);
-  const MeshFormat format = CheckedMeshFormat(file, bytes);
+  const MeshStatement stated = CheckMeshFormat(file, bytes);
+  const MeshFormat format = stated.format;
   if (format == MeshFormat::kDae) bytes = CheckedCollada(bytes, file.string());
   static MeshMemory memory;
   const bool whole = format != MeshFormat::kGltf && format != MeshFormat::kGlb;
   const std::string key = std::to_string(static_cast<int>(format)) + bytes;
   SharedMesh mesh = whole ? memory.Find(key) : nullptr;
   if (mesh) return mesh;
-  mesh = std::make_shared<const TriangleMesh>(
-      MeshFromChild(file.string(), kImportLimits, [&] { return ImportMesh(file, bytes); }));
+  mesh = std::make_shared<const TriangleMesh>(MeshFromChild(
+      file.string(), kImportLimits, [&] { return ImportMesh(file, bytes, stated.triangles); }));
   if (whole) memory.Keep(key, mesh);
   return mesh;
 }

@@ -142,6 +142,43 @@ TEST(ObjBounds, PartsAreSoManyThatComparingAllTakesNoTime) {
   }
 }
 
+TEST(ObjBounds, CornersHoldNumbers) {
+  const auto changed = [](const std::string& to) {
+    return MessageFor("a.obj", "v 0 0 0\n" + to + "\nv 0 1 0\nf 1 2 3\n");
+  };
+  for (const char* good : {"v 1 0 0", "v  1.0e+00 -0 0.5", "v 1 0 0 1", "v 1 0 0 0.5 0.5 0.5",
+                           "v 1 0 0 # corner", "vn 1 0 0\nv 1 0 0"}) {
+    EXPECT_EQ(changed(good), "(no error)") << good;
+  }
+  EXPECT_EQ(changed("v 1x 0 0"),
+            "a.obj:2:1: not a usable mesh: expected 'v' and numbers, found 'v 1x 0 0'");
+  for (const char* bad : {"v 1,5 0 0", "v a b c", "v 1 0", "v 1 0 0 1 1", "v 0x10 0 0"}) {
+    EXPECT_THAT(changed(bad), HasSubstr("a.obj:2:1: not a usable mesh: expected 'v' and")) << bad;
+  }
+}
+
+TEST(StlBounds, TextIsWholeFacetsToItsEnd) {
+  const std::string facet =
+      "facet normal nan 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+      "endfacet\n";
+  const std::string whole = "solid a b\n" + facet + facet + "endsolid a b\n";
+  EXPECT_EQ(MessageFor("a.stl", whole), "(no error)");
+  EXPECT_EQ(MessageFor("a.stl", whole + whole), "(no error)");
+  // Cut after a facet it was read as a mesh.
+  EXPECT_EQ(MessageFor("a.stl", "solid a b\n" + facet),
+            "a.stl:9:1: not a usable mesh: expected 'facet' or 'endsolid', found ''");
+  for (std::size_t length = 40; length < whole.size() - 13; ++length) {
+    EXPECT_THAT(MessageFor("a.stl", whole.substr(0, length)), HasSubstr("not a usable mesh"))
+        << length;
+  }
+  for (const char* bad : {"vertex 1 0", "vertex 1,5 0 0", "vertex 1x 0 0", "vertex a b c",
+                          "vertex 1 0 0\nvertex 5 5 5", "rubbish 1 0 0"}) {
+    EXPECT_THAT(MessageFor("a.stl", Replaced(whole, "vertex 1 0 0", bad)),
+                HasSubstr(": not a usable mesh: expected "))
+        << bad;
+  }
+}
+
 /// The messages for the triangle as .gltf and as .glb, which must be the same reason.
 std::string ChangedGltf(const std::string& from, const std::string& to) {
   const std::string json = Replaced(TriangleGltf(), from, to);
@@ -151,6 +188,14 @@ std::string ChangedGltf(const std::string& from, const std::string& to) {
   EXPECT_EQ(text.substr(0, prefix.size()), prefix) << text;
   EXPECT_EQ("a.glb" + text.substr(6), binary);
   return text.substr(std::min(prefix.size(), text.size()));
+}
+
+/// The reason against the triangle as .glb with one place changed.
+std::string ChangedBinary(const std::string& from, const std::string& to) {
+  const std::string message =
+      MessageFor("a.glb", Glb(Replaced(TriangleGltf(), from, to), TriangleBytes()));
+  const std::string prefix = "a.glb: not a usable mesh: ";
+  return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : message;
 }
 
 TEST(GltfBounds, NestingIsCountedOutsideStringsAlsoInGlb) {
@@ -192,6 +237,77 @@ TEST(GltfBounds, WhatIsNotReadIsRefused) {
   EXPECT_EQ(ChangedGltf("\"count\":3", "\"sparse\":{},\"count\":3"),
             "\"sparse\", which is not read");
   EXPECT_EQ(ChangedGltf("\"2.0\"", "\"1.0\""), "no glTF document of version 2");
+}
+
+TEST(GltfBounds, BuffersLieBesideTheMesh) {
+  // Given a path or an address, assimp takes the file of the same name beside the mesh.
+  const ScratchFolder folder;
+  folder.Write("in/a.bin", TriangleBytes());
+  folder.Write("a.bin", TriangleBytes());
+  const auto message = [&](const std::string& uri) {
+    const std::string file = folder.Write("in/a.gltf", TriangleGltf(uri));
+    return MessageOf([&] { LoadMesh(file); }, folder);
+  };
+  EXPECT_EQ(message("a.bin"), "(no error)");
+  EXPECT_EQ(
+      message("data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD"
+              "8AAAAA"),
+      "(no error)");
+  EXPECT_EQ(message("../a.bin"),
+            "in/a.gltf: not a usable mesh: buffers/uri: expected the name of a .bin file in the "
+            "mesh's own folder, found '../a.bin'");
+  for (const std::string& uri :
+       {(folder.path() / "a.bin").string(), std::string("file:///a.bin"),
+        std::string("http://localhost/a.bin"), std::string("..\\u002fa.bin"),
+        std::string("%2e%2e/a.bin"), std::string("x/../a.bin"), std::string("a.txt"),
+        std::string(".bin"), std::string("a.bin\\u0000")}) {
+    EXPECT_THAT(message(uri), HasSubstr("the name of a .bin file in the mesh's own folder")) << uri;
+  }
+}
+
+TEST(GltfBounds, ViewsAndAccessorsStayWithinTheirBytes) {
+  const char* within = "accessors[0]: expected all within the view's 36 bytes";
+  EXPECT_EQ(ChangedBinary("\"bufferView\":0,", "\"bufferView\":0,\"byteOffset\":24,"), within);
+  EXPECT_EQ(ChangedBinary("\"count\":3", "\"count\":4"), within);
+  EXPECT_EQ(ChangedBinary("{\"buffer\":0,", "{\"buffer\":0,\"byteStride\":16,"), within);
+  EXPECT_THAT(ChangedBinary("{\"buffer\":0,", "{\"buffer\":0,\"byteStride\":4,"),
+              HasSubstr("bufferViews[0]: byteStride: expected 0 or at least 12"));
+  EXPECT_THAT(ChangedBinary("{\"buffer\":0,", "{\"buffer\":0,\"byteOffset\":4,"),
+              HasSubstr("bufferViews[0]: expected all within the buffer's 36 bytes"));
+  EXPECT_THAT(ChangedBinary("{\"buffer\":0,", "{\"buffer\":1,"),
+              HasSubstr("expected the place of a buffer"));
+  EXPECT_THAT(ChangedBinary("\"byteLength\":36}]}", "\"byteLength\":72}]}"),
+              HasSubstr("buffers[0]: byteLength: expected at most the 36 bytes"));
+  EXPECT_THAT(ChangedBinary("\"count\":3", "\"count\":3,\"count\":2"),
+              HasSubstr("\"count\" given twice"));
+}
+
+TEST(GltfBounds, PositionsAreThreeFloats) {
+  for (const char* type : {"SCALAR", "VEC2", "VEC4", "VEC9"}) {
+    EXPECT_THAT(ChangedBinary("VEC3", type), HasSubstr("expected a")) << type;
+  }
+  for (const char* component : {"5121", "5125", "77"}) {
+    EXPECT_THAT(ChangedBinary("5126", component), HasSubstr("expected a")) << component;
+  }
+  EXPECT_THAT(ChangedBinary("\"POSITION\":0", "\"POSITION\":1"), HasSubstr("POSITION: expected"));
+  EXPECT_THAT(ChangedBinary("\"count\":3", "\"count\":2"),
+              HasSubstr("expected three corners a triangle"));
+}
+
+TEST(GltfBounds, IndicesNameVerticesThatAreThere) {
+  // assimp leaves such triangles out.
+  std::string json = Replaced(TriangleGltf(), "\"POSITION\":0}", "\"POSITION\":0},\"indices\":1");
+  json = Replaced(json, "}],\"bufferViews\":[",
+                  "},{\"bufferView\":1,\"componentType\":5121,\"count\":6,\"type\":\"SCALAR\"}],"
+                  "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":"
+                  "36,\"byteLength\":6}],\"x\":[");
+  json = Replaced(json, "\"byteLength\":36}]}", "\"byteLength\":42}]}");
+  const auto message = [&](const std::string& indices) {
+    return MessageFor("a.glb", Glb(json, TriangleBytes() + indices));
+  };
+  EXPECT_EQ(message(std::string("\0\1\2\2\1\0", 6)), "(no error)");
+  EXPECT_EQ(message(std::string("\0\1\2\2\1\3", 6)),
+            "a.glb: not a usable mesh: expected 2 triangles with indices in range, found 1");
 }
 
 }  // namespace
