@@ -6,22 +6,44 @@
 #include <opencv2/imgproc.hpp>
 
 #include "models/read/config_error.h"
+#include "models/read/text_file.h"
 #include "sim/base/files.h"
+#include "sim/base/image_size.h"
 
 namespace dockyard {
+namespace {
+
+// 40 megapixels of noise have 6 bytes each in a PNG of 16 bits a channel.
+constexpr std::size_t kMaxImageBytes = std::size_t{256} << 20;
+
+void RefuseUnlessUsable(const std::string& file, const std::string& bytes) {
+  const std::optional<ImageSize> size = StatedImageSize(bytes);
+  if (!size) {
+    throw ConfigError(file +
+                      ": expected an image (PNG, JPEG, PGM, PPM, BMP, TIFF or WebP), found "
+                      "something else");
+  }
+  if (size->usable()) return;
+  throw ConfigError(file + ": expected an image of 1 to " +
+                    std::to_string(kMaxImagePixels / 1000000) + " million pixels, found " +
+                    std::to_string(size->width) + " x " + std::to_string(size->height));
+}
+
+}  // namespace
 
 GrayImage LoadGray(const std::string& file) {
-  const auto bytes = ReadWhole(file);
-  if (!bytes) throw ConfigError(file + ": expected an image, found no such file");
-  const std::vector<std::uint8_t> buffer(bytes->begin(), bytes->end());
+  const std::string bytes = ReadBytes(file, kMaxImageBytes);
+  RefuseUnlessUsable(file, bytes);
   cv::Mat decoded;
   try {
-    if (!buffer.empty()) decoded = cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
+    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
+                         const_cast<char*>(bytes.data()));  // only read
+    decoded = cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
   } catch (const cv::Exception&) {
-    throw ConfigError(file + ": expected an image of at most 2^30 pixels that can be read");
+    decoded.release();
   }
   if (decoded.empty()) {
-    throw ConfigError(file + ": expected an image (PNG, PGM, JPEG), found something else");
+    throw ConfigError(file + ": expected a whole image, found one that cannot be decoded");
   }
   GrayImage image{.width = decoded.cols, .height = decoded.rows, .pixels = {}};
   for (int y = 0; y < decoded.rows; ++y) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "controller/base/check.h"
+#include "sim/base/image_size.h"
 
 namespace dockyard {
 namespace {
@@ -52,6 +53,8 @@ std::string EncodePng(const std::array<DeepImage, 3>& rgb) {
 template <class Image>
 std::optional<Image> DecodePng(std::string_view bytes) {
   constexpr bool kRgb = std::is_same_v<Image, RgbImage>;
+  const std::optional<ImageSize> size = StatedImageSize(bytes);
+  if (!size || !size->usable()) return std::nullopt;
   cv::Mat decoded;
   try {
     const cv::Mat file(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
