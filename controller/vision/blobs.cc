@@ -31,7 +31,9 @@ constexpr int kDarkest = 10;  // [DN] light below which nothing is searched; 5 s
 
 /// Smallest blob considered on the finest level [px]: two thirds of a 7 px disc seen at 45 deg.
 constexpr double kMinAxis = 2.0;
-constexpr double kMaxAxis = 11.0;       // semi-axis; the closing fills no wider blobs
+constexpr double kMaxAxis = 11.0;  // semi-axis; the closing fills no wider blobs
+constexpr std::size_t kMostOutline = 8 * kWindow;
+constexpr int kReach = kMostOutline / 2 + 3;  // of a tile beyond itself: half an outline and a rim
 constexpr double kMinAxisRatio = 0.30;  // 65 deg oblique, and the lens's stretch at the border
 constexpr double kMaxHoleShare = 0.55;  // the bar covers 18 % of the disc; blur and threshold widen
 constexpr int kMaxHoles = 3;            // Euler number >= -2: noise may split the bar's image
@@ -85,7 +87,7 @@ bool HolesPass(const Contours& contours, const std::vector<cv::Vec4i>& links, in
 std::optional<Blob> Filter(const Contours& contours, const std::vector<cv::Vec4i>& links, int index,
                            const BlobLevel& level) {
   const std::vector<cv::Point>& outline = contours[static_cast<std::size_t>(index)];
-  if (outline.size() < 6 || outline.size() > 8 * kWindow) return std::nullopt;
+  if (outline.size() < 6 || outline.size() > kMostOutline) return std::nullopt;
   const cv::Moments m = cv::moments(outline);
   const std::optional<Ellipse> ellipse = MomentEllipse(m);
   if (!ellipse || !FitsInside(*ellipse, level.flat.size())) return std::nullopt;
@@ -102,6 +104,29 @@ std::optional<Blob> Filter(const Contours& contours, const std::vector<cv::Vec4i
   const int hole = links[static_cast<std::size_t>(index)][2];
   if (!HolesPass(contours, links, hole, *ellipse, m.m00)) return std::nullopt;
   return Blob{.moments = *ellipse};
+}
+
+struct FoundBlob {
+  cv::Point first;  // of its outline
+  Blob blob;
+};
+
+/// The blobs whose box begins in the tile. Its surroundings are as wide as the longest outline that
+/// passes, so every other outline that they cut fails the filters, or begins elsewhere.
+void FindInTile(const BlobLevel& level, const cv::Mat& black, const cv::Rect& tile,
+                std::vector<FoundBlob>& found) {
+  const cv::Rect wide =
+      cv::Rect(tile.x - 1, tile.y - 1, tile.width + kReach, tile.height + kReach) &
+      cv::Rect(0, 0, black.cols, black.rows);
+  Contours contours;
+  std::vector<cv::Vec4i> links;  // next, previous, first hole, parent
+  cv::findContours(black(wide), contours, links, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE, wide.tl());
+  for (int i = 0; i < static_cast<int>(contours.size()); ++i) {
+    if (links[static_cast<std::size_t>(i)][3] >= 0) continue;  // a hole
+    const std::vector<cv::Point>& outline = contours[static_cast<std::size_t>(i)];
+    const auto blob = Filter(contours, links, i, level);
+    if (blob && tile.contains(cv::boundingRect(outline).tl())) found.push_back({outline[0], *blob});
+  }
 }
 
 }  // namespace
@@ -146,20 +171,24 @@ std::vector<BlobLevel> BuildLevels(const GrayImage& image) {
   return levels;
 }
 
-std::vector<Blob> FindBlobs(const BlobLevel& level) {
+std::vector<Blob> FindBlobs(const BlobLevel& level, int tile_px) {
   std::vector<Blob> blobs;
   for (const double threshold : kBlack) {
     cv::Mat black;
     cv::threshold(level.flat, black, threshold * kFlatWhite, 255, cv::THRESH_BINARY_INV);
-    Contours contours;
-    std::vector<cv::Vec4i> links;  // next, previous, first hole, parent
-    cv::findContours(black, contours, links, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
-    for (int i = 0; i < static_cast<int>(contours.size()); ++i) {
-      if (links[static_cast<std::size_t>(i)][3] >= 0) continue;  // a hole
-      auto blob = Filter(contours, links, i, level);
-      if (!blob) continue;
-      blob->threshold = threshold;
-      blobs.push_back(*blob);
+    std::vector<FoundBlob> found;
+    for (int y = 0; y < black.rows; y += tile_px) {
+      for (int x = 0; x < black.cols; x += tile_px) {
+        FindInTile(level, black, cv::Rect(x, y, tile_px, tile_px), found);
+      }
+    }
+    // As findContours would order all: by the first pixel, from the bottom.
+    std::sort(found.begin(), found.end(), [](const FoundBlob& a, const FoundBlob& b) {
+      return std::make_pair(a.first.y, a.first.x) > std::make_pair(b.first.y, b.first.x);
+    });
+    for (FoundBlob& one : found) {
+      one.blob.threshold = threshold;
+      blobs.push_back(one.blob);
     }
   }
   return blobs;

@@ -131,6 +131,20 @@ void PrintText(const SightingReport& report) {
   }
 }
 
+GrayImage LoadFor(const DetectArguments& arguments, const std::string& file) {
+  // Its blur is as wide as a part of the image, so the time grows with pixels times width: 5 s of
+  // processor time for 12 megapixels, over a minute for 40.
+  constexpr std::size_t kMostForTsai2013 = 12'000'000;
+  GrayImage image = LoadGray(file);
+  if (arguments.pipeline.settings().pipeline == VisionPipeline::kTsai2013 &&
+      image.pixels.size() > kMostForTsai2013) {
+    throw ConfigError(file +
+                      ": expected at most 12 million pixels for --pipeline tsai2013, found " +
+                      std::to_string(image.width) + " x " + std::to_string(image.height));
+  }
+  return image;
+}
+
 int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board,
                    const std::vector<System>& systems) {
   RigOf(arguments.rig, systems, 0, 0);  // a bad rig is not the fault of an image
@@ -141,7 +155,7 @@ int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board,
     SightingReport report;
     Json warnings = Json::array();
     try {
-      report = LocatePair(Alone(LoadGray(file), right), arguments, board, systems).report;
+      report = LocatePair(Alone(LoadFor(arguments, file), right), arguments, board, systems).report;
       WarnIfCut(file, &warnings);
     } catch (const ConfigError& error) {  // no image, or not of the cameras' shape
       ++failed;
@@ -175,8 +189,11 @@ int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board,
 }
 
 StereoImages LoadImages(const DetectArguments& arguments) {
-  if (arguments.right.empty()) return Alone(LoadGray(arguments.left), arguments.camera == "right");
-  StereoImages images{.left = LoadGray(arguments.left), .right = LoadGray(arguments.right)};
+  if (arguments.right.empty()) {
+    return Alone(LoadFor(arguments, arguments.left), arguments.camera == "right");
+  }
+  StereoImages images{.left = LoadFor(arguments, arguments.left),
+                      .right = LoadFor(arguments, arguments.right)};
   if (images.right.width != images.left.width || images.right.height != images.left.height) {
     throw ConfigError(arguments.right + ": expected the size of " + arguments.left + ", " +
                       std::to_string(images.left.width) + " x " +
