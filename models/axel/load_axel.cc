@@ -242,7 +242,8 @@ void CheckAgreement(const YamlReader& root, const RoverModel& rover) {
     root.Refuse("wheels",
                 "rim and paddle to add up to the radius of the wheel's collision "
                 "cylinder in the URDF, " +
-                    NumberText(largest));
+                    NumberText(largest),
+                NumberText(std::round(1e6 * tip_radius) / 1e6));
   }
   if (rover.arm_at_power_on_rad < rover.arm_lower_rad ||
       rover.arm_at_power_on_rad > rover.arm_upper_rad) {

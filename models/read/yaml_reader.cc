@@ -128,6 +128,12 @@ void YamlReader::Refuse(std::string_view key, const std::string& expected) const
   Fail(Need(key), PathOf(key), expected);
 }
 
+void YamlReader::Refuse(std::string_view key, const std::string& expected,
+                        const std::string& found) const {
+  throw ConfigError(Need(key).place.Text() + ": " + PathOf(key) + ": expected " + expected +
+                    ", found " + found);
+}
+
 double YamlReader::Number(std::string_view key, const Range& range) const {
   return NumberAt(Need(key), PathOf(key), range);
 }

@@ -64,6 +64,9 @@ class YamlReader {
   static std::string PathOf(const std::string& list, std::size_t index);
   /// Throws ConfigError about the value of a key that is there.
   [[noreturn]] void Refuse(std::string_view key, const std::string& expected) const;
+  /// The same where the value alone does not tell what is wrong with it.
+  [[noreturn]] void Refuse(std::string_view key, const std::string& expected,
+                           const std::string& found) const;
 
  private:
   const YamlNode& Need(std::string_view key) const;

@@ -132,8 +132,8 @@ void PrintText(const SightingReport& report) {
 }
 
 GrayImage LoadFor(const DetectArguments& arguments, const std::string& file) {
-  // Its blur is as wide as a part of the image, so the time grows with pixels times width: 5 s of
-  // processor time for 12 megapixels, over a minute for 40.
+  // Its blur is as wide as a part of the image, so the time grows with pixels times width: 8 s of
+  // processor time for 12 megapixels, a minute for 40.
   constexpr std::size_t kMostForTsai2013 = 12'000'000;
   GrayImage image = LoadGray(file);
   if (arguments.pipeline.settings().pipeline == VisionPipeline::kTsai2013 &&

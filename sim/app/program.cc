@@ -131,6 +131,9 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   CLI::App app(kHelp, "dockyard");
   app.set_version_flag("--version", "dockyard " DOCKYARD_VERSION);
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
+    return "error: " + CLI::FailureMessage::simple(failed, error);
+  });
   AddRunCommand(app, systems, exit_code);
   AddCampaignCommand(app, systems, exit_code);
   AddReplayCommand(app, systems, exit_code);

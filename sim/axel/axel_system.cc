@@ -31,7 +31,7 @@ ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models) {
 }
 
 std::string Check(const Scenario& scenario, const AxelModels& models) {
-  CheckImagesCanBeDrawn(models.rover.stereo.nominal);
+  CheckImagesCanBeDrawn(models.rover.stereo.nominal, scenario.camera_place);
   if (scenario.script.kind != YamlNode::Kind::kNull) ReadScript(scenario.script);
   return models.rover.name + " from " + NumberText(scenario.start.r) + " m to " +
          models.station.name + " on " + models.soil.name;

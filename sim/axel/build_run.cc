@@ -36,7 +36,7 @@ constexpr double kMostSettlingM = 0.05;
 
 }  // namespace
 
-void CheckImagesCanBeDrawn(const StereoRig& rig) {
+void CheckImagesCanBeDrawn(const StereoRig& rig, const std::string& place) {
   constexpr double kWidest_rad = 60.0 * kPi / 180.0;
   for (const Camera* camera : {&rig.left, &rig.right}) {
     for (const double u : {-0.5, camera->width - 0.5}) {
@@ -46,10 +46,10 @@ void CheckImagesCanBeDrawn(const StereoRig& rig) {
         if (angle <= kWidest_rad) continue;
         char text[160];
         std::snprintf(text, sizeof text,
-                      "camera: expected all pixels within 60 deg of the lens's axis, at %d x %d a "
+                      ": expected all pixels within 60 deg of the lens's axis, at %d x %d a "
                       "corner is %.0f deg off it",
                       camera->width, camera->height, Degrees(angle));
-        throw ConfigError(text);
+        throw ConfigError(place + text);
       }
     }
   }
@@ -60,11 +60,10 @@ void CheckStart(const BuiltRun& run, const Truth& start) {
   const double moved_m = std::hypot(is.x - wanted.x, is.y - wanted.y);
   if (moved_m < kMostSettlingM) return;
   char text[120];
-  std::snprintf(
-      text, sizeof text,
-      "start: expected a rover clear of the station, this one was pushed %.2f m aside by it",
-      moved_m);
-  throw ConfigError(text);
+  std::snprintf(text, sizeof text,
+                ": expected a rover clear of the station, this one was pushed %.2f m aside by it",
+                moved_m);
+  throw ConfigError(run.start_place + text);
 }
 
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
@@ -74,6 +73,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.station = models.station;
   world.soil = models.soil;
   world.arm_start_rad = RestingArm(world.rover);
+  run.start_place = scenario.start_place;
 
   // The controller gets nominal numbers; the lines that follow disturb the world only.
   run.nominal = MakeNominal(world.rover, world.station, world.arm_start_rad);
@@ -88,7 +88,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.X_DR_start = FromDockingCoords(scenario.start);
   world.step_s = scenario.physics_step_s;
 
-  CheckImagesCanBeDrawn(world.rover.stereo.nominal);
+  CheckImagesCanBeDrawn(world.rover.stereo.nominal, scenario.camera_place);
   run.built_rig = BuiltRig(world.rover.stereo, scenario.seed);
   run.X_WD = FromGround(world.X_WG * world.X_GD, 0.0);
   run.lighting = MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed,

@@ -15,15 +15,16 @@ struct BuiltRun {
   StereoRig built_rig;  // the cameras that see
   Nominal nominal;      // what the controller gets
   Lighting lighting;
-  Pose3 X_WD;  // dock where it was put
+  Pose3 X_WD;               // dock where it was put
+  std::string start_place;  // in the scenario's file, for messages
 };
 
 /// Draws the run's dispersions. Throws ConfigError for images that cannot be drawn.
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models);
 
 /// Throws ConfigError when an image of these cameras reaches more than 60 deg from a lens's axis,
-/// beyond what the renderer draws (docs/reference/images.md).
-void CheckImagesCanBeDrawn(const StereoRig& rig);
+/// beyond what the renderer draws (docs/reference/images.md). The message begins with `place`.
+void CheckImagesCanBeDrawn(const StereoRig& rig, const std::string& place);
 
 /// Throws ConfigError when rover and station overlapped at the start: the contacts have then pushed
 /// them apart while the world came to rest.

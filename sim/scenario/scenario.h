@@ -45,6 +45,7 @@ struct Scenario {
   std::vector<std::string> command;                // else: a program that is the controller,
   std::string command_folder;                      // and where it runs: its file's folder
   DockingCoords start{.r = 4.0};
+  std::string start_place, camera_place;  // "file:line:column: start", for messages
   Light light = Light::kEven;
   SunModel sun;
   YardModel yard;

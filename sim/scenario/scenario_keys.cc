@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "controller/base/number_text.h"
 #include "models/read/config_error.h"
 #include "models/read/text_file.h"
 #include "sim/scenario/key_path.h"
@@ -114,18 +115,28 @@ const KnownSystem* Find(const std::vector<KnownSystem>& systems, const std::stri
 }
 
 [[noreturn]] void RefuseValue(const YamlNode& root, const std::string& path,
-                              const std::string& expected) {
+                              const std::string& expected, std::string found = "") {
   const YamlNode* value = FindPath(root, path);
   const YamlNode& at = value == nullptr ? root : *value;
+  if (found.empty() && value != nullptr) found = at.Found();
   throw ConfigError(at.place.Text() + ": " + path + ": expected " + expected +
-                    (value == nullptr ? "" : ", found " + at.Found()));
+                    (found.empty() ? "" : ", found " + found));
+}
+
+/// "file:line:column: key" of a mapping: where a key in it was given last, else where it stands
+/// itself, else the document.
+std::string PlaceOf(const YamlNode& root, const std::string& path, const std::string& in_it) {
+  const YamlNode* value = FindPath(root, path + "." + in_it);
+  if (value == nullptr) value = FindPath(root, path);
+  return (value == nullptr ? root : *value).place.Text() + ": " + path;
 }
 
 /// Between them the keys must agree.
 void CheckTogether(const Scenario& s, const YamlNode& root) {
   const YardModel& yard = s.yard;
-  if (yard.length_m * yard.width_m / (yard.cell_m * yard.cell_m) > kMaxCells) {
-    RefuseValue(root, "yard", "at most 4 million cells");
+  const double cells = yard.length_m * yard.width_m / (yard.cell_m * yard.cell_m);
+  if (cells > kMaxCells) {
+    RefuseValue(root, "yard", "at most 4 million cells", Fixed(1e-6 * cells, 1) + " million");
   }
   if ((s.image_width > 0) != (s.image_height > 0)) {
     RefuseValue(root, "camera", "both width_px and height_px, or neither");
@@ -214,6 +225,8 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
   Scenario scenario;
   ReadKeys(root, "", [&](Keys& keys) { VisitScenario(keys, scenario, systems); });
   if (scenario.of_system.kind == YamlNode::Kind::kNull) scenario.of_system.place = root.place;
+  scenario.start_place = PlaceOf(root, "start", "r_m");
+  scenario.camera_place = PlaceOf(root, "camera", "width_px");
   CheckTogether(scenario, root);
   if (!scenario.command.empty()) {
     scenario.command_folder = CommandFolder(root, scenario.command_folder);

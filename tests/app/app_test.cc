@@ -37,7 +37,7 @@ TEST(Program, EndsWithTwoForArgumentsThatMakeNoSense) {
     const Ended ended = Dockyard(arguments);
     EXPECT_EQ(ended.code, 2) << arguments << "\n" << ended.err;
     EXPECT_EQ(ended.out, "") << arguments;
-    EXPECT_NE(ended.err, "") << arguments;
+    EXPECT_THAT(ended.err, StartsWith("error: ")) << arguments;
   }
 }
 
@@ -95,7 +95,9 @@ TEST(Program, ChecksThatImagesOfAScenarioCanBeDrawn) {
   WriteText(wide, text + "camera: {width_px: 1200, height_px: 1200}\n");
   const Ended ended = Dockyard("check " + wide.string());
   EXPECT_EQ(ended.code, 3) << ended.out;
-  EXPECT_THAT(ended.err, HasSubstr("within 60 deg"));
+  const auto line = 1 + std::count(text.begin(), text.end(), '\n');
+  EXPECT_THAT(ended.err, HasSubstr("error: " + wide.string() + ":" + std::to_string(line) +
+                                   ":20: camera: expected all pixels within 60 deg"));
 }
 
 TEST(Program, WritesNoColorsIntoAFile) {

@@ -158,7 +158,7 @@ TEST_F(ScenarioFile, StartMustLieInTheYard) {
 
 TEST_F(ScenarioFile, YardOfTooManyCellsIsRefused) {
   EXPECT_THAT(SetMessage("yard={length_m: 200, width_m: 200, cell_m: 0.002}"),
-              HasSubstr("yard: expected at most 4 million cells"));
+              HasSubstr("yard: expected at most 4 million cells, found 10000.0 million"));
 }
 
 TEST_F(ScenarioFile, IsNoCampaign) {

@@ -218,7 +218,8 @@ TEST(RoverFile, MustAgreeWithItsUrdf) {
       ChangedMessage("axel.yaml", "tip_radius_m: 0.0312", "tip_radius_m: 0.034"),
       HasSubstr("arm: expected the radius and front of collision 'tip' of the URDF, 0.0312"));
   EXPECT_THAT(ChangedMessage("axel.yaml", "radius_m: 0.265", "radius_m: 0.300"),
-              HasSubstr("wheels: expected rim and paddle to add up"));
+              HasSubstr("wheels: expected rim and paddle to add up to the radius of the wheel's "
+                        "collision cylinder in the URDF, 0.3, found 0.335"));
 }
 
 TEST(RoverFile, NeedsItsLinksAndJoints) {

@@ -54,7 +54,12 @@ TEST(Start, InsideTheStationIsRefusedAndBesideItIsNot) {
     check("{r_m: 0.65, alpha_deg: 0, heading_deg: 0}");
     FAIL() << "accepted";
   } catch (const ConfigError& error) {
-    EXPECT_NE(std::string(error.what()).find("clear of the station"), std::string::npos);
+    EXPECT_EQ(std::string(error.what())
+                  .rfind("--set start={r_m: 0.65, alpha_deg: 0, heading_deg: "
+                         "0}: start: expected a rover clear of the station",
+                         0),
+              0u)
+        << error.what();
   }
 }
 
@@ -63,7 +68,9 @@ TEST(Start, ImagesWiderThanCanBeDrawnAreRefused) {
     Build(TypicalScenario({"camera={width_px: 1200, height_px: 1200}"}));
     FAIL() << "accepted";
   } catch (const ConfigError& error) {
-    EXPECT_NE(std::string(error.what()).find("within 60 deg"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find(": camera: expected all pixels within 60 deg"),
+              std::string::npos)
+        << error.what();
   }
 }
 
