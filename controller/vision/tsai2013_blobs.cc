@@ -26,10 +26,10 @@ constexpr int kMaxHoles = 2;                          // Euler number -1 or more
 constexpr double kCoincidence = 0.25;                 // of the mean radius
 constexpr double kMinWhite = 0.04, kMaxWhite = 0.45;  // share of the disc; the printed bar has 0.18
 constexpr double kFullness = 0.8;                     // outline's area over its ellipse's
+constexpr double kInside = 0.8;  // of the radius: the pattern is read within it
 // More outlines are noise, and no marks are found: cv::findContours takes 1.4 s for 125 000 of them
 // (3 megapixels of noise), and 34 s for 500 000. A rendered image 1024 px wide has 1000.
 constexpr int kMostOutlines = 150000;
-constexpr double kInside = 0.8;  // of the radius: the pattern is read within it
 
 cv::Mat AdaptiveBlack(const cv::Mat& gray) {
   cv::Mat values, mean, black;

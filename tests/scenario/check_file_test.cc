@@ -39,7 +39,8 @@ TEST(CheckFile, SaysInALineWhatIsInside) {
   EXPECT_EQ(Check("scenarios/mars_yard_40.csv").summary,
             "40 runs; checked: light, start.r_m, start.alpha_deg, start.heading_deg; left to the "
             "campaign's file: day, region, soil");
-  EXPECT_EQ(Check("scenarios/studies/reel_alpha.yaml").summary, "reel_alpha: 90 runs by point, soil, start.r_m, start.alpha_deg; seed 1");
+  EXPECT_EQ(Check("scenarios/studies/reel_alpha.yaml").summary,
+            "reel_alpha: 90 runs by point, soil, start.r_m, start.alpha_deg; seed 1");
 }
 
 TEST(CheckFile, ScenarioIsCheckedByItsSystem) {
@@ -71,10 +72,9 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
     const std::string file = folder.Write(name, text);
     return MessageOf([&] { CheckFile(file, Systems()); }, folder);
   };
-  EXPECT_EQ(
-      message("a.yaml", "colour: red\n"),
-      "a.yaml:1:1: expected the keys of a scenario, campaign, board, soil, wheel, camera, "
-      "rig or of a system's own model, found none of them");
+  EXPECT_EQ(message("a.yaml", "colour: red\n"),
+            "a.yaml:1:1: expected the keys of a scenario, campaign, board, soil, wheel, camera, "
+            "rig or of a system's own model, found none of them");
   EXPECT_EQ(message("a.txt", "x"),
             "a.txt: expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or "
             ".glb, found extension '.txt'");
