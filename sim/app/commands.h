@@ -22,6 +22,8 @@ void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& 
 void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddAcceptCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddCompareCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 /// Says what took the former command's place.
 void AddStudyCommand(CLI::App& app);
 void AddCameraCommand(CLI::App& app, int& exit_code);

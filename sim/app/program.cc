@@ -137,6 +137,8 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   AddRunCommand(app, systems, exit_code);
   AddCampaignCommand(app, systems, exit_code);
   AddReplayCommand(app, systems, exit_code);
+  AddAcceptCommand(app, systems, exit_code);
+  AddCompareCommand(app, systems, exit_code);
   AddViewCommand(app, systems, exit_code);
   AddStudyCommand(app);
   AddCameraCommand(app, exit_code);

@@ -16,8 +16,8 @@ using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
 TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
-  for (const std::string command :
-       {"", "run", "campaign", "replay", "view", "check", "wheel", "camera", "detect", "pose"}) {
+  for (const std::string command : {"", "run", "campaign", "replay", "view", "check", "wheel",
+                                    "camera", "detect", "pose", "accept", "compare"}) {
     const Ended ended = Dockyard(command + " --help");
     EXPECT_EQ(ended.code, 0) << command;
     EXPECT_LT(ended.out.find("Examples:\n  " DOCKYARD_PROGRAM " "), 120u) << ended.out;

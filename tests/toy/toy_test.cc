@@ -106,6 +106,39 @@ TEST_F(Toy, GoesThroughASweepOfAKey) {
   EXPECT_THAT(former.err, HasSubstr("a study is a campaign: dockyard campaign FILE"));
 }
 
+TEST_F(Toy, IsJudgedAndItsArmsAreCompared) {
+  const auto end = Dockyard("campaign " + kToy + "arms.yaml --quiet --out " + dir_.string());
+  ASSERT_EQ(end.code, 0) << end.err;
+  const std::string judge = "accept " + dir_.string() + " --reliability 0.9 --json";
+  EXPECT_EQ(Dockyard(judge).code, 2);  // which arm?
+  const auto verdict = Dockyard(judge + " --arm slow");
+  EXPECT_THAT(verdict.out, HasSubstr("\"trials\": 10"));
+  EXPECT_THAT(verdict.out, HasSubstr("\"planned\": 10"));
+  EXPECT_TRUE(verdict.code == 20 || verdict.code == 21) << verdict.code;
+  const auto compared = Dockyard("compare " + dir_.string() + " slow fast");
+  EXPECT_EQ(compared.code, 0) << compared.err;
+  EXPECT_THAT(compared.out, HasSubstr("slow less fast: "));
+  EXPECT_EQ(Dockyard("compare " + dir_.string() + " slow quick").code, 2);
+}
+
+// The published rows of Hanson and Beard's table and of Fagerland et al. (2013) by the program.
+TEST_F(Toy, BareCountsAreJudgedToo) {
+  const std::string at = " --reliability 0.99 --confidence 0.95 --json";
+  const auto accepted = Dockyard("accept --trials 628 --failures 2" + at);
+  EXPECT_EQ(accepted.code, 0);
+  EXPECT_THAT(accepted.out, HasSubstr("\"further_runs\": 0"));
+  const auto undecided = Dockyard("accept --trials 627 --failures 2" + at);
+  EXPECT_EQ(undecided.code, 21);
+  EXPECT_THAT(undecided.out, HasSubstr("\"further_runs\": 1"));
+  EXPECT_EQ(Dockyard("accept --trials 100 --failures 10" + at).code, 20);
+  EXPECT_EQ(Dockyard("accept --trials 1 --failures 2" + at).code, 2);
+  EXPECT_EQ(Dockyard("accept --trials 1" + at).code, 2);
+  EXPECT_EQ(Dockyard("accept --trials 1 --failures 0 --reliability 1.5").code, 2);
+  const auto compared = Dockyard("compare --only-a 1 --only-b 7");
+  EXPECT_THAT(compared.out, HasSubstr("p = 0.0703 exact, 0.0391 mid-p"));
+  EXPECT_EQ(Dockyard("compare --only-a 1").code, 2);
+}
+
 TEST_F(Toy, BringsACommandOfItsOwn) {
   EXPECT_EQ(Dockyard("way 7").out, "the flag is 7 m away\n");
   EXPECT_THAT(Dockyard("--help").out, HasSubstr("Say how far the flag is."));

@@ -1,0 +1,27 @@
+// A campaign's results folder as a whole, for commands that judge it.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "sim/log/results.h"
+#include "sim/plan/campaign.h"
+#include "sim/run/system.h"
+
+namespace dockyard {
+
+struct KeptCampaign {
+  Campaign campaign;
+  RowColumns columns;
+  FinishedRuns runs;
+};
+
+/// Throws UsageError for a folder without a campaign, ConfigError, ResultsError and IoError.
+KeptCampaign ReadKeptCampaign(const std::filesystem::path& dir, const std::vector<System>& systems);
+
+/// Throws UsageError unless the name is one of the campaign's arms; the message names all.
+void RequireArm(const KeptCampaign& kept, const std::string& arm);
+/// The runs of one arm; all of them for an empty name.
+std::vector<const RunResult*> RunsOfArm(const KeptCampaign& kept, const std::string& arm);
+
+}  // namespace dockyard
