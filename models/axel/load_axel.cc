@@ -254,7 +254,7 @@ void CheckAgreement(const YamlReader& root, const RoverModel& rover) {
 }  // namespace
 
 RoverModel LoadRover(const std::string& file, int image_width, int image_height,
-                     const YamlNode* changes) {
+                     const YamlNode* changes, MeshStore* meshes) {
   YamlNode tree = LoadYaml(file);
   if (changes != nullptr) MergeYaml(tree, *changes);
   const YamlReader in(tree, "",
@@ -268,7 +268,7 @@ RoverModel LoadRover(const std::string& file, int image_width, int image_height,
   ReadTether(in, rover);
   ReadImu(in, rover);
   ReadCameras(in, image_width, image_height, rover);
-  TakeRoverLinks(LoadUrdf(in.File("urdf")), rover);
+  TakeRoverLinks(LoadUrdf(in.File("urdf"), meshes), rover);
   const double scale = in.NumberOr("mass_scale", 1.0, Between(0.1, 10.0));
   for (LinkModel* link : {&rover.body, &rover.left_wheel, &rover.right_wheel, &rover.arm}) {
     link->mass_kg *= scale;

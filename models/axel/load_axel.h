@@ -4,6 +4,7 @@
 #include <string>
 
 #include "models/axel/axel_model.h"
+#include "models/read/mesh_loader.h"
 #include "models/read/yaml_tree.h"
 
 namespace dockyard::axel {
@@ -15,6 +16,6 @@ inline constexpr int kDefaultImageWidth = 1024, kDefaultImageHeight = 768;
 /// all about +y. The scenario sets the images' size; 0: as in the cameras' file, else the default.
 /// `changes` are keys on top of the file's. Throws ConfigError.
 RoverModel LoadRover(const std::string& file, int image_width = 0, int image_height = 0,
-                     const YamlNode* changes = nullptr);
+                     const YamlNode* changes = nullptr, MeshStore* meshes = nullptr);
 
 }  // namespace dockyard::axel

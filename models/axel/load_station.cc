@@ -141,7 +141,7 @@ void TakeLinks(const YamlReader& in, const UrdfModel& file, StationModel& statio
 
 }  // namespace
 
-StationModel LoadStation(const std::string& file, const YamlNode* changes) {
+StationModel LoadStation(const std::string& file, const YamlNode* changes, MeshStore* meshes) {
   YamlNode tree = LoadYaml(file);
   if (changes != nullptr) MergeYaml(tree, *changes);
   const YamlReader in(tree, "",
@@ -154,7 +154,7 @@ StationModel LoadStation(const std::string& file, const YamlNode* changes) {
   ReadBoardOf(in, station);
   station.anchor_depth_m = in.Number("anchor_depth_m", Positive(5.0));
   ReadFeet(in, station);
-  TakeLinks(in, LoadUrdf(in.File("urdf")), station);
+  TakeLinks(in, LoadUrdf(in.File("urdf"), meshes), station);
   CheckStands(in, station);
   const double lowest = station.mouth_height_m - station.cone.face_outer_radius_m;
   if (lowest <= 0.0) in.Refuse("cone", "a face that clears the ground below the mouth");

@@ -66,7 +66,7 @@ void SettleIn(pid_t parent, const WorkLimits& limits) {
   if (nowhere > STDERR_FILENO) ::close(nowhere);
   // An importer that catches std::bad_alloc would call it a fault of the file.
   std::set_new_handler([] { ::_exit(kExitOutOfMemory); });
-  if (LimitsMemory()) Limit(RLIMIT_AS, AddressSpaceBytes() + limits.memory_bytes);
+  if (!kAddressSanitizer) Limit(RLIMIT_AS, AddressSpaceBytes() + limits.memory_bytes);
   Limit(RLIMIT_CORE, 0);
   Limit(RLIMIT_FSIZE, 0);
   // SIGXCPU comes at the first limit, SIGKILL, which says nothing, at the second.
@@ -178,8 +178,6 @@ std::string FailureOf(int status, const WorkLimits& limits) {
 }
 
 }  // namespace
-
-bool LimitsMemory() { return !kAddressSanitizer; }
 
 WorkResult RunGuarded(const WorkLimits& limits, const std::function<std::string()>& work) {
   const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(

@@ -9,9 +9,11 @@
 namespace dockyard {
 
 struct WorkLimits {
-  int cpu_s = 0;                 // processor time, whole seconds
-  double wall_s = 0.0;           // in case it waits instead
-  std::size_t memory_bytes = 0;  // address space beyond what the caller has
+  int cpu_s = 0;        // processor time, whole seconds
+  double wall_s = 0.0;  // in case it waits instead
+  // Address space beyond what the caller has. Under AddressSanitizer, which reserves terabytes,
+  // there is no limit.
+  std::size_t memory_bytes = 0;
   std::size_t answer_bytes = 0;
 };
 
@@ -25,8 +27,5 @@ struct WorkResult {
 /// parent's to handle. An exception from the work counts as a crash. Throws std::system_error when
 /// no process can be had.
 WorkResult RunGuarded(const WorkLimits& limits, const std::function<std::string()>& work);
-
-/// Whether the limit on memory holds: not under AddressSanitizer, which reserves terabytes.
-bool LimitsMemory();
 
 }  // namespace dockyard

@@ -1,7 +1,5 @@
 #include "models/read/mesh_loader.h"
 
-#include <map>
-#include <mutex>
 #include <string>
 
 #include "models/read/collada_check.h"
@@ -11,51 +9,36 @@
 #include "models/read/text_file.h"
 
 namespace dockyard {
-namespace {
 
-using SharedMesh = std::shared_ptr<const TriangleMesh>;
+std::shared_ptr<const TriangleMesh> MeshStore::Find(const std::string& bytes) const {
+  const auto known = meshes_.find(bytes);
+  return known == meshes_.end() ? nullptr : known->second;
+}
 
-/// Meshes read before, by what the importer saw: a process costs 15 ms, and each load of a model
-/// reads all its meshes. Only formats that keep everything in one file.
-class MeshMemory {
- public:
-  SharedMesh Find(const std::string& bytes) {
-    const std::lock_guard lock(mutex_);
-    const auto known = meshes_.find(bytes);
-    return known == meshes_.end() ? nullptr : known->second;
+void MeshStore::Keep(const std::string& bytes, std::shared_ptr<const TriangleMesh> mesh) {
+  constexpr std::size_t kMost = 2 * kMaxMeshBytes;  // two of the largest, or some hundred others
+  if (kept_bytes_ + bytes.size() > kMost) {
+    meshes_.clear();
+    kept_bytes_ = 0;
   }
-  void Keep(const std::string& bytes, SharedMesh mesh) {
-    constexpr std::size_t kMost = 2 * kMaxMeshBytes;  // two of the largest, or some hundred others
-    const std::lock_guard lock(mutex_);
-    if (kept_bytes_ + bytes.size() > kMost) {
-      meshes_.clear();
-      kept_bytes_ = 0;
-    }
-    if (meshes_.emplace(bytes, std::move(mesh)).second) kept_bytes_ += bytes.size();
-  }
+  if (meshes_.emplace(bytes, std::move(mesh)).second) kept_bytes_ += bytes.size();
+}
 
- private:
-  std::mutex mutex_;
-  std::map<std::string, SharedMesh> meshes_;
-  std::size_t kept_bytes_ = 0;
-};
-
-}  // namespace
-
-SharedMesh LoadMesh(const std::filesystem::path& file) {
+std::shared_ptr<const TriangleMesh> LoadMesh(const std::filesystem::path& file, MeshStore* store) {
   if (!IsMeshFile(file)) CheckMeshFormat(file, {});  // throws before the file is touched
   std::string bytes = ReadBytes(file, kMaxMeshBytes);
   const MeshStatement stated = CheckMeshFormat(file, bytes);
   const MeshFormat format = stated.format;
   if (format == MeshFormat::kDae) bytes = CheckedCollada(bytes, file.string());
-  static MeshMemory memory;
   const bool whole = format != MeshFormat::kGltf && format != MeshFormat::kGlb;
   const std::string key = std::to_string(static_cast<int>(format)) + bytes;
-  SharedMesh mesh = whole ? memory.Find(key) : nullptr;
-  if (mesh) return mesh;
-  mesh = std::make_shared<const TriangleMesh>(MeshFromChild(
+  if (!whole) store = nullptr;
+  if (store != nullptr) {
+    if (auto known = store->Find(key)) return known;
+  }
+  const auto mesh = std::make_shared<const TriangleMesh>(MeshFromChild(
       file.string(), kImportLimits, [&] { return ImportMesh(file, bytes, stated.triangles); }));
-  if (whole) memory.Keep(key, mesh);
+  if (store != nullptr) store->Keep(key, mesh);
   return mesh;
 }
 

@@ -6,7 +6,9 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <string>
 
 #include "models/parts/mesh.h"
 
@@ -16,11 +18,26 @@ inline constexpr std::size_t kMaxMeshBytes = 32u << 20;
 inline constexpr std::size_t kMaxMeshTriangles = 500000;
 inline constexpr double kMaxMeshCoordinate_m = 1000.0;
 
+/// Meshes read before, by what the importer saw: a process of its own costs 15 ms, and each load of
+/// a model reads all its meshes. Only of formats that keep everything in one file. For one thread.
+class MeshStore {
+ public:
+  /// None if there is no such mesh.
+  std::shared_ptr<const TriangleMesh> Find(const std::string& bytes) const;
+  void Keep(const std::string& bytes, std::shared_ptr<const TriangleMesh> mesh);
+
+ private:
+  std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes_;
+  std::size_t kept_bytes_ = 0;
+};
+
 /// All triangles of the file in its root frame, axes as the numbers are written (Collada's up_axis
 /// is not followed, glTF is not turned), lengths in metres. Throws ConfigError with one sentence
 /// when the file is no mesh of an allowed format, is too large, has no triangle, an index out of
 /// range, or a coordinate that is not finite or beyond kMaxMeshCoordinate_m.
-std::shared_ptr<const TriangleMesh> LoadMesh(const std::filesystem::path& file);
+/// @param store  may be null: then every call imports the file
+std::shared_ptr<const TriangleMesh> LoadMesh(const std::filesystem::path& file,
+                                             MeshStore* store = nullptr);
 
 /// Whether the file's extension is one of the allowed ones (.stl .obj .dae .gltf .glb).
 bool IsMeshFile(const std::filesystem::path& file);

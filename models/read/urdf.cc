@@ -68,7 +68,8 @@ void ReadInertial(const urdf::Inertial& in, const std::string& place, LinkModel&
 /// The totals over all links of one file, and the meshes that it has named already.
 struct Budget {
   std::size_t parts = 2000, corners = 6 * kMaxMeshTriangles;
-  std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes;  // by path
+  std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes{};  // by path
+  MeshStore* store = nullptr;                                           // as of LoadUrdf
 };
 
 /// A cylinder, box or sphere as a mesh; a mesh from its file.
@@ -98,7 +99,7 @@ std::shared_ptr<const TriangleMesh> ReadMesh(const urdf::Geometry& geometry,
   }
   const auto path = ResolveInside(file, mesh.filename, place + ": mesh filename");
   std::shared_ptr<const TriangleMesh>& loaded = left.meshes[path.string()];
-  if (!loaded) loaded = LoadMesh(path);
+  if (!loaded) loaded = LoadMesh(path, left.store);
   if (scale == Eigen::Vector3d::Ones()) return loaded;
   return std::make_shared<const TriangleMesh>(Scaled(*loaded, scale));
 }
@@ -274,7 +275,7 @@ const UrdfJoint& UrdfModel::Joint(const std::string& joint_name) const {
   Refuse(file, "expected a joint named '" + joint_name + "', found none");
 }
 
-UrdfModel LoadUrdf(const std::string& file) {
+UrdfModel LoadUrdf(const std::string& file, MeshStore* meshes) {
   const std::string text = ReadText(file);
   const UrdfText checked = CheckUrdfXml(text, file);
   const auto place_of = [&](const std::string& element, const std::string& name) {
@@ -287,7 +288,7 @@ UrdfModel LoadUrdf(const std::string& file) {
   model.file = file;
   model.left_out = checked.left_out;
   model.root = parsed->getRoot() ? parsed->getRoot()->name : "";
-  Budget left;
+  Budget left{.store = meshes};
   for (const auto& [name, link] : parsed->links_) {
     model.place.push_back(place_of("link", name));
     model.links.push_back(ReadLink(*link, model.place.back(), file, left));

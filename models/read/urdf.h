@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/parts/link.h"
+#include "models/read/mesh_loader.h"
 
 namespace dockyard {
 
@@ -38,6 +39,7 @@ struct UrdfModel {
 /// neither read nor without effect, links outside the tree (with line and column), objections of
 /// liburdfdom, masses or inertias that no body can have, numbers out of range, meshes that are
 /// missing, leave the file's folder or do not load. Links without <inertial> have zero mass.
-UrdfModel LoadUrdf(const std::string& file);
+/// @param meshes  as of LoadMesh
+UrdfModel LoadUrdf(const std::string& file, MeshStore* meshes = nullptr);
 
 }  // namespace dockyard

@@ -45,16 +45,16 @@ bool IsStationFile(const YamlNode& root) {
   return root.Find("cone") != nullptr || root.Find("feet") != nullptr;
 }
 
-std::optional<FileCheck> CheckModelFile(const std::string& file) {
+std::optional<FileCheck> CheckModelFile(const std::string& file, MeshStore& meshes) {
   const YamlNode root = LoadYaml(file);
   if (IsRobotFile(root)) {
-    const RoverModel rover = LoadRover(file);
+    const RoverModel rover = LoadRover(file, 0, 0, nullptr, &meshes);
     return FileCheck{"rover", rover.name + ": " + NumberText(rover.mass_kg()) + " kg, arm " +
                                   NumberText(rover.arm_length_m) + " m, stereo baseline " +
                                   NumberText(rover.stereo.nominal.baseline_m()) + " m"};
   }
   if (!IsStationFile(root)) return std::nullopt;
-  const StationModel station = LoadStation(file);
+  const StationModel station = LoadStation(file, nullptr, &meshes);
   return FileCheck{"station", station.name + ": " + NumberText(station.module.mass_kg) + " kg on " +
                                   std::to_string(station.feet.size()) + " feet, " +
                                   std::to_string(station.board.fiducials.size()) +
@@ -62,14 +62,15 @@ std::optional<FileCheck> CheckModelFile(const std::string& file) {
                                   " m above the ground"};
 }
 
-std::optional<StereoRig> RigOfRobot(const std::string& file, int width, int height) {
+std::optional<StereoRig> RigOfRobot(const std::string& file, int width, int height,
+                                    MeshStore& meshes) {
   if (!IsRobotFile(LoadYaml(file))) return std::nullopt;
-  return LoadRover(file, width, height).stereo.nominal;
+  return LoadRover(file, width, height, nullptr, &meshes).stereo.nominal;
 }
 
-std::optional<NamedBoard> BoardOfStation(const std::string& file) {
+std::optional<NamedBoard> BoardOfStation(const std::string& file, MeshStore& meshes) {
   if (!IsStationFile(LoadYaml(file))) return std::nullopt;
-  const StationModel station = LoadStation(file);
+  const StationModel station = LoadStation(file, nullptr, &meshes);
   return NamedBoard{.name = station.name, .board = station.board, .cutout = CutoutOf(station)};
 }
 
@@ -120,8 +121,12 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   system.view = [store](const Scenario& scenario, const std::filesystem::path& dir) {
     WriteStartView(scenario, *store->Get(scenario), dir);
   };
-  system.check_file = CheckModelFile;
-  system.rig = RigOfRobot;
+  system.check_file = [store](const std::string& file) {
+    return CheckModelFile(file, store->meshes());
+  };
+  system.rig = [store](const std::string& file, int width, int height) {
+    return RigOfRobot(file, width, height, store->meshes());
+  };
   system.example_files = {.scenario = "scenarios/axel_typical.yaml",
                           .campaign = "scenarios/mars_yard_40.yaml",
                           .sweep = "scenarios/studies/reel_alpha.yaml",
@@ -132,7 +137,7 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
       {"axel2013", "scenarios/mars_yard_40.yaml",
        "The 40 docking runs of Tsai et al. 2013 in the Mars Yard, driven by our "
        "controller: the paper's is not here yet."}};
-  system.board = BoardOfStation;
+  system.board = [store](const std::string& file) { return BoardOfStation(file, store->meshes()); };
   return system;
 }
 

@@ -31,7 +31,7 @@ void RequireFiles(const Scenario& scenario) {
 
 }  // namespace
 
-AxelModels LoadModels(const Scenario& scenario) {
+AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
   RequireFiles(scenario);
   AxelModels models;
   models.keys = ReadAxelKeys(scenario);
@@ -40,8 +40,8 @@ AxelModels LoadModels(const Scenario& scenario) {
     const YamlReader known(changes, "changes", {"robot", "station", "soil"});
   }
   models.rover = LoadRover(scenario.robot_file, scenario.image_width, scenario.image_height,
-                           changes.Find("robot"));
-  models.station = LoadStation(models.keys.station_file, changes.Find("station"));
+                           changes.Find("robot"), meshes);
+  models.station = LoadStation(models.keys.station_file, changes.Find("station"), meshes);
   models.soil = LoadSoil(scenario.soil_file, changes.Find("soil"));
   CheckCarries(models.soil, scenario.soil_file, models.rover.left_wheel_soil);
   if (!scenario.camera_file.empty()) {
@@ -70,7 +70,7 @@ std::shared_ptr<const AxelModels> ModelStore::Get(const Scenario& scenario) {
   const auto known =
       std::find_if(sets_.begin(), sets_.end(), [&](const auto& set) { return set.first == key; });
   if (known != sets_.end()) return known->second;
-  auto models = std::make_shared<const AxelModels>(LoadModels(scenario));
+  auto models = std::make_shared<const AxelModels>(LoadModels(scenario, &meshes_));
   if (sets_.size() >= kMostSets) sets_.erase(sets_.begin());
   sets_.emplace_back(key, models);
   return models;

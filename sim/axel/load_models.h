@@ -9,6 +9,7 @@
 #include "models/axel/axel_model.h"
 #include "models/axel/station_model.h"
 #include "models/parts/soil_model.h"
+#include "models/read/mesh_loader.h"
 #include "sim/axel/axel_keys.h"
 #include "sim/scenario/scenario.h"
 
@@ -23,7 +24,8 @@ struct AxelModels {
 
 /// Reads the files, applies the scenario's changes, cameras and tip angle, and checks the models
 /// against each other. Throws ConfigError.
-AxelModels LoadModels(const Scenario& scenario);
+/// @param meshes  as of LoadMesh
+AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes = nullptr);
 
 /// Keeps the last few sets of models, so that the runs of a campaign share them. A worker that is
 /// forked after a set was loaded has the set without reading a file.
@@ -31,8 +33,11 @@ class ModelStore {
  public:
   /// As LoadModels. Files that changed since are not noticed.
   std::shared_ptr<const AxelModels> Get(const Scenario& scenario);
+  /// The meshes of all models read so far.
+  MeshStore& meshes() { return meshes_; }
 
  private:
+  MeshStore meshes_;
   static constexpr std::size_t kMostSets = 16;  // a set holds some megabytes of meshes
   std::vector<std::pair<std::string, std::shared_ptr<const AxelModels>>> sets_;  // newest last
 };

@@ -55,18 +55,20 @@ TEST(Mesh, ObjTriangleIsRead) {
   EXPECT_EQ(mesh->vertices[t[2]], Eigen::Vector3d(0, 1, 0));
 }
 
-TEST(Mesh, TheSameBytesAreImportedOnce) {
+TEST(Mesh, AStoreImportsTheSameBytesOnce) {
   const ScratchFolder folder;
-  const auto first = LoadMesh(folder.Write("a.obj", kTriangle));
-  EXPECT_EQ(LoadMesh(folder.Write("b.obj", kTriangle)), first);
-  const auto changed = LoadMesh(folder.Write("a.obj", Replaced(kTriangle, "v 1", "v 7")));
+  MeshStore store;
+  const auto first = LoadMesh(folder.Write("a.obj", kTriangle), &store);
+  EXPECT_EQ(LoadMesh(folder.Write("b.obj", kTriangle), &store), first);
+  EXPECT_NE(LoadMesh(folder.Write("b.obj", kTriangle)), first);
+  const auto changed = LoadMesh(folder.Write("a.obj", Replaced(kTriangle, "v 1", "v 7")), &store);
   EXPECT_EQ(changed->vertices[changed->triangles[0][1]], Eigen::Vector3d(7, 0, 0));
   // The numbers of a glTF document may lie in another file.
   folder.Write("a.bin", TriangleBytes());
   const std::string gltf = folder.Write("a.gltf", TriangleGltf("a.bin"));
-  EXPECT_EQ(LoadMesh(gltf)->triangles.size(), 1u);
+  EXPECT_EQ(LoadMesh(gltf, &store)->triangles.size(), 1u);
   folder.Write("a.bin", "short");
-  EXPECT_THAT(MessageOf([&] { LoadMesh(gltf); }, folder), HasSubstr("not a usable mesh"));
+  EXPECT_THAT(MessageOf([&] { LoadMesh(gltf, &store); }, folder), HasSubstr("not a usable mesh"));
 }
 
 TEST(Mesh, StlIsReadFromTextAndBytes) {
