@@ -87,29 +87,38 @@ void Fuzz(const std::string& model, const std::string& name, std::uint64_t seed,
   ExpectBoth(tally, name);
 }
 
-void Check(const std::string& file) { CheckFile(file, Systems()); }
+/// Meshes that do not change are imported once for all files.
+class MutatedFiles : public testing::Test {
+ protected:
+  const std::function<void(const std::string&)> Check =
+      [systems = Systems()](const std::string& file) { CheckFile(file, systems); };
+};
 
-TEST(MutatedFiles, CameraFilesAreReadOrRefused) {
+TEST_F(MutatedFiles, CameraFilesAreReadOrRefused) {
   Fuzz("cameras", "models/cameras/navcam.yaml", 11, 300, Check);
   Fuzz("cameras", "models/cameras/axel_640.yaml", 12, 300, Check);
   Fuzz("cameras", "tests/models/data/m2020_cameras.json", 13, 300, Check);
 }
 
-TEST(MutatedFiles, RoverYamlIsReadOrRefused) {
+TEST_F(MutatedFiles, RoverYamlIsReadOrRefused) {
   Fuzz("axel", "models/axel/axel.yaml", 1, 300, Check);
 }
-TEST(MutatedFiles, StationYamlIsReadOrRefused) {
+TEST_F(MutatedFiles, StationYamlIsReadOrRefused) {
   Fuzz("axel", "models/axel/station/station.yaml", 2, 300, Check);
 }
-TEST(MutatedFiles, SoilYamlIsReadOrRefused) {
+TEST_F(MutatedFiles, SoilYamlIsReadOrRefused) {
   Fuzz("soils", "models/soils/loose_sand.yaml", 3, 400, Check);
 }
-TEST(MutatedFiles, UrdfIsReadOrRefused) { Fuzz("axel", "models/axel/axel.urdf", 4, 300, Check); }
-TEST(MutatedFiles, ObjIsReadOrRefused) {
+TEST_F(MutatedFiles, UrdfIsReadOrRefused) { Fuzz("axel", "models/axel/axel.urdf", 4, 300, Check); }
+// Each file costs a process: tests of 150 to 200 take a few seconds.
+TEST_F(MutatedFiles, ObjIsReadOrRefused) {
   Fuzz("axel", "models/axel/meshes/paddles.obj", 5, 150, Check);
 }
+TEST_F(MutatedFiles, OtherObjIsReadOrRefused) {
+  Fuzz("axel", "models/axel/meshes/paddles.obj", 15, 150, Check);
+}
 
-TEST(MutatedFiles, ScenariosAndTablesAreReadOrRefused) {
+TEST_F(MutatedFiles, ScenariosAndTablesAreReadOrRefused) {
   const ScratchFolder folder;
   for (const char* model : {"axel", "soils"}) folder.CopyModel(model);
   std::vector<std::string> names{"scenarios/axel_typical.yaml", "scenarios/mars_yard_40.csv",
@@ -151,7 +160,7 @@ void FuzzMesh(const std::string& name, const std::string& original, std::uint64_
   ExpectBoth(tally, name);
 }
 
-TEST(MutatedFiles, StlInBytesIsReadOrRefused) {
+TEST_F(MutatedFiles, StlInBytesIsReadOrRefused) {
   // As many triangles as its length tells, so a byte more or less is refused and a byte changed
   // is mostly read.
   std::string stl(80, ' ');
@@ -160,13 +169,18 @@ TEST(MutatedFiles, StlInBytesIsReadOrRefused) {
   FuzzMesh("a.stl", stl, 7, 300);
 }
 
-TEST(MutatedFiles, ColladaIsReadOrRefused) { FuzzMesh("a.dae", TriangleCollada(), 8, 400); }
+TEST_F(MutatedFiles, ColladaIsReadOrRefused) { FuzzMesh("a.dae", TriangleCollada(), 8, 400); }
 
-TEST(MutatedFiles, GltfInTextAndBytesIsReadOrRefused) {
-  FuzzMesh("a.gltf", TriangleGltf("a.bin"), 9, 200);
-  FuzzMesh("a.glb", Glb(TriangleGltf(), TriangleBytes()), 10, 200);
-  // With lengths that fit, so that more than the header is tried.
-  FuzzMesh("a.glb", TriangleGltf(), 11, 200,
+TEST_F(MutatedFiles, GltfInTextIsReadOrRefused) {
+  FuzzMesh("a.gltf", TriangleGltf("a.bin"), 9, 300);
+}
+
+TEST_F(MutatedFiles, GltfInBytesIsReadOrRefused) {
+  FuzzMesh("a.glb", Glb(TriangleGltf(), TriangleBytes()), 10, 300);
+}
+
+TEST_F(MutatedFiles, GltfInBytesWithLengthsThatFitIsReadOrRefused) {
+  FuzzMesh("a.glb", TriangleGltf(), 11, 300,
            [](const std::string& json) { return Glb(json, TriangleBytes()); });
 }
 

@@ -89,8 +89,9 @@ TEST(MeshChild, AWaitEndsAtItsTime) {
   EXPECT_LT(took.count(), 20.0);
 }
 
+// AddressSanitizer reserves terabytes: under it there is no limit to test.
+#if !defined(__SANITIZE_ADDRESS__) && !(defined(__clang__) && __has_feature(address_sanitizer))
 TEST(MeshChild, MemoryEndsAtItsLimitEvenWhereTheImporterCatchesIt) {
-  if (!LimitsMemory()) GTEST_SKIP() << "AddressSanitizer reserves terabytes";
   EXPECT_EQ(MessageOf([]() -> TriangleMesh {
               try {
                 std::string(1u << 28, 'x');
@@ -104,6 +105,7 @@ TEST(MeshChild, MemoryEndsAtItsLimitEvenWhereTheImporterCatchesIt) {
             }),
             "(no error)");
 }
+#endif
 
 TEST(MeshChild, WritesNoFile) {
   const ScratchFolder folder;
