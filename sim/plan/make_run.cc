@@ -7,7 +7,6 @@
 #include "controller/base/check.h"
 #include "models/read/config_error.h"
 #include "sim/base/random.h"
-#include "sim/base/text.h"
 #include "sim/scenario/key_path.h"
 #include "sim/scenario/scenario_keys.h"
 
@@ -83,7 +82,12 @@ RunMaker::RunMaker(const Campaign& campaign, const std::vector<KnownSystem>& sys
     : campaign_(campaign),
       systems_(systems),
       design_(campaign.design, static_cast<std::uint64_t>(campaign.repeats), campaign.seed,
-              KeysOf(campaign.dispersions)) {}
+              KeysOf(campaign.dispersions)) {
+  if (!campaign.numbered_by_table()) return;
+  for (const RunTable::Row& row : campaign.table.rows) {
+    rows_.emplace(row.run, static_cast<std::int64_t>(rows_.size()));
+  }
+}
 
 RunMaker::Place RunMaker::PlaceOf(std::int64_t index) const {
   DOCKYARD_CHECK(index >= 0 && index < campaign_.run_count());
@@ -107,10 +111,8 @@ std::int64_t RunMaker::IndexOf(int number) const {
   if (!campaign_.numbered_by_table()) {
     return number >= 1 && number <= campaign_.run_count() ? number - 1 : -1;
   }
-  const auto& rows = campaign_.table.rows;
-  const auto at = std::find_if(rows.begin(), rows.end(),
-                               [&](const RunTable::Row& row) { return row.run == number; });
-  return at == rows.end() ? -1 : at - rows.begin();
+  const auto row = rows_.find(number);
+  return row == rows_.end() ? -1 : row->second;
 }
 
 /// Rows count by their numbers in the table, so that a row keeps its seed when others come or go.
@@ -239,22 +241,6 @@ CampaignRun RunMaker::Make(std::int64_t index) const {
   run.scenario = ReadScenario(tree, systems_);
   run.scenario.seed = SeedAt(place);
   return run;
-}
-
-std::string PlanCsv(const Campaign& campaign, const std::vector<KnownSystem>& systems) {
-  const RunMaker maker(campaign, systems);
-  std::vector<std::string> header{"run", "seed"};
-  header.insert(header.end(), campaign.labels.begin(), campaign.labels.end());
-  if (campaign.sets_controller) header.push_back("controller");
-  std::string text = CsvLine(header) + "\n";
-  for (std::int64_t i = 0; i < campaign.run_count(); ++i) {
-    const CampaignRun run = maker.Make(i);
-    std::vector<std::string> cells{std::to_string(run.run), std::to_string(run.scenario.seed)};
-    cells.insert(cells.end(), run.labels.begin(), run.labels.end());
-    if (campaign.sets_controller) cells.push_back(run.scenario.controller);
-    text += CsvLine(cells) + "\n";
-  }
-  return text;
 }
 
 }  // namespace dockyard

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "sim/plan/campaign.h"
@@ -40,6 +41,7 @@ class RunMaker {
   const Campaign& campaign_;
   const std::vector<KnownSystem>& systems_;
   Design design_;
+  std::unordered_map<int, std::int64_t> rows_;  // of a table that numbers the runs
 };
 
 /// Makes runs to find every mistake of the file before the first is simulated: each place once, and

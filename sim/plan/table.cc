@@ -13,7 +13,7 @@
 namespace dockyard {
 namespace {
 
-constexpr std::size_t kMaxRuns = 100000;
+constexpr std::size_t kMaxRuns = 1000000;
 
 [[noreturn]] void RefuseColumn(const YamlNode::Key& column, const std::string& expected) {
   throw ConfigError(column.place.Text() + ": " + column.name + ": expected " + expected);
@@ -35,7 +35,7 @@ bool IsResultColumn(const std::string& name) {
 
 RunTable::Row ReadRow(const YamlReader& in, const std::vector<std::string>& columns) {
   RunTable::Row row;
-  row.run = in.Integer("run", 0, 1000000);
+  row.run = in.Integer("run", 0, 2000000000);
   row.cells.reserve(columns.size());
   for (const std::string& column : columns) {
     row.cells.push_back(in.Child(column));

@@ -191,7 +191,7 @@ TEST_F(CampaignFile, HasOneTableAtMost) {
               HasSubstr("expected one of the keys 'table' and 'runs', found both"));
   EXPECT_THAT(SetMessage("table="), HasSubstr("table: expected one line of text"));
   EXPECT_EQ(Message("table: c.csv", "runs: []"),
-            "scenarios/c.yaml:7:7: expected 1 to 100000 runs, found 0");
+            "scenarios/c.yaml:7:7: expected 1 to 1000000 runs, found 0");
 }
 
 TEST_F(CampaignFile, RowsOfAListHaveTheSameColumns) {

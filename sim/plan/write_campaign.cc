@@ -1,7 +1,9 @@
 #include <utility>
 
+#include "sim/base/text.h"
 #include "sim/plan/campaign.h"
 #include "sim/plan/file_keys.h"
+#include "sim/plan/make_run.h"
 #include "sim/scenario/key_path.h"
 
 namespace dockyard {
@@ -114,6 +116,22 @@ std::string ResolvedYaml(const Campaign& campaign, const std::vector<KnownSystem
     }
   }
   if (!campaign.table.rows.empty()) text += RowsText(campaign, files);
+  return text;
+}
+
+std::string PlanCsv(const Campaign& campaign, const std::vector<KnownSystem>& systems) {
+  const RunMaker maker(campaign, systems);
+  std::vector<std::string> header{"run", "seed"};
+  header.insert(header.end(), campaign.labels.begin(), campaign.labels.end());
+  if (campaign.sets_controller) header.push_back("controller");
+  std::string text = CsvLine(header) + "\n";
+  for (std::int64_t i = 0; i < campaign.run_count(); ++i) {
+    const CampaignRun run = maker.Make(i);
+    std::vector<std::string> cells{std::to_string(run.run), std::to_string(run.scenario.seed)};
+    cells.insert(cells.end(), run.labels.begin(), run.labels.end());
+    if (campaign.sets_controller) cells.push_back(run.scenario.controller);
+    text += CsvLine(cells) + "\n";
+  }
   return text;
 }
 
