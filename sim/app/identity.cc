@@ -1,6 +1,5 @@
 #include "sim/app/identity.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <set>
 
@@ -15,12 +14,6 @@ namespace dockyard {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string HexText(std::uint64_t hash) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
 
 std::string Fingerprint(const fs::path& path) {
   const auto bytes = ReadWhole(path);

@@ -23,6 +23,11 @@ std::string WithWord(const std::string& list, const std::string& word) {
   return list.empty() ? word : list + "," + word;
 }
 
+[[maybe_unused]] std::string TunablesNow() {
+  const char* now = std::getenv(kVariable.data());
+  return now == nullptr ? "" : now;
+}
+
 }  // namespace
 
 std::string PinnedTunables(const std::string& tunables) {
@@ -38,15 +43,20 @@ std::string PinnedTunables(const std::string& tunables) {
   return (tunables.empty() ? "" : tunables + ":") + std::string(kName) + words;
 }
 
+bool MathIsPinned() {
+#if defined(__x86_64__) && defined(__GLIBC__)
+  return PinnedTunables(TunablesNow()) == TunablesNow();
+#else
+  return true;
+#endif
+}
+
 bool PinMathFunctions(char** arguments) {
 #if defined(__x86_64__) && defined(__GLIBC__)
-  const char* now = std::getenv(kVariable.data());
-  const std::string tunables = now == nullptr ? "" : now;
-  const std::string pinned = PinnedTunables(tunables);
-  if (pinned == tunables) return true;
+  if (MathIsPinned()) return true;
   // A program with privileges of its own loses the variable at its start: it would never come back.
   if (::getauxval(AT_SECURE) != 0) return false;
-  if (::setenv(kVariable.data(), pinned.c_str(), 1) != 0) return false;
+  if (::setenv(kVariable.data(), PinnedTunables(TunablesNow()).c_str(), 1) != 0) return false;
   ::execv("/proc/self/exe", arguments);
   return false;  // it returned
 #else

@@ -16,6 +16,9 @@ std::string PinnedTunables(const std::string& tunables);
 /// started again; it then runs on with the variants of its processor.
 bool PinMathFunctions(char** arguments);
 
+/// Whether the program was started under PinnedTunables, or needs not be.
+bool MathIsPinned();
+
 /// A fingerprint of the values that the C library's functions give here: equal on computers whose
 /// runs are equal bit for bit.
 std::uint64_t MathFingerprint();
