@@ -4,15 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "sim/app/campaign_end.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/identity.h"
 #include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
+#include "sim/app/watch.h"
 #include "sim/base/text.h"
 #include "sim/campaign/campaign.h"
 #include "sim/log/result_row.h"
+#include "sim/plan/file_keys.h"
 #include "sim/plan/make_run.h"
 #include "sim/run/loop.h"
 
@@ -22,10 +25,10 @@ namespace {
 struct CampaignArguments {
   std::string file;
   int jobs = 0;  // 0: all processors
-  std::string out_dir;
+  std::string out_dir, shard, watch_dir;
   std::vector<std::string> overrides;
-  double run_limit_s = 900.0;
-  bool quiet = false, dry_run = false;
+  double run_limit_s = 0.0;  // 0: as the campaign says
+  bool quiet = false, dry_run = false, json = false, retry_lost = false;
   CommandOptions commands;
 };
 
@@ -38,8 +41,9 @@ Examples:
   dockyard campaign {sweep} --set design.runs=1 --out out/quick
   dockyard campaign {sweep} --set 'vary={start.alpha_deg: [0, 3]}' --set figures= --out out/two
 
-Any key of a scenario can be varied or drawn, those of its models too. Stopped by Ctrl-C or a power cut, the same command goes on where it was. The results are the
-same, bit for bit, for any number of jobs. Exit code 10: runs are missing or crashed.)";
+Any key of a scenario can be varied or drawn, those of its models too. Stopped by Ctrl-C, a crash
+or a power cut, the same command goes on where it was. The results are the same, bit for bit, for
+any number of jobs and shards. Exit code 10: runs are missing, crashed or were stopped.)";
 
 constexpr const char* kReproduceHelp = R"(Simulate the runs of a published experiment.
 
@@ -48,34 +52,24 @@ Examples:
 
 The experiment is a campaign of its system: the options, results and exit codes are those of `campaign`.)";
 
-bool AnyCrashed(const FinishedRuns& runs) {
-  for (const auto& [number, run] : runs) {
-    if (run.result.outcome == kCrashed) return true;
-  }
-  return false;
-}
-
-/// The text quoted as one word for a shell.
-std::string Quoted(const std::string& word) {
-  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=-";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
-
 std::string CommandToGoOn(const CampaignArguments& arguments, const std::string& out_dir) {
   std::string command = "dockyard campaign " + Quoted(arguments.file) + " --out " + Quoted(out_dir);
   for (const std::string& override : arguments.overrides) command += " --set " + Quoted(override);
   if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
+  if (!arguments.shard.empty()) command += " --shard " + arguments.shard;
   if (arguments.commands.allow) command += " --allow-commands";
   if (arguments.commands.answer_limit_s != CommandOptions{}.answer_limit_s) {
     command += " --answer-limit " + NumberText(arguments.commands.answer_limit_s);
   }
-  if (arguments.run_limit_s != CampaignArguments{}.run_limit_s) {
-    command += " --run-limit " + NumberText(arguments.run_limit_s);
-  }
+  if (arguments.run_limit_s > 0.0) command += " --run-limit " + NumberText(arguments.run_limit_s);
   return command;
+}
+
+Shard ShardOf(const CampaignArguments& arguments) {
+  if (arguments.shard.empty()) return {};
+  const auto shard = ShardFromText(arguments.shard);
+  if (shard) return *shard;
+  throw UsageError("--shard: expected K/N with K from 1 to N, found '" + arguments.shard + "'");
 }
 
 /// Every mistake is found before a run. The workers, which are forked, share the loaded models.
@@ -90,43 +84,79 @@ CampaignRun CheckAll(const Campaign& campaign, const RunOptions& options,
   return RunMaker(campaign, known).Make(0);
 }
 
+ProgressStyle StyleOf(const CampaignArguments& arguments) {
+  if (arguments.json) return ProgressStyle::kJson;
+  return arguments.quiet ? ProgressStyle::kNone : ProgressStyleOfStderr();
+}
+
+CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& campaign,
+                           const std::string& system_name, const std::vector<System>& systems) {
+  const System& system = FindSystem(systems, system_name);
+  CampaignOptions options;
+  options.systems = KnownSystems(systems);
+  options.out_dir =
+      arguments.out_dir.empty() ? "results/" + campaign.name : std::string(arguments.out_dir);
+  options.shard = ShardOf(arguments);
+  options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
+  options.retry_lost = arguments.retry_lost;
+  options.progress = StyleOf(arguments);
+  options.identity = IdentityOf(campaign, options.systems);
+  options.columns = system.Columns(campaign.labels);
+  options.facts = {{"name", campaign.name},
+                   {"system", system_name},
+                   {"seed", campaign.seed},
+                   {"runs", campaign.run_count()},
+                   {"columns", ColumnNames(options.columns)}};
+  options.environment = EnvironmentJson();
+  options.draw = system.draw;
+  options.draw_campaign = system.draw_campaign;
+  return options;
+}
+
+int EndOfShard(const CampaignArguments& arguments, const CampaignOptions& options,
+               const ShardEnd& end) {
+  const std::string dir = options.out_dir.string();
+  if (end.signal != 0) {
+    PrintNote("stopped: " + std::to_string(end.tally.done) + " of " + std::to_string(end.total) +
+              " runs are kept in " + dir + "\nto go on: " + CommandToGoOn(arguments, dir));
+    return kExitSignal + end.signal;
+  }
+  PrintNote("shard " + arguments.shard + ": " + TallyText(end.tally, end.total) +
+            "\nwhen all shards are done: dockyard merge " + Quoted(dir));
+  return end.complete() && end.tally.lost == 0 ? kExitDone : kExitIncomplete;
+}
+
 int RunCampaignCommand(const CampaignArguments& arguments, const std::vector<System>& systems) {
-  const Campaign campaign =
-      LoadCampaign(arguments.file, arguments.overrides, CampaignSystemsOf(systems));
-  RunOptions of_run{.log_dir = {}, .labels = campaign.labels};
+  if (!arguments.watch_dir.empty()) {
+    return WatchCampaign(arguments.watch_dir, arguments.json, systems);
+  }
+  if (arguments.file.empty()) throw UsageError("FILE: expected a campaign file, or --watch DIR");
+  Campaign campaign = LoadCampaign(arguments.file, arguments.overrides, CampaignSystemsOf(systems));
+  if (arguments.run_limit_s > 0.0) campaign.limits.wall_s = arguments.run_limit_s;
+  RunOptions of_run{.log_dir = {}, .log_images = campaign.keep.pictures, .labels = campaign.labels};
   arguments.commands.Fill(of_run);
   if (arguments.dry_run) {
     std::printf("%s", PlanCsv(campaign, KnownSystems(systems)).c_str());
     return kExitDone;
   }
-  const CampaignRun first = CheckAll(campaign, of_run, systems);
-  const System& system = FindSystem(systems, first.scenario.system);
-  CampaignOptions options;
-  options.systems = KnownSystems(systems);
-  options.out_dir =
-      arguments.out_dir.empty() ? "results/" + campaign.name : std::string(arguments.out_dir);
-  options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
-  options.run_time_limit_s = arguments.run_limit_s;
-  options.progress = arguments.quiet ? ProgressStyle::kNone : ProgressStyleOfStderr();
-  options.identity = IdentityText(campaign, options.systems);
-  options.columns = system.Columns(campaign.labels);
-  options.draw = system.draw;
-  options.draw_campaign = system.draw_campaign;
+  const std::string system_name = CheckAll(campaign, of_run, systems).scenario.system;
+  const System& system = FindSystem(systems, system_name);
+  campaign = WithAbsolutePaths(std::move(campaign), KnownSystems(systems));
+  const CampaignOptions options = OptionsFor(arguments, campaign, system_name, systems);
+  // Runs read the copies: somebody may edit a model while the campaign runs.
+  campaign = OnCopies(campaign, options.systems, options.identity, options.out_dir);
   const RunFunction run = [&](const CampaignRun& what, const std::filesystem::path& log_dir) {
     RunOptions logged = of_run;
     logged.log_dir = log_dir;
     return Simulate(system, what, logged);
   };
-  const CampaignEnd end = RunCampaign(campaign, run, options);
-  if (end.signal != 0) {
-    PrintNote("stopped: " + std::to_string(end.runs.size()) + " of " + std::to_string(end.total) +
-              " runs are kept in " + options.out_dir.string() +
-              "\nto go on: " + CommandToGoOn(arguments, options.out_dir.string()));
-    return kExitSignal + end.signal;
-  }
-  std::printf("%s", end.summary.c_str());
-  PrintNote("results and plots in " + options.out_dir.string());
-  return end.complete() && !AnyCrashed(end.runs) ? kExitDone : kExitIncomplete;
+  const ShardEnd shard = RunShard(campaign, run, options);
+  if (!options.shard.whole()) return EndOfShard(arguments, options, shard);
+  const CampaignEnd end =
+      MergeShards(options.out_dir, campaign, RunMaker(campaign, options.systems), options.columns,
+                  options.draw_campaign);
+  if (shard.signal != 0) return EndOfShard(arguments, options, shard);
+  return ReportEnd(end, options.out_dir, arguments.json);
 }
 
 void AddOptions(CLI::App& command, CampaignArguments& arguments) {
@@ -135,7 +165,13 @@ void AddOptions(CLI::App& command, CampaignArguments& arguments) {
   command.add_option("--out", arguments.out_dir, "results folder [results/<name>]");
   AddSetOption(command, arguments.overrides);
   AddCommandOptions(command, arguments.commands);
-  command.add_option("--run-limit", arguments.run_limit_s, "wall time of one run [900 s]")
+  command.add_option("--shard", arguments.shard, "K/N: every N-th run, from the K-th on");
+  command.add_flag("--retry-crashed", arguments.retry_lost,
+                   "simulate runs again that crashed or were stopped");
+  command.add_flag("--json", arguments.json, "progress and result as JSON, a line each");
+  command
+      .add_option("--run-limit", arguments.run_limit_s,
+                  "wall time of one run [as the campaign's limits say, else 900 s]")
       ->type_name("SECONDS")
       ->check(NumberWithin(0.001, 1e6));
   command.add_flag("--quiet", arguments.quiet, "no progress on stderr");
@@ -177,8 +213,10 @@ void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int&
 void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<CampaignArguments>();
   CLI::App* command = app.add_subcommand("campaign", kHelp);
-  command->add_option("FILE", arguments->file, "a campaign file")->required();
+  command->add_option("FILE", arguments->file, "a campaign file");
   AddOptions(*command, *arguments);
+  command->add_option("--watch", arguments->watch_dir,
+                      "DIR: show the progress of the campaign that runs in it");
   command->callback(
       [arguments, &systems, &exit_code] { exit_code = RunCampaignCommand(*arguments, systems); });
 }

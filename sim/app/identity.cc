@@ -1,14 +1,18 @@
 #include "sim/app/identity.h"
 
 #include <filesystem>
+#include <map>
+#include <regex>
 #include <set>
 
 #include "models/read/text_file.h"
 #include "models/read/yaml_tree.h"
+#include "sim/base/environment.h"
 #include "sim/base/files.h"
 #include "sim/base/hash.h"
 #include "sim/base/math_pin.h"
 #include "sim/plan/file_keys.h"
+#include "sim/scenario/key_path.h"
 
 namespace dockyard {
 namespace {
@@ -21,77 +25,143 @@ std::string Fingerprint(const fs::path& path) {
   return HexText(HashText(kHashSeed, *bytes));
 }
 
-/// The file itself, and for a rover or station the files in its folder: URDF and meshes.
-void AddWithNeighbours(const fs::path& file, std::set<fs::path>& files) {
-  files.insert(file);
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  std::error_code error;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
-    if (entry.is_regular_file()) files.insert(entry.path());
+/// Files of models, each by its absolute path without "." and "..".
+class ModelFiles {
+ public:
+  void AddModel(const fs::path& yaml) {
+    if (files.insert(yaml).second) AddNamed(LoadYaml(yaml));
   }
-  if (error) throw IoError("cannot read folder " + folder.string() + ": " + error.message());
-}
+  /// A URDF with its meshes, which lie in its folder or below.
+  void AddUrdf(const fs::path& urdf) {
+    if (!files.insert(urdf).second) return;
+    const std::string text = ReadWhole(urdf).value_or("");
+    static const std::regex mesh(R"(filename\s*=\s*["']([^"']+)["'])");
+    for (std::sregex_iterator at(text.begin(), text.end(), mesh), end; at != end; ++at) {
+      AddMesh(AbsolutePath(ResolveBeside(urdf.string(), (*at)[1].str()).string()));
+    }
+  }
+  void AddFile(const fs::path& file) { files.insert(file); }
 
-/// The files that a model's YAML names by the keys `urdf` and `file`, which may lie elsewhere.
-/// Missing files are left out: the model's reader refuses them with their line.
-void AddNamed(const YamlNode& node, std::set<fs::path>& files) {
-  for (std::size_t i = 0; i < node.items.size(); ++i) {
-    const YamlNode& item = node.items[i];
-    const std::string key = node.keys.empty() ? "" : node.keys[i].name;
-    AddNamed(item, files);
-    if (item.kind != YamlNode::Kind::kScalar || (key != "urdf" && key != "file")) continue;
-    const fs::path named = item.place.from_option()
-                               ? fs::path(item.scalar)
-                               : ResolveBeside(*item.place.source, item.scalar);
+  std::set<fs::path> files;
+
+ private:
+  /// A file that is not there is left out: the model's reader refuses it with its line.
+  void AddMesh(const fs::path& mesh) {
     std::error_code error;
-    if (!fs::is_regular_file(named, error)) continue;
-    const fs::path file = fs::weakly_canonical(named);
-    key == "urdf" ? AddWithNeighbours(file, files) : void(files.insert(file));
+    if (!fs::is_regular_file(mesh, error)) return;
+    files.insert(mesh);
+    if (mesh.extension() != ".gltf") return;
+    // The numbers of a glTF document may lie in .bin files beside it.
+    for (const auto& entry : fs::directory_iterator(mesh.parent_path(), error)) {
+      if (entry.is_regular_file(error) && entry.path().extension() == ".bin") {
+        files.insert(entry.path());
+      }
+    }
   }
-}
+  /// The files that a model's YAML names by the keys `urdf` and `file`.
+  void AddNamed(const YamlNode& node) {
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      const YamlNode& item = node.items[i];
+      const std::string key = node.keys.empty() ? "" : node.keys[i].name;
+      AddNamed(item);
+      if (item.kind != YamlNode::Kind::kScalar || (key != "urdf" && key != "file")) continue;
+      const fs::path file = AbsolutePath(ResolveBeside(*item.place.source, item.scalar).string());
+      std::error_code error;
+      if (!fs::is_regular_file(file, error)) continue;
+      key == "urdf" ? AddUrdf(file) : AddFile(file);
+    }
+  }
+};
 
 /// A controller's program: the words of its command that are files, and the files beside each with
 /// the same ending, which it may import.
-void AddProgram(const NamedCommand& command, std::set<fs::path>& files) {
-  const fs::path folder = command.folder.empty() ? "." : command.folder;
+void AddProgram(const NamedCommand& command, ModelFiles& models) {
   for (const std::string& word : command.words) {
     std::error_code error;
-    const fs::path file = fs::weakly_canonical(folder / word, error);
-    if (error || !fs::is_regular_file(file, error)) continue;
-    files.insert(file);
+    const fs::path file = AbsolutePath((fs::path(command.folder) / word).string());
+    if (!fs::is_regular_file(file, error)) continue;
+    models.AddFile(file);
     if (!file.has_extension()) continue;
     for (const auto& entry : fs::directory_iterator(file.parent_path(), error)) {
       if (entry.is_regular_file(error) && entry.path().extension() == file.extension()) {
-        files.insert(entry.path());
+        models.AddFile(entry.path());
       }
     }
   }
 }
 
+/// The longest folder that holds all of them.
+fs::path CommonFolder(const std::set<fs::path>& files) {
+  fs::path common;
+  for (const fs::path& file : files) {
+    const fs::path folder = file.parent_path();
+    if (file == *files.begin()) common = folder;
+    fs::path shared;
+    for (auto a = common.begin(), b = folder.begin();
+         a != common.end() && b != folder.end() && *a == *b; ++a, ++b) {
+      shared /= *a;
+    }
+    common = shared;
+  }
+  return common;
+}
+
 }  // namespace
 
-std::string IdentityText(const Campaign& campaign, const std::vector<KnownSystem>& systems) {
-  std::set<fs::path> models, files;
+CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSystem>& systems) {
+  ModelFiles models;
   const CampaignFiles named = FilesOf(campaign, systems);
   for (const NamedFile& file : named.files) {
-    // One spelling for each file: resolved.yaml spells them otherwise than the campaign's file.
-    const fs::path path = fs::weakly_canonical(file.path);
-    const bool alone = file.key.ends_with(".file");
     if (file.key.ends_with(".urdf")) {
-      AddWithNeighbours(path, files);
+      models.AddUrdf(file.path);
+    } else if (file.key.ends_with(".file")) {
+      models.AddFile(file.path);
     } else {
-      (alone ? files : models).insert(path);
+      models.AddModel(file.path);
     }
   }
-  for (const NamedCommand& command : named.commands) AddProgram(command, files);
-  for (const fs::path& model : models) {
-    AddWithNeighbours(model, files);
-    AddNamed(LoadYaml(model), files);
+  for (const NamedCommand& command : named.commands) AddProgram(command, models);
+  CampaignIdentity identity;
+  const fs::path common = CommonFolder(models.files);
+  std::map<std::string, std::string> moved;
+  for (const fs::path& file : models.files) {
+    const std::string copy = "files/" + file.lexically_relative(common).generic_string();
+    identity.files[copy] = file;
+    moved[file.string()] = copy;
   }
-  std::string text = "dockyard " DOCKYARD_VERSION " " + Fingerprint("/proc/self/exe") + "\n";
-  text += "mathematics " + HexText(MathFingerprint()) + "\n";
-  for (const fs::path& file : files) text += file.string() + " " + Fingerprint(file) + "\n";
-  return text;
+  const auto place_of = [&](const std::string& path) {
+    const auto copy = moved.find(path);
+    if (copy != moved.end()) return copy->second;
+    if (!fs::path(path).is_absolute()) return path;
+    // A controller's folder: it keeps its place among the copies, where it has one.
+    const std::string inside = fs::path(path).lexically_relative(common).generic_string();
+    return inside.empty() || inside.starts_with("..") || inside == "." ? std::string("files")
+                                                                       : "files/" + inside;
+  };
+  identity.campaign_yaml = CampaignYaml(WithMovedFiles(campaign, systems, place_of, true));
+  identity.program = {{"version", DOCKYARD_VERSION},
+                      {"fingerprint", Fingerprint("/proc/self/exe")},
+                      {"mathematics", HexText(MathFingerprint())}};
+  return identity;
+}
+
+Json EnvironmentJson() {
+  Json json = Json::object();
+  for (const Fact& fact : Environment()) json[fact.name] = fact.value;
+  return json;
+}
+
+Campaign OnCopies(const Campaign& campaign, const std::vector<KnownSystem>& systems,
+                  const CampaignIdentity& identity, const fs::path& dir) {
+  std::map<std::string, std::string> moved;
+  for (const auto& [copy, original] : identity.files) {
+    moved[original.string()] = AbsolutePath((dir / copy).string());
+  }
+  const auto place_of = [&](const std::string& path) {
+    const auto copy = moved.find(path);
+    return copy == moved.end() ? path : copy->second;
+  };
+  return WithMovedFiles(campaign, systems, place_of, false);
 }
 
 }  // namespace dockyard

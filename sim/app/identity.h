@@ -1,17 +1,25 @@
-// What results depend on beside the scenario: fingerprints of this program and of the model files.
+// What a campaign's results depend on: its text, the files that it names, and this program.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "sim/campaign/manifest.h"
 #include "sim/plan/campaign.h"
 
 namespace dockyard {
 
-/// A line for the program, one for the C library's mathematics, and one for each file that the
-/// campaign's runs read, in a fixed order: the folders of the models (URDF, meshes and YAML),
-/// camera files, all other files that scenario and models name, and a controller's program. Throws
-/// IoError, and ConfigError for a model that is not YAML.
-std::string IdentityText(const Campaign& campaign, const std::vector<KnownSystem>& systems);
+/// Of a campaign with absolute paths. Its files are models with all that they name (URDF, meshes,
+/// cameras), camera files and soils, and a controller's program with the files beside it that have
+/// the same ending, which it may import. Copies lie to each other as the files do. Throws IoError,
+/// and ConfigError for a model that is not YAML.
+CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSystem>& systems);
+
+/// Where this program runs (sim/base/environment.h), for readers of results.
+Json EnvironmentJson();
+
+/// The campaign with the copies in `dir` in place of its files, but for controllers' programs,
+/// which may need more than was copied.
+Campaign OnCopies(const Campaign& campaign, const std::vector<KnownSystem>& systems,
+                  const CampaignIdentity& identity, const std::filesystem::path& dir);
 
 }  // namespace dockyard

@@ -1,27 +1,34 @@
 #include "sim/app/kept_campaign.h"
 
-#include <algorithm>
-
 #include "sim/app/commands.h"
 #include "sim/app/scenario_options.h"
+#include "sim/campaign/campaign_folder.h"
+#include "sim/campaign/merge.h"
+#include "sim/plan/file_keys.h"
 #include "sim/plan/make_run.h"
 #include "sim/report/points.h"
 
 namespace dockyard {
 
-KeptCampaign ReadKeptCampaign(const std::filesystem::path& dir,
+KeptCampaign OpenKeptCampaign(const std::filesystem::path& dir,
                               const std::vector<System>& systems) {
-  const std::filesystem::path file = dir / "resolved.yaml";
-  if (!std::filesystem::exists(dir / "results.csv") || !std::filesystem::exists(file)) {
+  if (!HoldsCampaign(dir)) {
     throw UsageError("DIR: expected the results folder of a campaign, found none in '" +
                      dir.string() + "'");
   }
   KeptCampaign kept;
-  kept.campaign = LoadCampaign(file.string(), {}, CampaignSystemsOf(systems));
-  const std::vector<KnownSystem> known = KnownSystems(systems);
-  const std::string system = RunMaker(kept.campaign, known).Make(0).scenario.system;
-  kept.columns = FindSystem(systems, system).Columns(kept.campaign.labels);
-  kept.runs = ReadResults(dir, kept.columns);
+  kept.campaign = WithAbsolutePaths(
+      LoadCampaign((dir / "campaign.yaml").string(), {}, CampaignSystemsOf(systems)),
+      KnownSystems(systems));
+  kept.system = RunMaker(kept.campaign, KnownSystems(systems)).Make(0).scenario.system;
+  kept.columns = FindSystem(systems, kept.system).Columns(kept.campaign.labels);
+  return kept;
+}
+
+KeptCampaign ReadKeptCampaign(const std::filesystem::path& dir,
+                              const std::vector<System>& systems) {
+  KeptCampaign kept = OpenKeptCampaign(dir, systems);
+  kept.runs = ReadShards(dir, kept.columns);
   return kept;
 }
 
@@ -37,10 +44,8 @@ void RequireArm(const KeptCampaign& kept, const std::string& arm) {
 
 std::vector<const RunResult*> RunsOfArm(const KeptCampaign& kept, const std::string& arm) {
   std::vector<const RunResult*> rows;
-  for (const auto& [number, run] : kept.runs) {
-    if (arm.empty() || LabelOf(run.result, kept.columns, "arm") == arm) {
-      rows.push_back(&run.result);
-    }
+  for (const RunResult& result : kept.runs.results) {
+    if (arm.empty() || LabelOf(result, kept.columns, "arm") == arm) rows.push_back(&result);
   }
   return rows;
 }

@@ -11,12 +11,16 @@
 namespace dockyard {
 
 struct KeptCampaign {
-  Campaign campaign;
+  Campaign campaign;  // on the copies in its folder
+  std::string system;
   RowColumns columns;
   FinishedRuns runs;
 };
 
-/// Throws UsageError for a folder without a campaign, ConfigError, ResultsError and IoError.
+/// Without its runs. Throws UsageError for a folder without a campaign, ConfigError, ResultsError
+/// and IoError.
+KeptCampaign OpenKeptCampaign(const std::filesystem::path& dir, const std::vector<System>& systems);
+/// The same with its runs.
 KeptCampaign ReadKeptCampaign(const std::filesystem::path& dir, const std::vector<System>& systems);
 
 /// Throws UsageError unless the name is one of the campaign's arms; the message names all.

@@ -9,10 +9,12 @@
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/identity.h"
+#include "sim/app/kept_campaign.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/bridge/pipe_controller.h"
 #include "sim/campaign/campaign_folder.h"
+#include "sim/campaign/merge.h"
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
@@ -39,6 +41,23 @@ Examples:
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
 controller alone and compares its commands. Exit code 0: the same, 1: not the same, 10: the
 folder holds no result of this run.)";
+
+/// The processors and libraries that a campaign's rows were made on, where they are not these.
+void ReportEnvironment(const std::filesystem::path& dir) {
+  const Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
+                                    /*allow_exceptions=*/false);
+  if (!manifest.is_object() || !manifest.contains("shards")) return;
+  const Json here = EnvironmentJson();
+  for (const auto& [shard, header] : manifest["shards"].items()) {
+    const Json there = header.is_object() ? header.value("environment", Json()) : Json();
+    if (!there.is_object()) continue;
+    for (const auto& [name, value] : here.items()) {
+      if (name == "program" || there.value(name, "") == value) continue;
+      PrintNote("note: shard " + shard + " was made with " + name + " '" + there.value(name, "") +
+                "', here it is '" + value.get<std::string>() + "'");
+    }
+  }
+}
 
 /// Columns whose values differ, with both values; true when none does.
 bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& columns) {
@@ -110,32 +129,29 @@ struct KeptRun {
 
 KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
                       const std::vector<System>& systems) {
+  const KeptCampaign kept = OpenKeptCampaign(dir, systems);
   const std::vector<KnownSystem> known = KnownSystems(systems);
-  const Campaign campaign =
-      LoadCampaign((dir / "resolved.yaml").string(), {}, CampaignSystemsOf(systems));
-  const RunMaker maker(campaign, known);
+  const RunMaker maker(kept.campaign, known);
   const std::int64_t index = maker.IndexOf(number);
   if (index < 0) {
     throw UsageError(dir.string() + " has no run " + std::to_string(number) + "; it has " +
-                     std::to_string(campaign.run_count()) + " runs");
+                     std::to_string(kept.campaign.run_count()) + " runs");
   }
-  const CampaignRun run = maker.Make(index);
-  const System& system = FindSystem(systems, run.scenario.system);
-  if (ReadWhole(dir / "identity.txt").value_or("") != IdentityText(campaign, known)) {
-    PrintNote(
-        "note: the program, the model files or the processor's mathematics have changed since "
-        "(identity.txt)");
-  }
-  KeptRun kept{run, system.Columns(campaign.labels), {}, RunFolder(dir, number)};
-  const FinishedRuns finished = ReadResults(dir, kept.columns);
-  const auto then = finished.find(number);
-  if (then != finished.end()) kept.result = then->second.result;
-  return kept;
+  const Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
+                                    /*allow_exceptions=*/false);
+  const std::string difference =
+      ManifestDifference(manifest, MakeManifest(IdentityOf(kept.campaign, known), {}));
+  if (!difference.empty()) PrintNote("note: " + dir.string() + ": " + difference);
+  KeptRun run{maker.Make(index), kept.columns, {}, RunFolder(dir, number)};
+  const FinishedRuns finished = ReadShards(dir, kept.columns);
+  const std::size_t place = finished.Find(number);
+  if (place < finished.size()) run.result = finished.results[place];
+  return run;
 }
 
 KeptRun FindRun(const ReplayArguments& arguments, const std::vector<System>& systems) {
   const std::filesystem::path dir = arguments.dir;
-  const bool campaign = std::filesystem::exists(dir / "results.csv");
+  const bool campaign = HoldsCampaign(dir);
   if (campaign && !arguments.run) {
     throw UsageError(dir.string() + " holds a campaign; name the run, as in: dockyard replay " +
                      dir.string() + " 1");
@@ -157,9 +173,9 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
                " yet");
     return kExitIncomplete;
   }
-  if (kept.result->outcome == kCrashed) {
-    PrintError("run " + std::to_string(kept.run.run) +
-               " crashed: there is nothing to compare with");
+  if (IsLost(kept.result->outcome)) {
+    PrintError("run " + std::to_string(kept.run.run) + " " + kept.result->outcome +
+               ": there is nothing to compare with");
     return kExitIncomplete;
   }
   const System& system = FindSystem(systems, kept.run.scenario.system);
@@ -167,6 +183,7 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
   arguments.commands.Fill(options);
   const RunRecord now = Simulate(system, kept.run, options);
   const bool same_row = ReportRow(*kept.result, now.result, kept.columns);
+  if (!same_row && arguments.run) ReportEnvironment(arguments.dir);
   if (!std::filesystem::exists(kept.log_dir / "frames.bin")) {
     PrintError("controller alone: not run, there is no log in " + kept.log_dir.string());
     return same_row ? kExitIncomplete : kExitOurBug;

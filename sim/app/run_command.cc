@@ -9,7 +9,8 @@
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
-#include "sim/campaign/worker.h"
+#include "sim/campaign/campaign_folder.h"
+#include "sim/campaign/run_work.h"
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
 #include "sim/run/loop.h"
@@ -39,8 +40,7 @@ With --out the folder gets the log, the history and the plots of the run, and
 /// The folder may be new, empty, or an earlier run's; nothing else is written over.
 void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
   MakeFolder(dir);
-  const bool ours = std::filesystem::exists(dir / "resolved.yaml") &&
-                    !std::filesystem::exists(dir / "results.csv");
+  const bool ours = std::filesystem::exists(dir / "resolved.yaml") && !HoldsCampaign(dir);
   if (!ours && !std::filesystem::is_empty(dir)) {
     throw UsageError(dir.string() + " is not empty and holds no single run; choose another --out");
   }

@@ -21,8 +21,8 @@ void WriteAll(int descriptor, std::string_view bytes, const std::filesystem::pat
 }
 
 // Some file systems have no fsync for their files; that is no reason to lose the run.
-void Flush(int descriptor, const std::filesystem::path& path) {
-  if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) {
+void FlushToDisk(int descriptor, const std::filesystem::path& path) {
+  if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS) {
     throw IoErrorFromErrno("flush", path);
   }
 }
@@ -59,18 +59,9 @@ void MakeFolder(const std::filesystem::path& path) {
 }
 
 void WriteWhole(const std::filesystem::path& path, std::string_view bytes) {
-  std::filesystem::path temporary = path;
-  temporary += ".tmp";
-  {
-    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
-    if (file.value() < 0) throw IoErrorFromErrno("write", path);
-    WriteAll(file.value(), bytes, path);
-    Flush(file.value(), path);
-  }
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) throw IoErrorFromErrno("write", path);
-  const std::filesystem::path parent = path.has_parent_path() ? path.parent_path() : ".";
-  const Descriptor folder(parent, O_RDONLY | O_DIRECTORY);
-  if (folder.value() >= 0) Flush(folder.value(), parent);
+  WholeFile file(path);
+  file.Add(bytes);
+  file.Finish();
 }
 
 std::optional<std::string> ReadWhole(const std::filesystem::path& path) {
@@ -98,7 +89,39 @@ LineAppender::~LineAppender() { ::close(descriptor_); }
 
 void LineAppender::Append(std::string_view line) {
   WriteAll(descriptor_, std::string(line) + "\n", path_);
-  Flush(descriptor_, path_);
+}
+
+void LineAppender::Flush() { FlushToDisk(descriptor_, path_); }
+
+WholeFile::WholeFile(const std::filesystem::path& path) : path_(path), temporary_(path) {
+  temporary_ += ".tmp";
+  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) throw IoErrorFromErrno("write", path_);
+}
+
+WholeFile::~WholeFile() {
+  if (descriptor_ < 0) return;
+  ::close(descriptor_);
+  ::unlink(temporary_.c_str());
+}
+
+void WholeFile::Add(std::string_view bytes) {
+  constexpr std::size_t kBlock = 1u << 16;
+  waiting_ += bytes;
+  if (waiting_.size() < kBlock) return;
+  WriteAll(descriptor_, waiting_, path_);
+  waiting_.clear();
+}
+
+void WholeFile::Finish() {
+  WriteAll(descriptor_, waiting_, path_);
+  FlushToDisk(descriptor_, path_);
+  ::close(descriptor_);
+  descriptor_ = -1;
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw IoErrorFromErrno("write", path_);
+  const std::filesystem::path parent = path_.has_parent_path() ? path_.parent_path() : ".";
+  const Descriptor folder(parent, O_RDONLY | O_DIRECTORY);
+  if (folder.value() >= 0) FlushToDisk(folder.value(), parent);
 }
 
 }  // namespace dockyard

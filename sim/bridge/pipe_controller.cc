@@ -82,7 +82,9 @@ void PipeController::Send(char kind, const std::string& payload, Deadline deadli
   head += kind;
   Trouble trouble = process_.Write(head, deadline);
   if (trouble == Trouble::kNone) trouble = process_.Write(payload, deadline);
-  if (trouble != Trouble::kNone) Fail(trouble);
+  // A program that has ended may have said why: what it wrote before is read first. Else the outcome
+  // would depend on which of the two was faster.
+  if (trouble == Trouble::kLate) Fail(trouble);
 }
 
 PipeController::Message PipeController::Receive(Deadline deadline) {

@@ -1,97 +1,194 @@
 #include "sim/campaign/campaign.h"
 
 #include <map>
-#include <memory>
 #include <optional>
+#include <utility>
 
 #include "controller/base/check.h"
+#include "sim/campaign/retention.h"
 #include "sim/jobs/pool.h"
-#include "sim/plan/make_run.h"
 
 namespace dockyard {
 namespace {
 
-/// The runs one by one as processes get free, those that the folder has left out.
-class Queue {
- public:
-  Queue(const Campaign& campaign, const RunMaker& maker, const FinishedRuns& finished)
-      : total_(campaign.run_count()), maker_(maker), finished_(finished) {}
+namespace fs = std::filesystem;
 
-  /// The next run, kept until it is taken; null after the last.
-  std::shared_ptr<const CampaignRun> Start(std::size_t& index) {
-    while (next_ < total_ && finished_.count(maker_.Number(next_)) > 0) ++next_;
-    if (next_ == total_) return nullptr;
-    index = static_cast<std::size_t>(next_);
-    auto run = std::make_shared<const CampaignRun>(maker_.Make(next_++));
-    under_way_[index] = run;
-    return run;
+/// Hands results to `enough` in order of indices, however they come.
+class InOrder {
+ public:
+  explicit InOrder(std::function<bool(const RunResult&)> enough) : enough_(std::move(enough)) {}
+
+  /// True when it is enough.
+  bool Add(std::int64_t index, const RunResult& result) {
+    if (!enough_ || done_) return done_;
+    waiting_[index] = result;
+    while (!done_ && !waiting_.empty() && waiting_.begin()->first == next_) {
+      done_ = enough_(waiting_.begin()->second);
+      waiting_.erase(waiting_.begin());
+      ++next_;
+    }
+    return done_;
   }
-  std::shared_ptr<const CampaignRun> Take(std::size_t index) {
-    const auto run = under_way_.at(index);
-    under_way_.erase(index);
-    return run;
+  bool done() const { return done_; }
+
+ private:
+  std::function<bool(const RunResult&)> enough_;
+  std::map<std::int64_t, RunResult> waiting_;
+  std::int64_t next_ = 0;
+  bool done_ = false;
+};
+
+/// One shard under way.
+class Engine {
+ public:
+  Engine(const Campaign& campaign, const RunFunction& function, const CampaignOptions& options)
+      : campaign_(campaign),
+        options_(options),
+        maker_(campaign, options.systems),
+        work_{function, options.draw, options.columns},
+        finished_(0),
+        next_(options.shard.number - 1),
+        retention_(campaign.keep),
+        in_order_(options.enough) {
+    ClaimFolder(options.out_dir, options.identity, options.facts);
+    const Json header{{"shard", ShardFile("", options.shard).stem().string()},
+                      {"environment", options.environment}};
+    writer_.emplace(ShardFile(options.out_dir, options.shard), header, options.columns);
+    finished_ = ReadFinished(options.out_dir, maker_, options.columns, end_.damaged);
+    GoOn();
+  }
+
+  ShardEnd Run() {
+    Progress progress(options_.progress, RunsOfShard(), finished_.TallyOf(options_.shard));
+    SignalQueue signals;
+    const PoolOptions pool{.workers = options_.jobs,
+                           .limits = {campaign_.limits.wall_s, campaign_.limits.memory_mib},
+                           .retries = campaign_.limits.retries,
+                           .close_in_worker = {writer_->lock_descriptor()},
+                           .waiting = [&](int running) {
+                             writer_->FlushIfDue();
+                             progress.Tick(running);
+                           }};
+    const auto take = [&](const Job& job, int place, const JobEnd& end) {
+      const FinishedRun run =
+          ReadAnswer([&] { return maker_.Make(job.number); }, options_.columns, end);
+      KeepLog(run, place);
+      writer_->Append(run);
+      finished_.Add(job.number, run.result.docked, run.result.outcome);
+      progress.Finished(run);
+      return !in_order_.Add(job.number, run.result);
+    };
+    if (!in_order_.done()) {
+      end_.signal =
+          RunPool(pool, signals,
+                  {.work = [&](std::int64_t index,
+                               const fs::path& messages) { return Work(index, messages); },
+                   .next = [&](int place) { return Next(place); },
+                   .prepare = [&](const Job& job, int place) { Prepare(job, place); },
+                   .take = take});
+    }
+    writer_->Flush();
+    progress.End();
+    std::error_code ignored;
+    fs::remove_all(WorkFolder(), ignored);
+    fs::remove(options_.out_dir / "work", ignored);  // if no other shard is at work
+    end_.tally = finished_.TallyOf(options_.shard);
+    end_.total = RunsOfShard();
+    end_.enough = in_order_.done();
+    return std::move(end_);
   }
 
  private:
-  std::int64_t total_, next_ = 0;
-  const RunMaker& maker_;
-  const FinishedRuns& finished_;
-  std::map<std::size_t, std::shared_ptr<const CampaignRun>> under_way_;
-};
+  fs::path WorkFolder() const {
+    return options_.out_dir / "work" / ShardFile("", options_.shard).stem();
+  }
+  /// Of the worker at that place.
+  fs::path WorkFolder(int place) const { return WorkFolder() / std::to_string(place); }
 
-/// Returns the signal that stopped it, or 0.
-int RunAll(const Campaign& campaign, const RunMaker& maker, const RunFunction& function,
-           const CampaignOptions& options, CampaignFolder& folder, SignalQueue& signals) {
-  const RunWork work{function, options.draw, options.columns};
-  Queue queue(campaign, maker, folder.finished());
-  Progress progress(options.progress, campaign.run_count(), folder.finished());
-  const bool keeps = campaign.keep == Keep::kAll;
-  const auto next = [&]() -> std::optional<Job> {
-    std::size_t index = 0;
-    const auto run = queue.Start(index);
-    if (!run) return std::nullopt;
-    if (!keeps) {
-      const std::string name = "run_" + std::to_string(run->run) + ".txt";
-      return Job{index, [run, &work] { return RunAndAnswer(*run, work, {}); }, folder.dir() / name};
+  std::int64_t RunsOfShard() const {
+    const Shard& shard = options_.shard;
+    return (maker_.run_count() - shard.number + shard.count) / shard.count;
+  }
+
+  /// What earlier programs left in the folder: logs that count, results in order.
+  void GoOn() {
+    EmptyFolder(WorkFolder());
+    if (!options_.enough && (campaign_.keep.none() || campaign_.keep.failures_per_cause < 0)) {
+      return;
     }
-    const std::filesystem::path dir = folder.StartRun(run->run);
-    return Job{index, [run, &work, dir] { return RunAndAnswer(*run, work, dir); },
-               dir / "messages.txt"};
-  };
-  const auto take = [&](std::size_t index, const Child::End& end) {
-    const auto run = queue.Take(index);
-    const std::filesystem::path dir =
-        keeps ? RunFolder(folder.dir(), run->run) : std::filesystem::path();
-    const FinishedRun finished = ReadAnswer(*run, options.columns, dir, end);
-    folder.Keep(finished);
-    const bool crashed = finished.result.outcome == kCrashed;
-    progress.Finished(finished.result, crashed ? finished.note : "");
-  };
-  const PoolOptions pool{.processes = options.jobs,
-                         .time_limit_s = options.run_time_limit_s,
-                         .close_in_child = {folder.lock_descriptor()},
-                         .waiting = [&](int running) { progress.Tick(running); }};
-  const int signal = RunPool(pool, signals, next, take);
-  progress.End();
-  return signal;
-}
+    const FinishedRuns runs = ReadShards(options_.out_dir, options_.columns);
+    for (const RunResult& result : runs.results) {
+      const std::int64_t index = maker_.IndexOf(result.run);
+      if (!options_.shard.Has(index)) continue;
+      if (fs::exists(RunFolder(options_.out_dir, result.run))) retention_.AddKept(result);
+      in_order_.Add(index, result);
+    }
+  }
+
+  /// The next run of the shard that has no result.
+  std::optional<Job> Next(int place) {
+    const auto done = [&] {
+      return finished_.Has(next_) && !(options_.retry_lost && finished_.Lost(next_));
+    };
+    while (next_ < maker_.run_count() && done()) next_ += options_.shard.count;
+    if (next_ >= maker_.run_count()) return std::nullopt;
+    const Job job{next_, WorkFolder(place) / "messages.txt"};
+    next_ += options_.shard.count;
+    return job;
+  }
+
+  void Prepare(const Job&, int place) const {
+    if (!campaign_.keep.none() || !fs::exists(WorkFolder(place))) EmptyFolder(WorkFolder(place));
+  }
+
+  /// In a worker.
+  std::string Work(std::int64_t index, const fs::path& messages) const {
+    const fs::path dir = campaign_.keep.none() ? fs::path() : messages.parent_path();
+    return RunAndAnswer([&] { return maker_.Make(index); }, work_, dir);
+  }
+
+  void KeepLog(const FinishedRun& run, int place) {
+    if (campaign_.keep.none()) return;
+    const Retention::Choice choice = retention_.Choose(run.result);
+    if (choice.drop) fs::remove_all(RunFolder(options_.out_dir, *choice.drop));
+    if (!choice.keep) return;
+    const fs::path from = WorkFolder(place), to = RunFolder(options_.out_dir, run.result.run);
+    if (IsLost(run.result.outcome)) WriteLostRun(from, run, options_.columns);
+    std::error_code error;
+    if (fs::file_size(from / "messages.txt", error) == 0) fs::remove(from / "messages.txt", error);
+    MakeFolder(to.parent_path());
+    fs::remove_all(to, error);
+    fs::rename(from, to, error);
+    if (error) throw IoError("cannot make folder " + to.string() + ": " + error.message());
+  }
+
+  const Campaign& campaign_;
+  const CampaignOptions& options_;
+  RunMaker maker_;
+  RunWork work_;
+  ShardEnd end_;
+  std::optional<ShardWriter> writer_;
+  FinishedSet finished_;
+  std::int64_t next_;
+  Retention retention_;
+  InOrder in_order_;
+};
 
 }  // namespace
 
+ShardEnd RunShard(const Campaign& campaign, const RunFunction& function,
+                  const CampaignOptions& options) {
+  DOCKYARD_CHECK(!options.enough || options.shard.whole());
+  DOCKYARD_CHECK(options.jobs >= 1 && options.columns.labels == campaign.labels);
+  return Engine(campaign, function, options).Run();
+}
+
 CampaignEnd RunCampaign(const Campaign& campaign, const RunFunction& function,
                         const CampaignOptions& options) {
-  DOCKYARD_CHECK(options.jobs >= 1 && options.run_time_limit_s > 0.0);
-  DOCKYARD_CHECK(options.columns.labels == campaign.labels);
-  const RunMaker maker(campaign, options.systems);
-  CampaignFolder folder(
-      options.out_dir, campaign, maker,
-      {options.columns, ResolvedYaml(campaign, options.systems), options.identity});
-  SignalQueue signals;
-  CampaignEnd end;
-  end.signal = RunAll(campaign, maker, function, options, folder, signals);
-  end.summary = folder.Conclude(campaign, maker, options.draw_campaign);
-  end.runs = folder.finished();
-  end.total = campaign.run_count();
+  const ShardEnd shard = RunShard(campaign, function, options);
+  CampaignEnd end = MergeShards(options.out_dir, campaign, RunMaker(campaign, options.systems),
+                                options.columns, options.draw_campaign);
+  end.signal = shard.signal;
   return end;
 }
 

@@ -1,25 +1,21 @@
 // A campaign's results folder:
-//   resolved.yaml, identity.txt   what was run, and with which program and model files
-//   results.csv, timing.csv       a line per finished run; in run order once the campaign stops
-//   results.sqlite, summary.txt
-//   points.csv, points.md         of a campaign with a grid or arms: a line per point
-//   plots/                        curves.svg, bars.svg and figures of the system
-//   runs/NNN/                     frames.bin, history.csv, sightings.json, plans.json,
-//                                 outcome.json, figures of the system, messages.txt (the run's
-//                                 printed lines, if any)
+//   campaign.yaml, files/   what was run; the files that it names are copies of the models
+//   manifest.json           fingerprints of all of that and of the program; where it ran
+//   shards/K-of-N.rows      a row for each finished run, as it ended (shard_file.h)
+//   results.csv, timing.csv, results.sqlite, summary.txt
+//   points.csv, points.md   of a campaign with a grid or arms: a line per point
+//   plots/                  curves.svg, bars.svg and figures of the system
+//   runs/NNN/               of the runs whose log is kept: frames.bin, history.csv, sightings.json,
+//                           plans.json, outcome.json, figures of the system, messages.txt (the
+//                           run's printed lines, if any)
+//   work/                   of the runs under way
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
-#include "sim/base/files.h"
-#include "sim/log/results.h"
-#include "sim/plan/make_run.h"
-#include "sim/run/system.h"
+#include "sim/campaign/manifest.h"
 
 namespace dockyard {
 
@@ -29,56 +25,18 @@ class FolderTaken : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-using DrawCampaign =
-    std::function<std::vector<Figure>(const std::string& title, const Scenario& first,
-                                      const RowColumns&, const std::vector<RunResult>&)>;
-
 /// "runs/007" of a results folder.
 std::filesystem::path RunFolder(const std::filesystem::path& dir, int run);
 
-/// What a folder belongs to.
-struct FolderIdentity {
-  RowColumns columns;         // of its results, with the campaign's labels
-  std::string resolved_yaml;  // the campaign
-  std::string identity;       // of program and model files; empty is not compared
-};
+/// Whether the folder holds a campaign's results.
+bool HoldsCampaign(const std::filesystem::path& dir);
 
-class CampaignFolder {
- public:
-  /// Makes the folder, or opens one that was left in the middle of the same campaign. Only one
-  /// program at a time has it. Throws FolderTaken, ResultsError, IoError.
-  CampaignFolder(const std::filesystem::path& dir, const Campaign& campaign, const RunMaker& maker,
-                 const FolderIdentity& identity);
-  ~CampaignFolder();
-  CampaignFolder(const CampaignFolder&) = delete;
-  CampaignFolder& operator=(const CampaignFolder&) = delete;
+/// Makes the folder with the copies of the files, or checks that it was made for the same campaign,
+/// files and program. Several programs may do so at once. Throws FolderTaken and IoError.
+void ClaimFolder(const std::filesystem::path& dir, const CampaignIdentity& identity,
+                 const Json& facts);
 
-  const std::filesystem::path& dir() const { return dir_; }
-  const FinishedRuns& finished() const { return finished_; }
-  /// For the workers: a forked child closes it, so that the lock ends with the parent.
-  int lock_descriptor() const { return lock_; }
-
-  /// Empties and makes the run's folder.
-  std::filesystem::path StartRun(int run) const;
-  /// On the disk when it returns. Throws IoError.
-  void Keep(const FinishedRun& run);
-  /// Rewrites the tables in run order, adds database, summary and the figures of `draw`, if it is
-  /// there; returns the summary. Throws IoError.
-  std::string Conclude(const Campaign& campaign, const RunMaker& maker,
-                       const DrawCampaign& draw) const;
-
- private:
-  void Claim(const FolderIdentity& identity);
-  void Lock();
-  void CheckRows(const RunMaker& maker) const;
-  void ReadNotes();
-  void WritePoints(const Campaign& campaign, const std::vector<RunResult>& rows) const;
-
-  std::filesystem::path dir_;
-  RowColumns columns_;
-  int lock_ = -1;
-  FinishedRuns finished_;
-  std::unique_ptr<LineAppender> results_, timing_;
-};
+/// Empties and makes the folder. Throws IoError.
+void EmptyFolder(const std::filesystem::path& path);
 
 }  // namespace dockyard

@@ -87,8 +87,8 @@ void Fill(sqlite3* database, const FinishedRuns& runs, const RowColumns& columns
   const std::string sql = "INSERT INTO runs VALUES (" + marks + ")";
   Demand(sqlite3_prepare_v2(database, sql.c_str(), -1, &raw, nullptr), SQLITE_OK, database, path);
   const Statement insert(raw, sqlite3_finalize);
-  for (const auto& [number, run] : runs) {
-    BindRow(insert.get(), named, RowCells(run.result, columns));
+  for (const RunResult& result : runs.results) {
+    BindRow(insert.get(), named, RowCells(result, columns));
     Demand(sqlite3_step(insert.get()), SQLITE_DONE, database, path);
     sqlite3_reset(insert.get());
   }

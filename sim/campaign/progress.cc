@@ -2,10 +2,16 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sim/base/json.h"
+#include "sim/report/rate_text.h"
 
 namespace dockyard {
 
@@ -22,44 +28,77 @@ std::string DurationText(double seconds) {
   return std::to_string(s) + " s";
 }
 
-Progress::Progress(ProgressStyle style, std::int64_t total, const FinishedRuns& already)
-    : style_(style), total_(total), started_(std::chrono::steady_clock::now()) {
-  for (const auto& [number, run] : already) docked_ += run.result.docked ? 1 : 0;
-  done_ = done_before_ = static_cast<int>(already.size());
+std::string TallyText(const Tally& tally, std::int64_t total) {
+  std::string text = std::to_string(tally.done) + "/" + std::to_string(total) + " done, docked " +
+                     RateText(static_cast<int>(tally.docked), static_cast<int>(tally.done));
+  std::vector<std::pair<std::int64_t, std::string>> causes;
+  for (const auto& [outcome, count] : tally.failures) causes.push_back({-count, outcome});
+  std::sort(causes.begin(), causes.end());
+  constexpr std::size_t kMostShown = 3;
+  for (std::size_t i = 0; i < causes.size() && i < kMostShown; ++i) {
+    text += ", " + causes[i].second + " " + std::to_string(-causes[i].first);
+  }
+  return text;
 }
 
+Progress::Progress(ProgressStyle style, std::int64_t total, const Tally& already)
+    : style_(style),
+      total_(total),
+      done_before_(already.done),
+      tally_(already),
+      started_(std::chrono::steady_clock::now()) {}
+
 std::string Progress::Line(int running) const {
-  std::string line = std::to_string(done_) + "/" + std::to_string(total_) + " done, docked " +
-                     std::to_string(docked_);
+  std::string line = TallyText(tally_, total_);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
-  const int finished_now = done_ - done_before_;
+  const std::int64_t finished_now = tally_.done - done_before_;
   if (finished_now > 0 && spent.count() > 0.0) {
-    const double per_minute = 60.0 * finished_now / spent.count();
+    const double per_minute = 60.0 * static_cast<double>(finished_now) / spent.count();
     char rate[64];
     std::snprintf(rate, sizeof rate, ", %.1f runs/min", per_minute);
     line += rate;
-    if (done_ < total_)
-      line +=
-          ", " + DurationText(60.0 * static_cast<double>(total_ - done_) / per_minute) + " left";
+    if (tally_.done < total_) {
+      const auto left = static_cast<double>(total_ - tally_.done);
+      line += ", " + DurationText(60.0 * left / per_minute) + " left";
+    }
   }
   if (running > 0) line += ", " + std::to_string(running) + " running";
   return line;
 }
 
-void Progress::Finished(const RunResult& row, const std::string& note) {
-  ++done_;
-  docked_ += row.docked ? 1 : 0;
-  const std::string what = "run " + std::to_string(row.run) + ": " + row.outcome +
-                           (note.empty() ? "" : " (" + note + ")");
+void Progress::Finished(const FinishedRun& run) {
+  const RunResult& row = run.result;
+  ++tally_.done;
+  tally_.docked += row.docked ? 1 : 0;
+  if (!row.docked) ++tally_.failures[row.outcome];
+  const bool lost = IsLost(row.outcome);
+  tally_.lost += lost ? 1 : 0;
+  const std::string what =
+      "run " + std::to_string(row.run) + ": " + row.outcome + (lost ? " (" + run.note + ")" : "");
   if (style_ == ProgressStyle::kLines) {
     std::fprintf(stderr, "%s; %s\n", what.c_str(), Line(0).c_str());
-  } else if (style_ == ProgressStyle::kLive && !note.empty()) {
+  } else if (style_ == ProgressStyle::kLive && lost) {
     std::fprintf(stderr, "\r\x1b[K%s\n", what.c_str());
+  } else if (style_ == ProgressStyle::kJson) {
+    const Json line{{"run", row.run},
+                    {"outcome", row.outcome},
+                    {"docked", row.docked},
+                    {"note", run.note},
+                    {"done", tally_.done},
+                    {"total", total_},
+                    {"successes", tally_.docked},
+                    {"lost", tally_.lost}};
+    std::printf("%s\n", line.dump().c_str());
+    std::fflush(stdout);
   }
 }
 
+// Once a second is enough for people.
 void Progress::Tick(int running) {
-  if (style_ == ProgressStyle::kLive) std::fprintf(stderr, "\r\x1b[K%s", Line(running).c_str());
+  const auto now = std::chrono::steady_clock::now();
+  if (style_ != ProgressStyle::kLive || now - ticked_ < std::chrono::seconds(1)) return;
+  ticked_ = now;
+  std::fprintf(stderr, "\r\x1b[K%s", Line(running).c_str());
 }
 
 void Progress::End() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -12,62 +13,118 @@
 namespace dockyard {
 namespace {
 
-struct Running {
-  std::size_t index = 0;
-  std::unique_ptr<Child> child;  // kills the process where it still runs
+/// Where one worker works.
+struct Place {
+  std::unique_ptr<Worker> worker;  // kills the process where it still runs
+  std::optional<Job> job;          // under way
+  int attempts = 0;                // at the job
 };
 
-/// Sleeps until a child or a signal reports, a child's time is over, or a second has
-/// passed.
-void WaitForNews(const std::vector<Running>& running, const SignalQueue& signals) {
-  std::vector<pollfd> watched{{signals.descriptor(), POLLIN, 0}};
-  double patience_s = 1.0;  // the clock of a live progress line
-  for (const Running& one : running) {
-    watched.push_back({one.child->descriptor(), POLLIN, 0});
-    patience_s = std::min(patience_s, std::max(0.0, one.child->seconds_left()));
-  }
-  const int got =
-      ::poll(watched.data(), watched.size(), static_cast<int>(std::ceil(1000.0 * patience_s)));
-  DOCKYARD_CHECK(got >= 0 || errno == EINTR);
-}
+class Pool {
+ public:
+  Pool(const PoolOptions& options, const PoolCalls& calls, int signal_descriptor)
+      : options_(options),
+        calls_(calls),
+        signal_descriptor_(signal_descriptor),
+        places_(static_cast<std::size_t>(options.workers)) {}
 
-void TakeEnded(std::vector<Running>& running,
-               const std::function<void(std::size_t, const Child::End&)>& take) {
-  for (Running& one : running) {
-    one.child->KillIfLate();
-    if (!one.child->Read()) continue;
-    take(one.index, one.child->Finish());
-    one.child.reset();
+  /// Gives each free place a job, while there are any.
+  void Fill() {
+    for (std::size_t i = 0; i < places_.size() && more_; ++i) {
+      if (places_[i].job) continue;
+      places_[i].job = calls_.next(static_cast<int>(i));
+      more_ = places_[i].job.has_value();
+      places_[i].attempts = 0;
+      if (more_) Attempt(i);
+    }
   }
-  running.erase(std::remove_if(running.begin(), running.end(),
-                               [](const Running& one) { return one.child == nullptr; }),
-                running.end());
-}
+
+  int running() const {
+    return static_cast<int>(std::count_if(
+        places_.begin(), places_.end(), [](const Place& place) { return place.job.has_value(); }));
+  }
+
+  /// Sleeps until a worker or a signal reports, a job's time is over, or a fifth of a second has
+  /// passed: the clock of the caller's own work.
+  void WaitForNews() {
+    using Clock = std::chrono::steady_clock;
+    std::vector<pollfd> watched{{signal_descriptor_, POLLIN, 0}};
+    double patience_s = 0.2;
+    for (const Place& place : places_) {
+      if (!place.job) continue;
+      watched.push_back({place.worker->descriptor(), POLLIN, 0});
+      patience_s = std::min(patience_s, std::max(0.0, place.worker->seconds_left()));
+    }
+    const auto before = Clock::now();
+    const int got =
+        ::poll(watched.data(), watched.size(), static_cast<int>(std::ceil(1000.0 * patience_s)));
+    DOCKYARD_CHECK(got >= 0 || errno == EINTR);
+    // Far beyond its patience only when this process itself was stopped, or the machine asleep: the
+    // jobs stood still too.
+    const std::chrono::duration<double> waited = Clock::now() - before;
+    if (waited.count() < patience_s + 1.0) return;
+    for (Place& place : places_) {
+      if (place.job) place.worker->Extend(waited.count());
+    }
+  }
+
+  void TakeEnded() {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      Place& place = places_[i];
+      if (!place.job) continue;
+      place.worker->KillIfLate();
+      if (!place.worker->Read()) continue;
+      const JobEnd end = place.worker->Finish();
+      if (!place.worker->usable()) place.worker.reset();
+      if (end.loss != Loss::kNone && place.attempts <= options_.retries) {
+        Attempt(i);
+        continue;
+      }
+      const Job job = *place.job;
+      place.job.reset();
+      if (!calls_.take(job, static_cast<int>(i), end)) more_ = false;
+    }
+  }
+
+ private:
+  void Attempt(std::size_t i) {
+    Place& place = places_[i];
+    if (calls_.prepare) calls_.prepare(*place.job, static_cast<int>(i));
+    if (!place.worker) place.worker = NewWorker();
+    ++place.attempts;
+    place.worker->Start(place.job->number, place.job->messages);
+  }
+
+  std::unique_ptr<Worker> NewWorker() const {
+    std::vector<int> close = options_.close_in_worker;
+    close.push_back(signal_descriptor_);
+    for (const Place& other : places_) {
+      if (!other.worker) continue;
+      for (const int descriptor : other.worker->descriptors()) close.push_back(descriptor);
+    }
+    return std::make_unique<Worker>(calls_.work, options_.limits, close);
+  }
+
+  const PoolOptions& options_;
+  const PoolCalls& calls_;
+  int signal_descriptor_;
+  std::vector<Place> places_;
+  bool more_ = true;
+};
 
 }  // namespace
 
-int RunPool(const PoolOptions& options, SignalQueue& signals,
-            const std::function<std::optional<Job>()>& next,
-            const std::function<void(std::size_t index, const Child::End& end)>& take) {
-  DOCKYARD_CHECK(options.processes >= 1 && options.time_limit_s > 0.0);
-  std::vector<int> close_in_child = options.close_in_child;
-  close_in_child.push_back(signals.descriptor());
-  std::vector<Running> running;
-  bool more = true;
+int RunPool(const PoolOptions& options, SignalQueue& signals, const PoolCalls& calls) {
+  DOCKYARD_CHECK(options.workers >= 1 && options.retries >= 0);
+  DOCKYARD_CHECK(options.limits.wall_s > 0.0 && options.limits.memory_mib > 0);
+  Pool pool(options, calls, signals.descriptor());
   for (;;) {
-    while (more && static_cast<int>(running.size()) < options.processes) {
-      const std::optional<Job> job = next();
-      more = job.has_value();
-      if (!more) break;
-      running.push_back(
-          {job->index, std::make_unique<Child>(job->work, job->messages, options.time_limit_s,
-                                               close_in_child)});
-    }
-    if (running.empty()) return 0;
-    if (options.waiting) options.waiting(static_cast<int>(running.size()));
-    WaitForNews(running, signals);
-    TakeEnded(running, take);
+    pool.Fill();
+    if (pool.running() == 0) return 0;
+    if (options.waiting) options.waiting(pool.running());
+    pool.WaitForNews();
     if (const int signal = signals.Take(); signal != 0) return signal;
+    pool.TakeEnded();
   }
 }
 

@@ -1,37 +1,45 @@
-// Many pieces of work on a few processes.
+// Many jobs on a few workers.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "sim/jobs/child.h"
 #include "sim/jobs/signal_queue.h"
+#include "sim/jobs/worker.h"
 
 namespace dockyard {
 
 struct Job {
-  std::size_t index = 0;              // by which the caller knows it
-  std::function<std::string()> work;  // runs in the child; must not throw
-  std::filesystem::path messages;     // file for what the child prints
+  std::int64_t number = 0;         // by which caller and worker know it
+  std::filesystem::path messages;  // file for what it prints
 };
 
 struct PoolOptions {
-  int processes = 1;                  // at once, >= 1
-  double time_limit_s = 0.0;          // wall time of one job, > 0; a job beyond it is killed
-  std::vector<int> close_in_child{};  // descriptors that are the caller's alone
-  std::function<void(int running)> waiting{};  // called at least once a second; may be empty
+  int workers = 1;  // at once, >= 1
+  JobLimits limits;
+  int retries = 1;                             // of a job that was lost, >= 0
+  std::vector<int> close_in_worker{};          // descriptors that are the caller's alone
+  std::function<void(int running)> waiting{};  // called at least five times a second; may be empty
 };
 
-/// Starts the jobs that `next` gives while processes are free, until it gives none. Hands the end
-/// of each job to `take`, in the order in which the jobs end. Returns 0, or the signal that stopped
-/// it: it then kills the jobs under way and does not call `take` for them. An exception of `next`
-/// or `take` is passed on after all children are gone; no child outlives the call. Throws IoError
-/// when no process can be started.
-int RunPool(const PoolOptions& options, SignalQueue& signals,
-            const std::function<std::optional<Job>()>& next,
-            const std::function<void(std::size_t index, const Child::End& end)>& take);
+/// What the pool asks of its caller.
+struct PoolCalls {
+  JobWork work;  // in the worker
+  /// The next job for the worker at this place (0 .. workers - 1); none when there is no more.
+  std::function<std::optional<Job>(int place)> next;
+  /// Before each attempt at a job; may be empty.
+  std::function<void(const Job&, int place)> prepare;
+  /// Takes a job's end, in the order in which the jobs end. False: enough, start no more.
+  std::function<bool(const Job&, int place, const JobEnd&)> take;
+};
+
+/// Runs jobs until `next` gives none. A worker goes on from job to job; a job that is lost is tried
+/// again in a new worker. Returns 0, or the signal that stopped it: it then kills the jobs under
+/// way and does not call `take` for them. An exception of the caller's functions is passed on after
+/// all workers are gone; no worker outlives the call. Throws IoError when no process can be had.
+int RunPool(const PoolOptions& options, SignalQueue& signals, const PoolCalls& calls);
 
 }  // namespace dockyard

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dockyard {
@@ -21,7 +22,10 @@ struct OutcomeName {
 };
 
 /// Outcomes that every system has beside its own. The engine gives them, no judge does.
-inline constexpr const char* kCrashed = "crashed";  // the run's process died or was ended
+inline constexpr const char* kCrashed = "crashed";  // the run's process died by its own fault
+inline constexpr const char* kStopped = "stopped";  // it was ended by a limit or from outside
+/// Whether the run has no result.
+inline bool IsLost(std::string_view outcome) { return outcome == kCrashed || outcome == kStopped; }
 
 /// The meaning of a result row's vectors, in their order.
 struct RowColumns {

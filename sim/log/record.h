@@ -20,7 +20,7 @@ struct RunResult {
   std::string outcome = kCrashed;
   double sim_time_s = 0.0;
   int images = 0;                // images that the controller was given, all cameras together
-  std::vector<double> measures;  // empty for a run that crashed
+  std::vector<double> measures;  // empty for a run that was lost
   std::uint64_t state_hash = 0;  // written as 16 hex digits
 };
 

@@ -99,7 +99,7 @@ std::string Folded(std::string name) {
 const std::set<std::string> kNamesBesideTheRow{"failure_note", "cpu_time_s", "wall_time_s"};
 
 bool IsAnOutcome(const RunResult& row, const RowColumns& columns) {
-  if (row.outcome == kCrashed) return !row.docked;
+  if (IsLost(row.outcome)) return !row.docked;
   return std::any_of(columns.outcomes.begin(), columns.outcomes.end(),
                      [&](const OutcomeName& each) {
                        return each.name == row.outcome && each.success == row.docked;
@@ -176,22 +176,27 @@ std::string CsvRow(const RunResult& row, const RowColumns& columns) {
 
 std::optional<RunResult> RowFromCsv(std::string_view line, const RowColumns& columns) {
   const auto cells = SplitCsv(line);
+  return cells ? RowFromCells(*cells, columns) : std::nullopt;
+}
+
+std::optional<RunResult> RowFromCells(const std::vector<std::string>& cells,
+                                      const RowColumns& columns) {
   RunResult row = EmptyRow(columns);
   std::size_t next = 0, empty = 0;
-  bool good = cells.has_value();
+  bool good = true;
   VisitRow(row, columns, [&](const std::string&, CellKind kind, auto& value) {
-    good = good && next < cells->size();
+    good = good && next < cells.size();
     if (!good) return;
-    const std::string& cell = (*cells)[next++];
+    const std::string& cell = cells[next++];
     if (kind == CellKind::kMeasure && cell.empty()) {
       ++empty;
     } else {
       good = ReadCell(kind, cell, value);
     }
   });
-  if (!good || next != cells->size() || !IsAnOutcome(row, columns)) return std::nullopt;
+  if (!good || next != cells.size() || !IsAnOutcome(row, columns)) return std::nullopt;
   if (empty == 0) return row;
-  if (empty != columns.measures.size() || row.outcome != kCrashed) return std::nullopt;
+  if (empty != columns.measures.size() || !IsLost(row.outcome)) return std::nullopt;
   row.measures.clear();
   return row;
 }

@@ -16,7 +16,7 @@ enum class CellKind {
   kInteger,  // decimal, within 32 bits
   kSeed,     // decimal, within 64 bits without sign
   kReal,     // shortest decimal form that reads back to the same bits
-  kMeasure,  // as kReal; empty in the row of a run that crashed
+  kMeasure,  // as kReal; empty in the row of a run that was lost
   kFlag,     // 1 or 0
   kText,
   kLabel,  // text, which may be a number
@@ -43,6 +43,8 @@ std::string CsvHeader(const RowColumns& columns);
 std::string CsvRow(const RunResult& row, const RowColumns& columns);
 /// None when the line is not exactly one whole row, or names an outcome that is not in the columns.
 std::optional<RunResult> RowFromCsv(std::string_view line, const RowColumns& columns);
+std::optional<RunResult> RowFromCells(const std::vector<std::string>& cells,
+                                      const RowColumns& columns);
 
 /// The row by names, in the order of results.csv: docked is a boolean, labels are text, NaN and
 /// missing are null.

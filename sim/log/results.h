@@ -1,9 +1,8 @@
-// results.csv and timing.csv of a campaign's folder: written line by line as runs end, read back to
-// continue after a stop, rewritten in run order at the end.
+// The results of many runs, and the tables that hold them: results.csv and timing.csv.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -22,25 +21,33 @@ class ResultsError : public std::runtime_error {
 struct FinishedRun {
   RunResult result;
   RunTiming timing;
-  std::string note;  // what went wrong, for people; in outcome.json, not in the tables
+  std::string note;  // what went wrong, for people; not in the tables
 };
-/// By run number.
-using FinishedRuns = std::map<int, FinishedRun>;
+
+/// In order of run numbers. The three lists run in parallel: there may be a million runs, and most
+/// readers want the results alone.
+struct FinishedRuns {
+  std::vector<RunResult> results;
+  std::vector<RunTiming> timings;
+  std::vector<std::string> notes;
+
+  /// The run's number must be above those before it.
+  void Add(FinishedRun run);
+  std::size_t size() const { return results.size(); }
+  bool empty() const { return results.empty(); }
+  /// The place of the run in the lists; size() if it is not there.
+  std::size_t Find(int run) const;
+};
 
 std::string TimingHeader();  // "run,cpu_time_s,wall_time_s"
-std::string TimingRow(int run, const RunTiming& timing);
 
-/// Whole files, in run order.
-std::string ResultsCsv(const FinishedRuns& runs, const RowColumns& columns);
-std::string TimingCsv(const FinishedRuns& runs);
+/// Write whole files, in run order. Throw IoError.
+void WriteResultsCsv(const std::filesystem::path& path, const FinishedRuns& runs,
+                     const RowColumns& columns);
+void WriteTimingCsv(const std::filesystem::path& path, const FinishedRuns& runs);
 
-/// Reads a folder's results.csv and timing.csv; without the files there are no runs. A last line
-/// without its newline was cut off when the campaign stopped and is left out. Any other line that
-/// is not a row throws ResultsError. Timings without a row are left out; notes are not read. Throws
-/// IoError.
-FinishedRuns ReadResults(const std::filesystem::path& dir, const RowColumns& columns);
-
-/// Rows of results.csv's bytes; file is named in errors.
+/// Rows of results.csv's bytes; file is named in errors. A last line without its newline was cut
+/// off and is left out. Any other line that is not a row throws ResultsError.
 std::vector<RunResult> RowsFromCsv(std::string_view bytes, const std::string& file,
                                    const RowColumns& columns);
 

@@ -26,7 +26,21 @@ struct Arm {
 };
 
 /// Which runs leave a folder with log, history and figures.
-enum class Keep { kAll, kNone };
+struct Keep {
+  std::int64_t failures_per_cause = -1;  // those with the lowest numbers; -1: all
+  std::int64_t every_nth_success = 1;    // one success in n; 0: none
+  bool pictures = true;                  // in the logs
+
+  static Keep None() { return {0, 0, false}; }
+  bool none() const { return failures_per_cause == 0 && every_nth_success == 0; }
+};
+
+/// What a run may take. It is no part of what is run.
+struct RunLimits {
+  double wall_s = 900.0;           // assumed, 60-3600: the longest docking takes about 30 s
+  std::int64_t memory_mib = 2048;  // assumed, 512-8192: a docking takes about 150 MiB
+  int retries = 1;                 // of a run that is lost
+};
 
 /// The plots of a campaign's curves. Keys are labels of the campaign; empty: none.
 struct Figures {
@@ -48,7 +62,8 @@ struct Campaign {
   std::optional<Correlation> correlation;  // of the dispersions, in their order
   DesignKind design = DesignKind::kMonteCarlo;
   int repeats = 1;  // runs at each point and arm
-  Keep keep = Keep::kAll;
+  Keep keep;
+  RunLimits limits;
   Figures figures;
   std::vector<std::string> labels;  // of a run: arm, place, keys and tags, by name
   bool sets_controller = false;     // by name: the result's own column tells it, no label does
@@ -92,7 +107,7 @@ struct CampaignSystems {
 Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& overrides,
                       const CampaignSystems& systems);
 
-/// The campaign as one file that reads back to the same from any folder, with absolute paths.
-std::string ResolvedYaml(const Campaign& campaign, const std::vector<KnownSystem>& systems);
+/// The campaign as one file that reads back to the same, its paths as they are.
+std::string CampaignYaml(const Campaign& campaign);
 
 }  // namespace dockyard

@@ -45,39 +45,68 @@ void NameFolder(YamlNode& controller) {
   controller.items.push_back(std::move(folder));
 }
 
-/// Gathers what trees name, each tree made absolute first.
-class Gatherer {
- public:
-  explicit Gatherer(const std::vector<KnownSystem>& systems) : keys_(FileKeys(systems)) {}
+/// Visits every tree of the campaign that can hold keys of a scenario, with its own dotted path.
+void VisitTrees(Campaign& campaign,
+                const std::function<void(YamlNode& tree, const std::string& path)>& visit) {
+  visit(campaign.base, "");
+  for (Arm& arm : campaign.arms) {
+    for (KeyValue& set : arm.sets) visit(set.value, set.key.name);
+  }
+  const auto visit_values = [&](Factor& factor) {
+    for (YamlNode& value : factor.values) visit(value, factor.key.name);
+  };
+  for (auto* factors : {&campaign.grid, &campaign.named, &campaign.one_at_a_time}) {
+    for (Factor& factor : *factors) visit_values(factor);
+  }
+  for (Dispersion& dispersion : campaign.dispersions) visit_values(dispersion.values);
+  for (std::size_t i = 0; i < campaign.table.columns.size(); ++i) {
+    const std::string& column = campaign.table.columns[i].name;
+    const bool named = std::any_of(campaign.named.begin(), campaign.named.end(),
+                                   [&](const Factor& each) { return each.key.name == column; });
+    if (named || IsTag(campaign, column)) continue;
+    for (RunTable::Row& row : campaign.table.rows) visit(row.cells[i], column);
+  }
+}
 
-  void Add(YamlNode tree, const std::string& path) {
-    MakeAbsolute(tree, path, keys_);
-    for (const std::string& key : keys_) {
+void VisitFiles(Campaign& campaign, const std::vector<std::string>& file_keys,
+                const std::function<void(const std::string& key, YamlNode& file)>& visit) {
+  VisitTrees(campaign, [&](YamlNode& tree, const std::string& path) {
+    for (const std::string& key : file_keys) {
       VisitPath(tree, path, key, [&](YamlNode& file) {
-        const bool names = file.kind == YamlNode::Kind::kScalar;
-        if (names && seen_.insert({key, file.scalar}).second) {
-          found.files.push_back({key, file.scalar});
-        }
+        if (file.kind == YamlNode::Kind::kScalar) visit(key, file);
       });
     }
+  });
+}
+
+/// Visits the values of `controller` that start a program.
+void VisitPrograms(Campaign& campaign, const Visit& visit) {
+  VisitTrees(campaign, [&](YamlNode& tree, const std::string& path) {
     VisitPath(tree, path, "controller", [&](YamlNode& controller) {
-      const YamlNode *command = controller.Find("command"), *folder = controller.Find("folder");
-      if (command == nullptr) return;
-      NamedCommand named{{}, folder == nullptr ? "" : folder->scalar};
-      for (const YamlNode& word : command->items) named.words.push_back(word.scalar);
-      found.commands.push_back(std::move(named));
+      if (controller.Find("command") != nullptr) visit(controller);
     });
-  }
-  void Add(const Factor& factor) {
-    for (const YamlNode& value : factor.values) Add(value, factor.key.name);
-  }
+  });
+}
 
-  CampaignFiles found;
-
- private:
-  std::vector<std::string> keys_;
-  std::set<std::pair<std::string, std::string>> seen_;
-};
+/// The values in a column of the table that can hold files, by their cells' texts.
+void NameFileColumns(Campaign& campaign, const std::vector<std::string>& file_keys) {
+  for (std::size_t i = 0; i < campaign.table.columns.size(); ++i) {
+    Factor factor{campaign.table.columns[i], {}, {}};
+    const auto same = [&](const Factor& each) { return each.key.name == factor.key.name; };
+    const auto holds = [&](const std::string& key) { return PathsOverlap(factor.key.name, key); };
+    if (std::none_of(file_keys.begin(), file_keys.end(), holds) ||
+        std::any_of(campaign.named.begin(), campaign.named.end(), same)) {
+      continue;
+    }
+    std::set<std::string> known;
+    for (const RunTable::Row& row : campaign.table.rows) {
+      if (!known.insert(CellText(row.cells[i])).second) continue;
+      factor.labels.push_back(CellText(row.cells[i]));
+      factor.values.push_back(row.cells[i]);
+    }
+    campaign.named.push_back(std::move(factor));
+  }
+}
 
 }  // namespace
 
@@ -93,31 +122,49 @@ std::vector<std::string> FileKeys(const std::vector<KnownSystem>& systems) {
   return keys;
 }
 
-void MakeAbsolute(YamlNode& tree, const std::string& path,
-                  const std::vector<std::string>& file_keys) {
-  for (const std::string& key : file_keys) VisitPath(tree, path, key, Resolve);
-  VisitPath(tree, path, "controller.folder", Resolve);
-  VisitPath(tree, path, "controller", NameFolder);
+Campaign WithAbsolutePaths(Campaign campaign, const std::vector<KnownSystem>& systems) {
+  const std::vector<std::string> keys = FileKeys(systems);
+  NameFileColumns(campaign, keys);
+  VisitFiles(campaign, keys, [](const std::string&, YamlNode& file) { Resolve(file); });
+  VisitTrees(campaign, [](YamlNode& tree, const std::string& path) {
+    VisitPath(tree, path, "controller.folder", Resolve);
+    VisitPath(tree, path, "controller", NameFolder);
+  });
+  return campaign;
 }
 
 CampaignFiles FilesOf(const Campaign& campaign, const std::vector<KnownSystem>& systems) {
-  Gatherer gatherer(systems);
-  gatherer.Add(campaign.base, "");
-  for (const Arm& arm : campaign.arms) {
-    for (const KeyValue& set : arm.sets) gatherer.Add(set.value, set.key.name);
-  }
-  for (const auto* factors : {&campaign.grid, &campaign.named, &campaign.one_at_a_time}) {
-    for (const Factor& factor : *factors) gatherer.Add(factor);
-  }
-  for (const Dispersion& dispersion : campaign.dispersions) gatherer.Add(dispersion.values);
-  for (std::size_t i = 0; i < campaign.table.columns.size(); ++i) {
-    const std::string& column = campaign.table.columns[i].name;
-    const bool named = std::any_of(campaign.named.begin(), campaign.named.end(),
-                                   [&](const Factor& each) { return each.key.name == column; });
-    if (named) continue;
-    for (const RunTable::Row& row : campaign.table.rows) gatherer.Add(row.cells[i], column);
-  }
-  return std::move(gatherer.found);
+  Campaign visited = campaign;
+  CampaignFiles found;
+  std::set<std::pair<std::string, std::string>> seen;
+  VisitFiles(visited, FileKeys(systems), [&](const std::string& key, YamlNode& file) {
+    if (seen.insert({key, file.scalar}).second) found.files.push_back({key, file.scalar});
+  });
+  VisitPrograms(visited, [&](YamlNode& controller) {
+    NamedCommand named{{}, controller.Find("folder")->scalar};
+    for (const YamlNode& word : controller.Find("command")->items) {
+      named.words.push_back(word.scalar);
+    }
+    found.commands.push_back(std::move(named));
+  });
+  return found;
+}
+
+Campaign WithMovedFiles(Campaign campaign, const std::vector<KnownSystem>& systems,
+                        const MovedPath& moved, bool programs_too) {
+  VisitFiles(campaign, FileKeys(systems),
+             [&](const std::string&, YamlNode& file) { file.scalar = moved(file.scalar); });
+  if (!programs_too) return campaign;
+  VisitPrograms(campaign, [&](YamlNode& controller) {
+    YamlNode& folder = *FindPath(controller, "folder");
+    for (YamlNode& word : FindPath(controller, "command")->items) {
+      const std::string place = moved(word.scalar);
+      if (place == word.scalar) continue;
+      word.scalar = std::filesystem::path(place).lexically_relative(moved(folder.scalar)).string();
+    }
+    folder.scalar = moved(folder.scalar);
+  });
+  return campaign;
 }
 
 }  // namespace dockyard

@@ -14,11 +14,10 @@ namespace dockyard {
 /// Dotted keys of any scenario of these systems whose values are files: "robot", "axel.station".
 std::vector<std::string> FileKeys(const std::vector<KnownSystem>& systems);
 
-/// Makes the files of the tree absolute, and names the folder in which a controller's program runs:
-/// the tree then means the same from any folder. `path`: the tree's own dotted path, empty for a
-/// scenario's root. Keys of mappings may be dotted themselves.
-void MakeAbsolute(YamlNode& tree, const std::string& path,
-                  const std::vector<std::string>& file_keys);
+/// The campaign with absolute paths, and with the folder in which each controller's program runs:
+/// it means the same from any folder. Files in cells of the table get their cells' texts as names,
+/// so that results show the same labels.
+Campaign WithAbsolutePaths(Campaign campaign, const std::vector<KnownSystem>& systems);
 
 /// What a campaign reads beside its own file, as absolute paths.
 struct NamedFile {
@@ -32,6 +31,14 @@ struct CampaignFiles {
   std::vector<NamedFile> files;  // each pair of key and path once
   std::vector<NamedCommand> commands;
 };
+/// Of a campaign with absolute paths.
 CampaignFiles FilesOf(const Campaign& campaign, const std::vector<KnownSystem>& systems);
+
+/// Gives the place to which an absolute path has moved; the same path where it has not.
+using MovedPath = std::function<std::string(const std::string& path)>;
+/// The campaign, which has absolute paths, with its files moved; with those of its controllers'
+/// programs too, if asked for.
+Campaign WithMovedFiles(Campaign campaign, const std::vector<KnownSystem>& systems,
+                        const MovedPath& moved, bool programs_too);
 
 }  // namespace dockyard

@@ -173,6 +173,33 @@ std::string NameOf(const YamlReader& in) {
   return name;
 }
 
+/// Logs of a whole large campaign would fill a disk.
+Keep ReadKeep(const YamlReader& root, std::int64_t runs) {
+  constexpr std::int64_t kFewRuns = 100;
+  const Keep of_many{20, 50, true};
+  if (!root.Has("keep")) return runs <= kFewRuns ? Keep{} : of_many;
+  if (root.Child("keep").kind != YamlNode::Kind::kMapping) {
+    return root.Choice("keep", {"all", "none"}) == 0 ? Keep{} : Keep::None();
+  }
+  const YamlReader in(root.Child("keep"), "keep",
+                      {"failures_per_cause", "every_nth_success", "pictures"});
+  constexpr int kMost = 1000000000;
+  return {
+      in.IntegerOr("failures_per_cause", static_cast<int>(of_many.failures_per_cause), 0, kMost),
+      in.IntegerOr("every_nth_success", static_cast<int>(of_many.every_nth_success), 0, kMost),
+      in.BoolOr("pictures", true)};
+}
+
+RunLimits ReadLimits(const YamlReader& root) {
+  RunLimits limits;
+  if (!root.Has("limits")) return limits;
+  const YamlReader in(root.Child("limits"), "limits", {"wall_s", "memory_mib", "retries"});
+  limits.wall_s = in.NumberOr("wall_s", limits.wall_s, Between(0.001, 1e6));
+  limits.memory_mib = in.IntegerOr("memory_mib", static_cast<int>(limits.memory_mib), 64, 1 << 24);
+  limits.retries = in.IntegerOr("retries", limits.retries, 0, 10);
+  return limits;
+}
+
 /// A table made by --dry-run holds all that the file draws and repeats: nothing is drawn again.
 void LeaveToTable(Campaign& campaign, const YamlReader& in) {
   if (campaign.table.Find("repeat")) campaign.repeats = 1;
@@ -199,7 +226,7 @@ Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& o
   const YamlReader in(
       campaign.tree, "",
       {"campaign", "seed", "base", "scenario", "script", "arms", "vary", "one_at_a_time", "draw",
-       "correlate", "design", "tags", "table", "runs", "keep", "figures"});
+       "correlate", "design", "tags", "table", "runs", "keep", "limits", "figures"});
   campaign.name = NameOf(in);
   campaign.file = file;
   campaign.seed = in.SeedOr("seed", 1);
@@ -211,10 +238,11 @@ Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& o
   campaign.one_at_a_time = ReadFactors(in, "one_at_a_time");
   campaign.dispersions = ReadDispersions(in);
   ReadDesign(in, campaign);
-  campaign.keep = static_cast<Keep>(in.ChoiceOr("keep", 0, {"all", "none"}));
+  campaign.limits = ReadLimits(in);
   campaign.correlation = ReadCorrelation(in, campaign.dispersions);
   LeaveToTable(campaign, in);
   CheckWhole(campaign, in, systems.known);
+  campaign.keep = ReadKeep(in, campaign.run_count());
   AddLabels(campaign);
   const YamlNode* system = campaign.base.Find("system");
   const bool named = system != nullptr && systems.measures;

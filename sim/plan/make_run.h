@@ -17,6 +17,7 @@ class RunMaker {
   /// Both must outlive it.
   RunMaker(const Campaign& campaign, const std::vector<KnownSystem>& systems);
 
+  std::int64_t run_count() const { return campaign_.run_count(); }
   /// @param index  0 .. run_count() - 1: arm by arm, repeat by repeat, point by point
   /// Throws ConfigError for a scenario that its reader refuses.
   CampaignRun Make(std::int64_t index) const;

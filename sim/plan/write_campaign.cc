@@ -2,7 +2,6 @@
 
 #include "sim/base/text.h"
 #include "sim/plan/campaign.h"
-#include "sim/plan/file_keys.h"
 #include "sim/plan/make_run.h"
 #include "sim/scenario/key_path.h"
 
@@ -23,30 +22,26 @@ void Add(YamlNode& mapping, const std::string& key, YamlNode value) {
 }
 
 /// Labels with values, which read the same whatever the values are.
-YamlNode ValuesNode(const Factor& factor, const std::vector<std::string>& files) {
+YamlNode ValuesNode(const Factor& factor) {
   YamlNode values = Mapping();
   for (std::size_t i = 0; i < factor.values.size(); ++i) {
-    YamlNode value = factor.values[i];
-    MakeAbsolute(value, factor.key.name, files);
-    Add(values, factor.labels[i], std::move(value));
+    Add(values, factor.labels[i], factor.values[i]);
   }
   return values;
 }
 
-YamlNode FactorsNode(const std::vector<Factor>& factors, const std::vector<std::string>& files) {
+YamlNode FactorsNode(const std::vector<Factor>& factors) {
   YamlNode mapping = Mapping();
-  for (const Factor& factor : factors) Add(mapping, factor.key.name, ValuesNode(factor, files));
+  for (const Factor& factor : factors) Add(mapping, factor.key.name, ValuesNode(factor));
   return mapping;
 }
 
-YamlNode ArmsNode(const Campaign& campaign, const std::vector<std::string>& files) {
+YamlNode ArmsNode(const Campaign& campaign) {
   YamlNode arms = Mapping();
   for (const Arm& arm : campaign.arms) {
     YamlNode sets = Mapping();
     for (const KeyValue& set : arm.sets) {
-      YamlNode value = set.value;
-      MakeAbsolute(value, set.key.name, files);
-      Add(sets, set.key.name, std::move(value));
+      Add(sets, set.key.name, set.value);
     }
     Add(arms, arm.name, std::move(sets));
   }
@@ -54,30 +49,25 @@ YamlNode ArmsNode(const Campaign& campaign, const std::vector<std::string>& file
 }
 
 /// As in the file, but for files among a discrete distribution's values.
-YamlNode DrawNode(const Campaign& campaign, const std::vector<std::string>& files) {
+YamlNode DrawNode(const Campaign& campaign) {
   YamlNode draw = Mapping();
   for (const Dispersion& dispersion : campaign.dispersions) {
     YamlNode node = *campaign.tree.Find("draw")->Find(dispersion.key.name);
     if (dispersion.discrete()) {
-      *FindPath(node, "discrete.values") = ValuesNode(dispersion.values, files);
+      *FindPath(node, "discrete.values") = ValuesNode(dispersion.values);
     }
     Add(draw, dispersion.key.name, std::move(node));
   }
   return draw;
 }
 
-std::string RowsText(const Campaign& campaign, const std::vector<std::string>& files) {
+std::string RowsText(const Campaign& campaign) {
   std::string text = "runs:\n";
   for (const RunTable::Row& row : campaign.table.rows) {
     YamlNode mapping = Mapping();
     Add(mapping, "run", ScalarNode(std::to_string(row.run), false));
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const std::string& key = campaign.table.columns[i].name;
-      YamlNode cell = row.cells[i];
-      bool named = false;
-      for (const Factor& factor : campaign.named) named = named || factor.key.name == key;
-      if (!named) MakeAbsolute(cell, key, files);
-      Add(mapping, key, std::move(cell));
+      Add(mapping, campaign.table.columns[i].name, row.cells[i]);
     }
     text += "  - " + FlowText(mapping) + "\n";
   }
@@ -86,10 +76,8 @@ std::string RowsText(const Campaign& campaign, const std::vector<std::string>& f
 
 }  // namespace
 
-std::string ResolvedYaml(const Campaign& campaign, const std::vector<KnownSystem>& systems) {
-  const std::vector<std::string> files = FileKeys(systems);
+std::string CampaignYaml(const Campaign& campaign) {
   YamlNode base = campaign.base;
-  MakeAbsolute(base, "", files);
   RemovePath(base, "name");
   RemovePath(base, "seed");
   // What each run replaces goes; a mapping stays, as a run's keys go on top of it.
@@ -103,19 +91,19 @@ std::string ResolvedYaml(const Campaign& campaign, const std::vector<KnownSystem
   const auto add = [&](const char* key, const YamlNode& mapping) {
     if (!mapping.keys.empty()) text += std::string(key) + ":\n" + BlockText(mapping, 2);
   };
-  add("arms", ArmsNode(campaign, files));
+  add("arms", ArmsNode(campaign));
   std::vector<Factor> vary = campaign.grid;
   vary.insert(vary.end(), campaign.named.begin(), campaign.named.end());
-  add("vary", FactorsNode(vary, files));
-  add("one_at_a_time", FactorsNode(campaign.one_at_a_time, files));
-  add("draw", DrawNode(campaign, files));
-  for (const char* key : {"correlate", "design", "tags", "keep", "figures"}) {
+  add("vary", FactorsNode(vary));
+  add("one_at_a_time", FactorsNode(campaign.one_at_a_time));
+  add("draw", DrawNode(campaign));
+  for (const char* key : {"correlate", "design", "tags", "keep", "limits", "figures"}) {
     const YamlNode* node = campaign.tree.Find(key);
     if (node != nullptr && (campaign.correlation || std::string(key) != "correlate")) {
       text += std::string(key) + ": " + FlowText(*node) + "\n";
     }
   }
-  if (!campaign.table.rows.empty()) text += RowsText(campaign, files);
+  if (!campaign.table.rows.empty()) text += RowsText(campaign);
   return text;
 }
 

@@ -12,6 +12,9 @@ namespace {
 constexpr std::size_t kMostGroups =
     8;  // a label with more values is a measure of the start, no group
 constexpr std::size_t kMostColumns = 99;
+constexpr std::size_t kMostNumbers = 60;  // of runs with the same cause
+// Beyond so many runs the table shows failures alone, and at most so many of them.
+constexpr std::size_t kMostRows = 200, kMostFailures = 60;
 
 using Cells = std::vector<std::string>;
 
@@ -42,14 +45,14 @@ std::string CellOrDash(std::string text) {
 /// The text, cut where there are too many values to show.
 std::vector<Group> GroupsBy(std::size_t label, const FinishedRuns& runs) {
   std::vector<Group> groups;
-  for (const auto& [number, run] : runs) {
+  for (const RunResult& result : runs.results) {
     if (groups.size() > kMostGroups) break;
-    const std::string value = CellOrDash(run.result.labels[label]);
+    const std::string value = CellOrDash(result.labels[label]);
     auto group = std::find_if(groups.begin(), groups.end(),
                               [&](const Group& each) { return each.value == value; });
     if (group == groups.end()) group = groups.insert(groups.end(), {value});
     ++group->runs;
-    group->docked += run.result.docked ? 1 : 0;
+    group->docked += result.docked ? 1 : 0;
   }
   return groups;
 }
@@ -78,8 +81,12 @@ void AddGroups(std::string& out, const std::vector<std::vector<Group>>& by_label
 void AddNumbers(std::string& out, std::string line, const std::vector<int>& numbers) {
   const std::size_t indent = line.size() + 5;
   line += numbers.size() == 1 ? "run" : "runs";
-  for (const int number : numbers) {
-    const std::string word = " " + std::to_string(number);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i == kMostNumbers) {
+      line += " ...";
+      break;
+    }
+    const std::string word = " " + std::to_string(numbers[i]);
     if (line.size() + word.size() > kMostColumns) {
       AddLine(out, line);
       line = std::string(indent - 1, ' ');
@@ -92,13 +99,12 @@ void AddNumbers(std::string& out, std::string line, const std::vector<int>& numb
 void AddCauses(std::string& out, const FinishedRuns& runs, const RowColumns& columns) {
   std::vector<std::string> causes;
   for (const OutcomeName& outcome : columns.outcomes) causes.push_back(outcome.name);
-  if (std::find(causes.begin(), causes.end(), kCrashed) == causes.end()) causes.push_back(kCrashed);
   std::vector<std::vector<int>> numbers(causes.size());
   std::size_t width = 0;
-  for (const auto& [number, run] : runs) {
-    const auto cause = std::find(causes.begin(), causes.end(), run.result.outcome);
-    if (run.result.docked || cause == causes.end()) continue;
-    numbers[static_cast<std::size_t>(cause - causes.begin())].push_back(number);
+  for (const RunResult& result : runs.results) {
+    const auto cause = std::find(causes.begin(), causes.end(), result.outcome);
+    if (result.docked || cause == causes.end()) continue;
+    numbers[static_cast<std::size_t>(cause - causes.begin())].push_back(result.run);
     width = std::max(width, cause->size());
   }
   if (width == 0) return;
@@ -144,6 +150,18 @@ Cells TableCells(const RunResult& row, const std::vector<std::size_t>& labels,
   return cells;
 }
 
+/// All runs, or where there are many, the first failures.
+std::vector<std::size_t> ShownRuns(const FinishedRuns& runs) {
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs.size() > kMostRows && (runs.results[i].docked || shown.size() == kMostFailures)) {
+      continue;
+    }
+    shown.push_back(i);
+  }
+  return shown;
+}
+
 void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& columns,
               const std::vector<std::size_t>& labels) {
   Cells header{"run"};
@@ -153,7 +171,8 @@ void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& colu
     if (measure.headline) header.push_back(measure.name);
   }
   std::vector<Cells> table;
-  for (const auto& [number, run] : runs) table.push_back(TableCells(run.result, labels, columns));
+  const std::vector<std::size_t> shown = ShownRuns(runs);
+  for (const std::size_t i : shown) table.push_back(TableCells(runs.results[i], labels, columns));
   std::vector<std::size_t> widths;
   std::vector<char> numeric(header.size(), 1);
   for (const std::string& cell : header) widths.push_back(cell.size());
@@ -166,9 +185,13 @@ void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& colu
   AddLine(out, "");
   AddLine(out, TableLine(header, widths, numeric));
   auto line = table.begin();
-  for (const auto& [number, run] : runs) {
+  for (const std::size_t i : shown) {
     AddLine(out, TableLine(*line++, widths, numeric));
-    if (!run.note.empty()) AddLine(out, std::string(widths[0] + 2, ' ') + run.note);
+    if (!runs.notes[i].empty()) AddLine(out, std::string(widths[0] + 2, ' ') + runs.notes[i]);
+  }
+  if (shown.size() < runs.size()) {
+    AddLine(out, "of " + std::to_string(runs.size()) + " runs the first " +
+                     std::to_string(shown.size()) + " failures; results.csv has all");
   }
 }
 
@@ -177,7 +200,7 @@ void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& colu
 std::string SummaryText(const std::string& title, const FinishedRuns& runs,
                         const RowColumns& columns, std::int64_t total) {
   int docked = 0;
-  for (const auto& [number, run] : runs) docked += run.result.docked ? 1 : 0;
+  for (const RunResult& result : runs.results) docked += result.docked ? 1 : 0;
   const int done = static_cast<int>(runs.size());
   std::string out;
   AddLine(out, title + ": " + BriefRate(docked, done) + ", 95 % intervals (Clopper-Pearson)");

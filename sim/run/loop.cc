@@ -53,13 +53,14 @@ class Run {
     record_.channels = system.channels;
     record_.belief_columns = system.beliefs;
     if (!options.log_dir.empty()) {
-      log_ = std::make_unique<RunLogWriter>(options.log_dir,
-                                            RunLogHeader{.run = what.run,
-                                                         .seed = what.scenario.seed,
-                                                         .system = system.name,
-                                                         .controller = what.scenario.controller,
-                                                         .images_kept = what.scenario.log_images,
-                                                         .nominal = ready_.nominal});
+      log_ = std::make_unique<RunLogWriter>(
+          options.log_dir,
+          RunLogHeader{.run = what.run,
+                       .seed = what.scenario.seed,
+                       .system = system.name,
+                       .controller = what.scenario.controller,
+                       .images_kept = what.scenario.log_images && options.log_images,
+                       .nominal = ready_.nominal});
     }
   }
 

@@ -11,6 +11,7 @@ namespace dockyard {
 
 struct RunOptions {
   std::filesystem::path log_dir;    // empty: no log is written
+  bool log_images = true;           // in the log, if the scenario keeps them
   std::vector<std::string> labels;  // names of the run's labels
   // Whether a scenario's `controller: {command: ...}` may start its program, and how long one of
   // its answers may take. Wall time; assumed, 1-60 s.

@@ -24,7 +24,9 @@ RowColumns System::Columns(std::vector<std::string> labels) const {
       {kControllerTimeout, false, "the controller's program gave no answer in time"});
   columns.outcomes.push_back(
       {kControllerError, false, "the controller's program sent an invalid answer"});
-  columns.outcomes.push_back({kCrashed, false, "the run's process died or was ended"});
+  columns.outcomes.push_back({kCrashed, false, "the run's process died by its own fault"});
+  columns.outcomes.push_back(
+      {kStopped, false, "a limit, or somebody else, ended the run's process"});
   return columns;
 }
 

@@ -12,8 +12,9 @@
 #include "app/program.h"
 #include "sim/app/systems.h"
 #include "sim/base/json.h"
+#include "sim/campaign/merge.h"
+#include "sim/campaign/shard_file.h"
 #include "sim/log/result_row.h"
-#include "sim/log/results.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -125,25 +126,66 @@ TEST(ProgramCampaign, ComesOutTheSameOnOneProcessorAndOnTwoAndReplays) {
 
   const RowColumns columns = AxelColumns(
       {"day", "region", "soil", "light", "start.r_m", "start.alpha_deg", "start.heading_deg"});
-  const int run = ReadResults(one, columns).begin()->first;
+  const int run = ReadShards(one, columns).results.front().run;
   const std::string replay = "replay " + one.string() + " " + std::to_string(run);
   const Ended same = Dockyard(replay);
   EXPECT_EQ(same.code, 0) << same.out;
   EXPECT_THAT(same.out, HasSubstr("same result row, bit for bit"));
   EXPECT_THAT(same.out, HasSubstr("controller alone: same"));
-  EXPECT_THAT(same.err, Not(HasSubstr("have changed since")));
+  EXPECT_THAT(same.err, Not(HasSubstr("differs")));
 
-  FinishedRuns changed = ReadResults(one, columns);
-  changed[run].result.state_hash ^= 1;
-  WriteText(one / "results.csv", ResultsCsv(changed, columns));
+  FinishedRuns kept = ReadShards(one, columns);
+  kept.results[0].state_hash ^= 1;
+  const fs::path shard = ShardFile(one, Shard{});
+  fs::remove(shard);
+  ShardWriter(shard, {{"shard", "x"}}, columns)
+      .Append({kept.results[0], kept.timings[0], kept.notes[0]});
   const Ended other = Dockyard(replay);
   EXPECT_EQ(other.code, 1);
   EXPECT_THAT(other.out, HasSubstr("state_hash"));
 
-  changed.erase(run);
-  WriteText(one / "results.csv", ResultsCsv(changed, columns));
+  fs::remove(shard);
   EXPECT_EQ(Dockyard(replay).code, 10);
   EXPECT_EQ(Dockyard("replay " + one.string() + " 999").code, 2);
+}
+
+TEST(ProgramCampaign, ReplaysElsewhereWithoutTheModelsThatItWasRunWith) {
+  const TemporaryFolder folder;
+  const fs::path home = folder.path() / "home", away = folder.path() / "away";
+  for (const char* part : {"scenarios", "models"}) {
+    fs::copy(fs::path(DOCKYARD_SOURCE_DIR) / part, home / part, fs::copy_options::recursive);
+  }
+  const std::string campaign = (home / "scenarios/ci_4.yaml").string();
+  ASSERT_EQ(Dockyard("campaign " + campaign + " --quiet --set scenario.time_limit_s=3 --out " +
+                     (home / "out").string())
+                .code,
+            0);
+  for (const auto& entry : fs::recursive_directory_iterator(home / "out")) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".yaml" && extension != ".json" && extension != ".rows") continue;
+    EXPECT_EQ(Slurp(entry.path()).find(home.string()), std::string::npos) << entry.path();
+  }
+  fs::rename(home / "out", away);
+  fs::remove_all(home);
+  const Ended replay = Dockyard("replay " + away.string() + " 14");
+  EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
+  EXPECT_EQ(replay.err, "");
+}
+
+TEST(ProgramCampaign, MergesShardsOfSeveralFoldersToTheSameResults) {
+  const TemporaryFolder folder;
+  const fs::path whole = folder.path() / "whole", all = folder.path() / "all";
+  ASSERT_EQ(Dockyard(ShortCampaign(whole, 2)).code, 0);
+  for (const char* number : {"1", "2"}) {
+    const std::string part = ShortCampaign(folder.path() / number, 1) + " --shard " + number + "/2";
+    ASSERT_EQ(Dockyard(part).code, 0);
+  }
+  EXPECT_EQ(Dockyard("merge " + all.string() + " " + (folder.path() / "1").string()).code, 10);
+  EXPECT_EQ(Dockyard("merge " + all.string() + " " + (folder.path() / "2").string()).code, 0);
+  EXPECT_EQ(Slurp(all / "results.csv"), Slurp(whole / "results.csv"));
+  EXPECT_EQ(Slurp(all / "summary.txt"), Slurp(whole / "summary.txt"));
+  EXPECT_EQ(Dockyard("campaign --watch " + all.string()).code, 0);
+  EXPECT_EQ(Dockyard("replay " + all.string() + " 14").code, 0);
 }
 
 TEST(ProgramRun, ReplaysFromItsOwnFolder) {
@@ -178,11 +220,11 @@ TEST(ProgramCampaign, StoppedByASignalKeepsItsRunsAndGoesOnToTheSameResults) {
   ASSERT_EQ(Dockyard(ShortCampaign(straight, 2)).code, 0);
   for (const int signal : {SIGINT, SIGTERM}) {
     const fs::path stopped = folder.path() / std::to_string(signal);
-    const fs::path results = stopped / "results.csv";
+    const fs::path results = stopped / "results.csv", shard = ShardFile(stopped, Shard{});
     const pid_t process = StartDockyard(ShortCampaign(stopped, 1));
     const auto rows = [&] {
-      const std::string text = fs::exists(results) ? Slurp(results) : "";
-      return std::count(text.begin(), text.end(), '\n') - 1;
+      const std::string text = fs::exists(shard) ? Slurp(shard) : "";
+      return std::count(text.begin(), text.end(), '\n') - 2;
     };
     for (int i = 0; i < 6000 && rows() < 1; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "models/read/yaml_tree.h"
+#include "sim/plan/file_keys.h"
 #include "sim/scenario/key_path.h"
 #include "support/bad_files.h"
 
@@ -27,11 +28,13 @@ class Identity : public testing::Test {
     PutPath(campaign_.base, key, {}, ParseYaml(text, At("x.yaml")));
   }
   std::string Text() const {
-    return IdentityText(campaign_, {{"toy", {}, {"target"}, {"robot.cameras.file"}}});
+    const std::vector<KnownSystem> systems{{"toy", {}, {"target"}, {"robot.cameras.file"}}};
+    const Campaign campaign = WithAbsolutePaths(campaign_, systems);
+    return MakeManifest(IdentityOf(campaign, systems), {}).dump();
   }
   bool SeesAChangeOf(const std::string& name) const {
     const std::string before = Text(), text = Slurp(At(name));
-    folder_.Write(name, text + "# changed\n");
+    folder_.Write(name, text + "\n");
     const bool differs = Text() != before;
     folder_.Write(name, text);
     EXPECT_EQ(Text(), before);
@@ -48,6 +51,25 @@ TEST_F(Identity, ChangesWithEachModelOfARun) {
   }
 }
 
+TEST_F(Identity, HasNothingOfFilesThatNobodyNames) {
+  EXPECT_FALSE(SeesAChangeOf("urdf/a.stl"));
+  folder_.Write("robot/diary.txt", "private");
+  EXPECT_EQ(Text().find("diary"), std::string::npos);
+}
+
+TEST_F(Identity, IsTheSameWhereverTheFilesLieTogether) {
+  const std::string here = Text();
+  EXPECT_EQ(here.find(folder_.path().string()), std::string::npos);
+  const ScratchFolder elsewhere;
+  for (const char* name : {"robot/robot.yaml", "station/station.yaml", "soil/soil.yaml"}) {
+    elsewhere.Write(name, Slurp(At(name)));
+  }
+  campaign_.base = ParseYaml(
+      "{robot: robot/robot.yaml, soil: soil/soil.yaml, toy: {target: station/station.yaml}}",
+      (elsewhere.path() / "x.yaml").string());
+  EXPECT_EQ(Text(), here);
+}
+
 TEST_F(Identity, ChangesWithTheCameraFileOfAScenario) {
   EXPECT_FALSE(SeesAChangeOf("far/camera.yaml"));
   Set("camera.file", "far/camera.yaml");
@@ -55,6 +77,7 @@ TEST_F(Identity, ChangesWithTheCameraFileOfAScenario) {
 }
 
 TEST_F(Identity, ChangesWithFilesThatAModelNamesInOtherFolders) {
+  folder_.Write("urdf/a.urdf", "<robot><mesh filename='a.stl'/></robot>\n");
   folder_.Write("robot/robot.yaml", "urdf: ../urdf/a.urdf\ncameras: {file: ../far/rig.yaml}\n");
   for (const char* name : {"urdf/a.urdf", "urdf/a.stl", "far/rig.yaml"}) {
     EXPECT_TRUE(SeesAChangeOf(name)) << name;

@@ -23,7 +23,7 @@ set(rooms
   "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h|${os}"
   "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
   "render|a scene in, images out, without physics|${contract}|render/|GL/|EGL/|dlfcn.h"
-  "sim/base|random streams, normal numbers, hashes, files, text, JSON, PNG, what this computer is|${contract}|sim/base/|nlohmann/|opencv2/|${os}"
+  "sim/base|random streams, normal numbers, hashes, files, text, JSON, PNG, what this computer is|${contract}|sim/base/|nlohmann/|opencv2/|zlib.h|${os}"
   "sim/draws|values of dispersed numbers: distributions, designs, correlation|${contract}|sim/(base|draws)/|boost/random/"
   "sim/jobs|work in processes of its own|controller/base/|sim/(base|jobs)/|${os}"
   "sim/scenario|what one run is: a scenario, its keys and files|${models}|sim/(base|scenario)/"

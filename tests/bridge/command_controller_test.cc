@@ -144,7 +144,7 @@ TEST(CommandController, ThatHasChangedIsNotTheSameCampaign) {
   WriteText(folder.path() / "controller.sh", "exit 2\n");
   const Ended changed = Dockyard(campaign);
   EXPECT_EQ(changed.code, 2);
-  EXPECT_THAT(changed.err, HasSubstr("or with other files of models or controllers"));
+  EXPECT_THAT(changed.err, HasSubstr("it was begun with another files/controller.sh"));
 }
 
 TEST(CommandController, CostsOneRunOfACampaign) {

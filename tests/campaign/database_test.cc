@@ -45,8 +45,8 @@ std::vector<std::vector<std::string>> Ask(const std::filesystem::path& file, con
 
 FinishedRuns SomeRuns() {
   FinishedRuns runs = FakeResults(6);
-  runs[2].result.seed = 0xfedcba9876543210ull;  // beyond 2^63
-  runs[2].result.labels[0] = "wet, \"sticky\"";
+  runs.results[1].seed = 0xfedcba9876543210ull;  // beyond 2^63
+  runs.results[1].labels[0] = "wet, \"sticky\"";
   return runs;
 }
 
@@ -55,7 +55,7 @@ TEST(Database, HoldsWhatTheCsvHolds) {
   const FinishedRuns runs = SomeRuns();
   WriteDatabase(folder.path() / "results.sqlite", runs, FakeColumns());
   std::vector<std::vector<std::string>> cells;
-  for (const auto& [number, run] : runs) cells.push_back(RowCells(run.result, FakeColumns()));
+  for (const RunResult& result : runs.results) cells.push_back(RowCells(result, FakeColumns()));
   EXPECT_EQ(Ask(folder.path() / "results.sqlite", "SELECT * FROM runs ORDER BY run"), cells);
 }
 
@@ -75,9 +75,9 @@ TEST(Database, ComparesLabelsThatAreNumbersAsNumbers) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "results.sqlite";
   FinishedRuns runs = FakeResults(3);
-  runs[1].result.labels[1] = "10";
-  runs[2].result.labels[1] = "9.5";
-  runs[3].result.labels[1] = "far";
+  runs.results[0].labels[1] = "10";
+  runs.results[1].labels[1] = "9.5";
+  runs.results[2].labels[1] = "far";
   WriteDatabase(file, runs, FakeColumns());
   const auto asked = Ask(file, "SELECT run FROM runs WHERE \"start.r_m\" BETWEEN 9 AND 11");
   EXPECT_EQ(asked, (std::vector<std::vector<std::string>>{{"1"}, {"2"}}));
@@ -87,8 +87,8 @@ TEST(Database, HasNullForNotANumberAndForACrashedRunsMeasures) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "results.sqlite";
   FinishedRuns runs = FakeResults(2);
-  runs[1].result.measures[0] = std::numeric_limits<double>::quiet_NaN();
-  runs[2].result.measures.clear();
+  runs.results[0].measures[0] = std::numeric_limits<double>::quiet_NaN();
+  runs.results[1].measures.clear();
   WriteDatabase(file, runs, FakeColumns());
   const auto asked = Ask(file, "SELECT depth_m, force_peak_n FROM runs ORDER BY run");
   EXPECT_EQ(asked[0], (std::vector<std::string>{"NULL", NumberText(0.1 + 0.2)}));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <set>
 #include <thread>
 
 #include "models/read/config_error.h"
@@ -34,6 +35,7 @@ CampaignOptions OptionsFor(const fs::path& dir, int jobs) {
   options.jobs = jobs;
   options.systems = FakeSystems();
   options.columns = FakeColumns();
+  options.identity.campaign_yaml = CampaignYaml(FakeCampaign(3));
   options.draw = [](const RunRecord& record, const Scenario&) {
     return std::vector<Figure>{{"path.svg", std::to_string(record.history.size()) + " samples"}};
   };
@@ -46,7 +48,7 @@ CampaignOptions OptionsFor(const fs::path& dir, int jobs) {
 
 /// Every file that must not depend on how the campaign came to its end.
 void ExpectSameResults(const fs::path& a, const fs::path& b) {
-  for (const char* file : {"results.csv", "results.sqlite", "summary.txt", "resolved.yaml",
+  for (const char* file : {"results.csv", "results.sqlite", "summary.txt", "campaign.yaml",
                            "plots/grid.svg", "runs/003/history.csv", "runs/003/outcome.json",
                            "runs/003/path.svg", "runs/003/plans.json", "runs/003/sightings.json"}) {
     EXPECT_EQ(Slurp(a / file), Slurp(b / file)) << file;
@@ -71,10 +73,20 @@ int LinesIn(const fs::path& file) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
+/// Rows of the folder's only shard; its first two lines are no rows.
+int RowsIn(const fs::path& dir) { return LinesIn(ShardFile(dir, Shard{})) - 2; }
+
 void WaitForRows(const fs::path& dir, int rows) {
-  for (int i = 0; i < 2000 && LinesIn(dir / "results.csv") < rows + 1; ++i) {
+  for (int i = 0; i < 2000 && RowsIn(dir) < rows; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
+}
+
+const RunResult& ResultOf(const CampaignEnd& end, int run) {
+  return end.runs.results.at(end.runs.Find(run));
+}
+const std::string& NoteOf(const CampaignEnd& end, int run) {
+  return end.runs.notes.at(end.runs.Find(run));
 }
 
 TEST(RunCampaign, GivesTheSameBytesForAnyNumberOfProcesses) {
@@ -102,13 +114,13 @@ TEST(RunCampaign, KeepsARunThatDiesToItself) {
   const CampaignEnd end = RunCampaign(FakeCampaign(5), dies, OptionsFor(folder.path(), 2));
   ASSERT_TRUE(end.complete());
   for (const int run : {2, 3, 4}) {
-    EXPECT_EQ(end.runs.at(run).result.outcome, kCrashed);
-    EXPECT_TRUE(end.runs.at(run).result.measures.empty());
-    EXPECT_EQ(end.runs.at(run).result.labels, FakeRuns(5)[run - 1].labels);
-    EXPECT_EQ(end.runs.at(run).result.seed, FakeRuns(5)[run - 1].scenario.seed);
+    EXPECT_EQ(ResultOf(end, run).outcome, kCrashed);
+    EXPECT_TRUE(ResultOf(end, run).measures.empty());
+    EXPECT_EQ(ResultOf(end, run).labels, FakeRuns(5)[run - 1].labels);
+    EXPECT_EQ(ResultOf(end, run).seed, FakeRuns(5)[run - 1].scenario.seed);
   }
-  EXPECT_EQ(end.runs.at(1).result.outcome, "docked");
-  EXPECT_EQ(end.runs.at(5).result.outcome, "docked");
+  EXPECT_EQ(ResultOf(end, 1).outcome, "docked");
+  EXPECT_EQ(ResultOf(end, 5).outcome, "docked");
   EXPECT_THAT(end.summary, HasSubstr("killed by signal 11 (Segmentation fault)"));
   EXPECT_THAT(end.summary, HasSubstr("ended with exit code 9 before its result"));
   EXPECT_THAT(end.summary, HasSubstr("threw: the renderer found no context"));
@@ -120,11 +132,12 @@ TEST(RunCampaign, KillsARunThatHangs) {
     while (run.run == 1) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return FakeRun(run, dir);
   };
-  CampaignOptions options = OptionsFor(folder.path(), 2);
-  options.run_time_limit_s = 1.0;
-  const CampaignEnd end = RunCampaign(FakeCampaign(3), hangs, options);
-  EXPECT_EQ(end.runs.at(1).result.outcome, kCrashed);
-  EXPECT_TRUE(end.runs.at(2).result.docked);
+  const CampaignOptions options = OptionsFor(folder.path(), 2);
+  Campaign campaign = FakeCampaign(3);
+  campaign.limits.wall_s = 1.0;
+  const CampaignEnd end = RunCampaign(campaign, hangs, options);
+  EXPECT_EQ(ResultOf(end, 1).outcome, kStopped);
+  EXPECT_TRUE(ResultOf(end, 2).docked);
   EXPECT_THAT(end.summary, HasSubstr("killed: it took more than 1 s of wall time"));
 }
 
@@ -150,7 +163,7 @@ TEST(RunCampaign, KilledInTheMiddleGoesOnToTheSameResults) {
   WaitForRows(stopped, 3);
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
-  const int kept = LinesIn(stopped / "results.csv") - 1;
+  const int kept = RowsIn(stopped);
   ASSERT_GE(kept, 3);
   ASSERT_LT(kept, 8);
   int run_now = 0;
@@ -170,17 +183,91 @@ TEST(RunCampaign, RunsNoFinishedRunAgain) {
   };
   const CampaignEnd end = RunCampaign(FakeCampaign(3), never, OptionsFor(folder.path(), 1));
   EXPECT_TRUE(end.complete());
-  EXPECT_TRUE(end.runs.at(1).result.docked);
+  EXPECT_TRUE(ResultOf(end, 1).docked);
 }
 
-TEST(RunCampaign, GoesOnAfterACutOffLine) {
+TEST(RunCampaign, RunsARunAgainWhoseRowIsDamaged) {
   const TemporaryFolder folder;
-  const fs::path cut = folder.path() / "cut", straight = folder.path() / "straight";
-  RunCampaign(FakeCampaign(4), FakeRun, OptionsFor(cut, 1));
-  const std::string csv = Slurp(cut / "results.csv");
-  WriteText(cut / "results.csv", csv.substr(0, csv.size() - 7));
-  RunCampaign(FakeCampaign(4), FakeRun, OptionsFor(cut, 1));
-  EXPECT_EQ(Slurp(cut / "results.csv"), csv);
+  RunCampaign(FakeCampaign(4), FakeRun, OptionsFor(folder.path(), 1));
+  const std::string csv = Slurp(folder.path() / "results.csv");
+  const fs::path shard = ShardFile(folder.path(), Shard{});
+  std::string rows = Slurp(shard);
+  rows[rows.find("docked", rows.find("\n", rows.find(",2,"))) + 1] ^= 1;
+  WriteText(shard, rows.substr(0, rows.size() - 7));  // and the last is cut off
+  const CampaignEnd end = RunCampaign(FakeCampaign(4), FakeRun, OptionsFor(folder.path(), 1));
+  EXPECT_TRUE(end.complete());
+  EXPECT_FALSE(end.damaged.empty());
+  EXPECT_EQ(Slurp(folder.path() / "results.csv"), csv);
+}
+
+TEST(RunCampaign, GivesTheSameBytesInShards) {
+  const TemporaryFolder folder;
+  const Campaign campaign = FakeCampaign(11);
+  const fs::path serial = folder.path() / "serial", shards = folder.path() / "shards";
+  RunCampaign(campaign, FakeRun, OptionsFor(serial, 1));
+  CampaignOptions options = OptionsFor(shards, 2);
+  for (const int number : {3, 1, 2}) {
+    options.shard = {number, 3};
+    const ShardEnd end = RunShard(campaign, FakeRun, options);
+    EXPECT_TRUE(end.complete());
+    EXPECT_EQ(end.total, number == 3 ? 3 : 4);
+  }
+  const std::vector<KnownSystem> systems = FakeSystems();
+  MergeShards(shards, campaign, RunMaker(campaign, systems), options.columns,
+              options.draw_campaign);
+  ExpectSameResults(serial, shards);
+}
+
+TEST(RunCampaign, TriesALostRunAgainAndRetriesLostOnesWhenAsked) {
+  const TemporaryFolder folder;
+  const fs::path well = folder.path() / "well", out = folder.path() / "out";
+  const auto sick = [&](const CampaignRun& run, const fs::path& dir) -> RunRecord {
+    if (run.run == 2 && !fs::exists(well)) ::kill(::getpid(), SIGKILL);
+    return FakeRun(run, dir);
+  };
+  const CampaignEnd lost = RunCampaign(FakeCampaign(3), sick, OptionsFor(out, 1));
+  EXPECT_EQ(ResultOf(lost, 2).outcome, kStopped);
+  EXPECT_THAT(NoteOf(lost, 2), HasSubstr("killed by signal 9"));
+  WriteText(well, "");
+  EXPECT_EQ(ResultOf(RunCampaign(FakeCampaign(3), sick, OptionsFor(out, 1)), 2).outcome, kStopped);
+  CampaignOptions again = OptionsFor(out, 1);
+  again.retry_lost = true;
+  EXPECT_TRUE(ResultOf(RunCampaign(FakeCampaign(3), sick, again), 2).docked);
+  const fs::path straight = folder.path() / "straight";
+  RunCampaign(FakeCampaign(3), FakeRun, OptionsFor(straight, 1));
+  ExpectSameResults(out, straight);
+}
+
+TEST(RunCampaign, StopsInOrderOfRunsWhenItHasEnough) {
+  const TemporaryFolder folder;
+  for (const int jobs : {1, 3}) {
+    std::vector<int> seen;
+    CampaignOptions options = OptionsFor(folder.path() / std::to_string(jobs), jobs);
+    options.enough = [&](const RunResult& result) {
+      seen.push_back(result.run);
+      return seen.size() == 5;
+    };
+    const ShardEnd end = RunShard(FakeCampaign(20), FakeRun, options);
+    EXPECT_TRUE(end.enough);
+    EXPECT_EQ(seen, (std::vector<int>{1, 2, 3, 4, 5}));
+    EXPECT_LT(end.tally.done, 5 + 2 * jobs);
+    seen.clear();
+    RunShard(FakeCampaign(20), FakeRun, options);  // the earlier results are enough
+    EXPECT_EQ(seen, (std::vector<int>{1, 2, 3, 4, 5}));
+  }
+}
+
+TEST(RunCampaign, KeepsTheLogsThatTheCampaignAsksFor) {
+  const TemporaryFolder folder;
+  Campaign campaign = FakeCampaign(12);  // runs 3, 6, 9, 12 miss
+  campaign.keep = {2, 0, true};
+  RunCampaign(campaign, FakeRun, OptionsFor(folder.path(), 3));
+  std::set<std::string> kept;
+  for (const auto& entry : fs::directory_iterator(folder.path() / "runs")) {
+    kept.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(kept, (std::set<std::string>{"003", "006"}));
+  EXPECT_FALSE(fs::exists(folder.path() / "work"));
 }
 
 TEST(RunCampaign, KeepsWhatIsDoneOnCtrlC) {
@@ -194,7 +281,7 @@ TEST(RunCampaign, KeepsWhatIsDoneOnCtrlC) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - asked;
   EXPECT_LT(took.count(), 2.0);
   EXPECT_EQ(WEXITSTATUS(status), 130);
-  const int kept = LinesIn(folder.path() / "results.csv") - 1;
+  const int kept = RowsIn(folder.path());
   EXPECT_GE(kept, 3);
   EXPECT_LT(kept, 20);
   EXPECT_THAT(Slurp(folder.path() / "summary.txt"),
@@ -232,7 +319,7 @@ TEST(RunCampaign, DrawsEachRunAndAllOfThemByTheSystemsHooks) {
   const CampaignEnd end = RunCampaign(FakeCampaign(2), FakeRun, OptionsFor(folder.path(), 2));
   EXPECT_EQ(Slurp(folder.path() / "runs/002/path.svg"), "200 samples");
   EXPECT_EQ(Slurp(folder.path() / "plots/grid.svg"),
-            "fake " + ResultRows(FakeColumns(), {end.runs.at(1).result, end.runs.at(2).result}));
+            "fake " + ResultRows(FakeColumns(), {ResultOf(end, 1), ResultOf(end, 2)}));
   CampaignOptions undrawn = OptionsFor(folder.path() / "undrawn", 1);
   undrawn.draw = nullptr;
   undrawn.draw_campaign = nullptr;
@@ -244,7 +331,7 @@ TEST(RunCampaign, DrawsEachRunAndAllOfThemByTheSystemsHooks) {
 TEST(RunCampaign, WithoutLogsLeavesNoFolderOfARun) {
   const TemporaryFolder folder;
   Campaign campaign = FakeCampaign(3);
-  campaign.keep = Keep::kNone;
+  campaign.keep = Keep::None();
   const auto run = [](const CampaignRun& what, const fs::path& dir) -> RunRecord {
     EXPECT_TRUE(dir.empty());
     if (what.run == 2) throw std::runtime_error("no context");
@@ -252,12 +339,10 @@ TEST(RunCampaign, WithoutLogsLeavesNoFolderOfARun) {
   };
   const CampaignEnd end = RunCampaign(campaign, run, OptionsFor(folder.path(), 2));
   EXPECT_TRUE(end.complete());
-  EXPECT_EQ(end.runs.at(2).result.outcome, kCrashed);
-  EXPECT_EQ(end.runs.at(2).note, "threw: no context");
+  EXPECT_EQ(ResultOf(end, 2).outcome, kCrashed);
+  EXPECT_EQ(NoteOf(end, 2), "threw: no context");
   EXPECT_FALSE(fs::exists(folder.path() / "runs"));
-  for (const int number : {1, 2, 3}) {
-    EXPECT_FALSE(fs::exists(folder.path() / ("run_" + std::to_string(number) + ".txt")));
-  }
+  EXPECT_FALSE(fs::exists(folder.path() / "work"));
 }
 
 TEST(RunCampaign, SumsUpAGridPointByPoint) {
@@ -292,8 +377,8 @@ TEST(RunCampaign, TellsANoteOfSeveralLinesInOne) {
     return record;
   };
   const CampaignEnd end = RunCampaign(FakeCampaign(3), run, OptionsFor(folder.path(), 1));
-  EXPECT_EQ(end.runs.at(3).note, "first second");
-  EXPECT_EQ(end.runs.at(1).note, "");  // it docked
+  EXPECT_EQ(NoteOf(end, 3), "first second");
+  EXPECT_EQ(NoteOf(end, 1), "");  // it docked
   EXPECT_THAT(end.summary, HasSubstr("\n     first second\n"));
 }
 
@@ -304,7 +389,7 @@ TEST(RunCampaign, EndsWhenAnInputFileProvesBad) {
     return FakeRun(run, dir);
   };
   EXPECT_THROW(RunCampaign(FakeCampaign(4), bad, OptionsFor(folder.path(), 1)), ConfigError);
-  EXPECT_EQ(LinesIn(folder.path() / "results.csv"), 3);  // header and the two before it
+  EXPECT_EQ(RowsIn(folder.path()), 2);  // those before it
 }
 
 TEST(RunCampaign, EndsWhenARunCannotWrite) {
@@ -314,7 +399,7 @@ TEST(RunCampaign, EndsWhenARunCannotWrite) {
     return FakeRun(run, dir);
   };
   EXPECT_THROW(RunCampaign(FakeCampaign(3), full, OptionsFor(folder.path(), 1)), IoError);
-  EXPECT_EQ(LinesIn(folder.path() / "results.csv"), 2);
+  EXPECT_EQ(RowsIn(folder.path()), 1);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <thread>
@@ -23,17 +22,6 @@ namespace fs = std::filesystem;
 
 void Sleep(int milliseconds) {
   std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-}
-
-/// Gives `count` jobs, all with this work on their index.
-std::function<std::optional<Job>()> Jobs(std::size_t count, const fs::path& dir,
-                                         const std::function<std::string(std::size_t)>& work) {
-  auto next = std::make_shared<std::size_t>(0);
-  return [=]() -> std::optional<Job> {
-    if (*next == count) return std::nullopt;
-    const std::size_t index = (*next)++;
-    return Job{index, [=] { return work(index); }, dir / ("job_" + std::to_string(index))};
-  };
 }
 
 /// Writes to the file for ever.
@@ -57,21 +45,52 @@ bool IsAlive(const fs::path& file) {
   return fs::exists(file);
 }
 
-std::map<std::size_t, std::string> AnswersOf(int processes) {
-  const TemporaryFolder folder;
-  SignalQueue signals;
-  std::map<std::size_t, std::string> answers;
-  const auto work = [](std::size_t index) {
-    Sleep(index % 2 == 0 ? 40 : 1);
-    return "answer " + std::to_string(index);
-  };
-  const int signal =
-      RunPool({.processes = processes, .time_limit_s = 60.0}, signals, Jobs(7, folder.path(), work),
-              [&](std::size_t index, const Child::End& end) {
-                EXPECT_EQ(answers.count(index), 0u);
-                answers[index] = end.answer;
-              });
-  EXPECT_EQ(signal, 0);
+using Work = std::function<std::string(std::int64_t job)>;
+
+/// A pool with jobs 0 .. count - 1, and what came of them.
+class Jobs {
+ public:
+  Jobs(std::int64_t count, const Work& work) : count_(count) {
+    calls.work = [work](std::int64_t job, const fs::path&) { return work(job); };
+    calls.next = [this](int) -> std::optional<Job> {
+      if (next_ == count_) return std::nullopt;
+      const std::int64_t job = next_++;
+      return Job{job, folder.path() / ("job_" + std::to_string(job))};
+    };
+    calls.prepare = [this](const Job& job, int) { ++attempts[job.number]; };
+    calls.take = [this](const Job& job, int, const JobEnd& end) {
+      EXPECT_EQ(ends.count(job.number), 0u);
+      ends[job.number] = end;
+      order.push_back(job.number);
+      return true;
+    };
+  }
+
+  int Run() {
+    SignalQueue signals;
+    return RunPool(options, signals, calls);
+  }
+
+  TemporaryFolder folder;
+  PoolOptions options;
+  PoolCalls calls;
+  std::map<std::int64_t, JobEnd> ends;
+  std::map<std::int64_t, int> attempts;
+  std::vector<std::int64_t> order;
+
+ private:
+  std::int64_t count_, next_ = 0;
+};
+
+std::map<std::int64_t, std::string> AnswersOf(int workers) {
+  Jobs jobs(7, [](std::int64_t job) {
+    Sleep(job % 2 == 0 ? 40 : 1);
+    return "answer " + std::to_string(job);
+  });
+  jobs.options.workers = workers;
+  EXPECT_EQ(jobs.Run(), 0);
+  std::map<std::int64_t, std::string> answers;
+  for (const auto& [job, end] : jobs.ends) answers[job] = end.answer;
   return answers;
 }
 
@@ -85,120 +104,196 @@ TEST(Pool, GivesEveryAnswerOnceWhateverTheOrderInWhichTheyCome) {
 
 TEST(Pool, GivesAnswersInTheOrderInWhichTheyCome) {
   const TemporaryFolder folder;
-  SignalQueue signals;
-  std::vector<std::size_t> order;
-  const auto first_waits = [&](std::size_t index) {
-    if (index == 0) {
-      while (!fs::exists(folder.path() / "go")) Sleep(5);
-    }
+  Jobs jobs(3, [&](std::int64_t job) {
+    while (job == 0 && !fs::exists(folder.path() / "go")) Sleep(5);
     return std::string("done");
+  });
+  jobs.options.workers = 2;
+  const auto take = jobs.calls.take;
+  jobs.calls.take = [&](const Job& job, int place, const JobEnd& end) {
+    take(job, place, end);
+    if (jobs.order.size() == 2) WriteText(folder.path() / "go", "");
+    return true;
   };
-  RunPool({.processes = 2, .time_limit_s = 60.0}, signals, Jobs(3, folder.path(), first_waits),
-          [&](std::size_t index, const Child::End&) {
-            order.push_back(index);
-            if (order.size() == 2) WriteText(folder.path() / "go", "");
-          });
-  EXPECT_THAT(order, ElementsAre(1, 2, 0));
+  jobs.Run();
+  EXPECT_THAT(jobs.order, ElementsAre(1, 2, 0));
 }
 
-TEST(Pool, NeverRunsMoreThanItsProcesses) {
-  const TemporaryFolder folder;
-  SignalQueue signals;
-  int most = 0;
-  const auto work = [](std::size_t) {
+TEST(Pool, TakesAnAnswerOfAnyLength) {
+  Jobs jobs(2, [](std::int64_t job) { return std::string(job == 0 ? 3000000 : 0, 'x'); });
+  jobs.Run();
+  EXPECT_EQ(jobs.ends.at(0).answer, std::string(3000000, 'x'));
+  EXPECT_EQ(jobs.ends.at(1).answer, "");
+}
+
+TEST(Pool, NeverRunsMoreThanItsWorkersAndEachGoesOnFromJobToJob) {
+  Jobs jobs(8, [](std::int64_t) {
     Sleep(20);
-    return std::string();
-  };
-  RunPool({.processes = 3,
-           .time_limit_s = 60.0,
-           .waiting = [&](int running) { most = std::max(most, running); }},
-          signals, Jobs(8, folder.path(), work), [](std::size_t, const Child::End&) {});
+    return std::to_string(::getpid());
+  });
+  int most = 0;
+  jobs.options.workers = 3;
+  jobs.options.waiting = [&](int running) { most = std::max(most, running); };
+  jobs.Run();
   EXPECT_EQ(most, 3);
+  std::map<std::string, int> jobs_of_process;
+  for (const auto& [job, end] : jobs.ends) ++jobs_of_process[end.answer];
+  EXPECT_EQ(jobs_of_process.size(), 3u);
 }
 
-TEST(Pool, KillsAChildThatHangsAndKeepsTheOthers) {
+TEST(Pool, KillsAJobThatHangsAndKeepsTheOthers) {
   const TemporaryFolder folder;
   const fs::path alive = folder.path() / "alive";
-  SignalQueue signals;
-  std::map<std::size_t, Child::End> ends;
-  const auto work = [&](std::size_t index) {
-    return index == 1 ? StayAlive(alive) : std::string("good");
-  };
-  RunPool({.processes = 2, .time_limit_s = 1.0}, signals, Jobs(4, folder.path(), work),
-          [&](std::size_t index, const Child::End& end) { ends[index] = end; });
-  ASSERT_EQ(ends.size(), 4u);
-  EXPECT_EQ(ends.at(1).how_it_died, "killed: it took more than 1 s of wall time");
-  for (const std::size_t index : {0u, 2u, 3u}) EXPECT_EQ(ends.at(index).answer, "good");
+  Jobs jobs(4, [&](std::int64_t job) { return job == 1 ? StayAlive(alive) : std::string("good"); });
+  jobs.options.workers = 2;
+  jobs.options.limits.wall_s = 1.0;
+  jobs.options.retries = 0;
+  jobs.Run();
+  ASSERT_EQ(jobs.ends.size(), 4u);
+  EXPECT_EQ(jobs.ends.at(1).how_it_died, "killed: it took more than 1 s of wall time");
+  EXPECT_EQ(jobs.ends.at(1).loss, Loss::kStopped);
+  EXPECT_NEAR(jobs.ends.at(1).wall_time_s, 1.0, 0.5);
+  for (const std::int64_t job : {0, 2, 3}) EXPECT_EQ(jobs.ends.at(job).answer, "good");
   EXPECT_FALSE(IsAlive(alive));
 }
 
-TEST(Pool, TellsHowAChildDied) {
-  const TemporaryFolder folder;
-  SignalQueue signals;
-  std::map<std::size_t, std::string> died;
-  const auto work = [](std::size_t index) {
-    if (index == 0) ::_exit(9);
-    ::raise(SIGKILL);
-    return std::string();
-  };
-  RunPool({.processes = 1, .time_limit_s = 60.0}, signals, Jobs(2, folder.path(), work),
-          [&](std::size_t index, const Child::End& end) { died[index] = end.how_it_died; });
-  EXPECT_EQ(died.at(0), "ended with exit code 9 before its result");
-  EXPECT_THAT(died.at(1), HasSubstr("killed by signal 9"));
+// AddressSanitizer's own memory counts too and has no sensible bound.
+#if !defined(__SANITIZE_ADDRESS__) && !(defined(__clang__) && __has_feature(address_sanitizer))
+TEST(Pool, StopsAJobThatTakesTooMuchMemory) {
+  Jobs jobs(2, [&](std::int64_t job) {
+    if (job == 1) return std::string("good");
+    std::string much(300u << 20, 'x');
+    return much.substr(0, 10);
+  });
+  jobs.options.limits.memory_mib = 128;
+  jobs.Run();
+  EXPECT_EQ(jobs.ends.at(0).how_it_died, "out of memory: it took more than 128 MiB");
+  EXPECT_EQ(jobs.ends.at(0).loss, Loss::kStopped);
+  EXPECT_EQ(jobs.ends.at(1).answer, "good");
+}
+#endif
+
+TEST(Pool, TellsHowAJobWasLost) {
+  Jobs jobs(3, [](std::int64_t job) -> std::string {
+    if (job == 0) ::_exit(9);
+    ::signal(SIGSEGV, SIG_DFL);
+    ::raise(job == 1 ? SIGKILL : SIGSEGV);
+    return "";
+  });
+  jobs.Run();
+  EXPECT_EQ(jobs.ends.at(0).how_it_died, "ended with exit code 9 before its result");
+  EXPECT_EQ(jobs.ends.at(0).loss, Loss::kCrashed);
+  EXPECT_THAT(jobs.ends.at(1).how_it_died, HasSubstr("killed by signal 9"));
+  EXPECT_EQ(jobs.ends.at(1).loss, Loss::kStopped);  // nobody kills himself: the system's doing
+  EXPECT_THAT(jobs.ends.at(2).how_it_died, HasSubstr("killed by signal 11"));
+  EXPECT_EQ(jobs.ends.at(2).loss, Loss::kCrashed);
 }
 
-TEST(Pool, EndsAtASignalAndTakesItsChildrenWithIt) {
+TEST(Pool, TriesALostJobAgainAsOftenAsItMay) {
+  for (const int retries : {0, 1, 3}) {
+    Jobs jobs(2, [](std::int64_t job) -> std::string {
+      if (job == 0) ::_exit(9);
+      return "good";
+    });
+    jobs.options.retries = retries;
+    jobs.Run();
+    EXPECT_EQ(jobs.attempts.at(0), retries + 1);
+    EXPECT_EQ(jobs.attempts.at(1), 1);
+    EXPECT_EQ(jobs.ends.at(1).answer, "good");
+  }
+}
+
+TEST(Pool, AJobWhoseWorkerWasKilledOnceHasItsAnswer) {
+  const TemporaryFolder folder;
+  Jobs jobs(3, [&](std::int64_t job) -> std::string {
+    const fs::path once = folder.path() / "once";
+    if (job == 1 && !fs::exists(once)) {
+      WriteText(once, "");
+      ::kill(::getpid(), SIGKILL);
+    }
+    return "good";
+  });
+  jobs.Run();
+  for (const std::int64_t job : {0, 1, 2}) EXPECT_EQ(jobs.ends.at(job).answer, "good");
+  EXPECT_EQ(jobs.attempts.at(1), 2);
+}
+
+TEST(Pool, StopsStartingJobsWhenItsCallerHasEnough) {
+  Jobs jobs(9, [](std::int64_t) { return std::string("good"); });
+  jobs.options.workers = 2;
+  const auto take = jobs.calls.take;
+  jobs.calls.take = [&](const Job& job, int place, const JobEnd& end) {
+    take(job, place, end);
+    return false;
+  };
+  EXPECT_EQ(jobs.Run(), 0);
+  EXPECT_EQ(jobs.ends.size(), 2u);  // what was under way comes to its end
+}
+
+TEST(Pool, EndsAtASignalAndTakesItsWorkersWithIt) {
   const TemporaryFolder folder;
   const fs::path alive = folder.path() / "alive";
-  SignalQueue signals;
-  int taken = 0;
-  const auto work = [&](std::size_t index) {
-    return index == 0 ? std::string("good") : StayAlive(alive);
+  Jobs jobs(9, [&](std::int64_t job) { return job == 0 ? std::string("good") : StayAlive(alive); });
+  jobs.options.waiting = [&](int) {
+    if (jobs.ends.size() == 1 && fs::exists(alive)) ::raise(SIGTERM);
   };
-  const int signal = RunPool({.processes = 1,
-                              .time_limit_s = 60.0,
-                              .waiting =
-                                  [&](int) {
-                                    if (taken == 1) ::raise(SIGTERM);
-                                  }},
-                             signals, Jobs(9, folder.path(), work),
-                             [&](std::size_t, const Child::End&) { ++taken; });
-  EXPECT_EQ(signal, SIGTERM);
-  EXPECT_EQ(taken, 1);
+  EXPECT_EQ(jobs.Run(), SIGTERM);
+  EXPECT_EQ(jobs.ends.size(), 1u);
   EXPECT_FALSE(IsAlive(alive));
 }
 
-TEST(Pool, LeavesNoChildBehindAnException) {
+TEST(Pool, LeavesNoWorkerBehindAnException) {
   const TemporaryFolder folder;
   const fs::path alive = folder.path() / "alive";
-  SignalQueue signals;
-  const auto work = [&](std::size_t index) {
-    if (index == 1) return StayAlive(alive);
+  Jobs jobs(2, [&](std::int64_t job) {
+    if (job == 1) return StayAlive(alive);
     while (!fs::exists(alive)) Sleep(5);
     return std::string("good");
+  });
+  jobs.options.workers = 2;
+  jobs.calls.take = [](const Job&, int, const JobEnd&) -> bool {
+    throw std::runtime_error("disk full");
   };
-  const auto full = [](std::size_t, const Child::End&) { throw std::runtime_error("disk full"); };
-  EXPECT_THROW(
-      RunPool({.processes = 2, .time_limit_s = 60.0}, signals, Jobs(2, folder.path(), work), full),
-      std::runtime_error);
+  EXPECT_THROW(jobs.Run(), std::runtime_error);
   EXPECT_FALSE(IsAlive(alive));
 }
 
-TEST(Pool, ItsChildrenDieWithTheirParent) {
+TEST(Pool, ItsWorkersDieWithTheirParent) {
   const TemporaryFolder folder;
   const fs::path alive = folder.path() / "alive";
   const pid_t parent = ::fork();
   if (parent == 0) {
-    SignalQueue signals;
-    RunPool({.processes = 1, .time_limit_s = 60.0}, signals,
-            Jobs(1, folder.path(), [&](std::size_t) { return StayAlive(alive); }),
-            [](std::size_t, const Child::End&) {});
+    Jobs(1, [&](std::int64_t) { return StayAlive(alive); }).Run();
     ::_exit(0);
   }
   WaitFor(alive);
   ::kill(parent, SIGKILL);
   ::waitpid(parent, nullptr, 0);
   EXPECT_FALSE(IsAlive(alive));
+}
+
+TEST(Pool, GivesItsJobsTheTimeInWhichItStoodStillItself) {
+  const TemporaryFolder folder;
+  const fs::path alive = folder.path() / "alive", done = folder.path() / "done";
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    Jobs jobs(1, [&](std::int64_t) {
+      WriteText(alive, "x");
+      Sleep(2000);
+      return std::string("good");
+    });
+    jobs.options.limits.wall_s = 3.0;
+    jobs.options.retries = 0;
+    jobs.Run();
+    WriteText(done, jobs.ends.at(0).how_it_died);
+    ::_exit(0);
+  }
+  WaitFor(alive);
+  ::kill(parent, SIGSTOP);
+  Sleep(3500);
+  ::kill(parent, SIGCONT);
+  ::waitpid(parent, nullptr, 0);
+  EXPECT_EQ(Slurp(done), "");
 }
 
 }  // namespace

@@ -8,36 +8,49 @@
 namespace dockyard {
 namespace {
 
-TEST(ResultFiles, ReadBackToTheSameRuns) {
+/// results.csv of the runs.
+std::string ResultsText(const FinishedRuns& runs) {
   const TemporaryFolder folder;
-  const RowColumns columns = FakeColumns();
+  WriteResultsCsv(folder.path() / "results.csv", runs, FakeColumns());
+  return Slurp(folder.path() / "results.csv");
+}
+
+TEST(ResultFiles, ReadBackToTheSameRuns) {
   FinishedRuns runs = FakeResults(6);
-  runs[2].result.docked = false;
-  runs[2].result.outcome = kCrashed;
-  runs[2].result.measures.clear();
-  runs[4].result.labels[0] = "wet, \"sticky\"";
-  WriteText(folder.path() / "results.csv", ResultsCsv(runs, columns));
-  WriteText(folder.path() / "timing.csv", TimingCsv(runs));
-  const FinishedRuns back = ReadResults(folder.path(), columns);
-  EXPECT_EQ(ResultsCsv(back, columns), ResultsCsv(runs, columns));
-  EXPECT_EQ(TimingCsv(back), TimingCsv(runs));
-  EXPECT_EQ(back.at(4).result.labels[0], "wet, \"sticky\"");
-  EXPECT_TRUE(back.at(2).result.measures.empty());
+  runs.results[1].docked = false;
+  runs.results[1].outcome = kCrashed;
+  runs.results[1].measures.clear();
+  runs.results[2].docked = false;
+  runs.results[2].outcome = kStopped;
+  runs.results[2].measures.clear();
+  runs.results[3].labels[0] = "wet, \"sticky\"";
+  const auto back = RowsFromCsv(ResultsText(runs), "results.csv", FakeColumns());
+  ASSERT_EQ(back.size(), 6u);
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    EXPECT_EQ(CsvRow(back[i], FakeColumns()), CsvRow(runs.results[i], FakeColumns()));
+  }
+  EXPECT_EQ(back[3].labels[0], "wet, \"sticky\"");
+  EXPECT_TRUE(back[1].measures.empty());
+}
+
+TEST(ResultFiles, HaveALineForEachRunsTimes) {
+  const TemporaryFolder folder;
+  WriteTimingCsv(folder.path() / "timing.csv", FakeResults(2));
+  EXPECT_EQ(Slurp(folder.path() / "timing.csv"),
+            "run,cpu_time_s,wall_time_s\n1,1.5,2.5\n2,1.5,2.5\n");
 }
 
 TEST(ResultFiles, LeaveOutALastLineThatWasCutOff) {
-  const TemporaryFolder folder;
-  const FinishedRuns runs = FakeResults(6);
-  const std::string csv = ResultsCsv(runs, FakeColumns());
+  const std::string csv = ResultsText(FakeResults(6));
   for (const std::size_t cut : {1u, 5u, 60u}) {  // 1: the newline alone is missing
-    WriteText(folder.path() / "results.csv", csv.substr(0, csv.size() - cut));
-    EXPECT_EQ(ReadResults(folder.path(), FakeColumns()).size(), runs.size() - 1) << cut;
+    const auto rows = RowsFromCsv(csv.substr(0, csv.size() - cut), "results.csv", FakeColumns());
+    EXPECT_EQ(rows.size(), 5u) << cut;
   }
 }
 
-std::string ErrorOf(const std::filesystem::path& dir, const RowColumns& columns) {
+std::string ErrorOf(const std::string& csv, const RowColumns& columns) {
   try {
-    ReadResults(dir, columns);
+    RowsFromCsv(csv, "r.csv", columns);
   } catch (const ResultsError& error) {
     return error.what();
   }
@@ -45,25 +58,24 @@ std::string ErrorOf(const std::filesystem::path& dir, const RowColumns& columns)
 }
 
 TEST(ResultFiles, PointAtALineThatIsNotARow) {
-  const TemporaryFolder folder;
-  const std::string file = (folder.path() / "results.csv").string();
-  WriteText(file, CsvHeader(FakeColumns()) + "\n1,2,three\n");
-  EXPECT_EQ(ErrorOf(folder.path(), FakeColumns()), file + ":2: not a row of " + file);
+  EXPECT_EQ(ErrorOf(CsvHeader(FakeColumns()) + "\n1,2,three\n", FakeColumns()),
+            "r.csv:2: not a row of r.csv");
 }
 
 TEST(ResultFiles, OfOtherColumnsAreRefused) {
-  const TemporaryFolder folder;
-  const std::string file = (folder.path() / "results.csv").string();
-  WriteText(file, ResultsCsv(FakeResults(2), FakeColumns()));
   RowColumns others = FakeColumns();
   others.labels[0] = "ground";
-  EXPECT_EQ(ErrorOf(folder.path(), others),
-            file + ":1: expected the columns '" + CsvHeader(others) + "'");
+  EXPECT_EQ(ErrorOf(ResultsText(FakeResults(2)), others),
+            "r.csv:1: expected the columns '" + CsvHeader(others) + "'");
 }
 
-TEST(ResultFiles, AreNoRunsWhenThereAreNone) {
-  const TemporaryFolder folder;
-  EXPECT_TRUE(ReadResults(folder.path(), FakeColumns()).empty());
+TEST(FinishedRuns, AreFoundByTheirNumbers) {
+  const FinishedRuns runs = FakeResults(5);
+  for (int run = 1; run <= 5; ++run) {
+    EXPECT_EQ(runs.Find(run), static_cast<std::size_t>(run - 1));
+  }
+  for (const int run : {-1, 0, 6}) EXPECT_EQ(runs.Find(run), runs.size());
+  EXPECT_EQ(FinishedRuns().Find(1), 0u);
 }
 
 }  // namespace

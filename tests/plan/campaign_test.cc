@@ -4,6 +4,7 @@
 
 #include "plan/toy_campaign.h"
 #include "sim/base/random.h"
+#include "sim/plan/file_keys.h"
 #include "sim/scenario/key_path.h"
 #include "sim/scenario/scenario_keys.h"
 
@@ -46,7 +47,7 @@ class CampaignFile : public testing::Test {
   }
   void ExpectReadsBack(const Campaign& campaign) const {
     const ScratchFolder elsewhere;
-    const std::string resolved = ResolvedYaml(campaign, ToySystems());
+    const std::string resolved = CampaignYaml(WithAbsolutePaths(campaign, ToySystems()));
     const Campaign again =
         LoadCampaign(elsewhere.Write("resolved.yaml", resolved), {}, ToyCampaigns());
     EXPECT_EQ(again.name, campaign.name);
@@ -56,10 +57,11 @@ class CampaignFile : public testing::Test {
     ASSERT_EQ(same.size(), runs.size());
     for (std::size_t i = 0; i < runs.size(); ++i) {
       EXPECT_EQ(same[i].run, runs[i].run);
+      EXPECT_EQ(same[i].labels, runs[i].labels);
       EXPECT_EQ(same[i].scenario.seed, runs[i].scenario.seed);
       EXPECT_THAT(DifferingKeys(same[i].scenario, runs[i].scenario), ElementsAre());
     }
-    EXPECT_EQ(ResolvedYaml(again, ToySystems()), resolved);
+    EXPECT_EQ(CampaignYaml(WithAbsolutePaths(again, ToySystems())), resolved);
   }
 
   ToyFolder folder_;

@@ -7,6 +7,7 @@
 
 #include "plan/toy_campaign.h"
 #include "sim/base/random.h"
+#include "sim/plan/file_keys.h"
 #include "sim/scenario/key_path.h"
 #include "sim/scenario/load_scenario.h"
 #include "support/bad_files.h"
@@ -91,9 +92,9 @@ TEST(MarsYardGrid, TakesTheSoilFileByItsName) {
 TEST(MarsYardGrid, ResolvedReadsBackToTheSame) {
   const Campaign grid = Grid();
   const ScratchFolder folder;
-  const std::string resolved = ResolvedYaml(grid, Known());
+  const std::string resolved = CampaignYaml(WithAbsolutePaths(grid, Known()));
   const Campaign again = LoadCampaign(folder.Write("r.yaml", resolved), {}, Systems());
-  EXPECT_EQ(ResolvedYaml(again, Known()), resolved);
+  EXPECT_EQ(CampaignYaml(WithAbsolutePaths(again, Known())), resolved);
 }
 
 TEST(SmokeCampaign, HasRunsOfTheGrid) {

@@ -17,7 +17,7 @@ using ::testing::Not;
 FinishedRuns FourRuns() {
   FinishedRuns runs;
   for (int i = 1; i <= 4; ++i) {
-    RunResult& row = runs[i].result;
+    RunResult row;
     row.run = i;
     row.labels = {i % 2 == 1 ? "loose" : "compact", "1.5"};
     row.docked = i == 1;
@@ -25,8 +25,8 @@ FinishedRuns FourRuns() {
     row.sim_time_s = 100.25 * i;
     row.images = 2 * i;
     if (i < 4) row.measures = {0.21034 * i, 7.0, 8.0};
+    runs.Add({row, {}, i == 3 ? "it drove past" : ""});
   }
-  runs[3].note = "it drove past";
   return runs;
 }
 
@@ -66,7 +66,7 @@ TEST(Summary, GroupsByEveryLabelOfTwoToEightValues) {
 
 TEST(Summary, HasColumnsAsWideAsTheirLongestCell) {
   FinishedRuns runs = FourRuns();
-  runs[2].result.labels[0] = "a soil with a long name, \"quoted\"";
+  runs.results[1].labels[0] = "a soil with a long name, \"quoted\"";
   const std::string text = SummaryText("four", runs, FakeColumns(), 4);
   EXPECT_THAT(text, HasSubstr("\n  2  a soil with a long name, \"quoted\"  timeout"));
   EXPECT_THAT(text, HasSubstr("\n  1  loose                              docked"));
@@ -74,9 +74,9 @@ TEST(Summary, HasColumnsAsWideAsTheirLongestCell) {
 
 TEST(Summary, StaysUnderAHundredColumns) {
   FinishedRuns runs = FakeResults(120);
-  for (auto& [number, run] : runs) {
-    run.result.docked = false;
-    run.result.outcome = "missed";
+  for (RunResult& result : runs.results) {
+    result.docked = false;
+    result.outcome = "missed";
   }
   std::istringstream lines(SummaryText("fake", runs, FakeColumns(), 120));
   std::string line, all;
@@ -84,7 +84,14 @@ TEST(Summary, StaysUnderAHundredColumns) {
     EXPECT_LT(line.size(), 100u) << line;
     all += line + " ";
   }
-  EXPECT_THAT(all, HasSubstr(" 119 120 "));
+  EXPECT_THAT(all, HasSubstr(" 59 60 ... "));
+}
+
+TEST(Summary, OfManyRunsListsTheFirstFailures) {
+  const std::string text = SummaryText("fake", FakeResults(900), FakeColumns(), 900);
+  EXPECT_THAT(text, HasSubstr("of 900 runs the first 60 failures; results.csv has all"));
+  EXPECT_THAT(text, HasSubstr("\n  3  "));
+  EXPECT_THAT(text, Not(HasSubstr("\n  4  ")));
 }
 
 TEST(Summary, OfNoRunsSaysSo) {

@@ -79,7 +79,7 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
             "a.txt: expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or "
             ".glb, found extension '.txt'");
   EXPECT_EQ(message("a.csv", "run,start.r_m\n1,2\nten,3\n"),
-            "a.csv:3:1: run: expected a whole number from 0 to 1000000, found 'ten'");
+            "a.csv:3:1: run: expected a whole number from 0 to 2000000000, found 'ten'");
   EXPECT_EQ(message("b.yaml", "campaign: ../up\nbase: x.yaml\n"),
             "b.yaml:1:11: campaign: expected a name that its results folder can have: up to 100 "
             "bytes, no '/', found '../up'");

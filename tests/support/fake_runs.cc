@@ -33,7 +33,8 @@ RowColumns FakeColumns() {
           .outcomes = {{"docked", true, "it stands at its flag"},
                        {"missed", false, "it stands elsewhere"},
                        {"timeout", false, "it still drove"},
-                       {kCrashed, false, "its process died"}}};
+                       {kCrashed, false, "its process died"},
+                       {kStopped, false, "its process was ended"}}};
 }
 
 std::vector<CampaignRun> FakeRuns(int count) {
@@ -95,7 +96,7 @@ FinishedRuns FakeResults(int count) {
   FinishedRuns runs;
   for (const CampaignRun& run : FakeRuns(count)) {
     const RunRecord record = FakeRecord(run);
-    runs[run.run] = {record.result, record.timing, record.failure_note};
+    runs.Add({record.result, record.timing, record.failure_note});
   }
   return runs;
 }

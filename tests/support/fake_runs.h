@@ -25,7 +25,7 @@ class TemporaryFolder {
 };
 
 /// Labels soil and start.r_m; measures depth_m (headline), force_peak_n, yaw_error_deg; outcomes
-/// docked, missed, timeout, crashed.
+/// docked, missed, timeout, crashed, stopped.
 RowColumns FakeColumns();
 
 /// Runs 1..count over two soils and nine ranges.

@@ -1,4 +1,4 @@
-#include "sim/campaign/worker.h"
+#include "sim/campaign/run_work.h"
 
 #include <cstdio>
 #include <sstream>
@@ -24,16 +24,11 @@ std::string Answer(const std::string& kind, const std::string& text) {
   return kind + "\n" + OneLine(text) + "\n";
 }
 
-FinishedRun Crashed(const CampaignRun& run, const RowColumns& columns,
-                    const std::filesystem::path& run_dir, const std::string& note,
-                    const Child::End& child) {
-  RunRecord record;
-  record.columns = columns;
-  record.result = StartOfRow(run);
-  record.result.outcome = kCrashed;
-  record.failure_note = note;
-  if (!run_dir.empty()) WriteRecordFiles(run_dir, record);
-  return {record.result, {child.cpu_time_s, child.wall_time_s}, note};
+FinishedRun Lost(const CampaignRun& run, const std::string& outcome, const std::string& note,
+                 const JobEnd& end) {
+  FinishedRun lost{StartOfRow(run), {end.cpu_time_s, end.wall_time_s}, note};
+  lost.result.outcome = outcome;
+  return lost;
 }
 
 }  // namespace
@@ -42,9 +37,10 @@ void WriteFigures(const std::filesystem::path& dir, const std::vector<Figure>& f
   for (const Figure& figure : figures) WriteWhole(dir / figure.file, figure.text);
 }
 
-std::string RunAndAnswer(const CampaignRun& run, const RunWork& work,
+std::string RunAndAnswer(const std::function<CampaignRun()>& make, const RunWork& work,
                          const std::filesystem::path& run_dir) {
   try {
+    const CampaignRun run = make();
     const RunRecord record = work.simulate(run, run_dir);
     if (!run_dir.empty()) WriteRecordFiles(run_dir, record);
     if (!record.messages.empty()) std::fputs(record.messages.c_str(), stderr);  // messages.txt
@@ -61,21 +57,29 @@ std::string RunAndAnswer(const CampaignRun& run, const RunWork& work,
   }
 }
 
-FinishedRun ReadAnswer(const CampaignRun& run, const RowColumns& columns,
-                       const std::filesystem::path& run_dir, const Child::End& child) {
-  if (!child.how_it_died.empty()) {
-    return Crashed(run, columns, run_dir, child.how_it_died, child);
-  }
-  std::istringstream lines(child.answer);
+FinishedRun ReadAnswer(const std::function<CampaignRun()>& make, const RowColumns& columns,
+                       const JobEnd& end) {
+  if (end.loss == Loss::kStopped) return Lost(make(), kStopped, end.how_it_died, end);
+  if (end.loss == Loss::kCrashed) return Lost(make(), kCrashed, end.how_it_died, end);
+  std::istringstream lines(end.answer);
   std::string kind, text, cpu, wall, note;
   for (std::string* line : {&kind, &text, &cpu, &wall, &note}) std::getline(lines, *line);
   if (kind == kIoError) throw IoError(text);
   if (kind == kConfigError) throw ConfigError(text);
-  if (kind == kThrew) return Crashed(run, columns, run_dir, "threw: " + text, child);
+  if (kind == kThrew) return Lost(make(), kCrashed, "threw: " + text, end);
   const auto row = RowFromCsv(text, columns);
   const auto cpu_s = NumberFromText(cpu), wall_s = NumberFromText(wall);
-  DOCKYARD_CHECK(kind == kRow && row && row->run == run.run && cpu_s && wall_s);
+  DOCKYARD_CHECK(kind == kRow && row && cpu_s && wall_s);
   return {*row, {*cpu_s, *wall_s}, row->docked ? "" : note};
+}
+
+void WriteLostRun(const std::filesystem::path& run_dir, const FinishedRun& run,
+                  const RowColumns& columns) {
+  RunRecord record;
+  record.columns = columns;
+  record.result = run.result;
+  record.failure_note = run.note;
+  WriteRecordFiles(run_dir, record);
 }
 
 }  // namespace dockyard

@@ -1,0 +1,72 @@
+#include "sim/app/campaign_end.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "sim/app/exit_codes.h"
+#include "sim/app/terminal.h"
+#include "sim/base/json.h"
+#include "sim/campaign/campaign_folder.h"
+
+namespace dockyard {
+namespace {
+
+/// Those with a log first: they can be replayed in full.
+void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir) {
+  constexpr int kMost = 10;
+  int shown = 0;
+  for (const bool logged : {true, false}) {
+    for (const RunResult& result : runs.results) {
+      if (result.docked || IsLost(result.outcome)) continue;
+      if (std::filesystem::exists(RunFolder(dir, result.run)) != logged) continue;
+      if (shown++ == kMost) return;
+      std::printf("%sdockyard replay %s %d   # %s\n",
+                  shown == 1 ? "\nto run a failure again:\n" : "", Quoted(dir.string()).c_str(),
+                  result.run, result.outcome.c_str());
+    }
+  }
+}
+
+Json EndJson(const CampaignEnd& end) {
+  std::map<std::string, int> outcomes;
+  int docked = 0, lost = 0;
+  for (const RunResult& result : end.runs.results) {
+    ++outcomes[result.outcome];
+    docked += result.docked ? 1 : 0;
+    lost += IsLost(result.outcome) ? 1 : 0;
+  }
+  return {{"done", end.runs.size()},
+          {"total", end.total},
+          {"successes", docked},
+          {"lost", lost},
+          {"outcomes", outcomes}};
+}
+
+}  // namespace
+
+std::string Quoted(const std::string& word) {
+  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=-";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+int ReportEnd(const CampaignEnd& end, const std::filesystem::path& dir, bool json) {
+  if (json) {
+    std::printf("%s\n", EndJson(end).dump().c_str());
+  } else {
+    std::printf("%s", end.summary.c_str());
+    PrintReplays(end.runs, dir);
+  }
+  for (const std::string& place : end.damaged) {
+    PrintNote("note: " + place + ": a damaged row was left out");
+  }
+  PrintNote("results and plots in " + dir.string());
+  const bool any_lost = std::any_of(end.runs.results.begin(), end.runs.results.end(),
+                                    [](const RunResult& result) { return IsLost(result.outcome); });
+  return end.complete() && !any_lost ? kExitDone : kExitIncomplete;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,52 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/app/campaign_end.h"
+#include "sim/app/commands.h"
+#include "sim/app/kept_campaign.h"
+#include "sim/campaign/campaign_folder.h"
+#include "sim/campaign/merge.h"
+#include "sim/plan/make_run.h"
+
+namespace dockyard {
+namespace {
+
+struct MergeArguments {
+  std::string dir;
+  std::vector<std::string> from;
+  bool json = false;
+};
+
+constexpr const char* kHelp = R"(Make tables, plots and a summary of the shards of a campaign.
+
+Examples:
+  dockyard campaign {campaign} --shard 1/2 --out out/yard
+  dockyard campaign {campaign} --shard 2/2 --out out/yard
+  dockyard merge out/yard
+  dockyard merge out/all out/yard
+
+Shards of other results folders of the same campaign are copied in first, with the logs of their
+runs. Exit code 10: runs are missing, crashed or were stopped.)";
+
+int Merge(const MergeArguments& arguments, const std::vector<System>& systems) {
+  for (const std::string& from : arguments.from) TakeShards(from, arguments.dir);
+  const KeptCampaign kept = OpenKeptCampaign(arguments.dir, systems);
+  const std::vector<KnownSystem> known = KnownSystems(systems);
+  const CampaignEnd end = MergeShards(arguments.dir, kept.campaign, RunMaker(kept.campaign, known),
+                                      kept.columns, FindSystem(systems, kept.system).draw_campaign);
+  return ReportEnd(end, arguments.dir, arguments.json);
+}
+
+}  // namespace
+
+void AddMergeCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+  auto arguments = std::make_shared<MergeArguments>();
+  CLI::App* command = app.add_subcommand("merge", kHelp);
+  command->add_option("DIR", arguments->dir, "results folder of the campaign")->required();
+  command->add_option("FROM", arguments->from, "results folders whose shards are copied in");
+  command->add_flag("--json", arguments->json, "the result as a line of JSON");
+  command->callback([arguments, &systems, &exit_code] { exit_code = Merge(*arguments, systems); });
+}
+
+}  // namespace dockyard

@@ -1,0 +1,52 @@
+#include "sim/app/watch.h"
+
+#include <poll.h>
+
+#include <cstdio>
+
+#include "sim/app/exit_codes.h"
+#include "sim/app/kept_campaign.h"
+#include "sim/base/json.h"
+#include "sim/campaign/finished_set.h"
+#include "sim/campaign/progress.h"
+#include "sim/jobs/signal_queue.h"
+#include "sim/plan/make_run.h"
+
+namespace dockyard {
+namespace {
+
+void Print(const Tally& tally, std::int64_t total, bool json) {
+  if (json) {
+    const Json line{{"done", tally.done},
+                    {"total", total},
+                    {"successes", tally.docked},
+                    {"lost", tally.lost},
+                    {"failures", tally.failures}};
+    std::printf("%s\n", line.dump().c_str());
+  } else {
+    std::printf("%s\n", TallyText(tally, total).c_str());
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int WatchCampaign(const std::filesystem::path& dir, bool json, const std::vector<System>& systems) {
+  const KeptCampaign kept = OpenKeptCampaign(dir, systems);
+  const std::vector<KnownSystem> known = KnownSystems(systems);
+  const RunMaker maker(kept.campaign, known);
+  SignalQueue signals;
+  for (std::int64_t shown = -1;;) {
+    std::vector<std::string> damaged;
+    const Tally tally = ReadFinished(dir, maker, kept.columns, damaged).TallyOf(Shard{});
+    if (tally.done != shown) Print(tally, maker.run_count(), json);
+    shown = tally.done;
+    if (tally.done == maker.run_count()) return tally.lost == 0 ? kExitDone : kExitIncomplete;
+    pollfd news{signals.descriptor(), POLLIN, 0};
+    constexpr int kPause_ms = 2000;
+    ::poll(&news, 1, kPause_ms);
+    if (const int signal = signals.Take(); signal != 0) return kExitSignal + signal;
+  }
+}
+
+}  // namespace dockyard

@@ -1,0 +1,188 @@
+#include "sim/campaign/merge.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "sim/base/files.h"
+#include "sim/base/json.h"
+#include "sim/base/text.h"
+#include "sim/campaign/campaign_folder.h"
+#include "sim/campaign/database.h"
+#include "sim/campaign/run_work.h"
+#include "sim/campaign/shard_file.h"
+#include "sim/log/result_row.h"
+#include "sim/report/points.h"
+#include "sim/report/summary.h"
+
+namespace dockyard {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A row and the file that it stands in.
+struct Candidate {
+  int run = 0;
+  std::uint32_t file = 0;
+  bool lost = false;
+  std::string_view text;
+};
+
+FinishedRun Parsed(const Candidate& row, const fs::path& file, const RowColumns& columns) {
+  auto run = RowFromShard(row.text, columns);
+  if (!run) {
+    throw ResultsError(file.string() + ": run " + std::to_string(row.run) + ": not a row");
+  }
+  return std::move(*run);
+}
+
+[[noreturn]] void RefuseDifferent(const FinishedRun& a, const FinishedRun& b,
+                                  const fs::path& file_a, const fs::path& file_b,
+                                  const RowColumns& columns) {
+  std::string differing;
+  for (const std::string& name : DifferingColumns(a.result, b.result, columns)) {
+    differing += (differing.empty() ? "" : ", ") + name;
+  }
+  throw ResultsError("run " + std::to_string(a.result.run) + " has two results, in " +
+                     file_a.string() + " and " + file_b.string() + ", which differ in " +
+                     differing +
+                     ": were they made on computers with different mathematics (dockyard doctor)?");
+}
+
+/// The result among the rows of one run, else the last.
+FinishedRun Chosen(const Candidate* first, const Candidate* last,
+                   const std::vector<fs::path>& files, const RowColumns& columns) {
+  const Candidate* result =
+      std::find_if(first, last, [](const Candidate& each) { return !each.lost; });
+  if (result == last) return Parsed(*(last - 1), files[(last - 1)->file], columns);
+  FinishedRun chosen = Parsed(*result, files[result->file], columns);
+  for (const Candidate* other = result + 1; other != last; ++other) {
+    if (other->lost || other->text == result->text) continue;
+    const FinishedRun again = Parsed(*other, files[other->file], columns);
+    if (!DifferingColumns(chosen.result, again.result, columns).empty()) {
+      RefuseDifferent(chosen, again, files[result->file], files[other->file], columns);
+    }
+  }
+  return chosen;
+}
+
+/// The first lines of the shard files: where the rows were made.
+Json ShardHeaders(const fs::path& dir, const RowColumns& columns) {
+  Json headers = Json::object();
+  for (const fs::path& path : ShardFiles(dir)) {
+    headers[path.stem().string()] = ShardReader(path, columns).header();
+  }
+  return headers;
+}
+
+void WriteManifest(const fs::path& dir, const RowColumns& columns) {
+  const auto text = ReadWhole(dir / "manifest.json");
+  Json manifest = Json::parse(text.value_or(""), nullptr, /*allow_exceptions=*/false);
+  if (!manifest.is_object()) throw ResultsError((dir / "manifest.json").string() + ": not JSON");
+  manifest["shards"] = ShardHeaders(dir, columns);
+  WriteWhole(dir / "manifest.json", manifest.dump(2) + "\n");
+}
+
+void WritePoints(const fs::path& dir, const Campaign& campaign, const RowColumns& columns,
+                 const std::vector<RunResult>& rows) {
+  const std::vector<std::string> settings = campaign.settings();
+  const std::vector<std::string>& measures = campaign.figures.measures;
+  if (!settings.empty()) {
+    WriteWhole(dir / "points.csv", PointsCsv(settings, columns, rows));
+    WriteWhole(dir / "points.md", PointsTable(settings, measures, columns, rows));
+  }
+  std::vector<Figure> figures{
+      {"curves.svg", CurvesPlot(campaign.name, campaign.figures, columns, rows)},
+      {"bars.svg", BarsPlot(campaign.name, measures, columns, rows)}};
+  figures.erase(std::remove_if(figures.begin(), figures.end(),
+                               [](const Figure& figure) { return figure.text.empty(); }),
+                figures.end());
+  WriteFigures(dir / "plots", figures);
+}
+
+bool OneContinuesTheOther(const std::string& a, const std::string& b) {
+  return a.starts_with(b) || b.starts_with(a);
+}
+
+}  // namespace
+
+FinishedRuns ReadShards(const fs::path& dir, const RowColumns& columns,
+                        std::vector<std::string>* damaged) {
+  const std::vector<fs::path> files = ShardFiles(dir);
+  std::vector<std::unique_ptr<ShardReader>> shards;
+  std::vector<Candidate> rows;
+  for (std::uint32_t i = 0; i < files.size(); ++i) {
+    shards.push_back(std::make_unique<ShardReader>(files[i], columns));
+    const std::vector<int> lines = shards.back()->ForEach([&](const RowPlace& row) {
+      rows.push_back({row.run, i, IsLost(row.outcome), row.text});
+    });
+    if (damaged == nullptr) continue;
+    for (const int line : lines) damaged->push_back(files[i].string() + ":" + std::to_string(line));
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.run < b.run; });
+  FinishedRuns runs;
+  const Candidate* end = rows.data() + rows.size();
+  for (const Candidate* first = rows.data(); first != end;) {
+    const Candidate* last = first;
+    while (last != end && last->run == first->run) ++last;
+    runs.Add(Chosen(first, last, files, columns));
+    first = last;
+  }
+  return runs;
+}
+
+void TakeShards(const fs::path& from, const fs::path& into) {
+  if (HoldsCampaign(from) && !fs::exists(into)) {
+    MakeFolder(into);
+    for (const char* part : {"files", "manifest.json", "campaign.yaml"}) {
+      fs::copy(from / part, into / part, fs::copy_options::recursive);
+    }
+  }
+  const auto manifest_of = [](const fs::path& dir) {
+    if (!HoldsCampaign(dir)) throw FolderTaken(dir.string() + " holds no campaign");
+    return Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
+                       /*allow_exceptions=*/false);
+  };
+  const std::string difference = ManifestDifference(manifest_of(from), manifest_of(into));
+  if (!difference.empty()) {
+    throw FolderTaken(from.string() + " does not belong to " + into.string() + ": " + difference);
+  }
+  for (const fs::path& path : ShardFiles(from)) {
+    const fs::path place = into / "shards" / path.filename();
+    const std::string bytes = ReadWhole(path).value_or("");
+    const std::string there = ReadWhole(place).value_or("");
+    if (!OneContinuesTheOther(bytes, there)) {
+      throw FolderTaken(path.string() + " and " + place.string() +
+                        " are shards of the same name with different rows: were both folders run "
+                        "with the same --shard?");
+    }
+    MakeFolder(into / "shards");
+    if (bytes.size() > there.size()) WriteWhole(place, bytes);
+  }
+  if (fs::exists(from / "runs")) {
+    fs::copy(from / "runs", into / "runs",
+             fs::copy_options::recursive | fs::copy_options::skip_existing);
+  }
+}
+
+CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const RunMaker& maker,
+                        const RowColumns& columns, const DrawCampaign& draw) {
+  CampaignEnd end;
+  end.total = campaign.run_count();
+  end.runs = ReadShards(dir, columns, &end.damaged);
+  const std::vector<RunResult>& rows = end.runs.results;
+  WriteManifest(dir, columns);
+  WriteTimingCsv(dir / "timing.csv", end.runs);
+  WriteResultsCsv(dir / "results.csv", end.runs, columns);
+  WriteDatabase(dir / "results.sqlite", end.runs, columns);
+  MakeFolder(dir / "plots");
+  if (draw) {
+    WriteFigures(dir / "plots", draw(campaign.name, maker.Make(0).scenario, columns, rows));
+  }
+  WritePoints(dir, campaign, columns, rows);
+  end.summary = SummaryText(campaign.name, end.runs, columns, end.total);
+  WriteWhole(dir / "summary.txt", end.summary);
+  return end;
+}
+
+}  // namespace dockyard

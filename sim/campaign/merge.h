@@ -1,0 +1,50 @@
+// The shards of a results folder as tables, figures and a summary.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/log/results.h"
+#include "sim/plan/campaign.h"
+#include "sim/plan/make_run.h"
+#include "sim/run/system.h"
+
+namespace dockyard {
+
+using DrawCampaign =
+    std::function<std::vector<Figure>(const std::string& title, const Scenario& first,
+                                      const RowColumns&, const std::vector<RunResult>&)>;
+
+/// All rows of a results folder, one for each run, in order of runs: its result, else the last row
+/// of a run that was lost. Throws ResultsError, also when two rows hold different results of one
+/// run, and IoError.
+/// @param damaged  places of damaged lines, as "FILE:LINE", are added; may be null
+FinishedRuns ReadShards(const std::filesystem::path& dir, const RowColumns& columns,
+                        std::vector<std::string>* damaged = nullptr);
+
+/// Copies the shard files of another results folder of the same campaign and program into this one,
+/// and the logs of its runs. The folder is made where it is missing.
+/// Throws FolderTaken for another campaign, and for a shard file that both have and that is not the
+/// same as far as both go; IoError.
+void TakeShards(const std::filesystem::path& from, const std::filesystem::path& into);
+
+/// What a campaign came to.
+struct CampaignEnd {
+  FinishedRuns runs;
+  std::int64_t total = 0;  // planned
+  int signal = 0;          // that stopped it; 0: none did
+  std::string summary;
+  std::vector<std::string> damaged;  // places of damaged rows, whose runs are missing
+
+  bool complete() const { return static_cast<std::int64_t>(runs.size()) == total; }
+};
+
+/// Writes results.csv, timing.csv, results.sqlite, points, plots and summary.txt of the folder's
+/// rows, and into its manifest where they were made. Throws ResultsError and IoError.
+/// @param draw  figures of the system into plots/; empty: none
+CampaignEnd MergeShards(const std::filesystem::path& dir, const Campaign& campaign,
+                        const RunMaker& maker, const RowColumns& columns, const DrawCampaign& draw);
+
+}  // namespace dockyard

@@ -1,0 +1,30 @@
+#include "sim/campaign/retention.h"
+
+#include "sim/base/hash.h"
+
+namespace dockyard {
+
+void Retention::AddKept(const RunResult& result) {
+  if (!result.docked) kept_failures_[result.outcome].insert(result.run);
+}
+
+Retention::Choice Retention::Choose(const RunResult& result) {
+  if (result.docked) {
+    const auto n = static_cast<std::uint64_t>(keep_.every_nth_success);
+    // By a hash: every n-th of a grid's runs would be the same point of it.
+    const std::uint64_t hash = HashBits(kHashSeed, static_cast<std::uint64_t>(result.run));
+    return {n > 0 && hash % n == 0, std::nullopt};
+  }
+  if (keep_.failures_per_cause < 0) return {true, std::nullopt};
+  std::set<int>& kept = kept_failures_[result.outcome];
+  kept.insert(result.run);
+  if (static_cast<std::int64_t>(kept.size()) <= keep_.failures_per_cause) {
+    return {true, std::nullopt};
+  }
+  const int last = *kept.rbegin();
+  kept.erase(last);
+  if (last == result.run) return {false, std::nullopt};
+  return {true, last};
+}
+
+}  // namespace dockyard
