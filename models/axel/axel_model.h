@@ -49,6 +49,7 @@ struct RoverModel {
   ImuModel imu;
   StereoModel stereo;
 
+  double track_m() const { return p_R_left_wheel.y() - p_R_right_wheel.y(); }
   double mass_kg() const {
     return body.mass_kg + left_wheel.mass_kg + right_wheel.mass_kg + arm.mass_kg;
   }

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "models/axel/axel_model.h"
+#include "models/read/as_built.h"
 #include "models/read/mesh_loader.h"
-#include "models/read/yaml_tree.h"
 
 namespace dockyard::axel {
 
@@ -14,8 +14,9 @@ inline constexpr int kDefaultImageWidth = 1024, kDefaultImageHeight = 768;
 /// The URDF must have the links body (its root), left_wheel, right_wheel and arm, and the joints
 /// left_wheel_joint, right_wheel_joint (continuous) and arm_joint (revolute, at the body's origin),
 /// all about +y. The scenario sets the images' size; 0: as in the cameras' file, else the default.
-/// `changes` are keys on top of the file's. Throws ConfigError.
+/// `changes` are keys on top of the file's; the URDF's wheels and arm follow them. Throws
+/// ConfigError.
 RoverModel LoadRover(const std::string& file, int image_width = 0, int image_height = 0,
-                     const YamlNode* changes = nullptr, MeshStore* meshes = nullptr);
+                     const ModelChanges& changes = {}, MeshStore* meshes = nullptr);
 
 }  // namespace dockyard::axel

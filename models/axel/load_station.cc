@@ -4,6 +4,8 @@
 
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
+#include "models/read/load_mounting.h"
+#include "models/read/load_spreads.h"
 #include "models/read/text_file.h"
 #include "models/read/urdf.h"
 #include "models/read/urdf_weld.h"
@@ -47,9 +49,10 @@ void ReadBoardOf(const YamlReader& root, StationModel& station) {
   const YamlNode& node = root.Child("board");
   const bool named = node.Find("file") != nullptr;
   const YamlReader in(node, "board",
-                      named ? std::vector<std::string>{"file", "height_above_axis_m"}
-                            : BoardKeys({"height_above_axis_m"}));
+                      named ? std::vector<std::string>{"file", "height_above_axis_m", "mounting"}
+                            : BoardKeys({"height_above_axis_m", "mounting"}));
   station.board_height_above_axis_m = in.Number("height_above_axis_m", Between(-2.0, 2.0));
+  station.board_mounting = ReadMounting(in);
   station.board = named ? LoadBoard(in.File("file")).board : ReadBoard(in);
   const BoardCutout cutout = CutoutOf(station);
   const double least_m = 0.5 * station.board.disc_diameter_m + cutout.radius_m;
@@ -139,14 +142,10 @@ void TakeLinks(const YamlReader& in, const UrdfModel& file, StationModel& statio
   for (Collision& part : station.module.collisions) part.X_LG = tilt.X_PJ * part.X_LG;
 }
 
-}  // namespace
-
-StationModel LoadStation(const std::string& file, const YamlNode* changes, MeshStore* meshes) {
-  YamlNode tree = LoadYaml(file);
-  if (changes != nullptr) MergeYaml(tree, *changes);
+StationModel ReadStation(const YamlNode& tree, MeshStore* meshes) {
   const YamlReader in(tree, "",
                       {"name", "urdf", "tip_angle_deg", "cone", "board", "anchor_depth_m", "feet",
-                       "mass_kg", "mouth_height_m"});
+                       "mass_kg", "mouth_height_m", "spreads"});
   StationModel station;
   station.name = in.Text("name");
   station.tip_angle_rad = in.Degrees("tip_angle_deg", Between(0.0, 30.0));
@@ -159,6 +158,27 @@ StationModel LoadStation(const std::string& file, const YamlNode* changes, MeshS
   const double lowest = station.mouth_height_m - station.cone.face_outer_radius_m;
   if (lowest <= 0.0) in.Refuse("cone", "a face that clears the ground below the mouth");
   return station;
+}
+
+/// Numbers that a file may leave out, so that what is built can deviate from them too.
+void WriteLeftOut(const StationModel& told, YamlNode& tree) {
+  PutIfLeftOut(tree, "mass_kg", told.module.mass_kg);
+  PutIfLeftOut(tree, "mouth_height_m", told.mouth_height_m);
+  PutIfLeftOut(tree, "cone.stop_depth_m", 0.0);
+  PutMountingIfLeftOut(tree, "board.mounting");
+}
+
+}  // namespace
+
+StationModel LoadStation(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
+  YamlNode tree = LoadYaml(file);
+  if (changes.told != nullptr) MergeYaml(tree, *changes.told);
+  const StationModel told = ReadStation(tree, meshes);
+  WriteLeftOut(told, tree);
+  CheckSpreads(tree);
+  if (changes.built == nullptr) return told;
+  PutBuilt(tree, *changes.built);
+  return ReadStation(tree, meshes);
 }
 
 }  // namespace dockyard::axel

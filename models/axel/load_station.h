@@ -4,8 +4,8 @@
 #include <string>
 
 #include "models/axel/station_model.h"
+#include "models/read/as_built.h"
 #include "models/read/mesh_loader.h"
-#include "models/read/yaml_tree.h"
 
 namespace dockyard::axel {
 
@@ -14,7 +14,7 @@ namespace dockyard::axel {
 /// cone's mouth, straight above the stand's origin. Throws ConfigError, also when a fiducial
 /// overlaps the mouth's face, another fiducial or the board's edge. `changes` are keys on top of
 /// the file's.
-StationModel LoadStation(const std::string& file, const YamlNode* changes = nullptr,
+StationModel LoadStation(const std::string& file, const ModelChanges& changes = {},
                          MeshStore* meshes = nullptr);
 
 }  // namespace dockyard::axel

@@ -16,8 +16,9 @@ Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double
                          .max_speed_rad_s = motor.max_speed_rad_s,
                          .max_accel_rad_s2 = motor.max_accel_rad_s2};
   }
-  nominal.wheel_radius_m = RollingRadius(rover.left_wheel_soil);
-  nominal.track_m = rover.p_R_left_wheel.y() - rover.p_R_right_wheel.y();
+  nominal.wheel_radius_m =
+      0.5 * (RollingRadius(rover.left_wheel_soil) + RollingRadius(rover.right_wheel_soil));
+  nominal.track_m = rover.track_m();
   nominal.arm_length_m = rover.arm_length_m;
   nominal.arm_at_zero_rad = arm_at_zero_rad;
   nominal.drum_radius_m = rover.tether.drum_radius_m;

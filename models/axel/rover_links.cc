@@ -51,7 +51,8 @@ UrdfModel WeldRover(const UrdfModel& urdf) {
   return welded;
 }
 
-/// The tip's disc is simulated by itself: no other part of the arm may reach past its middle.
+}  // namespace
+
 void CheckArm(const UrdfModel& urdf, const RoverModel& rover) {
   const double tip_middle = rover.arm_length_m - 0.5 * rover.tip.length_m;
   for (const Collision& part : rover.arm.collisions) {
@@ -66,15 +67,12 @@ void CheckArm(const UrdfModel& urdf, const RoverModel& rover) {
   }
 }
 
-}  // namespace
-
 void TakeRoverLinks(const UrdfModel& file, RoverModel& rover) {
   const UrdfModel urdf = WeldRover(file);
   rover.body = BodyWithMass(urdf, "body");
   rover.left_wheel = BodyWithMass(urdf, "left_wheel");
   rover.right_wheel = BodyWithMass(urdf, "right_wheel");
   rover.arm = BodyWithMass(urdf, "arm");
-  CheckArm(urdf, rover);
   const UrdfJoint &left = urdf.Joint("left_wheel_joint"), &right = urdf.Joint("right_wheel_joint"),
                   &arm = urdf.Joint("arm_joint");
   CheckJoint(left, "left_wheel");

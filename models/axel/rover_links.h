@@ -7,9 +7,12 @@
 namespace dockyard::axel {
 
 /// Body, wheels and arm with all links fixed to them, the joints between them, and the arm's
-/// limits. Arm length and tip must have been read before. Throws ConfigError with the line for
-/// links and joints that are missing, turned otherwise than the rover's model has them, or further
-/// than these.
+/// limits. Throws ConfigError with the line for links and joints that are missing, turned otherwise
+/// than the rover's model has them, or further than these.
 void TakeRoverLinks(const UrdfModel& file, RoverModel& rover);
+
+/// The tip's disc is simulated by itself: no other part of the arm may reach past its middle.
+/// Throws ConfigError.
+void CheckArm(const UrdfModel& file, const RoverModel& rover);
 
 }  // namespace dockyard::axel

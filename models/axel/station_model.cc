@@ -1,5 +1,7 @@
 #include "models/axel/station_model.h"
 
+#include "models/parts/mounting.h"
+
 namespace dockyard::axel {
 
 Pose3 MouthInStation(const StationModel& station) {
@@ -14,7 +16,7 @@ Pose3 BoardInStation(const StationModel& station) {
   X_MB.R.col(1) = -Eigen::Vector3d::UnitZ();
   X_MB.R.col(2) = -Eigen::Vector3d::UnitX();
   X_MB.p = Eigen::Vector3d(0.0, 0.0, station.board_height_above_axis_m);
-  return MouthInStation(station) * X_MB;
+  return MouthInStation(station) * Mounted(X_MB, station.board_mounting, X_MB.p);
 }
 
 BoardCutout CutoutOf(const StationModel& station) {

@@ -43,7 +43,8 @@ struct StationModel {
   ConeModel cone;
   FiducialBoard board;
   double board_height_above_axis_m = 0.0;  // board's centre above the mouth's centre, in the face
-  double anchor_depth_m = 0.0;             // tether anchor on the axis, behind the mouth plane
+  Pose3 board_mounting;         // of the board with its hole about its middle, in M's axes
+  double anchor_depth_m = 0.0;  // tether anchor on the axis, behind the mouth plane
   std::vector<FootModel> feet;
   double foot_friction = 0.0;           // Coulomb, feet on soil
   double foot_stiffness_n_per_m = 0.0;  // each foot, vertical and tangential

@@ -8,8 +8,9 @@ struct TetherModel {
   double damping_ns_per_m = 0.0;   // of the whole exposed length
   double diameter_m = 0.0;
   double mass_kg_per_m = 0.0;
-  double friction_on_station = 0.0;  // capstan friction where it bends round the station's edges
-  double drum_radius_m = 0.0;
+  double friction_on_station = 0.0;     // capstan friction where it bends round the station's edges
+  double drum_radius_m = 0.0;           // at power-on
+  double drum_growth_m_per_turn = 0.0;  // with every turn that is wound on
 };
 
 }  // namespace dockyard

@@ -1,17 +1,19 @@
 #include "models/read/load_soil.h"
 
 #include "models/read/config_error.h"
+#include "models/read/load_spreads.h"
 #include "models/read/yaml_reader.h"
 
 namespace dockyard {
 
-SoilModel LoadSoil(const std::string& file, const YamlNode* changes) {
+SoilModel LoadSoil(const std::string& file, const ModelChanges& changes) {
   YamlNode root = LoadYaml(file);
-  if (changes != nullptr) MergeYaml(root, *changes);
+  if (changes.told != nullptr) MergeYaml(root, *changes.told);
+  if (changes.built != nullptr) PutBuilt(root, *changes.built);
   const YamlReader in(root, "",
                       {"name", "source", "n", "slip_weakening", "k_c", "k_phi", "cohesion_pa",
                        "friction_angle_deg", "shear_modulus_m", "density_kg_m3",
-                       "unloading_stiffness_pa_per_m", "damping_pa_s_per_m", "rgb"});
+                       "unloading_stiffness_pa_per_m", "damping_pa_s_per_m", "rgb", "spreads"});
   SoilModel soil;
   soil.name = in.Text("name");
   soil.source = in.Text("source");
@@ -26,6 +28,7 @@ SoilModel LoadSoil(const std::string& file, const YamlNode* changes) {
   soil.unloading_stiffness_pa_per_m = in.Number("unloading_stiffness_pa_per_m", Between(1e5, 1e9));
   soil.damping_pa_s_per_m = in.Number("damping_pa_s_per_m", NonNegative(1e8));
   soil.rgb = in.Rgb("rgb");
+  CheckSpreads(root);
   return soil;
 }
 

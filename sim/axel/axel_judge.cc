@@ -59,8 +59,9 @@ void AxelJudge::ObserveSighting(const SightingReport& report) {
   const Truth& truth = plant_.truth();
   const BuiltRun& built = plant_.built();
   const Pose3 X_RB = Inverse(truth.X_WR) * truth.X_WS * BoardInStation(built.world.station);
-  outcome_.ObserveSighting(
-      truth.time_s, JudgeSighting(report, X_RB, built.built_rig, built.nominal.board, limits_));
+  const FiducialBoard& board = built.world.station.board;  // as many marks as are told
+  outcome_.ObserveSighting(truth.time_s,
+                           JudgeSighting(report, X_RB, built.built_rig, board, limits_));
 }
 
 AxelMeasures AxelJudge::FinalMeasures(const Belief& belief) const {

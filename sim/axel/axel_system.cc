@@ -31,10 +31,10 @@ ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models) {
 }
 
 std::string Check(const Scenario& scenario, const AxelModels& models) {
-  CheckImagesCanBeDrawn(models.rover.stereo.nominal, scenario.camera_place);
+  CheckImagesCanBeDrawn(models.built.rover.stereo.nominal, scenario.camera_place);
   if (scenario.script.kind != YamlNode::Kind::kNull) ReadScript(scenario.script);
-  return models.rover.name + " from " + NumberText(scenario.start.r) + " m to " +
-         models.station.name + " on " + models.soil.name;
+  return models.told.rover.name + " from " + NumberText(scenario.start.r) + " m to " +
+         models.told.station.name + " on " + models.told.soil.name;
 }
 
 bool IsRobotFile(const YamlNode& root) {
@@ -48,13 +48,13 @@ bool IsStationFile(const YamlNode& root) {
 std::optional<FileCheck> CheckModelFile(const std::string& file, MeshStore& meshes) {
   const YamlNode root = LoadYaml(file);
   if (IsRobotFile(root)) {
-    const RoverModel rover = LoadRover(file, 0, 0, nullptr, &meshes);
+    const RoverModel rover = LoadRover(file, 0, 0, {}, &meshes);
     return FileCheck{"rover", rover.name + ": " + NumberText(rover.mass_kg()) + " kg, arm " +
                                   NumberText(rover.arm_length_m) + " m, stereo baseline " +
                                   NumberText(rover.stereo.nominal.baseline_m()) + " m"};
   }
   if (!IsStationFile(root)) return std::nullopt;
-  const StationModel station = LoadStation(file, nullptr, &meshes);
+  const StationModel station = LoadStation(file, {}, &meshes);
   return FileCheck{"station", station.name + ": " + NumberText(station.module.mass_kg) + " kg on " +
                                   std::to_string(station.feet.size()) + " feet, " +
                                   std::to_string(station.board.fiducials.size()) +
@@ -65,24 +65,24 @@ std::optional<FileCheck> CheckModelFile(const std::string& file, MeshStore& mesh
 std::optional<StereoRig> RigOfRobot(const std::string& file, int width, int height,
                                     MeshStore& meshes) {
   if (!IsRobotFile(LoadYaml(file))) return std::nullopt;
-  return LoadRover(file, width, height, nullptr, &meshes).stereo.nominal;
+  return LoadRover(file, width, height, {}, &meshes).stereo.nominal;
 }
 
 std::optional<NamedBoard> BoardOfStation(const std::string& file, MeshStore& meshes) {
   if (!IsStationFile(LoadYaml(file))) return std::nullopt;
-  const StationModel station = LoadStation(file, nullptr, &meshes);
+  const StationModel station = LoadStation(file, {}, &meshes);
   return NamedBoard{.name = station.name, .board = station.board, .cutout = CutoutOf(station)};
 }
 
 std::vector<Figure> Draw(const RunRecord& record, const AxelModels& models) {
-  return {{"path.svg", PathPlot(record, models.station.cone)},
+  return {{"path.svg", PathPlot(record, models.built.station.cone)},
           {"history.svg", HistoryPlot(record)}};
 }
 
 std::vector<Figure> DrawCampaign(const std::string& title, const RowColumns& columns,
                                  const std::vector<RunResult>& rows, const AxelModels& models) {
   if (!HasStartPoses(columns)) return {};
-  return {{"grid.svg", GridPlot(title, columns, rows, models.station.cone)}};
+  return {{"grid.svg", GridPlot(title, columns, rows, models.told.station.cone)}};
 }
 
 }  // namespace
@@ -98,6 +98,7 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   }
   system.file_keys = {"station"};
   system.changes_file_keys = {"robot.urdf", "robot.cameras.file", "station.urdf"};
+  system.model_roots = {{"robot", "robot"}, {"station", "axel.station"}, {"soil", "soil"}};
   system.outcomes = OutcomeNames();
   system.channels = Channels();
   system.beliefs = Beliefs();

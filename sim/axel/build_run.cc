@@ -69,14 +69,15 @@ void CheckStart(const BuiltRun& run, const Truth& start) {
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   BuiltRun run;
   WorldSetup& world = run.world;
-  world.rover = models.rover;
-  world.station = models.station;
-  world.soil = models.soil;
+  world.rover = models.built.rover;
+  world.station = models.built.station;
+  world.soil = models.built.soil;
   world.arm_start_rad = RestingArm(world.rover);
   run.start_place = scenario.start_place;
 
-  // The controller gets nominal numbers; the lines that follow disturb the world only.
-  run.nominal = MakeNominal(world.rover, world.station, world.arm_start_rad);
+  // What the controller is told; the lines that follow disturb the world only.
+  const ModelSet& told = models.told;
+  run.nominal = MakeNominal(told.rover, told.station, RestingArm(told.rover));
   run.nominal.vision = models.keys.vision;
   RandomStream start(StreamKey(scenario.seed, "start"));
   const double pitch_rad = 2.0 * kPi / std::max(1, world.rover.left_wheel_soil.paddle_count);

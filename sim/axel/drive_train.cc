@@ -42,6 +42,7 @@ MotorDrive MakeDrive(const RoverModel& rover, Motor motor) {
 
 DriveTrain::DriveTrain(const RoverModel& rover, double arm_rad)
     : drum_radius_m_(rover.tether.drum_radius_m),
+      drum_growth_m_per_rad_(rover.tether.drum_growth_m_per_turn / (2.0 * kPi)),
       drum_inertia_kg_m2_(rover.motors[static_cast<int>(Motor::kSpool)].reflected_inertia_kg_m2),
       arm_lower_rad_(rover.arm_lower_rad),
       arm_upper_rad_(rover.arm_upper_rad),
@@ -62,7 +63,7 @@ void DriveTrain::Step(const std::array<MotorCommand, kMotorCount>& commands, dou
     rover.AddJointTorque(link, output_[motor].torque_nm());
   }
   // Cut through the tether at the arm's root: it pulls the arm's guide and the drum together.
-  const double pull_nm = tension_n * drum_radius_m_;
+  const double pull_nm = tension_n * drum_radius_m(rover);
   rover.AddJointTorque(RoverLink::kArm, pull_nm + ArmStopTorque(rover));
   // The body does not feel the tether's torque on the drum but the motor's reaction.
   const double drum_nm = output_[static_cast<int>(Motor::kSpool)].torque_nm();
@@ -101,11 +102,12 @@ double DriveTrain::speed_rad_s(Motor motor, const RoverBody& rover) const {
 }
 
 double DriveTrain::tether_given_m(const RoverBody& rover) const {
-  return drum_radius_m_ * (angle_rad(Motor::kArm, rover) - drum_rad_);
+  const double wound = wound_rad(rover);
+  return -(drum_radius_m_ + 0.5 * drum_growth_m_per_rad_ * wound) * wound;
 }
 
 double DriveTrain::tether_rate_m_s(const RoverBody& rover) const {
-  return drum_radius_m_ * (speed_rad_s(Motor::kArm, rover) - drum_rad_s_);
+  return drum_radius_m(rover) * (speed_rad_s(Motor::kArm, rover) - drum_rad_s_);
 }
 
 bool DriveTrain::IsStill(double rad_s, double dt_s) const {

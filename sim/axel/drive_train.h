@@ -5,7 +5,7 @@
 // towards the tip (assumed: the drawings show no more than a drum in the body). Reeling in turns it
 // about +y. The tether's pull therefore turns the arm tip-down against the body with torque
 // T * drum_radius, and by virtual work turning the arm tip-down by dq gives drum_radius * dq of
-// tether.
+// tether. The drum may grow with every turn that is wound on, as by layers of tether.
 #pragma once
 
 #include <array>
@@ -44,7 +44,16 @@ class DriveTrain {
  private:
   double ArmStopTorque(const RoverBody& rover) const;
 
-  double drum_radius_m_ = 0.0, drum_inertia_kg_m2_ = 0.0;
+  /// Tether wound on since power-on, as an angle of the drum against the arm's guide [rad].
+  double wound_rad(const RoverBody& rover) const {
+    return drum_rad_ - angle_rad(Motor::kArm, rover);
+  }
+  /// Of the layer on which the tether winds now [m].
+  double drum_radius_m(const RoverBody& rover) const {
+    return drum_radius_m_ + drum_growth_m_per_rad_ * wound_rad(rover);
+  }
+
+  double drum_radius_m_ = 0.0, drum_growth_m_per_rad_ = 0.0, drum_inertia_kg_m2_ = 0.0;
   double arm_lower_rad_ = 0.0, arm_upper_rad_ = 0.0;
   std::array<MotorDrive, kMotorCount> drives_;
   std::array<double, kMotorCount> zero_rad_{};  // joint angles at power-on

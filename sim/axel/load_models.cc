@@ -5,10 +5,13 @@
 
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
+#include "models/axel/read_stereo.h"
 #include "models/read/config_error.h"
 #include "models/read/load_cameras.h"
 #include "models/read/load_soil.h"
+#include "models/read/yaml_path.h"
 #include "models/read/yaml_reader.h"
+#include "sim/scenario/key_path.h"
 
 namespace dockyard::axel {
 namespace {
@@ -17,7 +20,8 @@ namespace {
 std::string ModelKey(const Scenario& scenario) {
   return scenario.robot_file + "\n" + scenario.soil_file + "\n" + scenario.camera_file + "\n" +
          std::to_string(scenario.image_width) + "x" + std::to_string(scenario.image_height) + "\n" +
-         FlowText(scenario.of_system) + "\n" + FlowText(scenario.changes);
+         FlowText(scenario.of_system) + "\n" + FlowText(scenario.changes) + "\n" +
+         FlowText(scenario.as_built);
 }
 
 void RequireFiles(const Scenario& scenario) {
@@ -29,38 +33,110 @@ void RequireFiles(const Scenario& scenario) {
   }
 }
 
+/// Keys of a scenario that stand for a model's own, as changes to it.
+YamlNode ChangesOf(const Scenario& scenario, const AxelKeys& keys) {
+  YamlNode changes = scenario.changes;
+  if (std::isnan(keys.tip_angle_rad)) return changes;
+  const YamlNode& angle = *scenario.of_system.Find("tip_angle_deg");
+  if (changes.kind == YamlNode::Kind::kNull) changes.kind = YamlNode::Kind::kMapping;
+  PutPath(changes, "station.tip_angle_deg", angle.place, angle);
+  return changes;
+}
+
+void RefuseKey(const YamlNode& changes, const std::string& root, const std::string& path,
+               const std::string& expected) {
+  const YamlNode* value = FindPath(changes, path);
+  if (value == nullptr) return;
+  throw ConfigError(value->place.Text() + ": " + root + "." + path + ": expected " + expected);
+}
+
+void CheckRoots(const YamlNode& changes, const std::string& root) {
+  if (changes.kind == YamlNode::Kind::kNull) return;
+  const YamlReader known(changes, root, {"robot", "station", "soil"});
+  for (const char* model : {"robot.spreads", "station.spreads", "soil.spreads"}) {
+    RefuseKey(changes, root, model, "none; spreads are read from the model's own file");
+  }
+}
+
+/// What a world cannot be built otherwise than told.
+void CheckAsBuilt(const Scenario& scenario) {
+  const YamlNode& built = scenario.as_built;
+  CheckRoots(built, "as_built");
+  for (const char* text : {"robot.name", "station.name", "soil.name", "soil.source"}) {
+    RefuseKey(built, "as_built", text, "keys that something is built by, a name is not");
+  }
+  for (const char* phase : {"left_phase_deg", "right_phase_deg"}) {
+    RefuseKey(built, "as_built", std::string("robot.wheels.") + phase,
+              "none; how the wheels stand is drawn for each run");
+  }
+  RefuseKey(built, "as_built", "robot.arm.at_power_on_deg",
+            "none; the arm lies on the ground at power-on");
+  if (scenario.camera_file.empty()) return;
+  for (const char* key :
+       {"file", "baseline_m", "forward_m", "height_m", "pitch_deg", "field_of_view_deg"}) {
+    RefuseKey(built, "as_built", std::string("robot.cameras.") + key,
+              "none beside camera.file, which sets it; robot.cameras.mounting moves the pair");
+  }
+}
+
+void CheckTogether(const Scenario& scenario, const AxelKeys& keys, const ModelSet& set) {
+  CheckCarries(set.soil, scenario.soil_file, set.rover.left_wheel_soil);
+  if (set.rover.tip.radius_m < set.station.cone.throat_radius_m) return;
+  throw ConfigError(keys.station_file + ": cone.throat_radius_m: expected more than the " +
+                    NumberText(set.rover.tip.radius_m) + " m of the arm's tip in " +
+                    scenario.robot_file + ", found '" +
+                    NumberText(set.station.cone.throat_radius_m) + "'");
+}
+
+/// The models with the keys of `told` on top, and those of `built` on top of that where there are
+/// any: `base` holds the models without them.
+ModelSet LoadSet(const Scenario& scenario, const AxelKeys& keys, const YamlNode& told,
+                 const YamlNode& built, const ModelSet* base, MeshStore* meshes) {
+  const auto changes = [&](const char* model) {
+    return ModelChanges{told.Find(model), built.Find(model)};
+  };
+  ModelSet set;
+  if (base != nullptr) set = *base;
+  if (base == nullptr || built.Find("robot") != nullptr) {
+    set.rover = LoadRover(scenario.robot_file, scenario.image_width, scenario.image_height,
+                          changes("robot"), meshes);
+    StereoModel& stereo = set.rover.stereo;
+    if (!scenario.camera_file.empty()) {
+      stereo.nominal = MountedRig(
+          LoadRig(scenario.camera_file, scenario.image_width, scenario.image_height), stereo);
+    }
+  }
+  if (base == nullptr || built.Find("station") != nullptr) {
+    set.station = LoadStation(keys.station_file, changes("station"), meshes);
+  }
+  if (base == nullptr || built.Find("soil") != nullptr) {
+    set.soil = LoadSoil(scenario.soil_file, changes("soil"));
+  }
+  CheckTogether(scenario, keys, set);
+  return set;
+}
+
 }  // namespace
 
 AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
   RequireFiles(scenario);
   AxelModels models;
   models.keys = ReadAxelKeys(scenario);
-  const YamlNode& changes = scenario.changes;
-  if (changes.kind != YamlNode::Kind::kNull) {
-    const YamlReader known(changes, "changes", {"robot", "station", "soil"});
+  CheckRoots(scenario.changes, "changes");
+  CheckAsBuilt(scenario);
+  const YamlNode changes = ChangesOf(scenario, models.keys);
+  models.told = LoadSet(scenario, models.keys, changes, {}, nullptr, meshes);
+  models.built = LoadSet(scenario, models.keys, changes, scenario.as_built, &models.told, meshes);
+  const std::size_t marks = models.told.station.board.fiducials.size();
+  if (models.built.station.board.fiducials.size() != marks) {
+    RefuseKey(scenario.as_built, "as_built", "station.board",
+              "as many fiducials as are told, " + std::to_string(marks));
   }
-  models.rover = LoadRover(scenario.robot_file, scenario.image_width, scenario.image_height,
-                           changes.Find("robot"), meshes);
-  models.station = LoadStation(models.keys.station_file, changes.Find("station"), meshes);
-  models.soil = LoadSoil(scenario.soil_file, changes.Find("soil"));
-  CheckCarries(models.soil, scenario.soil_file, models.rover.left_wheel_soil);
-  if (!scenario.camera_file.empty()) {
-    models.rover.stereo.nominal =
-        LoadRig(scenario.camera_file, scenario.image_width, scenario.image_height);
-  }
-  if (!std::isnan(models.keys.tip_angle_rad))
-    models.station.tip_angle_rad = models.keys.tip_angle_rad;
   if (models.keys.vision.pipeline == VisionPipeline::kTsai2013 &&
-      !HasTwoOfEachRotation(models.station.board)) {
+      !HasTwoOfEachRotation(models.told.station.board)) {
     throw ConfigError(models.keys.station_file +
                       ": board: expected two bars of each rotation, as axel.vision.pipeline "
                       "tsai2013 needs them, found others");
-  }
-  if (models.rover.tip.radius_m >= models.station.cone.throat_radius_m) {
-    throw ConfigError(models.keys.station_file + ": cone.throat_radius_m: expected more than the " +
-                      NumberText(models.rover.tip.radius_m) + " m of the arm's tip in " +
-                      scenario.robot_file + ", found '" +
-                      NumberText(models.station.cone.throat_radius_m) + "'");
   }
   return models;
 }

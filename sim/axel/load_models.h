@@ -15,11 +15,16 @@
 
 namespace dockyard::axel {
 
-struct AxelModels {
-  AxelKeys keys;
+struct ModelSet {
   RoverModel rover;
   StationModel station;
   SoilModel soil;
+};
+
+struct AxelModels {
+  AxelKeys keys;
+  ModelSet told;   // what the controller is told of
+  ModelSet built;  // what the world is made of; equal unless the scenario has `as_built`
 };
 
 /// Reads the files, applies the scenario's changes, cameras and tip angle, and checks the models

@@ -117,7 +117,9 @@ std::vector<std::string> FileKeys(const std::vector<KnownSystem>& systems) {
   }
   for (const KnownSystem& system : systems) {
     for (const std::string& key : system.file_keys) keys.push_back(system.name + "." + key);
-    for (const std::string& key : system.changes_file_keys) keys.push_back("changes." + key);
+    for (const std::string& key : system.changes_file_keys) {
+      keys.insert(keys.end(), {"changes." + key, "as_built." + key});
+    }
   }
   return keys;
 }

@@ -74,7 +74,8 @@ struct System {
   std::vector<OutcomeName> outcomes;
   std::vector<Column> channels, beliefs, measures;
   std::vector<std::string> file_keys;          // keys under its own name whose values are files
-  std::vector<std::string> changes_file_keys;  // and dotted keys under `changes`
+  std::vector<std::string> changes_file_keys;  // and dotted keys under `changes` and `as_built`
+  std::vector<ModelRoot> model_roots;          // the models that have these roots
 
   /// Reads the system's own keys and all models that the scenario names; returns a line that
   /// describes the system. Throws ConfigError.

@@ -39,16 +39,6 @@ std::string KeyText(const std::string& name) {
 
 }  // namespace
 
-const YamlNode* FindPath(const YamlNode& tree, std::string_view path) {
-  const auto [first, rest] = SplitPath(path);
-  const YamlNode* found = tree.Find(first);
-  return found == nullptr || rest.empty() ? found : FindPath(*found, rest);
-}
-
-YamlNode* FindPath(YamlNode& tree, std::string_view path) {
-  return const_cast<YamlNode*>(FindPath(std::as_const(tree), path));
-}
-
 void PutPath(YamlNode& tree, std::string_view path, const YamlPlace& key_place,
              const YamlNode& value) {
   MergeYaml(tree, Wrapped(path, key_place, value));

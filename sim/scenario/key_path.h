@@ -4,13 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "models/read/yaml_tree.h"
+#include "models/read/yaml_path.h"
 
 namespace dockyard {
-
-/// The value under a dotted key, or null.
-const YamlNode* FindPath(const YamlNode& tree, std::string_view path);
-YamlNode* FindPath(YamlNode& tree, std::string_view path);
 
 /// Puts the value under a dotted key on top of the tree, mappings key by key. Messages about an
 /// unknown key give `key_place`.

@@ -58,7 +58,15 @@ struct Scenario {
   bool log_images = true;
   YamlNode of_system;  // the mapping under the system's own name; the system reads it. kNull: none
   YamlNode changes;    // keys on top of the model files, by model; the system reads it. kNull: none
+  YamlNode
+      as_built;     // the same on top of `changes`, in the world alone; the controller is not told
   YamlNode script;  // open-loop commands in place of a controller; the system reads it. kNull: none
+};
+
+/// A model under `changes` and `as_built`, and the scenario's dotted key that names its file.
+struct ModelRoot {
+  std::string name;      // "station"
+  std::string file_key;  // "axel.station"
 };
 
 /// The part of a system that a reader needs to check a scenario.
@@ -66,9 +74,10 @@ struct KnownSystem {
   std::string name;
   std::vector<std::string> controllers;  // the first is the default
   std::vector<std::string> file_keys;    // keys under its own name whose values are files
-  // The same under `changes`. The reader makes both absolute, so that a scenario can be written
-  // into another folder.
+  // The same under `changes` and `as_built`. The reader makes all absolute, so that a scenario can
+  // be written into another folder.
   std::vector<std::string> changes_file_keys{};
+  std::vector<ModelRoot> model_roots{};  // models whose files may have spreads
 };
 
 /// One run of many, or alone.

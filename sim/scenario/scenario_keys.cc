@@ -215,6 +215,8 @@ void VisitScenario(Keys& keys, Scenario& s, const std::vector<KnownSystem>& syst
   keys.Bool({"log_images", "", "keep the images in the run's log"}, s.log_images);
   keys.Tree({"changes", "", "keys on top of the model files, by model", kUnset}, s.changes,
             YamlNode::Kind::kMapping);
+  keys.Tree({"as_built", "", "keys on top of these, which the controller is not told", kUnset},
+            s.as_built, YamlNode::Kind::kMapping);
   keys.Tree({"script", "", "open-loop commands in place of a controller", kUnset}, s.script,
             YamlNode::Kind::kSequence);
   VisitOfSystem(keys, s, systems);
@@ -234,6 +236,7 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
   const KnownSystem& system = *Find(systems, scenario.system);
   MakeFilesAbsolute(scenario.of_system, system.name, system.file_keys);
   MakeFilesAbsolute(scenario.changes, "changes", system.changes_file_keys);
+  MakeFilesAbsolute(scenario.as_built, "as_built", system.changes_file_keys);
   return scenario;
 }
 

@@ -43,6 +43,7 @@ const std::vector<std::pair<std::string, std::string>>& OtherValues() {
       {"site.heading_deg", "179.9"},
       {"log_images", "false"},
       {"changes", "{soil: {k: 1e+3, name: 'x: \"y\"'}}"},
+      {"as_built", "{soil: {k: {times: 0.9}}}"},
       {"script", "[{for_s: 1}, wait]"},
       {"toy", "{colour: blue}"},
   };
@@ -103,6 +104,7 @@ TEST_F(Resolved, ReadsBackBitForBit) {
   EXPECT_EQ(again.X_WG, odd.X_WG);
   EXPECT_EQ(again.sun.azimuth_rad, odd.sun.azimuth_rad);
   EXPECT_EQ(FlowText(again.changes), FlowText(odd.changes));
+  EXPECT_EQ(FlowText(again.as_built), FlowText(odd.as_built));
   EXPECT_EQ(FlowText(again.script), FlowText(odd.script));
   EXPECT_EQ(FlowText(again.of_system), FlowText(odd.of_system));
 }
@@ -130,6 +132,8 @@ TEST_F(Resolved, EachKeyAloneIsTheOneThatDiffers) {
     const std::vector<std::string> differing = DifferingKeys(plain, changed);
     if (key == "changes") {
       EXPECT_THAT(differing, ElementsAre("changes.soil.k", "changes.soil.name"));
+    } else if (key == "as_built") {
+      EXPECT_THAT(differing, ElementsAre("as_built.soil.k.times"));
     } else if (key == "toy") {
       EXPECT_THAT(differing, ElementsAre("toy.colour"));
     } else {

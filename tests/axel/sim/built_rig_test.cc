@@ -35,7 +35,7 @@ class BuiltRigs : public testing::TestWithParam<std::string> {
     if (!GetParam().empty()) {
       scenario = TypicalScenario({"camera.file=" + kSource + "/models/cameras/" + GetParam()});
     }
-    stereo_ = LoadModels(scenario).rover.stereo;
+    stereo_ = LoadModels(scenario).built.rover.stereo;
   }
   StereoModel stereo_;
 };

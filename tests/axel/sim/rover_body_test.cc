@@ -133,30 +133,43 @@ TEST(RoverBody, PitchedInertiaKeepsItsYAxis) {
   EXPECT_LT((back - link.I_LCom_L).norm(), 1e-14);
 }
 
-TEST(DriveTrain, SpoolWorksAgainstTheTetherForAllItsEnergy) {
-  // Motor work = tether work + friction loss + the drum's kinetic energy.
+/// Motor work = tether work + friction loss + the drum's kinetic energy.
+void ExpectSpoolWorksForAllItsEnergy(double growth_m_per_turn) {
   Afloat world(0.0);
+  world.model.tether.drum_growth_m_per_turn = growth_m_per_turn;
   DriveTrain drives(world.model, 0.3);
   drives.PowerOn(world.rover);
   MotorCommands commands = AllBraked();
   At(commands, Motor::kSpool) = Velocity(0.8, 2.0);
   const double tension = 100.0;
-  double motor = 0.0, tether = 0.0, friction = 0.0, pay_out = 0.0;
+  double motor = 0.0, tether = 0.0, friction = 0.0, reeled_m = 0.0;
   for (int i = 0; i < 3000; ++i) {
     drives.Step(commands, tension, kDt, world.rover);
     const DriveOutput& out = drives.output(Motor::kSpool);
     const double speed = drives.speed_rad_s(Motor::kSpool, world.rover);
     motor += out.motor_torque_nm * speed * kDt;
     friction -= out.friction_torque_nm * speed * kDt;
-    pay_out = drives.angle_rad(Motor::kSpool, world.rover) * world.model.tether.drum_radius_m;
+    reeled_m = -drives.tether_given_m(world.rover);
   }
-  tether = tension * pay_out;
+  // A spiral: the radius grows in proportion to the angle.
+  const double turned_rad = drives.angle_rad(Motor::kSpool, world.rover);
+  EXPECT_NEAR(reeled_m,
+              world.model.tether.drum_radius_m * turned_rad +
+                  growth_m_per_turn * turned_rad * turned_rad / (4.0 * kPi),
+              1e-12);
+  tether = tension * reeled_m;
   const double speed = drives.speed_rad_s(Motor::kSpool, world.rover);
   const double J = world.model.motors[static_cast<int>(Motor::kSpool)].reflected_inertia_kg_m2;
   const double kinetic = 0.5 * J * speed * speed;
   EXPECT_GT(tether, 10.0);
   EXPECT_NEAR(motor, tether + friction + kinetic, 1e-3 * motor);
 }
+
+TEST(DriveTrain, SpoolWorksAgainstTheTetherForAllItsEnergy) {
+  ExpectSpoolWorksForAllItsEnergy(0.0);
+}
+
+TEST(DriveTrain, DrumThatGrowsByItsLayersDoesSoToo) { ExpectSpoolWorksForAllItsEnergy(0.006); }
 
 TEST(DriveTrain, TetherInTheArmTurnsItTipDownAgainstTheBody) {
   Afloat world(0.0);
