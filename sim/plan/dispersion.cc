@@ -55,7 +55,21 @@ void ReadDiscrete(const YamlReader& in, const std::string& path, Dispersion& dis
   if (sum <= 0.0) in.Refuse("weights", "a weight above 0");
 }
 
-Dispersion ReadDispersion(const YamlNode::Key& key, const YamlNode& node, const std::string& path) {
+/// The place of the key among the dispersions. Throws ConfigError.
+std::size_t PlaceOf(const YamlNode& key, const std::string& path,
+                    const std::vector<Dispersion>& dispersions) {
+  for (std::size_t i = 0; i < dispersions.size(); ++i) {
+    if (dispersions[i].key.name == key.scalar) return i;
+  }
+  throw ConfigError(key.place.Text() + ": " + path + ": expected a key of draw, found " +
+                    key.Found());
+}
+
+}  // namespace
+
+Dispersion ReadDispersion(const YamlNode::Key& key, const YamlNode& node) {
+  const std::string path = "draw." + key.name;
+  RequireSettable(key, path);
   static const std::vector<std::string> kinds{"normal", "uniform", "loguniform", "discrete"};
   const YamlReader in(node, path, kinds);
   if (node.keys.size() != 1) {
@@ -79,18 +93,6 @@ Dispersion ReadDispersion(const YamlNode::Key& key, const YamlNode& node, const 
   return dispersion;
 }
 
-/// The place of the key among the dispersions. Throws ConfigError.
-std::size_t PlaceOf(const YamlNode& key, const std::string& path,
-                    const std::vector<Dispersion>& dispersions) {
-  for (std::size_t i = 0; i < dispersions.size(); ++i) {
-    if (dispersions[i].key.name == key.scalar) return i;
-  }
-  throw ConfigError(key.place.Text() + ": " + path + ": expected a key of draw, found " +
-                    key.Found());
-}
-
-}  // namespace
-
 std::vector<Dispersion> ReadDispersions(const YamlReader& root) {
   std::vector<Dispersion> dispersions;
   if (!root.Has("draw")) return dispersions;
@@ -99,9 +101,7 @@ std::vector<Dispersion> ReadDispersions(const YamlReader& root) {
     root.Refuse("draw", "keys of the scenario, each with its distribution");
   }
   for (std::size_t i = 0; i < node.keys.size(); ++i) {
-    const std::string path = "draw." + node.keys[i].name;
-    RequireSettable(node.keys[i], path);
-    dispersions.push_back(ReadDispersion(node.keys[i], node.items[i], path));
+    dispersions.push_back(ReadDispersion(node.keys[i], node.items[i]));
   }
   return dispersions;
 }

@@ -21,12 +21,15 @@ struct Dispersion {
   bool discrete() const { return !values.values.empty(); }
 };
 
-/// Reads the mapping `draw`: dotted keys, each with one of
+/// Reads a key of the mapping `draw` with one of
 ///   {normal: {mean, std, min, max}}   min and max may be left out
 ///   {uniform: {min, max}}
 ///   {loguniform: {min, max}}
 ///   {discrete: {values: ..., weights: [...]}}   values as of a factor; equal weights if left out
-/// None if it is not there. Throws ConfigError.
+/// Throws ConfigError.
+Dispersion ReadDispersion(const YamlNode::Key& key, const YamlNode& node);
+
+/// Reads the whole mapping `draw`. None if it is not there. Throws ConfigError.
 std::vector<Dispersion> ReadDispersions(const YamlReader& root);
 
 /// Reads the list `correlate`: {keys: [a, b], rank: r} for pairs of dispersed keys. None if it is

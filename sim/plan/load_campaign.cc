@@ -7,6 +7,7 @@
 #include "models/read/yaml_reader.h"
 #include "sim/plan/campaign.h"
 #include "sim/plan/check_campaign.h"
+#include "sim/plan/spread_words.h"
 #include "sim/scenario/key_path.h"
 #include "sim/scenario/scenario_keys.h"
 
@@ -236,6 +237,7 @@ Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& o
   ReadArms(in, campaign);
   ReadVary(in, campaign);
   campaign.one_at_a_time = ReadFactors(in, "one_at_a_time");
+  WriteSpreads(campaign, systems.known);
   campaign.dispersions = ReadDispersions(in);
   ReadDesign(in, campaign);
   campaign.limits = ReadLimits(in);

@@ -19,7 +19,11 @@ toy: {flag: ../models/flag.yaml, colour: red}
 }  // namespace
 
 std::vector<KnownSystem> ToySystems() {
-  return {{"toy", {"straight", "wave"}, {"flag"}, {"robot.cameras.file"}},
+  return {{"toy",
+           {"straight", "wave"},
+           {"flag"},
+           {"robot.cameras.file"},
+           {{"robot", "robot"}, {"flag", "toy.flag"}, {"soil", "soil"}}},
           {"other", {"idle"}, {}, {}}};
 }
 
