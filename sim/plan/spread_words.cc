@@ -70,7 +70,7 @@ std::vector<ModelSpread> SpreadsOf(const Campaign& campaign,
     return name != nullptr && known.name == name->scalar;
   });
   if (system == systems.end()) return all;
-  const std::vector<NamedFile> files = FilesOf(campaign, systems).files;
+  const std::vector<NamedFile> files = FilesOf(WithAbsolutePaths(campaign, systems), systems).files;
   for (const ModelRoot& root : system->model_roots) {
     for (const NamedFile& file : files) {
       if (file.key != root.file_key) continue;
