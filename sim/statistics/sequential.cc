@@ -70,14 +70,16 @@ SequentialState StateAfter(const SequentialPlan& plan, int trials, int failures)
   return trials < plan.aims.max_runs ? SequentialState::kContinue : SequentialState::kUndecided;
 }
 
+void FollowRun(const SequentialPlan& plan, bool failed, SequentialEnd& end) {
+  if (end.state != SequentialState::kContinue) return;
+  ++end.trials;
+  end.failures += failed;
+  end.state = StateAfter(plan, end.trials, end.failures);
+}
+
 SequentialEnd FollowRuns(const SequentialPlan& plan, const std::vector<bool>& failed) {
   SequentialEnd end;
-  for (const bool run_failed : failed) {
-    if (end.state != SequentialState::kContinue) break;
-    ++end.trials;
-    end.failures += run_failed;
-    end.state = StateAfter(plan, end.trials, end.failures);
-  }
+  for (const bool run_failed : failed) FollowRun(plan, run_failed, end);
   return end;
 }
 

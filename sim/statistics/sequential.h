@@ -55,6 +55,9 @@ struct SequentialEnd {
   int trials = 0, failures = 0;
 };
 
+/// Takes the next run, in the order of the runs. A run after the end changes nothing.
+void FollowRun(const SequentialPlan& plan, bool failed, SequentialEnd& end);
+
 /// Goes through the runs in their order, up to the one that ends the test.
 /// @param failed  true for a run that failed; runs after the end are not looked at
 SequentialEnd FollowRuns(const SequentialPlan& plan, const std::vector<bool>& failed);

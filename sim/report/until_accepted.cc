@@ -1,0 +1,91 @@
+#include "sim/report/until_accepted.h"
+
+#include <array>
+
+#include "sim/base/text.h"
+#include "sim/report/rate_text.h"
+
+namespace dockyard {
+namespace {
+
+const char* NameOf(SequentialState state) {
+  switch (state) {
+    case SequentialState::kAccepted:
+      return "accepted";
+    case SequentialState::kRejected:
+      return "not accepted";
+    case SequentialState::kUndecided:
+      return "undecided";
+    case SequentialState::kContinue:
+      break;
+  }
+  return "not ended";
+}
+
+Json ToJson(const SequentialAims& aims) {
+  return {{"reliability", aims.reliability},
+          {"confidence", aims.confidence},
+          {"design_reliability", aims.design_reliability},
+          {"power", aims.power},
+          {"max_runs", aims.max_runs}};
+}
+
+Json ToJson(double reliability, const SequentialOperation& operation) {
+  return {{"reliability", reliability},
+          {"accept", operation.accept},
+          {"not_accept", operation.reject},
+          {"undecided", operation.undecided},
+          {"mean_runs", operation.mean_runs}};
+}
+
+std::string Chances(double reliability, const SequentialOperation& operation) {
+  return "  a system at " + NumberText(reliability) + ": accepted with the chance " +
+         BriefNumber(operation.accept) + ", not accepted " + BriefNumber(operation.reject) +
+         ", undecided " + BriefNumber(operation.undecided) + "; " + Fixed(operation.mean_runs, 1) +
+         " runs on the mean\n";
+}
+
+}  // namespace
+
+std::string WhyNotSequential(const Campaign& campaign) {
+  if (!campaign.arms.empty()) return "it has arms";
+  if (!campaign.table.rows.empty()) return "its runs are rows of a table";
+  if (!campaign.grid.empty()) return "its runs are points of a grid (vary)";
+  if (!campaign.one_at_a_time.empty()) return "it sets keys one at a time";
+  if (campaign.design != DesignKind::kMonteCarlo) {
+    return "the runs of its design depend on each other; monte_carlo draws them independently";
+  }
+  return "";
+}
+
+Json SequentialJson(const SequentialPlan& plan, const SequentialEnd& end) {
+  const SequentialAims& aims = plan.aims;
+  Json json{{"verdict", NameOf(end.state)}, {"trials", end.trials}, {"failures", end.failures}};
+  json["aims"] = ToJson(aims);
+  json["exact"] =
+      Json::array({ToJson(aims.reliability, ExactOperation(plan, aims.reliability)),
+                   ToJson(aims.design_reliability, ExactOperation(plan, aims.design_reliability))});
+  return json;
+}
+
+std::string SequentialText(const SequentialPlan& plan, const SequentialEnd& end) {
+  const SequentialAims& aims = plan.aims;
+  std::string text = std::string(NameOf(end.state)) + " after " + std::to_string(end.trials) +
+                     " runs, " + std::to_string(end.failures) + " failures: reliability " +
+                     NumberText(aims.reliability) + " at confidence " +
+                     NumberText(aims.confidence) + "\n";
+  text += "sequential test against " + NumberText(aims.design_reliability) + ", power " +
+          NumberText(aims.power) + ", at most " + std::to_string(aims.max_runs) +
+          " runs; exactly:\n";
+  for (const double reliability : std::array{aims.reliability, aims.design_reliability}) {
+    text += Chances(reliability, ExactOperation(plan, reliability));
+  }
+  return text + "The share of successes is no fair estimate: the runs ended because of it.\n";
+}
+
+bool HasTheseAims(const std::string& json_text, const SequentialAims& aims) {
+  const Json json = Json::parse(json_text, nullptr, /*allow_exceptions=*/false);
+  return json.is_object() && json.contains("aims") && json["aims"] == ToJson(aims);
+}
+
+}  // namespace dockyard
