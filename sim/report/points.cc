@@ -9,6 +9,7 @@
 #include "sim/base/text.h"
 #include "sim/report/rate_text.h"
 #include "sim/statistics/intervals.h"
+#include "sim/statistics/quantile.h"
 
 namespace dockyard {
 namespace {
@@ -16,13 +17,6 @@ namespace {
 constexpr const char* kDocked = "docked";
 
 using Cells = std::vector<std::string>;
-
-double Quantile(const std::vector<double>& sorted, double share) {
-  const double at = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 void Append(Cells& cells, const Cells& more) {
   cells.insert(cells.end(), more.begin(), more.end());
@@ -106,7 +100,8 @@ std::vector<std::string> LevelsOf(const Rows& rows, const RowColumns& columns,
   return levels;
 }
 
-Spread SpreadOf(const RowColumns& columns, const std::string& measure, const Rows& rows) {
+std::vector<double> ValuesOf(const RowColumns& columns, const std::string& measure,
+                             const Rows& rows) {
   const std::vector<Column> summed = SummedColumns(columns);
   const auto found = std::find_if(summed.begin(), summed.end(),
                                   [&](const Column& each) { return each.name == measure; });
@@ -116,6 +111,11 @@ Spread SpreadOf(const RowColumns& columns, const std::string& measure, const Row
     const double value = ValueOf(*row, static_cast<std::size_t>(found - summed.begin()));
     if (!std::isnan(value)) values.push_back(value);
   }
+  return values;
+}
+
+Spread SpreadOf(const RowColumns& columns, const std::string& measure, const Rows& rows) {
+  std::vector<double> values = ValuesOf(columns, measure, rows);
   Spread spread;
   spread.count = static_cast<int>(values.size());
   if (values.empty()) return spread;
@@ -123,9 +123,9 @@ Spread SpreadOf(const RowColumns& columns, const std::string& measure, const Row
   double sum = 0.0;
   for (const double value : values) sum += value;
   spread.mean = sum / static_cast<double>(values.size());
-  spread.median = Quantile(values, 0.5);
-  spread.low = Quantile(values, 0.1);
-  spread.high = Quantile(values, 0.9);
+  spread.median = SampleQuantile(values, 0.5);
+  spread.low = SampleQuantile(values, 0.1);
+  spread.high = SampleQuantile(values, 0.9);
   if (measure == kDocked) {
     const Interval interval = ClopperPearson(static_cast<int>(std::lround(sum)), spread.count);
     spread.median = spread.mean;

@@ -24,13 +24,17 @@ Rows UnchangedRows(const std::vector<RunResult>& rows, const RowColumns& columns
 std::vector<std::string> LevelsOf(const Rows& rows, const RowColumns& columns,
                                   const std::string& label);
 
+/// The values of one of the summed columns, without those that a row does not have: NaN, and all
+/// but `docked` of a crashed run.
+std::vector<double> ValuesOf(const RowColumns& columns, const std::string& measure,
+                             const Rows& rows);
+
 struct Spread {
   int count = 0;  // of the rows that have the measure
   double mean = 0.0, median = 0.0;
   double low = 0.0, high = 0.0;  // of a share: 95 % Clopper-Pearson; else 10 and 90 % quantiles
 };
-/// @param measure  name of one of the summed columns. A crashed run counts as not docked, and has
-///   no other measure.
+/// Of ValuesOf.
 Spread SpreadOf(const RowColumns& columns, const std::string& measure, const Rows& rows);
 
 /// A line per point: its settings, then the results. Settings are labels.
