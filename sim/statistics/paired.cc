@@ -44,6 +44,12 @@ double McNemarExact(int only_a, int only_b) {
   return std::min(1.0, 2.0 * FairAtMost(std::min(only_a, only_b), only_a + only_b));
 }
 
+double ChanceOfAWorse(int only_a, int only_b) {
+  DOCKYARD_CHECK(only_a >= 0 && only_b >= 0);
+  if (only_b == 0) return 1.0;
+  return FairAtMost(only_a, only_a + only_b);  // as likely as at least only_b on the other side
+}
+
 double McNemarMidP(int only_a, int only_b) {
   DOCKYARD_CHECK(only_a >= 0 && only_b >= 0);
   if (only_a + only_b == 0) return 1.0;

@@ -24,6 +24,10 @@ double McNemarExact(int only_a, int only_b);
 /// 1 without pairs that differ.
 double McNemarMidP(int only_a, int only_b);
 
+/// McNemar's exact test against one side: the chance of as many or more pairs in which B alone
+/// succeeds, P(X >= only_b; only_a + only_b, 1/2), if A were as good as B. Small: A is worse.
+double ChanceOfAWorse(int only_a, int only_b);
+
 /// Share of A's successes less that of B's, with the interval of Newcombe's method 10 (Stat. Med.
 /// 17, 2635, 1998): two Wilson intervals, joined with the correlation of the pairs.
 /// Without pairs the value is NaN and the interval [-1, 1].

@@ -57,6 +57,23 @@ TEST(McNemarExact, ErrsAtMostWithItsLevel) {
   }
 }
 
+TEST(ChanceOfAWorse, IsTheSumOfTheCountsAtLeastAsBad) {
+  for (int a = 0; a <= 20; ++a) {
+    for (int b = 0; b <= 20; ++b) {
+      double sum = 0.0;
+      for (int x = b; x <= a + b; ++x) sum += BinomialChance(x, a + b, 0.5);
+      EXPECT_NEAR(ChanceOfAWorse(a, b), sum, 1e-12) << a << " " << b;
+    }
+  }
+}
+
+// Half of the two-sided value where B is ahead, as the test is symmetric.
+TEST(ChanceOfAWorse, IsHalfOfThePublishedTwoSidedValues) {
+  EXPECT_NEAR(ChanceOfAWorse(1, 7), 0.0703 / 2, 5e-5);
+  EXPECT_NEAR(ChanceOfAWorse(6, 16), 0.0525 / 2, 5e-5);
+  EXPECT_GT(ChanceOfAWorse(16, 6), 0.97);
+}
+
 // Fagerland, Lydersen and Laake, Statistical Analysis of Contingency Tables (2017), chapter 8: the
 // airway example, and the tests of its package contingencytables for Cavo et al. (2012).
 TEST(PairedDifference, GivesThePublishedExamples) {
