@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
-#include <numeric>
 
 #include "controller/base/check.h"
 
@@ -27,8 +27,7 @@ bool HasNaN(const std::vector<double>& values) {
 }
 
 /// Ranks about their mean; these are halves of whole numbers, so the sums of squares are exact.
-VectorXd CentredRanks(const std::vector<double>& values) {
-  const std::vector<double> ranks = Ranks(values);
+VectorXd Centred(const std::vector<double>& ranks) {
   const auto n = static_cast<Index>(ranks.size());
   return Eigen::Map<const VectorXd>(ranks.data(), n).array() - 0.5 * (double(n) + 1.0);
 }
@@ -42,50 +41,51 @@ Estimate WithInterval(double r, Index n, double confidence) {
   return {r, {std::tanh(z - half), std::tanh(z + half)}};
 }
 
-/// Columns of length 1 with the same angles between them, in as few rows as there are columns.
-MatrixXd Condensed(const MatrixXd& columns) {
-  if (columns.rows() <= columns.cols()) return columns;
-  const Eigen::HouseholderQR<MatrixXd> qr(columns);
-  return qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>();
+double CosineOf(const VectorXd& x, const VectorXd& y) {
+  return std::clamp(x.dot(y) / (x.norm() * y.norm()), -1.0, 1.0);
 }
 
-/// Column j with the last one, which is the output, given all the others.
-/// @param n  rows before they were condensed
-Estimate Partial(const MatrixXd& columns, Index j, Index n, double confidence) {
-  MatrixXd others(columns.rows(), columns.cols() - 2);
-  for (Index from = 0, to = 0; from + 1 < columns.cols(); ++from) {
-    if (from != j) others.col(to++) = columns.col(from);
-  }
-  VectorXd x = columns.col(j), y = columns.col(columns.cols() - 1);
+/// What the other inputs leave of the columns, and how many inputs that took.
+struct Residuals {
+  MatrixXd columns;
   Index spent = 0;
-  if (others.cols() > 0) {
-    Eigen::ColPivHouseholderQR<MatrixXd> qr;
-    qr.setThreshold(kNothing);
-    qr.compute(others);
-    spent = qr.rank();
-    const Index left = columns.rows() - spent;
-    x = VectorXd(qr.householderQ().adjoint() * x).tail(left).eval();
-    y = VectorXd(qr.householderQ().adjoint() * y).tail(left).eval();
+};
+
+Residuals WithoutOthers(const MatrixXd& columns, const std::vector<Index>& inputs, Index input) {
+  Residuals left{columns, 0};
+  if (inputs.size() < 2) return left;
+  MatrixXd others(columns.rows(), static_cast<Index>(inputs.size()) - 1);
+  Index to = 0;
+  for (const Index from : inputs) {
+    if (from != input) others.col(to++) = columns.col(from);
   }
-  const double length_x = x.norm(), length_y = y.norm();
-  if (n - spent < 3 || length_x < kNothing || length_y < kNothing) return kUnknown;
-  return WithInterval(std::clamp(x.dot(y) / (length_x * length_y), -1.0, 1.0), n - spent,
-                      confidence);
+  Eigen::ColPivHouseholderQR<MatrixXd> qr;
+  qr.setThreshold(kNothing);
+  qr.compute(others);
+  left.spent = qr.rank();
+  const MatrixXd turned = qr.householderQ().adjoint() * columns;
+  left.columns = turned.bottomRows(columns.rows() - left.spent);
+  return left;
 }
 
 }  // namespace
 
 std::vector<double> Ranks(const std::vector<double>& values) {
   if (HasNaN(values)) return std::vector<double>(values.size(), kNaN);
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  struct Placed {
+    double value;
+    std::size_t at;
+  };
+  std::vector<Placed> order;
+  order.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) order.push_back({values[i], i});
   std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+            [](const Placed& a, const Placed& b) { return a.value < b.value; });
   std::vector<double> ranks(values.size());
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
-    while (next < order.size() && values[order[next]] == values[order[first]]) ++next;
+    while (next < order.size() && order[next].value == order[first].value) ++next;
     const double shared = 0.5 * (double(first) + 1.0 + double(next));
-    for (std::size_t i = first; i < next; ++i) ranks[order[i]] = shared;
+    for (std::size_t i = first; i < next; ++i) ranks[order[i].at] = shared;
   }
   return ranks;
 }
@@ -93,7 +93,7 @@ std::vector<double> Ranks(const std::vector<double>& values) {
 Estimate Spearman(const std::vector<double>& x, const std::vector<double>& y, double confidence) {
   DOCKYARD_CHECK(x.size() == y.size());
   if (x.size() < 3 || HasNaN(x) || HasNaN(y)) return kUnknown;
-  const VectorXd a = CentredRanks(x), b = CentredRanks(y);
+  const VectorXd a = Centred(Ranks(x)), b = Centred(Ranks(y));
   const double squares = a.squaredNorm() * b.squaredNorm();
   if (squares == 0.0) return kUnknown;
   return WithInterval(std::clamp(a.dot(b) / std::sqrt(squares), -1.0, 1.0), a.size(), confidence);
@@ -102,31 +102,82 @@ Estimate Spearman(const std::vector<double>& x, const std::vector<double>& y, do
 std::vector<Estimate> PartialRankCorrelations(const std::vector<std::vector<double>>& inputs,
                                               const std::vector<double>& output,
                                               double confidence) {
-  std::vector<Estimate> correlations(inputs.size(), kUnknown);
-  bool known = !HasNaN(output);
-  for (const std::vector<double>& input : inputs) {
-    DOCKYARD_CHECK(input.size() == output.size());
-    known = known && !HasNaN(input);
-  }
-  const VectorXd y = CentredRanks(output);
-  if (!known || y.size() < 3 || y.squaredNorm() == 0.0) return correlations;
+  RankTable table(output.size(), inputs.size() + 1);
+  for (const std::vector<double>& input : inputs) table.AddInput(Ranks(input));
+  table.AddOutput(Ranks(output));
+  return table.Correlate(confidence).partial[0];
+}
 
-  const Index n = y.size();
-  MatrixXd columns(n, static_cast<Index>(inputs.size()) + 1);
-  std::vector<std::size_t> varied;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const VectorXd x = CentredRanks(inputs[i]);
-    if (x.squaredNorm() == 0.0) continue;
-    columns.col(static_cast<Index>(varied.size())) = x.normalized();
-    varied.push_back(i);
+RankTable::RankTable(std::size_t rows, std::size_t columns)
+    : ranks_(static_cast<Index>(rows), static_cast<Index>(columns)) {}
+
+Index RankTable::Add(const std::vector<double>& ranks) {
+  DOCKYARD_CHECK(static_cast<Index>(ranks.size()) == ranks_.rows());
+  if (ranks.size() < 3 || HasNaN(ranks)) return kLeftOut;
+  const VectorXd centred = Centred(ranks);
+  const double squares = centred.squaredNorm();
+  if (squares == 0.0) return kLeftOut;
+  const auto place = static_cast<Index>(scale_.size());
+  DOCKYARD_CHECK(place < ranks_.cols());
+  ranks_.col(place) = centred.cast<float>();
+  scale_.push_back(1.0 / std::sqrt(squares));
+  return place;
+}
+
+void RankTable::AddInput(const std::vector<double>& ranks) {
+  inputs_.push_back(Add(ranks));
+  known_ = known_ && !HasNaN(ranks);
+}
+
+void RankTable::AddOutput(const std::vector<double>& ranks) { outputs_.push_back(Add(ranks)); }
+
+/// Columns of length 1 with the same angles between them, in at most as many rows as there are
+/// columns: the triangle of a QR decomposition, a block of rows at a time.
+MatrixXd RankTable::Condensed() const {
+  constexpr Index kBlock = 2048;
+  const auto count = static_cast<Index>(scale_.size());
+  const VectorXd scale = Eigen::Map<const VectorXd>(scale_.data(), count);
+  MatrixXd triangle(0, count);
+  for (Index from = 0; from < ranks_.rows(); from += kBlock) {
+    const Index rows = std::min(kBlock, ranks_.rows() - from);
+    MatrixXd stacked(triangle.rows() + rows, count);
+    stacked.topRows(triangle.rows()) = triangle;
+    stacked.bottomRows(rows) =
+        ranks_.block(from, 0, rows, count).cast<double>() * scale.asDiagonal();
+    if (stacked.rows() <= count) {
+      triangle = stacked;
+      continue;
+    }
+    const Eigen::HouseholderQR<MatrixXd> qr(stacked);
+    triangle = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
   }
-  columns.col(static_cast<Index>(varied.size())) = y.normalized();
-  columns.conservativeResize(n, static_cast<Index>(varied.size()) + 1);
-  columns = Condensed(columns);
-  for (std::size_t i = 0; i < varied.size(); ++i) {
-    correlations[varied[i]] = Partial(columns, static_cast<Index>(i), n, confidence);
+  return triangle;
+}
+
+RankCorrelations RankTable::Correlate(double confidence) const {
+  const std::vector<Estimate> unknown(inputs_.size(), kUnknown);
+  RankCorrelations found{{outputs_.size(), unknown}, {outputs_.size(), unknown}};
+  if (!known_) return found;
+  std::vector<Index> varied;
+  std::copy_if(inputs_.begin(), inputs_.end(), std::back_inserter(varied),
+               [](Index place) { return place != kLeftOut; });
+  const MatrixXd columns = Condensed();
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    const Index x = inputs_[i];
+    if (x == kLeftOut) continue;
+    const Residuals left = WithoutOthers(columns, varied, x);
+    const Index freedom = ranks_.rows() - left.spent;
+    for (std::size_t o = 0; o < outputs_.size(); ++o) {
+      const Index y = outputs_[o];
+      if (y == kLeftOut) continue;
+      found.spearman[o][i] =
+          WithInterval(CosineOf(columns.col(x), columns.col(y)), ranks_.rows(), confidence);
+      const VectorXd a = left.columns.col(x), b = left.columns.col(y);
+      if (freedom < 3 || a.norm() < kNothing || b.norm() < kNothing) continue;
+      found.partial[o][i] = WithInterval(CosineOf(a, b), freedom, confidence);
+    }
   }
-  return correlations;
+  return found;
 }
 
 }  // namespace dockyard

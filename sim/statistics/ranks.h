@@ -5,6 +5,8 @@
 // be told has NaN ends beside a value.
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "sim/statistics/intervals.h"
@@ -26,12 +28,41 @@ Estimate Spearman(const std::vector<double>& x, const std::vector<double>& y,
 /// linear regression on the ranks of all other inputs (Marino, Hogue, Ray and Kirschner, J. Theor.
 /// Biol. 254, 2008). The interval is Spearman's with n less the number of other inputs, as Fisher
 /// found for partial correlations (Metron 3, 1924). Other inputs that do not vary, or that repeat
-/// others, are not counted. For n runs of k inputs it takes n log n, n k^2 and k^4 steps.
+/// others, are not counted.
 /// NaN: the input or the output does not vary; the other inputs explain all ranks of either; fewer
 /// than three runs more than other inputs. All are NaN if one value of all columns is.
 /// @param inputs  columns, each of the output's length
 std::vector<Estimate> PartialRankCorrelations(const std::vector<std::vector<double>>& inputs,
                                               const std::vector<double>& output,
                                               double confidence = 0.95);
+
+/// Of each output with each input: Spearman's and the partial rank correlation, as above.
+struct RankCorrelations {
+  std::vector<std::vector<Estimate>> spearman, partial;  // [output][input]
+};
+
+/// Many columns at once, each given as its ranks and let go. n runs of c columns take n c^2 steps,
+/// k inputs k^4 steps more, and memory for n c numbers of single precision, which holds ranks
+/// exactly up to 8 million runs. NaN in an input makes all unknown, in an output those of this
+/// output.
+class RankTable {
+ public:
+  /// @param columns  the most that will be added
+  RankTable(std::size_t rows, std::size_t columns);
+  /// @param ranks  by Ranks
+  void AddInput(const std::vector<double>& ranks);
+  void AddOutput(const std::vector<double>& ranks);
+  RankCorrelations Correlate(double confidence = 0.95) const;
+
+ private:
+  static constexpr Eigen::Index kLeftOut = -1;
+  Eigen::Index Add(const std::vector<double>& ranks);
+  Eigen::MatrixXd Condensed() const;
+
+  Eigen::MatrixXf ranks_;                       // centred, by column; those that vary
+  std::vector<double> scale_;                   // to the length 1
+  std::vector<Eigen::Index> inputs_, outputs_;  // their columns, or kLeftOut
+  bool known_ = true;
+};
 
 }  // namespace dockyard

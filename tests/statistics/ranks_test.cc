@@ -251,5 +251,45 @@ TEST(PartialRankCorrelations, AreUnknownWhereTheyCannotBeTold) {
   }
 }
 
+RankCorrelations Correlated(const std::vector<Column>& inputs, const std::vector<Column>& outputs) {
+  RankTable table(outputs[0].size(), inputs.size() + outputs.size());
+  for (const Column& output : outputs) table.AddOutput(Ranks(output));
+  for (const Column& input : inputs) table.AddInput(Ranks(input));
+  return table.Correlate();
+}
+
+TEST(RankTable, OfManyOutputsAreThoseOfEach) {
+  RandomStream random(StreamKey(14, "prcc"));
+  const Sums sums = DrawSums(random, {1.0, -0.5, 0.2}, 5000);  // more rows than a block has
+  const Column noise = Normals(random, 5000);
+  Column share, unknown = noise;
+  for (std::size_t i = 0; i < noise.size(); ++i) share.push_back(sums.output[i] > noise[i]);
+  unknown[7] = kNaN;
+  const auto all = Correlated(sums.inputs, {sums.output, share, unknown, Column(5000, 1.0), noise});
+  const std::vector<const Column*> known{&sums.output, &share, nullptr, nullptr, &noise};
+  for (std::size_t o = 0; o < known.size(); ++o) {
+    for (std::size_t i = 0; i < sums.inputs.size(); ++i) {
+      if (known[o] == nullptr) {
+        ExpectUnknown(all.spearman[o][i]);
+        ExpectUnknown(all.partial[o][i]);
+        continue;
+      }
+      const Estimate whole = Spearman(sums.inputs[i], *known[o]);
+      EXPECT_NEAR(all.spearman[o][i].value, whole.value, 1e-12);
+      EXPECT_NEAR(all.spearman[o][i].interval.low, whole.interval.low, 1e-12);
+      const Estimate partial = PartialRankCorrelations(sums.inputs, *known[o])[i];
+      EXPECT_NEAR(all.partial[o][i].value, partial.value, 1e-12);
+    }
+  }
+}
+
+TEST(RankTable, OfAHundredThousandRunsLoseNoDigit) {
+  RandomStream random(StreamKey(15, "prcc"));
+  const Sums sums = DrawSums(random, {1.0, -2.0}, 100'000);
+  const auto found = Correlated(sums.inputs, {sums.output});
+  EXPECT_NEAR(found.spearman[0][0].value, RankCorrelationOfNormals(1.0 / std::sqrt(5.0)), 0.012);
+  EXPECT_NEAR(found.spearman[0][1].value, Spearman(sums.inputs[1], sums.output).value, 1e-12);
+}
+
 }  // namespace
 }  // namespace dockyard
