@@ -22,13 +22,6 @@ void Append(Cells& cells, const Cells& more) {
   cells.insert(cells.end(), more.begin(), more.end());
 }
 
-/// By SummedColumns; NaN for what a row does not have.
-double ValueOf(const RunResult& row, std::size_t column) {
-  if (column == 0) return row.docked ? 1.0 : 0.0;
-  if (row.measures.empty()) return std::nan("");
-  return column == 1 ? row.sim_time_s : row.measures[column - 2];
-}
-
 std::string MarkdownLine(const Cells& cells) {
   std::string line = "|";
   for (const std::string& cell : cells) line += " " + cell + " |";
@@ -100,6 +93,12 @@ std::vector<std::string> LevelsOf(const Rows& rows, const RowColumns& columns,
   return levels;
 }
 
+double SummedValue(const RunResult& row, std::size_t column) {
+  if (column == 0) return row.docked ? 1.0 : 0.0;
+  if (row.measures.empty()) return std::nan("");
+  return column == 1 ? row.sim_time_s : row.measures[column - 2];
+}
+
 std::vector<double> ValuesOf(const RowColumns& columns, const std::string& measure,
                              const Rows& rows) {
   const std::vector<Column> summed = SummedColumns(columns);
@@ -108,7 +107,7 @@ std::vector<double> ValuesOf(const RowColumns& columns, const std::string& measu
   DOCKYARD_CHECK(found != summed.end());
   std::vector<double> values;
   for (const RunResult* row : rows) {
-    const double value = ValueOf(*row, static_cast<std::size_t>(found - summed.begin()));
+    const double value = SummedValue(*row, static_cast<std::size_t>(found - summed.begin()));
     if (!std::isnan(value)) values.push_back(value);
   }
   return values;

@@ -24,6 +24,9 @@ Rows UnchangedRows(const std::vector<RunResult>& rows, const RowColumns& columns
 std::vector<std::string> LevelsOf(const Rows& rows, const RowColumns& columns,
                                   const std::string& label);
 
+/// A row's value in a summed column, by its place; NaN for what a row does not have.
+double SummedValue(const RunResult& row, std::size_t column);
+
 /// The values of one of the summed columns, without those that a row does not have: NaN, and all
 /// but `docked` of a crashed run.
 std::vector<double> ValuesOf(const RowColumns& columns, const std::string& measure,

@@ -21,6 +21,13 @@ std::string RateText(int successes, int trials) {
          " %)";
 }
 
+std::string ShortRate(int successes, int trials) {
+  if (trials == 0) return "0/0";
+  const Interval interval = ClopperPearson(successes, trials);
+  return std::to_string(Percent(static_cast<double>(successes) / trials)) + " % (" +
+         std::to_string(Percent(interval.low)) + "-" + std::to_string(Percent(interval.high)) + ")";
+}
+
 std::string BriefRate(int docked, int runs) { return "docked " + RateText(docked, runs); }
 
 std::string BriefNumber(double value) {

@@ -7,6 +7,8 @@ namespace dockyard {
 
 /// "31/40 (78 %, 62-89 %)", with the 95 % interval of Clopper and Pearson; "0/0" without trials.
 std::string RateText(int successes, int trials);
+/// "78 % (62-89)", the same interval.
+std::string ShortRate(int successes, int trials);
 /// "docked 31/40 (78 %, 62-89 %)"
 std::string BriefRate(int docked, int runs);
 /// Four figures: "0.2103", "4e-05", "nan".
