@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -9,8 +10,10 @@
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/kept_campaign.h"
+#include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
 #include "sim/base/json.h"
+#include "sim/report/baseline.h"
 #include "sim/report/rate_text.h"
 #include "sim/statistics/paired.h"
 
@@ -18,29 +21,33 @@ namespace dockyard {
 namespace {
 
 struct CompareArguments {
-  std::string dir, a, b;
+  std::string dir, a, b, baseline;
   std::optional<int> only_a, only_b;
+  std::optional<double> fail_if_worse;
   bool json = false;
 };
 
 constexpr const char* kHelp =
-    R"(Compare two arms of a campaign, run by run on the same draws.
+    R"(Compare two arms of a campaign, or a campaign with a kept one, run by run on the same draws.
 
 Examples:
   dockyard compare --only-a 5 --only-b 14
-  dockyard compare --only-a 5 --only-b 14 --json
+  dockyard compare --only-a 5 --only-b 14 --fail-if-worse 0.001 --json
 
-Instead of counts, name the results folder of a campaign and two of its arms. Runs in which A alone
-or B alone docked tell the two apart (McNemar's test, exact and mid-p).)";
+Instead of counts, name the results folder of a campaign and two of its arms, or --baseline with the
+results of the same campaign file by another build. Runs in which A alone or B alone docked tell the
+two apart (McNemar's test, exact and mid-p). With --fail-if-worse, exit code 23: A is worse.)";
 
 struct Comparison {
+  std::string a = "A", b = "B";  // their names
   PairedCounts counts;
-  int unpaired = 0;   // runs whose other half is missing
   bool whole = true;  // whether both and neither are known
+  int unpaired = 0;   // runs of arms whose other half is missing
+  std::optional<BaselinePairs> baseline;
 };
 
 /// Runs of both arms with the same seed and place are a pair.
-Comparison CountPairs(const KeptCampaign& kept, const std::string& a, const std::string& b) {
+Comparison CompareArms(const KeptCampaign& kept, const std::string& a, const std::string& b) {
   std::map<std::vector<std::string>, std::pair<const RunResult*, const RunResult*>> pairs;
   const auto add = [&](const std::string& arm, auto member) {
     for (const RunResult* run : RunsOfArm(kept, arm)) {
@@ -53,6 +60,8 @@ Comparison CountPairs(const KeptCampaign& kept, const std::string& a, const std:
   add(a, &Pair::first);
   add(b, &Pair::second);
   Comparison found;
+  found.a = a;
+  found.b = b;
   for (const auto& [key, pair] : pairs) {
     if (pair.first == nullptr || pair.second == nullptr) {
       ++found.unpaired;
@@ -67,17 +76,53 @@ Comparison CountPairs(const KeptCampaign& kept, const std::string& a, const std:
   return found;
 }
 
-Comparison Find(const CompareArguments& arguments, const std::vector<System>& systems) {
-  const bool counted = arguments.only_a && arguments.only_b;
-  const bool named = !arguments.dir.empty() && !arguments.a.empty() && !arguments.b.empty();
-  if (counted == named || (!counted && (arguments.only_a || arguments.only_b))) {
-    throw UsageError("expected DIR A B, or --only-a with --only-b");
+std::vector<RunResult> RowsOfArm(const KeptCampaign& kept, const std::string& arm) {
+  if (!arm.empty()) RequireArm(kept, arm);
+  std::vector<RunResult> rows;
+  for (const RunResult* run : RunsOfArm(kept, arm)) rows.push_back(*run);
+  return rows;
+}
+
+Comparison CompareBaseline(const CompareArguments& arguments, const std::vector<System>& systems) {
+  const KeptCampaign here = ReadKeptCampaign(arguments.dir, systems),
+                     there = ReadKeptCampaign(arguments.baseline, systems);
+  Comparison found;
+  found.a = "this campaign";
+  found.b = "the baseline";
+  found.baseline = PairWithBaseline(here.columns, RowsOfArm(here, arguments.a), there.columns,
+                                    RowsOfArm(there, arguments.a));
+  found.counts = found.baseline->counts;
+  if (found.counts.both + found.counts.neither + found.counts.only_a + found.counts.only_b == 0) {
+    throw UsageError(
+        "--baseline: expected runs with the number, seed and labels of runs in DIR, found none in "
+        "'" +
+        arguments.baseline + "'");
   }
-  if (counted) return {{0, *arguments.only_a, *arguments.only_b, 0}, 0, false};
+  return found;
+}
+
+Comparison Find(const CompareArguments& arguments, const std::vector<System>& systems) {
+  const bool counted = arguments.only_a && arguments.only_b,
+             against_baseline = !arguments.dir.empty() && !arguments.baseline.empty(),
+             arms = !arguments.dir.empty() && !arguments.b.empty();
+  const bool strange = arguments.only_a.has_value() != arguments.only_b.has_value() ||
+                       (counted && !arguments.dir.empty()) ||
+                       (against_baseline && !arguments.b.empty());
+  if (strange || !(counted || against_baseline || arms)) {
+    throw UsageError(
+        "expected DIR A B, DIR with --baseline and perhaps one arm, or --only-a with --only-b");
+  }
+  if (counted) {
+    Comparison found;
+    found.counts = {0, *arguments.only_a, *arguments.only_b, 0};
+    found.whole = false;
+    return found;
+  }
+  if (against_baseline) return CompareBaseline(arguments, systems);
   const KeptCampaign kept = ReadKeptCampaign(arguments.dir, systems);
   RequireArm(kept, arguments.a);
   RequireArm(kept, arguments.b);
-  return CountPairs(kept, arguments.a, arguments.b);
+  return CompareArms(kept, arguments.a, arguments.b);
 }
 
 void PrintJson(const Comparison& found) {
@@ -85,7 +130,8 @@ void PrintJson(const Comparison& found) {
   Json json{{"only_a", counts.only_a},
             {"only_b", counts.only_b},
             {"exact", McNemarExact(counts.only_a, counts.only_b)},
-            {"mid_p", McNemarMidP(counts.only_a, counts.only_b)}};
+            {"mid_p", McNemarMidP(counts.only_a, counts.only_b)},
+            {"a_worse", ChanceOfAWorse(counts.only_a, counts.only_b)}};
   if (found.whole) {
     const Estimate difference = PairedDifference(counts);
     json["both"] = counts.both;
@@ -94,23 +140,54 @@ void PrintJson(const Comparison& found) {
     json["difference_low"] = difference.interval.low;
     json["difference_high"] = difference.interval.high;
   }
+  if (found.baseline) {
+    json["same_bits"] = found.baseline->same_bits;
+    json["lost"] = found.baseline->lost;
+    json["won"] = found.baseline->won;
+    json["only_here"] = found.baseline->only_here;
+    json["only_there"] = found.baseline->only_there;
+    json["other_draw"] = found.baseline->other_draw;
+  }
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void Print(const Comparison& found, const std::string& a, const std::string& b) {
+/// "3 runs docked in the baseline alone: 4 17 20"; nothing without runs.
+void PrintRuns(const std::vector<int>& runs, const char* what) {
+  constexpr std::size_t kMostShown = 12;
+  if (runs.empty()) return;
+  std::string text = std::to_string(runs.size()) + " runs " + what + ":";
+  for (std::size_t i = 0; i < std::min(runs.size(), kMostShown); ++i) {
+    text += " " + std::to_string(runs[i]);
+  }
+  std::printf("%s%s\n", text.c_str(), runs.size() > kMostShown ? " ..." : "");
+}
+
+void PrintBaseline(const BaselinePairs& pairs) {
+  const int count =
+      pairs.counts.both + pairs.counts.only_a + pairs.counts.only_b + pairs.counts.neither;
+  std::printf("%d pairs, %d of them the same bit for bit\n", count, pairs.same_bits);
+  PrintRuns(pairs.lost, "docked in the baseline alone");
+  PrintRuns(pairs.won, "docked here alone");
+  PrintRuns(pairs.only_here, "are not in the baseline");
+  PrintRuns(pairs.only_there, "are in the baseline alone");
+  PrintRuns(pairs.other_draw, "have another seed or other labels there, and no partner");
+}
+
+void Print(const Comparison& found) {
   const PairedCounts& counts = found.counts;
+  const char *a = found.a.c_str(), *b = found.b.c_str();
   if (found.whole) {
     const int pairs = counts.both + counts.only_a + counts.only_b + counts.neither;
-    std::printf("%s: %s\n", a.c_str(), BriefRate(counts.both + counts.only_a, pairs).c_str());
-    std::printf("%s: %s\n", b.c_str(), BriefRate(counts.both + counts.only_b, pairs).c_str());
+    std::printf("%s: %s\n", a, BriefRate(counts.both + counts.only_a, pairs).c_str());
+    std::printf("%s: %s\n", b, BriefRate(counts.both + counts.only_b, pairs).c_str());
     const Estimate difference = PairedDifference(counts);
-    std::printf("%s less %s: %+.3f (95 %%, %+.3f to %+.3f; Newcombe)\n", a.c_str(), b.c_str(),
-                difference.value, difference.interval.low, difference.interval.high);
+    std::printf("%s less %s: %+.3f (95 %%, %+.3f to %+.3f; Newcombe)\n", a, b, difference.value,
+                difference.interval.low, difference.interval.high);
   }
   std::printf("only %s docked %d times, only %s %d times: p = %.4f exact, %.4f mid-p (McNemar)\n",
-              a.c_str(), counts.only_a, b.c_str(), counts.only_b,
-              McNemarExact(counts.only_a, counts.only_b),
+              a, counts.only_a, b, counts.only_b, McNemarExact(counts.only_a, counts.only_b),
               McNemarMidP(counts.only_a, counts.only_b));
+  if (found.baseline) PrintBaseline(*found.baseline);
 }
 
 int Compare(const CompareArguments& arguments, const std::vector<System>& systems) {
@@ -121,9 +198,14 @@ int Compare(const CompareArguments& arguments, const std::vector<System>& system
   if (arguments.json) {
     PrintJson(found);
   } else {
-    Print(found, found.whole ? arguments.a : "A", found.whole ? arguments.b : "B");
+    Print(found);
   }
-  return kExitDone;
+  if (!arguments.fail_if_worse) return kExitDone;
+  const double chance = ChanceOfAWorse(found.counts.only_a, found.counts.only_b);
+  const bool worse = chance <= *arguments.fail_if_worse;
+  PrintNote(found.a + (worse ? " is worse than " : " is not shown to be worse than ") + found.b +
+            ": p = " + BriefNumber(chance) + ", one-sided, exact");
+  return worse ? kExitWorse : kExitDone;
 }
 
 }  // namespace
@@ -131,12 +213,18 @@ int Compare(const CompareArguments& arguments, const std::vector<System>& system
 void AddCompareCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", kHelp);
-  command->add_option("DIR", arguments->dir, "results folder of a campaign with arms");
+  command->add_option("DIR", arguments->dir, "results folder of a campaign");
   command->add_option("A", arguments->a, "name of an arm");
   command->add_option("B", arguments->b, "name of another");
+  command->add_option("--baseline", arguments->baseline,
+                      "results folder of the same campaign by another build");
   const CLI::Range count(0, 1000000000);
   command->add_option("--only-a", arguments->only_a, "pairs in which A alone docked")->check(count);
   command->add_option("--only-b", arguments->only_b, "pairs in which B alone docked")->check(count);
+  command
+      ->add_option("--fail-if-worse", arguments->fail_if_worse,
+                   "exit code 23 where A is worse with at most this chance of error")
+      ->check(NumberWithin(1e-12, 0.5));
   command->add_flag("--json", arguments->json, "print JSON");
   command->callback(
       [arguments, &systems, &exit_code] { exit_code = Compare(*arguments, systems); });

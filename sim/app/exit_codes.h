@@ -12,6 +12,7 @@ inline constexpr int kExitIncomplete =
     10;  // campaign: runs missing or crashed; replay: no such result; wheel: not steady
 inline constexpr int kExitNotAccepted = 20;  // accept: the reliability is lower
 inline constexpr int kExitUndecided = 21;    // accept: too few runs to tell
+inline constexpr int kExitWorse = 23;        // compare: worse, as --fail-if-worse asks
 inline constexpr int kExitIo = 50;           // a folder or file that cannot be written or read
 inline constexpr int kExitSignal = 128;      // plus the signal's number: 130 Ctrl-C, 143 terminated
 

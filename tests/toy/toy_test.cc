@@ -121,6 +121,37 @@ TEST_F(Toy, IsJudgedAndItsArmsAreCompared) {
   EXPECT_EQ(Dockyard("compare " + dir_.string() + " slow quick").code, 2);
 }
 
+TEST_F(Toy, IsComparedWithAKeptBaseline) {
+  const std::string here = (dir_ / "here").string(), there = (dir_ / "there").string();
+  const auto campaign = [&](const std::string& file, const std::string& out) {
+    return Dockyard("campaign " + kToy + file + " --quiet --out " + out).code;
+  };
+  ASSERT_EQ(campaign("arms.yaml", there), 0);
+  ASSERT_EQ(campaign("arms.yaml --set design.runs=12", here), 0);
+  const std::string compare = "compare " + here + " --baseline " + there;
+  const auto same = Dockyard(compare + " --fail-if-worse 0.05");
+  EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_THAT(same.out, HasSubstr("20 pairs, 20 of them the same bit for bit"));
+  EXPECT_THAT(same.out, HasSubstr("4 runs are not in the baseline"));
+  EXPECT_THAT(same.err, HasSubstr("not shown to be worse"));
+  EXPECT_THAT(Dockyard("compare " + here + " slow --baseline " + there).out, HasSubstr("10 pairs"));
+  const auto json = Dockyard(compare + " --json");
+  EXPECT_THAT(json.out, HasSubstr("\"same_bits\": 20"));
+  ASSERT_EQ(campaign("sweep.yaml", (dir_ / "other").string()), 0);
+  EXPECT_EQ(Dockyard("compare " + here + " --baseline " + (dir_ / "other").string()).code, 2);
+  EXPECT_EQ(Dockyard("compare " + here).code, 2);
+  EXPECT_EQ(Dockyard(compare + " slow fast").code, 2);
+}
+
+TEST_F(Toy, FailsWhereItIsWorse) {
+  const auto worse = Dockyard("compare --only-a 0 --only-b 5 --fail-if-worse 0.05");
+  EXPECT_EQ(worse.code, 23);
+  EXPECT_THAT(worse.err, HasSubstr("A is worse than B: p = 0.03125"));
+  EXPECT_EQ(Dockyard("compare --only-a 0 --only-b 4 --fail-if-worse 0.05").code, 0);
+  EXPECT_EQ(Dockyard("compare --only-a 5 --only-b 0 --fail-if-worse 0.05").code, 0);
+  EXPECT_EQ(Dockyard("compare --only-a 0 --only-b 5 --fail-if-worse 2").code, 2);
+}
+
 // The published rows of Hanson and Beard's table and of Fagerland et al. (2013) by the program.
 TEST_F(Toy, BareCountsAreJudgedToo) {
   const std::string at = " --reliability 0.99 --confidence 0.95 --json";
