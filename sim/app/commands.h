@@ -27,6 +27,7 @@ void AddAcceptCommand(CLI::App& app, const std::vector<System>& systems, int& ex
 void AddCompareCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 /// Says what took the former command's place.
 void AddStudyCommand(CLI::App& app);
+void AddColumnsCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddCameraCommand(CLI::App& app, int& exit_code);
 void AddDetectCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);

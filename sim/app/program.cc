@@ -140,6 +140,7 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   AddReplayCommand(app, systems, exit_code);
   AddAcceptCommand(app, systems, exit_code);
   AddCompareCommand(app, systems, exit_code);
+  AddColumnsCommand(app, systems, exit_code);
   AddViewCommand(app, systems, exit_code);
   AddStudyCommand(app);
   AddCameraCommand(app, exit_code);

@@ -16,13 +16,18 @@ namespace fs = std::filesystem;
 
 TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
   for (const std::string command : {"", "run", "campaign", "replay", "view", "check", "wheel",
-                                    "camera", "detect", "pose", "accept", "compare"}) {
+                                    "camera", "detect", "pose", "accept", "compare", "columns"}) {
     const Ended ended = Dockyard(command + " --help");
     EXPECT_EQ(ended.code, 0) << command;
     EXPECT_LT(ended.out.find("Examples:\n  " DOCKYARD_PROGRAM " "), 120u) << ended.out;
     EXPECT_THAT(ended.out, HasSubstr("\n  " DOCKYARD_PROGRAM " " + command));
     EXPECT_EQ(ended.err, "") << command;
   }
+}
+
+TEST(Program, PrintsThePageOfColumns) {
+  EXPECT_EQ(Dockyard("columns").out, Slurp(SourceFile("docs/reference/columns.md")))
+      << "renew it with: build/dockyard columns > docs/reference/columns.md";
 }
 
 TEST(Program, EndsWithTwoForArgumentsThatMakeNoSense) {

@@ -4,10 +4,12 @@
 
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "app/program.h"
 #include "sim/base/files.h"
+#include "support/fake_runs.h"
 
 namespace dockyard {
 namespace {
@@ -104,6 +106,21 @@ TEST_F(Toy, GoesThroughASweepOfAKey) {
   const auto former = Dockyard("study " + kToy + "sweep.yaml");
   EXPECT_EQ(former.code, 2);
   EXPECT_THAT(former.err, HasSubstr("a study is a campaign: dockyard campaign FILE"));
+}
+
+// The page's lines for Python's standard library, as they stand there.
+TEST_F(Toy, IsReadByThePythonOfThePage) {
+  ASSERT_EQ(Dockyard("campaign " + kToy + "sweep.yaml --quiet --out " + dir_.string()).code, 0);
+  const std::string page = Slurp(SourceFile("docs/reference/run_log.md")), fence = "```python\n";
+  const std::size_t from = page.find(fence) + fence.size();
+  std::string code = page.substr(from, page.find("```\n", from) - from);
+  const std::string folder = "results/yard";
+  ASSERT_NE(code.find(folder), std::string::npos);
+  code.replace(code.find(folder), folder.size(), dir_.string());
+  WriteText(dir_ / "read.py", code);
+  const std::string out = (dir_ / "read.txt").string();
+  EXPECT_EQ(std::system(("python3 " + (dir_ / "read.py").string() + " >" + out).c_str()), 0);
+  EXPECT_THAT(Text("read.txt"), testing::StartsWith("(9, "));
 }
 
 TEST_F(Toy, IsJudgedAndItsArmsAreCompared) {

@@ -1,0 +1,169 @@
+#include "sim/report/column_tables.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace dockyard {
+namespace {
+
+// Stand for columns with names of their own.
+const Column kLabels{"[labels]", "",
+                     "how the run was made, as text exactly as in the campaign's file or table; a "
+                     "label with the name of another column is called `table.<name>`"};
+const Column kMeasures{"[measures]", "",
+                       "the system's, below; empty for a run that crashed or was stopped, `nan` "
+                       "where a measure does not apply"};
+
+ColumnTable Results() {
+  return {
+      "results.csv",
+      "A row per run, in order of their numbers. The table `runs` of `results.sqlite` has the "
+      "same columns: `seed` and `state_hash` are TEXT, as SQLite's integers end at 2^63; labels "
+      "are numbers where they read as numbers; `nan` is NULL.",
+      {{"run", "", "the run's number"},
+       {"seed", "", "of the run's world, 64 bits without sign"},
+       {"system", "", "name of the system"},
+       {"controller", "", "name of the controller; `command` for a program"},
+       kLabels,
+       {"docked", "", "1 or 0: whether the outcome is a success of the system"},
+       {"outcome", "", "a name: [outcomes.md](outcomes.md)"},
+       {"sim_time_s", "s", "simulated time, from the start to the end of the run"},
+       {"images", "", "images that the controller was given, all cameras together"},
+       kMeasures,
+       {"state_hash", "",
+        "16 hexadecimal digits: fingerprint of commands and true state over the whole run"}}};
+}
+
+ColumnTable Timing() {
+  return {"timing.csv",
+          "Values that differ between computers, a row per run.",
+          {{"run", "", "the run's number"},
+           {"cpu_time_s", "s", "processor time of the run"},
+           {"wall_time_s", "s", "wall time of the run"}}};
+}
+
+ColumnTable Points() {
+  return {"points.csv",
+          "Of a campaign with a grid, arms, or keys set one at a time: a row per combination.",
+          {{"[settings]", "",
+            "labels of the combination: `arm`, the grid's keys, `changed`, "
+            "`changed_to`"},
+           {"runs", "", "runs of the combination"},
+           {"docked", "", "share of the runs that docked"},
+           {"docked_low", "", "lower end of its 95 % interval (Clopper and Pearson)"},
+           {"docked_high", "", "upper end"},
+           {"[measure]_mean", "",
+            "mean of `sim_time_s`, then of each measure, over the runs that "
+            "have it; empty if none has"},
+           {"[measure]_p10", "", "its 10 % quantile"},
+           {"[measure]_p90", "", "its 90 % quantile"}}};
+}
+
+ColumnTable Sensitivities() {
+  return {"sensitivity.csv",
+          "Of a campaign with draws: a row per arm, measure and draw, the largest `eta` first. An "
+          "empty cell cannot be told: the measure does not vary, or the runs are too few.",
+          {{"arm", "", "name of the arm; empty without arms"},
+           {"measure", "", "`docked`, `sim_time_s` or a measure"},
+           {"draw", "", "key that is drawn"},
+           {"kind", "", "`numbers`, or `words`, which have no order and so no correlations"},
+           {"runs", "", "runs that have the measure"},
+           {"eta", "",
+            "0 to 1: square root of the share of the measure's variation (of its ranks) "
+            "that goes with the draw's level, of any shape, corrected for chance"},
+           {"eta_p", "",
+            "chance of so large an `eta`, or a larger, if the draw did not matter "
+            "(Kruskal and Wallis)"},
+           {"rank_correlation", "", "Spearman's, -1 to 1: whether the measure rises or falls"},
+           {"rank_correlation_low", "", "lower end of its 95 % interval (Bonett and Wright)"},
+           {"rank_correlation_high", "", "upper end"},
+           {"partial", "", "partial rank correlation: without what goes by the other draws"},
+           {"partial_low", "", "lower end of its 95 % interval"},
+           {"partial_high", "", "upper end"}}};
+}
+
+ColumnTable Levels() {
+  return {"sensitivity_levels.csv",
+          "Of a campaign with draws: a row per arm, draw and level. Numbers are cut into up to ten "
+          "levels of as many runs.",
+          {{"arm", "", "name of the arm; empty without arms"},
+           {"draw", "", "key that is drawn"},
+           {"word", "", "the level, of words"},
+           {"low", "", "smallest number of the level, in the unit of the key"},
+           {"high", "", "largest number of the level, in the unit of the key"},
+           {"runs", "", "runs in the level"},
+           {"docked", "", "share of them that docked"},
+           {"docked_low", "", "lower end of its 95 % interval (Clopper and Pearson)"},
+           {"docked_high", "", "upper end"}}};
+}
+
+ColumnTable History() {
+  return {"history.csv",
+          "Of a run whose log is kept: truth and belief, 10 Hz.",
+          {{"time_s", "s", "simulated time"},
+           {"x_m", "m",
+            "truth: `X_DR`, the robot in the target's frame D "
+            "([frames](../contributing.md#frames))"},
+           {"y_m", "m", "truth, likewise"},
+           {"heading_deg", "deg", "truth, likewise"},
+           {"[channels]", "", "truth, by the system: below"},
+           {"phase", "", "belief: state of the controller"},
+           {"located", "", "belief: 1 if the believed pose means anything yet"},
+           {"believed_x_m", "m", "belief: `X_DR`"},
+           {"believed_y_m", "m", "belief, likewise"},
+           {"believed_heading_deg", "deg", "belief, likewise"},
+           {"sightings", "", "sightings of the target so far"},
+           {"plans", "", "plans of the controller so far"},
+           {"[beliefs]", "", "belief, by the system: below; `nan` if the controller gives none"}}};
+}
+
+std::string MarkdownTable(const char* kind, const std::vector<Column>& columns) {
+  std::string text = "| " + std::string(kind) + " | unit | meaning |\n|---|---|---|\n";
+  for (const Column& column : columns) {
+    text += "| `" + column.name + "` | " + column.unit + " | " + column.meaning + " |\n";
+  }
+  return text;
+}
+
+/// Lines of at most 120 columns.
+std::string Wrapped(const std::string& text) {
+  constexpr std::size_t kMost = 120;
+  std::string wrapped, line;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t space = std::min(text.find(' ', from), text.size());
+    const std::string word = text.substr(from, space - from);
+    if (!line.empty() && line.size() + 1 + word.size() > kMost) {
+      wrapped += line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+    from = space + 1;
+  }
+  return wrapped + line + "\n";
+}
+
+}  // namespace
+
+std::vector<ColumnTable> ColumnTables() {
+  return {Results(), Timing(), Points(), Sensitivities(), Levels(), History()};
+}
+
+std::string ColumnsPage(const std::vector<SystemColumns>& systems) {
+  std::string text =
+      "# Columns\n\nThis page is printed by `dockyard columns`. Numbers are in the shortest form "
+      "that reads back to the same bits.\nNames in brackets stand for columns that the campaign or "
+      "the system names.\n";
+  for (const ColumnTable& table : ColumnTables()) {
+    text += "\n## " + table.file + "\n\n" + Wrapped(table.about) + "\n" +
+            MarkdownTable("column", table.columns);
+  }
+  for (const SystemColumns& system : systems) {
+    text += "\n## Of the system " + system.system + "\n";
+    if (!system.measures.empty()) text += "\n" + MarkdownTable("measure", system.measures);
+    if (!system.channels.empty()) text += "\n" + MarkdownTable("channel", system.channels);
+    if (!system.beliefs.empty()) text += "\n" + MarkdownTable("belief", system.beliefs);
+  }
+  return text;
+}
+
+}  // namespace dockyard
