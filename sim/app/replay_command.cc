@@ -20,6 +20,7 @@
 #include "sim/log/run_log.h"
 #include "sim/plan/make_run.h"
 #include "sim/run/loop.h"
+#include "sim/run/replay_log.h"
 #include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
@@ -85,11 +86,13 @@ bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& co
 bool ReportCommands(const std::filesystem::path& run_dir, const Scenario& scenario,
                     const RunOptions& options, const std::vector<System>& systems) {
   RunLogReader log(run_dir);
-  const System& system = FindSystem(systems, log.header().system);
-  ReadyRun ready = system.make_ready(scenario);
-  ready.nominal = log.header().nominal;
-  const auto controller = MakeController(system, scenario, ready, options);
-  const ControllerReplay replay = ReplayController(log, *controller);
+  const System& system = FindSystem(systems, scenario.system);
+  const auto fed = ReplayLog(log, system, scenario, system.make_ready(scenario), options);
+  if (!fed) {
+    std::printf("controller alone: not run, the models' nominal parameters are not the log's\n");
+    return false;
+  }
+  const ControllerReplay& replay = *fed;
   const auto compared = static_cast<unsigned long long>(replay.compared);
   if (replay.differs_at) {
     std::printf("controller alone: other commands at %.3f s, after %llu equal ones\n",

@@ -1,6 +1,7 @@
 #include "sim/log/frame_codec.h"
 
 #include <bit>
+#include <cmath>
 #include <type_traits>
 #include <vector>
 
@@ -16,9 +17,16 @@ void PutVector(std::string& out, const Eigen::Vector3d& value) {
   for (int i = 0; i < 3; ++i) PutDouble(out, value(i));
 }
 
+/// A sensor's number. A controller takes for granted that it is finite.
+double TakeReading(ByteReader& in) {
+  const double value = in.Double();
+  if (!std::isfinite(value)) throw LogError("a reading is not a finite number");
+  return value;
+}
+
 Eigen::Vector3d TakeVector(ByteReader& in) {
   Eigen::Vector3d value;
-  for (int i = 0; i < 3; ++i) value(i) = in.Double();
+  for (int i = 0; i < 3; ++i) value(i) = TakeReading(in);
   return value;
 }
 
@@ -168,15 +176,15 @@ LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding) {
   LoggedFrame logged;
   SensorFrame& frame = logged.frame;
   frame.tick = static_cast<Tick>(in.U64());
-  frame.imu.roll_rad = in.Double();
-  frame.imu.pitch_rad = in.Double();
-  frame.imu.yaw_rad = in.Double();
+  frame.imu.roll_rad = TakeReading(in);
+  frame.imu.pitch_rad = TakeReading(in);
+  frame.imu.yaw_rad = TakeReading(in);
   frame.imu.rate_R = TakeVector(in);
   frame.imu.specific_force_R = TakeVector(in);
   frame.motors.resize(TakeCount(in));
   for (MotorReading& motor : frame.motors) {
     motor.encoder_counts = static_cast<std::int64_t>(in.U64());
-    motor.current_a = in.Double();
+    motor.current_a = TakeReading(in);
   }
   const std::uint8_t left_out = in.U8();
   if (left_out > 1) throw LogError("unknown kind of images " + std::to_string(left_out));

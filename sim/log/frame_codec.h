@@ -48,6 +48,7 @@ struct LoggedFrame {
   SensorFrame frame;
   bool images_left_out = false;  // the controller saw images that the log does not hold
 };
+/// Throws LogError, also for a reading that is not finite.
 LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding);
 Commands TakeCommands(ByteReader& in);
 

@@ -41,6 +41,21 @@ RunLogHeader HeaderFromText(const std::string& text) {
   }
 }
 
+void RequireShape(const SensorFrame& frame, const RobotShape& robot) {
+  const auto refuse = [&](const std::string& what) {
+    throw LogError("the log, at tick " + std::to_string(frame.tick) + ": " + what);
+  };
+  if (frame.motors.size() != static_cast<std::size_t>(robot.motors)) {
+    refuse("expected the readings of " + std::to_string(robot.motors) + " motors, found " +
+           std::to_string(frame.motors.size()));
+  }
+  for (const CameraImage& image : frame.images) {
+    if (image.camera >= 0 && image.camera < robot.cameras) continue;
+    refuse("expected images of cameras 0 to " + std::to_string(robot.cameras - 1) +
+           ", found one of " + std::to_string(image.camera));
+  }
+}
+
 std::string CommandBytes(const Commands& commands) {
   std::string bytes;
   PutCommands(bytes, commands);
@@ -149,13 +164,15 @@ std::optional<RunLogEntry> RunLogReader::Next() {
   }
 }
 
-ControllerReplay ReplayController(RunLogReader& log, Controller& controller) {
+ControllerReplay ReplayController(RunLogReader& log, Controller& controller,
+                                  const RobotShape& robot) {
   ControllerReplay replay;
   while (const auto entry = log.Next()) {
     if (entry->images_left_out) {
       replay.blind_at = entry->sensed.tick;
       return replay;
     }
+    RequireShape(entry->sensed, robot);
     // Bytes, not ==: a NaN equals itself here and -0 is not 0.
     if (CommandBytes(controller.Step(entry->sensed)) != CommandBytes(entry->commands)) {
       replay.differs_at = entry->sensed.tick;

@@ -91,7 +91,13 @@ struct ControllerReplay {
   bool complete = false;           // the log has its end mark
   bool same() const { return !differs_at && !blind_at && complete; }
 };
+/// How many motors and cameras a robot has: a controller takes for granted that a frame has them.
+struct RobotShape {
+  int motors = 0, cameras = 0;
+};
 /// Feeds the logged frames to a fresh controller and compares its commands with the logged ones.
-ControllerReplay ReplayController(RunLogReader& log, Controller& controller);
+/// Throws LogError for a frame that is not of this robot.
+ControllerReplay ReplayController(RunLogReader& log, Controller& controller,
+                                  const RobotShape& robot);
 
 }  // namespace dockyard

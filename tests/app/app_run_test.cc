@@ -205,6 +205,18 @@ TEST(ProgramRun, ReplaysFromItsOwnFolder) {
   fs::rename(frames, aside);  // half of the comparison is then left out
   EXPECT_EQ(Dockyard(replay).code, 10);
   fs::rename(aside, frames);
+
+  const std::string log = Slurp(frames);  // a controller is never made from the log's own numbers
+  WriteText(frames, Replaced(log, "\"drum_radius_m\":0", "\"drum_radius_m\":1"));
+  const Ended other = Dockyard(replay);
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.out, HasSubstr("the models' nominal parameters are not the log's"));
+  WriteText(frames, Replaced(log, "\"system\":\"axel\"", "\"system\":\"alex\""));
+  const Ended alien = Dockyard(replay);
+  EXPECT_EQ(alien.code, 3);
+  EXPECT_THAT(alien.err, HasSubstr("expected one of the system axel, found one of 'alex'"));
+  WriteText(frames, log);
+
   const fs::path result = fs::path(out) / "result.csv";
   std::string text = Slurp(result);
   text.replace(text.size() - 2, 1, text[text.size() - 2] == '0' ? "1" : "0");  // of the state hash

@@ -137,7 +137,8 @@ TEST_F(Colour, StandsInTheLogAndReplays) {
   EXPECT_EQ(images, 10);
   ColourController again;
   RunLogReader from_the_start(folder_.path());
-  const ControllerReplay replay = ReplayController(from_the_start, again);
+  const ControllerReplay replay =
+      ReplayController(from_the_start, again, {.motors = 1, .cameras = 2});
   EXPECT_TRUE(replay.same());
   EXPECT_EQ(replay.compared, 11u);
 }

@@ -46,6 +46,8 @@ SensorFrame SomeFrame(Tick tick) {
   return frame;
 }
 
+constexpr RobotShape kSomeRobot{.motors = 4, .cameras = 3};
+
 struct WholeLog {
   RunLogHeader header;
   std::vector<RunLogEntry> entries;
@@ -204,6 +206,23 @@ TEST(RunLog, OfAnotherKindIsRefusedWithASentence) {
   EXPECT_EQ(ErrorOf(read), file + ": its version is 1, this program reads 2");
 }
 
+TEST(RunLog, RefusesReadingsThatAreNotFinite) {
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    for (const bool of_motor : {false, true}) {
+      const TemporaryFolder folder;
+      SensorFrame frame = SomeFrame(20);
+      (of_motor ? frame.motors[1].current_a : frame.imu.rate_R.y()) = bad;
+      {
+        RunLogWriter writer(folder.path(), {1, 1, "toy", "none", true, SomeNominal()});
+        writer.Append(frame, {});
+        writer.Finish();
+      }
+      EXPECT_THAT(ErrorOf([&] { ReadWholeLog(folder.path()); }),
+                  HasSubstr("entry 0: a reading is not a finite number"));
+    }
+  }
+}
+
 TEST(RunLog, OnAFullDiskSaysSo) {
   const TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/full", folder.path() / "frames.bin");
@@ -221,7 +240,7 @@ TEST(ControllerReplay, OfTheSameControllerGivesTheSameCommands) {
   WriteLog(folder.path(), 30);
   RunLogReader log(folder.path());
   MixingController controller;
-  const ControllerReplay replay = ReplayController(log, controller);
+  const ControllerReplay replay = ReplayController(log, controller, kSomeRobot);
   EXPECT_TRUE(replay.same());
   EXPECT_EQ(replay.compared, 30u);
 }
@@ -240,7 +259,7 @@ TEST(ControllerReplay, NamesTheFirstTickThatDiffers) {
   WriteLog(folder.path(), 30);
   RunLogReader log(folder.path());
   Hesitant controller;
-  const ControllerReplay replay = ReplayController(log, controller);
+  const ControllerReplay replay = ReplayController(log, controller, kSomeRobot);
   EXPECT_FALSE(replay.same());
   EXPECT_EQ(replay.differs_at, 200);
   EXPECT_EQ(replay.compared, 10u);
@@ -251,9 +270,26 @@ TEST(ControllerReplay, StopsWhereTheLogLeftTheImagesOut) {
   WriteLog(folder.path(), 30, /*keep_images=*/false);
   RunLogReader log(folder.path());
   MixingController controller;
-  const ControllerReplay replay = ReplayController(log, controller);
+  const ControllerReplay replay = ReplayController(log, controller, kSomeRobot);
   EXPECT_FALSE(replay.same());
   EXPECT_EQ(replay.blind_at, 0);
+}
+
+TEST(ControllerReplay, RefusesFramesOfAnotherRobot) {
+  const TemporaryFolder folder;
+  WriteLog(folder.path(), 3);
+  const auto replay = [&](const RobotShape& robot) {
+    return ErrorOf([&] {
+      RunLogReader log(folder.path());
+      MixingController controller;
+      ReplayController(log, controller, robot);
+    });
+  };
+  EXPECT_THAT(replay({.motors = 5, .cameras = 3}),
+              HasSubstr("at tick 0: expected the readings of 5 motors, found 4"));
+  EXPECT_THAT(replay({.motors = 4, .cameras = 2}),
+              HasSubstr("at tick 0: expected images of cameras 0 to 1, found one of 2"));
+  EXPECT_EQ(replay(kSomeRobot), "no error");
 }
 
 TEST(ControllerReplay, TakesACommandThatIsNotANumberForEqualToItself) {
@@ -274,7 +310,7 @@ TEST(ControllerReplay, TakesACommandThatIsNotANumberForEqualToItself) {
     writer.Finish();
   }
   RunLogReader log(folder.path());
-  EXPECT_TRUE(ReplayController(log, lost).same());
+  EXPECT_TRUE(ReplayController(log, lost, kSomeRobot).same());
 }
 
 }  // namespace

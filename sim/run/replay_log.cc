@@ -1,0 +1,19 @@
+#include "sim/run/replay_log.h"
+
+namespace dockyard {
+
+std::optional<ControllerReplay> ReplayLog(RunLogReader& log, const System& system,
+                                          const Scenario& scenario, const ReadyRun& ready,
+                                          const RunOptions& options) {
+  if (log.header().system != system.name) {
+    throw LogError("the log: expected one of the system " + system.name + ", found one of '" +
+                   log.header().system + "'");
+  }
+  // As text: a number that is read back as a whole one is still the same.
+  if (log.header().nominal.dump() != ready.nominal.dump()) return std::nullopt;
+  const auto controller = MakeController(system, scenario, ready, options);
+  return ReplayController(log, *controller,
+                          {.motors = ready.motor_count, .cameras = ready.camera_count});
+}
+
+}  // namespace dockyard
