@@ -27,6 +27,7 @@ ScratchFolder::~ScratchFolder() {
 std::string ScratchFolder::Write(const std::string& name, const std::string& bytes) const {
   const fs::path file = path_ / name;
   fs::create_directories(file.parent_path());
+  fs::remove(file);  // ext4 waits for the disk where a file is cut to nothing and written anew
   std::ofstream(file, std::ios::binary) << bytes;
   return file.string();
 }
