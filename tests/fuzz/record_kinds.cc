@@ -4,6 +4,8 @@
 #include "fuzz/kind.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/systems.h"
+#include "sim/campaign/merge.h"
+#include "sim/campaign/shard_file.h"
 #include "sim/log/results.h"
 #include "sim/log/run_log.h"
 #include "sim/run/replay_log.h"
@@ -67,25 +69,29 @@ FuzzKind LogKind() {
           }};
 }
 
-/// results.csv and timing.csv, the other one good.
+/// A shard's rows, and results.csv.
 FuzzKind ResultsKind() {
   const auto folder = std::make_shared<ScratchFolder>();
   const RowColumns columns = FakeColumns();
   const FinishedRuns runs = FakeResults(6);
-  const std::string results = ResultsCsv(runs, columns), timing = TimingCsv(runs);
+  const std::filesystem::path csv = folder->path() / "results.csv",
+                              shard = ShardFile(folder->path(), Shard{});
+  WriteResultsCsv(csv, runs, columns);
+  {
+    ShardWriter writer(shard, {{"shard", "1-of-1"}}, columns);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      writer.Append({runs.results[i], runs.timings[i], runs.notes[i]});
+    }
+  }
   return {"results",
-          [=] {
-            return std::vector{results, timing};
+          [results = Slurp(csv), rows = Slurp(shard)] {
+            return std::vector{results, rows};
           },
           {"nan", "inf", "1e308", "-0", "\"", "\"\"", ",", "\n", "crashed", "docked", "0", "1"},
           [=](const std::string& bytes) {
-            const auto read = [&](const std::string& of_runs, const std::string& of_times) {
-              folder->Write("results.csv", of_runs);
-              folder->Write("timing.csv", of_times);
-              return ReadOrRefused([&] { ReadResults(folder->path(), columns); });
-            };
-            const bool as_results = read(bytes, timing);
-            return read(results, bytes) || as_results;
+            folder->Write("shards/1-of-1.rows", bytes);
+            ReadOrRefused([&] { ReadShards(folder->path(), columns); });  // leaves damage out
+            return ReadOrRefused([&] { RowsFromCsv(bytes, "results.csv", columns); });
           }};
 }
 

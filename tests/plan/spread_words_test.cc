@@ -6,6 +6,7 @@
 
 #include "plan/toy_campaign.h"
 #include "sim/base/text.h"
+#include "sim/plan/file_keys.h"
 #include "sim/scenario/key_path.h"
 
 namespace dockyard {
@@ -110,10 +111,10 @@ TEST_F(SpreadWords, HeadTakesAllBelowItThatNothingElseSets) {
 TEST_F(SpreadWords, KeptCampaignNeedsNeitherWordNorModel) {
   const Campaign campaign =
       Load("draw: {as_built: tolerance, changes.soil.k: assumed}\ndesign: {runs: 4}\n");
-  const std::string kept = ResolvedYaml(campaign, ToySystems());
+  const std::string kept = CampaignYaml(WithAbsolutePaths(campaign, ToySystems()));
   folder_.Write("models/point.yaml", "name: point\n");
   const Campaign again = LoadAndCheck(folder_.Write("kept.yaml", kept));
-  EXPECT_EQ(ResolvedYaml(again, ToySystems()), kept);
+  EXPECT_EQ(CampaignYaml(WithAbsolutePaths(again, ToySystems())), kept);
   EXPECT_EQ(again.labels, campaign.labels);
   EXPECT_EQ(Values(again, "as_built.soil.k.times"), Values(campaign, "as_built.soil.k.times"));
 }

@@ -10,11 +10,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-std::vector<RunResult> Rows(int count) {
-  std::vector<RunResult> rows;
-  for (const auto& [number, run] : FakeResults(count)) rows.push_back(run.result);
-  return rows;
-}
+std::vector<RunResult> Rows(int count) { return FakeResults(count).results; }
 
 BaselinePairs Pair(const std::vector<RunResult>& rows, const std::vector<RunResult>& baseline) {
   return PairWithBaseline(FakeColumns(), rows, FakeColumns(), baseline);
