@@ -36,6 +36,6 @@ set(rooms
   "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"
   "sim/run|one run in closed loop, for any system|${contract}|models/read/|render/|sim/(base|scenario|log|bridge|run)/"
   "sim/<system>|a system's world, cameras, judge and plots|${models}|models/<system>/|controller/<system>/nominal/|controller/motion/|render/|${low}|sim/<system>/|bt|Bullet|LinearMath/|nlohmann/"
-  "sim/campaign|many runs: workers, results, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
+  "sim/campaign|many runs: workers, shards, merging, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
   "sim/app/systems.cc|the list of systems with their controllers|${contract}|sim/(run|app)/|controller/<system>/|sim/<system>/"
   "sim/app|the program: the command line|${models}|controller/vision/|${low}|sim/(campaign|app)/|CLI/|opencv2/|nlohmann/|${os}")
