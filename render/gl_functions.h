@@ -13,6 +13,7 @@ using GlGenTextures = void(APIENTRYP)(GLsizei n, GLuint* textures);
 using GlDrawArrays = void(APIENTRYP)(GLenum mode, GLint first, GLsizei count);
 using GlDrawElements = void(APIENTRYP)(GLenum mode, GLsizei count, GLenum type,
                                        const void* indices);
+using GlGetString = const GLubyte*(APIENTRYP)(GLenum name);
 using GlPolygonOffset = void(APIENTRYP)(GLfloat factor, GLfloat units);
 
 // The core 3.3 subset that the renderer needs: type, name without "gl".
@@ -63,6 +64,7 @@ using GlPolygonOffset = void(APIENTRYP)(GLfloat factor, GLfloat units);
   X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                       \
   X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)               \
   X(PFNGLGETSHADERIVPROC, GetShaderiv)                         \
+  X(GlGetString, GetString)                                    \
   X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)           \
   X(PFNGLLINKPROGRAMPROC, LinkProgram)                         \
   X(PFNGLPIXELSTOREIPROC, PixelStorei)                         \

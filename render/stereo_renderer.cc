@@ -79,6 +79,15 @@ class StereoRenderer::Impl {
     close_target_.reset();
   }
 
+  GlNames Names() const {
+    context_->MakeCurrent();
+    const auto text = [&](GLenum name) {
+      const GLubyte* said = context_->functions().GetString(name);
+      return said == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(said));
+    };
+    return {text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION)};
+  }
+
   /// Each channel of both views.
   std::array<std::vector<RadianceImage>, 2> Render(const Scene& scene, const StereoRig& rig,
                                                    const Pose3& X_WR,
@@ -163,6 +172,8 @@ class StereoRenderer::Impl {
 
 StereoRenderer::StereoRenderer(GlBackend backend) : impl_(std::make_unique<Impl>(backend)) {}
 StereoRenderer::~StereoRenderer() = default;
+
+GlNames StereoRenderer::names() const { return impl_->Names(); }
 
 std::array<RadianceImage, 2> StereoRenderer::RenderRadiance(const Scene& scene,
                                                             const StereoRig& rig, const Pose3& X_WR,

@@ -45,6 +45,11 @@ struct SensorOptions {
 
 enum class GlBackend { kOsMesa, kEglSurfaceless };
 
+/// What a context says of itself: GL_VENDOR, GL_RENDERER and GL_VERSION.
+struct GlNames {
+  std::string vendor, renderer, version;
+};
+
 class StereoRenderer {
  public:
   /// Throws std::runtime_error with the reason when no context can be had.
@@ -52,6 +57,8 @@ class StereoRenderer {
   ~StereoRenderer();
   StereoRenderer(const StereoRenderer&) = delete;
   StereoRenderer& operator=(const StereoRenderer&) = delete;
+
+  GlNames names() const;
 
   /// Both ideal views. X_WR: rover body in the world; the rig is the world's, not the calibration.
   std::array<RadianceImage, 2> RenderRadiance(const Scene& scene, const StereoRig& rig,

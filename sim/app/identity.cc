@@ -12,6 +12,7 @@
 #include "sim/base/hash.h"
 #include "sim/base/math_pin.h"
 #include "sim/plan/file_keys.h"
+#include "sim/run/renderer.h"
 #include "sim/scenario/key_path.h"
 
 namespace dockyard {
@@ -141,7 +142,8 @@ CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSys
   identity.campaign_yaml = CampaignYaml(WithMovedFiles(campaign, systems, place_of, true));
   identity.program = {{"version", DOCKYARD_VERSION},
                       {"fingerprint", Fingerprint("/proc/self/exe")},
-                      {"mathematics", HexText(MathFingerprint())}};
+                      {"mathematics", HexText(MathFingerprint())},
+                      {"gl", GlWord()}};
   return identity;
 }
 

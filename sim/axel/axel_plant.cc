@@ -25,7 +25,8 @@ std::vector<MotorModel> MotorModels(const RoverModel& rover) {
 
 }  // namespace
 
-AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built)
+AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built,
+                     std::shared_ptr<KeptRenderer> renderer)
     : seed_(scenario.seed),
       step_s_(scenario.physics_step_s),
       built_(std::move(built)),
@@ -33,6 +34,7 @@ AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built)
       sensors_(built_.world.rover.imu, MotorModels(built_.world.rover), kControlPeriod, seed_),
       scene_(built_.world.rover, built_.world.station, built_.world.soil, built_.lighting,
              built_.world.X_WG, seed_),
+      renderer_(std::move(renderer)),
       truth_(world_.truth()) {
   CheckStart(built_, truth_);
 }
@@ -43,10 +45,9 @@ SensorFrame AxelPlant::Sense() {
 }
 
 std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras) {
-  if (!renderer_) renderer_ = std::make_unique<StereoRenderer>();
   const SensorOptions sensor = CameraSensor(built_.world.rover.stereo, seed_, pairs_taken_++);
-  StereoImages pair = renderer_->Render(scene_.Make(truth_, world_.ground()), built_.built_rig,
-                                        truth_.X_WR, sensor);
+  StereoImages pair = renderer_->Get().Render(scene_.Make(truth_, world_.ground()),
+                                              built_.built_rig, truth_.X_WR, sensor);
   std::vector<CameraImage> images;
   for (const int camera : cameras) {
     DOCKYARD_CHECK(camera == kLeftCamera || camera == kRightCamera);

@@ -3,19 +3,20 @@
 
 #include <memory>
 
-#include "render/stereo_renderer.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/world.h"
 #include "sim/physics/sensor_suite.h"
 #include "sim/run/plant.h"
+#include "sim/run/renderer.h"
 
 namespace dockyard::axel {
 
 class AxelPlant final : public Plant {
  public:
-  /// Throws ConfigError when rover and station overlapped at the start.
-  AxelPlant(const Scenario& scenario, BuiltRun built);
+  /// The renderer may serve other plants too. Throws ConfigError when rover and station overlapped
+  /// at the start.
+  AxelPlant(const Scenario& scenario, BuiltRun built, std::shared_ptr<KeptRenderer> renderer);
 
   Tick tick() const override { return world_.tick(); }
   SensorFrame Sense() override;
@@ -40,7 +41,7 @@ class AxelPlant final : public Plant {
   World world_;
   SensorSuite sensors_;
   SceneBuilder scene_;
-  std::unique_ptr<StereoRenderer> renderer_;  // made at the first image: a blind run needs none
+  std::shared_ptr<KeptRenderer> renderer_;
   int pairs_taken_ = 0;
   Truth truth_;
 };

@@ -17,14 +17,15 @@
 namespace dockyard::axel {
 namespace {
 
-ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models) {
+ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models,
+                   const std::shared_ptr<KeptRenderer>& renderer) {
   BuiltRun built = BuildRun(scenario, models);
   ReadyRun ready;
   ready.nominal = ToJson(built.nominal);
   ready.control_period = kControlPeriod;
   ready.motor_count = kMotorCount;
   ready.camera_count = kCameraCount;
-  auto plant = std::make_unique<AxelPlant>(scenario, std::move(built));
+  auto plant = std::make_unique<AxelPlant>(scenario, std::move(built), renderer);
   ready.judge = std::make_unique<AxelJudge>(*plant);
   ready.plant = std::move(plant);
   return ready;
@@ -89,6 +90,7 @@ std::vector<Figure> DrawCampaign(const std::string& title, const RowColumns& col
 
 System AxelSystem(const std::vector<NamedController>& controllers, const ScriptPlayer& play) {
   const auto store = std::make_shared<ModelStore>();
+  const auto renderer = std::make_shared<KeptRenderer>();
   System system;
   system.name = "axel";
   for (const NamedController& controller : controllers) {
@@ -106,8 +108,8 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   system.check = [store](const Scenario& scenario) {
     return Check(scenario, *store->Get(scenario));
   };
-  system.make_ready = [store](const Scenario& scenario) {
-    return MakeReady(scenario, *store->Get(scenario));
+  system.make_ready = [store, renderer](const Scenario& scenario) {
+    return MakeReady(scenario, *store->Get(scenario), renderer);
   };
   system.play = [play](const Json& nominal, const YamlNode& script) {
     return play(NominalFromJson(nominal), ReadScript(script));

@@ -9,6 +9,7 @@
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/base/png.h"
+#include "sim/run/renderer.h"
 
 namespace dockyard::axel {
 namespace {
@@ -29,9 +30,9 @@ Json FiducialsJson(const Scene& scene, const Camera& camera, const Pose3& X_WC) 
 
 void WriteImages(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
                  const SensorOptions& sensor, bool colour, const std::filesystem::path& out_dir) {
-  StereoRenderer renderer;
+  const std::unique_ptr<StereoRenderer> renderer = MakeRenderer();
   const bool with_depth = sensor.focus.distance_m > 0.0;
-  const auto radiance = renderer.RenderRadiance(scene, rig, X_WR, with_depth);
+  const auto radiance = renderer->RenderRadiance(scene, rig, X_WR, with_depth);
   const StereoImages images = ExposeStereo(radiance, rig, sensor);
   WriteWhole(out_dir / "left.png", EncodePng(images.left));
   WriteWhole(out_dir / "right.png", EncodePng(images.right));
@@ -41,7 +42,7 @@ void WriteImages(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
     WriteWhole(out_dir / "right_deep.png", EncodePng(deep[1]));
   }
   if (!colour) return;
-  const auto rgb = ExposeColour(renderer.RenderColour(scene, rig, X_WR, with_depth), rig, sensor);
+  const auto rgb = ExposeColour(renderer->RenderColour(scene, rig, X_WR, with_depth), rig, sensor);
   WriteWhole(out_dir / "left_colour.png", EncodePng(rgb[0]));
   WriteWhole(out_dir / "right_colour.png", EncodePng(rgb[1]));
 }

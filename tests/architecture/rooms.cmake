@@ -34,7 +34,7 @@ set(rooms
   "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|${os}"
   "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
   "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"
-  "sim/run|one run in closed loop, for any system|${contract}|models/read/|render/|sim/(base|scenario|log|bridge|run)/"
+  "sim/run|one run in closed loop, for any system|${contract}|models/read/|render/|sim/(base|scenario|log|bridge|run)/|unistd.h"
   "sim/<system>|a system's world, cameras, judge and plots|${models}|models/<system>/|controller/<system>/nominal/|controller/motion/|render/|${low}|sim/<system>/|bt|Bullet|LinearMath/|nlohmann/"
   "sim/campaign|many runs: workers, shards, merging, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
   "sim/app/systems.cc|the list of systems with their controllers|${contract}|sim/(run|app)/|controller/<system>/|sim/<system>/"

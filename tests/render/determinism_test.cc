@@ -65,9 +65,13 @@ TEST(EglContext, DrawsWhatOsMesaDraws) {
   if (!dlopen("libEGL.so.1", RTLD_NOW))
     FAIL() << "libEGL.so.1 is not installed: scripts/install_packages dev brings it";
   const auto yard = SampleYard(2.0, SunAt(0.5, 0.7));
-  const StereoImages a = StereoRenderer().Render(yard->scene, kRig, yard->X_WR, {});
-  const StereoImages b =
-      StereoRenderer(GlBackend::kEglSurfaceless).Render(yard->scene, kRig, yard->X_WR, {});
+  StereoRenderer osmesa, egl(GlBackend::kEglSurfaceless);
+  const StereoImages a = osmesa.Render(yard->scene, kRig, yard->X_WR, {});
+  const StereoImages b = egl.Render(yard->scene, kRig, yard->X_WR, {});
+  // A graphics processor may round otherwise; one rasteriser gives one image.
+  if (osmesa.names().renderer == egl.names().renderer) {
+    EXPECT_EQ(a, b);
+  }
   int largest = 0;
   for (std::size_t i = 0; i < a.left.pixels.size(); ++i) {
     largest = std::max(largest, std::abs(a.left.pixels[i] - b.left.pixels[i]));

@@ -1,0 +1,44 @@
+// The renderer of a run's images: by which GL it draws, and one for all runs of a process.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/stereo_renderer.h"
+#include "sim/base/environment.h"
+
+namespace dockyard {
+
+/// The word in the environment's DOCKYARD_GL: "osmesa", also when there is none, or "egl". Throws
+/// ConfigError.
+std::string GlWord();
+
+/// A renderer that draws by the GL of GlWord(). Throws ConfigError, and std::runtime_error with the
+/// reason when no context can be had.
+std::unique_ptr<StereoRenderer> MakeRenderer();
+
+/// Who draws: gl (GlWord()), gl_vendor, gl_renderer, gl_version. Asked of a context in a process of
+/// its own: a process that has drawn cannot have children that draw. What fails there is the value
+/// of gl_version. Takes 0.1 s. Throws ConfigError.
+std::vector<Fact> RendererFacts();
+
+/// One renderer for all runs of a process. It is made at the first use: a process that takes no
+/// images needs none. The images do not depend on those drawn before.
+class KeptRenderer {
+ public:
+  KeptRenderer() = default;
+  ~KeptRenderer();
+  KeptRenderer(const KeptRenderer&) = delete;
+  KeptRenderer& operator=(const KeptRenderer&) = delete;
+
+  /// Throws as MakeRenderer. In a child of a process that has used it this is a fault of ours: Mesa
+  /// would wait for ever for the threads of the parent.
+  StereoRenderer& Get();
+
+ private:
+  int process_ = 0;  // that made it
+  std::unique_ptr<StereoRenderer> renderer_;
+};
+
+}  // namespace dockyard
