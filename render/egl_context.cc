@@ -1,10 +1,9 @@
-#include <dlfcn.h>
-
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 
 #include "render/gl_context.h"
+#include "render/gl_library.h"
 
 namespace dockyard {
 namespace {
@@ -20,16 +19,15 @@ constexpr EglInt kEglContextProfileMask = 0x30FD, kEglCoreProfileBit = 1, kEglNo
 class Egl {
  public:
   Egl() {
-    library_ = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (!library_) throw std::runtime_error(std::string("no EGL library: ") + dlerror());
-    Load(get_proc_address, "eglGetProcAddress");
-    Load(get_platform_display, "eglGetPlatformDisplay");
-    Load(initialize, "eglInitialize");
-    Load(bind_api, "eglBindAPI");
-    Load(create_context, "eglCreateContext");
-    Load(destroy_context, "eglDestroyContext");
-    Load(make_current, "eglMakeCurrent");
-    Load(get_error, "eglGetError");
+    const GlLibrary library("libEGL.so.1");
+    library.Load(get_proc_address, "eglGetProcAddress");
+    library.Load(get_platform_display, "eglGetPlatformDisplay");
+    library.Load(initialize, "eglInitialize");
+    library.Load(bind_api, "eglBindAPI");
+    library.Load(create_context, "eglCreateContext");
+    library.Load(destroy_context, "eglDestroyContext");
+    library.Load(make_current, "eglMakeCurrent");
+    library.Load(get_error, "eglGetError");
   }
 
   GlProc (*get_proc_address)(const char*) = nullptr;
@@ -40,15 +38,6 @@ class Egl {
   unsigned (*destroy_context)(EglDisplay, EglContext) = nullptr;
   unsigned (*make_current)(EglDisplay, void*, void*, EglContext) = nullptr;
   EglInt (*get_error)() = nullptr;
-
- private:
-  template <class Function>
-  void Load(Function& function, const char* name) {
-    function = reinterpret_cast<Function>(dlsym(library_, name));
-    if (!function) throw std::runtime_error(std::string("the EGL library has no ") + name);
-  }
-
-  void* library_ = nullptr;  // stays loaded: Mesa keeps thread-local state in it
 };
 
 class EglSurfacelessContext final : public GlContext {

@@ -24,8 +24,8 @@ class GlContext {
 /// reason.
 std::unique_ptr<GlContext> CreateOsMesaContext();
 
-/// EGL on Mesa's surfaceless platform. libEGL is loaded at run time, so a machine without it can
-/// still run the other back end. Throws std::runtime_error with the reason.
+/// EGL on Mesa's surfaceless platform. Either library is loaded at run time: a machine without the
+/// one can still draw by the other. Throws std::runtime_error with the reason.
 std::unique_ptr<GlContext> CreateEglSurfacelessContext();
 
 }  // namespace dockyard

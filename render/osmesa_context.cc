@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "render/gl_context.h"
+#include "render/gl_library.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // Mesa 22.3 keeps about 500 bytes of each off-screen context for good; and EGL's displays are the
@@ -16,6 +17,21 @@ extern "C" const char* __lsan_default_suppressions() {
 
 namespace dockyard {
 namespace {
+
+struct OsMesa {
+  OsMesa() {
+    const GlLibrary library("libOSMesa.so.8");
+    library.Load(create_context, "OSMesaCreateContextAttribs");
+    library.Load(destroy_context, "OSMesaDestroyContext");
+    library.Load(make_current, "OSMesaMakeCurrent");
+    library.Load(get_proc_address, "OSMesaGetProcAddress");
+  }
+
+  decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
+  decltype(&OSMesaDestroyContext) destroy_context = nullptr;
+  decltype(&OSMesaMakeCurrent) make_current = nullptr;
+  decltype(&OSMesaGetProcAddress) get_proc_address = nullptr;
+};
 
 class OsMesaContext final : public GlContext {
  public:
@@ -31,30 +47,32 @@ class OsMesaContext final : public GlContext {
                               OSMESA_CONTEXT_MINOR_VERSION,
                               3,
                               0};
-    context_ = OSMesaCreateContextAttribs(attributes, nullptr);
+    context_ = mesa_.create_context(attributes, nullptr);
     if (!context_) throw std::runtime_error("OSMesa gives no GL 3.3 core context");
     try {
       MakeCurrent();
-      functions_ = LoadGlFunctions([](const char* name) { return OSMesaGetProcAddress(name); });
+      functions_ =
+          LoadGlFunctions([this](const char* name) { return mesa_.get_proc_address(name); });
     } catch (...) {
-      OSMesaDestroyContext(context_);
+      mesa_.destroy_context(context_);
       throw;
     }
   }
   ~OsMesaContext() override {
-    OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
-    OSMesaDestroyContext(context_);
+    mesa_.make_current(nullptr, nullptr, 0, 0, 0);
+    mesa_.destroy_context(context_);
   }
 
   void MakeCurrent() override {
     // The library wants a buffer of its own; nothing is ever drawn there.
-    if (!OSMesaMakeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, kSide, kSide)) {
+    if (!mesa_.make_current(context_, unused_.data(), GL_UNSIGNED_BYTE, kSide, kSide)) {
       throw std::runtime_error("OSMesa cannot make its context current");
     }
   }
 
  private:
   static constexpr int kSide = 4;
+  OsMesa mesa_;
   OSMesaContext context_ = nullptr;
   std::array<unsigned char, 4 * kSide * kSide> unused_{};
 };
