@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "models/read/config_error.h"
 #include "models/read/text_file.h"
 #include "sim/base/files.h"
-#include "sim/base/image_size.h"
+#include "sim/images/decode.h"
+#include "sim/images/image_size.h"
+#include "sim/images/png.h"
 
 namespace dockyard {
 namespace {
@@ -16,12 +17,19 @@ namespace {
 // 40 megapixels of noise have 6 bytes each in a PNG of 16 bits a channel.
 constexpr std::size_t kMaxImageBytes = std::size_t{256} << 20;
 
+/// What a user may take for one of the formats.
+std::string OtherKind(std::string_view bytes) {
+  if (bytes.starts_with("BM")) return "a BMP";
+  if (bytes.starts_with("II*") || bytes.starts_with(std::string_view("MM\0*", 4))) return "a TIFF";
+  if (bytes.starts_with("GIF8")) return "a GIF";
+  return "something else";
+}
+
 void RefuseUnlessUsable(const std::string& file, const std::string& bytes) {
   const std::optional<ImageSize> size = StatedImageSize(bytes);
   if (!size) {
-    throw ConfigError(file +
-                      ": expected an image (PNG, JPEG, PGM, PPM, BMP, TIFF or WebP), found "
-                      "something else");
+    throw ConfigError(file + ": expected an image (PNG, JPEG, PGM, PPM or WebP), found " +
+                      OtherKind(bytes));
   }
   if (size->usable()) return;
   throw ConfigError(file + ": expected an image of 1 to " +
@@ -34,22 +42,11 @@ void RefuseUnlessUsable(const std::string& file, const std::string& bytes) {
 GrayImage LoadGray(const std::string& file) {
   const std::string bytes = ReadBytes(file, kMaxImageBytes);
   RefuseUnlessUsable(file, bytes);
-  cv::Mat decoded;
-  try {
-    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1,
-                         const_cast<char*>(bytes.data()));  // only read
-    decoded = cv::imdecode(buffer, cv::IMREAD_GRAYSCALE);
-  } catch (const cv::Exception&) {
-    decoded.release();
-  }
-  if (decoded.empty()) {
+  std::optional<GrayImage> image = DecodeGray(bytes);
+  if (!image) {
     throw ConfigError(file + ": expected a whole image, found one that cannot be decoded");
   }
-  GrayImage image{.width = decoded.cols, .height = decoded.rows, .pixels = {}};
-  for (int y = 0; y < decoded.rows; ++y) {
-    image.pixels.insert(image.pixels.end(), decoded.ptr(y), decoded.ptr(y) + decoded.cols);
-  }
-  return image;
+  return std::move(*image);
 }
 
 GrayImage UpsideDown(const GrayImage& image) {
@@ -67,8 +64,9 @@ bool IsCutJpeg(const std::string& file) {
 }
 
 std::vector<std::string> ImageFilesIn(const std::string& folder) {
-  static const std::vector<std::string> kEndings{".png", ".pgm", ".ppm",  ".jpg", ".jpeg",
-                                                 ".bmp", ".tif", ".tiff", ".webp"};
+  // BMP and TIFF are refused, each by its name.
+  const std::vector<std::string> kEndings{".png", ".pgm", ".ppm",  ".jpg", ".jpeg",
+                                          ".bmp", ".tif", ".tiff", ".webp"};
   if (!std::filesystem::is_directory(folder)) {
     throw ConfigError(folder + ": expected a folder of images, found none");
   }
@@ -91,7 +89,7 @@ void DrawSighting(const std::string& file, const StereoImages& images,
                   const SightingReport& report) {
   const int width = images.left.width + images.right.width;
   const int height = std::max(images.left.height, images.right.height);
-  cv::Mat canvas(height, width, CV_8UC3, cv::Scalar(0, 0, 0));
+  cv::Mat canvas(height, width, CV_8UC3, cv::Scalar(0, 0, 0));  // red first
   const auto put = [&](const GrayImage& image, int x0) {
     for (int y = 0; y < image.height; ++y) {
       for (int x = 0; x < image.width; ++x) {
@@ -112,11 +110,9 @@ void DrawSighting(const std::string& file, const StereoImages& images,
                 cv::Point((at.x >> kSub) + size, (at.y >> kSub) - size), cv::FONT_HERSHEY_PLAIN,
                 1.0, colour, 1, cv::LINE_AA);
   };
-  for (const auto& mark : report.predicted) ring(mark, cv::Scalar(0, 140, 255));
+  for (const auto& mark : report.predicted) ring(mark, cv::Scalar(255, 140, 0));
   for (const auto& mark : report.marks) ring(mark, cv::Scalar(80, 220, 80));
-  std::vector<std::uint8_t> png;
-  cv::imencode(".png", canvas, png);
-  WriteWhole(file, std::string_view(reinterpret_cast<const char*>(png.data()), png.size()));
+  WriteWhole(file, EncodePng(RgbImage{width, height, {canvas.datastart, canvas.dataend}}));
 }
 
 }  // namespace dockyard

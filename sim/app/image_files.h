@@ -9,8 +9,8 @@
 
 namespace dockyard {
 
-/// PNG, JPEG, PNM, BMP, TIFF or WebP, as 8-bit grey. Throws ConfigError, before it decodes anything
-/// when the image has more than kMaxImagePixels.
+/// PNG, JPEG, PGM, PPM or WebP, as 8-bit grey (sim/images/decode.h). Throws ConfigError, before it
+/// decodes anything when the image has more than kMaxImagePixels.
 GrayImage LoadGray(const std::string& file);
 /// The image turned by 180 deg.
 GrayImage UpsideDown(const GrayImage& image);

@@ -8,7 +8,7 @@
 #include "sim/axel/fiducial_truth.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
-#include "sim/base/png.h"
+#include "sim/images/png.h"
 #include "sim/run/renderer.h"
 
 namespace dockyard::axel {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "controller/base/check.h"
-#include "sim/base/png.h"
+#include "sim/images/png.h"
 
 namespace dockyard {
 namespace {

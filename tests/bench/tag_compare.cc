@@ -15,7 +15,7 @@
 #include "controller/vision/fiducials.h"
 #include "perception/yard_views.h"
 #include "sim/base/files.h"
-#include "sim/base/png.h"
+#include "sim/images/png.h"
 #include "sim/base/random.h"
 #include "sim/log/frame_codec.h"
 

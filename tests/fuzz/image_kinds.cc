@@ -5,7 +5,7 @@
 #include "fuzz/kind.h"
 #include "sim/app/image_files.h"
 #include "sim/app/systems.h"
-#include "sim/base/png.h"
+#include "sim/images/png.h"
 #include "sim/scenario/load_scenario.h"
 #include "support/bad_files.h"
 
@@ -26,8 +26,9 @@ FuzzKind ImageKind() {
   for (const std::string& file : ImageFilesIn(images)) seeds.push_back(Slurp(file));
   return {"image",
           [seeds] { return seeds; },
-          {"IHDR", "IDAT", "PLTE", "tRNS", "iCCP", "IEND", "P5", "VP8 ", "VP8L", "VP8X", "ALPH",
-           "ANIM", "\xff\xd8", "\xff\xc0", "\xff\xc4", "\xff\xda", "\xff\xd9", "II*", "BM"},
+          {"IHDR",     "IDAT",     "PLTE",     "tRNS", "iCCP", "IEND",     "P5",
+           "VP8 ",     "VP8L",     "VP8X",     "ALPH", "ANIM", "\xff\xd8", "\xff\xc0",
+           "\xff\xc4", "\xff\xda", "\xff\xd9", "eXIf", "Exif", "II*"},
           [folder](const std::string& bytes) {
             const std::string file = folder->Write("image", bytes);
             DecodePng<GrayImage>(bytes);

@@ -13,7 +13,7 @@
 
 #include "app/program.h"
 #include "controller/geometry/camera.h"
-#include "sim/base/png.h"
+#include "sim/images/png.h"
 #include "sim/log/frame_codec.h"
 #include "support/fake_runs.h"
 

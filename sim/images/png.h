@@ -19,8 +19,8 @@ std::string EncodePng(const DeepImage& image);
 /// than 8.
 std::string EncodePng(const std::array<DeepImage, 3>& rgb);
 
-/// GrayImage or RgbImage; none when the bytes are no PNG of this kind, or one of more than
-/// kMaxImagePixels.
+/// GrayImage or RgbImage, as EncodePng wrote it; none when the bytes are another PNG or none, or
+/// one of more than kMaxImagePixels. decode.h reads all kinds.
 template <class Image>
 std::optional<Image> DecodePng(std::string_view bytes);
 

@@ -1,5 +1,5 @@
-// The size that an image file states in its header, before anything is decoded: 0.9 MB of PNG can
-// be an image of 900 megapixels.
+// The format and the size that an image file states in its header, before anything is decoded: 0.9
+// MB of PNG can be an image of 900 megapixels.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,13 @@ struct ImageSize {
   }
 };
 
-/// Of a PNG, JPEG, PNM (P1 to P6), BMP, TIFF or WebP file; none for other bytes and where the
-/// header ends before it says.
+/// The formats that are read. Pnm: PGM and PPM, as text or binary (P2, P3, P5, P6).
+enum class ImageFormat { kPng, kJpeg, kPnm, kWebp };
+
+/// By the first bytes; none for other files.
+std::optional<ImageFormat> FormatOf(std::string_view bytes);
+
+/// Of a file in one of the formats; none for other bytes and where the header ends before it says.
 std::optional<ImageSize> StatedImageSize(std::string_view bytes);
 
 }  // namespace dockyard

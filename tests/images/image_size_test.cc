@@ -1,4 +1,4 @@
-#include "sim/base/image_size.h"
+#include "sim/images/image_size.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/png.h"
+#include "sim/images/png.h"
 
 namespace dockyard {
 namespace {
@@ -28,7 +28,7 @@ void ExpectSize(const std::string& bytes, int width, int height, const std::stri
 
 TEST(ImageSize, IsTheSizeThatTheDecoderFinds) {
   for (const int width : {1, 37, 300, 5000}) {
-    for (const char* ending : {".png", ".jpg", ".pgm", ".bmp", ".tif", ".webp"}) {
+    for (const char* ending : {".png", ".jpg", ".pgm", ".webp"}) {
       ExpectSize(Encoded(ending, width, 70, CV_8UC1), width, 70, ending);
       const std::string colour = ending == std::string(".pgm") ? ".ppm" : ending;
       ExpectSize(Encoded(colour, width, 70, CV_8UC3), width, 70, colour);
@@ -41,11 +41,11 @@ TEST(ImageSize, IsTheSizeThatTheDecoderFinds) {
 }
 
 TEST(ImageSize, IsNoneOfOtherBytesAndOfCutHeaders) {
-  for (const char* bytes : {"", "x", "P", "P5", "P5 37", "P7 37 70", "GIF89a", "\xff\xd8",
-                            "\xff\xd8\xff\xe0", "RIFF____WEBP"}) {
+  for (const char* bytes : {"", "x", "P", "P5", "P5 37", "P7 37 70", "P4 37 70", "GIF89a", "BM",
+                            "II*", "\xff\xd8", "\xff\xd8\xff\xe0", "RIFF____WEBP"}) {
     EXPECT_FALSE(StatedImageSize(bytes)) << bytes;
   }
-  for (const char* ending : {".png", ".jpg", ".pgm", ".bmp", ".tif", ".webp"}) {
+  for (const char* ending : {".png", ".jpg", ".pgm", ".webp"}) {
     const std::string whole = Encoded(ending, 37, 70, CV_8UC1);
     for (std::size_t length = 0; length < std::min<std::size_t>(whole.size(), 400); ++length) {
       const auto size = StatedImageSize(whole.substr(0, length));
@@ -64,13 +64,6 @@ TEST(ImageSize, IsUsableUpToFortyMegapixels) {
   EXPECT_FALSE((ImageSize{0, 5}).usable());
   EXPECT_FALSE((ImageSize{5, -1}).usable());
   EXPECT_FALSE((ImageSize{4294967295, 4294967295}).usable());
-}
-
-TEST(Png, OfTooManyPixelsIsNotDecoded) {
-  std::string png = EncodePng(GrayImage{4, 4, std::vector<std::uint8_t>(16, 90)});
-  EXPECT_TRUE(DecodePng<GrayImage>(png));
-  png.replace(16, 8, std::string("\0\0\x75\x30\0\0\x75\x30", 8));  // 30000 x 30000
-  EXPECT_FALSE(DecodePng<GrayImage>(png));
 }
 
 }  // namespace
