@@ -1,11 +1,13 @@
 #include "models/read/mesh_loader.h"
 
+#include <optional>
 #include <string>
 
 #include "models/read/collada_check.h"
 #include "models/read/mesh_child.h"
 #include "models/read/mesh_format.h"
 #include "models/read/mesh_import.h"
+#include "models/read/plain_obj.h"
 #include "models/read/text_file.h"
 
 namespace dockyard {
@@ -36,8 +38,11 @@ std::shared_ptr<const TriangleMesh> LoadMesh(const std::filesystem::path& file, 
   if (store != nullptr) {
     if (auto known = store->Find(key)) return known;
   }
-  const auto mesh = std::make_shared<const TriangleMesh>(MeshFromChild(
-      file.string(), kImportLimits, [&] { return ImportMesh(file, bytes, stated.triangles); }));
+  std::optional<TriangleMesh> plain;
+  if (format == MeshFormat::kObj) plain = PlainObj(bytes);
+  const auto import = [&] { return ImportMesh(file, bytes, stated.triangles); };
+  const auto mesh = std::make_shared<const TriangleMesh>(
+      plain ? std::move(*plain) : MeshFromChild(file.string(), kImportLimits, import));
   if (store != nullptr) store->Keep(key, mesh);
   return mesh;
 }

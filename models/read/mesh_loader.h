@@ -1,7 +1,8 @@
-// Triangle meshes from files: STL, OBJ, Collada (DAE) and glTF (gltf, glb) through assimp. Mesh
-// importers are known for crashing on malformed input, so assimp is restricted: only these formats,
-// magic bytes checked first, sizes capped, nothing read from outside the file's folder, a process
-// of its own with limits (mesh_child.h), and the outcome checked number by number.
+// Triangle meshes from files: STL, OBJ, Collada (DAE) and glTF (gltf, glb) through assimp, but for
+// the plainest OBJ files (plain_obj.h). Mesh importers are known for crashing on malformed input,
+// so assimp is restricted: only these formats, magic bytes checked first, sizes capped, nothing
+// read from outside the file's folder, a process of its own with limits (mesh_child.h), and the
+// outcome checked number by number.
 #pragma once
 
 #include <Eigen/Core>
