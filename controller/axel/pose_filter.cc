@@ -33,8 +33,6 @@ struct PoseFilter::Innovation {
   Eigen::Matrix3d S;
 };
 
-double PoseFilter::PositionSigma() const { return std::sqrt(P_(0, 0) + P_(1, 1)); }
-
 void PoseFilter::Predict(const Motion& motion, double seconds) {
   if (!located_) return;
   const Arc arc{motion.length_m, motion.turn_rad};

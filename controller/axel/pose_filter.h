@@ -59,7 +59,6 @@ class PoseFilter {
   double ExposedLength(double reeled_m) const { return state_(3) - reeled_m; }
   /// Whether the tether's whole length has been estimated yet.
   bool TetherKnown() const { return located_ && P_(3, 3) < 1.0; }
-  double PositionSigma() const;  // [m]
 
   void Predict(const Motion& motion, double seconds);
   /// Whether the fix agrees with the estimate; true before the first.

@@ -52,13 +52,26 @@ TEST_F(Filter, DeadReckonsAlongTheArc) {
   EXPECT_THAT(filter_.pose().y, DoubleNear(expected.y, 1e-9));
 }
 
-TEST_F(Filter, GrowsLessSureWithTheWay) {
-  // Sure of the heading first: else driving towards the board undoes part of the sideways doubt.
-  for (int i = 0; i < 100; ++i) filter_.Correct(TrueFix(start_, nominal_.X_DB));
-  const double before = filter_.PositionSigma();
+// On the axis a range tells of x alone: a filter of one state, in closed form.
+TEST_F(Filter, TrustsARangeMoreAfterAWayWithout) {
+  const FilterNoise noise;
+  const auto variance_m2 = [&](double range_m) {
+    return std::pow(noise.range_floor_m + noise.range_m_per_m2 * range_m * range_m, 2);
+  };
+  const Pose2 start = FromDockingCoords({4.0, 0.0, 0.0}), after = Advance(start, Arc{1.0, 0.0});
+  const BoardFix first = TrueFix(start, nominal_.X_DB), second = TrueFix(after, nominal_.X_DB);
+  ASSERT_THAT(first.bearing_rad, DoubleNear(0.0, 1e-9));
+  for (int i = 0; i < 100; ++i) filter_.Correct(first);
   filter_.Predict({1.0, 0.0}, 20.0);
-  // 0.10 along and 0.04 across.
-  EXPECT_THAT(filter_.PositionSigma(), DoubleNear(std::hypot(before, 0.108), 0.01));
+  const double p_m2 = variance_m2(first.range_m) / 100 + std::pow(noise.along_m_per_sqrt_m, 2);
+
+  BoardFix farther = second;
+  farther.range_m += 0.01;
+  filter_.Correct(farther);
+  const double gain = p_m2 / (p_m2 + variance_m2(farther.range_m));
+  // The first pose is known to 32 m at first: 1e-5 of the gain.
+  EXPECT_THAT((filter_.pose().x - after.x) / 0.01, DoubleNear(gain, 1e-4));
+  EXPECT_GT(gain, 0.5);
 }
 
 TEST_F(Filter, TautTetherTellsOfWheelSlip) {
