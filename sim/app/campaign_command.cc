@@ -12,6 +12,7 @@
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/app/watch.h"
+#include "sim/base/shell_word.h"
 #include "sim/base/text.h"
 #include "sim/campaign/campaign.h"
 #include "sim/log/result_row.h"
@@ -53,8 +54,10 @@ Examples:
 The experiment is a campaign of its system: the options, results and exit codes are those of `campaign`.)";
 
 std::string CommandToGoOn(const CampaignArguments& arguments, const std::string& out_dir) {
-  std::string command = "dockyard campaign " + Quoted(arguments.file) + " --out " + Quoted(out_dir);
-  for (const std::string& override : arguments.overrides) command += " --set " + Quoted(override);
+  std::string command =
+      "dockyard campaign " + ShellWord(arguments.file) + " --out " + ShellWord(out_dir);
+  for (const std::string& override : arguments.overrides)
+    command += " --set " + ShellWord(override);
   if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
   if (!arguments.shard.empty()) command += " --shard " + arguments.shard;
   if (arguments.commands.allow) command += " --allow-commands";
@@ -122,7 +125,7 @@ int EndOfShard(const CampaignArguments& arguments, const CampaignOptions& option
     return kExitSignal + end.signal;
   }
   PrintNote("shard " + arguments.shard + ": " + TallyText(end.tally, end.total) +
-            "\nwhen all shards are done: dockyard merge " + Quoted(dir));
+            "\nwhen all shards are done: dockyard merge " + ShellWord(dir));
   return end.complete() && end.tally.lost == 0 ? kExitDone : kExitIncomplete;
 }
 

@@ -7,6 +7,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/terminal.h"
 #include "sim/base/json.h"
+#include "sim/base/shell_word.h"
 #include "sim/campaign/campaign_folder.h"
 
 namespace dockyard {
@@ -22,7 +23,7 @@ void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir) {
       if (std::filesystem::exists(RunFolder(dir, result.run)) != logged) continue;
       if (shown++ == kMost) return;
       std::printf("%sdockyard replay %s %d   # %s\n",
-                  shown == 1 ? "\nto run a failure again:\n" : "", Quoted(dir.string()).c_str(),
+                  shown == 1 ? "\nto run a failure again:\n" : "", ShellWord(dir.string()).c_str(),
                   result.run, result.outcome.c_str());
     }
   }
@@ -44,14 +45,6 @@ Json EndJson(const CampaignEnd& end) {
 }
 
 }  // namespace
-
-std::string Quoted(const std::string& word) {
-  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=-";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
 
 int ReportEnd(const CampaignEnd& end, const std::filesystem::path& dir, bool json) {
   if (json) {

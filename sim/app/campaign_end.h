@@ -2,14 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "sim/campaign/merge.h"
 
 namespace dockyard {
-
-/// The text quoted as one word for a shell.
-std::string Quoted(const std::string& word);
 
 /// Prints the summary, or its figures as a line of JSON, and how to replay failures. Returns the
 /// exit code: 10 when runs are missing or were lost.
