@@ -2,35 +2,27 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/app/campaign_end.h"
+#include "sim/app/campaign_setup.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
-#include "sim/app/identity.h"
-#include "sim/app/number_option.h"
-#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/app/watch.h"
 #include "sim/base/shell_word.h"
-#include "sim/base/text.h"
 #include "sim/campaign/campaign.h"
-#include "sim/log/result_row.h"
-#include "sim/plan/file_keys.h"
 #include "sim/plan/make_run.h"
-#include "sim/run/loop.h"
 
 namespace dockyard {
 namespace {
 
-struct CampaignArguments {
-  std::string file;
+struct CommandArguments {
+  CampaignArguments campaign;
   int jobs = 0;  // 0: all processors
-  std::string out_dir, shard, watch_dir;
-  std::vector<std::string> overrides;
-  double run_limit_s = 0.0;  // 0: as the campaign says
-  bool quiet = false, dry_run = false, json = false, retry_lost = false;
-  CommandOptions commands;
+  std::string shard, watch_dir;
+  bool quiet = false, dry_run = false, json = false;
 };
 
 constexpr const char* kHelp = R"(Simulate all runs of a campaign on several processors.
@@ -53,70 +45,28 @@ Examples:
 
 The experiment is a campaign of its system: the options, results and exit codes are those of `campaign`.)";
 
-std::string CommandToGoOn(const CampaignArguments& arguments, const std::string& out_dir) {
+std::string CommandToGoOn(const CommandArguments& arguments, const std::string& out_dir) {
   std::string command =
-      "dockyard campaign " + ShellWord(arguments.file) + " --out " + ShellWord(out_dir);
-  for (const std::string& override : arguments.overrides)
-    command += " --set " + ShellWord(override);
+      "dockyard campaign " + ShellWord(arguments.campaign.file) + " --out " + ShellWord(out_dir);
+  for (const std::string& word : OptionWords(arguments.campaign)) command += " " + ShellWord(word);
   if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
   if (!arguments.shard.empty()) command += " --shard " + arguments.shard;
-  if (arguments.commands.allow) command += " --allow-commands";
-  if (arguments.commands.answer_limit_s != CommandOptions{}.answer_limit_s) {
-    command += " --answer-limit " + NumberText(arguments.commands.answer_limit_s);
-  }
-  if (arguments.run_limit_s > 0.0) command += " --run-limit " + NumberText(arguments.run_limit_s);
   return command;
 }
 
-Shard ShardOf(const CampaignArguments& arguments) {
+Shard ShardOf(const CommandArguments& arguments) {
   if (arguments.shard.empty()) return {};
   const auto shard = ShardFromText(arguments.shard);
   if (shard) return *shard;
   throw UsageError("--shard: expected K/N with K from 1 to N, found '" + arguments.shard + "'");
 }
 
-/// Every mistake is found before a run. The workers, which are forked, share the loaded models.
-/// Returns the first run.
-CampaignRun CheckAll(const Campaign& campaign, const RunOptions& options,
-                     const std::vector<System>& systems) {
-  const std::vector<KnownSystem> known = KnownSystems(systems);
-  CheckRuns(campaign, known, [&](const Scenario& scenario) {
-    RequireAllowed(scenario, options);
-    FindSystem(systems, scenario.system).check(scenario);
-  });
-  return RunMaker(campaign, known).Make(0);
-}
-
-ProgressStyle StyleOf(const CampaignArguments& arguments) {
+ProgressStyle StyleOf(const CommandArguments& arguments) {
   if (arguments.json) return ProgressStyle::kJson;
   return arguments.quiet ? ProgressStyle::kNone : ProgressStyleOfStderr();
 }
 
-CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& campaign,
-                           const std::string& system_name, const std::vector<System>& systems) {
-  const System& system = FindSystem(systems, system_name);
-  CampaignOptions options;
-  options.systems = KnownSystems(systems);
-  options.out_dir =
-      arguments.out_dir.empty() ? "results/" + campaign.name : std::string(arguments.out_dir);
-  options.shard = ShardOf(arguments);
-  options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
-  options.retry_lost = arguments.retry_lost;
-  options.progress = StyleOf(arguments);
-  options.identity = IdentityOf(campaign, options.systems);
-  options.columns = system.Columns(campaign.labels);
-  options.facts = {{"name", campaign.name},
-                   {"system", system_name},
-                   {"seed", campaign.seed},
-                   {"runs", campaign.run_count()},
-                   {"columns", ColumnNames(options.columns)}};
-  options.environment = EnvironmentJson();
-  options.draw = system.draw;
-  options.draw_campaign = system.draw_campaign;
-  return options;
-}
-
-int EndOfShard(const CampaignArguments& arguments, const CampaignOptions& options,
+int EndOfShard(const CommandArguments& arguments, const CampaignOptions& options,
                const ShardEnd& end) {
   const std::string dir = options.out_dir.string();
   if (end.signal != 0) {
@@ -129,30 +79,22 @@ int EndOfShard(const CampaignArguments& arguments, const CampaignOptions& option
   return end.complete() && end.tally.lost == 0 ? kExitDone : kExitIncomplete;
 }
 
-int RunCampaignCommand(const CampaignArguments& arguments, const std::vector<System>& systems) {
+int RunCampaignCommand(const CommandArguments& arguments, const std::vector<System>& systems) {
   if (!arguments.watch_dir.empty()) {
     return WatchCampaign(arguments.watch_dir, arguments.json, systems);
   }
-  if (arguments.file.empty()) throw UsageError("FILE: expected a campaign file, or --watch DIR");
-  Campaign campaign = LoadCampaign(arguments.file, arguments.overrides, CampaignSystemsOf(systems));
-  if (arguments.run_limit_s > 0.0) campaign.limits.wall_s = arguments.run_limit_s;
-  RunOptions of_run{.log_dir = {}, .log_images = campaign.keep.pictures, .labels = campaign.labels};
-  arguments.commands.Fill(of_run);
+  if (arguments.campaign.file.empty()) {
+    throw UsageError("FILE: expected a campaign file, or --watch DIR");
+  }
+  Campaign loaded = LoadCampaign(arguments.campaign, systems);
   if (arguments.dry_run) {
-    std::printf("%s", PlanCsv(campaign, KnownSystems(systems)).c_str());
+    std::printf("%s", PlanCsv(loaded, KnownSystems(systems)).c_str());
     return kExitDone;
   }
-  const std::string system_name = CheckAll(campaign, of_run, systems).scenario.system;
-  const System& system = FindSystem(systems, system_name);
-  campaign = WithAbsolutePaths(std::move(campaign), KnownSystems(systems));
-  const CampaignOptions options = OptionsFor(arguments, campaign, system_name, systems);
-  // Runs read the copies: somebody may edit a model while the campaign runs.
-  campaign = OnCopies(campaign, options.systems, options.identity, options.out_dir);
-  const RunFunction run = [&](const CampaignRun& what, const std::filesystem::path& log_dir) {
-    RunOptions logged = of_run;
-    logged.log_dir = log_dir;
-    return Simulate(system, what, logged);
-  };
+  auto [campaign, run, options] = MakeReady(std::move(loaded), arguments.campaign, systems);
+  options.shard = ShardOf(arguments);
+  options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
+  options.progress = StyleOf(arguments);
   const ShardEnd shard = RunShard(campaign, run, options);
   if (!options.shard.whole()) return EndOfShard(arguments, options, shard);
   const CampaignEnd end =
@@ -162,28 +104,19 @@ int RunCampaignCommand(const CampaignArguments& arguments, const std::vector<Sys
   return ReportEnd(end, options.out_dir, arguments.json);
 }
 
-void AddOptions(CLI::App& command, CampaignArguments& arguments) {
+void AddOptions(CLI::App& command, CommandArguments& arguments) {
+  AddCampaignOptions(command, arguments.campaign);
   command.add_option("--jobs", arguments.jobs, "processes at once [all processors]")
       ->check(CLI::Range(1, 1024));
-  command.add_option("--out", arguments.out_dir, "results folder [results/<name>]");
-  AddSetOption(command, arguments.overrides);
-  AddCommandOptions(command, arguments.commands);
   command.add_option("--shard", arguments.shard, "K/N: every N-th run, from the K-th on");
-  command.add_flag("--retry-crashed", arguments.retry_lost,
-                   "simulate runs again that crashed or were stopped");
   command.add_flag("--json", arguments.json, "progress and result as JSON, a line each");
-  command
-      .add_option("--run-limit", arguments.run_limit_s,
-                  "wall time of one run [as the campaign's limits say, else 900 s]")
-      ->type_name("SECONDS")
-      ->check(NumberWithin(0.001, 1e6));
   command.add_flag("--quiet", arguments.quiet, "no progress on stderr");
   command.add_flag("--dry-run", arguments.dry_run,
                    "print the runs as CSV, which can be a campaign's table, and run none");
 }
 
 /// Without a name: lists all.
-int Reproduce(const std::string& name, CampaignArguments arguments,
+int Reproduce(const std::string& name, CommandArguments arguments,
               const std::vector<System>& systems) {
   std::string names;
   for (const System& system : systems) {
@@ -192,7 +125,7 @@ int Reproduce(const std::string& name, CampaignArguments arguments,
       names += (names.empty() ? "" : ", ") + each.name;
       if (name != each.name) continue;
       PrintNote(each.meaning);
-      arguments.file = each.campaign_file;
+      arguments.campaign.file = each.campaign_file;
       return RunCampaignCommand(arguments, systems);
     }
   }
@@ -203,7 +136,7 @@ int Reproduce(const std::string& name, CampaignArguments arguments,
 }  // namespace
 
 void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
-  auto arguments = std::make_shared<CampaignArguments>();
+  auto arguments = std::make_shared<CommandArguments>();
   auto name = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("reproduce", kReproduceHelp);
   command->add_option("NAME", *name, "the experiment; without it, all are listed");
@@ -214,9 +147,9 @@ void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int&
 }
 
 void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
-  auto arguments = std::make_shared<CampaignArguments>();
+  auto arguments = std::make_shared<CommandArguments>();
   CLI::App* command = app.add_subcommand("campaign", kHelp);
-  command->add_option("FILE", arguments->file, "a campaign file");
+  command->add_option("FILE", arguments->campaign.file, "a campaign file");
   AddOptions(*command, *arguments);
   command->add_option("--watch", arguments->watch_dir,
                       "DIR: show the progress of the campaign that runs in it");

@@ -1,0 +1,104 @@
+#include "sim/app/campaign_setup.h"
+
+#include <utility>
+
+#include "sim/app/identity.h"
+#include "sim/app/number_option.h"
+#include "sim/base/environment.h"
+#include "sim/base/text.h"
+#include "sim/log/result_row.h"
+#include "sim/plan/file_keys.h"
+#include "sim/plan/make_run.h"
+#include "sim/run/loop.h"
+
+namespace dockyard {
+namespace {
+
+/// Returns the first run.
+CampaignRun CheckAll(const Campaign& campaign, const RunOptions& options,
+                     const std::vector<System>& systems) {
+  const std::vector<KnownSystem> known = KnownSystems(systems);
+  CheckRuns(campaign, known, [&](const Scenario& scenario) {
+    RequireAllowed(scenario, options);
+    FindSystem(systems, scenario.system).check(scenario);
+  });
+  return RunMaker(campaign, known).Make(0);
+}
+
+CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& campaign,
+                           const System& system, const std::vector<System>& systems) {
+  CampaignOptions options;
+  options.systems = KnownSystems(systems);
+  options.out_dir =
+      arguments.out_dir.empty() ? "results/" + campaign.name : std::string(arguments.out_dir);
+  options.retry_lost = arguments.retry_lost;
+  options.identity = IdentityOf(campaign, options.systems);
+  options.columns = system.Columns(campaign.labels);
+  options.facts = {{"name", campaign.name},
+                   {"system", system.name},
+                   {"seed", campaign.seed},
+                   {"runs", campaign.run_count()},
+                   {"columns", ColumnNames(options.columns)}};
+  options.environment = EnvironmentJson();
+  options.draw = system.draw;
+  options.draw_campaign = system.draw_campaign;
+  return options;
+}
+
+}  // namespace
+
+void AddCampaignOptions(CLI::App& command, CampaignArguments& arguments) {
+  command.add_option("--out", arguments.out_dir, "results folder [results/<name>]");
+  AddSetOption(command, arguments.overrides);
+  AddCommandOptions(command, arguments.commands);
+  command.add_flag("--retry-crashed", arguments.retry_lost,
+                   "simulate runs again that crashed or were stopped");
+  command
+      .add_option("--run-limit", arguments.run_limit_s,
+                  "wall time of one run [as the campaign's limits say, else 900 s]")
+      ->type_name("SECONDS")
+      ->check(NumberWithin(0.001, 1e6));
+}
+
+std::vector<std::string> OptionWords(const CampaignArguments& arguments) {
+  std::vector<std::string> words;
+  for (const std::string& override : arguments.overrides) {
+    words.insert(words.end(), {"--set", override});
+  }
+  if (arguments.commands.allow) words.push_back("--allow-commands");
+  if (arguments.commands.answer_limit_s != CommandOptions{}.answer_limit_s) {
+    words.insert(words.end(), {"--answer-limit", NumberText(arguments.commands.answer_limit_s)});
+  }
+  if (arguments.retry_lost) words.push_back("--retry-crashed");
+  if (arguments.run_limit_s > 0.0) {
+    words.insert(words.end(), {"--run-limit", NumberText(arguments.run_limit_s)});
+  }
+  return words;
+}
+
+Campaign LoadCampaign(const CampaignArguments& arguments, const std::vector<System>& systems) {
+  Campaign campaign = LoadCampaign(arguments.file, arguments.overrides, CampaignSystemsOf(systems));
+  if (arguments.run_limit_s > 0.0) campaign.limits.wall_s = arguments.run_limit_s;
+  return campaign;
+}
+
+ReadyCampaign MakeReady(Campaign campaign, const CampaignArguments& arguments,
+                        const std::vector<System>& systems) {
+  RunOptions of_run{.log_dir = {}, .log_images = campaign.keep.pictures, .labels = campaign.labels};
+  arguments.commands.Fill(of_run);
+  const System& system = FindSystem(systems, CheckAll(campaign, of_run, systems).scenario.system);
+  ReadyCampaign ready;
+  ready.campaign = WithAbsolutePaths(std::move(campaign), KnownSystems(systems));
+  ready.options = OptionsFor(arguments, ready.campaign, system, systems);
+  // Runs read the copies: somebody may edit a model while the campaign runs.
+  ready.campaign = OnCopies(ready.campaign, ready.options.systems, ready.options.identity,
+                            ready.options.out_dir);
+  ready.run = [&system, of_run](const CampaignRun& what, const std::filesystem::path& log_dir) {
+    RunOptions logged = of_run;
+    logged.log_dir = log_dir;
+    return Simulate(system, what, logged);
+  };
+  return ready;
+}
+
+}  // namespace dockyard
