@@ -1,11 +1,15 @@
 // What runs leave behind: logs of frames, tables of results.
+#include <cstdio>
 #include <memory>
+#include <sstream>
 
 #include "fuzz/kind.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/systems.h"
+#include "sim/base/crc32.h"
 #include "sim/campaign/merge.h"
 #include "sim/campaign/shard_file.h"
+#include "sim/log/result_row.h"
 #include "sim/log/results.h"
 #include "sim/log/run_log.h"
 #include "sim/run/replay_log.h"
@@ -69,34 +73,48 @@ FuzzKind LogKind() {
           }};
 }
 
-/// A shard's rows, and results.csv.
+const std::vector<std::string> kCellWords{"nan", "inf", "1e308",   "-0",     "\"", "\"\"",
+                                          ",",   "\n",  "crashed", "docked", "0",  "1"};
+
 FuzzKind ResultsKind() {
   const auto folder = std::make_shared<ScratchFolder>();
-  const RowColumns columns = FakeColumns();
-  const FinishedRuns runs = FakeResults(6);
-  const std::filesystem::path csv = folder->path() / "results.csv",
-                              shard = ShardFile(folder->path(), Shard{});
-  WriteResultsCsv(csv, runs, columns);
-  {
-    ShardWriter writer(shard, {{"shard", "1-of-1"}}, columns);
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      writer.Append({runs.results[i], runs.timings[i], runs.notes[i]});
-    }
-  }
+  WriteResultsCsv(folder->path() / "results.csv", FakeResults(6), FakeColumns());
   return {"results",
-          [results = Slurp(csv), rows = Slurp(shard)] {
-            return std::vector{results, rows};
-          },
-          {"nan", "inf", "1e308", "-0", "\"", "\"\"", ",", "\n", "crashed", "docked", "0", "1"},
-          [=](const std::string& bytes) {
-            folder->Write("shards/1-of-1.rows", bytes);
-            ReadOrRefused([&] { ReadShards(folder->path(), columns); });  // leaves damage out
-            return ReadOrRefused([&] { RowsFromCsv(bytes, "results.csv", columns); });
+          [results = Slurp(folder->path() / "results.csv")] { return std::vector{results}; },
+          kCellWords,
+          [](const std::string& bytes) {
+            return ReadOrRefused([&] { RowsFromCsv(bytes, "results.csv", FakeColumns()); });
+          }};
+}
+
+/// The lines of a shard without their check values, which are put back: else nothing but them would
+/// be tried.
+FuzzKind RowsKind() {
+  const auto folder = std::make_shared<ScratchFolder>();
+  const FinishedRuns runs = FakeResults(6);
+  std::string lines =
+      "{\"shard\": \"1-of-1\"}\n" + CsvHeader(FakeColumns()) + ",cpu_time_s,wall_time_s,note\n";
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    lines += ShardRow({runs.results[i], runs.timings[i], runs.notes[i]}, FakeColumns()) + "\n";
+  }
+  return {"rows", [lines] { return std::vector{lines}; }, kCellWords,
+          [folder](const std::string& bytes) {
+            std::istringstream in(bytes);
+            std::string checked;
+            for (std::string line; std::getline(in, line);) {
+              char check[16];
+              std::snprintf(check, sizeof check, "%08x,", Crc32(line));
+              checked += check + line + "\n";
+            }
+            folder->Write("shards/1-of-1.rows", checked);
+            return ReadOrRefused([&] { ReadShards(folder->path(), FakeColumns()); });
           }};
 }
 
 }  // namespace
 
-std::vector<NamedKind> RecordKinds() { return {{"log", LogKind}, {"results", ResultsKind}}; }
+std::vector<NamedKind> RecordKinds() {
+  return {{"log", LogKind}, {"results", ResultsKind}, {"rows", RowsKind}};
+}
 
 }  // namespace dockyard
