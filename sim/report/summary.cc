@@ -113,7 +113,7 @@ void AddCauses(std::string& out, const FinishedRuns& runs, const RowColumns& col
   for (std::size_t i = 0; i < causes.size(); ++i) {
     if (numbers[i].empty()) continue;
     AddNumbers(out,
-               "  " + Padded(causes[i], width + 2) + Padded(std::to_string(numbers[i].size()), 4),
+               "  " + Padded(causes[i], width + 2) + Padded(std::to_string(numbers[i].size()) + " ", 4),
                numbers[i]);
   }
 }
