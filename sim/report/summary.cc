@@ -112,9 +112,10 @@ void AddCauses(std::string& out, const FinishedRuns& runs, const RowColumns& col
   AddLine(out, "failures by cause");
   for (std::size_t i = 0; i < causes.size(); ++i) {
     if (numbers[i].empty()) continue;
-    AddNumbers(out,
-               "  " + Padded(causes[i], width + 2) + Padded(std::to_string(numbers[i].size()) + " ", 4),
-               numbers[i]);
+    AddNumbers(
+        out,
+        "  " + Padded(causes[i], width + 2) + Padded(std::to_string(numbers[i].size()) + " ", 4),
+        numbers[i]);
   }
 }
 
@@ -127,21 +128,30 @@ std::string ShortName(std::size_t label, const RowColumns& columns) {
   return same == 1 && !name.empty() ? name : columns.labels[label];
 }
 
-/// A line of cells, as wide as their columns' longest: numbers to the right, words to the left.
+/// A line of cells, as wide as their columns' longest: numbers to the right, words to the left. A
+/// column of no width is left out.
 std::string TableLine(const Cells& cells, const std::vector<std::size_t>& widths,
                       const std::vector<char>& numeric) {
   std::string line;
   for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (widths[i] == 0) continue;
     const std::string space(widths[i] - cells[i].size(), ' ');
     line += (i == 0 ? "" : "  ") + (numeric[i] ? space + cells[i] : cells[i] + space);
   }
   return line;
 }
 
+/// A label as the table shows it: a drawn number has more digits than a reader wants.
+std::string LabelCell(const std::string& label) {
+  constexpr std::size_t kMostDigits = 7;
+  const auto number = label.size() > kMostDigits ? NumberFromText(label) : std::nullopt;
+  return number ? BriefNumber(*number) : CellOrDash(label);
+}
+
 Cells TableCells(const RunResult& row, const std::vector<std::size_t>& labels,
                  const RowColumns& columns) {
   Cells cells{std::to_string(row.run)};
-  for (const std::size_t label : labels) cells.push_back(CellOrDash(row.labels[label]));
+  for (const std::size_t label : labels) cells.push_back(LabelCell(row.labels[label]));
   cells.insert(cells.end(), {row.outcome, Fixed(row.sim_time_s, 1), std::to_string(row.images)});
   for (std::size_t i = 0; i < columns.measures.size(); ++i) {
     if (!columns.measures[i].headline) continue;
@@ -160,6 +170,19 @@ std::vector<std::size_t> ShownRuns(const FinishedRuns& runs) {
     shown.push_back(i);
   }
   return shown;
+}
+
+/// Takes the width of labels, the last ones first, until a line has room. Labels follow the run's
+/// number. Returns how many it took.
+std::size_t LeaveOutLabels(std::size_t labels, std::vector<std::size_t>& widths) {
+  std::size_t total = 0, left_out = 0;
+  for (const std::size_t width : widths) total += width + 2;
+  for (std::size_t i = labels; i > 0 && total > kMostColumns + 2; --i) {
+    total -= widths[i] + 2;
+    widths[i] = 0;
+    ++left_out;
+  }
+  return left_out;
 }
 
 void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& columns,
@@ -182,12 +205,16 @@ void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& colu
       if (cells[i] != "-" && !NumberFromText(cells[i])) numeric[i] = 0;
     }
   }
+  const std::size_t left_out = LeaveOutLabels(labels.size(), widths);
   AddLine(out, "");
   AddLine(out, TableLine(header, widths, numeric));
   auto line = table.begin();
   for (const std::size_t i : shown) {
     AddLine(out, TableLine(*line++, widths, numeric));
     if (!runs.notes[i].empty()) AddLine(out, std::string(widths[0] + 2, ' ') + runs.notes[i]);
+  }
+  if (left_out > 0) {
+    AddLine(out, std::to_string(left_out) + " more labels are in results.csv");
   }
   if (shown.size() < runs.size()) {
     AddLine(out, "of " + std::to_string(runs.size()) + " runs the first " +

@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "sim/base/text.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -85,6 +86,25 @@ TEST(Summary, StaysUnderAHundredColumns) {
     all += line + " ";
   }
   EXPECT_THAT(all, HasSubstr(" 59 60 ... "));
+}
+
+TEST(Summary, LeavesOutLabelsThatALineHasNoRoomFor) {
+  FinishedRuns runs = FourRuns();
+  RowColumns columns = FakeColumns();
+  for (int label = 0; label < 20; ++label) {
+    columns.labels.push_back("as_built.robot.number_" + std::to_string(label));
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      runs.results[i].labels.push_back(NumberText(1.0 / static_cast<double>(3 + i + label)));
+    }
+  }
+  const std::string text = SummaryText("four", runs, columns, 4);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 100u) << line;
+  EXPECT_THAT(text,
+              HasSubstr("run  soil     number_0  number_1  number_2  number_3  number_4  outcome"));
+  EXPECT_THAT(text,
+              HasSubstr("  1  loose      0.3333      0.25       0.2    0.1667    0.1429  docked"));
+  EXPECT_THAT(text, HasSubstr("15 more labels are in results.csv\n"));
 }
 
 TEST(Summary, OfManyRunsListsTheFirstFailures) {
