@@ -56,6 +56,10 @@ std::vector<Cell> Split(std::string_view line, const YamlPlace& place) {
   }
 }
 
+// Readers look names up one by one, so that their work grows with the columns squared: a header of
+// 100 000 took minutes.
+constexpr std::size_t kMaxColumns = 200;
+
 class Table {
  public:
   explicit Table(const std::string& file) : source_(std::make_shared<const std::string>(file)) {
@@ -79,6 +83,11 @@ class Table {
     throw ConfigError(YamlPlace{source_, line, column}.Text() + ": " + what);
   }
   void TakeHeader(const std::vector<Cell>& cells, int line) {
+    if (cells.size() > kMaxColumns) {
+      Refuse(line, cells[kMaxColumns].column,
+             "expected at most " + std::to_string(kMaxColumns) + " columns, found " +
+                 std::to_string(cells.size()));
+    }
     for (const Cell& cell : cells) {
       if (cell.text.empty()) Refuse(line, cell.column, "expected a column's name, found nothing");
       for (const YamlNode::Key& key : header_) {

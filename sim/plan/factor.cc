@@ -9,6 +9,7 @@ namespace dockyard {
 namespace {
 
 constexpr std::size_t kMaxValues = 1000;
+constexpr std::size_t kMaxFactors = 100;
 
 /// {from, to, step}: both ends included.
 void AddRange(const YamlNode& node, const std::string& path, Factor& factor) {
@@ -66,6 +67,10 @@ std::vector<Factor> ReadFactors(const YamlReader& root, const char* name) {
   const YamlNode& node = root.Child(name);
   if (node.kind != YamlNode::Kind::kMapping || node.keys.empty()) {
     root.Refuse(name, "keys of the scenario, each with its values");
+  }
+  if (node.keys.size() > kMaxFactors) {
+    root.Refuse(name, "at most " + std::to_string(kMaxFactors) + " keys",
+                std::to_string(node.keys.size()));
   }
   for (std::size_t i = 0; i < node.keys.size(); ++i) {
     const std::string path = root.PathOf(name) + "." + node.keys[i].name;

@@ -78,6 +78,8 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
   EXPECT_EQ(message("a.txt", "x"),
             "a.txt: expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or "
             ".glb, found extension '.txt'");
+  EXPECT_EQ(message("a.csv", "run" + std::string(200, ',') + "\n"),
+            "a.csv:1:204: expected at most 200 columns, found 201");
   EXPECT_EQ(message("a.csv", "run,start.r_m\n1,2\nten,3\n"),
             "a.csv:3:1: run: expected a whole number from 0 to 2000000000, found 'ten'");
   EXPECT_EQ(message("b.yaml", "campaign: ../up\nbase: x.yaml\n"),
