@@ -65,8 +65,8 @@ Limits ReadTolerance(const YamlNode& node, const std::string& path) {
 
 }  // namespace
 
-std::vector<Spread> ReadSpreads(const YamlNode& root) {
-  std::vector<Spread> spreads;
+std::vector<NumberSpread> ReadSpreads(const YamlNode& root) {
+  std::vector<NumberSpread> spreads;
   const YamlNode* all = root.Find("spreads");
   if (all == nullptr) return spreads;
   if (all->kind != YamlNode::Kind::kMapping) {
@@ -74,7 +74,7 @@ std::vector<Spread> ReadSpreads(const YamlNode& root) {
                       "spreads, found " + all->Found());
   }
   for (std::size_t i = 0; i < all->keys.size(); ++i) {
-    Spread spread;
+    NumberSpread spread;
     spread.key = all->keys[i];
     const std::string path = "spreads." + spread.key.name;
     const YamlReader in(all->items[i], path, {"assumed", "tolerance"});
@@ -92,7 +92,7 @@ std::vector<Spread> ReadSpreads(const YamlNode& root) {
 }
 
 void CheckSpreads(const YamlNode& model) {
-  for (const Spread& spread : ReadSpreads(model)) {
+  for (const NumberSpread& spread : ReadSpreads(model)) {
     const YamlNode* number = FindPath(model, spread.key.name);
     double value = 0.0;
     if (number != nullptr && number->kind == YamlNode::Kind::kScalar &&

@@ -24,14 +24,14 @@ struct Limits {
   bool operator==(const Limits&) const = default;
 };
 
-struct Spread {
+struct NumberSpread {
   YamlNode::Key key;                // dotted, of a number in the same file
   std::optional<Limits> assumed;    // what the number may be, where it is not known
   std::optional<Limits> tolerance;  // what is built against the number
 };
 
 /// Reads the optional mapping `spreads` of a file's root. Throws ConfigError.
-std::vector<Spread> ReadSpreads(const YamlNode& root);
+std::vector<NumberSpread> ReadSpreads(const YamlNode& root);
 
 /// Throws ConfigError for a spread whose key is no number of `model`: the file's root with all
 /// numbers that it may leave out.

@@ -23,7 +23,7 @@ struct Word {
 
 struct FileSpread {
   std::string file;
-  Spread spread;
+  NumberSpread spread;
 };
 /// A model's key ("robot.arm.offset_m") and its spread in each of the campaign's files.
 struct ModelSpread {
@@ -75,7 +75,7 @@ std::vector<ModelSpread> SpreadsOf(const Campaign& campaign,
     for (const NamedFile& file : files) {
       if (file.key != root.file_key) continue;
       ++file_counts[root.name];
-      for (const Spread& spread : ReadSpreads(LoadYaml(file.path))) {
+      for (const NumberSpread& spread : ReadSpreads(LoadYaml(file.path))) {
         const std::string key = root.name + "." + spread.key.name;
         auto at = std::find_if(all.begin(), all.end(),
                                [&](const ModelSpread& known) { return known.key == key; });

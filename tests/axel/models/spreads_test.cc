@@ -43,7 +43,7 @@ struct Count {
 
 Count ExpectEndsLoad(const std::string& file, const Load& load) {
   Count count;
-  for (const Spread& spread : ReadSpreads(LoadYaml(SourceFile(file)))) {
+  for (const NumberSpread& spread : ReadSpreads(LoadYaml(SourceFile(file)))) {
     if (spread.assumed) {
       ++count.assumed;
       for (const std::string& value : Values(*spread.assumed)) {
@@ -88,7 +88,7 @@ TEST(Spreads, SoilsLoadAtTheEndsOfEachAndShareTheirTolerances) {
     ExpectEndsLoad(file, [&](const ModelChanges& c) { LoadSoil(SourceFile(file), c); });
     // Campaigns over several soils take a tolerance by its word only if the soils agree.
     std::vector<std::string> tolerances;
-    for (const Spread& spread : ReadSpreads(LoadYaml(SourceFile(file)))) {
+    for (const NumberSpread& spread : ReadSpreads(LoadYaml(SourceFile(file)))) {
       if (!spread.tolerance) continue;
       tolerances.push_back(spread.key.name + NumberText(spread.tolerance->low) + " to " +
                            NumberText(spread.tolerance->high));
