@@ -34,6 +34,7 @@ void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit
 void AddBoardCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddCheckCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddWheelCommand(CLI::App& app, int& exit_code);
+void AddDoctorCommand(CLI::App& app, int& exit_code);
 
 /// Commands of the systems' own.
 void AddSystemCommands(CLI::App& app, const std::vector<System>& systems, int& exit_code);

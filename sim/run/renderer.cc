@@ -3,28 +3,38 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
 #include "controller/base/check.h"
 #include "models/read/config_error.h"
 #include "models/read/guarded_work.h"
+#include "sim/base/hash.h"
+#include "sim/run/test_image.h"
 
 namespace dockyard {
 namespace {
 
 GlBackend ChosenGl() { return GlWord() == "egl" ? GlBackend::kEglSurfaceless : GlBackend::kOsMesa; }
 
-// A context took 0.1 s and 60 MiB; compiling its first shader may wait for a busy machine.
+// Context and image took 0.3 s and 90 MiB; the first shader may wait for a busy machine.
 constexpr WorkLimits kAskLimits{
     .cpu_s = 20, .wall_s = 60.0, .memory_bytes = std::size_t{2} << 30, .answer_bytes = 4096};
 
-/// In the child: vendor, renderer and version, a line each; or nothing but the reason.
+constexpr const char* kNames[] = {"gl_vendor", "gl_renderer", "gl_version", "gl_image"};
+
+/// In the child: the values of kNames, a line each; or one line, the reason for none.
 std::string AskContext() {
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // the child may write no file
   try {
-    const GlNames names = StereoRenderer(ChosenGl()).names();
-    return names.vendor + "\n" + names.renderer + "\n" + names.version;
+    StereoRenderer renderer(ChosenGl());
+    const StereoImages images = TestImages(renderer);
+    if (!ShowsTheTestScene(images.left)) return "the image drawn is wrong";
+    const GlNames names = renderer.names();
+    return names.vendor + "\n" + names.renderer + "\n" + names.version + "\n" +
+           HexText(ImageFingerprint(images));
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -54,16 +64,14 @@ std::vector<Fact> RendererFacts() {
   } catch (const std::system_error& error) {
     result.failure = error.what();
   }
-  const std::size_t first = result.answer.find('\n'), last = result.answer.rfind('\n');
-  if (!result.failure.empty() || first == last) {
+  std::vector<std::string> values;
+  std::istringstream lines(result.answer);
+  for (std::string line; std::getline(lines, line);) values.push_back(line);
+  if (!result.failure.empty() || values.size() != std::size(kNames)) {
     const std::string why = result.failure.empty() ? result.answer : result.failure;
-    facts.insert(facts.end(),
-                 {{"gl_vendor", "none"}, {"gl_renderer", "none"}, {"gl_version", why}});
-    return facts;
+    values = {"none", "none", "none", "none: " + why};
   }
-  facts.push_back({"gl_vendor", result.answer.substr(0, first)});
-  facts.push_back({"gl_renderer", result.answer.substr(first + 1, last - first - 1)});
-  facts.push_back({"gl_version", result.answer.substr(last + 1)});
+  for (std::size_t i = 0; i < values.size(); ++i) facts.push_back({kNames[i], values[i]});
   return facts;
 }
 

@@ -1,0 +1,132 @@
+#include "sim/app/doctor.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "app/program.h"
+#include "sim/base/json.h"
+#include "support/bad_files.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+
+Finding Of(const std::vector<Finding>& findings, const std::string& name) {
+  for (const Finding& finding : findings) {
+    if (finding.name == name) return finding;
+  }
+  ADD_FAILURE() << "no finding " << name;
+  return {};
+}
+
+Finding OfFact(const std::string& name, const std::string& value) {
+  return Of(ExamineFacts({{name, value}}), name);
+}
+
+const MemoryLimit kEnough{8000.0, "free"};
+
+TEST(Doctor, WarnsOfFactsByWhichRunsDiffer) {
+  EXPECT_EQ(OfFact("variants", "pinned").health, Health::kOk);
+  EXPECT_EQ(OfFact("variants", "of the processor").health, Health::kWarning);
+  EXPECT_EQ(OfFact("mathematics", "0000000000000000").health, Health::kWarning);
+  EXPECT_EQ(OfFact("gl_image", "0000000000000000").health, Health::kWarning);
+  EXPECT_EQ(OfFact("processor", "unknown").health, Health::kWarning);
+  EXPECT_EQ(OfFact("processor", "Z80").health, Health::kOk);
+  const Finding blind = OfFact("gl_image", "none: no GL to draw with");
+  EXPECT_EQ(blind.health, Health::kMissing);
+  EXPECT_THAT(blind.advice, HasSubstr("libosmesa6"));
+}
+
+TEST(Doctor, SaysHowManyRunsTheMemoryHolds) {
+  const auto memory = [](double mib, const std::string& set_by) {
+    return Of(ExamineMachine(4, {mib, set_by}, 1e6, "", 1.0), "memory");
+  };
+  EXPECT_EQ(memory(8000.0, "free").health, Health::kOk);
+  EXPECT_EQ(memory(700.0, "cgroup").health, Health::kWarning);
+  EXPECT_THAT(memory(700.0, "cgroup").advice, HasSubstr("--jobs 2"));
+  EXPECT_EQ(memory(1100.0, "ulimit -v").health, Health::kOk);
+  EXPECT_EQ(memory(700.0, "ulimit -v").health, Health::kMissing);
+  EXPECT_EQ(memory(100.0, "free").health, Health::kMissing);
+}
+
+TEST(Doctor, SaysWhatToDoAboutEachLack) {
+  const auto findings = ExamineMachine(1, kEnough, 10.0, "No locks available", 0.0);
+  for (const char* name : {"disk", "lock", "/dev/shm"}) {
+    EXPECT_EQ(Of(findings, name).health, Health::kWarning) << name;
+    EXPECT_FALSE(Of(findings, name).advice.empty()) << name;
+  }
+  for (const Finding& finding : ExamineMachine(1, kEnough, 1e6, "", 64.0)) {
+    EXPECT_EQ(finding.health, Health::kOk) << finding.name;
+    EXPECT_TRUE(finding.advice.empty()) << finding.name;
+  }
+}
+
+TEST(Machine, HasTheLeastLimitOfItsControlGroups) {
+  const ScratchFolder folder;
+  folder.Write("a/b/memory.max", "max\n");
+  EXPECT_TRUE(std::isinf(CgroupLimitMib(folder.path(), "/a/b", "memory.max")));
+  folder.Write("a/memory.max", "1048576000\n");
+  EXPECT_EQ(CgroupLimitMib(folder.path(), "/a/b", "memory.max"), 1000.0);
+  folder.Write("a/b/memory.max", "104857600\n");
+  EXPECT_EQ(CgroupLimitMib(folder.path(), "/a/b", "memory.max"), 100.0);
+  EXPECT_EQ(CgroupLimitMib(folder.path(), "/a", "memory.max"), 1000.0);
+  EXPECT_TRUE(std::isinf(CgroupLimitMib(folder.path(), "/", "memory.max")));
+}
+
+TEST(Machine, TriesALockAndLeavesNothing) {
+  const ScratchFolder folder;
+  EXPECT_EQ(LockFault(folder.path()), "");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  EXPECT_EQ(LockFault(folder.path() / "none"), "No such file or directory");
+  EXPECT_GT(FreeDiskMib(folder.path()), 0.0);
+  EXPECT_EQ(FreeDiskMib(folder.path() / "none"), 0.0);
+}
+
+TEST(DoctorCommand, ListsFactsAndFindings) {
+  const Ended ended = Dockyard("doctor --json");
+  EXPECT_EQ(ended.code, 0) << ended.out;
+  std::vector<std::string> names;
+  for (const Json& finding : Json::parse(ended.out)) names.push_back(finding["name"]);
+  EXPECT_THAT(
+      names, testing::ElementsAre("dockyard", "program", "processor", "vectors", "libc", "variants",
+                                  "mathematics", "opencv", "bullet", "compiler", "gl", "gl_vendor",
+                                  "gl_renderer", "gl_version", "gl_image", "processors", "memory",
+                                  "disk", "lock", "/dev/shm"));
+}
+
+TEST(DoctorCommand, HasTheSameFingerprintsWhateverTheProcessorHas) {
+  const auto prints = [] {
+    std::string text;
+    for (const Json& finding : Json::parse(Dockyard("doctor --json").out)) {
+      const std::string name = finding["name"];
+      if (name == "mathematics" || name == "gl_image") text += finding["value"].get<std::string>();
+    }
+    return text;
+  };
+  const std::string unmasked = prints();
+  EXPECT_EQ(unmasked.size(), 32u) << unmasked;
+  for (const auto& [name, value] :
+       {std::pair{"OPENCV_CPU_DISABLE", "AVX512_SKX,AVX2,FP16,AVX,FMA3"},
+        {"LP_NATIVE_VECTOR_WIDTH", "128"},
+        {"GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F,-AVX"}}) {
+    ::setenv(name, value, 1);
+    EXPECT_EQ(prints(), unmasked) << name;
+    ::unsetenv(name);
+  }
+}
+
+TEST(DoctorCommand, EndsWithTenWhereNothingCanBeDrawn) {
+  ::setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
+  const Ended blind = Dockyard("doctor");
+  ::unsetenv("MESA_GL_VERSION_OVERRIDE");
+  EXPECT_EQ(blind.code, 10);
+  EXPECT_THAT(blind.out, HasSubstr("missing  gl_image     none: "));
+  ::setenv("DOCKYARD_GL", "vulkan", 1);
+  EXPECT_EQ(Dockyard("doctor").code, 3);
+  ::unsetenv("DOCKYARD_GL");
+}
+
+}  // namespace
+}  // namespace dockyard
