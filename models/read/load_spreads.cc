@@ -9,8 +9,6 @@
 namespace dockyard {
 namespace {
 
-const Range kAny = Between(-1e12, 1e12);
-
 /// [low, high]
 Limits ReadLimits(const YamlNode& list, const std::string& path, Limits::Of of) {
   Limits limits{of, 0.0, 0.0};
