@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "sim/app/terminal.h"
 #include "sim/base/json.h"
 #include "sim/base/text.h"
+#include "sim/report/until_accepted.h"
 #include "sim/statistics/acceptance.h"
 
 namespace dockyard {
@@ -51,6 +53,10 @@ Counts CountsOf(const AcceptArguments& arguments, const std::vector<System>& sys
     throw UsageError("expected DIR, or --trials with --failures");
   }
   const KeptCampaign kept = ReadKeptCampaign(arguments.dir, systems);
+  if (std::filesystem::exists(std::filesystem::path(arguments.dir) / kAcceptanceFile)) {
+    PrintNote("note: a sequential test ended this campaign (" + std::string(kAcceptanceFile) +
+              "); the confidence of this verdict holds for a fixed number of runs alone");
+  }
   if (!kept.campaign.arms.empty() || !arguments.arm.empty()) RequireArm(kept, arguments.arm);
   Counts counts;
   for (const RunResult* run : RunsOfArm(kept, arguments.arm)) {

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,7 +10,9 @@
 #include "sim/app/campaign_setup.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/judging.h"
 #include "sim/app/terminal.h"
+#include "sim/app/until_accepted_options.h"
 #include "sim/app/watch.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
@@ -23,6 +26,8 @@ struct CommandArguments {
   int jobs = 0;  // 0: all processors
   std::string shard, watch_dir;
   bool quiet = false, dry_run = false, json = false;
+  JudgingOptions judging;
+  UntilAcceptedOptions until;
 };
 
 constexpr const char* kHelp = R"(Simulate all runs of a campaign on several processors.
@@ -32,11 +37,13 @@ Examples:
   dockyard campaign {campaign} --jobs 2 --out results/yard
   dockyard campaign {campaign} --dry-run
   dockyard campaign {sweep} --set design.runs=1 --out out/quick
+  dockyard campaign {sweep} --set design.runs=1 --out out/quick --require 'docked >= 0'
   dockyard campaign {sweep} --set 'vary={start.alpha_deg: [0, 3]}' --set figures= --out out/two
 
 Any key of a scenario can be varied or drawn, those of its models too. Stopped by Ctrl-C, a crash
 or a power cut, the same command goes on where it was. The results are the same, bit for bit, for
-any number of jobs and shards. Exit code 10: runs are missing, crashed or were stopped.)";
+any number of jobs and shards. Exit code 10: runs are missing, crashed or were stopped; 22: a
+requirement is not met. With --until-accepted 0: accepted, 20: not accepted, 21: undecided.)";
 
 constexpr const char* kReproduceHelp = R"(Simulate the runs of a published experiment.
 
@@ -51,7 +58,7 @@ std::string CommandToGoOn(const CommandArguments& arguments, const std::string& 
   for (const std::string& word : OptionWords(arguments.campaign)) command += " " + ShellWord(word);
   if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
   if (!arguments.shard.empty()) command += " --shard " + arguments.shard;
-  return command;
+  return command + WordsOf(arguments.until) + WordsOf(arguments.judging);
 }
 
 Shard ShardOf(const CommandArguments& arguments) {
@@ -59,6 +66,18 @@ Shard ShardOf(const CommandArguments& arguments) {
   const auto shard = ShardFromText(arguments.shard);
   if (shard) return *shard;
   throw UsageError("--shard: expected K/N with K from 1 to N, found '" + arguments.shard + "'");
+}
+
+/// Results are judged when all of them are there, and a stopped test leaves no fair shares.
+void RequireJudgeable(const CommandArguments& arguments) {
+  const bool judges = !WordsOf(arguments.judging).empty();
+  if (!arguments.shard.empty() && (judges || arguments.until.asked)) {
+    throw UsageError("--shard: expected no --until-accepted, and --require and --junit with merge");
+  }
+  if (arguments.until.asked &&
+      (arguments.campaign.retry_lost || !arguments.judging.require.empty())) {
+    throw UsageError("--until-accepted: expected no --require and no --retry-crashed");
+  }
 }
 
 ProgressStyle StyleOf(const CommandArguments& arguments) {
@@ -91,7 +110,13 @@ int RunCampaignCommand(const CommandArguments& arguments, const std::vector<Syst
     std::printf("%s", PlanCsv(loaded, KnownSystems(systems)).c_str());
     return kExitDone;
   }
+  RequireJudgeable(arguments);
+  const std::optional<SequentialPlan> plan = PlanUntilAccepted(arguments.until, loaded);
   auto [campaign, run, options] = MakeReady(std::move(loaded), arguments.campaign, systems);
+  const std::vector<Requirement> requirements =
+      ReadRequirements(arguments.judging, options.columns, campaign);
+  SequentialEnd followed;
+  if (plan) options.enough = Follower(options.out_dir, *plan, followed);
   options.shard = ShardOf(arguments);
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
   options.progress = StyleOf(arguments);
@@ -100,14 +125,20 @@ int RunCampaignCommand(const CommandArguments& arguments, const std::vector<Syst
   const CampaignEnd end =
       MergeShards(options.out_dir, campaign, RunMaker(campaign, options.systems), options.columns,
                   options.draw_campaign);
+  if (plan) KeepAcceptance(options.out_dir, *plan, followed);
   if (shard.signal != 0) return EndOfShard(arguments, options, shard);
-  return ReportEnd(end, options.out_dir, arguments.json);
+  int code = ReportEnd(end, options.out_dir, arguments.json);
+  if (plan) code = ReportAcceptance(*plan, followed, arguments.json);
+  return JudgeResults(arguments.judging, requirements, end, campaign, options.columns,
+                      options.out_dir, arguments.json, code);
 }
 
 void AddOptions(CLI::App& command, CommandArguments& arguments) {
   AddCampaignOptions(command, arguments.campaign);
   command.add_option("--jobs", arguments.jobs, "processes at once [all processors]")
       ->check(CLI::Range(1, 1024));
+  AddJudgingOptions(command, arguments.judging);
+  AddUntilAcceptedOptions(command, arguments.until);
   command.add_option("--shard", arguments.shard, "K/N: every N-th run, from the K-th on");
   command.add_flag("--json", arguments.json, "progress and result as JSON, a line each");
   command.add_flag("--quiet", arguments.quiet, "no progress on stderr");

@@ -4,6 +4,7 @@
 
 #include "sim/app/campaign_end.h"
 #include "sim/app/commands.h"
+#include "sim/app/judging.h"
 #include "sim/app/kept_campaign.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/merge.h"
@@ -16,6 +17,7 @@ struct MergeArguments {
   std::string dir;
   std::vector<std::string> from;
   bool json = false;
+  JudgingOptions judging;
 };
 
 constexpr const char* kHelp = R"(Make tables, plots and a summary of the shards of a campaign.
@@ -27,15 +29,19 @@ Examples:
   dockyard merge out/all out/yard
 
 Shards of other results folders of the same campaign are copied in first, with the logs of their
-runs. Exit code 10: runs are missing, crashed or were stopped.)";
+runs. Exit code 10: runs are missing, crashed or were stopped; 22: a requirement is not met.)";
 
 int Merge(const MergeArguments& arguments, const std::vector<System>& systems) {
   for (const std::string& from : arguments.from) TakeShards(from, arguments.dir);
   const KeptCampaign kept = OpenKeptCampaign(arguments.dir, systems);
+  const std::vector<Requirement> requirements =
+      ReadRequirements(arguments.judging, kept.columns, kept.campaign);
   const std::vector<KnownSystem> known = KnownSystems(systems);
   const CampaignEnd end = MergeShards(arguments.dir, kept.campaign, RunMaker(kept.campaign, known),
                                       kept.columns, FindSystem(systems, kept.system).draw_campaign);
-  return ReportEnd(end, arguments.dir, arguments.json);
+  const int code = ReportEnd(end, arguments.dir, arguments.json);
+  return JudgeResults(arguments.judging, requirements, end, kept.campaign, kept.columns,
+                      arguments.dir, arguments.json, code);
 }
 
 }  // namespace
@@ -46,6 +52,7 @@ void AddMergeCommand(CLI::App& app, const std::vector<System>& systems, int& exi
   command->add_option("DIR", arguments->dir, "results folder of the campaign")->required();
   command->add_option("FROM", arguments->from, "results folders whose shards are copied in");
   command->add_flag("--json", arguments->json, "the result as a line of JSON");
+  AddJudgingOptions(*command, arguments->judging);
   command->callback([arguments, &systems, &exit_code] { exit_code = Merge(*arguments, systems); });
 }
 

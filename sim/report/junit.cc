@@ -58,10 +58,10 @@ std::string CaseOf(const JUnitSuite& suite, const RowColumns& columns, const JUn
                      Attribute("name", NameOf(suite, columns, row)) +
                      Attribute("time", Fixed(run.wall_time_s, 3));
   if (row.docked) return text + "/>\n";
-  const bool crashed = row.outcome == kCrashed;
+  const bool lost = IsLost(row.outcome);
   const std::string message = row.outcome + (run.note.empty() ? "" : ": " + run.note);
   return text + ">\n" +
-         Fault(crashed ? "error" : "failure", row.outcome, message,
+         Fault(lost ? "error" : "failure", row.outcome, message,
                run.replay.empty() ? "" : "again: " + run.replay) +
          "    </testcase>\n";
 }
@@ -87,10 +87,10 @@ Totals TotalsOf(const std::vector<JUnitRun>& runs, const std::vector<Judgement>&
   Totals totals;
   for (const JUnitRun& run : runs) {
     DOCKYARD_CHECK(run.row != nullptr);
-    const bool crashed = run.row->outcome == kCrashed;
+    const bool lost = IsLost(run.row->outcome);
     totals.docked += run.row->docked;
-    totals.errors += crashed;
-    totals.failures += !run.row->docked && !crashed;
+    totals.errors += lost;
+    totals.failures += !run.row->docked && !lost;
     totals.wall_time_s += run.wall_time_s;
     ++totals.outcomes[run.row->outcome];
   }

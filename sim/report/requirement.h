@@ -49,7 +49,7 @@ struct Judgement {
   std::string text;    // "met: docked >= 0.9, found 0.95 (19/20)"
 };
 
-/// A crashed run has not docked, and has no measure. A measure that is NaN is left out.
+/// A run that was lost has not docked, and has no measure. A measure that is NaN is left out.
 Judgement Judge(const Requirement& requirement, const RowColumns& columns,
                 const std::vector<RunResult>& rows);
 

@@ -12,6 +12,9 @@
 
 namespace dockyard {
 
+/// In a results folder: SequentialJson of the test that ended the campaign.
+inline constexpr const char* kAcceptanceFile = "acceptance.json";
+
 /// Why the test cannot judge this campaign; empty if it can. Its error rates hold for runs that are
 /// drawn independently and alike. Points of a grid, rows of a table, values set alone, arms and
 /// stratified designs are not.

@@ -138,6 +138,75 @@ TEST_F(Toy, IsJudgedAndItsArmsAreCompared) {
   EXPECT_EQ(Dockyard("compare " + dir_.string() + " slow quick").code, 2);
 }
 
+TEST_F(Toy, RunsUntilASequentialTestHasDecided) {
+  const std::string campaign = "campaign " + kToy + "draws.yaml --quiet --until-accepted ";
+  const std::string bad = campaign + "--reliability 0.8 --design-reliability 0.95 --out ";
+  const fs::path serial = dir_ / "serial", parallel = dir_ / "parallel";
+  const auto ended = Dockyard(bad + serial.string() + " --jobs 1");
+  EXPECT_EQ(ended.code, 20) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("not accepted after "));
+  EXPECT_THAT(ended.out, HasSubstr("a system at 0.8: accepted with the chance 0.0"));
+  const std::string kept = ReadWhole(serial / "acceptance.json").value_or("");
+  EXPECT_THAT(kept, HasSubstr("\"verdict\": \"not accepted\""));
+  EXPECT_EQ(Dockyard(bad + parallel.string() + " --jobs 3").code, 20);
+  EXPECT_EQ(ReadWhole(parallel / "acceptance.json"), kept);
+  // The same command again finds it decided; other aims are refused.
+  EXPECT_EQ(Dockyard(bad + serial.string()).code, 20);
+  EXPECT_EQ(ReadWhole(serial / "acceptance.json"), kept);
+  const auto other =
+      Dockyard(campaign + "--reliability 0.1 --design-reliability 0.9 --out " + serial.string());
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("has other aims"));
+  EXPECT_THAT(Dockyard("accept " + serial.string() + " --reliability 0.1").err,
+              HasSubstr("a sequential test ended this campaign"));
+  const auto good = Dockyard(campaign + "--reliability 0.1 --design-reliability 0.5 --json --out " +
+                             (dir_ / "good").string());
+  EXPECT_EQ(good.code, 0) << good.out << good.err;
+  EXPECT_THAT(good.out, HasSubstr("{\"verdict\":\"accepted\""));
+  EXPECT_EQ(Dockyard(campaign + "--reliability 0.4 --design-reliability 0.5 --max-runs 3 --out " +
+                     (dir_ / "open").string())
+                .code,
+            21);
+}
+
+TEST_F(Toy, RefusesASequentialTestThatWouldNotHold) {
+  const std::string aims = " --until-accepted --reliability 0.8 --design-reliability 0.9 ";
+  for (const std::string& arguments :
+       {"arms.yaml" + aims, "sweep.yaml" + aims, "campaign.yaml" + aims,
+        std::string("draws.yaml --until-accepted"), std::string("draws.yaml --reliability 0.9"),
+        "draws.yaml --max-runs 61" + aims, "draws.yaml --require 'docked >= 0'" + aims,
+        "draws.yaml --shard 1/2" + aims, "draws.yaml --retry-crashed" + aims,
+        std::string("draws.yaml --until-accepted --reliability 0.9 --design-reliability 0.8")}) {
+    EXPECT_EQ(Dockyard("campaign " + kToy + arguments + " --out " + dir_.string()).code, 2)
+        << arguments;
+  }
+  EXPECT_FALSE(fs::exists(dir_));
+}
+
+TEST_F(Toy, MeetsRequirementsOrEndsWithTheirCode) {
+  const std::string campaign = "campaign " + kToy + "arms.yaml --quiet --out " + dir_.string();
+  const auto unknown = Dockyard(campaign + " --require 'dockd >= 0.5'");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("expected one of docked, sim_time_s, miss_m"));
+  EXPECT_FALSE(fs::exists(dir_));
+  const std::string junit = (dir_ / "junit.xml").string();
+  const auto met = Dockyard(campaign +
+                            " --require 'docked >= 0' --require 'miss_m[arm=fast].max "
+                            "<= 1' --junit " +
+                            junit);
+  EXPECT_EQ(met.code, 0) << met.err;
+  EXPECT_THAT(met.out, HasSubstr("met: docked >= 0, found "));
+  EXPECT_THAT(Text("junit.xml"), HasSubstr("<testcase classname=\"toy_arms.fast\" name=\"run 2"));
+  EXPECT_THAT(Text("junit.xml"), HasSubstr("again: dockyard replay " + dir_.string()));
+  const std::string merge = "merge " + dir_.string();
+  const auto missed = Dockyard(merge + " --require 'docked.lower95 >= 0.99' --json");
+  EXPECT_EQ(missed.code, 22);
+  EXPECT_THAT(missed.out, HasSubstr("\"met\":false"));
+  EXPECT_EQ(Dockyard(merge + " --require 'docked[arm=slow] >= 0'").code, 0);
+  EXPECT_EQ(Dockyard(merge + " --require 'docked[arm=slw] >= 0'").code, 2);
+  EXPECT_EQ(Dockyard("campaign " + kToy + "arms.yaml --shard 1/2 --require 'docked >= 0'").code, 2);
+}
+
 TEST_F(Toy, IsComparedWithAKeptBaseline) {
   const std::string here = (dir_ / "here").string(), there = (dir_ / "there").string();
   const auto campaign = [&](const std::string& file, const std::string& out) {

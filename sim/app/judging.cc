@@ -1,0 +1,101 @@
+#include "sim/app/judging.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "sim/app/commands.h"
+#include "sim/app/exit_codes.h"
+#include "sim/base/files.h"
+#include "sim/base/json.h"
+#include "sim/base/shell_word.h"
+#include "sim/report/junit.h"
+
+namespace dockyard {
+namespace {
+
+void Print(const Judgement& judged, bool json) {
+  if (!json) {
+    std::printf("%s\n", judged.text.c_str());
+    return;
+  }
+  Json line{{"requirement", judged.requirement.text},
+            {"met", judged.met},
+            {"found", nullptr},
+            {"runs", judged.count}};
+  if (judged.count > 0) line["found"] = judged.found;
+  std::printf("%s\n", line.dump().c_str());
+}
+
+/// Labels that tell a run's settings: draws are many, and its number stands for point and repeat.
+std::vector<std::string> NamedLabels(const Campaign& campaign) {
+  std::vector<std::string> named;
+  for (const std::string& label : campaign.labels) {
+    const bool drawn =
+        std::any_of(campaign.dispersions.begin(), campaign.dispersions.end(),
+                    [&](const Dispersion& dispersion) { return dispersion.key.name == label; });
+    if (!drawn && label != "arm" && label != "point" && label != "repeat") named.push_back(label);
+  }
+  return named;
+}
+
+std::string JUnitOf(const CampaignEnd& end, const Campaign& campaign, const RowColumns& columns,
+                    const std::filesystem::path& dir, const std::vector<Judgement>& judged) {
+  std::vector<JUnitRun> runs;
+  for (std::size_t i = 0; i < end.runs.size(); ++i) {
+    const RunResult& row = end.runs.results[i];
+    JUnitRun run{&row, end.runs.timings[i].wall_time_s, end.runs.notes[i], ""};
+    if (!row.docked && !IsLost(row.outcome)) {
+      run.replay = "dockyard replay " + ShellWord(dir.string()) + " " + std::to_string(row.run);
+    }
+    runs.push_back(run);
+  }
+  const JUnitSuite suite{
+      campaign.name, NamedLabels(campaign), {{"planned", std::to_string(end.total)}}};
+  return JUnitXml(suite, columns, runs, judged);
+}
+
+}  // namespace
+
+void AddJudgingOptions(CLI::App& command, JudgingOptions& options) {
+  command.add_option("--require", options.require,
+                     "exit code 22 unless the results meet it, such as 'docked >= 0.9'; may be "
+                     "given again (docs/reference/campaigns.md)");
+  command.add_option("--junit", options.junit_file,
+                     "write the results as JUnit XML into this file");
+}
+
+std::string WordsOf(const JudgingOptions& options) {
+  std::string words;
+  for (const std::string& text : options.require) words += " --require " + ShellWord(text);
+  if (!options.junit_file.empty()) words += " --junit " + ShellWord(options.junit_file);
+  return words;
+}
+
+std::vector<Requirement> ReadRequirements(const JudgingOptions& options, const RowColumns& columns,
+                                          const Campaign& campaign) {
+  std::vector<Requirement> requirements;
+  for (const std::string& text : options.require) {
+    const auto parsed = ParseRequirement(text, columns, campaign);
+    if (!parsed) throw UsageError("--require: " + parsed.error());
+    requirements.push_back(*parsed);
+  }
+  return requirements;
+}
+
+int JudgeResults(const JudgingOptions& options, const std::vector<Requirement>& requirements,
+                 const CampaignEnd& end, const Campaign& campaign, const RowColumns& columns,
+                 const std::filesystem::path& dir, bool json, int code) {
+  std::vector<Judgement> judged;
+  for (const Requirement& requirement : requirements) {
+    judged.push_back(Judge(requirement, columns, end.runs.results));
+    Print(judged.back(), json);
+  }
+  if (!options.junit_file.empty()) {
+    WriteWhole(options.junit_file, JUnitOf(end, campaign, columns, dir, judged));
+  }
+  const bool met =
+      std::all_of(judged.begin(), judged.end(), [](const Judgement& each) { return each.met; });
+  return met || !end.complete() ? code : kExitNotMet;
+}
+
+}  // namespace dockyard
