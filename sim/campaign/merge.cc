@@ -12,6 +12,7 @@
 #include "sim/campaign/shard_file.h"
 #include "sim/log/result_row.h"
 #include "sim/report/points.h"
+#include "sim/report/sensitivity.h"
 #include "sim/report/summary.h"
 
 namespace dockyard {
@@ -99,6 +100,18 @@ void WritePoints(const fs::path& dir, const Campaign& campaign, const RowColumns
   WriteFigures(dir / "plots", figures);
 }
 
+/// Tables and figure of a campaign with draws; returns its part of the summary.
+std::string WriteSensitivity(const fs::path& dir, const Campaign& campaign,
+                             const RowColumns& columns, const std::vector<RunResult>& rows) {
+  const std::vector<Sensitivity> found = FindSensitivity(campaign, columns, rows);
+  if (found.empty()) return "";
+  WriteWhole(dir / "sensitivity.csv", SensitivityCsv(found));
+  WriteWhole(dir / "sensitivity_levels.csv", SensitivityLevelsCsv(found));
+  const std::string plot = SensitivityPlot(campaign.name, found);
+  if (!plot.empty()) WriteWhole(dir / "plots" / "sensitivity.svg", plot);
+  return SensitivityText(found);
+}
+
 bool OneContinuesTheOther(const std::string& a, const std::string& b) {
   return a.starts_with(b) || b.starts_with(a);
 }
@@ -180,7 +193,8 @@ CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const Run
     WriteFigures(dir / "plots", draw(campaign.name, maker.Make(0).scenario, columns, rows));
   }
   WritePoints(dir, campaign, columns, rows);
-  end.summary = SummaryText(campaign.name, end.runs, columns, end.total);
+  end.summary = SummaryText(campaign.name, end.runs, columns, end.total) +
+                WriteSensitivity(dir, campaign, columns, rows);
   WriteWhole(dir / "summary.txt", end.summary);
   return end;
 }

@@ -207,6 +207,16 @@ TEST_F(Toy, MeetsRequirementsOrEndsWithTheirCode) {
   EXPECT_EQ(Dockyard("campaign " + kToy + "arms.yaml --shard 1/2 --require 'docked >= 0'").code, 2);
 }
 
+TEST_F(Toy, TellsWhatItsSuccessDependsOn) {
+  const auto end = Dockyard("campaign " + kToy + "draws.yaml --quiet --out " + dir_.string());
+  ASSERT_EQ(end.code, 0) << end.err;
+  EXPECT_THAT(end.out, HasSubstr("sensitivity of docked to the draws, 60 runs"));
+  EXPECT_THAT(Text("summary.txt"), HasSubstr("slow "));
+  EXPECT_THAT(Text("sensitivity.csv"), HasSubstr("\n,miss_m,start.r_m,numbers,60,"));
+  EXPECT_THAT(Text("sensitivity_levels.csv"), HasSubstr("\n,toy.speed_m_s,fast,,,"));
+  EXPECT_THAT(Text("plots/sensitivity.svg"), HasSubstr(">toy.speed_m_s<"));
+}
+
 TEST_F(Toy, IsComparedWithAKeptBaseline) {
   const std::string here = (dir_ / "here").string(), there = (dir_ / "there").string();
   const auto campaign = [&](const std::string& file, const std::string& out) {
