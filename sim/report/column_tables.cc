@@ -42,6 +42,19 @@ ColumnTable Timing() {
            {"wall_time_s", "s", "wall time of the run"}}};
 }
 
+/// The columns of results.csv, and three more.
+ColumnTable Shards() {
+  ColumnTable table{"shards/K-of-N.rows",
+                    "A line per finished run, as it ended, after two lines of head: a check value "
+                    "(CRC-32 of the rest, 8 hexadecimal digits), a comma, and these columns. A run "
+                    "may have several lines ([run_log.md](run_log.md#shards)).",
+                    Results().columns};
+  table.columns.push_back({"cpu_time_s", "s", "processor time of the run"});
+  table.columns.push_back({"wall_time_s", "s", "wall time of the run"});
+  table.columns.push_back({"note", "", "what went wrong, a sentence for people"});
+  return table;
+}
+
 ColumnTable Points() {
   return {"points.csv",
           "Of a campaign with a grid, arms, or keys set one at a time: a row per combination.",
@@ -145,7 +158,7 @@ std::string Wrapped(const std::string& text) {
 }  // namespace
 
 std::vector<ColumnTable> ColumnTables() {
-  return {Results(), Timing(), Points(), Sensitivities(), Levels(), History()};
+  return {Results(), Timing(), Shards(), Points(), Sensitivities(), Levels(), History()};
 }
 
 std::string ColumnsPage(const std::vector<SystemColumns>& systems) {

@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/base/text.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/merge.h"
 #include "sim/log/result_row.h"
+#include "sim/report/column_tables.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -128,6 +130,19 @@ TEST_F(ShardRows, OfOneRunMayDifferInTheirTimesAlone) {
   Write({3, 3}, {again});
   EXPECT_THAT(ErrorOfReading(), HasSubstr("run 1 has two results"));
   EXPECT_THAT(ErrorOfReading(), HasSubstr("which differ in depth_m, state_hash"));
+}
+
+TEST_F(ShardRows, HaveTheColumnsOfThePage) {
+  columns_ = {.labels = {"[labels]"}, .measures = {{"[measures]", "", ""}}, .outcomes = {}};
+  Write({}, {});
+  const std::string text = Slurp(ShardFile(dir_.path(), {}));
+  const std::size_t names = text.find('\n') + 1 + std::string("12345678,").size();
+  std::vector<std::string> expected;
+  for (const ColumnTable& table : ColumnTables()) {
+    if (table.file != "shards/K-of-N.rows") continue;
+    for (const Column& column : table.columns) expected.push_back(column.name);
+  }
+  EXPECT_EQ(text.substr(names), CsvLine(expected) + "\n");
 }
 
 TEST_F(ShardRows, OfOtherColumnsAreRefused) {
