@@ -26,9 +26,9 @@ BuiltRun Build(const std::vector<std::string>& sets, MeshStore* meshes = nullptr
   const Scenario scenario = Typical(sets);
   return BuildRun(scenario, LoadModels(scenario, meshes));
 }
-std::string Message(const std::vector<std::string>& sets) {
+std::string Message(const std::vector<std::string>& sets, MeshStore& meshes) {
   const ScratchFolder folder;
-  return MessageOf([&] { LoadModels(Typical(sets)); }, folder);
+  return MessageOf([&] { LoadModels(Typical(sets), &meshes); }, folder);
 }
 
 const MotorModel& MotorOf(const BuiltRun& run, Motor motor) {
@@ -200,38 +200,44 @@ TEST(AsBuilt, IsWrittenOutAndReadBack) {
 }
 
 TEST(AsBuilt, WhatNoWorldCanHaveOtherwiseIsRefused) {
-  EXPECT_EQ(Message({"as_built.robot.name=other"}),
+  MeshStore meshes;
+  EXPECT_EQ(Message({"as_built.robot.name=other"}, meshes),
             "--set as_built.robot.name=other: as_built.robot.name: expected keys that something is "
             "built by, a name is not");
-  EXPECT_THAT(Message({"as_built.soil.source=other"}), HasSubstr("as_built.soil.source"));
-  EXPECT_THAT(Message({"as_built.robot.wheels.left_phase_deg=3"}), HasSubstr("is drawn for each"));
-  EXPECT_THAT(Message({"as_built.robot.arm.at_power_on_deg=3"}), HasSubstr("lies on the ground"));
+  EXPECT_THAT(Message({"as_built.soil.source=other"}, meshes), HasSubstr("as_built.soil.source"));
+  EXPECT_THAT(Message({"as_built.robot.wheels.left_phase_deg=3"}, meshes),
+              HasSubstr("is drawn for each"));
+  EXPECT_THAT(Message({"as_built.robot.arm.at_power_on_deg=3"}, meshes),
+              HasSubstr("lies on the ground"));
   EXPECT_THAT(
       Message({"as_built.station.board.fiducials=[{x_m: -0.36, y_m: -0.17, rotation_deg: 0},"
                "{x_m: 0.36, y_m: -0.17, rotation_deg: 45}, {x_m: -0.36, y_m: 0.15,"
-               "rotation_deg: 90}, {x_m: 0.36, y_m: 0.15, rotation_deg: -45}]"}),
+               "rotation_deg: 90}, {x_m: 0.36, y_m: 0.15, rotation_deg: -45}]"},
+              meshes),
       HasSubstr("as_built.station.board: expected as many fiducials as are told, 8"));
-  EXPECT_THAT(Message({"as_built.robot.spreads={}"}), HasSubstr("as_built.robot.spreads"));
+  EXPECT_THAT(Message({"as_built.robot.spreads={}"}, meshes), HasSubstr("as_built.robot.spreads"));
   EXPECT_THAT(Message({"camera.file=" + SourceFile("models/cameras/navcam.yaml"),
-                       "as_built.robot.cameras.baseline_m.plus=0.001"}),
+                       "as_built.robot.cameras.baseline_m.plus=0.001"},
+                      meshes),
               HasSubstr("expected none beside camera.file"));
 }
 
 TEST(AsBuilt, MistakesAreToldByPlaceAndPath) {
-  EXPECT_THAT(Message({"as_built.rover.mass_scale=1"}), HasSubstr("as_built.rover"));
-  EXPECT_THAT(Message({"as_built.robot=5"}), HasSubstr("expected a mapping"));
-  EXPECT_THAT(Message({"as_built.robot.arm.lenght_m=1"}), HasSubstr("did you mean"));
-  EXPECT_THAT(Message({"as_built.robot.arm.lenght_m.plus=1"}),
+  MeshStore meshes;
+  EXPECT_THAT(Message({"as_built.rover.mass_scale=1"}, meshes), HasSubstr("as_built.rover"));
+  EXPECT_THAT(Message({"as_built.robot=5"}, meshes), HasSubstr("expected a mapping"));
+  EXPECT_THAT(Message({"as_built.robot.arm.lenght_m=1"}, meshes), HasSubstr("did you mean"));
+  EXPECT_THAT(Message({"as_built.robot.arm.lenght_m.plus=1"}, meshes),
               HasSubstr("arm.lenght_m: expected a value: the model has no such number"));
-  EXPECT_THAT(Message({"as_built.robot.arm.length_m.tmes=1"}),
+  EXPECT_THAT(Message({"as_built.robot.arm.length_m.tmes=1"}, meshes),
               HasSubstr("did you mean 'arm.length_m.times'?"));
-  EXPECT_THAT(Message({"as_built.robot.imu.position_m.plus=1"}),
+  EXPECT_THAT(Message({"as_built.robot.imu.position_m.plus=1"}, meshes),
               HasSubstr("imu.position_m: expected a value: only a number can be built by times"));
   EXPECT_EQ(
-      Message({"as_built.station.feet.friction.plus=9"}),
+      Message({"as_built.station.feet.friction.plus=9"}, meshes),
       "--set as_built.station.feet.friction.plus=9: feet.friction: expected a number >= 0 and "
       "<= 3, found '9.4'");
-  EXPECT_THAT(Message({"as_built.station.cone.throat_radius_m=0.03"}),
+  EXPECT_THAT(Message({"as_built.station.cone.throat_radius_m=0.03"}, meshes),
               HasSubstr("cone.throat_radius_m: expected more than the 0.0312 m of the arm's tip"));
 }
 
