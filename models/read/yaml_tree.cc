@@ -16,8 +16,6 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 32;
 constexpr int kMaxNodes = 200000;
-// Keys are looked up one by one, so that two large mappings took minutes to be merged.
-constexpr std::size_t kMaxKeys = 2000;
 
 /// Builds the tree from the parser's events, so that keys keep their places; yaml-cpp's own nodes
 /// lose them for repeated keys.
@@ -116,10 +114,6 @@ class TreeBuilder : public YAML::EventHandler {
       throw ConfigError(node.place.Text() + ": expected a key, found " + node.Found());
     }
     Level& level = levels_.back();
-    if (level.node.keys.size() == kMaxKeys) {
-      throw ConfigError(node.place.Text() + ": expected at most " + std::to_string(kMaxKeys) +
-                        " keys in one mapping");
-    }
     const auto [first, fresh] = level.line_of_key.emplace(node.scalar, node.place.line);
     if (!fresh) {
       throw ConfigError(node.place.Text() + ": " + PathTo(node.scalar) +

@@ -11,6 +11,14 @@ namespace {
 
 constexpr std::int64_t kMostPoints = 1000000;
 constexpr std::int64_t kMostRuns = 2000000000;  // a run's number has 31 bits
+// Every run copies the base: 90 000 values take 20 ms. A script has four a step.
+constexpr std::int64_t kMostBaseValues = 10000;
+
+std::int64_t CountValues(const YamlNode& node) {
+  std::int64_t count = 1;
+  for (const YamlNode& item : node.items) count += CountValues(item);
+  return count;
+}
 
 [[noreturn]] void RefuseKey(const YamlNode::Key& key, const std::string& path,
                             const std::string& expected) {
@@ -82,6 +90,11 @@ void CheckColumns(const Campaign& campaign, const std::vector<KnownSystem>& syst
 }
 
 void CheckSize(const Campaign& campaign, const YamlReader& in) {
+  if (CountValues(campaign.base) > kMostBaseValues) {
+    throw ConfigError(campaign.tree.place.Text() + ": expected a base scenario of at most " +
+                      std::to_string(kMostBaseValues) + " values, found " +
+                      std::to_string(CountValues(campaign.base)));
+  }
   double points = static_cast<double>(campaign.row_count());
   for (const Factor& factor : campaign.grid) points *= static_cast<double>(factor.values.size());
   if (points > static_cast<double>(kMostPoints) || campaign.point_count() > kMostPoints) {

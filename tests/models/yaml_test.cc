@@ -116,16 +116,6 @@ TEST(YamlSyntax, IsNotNestedWithoutBound) {
   EXPECT_THAT(MessageFor(std::string(200000, '[')), StartsWith("a.yaml:"));
 }
 
-TEST(YamlSyntax, HasSoManyKeysInAMappingAndNoMore) {
-  const auto keys = [](int count) {
-    std::string text;
-    for (int i = 0; i < count; ++i) text += "k" + std::to_string(i) + ": 1\n";
-    return text;
-  };
-  EXPECT_EQ(ParseYaml(keys(2000), "a.yaml").keys.size(), 2000u);
-  EXPECT_EQ(MessageFor(keys(2001)), "a.yaml:2001:1: expected at most 2000 keys in one mapping");
-}
-
 TEST(YamlSyntax, DoesNotBearBinaryJunk) {
   EXPECT_EQ(MessageFor(std::string("a: 1\nb: \0\n", 10)),
             "a.yaml:2:4: expected text in UTF-8, found byte 0");

@@ -53,6 +53,16 @@ TEST_F(LargeCampaign, OfAMillionModelsHasThreeHundredChecked) {
   EXPECT_EQ(checked, 300);
 }
 
+TEST_F(LargeCampaign, HasABaseOfSoManyValuesAndNoMore) {
+  const auto message = [&](int count) {
+    std::string list;
+    for (int i = 0; i < count; ++i) list += i == 0 ? "1" : ", 1";
+    return Message("scenario: {changes: {k: [" + list + "]}}\nvary: {start.r_m: [2, 3]}\n");
+  };
+  EXPECT_EQ(message(9000), "(no error)");
+  EXPECT_THAT(message(10000), HasSubstr("expected a base scenario of at most 10000 values"));
+}
+
 TEST_F(LargeCampaign, HasSoManyKeysAndNoMore) {
   EXPECT_THAT(Message("draw:\n" + Keys(201, "{uniform: {min: 1, max: 2}}")),
               HasSubstr("draw: expected at most 200 keys, found 201"));
