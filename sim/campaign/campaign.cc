@@ -89,9 +89,7 @@ class Engine {
     }
     writer_->Flush();
     progress.End();
-    std::error_code ignored;
-    fs::remove_all(WorkFolder(), ignored);
-    fs::remove(options_.out_dir / "work", ignored);  // if no other shard is at work
+    RemoveWork();
     end_.tally = finished_.TallyOf(options_.shard);
     end_.total = RunsOfShard();
     end_.enough = in_order_.done();
@@ -104,6 +102,18 @@ class Engine {
   }
   /// Of the worker at that place.
   fs::path WorkFolder(int place) const { return WorkFolder() / std::to_string(place); }
+
+  /// Its own, and what shards left that were killed. Those of shards at work stay.
+  void RemoveWork() const {
+    std::error_code ignored;
+    fs::remove_all(WorkFolder(), ignored);
+    const fs::path work = options_.out_dir / "work", shards = options_.out_dir / "shards";
+    for (const auto& entry : fs::directory_iterator(work, ignored)) {
+      const fs::path rows = shards / (entry.path().filename().string() + ".rows");
+      if (IsIdle(rows)) fs::remove_all(entry.path(), ignored);
+    }
+    fs::remove(work, ignored);  // if no shard is at work
+  }
 
   std::int64_t RunsOfShard() const {
     const Shard& shard = options_.shard;

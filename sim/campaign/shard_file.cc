@@ -11,6 +11,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <thread>
 
 #include "controller/base/check.h"
 #include "models/read/config_error.h"
@@ -95,7 +96,11 @@ double SecondsNow() {
 int LockFile(const std::filesystem::path& path) {
   const int lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (lock < 0) throw IoErrorFromErrno("write", path);
-  if (::flock(lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return lock;
+  // The worker of a program that was just killed may hold it for a moment.
+  for (int tries = 0; tries < 40; ++tries) {
+    if (::flock(lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return lock;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
   ::close(lock);
   throw FolderTaken("another campaign is running in " + path.parent_path().parent_path().string() +
                     " (" + path.filename().string() + " is in use)");
@@ -127,6 +132,15 @@ std::vector<std::filesystem::path> ShardFiles(const std::filesystem::path& dir) 
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+bool IsIdle(const std::filesystem::path& shard_file) {
+  std::filesystem::path path = shard_file;
+  const int lock = ::open(path.replace_extension(".lock").c_str(), O_RDWR | O_CLOEXEC);
+  if (lock < 0) return true;
+  const bool idle = ::flock(lock, LOCK_EX | LOCK_NB) == 0;
+  ::close(lock);
+  return idle;
 }
 
 std::string ShardRow(const FinishedRun& run, const RowColumns& columns) {

@@ -36,6 +36,9 @@ std::filesystem::path ShardFile(const std::filesystem::path& dir, const Shard& s
 /// All shard files of a results folder, by name.
 std::vector<std::filesystem::path> ShardFiles(const std::filesystem::path& dir);
 
+/// Whether no program has the shard's file.
+bool IsIdle(const std::filesystem::path& shard_file);
+
 /// The row's text, without its check value.
 std::string ShardRow(const FinishedRun& run, const RowColumns& columns);
 /// None when the text is not exactly one row.
