@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -94,8 +95,10 @@ void LineAppender::Append(std::string_view line) {
 void LineAppender::Flush() { FlushToDisk(descriptor_, path_); }
 
 WholeFile::WholeFile(const std::filesystem::path& path) : path_(path), temporary_(path) {
-  temporary_ += ".tmp";
-  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  // A name of its own: two programs may write the same file at once.
+  const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+  temporary_ += "." + std::to_string(::getpid()) + "-" + std::to_string(now) + ".tmp";
+  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (descriptor_ < 0) throw IoErrorFromErrno("write", path_);
 }
 

@@ -103,7 +103,8 @@ class Engine {
   /// Of the worker at that place.
   fs::path WorkFolder(int place) const { return WorkFolder() / std::to_string(place); }
 
-  /// Its own, and what shards left that were killed. Those of shards at work stay.
+  /// Its own, and what shards left that were killed, half-written files too. Those of shards at
+  /// work stay.
   void RemoveWork() const {
     std::error_code ignored;
     fs::remove_all(WorkFolder(), ignored);
@@ -112,7 +113,10 @@ class Engine {
       const fs::path rows = shards / (entry.path().filename().string() + ".rows");
       if (IsIdle(rows)) fs::remove_all(entry.path(), ignored);
     }
-    fs::remove(work, ignored);  // if no shard is at work
+    if (!fs::remove(work, ignored)) return;  // a shard is at work
+    for (const auto& entry : fs::directory_iterator(options_.out_dir, ignored)) {
+      if (entry.path().extension() == ".tmp") fs::remove(entry.path(), ignored);
+    }
   }
 
   std::int64_t RunsOfShard() const {

@@ -152,6 +152,9 @@ void ExpectSame(const fs::path& disturbed, const fs::path& straight, std::uint64
     EXPECT_EQ(Slurp(disturbed / log), Slurp(straight / log)) << log << " of schedule " << seed;
   }
   EXPECT_FALSE(fs::exists(disturbed / "work")) << seed;
+  for (const auto& entry : fs::directory_iterator(disturbed)) {
+    EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
+  }
 }
 
 int Schedules() {

@@ -78,13 +78,11 @@ TEST(YamlKey, GivenTwiceIsRefusedWithBothLines) {
             "a.yaml:4:3: a.b: given twice, first in line 2");
 }
 
-TEST(YamlKey, IsComparedWithAllOthersOfItsMappingWhichAreNotTooMany) {
+TEST(YamlKey, IsComparedWithAllOthersOfItsMapping) {
   std::string text;
-  for (int i = 0; i < 1999; ++i) text += "k" + std::to_string(i) + ": 1\n";
-  EXPECT_EQ(MessageFor(text + "last: 1\n"), "(no error)");
-  EXPECT_EQ(MessageFor(text + "k7: 2\n"), "a.yaml:2000:1: k7: given twice, first in line 8");
-  EXPECT_EQ(MessageFor(text + "a: 1\nb: 1\n"),
-            "a.yaml:2001:1: expected at most 2000 keys in one mapping");
+  for (int i = 0; i < 99000; ++i) text += "k" + std::to_string(i) + ": 1\n";
+  EXPECT_EQ(MessageFor(text), "(no error)");
+  EXPECT_EQ(MessageFor(text + "k7: 2\n"), "a.yaml:99001:1: k7: given twice, first in line 8");
 }
 
 TEST(YamlMapping, WhereAScalarStandsIsRefused) {
