@@ -19,6 +19,7 @@ class UsageError : public std::runtime_error {
 
 void AddRunCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddSubmitCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddMergeCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);

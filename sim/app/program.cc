@@ -136,6 +136,7 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   });
   AddRunCommand(app, systems, exit_code);
   AddCampaignCommand(app, systems, exit_code);
+  AddSubmitCommand(app, systems, exit_code);
   AddMergeCommand(app, systems, exit_code);
   AddReplayCommand(app, systems, exit_code);
   AddAcceptCommand(app, systems, exit_code);

@@ -19,6 +19,10 @@ SignalQueue::SignalQueue() {
 }
 
 SignalQueue::~SignalQueue() {
+  // More than one asks for the same end, as when a shell and its batch system both send TERM. The
+  // others must not cut it short.
+  while (Take() != 0) {
+  }
   ::close(descriptor_);
   sigprocmask(SIG_SETMASK, &before_, nullptr);
 }

@@ -296,5 +296,21 @@ TEST(Pool, GivesItsJobsTheTimeInWhichItStoodStillItself) {
   EXPECT_EQ(Slurp(done), "");
 }
 
+TEST(SignalQueue, LetsNoFurtherSignalCutTheEndShort) {
+  const auto end = [] {
+    {
+      SignalQueue signals;
+      for (int i = 0; i < 2; ++i) {
+        std::raise(SIGTERM);
+        if (signals.Take() != SIGTERM) ::_exit(1);
+      }
+      std::raise(SIGTERM);
+      std::raise(SIGINT);
+    }
+    ::_exit(7);
+  };
+  EXPECT_EXIT(end(), testing::ExitedWithCode(7), "");
+}
+
 }  // namespace
 }  // namespace dockyard

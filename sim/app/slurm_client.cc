@@ -1,0 +1,80 @@
+#include "sim/app/slurm_client.h"
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include "sim/app/exit_codes.h"
+#include "sim/base/files.h"
+#include "sim/base/shell_word.h"
+
+namespace dockyard {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Answer {
+  std::string text;
+  int code = -1;
+};
+
+/// What a shell's command prints, and its exit code.
+Answer AskShell(const std::string& command) {
+  std::fflush(nullptr);
+  FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) throw IoErrorFromErrno("start", "/bin/sh");
+  Answer answer;
+  char block[4096];
+  for (std::size_t count; (count = std::fread(block, 1, sizeof block, pipe)) > 0;) {
+    answer.text.append(block, count);
+  }
+  const int status = ::pclose(pipe);
+  answer.code = WIFEXITED(status) ? WEXITSTATUS(status) : kExitSignal + WTERMSIG(status);
+  return answer;
+}
+
+void Write(const SlurmJob& job, const SlurmScripts& scripts) {
+  const fs::path dir = SubmitFolder(job.out_dir);
+  MakeFolder(JobLogFolder(job.out_dir));
+  WriteWhole(dir / "array.sh", scripts.array);
+  WriteWhole(dir / "merge.sh", scripts.merge);
+  WriteWhole(dir / "submit.sh", scripts.submit);
+}
+
+}  // namespace
+
+int HighestTaskHere() {
+  const Answer config = AskShell("scontrol show config 2>/dev/null");
+  return HighestTask(config.text).value_or(kDefaultHighestTask);
+}
+
+void Submit(const SlurmJob& job, const SlurmScripts& scripts) {
+  Write(job, scripts);
+  const std::string submit =
+      "bash " + ShellWord((SubmitFolder(job.out_dir) / "submit.sh").string());
+  if (AskShell("command -v sbatch").code != 0) {
+    throw IoError(
+        "this machine has no sbatch. The scripts are written; on the cluster, where the " +
+        std::string("same folders must be, run: ") + submit + "; --dry-run prints them");
+  }
+  const Answer answer = AskShell(submit);
+  std::istringstream lines(answer.text);
+  std::string tasks, merge;
+  std::getline(lines, tasks);
+  std::getline(lines, merge);
+  if (answer.code != 0) {
+    throw IoError(tasks.empty() ? "sbatch refused the tasks"
+                                : "sbatch refused the merge; the tasks are job " + tasks);
+  }
+  std::printf("tasks: job %s, %d of them; merge: job %s\n", tasks.c_str(), job.shards,
+              merge.c_str());
+  const std::string dir = ShellWord(job.out_dir.string());
+  std::printf("progress:     dockyard campaign --watch %s\n", dir.c_str());
+  std::printf("cancel:       scancel %s %s\n", tasks.c_str(), merge.c_str());
+  std::printf("submit again: %s\n", submit.c_str());
+}
+
+}  // namespace dockyard
