@@ -82,8 +82,8 @@ void PipeController::Send(char kind, const std::string& payload, Deadline deadli
   head += kind;
   Trouble trouble = process_.Write(head, deadline);
   if (trouble == Trouble::kNone) trouble = process_.Write(payload, deadline);
-  // A program that has ended may have said why: what it wrote before is read first. Else the outcome
-  // would depend on which of the two was faster.
+  // A program that has ended may have said why: what it wrote before is read first. Else the
+  // outcome would depend on which of the two was faster.
   if (trouble == Trouble::kLate) Fail(trouble);
 }
 

@@ -47,8 +47,8 @@ struct Sensitivity {
 };
 
 /// Empty for a campaign without draws. Rows in which a key was changed alone are left out. A draw
-/// of numbers, such as {discrete: {values: [20, 35]}}, counts as a number. 10^6 rows of 40 draws and
-/// 20 measures took 27 s of CPU.
+/// of numbers, such as {discrete: {values: [20, 35]}}, counts as a number. 10^6 rows of 40 draws
+/// and 20 measures took 27 s of CPU.
 std::vector<Sensitivity> FindSensitivity(const Campaign& campaign, const RowColumns& columns,
                                          const std::vector<RunResult>& rows);
 

@@ -153,6 +153,7 @@ TEST(ProgramCampaign, ReplaysElsewhereWithoutTheModelsThatItWasRunWith) {
   const TemporaryFolder folder;
   const fs::path home = folder.path() / "home", away = folder.path() / "away";
   for (const char* part : {"scenarios", "models"}) {
+    fs::create_directories(home / part);
     fs::copy(fs::path(DOCKYARD_SOURCE_DIR) / part, home / part, fs::copy_options::recursive);
   }
   const std::string campaign = (home / "scenarios/ci_4.yaml").string();

@@ -15,8 +15,8 @@
 #include "controller/vision/fiducials.h"
 #include "perception/yard_views.h"
 #include "sim/base/files.h"
-#include "sim/images/png.h"
 #include "sim/base/random.h"
+#include "sim/images/png.h"
 #include "sim/log/frame_codec.h"
 
 namespace dockyard::axel {

@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 
-
 #include "models/read/yaml_reader.h"
 #include "support/bad_files.h"
 
