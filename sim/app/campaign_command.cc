@@ -124,7 +124,7 @@ int RunCampaignCommand(const CommandArguments& arguments, const std::vector<Syst
   if (!options.shard.whole()) return EndOfShard(arguments, options, shard);
   const CampaignEnd end =
       MergeShards(options.out_dir, campaign, RunMaker(campaign, options.systems), options.columns,
-                  options.draw_campaign);
+                  options.draw_campaign, shard.enough);
   if (plan) KeepAcceptance(options.out_dir, *plan, followed);
   if (shard.signal != 0) return EndOfShard(arguments, options, shard);
   int code = ReportEnd(end, options.out_dir, arguments.json);

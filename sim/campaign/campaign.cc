@@ -201,7 +201,7 @@ CampaignEnd RunCampaign(const Campaign& campaign, const RunFunction& function,
                         const CampaignOptions& options) {
   const ShardEnd shard = RunShard(campaign, function, options);
   CampaignEnd end = MergeShards(options.out_dir, campaign, RunMaker(campaign, options.systems),
-                                options.columns, options.draw_campaign);
+                                options.columns, options.draw_campaign, shard.enough);
   end.signal = shard.signal;
   return end;
 }

@@ -179,7 +179,7 @@ void TakeShards(const fs::path& from, const fs::path& into) {
 }
 
 CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const RunMaker& maker,
-                        const RowColumns& columns, const DrawCampaign& draw) {
+                        const RowColumns& columns, const DrawCampaign& draw, bool enough) {
   CampaignEnd end;
   end.total = campaign.run_count();
   end.runs = ReadShards(dir, columns, &end.damaged);
@@ -193,7 +193,7 @@ CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const Run
     WriteFigures(dir / "plots", draw(campaign.name, maker.Make(0).scenario, columns, rows));
   }
   WritePoints(dir, campaign, columns, rows);
-  end.summary = SummaryText(campaign.name, end.runs, columns, end.total) +
+  end.summary = SummaryText(campaign.name, end.runs, columns, end.total, enough) +
                 WriteSensitivity(dir, campaign, columns, rows);
   WriteWhole(dir / "summary.txt", end.summary);
   return end;

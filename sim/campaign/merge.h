@@ -43,8 +43,10 @@ struct CampaignEnd {
 
 /// Writes results.csv, timing.csv, results.sqlite, points, plots and summary.txt of the folder's
 /// rows, and into its manifest where they were made. Throws ResultsError and IoError.
-/// @param draw  figures of the system into plots/; empty: none
+/// @param draw    figures of the system into plots/; empty: none
+/// @param enough  a sequential test needed no more runs
 CampaignEnd MergeShards(const std::filesystem::path& dir, const Campaign& campaign,
-                        const RunMaker& maker, const RowColumns& columns, const DrawCampaign& draw);
+                        const RunMaker& maker, const RowColumns& columns, const DrawCampaign& draw,
+                        bool enough = false);
 
 }  // namespace dockyard

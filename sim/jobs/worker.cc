@@ -72,8 +72,10 @@ rlim_t DataBytes() {
 void SettleIn(pid_t parent, const JobLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // it died before we asked
-  for (const int signal : {SIGINT, SIGHUP, SIGPIPE}) std::signal(signal, SIG_IGN);
-  for (const int signal : {SIGTERM, SIGABRT}) std::signal(signal, SIG_DFL);
+  // A terminal or a batch system sends these to all processes. The parent stops its workers itself:
+  // else a run would be lost that only has to wait for the next call.
+  for (const int signal : {SIGINT, SIGHUP, SIGTERM, SIGPIPE}) std::signal(signal, SIG_IGN);
+  std::signal(SIGABRT, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -117,8 +119,8 @@ JobEnd HowItDied(int status) {
   end.loss = Loss::kCrashed;
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
-    // A run does not send itself these: a user, a batch system or the kernel short of memory did.
-    if (signal == SIGKILL || signal == SIGTERM) end.loss = Loss::kStopped;
+    // A run does not send itself this: a user, a batch system or the kernel short of memory did.
+    if (signal == SIGKILL) end.loss = Loss::kStopped;
     end.how_it_died = "killed by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
   } else {
     end.how_it_died =

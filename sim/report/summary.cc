@@ -225,14 +225,15 @@ void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& colu
 }  // namespace
 
 std::string SummaryText(const std::string& title, const FinishedRuns& runs,
-                        const RowColumns& columns, std::int64_t total) {
+                        const RowColumns& columns, std::int64_t total, bool enough) {
   int docked = 0;
   for (const RunResult& result : runs.results) docked += result.docked ? 1 : 0;
   const int done = static_cast<int>(runs.size());
   std::string out;
   AddLine(out, title + ": " + BriefRate(docked, done) + ", 95 % intervals (Clopper-Pearson)");
   if (done < total) {
-    AddLine(out, "incomplete: " + std::to_string(done) + " of " + std::to_string(total) + " runs");
+    AddLine(out, (enough ? "ended early, by --until-accepted: " : "incomplete: ") +
+                     std::to_string(done) + " of " + std::to_string(total) + " runs");
   }
   std::vector<std::vector<Group>> by_label;
   std::vector<std::size_t> differing;

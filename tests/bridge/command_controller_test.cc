@@ -160,5 +160,14 @@ TEST(CommandController, CostsOneRunOfACampaign) {
               HasSubstr("the wheel fell off"));
 }
 
+TEST(CommandController, OfACampaignCanBeTerminated) {
+  const TemporaryFolder folder;
+  const std::string in = folder.path().string();
+  WriteCommandFiles(folder.path(), "sh, terminated.sh");
+  WriteText(folder.path() / "terminated.sh", "kill -TERM $$\nsleep 60\n");
+  Dockyard("campaign " + in + "/campaign.yaml --quiet --allow-commands --out " + in + "/out");
+  EXPECT_THAT(Slurp(folder.path() / "out/results.csv"), HasSubstr("controller_crashed"));
+}
+
 }  // namespace
 }  // namespace dockyard

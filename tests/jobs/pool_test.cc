@@ -218,6 +218,18 @@ TEST(Pool, AJobWhoseWorkerWasKilledOnceHasItsAnswer) {
   EXPECT_EQ(jobs.attempts.at(1), 2);
 }
 
+TEST(Pool, LosesNoJobByASignalThatASystemSendsToAll) {
+  Jobs jobs(3, [](std::int64_t job) {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) ::raise(signal);
+    return "good " + std::to_string(job);
+  });
+  jobs.options.retries = 0;
+  EXPECT_EQ(jobs.Run(), 0);
+  for (const std::int64_t job : {0, 1, 2}) {
+    EXPECT_EQ(jobs.ends.at(job).answer, "good " + std::to_string(job));
+  }
+}
+
 TEST(Pool, StopsStartingJobsWhenItsCallerHasEnough) {
   Jobs jobs(9, [](std::int64_t) { return std::string("good"); });
   jobs.options.workers = 2;

@@ -65,6 +65,12 @@ TEST(Summary, GroupsByEveryLabelOfTwoToEightValues) {
   EXPECT_THAT(text, Not(HasSubstr("incomplete")));
 }
 
+TEST(Summary, OfACampaignThatWasEnoughIsNotIncomplete) {
+  const std::string text = SummaryText("fake", FakeResults(12), FakeColumns(), 628, true);
+  EXPECT_THAT(text, HasSubstr("ended early, by --until-accepted: 12 of 628 runs\n"));
+  EXPECT_THAT(text, Not(HasSubstr("incomplete")));
+}
+
 TEST(Summary, HasColumnsAsWideAsTheirLongestCell) {
   FinishedRuns runs = FourRuns();
   runs.results[1].labels[0] = "a soil with a long name, \"quoted\"";
