@@ -105,7 +105,7 @@ int ParseAndRun(CLI::App& app, int argc, char** argv, const std::vector<System>&
     return Fail(error, kExitBadInput);
   } catch (const ResultsError& error) {
     return Fail(error, kExitBadInput);
-  } catch (const LogError& error) {
+  } catch (const DataError& error) {
     return Fail(error, kExitBadInput);
   } catch (const IoError& error) {
     return Fail(error, kExitIo);

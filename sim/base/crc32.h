@@ -7,6 +7,7 @@
 namespace dockyard {
 
 /// Of zip, PNG and IEEE 802.3: 0xcbf43926 for "123456789".
-std::uint32_t Crc32(std::string_view bytes);
+/// @param before  that of the bytes before these
+std::uint32_t Crc32(std::string_view bytes, std::uint32_t before = 0);
 
 }  // namespace dockyard

@@ -123,7 +123,7 @@ Commands PipeController::Step(const SensorFrame& sensed) {
       if (!in.AtEnd()) FailBadly("commands longer than their content");
       CheckCommands(commands);
       return commands;
-    } catch (const LogError& error) {
+    } catch (const DataError& error) {
       FailBadly(std::string("bad commands: ") + error.what());
     } catch (const Json::exception& error) {
       FailBadly(std::string("a bad belief: ") + error.what());
@@ -132,7 +132,7 @@ Commands PipeController::Step(const SensorFrame& sensed) {
 }
 
 void PipeController::CheckCommands(const Commands& commands) const {
-  const auto bad = [](const std::string& what) { throw LogError(what); };
+  const auto bad = [](const std::string& what) { throw DataError(what); };
   if (commands.motors.size() != static_cast<std::size_t>(greeting_.motor_count)) {
     bad("expected " + std::to_string(greeting_.motor_count) + " motors, found " +
         std::to_string(commands.motors.size()));

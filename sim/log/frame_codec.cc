@@ -1,6 +1,5 @@
 #include "sim/log/frame_codec.h"
 
-#include <bit>
 #include <cmath>
 #include <type_traits>
 #include <vector>
@@ -20,7 +19,7 @@ void PutVector(std::string& out, const Eigen::Vector3d& value) {
 /// A sensor's number. A controller takes for granted that it is finite.
 double TakeReading(ByteReader& in) {
   const double value = in.Double();
-  if (!std::isfinite(value)) throw LogError("a reading is not a finite number");
+  if (!std::isfinite(value)) throw DataError("a reading is not a finite number");
   return value;
 }
 
@@ -71,7 +70,7 @@ Image TakePixels(std::uint32_t width, std::uint32_t height, std::string_view byt
   const std::size_t wanted = static_cast<std::size_t>(width) * height * channels;
   if (image.pixels.size() != wanted || image.width != static_cast<int>(width) ||
       image.height != static_cast<int>(height)) {
-    throw LogError("an image cannot be decoded");
+    throw DataError("an image cannot be decoded");
   }
   return image;
 }
@@ -83,13 +82,13 @@ CameraImage TakeImage(ByteReader& in, ImageCoding coding) {
   const std::uint8_t kind = in.U8();
   const std::uint32_t width = in.U32(), height = in.U32();
   const std::string_view bytes = in.Take(in.U32());
-  if (width > kLargestSide || height > kLargestSide) throw LogError("an image is impossibly large");
+  if (width > kLargestSide || height > kLargestSide) throw DataError("an image is impossibly large");
   if (kind == static_cast<std::uint8_t>(PixelKind::kGray)) {
     image.pixels = TakePixels<GrayImage>(width, height, bytes, coding);
   } else if (kind == static_cast<std::uint8_t>(PixelKind::kRgb)) {
     image.pixels = TakePixels<RgbImage>(width, height, bytes, coding);
   } else {
-    throw LogError("unknown kind of image " + std::to_string(kind));
+    throw DataError("unknown kind of image " + std::to_string(kind));
   }
   return image;
 }
@@ -98,7 +97,7 @@ CameraImage TakeImage(ByteReader& in, ImageCoding coding) {
 std::uint32_t TakeCount(ByteReader& in) {
   constexpr std::uint32_t kMost = 1024;
   const std::uint32_t count = in.U32();
-  if (count > kMost) throw LogError("a count of " + std::to_string(count) + " is damaged");
+  if (count > kMost) throw DataError("a count of " + std::to_string(count) + " is damaged");
   return count;
 }
 
@@ -106,7 +105,7 @@ MotorCommand TakeMotor(ByteReader& in) {
   MotorCommand motor;
   const std::uint8_t mode = in.U8();
   if (mode > static_cast<std::uint8_t>(MotorMode::kPosition)) {
-    throw LogError("unknown motor mode " + std::to_string(mode));
+    throw DataError("unknown motor mode " + std::to_string(mode));
   }
   motor.mode = static_cast<MotorMode>(mode);
   motor.target = in.Double();
@@ -117,41 +116,6 @@ MotorCommand TakeMotor(ByteReader& in) {
 }
 
 }  // namespace
-
-std::string_view ByteReader::Take(std::size_t count) {
-  if (count > bytes_.size()) throw LogError("the log ends in the middle of a record");
-  const std::string_view taken = bytes_.substr(0, count);
-  bytes_.remove_prefix(count);
-  return taken;
-}
-
-std::uint8_t ByteReader::U8() { return static_cast<std::uint8_t>(Take(1)[0]); }
-
-std::uint32_t ByteReader::U32() {
-  std::uint32_t value = 0;
-  for (int shift = 0; shift < 32; shift += 8) value |= static_cast<std::uint32_t>(U8()) << shift;
-  return value;
-}
-
-std::uint64_t ByteReader::U64() {
-  std::uint64_t value = 0;
-  for (int shift = 0; shift < 64; shift += 8) value |= static_cast<std::uint64_t>(U8()) << shift;
-  return value;
-}
-
-double ByteReader::Double() { return std::bit_cast<double>(U64()); }
-
-void PutU8(std::string& out, std::uint8_t value) { out += static_cast<char>(value); }
-
-void PutU32(std::string& out, std::uint32_t value) {
-  for (int shift = 0; shift < 32; shift += 8) PutU8(out, static_cast<std::uint8_t>(value >> shift));
-}
-
-void PutU64(std::string& out, std::uint64_t value) {
-  for (int shift = 0; shift < 64; shift += 8) PutU8(out, static_cast<std::uint8_t>(value >> shift));
-}
-
-void PutDouble(std::string& out, double value) { PutU64(out, std::bit_cast<std::uint64_t>(value)); }
 
 void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding) {
   PutU64(out, static_cast<std::uint64_t>(frame.tick));
@@ -187,7 +151,7 @@ LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding) {
     motor.current_a = TakeReading(in);
   }
   const std::uint8_t left_out = in.U8();
-  if (left_out > 1) throw LogError("unknown kind of images " + std::to_string(left_out));
+  if (left_out > 1) throw DataError("unknown kind of images " + std::to_string(left_out));
   logged.images_left_out = left_out == 1;
   const std::uint32_t images = TakeCount(in);
   for (std::uint32_t i = 0; i < images; ++i) frame.images.push_back(TakeImage(in, coding));
@@ -220,7 +184,7 @@ Commands TakeCommands(ByteReader& in) {
   for (std::uint8_t& on : commands.switches) on = in.U8();
   const std::uint8_t verdict = in.U8();
   if (verdict > static_cast<std::uint8_t>(Verdict::kGivenUp)) {
-    throw LogError("unknown verdict " + std::to_string(verdict));
+    throw DataError("unknown verdict " + std::to_string(verdict));
   }
   commands.verdict = static_cast<Verdict>(verdict);
   return commands;

@@ -37,13 +37,13 @@ RunLogHeader HeaderFromText(const std::string& text) {
     header.nominal = json.at("nominal");
     return header;
   } catch (const Json::exception& error) {
-    throw LogError(std::string("its header cannot be read: ") + error.what());
+    throw DataError(std::string("its header cannot be read: ") + error.what());
   }
 }
 
 void RequireShape(const SensorFrame& frame, const RobotShape& robot) {
   const auto refuse = [&](const std::string& what) {
-    throw LogError("the log, at tick " + std::to_string(frame.tick) + ": " + what);
+    throw DataError("the log, at tick " + std::to_string(frame.tick) + ": " + what);
   };
   if (frame.motors.size() != static_cast<std::size_t>(robot.motors)) {
     refuse("expected the readings of " + std::to_string(robot.motors) + " motors, found " +
@@ -113,18 +113,18 @@ RunLogReader::RunLogReader(const std::filesystem::path& dir) : path_(LogFile(dir
     char start[kMagic.size() + 4] = {};
     file_.read(start, sizeof start);
     ByteReader in(std::string_view(start, sizeof start));
-    if (!file_ || in.Take(kMagic.size()) != kMagic) throw LogError("it is not a run log");
+    if (!file_ || in.Take(kMagic.size()) != kMagic) throw DataError("it is not a run log");
     const std::uint32_t version = in.U32();
     if (version != kRunLogVersion) {
-      throw LogError("its version is " + std::to_string(version) + ", this program reads " +
+      throw DataError("its version is " + std::to_string(version) + ", this program reads " +
                      std::to_string(kRunLogVersion));
     }
     bytes_left_ -= sizeof start;
     char kind = 0;
-    if (!ReadRecord(kind) || kind != kHeaderKind) throw LogError("its header is missing");
+    if (!ReadRecord(kind) || kind != kHeaderKind) throw DataError("its header is missing");
     header_ = HeaderFromText(payload_);
-  } catch (const LogError& failure) {
-    throw LogError(path_.string() + ": " + failure.what());
+  } catch (const DataError& failure) {
+    throw DataError(path_.string() + ": " + failure.what());
   }
 }
 
@@ -136,7 +136,7 @@ bool RunLogReader::ReadRecord(char& kind) {
   kind = head[0];
   ByteReader in(std::string_view(head + 1, 4));
   const std::uint32_t length = in.U32();
-  if (length > kLargestRecord) throw LogError("a record's length is damaged");
+  if (length > kLargestRecord) throw DataError("a record's length is damaged");
   if (length > bytes_left_) return false;
   bytes_left_ -= length;
   payload_.resize(length);
@@ -149,18 +149,18 @@ std::optional<RunLogEntry> RunLogReader::Next() {
     if (complete_ || !ReadRecord(kind)) return std::nullopt;
     ByteReader in(payload_);
     if (kind == kEndKind) {
-      if (in.U64() != entries_) throw LogError("entries are missing before its end mark");
+      if (in.U64() != entries_) throw DataError("entries are missing before its end mark");
       complete_ = true;
       return std::nullopt;
     }
-    if (kind != kEntryKind) throw LogError("a record is of unknown kind");
+    if (kind != kEntryKind) throw DataError("a record is of unknown kind");
     LoggedFrame logged = TakeFrame(in, ImageCoding::kPng);
     RunLogEntry entry{std::move(logged.frame), logged.images_left_out, TakeCommands(in)};
-    if (!in.AtEnd()) throw LogError("a record is longer than its content");
+    if (!in.AtEnd()) throw DataError("a record is longer than its content");
     ++entries_;
     return entry;
-  } catch (const LogError& failure) {
-    throw LogError(path_.string() + ", entry " + std::to_string(entries_) + ": " + failure.what());
+  } catch (const DataError& failure) {
+    throw DataError(path_.string() + ", entry " + std::to_string(entries_) + ": " + failure.what());
   }
 }
 

@@ -59,7 +59,7 @@ class RunLogWriter {
   std::string payload_;  // kept between calls for its memory
 };
 
-/// Reads a log entry by entry. Throws IoError, and LogError for a damaged log, another version, or
+/// Reads a log entry by entry. Throws IoError, and DataError for a damaged log, another version, or
 /// a file that is no log.
 class RunLogReader {
  public:
@@ -96,7 +96,7 @@ struct RobotShape {
   int motors = 0, cameras = 0;
 };
 /// Feeds the logged frames to a fresh controller and compares its commands with the logged ones.
-/// Throws LogError for a frame that is not of this robot.
+/// Throws DataError for a frame that is not of this robot.
 ControllerReplay ReplayController(RunLogReader& log, Controller& controller,
                                   const RobotShape& robot);
 

@@ -6,7 +6,7 @@ std::optional<ControllerReplay> ReplayLog(RunLogReader& log, const System& syste
                                           const Scenario& scenario, const ReadyRun& ready,
                                           const RunOptions& options) {
   if (log.header().system != system.name) {
-    throw LogError("the log: expected one of the system " + system.name + ", found one of '" +
+    throw DataError("the log: expected one of the system " + system.name + ", found one of '" +
                    log.header().system + "'");
   }
   // As text: a number that is read back as a whole one is still the same.

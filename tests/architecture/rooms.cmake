@@ -9,7 +9,7 @@ set(systems axel)
 set(contract "controller/(base|geometry|io)/|Eigen/")
 set(os "sys/|unistd.h|fcntl.h|poll.h|signal.h")
 set(models "${contract}|models/(parts|read)/")
-set(low "sim/(base|images|draws|jobs|scenario|plan|soil|physics|log|bridge|statistics|report|run)/")
+set(low "sim/(base|mcap|images|draws|jobs|scenario|plan|soil|physics|log|bridge|statistics|report|run)/")
 
 set(rooms
   "controller/base|checks and results|${contract}"
@@ -24,6 +24,7 @@ set(rooms
   "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
   "render|a scene in, images out, without physics|${contract}|render/|GL/|EGL/|dlfcn.h"
   "sim/base|random streams, normal numbers, hashes, files, text, JSON, what this computer is|${contract}|sim/base/|nlohmann/|opencv2/core/version.hpp|zlib.h|${os}"
+  "sim/mcap|MCAP files, and messages in CDR in them|controller/base/|sim/(base|mcap)/|zstd.h"
   "sim/images|image files: PNG, JPEG, PGM, PPM and WebP in, PNG out|${contract}|sim/(base|images)/|png.h|zlib.h|jpeglib.h|webp/"
   "sim/draws|values of dispersed numbers: distributions, designs, correlation|${contract}|sim/(base|draws)/|boost/random/"
   "sim/jobs|work in processes of its own|controller/base/|sim/(base|jobs)/|${os}"
@@ -31,7 +32,7 @@ set(rooms
   "sim/plan|which runs a campaign has, and how each is made|${models}|sim/(base|draws|scenario|plan)/"
   "sim/soil|stress of deformable soil on wheels with paddles, without Bullet|${models}|sim/(base|soil)/"
   "sim/physics|parts of any robot's world: drives, inertial unit, shapes, cables|${models}|sim/(base|soil|physics)/|bt|Bullet|LinearMath/"
-  "sim/log|files of one run: log, history, result row|${contract}|sim/(base|images|log)/|nlohmann/"
+  "sim/log|files of one run: log, history, result row|${contract}|sim/(base|mcap|images|log)/|nlohmann/"
   "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|${os}"
   "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
   "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"

@@ -14,7 +14,7 @@ bool ReadOrRefused(const std::function<void()>& read) {
     return false;
   } catch (const ResultsError&) {
     return false;
-  } catch (const LogError&) {
+  } catch (const DataError&) {
     return false;
   }
 }

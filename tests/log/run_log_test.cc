@@ -160,7 +160,7 @@ TEST(RunLog, CutShortEndsAtTheLastWholeEntry) {
       const WholeLog log = ReadWholeLog(folder.path());
       EXPECT_FALSE(log.complete);
       most = std::max(most, log.entries.size());
-    } catch (const LogError&) {  // cut into the header
+    } catch (const DataError&) {  // cut into the header
     }
   }
   EXPECT_EQ(most, 3u);
@@ -188,7 +188,7 @@ TEST(RunLog, DamagedAnywhereIsReadOrRefused) {
     WriteText(folder.path() / "frames.bin", damaged);
     try {
       (void)ReadWholeLog(folder.path());
-    } catch (const LogError&) {
+    } catch (const DataError&) {
       ++refused;
     }
   }

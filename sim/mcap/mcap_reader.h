@@ -1,0 +1,78 @@
+// Reads an MCAP file from its begin, message by message, and checks all of its check values. A file
+// without its end, as after a kill -9, gives the messages that are whole.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/mcap/chunk.h"
+#include "sim/mcap/mcap_records.h"
+#include "sim/mcap/mcap_summary.h"
+
+namespace dockyard {
+
+/// Throws IoError, and DataError for a damaged file and one that is none. Every byte of a file of
+/// McapWriter counts: one that is changed is found, at the latest when Next comes to the end.
+class McapReader {
+ public:
+  explicit McapReader(const std::filesystem::path& file);
+
+  /// None at the end. The data are good until the next call.
+  std::optional<McapMessage> Next();
+  /// After the last message: whether the file's end is there, or it was cut short.
+  bool complete() const { return complete_; }
+
+  const std::string& profile() const { return profile_; }
+  /// The channel of a message. Those seen so far are known.
+  const McapChannel& channel(std::uint16_t id) const { return channels_.at(id); }
+  const std::map<std::uint16_t, McapSchema>& schemas() const { return schemas_; }
+  const std::map<std::uint16_t, McapChannel>& channels() const { return channels_; }
+  const std::vector<McapAttachment>& attachments() const { return attachments_; }
+  const std::vector<McapMetadata>& metadata() const { return metadata_; }
+
+  /// What a repair needs of a file that was cut short: bytes to keep, those to put behind them, and
+  /// the summary of both.
+  struct Rest {
+    std::uint64_t keep = 0;
+    std::string add;
+    McapSummary summary;
+  };
+  Rest WhatIsWhole() const;
+
+ private:
+  /// False at the end of the file, be it in the middle of a record.
+  bool ReadRecord(McapOp& op);
+  void TakeRecord(McapOp op);
+  void TakeChunk();
+  void TakeInner(McapOp op, std::string_view content, std::uint64_t at);
+  void TakeEnd();
+  void CloseChunk();
+  void RequireCutShort();
+
+  std::filesystem::path path_;
+  std::ifstream file_;
+  std::uint64_t size_ = 0, at_ = 0;   // bytes of the file, and of what was read
+  std::uint32_t crc_ = 0;             // of what was read
+  std::string content_;               // of the record
+  std::string records_;               // of the chunk
+  std::size_t next_ = 0;              // the next of them
+  std::optional<McapMessage> found_;  // by the record just taken
+  bool complete_ = false, ended_ = false;
+  std::string profile_;
+  std::map<std::uint16_t, McapSchema> schemas_;
+  std::map<std::uint16_t, McapChannel> channels_;
+  std::vector<McapAttachment> attachments_;
+  std::vector<McapMetadata> metadata_;
+
+  McapSummary summary_;                  // but for the last chunk
+  std::uint64_t whole_ = 0;              // end of the last record
+  std::optional<McapChunkIndex> chunk_;  // the last one, until another record than its indexes
+  McapMessageIndex chunk_messages_;
+};
+
+}  // namespace dockyard
