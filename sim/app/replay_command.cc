@@ -12,6 +12,7 @@
 #include "sim/app/kept_campaign.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
+#include "sim/base/files.h"
 #include "sim/bridge/pipe_controller.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/merge.h"
@@ -41,7 +42,7 @@ Examples:
 
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
 controller alone and compares its commands. Exit code 0: the same, 1: not the same, 10: the
-folder holds no result of this run.)";
+folder holds no result of this run, or its log is cut short.)";
 
 /// The processors and libraries that a campaign's rows were made on, where they are not these.
 void ReportEnvironment(const std::filesystem::path& dir) {
@@ -81,44 +82,49 @@ bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& co
   return false;
 }
 
-/// False when the controller, run alone from its log, gave other commands. Throws ControllerFailure
-/// where its program fails.
-bool ReportCommands(const std::filesystem::path& run_dir, const Scenario& scenario,
-                    const RunOptions& options, const std::vector<System>& systems) {
+/// What the controller did, run alone from its log; the exit code where the row is the same.
+enum class Alone { kSame = kExitDone, kDiffers = kExitOurBug, kLogIsShort = kExitIncomplete };
+
+/// Throws ControllerFailure where its program fails.
+Alone ReportCommands(const std::filesystem::path& run_dir, const Scenario& scenario,
+                     const RunOptions& options, const std::vector<System>& systems) {
   RunLogReader log(run_dir);
   const System& system = FindSystem(systems, scenario.system);
   const auto fed = ReplayLog(log, system, scenario, system.make_ready(scenario), options);
   if (!fed) {
     std::printf("controller alone: not run, the models' nominal parameters are not the log's\n");
-    return false;
+    return Alone::kDiffers;
   }
   const ControllerReplay& replay = *fed;
   const auto compared = static_cast<unsigned long long>(replay.compared);
   if (replay.differs_at) {
     std::printf("controller alone: other commands at %.3f s, after %llu equal ones\n",
                 kTickSeconds * static_cast<double>(*replay.differs_at), compared);
-    return false;
+    return Alone::kDiffers;
   }
   if (replay.blind_at) {
     std::printf("controller alone: same for %llu steps, then the log has no images\n", compared);
-  } else {
-    std::printf("controller alone: same commands at all %llu steps%s\n", compared,
-                replay.complete ? "" : "; the log is cut short");
+    return Alone::kSame;
   }
-  return true;
+  if (!replay.complete) {
+    std::printf("controller alone: same for %llu steps, then the log is cut short\n", compared);
+    return Alone::kLogIsShort;
+  }
+  std::printf("controller alone: same commands at all %llu steps\n", compared);
+  return Alone::kSame;
 }
 
 /// The same; a program that fails must have failed so in the run.
-bool ReportController(const std::filesystem::path& run_dir, const Scenario& scenario,
-                      const std::string& outcome, const RunOptions& options,
-                      const std::vector<System>& systems) {
+Alone ReportController(const std::filesystem::path& run_dir, const Scenario& scenario,
+                       const std::string& outcome, const RunOptions& options,
+                       const std::vector<System>& systems) {
   try {
     return ReportCommands(run_dir, scenario, options, systems);
   } catch (const ControllerFailure& failure) {
     const bool same = failure.outcome() == outcome;
     std::printf("controller alone: %s (%s)\n",
                 same ? "fails as it did in the run" : "fails, unlike in the run", failure.what());
-    return same;
+    return same ? Alone::kSame : Alone::kDiffers;
   }
 }
 
@@ -187,13 +193,13 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
   const RunRecord now = Simulate(system, kept.run, options);
   const bool same_row = ReportRow(*kept.result, now.result, kept.columns);
   if (!same_row && arguments.run) ReportEnvironment(arguments.dir);
-  if (!std::filesystem::exists(kept.log_dir / "frames.bin")) {
+  if (!std::filesystem::exists(kept.log_dir / kRunLogFile)) {
     PrintError("controller alone: not run, there is no log in " + kept.log_dir.string());
     return same_row ? kExitIncomplete : kExitOurBug;
   }
-  const bool same_commands =
+  const Alone alone =
       ReportController(kept.log_dir, kept.run.scenario, now.result.outcome, options, systems);
-  return same_row && same_commands ? kExitDone : kExitOurBug;
+  return same_row ? static_cast<int>(alone) : kExitOurBug;
 }
 
 }  // namespace

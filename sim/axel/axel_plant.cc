@@ -70,6 +70,29 @@ void AxelPlant::AppendChannels(std::vector<double>& values) const {
   });
 }
 
+Stage AxelPlant::Look() const {
+  const HeightGrid& ground = world_.ground();
+  Stage stage;
+  stage.bodies = {{"robot", truth_.X_WR},
+                  {"left_wheel", truth_.X_W_left_wheel},
+                  {"right_wheel", truth_.X_W_right_wheel},
+                  {"arm", truth_.X_WA},
+                  {"station", truth_.X_WS}};
+  stage.lines = {{.name = "tether",
+                  .diameter_m = built_.world.rover.tether.diameter_m,
+                  .points_W = truth_.tether_W}};
+  stage.ground = {.X_WG = FromGround(built_.world.X_WG, 0.0),
+                  .x0_m = ground.x0_m,
+                  .y0_m = ground.y0_m,
+                  .cell_m = ground.cell_m,
+                  .nx = ground.nx,
+                  .ny = ground.ny,
+                  .heights_m = ground.heights_m.data(),
+                  .revision = ground.revision};
+  stage.X_WD = truth_.X_WR * Inverse(truth_.X_DR);
+  return stage;
+}
+
 Pose2 AxelPlant::MeasuredPose(const SightingReport& report) const {
   return ToGround(built_.nominal.X_DB * Inverse(report.X_RB));
 }

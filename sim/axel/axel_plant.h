@@ -24,6 +24,7 @@ class AxelPlant final : public Plant {
   void Advance(const Commands& commands) override;
   Pose2 X_DR() const override { return ToGround(truth_.X_DR); }
   void AppendChannels(std::vector<double>& values) const override;
+  Stage Look() const override;
   Pose2 MeasuredPose(const SightingReport& report) const override;
   std::uint64_t StateHash(std::uint64_t seed) const override { return world_.StateHash(seed); }
   std::uint64_t FinalHash(std::uint64_t seed) const override;

@@ -17,6 +17,16 @@
 namespace dockyard::axel {
 namespace {
 
+/// In the order of Motor and of the cameras' numbers.
+void NameParts(const Nominal& nominal, ReadyRun& ready) {
+  const char* const names[kMotorCount] = {"left_wheel", "right_wheel", "arm", "spool"};
+  for (std::size_t i = 0; i < kMotorCount; ++i) {
+    ready.motors.push_back({names[i], nominal.motors[i].rad_per_count});
+  }
+  ready.cameras = {{"left", nominal.rig.left, nominal.rig.X_RL},
+                   {"right", nominal.rig.right, nominal.rig.X_RQ}};
+}
+
 ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models,
                    const std::shared_ptr<KeptRenderer>& renderer) {
   BuiltRun built = BuildRun(scenario, models);
@@ -25,6 +35,7 @@ ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models,
   ready.control_period = kControlPeriod;
   ready.motor_count = kMotorCount;
   ready.camera_count = kCameraCount;
+  NameParts(built.nominal, ready);
   auto plant = std::make_unique<AxelPlant>(scenario, std::move(built), renderer);
   ready.judge = std::make_unique<AxelJudge>(*plant);
   ready.plant = std::move(plant);

@@ -9,6 +9,8 @@
 #include "sim/base/text.h"
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
+#include "sim/log/run_log.h"
+#include "sim/mcap/mcap_repair.h"
 #include "sim/run/loop.h"
 
 namespace dockyard {
@@ -80,6 +82,12 @@ void WriteLostRun(const std::filesystem::path& run_dir, const FinishedRun& run,
   record.result = run.result;
   record.failure_note = run.note;
   WriteRecordFiles(run_dir, record);
+  const std::filesystem::path log = run_dir / kRunLogFile;
+  if (!std::filesystem::exists(log)) return;
+  try {
+    RepairMcap(log);
+  } catch (const DataError&) {  // cut in its first bytes: there is nothing to close
+  }
 }
 
 }  // namespace dockyard

@@ -39,7 +39,7 @@ std::string RunAndAnswer(const std::function<CampaignRun()>& make, const RunWork
 FinishedRun ReadAnswer(const std::function<CampaignRun()>& make, const RowColumns& columns,
                        const JobEnd& end);
 
-/// Writes the files of a lost run into its folder. Throws IoError.
+/// Writes the files of a lost run into its folder, and closes its log. Throws IoError.
 void WriteLostRun(const std::filesystem::path& run_dir, const FinishedRun& run,
                   const RowColumns& columns);
 

@@ -29,12 +29,7 @@ Eigen::Vector3d TakeVector(ByteReader& in) {
   return value;
 }
 
-void PutBytes(std::string& out, const std::string& bytes) {
-  PutU32(out, static_cast<std::uint32_t>(bytes.size()));
-  out.append(bytes);
-}
-
-void PutImage(std::string& out, const CameraImage& image, ImageCoding coding) {
+void PutImage(std::string& out, const CameraImage& image, std::vector<std::string>* pictures) {
   PutU32(out, static_cast<std::uint32_t>(image.camera));
   std::visit(
       [&](const auto& pixels) {
@@ -44,11 +39,11 @@ void PutImage(std::string& out, const CameraImage& image, ImageCoding coding) {
         PutU8(out, static_cast<std::uint8_t>(rgb ? PixelKind::kRgb : PixelKind::kGray));
         PutU32(out, static_cast<std::uint32_t>(pixels.width));
         PutU32(out, static_cast<std::uint32_t>(pixels.height));
-        if (coding == ImageCoding::kRaw) {
+        if (pictures != nullptr) {
+          pictures->push_back(count == 0 ? std::string() : EncodePng(pixels));
+        } else {
           PutU32(out, static_cast<std::uint32_t>(pixels.pixels.size()));
           out.append(reinterpret_cast<const char*>(pixels.pixels.data()), pixels.pixels.size());
-        } else {
-          PutBytes(out, count == 0 ? std::string() : EncodePng(pixels));
         }
       },
       image.pixels);
@@ -75,14 +70,17 @@ Image TakePixels(std::uint32_t width, std::uint32_t height, std::string_view byt
   return image;
 }
 
-CameraImage TakeImage(ByteReader& in, ImageCoding coding) {
+/// @param picture  its PNG; null: the pixels stand in the record
+CameraImage TakeImage(ByteReader& in, const std::string* picture) {
   constexpr std::uint32_t kLargestSide = 16384;
   CameraImage image;
   image.camera = static_cast<int>(in.U32());
   const std::uint8_t kind = in.U8();
   const std::uint32_t width = in.U32(), height = in.U32();
-  const std::string_view bytes = in.Take(in.U32());
-  if (width > kLargestSide || height > kLargestSide) throw DataError("an image is impossibly large");
+  const ImageCoding coding = picture != nullptr ? ImageCoding::kBeside : ImageCoding::kRaw;
+  const std::string_view bytes = picture != nullptr ? *picture : in.Take(in.U32());
+  if (width > kLargestSide || height > kLargestSide)
+    throw DataError("an image is impossibly large");
   if (kind == static_cast<std::uint8_t>(PixelKind::kGray)) {
     image.pixels = TakePixels<GrayImage>(width, height, bytes, coding);
   } else if (kind == static_cast<std::uint8_t>(PixelKind::kRgb)) {
@@ -117,7 +115,9 @@ MotorCommand TakeMotor(ByteReader& in) {
 
 }  // namespace
 
-void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding) {
+void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding,
+              std::vector<std::string>* pictures) {
+  DOCKYARD_CHECK((coding == ImageCoding::kBeside) == (pictures != nullptr));
   PutU64(out, static_cast<std::uint64_t>(frame.tick));
   PutDouble(out, frame.imu.roll_rad);
   PutDouble(out, frame.imu.pitch_rad);
@@ -133,10 +133,11 @@ void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding) {
   PutU8(out, left_out ? 1 : 0);
   PutU32(out, left_out ? 0 : static_cast<std::uint32_t>(frame.images.size()));
   if (left_out) return;
-  for (const CameraImage& image : frame.images) PutImage(out, image, coding);
+  for (const CameraImage& image : frame.images) PutImage(out, image, pictures);
 }
 
-LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding) {
+LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding,
+                      const std::vector<std::string>& pictures) {
   LoggedFrame logged;
   SensorFrame& frame = logged.frame;
   frame.tick = static_cast<Tick>(in.U64());
@@ -154,7 +155,11 @@ LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding) {
   if (left_out > 1) throw DataError("unknown kind of images " + std::to_string(left_out));
   logged.images_left_out = left_out == 1;
   const std::uint32_t images = TakeCount(in);
-  for (std::uint32_t i = 0; i < images; ++i) frame.images.push_back(TakeImage(in, coding));
+  const bool beside = coding == ImageCoding::kBeside;
+  if (beside && pictures.size() != images) throw DataError("a frame's images are missing");
+  for (std::uint32_t i = 0; i < images; ++i) {
+    frame.images.push_back(TakeImage(in, beside ? &pictures[i] : nullptr));
+  }
   return logged;
 }
 

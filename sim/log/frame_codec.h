@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "controller/io/commands.h"
 #include "controller/io/sensors.h"
@@ -10,10 +11,13 @@
 
 namespace dockyard {
 
-/// How images go into a record: as PNG (a log), raw (a pipe), or only a note that there were some.
-enum class ImageCoding { kPng, kRaw, kLeftOut };
+/// How images go into a record: as PNGs beside it (a log), raw (a pipe), or only a note that there
+/// were some.
+enum class ImageCoding { kBeside, kRaw, kLeftOut };
 
-void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding);
+/// @param pictures  gets the PNG of each image, with kBeside; an image without pixels is empty
+void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding,
+              std::vector<std::string>* pictures = nullptr);
 void PutCommands(std::string& out, const Commands& commands);
 
 struct LoggedFrame {
@@ -21,7 +25,9 @@ struct LoggedFrame {
   bool images_left_out = false;  // the controller saw images that the log does not hold
 };
 /// Throws DataError, also for a reading that is not finite.
-LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding);
+/// @param pictures  as of PutFrame
+LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding,
+                      const std::vector<std::string>& pictures = {});
 Commands TakeCommands(ByteReader& in);
 
 }  // namespace dockyard

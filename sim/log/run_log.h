@@ -1,24 +1,46 @@
-// The log of one run, as the robot could keep it: the nominal parameters that its controller got,
-// then every sensor frame with the commands that answered it. The log alone is enough to run the
-// controller again. One file, frames.bin, in the run's folder; layout in docs/reference/run_log.md.
+// The log of one run: an MCAP file of ROS 2 messages (docs/reference/run_log.md). It holds the
+// nominal parameters that the controller got, every sensor frame with the commands that answered
+// it, what the controller believed, and the truth that a spectator would see. The frames alone are
+// enough to run the controller again.
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "controller/io/controller.h"
-#include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/log/frame_codec.h"
+#include "sim/log/ground_log.h"
+#include "sim/log/record.h"
+#include "sim/log/stage.h"
+#include "sim/mcap/mcap_reader.h"
+#include "sim/mcap/mcap_writer.h"
 
 namespace dockyard {
 
-inline constexpr std::uint32_t kRunLogVersion = 2;
+inline constexpr std::uint32_t kRunLogVersion = 3;
+inline constexpr const char* kRunLogFile = "run.mcap";
+
+/// Topics of a log.
+namespace topic {
+inline constexpr const char* kFrame = "/dockyard/frame";
+inline constexpr const char* kImu = "/imu";
+inline constexpr const char* kMotors = "/motors";
+inline constexpr const char* kCommands = "/commands";
+inline constexpr const char* kTransforms = "/tf";
+inline constexpr const char* kGroundMarkers = "/ground";
+inline constexpr const char* kGround = "/truth/ground";
+inline constexpr const char* kTruth = "/truth/scalars";
+inline constexpr const char* kBelief = "/belief/scalars";
+inline constexpr const char* kBeliefPose = "/belief/pose";
+inline constexpr const char* kPlan = "/plan";
+inline constexpr const char* kSighting = "/sighting";
+inline constexpr const char* kNotes = "/rosout";
+}  // namespace topic
 
 struct RunLogHeader {
   int run = 0;
@@ -26,6 +48,10 @@ struct RunLogHeader {
   std::string system, controller;
   bool images_kept = true;
   Json nominal;  // the nominal parameters that the controller got
+  // Names for the messages. Motors and cameras without one are called by their number.
+  std::vector<NamedMotor> motors{};
+  std::vector<NamedCamera> cameras{};
+  std::vector<Column> channels{}, beliefs{};  // of the history
 };
 
 struct RunLogEntry {
@@ -36,30 +62,49 @@ struct RunLogEntry {
 
 class RunLogWriter {
  public:
-  /// Makes the folder and dir/frames.bin. Throws IoError.
-  RunLogWriter(const std::filesystem::path& dir, const RunLogHeader& header);
+  /// Makes the folder and its run.mcap. Throws IoError.
+  /// @param scenario  its YAML, attached; may be empty
+  RunLogWriter(const std::filesystem::path& dir, const RunLogHeader& header,
+               const std::string& scenario = {});
   /// A log without Finish reads as cut short.
   ~RunLogWriter() = default;
 
-  /// Throws IoError, as when the disk is full.
+  // All throw IoError, as when the disk is full. Times must not fall.
+
+  /// One control period.
   void Append(const SensorFrame& sensed, const Commands& commands);
-  /// Writes the end mark and closes. Throws IoError.
-  void Finish();
+  /// What the truth and the belief were at a time of the history.
+  void Append(const HistorySample& sample, const Stage& stage, Tick tick);
+  /// What has changed of the ground since the last call.
+  void AppendGround(const StageGround& ground, Tick tick);
+  void Append(const SightingReport& report, Tick tick);
+  void Append(const PlanSample& plan, Tick tick);
+  /// A sentence, and who says it.
+  void Note(const std::string& name, const std::string& text, Tick tick);
+  /// Attaches the outcome, writes the end and closes.
+  void Finish(const Json& outcome = {});
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  void WriteRecord(char kind, const std::string& payload);
+  std::uint16_t Channel(const std::string& topic, const std::string& type,
+                        const McapTexts& metadata = {});
+  void Put(std::uint16_t channel, Tick tick, const std::string& data);
+  void AppendImages(const SensorFrame& sensed, const std::vector<std::string>& pictures);
+  const NamedCamera& CameraOf(int index);
+  const std::vector<NamedMotor>& MotorsOf(const SensorFrame& sensed);
 
-  std::filesystem::path path_;
-  std::unique_ptr<std::FILE, Close> file_;
   bool keep_images_ = true;
-  std::uint64_t entries_ = 0;
+  std::vector<NamedMotor> motors_;
+  std::vector<NamedCamera> cameras_;
+  std::vector<std::string> truth_names_, belief_names_;
+  std::unique_ptr<McapWriter> file_;
+  std::map<std::string, std::uint16_t> schemas_, channels_;  // by type, by topic
+  std::uint32_t sequence_ = 0;
+  std::string phase_;
+  GroundLog ground_;
   std::string payload_;  // kept between calls for its memory
 };
 
-/// Reads a log entry by entry. Throws IoError, and DataError for a damaged log, another version, or
+/// Reads a log frame by frame. Throws IoError, and DataError for a damaged log, another version, or
 /// a file that is no log.
 class RunLogReader {
  public:
@@ -68,19 +113,18 @@ class RunLogReader {
   const RunLogHeader& header() const { return header_; }
   /// None at the end of the log.
   std::optional<RunLogEntry> Next();
-  /// After the last entry: whether the end mark was there, or the run was cut short.
-  bool complete() const { return complete_; }
+  /// After the last entry: whether the log has its end, or the run was cut short.
+  bool complete() const { return file_->complete(); }
 
  private:
-  bool ReadRecord(char& kind);
+  RunLogEntry EntryFrom(std::string_view message);
 
   std::filesystem::path path_;
-  std::ifstream file_;
-  std::uintmax_t bytes_left_ = 0;
+  std::unique_ptr<McapReader> file_;
+  std::optional<McapMessage> first_;  // read for the header's sake
   RunLogHeader header_;
+  std::vector<std::string> pictures_;  // of the next frame
   std::uint64_t entries_ = 0;
-  bool complete_ = false;
-  std::string payload_;
 };
 
 /// The result of running the controller alone.
@@ -88,7 +132,7 @@ struct ControllerReplay {
   std::uint64_t compared = 0;      // entries with equal commands, bit for bit
   std::optional<Tick> differs_at;  // first tick with other commands
   std::optional<Tick> blind_at;    // first tick whose images the log left out: stopped there
-  bool complete = false;           // the log has its end mark
+  bool complete = false;           // the log has its end
   bool same() const { return !differs_at && !blind_at && complete; }
 };
 /// How many motors and cameras a robot has: a controller takes for granted that a frame has them.

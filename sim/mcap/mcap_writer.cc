@@ -17,6 +17,14 @@ McapWriter::McapWriter(const std::filesystem::path& file, const McapOptions& opt
   PutRecord(McapOp::kHeader, header);
 }
 
+McapWriter::~McapWriter() {
+  if (!file_) return;
+  try {
+    Flush();
+  } catch (const IoError&) {  // whoever writes has been told before
+  }
+}
+
 void McapWriter::Put(std::string_view bytes) {
   DOCKYARD_CHECK(file_ != nullptr);
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) {

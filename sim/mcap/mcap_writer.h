@@ -26,8 +26,10 @@ struct McapOptions {
 class McapWriter {
  public:
   McapWriter(const std::filesystem::path& file, const McapOptions& options);
-  /// A file without Finish reads as cut short.
-  ~McapWriter() = default;
+  /// A file without Finish reads as cut short, behind its last message if the disk allows.
+  ~McapWriter();
+  McapWriter(const McapWriter&) = delete;
+  McapWriter& operator=(const McapWriter&) = delete;
 
   /// Ids count from 1. A schema and a channel are written before the first message after them.
   std::uint16_t AddSchema(const std::string& name, const std::string& encoding,

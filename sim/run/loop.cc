@@ -8,7 +8,9 @@
 #include "sim/base/hash.h"
 #include "sim/base/random.h"
 #include "sim/bridge/pipe_controller.h"
+#include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
+#include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
 namespace {
@@ -60,7 +62,12 @@ class Run {
                        .system = system.name,
                        .controller = what.scenario.controller,
                        .images_kept = what.scenario.log_images && options.log_images,
-                       .nominal = ready_.nominal});
+                       .nominal = ready_.nominal,
+                       .motors = ready_.motors,
+                       .cameras = ready_.cameras,
+                       .channels = system.channels,
+                       .beliefs = system.beliefs},
+          ResolvedYaml(what.scenario));
     }
   }
 
@@ -108,9 +115,19 @@ class Run {
     if (belief.plan_count > plans_) {
       plans_ = belief.plan_count;
       record_.plans.push_back({time_s(), belief.plan});
+      if (log_) log_->Append(record_.plans.back(), tick);
     }
-    if (tick % kHistoryPeriod == 0) record_.history.push_back(Sample(belief));
+    if (tick % kHistoryPeriod == 0) {
+      record_.history.push_back(Sample(belief));
+      if (log_) LogTruth(tick);
+    }
     if (tick % kHashPeriod == 0) hash_ = plant().StateHash(hash_);
+  }
+
+  void LogTruth(Tick tick) {
+    const Stage stage = plant().Look();
+    log_->Append(record_.history.back(), stage, tick);
+    if (tick % kHashPeriod == 0) log_->AppendGround(stage.ground, tick);
   }
 
   void KeepSighting(const Belief& belief) {
@@ -121,6 +138,7 @@ class Run {
                           .X_DR_measured = {}};
     if (sample.report.accepted) sample.X_DR_measured = plant().MeasuredPose(sample.report);
     ready_.judge->ObserveSighting(sample.report);
+    if (log_) log_->Append(sample.report, plant().tick());
     record_.sightings.push_back(std::move(sample));
   }
 
@@ -155,7 +173,12 @@ class Run {
     row.measures = std::move(conclusion.measures);
     record_.failure_note = conclusion.note;
     row.state_hash = plant().FinalHash(hash_);
-    if (log_) log_->Finish();
+    if (!log_) return;
+    log_->AppendGround(plant().Look().ground, plant().tick());
+    log_->Note("outcome", row.outcome + ": " + conclusion.note, plant().tick());
+    Json outcome = RowJson(row, record_.columns);
+    outcome["failure_note"] = conclusion.note;
+    log_->Finish(outcome);
   }
 
   const System& system_;

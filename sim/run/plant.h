@@ -9,6 +9,7 @@
 #include "controller/io/belief.h"
 #include "controller/io/commands.h"
 #include "controller/io/sensors.h"
+#include "sim/log/stage.h"
 
 namespace dockyard {
 
@@ -28,6 +29,8 @@ class Plant {
   virtual Pose2 X_DR() const = 0;
   /// Truth, for the history: appends the system's channels, in their order.
   virtual void AppendChannels(std::vector<double>& values) const = 0;
+  /// Truth, for the log and for pictures from outside: where all that is seen is now.
+  virtual Stage Look() const { return {}; }
   /// The robot's pose by an accepted sighting of its target.
   virtual Pose2 MeasuredPose(const SightingReport& report) const = 0;
 

@@ -7,7 +7,7 @@ std::optional<ControllerReplay> ReplayLog(RunLogReader& log, const System& syste
                                           const RunOptions& options) {
   if (log.header().system != system.name) {
     throw DataError("the log: expected one of the system " + system.name + ", found one of '" +
-                   log.header().system + "'");
+                    log.header().system + "'");
   }
   // As text: a number that is read back as a whole one is still the same.
   if (log.header().nominal.dump() != ready.nominal.dump()) return std::nullopt;

@@ -28,6 +28,9 @@ struct ReadyRun {
   Json nominal;  // the nominal parameters that the controller gets; no truth
   Tick control_period = 20;
   int motor_count = 0, camera_count = 0, switch_count = 0;
+  // Names for the log, in the controller's order; nominal numbers. May be empty.
+  std::vector<NamedMotor> motors{};
+  std::vector<NamedCamera> cameras{};
 };
 
 /// Makes a new controller from the nominal parameters. Throws ConfigError when they are those of

@@ -15,6 +15,7 @@
 #include "sim/campaign/merge.h"
 #include "sim/campaign/shard_file.h"
 #include "sim/log/result_row.h"
+#include "support/edited_log.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -104,8 +105,8 @@ TEST(ProgramRun, LeavesLogAndPlotsInItsFolder) {
               4);
   }
   for (const char* file :
-       {"resolved.yaml", "frames.bin", "history.csv", "outcome.json", "sightings.json",
-        "plans.json", "result.csv", "path.svg", "history.svg"}) {
+       {"resolved.yaml", "run.mcap", "history.csv", "outcome.json", "sightings.json", "plans.json",
+        "result.csv", "path.svg", "history.svg"}) {
     EXPECT_TRUE(fs::exists(fs::path(out) / file)) << file;
   }
 }
@@ -202,21 +203,31 @@ TEST(ProgramRun, ReplaysFromItsOwnFolder) {
   EXPECT_THAT(same.out, HasSubstr("controller alone: same"));
   EXPECT_EQ(Dockyard(replay + " 2").code, 2);  // it holds one run
 
-  const fs::path frames = fs::path(out) / "frames.bin", aside = folder.path() / "frames.bin";
-  fs::rename(frames, aside);  // half of the comparison is then left out
+  const fs::path file = fs::path(out) / "run.mcap", aside = folder.path() / "run.mcap";
+  fs::rename(file, aside);  // half of the comparison is then left out
   EXPECT_EQ(Dockyard(replay).code, 10);
-  fs::rename(aside, frames);
+  fs::rename(aside, file);
 
-  const std::string log = Slurp(frames);  // a controller is never made from the log's own numbers
-  WriteText(frames, Replaced(log, "\"drum_radius_m\":0", "\"drum_radius_m\":1"));
+  const std::string log = Slurp(file);  // a controller is never made from the log's own numbers
+  const auto edit = [&](const std::string& is, const std::string& becomes) {
+    WriteText(file, log);
+    EditLog(file, [&](McapAttachment& each) {
+      if (each.name == "header.json") each.data = Replaced(each.data, is, becomes);
+    });
+  };
+  edit("\"drum_radius_m\":0", "\"drum_radius_m\":1");
   const Ended other = Dockyard(replay);
   EXPECT_EQ(other.code, 1);
   EXPECT_THAT(other.out, HasSubstr("the models' nominal parameters are not the log's"));
-  WriteText(frames, Replaced(log, "\"system\":\"axel\"", "\"system\":\"alex\""));
+  edit("\"system\":\"axel\"", "\"system\":\"alex\"");
   const Ended alien = Dockyard(replay);
   EXPECT_EQ(alien.code, 3);
   EXPECT_THAT(alien.err, HasSubstr("expected one of the system axel, found one of 'alex'"));
-  WriteText(frames, log);
+  WriteText(file, log.substr(0, log.size() / 2));
+  const Ended torn = Dockyard(replay);
+  EXPECT_EQ(torn.code, 10);
+  EXPECT_THAT(torn.out, HasSubstr("the log is cut short"));
+  WriteText(file, log);
 
   const fs::path result = fs::path(out) / "result.csv";
   std::string text = Slurp(result);

@@ -13,6 +13,7 @@
 #include "models/read/config_error.h"
 #include "sim/campaign/campaign.h"
 #include "sim/log/result_row.h"
+#include "sim/log/run_log.h"
 #include "sim/scenario/key_path.h"
 #include "support/fake_campaign.h"
 #include "support/fake_runs.h"
@@ -124,6 +125,23 @@ TEST(RunCampaign, KeepsARunThatDiesToItself) {
   EXPECT_THAT(end.summary, HasSubstr("killed by signal 11 (Segmentation fault)"));
   EXPECT_THAT(end.summary, HasSubstr("ended with exit code 9 before its result"));
   EXPECT_THAT(end.summary, HasSubstr("threw: the renderer found no context"));
+}
+
+TEST(RunCampaign, ClosesTheLogOfARunThatWasKilled) {
+  const TemporaryFolder folder;
+  const auto dies = [](const CampaignRun& run, const fs::path& dir) -> RunRecord {
+    RunLogWriter log(dir, {.run = run.run, .system = "toy", .nominal = {}});
+    for (Tick tick = 0; tick <= 2500; tick += 20) log.Append(SensorFrame{.tick = tick}, {});
+    if (run.run == 2) ::raise(SIGKILL);
+    log.Finish();
+    return FakeRun(run, {});
+  };
+  RunCampaign(FakeCampaign(3), dies, OptionsFor(folder.path(), 1));
+  RunLogReader log(folder.path() / "runs" / "002");
+  Tick last = -1;
+  while (const auto entry = log.Next()) last = entry->sensed.tick;
+  EXPECT_TRUE(log.complete());
+  EXPECT_EQ(last, 1980);  // two chunks of a second; the third was under way
 }
 
 TEST(RunCampaign, KillsARunThatHangs) {
@@ -395,7 +413,7 @@ TEST(RunCampaign, EndsWhenAnInputFileProvesBad) {
 TEST(RunCampaign, EndsWhenARunCannotWrite) {
   const TemporaryFolder folder;
   const auto full = [](const CampaignRun& run, const fs::path& dir) {
-    if (run.run == 2) throw IoError("cannot write frames.bin: No space left on device");
+    if (run.run == 2) throw IoError("cannot write run.mcap: No space left on device");
     return FakeRun(run, dir);
   };
   EXPECT_THROW(RunCampaign(FakeCampaign(3), full, OptionsFor(folder.path(), 1)), IoError);

@@ -23,11 +23,10 @@ constexpr bool kSanitized = true;
 constexpr bool kSanitized = false;
 #endif
 
-/// Some kinds take minutes for 2 000, not optimised and sanitized: a log goes through the
+/// Some kinds take minutes for 2 000, not optimised and sanitized: some logs go through the
 /// controller. The optimised test has all 2 000, scripts/fuzz 10^5 under sanitizers.
 int CountSanitized(const std::string& kind) {
-  if (kind == "log") return 50;
-  return kind == "urdf" || kind == "table" || kind == "model" ? 300 : 2000;
+  return kind == "log" || kind == "urdf" || kind == "table" || kind == "model" ? 300 : 2000;
 }
 
 TEST_P(Mutations, AreReadOrRefused) {

@@ -12,8 +12,10 @@
 #include "sim/log/result_row.h"
 #include "sim/log/results.h"
 #include "sim/log/run_log.h"
+#include "sim/mcap/mcap_repair.h"
 #include "sim/run/replay_log.h"
 #include "sim/scenario/load_scenario.h"
+#include "support/edited_log.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -51,25 +53,64 @@ struct LoggedRun {
       log.Append(sensed, commands);
       for (int period = 0; period < 10; ++period) run.plant->Advance(commands);
     }
-    log.Finish();
-    return Slurp(folder.path() / "frames.bin");
+    log.Append(PlanSample{0.1, {{{2.0, 0.1, 0.2}, -0.5, 0.3}}}, 1000);
+    log.Finish({{"outcome", "docked"}});
+    EditLog(
+        folder.path() / kRunLogFile, [](McapAttachment&) {}, /*compress=*/false);
+    return Slurp(folder.path() / kRunLogFile);
   }
 };
 
+/// Logs whose check values are right: else nothing but them would be tried. Of those that can be
+/// read, the controller gets one in 50: that takes a hundred times longer.
 FuzzKind LogKind() {
+  constexpr int kReplayEvery = 50;
   const auto run = std::make_shared<LoggedRun>();
+  const auto good = std::make_shared<int>(0);
   return {"log",
           [run] {
             return std::vector{run->Write(50, true), run->Write(50, false), run->Write(3, true)};
           },
-          {"DOCKLOG\n", "\"nominal\":", "\"system\":\"axel\"", "\"seed\":", "H", "F", "E",
-           std::string("\0\0\0\0\0\0\xf8\x7f", 8), std::string("\0\0\0\0\0\0\xf0\x7f", 8)},
-          [run](const std::string& bytes) {
-            run->folder.Write("frames.bin", bytes);
+          {"\"nominal\":", "\"system\":\"axel\"", "\"seed\":", "/dockyard/frame", "/tf",
+           "/image/compressed", std::string("\0\1\0\0", 4), std::string("\0\0\0\0\0\0\xf8\x7f", 8),
+           std::string("\0\0\0\0\0\0\xf0\x7f", 8)},
+          [run, good](const std::string& bytes) {
+            run->folder.Write(kRunLogFile, WithCheckValues(bytes));
             return ReadOrRefused([&] {
+              RunLogReader all(run->folder.path());
+              while (all.Next()) {
+              }
+              if (++*good % kReplayEvery != 1) return;
               RunLogReader log(run->folder.path());
               ReplayLog(log, run->system, run->scenario, run->ready, run->options);
             });
+          }};
+}
+
+/// The container alone, compressed and not, and the repair of one that was cut short.
+FuzzKind McapKind() {
+  const auto folder = std::make_shared<ScratchFolder>();
+  const std::string file = (folder->path() / "a.mcap").string();
+  const auto seed = [folder, file](bool compress, bool finish) {
+    McapWriter writer(file, {.profile = "ros2", .library = "a", .compress = compress});
+    writer.Attach({1, 2, "a.json", "application/json", "{}"});
+    const auto schema = writer.AddSchema("a/msg/B", "ros2msg", "float64 x");
+    const auto channel = writer.AddChannel(schema, "/one", "cdr", {{"x", "m"}});
+    for (std::uint32_t i = 0; i < 5; ++i) {
+      writer.Write({channel, i, 600'000'000ull * i, 600'000'000ull * i, "message"});
+    }
+    writer.Add(McapMetadata{"a", {{"b", "c"}}});
+    finish ? writer.Finish() : writer.Flush();
+    return Slurp(file);
+  };
+  return {"mcap",
+          [seed] {
+            return std::vector{seed(false, true), seed(true, true), seed(true, false)};
+          },
+          {std::string(kMcapMagic), "zstd", std::string("\xff\xff\xff\xff\xff\xff\xff\x7f", 8)},
+          [folder, file](const std::string& bytes) {
+            folder->Write("a.mcap", WithCheckValues(bytes));
+            return ReadOrRefused([&] { RepairMcap(file); });
           }};
 }
 
@@ -114,7 +155,7 @@ FuzzKind RowsKind() {
 }  // namespace
 
 std::vector<NamedKind> RecordKinds() {
-  return {{"log", LogKind}, {"results", ResultsKind}, {"rows", RowsKind}};
+  return {{"log", LogKind}, {"mcap", McapKind}, {"results", ResultsKind}, {"rows", RowsKind}};
 }
 
 }  // namespace dockyard

@@ -1,0 +1,287 @@
+#include "sim/log/ros_messages.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace dockyard {
+namespace {
+
+constexpr std::int64_t kTicksPerSecond = 1000;
+constexpr std::int64_t kNanosecondsPerTick = 1'000'000;
+
+void PutTime(CdrWriter& out, Tick tick) {
+  out.I32(static_cast<std::int32_t>(tick / kTicksPerSecond));
+  out.U32(static_cast<std::uint32_t>(tick % kTicksPerSecond * kNanosecondsPerTick));
+}
+
+void PutVector(CdrWriter& out, const Eigen::Vector3d& v) {
+  for (int i = 0; i < 3; ++i) out.Double(v(i));
+}
+
+void PutRotation(CdrWriter& out, const Eigen::Matrix3d& R) {
+  const Eigen::Quaterniond q(R);
+  for (const double part : {q.x(), q.y(), q.z(), q.w()}) out.Double(part);
+}
+
+void PutPose(CdrWriter& out, const Pose3& X) {
+  PutVector(out, X.p);
+  PutRotation(out, X.R);
+}
+
+void PutZeros(CdrWriter& out, int count) {
+  for (int i = 0; i < count; ++i) out.Double(0.0);
+}
+
+void PutMarks(CdrWriter& out, const std::vector<SightingReport::Mark>& marks) {
+  out.Count(marks.size());
+  for (const SightingReport::Mark& mark : marks) {
+    out.I32(mark.id);
+    out.I32(mark.camera);
+    out.Double(mark.u_px);
+    out.Double(mark.v_px);
+  }
+}
+
+/// A lens as ROS has it: its name, coefficients, focal lengths and centre.
+struct RosLens {
+  const char* model = "";
+  std::vector<double> d;
+  double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;
+};
+
+RosLens LensOf(const Camera& camera) {
+  if (const auto* fish = std::get_if<KannalaBrandt>(&camera.lens)) {
+    return {"equidistant", {fish->k.begin(), fish->k.end()}, fish->fx, fish->fy, fish->cx,
+            fish->cy};
+  }
+  if (const auto* brown = std::get_if<BrownPinhole>(&camera.lens)) {
+    return {"plumb_bob", {brown->k1, brown->k2, brown->p1, brown->p2, brown->k3},
+            brown->fx,   brown->fy,
+            brown->cx,   brown->cy};
+  }
+  const Eigen::Vector2d focal = camera.focal_px(), centre = camera.centre_px();
+  return {"", {}, focal.x(), focal.y(), centre.x(), centre.y()};
+}
+
+constexpr std::int32_t kLineStrip = 4, kTriangleList = 11;  // of visualization_msgs/Marker
+
+struct MarkerOfPoints {
+  std::string name;
+  std::int32_t id = 0, type = kLineStrip;
+  Eigen::Vector3d scale{1.0, 1.0, 1.0}, rgb{0.0, 0.0, 0.0};
+};
+
+/// visualization_msgs/Marker in the world
+void PutMarker(CdrWriter& out, Tick tick, const MarkerOfPoints& marker,
+               const std::vector<Eigen::Vector3d>& points_W) {
+  constexpr std::int32_t kAdd = 0;
+  PutHeader(out, tick, kWorldFrame);
+  out.Text(marker.name);
+  out.I32(marker.id);
+  out.I32(marker.type);
+  out.I32(kAdd);
+  PutPose(out, {});
+  PutVector(out, marker.scale);
+  for (int i = 0; i < 3; ++i) out.Float(static_cast<float>(marker.rgb(i)));
+  out.Float(1.0f);
+  out.I32(0);  // for ever
+  out.U32(0);
+  out.Bool(false);
+  out.Count(points_W.size());
+  for (const Eigen::Vector3d& point : points_W) PutVector(out, point);
+  out.Count(0);  // colours of the points
+  out.Text("");  // texture
+  PutHeader(out, 0, "");
+  out.Text("");
+  out.Bytes("");
+  out.Count(0);
+  for (int i = 0; i < 3; ++i) out.Text("");  // text, mesh, the mesh's file
+  out.Bytes("");
+  out.Bool(false);
+}
+
+}  // namespace
+
+std::uint64_t Nanoseconds(Tick tick) {
+  return static_cast<std::uint64_t>(tick * kNanosecondsPerTick);
+}
+
+void PutHeader(CdrWriter& out, Tick tick, std::string_view frame) {
+  PutTime(out, tick);
+  out.Text(frame);
+}
+
+void PutTriangles(CdrWriter& out, Tick tick, const std::string& name, int id,
+                  const std::vector<Eigen::Vector3d>& corners_W, const Eigen::Vector3d& rgb) {
+  PutMarker(out, tick, {.name = name, .id = id, .type = kTriangleList, .rgb = rgb}, corners_W);
+}
+
+std::string TransformsMessage(Tick tick, const std::string& parent,
+                              const std::vector<BodyPose>& bodies) {
+  CdrWriter out;
+  out.Count(bodies.size());
+  for (const BodyPose& body : bodies) {
+    PutHeader(out, tick, parent);
+    out.Text(body.name);
+    PutPose(out, body.X_WO);
+  }
+  return out.Take();
+}
+
+std::string ImuMessage(Tick tick, const ImuSample& imu) {
+  CdrWriter out;
+  PutHeader(out, tick, kRobotFrame);
+  PutRotation(out, ToRotation({imu.roll_rad, imu.pitch_rad, imu.yaw_rad}));
+  PutZeros(out, 9);
+  PutVector(out, imu.rate_R);
+  PutZeros(out, 9);
+  PutVector(out, imu.specific_force_R);
+  PutZeros(out, 9);
+  return out.Take();
+}
+
+std::string MotorsMessage(Tick tick, const std::vector<NamedMotor>& names,
+                          const std::vector<MotorReading>& motors) {
+  CdrWriter out;
+  PutHeader(out, tick, "");
+  out.Count(names.size());
+  for (const NamedMotor& motor : names) out.Text(motor.name);
+  out.Count(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    out.Double(names[i].rad_per_count * static_cast<double>(motors.at(i).encoder_counts));
+  }
+  out.Count(0);  // velocities
+  out.Count(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) out.Double(motors.at(i).current_a);
+  return out.Take();
+}
+
+std::string ImageMessage(Tick tick, const std::string& frame, const std::string& format,
+                         std::string_view bytes) {
+  CdrWriter out;
+  PutHeader(out, tick, frame);
+  out.Text(format);
+  out.Bytes(bytes);
+  return out.Take();
+}
+
+std::string CameraInfoMessage(Tick tick, const std::string& frame, const Camera& camera) {
+  const RosLens lens = LensOf(camera);
+  CdrWriter out;
+  PutHeader(out, tick, frame);
+  out.U32(static_cast<std::uint32_t>(camera.height));
+  out.U32(static_cast<std::uint32_t>(camera.width));
+  out.Text(lens.model);
+  out.Doubles(lens.d);
+  for (const double k : {lens.fx, 0.0, lens.cx, 0.0, lens.fy, lens.cy, 0.0, 0.0, 1.0}) {
+    out.Double(k);
+  }
+  for (const double r : {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) out.Double(r);
+  for (const double p :
+       {lens.fx, 0.0, lens.cx, 0.0, 0.0, lens.fy, lens.cy, 0.0, 0.0, 0.0, 1.0, 0.0}) {
+    out.Double(p);
+  }
+  for (int i = 0; i < 6; ++i) out.U32(0);  // no binning, the whole image
+  out.Bool(false);
+  return out.Take();
+}
+
+std::string BeliefPoseMessage(Tick tick, const Pose2& X_DR) {
+  CdrWriter out;
+  PutHeader(out, tick, kDockFrame);
+  PutPose(out, FromGround(X_DR, 0.0));
+  PutZeros(out, 36);
+  return out.Take();
+}
+
+std::string PathMessage(Tick tick, const std::vector<Pose2>& X_DP) {
+  CdrWriter out;
+  PutHeader(out, tick, kDockFrame);
+  out.Count(X_DP.size());
+  for (const Pose2& X : X_DP) {
+    PutHeader(out, tick, kDockFrame);
+    PutPose(out, FromGround(X, 0.0));
+  }
+  return out.Take();
+}
+
+std::string LinesMessage(Tick tick, const std::vector<StageLine>& lines) {
+  CdrWriter out;
+  out.Count(lines.size());
+  std::int32_t id = 0;
+  for (const StageLine& line : lines) {
+    PutMarker(
+        out, tick,
+        {.name = line.name, .id = id++, .scale = {line.diameter_m, 0.0, 0.0}, .rgb = line.rgb},
+        line.points_W);
+  }
+  return out.Take();
+}
+
+std::string NoteMessage(Tick tick, const std::string& name, const std::string& text) {
+  constexpr std::uint8_t kInfo = 20;
+  CdrWriter out;
+  PutTime(out, tick);
+  out.U8(kInfo);
+  out.Text(name);
+  out.Text(text);
+  out.Text("");
+  out.Text("");
+  out.U32(0);
+  return out.Take();
+}
+
+std::string FrameMessage(Tick tick, std::string_view data) {
+  CdrWriter out;
+  PutTime(out, tick);
+  out.Bytes(data);
+  return out.Take();
+}
+
+std::string CommandsMessage(Tick tick, const Commands& commands) {
+  CdrWriter out;
+  PutTime(out, tick);
+  out.Count(commands.motors.size());
+  for (const MotorCommand& motor : commands.motors) {
+    out.U8(static_cast<std::uint8_t>(motor.mode));
+    out.Double(motor.target);
+    out.Double(motor.speed_limit_rad_s);
+    out.Double(motor.accel_rad_s2);
+    out.Double(motor.current_limit_a);
+  }
+  out.Count(commands.take_images.size());
+  for (const int camera : commands.take_images) out.I32(camera);
+  out.Bytes({reinterpret_cast<const char*>(commands.switches.data()), commands.switches.size()});
+  out.U8(static_cast<std::uint8_t>(commands.verdict));
+  return out.Take();
+}
+
+std::string ScalarsMessage(Tick tick, const std::vector<std::string>& names,
+                           const std::vector<double>& values) {
+  CdrWriter out;
+  PutTime(out, tick);
+  out.Count(names.size());
+  for (const std::string& name : names) out.Text(name);
+  out.Doubles(values);
+  return out.Take();
+}
+
+std::string SightingMessage(Tick tick, const SightingReport& report) {
+  CdrWriter out;
+  PutTime(out, tick);
+  out.Bool(report.accepted);
+  out.Text(report.reason);
+  out.Text(report.method);
+  out.Count(report.detected.size());
+  for (const int count : report.detected) out.I32(count);
+  PutMarks(out, report.marks);
+  PutMarks(out, report.predicted);
+  out.Double(report.reprojection_px);
+  PutPose(out, report.X_RB);
+  for (int row = 0; row < 6; ++row) {
+    for (int column = 0; column < 6; ++column) out.Double(report.covariance(row, column));
+  }
+  return out.Take();
+}
+
+}  // namespace dockyard

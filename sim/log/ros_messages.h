@@ -1,0 +1,70 @@
+// Messages of a run's log in CDR; their fields are those of ros_schemas.h. Times are ticks of
+// simulated time since power-on.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "controller/io/belief.h"
+#include "controller/io/commands.h"
+#include "controller/io/sensors.h"
+#include "sim/log/stage.h"
+#include "sim/mcap/cdr.h"
+
+namespace dockyard {
+
+/// The nanoseconds of a tick.
+std::uint64_t Nanoseconds(Tick tick);
+
+// Frames of reference by name: the world, the target's frame D, the site's
+// frame G, the robot's body R. A body of the
+// stage is a frame of its own name, a camera one of its topic's.
+inline constexpr const char* kWorldFrame = "world";
+inline constexpr const char* kDockFrame = "dock";
+inline constexpr const char* kGroundFrame = "ground";
+inline constexpr const char* kRobotFrame = "robot";
+
+// Parts of messages.
+
+/// std_msgs/Header
+void PutHeader(CdrWriter& out, Tick tick, std::string_view frame);
+/// visualization_msgs/Marker of triangles in the world, three corners each.
+void PutTriangles(CdrWriter& out, Tick tick, const std::string& name, int id,
+                  const std::vector<Eigen::Vector3d>& corners_W, const Eigen::Vector3d& rgb);
+
+// Whole messages.
+
+/// tf2_msgs/TFMessage: each pose in the frame `parent`.
+std::string TransformsMessage(Tick tick, const std::string& parent,
+                              const std::vector<BodyPose>& bodies);
+/// sensor_msgs/Imu; no covariances are known.
+std::string ImuMessage(Tick tick, const ImuSample& imu);
+/// sensor_msgs/JointState: angles [rad] since power-on, currents [A] as effort.
+std::string MotorsMessage(Tick tick, const std::vector<NamedMotor>& names,
+                          const std::vector<MotorReading>& motors);
+/// sensor_msgs/CompressedImage
+std::string ImageMessage(Tick tick, const std::string& frame, const std::string& format,
+                         std::string_view bytes);
+/// sensor_msgs/CameraInfo. A CAHV* lens has no distortion model of ROS: its focal lengths and
+/// centre alone.
+std::string CameraInfoMessage(Tick tick, const std::string& frame, const Camera& camera);
+/// geometry_msgs/PoseWithCovarianceStamped in the frame `dock`; the covariance is not known.
+std::string BeliefPoseMessage(Tick tick, const Pose2& X_DR);
+/// nav_msgs/Path in the frame `dock`.
+std::string PathMessage(Tick tick, const std::vector<Pose2>& X_DP);
+/// visualization_msgs/MarkerArray: a strip of lines for each.
+std::string LinesMessage(Tick tick, const std::vector<StageLine>& lines);
+/// rcl_interfaces/Log, level INFO. `name` is who says it.
+std::string NoteMessage(Tick tick, const std::string& name, const std::string& text);
+/// dockyard_msgs/Frame
+std::string FrameMessage(Tick tick, std::string_view data);
+/// dockyard_msgs/Commands
+std::string CommandsMessage(Tick tick, const Commands& commands);
+/// dockyard_msgs/Scalars
+std::string ScalarsMessage(Tick tick, const std::vector<std::string>& names,
+                           const std::vector<double>& values);
+/// dockyard_msgs/Sighting
+std::string SightingMessage(Tick tick, const SightingReport& report);
+
+}  // namespace dockyard

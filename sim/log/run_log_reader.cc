@@ -1,0 +1,131 @@
+#include <utility>
+
+#include "sim/log/run_log.h"
+#include "sim/mcap/cdr.h"
+
+namespace dockyard {
+namespace {
+
+RunLogHeader HeaderFromText(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    const std::uint32_t version = json.at("version");
+    if (version != kRunLogVersion) {
+      throw DataError("its version is " + std::to_string(version) + ", this program reads " +
+                      std::to_string(kRunLogVersion));
+    }
+    RunLogHeader header;
+    header.run = json.at("run");
+    header.seed = json.at("seed");
+    header.system = json.at("system");
+    header.controller = json.at("controller");
+    header.images_kept = json.at("images_kept");
+    header.nominal = json.at("nominal");
+    return header;
+  } catch (const Json::exception& error) {
+    throw DataError(std::string("its header cannot be read: ") + error.what());
+  }
+}
+
+/// Behind the time of a message.
+CdrReader BehindTime(std::string_view message) {
+  CdrReader in(message);
+  in.I32();
+  in.U32();
+  return in;
+}
+
+/// The PNG in a sensor_msgs/CompressedImage.
+std::string PictureFrom(std::string_view message) {
+  CdrReader in = BehindTime(message);
+  in.Text();  // the camera's frame
+  in.Text();  // the format
+  return std::string(in.Bytes());
+}
+
+bool IsImage(const std::string& topic) { return topic.ends_with("/image/compressed"); }
+
+void RequireShape(const SensorFrame& frame, const RobotShape& robot) {
+  const auto refuse = [&](const std::string& what) {
+    throw DataError("the log, at tick " + std::to_string(frame.tick) + ": " + what);
+  };
+  if (frame.motors.size() != static_cast<std::size_t>(robot.motors)) {
+    refuse("expected the readings of " + std::to_string(robot.motors) + " motors, found " +
+           std::to_string(frame.motors.size()));
+  }
+  for (const CameraImage& image : frame.images) {
+    if (image.camera >= 0 && image.camera < robot.cameras) continue;
+    refuse("expected images of cameras 0 to " + std::to_string(robot.cameras - 1) +
+           ", found one of " + std::to_string(image.camera));
+  }
+}
+
+std::string CommandBytes(const Commands& commands) {
+  std::string bytes;
+  PutCommands(bytes, commands);
+  return bytes;
+}
+
+}  // namespace
+
+RunLogReader::RunLogReader(const std::filesystem::path& dir) : path_(dir / kRunLogFile) {
+  try {
+    file_ = std::make_unique<McapReader>(path_);
+    first_ = file_->Next();
+    for (const McapAttachment& attachment : file_->attachments()) {
+      if (attachment.name != "header.json") continue;
+      header_ = HeaderFromText(attachment.data);
+      return;
+    }
+    throw DataError("its header is missing");
+  } catch (const DataError& failure) {
+    throw DataError(path_.string() + ": " + failure.what());
+  }
+}
+
+std::optional<RunLogEntry> RunLogReader::Next() {
+  try {
+    for (;;) {
+      const auto message = first_ ? std::exchange(first_, std::nullopt) : file_->Next();
+      if (!message) return std::nullopt;
+      const std::string& topic = file_->channel(message->channel_id).topic;
+      if (IsImage(topic)) pictures_.push_back(PictureFrom(message->data));
+      if (topic == topic::kFrame) return EntryFrom(message->data);
+    }
+  } catch (const DataError& failure) {
+    throw DataError(path_.string() + ", entry " + std::to_string(entries_) + ": " + failure.what());
+  }
+}
+
+RunLogEntry RunLogReader::EntryFrom(std::string_view message) {
+  CdrReader outer = BehindTime(message);
+  ByteReader in(outer.Bytes());
+  LoggedFrame logged = TakeFrame(in, ImageCoding::kBeside, pictures_);
+  pictures_.clear();
+  RunLogEntry entry{std::move(logged.frame), logged.images_left_out, TakeCommands(in)};
+  if (!in.AtEnd()) throw DataError("a record is longer than its content");
+  ++entries_;
+  return entry;
+}
+
+ControllerReplay ReplayController(RunLogReader& log, Controller& controller,
+                                  const RobotShape& robot) {
+  ControllerReplay replay;
+  while (const auto entry = log.Next()) {
+    if (entry->images_left_out) {
+      replay.blind_at = entry->sensed.tick;
+      return replay;
+    }
+    RequireShape(entry->sensed, robot);
+    // Bytes, not ==: a NaN equals itself here and -0 is not 0.
+    if (CommandBytes(controller.Step(entry->sensed)) != CommandBytes(entry->commands)) {
+      replay.differs_at = entry->sensed.tick;
+      return replay;
+    }
+    ++replay.compared;
+  }
+  replay.complete = log.complete();
+  return replay;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/files.h"
+#include "sim/log/ros_messages.h"
+#include "sim/log/ros_schemas.h"
+#include "sim/log/run_log.h"
+
+namespace dockyard {
+namespace {
+
+std::string HeaderText(const RunLogHeader& header) {
+  const Json json = {{"version", kRunLogVersion},
+                     {"run", header.run},
+                     {"seed", header.seed},
+                     {"system", header.system},
+                     {"controller", header.controller},
+                     {"images_kept", header.images_kept},
+                     {"nominal", header.nominal}};
+  return json.dump();
+}
+
+std::vector<std::string> Names(std::vector<std::string> names, const std::vector<Column>& columns) {
+  for (const Column& column : columns) names.push_back(column.name);
+  return names;
+}
+
+/// Units and meanings of scalars, for those who open the log elsewhere.
+McapTexts Meanings(const std::vector<Column>& columns) {
+  McapTexts texts;
+  for (const Column& column : columns) {
+    texts[column.name] = (column.unit.empty() ? "" : "[" + column.unit + "] ") + column.meaning;
+  }
+  return texts;
+}
+
+/// The pose on an arc, in its start, at that share of its length.
+Pose2 OnArc(const PlannedArc& arc, double share) {
+  const double length_m = share * arc.length_m, turn_rad = share * arc.turn_rad;
+  if (std::abs(turn_rad) < 1e-9) return {length_m, 0.0, turn_rad};
+  const double radius_m = length_m / turn_rad;
+  return {radius_m * std::sin(turn_rad), radius_m * (1.0 - std::cos(turn_rad)), WrapPi(turn_rad)};
+}
+
+/// The poses along the arcs, about every 0.1 m.
+std::vector<Pose2> PosesAlong(const std::vector<PlannedArc>& arcs) {
+  std::vector<Pose2> poses;
+  for (const PlannedArc& arc : arcs) {
+    const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(arc.length_m) / 0.1)));
+    for (int i = poses.empty() ? 0 : 1; i <= steps; ++i) {
+      poses.push_back(arc.X_DR_start * OnArc(arc, static_cast<double>(i) / steps));
+    }
+  }
+  return poses;
+}
+
+}  // namespace
+
+RunLogWriter::RunLogWriter(const std::filesystem::path& dir, const RunLogHeader& header,
+                           const std::string& scenario)
+    : keep_images_(header.images_kept),
+      motors_(header.motors),
+      cameras_(header.cameras),
+      truth_names_(Names({"x_m", "y_m", "heading_rad"}, header.channels)),
+      belief_names_(Names({"located", "x_m", "y_m", "heading_rad"}, header.beliefs)) {
+  MakeFolder(dir);
+  file_ = std::make_unique<McapWriter>(dir / kRunLogFile,
+                                       McapOptions{.profile = "ros2", .library = "dockyard"});
+  file_->Attach({0, 0, "header.json", "application/json", HeaderText(header)});
+  if (!scenario.empty()) file_->Attach({0, 0, "scenario.yaml", "application/yaml", scenario});
+  channels_[topic::kTruth] =
+      Channel(topic::kTruth, "dockyard_msgs/Scalars", Meanings(header.channels));
+  channels_[topic::kBelief] =
+      Channel(topic::kBelief, "dockyard_msgs/Scalars", Meanings(header.beliefs));
+  for (const NamedCamera& camera : cameras_) {
+    Put(Channel("/camera/" + camera.name + "/camera_info", "sensor_msgs/CameraInfo"), 0,
+        CameraInfoMessage(0, camera.name, camera.camera));
+  }
+  file_->Flush();
+}
+
+std::uint16_t RunLogWriter::Channel(const std::string& topic, const std::string& type,
+                                    const McapTexts& metadata) {
+  const auto known = channels_.find(topic);
+  if (known != channels_.end()) return known->second;
+  auto schema = schemas_.find(type);
+  if (schema == schemas_.end()) {
+    const auto id = file_->AddSchema(RosSchemaName(type), "ros2msg", RosSchema(type));
+    schema = schemas_.emplace(type, id).first;
+  }
+  return channels_[topic] = file_->AddChannel(schema->second, topic, "cdr", metadata);
+}
+
+void RunLogWriter::Put(std::uint16_t channel, Tick tick, const std::string& data) {
+  const std::uint64_t time = Nanoseconds(tick);
+  file_->Write({channel, sequence_++, time, time, data});
+}
+
+const NamedCamera& RunLogWriter::CameraOf(int index) {
+  while (cameras_.size() <= static_cast<std::size_t>(index)) {
+    cameras_.push_back({std::to_string(cameras_.size()), {}, {}});
+  }
+  return cameras_[static_cast<std::size_t>(index)];
+}
+
+const std::vector<NamedMotor>& RunLogWriter::MotorsOf(const SensorFrame& sensed) {
+  while (motors_.size() < sensed.motors.size()) {
+    motors_.push_back({"motor_" + std::to_string(motors_.size()), 1.0});
+  }
+  return motors_;
+}
+
+void RunLogWriter::AppendImages(const SensorFrame& sensed,
+                                const std::vector<std::string>& pictures) {
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const NamedCamera& camera = CameraOf(sensed.images[i].camera);
+    Put(Channel("/camera/" + camera.name + "/image/compressed", "sensor_msgs/CompressedImage"),
+        sensed.tick, ImageMessage(sensed.tick, camera.name, "png", pictures[i]));
+  }
+}
+
+void RunLogWriter::Append(const SensorFrame& sensed, const Commands& commands) {
+  std::vector<std::string> pictures;
+  payload_.clear();
+  PutFrame(payload_, sensed, keep_images_ ? ImageCoding::kBeside : ImageCoding::kLeftOut,
+           keep_images_ ? &pictures : nullptr);
+  PutCommands(payload_, commands);
+  AppendImages(sensed, pictures);
+  const Tick tick = sensed.tick;
+  Put(Channel(topic::kFrame, "dockyard_msgs/Frame"), tick, FrameMessage(tick, payload_));
+  Put(Channel(topic::kImu, "sensor_msgs/Imu"), tick, ImuMessage(tick, sensed.imu));
+  Put(Channel(topic::kMotors, "sensor_msgs/JointState",
+              {{"position", "rad since power-on"}, {"effort", "current, A"}}),
+      tick, MotorsMessage(tick, MotorsOf(sensed), sensed.motors));
+  Put(Channel(topic::kCommands, "dockyard_msgs/Commands"), tick, CommandsMessage(tick, commands));
+}
+
+void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick tick) {
+  std::vector<BodyPose> frames{{kDockFrame, stage.X_WD}};
+  if (stage.ground.heights_m != nullptr) frames.push_back({kGroundFrame, stage.ground.X_WG});
+  frames.insert(frames.end(), stage.bodies.begin(), stage.bodies.end());
+  Put(Channel(topic::kTransforms, "tf2_msgs/TFMessage"), tick,
+      TransformsMessage(tick, kWorldFrame, frames));
+  for (const StageLine& line : stage.lines) {
+    Put(Channel("/" + line.name, "visualization_msgs/MarkerArray"), tick,
+        LinesMessage(tick, {line}));
+  }
+  std::vector<double> truth{sample.X_DR.x, sample.X_DR.y, sample.X_DR.heading};
+  truth.insert(truth.end(), sample.channels.begin(), sample.channels.end());
+  Put(channels_.at(topic::kTruth), tick, ScalarsMessage(tick, truth_names_, truth));
+  const Pose2& X = sample.X_DR_believed;
+  std::vector<double> belief{sample.located ? 1.0 : 0.0, X.x, X.y, X.heading};
+  belief.insert(belief.end(), sample.beliefs.begin(), sample.beliefs.end());
+  Put(channels_.at(topic::kBelief), tick, ScalarsMessage(tick, belief_names_, belief));
+  if (sample.located) {
+    Put(Channel(topic::kBeliefPose, "geometry_msgs/PoseWithCovarianceStamped"), tick,
+        BeliefPoseMessage(tick, X));
+  }
+  if (sample.phase == phase_) return;
+  phase_ = sample.phase;
+  Note("phase", phase_, tick);
+}
+
+void RunLogWriter::AppendGround(const StageGround& ground, Tick tick) {
+  if (!ground_.Update(ground)) return;
+  Put(Channel(topic::kGround, "dockyard_msgs/Ground"), tick, ground_.Message(tick));
+  Put(Channel(topic::kGroundMarkers, "visualization_msgs/MarkerArray"), tick,
+      ground_.Markers(tick));
+}
+
+void RunLogWriter::Append(const SightingReport& report, Tick tick) {
+  Put(Channel(topic::kSighting, "dockyard_msgs/Sighting"), tick, SightingMessage(tick, report));
+}
+
+void RunLogWriter::Append(const PlanSample& plan, Tick tick) {
+  Put(Channel(topic::kPlan, "nav_msgs/Path"), tick, PathMessage(tick, PosesAlong(plan.arcs)));
+}
+
+void RunLogWriter::Note(const std::string& name, const std::string& text, Tick tick) {
+  Put(Channel(topic::kNotes, "rcl_interfaces/Log"), tick, NoteMessage(tick, name, text));
+}
+
+void RunLogWriter::Finish(const Json& outcome) {
+  if (!outcome.is_null()) {
+    file_->Attach({0, 0, "outcome.json", "application/json", outcome.dump()});
+  }
+  file_->Finish();
+}
+
+}  // namespace dockyard
