@@ -45,9 +45,9 @@ inline constexpr const char* kNotes = "/rosout";
 struct RunLogHeader {
   int run = 0;
   std::uint64_t seed = 0;
-  std::string system, controller;
+  std::string system{}, controller{};
   bool images_kept = true;
-  Json nominal;  // the nominal parameters that the controller got
+  Json nominal{};  // the nominal parameters that the controller got
   // Names for the messages. Motors and cameras without one are called by their number.
   std::vector<NamedMotor> motors{};
   std::vector<NamedCamera> cameras{};

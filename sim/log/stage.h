@@ -28,7 +28,7 @@ struct StageLine {
 /// Heights over the site frame G, row by row: height(ix, iy) at x0 + ix * cell, y0 + iy * cell.
 /// Borrowed from the plant: good until it advances.
 struct StageGround {
-  Pose3 X_WG;
+  Pose3 X_WG{};
   double x0_m = 0.0, y0_m = 0.0, cell_m = 0.0;
   int nx = 0, ny = 0;
   const double* heights_m = nullptr;  // [iy * nx + ix]

@@ -1,0 +1,144 @@
+// What a spectator reads back is what the run was.
+#include "sim/log/logged_run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/edited_log.h"
+#include "support/fake_runs.h"
+
+namespace dockyard {
+namespace {
+
+Pose3 PoseAt(int i) {
+  return {ToRotation({0.01 * i, -0.02 * i, 0.1 * i}), Eigen::Vector3d(1.0 - 0.01 * i, 0.2, 0.3)};
+}
+
+SightingReport SomeSighting() {
+  SightingReport report;
+  report.accepted = true;
+  report.method = "stereo";
+  report.detected = {8, 7};
+  report.marks = {{3, 1, 12.5, -0.25}};
+  report.predicted = {{4, 0, 1.0, 2.0}};
+  report.reprojection_px = 0.125;
+  report.X_RB = PoseAt(3);
+  report.covariance(2, 3) = 1e-7;
+  return report;
+}
+
+/// Twenty samples of a robot with a wheel, a cable, a ground that changes, an image.
+void WriteRun(const std::filesystem::path& dir) {
+  RunLogWriter log(dir, {.run = 3,
+                         .system = "toy",
+                         .motors = {{"wheel", 0.5}},
+                         .cameras = {{"left", EquidistantCamera(8, 6, 1.0), {}}},
+                         .channels = {{"depth_m", "m", "how deep"}},
+                         .beliefs = {{"tries", "", "how often"}}});
+  std::vector<double> heights(12, 0.01);
+  for (int i = 0; i < 20; ++i) {
+    const Tick tick = 100 * i;
+    SensorFrame frame{.tick = tick, .motors = {{2 * i, 0.1 * i}}};
+    if (i == 7) frame.images = {{0, GrayImage{2, 1, {5, 250}}}};
+    log.Append(frame, {});
+    HistorySample sample;
+    sample.X_DR = {0.1 * i, 0.0, 1.0};
+    sample.channels = {0.5 * i};
+    sample.beliefs = {2.0};
+    sample.phase = i < 5 ? "look" : "drive";
+    Stage stage;
+    stage.bodies = {{"robot", PoseAt(i)}, {"wheel", PoseAt(2 * i)}};
+    stage.lines = {
+        {.name = "cable", .diameter_m = 0.006, .points_W = {{0, 0, 0}, {i * 1.0, 0, 0}}}};
+    if (i == 10) heights[5] = -0.02;
+    stage.ground = {
+        .cell_m = 0.1, .nx = 4, .ny = 3, .heights_m = heights.data(), .revision = i < 10 ? 0u : 1u};
+    stage.X_WD = PoseAt(1);
+    log.Append(sample, stage, tick);
+    log.AppendGround(stage.ground, tick);
+    if (i == 7) log.Append(SomeSighting(), tick);
+    if (i == 8) log.Append(PlanSample{0.8, {{{2.0, 0.0, 0.0}, -1.0, 0.5}}}, tick);
+  }
+  log.Finish({{"outcome", "docked"}});
+}
+
+TEST(LoggedRun, GivesBackWhatTheRunWas) {
+  const TemporaryFolder folder;
+  WriteRun(folder.path());
+  const LoggedRun run = ReadLoggedRun(folder.path());
+  EXPECT_TRUE(run.complete);
+  EXPECT_EQ(run.header.run, 3);
+  EXPECT_EQ(run.outcome["outcome"], "docked");
+  ASSERT_EQ(run.times_s.size(), 20u);
+  EXPECT_NEAR(run.times_s[13], 1.3, 1e-9);
+  EXPECT_THAT(run.body_names, testing::ElementsAre("robot", "wheel"));
+  EXPECT_TRUE(run.X_WO[1][7].R.isApprox(PoseAt(14).R, 1e-12));
+  EXPECT_EQ(run.X_WO[0][7].p, PoseAt(7).p);
+  EXPECT_EQ(run.X_WD[19].p, PoseAt(1).p);
+  EXPECT_EQ(run.lines.at("cable")[9].points_W[1].x(), 9.0);
+  EXPECT_EQ(run.lines.at("cable")[9].diameter_m, 0.006);
+  EXPECT_EQ(run.truth.at("depth_m")[9], 4.5);
+  EXPECT_EQ(run.truth.at("heading_rad")[9], 1.0);
+  EXPECT_EQ(run.belief.at("tries")[9], 2.0);
+  EXPECT_EQ(run.currents_a.at("wheel")[9], 0.1 * 9);
+}
+
+TEST(LoggedRun, HasWhatHappenedAtItsTime) {
+  const TemporaryFolder folder;
+  WriteRun(folder.path());
+  const LoggedRun run = ReadLoggedRun(folder.path());
+  ASSERT_EQ(run.notes.size(), 2u);
+  EXPECT_EQ(run.notes[1].value.text, "drive");
+  EXPECT_NEAR(run.notes[1].time_s, 0.5, 1e-9);
+  ASSERT_EQ(run.sightings.size(), 1u);
+  const SightingReport &read = run.sightings[0].value, wrote = SomeSighting();
+  EXPECT_EQ(read.detected, wrote.detected);
+  EXPECT_EQ(read.marks[0].v_px, -0.25);
+  EXPECT_EQ(read.predicted[0].id, 4);
+  EXPECT_EQ(read.covariance, wrote.covariance);
+  EXPECT_TRUE(read.X_RB.R.isApprox(wrote.X_RB.R, 1e-12));
+  ASSERT_EQ(run.plans.size(), 1u);
+  // An arc of 1 m backwards that turns by 0.5: its end, by the circle's equations.
+  const Pose2 end = run.plans[0].value.back();
+  EXPECT_NEAR(end.x, 2.0 - 2.0 * std::sin(0.5), 1e-12);
+  EXPECT_NEAR(end.y, -2.0 * (1.0 - std::cos(0.5)), 1e-12);
+  EXPECT_NEAR(end.heading, 0.5, 1e-12);
+  ASSERT_EQ(run.images.size(), 1u);
+  EXPECT_EQ(run.images[0].value.camera, "left");
+  EXPECT_THAT(run.images[0].value.png, testing::StartsWith("\x89PNG"));
+}
+
+TEST(LoggedRun, HasTheGroundOnceAndThenWhatChanged) {
+  const TemporaryFolder folder;
+  WriteRun(folder.path());
+  const LoggedRun run = ReadLoggedRun(folder.path());
+  ASSERT_EQ(run.ground.size(), 2u);
+  EXPECT_TRUE(run.ground[0].value.cells.empty());
+  EXPECT_THAT(run.ground[0].value.heights, testing::Each(100));
+  EXPECT_THAT(run.ground[1].value.cells, testing::ElementsAre(5u));
+  EXPECT_THAT(run.ground[1].value.heights, testing::ElementsAre(-200));
+  EXPECT_NEAR(run.ground[1].time_s, 1.0, 1e-9);
+}
+
+TEST(LoggedRun, CutShortHasWholeSamplesAlone) {
+  const TemporaryFolder folder;
+  WriteRun(folder.path());
+  const std::filesystem::path file = folder.path() / kRunLogFile;
+  const std::string bytes = Slurp(file);
+  std::size_t most = 0;
+  for (std::size_t cut = 1; cut < bytes.size(); cut += 211) {
+    WriteText(file, bytes.substr(0, bytes.size() - cut));
+    try {
+      const LoggedRun run = ReadLoggedRun(folder.path());
+      EXPECT_FALSE(run.complete);
+      most = std::max(most, run.times_s.size());
+      for (const auto& poses : run.X_WO) EXPECT_EQ(poses.size(), run.times_s.size());
+      for (const auto& [name, values] : run.truth) EXPECT_EQ(values.size(), run.times_s.size());
+    } catch (const DataError&) {  // cut into the header
+    }
+  }
+  EXPECT_EQ(most, 20u);
+}
+
+}  // namespace
+}  // namespace dockyard
