@@ -1,0 +1,72 @@
+// The table of runs: typed columns, no object per row.
+
+import { number } from './format.js';
+
+/**
+ * @typedef {object} Column
+ * @property {string} name
+ * @property {string} unit
+ * @property {string} meaning
+ * @property {string[] | null} dictionary texts by code, of columns of text
+ * @property {any} values typed array, a value or code per row
+ */
+
+export class Table {
+  /** @param {any} header of the payload @param {import('./payload.js').Blobs} blobs */
+  constructor(header, blobs) {
+    const meanings = new Map((header.system?.columns ?? []).map((/** @type {any} */ c) => [c.name, c]));
+    this.rows = header.table.rows;
+    /** @type {Column[]} */
+    this.columns = header.table.columns.map((/** @type {any} */ column) => {
+      const values = readColumn(column, blobs);
+      if (values.length !== this.rows) throw new Error(`the column ${column.name} has not a value for each run`);
+      const known = meanings.get(column.name);
+      return { name: column.name, unit: column.unit ?? known?.unit ?? '', meaning: known?.meaning ?? '',
+        dictionary: column.dictionary ?? null, values };
+    });
+    this.byName = new Map(this.columns.map((column) => [column.name, column]));
+    this.outcomes = this.byName.get('outcome');
+    this.docked = this.byName.get('docked');
+    this.run = this.byName.get('run');
+    if (!this.outcomes || !this.docked || !this.run) throw new Error('the table of runs lacks a column');
+    this.starts = ['start_x_m', 'start_y_m', 'start_heading_rad'].map((name) => this.byName.get(name)?.values);
+    this.docked_count = this.docked.values.reduce((/** @type {number} */ sum, /** @type {number} */ v) => sum + v, 0);
+  }
+
+  /** @param {number} row */
+  isDocked(row) { return this.docked.values[row] === 1; }
+
+  /** @param {number} row */
+  outcome(row) { return this.text(this.outcomes, row); }
+
+  /** The text of a cell. @param {Column} column @param {number} row */
+  text(column, row) {
+    const value = column.values[row];
+    if (column.dictionary) return column.dictionary[value] ?? '';
+    return column === this.run ? String(value) : number(value);
+  }
+
+  /** Row of a run's number, -1 if there is none. @param {number} run */
+  rowOf(run) {
+    if (this.run.values[run] === run) return run;
+    return this.run.values.indexOf(run);
+  }
+
+  /** The columns that are measured numbers: what a run came to. @returns {Column[]} */
+  measures() {
+    const other = new Set(['run', 'docked', 'start_x_m', 'start_y_m', 'start_heading_rad', 'cpu_time_s', 'wall_time_s']);
+    return this.columns.filter((c) => !c.dictionary && !other.has(c.name));
+  }
+}
+
+/** @param {any} column @param {import('./payload.js').Blobs} blobs */
+function readColumn(column, blobs) {
+  switch (column.kind) {
+    case 'f64': return blobs.f64(column.blob);
+    case 'f32': return blobs.f32(column.blob);
+    case 'i32': return blobs.i32(column.blob);
+    case 'u16': return blobs.u16(column.blob);
+    case 'u8': return blobs.bytes(column.blob);
+    default: throw new Error(`the column ${column.name} has an unknown kind`);
+  }
+}
