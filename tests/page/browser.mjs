@@ -17,6 +17,7 @@ export function startBrowser(more = []) {
 export async function openReport(browser, file, { width = 1280, height = 800, hash = '', colorScheme = 'light' } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, offline: true, colorScheme });
   const page = await context.newPage();
+  page.setDefaultTimeout(15000);
   const messages = [], requests = [];
   page.on('console', (message) => messages.push(message.text()));
   page.on('pageerror', (error) => messages.push(String(error)));

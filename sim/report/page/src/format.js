@@ -12,7 +12,7 @@ export function number(value, digits = 4) {
   if (Number.isInteger(value) && Math.abs(value) < 1e9) return group(value);
   const size = Math.abs(value);
   if (size !== 0 && (size < 1e-4 || size >= 1e9)) return value.toExponential(2).replace('-', MINUS);
-  const before = size < 1 ? 1 : Math.floor(Math.log10(size)) + 1;
+  const before = Math.floor(Math.log10(size)) + 1; // negative for zeros after the point
   const text = value.toFixed(Math.max(0, digits - before));
   return sign(text.includes('.') ? text.replace(/\.?0+$/, '') : text);
 }

@@ -53,7 +53,8 @@ function show({ header, blobs }) {
   Object.assign(report, { totals: header.totals, header, rows: table.rows, docked: table.docked_count, openRun,
     sort: (/** @type {string} */ name, /** @type {boolean} */ falling) => runs.sort(name, falling),
     filter: (/** @type {string} */ text_of) => runs.filter(text_of),
-    shown: () => runs.rows, frame: () => panel.frame(), ready: true });
+    shown: () => runs.rows, column: (/** @type {string} */ name) => table.byName.get(name)?.values,
+    text: (/** @type {string} */ name, /** @type {number} */ row) => table.text(/** @type {any} */ (table.byName.get(name)), row), frame: () => panel.frame(), ready_ms: performance.now(), ready: true });
 }
 
 /** @param {unknown} problem */

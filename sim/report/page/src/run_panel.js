@@ -1,7 +1,7 @@
 // One run: its outcome, its values, the command that replays it, and its replay if there is one.
 
 import { make, outcomeMark } from './dom.js';
-import { number, plainName, shownFactor, shownUnit } from './format.js';
+import { plainName } from './format.js';
 import { Player } from './replay/player.js';
 
 export class RunPanel {
@@ -87,8 +87,7 @@ export class RunPanel {
     const extra = [['seed', replay?.seed], ['state hash', replay?.state_hash]].filter(([, text]) => text);
     return make('section', { class: 'card values', 'aria-labelledby': 'values-head' }, make('h2', { id: 'values-head' }, 'Values of the run'),
       make('dl', null, this.table.columns.map((column) => {
-        const unit = shownUnit(column.unit), factor = shownFactor(column.unit);
-        const text = factor === 1 ? this.table.text(column, row) : number(column.values[row] * factor);
+        const { unit } = column, text = this.table.text(column, row);
         return make('div', { title: column.meaning || null }, make('dt', null, plainName(column.name, column.unit)),
           make('dd', null, text || '–', unit && text !== '–' && make('span', { class: 'unit' }, ` ${unit}`)));
       }), extra.map(([name, text]) => make('div', null, make('dt', null, name), make('dd', null, make('code', null, text))))));
@@ -98,7 +97,9 @@ export class RunPanel {
   key(event) {
     const target = /** @type {HTMLElement} */ (event.target);
     if (event.key === 'Escape' && this.header.campaign) location.hash = '';
-    else if (!/^(INPUT|SELECT|BUTTON|TEXTAREA)$/.test(target.tagName)) this.player?.transport.key(event);
+    else if (target.tagName === 'BUTTON' ? event.key !== ' ' : !/^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) {
+      this.player?.transport.key(event);
+    }
   }
 
   frame() {

@@ -2,7 +2,7 @@
 
 import { card, make } from './dom.js';
 import { filterRows } from './filter.js';
-import { axisName, group, plainName, shownUnit } from './format.js';
+import { axisName, group, plainName } from './format.js';
 import { allRows, sortRows } from './order.js';
 
 const ROWS = 24;
@@ -209,7 +209,6 @@ export function failuresForPrint(table) {
   const columns = [table.run, table.outcomes, ...texts, ...table.measures().slice(0, 5)];
   return card('failures', 'Failed runs', rows.length === 100 ? 'The first 100.' : null,
     make('table', { class: 'plain' },
-      make('thead', null, make('tr', null, columns.map((c) => make('th', { scope: 'col' }, axisName({ name: c.name,
-        unit: shownUnit(c.unit) }))))),
+      make('thead', null, make('tr', null, columns.map((c) => make('th', { scope: 'col' }, axisName(c))))),
       make('tbody', null, rows.map((row) => make('tr', null, columns.map((c) => make('td', null, table.text(c, row))))))));
 }

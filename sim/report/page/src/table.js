@@ -21,15 +21,15 @@ export class Table {
       const values = readColumn(column, blobs);
       if (values.length !== this.rows) throw new Error(`the column ${column.name} has not a value for each run`);
       const known = meanings.get(column.name);
-      return { name: column.name, unit: column.unit ?? known?.unit ?? '', meaning: known?.meaning ?? '',
-        dictionary: column.dictionary ?? null, values };
+      return inDegrees({ name: column.name, unit: column.unit ?? known?.unit ?? '', meaning: known?.meaning ?? '',
+        dictionary: column.dictionary ?? null, values });
     });
     this.byName = new Map(this.columns.map((column) => [column.name, column]));
     this.outcomes = this.byName.get('outcome');
     this.docked = this.byName.get('docked');
     this.run = this.byName.get('run');
     if (!this.outcomes || !this.docked || !this.run) throw new Error('the table of runs lacks a column');
-    this.starts = ['start_x_m', 'start_y_m', 'start_heading_rad'].map((name) => this.byName.get(name)?.values);
+    this.starts = ['start_x_m', 'start_y_m', 'start_heading_deg'].map((name) => this.byName.get(name)?.values);
     this.docked_count = this.docked.values.reduce((/** @type {number} */ sum, /** @type {number} */ v) => sum + v, 0);
   }
 
@@ -54,9 +54,16 @@ export class Table {
 
   /** The columns that are measured numbers: what a run came to. @returns {Column[]} */
   measures() {
-    const other = new Set(['run', 'docked', 'start_x_m', 'start_y_m', 'start_heading_rad', 'cpu_time_s', 'wall_time_s']);
+    const other = new Set(['run', 'docked', 'start_x_m', 'start_y_m', 'start_heading_deg', 'cpu_time_s', 'wall_time_s']);
     return this.columns.filter((c) => !c.dictionary && !other.has(c.name));
   }
+}
+
+/** A column of radians as one of degrees: `yaw_rad` becomes `yaw_deg`. @param {Column} column @returns {Column} */
+function inDegrees(column) {
+  if (column.unit !== 'rad') return column;
+  return { ...column, name: column.name.replace(/_rad$/, '_deg'), unit: 'deg',
+    values: column.values.map((/** @type {number} */ v) => (v * 180) / Math.PI) };
 }
 
 /** @param {any} column @param {import('./payload.js').Blobs} blobs */

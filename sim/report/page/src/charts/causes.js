@@ -23,7 +23,7 @@ export function causes(header, openRun, showFilter) {
           make('button', { class: 'link failed', type: 'button', onclick: () => showFilter(`outcome=${cause.outcome}`),
             'aria-label': `Show the runs with ${cause.outcome} in the table` }, `✕ ${cause.outcome}`),
           meanings.get(cause.outcome) && make('div', { class: 'note' }, meanings.get(cause.outcome))),
-        make('td', { class: 'count' }, make('div', { class: 'bar', style: `width:${(100 * cause.count) / most}%` }),
+        make('td', { class: 'count' }, make('div', { class: 'bar', style: `width:${(70 * cause.count) / most}%` }),
           make('span', null, group(cause.count))),
         make('td', { class: 'run-links' }, (cause.runs ?? []).slice(0, 6).map((/** @type {number} */ run) =>
           make('button', { class: 'chip', type: 'button', onclick: () => openRun(run),

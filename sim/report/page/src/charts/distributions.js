@@ -2,7 +2,7 @@
 
 import * as Plot from './plot.js';
 import { card, make } from '../dom.js';
-import { axisName, group, shownFactor } from '../format.js';
+import { axisName, group } from '../format.js';
 
 const BINS = 24;
 const SAMPLE = 2000; // values that decide where the bins end
@@ -53,10 +53,9 @@ function binLimits(values) {
 
 /** @param {import('../table.js').Column} column @param {any} bins */
 function histogram(column, bins) {
-  const factor = shownFactor(column.unit);
   const width = (bins.high - bins.low) / BINS;
   const rows = Array.from({ length: BINS }, (_, i) => ({
-    from: (bins.low + i * width) * factor, to: (bins.low + (i + 1) * width) * factor,
+    from: bins.low + i * width, to: bins.low + (i + 1) * width,
     docked: bins.docked[i], failed: -bins.failed[i],
   }));
   const plot = Plot.plot({

@@ -15,7 +15,8 @@ export function extremes(header, table, openRun) {
   const measures = table.measures();
   if (table.rows < 2 || speeds.length + measures.length === 0) return null;
   const choices = [...speeds, ...measures];
-  const wanted = (header.worst ?? []).filter((/** @type {any} */ w) => table.byName.has(w.column));
+  const wanted = (header.worst ?? []).map((/** @type {any} */ w) => ({ ...w, column: w.column.replace(/_rad$/, '_deg') }))
+    .filter((/** @type {any} */ w) => table.byName.has(w.column));
   const lists = [];
   if (speeds.length > 0) lists.push(chooser(table, choices, speeds[0].name, true, openRun));
   for (const w of wanted.slice(0, 3)) lists.push(chooser(table, choices, w.column, w.largest !== false, openRun));
@@ -52,7 +53,7 @@ function chooser(table, columns, name, largest, openRun) {
   fill();
   return make('div', { class: 'extreme' }, make('p', null, direction, ' ', select),
     make('table', { class: 'plain' }, make('thead', null, make('tr', null, ...['Run', 'Outcome', 'Value']
-      .map((text) => make('th', { scope: 'col' }, text)))), body));
+      .map((text) => make('th', { scope: 'col', class: text.toLowerCase() }, text)))), body));
 }
 
 /** @param {import('../table.js').Table} table @param {import('../table.js').Column} column @param {boolean} largest */

@@ -52,24 +52,24 @@ function drawMap(points, with_heading, openRun) {
   const docked = points.filter((p) => p.docked), failed = points.filter((p) => !p.docked);
   const small = points.length > 400;
   const tick = (/** @type {string} */ colour) => ({ x: 'x', y: 'y', anchor: 'start', shape: 'spike', r: 1.6,
-    rotate: (/** @type {any} */ p) => 90 - (p.heading * 180) / Math.PI, length: small ? 9 : 15, stroke: colour,
+    rotate: (/** @type {any} */ p) => 90 - p.heading, length: small ? 9 : 15, stroke: colour,
     fill: colour, strokeOpacity: 0.7 });
   const plot = Plot.plot({
-    width: 620, ...boundedHeight(points), marginLeft: 44, marginBottom: 36, marginTop: 14,
+    width: 620, ...boundedHeight(points), marginLeft: 44, marginBottom: 36, marginTop: 24, inset: 16,
     ariaLabel: `Map of ${points.length} starts`,
     x: { label: 'x [m]', nice: true }, y: { label: 'y [m]', nice: true },
     marks: [
       Plot.gridX({ strokeOpacity: 0.1 }), Plot.gridY({ strokeOpacity: 0.1 }),
       Plot.ruleY([0], { stroke: 'var(--quiet)', strokeDasharray: '2,4' }),
       Plot.dot([{ x: 0, y: 0 }], { x: 'x', y: 'y', symbol: 'square', r: 8, fill: 'var(--text)' }),
-      Plot.text([{ x: 0, y: 0 }], { x: 'x', y: 'y', text: () => 'target', dy: 17, fill: 'var(--quiet)' }),
+      Plot.text([{ x: 0, y: 0 }], { x: 'x', y: 'y', text: () => 'target', dx: 14, dy: -10, textAnchor: 'start', fill: 'var(--quiet)' }),
       with_heading ? Plot.vector(docked, tick('var(--docked)')) : null,
       with_heading ? Plot.vector(failed, tick('var(--failed)')) : null,
       Plot.dot(docked, { x: 'x', y: 'y', r: small ? 2.5 : 4, fill: 'var(--docked)', stroke: 'var(--card)', strokeWidth: 0.7 }),
       Plot.dot(failed, { x: 'x', y: 'y', r: small ? 3 : 5, symbol: 'times', stroke: 'var(--failed)', strokeWidth: 2.2 }),
       Plot.tip(points, Plot.pointer({ x: 'x', y: 'y', fill: 'var(--card)', title: (/** @type {any} */ p) =>
         `Run ${p.run}: ${p.outcome}\nx ${fixed(p.x, 2)} m, y ${fixed(p.y, 2)} m` +
-        (with_heading ? `, heading ${fixed((p.heading * 180) / Math.PI, 0)}°` : '') })),
+        (with_heading ? `, heading ${fixed(p.heading, 0)}°` : '') })),
     ],
   });
   plot.style.cursor = 'pointer';

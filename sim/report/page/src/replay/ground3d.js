@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry, Group, Mesh, MeshLambertMaterial, Circ
 import { GroundHeights } from './ground_heights.js';
 
 const SAND = [0.72, 0.62, 0.48]; // linear
-const DEEPEST_M = 0.05; // ruts this deep are darkest
+const DEEPEST_M = 0.035; // ruts this deep are darkest
 
 /** @param {any} ground @param {import('../payload.js').Blobs} blobs @param {number[]} extent */
 export function makeGround(ground, blobs, extent) {
@@ -68,7 +68,7 @@ class Surface {
     this.positions[3 * i + 2] = now[i];
     this.normals.set([nx / size, ny / size, 1 / size], 3 * i);
     const depth = Math.min(1, Math.max(-0.4, (first[i] - now[i]) / DEEPEST_M));
-    const shade = (1 - 0.55 * depth) * this.scaleLine(column, row);
+    const shade = (1 - 0.6 * depth) * this.scaleLine(column, row);
     this.colours.set([SAND[0] * shade, SAND[1] * shade, SAND[2] * shade], 3 * i);
   }
 

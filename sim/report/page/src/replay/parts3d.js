@@ -1,24 +1,25 @@
 // Things of the scene in three dimensions: bodies of meshes, the board, lines with a diameter.
 
-import { BufferAttribute, BufferGeometry, CanvasTexture, Color, CylinderGeometry, DoubleSide, Group, InstancedMesh, Matrix4,
-  Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, Quaternion, SRGBColorSpace, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, CanvasTexture, Color, CylinderGeometry, DoubleSide, EdgesGeometry, Group, InstancedMesh,
+  LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, Quaternion, SRGBColorSpace, Vector3 } from 'three';
 import { paintBoard } from './board_picture.js';
 
 const UP = new Vector3(0, 1, 0); // along a cylinder of three
 const THINNEST = 0.008; // m; a tether of 3 mm could not be seen
 const MOST_PIECES = 64;
+const SHARP_DEG = 40; // edges that are drawn turn by more
 
 /**
- * A body of its meshes, or, with a colour, its see-through ghost.
- * @param {any} body @param {any[]} meshes @param {import('../payload.js').Blobs} blobs @param {number | null} ghost
+ * A body of its meshes, or, with a colour, its edges alone.
+ * @param {any} body @param {any[]} meshes @param {import('../payload.js').Blobs} blobs @param {number | null} edges
  */
-export function makeBody(body, meshes, blobs, ghost) {
+export function makeBody(body, meshes, blobs, edges) {
   const group = new Group();
   for (const part of body.parts ?? []) {
-    const material = ghost === null
-      ? new MeshLambertMaterial({ color: new Color(...part.colour), flatShading: true, side: DoubleSide })
-      : new MeshBasicMaterial({ color: ghost, transparent: true, opacity: 0.16, depthWrite: false });
-    const mesh = new Mesh(geometryOf(meshes[part.mesh], blobs), material);
+    const geometry = geometryOf(meshes[part.mesh], blobs);
+    const mesh = edges === null
+      ? new Mesh(geometry, new MeshLambertMaterial({ color: new Color(...part.colour), flatShading: true, side: DoubleSide }))
+      : new LineSegments(new EdgesGeometry(geometry, SHARP_DEG), new LineBasicMaterial({ color: edges, transparent: true, opacity: 0.55 }));
     mesh.position.set(...(/** @type {[number, number, number]} */ (part.position ?? [0, 0, 0])));
     mesh.quaternion.set(...(/** @type {[number, number, number, number]} */ (part.quaternion ?? [0, 0, 0, 1])));
     group.add(mesh);

@@ -115,9 +115,10 @@ export class PlanView {
     }
     context.stroke();
     context.fillStyle = INK;
-    context.fillRect(16, canvas.height - 18, scale, 3);
+    const left = canvas.width - 16 - scale;
+    context.fillRect(left, canvas.height - 18, scale, 3);
     context.font = `${12 * Math.min(2, window.devicePixelRatio)}px sans-serif`;
-    context.fillText('1 m', 16, canvas.height - 24);
+    context.fillText('1 m', left, canvas.height - 24);
   }
 
   /** @param {number[][]} points @param {string} colour @param {number} width @param {number[]} dash */

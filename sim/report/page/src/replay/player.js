@@ -38,8 +38,8 @@ export class Player {
     const tools = make('div', { class: 'tools' }, this.followed, make('button', { type: 'button', onclick: () => this.view.reset() }, 'Reset view'), this.flat);
     this.element = make('div', { class: 'player' },
       make('div', { class: 'player-main' },
-        make('div', { class: 'player-left' }, make('div', { class: 'stage-frame' }, this.stage, tools, viewLegend(this.tracks)), this.note, this.transport.element),
-        make('div', { class: 'player-right' }, this.sightings.element, this.poses)),
+        make('div', { class: 'player-left' }, make('div', { class: 'stage-frame' }, this.stage, tools, viewLegend(this.tracks)), this.note, this.transport.element, this.poses),
+        make('div', { class: 'player-right' }, this.sightings.element)),
       this.scalars.element);
   }
 

@@ -18,13 +18,14 @@ export class View3d {
    * @param {import('../payload.js').Blobs} blobs
    */
   constructor(tracks, header, blobs) {
+    const drawn_in_software = probeSoftware();
     this.tracks = tracks;
     this.canvas = document.createElement('canvas');
     this.canvas.className = 'stage';
     this.canvas.setAttribute('role', 'img');
     this.canvas.setAttribute('aria-label', 'The run in three dimensions. Drag to turn, wheel to zoom, right button to move.');
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: !drawn_in_software, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(drawn_in_software ? 1 : Math.min(2, window.devicePixelRatio));
     this.scene = new Scene();
     this.scene.background = new Color(SKY);
     this.scene.fog = new Fog(SKY, 14, 45);
@@ -175,6 +176,16 @@ export class View3d {
     return Object.fromEntries([...this.bodies].map(([body, group]) => [this.tracks.scene.bodies[body].name,
       [...group.position.toArray(), ...group.quaternion.toArray()]]));
   }
+}
+
+/** Whether a processor draws in place of a graphics card: then smooth edges cost too much. Throws without WebGL. */
+function probeSoftware() {
+  const context = document.createElement('canvas').getContext('webgl2');
+  if (!context) throw new Error('no WebGL');
+  const names = context.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? String(context.getParameter(names.UNMASKED_RENDERER_WEBGL)) : '';
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
 /** @param {any} group @param {number[] | undefined} pose */
