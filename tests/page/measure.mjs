@@ -15,8 +15,10 @@ for (let i = 0; i < sizes.length; i += 2) {
   writeFileSync(file, pageWith(packPayload(header, blobs)));
   const { page, context } = await openReport(browser, file);
   const figures = await page.evaluate(measureIn);
-  console.log(`${sizes[i]} runs, ${sizes[i + 1]} replays: file ${(statSync(file).size / 1e6).toFixed(1)} MB, ready ${(figures.ready / 1000).toFixed(2)} s, ` +
-    `sort ${(figures.sort / 1000).toFixed(2)} s, filter ${(figures.filter / 1000).toFixed(2)} s, frame ${figures.frame.map((v) => v.toFixed(1)).join(' / ')} ms (median / 90 %)`);
+  console.log(
+    `${sizes[i]} runs, ${sizes[i + 1]} replays: file ${(statSync(file).size / 1e6).toFixed(1)} MB, ready ${(figures.ready / 1000).toFixed(2)} s, ` +
+      `sort ${(figures.sort / 1000).toFixed(2)} s, filter ${(figures.filter / 1000).toFixed(2)} s, frame ${figures.frame.map((v) => v.toFixed(1)).join(' / ')} ms (median / 90 %)`,
+  );
   await context.close();
 }
 await browser.close();

@@ -24,13 +24,17 @@ export class BlobStore {
 
   /** Numbers as a channel; NaN is a missing value. */
   channel(values, quantum) {
-    return { ...this.add(packInts(values.map((v) => (Number.isNaN(v) ? MISSING : Math.round(v / quantum))))), quantum };
+    return {
+      ...this.add(packInts(values.map((v) => (Number.isNaN(v) ? MISSING : Math.round(v / quantum))))),
+      quantum,
+    };
   }
 }
 
 /** @param {number[]} values whole numbers of 32 bits @returns {Uint8Array} */
 export function packInts(values) {
-  let last = 0, all = 0;
+  let last = 0,
+    all = 0;
   const zigzag = Uint32Array.from(values, (value) => {
     const step = (value - last) | 0;
     last = value | 0;
@@ -42,7 +46,9 @@ export function packInts(values) {
   const bytes = new Uint8Array(1 + planes * zigzag.length);
   bytes[0] = planes;
   for (let plane = 0; plane < planes; ++plane) {
-    zigzag.forEach((code, i) => { bytes[1 + plane * zigzag.length + i] = (code >>> (8 * plane)) & 255; });
+    zigzag.forEach((code, i) => {
+      bytes[1 + plane * zigzag.length + i] = (code >>> (8 * plane)) & 255;
+    });
   }
   return bytes;
 }

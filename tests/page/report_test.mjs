@@ -52,13 +52,18 @@ test('nothing is printed on the console, and no file is asked for but the page',
 
 test('the page shows the totals of its data', async () => {
   const { page, context, header } = await open({ rows: 40, replays: 3 });
-  const shown = await page.evaluate(() => ({ totals: window.report.totals, rows: window.report.rows, docked: window.report.docked,
-    text: document.querySelector('#success').textContent }));
+  const shown = await page.evaluate(() => ({
+    totals: window.report.totals,
+    rows: window.report.rows,
+    docked: window.report.docked,
+    text: document.querySelector('#success').textContent,
+  }));
   assert.deepEqual(shown.totals, header.totals);
   assert.equal(shown.rows, header.totals.runs);
   assert.equal(shown.docked, header.totals.docked);
   assert.match(shown.text, new RegExp(`${header.totals.docked} of 40 runs docked`));
-  const low = Math.round(100 * header.totals.interval[0]), high = Math.round(100 * header.totals.interval[1]);
+  const low = Math.round(100 * header.totals.interval[0]),
+    high = Math.round(100 * header.totals.interval[1]);
   assert.match(shown.text, new RegExp(`${low}–${high} %`));
   await context.close();
 });
@@ -141,9 +146,19 @@ test('a hundred thousand runs are sorted and filtered', async () => {
     const sorted = [...report.shown()].map((row) => depth[row]);
     report.filter('outcome=face_catch soil=loose tip_depth_m<0.1');
     const found = [...report.shown()];
-    return { sort_ms, sorted: sorted.every((v, i) => i === 0 || Number.isNaN(v) || sorted[i - 1] >= v), count: sorted.length, found: found.length,
-      right: found.every((row) => depth[row] < 0.1 && report.text('outcome', row) === 'face_catch' && report.text('soil', row) === 'loose'),
-      elements: document.querySelectorAll('#runs tbody tr').length };
+    return {
+      sort_ms,
+      sorted: sorted.every((v, i) => i === 0 || Number.isNaN(v) || sorted[i - 1] >= v),
+      count: sorted.length,
+      found: found.length,
+      right: found.every(
+        (row) =>
+          depth[row] < 0.1 &&
+          report.text('outcome', row) === 'face_catch' &&
+          report.text('soil', row) === 'loose',
+      ),
+      elements: document.querySelectorAll('#runs tbody tr').length,
+    };
   });
   assert.equal(result.count, 100000);
   assert.ok(result.sorted && result.right);
@@ -162,7 +177,11 @@ test('a hundred thousand runs are sorted and filtered', async () => {
 });
 
 test('without WebGL the run is shown from above, and the rest works', async () => {
-  const { page, context, last, messages } = await open({ rows: 40, replays: 3 }, { hash: '#run=3' }, flat_browser);
+  const { page, context, last, messages } = await open(
+    { rows: 40, replays: 3 },
+    { hash: '#run=3' },
+    flat_browser,
+  );
   await page.keyboard.press('End');
   const frame = await frameOf(page);
   assert.equal(frame.solid, false);
@@ -180,8 +199,14 @@ test('a damaged file says so', async () => {
   const zipped = (bytes) => gzipSync(bytes).toString('base64');
   const wrong_magic = Buffer.from(payload);
   wrong_magic.write('X', 0);
-  const cases = { empty: '', no_base64: '%%%', cut: zipped(payload).slice(0, 4000), magic: zipped(wrong_magic), header: zipped(payload.subarray(0, 300)),
-    blobs: zipped(payload.subarray(0, 12 + payload.readUInt32LE(8) + 8)) };
+  const cases = {
+    empty: '',
+    no_base64: '%%%',
+    cut: zipped(payload).slice(0, 4000),
+    magic: zipped(wrong_magic),
+    header: zipped(payload.subarray(0, 300)),
+    blobs: zipped(payload.subarray(0, 12 + payload.readUInt32LE(8) + 8)),
+  };
   for (const [name, text] of Object.entries(cases)) {
     const { page, context, messages } = await openText(`damaged-${name}`, text);
     const shown = await page.textContent('body');
@@ -201,10 +226,25 @@ test('a single run opens at once', async () => {
 
 test('a report without any optional part is shown', async () => {
   const report = makeReport({ rows: 10, bare: true });
-  for (const name of ['sensitivity', 'arms', 'acceptance', 'groups', 'causes', 'scenes', 'meshes', 'replays', 'left_out', 'worst', 'system', 'replay_command']) {
+  for (const name of [
+    'sensitivity',
+    'arms',
+    'acceptance',
+    'groups',
+    'causes',
+    'scenes',
+    'meshes',
+    'replays',
+    'left_out',
+    'worst',
+    'system',
+    'replay_command',
+  ]) {
     delete report.header[name];
   }
-  report.header.table.columns = report.header.table.columns.filter((column) => ['run', 'outcome', 'docked'].includes(column.name));
+  report.header.table.columns = report.header.table.columns.filter((column) =>
+    ['run', 'outcome', 'docked'].includes(column.name),
+  );
   const file = join(folder, 'bare.html');
   writeFileSync(file, pageWith(packPayload(report.header, report.blobs)));
   const { page, context, messages } = await openReport(browser, file, { hash: '#run=4' });

@@ -3,9 +3,18 @@ import { crc32, deflateSync } from './png_parts.mjs';
 
 /** A box with these half sizes about a centre. */
 export function box(hx, hy, hz, [cx, cy, cz] = [0, 0, 0]) {
-  const vertices = [], triangles = [];
-  for (let i = 0; i < 8; ++i) vertices.push(cx + (i & 1 ? hx : -hx), cy + (i & 2 ? hy : -hy), cz + (i & 4 ? hz : -hz));
-  for (const [a, b, c, d] of [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]) {
+  const vertices = [],
+    triangles = [];
+  for (let i = 0; i < 8; ++i)
+    vertices.push(cx + (i & 1 ? hx : -hx), cy + (i & 2 ? hy : -hy), cz + (i & 4 ? hz : -hz));
+  for (const [a, b, c, d] of [
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+  ]) {
     triangles.push(a, b, c, a, c, d);
   }
   return { vertices, triangles };
@@ -29,18 +38,22 @@ export function wheel(radius, width, paddles = 12) {
 }
 
 function cylinder(radius, width, sides = 24) {
-  const vertices = [0, -width / 2, 0, 0, width / 2, 0], triangles = [];
+  const vertices = [0, -width / 2, 0, 0, width / 2, 0],
+    triangles = [];
   for (let k = 0; k < sides; ++k) {
     const turn = (2 * Math.PI * k) / sides;
-    for (const y of [-width / 2, width / 2]) vertices.push(radius * Math.cos(turn), y, radius * Math.sin(turn));
-    const a = 2 + 2 * k, b = 2 + 2 * ((k + 1) % sides);
+    for (const y of [-width / 2, width / 2])
+      vertices.push(radius * Math.cos(turn), y, radius * Math.sin(turn));
+    const a = 2 + 2 * k,
+      b = 2 + 2 * ((k + 1) % sides);
     triangles.push(a, b, a + 1, b, b + 1, a + 1, 0, b, a, 1, a + 1, b + 1);
   }
   return { vertices, triangles };
 }
 
 function join(parts) {
-  const vertices = [], triangles = [];
+  const vertices = [],
+    triangles = [];
   for (const part of parts) {
     const begin = vertices.length / 3;
     vertices.push(...part.vertices);
@@ -70,6 +83,10 @@ export function picture(width, height, discs) {
     check.writeUInt32BE(crc32(body));
     return Buffer.concat([size, body, check]);
   };
-  return Buffer.concat([Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]), chunk('IHDR', head),
-    chunk('IDAT', deflateSync(rows)), chunk('IEND', Buffer.alloc(0))]);
+  return Buffer.concat([
+    Buffer.from([137, 80, 78, 71, 13, 10, 26, 10]),
+    chunk('IHDR', head),
+    chunk('IDAT', deflateSync(rows)),
+    chunk('IEND', Buffer.alloc(0)),
+  ]);
 }

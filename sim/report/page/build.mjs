@@ -8,8 +8,16 @@ import { build } from 'esbuild';
 import { licences } from './licences.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const shared = { absWorkingDir: here, bundle: true, minify: true, write: false, legalComments: 'none', charset: 'utf8',
-  logLevel: 'warning', target: ['chrome115', 'firefox115', 'safari16.4'] };
+const shared = {
+  absWorkingDir: here,
+  bundle: true,
+  minify: true,
+  write: false,
+  legalComments: 'none',
+  charset: 'utf8',
+  logLevel: 'warning',
+  target: ['chrome115', 'firefox115', 'safari16.4'],
+};
 
 /** The text of one bundle, and the files that went into it. */
 async function bundle(entry, options) {
@@ -19,14 +27,21 @@ async function bundle(entry, options) {
 
 /** Puts each text in the place of its name. A function as the second argument keeps "$&" of the text as it is. */
 function fill(template, texts) {
-  return Object.entries(texts).reduce((page, [name, text]) => page.replace(`@${name}@`, () => text), template);
+  return Object.entries(texts).reduce(
+    (page, [name, text]) => page.replace(`@${name}@`, () => text),
+    template,
+  );
 }
 
 const script = await bundle('src/main.js', { format: 'iife' });
 const style = await bundle('src/all.css', {});
 const code = script.text.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
 const hash = `sha256-${createHash('sha256').update(code).digest('base64')}`;
-const page = fill(readFileSync(join(here, 'src/page.html'), 'utf8'), { SCRIPT_HASH: hash, STYLE: style.text, SCRIPT: code });
+const page = fill(readFileSync(join(here, 'src/page.html'), 'utf8'), {
+  SCRIPT_HASH: hash,
+  STYLE: style.text,
+  SCRIPT: code,
+});
 if (page.split('@PAYLOAD@').length !== 2) throw new Error('the place of the payload must occur once');
 
 let differs = false;

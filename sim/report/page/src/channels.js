@@ -12,7 +12,8 @@ export function unpackInts(bytes) {
   if (bytes.length === 0) return new Int32Array(0);
   const planes = bytes[0];
   const count = (bytes.length - 1) / planes;
-  if (planes < 1 || planes > 4 || !Number.isInteger(count)) throw new Error('a channel of the data is damaged');
+  if (planes < 1 || planes > 4 || !Number.isInteger(count))
+    throw new Error('a channel of the data is damaged');
   const values = new Int32Array(count);
   let last = 0;
   for (let i = 0; i < count; ++i) {

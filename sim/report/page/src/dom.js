@@ -39,8 +39,13 @@ function asNode(child) {
  * @param {...(Child | Child[])} children
  */
 export function card(id, heading, note, ...children) {
-  return make('section', { id, class: 'card', 'aria-labelledby': `${id}-head` },
-    make('h2', { id: `${id}-head` }, heading), note && make('p', { class: 'note' }, note), ...children);
+  return make(
+    'section',
+    { id, class: 'card', 'aria-labelledby': `${id}-head` },
+    make('h2', { id: `${id}-head` }, heading),
+    note && make('p', { class: 'note' }, note),
+    ...children,
+  );
 }
 
 /**
@@ -49,8 +54,13 @@ export function card(id, heading, note, ...children) {
  * @param {boolean} docked
  */
 export function outcomeMark(outcome, docked) {
-  return make('span', { class: docked ? 'outcome docked' : 'outcome failed' },
-    make('span', { 'aria-hidden': 'true', class: 'sign' }, docked ? '●' : '✕'), ' ', outcome);
+  return make(
+    'span',
+    { class: docked ? 'outcome docked' : 'outcome failed' },
+    make('span', { 'aria-hidden': 'true', class: 'sign' }, docked ? '●' : '✕'),
+    ' ',
+    outcome,
+  );
 }
 
 /** The colour that the style sheet gives a name. @param {string} name */

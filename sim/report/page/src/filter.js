@@ -35,20 +35,25 @@ function readWord(table, word) {
   const parts = CONDITION.exec(word);
   if (!parts) return anyText(table, word.replaceAll('"', ''));
   const [, name, relation, quoted] = parts;
-  const column = table.byName.get(name) ?? table.columns.find((c) => c.name.toLowerCase() === name.toLowerCase());
+  const column =
+    table.byName.get(name) ?? table.columns.find((c) => c.name.toLowerCase() === name.toLowerCase());
   if (!column) return `There is no column "${name}".`;
   const wanted = quoted.replaceAll('"', '');
   if (wanted === '') return `A value is missing after "${name}${relation}".`;
-  return column.dictionary ? textCondition(column, relation, wanted) : numberCondition(column, relation, wanted);
+  return column.dictionary
+    ? textCondition(column, relation, wanted)
+    : numberCondition(column, relation, wanted);
 }
 
 /** A word alone: any column of text that contains it. @param {Table} table @param {string} word @returns {Condition} */
 function anyText(table, word) {
   const small = word.toLowerCase();
-  const checks = table.columns.filter((c) => c.dictionary).map((column) => ({
-    values: column.values,
-    fits: /** @type {string[]} */ (column.dictionary).map((text) => text.toLowerCase().includes(small)),
-  }));
+  const checks = table.columns
+    .filter((c) => c.dictionary)
+    .map((column) => ({
+      values: column.values,
+      fits: /** @type {string[]} */ (column.dictionary).map((text) => text.toLowerCase().includes(small)),
+    }));
   const run = table.run.values;
   return (row) => String(run[row]) === word || checks.some((check) => check.fits[check.values[row]]);
 }
@@ -61,10 +66,14 @@ function textCondition(column, relation, wanted) {
   /** @param {string} text */
   const holds = (text) => {
     switch (relation) {
-      case '=': return text === wanted;
-      case '!=': return text !== wanted;
-      case '~': return text.toLowerCase().includes(wanted.toLowerCase());
-      default: return text !== '' && compare(Number(text), relation, as_number);
+      case '=':
+        return text === wanted;
+      case '!=':
+        return text !== wanted;
+      case '~':
+        return text.toLowerCase().includes(wanted.toLowerCase());
+      default:
+        return text !== '' && compare(Number(text), relation, as_number);
     }
   };
   const fits = texts.map(holds);
@@ -81,13 +90,20 @@ function numberCondition(column, relation, wanted) {
   const limit = Number(wanted);
   if (Number.isNaN(limit)) return `"${wanted}" is not a number, and ${column.name} is a column of numbers.`;
   switch (relation) {
-    case '<': return (row) => values[row] < limit;
-    case '<=': return (row) => values[row] <= limit;
-    case '>': return (row) => values[row] > limit;
-    case '>=': return (row) => values[row] >= limit;
-    case '!=': return (row) => values[row] !== limit;
-    case '~': return `${column.name} is a column of numbers; "~" searches in text.`;
-    default: return (row) => values[row] === limit || Math.fround(limit) === values[row];
+    case '<':
+      return (row) => values[row] < limit;
+    case '<=':
+      return (row) => values[row] <= limit;
+    case '>':
+      return (row) => values[row] > limit;
+    case '>=':
+      return (row) => values[row] >= limit;
+    case '!=':
+      return (row) => values[row] !== limit;
+    case '~':
+      return `${column.name} is a column of numbers; "~" searches in text.`;
+    default:
+      return (row) => values[row] === limit || Math.fround(limit) === values[row];
   }
 }
 

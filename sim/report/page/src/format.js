@@ -1,6 +1,7 @@
 // Numbers as text for people.
 
 const MINUS = '−';
+const MANY = 2000; // runs, whose shares are worth a tenth of a percent
 
 /**
  * A number with about `digits` significant digits and no needless zeros.
@@ -34,17 +35,18 @@ function sign(text) {
   return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text.replace('-', MINUS);
 }
 
-/** A share as percent, with as many places as it needs near 0 and 1. @param {number} share */
-export function percent(share) {
+/** A share as percent, with as many places as it needs near 0 and 1, and one of very many runs. @param {number} share @param {number} [runs] */
+export function percent(share, runs = 0) {
   if (Number.isNaN(share)) return '–';
   const from_end = Math.min(share, 1 - share);
-  const places = from_end > 0 && from_end < 0.002 ? 3 : from_end > 0 && from_end < 0.02 ? 1 : 0;
+  const places =
+    from_end > 0 && from_end < 0.002 ? 3 : (from_end > 0 && from_end < 0.02) || runs >= MANY ? 1 : 0;
   return (share * 100).toFixed(places);
 }
 
-/** `76–97 %` @param {[number, number] | null | undefined} interval */
-export function interval(interval) {
-  return interval ? `${percent(interval[0])}–${percent(interval[1])} %` : '';
+/** `76–97 %` @param {[number, number] | null | undefined} limits @param {number} [runs] */
+export function interval(limits, runs = 0) {
+  return limits ? `${percent(limits[0], runs)}–${percent(limits[1], runs)} %` : '';
 }
 
 /** A value's text and unit as the page shows them: radians become degrees. @param {string} unit */

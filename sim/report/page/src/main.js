@@ -23,7 +23,9 @@ async function start() {
 function show({ header, blobs }) {
   const table = new Table(header, blobs);
   document.title = header.title ?? 'Report';
-  const openRun = (/** @type {number} */ run) => { location.hash = `run=${run}`; };
+  const openRun = (/** @type {number} */ run) => {
+    location.hash = `run=${run}`;
+  };
   const runs = new RunsTable(table, openRun);
   const panel = new RunPanel(header, blobs, table, runs);
   const head = pageHead(header);
@@ -50,19 +52,40 @@ function show({ header, blobs }) {
     history.replaceState(null, '', `#run=${table.run.values[0]}`);
   }
   follow();
-  Object.assign(report, { totals: header.totals, header, rows: table.rows, docked: table.docked_count, openRun,
+  Object.assign(report, {
+    totals: header.totals,
+    header,
+    rows: table.rows,
+    docked: table.docked_count,
+    openRun,
     sort: (/** @type {string} */ name, /** @type {boolean} */ falling) => runs.sort(name, falling),
     filter: (/** @type {string} */ text_of) => runs.filter(text_of),
-    shown: () => runs.rows, column: (/** @type {string} */ name) => table.byName.get(name)?.values,
-    text: (/** @type {string} */ name, /** @type {number} */ row) => table.text(/** @type {any} */ (table.byName.get(name)), row), frame: () => panel.frame(), ready_ms: performance.now(), ready: true });
+    shown: () => runs.rows,
+    column: (/** @type {string} */ name) => table.byName.get(name)?.values,
+    text: (/** @type {string} */ name, /** @type {number} */ row) =>
+      table.text(/** @type {any} */ (table.byName.get(name)), row),
+    frame: () => panel.frame(),
+    ready_ms: performance.now(),
+    ready: true,
+  });
 }
 
 /** @param {unknown} problem */
 function refuse(problem) {
   const reason = problem instanceof Error ? problem.message : String(problem);
   report.problem = reason;
-  document.body.replaceChildren(make('main', { class: 'refusal', role: 'alert' }, make('h1', null, 'This report cannot be shown'),
-    make('p', null, `The file is damaged or incomplete: ${reason}. Make the report again, or copy the file again.`)));
+  document.body.replaceChildren(
+    make(
+      'main',
+      { class: 'refusal', role: 'alert' },
+      make('h1', null, 'This report cannot be shown'),
+      make(
+        'p',
+        null,
+        `The file is damaged or incomplete: ${reason}. Make the report again, or copy the file again.`,
+      ),
+    ),
+  );
 }
 
 if (!('DecompressionStream' in window)) refuse(new Error('this browser is too old to unpack the data'));

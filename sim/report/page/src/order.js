@@ -35,6 +35,8 @@ function dictionaryRanks(texts) {
   const compare = new Intl.Collator('en', { numeric: true }).compare;
   const order = texts.map((_, code) => code).sort((a, b) => compare(texts[a], texts[b]));
   const ranks = new Array(texts.length);
-  order.forEach((code, rank) => { ranks[code] = rank; });
+  order.forEach((code, rank) => {
+    ranks[code] = rank;
+  });
   return ranks;
 }

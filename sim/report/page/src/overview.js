@@ -26,29 +26,72 @@ export function overview(header, table, runs, openRun) {
   };
   const print_table = failuresForPrint(table);
   print_table?.classList.add('print-only');
-  return make('main', { id: 'overview' },
-    make('div', { class: 'columns' },
-      make('div', { class: 'column' }, headline(header), acceptance(header), factors(header, showFilter)),
-      make('div', { class: 'column' }, causes(header, openRun, showFilter), starts(table, openRun))),
-    arms(header), sensitivity(header), distributions(table), extremes(header, table, openRun), runs.element,
-    print_table, leftOut(header));
+  return make(
+    'main',
+    { id: 'overview' },
+    make(
+      'div',
+      { class: 'columns' },
+      make(
+        'div',
+        { class: 'column' },
+        headline(header),
+        acceptance(header),
+        factors(header, table, showFilter),
+      ),
+      make('div', { class: 'column' }, causes(header, openRun, showFilter), starts(table, openRun)),
+    ),
+    arms(header),
+    sensitivity(header),
+    distributions(table),
+    extremes(header, table, openRun),
+    runs.element,
+    print_table,
+    leftOut(header),
+  );
 }
 
 /** @param {any} header */
 function leftOut(header) {
   const sentences = header.left_out ?? [];
   if (sentences.length === 0) return null;
-  return card('left-out', 'Left out', null, make('ul', null, sentences.map((/** @type {string} */ text) => make('li', null, text))));
+  return card(
+    'left-out',
+    'Left out',
+    null,
+    make(
+      'ul',
+      null,
+      sentences.map((/** @type {string} */ text) => make('li', null, text)),
+    ),
+  );
 }
 
 /** The head of the page. @param {any} header */
 export function pageHead(header) {
   const campaign = header.campaign;
-  const facts = campaign ? [
-    ['Campaign', campaign.name], ['System', header.system?.name], ['Design', campaign.design],
-    ['Seed', campaign.seed], ['Runs', group(header.totals.runs)], ['File', campaign.file],
-  ] : [['System', header.system?.name]];
-  return make('header', { class: 'page-head' }, make('h1', null, header.title ?? 'Report'),
-    make('dl', null, [...facts, ['Program', header.program]].filter(([, text]) => text).flatMap(([name, text]) =>
-      [make('div', null, make('dt', null, name), make('dd', null, String(text)))])));
+  const facts = campaign
+    ? [
+        ['Campaign', campaign.name],
+        ['System', header.system?.name],
+        ['Design', campaign.design],
+        ['Seed', campaign.seed],
+        ['Runs', group(header.totals.runs)],
+        ['File', campaign.file],
+      ]
+    : [['System', header.system?.name]];
+  return make(
+    'header',
+    { class: 'page-head' },
+    make('h1', null, header.title ?? 'Report'),
+    make(
+      'dl',
+      null,
+      [...facts, ['Program', header.program]]
+        .filter(([, text]) => text)
+        .flatMap(([name, text]) => [
+          make('div', null, make('dt', null, name), make('dd', null, String(text))),
+        ]),
+    ),
+  );
 }

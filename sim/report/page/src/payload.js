@@ -17,24 +17,42 @@ export class Blobs {
   /** @param {Blob} blob @param {number} [unit] bytes of one value @returns {[ArrayBuffer, number, number]} */
   range(blob, unit = 1) {
     const { offset, length } = blob ?? {};
-    const fits = Number.isInteger(offset) && Number.isInteger(length) && offset >= 0 && length >= 0 &&
-      offset % 4 === 0 && length % unit === 0 && this.begin + offset + length <= this.buffer.byteLength;
+    const fits =
+      Number.isInteger(offset) &&
+      Number.isInteger(length) &&
+      offset >= 0 &&
+      length >= 0 &&
+      offset % 4 === 0 &&
+      length % unit === 0 &&
+      this.begin + offset + length <= this.buffer.byteLength;
     if (!fits) throw new Error('a part of the data lies outside the file');
     return [this.buffer, this.begin + offset, length / unit];
   }
 
   /** @param {Blob} blob */
-  bytes(blob) { return new Uint8Array(...this.range(blob)); }
+  bytes(blob) {
+    return new Uint8Array(...this.range(blob));
+  }
   /** @param {Blob} blob */
-  i16(blob) { return new Int16Array(...this.range(blob, 2)); }
+  i16(blob) {
+    return new Int16Array(...this.range(blob, 2));
+  }
   /** @param {Blob} blob */
-  u16(blob) { return new Uint16Array(...this.range(blob, 2)); }
+  u16(blob) {
+    return new Uint16Array(...this.range(blob, 2));
+  }
   /** @param {Blob} blob */
-  i32(blob) { return new Int32Array(...this.range(blob, 4)); }
+  i32(blob) {
+    return new Int32Array(...this.range(blob, 4));
+  }
   /** @param {Blob} blob */
-  u32(blob) { return new Uint32Array(...this.range(blob, 4)); }
+  u32(blob) {
+    return new Uint32Array(...this.range(blob, 4));
+  }
   /** @param {Blob} blob */
-  f32(blob) { return new Float32Array(...this.range(blob, 4)); }
+  f32(blob) {
+    return new Float32Array(...this.range(blob, 4));
+  }
 
   /** 64-bit numbers may begin at any multiple of 4, so they are copied. @param {Blob} blob */
   f64(blob) {
@@ -88,6 +106,7 @@ export function parsePayload(buffer) {
   } catch {
     throw new Error('the header of the data cannot be read');
   }
-  if (header.format !== FORMAT) throw new Error(`the data has format ${header.format}, this page reads ${FORMAT}`);
+  if (header.format !== FORMAT)
+    throw new Error(`the data has format ${header.format}, this page reads ${FORMAT}`);
   return { header, blobs: new Blobs(buffer, Math.ceil((12 + length) / 4) * 4) };
 }

@@ -19,7 +19,11 @@ export class RunPanel {
     this.replays = new Map((header.replays ?? []).map((/** @type {any} */ r) => [r.run, r]));
     /** @type {Player | null} */
     this.player = null;
-    this.element = make('main', { id: 'run', hidden: true, onkeydown: (/** @type {KeyboardEvent} */ e) => this.key(e) });
+    this.element = make('main', {
+      id: 'run',
+      hidden: true,
+      onkeydown: (/** @type {KeyboardEvent} */ e) => this.key(e),
+    });
   }
 
   /** @param {number} row */
@@ -28,8 +32,15 @@ export class RunPanel {
     this.run = this.table.run.values[row];
     const replay = this.replays.get(this.run);
     const problem = this.makePlayer(replay);
-    this.element.replaceChildren(...[this.head(row, replay), problem && make('p', { role: 'alert', class: 'problem' }, problem),
-      this.player?.element, this.values(row, replay), messages(replay)].filter(Boolean));
+    this.element.replaceChildren(
+      ...[
+        this.head(row, replay),
+        problem && make('p', { role: 'alert', class: 'problem' }, problem),
+        this.player?.element,
+        this.values(row, replay),
+        messages(replay),
+      ].filter(Boolean),
+    );
     this.element.hidden = false;
     this.player?.resize();
     this.element.querySelector('h1')?.focus();
@@ -58,46 +69,116 @@ export class RunPanel {
   head(row, replay) {
     const campaign = Boolean(this.header.campaign) || this.table.rows > 1;
     const command = replay?.command ?? commandOf(this.header, this.run);
-    return make('header', { class: 'run-head' },
-      make('div', { class: 'run-title' },
-        campaign && make('button', { type: 'button', class: 'back', onclick: () => { location.hash = ''; } }, '← All runs'),
-        make('h1', { tabindex: '-1' }, replay?.title ?? `Run ${this.run}`), outcomeMark(this.table.outcome(row), this.table.isDocked(row)),
-        campaign && this.neighbours()),
+    return make(
+      'header',
+      { class: 'run-head' },
+      make(
+        'div',
+        { class: 'run-title' },
+        campaign &&
+          make(
+            'button',
+            {
+              type: 'button',
+              class: 'back',
+              onclick: () => {
+                location.hash = '';
+              },
+            },
+            '← All runs',
+          ),
+        make('h1', { tabindex: '-1' }, replay?.title ?? `Run ${this.run}`),
+        outcomeMark(this.table.outcome(row), this.table.isDocked(row)),
+        campaign && this.neighbours(),
+      ),
       make('p', { class: 'sentence' }, replay?.sentence ?? this.meaning(row)),
-      command && make('p', { class: 'command' }, make('span', null, 'Run it again: '), make('code', null, command), copyButton(command)));
+      command &&
+        make(
+          'p',
+          { class: 'command' },
+          make('span', null, 'Run it again: '),
+          make('code', null, command),
+          copyButton(command),
+        ),
+    );
   }
 
   neighbours() {
     const button = (/** @type {string} */ text, /** @type {string} */ name, /** @type {number} */ step) => {
       const run = this.runs.neighbour(this.run, step);
-      return make('button', { type: 'button', disabled: run === null, 'aria-label': `${name} in the table's order`,
-        onclick: () => { location.hash = `run=${run}`; } }, text);
+      return make(
+        'button',
+        {
+          type: 'button',
+          disabled: run === null,
+          'aria-label': `${name} in the table's order`,
+          onclick: () => {
+            location.hash = `run=${run}`;
+          },
+        },
+        text,
+      );
     };
-    return make('span', { class: 'neighbours' }, button('‹ Run before', 'Run before', -1), button('Next run ›', 'Next run', 1));
+    return make(
+      'span',
+      { class: 'neighbours' },
+      button('‹ Run before', 'Run before', -1),
+      button('Next run ›', 'Next run', 1),
+    );
   }
 
   /** @param {number} row */
   meaning(row) {
-    const known = (this.header.system?.outcomes ?? []).find((/** @type {any} */ o) => o.name === this.table.outcome(row));
+    const known = (this.header.system?.outcomes ?? []).find(
+      (/** @type {any} */ o) => o.name === this.table.outcome(row),
+    );
     return known?.meaning ?? '';
   }
 
   /** @param {number} row @param {any} replay */
   values(row, replay) {
-    const extra = [['seed', replay?.seed], ['state hash', replay?.state_hash]].filter(([, text]) => text);
-    return make('section', { class: 'card values', 'aria-labelledby': 'values-head' }, make('h2', { id: 'values-head' }, 'Values of the run'),
-      make('dl', null, this.table.columns.map((column) => {
-        const { unit } = column, text = this.table.text(column, row);
-        return make('div', { title: column.meaning || null }, make('dt', null, plainName(column.name, column.unit)),
-          make('dd', null, text || '–', unit && text !== '–' && make('span', { class: 'unit' }, ` ${unit}`)));
-      }), extra.map(([name, text]) => make('div', null, make('dt', null, name), make('dd', null, make('code', null, text))))));
+    const extra = [
+      ['seed', replay?.seed],
+      ['state hash', replay?.state_hash],
+    ].filter(([, text]) => text);
+    return make(
+      'section',
+      { class: 'card values', 'aria-labelledby': 'values-head' },
+      make('h2', { id: 'values-head' }, 'Values of the run'),
+      make(
+        'dl',
+        null,
+        this.table.columns
+          .filter((column) => column.name !== 'replay')
+          .map((column) => {
+            const { unit } = column,
+              text = this.table.text(column, row);
+            return make(
+              'div',
+              { title: column.meaning || null },
+              make('dt', null, plainName(column.name, column.unit)),
+              make(
+                'dd',
+                null,
+                text || '–',
+                unit && text !== '–' && make('span', { class: 'unit' }, ` ${unit}`),
+              ),
+            );
+          }),
+        extra.map(([name, text]) =>
+          make('div', null, make('dt', null, name), make('dd', null, make('code', null, text))),
+        ),
+      ),
+    );
   }
 
   /** @param {KeyboardEvent} event */
   key(event) {
     const target = /** @type {HTMLElement} */ (event.target);
     if (event.key === 'Escape' && this.header.campaign) location.hash = '';
-    else if (target.tagName === 'BUTTON' ? event.key !== ' ' : !/^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) {
+    else if (
+      target.tagName === 'BUTTON' ? event.key !== ' ' : !/^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)
+    ) {
       this.player?.transport.key(event);
     }
   }
@@ -114,19 +195,29 @@ function commandOf(header, run) {
 
 /** @param {string} command */
 function copyButton(command) {
-  const button = make('button', { type: 'button', class: 'no-print', onclick: async () => {
-    try {
-      await navigator.clipboard.writeText(command);
-    } catch {
-      const field = make('textarea', null, command);
-      document.body.append(field);
-      field.select();
-      document.execCommand('copy');
-      field.remove();
-    }
-    button.textContent = 'Copied';
-    setTimeout(() => { button.textContent = 'Copy'; }, 1500);
-  } }, 'Copy');
+  const button = make(
+    'button',
+    {
+      type: 'button',
+      class: 'no-print',
+      onclick: async () => {
+        try {
+          await navigator.clipboard.writeText(command);
+        } catch {
+          const field = make('textarea', null, command);
+          document.body.append(field);
+          field.select();
+          document.execCommand('copy');
+          field.remove();
+        }
+        button.textContent = 'Copied';
+        setTimeout(() => {
+          button.textContent = 'Copy';
+        }, 1500);
+      },
+    },
+    'Copy',
+  );
   return button;
 }
 

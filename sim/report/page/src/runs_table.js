@@ -30,44 +30,91 @@ export class RunsTable {
   }
 
   build() {
-    this.input = make('input', { type: 'search', id: 'filter', spellcheck: 'false', autocomplete: 'off',
-      'aria-describedby': 'filter-help', placeholder: filterExample(this.table), oninput: () => this.filter() });
+    this.input = make('input', {
+      type: 'search',
+      id: 'filter',
+      spellcheck: 'false',
+      autocomplete: 'off',
+      'aria-describedby': 'filter-help',
+      placeholder: filterExample(this.table),
+      oninput: () => this.filter(),
+    });
     this.counts = make('p', { class: 'counts', role: 'status' });
-    this.lines = Array.from({ length: Math.min(ROWS, Math.max(1, this.table.rows)) }, (_, i) => this.makeLine(i));
+    this.lines = Array.from({ length: Math.min(ROWS, Math.max(1, this.table.rows)) }, (_, i) =>
+      this.makeLine(i),
+    );
     this.heads = this.columns.map((column) => this.makeHead(column));
-    this.grid = make('table', { class: 'runs', role: 'grid', 'aria-label': 'Runs', 'aria-rowcount': this.table.rows + 1 },
+    this.grid = make(
+      'table',
+      { class: 'runs', role: 'grid', 'aria-label': 'Runs', 'aria-rowcount': this.table.rows + 1 },
       make('thead', null, make('tr', { 'aria-rowindex': '1' }, this.heads)),
-      make('tbody', null, this.lines));
+      make('tbody', null, this.lines),
+    );
     this.spacer = make('div', { class: 'spacer' }, this.grid);
-    this.window = make('div', { class: 'window', tabindex: '0', role: 'region', 'aria-label': 'Runs, arrow keys and Enter',
-      onscroll: () => this.scrolled(), onkeydown: (/** @type {KeyboardEvent} */ e) => this.key(e) }, this.spacer);
+    this.window = make(
+      'div',
+      {
+        class: 'window',
+        tabindex: '0',
+        role: 'region',
+        'aria-label': 'Runs, arrow keys and Enter',
+        onscroll: () => this.scrolled(),
+        onkeydown: (/** @type {KeyboardEvent} */ e) => this.key(e),
+      },
+      this.spacer,
+    );
     this.window.style.height = `${(this.lines.length + 1) * ROW_HEIGHT + 18}px`;
-    return card('runs', 'Runs', null, make('div', { class: 'filter-row' }, make('label', { for: 'filter' }, 'Filter'), this.input,
-      this.counts), make('p', { class: 'note', id: 'filter-help' },
-      'Conditions apart by spaces, all must hold: name=text, name~part, name<number, <=, >, >=, !=, name=nan; a word alone is searched in all texts.'),
-    this.window);
+    return card(
+      'runs',
+      'Runs',
+      null,
+      make(
+        'div',
+        { class: 'filter-row' },
+        make('label', { for: 'filter' }, 'Filter'),
+        this.input,
+        this.counts,
+      ),
+      make(
+        'p',
+        { class: 'note', id: 'filter-help' },
+        'Conditions apart by spaces, all must hold: name=text, name~part, name<number, <=, >, >=, !=, name=nan; a word alone is searched in all texts.',
+      ),
+      this.window,
+    );
   }
 
   /** @param {number} i */
   makeLine(i) {
-    return make('tr', { onclick: () => this.open(this.first + i) }, this.columns.map((column) =>
-      make('td', { class: column.dictionary ? 'text' : '' })));
+    return make(
+      'tr',
+      { onclick: () => this.open(this.first + i) },
+      this.columns.map((column) => make('td', { class: column.dictionary ? 'text' : '' })),
+    );
   }
 
   /** @param {import('./table.js').Column} column */
   makeHead(column) {
     const width = columnWidth(this.table, column);
-    return make('th', { scope: 'col', style: `width:${width}px`, class: column.dictionary ? 'text' : '' },
-      make('button', { type: 'button', title: column.meaning || null, onclick: () => this.sort(column.name) },
-        plainName(column.name, column.unit), column.unit && make('span', { class: 'unit' }, ` ${column.unit}`),
-        make('span', { class: 'arrow', 'aria-hidden': 'true' })));
+    return make(
+      'th',
+      { scope: 'col', style: `width:${width}px`, class: column.dictionary ? 'text' : '' },
+      make(
+        'button',
+        { type: 'button', title: column.meaning || null, onclick: () => this.sort(column.name) },
+        plainName(column.name, column.unit),
+        column.unit && make('span', { class: 'unit' }, ` ${column.unit}`),
+        make('span', { class: 'arrow', 'aria-hidden': 'true' }),
+      ),
+    );
   }
 
   /** Sorts by a column; by the same one again, the other way round. @param {string} name @param {boolean} [falling] */
   sort(name, falling) {
     const column = this.table.byName.get(name);
     if (!column) return;
-    this.falling = falling ?? (this.sorted_by === column ? !this.falling : !column.dictionary && name !== 'run');
+    this.falling =
+      falling ?? (this.sorted_by === column ? !this.falling : !column.dictionary && name !== 'run');
     this.sorted_by = column;
     this.order();
   }
@@ -100,8 +147,10 @@ export class RunsTable {
   refresh() {
     const docked = this.rows.reduce((sum, row) => sum + (this.table.isDocked(row) ? 1 : 0), 0);
     const all = this.rows.length === this.table.rows;
-    this.counts.textContent = this.rows.length === 0 ? 'No run fits the filter.'
-      : `${group(docked)} of ${group(this.rows.length)} ${all ? '' : 'chosen '}runs docked`;
+    this.counts.textContent =
+      this.rows.length === 0
+        ? 'No run fits the filter.'
+        : `${group(docked)} of ${group(this.rows.length)} ${all ? '' : 'chosen '}runs docked`;
     const height = Math.min(TALLEST, (this.rows.length + 1) * ROW_HEIGHT);
     this.spacer.style.height = `${height}px`;
     this.grid.setAttribute('aria-rowcount', String(this.rows.length + 1));
@@ -158,7 +207,14 @@ export class RunsTable {
   /** @param {KeyboardEvent} event */
   key(event) {
     if (event.target !== this.window) return;
-    const steps = { ArrowDown: 1, ArrowUp: -1, PageDown: ROWS - 2, PageUp: 2 - ROWS, Home: -Infinity, End: Infinity };
+    const steps = {
+      ArrowDown: 1,
+      ArrowUp: -1,
+      PageDown: ROWS - 2,
+      PageUp: 2 - ROWS,
+      Home: -Infinity,
+      End: Infinity,
+    };
     if (event.key === 'Enter') return this.open(this.current);
     const step = /** @type {any} */ (steps)[event.key];
     if (step === undefined || event.ctrlKey || event.altKey) return;
@@ -180,7 +236,7 @@ export class RunsTable {
 
 /** Run, outcome, then the rest; `docked` says no more than the sign before the outcome. @param {import('./table.js').Table} table */
 function inOrder(table) {
-  const front = [table.run, table.outcomes];
+  const front = [table.run, table.outcomes, table.byName.get('replay')].filter((c) => c !== undefined);
   return [...front, ...table.columns.filter((c) => !front.includes(c) && c !== table.docked)];
 }
 
@@ -189,7 +245,9 @@ function columnWidth(table, column) {
   const head = plainName(column.name, column.unit).length + (column.unit ? column.unit.length + 1 : 0);
   let widest = 0;
   if (column.dictionary) widest = Math.max(...column.dictionary.map((text) => text.length)) + 2;
-  else for (let i = 0; i < Math.min(50, table.rows); ++i) widest = Math.max(widest, table.text(column, i).length);
+  else
+    for (let i = 0; i < Math.min(50, table.rows); ++i)
+      widest = Math.max(widest, table.text(column, i).length);
   return Math.round(Math.min(260, Math.max(58, Math.max(head * 6.9 + 22, widest * 7.4 + 18))));
 }
 
@@ -205,10 +263,37 @@ export function failuresForPrint(table) {
   const rows = [];
   for (let row = 0; row < table.rows && rows.length < 100; ++row) if (!table.isDocked(row)) rows.push(row);
   if (rows.length === 0) return null;
-  const texts = table.columns.filter((c) => c.dictionary && c !== table.outcomes).slice(0, 5);
+  const texts = table.columns
+    .filter((c) => c.dictionary && c !== table.outcomes && c.name !== 'replay')
+    .slice(0, 5);
   const columns = [table.run, table.outcomes, ...texts, ...table.measures().slice(0, 5)];
-  return card('failures', 'Failed runs', rows.length === 100 ? 'The first 100.' : null,
-    make('table', { class: 'plain' },
-      make('thead', null, make('tr', null, columns.map((c) => make('th', { scope: 'col' }, axisName(c))))),
-      make('tbody', null, rows.map((row) => make('tr', null, columns.map((c) => make('td', null, table.text(c, row))))))));
+  return card(
+    'failures',
+    'Failed runs',
+    rows.length === 100 ? 'The first 100.' : null,
+    make(
+      'table',
+      { class: 'plain' },
+      make(
+        'thead',
+        null,
+        make(
+          'tr',
+          null,
+          columns.map((c) => make('th', { scope: 'col' }, axisName(c))),
+        ),
+      ),
+      make(
+        'tbody',
+        null,
+        rows.map((row) =>
+          make(
+            'tr',
+            null,
+            columns.map((c) => make('td', null, table.text(c, row))),
+          ),
+        ),
+      ),
+    ),
+  );
 }

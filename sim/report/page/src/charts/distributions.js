@@ -10,14 +10,29 @@ const SAMPLE = 2000; // values that decide where the bins end
 /** @param {import('../table.js').Table} table */
 export function distributions(table) {
   if (table.rows < 2) return null;
-  const figures = table.measures().map((column) => ({ column, bins: count(table, column) }))
+  const figures = table
+    .measures()
+    .map((column) => ({ column, bins: count(table, column) }))
     .filter(({ bins }) => bins !== null);
   if (figures.length === 0) return null;
-  return card('distributions', 'Distributions',
+  return card(
+    'distributions',
+    'Distributions',
     'Number of runs by measure: docked runs upwards, failed runs downwards (hatched).',
-    hatch(), make('div', { class: 'multiples' }, figures.map(({ column, bins }) =>
-      make('figure', { title: column.meaning }, make('figcaption', null, axisName(column)),
-        histogram(column, /** @type {any} */ (bins))))));
+    hatch(),
+    make(
+      'div',
+      { class: 'multiples' },
+      figures.map(({ column, bins }) =>
+        make(
+          'figure',
+          { title: column.meaning },
+          make('figcaption', null, axisName(column)),
+          histogram(column, /** @type {any} */ (bins)),
+        ),
+      ),
+    ),
+  );
 }
 
 /** @param {import('../table.js').Table} table @param {import('../table.js').Column} column */
@@ -25,7 +40,8 @@ function count(table, column) {
   const limits = binLimits(column.values);
   if (!limits) return null;
   const [low, high] = limits;
-  const docked = new Float64Array(BINS), failed = new Float64Array(BINS);
+  const docked = new Float64Array(BINS),
+    failed = new Float64Array(BINS);
   const scale = BINS / (high - low);
   let beyond = 0;
   for (let row = 0; row < table.rows; ++row) {
@@ -47,7 +63,8 @@ function binLimits(values) {
   if (some.length < 2) return null;
   some.sort((a, b) => a - b);
   const cut = some.length > 200 ? 0.002 : 0;
-  const low = some[Math.floor(cut * (some.length - 1))], high = some[Math.ceil((1 - cut) * (some.length - 1))];
+  const low = some[Math.floor(cut * (some.length - 1))],
+    high = some[Math.ceil((1 - cut) * (some.length - 1))];
   return high > low ? [low, high] : null;
 }
 
@@ -55,21 +72,48 @@ function binLimits(values) {
 function histogram(column, bins) {
   const width = (bins.high - bins.low) / BINS;
   const rows = Array.from({ length: BINS }, (_, i) => ({
-    from: bins.low + i * width, to: bins.low + (i + 1) * width,
-    docked: bins.docked[i], failed: -bins.failed[i],
+    from: bins.low + i * width,
+    to: bins.low + (i + 1) * width,
+    docked: bins.docked[i],
+    failed: -bins.failed[i],
   }));
   const plot = Plot.plot({
-    width: 300, height: 130, marginLeft: 40, marginRight: 12, marginTop: 6, marginBottom: 22,
+    width: 300,
+    height: 130,
+    marginLeft: 40,
+    marginRight: 12,
+    marginTop: 6,
+    marginBottom: 22,
     ariaLabel: `Histogram of ${axisName(column)}`,
-    x: { label: null, ticks: 5 },
-    y: { label: null, ticks: 4, tickFormat: (/** @type {number} */ v) => Number.isInteger(v) ? short(Math.abs(v)) : '' },
+    x: { label: null, ticks: 3 },
+    y: {
+      label: null,
+      ticks: 4,
+      tickSize: 0,
+      tickFormat: (/** @type {number} */ v) => (Number.isInteger(v) ? short(Math.abs(v)) : ''),
+    },
     marks: [
-      Plot.rectY(rows, { x1: 'from', x2: 'to', y: 'docked', fill: 'var(--docked)', fillOpacity: 0.8, inset: 0.5 }),
-      Plot.rectY(rows, { x1: 'from', x2: 'to', y: 'failed', fill: 'url(#hatch)', stroke: 'var(--failed)', inset: 0.5 }),
+      Plot.rectY(rows, {
+        x1: 'from',
+        x2: 'to',
+        y: 'docked',
+        fill: 'var(--docked)',
+        fillOpacity: 0.8,
+        inset: 0.5,
+      }),
+      Plot.rectY(rows, {
+        x1: 'from',
+        x2: 'to',
+        y: 'failed',
+        fill: 'url(#hatch)',
+        stroke: 'var(--failed)',
+        inset: 0.5,
+      }),
       Plot.ruleY([0], { stroke: 'var(--quiet)' }),
     ],
   });
-  const note = bins.beyond > 0 ? make('div', { class: 'note' }, `${group(bins.beyond)} beyond, in the end bars`) : null;
+  const note =
+    bins.beyond > 0 ? make('div', { class: 'note' }, `${group(bins.beyond)} beyond, in the end bars`) : null;
   return make('div', null, plot, note);
 }
 
@@ -82,9 +126,16 @@ function short(count) {
 function hatch() {
   const holder = make('div', { class: 'hatch', 'aria-hidden': 'true' });
   const name = 'http://www.w3.org/2000/svg';
-  const svg = document.createElementNS(name, 'svg'), pattern = document.createElementNS(name, 'pattern');
-  const ground = document.createElementNS(name, 'rect'), line = document.createElementNS(name, 'path');
-  for (const [key, value] of Object.entries({ id: 'hatch', width: 5, height: 5, patternUnits: 'userSpaceOnUse' })) {
+  const svg = document.createElementNS(name, 'svg'),
+    pattern = document.createElementNS(name, 'pattern');
+  const ground = document.createElementNS(name, 'rect'),
+    line = document.createElementNS(name, 'path');
+  for (const [key, value] of Object.entries({
+    id: 'hatch',
+    width: 5,
+    height: 5,
+    patternUnits: 'userSpaceOnUse',
+  })) {
     pattern.setAttribute(key, String(value));
   }
   for (const [key, value] of Object.entries({ width: 5, height: 5, class: 'hatch-ground' })) {

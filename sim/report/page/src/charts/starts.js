@@ -22,10 +22,15 @@ export function starts(table, openRun) {
   if (!x || !y) return null;
   const points = samplePoints(table, x, y, heading);
   if (points.length === 0) return null;
-  const thinned = points.length < table.rows ? ` A random sample of ${group(points.length)} runs is shown.` : '';
-  return card('starts', 'Starts',
+  const thinned =
+    points.length < table.rows ? ` A random sample of ${group(points.length)} runs is shown.` : '';
+  return card(
+    'starts',
+    'Starts',
     `Start poses seen from above, in the target's frame: it stands at 0, x points out of it. Click a run to open it.${thinned}`,
-    legend(), drawMap(points, Boolean(heading), openRun));
+    legend(),
+    drawMap(points, Boolean(heading), openRun),
+  );
 }
 
 /** @param {import('../table.js').Table} table @param {any} x @param {any} y @param {any} heading */
@@ -35,41 +40,98 @@ function samplePoints(table, x, y, heading) {
   for (let row = 0; row < table.rows; ++row) {
     const run = table.run.values[row];
     if (scatter(run) >= limit || Number.isNaN(x[row]) || Number.isNaN(y[row])) continue;
-    points.push({ run, x: x[row], y: y[row], heading: heading ? heading[row] : 0, docked: table.isDocked(row),
-      outcome: table.outcome(row) });
+    points.push({
+      run,
+      x: x[row],
+      y: y[row],
+      heading: heading ? heading[row] : 0,
+      docked: table.isDocked(row),
+      outcome: table.outcome(row),
+    });
   }
   return points;
 }
 
 function legend() {
-  return make('p', { class: 'legend' },
-    make('span', { class: 'docked' }, '● docked'), make('span', { class: 'failed' }, '✕ failed'),
-    make('span', { class: 'quiet' }, 'the tick is the heading'));
+  return make(
+    'p',
+    { class: 'legend' },
+    make('span', { class: 'docked' }, '● docked'),
+    make('span', { class: 'failed' }, '✕ failed'),
+    make('span', { class: 'quiet' }, 'the tick is the heading'),
+  );
 }
 
 /** @param {any[]} points @param {boolean} with_heading @param {(run: number) => void} openRun */
 function drawMap(points, with_heading, openRun) {
-  const docked = points.filter((p) => p.docked), failed = points.filter((p) => !p.docked);
+  const docked = points.filter((p) => p.docked),
+    failed = points.filter((p) => !p.docked);
   const small = points.length > 400;
-  const tick = (/** @type {string} */ colour) => ({ x: 'x', y: 'y', anchor: 'start', shape: 'spike', r: 1.6,
-    rotate: (/** @type {any} */ p) => 90 - p.heading, length: small ? 9 : 15, stroke: colour,
-    fill: colour, strokeOpacity: 0.7 });
+  const tick = (/** @type {string} */ colour) => ({
+    x: 'x',
+    y: 'y',
+    anchor: 'start',
+    shape: 'spike',
+    r: 1.6,
+    rotate: (/** @type {any} */ p) => 90 - p.heading,
+    length: small ? 9 : 15,
+    stroke: colour,
+    fill: colour,
+    strokeOpacity: 0.7,
+  });
   const plot = Plot.plot({
-    width: 620, ...boundedHeight(points), marginLeft: 44, marginBottom: 36, marginTop: 24, inset: 16,
+    width: 620,
+    ...boundedHeight(points),
+    marginLeft: 44,
+    marginBottom: 36,
+    marginTop: 24,
+    inset: 16,
     ariaLabel: `Map of ${points.length} starts`,
-    x: { label: 'x [m]', nice: true }, y: { label: 'y [m]', nice: true },
+    x: { label: 'x [m]', nice: true },
+    y: { label: 'y [m]', nice: true },
     marks: [
-      Plot.gridX({ strokeOpacity: 0.1 }), Plot.gridY({ strokeOpacity: 0.1 }),
+      Plot.gridX({ strokeOpacity: 0.1 }),
+      Plot.gridY({ strokeOpacity: 0.1 }),
       Plot.ruleY([0], { stroke: 'var(--quiet)', strokeDasharray: '2,4' }),
       Plot.dot([{ x: 0, y: 0 }], { x: 'x', y: 'y', symbol: 'square', r: 8, fill: 'var(--text)' }),
-      Plot.text([{ x: 0, y: 0 }], { x: 'x', y: 'y', text: () => 'target', dx: 14, dy: -10, textAnchor: 'start', fill: 'var(--quiet)' }),
+      Plot.text([{ x: 0, y: 0 }], {
+        x: 'x',
+        y: 'y',
+        text: () => 'target',
+        dx: 14,
+        dy: -10,
+        textAnchor: 'start',
+        fill: 'var(--quiet)',
+      }),
       with_heading ? Plot.vector(docked, tick('var(--docked)')) : null,
       with_heading ? Plot.vector(failed, tick('var(--failed)')) : null,
-      Plot.dot(docked, { x: 'x', y: 'y', r: small ? 2.5 : 4, fill: 'var(--docked)', stroke: 'var(--card)', strokeWidth: 0.7 }),
-      Plot.dot(failed, { x: 'x', y: 'y', r: small ? 3 : 5, symbol: 'times', stroke: 'var(--failed)', strokeWidth: 2.2 }),
-      Plot.tip(points, Plot.pointer({ x: 'x', y: 'y', fill: 'var(--card)', title: (/** @type {any} */ p) =>
-        `Run ${p.run}: ${p.outcome}\nx ${fixed(p.x, 2)} m, y ${fixed(p.y, 2)} m` +
-        (with_heading ? `, heading ${fixed(p.heading, 0)}°` : '') })),
+      Plot.dot(docked, {
+        x: 'x',
+        y: 'y',
+        r: small ? 2.5 : 4,
+        fill: 'var(--docked)',
+        stroke: 'var(--card)',
+        strokeWidth: 0.7,
+      }),
+      Plot.dot(failed, {
+        x: 'x',
+        y: 'y',
+        r: small ? 3 : 5,
+        symbol: 'times',
+        stroke: 'var(--failed)',
+        strokeWidth: 2.2,
+      }),
+      Plot.tip(
+        points,
+        Plot.pointer({
+          x: 'x',
+          y: 'y',
+          fill: 'var(--card)',
+          title: (/** @type {any} */ p) =>
+            `Run ${p.run}: ${p.outcome}\nx ${fixed(p.x, 2)} m, y ${fixed(p.y, 2)} m` +
+            (with_heading ? `, heading ${fixed(p.heading, 0)}°` : ''),
+        }),
+      ),
     ],
   });
   plot.style.cursor = 'pointer';
@@ -84,8 +146,16 @@ function drawMap(points, with_heading, openRun) {
 function boundedHeight(points) {
   const span = (/** @type {'x' | 'y'} */ axis) => {
     const values = points.map((p) => p[axis]);
-    return Math.max(0, values.reduce((a, b) => Math.max(a, b), -Infinity)) -
-      Math.min(0, values.reduce((a, b) => Math.min(a, b), Infinity));
+    return (
+      Math.max(
+        0,
+        values.reduce((a, b) => Math.max(a, b), -Infinity),
+      ) -
+      Math.min(
+        0,
+        values.reduce((a, b) => Math.min(a, b), Infinity),
+      )
+    );
   };
   const ratio = (span('y') || 0.01) / (span('x') || 0.01);
   if (ratio > 1.1) return { height: 620 };

@@ -5,7 +5,7 @@ import { card, make } from '../dom.js';
 import { group, interval, percent } from '../format.js';
 
 const MARGIN_LEFT = 150;
-const MARGIN_RIGHT = 128;
+const MARGIN_RIGHT = 150;
 
 /** @param {any} header */
 export function headline(header) {
@@ -14,61 +14,128 @@ export function headline(header) {
   const notes = [];
   if (planned > runs) notes.push(`${group(planned - runs)} of ${group(planned)} planned runs are missing.`);
   if (lost > 0) notes.push(`${group(lost)} runs were lost and count as failures.`);
-  return card('success', 'Success', null,
-    make('p', { class: 'headline' },
-      make('span', { class: 'big' }, `${percent(share)} %`),
-      make('span', null, `${group(docked)} of ${group(runs)} runs docked`,
-        limits && make('br'), limits && `95 % interval ${interval(limits)}`)),
+  return card(
+    'success',
+    'Success',
+    null,
+    make(
+      'p',
+      { class: 'headline' },
+      make('span', { class: 'big' }, `${percent(share, runs)} %`),
+      make(
+        'span',
+        null,
+        `${group(docked)} of ${group(runs)} runs docked`,
+        limits && make('br'),
+        limits && `95 % interval ${interval(limits, runs)}`,
+      ),
+    ),
     limits && intervalBar(share, limits),
-    notes.length > 0 && make('p', { class: 'note' }, notes.join(' ')));
+    notes.length > 0 && make('p', { class: 'note' }, notes.join(' ')),
+  );
 }
 
 /** @param {number} share @param {[number, number]} limits */
 function intervalBar(share, limits) {
   const at = (/** @type {number} */ x) => `${(100 * x).toFixed(2)}%`;
-  return make('div', { class: 'interval-bar', role: 'img',
-    'aria-label': `${percent(share)} %, 95 % interval ${interval(limits)}` },
+  return make(
+    'div',
+    {
+      class: 'interval-bar',
+      role: 'img',
+      'aria-label': `${percent(share)} %, 95 % interval ${interval(limits)}`,
+    },
     make('div', { class: 'range', style: `left:${at(limits[0])};width:${at(limits[1] - limits[0])}` }),
-    make('div', { class: 'mark', style: `left:${at(share)}` }));
+    make('div', { class: 'mark', style: `left:${at(share)}` }),
+  );
 }
 
-/** @param {any} header @param {(filter: string) => void} showFilter */
-export function factors(header, showFilter) {
+/** @param {any} header @param {import('../table.js').Table} table @param {(filter: string) => void} showFilter */
+export function factors(header, table, showFilter) {
   const groups = (header.groups ?? []).filter((/** @type {any} */ g) => g.values.length > 0);
   if (groups.length === 0) return null;
-  return card('factors', 'Success by factor',
+  return card(
+    'factors',
+    'Success by factor',
     'Share of runs that docked, with its exact 95 % interval. The line marks all runs.',
-    ...groups.map((/** @type {any} */ g) => factor(g, header.totals, showFilter)));
+    ...groups.map((/** @type {any} */ g) =>
+      factor(g, header.totals, table.byName.has(g.label) ? showFilter : null),
+    ),
+  );
 }
 
-/** @param {any} factor_group @param {any} totals @param {(filter: string) => void} showFilter */
+/** @param {any} factor_group @param {any} totals @param {((filter: string) => void) | null} showFilter */
 function factor(factor_group, totals, showFilter) {
   const rows = factor_group.values.map((/** @type {any} */ v) => ({
-    value: String(v.value), share: v.runs > 0 ? v.docked / v.runs : NaN,
-    low: v.interval?.[0], high: v.interval?.[1], text: `${group(v.docked)}/${group(v.runs)}`,
-    range: interval(v.interval),
+    value: String(v.value),
+    share: v.runs > 0 ? v.docked / v.runs : NaN,
+    low: v.interval?.[0],
+    high: v.interval?.[1],
+    text: `${group(v.docked)}/${group(v.runs)}`,
+    range: interval(v.interval, v.runs),
   }));
   const plot = Plot.plot({
-    width: 620, height: 30 + 22 * rows.length, marginLeft: MARGIN_LEFT, marginRight: MARGIN_RIGHT,
-    marginTop: 4, marginBottom: 26,
+    width: 620,
+    height: 30 + 22 * rows.length,
+    marginLeft: MARGIN_LEFT,
+    marginRight: MARGIN_RIGHT,
+    marginTop: 4,
+    marginBottom: 26,
     ariaLabel: `Success by ${factor_group.label}`,
-    x: { domain: [0, 1], tickFormat: (/** @type {number} */ v) => `${Math.round(100 * v)}`, label: null, ticks: 5 },
-    y: { domain: rows.map((/** @type {any} */ r) => r.value), label: null, padding: 0.3, tickSize: 0,
-      tickFormat: shorten },
+    x: {
+      domain: [0, 1],
+      tickFormat: (/** @type {number} */ v) => `${Math.round(100 * v)}`,
+      label: null,
+      ticks: 5,
+    },
+    y: {
+      domain: rows.map((/** @type {any} */ r) => r.value),
+      label: null,
+      padding: 0.3,
+      tickSize: 0,
+      tickFormat: shorten,
+    },
     marks: [
       Plot.gridX({ ticks: 5, strokeOpacity: 0.12 }),
       Plot.ruleX([totals.docked / totals.runs], { stroke: 'var(--quiet)', strokeDasharray: '3,3' }),
-      Plot.ruleY(rows.filter((/** @type {any} */ r) => r.low !== undefined),
-        { x1: 'low', x2: 'high', y: 'value', stroke: 'var(--docked)', strokeWidth: 5, strokeOpacity: 0.35 }),
+      Plot.ruleY(
+        rows.filter((/** @type {any} */ r) => r.low !== undefined),
+        { x1: 'low', x2: 'high', y: 'value', stroke: 'var(--docked)', strokeWidth: 5, strokeOpacity: 0.35 },
+      ),
       Plot.dot(rows, { x: 'share', y: 'value', r: 4.5, fill: 'var(--docked)' }),
-      Plot.text(rows, { x: 1, y: 'value', text: (/** @type {any} */ r) => `${r.text}  ${r.range}`, textAnchor: 'start',
-        dx: 10, fill: 'var(--text)', fontVariant: 'tabular-nums' }),
+      Plot.text(rows, {
+        x: 1,
+        y: 'value',
+        text: (/** @type {any} */ r) => `${r.text}  ${r.range}`,
+        textAnchor: 'start',
+        dx: 10,
+        fill: 'var(--text)',
+        fontVariant: 'tabular-nums',
+      }),
     ],
   });
-  const buttons = rows.slice(0, 12).map((/** @type {any} */ r) => make('button', { class: 'link', type: 'button',
-    onclick: () => showFilter(`${factor_group.label}="${r.value}"`) }, shorten(r.value)));
-  return make('figure', null, make('figcaption', null, factor_group.label), plot,
-    make('p', { class: 'row-links no-print' }, 'Runs with: ', ...buttons));
+  const buttons = !showFilter
+    ? []
+    : rows
+        .slice(0, 12)
+        .map((/** @type {any} */ r) =>
+          make(
+            'button',
+            {
+              class: 'link',
+              type: 'button',
+              onclick: () => showFilter(`${factor_group.label}="${r.value}"`),
+            },
+            shorten(r.value),
+          ),
+        );
+  return make(
+    'figure',
+    null,
+    make('figcaption', null, factor_group.label),
+    plot,
+    buttons.length > 0 && make('p', { class: 'row-links no-print' }, 'Runs with: ', ...buttons),
+  );
 }
 
 /** @param {string} text */

@@ -12,14 +12,18 @@ export function makeGround(ground, blobs, extent) {
   const plain = new Mesh(new CircleGeometry(60, 48), new MeshLambertMaterial());
   plain.material.color.setRGB(SAND[0], SAND[1], SAND[2]);
   plain.position.set((extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2, 0);
+  plain.receiveShadow = true;
   group.add(plain);
   if (!ground) return { group, goTo: () => {}, at: () => 0 };
   const heights = new GroundHeights(ground, blobs);
   const surface = new Surface(heights);
   plain.position.z = heights.first.reduce((low, z) => Math.min(low, z), Infinity) - 0.03;
   group.add(surface.mesh);
-  return { group, goTo: (/** @type {number} */ sample) => surface.goTo(sample),
-    at: (/** @type {number} */ x, /** @type {number} */ y) => heights.at(x, y) };
+  return {
+    group,
+    goTo: (/** @type {number} */ sample) => surface.goTo(sample),
+    at: (/** @type {number} */ x, /** @type {number} */ y) => heights.at(x, y),
+  };
 }
 
 class Surface {
@@ -41,6 +45,7 @@ class Surface {
     geometry.setAttribute('color', new BufferAttribute(this.colours, 3));
     geometry.setIndex(new BufferAttribute(gridTriangles(columns, rows), 1));
     this.mesh = new Mesh(geometry, new MeshLambertMaterial({ vertexColors: true }));
+    this.mesh.receiveShadow = true;
     this.mesh.frustumCulled = false;
     for (let i = 0; i < count; ++i) this.refresh(i);
   }
@@ -53,17 +58,22 @@ class Surface {
     const touched = new Set();
     for (const cell of changed) for (const step of [0, 1, -1, columns, -columns]) touched.add(cell + step);
     for (const vertex of touched) this.refresh(vertex);
-    for (const name of ['position', 'normal', 'color']) this.mesh.geometry.attributes[name].needsUpdate = true;
+    for (const name of ['position', 'normal', 'color'])
+      this.mesh.geometry.attributes[name].needsUpdate = true;
   }
 
   /** Height, slope and colour of one vertex. @param {number} i */
   refresh(i) {
     const { columns, rows, cell, now, first } = this.heights;
     if (i < 0 || i >= now.length) return;
-    const column = i % columns, row = (i - column) / columns;
-    const left = column > 0 ? now[i - 1] : now[i], right = column < columns - 1 ? now[i + 1] : now[i];
-    const below = row > 0 ? now[i - columns] : now[i], above = row < rows - 1 ? now[i + columns] : now[i];
-    const nx = (left - right) / (2 * cell), ny = (below - above) / (2 * cell);
+    const column = i % columns,
+      row = (i - column) / columns;
+    const left = column > 0 ? now[i - 1] : now[i],
+      right = column < columns - 1 ? now[i + 1] : now[i];
+    const below = row > 0 ? now[i - columns] : now[i],
+      above = row < rows - 1 ? now[i + columns] : now[i];
+    const nx = (left - right) / (2 * cell),
+      ny = (below - above) / (2 * cell);
     const size = Math.hypot(nx, ny, 1);
     this.positions[3 * i + 2] = now[i];
     this.normals.set([nx / size, ny / size, 1 / size], 3 * i);
@@ -86,9 +96,16 @@ function gridTriangles(columns, rows) {
   let n = 0;
   for (let row = 0; row + 1 < rows; ++row) {
     for (let column = 0; column + 1 < columns; ++column) {
-      const a = row * columns + column, b = a + 1, c = a + columns, d = c + 1;
-      index[n++] = a; index[n++] = b; index[n++] = d;
-      index[n++] = a; index[n++] = d; index[n++] = c;
+      const a = row * columns + column,
+        b = a + 1,
+        c = a + columns,
+        d = c + 1;
+      index[n++] = a;
+      index[n++] = b;
+      index[n++] = d;
+      index[n++] = a;
+      index[n++] = d;
+      index[n++] = c;
     }
   }
   return index;

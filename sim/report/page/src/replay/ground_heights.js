@@ -15,8 +15,11 @@ export class GroundHeights {
     if (stored.length !== count) throw new Error('the ground of the data is damaged');
     this.first = Float32Array.from(stored, (v) => v * STEP_M);
     this.now = this.first.slice();
-    this.changes = (ground.changes ?? []).map((/** @type {any} */ change) => ({ sample: change.sample,
-      cells: blobs.u32(change.cells), heights: blobs.i16(change.heights) }));
+    this.changes = (ground.changes ?? []).map((/** @type {any} */ change) => ({
+      sample: change.sample,
+      cells: blobs.u32(change.cells),
+      heights: blobs.i16(change.heights),
+    }));
     this.applied = 0;
   }
 

@@ -4,7 +4,12 @@ import { convexHull } from './hull.js';
 import { GroundHeights } from './ground_heights.js';
 import { compose, turned } from './poses.js';
 
-const TRUTH = '#1f5fa8', BELIEF = '#c46a08', PLAN = '#1c8a5a', INK = '#3a3f45', PAPER = '#e9e2d4', RUT = '#b39f7d';
+const TRUTH = '#1f5fa8',
+  BELIEF = '#c46a08',
+  PLAN = '#1c8a5a',
+  INK = '#3a3f45',
+  PAPER = '#e9e2d4',
+  RUT = '#b39f7d';
 
 export class PlanView {
   /** @param {import('./tracks.js').Tracks} tracks @param {any} header @param {import('../payload.js').Blobs} blobs */
@@ -17,12 +22,19 @@ export class PlanView {
     this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d'));
     this.following = false;
     this.time = 0;
-    this.corners = new Map(tracks.bodies.map(({ body }) => [body, bodyCorners(tracks.scene.bodies[body], header.meshes ?? [], blobs)]));
+    this.corners = new Map(
+      tracks.bodies.map(({ body }) => [
+        body,
+        bodyCorners(tracks.scene.bodies[body], header.meshes ?? [], blobs),
+      ]),
+    );
     this.ground = tracks.ground ? new GroundHeights(tracks.ground, blobs) : null;
     this.ruts = new Set();
   }
 
-  reset() { this.draw(this.time); }
+  reset() {
+    this.draw(this.time);
+  }
 
   /** @param {boolean} following */
   follow(following) {
@@ -51,11 +63,17 @@ export class PlanView {
     this.drawGrid();
     const plan = tracks.latest(tracks.plans, time);
     if (plan >= 0) {
-      this.stroke(tracks.plans[plan].points.map((/** @type {number[]} */ p) => compose(tracks.X_WD, [p[0], p[1], 0])), PLAN, 2, []);
+      this.stroke(
+        tracks.plans[plan].points.map((/** @type {number[]} */ p) => compose(tracks.X_WD, [p[0], p[1], 0])),
+        PLAN,
+        2,
+        [],
+      );
     }
-    this.stroke(tracks.trail('truth', time), TRUTH, 2, []);
-    this.stroke(tracks.trail('believed', time), BELIEF, 2, [7, 5]);
-    for (const [body, pose] of this.poses) this.drawBody(body, pose, tracks.scene.bodies[body].robot ? TRUTH : INK, true);
+    this.stroke(tracks.trail('truth', time).points, TRUTH, 2, []);
+    this.stroke(tracks.trail('believed', time).points, BELIEF, 2, [7, 5]);
+    for (const [body, pose] of this.poses)
+      this.drawBody(body, pose, tracks.scene.bodies[body].robot ? TRUTH : INK, true);
     for (const [body, pose] of tracks.ghost(time) ?? []) this.drawBody(body, pose, BELIEF, false);
     for (const line of tracks.lines) this.stroke(tracks.linePoints(line, time), '#111', 2, []);
   }
@@ -90,7 +108,10 @@ export class PlanView {
     for (const cell of this.ruts) {
       const depth = ground.first[cell] - ground.now[cell];
       if (Math.abs(depth) < 0.002) continue;
-      const [u, v] = this.pixel(ground.x0 + (cell % ground.columns) * ground.cell, ground.y0 + Math.floor(cell / ground.columns) * ground.cell);
+      const [u, v] = this.pixel(
+        ground.x0 + (cell % ground.columns) * ground.cell,
+        ground.y0 + Math.floor(cell / ground.columns) * ground.cell,
+      );
       this.context.globalAlpha = Math.min(1, 0.25 + Math.abs(depth) / 0.04);
       this.context.fillRect(u - size / 2, v - size / 2, size, size);
     }
@@ -100,8 +121,10 @@ export class PlanView {
   /** A line at each metre, and a scale. */
   drawGrid() {
     const { canvas, context } = this;
-    const scale = this.scale ?? 1, [mx, my] = /** @type {number[]} */ (this.middle);
-    const wide = canvas.width / scale / 2, tall = canvas.height / scale / 2;
+    const scale = this.scale ?? 1,
+      [mx, my] = /** @type {number[]} */ (this.middle);
+    const wide = canvas.width / scale / 2,
+      tall = canvas.height / scale / 2;
     context.strokeStyle = '#00000018';
     context.lineWidth = 1;
     context.beginPath();
@@ -126,7 +149,9 @@ export class PlanView {
     if (points.length < 2) return;
     const { context } = this;
     context.beginPath();
-    points.forEach(([x, y], i) => (i === 0 ? context.moveTo(...this.pixel(x, y)) : context.lineTo(...this.pixel(x, y))));
+    points.forEach(([x, y], i) =>
+      i === 0 ? context.moveTo(...this.pixel(x, y)) : context.lineTo(...this.pixel(x, y)),
+    );
     context.setLineDash(dash);
     context.strokeStyle = colour;
     context.lineWidth = width;
@@ -137,13 +162,17 @@ export class PlanView {
   /** The outline of a body's boxes from above. @param {number} body @param {number[]} pose @param {string} colour @param {boolean} filled */
   drawBody(body, pose, colour, filled) {
     for (const corners of this.corners.get(body) ?? []) {
-      const hull = convexHull(corners.map((/** @type {number[]} */ p) => {
-        const at = turned(pose.slice(3), p);
-        return [at[0] + pose[0], at[1] + pose[1]];
-      }));
+      const hull = convexHull(
+        corners.map((/** @type {number[]} */ p) => {
+          const at = turned(pose.slice(3), p);
+          return [at[0] + pose[0], at[1] + pose[1]];
+        }),
+      );
       const { context } = this;
       context.beginPath();
-      hull.forEach(([x, y], i) => (i === 0 ? context.moveTo(...this.pixel(x, y)) : context.lineTo(...this.pixel(x, y))));
+      hull.forEach(([x, y], i) =>
+        i === 0 ? context.moveTo(...this.pixel(x, y)) : context.lineTo(...this.pixel(x, y)),
+      );
       context.closePath();
       context.setLineDash(filled ? [] : [5, 4]);
       context.strokeStyle = context.fillStyle = colour;
@@ -161,7 +190,9 @@ export class PlanView {
   dispose() {}
 
   drawn() {
-    return Object.fromEntries([...(this.poses ?? [])].map(([body, pose]) => [this.tracks.scene.bodies[body].name, pose]));
+    return Object.fromEntries(
+      [...(this.poses ?? [])].map(([body, pose]) => [this.tracks.scene.bodies[body].name, pose]),
+    );
   }
 }
 
@@ -169,13 +200,18 @@ export class PlanView {
 function bodyCorners(body, meshes, blobs) {
   return (body.parts ?? []).map((/** @type {any} */ part) => {
     const vertices = blobs.f32(meshes[part.mesh].vertices);
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    const low = [Infinity, Infinity, Infinity],
+      high = [-Infinity, -Infinity, -Infinity];
     for (let i = 0; i < vertices.length; ++i) {
       low[i % 3] = Math.min(low[i % 3], vertices[i]);
       high[i % 3] = Math.max(high[i % 3], vertices[i]);
     }
     const ends = [low, high];
-    const corners = Array.from({ length: 8 }, (_, i) => [ends[i & 1][0], ends[(i >> 1) & 1][1], ends[i >> 2][2]]);
+    const corners = Array.from({ length: 8 }, (_, i) => [
+      ends[i & 1][0],
+      ends[(i >> 1) & 1][1],
+      ends[i >> 2][2],
+    ]);
     const shift = part.position ?? [0, 0, 0];
     return corners.map((p) => turned(part.quaternion ?? [0, 0, 0, 1], p).map((v, axis) => v + shift[axis]));
   });

@@ -17,7 +17,10 @@ export class Player {
     this.blobs = blobs;
     this.tracks = new Tracks(replay, header.scenes[replay.scene], blobs);
     this.clock = new Clock(this.tracks.end_s, this.tracks.period_s, () => this.draw());
-    const goTo = (/** @type {number} */ time) => { this.clock.stop(); this.clock.goTo(time); };
+    const goTo = (/** @type {number} */ time) => {
+      this.clock.stop();
+      this.clock.goTo(time);
+    };
     this.sightings = new Sightings(this.tracks, goTo);
     this.scalars = new Scalars(this.tracks, goTo);
     this.transport = new Transport(this.clock, this.tracks);
@@ -33,14 +36,41 @@ export class Player {
   }
 
   build() {
-    this.followed = make('button', { type: 'button', 'aria-pressed': 'false', onclick: () => this.follow() }, 'Follow robot');
-    this.flat = make('button', { type: 'button', 'aria-pressed': 'false', onclick: () => this.switchView() }, 'From above');
-    const tools = make('div', { class: 'tools' }, this.followed, make('button', { type: 'button', onclick: () => this.view.reset() }, 'Reset view'), this.flat);
-    this.element = make('div', { class: 'player' },
-      make('div', { class: 'player-main' },
-        make('div', { class: 'player-left' }, make('div', { class: 'stage-frame' }, this.stage, tools, viewLegend(this.tracks)), this.note, this.transport.element, this.poses),
-        make('div', { class: 'player-right' }, this.sightings.element)),
-      this.scalars.element);
+    this.followed = make(
+      'button',
+      { type: 'button', 'aria-pressed': 'false', onclick: () => this.follow() },
+      'Follow robot',
+    );
+    this.flat = make(
+      'button',
+      { type: 'button', 'aria-pressed': 'false', onclick: () => this.switchView() },
+      'From above',
+    );
+    const tools = make(
+      'div',
+      { class: 'tools' },
+      this.followed,
+      make('button', { type: 'button', onclick: () => this.view.reset() }, 'Reset view'),
+      this.flat,
+    );
+    this.element = make(
+      'div',
+      { class: 'player' },
+      make(
+        'div',
+        { class: 'player-main' },
+        make(
+          'div',
+          { class: 'player-left' },
+          make('div', { class: 'stage-frame' }, this.stage, tools, viewLegend(this.tracks)),
+          this.note,
+          this.transport.element,
+          this.poses,
+        ),
+        make('div', { class: 'player-right' }, this.sightings.element),
+      ),
+      this.scalars.element,
+    );
   }
 
   /** In three dimensions if this browser can, else from above. @param {boolean} solid */
@@ -94,31 +124,73 @@ export class Player {
 
   /** @param {number} time */
   drawPoses(time) {
-    const truth = this.tracks.truePose(time), believed = this.tracks.believedPose(time);
+    const truth = this.tracks.truePose(time),
+      believed = this.tracks.believedPose(time);
     if (!truth) return;
     if (!this.cells) this.makePoseTable();
     const cells = /** @type {any[][]} */ (this.cells);
-    const text = (/** @type {number[] | null} */ pose) => pose
-      ? [fixed(pose[0], 3), fixed(pose[1], 3), fixed((wrapped(pose[2]) * 180) / Math.PI, 1)] : ['–', '–', '–'];
+    const text = (/** @type {number[] | null} */ pose) =>
+      pose
+        ? [fixed(pose[0], 3), fixed(pose[1], 3), fixed((wrapped(pose[2]) * 180) / Math.PI, 1)]
+        : ['–', '–', '–'];
     const off = believed ? [0, 1, 2].map((i) => believed[i] - truth[i]) : null;
-    const rows = [text(truth), text(believed), off ? [`${fixed(1000 * off[0], 0)} mm`, `${fixed(1000 * off[1], 0)} mm`,
-      fixed((wrapped(off[2]) * 180) / Math.PI, 1)] : ['–', '–', '–']];
-    rows.forEach((row, r) => row.forEach((value, c) => {
-      if (cells[r][c].textContent !== value) cells[r][c].textContent = value;
-    }));
+    const rows = [
+      text(truth),
+      text(believed),
+      off
+        ? [
+            `${fixed(1000 * off[0], 0)} mm`,
+            `${fixed(1000 * off[1], 0)} mm`,
+            fixed((wrapped(off[2]) * 180) / Math.PI, 1),
+          ]
+        : ['–', '–', '–'],
+    ];
+    rows.forEach((row, r) =>
+      row.forEach((value, c) => {
+        if (cells[r][c].textContent !== value) cells[r][c].textContent = value;
+      }),
+    );
   }
 
   makePoseTable() {
     this.cells = [0, 1, 2].map(() => [0, 1, 2].map(() => make('td')));
-    const names = [make('span', { class: 'truth-key' }, 'true'), make('span', { class: 'belief-key' }, 'believed'), 'difference'];
-    this.poses.replaceChildren(make('table', { class: 'plain' },
-      make('thead', null, make('tr', null, ...['Robot, target’s frame', 'x [m]', 'y [m]', 'heading [deg]'].map((t) => make('th', { scope: 'col' }, t)))),
-      make('tbody', null, this.cells.map((cells, i) => make('tr', null, make('th', { scope: 'row' }, names[i]), cells)))));
+    const names = [
+      make('span', { class: 'truth-key' }, 'true'),
+      make('span', { class: 'belief-key' }, 'believed'),
+      'difference',
+    ];
+    this.poses.replaceChildren(
+      make(
+        'table',
+        { class: 'plain' },
+        make(
+          'thead',
+          null,
+          make(
+            'tr',
+            null,
+            ...['Robot, target’s frame', 'x [m]', 'y [m]', 'heading [deg]'].map((t) =>
+              make('th', { scope: 'col' }, t),
+            ),
+          ),
+        ),
+        make(
+          'tbody',
+          null,
+          this.cells.map((cells, i) => make('tr', null, make('th', { scope: 'row' }, names[i]), cells)),
+        ),
+      ),
+    );
   }
 
   /** What is drawn now, for tests. */
   frame() {
-    return { time: this.clock.time, poses: this.view.drawn(), solid: this.view instanceof View3d, frame_ms: this.frame_ms };
+    return {
+      time: this.clock.time,
+      poses: this.view.drawn(),
+      solid: this.view instanceof View3d,
+      frame_ms: this.frame_ms,
+    };
   }
 
   dispose() {
@@ -131,8 +203,13 @@ export class Player {
 
 /** @param {import('./tracks.js').Tracks} tracks */
 function viewLegend(tracks) {
-  return make('p', { class: 'view-legend' }, tracks.truth && make('span', { class: 'truth-key' }, 'true'),
-    tracks.believed && make('span', { class: 'belief-key' }, 'believed'), tracks.plans.length > 0 && make('span', { class: 'plan-key' }, 'plan'));
+  return make(
+    'p',
+    { class: 'view-legend' },
+    tracks.truth && make('span', { class: 'truth-key' }, 'true'),
+    tracks.believed && make('span', { class: 'belief-key' }, 'believed'),
+    tracks.plans.length > 0 && make('span', { class: 'plan-key' }, 'plan'),
+  );
 }
 
 /** @param {number} angle */

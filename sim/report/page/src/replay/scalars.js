@@ -15,7 +15,11 @@ export class Scalars {
     this.goTo = goTo;
     this.times = Float64Array.from({ length: tracks.samples }, (_, k) => tracks.timeOf(k));
     this.panels = panelsOf(tracks.replay.scalars ?? []).map((panel) => this.makePanel(panel));
-    this.element = make('section', { class: 'scalars', 'aria-label': 'Numbers over time' }, this.panels.map((p) => p.element));
+    this.element = make(
+      'section',
+      { class: 'scalars', 'aria-label': 'Numbers over time' },
+      this.panels.map((p) => p.element),
+    );
     this.sized = new ResizeObserver(() => this.resize());
     this.sized.observe(this.element);
   }
@@ -23,17 +27,34 @@ export class Scalars {
   /** @param {any} panel */
   makePanel(panel) {
     const factor = shownFactor(panel.unit);
-    const series = panel.scalars.map((/** @type {any} */ scalar) => readChannel(this.tracks.blobs, scalar.channel, this.tracks.samples)
-      .map((v) => v * factor));
+    const series = panel.scalars.map((/** @type {any} */ scalar) =>
+      readChannel(this.tracks.blobs, scalar.channel, this.tracks.samples).map((v) => v * factor),
+    );
     const values = panel.scalars.map(() => make('b'));
-    const legend = make('div', { class: 'scalar-legend' }, panel.scalars.map((/** @type {any} */ scalar, /** @type {number} */ i) =>
-      make('span', { title: `${scalar.meaning ?? ''}${scalar.meaning ? '; ' : ''}${scalar.source}` },
-        make('i', { class: scalar.source, style: `border-color:${COLOURS[i % COLOURS.length]}` }),
-        plainName(scalar.name, scalar.unit), scalar.source === 'truth' ? '' : ` (${scalar.source})`, ' ', values[i])));
+    const legend = make(
+      'div',
+      { class: 'scalar-legend' },
+      panel.scalars.map((/** @type {any} */ scalar, /** @type {number} */ i) =>
+        make(
+          'span',
+          { title: `${scalar.meaning ?? ''}${scalar.meaning ? '; ' : ''}${scalar.source}` },
+          make('i', { class: scalar.source, style: `border-color:${COLOURS[i % COLOURS.length]}` }),
+          plainName(scalar.name, scalar.unit),
+          scalar.source === 'truth' ? '' : ` (${scalar.source})`,
+          ' ',
+          values[i],
+        ),
+      ),
+    );
     const holder = make('div', { class: 'scalar-plot' });
     const unit = shownUnit(panel.unit);
-    const element = make('figure', { class: 'scalar' }, make('figcaption', null, panel.group, unit && make('span', { class: 'unit' }, ` ${unit}`)),
-      holder, legend);
+    const element = make(
+      'figure',
+      { class: 'scalar' },
+      make('figcaption', null, panel.group, unit && make('span', { class: 'unit' }, ` ${unit}`)),
+      holder,
+      legend,
+    );
     const cursor = make('div', { class: 'time-cursor' });
     const plot = new uPlot(this.options(panel), [this.times, ...series.map(gapsAsNull)], holder);
     plot.over.append(cursor);
@@ -43,16 +64,37 @@ export class Scalars {
 
   /** @param {any} panel */
   options(panel) {
-    const axis = { stroke: () => themeColour('quiet'), grid: { stroke: '#8884', width: 0.5 }, ticks: { show: false },
-      font: '11px system-ui, sans-serif' };
+    const axis = {
+      stroke: () => themeColour('quiet'),
+      grid: { stroke: '#8884', width: 0.5 },
+      ticks: { show: false },
+      font: '11px system-ui, sans-serif',
+    };
     return /** @type {any} */ ({
-      width: 300, height: HEIGHT, legend: { show: false },
+      width: 300,
+      height: HEIGHT,
+      legend: { show: false },
       cursor: { sync: { key: 'replay' }, drag: { x: true, y: false }, points: { show: false }, y: false },
-      scales: { x: { time: false }, y: { range: (/** @type {any} */ _, /** @type {number} */ low, /** @type {number} */ high) => padded(low, high) } },
-      axes: [{ ...axis, size: 22 }, { ...axis, size: 46 }],
-      series: [{}, ...panel.scalars.map((/** @type {any} */ scalar, /** @type {number} */ i) => ({ stroke: COLOURS[i % COLOURS.length],
-        width: 1.4, dash: scalar.source === 'belief' ? [6, 4] : scalar.source === 'sensor' ? [2, 2] : undefined,
-        points: { show: false } }))],
+      scales: {
+        x: { time: false },
+        y: {
+          range: (/** @type {any} */ _, /** @type {number} */ low, /** @type {number} */ high) =>
+            padded(low, high),
+        },
+      },
+      axes: [
+        { ...axis, size: 22 },
+        { ...axis, size: 46 },
+      ],
+      series: [
+        {},
+        ...panel.scalars.map((/** @type {any} */ scalar, /** @type {number} */ i) => ({
+          stroke: COLOURS[i % COLOURS.length],
+          width: 1.4,
+          dash: scalar.source === 'belief' ? [6, 4] : scalar.source === 'sensor' ? [2, 2] : undefined,
+          points: { show: false },
+        })),
+      ],
     });
   }
 

@@ -20,11 +20,20 @@ export class Sightings {
       const next = Math.min(this.list.length - 1, Math.max(0, this.shown + step));
       goTo(tracks.timeOf(this.list[next].sample));
     };
-    this.element = make('section', { class: 'sightings', 'aria-label': 'Sightings' },
-      make('div', { class: 'sighting-row' }, make('h2', null, 'Cameras'),
+    this.element = make(
+      'section',
+      { class: 'sightings', 'aria-label': 'Sightings' },
+      make(
+        'div',
+        { class: 'sighting-row' },
+        make('h2', null, 'Cameras'),
         make('button', { type: 'button', 'aria-label': 'Sighting before', onclick: () => jump(-1) }, '‹'),
-        make('button', { type: 'button', 'aria-label': 'Next sighting', onclick: () => jump(1) }, '›')),
-      this.head, this.figures, this.facts);
+        make('button', { type: 'button', 'aria-label': 'Next sighting', onclick: () => jump(1) }, '›'),
+      ),
+      this.head,
+      this.figures,
+      this.facts,
+    );
     if (this.list.length === 0) this.element.hidden = true;
   }
 
@@ -41,30 +50,50 @@ export class Sightings {
     }
     const sighting = this.list[at];
     const when = this.tracks.timeOf(sighting.sample);
-    this.head.replaceChildren(`Sighting ${at + 1} of ${this.list.length}, ${when.toFixed(1)} s: `,
-      make('span', { class: sighting.accepted ? 'docked' : 'failed' }, sighting.accepted ? '● accepted' : '✕ not accepted'),
-      sighting.accepted ? (sighting.method ? ` (${sighting.method})` : '') : `: ${sighting.reason}`);
+    this.head.replaceChildren(
+      `Sighting ${at + 1} of ${this.list.length}, ${when.toFixed(1)} s: `,
+      make(
+        'span',
+        { class: sighting.accepted ? 'docked' : 'failed' },
+        sighting.accepted ? '● accepted' : '✕ not accepted',
+      ),
+      sighting.accepted ? (sighting.method ? ` (${sighting.method})` : '') : `: ${sighting.reason}`,
+    );
     this.facts.textContent = sightingFacts(sighting);
-    this.figures.replaceChildren(...(sighting.cameras ?? []).map((/** @type {any} */ camera, /** @type {number} */ i) =>
-      this.figure(camera, `${at}/${i}`)));
+    this.figures.replaceChildren(
+      ...(sighting.cameras ?? []).map((/** @type {any} */ camera, /** @type {number} */ i) =>
+        this.figure(camera, `${at}/${i}`),
+      ),
+    );
   }
 
   /** @param {any} camera @param {string} key */
   figure(camera, key) {
-    const canvas = make('canvas', { width: camera.width, height: camera.height, role: 'img',
-      'aria-label': `Image of the ${camera.name} camera with ${(camera.marks ?? []).length} marks` });
+    const canvas = make('canvas', {
+      width: camera.width,
+      height: camera.height,
+      role: 'img',
+      'aria-label': `Image of the ${camera.name} camera with ${(camera.marks ?? []).length} marks`,
+    });
     const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
     context.fillStyle = '#777';
     context.fillRect(0, 0, camera.width, camera.height);
     const measured = (camera.marks ?? []).filter((/** @type {any} */ m) => m[3]).length;
     drawMarks(context, camera);
     if (camera.picture) {
-      this.image(key, camera.picture).then((image) => {
-        context.drawImage(image, 0, 0, camera.width, camera.height);
-        drawMarks(context, camera);
-      }).catch(() => note(context, 'The image is damaged.'));
+      this.image(key, camera.picture)
+        .then((image) => {
+          context.drawImage(image, 0, 0, camera.width, camera.height);
+          drawMarks(context, camera);
+        })
+        .catch(() => note(context, 'The image is damaged.'));
     } else note(context, 'The image is not kept.');
-    return make('figure', null, canvas, make('figcaption', null, `${camera.name}: ${measured} marks measured`));
+    return make(
+      'figure',
+      null,
+      canvas,
+      make('figcaption', null, `${camera.name}: ${measured} marks measured`),
+    );
   }
 
   /** @param {string} key @param {any} blob @returns {Promise<ImageBitmap>} */
@@ -87,7 +116,8 @@ function drawMarks(context, camera) {
     const colour = measured ? '#39ff8c' : '#ffb03a';
     context.strokeStyle = context.fillStyle = colour;
     context.setLineDash(measured ? [] : [3 * unit, 3 * unit]);
-    const x = u + 0.5, y = v + 0.5; // pixel (0, 0) is the middle of the first
+    const x = u + 0.5,
+      y = v + 0.5; // pixel (0, 0) is the middle of the first
     context.beginPath();
     context.arc(x, y, 7 * unit, 0, 2 * Math.PI);
     context.stroke();
@@ -111,8 +141,11 @@ function sightingFacts(sighting) {
   if (sighting.measured && sighting.pose) {
     const [x, y, turn] = [0, 1, 2].map((i) => sighting.measured[i] - sighting.pose[i]);
     const angle = (Math.atan2(Math.sin(turn), Math.cos(turn)) * 180) / Math.PI;
-    facts.push(`Measured minus true: x ${fixed(1000 * x, 1)} mm, y ${fixed(1000 * y, 1)} mm, heading ${fixed(angle, 2)}°.`);
+    facts.push(
+      `Measured minus true: x ${fixed(1000 * x, 1)} mm, y ${fixed(1000 * y, 1)} mm, heading ${fixed(angle, 2)}°.`,
+    );
   }
-  if (typeof sighting.reprojection_px === 'number') facts.push(`Reprojection ${fixed(sighting.reprojection_px, 2)} px rms.`);
+  if (typeof sighting.reprojection_px === 'number')
+    facts.push(`Reprojection ${fixed(sighting.reprojection_px, 2)} px rms.`);
   return facts.join(' ');
 }

@@ -16,8 +16,11 @@ export class Tracks {
     this.period_s = replay.period_s;
     this.end_s = replay.end_s ?? (this.samples - 1) * this.period_s;
     const read = (/** @type {any} */ channel) => readChannel(blobs, channel, this.samples);
-    this.bodies = (replay.bodies ?? []).map((/** @type {any} */ b) => ({ body: b.body, pose: b.pose ?? null,
-      track: b.track ? b.track.map(read) : null }));
+    this.bodies = (replay.bodies ?? []).map((/** @type {any} */ b) => ({
+      body: b.body,
+      pose: b.pose ?? null,
+      track: b.track ? b.track.map(read) : null,
+    }));
     this.X_WD = /** @type {Planar} */ (replay.X_WD ?? [0, 0, 0]);
     this.truth = replay.pose ? replay.pose.map(read) : null;
     this.believed = replay.believed ? replay.believed.pose.map(read) : null;
@@ -53,7 +56,10 @@ export class Tracks {
         continue;
       }
       const at = (/** @type {number} */ k) => track.map((/** @type {Float64Array} */ values) => values[k]);
-      poses.set(body, share > 0 ? between(at(sample), at(sample + 1), share) : between(at(sample), at(sample), 0));
+      poses.set(
+        body,
+        share > 0 ? between(at(sample), at(sample + 1), share) : between(at(sample), at(sample), 0),
+      );
     }
     return poses;
   }
@@ -71,8 +77,11 @@ export class Tracks {
 
   /** @param {number} sample */
   isLocated(sample) {
-    return Boolean(this.believed) && (!this.located || this.located[sample] === 1) &&
-      !Number.isNaN(this.believed[0][sample]);
+    return (
+      Boolean(this.believed) &&
+      (!this.located || this.located[sample] === 1) &&
+      !Number.isNaN(this.believed[0][sample])
+    );
   }
 
   /** @param {Float64Array[]} channels @param {number} time @returns {Planar | null} */
@@ -85,7 +94,8 @@ export class Tracks {
 
   /** Poses in W of the robot's bodies where the controller believes them. @param {number} time @returns {Map<number, Pose> | null} */
   ghost(time) {
-    const truth = this.truePose(time), believed = this.believedPose(time);
+    const truth = this.truePose(time),
+      believed = this.believedPose(time);
     if (!truth || !believed) return null;
     const shift = compose(compose(this.X_WD, compose(believed, inverse(truth))), inverse(this.X_WD));
     const poses = new Map();
@@ -95,17 +105,21 @@ export class Tracks {
     return poses;
   }
 
-  /** A path in W over the samples up to a time, true or believed. @param {'truth' | 'believed'} which @param {number} time @returns {number[][]} */
+  /** The way in W up to a time, true or believed, with the sample of each point. @param {'truth' | 'believed'} which @param {number} time */
   trail(which, time) {
     const channels = which === 'truth' ? this.truth : this.believed;
+    /** @type {number[][]} */
     const points = [];
-    if (!channels) return points;
+    /** @type {number[]} */
+    const samples = [];
+    if (!channels) return { points, samples };
     const last = this.place(time).sample;
     for (let k = 0; k <= last; ++k) {
       if ((which === 'believed' && !this.isLocated(k)) || Number.isNaN(channels[0][k])) continue;
-      points.push(compose(this.X_WD, [channels[0][k], channels[1][k], 0]).slice(0, 2));
+      points.push(compose(this.X_WD, [channels[0][k], channels[1][k], 0]));
+      samples.push(k);
     }
-    return points;
+    return { points, samples };
   }
 
   /** The last entry of a list that began at or before a time: a plan, a sighting. @param {any[]} list @param {number} time */
@@ -129,7 +143,8 @@ export class Tracks {
     const { sample, share } = this.place(time);
     const at = (/** @type {number} */ k) => {
       const points = [];
-      for (let i = line.begins[k]; i < line.begins[k + 1]; ++i) points.push([line.x[i], line.y[i], line.z[i]]);
+      for (let i = line.begins[k]; i < line.begins[k + 1]; ++i)
+        points.push([line.x[i], line.y[i], line.z[i]]);
       return points;
     };
     const now = at(sample);
@@ -162,6 +177,8 @@ function readLine(line, blobs, samples) {
   const counts = readChannel(blobs, line.counts, samples);
   const begins = new Uint32Array(samples + 1);
   for (let k = 0; k < samples; ++k) begins[k + 1] = begins[k] + counts[k];
-  const [x, y, z] = line.points.map((/** @type {any} */ channel) => readChannel(blobs, channel, begins[samples]));
+  const [x, y, z] = line.points.map((/** @type {any} */ channel) =>
+    readChannel(blobs, channel, begins[samples]),
+  );
   return { name: line.name, diameter_m: line.diameter_m, colour: line.colour, begins, x, y, z };
 }

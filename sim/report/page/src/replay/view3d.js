@@ -1,14 +1,31 @@
 // The replay in three dimensions.
 
-import { AmbientLight, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, Fog, Group, HemisphereLight,
-  Line, LineBasicMaterial, LineDashedMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import {
+  AmbientLight,
+  BufferGeometry,
+  Color,
+  DirectionalLight,
+  Float32BufferAttribute,
+  Fog,
+  Group,
+  HemisphereLight,
+  Line,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { makeGround } from './ground3d.js';
 import { makeBody, makeBoard, TubeLine } from './parts3d.js';
 import { compose } from './poses.js';
 
 const SKY = 0xdfe5ea;
-const TRUTH = 0x1f5fa8, BELIEF = 0xd9780f, PLAN = 0x1c8a5a;
+const TRUTH = 0x1f5fa8,
+  BELIEF = 0xd9780f,
+  PLAN = 0x1c8a5a;
 
 export class View3d {
   /**
@@ -23,9 +40,17 @@ export class View3d {
     this.canvas = document.createElement('canvas');
     this.canvas.className = 'stage';
     this.canvas.setAttribute('role', 'img');
-    this.canvas.setAttribute('aria-label', 'The run in three dimensions. Drag to turn, wheel to zoom, right button to move.');
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: !drawn_in_software, preserveDrawingBuffer: true });
+    this.canvas.setAttribute(
+      'aria-label',
+      'The run in three dimensions. Drag to turn, wheel to zoom, right button to move.',
+    );
+    this.renderer = new WebGLRenderer({
+      canvas: this.canvas,
+      antialias: !drawn_in_software,
+      preserveDrawingBuffer: true,
+    });
     this.renderer.setPixelRatio(drawn_in_software ? 1 : Math.min(2, window.devicePixelRatio));
+    this.renderer.shadowMap.enabled = !drawn_in_software;
     this.scene = new Scene();
     this.scene.background = new Color(SKY);
     this.scene.fog = new Fog(SKY, 14, 45);
@@ -45,7 +70,32 @@ export class View3d {
     const sun = new DirectionalLight(0xfff4e2, 2.6);
     const [x, y, z] = this.tracks.scene.sun_W ?? [0.4, -0.5, 0.8];
     sun.position.set(x, y, Math.max(0.25, z)).multiplyScalar(20);
-    this.scene.add(sun, new HemisphereLight(0xcfdcec, 0x8d7d68, 1.3), new AmbientLight(0xffffff, 0.25));
+    this.castShadows(sun);
+    this.scene.add(
+      sun,
+      sun.target,
+      new HemisphereLight(0xcfdcec, 0x8d7d68, 1.3),
+      new AmbientLight(0xffffff, 0.25),
+    );
+  }
+
+  /** The sun's shadows cover all that moves. @param {DirectionalLight} sun */
+  castShadows(sun) {
+    const [x0, y0, x1, y1] = this.tracks.extent();
+    const reach = Math.hypot(x1 - x0, y1 - y0) / 2 + 1.5;
+    sun.target.position.set((x0 + x1) / 2, (y0 + y1) / 2, 0);
+    sun.position.add(sun.target.position);
+    sun.castShadow = true;
+    sun.shadow.mapSize.set(2048, 2048);
+    sun.shadow.normalBias = 0.01;
+    Object.assign(sun.shadow.camera, {
+      left: -reach,
+      right: reach,
+      top: reach,
+      bottom: -reach,
+      near: 1,
+      far: 40,
+    });
   }
 
   /** @param {any} header @param {import('../payload.js').Blobs} blobs */
@@ -70,13 +120,16 @@ export class View3d {
     scene.add(...this.lines.map((/** @type {any} */ line) => line.mesh));
     this.ground = makeGround(tracks.ground, blobs, tracks.extent());
     scene.add(this.ground.group);
-    this.truth = makeTrail(new LineBasicMaterial({ color: TRUTH }));
-    this.belief = makeTrail(new LineDashedMaterial({ color: BELIEF, dashSize: 0.05, gapSize: 0.035 }));
-    this.plan = makeTrail(new LineBasicMaterial({ color: PLAN }));
+    this.truth = this.makeTrail('truth', new LineBasicMaterial({ color: TRUTH }), 0.012);
+    this.belief = this.makeTrail(
+      'believed',
+      new LineDashedMaterial({ color: BELIEF, dashSize: 0.05, gapSize: 0.035 }),
+      0.016,
+    );
+    this.plan = makeLine(new LineBasicMaterial({ color: PLAN }));
     this.plan_shown = -2;
-    this.trail_end = -1;
     this.overlay = new Group();
-    this.overlay.add(this.truth, this.belief, this.plan);
+    this.overlay.add(this.truth.line, this.belief.line, this.plan);
     scene.add(this.overlay);
   }
 
@@ -88,7 +141,11 @@ export class View3d {
     const target = this.tracks.X_WD;
     const side = target[2] - 1.05; // from beside the axis, in front of the target
     this.controls.target.copy(centre);
-    this.camera.position.set(centre.x + Math.cos(side) * size * 1.15, centre.y + Math.sin(side) * size * 1.15, 0.25 + size * 0.62);
+    this.camera.position.set(
+      centre.x + Math.cos(side) * size * 1.15,
+      centre.y + Math.sin(side) * size * 1.15,
+      0.25 + size * 0.62,
+    );
     this.controls.update();
     this.render();
   }
@@ -120,7 +177,8 @@ export class View3d {
     const { sample } = this.tracks.place(time);
     this.ground.goTo(sample);
     this.tracks.lines.forEach((/** @type {any} */ line, /** @type {number} */ i) =>
-      this.lines[i].update(this.tracks.linePoints(line, time)));
+      this.lines[i].update(this.tracks.linePoints(line, time)),
+    );
     this.drawTrails(time, sample);
     if (this.following && this.robot !== undefined) this.moveCamera(this.bodies.get(this.robot).position);
     this.controls.update();
@@ -132,14 +190,29 @@ export class View3d {
     const plan = this.tracks.latest(this.tracks.plans, time);
     if (plan !== this.plan_shown) {
       this.plan_shown = plan;
-      const points = plan < 0 ? [] : this.tracks.plans[plan].points.map((/** @type {number[]} */ p) =>
-        compose(this.tracks.X_WD, [p[0], p[1], 0]));
+      const points =
+        plan < 0
+          ? []
+          : this.tracks.plans[plan].points.map((/** @type {number[]} */ p) =>
+              compose(this.tracks.X_WD, [p[0], p[1], 0]),
+            );
       this.lay(this.plan, points, 0.02);
     }
-    if (sample === this.trail_end) return;
-    this.trail_end = sample;
-    this.lay(this.truth, this.tracks.trail('truth', time), 0.012);
-    this.lay(this.belief, this.tracks.trail('believed', time), 0.016);
+    for (const { line, until } of [this.truth, this.belief]) line.geometry.setDrawRange(0, until[sample]);
+  }
+
+  /**
+   * The whole way as a line, and how many of its points lie at or before each sample.
+   * @param {'truth' | 'believed'} which @param {any} material @param {number} above
+   */
+  makeTrail(which, material, above) {
+    const line = makeLine(material);
+    const { points, samples } = this.tracks.trail(which, this.tracks.end_s);
+    this.lay(line, points, above);
+    const until = new Uint32Array(this.tracks.samples);
+    for (const sample of samples) ++until[sample];
+    for (let k = 1; k < until.length; ++k) until[k] += until[k - 1];
+    return { line, until };
   }
 
   /** Lays a line on the ground. @param {Line} line @param {number[][]} points @param {number} above */
@@ -173,8 +246,12 @@ export class View3d {
 
   /** Where a body is drawn. @returns {Record<string, number[]>} */
   drawn() {
-    return Object.fromEntries([...this.bodies].map(([body, group]) => [this.tracks.scene.bodies[body].name,
-      [...group.position.toArray(), ...group.quaternion.toArray()]]));
+    return Object.fromEntries(
+      [...this.bodies].map(([body, group]) => [
+        this.tracks.scene.bodies[body].name,
+        [...group.position.toArray(), ...group.quaternion.toArray()],
+      ]),
+    );
   }
 }
 
@@ -196,7 +273,7 @@ function place(group, pose) {
 }
 
 /** @param {any} material */
-function makeTrail(material) {
+function makeLine(material) {
   const line = new Line(new BufferGeometry(), material);
   line.frustumCulled = false;
   line.visible = false;
