@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { unpackInts } from '../../sim/report/page/src/channels.js';
 import { packInts } from './payload_writer.mjs';
-import { randomFrom } from './made_up_report.mjs';
+import { randomFrom } from './made_up_rows.mjs';
 
 test('numbers of 32 bits come back', () => {
   const random = randomFrom(3);

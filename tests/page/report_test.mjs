@@ -87,6 +87,24 @@ test('a failed run that is clicked and played ends at the last true pose', async
   await context.close();
 });
 
+test('a click on the map, on a row or on a cause leads to the run', async () => {
+  const { page, context, header } = await open({ rows: 40, replays: 3 });
+  const failed = header.causes.flatMap((cause) => cause.runs);
+  const cross = await page.locator('#starts g[aria-label="dot"]').last().locator('path').first().boundingBox();
+  await page.mouse.move(cross.x + cross.width / 2, cross.y + cross.height / 2);
+  await page.mouse.click(cross.x + cross.width / 2, cross.y + cross.height / 2);
+  await page.waitForSelector('#run', { state: 'visible' });
+  const run = await page.evaluate(() => Number(location.hash.replace('#run=', '')));
+  assert.ok(failed.includes(run), `run ${run} of the cross did not fail`);
+  await page.click('button.back');
+  await page.click('#causes tbody button.link >> nth=0');
+  assert.equal(await page.inputValue('#filter'), `outcome=${header.causes[0].outcome}`);
+  await page.click('#runs tbody tr >> nth=0');
+  await page.waitForSelector('#run', { state: 'visible' });
+  assert.match(await page.textContent('.run-title'), new RegExp(header.causes[0].outcome));
+  await context.close();
+});
+
 test('keys play, step and go to both ends', async () => {
   const { page, context, header } = await open({ rows: 40, replays: 3 }, { hash: '#run=2' });
   const end = header.replays[1].end_s;

@@ -45,7 +45,12 @@ function readWord(table, word) {
     : numberCondition(column, relation, wanted);
 }
 
-/** A word alone: any column of text that contains it. @param {Table} table @param {string} word @returns {Condition} */
+/**
+ * A word alone: any column of text that contains it.
+ * @param {Table} table
+ * @param {string} word
+ * @returns {Condition}
+ */
 function anyText(table, word) {
   const small = word.toLowerCase();
   const checks = table.columns

@@ -35,7 +35,11 @@ function sign(text) {
   return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text.replace('-', MINUS);
 }
 
-/** A share as percent, with as many places as it needs near 0 and 1, and one of very many runs. @param {number} share @param {number} [runs] */
+/**
+ * A share as percent, with as many places as it needs near 0 and 1, and one of very many runs.
+ * @param {number} share
+ * @param {number} [runs]
+ */
 export function percent(share, runs = 0) {
   if (Number.isNaN(share)) return '–';
   const from_end = Math.min(share, 1 - share);
@@ -59,7 +63,10 @@ export function shownFactor(unit) {
   return unit === 'rad' || unit === 'rad/s' ? 180 / Math.PI : 1;
 }
 
-/** A column's name without the unit that its end repeats: `tip_depth_m` in `m` is `tip depth`. @param {string} name */
+/**
+ * A column's name without the unit that its end repeats: `tip_depth_m` in `m` is `tip depth`.
+ * @param {string} name
+ */
 export function plainName(name, unit = '') {
   const end = `_${unit.replace('/', '_per_').toLowerCase()}`;
   const bare = unit && name.toLowerCase().endsWith(end) ? name.slice(0, -end.length) : name;

@@ -9,7 +9,7 @@ import { starts } from './charts/starts.js';
 import { factors, headline } from './charts/success.js';
 import { card, make } from './dom.js';
 import { group } from './format.js';
-import { failuresForPrint } from './runs_table.js';
+import { failuresForPrint } from './print_table.js';
 
 /**
  * @param {any} header

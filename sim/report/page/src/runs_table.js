@@ -2,8 +2,9 @@
 
 import { card, make } from './dom.js';
 import { filterRows } from './filter.js';
-import { axisName, group, plainName } from './format.js';
+import { group, plainName } from './format.js';
 import { allRows, sortRows } from './order.js';
+import { columnWidth, filterExample, inOrder } from './runs_columns.js';
 
 const ROWS = 24;
 const ROW_HEIGHT = 26;
@@ -109,7 +110,11 @@ export class RunsTable {
     );
   }
 
-  /** Sorts by a column; by the same one again, the other way round. @param {string} name @param {boolean} [falling] */
+  /**
+   * Sorts by a column; by the same one again, the other way round.
+   * @param {string} name
+   * @param {boolean} [falling]
+   */
   sort(name, falling) {
     const column = this.table.byName.get(name);
     if (!column) return;
@@ -232,68 +237,4 @@ export class RunsTable {
     if (most > 0) this.window.scrollTop = (first / most) * way;
     this.show(Math.min(most, first));
   }
-}
-
-/** Run, outcome, then the rest; `docked` says no more than the sign before the outcome. @param {import('./table.js').Table} table */
-function inOrder(table) {
-  const front = [table.run, table.outcomes, table.byName.get('replay')].filter((c) => c !== undefined);
-  return [...front, ...table.columns.filter((c) => !front.includes(c) && c !== table.docked)];
-}
-
-/** @param {import('./table.js').Table} table @param {import('./table.js').Column} column */
-function columnWidth(table, column) {
-  const head = plainName(column.name, column.unit).length + (column.unit ? column.unit.length + 1 : 0);
-  let widest = 0;
-  if (column.dictionary) widest = Math.max(...column.dictionary.map((text) => text.length)) + 2;
-  else
-    for (let i = 0; i < Math.min(50, table.rows); ++i)
-      widest = Math.max(widest, table.text(column, i).length);
-  return Math.round(Math.min(260, Math.max(58, Math.max(head * 6.9 + 22, widest * 7.4 + 18))));
-}
-
-/** @param {import('./table.js').Table} table */
-function filterExample(table) {
-  const measure = table.measures().find((c) => c.unit === 'm') ?? table.measures()[0];
-  const outcome = table.outcomes?.dictionary?.find((_, i) => i > 0) ?? 'timeout';
-  return `outcome=${outcome}${measure ? ` ${measure.name}<0.2` : ''}`;
-}
-
-/** Shown on paper in place of the table: the first failed runs. @param {import('./table.js').Table} table */
-export function failuresForPrint(table) {
-  const rows = [];
-  for (let row = 0; row < table.rows && rows.length < 100; ++row) if (!table.isDocked(row)) rows.push(row);
-  if (rows.length === 0) return null;
-  const texts = table.columns
-    .filter((c) => c.dictionary && c !== table.outcomes && c.name !== 'replay')
-    .slice(0, 5);
-  const columns = [table.run, table.outcomes, ...texts, ...table.measures().slice(0, 5)];
-  return card(
-    'failures',
-    'Failed runs',
-    rows.length === 100 ? 'The first 100.' : null,
-    make(
-      'table',
-      { class: 'plain' },
-      make(
-        'thead',
-        null,
-        make(
-          'tr',
-          null,
-          columns.map((c) => make('th', { scope: 'col' }, axisName(c))),
-        ),
-      ),
-      make(
-        'tbody',
-        null,
-        rows.map((row) =>
-          make(
-            'tr',
-            null,
-            columns.map((c) => make('td', null, table.text(c, row))),
-          ),
-        ),
-      ),
-    ),
-  );
 }

@@ -83,7 +83,12 @@ export class Table {
   }
 }
 
-/** Which runs have a replay, if only some have. @param {Column[]} columns @param {any[]} replays @param {number} rows */
+/**
+ * Which runs have a replay, if only some have.
+ * @param {Column[]} columns
+ * @param {any[]} replays
+ * @param {number} rows
+ */
 function addReplayColumn(columns, replays, rows) {
   const run = columns.find((column) => column.name === 'run');
   if (!run || replays.length === 0 || replays.length >= rows) return;
@@ -97,7 +102,11 @@ function addReplayColumn(columns, replays, rows) {
   });
 }
 
-/** A column of radians as one of degrees: `yaw_rad` becomes `yaw_deg`. @param {Column} column @returns {Column} */
+/**
+ * A column of radians as one of degrees: `yaw_rad` becomes `yaw_deg`.
+ * @param {Column} column
+ * @returns {Column}
+ */
 function inDegrees(column) {
   if (column.unit !== 'rad') return column;
   return {

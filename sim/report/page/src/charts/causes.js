@@ -65,20 +65,18 @@ export function causes(header, openRun, showFilter) {
             make(
               'td',
               { class: 'run-links' },
-              (cause.runs ?? [])
-                .slice(0, 6)
-                .map((/** @type {number} */ run) =>
-                  make(
-                    'button',
-                    {
-                      class: 'chip',
-                      type: 'button',
-                      onclick: () => openRun(run),
-                      'aria-label': `Open run ${run}`,
-                    },
-                    String(run),
-                  ),
+              (cause.runs ?? []).slice(0, 6).map((/** @type {number} */ run) =>
+                make(
+                  'button',
+                  {
+                    class: 'chip',
+                    type: 'button',
+                    onclick: () => openRun(run),
+                    'aria-label': `Open run ${run}`,
+                  },
+                  String(run),
                 ),
+              ),
               cause.count > Math.min(6, (cause.runs ?? []).length) && make('span', { class: 'quiet' }, '…'),
             ),
           ),

@@ -55,7 +55,11 @@ function count(table, column) {
   return { low, high, docked, failed, beyond };
 }
 
-/** Where the bins begin and end: few runs far out must not squeeze the rest. @param {any} values @returns {[number, number] | null} */
+/**
+ * Where the bins begin and end: few runs far out must not squeeze the rest.
+ * @param {any} values
+ * @returns {[number, number] | null}
+ */
 function binLimits(values) {
   const step = Math.max(1, Math.floor(values.length / SAMPLE));
   const some = [];

@@ -98,7 +98,11 @@ function chooser(table, columns, name, largest, openRun) {
   );
 }
 
-/** @param {import('../table.js').Table} table @param {import('../table.js').Column} column @param {boolean} largest */
+/**
+ * @param {import('../table.js').Table} table
+ * @param {import('../table.js').Column} column
+ * @param {boolean} largest
+ */
 function extremeRows(table, column, largest) {
   const values = column.values;
   const better = largest

@@ -50,7 +50,11 @@ function intervalBar(share, limits) {
   );
 }
 
-/** @param {any} header @param {import('../table.js').Table} table @param {(filter: string) => void} showFilter */
+/**
+ * @param {any} header
+ * @param {import('../table.js').Table} table
+ * @param {(filter: string) => void} showFilter
+ */
 export function factors(header, table, showFilter) {
   const groups = (header.groups ?? []).filter((/** @type {any} */ g) => g.values.length > 0);
   if (groups.length === 0) return null;
@@ -116,19 +120,17 @@ function factor(factor_group, totals, showFilter) {
   });
   const buttons = !showFilter
     ? []
-    : rows
-        .slice(0, 12)
-        .map((/** @type {any} */ r) =>
-          make(
-            'button',
-            {
-              class: 'link',
-              type: 'button',
-              onclick: () => showFilter(`${factor_group.label}="${r.value}"`),
-            },
-            shorten(r.value),
-          ),
-        );
+    : rows.slice(0, 12).map((/** @type {any} */ r) =>
+        make(
+          'button',
+          {
+            class: 'link',
+            type: 'button',
+            onclick: () => showFilter(`${factor_group.label}="${r.value}"`),
+          },
+          shorten(r.value),
+        ),
+      );
   return make(
     'figure',
     null,

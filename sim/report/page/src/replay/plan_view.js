@@ -12,7 +12,11 @@ const TRUTH = '#1f5fa8',
   RUT = '#b39f7d';
 
 export class PlanView {
-  /** @param {import('./tracks.js').Tracks} tracks @param {any} header @param {import('../payload.js').Blobs} blobs */
+  /**
+   * @param {import('./tracks.js').Tracks} tracks
+   * @param {any} header
+   * @param {import('../payload.js').Blobs} blobs
+   */
   constructor(tracks, header, blobs) {
     this.tracks = tracks;
     this.canvas = document.createElement('canvas');
@@ -159,7 +163,13 @@ export class PlanView {
     context.setLineDash([]);
   }
 
-  /** The outline of a body's boxes from above. @param {number} body @param {number[]} pose @param {string} colour @param {boolean} filled */
+  /**
+   * The outline of a body's boxes from above.
+   * @param {number} body
+   * @param {number[]} pose
+   * @param {string} colour
+   * @param {boolean} filled
+   */
   drawBody(body, pose, colour, filled) {
     for (const corners of this.corners.get(body) ?? []) {
       const hull = convexHull(
@@ -196,7 +206,12 @@ export class PlanView {
   }
 }
 
-/** The corners of each part's box, in the body's frame. @param {any} body @param {any[]} meshes @param {import('../payload.js').Blobs} blobs */
+/**
+ * The corners of each part's box, in the body's frame.
+ * @param {any} body
+ * @param {any[]} meshes
+ * @param {import('../payload.js').Blobs} blobs
+ */
 function bodyCorners(body, meshes, blobs) {
   return (body.parts ?? []).map((/** @type {any} */ part) => {
     const vertices = blobs.f32(meshes[part.mesh].vertices);

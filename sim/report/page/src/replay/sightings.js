@@ -107,7 +107,11 @@ export class Sightings {
   }
 }
 
-/** Measured marks as circles, predicted ones that were not measured as broken circles. @param {CanvasRenderingContext2D} context @param {any} camera */
+/**
+ * Measured marks as circles, predicted ones that were not measured as broken circles.
+ * @param {CanvasRenderingContext2D} context
+ * @param {any} camera
+ */
 function drawMarks(context, camera) {
   const unit = camera.width / 400; // the canvas is shown about this wide
   context.font = `600 ${13 * unit}px sans-serif`;

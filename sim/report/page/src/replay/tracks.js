@@ -46,7 +46,11 @@ export class Tracks {
     return { sample, share: Math.min(1, Math.max(0, share)) };
   }
 
-  /** Poses in W of all bodies that are drawn, by the body's index. @param {number} time @returns {Map<number, Pose>} */
+  /**
+   * Poses in W of all bodies that are drawn, by the body's index.
+   * @param {number} time
+   * @returns {Map<number, Pose>}
+   */
   poses(time) {
     const { sample, share } = this.place(time);
     const poses = new Map();
@@ -69,7 +73,11 @@ export class Tracks {
     return this.truth && this.planar(this.truth, time);
   }
 
-  /** What the controller believes, in D; null before it means anything. @param {number} time @returns {Planar | null} */
+  /**
+   * What the controller believes, in D; null before it means anything.
+   * @param {number} time
+   * @returns {Planar | null}
+   */
   believedPose(time) {
     if (!this.believed || !this.isLocated(this.place(time).sample)) return null;
     return this.planar(this.believed, time);
@@ -92,7 +100,11 @@ export class Tracks {
     return pose.some(Number.isNaN) ? null : pose;
   }
 
-  /** Poses in W of the robot's bodies where the controller believes them. @param {number} time @returns {Map<number, Pose> | null} */
+  /**
+   * Poses in W of the robot's bodies where the controller believes them.
+   * @param {number} time
+   * @returns {Map<number, Pose> | null}
+   */
   ghost(time) {
     const truth = this.truePose(time),
       believed = this.believedPose(time);
@@ -105,7 +117,11 @@ export class Tracks {
     return poses;
   }
 
-  /** The way in W up to a time, true or believed, with the sample of each point. @param {'truth' | 'believed'} which @param {number} time */
+  /**
+   * The way in W up to a time, true or believed, with the sample of each point.
+   * @param {'truth' | 'believed'} which
+   * @param {number} time
+   */
   trail(which, time) {
     const channels = which === 'truth' ? this.truth : this.believed;
     /** @type {number[][]} */
@@ -122,7 +138,11 @@ export class Tracks {
     return { points, samples };
   }
 
-  /** The last entry of a list that began at or before a time: a plan, a sighting. @param {any[]} list @param {number} time */
+  /**
+   * The last entry of a list that began at or before a time: a plan, a sighting.
+   * @param {any[]} list
+   * @param {number} time
+   */
   latest(list, time) {
     const { sample } = this.place(time);
     let found = -1;

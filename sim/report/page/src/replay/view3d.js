@@ -2,14 +2,11 @@
 
 import {
   AmbientLight,
-  BufferGeometry,
   Color,
   DirectionalLight,
-  Float32BufferAttribute,
   Fog,
   Group,
   HemisphereLight,
-  Line,
   LineBasicMaterial,
   LineDashedMaterial,
   PerspectiveCamera,
@@ -21,11 +18,12 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { makeGround } from './ground3d.js';
 import { makeBody, makeBoard, TubeLine } from './parts3d.js';
 import { compose } from './poses.js';
+import { lay, makeLine, makeTrail } from './trails3d.js';
 
 const SKY = 0xdfe5ea;
-const TRUTH = 0x1f5fa8,
-  BELIEF = 0xd9780f,
-  PLAN = 0x1c8a5a;
+const TRUTH = 0x1f5fa8;
+const BELIEF = 0xd9780f;
+const PLAN = 0x1c8a5a;
 
 export class View3d {
   /**
@@ -120,8 +118,11 @@ export class View3d {
     scene.add(...this.lines.map((/** @type {any} */ line) => line.mesh));
     this.ground = makeGround(tracks.ground, blobs, tracks.extent());
     scene.add(this.ground.group);
-    this.truth = this.makeTrail('truth', new LineBasicMaterial({ color: TRUTH }), 0.012);
-    this.belief = this.makeTrail(
+    const { ground } = this;
+    this.truth = makeTrail(tracks, ground, 'truth', new LineBasicMaterial({ color: TRUTH }), 0.012);
+    this.belief = makeTrail(
+      tracks,
+      ground,
       'believed',
       new LineDashedMaterial({ color: BELIEF, dashSize: 0.05, gapSize: 0.035 }),
       0.016,
@@ -196,33 +197,9 @@ export class View3d {
           : this.tracks.plans[plan].points.map((/** @type {number[]} */ p) =>
               compose(this.tracks.X_WD, [p[0], p[1], 0]),
             );
-      this.lay(this.plan, points, 0.02);
+      lay(this.plan, this.ground, points, 0.02);
     }
     for (const { line, until } of [this.truth, this.belief]) line.geometry.setDrawRange(0, until[sample]);
-  }
-
-  /**
-   * The whole way as a line, and how many of its points lie at or before each sample.
-   * @param {'truth' | 'believed'} which @param {any} material @param {number} above
-   */
-  makeTrail(which, material, above) {
-    const line = makeLine(material);
-    const { points, samples } = this.tracks.trail(which, this.tracks.end_s);
-    this.lay(line, points, above);
-    const until = new Uint32Array(this.tracks.samples);
-    for (const sample of samples) ++until[sample];
-    for (let k = 1; k < until.length; ++k) until[k] += until[k - 1];
-    return { line, until };
-  }
-
-  /** Lays a line on the ground. @param {Line} line @param {number[][]} points @param {number} above */
-  lay(line, points, above) {
-    line.visible = points.length > 1;
-    if (!line.visible) return;
-    const values = points.flatMap(([x, y]) => [x, y, this.ground.at(x, y) + above]);
-    line.geometry.dispose();
-    line.geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(values, 3));
-    if (line.material instanceof LineDashedMaterial) line.computeLineDistances();
   }
 
   render() {
@@ -270,12 +247,4 @@ function place(group, pose) {
   if (!pose) return;
   group.position.set(pose[0], pose[1], pose[2]);
   group.quaternion.set(pose[3], pose[4], pose[5], pose[6]);
-}
-
-/** @param {any} material */
-function makeLine(material) {
-  const line = new Line(new BufferGeometry(), material);
-  line.frustumCulled = false;
-  line.visible = false;
-  return line;
 }
