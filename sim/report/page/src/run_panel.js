@@ -140,6 +140,7 @@ export class RunPanel {
     const extra = [
       ['seed', replay?.seed],
       ['state hash', replay?.state_hash],
+      ['program', this.header.program],
     ].filter(([, text]) => text);
     return make(
       'section',

@@ -27,7 +27,7 @@ export class PlanView {
     this.following = false;
     this.time = 0;
     this.corners = new Map(
-      tracks.bodies.map(({ body }) => [
+      tracks.bodies.map((/** @type {any} */ { body }) => [
         body,
         bodyCorners(tracks.scene.bodies[body], header.meshes ?? [], blobs),
       ]),
