@@ -11,9 +11,11 @@
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/judging.h"
+#include "sim/app/report_content.h"
 #include "sim/app/terminal.h"
 #include "sim/app/until_accepted_options.h"
 #include "sim/app/watch.h"
+#include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
 #include "sim/plan/make_run.h"
@@ -25,7 +27,7 @@ struct CommandArguments {
   CampaignArguments campaign;
   int jobs = 0;  // 0: all processors
   std::string shard, watch_dir;
-  bool quiet = false, dry_run = false, json = false;
+  bool quiet = false, dry_run = false, json = false, report = false;
   JudgingOptions judging;
   UntilAcceptedOptions until;
 };
@@ -34,7 +36,7 @@ constexpr const char* kHelp = R"(Simulate all runs of a campaign on several proc
 
 Examples:
   dockyard campaign {campaign}
-  dockyard campaign {campaign} --jobs 2 --out results/yard
+  dockyard campaign {campaign} --jobs 2 --out results/yard --report
   dockyard campaign {campaign} --dry-run
   dockyard campaign {sweep} --set design.runs=1 --out out/quick
   dockyard campaign {sweep} --set design.runs=1 --out out/quick --require 'docked >= 0'
@@ -58,6 +60,7 @@ std::string CommandToGoOn(const CommandArguments& arguments, const std::string& 
   for (const std::string& word : OptionWords(arguments.campaign)) command += " " + ShellWord(word);
   if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
   if (!arguments.shard.empty()) command += " --shard " + arguments.shard;
+  if (arguments.report) command += " --report";
   return command + WordsOf(arguments.until) + WordsOf(arguments.judging);
 }
 
@@ -73,6 +76,9 @@ void RequireJudgeable(const CommandArguments& arguments) {
   const bool judges = !WordsOf(arguments.judging).empty();
   if (!arguments.shard.empty() && (judges || arguments.until.asked)) {
     throw UsageError("--shard: expected no --until-accepted, and --require and --junit with merge");
+  }
+  if (!arguments.shard.empty() && arguments.report) {
+    throw UsageError("--shard: expected no --report; dockyard report makes it after the merge");
   }
   if (arguments.until.asked &&
       (arguments.campaign.retry_lost || !arguments.judging.require.empty())) {
@@ -96,6 +102,14 @@ int EndOfShard(const CommandArguments& arguments, const CampaignOptions& options
   PrintNote("shard " + arguments.shard + ": " + TallyText(end.tally, end.total) +
             "\nwhen all shards are done: dockyard merge " + ShellWord(dir));
   return end.complete() && end.tally.lost == 0 ? kExitDone : kExitIncomplete;
+}
+
+void WriteReport(const std::filesystem::path& dir, const std::vector<System>& systems) {
+  ReportSource source;
+  const ReportContent content = ContentOf(dir, systems, source);
+  const std::filesystem::path file = dir / "report.html";
+  WriteWhole(file, ReportPage(content));
+  PrintNote("report in " + file.string());
 }
 
 int RunCampaignCommand(const CommandArguments& arguments, const std::vector<System>& systems) {
@@ -129,6 +143,7 @@ int RunCampaignCommand(const CommandArguments& arguments, const std::vector<Syst
   if (shard.signal != 0) return EndOfShard(arguments, options, shard);
   int code = ReportEnd(end, options.out_dir, arguments.json);
   if (plan) code = ReportAcceptance(*plan, followed, arguments.json);
+  if (arguments.report) WriteReport(options.out_dir, systems);
   return JudgeResults(arguments.judging, requirements, end, campaign, options.columns,
                       options.out_dir, arguments.json, code);
 }
@@ -140,6 +155,7 @@ void AddOptions(CLI::App& command, CommandArguments& arguments) {
   AddJudgingOptions(command, arguments.judging);
   AddUntilAcceptedOptions(command, arguments.until);
   command.add_option("--shard", arguments.shard, "K/N: every N-th run, from the K-th on");
+  command.add_flag("--report", arguments.report, "a report at the end: report.html in the folder");
   command.add_flag("--json", arguments.json, "progress and result as JSON, a line each");
   command.add_flag("--quiet", arguments.quiet, "no progress on stderr");
   command.add_flag("--dry-run", arguments.dry_run,

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "sim/app/commands.h"
@@ -13,6 +11,7 @@
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
 #include "sim/base/json.h"
+#include "sim/report/arm_pairs.h"
 #include "sim/report/baseline.h"
 #include "sim/report/rate_text.h"
 #include "sim/statistics/paired.h"
@@ -46,33 +45,13 @@ struct Comparison {
   std::optional<BaselinePairs> baseline;
 };
 
-/// Runs of both arms with the same seed and place are a pair.
 Comparison CompareArms(const KeptCampaign& kept, const std::string& a, const std::string& b) {
-  std::map<std::vector<std::string>, std::pair<const RunResult*, const RunResult*>> pairs;
-  const auto add = [&](const std::string& arm, auto member) {
-    for (const RunResult* run : RunsOfArm(kept, arm)) {
-      std::vector<std::string> key(run->labels.begin() + 1, run->labels.end());
-      key.push_back(std::to_string(run->seed));
-      pairs[key].*member = run;
-    }
-  };
-  using Pair = std::pair<const RunResult*, const RunResult*>;
-  add(a, &Pair::first);
-  add(b, &Pair::second);
+  const ArmPairs pairs = PairArms(RunsOfArm(kept, a), RunsOfArm(kept, b));
   Comparison found;
   found.a = a;
   found.b = b;
-  for (const auto& [key, pair] : pairs) {
-    if (pair.first == nullptr || pair.second == nullptr) {
-      ++found.unpaired;
-      continue;
-    }
-    const bool of_a = pair.first->docked, of_b = pair.second->docked;
-    found.counts.both += of_a && of_b;
-    found.counts.only_a += of_a && !of_b;
-    found.counts.only_b += !of_a && of_b;
-    found.counts.neither += !of_a && !of_b;
-  }
+  found.counts = pairs.counts;
+  found.unpaired = pairs.unpaired;
   return found;
 }
 

@@ -1,11 +1,14 @@
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/report_content.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
@@ -22,7 +25,7 @@ namespace {
 struct RunArguments {
   ScenarioOptions scenario;
   CommandOptions commands;
-  std::string out_dir;
+  std::string out_dir, report;
   bool json = false;
 };
 
@@ -32,10 +35,11 @@ Examples:
   dockyard run {scenario}
   dockyard run {scenario} --seed 7 --set start.r_m=5 --set start.alpha_deg=-20
   dockyard run {scenario} --out out/typical --json
+  dockyard run {scenario} --report out/typical.html
 
 Prints the result on stdout. Exit code 0: docked, 4: it ran but did not dock.
 With --out the folder gets the log, the history and the plots of the run, and
-`dockyard replay` runs it again.)";
+`dockyard replay` runs it again. With --report a page shows it, with its replay.)";
 
 /// The folder may be new, empty, or an earlier run's; nothing else is written over.
 void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
@@ -56,11 +60,48 @@ void PrintRecord(const RunRecord& record) {
   std::printf("%-22s %.3f\n", "cpu_time_s", record.timing.cpu_time_s);
 }
 
+/// A folder for a log that nobody keeps.
+class PassingFolder {
+ public:
+  PassingFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "dockyard_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw IoErrorFromErrno("make folder", name);
+    path_ = name;
+  }
+  ~PassingFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  PassingFolder(const PassingFolder&) = delete;
+  PassingFolder& operator=(const PassingFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// @param log_dir  holds the run's log
+/// @param kept     whether it stays there
+void WriteReport(const std::filesystem::path& file, const std::filesystem::path& log_dir, bool kept,
+                 const System& system, const Scenario& scenario, const RunRecord& record) {
+  ReportSource source;
+  ReportContent content = ContentOfRun(log_dir, system, scenario, record.result, source);
+  content.watched.front().messages = record.messages;
+  if (!kept) content.watched.front().command.clear();
+  if (file.has_parent_path()) MakeFolder(file.parent_path());
+  WriteWhole(file, ReportPage(content));
+  PrintNote("report in " + file.string());
+}
+
 int Run(const RunArguments& arguments, const std::vector<System>& systems) {
   const CampaignRun run = SingleRun(Load(arguments.scenario, systems));
   const System& system = FindSystem(systems, run.scenario.system);
   RunOptions options;
   options.log_dir = arguments.out_dir;
+  std::optional<PassingFolder> passing;
+  if (arguments.out_dir.empty() && !arguments.report.empty()) {
+    options.log_dir = passing.emplace().path();
+  }
   arguments.commands.Fill(options);
   if (!arguments.out_dir.empty()) PrepareFolder(arguments.out_dir, run.scenario);
   const RunRecord record = Simulate(system, run, options);
@@ -72,6 +113,9 @@ int Run(const RunArguments& arguments, const std::vector<System>& systems) {
       WriteWhole(std::filesystem::path(arguments.out_dir) / "messages.txt", record.messages);
     }
     PrintNote("log and plots in " + arguments.out_dir);
+  }
+  if (!arguments.report.empty()) {
+    WriteReport(arguments.report, options.log_dir, !passing, system, run.scenario, record);
   }
   if (arguments.json) {
     Json json = RowJson(record.result, record.columns);
@@ -93,6 +137,7 @@ void AddRunCommand(CLI::App& app, const std::vector<System>& systems, int& exit_
   AddScenarioOptions(*command, arguments->scenario);
   AddCommandOptions(*command, arguments->commands);
   command->add_option("--out", arguments->out_dir, "folder for log, history and plots");
+  command->add_option("--report", arguments->report, "an HTML file that shows the run");
   command->add_flag("--json", arguments->json, "the result as JSON");
   command->callback([arguments, &systems, &exit_code] { exit_code = Run(*arguments, systems); });
 }

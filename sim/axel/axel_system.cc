@@ -13,6 +13,7 @@
 #include "sim/axel/read_script.h"
 #include "sim/axel/run_plots.h"
 #include "sim/axel/view_start.h"
+#include "sim/run/light.h"
 
 namespace dockyard::axel {
 namespace {
@@ -40,6 +41,16 @@ ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models,
   ready.judge = std::make_unique<AxelJudge>(*plant);
   ready.plant = std::move(plant);
   return ready;
+}
+
+StageShapes ShapesOf(const Scenario& scenario, const AxelModels& models) {
+  const ModelSet& built = models.built;
+  const Pose3 X_WD = FromGround(scenario.X_WG * WorldSetup{}.X_GD, 0.0);
+  const Lighting lighting =
+      MakeLighting(scenario.light, X_WD, BoardInDock(built.station).p, scenario.seed, scenario.sun);
+  return SceneBuilder(built.rover, built.station, built.soil, lighting, scenario.X_WG,
+                      scenario.seed)
+      .Shapes();
 }
 
 std::string Check(const Scenario& scenario, const AxelModels& models) {
@@ -134,6 +145,9 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   };
   system.view = [store](const Scenario& scenario, const std::filesystem::path& dir) {
     WriteStartView(scenario, *store->Get(scenario), dir);
+  };
+  system.shapes = [store](const Scenario& scenario) {
+    return ShapesOf(scenario, *store->Get(scenario));
   };
   system.check_file = [store](const std::string& file) {
     return CheckModelFile(file, store->meshes());

@@ -113,6 +113,28 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   return scene;
 }
 
+StageShapes SceneBuilder::Shapes() const {
+  StageShapes shapes;
+  const auto add = [&](const char* name, bool robot, const std::vector<Part>& parts,
+                       const Pose3& X_OL = {}) {
+    if (shapes.bodies.empty() || shapes.bodies.back().name != name) {
+      shapes.bodies.push_back({name, robot, {}});
+    }
+    for (const Part& part : parts) {
+      shapes.bodies.back().parts.push_back({part.mesh, X_OL * part.X_LV, part.albedo});
+    }
+  };
+  add("robot", true, body_);
+  add("left_wheel", true, left_wheel_);
+  add("right_wheel", true, right_wheel_);
+  add("arm", true, arm_);
+  add("station", false, station_, X_S_module_);
+  add("station", false, stand_);
+  shapes.board = {"station", X_SB_, board_, cutout_.p_B, cutout_.radius_m};
+  shapes.to_sun_W = lighting_.sun_and_sky.to_sun_W;
+  return shapes;
+}
+
 SensorOptions CameraSensor(const StereoModel& stereo, std::uint64_t run_seed, int index) {
   const ExposureModel& exposure = stereo.exposure;
   constexpr double kTurns[3] = {0.0, -1.0, 1.0};

@@ -12,6 +12,7 @@
 #include "render/stereo_renderer.h"
 #include "sim/axel/world.h"
 #include "sim/run/light.h"
+#include "sim/run/stage_shapes.h"
 #include "sim/scenario/scenario.h"
 
 namespace dockyard::axel {
@@ -28,6 +29,8 @@ class SceneBuilder {
 
   /// The scene borrows the grid's heights: draw it before the grid changes.
   Scene Make(const Truth& truth, const HeightGrid& ground) const;
+  /// The same for spectators; bodies in the order of AxelPlant::Look.
+  StageShapes Shapes() const;
 
  private:
   struct Part {

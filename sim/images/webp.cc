@@ -1,5 +1,9 @@
-#include <webp/decode.h>
+#include "sim/images/webp.h"
 
+#include <webp/decode.h>
+#include <webp/encode.h>
+
+#include "controller/base/check.h"
 #include "sim/images/formats.h"
 #include "sim/images/image_size.h"
 
@@ -21,6 +25,16 @@ std::optional<GrayImage> GrayFromWebp(std::string_view bytes) {
     image.pixels.push_back(GrayOf(rgb[i], rgb[i + 1], rgb[i + 2]));
   }
   return image;
+}
+
+std::string EncodeWebp(const RgbImage& image, double quality) {
+  DOCKYARD_CHECK(image.width > 0 && image.height > 0);
+  std::uint8_t* bytes = nullptr;
+  const std::size_t size = WebPEncodeRGB(image.pixels.data(), image.width, image.height,
+                                         3 * image.width, static_cast<float>(quality), &bytes);
+  std::string webp(reinterpret_cast<const char*>(bytes), size);
+  WebPFree(bytes);
+  return webp;
 }
 
 }  // namespace dockyard

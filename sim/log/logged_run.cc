@@ -55,9 +55,9 @@ std::vector<SightingReport::Mark> TakeMarks(CdrReader& in) {
   return marks;
 }
 
-Timed<SightingReport> TakeSighting(CdrReader in) {
-  Timed<SightingReport> sighting{TakeTime(in), {}};
-  SightingReport& report = sighting.value;
+SightingSample TakeSighting(CdrReader in) {
+  SightingSample sighting{.time_s = TakeTime(in), .X_DR = {}, .report = {}, .X_DR_measured = {}};
+  SightingReport& report = sighting.report;
   report.accepted = in.Bool();
   report.reason = in.Text();
   report.method = in.Text();
@@ -69,6 +69,9 @@ Timed<SightingReport> TakeSighting(CdrReader in) {
   report.X_RB = TakePose(in);
   for (int row = 0; row < 6; ++row) {
     for (int column = 0; column < 6; ++column) report.covariance(row, column) = in.Double();
+  }
+  for (Pose2* X : {&sighting.X_DR, &sighting.X_DR_measured}) {
+    for (double* value : {&X->x, &X->y, &X->heading}) *value = in.Double();
   }
   return sighting;
 }
@@ -93,6 +96,13 @@ Timed<LoggedImage> TakeImage(CdrReader in) {
   const Header header = TakeHeader(in);
   in.Text();  // the format
   return {header.time_s, {header.frame, std::string(in.Bytes())}};
+}
+
+LoggedCamera TakeCamera(CdrReader in) {
+  LoggedCamera camera{.name = TakeHeader(in).frame};
+  camera.height = in.U32();
+  camera.width = in.U32();
+  return camera;
 }
 
 Timed<LoggedGround> TakeGround(CdrReader in) {
@@ -164,6 +174,8 @@ class Gatherer {
     if (taker != takers_.end()) return taker->second(CdrReader(data));
     if (type == "sensor_msgs/msg/CompressedImage") {
       run_.images.push_back(TakeImage(CdrReader(data)));
+    } else if (type == "sensor_msgs/msg/CameraInfo") {
+      run_.cameras.push_back(TakeCamera(CdrReader(data)));
     } else if (type == "visualization_msgs/msg/MarkerArray" && topic != topic::kGroundMarkers) {
       StageLine line = TakeLine(CdrReader(data));
       run_.lines[topic.substr(1)].push_back(std::move(line));
@@ -236,6 +248,12 @@ class Gatherer {
 };
 
 }  // namespace
+
+std::size_t LoggedRun::SampleAt(double time_s) const {
+  constexpr double kRounding_s = 1e-6;
+  const auto at = std::lower_bound(times_s.begin(), times_s.end(), time_s - kRounding_s);
+  return std::min(static_cast<std::size_t>(at - times_s.begin()), times_s.size() - 1);
+}
 
 LoggedRun ReadLoggedRun(const std::filesystem::path& dir) {
   const std::filesystem::path path = dir / kRunLogFile;

@@ -37,6 +37,12 @@ struct LoggedGround {
   std::vector<std::int16_t> heights;  // [step_m]
 };
 
+/// As its nominal parameters have it; the frame is its name.
+struct LoggedCamera {
+  std::string name;
+  std::uint32_t width = 0, height = 0;
+};
+
 struct LoggedNote {
   std::string name, text;
 };
@@ -51,11 +57,15 @@ struct LoggedRun {
   std::vector<Pose3> X_WD, X_WG;                        // target's frame, site; by sample
   std::map<std::string, std::vector<StageLine>> lines;  // by name, by sample
   Series truth, belief, currents_a;                     // currents by motor, as read
-  std::vector<Timed<SightingReport>> sightings;         // without the camera's turn
+  std::vector<SightingSample> sightings;                // without the camera's turn
   std::vector<Timed<std::vector<Pose2>>> plans;         // poses along the way, in D
   std::vector<Timed<LoggedNote>> notes;
+  std::vector<LoggedCamera> cameras;  // by index
   std::vector<Timed<LoggedImage>> images;
   std::vector<Timed<LoggedGround>> ground;
+
+  /// The first sample at or after a time, else the last. There must be one.
+  std::size_t SampleAt(double time_s) const;
 };
 
 /// Throws IoError, and DataError for a damaged log. One that is cut short gives what it has.

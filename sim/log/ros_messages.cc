@@ -266,7 +266,8 @@ std::string ScalarsMessage(Tick tick, const std::vector<std::string>& names,
   return out.Take();
 }
 
-std::string SightingMessage(Tick tick, const SightingReport& report) {
+std::string SightingMessage(Tick tick, const SightingSample& sighting) {
+  const SightingReport& report = sighting.report;
   CdrWriter out;
   PutTime(out, tick);
   out.Bool(report.accepted);
@@ -280,6 +281,9 @@ std::string SightingMessage(Tick tick, const SightingReport& report) {
   PutPose(out, report.X_RB);
   for (int row = 0; row < 6; ++row) {
     for (int column = 0; column < 6; ++column) out.Double(report.covariance(row, column));
+  }
+  for (const Pose2& X : {sighting.X_DR, sighting.X_DR_measured}) {
+    for (const double value : {X.x, X.y, X.heading}) out.Double(value);
   }
   return out.Take();
 }

@@ -9,6 +9,7 @@
 #include "controller/io/belief.h"
 #include "controller/io/commands.h"
 #include "controller/io/sensors.h"
+#include "sim/log/record.h"
 #include "sim/log/stage.h"
 #include "sim/mcap/cdr.h"
 
@@ -64,7 +65,7 @@ std::string CommandsMessage(Tick tick, const Commands& commands);
 /// dockyard_msgs/Scalars
 std::string ScalarsMessage(Tick tick, const std::vector<std::string>& names,
                            const std::vector<double>& values);
-/// dockyard_msgs/Sighting
-std::string SightingMessage(Tick tick, const SightingReport& report);
+/// dockyard_msgs/Sighting; planar poses are x, y [m] and heading [rad].
+std::string SightingMessage(Tick tick, const SightingSample& sighting);
 
 }  // namespace dockyard

@@ -75,7 +75,8 @@ const std::map<std::string, std::string>& Definitions() {
        "builtin_interfaces/Time stamp\nbool accepted\nstring reason\nstring method\n"
        "int32[] detected\ndockyard_msgs/Mark[] marks\ndockyard_msgs/Mark[] predicted\n"
        "float64 reprojection_px\ngeometry_msgs/Pose target_in_robot\n"
-       "float64[36] covariance\n"},
+       "float64[36] covariance\nfloat64[3] robot_in_dock_true\n"
+       "float64[3] robot_in_dock_measured\n"},
       {"dockyard_msgs/Ground",
        "std_msgs/Header header\nfloat64 x0\nfloat64 y0\nfloat64 cell\nuint32 nx\nuint32 ny\n"
        "float64 step\nuint32[] cells\nint16[] heights\n"}};

@@ -77,7 +77,7 @@ class RunLogWriter {
   void Append(const HistorySample& sample, const Stage& stage, Tick tick);
   /// What has changed of the ground since the last call.
   void AppendGround(const StageGround& ground, Tick tick);
-  void Append(const SightingReport& report, Tick tick);
+  void Append(const SightingSample& sighting, Tick tick);
   void Append(const PlanSample& plan, Tick tick);
   /// A sentence, and who says it.
   void Note(const std::string& name, const std::string& text, Tick tick);

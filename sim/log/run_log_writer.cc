@@ -168,8 +168,8 @@ void RunLogWriter::AppendGround(const StageGround& ground, Tick tick) {
       ground_.Markers(tick));
 }
 
-void RunLogWriter::Append(const SightingReport& report, Tick tick) {
-  Put(Channel(topic::kSighting, "dockyard_msgs/Sighting"), tick, SightingMessage(tick, report));
+void RunLogWriter::Append(const SightingSample& sighting, Tick tick) {
+  Put(Channel(topic::kSighting, "dockyard_msgs/Sighting"), tick, SightingMessage(tick, sighting));
 }
 
 void RunLogWriter::Append(const PlanSample& plan, Tick tick) {

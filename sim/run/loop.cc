@@ -138,7 +138,7 @@ class Run {
                           .X_DR_measured = {}};
     if (sample.report.accepted) sample.X_DR_measured = plant().MeasuredPose(sample.report);
     ready_.judge->ObserveSighting(sample.report);
-    if (log_) log_->Append(sample.report, plant().tick());
+    if (log_) log_->Append(sample, plant().tick());
     record_.sightings.push_back(std::move(sample));
   }
 

@@ -17,6 +17,7 @@
 #include "sim/log/record.h"
 #include "sim/run/judge.h"
 #include "sim/run/plant.h"
+#include "sim/run/stage_shapes.h"
 #include "sim/scenario/scenario.h"
 
 namespace dockyard {
@@ -93,6 +94,8 @@ struct System {
   std::function<std::vector<Figure>(const std::string& title, const Scenario& first,
                                     const RowColumns&, const std::vector<RunResult>&)>
       draw_campaign;
+  /// What a spectator sees of a run. Throws ConfigError. Empty: it cannot be shown.
+  std::function<StageShapes(const Scenario&)> shapes;
   /// The images at the start pose with the truth beside them, into a folder. Empty: it has none.
   std::function<void(const Scenario&, const std::filesystem::path& dir)> view;
   /// The kind of a model file of the system's own (its robot, its target); none: another file.

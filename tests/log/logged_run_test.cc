@@ -14,8 +14,10 @@ Pose3 PoseAt(int i) {
   return {ToRotation({0.01 * i, -0.02 * i, 0.1 * i}), Eigen::Vector3d(1.0 - 0.01 * i, 0.2, 0.3)};
 }
 
-SightingReport SomeSighting() {
-  SightingReport report;
+SightingSample SomeSighting() {
+  SightingSample sighting{
+      .time_s = 0.7, .X_DR = {1, 2, 3}, .report = {}, .X_DR_measured = {4, 5, 6}};
+  SightingReport& report = sighting.report;
   report.accepted = true;
   report.method = "stereo";
   report.detected = {8, 7};
@@ -24,7 +26,7 @@ SightingReport SomeSighting() {
   report.reprojection_px = 0.125;
   report.X_RB = PoseAt(3);
   report.covariance(2, 3) = 1e-7;
-  return report;
+  return sighting;
 }
 
 /// Twenty samples of a robot with a wheel, a cable, a ground that changes, an image.
@@ -91,7 +93,10 @@ TEST(LoggedRun, HasWhatHappenedAtItsTime) {
   EXPECT_EQ(run.notes[1].value.text, "drive");
   EXPECT_NEAR(run.notes[1].time_s, 0.5, 1e-9);
   ASSERT_EQ(run.sightings.size(), 1u);
-  const SightingReport &read = run.sightings[0].value, wrote = SomeSighting();
+  const SightingReport &read = run.sightings[0].report, wrote = SomeSighting().report;
+  EXPECT_NEAR(run.sightings[0].time_s, 0.7, 1e-9);
+  EXPECT_EQ(run.sightings[0].X_DR, (Pose2{1, 2, 3}));
+  EXPECT_EQ(run.sightings[0].X_DR_measured, (Pose2{4, 5, 6}));
   EXPECT_EQ(read.detected, wrote.detected);
   EXPECT_EQ(read.marks[0].v_px, -0.25);
   EXPECT_EQ(read.predicted[0].id, 4);
@@ -105,6 +110,9 @@ TEST(LoggedRun, HasWhatHappenedAtItsTime) {
   EXPECT_NEAR(end.heading, 0.5, 1e-12);
   ASSERT_EQ(run.images.size(), 1u);
   EXPECT_EQ(run.images[0].value.camera, "left");
+  ASSERT_EQ(run.cameras.size(), 1u);
+  EXPECT_EQ(run.cameras[0].width, 8u);
+  EXPECT_EQ(run.cameras[0].height, 6u);
   EXPECT_THAT(run.images[0].value.png, testing::StartsWith("\x89PNG"));
 }
 

@@ -2,7 +2,7 @@
 import { createRequire } from 'node:module';
 import { pathToFileURL } from 'node:url';
 
-const { chromium } = createRequire(new URL('../../sim/report/page/package.json', import.meta.url))(
+const { chromium } = createRequire(new URL('../../sim/page/web/package.json', import.meta.url))(
   'playwright-core',
 );
 

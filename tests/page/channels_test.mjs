@@ -1,7 +1,7 @@
 // Channels: what is packed is read back, number by number.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { unpackInts } from '../../sim/report/page/src/channels.js';
+import { unpackInts } from '../../sim/page/web/src/channels.js';
 import { packInts } from './payload_writer.mjs';
 import { randomFrom } from './made_up_rows.mjs';
 

@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 
-const template = new URL('../../sim/report/page/page.html', import.meta.url);
+const template = new URL('../../sim/page/web/page.html', import.meta.url);
 const MISSING = -0x80000000;
 
 /** Collects blobs, each at a multiple of 4. */

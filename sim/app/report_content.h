@@ -1,0 +1,32 @@
+// A results folder as the content of a report.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "sim/app/kept_campaign.h"
+#include "sim/page/report_page.h"
+#include "sim/plan/make_run.h"
+#include "sim/run/system.h"
+
+namespace dockyard {
+
+/// What a content points into: it must live as long.
+struct ReportSource {
+  KeptCampaign kept;  // of a campaign
+  std::vector<KnownSystem> known;
+  std::unique_ptr<RunMaker> maker;     // null: a single run
+  std::shared_ptr<Scenario> scenario;  // of a single run
+};
+
+/// Of a campaign's folder or a single run's. Failures are watched first. Throws UsageError,
+/// ConfigError, ResultsError and IoError.
+ReportContent ContentOf(const std::filesystem::path& dir, const std::vector<System>& systems,
+                        ReportSource& source);
+
+/// Of one run whose log lies in the folder.
+ReportContent ContentOfRun(const std::filesystem::path& dir, const System& system,
+                           const Scenario& scenario, const RunResult& row, ReportSource& source);
+
+}  // namespace dockyard

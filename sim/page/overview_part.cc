@@ -1,0 +1,178 @@
+#include "sim/page/overview_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "controller/base/number_text.h"
+#include "sim/report/arm_pairs.h"
+#include "sim/report/points.h"
+#include "sim/report/sensitivity.h"
+#include "sim/statistics/acceptance.h"
+#include "sim/statistics/intervals.h"
+#include "sim/statistics/paired.h"
+
+namespace dockyard {
+namespace {
+
+constexpr std::size_t kMostGroups = 12, kMostNumbers = 40;
+
+/// NaN has no place in JSON.
+Json Number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json Ends(const Interval& interval) { return Json::array({interval.low, interval.high}); }
+
+Json Share(int docked, int runs) {
+  return {{"docked", docked}, {"runs", runs}, {"interval", Ends(ClopperPearson(docked, runs))}};
+}
+
+Json Totals(const FinishedRuns& runs, std::int64_t planned) {
+  int docked = 0, lost = 0;
+  for (const RunResult& row : runs.results) {
+    docked += row.docked;
+    lost += IsLost(row.outcome);
+  }
+  Json totals = Share(docked, static_cast<int>(runs.size()));
+  totals["planned"] = planned;
+  totals["lost"] = lost;
+  return totals;
+}
+
+/// Success by the values of each label that has a few.
+Json Groups(const FinishedRuns& runs, const RowColumns& columns) {
+  Json groups = Json::array();
+  for (std::size_t label = 0; label < columns.labels.size(); ++label) {
+    std::vector<std::string> values;  // in the order in which they appear
+    std::map<std::string, std::pair<int, int>> counts;
+    for (const RunResult& row : runs.results) {
+      const auto [at, fresh] = counts.try_emplace(row.labels[label]);
+      if (fresh) values.push_back(row.labels[label]);
+      at->second.first += row.docked;
+      ++at->second.second;
+      if (counts.size() > kMostGroups) break;
+    }
+    if (values.size() < 2 || values.size() > kMostGroups) continue;
+    Json list = Json::array();
+    for (const std::string& value : values) {
+      Json share = Share(counts[value].first, counts[value].second);
+      share["value"] = value;
+      list.push_back(share);
+    }
+    groups.push_back({{"label", columns.labels[label]}, {"values", list}});
+  }
+  return groups;
+}
+
+Json Causes(const FinishedRuns& runs) {
+  std::map<std::string, std::pair<int, std::vector<int>>> causes;
+  for (const RunResult& row : runs.results) {
+    if (row.docked) continue;
+    auto& [count, numbers] = causes[row.outcome];
+    ++count;
+    if (numbers.size() < kMostNumbers) numbers.push_back(row.run);
+  }
+  Json list = Json::array();
+  for (const auto& [outcome, found] : causes) {
+    list.push_back({{"outcome", outcome}, {"count", found.first}, {"runs", found.second}});
+  }
+  std::stable_sort(list.begin(), list.end(),
+                   [](const Json& a, const Json& b) { return a["count"] > b["count"]; });
+  return list;
+}
+
+Json EstimateJson(const Estimate& estimate) {
+  if (!std::isfinite(estimate.value)) return nullptr;
+  return {{"value", estimate.value},
+          {"low", Number(estimate.interval.low)},
+          {"high", Number(estimate.interval.high)}};
+}
+
+Json SensitivityJson(const std::vector<Sensitivity>& found) {
+  Json list = Json::array();
+  for (const Sensitivity& arm : found) {
+    Json draws = Json::array(), levels = Json::array();
+    for (const DrawEffect& draw : arm.measures.front().draws) {
+      draws.push_back({{"label", draw.label},
+                       {"words", draw.words},
+                       {"eta", Number(draw.eta)},
+                       {"p", Number(draw.p_value)},
+                       {"rank", EstimateJson(draw.rank_correlation)},
+                       {"partial", EstimateJson(draw.partial)}});
+    }
+    for (const LevelRate& rate : arm.rates) {
+      Json level = Share(rate.docked, rate.runs);
+      level.update({{"label", rate.label},
+                    {"word", rate.word},
+                    {"low", Number(rate.low)},
+                    {"high", Number(rate.high)}});
+      levels.push_back(level);
+    }
+    list.push_back({{"arm", arm.arm}, {"draws", draws}, {"levels", levels}});
+  }
+  return list;
+}
+
+Json ArmsJson(const Campaign& campaign, const FinishedRuns& runs, const RowColumns& columns) {
+  std::map<std::string, Rows> by_arm;
+  for (const RunResult& row : runs.results) by_arm[LabelOf(row, columns, "arm")].push_back(&row);
+  Json list = Json::array();
+  for (std::size_t i = 0; i < campaign.arms.size(); ++i) {
+    for (std::size_t j = i + 1; j < campaign.arms.size(); ++j) {
+      const std::string &a = campaign.arms[i].name, &b = campaign.arms[j].name;
+      const PairedCounts counts = PairArms(by_arm[a], by_arm[b]).counts;
+      const Estimate difference = PairedDifference(counts);
+      list.push_back({{"a", a},
+                      {"b", b},
+                      {"both", counts.both},
+                      {"only_a", counts.only_a},
+                      {"only_b", counts.only_b},
+                      {"neither", counts.neither},
+                      {"difference", Number(difference.value)},
+                      {"interval", Ends(difference.interval)},
+                      {"exact_p", McNemarExact(counts.only_a, counts.only_b)},
+                      {"mid_p", McNemarMidP(counts.only_a, counts.only_b)}});
+    }
+  }
+  return list;
+}
+
+Json AcceptanceJson(const Json& totals, const AcceptanceAim& aim) {
+  const int runs = totals["runs"], docked = totals["docked"];
+  const Acceptance found = JudgeAcceptance(runs, runs - docked, aim.reliability, aim.confidence);
+  const char* verdict = found.verdict == AcceptanceVerdict::kAccepted      ? "accepted"
+                        : found.verdict == AcceptanceVerdict::kNotAccepted ? "not accepted"
+                                                                           : "undecided";
+  std::string sentence = std::to_string(docked) + " of " + std::to_string(runs) + " docked";
+  sentence += found.verdict == AcceptanceVerdict::kAccepted ? " show a reliability of "
+              : found.verdict == AcceptanceVerdict::kNotAccepted
+                  ? " show less than a reliability of "
+                  : " do not yet show a reliability of ";
+  sentence += NumberText(100.0 * aim.reliability) + " % at a confidence of " +
+              NumberText(100.0 * aim.confidence) + " %.";
+  const bool undecided = found.verdict == AcceptanceVerdict::kUndecided;
+  return {{"verdict", verdict},
+          {"sentence", sentence},
+          {"reliability", aim.reliability},
+          {"confidence", aim.confidence},
+          {"lower", found.lower},
+          {"upper", found.upper},
+          {"further_runs", undecided && found.further_runs ? Json(*found.further_runs) : Json()}};
+}
+
+}  // namespace
+
+Json OverviewPart(const Campaign* campaign, const FinishedRuns& runs, const RowColumns& columns,
+                  const std::optional<AcceptanceAim>& aim) {
+  const auto count = static_cast<std::int64_t>(runs.size());
+  Json json{{"totals", Totals(runs, campaign ? campaign->run_count() : count)},
+            {"groups", Groups(runs, columns)},
+            {"causes", Causes(runs)}};
+  if (campaign != nullptr) {
+    json["sensitivity"] = SensitivityJson(FindSensitivity(*campaign, columns, runs.results));
+    if (!campaign->arms.empty()) json["arms"] = ArmsJson(*campaign, runs, columns);
+  }
+  if (aim) json["acceptance"] = AcceptanceJson(json["totals"], *aim);
+  return json;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,105 @@
+#include "sim/page/replay_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dockyard {
+namespace {
+
+constexpr double kMargin_m = 1.0, kStep_m = 1e-4;  // the page's steps of height
+constexpr std::uint32_t kMostVertices = 50'000;    // more are slow to draw without a graphics card
+
+/// A part of the soil's grid with every `stride`-th sample of it.
+struct Window {
+  std::uint32_t x0 = 0, y0 = 0, columns = 0, rows = 0, stride = 1;
+
+  std::uint32_t vertices() const { return columns * rows; }
+};
+
+/// The samples from `low` to `high`, limited to the grid.
+std::pair<std::uint32_t, std::uint32_t> Range(double low_m, double high_m, double first_m,
+                                              double cell_m, std::uint32_t count) {
+  const auto limited = [&](double at) {
+    return static_cast<std::uint32_t>(std::clamp(at, 0.0, static_cast<double>(count - 1)));
+  };
+  return {limited(std::floor((low_m - first_m) / cell_m)),
+          limited(std::ceil((high_m - first_m) / cell_m))};
+}
+
+Window WindowOf(const LoggedGround& grid, const std::vector<std::vector<Pose3>>& X_GO) {
+  Eigen::Array2d low(1e9, 1e9), high(-1e9, -1e9);
+  for (const auto& track : X_GO) {
+    for (const Pose3& X : track) {
+      low = low.min(X.p.head<2>().array());
+      high = high.max(X.p.head<2>().array());
+    }
+  }
+  const auto [x0, x1] =
+      Range(low.x() - kMargin_m, high.x() + kMargin_m, grid.x0_m, grid.cell_m, grid.nx);
+  const auto [y0, y1] =
+      Range(low.y() - kMargin_m, high.y() + kMargin_m, grid.y0_m, grid.cell_m, grid.ny);
+  Window window{x0, y0, 0, 0, 0};
+  do {
+    ++window.stride;
+    window.columns = (x1 - x0) / window.stride + 1;
+    window.rows = (y1 - y0) / window.stride + 1;
+  } while (window.vertices() > kMostVertices);
+  return window;
+}
+
+/// Heights as they are now, in the page's steps.
+std::vector<std::int16_t> HeightsIn(const Window& window, const std::vector<std::int16_t>& all,
+                                    const LoggedGround& grid) {
+  std::vector<std::int16_t> heights;
+  heights.reserve(window.vertices());
+  for (std::uint32_t row = 0; row < window.rows; ++row) {
+    for (std::uint32_t column = 0; column < window.columns; ++column) {
+      const std::size_t at = std::size_t{window.y0 + row * window.stride} * grid.nx + window.x0 +
+                             column * window.stride;
+      heights.push_back(static_cast<std::int16_t>(
+          std::clamp(all[at] * grid.step_m / kStep_m, -32768.0, 32767.0)));
+    }
+  }
+  return heights;
+}
+
+}  // namespace
+
+Json ReplayGround(const LoggedRun& run, const std::vector<std::vector<Pose3>>& X_GO,
+                  Payload& payload) {
+  if (run.ground.empty() || !run.ground.front().value.cells.empty()) return nullptr;
+  const LoggedGround& grid = run.ground.front().value;
+  if (grid.nx < 2 || grid.ny < 2 || X_GO.empty()) return nullptr;
+  const Window window = WindowOf(grid, X_GO);
+  std::vector<std::int16_t> all = grid.heights, shown = HeightsIn(window, all, grid);
+  Json json{{"x0_m", grid.x0_m + window.x0 * grid.cell_m},
+            {"y0_m", grid.y0_m + window.y0 * grid.cell_m},
+            {"cell_m", grid.cell_m * window.stride},
+            {"columns", window.columns},
+            {"rows", window.rows},
+            {"heights", payload.AddNumbers(shown)},
+            {"changes", Json::array()}};
+  for (std::size_t i = 1; i < run.ground.size(); ++i) {
+    const LoggedGround& change = run.ground[i].value;
+    for (std::size_t c = 0; c < change.cells.size() && c < change.heights.size(); ++c) {
+      if (change.cells[c] < all.size()) all[change.cells[c]] = change.heights[c];
+    }
+    const std::vector<std::int16_t> now = HeightsIn(window, all, grid);
+    std::vector<std::uint32_t> cells;
+    std::vector<std::int16_t> heights;
+    for (std::uint32_t at = 0; at < now.size(); ++at) {
+      if (now[at] == shown[at]) continue;
+      cells.push_back(at);
+      heights.push_back(now[at]);
+    }
+    shown = now;
+    if (cells.empty()) continue;
+    json["changes"].push_back({{"sample", run.SampleAt(run.ground[i].time_s)},
+                               {"cells", payload.AddNumbers(cells)},
+                               {"heights", payload.AddNumbers(heights)}});
+  }
+  return json;
+}
+
+}  // namespace dockyard

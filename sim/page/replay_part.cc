@@ -1,0 +1,273 @@
+#include "sim/page/replay_part.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/images/png.h"
+#include "sim/images/webp.h"
+#include "sim/page/replay_ground.h"
+
+namespace dockyard {
+namespace {
+
+constexpr double kLengthQuantum_m = 1e-4, kTurnQuantum = 1e-4, kPointQuantum_m = 1e-3;
+constexpr double kPictureQuality = 60.0;
+constexpr int kWidestPicture_px = 640;  // wider ones are halved
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Json Planar(const Pose2& X) { return Json::array({X.x, X.y, X.heading}); }
+
+/// Position and quaternion over the samples. Signs are such that neighbours are near.
+Json TrackJson(const std::vector<Pose3>& X_GO, Payload& payload) {
+  std::vector<std::vector<double>> parts(7);
+  Eigen::Quaterniond last = Eigen::Quaterniond::Identity();
+  for (const Pose3& X : X_GO) {
+    Eigen::Quaterniond q(X.R);
+    if (q.dot(last) < 0.0) q.coeffs() *= -1.0;
+    last = q;
+    for (int i = 0; i < 3; ++i) parts[static_cast<std::size_t>(i)].push_back(X.p(i));
+    for (int i = 0; i < 4; ++i) parts[static_cast<std::size_t>(3 + i)].push_back(q.coeffs()(i));
+  }
+  Json track = Json::array();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    track.push_back(payload.AddChannel(parts[i], i < 3 ? kLengthQuantum_m : kTurnQuantum));
+  }
+  return track;
+}
+
+Json LineJson(const std::string& name, const std::vector<StageLine>& line, const Pose3& X_GW,
+              Payload& payload) {
+  std::vector<double> counts, points[3];
+  for (const StageLine& now : line) {
+    counts.push_back(static_cast<double>(now.points_W.size()));
+    for (const Eigen::Vector3d& p_W : now.points_W) {
+      const Eigen::Vector3d p_G = X_GW * p_W;
+      for (int i = 0; i < 3; ++i) points[i].push_back(p_G(i));
+    }
+  }
+  Json channels = Json::array();
+  for (const auto& axis : points) channels.push_back(payload.AddChannel(axis, kPointQuantum_m));
+  const Eigen::Vector3d& rgb = line.front().rgb;
+  return {{"name", name},
+          {"diameter_m", line.front().diameter_m},
+          {"colour", Json::array({rgb.x(), rgb.y(), rgb.z()})},
+          {"counts", payload.AddChannel(counts, 1.0)},
+          {"points", channels}};
+}
+
+/// Three channels of a series with these names.
+Json PoseJson(const Series& series, Payload& payload) {
+  Json channels = Json::array();
+  for (const char* name : {"x_m", "y_m", "heading_rad"}) {
+    channels.push_back(payload.AddChannel(series.at(name), kLengthQuantum_m));
+  }
+  return channels;
+}
+
+bool HasPose(const Series& series) {
+  return series.contains("x_m") && series.contains("y_m") && series.contains("heading_rad");
+}
+
+Json BelievedJson(Series belief, Payload& payload) {
+  const std::vector<double> located = belief.at("located");
+  for (const char* name : {"x_m", "y_m", "heading_rad"}) {
+    for (std::size_t i = 0; i < located.size(); ++i) {
+      if (located[i] == 0.0) belief.at(name)[i] = kNaN;
+    }
+  }
+  return {{"pose", PoseJson(belief, payload)}, {"located", payload.AddChannel(located, 1.0)}};
+}
+
+/// A step that shows all that can be seen of values this large: about a 4 000th.
+double QuantumOf(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) {
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  }
+  return largest == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(largest)) - 3.0);
+}
+
+const char* GroupOf(const std::string& unit) {
+  if (unit == "A") return "Currents";
+  if (unit == "N") return "Forces";
+  if (unit == "m") return "Lengths";
+  if (unit == "deg" || unit == "rad") return "Angles";
+  return "Others";
+}
+
+void AddScalars(const Series& series, const std::vector<Column>& columns, const char* source,
+                Payload& payload, Json& scalars) {
+  for (const Column& column : columns) {
+    const auto found = series.find(column.name);
+    if (found == series.end()) continue;
+    scalars.push_back({{"name", column.name},
+                       {"unit", column.unit},
+                       {"meaning", column.meaning},
+                       {"source", source},
+                       {"group", GroupOf(column.unit)},
+                       {"channel", payload.AddChannel(found->second, QuantumOf(found->second))}});
+  }
+}
+
+Json ScalarsJson(const LoggedRun& run, const ReplayFacts& facts, Payload& payload) {
+  Json scalars = Json::array();
+  std::vector<Column> motors, truth;
+  for (const auto& [name, values] : run.currents_a) {
+    motors.push_back({name, "A", "current of the motor, as its drive measures it"});
+  }
+  AddScalars(run.currents_a, motors, "sensor", payload, scalars);
+  // The true currents are those, without noise.
+  std::copy_if(facts.channels.begin(), facts.channels.end(), std::back_inserter(truth),
+               [&](const Column& column) { return column.unit != "A" || motors.empty(); });
+  AddScalars(run.truth, truth, "truth", payload, scalars);
+  AddScalars(run.belief, facts.beliefs, "belief", payload, scalars);
+  return scalars;
+}
+
+/// Every second pixel's square of four, averaged.
+RgbImage Halved(const RgbImage& image) {
+  RgbImage half{image.width / 2, image.height / 2, {}};
+  half.pixels.reserve(3 * static_cast<std::size_t>(half.width) * half.height);
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const auto at = [&](int dx, int dy) {
+          const std::size_t pixel = static_cast<std::size_t>(2 * y + dy) * image.width + 2 * x + dx;
+          return static_cast<int>(image.pixels[3 * pixel + c]);
+        };
+        half.pixels.push_back(
+            static_cast<std::uint8_t>((at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1) + 2) / 4));
+      }
+    }
+  }
+  return half;
+}
+
+/// As a small WebP; empty for bytes that are no PNG of ours.
+std::string Picture(const std::string& png) {
+  RgbImage image;
+  if (auto rgb = DecodePng<RgbImage>(png)) {
+    image = std::move(*rgb);
+  } else if (const auto gray = DecodePng<GrayImage>(png)) {
+    image = {gray->width, gray->height, {}};
+    for (const std::uint8_t level : gray->pixels) image.pixels.insert(image.pixels.end(), 3, level);
+  } else {
+    return "";
+  }
+  while (image.width > kWidestPicture_px) image = Halved(image);
+  return EncodeWebp(image, kPictureQuality);
+}
+
+Json MarksOf(int camera, const SightingReport& report) {
+  Json marks = Json::array();
+  const auto add = [&](const std::vector<SightingReport::Mark>& list, int measured) {
+    for (const auto& mark : list) {
+      if (mark.camera != camera) continue;
+      marks.push_back(Json::array({mark.u_px, mark.v_px, mark.id, measured}));
+    }
+  };
+  add(report.marks, 1);
+  add(report.predicted, 0);
+  return marks;
+}
+
+Json CamerasJson(const LoggedRun& run, const SightingSample& sighting, bool pictures,
+                 Payload& payload) {
+  Json cameras = Json::array();
+  for (std::size_t index = 0; index < run.cameras.size(); ++index) {
+    const LoggedCamera& camera = run.cameras[index];
+    Json json{{"name", camera.name},
+              {"width", camera.width},
+              {"height", camera.height},
+              {"picture", nullptr},
+              {"marks", MarksOf(static_cast<int>(index), sighting.report)}};
+    for (const Timed<LoggedImage>& image : run.images) {
+      const bool this_one =
+          image.value.camera == camera.name && std::abs(image.time_s - sighting.time_s) < 1e-6;
+      if (!pictures || !this_one) continue;
+      const std::string webp = Picture(image.value.png);
+      if (!webp.empty()) json["picture"] = payload.Add(webp);
+    }
+    cameras.push_back(json);
+  }
+  return cameras;
+}
+
+Json SightingsJson(const LoggedRun& run, bool pictures, Payload& payload) {
+  Json sightings = Json::array();
+  for (const SightingSample& sighting : run.sightings) {
+    const SightingReport& report = sighting.report;
+    sightings.push_back({{"sample", run.SampleAt(sighting.time_s)},
+                         {"accepted", report.accepted},
+                         {"reason", report.reason},
+                         {"method", report.method},
+                         {"pose", Planar(sighting.X_DR)},
+                         {"measured", report.accepted ? Planar(sighting.X_DR_measured) : Json()},
+                         {"reprojection_px", report.reprojection_px},
+                         {"cameras", CamerasJson(run, sighting, pictures, payload)}});
+  }
+  return sightings;
+}
+
+Json PlansJson(const LoggedRun& run) {
+  Json plans = Json::array();
+  for (const auto& plan : run.plans) {
+    Json points = Json::array();
+    for (const Pose2& X : plan.value) points.push_back(Json::array({X.x, X.y}));
+    plans.push_back({{"sample", run.SampleAt(plan.time_s)}, {"points", points}});
+  }
+  return plans;
+}
+
+Json PhasesJson(const LoggedRun& run) {
+  Json phases = Json::array();
+  for (const Timed<LoggedNote>& note : run.notes) {
+    if (note.value.name != "phase") continue;
+    phases.push_back(Json::array({run.SampleAt(note.time_s), note.value.text}));
+  }
+  return phases;
+}
+
+}  // namespace
+
+Json ReplayPart(const LoggedRun& run, const ReplayFacts& facts, Payload& payload) {
+  const std::size_t samples = run.times_s.size();
+  if (samples == 0) return nullptr;
+  const Pose3 X_GW = Inverse(run.X_WG.front());
+  Json json{{"run", facts.run},
+            {"scene", facts.scene},
+            {"outcome", facts.outcome},
+            {"docked", facts.docked},
+            {"sentence", facts.sentence},
+            {"command", facts.command},
+            {"seed", facts.seed},
+            {"state_hash", facts.state_hash},
+            {"messages", facts.messages},
+            {"samples", samples},
+            {"period_s", samples > 1 ? run.times_s[1] - run.times_s[0] : 0.1},
+            {"X_WD", Planar(ToGround(X_GW * run.X_WD.front()))}};
+  json["bodies"] = Json::array();
+  std::vector<std::vector<Pose3>> X_GO = run.X_WO;
+  for (std::size_t body = 0; body < X_GO.size(); ++body) {
+    for (Pose3& X : X_GO[body]) X = X_GW * X;
+    json["bodies"].push_back({{"body", body}, {"track", TrackJson(X_GO[body], payload)}});
+  }
+  json["lines"] = Json::array();
+  for (const auto& [name, line] : run.lines) {
+    if (!line.empty()) json["lines"].push_back(LineJson(name, line, X_GW, payload));
+  }
+  if (HasPose(run.truth)) json["pose"] = PoseJson(run.truth, payload);
+  if (HasPose(run.belief) && run.belief.contains("located")) {
+    json["believed"] = BelievedJson(run.belief, payload);
+  }
+  json["ground"] = ReplayGround(run, X_GO, payload);
+  json["scalars"] = ScalarsJson(run, facts, payload);
+  json["sightings"] = SightingsJson(run, facts.pictures, payload);
+  json["plans"] = PlansJson(run);
+  json["phases"] = PhasesJson(run);
+  return json;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,27 @@
+// A run that can be watched, in a report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/log/column.h"
+#include "sim/log/logged_run.h"
+#include "sim/page/payload.h"
+
+namespace dockyard {
+
+/// What the log does not tell.
+struct ReplayFacts {
+  int run = 0;
+  std::size_t scene = 0;  // in the header's list
+  std::string outcome{}, sentence{}, command{}, seed{}, state_hash{}, messages{};
+  bool docked = false;
+  std::vector<Column> channels{}, beliefs{};  // of the system, for units and meanings
+  bool pictures = true;
+};
+
+/// An entry of `replays` in the header. The page's world is the run's site G, so that the ground
+/// lies along its axes. Null for a log without a whole sample.
+Json ReplayPart(const LoggedRun& run, const ReplayFacts& facts, Payload& payload);
+
+}  // namespace dockyard
