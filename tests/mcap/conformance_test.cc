@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr McapOptions kPlain{.profile = "", .library = "", .compress = false};
+const McapOptions kPlain{.profile = "", .library = "", .compress = false};
 
 /// Size and first eight digits of the SHA-256, by coreutils.
 std::string SizeAndSha(const fs::path& file) {
