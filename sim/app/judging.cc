@@ -38,23 +38,24 @@ std::vector<std::string> NamedLabels(const Campaign& campaign) {
   return named;
 }
 
-std::string JUnitOf(const CampaignEnd& end, const Campaign& campaign, const RowColumns& columns,
-                    const std::filesystem::path& dir, const std::vector<Judgement>& judged) {
+}  // namespace
+
+std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
+                    const RowColumns& columns, const std::filesystem::path& dir,
+                    const std::vector<Judgement>& judged) {
   std::vector<JUnitRun> runs;
-  for (std::size_t i = 0; i < end.runs.size(); ++i) {
-    const RunResult& row = end.runs.results[i];
-    JUnitRun run{&row, end.runs.timings[i].wall_time_s, end.runs.notes[i], ""};
+  for (std::size_t i = 0; i < finished.size(); ++i) {
+    const RunResult& row = finished.results[i];
+    JUnitRun run{&row, finished.timings[i].wall_time_s, finished.notes[i], ""};
     if (!row.docked && !IsLost(row.outcome)) {
       run.replay = "dockyard replay " + ShellWord(dir.string()) + " " + std::to_string(row.run);
     }
     runs.push_back(run);
   }
   const JUnitSuite suite{
-      campaign.name, NamedLabels(campaign), {{"planned", std::to_string(end.total)}}};
+      campaign.name, NamedLabels(campaign), {{"planned", std::to_string(campaign.run_count())}}};
   return JUnitXml(suite, columns, runs, judged);
 }
-
-}  // namespace
 
 void AddJudgingOptions(CLI::App& command, JudgingOptions& options) {
   command.add_option("--require", options.require,
@@ -91,7 +92,7 @@ int JudgeResults(const JudgingOptions& options, const std::vector<Requirement>& 
     Print(judged.back(), json);
   }
   if (!options.junit_file.empty()) {
-    WriteWhole(options.junit_file, JUnitOf(end, campaign, columns, dir, judged));
+    WriteWhole(options.junit_file, JUnitOf(end.runs, campaign, columns, dir, judged));
   }
   const bool met =
       std::all_of(judged.begin(), judged.end(), [](const Judgement& each) { return each.met; });

@@ -25,6 +25,12 @@ std::string WordsOf(const JudgingOptions& options);
 std::vector<Requirement> ReadRequirements(const JudgingOptions& options, const RowColumns& columns,
                                           const Campaign& campaign);
 
+/// The results as JUnit XML, with a replay command for each failure.
+/// @param dir  the campaign's results folder
+std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
+                    const RowColumns& columns, const std::filesystem::path& dir,
+                    const std::vector<Judgement>& judged);
+
 /// Prints what became of each requirement, as lines of JSON if asked, and writes the JUnit file.
 /// @param code  the exit code without requirements
 /// @return 22 where a requirement is not met and no run is missing, else `code`. Throws IoError.

@@ -78,6 +78,8 @@ Stage AxelPlant::Look() const {
                   {"right_wheel", truth_.X_W_right_wheel},
                   {"arm", truth_.X_WA},
                   {"station", truth_.X_WS}};
+  // What throws a shadow stands where the scene's objects say.
+  if (!built_.lighting.occluders.empty()) stage.bodies.push_back({"shade", Pose3{}});
   stage.lines = {{.name = "tether",
                   .diameter_m = built_.world.rover.tether.diameter_m,
                   .points_W = truth_.tether_W}};

@@ -130,6 +130,11 @@ StageShapes SceneBuilder::Shapes() const {
   add("arm", true, arm_);
   add("station", false, station_, X_S_module_);
   add("station", false, stand_);
+  std::vector<Part> shade;
+  for (const SceneObject& object : lighting_.occluders) {
+    shade.push_back({object.mesh, object.X_WO, object.albedo});
+  }
+  if (!shade.empty()) add("shade", false, shade);
   shapes.board = {"station", X_SB_, board_, cutout_.p_B, cutout_.radius_m};
   shapes.to_sun_W = lighting_.sun_and_sky.to_sun_W;
   return shapes;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/page/markdown.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -46,6 +47,16 @@ TEST(OverviewPart, JudgesAReliabilityThatIsAskedFor) {
   EXPECT_EQ(open["acceptance"]["verdict"], "undecided");
   EXPECT_EQ(open["acceptance"]["further_runs"], 93 - 59);  // 93 with one failure: Hanson and Beard
   EXPECT_FALSE(OverviewPart(nullptr, runs, FakeColumns(), {}).contains("acceptance"));
+}
+
+TEST(OverviewMarkdown, HasTheRateTheCausesAndTheCommandsThatReplayThem) {
+  const Json json = OverviewPart(nullptr, FakeResults(12), FakeColumns(), AcceptanceAim{0.8, 0.95});
+  const std::string text = OverviewMarkdown("yard", json, "dockyard replay out {run}");
+  EXPECT_THAT(text, testing::StartsWith("# yard\n\nDocked 8/12 (67 %, 35-90 %)"));
+  EXPECT_THAT(text, testing::HasSubstr("| soil | loose | 4/6 (67 %, 22-96 %) |"));
+  EXPECT_THAT(text, testing::HasSubstr("| missed | 4 | 3 6 9 12 |"));
+  EXPECT_THAT(text, testing::HasSubstr("\ndockyard replay out 6\n"));
+  EXPECT_THAT(text, testing::HasSubstr("**undecided**: 8 of 12 docked"));
 }
 
 }  // namespace
