@@ -7,32 +7,58 @@ import { axisName, group } from '../format.js';
 const BINS = 24;
 const SAMPLE = 2000; // values that decide where the bins end
 
+const MEASURED = new Set(['sim_time_s', 'images']);
+const PLACES = new Set(['point', 'repeat']); // they number the runs
+
 /** @param {import('../table.js').Table} table */
 export function distributions(table) {
   if (table.rows < 2) return null;
-  const figures = table
-    .measures()
-    .map((column) => ({ column, bins: count(table, column) }))
-    .filter(({ bins }) => bins !== null);
+  const columns = table.measures().filter((column) => !PLACES.has(column.name));
+  const told = columns.some((column) => column.meaning);
+  const measured = columns.filter((column) => !told || column.meaning || MEASURED.has(column.name));
+  const figures = histograms(table, measured);
   if (figures.length === 0) return null;
   return card(
     'distributions',
     'Distributions',
     'Number of runs by measure: docked runs upwards, failed runs downwards (hatched).',
     hatch(),
-    make(
-      'div',
-      { class: 'multiples' },
-      figures.map(({ column, bins }) =>
-        make(
-          'figure',
-          { title: column.meaning },
-          make('figcaption', null, axisName(column)),
-          histogram(column, /** @type {any} */ (bins)),
-        ),
-      ),
+    make('div', { class: 'multiples' }, figures),
+    given(
+      table,
+      columns.filter((column) => !measured.includes(column)),
     ),
   );
+}
+
+/**
+ * What the runs were given: there may be many, so they are drawn when they are asked for.
+ * @param {import('../table.js').Table} table @param {import('../table.js').Column[]} columns
+ */
+function given(table, columns) {
+  if (columns.length === 0) return null;
+  const details = make('details', null, make('summary', null, `${columns.length} numbers that the runs were given`));
+  details.addEventListener(
+    'toggle',
+    () => details.append(make('div', { class: 'multiples' }, histograms(table, columns))),
+    { once: true },
+  );
+  return details;
+}
+
+/** @param {import('../table.js').Table} table @param {import('../table.js').Column[]} columns */
+function histograms(table, columns) {
+  return columns
+    .map((column) => ({ column, bins: count(table, column) }))
+    .filter(({ bins }) => bins !== null)
+    .map(({ column, bins }) =>
+      make(
+        'figure',
+        { title: column.meaning },
+        make('figcaption', null, axisName(column)),
+        histogram(column, /** @type {any} */ (bins)),
+      ),
+    );
 }
 
 /** @param {import('../table.js').Table} table @param {import('../table.js').Column} column */

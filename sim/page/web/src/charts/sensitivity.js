@@ -6,6 +6,8 @@ import { fixed, group, interval, number } from '../format.js';
 
 const MOST_DRAWS = 15;
 const MOST_LEVELS = 6;
+const BARS_WIDTH = 340;
+const CHARACTER_WIDTH = 6.1; // of the axis, 10 px high
 
 /** @param {any} header */
 export function sensitivity(header) {
@@ -33,6 +35,11 @@ function strongest(arm) {
   return [...arm.draws].sort((a, b) => (b.eta ?? -1) - (a.eta ?? -1)).slice(0, MOST_DRAWS);
 }
 
+/** Room for the longest label. @param {any[]} rows */
+function marginFor(rows) {
+  return Math.max(120, 16 + CHARACTER_WIDTH * Math.max(...rows.map((r) => r.label.length)));
+}
+
 /** @param {any[]} rows */
 function frame(rows) {
   return {
@@ -48,9 +55,11 @@ function frame(rows) {
 function strengths(arm) {
   const rows = strongest(arm);
   const shown = rows.filter((r) => r.eta !== null && !Number.isNaN(r.eta));
+  const margin = marginFor(rows);
   const plot = Plot.plot({
     ...frame(rows),
-    marginLeft: 220,
+    width: BARS_WIDTH + margin,
+    marginLeft: margin,
     marginRight: 92,
     ariaLabel: 'Strength of each draw',
     x: { domain: [0, 1], label: 'strength', ticks: 5 },
