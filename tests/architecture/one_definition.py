@@ -18,6 +18,7 @@ COMMENT_OR_TEXT = re.compile(
     re.S | re.M)
 NAMESPACE = re.compile(r"(?:inline\s+)?namespace\s*([\w:]*)\s*$")
 TYPE = re.compile(r"\b(?:struct|class|union|enum(?:\s+class|\s+struct)?)\s+(?:\[\[.*?\]\]\s*)?(\w+(?:::\w+)*)[^;=()]*$")
+TEMPLATE = re.compile(r"\btemplate\s*<[^<>]+>")  # its parameters define no type
 FUNCTION = re.compile(r"\b(?:inline|constexpr)\b.*?\b(operator\s*\S+?|\w+)\s*\((.*)\)[\w\s&]*$", re.S)
 CONSTANT = re.compile(r"\binline\b[^(]*?\b(\w+)\s*(?:\[\w*\]\s*)?(?:=.*)?$", re.S)
 WORDS = {"const", "unsigned", "signed", "long"}  # before a type's last word, not a parameter's name
@@ -50,7 +51,7 @@ def signature(name, parameters):
 def defined_by(head, body_follows):
     """What the text before a '{' or ';' defines, or None."""
     if body_follows:
-        found = TYPE.search(head)
+        found = TYPE.search(TEMPLATE.sub(" ", head))
         if found and not re.search(r"\bfriend\b|\bextern\b", head):
             if "template <>" not in head and not re.search(r"\w+<.*>\s*$", head):
                 return found.group(1)
