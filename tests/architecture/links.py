@@ -20,6 +20,7 @@ def pages(root):
     for folder, folders, files in os.walk(root):
         if folder == root:
             folders[:] = [f for f in folders if not f.startswith(SKIPPED)]
+        folders[:] = [f for f in folders if f != "node_modules"]  # packages of others
         yield from (os.path.join(folder, f) for f in files if f.endswith(".md"))
 
 
