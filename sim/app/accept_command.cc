@@ -67,18 +67,6 @@ Counts CountsOf(const AcceptArguments& arguments, const std::vector<System>& sys
   return counts;
 }
 
-const char* NameOf(AcceptanceVerdict verdict) {
-  switch (verdict) {
-    case AcceptanceVerdict::kAccepted:
-      return "accepted";
-    case AcceptanceVerdict::kNotAccepted:
-      return "not accepted";
-    case AcceptanceVerdict::kUndecided:
-      break;
-  }
-  return "undecided";
-}
-
 Json ToJson(const Counts& counts, const AcceptArguments& arguments, const Acceptance& found) {
   Json json{{"verdict", NameOf(found.verdict)},
             {"trials", counts.trials},

@@ -90,7 +90,8 @@ Stage AxelPlant::Look() const {
                   .nx = ground.nx,
                   .ny = ground.ny,
                   .heights_m = ground.heights_m.data(),
-                  .revision = ground.revision};
+                  .revision = ground.revision,
+                  .rgb = built_.world.soil.rgb};
   stage.X_WD = truth_.X_WR * Inverse(truth_.X_DR);
   return stage;
 }

@@ -136,7 +136,9 @@ StageShapes SceneBuilder::Shapes() const {
   }
   if (!shade.empty()) add("shade", false, shade);
   shapes.board = {"station", X_SB_, board_, cutout_.p_B, cutout_.radius_m};
-  shapes.to_sun_W = lighting_.sun_and_sky.to_sun_W;
+  shapes.light = lighting_.sun_and_sky;
+  shapes.ground_rgb = soil_rgb_;
+  shapes.ground_texture_seed = texture_seed_;
   return shapes;
 }
 

@@ -129,6 +129,21 @@ std::optional<Image> DecodePng(std::string_view bytes) {
 template std::optional<GrayImage> DecodePng(std::string_view bytes);
 template std::optional<RgbImage> DecodePng(std::string_view bytes);
 
+RgbImage AsColour(const GrayImage& image) {
+  RgbImage colour{image.width, image.height, {}};
+  colour.pixels.reserve(3 * image.pixels.size());
+  for (const std::uint8_t level : image.pixels) {
+    colour.pixels.insert(colour.pixels.end(), 3, level);
+  }
+  return colour;
+}
+
+std::optional<RgbImage> ColourFromPng(std::string_view bytes) {
+  if (auto rgb = DecodePng<RgbImage>(bytes)) return rgb;
+  const auto gray = DecodePng<GrayImage>(bytes);
+  return gray ? std::optional(AsColour(*gray)) : std::nullopt;
+}
+
 std::optional<GrayImage> GrayFromPng(std::string_view bytes) {
   PngReader reader(bytes);
   const std::optional<ImageSize> size = ReadHeader(reader);

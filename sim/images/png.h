@@ -24,4 +24,9 @@ std::string EncodePng(const std::array<DeepImage, 3>& rgb);
 template <class Image>
 std::optional<Image> DecodePng(std::string_view bytes);
 
+/// Equal red, green and blue.
+RgbImage AsColour(const GrayImage& image);
+/// GrayImage as equal red, green and blue, or RgbImage, as EncodePng wrote it; else none.
+std::optional<RgbImage> ColourFromPng(std::string_view bytes);
+
 }  // namespace dockyard

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "sim/log/ros_markers.h"
 #include "sim/log/ros_messages.h"
 #include "sim/mcap/cdr.h"
 
@@ -89,7 +90,7 @@ std::string GroundLog::Markers(Tick tick) const {
         corners_W.insert(corners_W.end(), {a, b, c, a, c, d});
       }
     }
-    PutTriangles(out, tick, "ground", id, corners_W, {0.45, 0.36, 0.28});
+    PutTriangles(out, tick, "ground", id, corners_W, grid_.rgb);
   }
   return out.Take();
 }

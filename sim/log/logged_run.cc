@@ -1,156 +1,15 @@
 #include "sim/log/logged_run.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <unordered_map>
 
 #include "sim/log/ros_messages.h"
-#include "sim/mcap/cdr.h"
+#include "sim/log/take_messages.h"
 
 namespace dockyard {
 namespace {
-
-double TakeTime(CdrReader& in) {
-  const std::int32_t s = in.I32();
-  return s + 1e-9 * in.U32();
-}
-
-struct Header {
-  double time_s = 0.0;
-  std::string frame;
-};
-
-Header TakeHeader(CdrReader& in) {
-  const double time_s = TakeTime(in);
-  return {time_s, in.Text()};
-}
-
-Eigen::Vector3d TakeVector(CdrReader& in) {
-  Eigen::Vector3d v;
-  for (double& x : v) x = in.Double();
-  return v;
-}
-
-Pose3 TakePose(CdrReader& in) {
-  Pose3 X;
-  X.p = TakeVector(in);
-  const double x = in.Double(), y = in.Double(), z = in.Double(), w = in.Double();
-  X.R = Eigen::Quaterniond(w, x, y, z).toRotationMatrix();
-  return X;
-}
-
-// The smallest size of an item, for lists that lie about their length.
-constexpr std::size_t kSmallestText = 5, kSmallestStamped = 64, kSmallestMarker = 128,
-                      kPointBytes = 24, kMarkBytes = 24;
-
-std::vector<SightingReport::Mark> TakeMarks(CdrReader& in) {
-  std::vector<SightingReport::Mark> marks(in.Count(kMarkBytes));
-  for (SightingReport::Mark& mark : marks) {
-    mark.id = in.I32();
-    mark.camera = in.I32();
-    mark.u_px = in.Double();
-    mark.v_px = in.Double();
-  }
-  return marks;
-}
-
-SightingSample TakeSighting(CdrReader in) {
-  SightingSample sighting{.time_s = TakeTime(in), .X_DR = {}, .report = {}, .X_DR_measured = {}};
-  SightingReport& report = sighting.report;
-  report.accepted = in.Bool();
-  report.reason = in.Text();
-  report.method = in.Text();
-  report.detected.resize(in.Count(sizeof(std::int32_t)));
-  for (int& count : report.detected) count = in.I32();
-  report.marks = TakeMarks(in);
-  report.predicted = TakeMarks(in);
-  report.reprojection_px = in.Double();
-  report.X_RB = TakePose(in);
-  for (int row = 0; row < 6; ++row) {
-    for (int column = 0; column < 6; ++column) report.covariance(row, column) = in.Double();
-  }
-  for (Pose2* X : {&sighting.X_DR, &sighting.X_DR_measured}) {
-    for (double* value : {&X->x, &X->y, &X->heading}) *value = in.Double();
-  }
-  return sighting;
-}
-
-Timed<std::vector<Pose2>> TakePlan(CdrReader in) {
-  Timed<std::vector<Pose2>> plan{TakeHeader(in).time_s, {}};
-  for (std::uint32_t left = in.Count(kSmallestStamped); left > 0; --left) {
-    TakeHeader(in);
-    plan.value.push_back(ToGround(TakePose(in)));
-  }
-  return plan;
-}
-
-Timed<LoggedNote> TakeNote(CdrReader in) {
-  const double time_s = TakeTime(in);
-  in.U8();  // the level
-  std::string name = in.Text();
-  return {time_s, {std::move(name), in.Text()}};
-}
-
-Timed<LoggedImage> TakeImage(CdrReader in) {
-  const Header header = TakeHeader(in);
-  in.Text();  // the format
-  return {header.time_s, {header.frame, std::string(in.Bytes())}};
-}
-
-LoggedCamera TakeCamera(CdrReader in) {
-  LoggedCamera camera{.name = TakeHeader(in).frame};
-  camera.height = in.U32();
-  camera.width = in.U32();
-  return camera;
-}
-
-Timed<LoggedGround> TakeGround(CdrReader in) {
-  Timed<LoggedGround> ground{TakeHeader(in).time_s, {}};
-  LoggedGround& g = ground.value;
-  for (double* number : {&g.x0_m, &g.y0_m, &g.cell_m}) *number = in.Double();
-  g.nx = in.U32();
-  g.ny = in.U32();
-  g.step_m = in.Double();
-  g.cells.resize(in.Count(sizeof(std::uint32_t)));
-  for (std::uint32_t& cell : g.cells) cell = in.U32();
-  g.heights.resize(in.Count(sizeof(std::int16_t)));
-  for (std::int16_t& height : g.heights) height = static_cast<std::int16_t>(in.U16());
-  const std::uint64_t all = std::uint64_t{g.nx} * g.ny;
-  const bool fits = g.cells.empty() ? g.heights.size() == all
-                                    : g.heights.size() == g.cells.size() &&
-                                          *std::max_element(g.cells.begin(), g.cells.end()) < all;
-  if (!fits) throw DataError("heights of the ground do not fit their grid");
-  return ground;
-}
-
-/// The first marker of an array of lines.
-StageLine TakeLine(CdrReader in) {
-  StageLine line;
-  if (in.Count(kSmallestMarker) == 0) return line;
-  TakeHeader(in);
-  line.name = in.Text();
-  for (int i = 0; i < 3; ++i) in.I32();  // id, type, action
-  TakePose(in);
-  line.diameter_m = TakeVector(in).x();
-  for (double& part : line.rgb) part = in.Float();
-  in.Float();
-  in.I32();  // lifetime
-  in.U32();
-  in.Bool();
-  line.points_W.resize(in.Count(kPointBytes));
-  for (Eigen::Vector3d& point : line.points_W) point = TakeVector(in);
-  return line;
-}
-
-void TakeScalars(CdrReader in, Series& series) {
-  TakeTime(in);
-  std::vector<std::string> names(in.Count(kSmallestText));
-  for (std::string& name : names) name = in.Text();
-  const std::vector<double> values = in.Doubles();
-  if (values.size() != names.size()) throw DataError("scalars without a name");
-  for (std::size_t i = 0; i < names.size(); ++i) series[names[i]].push_back(values[i]);
-}
 
 /// Gathers a log's messages. A sample begins with its transforms.
 class Gatherer {
@@ -253,6 +112,14 @@ std::size_t LoggedRun::SampleAt(double time_s) const {
   constexpr double kRounding_s = 1e-6;
   const auto at = std::lower_bound(times_s.begin(), times_s.end(), time_s - kRounding_s);
   return std::min(static_cast<std::size_t>(at - times_s.begin()), times_s.size() - 1);
+}
+
+const LoggedImage* LoggedRun::ImageAt(const std::string& camera, double time_s) const {
+  constexpr double kRounding_s = 1e-6;
+  const auto found = std::find_if(images.begin(), images.end(), [&](const auto& image) {
+    return image.value.camera == camera && std::abs(image.time_s - time_s) < kRounding_s;
+  });
+  return found == images.end() ? nullptr : &found->value;
 }
 
 LoggedRun ReadLoggedRun(const std::filesystem::path& dir) {

@@ -66,6 +66,8 @@ struct LoggedRun {
 
   /// The first sample at or after a time, else the last. There must be one.
   std::size_t SampleAt(double time_s) const;
+  /// What a camera took at that time; null: there is no such image in the log.
+  const LoggedImage* ImageAt(const std::string& camera, double time_s) const;
 };
 
 /// Throws IoError, and DataError for a damaged log. One that is cut short gives what it has.

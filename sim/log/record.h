@@ -29,7 +29,7 @@ struct RunTiming {
   double cpu_time_s = 0.0, wall_time_s = 0.0;
 };
 
-/// One sample of the truth and of the controller's beliefs, every 0.1 s, for plots.
+/// One sample of the truth and of the controller's beliefs, every 0.1 s and at the end, for plots.
 struct HistorySample {
   double time_s = 0.0;
   Pose2 X_DR;                    // truth

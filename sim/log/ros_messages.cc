@@ -14,18 +14,9 @@ void PutTime(CdrWriter& out, Tick tick) {
   out.U32(static_cast<std::uint32_t>(tick % kTicksPerSecond * kNanosecondsPerTick));
 }
 
-void PutVector(CdrWriter& out, const Eigen::Vector3d& v) {
-  for (int i = 0; i < 3; ++i) out.Double(v(i));
-}
-
 void PutRotation(CdrWriter& out, const Eigen::Matrix3d& R) {
   const Eigen::Quaterniond q(R);
   for (const double part : {q.x(), q.y(), q.z(), q.w()}) out.Double(part);
-}
-
-void PutPose(CdrWriter& out, const Pose3& X) {
-  PutVector(out, X.p);
-  PutRotation(out, X.R);
 }
 
 void PutZeros(CdrWriter& out, int count) {
@@ -63,43 +54,6 @@ RosLens LensOf(const Camera& camera) {
   return {"", {}, focal.x(), focal.y(), centre.x(), centre.y()};
 }
 
-constexpr std::int32_t kLineStrip = 4, kTriangleList = 11;  // of visualization_msgs/Marker
-
-struct MarkerOfPoints {
-  std::string name;
-  std::int32_t id = 0, type = kLineStrip;
-  Eigen::Vector3d scale{1.0, 1.0, 1.0}, rgb{0.0, 0.0, 0.0};
-};
-
-/// visualization_msgs/Marker in the world
-void PutMarker(CdrWriter& out, Tick tick, const MarkerOfPoints& marker,
-               const std::vector<Eigen::Vector3d>& points_W) {
-  constexpr std::int32_t kAdd = 0;
-  PutHeader(out, tick, kWorldFrame);
-  out.Text(marker.name);
-  out.I32(marker.id);
-  out.I32(marker.type);
-  out.I32(kAdd);
-  PutPose(out, {});
-  PutVector(out, marker.scale);
-  for (int i = 0; i < 3; ++i) out.Float(static_cast<float>(marker.rgb(i)));
-  out.Float(1.0f);
-  out.I32(0);  // for ever
-  out.U32(0);
-  out.Bool(false);
-  out.Count(points_W.size());
-  for (const Eigen::Vector3d& point : points_W) PutVector(out, point);
-  out.Count(0);  // colours of the points
-  out.Text("");  // texture
-  PutHeader(out, 0, "");
-  out.Text("");
-  out.Bytes("");
-  out.Count(0);
-  for (int i = 0; i < 3; ++i) out.Text("");  // text, mesh, the mesh's file
-  out.Bytes("");
-  out.Bool(false);
-}
-
 }  // namespace
 
 std::uint64_t Nanoseconds(Tick tick) {
@@ -111,9 +65,13 @@ void PutHeader(CdrWriter& out, Tick tick, std::string_view frame) {
   out.Text(frame);
 }
 
-void PutTriangles(CdrWriter& out, Tick tick, const std::string& name, int id,
-                  const std::vector<Eigen::Vector3d>& corners_W, const Eigen::Vector3d& rgb) {
-  PutMarker(out, tick, {.name = name, .id = id, .type = kTriangleList, .rgb = rgb}, corners_W);
+void PutVector(CdrWriter& out, const Eigen::Vector3d& v) {
+  for (int i = 0; i < 3; ++i) out.Double(v(i));
+}
+
+void PutPose(CdrWriter& out, const Pose3& X) {
+  PutVector(out, X.p);
+  PutRotation(out, X.R);
 }
 
 std::string TransformsMessage(Tick tick, const std::string& parent,
@@ -201,19 +159,6 @@ std::string PathMessage(Tick tick, const std::vector<Pose2>& X_DP) {
   for (const Pose2& X : X_DP) {
     PutHeader(out, tick, kDockFrame);
     PutPose(out, FromGround(X, 0.0));
-  }
-  return out.Take();
-}
-
-std::string LinesMessage(Tick tick, const std::vector<StageLine>& lines) {
-  CdrWriter out;
-  out.Count(lines.size());
-  std::int32_t id = 0;
-  for (const StageLine& line : lines) {
-    PutMarker(
-        out, tick,
-        {.name = line.name, .id = id++, .scale = {line.diameter_m, 0.0, 0.0}, .rgb = line.rgb},
-        line.points_W);
   }
   return out.Take();
 }

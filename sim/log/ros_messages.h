@@ -30,9 +30,10 @@ inline constexpr const char* kRobotFrame = "robot";
 
 /// std_msgs/Header
 void PutHeader(CdrWriter& out, Tick tick, std::string_view frame);
-/// visualization_msgs/Marker of triangles in the world, three corners each.
-void PutTriangles(CdrWriter& out, Tick tick, const std::string& name, int id,
-                  const std::vector<Eigen::Vector3d>& corners_W, const Eigen::Vector3d& rgb);
+/// geometry_msgs/Vector3 or Point
+void PutVector(CdrWriter& out, const Eigen::Vector3d& v);
+/// geometry_msgs/Pose
+void PutPose(CdrWriter& out, const Pose3& X);
 
 // Whole messages.
 
@@ -54,8 +55,6 @@ std::string CameraInfoMessage(Tick tick, const std::string& frame, const Camera&
 std::string BeliefPoseMessage(Tick tick, const Pose2& X_DR);
 /// nav_msgs/Path in the frame `dock`.
 std::string PathMessage(Tick tick, const std::vector<Pose2>& X_DP);
-/// visualization_msgs/MarkerArray: a strip of lines for each.
-std::string LinesMessage(Tick tick, const std::vector<StageLine>& lines);
 /// rcl_interfaces/Log, level INFO. `name` is who says it.
 std::string NoteMessage(Tick tick, const std::string& name, const std::string& text);
 /// dockyard_msgs/Frame

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "sim/base/files.h"
+#include "sim/log/ros_markers.h"
 #include "sim/log/ros_messages.h"
 #include "sim/log/ros_schemas.h"
 #include "sim/log/run_log.h"

@@ -31,8 +31,9 @@ struct StageGround {
   Pose3 X_WG{};
   double x0_m = 0.0, y0_m = 0.0, cell_m = 0.0;
   int nx = 0, ny = 0;
-  const double* heights_m = nullptr;  // [iy * nx + ix]
-  std::uint64_t revision = 0;         // changes when heights change
+  const double* heights_m = nullptr;   // [iy * nx + ix]
+  std::uint64_t revision = 0;          // changes when heights change
+  Eigen::Vector3d rgb{0.5, 0.5, 0.5};  // linear, 0..1
 };
 
 /// The moving part of what is seen.

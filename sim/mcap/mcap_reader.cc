@@ -89,8 +89,7 @@ void McapReader::RequireCutShort() {
   std::string last(kMcapMagic.size(), '\0');
   file_.clear();
   file_.seekg(-static_cast<std::streamoff>(last.size()), std::ios::end);
-  if (file_.read(last.data(), static_cast<std::streamsize>(last.size())) && last == kMcapMagic &&
-      whole_ > kMcapMagic.size()) {
+  if (file_.read(last.data(), static_cast<std::streamsize>(last.size())) && last == kMcapMagic) {
     throw DataError("the length of a record is damaged");
   }
 }

@@ -139,18 +139,14 @@ Json ArmsJson(const Campaign& campaign, const FinishedRuns& runs, const RowColum
 Json AcceptanceJson(const Json& totals, const AcceptanceAim& aim) {
   const int runs = totals["runs"], docked = totals["docked"];
   const Acceptance found = JudgeAcceptance(runs, runs - docked, aim.reliability, aim.confidence);
-  const char* verdict = found.verdict == AcceptanceVerdict::kAccepted      ? "accepted"
-                        : found.verdict == AcceptanceVerdict::kNotAccepted ? "not accepted"
-                                                                           : "undecided";
   std::string sentence = std::to_string(docked) + " of " + std::to_string(runs) + " docked";
-  sentence += found.verdict == AcceptanceVerdict::kAccepted ? " show a reliability of "
-              : found.verdict == AcceptanceVerdict::kNotAccepted
-                  ? " show less than a reliability of "
-                  : " do not yet show a reliability of ";
+  const bool undecided = found.verdict == AcceptanceVerdict::kUndecided,
+             accepted = found.verdict == AcceptanceVerdict::kAccepted;
+  sentence += accepted ? " show " : undecided ? " do not yet show " : " show less than ";
+  sentence += "a reliability of ";
   sentence += NumberText(100.0 * aim.reliability) + " % at a confidence of " +
               NumberText(100.0 * aim.confidence) + " %.";
-  const bool undecided = found.verdict == AcceptanceVerdict::kUndecided;
-  return {{"verdict", verdict},
+  return {{"verdict", NameOf(found.verdict)},
           {"sentence", sentence},
           {"reliability", aim.reliability},
           {"confidence", aim.confidence},

@@ -24,6 +24,8 @@ class Payload {
   Json AddChannel(const std::vector<double>& values, double quantum);
 
   std::size_t size() const { return blobs_.size(); }
+  /// Takes back all that was added since the data had that size.
+  void CutTo(std::size_t size) { blobs_.resize(size); }
   /// Base64 of gzip of header and blobs. The header must hold no NaN.
   std::string Text(const Json& header) const;
 

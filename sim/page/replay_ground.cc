@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/log/ground_over_time.h"
+
 namespace dockyard {
 namespace {
 
@@ -68,11 +70,11 @@ std::vector<std::int16_t> HeightsIn(const Window& window, const std::vector<std:
 
 Json ReplayGround(const LoggedRun& run, const std::vector<std::vector<Pose3>>& X_GO,
                   Payload& payload) {
-  if (run.ground.empty() || !run.ground.front().value.cells.empty()) return nullptr;
-  const LoggedGround& grid = run.ground.front().value;
-  if (grid.nx < 2 || grid.ny < 2 || X_GO.empty()) return nullptr;
+  GroundOverTime ground(run);
+  if (ground.grid() == nullptr || X_GO.empty()) return nullptr;
+  const LoggedGround& grid = *ground.grid();
   const Window window = WindowOf(grid, X_GO);
-  std::vector<std::int16_t> all = grid.heights, shown = HeightsIn(window, all, grid);
+  std::vector<std::int16_t> shown = HeightsIn(window, ground.heights(), grid);
   Json json{{"x0_m", grid.x0_m + window.x0 * grid.cell_m},
             {"y0_m", grid.y0_m + window.y0 * grid.cell_m},
             {"cell_m", grid.cell_m * window.stride},
@@ -81,11 +83,8 @@ Json ReplayGround(const LoggedRun& run, const std::vector<std::vector<Pose3>>& X
             {"heights", payload.AddNumbers(shown)},
             {"changes", Json::array()}};
   for (std::size_t i = 1; i < run.ground.size(); ++i) {
-    const LoggedGround& change = run.ground[i].value;
-    for (std::size_t c = 0; c < change.cells.size() && c < change.heights.size(); ++c) {
-      if (change.cells[c] < all.size()) all[change.cells[c]] = change.heights[c];
-    }
-    const std::vector<std::int16_t> now = HeightsIn(window, all, grid);
+    ground.AdvanceTo(run.ground[i].time_s);
+    const std::vector<std::int16_t> now = HeightsIn(window, ground.heights(), grid);
     std::vector<std::uint32_t> cells;
     std::vector<std::int16_t> heights;
     for (std::uint32_t at = 0; at < now.size(); ++at) {

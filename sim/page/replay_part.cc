@@ -5,19 +5,14 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/images/png.h"
-#include "sim/images/webp.h"
 #include "sim/page/replay_ground.h"
+#include "sim/page/sightings_part.h"
 
 namespace dockyard {
 namespace {
 
 constexpr double kLengthQuantum_m = 1e-4, kTurnQuantum = 1e-4, kPointQuantum_m = 1e-3;
-constexpr double kPictureQuality = 60.0;
-constexpr int kWidestPicture_px = 640;  // wider ones are halved
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-Json Planar(const Pose2& X) { return Json::array({X.x, X.y, X.heading}); }
 
 /// Position and quaternion over the samples. Signs are such that neighbours are near.
 Json TrackJson(const std::vector<Pose3>& X_GO, Payload& payload) {
@@ -126,91 +121,6 @@ Json ScalarsJson(const LoggedRun& run, const ReplayFacts& facts, Payload& payloa
   return scalars;
 }
 
-/// Every second pixel's square of four, averaged.
-RgbImage Halved(const RgbImage& image) {
-  RgbImage half{image.width / 2, image.height / 2, {}};
-  half.pixels.reserve(3 * static_cast<std::size_t>(half.width) * half.height);
-  for (int y = 0; y < half.height; ++y) {
-    for (int x = 0; x < half.width; ++x) {
-      for (int c = 0; c < 3; ++c) {
-        const auto at = [&](int dx, int dy) {
-          const std::size_t pixel = static_cast<std::size_t>(2 * y + dy) * image.width + 2 * x + dx;
-          return static_cast<int>(image.pixels[3 * pixel + c]);
-        };
-        half.pixels.push_back(
-            static_cast<std::uint8_t>((at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1) + 2) / 4));
-      }
-    }
-  }
-  return half;
-}
-
-/// As a small WebP; empty for bytes that are no PNG of ours.
-std::string Picture(const std::string& png) {
-  RgbImage image;
-  if (auto rgb = DecodePng<RgbImage>(png)) {
-    image = std::move(*rgb);
-  } else if (const auto gray = DecodePng<GrayImage>(png)) {
-    image = {gray->width, gray->height, {}};
-    for (const std::uint8_t level : gray->pixels) image.pixels.insert(image.pixels.end(), 3, level);
-  } else {
-    return "";
-  }
-  while (image.width > kWidestPicture_px) image = Halved(image);
-  return EncodeWebp(image, kPictureQuality);
-}
-
-Json MarksOf(int camera, const SightingReport& report) {
-  Json marks = Json::array();
-  const auto add = [&](const std::vector<SightingReport::Mark>& list, int measured) {
-    for (const auto& mark : list) {
-      if (mark.camera != camera) continue;
-      marks.push_back(Json::array({mark.u_px, mark.v_px, mark.id, measured}));
-    }
-  };
-  add(report.marks, 1);
-  add(report.predicted, 0);
-  return marks;
-}
-
-Json CamerasJson(const LoggedRun& run, const SightingSample& sighting, bool pictures,
-                 Payload& payload) {
-  Json cameras = Json::array();
-  for (std::size_t index = 0; index < run.cameras.size(); ++index) {
-    const LoggedCamera& camera = run.cameras[index];
-    Json json{{"name", camera.name},
-              {"width", camera.width},
-              {"height", camera.height},
-              {"picture", nullptr},
-              {"marks", MarksOf(static_cast<int>(index), sighting.report)}};
-    for (const Timed<LoggedImage>& image : run.images) {
-      const bool this_one =
-          image.value.camera == camera.name && std::abs(image.time_s - sighting.time_s) < 1e-6;
-      if (!pictures || !this_one) continue;
-      const std::string webp = Picture(image.value.png);
-      if (!webp.empty()) json["picture"] = payload.Add(webp);
-    }
-    cameras.push_back(json);
-  }
-  return cameras;
-}
-
-Json SightingsJson(const LoggedRun& run, bool pictures, Payload& payload) {
-  Json sightings = Json::array();
-  for (const SightingSample& sighting : run.sightings) {
-    const SightingReport& report = sighting.report;
-    sightings.push_back({{"sample", run.SampleAt(sighting.time_s)},
-                         {"accepted", report.accepted},
-                         {"reason", report.reason},
-                         {"method", report.method},
-                         {"pose", Planar(sighting.X_DR)},
-                         {"measured", report.accepted ? Planar(sighting.X_DR_measured) : Json()},
-                         {"reprojection_px", report.reprojection_px},
-                         {"cameras", CamerasJson(run, sighting, pictures, payload)}});
-  }
-  return sightings;
-}
-
 Json PlansJson(const LoggedRun& run) {
   Json plans = Json::array();
   for (const auto& plan : run.plans) {
@@ -247,7 +157,8 @@ Json ReplayPart(const LoggedRun& run, const ReplayFacts& facts, Payload& payload
             {"messages", facts.messages},
             {"samples", samples},
             {"period_s", samples > 1 ? run.times_s[1] - run.times_s[0] : 0.1},
-            {"X_WD", Planar(ToGround(X_GW * run.X_WD.front()))}};
+            {"end_s", run.times_s.back() - run.times_s.front()},
+            {"X_WD", PlanarJson(ToGround(X_GW * run.X_WD.front()))}};
   json["bodies"] = Json::array();
   std::vector<std::vector<Pose3>> X_GO = run.X_WO;
   for (std::size_t body = 0; body < X_GO.size(); ++body) {
@@ -264,7 +175,7 @@ Json ReplayPart(const LoggedRun& run, const ReplayFacts& facts, Payload& payload
   }
   json["ground"] = ReplayGround(run, X_GO, payload);
   json["scalars"] = ScalarsJson(run, facts, payload);
-  json["sightings"] = SightingsJson(run, facts.pictures, payload);
+  json["sightings"] = SightingsPart(run, facts.pictures, payload);
   json["plans"] = PlansJson(run);
   json["phases"] = PhasesJson(run);
   return json;

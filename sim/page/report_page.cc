@@ -1,11 +1,9 @@
 #include "sim/page/report_page.h"
 
-#include <algorithm>
 #include <cstdio>
+#include <stdexcept>
+#include <utility>
 
-#include "models/read/config_error.h"
-#include "sim/base/bytes.h"
-#include "sim/base/files.h"
 #include "sim/page/scene_part.h"
 #include "sim/page/table_part.h"
 
@@ -39,7 +37,7 @@ Json CampaignJson(const Campaign* campaign) {
           {"seed", std::to_string(campaign->seed)},
           {"planned", campaign->run_count()},
           {"design", campaign->dispersions.empty() ? "as listed" : design},
-          {"file", campaign->name + ".yaml"}};
+          {"file", "campaign.yaml"}};
 }
 
 /// The judge's sentence, as the log's outcome has it.
@@ -66,55 +64,37 @@ ReplayFacts FactsOf(const ReportContent& content, const WatchedRun& watched, std
           .pictures = content.pictures};
 }
 
-/// Replays as far as the file may be large. What is packed counts before the packing: pictures are
-/// packed already.
+/// Replays until the data are as large as they may be. They count before they are packed, which can
+/// only make them smaller: images are packed already.
 void AddReplays(const ReportContent& content, Payload& payload, Json& header,
                 std::vector<std::string>& left_out) {
-  constexpr double kText = 4.0 / 3.0;  // of base64
+  constexpr double kBase64 = 4.0 / 3.0;
   Scenes scenes(payload);
   Json replays = Json::array();
-  std::size_t no_room = 0, largest = 0;
-  for (const WatchedRun& watched : content.watched) {
-    const int run = content.runs->results[watched.place].run;
-    const auto after = static_cast<double>(payload.size() + largest) * kText;
-    if (after > static_cast<double>(content.most_bytes)) {
-      ++no_room;
-      continue;
-    }
-    const std::size_t before = payload.size();
+  for (std::size_t i = 0; i < content.watched.size(); ++i) {
+    const WatchedRun& watched = content.watched[i];
     try {
       const LoggedRun log = watched.log();
       const std::size_t scene = scenes.Add(watched.shapes());
+      const std::size_t before = payload.size();
       Json replay = ReplayPart(log, FactsOf(content, watched, scene, log), payload);
+      if (kBase64 * static_cast<double>(payload.size()) > static_cast<double>(content.most_bytes)) {
+        payload.CutTo(before);
+        left_out.push_back(std::to_string(content.watched.size() - i) + " of " +
+                           std::to_string(content.watched.size()) +
+                           " kept runs have no replay here: the file would be larger than " +
+                           std::to_string(content.most_bytes >> 20) + " MiB.");
+        break;
+      }
       if (!replay.is_null()) replays.push_back(std::move(replay));
-    } catch (const DataError& error) {
-      left_out.push_back("Run " + std::to_string(run) + " cannot be shown: " + error.what());
-    } catch (const IoError& error) {
-      left_out.push_back("Run " + std::to_string(run) + " cannot be shown: " + error.what());
-    } catch (const ConfigError& error) {
+    } catch (const std::runtime_error& error) {  // a damaged log costs its replay alone
+      const int run = content.runs->results[watched.place].run;
       left_out.push_back("Run " + std::to_string(run) + " cannot be shown: " + error.what());
     }
-    if (!replays.empty() && replays.size() > 1)
-      largest = std::max(largest, payload.size() - before);
-  }
-  if (no_room > 0) {
-    left_out.push_back(std::to_string(no_room) + " of " + std::to_string(content.watched.size()) +
-                       " kept runs have no replay here: the file would be larger than " +
-                       std::to_string(content.most_bytes >> 20) + " MiB.");
   }
   header["meshes"] = scenes.meshes();
   header["scenes"] = scenes.scenes();
   header["replays"] = std::move(replays);
-}
-
-/// The system's first headline measures, largest first.
-Json Worst(const RowColumns& columns) {
-  Json worst = Json::array({{{"column", "sim_time_s"}, {"largest", true}}});
-  for (const Column& measure : columns.measures) {
-    if (!measure.headline || worst.size() == 3) continue;
-    worst.push_back({{"column", measure.name}, {"largest", true}});
-  }
-  return worst;
 }
 
 }  // namespace
@@ -128,8 +108,9 @@ std::string ReportPage(const ReportContent& content) {
   header["program"] = content.program;
   header["campaign"] = CampaignJson(content.campaign);
   header["system"] = SystemJson(content);
-  header["table"] = TablePart(*content.runs, content.columns, content.start, payload, left_out);
-  header["worst"] = Worst(content.columns);
+  header["table"] = TablePart(*content.runs, content.columns, content.starts, payload, left_out);
+  // Which end of a measure is the bad one, no column says.
+  header["worst"] = Json::array({{{"column", "sim_time_s"}, {"largest", true}}});
   if (!content.replay_command.empty()) header["replay_command"] = content.replay_command;
   AddReplays(content, payload, header, left_out);
   header["left_out"] = left_out;

@@ -28,7 +28,7 @@ struct ReportContent {
   RowColumns columns;
   std::vector<Column> channels, beliefs;  // of the system
   std::string system;
-  std::function<Pose2(std::size_t)> start;  // of the run at that place; empty: not known
+  std::vector<Pose2> starts;  // in the target's frame, by place; empty: not known
   std::optional<AcceptanceAim> aim;
   std::string replay_command;       // with {run}; empty: there is none
   std::vector<WatchedRun> watched;  // in the order in which they are taken in

@@ -78,7 +78,7 @@ std::size_t Scenes::Add(const StageShapes& shapes) {
     }
     bodies.push_back({{"name", body.name}, {"robot", body.robot}, {"parts", parts}});
   }
-  Json scene{{"bodies", bodies}, {"sun_W", Numbers(shapes.to_sun_W)}};
+  Json scene{{"bodies", bodies}, {"sun_W", Numbers(shapes.light.to_sun_W)}};
   if (shapes.board) scene["board"] = BoardJson(*shapes.board, of_board);
   const auto [place, fresh] = scene_places_.emplace(scene.dump(), scenes_.size());
   if (fresh) scenes_.push_back(std::move(scene));

@@ -79,10 +79,10 @@ std::string UnitOf(const std::string& label) {
   return "";
 }
 
-void AddStarts(std::size_t count, const std::function<Pose2(std::size_t)>& start, Table& table) {
-  const std::vector<Pose2> poses = Each<Pose2>(count, start);
+void AddStarts(const std::vector<Pose2>& starts, Table& table) {
   const auto add = [&](const char* name, const char* unit, double Pose2::*part) {
-    table.Add(name, unit, "f32", Each<float>(count, [&](std::size_t i) { return poses[i].*part; }));
+    table.Add(name, unit, "f32",
+              Each<float>(starts.size(), [&](std::size_t i) { return starts[i].*part; }));
   };
   add("start_x_m", "m", &Pose2::x);
   add("start_y_m", "m", &Pose2::y);
@@ -92,7 +92,7 @@ void AddStarts(std::size_t count, const std::function<Pose2(std::size_t)>& start
 }  // namespace
 
 Json TablePart(const FinishedRuns& runs, const RowColumns& columns,
-               const std::function<Pose2(std::size_t)>& start, Payload& payload,
+               const std::vector<Pose2>& starts, Payload& payload,
                std::vector<std::string>& left_out) {
   const std::vector<RunResult>& rows = runs.results;
   const std::size_t count = rows.size();
@@ -116,7 +116,7 @@ Json TablePart(const FinishedRuns& runs, const RowColumns& columns,
                          " different texts; results.csv has it.");
     }
   }
-  if (start) AddStarts(count, start, table);
+  if (!starts.empty()) AddStarts(starts, table);
   table.Add("sim_time_s", "s", "f32",
             Each<float>(count, [&](std::size_t i) { return rows[i].sim_time_s; }));
   table.Add("images", "", "i32",

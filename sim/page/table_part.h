@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,9 @@
 namespace dockyard {
 
 /// `table` of the header. Texts with very many different values are left out, and named.
-/// @param start  the start pose in the target's frame of the run at that place; empty: not known
+/// @param starts  in the target's frame, by the runs' places; empty: not known
 Json TablePart(const FinishedRuns& runs, const RowColumns& columns,
-               const std::function<Pose2(std::size_t)>& start, Payload& payload,
+               const std::vector<Pose2>& starts, Payload& payload,
                std::vector<std::string>& left_out);
 
 }  // namespace dockyard

@@ -112,7 +112,7 @@ ColumnTable Levels() {
 
 ColumnTable History() {
   return {"history.csv",
-          "Of a run whose log is kept: truth and belief, 10 Hz.",
+          "Of a run whose log is kept: truth and belief, 10 Hz and at the end.",
           {{"time_s", "s", "simulated time"},
            {"x_m", "m",
             "truth: `X_DR`, the robot in the target's frame D "

@@ -16,6 +16,7 @@ namespace dockyard {
 namespace {
 
 constexpr Tick kHistoryPeriod = 100;  // 10 Hz
+constexpr Tick kGroundPeriod = 1000;  // of the log: ruts change slowly
 constexpr Tick kHashPeriod = 1000;    // the fingerprint takes in the whole state every second
 
 double Clock(clockid_t clock) {
@@ -83,6 +84,7 @@ class Run {
       failure_ = failure;
     }
     if (pipe_ && !failure_) pipe_->Finish();
+    if (controller_) KeepEnd(controller_->belief());
     Finish(commands);
     if (pipe_) record_.messages = pipe_->Messages();
     if (failure_) record_.messages = failure_->messages();
@@ -124,10 +126,16 @@ class Run {
     if (tick % kHashPeriod == 0) hash_ = plant().StateHash(hash_);
   }
 
+  /// The history's last sample is of the run's end, wherever that lies between two periods.
+  void KeepEnd(const Belief& belief) {
+    record_.history.push_back(Sample(belief));
+    if (log_) LogTruth(plant().tick());
+  }
+
   void LogTruth(Tick tick) {
     const Stage stage = plant().Look();
     log_->Append(record_.history.back(), stage, tick);
-    if (tick % kHashPeriod == 0) log_->AppendGround(stage.ground, tick);
+    if (tick % kGroundPeriod == 0) log_->AppendGround(stage.ground, tick);
   }
 
   void KeepSighting(const Belief& belief) {

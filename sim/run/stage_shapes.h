@@ -2,6 +2,7 @@
 // outside.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,7 +36,9 @@ struct StageBoard {
 struct StageShapes {
   std::vector<StageBody> bodies;  // in the order of Stage::bodies
   std::optional<StageBoard> board;
-  Eigen::Vector3d to_sun_W{0, 0, 1};
+  SunAndSky light;
+  Eigen::Vector3d ground_rgb{0.5, 0.5, 0.5};  // linear, 0..1
+  std::uint64_t ground_texture_seed = 1;
 };
 
 }  // namespace dockyard

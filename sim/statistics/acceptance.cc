@@ -41,6 +41,18 @@ bool RefutesIt(std::int64_t failures, std::int64_t trials, double reliability, d
 
 }  // namespace
 
+const char* NameOf(AcceptanceVerdict verdict) {
+  switch (verdict) {
+    case AcceptanceVerdict::kAccepted:
+      return "accepted";
+    case AcceptanceVerdict::kNotAccepted:
+      return "not accepted";
+    case AcceptanceVerdict::kUndecided:
+      break;
+  }
+  return "undecided";
+}
+
 Acceptance JudgeAcceptance(int trials, int failures, double reliability, double confidence) {
   CheckPromises(reliability, confidence);
   DOCKYARD_CHECK(failures >= 0 && failures <= trials);

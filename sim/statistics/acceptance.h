@@ -17,6 +17,9 @@ namespace dockyard {
 
 enum class AcceptanceVerdict { kAccepted, kNotAccepted, kUndecided };
 
+/// "accepted", "not accepted", "undecided"
+const char* NameOf(AcceptanceVerdict verdict);
+
 struct Acceptance {
   AcceptanceVerdict verdict = AcceptanceVerdict::kUndecided;
   /// One-sided bounds of Clopper and Pearson on the chance of success, each at the confidence.

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/log/ground_over_time.h"
 #include "support/edited_log.h"
 #include "support/fake_runs.h"
 
@@ -146,6 +147,28 @@ TEST(LoggedRun, CutShortHasWholeSamplesAlone) {
     }
   }
   EXPECT_EQ(most, 20u);
+}
+
+TEST(GroundOverTime, TakesInChangesUpToATimeAndNoneAfter) {
+  LoggedRun run;
+  run.ground = {{0.0, {.nx = 2, .ny = 2, .cells = {}, .heights = {1, 2, 3, 4}}},
+                {1.0, {.cells = {3, 9}, .heights = {40, 90}}},
+                {2.0, {.cells = {0}, .heights = {10}}}};
+  GroundOverTime ground(run);
+  ASSERT_NE(ground.grid(), nullptr);
+  ground.AdvanceTo(0.9);
+  EXPECT_EQ(ground.heights(), (std::vector<std::int16_t>{1, 2, 3, 4}));
+  ground.AdvanceTo(1.0);
+  EXPECT_EQ(ground.heights(), (std::vector<std::int16_t>{1, 2, 3, 40}));
+  ground.AdvanceTo(9.0);
+  EXPECT_EQ(ground.heights(), (std::vector<std::int16_t>{10, 2, 3, 40}));
+}
+
+TEST(GroundOverTime, HasNoGridWithoutAWholeGroundAtFirst) {
+  LoggedRun run;
+  EXPECT_EQ(GroundOverTime(run).grid(), nullptr);
+  run.ground = {{0.0, {.nx = 2, .ny = 2, .cells = {1}, .heights = {5}}}};
+  EXPECT_EQ(GroundOverTime(run).grid(), nullptr);
 }
 
 }  // namespace
