@@ -63,6 +63,16 @@ export function outcomeMark(outcome, docked) {
   );
 }
 
+/**
+ * The head of a table: a name over each column.
+ * @param {string[]} names
+ * @param {(name: string) => string | null} [classOf]
+ */
+export function tableHead(names, classOf = () => null) {
+  const cells = names.map((name) => make('th', { scope: 'col', class: classOf(name) }, name));
+  return make('thead', null, make('tr', null, cells));
+}
+
 /** The colour that the style sheet gives a name. @param {string} name */
 export function themeColour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();

@@ -1,6 +1,6 @@
 // The failed runs as a plain table, for paper.
 
-import { card, make } from './dom.js';
+import { card, make, tableHead } from './dom.js';
 import { axisName } from './format.js';
 
 /** Shown on paper in place of the table: the first failed runs. @param {import('./table.js').Table} table */
@@ -19,15 +19,7 @@ export function failuresForPrint(table) {
     make(
       'table',
       { class: 'plain' },
-      make(
-        'thead',
-        null,
-        make(
-          'tr',
-          null,
-          columns.map((c) => make('th', { scope: 'col' }, axisName(c))),
-        ),
-      ),
+      tableHead(columns.map(axisName)),
       make(
         'tbody',
         null,

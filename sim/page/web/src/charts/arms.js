@@ -1,7 +1,7 @@
 // Arms compared in pairs, and the verdict of an acceptance test.
 
 import * as Plot from './plot.js';
-import { card, make } from '../dom.js';
+import { card, make, tableHead } from '../dom.js';
 import { fixed, group, number, percent } from '../format.js';
 
 /** @param {any} header */
@@ -55,17 +55,7 @@ export function arms(header) {
     make(
       'table',
       { class: 'plain' },
-      make(
-        'thead',
-        null,
-        make(
-          'tr',
-          null,
-          ...['Arms', 'Both', 'Only first', 'Only second', 'Neither', 'Difference', 'Exact p', 'Mid-p'].map(
-            (text) => make('th', { scope: 'col' }, text),
-          ),
-        ),
-      ),
+      tableHead(['Arms', 'Both', 'Only first', 'Only second', 'Neither', 'Difference', 'Exact p', 'Mid-p']),
       make(
         'tbody',
         null,

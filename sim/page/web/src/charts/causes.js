@@ -1,6 +1,6 @@
 // Failures by cause.
 
-import { card, make } from '../dom.js';
+import { card, make, tableHead } from '../dom.js';
 import { group } from '../format.js';
 
 /**
@@ -23,17 +23,7 @@ export function causes(header, openRun, showFilter) {
     make(
       'table',
       { class: 'causes' },
-      make(
-        'thead',
-        null,
-        make(
-          'tr',
-          null,
-          make('th', { scope: 'col' }, 'Cause'),
-          make('th', { scope: 'col' }, 'Runs'),
-          make('th', { scope: 'col' }, 'Open'),
-        ),
-      ),
+      tableHead(['Cause', 'Runs', 'Open']),
       make(
         'tbody',
         null,

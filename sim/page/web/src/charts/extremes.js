@@ -1,6 +1,6 @@
 // The slowest runs, and the runs with the largest value of a measure.
 
-import { card, make, outcomeMark } from '../dom.js';
+import { card, make, outcomeMark, tableHead } from '../dom.js';
 import { axisName } from '../format.js';
 
 const SHOWN = 8;
@@ -82,17 +82,7 @@ function chooser(table, columns, name, largest, openRun) {
     make(
       'table',
       { class: 'plain' },
-      make(
-        'thead',
-        null,
-        make(
-          'tr',
-          null,
-          ...['Run', 'Outcome', 'Value'].map((text) =>
-            make('th', { scope: 'col', class: text.toLowerCase() }, text),
-          ),
-        ),
-      ),
+      tableHead(['Run', 'Outcome', 'Value'], (name) => name.toLowerCase()),
       body,
     ),
   );

@@ -1,6 +1,6 @@
 // The replay of one run: view, cameras, numbers and time, tied together.
 
-import { make } from '../dom.js';
+import { make, tableHead } from '../dom.js';
 import { fixed } from '../format.js';
 import { Clock } from './clock.js';
 import { PlanView } from './plan_view.js';
@@ -163,17 +163,7 @@ export class Player {
       make(
         'table',
         { class: 'plain' },
-        make(
-          'thead',
-          null,
-          make(
-            'tr',
-            null,
-            ...['Robot, target’s frame', 'x [m]', 'y [m]', 'heading [deg]'].map((t) =>
-              make('th', { scope: 'col' }, t),
-            ),
-          ),
-        ),
+        tableHead(['Robot, target’s frame', 'x [m]', 'y [m]', 'heading [deg]']),
         make(
           'tbody',
           null,
