@@ -8,7 +8,8 @@
 namespace dockyard {
 namespace {
 
-constexpr double kSteepest = 0.5;  // level part of a unit ray
+constexpr double kSteepest = 0.5;    // level part of a unit ray
+constexpr double kFarthest_m = 1.0;  // of the camera from the fan's pole
 
 }  // namespace
 
@@ -16,7 +17,7 @@ SectorRange VisibleSectors(const Pose3& X_FC, const TanRect& r) {
   const SectorRange all{.first = 0, .count = kGroundSectors};
   const double mx = 0.5 * (r.left + r.right), my = 0.5 * (r.top + r.bottom);
   const Eigen::Vector3d middle_F = X_FC.R * Eigen::Vector3d(mx, my, 1.0).normalized();
-  if (middle_F.head<2>().norm() < kSteepest) return all;
+  if (middle_F.head<2>().norm() < kSteepest || X_FC.p.head<2>().norm() > kFarthest_m) return all;
   const double heading = std::atan2(middle_F.y(), middle_F.x());
   double low = 0.0, high = 0.0;
   for (const double x : {r.left, mx, r.right}) {

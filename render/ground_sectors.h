@@ -12,7 +12,7 @@ struct SectorRange {
 };
 
 /// X_FC: camera in the fan's frame. Exact for ground at least 0.2 m from the camera; all sectors
-/// when the view points steeply up or down.
+/// when the view points steeply up or down, or the camera stands over 1 m from the fan's pole.
 SectorRange VisibleSectors(const Pose3& X_FC, const TanRect& rect);
 
 }  // namespace dockyard

@@ -93,18 +93,31 @@ class StereoRenderer::Impl {
                                                    const Pose3& X_WR,
                                                    const std::vector<Channel>& channels,
                                                    bool with_depth) {
+    Prepare(scene, X_WR);
+    const Pose3 X_WL = X_WR * rig.X_RL, X_WQ = X_WR * rig.X_RQ;
+    return {RenderView(scene, LensOf(0, rig.left, scene, X_WL), X_WL, channels, with_depth),
+            RenderView(scene, LensOf(1, rig.right, scene, X_WQ), X_WQ, channels, with_depth)};
+  }
+
+  /// Each channel of one view.
+  std::vector<RadianceImage> RenderFrom(const Scene& scene, const Camera& camera, const Pose3& X_WC,
+                                        const Eigen::Vector3d& p_W,
+                                        const std::vector<Channel>& channels) {
+    Prepare(scene, {Eigen::Matrix3d::Identity(), p_W});
+    return RenderView(scene, LensOf(2, camera, scene, X_WC), X_WC, channels, false);
+  }
+
+ private:
+  /// What all views share. X_WR: where the ground is finest.
+  void Prepare(const Scene& scene, const Pose3& X_WR) {
     RequireSoundScene(scene);
     context_->MakeCurrent();
     painter_->Prepare(scene, X_WR);
     if (HasGround(scene.ground)) {
       texture_.Update(scene.ground, scene.light.to_sun_W, scene.light.sun_angular_diameter_rad);
     }
-    const Pose3 X_WL = X_WR * rig.X_RL, X_WQ = X_WR * rig.X_RQ;
-    return {RenderView(scene, LensOf(0, rig.left, scene, X_WL), X_WL, channels, with_depth),
-            RenderView(scene, LensOf(1, rig.right, scene, X_WQ), X_WQ, channels, with_depth)};
   }
 
- private:
   // The rays of a camera's pixels do not change from image to image, unless its pupil moves.
   struct Lens {
     TanScale scale;
@@ -166,8 +179,8 @@ class StereoRenderer::Impl {
   std::unique_ptr<ScenePainter> painter_;
   std::unique_ptr<GlViewTarget> wide_target_, close_target_;
   GroundTexture texture_;
-  std::array<std::optional<Lens>, 2> lenses_;
-  FlatView wide_, close_;  // their memory serves the next image
+  std::array<std::optional<Lens>, 3> lenses_;  // left, right, from anywhere
+  FlatView wide_, close_;                      // their memory serves the next image
 };
 
 StereoRenderer::StereoRenderer(GlBackend backend) : impl_(std::make_unique<Impl>(backend)) {}
@@ -195,6 +208,15 @@ std::array<std::array<RadianceImage, 3>, 2> StereoRenderer::RenderColour(const S
     }
   }
   return colour;
+}
+
+std::array<RadianceImage, 3> StereoRenderer::RenderColourFrom(const Scene& scene,
+                                                              const Camera& camera,
+                                                              const Pose3& X_WC,
+                                                              const Eigen::Vector3d& p_W) {
+  auto seen =
+      impl_->RenderFrom(scene, camera, X_WC, p_W, {Channel::kRed, Channel::kGreen, Channel::kBlue});
+  return {std::move(seen[0]), std::move(seen[1]), std::move(seen[2])};
 }
 
 StereoImages StereoRenderer::Render(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,

@@ -1,4 +1,4 @@
-// A stereo pair of a scene, as the rover's cameras would deliver it.
+// A stereo pair of a scene, as the rover's cameras would deliver it; or one view from anywhere.
 #pragma once
 
 #include <cstdint>
@@ -67,6 +67,9 @@ class StereoRenderer {
   std::array<std::array<RadianceImage, 3>, 2> RenderColour(const Scene& scene, const StereoRig& rig,
                                                            const Pose3& X_WR,
                                                            bool with_depth = false);
+  /// Red, green and blue of one ideal view from anywhere. The ground is finest about `p_W`.
+  std::array<RadianceImage, 3> RenderColourFrom(const Scene& scene, const Camera& camera,
+                                                const Pose3& X_WC, const Eigen::Vector3d& p_W);
   /// Both views through the sensor; one exposure for the pair.
   StereoImages Render(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
                       const SensorOptions& sensor);

@@ -23,6 +23,7 @@ void AddSubmitCommand(CLI::App& app, const std::vector<System>& systems, int& ex
 void AddMergeCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddFramesCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddReportCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddAcceptCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);

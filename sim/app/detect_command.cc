@@ -11,6 +11,9 @@
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
+#include "sim/base/files.h"
+#include "sim/images/png.h"
+#include "sim/spectator/canvas.h"
 
 namespace dockyard {
 namespace {
@@ -217,6 +220,14 @@ void RequireSound(const DetectArguments& arguments) {
   arguments.pipeline.RequireSound();
 }
 
+/// The images beside each other with what was found in them. Throws IoError.
+void Draw(const StereoImages& images, const SightingReport& report, const std::string& file) {
+  RgbImage left = AsColour(images.left), right = AsColour(images.right);
+  DrawMarks(left, report, 0);
+  DrawMarks(right, report, 1);
+  WriteWhole(file, EncodePng(SideBySide(left, right)));
+}
+
 int Detect(const DetectArguments& arguments, const std::vector<System>& systems) {
   RequireSound(arguments);
   const FiducialBoard board = BoardOf(arguments.board, systems).board;
@@ -233,7 +244,7 @@ int Detect(const DetectArguments& arguments, const std::vector<System>& systems)
   WarnIfCut(arguments.right, &warnings);
   const LocateOutput out = LocatePair(images, arguments, board, systems);
   if (!out.report.accepted) WarnIfTurned(images, arguments, board, systems, &warnings);
-  if (!arguments.draw.empty()) DrawSighting(arguments.draw, images, out.report);
+  if (!arguments.draw.empty()) Draw(images, out.report, arguments.draw);
   arguments.json ? PrintJson(arguments, out.report, warnings) : PrintText(out.report);
   return out.report.accepted ? kExitDone : kExitNotDocked;
 }

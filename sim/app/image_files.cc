@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <opencv2/imgproc.hpp>
 
 #include "models/read/config_error.h"
 #include "models/read/text_file.h"
 #include "sim/base/files.h"
 #include "sim/images/decode.h"
 #include "sim/images/image_size.h"
-#include "sim/images/png.h"
 
 namespace dockyard {
 namespace {
@@ -83,36 +81,6 @@ std::vector<std::string> ImageFilesIn(const std::string& folder) {
   if (files.empty()) throw ConfigError(folder + ": expected images in the folder, found none");
   std::sort(files.begin(), files.end());
   return files;
-}
-
-void DrawSighting(const std::string& file, const StereoImages& images,
-                  const SightingReport& report) {
-  const int width = images.left.width + images.right.width;
-  const int height = std::max(images.left.height, images.right.height);
-  cv::Mat canvas(height, width, CV_8UC3, cv::Scalar(0, 0, 0));  // red first
-  const auto put = [&](const GrayImage& image, int x0) {
-    for (int y = 0; y < image.height; ++y) {
-      for (int x = 0; x < image.width; ++x) {
-        canvas.at<cv::Vec3b>(y, x0 + x) = cv::Vec3b::all(image.at(x, y));
-      }
-    }
-  };
-  put(images.left, 0);
-  put(images.right, images.left.width);
-  const auto ring = [&](const SightingReport::Mark& mark, const cv::Scalar& colour) {
-    const double x = mark.u_px + (mark.camera == 1 ? images.left.width : 0);
-    constexpr int kSub = 4;  // fractional bits of OpenCV's drawing
-    const cv::Point at(static_cast<int>(std::lround(x * (1 << kSub))),
-                       static_cast<int>(std::lround(mark.v_px * (1 << kSub))));
-    const int size = std::max(4, width / 256);
-    cv::circle(canvas, at, size << kSub, colour, 1, cv::LINE_AA, kSub);
-    cv::putText(canvas, std::to_string(mark.id),
-                cv::Point((at.x >> kSub) + size, (at.y >> kSub) - size), cv::FONT_HERSHEY_PLAIN,
-                1.0, colour, 1, cv::LINE_AA);
-  };
-  for (const auto& mark : report.predicted) ring(mark, cv::Scalar(255, 140, 0));
-  for (const auto& mark : report.marks) ring(mark, cv::Scalar(80, 220, 80));
-  WriteWhole(file, EncodePng(RgbImage{width, height, {canvas.datastart, canvas.dataend}}));
 }
 
 }  // namespace dockyard

@@ -1,11 +1,10 @@
-// Reads images from files, and marks the detections in them.
+// Reads images from files.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "controller/geometry/image.h"
-#include "controller/io/belief.h"
 
 namespace dockyard {
 
@@ -18,9 +17,5 @@ GrayImage UpsideDown(const GrayImage& image);
 bool IsCutJpeg(const std::string& file);
 /// The folder's image files by name, at least one. Throws ConfigError.
 std::vector<std::string> ImageFilesIn(const std::string& folder);
-/// The images side by side, the marks ringed and numbered: measured green, predicted orange. Throws
-/// IoError.
-void DrawSighting(const std::string& file, const StereoImages& images,
-                  const SightingReport& report);
 
 }  // namespace dockyard

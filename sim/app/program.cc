@@ -139,6 +139,7 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   AddSubmitCommand(app, systems, exit_code);
   AddMergeCommand(app, systems, exit_code);
   AddReplayCommand(app, systems, exit_code);
+  AddFramesCommand(app, systems, exit_code);
   AddReportCommand(app, systems, exit_code);
   AddAcceptCommand(app, systems, exit_code);
   AddCompareCommand(app, systems, exit_code);

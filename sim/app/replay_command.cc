@@ -6,23 +6,22 @@
 #include <string>
 #include <vector>
 
+#include "controller/base/number_text.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/film_files.h"
 #include "sim/app/identity.h"
-#include "sim/app/kept_campaign.h"
+#include "sim/app/kept_run.h"
+#include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
+#include "sim/base/shell_word.h"
 #include "sim/bridge/pipe_controller.h"
-#include "sim/campaign/campaign_folder.h"
-#include "sim/campaign/merge.h"
-#include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
-#include "sim/plan/make_run.h"
 #include "sim/run/loop.h"
 #include "sim/run/replay_log.h"
-#include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
 namespace {
@@ -31,6 +30,9 @@ struct ReplayArguments {
   std::string dir;
   std::optional<int> run;  // none: the folder of a single run
   CommandOptions commands;
+  std::string frames_dir;  // empty: no pictures
+  double period_s = 0.1;
+  OutsideArguments outside;
 };
 
 constexpr const char* kHelp =
@@ -39,10 +41,15 @@ constexpr const char* kHelp =
 Examples:
   dockyard replay results/{campaign_name} 17
   dockyard replay out/typical
+  dockyard replay out/typical --frames out/film --period 2
 
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
 controller alone and compares its commands. Exit code 0: the same, 1: not the same, 10: the
-folder holds no result of this run, or its log is cut short.)";
+folder holds no result of this run, or its log is cut short.
+
+--frames compares nothing: it draws the run as its log tells it, from outside and with the cameras'
+images in the corner, one PNG for each --period of simulated time, and prints the command that makes
+a film of them. A run whose log is not kept is simulated again.)";
 
 /// The processors and libraries that a campaign's rows were made on, where they are not these.
 void ReportEnvironment(const std::filesystem::path& dir) {
@@ -128,55 +135,29 @@ Alone ReportController(const std::filesystem::path& run_dir, const Scenario& sce
   }
 }
 
-/// A run as kept: its scenario, its result, and the folder of its log.
-struct KeptRun {
-  CampaignRun run;
-  RowColumns columns;
-  std::optional<RunResult> result;
-  std::filesystem::path log_dir;
-};
-
-KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
-                      const std::vector<System>& systems) {
-  const KeptCampaign kept = OpenKeptCampaign(dir, systems);
-  const std::vector<KnownSystem> known = KnownSystems(systems);
-  const RunMaker maker(kept.campaign, known);
-  const std::int64_t index = maker.IndexOf(number);
-  if (index < 0) {
-    throw UsageError(dir.string() + " has no run " + std::to_string(number) + "; it has " +
-                     std::to_string(kept.campaign.run_count()) + " runs");
-  }
-  const Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
-                                    /*allow_exceptions=*/false);
-  const std::string difference =
-      ManifestDifference(manifest, MakeManifest(IdentityOf(kept.campaign, known), {}));
-  if (!difference.empty()) PrintNote("note: " + dir.string() + ": " + difference);
-  KeptRun run{maker.Make(index), kept.columns, {}, RunFolder(dir, number)};
-  const FinishedRuns finished = ReadShards(dir, kept.columns);
-  const std::size_t place = finished.Find(number);
-  if (place < finished.size()) run.result = finished.results[place];
-  return run;
-}
-
-KeptRun FindRun(const ReplayArguments& arguments, const std::vector<System>& systems) {
-  const std::filesystem::path dir = arguments.dir;
-  const bool campaign = HoldsCampaign(dir);
-  if (campaign && !arguments.run) {
-    throw UsageError(dir.string() + " holds a campaign; name the run, as in: dockyard replay " +
-                     dir.string() + " 1");
-  }
-  if (!campaign && arguments.run && std::filesystem::exists(dir / "result.csv")) {
-    throw UsageError(dir.string() + " holds one run; leave out the number");
-  }
-  if (arguments.run) return RunOfCampaign(dir, *arguments.run, systems);
-  const Scenario scenario =
-      LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
-  const RowColumns columns = FindSystem(systems, scenario.system).Columns({});
-  return {SingleRun(scenario), columns, ReadSingleResult(dir, columns), dir};
+int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept,
+               const std::vector<System>& systems) {
+  const System& system = FindSystem(systems, kept.run.scenario.system);
+  const OutsideOptions outside = arguments.outside.options();
+  const StageShapes shapes = ShapesToDraw(system, kept.run.scenario);
+  const bool logged = std::filesystem::exists(kept.log_dir / kRunLogFile);
+  RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
+  arguments.commands.Fill(options);
+  const LoggedRun log =
+      logged ? ReadLoggedRun(kept.log_dir) : LogAnew(system, kept.run, std::move(options));
+  const std::filesystem::path dir = arguments.frames_dir;
+  const int frames = WriteFilm(log, shapes, outside, arguments.period_s, dir);
+  PrintNote(std::to_string(frames) + " frames in " + dir.string() + "; a film of them:");
+  std::printf("ffmpeg -framerate %s -i %s -pix_fmt yuv420p %s\n",
+              NumberText(1.0 / arguments.period_s).c_str(),
+              ShellWord((dir / "frame_%05d.png").string()).c_str(),
+              ShellWord((dir / "film.mp4").string()).c_str());
+  return log.complete ? kExitDone : kExitIncomplete;
 }
 
 int Replay(const ReplayArguments& arguments, const std::vector<System>& systems) {
-  const KeptRun kept = FindRun(arguments, systems);
+  const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "replay", systems);
+  if (!arguments.frames_dir.empty()) return DrawFrames(arguments, kept, systems);
   if (!kept.result) {
     PrintError("run " + std::to_string(kept.run.run) + " has no result in " + arguments.dir +
                " yet");
@@ -211,6 +192,11 @@ void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& ex
       ->required();
   command->add_option("RUN", arguments->run, "number of the run in a campaign");
   AddCommandOptions(*command, arguments->commands);
+  command->add_option("--frames", arguments->frames_dir, "instead: folder for pictures of the run");
+  command->add_option("--period", arguments->period_s, "simulated time from frame to frame [0.1 s]")
+      ->type_name("SECONDS")
+      ->check(NumberWithin(0.1, 60.0));
+  AddOutsideOptions(*command, arguments->outside);
   command->callback([arguments, &systems, &exit_code] { exit_code = Replay(*arguments, systems); });
 }
 

@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -8,6 +7,7 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/passing_folder.h"
 #include "sim/app/report_content.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
@@ -59,26 +59,6 @@ void PrintRecord(const RunRecord& record) {
   }
   std::printf("%-22s %.3f\n", "cpu_time_s", record.timing.cpu_time_s);
 }
-
-/// A folder for a log that nobody keeps.
-class PassingFolder {
- public:
-  PassingFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "dockyard_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw IoErrorFromErrno("make folder", name);
-    path_ = name;
-  }
-  ~PassingFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  PassingFolder(const PassingFolder&) = delete;
-  PassingFolder& operator=(const PassingFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// @param log_dir  holds the run's log
 /// @param kept     whether it stays there

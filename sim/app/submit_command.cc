@@ -12,6 +12,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"
+#include "sim/app/passing_folder.h"
 #include "sim/app/slurm_client.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
@@ -45,26 +46,6 @@ Every mistake of the file is found first. The scripts go to submit/ in the resul
 prints them instead. Without --shards, the first two runs are timed, and there are as many tasks as
 make each last up to half an hour. The scripts submitted again go on with what is missing.)";
 
-/// A folder that goes with it.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = fs::temp_directory_path() / "dockyard_XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) throw IoErrorFromErrno("make folder", name);
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 /// A signal ended the timing.
 struct Stopped {
   int signal = 0;
@@ -91,7 +72,7 @@ double SecondsPerRun(const ReadyCampaign& ready) {
 /// The same without leaving anything.
 double SecondsPerRunOf(const Campaign& campaign, const SubmitArguments& arguments,
                        const std::vector<System>& systems) {
-  const ScratchFolder scratch;
+  const PassingFolder scratch;
   CampaignArguments elsewhere = arguments.campaign;
   elsewhere.out_dir = scratch.path();
   return SecondsPerRun(MakeReady(campaign, elsewhere, systems));

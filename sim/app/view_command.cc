@@ -1,8 +1,13 @@
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 
+#include "controller/base/number_text.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/film_files.h"
+#include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
@@ -13,7 +18,10 @@ namespace {
 struct ViewArguments {
   ScenarioOptions scenario;
   std::string out_dir;
-  bool colour = false;
+  bool colour = false, outside = false;
+  double time_s = 0.0;  // of the view from outside
+  OutsideArguments camera;
+  CommandOptions commands;
 };
 
 constexpr const char* kHelp = R"(Render the stereo pair at a scenario's start pose.
@@ -22,15 +30,41 @@ Examples:
   dockyard view {scenario} --out out/view
   dockyard view {scenario} --set start.r_m=2 --set light=hard_shadow --out out/near
   dockyard view {scenario} --colour --set sun.temperature_k=4500 --out out/warm
+  dockyard view {scenario} --outside --time 20 --out out/outside
 
 Writes left.png, right.png and view.json: the board's true pose and, for each fiducial and camera,
 its projected centre, the centroid of the projected disc and the share that is hidden. With --colour
 (or camera.colour in the scenario) also left_colour.png and right_colour.png, linear red, green and
-blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.png of 16 bits.)";
+blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.png of 16 bits.
+
+--outside writes outside.png instead: the world as a spectator sees it, at the start or, with
+--time, as the run has made it by then.)";
+
+int ViewOutside(const ViewArguments& arguments, Scenario scenario,
+                const std::vector<System>& systems) {
+  const System& system = FindSystem(systems, scenario.system);
+  const OutsideOptions options = arguments.camera.options();
+  const StageShapes shapes = ShapesToDraw(system, scenario);
+  // The run need not go on beyond the picture; its first sample is at its beginning.
+  constexpr double kSample_s = 0.1;
+  scenario.time_limit_s = std::min(scenario.time_limit_s, arguments.time_s + kSample_s);
+  scenario.log_images = false;
+  RunOptions run;
+  arguments.commands.Fill(run);
+  const LoggedRun log = LogAnew(system, SingleRun(scenario), std::move(run));
+  MakeFolder(arguments.out_dir);
+  const std::filesystem::path file = std::filesystem::path(arguments.out_dir) / "outside.png";
+  const double shown_s = WriteOutside(log, shapes, options, arguments.time_s, file);
+  PrintNote("the world at " + Fixed(shown_s, 1) + " s in " + file.string());
+  if (shown_s < arguments.time_s - kSample_s) PrintNote("the run ended before --time");
+  return kExitDone;
+}
 
 int View(const ViewArguments& arguments, const std::vector<System>& systems) {
   Scenario scenario = Load(arguments.scenario, systems);
   const System& system = FindSystem(systems, scenario.system);
+  if (arguments.outside) return ViewOutside(arguments, std::move(scenario), systems);
+  if (arguments.time_s > 0.0) throw UsageError("--time is of --outside alone");
   if (!system.view) throw UsageError("the system " + system.name + " has no cameras to view with");
   scenario.colour = scenario.colour || arguments.colour;
   MakeFolder(arguments.out_dir);
@@ -47,6 +81,12 @@ void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit
   AddScenarioOptions(*command, arguments->scenario);
   command->add_option("--out", arguments->out_dir, "folder for the images")->required();
   command->add_flag("--colour", arguments->colour, "write colour images beside the grey ones");
+  command->add_flag("--outside", arguments->outside, "the world as a spectator sees it");
+  command->add_option("--time", arguments->time_s, "of --outside, since the start [0 s]")
+      ->type_name("SECONDS")
+      ->check(NumberWithin(0.0, 86400.0));
+  AddOutsideOptions(*command, arguments->camera);
+  AddCommandOptions(*command, arguments->commands);
   command->callback([arguments, &systems, &exit_code] { exit_code = View(*arguments, systems); });
 }
 

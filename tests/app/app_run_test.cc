@@ -7,6 +7,7 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <thread>
 
 #include "app/program.h"
@@ -14,6 +15,7 @@
 #include "sim/base/json.h"
 #include "sim/campaign/merge.h"
 #include "sim/campaign/shard_file.h"
+#include "sim/images/png.h"
 #include "sim/log/result_row.h"
 #include "support/edited_log.h"
 #include "support/fake_runs.h"
@@ -109,6 +111,74 @@ TEST(ProgramRun, LeavesLogAndPlotsInItsFolder) {
         "result.csv", "path.svg", "history.svg"}) {
     EXPECT_TRUE(fs::exists(fs::path(out) / file)) << file;
   }
+}
+
+/// Names and bytes of all files of a folder.
+std::map<std::string, std::string> FilesIn(const fs::path& dir) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::directory_iterator(dir)) {
+    files[entry.path().filename().string()] = Slurp(entry.path());
+  }
+  return files;
+}
+
+TEST(ProgramFrames, WritesTheImagesOfALogWithAndWithoutMarks) {
+  const TemporaryFolder folder;
+  const std::string run = (folder.path() / "run").string();
+  const fs::path marked = folder.path() / "marked", plain = folder.path() / "plain";
+  Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=6 --out " + run);
+  ASSERT_EQ(Dockyard("frames " + run + " --out " + marked.string()).code, 0);
+  ASSERT_EQ(Dockyard("frames " + run + " --plain --out " + plain.string()).code, 0);
+  const Json list = Json::parse(Slurp(marked / "frames.json"));
+  ASSERT_GE(list.size(), 2u);
+  EXPECT_EQ(list[0]["file"], "look_001_left.png");
+  EXPECT_EQ(list[0]["accepted"], true);
+  const auto drawn = DecodePng<RgbImage>(Slurp(marked / "look_001_left.png"));
+  const auto seen = DecodePng<GrayImage>(Slurp(plain / "look_001_left.png"));
+  ASSERT_TRUE(drawn && seen);
+  // The marks are all that differs.
+  const RgbImage gray = AsColour(*seen);
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < gray.pixels.size(); ++i) {
+    differing += gray.pixels[i] != drawn->pixels[i];
+  }
+  EXPECT_GT(differing, 200u);
+  EXPECT_LT(differing, gray.pixels.size() / 20);
+  fs::remove(fs::path(run) / "run.mcap");
+  EXPECT_EQ(Dockyard("frames " + run + " --out " + marked.string()).code, 10);
+}
+
+// A log that is gone is made again: the same run gives the same film.
+TEST(ProgramReplay, DrawsTheSameFramesFromALogAndWithoutIt) {
+  const TemporaryFolder folder;
+  const std::string run = (folder.path() / "run").string();
+  const fs::path logged = folder.path() / "logged", anew = folder.path() / "anew";
+  Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=4.5 --out " + run);
+  const std::string film = "replay " + run + " --period 2 --size 320x180 --frames ";
+  const Ended ended = Dockyard(film + logged.string());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("ffmpeg -framerate 0.5 -i '" + logged.string()));
+  fs::remove(fs::path(run) / "run.mcap");
+  ASSERT_EQ(Dockyard(film + anew.string()).code, 0);
+  const auto files = FilesIn(logged);
+  EXPECT_EQ(files.size(), 4u);  // 0, 2 and 4 s, and the end
+  EXPECT_EQ(files, FilesIn(anew));
+}
+
+TEST(ProgramView, ShowsTheWorldFromOutsideAsTheRunMadeIt) {
+  const TemporaryFolder folder;
+  const std::string view = "view scenarios/axel_typical.yaml --outside --size 320x180 ";
+  const fs::path start = folder.path() / "start", later = folder.path() / "later";
+  ASSERT_EQ(Dockyard(view + "--out " + start.string()).code, 0);
+  const Ended ended = Dockyard(view + "--time 8 --out " + later.string());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("8.0 s"));
+  const auto first = DecodePng<RgbImage>(Slurp(start / "outside.png"));
+  const auto second = DecodePng<RgbImage>(Slurp(later / "outside.png"));
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->width, 320);
+  EXPECT_EQ(first->height, 180);
+  EXPECT_NE(first->pixels, second->pixels);
 }
 
 /// scenarios/ci_4.yaml with a time limit that makes it short.

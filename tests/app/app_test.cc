@@ -37,7 +37,11 @@ TEST(Program, EndsWithTwoForArgumentsThatMakeNoSense) {
         "run scenarios/axel_typical.yaml --seed -1", "run scenarios/axel_typical.yaml --set start",
         "run scenarios/axel_typical.yaml --set =5",
         "run scenarios/axel_typical.yaml --seed 18446744073709551616",
-        "view scenarios/axel_typical.yaml --seed -1 --out x"}) {
+        "view scenarios/axel_typical.yaml --seed -1 --out x",
+        "view scenarios/axel_typical.yaml --time 3 --out x",
+        "view scenarios/axel_typical.yaml --outside --size 1x1 --out x",
+        "view scenarios/axel_typical.yaml --outside --size 321x180 --out x",
+        "view scenarios/axel_typical.yaml --outside --from 1,2 --out x", "frames x"}) {
     const Ended ended = Dockyard(arguments);
     EXPECT_EQ(ended.code, 2) << arguments << "\n" << ended.err;
     EXPECT_EQ(ended.out, "") << arguments;

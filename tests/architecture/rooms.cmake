@@ -38,7 +38,8 @@ set(rooms
   "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"
   "sim/run|one run in closed loop, for any system|${contract}|models/read/|render/|sim/(base|scenario|log|bridge|run)/|unistd.h"
   "sim/page|results as one HTML file|${contract}|models/read/|render/|sim/(base|images|plan|log|statistics|report|run|page)/|zlib.h"
+  "sim/spectator|a logged run in pictures: from outside, and what its cameras saw|${contract}|models/read/|render/|sim/(base|images|log|run|spectator)/|opencv2/"
   "sim/<system>|a system's world, cameras, judge and plots|${models}|models/<system>/|controller/<system>/nominal/|controller/motion/|render/|${low}|sim/<system>/|bt|Bullet|LinearMath/|nlohmann/"
   "sim/campaign|many runs: workers, shards, merging, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
   "sim/app/systems.cc|the list of systems with their controllers|${contract}|sim/(run|app)/|controller/<system>/|sim/<system>/"
-  "sim/app|the program: the command line|${models}|controller/vision/|${low}|sim/(campaign|page|app)/|CLI/|opencv2/|nlohmann/|${os}")
+  "sim/app|the program: the command line|${models}|controller/vision/|${low}|sim/(campaign|page|spectator|app)/|CLI/|opencv2/|nlohmann/|${os}")

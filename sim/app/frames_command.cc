@@ -1,0 +1,101 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/app/commands.h"
+#include "sim/app/exit_codes.h"
+#include "sim/app/kept_run.h"
+#include "sim/app/terminal.h"
+#include "sim/base/files.h"
+#include "sim/images/png.h"
+#include "sim/log/record_files.h"
+#include "sim/spectator/canvas.h"
+#include "sim/spectator/looks.h"
+
+namespace dockyard {
+namespace {
+
+struct FramesArguments {
+  std::string dir, out_dir;
+  std::optional<int> run;  // none: the folder of a single run
+  bool plain = false;
+};
+
+constexpr const char* kHelp =
+    R"(Write the images of a run's log as PNG files, with what the controller found drawn in.
+
+Examples:
+  dockyard frames results/{campaign_name} 17 --out out/frames
+  dockyard frames out/typical --out out/frames --plain
+
+A ring with a number is a fiducial that was measured; one with a cross is where the controller
+expected a fiducial without measuring it. frames.json tells time, camera and verdict of each file.
+--plain leaves the images as the controller got them.)";
+
+/// Writes one image; returns its entry in frames.json, null if there is no image.
+Json WriteLook(const LoggedRun& log, const Look& look, std::size_t index, std::size_t camera,
+               bool plain, const std::filesystem::path& out_dir) {
+  std::optional<RgbImage> picture = PictureOf(look, camera);
+  if (!picture) return nullptr;
+  char number[24];
+  std::snprintf(number, sizeof number, "%03zu", index + 1);
+  const std::string& name = log.cameras[camera].name;
+  const std::string file = "look_" + std::string(number) + "_" + name + ".png";
+  if (plain) {
+    WriteWhole(out_dir / file, look.images[camera]->png);
+  } else {
+    if (look.sighting != nullptr) {
+      DrawMarks(*picture, look.sighting->report, static_cast<int>(camera));
+    }
+    WriteWhole(out_dir / file, EncodePng(*picture));
+  }
+  return {{"file", file},
+          {"time_s", look.time_s},
+          {"camera", name},
+          {"accepted", look.sighting != nullptr && look.sighting->report.accepted},
+          {"verdict", WordOf(look)}};
+}
+
+int Frames(const FramesArguments& arguments, const std::vector<System>& systems) {
+  const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "frames", systems);
+  if (!std::filesystem::exists(kept.log_dir / kRunLogFile)) {
+    PrintError("there is no log in " + kept.log_dir.string() +
+               "; `keep` in the campaign's file says which runs keep theirs");
+    return kExitIncomplete;
+  }
+  const LoggedRun log = ReadLoggedRun(kept.log_dir);
+  const std::vector<Look> looks = LooksOf(log);
+  MakeFolder(arguments.out_dir);
+  Json files = Json::array();
+  for (std::size_t index = 0; index < looks.size(); ++index) {
+    for (std::size_t camera = 0; camera < log.cameras.size(); ++camera) {
+      Json entry = WriteLook(log, looks[index], index, camera, arguments.plain, arguments.out_dir);
+      if (!entry.is_null()) files.push_back(std::move(entry));
+    }
+  }
+  WriteWhole(std::filesystem::path(arguments.out_dir) / "frames.json", files.dump(1) + "\n");
+  if (files.empty()) {
+    PrintError("the log in " + kept.log_dir.string() + " has no images");
+    return kExitIncomplete;
+  }
+  PrintNote(std::to_string(files.size()) + " images and frames.json in " + arguments.out_dir);
+  return kExitDone;
+}
+
+}  // namespace
+
+void AddFramesCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+  auto arguments = std::make_shared<FramesArguments>();
+  CLI::App* command = app.add_subcommand("frames", kHelp);
+  command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
+      ->required();
+  command->add_option("RUN", arguments->run, "number of the run in a campaign");
+  command->add_option("--out", arguments->out_dir, "folder for the images")->required();
+  command->add_flag("--plain", arguments->plain, "without marks");
+  command->callback([arguments, &systems, &exit_code] { exit_code = Frames(*arguments, systems); });
+}
+
+}  // namespace dockyard

@@ -1,0 +1,58 @@
+#include "sim/app/kept_run.h"
+
+#include "sim/app/commands.h"
+#include "sim/app/identity.h"
+#include "sim/app/scenario_options.h"
+#include "sim/app/terminal.h"
+#include "sim/base/files.h"
+#include "sim/campaign/campaign_folder.h"
+#include "sim/campaign/merge.h"
+#include "sim/log/record_files.h"
+#include "sim/plan/make_run.h"
+#include "sim/scenario/load_scenario.h"
+
+namespace dockyard {
+namespace {
+
+KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
+                      const std::vector<System>& systems) {
+  const KeptCampaign kept = OpenKeptCampaign(dir, systems);
+  const std::vector<KnownSystem> known = KnownSystems(systems);
+  const RunMaker maker(kept.campaign, known);
+  const std::int64_t index = maker.IndexOf(number);
+  if (index < 0) {
+    throw UsageError(dir.string() + " has no run " + std::to_string(number) + "; it has " +
+                     std::to_string(kept.campaign.run_count()) + " runs");
+  }
+  const Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
+                                    /*allow_exceptions=*/false);
+  const std::string difference =
+      ManifestDifference(manifest, MakeManifest(IdentityOf(kept.campaign, known), {}));
+  if (!difference.empty()) PrintNote("note: " + dir.string() + ": " + difference);
+  KeptRun run{maker.Make(index), kept.columns, {}, RunFolder(dir, number)};
+  const FinishedRuns finished = ReadShards(dir, kept.columns);
+  const std::size_t place = finished.Find(number);
+  if (place < finished.size()) run.result = finished.results[place];
+  return run;
+}
+
+}  // namespace
+
+KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
+                    const std::string& command, const std::vector<System>& systems) {
+  const bool campaign = HoldsCampaign(dir);
+  if (campaign && !number) {
+    throw UsageError(dir.string() + " holds a campaign; name the run, as in: dockyard " + command +
+                     " " + dir.string() + " 1");
+  }
+  if (!campaign && number && std::filesystem::exists(dir / "result.csv")) {
+    throw UsageError(dir.string() + " holds one run; leave out the number");
+  }
+  if (number) return RunOfCampaign(dir, *number, systems);
+  const Scenario scenario =
+      LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
+  const RowColumns columns = FindSystem(systems, scenario.system).Columns({});
+  return {SingleRun(scenario), columns, ReadSingleResult(dir, columns), dir};
+}
+
+}  // namespace dockyard

@@ -1,0 +1,31 @@
+// One run of a results folder, for commands that look at it again.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/app/kept_campaign.h"
+#include "sim/log/record.h"
+#include "sim/run/system.h"
+#include "sim/scenario/scenario.h"
+
+namespace dockyard {
+
+/// A run as kept: its scenario, its result, and the folder of its log.
+struct KeptRun {
+  CampaignRun run;
+  RowColumns columns;
+  std::optional<RunResult> result;
+  std::filesystem::path log_dir;
+};
+
+/// The folder of a campaign needs the run's number, that of a single run has none. Says on standard
+/// error where models or program are not those of the campaign.
+/// @param command  as it is called, for messages: "replay"
+/// Throws UsageError, ConfigError and ResultsError.
+KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
+                    const std::string& command, const std::vector<System>& systems);
+
+}  // namespace dockyard

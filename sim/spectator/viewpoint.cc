@@ -1,0 +1,75 @@
+#include "sim/spectator/viewpoint.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard {
+namespace {
+
+// Assumed, for a view in which neither robot nor target hides the other: 30-70 and 15-35 deg.
+constexpr double kAside_rad = 50.0 * kPi / 180.0, kAbove_rad = 24.0 * kPi / 180.0;
+constexpr double kNearest_m = 1.5, kFarthest_m = 100.0;
+
+bool ShowsAll(const Sights& sights, const Camera& camera, const Pose3& X_WC) {
+  const Pose3 X_CW = Inverse(X_WC);
+  for (const Eigen::Vector3d& p_W : sights.places_W) {
+    const Eigen::Vector3d p_C = X_CW * p_W;
+    for (const double x : {-1.0, 1.0}) {
+      for (const double y : {-1.0, 1.0}) {
+        const auto pixel = camera.Project(p_C + sights.margin_m * Eigen::Vector3d(x, 0.8 * y, 0.0));
+        if (!pixel || !camera.Sees(*pixel)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+Eigen::Vector3d MiddleOf(const std::vector<Eigen::Vector3d>& places) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& place : places) box.extend(place);
+  return box.center();
+}
+
+}  // namespace
+
+Camera PinholeCamera(int width, int height, double vertical_fov_rad) {
+  BrownPinhole lens;
+  lens.fx = lens.fy = 0.5 * height / std::tan(0.5 * vertical_fov_rad);
+  lens.cx = 0.5 * (width - 1);
+  lens.cy = 0.5 * (height - 1);
+  return {.width = width, .height = height, .lens = lens};
+}
+
+Pose3 LookAt(const Eigen::Vector3d& eye_W, const Eigen::Vector3d& centre_W) {
+  Pose3 X_WC;
+  const Eigen::Vector3d z = (centre_W - eye_W).normalized();
+  const Eigen::Vector3d x = z.cross(Eigen::Vector3d::UnitZ()).normalized();
+  X_WC.R << x, z.cross(x), z;
+  X_WC.p = eye_W;
+  return X_WC;
+}
+
+Pose3 SpectatorPose(const Sights& sights, const Camera& camera,
+                    const std::optional<Eigen::Vector3d>& eye_D) {
+  const Eigen::Vector3d middle_W = MiddleOf(sights.places_W);
+  if (eye_D) return LookAt(FromGround(sights.X_WD, 0.0) * *eye_D, middle_W);
+  const auto outwards = [&](double aside_rad) {
+    const double azimuth = sights.X_WD.heading + aside_rad;
+    return Eigen::Vector3d(std::cos(kAbove_rad) * std::cos(azimuth),
+                           std::cos(kAbove_rad) * std::sin(azimuth), std::sin(kAbove_rad));
+  };
+  const auto lit = [&](const Eigen::Vector3d& out) {
+    return out.head<2>().dot(sights.to_sun_W.head<2>());
+  };
+  Eigen::Vector3d out = outwards(kAside_rad);
+  if (lit(outwards(-kAside_rad)) > lit(out)) out = outwards(-kAside_rad);
+  double distance_m = kNearest_m;
+  while (distance_m < kFarthest_m &&
+         !ShowsAll(sights, camera, LookAt(middle_W + distance_m * out, middle_W))) {
+    distance_m *= 1.03;
+  }
+  return LookAt(middle_W + distance_m * out, middle_W);
+}
+
+}  // namespace dockyard

@@ -1,0 +1,33 @@
+// Where a spectator stands.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "controller/geometry/camera.h"
+#include "controller/geometry/pose.h"
+
+namespace dockyard {
+
+/// A pinhole whose image is `vertical_fov_rad` high.
+Camera PinholeCamera(int width, int height, double vertical_fov_rad);
+
+/// The camera's pose at `eye_W` with `centre_W` in the middle of its image and the world's z
+/// upwards in it. The line between them must not be upright.
+Pose3 LookAt(const Eigen::Vector3d& eye_W, const Eigen::Vector3d& centre_W);
+
+/// What a spectator wants to see.
+struct Sights {
+  std::vector<Eigen::Vector3d> places_W;  // the robot's way and the target; at least one
+  double margin_m = 0.6;                  // what lies round each of them
+  Pose2 X_WD;                             // the target's frame, its x out of its face
+  Eigen::Vector3d to_sun_W{0, 0, 1};
+};
+
+/// A camera before the target, aside of its axis on the side of the sun and above, as near as all
+/// places are in its image. With `eye_D`, it stands there (in the target's frame, z from its
+/// ground).
+Pose3 SpectatorPose(const Sights& sights, const Camera& camera,
+                    const std::optional<Eigen::Vector3d>& eye_D);
+
+}  // namespace dockyard
