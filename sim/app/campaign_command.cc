@@ -136,9 +136,7 @@ int RunCampaignCommand(const CommandArguments& arguments, const std::vector<Syst
   options.progress = StyleOf(arguments);
   const ShardEnd shard = RunShard(campaign, run, options);
   if (!options.shard.whole()) return EndOfShard(arguments, options, shard);
-  const CampaignEnd end =
-      MergeShards(options.out_dir, campaign, RunMaker(campaign, options.systems), options.columns,
-                  options.draw_campaign, shard.enough);
+  const CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns, shard.enough);
   if (plan) KeepAcceptance(options.out_dir, *plan, followed);
   if (shard.signal != 0) return EndOfShard(arguments, options, shard);
   int code = ReportEnd(end, options.out_dir, arguments.json);

@@ -40,8 +40,6 @@ CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& c
                    {"runs", campaign.run_count()},
                    {"columns", ColumnNames(options.columns)}};
   options.environment = EnvironmentJson();
-  options.draw = system.draw;
-  options.draw_campaign = system.draw_campaign;
   return options;
 }
 

@@ -36,9 +36,7 @@ int Merge(const MergeArguments& arguments, const std::vector<System>& systems) {
   const KeptCampaign kept = OpenKeptCampaign(arguments.dir, systems);
   const std::vector<Requirement> requirements =
       ReadRequirements(arguments.judging, kept.columns, kept.campaign);
-  const std::vector<KnownSystem> known = KnownSystems(systems);
-  const CampaignEnd end = MergeShards(arguments.dir, kept.campaign, RunMaker(kept.campaign, known),
-                                      kept.columns, FindSystem(systems, kept.system).draw_campaign);
+  const CampaignEnd end = MergeShards(arguments.dir, kept.campaign, kept.columns);
   const int code = ReportEnd(end, arguments.dir, arguments.json);
   return JudgeResults(arguments.judging, requirements, end, kept.campaign, kept.columns,
                       arguments.dir, arguments.json, code);

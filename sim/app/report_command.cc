@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "controller/base/number_text.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/judging.h"
@@ -12,6 +13,8 @@
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/page/markdown.h"
+#include "sim/report/run_plots.h"
+#include "sim/report/starts_plot.h"
 
 namespace dockyard {
 namespace {
@@ -20,7 +23,7 @@ struct ReportArguments {
   std::string dir, out, format = "html";
   double reliability = 0.0, confidence = 0.95;
   int most_mib = 50;
-  bool no_pictures = false;
+  bool no_pictures = false, svg = false;
 };
 
 struct Format {
@@ -37,9 +40,13 @@ Examples:
   dockyard report results/{campaign_name} --out out/yard.html --no-pictures
   dockyard report results/{campaign_name} --reliability 0.9 --confidence 0.95
   dockyard report results/{campaign_name} --format markdown --out out/yard.md
+  dockyard report results/{campaign_name} --svg --out out/figures
 
 The page has success with exact intervals, failures by cause, a map of the starts, the sensitivity,
-all runs in a table, and a replay of each run whose log is kept (`keep` in the campaign's file).)";
+all runs in a table, and a replay of each run whose log is kept (`keep` in the campaign's file).
+
+--svg writes static figures instead, into the folder --out: of a campaign starts.svg, the starts from
+above with how they ended; of a run path.svg and history.svg, its path and its channels over time.)";
 
 std::string ExtensionOf(const std::string& format) {
   const auto known = std::find_if(kFormats.begin(), kFormats.end(),
@@ -61,10 +68,37 @@ std::string ReportText(const std::string& format, const ReportContent& content,
   return OverviewMarkdown(content.title, overview, content.replay_command);
 }
 
+/// "axel_typical, seed 7: docked after 99 s"
+std::string TitleOf(const ReportContent& content, const RunResult& row) {
+  return content.title + ", seed " + std::to_string(row.seed) + ": " + row.outcome + " after " +
+         Fixed(row.sim_time_s, 0) + " s";
+}
+
+int WriteFigures(const ReportContent& content, const std::filesystem::path& out) {
+  MakeFolder(out);
+  if (content.campaign == nullptr) {
+    const LoggedRun log = content.watched.front().log();
+    const std::string title = TitleOf(content, content.runs->results.front());
+    WriteWhole(out / "path.svg", PathPlot(title, log));
+    WriteWhole(out / "history.svg", HistoryPlot(title, log, content.channels));
+    PrintNote("path.svg and history.svg in " + out.string());
+    return kExitDone;
+  }
+  if (content.starts.empty()) {
+    PrintError("the rows do not tell where the runs started; there is nothing to draw");
+    return kExitIncomplete;
+  }
+  WriteWhole(out / "starts.svg", StartsPlot(content.title, content.runs->results, content.starts));
+  PrintNote("starts.svg in " + out.string());
+  return kExitDone;
+}
+
 int Report(const ReportArguments& arguments, const std::vector<System>& systems) {
   const std::filesystem::path dir = arguments.dir;
   ReportSource source;
   ReportContent content = ContentOf(dir, systems, source);
+  if (arguments.svg)
+    return WriteFigures(content, arguments.out.empty() ? dir.string() : arguments.out);
   content.pictures = !arguments.no_pictures;
   content.most_bytes = static_cast<std::size_t>(arguments.most_mib) << 20;
   if (arguments.reliability > 0.0) {
@@ -86,13 +120,15 @@ void AddReportCommand(CLI::App& app, const std::vector<System>& systems, int& ex
   CLI::App* command = app.add_subcommand("report", kHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
       ->required();
-  command->add_option("--out", arguments->out, "the file [DIR/report.html]");
+  command->add_option("--out", arguments->out,
+                      "the file [DIR/report.html]; with --svg a folder [DIR]");
   command->add_option("--format", arguments->format, "html, json, markdown or junit [html]")
       ->check(CLI::IsMember({"html", "json", "markdown", "junit"}));
   command
       ->add_option("--most-mib", arguments->most_mib,
                    "largest file; replays beyond it are left out, and told [50]")
       ->check(CLI::Range(2, 380));
+  command->add_flag("--svg", arguments->svg, "instead: figures as SVG files");
   command->add_flag("--no-pictures", arguments->no_pictures, "replays without the cameras' images");
   command
       ->add_option("--reliability", arguments->reliability,

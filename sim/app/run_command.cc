@@ -88,11 +88,10 @@ int Run(const RunArguments& arguments, const std::vector<System>& systems) {
   if (!arguments.out_dir.empty()) {
     WriteRecordFiles(arguments.out_dir, record);
     WriteSingleResult(arguments.out_dir, record.result, record.columns);
-    if (system.draw) WriteFigures(arguments.out_dir, system.draw(record, run.scenario));
     if (!record.messages.empty()) {
       WriteWhole(std::filesystem::path(arguments.out_dir) / "messages.txt", record.messages);
     }
-    PrintNote("log and plots in " + arguments.out_dir);
+    PrintNote("log and history in " + arguments.out_dir);
   }
   if (!arguments.report.empty()) {
     WriteReport(arguments.report, options.log_dir, !passing, system, run.scenario, record);
@@ -116,7 +115,7 @@ void AddRunCommand(CLI::App& app, const std::vector<System>& systems, int& exit_
   CLI::App* command = app.add_subcommand("run", kHelp);
   AddScenarioOptions(*command, arguments->scenario);
   AddCommandOptions(*command, arguments->commands);
-  command->add_option("--out", arguments->out_dir, "folder for log, history and plots");
+  command->add_option("--out", arguments->out_dir, "folder for log and history");
   command->add_option("--report", arguments->report, "an HTML file that shows the run");
   command->add_flag("--json", arguments->json, "the result as JSON");
   command->callback([arguments, &systems, &exit_code] { exit_code = Run(*arguments, systems); });

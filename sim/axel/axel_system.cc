@@ -7,11 +7,9 @@
 #include "sim/axel/axel_columns.h"
 #include "sim/axel/axel_judge.h"
 #include "sim/axel/axel_plant.h"
-#include "sim/axel/grid_plot.h"
 #include "sim/axel/load_models.h"
 #include "sim/axel/nominal_json.h"
 #include "sim/axel/read_script.h"
-#include "sim/axel/run_plots.h"
 #include "sim/axel/view_start.h"
 #include "sim/run/light.h"
 
@@ -97,17 +95,6 @@ std::optional<NamedBoard> BoardOfStation(const std::string& file, MeshStore& mes
   return NamedBoard{.name = station.name, .board = station.board, .cutout = CutoutOf(station)};
 }
 
-std::vector<Figure> Draw(const RunRecord& record, const AxelModels& models) {
-  return {{"path.svg", PathPlot(record, models.built.station.cone)},
-          {"history.svg", HistoryPlot(record)}};
-}
-
-std::vector<Figure> DrawCampaign(const std::string& title, const RowColumns& columns,
-                                 const std::vector<RunResult>& rows, const AxelModels& models) {
-  if (!HasStartPoses(columns)) return {};
-  return {{"grid.svg", GridPlot(title, columns, rows, models.told.station.cone)}};
-}
-
 }  // namespace
 
 System AxelSystem(const std::vector<NamedController>& controllers, const ScriptPlayer& play) {
@@ -135,13 +122,6 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   };
   system.play = [play](const Json& nominal, const YamlNode& script) {
     return play(NominalFromJson(nominal), ReadScript(script));
-  };
-  system.draw = [store](const RunRecord& record, const Scenario& scenario) {
-    return Draw(record, *store->Get(scenario));
-  };
-  system.draw_campaign = [store](const std::string& title, const Scenario& first,
-                                 const RowColumns& columns, const std::vector<RunResult>& rows) {
-    return DrawCampaign(title, columns, rows, *store->Get(first));
   };
   system.view = [store](const Scenario& scenario, const std::filesystem::path& dir) {
     WriteStartView(scenario, *store->Get(scenario), dir);

@@ -45,7 +45,7 @@ class Engine {
       : campaign_(campaign),
         options_(options),
         maker_(campaign, options.systems),
-        work_{function, options.draw, options.columns},
+        work_{function, options.columns},
         finished_(0),
         next_(options.shard.number - 1),
         retention_(campaign.keep),
@@ -200,8 +200,7 @@ ShardEnd RunShard(const Campaign& campaign, const RunFunction& function,
 CampaignEnd RunCampaign(const Campaign& campaign, const RunFunction& function,
                         const CampaignOptions& options) {
   const ShardEnd shard = RunShard(campaign, function, options);
-  CampaignEnd end = MergeShards(options.out_dir, campaign, RunMaker(campaign, options.systems),
-                                options.columns, options.draw_campaign, shard.enough);
+  CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns, shard.enough);
   end.signal = shard.signal;
   return end;
 }

@@ -28,9 +28,7 @@ struct CampaignOptions {
   Json facts;                 // of the campaign, for readers of its manifest
   Json environment;           // where this program runs, into the shard's first line
   std::vector<KnownSystem> systems;
-  RowColumns columns;          // of the campaign's system, with the campaign's labels
-  DrawRun draw;                // figures into each run's folder; empty: none
-  DrawCampaign draw_campaign;  // figures into plots/; empty: none
+  RowColumns columns;  // of the campaign's system, with the campaign's labels
   /// Gets every result in order of indices, those of earlier calls included; true: enough. Empty:
   /// never. Runs beyond the last one that it got may have results too.
   std::function<bool(const RunResult&)> enough;

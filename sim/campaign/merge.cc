@@ -91,13 +91,11 @@ void WritePoints(const fs::path& dir, const Campaign& campaign, const RowColumns
     WriteWhole(dir / "points.csv", PointsCsv(settings, columns, rows));
     WriteWhole(dir / "points.md", PointsTable(settings, measures, columns, rows));
   }
-  std::vector<Figure> figures{
-      {"curves.svg", CurvesPlot(campaign.name, campaign.figures, columns, rows)},
-      {"bars.svg", BarsPlot(campaign.name, measures, columns, rows)}};
-  figures.erase(std::remove_if(figures.begin(), figures.end(),
-                               [](const Figure& figure) { return figure.text.empty(); }),
-                figures.end());
-  WriteFigures(dir / "plots", figures);
+  const auto write = [&](const char* file, const std::string& figure) {
+    if (!figure.empty()) WriteWhole(dir / "plots" / file, figure);
+  };
+  write("curves.svg", CurvesPlot(campaign.name, campaign.figures, columns, rows));
+  write("bars.svg", BarsPlot(campaign.name, measures, columns, rows));
 }
 
 /// Tables and figure of a campaign with draws; returns its part of the summary.
@@ -178,8 +176,8 @@ void TakeShards(const fs::path& from, const fs::path& into) {
   }
 }
 
-CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const RunMaker& maker,
-                        const RowColumns& columns, const DrawCampaign& draw, bool enough) {
+CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const RowColumns& columns,
+                        bool enough) {
   CampaignEnd end;
   end.total = campaign.run_count();
   end.runs = ReadShards(dir, columns, &end.damaged);
@@ -189,9 +187,6 @@ CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const Run
   WriteResultsCsv(dir / "results.csv", end.runs, columns);
   WriteDatabase(dir / "results.sqlite", end.runs, columns);
   MakeFolder(dir / "plots");
-  if (draw) {
-    WriteFigures(dir / "plots", draw(campaign.name, maker.Make(0).scenario, columns, rows));
-  }
   WritePoints(dir, campaign, columns, rows);
   end.summary = SummaryText(campaign.name, end.runs, columns, end.total, enough) +
                 WriteSensitivity(dir, campaign, columns, rows);

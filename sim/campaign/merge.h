@@ -13,10 +13,6 @@
 
 namespace dockyard {
 
-using DrawCampaign =
-    std::function<std::vector<Figure>(const std::string& title, const Scenario& first,
-                                      const RowColumns&, const std::vector<RunResult>&)>;
-
 /// All rows of a results folder, one for each run, in order of runs: its result, else the last row
 /// of a run that was lost. Throws ResultsError, also when two rows hold different results of one
 /// run, and IoError.
@@ -43,10 +39,8 @@ struct CampaignEnd {
 
 /// Writes results.csv, timing.csv, results.sqlite, points, plots and summary.txt of the folder's
 /// rows, and into its manifest where they were made. Throws ResultsError and IoError.
-/// @param draw    figures of the system into plots/; empty: none
 /// @param enough  a sequential test needed no more runs
 CampaignEnd MergeShards(const std::filesystem::path& dir, const Campaign& campaign,
-                        const RunMaker& maker, const RowColumns& columns, const DrawCampaign& draw,
-                        bool enough = false);
+                        const RowColumns& columns, bool enough = false);
 
 }  // namespace dockyard

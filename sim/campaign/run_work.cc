@@ -35,10 +35,6 @@ FinishedRun Lost(const CampaignRun& run, const std::string& outcome, const std::
 
 }  // namespace
 
-void WriteFigures(const std::filesystem::path& dir, const std::vector<Figure>& figures) {
-  for (const Figure& figure : figures) WriteWhole(dir / figure.file, figure.text);
-}
-
 std::string RunAndAnswer(const std::function<CampaignRun()>& make, const RunWork& work,
                          const std::filesystem::path& run_dir) {
   try {
@@ -46,7 +42,6 @@ std::string RunAndAnswer(const std::function<CampaignRun()>& make, const RunWork
     const RunRecord record = work.simulate(run, run_dir);
     if (!run_dir.empty()) WriteRecordFiles(run_dir, record);
     if (!record.messages.empty()) std::fputs(record.messages.c_str(), stderr);  // messages.txt
-    if (work.draw && !run_dir.empty()) WriteFigures(run_dir, work.draw(record, run.scenario));
     return Answer(kRow, CsvRow(record.result, work.columns)) +
            NumberText(record.timing.cpu_time_s) + "\n" + NumberText(record.timing.wall_time_s) +
            "\n" + OneLine(record.failure_note) + "\n";

@@ -16,19 +16,14 @@ namespace dockyard {
 
 using RunFunction =
     std::function<RunRecord(const CampaignRun& run, const std::filesystem::path& log_dir)>;
-using DrawRun = std::function<std::vector<Figure>(const RunRecord&, const Scenario&)>;
-
-/// Writes each figure as a file of the folder, which exists. Throws IoError.
-void WriteFigures(const std::filesystem::path& dir, const std::vector<Figure>& figures);
 
 /// What a worker does with a run.
 struct RunWork {
   RunFunction simulate;
-  DrawRun draw;  // empty: it draws nothing
   RowColumns columns;
 };
 
-/// In the worker: makes the run, simulates it, writes its files and figures into its folder, if it
+/// In the worker: makes the run, simulates it, writes its files into its folder, if it
 /// has one, and gives the answer as lines of text: row, timing and failure note, or the exception.
 std::string RunAndAnswer(const std::function<CampaignRun()>& make, const RunWork& work,
                          const std::filesystem::path& run_dir);

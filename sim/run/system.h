@@ -1,4 +1,4 @@
-// A system as a value: one kind of robot with its target, controllers, judge, plots and commands.
+// A system as a value: one kind of robot with its target, controllers, judge and commands.
 // The program uses systems through this struct alone (sim/app/systems.cc lists them).
 #pragma once
 
@@ -46,12 +46,6 @@ struct FileCheck {
   std::string kind, summary;
 };
 
-/// A text file of a figure or table.
-struct Figure {
-  std::string file;  // name in the folder
-  std::string text;
-};
-
 /// A command of the system's own: `dockyard NAME ...`.
 struct SystemCommand {
   std::string name, help;
@@ -89,11 +83,6 @@ struct System {
   /// Open-loop commands in place of a controller, from the scenario's `script`. Throws ConfigError.
   /// Empty: the system has none.
   std::function<std::unique_ptr<Controller>(const Json& nominal, const YamlNode& script)> play;
-  /// Figures of one run, and of all runs of a campaign. Empty: it draws none.
-  std::function<std::vector<Figure>(const RunRecord&, const Scenario&)> draw;
-  std::function<std::vector<Figure>(const std::string& title, const Scenario& first,
-                                    const RowColumns&, const std::vector<RunResult>&)>
-      draw_campaign;
   /// What a spectator sees of a run. Throws ConfigError. Empty: it cannot be shown.
   std::function<StageShapes(const Scenario&)> shapes;
   /// The images at the start pose with the truth beside them, into a folder. Empty: it has none.

@@ -99,7 +99,7 @@ TEST(ProgramRun, FeelsAMastOnAFixedJoint) {
   EXPECT_NE(hash(), without);
 }
 
-TEST(ProgramRun, LeavesLogAndPlotsInItsFolder) {
+TEST(ProgramRun, LeavesItsLogAndHistoryInItsFolder) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "run").string();
   for (int again = 0; again < 2; ++again) {
@@ -108,8 +108,12 @@ TEST(ProgramRun, LeavesLogAndPlotsInItsFolder) {
   }
   for (const char* file :
        {"resolved.yaml", "run.mcap", "history.csv", "outcome.json", "sightings.json", "plans.json",
-        "result.csv", "path.svg", "history.svg"}) {
+        "result.csv"}) {
     EXPECT_TRUE(fs::exists(fs::path(out) / file)) << file;
+  }
+  EXPECT_EQ(Dockyard("report --svg " + out).code, 0);
+  for (const char* file : {"path.svg", "history.svg"}) {
+    EXPECT_THAT(Slurp(fs::path(out) / file), HasSubstr("timeout after 2 s")) << file;
   }
 }
 

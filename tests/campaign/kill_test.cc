@@ -44,9 +44,6 @@ CampaignOptions OptionsFor(const fs::path& dir, int jobs, const Shard& shard) {
   options.systems = FakeSystems();
   options.columns = FakeColumns();
   options.identity.campaign_yaml = CampaignYaml(FakeCampaign(kRuns));
-  options.draw = [](const RunRecord&, const Scenario&) {
-    return std::vector<Figure>{{"path.svg", std::string(3000, 'x')}};
-  };
   return options;
 }
 

@@ -24,12 +24,6 @@ namespace {
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-std::string ResultRows(const RowColumns& columns, const std::vector<RunResult>& rows) {
-  std::string text;
-  for (const RunResult& row : rows) text += CsvRow(row, columns) + "\n";
-  return text;
-}
-
 CampaignOptions OptionsFor(const fs::path& dir, int jobs) {
   CampaignOptions options;
   options.out_dir = dir;
@@ -37,21 +31,14 @@ CampaignOptions OptionsFor(const fs::path& dir, int jobs) {
   options.systems = FakeSystems();
   options.columns = FakeColumns();
   options.identity.campaign_yaml = CampaignYaml(FakeCampaign(3));
-  options.draw = [](const RunRecord& record, const Scenario&) {
-    return std::vector<Figure>{{"path.svg", std::to_string(record.history.size()) + " samples"}};
-  };
-  options.draw_campaign = [](const std::string& title, const Scenario&, const RowColumns& columns,
-                             const std::vector<RunResult>& rows) {
-    return std::vector<Figure>{{"grid.svg", title + " " + ResultRows(columns, rows)}};
-  };
   return options;
 }
 
 /// Every file that must not depend on how the campaign came to its end.
 void ExpectSameResults(const fs::path& a, const fs::path& b) {
-  for (const char* file : {"results.csv", "results.sqlite", "summary.txt", "campaign.yaml",
-                           "plots/grid.svg", "runs/003/history.csv", "runs/003/outcome.json",
-                           "runs/003/path.svg", "runs/003/plans.json", "runs/003/sightings.json"}) {
+  for (const char* file :
+       {"results.csv", "results.sqlite", "summary.txt", "campaign.yaml", "runs/003/history.csv",
+        "runs/003/outcome.json", "runs/003/plans.json", "runs/003/sightings.json"}) {
     EXPECT_EQ(Slurp(a / file), Slurp(b / file)) << file;
   }
 }
@@ -230,9 +217,7 @@ TEST(RunCampaign, GivesTheSameBytesInShards) {
     EXPECT_TRUE(end.complete());
     EXPECT_EQ(end.total, number == 3 ? 3 : 4);
   }
-  const std::vector<KnownSystem> systems = FakeSystems();
-  MergeShards(shards, campaign, RunMaker(campaign, systems), options.columns,
-              options.draw_campaign);
+  MergeShards(shards, campaign, options.columns);
   ExpectSameResults(serial, shards);
 }
 
@@ -330,20 +315,6 @@ TEST(RunCampaign, LeavesNoWorkerBehindWhenKilled) {
   fs::remove(alive);
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_FALSE(fs::exists(alive));
-}
-
-TEST(RunCampaign, DrawsEachRunAndAllOfThemByTheSystemsHooks) {
-  const TemporaryFolder folder;
-  const CampaignEnd end = RunCampaign(FakeCampaign(2), FakeRun, OptionsFor(folder.path(), 2));
-  EXPECT_EQ(Slurp(folder.path() / "runs/002/path.svg"), "200 samples");
-  EXPECT_EQ(Slurp(folder.path() / "plots/grid.svg"),
-            "fake " + ResultRows(FakeColumns(), {ResultOf(end, 1), ResultOf(end, 2)}));
-  CampaignOptions undrawn = OptionsFor(folder.path() / "undrawn", 1);
-  undrawn.draw = nullptr;
-  undrawn.draw_campaign = nullptr;
-  RunCampaign(FakeCampaign(1), FakeRun, undrawn);
-  EXPECT_FALSE(fs::exists(folder.path() / "undrawn/runs/001/path.svg"));
-  EXPECT_FALSE(fs::exists(folder.path() / "undrawn/plots/grid.svg"));
 }
 
 TEST(RunCampaign, WithoutLogsLeavesNoFolderOfARun) {
