@@ -29,12 +29,24 @@ std::optional<GrayImage> GrayFromWebp(std::string_view bytes) {
 
 std::string EncodeWebp(const RgbImage& image, double quality) {
   DOCKYARD_CHECK(image.width > 0 && image.height > 0);
-  std::uint8_t* bytes = nullptr;
-  const std::size_t size = WebPEncodeRGB(image.pixels.data(), image.width, image.height,
-                                         3 * image.width, static_cast<float>(quality), &bytes);
-  std::string webp(reinterpret_cast<const char*>(bytes), size);
-  WebPFree(bytes);
-  return webp;
+  WebPConfig config;
+  WebPPicture picture;
+  DOCKYARD_CHECK(WebPConfigInit(&config) && WebPPictureInit(&picture));
+  config.quality = static_cast<float>(quality);
+  config.method = 2;  // a third of the default's time for a tenth more bytes
+  picture.width = image.width;
+  picture.height = image.height;
+  WebPMemoryWriter memory;
+  WebPMemoryWriterInit(&memory);
+  picture.writer = WebPMemoryWrite;
+  picture.custom_ptr = &memory;
+  const bool whole = WebPPictureImportRGB(&picture, image.pixels.data(), 3 * image.width) &&
+                     WebPEncode(&config, &picture);
+  std::string bytes;
+  if (whole) bytes.assign(reinterpret_cast<const char*>(memory.mem), memory.size);
+  WebPPictureFree(&picture);
+  WebPMemoryWriterClear(&memory);
+  return bytes;
 }
 
 }  // namespace dockyard

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "sim/log/ground_over_time.h"
@@ -9,14 +10,23 @@
 namespace dockyard {
 namespace {
 
-constexpr double kMargin_m = 1.0, kStep_m = 1e-4;  // the page's steps of height
-constexpr std::uint32_t kMostVertices = 50'000;    // more are slow to draw without a graphics card
+constexpr double kMargin_m = 1.0;
+constexpr double kHeightQuantum_m = 5e-4;        // ruts are 5-20 mm deep
+constexpr std::uint32_t kMostVertices = 50'000;  // more are slow to draw without a graphics card
 
 /// A part of the soil's grid with every `stride`-th sample of it.
 struct Window {
   std::uint32_t x0 = 0, y0 = 0, columns = 0, rows = 0, stride = 1;
 
   std::uint32_t vertices() const { return columns * rows; }
+  /// The vertex of a cell of a grid with nx columns; none: it is not shown.
+  std::optional<std::uint32_t> VertexOf(std::uint32_t cell, std::uint32_t nx) const {
+    const std::uint32_t x = cell % nx, y = cell / nx;
+    if (x < x0 || y < y0 || (x - x0) % stride != 0 || (y - y0) % stride != 0) return std::nullopt;
+    const std::uint32_t column = (x - x0) / stride, row = (y - y0) / stride;
+    if (column >= columns || row >= rows) return std::nullopt;
+    return row * columns + column;
+  }
 };
 
 /// The samples from `low` to `high`, limited to the grid.
@@ -50,17 +60,20 @@ Window WindowOf(const LoggedGround& grid, const std::vector<std::vector<Pose3>>&
   return window;
 }
 
-/// Heights as they are now, in the page's steps.
-std::vector<std::int16_t> HeightsIn(const Window& window, const std::vector<std::int16_t>& all,
-                                    const LoggedGround& grid) {
-  std::vector<std::int16_t> heights;
+double Rounded(double height_m) {
+  return kHeightQuantum_m * std::round(height_m / kHeightQuantum_m);
+}
+
+/// Heights as they are now [m].
+std::vector<double> HeightsIn(const Window& window, const std::vector<std::int16_t>& all,
+                              const LoggedGround& grid) {
+  std::vector<double> heights;
   heights.reserve(window.vertices());
   for (std::uint32_t row = 0; row < window.rows; ++row) {
     for (std::uint32_t column = 0; column < window.columns; ++column) {
       const std::size_t at = std::size_t{window.y0 + row * window.stride} * grid.nx + window.x0 +
                              column * window.stride;
-      heights.push_back(static_cast<std::int16_t>(
-          std::clamp(all[at] * grid.step_m / kStep_m, -32768.0, 32767.0)));
+      heights.push_back(Rounded(all[at] * grid.step_m));
     }
   }
   return heights;
@@ -74,29 +87,30 @@ Json ReplayGround(const LoggedRun& run, const std::vector<std::vector<Pose3>>& X
   if (ground.grid() == nullptr || X_GO.empty()) return nullptr;
   const LoggedGround& grid = *ground.grid();
   const Window window = WindowOf(grid, X_GO);
-  std::vector<std::int16_t> shown = HeightsIn(window, ground.heights(), grid);
+  std::vector<double> shown = HeightsIn(window, ground.heights(), grid);
   Json json{{"x0_m", grid.x0_m + window.x0 * grid.cell_m},
             {"y0_m", grid.y0_m + window.y0 * grid.cell_m},
             {"cell_m", grid.cell_m * window.stride},
             {"columns", window.columns},
             {"rows", window.rows},
-            {"heights", payload.AddNumbers(shown)},
+            {"heights", payload.AddChannel(shown, kHeightQuantum_m)},
             {"changes", Json::array()}};
   for (std::size_t i = 1; i < run.ground.size(); ++i) {
     ground.AdvanceTo(run.ground[i].time_s);
-    const std::vector<std::int16_t> now = HeightsIn(window, ground.heights(), grid);
-    std::vector<std::uint32_t> cells;
-    std::vector<std::int16_t> heights;
-    for (std::uint32_t at = 0; at < now.size(); ++at) {
-      if (now[at] == shown[at]) continue;
-      cells.push_back(at);
-      heights.push_back(now[at]);
+    std::vector<double> cells, heights;
+    for (const std::uint32_t cell : run.ground[i].value.cells) {
+      const auto vertex = window.VertexOf(cell, grid.nx);
+      if (!vertex || cell >= ground.heights().size()) continue;
+      const double height_m = Rounded(ground.heights()[cell] * grid.step_m);
+      if (height_m == shown[*vertex]) continue;
+      shown[*vertex] = height_m;
+      cells.push_back(*vertex);
+      heights.push_back(height_m);
     }
-    shown = now;
     if (cells.empty()) continue;
     json["changes"].push_back({{"sample", run.SampleAt(run.ground[i].time_s)},
-                               {"cells", payload.AddNumbers(cells)},
-                               {"heights", payload.AddNumbers(heights)}});
+                               {"cells", payload.AddChannel(cells, 1.0)},
+                               {"heights", payload.AddChannel(heights, kHeightQuantum_m)}});
   }
   return json;
 }

@@ -7,11 +7,12 @@
 
 #include "sim/page/replay_ground.h"
 #include "sim/page/sightings_part.h"
+#include "sim/page/simplified.h"
 
 namespace dockyard {
 namespace {
 
-constexpr double kLengthQuantum_m = 1e-4, kTurnQuantum = 1e-4, kPointQuantum_m = 1e-3;
+constexpr double kLengthQuantum_m = 1e-4, kTurnQuantum = 4e-4, kPointQuantum_m = 1e-3;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Position and quaternion over the samples. Signs are such that neighbours are near.
@@ -36,8 +37,9 @@ Json LineJson(const std::string& name, const std::vector<StageLine>& line, const
               Payload& payload) {
   std::vector<double> counts, points[3];
   for (const StageLine& now : line) {
-    counts.push_back(static_cast<double>(now.points_W.size()));
-    for (const Eigen::Vector3d& p_W : now.points_W) {
+    const std::vector<Eigen::Vector3d> shown_W = Simplified(now.points_W, kPointQuantum_m);
+    counts.push_back(static_cast<double>(shown_W.size()));
+    for (const Eigen::Vector3d& p_W : shown_W) {
       const Eigen::Vector3d p_G = X_GW * p_W;
       for (int i = 0; i < 3; ++i) points[i].push_back(p_G(i));
     }

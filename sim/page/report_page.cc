@@ -1,6 +1,7 @@
 #include "sim/page/report_page.h"
 
 #include <cstdio>
+#include <future>
 #include <stdexcept>
 #include <utility>
 
@@ -71,10 +72,17 @@ void AddReplays(const ReportContent& content, Payload& payload, Json& header,
   constexpr double kBase64 = 4.0 / 3.0;
   Scenes scenes(payload);
   Json replays = Json::array();
+  // The next log is read while this one is packed.
+  const auto read = [&](std::size_t i) {
+    return i < content.watched.size() ? std::async(std::launch::async, content.watched[i].log)
+                                      : std::future<LoggedRun>();
+  };
+  std::future<LoggedRun> next = read(0);
   for (std::size_t i = 0; i < content.watched.size(); ++i) {
     const WatchedRun& watched = content.watched[i];
+    std::future<LoggedRun> here = std::exchange(next, read(i + 1));
     try {
-      const LoggedRun log = watched.log();
+      const LoggedRun log = here.get();
       const std::size_t scene = scenes.Add(watched.shapes());
       const std::size_t before = payload.size();
       Json replay = ReplayPart(log, FactsOf(content, watched, scene, log), payload);

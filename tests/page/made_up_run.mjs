@@ -169,6 +169,9 @@ function tether(blobs, body, samples) {
   };
 }
 
+const HEIGHT_QUANTUM_M = 0.0001;
+const metres = (steps) => Float64Array.from(steps, (step) => step * HEIGHT_QUANTUM_M);
+
 function ground(blobs, left, right, samples) {
   const columns = 120,
     rows = 90,
@@ -198,11 +201,11 @@ function ground(blobs, left, right, samples) {
     const cells = Uint32Array.from([...changed].sort((a, b) => a - b));
     changes.push({
       sample: Math.min(samples - 1, begin + 19),
-      cells: blobs.add(cells),
-      heights: blobs.add(Int16Array.from(cells, (cell) => now[cell])),
+      cells: blobs.channel(cells, 1),
+      heights: blobs.channel(metres(Int16Array.from(cells, (cell) => now[cell])), HEIGHT_QUANTUM_M),
     });
   }
-  return { x0_m, y0_m, cell_m: CELL_M, columns, rows, heights: blobs.add(heights), changes };
+  return { x0_m, y0_m, cell_m: CELL_M, columns, rows, heights: blobs.channel(metres(heights), HEIGHT_QUANTUM_M), changes };
 }
 
 function sightings(blobs, run, poses_D, samples, with_pictures) {

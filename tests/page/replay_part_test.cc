@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "sim/images/png.h"
+#include "sim/page/pictures.h"
 #include "sim/page/replay_ground.h"
+#include "sim/page/simplified.h"
 
 namespace dockyard {
 namespace {
@@ -78,8 +80,55 @@ TEST(ReplayGround, IsCutToWhereTheRobotWasAndKeepsWhatChanges) {
   EXPECT_NEAR(json["columns"].get<int>(), 106, 2);
   EXPECT_LE(json["columns"].get<int>() * json["rows"].get<int>(), 50000);
   ASSERT_EQ(json["changes"].size(), 1u);
-  EXPECT_EQ(json["changes"][0]["cells"]["length"], 4);  // the one inside
+  EXPECT_EQ(json["changes"][0]["cells"]["length"], 1 + 2);  // the one inside: its place, 2 bytes
   EXPECT_EQ(json["changes"][0]["sample"], 1);
+}
+
+/// Distance of a point from the nearest point of a line of pieces.
+double DistanceFrom(const std::vector<Eigen::Vector3d>& line, const Eigen::Vector3d& p) {
+  double nearest = 1e9;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    for (int k = 0; k <= 1000; ++k) {
+      const double share = 0.001 * k;
+      nearest = std::min(nearest, (p - (1.0 - share) * line[i] - share * line[i + 1]).norm());
+    }
+  }
+  return nearest;
+}
+
+TEST(Simplified, LeavesNoPointFartherOffThanTheTolerance) {
+  std::vector<Eigen::Vector3d> hanging;
+  for (int i = 0; i <= 64; ++i) {
+    const double x = i / 64.0 - 0.5;
+    hanging.emplace_back(x, 0.3 * x, 0.4 * x * x);
+  }
+  const auto few = Simplified(hanging, 1e-3);
+  EXPECT_LT(few.size(), 20u);
+  EXPECT_EQ(few.front(), hanging.front());
+  EXPECT_EQ(few.back(), hanging.back());
+  for (const Eigen::Vector3d& p : hanging) EXPECT_LT(DistanceFrom(few, p), 1.01e-3);
+}
+
+TEST(Simplified, KeepsTheEndsOfAStraightLineAlone) {
+  std::vector<Eigen::Vector3d> taut;
+  for (int i = 0; i < 40; ++i) taut.emplace_back(0.1 * i, -0.02 * i, 0.5);
+  EXPECT_EQ(Simplified(taut, 1e-3).size(), 2u);
+  EXPECT_EQ(Simplified({}, 1e-3).size(), 0u);
+  EXPECT_EQ(Simplified({{1, 2, 3}}, 1e-3).size(), 1u);
+}
+
+TEST(SmallPictures, AreTheSameOfGreyAndOfEqualColoursAndKeepTheirPlaces) {
+  GrayImage gray{1024, 768, std::vector<std::uint8_t>(1024 * 768)};
+  for (std::size_t i = 0; i < gray.pixels.size(); ++i) {
+    gray.pixels[i] = static_cast<std::uint8_t>((i * 7 + i / 1024) % 251);
+  }
+  const LoggedImage as_gray{"left", EncodePng(gray)}, as_colour{"left", EncodePng(AsColour(gray))};
+  const LoggedImage nonsense{"left", "nonsense"};
+  const auto pictures = SmallPictures({nullptr, &as_gray, &nonsense, &as_colour, nullptr});
+  ASSERT_EQ(pictures.size(), 5u);
+  EXPECT_GT(pictures[1].size(), 100u);
+  EXPECT_EQ(pictures[1], pictures[3]);
+  for (const std::size_t none : {0, 2, 4}) EXPECT_EQ(pictures[none], "");
 }
 
 }  // namespace

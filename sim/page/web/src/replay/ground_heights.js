@@ -1,6 +1,6 @@
 // Heights of the ground over time: the grid at the start, then the cells that changed.
 
-const STEP_M = 0.0001; // metres a step of the stored heights
+import { readChannel } from '../channels.js';
 
 export class GroundHeights {
   /** @param {any} ground @param {import('../payload.js').Blobs} blobs */
@@ -11,15 +11,14 @@ export class GroundHeights {
     this.y0 = ground.y0_m;
     this.cell = ground.cell_m;
     const count = this.columns * this.rows;
-    const stored = ground.heights ? blobs.i16(ground.heights) : new Int16Array(count);
-    if (stored.length !== count) throw new Error('the ground of the data is damaged');
-    this.first = Float32Array.from(stored, (v) => v * STEP_M);
+    this.first = ground.heights
+      ? Float32Array.from(readChannel(blobs, ground.heights, count))
+      : new Float32Array(count);
     this.now = this.first.slice();
-    this.changes = (ground.changes ?? []).map((/** @type {any} */ change) => ({
-      sample: change.sample,
-      cells: blobs.u32(change.cells),
-      heights: blobs.i16(change.heights),
-    }));
+    this.changes = (ground.changes ?? []).map((/** @type {any} */ change) => {
+      const cells = readChannel(blobs, change.cells);
+      return { sample: change.sample, cells, heights: readChannel(blobs, change.heights, cells.length) };
+    });
     this.applied = 0;
   }
 
@@ -40,8 +39,8 @@ export class GroundHeights {
     for (; this.applied < wanted; ++this.applied) {
       const { cells, heights } = this.changes[this.applied];
       for (let i = 0; i < cells.length; ++i) {
-        if (cells[i] >= this.now.length) continue;
-        this.now[cells[i]] = heights[i] * STEP_M;
+        if (!(cells[i] >= 0 && cells[i] < this.now.length)) continue;
+        this.now[cells[i]] = heights[i];
         changed.add(cells[i]);
       }
     }
