@@ -106,9 +106,8 @@ TEST(ProgramRun, LeavesItsLogAndHistoryInItsFolder) {
     EXPECT_EQ(Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=2 --out " + out).code,
               4);
   }
-  for (const char* file :
-       {"resolved.yaml", "run.mcap", "history.csv", "outcome.json", "sightings.json", "plans.json",
-        "result.csv"}) {
+  for (const char* file : {"resolved.yaml", "run.mcap", "history.csv", "outcome.json",
+                           "sightings.json", "plans.json", "result.csv"}) {
     EXPECT_TRUE(fs::exists(fs::path(out) / file)) << file;
   }
   EXPECT_EQ(Dockyard("report --svg " + out).code, 0);
