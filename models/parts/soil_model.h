@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "models/parts/gravity.h"
+
 namespace dockyard {
 
 struct SoilModel {
@@ -20,7 +22,10 @@ struct SoilModel {
   double density_kg_m3 = 0.0;
   double unloading_stiffness_pa_per_m = 0.0;  // elastic rebound of loaded soil
   double damping_pa_s_per_m = 0.0;            // bounded normal damping, never suction
-  Eigen::Vector3d rgb{0.5, 0.4, 0.3};         // linear albedo, for drawing
+  // Where the soil lies. Weight, moduli, rebound and damping above are those on Earth, and go with
+  // it: grains under less weight bear and rebound less (Kobayashi et al., J. Terramech. 47, 2010).
+  double gravity_m_s2 = kEarthGravity_m_s2;
+  Eigen::Vector3d rgb{0.5, 0.4, 0.3};  // linear albedo, for drawing
 };
 
 }  // namespace dockyard

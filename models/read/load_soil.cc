@@ -10,10 +10,11 @@ SoilModel LoadSoil(const std::string& file, const ModelChanges& changes) {
   YamlNode root = LoadYaml(file);
   if (changes.told != nullptr) MergeYaml(root, *changes.told);
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
-  const YamlReader in(root, "",
-                      {"name", "source", "n", "slip_weakening", "k_c", "k_phi", "cohesion_pa",
-                       "friction_angle_deg", "shear_modulus_m", "density_kg_m3",
-                       "unloading_stiffness_pa_per_m", "damping_pa_s_per_m", "rgb", "spreads"});
+  const YamlReader in(
+      root, "",
+      {"name", "source", "n", "slip_weakening", "k_c", "k_phi", "cohesion_pa", "friction_angle_deg",
+       "shear_modulus_m", "density_kg_m3", "unloading_stiffness_pa_per_m", "damping_pa_s_per_m",
+       "gravity_m_s2", "rgb", "spreads"});
   SoilModel soil;
   soil.name = in.Text("name");
   soil.source = in.Text("source");
@@ -27,6 +28,7 @@ SoilModel LoadSoil(const std::string& file, const ModelChanges& changes) {
   soil.density_kg_m3 = in.Number("density_kg_m3", Between(200.0, 5000.0));
   soil.unloading_stiffness_pa_per_m = in.Number("unloading_stiffness_pa_per_m", Between(1e5, 1e9));
   soil.damping_pa_s_per_m = in.Number("damping_pa_s_per_m", NonNegative(1e8));
+  soil.gravity_m_s2 = in.NumberOr("gravity_m_s2", soil.gravity_m_s2, Between(0.01, 50.0));
   soil.rgb = in.Rgb("rgb");
   CheckSpreads(root);
   return soil;

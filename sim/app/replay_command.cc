@@ -41,7 +41,7 @@ constexpr const char* kHelp =
 Examples:
   dockyard replay results/{campaign_name} 17
   dockyard replay out/typical
-  dockyard replay out/typical --frames out/film --period 2
+  dockyard replay out/typical --frames out/film --period 5
 
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
 controller alone and compares its commands. Exit code 0: the same, 1: not the same, 10: the

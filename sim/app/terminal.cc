@@ -18,11 +18,15 @@ bool ColorWanted() {
 }  // namespace
 
 void PrintError(const std::string& message) {
+  std::fflush(stdout);
   const char* word = ColorWanted() ? "\x1b[1;31merror:\x1b[0m" : "error:";
   std::fprintf(stderr, "%s %s\n", word, message.c_str());
 }
 
-void PrintNote(const std::string& message) { std::fprintf(stderr, "%s\n", message.c_str()); }
+void PrintNote(const std::string& message) {
+  std::fflush(stdout);  // in a file that both go to, in the order in which they are said
+  std::fprintf(stderr, "%s\n", message.c_str());
+}
 
 int UsableProcessors() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

@@ -43,8 +43,8 @@ from the wheel's plane to its travel, to the right. Fx_N > 0 is drawbar, Fy_N th
 against the side slip, Fz_N the load that it carries, torque_Nm what a motor must give, sinkage_m
 that of the paddles' tips; all are means over whole paddle pitches. With --sweep the options --slip,
 --beta and --load take lists; --out gets sweep.csv, drawbar.svg and sinkage.svg. --data draws measured
-rows over the curves of their side slip: a CSV table with the columns beta_deg, slip, Fx_N, Fz_N,
-sinkage_mm and, if it holds several wheels, wheel.
+rows over the curves of their side slip: a CSV table with the columns slip, Fx_N, Fz_N and, where
+measured, beta_deg, sinkage_mm and torque_Nm; if it holds several wheels, wheel.
 Exit code 10: a wheel was still changing at the end of its way; its row says steady 0.)";
 
 SingleWheelSetup MakeSetup(const WheelArguments& arguments) {

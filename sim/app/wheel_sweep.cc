@@ -67,7 +67,8 @@ std::vector<Curve> MakeCurves(const std::vector<WheelRow>& table,
               [](const Point& a, const Point& b) { return a.slip < b.slip; });
     for (const MeasuredRow& row : measured) {
       if (std::fabs(row.beta_deg - curve.beta_deg) > kSameSideSlip_deg) continue;
-      curve.measured.push_back({row.slip, of_measured(row)});
+      const double value = of_measured(row);
+      if (std::isfinite(value)) curve.measured.push_back({row.slip, value});
     }
     list.push_back(std::move(curve));
   }

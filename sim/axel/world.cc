@@ -46,8 +46,8 @@ Pose3 StationStart(const WorldSetup& setup) {
     z += setup.ground.Height(at.x(), at.y()) - foot.p_SF.z();
   }
   const double count = static_cast<double>(setup.station.feet.size());
-  const double pressed =
-      setup.station.module.mass_kg * kEarthGravity / (count * setup.station.foot_stiffness_n_per_m);
+  const double pressed = setup.station.module.mass_kg * kEarthGravity_m_s2 /
+                         (count * setup.station.foot_stiffness_n_per_m);
   return FromGround(setup.X_GD, z / count - pressed);
 }
 
@@ -59,13 +59,13 @@ World::Impl::Impl(const WorldSetup& setup)
       ground_(setup.ground),
       rover_(setup.rover, RoverStart(setup), setup.arm_start_rad, setup.add_right_side_first),
       station_(setup.station, StationStart(setup), setup.add_right_side_first),
-      bullet_(setup.station.cone, kEarthGravity, rover_, station_),
+      bullet_(setup.station.cone, kEarthGravity_m_s2, rover_, station_),
       drives_(setup.rover, setup.arm_start_rad),
       tether_(setup.rover.tether, setup.station, setup.rover.arm_length_m),
       rover_ground_(setup.rover),
       left_soil_(setup.rover.left_wheel_soil, setup.soil),
       right_soil_(setup.rover.right_wheel_soil, setup.soil),
-      imu_(setup.rover.imu.p_RI, kEarthGravity) {
+      imu_(setup.rover.imu.p_RI, kEarthGravity_m_s2) {
   setup_.ground = HeightGrid{};  // the live one is ground_
   Settle();
 }

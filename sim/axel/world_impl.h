@@ -1,6 +1,7 @@
 // The parts of World.
 #pragma once
 
+#include "models/parts/gravity.h"
 #include "sim/axel/contact_world.h"
 #include "sim/axel/drive_train.h"
 #include "sim/axel/rover_body.h"
@@ -12,9 +13,6 @@
 #include "sim/soil/wheel_soil.h"
 
 namespace dockyard::axel {
-
-/// Standard gravity, rounded: the Mars Yard is in Pasadena (9.796 m/s^2) [m/s^2].
-inline constexpr double kEarthGravity = 9.81;
 
 /// All motion is computed in the site frame G; the world frame W enters with the truth only.
 class World::Impl {

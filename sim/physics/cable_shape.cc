@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/parts/gravity.h"
+
 namespace dockyard {
 namespace {
 
 constexpr int kPieces = 24;
-constexpr double kGravity = 9.81;          // [m/s^2]
 constexpr double kSmallestTensionN = 0.1;  // slacker than this, the excess length gives the sag
 // Flatter than this the cosh is lost in rounding and the chord is drawn.
 constexpr double kFlattest = 1e5;  // a per span
@@ -58,7 +59,7 @@ std::vector<Eigen::Vector3d> HangingTether(const TetherModel& tether, const Heig
                                            double excess_m) {
   const Eigen::Vector3d way = support_G - tip_G;
   const double h = way.head<2>().norm(), v = way.z();
-  const double weight_n_per_m = tether.mass_kg_per_m * kGravity;
+  const double weight_n_per_m = tether.mass_kg_per_m * kEarthGravity_m_s2;
   double a = kFlattest * h;
   if (tension_n > kSmallestTensionN && weight_n_per_m > 0.0) {
     a = OfTension(tension_n / weight_n_per_m, h, v);

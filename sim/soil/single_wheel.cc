@@ -9,7 +9,6 @@
 namespace dockyard {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s^2]
 // Change of the means from window to window below which the wheel counts as steady, of the load
 // and of the radius, and how often in a row.
 constexpr double kSteady = 0.002;
@@ -59,7 +58,7 @@ class Rig {
     grid_ = LevelGrid(-0.5 * margin, longest * std::fabs(std::cos(setup.side_slip_rad)) + margin,
                       2.0 * longest * std::fabs(std::sin(setup.side_slip_rad)) + margin,
                       radius / kCellsPerRadius);
-    mass_kg_ = setup.load_n / kGravity;
+    mass_kg_ = setup.load_n / kEarthGravity_m_s2;
     motion_.X_GK.p = Eigen::Vector3d(0.0, 0.0, reach_);
   }
 

@@ -8,7 +8,6 @@
 namespace dockyard {
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s^2]
 // Shear modulus under a paddle's tip is that of a small plate: at most 10 mm (firm dry sand, Wong
 // 2008, section 2.4.3); assumed, range 5-20 mm.
 constexpr double kTipShearModulus_m = 0.010;
@@ -25,13 +24,14 @@ SoilLaws MakeRimLaws(const SoilModel& soil, double plate_width_m) {
   DOCKYARD_CHECK(plate_width_m > 0.0 && soil.shear_modulus_m > 0.0 &&
                  soil.unloading_stiffness_pa_per_m > 0.0);
   const double phi = soil.friction_angle_rad;
-  const double gamma = soil.density_kg_m3 * kGravity;
+  const double gamma = soil.density_kg_m3 * soil.gravity_m_s2;
+  const double weight = soil.gravity_m_s2 / kEarthGravity_m_s2;
   SoilLaws laws;
-  laws.k = soil.k_c / plate_width_m + soil.k_phi;
+  laws.k = weight * (soil.k_c / plate_width_m + soil.k_phi);
   laws.n = soil.n;
   laws.weakening = soil.slip_weakening;
-  laws.elastic_pa_per_m = soil.unloading_stiffness_pa_per_m;
-  laws.damping_pa_s_per_m = soil.damping_pa_s_per_m;
+  laws.elastic_pa_per_m = weight * soil.unloading_stiffness_pa_per_m;
+  laws.damping_pa_s_per_m = weight * soil.damping_pa_s_per_m;
   laws.cohesion_pa = soil.cohesion_pa;
   laws.tan_phi = std::tan(phi);
   laws.tan_rim = std::tan(kWallFriction * phi);
@@ -54,7 +54,7 @@ SoilLaws MakeTipLaws(const SoilModel& soil, double thickness_m, double width_m) 
   const double n_q = std::exp(kPi * laws.tan_phi) * laws.sqrt_n_phi * laws.sqrt_n_phi;
   const double n_c = laws.tan_phi > 1e-6 ? (n_q - 1.0) / laws.tan_phi : 2.0 + kPi;
   laws.blade_strength_pa = soil.cohesion_pa * n_c;
-  laws.blade_strength_pa_m = soil.density_kg_m3 * kGravity * n_q;
+  laws.blade_strength_pa_m = soil.density_kg_m3 * soil.gravity_m_s2 * n_q;
   return laws;
 }
 

@@ -196,7 +196,7 @@ TEST(WheelCommand, RefusesWhatItCannotDrive) {
   EXPECT_THAT(narrow.err, HasSubstr(soil + ": k_c: expected k_c / width + k_phi > 0"));
   const Ended wrong = Dockyard("wheel --load 24 --soil " + soil + " --wheel " + soil);
   EXPECT_EQ(wrong.code, 3);
-  EXPECT_THAT(wrong.err, HasSubstr("grc_1.yaml:6:1: n: unknown key"));
+  EXPECT_THAT(wrong.err, HasSubstr("grc_1.yaml:7:1: n: unknown key"));
 }
 
 }  // namespace

@@ -63,6 +63,13 @@ TEST(AxelKeys, DustIsAShareUpToItsLimit) {
             "--set axel.board_dust=much: axel.board_dust: expected a number >= 0, found 'much'");
 }
 
+// The rover and its station weigh as on Earth.
+TEST(Changes, OfTheSoilsGravityAreRefused) {
+  EXPECT_THAT(SetMessage("changes.soil.gravity_m_s2=1.62"),
+              HasSubstr("gravity_m_s2: expected 9.81, in which the rover docks, found '1.62'"));
+  EXPECT_EQ(SetMessage("changes.soil.gravity_m_s2=9.81"), "(no error)");
+}
+
 TEST(AxelKeys, UnknownKeyNamesTheNearest) {
   EXPECT_THAT(SetMessage("axel.board_dst=0.1"), HasSubstr("did you mean 'axel.board_dust'?"));
 }
