@@ -47,8 +47,8 @@ double Pressure(const SoilLaws& laws, double yield_pa, const PatchPlace& at, Pat
 
 }  // namespace
 
-SpokeLoad LoadPatch(const SoilLaws& laws, const WheelTravel& travel, const PatchPlace& at,
-                    double area_m2, double dt_s, Patch& patch) {
+SpokeLoad LoadPatch(const SoilLaws& laws, const WheelTravel& travel, double contact_depth_m,
+                    const PatchPlace& at, double area_m2, double dt_s, Patch& patch) {
   const double into = at.v.r * dt_s, slide_t = at.v.t * dt_s, slide_a = at.v.a * dt_s;
   const double slide2 = slide_t * slide_t + slide_a * slide_a;
   if (patch.floor_m < kNoFloor_m) {
@@ -71,13 +71,15 @@ SpokeLoad LoadPatch(const SoilLaws& laws, const WheelTravel& travel, const Patch
   }
   const double way = std::sqrt(slide2 + into * into);
   if (way > 0.0) {
-    const double keep = Decay(way / kDirectionMemory_m);
+    const double keep = Decay(way / (kDirectionMemory * contact_depth_m));
     patch.into = patch.into * keep + (1.0 - keep) * into / way;
   }
-  patch.shear = Shear(patch.shear, slide_t, slide_a, laws.shear_modulus_m);
-  const double lead = kShearLead_s * (1.0 + travel.resting) / laws.shear_modulus_m;
+  const double shear_modulus_m = ShearModulus(laws, contact_depth_m);
+  patch.shear = Shear(patch.shear, slide_t, slide_a, shear_modulus_m);
+  const double lead = kShearLead_s * (1.0 + travel.resting) / shear_modulus_m;
   const Mobilisation m = LedBy(patch.shear, at.v.t, at.v.a, lead);
-  const double strength = area_m2 * ShearStrength(laws, pressure);
+  const double driving = laws.tan_caught > 0.0 ? DrivingShare(patch.shear, travel.going.t) : 0.0;
+  const double strength = area_m2 * ShearStrength(laws, pressure, driving);
   return {-area_m2 * pressure, -strength * m.t, -strength * m.a};
 }
 

@@ -40,8 +40,8 @@ struct PatchPlace {
 
 /// Advances the patch by dt and gives the soil's load on it: pressure on its normal, elastic from
 /// the rut's floor and yielding at the pressure that its depth and direction allow; shear by its
-/// way since it entered.
-SpokeLoad LoadPatch(const SoilLaws& laws, const WheelTravel& travel, const PatchPlace& at,
-                    double area_m2, double dt_s, Patch& patch);
+/// way since it entered, over lengths in proportion to the contact's depth.
+SpokeLoad LoadPatch(const SoilLaws& laws, const WheelTravel& travel, double contact_depth_m,
+                    const PatchPlace& at, double area_m2, double dt_s, Patch& patch);
 
 }  // namespace dockyard

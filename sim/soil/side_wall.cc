@@ -10,13 +10,13 @@ namespace {
 // a heap. Assumed, range 0.5-0.8.
 constexpr double kPressureHeight = 2.0 / 3.0;
 // Direction cosine at which a wall that slides along the soil has mobilised about half of the
-// resistance. Fitted likewise; range 0.3-0.5.
-constexpr double kHalfMobilised = 0.35;
+// resistance. Fitted likewise; range 0.3-0.6.
+constexpr double kHalfMobilised = 0.50;
 
 }  // namespace
 
-void AddSideWall(const SoilLaws& laws, const SpokeAxes& axes, const SideStrip& strip, double dt_s,
-                 SideWall& wall, LoadSum& sum) {
+void AddSideWall(const SoilLaws& laws, double contact_depth_m, const SpokeAxes& axes,
+                 const SideStrip& strip, double dt_s, SideWall& wall, LoadSum& sum) {
   const double down = -axes.r_G.z();
   if (down <= 0.0) {
     wall = {};
@@ -29,7 +29,8 @@ void AddSideWall(const SoilLaws& laws, const SpokeAxes& axes, const SideStrip& s
   const SpokeVelocity v = VelocityAt(axes, radius, 0.0);
   const double way = dt_s * std::sqrt(v.r * v.r + v.t * v.t + v.a * v.a);
   if (way > 0.0) {
-    const double keep = Decay(way / laws.shear_modulus_m), gain = (1.0 - keep) * dt_s / way;
+    const double keep = Decay(way / ShearModulus(laws, contact_depth_m)),
+                 gain = (1.0 - keep) * dt_s / way;
     wall.r = wall.r * keep + v.r * gain;
     wall.t = wall.t * keep + v.t * gain;
     wall.a = wall.a * keep + v.a * gain;

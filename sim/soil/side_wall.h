@@ -6,7 +6,7 @@
 
 namespace dockyard {
 
-/// Way of the side of one strip through the soil, remembered over the soil's shear modulus: the
+/// Way of the side of one strip through the soil, remembered over the contact's K: the
 /// direction of motion along the spoke's axes, a vector of length <= 1.
 struct SideWall {
   double r = 0.0, t = 0.0, a = 0.0;
@@ -20,7 +20,7 @@ struct SideStrip {
 };
 
 /// Advances the wall by dt and adds its load to the sum.
-void AddSideWall(const SoilLaws& laws, const SpokeAxes& axes, const SideStrip& strip, double dt_s,
-                 SideWall& wall, LoadSum& sum);
+void AddSideWall(const SoilLaws& laws, double contact_depth_m, const SpokeAxes& axes,
+                 const SideStrip& strip, double dt_s, SideWall& wall, LoadSum& sum);
 
 }  // namespace dockyard

@@ -8,26 +8,26 @@
 namespace dockyard {
 namespace {
 
-// Shear modulus under a paddle's tip is that of a small plate: at most 10 mm (firm dry sand, Wong
-// 2008, section 2.4.3); assumed, range 5-20 mm.
-constexpr double kTipShearModulus_m = 0.010;
 // Elastic soil under a strip deflects in proportion to the strip's width, so its stiffness per area
 // grows as the strip narrows; the cap keeps 1 ms steps stable. Assumed, range 4-16.
 constexpr double kTipStiffening = 8.0;
-// Depth, in thicknesses, at which half of a blade's bearing strength is mobilised: footings on
-// dense soil reach theirs within some tenths of their width. Assumed, range 0.1-0.5.
-constexpr double kBladeMobilising_thicknesses = 0.25;
+
+/// Pressure under a plate of this width over the narrowest measured plate's at the same depth.
+double WidthFactor(const SoilModel& soil, double width_m) {
+  if (soil.narrowest_plate_m == 0.0) return 1.0;
+  return std::clamp(width_m, soil.narrowest_plate_m, soil.widest_plate_m) / soil.narrowest_plate_m;
+}
 
 }  // namespace
 
 SoilLaws MakeRimLaws(const SoilModel& soil, double plate_width_m) {
-  DOCKYARD_CHECK(plate_width_m > 0.0 && soil.shear_modulus_m > 0.0 &&
+  DOCKYARD_CHECK(plate_width_m > 0.0 && soil.shear_modulus_m > 0.0 && soil.shear_depth_m > 0.0 &&
                  soil.unloading_stiffness_pa_per_m > 0.0);
   const double phi = soil.friction_angle_rad;
   const double gamma = soil.density_kg_m3 * soil.gravity_m_s2;
   const double weight = soil.gravity_m_s2 / kEarthGravity_m_s2;
   SoilLaws laws;
-  laws.k = weight * (soil.k_c / plate_width_m + soil.k_phi);
+  laws.k = weight * (soil.k_c / plate_width_m + WidthFactor(soil, plate_width_m) * soil.k_phi);
   laws.n = soil.n;
   laws.weakening = soil.slip_weakening;
   laws.elastic_pa_per_m = weight * soil.unloading_stiffness_pa_per_m;
@@ -35,7 +35,7 @@ SoilLaws MakeRimLaws(const SoilModel& soil, double plate_width_m) {
   laws.cohesion_pa = soil.cohesion_pa;
   laws.tan_phi = std::tan(phi);
   laws.tan_rim = std::tan(kWallFriction * phi);
-  laws.shear_modulus_m = soil.shear_modulus_m;
+  laws.shear_over_depth = soil.shear_modulus_m / soil.shear_depth_m;
   laws.sqrt_n_phi = std::tan(0.25 * kPi + 0.5 * phi);
   const double n_phi = laws.sqrt_n_phi * laws.sqrt_n_phi;
   laws.passive_pa_per_m = gamma * n_phi;
@@ -46,11 +46,10 @@ SoilLaws MakeRimLaws(const SoilModel& soil, double plate_width_m) {
 
 SoilLaws MakeTipLaws(const SoilModel& soil, double thickness_m, double width_m) {
   SoilLaws laws = MakeRimLaws(soil, width_m);
-  laws.shear_modulus_m = std::min(laws.shear_modulus_m, kTipShearModulus_m);
   laws.elastic_pa_per_m *= std::clamp(width_m / thickness_m, 1.0, kTipStiffening);
   // Bearing strength of a strip (Terzaghi 1943 with Prandtl's and Reissner's factors):
   // c N_c + gamma z N_q, N_q = exp(pi tan phi) tan^2(45 deg + phi/2), N_c = (N_q - 1) cot phi.
-  laws.blade_mobilising_m = kBladeMobilising_thicknesses * thickness_m;
+  laws.plate_over_blade = std::max(1.0, width_m / thickness_m);
   const double n_q = std::exp(kPi * laws.tan_phi) * laws.sqrt_n_phi * laws.sqrt_n_phi;
   const double n_c = laws.tan_phi > 1e-6 ? (n_q - 1.0) / laws.tan_phi : 2.0 + kPi;
   laws.blade_strength_pa = soil.cohesion_pa * n_c;

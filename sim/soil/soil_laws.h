@@ -15,16 +15,17 @@ inline constexpr double kWallFriction = 2.0 / 3.0;
 
 /// A soil's constants as the laws use them, for patches of one size.
 struct SoilLaws {
-  double k = 0.0;  // k_c / b + k_phi [N/m^(n+2)]
+  double k = 0.0;  // k_c / b + k_phi, of the wheel's width [N/m^(n+2)]
   double n = 1.0;
   double elastic_pa_per_m = 0.0;  // of unloading and reloading
   double damping_pa_s_per_m = 0.0;
   double weakening = 0.0;  // 0..1, how much a sliding patch loses of its bearing
   double cohesion_pa = 0.0, tan_phi = 0.0;
-  double tan_rim = 0.0;              // friction of soil on a wheel's metal
-  double shear_modulus_m = 0.0;      // K
-  double blade_strength_pa = 0.0;    // bearing strength of a narrow blade at the surface
-  double blade_mobilising_m = 1.0;   // depth at which half of it is mobilised
+  double tan_rim = 0.0;            // friction of soil on a wheel's metal
+  double tan_caught = 0.0;         // what driving adds where soil caught by paddles slides on soil
+  double shear_over_depth = 0.0;   // K over the contact's depth
+  double plate_over_blade = 0.0;   // the wheel's width over its paddles' thickness
+  double blade_strength_pa = 0.0;  // bearing strength of a narrow blade at the surface
   double blade_strength_pa_m = 0.0;  // and its growth with depth
   double passive_pa_per_m = 0.0;     // gamma N_phi
   double passive_pa = 0.0;           // 2 c sqrt(N_phi)
@@ -42,21 +43,32 @@ inline double YieldPressure(const SoilLaws& laws, double sinkage_m) {
   return sinkage_m > 0.0 ? laws.k * std::exp(laws.n * std::log(sinkage_m)) : 0.0;
 }
 
-/// Pressure that yields soil under a narrow blade: its bearing strength, mobilised with depth along
-/// a hyperbola (Kondner 1963) [Pa]. Zero for laws that are not a tip's.
+/// Pressure that yields soil under a narrow blade: a hyperbola (Kondner 1963) that begins as a wide
+/// plate's curve at the same sinkage over width and ends at the blade's bearing strength [Pa]. Zero
+/// for laws that are not a tip's.
 inline double BladePressure(const SoilLaws& laws, double sinkage_m) {
+  if (laws.blade_strength_pa_m == 0.0 || sinkage_m <= 0.0) return 0.0;
   const double strength = laws.blade_strength_pa + laws.blade_strength_pa_m * sinkage_m;
-  return strength * sinkage_m / (sinkage_m + laws.blade_mobilising_m);
+  const double plate = YieldPressure(laws, sinkage_m * laws.plate_over_blade);
+  return strength * plate / (strength + plate);
 }
 
+/// A contact shallower than this counts as one so deep: shear bands are some ten grains thick
+/// however thin the layer. Assumed, range 1-5 mm.
+inline constexpr double kLeastDepth_m = 0.003;
+
+/// Depth to which a contact presses soil down, as the lengths below count it.
+inline double ContactDepth(double pressed_m) { return std::fmax(pressed_m, kLeastDepth_m); }
+
 /// Share of the straight-in pressure that a driving patch, which slides back along the soil, still
-/// bears. Fitted to the single-wheel data (docs/results/soil.md): 0.24, range 0.21-0.32.
-constexpr double kDrivingShare = 0.24;
+/// bears. Fitted to the single-wheel data (docs/results/soil.md): 0.30, range 0.21-0.35.
+constexpr double kDrivingShare = 0.30;
 /// Share of it that any sliding patch still bears. Keeps a wheel dragged sideways from sinking
 /// without end; the data up to 45 deg of side slip do not need it. Assumed, range 0-0.02.
 constexpr double kDraggedShare = 0.005;
-/// Distance over which a patch's direction is remembered. Fitted likewise: 19 mm, range 15-25 mm.
-constexpr double kDirectionMemory_m = 0.0187;
+/// Distance over which a patch's direction is remembered, over the contact's depth. Fitted
+/// likewise: 0.55, range 0.4-1.1.
+constexpr double kDirectionMemory = 0.55;
 
 /// Share of the yield pressure that soil bears under a patch whose motion has the direction cosine
 /// `into` with its inward normal: all of it going straight in, less along the surface, as plates
@@ -70,8 +82,18 @@ inline double BearingShare(const SoilLaws& laws, double into, double driving) {
 
 /// Shear strength of soil on the wheel (Mohr and Coulomb). Cohesion needs contact: it counts only
 /// up to the pressure, so the strength falls continuously to zero where a patch leaves the soil.
-inline double ShearStrength(const SoilLaws& laws, double pressure_pa) {
-  return std::fmin(laws.cohesion_pa, pressure_pa) + pressure_pa * laws.tan_rim;
+/// `driving` (0..1): a driving wheel takes the soil between its paddles along, so that it slides on
+/// soil; when dragged, the soil stays and the rim slides under it.
+inline double ShearStrength(const SoilLaws& laws, double pressure_pa, double driving = 0.0) {
+  return std::fmin(laws.cohesion_pa, pressure_pa) +
+         pressure_pa * (laws.tan_rim + driving * laws.tan_caught);
+}
+
+/// K of a contact this deep. The layer that shears is as thick as the contact is deep. So wheels of
+/// all sizes roll alike, as measured pairs do (Slonaker et al. 2017), and a light wide wheel grips
+/// at less slip (Ding et al. 2011; docs/results/soil.md).
+inline double ShearModulus(const SoilLaws& laws, double contact_depth_m) {
+  return laws.shear_over_depth * contact_depth_m;
 }
 
 /// exp(-x) to third order, bounded by 1 for every x >= 0.
@@ -102,10 +124,10 @@ inline double Shear(double m, double slide_m, double shear_modulus_m) {
 }
 
 /// Resistance of a short wall that heaps soil before it, a paddle's face or a wheel's side, over
-/// that of a long wall without a heap. Fitted to the single-wheel data (docs/results/soil.md): 3.9,
-/// range 3-5; tines a few depths wide show 2-4 (McKyes 1985). It multiplies only the resistance by
-/// the soil's weight: a heap is a surcharge of loose soil, and has no cohesion.
-constexpr double kHeap = 3.9;
+/// that of a long wall without a heap. Fitted to the single-wheel data (docs/results/soil.md): 4.8,
+/// range 3-5.5; tines a few depths wide show 2-4 (McKyes 1985). It multiplies only the resistance
+/// by the soil's weight: a heap is a surcharge of loose soil, and has no cohesion.
+constexpr double kHeap = 4.8;
 
 /// Passive earth pressure on a paddle's face at this depth: Rankine's gamma z N_phi +
 /// 2 c sqrt(N_phi) [Pa], the first part with the heap. `driving` (0..1): a driving paddle cuts and

@@ -32,7 +32,11 @@ WheelSoil::WheelSoil(const WheelModel& wheel, const SoilModel& soil)
     rim_share_ = std::max(0.0, 1.0 - wheel.paddle_thickness_m / paddle_spacing_m_);
     // Soil between two paddles is caught in the passive wedges before the one and behind the other,
     // h tan(45 deg + phi/2) long: two triangles that fill this share of the gap.
-    bearing_radius_m_ += height * std::min(1.0, height * rim_.sqrt_n_phi / paddle_spacing_m_);
+    const double gap = std::max(1e-3 * paddle_spacing_m_, rim_share_ * paddle_spacing_m_);
+    const double filled = std::min(1.0, height * rim_.sqrt_n_phi / gap);
+    bearing_radius_m_ += height * filled;
+    // Of this share of the rim a share as large carries soil out to the tips.
+    rim_.tan_caught = filled * filled * (rim_.tan_phi - rim_.tan_rim);
   }
   strip_length_m_ = bearing_radius_m_ * 2.0 * kPi / kStrips;
   strips_.resize(kStrips);
@@ -84,8 +88,13 @@ void WheelSoil::AddRow(const SpokeAxes& axes, double radius_m,
           line_width_m_ * (row[2].r - row[0].r));
 }
 
+void WheelSoil::AddToEnvelope(const std::array<SpokeLoad, kLines>& row) {
+  envelope_.pressed_n -= (row[0].r + row[2].r) + row[1].r;
+  envelope_.rim_and_tips_n += (row[0].t + row[2].t) + row[1].t;
+}
+
 void WheelSoil::AddStrip(const HeightGrid& grid, const WheelFrame& frame, Strip& strip,
-                         LoadSum& sum) const {
+                         LoadSum& sum) {
   const SpokeAxes axes = frame.Along(strip.cos, strip.sin);
   const double area = rim_share_ * strip_length_m_ * line_width_m_;
   std::array<SpokeLoad, kLines> row;
@@ -93,7 +102,7 @@ void WheelSoil::AddStrip(const HeightGrid& grid, const WheelFrame& frame, Strip&
   for (int i = 0; i < kLines; ++i) {
     const PatchPlace at(grid, frame, axes, bearing_radius_m_, (i - 1) * line_width_m_,
                         wheel_.rim_radius_m);
-    row[i] = LoadPatch(rim_, travel_, at, area, frame.dt_s, strip.patches[i]);
+    row[i] = LoadPatch(rim_, travel_, contact_depth_m_, at, area, frame.dt_s, strip.patches[i]);
     depth[i] = at.sinkage_m();
   }
   const double deepest = std::max(std::max(depth[0], depth[2]), depth[1]);
@@ -103,9 +112,10 @@ void WheelSoil::AddStrip(const HeightGrid& grid, const WheelFrame& frame, Strip&
   }
   sum.Touch(deepest);
   AddRow(axes, bearing_radius_m_, row, sum);
+  if (!paddles_.empty()) AddToEnvelope(row);
   const SideStrip side{bearing_radius_m_, 0.5 * wheel_.width_m, strip_length_m_, depth[0],
                        depth[2]};
-  AddSideWall(rim_, axes, side, frame.dt_s, strip.side, sum);
+  AddSideWall(rim_, contact_depth_m_, axes, side, frame.dt_s, strip.side, sum);
 }
 
 void WheelSoil::MoveWindow(int first, int count) {
@@ -143,7 +153,7 @@ void WheelSoil::AddRim(const HeightGrid& grid, const WheelFrame& frame, LoadSum&
 SpokeLoad WheelSoil::LoadFace(const PatchPlace& tip, const SpokeVelocity& v, double rise_m,
                               double dt_s, Mobilisation& face) const {
   const double height = wheel_.paddle_height_m;
-  face = Shear(face, v.t * dt_s, v.a * dt_s, tip_.shear_modulus_m);
+  face = Shear(face, v.t * dt_s, v.a * dt_s, ShearModulus(tip_, contact_depth_m_));
   // The soil that a face pushes heaps against it, up to the rim once the rim bears on caught soil.
   const double caught_m = bearing_radius_m_ - wheel_.rim_radius_m;
   const double free_share = std::max(0.1, 1.0 - caught_m / height);
@@ -160,14 +170,15 @@ SpokeLoad WheelSoil::LoadFace(const PatchPlace& tip, const SpokeVelocity& v, dou
 }
 
 void WheelSoil::AddPaddle(const HeightGrid& grid, const WheelFrame& frame, Paddle& paddle,
-                          LoadSum& sum) const {
+                          LoadSum& sum) {
   const double height = wheel_.paddle_height_m, tip = wheel_.rim_radius_m + height;
   const double middle = tip - 0.5 * height;
   const SpokeAxes axes = frame.Along(paddle.cos, paddle.sin);
   const double rise = std::max(1e-6, height * -axes.r_G.z());  // of the root over the tip
   const double area = wheel_.paddle_thickness_m * line_width_m_;
-  std::array<SpokeLoad, kLines> tips, faces;
-  bool touches = false;
+  std::array<SpokeLoad, kLines> tips;
+  paddle.face_loads = {};
+  paddle.pushes = false;
   for (int i = 0; i < kLines; ++i) {
     const double y = (i - 1) * line_width_m_;
     const PatchPlace at(grid, frame, axes, tip, y, tip);
@@ -176,14 +187,31 @@ void WheelSoil::AddPaddle(const HeightGrid& grid, const WheelFrame& frame, Paddl
       paddle.faces[i] = {};
       continue;
     }
-    touches = true;
+    paddle.pushes = true;
     sum.Touch(at.sinkage_m());
-    tips[i] = LoadPatch(tip_, travel_, at, area, frame.dt_s, paddle.tips[i]);
-    faces[i] = LoadFace(at, VelocityAt(axes, middle, y), rise, frame.dt_s, paddle.faces[i]);
+    tips[i] = LoadPatch(tip_, travel_, contact_depth_m_, at, area, frame.dt_s, paddle.tips[i]);
+    paddle.face_loads[i] =
+        LoadFace(at, VelocityAt(axes, middle, y), rise, frame.dt_s, paddle.faces[i]);
   }
-  if (!touches) return;
+  if (!paddle.pushes) return;
   AddRow(axes, tip, tips, sum);
-  AddRow(axes, middle, faces, sum);
+  AddToEnvelope(tips);
+  const auto& faces = paddle.face_loads;
+  envelope_.faces_n += (faces[0].t + faces[2].t) + faces[1].t;
+}
+
+/// The faces' thrust as far as the soil that they all push against holds.
+void WheelSoil::AddFaces(const WheelFrame& frame, LoadSum& sum) const {
+  if (envelope_.faces_n == 0.0) return;
+  const double height = wheel_.paddle_height_m, tip = wheel_.rim_radius_m + height;
+  const double share = FaceShare(
+      envelope_, EnvelopeStrength(rim_, envelope_.pressed_n, tip, wheel_.width_m, sum.sinkage_m));
+  for (const Paddle& paddle : paddles_) {
+    if (!paddle.pushes) continue;
+    std::array<SpokeLoad, kLines> faces = paddle.face_loads;
+    for (SpokeLoad& face : faces) face.t *= share;
+    AddRow(frame.Along(paddle.cos, paddle.sin), tip - 0.5 * height, faces, sum);
+  }
 }
 
 void WheelSoil::AddPaddles(const HeightGrid& grid, const WheelFrame& frame, LoadSum& sum) {
@@ -196,6 +224,7 @@ void WheelSoil::AddPaddles(const HeightGrid& grid, const WheelFrame& frame, Load
     } else {
       paddle.tips = {};
       paddle.faces = {};
+      paddle.pushes = false;
     }
   }
 }
@@ -221,9 +250,12 @@ WheelLoad WheelSoil::Step(HeightGrid& grid, const WheelMotion& motion, double dt
   WheelFrame frame(motion, dt_s);
   FindTop(grid, frame);
   FollowMotion(frame);
+  contact_depth_m_ = ContactDepth(sinkage_m_ - travel_.excavated_m);
   LoadSum sum;
+  envelope_ = {};
   AddRim(grid, frame, sum);
   AddPaddles(grid, frame, sum);
+  AddFaces(frame, sum);
   LeaveRut(grid, frame);
   sinkage_m_ = sum.sinkage_m;
   WheelLoad load;

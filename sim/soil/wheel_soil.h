@@ -20,6 +20,7 @@
 
 #include "models/parts/soil_model.h"
 #include "models/parts/wheel.h"
+#include "sim/soil/envelope.h"
 #include "sim/soil/height_grid.h"
 #include "sim/soil/patch.h"
 #include "sim/soil/rut.h"
@@ -59,7 +60,9 @@ class WheelSoil {
   struct Paddle {
     double cos = 0.0, sin = 0.0;
     std::array<Patch, kLines> tips;
-    std::array<Mobilisation, kLines> faces;  // of the passive pressure, along t
+    std::array<Mobilisation, kLines> faces;    // of the passive pressure, along t
+    std::array<SpokeLoad, kLines> face_loads;  // of this step, as far as the soil behind them holds
+    bool pushes = false;
   };
 
   void FindTop(const HeightGrid& grid, WheelFrame& frame) const;
@@ -68,10 +71,11 @@ class WheelSoil {
               LoadSum& sum) const;
   void MoveWindow(int first, int count);
   void AddRim(const HeightGrid& grid, const WheelFrame& frame, LoadSum& sum);
-  void AddStrip(const HeightGrid& grid, const WheelFrame& frame, Strip& strip, LoadSum& sum) const;
+  void AddStrip(const HeightGrid& grid, const WheelFrame& frame, Strip& strip, LoadSum& sum);
+  void AddToEnvelope(const std::array<SpokeLoad, kLines>& row);
+  void AddFaces(const WheelFrame& frame, LoadSum& sum) const;
   void AddPaddles(const HeightGrid& grid, const WheelFrame& frame, LoadSum& sum);
-  void AddPaddle(const HeightGrid& grid, const WheelFrame& frame, Paddle& paddle,
-                 LoadSum& sum) const;
+  void AddPaddle(const HeightGrid& grid, const WheelFrame& frame, Paddle& paddle, LoadSum& sum);
   SpokeLoad LoadFace(const PatchPlace& tip, const SpokeVelocity& v, double rise_m, double dt_s,
                      Mobilisation& face) const;
   void LeaveRut(HeightGrid& grid, const WheelFrame& frame);
@@ -84,7 +88,9 @@ class WheelSoil {
   std::vector<Strip> strips_;
   std::vector<Paddle> paddles_;
   int first_strip_ = 0, strip_count_ = 0;  // the strips that may touch, of the last step
+  Envelope envelope_;
   WheelTravel travel_;
+  double contact_depth_m_ = 0.0;  // of the last step
   double sinkage_m_ = 0.0;
   double since_slump_s_ = 0.0;
   bool pressed_ = false;  // since the last slump

@@ -5,15 +5,26 @@
 
 #include <cmath>
 
+#include "sim/soil/envelope.h"
 #include "soil/rig.h"
 
 namespace dockyard::soil_test {
 namespace {
 
 TEST(Pressure, FollowsBekkersPlateCurve) {
-  const SoilLaws sand = MakeRimLaws(Soil("pavlov_90"), 0.05);
+  SoilModel soil = Soil("pavlov_90");
+  soil.k_phi = 8.0e6;
   // 8e6 * 0.02^1.46, computed apart.
-  EXPECT_NEAR(YieldPressure(sand, 0.020), 26460.24, 0.1);
+  EXPECT_NEAR(YieldPressure(MakeRimLaws(soil, 0.05), 0.020), 26460.24, 0.1);
+}
+
+TEST(Pressure, GrowsWithTheWidthAsFarAsPlatesWereMeasured) {
+  const SoilModel soil = Soil("pavlov_90");
+  const auto k = [&](double width_m) { return MakeRimLaws(soil, width_m).k; };
+  EXPECT_NEAR(k(0.06), soil.k_phi, 1e-6);
+  EXPECT_NEAR(k(0.08) / k(0.06), 8.0 / 6.0, 1e-12);
+  EXPECT_EQ(k(0.05), k(0.06));
+  EXPECT_EQ(k(0.15), k(0.10));
 }
 
 TEST(Pressure, CountsThePlatesWidthThroughKc) {
@@ -81,8 +92,49 @@ TEST(Shear, NeverExceedsTheStrength) {
 TEST(Shear, StrengthIsMohrCoulombAndVanishesWithThePressure) {
   const SoilLaws sand = MakeRimLaws(Soil("pavlov_90"), 0.05);
   // A wheel's metal holds the soil at two thirds of its own friction angle.
-  EXPECT_NEAR(ShearStrength(sand, 20e3), 450.0 + 20e3 * std::tan(Radians(29.0 * 2.0 / 3.0)), 1e-6);
+  EXPECT_NEAR(ShearStrength(sand, 20e3),
+              sand.cohesion_pa + 20e3 * std::tan(Radians(29.0 * 2.0 / 3.0)), 1e-6);
   EXPECT_EQ(ShearStrength(sand, 0.0), 0.0);
+}
+
+TEST(Shear, NeedsAWayInProportionToTheContactsDepth) {
+  const SoilModel soil = Soil("fjs_1");
+  const SoilLaws laws = MakeRimLaws(soil, 0.1);
+  EXPECT_NEAR(ShearModulus(laws, soil.shear_depth_m), soil.shear_modulus_m, 1e-12);
+  EXPECT_NEAR(ShearModulus(laws, 0.060) / ShearModulus(laws, 0.020), 3.0, 1e-12);
+  EXPECT_EQ(ContactDepth(0.060), 0.060);
+  EXPECT_EQ(ContactDepth(-0.1), kLeastDepth_m);
+}
+
+TEST(Shear, OfADrivingWheelThatTakesSoilAlongIsThatOfSoilOnSoil) {
+  SoilLaws sand = MakeRimLaws(Soil("pavlov_90"), 0.05);
+  sand.tan_caught = sand.tan_phi - sand.tan_rim;  // no gap is left
+  const double by_soil = sand.cohesion_pa + 20e3 * std::tan(Radians(29.0));
+  EXPECT_NEAR(ShearStrength(sand, 20e3, 1.0), by_soil, 1e-6);
+  EXPECT_EQ(ShearStrength(sand, 20e3, 0.0), ShearStrength(sand, 20e3));
+}
+
+TEST(Envelope, GivesFrictionItsArcsCohesionAndOneWedge) {
+  // 300 N on compact gravel, a wheel of 0.3 m by 0.15 m half in the soil's reach: tan(38 deg) 300
+  // N, 5 kPa over the arc of acos(1 - 0.02/0.3), and 1/2 1963 g 0.02^2 N_phi 0.15 m.
+  const SoilLaws granite = MakeRimLaws(Soil("compact_gravel"), 0.15);
+  const double arc_m = 0.3 * std::acos(1.0 - 0.02 / 0.3);
+  const double wedge_n = 0.5 * 1963.0 * 9.81 * 0.0004 * 4.2037 * 0.15;
+  EXPECT_NEAR(EnvelopeStrength(granite, 300.0, 0.3, 0.15, 0.02),
+              300.0 * std::tan(Radians(38.0)) + 5000.0 * 0.15 * arc_m + wedge_n, 1e-3);
+}
+
+TEST(Envelope, BoundsWhatTheFacesPush) {
+  for (const double rim_n : {-40.0, 0.0, 40.0}) {
+    for (const double faces_n : {1.0, 50.0, 1e3, 1e6}) {
+      const Envelope sum{100.0, rim_n, faces_n};
+      const double pushed_n = FaceShare(sum, 90.0) * faces_n;
+      EXPECT_LT(rim_n + pushed_n, 90.0);
+      EXPECT_NEAR(FaceShare({100.0, -rim_n, -faces_n}, 90.0) * faces_n, pushed_n, 1e-9);
+    }
+  }
+  EXPECT_NEAR(FaceShare({100.0, 40.0, 50.0}, 90.0), 0.5, 1e-12);
+  EXPECT_EQ(FaceShare({100.0, 95.0, 50.0}, 90.0), 0.0);  // rim and tips took it all
 }
 
 TEST(FacePressure, IsRankinesWithTheHeapOnTheWeightAlone) {
@@ -93,12 +145,24 @@ TEST(FacePressure, IsRankinesWithTheHeapOnTheWeightAlone) {
 }
 
 TEST(BladePressure, ReachesTerzaghisStripStrength) {
-  const SoilLaws tip = MakeTipLaws(Soil("compact_gravel"), 0.006, 0.15);
-  // Prandtl and Reissner for 38 deg: N_c = 61.35, N_q = 48.93.
+  SoilModel soil = Soil("compact_gravel");
   const double depth_m = 0.02;
+  // Prandtl and Reissner for 38 deg: N_c = 61.35, N_q = 48.93.
   const double strength = 5000.0 * 61.35 + 1963.0 * 9.81 * depth_m * 48.93;
-  EXPECT_NEAR(BladePressure(tip, depth_m), strength * depth_m / (depth_m + 0.0015), 300.0);
-  EXPECT_EQ(BladePressure(MakeRimLaws(Soil("compact_gravel"), 0.15), depth_m), 0.0);
+  soil.k_phi = 1e12;
+  EXPECT_NEAR(BladePressure(MakeTipLaws(soil, 0.006, 0.15), depth_m) / strength, 1.0, 1e-3);
+  EXPECT_EQ(BladePressure(MakeRimLaws(soil, 0.15), depth_m), 0.0);
+}
+
+// So a soil's measured plate curve decides how deep a wheel stands on its paddles' tips.
+TEST(BladePressure, BeginsAsAPlatesAtTheSameDepthOverWidth) {
+  const SoilModel soil = Soil("compact_gravel");
+  const SoilLaws tip = MakeTipLaws(soil, 0.006, 0.15), rim = MakeRimLaws(soil, 0.15);
+  EXPECT_NEAR(BladePressure(tip, 1e-9) / YieldPressure(rim, 25e-9), 1.0, 1e-2);
+  SoilModel softer = soil;
+  softer.k_phi *= 0.5;
+  EXPECT_LT(BladePressure(MakeTipLaws(softer, 0.006, 0.15), 0.001),
+            0.8 * BladePressure(tip, 0.001));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ class Plate {
       for (int iy = 0; iy < kPatches; ++iy) {
         const PatchPlace at(grid_, frame, down, 0.0, (iy - 2) * side_m, 0.0);
         const SpokeLoad load =
-            LoadPatch(laws_, travel_, at, area_m2, dt_s, patches_[ix * kPatches + iy]);
+            LoadPatch(laws_, travel_, 0.015, at, area_m2, dt_s, patches_[ix * kPatches + iy]);
         force_n -= load.r;
         EXPECT_EQ(load.t, 0.0);
         EXPECT_EQ(load.a, 0.0);

@@ -1,5 +1,7 @@
 #include "soil/rig.h"
 
+#include <algorithm>
+
 #include "models/read/load_soil.h"
 #include "models/read/load_wheel.h"
 
@@ -11,6 +13,16 @@ SoilModel Soil(const std::string& name) {
 
 WheelModel Wheel(const std::string& name) {
   return LoadWheel(DOCKYARD_SOURCE_DIR "/models/wheels/" + name + ".yaml").wheel;
+}
+
+double PlateModulus(const SoilModel& soil, double width_m) {
+  double k_phi = soil.k_phi;
+  if (soil.widest_plate_m > 0.0) {
+    const double counted_m =
+        std::max(soil.narrowest_plate_m, std::min(soil.widest_plate_m, width_m));
+    k_phi *= counted_m / soil.narrowest_plate_m;
+  }
+  return soil.k_c / width_m + k_phi;
 }
 
 WheelModel AxelWheel(int paddle_count) {

@@ -110,7 +110,8 @@ TEST(Wheel, SinksAsBekkerSays) {
   for (int i = 0; i < strips; ++i) {
     const double x = -half + (i + 0.5) * dx;
     const double z = std::sqrt(0.09 - x * x) - 0.3 + sinkage;
-    weight_n += model.width_m * soil.k_phi * std::pow(std::max(0.0, z), soil.n) * dx;
+    weight_n +=
+        model.width_m * PlateModulus(soil, model.width_m) * std::pow(std::max(0.0, z), soil.n) * dx;
   }
   // The sides' shear while sinking carries a little of it.
   EXPECT_NEAR(load.force_G.z() / weight_n, 1.0, 0.08);

@@ -158,7 +158,9 @@ TEST(SoilFiles, HoldTheirSourcesNumbers) {
   const SoilModel loose = LoadSoil(SourceFile("models/soils/loose_sand.yaml"));
   const SoilModel compact = LoadSoil(SourceFile("models/soils/compact_gravel.yaml"));
   EXPECT_EQ(loose.n, 1.46);
-  EXPECT_EQ(loose.k_phi, 8e6);
+  EXPECT_EQ(loose.k_phi, 6.1e6);
+  EXPECT_EQ(loose.widest_plate_m, 0.100);
+  EXPECT_EQ(compact.widest_plate_m, 0.0);
   EXPECT_DOUBLE_EQ(loose.friction_angle_rad, Radians(29));
   EXPECT_EQ(compact.n, 0.6);
   EXPECT_EQ(compact.k_phi, 2.5e6);
@@ -191,8 +193,8 @@ TEST(WheelFiles, AreReadStrictly) {
     const std::string file = folder.Write("wheel.yaml", Replaced(text, from, to));
     return MessageOf([&] { LoadWheel(file); }, folder);
   };
-  EXPECT_THAT(message("width_m: 0.050", "width: 0.050"), HasSubstr("wheel.yaml:"));
-  EXPECT_THAT(message("radius_m: 0.058", "radius_m: 58"),
+  EXPECT_THAT(message("width_m: 0.060", "width: 0.060"), HasSubstr("wheel.yaml:"));
+  EXPECT_THAT(message("radius_m: 0.0575", "radius_m: 58"),
               HasSubstr("radius_m: expected a number > 0 and <= 2, found '58'"));
   EXPECT_THAT(message("height_m: 0.005", "height_m: 0"),
               HasSubstr("paddles.count: expected 0, or a height_m and a thickness_m above 0"));
@@ -205,10 +207,14 @@ TEST(SoilFiles, UnitsMistakenAreOutOfRange) {
     const std::string file = folder.Write("soil.yaml", Replaced(text, from, to));
     return MessageOf([&] { LoadSoil(file); }, folder);
   };
-  EXPECT_THAT(message("shear_modulus_m: 0.0115", "shear_modulus_m: 21"),
+  EXPECT_THAT(message("shear_modulus_m: 0.0075", "shear_modulus_m: 21"),
               HasSubstr("shear_modulus_m: expected a number from 1e-04 to 0.5, found '21'"));
   EXPECT_THAT(message("friction_angle_deg: 29", "friction_angle_deg: 0.506"),
               HasSubstr("friction_angle_deg: expected a number from 1 to 60, found '0.506'"));
+  EXPECT_THAT(message("widest_m: 0.100", "widest_m: 0.05"),
+              HasSubstr("plates.widest_m: expected a number from 0.06 to 5, found '0.05'"));
+  EXPECT_THAT(message("plates: {narrowest_m: 0.060, widest_m", "plates: {widest_m"),
+              HasSubstr("plates: missing key 'narrowest_m'"));
   EXPECT_THAT(message("density_kg_m3: 1330", "density_kg_m3: 1.33"),
               HasSubstr("density_kg_m3: expected a number from 200 to 5000, found '1.33'"));
 }

@@ -41,6 +41,7 @@ Rolling RollDown(double slope_rad, double seconds) {
   hard.k_phi = 1e13;
   hard.friction_angle_rad = 0.6;
   hard.shear_modulus_m = 5e-4;
+  hard.shear_depth_m = kLeastDepth_m;
   hard.unloading_stiffness_pa_per_m = 2e8;
   hard.damping_pa_s_per_m = 1e4;
   HeightGrid ground = LevelGrid(-1.0, 8.0, 4.0, 0.05);

@@ -144,8 +144,8 @@ TEST(World, RoverRollsOverItsPaddlesTipsOnFirmGround) {
                         ToRollPitchYaw(truth.X_DR.R).pitch - ToRollPitchYaw(start.X_DR.R).pitch;
   const double way = truth.X_DR.p.x() - start.X_DR.p.x();
   EXPECT_GT(way, 0.4);
-  // It slips some per cent, as its arm drags and the spool holds back 5 to 30 N.
-  EXPECT_NEAR(way, -radius * turned, 0.06 * way);
+  // It slips by up to a tenth, as its arm drags and the spool holds back 5 to 30 N.
+  EXPECT_NEAR(way, -radius * turned, 0.10 * way);
   EXPECT_LT(way, -radius * turned);
   EXPECT_NEAR(truth.X_DR.p.y(), 0.0, 0.02);
 }

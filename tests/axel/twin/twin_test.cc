@@ -80,6 +80,7 @@ SoilModel HardGround() {
   soil.cohesion_pa = 0.0;
   soil.friction_angle_rad = std::atan(kGroundFriction) / kWallFriction;
   soil.shear_modulus_m = 5e-4;
+  soil.shear_depth_m = kLeastDepth_m;
   soil.density_kg_m3 = 1700.0;
   soil.unloading_stiffness_pa_per_m = 2e8;
   soil.damping_pa_s_per_m = 3e5;
