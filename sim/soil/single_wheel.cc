@@ -11,7 +11,7 @@ namespace {
 
 // Change of the means from window to window below which the wheel counts as steady, of the load
 // and of the radius, and how often in a row.
-constexpr double kSteady = 0.002;
+constexpr double kSteady = 0.004;
 constexpr int kSteadyWindows = 3;
 constexpr double kLongest_radii = 60.0;
 // Cells of the rig's ground per radius; a yard's ground has 13 for a wheel of 0.3 m.

@@ -36,7 +36,7 @@ struct SingleWheelResult {
 };
 
 /// Runs until the means over one rim radius of way (of whole paddle pitches) change by less than
-/// 0.2 % of the load and of the radius, three times on end; at most over 60 radii.
+/// 0.4 % of the load and of the radius, three times on end; at most over 60 radii.
 SingleWheelResult RunSingleWheel(const SingleWheelSetup& setup);
 
 }  // namespace dockyard
