@@ -17,15 +17,14 @@ namespace {
 void ReadCone(const YamlReader& root, ConeModel& cone) {
   const YamlReader in(root.Child("cone"), "cone",
                       {"mouth_radius_m", "funnel_length_m", "throat_radius_m", "socket_end_m",
-                       "stop_depth_m", "face_outer_radius_m", "wedges", "funnel_friction",
-                       "face_friction", "contact_stiffness_n_per_m", "contact_damping_ns_per_m"});
+                       "stop_depth_m", "face_outer_radius_m", "funnel_friction", "face_friction",
+                       "contact_stiffness_n_per_m", "contact_damping_ns_per_m"});
   cone.mouth_radius_m = in.Number("mouth_radius_m", Positive(2.0));
   cone.funnel_length_m = in.Number("funnel_length_m", Positive(2.0));
   cone.throat_radius_m = in.Number("throat_radius_m", Positive(2.0));
   cone.socket_end_m = in.Number("socket_end_m", Positive(5.0));
   cone.stop_depth_m = in.NumberOr("stop_depth_m", 0.0, NonNegative(5.0));
   cone.face_outer_radius_m = in.Number("face_outer_radius_m", Positive(2.0));
-  cone.wedges = in.Integer("wedges", 8, 256);
   cone.funnel_friction = in.Number("funnel_friction", NonNegative(2.0));
   cone.face_friction = in.Number("face_friction", NonNegative(2.0));
   cone.contact_stiffness_n_per_m = in.Number("contact_stiffness_n_per_m", Between(1e3, 1e7));

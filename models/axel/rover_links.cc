@@ -58,6 +58,10 @@ void CheckArm(const UrdfModel& urdf, const RoverModel& rover) {
   for (const Collision& part : rover.arm.collisions) {
     const bool is_tip = part.name == "tip" && std::holds_alternative<CylinderShape>(part.shape);
     const bool is_collar = part.name == "collar" && rover.collar.radius_m > 0.0;
+    if (std::holds_alternative<HullShape>(part.shape)) {
+      throw ConfigError(urdf.PlaceOf("arm") + ": collision '" + part.name +
+                        "': expected a cylinder, sphere or box, found a mesh");
+    }
     if (is_tip || is_collar || ReachAlongX(part) <= tip_middle) continue;
     throw ConfigError(urdf.PlaceOf("arm") + ": collision '" + part.name + "' reaches to x " +
                       NumberText(ReachAlongX(part)) + ", expected at most " +

@@ -21,7 +21,6 @@ struct ConeModel {
   // A plate across the socket, with a hole for the tether, seats the tip at this depth; 0: none.
   double stop_depth_m = 0.0;
   double face_outer_radius_m = 0.0;                   // of the annular face round the mouth
-  int wedges = 0;                                     // convex pieces round the axis
   double funnel_friction = 0.0, face_friction = 0.0;  // against the arm
   double contact_stiffness_n_per_m = 0.0;
   double contact_damping_ns_per_m = 0.0;

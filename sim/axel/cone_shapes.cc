@@ -7,52 +7,11 @@
 #include "sim/physics/collision_shapes.h"
 
 namespace dockyard::axel {
-namespace {
 
-// How far a wedge reaches under its neighbour; more than the deepest elastic penetration
-// (300 N at 2e5 N/m: 1.5 mm).
-constexpr double kWedgeOverlap_m = 4e-3;
-
-}  // namespace
-
-std::vector<std::vector<Eigen::Vector3d>> ConeWedges(const ConeModel& cone) {
-  const double half_angle = kPi / cone.wedges;
-  // The facets' middles lie nearer the axis than their seams; the mean is the model's radius.
-  const double to_facet = 2.0 * std::cos(half_angle) / (1.0 + std::cos(half_angle));
-  const double mouth = cone.mouth_radius_m * to_facet, throat = cone.throat_radius_m * to_facet;
-  const double slope = (mouth - throat) / cone.funnel_length_m;
-  const double m = kCollisionMargin_m;
-  const double lift = m * std::sqrt(1.0 + slope * slope);  // funnel's offset across the axis
-  // Cut through a facet's middle: (x, distance from the axis), shrunk by the margin.
-  const double corner = -cone.funnel_length_m + (m - lift) / slope;
-  const std::vector<Eigen::Vector2d> cut = {
-      {-m, mouth - slope * m + lift},       {corner, throat + m},
-      {-cone.socket_end_m + m, throat + m}, {-cone.socket_end_m + m, cone.face_outer_radius_m - m},
-      {-m, cone.face_outer_radius_m - m},
-  };
-  std::vector<std::vector<Eigen::Vector3d>> wedges;
-  for (int k = 0; k < cone.wedges; ++k) {
-    // Symmetric about the vertical plane through the axis.
-    const double azimuth = (2 * k + 1) * half_angle;
-    const Eigen::Vector3d out(0.0, std::sin(azimuth), std::cos(azimuth));
-    const Eigen::Vector3d side(0.0, std::cos(azimuth), -std::sin(azimuth));
-    std::vector<Eigen::Vector3d> corners;
-    for (const Eigen::Vector2d& c : cut) {
-      const double width = c.y() * std::tan(half_angle) + kWedgeOverlap_m - m;
-      const Eigen::Vector3d middle = c.x() * Eigen::Vector3d::UnitX() + c.y() * out;
-      corners.push_back(middle - width * side);
-      corners.push_back(middle + width * side);
-    }
-    wedges.push_back(corners);
-  }
-  return wedges;
-}
-
-Collision SocketStop(const ConeModel& cone) {
-  constexpr double kThickness = 0.03;  // only its front is ever met
-  const double side = 2.0 * cone.throat_radius_m + 2.0 * kWedgeOverlap_m;
-  return {"stop", BoxShape{{kThickness, side, side}},
-          Pose3::Translation(-cone.stop_depth_m - 0.5 * kThickness, 0.0, 0.0)};
+Collision ConeBlock(const ConeModel& cone) {
+  return {"cone",
+          CylinderShape{cone.face_outer_radius_m, cone.socket_end_m},
+          {RotY(0.5 * kPi), Eigen::Vector3d(-0.5 * cone.socket_end_m, 0.0, 0.0)}};
 }
 
 std::vector<Collision> ArmCollisions(const RoverModel& rover) {

@@ -1,19 +1,14 @@
-// Bullet's world: integrates rover and station and resolves the contacts between them. Without a
-// contact it has no constraint rows. It has no ground: soil and feet act as loads.
+// Moves rover and station by one step: their loads, then the contacts between them, then their
+// positions. It has no ground: soil and feet act as loads.
 #pragma once
 
-#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
-#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
-#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
-#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <vector>
 
-#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
-
-#include <memory>
-
+#include "sim/axel/mating.h"
+#include "sim/axel/module_contacts.h"
 #include "sim/axel/rover_body.h"
 #include "sim/axel/station_body.h"
-#include "sim/axel/wedge_pairs.h"
+#include "sim/physics/contact_solver.h"
 
 namespace dockyard::axel {
 
@@ -27,29 +22,37 @@ struct ArmContact {
 class ContactWorld {
  public:
   ContactWorld(const ConeModel& cone, double gravity_m_s2, RoverBody& rover, StationBody& station);
-  ~ContactWorld();
-  ContactWorld(const ContactWorld&) = delete;
-  ContactWorld& operator=(const ContactWorld&) = delete;
 
   /// One step under the loads given to rover and station.
   void Step(double dt_s);
   const ArmContact& arm_contact() const { return contact_; }
 
  private:
-  class BulletWorld;
+  /// A contact between a link and the station, in G, with the impulse it gave.
+  struct Touch {
+    RoverLink link = RoverLink::kArm;
+    int pair = 0;
+    Eigen::Vector3d p_G{0, 0, 0}, normal_G{0, 0, 0};
+    double gap_m = 0.0, share = 1.0, friction = 0.0;
+    bool on_face = false;
+    Eigen::Vector3d impulse_G{0, 0, 0}, bend_G{0, 0, 0};
+  };
   bool MayTouch() const;
-  void GiveContactsTheirMaterials();
+  void FindTouches(double dt_s);
+  void GoOnFromLastStep(Touch& touch) const;
+  void Resist(double dt_s);
   void ReadContacts(double dt_s);
 
   ConeModel cone_;
+  double gravity_m_s2_ = 0.0;
   RoverBody& rover_;
   StationBody& station_;
-  btDefaultCollisionConfiguration configuration_;
-  WedgePairsCreator wedge_pairs_;
-  btCollisionDispatcher dispatcher_;
-  btDbvtBroadphase broadphase_;
-  btMultiBodyConstraintSolver solver_;
-  std::unique_ptr<BulletWorld> world_;
+  Mating mating_;
+  ModuleContacts module_contacts_;
+  std::vector<MatingContact> matings_;
+  std::vector<ModuleContact> modules_;
+  std::vector<Touch> touches_, last_touches_;
+  ContactStep step_;
   ArmContact contact_;
 };
 

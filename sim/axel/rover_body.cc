@@ -14,6 +14,12 @@ double RotorInertia(const RoverModel& rover, Motor motor) {
   return rover.motors[static_cast<int>(motor)].reflected_inertia_kg_m2;
 }
 
+Eigen::Matrix3d Cross(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d M;
+  M << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return M;
+}
+
 // Half the diagonal of the box round a shape, from its compound's origin.
 double Reach(btCompoundShape* shape) {
   if (shape->getNumChildShapes() == 0) return 0.0;
@@ -45,7 +51,11 @@ RoverBody::RoverBody(const RoverModel& rover, const Pose3& X_GR, double arm_rad,
   for (int i = 0; i < kRoverLinkCount; ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
     inertia_[i] = FindPrincipalInertia(LinkOf(rover, link));
+    mass_kg_[i] = LinkOf(rover, link).mass_kg;
   }
+  rotor_kg_m2_[Index(RoverLink::kLeftWheel)] = RotorInertia(rover, Motor::kLeftWheel);
+  rotor_kg_m2_[Index(RoverLink::kRightWheel)] = RotorInertia(rover, Motor::kRightWheel);
+  rotor_kg_m2_[Index(RoverLink::kArm)] = RotorInertia(rover, Motor::kArm);
   const bool fixed_base = false, can_sleep = false;
   multibody_ = std::make_unique<btMultiBody>(kRoverLinkCount - 1, rover.body.mass_kg,
                                              ToBullet(inertia_[0].moments), fixed_base, can_sleep);
@@ -77,7 +87,8 @@ RoverBody::RoverBody(const RoverModel& rover, const Pose3& X_GR, double arm_rad,
   AddCollider(RoverLink::kBody, rover.body.collisions);
   AddCollider(first, LinkOf(rover, first).collisions);
   AddCollider(second, LinkOf(rover, second).collisions);
-  AddCollider(RoverLink::kArm, ArmCollisions(rover));
+  arm_parts_ = ArmCollisions(rover);
+  AddCollider(RoverLink::kArm, arm_parts_);
   for (int i = 0; i < kRoverLinkCount; ++i) {
     reach_m_ = std::max(
         reach_m_, p_R_hinge_[i].norm() + inertia_[i].X_LP.p.norm() + Reach(shapes_[i].compound()));
@@ -137,6 +148,75 @@ void RoverBody::AddJointTorque(RoverLink link, double torque_nm) {
 
 Eigen::Vector3d RoverBody::CentreOfMass(RoverLink link) const {
   return motion_[Index(link)].X_GL * inertia_[Index(link)].X_LP.p;
+}
+
+void RoverBody::TakeLoads(double gravity_m_s2, double step_s) {
+  for (int i = 0; i < kRoverLinkCount; ++i) {
+    const Eigen::Vector3d weight_G(0.0, 0.0, -mass_kg_[i] * gravity_m_s2);
+    if (i == 0) {
+      multibody_->addBaseForce(ToBullet(weight_G));
+    } else {
+      multibody_->addLinkForce(bullet_index_[i], ToBullet(weight_G));
+    }
+  }
+  scratch_r_.resize(kRoverLinkCount);
+  scratch_v_.resize(kRoverLinkCount);
+  scratch_m_.resize(kRoverLinkCount);
+  rotors_->RememberSpeeds();
+  multibody_->computeAccelerationsArticulatedBodyAlgorithmMultiDof(step_s, scratch_r_, scratch_v_,
+                                                                   scratch_m_, false, false, false);
+  rotors_->TakeTheirShare();
+  multibody_->clearForcesAndTorques();
+}
+
+void RoverBody::Move(double step_s) { multibody_->stepPositionsMultiDof(step_s); }
+
+Eigen::Matrix<double, RoverBody::kSpeeds, RoverBody::kSpeeds> RoverBody::MassMatrix() const {
+  Eigen::Matrix<double, kSpeeds, kSpeeds> M = Eigen::Matrix<double, kSpeeds, kSpeeds>::Zero();
+  const Eigen::Vector3d y_G = motion_[0].X_GL.R.col(1);
+  for (int i = 0; i < kRoverLinkCount; ++i) {
+    const RoverLink link = static_cast<RoverLink>(i);
+    const double m = mass_kg_[i];
+    const Eigen::Vector3d com_G = CentreOfMass(link), r = com_G - motion_[0].X_GL.p;
+    const Eigen::Matrix3d R_GP = motion_[i].X_GL.R * inertia_[i].X_LP.R;
+    const Eigen::Matrix3d I_G = R_GP * inertia_[i].moments.asDiagonal() * R_GP.transpose();
+    const Eigen::Matrix3d r_cross = Cross(r);
+    M.topLeftCorner<3, 3>().diagonal().array() += m;
+    M.block<3, 3>(0, 3) -= m * r_cross;
+    M.block<3, 3>(3, 3) += I_G - m * r_cross * r_cross;
+    if (i == 0) continue;
+    const int joint = 5 + i;  // left wheel, right wheel, arm
+    const Eigen::Vector3d v = y_G.cross(com_G - motion_[i].X_GL.p), L = I_G * y_G;
+    M.block<3, 1>(0, joint) = m * v;
+    M.block<3, 1>(3, joint) = L + m * r.cross(v);
+    M(joint, joint) = y_G.dot(L) + m * v.squaredNorm() + rotor_kg_m2_[i];
+  }
+  M.triangularView<Eigen::StrictlyLower>() = M.transpose();
+  return M;
+}
+
+Eigen::Matrix<double, 3, RoverBody::kSpeeds> RoverBody::PointJacobian(
+    RoverLink link, const Eigen::Vector3d& p_G) const {
+  Eigen::Matrix<double, 3, kSpeeds> J = Eigen::Matrix<double, 3, kSpeeds>::Zero();
+  J.leftCols<3>().setIdentity();
+  J.block<3, 3>(0, 3) = -Cross(p_G - motion_[0].X_GL.p);
+  if (link != RoverLink::kBody) {
+    const Eigen::Vector3d y_G = motion_[0].X_GL.R.col(1);
+    J.col(5 + Index(link)) = y_G.cross(p_G - motion_[Index(link)].X_GL.p);
+  }
+  return J;
+}
+
+void RoverBody::AddSpeeds(const Speeds& change) {
+  const Eigen::Vector3d w = change.segment<3>(3);
+  const Eigen::Vector3d v_com =
+      change.head<3>() + w.cross(CentreOfMass(RoverLink::kBody) - motion_[0].X_GL.p);
+  multibody_->setBaseVel(multibody_->getBaseVel() + ToBullet(v_com));
+  multibody_->setBaseOmega(multibody_->getBaseOmega() + ToBullet(w));
+  for (int i = 1; i < kRoverLinkCount; ++i) {
+    const int link = bullet_index_[i];
+    multibody_->setJointVel(link, multibody_->getJointVel(link) + change[5 + i]);
+  }
 }
 
 void RoverBody::Refresh() {

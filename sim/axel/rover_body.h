@@ -40,17 +40,35 @@ class RoverBody {
   void AddTorque(RoverLink link, const Eigen::Vector3d& torque_G);
   void AddJointTorque(RoverLink link, double torque_nm);
 
-  /// Takes over positions and speeds after Bullet's step.
+  /// Speeds after a step under the loads, without contacts; positions stay. Forgets the loads.
+  void TakeLoads(double gravity_m_s2, double step_s);
+  /// A step's positions by the speeds.
+  void Move(double step_s);
+  /// Takes over positions and speeds after either.
   void Refresh();
+
+  /// Generalized speeds: of R's origin in G, of turning in G, of the joints left, right, arm.
+  static constexpr int kSpeeds = 9;
+  using Speeds = Eigen::Matrix<double, kSpeeds, 1>;
+  /// Inertia of these speeds, rotors included [kg, kg m, kg m^2].
+  Eigen::Matrix<double, kSpeeds, kSpeeds> MassMatrix() const;
+  /// Velocity in G of a link's material point at p_G over the speeds, 3 x 9.
+  Eigen::Matrix<double, 3, kSpeeds> PointJacobian(RoverLink link, const Eigen::Vector3d& p_G) const;
+  void AddSpeeds(const Speeds& change);
 
   void SetJointSpeed(RoverLink link, double speed_rad_s);
   void SetBodySpeed(const Eigen::Vector3d& v_GR_G, const Eigen::Vector3d& w_GR_G);
   btMultiBody* multibody() { return multibody_.get(); }
-  Rotors& rotors() { return *rotors_; }
+  /// Shapes of the arm, in A.
+  const std::vector<Collision>& arm_parts() const { return arm_parts_; }
   btMultiBodyLinkCollider* collider(RoverLink link) { return colliders_[Index(link)].get(); }
   /// Radius about the axle's middle that holds the whole rover [m].
   double reach_m() const { return reach_m_; }
   Eigen::Vector3d CentreOfMass(RoverLink link) const;
+  /// The frame of a link's collision shape.
+  Pose3 X_GP(RoverLink link) const {
+    return motion_[Index(link)].X_GL * inertia_[Index(link)].X_LP;
+  }
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
@@ -61,13 +79,19 @@ class RoverBody {
 
   std::array<int, kRoverLinkCount> bullet_index_{};
   std::array<PrincipalInertia, kRoverLinkCount> inertia_;
+  std::array<double, kRoverLinkCount> mass_kg_{};
+  std::array<double, kRoverLinkCount> rotor_kg_m2_{};  // of the link's joint
   std::array<Eigen::Vector3d, kRoverLinkCount> p_R_hinge_;
+  std::vector<Collision> arm_parts_;
   std::array<LinkShape, kRoverLinkCount> shapes_;
   std::unique_ptr<btMultiBody> multibody_;
   std::unique_ptr<Rotors> rotors_;
   std::array<std::unique_ptr<btMultiBodyLinkCollider>, kRoverLinkCount> colliders_;
   std::array<LinkMotion, kRoverLinkCount> motion_;
   double reach_m_ = 0.0;
+  btAlignedObjectArray<btScalar> scratch_r_;
+  btAlignedObjectArray<btVector3> scratch_v_;
+  btAlignedObjectArray<btMatrix3x3> scratch_m_;
 };
 
 }  // namespace dockyard::axel

@@ -2,10 +2,7 @@
 
 #include "sim/axel/cone_shapes.h"
 
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "controller/base/check.h"
@@ -32,13 +29,13 @@ bool CrossesAxis(const Collision& collision, const Pose3& X_GL_axis, double from
 
 }  // namespace
 
-StationBody::StationBody(const StationModel& station, const Pose3& X_GS, bool mirrored_order)
+StationBody::StationBody(const StationModel& station, const Pose3& X_GS)
     : station_(station), X_SM_(MouthInStation(station)) {
   // The module's own frame stands level; it is tipped about the mouth's centre.
   const Pose3 X_SL = X_SM_ * Pose3::Translation(0.0, 0.0, -station.mouth_height_m);
   inertia_ = FindPrincipalInertia(station.module);
   inertia_.X_LP = X_SL * inertia_.X_LP;
-  AddShapes(mirrored_order);
+  AddShapes();
 
   btRigidBody::btRigidBodyConstructionInfo info(station.module.mass_kg, nullptr, shape_.compound(),
                                                 ToBullet(inertia_.moments));
@@ -47,8 +44,6 @@ StationBody::StationBody(const StationModel& station, const Pose3& X_GS, bool mi
   info.m_angularDamping = 0.0;
   body_ = std::make_unique<btRigidBody>(info);
   body_->setActivationState(DISABLE_DEACTIVATION);
-  body_->setContactStiffnessAndDamping(station.cone.contact_stiffness_n_per_m,
-                                       station.cone.contact_damping_ns_per_m);
 
   DOCKYARD_CHECK(!station.feet.empty());
   feet_.resize(station.feet.size());
@@ -59,24 +54,15 @@ StationBody::StationBody(const StationModel& station, const Pose3& X_GS, bool mi
   Refresh();
 }
 
-void StationBody::AddShapes(bool mirrored_order) {
+void StationBody::AddShapes() {
   const Pose3 X_PS = Inverse(inertia_.X_LP);
-  std::vector<std::vector<Eigen::Vector3d>> wedges = ConeWedges(station_.cone);
-  if (mirrored_order) std::reverse(wedges.begin(), wedges.end());
-  wedge_count_ = static_cast<int>(wedges.size());
-  for (const auto& wedge : wedges) {
-    shape_.AddHull(wedge, X_PS * X_SM_);
-    fills_socket_.push_back(false);
-  }
-  if (station_.cone.stop_depth_m > 0.0) {
-    shape_.Add(SocketStop(station_.cone), X_PS * X_SM_);
-    fills_socket_.push_back(false);
-  }
+  shape_.Add(ConeBlock(station_.cone), X_PS * X_SM_);
+  meets_arm_.push_back(false);
   const Pose3 X_SL = X_SM_ * Pose3::Translation(0.0, 0.0, -station_.mouth_height_m);
   for (const Collision& collision : station_.module.collisions) {
     shape_.Add(collision, X_PS * X_SL);
     const Pose3 X_GM = Inverse(X_SL * collision.X_LG) * X_SM_;
-    fills_socket_.push_back(CrossesAxis(collision, X_GM, 0.0, station_.cone.socket_end_m));
+    meets_arm_.push_back(!CrossesAxis(collision, X_GM, 0.0, station_.cone.socket_end_m));
   }
   AddFaces();
   btVector3 low, high;
@@ -84,30 +70,13 @@ void StationBody::AddShapes(bool mirrored_order) {
   reach_m_ = std::max(low.length(), high.length()) + (X_SM_.p - inertia_.X_LP.p).norm();
 }
 
+// Each piece's box in the shape's axes.
 void StationBody::AddFaces() {
-  // Of a wedge: the three that face the arm (ConeWedges' corners 0 to 9 go round the cut, two by
-  // two). Of other pieces: their box in the shape's axes.
   for (int piece = 0; piece < shape_.pieces(); ++piece) {
     std::vector<StationFace>& faces = faces_.emplace_back();
     btCompoundShape* all = shape_.compound();
-    const btTransform& X = all->getChildTransform(piece);
-    if (IsWedge(piece)) {
-      const auto* hull = static_cast<const btConvexHullShape*>(all->getChildShape(piece));
-      const auto Corner = [&](int i) { return X * hull->getUnscaledPoints()[i]; };
-      btVector3 middle(0, 0, 0);
-      for (int i = 0; i < hull->getNumPoints(); ++i) middle += Corner(i) / hull->getNumPoints();
-      for (const std::array<int, 3>& corners :
-           {std::array{0, 1, 2}, std::array{2, 3, 4}, std::array{0, 1, 8}}) {
-        btVector3 normal = (Corner(corners[1]) - Corner(corners[0]))
-                               .cross(Corner(corners[2]) - Corner(corners[0]));
-        normal.normalize();
-        if (normal.dot(middle - Corner(corners[0])) > 0.0) normal = -normal;
-        faces.push_back({normal, normal.dot(Corner(corners[0])) + kCollisionMargin_m});
-      }
-      continue;
-    }
     btVector3 low, high;
-    all->getChildShape(piece)->getAabb(X, low, high);
+    all->getChildShape(piece)->getAabb(all->getChildTransform(piece), low, high);
     for (int axis = 0; axis < 3; ++axis) {
       btVector3 normal(0, 0, 0);
       normal[axis] = 1.0;
@@ -118,8 +87,7 @@ void StationBody::AddFaces() {
 }
 
 void StationBody::AddForce(const Eigen::Vector3d& force_G, const Eigen::Vector3d& p_G) {
-  const Eigen::Vector3d com_G = motion_.X_GL * inertia_.X_LP.p;
-  body_->applyForce(ToBullet(force_G), ToBullet(Eigen::Vector3d(p_G - com_G)));
+  body_->applyForce(ToBullet(force_G), ToBullet(Eigen::Vector3d(p_G - CentreOfMass())));
 }
 
 void StationBody::AddFeetForces(const HeightGrid& ground, double dt_s) {
@@ -129,6 +97,31 @@ void StationBody::AddFeetForces(const HeightGrid& ground, double dt_s) {
         GroundForce(ground, sole_, p_G, motion_.VelocityAt(p_G), dt_s, feet_[i]);
     if (!force_G.isZero(0.0)) AddForce(force_G, p_G);
   }
+}
+
+void StationBody::TakeLoads(double gravity_m_s2, double step_s) {
+  btRigidBody& body = *body_;
+  const btVector3 fall(0.0, 0.0, -gravity_m_s2 * step_s);
+  body.setLinearVelocity(body.getLinearVelocity() + fall +
+                         body.getTotalForce() * (body.getInvMass() * step_s));
+  body.setAngularVelocity(body.getAngularVelocity() +
+                          body.getInvInertiaTensorWorld() * body.getTotalTorque() * step_s +
+                          body.computeGyroscopicImpulseImplicit_Body(step_s));
+  body.clearForces();
+}
+
+void StationBody::AddImpulse(const Eigen::Vector3d& impulse_G, const Eigen::Vector3d& p_G) {
+  body_->applyImpulse(ToBullet(impulse_G), ToBullet(Eigen::Vector3d(p_G - CentreOfMass())));
+}
+
+void StationBody::Move(double step_s) {
+  btTransform next;
+  body_->predictIntegratedTransform(step_s, next);
+  body_->proceedToTransform(next);
+}
+
+Eigen::Matrix3d StationBody::InverseInertia() const {
+  return FromBullet(body_->getInvInertiaTensorWorld());
 }
 
 void StationBody::Refresh() {

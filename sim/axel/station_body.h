@@ -24,7 +24,7 @@ struct StationFace {
 
 class StationBody {
  public:
-  StationBody(const StationModel& station, const Pose3& X_GS, bool mirrored_order);
+  StationBody(const StationModel& station, const Pose3& X_GS);
 
   /// Motion of the frame S.
   const LinkMotion& motion() const { return motion_; }
@@ -32,31 +32,37 @@ class StationBody {
   void AddForce(const Eigen::Vector3d& force_G, const Eigen::Vector3d& p_G);
   /// The ground's forces on the feet.
   void AddFeetForces(const HeightGrid& ground, double dt_s);
+  /// Speeds after a step under the loads, without contacts; positions stay. Forgets the loads.
+  void TakeLoads(double gravity_m_s2, double step_s);
+  void AddImpulse(const Eigen::Vector3d& impulse_G, const Eigen::Vector3d& p_G);
+  /// A step's position by the speeds.
+  void Move(double step_s);
   void Refresh();
 
+  Eigen::Vector3d CentreOfMass() const { return motion_.X_GL * inertia_.X_LP.p; }
+  double inverse_mass_per_kg() const { return body_->getInvMass(); }
+  Eigen::Matrix3d InverseInertia() const;  // in G, about the centre of mass
   btRigidBody* body() { return body_.get(); }
   const btCollisionObject* collision_object() const { return body_.get(); }
   const std::vector<StationFace>& Faces(int piece) const {
     return faces_[static_cast<std::size_t>(piece)];
   }
-  /// Whether a piece of the body's shape is a wedge of the cone.
-  bool IsWedge(int piece) const { return piece < wedge_count_; }
-  /// Whether a piece of the module fills the socket's hole: it has no contact with the arm.
-  bool FillsSocket(int piece) const { return fills_socket_[static_cast<std::size_t>(piece)]; }
+  /// Whether the arm meets a piece elsewhere than in the mating: all but what stands for the cone
+  /// and what fills its hole.
+  bool MeetsArm(int piece) const { return meets_arm_[static_cast<std::size_t>(piece)]; }
   /// Radius about the mouth that holds the whole station [m].
   double reach_m() const { return reach_m_; }
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
-  void AddShapes(bool mirrored_order);
+  void AddShapes();
   void AddFaces();
 
   StationModel station_;
   Pose3 X_SM_;
   PrincipalInertia inertia_;  // in S, the module tipped
   LinkShape shape_;
-  int wedge_count_ = 0;
-  std::vector<bool> fills_socket_;
+  std::vector<bool> meets_arm_;                  // by piece
   std::vector<std::vector<StationFace>> faces_;  // by piece
   std::unique_ptr<btRigidBody> body_;
   LinkMotion motion_;

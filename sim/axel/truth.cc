@@ -12,7 +12,7 @@ Truth World::Impl::MakeTruth() const {
   TellMotion(truth);
   TellMotors(truth);
   TellTether(truth);
-  const ArmContact& contact = bullet_.arm_contact();
+  const ArmContact& contact = contacts_.arm_contact();
   truth.cone_force_n = contact.total_G.norm();
   truth.face_force_n = contact.face_G.norm();
   truth.tip_ground_force_n = rover_ground_.tip_force_n();

@@ -58,8 +58,8 @@ World::Impl::Impl(const WorldSetup& setup)
       X_WG_(FromGround(setup.X_WG, 0.0)),
       ground_(setup.ground),
       rover_(setup.rover, RoverStart(setup), setup.arm_start_rad, setup.add_right_side_first),
-      station_(setup.station, StationStart(setup), setup.add_right_side_first),
-      bullet_(setup.station.cone, kEarthGravity_m_s2, rover_, station_),
+      station_(setup.station, StationStart(setup)),
+      contacts_(setup.station.cone, kEarthGravity_m_s2, rover_, station_),
       drives_(setup.rover, setup.arm_start_rad),
       tether_(setup.rover.tether, setup.station, setup.rover.arm_length_m),
       rover_ground_(setup.rover),
@@ -111,7 +111,7 @@ void World::Impl::Move(const std::array<MotorCommand, kMotorCount>& commands) {
   RollOnSoil();
   rover_ground_.AddForces(ground_, setup_.step_s, rover_);
   station_.AddFeetForces(ground_, setup_.step_s);
-  bullet_.Step(setup_.step_s);
+  contacts_.Step(setup_.step_s);
   still_steps_ = setup_.may_rest && IsStill() ? still_steps_ + 1 : 0;
 }
 

@@ -51,7 +51,7 @@ class World::Impl {
   HeightGrid ground_;
   RoverBody rover_;
   StationBody station_;
-  ContactWorld bullet_;
+  ContactWorld contacts_;
   DriveTrain drives_;
   Tether tether_;
   RoverGround rover_ground_;

@@ -6,9 +6,7 @@
 #pragma once
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
-#include <BulletDynamics/Featherstone/btMultiBodyConstraint.h>
 
-#include <memory>
 #include <vector>
 
 namespace dockyard {
@@ -20,18 +18,14 @@ class Rotors {
 
   /// Call it before a step's loads act on the body's speeds.
   void RememberSpeeds();
-  /// Call it after the loads and before contacts. It takes from the joints' speeds the share that
+  /// Call it after the loads. It takes from the joints' speeds the share that
   /// turns the rotors. With H the body's inertia without rotors and E its joints' axes, by the
   /// matrix inversion lemma (H + E J E^T)^-1 = H^-1 - H^-1 E (J^-1 + E^T H^-1 E)^-1 E^T H^-1.
   void TakeTheirShare();
-  /// The rotors' part in contacts: one solver row for each, a soft velocity constraint with impulse
-  /// -J times the joint's change of speed.
-  const std::vector<std::unique_ptr<btMultiBodyConstraint>>& rows() const { return rows_; }
 
  private:
   btMultiBody& body_;
   std::vector<double> inertia_kg_m2_, speeds_rad_s_;
-  std::vector<std::unique_ptr<btMultiBodyConstraint>> rows_;
   btAlignedObjectArray<btScalar> scratch_r_;
   btAlignedObjectArray<btVector3> scratch_v_;
 };

@@ -252,6 +252,14 @@ TEST(RoverLinks, APartOfTheArmThatReachesPastTheTipIsRefused) {
               HasSubstr("link 'arm': collision 'c_claw' reaches to x 1.0"));
 }
 
+TEST(RoverLinks, AMeshOnTheArmIsRefusedAsItsContactWithTheConeIsNotSimulated) {
+  const std::string claw =
+      "<link name=\"claw\"><collision name=\"c_claw\"><geometry>"
+      "<mesh filename=\"meshes/wheel.obj\" scale=\"0.1 0.1 0.1\"/></geometry></collision></link>";
+  EXPECT_THAT(MessageWith("axel", claw + Joint("fixed", "arm", "claw", Origin("0.5 0 0", "0 0 0"))),
+              HasSubstr("collision 'c_claw': expected a cylinder, sphere or box, found a mesh"));
+}
+
 TEST(StationLinks, AFixedPartOfTheModuleCountsAndOneOfTheStandMayNotWeigh) {
   const std::string ballast = BoxLink("ballast", 5, {0.1, 0.1, 0.1});
   EXPECT_EQ(MessageWith("station",

@@ -12,7 +12,7 @@ namespace dockyard::axel {
 struct Afloat {
   explicit Afloat(double gravity, double x = 50.0)
       : rover(model, Pose3::Translation(x, 0.0, 0.0), 0.3, false),
-        station(Station(), Pose3{}, false),
+        station(Station(), Pose3{}),
         bullet(Station().cone, gravity, rover, station) {}
 
   RoverModel model = Axel();

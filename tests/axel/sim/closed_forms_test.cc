@@ -46,7 +46,7 @@ Rolling RollDown(double slope_rad, double seconds) {
   hard.damping_pa_s_per_m = 1e4;
   HeightGrid ground = LevelGrid(-1.0, 8.0, 4.0, 0.05);
   RoverBody rover(model, Pose3::Translation(0.0, 0.0, 0.2997), 0.0, false);
-  StationBody station(Station(), Pose3::Translation(-50.0, 0.0, 0.0), false);
+  StationBody station(Station(), Pose3::Translation(-50.0, 0.0, 0.0));
   ContactWorld bullet(Station().cone, 0.0, rover, station);
   WheelSoil left(model.left_wheel_soil, hard), right(model.right_wheel_soil, hard);
   for (long i = 0; i < std::lround(seconds * 1e3); ++i) {
@@ -88,7 +88,7 @@ Drift Tumble(double step_s) {
   model.tip_angle_rad = 0.0;
   model.module.mass_kg = 10.0;
   model.module.I_LCom_L = Eigen::Vector3d(0.5, 1.0, 1.4).asDiagonal();
-  StationBody station(model, Pose3{}, false);
+  StationBody station(model, Pose3{});
   RoverBody rover(Axel(), Pose3::Translation(50.0, 0.0, 0.0), 0.0, false);
   ContactWorld bullet(model.cone, 0.0, rover, station);
   station.body()->setAngularVelocity(btVector3(0.3, 2.0, 0.4));  // about the middle axis, nearly

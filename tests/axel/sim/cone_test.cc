@@ -1,15 +1,18 @@
-// The cone: its wedges against the analytic surface, and a tip that enters it.
+// The mating's contacts against Bullet's on a cone of fine wedges, and a tip that enters the cone.
 #include <gtest/gtest.h>
 
-#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <utility>
 
 #include "axel/sim/product.h"
+#include "sim/axel/cone_shapes.h"
 #include "sim/axel/contact_world.h"
 #include "sim/axel/tether_path.h"
 #include "sim/base/random.h"
@@ -18,90 +21,174 @@
 namespace dockyard::axel {
 namespace {
 
-/// Distance from a point in the mouth frame M to the cone's surface, from within.
-double AnalyticDistance(const ConeModel& cone, const Eigen::Vector3d& p_M) {
-  const double radius = std::hypot(p_M.y(), p_M.z());
-  const double rise = cone.mouth_radius_m - cone.throat_radius_m, run = cone.funnel_length_m;
-  const double slope = std::hypot(rise, run);
-  const double to_funnel = ((cone.mouth_radius_m - radius) * run + p_M.x() * rise) / slope;
-  return std::min(to_funnel, 1e9);
-}
-
-/// Bullet's own collision world, which checks every pair of pieces.
-struct FullQuery {
-  btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher{&configuration};
-  btDbvtBroadphase broadphase;
-  btCollisionWorld world{&dispatcher, &broadphase, &configuration};
-  btCollisionObject probe;
-
-  double Distance(StationBody& station, btCollisionShape* shape, const btTransform& X_G);
-};
-
-struct ClosestPoint : btCollisionWorld::ContactResultCallback {
-  double distance = std::numeric_limits<double>::infinity();
-  btVector3 normal{0, 0, 0};
-  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
-                           const btCollisionObjectWrapper*, int, int) override {
-    if (point.getDistance() < distance) {
-      distance = point.getDistance();
-      normal = point.m_normalWorldOnB;
+/// The cone as convex wedges, each one sector of face, funnel and socket: the material outside
+/// funnel and socket is convex in every axial cut. The polygon's middle radius is the model's.
+void AddWedges(const ConeModel& cone, int count, double margin_m, LinkShape& shape) {
+  const double half_angle = kPi / count;
+  const double to_facet = 2.0 * std::cos(half_angle) / (1.0 + std::cos(half_angle));
+  const double mouth = cone.mouth_radius_m * to_facet, throat = cone.throat_radius_m * to_facet;
+  const std::array<Eigen::Vector2d, 5> cut = {{{0.0, mouth},
+                                               {-cone.funnel_length_m, throat},
+                                               {-cone.socket_end_m, throat},
+                                               {-cone.socket_end_m, cone.face_outer_radius_m},
+                                               {0.0, cone.face_outer_radius_m}}};
+  for (int k = 0; k < count; ++k) {
+    const double azimuth = (2 * k + 1) * half_angle;
+    const Eigen::Vector3d out(0.0, std::sin(azimuth), std::cos(azimuth));
+    const Eigen::Vector3d side(0.0, std::cos(azimuth), -std::sin(azimuth));
+    std::vector<Eigen::Vector3d> corners;
+    for (const Eigen::Vector2d& c : cut) {
+      const double width = c.y() * std::tan(half_angle) + margin_m;
+      const Eigen::Vector3d middle = c.x() * Eigen::Vector3d::UnitX() + c.y() * out;
+      corners.push_back(middle - width * side);
+      corners.push_back(middle + width * side);
     }
-    return 0.0;
+    shape.AddHull(corners, Pose3{});
   }
-};
-
-double FullQuery::Distance(StationBody& station, btCollisionShape* shape, const btTransform& X_G) {
-  probe.setCollisionShape(shape);
-  probe.setWorldTransform(X_G);
-  ClosestPoint found;
-  found.m_closestDistanceThreshold = 0.02;
-  world.contactPairTest(station.body(), &probe, found);
-  return found.distance;
 }
 
-TEST(Cone, WedgesLieWithinAMillimetreAndThePolygonsErrorOfTheAnalyticFunnel) {
-  StationModel model = Station();
-  model.tip_angle_rad = 0.0;
-  StationBody station(model, Pose3{}, false);
-  const Pose3 X_GM = station.X_GM();
-  FullQuery query;
-  constexpr double kBall = 0.005;
-  btSphereShape ball(kBall);
-
-  const ConeModel& cone = model.cone;
-  const double slope = std::atan2(cone.mouth_radius_m - cone.throat_radius_m, cone.funnel_length_m);
-  RandomStream random(11);
-  double worst = 0.0, mean = 0.0, worst_normal = 0.0;
-  constexpr int kSamples = 10000;
-  for (int i = 0; i < kSamples; ++i) {
-    // On the funnel, away from its rims by more than the ball; the ball a little off the surface.
-    const double depth = random.Uniform(0.012, cone.funnel_length_m - 0.012);
-    const double turn = random.Uniform(-kPi, kPi), off = random.Uniform(-0.001, 0.004);
-    const double radius =
-        cone.mouth_radius_m - depth * std::tan(slope) - (kBall + off) / std::cos(slope);
-    const Eigen::Vector3d p_M(-depth, radius * std::cos(turn), radius * std::sin(turn));
-    query.probe.setCollisionShape(&ball);
-    query.probe.setWorldTransform(ToBullet(Pose3{Eigen::Matrix3d::Identity(), X_GM * p_M}));
-    ClosestPoint found;
-    found.m_closestDistanceThreshold = 0.02;
-    query.world.contactPairTest(station.body(), &query.probe, found);
-    ASSERT_TRUE(std::isfinite(found.distance)) << p_M.transpose();
-    const double error = found.distance - (AnalyticDistance(cone, p_M) - kBall);
-    worst = std::max(worst, std::abs(error));
-    mean += error / kSamples;
-    const Eigen::Vector3d outward(-std::sin(slope), std::cos(slope) * std::cos(turn),
-                                  std::cos(slope) * std::sin(turn));
-    const double along = std::abs(outward.dot(X_GM.R.transpose() * FromBullet(found.normal)));
-    worst_normal = std::max(worst_normal, std::acos(std::min(1.0, along)));
+/// Bullet's distance between the arm and the wedges.
+class WedgeQuery {
+ public:
+  WedgeQuery(const ConeModel& cone, int wedges, const std::vector<Collision>& arm_parts) {
+    AddWedges(cone, wedges, 2e-4, cone_shape_);
+    for (int i = 0; i < cone_shape_.pieces(); ++i) {
+      cone_shape_.compound()->getChildShape(i)->setMargin(0.0);
+    }
+    for (const Collision& part : arm_parts) arm_shape_.Add(part, Pose3{});
+    cone_.setCollisionShape(cone_shape_.compound());
+    arm_.setCollisionShape(arm_shape_.compound());
   }
-  // The polygon's sagitta where it is widest.
-  const double polygon = cone.mouth_radius_m * (1.0 / std::cos(kPi / cone.wedges) - 1.0);
-  std::printf("funnel: worst %.2f mm (polygon %.2f), mean %.3f mm, normal %.2f deg\n", 1e3 * worst,
-              1e3 * polygon, 1e3 * mean, Degrees(worst_normal));
-  EXPECT_LT(worst, polygon);
-  EXPECT_LT(std::abs(mean), 0.2e-3);
-  EXPECT_LT(Degrees(worst_normal), 180.0 / cone.wedges + 0.5);  // half a wedge's turn
+
+  double Distance(const Pose3& X_MA) {
+    arm_.setWorldTransform(ToBullet(X_MA));
+    ClosestPoint found;
+    found.m_closestDistanceThreshold = 0.01;
+    world_.contactPairTest(&cone_, &arm_, found);
+    return found.distance;
+  }
+
+ private:
+  struct ClosestPoint : btCollisionWorld::ContactResultCallback {
+    double distance = 1.0;
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                             const btCollisionObjectWrapper*, int, int) override {
+      distance = std::min(distance, double{point.getDistance()});
+      return 0.0;
+    }
+  };
+  LinkShape cone_shape_, arm_shape_;
+  btCollisionObject cone_, arm_;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase broadphase_;
+  btCollisionWorld world_{&dispatcher_, &broadphase_, &configuration_};
+};
+
+double LeastGap(const Mating& mating, const Pose3& X_MA, double within_m = 0.02) {
+  std::vector<MatingContact> contacts;
+  mating.Find(X_MA, within_m, contacts);
+  double least = 1.0;
+  for (const MatingContact& contact : contacts) least = std::min(least, contact.gap_m);
+  return least;
+}
+
+TEST(Mating, GapsAreThoseOfAConeOfFineWedges) {
+  ConeModel cone = Station().cone;
+  cone.stop_depth_m = 0.0;
+  const std::vector<Collision> arm = ArmCollisions(Axel());
+  const Mating mating(cone, arm);
+  constexpr int kWedges = 192;
+  WedgeQuery wedges(cone, kWedges, arm);
+  // The polygon's sagitta where it is widest, half on either side.
+  const double polygon = 0.5 * cone.face_outer_radius_m * (1.0 - std::cos(kPi / kWedges));
+  RandomStream random(11);
+  int compared = 0;
+  int nearer = 0;
+  double farthest = 0.0;
+  for (int i = 0; i < 4000; ++i) {
+    // The arm towards the cone, its tip somewhere in it, moved aside until it nearly touches.
+    const Eigen::Matrix3d R = RotZ(kPi) * RotX(random.Uniform(-kPi, kPi)) *
+                              RotY(random.Uniform(-0.35, 0.35)) * RotX(random.Uniform(-kPi, kPi));
+    const double depth = random.Uniform(-0.005, 0.26), turn = random.Uniform(-kPi, kPi);
+    const double wanted = random.Uniform(-0.2e-3, 0.4e-3);
+    const auto At = [&](double aside_m) {
+      const Eigen::Vector3d tip(-depth, aside_m * std::cos(turn), aside_m * std::sin(turn));
+      return Pose3{R, tip - R.col(0)};
+    };
+    double low = -0.2, high = 0.2;  // the gap falls from one to the other
+    if (LeastGap(mating, At(0.0)) < wanted) continue;
+    low = 0.0;
+    for (int k = 0; k < 40; ++k) {
+      const double middle = 0.5 * (low + high);
+      (LeastGap(mating, At(middle)) > wanted ? low : high) = middle;
+    }
+    const double gap = LeastGap(mating, At(low));
+    if (std::abs(gap - wanted) > 1e-6) continue;
+    ++compared;
+    const double error = wedges.Distance(At(low)) - gap;
+    farthest = std::min(farthest, error);
+    nearer += error > polygon + 2e-5 ? 1 : 0;
+  }
+  std::printf("%d arms: farther than Bullet by %.4f mm (polygon %.4f), nearer in %d\n", compared,
+              -1e3 * farthest, 1e3 * polygon, nearer);
+  EXPECT_GT(compared, 500);
+  EXPECT_GT(farthest, -(polygon + 2e-5));  // no contact is missed
+  // Ours is the distance of two points of the bodies, so a longer one is Bullet's error: at edges
+  // GJK ends up to 0.12 mm early.
+  EXPECT_LT(nearer, 0.03 * compared);
+}
+
+TEST(Mating, BallInTheFunnelIsAsFarFromItAsTheLineSays) {
+  const ConeModel cone = Station().cone;
+  const double ball = 0.02;
+  const Mating mating(cone, {{"ball", SphereShape{ball}, Pose3::Translation(1.0, 0.0, 0.0)}});
+  const double rise = cone.mouth_radius_m - cone.throat_radius_m, run = cone.funnel_length_m;
+  for (double aside : {0.0, 0.01, 0.04}) {
+    const Eigen::Vector3d centre(-0.06, 0.0, aside);
+    const Pose3 X_MA{RotZ(kPi), centre + Eigen::Vector3d(1.0, 0.0, 0.0)};
+    const double to_wall =
+        ((cone.mouth_radius_m - aside) * run + centre.x() * rise) / std::hypot(rise, run);
+    EXPECT_NEAR(LeastGap(mating, X_MA, 0.1), to_wall - ball, 1e-12) << aside;
+  }
+}
+
+TEST(Mating, BoxOnTheAxisIsNearestWithItsInnerCorners) {
+  const ConeModel cone = Station().cone;
+  const double half = 0.01, e = kCollisionMargin_m;  // edges are rounded
+  const Mating mating(cone, {{"box", BoxShape{{2 * half, 2 * half, 2 * half}}, Pose3{}}});
+  const double rise = cone.mouth_radius_m - cone.throat_radius_m, run = cone.funnel_length_m;
+  const double across = std::sqrt(2.0) * (half - e), x = -0.06 - (half - e);
+  const double to_wall = ((cone.mouth_radius_m - across) * run + x * rise) / std::hypot(rise, run);
+  EXPECT_NEAR(LeastGap(mating, Pose3::Translation(-0.06, 0.0, 0.0), 0.1), to_wall - e, 1e-12);
+}
+
+/// Largest tilt of a disc and a collar in a tube: with the tip's disc at its far wall and the
+/// collar at the near one, play = length x sin(tilt) + diameter x (cos(tilt) - 1), to first order.
+TEST(Mating, SeatedArmTiltsByItsPlayOverItsLength) {
+  ConeModel cone = Station().cone;
+  cone.stop_depth_m = 0.0;
+  const RoverModel rover = Axel();
+  const Mating mating(cone, ArmCollisions(rover));
+  const double r = rover.tip.radius_m, R = cone.throat_radius_m;
+  // Contacts: the front rim of the disc, the rear rim of the collar's cylinder.
+  const double rear = rover.collar.front_m - rover.collar.lead_in_m - rover.collar.length_m;
+  const double edge = kCollisionMargin_m;  // edges are rounded
+  const double length = rover.arm_length_m - rear - 2.0 * edge;
+  const auto Gap = [&](double tilt) {
+    // Turned about the middle between the two.
+    const Eigen::Matrix3d turn = RotZ(kPi) * RotY(tilt);
+    const Eigen::Vector3d middle(-0.26 + 0.5 * (rover.arm_length_m - rear), 0.0, 0.0);
+    return LeastGap(
+        mating,
+        {turn, middle - turn * Eigen::Vector3d(0.5 * (rover.arm_length_m + rear), 0.0, 0.0)});
+  };
+  double low = 0.0, high = 0.1;
+  for (int i = 0; i < 50; ++i) (Gap(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
+  // 2 (r - e) cos + length sin + 2 e = 2 R, e the rounding.
+  const double closed = 2.0 * (r - edge) * std::cos(low) + length * std::sin(low) + 2.0 * edge;
+  EXPECT_NEAR(closed, 2.0 * R, 2e-8);
+  EXPECT_NEAR(Degrees(low), Degrees(2.0 * (R - r) / length), 0.03);
 }
 
 /// The motion of a tip that is drawn into the funnel from 10 cm aside and 10 deg askew: an arm on a
@@ -109,7 +196,6 @@ TEST(Cone, WedgesLieWithinAMillimetreAndThePolygonsErrorOfTheAnalyticFunnel) {
 struct Entered {
   double time_s = 0.0, lateral_m = 0.0, depth_m = 0.0;
   double peak_n = 0.0, held_n = 0.0;  // of the force in the cone; its largest mean over 10 ms
-  int touched = 0, missed = 0;  // checks that found the arm in the cone; without a force on it
 };
 Entered DrawIn(double step_s, double damping_ns_per_m) {
   StationModel model = Station();
@@ -117,14 +203,13 @@ Entered DrawIn(double step_s, double damping_ns_per_m) {
   model.module.mass_kg = 1e6;  // stands fast
   model.module.I_LCom_L = 1e6 * Eigen::Matrix3d::Identity();
   const RoverModel rover_model = Axel();
-  StationBody station(model, Pose3{}, false);
+  StationBody station(model, Pose3{});
   const Pose3 X_GM = station.X_GM();
   // The tip 0.15 m before the mouth, 10 cm aside; the arm along the axis but for 10 deg of yaw.
   const Eigen::Matrix3d R = X_GM.R * RotZ(kPi - Radians(10.0));
   const Eigen::Vector3d tip = X_GM * Eigen::Vector3d(0.15, 0.1, 0.0);
   RoverBody rover(rover_model, {R, tip - R * Eigen::Vector3d(1.0, 0.0, 0.0)}, 0.0, false);
   ContactWorld bullet(model.cone, 0.0, rover, station);
-  FullQuery query;
   Entered entered;
   const long window = std::lround(10e-3 / step_s);
   double sum_n = 0.0;
@@ -146,16 +231,7 @@ Entered DrawIn(double step_s, double damping_ns_per_m) {
     const Eigen::Vector3d next_M = path.nodes[1].x() * Eigen::Vector3d::UnitX() +
                                    path.nodes[1].y() * aside / std::max(1e-9, aside.norm());
     rover.AddForce(RoverLink::kArm, 60.0 * (X_GM * next_M - tip_G).normalized(), tip_G);
-    double distance = 1.0;
-    if (i % 20 == 0) {
-      distance = query.Distance(station, rover.collider(RoverLink::kArm)->getCollisionShape(),
-                                rover.collider(RoverLink::kArm)->getWorldTransform());
-    }
     bullet.Step(step_s);
-    if (distance < -0.2e-3) {
-      ++entered.touched;
-      entered.missed += bullet.arm_contact().points == 0 ? 1 : 0;
-    }
     const double force_n = bullet.arm_contact().total_G.norm();
     entered.peak_n = std::max(entered.peak_n, force_n);
     sum_n += force_n / static_cast<double>(window);
@@ -183,24 +259,19 @@ void ExpectConverging(const std::array<Entered, 3>& runs, double Entered::*what,
 
 TEST(Cone, TipTenCentimetresAsideAndTenDegreesAskewEntersAlikeAtEveryStep) {
   const double damping = Station().cone.contact_damping_ns_per_m;
-  const std::array runs = {DrawIn(2e-3, damping), DrawIn(1e-3, damping), DrawIn(0.5e-3, damping)};
-  for (const Entered& entered : runs) {
-    EXPECT_GT(entered.depth_m, 0.24);      // past the collar's lead-in, where 60 N leave it askew
-    EXPECT_LT(entered.lateral_m, 0.8e-3);  // the socket's clearance
-    EXPECT_GT(entered.touched, 50);
-    EXPECT_EQ(entered.missed, 0);  // pairs that are not checked do not touch
-    EXPECT_NEAR(entered.time_s, runs[2].time_s, 2e-3);
+  for (double of_damping : {1.0, 0.5}) {
+    const std::array runs = {DrawIn(2e-3, of_damping * damping), DrawIn(1e-3, of_damping * damping),
+                             DrawIn(0.5e-3, of_damping * damping)};
+    for (const Entered& entered : runs) {
+      EXPECT_GT(entered.depth_m, 0.27);      // on the socket's floor
+      EXPECT_LT(entered.lateral_m, 0.8e-3);  // the socket's clearance
+      EXPECT_NEAR(entered.time_s, runs[2].time_s, 2e-3);
+      EXPECT_NEAR(entered.depth_m, runs[2].depth_m, 2e-5);
+      EXPECT_NEAR(entered.held_n, runs[2].held_n, 0.08 * runs[2].held_n);
+    }
+    ExpectConverging(runs, &Entered::lateral_m, 1e-5);
+    ExpectConverging(runs, &Entered::peak_n, 0.03 * runs[2].peak_n);
   }
-  ExpectConverging(runs, &Entered::depth_m, 1e-3);
-  ExpectConverging(runs, &Entered::lateral_m, 1e-5);
-  ExpectConverging(runs, &Entered::held_n, 0.03 * runs[2].held_n);
-}
-
-TEST(Cone, PeakForceConvergesOverTheStepWithHalfOfTheDamping) {
-  // At the file's 2000 N s/m the first touch at the throat is the damper's, c v, over in a
-  // millisecond: 372 N at 0.125 ms, of which a step of 1 ms shows nothing.
-  const std::array runs = {DrawIn(2e-3, 1e3), DrawIn(1e-3, 1e3), DrawIn(0.5e-3, 1e3)};
-  ExpectConverging(runs, &Entered::peak_n, 0.03 * runs[2].peak_n);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(Rotors, DoNotResistTheBodyThatTurnsAsAWhole) {
   model.body.p_LoCom_L.setZero();
   model.arm.p_LoCom_L.setZero();
   RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.0, false);
-  StationBody station(Station(), Pose3{}, false);
+  StationBody station(Station(), Pose3{});
   ContactWorld bullet(Station().cone, 0.0, rover, station);
   for (int i = 0; i < 100; ++i) {
     for (RoverLink link : kAllLinks) {
@@ -77,7 +77,7 @@ TEST(Rotors, ResistTheJointsTurningByTheirWholeInertia) {
   model.body.mass_kg = 1e9;
   model.body.I_LCom_L = 1e9 * Eigen::Matrix3d::Identity();
   RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.0, false);
-  StationBody station(Station(), Pose3{}, false);
+  StationBody station(Station(), Pose3{});
   ContactWorld bullet(Station().cone, 0.0, rover, station);
   const double I = model.left_wheel.I_LCom_L(1, 1), J = model.motors[0].reflected_inertia_kg_m2;
   for (int i = 0; i < 1000; ++i) {
@@ -99,9 +99,12 @@ double PeakOfAnArmsBlow(double rotor_kg_m2, double step_s) {
   heavy.tip_angle_rad = 0.0;
   heavy.cone.contact_damping_ns_per_m = 0.0;
   heavy.cone.face_friction = heavy.cone.funnel_friction = 0.0;
-  // Hanging ahead of the face, a finger's breadth above the cone, and swinging back against it.
-  RoverBody rover(model, Pose3::Translation(0.035, 0.0, 1.37 + 0.18), 0.5 * kPi, false);
-  StationBody station(heavy, Pose3{}, false);
+  // Hanging ahead of the face, its nose above the mouth, and swinging back against it.
+  const double on_face =
+      heavy.mouth_height_m + 0.5 * (heavy.cone.mouth_radius_m + heavy.cone.face_outer_radius_m);
+  RoverBody rover(model, Pose3::Translation(0.035, 0.0, model.arm_length_m + on_face), 0.5 * kPi,
+                  false);
+  StationBody station(heavy, Pose3{});
   ContactWorld bullet(heavy.cone, 0.0, rover, station);
   rover.SetJointSpeed(RoverLink::kArm, 0.2);
   double peak = 0.0;
@@ -113,16 +116,18 @@ double PeakOfAnArmsBlow(double rotor_kg_m2, double step_s) {
 }
 
 TEST(Rotors, GiveTheirMomentumToWhatTheArmStrikes) {
-  // A spring's peak: w sqrt(k (I + J)). The edge of the nose is a polygon of contacts in parallel,
-  // so the stiffness is not known by name; the ratio of two blows is.
-  const double light = PeakOfAnArmsBlow(0.1, 1e-4), heavy = PeakOfAnArmsBlow(4.0, 1e-4);
+  // A spring's peak: w sqrt(k (I + J)), at the arm's length of 1 m. The nose's two rims strike at
+  // once, 6 mm apart.
   const double arm = 0.33384 + 4.0 * 0.25;  // axel.urdf
-  EXPECT_GT(light, 20.0);
-  EXPECT_NEAR(heavy / light, std::sqrt((arm + 4.0) / (arm + 0.1)), 0.05);
+  const double stiffness = 2.0 * Station().cone.contact_stiffness_n_per_m;
+  for (double rotor : {0.1, 4.0}) {
+    const double peak = PeakOfAnArmsBlow(rotor, 1e-5);
+    EXPECT_NEAR(peak, 0.2 * std::sqrt(stiffness * (arm + rotor)), 0.01 * peak);
+  }
 }
 
 TEST(Rotors, AreTheSameNearTheStationAsFarFromIt) {
-  // Near it Bullet's solver runs, with the rotors' rows and without a contact.
+  // Near it contacts are looked for.
   EXPECT_NEAR(EnergyError(1e-3, 1.8), EnergyError(1e-3, 50.0), 1e-9);
 }
 

@@ -67,7 +67,7 @@ TEST(RoverBody, ArmSwingsWithThePeriodOfAPendulum) {
   model.body.I_LCom_L = 1e9 * Eigen::Matrix3d::Identity();
   model.body.p_LoCom_L.setZero();
   RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.5 * kPi + 0.01, false);
-  StationBody station(Station(), Pose3{}, false);
+  StationBody station(Station(), Pose3{});
   ContactWorld bullet(Station().cone, 0.0, rover, station);
   double last = 0.01, first_crossing = 0.0, last_crossing = 0.0;
   int crossings = 0;
@@ -94,7 +94,7 @@ TEST(RoverBody, OrderOfTheWheelsChangesNothing) {
   const RoverModel model = Axel();
   const Pose3 X_GR = Pose3::Translation(50.0, 0, 0);
   RoverBody a(model, X_GR, 0.2, false), b(model, X_GR, 0.2, true);
-  StationBody station_a(Station(), Pose3{}, false), station_b(Station(), Pose3{}, false);
+  StationBody station_a(Station(), Pose3{}), station_b(Station(), Pose3{});
   ContactWorld bullet_a(Station().cone, 9.81, a, station_a);
   ContactWorld bullet_b(Station().cone, 9.81, b, station_b);
   for (int i = 0; i < 1000; ++i) {

@@ -33,7 +33,7 @@ Afloat CompareAfloat(double step_s) {
   model.body.I_LCom_L(0, 2) = model.body.I_LCom_L(2, 0) = 0.2;  // no axis of symmetry
   const Pose3 X_GR = Pose3::Translation(50.0, 0.0, 0.0);
   RoverBody rover(model, X_GR, 0.3, false);
-  StationBody station(setup.station, Pose3{}, false);
+  StationBody station(setup.station, Pose3{});
   ContactWorld bullet(setup.station.cone, 0.0, rover, station);
   MujocoTwin twin(setup, 0.5, 0.0);
   twin.SetPose(X_GR, 0.3);

@@ -1,0 +1,65 @@
+// Solids turned about the z axis: how far a point or a circle is from one.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "controller/geometry/pose.h"
+
+namespace dockyard {
+
+/// A solid turned about the z axis whose cut through the axis is convex. It may leave the axis
+/// free: the wall of a funnel is such a solid.
+class TurnedSolid {
+ public:
+  /// outline_m: corners (z, r) of the cut, the solid to the right of the way from one to the next.
+  /// It is closed from the last corner to the first, except along the axis.
+  /// Throws std::invalid_argument when the cut is not convex.
+  explicit TurnedSolid(const std::vector<Eigen::Vector2d>& outline_m);
+
+  struct Nearest {
+    double distance_m = 0.0;           // < 0 inside
+    Eigen::Vector2d normal{0.0, 0.0};  // (z, r), out of the solid; the distance's gradient
+    bool on_side = true;               // not on a corner of the cut
+  };
+  /// Of the point (z, r), r >= 0. Inside, the nearest side counts.
+  Nearest NearestTo(const Eigen::Vector2d& point_m) const;
+
+ private:
+  struct Side {
+    Eigen::Vector2d from, along, out;
+    double length_m = 0.0, offset_m = 0.0;
+  };
+  std::vector<Side> sides_;
+};
+
+/// A circle: centre + radius (x cos + y sin).
+struct Ring {
+  Eigen::Vector3d centre{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0};  // x, y: unit, at right angles
+  double radius_m = 0.0;
+
+  Eigen::Vector3d At(double angle_rad) const;
+};
+Ring operator*(const Pose3& X, const Ring& ring);
+
+/// A place where a ring is near a solid, in the solid's frame.
+struct RingPoint {
+  double angle_rad = 0.0;  // on the ring
+  double distance_m = 0.0;
+  Eigen::Vector3d p{0, 0, 0};
+  Eigen::Vector3d normal{0, 0, 0};  // out of the solid
+  bool on_side = true;              // of the solid; false on an edge
+  bool one_of_three = false;        // of a ring that lies on a flat end
+};
+
+inline constexpr int kMostRingPoints = 4;
+using RingPoints = std::array<RingPoint, kMostRingPoints>;
+
+/// The ring's places of least distance that are nearer than within_m; on a flat end of the solid,
+/// where a ring that lies on it is near all round, that place and those 120 deg from it. Returns
+/// their count.
+/// The solid's axis is z of the frame that the ring is given in.
+int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m, RingPoints& points);
+
+}  // namespace dockyard
