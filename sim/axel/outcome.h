@@ -38,8 +38,8 @@ struct OutcomeLimits {
   double docked_depth_m = 0.20;
   double rest_speed_m_s = 1e-3;  // tip in the mouth frame
   double rest_time_s = 1.0;
-  double taut_n = 5.0;  // tension that counts as taut
-  double shake_turn_rad = Radians(2.0);
+  double taut_n = 5.0;                   // tension that counts as taut
+  double shake_turn_rad = Radians(3.0);  // assumed, range 2.2-3.5: docs/reference/outcomes.md
   double shake_travel_m = 0.01;
   double tipped_rad = Radians(60.0);  // roll of the axle, or the arm lifted past the upright
   double overload_n = 1000.0;         // assumed working load of the tether, range 500-2000

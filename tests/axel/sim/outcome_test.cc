@@ -35,7 +35,7 @@ TEST(Outcome, DockedNeedsDepthRestTensionAndAFirmShake) {
   OutcomeJudge judge(Station(), {});
   Hold(judge, At(100.0, 0.24, 0.005, 50.0), 2.0);
   EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, kFirm).outcome, Outcome::kDocked);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(2.5), 0.005}).outcome,
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(3.5), 0.005}).outcome,
             Outcome::kFalseDocked);
   EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(1.0), 0.02}).outcome,
             Outcome::kFalseDocked);
