@@ -70,13 +70,30 @@ void AddUndulation(HeightGrid& grid, double rms_m, double wavelength_m, double f
   if (rms_m == 0.0) return;
   const std::vector<Wave> waves = DrawWaves(wavelength_m, seed);
   const double amplitude = rms_m * std::sqrt(2.0 / static_cast<double>(waves.size()));
+  // cos(a + b) from the cosines and sines of a column's and a row's angle.
+  const std::size_t nx = static_cast<std::size_t>(grid.nx);
+  std::vector<double> cos_x(waves.size() * nx), sin_x(waves.size() * nx), heights(nx);
+  for (std::size_t w = 0; w < waves.size(); ++w) {
+    for (std::size_t ix = 0; ix < nx; ++ix) {
+      const double angle = waves[w].kx * (grid.x0_m + static_cast<double>(ix) * grid.cell_m);
+      cos_x[w * nx + ix] = std::cos(angle);
+      sin_x[w * nx + ix] = std::sin(angle);
+    }
+  }
   for (int iy = 0; iy < grid.ny; ++iy) {
-    for (int ix = 0; ix < grid.nx; ++ix) {
-      const double x = grid.x0_m + ix * grid.cell_m, y = grid.y0_m + iy * grid.cell_m;
-      double height = 0.0;
-      for (const Wave& wave : waves) height += std::cos(wave.kx * x + wave.ky * y + wave.phase);
-      height *= amplitude * UndulationWeight(std::hypot(x, y), flat_radius_m);
-      const std::size_t index = static_cast<std::size_t>(iy) * grid.nx + ix;
+    const double y = grid.y0_m + iy * grid.cell_m;
+    std::fill(heights.begin(), heights.end(), 0.0);
+    for (std::size_t w = 0; w < waves.size(); ++w) {
+      const double angle = waves[w].ky * y + waves[w].phase;
+      const double c = std::cos(angle), s = std::sin(angle);
+      const double *cx = cos_x.data() + w * nx, *sx = sin_x.data() + w * nx;
+      for (std::size_t ix = 0; ix < nx; ++ix) heights[ix] += cx[ix] * c - sx[ix] * s;
+    }
+    for (std::size_t ix = 0; ix < nx; ++ix) {
+      const double x = grid.x0_m + static_cast<double>(ix) * grid.cell_m;
+      const double height =
+          heights[ix] * amplitude * UndulationWeight(std::hypot(x, y), flat_radius_m);
+      const std::size_t index = static_cast<std::size_t>(iy) * nx + ix;
       grid.heights_m[index] += height;
       if (!grid.undisturbed_m.empty()) grid.undisturbed_m[index] += height;
     }
