@@ -92,8 +92,7 @@ class WheelSoil {
   WheelTravel travel_;
   double contact_depth_m_ = 0.0;  // of the last step
   double sinkage_m_ = 0.0;
-  double since_slump_s_ = 0.0;
-  bool pressed_ = false;  // since the last slump
+  double since_rut_s_ = 0.0;
   RutScratch scratch_;
 };
 
