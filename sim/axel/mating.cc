@@ -70,8 +70,6 @@ std::vector<Eigen::Vector2d> Outline(const std::vector<Eigen::Vector2d>& rims) {
   return outline;
 }
 
-double ShareOf(const RingPoint& point) { return point.one_of_three ? 1.0 / 3.0 : 1.0; }
-
 bool IsOnFace(const MatingContact& contact) {
   return contact.p_M.x() > -kFaceDepth_m && contact.normal_M.x() > kFaceNormal;
 }
@@ -143,7 +141,7 @@ void Mating::MeetCone(const Pose3& X_MA, double within_m,
         const RingPoint& point = points[i];
         contacts.push_back({pair, X_MC() * (point.p - edge.radius_m * point.normal),
                             X_MC().R * point.normal, point.distance_m - edge.radius_m,
-                            ShareOf(point)});
+                            point.share});
       }
     }
   }
@@ -164,7 +162,7 @@ void Mating::MeetArm(const Pose3& X_MA, double within_m,
         if (!point.on_side) continue;  // edge to edge: found as the arm's edge on the wall
         contacts.push_back(
             {pair, X_MP * (point.p - (point.distance_m - part.rounding_m) * point.normal),
-             -(X_MP.R * point.normal), point.distance_m - part.rounding_m, ShareOf(point)});
+             -(X_MP.R * point.normal), point.distance_m - part.rounding_m, point.share});
       }
     }
   }

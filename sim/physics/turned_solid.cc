@@ -11,18 +11,18 @@ constexpr double kSampleStep = 2.0 * kPi / kSamples;
 // The root of the slope is found to this angle; the distance then errs by radius x 1e-12.
 constexpr double kAngleError_rad = 1e-6;
 constexpr int kMostRootSteps = 40;
-// A normal so near the axis belongs to a flat end; a ring lies on it when its own axis is within 45
-// deg of the solid's.
+// A normal so near the axis belongs to a flat end. A ring tilted by so much more than contacts give
+// way touches it at one place alone.
 constexpr double kFlat = 1.0 - 1e-9;
-constexpr double kLies = 0.7071;
+constexpr double kTilted_m = 1e-3;
 
 struct Probe {
   RingPoint point;
+  bool on_flat_end = false;
   double slope_m = 0.0;  // of the distance over the angle
 };
 
 Probe ProbeAt(const Ring& ring, const TurnedSolid& solid, double angle_rad) {
-  const bool lies = std::abs(ring.x.cross(ring.y).z()) > kLies;
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   Probe probe;
   RingPoint& point = probe.point;
@@ -32,7 +32,7 @@ Probe ProbeAt(const Ring& ring, const TurnedSolid& solid, double angle_rad) {
   const TurnedSolid::Nearest nearest = solid.NearestTo({point.p.z(), r});
   point.distance_m = nearest.distance_m;
   point.on_side = nearest.on_side;
-  point.one_of_three = lies && nearest.on_side && std::abs(nearest.normal.x()) > kFlat;
+  probe.on_flat_end = nearest.on_side && std::abs(nearest.normal.x()) > kFlat;
   point.normal = {0.0, 0.0, nearest.normal.x()};
   if (r > 0.0) point.normal.head<2>() = nearest.normal.y() / r * point.p.head<2>();
   probe.slope_m = ring.radius_m * point.normal.dot(c * ring.y - s * ring.x);
@@ -138,6 +138,8 @@ int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m,
   if (least >= worth) return 0;
   probes[kSamples] = probes[0];
   probes[kSamples].point.angle_rad = 2.0 * kPi;
+  const double tilt_m = ring.radius_m * ring.x.cross(ring.y).head<2>().norm();
+  const double share = std::min(1.0, 1.0 / 3.0 + 2.0 / 3.0 * tilt_m / kTilted_m);
   int count = 0;
   for (int i = 0; i < kSamples && count < kMostRingPoints; ++i) {
     const Probe &a = probes[i], &b = probes[i + 1];
@@ -146,11 +148,13 @@ int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m,
     const Probe least_here = Least(ring, solid, a, b);
     if (least_here.point.distance_m >= within_m) continue;
     points[count++] = least_here.point;
-    if (!least_here.point.one_of_three) continue;
+    if (!least_here.on_flat_end) continue;
+    points[count - 1].share = share;
     for (double turn : {2.0 * kPi / 3.0, -2.0 * kPi / 3.0}) {
       const Probe beside = ProbeAt(ring, solid, least_here.point.angle_rad + turn);
       if (beside.point.distance_m < within_m && count < kMostRingPoints) {
         points[count++] = beside.point;
+        if (beside.on_flat_end) points[count - 1].share = share;
       }
     }
   }
@@ -158,7 +162,9 @@ int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m,
     const Probe any = ProbeAt(ring, solid, 0.0);
     if (any.point.distance_m >= within_m || std::abs(any.slope_m) > 1e-12) return 0;
     for (double turn : {0.0, 2.0 * kPi / 3.0, -2.0 * kPi / 3.0}) {
-      points[count++] = ProbeAt(ring, solid, turn).point;
+      const Probe probe = ProbeAt(ring, solid, turn);
+      points[count++] = probe.point;
+      if (probe.on_flat_end) points[count - 1].share = share;
       if (ring.radius_m == 0.0) break;
     }
   }

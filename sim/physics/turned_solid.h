@@ -50,16 +50,16 @@ struct RingPoint {
   Eigen::Vector3d p{0, 0, 0};
   Eigen::Vector3d normal{0, 0, 0};  // out of the solid
   bool on_side = true;              // of the solid; false on an edge
-  bool one_of_three = false;        // of a ring that lies on a flat end
+  double share = 1.0;               // of the contact's stiffness: 1/3 where a ring lies flat
 };
 
 inline constexpr int kMostRingPoints = 4;
 using RingPoints = std::array<RingPoint, kMostRingPoints>;
 
 /// The ring's places of least distance that are nearer than within_m; on a flat end of the solid,
-/// where a ring that lies on it is near all round, that place and those 120 deg from it. Returns
-/// their count.
-/// The solid's axis is z of the frame that the ring is given in.
+/// where a ring that lies on it is near all round, that place and those 120 deg from it; the share
+/// of each goes from 1/3, level, to 1 where the ring is tilted by a millimetre. Returns their
+/// count. The solid's axis is z of the frame that the ring is given in.
 int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m, RingPoints& points);
 
 }  // namespace dockyard
