@@ -50,10 +50,4 @@ void LinkShape::Add(const Collision& collision, const Pose3& X_PL) {
   compound_.addChildShape(ToBullet(X_PL * collision.X_LG), pieces_.back().get());
 }
 
-void LinkShape::AddHull(const std::vector<Eigen::Vector3d>& points, const Pose3& X_PL) {
-  pieces_.push_back(MakeHull(points));
-  pieces_.back()->setMargin(kCollisionMargin_m);
-  compound_.addChildShape(ToBullet(X_PL), pieces_.back().get());
-}
-
 }  // namespace dockyard

@@ -19,7 +19,6 @@ class LinkShape {
  public:
   LinkShape();
   void Add(const Collision& collision, const Pose3& X_PL);
-  void AddHull(const std::vector<Eigen::Vector3d>& points, const Pose3& X_PL);
   btCompoundShape* compound() { return &compound_; }
   int pieces() const { return compound_.getNumChildShapes(); }
 

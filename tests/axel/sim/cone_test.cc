@@ -42,7 +42,7 @@ void AddWedges(const ConeModel& cone, int count, double margin_m, LinkShape& sha
       corners.push_back(middle - width * side);
       corners.push_back(middle + width * side);
     }
-    shape.AddHull(corners, Pose3{});
+    shape.Add({"wedge", HullShape{corners}, Pose3{}}, Pose3{});
   }
 }
 
