@@ -30,9 +30,11 @@ double RestingArm(const RoverModel& rover) {
   return std::asin((axle_height - rover.tip.radius_m) / rover.arm_length_m);
 }
 
-// On its wheels the rover settles by millimetres; an arm laid on the funnel slides down a few
-// centimetres at most.
+// An arm laid on the funnel slides down a few centimetres at most.
 constexpr double kMostSettlingM = 0.05;
+// Further from the mouth than the arm's length and this the rover does not meet the station. There
+// it may roll off a paddle's tip by half a pitch, 8 cm.
+constexpr double kClearM = 0.3;
 
 }  // namespace
 
@@ -58,7 +60,8 @@ void CheckImagesCanBeDrawn(const StereoRig& rig, const std::string& place) {
 void CheckStart(const BuiltRun& run, const Truth& start) {
   const Pose2 &wanted = run.world.X_DR_start, is = ToGround(start.X_DR);
   const double moved_m = std::hypot(is.x - wanted.x, is.y - wanted.y);
-  if (moved_m < kMostSettlingM) return;
+  const double clear_m = run.world.rover.arm_length_m + kClearM;
+  if (moved_m < kMostSettlingM || std::hypot(wanted.x, wanted.y) > clear_m) return;
   char text[120];
   std::snprintf(text, sizeof text,
                 ": expected a rover clear of the station, this one was pushed %.2f m aside by it",

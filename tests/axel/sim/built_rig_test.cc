@@ -63,6 +63,14 @@ TEST(Start, InsideTheStationIsRefusedAndBesideItIsNot) {
   }
 }
 
+TEST(Start, RoverThatRollsOffAPaddleFarFromTheStationIsNotRefused) {
+  const BuiltRun run = Build(TypicalScenario({"start={r_m: 3, alpha_deg: 0, heading_deg: 0}"}));
+  Truth settled;
+  settled.X_DR = FromGround(run.world.X_DR_start, 0.0);
+  settled.X_DR.p.x() += 0.07;
+  EXPECT_NO_THROW(CheckStart(run, settled));
+}
+
 TEST(Start, ImagesWiderThanCanBeDrawnAreRefused) {
   try {
     Build(TypicalScenario({"camera={width_px: 1200, height_px: 1200}"}));
