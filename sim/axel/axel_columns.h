@@ -54,7 +54,7 @@ struct AxelMeasures {
 template <class Visit>
 void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
   const std::string entry =
-      " from the mouth to " + NumberText(OutcomeLimits{}.docked_depth_m) + " m deep";
+      " from the mouth to " + NumberText(OutcomeLimits{}.entered_depth_m) + " m deep";
   visit("recoveries", "", "times that the controller backed up to try again", true, m.recoveries);
   visit("tip_depth_m", "m", "arm tip behind the plane of the cone's mouth, at the end", true,
         m.tip_depth_m);

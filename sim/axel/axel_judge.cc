@@ -13,8 +13,8 @@ constexpr Tick kSettleTicks = 2000;  // after a claim: time to come to rest befo
 }  // namespace
 
 void EntryMeter::Add(double depth_m, double spool_current_a, double cone_force_n,
-                     double docked_depth_m) {
-  over_ = over_ || depth_m > docked_depth_m;
+                     double entered_depth_m) {
+  over_ = over_ || depth_m > entered_depth_m;
   if (over_ || depth_m < 0.0) return;
   current_sum_a_ += std::abs(spool_current_a);
   current_peak_a_ = std::max(current_peak_a_, std::abs(spool_current_a));
@@ -50,7 +50,7 @@ void AxelJudge::ObserveSlowly() {
   roll_squares_ += rpy.roll * rpy.roll;
   ++samples_;
   entry_.Add(-truth.p_MT.x(), truth.motor_current_a[static_cast<int>(Motor::kSpool)],
-             truth.cone_force_n, limits_.docked_depth_m);
+             truth.cone_force_n, limits_.entered_depth_m);
   X_DR_last_ = ToGround(truth.X_DR);
   if (!X_DR_first_) X_DR_first_ = X_DR_last_;
 }
@@ -100,7 +100,7 @@ Conclusion AxelJudge::Conclude(const Commands& last, const Belief& belief) {
   outcome_.Observe(plant_.truth());
   const AxelMeasures measures = FinalMeasures(belief);
   ShakeResult shake;
-  if (outcome_.seated_at_rest()) shake = Shake(plant_.world(), plant_.built().world.rover);
+  if (outcome_.entered_at_rest()) shake = Shake(plant_.world(), plant_.built().world.rover);
   const auto verdict =
       outcome_.Conclude(last.verdict, static_cast<int>(measures.recoveries), shake);
   return {Name(verdict.outcome), verdict.note, Values(measures)};

@@ -29,7 +29,7 @@ struct CurrentMeter {
 /// that counts as docked. The meter stops before the arm meets the socket's floor.
 class EntryMeter {
  public:
-  void Add(double depth_m, double spool_current_a, double cone_force_n, double docked_depth_m);
+  void Add(double depth_m, double spool_current_a, double cone_force_n, double entered_depth_m);
   /// Leaves NaN when the tip never passed the mouth.
   void Fill(AxelMeasures& measures) const;
 

@@ -23,9 +23,10 @@ std::string Sentence(const char* format, double a, double b = 0.0, double c = 0.
 
 const std::vector<OutcomeName>& OutcomeNames() {
   static const std::vector<OutcomeName> names{
-      {"docked", true,
-       "tip at least " + NumberText(OutcomeLimits{}.docked_depth_m) +
-           " m deep, at rest, taut, and held by the shake"},
+      {"docked", true, "tip on the socket's floor, at rest, taut, and held by the shake"},
+      {"partly_seated", false,
+       "tip at least " + NumberText(OutcomeLimits{}.entered_depth_m) +
+           " m deep, at rest, taut, and held by the shake, but not on the socket's floor"},
       {"no_detection", false, "fewer than four fiducials found in either image"},
       {"wrong_correspondence", false, "detections matched to the wrong fiducials"},
       {"pose_rejected", false, "fiducials found, but no pose accepted"},
@@ -39,6 +40,11 @@ const std::vector<OutcomeName>& OutcomeNames() {
       {"timeout", false, "the simulated time ran out"},
   };
   return names;
+}
+
+double SeatDepth(const ConeModel& cone) {
+  constexpr double kReeledIn_m = 0.25;
+  return cone.stop_depth_m > 0.0 ? cone.stop_depth_m : kReeledIn_m;
 }
 
 const char* Name(Outcome outcome) {
@@ -99,7 +105,7 @@ void OutcomeJudge::Observe(const Truth& truth) {
   const bool at_face = depth > -0.01 && depth < limits_.catch_depth_m;
   face_.Update(at_face && truth.face_force_n > limits_.catch_force_n, now);
   const bool inside = depth >= limits_.catch_depth_m && lateral < station_.cone.mouth_radius_m;
-  jam_.Update(inside && depth < limits_.docked_depth_m && speed < limits_.jam_speed_m_s &&
+  jam_.Update(inside && depth < limits_.entered_depth_m && speed < limits_.jam_speed_m_s &&
                   truth.tether_tension_n > limits_.jam_tension_n,
               now);
   missed_.Update(depth > limits_.catch_depth_m && lateral > station_.cone.face_outer_radius_m, now);
@@ -113,8 +119,8 @@ void OutcomeJudge::ObserveSighting(double time_s, SightingQuality quality) {
 
 bool OutcomeJudge::fatal() const { return fatal_; }
 
-bool OutcomeJudge::seated_at_rest() const {
-  return Depth(last_) >= limits_.docked_depth_m && Lateral(last_) < station_.cone.mouth_radius_m &&
+bool OutcomeJudge::entered_at_rest() const {
+  return Depth(last_) >= limits_.entered_depth_m && Lateral(last_) < station_.cone.mouth_radius_m &&
          rest_.Held(last_.time_s, limits_.rest_time_s) && last_.tether_tension_n > limits_.taut_n;
 }
 
@@ -123,9 +129,13 @@ OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
   const double now = last_.time_s;
   const bool firm = shake.done && shake.turn_rad < limits_.shake_turn_rad &&
                     shake.travel_m < limits_.shake_travel_m;
-  if (claimed == Verdict::kDocked && seated_at_rest() && firm) {
-    return {Outcome::kDocked,
-            Sentence("tip %.0f mm deep, shake turned it %.1f deg and moved it %.1f mm",
+  if (claimed == Verdict::kDocked && entered_at_rest() && firm) {
+    const double seat = SeatDepth(station_.cone) - limits_.seated_within_m;
+    const bool seated = std::min(Depth(last_), shake.least_depth_m) >= seat;
+    return {seated ? Outcome::kDocked : Outcome::kPartlySeated,
+            Sentence(seated ? "tip %.0f mm deep, shake turned it %.1f deg and moved it %.1f mm"
+                            : "tip %.0f mm deep, not on the floor; shake turned it %.1f deg and "
+                              "moved it %.1f mm",
                      1e3 * Depth(last_), Degrees(shake.turn_rad), 1e3 * shake.travel_m)};
   }
 

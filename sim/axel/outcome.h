@@ -17,6 +17,7 @@ namespace dockyard::axel {
 /// How a run ends. The order is the order of the table in docs/reference/outcomes.md.
 enum class Outcome {
   kDocked,
+  kPartlySeated,
   kNoDetection,
   kWrongCorrespondence,
   kPoseRejected,
@@ -33,10 +34,15 @@ const char* Name(Outcome outcome);  // "docked", "no_detection", ...
 /// All of them with their meanings, in order.
 const std::vector<OutcomeName>& OutcomeNames();
 
+/// Depth at which an arm is seated [m]: that of the socket's floor; in a socket without one the 25
+/// cm that are reeled in (Tsai et al., II).
+double SeatDepth(const ConeModel& cone);
+
 /// Every threshold of the judgement, in one place.
 struct OutcomeLimits {
-  double docked_depth_m = 0.20;
-  double rest_speed_m_s = 1e-3;  // tip in the mouth frame
+  double entered_depth_m = 0.20;   // deep enough to be held
+  double seated_within_m = 0.005;  // of the socket's floor
+  double rest_speed_m_s = 1e-3;    // tip in the mouth frame
   double rest_time_s = 1.0;
   double taut_n = 5.0;                   // tension that counts as taut
   double shake_turn_rad = Radians(3.0);  // assumed, range 2.2-3.5: docs/reference/outcomes.md
@@ -65,8 +71,9 @@ SightingQuality JudgeSighting(const SightingReport& report, const Pose3& X_RB_tr
 /// The shake after a claim: what it did to the rover.
 struct ShakeResult {
   bool done = false;
-  double turn_rad = 0.0;  // largest change of heading against the station
-  double travel_m = 0.0;  // largest travel of the tip in the mouth frame
+  double turn_rad = 0.0;       // largest change of heading against the station
+  double travel_m = 0.0;       // largest travel of the tip in the mouth frame
+  double least_depth_m = 0.0;  // of the tip
 };
 
 /// Watches a run and names its outcome: of the conditions that still hold at the end, the one that
@@ -83,7 +90,7 @@ class OutcomeJudge {
   /// Whether the run cannot continue: tipped over, tether overloaded.
   bool fatal() const;
   /// Whether the tip is seated, at rest and taut now, by the truth.
-  bool seated_at_rest() const;
+  bool entered_at_rest() const;
 
   struct Verdicted {
     Outcome outcome = Outcome::kTimeout;

@@ -19,6 +19,7 @@ class Shaker {
     const Truth before = world_.truth();
     heading_ = ToGround(before.X_DR).heading;
     p_MT_ = before.p_MT;
+    least_depth_ = -p_MT_.x();
   }
 
   void Drive(double forward_m_s, double turn_rad_s, Tick ticks) {
@@ -34,7 +35,7 @@ class Shaker {
     Observe();
   }
 
-  ShakeResult result() const { return {true, turn_, travel_}; }
+  ShakeResult result() const { return {true, turn_, travel_, least_depth_}; }
 
  private:
   MotorCommand Wheel(double speed_rad_s, Motor motor) const {
@@ -49,13 +50,14 @@ class Shaker {
     const Truth now = world_.truth();
     turn_ = std::max(turn_, std::abs(WrapPi(ToGround(now.X_DR).heading - heading_)));
     travel_ = std::max(travel_, (now.p_MT - p_MT_).norm());
+    least_depth_ = std::min(least_depth_, -now.p_MT.x());
   }
 
   World& world_;
   const RoverModel& rover_;
   double heading_ = 0.0;
   Eigen::Vector3d p_MT_;
-  double turn_ = 0.0, travel_ = 0.0;
+  double turn_ = 0.0, travel_ = 0.0, least_depth_ = 0.0;
 };
 
 }  // namespace

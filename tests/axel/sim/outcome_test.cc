@@ -11,6 +11,7 @@ StationModel Station() {
   StationModel station;
   station.cone.mouth_radius_m = 0.12;
   station.cone.face_outer_radius_m = 0.16;
+  station.cone.stop_depth_m = 0.27;
   return station;
 }
 
@@ -29,38 +30,60 @@ void Hold(OutcomeJudge& judge, Truth truth, double seconds) {
   for (; truth.time_s <= end; truth.time_s += 0.02) judge.Observe(truth);
 }
 
-const ShakeResult kFirm{true, Radians(1.0), 0.005};
+const ShakeResult kFirm{true, Radians(1.0), 0.005, 0.268};
 
 TEST(Outcome, DockedNeedsDepthRestTensionAndAFirmShake) {
   OutcomeJudge judge(Station(), {});
-  Hold(judge, At(100.0, 0.24, 0.005, 50.0), 2.0);
+  Hold(judge, At(100.0, 0.2704, 0.005, 50.0), 2.0);
   EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, kFirm).outcome, Outcome::kDocked);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(3.5), 0.005}).outcome,
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(3.5), 0.005, 0.268}).outcome,
             Outcome::kFalseDocked);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(1.0), 0.02}).outcome,
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(1.0), 0.02, 0.268}).outcome,
             Outcome::kFalseDocked);
   EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {}).outcome, Outcome::kFalseDocked);
 }
 
-TEST(Outcome, SlackShallowOrMovingIsNotSeated) {
+TEST(Outcome, HeldBeforeTheFloorIsPartlySeatedAndNoSuccess) {
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, At(100.0, 0.264, 0.005, 50.0), 2.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, kFirm).outcome, Outcome::kPartlySeated);
+  EXPECT_FALSE(OutcomeNames()[static_cast<std::size_t>(Outcome::kPartlySeated)].success);
+}
+
+TEST(Outcome, ArmThatTheShakePullsOffTheFloorIsPartlySeated) {
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, At(100.0, 0.2704, 0.005, 50.0), 2.0);
+  const ShakeResult pulled{true, Radians(1.0), 0.0074, 0.263};
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, pulled).outcome, Outcome::kPartlySeated);
+}
+
+TEST(Outcome, WithoutAFloorSeatedIsWhatIsReeledIn) {
+  StationModel station = Station();
+  station.cone.stop_depth_m = 0.0;
+  OutcomeJudge judge(station, {});
+  Hold(judge, At(100.0, 0.246, 0.005, 50.0), 2.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, 0.0, 0.0, 0.246}).outcome, Outcome::kDocked);
+}
+
+TEST(Outcome, SlackShallowOrMovingHasNotEntered) {
   for (const Truth& truth : {At(10.0, 0.24, 0.0, 0.0), At(10.0, 0.19, 0.0, 50.0)}) {
     OutcomeJudge judge(Station(), {});
     Hold(judge, truth, 2.0);
-    EXPECT_FALSE(judge.seated_at_rest());
+    EXPECT_FALSE(judge.entered_at_rest());
   }
   Truth moving = At(10.0, 0.24, 0.0, 50.0);
   moving.v_MT.x() = -2e-3;
   OutcomeJudge judge(Station(), {});
   Hold(judge, moving, 2.0);
-  EXPECT_FALSE(judge.seated_at_rest());
+  EXPECT_FALSE(judge.entered_at_rest());
 }
 
 TEST(Outcome, RestTakesAWholeSecond) {
   OutcomeJudge judge(Station(), {});
   Hold(judge, At(10.0, 0.24, 0.0, 50.0), 0.9);
-  EXPECT_FALSE(judge.seated_at_rest());
+  EXPECT_FALSE(judge.entered_at_rest());
   Hold(judge, At(10.92, 0.24, 0.0, 50.0), 0.2);
-  EXPECT_TRUE(judge.seated_at_rest());
+  EXPECT_TRUE(judge.entered_at_rest());
 }
 
 TEST(Outcome, TruthIsNotDockedUnlessTheControllerSaysSo) {
