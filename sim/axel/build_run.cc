@@ -32,8 +32,8 @@ double RestingArm(const RoverModel& rover) {
 
 // An arm laid on the funnel slides down a few centimetres at most.
 constexpr double kMostSettlingM = 0.05;
-// Further from the mouth than the arm's length and this the rover does not meet the station. There
-// it may roll off a paddle's tip by half a pitch, 8 cm.
+// Further from the mouth than the arm's length and this the rover does not meet the station, and
+// may roll off a paddle's tip by half a pitch, 8 cm. Assumed, range 0.1-0.5 m.
 constexpr double kClearM = 0.3;
 
 }  // namespace

@@ -13,7 +13,8 @@ constexpr double kBodyFriction = 0.4;
 constexpr double kNearM = 0.1;
 // Surfaces this far apart count as contacts that may close within the step: at 0.1 m/s over 5 ms.
 constexpr double kWithin_m = 0.5e-3;
-// A contact goes on from the last step's impulse when that was this near.
+// A contact goes on from the last step's impulse and bend when that was this near: further than one
+// slides in a step, nearer than the next contact of the same pair. Assumed, range 1-10 mm.
 constexpr double kSamePlace_m = 5e-3;
 
 // Two directions across a unit vector.

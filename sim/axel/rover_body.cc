@@ -152,12 +152,8 @@ Eigen::Vector3d RoverBody::CentreOfMass(RoverLink link) const {
 
 void RoverBody::TakeLoads(double gravity_m_s2, double step_s) {
   for (int i = 0; i < kRoverLinkCount; ++i) {
-    const Eigen::Vector3d weight_G(0.0, 0.0, -mass_kg_[i] * gravity_m_s2);
-    if (i == 0) {
-      multibody_->addBaseForce(ToBullet(weight_G));
-    } else {
-      multibody_->addLinkForce(bullet_index_[i], ToBullet(weight_G));
-    }
+    const RoverLink link = static_cast<RoverLink>(i);
+    AddForce(link, {0.0, 0.0, -mass_kg_[i] * gravity_m_s2}, CentreOfMass(link));
   }
   scratch_r_.resize(kRoverLinkCount);
   scratch_v_.resize(kRoverLinkCount);

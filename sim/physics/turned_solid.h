@@ -38,8 +38,6 @@ class TurnedSolid {
 struct Ring {
   Eigen::Vector3d centre{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0};  // x, y: unit, at right angles
   double radius_m = 0.0;
-
-  Eigen::Vector3d At(double angle_rad) const;
 };
 Ring operator*(const Pose3& X, const Ring& ring);
 

@@ -10,7 +10,7 @@ namespace dockyard {
 namespace {
 
 // Change of the means from window to window below which the wheel counts as steady, of the load
-// and of the radius, and how often in a row.
+// and of the radius, and how often in a row. Paddles make them jitter by 0.3 %.
 constexpr double kSteady = 0.004;
 constexpr int kSteadyWindows = 3;
 constexpr double kLongest_radii = 60.0;

@@ -75,7 +75,9 @@ TEST(Ring, NearestPlaceIsTheLeastOfASearchAllRound) {
     const Ring ring = X * Ring{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, radius};
     double least = 1.0;
     for (int k = 0; k < 360; ++k) {
-      const Eigen::Vector3d p = ring.At(2.0 * kPi * k / 360);
+      const double angle = 2.0 * kPi * k / 360;
+      const Eigen::Vector3d p =
+          ring.centre + ring.radius_m * (std::cos(angle) * ring.x + std::sin(angle) * ring.y);
       least = std::min(least, funnel.NearestTo({p.z(), p.head<2>().norm()}).distance_m);
     }
     RingPoints points;

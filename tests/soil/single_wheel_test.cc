@@ -2,8 +2,8 @@
 //
 // Of the rows with |slip| <= 0.76 and side slip <= 45 deg every second one, the first included, was
 // used to fit the law's constants; the others check it, though they were in view when its structure
-// was chosen and three constants were finished by hand (docs/results/soil.md). Locked rows and
-// those at slip 0.9 counted with a quarter and half of the weight in the fit.
+// was chosen (docs/results/soil.md). Locked rows and those at slip 0.9 counted with a quarter and
+// half of the weight in the fit. The rows of data/single_wheel_unseen.csv were not at hand then.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -206,8 +206,8 @@ TEST(SingleWheel, SlipDigsItInAsMeasured) {
 }
 
 TEST(SingleWheel, FollowsStrongSideSlipRoughly) {
-  // Side slip beyond 45 deg took no part in the fit. At 60 deg the model's errors are some four
-  // times those at 45; at 75 and 90 deg it is wrong by half and more (docs/results/soil.md).
+  // Side slip beyond 45 deg took no part in the fit. At 60 deg the model's errors are three to five
+  // times those up to 45; at 75 and 90 deg it is wrong by half and more (docs/results/soil.md).
   double ahead = 0.0, side = 0.0, sinkage = 0.0;
   int trials = 0;
   for (const Trial& trial : ReadTrials()) {
@@ -220,9 +220,9 @@ TEST(SingleWheel, FollowsStrongSideSlipRoughly) {
   ASSERT_EQ(trials, 10);
   std::printf("60 deg: rms Fx %.3f, Fy %.3f of the load, sinkage %.1f mm\n",
               std::sqrt(ahead / trials), std::sqrt(side / trials), std::sqrt(sinkage / trials));
-  EXPECT_LT(std::sqrt(ahead / trials), 0.18);
-  EXPECT_LT(std::sqrt(side / trials), 0.28);
-  EXPECT_LT(std::sqrt(sinkage / trials), 10.0);
+  EXPECT_LT(std::sqrt(ahead / trials), 0.12);
+  EXPECT_LT(std::sqrt(side / trials), 0.25);
+  EXPECT_LT(std::sqrt(sinkage / trials), 8.0);
 }
 
 TEST(SingleWheel, SpeedHardlyMatters) {

@@ -90,6 +90,34 @@ TEST(RoverBody, ArmSwingsWithThePeriodOfAPendulum) {
   EXPECT_NEAR((last_crossing - first_crossing) / (crossings - 1), period, 1e-3 * period);
 }
 
+TEST(RoverBody, MassMatrixGivesTheLinksKineticEnergyAndJacobiansTheirVelocities) {
+  const RoverModel model = Axel();
+  RoverBody rover(model, {RotZ(0.4) * RotY(0.3) * RotX(0.2), Eigen::Vector3d(5.0, 1.0, 2.0)}, 0.7,
+                  false);
+  rover.SetBodySpeed({0.3, -0.2, 0.1}, {0.5, 0.7, -0.4});
+  RoverBody::Speeds speeds;
+  speeds << 0.3, -0.2, 0.1, 0.5, 0.7, -0.4, 1.1, -0.9, 0.6;
+  double energy = 0.0;
+  for (int i = 0; i < kRoverLinkCount; ++i) {
+    const RoverLink link = static_cast<RoverLink>(i);
+    if (i > 0) rover.SetJointSpeed(link, speeds[5 + i]);
+  }
+  for (int i = 0; i < kRoverLinkCount; ++i) {
+    const RoverLink link = static_cast<RoverLink>(i);
+    const LinkModel& own = LinkOf(model, link);
+    const LinkMotion& motion = rover.motion(link);
+    const Eigen::Vector3d w = motion.X_GL.R.transpose() * motion.w_GL_G;
+    const Eigen::Vector3d v = motion.VelocityAt(motion.X_GL * own.p_LoCom_L);
+    energy += 0.5 * own.mass_kg * v.squaredNorm() + 0.5 * w.dot(own.I_LCom_L * w);
+    if (i > 0) {
+      energy += 0.5 * model.motors[i - 1].reflected_inertia_kg_m2 * speeds[5 + i] * speeds[5 + i];
+    }
+    const Eigen::Vector3d p_G = motion.X_GL * Eigen::Vector3d(0.4, 0.1, -0.2);
+    EXPECT_LT((rover.PointJacobian(link, p_G) * speeds - motion.VelocityAt(p_G)).norm(), 1e-12);
+  }
+  EXPECT_NEAR(0.5 * speeds.dot(rover.MassMatrix() * speeds), energy, 1e-12 * energy);
+}
+
 TEST(RoverBody, OrderOfTheWheelsChangesNothing) {
   const RoverModel model = Axel();
   const Pose3 X_GR = Pose3::Translation(50.0, 0, 0);
