@@ -11,9 +11,9 @@ constexpr double kSampleStep = 2.0 * kPi / kSamples;
 // The root of the slope is found to this angle; the distance then errs by radius x 1e-12.
 constexpr double kAngleError_rad = 1e-6;
 constexpr int kMostRootSteps = 40;
-// A normal so near the axis belongs to a flat end. A ring tilted by so much touches it at one place
-// alone: 300 N press a contact of 200 kN/m in by 1.5 mm. Assumed, range 0.5-2 mm.
-constexpr double kFlat = 1.0 - 1e-9;
+constexpr double kFlat = 1.0 - 1e-9;  // a normal so near the axis belongs to a flat end
+// A ring tilted by so much touches a flat end at one place alone: 300 N press a contact of 200 kN/m
+// in by 1.5 mm. Assumed, range 0.5-2 mm.
 constexpr double kTilted_m = 1e-3;
 
 struct Probe {
