@@ -31,7 +31,7 @@ set(rooms
   "sim/scenario|what one run is: a scenario, its keys and files|${models}|sim/(base|scenario)/"
   "sim/plan|which runs a campaign has, and how each is made|${models}|sim/(base|draws|scenario|plan)/"
   "sim/soil|stress of deformable soil on wheels with paddles, without Bullet|${models}|sim/(base|soil)/"
-  "sim/physics|parts of any robot's world: drives, inertial unit, shapes, cables|${models}|sim/(base|soil|physics)/|bt|Bullet|LinearMath/"
+  "sim/physics|parts of any robot's world: drives, inertial unit, contacts, cables|${models}|sim/(base|soil|physics)/|bt|Bullet|LinearMath/"
   "sim/log|files of one run: log, history, result row|${contract}|sim/(base|mcap|images|log)/|nlohmann/"
   "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|${os}"
   "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
