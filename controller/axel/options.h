@@ -113,7 +113,7 @@ struct MateOptions {
   // 1-2 cm, to 4 cm after it has pushed at the mouth. So the spool is asked for this much more;
   // assumed, 0.04-0.10.
   double over_reel_m = 0.08;
-  double short_reel_m = 0.11;  // a stop this early counts as seated: by the estimate 0.22 m deep
+  double short_reel_m = 0.12;  // a stop this early counts as seated: by the estimate 0.21 m deep
   // The collar's lead-in straightens the arm over the last 5 cm. This takes the spool's full pull,
   // which the socket's floor bears. Assumed, 200-300.
   double seat_tension_n = 300.0;

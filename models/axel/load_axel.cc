@@ -8,6 +8,7 @@
 #include "models/axel/rover_links.h"
 #include "models/axel/urdf_agreement.h"
 #include "models/read/config_error.h"
+#include "models/read/load_model_yaml.h"
 #include "models/read/load_spreads.h"
 #include "models/read/load_wheel.h"
 #include "models/read/urdf.h"
@@ -221,7 +222,7 @@ RoverModel ReadRover(const YamlNode& tree, const YamlNode& drawn_by, int image_w
 RoverModel LoadRover(const std::string& file, int image_width, int image_height,
                      const ModelChanges& changes, MeshStore* meshes) {
   const auto names_urdf = [](const YamlNode* keys) { return keys && keys->Find("urdf"); };
-  YamlNode tree = LoadYaml(file);
+  YamlNode tree = LoadModelYaml(file);
   YamlNode drawn_by = tree;
   if (changes.told != nullptr) MergeYaml(tree, *changes.told);
   if (names_urdf(changes.told)) drawn_by = tree;

@@ -1,9 +1,12 @@
 #include "models/axel/load_station.h"
 
 #include <cmath>
+#include <string_view>
 
+#include "models/axel/mating_fit.h"
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
+#include "models/read/load_model_yaml.h"
 #include "models/read/load_mounting.h"
 #include "models/read/load_spreads.h"
 #include "models/read/text_file.h"
@@ -18,7 +21,7 @@ void ReadCone(const YamlReader& root, ConeModel& cone) {
   const YamlReader in(root.Child("cone"), "cone",
                       {"mouth_radius_m", "funnel_length_m", "throat_radius_m", "socket_end_m",
                        "stop_depth_m", "face_outer_radius_m", "funnel_friction", "face_friction",
-                       "contact_stiffness_n_per_m", "contact_damping_ns_per_m"});
+                       "rated_force_n", "contact_stiffness_n_per_m", "contact_damping_ns_per_m"});
   cone.mouth_radius_m = in.Number("mouth_radius_m", Positive(2.0));
   cone.funnel_length_m = in.Number("funnel_length_m", Positive(2.0));
   cone.throat_radius_m = in.Number("throat_radius_m", Positive(2.0));
@@ -27,6 +30,7 @@ void ReadCone(const YamlReader& root, ConeModel& cone) {
   cone.face_outer_radius_m = in.Number("face_outer_radius_m", Positive(2.0));
   cone.funnel_friction = in.Number("funnel_friction", NonNegative(2.0));
   cone.face_friction = in.Number("face_friction", NonNegative(2.0));
+  cone.rated_force_n = in.NumberOr("rated_force_n", cone.rated_force_n, Positive(1e6));
   cone.contact_stiffness_n_per_m = in.Number("contact_stiffness_n_per_m", Between(1e3, 1e7));
   cone.contact_damping_ns_per_m = in.Number("contact_damping_ns_per_m", NonNegative(1e6));
   if (cone.throat_radius_m >= cone.mouth_radius_m) {
@@ -159,6 +163,24 @@ StationModel ReadStation(const YamlNode& tree, MeshStore* meshes) {
   return station;
 }
 
+constexpr std::string_view kMouthHeight = "mouth_height_m";
+
+/// `mouth_height_m: from_axle` becomes the height that fits the rover. Without a rover the key
+/// falls away.
+void FitMouth(const RoverModel* rover, MeshStore* meshes, YamlNode& tree) {
+  const YamlNode* height = tree.Find(kMouthHeight);
+  if (height == nullptr || height->scalar != "from_axle") return;
+  const auto at = height - tree.items.data();
+  const YamlNode::Key key = tree.keys[static_cast<std::size_t>(at)];
+  tree.keys.erase(tree.keys.begin() + at);
+  tree.items.erase(tree.items.begin() + at);
+  if (rover == nullptr) return;
+  const StationModel station = ReadStation(tree, meshes);
+  const double fitting_m =
+      FittingMouthHeight(*rover, MeanAxleHeight(*rover), station.cone, station.tip_angle_rad);
+  PutIfLeftOut(tree, key.name, std::round(1e4 * fitting_m) / 1e4);
+}
+
 /// Numbers that a file may leave out, so that what is built can deviate from them too.
 void WriteLeftOut(const StationModel& told, YamlNode& tree) {
   PutIfLeftOut(tree, "mass_kg", told.module.mass_kg);
@@ -169,9 +191,11 @@ void WriteLeftOut(const StationModel& told, YamlNode& tree) {
 
 }  // namespace
 
-StationModel LoadStation(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
-  YamlNode tree = LoadYaml(file);
+StationModel LoadStation(const std::string& file, const ModelChanges& changes, MeshStore* meshes,
+                         const RoverModel* docked_by) {
+  YamlNode tree = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(tree, *changes.told);
+  FitMouth(docked_by, meshes, tree);
   const StationModel told = ReadStation(tree, meshes);
   WriteLeftOut(told, tree);
   CheckSpreads(tree);

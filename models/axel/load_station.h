@@ -13,8 +13,9 @@ namespace dockyard::axel {
 /// the link module and between them the joint tilt_joint (revolute about +y) at the centre of the
 /// cone's mouth, straight above the stand's origin. Throws ConfigError, also when a fiducial
 /// overlaps the mouth's face, another fiducial or the board's edge. `changes` are keys on top of
-/// the file's.
+/// the file's. `docked_by`: the rover for whose axle `mouth_height_m: from_axle` sets the mouth;
+/// without one the URDF's height stands.
 StationModel LoadStation(const std::string& file, const ModelChanges& changes = {},
-                         MeshStore* meshes = nullptr);
+                         MeshStore* meshes = nullptr, const RoverModel* docked_by = nullptr);
 
 }  // namespace dockyard::axel

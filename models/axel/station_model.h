@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct ConeModel {
   double stop_depth_m = 0.0;
   double face_outer_radius_m = 0.0;                   // of the annular face round the mouth
   double funnel_friction = 0.0, face_friction = 0.0;  // against the arm
+  double rated_force_n = std::numeric_limits<double>::infinity();  // that the arm may load it with
   double contact_stiffness_n_per_m = 0.0;
   double contact_damping_ns_per_m = 0.0;
 };

@@ -1,4 +1,5 @@
 #include "models/read/load_soil.h"
+#include "models/read/load_model_yaml.h"
 
 #include "models/read/config_error.h"
 #include "models/read/load_spreads.h"
@@ -16,7 +17,7 @@ void ReadPlates(const YamlReader& in, SoilModel& soil) {
 }  // namespace
 
 SoilModel LoadSoil(const std::string& file, const ModelChanges& changes) {
-  YamlNode root = LoadYaml(file);
+  YamlNode root = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(root, *changes.told);
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
   const YamlReader in(

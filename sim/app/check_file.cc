@@ -7,6 +7,7 @@
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
 #include "models/read/load_cameras.h"
+#include "models/read/load_model_yaml.h"
 #include "models/read/load_soil.h"
 #include "models/read/load_wheel.h"
 #include "models/read/mesh_loader.h"
@@ -125,13 +126,16 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
     return CheckCampaign(file, systems);
   if (has("system") || has("start")) return CheckScenario(file, systems);
   if (IsBoardFile(root)) return CheckBoard(file);
+  const YamlNode model = LoadModelYaml(file);
   for (const System& system : systems) {
     if (!system.check_file) continue;
     if (const std::optional<FileCheck> check = system.check_file(file)) return *check;
   }
   if (has("left") || has("right")) return CheckRig(file);
   if (has("model")) return CheckCameras(file);
-  if (has("k_phi") || has("cohesion_pa") || has("friction_angle_deg")) return CheckSoil(file);
+  if (model.Find("k_phi") || model.Find("cohesion_pa") || model.Find("friction_angle_deg")) {
+    return CheckSoil(file);
+  }
   if (has("radius_m") || has("width_m") || has("paddles")) return CheckWheel(file);
   throw ConfigError(root.place.Text() +
                     ": expected the keys of a scenario, campaign, board, soil, wheel, camera, rig "

@@ -59,17 +59,26 @@ class ModelFiles {
       }
     }
   }
-  /// The files that a model's YAML names by the keys `urdf` and `file`.
+  /// The files that a model's YAML names by the keys `base`, `urdf` and `file`.
   void AddNamed(const YamlNode& node) {
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       const YamlNode& item = node.items[i];
       const std::string key = node.keys.empty() ? "" : node.keys[i].name;
       AddNamed(item);
-      if (item.kind != YamlNode::Kind::kScalar || (key != "urdf" && key != "file")) continue;
+      if (item.kind != YamlNode::Kind::kScalar ||
+          (key != "base" && key != "urdf" && key != "file")) {
+        continue;
+      }
       const fs::path file = AbsolutePath(ResolveBeside(*item.place.source, item.scalar).string());
       std::error_code error;
       if (!fs::is_regular_file(file, error)) continue;
-      key == "urdf" ? AddUrdf(file) : AddFile(file);
+      if (key == "base") {
+        AddModel(file);
+      } else if (key == "urdf") {
+        AddUrdf(file);
+      } else {
+        AddFile(file);
+      }
     }
   }
 };

@@ -30,14 +30,15 @@ void EntryMeter::Fill(AxelMeasures& measures) const {
 }
 
 AxelJudge::AxelJudge(AxelPlant& plant)
-    : plant_(plant), outcome_(plant.built().world.station, limits_) {}
+    : plant_(plant),
+      limits_(LimitsOf(plant.built().world.rover, plant.built().world.station)),
+      outcome_(plant.built().world.station, limits_) {}
 
 void AxelJudge::Observe() {
   const Truth& truth = plant_.truth();
   outcome_.Observe(truth);
   for (int i = 0; i < 2; ++i) wheel_current_.Add(truth.motor_current_a[i]);
   spool_current_.Add(truth.motor_current_a[static_cast<int>(Motor::kSpool)]);
-  measures_.cone_force_peak_n = std::max(measures_.cone_force_peak_n, truth.cone_force_n);
   measures_.tension_peak_n = std::max(measures_.tension_peak_n, truth.tether_tension_n);
   if (plant_.tick() % kSlowPeriod == 0) ObserveSlowly();
 }
@@ -72,6 +73,7 @@ AxelMeasures AxelJudge::FinalMeasures(const Belief& belief) const {
   measures.lateral_error_m = std::hypot(truth.p_MT.y(), truth.p_MT.z());
   measures.yaw_error_deg = Degrees(WrapPi(ToGround(truth.X_DR).heading - kPi));
   measures.station_shift_m = truth.station_shift_m;
+  measures.cone_force_peak_n = truth.cone_force_peak_n;
   measures.spool_current_mean_a = spool_current_.mean();
   measures.spool_current_peak_a = spool_current_.peak;
   measures.wheel_current_mean_a = wheel_current_.mean();

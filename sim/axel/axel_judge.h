@@ -54,7 +54,7 @@ class AxelJudge final : public Judge {
   AxelMeasures FinalMeasures(const Belief& belief) const;
 
   AxelPlant& plant_;
-  const OutcomeLimits limits_{};
+  const OutcomeLimits limits_;
   OutcomeJudge outcome_;
   CurrentMeter wheel_current_, spool_current_;
   EntryMeter entry_;

@@ -1,8 +1,13 @@
 #include "sim/axel/axel_system.h"
 
+#include <cmath>
+#include <cstdio>
+
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
+#include "models/axel/mating_fit.h"
 #include "models/read/config_error.h"
+#include "models/read/load_model_yaml.h"
 #include "models/read/yaml_reader.h"
 #include "sim/axel/axel_columns.h"
 #include "sim/axel/axel_judge.h"
@@ -51,11 +56,27 @@ StageShapes ShapesOf(const Scenario& scenario, const AxelModels& models) {
       .Shapes();
 }
 
+/// Where the arm would stand further askew in the socket than its play: a warning.
+std::string Misfit(const RoverModel& rover, const StationModel& station) {
+  const double axle_m = MeanAxleHeight(rover);
+  const double askew_rad = SeatedElevation(rover, axle_m, station);
+  const double play_rad = SeatedPlay(rover, station.cone);
+  if (std::abs(askew_rad) <= play_rad) return {};
+  const double fitting_m = FittingMouthHeight(rover, axle_m, station.cone, station.tip_angle_rad);
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "; the mouth is %.3f m high, %.3f m would fit the axle: the seated arm stands %.1f "
+                "deg askew and has %.1f deg of play",
+                station.mouth_height_m, fitting_m, Degrees(std::abs(askew_rad)), Degrees(play_rad));
+  return text;
+}
+
 std::string Check(const Scenario& scenario, const AxelModels& models) {
   CheckImagesCanBeDrawn(models.built.rover.stereo.nominal, scenario.camera_place);
   if (scenario.script.kind != YamlNode::Kind::kNull) ReadScript(scenario.script);
   return models.told.rover.name + " from " + NumberText(scenario.start.r) + " m to " +
-         models.told.station.name + " on " + models.told.soil.name;
+         models.told.station.name + " on " + models.told.soil.name +
+         Misfit(models.told.rover, models.told.station);
 }
 
 bool IsRobotFile(const YamlNode& root) {
@@ -67,7 +88,7 @@ bool IsStationFile(const YamlNode& root) {
 }
 
 std::optional<FileCheck> CheckModelFile(const std::string& file, MeshStore& meshes) {
-  const YamlNode root = LoadYaml(file);
+  const YamlNode root = LoadModelYaml(file);
   if (IsRobotFile(root)) {
     const RoverModel rover = LoadRover(file, 0, 0, {}, &meshes);
     return FileCheck{"rover", rover.name + ": " + NumberText(rover.mass_kg()) + " kg, arm " +
@@ -85,12 +106,12 @@ std::optional<FileCheck> CheckModelFile(const std::string& file, MeshStore& mesh
 
 std::optional<StereoRig> RigOfRobot(const std::string& file, int width, int height,
                                     MeshStore& meshes) {
-  if (!IsRobotFile(LoadYaml(file))) return std::nullopt;
+  if (!IsRobotFile(LoadModelYaml(file))) return std::nullopt;
   return LoadRover(file, width, height, {}, &meshes).stereo.nominal;
 }
 
 std::optional<NamedBoard> BoardOfStation(const std::string& file, MeshStore& meshes) {
-  if (!IsStationFile(LoadYaml(file))) return std::nullopt;
+  if (!IsStationFile(LoadModelYaml(file))) return std::nullopt;
   const StationModel station = LoadStation(file, {}, &meshes);
   return NamedBoard{.name = station.name, .board = station.board, .cutout = CutoutOf(station)};
 }

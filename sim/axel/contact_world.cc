@@ -159,6 +159,7 @@ void ContactWorld::ReadContacts(double dt_s) {
     ++contact_.points;
     if (touch.on_face) contact_.face_G += force_G;
   }
+  arm_force_peak_n_ = std::max(arm_force_peak_n_, contact_.total_G.norm());
 }
 
 }  // namespace dockyard::axel

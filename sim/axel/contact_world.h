@@ -26,6 +26,8 @@ class ContactWorld {
   /// One step under the loads given to rover and station.
   void Step(double dt_s);
   const ArmContact& arm_contact() const { return contact_; }
+  /// Largest sum of the station's contact forces on the arm in any step [N].
+  double arm_force_peak_n() const { return arm_force_peak_n_; }
 
  private:
   /// A contact between a link and the station, in G, with the impulse it gave.
@@ -54,6 +56,7 @@ class ContactWorld {
   std::vector<Touch> touches_, last_touches_;
   ContactStep step_;
   ArmContact contact_;
+  double arm_force_peak_n_ = 0.0;
 };
 
 }  // namespace dockyard::axel

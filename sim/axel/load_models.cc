@@ -113,7 +113,9 @@ ModelSet LoadSet(const Scenario& scenario, const AxelKeys& keys, const YamlNode&
     }
   }
   if (base == nullptr || built.Find("station") != nullptr) {
-    set.station = LoadStation(keys.station_file, changes("station"), meshes);
+    // The mouth fits the rover that is told, not the one that is built.
+    const RoverModel& told_rover = base != nullptr ? base->rover : set.rover;
+    set.station = LoadStation(keys.station_file, changes("station"), meshes, &told_rover);
   }
   if (base == nullptr || built.Find("soil") != nullptr) {
     set.soil = LoadSoil(scenario.soil_file, changes("soil"));

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "controller/base/number_text.h"
+#include "models/axel/mating_fit.h"
 
 namespace dockyard::axel {
 namespace {
@@ -27,6 +28,10 @@ const std::vector<OutcomeName>& OutcomeNames() {
       {"partly_seated", false,
        "tip at least " + NumberText(OutcomeLimits{}.entered_depth_m) +
            " m deep, at rest, taut, and held by the shake, but not on the socket's floor"},
+      {"station_pushed", false,
+       "docked, but the station's mouth was pushed by more than " +
+           NumberText(OutcomeLimits{}.station_shift_m) + " m"},
+      {"station_overload", false, "docked, but the arm loaded the cone above its rating"},
       {"no_detection", false, "fewer than four fiducials found in either image"},
       {"wrong_correspondence", false, "detections matched to the wrong fiducials"},
       {"pose_rejected", false, "fiducials found, but no pose accepted"},
@@ -42,9 +47,13 @@ const std::vector<OutcomeName>& OutcomeNames() {
   return names;
 }
 
-double SeatDepth(const ConeModel& cone) {
-  constexpr double kReeledIn_m = 0.25;
-  return cone.stop_depth_m > 0.0 ? cone.stop_depth_m : kReeledIn_m;
+OutcomeLimits LimitsOf(const RoverModel& rover, const StationModel& station) {
+  // A seated rover turns through its play, from one side to the other, and bends arm and cone a
+  // little: the latter measured at up to 1.3 deg; assumed, range 1-2 deg. Commanded are 11 deg.
+  constexpr double kBending_rad = Radians(1.5), kMost_rad = Radians(6.0);
+  OutcomeLimits limits;
+  limits.shake_turn_rad = std::min(kMost_rad, 2.0 * SeatedPlay(rover, station.cone) + kBending_rad);
+  return limits;
 }
 
 const char* Name(Outcome outcome) {
@@ -124,20 +133,32 @@ bool OutcomeJudge::entered_at_rest() const {
          rest_.Held(last_.time_s, limits_.rest_time_s) && last_.tether_tension_n > limits_.taut_n;
 }
 
+OutcomeJudge::Verdicted OutcomeJudge::ConcludeHeld(const ShakeResult& shake) const {
+  const double seat = SeatDepth(station_.cone) - limits_.seated_within_m;
+  const bool seated = std::min(Depth(last_), shake.least_depth_m) >= seat;
+  if (seated && last_.station_shift_m > limits_.station_shift_m) {
+    return {Outcome::kStationPushed, Sentence("tip %.0f mm deep, station pushed by %.0f mm",
+                                              1e3 * Depth(last_), 1e3 * last_.station_shift_m)};
+  }
+  const double rated_n = station_.cone.rated_force_n;
+  if (seated && last_.cone_force_peak_n > rated_n) {
+    return {Outcome::kStationOverload,
+            Sentence("tip %.0f mm deep, the arm loaded the cone with %.0f N, rated for %.0f N",
+                     1e3 * Depth(last_), last_.cone_force_peak_n, rated_n)};
+  }
+  return {seated ? Outcome::kDocked : Outcome::kPartlySeated,
+          Sentence(seated ? "tip %.0f mm deep, shake turned it %.1f deg and moved it %.1f mm"
+                          : "tip %.0f mm deep, not on the floor; shake turned it %.1f deg and "
+                            "moved it %.1f mm",
+                   1e3 * Depth(last_), Degrees(shake.turn_rad), 1e3 * shake.travel_m)};
+}
+
 OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
                                                const ShakeResult& shake) const {
   const double now = last_.time_s;
   const bool firm = shake.done && shake.turn_rad < limits_.shake_turn_rad &&
                     shake.travel_m < limits_.shake_travel_m;
-  if (claimed == Verdict::kDocked && entered_at_rest() && firm) {
-    const double seat = SeatDepth(station_.cone) - limits_.seated_within_m;
-    const bool seated = std::min(Depth(last_), shake.least_depth_m) >= seat;
-    return {seated ? Outcome::kDocked : Outcome::kPartlySeated,
-            Sentence(seated ? "tip %.0f mm deep, shake turned it %.1f deg and moved it %.1f mm"
-                            : "tip %.0f mm deep, not on the floor; shake turned it %.1f deg and "
-                              "moved it %.1f mm",
-                     1e3 * Depth(last_), Degrees(shake.turn_rad), 1e3 * shake.travel_m)};
-  }
+  if (claimed == Verdict::kDocked && entered_at_rest() && firm) return ConcludeHeld(shake);
 
   struct Candidate {
     Outcome outcome;

@@ -18,6 +18,8 @@ namespace dockyard::axel {
 enum class Outcome {
   kDocked,
   kPartlySeated,
+  kStationPushed,
+  kStationOverload,
   kNoDetection,
   kWrongCorrespondence,
   kPoseRejected,
@@ -34,20 +36,18 @@ const char* Name(Outcome outcome);  // "docked", "no_detection", ...
 /// All of them with their meanings, in order.
 const std::vector<OutcomeName>& OutcomeNames();
 
-/// Depth at which an arm is seated [m]: that of the socket's floor; in a socket without one the 25
-/// cm that are reeled in (Tsai et al., II).
-double SeatDepth(const ConeModel& cone);
-
 /// Every threshold of the judgement, in one place.
 struct OutcomeLimits {
   double entered_depth_m = 0.20;   // deep enough to be held
   double seated_within_m = 0.005;  // of the socket's floor
   double rest_speed_m_s = 1e-3;    // tip in the mouth frame
   double rest_time_s = 1.0;
-  double taut_n = 5.0;                   // tension that counts as taut
-  double shake_turn_rad = Radians(3.0);  // assumed, range 2.2-3.5: docs/reference/outcomes.md
+  double taut_n = 5.0;  // tension that counts as taut
+  // Replaced by what the mating parts let through: LimitsOf.
+  double shake_turn_rad = Radians(4.5);
   double shake_travel_m = 0.01;
   double tipped_rad = Radians(60.0);  // roll of the axle, or the arm lifted past the upright
+  double station_shift_m = 0.05;      // pushed further, the mother is not where she was
   double overload_n = 1000.0;         // assumed working load of the tether, range 500-2000
   double overload_time_s = 0.1;
   double catch_force_n = 10.0;  // on the annular face
@@ -59,6 +59,9 @@ struct OutcomeLimits {
   double mark_gate_px = 3.0;  // a detection nearer than this to its true place is right
   int few_marks = 4;          // fewer detections than this in both images: not detected
 };
+
+/// The limits for these mating parts, which set how far the shake turns a seated rover.
+OutcomeLimits LimitsOf(const RoverModel& rover, const StationModel& station);
 
 /// How one sighting of the board went, by the truth.
 enum class SightingQuality { kGood, kUndetected, kWrongCorrespondence, kRejected };
@@ -99,6 +102,9 @@ class OutcomeJudge {
   Verdicted Conclude(Verdict claimed, int recoveries, const ShakeResult& shake) const;
 
  private:
+  /// Of an arm that the shake holds.
+  Verdicted ConcludeHeld(const ShakeResult& shake) const;
+
   struct Condition {
     std::optional<double> since_s;
     /// Starts or keeps the clock while the condition holds, clears it when it does not.

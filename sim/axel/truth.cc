@@ -14,6 +14,7 @@ Truth World::Impl::MakeTruth() const {
   TellTether(truth);
   const ArmContact& contact = contacts_.arm_contact();
   truth.cone_force_n = contact.total_G.norm();
+  truth.cone_force_peak_n = contacts_.arm_force_peak_n();
   truth.face_force_n = contact.face_G.norm();
   truth.tip_ground_force_n = rover_ground_.tip_force_n();
   truth.left_sinkage_m = left_load_.sinkage_m;

@@ -48,7 +48,8 @@ struct Truth {
   double tether_free_m = 0.0;             // unstretched length paid out
   std::vector<Eigen::Vector3d> tether_W;  // bends of the path, arm tip first, anchor last
   double cone_force_n = 0.0;  // magnitude of the sum of contact forces of cone and face on the arm
-  double face_force_n = 0.0;  // part of it on the annular face
+  double cone_force_peak_n = 0.0;  // largest of all steps until now
+  double face_force_n = 0.0;       // part of the force now, on the annular face
   double tip_ground_force_n = 0.0;
   double station_shift_m =
       0.0;  // horizontal distance of the mouth from where it stood at the start

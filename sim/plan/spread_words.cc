@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "models/read/config_error.h"
+#include "models/read/load_model_yaml.h"
 #include "models/read/load_spreads.h"
 #include "models/read/yaml_reader.h"
 #include "sim/plan/file_keys.h"
@@ -75,7 +76,7 @@ std::vector<ModelSpread> SpreadsOf(const Campaign& campaign,
     for (const NamedFile& file : files) {
       if (file.key != root.file_key) continue;
       ++file_counts[root.name];
-      for (const NumberSpread& spread : ReadSpreads(LoadYaml(file.path))) {
+      for (const NumberSpread& spread : ReadSpreads(LoadModelYaml(file.path))) {
         const std::string key = root.name + "." + spread.key.name;
         auto at = std::find_if(all.begin(), all.end(),
                                [&](const ModelSpread& known) { return known.key == key; });

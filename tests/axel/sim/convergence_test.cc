@@ -84,13 +84,13 @@ TEST(Convergence, DockingOnSmoothWheelsIsOfFirstOrderInTheStep) {
 // soil, where a wheel stands on one or two tips.
 void ExpectAlike(const std::array<Reeled, 3>& reeled, double held_share, double way_m) {
   const Reeled& fine = reeled[2];
-  EXPECT_LT(fine.end.p_MT.x(), -0.24);
+  EXPECT_NEAR(-fine.end.p_MT.x(), Station().cone.stop_depth_m, 0.005);
   for (int i = 0; i < 2; ++i) {
     EXPECT_NEAR(reeled[i].x_after_10_s, fine.x_after_10_s, way_m);
     EXPECT_NEAR(reeled[i].peak_n, fine.peak_n, 0.005 * fine.peak_n);
     EXPECT_NEAR(reeled[i].held_on_cone_n, fine.held_on_cone_n, held_share * fine.held_on_cone_n);
-    // The arm rests in the socket by friction, anywhere in its clearance of 0.8 mm.
-    EXPECT_LT((reeled[i].end.X_DR.p - fine.end.X_DR.p).norm(), 1e-3);
+    // The arm rests in the socket by friction, anywhere in the disc's clearance of 0.8 mm.
+    EXPECT_LT((reeled[i].end.X_DR.p - fine.end.X_DR.p).norm(), 0.5e-3);
     EXPECT_NEAR(ToGround(reeled[i].end.X_DR).heading, ToGround(fine.end.X_DR).heading,
                 Radians(0.1));
   }

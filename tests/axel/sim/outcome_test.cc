@@ -36,11 +36,32 @@ TEST(Outcome, DockedNeedsDepthRestTensionAndAFirmShake) {
   OutcomeJudge judge(Station(), {});
   Hold(judge, At(100.0, 0.2704, 0.005, 50.0), 2.0);
   EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, kFirm).outcome, Outcome::kDocked);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(3.5), 0.005, 0.268}).outcome,
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(5.0), 0.005, 0.268}).outcome,
             Outcome::kFalseDocked);
   EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(1.0), 0.02, 0.268}).outcome,
             Outcome::kFalseDocked);
   EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {}).outcome, Outcome::kFalseDocked);
+}
+
+TEST(Outcome, SeatedIsNoSuccessWhenTheStationWasPushedOrOverloaded) {
+  StationModel station = Station();
+  station.cone.rated_force_n = 1000.0;
+  Truth truth = At(100.0, 0.2704, 0.005, 50.0);
+  const auto Judged = [&] {
+    OutcomeJudge judge(station, {});
+    Hold(judge, truth, 2.0);
+    return judge.Conclude(Verdict::kDocked, 0, kFirm).outcome;
+  };
+  truth.station_shift_m = 0.049;
+  truth.cone_force_peak_n = 999.0;
+  EXPECT_EQ(Judged(), Outcome::kDocked);
+  truth.cone_force_peak_n = 1001.0;
+  EXPECT_EQ(Judged(), Outcome::kStationOverload);
+  truth.station_shift_m = 0.051;
+  EXPECT_EQ(Judged(), Outcome::kStationPushed);
+  for (Outcome outcome : {Outcome::kStationPushed, Outcome::kStationOverload}) {
+    EXPECT_FALSE(OutcomeNames()[static_cast<std::size_t>(outcome)].success);
+  }
 }
 
 TEST(Outcome, HeldBeforeTheFloorIsPartlySeatedAndNoSuccess) {
