@@ -48,7 +48,7 @@ GroundShader::GroundShader(const GroundTexture& texture, const Scene& scene,
   const Pose3 X_GC = Inverse(ground.X_WG) * X_WC;
   p_GC_ = X_GC.p.head<2>().cast<float>();
   to_level_ = X_GC.R.topRows<2>().cast<float>();
-  up_C_ = X_WC.R.row(2).transpose().cast<float>();
+  up_C_ = X_GC.R.row(2).transpose().cast<float>();
   sun_G_ = (ground.X_WG.R.transpose() * scene.light.to_sun_W).cast<float>();
   up_G_ = ground.X_WG.R.row(2).transpose().cast<float>();
   x0_ = static_cast<float>(ground.x0_m);

@@ -44,7 +44,7 @@ class GroundShader {
   Eigen::Vector2f p_GC_;
   Eigen::Matrix<float, 2, 3> to_level_;  // camera axes to the site's x and y
   Eigen::Matrix3f R_UC_, R_UG_;
-  Eigen::Vector3f p_UC_, up_C_, sun_G_, up_G_;
+  Eigen::Vector3f p_UC_, up_C_, sun_G_, up_G_;  // up_C_: off the ground; up_G_: to the zenith
   float x0_, y0_, per_cell_, cell_, cell_log_;
   float last_column_, last_row_;
   float sun_, sky_, bounce_;

@@ -5,7 +5,8 @@
 //
 // Frames (right-handed, metres, radians):
 //   W  world, z up
-//   G  site: the yard's ground frame, z up; soil grid, station, sun and start poses are given in it
+//   G  site: the yard's ground frame, z off its plane (up on level ground); soil grid, station and
+//      start poses are given in it
 //   D  dock: centre of the cone's mouth plane projected to the ground; x out along the cone's axis
 //      (towards the rover), z up
 //   S  station body

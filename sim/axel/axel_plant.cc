@@ -33,7 +33,7 @@ AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built,
       world_(built_.world),
       sensors_(built_.world.rover.imu, MotorModels(built_.world.rover), kControlPeriod, seed_),
       scene_(built_.world.rover, built_.world.station, built_.world.soil, built_.lighting,
-             built_.world.X_WG, seed_),
+             SiteInWorld(built_.world.X_WG, built_.world.slope), seed_),
       renderer_(std::move(renderer)),
       truth_(world_.truth()) {
   CheckStart(built_, truth_);
@@ -83,7 +83,7 @@ Stage AxelPlant::Look() const {
   stage.lines = {{.name = "tether",
                   .diameter_m = built_.world.rover.tether.diameter_m,
                   .points_W = truth_.tether_W}};
-  stage.ground = {.X_WG = FromGround(built_.world.X_WG, 0.0),
+  stage.ground = {.X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope),
                   .x0_m = ground.x0_m,
                   .y0_m = ground.y0_m,
                   .cell_m = ground.cell_m,

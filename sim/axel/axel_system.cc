@@ -48,11 +48,10 @@ ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models,
 
 StageShapes ShapesOf(const Scenario& scenario, const AxelModels& models) {
   const ModelSet& built = models.built;
-  const Pose3 X_WD = FromGround(scenario.X_WG * WorldSetup{}.X_GD, 0.0);
+  const Pose3 X_WG = SiteOf(scenario), X_WD = X_WG * FromGround(WorldSetup{}.X_GD, 0.0);
   const Lighting lighting =
       MakeLighting(scenario.light, X_WD, BoardInDock(built.station).p, scenario.seed, scenario.sun);
-  return SceneBuilder(built.rover, built.station, built.soil, lighting, scenario.X_WG,
-                      scenario.seed)
+  return SceneBuilder(built.rover, built.station, built.soil, lighting, X_WG, scenario.seed)
       .Shapes();
 }
 
@@ -73,6 +72,7 @@ std::string Misfit(const RoverModel& rover, const StationModel& station) {
 
 std::string Check(const Scenario& scenario, const AxelModels& models) {
   CheckImagesCanBeDrawn(models.built.rover.stereo.nominal, scenario.camera_place);
+  CheckStationHolds(scenario, models.built.station);
   if (scenario.script.kind != YamlNode::Kind::kNull) ReadScript(scenario.script);
   return models.told.rover.name + " from " + NumberText(scenario.start.r) + " m to " +
          models.told.station.name + " on " + models.told.soil.name +

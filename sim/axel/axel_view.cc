@@ -43,7 +43,7 @@ StereoRig BuiltRig(const StereoModel& stereo, std::uint64_t run_seed) {
 }
 
 SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
-                           const SoilModel& soil, Lighting lighting, const Pose2& X_WG,
+                           const SoilModel& soil, Lighting lighting, const Pose3& X_WG,
                            std::uint64_t run_seed)
     : body_(Convert(rover.body.visuals)),
       left_wheel_(Convert(rover.left_wheel.visuals)),
@@ -90,7 +90,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   Add(scene.objects, station_, truth.X_WS * X_S_module_);
   Add(scene.objects, stand_, truth.X_WS);
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
-  scene.ground = {.X_WG = FromGround(X_WG_, 0.0),
+  scene.ground = {.X_WG = X_WG_,
                   .x0_m = ground.x0_m,
                   .y0_m = ground.y0_m,
                   .cell_m = ground.cell_m,

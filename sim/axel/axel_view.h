@@ -25,7 +25,7 @@ StereoRig BuiltRig(const StereoModel& stereo, std::uint64_t run_seed);
 class SceneBuilder {
  public:
   SceneBuilder(const RoverModel& rover, const StationModel& station, const SoilModel& soil,
-               Lighting lighting, const Pose2& X_WG, std::uint64_t run_seed);
+               Lighting lighting, const Pose3& X_WG, std::uint64_t run_seed);
 
   /// The scene borrows the grid's heights: draw it before the grid changes.
   Scene Make(const Truth& truth, const HeightGrid& ground) const;
@@ -49,7 +49,7 @@ class SceneBuilder {
   Eigen::Vector3d soil_rgb_;
   double tether_diameter_m_ = 0.0;
   Lighting lighting_;
-  Pose2 X_WG_;
+  Pose3 X_WG_;
   std::uint64_t texture_seed_ = 0;
 };
 

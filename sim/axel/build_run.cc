@@ -23,6 +23,10 @@ HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed) {
   return ground;
 }
 
+Slope SlopeOf(const Scenario& scenario) {
+  return {scenario.yard.slope_rad, scenario.yard.downhill_rad};
+}
+
 /// The arm angle at which a level body's arm tip rests on level ground.
 double RestingArm(const RoverModel& rover) {
   const double axle_height =
@@ -35,8 +39,27 @@ constexpr double kMostSettlingM = 0.05;
 // Further from the mouth than the arm's length and this the rover does not meet the station, and
 // may roll off a paddle's tip by half a pitch, 8 cm. Assumed, range 0.1-0.5 m.
 constexpr double kClearM = 0.3;
+// Put down on a slope a station may slip by 1 cm before its feet hold; one that tips over moves by
+// more than this.
+constexpr double kStandsM = 0.05;
+
+void CheckStation(const BuiltRun& run, const Truth& start) {
+  if (run.world.slope.angle_rad == 0.0) return;
+  const double moved_m = (Inverse(run.X_WD) * start.X_WS).p.norm();
+  if (moved_m < kStandsM) return;
+  char text[120];
+  std::snprintf(text, sizeof text,
+                ": expected a slope on which the station stands, on this one of %.1f deg it moved "
+                "by %.2f m",
+                Degrees(run.world.slope.angle_rad), moved_m);
+  throw ConfigError(run.yard_place + text);
+}
 
 }  // namespace
+
+Pose3 SiteOf(const Scenario& scenario) {
+  return SiteInWorld(scenario.X_WG, SlopeOf(scenario));
+}
 
 void CheckImagesCanBeDrawn(const StereoRig& rig, const std::string& place) {
   constexpr double kWidest_rad = 60.0 * kPi / 180.0;
@@ -57,11 +80,26 @@ void CheckImagesCanBeDrawn(const StereoRig& rig, const std::string& place) {
   }
 }
 
+void CheckStationHolds(const Scenario& scenario, const StationModel& station) {
+  const double slope = std::tan(scenario.yard.slope_rad);
+  if (slope < station.foot_friction) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                ": expected a slope that the station's feet hold, below %.1f deg at their friction "
+                "of %.3g, found %.1f deg",
+                Degrees(std::atan(station.foot_friction)), station.foot_friction,
+                Degrees(scenario.yard.slope_rad));
+  throw ConfigError(scenario.yard_place + text);
+}
+
 void CheckStart(const BuiltRun& run, const Truth& start) {
   const Pose2 &wanted = run.world.X_DR_start, is = ToGround(start.X_DR);
   const double moved_m = std::hypot(is.x - wanted.x, is.y - wanted.y);
   const double clear_m = run.world.rover.arm_length_m + kClearM;
-  if (moved_m < kMostSettlingM || std::hypot(wanted.x, wanted.y) > clear_m) return;
+  if (moved_m < kMostSettlingM || std::hypot(wanted.x, wanted.y) > clear_m) {
+    CheckStation(run, start);
+    return;
+  }
   char text[120];
   std::snprintf(text, sizeof text,
                 ": expected a rover clear of the station, this one was pushed %.2f m aside by it",
@@ -77,6 +115,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.soil = models.built.soil;
   world.arm_start_rad = RestingArm(world.rover);
   run.start_place = scenario.start_place;
+  run.yard_place = scenario.yard_place;
 
   // What the controller is told; the lines that follow disturb the world only.
   const ModelSet& told = models.told;
@@ -89,12 +128,14 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.slack_start_m = start.Uniform(0.02, 0.10);  // assumed: loosely picked up, range 0-0.2
   world.ground = MakeGround(scenario.yard, scenario.seed);
   world.X_WG = scenario.X_WG;
+  world.slope = SlopeOf(scenario);
   world.X_DR_start = FromDockingCoords(scenario.start);
   world.step_s = scenario.physics_step_s;
 
   CheckImagesCanBeDrawn(world.rover.stereo.nominal, scenario.camera_place);
+  CheckStationHolds(scenario, world.station);
   run.built_rig = BuiltRig(world.rover.stereo, scenario.seed);
-  run.X_WD = FromGround(world.X_WG * world.X_GD, 0.0);
+  run.X_WD = SiteOf(scenario) * FromGround(world.X_GD, 0.0);
   run.lighting = MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed,
                               scenario.sun);
   run.lighting.board_dust = models.keys.board_dust;

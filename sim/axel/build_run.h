@@ -15,9 +15,12 @@ struct BuiltRun {
   StereoRig built_rig;  // the cameras that see
   Nominal nominal;      // what the controller gets
   Lighting lighting;
-  Pose3 X_WD;               // dock where it was put
-  std::string start_place;  // in the scenario's file, for messages
+  Pose3 X_WD;                           // dock where it was put
+  std::string start_place, yard_place;  // in the scenario's file, for messages
 };
+
+/// Where a scenario's site lies in the world.
+Pose3 SiteOf(const Scenario& scenario);
 
 /// Draws the run's dispersions. Throws ConfigError for images that cannot be drawn.
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models);
@@ -26,8 +29,12 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models);
 /// beyond what the renderer draws (docs/reference/images.md). The message begins with `place`.
 void CheckImagesCanBeDrawn(const StereoRig& rig, const std::string& place);
 
-/// Throws ConfigError when rover and station overlapped at the start: the contacts have then pushed
-/// them apart while the world came to rest.
+/// Throws ConfigError for a slope on which the station slides down by itself.
+void CheckStationHolds(const Scenario& scenario, const StationModel& station);
+
+/// Throws ConfigError when the station does not stand where it was put, but slid or fell. So too
+/// when rover and station overlapped at the start: the contacts have then pushed them apart while
+/// the world came to rest.
 void CheckStart(const BuiltRun& run, const Truth& start);
 
 }  // namespace dockyard::axel

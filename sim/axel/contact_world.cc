@@ -27,10 +27,10 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> Across(const Eigen::Vector3d& normal
 
 }  // namespace
 
-ContactWorld::ContactWorld(const ConeModel& cone, double gravity_m_s2, RoverBody& rover,
-                           StationBody& station)
+ContactWorld::ContactWorld(const ConeModel& cone, const Eigen::Vector3d& gravity_G,
+                           RoverBody& rover, StationBody& station)
     : cone_(cone),
-      gravity_m_s2_(gravity_m_s2),
+      gravity_G_(gravity_G),
       rover_(rover),
       station_(station),
       mating_(cone, rover.arm_parts()),
@@ -39,8 +39,8 @@ ContactWorld::ContactWorld(const ConeModel& cone, double gravity_m_s2, RoverBody
 void ContactWorld::Step(double dt_s) {
   touches_.clear();
   if (MayTouch()) FindTouches(dt_s);
-  rover_.TakeLoads(gravity_m_s2_, dt_s);
-  station_.TakeLoads(gravity_m_s2_, dt_s);
+  rover_.TakeLoads(gravity_G_, dt_s);
+  station_.TakeLoads(gravity_G_, dt_s);
   if (!touches_.empty()) Resist(dt_s);
   rover_.Move(dt_s);
   station_.Move(dt_s);

@@ -21,7 +21,8 @@ struct ArmContact {
 
 class ContactWorld {
  public:
-  ContactWorld(const ConeModel& cone, double gravity_m_s2, RoverBody& rover, StationBody& station);
+  ContactWorld(const ConeModel& cone, const Eigen::Vector3d& gravity_G, RoverBody& rover,
+               StationBody& station);
 
   /// One step under the loads given to rover and station.
   void Step(double dt_s);
@@ -46,7 +47,7 @@ class ContactWorld {
   void ReadContacts(double dt_s);
 
   ConeModel cone_;
-  double gravity_m_s2_ = 0.0;
+  Eigen::Vector3d gravity_G_{0, 0, 0};  // [m/s^2]
   RoverBody& rover_;
   StationBody& station_;
   Mating mating_;

@@ -150,10 +150,10 @@ Eigen::Vector3d RoverBody::CentreOfMass(RoverLink link) const {
   return motion_[Index(link)].X_GL * inertia_[Index(link)].X_LP.p;
 }
 
-void RoverBody::TakeLoads(double gravity_m_s2, double step_s) {
+void RoverBody::TakeLoads(const Eigen::Vector3d& gravity_G, double step_s) {
   for (int i = 0; i < kRoverLinkCount; ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
-    AddForce(link, {0.0, 0.0, -mass_kg_[i] * gravity_m_s2}, CentreOfMass(link));
+    AddForce(link, mass_kg_[i] * gravity_G, CentreOfMass(link));
   }
   scratch_r_.resize(kRoverLinkCount);
   scratch_v_.resize(kRoverLinkCount);

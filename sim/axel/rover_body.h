@@ -41,7 +41,7 @@ class RoverBody {
   void AddJointTorque(RoverLink link, double torque_nm);
 
   /// Speeds after a step under the loads, without contacts; positions stay. Forgets the loads.
-  void TakeLoads(double gravity_m_s2, double step_s);
+  void TakeLoads(const Eigen::Vector3d& gravity_G, double step_s);
   /// A step's positions by the speeds.
   void Move(double step_s);
   /// Takes over positions and speeds after either.

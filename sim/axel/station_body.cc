@@ -99,9 +99,9 @@ void StationBody::AddFeetForces(const HeightGrid& ground, double dt_s) {
   }
 }
 
-void StationBody::TakeLoads(double gravity_m_s2, double step_s) {
+void StationBody::TakeLoads(const Eigen::Vector3d& gravity_G, double step_s) {
   btRigidBody& body = *body_;
-  const btVector3 fall(0.0, 0.0, -gravity_m_s2 * step_s);
+  const btVector3 fall = ToBullet(Eigen::Vector3d(gravity_G * step_s));
   body.setLinearVelocity(body.getLinearVelocity() + fall +
                          body.getTotalForce() * (body.getInvMass() * step_s));
   body.setAngularVelocity(body.getAngularVelocity() +

@@ -33,7 +33,7 @@ class StationBody {
   /// The ground's forces on the feet.
   void AddFeetForces(const HeightGrid& ground, double dt_s);
   /// Speeds after a step under the loads, without contacts; positions stay. Forgets the loads.
-  void TakeLoads(double gravity_m_s2, double step_s);
+  void TakeLoads(const Eigen::Vector3d& gravity_G, double step_s);
   void AddImpulse(const Eigen::Vector3d& impulse_G, const Eigen::Vector3d& p_G);
   /// A step's position by the speeds.
   void Move(double step_s);

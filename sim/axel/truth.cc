@@ -19,6 +19,8 @@ Truth World::Impl::MakeTruth() const {
   truth.tip_ground_force_n = rover_ground_.tip_force_n();
   truth.left_sinkage_m = left_load_.sinkage_m;
   truth.right_sinkage_m = right_load_.sinkage_m;
+  truth.left_wheel_load_n = left_load_.force_G.z();
+  truth.right_wheel_load_n = right_load_.force_G.z();
   return truth;
 }
 
@@ -70,8 +72,8 @@ void World::Impl::TellTether(Truth& truth) const {
   }
   if (truth.p_MT.x() > 0.0) {  // outside the cone it hangs
     const std::vector<Eigen::Vector3d> hanging =
-        HangingTether(setup_.rover.tether, ground_, way_G[0], way_G[1], truth.tether_tension_n,
-                      truth.tether_free_m - truth.tether_path_m);
+        HangingTether(setup_.rover.tether, ground_, Tilt(setup_.slope), way_G[0], way_G[1],
+                      truth.tether_tension_n, truth.tether_free_m - truth.tether_path_m);
     truth.tether_W = hanging;
     way_G.erase(way_G.begin(), way_G.begin() + 2);
   }

@@ -57,7 +57,7 @@ void WriteStartView(const Scenario& scenario, const AxelModels& models,
   CheckStart(built, truth);
   MakeFolder(out_dir);
   const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
-                             built.lighting, scenario.X_WG, scenario.seed);
+                             built.lighting, SiteOf(scenario), scenario.seed);
   const Scene scene = builder.Make(truth, world.ground());
   WriteImages(scene, built.built_rig, truth.X_WR,
               CameraSensor(built.world.rover.stereo, scenario.seed, 0), scenario.colour, out_dir);

@@ -25,7 +25,7 @@ void CheckSetup(const WorldSetup& setup) {
   Require(setup.rover.arm_length_m > 0.0, "the arm has no length");
 }
 
-// Above the ground by the radius of the wheels, level.
+// Above the ground by the radius of the wheels, its body along the ground.
 Pose3 RoverStart(const WorldSetup& setup) {
   const Pose2 X_GR = setup.X_GD * setup.X_DR_start;
   double z = -1e9;
@@ -46,7 +46,7 @@ Pose3 StationStart(const WorldSetup& setup) {
     z += setup.ground.Height(at.x(), at.y()) - foot.p_SF.z();
   }
   const double count = static_cast<double>(setup.station.feet.size());
-  const double pressed = setup.station.module.mass_kg * kEarthGravity_m_s2 /
+  const double pressed = setup.station.module.mass_kg * -GravityInSite(setup.slope).z() /
                          (count * setup.station.foot_stiffness_n_per_m);
   return FromGround(setup.X_GD, z / count - pressed);
 }
@@ -55,17 +55,18 @@ Pose3 StationStart(const WorldSetup& setup) {
 
 World::Impl::Impl(const WorldSetup& setup)
     : setup_((CheckSetup(setup), setup)),
-      X_WG_(FromGround(setup.X_WG, 0.0)),
+      X_WG_(SiteInWorld(setup.X_WG, setup.slope)),
+      gravity_G_(GravityInSite(setup.slope)),
       ground_(setup.ground),
       rover_(setup.rover, RoverStart(setup), setup.arm_start_rad, setup.add_right_side_first),
       station_(setup.station, StationStart(setup)),
-      contacts_(setup.station.cone, kEarthGravity_m_s2, rover_, station_),
+      contacts_(setup.station.cone, gravity_G_, rover_, station_),
       drives_(setup.rover, setup.arm_start_rad),
       tether_(setup.rover.tether, setup.station, setup.rover.arm_length_m),
       rover_ground_(setup.rover),
       left_soil_(setup.rover.left_wheel_soil, setup.soil),
       right_soil_(setup.rover.right_wheel_soil, setup.soil),
-      imu_(setup.rover.imu.p_RI, kEarthGravity_m_s2) {
+      imu_(setup.rover.imu.p_RI, gravity_G_) {
   setup_.ground = HeightGrid{};  // the live one is ground_
   Settle();
 }

@@ -13,6 +13,7 @@
 #include "models/axel/axel_model.h"
 #include "models/axel/station_model.h"
 #include "models/parts/soil_model.h"
+#include "sim/physics/slope.h"
 #include "sim/soil/height_grid.h"
 
 namespace dockyard::axel {
@@ -22,7 +23,8 @@ struct WorldSetup {
   StationModel station;
   SoilModel soil;
   HeightGrid ground;  // in the site frame G
-  Pose2 X_WG;         // site in the world
+  Pose2 X_WG;         // site in the world, before it is tilted
+  Slope slope;        // of the site, under rover and station
   Pose2 X_GD;         // dock in the site: where the station is put
   Pose2 X_DR_start;
   double arm_start_rad = 0.0;  // arm against body, tip-down positive
@@ -54,6 +56,7 @@ struct Truth {
   double station_shift_m =
       0.0;  // horizontal distance of the mouth from where it stood at the start
   double left_sinkage_m = 0.0, right_sinkage_m = 0.0;
+  double left_wheel_load_n = 0.0, right_wheel_load_n = 0.0;  // the soil's, along z of the site
 };
 
 class World {

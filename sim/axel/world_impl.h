@@ -1,7 +1,6 @@
 // The parts of World.
 #pragma once
 
-#include "models/parts/gravity.h"
 #include "sim/axel/contact_world.h"
 #include "sim/axel/drive_train.h"
 #include "sim/axel/rover_body.h"
@@ -48,6 +47,7 @@ class World::Impl {
 
   WorldSetup setup_;
   Pose3 X_WG_;
+  Eigen::Vector3d gravity_G_;  // [m/s^2]; leans where the site is a slope
   HeightGrid ground_;
   RoverBody rover_;
   StationBody station_;

@@ -54,10 +54,11 @@ double OfTension(double tension_per_weight, double h, double v) {
 }  // namespace
 
 std::vector<Eigen::Vector3d> HangingTether(const TetherModel& tether, const HeightGrid& ground,
+                                           const Eigen::Matrix3d& R_LG,
                                            const Eigen::Vector3d& tip_G,
                                            const Eigen::Vector3d& support_G, double tension_n,
                                            double excess_m) {
-  const Eigen::Vector3d way = support_G - tip_G;
+  const Eigen::Vector3d tip = R_LG * tip_G, way = R_LG * (support_G - tip_G);
   const double h = way.head<2>().norm(), v = way.z();
   const double weight_n_per_m = tether.mass_kg_per_m * kEarthGravity_m_s2;
   double a = kFlattest * h;
@@ -72,9 +73,10 @@ std::vector<Eigen::Vector3d> HangingTether(const TetherModel& tether, const Heig
   points.reserve(kPieces + 1);
   for (int i = 0; i <= kPieces; ++i) {
     const double share = static_cast<double>(i) / kPieces;
-    Eigen::Vector3d p = tip_G + share * way;
+    Eigen::Vector3d p = tip + share * way;
+    if (hangs && i > 0 && i < kPieces) p.z() = tip.z() + curve.Height(share * h);
+    p = (R_LG.transpose() * p).eval();
     if (i > 0 && i < kPieces) {
-      if (hangs) p.z() = tip_G.z() + curve.Height(share * h);
       p.z() = std::max(p.z(), ground.Height(p.x(), p.y()) + 0.5 * tether.diameter_m);
     }
     points.push_back(p);

@@ -11,8 +11,7 @@ void ImuAverage::Start(const LinkMotion& body) {
 
 void ImuAverage::Add(const LinkMotion& body, double dt_s) {
   const Eigen::Vector3d v_GI_G = body.VelocityAt(body.X_GL * p_RI_);
-  const Eigen::Vector3d felt_G =
-      (v_GI_G - last_v_GI_G_) + gravity_m_s2_ * dt_s * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d felt_G = (v_GI_G - last_v_GI_G_) - dt_s * gravity_G_;
   force_R_ += body.X_GL.R.transpose() * felt_G;
   turn_R_ += body.X_GL.R.transpose() * body.w_GL_G * dt_s;
   last_v_GI_G_ = v_GI_G;
@@ -30,7 +29,7 @@ ImuSample ImuAverage::Take(const LinkMotion& body, const Pose3& X_WG) {
     sample.specific_force_R = force_R_ / time_s_;
   } else {
     sample.rate_R = body.X_GL.R.transpose() * body.w_GL_G;
-    sample.specific_force_R = gravity_m_s2_ * body.X_GL.R.transpose().col(2);
+    sample.specific_force_R = -(body.X_GL.R.transpose() * gravity_G_);
   }
   force_R_.setZero();
   turn_R_.setZero();

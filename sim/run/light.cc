@@ -8,8 +8,8 @@
 namespace dockyard {
 namespace {
 
-/// Direction to the sun in the dock frame. Azimuth counts from the dock's x axis, the way that
-/// the target faces, counter-clockwise from above.
+/// Direction to the sun in the level dock frame: the dock's, turned upright. Azimuth counts from
+/// its x axis, the way that the target faces, counter-clockwise from above.
 Eigen::Vector3d ToSun(double azimuth_rad, double elevation_rad) {
   return {std::cos(elevation_rad) * std::cos(azimuth_rad),
           std::cos(elevation_rad) * std::sin(azimuth_rad), std::sin(elevation_rad)};
@@ -86,7 +86,7 @@ Lighting Even(RandomStream& random, const SunModel& sun) {
   return lit;
 }
 
-Lighting Speckled(RandomStream& random, const Eigen::Vector3d& p_DB, const SunModel& sun) {
+Lighting Speckled(RandomStream& random, const Eigen::Vector3d& p_LB, const SunModel& sun) {
   Lighting lit;
   const double side = random.Uniform() < 0.5 ? -1.0 : 1.0;
   const double azimuth = side * Radians(random.Uniform(25.0, 45.0));
@@ -99,11 +99,20 @@ Lighting Speckled(RandomStream& random, const Eigen::Vector3d& p_DB, const SunMo
   // The crown hangs 4.5 m up the sun's direction from the board: leaf shadows blur over 4 cm.
   const double distance = 4.5;
   lit.occluders.push_back(
-      Object(Leaves(random), FacingSun(p_DB + distance * to_sun, to_sun), 0.12));
+      Object(Leaves(random), FacingSun(p_LB + distance * to_sun, to_sun), 0.12));
   return lit;
 }
 
-Lighting HardShadow(RandomStream& random, const Eigen::Vector3d& p_DB, const SunModel& sun) {
+/// The dock's ground in the level dock frame.
+struct Ground {
+  Eigen::Vector3d normal{0, 0, 1};
+  double HeightAt(const Eigen::Vector3d& p) const {
+    return -(normal.x() * p.x() + normal.y() * p.y()) / normal.z();
+  }
+};
+
+Lighting HardShadow(RandomStream& random, const Eigen::Vector3d& p_LB, const Ground& ground,
+                    const SunModel& sun) {
   Lighting lit;
   const double side = random.Uniform() < 0.5 ? -1.0 : 1.0;
   const double azimuth = side * Radians(random.Uniform(45.0, 65.0));
@@ -116,7 +125,7 @@ Lighting HardShadow(RandomStream& random, const Eigen::Vector3d& p_DB, const Sun
   // A mast with an equipment panel stands sunward of the station. The panel's slanting edge runs
   // across the board's front; where it crosses is drawn for each run.
   const double distance = random.Uniform(1.6, 2.4);
-  const Pose3 X_DP = FacingSun(p_DB + distance * to_sun, to_sun);
+  const Pose3 X_DP = FacingSun(p_LB + distance * to_sun, to_sun);
   const double slant = random.Uniform(-0.5, 0.5);
   const double edge = random.Uniform(-0.22, 0.22);
   RenderMesh mesh;
@@ -129,10 +138,16 @@ Lighting HardShadow(RandomStream& random, const Eigen::Vector3d& p_DB, const Sun
   // Its mast, from the panel's middle to the ground.
   const Eigen::Vector3d p_top = X_DP * X_PB.p;
   RenderMesh mast;
-  AddBox(mast, Pose3::Translation(0.0, 0.0, 0.5 * p_top.z()), {0.025, 0.025, 0.5 * p_top.z()});
+  const double foot_m = ground.HeightAt(p_top), half_m = 0.5 * (p_top.z() - foot_m);
+  AddBox(mast, Pose3::Translation(0.0, 0.0, half_m), {0.025, 0.025, half_m});
   lit.occluders.push_back(
-      Object(std::move(mast), Pose3::Translation(p_top.x(), p_top.y(), 0.0), 0.3));
+      Object(std::move(mast), Pose3::Translation(p_top.x(), p_top.y(), foot_m), 0.3));
   return lit;
+}
+
+/// The frame D turned upright about its origin, heading kept.
+Pose3 TurnedUpright(const Pose3& X_WD) {
+  return {RotZ(std::atan2(X_WD.R(1, 0), X_WD.R(0, 0))), X_WD.p};
 }
 
 }  // namespace
@@ -140,23 +155,30 @@ Lighting HardShadow(RandomStream& random, const Eigen::Vector3d& p_DB, const Sun
 Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB,
                       std::uint64_t seed, const SunModel& sun) {
   RandomStream random(StreamKey(seed, "light"));
+  // On level ground D stands upright as it is, to the bit.
+  const bool level = X_WD.R(2, 0) == 0.0 && X_WD.R(2, 1) == 0.0;
+  const Pose3 X_WL = level ? X_WD : TurnedUpright(X_WD);
+  const Eigen::Matrix3d R_LD =
+      level ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : X_WL.R.transpose() * X_WD.R;
+  const Eigen::Vector3d p_LB = R_LD * p_DB;
+  const Ground ground{R_LD.col(2)};
   Lighting lit;
   switch (light) {
     case Light::kEven:
       lit = Even(random, sun);
       break;
     case Light::kSpeckled:
-      lit = Speckled(random, p_DB, sun);
+      lit = Speckled(random, p_LB, sun);
       break;
     case Light::kHardShadow:
-      lit = HardShadow(random, p_DB, sun);
+      lit = HardShadow(random, p_LB, ground, sun);
       break;
   }
   if (sun.temperature_k > 0.0) lit.sun_and_sky.sun_rgb = BlackbodyRgb(sun.temperature_k);
   if (sun.sky_temperature_k > 0.0) lit.sun_and_sky.sky_rgb = BlackbodyRgb(sun.sky_temperature_k);
-  // Made in the dock frame, placed in the world.
-  lit.sun_and_sky.to_sun_W = X_WD.R * lit.sun_and_sky.to_sun_W;
-  for (SceneObject& occluder : lit.occluders) occluder.X_WO = X_WD * occluder.X_WO;
+  // Made in the level dock frame, placed in the world.
+  lit.sun_and_sky.to_sun_W = X_WL.R * lit.sun_and_sky.to_sun_W;
+  for (SceneObject& occluder : lit.occluders) occluder.X_WO = X_WL * occluder.X_WO;
   return lit;
 }
 

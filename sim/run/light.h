@@ -17,7 +17,8 @@ struct Lighting {
   double board_dust = 0.0;             // mean share of the board's face under dust
 };
 
-/// @param X_WD   the dock's ground frame in the world: the board faces along its +x
+/// @param X_WD   the dock's ground frame in the world, z off the ground: the board faces along its
+///               +x. The sun's elevation is above the level, on a slope too.
 /// @param p_DB   the board's centre in it [m]
 /// @param seed   of the run; sun's place and the occluders' detail vary with it
 /// @param sun    the scenario's values; its azimuth counts from +x of D, counter-clockwise

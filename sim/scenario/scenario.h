@@ -23,7 +23,7 @@ struct SunModel {
   double temperature_k = 0.0, sky_temperature_k = 0.0;
 };
 
-/// The yard: gentle undulation, deterministic in the run's seed.
+/// The yard: a slope with gentle undulation, deterministic in the run's seed.
 struct YardModel {
   // Gentle undulation as on the Mars Yard's docking site ("relatively small terrain undulations",
   // Tsai et al., IV): assumed 10 mm rms, range 0-30 mm, over 2 m, range 1-5 m. The yard reaches 3 m
@@ -33,6 +33,8 @@ struct YardModel {
   double cell_m = 0.02;
   double undulation_rms_m = 0.010;
   double undulation_wavelength_m = 2.0;
+  double slope_rad = 0.0;     // of the whole yard
+  double downhill_rad = 0.0;  // the way down, from the way the target faces
 };
 /// The grid begins this far behind the target.
 inline constexpr double kYardBehind_m = 1.5;
@@ -45,7 +47,7 @@ struct Scenario {
   std::vector<std::string> command;                // else: a program that is the controller,
   std::string command_folder;                      // and where it runs: its file's folder
   DockingCoords start{.r = 4.0};
-  std::string start_place, camera_place;  // "file:line:column: start", for messages
+  std::string start_place, camera_place, yard_place;  // "file:line:column: start", for messages
   Light light = Light::kEven;
   SunModel sun;
   YardModel yard;

@@ -72,6 +72,10 @@ void VisitYard(Keys& keys, YardModel& yard) {
               NonNegative(0.2));
   keys.Number({"undulation_wavelength_m", "m", "wavelength of the undulation"},
               yard.undulation_wavelength_m, Between(0.2, 50.0));
+  keys.Degrees({"slope_deg", "deg", "of the whole yard, under robot and target"}, yard.slope_rad,
+               Between(0.0, 30.0));
+  keys.Degrees({"slope_direction_deg", "deg", "the way down, from the way the target faces"},
+               yard.downhill_rad, Between(-180.0, 180.0));
 }
 
 void VisitSite(Keys& keys, Pose2& X_WG) {
@@ -229,6 +233,7 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
   if (scenario.of_system.kind == YamlNode::Kind::kNull) scenario.of_system.place = root.place;
   scenario.start_place = PlaceOf(root, "start", "r_m");
   scenario.camera_place = PlaceOf(root, "camera", "width_px");
+  scenario.yard_place = PlaceOf(root, "yard", "slope_deg");
   CheckTogether(scenario, root);
   if (!scenario.command.empty()) {
     scenario.command_folder = CommandFolder(root, scenario.command_folder);

@@ -46,7 +46,7 @@ class StartView {
         world_(built_.world),
         truth_(world_.truth()),
         builder_(built_.world.rover, built_.world.station, built_.world.soil, built_.lighting,
-                 scenario_.X_WG, scenario_.seed) {}
+                 SiteOf(scenario_), scenario_.seed) {}
 
   const BuiltRun& built() const { return built_; }
   StereoImages Render(int index) {

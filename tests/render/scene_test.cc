@@ -65,6 +65,34 @@ TEST(Object, IsDrawnWhereTheCameraModelSays) {
   }
 }
 
+TEST(Shadow, OnASlopeIsAsLongAsTheAnglesSay) {
+  // A post of height H, upright on a slope of angle a that falls away from the sun of elevation e:
+  // the law of sines gives a shadow of H cos(e) / sin(e - a) along the slope; uphill, e + a.
+  const double height = 0.5, elevation = Radians(40.0);
+  for (const double slope_deg : {-15.0, 0.0, 15.0}) {
+    const double slope = Radians(slope_deg);
+    FlatYard yard;
+    Scene& scene = yard.scene;
+    scene.ground.X_WG.R = RotY(slope);  // x is the way down, the shadow's way
+    scene.light = {.to_sun_W = SunAt(kPi, elevation), .sky_irradiance = 0.0};
+    scene.objects.push_back({Share(BoxMesh({0.06, 0.2, height})),
+                             Pose3::Translation(-0.03, 0.0, 0.5 * height),
+                             {0.5, 0.5, 0.5}});
+    const double wanted = height * std::cos(elevation) / std::sin(elevation - slope);
+    const Eigen::Vector3d off = scene.ground.X_WG.R.col(2), along = scene.ground.X_WG.R.col(0);
+    const Pose3 X_WC =
+        LookAt(wanted * along + 2.0 * off + Eigen::Vector3d(0.02, 0.0, 0.0), wanted * along);
+    const RadianceImage image = StereoRenderer().RenderRadiance(scene, RigAt(kCamera, X_WC), {})[0];
+    const auto at = [&](double x) {
+      return MeanRound(image, *kCamera.Project(Inverse(X_WC) * Eigen::Vector3d(x * along)), 3);
+    };
+    const double lit = at(wanted + 0.1);
+    EXPECT_GT(lit, 0.05) << slope_deg;
+    EXPECT_LT(at(wanted - 0.03), 0.2 * lit) << slope_deg;
+    EXPECT_GT(at(wanted + 0.03), 0.7 * lit) << slope_deg;
+  }
+}
+
 TEST(Object, InFrontHidesTheBoard) {
   Scene scene = BoardOnly();
   const Fiducial& f = scene.board.board.fiducials[0];

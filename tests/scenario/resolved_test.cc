@@ -35,6 +35,8 @@ const std::vector<std::pair<std::string, std::string>>& OtherValues() {
       {"yard.cell_m", "0.0123"},
       {"yard.undulation_rms_m", "0"},
       {"yard.undulation_wavelength_m", "3"},
+      {"yard.slope_deg", "7"},
+      {"yard.slope_direction_deg", "-30"},
       {"time_limit_s", "12.5"},
       {"physics_step_s", "0.0005"},
       {"seed", "18446744073709551615"},

@@ -47,7 +47,7 @@ Rolling RollDown(double slope_rad, double seconds) {
   HeightGrid ground = LevelGrid(-1.0, 8.0, 4.0, 0.05);
   RoverBody rover(model, Pose3::Translation(0.0, 0.0, 0.2997), 0.0, false);
   StationBody station(Station(), Pose3::Translation(-50.0, 0.0, 0.0));
-  ContactWorld bullet(Station().cone, 0.0, rover, station);
+  ContactWorld bullet(Station().cone, kWeightless, rover, station);
   WheelSoil left(model.left_wheel_soil, hard), right(model.right_wheel_soil, hard);
   for (long i = 0; i < std::lround(seconds * 1e3); ++i) {
     for (RoverLink link : kAllLinks) {
@@ -90,7 +90,7 @@ Drift Tumble(double step_s) {
   model.module.I_LCom_L = Eigen::Vector3d(0.5, 1.0, 1.4).asDiagonal();
   StationBody station(model, Pose3{});
   RoverBody rover(Axel(), Pose3::Translation(50.0, 0.0, 0.0), 0.0, false);
-  ContactWorld bullet(model.cone, 0.0, rover, station);
+  ContactWorld bullet(model.cone, kWeightless, rover, station);
   station.body()->setAngularVelocity(btVector3(0.3, 2.0, 0.4));  // about the middle axis, nearly
   station.Refresh();
   const auto Measure = [&] {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "axel/sim/afloat.h"
 #include "axel/sim/product.h"
 #include "models/axel/mating_fit.h"
 #include "sim/axel/cone_shapes.h"
@@ -229,7 +230,7 @@ Entered DrawIn(double step_s, double damping_ns_per_m) {
   const Eigen::Matrix3d R = X_GM.R * RotZ(kPi - Radians(10.0));
   const Eigen::Vector3d tip = X_GM * Eigen::Vector3d(0.15, 0.1, 0.0);
   RoverBody rover(rover_model, {R, tip - R * Eigen::Vector3d(1.0, 0.0, 0.0)}, 0.0, false);
-  ContactWorld bullet(model.cone, 0.0, rover, station);
+  ContactWorld bullet(model.cone, kWeightless, rover, station);
   Entered entered;
   for (long i = 0; i < std::lround(8.0 / step_s); ++i) {
     // The joints held, the body slowed as by soil: 400 N s/m, 300 Nm s.

@@ -60,7 +60,7 @@ TEST(Rotors, DoNotResistTheBodyThatTurnsAsAWhole) {
   model.arm.p_LoCom_L.setZero();
   RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.0, false);
   StationBody station(Station(), Pose3{});
-  ContactWorld bullet(Station().cone, 0.0, rover, station);
+  ContactWorld bullet(Station().cone, kWeightless, rover, station);
   for (int i = 0; i < 100; ++i) {
     for (RoverLink link : kAllLinks) {
       rover.AddTorque(link, Eigen::Vector3d(0.0, LinkOf(model, link).I_LCom_L(1, 1), 0.0));
@@ -78,7 +78,7 @@ TEST(Rotors, ResistTheJointsTurningByTheirWholeInertia) {
   model.body.I_LCom_L = 1e9 * Eigen::Matrix3d::Identity();
   RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.0, false);
   StationBody station(Station(), Pose3{});
-  ContactWorld bullet(Station().cone, 0.0, rover, station);
+  ContactWorld bullet(Station().cone, kWeightless, rover, station);
   const double I = model.left_wheel.I_LCom_L(1, 1), J = model.motors[0].reflected_inertia_kg_m2;
   for (int i = 0; i < 1000; ++i) {
     rover.AddJointTorque(RoverLink::kLeftWheel, 2.0);
@@ -105,7 +105,7 @@ double PeakOfAnArmsBlow(double rotor_kg_m2, double step_s) {
   RoverBody rover(model, Pose3::Translation(0.035, 0.0, model.arm_length_m + on_face), 0.5 * kPi,
                   false);
   StationBody station(heavy, Pose3{});
-  ContactWorld bullet(heavy.cone, 0.0, rover, station);
+  ContactWorld bullet(heavy.cone, kWeightless, rover, station);
   rover.SetJointSpeed(RoverLink::kArm, 0.2);
   double peak = 0.0;
   for (long i = 0; i < std::lround(0.4 / step_s); ++i) {

@@ -68,7 +68,7 @@ TEST(RoverBody, ArmSwingsWithThePeriodOfAPendulum) {
   model.body.p_LoCom_L.setZero();
   RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.5 * kPi + 0.01, false);
   StationBody station(Station(), Pose3{});
-  ContactWorld bullet(Station().cone, 0.0, rover, station);
+  ContactWorld bullet(Station().cone, kWeightless, rover, station);
   double last = 0.01, first_crossing = 0.0, last_crossing = 0.0;
   int crossings = 0;
   for (int i = 1; i <= 20000; ++i) {
@@ -123,8 +123,8 @@ TEST(RoverBody, OrderOfTheWheelsChangesNothing) {
   const Pose3 X_GR = Pose3::Translation(50.0, 0, 0);
   RoverBody a(model, X_GR, 0.2, false), b(model, X_GR, 0.2, true);
   StationBody station_a(Station(), Pose3{}), station_b(Station(), Pose3{});
-  ContactWorld bullet_a(Station().cone, 9.81, a, station_a);
-  ContactWorld bullet_b(Station().cone, 9.81, b, station_b);
+  ContactWorld bullet_a(Station().cone, {0.0, 0.0, -9.81}, a, station_a);
+  ContactWorld bullet_b(Station().cone, {0.0, 0.0, -9.81}, b, station_b);
   for (int i = 0; i < 1000; ++i) {
     a.AddJointTorque(RoverLink::kLeftWheel, 1.0);
     b.AddJointTorque(RoverLink::kLeftWheel, 1.0);

@@ -13,7 +13,7 @@ namespace dockyard::axel {
 namespace {
 
 TEST(TrueImu, FeelsGravityAtRestAlongTheTiltedAxes) {
-  ImuAverage imu(Eigen::Vector3d(0.1, 0, 0), 9.81);
+  ImuAverage imu(Eigen::Vector3d(0.1, 0, 0), Eigen::Vector3d(0.0, 0.0, -9.81));
   LinkMotion body;
   body.X_GL.R = ToRotation({0.1, 0.2, 0.3});
   imu.Start(body);
@@ -29,7 +29,7 @@ TEST(TrueImu, FeelsGravityAtRestAlongTheTiltedAxes) {
 }
 
 TEST(TrueImu, FeelsNothingFalling) {
-  ImuAverage imu(Eigen::Vector3d(0.1, 0, 0), 9.81);
+  ImuAverage imu(Eigen::Vector3d(0.1, 0, 0), Eigen::Vector3d(0.0, 0.0, -9.81));
   LinkMotion body;
   imu.Start(body);
   for (int i = 0; i < 20; ++i) {
@@ -40,7 +40,7 @@ TEST(TrueImu, FeelsNothingFalling) {
 }
 
 TEST(TrueImu, FeelsTheCentripetalPullOfItsOwnPlace) {
-  ImuAverage imu(Eigen::Vector3d(0.1, 0, 0), 9.81);
+  ImuAverage imu(Eigen::Vector3d(0.1, 0, 0), Eigen::Vector3d(0.0, 0.0, -9.81));
   LinkMotion body;
   body.w_GL_G = Eigen::Vector3d(0, 0, 2.0);
   imu.Start(body);

@@ -12,6 +12,8 @@
 namespace dockyard::axel {
 namespace {
 
+const Eigen::Matrix3d kLevel = Eigen::Matrix3d::Identity();
+
 constexpr double kInsideArmM = 1.0;
 constexpr double kDt = 1e-3;
 
@@ -190,7 +192,8 @@ TEST(Tether, KeepsItsLengthWhenItComesToLieOverAnEdge) {
 
 TEST(TetherShape, SlackLiesOnTheGround) {
   const HeightGrid ground = LevelGrid(-1.0, 8.0, 4.0, 0.1);
-  const auto points = HangingTether(Axel().tether, ground, {3.0, 0, 0.3}, {0, 0, 0.4}, 0.0, 0.3);
+  const auto points =
+      HangingTether(Axel().tether, ground, kLevel, {3.0, 0, 0.3}, {0, 0, 0.4}, 0.0, 0.3);
   double lowest = 1.0;
   for (const auto& p : points) lowest = std::min(lowest, p.z());
   EXPECT_NEAR(lowest, 0.003, 1e-12);
@@ -209,7 +212,7 @@ TEST(TetherShape, TautHangsInTheCatenaryOfItsTension) {
   const double w = 0.05 * 9.81, span = 4.0;
   for (double tension : {2.0, 5.0, 20.0, 100.0}) {
     const auto points =
-        HangingTether(Axel().tether, ground, {span, 0, 1.0}, {0, 0, 1.0}, tension, 0.0);
+        HangingTether(Axel().tether, ground, kLevel, {span, 0, 1.0}, {0, 0, 1.0}, tension, 0.0);
     double a = tension / w;
     for (int i = 0; i < 50; ++i) a = (tension / w) / std::cosh(0.5 * span / a);
     double lowest = 1.0;
@@ -225,7 +228,7 @@ TEST(TetherShape, SlackHangsInTheCatenaryOfItsLength) {
   for (double rise : {0.0, 0.4}) {
     const Eigen::Vector3d tip(3.0, 0.2, 5.0), anchor(0.0, 0.0, 5.0 + rise);
     const double straight = (anchor - tip).norm(), excess = 0.3;
-    const auto points = HangingTether(Axel().tether, ground, tip, anchor, 0.0, excess);
+    const auto points = HangingTether(Axel().tether, ground, kLevel, tip, anchor, 0.0, excess);
     EXPECT_EQ(points.front(), tip);
     EXPECT_EQ(points.back(), anchor);
     EXPECT_NEAR(Length(points), straight + excess, 2e-3 * straight) << rise;

@@ -61,7 +61,7 @@ TEST_P(StartView, DiscCentroidsLieWhereTheImageHasThem) {
   const World world(built.world);
   const Truth truth = world.truth();
   const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
-                             built.lighting, scenario.X_WG, scenario.seed);
+                             built.lighting, SiteOf(scenario), scenario.seed);
   const Scene scene = builder.Make(truth, world.ground());
   SensorOptions sensor = CameraSensor(built.world.rover.stereo, scenario.seed, 0);
   const StereoImages images = StereoRenderer().Render(scene, built.built_rig, truth.X_WR, sensor);

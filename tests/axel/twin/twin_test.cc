@@ -34,7 +34,7 @@ Afloat CompareAfloat(double step_s) {
   const Pose3 X_GR = Pose3::Translation(50.0, 0.0, 0.0);
   RoverBody rover(model, X_GR, 0.3, false);
   StationBody station(setup.station, Pose3{});
-  ContactWorld bullet(setup.station.cone, 0.0, rover, station);
+  ContactWorld bullet(setup.station.cone, Eigen::Vector3d::Zero(), rover, station);
   MujocoTwin twin(setup, 0.5, 0.0);
   twin.SetPose(X_GR, 0.3);
   const std::array<double, 3> torque = {3.0, -2.0, 4.0};
