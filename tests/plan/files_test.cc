@@ -118,6 +118,8 @@ TEST(SmokeCampaign, HasRunsOfTheGrid) {
 const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"assisted.yaml", 2 * 2 * 10},
     {"cone_height.yaml", 2 * 2 * 11},
+    {"mating_holds.yaml", 2 * 5 * 5},
+    {"mating_map.yaml", 2 * 9 * 6},
     {"reel_alpha.yaml", 2 * 3 * 15},
     {"reel_heading.yaml", 2 * 2 * 9},
     {"sensitivity.yaml", 8 * (1 + 48)},
