@@ -57,9 +57,7 @@ void CheckStation(const BuiltRun& run, const Truth& start) {
 
 }  // namespace
 
-Pose3 SiteOf(const Scenario& scenario) {
-  return SiteInWorld(scenario.X_WG, SlopeOf(scenario));
-}
+Pose3 SiteOf(const Scenario& scenario) { return SiteInWorld(scenario.X_WG, SlopeOf(scenario)); }
 
 void CheckImagesCanBeDrawn(const StereoRig& rig, const std::string& place) {
   constexpr double kWidest_rad = 60.0 * kPi / 180.0;
