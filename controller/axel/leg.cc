@@ -61,7 +61,7 @@ MotorCommand LegDriver::Spool(const Senses& senses, const Twist& twist) const {
                                             twist.speed_m_s, twist.turn_rad_s);
   const double reel = std::max(0.0, shorten) + tether.catch_up_m_s;
   const double wanted = twist.speed_m_s < 0.0 ? tether.reverse_tension_n : tether.drive_tension_n;
-  const double friction = shorten < 0.0 ? -tether.spool_friction_n : tether.spool_friction_n;
+  const double friction = shorten < 0.0 ? -nominal_.spool_friction_n : nominal_.spool_friction_n;
   return Winch(nominal_, reel, std::max(0.0, wanted + friction), tether.accel_rad_s2);
 }
 
@@ -81,7 +81,7 @@ LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
 }
 
 MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options) {
-  return Winch(nominal, options.tighten_m_s, options.drive_tension_n + options.spool_friction_n,
+  return Winch(nominal, options.tighten_m_s, options.drive_tension_n + nominal.spool_friction_n,
                options.accel_rad_s2);
 }
 

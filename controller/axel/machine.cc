@@ -304,14 +304,12 @@ std::optional<Event> AxelMachine::Search(Commands* commands) {
 std::optional<Event> AxelMachine::Reel(Commands* commands) {
   const TetherOptions& tether = options_.tether;
   SetWheels(MotorMode::kFree, commands);
-  const double left = to_reel_m_ - ReeledHere();
-  const bool seating = left <= options_.mate.short_reel_m;
-  Spool(commands) =
-      Winch(nominal_, tether.reel_m_s,
-            seating ? options_.mate.seat_tension_n : tether.reel_tension_n, tether.accel_rad_s2);
+  const double left = to_reel_m_ - ReeledHere();  // over_reel_m at the floor
+  const double to_floor = left - options_.mate.over_reel_m;
+  Spool(commands) = Winch(nominal_, tether.reel_m_s, tether.reel_tension_n, tether.accel_rad_s2);
   if (left <= 0.0) return Event::kReeledIn;
   if (!Stuck()) return std::nullopt;
-  if (seating) return Event::kReeledIn;
+  if (to_floor <= options_.mate.seat_margin_m) return Event::kReeledIn;
   return Recover(Event::kStuck, "does not go in");
 }
 
@@ -357,7 +355,7 @@ void AxelMachine::Enter(Phase phase) {
   if (phase == Phase::kSearch) BeginSearch();
   if (phase == Phase::kReel) {
     const double gap = TipOf(geometry_, senses_.pose()).gap_m;
-    to_reel_m_ = gap + nominal_.mating_depth_m + options_.mate.over_reel_m;
+    to_reel_m_ = gap + nominal_.seat_depth_m + options_.mate.over_reel_m;
   }
   const bool drives = phase == Phase::kApproach || phase == Phase::kAlign ||
                       phase == Phase::kBackOff || phase == Phase::kRecover ||

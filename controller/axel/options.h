@@ -14,15 +14,13 @@ struct TetherOptions {
   double drive_tension_n = 47.0;
   // Reversing drags the tether out; 20-30 N costs a tenth of the way on loose soil. Range 5-30.
   double reverse_tension_n = 22.0;
-  // Friction of the spool's gears, at the drum. The tether pulls this much less than the motor
-  // while it is reeled in, and this much more while it is pulled out. 0.5 N m at 6 cm; assumed,
-  // range 3-25.
-  double spool_friction_n = 8.0;
   // The winch runs this much faster than the cosine law asks, to take up slack. Range 0.01-0.04.
   double catch_up_m_s = 0.02;
-  double tighten_m_s = 0.05;        // reeling slack at rest; assumed, 0.03-0.10
-  double reel_m_s = 0.03;           // into the cone: slow, against jamming; assumed, 0.02-0.05
-  double reel_tension_n = 300.0;    // paddles peak at W tan(pi/n) = 105 N; forced fits up to 300 N
+  double tighten_m_s = 0.05;  // reeling slack at rest; assumed, 0.03-0.10
+  double reel_m_s = 0.03;     // into the cone: slow, against jamming; assumed, 0.02-0.05
+  // Paddles peak at W tan(pi/n) = 105 N. Straightening the arm at its collar's lead-in takes the
+  // spool's full pull, which the socket's floor bears. Assumed, 200-300.
+  double reel_tension_n = 300.0;
   double search_tension_n = 150.0;  // rolls free wheels on either soil (88 N loose); range 110-200
   double accel_rad_s2 = 2.0;        // of the drum; reaches 0.05 m/s in half a second; assumed, 1-5
   // Still: less than this taken up for that long. 2 mm at 0.05 m/s is 0.04 s of running.
@@ -113,10 +111,9 @@ struct MateOptions {
   // 1-2 cm, to 4 cm after it has pushed at the mouth. So the spool is asked for this much more;
   // assumed, 0.04-0.10.
   double over_reel_m = 0.08;
-  double short_reel_m = 0.12;  // a stop this early counts as seated: by the estimate 0.21 m deep
-  // The collar's lead-in straightens the arm over the last 5 cm. This takes the spool's full pull,
-  // which the socket's floor bears. Assumed, 200-300.
-  double seat_tension_n = 300.0;
+  // A stop this far before the floor counts as seated: the depth by the estimate is 2 cm too small
+  // at most, and arms that stop at their lead-in stop 3.5 cm before it. Range 0.015-0.03.
+  double seat_margin_m = 0.02;
   Tick stuck_after = 2'000;  // spool at its limit without taking up
   // Seated, wheels braked: the tether is drawn taut before the brake, else the rover hangs loose in
   // the socket. Above a straight pull's 90 N, below the 105 N that lift it over a paddle; 60-150.

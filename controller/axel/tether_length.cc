@@ -16,7 +16,7 @@ TetherGeometry TetherGeometryOf(const Nominal& nominal) {
   const Eigen::Vector3d p_DM(0.0, 0.0, nominal.mouth_height_m);
   // The board sits in the cone's face, so its normal into the station is the cone's axis.
   const Eigen::Vector3d inward = nominal.X_DB.R.col(2);
-  geometry.p_DQ = p_DM + std::min(kThroatDepthM, nominal.anchor_depth_m) * inward;
+  geometry.p_DQ = p_DM + std::min(nominal.throat_depth_m, nominal.anchor_depth_m) * inward;
   geometry.p_DA = p_DM + nominal.anchor_depth_m * inward;
   geometry.arm_m = nominal.arm_length_m;
   geometry.axle_height_m = nominal.wheel_radius_m;

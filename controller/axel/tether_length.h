@@ -14,14 +14,10 @@ namespace dockyard::axel {
 /// Eq. (1): tether from the arm's tip to a station at the origin, in the plane [m].
 double CosineLawTether(double arm_m, const DockingCoords& at);
 
-/// Depth of the funnel's throat behind the mouth, through which the tether always runs. The nominal
-/// parameters do not hold it. Assumed, range 0.10-0.15 m: 1 cm of it is 1 mm of tether at 25 deg
-/// aside.
-inline constexpr double kThroatDepthM = 0.12;
-
 /// The dimensions that set the exposed length, in the dock frame D.
 struct TetherGeometry {
-  Eigen::Vector3d p_DQ = Eigen::Vector3d::Zero();  // centre of the throat [m]
+  // Centre of the throat, through which the tether always runs [m].
+  Eigen::Vector3d p_DQ = Eigen::Vector3d::Zero();
   Eigen::Vector3d p_DA = Eigen::Vector3d::Zero();  // anchor behind it on the cone's axis [m]
   double arm_m = 0.0;                              // axle to tip
   double axle_height_m = 0.0;

@@ -1,5 +1,7 @@
 #include "models/axel/make_nominal.h"
 
+#include "models/axel/mating_fit.h"
+
 namespace dockyard::axel {
 
 Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double arm_at_zero_rad) {
@@ -22,8 +24,12 @@ Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double
   nominal.arm_length_m = rover.arm_length_m;
   nominal.arm_at_zero_rad = arm_at_zero_rad;
   nominal.drum_radius_m = rover.tether.drum_radius_m;
+  const MotorModel& spool = rover.motors[static_cast<std::size_t>(Motor::kSpool)];
+  nominal.spool_friction_n = spool.gear_friction_nm / rover.tether.drum_radius_m;
   nominal.mouth_height_m = station.mouth_height_m;
   nominal.anchor_depth_m = station.anchor_depth_m;
+  nominal.throat_depth_m = station.cone.funnel_length_m;
+  nominal.seat_depth_m = SeatDepth(station.cone);
   return nominal;
 }
 

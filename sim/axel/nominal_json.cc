@@ -170,6 +170,9 @@ Nominal Read(const Json& json) {
   nominal.drum_radius_m = json.at("drum_radius_m");
   nominal.mouth_height_m = json.at("mouth_height_m");
   nominal.anchor_depth_m = json.at("anchor_depth_m");
+  nominal.spool_friction_n = json.at("spool_friction_n");
+  nominal.throat_depth_m = json.at("throat_depth_m");
+  nominal.seat_depth_m = json.at("seat_depth_m");
   nominal.mating_depth_m = json.at("mating_depth_m");
   return nominal;
 }
@@ -196,6 +199,9 @@ Json ToJson(const Nominal& nominal) {
           {"drum_radius_m", nominal.drum_radius_m},
           {"mouth_height_m", nominal.mouth_height_m},
           {"anchor_depth_m", nominal.anchor_depth_m},
+          {"spool_friction_n", nominal.spool_friction_n},
+          {"throat_depth_m", nominal.throat_depth_m},
+          {"seat_depth_m", nominal.seat_depth_m},
           {"mating_depth_m", nominal.mating_depth_m}};
 }
 

@@ -24,8 +24,13 @@ struct Nominal {
   double arm_length_m = 0.0;                     // axle to arm tip
   double arm_at_zero_rad = 0.0;  // arm against body at encoder zero, about +y: tip-down positive
   double drum_radius_m = 0.0;
+  // Of the spool's gears, at the tether: it pulls this much less than the motor while it is reeled
+  // in, and this much more while it is pulled out.
+  double spool_friction_n = 0.0;
   double mouth_height_m = 0.0;   // centre of the cone's mouth above the ground
   double anchor_depth_m = 0.0;   // tether anchor behind the mouth plane, along the axis
+  double throat_depth_m = 0.0;   // of the cone's throat behind the mouth plane
+  double seat_depth_m = 0.0;     // of the socket's floor, on which the tip is seated
   double mating_depth_m = 0.25;  // how far to reel the tip in (Tsai et al., II)
 };
 

@@ -13,7 +13,6 @@ namespace {
 constexpr double kStep = kTickSeconds * kControlPeriod;
 constexpr double kTetherStiffness = 5000.0;  // [N/m]
 constexpr double kSpoolFriction = 0.5;       // [Nm]
-constexpr double kFloorDepthM = 0.27;        // of the socket
 
 const MotorCommand& Of(const Commands& commands, Motor motor) {
   return commands.motors[static_cast<std::size_t>(motor)];
@@ -48,6 +47,9 @@ Nominal TestNominal() {
   nominal.arm_length_m = 1.0;
   nominal.drum_radius_m = 0.06;
   nominal.anchor_depth_m = 0.35;
+  nominal.spool_friction_n = 8.0;
+  nominal.throat_depth_m = 0.12;
+  nominal.seat_depth_m = 0.23;
   return nominal;
 }
 
@@ -92,7 +94,7 @@ SensorFrame KinematicRover::Sense() {
 double KinematicRover::Guided() const {
   const double axis = nominal_.mouth_height_m + depth_m() * std::sin(Radians(5.0));
   const double seated = std::asin((axis - nominal_.wheel_radius_m) / nominal_.arm_length_m);
-  return seated * std::clamp(depth_m() / kThroatDepthM, 0.0, 1.0);
+  return seated * std::clamp(depth_m() / nominal_.throat_depth_m, 0.0, 1.0);
 }
 
 void KinematicRover::MoveWheels(const Commands& commands) {
@@ -174,7 +176,7 @@ void KinematicRover::PullAlong() {
 
 // Inside the mouth the cone leads the tip to the axis; the arm turns about the axle.
 void KinematicRover::Guide(const Pose2& before) {
-  if (depth_m() > world_.jam_depth_m.value_or(kFloorDepthM)) {
+  if (depth_m() > world_.jam_depth_m.value_or(nominal_.seat_depth_m)) {
     X_DR_ = before;
     return;
   }

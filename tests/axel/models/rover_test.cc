@@ -174,6 +174,9 @@ TEST(Nominal, TellsNominalNumbers) {
   EXPECT_DOUBLE_EQ(nominal.arm_at_zero_rad, 0.3);
   EXPECT_DOUBLE_EQ(nominal.mouth_height_m, 0.34);
   EXPECT_DOUBLE_EQ(nominal.anchor_depth_m, 0.35);
+  EXPECT_DOUBLE_EQ(nominal.spool_friction_n, 0.5 / 0.06);
+  EXPECT_DOUBLE_EQ(nominal.throat_depth_m, 0.12);
+  EXPECT_DOUBLE_EQ(nominal.seat_depth_m, 0.23);
   EXPECT_NEAR(nominal.motors[static_cast<int>(Motor::kSpool)].rad_per_count * 122880, 2 * kPi,
               1e-12);
   EXPECT_EQ(nominal.board.fiducials.size(), 8u);
