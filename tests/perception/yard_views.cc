@@ -98,9 +98,8 @@ YardSample YardViews::TakeAt(int i, const DockingCoords& at, double pitch_rad, b
   sample.sensor = CameraSensor(built.world.rover.stereo, seed, 0);
   const Lighting lighting =
       MakeLighting(scenario_.light, built.X_WD, BoardInDock(built.world.station).p, seed);
-  builder_ =
-      std::make_unique<SceneBuilder>(built.world.rover, built.world.station, built.world.soil,
-                                     lighting, SiteOf(scenario_), seed);
+  builder_ = std::make_unique<SceneBuilder>(built.world.rover, built.world.station,
+                                            built.world.soil, lighting, SiteOf(scenario_), seed);
   scene_ = builder_->Make(truth, world_->ground());
   sample.X_RB = Inverse(truth.X_WR) * scene_.board.X_WB;
   sample.X_DB = Inverse(built.X_WD) * scene_.board.X_WB;
