@@ -71,19 +71,26 @@ World::Impl::Impl(const WorldSetup& setup)
   Settle();
 }
 
+void World::Impl::TieTether() {
+  const Eigen::Vector3d p_MT = TipInMouth();
+  tether_.LayOut(p_MT, 1.0);
+  tether_at_start_m_ = tether_.path_m() + setup_.slack_start_m;
+  tether_.LayOut(p_MT, tether_at_start_m_);
+  tether_tied_ = true;
+}
+
 void World::Impl::Settle() {
   const std::array<MotorCommand, kMotorCount> braked{};
+  // A rover below the station hangs on its tether. Without it, braked wheels and body roll downhill
+  // as one and turn the arm over the top.
+  if (setup_.slope.angle_rad != 0.0) TieTether();
   const int steps = static_cast<int>(std::lround(kSettleSeconds / setup_.step_s));
   for (int i = 0; i < steps; ++i) Step(braked);
   steps_ = 0;
   drives_.PowerOn(rover_);
   imu_.Start(rover_.motion(RoverLink::kBody));
   p_GM_start_ = station_.X_GM().p;
-  const Eigen::Vector3d p_MT = TipInMouth();
-  tether_.LayOut(p_MT, 1.0);
-  tether_at_start_m_ = tether_.path_m() + setup_.slack_start_m;
-  tether_.LayOut(p_MT, tether_at_start_m_);
-  tether_tied_ = true;
+  if (!tether_tied_) TieTether();
   still_steps_ = 0;
 }
 

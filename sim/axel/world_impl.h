@@ -32,6 +32,7 @@ class World::Impl {
   static constexpr double kStillMPerS = 1e-8, kStillRadPerS = 1e-8;
   static constexpr int kRestSteps = 50;
 
+  void TieTether();
   void Settle();
   void Move(const std::array<MotorCommand, kMotorCount>& commands);
   bool IsStill() const;
@@ -59,7 +60,7 @@ class World::Impl {
   WheelLoad left_load_, right_load_;
   ImuAverage imu_;
   TetherLoad pull_;
-  bool tether_tied_ = false;        // not before the rover has settled
+  bool tether_tied_ = false;        // on level ground not before the rover has settled
   double tether_at_start_m_ = 0.0;  // unstretched length out of the arm at power-on
   Eigen::Vector3d p_GM_start_ = Eigen::Vector3d::Zero();
   std::int64_t steps_ = 0;

@@ -133,13 +133,29 @@ TEST(TiltedSite, TetherHoldsAFreeRollingRoverByItsWeightAlongTheSlope) {
     const double weight = kG * Axel().mass_kg();
     const double pull = truth.tether_tension_n * -way.x();
     // Gears resist by their friction over the wheels' radius, the arm's tip by its share of weight,
-    // the soil by a few per cent of it: coming to rest, any part of that may hold the rover.
+    // the soil by a few per cent of it: coming to rest, any part of that may hold the rover, from
+    // rolling down or, when the tether has swung it up, from rolling up.
     const double gears = 2.0 * Axel().motors[0].gear_friction_nm / 0.28;
     const double tip = 0.4 * truth.tip_ground_force_n;
-    EXPECT_LT(pull, weight * std::sin(Radians(slope_deg)) + gears + tip);
+    EXPECT_LT(pull, weight * (std::sin(Radians(slope_deg)) + 0.06) + gears + tip);
     EXPECT_GT(pull, weight * (std::sin(Radians(slope_deg)) - 0.06) - gears - tip);
     std::printf("%.0f deg: %.1f N of %.1f N (tip %.1f N on the ground, gears %.1f N)\n", slope_deg,
                 pull, weight * std::sin(Radians(slope_deg)), truth.tip_ground_force_n, gears);
+  }
+}
+
+// Without the tether, its braked wheels and body roll downhill as one, over the arm.
+TEST(TiltedSite, RoverBelowTheStationHangsWhereItIsPut) {
+  for (const double slope_deg : {10.0, 15.0, 20.0}) {
+    WorldSetup setup = Tilted(CompactGravel(), slope_deg, 0.0);
+    setup.station.module.mass_kg = 500.0;
+    setup.station.foot_friction = 2.0;
+    const World world(setup);
+    const Pose2 X_DR = ToGround(world.truth().X_DR);
+    EXPECT_NEAR(X_DR.x, 3.0, 0.03) << slope_deg;
+    EXPECT_NEAR(WrapPi(X_DR.heading - kPi), 0.0, Radians(2.0)) << slope_deg;
+    // At rest it hangs by no more than its weight along the slope.
+    EXPECT_GT(world.truth().tether_tension_n, 0.0) << slope_deg;
   }
 }
 
