@@ -98,6 +98,7 @@ class AxelMachine final : public Controller {
   Phase phase_ = Phase::kTighten;
   Tick entered_ = 0;
   double reeled_at_entry_m_ = 0.0, yaw_at_entry_rad_ = 0.0;
+  double rolled_before_m_ = 0.0;  // when the wheels were freed
   Belief belief_;
   int recoveries_ = 0;
 
@@ -165,18 +166,22 @@ std::optional<Event> AxelMachine::Tighten(Commands* commands) {
   if (!taut) belief_.note = "tether does not come taut";
   if (std::abs(senses_.pitch_rad()) <= options_.arm.look_pitch_rad) return Event::kTaut;
   levelling_since_ = senses_.now();
+  rolled_before_m_ = senses_.rolled_m();
   return std::nullopt;
 }
 
-// The body turns about the axle only while the wheels are free; the braked spool holds the rover.
+// The body turns about the axle only while the wheels are free. The braked spool holds the rover,
+// but not from rolling downhill towards the station: then it stops and looks as it is.
 std::optional<Event> AxelMachine::Level(double target_pitch_rad, Commands* commands) {
+  const Event done = phase_ == Phase::kTighten ? Event::kTaut : Event::kArrived;
+  if (std::abs(senses_.rolled_m() - rolled_before_m_) > options_.arm.level_roll_m) return done;
   SetWheels(MotorMode::kFree, commands);
   arm_.Level(senses_, target_pitch_rad);
   const bool level =
       std::abs(senses_.pitch_rad() - target_pitch_rad) <= 2.0 * options_.arm.dead_band_rad;
   const Tick since = senses_.now() - levelling_since_.value_or(entered_);
   if (!level && since < options_.arm.level_limit) return std::nullopt;
-  return phase_ == Phase::kTighten ? Event::kTaut : Event::kArrived;
+  return done;
 }
 
 std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* commands) {
@@ -292,7 +297,8 @@ std::optional<Event> AxelMachine::Search(Commands* commands) {
                                    senses_.imu().yaw_rad - yaw_at_entry_rad_, commands));
     case SearchMove::kReel:
       ReelNearer(nominal_, options_.tether, commands);
-      return ArrivedIf(Stuck() || ReeledHere() >= search_->amount);
+      return ArrivedIf(Stuck() || ReeledHere() >= search_->amount ||
+                       senses_.rolled_m() - rolled_before_m_ >= search_->amount);
     case SearchMove::kAdvance:
       return Drive(commands);
     case SearchMove::kBackUp:
@@ -347,6 +353,7 @@ void AxelMachine::Enter(Phase phase) {
   yaw_at_entry_rad_ = senses_.imu().yaw_rad;
   still_.Reset();
   levelling_since_.reset();
+  rolled_before_m_ = senses_.rolled_m();
   asked_at_.reset();
   driver_.reset();
   braked_.reset();

@@ -1,6 +1,33 @@
 #include "controller/axel/odometry.h"
 
+#include <cmath>
+
 namespace dockyard::axel {
+namespace {
+
+struct Turned {
+  double pitch_rad = 0.0, turn_rad = 0.0;
+};
+
+// The inertial unit gives the body's rotation between two readings in its own axes. About a slope's
+// normal that is another turn than about the vertical.
+Turned TurnedOnGround(const ImuSample& from, const ImuSample& to, const GroundSlope& ground,
+                      double heading_rad) {
+  if (ground.level()) {
+    return {WrapPi(to.pitch_rad - from.pitch_rad), WrapPi(to.yaw_rad - from.yaw_rad)};
+  }
+  const Attitude before = ground.Against(from, heading_rad);
+  const auto InWorld = [](const ImuSample& imu) {
+    return ToRotation({imu.roll_rad, imu.pitch_rad, imu.yaw_rad});
+  };
+  const Eigen::Matrix3d R_DR =
+      RotZ(heading_rad) * Tilt(before) * InWorld(from).transpose() * InWorld(to);
+  const double heading_after = std::atan2(R_DR(1, 0), R_DR(0, 0));
+  return {WrapPi(ground.Against(to, heading_after).pitch_rad - before.pitch_rad),
+          WrapPi(heading_after - heading_rad)};
+}
+
+}  // namespace
 
 double MotorAngle(const Nominal& nominal, const SensorFrame& sensed, Motor motor) {
   const auto i = static_cast<std::size_t>(motor);
@@ -11,19 +38,15 @@ double ArmAngle(const Nominal& nominal, const SensorFrame& sensed) {
   return nominal.arm_at_zero_rad + MotorAngle(nominal, sensed, Motor::kArm);
 }
 
-double ArmElevation(const Nominal& nominal, const SensorFrame& sensed) {
-  return -(sensed.imu.pitch_rad + ArmAngle(nominal, sensed));
-}
-
-Motion Odometer::Read(const SensorFrame& sensed) {
+Motion Odometer::Read(const SensorFrame& sensed, const GroundSlope& ground, double heading_rad) {
   const Last now{MotorAngle(nominal_, sensed, Motor::kLeftWheel),
-                 MotorAngle(nominal_, sensed, Motor::kRightWheel), sensed.imu.pitch_rad,
-                 sensed.imu.yaw_rad};
+                 MotorAngle(nominal_, sensed, Motor::kRightWheel), sensed.imu};
   Motion motion;
   if (last_) {
     const double rolled = 0.5 * (now.left_rad - last_->left_rad + now.right_rad - last_->right_rad);
-    motion.length_m = nominal_.wheel_radius_m * (rolled + WrapPi(now.pitch_rad - last_->pitch_rad));
-    motion.turn_rad = WrapPi(now.yaw_rad - last_->yaw_rad);
+    const Turned turned = TurnedOnGround(last_->imu, now.imu, ground, heading_rad);
+    motion.length_m = nominal_.wheel_radius_m * (rolled + turned.pitch_rad);
+    motion.turn_rad = turned.turn_rad;
   }
   last_ = now;
   return motion;

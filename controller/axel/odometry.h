@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "controller/axel/ground_slope.h"
 #include "controller/axel/nominal/nominal.h"
 #include "controller/geometry/pose.h"
 #include "controller/io/sensors.h"
@@ -13,28 +14,26 @@ namespace dockyard::axel {
 double MotorAngle(const Nominal& nominal, const SensorFrame& sensed, Motor motor);
 /// Angle of the arm against the body, tip-down positive [rad].
 double ArmAngle(const Nominal& nominal, const SensorFrame& sensed);
-/// Arm's tip above the horizontal through the axle [rad]: body pitch and arm angle both count
-/// downwards.
-double ArmElevation(const Nominal& nominal, const SensorFrame& sensed);
 /// Motion between two readings. The wheels' encoders count against the body, so a body that pitches
 /// by p turns them by -p without rolling; Odometer adds p back. It does not remove wheel slip: the
-/// pose filter allows for it.
+/// pose filter allows for it. Pitch and turn are against the ground.
 struct Motion {
   double length_m = 0.0;  // along the heading
-  double turn_rad = 0.0;  // of the inertial yaw
+  double turn_rad = 0.0;
   bool operator==(const Motion&) const = default;
 };
 
 class Odometer {
  public:
   explicit Odometer(const Nominal& nominal) : nominal_(nominal) {}
-  /// Motion since the last call; none at the first.
-  Motion Read(const SensorFrame& sensed);
+  /// Motion since the last call; none at the first. heading_rad: in D, at the last call.
+  Motion Read(const SensorFrame& sensed, const GroundSlope& ground, double heading_rad);
 
  private:
   Nominal nominal_;
   struct Last {
-    double left_rad = 0.0, right_rad = 0.0, pitch_rad = 0.0, yaw_rad = 0.0;
+    double left_rad = 0.0, right_rad = 0.0;
+    ImuSample imu;
   };
   std::optional<Last> last_;
 };

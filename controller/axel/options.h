@@ -61,6 +61,7 @@ struct ArmOptions {
   // covers +-37 deg up and down, so only large angles matter. Assumed, range 5-15 deg.
   double look_pitch_rad = Radians(8.0);
   Tick level_limit = 5'000;
+  double level_roll_m = 0.15;  // free wheels that roll further roll downhill; assumed, 0.1-0.3
 };
 
 struct LookOptions {

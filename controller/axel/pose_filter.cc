@@ -12,10 +12,11 @@ double Square(double x) { return x * x; }
 
 }  // namespace
 
-Eigen::Matrix3d Tilt(const ImuSample& imu) { return RotY(imu.pitch_rad) * RotX(imu.roll_rad); }
-
-BoardFix LevelSighting(const Pose3& X_RB, const ImuSample& imu, const Pose3& X_DB) {
-  const Pose3 X_HB{Tilt(imu) * X_RB.R, Tilt(imu) * X_RB.p};
+BoardFix LevelSighting(const Pose3& X_RB, const ImuSample& imu, const Pose3& X_DB,
+                       const GroundSlope& ground) {
+  const Eigen::Matrix3d R_DR = X_DB.R * X_RB.R.transpose();
+  const Eigen::Matrix3d R_HR = Tilt(ground.Against(imu, std::atan2(R_DR(1, 0), R_DR(0, 0))));
+  const Pose3 X_HB{R_HR * X_RB.R, R_HR * X_RB.p};
   const Eigen::Matrix3d R_DH = X_DB.R * X_HB.R.transpose();
   return {std::hypot(X_HB.p.x(), X_HB.p.y()), std::atan2(X_HB.p.y(), X_HB.p.x()),
           std::atan2(R_DH(1, 0), R_DH(0, 0))};

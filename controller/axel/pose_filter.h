@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "controller/axel/ground_slope.h"
 #include "controller/axel/odometry.h"
 #include "controller/axel/tether_length.h"
 #include "controller/geometry/pose.h"
@@ -36,17 +37,17 @@ struct FilterNoise {
   double gate = 21.1;
 };
 
-/// A sighting reduced to the plane: the board as the level rover sees it.
+/// A sighting reduced to the ground's plane.
 struct BoardFix {
   double range_m = 0.0, bearing_rad = 0.0;  // of the board's centre, bearing from the x axis
   double heading_rad = 0.0;                 // the rover's heading in D
 };
-/// Levels a sighting by the inertial unit and takes its planar part.
-BoardFix LevelSighting(const Pose3& X_RB, const ImuSample& imu, const Pose3& X_DB);
+/// Turns a sighting by the inertial unit's attitude, taken against the ground, and takes its planar
+/// part.
+BoardFix LevelSighting(const Pose3& X_RB, const ImuSample& imu, const Pose3& X_DB,
+                       const GroundSlope& ground);
 /// The rover's pose that a fix implies.
 Pose2 PoseOf(const BoardFix& fix, const Pose3& X_DB);
-/// Attitude of the body against gravity, heading left out: R_HR of the level heading frame H.
-Eigen::Matrix3d Tilt(const ImuSample& imu);
 
 class PoseFilter {
  public:
@@ -66,7 +67,8 @@ class PoseFilter {
   void Correct(const BoardFix& fix);
   /// Forgets the pose and begins again at this fix.
   void Restart(const BoardFix& fix);
-  /// For a taut tether: its length gives the distance from the tip to the mouth.
+  /// For a taut tether: its length gives the distance from the tip to the mouth. Elevation is
+  /// against the ground.
   void CorrectByTether(double reeled_m, double elevation_rad);
 
  private:

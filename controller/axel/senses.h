@@ -35,10 +35,17 @@ class Senses {
 
   Tick now() const { return now_; }
   const ImuSample& imu() const { return imu_; }
-  double pitch_rad() const { return imu_.pitch_rad; }
-  double elevation_rad() const { return elevation_rad_; }  // of the arm's tip, up positive
-  double arm_rad() const { return arm_rad_; }              // against the body, tip-down positive
-  double reeled_m() const { return reeled_m_; }            // taken up since power-on
+  const GroundSlope& ground() const { return ground_; }
+  /// Takes what a sighting taught about the ground.
+  void SetGround(const GroundSlope& ground);
+  const Attitude& attitude() const { return attitude_; }  // of the body against the ground
+  double pitch_rad() const { return attitude_.pitch_rad; }
+  /// Of the arm's tip against the ground's plane through the axle, up positive. Body pitch and arm
+  /// angle both count downwards.
+  double elevation_rad() const { return -(attitude_.pitch_rad + arm_rad_); }
+  double arm_rad() const { return arm_rad_; }    // against the body, tip-down positive
+  double reeled_m() const { return reeled_m_; }  // taken up since power-on
+  double rolled_m() const { return rolled_m_; }  // along the heading since power-on
   double spool_current_a() const { return spool_current_a_; }  // low-passed
   const PoseFilter& filter() const { return filter_; }
   PoseFilter& filter() { return filter_; }
@@ -55,10 +62,12 @@ class Senses {
   TetherOptions tether_;
   Odometer odometer_;
   PoseFilter filter_;
+  GroundSlope ground_;
+  Attitude attitude_;
   bool started_ = false;
   Tick now_ = 0, last_tether_fix_ = 0;
   ImuSample imu_{};
-  double elevation_rad_ = 0.0, arm_rad_ = 0.0, reeled_m_ = 0.0, spool_current_a_ = 0.0;
+  double arm_rad_ = 0.0, reeled_m_ = 0.0, rolled_m_ = 0.0, spool_current_a_ = 0.0;
 };
 
 }  // namespace dockyard::axel

@@ -14,11 +14,19 @@ bool Agree(const BoardFix& a, const BoardFix& b) {
          std::abs(WrapPi(a.heading_rad - b.heading_rad)) < 0.2;
 }
 
+// A pipeline without a covariance: the filter's noise of the board's heading.
+double AttitudeSigma(const DockSighting& sighting) {
+  const Eigen::Matrix3d turn = sighting.covariance.bottomRightCorner<3, 3>();
+  if (turn.trace() > 0.0) return std::sqrt(turn.trace());
+  const FilterNoise noise;
+  return noise.board_heading_floor_rad + noise.board_heading_rad_per_m * sighting.X_RB.p.norm();
+}
+
 }  // namespace
 
 LocateHints HintsFrom(const Senses& senses) {
   LocateHints hints;
-  hints.up_R = Tilt(senses.imu()).transpose() * Eigen::Vector3d::UnitZ();
+  hints.up_R = UpOfStation(senses.attitude(), !senses.ground().level());
   hints.X_RB_expected = senses.ExpectedBoard();
   return hints;
 }
@@ -38,8 +46,10 @@ void CameraTurnFilter::Take(const DockSighting& sighting) {
 }
 
 SightingJudge::Ruling SightingJudge::Judge(const DockSighting& sighting, Senses* senses) {
-  const BoardFix fix = LevelSighting(sighting.X_RB, senses->imu(), X_DB_);
+  GroundSlope ground = senses->ground();
   const bool finite = sighting.X_RB.p.allFinite() && sighting.X_RB.R.allFinite();
+  if (finite) ground.Take(sighting.X_RB, AttitudeSigma(sighting), senses->imu(), X_DB_);
+  const BoardFix fix = LevelSighting(sighting.X_RB, senses->imu(), X_DB_, ground);
   const bool in_front = std::abs(fix.bearing_rad) < 0.5 * kPi;
   if (!finite || !in_front || fix.range_m < options_.min_range_m ||
       fix.range_m > options_.max_range_m) {
@@ -48,6 +58,7 @@ SightingJudge::Ruling SightingJudge::Judge(const DockSighting& sighting, Senses*
   }
   if (!senses->filter().Fits(fix)) return Doubt(fix, senses);
   senses->filter().Correct(fix);
+  senses->SetGround(ground);
   doubted_.reset();
   doubts_ = 0;
   ++accepted_;

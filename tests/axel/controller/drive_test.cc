@@ -7,6 +7,8 @@
 
 #include "axel/controller/kinematic_rover.h"
 #include "controller/axel/odometry.h"
+#include "controller/axel/options.h"
+#include "controller/axel/senses.h"
 
 namespace dockyard::axel {
 namespace {
@@ -88,25 +90,29 @@ SensorFrame Frame(double left_rad, double right_rad, double pitch_rad, double ya
   return frame;
 }
 
+Motion Read(Odometer* odometer, const SensorFrame& frame) {
+  return odometer->Read(frame, GroundSlope{}, 0.0);
+}
+
 TEST(Odometer, RollsItsRadiusTimesTheAngle) {
   Odometer odometer(TestNominal());
-  odometer.Read(Frame(0, 0, 0, 0));
-  const Motion motion = odometer.Read(Frame(1.0, 2.0, 0, 0.3));
+  Read(&odometer, Frame(0, 0, 0, 0));
+  const Motion motion = Read(&odometer, Frame(1.0, 2.0, 0, 0.3));
   EXPECT_THAT(motion.length_m, DoubleNear(0.45, 1e-12));
   EXPECT_THAT(motion.turn_rad, DoubleNear(0.3, 1e-12));
 }
 
 TEST(Odometer, StandsStillWhenOnlyTheBodyPitches) {
   Odometer odometer(TestNominal());
-  odometer.Read(Frame(0, 0, 0, 0));
+  Read(&odometer, Frame(0, 0, 0, 0));
   // Nose down by 0.4: the encoders see the wheels turn back against the body.
-  EXPECT_THAT(odometer.Read(Frame(-0.4, -0.4, 0.4, 0)).length_m, DoubleNear(0.0, 1e-12));
+  EXPECT_THAT(Read(&odometer, Frame(-0.4, -0.4, 0.4, 0)).length_m, DoubleNear(0.0, 1e-12));
 }
 
 TEST(Odometer, CrossesTheHalfTurnOfYaw) {
   Odometer odometer(TestNominal());
-  odometer.Read(Frame(0, 0, 0, 3.1));
-  EXPECT_THAT(odometer.Read(Frame(0, 0, 0, -3.1)).turn_rad, DoubleNear(2 * kPi - 6.2, 1e-12));
+  Read(&odometer, Frame(0, 0, 0, 3.1));
+  EXPECT_THAT(Read(&odometer, Frame(0, 0, 0, -3.1)).turn_rad, DoubleNear(2 * kPi - 6.2, 1e-12));
 }
 
 TEST(Arm, IsLevelWhenItsAngleUndoesThePitch) {
@@ -115,7 +121,9 @@ TEST(Arm, IsLevelWhenItsAngleUndoesThePitch) {
   SensorFrame frame = StillFrame();
   frame.imu.pitch_rad = -0.3;
   frame.motors[2].encoder_counts = 2000;  // 0.2 rad further down
-  EXPECT_THAT(ArmElevation(nominal, frame), DoubleNear(0.0, 1e-12));
+  Senses senses(nominal, AxelOptions{});
+  senses.Update(frame);
+  EXPECT_THAT(senses.elevation_rad(), DoubleNear(0.0, 1e-12));
 }
 
 }  // namespace

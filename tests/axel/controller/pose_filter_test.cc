@@ -36,9 +36,9 @@ TEST_F(Filter, LevelsATiltedSighting) {
   ImuSample imu;
   imu.pitch_rad = 0.2;
   imu.roll_rad = -0.1;
-  const Pose3 X_HR{Tilt(imu), Eigen::Vector3d::Zero()};
+  const Pose3 X_HR{Tilt(AttitudeOf(imu)), Eigen::Vector3d::Zero()};
   const Pose3 X_RB = Inverse(FromGround(start_, 0.3) * X_HR) * nominal_.X_DB;
-  const Pose2 pose = PoseOf(LevelSighting(X_RB, imu, nominal_.X_DB), nominal_.X_DB);
+  const Pose2 pose = PoseOf(LevelSighting(X_RB, imu, nominal_.X_DB, {}), nominal_.X_DB);
   EXPECT_THAT(pose.x, DoubleNear(start_.x, 1e-9));
   EXPECT_THAT(pose.y, DoubleNear(start_.y, 1e-9));
   EXPECT_THAT(WrapPi(pose.heading - start_.heading), DoubleNear(0.0, 1e-9));
