@@ -126,6 +126,7 @@ const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"sensitivity_compact.yaml", 4 * (1 + 20)},
     {"sensitivity_loose.yaml", 4 * (1 + 20)},
     {"slack_arc.yaml", 6 * 3 * 2},
+    {"slope.yaml", 5 * 3 * 2},
     {"tether_arc.yaml", 4 * 2},
 };
 
