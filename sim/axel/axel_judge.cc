@@ -90,11 +90,13 @@ AxelMeasures AxelJudge::FinalMeasures(const Belief& belief) const {
   return measures;
 }
 
-Conclusion AxelJudge::Conclude(const Commands& last, const Belief& belief) {
+Conclusion AxelJudge::Conclude(const Commands& last, const Belief& belief,
+                               const TrialWatch& watch) {
   if (last.verdict == Verdict::kDocked) {
     for (Tick t = 0; t < kSettleTicks; t += kControlPeriod) {
       plant_.RefreshTruth();
       outcome_.Observe(plant_.truth());
+      watch("rest");
       plant_.Advance(last);
     }
   }
@@ -102,7 +104,12 @@ Conclusion AxelJudge::Conclude(const Commands& last, const Belief& belief) {
   outcome_.Observe(plant_.truth());
   const AxelMeasures measures = FinalMeasures(belief);
   ShakeResult shake;
-  if (outcome_.entered_at_rest()) shake = Shake(plant_.world(), plant_.built().world.rover);
+  if (outcome_.entered_at_rest()) {
+    shake = Shake(plant_.world(), plant_.built().world.rover, [&](const Truth& now) {
+      plant_.TakeTruth(now);
+      watch("shake");
+    });
+  }
   const auto verdict =
       outcome_.Conclude(last.verdict, static_cast<int>(measures.recoveries), shake);
   return {Name(verdict.outcome), verdict.note, Values(measures)};

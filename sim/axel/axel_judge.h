@@ -47,7 +47,7 @@ class AxelJudge final : public Judge {
   void Observe() override;
   void ObserveSighting(const SightingReport& report) override;
   bool fatal() const override { return outcome_.fatal(); }
-  Conclusion Conclude(const Commands& last, const Belief& belief) override;
+  Conclusion Conclude(const Commands& last, const Belief& belief, const TrialWatch& watch) override;
 
  private:
   void ObserveSlowly();

@@ -32,7 +32,8 @@ class AxelPlant final : public Plant {
   const BuiltRun& built() const { return built_; }
   /// The truth at the last sensor reading.
   const Truth& truth() const { return truth_; }
-  void RefreshTruth() { truth_ = world_.truth(); }
+  void RefreshTruth() { TakeTruth(world_.truth()); }
+  void TakeTruth(const Truth& now) { truth_ = now; }
   World& world() { return world_; }
 
  private:

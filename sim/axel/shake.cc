@@ -15,7 +15,8 @@ constexpr Tick kAwayTicks = 2000;
 
 class Shaker {
  public:
-  Shaker(World& world, const RoverModel& rover) : world_(world), rover_(rover) {
+  Shaker(World& world, const RoverModel& rover, const std::function<void(const Truth&)>& watch)
+      : world_(world), rover_(rover), watch_(watch) {
     const Truth before = world_.truth();
     heading_ = ToGround(before.X_DR).heading;
     p_MT_ = before.p_MT;
@@ -51,10 +52,12 @@ class Shaker {
     turn_ = std::max(turn_, std::abs(WrapPi(ToGround(now.X_DR).heading - heading_)));
     travel_ = std::max(travel_, (now.p_MT - p_MT_).norm());
     least_depth_ = std::min(least_depth_, -now.p_MT.x());
+    if (watch_) watch_(now);
   }
 
   World& world_;
   const RoverModel& rover_;
+  const std::function<void(const Truth&)>& watch_;
   double heading_ = 0.0;
   Eigen::Vector3d p_MT_;
   double turn_ = 0.0, travel_ = 0.0, least_depth_ = 0.0;
@@ -62,8 +65,9 @@ class Shaker {
 
 }  // namespace
 
-ShakeResult Shake(World& world, const RoverModel& rover) {
-  Shaker shaker(world, rover);
+ShakeResult Shake(World& world, const RoverModel& rover,
+                  const std::function<void(const Truth&)>& watch) {
+  Shaker shaker(world, rover, watch);
   shaker.Drive(0.0, kYawRate, kYawTicks);
   shaker.Drive(0.0, -kYawRate, 2 * kYawTicks);
   shaker.Drive(0.0, kYawRate, kYawTicks);

@@ -1,13 +1,17 @@
 // The testbed's proof of a docking: spool braked, the rover turns to and fro, then drives away.
 #pragma once
 
-#include "sim/axel/axel_judge.h"
+#include <functional>
+
+#include "sim/axel/outcome.h"
 #include "sim/axel/world.h"
 
 namespace dockyard::axel {
 
 /// Shakes the rover in the world and returns how far it moved. Wheels turn it 11 deg to and fro at
-/// 0.1 rad/s, then both drive away at 0.1 m/s for 2 s. The world keeps the changes.
-ShakeResult Shake(World& world, const RoverModel& rover);
+/// 0.1 rad/s, then both drive away at 0.1 m/s for 2 s. The world keeps the changes. `watch` sees
+/// the truth every control period.
+ShakeResult Shake(World& world, const RoverModel& rover,
+                  const std::function<void(const Truth&)>& watch = {});
 
 }  // namespace dockyard::axel

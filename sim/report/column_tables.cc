@@ -112,7 +112,8 @@ ColumnTable Levels() {
 
 ColumnTable History() {
   return {"history.csv",
-          "Of a run whose log is kept: truth and belief, 10 Hz and at the end.",
+          "Of a run whose log is kept: truth and belief, 10 Hz and at the end, the judge's trial "
+          "included.",
           {{"time_s", "s", "simulated time"},
            {"x_m", "m",
             "truth: `X_DR`, the robot in the target's frame D "
@@ -120,7 +121,8 @@ ColumnTable History() {
            {"y_m", "m", "truth, likewise"},
            {"heading_deg", "deg", "truth, likewise"},
            {"[channels]", "", "truth, by the system: below"},
-           {"phase", "", "belief: state of the controller"},
+           {"phase", "",
+            "belief: state of the controller; `rest` and `shake` while the judge tries a claim"},
            {"located", "", "belief: 1 if the believed pose means anything yet"},
            {"believed_x_m", "m", "belief: `X_DR`"},
            {"believed_y_m", "m", "belief, likewise"},

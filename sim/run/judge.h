@@ -1,6 +1,7 @@
 // Names the outcome of a run from the truth alone. A judge is made on its own system's plant.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct Conclusion {
   std::vector<double> measures;  // by System::measures
 };
 
+/// Called every control period while a judge steps the plant to try a claim. phase: what it does.
+using TrialWatch = std::function<void(const char* phase)>;
+
 class Judge {
  public:
   virtual ~Judge() = default;
@@ -25,7 +29,8 @@ class Judge {
   /// Whether the run cannot go on.
   virtual bool fatal() const = 0;
   /// Called once, at the end. May step the plant further, to test a claim.
-  virtual Conclusion Conclude(const Commands& last, const Belief& belief) = 0;
+  virtual Conclusion Conclude(const Commands& last, const Belief& belief,
+                              const TrialWatch& watch) = 0;
 };
 
 }  // namespace dockyard

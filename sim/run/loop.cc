@@ -84,7 +84,8 @@ class Run {
       failure_ = failure;
     }
     if (pipe_ && !failure_) pipe_->Finish();
-    if (controller_) KeepEnd(controller_->belief());
+    // The run's last sample is of its end, wherever that lies between two periods.
+    if (controller_) KeepSample(controller_->belief());
     Finish(commands);
     if (pipe_) record_.messages = pipe_->Messages();
     if (failure_) record_.messages = failure_->messages();
@@ -119,15 +120,11 @@ class Run {
       record_.plans.push_back({time_s(), belief.plan});
       if (log_) log_->Append(record_.plans.back(), tick);
     }
-    if (tick % kHistoryPeriod == 0) {
-      record_.history.push_back(Sample(belief));
-      if (log_) LogTruth(tick);
-    }
+    if (tick % kHistoryPeriod == 0) KeepSample(belief);
     if (tick % kHashPeriod == 0) hash_ = plant().StateHash(hash_);
   }
 
-  /// The history's last sample is of the run's end, wherever that lies between two periods.
-  void KeepEnd(const Belief& belief) {
+  void KeepSample(const Belief& belief) {
     record_.history.push_back(Sample(belief));
     if (log_) LogTruth(plant().tick());
   }
@@ -167,11 +164,26 @@ class Run {
     return sample;
   }
 
+  /// While the judge tries a claim, the history goes on under the judge's phase. Its last sample is
+  /// of the trial's end.
+  Conclusion Conclude(const Commands& commands) {
+    Belief belief = controller_ ? controller_->belief() : Belief{};
+    Tick kept = plant().tick();
+    const auto watch = [&](const char* phase) {
+      belief.phase = phase;
+      if (plant().tick() - kept < kHistoryPeriod) return;
+      kept = plant().tick();
+      KeepSample(belief);
+    };
+    Conclusion conclusion = ready_.judge->Conclude(commands, belief, watch);
+    if (plant().tick() != kept) KeepSample(belief);
+    return conclusion;
+  }
+
   void Finish(const Commands& commands) {
     RunResult& row = record_.result;
     row.sim_time_s = time_s();
-    Conclusion conclusion =
-        ready_.judge->Conclude(commands, controller_ ? controller_->belief() : Belief{});
+    Conclusion conclusion = Conclude(commands);
     if (failure_) {
       conclusion.outcome = failure_->outcome();
       conclusion.note = failure_->what();

@@ -51,7 +51,7 @@ class EndsWell final : public Judge {
   void Observe() override {}
   void ObserveSighting(const SightingReport&) override {}
   bool fatal() const override { return false; }
-  Conclusion Conclude(const Commands& last, const Belief&) override {
+  Conclusion Conclude(const Commands& last, const Belief&, const TrialWatch&) override {
     return {"seen", NumberText(last.motors[0].target), {}};
   }
 };

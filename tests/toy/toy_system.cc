@@ -78,7 +78,7 @@ class AtTheFlag final : public Judge {
   void Observe() override {}
   void ObserveSighting(const SightingReport&) override {}
   bool fatal() const override { return false; }
-  Conclusion Conclude(const Commands& last, const Belief&) override {
+  Conclusion Conclude(const Commands& last, const Belief&, const TrialWatch&) override {
     const double miss_m = std::abs(plant_.X_DR().x);
     const bool claimed = last.verdict == Verdict::kDocked;
     const char* outcome = !claimed ? "timeout" : miss_m < 0.05 ? "at_flag" : "missed";

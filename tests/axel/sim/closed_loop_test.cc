@@ -1,8 +1,11 @@
 // The whole loop: physics, pixels and the real controller, on short runs.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "axel/sim/scenarios.h"
 #include "sim/log/run_log.h"
@@ -41,6 +44,31 @@ TEST(ClosedLoop, TheSameSeedGivesTheSameRunBitForBit) {
   EXPECT_EQ(first.result.sim_time_s, second.result.sim_time_s);
   ASSERT_EQ(first.history.size(), second.history.size());
   EXPECT_EQ(first.history.back().X_DR, second.history.back().X_DR);
+}
+
+// The rest of 2 s, turns of 11 deg to and fro at 0.1 rad/s and 2 s of driving away.
+TEST(ClosedLoop, HistoryGoesOnWhileTheJudgeShakesTheRover) {
+  const RunRecord record = SimulateTypical(
+      {"controller=reel_only", "start.r_m=1.5", "start.alpha_deg=0", "time_limit_s=100"});
+  ASSERT_TRUE(record.result.docked) << record.failure_note;
+  double before_s = 0.0, turned_rad = 0.0;
+  std::vector<std::string> phases;
+  std::optional<Pose2> claimed;
+  for (const HistorySample& sample : record.history) {
+    EXPECT_LT(sample.time_s - before_s, 0.11);
+    before_s = sample.time_s;
+    if (phases.empty() || phases.back() != sample.phase) phases.push_back(sample.phase);
+    if (sample.phase == "rest") {
+      EXPECT_GT(sample.time_s, record.result.sim_time_s);
+      if (!claimed) claimed = sample.X_DR;
+    }
+    if (sample.phase == "shake" && claimed) {
+      turned_rad = std::max(turned_rad, std::abs(WrapPi(sample.X_DR.heading - claimed->heading)));
+    }
+  }
+  EXPECT_THAT(phases, testing::ElementsAre("reel", "docked", "rest", "shake"));
+  EXPECT_NEAR(record.history.back().time_s - record.result.sim_time_s, 2.0 + 7.68 + 2.0, 0.1);
+  EXPECT_GT(turned_rad, Radians(0.2));  // play lets it turn
 }
 
 TEST(ClosedLoop, AnotherSeedGivesAnotherRun) {
