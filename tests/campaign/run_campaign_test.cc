@@ -371,14 +371,15 @@ TEST(RunCampaign, TellsANoteOfSeveralLinesInOne) {
   EXPECT_THAT(end.summary, HasSubstr("\n     first second\n"));
 }
 
-TEST(RunCampaign, EndsWhenAnInputFileProvesBad) {
+TEST(RunCampaign, LosesOnlyTheRunThatDrewWhatCannotBeSimulated) {
   const TemporaryFolder folder;
   const auto bad = [](const CampaignRun& run, const fs::path& dir) {
     if (run.run == 3) throw ConfigError("axel.yaml:14:9: wheels.radius_m: expected a number > 0");
     return FakeRun(run, dir);
   };
-  EXPECT_THROW(RunCampaign(FakeCampaign(4), bad, OptionsFor(folder.path(), 1)), ConfigError);
-  EXPECT_EQ(RowsIn(folder.path()), 2);  // those before it
+  const CampaignEnd end = RunCampaign(FakeCampaign(4), bad, OptionsFor(folder.path(), 1));
+  EXPECT_EQ(RowsIn(folder.path()), 4);
+  EXPECT_EQ(NoteOf(end, 3), "refused: axel.yaml:14:9: wheels.radius_m: expected a number > 0");
 }
 
 TEST(RunCampaign, EndsWhenARunCannotWrite) {
