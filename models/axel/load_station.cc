@@ -71,7 +71,8 @@ void ReadBoardOf(const YamlReader& root, StationModel& station) {
 }
 
 void ReadFeet(const YamlReader& root, StationModel& station) {
-  const YamlReader in(root.Child("feet"), "feet", {"soles_m", "friction", "stiffness_n_per_m"});
+  const YamlReader in(root.Child("feet"), "feet",
+                      {"soles_m", "friction", "stiffness_n_per_m", "sole_diameter_m"});
   const YamlNode& list = in.List("soles_m", 3, 16);
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const YamlReader sole(list.items[i], YamlReader::PathOf(in.PathOf("soles_m"), i), {"x", "y"});
@@ -80,6 +81,7 @@ void ReadFeet(const YamlReader& root, StationModel& station) {
   }
   station.foot_friction = in.Number("friction", NonNegative(3.0));
   station.foot_stiffness_n_per_m = in.Number("stiffness_n_per_m", Between(1e3, 1e8));
+  station.sole_diameter_m = in.NumberOr("sole_diameter_m", 0.0, NonNegative(0.3));
 }
 
 /// The station must stand: the weight must fall between the soles, else it topples by itself.
@@ -186,6 +188,7 @@ void WriteLeftOut(const StationModel& told, YamlNode& tree) {
   PutIfLeftOut(tree, "mass_kg", told.module.mass_kg);
   PutIfLeftOut(tree, "mouth_height_m", told.mouth_height_m);
   PutIfLeftOut(tree, "cone.stop_depth_m", 0.0);
+  PutIfLeftOut(tree, "feet.sole_diameter_m", 0.0);
   PutMountingIfLeftOut(tree, "board.mounting");
 }
 

@@ -49,6 +49,7 @@ struct StationModel {
   std::vector<FootModel> feet;
   double foot_friction = 0.0;           // Coulomb, feet on soil
   double foot_stiffness_n_per_m = 0.0;  // each foot, vertical and tangential
+  double sole_diameter_m = 0.0;         // round soles that sink into the soil; 0: hard feet
 };
 
 /// Poses on the station in its own frame S, for the world, the renderer and the controller's

@@ -41,6 +41,7 @@ void VisitChannels(const Truth& truth, Visit&& visit) {
 struct AxelMeasures {
   double recoveries = 0.0;
   double tip_depth_m = 0.0, lateral_error_m = 0.0, yaw_error_deg = 0.0, station_shift_m = 0.0;
+  double station_sunk_m = 0.0;
   double cone_force_peak_n = 0.0, tension_peak_n = 0.0;
   double spool_current_mean_a = 0.0, spool_current_peak_a = 0.0;
   double wheel_current_mean_a = 0.0, wheel_current_peak_a = 0.0;
@@ -64,6 +65,8 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
         m.yaw_error_deg);
   visit("station_shift_m", "m", "mouth from where it stood at the start, at the end", false,
         m.station_shift_m);
+  visit("station_sunk_m", "m", "deepest foot of the station in the soil, 0 for hard feet", false,
+        m.station_sunk_m);
   visit("cone_force_peak_n", "N", "largest contact force of cone and face on the arm", false,
         m.cone_force_peak_n);
   visit("tension_peak_n", "N", "largest tension of the tether at the arm's tip", false,

@@ -73,6 +73,7 @@ AxelMeasures AxelJudge::FinalMeasures(const Belief& belief) const {
   measures.lateral_error_m = std::hypot(truth.p_MT.y(), truth.p_MT.z());
   measures.yaw_error_deg = Degrees(WrapPi(ToGround(truth.X_DR).heading - kPi));
   measures.station_shift_m = truth.station_shift_m;
+  measures.station_sunk_m = truth.station_sunk_m;
   measures.cone_force_peak_n = truth.cone_force_peak_n;
   measures.spool_current_mean_a = spool_current_.mean();
   measures.spool_current_peak_a = spool_current_.peak;

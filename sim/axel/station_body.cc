@@ -29,7 +29,11 @@ bool CrossesAxis(const Collision& collision, const Pose3& X_GL_axis, double from
 
 }  // namespace
 
-StationBody::StationBody(const StationModel& station, const Pose3& X_GS)
+SinkingPlate SoleOf(const StationModel& station, const SoilModel& soil) {
+  return station.sole_diameter_m > 0.0 ? RoundPlate(soil, station.sole_diameter_m) : SinkingPlate{};
+}
+
+StationBody::StationBody(const StationModel& station, const Pose3& X_GS, const SinkingPlate& sole)
     : station_(station), X_SM_(MouthInStation(station)) {
   // The module's own frame stands level; it is tipped about the mouth's centre.
   const Pose3 X_SL = X_SM_ * Pose3::Translation(0.0, 0.0, -station.mouth_height_m);
@@ -48,9 +52,10 @@ StationBody::StationBody(const StationModel& station, const Pose3& X_GS)
   DOCKYARD_CHECK(!station.feet.empty());
   feet_.resize(station.feet.size());
   const double share_kg = station.module.mass_kg / static_cast<double>(station.feet.size());
-  sole_ = {station.foot_stiffness_n_per_m,
-           2.0 * kFootDampingRatio * std::sqrt(station.foot_stiffness_n_per_m * share_kg),
-           station.foot_friction};
+  const bool sinks = sole.force_n_per_m_n > 0.0;
+  const double stiffness = sinks ? sole.rebound_n_per_m : station.foot_stiffness_n_per_m;
+  sole_ = {stiffness, 2.0 * kFootDampingRatio * std::sqrt(stiffness * share_kg),
+           station.foot_friction, sole};
   Refresh();
 }
 
@@ -130,6 +135,12 @@ void StationBody::Refresh() {
   motion_.w_GL_G = FromBullet(body_->getAngularVelocity());
   motion_.v_GL_G =
       FromBullet(body_->getLinearVelocity()) + motion_.w_GL_G.cross(motion_.X_GL.p - X_GP.p);
+}
+
+double StationBody::sunk_m() const {
+  double deepest = 0.0;
+  for (const GroundPoint& foot : feet_) deepest = std::max(deepest, foot.sunk_m);
+  return deepest;
 }
 
 std::uint64_t StationBody::StateHash(std::uint64_t seed) const {

@@ -22,9 +22,13 @@ struct StationFace {
   double offset_m = 0.0;
 };
 
+/// Of each foot on this soil; one that does not sink where the feet are hard.
+SinkingPlate SoleOf(const StationModel& station, const SoilModel& soil);
+
 class StationBody {
  public:
-  StationBody(const StationModel& station, const Pose3& X_GS);
+  /// sole: of each foot, as SoleOf gives it; by default the feet are hard.
+  StationBody(const StationModel& station, const Pose3& X_GS, const SinkingPlate& sole = {});
 
   /// Motion of the frame S.
   const LinkMotion& motion() const { return motion_; }
@@ -52,6 +56,8 @@ class StationBody {
   bool MeetsArm(int piece) const { return meets_arm_[static_cast<std::size_t>(piece)]; }
   /// Radius about the mouth that holds the whole station [m].
   double reach_m() const { return reach_m_; }
+  /// How deep the deepest foot has sunk [m]; 0 for hard feet.
+  double sunk_m() const;
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:

@@ -42,6 +42,7 @@ void World::Impl::TellMotion(Truth& truth) const {
   truth.arm_rad = rover_.joint_rad(RoverLink::kArm);
   truth.arm_rate_rad_s = rover_.joint_rad_s(RoverLink::kArm);
   truth.station_shift_m = (X_GM.p - p_GM_start_).head<2>().norm();
+  truth.station_sunk_m = station_.sunk_m();
 }
 
 void World::Impl::TellMotors(Truth& truth) const {

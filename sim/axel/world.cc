@@ -39,6 +39,12 @@ Pose3 RoverStart(const WorldSetup& setup) {
 }
 
 // On its feet, each pressed in by its share of the weight.
+double PressedIn(const WorldSetup& setup, double load_n) {
+  const SinkingPlate sole = SoleOf(setup.station, setup.soil);
+  return sole.force_n_per_m_n > 0.0 ? DepthUnder(sole, load_n)
+                                    : load_n / setup.station.foot_stiffness_n_per_m;
+}
+
 Pose3 StationStart(const WorldSetup& setup) {
   double z = 0.0;
   for (const FootModel& foot : setup.station.feet) {
@@ -46,9 +52,8 @@ Pose3 StationStart(const WorldSetup& setup) {
     z += setup.ground.Height(at.x(), at.y()) - foot.p_SF.z();
   }
   const double count = static_cast<double>(setup.station.feet.size());
-  const double pressed = setup.station.module.mass_kg * -GravityInSite(setup.slope).z() /
-                         (count * setup.station.foot_stiffness_n_per_m);
-  return FromGround(setup.X_GD, z / count - pressed);
+  const double weight_n = setup.station.module.mass_kg * -GravityInSite(setup.slope).z();
+  return FromGround(setup.X_GD, z / count - PressedIn(setup, weight_n / count));
 }
 
 }  // namespace
@@ -59,7 +64,7 @@ World::Impl::Impl(const WorldSetup& setup)
       gravity_G_(GravityInSite(setup.slope)),
       ground_(setup.ground),
       rover_(setup.rover, RoverStart(setup), setup.arm_start_rad, setup.add_right_side_first),
-      station_(setup.station, StationStart(setup)),
+      station_(setup.station, StationStart(setup), SoleOf(setup.station, setup.soil)),
       contacts_(setup.station.cone, gravity_G_, rover_, station_),
       drives_(setup.rover, setup.arm_start_rad),
       tether_(setup.rover.tether, setup.station, setup.rover.arm_length_m),

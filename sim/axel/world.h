@@ -54,7 +54,8 @@ struct Truth {
   double face_force_n = 0.0;       // part of the force now, on the annular face
   double tip_ground_force_n = 0.0;
   double station_shift_m =
-      0.0;  // horizontal distance of the mouth from where it stood at the start
+      0.0;                      // horizontal distance of the mouth from where it stood at the start
+  double station_sunk_m = 0.0;  // the deepest foot's; 0 for hard feet
   double left_sinkage_m = 0.0, right_sinkage_m = 0.0;
   double left_wheel_load_n = 0.0, right_wheel_load_n = 0.0;  // the soil's, along z of the site
 };

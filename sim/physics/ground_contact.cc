@@ -16,8 +16,11 @@ Eigen::Vector3d GroundForce(const HeightGrid& ground, const GroundMaterial& mate
   }
   const Eigen::Vector3d n = ground.Normal(p_G.x(), p_G.y());
   const double speed_out = v_G.dot(n);
-  const double press = std::max(
-      0.0, material.stiffness_n_per_m * below * n.z() - material.damping_ns_per_m * speed_out);
+  const double depth = below * n.z();
+  const double borne = material.plate.force_n_per_m_n > 0.0
+                           ? PressPlate(material.plate, depth, point.sunk_m)
+                           : material.stiffness_n_per_m * depth;
+  const double press = std::max(0.0, borne - material.damping_ns_per_m * speed_out);
   const Eigen::Vector3d v_along = v_G - speed_out * n;
   const double most = material.friction * press;
 
@@ -34,7 +37,7 @@ Eigen::Vector3d GroundForce(const HeightGrid& ground, const GroundMaterial& mate
 
 std::uint64_t HashPoint(std::uint64_t hash, const GroundPoint& point) {
   for (int i = 0; i < 3; ++i) hash = HashDouble(hash, point.bend_G[i]);
-  return hash;
+  return point.sunk_m == 0.0 ? hash : HashDouble(hash, point.sunk_m);
 }
 
 }  // namespace dockyard
