@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/soil/four.h"
+
 namespace dockyard {
 
 struct HeightGrid {
@@ -52,6 +54,75 @@ inline double Interpolate(const HeightGrid& grid, const std::vector<double>& fie
   const double at_low = low[0] + cell.u * (low[1] - low[0]);
   const double at_high = high[0] + cell.u * (high[1] - high[0]);
   return at_low + cell.v * (at_high - at_low);
+}
+
+/// The fields of the soil below a wheel, read at many places in one step. Lives as long as its grid
+/// keeps its samples.
+class GroundUnder {
+ public:
+  explicit GroundUnder(const HeightGrid& grid)
+      : x0_m_(grid.x0_m),
+        y0_m_(grid.y0_m),
+        per_cell_(1.0 / grid.cell_m),
+        last_x_(grid.nx - 1),
+        last_y_(grid.ny - 1),
+        nx_(grid.nx),
+        heights_(grid.heights_m.data()),
+        undisturbed_(grid.undisturbed_m.data()) {}
+
+  /// Bilinear heights at a point of the plan (of the nearest border point, outside): of the ground
+  /// as it is and as it was before any wheel.
+  void Read(double x_m, double y_m, double& surface_m, double& undisturbed_m) const {
+    const double x = Inside((x_m - x0_m_) * per_cell_, last_x_);
+    const double y = Inside((y_m - y0_m_) * per_cell_, last_y_);
+    const int ix = Cell(x, last_x_), iy = Cell(y, last_y_);
+    const std::ptrdiff_t low = static_cast<std::ptrdiff_t>(iy) * nx_ + ix;
+    surface_m = At(heights_ + low, x - ix, y - iy);
+    undisturbed_m = At(undisturbed_ + low, x - ix, y - iy);
+  }
+  void Read(Four x_m, Four y_m, Four& surface_m, Four& undisturbed_m) const;
+
+ private:
+  template <typename Real>
+  static Real Inside(Real at, double last) {
+    return Max(Min(at, Real(last)), Real(0.0));
+  }
+  static int Cell(double at, double last) { return static_cast<int>(at < last ? at : last - 1.0); }
+  template <typename Real>
+  static Real Between(Real a, Real b, Real c, Real d, Real u, Real v) {
+    const Real at_low = a + u * (b - a), at_high = c + u * (d - c);
+    return at_low + v * (at_high - at_low);
+  }
+  double At(const double* low, double u, double v) const {
+    return Between(low[0], low[1], low[nx_], low[nx_ + 1], u, v);
+  }
+
+  double x0_m_, y0_m_, per_cell_, last_x_, last_y_;
+  std::ptrdiff_t nx_;
+  const double *heights_, *undisturbed_;
+};
+
+inline void GroundUnder::Read(Four x_m, Four y_m, Four& surface_m, Four& undisturbed_m) const {
+  const Four x = Inside((x_m - x0_m_) * per_cell_, last_x_);
+  const Four y = Inside((y_m - y0_m_) * per_cell_, last_y_);
+  const auto corner = [&](int i, double& u, double& v) {
+    const int ix = Cell(x[i], last_x_), iy = Cell(y[i], last_y_);
+    u = ix;
+    v = iy;
+    return static_cast<std::ptrdiff_t>(iy) * nx_ + ix;
+  };
+  double ix0, ix1, ix2, ix3, iy0, iy1, iy2, iy3;
+  const std::ptrdiff_t i0 = corner(0, ix0, iy0), i1 = corner(1, ix1, iy1), i2 = corner(2, ix2, iy2),
+                       i3 = corner(3, ix3, iy3);
+  const Four u = x - Four(ix0, ix1, ix2, ix3), v = y - Four(iy0, iy1, iy2, iy3);
+  const auto field = [&](const double* f) {
+    const auto gather = [&](std::ptrdiff_t to) {
+      return Four(f[i0 + to], f[i1 + to], f[i2 + to], f[i3 + to]);
+    };
+    return Between(gather(0), gather(1), gather(nx_), gather(nx_ + 1), u, v);
+  };
+  surface_m = field(heights_);
+  undisturbed_m = field(undisturbed_);
 }
 
 /// A level grid that covers [x0, x0 + length] x [-width/2, width/2].

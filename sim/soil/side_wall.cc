@@ -1,8 +1,5 @@
 #include "sim/soil/side_wall.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace dockyard {
 namespace {
 
@@ -15,34 +12,29 @@ constexpr double kHalfMobilised = 0.50;
 
 }  // namespace
 
-void AddSideWall(const SoilLaws& laws, double contact_depth_m, const SpokeAxes& axes,
-                 const SideStrip& strip, double dt_s, SideWall& wall, LoadSum& sum) {
-  const double down = -axes.r_G.z();
-  if (down <= 0.0) {
-    wall = {};
-    return;
-  }
+void AddSideWalls(const SoilLaws& laws, double contact_depth_m, const SpokeAxesOf<Four>& axes,
+                  const SideStrips& strips, FourMask in_soil, double dt_s, SideWalls& walls,
+                  LoadSumOf<Four>& sum) {
+  const Four none = 0.0, down = -axes.r_z;
+  const FourMask on = in_soil & (down > 0.0);
   // The wall's way is that of the wheel's middle plane, where neither side is preferred.
-  const double middle = std::max(0.0, 0.5 * (strip.depth_left_m + strip.depth_right_m));
-  const double radius =
-      strip.radius_m - std::min(strip.radius_m, kPressureHeight * middle / std::max(down, 1e-3));
-  const SpokeVelocity v = VelocityAt(axes, radius, 0.0);
-  const double way = dt_s * std::sqrt(v.r * v.r + v.t * v.t + v.a * v.a);
-  if (way > 0.0) {
-    const double keep = Decay(way / ShearModulus(laws, contact_depth_m)),
-                 gain = (1.0 - keep) * dt_s / way;
-    wall.r = wall.r * keep + v.r * gain;
-    wall.t = wall.t * keep + v.t * gain;
-    wall.a = wall.a * keep + v.a * gain;
-  }
-  const bool left_leads = wall.a > 0.0;
-  const double depth = left_leads ? strip.depth_left_m : strip.depth_right_m;
-  if (depth <= 0.0) return;
-  const double y_m = left_leads ? strip.half_width_m : -strip.half_width_m;
-  const double share = (1.0 + kHalfMobilised) / (std::fabs(wall.a) + kHalfMobilised);
-  const double wall_n = share * strip.length_m * down * BulldozingResistance(laws, depth);
-  const double push = wall_n * wall.a, rub = laws.tan_phi * std::fabs(push);
-  sum.AddAt(axes, radius, y_m, {-rub * wall.r, -rub * wall.t, -push});
+  const Four middle = Max(0.5 * (strips.depth_left_m + strips.depth_right_m), none);
+  const Four radius =
+      strips.radius_m - Min(strips.radius_m, kPressureHeight * middle / Max(down, Four(1e-3)));
+  const SpokeVelocityOf<Four> v = VelocityAt(axes, radius, 0.0);
+  const double over_modulus = 1.0 / ShearModulus(laws, contact_depth_m);
+  const Four way = (dt_s * over_modulus) * Sqrt(v.r * v.r + v.t * v.t + v.a * v.a);
+  const Four keep = Decay(way), gain = (dt_s * over_modulus) * Gain(way);
+  walls.r = Select(on, keep * (walls.r + gain * v.r), none);
+  walls.t = Select(on, keep * (walls.t + gain * v.t), none);
+  walls.a = Select(on, keep * (walls.a + gain * v.a), none);
+  const FourMask left_leads = walls.a > 0.0;
+  const Four depth = Max(Select(left_leads, strips.depth_left_m, strips.depth_right_m), none);
+  const Four y_m = Select(left_leads, strips.half_width_m, -strips.half_width_m);
+  const Four share = (1.0 + kHalfMobilised) / (Abs(walls.a) + kHalfMobilised);
+  const Four wall_n = share * strips.length_m * down * BulldozingResistance(laws, depth);
+  const Four push = wall_n * walls.a, rub = laws.tan_phi * Abs(push);
+  sum.AddAt(axes, radius, y_m, {-(rub * walls.r), -(rub * walls.t), -push});
 }
 
 }  // namespace dockyard

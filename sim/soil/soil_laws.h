@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "models/parts/soil_model.h"
+#include "sim/soil/four.h"
 
 namespace dockyard {
 
@@ -38,19 +40,26 @@ SoilLaws MakeRimLaws(const SoilModel& soil, double plate_width_m);
 /// Laws for a paddle's tip, a blade of this thickness on a wheel of this width.
 SoilLaws MakeTipLaws(const SoilModel& soil, double thickness_m, double width_m);
 
+/// Powers are taken of no less.
+inline constexpr double kLeastSinkage_m = 1e-30;
+
 /// Pressure that yields soil at this sinkage under a plate (Bekker 1969): k z^n [Pa]; 0 for z <= 0.
-inline double YieldPressure(const SoilLaws& laws, double sinkage_m) {
-  return sinkage_m > 0.0 ? laws.k * std::exp(laws.n * std::log(sinkage_m)) : 0.0;
+template <typename Real>
+Real YieldPressure(const SoilLaws& laws, Real sinkage_m) {
+  const Real pressure_pa = laws.k * Power(Max(sinkage_m, Real(kLeastSinkage_m)), laws.n);
+  return Select(sinkage_m > 0.0, pressure_pa, Real(0.0));
 }
 
 /// Pressure that yields soil under a narrow blade: a hyperbola (Kondner 1963) that begins as a wide
 /// plate's curve at the same sinkage over width and ends at the blade's bearing strength [Pa]. Zero
 /// for laws that are not a tip's.
-inline double BladePressure(const SoilLaws& laws, double sinkage_m) {
-  if (laws.blade_strength_pa_m == 0.0 || sinkage_m <= 0.0) return 0.0;
-  const double strength = laws.blade_strength_pa + laws.blade_strength_pa_m * sinkage_m;
-  const double plate = YieldPressure(laws, sinkage_m * laws.plate_over_blade);
-  return strength * plate / (strength + plate);
+template <typename Real>
+Real BladePressure(const SoilLaws& laws, Real sinkage_m) {
+  if (laws.blade_strength_pa_m == 0.0) return 0.0;
+  const Real sunk_m = Max(sinkage_m, Real(kLeastSinkage_m));
+  const Real strength = laws.blade_strength_pa + laws.blade_strength_pa_m * sunk_m;
+  const Real plate = YieldPressure<Real>(laws, sunk_m * laws.plate_over_blade);
+  return Select(sinkage_m > 0.0, strength * plate / (strength + plate), Real(0.0));
 }
 
 /// A contact shallower than this counts as one so deep: shear bands are some ten grains thick
@@ -74,9 +83,10 @@ constexpr double kDirectionMemory = 0.55;
 /// `into` with its inward normal: all of it going straight in, less along the surface, as plates
 /// pushed through sand in all directions show (Li, Zhang and Goldman 2013). `driving` (0..1) is the
 /// share of the sliding that drives the wheel on.
-inline double BearingShare(const SoilLaws& laws, double into, double driving) {
-  const double along = kDraggedShare + (kDrivingShare - kDraggedShare) * driving;
-  const double in = into > 0.0 ? into : 0.0;
+template <typename Real>
+Real BearingShare(const SoilLaws& laws, Real into, Real driving) {
+  const Real along = kDraggedShare + (kDrivingShare - kDraggedShare) * driving;
+  const Real in = Max(into, Real(0.0));
   return 1.0 - laws.weakening * (1.0 - along) * (1.0 - in * in);
 }
 
@@ -84,8 +94,10 @@ inline double BearingShare(const SoilLaws& laws, double into, double driving) {
 /// up to the pressure, so the strength falls continuously to zero where a patch leaves the soil.
 /// `driving` (0..1): a driving wheel takes the soil between its paddles along, so that it slides on
 /// soil; when dragged, the soil stays and the rim slides under it.
-inline double ShearStrength(const SoilLaws& laws, double pressure_pa, double driving = 0.0) {
-  return std::fmin(laws.cohesion_pa, pressure_pa) +
+template <typename Real>
+Real ShearStrength(const SoilLaws& laws, Real pressure_pa,
+                   std::type_identity_t<Real> driving = 0.0) {
+  return Min(Real(laws.cohesion_pa), pressure_pa) +
          pressure_pa * (laws.tan_rim + driving * laws.tan_caught);
 }
 
@@ -97,24 +109,36 @@ inline double ShearModulus(const SoilLaws& laws, double contact_depth_m) {
 }
 
 /// exp(-x) to third order, bounded by 1 for every x >= 0.
-inline double Decay(double x) { return 1.0 / (1.0 + x * (1.0 + 0.5 * x)); }
+template <typename Real>
+Real Decay(Real x) {
+  return 1.0 / (1.0 + x * (1.0 + 0.5 * x));
+}
+/// (1 - Decay(x)) / (x Decay(x)): what the part that is not kept makes of a way, without dividing
+/// by the way.
+template <typename Real>
+Real Gain(Real x) {
+  return 1.0 + 0.5 * x;
+}
 
 /// Share of the shear strength that is mobilised, a vector of length <= 1 in the patch's plane.
 /// Under steady sliding it is Janosi and Hanamoto's 1 - exp(-j / K) along j; on reversal it first
 /// unloads at up to twice the virgin stiffness, as sheared soil does (Wong and Preston-Thomas
 /// 1983); at rest it stays. As an equation: dm = (dj - m |dj|) / K (the form of Dahl's friction).
-struct Mobilisation {
-  double t = 0.0, a = 0.0;  // along the wheel's turn, along the axle
+template <typename Real>
+struct MobilisationOf {
+  Real t = 0.0, a = 0.0;  // along the wheel's turn, along the axle
 
-  bool operator==(const Mobilisation&) const = default;
+  bool operator==(const MobilisationOf&) const = default;
 };
+using Mobilisation = MobilisationOf<double>;
 
-inline Mobilisation Shear(const Mobilisation& m, double slide_t_m, double slide_a_m,
-                          double shear_modulus_m) {
-  const double slide = std::sqrt(slide_t_m * slide_t_m + slide_a_m * slide_a_m);
-  if (slide == 0.0) return m;
-  const double keep = Decay(slide / shear_modulus_m), gain = (1.0 - keep) / slide;
-  return {m.t * keep + slide_t_m * gain, m.a * keep + slide_a_m * gain};
+template <typename Real>
+MobilisationOf<Real> Shear(const MobilisationOf<Real>& m, std::type_identity_t<Real> slide_t_m,
+                           std::type_identity_t<Real> slide_a_m, double shear_modulus_m) {
+  const Real slide_m = Sqrt(slide_t_m * slide_t_m + slide_a_m * slide_a_m);
+  const Real keep = Decay(slide_m * (1.0 / shear_modulus_m));
+  const Real gain = (1.0 - keep) / Max(slide_m, Real(1e-300));
+  return {keep * m.t + gain * slide_t_m, keep * m.a + gain * slide_a_m};
 }
 
 /// The same along a line.
@@ -139,7 +163,8 @@ inline double FacePressure(const SoilLaws& laws, double depth_m, double driving)
 
 /// Bulldozing resistance of a wheel's side per length of rut (Wong 2008, after Hegedus), its
 /// weight's part with the heap [N/m].
-inline double BulldozingResistance(const SoilLaws& laws, double depth_m) {
+template <typename Real>
+Real BulldozingResistance(const SoilLaws& laws, Real depth_m) {
   return depth_m * (kHeap * laws.bulldoze_n_per_m3 * depth_m + laws.passive_pa);
 }
 

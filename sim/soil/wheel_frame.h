@@ -2,9 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
+#include <type_traits>
 
 #include "controller/geometry/pose.h"
+#include "sim/soil/four.h"
 
 namespace dockyard {
 
@@ -16,20 +17,30 @@ struct WheelMotion {
 };
 
 /// Axes and motion of the spoke (cos, 0, -sin) in K: r outwards, t the way a point of the rim goes
-/// when the wheel turns forward, a along the axle.
-struct SpokeAxes {
-  Eigen::Vector3d r_G;
-  double cos = 0.0, sin = 0.0;
-  double t_z = 0.0, a_z = 0.0;  // how t and a climb
-  double v_r = 0.0, v_t = 0.0, v_a = 0.0;
-  double w_r = 0.0, w_t = 0.0, w_a = 0.0;
+/// when the wheel turns forward, a along the axle. Real is double, or Four for four spokes.
+template <typename Real>
+struct SpokeAxesOf {
+  Real r_x = 0.0, r_y = 0.0, r_z = 0.0;  // r in G
+  Real cos = 0.0, sin = 0.0;
+  Real t_z = 0.0;    // how t climbs
+  double a_z = 0.0;  // and the axle
+  Real v_r = 0.0, v_t = 0.0;
+  double v_a = 0.0;
+  Real w_r = 0.0, w_t = 0.0;
+  double w_a = 0.0;
 };
+using SpokeAxes = SpokeAxesOf<double>;
 
 /// Velocity of a point of the wheel along its spoke's axes [m/s].
-struct SpokeVelocity {
-  double r = 0.0, t = 0.0, a = 0.0;
+template <typename Real>
+struct SpokeVelocityOf {
+  Real r = 0.0, t = 0.0, a = 0.0;
 };
-inline SpokeVelocity VelocityAt(const SpokeAxes& axes, double radius_m, double y_m) {
+using SpokeVelocity = SpokeVelocityOf<double>;
+
+template <typename Real>
+SpokeVelocityOf<Real> VelocityAt(const SpokeAxesOf<Real>& axes, std::type_identity_t<Real> radius_m,
+                                 double y_m) {
   return {axes.v_r + y_m * axes.w_t, axes.v_t + radius_m * axes.w_a - y_m * axes.w_r,
           axes.v_a - radius_m * axes.w_t};
 }
@@ -50,51 +61,64 @@ struct WheelFrame {
     w_K = R.transpose() * motion.w_GK_G;
   }
 
-  SpokeAxes Along(double cos, double sin) const {
-    SpokeAxes axes;
-    axes.r_G = cos * x_G - sin * z_G;
+  template <typename Real>
+  SpokeAxesOf<Real> Along(Real cos, Real sin) const {
+    SpokeAxesOf<Real> axes;
+    axes.r_x = cos * x_G.x() - sin * z_G.x();
+    axes.r_y = cos * x_G.y() - sin * z_G.y();
+    axes.r_z = cos * x_G.z() - sin * z_G.z();
     axes.cos = cos;
     axes.sin = sin;
-    axes.t_z = -sin * x_G.z() - cos * z_G.z();
+    axes.t_z = -(sin * x_G.z()) - cos * z_G.z();
     axes.a_z = y_G.z();
-    axes.v_r = v_K.x() * cos - v_K.z() * sin;
-    axes.v_t = -v_K.x() * sin - v_K.z() * cos;
+    axes.v_r = cos * v_K.x() - sin * v_K.z();
+    axes.v_t = -(sin * v_K.x()) - cos * v_K.z();
     axes.v_a = v_K.y();
-    axes.w_r = w_K.x() * cos - w_K.z() * sin;
-    axes.w_t = -w_K.x() * sin - w_K.z() * cos;
+    axes.w_r = cos * w_K.x() - sin * w_K.z();
+    axes.w_t = -(sin * w_K.x()) - cos * w_K.z();
     axes.w_a = w_K.y();
     return axes;
   }
 };
 
 /// Load on the wheel along a spoke's axes [N].
-struct SpokeLoad {
-  double r = 0.0, t = 0.0, a = 0.0;
+template <typename Real>
+struct SpokeLoadOf {
+  Real r = 0.0, t = 0.0, a = 0.0;
 };
+using SpokeLoad = SpokeLoadOf<double>;
 
-/// Force and torque on the wheel in K.
-struct LoadSum {
-  Eigen::Vector3d force_K = Eigen::Vector3d::Zero(), torque_K = Eigen::Vector3d::Zero();
-  double sinkage_m = 0.0;  // of the lowest patch
-  bool in_contact = false;
+/// Force and torque on the wheel in K, of one spoke after another or of four at a time.
+template <typename Real>
+struct LoadSumOf {
+  Real force_x = 0.0, force_y = 0.0, force_z = 0.0, torque_x = 0.0, torque_y = 0.0, torque_z = 0.0;
+  Real sinkage_m = 0.0;  // of the lowest patch; 0 where none touches
 
-  void Touch(double depth_m) {
-    sinkage_m = std::max(sinkage_m, depth_m);
-    in_contact = true;
-  }
+  void Touch(Real depth_m) { sinkage_m = Max(sinkage_m, depth_m); }
   /// A load on the spoke at this radius, with its moments about the spoke's foot on the axle: the
   /// parts about r and t that its place across the width gives.
-  void Add(const SpokeAxes& axes, double radius_m, const SpokeLoad& load, double about_r_nm,
-           double about_t_nm) {
-    const double c = axes.cos, s = axes.sin;
-    const double turn_t = about_t_nm - radius_m * load.a;
-    force_K += Eigen::Vector3d(load.r * c - load.t * s, load.a, -load.r * s - load.t * c);
-    torque_K += Eigen::Vector3d(about_r_nm * c - turn_t * s, radius_m * load.t,
-                                -about_r_nm * s - turn_t * c);
+  void Add(const SpokeAxesOf<Real>& axes, Real radius_m, const SpokeLoadOf<Real>& load,
+           Real about_r_nm, Real about_t_nm) {
+    const Real c = axes.cos, s = axes.sin;
+    const Real turn_t = about_t_nm - radius_m * load.a;
+    force_x += load.r * c - load.t * s;
+    force_y += load.a;
+    force_z -= load.r * s + load.t * c;
+    torque_x += about_r_nm * c - turn_t * s;
+    torque_y += radius_m * load.t;
+    torque_z -= about_r_nm * s + turn_t * c;
   }
-  void AddAt(const SpokeAxes& axes, double radius_m, double y_m, const SpokeLoad& load) {
+  void AddAt(const SpokeAxesOf<Real>& axes, Real radius_m, Real y_m,
+             const SpokeLoadOf<Real>& load) {
     Add(axes, radius_m, load, -y_m * load.t, y_m * load.r);
   }
 };
+using LoadSum = LoadSumOf<double>;
+
+/// The four spokes' sums in one.
+inline LoadSum Together(const LoadSumOf<Four>& four) {
+  return {Sum(four.force_x),  Sum(four.force_y),  Sum(four.force_z),      Sum(four.torque_x),
+          Sum(four.torque_y), Sum(four.torque_z), Largest(four.sinkage_m)};
+}
 
 }  // namespace dockyard

@@ -10,6 +10,7 @@ namespace dockyard {
 namespace {
 
 constexpr int kStrips = 144;  // 2.5 deg each
+constexpr int kFours = kStrips / 4;
 // Ground this much above the highest of the sampled points may touch the wheel; assumed, range
 // 0.005-0.03: below it ruts' walls between the samples are missed, above it time is lost.
 constexpr double kGroundMargin_m = 0.015;
@@ -40,11 +41,13 @@ WheelSoil::WheelSoil(const WheelModel& wheel, const SoilModel& soil)
     rim_.tan_caught = filled * filled * (rim_.tan_phi - rim_.tan_rim);
   }
   strip_length_m_ = bearing_radius_m_ * 2.0 * kPi / kStrips;
-  strips_.resize(kStrips);
-  for (int i = 0; i < kStrips; ++i) {
-    const double angle = (i + 0.5) * 2.0 * kPi / kStrips;
-    strips_[i].cos = std::cos(angle);
-    strips_[i].sin = std::sin(angle);
+  strips_.resize(kFours);
+  for (int i = 0; i < kFours; ++i) {
+    const auto angle = [&](int k) { return (4 * i + k + 0.5) * 2.0 * kPi / kStrips; };
+    strips_[i].cos = {std::cos(angle(0)), std::cos(angle(1)), std::cos(angle(2)),
+                      std::cos(angle(3))};
+    strips_[i].sin = {std::sin(angle(0)), std::sin(angle(1)), std::sin(angle(2)),
+                      std::sin(angle(3))};
   }
   paddles_.resize(wheel.paddle_count);
   for (int i = 0; i < wheel.paddle_count; ++i) {
@@ -81,58 +84,62 @@ void WheelSoil::FollowMotion(const WheelFrame& frame) {
 
 /// Adds the loads of one row across the width, the outer two first, so that a mirrored wheel adds
 /// the same numbers.
-void WheelSoil::AddRow(const SpokeAxes& axes, double radius_m,
-                       const std::array<SpokeLoad, kLines>& row, LoadSum& sum) const {
-  const SpokeLoad load{(row[0].r + row[2].r) + row[1].r, (row[0].t + row[2].t) + row[1].t,
-                       (row[0].a + row[2].a) + row[1].a};
+template <typename Real>
+void WheelSoil::AddRow(const SpokeAxesOf<Real>& axes, double radius_m, const RowOf<Real>& row,
+                       LoadSumOf<Real>& sum) const {
+  const SpokeLoadOf<Real> load{(row[0].r + row[2].r) + row[1].r, (row[0].t + row[2].t) + row[1].t,
+                               (row[0].a + row[2].a) + row[1].a};
   sum.Add(axes, radius_m, load, -line_width_m_ * (row[2].t - row[0].t),
           line_width_m_ * (row[2].r - row[0].r));
 }
 
-void WheelSoil::AddToEnvelope(const std::array<SpokeLoad, kLines>& row) {
-  envelope_.pressed_n -= (row[0].r + row[2].r) + row[1].r;
-  envelope_.rim_and_tips_n += (row[0].t + row[2].t) + row[1].t;
+template <typename Real>
+void WheelSoil::AddToEnvelope(const RowOf<Real>& row) {
+  envelope_.pressed_n -= Sum((row[0].r + row[2].r) + row[1].r);
+  envelope_.rim_and_tips_n += Sum((row[0].t + row[2].t) + row[1].t);
 }
 
-void WheelSoil::AddStrip(const HeightGrid& grid, const WheelFrame& frame, Strip& strip,
-                         LoadSum& sum) {
-  const SpokeAxes axes = frame.Along(strip.cos, strip.sin);
+void WheelSoil::AddStrips(const Place& at, Strips& strips, LoadSumOf<Four>& sum) {
+  const WheelFrame& frame = at.frame;
+  const SpokeAxesOf<Four> axes = frame.Along(strips.cos, strips.sin);
   const double area = rim_share_ * strip_length_m_ * line_width_m_;
-  std::array<SpokeLoad, kLines> row;
-  std::array<double, kLines> depth;
+  RowOf<Four> row;
+  std::array<Four, kLines> depth;
   for (int i = 0; i < kLines; ++i) {
-    const PatchPlace at(grid, frame, axes, bearing_radius_m_, (i - 1) * line_width_m_,
-                        wheel_.rim_radius_m);
-    row[i] = LoadPatch(rim_, travel_, contact_depth_m_, at, area, frame.dt_s, strip.patches[i]);
-    depth[i] = at.sinkage_m();
+    const PatchPlaceOf<Four> place(at.ground, frame, axes, bearing_radius_m_,
+                                   (i - 1) * line_width_m_, wheel_.rim_radius_m);
+    row[i] = LoadPatch(rim_, travel_, contact_depth_m_, place, area, frame.dt_s, strips.patches[i]);
+    depth[i] = place.sinkage_m();
   }
-  const double deepest = std::max(std::max(depth[0], depth[2]), depth[1]);
-  if (deepest <= 0.0) {
-    strip.side = {};
+  const Four deepest = Max(Max(depth[0], depth[2]), depth[1]);
+  const FourMask in_soil = deepest > 0.0;
+  if (!Any(in_soil)) {
+    strips.sides = {};
     return;
   }
   sum.Touch(deepest);
   AddRow(axes, bearing_radius_m_, row, sum);
   if (!paddles_.empty()) AddToEnvelope(row);
-  const SideStrip side{bearing_radius_m_, 0.5 * wheel_.width_m, strip_length_m_, depth[0],
-                       depth[2]};
-  AddSideWall(rim_, contact_depth_m_, axes, side, frame.dt_s, strip.side, sum);
+  const SideStrips sides{bearing_radius_m_, 0.5 * wheel_.width_m, strip_length_m_, depth[0],
+                         depth[2]};
+  AddSideWalls(rim_, contact_depth_m_, axes, sides, in_soil, frame.dt_s, strips.sides, sum);
 }
 
 void WheelSoil::MoveWindow(int first, int count) {
-  if (first == first_strip_ && count == strip_count_) return;
-  for (int i = 0; i < strip_count_; ++i) {
-    const int index = (first_strip_ + i) % kStrips;
-    if ((index - first + kStrips) % kStrips < count) continue;
+  if (first == first_four_ && count == four_count_) return;
+  for (int i = 0; i < four_count_; ++i) {
+    const int index = (first_four_ + i) % kFours;
+    if ((index - first + kFours) % kFours < count) continue;
     strips_[index].patches = {};
-    strips_[index].side = {};
+    strips_[index].sides = {};
   }
-  first_strip_ = first;
-  strip_count_ = count;
+  first_four_ = first;
+  four_count_ = count;
 }
 
-void WheelSoil::AddRim(const HeightGrid& grid, const WheelFrame& frame, LoadSum& sum) {
-  // The strips on both sides of the lowest one that are below the highest ground.
+void WheelSoil::AddRim(const Place& at, LoadSum& sum) {
+  // The strips on both sides of the lowest one that are below the highest ground, by fours.
+  const WheelFrame& frame = at.frame;
   const double down = std::atan2(frame.z_G.z(), -frame.x_G.z());
   const double upright = std::sqrt(1.0 - frame.y_G.z() * frame.y_G.z());
   const double clearance =
@@ -140,14 +147,22 @@ void WheelSoil::AddRim(const HeightGrid& grid, const WheelFrame& frame, LoadSum&
   const double ratio = clearance / (bearing_radius_m_ * upright);
   const double step = 2.0 * kPi / kStrips;
   int first = 0, count = 0;
+  half_angle_ = 0.0;
   if (ratio < 1.0) {
     const double half = std::acos(std::max(0.0, ratio));
-    first = static_cast<int>(std::ceil((down - half) / step - 0.5));
-    count = static_cast<int>(std::floor((down + half) / step - 0.5)) - first + 1;
-    first = ((first % kStrips) + kStrips) % kStrips;
+    const double first_strip = std::ceil((down - half) / step - 0.5);
+    const double last_strip = std::floor((down + half) / step - 0.5);
+    if (last_strip >= first_strip) {
+      half_angle_ = 0.5 * step * (last_strip - first_strip + 1.0);
+      first = static_cast<int>(std::floor(0.25 * first_strip));
+      count = static_cast<int>(std::floor(0.25 * last_strip)) - first + 1;
+      first = (first + kFours) % kFours;
+    }
   }
   MoveWindow(first, count);
-  for (int i = 0; i < count; ++i) AddStrip(grid, frame, strips_[(first + i) % kStrips], sum);
+  LoadSumOf<Four> fours;
+  for (int i = 0; i < count; ++i) AddStrips(at, strips_[(first + i) % kFours], fours);
+  sum = Together(fours);
 }
 
 /// Passive pressure on a paddle's face, buried from the tip up.
@@ -170,29 +185,29 @@ SpokeLoad WheelSoil::LoadFace(const PatchPlace& tip, const SpokeVelocity& v, dou
   return {0.0, -face.t * own_share * FacePressure(rim_, depth, driving) * area, 0.0};
 }
 
-void WheelSoil::AddPaddle(const HeightGrid& grid, const WheelFrame& frame, Paddle& paddle,
-                          LoadSum& sum) {
+void WheelSoil::AddPaddle(const Place& at, Paddle& paddle, LoadSum& sum) {
+  const WheelFrame& frame = at.frame;
   const double height = wheel_.paddle_height_m, tip = wheel_.rim_radius_m + height;
   const double middle = tip - 0.5 * height;
   const SpokeAxes axes = frame.Along(paddle.cos, paddle.sin);
-  const double rise = std::max(1e-6, height * -axes.r_G.z());  // of the root over the tip
+  const double rise = std::max(1e-6, height * -axes.r_z);  // of the root over the tip
   const double area = wheel_.paddle_thickness_m * line_width_m_;
-  std::array<SpokeLoad, kLines> tips;
+  RowOf<double> tips;
   paddle.face_loads = {};
   paddle.pushes = false;
   for (int i = 0; i < kLines; ++i) {
     const double y = (i - 1) * line_width_m_;
-    const PatchPlace at(grid, frame, axes, tip, y, tip);
-    if (at.surface_m <= at.z_m) {
+    const PatchPlace place(at.ground, frame, axes, tip, y, tip);
+    if (place.surface_m <= place.z_m) {
       paddle.tips[i] = {};
       paddle.faces[i] = {};
       continue;
     }
     paddle.pushes = true;
-    sum.Touch(at.sinkage_m());
-    tips[i] = LoadPatch(tip_, travel_, contact_depth_m_, at, area, frame.dt_s, paddle.tips[i]);
+    sum.Touch(place.sinkage_m());
+    tips[i] = LoadPatch(tip_, travel_, contact_depth_m_, place, area, frame.dt_s, paddle.tips[i]);
     paddle.face_loads[i] =
-        LoadFace(at, VelocityAt(axes, middle, y), rise, frame.dt_s, paddle.faces[i]);
+        LoadFace(place, VelocityAt(axes, middle, y), rise, frame.dt_s, paddle.faces[i]);
   }
   if (!paddle.pushes) return;
   AddRow(axes, tip, tips, sum);
@@ -209,19 +224,20 @@ void WheelSoil::AddFaces(const WheelFrame& frame, LoadSum& sum) const {
       envelope_, EnvelopeStrength(rim_, envelope_.pressed_n, tip, wheel_.width_m, sum.sinkage_m));
   for (const Paddle& paddle : paddles_) {
     if (!paddle.pushes) continue;
-    std::array<SpokeLoad, kLines> faces = paddle.face_loads;
+    RowOf<double> faces = paddle.face_loads;
     for (SpokeLoad& face : faces) face.t *= share;
     AddRow(frame.Along(paddle.cos, paddle.sin), tip - 0.5 * height, faces, sum);
   }
 }
 
-void WheelSoil::AddPaddles(const HeightGrid& grid, const WheelFrame& frame, LoadSum& sum) {
+void WheelSoil::AddPaddles(const Place& at, LoadSum& sum) {
+  const WheelFrame& frame = at.frame;
   const double reach = wheel_.rim_radius_m + wheel_.paddle_height_m;
   const double near_m = frame.top_m - frame.p_G.z() + 0.5 * wheel_.width_m;
   for (Paddle& paddle : paddles_) {
     const double rise = paddle.cos * frame.x_G.z() - paddle.sin * frame.z_G.z();
     if (rise < 0.0 && reach * rise < near_m) {
-      AddPaddle(grid, frame, paddle, sum);
+      AddPaddle(at, paddle, sum);
     } else {
       paddle.tips = {};
       paddle.faces = {};
@@ -231,10 +247,9 @@ void WheelSoil::AddPaddles(const HeightGrid& grid, const WheelFrame& frame, Load
 }
 
 void WheelSoil::LeaveRut(HeightGrid& grid, const WheelFrame& frame) {
-  if (strip_count_ == 0) return;
-  const double half = strip_count_ * kPi / kStrips;
+  if (four_count_ == 0) return;
   const RimPlace rim{frame.p_G, frame.y_G, bearing_radius_m_, wheel_.width_m,
-                     bearing_radius_m_ * std::sin(std::min(half, 0.5 * kPi))};
+                     bearing_radius_m_ * std::sin(std::min(half_angle_, 0.5 * kPi))};
   since_rut_s_ += frame.dt_s;
   if (since_rut_s_ < kRutPeriod_s - 1e-9) return;
   // A wheel that presses nothing rests, and its soil with it.
@@ -248,31 +263,39 @@ WheelLoad WheelSoil::Step(HeightGrid& grid, const WheelMotion& motion, double dt
   DOCKYARD_CHECK(dt_s > 0.0 && motion.X_GK.p.allFinite() && motion.X_GK.R.allFinite());
   DOCKYARD_CHECK(grid.nx > 1 && grid.ny > 1);
   if (grid.undisturbed_m.size() != grid.heights_m.size()) grid.undisturbed_m = grid.heights_m;
-  WheelFrame frame(motion, dt_s);
-  FindTop(grid, frame);
+  Place at{WheelFrame(motion, dt_s), GroundUnder(grid)};
+  const WheelFrame& frame = at.frame;
+  FindTop(grid, at.frame);
   FollowMotion(frame);
   contact_depth_m_ = ContactDepth(sinkage_m_ - travel_.excavated_m);
   LoadSum sum;
   envelope_ = {};
-  AddRim(grid, frame, sum);
-  AddPaddles(grid, frame, sum);
+  AddRim(at, sum);
+  AddPaddles(at, sum);
   AddFaces(frame, sum);
   LeaveRut(grid, frame);
   sinkage_m_ = sum.sinkage_m;
   WheelLoad load;
-  load.force_G = motion.X_GK.R * sum.force_K;
-  load.torque_G = motion.X_GK.R * sum.torque_K;
+  load.force_G = motion.X_GK.R * Eigen::Vector3d(sum.force_x, sum.force_y, sum.force_z);
+  load.torque_G = motion.X_GK.R * Eigen::Vector3d(sum.torque_x, sum.torque_y, sum.torque_z);
   load.sinkage_m = sum.sinkage_m;
-  load.in_contact = sum.in_contact;
+  load.in_contact = sum.sinkage_m > 0.0;
   return load;
 }
 
 namespace {
 
-std::uint64_t HashPatch(std::uint64_t hash, const Patch& patch) {
-  hash = HashDouble(HashDouble(hash, patch.shear.t), patch.shear.a);
-  hash = HashDouble(hash, patch.into);
-  return HashDouble(HashDouble(hash, patch.floor_m), patch.ride_m);
+std::uint64_t Hash(std::uint64_t hash, Four four) {
+  for (int i = 0; i < 4; ++i) hash = HashDouble(hash, four[i]);
+  return hash;
+}
+std::uint64_t Hash(std::uint64_t hash, double one) { return HashDouble(hash, one); }
+
+template <typename Real>
+std::uint64_t HashPatch(std::uint64_t hash, const PatchOf<Real>& patch) {
+  hash = Hash(Hash(hash, patch.shear.t), patch.shear.a);
+  hash = Hash(hash, patch.into);
+  return Hash(Hash(hash, patch.floor_m), patch.ride_m);
 }
 
 }  // namespace
@@ -281,9 +304,9 @@ std::uint64_t WheelSoil::StateHash(std::uint64_t seed) const {
   std::uint64_t hash = HashDouble(HashDouble(seed, sinkage_m_), travel_.excavated_m);
   hash = HashDouble(HashDouble(hash, travel_.going.t), travel_.going.a);
   hash = HashDouble(hash, since_rut_s_);
-  for (const Strip& strip : strips_) {
-    for (const Patch& patch : strip.patches) hash = HashPatch(hash, patch);
-    hash = HashDouble(HashDouble(HashDouble(hash, strip.side.r), strip.side.t), strip.side.a);
+  for (const Strips& strips : strips_) {
+    for (const PatchOf<Four>& patches : strips.patches) hash = HashPatch(hash, patches);
+    hash = Hash(Hash(Hash(hash, strips.sides.r), strips.sides.t), strips.sides.a);
   }
   for (const Paddle& paddle : paddles_) {
     for (const Patch& patch : paddle.tips) hash = HashPatch(hash, patch);

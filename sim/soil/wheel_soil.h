@@ -34,8 +34,8 @@ namespace dockyard {
 struct WheelLoad {
   Eigen::Vector3d force_G = Eigen::Vector3d::Zero();   // on the wheel [N]
   Eigen::Vector3d torque_G = Eigen::Vector3d::Zero();  // about the wheel's centre [N m]
-  double sinkage_m = 0.0;  // of the lowest element below the soil as it was
-  bool in_contact = false;
+  double sinkage_m = 0.0;   // of the lowest element below the soil as it was
+  bool in_contact = false;  // anything of it below the soil as it was
 };
 
 /// One wheel's contact state (shear displacement of every element) and the soil under it. Copyable
@@ -52,30 +52,39 @@ class WheelSoil {
 
  private:
   static constexpr int kLines = 3;  // across the width: right, middle, left
-  struct Strip {                    // of the rim
-    double cos = 0.0, sin = 0.0;    // direction from the axle in K: (cos, 0, -sin)
-    std::array<Patch, kLines> patches;
-    SideWall side;
+  template <typename Real>
+  using RowOf = std::array<SpokeLoadOf<Real>, kLines>;
+  struct Strips {   // four neighbours on the rim
+    Four cos, sin;  // directions from the axle in K: (cos, 0, -sin)
+    std::array<PatchOf<Four>, kLines> patches;
+    SideWalls sides;
   };
   struct Paddle {
     double cos = 0.0, sin = 0.0;
     std::array<Patch, kLines> tips;
-    std::array<Mobilisation, kLines> faces;    // of the passive pressure, along t
-    std::array<SpokeLoad, kLines> face_loads;  // of this step, as far as the soil behind them holds
+    std::array<Mobilisation, kLines> faces;  // of the passive pressure, along t
+    RowOf<double> face_loads;                // of this step, as far as the soil behind them holds
     bool pushes = false;
+  };
+  /// The wheel and the ground below it in one step.
+  struct Place {
+    WheelFrame frame;
+    GroundUnder ground;
   };
 
   void FindTop(const HeightGrid& grid, WheelFrame& frame) const;
   void FollowMotion(const WheelFrame& frame);
-  void AddRow(const SpokeAxes& axes, double radius_m, const std::array<SpokeLoad, kLines>& row,
-              LoadSum& sum) const;
+  template <typename Real>
+  void AddRow(const SpokeAxesOf<Real>& axes, double radius_m, const RowOf<Real>& row,
+              LoadSumOf<Real>& sum) const;
+  template <typename Real>
+  void AddToEnvelope(const RowOf<Real>& row);
   void MoveWindow(int first, int count);
-  void AddRim(const HeightGrid& grid, const WheelFrame& frame, LoadSum& sum);
-  void AddStrip(const HeightGrid& grid, const WheelFrame& frame, Strip& strip, LoadSum& sum);
-  void AddToEnvelope(const std::array<SpokeLoad, kLines>& row);
+  void AddRim(const Place& at, LoadSum& sum);
+  void AddStrips(const Place& at, Strips& strips, LoadSumOf<Four>& sum);
   void AddFaces(const WheelFrame& frame, LoadSum& sum) const;
-  void AddPaddles(const HeightGrid& grid, const WheelFrame& frame, LoadSum& sum);
-  void AddPaddle(const HeightGrid& grid, const WheelFrame& frame, Paddle& paddle, LoadSum& sum);
+  void AddPaddles(const Place& at, LoadSum& sum);
+  void AddPaddle(const Place& at, Paddle& paddle, LoadSum& sum);
   SpokeLoad LoadFace(const PatchPlace& tip, const SpokeVelocity& v, double rise_m, double dt_s,
                      Mobilisation& face) const;
   void LeaveRut(HeightGrid& grid, const WheelFrame& frame);
@@ -85,9 +94,10 @@ class WheelSoil {
   double bearing_radius_m_ = 0.0;  // of the rim with the soil caught between the paddles
   double strip_length_m_ = 0.0, line_width_m_ = 0.0, paddle_spacing_m_ = 0.0;
   double rim_share_ = 1.0;  // of the rim's area that paddles leave free
-  std::vector<Strip> strips_;
+  std::vector<Strips> strips_;
   std::vector<Paddle> paddles_;
-  int first_strip_ = 0, strip_count_ = 0;  // the strips that may touch, of the last step
+  int first_four_ = 0, four_count_ = 0;  // of strips_, those that may touch, of the last step
+  double half_angle_ = 0.0;              // of the strips that may touch
   Envelope envelope_;
   WheelTravel travel_;
   double contact_depth_m_ = 0.0;  // of the last step

@@ -184,12 +184,15 @@ int main(int argc, char** argv) {
   } else if (mode == "peer") {  // the other end of the pipe
     return dockyard::RunPeer();
   } else if (mode == "one-second") {  // under callgrind, see scripts/bench
-    dockyard::axel::World world(dockyard::axel::DrivingSetup(dockyard::axel::kLoose));
+    const bool compact = argc > 2 && std::string(argv[2]) == "compact";
+    dockyard::axel::World world(
+        dockyard::axel::DrivingSetup(compact ? dockyard::axel::kCompact : dockyard::axel::kLoose));
     dockyard::axel::DriveOneSecond(world);
   } else if (mode == "cone") {
     std::printf("%.0f\n", dockyard::axel::ConeStepsPerSecond(dockyard::axel::kLoose));
   } else {
-    std::fprintf(stderr, "usage: %s [all|physics|images|pipe|cone|one-second]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s [all|physics|images|pipe|cone|one-second [loose|compact]]\n",
+                 argv[0]);
     return 2;
   }
   return 0;

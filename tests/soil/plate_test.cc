@@ -53,7 +53,7 @@ class Plate {
       const WheelFrame frame(motion_, dt_s);
       const SpokeAxes down = frame.Along(0.0, 1.0);
       for (int iy = 0; iy < kPatches; ++iy) {
-        const PatchPlace at(grid_, frame, down, 0.0, (iy - 2) * side_m, 0.0);
+        const PatchPlace at(GroundUnder(grid_), frame, down, 0.0, (iy - 2) * side_m, 0.0);
         const SpokeLoad load =
             LoadPatch(laws_, travel_, 0.015, at, area_m2, dt_s, patches_[ix * kPatches + iy]);
         force_n -= load.r;
