@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 namespace dockyard {
 
@@ -48,11 +50,67 @@ inline Four Select(FourMask mask, Four a, Four b) {
 }
 inline double Select(bool first, double a, double b) { return first ? a : b; }
 
-inline bool Any(FourMask mask) {
-  const FourMask::Two any = mask.low | mask.high;
-  return (any[0] | any[1]) != 0;
+/// The mask's places as bits, the first the lowest.
+inline unsigned Bits(FourMask mask) {
+#if defined(__SSE2__)
+  return __builtin_ia32_movmskpd(reinterpret_cast<Four::Two>(mask.low)) |
+         __builtin_ia32_movmskpd(reinterpret_cast<Four::Two>(mask.high)) << 2;
+#else
+  return (mask.low[0] & 1) | (mask.low[1] & 2) | (mask.high[0] & 4) | (mask.high[1] & 8);
+#endif
 }
-inline bool Any(bool value) { return value; }
+inline unsigned Bits(bool value) { return value ? 1 : 0; }
+
+template <typename Mask>
+bool Any(Mask mask) {
+  return Bits(mask) != 0;
+}
+
+/// The numbers from here on.
+template <typename Real>
+Real Load(const double* first);
+template <>
+inline double Load<double>(const double* first) {
+  return *first;
+}
+template <>
+inline Four Load<Four>(const double* first) {
+  Four four;
+  std::memcpy(&four.low, first, sizeof four.low);
+  std::memcpy(&four.high, first + 2, sizeof four.high);
+  return four;
+}
+
+/// Calls visit.operator()<Real>(i) for all of 0 <= i < count, by fours as far as they go: Real is
+/// Four for i to i + 3, or double.
+template <typename Visit>
+void ForFours(int count, const Visit& visit) {
+  int i = 0;
+  for (; i + 4 <= count; i += 4) visit.template operator()<Four>(i);
+  for (; i < count; ++i) visit.template operator()<double>(i);
+}
+/// of(0) to of(3), or of(0) alone.
+template <typename Real, typename Of>
+Real Gather(const Of& of) {
+  if constexpr (std::is_same_v<Real, Four>) {
+    return Four(of(0), of(1), of(2), of(3));
+  } else {
+    return of(0);
+  }
+}
+inline double Place(Four four, int i) { return four[i]; }
+inline double Place(double one, int) { return one; }
+/// i and the numbers after it.
+template <typename Real>
+Real From(int i);
+template <>
+inline double From<double>(int i) {
+  return i;
+}
+template <>
+inline Four From<Four>(int i) {
+  return Four(0.0, 1.0, 2.0, 3.0) + static_cast<double>(i);
+}
 
 inline Four Min(Four a, Four b) { return Select(a < b, a, b); }
 inline Four Max(Four a, Four b) { return Select(a > b, a, b); }

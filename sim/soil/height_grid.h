@@ -32,7 +32,8 @@ struct GridCell {
   double u = 0.0, v = 0.0;
 };
 
-inline GridCell CellAt(const HeightGrid& grid, double x_m, double y_m) {
+/// Of a place counted in cells from sample (0, 0).
+inline GridCell CellAtCells(const HeightGrid& grid, double x_cells, double y_cells) {
   const auto locate = [](double at, int samples, int& index) {
     const double last = samples - 1;
     const double inside = at > 0.0 ? (at < last ? at : last) : 0.0;
@@ -41,9 +42,12 @@ inline GridCell CellAt(const HeightGrid& grid, double x_m, double y_m) {
     return inside - index;
   };
   GridCell cell;
-  cell.u = locate((x_m - grid.x0_m) / grid.cell_m, grid.nx, cell.ix);
-  cell.v = locate((y_m - grid.y0_m) / grid.cell_m, grid.ny, cell.iy);
+  cell.u = locate(x_cells, grid.nx, cell.ix);
+  cell.v = locate(y_cells, grid.ny, cell.iy);
   return cell;
+}
+inline GridCell CellAt(const HeightGrid& grid, double x_m, double y_m) {
+  return CellAtCells(grid, (x_m - grid.x0_m) / grid.cell_m, (y_m - grid.y0_m) / grid.cell_m);
 }
 
 /// Bilinear value of a field laid out like the grid's heights.

@@ -53,126 +53,180 @@ Window WindowAround(const HeightGrid& grid, const RimPlace& rim, int beside, int
   return window;
 }
 
-/// The rim's lower surface above or below a point of the ground plan. Axial place by the way.
-struct RimPoint {
-  bool over = false;
-  double z_m = 0.0, axial_m = 0.0;
+/// Whether soil as high as this reaches into the rim, by its place from the rim's centre.
+class InsideRim {
+ public:
+  explicit InsideRim(const RimPlace& rim)
+      : a_(rim.axis_G),
+        half_m_(0.5 * rim.width_m + kEdgeTolerance_m),
+        square_m2_((rim.radius_m + kEdgeTolerance_m) * (rim.radius_m + kEdgeTolerance_m)) {}
+
+  template <typename Real>
+  auto operator()(Real dx_m, double dy_m, Real dz_m) const {
+    const Real along = dx_m * a_.x() + dz_m * a_.z() + dy_m * a_.y();
+    const Real apart = dx_m * dx_m + dz_m * dz_m + (dy_m * dy_m - square_m2_);
+    return (Abs(along) <= half_m_) & (apart < along * along);
+  }
+
+ private:
+  Eigen::Vector3d a_;
+  double half_m_, square_m2_;
 };
 
-RimPoint RimAbove(const RimPlace& rim, double x_m, double y_m) {
-  const Eigen::Vector3d& a = rim.axis_G;
-  const double dx = x_m - rim.p_G.x(), dy = y_m - rim.p_G.y();
-  const double u0 = dx * a.x() + dy * a.y();
-  // |d|^2 - (d.a)^2 = R^2 for d = (dx, dy, dz), lower root.
-  const double q = 1.0 - a.z() * a.z();
-  const double root =
-      u0 * u0 * a.z() * a.z() - q * (dx * dx + dy * dy - u0 * u0 - rim.radius_m * rim.radius_m);
-  if (root <= 0.0) return {};
-  const double dz = (u0 * a.z() - std::sqrt(root)) / q;
-  const double axial = u0 + dz * a.z();
-  return {std::fabs(axial) <= 0.5 * rim.width_m + kEdgeTolerance_m, rim.p_G.z() + dz, axial};
-}
-
-void AddSoil(HeightGrid& grid, double x_m, double y_m, double height_m) {
-  const GridCell at = CellAt(grid, x_m, y_m);
-  const std::size_t low = static_cast<std::size_t>(at.iy) * grid.nx + at.ix;
-  const auto add = [&](std::size_t index, double share) {
-    grid.heights_m[index] += share * height_m;
-  };
-  add(low, (1.0 - at.u) * (1.0 - at.v));
-  add(low + 1, at.u * (1.0 - at.v));
-  add(low + grid.nx, (1.0 - at.u) * at.v);
-  add(low + grid.nx + 1, at.u * at.v);
-}
-
-/// Moves soil taken at a point under the wheel to the berms on both sides of it.
-void HeapBeside(HeightGrid& grid, const RimPlace& rim, double x_m, double y_m, double axial_m,
-                double height_m) {
-  for (std::size_t i = 0; i < kBermCells.size(); ++i) {
-    const double out = 0.5 * rim.width_m + kBermCells[i] * grid.cell_m;
-    const double left = out - axial_m, right = -out - axial_m;
-    AddSoil(grid, x_m + left * rim.axis_G.x(), y_m + left * rim.axis_G.y(),
-            kBermShares[i] * height_m);
-    AddSoil(grid, x_m + right * rim.axis_G.x(), y_m + right * rim.axis_G.y(),
-            kBermShares[i] * height_m);
-  }
-}
-
-/// Calls visit(index, x, y) for every sample whose soil reaches into the rim.
-template <typename Visit>
-void ForSamplesInside(const HeightGrid& grid, const RimPlace& rim, const Visit& visit) {
+/// The samples whose soil reaches into the rim.
+void FindInside(const HeightGrid& grid, const RimPlace& rim, std::vector<GridSample>& inside) {
+  inside.clear();
   const Window window = WindowAround(grid, rim, 1, 1);
-  const Eigen::Vector3d p = rim.p_G, a = rim.axis_G;
-  const double x0 = grid.x0_m, cell = grid.cell_m;
-  const double half = 0.5 * rim.width_m + kEdgeTolerance_m;
-  const double radius = rim.radius_m + kEdgeTolerance_m, square = radius * radius;
+  const InsideRim is_inside(rim);
+  const double x_m = grid.x0_m - rim.p_G.x(), y_m = grid.y0_m - rim.p_G.y(), z_m = rim.p_G.z();
   for (int iy = window.y_begin; iy < window.y_end; ++iy) {
-    const double y = grid.y0_m + iy * cell, dy = y - p.y();
-    const double dy_along = dy * a.y(), dy_square = dy * dy - square;
-    const std::size_t row = static_cast<std::size_t>(iy) * grid.nx;
-    const double* heights = grid.heights_m.data() + row;
-    for (int ix = window.x_begin; ix < window.x_end; ++ix) {
-      const double dx = x0 + ix * cell - p.x(), dz = heights[ix] - p.z();
-      const double along = dx * a.x() + dy_along + dz * a.z();
-      if (std::fabs(along) > half || dx * dx + dz * dz + dy_square >= along * along) continue;
-      visit(row + ix, x0 + ix * cell, y);
-    }
+    const double dy_m = y_m + iy * grid.cell_m;
+    const double* heights = grid.heights_m.data() + static_cast<std::ptrdiff_t>(iy) * grid.nx;
+    ForFours(window.width(), [&]<typename Real>(int i) {
+      const int ix = window.x_begin + i;
+      const Real dx_m = x_m + grid.cell_m * From<Real>(ix);
+      unsigned bits = Bits(is_inside(dx_m, dy_m, Load<Real>(heights + ix) - z_m));
+      for (int k = ix; bits != 0; ++k, bits >>= 1) {
+        if ((bits & 1) != 0) inside.push_back({k, iy});
+      }
+    });
   }
 }
 
-/// The flow between the samples of one row and their neighbours, next in the row or in the next
-/// row: `far` samples on.
-struct Slope {
-  double steepest_m = 0.0, share = 0.0;
+/// The rim's lower surface above or below points of the ground plan.
+template <typename Real>
+struct RimAbove {
+  Real z_m = 0.0;
+  Real axial_m = 0.0;  // its place along the axle
+  decltype(Real(0.0) < 0.0) over;
 
-  void Flow(const double* here, const double* there, int count, int far, const unsigned char* under,
-            double* change) const {
-    const double steepest = steepest_m;
-    for (int i = 0; i < count; ++i) {
-      const double step = here[i] - there[i];
-      if (std::fabs(step) <= steepest || (under[i] | under[i + far]) != 0) continue;
-      const double moved = std::copysign(share * (std::fabs(step) - steepest), step);
-      change[i] -= moved;
-      change[i + far] += moved;
+  RimAbove(const RimPlace& rim, Real x_m, Real y_m) {
+    const Eigen::Vector3d& a = rim.axis_G;
+    const Real dx = x_m - rim.p_G.x(), dy = y_m - rim.p_G.y();
+    const Real u0 = dx * a.x() + dy * a.y();
+    // |d|^2 - (d.a)^2 = R^2 for d = (dx, dy, dz), lower root.
+    const double q = 1.0 - a.z() * a.z(), per_q = 1.0 / q;
+    const Real root =
+        u0 * u0 * (a.z() * a.z()) - q * (dx * dx + dy * dy - u0 * u0 - rim.radius_m * rim.radius_m);
+    const Real dz = (u0 * a.z() - Sqrt(Max(root, Real(0.0)))) * per_q;
+    z_m = dz + rim.p_G.z();
+    axial_m = u0 + dz * a.z();
+    over = (root > 0.0) & (Abs(axial_m) <= 0.5 * rim.width_m + kEdgeTolerance_m);
+  }
+};
+
+/// Where soil from under the wheel comes to rest.
+class Berms {
+ public:
+  Berms(const HeightGrid& grid, const RimPlace& rim)
+      : per_cell_(1.0 / grid.cell_m),
+        a_x_(rim.axis_G.x()),
+        a_y_(rim.axis_G.y()),
+        half_cells_(0.5 * rim.width_m * per_cell_) {}
+
+  /// Moves soil taken from a sample, at this place along the axle, to the berms on both sides.
+  void Heap(GridSample from, double axial_m, double height_m, HeightGrid& grid) const {
+    const double axial_cells = axial_m * per_cell_;
+    for (std::size_t i = 0; i < kBermCells.size(); ++i) {
+      const double out = half_cells_ + kBermCells[i];
+      for (const double aside : {out - axial_cells, -out - axial_cells}) {
+        Add(from.ix + aside * a_x_, from.iy + aside * a_y_, kBermShares[i] * height_m, grid);
+      }
     }
   }
+
+ private:
+  /// Adds soil at a place in cells, shared by the four samples around it.
+  static void Add(double x, double y, double height_m, HeightGrid& grid) {
+    const GridCell at = CellAtCells(grid, x, y);
+    double* low = grid.heights_m.data() + static_cast<std::ptrdiff_t>(at.iy) * grid.nx + at.ix;
+    double* high = low + grid.nx;
+    const double above = at.v * height_m, below = height_m - above;
+    low[0] += (1.0 - at.u) * below;
+    low[1] += at.u * below;
+    high[0] += (1.0 - at.u) * above;
+    high[1] += at.u * above;
+  }
+
+  double per_cell_, a_x_, a_y_, half_cells_;
 };
 
 /// Soil slides down between neighbours that differ by more than the slope allows, all at once, so
 /// that the order of the samples does not matter.
-void Slump(HeightGrid& grid, const Window& area, const Slope& slope, RutScratch& scratch) {
-  const int width = area.width(), height = area.height();
-  double* heights =
-      grid.heights_m.data() + static_cast<std::ptrdiff_t>(area.y_begin) * grid.nx + area.x_begin;
-  const unsigned char* under = scratch.under_wheel.data();
-  double* change = scratch.change_m.data();
-  for (int iy = 0; iy < height; ++iy) {
-    const double* row = heights + static_cast<std::ptrdiff_t>(iy) * grid.nx;
-    slope.Flow(row, row + 1, width - 1, 1, under + iy * width, change + iy * width);
-    if (iy + 1 == height) break;
-    slope.Flow(row, row + grid.nx, width, width, under + iy * width, change + iy * width);
+class Slump {
+ public:
+  Slump(HeightGrid& grid, const Window& area, double steepest_m, double share, RutScratch& scratch)
+      : steepest_m_(steepest_m), share_(share), flows_(scratch.flows) {
+    const int width = area.width(), height = area.height();
+    double* heights =
+        grid.heights_m.data() + static_cast<std::ptrdiff_t>(area.y_begin) * grid.nx + area.x_begin;
+    flows_.clear();
+    for (int iy = 0; iy < height; ++iy) {
+      double* row = heights + static_cast<std::ptrdiff_t>(iy) * grid.nx;
+      under_ = scratch.under_wheel.data() + static_cast<std::ptrdiff_t>(iy) * width;
+      FindFlows(row, width - 1, 1, 1);
+      if (iy + 1 < height) FindFlows(row, width, grid.nx, width);
+    }
+    for (const SoilFlow& flow : flows_) {
+      *flow.from -= flow.moved_m;
+      *flow.to += flow.moved_m;
+    }
   }
-  for (int iy = 0; iy < height; ++iy) {
-    double* row = heights + static_cast<std::ptrdiff_t>(iy) * grid.nx;
-    for (int ix = 0; ix < width; ++ix) row[ix] += change[iy * width + ix];
+
+ private:
+  /// The flows between samples of one row and their neighbours: `far` samples on in the grid and
+  /// `far_under` in what is under the wheel.
+  void FindFlows(double* row, int count, int far, int far_under) {
+    ForFours(count, [&]<typename Real>(int i) {
+      const Real step = Load<Real>(row + i) - Load<Real>(row + i + far);
+      unsigned bits = Bits(Abs(step) > steepest_m_);
+      for (int k = i; bits != 0; ++k, bits >>= 1) {
+        if ((bits & 1) == 0 || (under_[k] | under_[k + far_under]) != 0) continue;
+        const double here = row[k] - row[k + far];
+        const double moved = std::copysign(share_ * (std::fabs(here) - steepest_m_), here);
+        flows_.push_back({row + k, row + k + far, moved});
+      }
+    });
   }
-}
+
+  double steepest_m_, share_;
+  const unsigned char* under_ = nullptr;
+  std::vector<SoilFlow>& flows_;
+};
 
 }  // namespace
 
-double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double excavated_m) {
+double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double excavated_m,
+                RutScratch& scratch) {
+  FindInside(grid, rim, scratch.inside);
+  const Berms berms(grid, rim);
+  const double per_elastic = 1.0 / laws.elastic_pa_per_m;
   double taken = 0.0;
-  ForSamplesInside(grid, rim, [&](std::size_t index, double x, double y) {
-    const RimPoint at = RimAbove(rim, x, y);
-    if (!at.over) return;
+  const std::vector<GridSample>& inside = scratch.inside;
+  ForFours(static_cast<int>(inside.size()), [&]<typename Real>(int first) {
+    const auto gather = [&](const auto& of) {
+      return Gather<Real>([&](int k) { return of(inside[first + k]); });
+    };
+    const auto sample_of = [&](const std::vector<double>& field) {
+      return gather(
+          [&](GridSample at) { return field[static_cast<std::size_t>(at.iy) * grid.nx + at.ix]; });
+    };
+    const RimAbove<Real> above(rim,
+                               grid.x0_m + grid.cell_m * gather([](GridSample s) { return s.ix; }),
+                               grid.y0_m + grid.cell_m * gather([](GridSample s) { return s.iy; }));
     // A heap above the soil as it was carries nothing: the wheel ploughs through it.
-    const double sinkage = grid.undisturbed_m[index] - at.z_m;
-    const double yield = YieldPressure(laws, sinkage - excavated_m);
-    const double sunk = grid.heights_m[index] - at.z_m - yield / laws.elastic_pa_per_m;
-    if (sunk <= 0.0) return;
-    grid.heights_m[index] -= sunk;
-    taken += sunk;
-    HeapBeside(grid, rim, x, y, at.axial_m, sunk);
+    const Real sinkage = sample_of(grid.undisturbed_m) - above.z_m;
+    const Real yield = YieldPressure<Real>(laws, sinkage - excavated_m);
+    const Real sunk = sample_of(grid.heights_m) - above.z_m - yield * per_elastic;
+    unsigned bits = Bits(above.over & (sunk > 0.0));
+    for (int k = 0; bits != 0; ++k, bits >>= 1) {
+      if ((bits & 1) == 0) continue;
+      const GridSample at = inside[first + k];
+      const double height_m = Place(sunk, k);
+      grid.heights_m[static_cast<std::size_t>(at.iy) * grid.nx + at.ix] -= height_m;
+      taken += height_m;
+      berms.Heap(at, Place(above.axial_m, k), height_m, grid);
+    }
   });
   if (taken > 0.0) ++grid.revision;
   return taken * grid.cell_m * grid.cell_m;
@@ -181,18 +235,16 @@ double PressRut(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, dou
 void SlumpBeside(HeightGrid& grid, const RimPlace& rim, const SoilLaws& laws, double dt_s,
                  RutScratch& scratch) {
   const Window area = WindowAround(grid, rim, kSlumpBeside, kSlumpBehind);
-  if (area.width() <= 0 || area.height() <= 0) return;
-  const std::size_t samples = static_cast<std::size_t>(area.width()) * area.height();
-  scratch.under_wheel.assign(samples, 0);
-  scratch.change_m.assign(samples, 0.0);
-  ForSamplesInside(grid, rim, [&](std::size_t index, double, double) {
-    const int iy = static_cast<int>(index / grid.nx), ix = static_cast<int>(index % grid.nx);
-    scratch.under_wheel[static_cast<std::size_t>(iy - area.y_begin) * area.width() +
-                        (ix - area.x_begin)] = 1;
-  });
+  const int width = area.width(), height = area.height();
+  if (width <= 0 || height <= 0) return;
+  scratch.under_wheel.assign(static_cast<std::size_t>(width) * height, 0);
+  for (const GridSample& at : scratch.inside) {
+    const int ix = at.ix - area.x_begin, iy = at.iy - area.y_begin;
+    scratch.under_wheel[static_cast<std::size_t>(iy) * width + ix] = 1;
+  }
   // A flow takes twice its share off the step between two samples.
   const double share = std::min(kLargestShare, 0.5 * (1.0 - std::exp2(-dt_s / kSlumpTime_s)));
-  Slump(grid, area, {laws.tan_phi * grid.cell_m, share}, scratch);
+  Slump(grid, area, laws.tan_phi * grid.cell_m, share, scratch);
   ++grid.revision;
 }
 

@@ -253,7 +253,7 @@ void WheelSoil::LeaveRut(HeightGrid& grid, const WheelFrame& frame) {
   since_rut_s_ += frame.dt_s;
   if (since_rut_s_ < kRutPeriod_s - 1e-9) return;
   // A wheel that presses nothing rests, and its soil with it.
-  if (PressRut(grid, rim, rim_, travel_.excavated_m) > 0.0) {
+  if (PressRut(grid, rim, rim_, travel_.excavated_m, scratch_) > 0.0) {
     SlumpBeside(grid, rim, rim_, since_rut_s_, scratch_);
   }
   since_rut_s_ = 0.0;
