@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "sim/axel/world_impl.h"
 #include "sim/base/hash.h"
@@ -10,8 +12,12 @@
 namespace dockyard::axel {
 namespace {
 
-// Rover and station come to rest before the run begins [s] (assumed, range 1-3).
+// Rover and station come to rest before the run begins: within this time [s] (assumed, range 1-3).
 constexpr double kSettleSeconds = 1.5;
+// They have, once no body was faster than this for a third of the time in which the rover swings
+// about its axle, 0.3 s: what is left then is a swing of 0.1 mm. Assumed, ranges 0.3-3 mm/s and
+// mrad/s, 0.05-0.3 s.
+constexpr double kRestMPerS = 1e-3, kRestRadPerS = 3e-3, kRestSeconds = 0.1;
 
 void Require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
@@ -26,53 +32,82 @@ void CheckSetup(const WorldSetup& setup) {
 }
 
 // Above the ground by the radius of the wheels, its body along the ground.
-Pose3 RoverStart(const WorldSetup& setup) {
+Pose3 RoverStart(const WorldSetup& setup, const HeightGrid& ground) {
   const Pose2 X_GR = setup.X_GD * setup.X_DR_start;
   double z = -1e9;
   for (bool left : {true, false}) {
     const Eigen::Vector3d& p = left ? setup.rover.p_R_left_wheel : setup.rover.p_R_right_wheel;
     const WheelModel& wheel = left ? setup.rover.left_wheel_soil : setup.rover.right_wheel_soil;
     const Eigen::Vector2d at = X_GR * Eigen::Vector2d(p.x(), p.y());
-    z = std::max(z, setup.ground.Height(at.x(), at.y()) + RollingRadius(wheel) - p.z());
+    z = std::max(z, ground.Height(at.x(), at.y()) + RollingRadius(wheel) - p.z());
   }
   return FromGround(X_GR, z);
 }
 
-// On its feet, each pressed in by its share of the weight.
-double PressedIn(const WorldSetup& setup, double load_n) {
-  const SinkingPlate sole = SoleOf(setup.station, setup.soil);
-  return sole.force_n_per_m_n > 0.0 ? DepthUnder(sole, load_n)
-                                    : load_n / setup.station.foot_stiffness_n_per_m;
+// A foot's force over its depth [N/m]: of one with a sole, at an equal share of the weight.
+double FootStiffness(const WorldSetup& setup) {
+  const StationModel& station = setup.station;
+  const SinkingPlate sole = SoleOf(station, setup.soil);
+  if (sole.force_n_per_m_n == 0.0) return station.foot_stiffness_n_per_m;
+  const double share_n = station.module.mass_kg * -GravityInSite(setup.slope).z() /
+                         static_cast<double>(station.feet.size());
+  return share_n / DepthUnder(sole, share_n);
 }
 
-Pose3 StationStart(const WorldSetup& setup) {
-  double z = 0.0;
-  for (const FootModel& foot : setup.station.feet) {
-    const Eigen::Vector2d at = setup.X_GD * Eigen::Vector2d(foot.p_SF.x(), foot.p_SF.y());
-    z += setup.ground.Height(at.x(), at.y()) - foot.p_SF.z();
+// On its feet, each pressed in by its share of the weight: the height and the two small tilts at
+// which the feet's forces and gravity balance. Feet and ground are springs, so this is linear.
+Pose3 StationStart(const WorldSetup& setup, const HeightGrid& ground) {
+  const StationModel& station = setup.station;
+  const Eigen::Vector3d com_D =
+      MouthInStation(station) *
+      Eigen::Vector3d(station.module.p_LoCom_L - station.mouth_height_m * Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d weight_D =
+      station.module.mass_kg * (RotZ(-setup.X_GD.heading) * GravityInSite(setup.slope));
+  const double foot_stiffness_n_per_m = FootStiffness(setup);
+  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d load = Eigen::Vector3d::Zero();
+  double sole_m = 0.0;
+  std::vector<Eigen::Vector4d> feet;  // how its sole goes up with height and tilts; ground above it
+  for (const FootModel& foot : station.feet) {
+    const Eigen::Vector3d& p = foot.p_SF;
+    const Eigen::Vector2d at = setup.X_GD * Eigen::Vector2d(p.x(), p.y());
+    feet.emplace_back(1.0, p.y(), -p.x(), ground.Height(at.x(), at.y()) - p.z());
+    const Eigen::Vector3d rise = feet.back().head<3>();
+    stiffness += foot_stiffness_n_per_m * rise * rise.transpose();
+    load += foot_stiffness_n_per_m * feet.back()[3] * rise;
+    sole_m += p.z() / static_cast<double>(station.feet.size());
   }
-  const double count = static_cast<double>(setup.station.feet.size());
-  const double weight_n = setup.station.module.mass_kg * -GravityInSite(setup.slope).z();
-  return FromGround(setup.X_GD, z / count - PressedIn(setup, weight_n / count));
+  // Weight, and its moments about the soles below the dock's origin: it leans on a slope.
+  const double above_m = com_D.z() - sole_m;
+  load += Eigen::Vector3d(weight_D.z(), com_D.y() * weight_D.z() - above_m * weight_D.y(),
+                          above_m * weight_D.x() - com_D.x() * weight_D.z());
+  const Eigen::Vector3d up = stiffness.ldlt().solve(load);
+  for (const Eigen::Vector4d& foot : feet) {
+    // A foot that would pull: it tips, and the steps show how.
+    if (foot[3] < foot.head<3>().dot(up)) return FromGround(setup.X_GD, up[0]);
+  }
+  Pose3 X_GS = FromGround(setup.X_GD, up[0]);
+  X_GS.R = X_GS.R * RotY(up[2]) * RotX(up[1]);
+  return X_GS;
 }
 
 }  // namespace
 
-World::Impl::Impl(const WorldSetup& setup)
-    : setup_((CheckSetup(setup), setup)),
-      X_WG_(SiteInWorld(setup.X_WG, setup.slope)),
-      gravity_G_(GravityInSite(setup.slope)),
-      ground_(setup.ground),
-      rover_(setup.rover, RoverStart(setup), setup.arm_start_rad, setup.add_right_side_first),
-      station_(setup.station, StationStart(setup), SoleOf(setup.station, setup.soil)),
-      contacts_(setup.station.cone, gravity_G_, rover_, station_),
-      drives_(setup.rover, setup.arm_start_rad),
-      tether_(setup.rover.tether, setup.station, setup.rover.arm_length_m),
-      rover_ground_(setup.rover),
-      left_soil_(setup.rover.left_wheel_soil, setup.soil),
-      right_soil_(setup.rover.right_wheel_soil, setup.soil),
-      imu_(setup.rover.imu.p_RI, gravity_G_) {
-  setup_.ground = HeightGrid{};  // the live one is ground_
+World::Impl::Impl(WorldSetup setup)
+    : setup_((CheckSetup(setup), std::move(setup))),
+      X_WG_(SiteInWorld(setup_.X_WG, setup_.slope)),
+      gravity_G_(GravityInSite(setup_.slope)),
+      ground_(std::move(setup_.ground)),
+      rover_(setup_.rover, RoverStart(setup_, ground_), setup_.arm_start_rad,
+             setup_.add_right_side_first),
+      station_(setup_.station, StationStart(setup_, ground_), SoleOf(setup_.station, setup_.soil)),
+      contacts_(setup_.station.cone, gravity_G_, rover_, station_),
+      drives_(setup_.rover, setup_.arm_start_rad),
+      tether_(setup_.rover.tether, setup_.station, setup_.rover.arm_length_m),
+      rover_ground_(setup_.rover),
+      left_soil_(setup_.rover.left_wheel_soil, setup_.soil),
+      right_soil_(setup_.rover.right_wheel_soil, setup_.soil),
+      imu_(setup_.rover.imu.p_RI, gravity_G_) {
   Settle();
 }
 
@@ -89,8 +124,14 @@ void World::Impl::Settle() {
   // A rover below the station hangs on its tether. Without it, braked wheels and body roll downhill
   // as one and turn the arm over the top.
   if (setup_.slope.angle_rad != 0.0) TieTether();
-  const int steps = static_cast<int>(std::lround(kSettleSeconds / setup_.step_s));
-  for (int i = 0; i < steps; ++i) Step(braked);
+  const auto StepsIn = [&](double seconds) {
+    return static_cast<int>(std::lround(seconds / setup_.step_s));
+  };
+  const int most = StepsIn(kSettleSeconds), enough = StepsIn(kRestSeconds);
+  for (int i = 0, slow = 0; i < most && slow < enough; ++i) {
+    Step(braked);
+    slow = NoneFaster(kRestMPerS, kRestRadPerS) ? slow + 1 : 0;
+  }
   steps_ = 0;
   drives_.PowerOn(rover_);
   imu_.Start(rover_.motion(RoverLink::kBody));
@@ -99,15 +140,18 @@ void World::Impl::Settle() {
   still_steps_ = 0;
 }
 
-bool World::Impl::IsStill() const {
-  const auto Still = [](const LinkMotion& link) {
-    return link.v_GL_G.squaredNorm() < kStillMPerS * kStillMPerS &&
-           link.w_GL_G.squaredNorm() < kStillRadPerS * kStillRadPerS;
+bool World::Impl::NoneFaster(double m_s, double rad_s) const {
+  const auto Slow = [&](const LinkMotion& link) {
+    return link.v_GL_G.squaredNorm() < m_s * m_s && link.w_GL_G.squaredNorm() < rad_s * rad_s;
   };
   for (int i = 0; i < kRoverLinkCount; ++i) {
-    if (!Still(rover_.motion(static_cast<RoverLink>(i)))) return false;
+    if (!Slow(rover_.motion(static_cast<RoverLink>(i)))) return false;
   }
-  return Still(station_.motion()) && drives_.IsStill(kStillRadPerS, setup_.step_s);
+  return Slow(station_.motion());
+}
+
+bool World::Impl::IsStill() const {
+  return NoneFaster(kStillMPerS, kStillRadPerS) && drives_.IsStill(kStillRadPerS, setup_.step_s);
 }
 
 void World::Impl::Step(const std::array<MotorCommand, kMotorCount>& commands) {
@@ -187,10 +231,10 @@ std::uint64_t World::Impl::StateHash(std::uint64_t seed) const {
 World::World(const WorldSetup& setup) {
   // A wheel that stands on one paddle rolls off it as it settles, by up to half a paddle's pitch.
   // So the rover is put down twice, the second time as far aside as it rolled the first time.
-  const Pose2 settled = ToGround(Impl(setup).MakeTruth().X_DR);
+  const Pose2 rolled = ToGround(Impl(setup).MakeTruth().X_DR);
   WorldSetup placed = setup;
-  placed.X_DR_start = setup.X_DR_start * Inverse(settled) * setup.X_DR_start;
-  impl_ = std::make_unique<Impl>(placed);
+  placed.X_DR_start = setup.X_DR_start * Inverse(rolled) * setup.X_DR_start;
+  impl_ = std::make_unique<Impl>(std::move(placed));
 }
 World::~World() = default;
 void World::Step(const std::array<MotorCommand, kMotorCount>& commands) { impl_->Step(commands); }

@@ -16,7 +16,7 @@ namespace dockyard::axel {
 /// All motion is computed in the site frame G; the world frame W enters with the truth only.
 class World::Impl {
  public:
-  explicit Impl(const WorldSetup& setup);
+  explicit Impl(WorldSetup setup);
 
   void Step(const std::array<MotorCommand, kMotorCount>& commands);
   Truth MakeTruth() const;
@@ -35,6 +35,7 @@ class World::Impl {
   void TieTether();
   void Settle();
   void Move(const std::array<MotorCommand, kMotorCount>& commands);
+  bool NoneFaster(double m_s, double rad_s) const;
   bool IsStill() const;
   double PullTether();
   void RollOnSoil();

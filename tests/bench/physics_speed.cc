@@ -92,6 +92,16 @@ double RestingStepsPerSecond(const std::string& soil) {
   return kSteps / (CpuSeconds() - start);
 }
 
+double SetUpSeconds(const std::string& soil) {
+  const std::string root = DOCKYARD_SOURCE_DIR;
+  const Scenario scenario = TypicalScenario({"soil=" + root + "/models/soils/" + soil});
+  const AxelModels models = LoadModels(scenario);
+  constexpr int kRounds = 10;
+  const double start = CpuSeconds();
+  for (int i = 0; i < kRounds; ++i) World world(BuildRun(scenario, models).world);
+  return (CpuSeconds() - start) / kRounds;
+}
+
 [[gnu::noinline]] void DriveOneSecond(World& world) {
   const MotorCommands commands = Drive();
   for (int i = 0; i < 1000; ++i) world.Step(commands);

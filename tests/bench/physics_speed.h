@@ -24,6 +24,9 @@ double TwinStepsPerSecond(const WorldSetup& setup);
 /// Braked and at rest.
 double RestingStepsPerSecond(const std::string& soil);
 
+/// From a scenario with its models read to a world at rest [s].
+double SetUpSeconds(const std::string& soil);
+
 /// Drives for one second; for a count of its instructions.
 void DriveOneSecond(World& world);
 
