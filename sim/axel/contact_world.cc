@@ -133,7 +133,7 @@ void ContactWorld::Resist(double dt_s) {
                      touch.share * cone_.contact_damping_ns_per_m,
                      axes.rightCols<2>().transpose() * touch.bend_G};
   }
-  const Eigen::LLT<Eigen::Matrix<double, kRover, kRover>> factor(rover_.MassMatrix());
+  const Eigen::LLT<RoverBody::Inertia>& factor = rover_.MassFactor();
   const auto half = factor.matrixL().solve(rover_rows).eval();
   step_.answer.noalias() = half.transpose() * half;
   step_.answer.noalias() += station_.inverse_mass_per_kg() * (directions.transpose() * directions);

@@ -72,13 +72,6 @@ RoverBody::RoverBody(const RoverModel& rover, const Pose3& X_GR, double arm_rad,
   multibody_->setMaxCoordinateVelocity(1e9);
   multibody_->setHasSelfCollision(false);
   multibody_->useRK4Integration(false);
-  multibody_->setUseGyroTerm(true);
-  const Motor first_motor = right_first ? Motor::kRightWheel : Motor::kLeftWheel;
-  const Motor second_motor = right_first ? Motor::kLeftWheel : Motor::kRightWheel;
-  rotors_ = std::make_unique<Rotors>(
-      *multibody_, std::vector{RotorInertia(rover, first_motor), RotorInertia(rover, second_motor),
-                               RotorInertia(rover, Motor::kArm)});
-
   const Pose3 X_GP = X_GR * inertia_[0].X_LP;
   multibody_->setBasePos(ToBullet(X_GP.p));
   multibody_->setWorldToBaseRot(ToQuaternion(X_GP.R.transpose()));
@@ -125,44 +118,55 @@ void RoverBody::AddCollider(RoverLink link, const std::vector<Collision>& collis
 
 void RoverBody::AddForce(RoverLink link, const Eigen::Vector3d& force_G,
                          const Eigen::Vector3d& p_G) {
-  const Eigen::Vector3d torque_G = (p_G - CentreOfMass(link)).cross(force_G);
-  if (link == RoverLink::kBody) {
-    multibody_->addBaseForce(ToBullet(force_G));
-  } else {
-    multibody_->addLinkForce(BulletIndex(link), ToBullet(force_G));
-  }
-  AddTorque(link, torque_G);
+  loads_.head<3>() += force_G;
+  loads_.segment<3>(3) += (p_G - motion_[0].X_GL.p).cross(force_G);
+  if (link == RoverLink::kBody) return;
+  const Eigen::Vector3d y_G = motion_[0].X_GL.R.col(1);
+  loads_[5 + Index(link)] += y_G.dot((p_G - motion_[Index(link)].X_GL.p).cross(force_G));
 }
 
 void RoverBody::AddTorque(RoverLink link, const Eigen::Vector3d& torque_G) {
-  if (link == RoverLink::kBody) {
-    multibody_->addBaseTorque(ToBullet(torque_G));
-  } else {
-    multibody_->addLinkTorque(BulletIndex(link), ToBullet(torque_G));
-  }
+  loads_.segment<3>(3) += torque_G;
+  if (link != RoverLink::kBody) loads_[5 + Index(link)] += motion_[0].X_GL.R.col(1).dot(torque_G);
 }
 
 void RoverBody::AddJointTorque(RoverLink link, double torque_nm) {
-  multibody_->addJointTorque(BulletIndex(link), torque_nm);
+  loads_[5 + Index(link)] += torque_nm;
 }
 
 Eigen::Vector3d RoverBody::CentreOfMass(RoverLink link) const {
   return motion_[Index(link)].X_GL * inertia_[Index(link)].X_LP.p;
 }
 
+Eigen::Matrix3d RoverBody::InertiaInG(RoverLink link) const {
+  const Eigen::Matrix3d R_GP = motion_[Index(link)].X_GL.R * inertia_[Index(link)].X_LP.R;
+  return R_GP * inertia_[Index(link)].moments.asDiagonal() * R_GP.transpose();
+}
+
+// Newton's and Euler's laws for each link, projected on the speeds (Kane): M dv/dt = loads - what
+// the links' accelerations take that come of the speeds alone.
 void RoverBody::TakeLoads(const Eigen::Vector3d& gravity_G, double step_s) {
+  const Eigen::Vector3d w_GR = motion_[0].w_GL_G, y_G = motion_[0].X_GL.R.col(1);
   for (int i = 0; i < kRoverLinkCount; ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
-    AddForce(link, mass_kg_[i] * gravity_G, CentreOfMass(link));
+    const Eigen::Vector3d w = motion_[i].w_GL_G, com_G = CentreOfMass(link);
+    const Eigen::Vector3d to_hinge = motion_[i].X_GL.p - motion_[0].X_GL.p;
+    const Eigen::Vector3d to_com = com_G - motion_[i].X_GL.p;
+    const Eigen::Vector3d turn =
+        i == 0 ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(joint_rad_s(link) * w_GR.cross(y_G));
+    const Eigen::Vector3d acceleration =
+        w_GR.cross(w_GR.cross(to_hinge)) + turn.cross(to_com) + w.cross(w.cross(to_com));
+    const Eigen::Matrix3d I_G = InertiaInG(link);
+    AddForce(link, mass_kg_[i] * (gravity_G - acceleration), com_G);
+    AddTorque(link, -(I_G * turn + w.cross(I_G * w)));
   }
-  scratch_r_.resize(kRoverLinkCount);
-  scratch_v_.resize(kRoverLinkCount);
-  scratch_m_.resize(kRoverLinkCount);
-  rotors_->RememberSpeeds();
-  multibody_->computeAccelerationsArticulatedBodyAlgorithmMultiDof(step_s, scratch_r_, scratch_v_,
-                                                                   scratch_m_, false, false, false);
-  rotors_->TakeTheirShare();
-  multibody_->clearForcesAndTorques();
+  mass_.compute(MassMatrix());
+  AddSpeeds(step_s * mass_.solve(loads_));
+  loads_.setZero();
+  // Bullet's speed is that of the body's centre of mass, which goes round the axle's middle.
+  const Eigen::Vector3d to_com = CentreOfMass(RoverLink::kBody) - motion_[0].X_GL.p;
+  multibody_->setBaseVel(multibody_->getBaseVel() +
+                         ToBullet(Eigen::Vector3d(step_s * w_GR.cross(w_GR.cross(to_com)))));
 }
 
 void RoverBody::Move(double step_s) { multibody_->stepPositionsMultiDof(step_s); }
@@ -174,8 +178,7 @@ Eigen::Matrix<double, RoverBody::kSpeeds, RoverBody::kSpeeds> RoverBody::MassMat
     const RoverLink link = static_cast<RoverLink>(i);
     const double m = mass_kg_[i];
     const Eigen::Vector3d com_G = CentreOfMass(link), r = com_G - motion_[0].X_GL.p;
-    const Eigen::Matrix3d R_GP = motion_[i].X_GL.R * inertia_[i].X_LP.R;
-    const Eigen::Matrix3d I_G = R_GP * inertia_[i].moments.asDiagonal() * R_GP.transpose();
+    const Eigen::Matrix3d I_G = InertiaInG(link);
     const Eigen::Matrix3d r_cross = Cross(r);
     M.topLeftCorner<3, 3>().diagonal().array() += m;
     M.block<3, 3>(0, 3) -= m * r_cross;

@@ -1,10 +1,17 @@
-// The rover as an articulated body (Featherstone's algorithm, Bullet's btMultiBody): a free body
-// with two wheels and the arm on hinges about y. Only contacts and the loads given to it act on it.
+// The rover as an articulated body: a free body with two wheels and the arm on hinges about y. Only
+// contacts and the loads given to it act on it. Its speeds follow Newton's and Euler's laws in
+// Kane's form; Bullet's btMultiBody keeps the state and moves it by the speeds.
+//
+// A rotor on the body turns N times as fast as its joint, so its inertia N^2 J resists the joint's
+// own acceleration alone, not the turning of body and link together: it stands on the diagonal of
+// the joint-space inertia (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.6). The
+// terms left out are smaller by 1 / N, some per mille here.
 #pragma once
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
+#include <Eigen/Cholesky>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -14,7 +21,6 @@
 #include "sim/physics/collision_shapes.h"
 #include "sim/physics/inertia.h"
 #include "sim/physics/motion.h"
-#include "sim/physics/rotors.h"
 
 namespace dockyard::axel {
 
@@ -51,7 +57,10 @@ class RoverBody {
   static constexpr int kSpeeds = 9;
   using Speeds = Eigen::Matrix<double, kSpeeds, 1>;
   /// Inertia of these speeds, rotors included [kg, kg m, kg m^2].
-  Eigen::Matrix<double, kSpeeds, kSpeeds> MassMatrix() const;
+  using Inertia = Eigen::Matrix<double, kSpeeds, kSpeeds>;
+  Inertia MassMatrix() const;
+  /// Its factor, as TakeLoads found it; good until Move.
+  const Eigen::LLT<Inertia>& MassFactor() const { return mass_; }
   /// Velocity in G of a link's material point at p_G over the speeds, 3 x 9.
   Eigen::Matrix<double, 3, kSpeeds> PointJacobian(RoverLink link, const Eigen::Vector3d& p_G) const;
   void AddSpeeds(const Speeds& change);
@@ -74,6 +83,7 @@ class RoverBody {
  private:
   static int Index(RoverLink link) { return static_cast<int>(link); }
   int BulletIndex(RoverLink link) const { return bullet_index_[Index(link)]; }
+  Eigen::Matrix3d InertiaInG(RoverLink link) const;  // about the centre of mass
   void AddHinge(const RoverModel& rover, RoverLink link);
   void AddCollider(RoverLink link, const std::vector<Collision>& collisions);
 
@@ -85,13 +95,11 @@ class RoverBody {
   std::vector<Collision> arm_parts_;
   std::array<LinkShape, kRoverLinkCount> shapes_;
   std::unique_ptr<btMultiBody> multibody_;
-  std::unique_ptr<Rotors> rotors_;
   std::array<std::unique_ptr<btMultiBodyLinkCollider>, kRoverLinkCount> colliders_;
   std::array<LinkMotion, kRoverLinkCount> motion_;
   double reach_m_ = 0.0;
-  btAlignedObjectArray<btScalar> scratch_r_;
-  btAlignedObjectArray<btVector3> scratch_v_;
-  btAlignedObjectArray<btMatrix3x3> scratch_m_;
+  Speeds loads_ = Speeds::Zero();  // over the speeds [N, N m]
+  Eigen::LLT<Inertia> mass_;
 };
 
 }  // namespace dockyard::axel

@@ -1,5 +1,4 @@
-#include "sim/physics/rotors.h"
-
+// What the rotors of geared joints resist.
 #include <gtest/gtest.h>
 
 #include <cmath>

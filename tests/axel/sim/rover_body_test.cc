@@ -118,6 +118,56 @@ TEST(RoverBody, MassMatrixGivesTheLinksKineticEnergyAndJacobiansTheirVelocities)
   EXPECT_NEAR(0.5 * speeds.dot(rover.MassMatrix() * speeds), energy, 1e-12 * energy);
 }
 
+/// A step under the same loads by Featherstone's algorithm in Bullet, which knows no rotors.
+TEST(RoverBody, SpeedsChangeAsByTheArticulatedBodyAlgorithm) {
+  RoverModel model = Axel();
+  for (MotorModel& motor : model.motors) motor.reflected_inertia_kg_m2 = 1e-15;
+  model.body.p_LoCom_L = Eigen::Vector3d(0.05, 0.02, -0.03);
+  const Pose3 X_GR{RotZ(0.4) * RotY(0.3) * RotX(0.2), Eigen::Vector3d(5.0, 1.0, 2.0)};
+  RoverBody ours(model, X_GR, 0.7, false), bullets(model, X_GR, 0.7, false);
+  for (RoverBody* rover : {&ours, &bullets}) {
+    rover->SetBodySpeed({0.3, -0.2, 0.1}, {0.5, 0.7, -0.4});
+    rover->SetJointSpeed(RoverLink::kLeftWheel, 1.1);
+    rover->SetJointSpeed(RoverLink::kRightWheel, -0.9);
+    rover->SetJointSpeed(RoverLink::kArm, 0.6);
+  }
+  const Eigen::Vector3d gravity_G(0.3, -0.2, -9.7);
+  btMultiBody& body = *bullets.multibody();
+  for (int i = 0; i < kRoverLinkCount; ++i) {
+    const RoverLink link = static_cast<RoverLink>(i);
+    const Eigen::Vector3d force_G(20.0 - 7.0 * i, 5.0 * i, 30.0), torque_G(1.0, -2.0 * i, 0.5);
+    const Eigen::Vector3d p_G = ours.motion(link).X_GL * Eigen::Vector3d(0.2, 0.1 * i, -0.1);
+    ours.AddForce(link, force_G, p_G);
+    ours.AddTorque(link, torque_G);
+    const Eigen::Vector3d about_com = torque_G + (p_G - bullets.CentreOfMass(link)).cross(force_G);
+    const Eigen::Vector3d all_G = force_G + LinkOf(model, link).mass_kg * gravity_G;
+    const btVector3 force(all_G.x(), all_G.y(), all_G.z()),
+        torque(about_com.x(), about_com.y(), about_com.z());
+    if (link == RoverLink::kBody) {
+      body.addBaseForce(force);
+      body.addBaseTorque(torque);
+    } else {
+      body.addLinkForce(i - 1, force);
+      body.addLinkTorque(i - 1, torque);
+      body.addJointTorque(i - 1, 0.3 * i);
+      ours.AddJointTorque(link, 0.3 * i);
+    }
+  }
+  ours.TakeLoads(gravity_G, kDt);
+  btAlignedObjectArray<btScalar> r;
+  btAlignedObjectArray<btVector3> v;
+  btAlignedObjectArray<btMatrix3x3> m;
+  body.setUseGyroTerm(true);
+  body.computeAccelerationsArticulatedBodyAlgorithmMultiDof(kDt, r, v, m, false, false, false);
+  ours.Refresh();
+  bullets.Refresh();
+  for (RoverLink link : kAllLinks) {
+    const LinkMotion &a = ours.motion(link), &b = bullets.motion(link);
+    EXPECT_LT((a.v_GL_G - b.v_GL_G).norm(), 1e-11);
+    EXPECT_LT((a.w_GL_G - b.w_GL_G).norm(), 1e-11);
+  }
+}
+
 TEST(RoverBody, OrderOfTheWheelsChangesNothing) {
   const RoverModel model = Axel();
   const Pose3 X_GR = Pose3::Translation(50.0, 0, 0);
