@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -68,8 +69,8 @@ class GroundUnder {
       : x0_m_(grid.x0_m),
         y0_m_(grid.y0_m),
         per_cell_(1.0 / grid.cell_m),
-        last_x_(grid.nx - 1),
-        last_y_(grid.ny - 1),
+        last_x_(std::nextafter(grid.nx - 1.0, 0.0)),
+        last_y_(std::nextafter(grid.ny - 1.0, 0.0)),
         nx_(grid.nx),
         heights_(grid.heights_m.data()),
         undisturbed_(grid.undisturbed_m.data()) {}
@@ -79,7 +80,7 @@ class GroundUnder {
   void Read(double x_m, double y_m, double& surface_m, double& undisturbed_m) const {
     const double x = Inside((x_m - x0_m_) * per_cell_, last_x_);
     const double y = Inside((y_m - y0_m_) * per_cell_, last_y_);
-    const int ix = Cell(x, last_x_), iy = Cell(y, last_y_);
+    const int ix = static_cast<int>(x), iy = static_cast<int>(y);
     const std::ptrdiff_t low = static_cast<std::ptrdiff_t>(iy) * nx_ + ix;
     surface_m = At(heights_ + low, x - ix, y - iy);
     undisturbed_m = At(undisturbed_ + low, x - ix, y - iy);
@@ -91,7 +92,6 @@ class GroundUnder {
   static Real Inside(Real at, double last) {
     return Max(Min(at, Real(last)), Real(0.0));
   }
-  static int Cell(double at, double last) { return static_cast<int>(at < last ? at : last - 1.0); }
   template <typename Real>
   static Real Between(Real a, Real b, Real c, Real d, Real u, Real v) {
     const Real at_low = a + u * (b - a), at_high = c + u * (d - c);
@@ -101,7 +101,8 @@ class GroundUnder {
     return Between(low[0], low[1], low[nx_], low[nx_ + 1], u, v);
   }
 
-  double x0_m_, y0_m_, per_cell_, last_x_, last_y_;
+  double x0_m_, y0_m_, per_cell_;
+  double last_x_, last_y_;  // just inside the last cell, so that a point's integer part is its cell
   std::ptrdiff_t nx_;
   const double *heights_, *undisturbed_;
 };
@@ -110,7 +111,7 @@ inline void GroundUnder::Read(Four x_m, Four y_m, Four& surface_m, Four& undistu
   const Four x = Inside((x_m - x0_m_) * per_cell_, last_x_);
   const Four y = Inside((y_m - y0_m_) * per_cell_, last_y_);
   const auto corner = [&](int i, double& u, double& v) {
-    const int ix = Cell(x[i], last_x_), iy = Cell(y[i], last_y_);
+    const int ix = static_cast<int>(x[i]), iy = static_cast<int>(y[i]);
     u = ix;
     v = iy;
     return static_cast<std::ptrdiff_t>(iy) * nx_ + ix;

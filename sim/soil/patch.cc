@@ -44,16 +44,6 @@ Real Pressure(const SoilLaws& laws, Real yield_pa, const PatchPlaceOf<Real>& at,
   return Select(yields, yield_pa, Select(touches, rest, Real(0.0)));
 }
 
-template <typename Real>
-void Put(std::type_identity_t<decltype(Real(0.0) > 0.0)> where, const PatchOf<Real>& from,
-         PatchOf<Real>& to) {
-  to.shear.t = Select(where, from.shear.t, to.shear.t);
-  to.shear.a = Select(where, from.shear.a, to.shear.a);
-  to.into = Select(where, from.into, to.into);
-  to.ride_m = Select(where, from.ride_m, to.ride_m);
-  to.floor_m = Select(where, from.floor_m, to.floor_m);
-}
-
 }  // namespace
 
 template <typename Real>

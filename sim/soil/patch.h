@@ -1,6 +1,8 @@
 // One small piece of a wheel's surface in the soil: its state and its load.
 #pragma once
 
+#include <type_traits>
+
 #include "sim/soil/height_grid.h"
 #include "sim/soil/soil_laws.h"
 #include "sim/soil/wheel_frame.h"
@@ -20,6 +22,17 @@ struct PatchOf {
 };
 using Patch = PatchOf<double>;
 
+/// Gives `to` the state `from` where the mask is set.
+template <typename Real>
+void Put(std::type_identity_t<decltype(Real(0.0) > 0.0)> where, const PatchOf<Real>& from,
+         PatchOf<Real>& to) {
+  to.shear.t = Select(where, from.shear.t, to.shear.t);
+  to.shear.a = Select(where, from.shear.a, to.shear.a);
+  to.into = Select(where, from.into, to.into);
+  to.ride_m = Select(where, from.ride_m, to.ride_m);
+  to.floor_m = Select(where, from.floor_m, to.floor_m);
+}
+
 /// A patch over the soil, and its motion along its spoke's axes (r into the soil).
 template <typename Real>
 struct PatchPlaceOf {
@@ -31,7 +44,7 @@ struct PatchPlaceOf {
 
   /// Soil caught between the paddles bears at radius_m, but slides along the rim under it.
   PatchPlaceOf(const GroundUnder& ground, const WheelFrame& frame, const SpokeAxesOf<Real>& axes,
-               double radius_m, double y_m, double sliding_radius_m)
+               double radius_m, std::type_identity_t<Real> y_m, double sliding_radius_m)
       : z_m(frame.p_G.z() + y_m * frame.y_G.z() + radius_m * axes.r_z),
         v(VelocityAt(axes, sliding_radius_m, y_m)),
         climb_m_s(v.t * axes.t_z + v.a * axes.a_z) {

@@ -156,8 +156,9 @@ constexpr double kHeap = 4.8;
 /// Passive earth pressure on a paddle's face at this depth: Rankine's gamma z N_phi +
 /// 2 c sqrt(N_phi) [Pa], the first part with the heap. `driving` (0..1): a driving paddle cuts and
 /// heaps soil that rests; a dragged one (0) is in loosened soil that goes along with the wheel.
-inline double FacePressure(const SoilLaws& laws, double depth_m, double driving) {
-  const double heap = 1.0 + (kHeap - 1.0) * driving;
+template <typename Real>
+Real FacePressure(const SoilLaws& laws, Real depth_m, Real driving) {
+  const Real heap = 1.0 + (kHeap - 1.0) * driving;
   return heap * laws.passive_pa_per_m * depth_m + driving * laws.passive_pa;
 }
 

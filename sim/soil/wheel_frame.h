@@ -40,7 +40,7 @@ using SpokeVelocity = SpokeVelocityOf<double>;
 
 template <typename Real>
 SpokeVelocityOf<Real> VelocityAt(const SpokeAxesOf<Real>& axes, std::type_identity_t<Real> radius_m,
-                                 double y_m) {
+                                 std::type_identity_t<Real> y_m) {
   return {axes.v_r + y_m * axes.w_t, axes.v_t + radius_m * axes.w_a - y_m * axes.w_r,
           axes.v_a - radius_m * axes.w_t};
 }

@@ -82,28 +82,11 @@ void WheelSoil::FollowMotion(const WheelFrame& frame) {
   Follow(travel_, way, {wheel_.rim_radius_m, std::min(height, sinkage_m_)});
 }
 
-/// Adds the loads of one row across the width, the outer two first, so that a mirrored wheel adds
-/// the same numbers.
-template <typename Real>
-void WheelSoil::AddRow(const SpokeAxesOf<Real>& axes, double radius_m, const RowOf<Real>& row,
-                       LoadSumOf<Real>& sum) const {
-  const SpokeLoadOf<Real> load{(row[0].r + row[2].r) + row[1].r, (row[0].t + row[2].t) + row[1].t,
-                               (row[0].a + row[2].a) + row[1].a};
-  sum.Add(axes, radius_m, load, -line_width_m_ * (row[2].t - row[0].t),
-          line_width_m_ * (row[2].r - row[0].r));
-}
-
-template <typename Real>
-void WheelSoil::AddToEnvelope(const RowOf<Real>& row) {
-  envelope_.pressed_n -= Sum((row[0].r + row[2].r) + row[1].r);
-  envelope_.rim_and_tips_n += Sum((row[0].t + row[2].t) + row[1].t);
-}
-
 void WheelSoil::AddStrips(const Place& at, Strips& strips, LoadSumOf<Four>& sum) {
   const WheelFrame& frame = at.frame;
   const SpokeAxesOf<Four> axes = frame.Along(strips.cos, strips.sin);
   const double area = rim_share_ * strip_length_m_ * line_width_m_;
-  RowOf<Four> row;
+  Row<Four> row;
   std::array<Four, kLines> depth;
   for (int i = 0; i < kLines; ++i) {
     const PatchPlaceOf<Four> place(at.ground, frame, axes, bearing_radius_m_,
@@ -165,87 +148,6 @@ void WheelSoil::AddRim(const Place& at, LoadSum& sum) {
   sum = Together(fours);
 }
 
-/// Passive pressure on a paddle's face, buried from the tip up.
-SpokeLoad WheelSoil::LoadFace(const PatchPlace& tip, const SpokeVelocity& v, double rise_m,
-                              double dt_s, Mobilisation& face) const {
-  const double height = wheel_.paddle_height_m;
-  face = Shear(face, v.t * dt_s, v.a * dt_s, ShearModulus(tip_, contact_depth_m_));
-  // The soil that a face pushes heaps against it, up to the rim once the rim bears on caught soil.
-  const double caught_m = bearing_radius_m_ - wheel_.rim_radius_m;
-  const double free_share = std::max(0.1, 1.0 - caught_m / height);
-  const double share = std::min(1.0, (tip.surface_m - tip.z_m) / (free_share * rise_m));
-  const double depth = std::max(0.0, tip.sinkage_m() - 0.5 * share * rise_m);
-  // Rankine's passive wedge from the tip up to the surface is z tan(45 deg + phi/2) long; where it
-  // runs into the next paddle, the soil of that paddle's wedge is not counted twice.
-  const double wedge = std::max(tip.sinkage_m(), height) * rim_.sqrt_n_phi;
-  const double apart = std::min(1.0, paddle_spacing_m_ / wedge);
-  const double own_share = apart * (2.0 - apart);
-  const double driving = std::max(0.0, face.t * travel_.going.t);
-  const double area = share * height * line_width_m_;
-  return {0.0, -face.t * own_share * FacePressure(rim_, depth, driving) * area, 0.0};
-}
-
-void WheelSoil::AddPaddle(const Place& at, Paddle& paddle, LoadSum& sum) {
-  const WheelFrame& frame = at.frame;
-  const double height = wheel_.paddle_height_m, tip = wheel_.rim_radius_m + height;
-  const double middle = tip - 0.5 * height;
-  const SpokeAxes axes = frame.Along(paddle.cos, paddle.sin);
-  const double rise = std::max(1e-6, height * -axes.r_z);  // of the root over the tip
-  const double area = wheel_.paddle_thickness_m * line_width_m_;
-  RowOf<double> tips;
-  paddle.face_loads = {};
-  paddle.pushes = false;
-  for (int i = 0; i < kLines; ++i) {
-    const double y = (i - 1) * line_width_m_;
-    const PatchPlace place(at.ground, frame, axes, tip, y, tip);
-    if (place.surface_m <= place.z_m) {
-      paddle.tips[i] = {};
-      paddle.faces[i] = {};
-      continue;
-    }
-    paddle.pushes = true;
-    sum.Touch(place.sinkage_m());
-    tips[i] = LoadPatch(tip_, travel_, contact_depth_m_, place, area, frame.dt_s, paddle.tips[i]);
-    paddle.face_loads[i] =
-        LoadFace(place, VelocityAt(axes, middle, y), rise, frame.dt_s, paddle.faces[i]);
-  }
-  if (!paddle.pushes) return;
-  AddRow(axes, tip, tips, sum);
-  AddToEnvelope(tips);
-  const auto& faces = paddle.face_loads;
-  envelope_.faces_n += (faces[0].t + faces[2].t) + faces[1].t;
-}
-
-/// The faces' thrust as far as the soil that they all push against holds.
-void WheelSoil::AddFaces(const WheelFrame& frame, LoadSum& sum) const {
-  if (envelope_.faces_n == 0.0) return;
-  const double height = wheel_.paddle_height_m, tip = wheel_.rim_radius_m + height;
-  const double share = FaceShare(
-      envelope_, EnvelopeStrength(rim_, envelope_.pressed_n, tip, wheel_.width_m, sum.sinkage_m));
-  for (const Paddle& paddle : paddles_) {
-    if (!paddle.pushes) continue;
-    RowOf<double> faces = paddle.face_loads;
-    for (SpokeLoad& face : faces) face.t *= share;
-    AddRow(frame.Along(paddle.cos, paddle.sin), tip - 0.5 * height, faces, sum);
-  }
-}
-
-void WheelSoil::AddPaddles(const Place& at, LoadSum& sum) {
-  const WheelFrame& frame = at.frame;
-  const double reach = wheel_.rim_radius_m + wheel_.paddle_height_m;
-  const double near_m = frame.top_m - frame.p_G.z() + 0.5 * wheel_.width_m;
-  for (Paddle& paddle : paddles_) {
-    const double rise = paddle.cos * frame.x_G.z() - paddle.sin * frame.z_G.z();
-    if (rise < 0.0 && reach * rise < near_m) {
-      AddPaddle(at, paddle, sum);
-    } else {
-      paddle.tips = {};
-      paddle.faces = {};
-      paddle.pushes = false;
-    }
-  }
-}
-
 void WheelSoil::LeaveRut(HeightGrid& grid, const WheelFrame& frame) {
   if (four_count_ == 0) return;
   const RimPlace rim{frame.p_G, frame.y_G, bearing_radius_m_, wheel_.width_m,
@@ -289,10 +191,7 @@ std::uint64_t Hash(std::uint64_t hash, Four four) {
   for (int i = 0; i < 4; ++i) hash = HashDouble(hash, four[i]);
   return hash;
 }
-std::uint64_t Hash(std::uint64_t hash, double one) { return HashDouble(hash, one); }
-
-template <typename Real>
-std::uint64_t HashPatch(std::uint64_t hash, const PatchOf<Real>& patch) {
+std::uint64_t HashPatch(std::uint64_t hash, const PatchOf<Four>& patch) {
   hash = Hash(Hash(hash, patch.shear.t), patch.shear.a);
   hash = Hash(hash, patch.into);
   return Hash(Hash(hash, patch.floor_m), patch.ride_m);
@@ -309,10 +208,8 @@ std::uint64_t WheelSoil::StateHash(std::uint64_t seed) const {
     hash = Hash(Hash(Hash(hash, strips.sides.r), strips.sides.t), strips.sides.a);
   }
   for (const Paddle& paddle : paddles_) {
-    for (const Patch& patch : paddle.tips) hash = HashPatch(hash, patch);
-    for (const Mobilisation& face : paddle.faces) {
-      hash = HashDouble(HashDouble(hash, face.t), face.a);
-    }
+    hash = HashPatch(hash, paddle.tips);
+    hash = Hash(Hash(hash, paddle.faces.t), paddle.faces.a);
   }
   return hash;
 }

@@ -53,17 +53,18 @@ class WheelSoil {
  private:
   static constexpr int kLines = 3;  // across the width: right, middle, left
   template <typename Real>
-  using RowOf = std::array<SpokeLoadOf<Real>, kLines>;
+  using Row = std::array<SpokeLoadOf<Real>, kLines>;
   struct Strips {   // four neighbours on the rim
     Four cos, sin;  // directions from the axle in K: (cos, 0, -sin)
     std::array<PatchOf<Four>, kLines> patches;
     SideWalls sides;
   };
+  /// Its three patches and faces across the width, and the left ones once more.
   struct Paddle {
     double cos = 0.0, sin = 0.0;
-    std::array<Patch, kLines> tips;
-    std::array<Mobilisation, kLines> faces;  // of the passive pressure, along t
-    RowOf<double> face_loads;                // of this step, as far as the soil behind them holds
+    PatchOf<Four> tips;
+    MobilisationOf<Four> faces;  // of the passive pressure, along t
+    Row<double> face_loads;      // of this step, as far as the soil behind them holds
     bool pushes = false;
   };
   /// The wheel and the ground below it in one step.
@@ -75,18 +76,19 @@ class WheelSoil {
   void FindTop(const HeightGrid& grid, WheelFrame& frame) const;
   void FollowMotion(const WheelFrame& frame);
   template <typename Real>
-  void AddRow(const SpokeAxesOf<Real>& axes, double radius_m, const RowOf<Real>& row,
+  void AddRow(const SpokeAxesOf<Real>& axes, double radius_m, const Row<Real>& row,
               LoadSumOf<Real>& sum) const;
   template <typename Real>
-  void AddToEnvelope(const RowOf<Real>& row);
+  void AddToEnvelope(const Row<Real>& row);
   void MoveWindow(int first, int count);
   void AddRim(const Place& at, LoadSum& sum);
   void AddStrips(const Place& at, Strips& strips, LoadSumOf<Four>& sum);
   void AddFaces(const WheelFrame& frame, LoadSum& sum) const;
   void AddPaddles(const Place& at, LoadSum& sum);
   void AddPaddle(const Place& at, Paddle& paddle, LoadSum& sum);
-  SpokeLoad LoadFace(const PatchPlace& tip, const SpokeVelocity& v, double rise_m, double dt_s,
-                     Mobilisation& face) const;
+  /// The faces' thrusts.
+  Four LoadFaces(const PatchPlaceOf<Four>& tip, const SpokeVelocityOf<Four>& v, double rise_m,
+                 double dt_s, MobilisationOf<Four>& faces) const;
   void LeaveRut(HeightGrid& grid, const WheelFrame& frame);
 
   WheelModel wheel_;
@@ -105,5 +107,22 @@ class WheelSoil {
   double since_rut_s_ = 0.0;
   RutScratch scratch_;
 };
+
+/// Adds the loads of one row across the width, the outer two first, so that a mirrored wheel adds
+/// the same numbers.
+template <typename Real>
+void WheelSoil::AddRow(const SpokeAxesOf<Real>& axes, double radius_m, const Row<Real>& row,
+                       LoadSumOf<Real>& sum) const {
+  const SpokeLoadOf<Real> load{(row[0].r + row[2].r) + row[1].r, (row[0].t + row[2].t) + row[1].t,
+                               (row[0].a + row[2].a) + row[1].a};
+  sum.Add(axes, radius_m, load, -line_width_m_ * (row[2].t - row[0].t),
+          line_width_m_ * (row[2].r - row[0].r));
+}
+
+template <typename Real>
+void WheelSoil::AddToEnvelope(const Row<Real>& row) {
+  envelope_.pressed_n -= Sum((row[0].r + row[2].r) + row[1].r);
+  envelope_.rim_and_tips_n += Sum((row[0].t + row[2].t) + row[1].t);
+}
 
 }  // namespace dockyard

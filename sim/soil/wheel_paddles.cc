@@ -1,0 +1,99 @@
+// The paddles' part of a wheel in the soil: what presses on their tips and what their faces push.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/soil/wheel_soil.h"
+
+namespace dockyard {
+
+/// Passive pressure on a paddle's faces, buried from the tip up.
+Four WheelSoil::LoadFaces(const PatchPlaceOf<Four>& tip, const SpokeVelocityOf<Four>& v,
+                          double rise_m, double dt_s, MobilisationOf<Four>& faces) const {
+  const double height = wheel_.paddle_height_m;
+  const Four none = 0.0, whole = 1.0;
+  faces = Shear(faces, v.t * dt_s, v.a * dt_s, ShearModulus(tip_, contact_depth_m_));
+  // The soil that a face pushes heaps against it, up to the rim once the rim bears on caught soil.
+  const double caught_m = bearing_radius_m_ - wheel_.rim_radius_m;
+  const double free_share = std::max(0.1, 1.0 - caught_m / height);
+  const Four share = Min((tip.surface_m - tip.z_m) * (1.0 / (free_share * rise_m)), whole);
+  const Four depth = Max(tip.sinkage_m() - 0.5 * share * rise_m, none);
+  // Rankine's passive wedge from the tip up to the surface is z tan(45 deg + phi/2) long; where it
+  // runs into the next paddle, the soil of that paddle's wedge is not counted twice.
+  const Four wedge = Max(tip.sinkage_m(), Four(height)) * rim_.sqrt_n_phi;
+  const Four apart = Min(paddle_spacing_m_ / wedge, whole);
+  const Four own_share = apart * (2.0 - apart);
+  const Four driving = Max(faces.t * travel_.going.t, none);
+  const Four area = share * (height * line_width_m_);
+  return -(faces.t * own_share * FacePressure(rim_, depth, driving) * area);
+}
+
+void WheelSoil::AddPaddle(const Place& at, Paddle& paddle, LoadSum& sum) {
+  const WheelFrame& frame = at.frame;
+  const double height = wheel_.paddle_height_m, tip = wheel_.rim_radius_m + height;
+  const double width = line_width_m_;
+  const Four y(-width, 0.0, width, width);
+  const SpokeAxesOf<Four> axes = frame.Along(Four(paddle.cos), Four(paddle.sin));
+  const PatchPlaceOf<Four> place(at.ground, frame, axes, tip, y, tip);
+  const FourMask in_soil = place.z_m < place.surface_m, out = place.surface_m <= place.z_m;
+  paddle.pushes = Any(in_soil);
+  if (!paddle.pushes) {
+    paddle.tips = {};
+    paddle.faces = {};
+    return;
+  }
+  sum.Touch(Largest(Select(in_soil, place.sinkage_m(), Four(0.0))));
+  const double area = wheel_.paddle_thickness_m * width;
+  const SpokeLoadOf<Four> load =
+      LoadPatch(tip_, travel_, contact_depth_m_, place, area, frame.dt_s, paddle.tips);
+  const double rise = std::max(1e-6, height * -axes.r_z[0]);  // of the root over the tip
+  const SpokeVelocityOf<Four> v = VelocityAt(axes, tip - 0.5 * height, y);
+  const Four face = LoadFaces(place, v, rise, frame.dt_s, paddle.faces);
+  Put<Four>(out, {}, paddle.tips);
+  paddle.faces.t = Select(in_soil, paddle.faces.t, Four(0.0));
+  paddle.faces.a = Select(in_soil, paddle.faces.a, Four(0.0));
+
+  const unsigned bits = Bits(in_soil);
+  Row<double> tips;
+  for (int i = 0; i < kLines; ++i) {
+    const bool on = (bits >> i & 1) != 0;
+    tips[i] = on ? SpokeLoad{load.r[i], load.t[i], load.a[i]} : SpokeLoad{};
+    paddle.face_loads[i] = {0.0, on ? face[i] : 0.0, 0.0};
+  }
+  AddRow(frame.Along(paddle.cos, paddle.sin), tip, tips, sum);
+  AddToEnvelope(tips);
+  const auto& faces = paddle.face_loads;
+  envelope_.faces_n += (faces[0].t + faces[2].t) + faces[1].t;
+}
+
+/// The faces' thrust as far as the soil that they all push against holds.
+void WheelSoil::AddFaces(const WheelFrame& frame, LoadSum& sum) const {
+  if (envelope_.faces_n == 0.0) return;
+  const double height = wheel_.paddle_height_m, tip = wheel_.rim_radius_m + height;
+  const double share = FaceShare(
+      envelope_, EnvelopeStrength(rim_, envelope_.pressed_n, tip, wheel_.width_m, sum.sinkage_m));
+  for (const Paddle& paddle : paddles_) {
+    if (!paddle.pushes) continue;
+    Row<double> faces = paddle.face_loads;
+    for (SpokeLoad& face : faces) face.t *= share;
+    AddRow(frame.Along(paddle.cos, paddle.sin), tip - 0.5 * height, faces, sum);
+  }
+}
+
+void WheelSoil::AddPaddles(const Place& at, LoadSum& sum) {
+  const WheelFrame& frame = at.frame;
+  const double reach = wheel_.rim_radius_m + wheel_.paddle_height_m;
+  const double near_m =
+      frame.top_m - frame.p_G.z() + 0.5 * wheel_.width_m * std::fabs(frame.y_G.z());
+  for (Paddle& paddle : paddles_) {
+    const double rise = paddle.cos * frame.x_G.z() - paddle.sin * frame.z_G.z();
+    if (rise < 0.0 && reach * rise < near_m) {
+      AddPaddle(at, paddle, sum);
+    } else if (paddle.pushes) {
+      paddle.tips = {};
+      paddle.faces = {};
+      paddle.pushes = false;
+    }
+  }
+}
+
+}  // namespace dockyard
