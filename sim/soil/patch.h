@@ -33,25 +33,37 @@ void Put(std::type_identity_t<decltype(Real(0.0) > 0.0)> where, const PatchOf<Re
   to.floor_m = Select(where, from.floor_m, to.floor_m);
 }
 
-/// A patch over the soil, and its motion along its spoke's axes (r into the soil).
+/// A patch over the soil.
 template <typename Real>
-struct PatchPlaceOf {
+struct PatchHeightOf {
   Real z_m = 0.0, surface_m = 0.0, undisturbed_m = 0.0;
-  SpokeVelocityOf<Real> v;
-  Real climb_m_s = 0.0;  // of its sliding along its own plane
 
   Real sinkage_m() const { return undisturbed_m - z_m; }
 
-  /// Soil caught between the paddles bears at radius_m, but slides along the rim under it.
-  PatchPlaceOf(const GroundUnder& ground, const WheelFrame& frame, const SpokeAxesOf<Real>& axes,
-               double radius_m, std::type_identity_t<Real> y_m, double sliding_radius_m)
-      : z_m(frame.p_G.z() + y_m * frame.y_G.z() + radius_m * axes.r_z),
-        v(VelocityAt(axes, sliding_radius_m, y_m)),
-        climb_m_s(v.t * axes.t_z + v.a * axes.a_z) {
+  PatchHeightOf(const GroundUnder& ground, const WheelFrame& frame, const SpokeAxesOf<Real>& axes,
+                double radius_m, std::type_identity_t<Real> y_m)
+      : z_m(frame.p_G.z() + y_m * frame.y_G.z() + radius_m * axes.r_z) {
     ground.Read(frame.p_G.x() + y_m * frame.y_G.x() + radius_m * axes.r_x,
                 frame.p_G.y() + y_m * frame.y_G.y() + radius_m * axes.r_y, surface_m,
                 undisturbed_m);
   }
+};
+
+/// A patch over the soil, and its motion along its spoke's axes (r into the soil).
+template <typename Real>
+struct PatchPlaceOf : PatchHeightOf<Real> {
+  SpokeVelocityOf<Real> v;
+  Real climb_m_s = 0.0;  // of its sliding along its own plane
+
+  /// Soil caught between the paddles bears at its own radius, but slides along the rim under it.
+  PatchPlaceOf(const PatchHeightOf<Real>& height, const SpokeAxesOf<Real>& axes,
+               double sliding_radius_m, std::type_identity_t<Real> y_m)
+      : PatchHeightOf<Real>(height),
+        v(VelocityAt(axes, sliding_radius_m, y_m)),
+        climb_m_s(v.t * axes.t_z + v.a * axes.a_z) {}
+  PatchPlaceOf(const GroundUnder& ground, const WheelFrame& frame, const SpokeAxesOf<Real>& axes,
+               double radius_m, std::type_identity_t<Real> y_m, double sliding_radius_m)
+      : PatchPlaceOf({ground, frame, axes, radius_m, y_m}, axes, sliding_radius_m, y_m) {}
 };
 using PatchPlace = PatchPlaceOf<double>;
 

@@ -82,29 +82,39 @@ void WheelSoil::FollowMotion(const WheelFrame& frame) {
   Follow(travel_, way, {wheel_.rim_radius_m, std::min(height, sinkage_m_)});
 }
 
+void WheelSoil::Forget(Strips& strips) {
+  if (!strips.in_soil) return;
+  strips.patches = {};
+  strips.sides = {};
+  strips.in_soil = false;
+}
+
 void WheelSoil::AddStrips(const Place& at, Strips& strips, LoadSumOf<Four>& sum) {
   const WheelFrame& frame = at.frame;
   const SpokeAxesOf<Four> axes = frame.Along(strips.cos, strips.sin);
   const double area = rim_share_ * strip_length_m_ * line_width_m_;
-  Row<Four> row;
-  std::array<Four, kLines> depth;
-  for (int i = 0; i < kLines; ++i) {
-    const PatchPlaceOf<Four> place(at.ground, frame, axes, bearing_radius_m_,
-                                   (i - 1) * line_width_m_, wheel_.rim_radius_m);
-    row[i] = LoadPatch(rim_, travel_, contact_depth_m_, place, area, frame.dt_s, strips.patches[i]);
-    depth[i] = place.sinkage_m();
-  }
-  const Four deepest = Max(Max(depth[0], depth[2]), depth[1]);
+  const auto height = [&](int i) {
+    return PatchHeightOf<Four>(at.ground, frame, axes, bearing_radius_m_, (i - 1) * line_width_m_);
+  };
+  const std::array<PatchHeightOf<Four>, kLines> heights{height(0), height(1), height(2)};
+  const auto depth = [&](int i) { return heights[i].sinkage_m(); };
+  const Four deepest = Max(Max(depth(0), depth(2)), depth(1));
   const FourMask in_soil = deepest > 0.0;
   if (!Any(in_soil)) {
-    strips.sides = {};
+    Forget(strips);
     return;
+  }
+  strips.in_soil = true;
+  Row<Four> row;
+  for (int i = 0; i < kLines; ++i) {
+    const PatchPlaceOf<Four> place(heights[i], axes, wheel_.rim_radius_m, (i - 1) * line_width_m_);
+    row[i] = LoadPatch(rim_, travel_, contact_depth_m_, place, area, frame.dt_s, strips.patches[i]);
   }
   sum.Touch(deepest);
   AddRow(axes, bearing_radius_m_, row, sum);
   if (!paddles_.empty()) AddToEnvelope(row);
-  const SideStrips sides{bearing_radius_m_, 0.5 * wheel_.width_m, strip_length_m_, depth[0],
-                         depth[2]};
+  const SideStrips sides{bearing_radius_m_, 0.5 * wheel_.width_m, strip_length_m_, depth(0),
+                         depth(2)};
   AddSideWalls(rim_, contact_depth_m_, axes, sides, in_soil, frame.dt_s, strips.sides, sum);
 }
 
@@ -113,8 +123,7 @@ void WheelSoil::MoveWindow(int first, int count) {
   for (int i = 0; i < four_count_; ++i) {
     const int index = (first_four_ + i) % kFours;
     if ((index - first + kFours) % kFours < count) continue;
-    strips_[index].patches = {};
-    strips_[index].sides = {};
+    Forget(strips_[index]);
   }
   first_four_ = first;
   four_count_ = count;

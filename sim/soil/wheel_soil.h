@@ -58,6 +58,7 @@ class WheelSoil {
     Four cos, sin;  // directions from the axle in K: (cos, 0, -sin)
     std::array<PatchOf<Four>, kLines> patches;
     SideWalls sides;
+    bool in_soil = false;  // any of them; else patches and sides are as made
   };
   /// Its three patches and faces across the width, and the left ones once more.
   struct Paddle {
@@ -80,6 +81,7 @@ class WheelSoil {
               LoadSumOf<Real>& sum) const;
   template <typename Real>
   void AddToEnvelope(const Row<Real>& row);
+  static void Forget(Strips& strips);
   void MoveWindow(int first, int count);
   void AddRim(const Place& at, LoadSum& sum);
   void AddStrips(const Place& at, Strips& strips, LoadSumOf<Four>& sum);
