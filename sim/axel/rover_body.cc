@@ -134,19 +134,20 @@ void RoverBody::AddJointTorque(RoverLink link, double torque_nm) {
   loads_[5 + Index(link)] += torque_nm;
 }
 
-Eigen::Vector3d RoverBody::CentreOfMass(RoverLink link) const {
-  return motion_[Index(link)].X_GL * inertia_[Index(link)].X_LP.p;
-}
-
-Eigen::Matrix3d RoverBody::InertiaInG(RoverLink link) const {
-  const Eigen::Matrix3d R_GP = motion_[Index(link)].X_GL.R * inertia_[Index(link)].X_LP.R;
-  return R_GP * inertia_[Index(link)].moments.asDiagonal() * R_GP.transpose();
+RoverBody::LinkInertias RoverBody::InertiasInG() const {
+  LinkInertias all;
+  for (int i = 0; i < kRoverLinkCount; ++i) {
+    const Eigen::Matrix3d R_GP = motion_[i].X_GL.R * inertia_[i].X_LP.R;
+    all[i] = R_GP * inertia_[i].moments.asDiagonal() * R_GP.transpose();
+  }
+  return all;
 }
 
 // Newton's and Euler's laws for each link, projected on the speeds (Kane): M dv/dt = loads - what
 // the links' accelerations take that come of the speeds alone.
 void RoverBody::TakeLoads(const Eigen::Vector3d& gravity_G, double step_s) {
   const Eigen::Vector3d w_GR = motion_[0].w_GL_G, y_G = motion_[0].X_GL.R.col(1);
+  const LinkInertias inertias = InertiasInG();
   for (int i = 0; i < kRoverLinkCount; ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
     const Eigen::Vector3d w = motion_[i].w_GL_G, com_G = CentreOfMass(link);
@@ -156,11 +157,11 @@ void RoverBody::TakeLoads(const Eigen::Vector3d& gravity_G, double step_s) {
         i == 0 ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(joint_rad_s(link) * w_GR.cross(y_G));
     const Eigen::Vector3d acceleration =
         w_GR.cross(w_GR.cross(to_hinge)) + turn.cross(to_com) + w.cross(w.cross(to_com));
-    const Eigen::Matrix3d I_G = InertiaInG(link);
+    const Eigen::Matrix3d& I_G = inertias[i];
     AddForce(link, mass_kg_[i] * (gravity_G - acceleration), com_G);
     AddTorque(link, -(I_G * turn + w.cross(I_G * w)));
   }
-  mass_.compute(MassMatrix());
+  mass_.compute(MassMatrix(inertias));
   AddSpeeds(step_s * mass_.solve(loads_));
   loads_.setZero();
   // Bullet's speed is that of the body's centre of mass, which goes round the axle's middle.
@@ -171,14 +172,14 @@ void RoverBody::TakeLoads(const Eigen::Vector3d& gravity_G, double step_s) {
 
 void RoverBody::Move(double step_s) { multibody_->stepPositionsMultiDof(step_s); }
 
-Eigen::Matrix<double, RoverBody::kSpeeds, RoverBody::kSpeeds> RoverBody::MassMatrix() const {
-  Eigen::Matrix<double, kSpeeds, kSpeeds> M = Eigen::Matrix<double, kSpeeds, kSpeeds>::Zero();
+RoverBody::Inertia RoverBody::MassMatrix(const LinkInertias& inertias) const {
+  Inertia M = Inertia::Zero();
   const Eigen::Vector3d y_G = motion_[0].X_GL.R.col(1);
   for (int i = 0; i < kRoverLinkCount; ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
     const double m = mass_kg_[i];
     const Eigen::Vector3d com_G = CentreOfMass(link), r = com_G - motion_[0].X_GL.p;
-    const Eigen::Matrix3d I_G = InertiaInG(link);
+    const Eigen::Matrix3d& I_G = inertias[i];
     const Eigen::Matrix3d r_cross = Cross(r);
     M.topLeftCorner<3, 3>().diagonal().array() += m;
     M.block<3, 3>(0, 3) -= m * r_cross;
@@ -234,6 +235,9 @@ void RoverBody::Refresh() {
     own.X_GL.p = body.X_GL * p_R_hinge_[i];
     own.w_GL_G = body.w_GL_G + joint_rad_s(link) * y_G;
     own.v_GL_G = body.VelocityAt(own.X_GL.p);
+  }
+  for (int i = 0; i < kRoverLinkCount; ++i) {
+    com_G_[i] = motion_[i].X_GL.R * inertia_[i].X_LP.p + motion_[i].X_GL.p;
   }
 }
 

@@ -58,7 +58,7 @@ class RoverBody {
   using Speeds = Eigen::Matrix<double, kSpeeds, 1>;
   /// Inertia of these speeds, rotors included [kg, kg m, kg m^2].
   using Inertia = Eigen::Matrix<double, kSpeeds, kSpeeds>;
-  Inertia MassMatrix() const;
+  Inertia MassMatrix() const { return MassMatrix(InertiasInG()); }
   /// Its factor, as TakeLoads found it; good until Move.
   const Eigen::LLT<Inertia>& MassFactor() const { return mass_; }
   /// Velocity in G of a link's material point at p_G over the speeds, 3 x 9.
@@ -73,7 +73,7 @@ class RoverBody {
   btMultiBodyLinkCollider* collider(RoverLink link) { return colliders_[Index(link)].get(); }
   /// Radius about the axle's middle that holds the whole rover [m].
   double reach_m() const { return reach_m_; }
-  Eigen::Vector3d CentreOfMass(RoverLink link) const;
+  const Eigen::Vector3d& CentreOfMass(RoverLink link) const { return com_G_[Index(link)]; }
   /// The frame of a link's collision shape.
   Pose3 X_GP(RoverLink link) const {
     return motion_[Index(link)].X_GL * inertia_[Index(link)].X_LP;
@@ -83,7 +83,9 @@ class RoverBody {
  private:
   static int Index(RoverLink link) { return static_cast<int>(link); }
   int BulletIndex(RoverLink link) const { return bullet_index_[Index(link)]; }
-  Eigen::Matrix3d InertiaInG(RoverLink link) const;  // about the centre of mass
+  using LinkInertias = std::array<Eigen::Matrix3d, kRoverLinkCount>;  // about centres of mass
+  LinkInertias InertiasInG() const;
+  Inertia MassMatrix(const LinkInertias& inertias) const;
   void AddHinge(const RoverModel& rover, RoverLink link);
   void AddCollider(RoverLink link, const std::vector<Collision>& collisions);
 
@@ -97,6 +99,7 @@ class RoverBody {
   std::unique_ptr<btMultiBody> multibody_;
   std::array<std::unique_ptr<btMultiBodyLinkCollider>, kRoverLinkCount> colliders_;
   std::array<LinkMotion, kRoverLinkCount> motion_;
+  std::array<Eigen::Vector3d, kRoverLinkCount> com_G_;
   double reach_m_ = 0.0;
   Speeds loads_ = Speeds::Zero();  // over the speeds [N, N m]
   Eigen::LLT<Inertia> mass_;
