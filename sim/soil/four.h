@@ -134,8 +134,8 @@ inline double Largest(double a) { return a; }
 inline double Sum(Four a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 inline double Sum(double a) { return a; }
 
-/// base^exponent, to 1e-12 of it, for 1e-30 <= base <= 1e30 and 0 < exponent <= 2; no other base is
-/// allowed. By polynomials of its own, not the C library's: the same bits with every library.
+/// base^exponent, to 2e-12 of it, for 1e-30 <= base <= 1e30 and 0 < exponent <= 2.5; no other base
+/// is allowed. By polynomials of its own, not the C library's: the same bits with every library.
 Four Power(Four base, double exponent);
 double Power(double base, double exponent);
 

@@ -17,13 +17,13 @@ namespace {
 
 TEST(Power, IsWithinItsStatedErrorOfTheCLibrarys) {
   double worst = 0.0;
-  for (double exponent : {0.3, 0.8, 1.0, 1.1, 1.46, 2.0}) {
+  for (double exponent : {0.3, 0.8, 1.0, 1.1, 1.46, 2.5}) {
     for (double base = 1e-30; base < 1e30; base *= 1.00371) {
       const double exact = std::pow(base, exponent);
       worst = std::max(worst, std::fabs(Power(base, exponent) / exact - 1.0));
     }
   }
-  EXPECT_LT(worst, 1e-12);
+  EXPECT_LT(worst, 2e-12);
   EXPECT_GT(worst, 1e-16);
 }
 
