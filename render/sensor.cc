@@ -11,6 +11,7 @@
 #include "render/shading.h"
 #include "render/stereo_renderer.h"
 #include "render/two_widths.h"
+#include "render/window.h"
 
 namespace dockyard {
 namespace {
@@ -36,6 +37,7 @@ void RequireSound(const SensorOptions& s) {
           "a fixed exposure must not be negative");
   require(std::abs(s.exposure_stops) <= 16.0, "at most 16 stops off");
   RequireSoundOptics(s);
+  for (const WindowOptions& window : s.windows) RequireSoundWindow(window);
 }
 
 // The k-th smallest of numbers that are not negative: their bits are in the same order, so first
@@ -125,6 +127,14 @@ std::array<RadianceImage, 2> ThroughLens(std::array<RadianceImage, 2> images, co
     DOCKYARD_CHECK(images[view].width == camera.width && images[view].height == camera.height);
     DOCKYARD_CHECK(images[view].values.size() ==
                    static_cast<std::size_t>(camera.width) * camera.height);
+    if (sensor.eyes[view] == EyeState::kSilent) {
+      images[view] = {};
+      continue;
+    }
+    ApplyWindow(camera, sensor.windows[view], images[view]);
+    if (sensor.eyes[view] == EyeState::kDark) {
+      std::fill(images[view].values.begin(), images[view].values.end(), 0.0f);
+    }
     ApplyOptics(camera, sensor, images[view]);
   }
   return images;

@@ -1,6 +1,7 @@
 // A stereo pair of a scene, as the rover's cameras would deliver it; or one view from anywhere.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -25,6 +26,21 @@ struct Focus {
   double focal_length_m = 0.0, f_number = 0.0, distance_m = 0.0, pixel_pitch_m = 0.0;
 };
 
+/// What lies on the window before one lens: nothing by default, and then the sizes do not matter.
+struct WindowOptions {
+  double distance_m = 0.0;      // window to pupil
+  double pupil_m = 0.0;         // diameter of the pupil
+  double cover_share = 0.0;     // of the image, behind an opaque cover
+  double cover_side_rad = 0.0;  // where in the image: 0 right, a quarter turn up, and so on
+  double dust_share = 0.0;      // of the image, behind opaque clumps of dust
+  double dust_clump_m = 0.0;    // their median diameter
+  double dust_scatter = 0.0;    // share of the light on them that veils the image
+  std::uint64_t dust_key = 0;   // stream of their places
+};
+
+/// A dead camera gives a picture without light, or none.
+enum class EyeState { kAlive, kDark, kSilent };
+
 /// The sensor behind the lens. Equations and sources: docs/reference/images.md.
 struct SensorOptions {
   double full_well_e = 20000.0;
@@ -41,6 +57,9 @@ struct SensorOptions {
   double exposure_stops = 0.0;    // off that, as a power of two: one of a bracket
   std::uint64_t noise_key = 0;    // stream of this image
   std::uint64_t pattern_key = 0;  // stream of these cameras
+  // Faults, left then right. A silent camera's image has no pixels and counts for no exposure.
+  std::array<WindowOptions, 2> windows{};
+  std::array<EyeState, 2> eyes{EyeState::kAlive, EyeState::kAlive};
 };
 
 enum class GlBackend { kOsMesa, kEglSurfaceless };

@@ -16,6 +16,13 @@
 namespace dockyard::axel {
 namespace {
 
+/// In place of the picture of a camera that gave none beside the other's.
+GrayImage Dark(const GrayImage& other) {
+  GrayImage dark{.width = other.width, .height = other.height, .pixels = {}};
+  dark.pixels.resize(other.pixels.size());
+  return dark;
+}
+
 std::optional<Event> ArrivedIf(bool arrived) {
   return arrived ? std::optional<Event>(Event::kArrived) : std::nullopt;
 }
@@ -108,6 +115,7 @@ class AxelMachine final : public Controller {
   // Taking sightings.
   Tick look_from_ = 0;
   std::optional<Tick> asked_at_;
+  int asks_ = 0;  // in a row without an answer
   // Searching.
   int attempts_ = 0;
   std::optional<SearchAction> search_;
@@ -188,14 +196,20 @@ std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* comm
   StandStill(nominal_, options_.drive, InPhase(), commands);
   const GrayImage* left = GrayImageOf(sensed, kLeftCamera);
   const GrayImage* right = GrayImageOf(sensed, kRightCamera);
-  if (left && right && asked_at_) {
+  if ((left || right) && asked_at_) {
     asked_at_.reset();
-    return Judge({*left, *right});
+    asks_ = 0;
+    return Judge({left ? *left : Dark(*right), right ? *right : Dark(*left)});
   }
   if (senses_.now() - look_from_ < options_.look.settle) return std::nullopt;
-  if (!asked_at_ || senses_.now() - *asked_at_ >= options_.look.image_limit) {
+  if (!asked_at_ || senses_.now() - *asked_at_ >= options_.look.image_limit << (asks_ - 1)) {
+    if (asks_ == options_.look.unanswered_asks) {
+      belief_.note = "cameras do not answer";
+      return Event::kLimitReached;
+    }
     commands->take_images = {kLeftCamera, kRightCamera};
     asked_at_ = senses_.now();
+    ++asks_;
   }
   return std::nullopt;
 }
@@ -355,6 +369,7 @@ void AxelMachine::Enter(Phase phase) {
   levelling_since_.reset();
   rolled_before_m_ = senses_.rolled_m();
   asked_at_.reset();
+  asks_ = 0;
   driver_.reset();
   braked_.reset();
   if (phase != Phase::kLook) taut_ = false;

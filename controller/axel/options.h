@@ -66,8 +66,11 @@ struct ArmOptions {
 
 struct LookOptions {
   Tick settle = 800;         // body swings about the axle for about a second; assumed
-  Tick image_limit = 1'000;  // then a missing image pair is asked for again
-  int contradictions = 2;    // this many agreeing sightings against dead reckoning drop it
+  Tick image_limit = 1'000;  // then a missing image pair is asked for again ...
+  // ... with twice the patience, as cameras may be slow: 1, 2, 4, ... s. After this many asks in a
+  // row without an answer there is no camera to dock by. Assumed, 5-8 (31 s to 4 min).
+  int unanswered_asks = 6;
+  int contradictions = 2;  // this many agreeing sightings against dead reckoning drop it
   double max_range_m = 12.0, min_range_m = 0.4;  // discs of 10 cm are 6 px at 12 m, f 700 px
   double view_margin_rad = Radians(3.0);  // edge marks are the first to be lost (V-D); 0-5 deg
   // Share of the board's half width that must be in view: five of eight marks. Assumed, 0.3-1.

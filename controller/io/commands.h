@@ -33,7 +33,8 @@ enum class Verdict : std::uint8_t { kUnderWay, kDocked, kGivenUp };
 
 struct Commands {
   std::vector<MotorCommand> motors{};    // one for each of the robot's motors, in their order
-  std::vector<int> take_images{};        // cameras whose image the next frame brings
+  std::vector<int> take_images{};        // cameras whose image the next frame brings, or
+                                         // a later one, or none: cameras may be slow or fail
   std::vector<std::uint8_t> switches{};  // lamps and the like, by index: 1 on, 0 off
   Verdict verdict = Verdict::kUnderWay;
 

@@ -49,6 +49,7 @@ struct AxelMeasures {
   double entry_current_mean_a = std::nan(""), entry_current_peak_a = std::nan("");
   double entry_force_peak_n = std::nan("");
   double advance_m = 0.0, turned_deg = 0.0;
+  double pairs_lost = 0.0;
 };
 
 /// Calls visit(name, unit, meaning, headline, value) for each measure of the result row.
@@ -85,6 +86,7 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
   visit("entry_force_peak_n", "N", "of the cone on the arm" + entry, false, m.entry_force_peak_n);
   visit("advance_m", "m", "way from start to end along the first heading", false, m.advance_m);
   visit("turned_deg", "deg", "heading at the end against that at the start", false, m.turned_deg);
+  visit("pairs_lost", "", "image pairs asked for and lost on their way", false, m.pairs_lost);
 }
 
 std::vector<Column> Channels();

@@ -46,6 +46,7 @@ class AxelJudge final : public Judge {
 
   void Observe() override;
   void ObserveSighting(const SightingReport& report) override;
+  void ObserveLostImages() override { ++measures_.pairs_lost; }
   bool fatal() const override { return outcome_.fatal(); }
   Conclusion Conclude(const Commands& last, const Belief& belief, const TrialWatch& watch) override;
 

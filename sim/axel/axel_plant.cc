@@ -6,6 +6,7 @@
 #include "controller/base/check.h"
 #include "sim/axel/axel_columns.h"
 #include "sim/base/hash.h"
+#include "sim/run/camera_faults.h"
 
 namespace dockyard::axel {
 namespace {
@@ -29,6 +30,7 @@ AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built,
                      std::shared_ptr<KeptRenderer> renderer)
     : seed_(scenario.seed),
       step_s_(scenario.physics_step_s),
+      camera_faults_(scenario.camera_faults),
       built_(std::move(built)),
       world_(built_.world),
       sensors_(built_.world.rover.imu, MotorModels(built_.world.rover), kControlPeriod, seed_),
@@ -45,13 +47,15 @@ SensorFrame AxelPlant::Sense() {
 }
 
 std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras) {
-  const SensorOptions sensor = CameraSensor(built_.world.rover.stereo, seed_, pairs_taken_++);
+  const SensorOptions sensor = WithFaults(
+      CameraSensor(built_.world.rover.stereo, seed_, pairs_taken_++), camera_faults_, seed_);
   StereoImages pair = renderer_->Get().Render(scene_.Make(truth_, world_.ground()),
                                               built_.built_rig, truth_.X_WR, sensor);
   std::vector<CameraImage> images;
   for (const int camera : cameras) {
     DOCKYARD_CHECK(camera == kLeftCamera || camera == kRightCamera);
-    images.push_back({camera, std::move(camera == kLeftCamera ? pair.left : pair.right)});
+    GrayImage& image = camera == kLeftCamera ? pair.left : pair.right;
+    if (!image.pixels.empty()) images.push_back({camera, std::move(image)});
   }
   return images;
 }

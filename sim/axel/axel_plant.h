@@ -39,6 +39,7 @@ class AxelPlant final : public Plant {
  private:
   std::uint64_t seed_;
   double step_s_;
+  CameraFaults camera_faults_;
   BuiltRun built_;
   World world_;
   SensorSuite sensors_;

@@ -131,6 +131,7 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   system.file_keys = {"station"};
   system.changes_file_keys = {"robot.urdf", "robot.cameras.file", "station.urdf"};
   system.model_roots = {{"robot", "robot"}, {"station", "axel.station"}, {"soil", "soil"}};
+  system.spoiled_pictures = true;
   system.outcomes = OutcomeNames();
   system.channels = Channels();
   system.beliefs = Beliefs();

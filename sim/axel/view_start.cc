@@ -9,6 +9,7 @@
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/images/png.h"
+#include "sim/run/camera_faults.h"
 #include "sim/run/renderer.h"
 
 namespace dockyard::axel {
@@ -34,17 +35,25 @@ void WriteImages(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
   const bool with_depth = sensor.focus.distance_m > 0.0;
   const auto radiance = renderer->RenderRadiance(scene, rig, X_WR, with_depth);
   const StereoImages images = ExposeStereo(radiance, rig, sensor);
-  WriteWhole(out_dir / "left.png", EncodePng(images.left));
-  WriteWhole(out_dir / "right.png", EncodePng(images.right));
+  // A camera that gives no picture leaves no file, not even one of an earlier view.
+  const auto write = [&](std::size_t view, const char* file, const auto& image) {
+    if (sensor.eyes[view] == EyeState::kSilent) {
+      std::filesystem::remove(out_dir / file);
+    } else {
+      WriteWhole(out_dir / file, EncodePng(image));
+    }
+  };
+  write(0, "left.png", images.left);
+  write(1, "right.png", images.right);
   if (sensor.bits > 8) {
     const auto deep = ExposeDeep(radiance, rig, sensor);
-    WriteWhole(out_dir / "left_deep.png", EncodePng(deep[0]));
-    WriteWhole(out_dir / "right_deep.png", EncodePng(deep[1]));
+    write(0, "left_deep.png", deep[0]);
+    write(1, "right_deep.png", deep[1]);
   }
   if (!colour) return;
   const auto rgb = ExposeColour(renderer->RenderColour(scene, rig, X_WR, with_depth), rig, sensor);
-  WriteWhole(out_dir / "left_colour.png", EncodePng(rgb[0]));
-  WriteWhole(out_dir / "right_colour.png", EncodePng(rgb[1]));
+  write(0, "left_colour.png", rgb[0]);
+  write(1, "right_colour.png", rgb[1]);
 }
 
 }  // namespace
@@ -60,7 +69,9 @@ void WriteStartView(const Scenario& scenario, const AxelModels& models,
                              built.lighting, SiteOf(scenario), scenario.seed);
   const Scene scene = builder.Make(truth, world.ground());
   WriteImages(scene, built.built_rig, truth.X_WR,
-              CameraSensor(built.world.rover.stereo, scenario.seed, 0), scenario.colour, out_dir);
+              WithFaults(CameraSensor(built.world.rover.stereo, scenario.seed, 0),
+                         scenario.camera_faults, scenario.seed),
+              scenario.colour, out_dir);
 
   const Pose3 X_RB = Inverse(truth.X_WR) * scene.board.X_WB;
   Json view;

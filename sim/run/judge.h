@@ -26,6 +26,8 @@ class Judge {
   virtual void Observe() = 0;
   /// Called for every sighting that the controller reports, after Observe.
   virtual void ObserveSighting(const SightingReport& report) = 0;
+  /// Called when pictures that the controller asked for are lost.
+  virtual void ObserveLostImages() {}
   /// Whether the run cannot go on.
   virtual bool fatal() const = 0;
   /// Called once, at the end. May step the plant further, to test a claim.

@@ -10,6 +10,7 @@
 #include "sim/bridge/pipe_controller.h"
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
+#include "sim/run/camera_faults.h"
 #include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
@@ -49,7 +50,11 @@ std::uint64_t HashCommands(std::uint64_t hash, const Commands& commands, int cam
 class Run {
  public:
   Run(const System& system, const CampaignRun& what, const RunOptions& options)
-      : system_(system), what_(what), options_(options), ready_(system.make_ready(what.scenario)) {
+      : system_(system),
+        what_(what),
+        options_(options),
+        ready_(system.make_ready(what.scenario)),
+        link_(what.scenario.camera_faults, what.scenario.seed) {
     RequireAllowed(what.scenario, options);
     record_.result = StartOfRow(what);
     record_.columns = system.Columns(options.labels);
@@ -97,7 +102,11 @@ class Run {
     while (commands.verdict == Verdict::kUnderWay && plant().tick() < time_limit &&
            !ready_.judge->fatal()) {
       SensorFrame sensed = plant().Sense();
-      if (!commands.take_images.empty()) sensed.images = plant().TakeImages(commands.take_images);
+      if (!commands.take_images.empty() &&
+          !link_.Send(plant().TakeImages(commands.take_images), sensed.tick)) {
+        ready_.judge->ObserveLostImages();
+      }
+      sensed.images = link_.Receive(sensed.tick);
       record_.result.images += static_cast<int>(sensed.images.size());
       commands = controller_->Step(sensed);
       if (log_) log_->Append(sensed, commands);
@@ -205,6 +214,7 @@ class Run {
   const CampaignRun& what_;
   const RunOptions& options_;
   ReadyRun ready_;
+  ImageLink link_;
   std::unique_ptr<Controller> controller_;
   PipeController* pipe_ = nullptr;  // the controller, if it is a program
   std::optional<ControllerFailure> failure_;

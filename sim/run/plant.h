@@ -20,7 +20,7 @@ class Plant {
   virtual Tick tick() const = 0;
   /// The readings of all sensors but the cameras now. Called once every control period.
   virtual SensorFrame Sense() = 0;
-  /// The images of these cameras now.
+  /// The images of these cameras now; a camera that gives none is left out.
   virtual std::vector<CameraImage> TakeImages(const std::vector<int>& cameras) = 0;
   /// One control period under these commands.
   virtual void Advance(const Commands& commands) = 0;

@@ -52,8 +52,12 @@ const System& FindSystem(const std::vector<System>& systems, const std::string& 
 std::vector<KnownSystem> KnownSystems(const std::vector<System>& systems) {
   std::vector<KnownSystem> known;
   for (const System& system : systems) {
-    known.push_back(
-        {system.name, {}, system.file_keys, system.changes_file_keys, system.model_roots});
+    known.push_back({system.name,
+                     {},
+                     system.file_keys,
+                     system.changes_file_keys,
+                     system.model_roots,
+                     system.spoiled_pictures});
     for (const ControllerEntry& entry : system.controllers) {
       known.back().controllers.push_back(entry.name);
     }

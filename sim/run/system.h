@@ -74,6 +74,7 @@ struct System {
   std::vector<std::string> file_keys;          // keys under its own name whose values are files
   std::vector<std::string> changes_file_keys;  // and dotted keys under `changes` and `as_built`
   std::vector<ModelRoot> model_roots;          // the models that have these roots
+  bool spoiled_pictures = false;               // draws CameraFaults::left and right
 
   /// Reads the system's own keys and all models that the scenario names; returns a line that
   /// describes the system. Throws ConfigError.

@@ -14,4 +14,9 @@ const char* LightName(Light light) {
   return "unknown";
 }
 
+bool Spoils(const EyeFaults& eye) {
+  return eye.picture != EyeFaults::Picture::kNormal || eye.cover_share > 0.0 ||
+         eye.dust_share > 0.0;
+}
+
 }  // namespace dockyard

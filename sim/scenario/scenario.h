@@ -39,6 +39,31 @@ struct YardModel {
 /// The grid begins this far behind the target.
 inline constexpr double kYardBehind_m = 1.5;
 
+/// Faults of one camera. In the picture, sides count from the right, counter-clockwise.
+struct EyeFaults {
+  enum class Picture { kNormal, kDark, kNone };
+  Picture picture = Picture::kNormal;
+  double cover_share = 0.0, cover_side_rad = 0.0;  // of an opaque cover on the window
+  double dust_share = 0.0;                         // of the picture, behind clumps of dust
+  double dust_clump_m = 3e-4;                      // median diameter; assumed, 0.1-1 mm
+  // Bright dust scatters most of the light on it, and part of that into the pupil.
+  double dust_scatter = 0.3;  // of that light, what veils the picture; assumed, 0.1-0.6
+};
+
+/// Faults of a robot's cameras. None by default.
+struct CameraFaults {
+  double delay_s = 0.0;  // from a picture's exposure to its arrival
+  double lost = 0.0;     // probability that what was asked for never arrives
+  // The pupil of the rovers' hazard cameras: 5.58 mm at f/15 (Maki et al., JGR 108, 2003; MER).
+  // Range 0.3-1.2 mm; the Navcams' is 1.22 mm (14.67 mm at f/12).
+  double pupil_m = 0.37e-3;
+  double window_m = 0.02;  // from the pupil to cover and dust; assumed, 5-50 mm
+  EyeFaults left, right;
+};
+
+/// Whether the camera is dead or anything lies on its window.
+bool Spoils(const EyeFaults& eye);
+
 struct Scenario {
   std::string name;
   std::string system;                              // name of a system
@@ -52,7 +77,8 @@ struct Scenario {
   SunModel sun;
   YardModel yard;
   int image_width = 0, image_height = 0;  // 0: as the cameras' file says, else the system's default
-  bool colour = false;                    // view writes colour images beside the grey ones
+  CameraFaults camera_faults;
+  bool colour = false;  // view writes colour images beside the grey ones
   double time_limit_s = 600.0;
   double physics_step_s = 1e-3;  // 1e-3 unless a convergence study changes it
   std::uint64_t seed = 1;
@@ -80,6 +106,7 @@ struct KnownSystem {
   // be written into another folder.
   std::vector<std::string> changes_file_keys{};
   std::vector<ModelRoot> model_roots{};  // models whose files may have spreads
+  bool spoiled_pictures = false;         // whether its cameras may be dead, covered or dusty
 };
 
 /// One run of many, or alone.

@@ -7,6 +7,7 @@
 #include "controller/base/number_text.h"
 #include "models/read/config_error.h"
 #include "models/read/text_file.h"
+#include "sim/scenario/camera_keys.h"
 #include "sim/scenario/key_path.h"
 
 namespace dockyard {
@@ -14,16 +15,6 @@ namespace {
 
 constexpr double kMaxCells = 4e6;
 constexpr const char* kCommand = "command";
-
-void VisitCamera(Keys& keys, Scenario& s) {
-  using enum Presence;
-  keys.File({"file", "", "cameras instead of the robot's own", kUnset}, s.camera_file);
-  keys.Integer({"width_px", "px", "image width, given together with height_px", kUnset},
-               s.image_width, 64, 4096);
-  keys.Integer({"height_px", "px", "image height, given together with width_px", kUnset},
-               s.image_height, 64, 4096);
-  keys.Bool({"colour", "", "`view` writes colour images beside the grey ones"}, s.colour);
-}
 
 void VisitController(Keys& keys, Scenario& s, const KnownSystem* system) {
   static const std::vector<std::string> none;
@@ -156,6 +147,17 @@ void CheckTogether(const Scenario& s, const YamlNode& root) {
   }
 }
 
+/// What a system cannot draw is refused.
+void CheckFaults(const Scenario& s, const KnownSystem& system, const YamlNode& root) {
+  if (system.spoiled_pictures) return;
+  const auto check = [&](const char* path, const EyeFaults& eye) {
+    if (!Spoils(eye)) return;
+    RefuseValue(root, path, "no such faults, as the system " + system.name + " draws none");
+  };
+  check("camera.left", s.camera_faults.left);
+  check("camera.right", s.camera_faults.right);
+}
+
 /// The folder in which the scenario's program runs, absolute: the folder named beside its file,
 /// else the file's own. A folder from an option stays as it is.
 std::string CommandFolder(const YamlNode& root, const std::string& named) {
@@ -239,6 +241,7 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
     scenario.command_folder = CommandFolder(root, scenario.command_folder);
   }
   const KnownSystem& system = *Find(systems, scenario.system);
+  CheckFaults(scenario, system, root);
   MakeFilesAbsolute(scenario.of_system, system.name, system.file_keys);
   MakeFilesAbsolute(scenario.changes, "changes", system.changes_file_keys);
   MakeFilesAbsolute(scenario.as_built, "as_built", system.changes_file_keys);

@@ -21,6 +21,22 @@ const std::vector<std::pair<std::string, std::string>>& OtherValues() {
       {"camera.width_px", "800"},
       {"camera.height_px", "600"},
       {"camera.colour", "true"},
+      {"camera.delay_s", "0.35"},
+      {"camera.lost", "0.2"},
+      {"camera.pupil_m", "0.001"},
+      {"camera.window_m", "0.03"},
+      {"camera.left.picture", "dark"},
+      {"camera.left.cover", "0.5"},
+      {"camera.left.cover_side_deg", "-33.333333333333336"},
+      {"camera.left.dust", "0.1"},
+      {"camera.left.dust_clump_m", "0.0005"},
+      {"camera.left.dust_scatter", "0.4"},
+      {"camera.right.picture", "none"},
+      {"camera.right.cover", "0.25"},
+      {"camera.right.cover_side_deg", "77.7"},
+      {"camera.right.dust", "0.2"},
+      {"camera.right.dust_clump_m", "0.0001"},
+      {"camera.right.dust_scatter", "0.55"},
       {"controller", "straight"},
       {"start.r_m", "3.0000000000000004"},
       {"start.alpha_deg", "-33.333333333333336"},
@@ -81,8 +97,8 @@ TEST_F(Resolved, OtherValuesCoverEveryKeyOfAScenario) {
   for (const KeyRow& row : ScenarioRows()) known.push_back(row.key);
   for (const auto& [key, value] : OtherValues()) here.push_back(key);
   here.insert(here.begin() + 1, "system");
-  here.insert(here.begin() + 9, "controller.command");
-  here.insert(here.begin() + 10, "controller.folder");
+  here.insert(here.begin() + 25, "controller.command");
+  here.insert(here.begin() + 26, "controller.folder");
   here.back() = "<system>";
   EXPECT_EQ(here, known);
 }

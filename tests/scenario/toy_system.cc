@@ -23,7 +23,8 @@ std::vector<KnownSystem> ToySystems() {
            {"straight", "wave"},
            {"flag"},
            {"robot.cameras.file"},
-           {{"robot", "robot"}, {"flag", "toy.flag"}, {"soil", "soil"}}},
+           {{"robot", "robot"}, {"flag", "toy.flag"}, {"soil", "soil"}},
+           true},
           {"other", {"idle"}, {}, {}}};
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "axel/controller/grid.h"
 #include "axel/controller/kinematic_rover.h"
@@ -254,6 +255,64 @@ TEST(Axel, UsesTheRealVisionByDefault) {
   }
   ASSERT_EQ(controller->belief().sighting_count, 1);
   EXPECT_FALSE(controller->belief().last_sighting->accepted);
+}
+
+/// A machine at rest whose asks the answer meets: told the ask's number, from 1, it fills the
+/// frame.
+struct AtRest {
+  int asks = 0, seconds = 0;
+  std::vector<Tick> asked;
+  Verdict verdict = Verdict::kUnderWay;
+};
+AtRest Rest(Controller& controller, int seconds,
+            const std::function<void(int ask, SensorFrame&)>& answer) {
+  AtRest rest;
+  bool asked = false;
+  for (int i = 0; i < seconds * 1000 / kControlPeriod; ++i) {
+    SensorFrame frame = StillFrame();
+    frame.imu.specific_force_R.z() = 9.81;
+    frame.tick = i * kControlPeriod;
+    if (asked) answer(++rest.asks, frame);
+    const Commands commands = controller.Step(frame);
+    asked = !commands.take_images.empty();
+    if (asked) rest.asked.push_back(frame.tick);
+    rest.verdict = commands.verdict;
+    if (rest.verdict != Verdict::kUnderWay) break;
+  }
+  return rest;
+}
+
+// Cameras may be slow: each ask waits twice as long as the one before, and the sixth is the last.
+TEST(Axel, CamerasThatNeverAnswerEndTheAttempt) {
+  const auto controller = MakeAxelController(TestNominal());
+  const AtRest rest = Rest(*controller, 300, [](int, SensorFrame&) {});
+  EXPECT_EQ(rest.verdict, Verdict::kGivenUp);
+  EXPECT_EQ(controller->belief().note, "cameras do not answer");
+  ASSERT_EQ(rest.asked.size(), 6u);
+  for (std::size_t i = 1; i < rest.asked.size(); ++i) {
+    EXPECT_EQ(rest.asked[i] - rest.asked[i - 1], 1000 << (i - 1));
+  }
+}
+
+TEST(Axel, LooksByOneEyeWhenTheOtherGivesNoPicture) {
+  for (const int eye : {kLeftCamera, kRightCamera}) {
+    StereoImages seen;
+    const auto controller =
+        MakeAxelMachine(TestNominal(), {}, [&](const StereoImages& images, const LocateHints&) {
+          seen = images;
+          return LocateOutput{PoseFailure::kNoCorrespondence, {}};
+        });
+    Rest(*controller, 20, [&](int, SensorFrame& frame) {
+      frame.images = {{eye, GrayImage{2, 1, {7, 9}}}};
+    });
+    ASSERT_GT(controller->belief().sighting_count, 0);
+    const GrayImage& has = eye == kLeftCamera ? seen.left : seen.right;
+    const GrayImage& lacks = eye == kLeftCamera ? seen.right : seen.left;
+    EXPECT_THAT(has.pixels, testing::ElementsAre(7, 9));
+    EXPECT_THAT(lacks.pixels, testing::ElementsAre(0, 0));
+    EXPECT_EQ(lacks.width, 2);
+    EXPECT_EQ(lacks.height, 1);
+  }
 }
 
 }  // namespace
