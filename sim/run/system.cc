@@ -57,7 +57,8 @@ std::vector<KnownSystem> KnownSystems(const std::vector<System>& systems) {
                      system.file_keys,
                      system.changes_file_keys,
                      system.model_roots,
-                     system.spoiled_pictures});
+                     system.spoiled_pictures,
+                     system.rocks});
     for (const ControllerEntry& entry : system.controllers) {
       known.back().controllers.push_back(entry.name);
     }

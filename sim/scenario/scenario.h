@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "controller/geometry/pose.h"
+#include "models/parts/rock_field.h"
 #include "models/read/yaml_tree.h"
 
 namespace dockyard {
@@ -72,10 +73,13 @@ struct Scenario {
   std::vector<std::string> command;                // else: a program that is the controller,
   std::string command_folder;                      // and where it runs: its file's folder
   DockingCoords start{.r = 4.0};
-  std::string start_place, camera_place, yard_place;  // "file:line:column: start", for messages
+  // "file:line:column: start", for messages
+  std::string start_place, camera_place, yard_place, rocks_place;
   Light light = Light::kEven;
   SunModel sun;
   YardModel yard;
+  RockField rocks;
+  YamlNode given_rocks;                   // RockField::given as it is written. kNull: none
   int image_width = 0, image_height = 0;  // 0: as the cameras' file says, else the system's default
   CameraFaults camera_faults;
   bool colour = false;  // view writes colour images beside the grey ones
@@ -107,6 +111,7 @@ struct KnownSystem {
   std::vector<std::string> changes_file_keys{};
   std::vector<ModelRoot> model_roots{};  // models whose files may have spreads
   bool spoiled_pictures = false;         // whether its cameras may be dead, covered or dusty
+  bool rocks = false;                    // whether rocks may lie in its yard
 };
 
 /// One run of many, or alone.

@@ -9,6 +9,7 @@
 #include "models/read/text_file.h"
 #include "sim/scenario/camera_keys.h"
 #include "sim/scenario/key_path.h"
+#include "sim/scenario/rock_keys.h"
 
 namespace dockyard {
 namespace {
@@ -211,6 +212,7 @@ void VisitScenario(Keys& keys, Scenario& s, const std::vector<KnownSystem>& syst
   keys.Choice({"light", "", "kind of light"}, s.light, LightWords());
   keys.Mapping({"sun", "", ""}, [&](Keys& in) { VisitSun(in, s.sun); });
   keys.Mapping({"yard", "", ""}, [&](Keys& in) { VisitYard(in, s.yard); });
+  keys.Mapping({"rocks", "", ""}, [&](Keys& in) { VisitRocks(in, s); });
   keys.Number({"time_limit_s", "s", "simulated time after which the run ends"}, s.time_limit_s,
               Positive(1e5));
   // The physics refuses longer steps.
@@ -236,12 +238,14 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
   scenario.start_place = PlaceOf(root, "start", "r_m");
   scenario.camera_place = PlaceOf(root, "camera", "width_px");
   scenario.yard_place = PlaceOf(root, "yard", "slope_deg");
+  scenario.rocks_place = PlaceOf(root, "rocks", scenario.rocks.cover > 0.0 ? "cover" : "given");
   CheckTogether(scenario, root);
   if (!scenario.command.empty()) {
     scenario.command_folder = CommandFolder(root, scenario.command_folder);
   }
   const KnownSystem& system = *Find(systems, scenario.system);
   CheckFaults(scenario, system, root);
+  ReadRocks(scenario, root, system);
   MakeFilesAbsolute(scenario.of_system, system.name, system.file_keys);
   MakeFilesAbsolute(scenario.changes, "changes", system.changes_file_keys);
   MakeFilesAbsolute(scenario.as_built, "as_built", system.changes_file_keys);

@@ -24,6 +24,7 @@ std::vector<KnownSystem> ToySystems() {
            {"flag"},
            {"robot.cameras.file"},
            {{"robot", "robot"}, {"flag", "toy.flag"}, {"soil", "soil"}},
+           true,
            true},
           {"other", {"idle"}, {}, {}}};
 }
