@@ -38,6 +38,7 @@ AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built,
              SiteInWorld(built_.world.X_WG, built_.world.slope), seed_),
       renderer_(std::move(renderer)),
       truth_(world_.truth()) {
+  scene_.AddRocks(built_.world.rocks);
   CheckStart(built_, truth_);
 }
 
@@ -82,12 +83,14 @@ Stage AxelPlant::Look() const {
                   {"right_wheel", truth_.X_W_right_wheel},
                   {"arm", truth_.X_WA},
                   {"station", truth_.X_WS}};
+  const Pose3 X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope);
+  if (!built_.world.rocks.rocks.empty()) stage.bodies.push_back({"rocks", X_WG});
   // What throws a shadow stands where the scene's objects say.
   if (!built_.lighting.occluders.empty()) stage.bodies.push_back({"shade", Pose3{}});
   stage.lines = {{.name = "tether",
                   .diameter_m = built_.world.rover.tether.diameter_m,
                   .points_W = truth_.tether_W}};
-  stage.ground = {.X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope),
+  stage.ground = {.X_WG = X_WG,
                   .x0_m = ground.x0_m,
                   .y0_m = ground.y0_m,
                   .cell_m = ground.cell_m,

@@ -12,11 +12,13 @@
 #include "sim/axel/axel_columns.h"
 #include "sim/axel/axel_judge.h"
 #include "sim/axel/axel_plant.h"
+#include "sim/axel/build_rocks.h"
 #include "sim/axel/load_models.h"
 #include "sim/axel/nominal_json.h"
 #include "sim/axel/read_script.h"
 #include "sim/axel/view_start.h"
 #include "sim/run/light.h"
+#include "sim/scenario/rock_keys.h"
 
 namespace dockyard::axel {
 namespace {
@@ -51,8 +53,11 @@ StageShapes ShapesOf(const Scenario& scenario, const AxelModels& models) {
   const Pose3 X_WG = SiteOf(scenario), X_WD = X_WG * FromGround(WorldSetup{}.X_GD, 0.0);
   const Lighting lighting =
       MakeLighting(scenario.light, X_WD, BoardInDock(built.station).p, scenario.seed, scenario.sun);
-  return SceneBuilder(built.rover, built.station, built.soil, lighting, X_WG, scenario.seed)
-      .Shapes();
+  SceneBuilder scene(built.rover, built.station, built.soil, lighting, X_WG, scenario.seed);
+  if (HasRocks(scenario.rocks)) {
+    scene.AddRocks(BuildRocks(scenario, built, MakeGround(scenario.yard, scenario.seed)));
+  }
+  return scene.Shapes();
 }
 
 /// Where the arm would stand further askew in the socket than its play: a warning.
@@ -132,6 +137,7 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   system.changes_file_keys = {"robot.urdf", "robot.cameras.file", "station.urdf"};
   system.model_roots = {{"robot", "robot"}, {"station", "axel.station"}, {"soil", "soil"}};
   system.spoiled_pictures = true;
+  system.rocks = true;
   system.outcomes = OutcomeNames();
   system.channels = Channels();
   system.beliefs = Beliefs();

@@ -1,10 +1,15 @@
 #include "sim/axel/axel_view.h"
 
 #include "controller/base/split_mix.h"
+#include "sim/axel/build_rocks.h"
 #include "sim/base/random.h"
 
 namespace dockyard::axel {
 namespace {
+
+// Albedo of rocks against that of the soil: freshly broken faces are darker than dust. Assumed,
+// 0.4-1.
+constexpr double kRockToSoil = 0.65;
 
 Camera BuiltCamera(const Camera& camera, const StereoModel& stereo, RandomStream& random) {
   const double scale = 1.0 + stereo.focal_sigma * random.Normal();
@@ -81,6 +86,11 @@ void SceneBuilder::Add(std::vector<SceneObject>& objects, const std::vector<Part
   for (const Part& part : parts) objects.push_back({part.mesh, X_WL * part.X_LV, part.albedo});
 }
 
+void SceneBuilder::AddRocks(const RockBed& bed) {
+  if (bed.rocks.empty()) return;
+  rocks_ = {{std::make_shared<RenderMesh>(RockMesh(bed)), Pose3{}, kRockToSoil * soil_rgb_}};
+}
+
 Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   Scene scene;
   Add(scene.objects, body_, truth.X_WR);
@@ -89,6 +99,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   Add(scene.objects, arm_, truth.X_WA);
   Add(scene.objects, station_, truth.X_WS * X_S_module_);
   Add(scene.objects, stand_, truth.X_WS);
+  Add(scene.objects, rocks_, X_WG_);
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
   scene.ground = {.X_WG = X_WG_,
                   .x0_m = ground.x0_m,
@@ -130,6 +141,7 @@ StageShapes SceneBuilder::Shapes() const {
   add("arm", true, arm_);
   add("station", false, station_, X_S_module_);
   add("station", false, stand_);
+  if (!rocks_.empty()) add("rocks", false, rocks_);
   std::vector<Part> shade;
   for (const SceneObject& object : lighting_.occluders) {
     shade.push_back({object.mesh, object.X_WO, object.albedo});

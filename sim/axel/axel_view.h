@@ -27,6 +27,8 @@ class SceneBuilder {
   SceneBuilder(const RoverModel& rover, const StationModel& station, const SoilModel& soil,
                Lighting lighting, const Pose3& X_WG, std::uint64_t run_seed);
 
+  /// Rocks that stand in the ground, in G.
+  void AddRocks(const RockBed& bed);
   /// The scene borrows the grid's heights: draw it before the grid changes.
   Scene Make(const Truth& truth, const HeightGrid& ground) const;
   /// The same for spectators; bodies in the order of AxelPlant::Look.
@@ -42,7 +44,7 @@ class SceneBuilder {
   static void Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
                   const Pose3& X_WL);
 
-  std::vector<Part> body_, left_wheel_, right_wheel_, arm_, station_, stand_;
+  std::vector<Part> body_, left_wheel_, right_wheel_, arm_, station_, stand_, rocks_;
   Pose3 X_S_module_, X_SB_;
   FiducialBoard board_;
   BoardCutout cutout_;

@@ -8,6 +8,8 @@
 #include "models/axel/make_nominal.h"
 #include "models/read/config_error.h"
 #include "sim/axel/axel_view.h"
+#include "sim/axel/build_rocks.h"
+#include "sim/axel/rover_start.h"
 #include "sim/base/random.h"
 
 namespace dockyard::axel {
@@ -15,13 +17,6 @@ namespace {
 
 // Yard in the dock's surroundings: level enough for the feet, then as undulating as the file says.
 constexpr double kFlatRadiusM = 0.6;
-
-HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed) {
-  HeightGrid ground = LevelGrid(-kYardBehind_m, yard.length_m, yard.width_m, yard.cell_m);
-  AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadiusM,
-                StreamKey(seed, "yard"));
-  return ground;
-}
 
 Slope SlopeOf(const Scenario& scenario) {
   return {scenario.yard.slope_rad, scenario.yard.downhill_rad};
@@ -56,6 +51,13 @@ void CheckStation(const BuiltRun& run, const Truth& start) {
 }
 
 }  // namespace
+
+HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed) {
+  HeightGrid ground = LevelGrid(-kYardBehind_m, yard.length_m, yard.width_m, yard.cell_m);
+  AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadiusM,
+                StreamKey(seed, "yard"));
+  return ground;
+}
 
 Pose3 SiteOf(const Scenario& scenario) { return SiteInWorld(scenario.X_WG, SlopeOf(scenario)); }
 
@@ -128,7 +130,12 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.X_WG = scenario.X_WG;
   world.slope = SlopeOf(scenario);
   world.X_DR_start = FromDockingCoords(scenario.start);
+  world.rocks = BuildRocks(scenario, models.built, world.ground);
   world.step_s = scenario.physics_step_s;
+  if (const std::string part = StartsInRock(world); !part.empty()) {
+    throw ConfigError(scenario.rocks_place + ": expected no rock in the rover's " + part +
+                      " at the start");
+  }
 
   CheckImagesCanBeDrawn(world.rover.stereo.nominal, scenario.camera_place);
   CheckStationHolds(scenario, world.station);

@@ -19,6 +19,9 @@ struct BuiltRun {
   std::string start_place, yard_place;  // in the scenario's file, for messages
 };
 
+/// The yard's ground before anything has stood on it.
+HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed);
+
 /// Where a scenario's site lies in the world.
 Pose3 SiteOf(const Scenario& scenario);
 

@@ -9,6 +9,10 @@ namespace {
 
 // Wheels and body against the station: painted metal on rubber or metal (assumed, range 0.3-0.6).
 constexpr double kBodyFriction = 0.4;
+// Wheels and body on rock: what the wheels' rims and paddles give way by, which are stiffer than
+// the rover's weight needs, and a fifth of critical damping of half of its 40 kg. Assumed, ranges
+// 0.2-2 MN/m and 0.5-4 kN s/m.
+constexpr double kRockStiffness_n_per_m = 5e5, kRockDamping_ns_per_m = 1.3e3;
 // Contacts are looked for when the rover's sphere comes this near the station's [m].
 constexpr double kNearM = 0.1;
 // Surfaces this far apart count as contacts that may close within the step: at 0.1 m/s over 5 ms.
@@ -36,9 +40,16 @@ ContactWorld::ContactWorld(const ConeModel& cone, const Eigen::Vector3d& gravity
       mating_(cone, rover.arm_parts()),
       module_contacts_(rover, station) {}
 
+void ContactWorld::PutRocks(const RoverModel& rover, RockBed bed) {
+  if (bed.rocks.empty()) return;
+  rock_friction_ = bed.friction;
+  rock_contacts_.emplace(rover, rover_.arm_parts(), std::move(bed.rocks));
+}
+
 void ContactWorld::Step(double dt_s) {
   touches_.clear();
   if (MayTouch()) FindTouches(dt_s);
+  if (rock_contacts_) FindRocks();
   rover_.TakeLoads(gravity_G_, dt_s);
   station_.TakeLoads(gravity_G_, dt_s);
   if (!touches_.empty()) Resist(dt_s);
@@ -77,19 +88,37 @@ void ContactWorld::FindTouches(double dt_s) {
                         .gap_m = contact.gap_m,
                         .friction = kBodyFriction});
   }
-  // More do not occur; were there more, the deepest bear.
-  if (touches_.size() > kMostContacts) {
-    std::stable_sort(touches_.begin(), touches_.end(),
-                     [](const Touch& a, const Touch& b) { return a.gap_m < b.gap_m; });
-    touches_.resize(kMostContacts);
+  BearByTheDeepest();
+}
+
+void ContactWorld::FindRocks() {
+  rock_contacts_->Find(rover_, rocks_);
+  for (const RockContact& contact : rocks_) {
+    touches_.push_back({.link = contact.link,
+                        .pair = contact.pair,
+                        .p_G = contact.at.p,
+                        .normal_G = contact.at.normal,
+                        .gap_m = -contact.at.depth_m,
+                        .share = contact.at.share,
+                        .friction = rock_friction_,
+                        .on_rock = true});
   }
+  BearByTheDeepest();
+}
+
+// More do not occur; were there more, the deepest bear.
+void ContactWorld::BearByTheDeepest() {
+  if (touches_.size() <= kMostContacts) return;
+  std::stable_sort(touches_.begin(), touches_.end(),
+                   [](const Touch& a, const Touch& b) { return a.gap_m < b.gap_m; });
+  touches_.resize(kMostContacts);
 }
 
 void ContactWorld::GoOnFromLastStep(Touch& touch) const {
   const Touch* nearest = nullptr;
   double least = kSamePlace_m;
   for (const Touch& last : last_touches_) {
-    if (last.pair != touch.pair) continue;
+    if (last.pair != touch.pair || last.on_rock != touch.on_rock) continue;
     const double apart = (last.p_G - touch.p_G).norm();
     if (apart < least) {
       least = apart;
@@ -125,12 +154,19 @@ void ContactWorld::Resist(double dt_s) {
         rover_.PointJacobian(touch.link, touch.p_G).transpose() * axes;
     const Eigen::Vector3d from_com = touch.p_G - station_.CentreOfMass();
     for (int k = 0; k < 3; ++k) arms.col(3 * i + k) = from_com.cross(axes.col(k));
-    const Eigen::Vector3d apart_G =
-        rover_.motion(touch.link).VelocityAt(touch.p_G) - station_.motion().VelocityAt(touch.p_G);
+    Eigen::Vector3d apart_G = rover_.motion(touch.link).VelocityAt(touch.p_G);
+    if (touch.on_rock) {  // which does not give way
+      directions.middleCols<3>(3 * i).setZero();
+      arms.middleCols<3>(3 * i).setZero();
+    } else {
+      apart_G -= station_.motion().VelocityAt(touch.p_G);
+    }
     step_.velocity.segment<3>(3 * i) = axes.transpose() * apart_G;
     step_.impulse.segment<3>(3 * i) = axes.transpose() * touch.impulse_G;
-    step_.laws[i] = {touch.gap_m, touch.friction, touch.share * cone_.contact_stiffness_n_per_m,
-                     touch.share * cone_.contact_damping_ns_per_m,
+    const double stiffness =
+        touch.on_rock ? kRockStiffness_n_per_m : cone_.contact_stiffness_n_per_m;
+    const double damping = touch.on_rock ? kRockDamping_ns_per_m : cone_.contact_damping_ns_per_m;
+    step_.laws[i] = {touch.gap_m, touch.friction, touch.share * stiffness, touch.share * damping,
                      axes.rightCols<2>().transpose() * touch.bend_G};
   }
   const Eigen::LLT<RoverBody::Inertia>& factor = rover_.MassFactor();
@@ -144,15 +180,23 @@ void ContactWorld::Resist(double dt_s) {
   rover_.AddSpeeds(factor.solve(rover_rows * step_.impulse));
   for (int i = 0; i < count; ++i) {
     Touch& touch = touches_[i];
-    touch.impulse_G = directions.middleCols<3>(3 * i) * step_.impulse.segment<3>(3 * i);
-    touch.bend_G = directions.middleCols<2>(3 * i + 1) * step_.laws[i].bend_m;
-    station_.AddImpulse(-touch.impulse_G, touch.p_G);
+    const auto [a, b] = Across(touch.normal_G);
+    Eigen::Matrix3d axes;
+    axes << touch.normal_G, a, b;
+    touch.impulse_G = axes * step_.impulse.segment<3>(3 * i);
+    touch.bend_G = axes.rightCols<2>() * step_.laws[i].bend_m;
+    if (!touch.on_rock) station_.AddImpulse(-touch.impulse_G, touch.p_G);
   }
 }
 
 void ContactWorld::ReadContacts(double dt_s) {
   contact_ = ArmContact{};
+  rock_force_G_.setZero();
   for (const Touch& touch : touches_) {
+    if (touch.on_rock) {
+      rock_force_G_ += touch.impulse_G / dt_s;
+      continue;
+    }
     if (touch.link != RoverLink::kArm || touch.impulse_G.isZero(0.0)) continue;
     const Eigen::Vector3d force_G = touch.impulse_G / dt_s;
     contact_.total_G += force_G;
@@ -160,6 +204,7 @@ void ContactWorld::ReadContacts(double dt_s) {
     if (touch.on_face) contact_.face_G += force_G;
   }
   arm_force_peak_n_ = std::max(arm_force_peak_n_, contact_.total_G.norm());
+  rock_force_peak_n_ = std::max(rock_force_peak_n_, rock_force_G_.norm());
 }
 
 }  // namespace dockyard::axel

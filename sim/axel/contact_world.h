@@ -1,11 +1,13 @@
-// Moves rover and station by one step: their loads, then the contacts between them, then their
-// positions. It has no ground: soil and feet act as loads.
+// Moves rover and station by one step: their loads, then the contacts between them and with rocks,
+// then their positions. It has no ground: soil and feet act as loads.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/axel/mating.h"
 #include "sim/axel/module_contacts.h"
+#include "sim/axel/rock_contacts.h"
 #include "sim/axel/rover_body.h"
 #include "sim/axel/station_body.h"
 #include "sim/physics/contact_solver.h"
@@ -24,24 +26,32 @@ class ContactWorld {
   ContactWorld(const ConeModel& cone, const Eigen::Vector3d& gravity_G, RoverBody& rover,
                StationBody& station);
 
+  /// Puts rocks into the rover's way; they are fixed in the ground.
+  void PutRocks(const RoverModel& rover, RockBed bed);
   /// One step under the loads given to rover and station.
   void Step(double dt_s);
   const ArmContact& arm_contact() const { return contact_; }
   /// Largest sum of the station's contact forces on the arm in any step [N].
   double arm_force_peak_n() const { return arm_force_peak_n_; }
+  /// Sum of the rocks' contact forces on the rover, in G [N], and its largest size in any step.
+  const Eigen::Vector3d& rock_force_G() const { return rock_force_G_; }
+  double rock_force_peak_n() const { return rock_force_peak_n_; }
+  void ForgetRockPeak() { rock_force_peak_n_ = 0.0; }
 
  private:
-  /// A contact between a link and the station, in G, with the impulse it gave.
+  /// A contact between a link and the station or a rock, in G, with the impulse it gave.
   struct Touch {
     RoverLink link = RoverLink::kArm;
     int pair = 0;
     Eigen::Vector3d p_G{0, 0, 0}, normal_G{0, 0, 0};
     double gap_m = 0.0, share = 1.0, friction = 0.0;
-    bool on_face = false;
+    bool on_face = false, on_rock = false;
     Eigen::Vector3d impulse_G{0, 0, 0}, bend_G{0, 0, 0};
   };
   bool MayTouch() const;
   void FindTouches(double dt_s);
+  void FindRocks();
+  void BearByTheDeepest();
   void GoOnFromLastStep(Touch& touch) const;
   void Resist(double dt_s);
   void ReadContacts(double dt_s);
@@ -54,10 +64,15 @@ class ContactWorld {
   ModuleContacts module_contacts_;
   std::vector<MatingContact> matings_;
   std::vector<ModuleContact> modules_;
+  std::optional<RockContacts> rock_contacts_;
+  double rock_friction_ = 0.0;
+  std::vector<RockContact> rocks_;
   std::vector<Touch> touches_, last_touches_;
   ContactStep step_;
   ArmContact contact_;
   double arm_force_peak_n_ = 0.0;
+  Eigen::Vector3d rock_force_G_{0, 0, 0};
+  double rock_force_peak_n_ = 0.0;
 };
 
 }  // namespace dockyard::axel

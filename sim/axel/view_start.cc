@@ -65,8 +65,9 @@ void WriteStartView(const Scenario& scenario, const AxelModels& models,
   const Truth truth = world.truth();
   CheckStart(built, truth);
   MakeFolder(out_dir);
-  const SceneBuilder builder(built.world.rover, built.world.station, built.world.soil,
-                             built.lighting, SiteOf(scenario), scenario.seed);
+  SceneBuilder builder(built.world.rover, built.world.station, built.world.soil, built.lighting,
+                       SiteOf(scenario), scenario.seed);
+  builder.AddRocks(built.world.rocks);
   const Scene scene = builder.Make(truth, world.ground());
   WriteImages(scene, built.built_rig, truth.X_WR,
               WithFaults(CameraSensor(built.world.rover.stereo, scenario.seed, 0),

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/axel/rover_start.h"
 #include "sim/axel/world_impl.h"
 #include "sim/base/hash.h"
 
@@ -29,19 +30,6 @@ void CheckSetup(const WorldSetup& setup) {
   Require(setup.ground.nx > 1 && setup.ground.ny > 1, "the ground has no cells");
   Require(!setup.station.feet.empty(), "the station has no feet");
   Require(setup.rover.arm_length_m > 0.0, "the arm has no length");
-}
-
-// Above the ground by the radius of the wheels, its body along the ground.
-Pose3 RoverStart(const WorldSetup& setup, const HeightGrid& ground) {
-  const Pose2 X_GR = setup.X_GD * setup.X_DR_start;
-  double z = -1e9;
-  for (bool left : {true, false}) {
-    const Eigen::Vector3d& p = left ? setup.rover.p_R_left_wheel : setup.rover.p_R_right_wheel;
-    const WheelModel& wheel = left ? setup.rover.left_wheel_soil : setup.rover.right_wheel_soil;
-    const Eigen::Vector2d at = X_GR * Eigen::Vector2d(p.x(), p.y());
-    z = std::max(z, ground.Height(at.x(), at.y()) + RollingRadius(wheel) - p.z());
-  }
-  return FromGround(X_GR, z);
 }
 
 // A foot's force over its depth [N/m]: of one with a sole, at an equal share of the weight.
@@ -108,6 +96,7 @@ World::Impl::Impl(WorldSetup setup)
       left_soil_(setup_.rover.left_wheel_soil, setup_.soil),
       right_soil_(setup_.rover.right_wheel_soil, setup_.soil),
       imu_(setup_.rover.imu.p_RI, gravity_G_) {
+  contacts_.PutRocks(setup_.rover, setup_.rocks);
   Settle();
 }
 
@@ -135,6 +124,7 @@ void World::Impl::Settle() {
   steps_ = 0;
   drives_.PowerOn(rover_);
   imu_.Start(rover_.motion(RoverLink::kBody));
+  contacts_.ForgetRockPeak();
   p_GM_start_ = station_.X_GM().p;
   if (!tether_tied_) TieTether();
   still_steps_ = 0;

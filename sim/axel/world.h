@@ -13,6 +13,7 @@
 #include "models/axel/axel_model.h"
 #include "models/axel/station_model.h"
 #include "models/parts/soil_model.h"
+#include "sim/axel/rock_bed.h"
 #include "sim/physics/slope.h"
 #include "sim/soil/height_grid.h"
 
@@ -25,6 +26,7 @@ struct WorldSetup {
   HeightGrid ground;  // in the site frame G
   Pose2 X_WG;         // site in the world, before it is tilted
   Slope slope;        // of the site, under rover and station
+  RockBed rocks;      // in the ground, in G
   Pose2 X_GD;         // dock in the site: where the station is put
   Pose2 X_DR_start;
   double arm_start_rad = 0.0;  // arm against body, tip-down positive
@@ -56,6 +58,7 @@ struct Truth {
   double station_shift_m =
       0.0;                      // horizontal distance of the mouth from where it stood at the start
   double station_sunk_m = 0.0;  // the deepest foot's; 0 for hard feet
+  double rock_force_n = 0.0, rock_force_peak_n = 0.0;  // all rocks' on the rover, now and until now
   double left_sinkage_m = 0.0, right_sinkage_m = 0.0;
   double left_wheel_load_n = 0.0, right_wheel_load_n = 0.0;  // the soil's, along z of the site
 };

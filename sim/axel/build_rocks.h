@@ -1,0 +1,20 @@
+// The rocks of a run's yard, from its scenario.
+#pragma once
+
+#include "render/scene.h"
+#include "sim/axel/load_models.h"
+#include "sim/axel/rock_bed.h"
+#include "sim/scenario/scenario.h"
+#include "sim/soil/height_grid.h"
+
+namespace dockyard::axel {
+
+/// Each stands in the ground at the height that the ground has below its middle. None when the
+/// scenario has none. Throws ConfigError for a rock of a given place under the station, for a clear
+/// radius within which station or arm reach, and for more rocks than can be kept.
+RockBed BuildRocks(const Scenario& scenario, const ModelSet& models, const HeightGrid& ground);
+
+/// All in one, with a normal for each face, in G.
+RenderMesh RockMesh(const RockBed& bed);
+
+}  // namespace dockyard::axel
