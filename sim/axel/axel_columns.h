@@ -33,6 +33,7 @@ void VisitChannels(const Truth& truth, Visit&& visit) {
   visit("left_current_a", "A", "of the left wheel's motor", current(Motor::kLeftWheel));
   visit("right_current_a", "A", "of the right wheel's motor", current(Motor::kRightWheel));
   visit("spool_current_a", "A", "of the spool's motor", current(Motor::kSpool));
+  visit("rock_force_n", "N", "sum of the rocks' contact forces on the rover", truth.rock_force_n);
   visit("left_sinkage_m", "m", "of the left wheel in the soil", truth.left_sinkage_m);
   visit("right_sinkage_m", "m", "of the right wheel in the soil", truth.right_sinkage_m);
 }
@@ -50,6 +51,7 @@ struct AxelMeasures {
   double entry_force_peak_n = std::nan("");
   double advance_m = 0.0, turned_deg = 0.0;
   double pairs_lost = 0.0;
+  double rock_force_peak_n = 0.0;
 };
 
 /// Calls visit(name, unit, meaning, headline, value) for each measure of the result row.
@@ -87,6 +89,9 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
   visit("advance_m", "m", "way from start to end along the first heading", false, m.advance_m);
   visit("turned_deg", "deg", "heading at the end against that at the start", false, m.turned_deg);
   visit("pairs_lost", "", "image pairs asked for and lost on their way", false, m.pairs_lost);
+  visit("rock_force_peak_n", "N",
+        "largest sum of the rocks' contact forces on the rover, 0 if it touched none", false,
+        m.rock_force_peak_n);
 }
 
 std::vector<Column> Channels();

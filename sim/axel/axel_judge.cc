@@ -75,6 +75,7 @@ AxelMeasures AxelJudge::FinalMeasures(const Belief& belief) const {
   measures.station_shift_m = truth.station_shift_m;
   measures.station_sunk_m = truth.station_sunk_m;
   measures.cone_force_peak_n = truth.cone_force_peak_n;
+  measures.rock_force_peak_n = truth.rock_force_peak_n;
   measures.spool_current_mean_a = spool_current_.mean();
   measures.spool_current_peak_a = spool_current_.peak;
   measures.wheel_current_mean_a = wheel_current_.mean();
