@@ -19,8 +19,7 @@ struct RockField {
   // k, the share of the ground under rocks of any size. At the landing sites of Viking 1 and 2 and
   // Pathfinder 0.07-0.19, at those of Spirit 0.05 and InSight 0.03 (Golombek et al. 2003, 2021).
   double cover = 0.0;
-  // Smaller ones are left out: they sink under a wheel. Assumed, 0.03-0.10 m.
-  double least_m = 0.05;
+  double least_m = 0.05;    // smaller ones sink under a wheel; assumed, 0.03-0.10 m
   double largest_m = 0.30;  // larger ones an operator drives round; assumed, 0.15-1 m
   double clear_m = 1.5;     // radius about start and target without a rock of the field
   // Height over diameter: from 3/8, as measured at Viking 1, to 1/2, at Viking 2 (Golombek and Rapp

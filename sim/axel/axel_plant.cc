@@ -5,6 +5,7 @@
 
 #include "controller/base/check.h"
 #include "sim/axel/axel_columns.h"
+#include "sim/axel/build_rocks.h"
 #include "sim/base/hash.h"
 #include "sim/run/camera_faults.h"
 
@@ -39,6 +40,10 @@ AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built,
       renderer_(std::move(renderer)),
       truth_(world_.truth()) {
   scene_.AddRocks(built_.world.rocks);
+  const Pose3 X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope);
+  for (const Eigen::Vector3f& p : RockMesh(built_.world.rocks).vertices) {
+    rock_corners_W_.emplace_back(X_WG * p.cast<double>());
+  }
   CheckStart(built_, truth_);
 }
 
@@ -90,6 +95,10 @@ Stage AxelPlant::Look() const {
   stage.lines = {{.name = "tether",
                   .diameter_m = built_.world.rover.tether.diameter_m,
                   .points_W = truth_.tether_W}};
+  if (!rock_corners_W_.empty()) {
+    stage.solids = {
+        {.name = "rocks", .rgb = RockAlbedo(built_.world.soil), .corners_W = &rock_corners_W_}};
+  }
   stage.ground = {.X_WG = X_WG,
                   .x0_m = ground.x0_m,
                   .y0_m = ground.y0_m,

@@ -44,6 +44,7 @@ class AxelPlant final : public Plant {
   World world_;
   SensorSuite sensors_;
   SceneBuilder scene_;
+  std::vector<Eigen::Vector3d> rock_corners_W_;
   std::shared_ptr<KeptRenderer> renderer_;
   int pairs_taken_ = 0;
   Truth truth_;

@@ -78,6 +78,9 @@ std::string Misfit(const RoverModel& rover, const StationModel& station) {
 std::string Check(const Scenario& scenario, const AxelModels& models) {
   CheckImagesCanBeDrawn(models.built.rover.stereo.nominal, scenario.camera_place);
   CheckStationHolds(scenario, models.built.station);
+  if (HasRocks(scenario.rocks)) {
+    BuildRocks(scenario, models.built, MakeGround(scenario.yard, scenario.seed));
+  }
   if (scenario.script.kind != YamlNode::Kind::kNull) ReadScript(scenario.script);
   return models.told.rover.name + " from " + NumberText(scenario.start.r) + " m to " +
          models.told.station.name + " on " + models.told.soil.name +

@@ -7,10 +7,6 @@
 namespace dockyard::axel {
 namespace {
 
-// Albedo of rocks against that of the soil: freshly broken faces are darker than dust. Assumed,
-// 0.4-1.
-constexpr double kRockToSoil = 0.65;
-
 Camera BuiltCamera(const Camera& camera, const StereoModel& stereo, RandomStream& random) {
   const double scale = 1.0 + stereo.focal_sigma * random.Normal();
   const double du = stereo.centre_sigma_px * random.Normal();
@@ -60,6 +56,7 @@ SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
       board_(station.board),
       cutout_(CutoutOf(station)),
       soil_rgb_(soil.rgb),
+      rock_rgb_(RockAlbedo(soil)),
       tether_diameter_m_(rover.tether.diameter_m),
       lighting_(std::move(lighting)),
       X_WG_(X_WG),
@@ -88,7 +85,7 @@ void SceneBuilder::Add(std::vector<SceneObject>& objects, const std::vector<Part
 
 void SceneBuilder::AddRocks(const RockBed& bed) {
   if (bed.rocks.empty()) return;
-  rocks_ = {{std::make_shared<RenderMesh>(RockMesh(bed)), Pose3{}, kRockToSoil * soil_rgb_}};
+  rocks_ = {{std::make_shared<RenderMesh>(RockMesh(bed)), Pose3{}, rock_rgb_}};
 }
 
 Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {

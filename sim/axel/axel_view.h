@@ -48,7 +48,7 @@ class SceneBuilder {
   Pose3 X_S_module_, X_SB_;
   FiducialBoard board_;
   BoardCutout cutout_;
-  Eigen::Vector3d soil_rgb_;
+  Eigen::Vector3d soil_rgb_, rock_rgb_;
   double tether_diameter_m_ = 0.0;
   Lighting lighting_;
   Pose3 X_WG_;

@@ -14,6 +14,9 @@
 namespace dockyard::axel {
 namespace {
 
+// Albedo of rocks against that of the soil: freshly broken faces are darker than dust. Assumed,
+// 0.4-1.
+constexpr double kRockToSoil = 0.65;
 // Beyond the soles' centres: their own radius and what the station may slip [m].
 constexpr double kBesideSole_m = 0.1;
 // Ahead of the arm's tip, as the rover may roll off a paddle while it settles [m].
@@ -86,6 +89,8 @@ RockBed BuildRocks(const Scenario& scenario, const ModelSet& models, const Heigh
   }
   return bed;
 }
+
+Eigen::Vector3d RockAlbedo(const SoilModel& soil) { return kRockToSoil * soil.rgb; }
 
 RenderMesh RockMesh(const RockBed& bed) {
   RenderMesh mesh;

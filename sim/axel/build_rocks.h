@@ -14,7 +14,11 @@ namespace dockyard::axel {
 /// radius within which station or arm reach, and for more rocks than can be kept.
 RockBed BuildRocks(const Scenario& scenario, const ModelSet& models, const HeightGrid& ground);
 
-/// All in one, with a normal for each face, in G.
+/// Linear red, green and blue of the rocks in a yard of this soil, 0..1.
+Eigen::Vector3d RockAlbedo(const SoilModel& soil);
+
+/// All in one, three corners to each triangle, in their order, so that no faces share a normal; in
+/// G.
 RenderMesh RockMesh(const RockBed& bed);
 
 }  // namespace dockyard::axel

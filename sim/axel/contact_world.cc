@@ -9,9 +9,8 @@ namespace {
 
 // Wheels and body against the station: painted metal on rubber or metal (assumed, range 0.3-0.6).
 constexpr double kBodyFriction = 0.4;
-// Wheels and body on rock: what the wheels' rims and paddles give way by, which are stiffer than
-// the rover's weight needs, and a fifth of critical damping of half of its 40 kg. Assumed, ranges
-// 0.2-2 MN/m and 0.5-4 kN s/m.
+// A line of contact of the rover with rock: under half of its 40 kg it gives way by 0.4 mm, with a
+// fifth of critical damping. Assumed, ranges 0.2-2 MN/m and 0.5-4 kN s/m.
 constexpr double kRockStiffness_n_per_m = 5e5, kRockDamping_ns_per_m = 1.3e3;
 // Contacts are looked for when the rover's sphere comes this near the station's [m].
 constexpr double kNearM = 0.1;

@@ -49,6 +49,13 @@ void PutTriangles(CdrWriter& out, Tick tick, const std::string& name, int id,
   PutMarker(out, tick, {.name = name, .id = id, .type = kTriangleList, .rgb = rgb}, corners_W);
 }
 
+std::string SolidsMessage(Tick tick, const StageSolids& solids) {
+  CdrWriter out;
+  out.Count(1);
+  PutTriangles(out, tick, solids.name, 0, *solids.corners_W, solids.rgb);
+  return out.Take();
+}
+
 std::string LinesMessage(Tick tick, const std::vector<StageLine>& lines) {
   CdrWriter out;
   out.Count(lines.size());

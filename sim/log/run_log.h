@@ -100,6 +100,7 @@ class RunLogWriter {
   std::map<std::string, std::uint16_t> schemas_, channels_;  // by type, by topic
   std::uint32_t sequence_ = 0;
   std::string phase_;
+  bool has_solids_ = false;  // they are written
   GroundLog ground_;
   std::string payload_;  // kept between calls for its memory
 };

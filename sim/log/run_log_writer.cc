@@ -142,6 +142,13 @@ void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick 
   frames.insert(frames.end(), stage.bodies.begin(), stage.bodies.end());
   Put(Channel(topic::kTransforms, "tf2_msgs/TFMessage"), tick,
       TransformsMessage(tick, kWorldFrame, frames));
+  if (!has_solids_) {
+    has_solids_ = true;
+    for (const StageSolids& solids : stage.solids) {
+      Put(Channel("/" + solids.name, "visualization_msgs/MarkerArray"), tick,
+          SolidsMessage(tick, solids));
+    }
+  }
   for (const StageLine& line : stage.lines) {
     Put(Channel("/" + line.name, "visualization_msgs/MarkerArray"), tick,
         LinesMessage(tick, {line}));

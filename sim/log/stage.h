@@ -25,6 +25,13 @@ struct StageLine {
   std::vector<Eigen::Vector3d> points_W;
 };
 
+/// Bodies that never move, as triangles of three corners each. Borrowed from the plant.
+struct StageSolids {
+  std::string name;
+  Eigen::Vector3d rgb{0.5, 0.5, 0.5};  // linear, 0..1
+  const std::vector<Eigen::Vector3d>* corners_W = nullptr;
+};
+
 /// Heights over the site frame G, row by row: height(ix, iy) at x0 + ix * cell, y0 + iy * cell.
 /// Borrowed from the plant: good until it advances.
 struct StageGround {
@@ -40,8 +47,9 @@ struct StageGround {
 struct Stage {
   std::vector<BodyPose> bodies;  // the robot's body first
   std::vector<StageLine> lines;
-  StageGround ground;  // without heights: there is none
-  Pose3 X_WD;          // the target's frame on the ground
+  std::vector<StageSolids> solids;  // the same in all stages of a run
+  StageGround ground;               // without heights: there is none
+  Pose3 X_WD;                       // the target's frame on the ground
 };
 
 /// A motor and a camera of the robot, as its nominal parameters have them.

@@ -10,8 +10,7 @@
 namespace dockyard {
 namespace {
 
-// Corners of a rock before its top and bottom are cut; as a survey by eye of angular blocks has
-// them. Assumed, 12-30.
+// Corners of a rock; assumed, 12-30.
 constexpr int kCorners = 18;
 // They are at least this far apart on the unit sphere [rad]; assumed, 0.3-0.5.
 constexpr double kApart = 0.42;
@@ -23,6 +22,8 @@ constexpr double kFlat = 0.6;
 constexpr int kFlatCorners = 3;
 // Standard deviation of a top's tilt; assumed, 0-15 deg.
 constexpr double kTilt_rad = 0.14;
+
+// Places drawn for one rock before the field counts as full.
 constexpr int kTries = 2000;
 
 double Steepness(double cover) { return 1.79 + 0.152 / cover; }

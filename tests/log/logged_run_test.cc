@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/log/ground_over_time.h"
+#include "sim/mcap/mcap_reader.h"
 #include "support/edited_log.h"
 #include "support/fake_runs.h"
 
@@ -169,6 +170,28 @@ TEST(GroundOverTime, HasNoGridWithoutAWholeGroundAtFirst) {
   EXPECT_EQ(GroundOverTime(run).grid(), nullptr);
   run.ground = {{0.0, {.nx = 2, .ny = 2, .cells = {1}, .heights = {5}}}};
   EXPECT_EQ(GroundOverTime(run).grid(), nullptr);
+}
+
+TEST(RunLog, HasSolidsOnceAsTriangles) {
+  const TemporaryFolder folder;
+  const std::vector<Eigen::Vector3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  {
+    RunLogWriter log(folder.path(), {.run = 1, .system = "toy"});
+    Stage stage;
+    stage.bodies = {{"robot", {}}};
+    stage.solids = {{.name = "stones", .corners_W = &corners}};
+    for (int i = 0; i < 5; ++i) log.Append(HistorySample{}, stage, 100 * i);
+    log.Finish();
+  }
+  McapReader reader(folder.path() / "run.mcap");
+  int count = 0;
+  while (const std::optional<McapMessage> message = reader.Next()) {
+    if (reader.channel(message->channel_id).topic != "/stones") continue;
+    ++count;
+    // Three corners of three doubles each stand in it.
+    EXPECT_GT(message->data.size(), 72u);
+  }
+  EXPECT_EQ(count, 1);
 }
 
 }  // namespace
