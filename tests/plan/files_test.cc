@@ -25,11 +25,18 @@ const std::vector<KnownSystem>& Known() {
 }
 CampaignSystems Systems() {
   return {Known(), [](const std::string&) {
-            return std::vector<std::string>{
-                "docked",          "tip_depth_m",          "station_shift_m",
-                "tension_peak_n",  "entry_force_peak_n",   "entry_current_peak_a",
-                "arm_up_peak_deg", "spool_current_mean_a", "advance_m",
-                "turned_deg"};
+            return std::vector<std::string>{"docked",
+                                            "tip_depth_m",
+                                            "station_shift_m",
+                                            "sim_time_s",
+                                            "rock_force_peak_n",
+                                            "tension_peak_n",
+                                            "entry_force_peak_n",
+                                            "entry_current_peak_a",
+                                            "arm_up_peak_deg",
+                                            "spool_current_mean_a",
+                                            "advance_m",
+                                            "turned_deg"};
           }};
 }
 Campaign Load(const std::string& file) { return LoadCampaign(SourceFile(file), {}, Systems()); }
@@ -122,6 +129,7 @@ const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"mating_map.yaml", 2 * 9 * 6},
     {"reel_alpha.yaml", 2 * 3 * 15},
     {"reel_heading.yaml", 2 * 2 * 9},
+    {"rocks.yaml", 4 * 2},
     {"sensitivity.yaml", 8 * (1 + 48)},
     {"sensitivity_compact.yaml", 4 * (1 + 20)},
     {"sensitivity_loose.yaml", 4 * (1 + 20)},
