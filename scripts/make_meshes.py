@@ -76,19 +76,19 @@ def body():
     """Frame R. Nothing reaches beyond x = 0.119 m near the cameras, which look out of x = 0.12."""
     mesh = Mesh()
     mesh.cylinder("y", -0.28, 0.28, 0.16, 40, (-0.042, 0.0, -0.022))  # housing
-    mesh.cylinder("y", -0.10, 0.10, 0.09, 32, (-0.14, 0.0, 0.0))  # spool's drum case
-    for side in (-1.0, 1.0):
+    for side in (-1.0, 1.0):  # in halves: the arm goes round between them
+        mesh.cylinder("y", 0.035 if side > 0 else -0.115, 0.115 if side > 0 else -0.035, 0.09, 32,
+                      (-0.14, 0.0, 0.0))  # spool's motor and batteries
         mesh.cylinder("y", 0.28 if side > 0 else -0.36, 0.36 if side > 0 else -0.28, 0.035, 24)
-        mesh.box((0.065, side * 0.10 - 0.012, 0.09), (0.09, side * 0.10 + 0.012, 0.21))  # posts
+        mesh.box((0.065, side * 0.175 - 0.012, 0.09), (0.09, side * 0.175 + 0.012, 0.20))  # posts
     return mesh
 
 
-def stereo_bar():
+def camera_heads():
     mesh = Mesh()
-    mesh.box((0.060, -0.215, 0.205), (0.095, 0.215, 0.235))
     for side in (-1.0, 1.0):
-        mesh.box((0.045, side * 0.175 - 0.032, 0.188), (0.110, side * 0.175 + 0.032, 0.252))
-        mesh.cylinder("x", 0.110, 0.115, 0.020, 20, (0.0, side * 0.175, 0.22))
+        mesh.box((0.0475, side * 0.175 - 0.032, 0.198), (0.1125, side * 0.175 + 0.032, 0.242))
+        mesh.cylinder("x", 0.1125, 0.1175, 0.020, 20, (0.0, side * 0.175, 0.22))
     return mesh
 
 
@@ -168,7 +168,7 @@ def stand():
 
 FILES = {
     "models/axel/meshes/body.obj": body,
-    "models/axel/meshes/stereo_bar.obj": stereo_bar,
+    "models/axel/meshes/camera_heads.obj": camera_heads,
     "models/axel/meshes/arm.obj": arm,
     "models/axel/meshes/wheel.obj": wheel,
     "models/axel/meshes/paddles.obj": paddles,

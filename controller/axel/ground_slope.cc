@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/geometry/axle_attitude.h"
+
 namespace dockyard::axel {
 namespace {
 
@@ -27,10 +29,19 @@ Eigen::Vector3d UpInBody(const Attitude& attitude) {
 }  // namespace
 
 Eigen::Matrix3d Tilt(const Attitude& attitude) {
-  return RotY(attitude.pitch_rad) * RotX(attitude.roll_rad);
+  return RotX(attitude.roll_rad) * RotY(attitude.pitch_rad);
 }
 
-Attitude AttitudeOf(const ImuSample& imu) { return {imu.roll_rad, imu.pitch_rad}; }
+Attitude AttitudeOf(const ImuSample& imu) {
+  const AxleAttitude axle = ToAxleAttitude(RotationOf(imu));
+  return {axle.roll, axle.pitch};
+}
+
+Eigen::Matrix3d RotationOf(const ImuSample& imu) {
+  return ToRotation(RollPitchYaw{imu.roll_rad, imu.pitch_rad, imu.yaw_rad});
+}
+
+double HeadingOf(const ImuSample& imu) { return ToAxleAttitude(RotationOf(imu)).heading; }
 
 void GroundSlope::Take(const Pose3& X_RB, double sigma_rad, const ImuSample& imu,
                        const Pose3& X_DB) {
@@ -40,7 +51,7 @@ void GroundSlope::Take(const Pose3& X_RB, double sigma_rad, const ImuSample& imu
   information_ += weight * Eigen::Matrix2d::Identity();
   weighted_ += weight * (R_DR * up_R).head<2>();
   // The axle lies along the ground, so the roll is the slope across the heading.
-  const double heading = std::atan2(R_DR(1, 0), R_DR(0, 0));
+  const double heading = ToAxleAttitude(R_DR).heading;
   const Eigen::Vector2d across(-std::sin(heading), std::cos(heading));
   information_ += across * across.transpose() / Square(kRollSigma);
   weighted_ += across * up_R.y() / Square(kRollSigma);
@@ -54,15 +65,14 @@ void GroundSlope::Take(const Pose3& X_RB, double sigma_rad, const ImuSample& imu
 
 Attitude GroundSlope::Against(const ImuSample& imu, double heading_rad) const {
   const Attitude against_gravity = AttitudeOf(imu);
-  // A body on end has no heading that a slope could be turned into.
-  if (level() || std::cos(imu.pitch_rad) < 0.1) return against_gravity;
-  // RotY(pitch) RotX(roll) takes gravity's up in the body to where the slope has it.
+  if (level()) return against_gravity;
+  // RotX(roll) RotY(pitch) takes gravity's up in the body to where the slope has it.
   const Eigen::Vector3d up_R = UpInBody(against_gravity);
   const Eigen::Vector3d up = RotZ(-heading_rad) * up_D_;
-  const double share = up.y() / std::hypot(up_R.y(), up_R.z());
-  const double roll = std::atan2(up_R.y(), up_R.z()) - std::asin(std::clamp(share, -1.0, 1.0));
-  const double z = (RotX(roll) * up_R).z();
-  return {roll, WrapPi(std::atan2(up.x(), up.z()) - std::atan2(up_R.x(), z))};
+  const double share = up_R.y() / std::hypot(up.y(), up.z());
+  const double roll = std::asin(std::clamp(share, -1.0, 1.0)) - std::atan2(up.y(), up.z());
+  const Eigen::Vector3d turned = RotX(-roll) * up;
+  return {roll, WrapPi(std::atan2(turned.x(), turned.z()) - std::atan2(up_R.x(), up_R.z()))};
 }
 
 Eigen::Vector3d UpOfStation(const Attitude& attitude, bool slope_known) {

@@ -10,13 +10,17 @@
 
 namespace dockyard::axel {
 
-/// Of the body, heading left out: RotZ(heading) RotY(pitch) RotX(roll) is its rotation.
+/// Of the body, heading left out: RotZ(heading) RotX(roll) RotY(pitch) is its rotation, heading and
+/// roll the axle's (axle_attitude.h). Pitch within (-180, 180] deg: Axel drives upside down too.
 struct Attitude {
   double roll_rad = 0.0, pitch_rad = 0.0;
 };
 Eigen::Matrix3d Tilt(const Attitude& attitude);
 /// Against gravity.
 Attitude AttitudeOf(const ImuSample& imu);
+/// The body's rotation since power-on, and the axle's heading in it.
+Eigen::Matrix3d RotationOf(const ImuSample& imu);
+double HeadingOf(const ImuSample& imu);
 
 /// One plane under rover and station, learned from sightings: the board's attitude in the body, by
 /// vision, and the body's against gravity, by the inertial unit. Level until the sightings say

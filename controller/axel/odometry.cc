@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "controller/geometry/axle_attitude.h"
+
 namespace dockyard::axel {
 namespace {
 
@@ -14,15 +16,13 @@ struct Turned {
 Turned TurnedOnGround(const ImuSample& from, const ImuSample& to, const GroundSlope& ground,
                       double heading_rad) {
   if (ground.level()) {
-    return {WrapPi(to.pitch_rad - from.pitch_rad), WrapPi(to.yaw_rad - from.yaw_rad)};
+    return {WrapPi(AttitudeOf(to).pitch_rad - AttitudeOf(from).pitch_rad),
+            WrapPi(HeadingOf(to) - HeadingOf(from))};
   }
   const Attitude before = ground.Against(from, heading_rad);
-  const auto InWorld = [](const ImuSample& imu) {
-    return ToRotation({imu.roll_rad, imu.pitch_rad, imu.yaw_rad});
-  };
   const Eigen::Matrix3d R_DR =
-      RotZ(heading_rad) * Tilt(before) * InWorld(from).transpose() * InWorld(to);
-  const double heading_after = std::atan2(R_DR(1, 0), R_DR(0, 0));
+      RotZ(heading_rad) * Tilt(before) * RotationOf(from).transpose() * RotationOf(to);
+  const double heading_after = ToAxleAttitude(R_DR).heading;
   return {WrapPi(ground.Against(to, heading_after).pitch_rad - before.pitch_rad),
           WrapPi(heading_after - heading_rad)};
 }

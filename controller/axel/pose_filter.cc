@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "controller/geometry/axle_attitude.h"
+
 namespace dockyard::axel {
 namespace {
 
@@ -15,11 +17,11 @@ double Square(double x) { return x * x; }
 BoardFix LevelSighting(const Pose3& X_RB, const ImuSample& imu, const Pose3& X_DB,
                        const GroundSlope& ground) {
   const Eigen::Matrix3d R_DR = X_DB.R * X_RB.R.transpose();
-  const Eigen::Matrix3d R_HR = Tilt(ground.Against(imu, std::atan2(R_DR(1, 0), R_DR(0, 0))));
+  const Eigen::Matrix3d R_HR = Tilt(ground.Against(imu, ToAxleAttitude(R_DR).heading));
   const Pose3 X_HB{R_HR * X_RB.R, R_HR * X_RB.p};
   const Eigen::Matrix3d R_DH = X_DB.R * X_HB.R.transpose();
   return {std::hypot(X_HB.p.x(), X_HB.p.y()), std::atan2(X_HB.p.y(), X_HB.p.x()),
-          std::atan2(R_DH(1, 0), R_DH(0, 0))};
+          ToAxleAttitude(R_DH).heading};
 }
 
 Pose2 PoseOf(const BoardFix& fix, const Pose3& X_DB) {

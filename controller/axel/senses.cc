@@ -22,7 +22,8 @@ void Senses::Update(const SensorFrame& sensed) {
   now_ = sensed.tick;
   imu_ = sensed.imu;
   arm_rad_ = ArmAngle(nominal_, sensed);
-  reeled_m_ = nominal_.drum_radius_m * MotorAngle(nominal_, sensed, Motor::kSpool);
+  reeled_m_ = nominal_.drum_radius_m * (MotorAngle(nominal_, sensed, Motor::kSpool) -
+                                        MotorAngle(nominal_, sensed, Motor::kArm));
   const double current = sensed.motors[static_cast<std::size_t>(Motor::kSpool)].current_a;
   const double share = started_ ? 1.0 - std::exp(-seconds / tether_.current_smoothing_s) : 1.0;
   spool_current_a_ += share * (current - spool_current_a_);

@@ -1,6 +1,7 @@
 // The sensors' readings, converted once per control tick: time, attitude, arm, spool, pose.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "controller/axel/nominal/nominal.h"
@@ -39,13 +40,18 @@ class Senses {
   /// Takes what a sighting taught about the ground.
   void SetGround(const GroundSlope& ground);
   const Attitude& attitude() const { return attitude_; }  // of the body against the ground
+  double yaw_rad() const { return HeadingOf(imu_); }      // of the axle, since power-on
   double pitch_rad() const { return attitude_.pitch_rad; }
-  /// Of the arm's tip against the ground's plane through the axle, up positive. Body pitch and arm
-  /// angle both count downwards.
-  double elevation_rad() const { return -(attitude_.pitch_rad + arm_rad_); }
-  double arm_rad() const { return arm_rad_; }    // against the body, tip-down positive
-  double reeled_m() const { return reeled_m_; }  // taken up since power-on
-  double rolled_m() const { return rolled_m_; }  // along the heading since power-on
+  /// Of the arm's tip against the ground's plane through the axle, up positive, in (-180, 180] deg:
+  /// beyond 90 deg the arm trails. Body pitch and arm angle both count downwards.
+  double elevation_rad() const { return WrapPi(-(attitude_.pitch_rad + arm_rad_)); }
+  /// Whether the arm lies behind the axle.
+  bool arm_trails() const { return std::abs(elevation_rad()) > 0.5 * kPi; }
+  double arm_rad() const { return arm_rad_; }  // against the body, tip-down positive, any turns
+  /// Tether taken up since power-on. The drum winds it past the arm's root: an arm that turns
+  /// tip-down by an angle gives out as much as a drum that pays out by it.
+  double reeled_m() const { return reeled_m_; }
+  double rolled_m() const { return rolled_m_; }                // along the heading since power-on
   double spool_current_a() const { return spool_current_a_; }  // low-passed
   const PoseFilter& filter() const { return filter_; }
   PoseFilter& filter() { return filter_; }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <string>
 
 #include "controller/axel/nominal/motors.h"
@@ -38,9 +39,11 @@ struct RoverModel {
   LinkModel body, left_wheel, right_wheel, arm;
   Eigen::Vector3d p_R_left_wheel{0, 0, 0}, p_R_right_wheel{0, 0, 0};  // wheel centres in the body
   // The arm turns about the body's y axis through its origin. Link frame: A.
-  double arm_lower_rad = 0.0, arm_upper_rad = 0.0;  // joint limits, tip-down positive
-  double arm_length_m = 0.0;                        // axle to the tip's front face
-  double arm_at_power_on_rad = 0.0;                 // stowed against the body, tip-down positive
+  // End stops, tip-down positive; infinite: it turns round and round.
+  double arm_lower_rad = -std::numeric_limits<double>::infinity();
+  double arm_upper_rad = std::numeric_limits<double>::infinity();
+  double arm_length_m = 0.0;         // axle to the tip's front face
+  double arm_at_power_on_rad = 0.0;  // stowed against the body, tip-down positive
   WheelModel left_wheel_soil, right_wheel_soil;
   std::array<MotorModel, kMotorCount> motors;  // by Motor
   TetherModel tether;

@@ -40,10 +40,13 @@ UrdfModel WeldRover(const UrdfModel& urdf) {
   if (urdf.root != "body") {
     throw ConfigError(urdf.PlaceOf(urdf.root) + ": expected the root link to be 'body'");
   }
-  for (const auto& [name, type] :
-       {std::pair("left_wheel_joint", "continuous"), std::pair("right_wheel_joint", "continuous"),
-        std::pair("arm_joint", "revolute")}) {
-    CheckType(urdf.Joint(name), type);
+  for (const char* wheel : {"left_wheel_joint", "right_wheel_joint"}) {
+    CheckType(urdf.Joint(wheel), "continuous");
+  }
+  // Axel's arm turns without limits. Another rover's may have end stops.
+  const UrdfJoint& arm = urdf.Joint("arm_joint");
+  if (arm.type != "continuous" && arm.type != "revolute") {
+    RefuseJoint(arm, "type continuous or revolute", arm.type);
   }
   UrdfModel welded = WeldFixedLinks(urdf);
   RequireJoints(welded, {"left_wheel_joint", "right_wheel_joint", "arm_joint"},
@@ -94,6 +97,7 @@ void TakeRoverLinks(const UrdfModel& file, RoverModel& rover) {
   if (arm.X_PJ.p.norm() > 1e-9) {
     throw ConfigError(arm.place + ": expected origin 0 0 0, the middle of the axle");
   }
+  if (arm.type == "continuous") return;
   rover.arm_lower_rad = arm.lower_rad;
   rover.arm_upper_rad = arm.upper_rad;
 }

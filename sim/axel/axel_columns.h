@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "controller/base/number_text.h"
+#include "controller/geometry/axle_attitude.h"
 #include "sim/axel/outcome.h"
 #include "sim/axel/world.h"
 #include "sim/log/column.h"
@@ -15,12 +16,12 @@ namespace dockyard::axel {
 /// Calls visit(name, unit, meaning, value) for each channel of the history.
 template <class Visit>
 void VisitChannels(const Truth& truth, Visit&& visit) {
-  const RollPitchYaw rpy = ToRollPitchYaw(truth.X_WR.R);
+  const AxleAttitude axle = ToAxleAttitude(truth.X_WR.R);
   const auto current = [&](Motor motor) { return truth.motor_current_a[static_cast<int>(motor)]; };
   visit("z_m", "m", "middle of the axle above the dock's ground", truth.X_DR.p.z());
-  visit("roll_deg", "deg", "of the body against the level", Degrees(rpy.roll));
-  visit("pitch_deg", "deg", "of the body against the level, nose-down positive",
-        Degrees(rpy.pitch));
+  visit("roll_deg", "deg", "of the axle against the level", Degrees(axle.roll));
+  visit("pitch_deg", "deg", "of the body about the axle, nose-down positive, 180: upside down",
+        Degrees(axle.pitch));
   visit("arm_deg", "deg", "arm against body, tip-down positive", Degrees(truth.arm_rad));
   visit("tip_depth_m", "m", "arm tip behind the plane of the cone's mouth", -truth.p_MT.x());
   visit("tip_lateral_m", "m", "arm tip off the cone's axis",
@@ -40,7 +41,7 @@ void VisitChannels(const Truth& truth, Visit&& visit) {
 
 /// The measures of a result row. NaN: does not apply.
 struct AxelMeasures {
-  double recoveries = 0.0;
+  double recoveries = 0.0, rightings = 0.0, flips = 0.0;
   double tip_depth_m = 0.0, lateral_error_m = 0.0, yaw_error_deg = 0.0, station_shift_m = 0.0;
   double station_sunk_m = 0.0;
   double cone_force_peak_n = 0.0, tension_peak_n = 0.0;
@@ -60,6 +61,8 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
   const std::string entry =
       " from the mouth to " + NumberText(OutcomeLimits{}.entered_depth_m) + " m deep";
   visit("recoveries", "", "times that the controller backed up to try again", true, m.recoveries);
+  visit("rightings", "", "times that the controller turned body and arm back", false, m.rightings);
+  visit("flips", "", "times that the arm went from ahead of the axle to behind it", false, m.flips);
   visit("tip_depth_m", "m", "arm tip behind the plane of the cone's mouth, at the end", true,
         m.tip_depth_m);
   visit("lateral_error_m", "m", "arm tip off the cone's axis, at the end", false,

@@ -1,5 +1,6 @@
 #include "sim/axel/axel_judge.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/axel/shake.h"
@@ -45,14 +46,14 @@ void AxelJudge::Observe() {
 
 void AxelJudge::ObserveSlowly() {
   const Truth& truth = plant_.truth();
-  const RollPitchYaw rpy = ToRollPitchYaw(truth.X_WR.R);
-  measures_.arm_up_peak_deg =
-      std::max(measures_.arm_up_peak_deg, Degrees(-(rpy.pitch + truth.arm_rad)));
-  roll_squares_ += rpy.roll * rpy.roll;
+  const double arm_up_rad = std::asin(std::clamp(truth.X_WA.R(2, 0), -1.0, 1.0));
+  measures_.arm_up_peak_deg = std::max(measures_.arm_up_peak_deg, Degrees(arm_up_rad));
+  const double roll_rad = ToAxleAttitude(truth.X_WR.R).roll;
+  roll_squares_ += roll_rad * roll_rad;
   ++samples_;
   entry_.Add(-truth.p_MT.x(), truth.motor_current_a[static_cast<int>(Motor::kSpool)],
              truth.cone_force_n, limits_.entered_depth_m);
-  X_DR_last_ = ToGround(truth.X_DR);
+  X_DR_last_ = AxleOnGround(truth.X_DR);
   if (!X_DR_first_) X_DR_first_ = X_DR_last_;
 }
 
@@ -69,9 +70,11 @@ AxelMeasures AxelJudge::FinalMeasures(const Belief& belief) const {
   const Truth& truth = plant_.truth();
   AxelMeasures measures = measures_;
   measures.recoveries = ValueOf(belief, "recoveries", 0.0);
+  measures.rightings = ValueOf(belief, "rightings", 0.0);
+  measures.flips = outcome_.flips();
   measures.tip_depth_m = -truth.p_MT.x();
   measures.lateral_error_m = std::hypot(truth.p_MT.y(), truth.p_MT.z());
-  measures.yaw_error_deg = Degrees(WrapPi(ToGround(truth.X_DR).heading - kPi));
+  measures.yaw_error_deg = Degrees(WrapPi(AxleOnGround(truth.X_DR).heading - kPi));
   measures.station_shift_m = truth.station_shift_m;
   measures.station_sunk_m = truth.station_sunk_m;
   measures.cone_force_peak_n = truth.cone_force_peak_n;

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "controller/geometry/axle_attitude.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/world.h"
@@ -22,7 +23,7 @@ class AxelPlant final : public Plant {
   SensorFrame Sense() override;
   std::vector<CameraImage> TakeImages(const std::vector<int>& cameras) override;
   void Advance(const Commands& commands) override;
-  Pose2 X_DR() const override { return ToGround(truth_.X_DR); }
+  Pose2 X_DR() const override { return AxleOnGround(truth_.X_DR); }
   void AppendChannels(std::vector<double>& values) const override;
   Stage Look() const override;
   Pose2 MeasuredPose(const SightingReport& report) const override;

@@ -7,7 +7,7 @@
 namespace dockyard::axel {
 namespace {
 
-// End stops of the arm's hinge: stiff rubber (assumed, range 1e3-1e4 Nm/rad).
+// End stops of an arm's hinge that has any: stiff rubber (assumed, range 1e3-1e4 Nm/rad).
 constexpr double kStopStiffnessNmPerRad = 5e3;
 // A fifth of critical on the arm and its rotor, 3.3 kg m^2 (assumed, range 20-250 Nm s/rad).
 constexpr double kStopDampingNmsPerRad = 50.0;

@@ -6,6 +6,9 @@
 // about +y. The tether's pull therefore turns the arm tip-down against the body with torque
 // T * drum_radius, and by virtual work turning the arm tip-down by dq gives drum_radius * dq of
 // tether. The drum may grow with every turn that is wound on, as by layers of tether.
+//
+// The arm's root may go round the drum any number of turns: each gives 2 pi drum_radius of tether,
+// or takes it, with the drum at rest.
 #pragma once
 
 #include <array>

@@ -40,7 +40,8 @@ const std::vector<OutcomeName>& OutcomeNames() {
       {"jammed", false, "the tip stuck in the cone under pull"},
       {"recovery_limit", false, "the controller gave up"},
       {"tether_overload", false, "the tether's tension stayed above its working load"},
-      {"tipped_over", false, "the axle stood on end or the arm went over the top"},
+      {"tipped_over", false,
+       "the axle stood on end, or the arm went over the top and was not brought back"},
       {"false_docked", false, "the controller claimed a docking that the truth does not show"},
       {"timeout", false, "the simulated time ran out"},
   };
@@ -104,10 +105,15 @@ void OutcomeJudge::Observe(const Truth& truth) {
   const double speed = truth.v_MT.norm();
 
   rest_.Update(speed < limits_.rest_speed_m_s, now);
-  // The axle stands on end, or the arm went over the top.
   const double axle_tilt = std::asin(std::clamp(std::abs(truth.X_WR.R(2, 1)), 0.0, 1.0));
-  const bool arm_over = truth.X_WA.R(2, 2) < 0.0;
-  tipped_.Update(axle_tilt > limits_.tipped_rad || arm_over, now);
+  tipped_.Update(axle_tilt > limits_.tipped_rad, now);
+  // A rover turns over and back: this names the run only if it lasts. One that starts with its arm
+  // behind did not go over.
+  const bool behind = truth.X_WA.R(2, 2) < 0.0;
+  const bool went_over = behind && arm_behind_.has_value() && !*arm_behind_;
+  flips_ += went_over ? 1 : 0;
+  behind_.Update(behind && (went_over || behind_.since_s), now);
+  arm_behind_ = behind;
   overload_.Update(truth.tether_tension_n > limits_.overload_n, now);
   fatal_ = fatal_ || tipped_.since_s || overload_.Held(now, limits_.overload_time_s);
 
@@ -165,9 +171,9 @@ OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
     std::optional<double> since_s;
     std::string note;
   };
-  std::array<Candidate, 8> candidates{{
-      {Outcome::kTippedOver, tipped_.since_s,
-       "the axle stands on end or the arm went over the top"},
+  std::array<Candidate, 9> candidates{{
+      {Outcome::kTippedOver, tipped_.since_s, "the axle stands on end"},
+      {Outcome::kTippedOver, behind_.since_s, "the arm went over the top and was not brought back"},
       {Outcome::kTetherOverload,
        overload_.Held(now, limits_.overload_time_s) ? overload_.since_s : std::nullopt,
        Sentence("tension above %.0f N", limits_.overload_n)},

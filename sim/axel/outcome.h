@@ -46,7 +46,7 @@ struct OutcomeLimits {
   // Replaced by what the mating parts let through: LimitsOf.
   double shake_turn_rad = Radians(4.5);
   double shake_travel_m = 0.01;
-  double tipped_rad = Radians(60.0);  // roll of the axle, or the arm lifted past the upright
+  double tipped_rad = Radians(60.0);  // roll of the axle
   double station_shift_m = 0.05;      // pushed further, the mother is not where she was
   double overload_n = 1000.0;         // assumed working load of the tether, range 500-2000
   double overload_time_s = 0.1;
@@ -90,8 +90,10 @@ class OutcomeJudge {
   /// Called for every sighting that the controller took.
   void ObserveSighting(double time_s, SightingQuality quality);
 
-  /// Whether the run cannot continue: tipped over, tether overloaded.
+  /// Whether the run cannot continue: axle on end, tether overloaded.
   bool fatal() const;
+  /// How often the arm went from ahead of the axle to behind it.
+  int flips() const { return flips_; }
   /// Whether the tip is seated, at rest and taut now, by the truth.
   bool entered_at_rest() const;
 
@@ -115,8 +117,10 @@ class OutcomeJudge {
   StationModel station_;
   OutcomeLimits limits_;
   Truth last_{};
-  Condition rest_, tipped_, overload_, face_, jam_, missed_, blind_, confused_, rejected_;
+  Condition rest_, tipped_, behind_, overload_, face_, jam_, missed_, blind_, confused_, rejected_;
   bool fatal_ = false;
+  std::optional<bool> arm_behind_;
+  int flips_ = 0;
 };
 
 }  // namespace dockyard::axel

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/geometry/axle_attitude.h"
+
 namespace dockyard::axel {
 namespace {
 
@@ -18,7 +20,7 @@ class Shaker {
   Shaker(World& world, const RoverModel& rover, const std::function<void(const Truth&)>& watch)
       : world_(world), rover_(rover), watch_(watch) {
     const Truth before = world_.truth();
-    heading_ = ToGround(before.X_DR).heading;
+    heading_ = AxleOnGround(before.X_DR).heading;
     p_MT_ = before.p_MT;
     least_depth_ = -p_MT_.x();
   }
@@ -49,7 +51,7 @@ class Shaker {
 
   void Observe() {
     const Truth now = world_.truth();
-    turn_ = std::max(turn_, std::abs(WrapPi(ToGround(now.X_DR).heading - heading_)));
+    turn_ = std::max(turn_, std::abs(WrapPi(AxleOnGround(now.X_DR).heading - heading_)));
     travel_ = std::max(travel_, (now.p_MT - p_MT_).norm());
     least_depth_ = std::min(least_depth_, -now.p_MT.x());
     if (watch_) watch_(now);

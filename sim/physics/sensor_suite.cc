@@ -57,7 +57,9 @@ SensorFrame SensorSuite::Read(Tick tick, const std::vector<MotorTruth>& motors,
   const Eigen::Vector3d rate_error = bias_.rate_R + wandering_.rate_R +
                                      NormalVector(imu_stream_, imu.gyro_walk_rad_sqrt_s / root_s);
   // The unit integrates its gyros: about the vertical nothing corrects their error.
-  if (!first) yaw_error_rad_ += rate_error.z() * since_s;
+  const Eigen::Matrix3d R_WR =
+      ToRotation(RollPitchYaw{true_imu.roll_rad, true_imu.pitch_rad, true_imu.yaw_rad});
+  if (!first) yaw_error_rad_ += R_WR.row(2).dot(rate_error) * since_s;
 
   SensorFrame frame;
   frame.tick = tick;

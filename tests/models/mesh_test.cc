@@ -182,9 +182,10 @@ TEST(MeshShapes, MirroredScaleKeepsFacesOutwards) {
 }
 
 TEST(MeshesHere, LookOutwardsAndAreSmall) {
-  for (const char* name : {"axel/meshes/body", "axel/meshes/stereo_bar", "axel/meshes/arm",
-                           "axel/meshes/wheel", "axel/meshes/paddles", "axel/station/meshes/module",
-                           "axel/station/meshes/cone_face", "axel/station/meshes/stand"}) {
+  for (const char* name :
+       {"axel/meshes/body", "axel/meshes/camera_heads",
+        "axel/meshes/arm", "axel/meshes/wheel", "axel/meshes/paddles", "axel/station/meshes/module",
+        "axel/station/meshes/cone_face", "axel/station/meshes/stand"}) {
     const auto mesh = LoadMesh(SourceFile("models/" + std::string(name) + ".obj"));
     EXPECT_GT(SignedVolume(*mesh), 0.0) << name;
     EXPECT_LT(mesh->triangles.size(), 3000u) << name;

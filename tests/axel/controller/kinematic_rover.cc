@@ -82,7 +82,8 @@ SensorFrame KinematicRover::Sense() {
   count(Motor::kLeftWheel, left_ - pitch_);
   count(Motor::kRightWheel, right_ - pitch_);
   count(Motor::kArm, arm_ - nominal_.arm_at_zero_rad);
-  count(Motor::kSpool, reeled_m_ / nominal_.drum_radius_m);
+  // The drum winds past the arm's root.
+  count(Motor::kSpool, reeled_m_ / nominal_.drum_radius_m + arm_ - nominal_.arm_at_zero_rad);
   const double currents_a[] = {0.5, 0.5, 0.3, spool_current_};
   for (std::size_t i = 0; i < frame.motors.size(); ++i) frame.motors[i].current_a = currents_a[i];
   if (images_due_) frame.images = {{kLeftCamera, GrayImage{}}, {kRightCamera, GrayImage{}}};

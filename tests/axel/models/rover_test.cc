@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
 #include "models/axel/make_nominal.h"
@@ -62,10 +64,13 @@ void ExpectComposed(const LinkModel& link, const std::vector<Solid>& solids) {
   EXPECT_LT((link.I_LCom_L - I).cwiseAbs().maxCoeff(), 1e-8);
 }
 
-TEST(AxelMass, BodyIsItsHousingBarAndSpool) {
+TEST(AxelMass, BodyIsItsHousingHeadsAndBatteries) {
+  const Eigen::Vector3d head = Box(1, 0.065, 0.064, 0.044), half = Cylinder(1, 0.09, 0.08);
   ExpectComposed(Axel().body, {{20, {-0.042, 0, -0.022}, Cylinder(20, 0.16, 0.56)},
-                               {2, {0.08, 0, 0.22}, Box(2, 0.07, 0.43, 0.06)},
-                               {2, {-0.14, 0, 0}, Cylinder(2, 0.09, 0.20)}});
+                               {1, {0.08, 0.175, 0.22}, head},
+                               {1, {0.08, -0.175, 0.22}, head},
+                               {1, {-0.14, 0.075, 0}, half},
+                               {1, {-0.14, -0.075, 0}, half}});
 }
 
 TEST(AxelMass, ArmIsAUniformRod) {
@@ -154,6 +159,39 @@ TEST(AxelWheels, HaveTheirDrawnPaddlesWhereTheSoilFeelsThem) {
   EXPECT_LT(farthest_on_paddle_line(axel.left_wheel, kPi / 12), 0.295);
 }
 
+// It goes round the axle: nothing but the housing, whose middle its root is, may stand in its
+// plane.
+TEST(AxelArm, GoesRoundBetweenTheBodysHalves) {
+  const RoverModel axel = Axel();
+  EXPECT_TRUE(std::isinf(axel.arm_lower_rad) && std::isinf(axel.arm_upper_rad));
+  const double widest = std::max({axel.tip.radius_m, axel.collar.radius_m, 0.0225});
+  for (const Collision& part : axel.body.collisions) {
+    if (part.name == "housing") continue;
+    const auto* box = std::get_if<BoxShape>(&part.shape);
+    ASSERT_NE(box, nullptr) << part.name;
+    EXPECT_GT(std::abs(part.X_LG.p.y()) - 0.5 * box->size_m.y(), widest) << part.name;
+  }
+  // What is drawn outside the housing as well.
+  for (const Visual& visual : axel.body.visuals) {
+    for (const Eigen::Vector3d& v : visual.mesh->vertices) {
+      const double from_housing = std::hypot(v.x() + 0.042, v.z() + 0.022);
+      if (from_housing > 0.161) {
+        EXPECT_GT(std::abs(v.y()), widest);
+      }
+    }
+  }
+}
+
+// As it turns over, the body passes the ground inside the rims.
+TEST(AxelBody, TurnsOverWithinItsWheels) {
+  const RoverModel axel = Axel();
+  for (const Visual& visual : axel.body.visuals) {
+    for (const Eigen::Vector3d& v : visual.mesh->vertices) {
+      EXPECT_LT(std::hypot(v.x(), v.z()), axel.left_wheel_soil.rim_radius_m + 0.003);
+    }
+  }
+}
+
 TEST(AxelArm, IsDrawnAsLongAsItIs) {
   const RoverModel axel = Axel();
   double front = 0.0;
@@ -233,6 +271,22 @@ TEST(RoverFile, NeedsItsLinksAndJoints) {
   EXPECT_THAT(ChangedMessage("axel.urdf", "\"left_wheel_joint\" type=\"continuous\"",
                              "\"left_wheel_joint\" type=\"fixed\""),
               HasSubstr("joint 'left_wheel_joint': expected type continuous, found 'fixed'"));
+  EXPECT_THAT(ChangedMessage("axel.urdf", "\"arm_joint\" type=\"continuous\"",
+                             "\"arm_joint\" type=\"fixed\""),
+              HasSubstr("joint 'arm_joint': expected type continuous or revolute, found 'fixed'"));
+}
+
+TEST(RoverFile, AnotherRoversArmMayHaveEndStops) {
+  const ScratchFolder folder;
+  folder.CopyModel("axel");
+  const std::string urdf = "models/axel/axel.urdf", joint = "\"arm_joint\" type=\"continuous\">";
+  folder.Write(urdf,
+               Replaced(Slurp(SourceFile(urdf)), joint,
+                        "\"arm_joint\" type=\"revolute\">\n<limit lower=\"-1.0\" upper=\"1.3\" "
+                        "effort=\"80\" velocity=\"0.5\"/>"));
+  const RoverModel rover = LoadRover((folder.path() / "models/axel/axel.yaml").string());
+  EXPECT_EQ(rover.arm_lower_rad, -1.0);
+  EXPECT_EQ(rover.arm_upper_rad, 1.3);
 }
 
 }  // namespace

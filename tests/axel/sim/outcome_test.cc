@@ -157,16 +157,35 @@ TEST(Outcome, TippingAndOverloadEndTheRun) {
   EXPECT_TRUE(tipped.fatal());
   EXPECT_EQ(tipped.Conclude(Verdict::kUnderWay, 0, {}).outcome, Outcome::kTippedOver);
 
-  OutcomeJudge over_the_top(Station(), {});
-  truth = At(5.0, -2.0, 0.0, 0.0);
-  truth.X_WA.R = RotY(Radians(-100));
-  over_the_top.Observe(truth);
-  EXPECT_TRUE(over_the_top.fatal());
-
   OutcomeJudge overload(Station(), {});
   Hold(overload, At(5.0, -2.0, 0.0, 1200.0), 0.3);
   EXPECT_TRUE(overload.fatal());
   EXPECT_EQ(overload.Conclude(Verdict::kUnderWay, 0, {}).outcome, Outcome::kTetherOverload);
+}
+
+TEST(Outcome, ArmThatWentOverTheTopNamesTheRunOnlyIfItIsNotBroughtBack) {
+  const auto Observe = [](OutcomeJudge& judge, double time_s, double arm_pitch_deg) {
+    Truth truth = At(time_s, -2.0, 0.0, 0.0);
+    truth.X_WA.R = RotY(Radians(arm_pitch_deg));
+    judge.Observe(truth);
+  };
+  OutcomeJudge judge(Station(), {});
+  Observe(judge, 5.0, 15.0);
+  Observe(judge, 6.0, -100.0);
+  EXPECT_FALSE(judge.fatal());
+  EXPECT_EQ(judge.flips(), 1);
+  EXPECT_EQ(judge.Conclude(Verdict::kUnderWay, 0, {}).outcome, Outcome::kTippedOver);
+  Observe(judge, 30.0, 15.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kUnderWay, 0, {}).outcome, Outcome::kTimeout);
+  Observe(judge, 40.0, 170.0);  // from below it does not come, but round and round it does
+  EXPECT_EQ(judge.flips(), 2);
+
+  // An arm that was behind at the start did not go over.
+  OutcomeJudge trailing(Station(), {});
+  Observe(trailing, 0.0, 165.0);
+  Observe(trailing, 1.0, 165.0);
+  EXPECT_EQ(trailing.flips(), 0);
+  EXPECT_EQ(trailing.Conclude(Verdict::kGivenUp, 0, {}).outcome, Outcome::kRecoveryLimit);
 }
 
 TEST(Outcome, GivingUpInSightOfTheBoardIsTheRecoveryLimit) {
