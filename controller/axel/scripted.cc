@@ -37,6 +37,7 @@ class Scripted final : public Controller {
       CommandWheels(nominal_, {step.speed_m_s, step.turn_rad_s}, options_.drive.wheel_accel_rad_s2,
                     commands);
     }
+    if (step.arm_rad) CommandArm(step, commands);
     const bool open_speed = step.reel_m_s == 0.0;
     if (open_speed && !step.tension_n) return;  // braked
     const NominalMotor& spool = nominal_.motors[static_cast<std::size_t>(Motor::kSpool)];
@@ -44,6 +45,16 @@ class Scripted final : public Controller {
     commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
         Winch(nominal_, open_speed ? options_.tether.tighten_m_s : step.reel_m_s,
               step.tension_n.value_or(strongest_n), options_.tether.accel_rad_s2);
+  }
+
+  void CommandArm(const ScriptStep& step, Commands* commands) const {
+    const NominalMotor& arm = nominal_.motors[static_cast<std::size_t>(Motor::kArm)];
+    commands->motors[static_cast<std::size_t>(Motor::kArm)] = {
+        .mode = MotorMode::kPosition,
+        .target = *step.arm_rad - nominal_.arm_at_zero_rad,
+        .speed_limit_rad_s = step.arm_speed_rad_s.value_or(arm.max_speed_rad_s),
+        .accel_rad_s2 = options_.arm.accel_rad_s2,
+        .current_limit_a = arm.max_current_a};
   }
 
   const Nominal nominal_;

@@ -1,5 +1,9 @@
 #include "sim/axel/axel_keys.h"
 
+#include <cmath>
+
+#include "models/read/config_error.h"
+
 namespace dockyard::axel {
 
 void VisitAxelKeys(Keys& keys, AxelKeys& values) {
@@ -18,11 +22,30 @@ void VisitAxelKeys(Keys& keys, AxelKeys& values) {
                values.tip_angle_rad, Between(0.0, 30.0));
   keys.Number({"board_dust", "", "mean share of the board's face under dust"}, values.board_dust,
               NonNegative(0.6));
+  keys.Mapping(
+      {"start", "", "how the rover lies at the start, its arm's tip on the ground"}, [&](Keys& in) {
+        in.Choice({"arm", "", "the tip ahead of the axle or behind it"}, values.start.arm,
+                  {"leading", "trailing"});
+        in.Degrees(
+            {"body_pitch_deg", "deg", "body about the axle, nose-down, 180 upside down; else level",
+             Presence::kUnset},
+            values.start.body_pitch_rad, Between(-180.0, 180.0));
+        in.Degrees(
+            {"arm_deg", "deg", "arm against the body, tip-down, in place of the body's pitch",
+             Presence::kUnset},
+            values.start.arm_rad, Between(-180.0, 180.0));
+      });
 }
 
 AxelKeys ReadAxelKeys(const Scenario& scenario) {
   AxelKeys values;
   ReadKeys(scenario.of_system, "axel", [&](Keys& keys) { VisitAxelKeys(keys, values); });
+  if (!std::isnan(values.start.body_pitch_rad) && !std::isnan(values.start.arm_rad)) {
+    const YamlNode& angle = *scenario.of_system.Find("start")->Find("arm_deg");
+    throw ConfigError(angle.place.Text() +
+                      ": axel.start.arm_deg: expected none beside body_pitch_deg; with the tip on "
+                      "the ground one gives the other");
+  }
   return values;
 }
 

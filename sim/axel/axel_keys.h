@@ -10,12 +10,23 @@
 
 namespace dockyard::axel {
 
+enum class ArmPlace { kLeading, kTrailing };
+
+/// How body and arm lie about the axle at the start, the arm's tip on the ground. Of body and arm
+/// one angle gives the other. NaN: not given; then the body is level.
+struct StartKeys {
+  ArmPlace arm = ArmPlace::kLeading;
+  double body_pitch_rad = std::numeric_limits<double>::quiet_NaN();  // nose-down positive
+  double arm_rad = std::numeric_limits<double>::quiet_NaN();  // against the body, tip-down positive
+};
+
 struct AxelKeys {
   std::string station_file;  // resolved path
   VisionSettings vision{};   // of the controller's perception
   double tip_angle_rad =
       std::numeric_limits<double>::quiet_NaN();  // of the cone; NaN: as in the station's file
   double board_dust = 0.0;                       // mean share of the board's face under dust
+  StartKeys start{};
 };
 
 /// Names every key: for reading, and for docs/reference/scenarios.md.

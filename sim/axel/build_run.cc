@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "controller/geometry/axle_attitude.h"
 #include "models/axel/make_nominal.h"
 #include "models/read/config_error.h"
 #include "sim/axel/axel_view.h"
@@ -22,11 +23,19 @@ Slope SlopeOf(const Scenario& scenario) {
   return {scenario.yard.slope_rad, scenario.yard.downhill_rad};
 }
 
-/// The arm angle at which a level body's arm tip rests on level ground.
-double RestingArm(const RoverModel& rover) {
+/// Body and arm about the axle, the arm's tip on level ground [rad].
+struct Lying {
+  double arm = 0.0, body = 0.0;  // arm against body, tip-down positive; body, nose-down positive
+};
+
+Lying LyingAt(const RoverModel& rover, const StartKeys& start) {
   const double axle_height =
       rover.left_wheel_soil.rim_radius_m + 0.5 * PaddleReach(rover.left_wheel_soil);
-  return std::asin((axle_height - rover.tip.radius_m) / rover.arm_length_m);
+  const double down = std::asin((axle_height - rover.tip.radius_m) / rover.arm_length_m);
+  const double arm_in_space = start.arm == ArmPlace::kLeading ? down : kPi - down;
+  if (!std::isnan(start.arm_rad)) return {start.arm_rad, WrapPi(arm_in_space - start.arm_rad)};
+  const double body = std::isnan(start.body_pitch_rad) ? 0.0 : start.body_pitch_rad;
+  return {WrapPi(arm_in_space - body), body};
 }
 
 // An arm laid on the funnel slides down a few centimetres at most.
@@ -93,7 +102,16 @@ void CheckStationHolds(const Scenario& scenario, const StationModel& station) {
 }
 
 void CheckStart(const BuiltRun& run, const Truth& start) {
-  const Pose2 &wanted = run.world.X_DR_start, is = ToGround(start.X_DR);
+  // Body or arm asked for otherwise than level and ahead. On a slope any rover may roll over.
+  const bool leads = std::cos(run.world.arm_start_rad + run.world.pitch_start_rad) > 0.0;
+  const bool asked = !leads || run.world.pitch_start_rad != 0.0;
+  const bool led = start.X_WA.R(2, 2) > 0.0;
+  if (asked && leads != led) {
+    throw ConfigError(run.start_place +
+                      ": expected a start at which the rover stays as it is put down, this one's "
+                      "arm went over the top");
+  }
+  const Pose2 &wanted = run.world.X_DR_start, is = AxleOnGround(start.X_DR);
   const double moved_m = std::hypot(is.x - wanted.x, is.y - wanted.y);
   const double clear_m = run.world.rover.arm_length_m + kClearM;
   if (moved_m < kMostSettlingM || std::hypot(wanted.x, wanted.y) > clear_m) {
@@ -113,13 +131,16 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.rover = models.built.rover;
   world.station = models.built.station;
   world.soil = models.built.soil;
-  world.arm_start_rad = RestingArm(world.rover);
+  const Lying built = LyingAt(world.rover, models.keys.start);
+  world.arm_start_rad = built.arm;
+  world.pitch_start_rad = built.body;
   run.start_place = scenario.start_place;
   run.yard_place = scenario.yard_place;
 
   // What the controller is told; the lines that follow disturb the world only.
   const ModelSet& told = models.told;
-  run.nominal = MakeNominal(told.rover, told.station, RestingArm(told.rover));
+  // The arm's encoder is absolute (assumed): the angle at power-on is known.
+  run.nominal = MakeNominal(told.rover, told.station, LyingAt(told.rover, models.keys.start).arm);
   run.nominal.vision = models.keys.vision;
   RandomStream start(StreamKey(scenario.seed, "start"));
   const double pitch_rad = 2.0 * kPi / std::max(1, world.rover.left_wheel_soil.paddle_count);

@@ -45,7 +45,7 @@ Pose3 OnRocks(const WorldSetup& setup, const HeightGrid& ground, Pose3 X_GR) {
     }
     const Eigen::Vector3d across = setup.rover.p_R_left_wheel - setup.rover.p_R_right_wheel;
     const double roll = std::asin(std::clamp((at_m[1] - at_m[0]) / across.y(), -0.9, 0.9));
-    X_GR.R = RotZ(heading) * RotX(roll);
+    X_GR.R = RotZ(heading) * RotX(roll) * RotY(setup.pitch_start_rad);
     X_GR.p.z() = 0.5 * (at_m[0] + at_m[1]) -
                  (X_GR.R * (0.5 * (setup.rover.p_R_left_wheel + setup.rover.p_R_right_wheel))).z();
   }
@@ -63,7 +63,8 @@ Pose3 RoverStart(const WorldSetup& setup, const HeightGrid& ground) {
     const Eigen::Vector2d at = X_GR * Eigen::Vector2d(p.x(), p.y());
     z = std::max(z, ground.Height(at.x(), at.y()) + RollingRadius(wheel) - p.z());
   }
-  const Pose3 level = FromGround(X_GR, z);
+  Pose3 level = FromGround(X_GR, z);
+  level.R = level.R * RotY(setup.pitch_start_rad);
   if (setup.rocks.rocks.empty()) return level;
   RockContacts rocks(setup.rover, ArmCollisions(setup.rover), setup.rocks.rocks);
   const Pose3 X_GL{level.R, level * setup.rover.p_R_left_wheel};

@@ -5,8 +5,8 @@
 
 namespace dockyard::axel {
 
-/// Pose X_GR. Above the ground by the radius of the wheels, its body along the ground. A wheel
-/// above a rock stands on it, and the body then rolls as the axle does.
+/// Pose X_GR. Above the ground by the radius of the wheels, its axle along the ground. A wheel
+/// above a rock stands on it, and the axle then rolls.
 Pose3 RoverStart(const WorldSetup& setup, const HeightGrid& ground);
 
 /// The part of the rover that a rock is in the way of at the start: "arm", "body", or none.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "controller/geometry/axle_attitude.h"
 #include "sim/axel/rover_start.h"
 #include "sim/axel/world_impl.h"
 #include "sim/base/hash.h"
@@ -221,7 +222,7 @@ std::uint64_t World::Impl::StateHash(std::uint64_t seed) const {
 World::World(const WorldSetup& setup) {
   // A wheel that stands on one paddle rolls off it as it settles, by up to half a paddle's pitch.
   // So the rover is put down twice, the second time as far aside as it rolled the first time.
-  const Pose2 rolled = ToGround(Impl(setup).MakeTruth().X_DR);
+  const Pose2 rolled = AxleOnGround(Impl(setup).MakeTruth().X_DR);
   WorldSetup placed = setup;
   placed.X_DR_start = setup.X_DR_start * Inverse(rolled) * setup.X_DR_start;
   impl_ = std::make_unique<Impl>(std::move(placed));

@@ -29,8 +29,9 @@ struct WorldSetup {
   RockBed rocks;      // in the ground, in G
   Pose2 X_GD;         // dock in the site: where the station is put
   Pose2 X_DR_start;
-  double arm_start_rad = 0.0;  // arm against body, tip-down positive
-  double slack_start_m = 0.0;  // exposed tether beyond the straight path at the start, >= 0
+  double arm_start_rad = 0.0;    // arm against body, tip-down positive
+  double pitch_start_rad = 0.0;  // body about the axle, nose-down positive; 180 deg: upside down
+  double slack_start_m = 0.0;    // exposed tether beyond the straight path at the start, >= 0
   double step_s = 1e-3;
   bool may_rest = true;               // off: every step is computed, nothing moving or not
   bool add_right_side_first = false;  // order in which the bodies are added (mirror test)
