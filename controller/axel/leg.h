@@ -20,6 +20,8 @@ class ArmLevel {
   /// Moves the wanted angle so that the pitch goes to target_pitch_rad. Call it only while the body
   /// can turn about the axle (wheels driven or free, not braked).
   void Level(const Senses& senses, double target_pitch_rad = 0.0);
+  /// Wants the angle that the arm has next.
+  void Reset() { wanted_rad_.reset(); }
   /// The arm motor's command: hold the wanted angle.
   MotorCommand Hold(const Senses& senses);
 

@@ -8,6 +8,7 @@
 #include "controller/axel/leg.h"
 #include "controller/axel/phases.h"
 #include "controller/axel/planner.h"
+#include "controller/axel/righting.h"
 #include "controller/axel/search.h"
 #include "controller/axel/senses.h"
 #include "controller/axel/sighting.h"
@@ -36,11 +37,12 @@ class AxelMachine final : public Controller {
         geometry_(PlanGeometryOf(nominal)),
         senses_(nominal, options),
         arm_(nominal, options.arm),
+        righting_(nominal, options.righting),
         judge_(options.look, nominal.X_DB),
         still_(options.tether.still_m) {
     DOCKYARD_CHECK(locator_ != nullptr);
     belief_.phase = Name(phase_);
-    belief_.values = {{"tether_length_m", 0.0}, {"recoveries", 0.0}};
+    belief_.values = {{"tether_length_m", 0.0}, {"recoveries", 0.0}, {"rightings", 0.0}};
   }
 
   Commands Step(const SensorFrame& sensed) override {
@@ -48,9 +50,12 @@ class AxelMachine final : public Controller {
     if (!started_) Enter(Phase::kTighten);
     started_ = true;
     Commands commands = BrakedCommands();
+    if (TurnedOver()) Change(Right());
     const std::optional<Event> event = Act(sensed, &commands);
+    if (phase_ != Phase::kRight) {
+      commands.motors[static_cast<std::size_t>(Motor::kArm)] = arm_.Hold(senses_);
+    }
     if (event) Change(*event);
-    commands.motors[static_cast<std::size_t>(Motor::kArm)] = arm_.Hold(senses_);
     commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDocked
                        : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
                                                    : Verdict::kUnderWay;
@@ -78,11 +83,14 @@ class AxelMachine final : public Controller {
   std::optional<Event> Level(double target_pitch_rad, Commands* commands);
   std::optional<Event> Reel(Commands* commands);
   std::optional<Event> Confirm(Commands* commands);
+  std::optional<Event> TurnBack(Commands* commands);
 
   std::optional<Event> Judge(const StereoImages& images);
   Event AfterSighting();
   Event AtTheMouth();
   Event Recover(Event event, const std::string& why);
+  bool TurnedOver();
+  Event Right();
   void BeginSearch();
 
   void Change(Event event);
@@ -97,6 +105,7 @@ class AxelMachine final : public Controller {
   const PlanGeometry geometry_;
   Senses senses_;
   ArmLevel arm_;
+  Righting righting_;
   SightingJudge judge_;
   CameraTurnFilter camera_turn_;
   StillWatch still_;
@@ -107,7 +116,8 @@ class AxelMachine final : public Controller {
   double reeled_at_entry_m_ = 0.0, yaw_at_entry_rad_ = 0.0;
   double rolled_before_m_ = 0.0;  // when the wheels were freed
   Belief belief_;
-  int recoveries_ = 0;
+  int recoveries_ = 0, rightings_ = 0;
+  std::optional<Tick> over_since_;  // turned over
 
   // Tightening.
   std::optional<Tick> levelling_since_;
@@ -153,6 +163,8 @@ std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* comma
       return Reel(commands);
     case Phase::kConfirm:
       return Confirm(commands);
+    case Phase::kRight:
+      return TurnBack(commands);
     case Phase::kDocked:
     case Phase::kGivenUp:
       break;
@@ -282,6 +294,35 @@ std::optional<Event> AxelMachine::Drive(Commands* commands) {
   return Event::kArrived;
 }
 
+// The arm went over the top, or the rover starts so. An arm that only swings past the upright comes
+// back by itself.
+bool AxelMachine::TurnedOver() {
+  const bool stands = phase_ == Phase::kTighten || phase_ == Phase::kLook;
+  const bool over =
+      senses_.arm_trails() || (stands && !Righting::Upright(senses_, options_.righting));
+  const bool may = phase_ != Phase::kDocked && phase_ != Phase::kGivenUp && phase_ != Phase::kRight;
+  if (!over || !may) {
+    over_since_.reset();
+    return false;
+  }
+  if (!over_since_) over_since_ = senses_.now();
+  return senses_.now() - *over_since_ >= options_.righting.over_for;
+}
+
+Event AxelMachine::Right() {
+  belief_.note = "turned over";
+  if (rightings_ >= options_.limit.rightings) return Event::kLimitReached;
+  ++rightings_;
+  return Event::kTurnedOver;
+}
+
+std::optional<Event> AxelMachine::TurnBack(Commands* commands) {
+  const Righting::Status status = righting_.Step(senses_, commands);
+  if (status == Righting::Status::kUnderWay) return std::nullopt;
+  arm_.Reset();
+  return status == Righting::Status::kDone ? Event::kArrived : Event::kLimitReached;
+}
+
 void AxelMachine::BeginSearch() {
   const SearchKnowledge known{
       senses_.filter().located(), SeesBoard(geometry_, options_.look, senses_.pose()),
@@ -308,7 +349,7 @@ std::optional<Event> AxelMachine::Search(Commands* commands) {
       return Level(search_->amount, commands);
     case SearchMove::kTurn:
       return ArrivedIf(TurnInPlace(nominal_, options_, search_->amount,
-                                   senses_.imu().yaw_rad - yaw_at_entry_rad_, commands));
+                                   senses_.yaw_rad() - yaw_at_entry_rad_, commands));
     case SearchMove::kReel:
       ReelNearer(nominal_, options_.tether, commands);
       return ArrivedIf(Stuck() || ReeledHere() >= search_->amount ||
@@ -364,7 +405,7 @@ void AxelMachine::Enter(Phase phase) {
   phase_ = phase;
   entered_ = look_from_ = senses_.now();
   reeled_at_entry_m_ = senses_.reeled_m();
-  yaw_at_entry_rad_ = senses_.imu().yaw_rad;
+  yaw_at_entry_rad_ = senses_.yaw_rad();
   still_.Reset();
   levelling_since_.reset();
   rolled_before_m_ = senses_.rolled_m();
@@ -375,6 +416,7 @@ void AxelMachine::Enter(Phase phase) {
   if (phase != Phase::kLook) taut_ = false;
   if (phase == Phase::kLook || phase == Phase::kRecheck) judge_.NewStop();
   if (phase == Phase::kSearch) BeginSearch();
+  if (phase == Phase::kRight) righting_.Begin(senses_);
   if (phase == Phase::kReel) {
     const double gap = TipOf(geometry_, senses_.pose()).gap_m;
     to_reel_m_ = gap + nominal_.seat_depth_m + options_.mate.over_reel_m;
@@ -406,6 +448,7 @@ void AxelMachine::FillBelief() {
   belief_.values[0].value =
       belief_.located ? senses_.filter().ExposedLength(senses_.reeled_m()) : 0.0;
   belief_.values[1].value = recoveries_;
+  belief_.values[2].value = rightings_;
 }
 
 }  // namespace

@@ -137,7 +137,28 @@ struct SearchOptions {
   Tick move_limit = 25'000;
 };
 
+/// Of a rover that has turned over. All assumed; angles and speeds leave the arm's motor, 80 N m,
+/// three times the 20 N m of an arm held level.
+struct RightingOptions {
+  Tick over_for = 400;                 // turned over for this long, it has gone over; 0.2-1 s
+  double upright_rad = Radians(50.0);  // within this the arm's levelling is enough; 40-60 deg
+  double turn_rad_s = Radians(12.0);   // of the body, wheels free; 5-20 deg/s
+  double swing_rad_s = Radians(15.0);  // of the arm, wheels braked; 5-25 deg/s
+  double accel_rad_s2 = 0.5;           // 0.2-1
+  double counter_rad = Radians(20.0);  // arm this near the body's front: their weights balance
+  double down_rad = Radians(8.0);      // swung arm, below the level: a little above the ground
+  double near_rad = Radians(4.0);      // a turn is over this far from its end
+  double rest_rad_s = Radians(3.0);    // slower for rest_time: at rest
+  Tick rest_time = 600, rest_limit = 6'000;
+  // As the body turns, the spool takes up what the swung arm left slack, with less than the 7 N m
+  // by which the tip at least lies on the ground. 5-15 N, 0.05-0.15 m/s.
+  double slack_tension_n = 8.0, slack_m_s = 0.1, slack_accel_rad_s2 = 2.0;
+  double patience = 1.5;  // times a turn's nominal duration
+  int tries = 3;
+};
+
 struct LimitOptions {
+  int rightings = 4;   // as recoveries
   int recoveries = 4;  // the limit that the paper asks for (V-B); assumed, 2-6
   int plans = 40;      // legs in all; ten times a straight approach
 };
@@ -150,6 +171,7 @@ struct AxelOptions {
   PlanOptions plan{};
   MateOptions mate{};
   SearchOptions search{};
+  RightingOptions righting{};
   LimitOptions limit{};
   FilterNoise noise{};
 };

@@ -35,20 +35,22 @@ constexpr std::array kTransitions = {
     Transition{Phase::kReel, Event::kStuck, Phase::kRecover},
     Transition{Phase::kConfirm, Event::kSteady, Phase::kDocked},
     Transition{Phase::kConfirm, Event::kStuck, Phase::kRecover},
+    Transition{Phase::kRight, Event::kArrived, Phase::kTighten},
 };
 
 }  // namespace
 
 const char* Name(Phase phase) {
   static constexpr std::array<const char*, kPhaseCount> kNames = {
-      "tighten", "look",    "search", "approach", "align",   "back_off", "recover",
-      "mate",    "recheck", "enter",  "reel",     "confirm", "docked",   "given_up"};
+      "tighten", "look",  "search", "approach", "align", "back_off", "recover", "mate",
+      "recheck", "enter", "reel",   "confirm",  "right", "docked",   "given_up"};
   return kNames[static_cast<std::size_t>(phase)];
 }
 
 std::optional<Phase> Next(Phase phase, Event event) {
   const bool over = phase == Phase::kDocked || phase == Phase::kGivenUp;
   if (event == Event::kLimitReached && !over) return Phase::kGivenUp;
+  if (event == Event::kTurnedOver && !over) return Phase::kRight;
   for (const Transition& row : kTransitions) {
     if (row.from == phase && row.event == event) return row.to;
   }

@@ -19,6 +19,7 @@ enum class Phase {
   kEnter,     // slowly until the tip is in the mouth
   kReel,      // wheels free, reel in
   kConfirm,   // spool braked, nothing may move
+  kRight,     // turned over: body upright again, arm ahead
   kDocked,
   kGivenUp,
 };
@@ -36,6 +37,7 @@ enum class Event {
   kReeledIn,   // reeled in as far as asked
   kStuck,      // it does not go in, or does not stay in
   kSteady,
+  kTurnedOver,  // arm behind the axle, or body upside down
   kLimitReached,
 };
 inline constexpr int kEventCount = static_cast<int>(Event::kLimitReached) + 1;
