@@ -225,7 +225,7 @@ TEST(Nominal, TellsNominalNumbers) {
 
 TEST(RoverFile, BadValuesAreToldByPlaceAndPath) {
   EXPECT_THAT(ChangedMessage("axel.yaml", "radius_m: 0.265", "radius_m: ten"),
-              "models/axel/axel.yaml:9:13: wheels.radius_m: expected a number > 0, found 'ten'");
+              "models/axel/axel.yaml:16:13: wheels.radius_m: expected a number > 0, found 'ten'");
   EXPECT_THAT(ChangedMessage("axel.yaml", "count: 12 ", "count: 1e9"),
               HasSubstr("wheels.paddles.count: expected a whole number from 0 to 64, found '1e9'"));
   EXPECT_THAT(ChangedMessage("axel.yaml", "max_current_a: 2.0 ", "max_current_a: 0.1 "),
