@@ -84,6 +84,17 @@ def body():
     return mesh
 
 
+def body_coaxial():
+    """As body, all on the axle: the housing's halves, and between them the spool and the arm's root."""
+    mesh = Mesh()
+    mesh.cylinder("y", -0.10, 0.10, 0.09, 32)
+    for side in (-1.0, 1.0):
+        mesh.cylinder("y", 0.10 if side > 0 else -0.28, 0.28 if side > 0 else -0.10, 0.16, 40)
+        mesh.cylinder("y", 0.28 if side > 0 else -0.36, 0.36 if side > 0 else -0.28, 0.035, 24)
+        mesh.box((0.065, side * 0.175 - 0.012, 0.13), (0.09, side * 0.175 + 0.012, 0.20))  # posts
+    return mesh
+
+
 def camera_heads():
     mesh = Mesh()
     for side in (-1.0, 1.0):
@@ -168,6 +179,7 @@ def stand():
 
 FILES = {
     "models/axel/meshes/body.obj": body,
+    "models/axel/meshes/body_coaxial.obj": body_coaxial,
     "models/axel/meshes/camera_heads.obj": camera_heads,
     "models/axel/meshes/arm.obj": arm,
     "models/axel/meshes/wheel.obj": wheel,

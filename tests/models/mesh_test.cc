@@ -183,7 +183,7 @@ TEST(MeshShapes, MirroredScaleKeepsFacesOutwards) {
 
 TEST(MeshesHere, LookOutwardsAndAreSmall) {
   for (const char* name :
-       {"axel/meshes/body", "axel/meshes/camera_heads",
+       {"axel/meshes/body", "axel/meshes/body_coaxial", "axel/meshes/camera_heads",
         "axel/meshes/arm", "axel/meshes/wheel", "axel/meshes/paddles", "axel/station/meshes/module",
         "axel/station/meshes/cone_face", "axel/station/meshes/stand"}) {
     const auto mesh = LoadMesh(SourceFile("models/" + std::string(name) + ".obj"));

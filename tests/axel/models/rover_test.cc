@@ -73,6 +73,22 @@ TEST(AxelMass, BodyIsItsHousingHeadsAndBatteries) {
                                {1, {-0.14, -0.075, 0}, half}});
 }
 
+TEST(CoaxialMass, IsOnTheAxleButForHeadsAndArm) {
+  const RoverModel rover = LoadRover(SourceFile("models/axel/axel_coaxial.yaml"));
+  const Eigen::Vector3d head = Box(1, 0.065, 0.064, 0.044), half = Cylinder(11, 0.16, 0.18);
+  ExpectComposed(rover.body, {{11, {0, 0.19, 0}, half},
+                              {11, {0, -0.19, 0}, half},
+                              {1, {0.08, 0.175, 0.22}, head},
+                              {1, {0.08, -0.175, 0.22}, head},
+                              {2, {0, 0, 0}, Cylinder(2, 0.09, 0.20)}});
+  const Eigen::Vector3d rod = Cylinder(2, 0.0225, 1.0);
+  ExpectComposed(rover.arm, {{2, {0.5, 0, 0}, {rod.y(), rod.x(), rod.z()}}});
+  EXPECT_NEAR(rover.mass_kg(), 40.0, 1e-9);
+  const double nose_down_nm = kGravity * (rover.arm.mass_kg * rover.arm.p_LoCom_L.x() +
+                                          rover.body.mass_kg * rover.body.p_LoCom_L.x());
+  EXPECT_NEAR(nose_down_nm, 11.4, 0.05);
+}
+
 TEST(AxelMass, ArmIsAUniformRod) {
   const Eigen::Vector3d along_y = Cylinder(4, 0.0225, 1.0);
   ExpectComposed(Axel().arm, {{4, {0.5, 0, 0}, {along_y.y(), along_y.x(), along_y.z()}}});
