@@ -96,6 +96,12 @@ const Difference kDifferences[] = {
      [](const BuiltRun& run) { return MotorOf(run, Motor::kRightWheel).torque_per_amp_nm; }, 15},
     {"robot.motors.right_wheel.no_load_current_a.plus=0.05",
      [](const BuiltRun& run) { return MotorOf(run, Motor::kRightWheel).no_load_current_a; }, 0.25},
+    {"robot.motors.spool.torque_per_amp_nm.times=0.6",  // weak
+     [](const BuiltRun& run) { return MotorOf(run, Motor::kSpool).torque_per_amp_nm; }, 6},
+    {"robot.motors.spool.max_current_a.times=0.7",  // limited by a hot driver
+     [](const BuiltRun& run) { return MotorOf(run, Motor::kSpool).max_current_a; }, 1.4},
+    {"robot.motors.wheel.max_speed_rad_s.times=0.8",  // a bus that sags
+     [](const BuiltRun& run) { return MotorOf(run, Motor::kLeftWheel).max_speed_rad_s; }, 0.4},
     {"robot.motors.spool.gear_friction_nm.times=2",
      [](const BuiltRun& run) { return MotorOf(run, Motor::kSpool).gear_friction_nm; }, 1.0},
     {"robot.motors.arm.torque_per_amp_nm=44",
