@@ -15,7 +15,10 @@ void ArmLevel::Level(const Senses& senses, double target_pitch_rad) {
   const double seconds = kTickSeconds * static_cast<double>(std::min(since, 2 * kControlPeriod));
   const double rate = std::clamp(options_.level_gain_per_s * error, -options_.level_rate_rad_s,
                                  options_.level_rate_rad_s);
-  *wanted_rad_ = std::clamp(*wanted_rad_ + rate * seconds, -options_.limit_rad, options_.limit_rad);
+  // The arm may have gone round: its limits are about the body's front in the turn in which it is.
+  const double turn_rad = 2.0 * kPi * std::round(senses.arm_rad() / (2.0 * kPi));
+  *wanted_rad_ = turn_rad + std::clamp(*wanted_rad_ + rate * seconds - turn_rad,
+                                       -options_.limit_rad, options_.limit_rad);
 }
 
 MotorCommand ArmLevel::Hold(const Senses& senses) {

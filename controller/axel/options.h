@@ -150,11 +150,11 @@ struct RightingOptions {
   double near_rad = Radians(4.0);      // a turn is over this far from its end
   double rest_rad_s = Radians(3.0);    // slower for rest_time: at rest
   Tick rest_time = 600, rest_limit = 6'000;
-  // As the body turns, the spool takes up what the swung arm left slack, with less than the 7 N m
-  // by which the tip at least lies on the ground. 5-15 N, 0.05-0.15 m/s.
-  double slack_tension_n = 8.0, slack_m_s = 0.1, slack_accel_rad_s2 = 2.0;
   double patience = 1.5;  // times a turn's nominal duration
   int tries = 3;
+  // Before the second and third try: half a metre out of what the wheels have dug. 5-20 s.
+  double leave_m_s = 0.05, leave_accel_rad_s2 = 0.3;
+  Tick leave_time = 10'000;
 };
 
 struct LimitOptions {

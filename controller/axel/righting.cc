@@ -8,7 +8,8 @@
 namespace dockyard::axel {
 
 void Righting::Begin(const Senses& senses) {
-  tries_ = 0;
+  moves_ = 0;
+  left_ = false;
   Enter(Stage::kRest, senses);
 }
 
@@ -32,6 +33,9 @@ void Righting::Enter(Stage stage, const Senses& senses) {
       break;
     case Stage::kTurn:
       deadline_ = Within(2.0 * kPi, options_.turn_rad_s);
+      break;
+    case Stage::kLeave:
+      deadline_ = senses.now() + options_.leave_time;
       break;
   }
 }
@@ -69,8 +73,15 @@ Righting::Status Righting::Step(const Senses& senses, Commands* commands) {
       if (!Rested(senses)) break;
       const bool trails = senses.arm_trails();
       if (!trails && Upright(senses, options_)) return Status::kDone;
-      if (tries_ == 2 * options_.tries) return Status::kFailed;
-      ++tries_;
+      // One try is a swing and a turn.
+      if (moves_ == 2 * options_.tries) return Status::kFailed;
+      if (moves_ >= 2 && !left_) {
+        Enter(Stage::kLeave, senses);
+        left_ = true;
+        break;
+      }
+      ++moves_;
+      left_ = false;
       const bool counters = std::abs(WrapPi(senses.arm_rad())) <= options_.counter_rad;
       Enter(!trails ? Stage::kTurn : counters ? Stage::kSwing : Stage::kCounter, senses);
       break;
@@ -88,14 +99,21 @@ Righting::Status Righting::Step(const Senses& senses, Commands* commands) {
       break;
     }
     case Stage::kTurn:
-      commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
-          Winch(nominal_, options_.slack_m_s, options_.slack_tension_n + nominal_.spool_friction_n,
-                options_.slack_accel_rad_s2);
       // The tip lies still, so an arm turned by the body's pitch leaves the body level.
       arm = ArmTo(WrapPi(senses.arm_rad() + senses.pitch_rad()), options_.turn_rad_s);
-      if (std::abs(senses.pitch_rad()) > options_.near_rad && !TooLong(senses)) break;
+      if (std::abs(senses.pitch_rad()) > options_.near_rad && !senses.arm_trails() &&
+          !TooLong(senses)) {
+        break;
+      }
       Enter(Stage::kRest, senses);
       break;
+    case Stage::kLeave: {
+      const double away_m_s = senses.arm_trails() ? options_.leave_m_s : -options_.leave_m_s;
+      CommandWheels(nominal_, {away_m_s, 0.0}, options_.leave_accel_rad_s2, commands);
+      arm = ArmTo(held_rad_, options_.turn_rad_s);
+      if (TooLong(senses)) Enter(Stage::kRest, senses);
+      break;
+    }
   }
   return Status::kUnderWay;
 }

@@ -6,7 +6,9 @@
 // the arm is laid against the body's front, so that the body's weight, which is behind the axle,
 // is across the axle from the arm's. The spool runs free: an arm that turns against the body winds
 // tether on the drum or off it, and the tip comes up to two arm's lengths nearer or goes as far.
-// What is slack then is taken up as the body turns upright.
+//
+// Where that fails, the wheels have dug in and the housing lies on the ground. The rover then
+// drives some way from the tip, which its wheels press down meanwhile, and tries again.
 #pragma once
 
 #include "controller/axel/nominal/nominal.h"
@@ -34,7 +36,7 @@ class Righting {
   }
 
  private:
-  enum class Stage { kRest, kCounter, kSwing, kTurn };
+  enum class Stage { kRest, kCounter, kSwing, kTurn, kLeave };
 
   void Enter(Stage stage, const Senses& senses);
   bool Rested(const Senses& senses);
@@ -48,7 +50,8 @@ class Righting {
   Stage stage_ = Stage::kRest;
   Tick deadline_ = 0, slow_since_ = 0;
   double held_rad_ = 0.0;  // arm, while at rest
-  int tries_ = 0;
+  int moves_ = 0;
+  bool left_ = false;  // driven off before the next move
 };
 
 }  // namespace dockyard::axel

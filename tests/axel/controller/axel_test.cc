@@ -159,6 +159,34 @@ TEST(Axel, StopsTheWheelsWhileTheArmIsLifted) {
   EXPECT_EQ(controller->belief().note, "arm lifted: reeling in");
 }
 
+TEST(Axel, TurnsBackOnceTheArmHasGoneOverTheTop) {
+  const Nominal nominal = TestNominal();
+  KinematicRover rover(nominal, {}, FromDockingCoords({4.0, 0.0, 0.0}));
+  const auto controller = MakeAxelMachine(
+      nominal, {}, [&](const StereoImages&, const LocateHints&) { return rover.Locate(); });
+  while (controller->belief().phase != "approach") rover.Step(controller->Step(rover.Sense()));
+  SensorFrame over = rover.Sense();
+  const RollPitchYaw rpy = ToRollPitchYaw(RotY(Radians(-130.0)));  // body and arm together
+  over.imu.roll_rad = rpy.roll;
+  over.imu.pitch_rad = rpy.pitch;
+  over.imu.yaw_rad = rpy.yaw;
+  // An arm that swings past the upright for a moment does not count.
+  for (int i = 0; i < 19; ++i) {
+    controller->Step(over);
+    over.tick += kControlPeriod;
+  }
+  EXPECT_NE(controller->belief().phase, "right");
+  Commands commands;
+  for (int i = 0; i < 4; ++i) {
+    commands = controller->Step(over);
+    over.tick += kControlPeriod;
+  }
+  EXPECT_EQ(controller->belief().phase, "right");
+  EXPECT_EQ(ValueOf(controller->belief(), "rightings", 0.0), 1.0);
+  EXPECT_EQ(commands.motors[0].mode, MotorMode::kBrake);
+  EXPECT_EQ(commands.motors[3].mode, MotorMode::kFree);
+}
+
 TEST(Axel, NeverCommandsBeyondTheSheet) {
   const Nominal nominal = TestNominal();
   KinematicWorld world;

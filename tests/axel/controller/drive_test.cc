@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "axel/controller/kinematic_rover.h"
+#include "controller/axel/leg.h"
 #include "controller/axel/odometry.h"
 #include "controller/axel/options.h"
 #include "controller/axel/senses.h"
@@ -124,6 +126,29 @@ TEST(Arm, IsLevelWhenItsAngleUndoesThePitch) {
   Senses senses(nominal, AxelOptions{});
   senses.Update(frame);
   EXPECT_THAT(senses.elevation_rad(), DoubleNear(0.0, 1e-12));
+}
+
+// An arm that has gone round the axle is levelled where it is, not turned back.
+TEST(Arm, IsLevelledInTheTurnInWhichItIs) {
+  const Nominal nominal = TestNominal();
+  for (const double turn_rad : {0.0, 2.0 * kPi, -4.0 * kPi}) {
+    SensorFrame frame = StillFrame();
+    frame.imu.pitch_rad = 0.2;
+    frame.motors[2].encoder_counts =
+        std::llround((0.1 + turn_rad) / nominal.motors[2].rad_per_count);
+    const AxelOptions options;
+    Senses senses(nominal, options);
+    ArmLevel arm(nominal, options.arm);
+    for (int i = 0; i < 100; ++i) {
+      frame.tick += kControlPeriod;
+      senses.Update(frame);
+      arm.Level(senses);
+    }
+    // 2 s at the largest rate that the pitch asks for.
+    const double rate = std::min(options.arm.level_gain_per_s * 0.2, options.arm.level_rate_rad_s);
+    EXPECT_THAT(arm.Hold(senses).target, DoubleNear(turn_rad + 0.1 + 1.98 * rate, 2e-3))
+        << turn_rad;
+  }
 }
 
 }  // namespace

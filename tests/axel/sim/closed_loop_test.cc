@@ -142,6 +142,16 @@ TEST(ClosedLoop, AShortDockingWithTheNavcamsOfMars2020Docks) {
   EXPECT_GT(record.result.images, 0);
 }
 
+TEST(ClosedLoop, AxelWithItsMassesOnTheAxleDocks) {
+  for (const char* soil : {"loose_sand", "compact_gravel"}) {
+    const RunRecord record = SimulateTypical(
+        {"robot=" DOCKYARD_SOURCE_DIR "/models/axel/axel_coaxial.yaml", "start.r_m=2.5",
+         "start.alpha_deg=5",
+         std::string("soil=" DOCKYARD_SOURCE_DIR "/models/soils/") + soil + ".yaml"});
+    EXPECT_TRUE(record.result.docked) << soil << ": " << record.failure_note;
+  }
+}
+
 TEST(ClosedLoop, AShortDockingDocks) {
   const RunRecord record =
       SimulateTypical({"start.r_m=2.5", "start.alpha_deg=5", "time_limit_s=400"});
