@@ -136,6 +136,8 @@ const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"slack_arc.yaml", 6 * 3 * 2},
     {"slope.yaml", 5 * 3 * 2},
     {"tether_arc.yaml", 4 * 2},
+    {"turned_over.yaml", 2 * 2 * 4},
+    {"weak_motors.yaml", 2},
 };
 
 TEST(Studies, OfTheTreeHaveTheirPoints) {
