@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "controller/base/number_text.h"
 #include "controller/geometry/axle_attitude.h"
 #include "models/axel/make_nominal.h"
 #include "models/read/config_error.h"
@@ -31,7 +32,13 @@ struct Lying {
 Lying LyingAt(const RoverModel& rover, const StartKeys& start) {
   const double axle_height =
       rover.left_wheel_soil.rim_radius_m + 0.5 * PaddleReach(rover.left_wheel_soil);
-  const double down = std::asin((axle_height - rover.tip.radius_m) / rover.arm_length_m);
+  const double below_m = axle_height - rover.tip.radius_m;
+  if (below_m >= rover.arm_length_m) {
+    throw ConfigError(rover.name + ": arm.length_m: expected more than " + NumberText(below_m) +
+                      ", with which its tip reaches the ground, found '" +
+                      NumberText(rover.arm_length_m) + "'");
+  }
+  const double down = std::asin(below_m / rover.arm_length_m);
   const double arm_in_space = start.arm == ArmPlace::kLeading ? down : kPi - down;
   if (!std::isnan(start.arm_rad)) return {start.arm_rad, WrapPi(arm_in_space - start.arm_rad)};
   const double body = std::isnan(start.body_pitch_rad) ? 0.0 : start.body_pitch_rad;

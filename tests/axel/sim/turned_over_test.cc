@@ -78,6 +78,13 @@ TEST(TurnedOverStart, IsRefusedWhereItsAnglesContradict) {
       HasSubstr("axel.start.arm_deg: expected none beside body_pitch_deg"));
 }
 
+TEST(TurnedOverStart, IsRefusedForAnArmThatDoesNotReachTheGround) {
+  const ScratchFolder folder;
+  EXPECT_THAT(
+      MessageOf([] { Build(TypicalScenario({"changes.robot.arm.offset_m=-0.8"})); }, folder),
+      HasSubstr("arm.length_m: expected more than 0.25"));
+}
+
 TEST(TurnedOverStart, OneAngleGivesTheOther) {
   const BuiltRun by_arm = Build(TypicalScenario({"axel.start.arm_deg=-150"}));
   const BuiltRun level = Build(TypicalScenario());
