@@ -6,12 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/four_floats.h"
+
 namespace dockyard {
-
-/// Four numbers side by side; the compiler keeps them in one register.
-typedef float Four __attribute__((vector_size(16)));
-
-inline Four Mix(Four a, Four b, float t) { return a + t * (b - a); }
 
 /// Within 0.09 of the binary logarithm: exponent, and the mantissa as a straight line.
 inline float RoughLog2(float x) {

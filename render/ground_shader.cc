@@ -35,6 +35,7 @@ struct GroundShader::Lights {
   float sun[kAtOnce], around[kAtOnce];                                       // radiance
   float p_x[kAtOnce], p_y[kAtOnce], p_z[kAtOnce];
   float slope_u_x[kAtOnce], slope_u_y[kAtOnce];  // see SunShadow::Slopes
+  float share[kAtOnce];                          // of the sun; -1: not told by bounds
 };
 
 GroundShader::GroundShader(const GroundTexture& texture, const Scene& scene,
@@ -73,14 +74,21 @@ void GroundShader::operator()(const PixelRow& row, float* radiance) const {
     Fetch(count, places, lights);
     Light(count, lights);
     Turn(row, first, count, places, lights);
+    shadow_.PlainOf({.p_x = lights.p_x,
+                     .p_y = lights.p_y,
+                     .p_z = lights.p_z,
+                     .slope_x = lights.slope_u_x,
+                     .slope_y = lights.slope_u_y},
+                    count, kBias_m, false, lights.share);
     for (int i = 0; i < count; ++i) {
-      const float share = lights.sun[i] > 0.0f ? SunShare(row, first + i, places, lights, i) : 0;
+      float share = lights.sun[i] > 0.0f ? lights.share[i] : 0.0f;
+      if (share < 0.0f) share = SunShare(row, first + i, places, lights, i);
       radiance[first + i] = lights.around[i] + share * lights.sun[i];
     }
   }
 }
 
-// Share of the sun that objects leave a pixel.
+// Share of the sun that objects leave a pixel, by points.
 float GroundShader::SunShare(const PixelRow& row, int pixel, const Places& places,
                              const Lights& lights, int i) const {
   SunShadow::Place place{.p = {lights.p_x[i], lights.p_y[i], lights.p_z[i]},
@@ -89,8 +97,6 @@ float GroundShader::SunShare(const PixelRow& row, int pixel, const Places& place
                          .blur_m = places.blur[i],
                          .pixel_x = row.column + pixel,
                          .pixel_y = row.row};
-  const float plain = shadow_.Plain(place);
-  if (plain >= 0.0f) return plain;
   const Eigen::Vector3f ray(row.x[pixel], row.y[pixel], 1.0f);
   const Eigen::Vector3f along(row.along_x[pixel], row.along_y[pixel], 0.0f);
   const Eigen::Vector3f down(row.down_x[pixel], row.down_y[pixel], 0.0f);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "controller/geometry/pose.h"
+#include "render/four_floats.h"
 #include "render/surface_mesh.h"
 
 namespace dockyard {
@@ -29,7 +30,8 @@ struct ShadowFit {
 
 inline constexpr int kCoarseTexels = 1536;
 inline constexpr int kFineTexels = 768;
-inline constexpr int kAtlasWidth = kCoarseTexels + kFineTexels, kAtlasHeight = kCoarseTexels;
+/// With a few columns more: rows a multiple of 4 KB apart would share the first cache's places.
+inline constexpr int kAtlasWidth = kCoarseTexels + kFineTexels + 16, kAtlasHeight = kCoarseTexels;
 
 /// casters_W: balls round everything that casts. board: its centre and half diagonal. The fine
 /// window keeps texels of at most 3 mm on boards up to 1.9 m across.
@@ -81,9 +83,24 @@ class SunShadow {
   /// The share by points, whatever the result of Plain.
   float Partly(const Place& place, int searches, int points) const;
 
+  /// Places side by side, as arrays: see Place.
+  struct Places {
+    const float *p_x, *p_y, *p_z, *slope_x, *slope_y;
+  };
+  /// What Plain gives for each of count places with one bias.
+  void PlainOf(const Places& places, int count, float bias_m, bool in_plane, float* shares) const;
+
   SunShadow();
 
  private:
+  static constexpr int kTile = 8;    // texels a side
+  static constexpr int kSpread = 2;  // tiles round a place that its bounds cover
+  static constexpr int kTilesWide = kAtlasWidth / kTile, kTilesHigh = kAtlasHeight / kTile;
+  static constexpr int kPlaneTiles = kFineTexels / kTile;       // a side of the fine window
+  static constexpr float kMaxReach = kTile * kSpread;           // texels
+  static constexpr float kBoundsReach = kTile * (kSpread + 1);  // texels
+  static constexpr float kEdge = kMaxReach + 2.0f;  // texels next to the border, not used
+  static constexpr float kNoCaster = -1e9f;
   struct Bounds {
     float highest = 0.0f, lowest = 0.0f;  // caster over a tile and those around it, along U's z [m]
   };
@@ -92,15 +109,18 @@ class SunShadow {
     int column;
   };
   static constexpr int kTurns = 256;
-  /// Points of a disc of radius 1, side by side, so that four go at once.
+  static constexpr int kMostFours = kMostPoints / 4;
+  /// Points of a disc of radius 1, four at once.
   struct Disc {
-    std::array<float, kMostPoints> x{}, y{};
+    std::array<Four, kMostFours> x{}, y{};
   };
+  using Gaps = std::array<Four, kMostFours>;
 
   static int Turn(int pixel_x, int pixel_y);
   void ReduceTiles();
-  // Bounds over each tile and those around it.
-  static void Spread(std::vector<Bounds>& tiles, std::vector<Bounds>& room, int wide, int high);
+  // Bounds over each tile and those up to so many tiles away. from and to may be one.
+  static void Spread(const std::vector<Bounds>& from, int tiles, int wide, int high,
+                     std::vector<Bounds>& room, std::vector<Bounds>& to);
   // A place in a window of the map; none: outside.
   struct Spot {
     const Window* window = nullptr;
@@ -108,16 +128,21 @@ class SunShadow {
     float sway = 0.0f;         // how far the surface leaves the level within its bounds
   };
   Spot SpotOf(const Place& place) const;
-  const Bounds& BoundsAt(const Spot& spot) const;
-  float Penumbra(const Spot& spot, const Place& place, float reach, int searches, int points) const;
-  // How far the texels at the first points of a disc about the spot stand over the place's plane.
-  void Gaps(const Spot& spot, const Place& place, int points, float radius, float* gaps) const;
+  static std::size_t TileAt(const Spot& spot);
+  // The share where all casters as near as the points can lie agree, without any point; else -1.
+  float PlainNear(const Spot& spot, const Place& place, float reach) const;
+  float Penumbra(const Spot& spot, const Place& place, const Eigen::Vector2f& turn, float reach,
+                 int searches, int points) const;
+  // How far the texels at the first points of a disc about the spot stand over the place's plane;
+  // beyond those, as if without a caster. turn: cosine and sine by which the disc is turned.
+  void FindGaps(const Spot& spot, const Place& place, const Eigen::Vector2f& turn, int points,
+                float radius, Gaps& gaps) const;
 
   ShadowFit fit_;
   std::array<Eigen::Vector2f, kTurns> turns_;  // cosine and sine
   std::array<Disc, kMostPoints + 1> discs_;    // by the count of their points
   std::vector<float> depth_ = std::vector<float>(std::size_t{kAtlasWidth} * kAtlasHeight, 1.0f);
-  std::vector<Bounds> tiles_, around_;
+  std::vector<Bounds> tiles_, near_tiles_, around_;  // near: over a tile and those next to it
   std::vector<Bounds> plane_tiles_;  // of the fine window, heights over the plane; empty: no plane
   Window coarse_{}, fine_{};
   float top_ = 0.0f, range_ = 1.0f, sun_radius_ = 0.0f;

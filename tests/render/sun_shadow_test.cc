@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace dockyard {
@@ -44,6 +45,16 @@ TEST(SunShadow, BoundsOverAPlaneChangeNoShare) {
       };
       const float by_points = shadow.Share(place, 8, 16);
       const bool points_needed = shadow.Plain(place) < 0.0f;
+      for (const bool in_plane : {false, true}) {  // many places at once as one alone
+        place.in_plane = in_plane;
+        float many[2] = {2.0f, 2.0f};
+        const std::array<float, 2> x{0.0f, place.p.x()}, y{0.0f, place.p.y()}, z{9.0f, place.p.z()};
+        const std::array<float, 2> slope_x{0.0f, place.slopes.x}, slope_y{0.0f, place.slopes.y};
+        shadow.PlainOf({x.data(), y.data(), z.data(), slope_x.data(), slope_y.data()}, 2,
+                       place.bias_m, in_plane, many);
+        ASSERT_EQ(many[0], 1.0f);
+        ASSERT_EQ(many[1], shadow.Plain(place));
+      }
       place.in_plane = true;
       ASSERT_EQ(shadow.Share(place, 8, 16), by_points);
       sunlit += by_points == 1.0f;
