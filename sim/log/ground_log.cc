@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 #include "sim/log/ros_markers.h"
@@ -31,12 +32,20 @@ bool GroundLog::Update(const StageGround& ground) {
   grid_ = ground;
   grid_.heights_m = nullptr;
   heights_.resize(count);
+  heights_m_.resize(count);
   cells_.clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::int16_t height = Steps(ground.heights_m[i]);
-    if (!all_ && height == heights_[i]) continue;
-    heights_[i] = height;
-    if (!all_) cells_.push_back(static_cast<std::uint32_t>(i));
+  const std::size_t nx = static_cast<std::size_t>(ground.nx);
+  for (std::size_t first = 0; first < count; first += nx) {
+    const double* row = ground.heights_m + first;
+    // Wheels change few rows; the others need no rounding.
+    if (!all_ && std::memcmp(row, &heights_m_[first], nx * sizeof(double)) == 0) continue;
+    std::memcpy(&heights_m_[first], row, nx * sizeof(double));
+    for (std::size_t i = first; i < first + nx; ++i) {
+      const std::int16_t height = Steps(ground.heights_m[i]);
+      if (!all_ && height == heights_[i]) continue;
+      heights_[i] = height;
+      if (!all_) cells_.push_back(static_cast<std::uint32_t>(i));
+    }
   }
   return all_ || !cells_.empty();
 }

@@ -28,6 +28,7 @@ class GroundLog {
 
   StageGround grid_;  // its heights are not used
   std::vector<std::int16_t> heights_;
+  std::vector<double> heights_m_;     // as they were taken in
   bool all_ = true;                   // of the last update
   std::vector<std::uint32_t> cells_;  // that it changed
 };

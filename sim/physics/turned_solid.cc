@@ -11,6 +11,7 @@ constexpr double kSampleStep = 2.0 * kPi / kSamples;
 // The root of the slope is found to this angle; the distance then errs by radius x 1e-12.
 constexpr double kAngleError_rad = 1e-6;
 constexpr int kMostRootSteps = 40;
+constexpr double kRounding_m = 1e-9;  // far above that of a distance
 constexpr double kFlat = 1.0 - 1e-9;  // a normal so near the axis belongs to a flat end
 // A ring tilted by so much touches a flat end at one place alone: 300 N press a contact of 200 kN/m
 // in by 1.5 mm. Assumed, range 0.5-2 mm.
@@ -22,8 +23,23 @@ struct Probe {
   double slope_m = 0.0;  // of the distance over the angle
 };
 
-Probe ProbeAt(const Ring& ring, const TurnedSolid& solid, double angle_rad) {
-  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+struct Direction {
+  double angle_rad = 0.0, cos = 1.0, sin = 0.0;
+  Direction() = default;
+  explicit Direction(double angle) : angle_rad(angle), cos(std::cos(angle)), sin(std::sin(angle)) {}
+};
+
+const std::array<Direction, kSamples>& SampleDirections() {
+  static const std::array<Direction, kSamples> directions = [] {
+    std::array<Direction, kSamples> all;
+    for (int i = 0; i < kSamples; ++i) all[i] = Direction(i * kSampleStep);
+    return all;
+  }();
+  return directions;
+}
+
+Probe ProbeAt(const Ring& ring, const TurnedSolid& solid, const Direction& direction) {
+  const double angle_rad = direction.angle_rad, c = direction.cos, s = direction.sin;
   Probe probe;
   RingPoint& point = probe.point;
   point.angle_rad = angle_rad;
@@ -51,7 +67,7 @@ Probe Least(const Ring& ring, const TurnedSolid& solid, Probe low, Probe high) {
     double next = (a * f_high - b * f_low) / (f_high - f_low);
     if (!(next > a && next < b)) next = 0.5 * (a + b);
     const double last = middle.point.angle_rad;
-    middle = ProbeAt(ring, solid, next);
+    middle = ProbeAt(ring, solid, Direction(next));
     if (middle.slope_m < 0.0) {
       low = middle;
       f_low = middle.slope_m;
@@ -118,19 +134,41 @@ Ring operator*(const Pose3& X, const Ring& ring) {
   return {X * ring.centre, X.R * ring.x, X.R * ring.y, ring.radius_m};
 }
 
+// All of a ring lies in this box of the half plane (z, r).
+Eigen::AlignedBox2d CutOf(const Ring& ring) {
+  const double z_m = ring.radius_m * std::hypot(ring.x.z(), ring.y.z());
+  const double aside_m = ring.centre.head<2>().norm();
+  // Seen along the axis it is an ellipse, whose shorter half is the radius times this.
+  const double upright = std::abs(ring.x.x() * ring.y.y() - ring.x.y() * ring.y.x());
+  const double least_m =
+      std::max({ring.radius_m * upright - aside_m, aside_m - ring.radius_m, 0.0});
+  return {Eigen::Vector2d(ring.centre.z() - z_m, least_m),
+          Eigen::Vector2d(ring.centre.z() + z_m, aside_m + ring.radius_m)};
+}
+
+bool TurnedSolid::IsBeyond(const Eigen::AlignedBox2d& cut_m, double distance_m) const {
+  for (const Side& side : sides_) {
+    const Eigen::Vector2d nearest(side.out.x() > 0.0 ? cut_m.min().x() : cut_m.max().x(),
+                                  side.out.y() > 0.0 ? cut_m.min().y() : cut_m.max().y());
+    if (side.out.dot(nearest) - side.offset_m >= distance_m) return true;
+  }
+  return false;
+}
+
 int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m,
                    RingPoints& points) {
   const double reach = ring.radius_m + within_m;
   const Eigen::Vector2d centre(ring.centre.z(), ring.centre.head<2>().norm());
   if (solid.NearestTo(centre).distance_m >= reach) return 0;
+  // Between two samples the distance falls by less than half a step's way.
+  const double worth = within_m + 0.5 * kSampleStep * ring.radius_m;
+  if (solid.IsBeyond(CutOf(ring), worth + kRounding_m)) return 0;
   std::array<Probe, kSamples + 1> probes;
   double least = 1e9;
   for (int i = 0; i < kSamples; ++i) {
-    probes[i] = ProbeAt(ring, solid, i * kSampleStep);
+    probes[i] = ProbeAt(ring, solid, SampleDirections()[i]);
     least = std::min(least, probes[i].point.distance_m);
   }
-  // Between two samples the distance falls by less than half a step's way.
-  const double worth = within_m + 0.5 * kSampleStep * ring.radius_m;
   if (least >= worth) return 0;
   probes[kSamples] = probes[0];
   probes[kSamples].point.angle_rad = 2.0 * kPi;
@@ -147,7 +185,7 @@ int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m,
     if (!least_here.on_flat_end) continue;
     points[count - 1].share = share;
     for (double turn : {2.0 * kPi / 3.0, -2.0 * kPi / 3.0}) {
-      const Probe beside = ProbeAt(ring, solid, least_here.point.angle_rad + turn);
+      const Probe beside = ProbeAt(ring, solid, Direction(least_here.point.angle_rad + turn));
       if (beside.point.distance_m < within_m && count < kMostRingPoints) {
         points[count++] = beside.point;
         if (beside.on_flat_end) points[count - 1].share = share;
@@ -155,10 +193,10 @@ int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m,
     }
   }
   if (count == 0) {  // level on a flat end, or about the axis: near all round, nowhere nearest
-    const Probe any = ProbeAt(ring, solid, 0.0);
+    const Probe any = ProbeAt(ring, solid, Direction());
     if (any.point.distance_m >= within_m || std::abs(any.slope_m) > 1e-12) return 0;
     for (double turn : {0.0, 2.0 * kPi / 3.0, -2.0 * kPi / 3.0}) {
-      const Probe probe = ProbeAt(ring, solid, turn);
+      const Probe probe = ProbeAt(ring, solid, Direction(turn));
       points[count++] = probe.point;
       if (probe.on_flat_end) points[count - 1].share = share;
       if (ring.radius_m == 0.0) break;

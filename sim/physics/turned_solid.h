@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <vector>
 
@@ -25,6 +26,9 @@ class TurnedSolid {
   };
   /// Of the point (z, r), r >= 0. Inside, the nearest side counts.
   Nearest NearestTo(const Eigen::Vector2d& point_m) const;
+  /// Whether one of the solid's sides shows that every point of this box of the cut (z, r) is at
+  /// least so far away.
+  bool IsBeyond(const Eigen::AlignedBox2d& cut_m, double distance_m) const;
 
  private:
   struct Side {
