@@ -44,6 +44,20 @@ Four GroundTexture::Lumps(float x, float y) const {
               (1.0f + 0.6f * wide[0]) * (1.0f + 0.8f * far[0])};
 }
 
+void GroundTexture::KeepLumps(const GroundView& g) {
+  const GridPlace place{g.x0_m, g.y0_m, g.cell_m, g.nx, g.ny};
+  if (!cell_lumps_.empty() && place == lumps_of_) return;
+  lumps_of_ = place;
+  cell_lumps_.clear();
+  for (int row = 0; row + 1 < g.ny; ++row) {
+    for (int column = 0; column + 1 < g.nx; ++column) {
+      const double x = g.x0_m + g.cell_m * (static_cast<double>(column) + 0.5);
+      const double y = g.y0_m + g.cell_m * (static_cast<double>(row) + 0.5);
+      cell_lumps_.push_back(Lumps(static_cast<float>(x), static_cast<float>(y)));
+    }
+  }
+}
+
 void GroundTexture::Update(const GroundView& ground, const Eigen::Vector3d& to_sun_W,
                            double sun_diameter_rad) {
   if (soil_seed_ != ground.texture_seed) {
@@ -52,19 +66,17 @@ void GroundTexture::Update(const GroundView& ground, const Eigen::Vector3d& to_s
     soil_ = SoilPyramid(texels, kSoilSide);
     soil_seed_ = ground.texture_seed;
     relief_key_.reset();
+    cell_lumps_.clear();
   }
   const Eigen::Vector3d sun_G = ground.X_WG.R.transpose() * to_sun_W;
   const std::uint64_t key = ReliefKey(ground, sun_G, sun_diameter_rad);
   if (relief_key_ == key) return;
   const std::vector<float> relief = GroundRelief(ground, sun_G, sun_diameter_rad);
   const int columns = ground.nx - 1;
+  KeepLumps(ground);
   std::vector<Four> cells(relief.size() / 3);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::size_t column = i % columns, row = i / columns;
-    const double x = ground.x0_m + ground.cell_m * (static_cast<double>(column) + 0.5);
-    const double y = ground.y0_m + ground.cell_m * (static_cast<double>(row) + 0.5);
-    cells[i] = Four{relief[3 * i], relief[3 * i + 1], relief[3 * i + 2], 0.0f} +
-               Lumps(static_cast<float>(x), static_cast<float>(y));
+    cells[i] = Four{relief[3 * i], relief[3 * i + 1], relief[3 * i + 2], 0.0f} + cell_lumps_[i];
   }
   relief_ = ReliefPyramid(std::move(cells), columns, ground.ny - 1);
   relief_key_ = key;

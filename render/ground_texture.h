@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "render/ground_pyramids.h"
 #include "render/scene.h"
@@ -28,11 +29,21 @@ class GroundTexture {
   static Four Signed(Four texel) { return (texel - 128.0f) * (1.0f / 127.0f); }
 
  private:
+  struct GridPlace {
+    double x0_m = 0.0, y0_m = 0.0, cell_m = 0.0;
+    int nx = 0, ny = 0;
+    bool operator==(const GridPlace&) const = default;
+  };
+
   Four Lumps(float x_m, float y_m) const;
+  /// Those of the grid's cells, which do not change with the heights.
+  void KeepLumps(const GroundView& ground);
 
   ReliefPyramid relief_;
   SoilPyramid soil_, lumps_;
   double highest_m_ = 0.0;
+  GridPlace lumps_of_;
+  std::vector<Four> cell_lumps_;
   std::optional<std::uint64_t> relief_key_, soil_seed_;
 };
 
