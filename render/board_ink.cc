@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/pixel_noise.h"
+#include "render/two_widths.h"
 
 namespace dockyard {
 namespace {
@@ -131,6 +132,68 @@ float BoardShader::InkShare(const PixelCorners& c) const {
     }
   }
   return sum / (kParts * kParts);
+}
+
+// Asks what InkShare asks at first, of many pixels at once.
+DOCKYARD_TWO_WIDTHS
+void BoardShader::NearMarks(const PixelRow& row, int first, int count, std::uint8_t* near) const {
+  constexpr int kMost = kBoardAtOnce;
+  const Eigen::Matrix3f h = board_from_tan_;
+  const float* __restrict mx = &row.x[first];
+  const float* __restrict my = &row.y[first];
+  const float* __restrict ax = &row.along_x[first];
+  const float* __restrict ay = &row.along_y[first];
+  const float* __restrict dx = &row.down_x[first];
+  const float* __restrict dy = &row.down_y[first];
+  float p_x[kMost], p_y[kMost], nearest[kMost], span[kMost], other[kMost];
+  // Board places of a corner, over that of the one across from it.
+  const auto reach = [&](float u, float v, float* out) {
+    for (int i = 0; i < count; ++i) {
+      const float ax_ = u * ax[i], ay_ = u * ay[i], dx_ = v * dx[i], dy_ = v * dy[i];
+      const float x0 = mx[i] + ax_ + dx_, y0 = my[i] + ay_ + dy_;
+      const float x1 = mx[i] - ax_ - dx_, y1 = my[i] - ay_ - dy_;
+      const float s0 = 1.0f / (h(2, 0) * x0 + h(2, 1) * y0 + h(2, 2));
+      const float s1 = 1.0f / (h(2, 0) * x1 + h(2, 1) * y1 + h(2, 2));
+      const float bx = (h(0, 0) * x0 + h(0, 1) * y0 + h(0, 2)) * s0 -
+                       (h(0, 0) * x1 + h(0, 1) * y1 + h(0, 2)) * s1;
+      const float by = (h(1, 0) * x0 + h(1, 1) * y0 + h(1, 2)) * s0 -
+                       (h(1, 0) * x1 + h(1, 1) * y1 + h(1, 2)) * s1;
+      out[i] = std::max(std::abs(bx), std::abs(by));
+    }
+  };
+  for (int i = 0; i < count; ++i) {
+    const float scale = 1.0f / (h(2, 0) * mx[i] + h(2, 1) * my[i] + h(2, 2));
+    p_x[i] = (h(0, 0) * mx[i] + h(0, 1) * my[i] + h(0, 2)) * scale;
+    p_y[i] = (h(1, 0) * mx[i] + h(1, 1) * my[i] + h(1, 2)) * scale;
+    nearest[i] = 1e9f;
+  }
+  for (const Mark& mark : marks_) {
+    for (int i = 0; i < count; ++i) {
+      const float x = p_x[i] - mark.x, y = p_y[i] - mark.y;
+      nearest[i] = std::min(nearest[i], x * x + y * y);
+    }
+  }
+  reach(0.5f, 0.5f, span);
+  reach(0.5f, -0.5f, other);
+  for (int i = 0; i < count; ++i) {
+    constexpr float kRounding = 1.0001f;
+    const float beyond = kRounding * (radius_ + std::max(span[i], other[i]));
+    near[i] = nearest[i] > beyond * beyond ? 0 : 1;
+  }
+}
+
+void BoardShader::Row(const PixelRow& row, int first, int count, const float* shares,
+                      float* radiance) const {
+  std::uint8_t near[kBoardAtOnce];
+  NearMarks(row, first, count, near);
+  const bool dusty = view_.dust_cover > 0.0 && printed_side_;
+  for (int i = 0; i < count; ++i) {
+    if (dusty || near[i] != 0) {
+      radiance[i] = (*this)(row.At(first + i).corners(), shares[i]);
+    } else {
+      radiance[i] = white_around_ + shares[i] * white_sun_;
+    }
+  }
 }
 
 float BoardShader::operator()(const PixelCorners& corners, float share) const {

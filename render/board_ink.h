@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "render/pixel_row.h"
@@ -21,6 +22,8 @@ class BoardShader {
 
   /// Radiance of a pixel that sees nothing but the board; share: of the sun.
   float operator()(const PixelCorners& corners, float share) const;
+  /// Of pixels first to first + count - 1 of a row, at most kBoardAtOnce; shares: of the sun.
+  void Row(const PixelRow& row, int first, int count, const float* shares, float* radiance) const;
   /// Share of the pixel that is ink: each edge as its tangent, on four parts of an edge pixel.
   float InkShare(const PixelCorners& corners) const;
 
@@ -29,6 +32,8 @@ class BoardShader {
     float x, y, along_x, along_y;
   };
   Eigen::Vector2f ToBoard(Tan tan) const;
+  /// Which of the pixels are so near a mark that they may hold ink: 1, else 0.
+  void NearMarks(const PixelRow& row, int first, int count, std::uint8_t* near) const;
   float InkAt(const Mark& mark, const Eigen::Vector2f& p, const Eigen::Vector2f& step_x,
               const Eigen::Vector2f& step_y) const;
 

@@ -16,7 +16,7 @@ namespace dockyard {
 namespace {
 
 // The kind of surface that all rays of a pixel met.
-enum class Kind : std::uint8_t { kOther, kGround, kSky };
+enum class Kind : std::uint8_t { kOther, kGround, kSky, kBoard };
 
 // Rays of one pixel that met one thing.
 struct Met {
@@ -87,6 +87,7 @@ class Composer {
       code_[x] = 0.25f * (a + b + c + d);
       kind_[x] = least > 0.0f && most < kBoardCode ? Kind::kGround
                  : least == 0.0f && most == 0.0f   ? Kind::kSky
+                 : least >= kBoardCode             ? Kind::kBoard
                                                    : Kind::kOther;
     }
     for (int from = first, to; from < last; from = to) {
@@ -96,6 +97,8 @@ class Composer {
         Ground(from, to, radiance);
       } else if (kind_[from] == Kind::kSky) {
         sky_(&row_.x[from], &row_.y[from], to - from, radiance + from);
+      } else if (kind_[from] == Kind::kBoard) {
+        Board(from, to, radiance);
       } else {
         for (int x = from; x < to; ++x) radiance[x] = Mixed(view, x);
       }
@@ -123,6 +126,16 @@ class Composer {
                radiance + from);
   }
 
+  // Pixels of which all rays met the board.
+  void Board(int from, int to, float* radiance) {
+    for (int x = from; x < to; x += kBoardAtOnce) {
+      const int count = std::min(kBoardAtOnce, to - x);
+      float shares[kBoardAtOnce];
+      objects_.BoardShares(row_, x, count, shares);
+      board_->Row(row_, x, count, shares, radiance + x);
+    }
+  }
+
   // Rays of one pixel that met objects, the board, or different things.
   float Mixed(const ViewSampler& view, int x) const {
     const Pixel pixel = row_.At(x);
@@ -130,7 +143,7 @@ class Composer {
     Tan from[kRays];  // of the view's rays: each up to half a ray's distance off the pixel's own
     for (int k = 0; k < kRays; ++k) {
       seen[k] = view.At(rays_.at[k][x]);
-      from[k] = view.From(rays_.at[k][x]);
+      from[k] = view.From(rays_, k, x);
     }
     float radiance = 0.0f, skies = 0.0f;
     Met grounds, boards;

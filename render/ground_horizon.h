@@ -11,6 +11,12 @@ class GroundHorizon {
   GroundHorizon(const Scene& scene, double highest_m);
   /// Share of the sun's disc over the ground's horizon, seen from a point of the site frame.
   float Share(const Eigen::Vector3f& p_G) const;
+  /// Whether a point this high sees the whole disc, because the sun's ray leaves the ground's
+  /// highest place below it within a cell.
+  bool IsFreeAt(float z_m) const {
+    const auto cell = static_cast<float>(ground_.cell_m);
+    return z_m + cell * slope_ > highest_m_ + 2.0f * sun_rise_ * cell;
+  }
 
  private:
   const GroundView& ground_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/two_widths.h"
+
 namespace dockyard {
 namespace {
 
@@ -62,6 +64,71 @@ float ObjectShader::BoardShare(Tan tan, const Pixel& pixel) const {
       board_plane_C_.x() * tan.x + board_plane_C_.y() * tan.y + board_plane_C_.z();
   return Share(tan, inverse_depth, n_board_U_, kFlatBias_m, pixel, kBoardSearches, kBoardPoints,
                true);
+}
+
+DOCKYARD_TWO_WIDTHS
+void ObjectShader::BoardShares(const PixelRow& row, int first, int count, float* shares) const {
+  if (n_board_U_.z() <= 0.0f) {
+    std::fill(shares, shares + count, 0.0f);
+    return;
+  }
+  constexpr int kMost = kBoardAtOnce;
+  float x[kMost], y[kMost], z[kMost], u_x[kMost], u_y[kMost], u_z[kMost], g_z[kMost];
+  float slope_x[kMost], slope_y[kMost];
+  const SunShadow::Slopes slopes = SunShadow::SlopesOf(n_board_U_);
+  const Eigen::Vector3f plane = board_plane_C_, p = p_UC_;
+  const Eigen::Matrix3f m = R_UC_, g = R_GC_;
+  const float above = p_GC_.z();
+  const float* __restrict mx = &row.x[first];
+  const float* __restrict my = &row.y[first];
+  const float* __restrict ax = &row.along_x[first];
+  const float* __restrict ay = &row.along_y[first];
+  const float* __restrict dx = &row.down_x[first];
+  const float* __restrict dy = &row.down_y[first];
+  // The middle of the pixel's four rays, added up in their order.
+  const auto mean = [](float at, float along, float down) {
+    const float r0 = at + -0.25f * along + -0.25f * down, r1 = at + 0.25f * along + -0.25f * down;
+    const float r2 = at + -0.25f * along + 0.25f * down, r3 = at + 0.25f * along + 0.25f * down;
+    return (r0 + r1 + r2 + r3) * 0.25f;
+  };
+  for (int i = 0; i < count; ++i) x[i] = mean(mx[i], ax[i], dx[i]);
+  for (int i = 0; i < count; ++i) y[i] = mean(my[i], ay[i], dy[i]);
+  for (int i = 0; i < count; ++i) {
+    // Its plane is known better than any ray's depth.
+    z[i] = 1.0f / (plane.x() * x[i] + plane.y() * y[i] + plane.z());
+    x[i] = z[i] * x[i];
+    y[i] = z[i] * y[i];
+  }
+  for (int i = 0; i < count; ++i) {
+    u_x[i] = p.x() + (m(0, 0) * x[i] + (m(0, 1) * y[i] + m(0, 2) * z[i]));
+    u_y[i] = p.y() + (m(1, 0) * x[i] + (m(1, 1) * y[i] + m(1, 2) * z[i]));
+    u_z[i] = p.z() + (m(2, 0) * x[i] + (m(2, 1) * y[i] + m(2, 2) * z[i]));
+  }
+  for (int i = 0; i < count; ++i) {
+    g_z[i] = above + (g(2, 0) * x[i] + (g(2, 1) * y[i] + g(2, 2) * z[i]));
+    slope_x[i] = slopes.x;
+    slope_y[i] = slopes.y;
+  }
+  shadow_.PlainOf({u_x, u_y, u_z, slope_x, slope_y}, count, kFlatBias_m, true, shares);
+  for (int i = 0; i < count; ++i) {
+    const float over_ground =
+        horizon_.IsFreeAt(g_z[i])
+            ? 1.0f
+            : horizon_.Share(p_GC_ + R_GC_ * Eigen::Vector3f(x[i], y[i], z[i]));
+    if (over_ground == 0.0f || shares[i] >= 0.0f) {
+      shares[i] = over_ground == 0.0f ? 0.0f : over_ground * shares[i];
+      continue;
+    }
+    const Pixel pixel = row.At(first + i);
+    shares[i] = over_ground * shadow_.Partly({.p = {u_x[i], u_y[i], u_z[i]},
+                                              .slopes = slopes,
+                                              .bias_m = kFlatBias_m,
+                                              .blur_m = pixel.blur() * z[i],
+                                              .pixel_x = pixel.column,
+                                              .pixel_y = pixel.row,
+                                              .in_plane = true},
+                                             kBoardSearches, kBoardPoints);
+  }
 }
 
 float ObjectShader::OfThin(const Thin& thin, Tan tan, const Pixel& pixel) const {

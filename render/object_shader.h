@@ -22,6 +22,9 @@ class ObjectShader {
   float operator()(const Seen& seen, Tan tan, const Pixel& pixel) const;
   /// Share of the sun where the ray meets the board's plane.
   float BoardShare(Tan tan, const Pixel& pixel) const;
+  /// The same of pixels first to first + count - 1 of a row, at most kBoardAtOnce, all of whose
+  /// rays met the board.
+  void BoardShares(const PixelRow& row, int first, int count, float* shares) const;
   /// Radiance times cover.
   float OfThin(const Thin& thin, Tan tan, const Pixel& pixel) const;
 

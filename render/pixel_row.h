@@ -22,6 +22,9 @@ using PixelCorners = std::array<Tan, 4>;
 /// Rays of a pixel: the middles of its quarters.
 inline constexpr int kRays = 4;
 
+/// So many pixels of the board are shaded at once at most.
+inline constexpr int kBoardAtOnce = 64;
+
 struct Pixel {
   Tan middle, along, down;  // its point, and how that changes along and down the image
   int column, row;          // of the image

@@ -40,7 +40,7 @@ void ViewSampler::Find(const PixelRow& row, int first, int last, RowRays& rays) 
   const int count = last - first;
   for (int k = 0; k < kRays; ++k) {
     const float u = (k & 1) ? 0.25f : -0.25f, v = (k & 2) ? 0.25f : -0.25f;
-    float *column = rays.columns.data(), *line = rays.lines.data();
+    float *column = &rays.columns[k][first], *line = &rays.lines[k][first];
     Steps(&row.x[first], &row.along_x[first], &row.down_x[first], u, v, x0_, sx_, count, column);
     Steps(&row.y[first], &row.along_y[first], &row.down_y[first], u, v, y0_, sy_, count, line);
     Places(column, line, static_cast<float>(view_.width), count, &rays.at[k][first]);

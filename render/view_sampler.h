@@ -12,12 +12,16 @@ namespace dockyard {
 
 /// For pixels of a row: which rays of a view are theirs, and the middle of those rays' directions.
 struct RowRays {
-  explicit RowRays(int width) : from_x(width), from_y(width), columns(width), lines(width) {
-    for (std::vector<int>& a : at) a.resize(width);
+  explicit RowRays(int width) : from_x(width), from_y(width) {
+    for (int k = 0; k < kRays; ++k) {
+      at[k].resize(width);
+      columns[k].resize(width);
+      lines[k].resize(width);
+    }
   }
   std::array<std::vector<int>, kRays> at;  // places in FlatView::seen
   std::vector<float> from_x, from_y;
-  std::vector<float> columns, lines;  // of one of the rays
+  std::array<std::vector<float>, kRays> columns, lines;  // of each ray in the view; whole numbers
 };
 
 class ViewSampler {
@@ -34,11 +38,9 @@ class ViewSampler {
   const Seen& At(int place) const { return view_.seen[static_cast<std::size_t>(place)]; }
   const Seen& At(Tan tan) const { return At(Row(tan.y) * view_.width + Column(tan.x)); }
   void Prefetch(int place) const { __builtin_prefetch(&At(place)); }
-  /// The direction of a ray of the view.
-  Tan From(int place) const {
-    const int row = place / view_.width;
-    return {(static_cast<float>(place - row * view_.width) + 0.5f) * per_sx_ + x0_,
-            (static_cast<float>(row) + 0.5f) * per_sy_ + y0_};
+  /// The direction of a pixel's k-th ray of the view.
+  Tan From(const RowRays& rays, int k, int x) const {
+    return {(rays.columns[k][x] + 0.5f) * per_sx_ + x0_, (rays.lines[k][x] + 0.5f) * per_sy_ + y0_};
   }
 
   /// The rays of pixels first to last - 1, all of which the view holds.
