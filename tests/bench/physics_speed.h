@@ -18,8 +18,12 @@ double DrivingStepsPerSecond(const WorldSetup& setup);
 /// presses on the arm are counted.
 double ConeStepsPerSecond(const std::string& soil);
 
-/// The same rover in MuJoCo with smooth rigid wheels on a plane, driven by the same commands.
-double TwinStepsPerSecond(const WorldSetup& setup);
+/// The same rover in MuJoCo with smooth rigid wheels, driven by the same commands: on a plane, or
+/// on a height field of the setup's own samples.
+double TwinStepsPerSecond(const WorldSetup& setup, bool uneven);
+/// Drawn into the same cone, cut into convex hulls, on a station that stands fast; wheels on a
+/// plane. 0: it never came into contact.
+double TwinConeStepsPerSecond(const std::string& soil);
 
 /// Braked and at rest.
 double RestingStepsPerSecond(const std::string& soil);

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "axel/twin/twin_parts.h"
+
 namespace dockyard::axel {
 namespace {
 
@@ -49,7 +51,8 @@ std::string Wheel(const char* name, const LinkModel& link, const WheelModel& whe
   return out.str();
 }
 
-std::string MakeXml(const WorldSetup& setup, double friction, double gravity) {
+std::string MakeXml(const WorldSetup& setup, double friction, double gravity,
+                    const TwinSurroundings& around) {
   const RoverModel& rover = setup.rover;
   const bool ground = gravity > 0.0;
   std::ostringstream xml;
@@ -59,14 +62,27 @@ std::string MakeXml(const WorldSetup& setup, double friction, double gravity) {
       << setup.step_s << "\" gravity=\"0 0 " << -gravity
       << "\" cone=\"elliptic\" impratio=\"10\" tolerance=\"1e-12\"/>\n"
       << "<default><geom condim=\"3\" friction=\"" << friction << " 0 0\" solref=\""
-      << 2.0 * setup.step_s << " 1\"/></default>\n<worldbody>\n";
-  if (ground) xml << "<geom type=\"plane\" size=\"0 0 1\" contype=\"1\" conaffinity=\"1\"/>\n";
+      << 2.0 * setup.step_s << " 1\"/></default>\n<asset>\n";
+  if (around.uneven) xml << HeightFieldAsset(setup.ground);
+  if (around.cone) xml << ConeMeshes(setup.station.cone) << ArmMeshes(rover);
+  xml << "</asset>\n<worldbody>\n";
+  if (around.uneven) {
+    xml << HeightFieldGeom(setup.ground);
+  } else if (ground) {
+    xml << "<geom type=\"plane\" size=\"0 0 1\" contype=\"1\" conaffinity=\"1\"/>\n";
+  }
+  if (around.cone) {
+    const Pose3 X_GS = FromGround(setup.X_GD, 0.0);
+    xml << ConeBody(setup.station.cone, X_GS * MouthInStation(setup.station));
+  }
   xml << "<body name=\"body\"><freejoint/>\n" << Inertial(rover.body);
   xml << Wheel("left", rover.left_wheel, rover.left_wheel_soil, rover.p_R_left_wheel,
                rover.motors[0], ground);
   xml << Wheel("right", rover.right_wheel, rover.right_wheel_soil, rover.p_R_right_wheel,
                rover.motors[1], ground);
-  xml << "<body name=\"arm\">\n" << Hinge(rover.motors[2]) << Inertial(rover.arm) << "</body>\n";
+  xml << "<body name=\"arm\">\n"
+      << Hinge(rover.motors[2]) << Inertial(rover.arm) << (around.cone ? ArmGeoms(rover) : "")
+      << "</body>\n";
   xml << "</body></worldbody></mujoco>\n";
   return xml.str();
 }
@@ -96,8 +112,9 @@ MotorDrive MakeDrive(const RoverModel& rover, const LinkModel& link, int motor) 
 
 }  // namespace
 
-MujocoTwin::MujocoTwin(const WorldSetup& setup, double ground_friction, double gravity_m_s2)
-    : model_(Load(MakeXml(setup, ground_friction, gravity_m_s2))),
+MujocoTwin::MujocoTwin(const WorldSetup& setup, double ground_friction, double gravity_m_s2,
+                       const TwinSurroundings& surroundings)
+    : model_(Load(MakeXml(setup, ground_friction, gravity_m_s2, surroundings))),
       data_(mj_makeData(model_.get())),
       rover_(setup.rover),
       drives_{MakeDrive(rover_, rover_.left_wheel, 0), MakeDrive(rover_, rover_.right_wheel, 1),
@@ -108,6 +125,8 @@ MujocoTwin::MujocoTwin(const WorldSetup& setup, double ground_friction, double g
                       Eigen::Vector3d(-setup.station.anchor_depth_m, 0.0, 0.0));
   body_ = mj_name2id(model_.get(), mjOBJ_BODY, "body");
   arm_ = mj_name2id(model_.get(), mjOBJ_BODY, "arm");
+  cone_ = mj_name2id(model_.get(), mjOBJ_BODY, "cone");
+  if (surroundings.uneven) TakeHeights(setup.ground, *model_);
 }
 
 void MujocoTwin::SetPose(const Pose3& X_GR, double arm_rad) {
@@ -206,6 +225,19 @@ Eigen::Vector3d MujocoTwin::GroundForce() const {
     sum += sign * (axes.transpose() * Eigen::Vector3d(force[0], force[1], force[2]));
   }
   return sum;
+}
+
+bool MujocoTwin::ConePresses() const {
+  for (int i = 0; i < data_->ncon; ++i) {
+    const mjContact& contact = data_->contact[i];
+    const int a = model_->geom_bodyid[contact.geom1], b = model_->geom_bodyid[contact.geom2];
+    if (std::min(a, b) != std::min(arm_, cone_) || std::max(a, b) != std::max(arm_, cone_))
+      continue;
+    std::array<mjtNum, 6> force{};
+    mj_contactForce(model_.get(), data_.get(), i, force.data());
+    if (force[0] > 0.0) return true;
+  }
+  return false;
 }
 
 }  // namespace dockyard::axel

@@ -13,11 +13,18 @@
 
 namespace dockyard::axel {
 
+/// What the twin meets beside the plane: for speeds, not compared with our world.
+struct TwinSurroundings {
+  bool uneven = false;  // the setup's heights, as a height field, in the plane's place
+  bool cone = false;    // cone and arm as convex hulls
+};
+
 class MujocoTwin {
  public:
-  /// ground_friction: Coulomb, of wheels on the plane. The station stands fast and must be reached
-  /// by the tether without a bend. Without gravity there is no ground either.
-  MujocoTwin(const WorldSetup& setup, double ground_friction, double gravity_m_s2);
+  /// ground_friction: Coulomb, of wheels on the ground, and of arm on cone. The station stands fast
+  /// and must be reached by the tether without a bend. Without gravity there is no ground either.
+  MujocoTwin(const WorldSetup& setup, double ground_friction, double gravity_m_s2,
+             const TwinSurroundings& surroundings = {});
 
   void Step(const std::array<MotorCommand, kMotorCount>& commands);
   /// The same without drives and tether: torques on the three hinges.
@@ -33,6 +40,8 @@ class MujocoTwin {
   double tension_n() const { return tension_n_; }
   /// Contact forces of the wheels on the plane, in G [N].
   Eigen::Vector3d GroundForce() const;
+  /// Whether the cone presses on the arm.
+  bool ConePresses() const;
   Eigen::Vector3d TipInG() const;
 
   /// Ties the tether with this slack, drums and drives at their zeros.
@@ -53,7 +62,7 @@ class MujocoTwin {
   Eigen::Vector3d anchor_G_;
   std::array<MotorDrive, kMotorCount> drives_;
   std::array<double, 3> zero_rad_{};
-  int body_ = 0, arm_ = 0;
+  int body_ = 0, arm_ = 0, cone_ = -1;
   double drum_rad_ = 0.0, drum_rad_s_ = 0.0, free_at_start_m_ = 1e9, tension_n_ = 0.0;
 };
 
