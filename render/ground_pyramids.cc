@@ -1,6 +1,9 @@
 #include "render/ground_pyramids.h"
 
+#include <bit>
 #include <cstring>
+
+#include "render/two_widths.h"
 
 namespace dockyard {
 
@@ -21,6 +24,56 @@ SoilPyramid::SoilPyramid(std::vector<std::uint8_t> texels, int side) {
     }
     texels = std::move(coarse);
     side = half;
+  }
+}
+
+// As in Bilinear, side by side.
+[[gnu::always_inline]] inline void SoilPyramid::Find(const float* u, const float* v,
+                                                     const std::int32_t* level, int count,
+                                                     Corners& c) const {
+  const std::int32_t finest = top();
+  for (int i = 0; i < count; ++i) {
+    const float side = std::bit_cast<float>((finest - level[i] + 127) << 23);  // 2^(finest - level)
+    const std::int32_t mask = static_cast<std::int32_t>(side) - 1;
+    const float x = u[i] * side - 0.5f, y = v[i] * side - 0.5f;
+    std::int32_t ix = static_cast<std::int32_t>(x), iy = static_cast<std::int32_t>(y);
+    ix -= x < static_cast<float>(ix) ? 1 : 0;
+    iy -= y < static_cast<float>(iy) ? 1 : 0;
+    c.fx[i] = x - static_cast<float>(ix);
+    c.fy[i] = y - static_cast<float>(iy);
+    c.x0[i] = ix & mask;
+    c.x1[i] = (ix + 1) & mask;
+    // Exact: no level has 2^24 texels.
+    c.top[i] = static_cast<std::int32_t>(static_cast<float>(iy & mask) * side);
+    c.low[i] = static_cast<std::int32_t>(static_cast<float>((iy + 1) & mask) * side);
+  }
+}
+
+DOCKYARD_TWO_WIDTHS
+void SoilPyramid::At(const float* u, const float* v, const float* lod, int count,
+                     Four* texels) const {
+  Corners fine, coarse;
+  std::int32_t level[kAtOnce], next[kAtOnce];
+  float t[kAtOnce];
+  const float most = static_cast<float>(top()) - 0.001f;
+  for (int i = 0; i < count; ++i) {
+    const float at = lod[i] < 0.0f ? 0.0f : most < lod[i] ? most : lod[i];
+    level[i] = static_cast<std::int32_t>(at);
+    next[i] = level[i] + 1;
+    t[i] = at - static_cast<float>(level[i]);
+  }
+  Find(u, v, level, count, fine);
+  Find(u, v, next, count, coarse);
+  const auto mixed = [](const Level& of, const Corners& c, int i) {
+    const std::uint32_t *high = &of.texels[static_cast<std::size_t>(c.top[i])],
+                        *low = &of.texels[static_cast<std::size_t>(c.low[i])];
+    return Mix(Mix(Unpacked(high[c.x0[i]]), Unpacked(high[c.x1[i]]), c.fx[i]),
+               Mix(Unpacked(low[c.x0[i]]), Unpacked(low[c.x1[i]]), c.fx[i]), c.fy[i]);
+  };
+  for (int i = 0; i < count; ++i) {
+    const Level* levels = &levels_[static_cast<std::size_t>(level[i])];
+    const Four near = mixed(levels[0], fine, i);
+    texels[i] = t[i] == 0.0f ? near : Mix(near, mixed(levels[1], coarse, i), t[i]);
   }
 }
 

@@ -29,6 +29,9 @@ class SoilPyramid {
     const float t = at - static_cast<float>(level);
     return t == 0.0f ? fine : Mix(fine, Bilinear(levels_[level + 1], u, v), t);
   }
+  /// The same of many points, to the bit; at most kAtOnce.
+  static constexpr int kAtOnce = 64;
+  void At(const float* u, const float* v, const float* lod, int count, Four* texels) const;
   /// Bilinear in the finest level.
   Four Finest(float u, float v) const { return Bilinear(levels_.front(), u, v); }
   int top() const { return static_cast<int>(levels_.size()) - 1; }
@@ -38,6 +41,13 @@ class SoilPyramid {
     int side = 0;
     std::vector<std::uint32_t> texels;
   };
+  // Where points lie in levels, whole rows of texels before them, and between texels.
+  struct Corners {
+    std::int32_t x0[kAtOnce], x1[kAtOnce], top[kAtOnce], low[kAtOnce];
+    float fx[kAtOnce], fy[kAtOnce];
+  };
+  void Find(const float* u, const float* v, const std::int32_t* level, int count,
+            Corners& corners) const;
   // Four bytes as four floats: interleaved twice with zeros, one instruction each on every x86-64.
   static Four Unpacked(std::uint32_t texel) {
     typedef std::uint8_t Bytes __attribute__((vector_size(16)));

@@ -25,6 +25,7 @@ struct GroundShader::Places {
   float z[kAtOnce], x[kAtOnce], y[kAtOnce];  // depth; in the site's frame
   float column[kAtOnce], row[kAtOnce];       // of the grid
   float blur[kAtOnce];                       // half the footprint's width
+  float soil_u[kAtOnce], soil_v[kAtOnce];    // in the soil's tiles
   float soil_lod[kAtOnce], relief_lod[kAtOnce];
 };
 
@@ -135,6 +136,8 @@ void GroundShader::Find(const PixelRow& l, int first, int count, Places& p) cons
     p.column[i] = (p.x[i] - x0_) * per_cell_;
     p.row[i] = (p.y[i] - y0_) * per_cell_;
     p.blur[i] = 0.5f * width;
+    p.soil_u[i] = p.x[i] * kPerTile;
+    p.soil_v[i] = p.y[i] * kPerTile;
     p.soil_lod[i] = length_log - (kTexelLog + kSharper);
     p.relief_lod[i] = std::max(RoughLog2(width), length_log - kReliefSharper) - cell_log_;
   }
@@ -160,10 +163,11 @@ void GroundShader::Fetch(int count, const Places& p, Lights& l) const {
     l.over_ground[i] = relief[2];
     l.lump_tone[i] = relief[3];
   }
-  const SoilPyramid& soil = texture_.soil();
+  static_assert(kAtOnce <= SoilPyramid::kAtOnce);
+  Four texels[kAtOnce];
+  texture_.soil().At(p.soil_u, p.soil_v, p.soil_lod, count, texels);
   for (int i = 0; i < count; ++i) {
-    const Four grain =
-        GroundTexture::Signed(soil.At(p.x[i] * kPerTile, p.y[i] * kPerTile, p.soil_lod[i]));
+    const Four grain = GroundTexture::Signed(texels[i]);
     l.tone[i] = grain[0];
     l.slope_x[i] = grain[1];
     l.slope_y[i] = grain[2];
