@@ -28,6 +28,9 @@ const std::vector<std::string> kArmKeys{
     "length_m",        "at_power_on_deg",          "tip_radius_m", "tip_length_m",
     "ground_friction", "ground_stiffness_n_per_m", "offset_m",     "collar"};
 
+// A cable's masses must be some.
+constexpr double kLightestCable_kg_per_m = 0.001;
+
 MotorModel ReadMotor(const YamlReader& motors, const YamlNode& node, const char* name) {
   const YamlReader in(
       node, motors.PathOf(name),
@@ -113,15 +116,25 @@ void ReadArm(const YamlReader& root, RoverModel& rover) {
 }
 
 void ReadTether(const YamlReader& root, RoverModel& rover) {
-  const YamlReader in(root.Child("tether"), "tether",
-                      {"axial_stiffness_n", "damping_ns_per_m", "diameter_m", "mass_kg_per_m",
-                       "friction_on_station", "drum_radius_m", "drum_growth_m_per_turn"});
+  const YamlReader in(
+      root.Child("tether"), "tether",
+      {"law", "axial_stiffness_n", "damping_ns_per_m", "diameter_m", "mass_kg_per_m",
+       "friction_on_station", "friction_on_ground", "friction_on_rock", "friction_on_rover",
+       "drum_radius_m", "drum_growth_m_per_turn"});
   TetherModel& tether = rover.tether;
+  tether.law =
+      in.ChoiceOr("law", 0, {"massless", "cable"}) == 0 ? TetherLaw::kMassless : TetherLaw::kCable;
   tether.axial_stiffness_n = in.Number("axial_stiffness_n", Between(100.0, 1e6));
   tether.damping_ns_per_m = in.Number("damping_ns_per_m", NonNegative(1e5));
   tether.diameter_m = in.Number("diameter_m", Positive(0.05));
   tether.mass_kg_per_m = in.Number("mass_kg_per_m", NonNegative(5.0));
   tether.friction_on_station = in.Number("friction_on_station", NonNegative(2.0));
+  tether.friction_on_ground = in.NumberOr("friction_on_ground", 0.5, NonNegative(2.0));
+  tether.friction_on_rock = in.NumberOr("friction_on_rock", 0.4, NonNegative(2.0));
+  tether.friction_on_rover = in.NumberOr("friction_on_rover", 0.4, NonNegative(2.0));
+  if (tether.law == TetherLaw::kCable && tether.mass_kg_per_m < kLightestCable_kg_per_m) {
+    in.Refuse("mass_kg_per_m", "at least 0.001 for the law 'cable'");
+  }
   tether.drum_radius_m = in.Number("drum_radius_m", Between(0.005, 0.5));
   tether.drum_growth_m_per_turn =
       in.NumberOr("drum_growth_m_per_turn", 0.0, NonNegative(0.1 * tether.drum_radius_m));

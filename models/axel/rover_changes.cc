@@ -30,6 +30,9 @@ void WriteLeftOut(const RoverModel& told, YamlNode& tree) {
   PutIfLeftOut(tree, "wheels.track_m", told.track_m());
   PutIfLeftOut(tree, "arm.offset_m", 0.0);
   PutIfLeftOut(tree, "tether.drum_growth_m_per_turn", 0.0);
+  PutIfLeftOut(tree, "tether.friction_on_ground", told.tether.friction_on_ground);
+  PutIfLeftOut(tree, "tether.friction_on_rock", told.tether.friction_on_rock);
+  PutIfLeftOut(tree, "tether.friction_on_rover", told.tether.friction_on_rover);
   for (const char* scale : {"left_radius_scale", "right_radius_scale"}) {
     PutIfLeftOut(tree, std::string("wheels.") + scale, 1.0);
   }

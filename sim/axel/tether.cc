@@ -41,6 +41,16 @@ void Tether::LayOut(const Eigen::Vector3d& p_MT, double free_m) {
   for (int i = 0; i < path_.pieces; ++i) free_[i] = free_m * path_.length_m[i] / total;
 }
 
+void Tether::BeginAt(const Eigen::Vector3d& p_MT, double shorter_m, double inside_m,
+                     double damping_ns_per_m) {
+  free_[0] -= shorter_m;
+  inside_arm_m_ = inside_m;
+  tether_.damping_ns_per_m = damping_ns_per_m;
+  const TetherPath next = FindTetherPath(cone_, anchor_depth_m_, InPlane(p_MT));
+  if (next.bent != path_.bent) Rethread(next);
+  path_ = next;
+}
+
 double Tether::Pull(int piece) const {
   const double relaxed = std::max(kShortestPieceM, free_[piece] + Inside(piece));
   return tether_.axial_stiffness_n * (path_.length_m[piece] - free_[piece]) / relaxed;

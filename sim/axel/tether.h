@@ -35,8 +35,14 @@ class Tether {
   TetherLoad Step(const Eigen::Vector3d& p_MT, const Eigen::Vector3d& v_MT, double free_m,
                   double free_rate_m_s);
 
+  /// The first piece now begins elsewhere on its line, and this much shorter (< 0: longer);
+  /// inside_m: what lies before it and stretches with it, damping_ns_per_m: of its length.
+  void BeginAt(const Eigen::Vector3d& p_MT, double shorter_m, double inside_m,
+               double damping_ns_per_m);
+
   double path_m() const { return path_.total_m(); }
   double free_m() const;
+  double first_free_m() const { return free_[0]; }  // of the piece at the tip
   const TetherPath& path() const { return path_; }
   std::uint64_t StateHash(std::uint64_t seed) const;
 

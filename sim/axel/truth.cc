@@ -58,6 +58,14 @@ void World::Impl::TellMotors(Truth& truth) const {
 }
 
 void World::Impl::TellTether(Truth& truth) const {
+  if (cable_) {
+    truth.tether_tension_n = pull_.tension_n;
+    truth.tether_path_m = cable_->path_m(rover_);
+    truth.tether_free_m = tether_at_start_m_ + drives_.tether_given_m(rover_);
+    truth.tether_W = cable_->Line(rover_, station_);
+    for (Eigen::Vector3d& p : truth.tether_W) p = X_WG_ * p;
+    return;
+  }
   const Pose3 X_GM = station_.X_GM();
   const double radius = std::hypot(truth.p_MT.y(), truth.p_MT.z());
   const Eigen::Vector2d tip(truth.p_MT.x(), radius);

@@ -102,11 +102,16 @@ World::Impl::Impl(WorldSetup setup)
 }
 
 void World::Impl::TieTether() {
+  tether_tied_ = true;
+  if (setup_.rover.tether.law == TetherLaw::kCable) {
+    cable_.emplace(setup_.rover, setup_.station, std::vector<CableBody>{});
+    tether_at_start_m_ = cable_->TieUp(rover_, station_, ground_, gravity_G_, setup_.slack_start_m);
+    return;
+  }
   const Eigen::Vector3d p_MT = TipInMouth();
   tether_.LayOut(p_MT, 1.0);
   tether_at_start_m_ = tether_.path_m() + setup_.slack_start_m;
   tether_.LayOut(p_MT, tether_at_start_m_);
-  tether_tied_ = true;
 }
 
 void World::Impl::Settle() {
@@ -142,7 +147,10 @@ bool World::Impl::NoneFaster(double m_s, double rad_s) const {
 }
 
 bool World::Impl::IsStill() const {
-  return NoneFaster(kStillMPerS, kStillRadPerS) && drives_.IsStill(kStillRadPerS, setup_.step_s);
+  if (cable_ && cable_->fastest_m_s() > kStillCableMPerS) return false;
+  const double slower = cable_ ? kSlowerWithCable : 1.0;
+  return NoneFaster(slower * kStillMPerS, slower * kStillRadPerS) &&
+         drives_.IsStill(kStillRadPerS, setup_.step_s);
 }
 
 void World::Impl::Step(const std::array<MotorCommand, kMotorCount>& commands) {
@@ -163,7 +171,15 @@ void World::Impl::Move(const std::array<MotorCommand, kMotorCount>& commands) {
   still_steps_ = setup_.may_rest && IsStill() ? still_steps_ + 1 : 0;
 }
 
+double World::Impl::PullCable() {
+  const double free = tether_at_start_m_ + drives_.tether_given_m(rover_);
+  pull_.tension_n = cable_->Step(ground_, gravity_G_, free, drives_.tether_rate_m_s(rover_),
+                                 setup_.step_s, rover_, station_);
+  return pull_.tension_n;
+}
+
 double World::Impl::PullTether() {
+  if (cable_) return PullCable();
   const double free = tether_at_start_m_ + drives_.tether_given_m(rover_);
   pull_ = tether_.Step(TipInMouth(), TipVelocityInMouth(), free, drives_.tether_rate_m_s(rover_));
   if (pull_.tension_n == 0.0) return 0.0;
@@ -213,6 +229,7 @@ std::uint64_t World::Impl::StateHash(std::uint64_t seed) const {
   hash = station_.StateHash(hash);
   hash = drives_.StateHash(hash);
   hash = tether_.StateHash(hash);
+  if (cable_) hash = cable_->StateHash(hash);
   hash = rover_ground_.StateHash(hash);
   hash = left_soil_.StateHash(hash);
   hash = right_soil_.StateHash(hash);

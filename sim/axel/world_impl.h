@@ -1,6 +1,9 @@
 // The parts of World.
 #pragma once
 
+#include <optional>
+
+#include "sim/axel/cable_tether.h"
 #include "sim/axel/contact_world.h"
 #include "sim/axel/drive_train.h"
 #include "sim/axel/rover_body.h"
@@ -31,6 +34,11 @@ class World::Impl {
   // micrometre in a minute. Assumed, range 1e-10 to 1e-7 and 20-200 steps.
   static constexpr double kStillMPerS = 1e-8, kStillRadPerS = 1e-8;
   static constexpr int kRestSteps = 50;
+  // A cable's masses of 4 g that swing or creep slower than this move nothing. Assumed, range 1e-4
+  // to 1e-2.
+  static constexpr double kStillCableMPerS = 1e-3;
+  // It shakes rover and station by more than the limits above. Assumed, range 10-1000.
+  static constexpr double kSlowerWithCable = 100.0;
 
   void TieTether();
   void Settle();
@@ -38,6 +46,7 @@ class World::Impl {
   bool NoneFaster(double m_s, double rad_s) const;
   bool IsStill() const;
   double PullTether();
+  double PullCable();
   void RollOnSoil();
   void RollWheel(RoverLink link, WheelSoil& soil, WheelLoad& load);
   Eigen::Vector3d TipInG() const;
@@ -56,6 +65,7 @@ class World::Impl {
   ContactWorld contacts_;
   DriveTrain drives_;
   Tether tether_;
+  std::optional<CableTether> cable_;  // in place of the massless tether
   RoverGround rover_ground_;
   WheelSoil left_soil_, right_soil_;
   WheelLoad left_load_, right_load_;
