@@ -41,7 +41,7 @@ void CableTether::AddShapes(const std::vector<Collision>& collisions, const Carr
 }
 
 CableTether::CableTether(const RoverModel& rover, const StationModel& station,
-                         const std::vector<CableBody>& rocks)
+                         const std::vector<ConvexBody>& rocks)
     : model_(rover.tether),
       arm_length_m_(rover.arm_length_m),
       mouth_radius_m_(station.cone.mouth_radius_m),
@@ -69,9 +69,8 @@ CableTether::CableTether(const RoverModel& rover, const StationModel& station,
   AddBody(cone, {Carrier::kStation, RoverLink::kBody, X_SM * block.X_LG});
   const Pose3 X_SL = X_SM * Pose3::Translation(0.0, 0.0, -station.mouth_height_m);
   AddShapes(station.module.collisions, {Carrier::kStation, RoverLink::kBody, X_SL}, on_station);
-  for (CableBody rock : rocks) {
-    rock.friction = model_.friction_on_rock;
-    AddBody(rock, {Carrier::kGround, RoverLink::kBody, rock.motion.X_GL});
+  for (const ConvexBody& rock : rocks) {
+    AddBody(CableRock(rock, model_.friction_on_rock), {});
   }
 }
 

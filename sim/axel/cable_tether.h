@@ -22,9 +22,9 @@ struct TetherPlace {
 
 class CableTether {
  public:
-  /// rocks: at rest, their frame that of the site.
+  /// rocks: at rest, in the site frame.
   CableTether(const RoverModel& rover, const StationModel& station,
-              const std::vector<CableBody>& rocks);
+              const std::vector<ConvexBody>& rocks);
 
   /// Lays it from the tip to the anchor round all that is in the way, slack_m longer than its way,
   /// and lets it come to rest while rover and station stand still. Returns its unstretched length.

@@ -104,7 +104,7 @@ World::Impl::Impl(WorldSetup setup)
 void World::Impl::TieTether() {
   tether_tied_ = true;
   if (setup_.rover.tether.law == TetherLaw::kCable) {
-    cable_.emplace(setup_.rover, setup_.station, std::vector<CableBody>{});
+    cable_.emplace(setup_.rover, setup_.station, setup_.rocks.rocks);
     tether_at_start_m_ = cable_->TieUp(rover_, station_, ground_, gravity_G_, setup_.slack_start_m);
     return;
   }

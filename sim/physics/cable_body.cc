@@ -90,6 +90,17 @@ CableBody CablePrism(double radius_m, double length_m, int sides, double phase_r
   return body;
 }
 
+CableBody CableRock(const ConvexBody& rock_G, double friction) {
+  CableBody body;
+  for (const HalfSpace& face : rock_G.faces) {
+    body.faces.push_back({face.normal, face.offset_m - face.normal.dot(rock_G.centre)});
+  }
+  body.reach_m = rock_G.radius_m;
+  body.friction = friction;
+  body.motion.X_GL.p = rock_G.centre;
+  return body;
+}
+
 NearestFace FindNearestFace(const CableBody& body, const Eigen::Vector3d& p_B) {
   NearestFace nearest{-1e9, 0};
   for (int i = 0; i < static_cast<int>(body.faces.size()); ++i) {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "sim/physics/convex_body.h"
 #include "sim/physics/motion.h"
 
 namespace dockyard {
@@ -31,6 +32,9 @@ CableBody CableBox(const Eigen::Vector3d& size_m, double friction);
 /// them at phase_rad from x towards y. With many sides it stands for a cylinder.
 CableBody CablePrism(double radius_m, double length_m, int sides, double phase_rad,
                      double friction);
+
+/// A body at rest, such as a rock, given in the site frame G.
+CableBody CableRock(const ConvexBody& rock_G, double friction);
 
 /// The face that is nearest to a point inside, or that a point outside is furthest out of. The
 /// distance is out of that face's plane, < 0 inside.

@@ -74,6 +74,19 @@ TEST(CableOverBodies, SlidesOverAWheelAtTheCapstansRatio) {
   }
 }
 
+TEST(CableOverBodies, SlidesOverARocksEdgeAtTheCapstansRatio) {
+  std::vector<Eigen::Vector3d> corners;
+  for (const double x : {-0.5, 0.5}) {
+    for (const double z : {-0.5, 0.5}) {
+      for (const double y : {-0.5, 0.5}) corners.emplace_back(x, y, z);
+    }
+  }
+  corners.emplace_back(-0.9, 0.0, -0.2);  // a ridge behind
+  const double mu = 0.4, ratio = std::exp(mu * (kPi - std::atan2(2.003, -0.097)));
+  const Drawn drawn = DrawOver(CableRock(HullOf(corners), mu), 0.5, {-1.5, 0.0, 0.6}, 30.0, -0.1);
+  EXPECT_NEAR(drawn.mean_n, 30.0 * ratio, 0.005 * 30.0 * ratio);
+}
+
 TEST(CableOverBodies, HoldsByFrictionWhatTheCapstansRatioCarries) {
   // 30 N on one side; on the other a hand pays out until nothing slides any more.
   const double ratio = std::exp(0.3 * 0.5 * kPi);

@@ -146,6 +146,35 @@ TEST(CableTether, GivesRoverAndStationTheForcesThatItsOwnMomentumMisses) {
   EXPECT_GT(counted, 150);
 }
 
+TEST(CableTether, LiesOverARockInItsWayAndIsHeldByIt) {
+  // A block of 0.8 m between rover and station, higher than the mouth, beside the straight way.
+  std::vector<Eigen::Vector3d> corners;
+  for (const double x : {1.2, 1.7}) {
+    for (const double y : {-0.1, 0.7}) {
+      for (const double z : {-0.1, 0.7}) corners.emplace_back(x, y, z);
+    }
+  }
+  const auto Pull = [&](double friction) {
+    WorldSetup setup = SetupWith(TetherLaw::kCable, {4.0, 0.3, kPi});
+    setup.rover.tether.friction_on_rock = friction;
+    setup.rocks.rocks.push_back(HullOf(corners));
+    World world(setup);
+    MotorCommands commands = AllBraked();
+    At(commands, Motor::kSpool) = Velocity(0.8, SpoolCurrent(40.0));
+    Play(world, commands, 8.0);
+    for (const Eigen::Vector3d& p : world.truth().tether_W) {
+      EXPECT_GT(DistanceTo(setup.rocks.rocks[0], p).distance_m, -1e-3);
+    }
+    return world.truth();
+  };
+  const Truth slips = Pull(0.0), held = Pull(0.6);
+  for (const Truth& truth : {slips, held}) {
+    const double straight_m = (truth.tether_W.front() - truth.tether_W.back()).norm();
+    EXPECT_GT(truth.tether_path_m, straight_m + 0.03);
+    EXPECT_GT(truth.tether_tension_n, 20.0);
+  }
+}
+
 TEST(CableTether, MovesTheSameToTheBitWhenRepeated) {
   const auto Run = [] {
     World world(SetupWith(TetherLaw::kCable, {3.0, 0.5, kPi - 0.4}));
