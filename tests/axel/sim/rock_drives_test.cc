@@ -42,7 +42,9 @@ TEST(Rocks, AWheelThatStartsOnOneRollsTheRoverByItsHeight) {
     EXPECT_GT(truth.rock_force_n, 0.35 * Axel().mass_kg() * kG);
     EXPECT_LT(truth.left_wheel_load_n, 5.0);
     EXPECT_GT(truth.right_wheel_load_n, 0.35 * Axel().mass_kg() * kG);
-    EXPECT_NEAR(truth.X_DR.p.x(), 3.5, 0.05);  // the arm falls to the ground and turns the wheels
+    // A wheel rolls off a paddle's tip by half a pitch at most. On a rock putting the rover down
+    // twice does not undo it: moved aside, the wheel stands on another place of the rock.
+    EXPECT_NEAR(truth.X_DR.p.x(), 3.5, 0.3 * kPi / 12.0);
   }
 }
 
