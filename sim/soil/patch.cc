@@ -35,7 +35,8 @@ Real Pressure(const SoilLaws& laws, Real yield_pa, const PatchPlaceOf<Real>& at,
   const Real floor = Min(at.surface_m, patch.floor_m);
   const Real pressed = floor + patch.ride_m - at.z_m;
   const Real elastic = laws.elastic_pa_per_m * pressed;
-  const auto touches = pressed > 0.0, yields = touches & (elastic >= yield_pa);
+  const auto touches = pressed > 0.0;
+  const auto yields = touches & (elastic >= yield_pa);
   const Real lowered = at.z_m + yield_pa * (1.0 / laws.elastic_pa_per_m) - patch.ride_m;
   patch.floor_m = Select(yields, lowered, Select(touches, floor, patch.floor_m));
   // Yielding soil dissipates by itself; damping is for the elastic rest, and never pulls.
