@@ -133,6 +133,7 @@ class AxelMachine final : public Controller {
   Pose2 leg_start_{};
   std::vector<Arc> leg_;
   std::optional<LegDriver> driver_;
+  PlanHistory history_;
   // Reeling.
   double to_reel_m_ = 0.0;
   // Confirming: when the spool was braked, and where it stood.
@@ -254,7 +255,7 @@ std::optional<Event> AxelMachine::Judge(const StereoImages& images) {
 }
 
 Event AxelMachine::AfterSighting() {
-  Decision decision = Decide(geometry_, options_, senses_.pose());
+  Decision decision = Decide(geometry_, options_, senses_.pose(), history_);
   if (decision.event == Event::kGoRecover) return Recover(Event::kGoRecover, "misaligned");
   leg_ = std::move(decision.leg);
   leg_start_ = senses_.pose();
@@ -403,6 +404,12 @@ void AxelMachine::Change(Event event) {
 
 void AxelMachine::Enter(Phase phase) {
   phase_ = phase;
+  if (phase == Phase::kBackOff) ++history_.back_offs;
+  if (phase == Phase::kApproach || phase == Phase::kAlign || phase == Phase::kBackOff) {
+    history_.under_way = true;
+  } else if (phase == Phase::kRecover || phase == Phase::kSearch || phase == Phase::kRight) {
+    history_.under_way = false;
+  }
   entered_ = look_from_ = senses_.now();
   reeled_at_entry_m_ = senses_.reeled_m();
   yaw_at_entry_rad_ = senses_.yaw_rad();

@@ -82,7 +82,8 @@ struct PlanOptions {
   double align_gap_m = 0.30;
   double align_tolerance_m = 0.12;  // counts as arrived; 3 % of a leg's slip and 2.5 cm of vision
   double recover_gap_m = 1.40;      // axle at 2.4 m: room for +-0.4 m of offset; assumed, 1.0-2.0
-  double max_curvature = 1.0;       // [1/m] tighter arcs only skid on loose soil; 0.5-1.5
+  double max_curvature = 0.7;       // [1/m] of a new plan; assumed, 0.5-1
+  double hold_curvature = 1.2;      // of its rest; tighter arcs only skid on loose soil; 1-1.5
   double max_recover_curvature = 1.5;
   int curvatures = 20;        // per side
   double turn_cost_m = 0.6;   // a radian of turning in metres of way; assumed, 0.3-1.5

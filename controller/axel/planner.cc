@@ -42,14 +42,14 @@ bool FitsForward(const std::vector<Arc>& arcs, double max_curvature) {
   });
 }
 
-// The best two forward arcs from here that cost less than the bound.
+// The best two forward arcs from here, none sharper than this, that cost less than the bound.
 Candidate BestForward(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
-                      double bound) {
+                      double max_curvature, double bound) {
   const Pose2 goal = Inverse(X_DR) * OnAxis(geometry.arm_m + options.plan.align_gap_m);
   Candidate best{{}, bound};
-  for (const double k1 : CurvatureFan(options.plan.max_curvature, options.plan.curvatures)) {
+  for (const double k1 : CurvatureFan(max_curvature, options.plan.curvatures)) {
     const auto arcs = TwoArcsTo(goal, k1);
-    if (!arcs || !FitsForward(*arcs, options.plan.max_curvature)) continue;
+    if (!arcs || !FitsForward(*arcs, max_curvature)) continue;
     double cost = TwoArcCost(*arcs) + options.plan.turn_cost_m * Turning(*arcs);
     Pose2 start = X_DR;
     for (const Arc& arc : *arcs) {
@@ -71,11 +71,29 @@ void TryBackingOff(const PlanGeometry& geometry, const AxelOptions& options, con
                       options.plan.turn_cost_m * std::abs(back.turn_rad) +
                       SideCost(geometry, options, X_DR, back);
   if (cost >= best->cost) return;
-  const Candidate forward = BestForward(geometry, options, end, best->cost - cost);
+  const Candidate forward =
+      BestForward(geometry, options, end, options.plan.max_curvature, best->cost - cost);
   if (forward.arcs.empty()) return;
   best->cost = cost + forward.cost;
   best->arcs = {back};
   best->arcs.insert(best->arcs.end(), forward.arcs.begin(), forward.arcs.end());
+}
+
+// Backwards by at least this many steps, straight or turning.
+void TryBackingOffFrom(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
+                       int least_steps, Candidate* best) {
+  const PlanOptions& plan = options.plan;
+  const int steps = static_cast<int>(plan.back_limit_m / plan.back_step_m + 0.5);
+  for (int i = least_steps; i <= steps; ++i) {
+    const double length = -i * plan.back_step_m;
+    TryBackingOff(geometry, options, X_DR, {length, 0.0}, best);
+    for (int j = 1; j <= plan.back_turns; ++j) {
+      const double turn = j * plan.back_turn_rad;
+      if (turn > plan.max_curvature * -length) break;
+      TryBackingOff(geometry, options, X_DR, {length, turn}, best);
+      TryBackingOff(geometry, options, X_DR, {length, -turn}, best);
+    }
+  }
 }
 
 }  // namespace
@@ -132,20 +150,15 @@ bool Aligned(const PlanGeometry& geometry, const MateOptions& mate, const Pose2&
 }
 
 std::vector<Arc> PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options,
-                            const Pose2& X_DR) {
-  Candidate best = BestForward(geometry, options, X_DR, kNever);
+                            const Pose2& X_DR, const PlanHistory& history) {
   const PlanOptions& plan = options.plan;
-  const int steps = static_cast<int>(plan.back_limit_m / plan.back_step_m + 0.5);
-  for (int i = 1; i <= steps; ++i) {
-    const double length = -i * plan.back_step_m;
-    TryBackingOff(geometry, options, X_DR, {length, 0.0}, &best);
-    for (int j = 1; j <= plan.back_turns; ++j) {
-      const double turn = j * plan.back_turn_rad;
-      if (turn > plan.max_curvature * -length) break;
-      TryBackingOff(geometry, options, X_DR, {length, turn}, &best);
-      TryBackingOff(geometry, options, X_DR, {length, -turn}, &best);
-    }
+  if (history.under_way) {
+    const Candidate on = BestForward(geometry, options, X_DR, plan.hold_curvature, kNever);
+    if (!on.arcs.empty()) return on.arcs;
   }
+  Candidate best = BestForward(geometry, options, X_DR, plan.max_curvature, kNever);
+  TryBackingOffFrom(geometry, options, X_DR, 1 + history.back_offs, &best);
+  if (best.arcs.empty()) TryBackingOffFrom(geometry, options, X_DR, 1, &best);
   if (best.arcs.empty()) return {{-plan.back_step_m, 0.0}};
   return best.arcs;
 }
@@ -197,7 +210,8 @@ std::vector<Arc> FirstLeg(const PlanGeometry& geometry, const AxelOptions& optio
   return leg;
 }
 
-Decision Decide(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR) {
+Decision Decide(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
+                const PlanHistory& history) {
   const double gap = TipOf(geometry, X_DR).gap_m;
   if (gap <= options.plan.align_gap_m + options.plan.align_tolerance_m) {
     if (Aligned(geometry, options.mate, X_DR)) {
@@ -207,7 +221,7 @@ Decision Decide(const PlanGeometry& geometry, const AxelOptions& options, const 
     const std::vector<Arc> back = PlanRecovery(geometry, options, X_DR);
     return {Event::kGoRecover, back, back};
   }
-  const std::vector<Arc> plan = PlanToAxis(geometry, options, X_DR);
+  const std::vector<Arc> plan = PlanToAxis(geometry, options, X_DR, history);
   const std::vector<Arc> leg = FirstLeg(geometry, options, X_DR, plan);
   if (plan.front().length_m < 0.0) return {Event::kGoBackOff, plan, leg};
   const bool near = std::hypot(X_DR.x, X_DR.y) <= options.plan.align_range_m;

@@ -40,11 +40,19 @@ bool Aligned(const PlanGeometry& geometry, const MateOptions& mate, const Pose2&
 /// Angle of the arm against the cone's axis when seated, for an axle y beside the axis [rad].
 double SocketAngle(const PlanGeometry& geometry, double axle_offset_m);
 
+/// What the rover did before it plans again.
+struct PlanHistory {
+  bool under_way = false;  // it has driven the first part of a plan to the axis
+  int back_offs = 0;       // of the run so far
+};
+
 /// Back off if that pays, then two forward arcs to the alignment goal. Minimises Eq. (14) of the
-/// Rocky 7 paper plus turning, way out of view and way with the tether far to the side. Falls back
-/// on a straight line backwards if nothing fits.
+/// Rocky 7 paper plus turning, way out of view and way with the tether far to the side. A new plan
+/// keeps to wider arcs than the rest of one that is under way, so that the rover's own errors do
+/// not send it back; and each back-off is longer than the one before, so that it does not come back
+/// to the same place. Falls back on a straight line backwards if nothing fits.
 std::vector<Arc> PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options,
-                            const Pose2& X_DR);
+                            const Pose2& X_DR, const PlanHistory& history = {});
 /// Straight out of the cone if in it, then two reverse arcs to the recovery goal.
 std::vector<Arc> PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options,
                               const Pose2& X_DR);
@@ -58,7 +66,8 @@ struct Decision {
   std::vector<Arc> leg;   // to drive now
 };
 /// After a sighting: mate, recover, or the next leg.
-Decision Decide(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR);
+Decision Decide(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
+                const PlanHistory& history = {});
 
 /// A path in the belief's form.
 std::vector<PlannedArc> Planned(const std::vector<Arc>& arcs, const Pose2& X_DR_start);

@@ -66,6 +66,40 @@ TEST_F(Planner, BacksOffFirstWhenTooNearForTheAngle) {
   EXPECT_LT(PlanToAxis(geometry_, options_, At(2.0, 40.0, 0.0)).front().length_m, 0.0);
 }
 
+TEST_F(Planner, KeepsANewPlanToWiderArcsThanItsRest) {
+  for (const GridStart& start : MarsYardGrid()) {
+    const Pose2 X_DR = FromDockingCoords(start.at);
+    for (const Arc& arc : PlanToAxis(geometry_, options_, X_DR)) {
+      EXPECT_LE(std::abs(arc.turn_rad),
+                options_.plan.max_curvature * std::abs(arc.length_m) + 1e-9);
+    }
+  }
+}
+
+// The belief is 5 cm aside at the end of a leg on sand, in the median.
+TEST_F(Planner, GoesOnForwardsFromFiveCentimetresAsideAfterAnyFirstLegOfTheGrid) {
+  for (const GridStart& start : MarsYardGrid()) {
+    for (const double aside_m : {-0.05, 0.05}) {
+      const Pose2 X_DR = FromDockingCoords(start.at);
+      const Decision first = Decide(geometry_, options_, X_DR);
+      const Pose2 then = Advance(X_DR, first.leg) * Pose2{0.0, aside_m, 0.0};
+      const Decision second = Decide(geometry_, options_, then, {.under_way = true});
+      EXPECT_NE(second.event, Event::kGoBackOff) << start.run;
+    }
+  }
+}
+
+TEST_F(Planner, BacksOffFurtherEachTime) {
+  const Pose2 X_DR = At(2.0, 40.0, 0.0);
+  double last_m = 0.0;
+  for (int back_offs = 0; back_offs < 4; ++back_offs) {
+    const auto plan = PlanToAxis(geometry_, options_, X_DR, {.back_offs = back_offs});
+    EXPECT_LE(plan.front().length_m, -options_.plan.back_step_m * (1 + back_offs));
+    EXPECT_LE(plan.front().length_m, last_m);
+    last_m = plan.front().length_m;
+  }
+}
+
 TEST_F(Planner, SeesTheBoardAtTheEndOfEveryLegOfTheGrid) {
   for (const GridStart& start : MarsYardGrid()) {
     const Pose2 X_DR = FromDockingCoords(start.at);
