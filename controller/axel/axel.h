@@ -17,6 +17,9 @@ using Locator = std::function<LocateOutput(const StereoImages&, const LocateHint
 /// and board; tests may give another.
 std::unique_ptr<Controller> MakeAxelController(const Nominal& nominal, Locator locator = {});
 
+/// The controller as published, with the published perception whatever the nominal parameters say.
+std::unique_ptr<Controller> MakeTsai2013Controller(const Nominal& nominal, Locator locator = {});
+
 /// The control experiment (Tsai et al., V-C): wheels free, reel in until the tip is seated.
 std::unique_ptr<Controller> MakeReelOnlyController(const Nominal& nominal);
 

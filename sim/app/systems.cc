@@ -9,6 +9,8 @@ namespace dockyard {
 std::vector<System> Systems() {
   return {axel::AxelSystem(
       {{"axel", [](const axel::Nominal& nominal) { return axel::MakeAxelController(nominal); }},
+       {"tsai2013",
+        [](const axel::Nominal& nominal) { return axel::MakeTsai2013Controller(nominal); }},
        {"reel_only", axel::MakeReelOnlyController}},
       axel::MakeScriptedController)};
 }

@@ -1,0 +1,82 @@
+#include "controller/axel/tsai2013_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "controller/axel/tether_length.h"
+#include "controller/motion/two_arcs.h"
+
+namespace dockyard::axel {
+namespace {
+
+Pose2 OnAxis(double r_m) { return {r_m, 0.0, kPi}; }
+
+// The pair of least way and turning (IV-A).
+std::optional<std::vector<Arc>> BestPair(const Tsai2013Options& options, const Pose2& X_DR,
+                                         const Pose2& X_DR_goal, Travel travel) {
+  std::optional<std::vector<Arc>> best;
+  double least = 0.0;
+  ForEachPair(Inverse(X_DR) * X_DR_goal, {options.least_radius_m, travel}, options.splits,
+              [&](const ArcPair& pair) {
+                std::vector<Arc> arcs(pair.begin(), pair.end());
+                const double cost = PairCost(pair) + options.turn_cost_m * Turning(arcs);
+                if (best && cost >= least) return;
+                least = cost;
+                best = std::move(arcs);
+              });
+  return best;
+}
+
+// Straight back where no pair of arcs leads to the recovery goal.
+Tsai2013Plan Recovery(const Tsai2013Options& options, const Pose2& X_DR) {
+  const Pose2 goal = OnAxis(options.recover_r_m);
+  if (auto pair = BestPair(options, X_DR, goal, Travel::kBackward)) {
+    return {Tsai2013Step::kRecover, std::move(*pair)};
+  }
+  const double back_m = std::max(0.5 * options.recover_r_m, options.recover_r_m - X_DR.x);
+  return {Tsai2013Step::kRecover, {{-back_m, 0.0}}};
+}
+
+}  // namespace
+
+bool WithinGate(const PlanGeometry& geometry, const Tsai2013Options& options, const Pose2& X_DR) {
+  const double h = WrapPi(X_DR.heading - kPi);
+  if (std::abs(h) > options.heading_rad) return false;
+  const TipPlace tip = TipOf(geometry, X_DR);
+  return std::abs(tip.offset_m - tip.gap_m * std::tan(h)) <= options.tip_offset_m;
+}
+
+Tsai2013Plan PlanTsai2013(const PlanGeometry& geometry, const Tsai2013Options& options,
+                          const Pose2& X_DR) {
+  const double r_m = std::hypot(X_DR.x, X_DR.y);
+  if (r_m <= options.mate_r_m) {
+    if (!WithinGate(geometry, options, X_DR)) return Recovery(options, X_DR);
+    const double to_contact_m = TipOf(geometry, X_DR).gap_m + options.contact_depth_m;
+    return {Tsai2013Step::kMate, {{std::max(0.0, to_contact_m), 0.0}}};
+  }
+  if (r_m > options.align_r_m) {
+    auto approach = BestPair(options, X_DR, OnAxis(options.align_r_m), Travel::kForward);
+    if (approach) return {Tsai2013Step::kApproach, std::move(*approach)};
+  }
+  const Pose2 before_mouth = OnAxis(geometry.arm_m + options.mate_gap_m);
+  auto align = BestPair(options, X_DR, before_mouth, Travel::kForward);
+  if (align) return {Tsai2013Step::kAlign, std::move(*align)};
+  return Recovery(options, X_DR);
+}
+
+std::vector<double> TetherShortening(double arm_m, const Pose2& X_DR_start,
+                                     const std::vector<Arc>& arcs) {
+  std::vector<double> shorten_m;
+  Pose2 at = X_DR_start;
+  double length_m = CosineLawTether(arm_m, ToDockingCoords(at));
+  for (const Arc& arc : arcs) {
+    at = Advance(at, arc);
+    const double then_m = CosineLawTether(arm_m, ToDockingCoords(at));
+    shorten_m.push_back(length_m - then_m);
+    length_m = then_m;
+  }
+  return shorten_m;
+}
+
+}  // namespace dockyard::axel
