@@ -6,7 +6,7 @@
 
 namespace dockyard::axel {
 
-std::unique_ptr<Controller> MakeAxelController(const Nominal& nominal, Locator locator) {
+std::unique_ptr<Controller> MakeDockyardController(const Nominal& nominal, Locator locator) {
   if (!locator) {
     locator = [rig = nominal.rig, board = nominal.board, vision = nominal.vision](
                   const StereoImages& images, const LocateHints& hints) {

@@ -15,7 +15,7 @@ using Locator = std::function<LocateOutput(const StereoImages&, const LocateHint
 
 /// Vision-based, tether-assisted docking. The locator defaults to LocateBoard with the nominal rig
 /// and board; tests may give another.
-std::unique_ptr<Controller> MakeAxelController(const Nominal& nominal, Locator locator = {});
+std::unique_ptr<Controller> MakeDockyardController(const Nominal& nominal, Locator locator = {});
 
 /// The controller as published, with the published perception whatever the nominal parameters say.
 std::unique_ptr<Controller> MakeTsai2013Controller(const Nominal& nominal, Locator locator = {});

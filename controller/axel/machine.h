@@ -1,4 +1,4 @@
-// The docking controller of MakeAxelController with its options as a parameter, for tests and
+// The docking controller of MakeDockyardController with its options as a parameter, for tests and
 // tuning.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace dockyard::axel {
 
-/// As MakeAxelController, with other options. The locator must be callable.
+/// As MakeDockyardController, with other options. The locator must be callable.
 std::unique_ptr<Controller> MakeAxelMachine(const Nominal& nominal, const AxelOptions& options,
                                             Locator locator);
 

@@ -8,9 +8,12 @@
 
 int main(int argc, char** argv) {
   namespace axel = dockyard::axel;
-  const auto ours = [](const axel::Nominal& nominal) { return axel::MakeAxelController(nominal); };
+  const auto ours = [](const axel::Nominal& nominal) {
+    return axel::MakeDockyardController(nominal);
+  };
   // The names are those that a scenario's key `controller` takes.
-  return dockyard::RunProgram(argc, argv,
-                              {axel::AxelSystem({{"axel", ours}, {"straight_in", MakeStraightIn}},
-                                                axel::MakeScriptedController)});
+  return dockyard::RunProgram(
+      argc, argv,
+      {axel::AxelSystem({{"dockyard", ours}, {"straight_in", MakeStraightIn}},
+                        axel::MakeScriptedController)});
 }

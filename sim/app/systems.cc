@@ -8,7 +8,8 @@ namespace dockyard {
 
 std::vector<System> Systems() {
   return {axel::AxelSystem(
-      {{"axel", [](const axel::Nominal& nominal) { return axel::MakeAxelController(nominal); }},
+      {{"dockyard",
+        [](const axel::Nominal& nominal) { return axel::MakeDockyardController(nominal); }, "axel"},
        {"tsai2013",
         [](const axel::Nominal& nominal) { return axel::MakeTsai2013Controller(nominal); }},
        {"reel_only", axel::MakeReelOnlyController}},

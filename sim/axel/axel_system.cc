@@ -135,6 +135,8 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
     system.controllers.push_back({controller.name, [make = controller.make](const Json& nominal) {
                                     return make(NominalFromJson(nominal));
                                   }});
+    if (controller.former_name.empty()) continue;
+    system.former_controllers.push_back({controller.former_name, controller.name});
   }
   system.file_keys = {"station"};
   system.changes_file_keys = {"robot.urdf", "robot.cameras.file", "station.urdf"};

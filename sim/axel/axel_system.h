@@ -18,6 +18,7 @@ namespace dockyard::axel {
 struct NamedController {
   std::string name;
   std::function<std::unique_ptr<Controller>(const Nominal&)> make;
+  std::string former_name{};  // that scenarios of earlier versions give it; empty: none
 };
 using ScriptPlayer =
     std::function<std::unique_ptr<Controller>(const Nominal&, const std::vector<ScriptStep>&)>;

@@ -58,7 +58,8 @@ std::vector<KnownSystem> KnownSystems(const std::vector<System>& systems) {
                      system.changes_file_keys,
                      system.model_roots,
                      system.spoiled_pictures,
-                     system.rocks});
+                     system.rocks,
+                     system.former_controllers});
     for (const ControllerEntry& entry : system.controllers) {
       known.back().controllers.push_back(entry.name);
     }

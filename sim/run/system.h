@@ -76,6 +76,7 @@ struct System {
   std::vector<ModelRoot> model_roots;          // the models that have these roots
   bool spoiled_pictures = false;               // draws CameraFaults::left and right
   bool rocks = false;                          // puts Scenario::rocks into its yard
+  std::vector<FormerName> former_controllers;
 
   /// Reads the system's own keys and all models that the scenario names; returns a line that
   /// describes the system. Throws ConfigError.

@@ -82,6 +82,7 @@ class DocumentArchive : public Keys {
   }
   void Mapping(const Key& key, const Visit& inside) override { Descend(key, inside); }
   void Refused(std::string_view, std::string_view) override {}
+  void RefusedWord(std::string_view, std::string_view, std::string_view) override {}
 
  private:
   /// The default as a file would say it; empty for none.

@@ -67,6 +67,8 @@ class Keys {
   virtual void Mapping(const Key& key, const Visit& inside) = 0;
   /// A key that is never allowed here. `hint` completes the message "expected ...".
   virtual void Refused(std::string_view name, std::string_view hint) = 0;
+  /// A word that the key no longer takes. `hint` completes the message "expected ...".
+  virtual void RefusedWord(std::string_view name, std::string_view word, std::string_view hint) = 0;
 
   /// An enumeration whose values 0, 1, ... are called by the words in their order.
   template <class Enum>

@@ -32,6 +32,7 @@ class NameKeys : public Keys {
   void Refused(std::string_view name, std::string_view hint) override {
     refused.push_back({std::string(name), std::string(hint)});
   }
+  void RefusedWord(std::string_view, std::string_view, std::string_view) override {}
 
   std::vector<std::string> names;
   std::vector<RefusedKey> refused;
@@ -107,6 +108,12 @@ class ReadArchive : public Keys {
     for (const YamlNode::Key& key : node_.keys) {
       if (key.name == name) RefuseKey(key, path_, hint);
     }
+  }
+  void RefusedWord(std::string_view name, std::string_view word, std::string_view hint) override {
+    const std::string key(name);
+    if (!in_.Has(key)) return;
+    const YamlNode& value = in_.Child(key);
+    if (value.kind == YamlNode::Kind::kScalar && value.scalar == word) in_.Refuse(key, std::string(hint));
   }
 
   static void Read(const YamlNode& node, const std::string& path, const Visit& visit, bool demands);

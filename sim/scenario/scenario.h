@@ -101,6 +101,11 @@ struct ModelRoot {
   std::string file_key;  // "axel.station"
 };
 
+/// A name that files of earlier versions give.
+struct FormerName {
+  std::string former, now;
+};
+
 /// The part of a system that a reader needs to check a scenario.
 struct KnownSystem {
   std::string name;
@@ -112,6 +117,7 @@ struct KnownSystem {
   std::vector<ModelRoot> model_roots{};  // models whose files may have spreads
   bool spoiled_pictures = false;         // whether its cameras may be dead, covered or dusty
   bool rocks = false;                    // whether rocks may lie in its yard
+  std::vector<FormerName> former_controllers{};
 };
 
 /// One run of many, or alone.

@@ -21,6 +21,11 @@ void VisitController(Keys& keys, Scenario& s, const KnownSystem* system) {
   static const std::vector<std::string> none;
   const std::vector<std::string>& words = system == nullptr ? none : system->controllers;
   if (s.controller.empty() && !words.empty()) s.controller = words.front();
+  if (system != nullptr) {
+    for (const FormerName& each : system->former_controllers) {
+      keys.RefusedWord("controller", each.former, "'" + each.now + "', as it is called now");
+    }
+  }
   keys.WordOrMapping(
       {"controller", "", "a controller of the system, or a program"}, s.controller, words, kCommand,
       [&](Keys& in) {

@@ -91,6 +91,7 @@ class WriteArchive : public Keys {
     if (!archive.tree.keys.empty()) Add(key, std::move(archive.tree));
   }
   void Refused(std::string_view, std::string_view) override {}
+  void RefusedWord(std::string_view, std::string_view, std::string_view) override {}
 
   YamlNode tree;
 

@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 
 const std::vector<KnownSystem>& Known() {
   static const std::vector<KnownSystem> known{
-      {.name = "axel", .controllers = {"axel", "reel_only"}, .file_keys = {"station"}}};
+      {.name = "axel", .controllers = {"dockyard", "reel_only"}, .file_keys = {"station"}}};
   return known;
 }
 CampaignSystems Systems() {
@@ -60,7 +60,7 @@ TEST(TypicalScenario, IsTheOneOfFigure10) {
   EXPECT_EQ(s.start.r, 4.0);
   EXPECT_EQ(s.start.alpha, Radians(15.0));
   EXPECT_EQ(s.start.h, 0.0);
-  EXPECT_EQ(s.controller, "axel");
+  EXPECT_EQ(s.controller, "dockyard");
   EXPECT_EQ(s.of_system.Find("station")->scalar,
             AbsolutePath(SourceFile("models/axel/station/station.yaml")));
 }

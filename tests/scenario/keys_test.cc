@@ -41,6 +41,7 @@ void VisitFlag(Keys& keys, Flag& flag) {
   keys.Seed({"seed", "", "of the wind"}, flag.seed);
   keys.Bool({"waves", "", "in the wind"}, flag.waves);
   keys.Text({"owner", "", "whose it is", kRequired}, flag.owner);
+  keys.RefusedWord("wind", "calme", "'calm', as it is called now");
   keys.WordOrMapping({"wind", "", "how it blows"}, flag.wind, {"calm", "storm"}, "gusts",
                      [&](Keys& in) {
                        in.Texts({"gusts", "", "one after the other", kRequired}, flag.gusts, 3);
@@ -119,6 +120,11 @@ TEST(ReadKeys, FaultsAreToldByPlaceAndPath) {
 TEST(ReadKeys, RefusedKeyBringsItsHintBeforeAnyOtherFault) {
   EXPECT_EQ(Message("color: red\nx_m: ten"),
             "flag.yaml:1:1: color: expected the key 'cloth' instead");
+}
+
+TEST(ReadKeys, FormerWordBringsItsHint) {
+  EXPECT_EQ(Message("owner: Ann\nwind: calme"),
+            "flag.yaml:2:7: wind: expected 'calm', as it is called now, found 'calme'");
 }
 
 TEST(ReadKeys, MissingMappingIsOneWithoutKeys) {

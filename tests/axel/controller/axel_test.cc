@@ -268,7 +268,7 @@ TEST(Axel, TellsWhatItThinks) {
 
 TEST(Axel, UsesTheRealVisionByDefault) {
   const Nominal nominal = TestNominal();
-  const auto controller = MakeAxelController(nominal);
+  const auto controller = MakeDockyardController(nominal);
   SensorFrame frame = StillFrame();
   frame.imu.specific_force_R.z() = 9.81;
   bool asked = false;
@@ -312,7 +312,7 @@ AtRest Rest(Controller& controller, int seconds,
 
 // Cameras may be slow: each ask waits twice as long as the one before, and the sixth is the last.
 TEST(Axel, CamerasThatNeverAnswerEndTheAttempt) {
-  const auto controller = MakeAxelController(TestNominal());
+  const auto controller = MakeDockyardController(TestNominal());
   const AtRest rest = Rest(*controller, 300, [](int, SensorFrame&) {});
   EXPECT_EQ(rest.verdict, Verdict::kGivenUp);
   EXPECT_EQ(controller->belief().note, "cameras do not answer");

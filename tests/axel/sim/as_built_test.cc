@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 /// The typical scenario with a small yard, which is quick to make.
 Scenario Typical(std::vector<std::string> sets) {
   const std::vector<KnownSystem> known{
-      {.name = "axel", .controllers = {"axel"}, .file_keys = {"station"}}};
+      {.name = "axel", .controllers = {"dockyard"}, .file_keys = {"station"}}};
   sets.insert(sets.begin(), {"yard={length_m: 4, width_m: 4, cell_m: 0.2}", "start.r_m=1.2"});
   return LoadScenario(SourceFile("scenarios/axel_typical.yaml"), sets, known);
 }
@@ -201,7 +201,7 @@ TEST(AsBuilt, IsWrittenOutAndReadBack) {
   const Scenario s = Typical({"as_built.robot.arm.offset_m=0.003"});
   const ScratchFolder folder;
   const Scenario back =
-      LoadScenario(folder.Write("r.yaml", ResolvedYaml(s)), {}, {{"axel", {"axel"}, {"station"}}});
+      LoadScenario(folder.Write("r.yaml", ResolvedYaml(s)), {}, {{"axel", {"dockyard"}, {"station"}}});
   EXPECT_EQ(FlowText(back.as_built), FlowText(s.as_built));
 }
 

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 const std::vector<KnownSystem>& Known() {
   static const std::vector<KnownSystem> known{
-      {.name = "axel", .controllers = {"axel", "reel_only"}, .file_keys = {"station"}}};
+      {.name = "axel", .controllers = {"dockyard", "reel_only"}, .file_keys = {"station"}}};
   return known;
 }
 Scenario Typical(const std::vector<std::string>& sets = {}) {
