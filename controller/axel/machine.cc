@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "controller/axel/leg.h"
+#include "controller/axel/mating.h"
 #include "controller/axel/phases.h"
 #include "controller/axel/planner.h"
 #include "controller/axel/righting.h"
@@ -13,6 +14,7 @@
 #include "controller/axel/senses.h"
 #include "controller/axel/sighting.h"
 #include "controller/base/check.h"
+#include "controller/base/number_text.h"
 
 namespace dockyard::axel {
 namespace {
@@ -38,6 +40,7 @@ class AxelMachine final : public Controller {
         senses_(nominal, options),
         arm_(nominal, options.arm),
         righting_(nominal, options.righting),
+        reel_in_(nominal, options),
         judge_(options.look, nominal.X_DB),
         still_(options.tether.still_m) {
     DOCKYARD_CHECK(locator_ != nullptr);
@@ -82,9 +85,14 @@ class AxelMachine final : public Controller {
   std::optional<Event> Search(Commands* commands);
   std::optional<Event> Level(double target_pitch_rad, Commands* commands);
   std::optional<Event> Reel(Commands* commands);
-  std::optional<Event> Confirm(Commands* commands);
+  std::optional<Event> Confirm(const SensorFrame& sensed, Commands* commands);
+  bool Steadied(Commands* commands);
+  bool LookedAtHome(const SensorFrame& sensed, Commands* commands);
+  Event RuleHome();
   std::optional<Event> TurnBack(Commands* commands);
 
+  std::optional<StereoImages> Arrived(const SensorFrame& sensed);
+  LocateOutput Locate(const StereoImages& images);
   std::optional<Event> Judge(const StereoImages& images);
   Event AfterSighting();
   Event AtTheMouth();
@@ -106,6 +114,7 @@ class AxelMachine final : public Controller {
   Senses senses_;
   ArmLevel arm_;
   Righting righting_;
+  ReelIn reel_in_;
   SightingJudge judge_;
   CameraTurnFilter camera_turn_;
   StillWatch still_;
@@ -134,12 +143,12 @@ class AxelMachine final : public Controller {
   std::vector<Arc> leg_;
   std::optional<LegDriver> driver_;
   PlanHistory history_;
-  // Reeling.
-  double to_reel_m_ = 0.0;
-  // Confirming: when the spool was braked, and where it stood.
+  // Confirming: when the spool was braked, where it stood, and what the picture then shows.
   struct Braked {
     Tick since = 0;
     double reeled_m = 0.0;
+    bool looked = false;
+    std::optional<double> depth_m{};
   };
   std::optional<Braked> braked_;
 };
@@ -163,7 +172,7 @@ std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* comma
     case Phase::kReel:
       return Reel(commands);
     case Phase::kConfirm:
-      return Confirm(commands);
+      return Confirm(sensed, commands);
     case Phase::kRight:
       return TurnBack(commands);
     case Phase::kDocked:
@@ -207,12 +216,10 @@ std::optional<Event> AxelMachine::Level(double target_pitch_rad, Commands* comma
 
 std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* commands) {
   StandStill(nominal_, options_.drive, InPhase(), commands);
-  const GrayImage* left = GrayImageOf(sensed, kLeftCamera);
-  const GrayImage* right = GrayImageOf(sensed, kRightCamera);
-  if ((left || right) && asked_at_) {
+  if (const std::optional<StereoImages> images = Arrived(sensed)) {
     asked_at_.reset();
     asks_ = 0;
-    return Judge({left ? *left : Dark(*right), right ? *right : Dark(*left)});
+    return Judge(*images);
   }
   if (senses_.now() - look_from_ < options_.look.settle) return std::nullopt;
   if (!asked_at_ || senses_.now() - *asked_at_ >= options_.look.image_limit << (asks_ - 1)) {
@@ -227,12 +234,24 @@ std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* comm
   return std::nullopt;
 }
 
-std::optional<Event> AxelMachine::Judge(const StereoImages& images) {
+std::optional<StereoImages> AxelMachine::Arrived(const SensorFrame& sensed) {
+  const GrayImage* left = GrayImageOf(sensed, kLeftCamera);
+  const GrayImage* right = GrayImageOf(sensed, kRightCamera);
+  if (!asked_at_ || (!left && !right)) return std::nullopt;
+  return StereoImages{left ? *left : Dark(*right), right ? *right : Dark(*left)};
+}
+
+LocateOutput AxelMachine::Locate(const StereoImages& images) {
   LocateHints hints = HintsFrom(senses_);
   hints.camera_turn = camera_turn_.belief();
-  const LocateOutput seen = locator_(images, hints);
+  LocateOutput seen = locator_(images, hints);
   ++belief_.sighting_count;
   belief_.last_sighting = seen.report;
+  return seen;
+}
+
+std::optional<Event> AxelMachine::Judge(const StereoImages& images) {
+  const LocateOutput seen = Locate(images);
   auto ruling = SightingJudge::Ruling::kRejected;
   if (seen.sighting) {
     ruling = judge_.Judge(*seen.sighting, &senses_);
@@ -364,36 +383,67 @@ std::optional<Event> AxelMachine::Search(Commands* commands) {
 }
 
 std::optional<Event> AxelMachine::Reel(Commands* commands) {
-  const TetherOptions& tether = options_.tether;
-  SetWheels(MotorMode::kFree, commands);
-  const double left = to_reel_m_ - ReeledHere();  // over_reel_m at the floor
-  const double to_floor = left - options_.mate.over_reel_m;
-  Spool(commands) = Winch(nominal_, tether.reel_m_s, tether.reel_tension_n, tether.accel_rad_s2);
-  if (left <= 0.0) return Event::kReeledIn;
-  if (!Stuck()) return std::nullopt;
-  if (to_floor <= options_.mate.seat_margin_m) return Event::kReeledIn;
-  return Recover(Event::kStuck, "does not go in");
+  if (reel_in_.Step(senses_, commands) == ReelIn::Status::kUnderWay) return std::nullopt;
+  return Event::kReeledIn;
 }
 
-// The reeled length shows that the tip is seated. Then the braked spool must not slip under the
-// taut tether.
-std::optional<Event> AxelMachine::Confirm(Commands* commands) {
+// Where the reel-in stopped the rover draws the tether taut, brakes the spool, under which nothing
+// may slip, and takes a picture.
+std::optional<Event> AxelMachine::Confirm(const SensorFrame& sensed, Commands* commands) {
   StandStill(nominal_, options_.drive, InPhase(), commands);
-  if (!braked_) {
-    Spool(commands) = Winch(nominal_, options_.mate.taut_m_s, options_.mate.taut_tension_n,
-                            options_.tether.accel_rad_s2);
-    const bool waited = InPhase() >= options_.drive.stop_time + options_.tether.taut_after;
-    const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
-    if ((!waited || still < options_.tether.taut_after) && InPhase() < options_.mate.taut_limit) {
-      return std::nullopt;
-    }
-    braked_ = Braked{senses_.now(), senses_.reeled_m()};
-    Spool(commands) = {};
+  if (!Steadied(commands)) return std::nullopt;
+  const bool looked = LookedAtHome(sensed, commands);
+  const bool waited = senses_.now() - braked_->since >= options_.mate.confirm_time;
+  return looked && waited ? std::optional<Event>(RuleHome()) : std::nullopt;
+}
+
+bool AxelMachine::Steadied(Commands* commands) {
+  if (braked_) return true;
+  Spool(commands) = Winch(nominal_, options_.mate.taut_m_s, options_.mate.taut_tension_n,
+                          options_.tether.accel_rad_s2);
+  const bool waited = InPhase() >= options_.drive.stop_time + options_.tether.taut_after;
+  const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
+  const bool still_enough = waited && still >= options_.tether.taut_after;
+  if (!still_enough && InPhase() < options_.mate.taut_limit) return false;
+  braked_ = Braked{.since = senses_.now(), .reeled_m = senses_.reeled_m()};
+  Spool(commands) = {};
+  return true;
+}
+
+bool AxelMachine::LookedAtHome(const SensorFrame& sensed, Commands* commands) {
+  if (braked_->looked) return true;
+  if (const std::optional<StereoImages> images = Arrived(sensed)) {
+    const LocateOutput seen = Locate(*images);
+    braked_->looked = true;
+    if (!seen.sighting) return true;
+    judge_.NewStop();
+    judge_.Judge(*seen.sighting, &senses_);
+    const double depth_m = DepthBySighting(nominal_, seen.sighting->X_RB, senses_.arm_rad());
+    // Deeper than the floor is nonsense.
+    if (depth_m <= nominal_.seat_depth_m + options_.mate.over_reel_m) braked_->depth_m = depth_m;
+    return true;
   }
-  if (senses_.now() - braked_->since < options_.mate.confirm_time) return std::nullopt;
+  if (!asked_at_) {
+    commands->take_images = {kLeftCamera, kRightCamera};
+    asked_at_ = senses_.now();
+  }
+  braked_->looked = senses_.now() - *asked_at_ >= options_.mate.picture_limit;
+  return braked_->looked;
+}
+
+Event AxelMachine::RuleHome() {
+  SeatKnowledge known{.depth_by_drum_m = reel_in_.DepthByDrum(senses_),
+                      .depth_by_picture_m = braked_->depth_m};
+  if (reel_in_.wiggles() > 0) known.taken_up_by_push_m = reel_in_.taken_up_m(senses_);
+  SeatRuling ruling = RuleSeat(known, nominal_.seat_depth_m, options_.mate);
   const double slipped = std::abs(senses_.reeled_m() - braked_->reeled_m);
-  if (slipped <= options_.mate.confirm_slip_m) return Event::kSteady;
-  return Recover(Event::kStuck, "does not stay in");
+  if (slipped > options_.mate.confirm_slip_m) ruling = SeatRuling::kShort;
+  belief_.note = known.depth_by_picture_m
+                     ? "tip " + Fixed(*known.depth_by_picture_m, 3) + " m deep by its picture"
+                     : "tip " + Fixed(known.depth_by_drum_m, 3) + " m deep by the drum";
+  if (ruling == SeatRuling::kSeated) return Event::kSteady;
+  if (reel_in_.wiggles() < options_.mate.wiggles) return Event::kStopsShort;
+  return Recover(Event::kStuck, "does not go in");
 }
 
 void AxelMachine::Change(Event event) {
@@ -403,6 +453,11 @@ void AxelMachine::Change(Event event) {
 }
 
 void AxelMachine::Enter(Phase phase) {
+  if (phase == Phase::kReel && phase_ == Phase::kConfirm) {
+    reel_in_.Wiggle(senses_);
+  } else if (phase == Phase::kReel) {
+    reel_in_.Begin(senses_, TipOf(geometry_, senses_.pose()).gap_m);
+  }
   phase_ = phase;
   if (phase == Phase::kBackOff) ++history_.back_offs;
   if (phase == Phase::kApproach || phase == Phase::kAlign || phase == Phase::kBackOff) {
@@ -424,10 +479,6 @@ void AxelMachine::Enter(Phase phase) {
   if (phase == Phase::kLook || phase == Phase::kRecheck) judge_.NewStop();
   if (phase == Phase::kSearch) BeginSearch();
   if (phase == Phase::kRight) righting_.Begin(senses_);
-  if (phase == Phase::kReel) {
-    const double gap = TipOf(geometry_, senses_.pose()).gap_m;
-    to_reel_m_ = gap + nominal_.seat_depth_m + options_.mate.over_reel_m;
-  }
   const bool drives = phase == Phase::kApproach || phase == Phase::kAlign ||
                       phase == Phase::kBackOff || phase == Phase::kRecover ||
                       phase == Phase::kMate || phase == Phase::kEnter;

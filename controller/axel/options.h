@@ -116,10 +116,19 @@ struct MateOptions {
   // 1-2 cm, to 4 cm after it has pushed at the mouth. So the spool is asked for this much more;
   // assumed, 0.04-0.10.
   double over_reel_m = 0.08;
-  // A stop this far before the floor counts as seated: the depth by the estimate is 2 cm too small
-  // at most, and arms that stop at their lead-in stop 3.5 cm before it. Range 0.015-0.03.
-  double seat_margin_m = 0.02;
+  // A stop this far before the floor counts as seated: about the middle between it and where arms
+  // stop at their lead-in, 2.6 to 3.5 cm before it. Range 0.008-0.02.
+  double seat_margin_m = 0.013;
   Tick stuck_after = 2'000;  // spool at its limit without taking up
+  // An arm that stopped short is turned to and fro under the spool's pull, the k-th time at k times
+  // this rate. Within the funnel's play: 0.06 rad/s for 1.2 s is 4 deg. Assumed, 0.03-0.1 rad/s.
+  double wiggle_rad_s = 0.06, wiggle_accel_rad_s2 = 0.5;
+  Tick wiggle_quarter = 1'200;
+  int wiggles = 3;  // then out, and again; assumed, 2-5
+  // A push to each side that takes up less than this has moved nothing: five counts of the drum,
+  // the tether's stretch and the seated arm's play. Assumed, 0.002-0.005.
+  double wiggle_gain_m = 0.003;
+  Tick picture_limit = 5'000;  // for the picture at home, which may be late; assumed, 2-10 s
   // Seated, wheels braked: the tether is drawn taut before the brake, else the rover hangs loose in
   // the socket. Above a straight pull's 90 N, below the 105 N that lift it over a paddle; 60-150.
   double taut_tension_n = 100.0;

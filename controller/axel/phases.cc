@@ -32,8 +32,8 @@ constexpr std::array kTransitions = {
     Transition{Phase::kRecheck, Event::kGoRecover, Phase::kRecover},
     Transition{Phase::kEnter, Event::kArrived, Phase::kReel},
     Transition{Phase::kReel, Event::kReeledIn, Phase::kConfirm},
-    Transition{Phase::kReel, Event::kStuck, Phase::kRecover},
     Transition{Phase::kConfirm, Event::kSteady, Phase::kDocked},
+    Transition{Phase::kConfirm, Event::kStopsShort, Phase::kReel},
     Transition{Phase::kConfirm, Event::kStuck, Phase::kRecover},
     Transition{Phase::kRight, Event::kArrived, Phase::kTighten},
 };

@@ -31,11 +31,12 @@ enum class Event {
   kGoApproach,
   kGoAlign,
   kGoBackOff,
-  kGoMate,     // aligned
-  kGoRecover,  // misaligned and too near
-  kArrived,    // the move is over, complete or not
-  kReeledIn,   // reeled in as far as asked
-  kStuck,      // it does not go in, or does not stay in
+  kGoMate,      // aligned
+  kGoRecover,   // misaligned and too near
+  kArrived,     // the move is over, complete or not
+  kReeledIn,    // reeled in as far as asked
+  kStopsShort,  // it is not all the way in, and may be with another push
+  kStuck,       // it does not go in, or does not stay in
   kSteady,
   kTurnedOver,  // arm behind the axle, or body upside down
   kLimitReached,
