@@ -22,7 +22,12 @@ Tan Middle(const PixelCorners& c) {
 }  // namespace
 
 float DustShare(const BoardView& board, const Eigen::Vector2f& p_B) {
-  if (board.dust_cover <= 0.0) return 0.0f;
+  double cover = board.dust_cover;
+  for (const DustySpot& spot : board.dusty_spots) {
+    const bool inside = (p_B - spot.p_B.cast<float>()).norm() < static_cast<float>(spot.radius_m);
+    if (inside) cover = std::max(cover, spot.cover);
+  }
+  if (cover <= 0.0) return 0.0f;
   float patches = 0.0f;  // 0 to 1, mean 1/2
   for (const auto& [size_m, part] : {std::pair(0.08f, 0.6f), {0.02f, 0.4f}}) {
     const float x = p_B.x() / size_m, y = p_B.y() / size_m;
@@ -39,7 +44,7 @@ float DustShare(const BoardView& board, const Eigen::Vector2f& p_B) {
     const float low = knot(0, 1) + fx * (knot(1, 1) - knot(0, 1));
     patches += part * (top + fy * (low - top));
   }
-  return std::min(static_cast<float>(board.dust_cover) * (0.5f + patches), 1.0f);
+  return std::min(static_cast<float>(cover) * (0.5f + patches), 1.0f);
 }
 
 BoardShader::BoardShader(const Scene& scene, const Pose3& X_WC, Channel channel)
@@ -186,7 +191,7 @@ void BoardShader::Row(const PixelRow& row, int first, int count, const float* sh
                       float* radiance) const {
   std::uint8_t near[kBoardAtOnce];
   NearMarks(row, first, count, near);
-  const bool dusty = view_.dust_cover > 0.0 && printed_side_;
+  const bool dusty = Dusty();
   for (int i = 0; i < count; ++i) {
     if (dusty || near[i] != 0) {
       radiance[i] = (*this)(row.At(first + i).corners(), shares[i]);
@@ -200,7 +205,7 @@ float BoardShader::operator()(const PixelCorners& corners, float share) const {
   const float ink = InkShare(corners);
   const float clean = (1.0f - ink) * (white_around_ + share * white_sun_) +
                       ink * (black_around_ + share * black_sun_);
-  if (view_.dust_cover <= 0.0 || !printed_side_) return clean;
+  if (!Dusty()) return clean;
   const float dust = DustShare(view_, ToBoard(Middle(corners)));
   return clean + dust * (dust_around_ + share * dust_sun_ - clean);
 }

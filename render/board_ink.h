@@ -32,6 +32,9 @@ class BoardShader {
     float x, y, along_x, along_y;
   };
   Eigen::Vector2f ToBoard(Tan tan) const;
+  bool Dusty() const {
+    return printed_side_ && (view_.dust_cover > 0.0 || !view_.dusty_spots.empty());
+  }
   /// Which of the pixels are so near a mark that they may hold ink: 1, else 0.
   void NearMarks(const PixelRow& row, int first, int count, std::uint8_t* near) const;
   float InkAt(const Mark& mark, const Eigen::Vector2f& p, const Eigen::Vector2f& step_x,

@@ -36,6 +36,13 @@ struct GroundView {
   std::uint64_t texture_seed = 1;
 };
 
+/// A round part of the board that is dustier than the rest.
+struct DustySpot {
+  Eigen::Vector2d p_B{0, 0};
+  double radius_m = 0.0;
+  double cover = 0.0;  // mean share covered, 0 to 0.95
+};
+
 struct BoardView {
   FiducialBoard board;
   Pose3 X_WB;
@@ -44,6 +51,7 @@ struct BoardView {
   double white_albedo = 0.85, black_albedo = 0.05;  // assumed: matt paint, 0.75-0.9 and 0.03-0.08
   // Dust on its face: mean share covered, 0 to 0.6, where it lies, its albedo (that of the soil).
   double dust_cover = 0.0;
+  std::vector<DustySpot> dusty_spots;
   std::uint64_t dust_seed = 1;
   Eigen::Vector3d dust_albedo{0.45, 0.36, 0.28};
 };

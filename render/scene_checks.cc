@@ -36,6 +36,10 @@ void RequireBoard(const BoardView& view) {
   for (const Fiducial& f : board.fiducials) {
     Require(f.p_BF.allFinite() && std::isfinite(f.rotation), "a fiducial is not finite");
   }
+  for (const DustySpot& spot : view.dusty_spots) {
+    Require(spot.p_B.allFinite() && spot.radius_m >= 0.0 && spot.cover >= 0.0 && spot.cover <= 0.95,
+            "dust must cover 0 to 0.95 of a spot");
+  }
   Require(view.dust_cover >= 0.0 && view.dust_cover <= 0.6,
           "dust must cover 0 to 0.6 of the board");
   RequirePose(view.X_WB, "the board's");

@@ -22,6 +22,23 @@ void VisitAxelKeys(Keys& keys, AxelKeys& values) {
                values.tip_angle_rad, Between(0.0, 30.0));
   keys.Number({"board_dust", "", "mean share of the board's face under dust"}, values.board_dust,
               NonNegative(0.6));
+  keys.Mapping({"dirty_marks", "", "marks of the board that are dirtier than the rest of it"},
+               [&](Keys& in) {
+                 in.Integer({"count", "", "how many; which ones, the seed tells"},
+                            values.dirty_marks.count, 0, 64);
+                 in.Number({"dust", "", "mean share of each under dust"}, values.dirty_marks.dust,
+                           NonNegative(0.95));
+               });
+  keys.Mapping(
+      {"station_moved", "", "somebody carries the station aside during the run"}, [&](Keys& in) {
+        StationMove& move = values.station_move;
+        in.Number({"at_s", "s", "when; none: never", Presence::kUnset}, move.at_s,
+                  NonNegative(1e5));
+        in.Number({"forward_m", "m", "the way that it faces"}, move.forward_m, Between(-0.5, 0.5));
+        in.Number({"left_m", "m", "to its left"}, move.left_m, Between(-0.5, 0.5));
+        in.Degrees({"turn_deg", "deg", "to its left, about its mouth"}, move.turn_rad,
+                   Between(-30.0, 30.0));
+      });
   keys.Mapping(
       {"start", "", "how the rover lies at the start, its arm's tip on the ground"}, [&](Keys& in) {
         in.Choice({"arm", "", "the tip ahead of the axle or behind it"}, values.start.arm,
@@ -34,6 +51,8 @@ void VisitAxelKeys(Keys& keys, AxelKeys& values) {
             {"arm_deg", "deg", "arm against the body, tip-down, in place of the body's pitch",
              Presence::kUnset},
             values.start.arm_rad, Between(-180.0, 180.0));
+        in.Number({"rock_m", "m", "height of a rock under the left wheel; 0: none"},
+                  values.start.rock_m, NonNegative(0.3));
       });
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "controller/io/vision_settings.h"
+#include "sim/axel/station_hand.h"
 #include "sim/scenario/keys.h"
 #include "sim/scenario/scenario.h"
 
@@ -18,6 +19,13 @@ struct StartKeys {
   ArmPlace arm = ArmPlace::kLeading;
   double body_pitch_rad = std::numeric_limits<double>::quiet_NaN();  // nose-down positive
   double arm_rad = std::numeric_limits<double>::quiet_NaN();  // against the body, tip-down positive
+  double rock_m = 0.0;  // height of a rock under the left wheel
+};
+
+/// Some of the board's marks are dirtier than the rest.
+struct DirtyMarks {
+  int count = 0;
+  double dust = 0.8;  // mean share of each under dust
 };
 
 struct AxelKeys {
@@ -26,7 +34,9 @@ struct AxelKeys {
   double tip_angle_rad =
       std::numeric_limits<double>::quiet_NaN();  // of the cone; NaN: as in the station's file
   double board_dust = 0.0;                       // mean share of the board's face under dust
+  DirtyMarks dirty_marks{};
   StartKeys start{};
+  StationMove station_move{};
 };
 
 /// Names every key: for reading, and for docs/reference/scenarios.md.

@@ -54,8 +54,8 @@ StageShapes ShapesOf(const Scenario& scenario, const AxelModels& models) {
   const Lighting lighting =
       MakeLighting(scenario.light, X_WD, BoardInDock(built.station).p, scenario.seed, scenario.sun);
   SceneBuilder scene(built.rover, built.station, built.soil, lighting, X_WG, scenario.seed);
-  if (HasRocks(scenario.rocks)) {
-    scene.AddRocks(BuildRocks(scenario, built, MakeGround(scenario.yard, scenario.seed)));
+  if (HasRocks(scenario, models)) {
+    scene.AddRocks(BuildRocks(scenario, models, MakeGround(scenario.yard, scenario.seed)));
   }
   return scene.Shapes();
 }
@@ -78,8 +78,8 @@ std::string Misfit(const RoverModel& rover, const StationModel& station) {
 std::string Check(const Scenario& scenario, const AxelModels& models) {
   CheckImagesCanBeDrawn(models.built.rover.stereo.nominal, scenario.camera_place);
   CheckStationHolds(scenario, models.built.station);
-  if (HasRocks(scenario.rocks)) {
-    BuildRocks(scenario, models.built, MakeGround(scenario.yard, scenario.seed));
+  if (HasRocks(scenario, models)) {
+    BuildRocks(scenario, models, MakeGround(scenario.yard, scenario.seed));
   }
   if (scenario.script.kind != YamlNode::Kind::kNull) ReadScript(scenario.script);
   return models.told.rover.name + " from " + NumberText(scenario.start.r) + " m to " +

@@ -113,6 +113,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   scene.board.p_BH = cutout_.p_B;
   scene.board.hole_radius_m = cutout_.radius_m;
   scene.board.dust_cover = lighting_.board_dust;
+  scene.board.dusty_spots = lighting_.dusty_spots;
   scene.board.dust_seed = texture_seed_;
   scene.board.dust_albedo = soil_rgb_;
   scene.tether.points_W = truth.tether_W;

@@ -21,6 +21,8 @@ constexpr double kRockToSoil = 0.65;
 constexpr double kBesideSole_m = 0.1;
 // Ahead of the arm's tip, as the rover may roll off a paddle while it settles [m].
 constexpr double kAheadOfTip_m = 0.1;
+// Of a rock below a wheel: 1 over 0.375, the field's flattest.
+constexpr double kWidthOfHeight = 1.0 / 0.375;
 
 // The ground below the station, in D.
 struct Footprint {
@@ -55,15 +57,33 @@ void CheckClear(const Scenario& scenario, const ModelSet& models, const Footprin
                     NumberText(scenario.rocks.clear_m));
 }
 
+GivenRock UnderWheel(const Scenario& scenario, const AxelModels& models) {
+  const double height_m = models.keys.start.rock_m;
+  const Eigen::Vector2d p_RL(0.0, 0.5 * models.built.rover.track_m());
+  const Eigen::Vector2d p_DL = FromDockingCoords(scenario.start) * p_RL;
+  GivenRock rock;
+  rock.x_m = p_DL.x();
+  rock.y_m = p_DL.y();
+  rock.diameter_m = kWidthOfHeight * height_m;
+  rock.height_m = height_m;
+  return rock;
+}
+
 }  // namespace
 
-RockBed BuildRocks(const Scenario& scenario, const ModelSet& models, const HeightGrid& ground) {
+bool HasRocks(const Scenario& scenario, const AxelModels& models) {
+  return HasRocks(scenario.rocks) || models.keys.start.rock_m > 0.0;
+}
+
+RockBed BuildRocks(const Scenario& scenario, const AxelModels& models, const HeightGrid& ground) {
   RockBed bed;
-  const RockField& field = scenario.rocks;
-  if (!HasRocks(field)) return bed;
+  RockField field = scenario.rocks;
+  const std::size_t listed = field.given.size();
+  if (models.keys.start.rock_m > 0.0) field.given.push_back(UnderWheel(scenario, models));
+  if (!HasRocks(scenario, models)) return bed;
   bed.friction = field.friction;
-  const Footprint print = FootprintOf(models.station);
-  if (field.cover > 0.0) CheckClear(scenario, models, print);
+  const Footprint print = FootprintOf(models.built.station);
+  if (field.cover > 0.0) CheckClear(scenario, models.built, print);
   const YardModel& yard = scenario.yard;
   const GroundArea area{-kYardBehind_m, yard.length_m - kYardBehind_m, -0.5 * yard.width_m,
                         0.5 * yard.width_m};
@@ -80,7 +100,7 @@ RockBed BuildRocks(const Scenario& scenario, const ModelSet& models, const Heigh
   const Pose2 X_GD = WorldSetup{}.X_GD;
   for (std::size_t i = 0; i < rocks.size(); ++i) {
     const Rock& rock = rocks[i];
-    if (rock.given && print.DistanceTo(rock.p_D) < 0.5 * rock.size.diameter_m) {
+    if (i < listed && print.DistanceTo(rock.p_D) < 0.5 * rock.size.diameter_m) {
       throw ConfigError(scenario.given_rocks.items[i].place.Text() + ": rocks.given[" +
                         std::to_string(i) + "]: expected a rock that is not under the station");
     }

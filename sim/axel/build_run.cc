@@ -132,6 +132,23 @@ void CheckStart(const BuiltRun& run, const Truth& start) {
   throw ConfigError(run.start_place + text);
 }
 
+// Which marks are dirty follows from the seed.
+std::vector<DustySpot> DustyMarks(const DirtyMarks& dirty, const FiducialBoard& board,
+                                  std::uint64_t seed) {
+  std::vector<Fiducial> clean(board.fiducials.begin(), board.fiducials.end());
+  RandomStream pick(StreamKey(seed, "dirty_marks"));
+  std::vector<DustySpot> spots;
+  for (int i = 0; i < dirty.count && !clean.empty(); ++i) {
+    const auto at = std::min(
+        static_cast<std::size_t>(pick.Uniform(0.0, 1.0) * static_cast<double>(clean.size())),
+        clean.size() - 1);
+    spots.push_back(
+        {.p_B = clean[at].p_BF, .radius_m = 0.75 * board.disc_diameter_m, .cover = dirty.dust});
+    clean.erase(clean.begin() + static_cast<std::ptrdiff_t>(at));
+  }
+  return spots;
+}
+
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   BuiltRun run;
   WorldSetup& world = run.world;
@@ -158,7 +175,8 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.X_WG = scenario.X_WG;
   world.slope = SlopeOf(scenario);
   world.X_DR_start = FromDockingCoords(scenario.start);
-  world.rocks = BuildRocks(scenario, models.built, world.ground);
+  world.rocks = BuildRocks(scenario, models, world.ground);
+  world.station_move = models.keys.station_move;
   world.step_s = scenario.physics_step_s;
   if (const std::string part = StartsInRock(world); !part.empty()) {
     throw ConfigError(scenario.rocks_place + ": expected no rock in the rover's " + part +
@@ -172,6 +190,8 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   run.lighting = MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed,
                               scenario.sun);
   run.lighting.board_dust = models.keys.board_dust;
+  run.lighting.dusty_spots =
+      DustyMarks(models.keys.dirty_marks, world.station.board, scenario.seed);
   return run;
 }
 

@@ -95,6 +95,10 @@ void StationBody::AddForce(const Eigen::Vector3d& force_G, const Eigen::Vector3d
   body_->applyForce(ToBullet(force_G), ToBullet(Eigen::Vector3d(p_G - CentreOfMass())));
 }
 
+void StationBody::AddTorque(const Eigen::Vector3d& torque_G) {
+  body_->applyTorque(ToBullet(torque_G));
+}
+
 void StationBody::AddFeetForces(const HeightGrid& ground, double dt_s) {
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     const Eigen::Vector3d p_G = motion_.X_GL * station_.feet[i].p_SF;

@@ -34,6 +34,7 @@ class StationBody {
   const LinkMotion& motion() const { return motion_; }
   Pose3 X_GM() const { return motion_.X_GL * X_SM_; }
   void AddForce(const Eigen::Vector3d& force_G, const Eigen::Vector3d& p_G);
+  void AddTorque(const Eigen::Vector3d& torque_G);
   /// The ground's forces on the feet.
   void AddFeetForces(const HeightGrid& ground, double dt_s);
   /// Speeds after a step under the loads, without contacts; positions stay. Forgets the loads.

@@ -41,7 +41,7 @@ void World::Impl::TellMotion(Truth& truth) const {
   truth.v_MT = TipVelocityInMouth();
   truth.arm_rad = rover_.joint_rad(RoverLink::kArm);
   truth.arm_rate_rad_s = rover_.joint_rad_s(RoverLink::kArm);
-  truth.station_shift_m = (X_GM.p - p_GM_start_).head<2>().norm();
+  truth.station_shift_m = (X_GM.p - p_GM_start_ - hand_.carried_G()).head<2>().norm();
   truth.station_sunk_m = station_.sunk_m();
   truth.rock_force_n = contacts_.rock_force_G().norm();
   truth.rock_force_peak_n = contacts_.rock_force_peak_n();

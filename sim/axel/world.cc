@@ -90,6 +90,7 @@ World::Impl::Impl(WorldSetup setup)
       rover_(setup_.rover, RoverStart(setup_, ground_), setup_.arm_start_rad,
              setup_.add_right_side_first),
       station_(setup_.station, StationStart(setup_, ground_), SoleOf(setup_.station, setup_.soil)),
+      hand_(setup_.station_move),
       contacts_(setup_.station.cone, gravity_G_, rover_, station_),
       drives_(setup_.rover, setup_.arm_start_rad),
       tether_(setup_.rover.tether, setup_.station, setup_.rover.arm_length_m),
@@ -131,6 +132,7 @@ void World::Impl::Settle() {
   drives_.PowerOn(rover_);
   imu_.Start(rover_.motion(RoverLink::kBody));
   contacts_.ForgetRockPeak();
+  settled_ = true;
   p_GM_start_ = station_.X_GM().p;
   if (!tether_tied_) TieTether();
   still_steps_ = 0;
@@ -156,6 +158,7 @@ bool World::Impl::IsStill() const {
 void World::Impl::Step(const std::array<MotorCommand, kMotorCount>& commands) {
   if (commands != last_commands_) still_steps_ = 0;
   last_commands_ = commands;
+  if (settled_ && hand_.Holds(time_s())) still_steps_ = 0;
   if (!at_rest()) Move(commands);
   imu_.Add(rover_.motion(RoverLink::kBody), setup_.step_s);
   ++steps_;
@@ -167,6 +170,7 @@ void World::Impl::Move(const std::array<MotorCommand, kMotorCount>& commands) {
   RollOnSoil();
   rover_ground_.AddForces(ground_, setup_.step_s, rover_);
   station_.AddFeetForces(ground_, setup_.step_s);
+  if (settled_ && hand_.Holds(time_s())) hand_.Hold(time_s(), station_);
   contacts_.Step(setup_.step_s);
   still_steps_ = setup_.may_rest && IsStill() ? still_steps_ + 1 : 0;
 }

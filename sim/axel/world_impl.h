@@ -25,6 +25,7 @@ class World::Impl {
   Truth MakeTruth() const;
   Tick tick() const;
   bool at_rest() const { return still_steps_ >= kRestSteps; }
+  double time_s() const { return static_cast<double>(steps_) * setup_.step_s; }
   const HeightGrid& ground() const { return ground_; }
   ImuSample TakeTrueImu() { return imu_.Take(rover_.motion(RoverLink::kBody), X_WG_); }
   std::uint64_t StateHash(std::uint64_t seed) const;
@@ -62,6 +63,7 @@ class World::Impl {
   HeightGrid ground_;
   RoverBody rover_;
   StationBody station_;
+  StationHand hand_;
   ContactWorld contacts_;
   DriveTrain drives_;
   Tether tether_;
@@ -74,6 +76,7 @@ class World::Impl {
   bool tether_tied_ = false;        // on level ground not before the rover has settled
   double tether_at_start_m_ = 0.0;  // unstretched length out of the arm at power-on
   Eigen::Vector3d p_GM_start_ = Eigen::Vector3d::Zero();
+  bool settled_ = false;
   std::int64_t steps_ = 0;
   int still_steps_ = 0;  // with the last commands
   std::array<MotorCommand, kMotorCount> last_commands_{};

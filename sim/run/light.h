@@ -15,6 +15,7 @@ struct Lighting {
   SunAndSky sun_and_sky;
   std::vector<SceneObject> occluders;  // posed in the world; they stay where they are
   double board_dust = 0.0;             // mean share of the board's face under dust
+  std::vector<DustySpot> dusty_spots;  // of the board, dirtier than the rest
 };
 
 /// @param X_WD   the dock's ground frame in the world, z off the ground: the board faces along its

@@ -82,6 +82,29 @@ TEST(Dust, CoversTheShareAskedForAndStaysWhereItIs) {
   EXPECT_EQ(DustShare(board, {0.1f, 0.1f}), DustShare(board, {0.1f, 0.1f}));
 }
 
+TEST(Dust, SpotIsDustierThanTheRestAndEndsAtItsRim) {
+  BoardView board;
+  board.dust_seed = 5;
+  board.dusty_spots = {{.p_B = {0.2, 0.1}, .radius_m = 0.3, .cover = 0.8}};
+  double sum = 0.0;
+  int count = 0;
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 400; ++x) {
+      const Eigen::Vector2f p_B(-0.8f + 0.004f * x, -0.4f + 0.004f * y);
+      const float share = DustShare(board, p_B);
+      const float away = (p_B - Eigen::Vector2f(0.2f, 0.1f)).norm();
+      if (away > 0.3001f) {
+        EXPECT_EQ(share, 0.0f);
+      } else if (away < 0.2999f) {
+        EXPECT_GE(share, 0.4f);
+        sum += share;
+        ++count;
+      }
+    }
+  }
+  EXPECT_NEAR(sum / count, 0.8, 0.08);
+}
+
 TEST(Dust, LowersTheContrastByItsShare) {
   Scene scene = BoardOnly();
   const StereoRig rig =
