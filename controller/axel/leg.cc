@@ -71,7 +71,7 @@ MotorCommand LegDriver::Spool(const Senses& senses, const Twist& twist) const {
 LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
   const bool forward = follower_.forward();
   Twist twist = follower_.Follow(senses->pose(), forward ? speed_.forward_m_s : speed_.reverse_m_s,
-                                 speed_.steering);
+                                 speed_.steering, senses->side_drift());
   Guard(*senses, forward);
   if (paused_since_) twist = {};
   CommandWheels(nominal_, twist, options_.drive.wheel_accel_rad_s2, commands);

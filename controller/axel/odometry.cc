@@ -8,7 +8,7 @@ namespace dockyard::axel {
 namespace {
 
 struct Turned {
-  double pitch_rad = 0.0, turn_rad = 0.0;
+  double pitch_rad = 0.0, turn_rad = 0.0, roll_rad = 0.0;
 };
 
 // The inertial unit gives the body's rotation between two readings in its own axes. About a slope's
@@ -16,15 +16,17 @@ struct Turned {
 Turned TurnedOnGround(const ImuSample& from, const ImuSample& to, const GroundSlope& ground,
                       double heading_rad) {
   if (ground.level()) {
-    return {WrapPi(AttitudeOf(to).pitch_rad - AttitudeOf(from).pitch_rad),
-            WrapPi(HeadingOf(to) - HeadingOf(from))};
+    const Attitude before = AttitudeOf(from), after = AttitudeOf(to);
+    return {WrapPi(after.pitch_rad - before.pitch_rad), WrapPi(HeadingOf(to) - HeadingOf(from)),
+            WrapPi(after.roll_rad - before.roll_rad)};
   }
   const Attitude before = ground.Against(from, heading_rad);
   const Eigen::Matrix3d R_DR =
       RotZ(heading_rad) * Tilt(before) * RotationOf(from).transpose() * RotationOf(to);
   const double heading_after = ToAxleAttitude(R_DR).heading;
-  return {WrapPi(ground.Against(to, heading_after).pitch_rad - before.pitch_rad),
-          WrapPi(heading_after - heading_rad)};
+  const Attitude after = ground.Against(to, heading_after);
+  return {WrapPi(after.pitch_rad - before.pitch_rad), WrapPi(heading_after - heading_rad),
+          WrapPi(after.roll_rad - before.roll_rad)};
 }
 
 }  // namespace
@@ -47,6 +49,7 @@ Motion Odometer::Read(const SensorFrame& sensed, const GroundSlope& ground, doub
     const Turned turned = TurnedOnGround(last_->imu, now.imu, ground, heading_rad);
     motion.length_m = nominal_.wheel_radius_m * (rolled + turned.pitch_rad);
     motion.turn_rad = turned.turn_rad;
+    motion.lean_m = -nominal_.wheel_radius_m * turned.roll_rad;
   }
   last_ = now;
   return motion;

@@ -20,6 +20,7 @@ double ArmAngle(const Nominal& nominal, const SensorFrame& sensed);
 struct Motion {
   double length_m = 0.0;  // along the heading
   double turn_rad = 0.0;
+  double lean_m = 0.0;  // to the left: a rover that leans over carries its axle along
   bool operator==(const Motion&) const = default;
 };
 

@@ -32,29 +32,33 @@ Pose2 PoseOf(const BoardFix& fix, const Pose3& X_DB) {
 
 struct PoseFilter::Innovation {
   Eigen::Vector3d residual;
-  Eigen::Matrix<double, 3, 4> H;
+  Eigen::Matrix<double, 3, kStates> H;
   Eigen::Matrix3d S;
 };
 
-void PoseFilter::Predict(const Motion& motion, double seconds) {
+void PoseFilter::Predict(const Motion& motion, double seconds, const SideForce& force) {
   if (!located_) return;
-  const Arc arc{motion.length_m, motion.turn_rad};
-  const Pose2 before = pose(), after = Advance(before, arc);
-  Eigen::Matrix4d F = Eigen::Matrix4d::Identity();
-  F(0, 2) = -(after.y - before.y);
-  F(1, 2) = after.x - before.x;
-  const double c = std::cos(before.heading), s = std::sin(before.heading);
   const double way = std::abs(motion.length_m);
-  const double along = Square(noise_.along_m_per_sqrt_m) * way;
-  const double across = Square(noise_.across_m_per_sqrt_m) * way;
-  Eigen::Matrix4d Q = Eigen::Matrix4d::Zero();
-  Q(0, 0) = along * c * c + across * s * s;
-  Q(1, 1) = along * s * s + across * c * c;
-  Q(0, 1) = Q(1, 0) = (along - across) * c * s;
+  const double left = way * side_slip().Drift(force) + motion.lean_m;
+  const Pose2 before = pose(), along = Advance(before, Arc{motion.length_m, motion.turn_rad});
+  const double mean = before.heading + 0.5 * motion.turn_rad;
+  const Eigen::Vector2d to_left(-std::sin(mean), std::cos(mean));
+  const Eigen::Vector2d p = Eigen::Vector2d(along.x, along.y) + left * to_left;
+  Matrix F = Matrix::Identity();
+  F(0, 2) = -(p.y() - before.y);
+  F(1, 2) = p.x() - before.x;
+  F.block<2, 1>(0, 4) = way * force.slope * to_left;
+  F.block<2, 1>(0, 5) = way * force.tether * to_left;
+  const Eigen::Vector2d ahead(std::cos(before.heading), std::sin(before.heading));
+  const Eigen::Vector2d aside(-ahead.y(), ahead.x());
+  Matrix Q = Matrix::Zero();
+  Q.topLeftCorner<2, 2>() = way * (Square(noise_.along_m_per_sqrt_m) * ahead * ahead.transpose() +
+                                   Square(noise_.across_m_per_sqrt_m) * aside * aside.transpose());
   Q(2, 2) =
       Square(noise_.heading_rad_per_sqrt_m) * way + Square(noise_.heading_rad_per_sqrt_s) * seconds;
+  Q(4, 4) = Q(5, 5) = Square(noise_.side_slip_per_sqrt_m) * way;
   P_ = F * P_ * F.transpose() + Q;
-  state_.head<3>() << after.x, after.y, after.heading;
+  state_.head<3>() << p.x(), p.y(), along.heading;
 }
 
 PoseFilter::Innovation PoseFilter::Compare(const BoardFix& fix) const {
@@ -63,9 +67,10 @@ PoseFilter::Innovation PoseFilter::Compare(const BoardFix& fix) const {
   Innovation at;
   at.residual << fix.range_m - range, WrapPi(fix.bearing_rad - (std::atan2(dy, dx) - state_.z())),
       WrapPi(fix.heading_rad - state_.z());
-  at.H << -dx / range, -dy / range, 0.0, 0.0,  //
-      dy / square, -dx / square, -1.0, 0.0,    //
-      0.0, 0.0, 1.0, 0.0;
+  at.H.setZero();
+  at.H.leftCols<3>() << -dx / range, -dy / range, 0.0,  //
+      dy / square, -dx / square, -1.0,                  //
+      0.0, 0.0, 1.0;
   const double sigma_range = noise_.range_floor_m + noise_.range_m_per_m2 * Square(fix.range_m);
   const double sigma_heading =
       noise_.board_heading_floor_rad + noise_.board_heading_rad_per_m * fix.range_m;
@@ -82,20 +87,30 @@ bool PoseFilter::Fits(const BoardFix& fix) const {
   return at.residual.dot(at.S.inverse() * at.residual) <= noise_.gate;
 }
 
+// A change of the states, and the share of their errors that is left.
+void PoseFilter::Take(const Vector& change, const Matrix& kept) {
+  state_ += change;
+  state_.z() = WrapPi(state_.z());
+  // Beyond this a sighting was wrong: side forces neither push uphill nor move a wheel like ice.
+  constexpr double kMostSideSlip = 2.5;
+  state_.tail<2>() = state_.tail<2>().cwiseMax(0.0).cwiseMin(kMostSideSlip);
+  P_ = (kept * P_).eval();
+  P_ = (0.5 * (P_ + P_.transpose())).eval();
+}
+
 void PoseFilter::Correct(const BoardFix& fix) {
   if (!located_) return Restart(fix);
   const Innovation at = Compare(fix);
-  const Eigen::Matrix<double, 4, 3> K = P_ * at.H.transpose() * at.S.inverse();
-  state_ += K * at.residual;
-  state_.z() = WrapPi(state_.z());
-  P_ = (Eigen::Matrix4d::Identity() - K * at.H) * P_;
-  P_ = (0.5 * (P_ + P_.transpose())).eval();
+  const Eigen::Matrix<double, kStates, 3> K = P_ * at.H.transpose() * at.S.inverse();
+  Take(K * at.residual, Matrix::Identity() - K * at.H);
 }
 
 void PoseFilter::Restart(const BoardFix& fix) {
   const Pose2 pose = PoseOf(fix, X_DB_);
-  state_ << pose.x, pose.y, pose.heading, 0.0;
-  P_ = Eigen::Vector4d(kUnknown, kUnknown, kUnknown, kUnknown).asDiagonal();
+  state_.head<4>() << pose.x, pose.y, pose.heading, 0.0;
+  const Eigen::Matrix2d slip = P_.bottomRightCorner<2, 2>();
+  P_ = kUnknown * Matrix::Identity();
+  P_.bottomRightCorner<2, 2>() = slip;
   located_ = true;
   Correct(fix);
 }
@@ -103,16 +118,13 @@ void PoseFilter::Restart(const BoardFix& fix) {
 void PoseFilter::CorrectByTether(double reeled_m, double elevation_rad) {
   if (!located_) return;
   const double expected = ExposedTether(geometry_, pose(), elevation_rad);
-  Eigen::RowVector4d H;
-  H << -ExposedTetherSlope(geometry_, pose(), elevation_rad).transpose(), 1.0;
+  Eigen::Matrix<double, 1, kStates> H = Eigen::Matrix<double, 1, kStates>::Zero();
+  H.leftCols<4>() << -ExposedTetherSlope(geometry_, pose(), elevation_rad).transpose(), 1.0;
   // Measured: the drum's count. Whole length less drum less path should be zero.
   const double residual = -(state_(3) - reeled_m - expected);
   const double S = H * P_ * H.transpose() + Square(noise_.tether_m);
-  const Eigen::Vector4d K = P_ * H.transpose() / S;
-  state_ += K * residual;
-  state_.z() = WrapPi(state_.z());
-  P_ = ((Eigen::Matrix4d::Identity() - K * H) * P_).eval();
-  P_ = (0.5 * (P_ + P_.transpose())).eval();
+  const Vector K = P_ * H.transpose() / S;
+  Take(K * residual, Matrix::Identity() - K * H);
 }
 
 }  // namespace dockyard::axel

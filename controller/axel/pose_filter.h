@@ -1,7 +1,9 @@
 // The rover's pose in the dock frame, by an extended Kalman filter (Kalman 1960; Thrun, Burgard and
-// Fox, Probabilistic Robotics, 2005, ch. 7). Its states are x, y, heading and the tether's whole
-// length. Odometry, sightings of the board and the taut tether feed it. The tether measures the
-// distance to the station, however much the wheels slip.
+// Fox, Probabilistic Robotics, 2005, ch. 7). Its states are x, y, heading, the tether's whole
+// length and the two coefficients of sideways slip. Odometry, sightings of the board and the taut
+// tether feed it. The tether measures the distance to the station, however much the wheels slip.
+// Sightings after a way teach the sideways slip, as the rover ends beside where it was reckoned to
+// be.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,6 +11,7 @@
 
 #include "controller/axel/ground_slope.h"
 #include "controller/axel/odometry.h"
+#include "controller/axel/side_slip.h"
 #include "controller/axel/tether_length.h"
 #include "controller/geometry/pose.h"
 #include "controller/io/sensors.h"
@@ -19,7 +22,15 @@ namespace dockyard::axel {
 struct FilterNoise {
   // Wheels slip 0-25 % under the tether's pull, assumed; 0.1 m per metre is the middle.
   double along_m_per_sqrt_m = 0.10;
-  double across_m_per_sqrt_m = 0.04;       // scrubbing sideways; assumed, range 0.02-0.08
+  // What side forces do not tell of scrubbing sideways; assumed, range 0.01-0.04.
+  double across_m_per_sqrt_m = 0.02;
+  // Sideways slip before it is learned, and its change on the way. A wheel under a side force runs
+  // at a slip angle, in radians, of about the force over the load (grip of 0.65-0.8 within 0.5-0.8
+  // rad). Assumed, 0.5-1.8.
+  SideSlip side_slip{};
+  double side_slip_sigma = 0.4;            // assumed, 0.2-0.6
+  double side_slip_per_sqrt_m = 0.03;      // soil changes from place to place; assumed, 0.01-0.1
+  double weight_n = 390.0;                 // of the rover, for side forces; assumed, 250-590
   double heading_rad_per_sqrt_m = 0.005;   // inertial yaw while driving; assumed, 0.002-0.01
   double heading_rad_per_sqrt_s = 0.0002;  // yaw drift at rest; assumed, 0.0001-0.0005
   // Tsai et al., V-E: 0.20 m at 5 m, growing as the square of the range.
@@ -52,7 +63,10 @@ Pose2 PoseOf(const BoardFix& fix, const Pose3& X_DB);
 class PoseFilter {
  public:
   PoseFilter(const FilterNoise& noise, const TetherGeometry& geometry, const Pose3& X_DB)
-      : noise_(noise), geometry_(geometry), X_DB_(X_DB) {}
+      : noise_(noise), geometry_(geometry), X_DB_(X_DB) {
+    state_.tail<2>() << noise.side_slip.slope, noise.side_slip.tether;
+    P_.bottomRightCorner<2, 2>() *= noise.side_slip_sigma * noise.side_slip_sigma;
+  }
 
   bool located() const { return located_; }
   Pose2 pose() const { return {state_.x(), state_.y(), state_.z()}; }
@@ -61,7 +75,8 @@ class PoseFilter {
   /// Whether the tether's whole length has been estimated yet.
   bool TetherKnown() const { return located_ && P_(3, 3) < 1.0; }
 
-  void Predict(const Motion& motion, double seconds);
+  void Predict(const Motion& motion, double seconds, const SideForce& force = {});
+  SideSlip side_slip() const { return {state_(4), state_(5)}; }
   /// Whether the fix agrees with the estimate; true before the first.
   bool Fits(const BoardFix& fix) const;
   void Correct(const BoardFix& fix);
@@ -72,15 +87,19 @@ class PoseFilter {
   void CorrectByTether(double reeled_m, double elevation_rad);
 
  private:
+  static constexpr int kStates = 6;
+  using Vector = Eigen::Matrix<double, kStates, 1>;
+  using Matrix = Eigen::Matrix<double, kStates, kStates>;
   struct Innovation;
   Innovation Compare(const BoardFix& fix) const;
+  void Take(const Vector& change, const Matrix& kept);
 
   FilterNoise noise_;
   TetherGeometry geometry_;
   Pose3 X_DB_;
   bool located_ = false;
-  Eigen::Vector4d state_ = Eigen::Vector4d::Zero();  // x, y, heading, whole tether
-  Eigen::Matrix4d P_ = Eigen::Matrix4d::Identity();
+  Vector state_ = Vector::Zero();  // x, y, heading, whole tether, sideways slip
+  Matrix P_ = Matrix::Identity();
 };
 
 }  // namespace dockyard::axel

@@ -1,10 +1,18 @@
 #include "controller/axel/senses.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "controller/axel/drive.h"
 
 namespace dockyard::axel {
+namespace {
+
+// Paddles roll and pitch the rover by the step, a third of a metre: the drift to steer against is
+// its mean. Assumed, 0.5-3 s.
+constexpr double kForceSeconds = 1.0;
+
+}  // namespace
 
 Tick StillWatch::Still(Tick now, double value) {
   if (!anchor_ || std::abs(value - anchor_->value) > band_) anchor_ = Anchor{value, now};
@@ -14,14 +22,17 @@ Tick StillWatch::Still(Tick now, double value) {
 Senses::Senses(const Nominal& nominal, const AxelOptions& options)
     : nominal_(nominal),
       tether_(options.tether),
+      geometry_(TetherGeometryOf(nominal)),
+      weight_n_(options.noise.weight_n),
       odometer_(nominal),
-      filter_(options.noise, TetherGeometryOf(nominal), nominal.X_DB) {}
+      filter_(options.noise, geometry_, nominal.X_DB) {}
 
 void Senses::Update(const SensorFrame& sensed) {
   const double seconds = started_ ? kTickSeconds * static_cast<double>(sensed.tick - now_) : 0.0;
   now_ = sensed.tick;
   imu_ = sensed.imu;
   arm_rad_ = ArmAngle(nominal_, sensed);
+  const double reeled_before_m = reeled_m_;
   reeled_m_ = nominal_.drum_radius_m * (MotorAngle(nominal_, sensed, Motor::kSpool) -
                                         MotorAngle(nominal_, sensed, Motor::kArm));
   const double current = sensed.motors[static_cast<std::size_t>(Motor::kSpool)].current_a;
@@ -29,9 +40,21 @@ void Senses::Update(const SensorFrame& sensed) {
   spool_current_a_ += share * (current - spool_current_a_);
   const Motion motion = odometer_.Read(sensed, ground_, filter_.pose().heading);
   rolled_m_ += motion.length_m;
-  filter_.Predict(motion, seconds);
+  const SideForce force = SideForceNow(reeled_m_ < reeled_before_m);
+  filter_.Predict(motion, seconds, force);
+  const double force_share = started_ ? 1.0 - std::exp(-seconds / kForceSeconds) : 1.0;
+  force_.slope += force_share * (force.slope - force_.slope);
+  force_.tether += force_share * (force.tether - force_.tether);
   attitude_ = ground_.Against(imu_, filter_.pose().heading);
   started_ = true;
+}
+
+// The gears take their friction from the motor's pull, or add it while the tether is dragged out.
+SideForce Senses::SideForceNow(bool pays_out) const {
+  const double friction_n = pays_out ? nominal_.spool_friction_n : -nominal_.spool_friction_n;
+  const double tension_n = TensionFromCurrent(nominal_, spool_current_a_);
+  const double tether_n = tension_n > 0.0 ? std::max(0.0, tension_n + friction_n) : 0.0;
+  return SideForceOn(imu_, geometry_, filter_.pose(), tether_n, weight_n_);
 }
 
 void Senses::SetGround(const GroundSlope& ground) {

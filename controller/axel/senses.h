@@ -8,6 +8,7 @@
 #include "controller/axel/odometry.h"
 #include "controller/axel/options.h"
 #include "controller/axel/pose_filter.h"
+#include "controller/axel/side_slip.h"
 
 namespace dockyard::axel {
 
@@ -53,6 +54,8 @@ class Senses {
   double reeled_m() const { return reeled_m_; }
   double rolled_m() const { return rolled_m_; }                // along the heading since power-on
   double spool_current_a() const { return spool_current_a_; }  // low-passed
+  /// Sideways way to the left for each metre of way, by the side forces of the last second.
+  double side_drift() const { return filter_.side_slip().Drift(force_); }
   const PoseFilter& filter() const { return filter_; }
   PoseFilter& filter() { return filter_; }
   Pose2 pose() const { return filter_.pose(); }
@@ -64,12 +67,17 @@ class Senses {
   void UseTether(double tension_n);
 
  private:
+  SideForce SideForceNow(bool pays_out) const;
+
   Nominal nominal_;
   TetherOptions tether_;
+  TetherGeometry geometry_;
+  double weight_n_;
   Odometer odometer_;
   PoseFilter filter_;
   GroundSlope ground_;
   Attitude attitude_;
+  SideForce force_{};  // low-passed
   bool started_ = false;
   Tick now_ = 0, last_tether_fix_ = 0;
   ImuSample imu_{};

@@ -33,7 +33,8 @@ double PathFollower::Remaining() const {
   return done() ? 0.0 : std::max(0.0, left);
 }
 
-Twist PathFollower::Follow(const Pose2& X_DR, double speed_m_s, const Steering& steering) {
+Twist PathFollower::Follow(const Pose2& X_DR, double speed_m_s, const Steering& steering,
+                           double drift) {
   while (!done()) {
     const Arc& arc = arcs_[current_];
     const double direction = arc.length_m < 0.0 ? -1.0 : 1.0;
@@ -46,7 +47,8 @@ Twist PathFollower::Follow(const Pose2& X_DR, double speed_m_s, const Steering& 
     }
     const Pose2 error = Inverse(Reference()) * X_DR;
     const double v = direction * speed_m_s, s = steering.settle_m;
-    const double turn = v * arc.turn_rad / arc.length_m - 2.0 * std::abs(v) / s * error.heading -
+    const double turn = v * arc.turn_rad / arc.length_m -
+                        2.0 * std::abs(v) / s * (error.heading + direction * drift) -
                         v / (s * s) * error.y;
     return {v, std::clamp(turn, -steering.max_turn_rad_s, steering.max_turn_rad_s)};
   }

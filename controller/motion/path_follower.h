@@ -22,14 +22,16 @@ struct Steering {
 
 /// Follows a path of arcs in D from any pose of the rover: progress by projection onto the path,
 /// steering by offset and heading error. The same law forwards and backwards:
-///   turn = v k - 2|v|/s e_heading - v/s^2 e_left,   s = settle_m.
+///   turn = v k - 2|v|/s (e_heading + d sign v) - v/s^2 e_left,   s = settle_m.
+/// A rover that drifts sideways by d of its way keeps to the path at a heading beside it.
 class PathFollower {
  public:
   PathFollower(const Pose2& X_DR_start, std::vector<Arc> arcs);
 
   /// Moves the progress to X_DR and returns the twist at this speed (>= 0; the arc gives the sign).
   /// Zero when done.
-  Twist Follow(const Pose2& X_DR, double speed_m_s, const Steering& steering);
+  /// drift: sideways way to the rover's left for each metre driven.
+  Twist Follow(const Pose2& X_DR, double speed_m_s, const Steering& steering, double drift = 0.0);
   bool done() const { return current_ >= arcs_.size(); }
   double Remaining() const;  // distance left [m]
   bool forward() const { return !done() && arcs_[current_].length_m >= 0.0; }

@@ -46,6 +46,30 @@ TEST(PathFollower, SteersBackBackwards) {
   EXPECT_THAT(end.y, DoubleNear(0.0, 0.005));
 }
 
+// Drives 3 m of a straight path while it drifts to its left by this share of the way; how far it is
+// then beside the path.
+double BesideAfterDrifting(double length_m, double drift, double told_drift) {
+  PathFollower follower({}, {{length_m, 0.0}});
+  Pose2 at{};
+  for (int i = 0; i < 100'000 && !follower.done(); ++i) {
+    const Twist twist =
+        follower.Follow(at, 0.05, {.settle_m = 0.5, .max_turn_rad_s = 0.2}, told_drift);
+    const double way_m = twist.speed_m_s * 0.02;
+    at =
+        Advance(at, Arc{way_m, twist.turn_rad_s * 0.02}) * Pose2{0.0, drift * std::abs(way_m), 0.0};
+  }
+  return at.y;
+}
+
+TEST(PathFollower, KeepsToThePathWhileItDriftsAsToldForwardsAndBackwards) {
+  for (const double length_m : {3.0, -3.0}) {
+    EXPECT_THAT(BesideAfterDrifting(length_m, 0.1, 0.1), DoubleNear(0.0, 0.005));
+    // Untold, the heading that holds the drift costs an offset of 2 s d.
+    const double untold_m = BesideAfterDrifting(length_m, 0.1, 0.0);
+    EXPECT_THAT(untold_m, DoubleNear(2.0 * 0.5 * 0.1, 0.01));
+  }
+}
+
 TEST(PathFollower, GoesForwardsThenBackwards) {
   const Pose2 end = FollowToTheEnd({{1.0, 0.5}, {-0.7, 0.3}}, {});
   const Pose2 goal = Advance({}, std::vector<Arc>{{1.0, 0.5}, {-0.7, 0.3}});
@@ -102,6 +126,15 @@ TEST(Odometer, RollsItsRadiusTimesTheAngle) {
   const Motion motion = Read(&odometer, Frame(1.0, 2.0, 0, 0.3));
   EXPECT_THAT(motion.length_m, DoubleNear(0.45, 1e-12));
   EXPECT_THAT(motion.turn_rad, DoubleNear(0.3, 1e-12));
+}
+
+TEST(Odometer, MovesSidewaysByItsHeightTimesTheRoll) {
+  const Nominal nominal = TestNominal();
+  Odometer odometer(nominal);
+  SensorFrame frame = StillFrame();
+  odometer.Read(frame, {}, 0.0);
+  frame.imu.roll_rad = 0.01;  // left side up: the axle moves to the right
+  EXPECT_THAT(odometer.Read(frame, {}, 0.0).lean_m, DoubleNear(-0.003, 1e-9));
 }
 
 TEST(Odometer, StandsStillWhenOnlyTheBodyPitches) {

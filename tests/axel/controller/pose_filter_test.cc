@@ -108,5 +108,58 @@ TEST_F(Filter, ALookFromAnotherPlaceDoesNotFit) {
   EXPECT_FALSE(filter_.Fits(wrong));
 }
 
+// Drives legs across a slope of 6 % with a sighting after each, slipping downhill by this much more
+// than the force's share; what the filter believes of the slip.
+SideSlip LearnedFrom(PoseFilter* filter, const Pose3& X_DB, double true_slip) {
+  const SideForce force{-0.06, 0.0};
+  Pose2 at = FromDockingCoords({6.0, 0.0, 0.0});
+  filter->Correct(TrueFix(at, X_DB));
+  for (int leg = 0; leg < 3; ++leg) {
+    for (int i = 0; i < 140; ++i) {
+      at = Advance(at, Arc{0.01, 0.0}) * Pose2{0.0, 0.01 * true_slip * force.slope, 0.0};
+      filter->Predict({0.01, 0.0}, 0.2, force);
+    }
+    filter->Correct(TrueFix(at, X_DB));
+  }
+  return filter->side_slip();
+}
+
+TEST_F(Filter, LearnsTheSideSlipFromWhereSightingsFindIt) {
+  for (const double true_slip : {0.5, 1.0, 1.6}) {
+    PoseFilter filter{FilterNoise{}, tether_, nominal_.X_DB};
+    const SideSlip learned = LearnedFrom(&filter, nominal_.X_DB, true_slip);
+    // Most of the way from what is assumed.
+    const double assumed = FilterNoise{}.side_slip.slope;
+    EXPECT_THAT(learned.slope, DoubleNear(true_slip, 0.4 * std::abs(true_slip - assumed) + 0.02));
+    EXPECT_THAT(learned.tether, DoubleNear(FilterNoise{}.side_slip.tether, 1e-9));
+  }
+}
+
+TEST_F(Filter, DriftsByTheSideForceAndTheLean) {
+  filter_.Correct(TrueFix(start_, nominal_.X_DB));
+  filter_.Predict({1.0, 0.0, 0.01}, 20.0, {-0.05, 0.02});
+  const FilterNoise noise;
+  const double left_m = -0.05 * noise.side_slip.slope + 0.02 * noise.side_slip.tether + 0.01;
+  const Pose2 moved = Inverse(start_) * filter_.pose();
+  EXPECT_THAT(moved.x, DoubleNear(1.0, 1e-6));
+  EXPECT_THAT(moved.y, DoubleNear(left_m, 1e-6));
+}
+
+// Facing the station on its axis, the left is -y of D. A tether from straight ahead has no share
+// across the arm.
+TEST_F(Filter, SideForcesPushDownhillAndTowardsTheMouth) {
+  ImuSample imu;
+  imu.roll_rad = 0.1;  // left side up
+  const SideForce on_axis = SideForceOn(imu, tether_, {3.0, 0.0, kPi}, 40.0, 400.0);
+  EXPECT_THAT(on_axis.slope, DoubleNear(-std::sin(0.1), 1e-12));
+  EXPECT_THAT(on_axis.tether, DoubleNear(0.0, 1e-12));
+  // The mouth lies 45 deg to the right of the arm.
+  const double to_mouth = std::atan2(-1.0, tether_.p_DQ.x() - 2.0);
+  const Pose2 aside = {2.0 - std::cos(to_mouth + 0.25 * kPi), 1.0 - std::sin(to_mouth + 0.25 * kPi),
+                       WrapPi(to_mouth + 0.25 * kPi)};
+  EXPECT_THAT(SideForceOn(imu, tether_, aside, 40.0, 400.0).tether,
+              DoubleNear(-0.1 * std::sqrt(0.5), 1e-9));
+}
+
 }  // namespace
 }  // namespace dockyard::axel
