@@ -58,6 +58,12 @@ void LegDriver::Guard(const Senses& senses, bool forward) {
   }
 }
 
+Pose2 LegDriver::Beside(const Pose2& X_DR, double drift) const {
+  Pose2 beside = Inverse(follower_.Reference()) * X_DR;
+  beside.heading += follower_.forward() ? drift : -drift;
+  return beside;
+}
+
 MotorCommand LegDriver::Spool(const Senses& senses, const Twist& twist) const {
   const TetherOptions& tether = options_.tether;
   const double shorten = -ExposedTetherRate(tether_, senses.pose(), senses.elevation_rad(),

@@ -45,6 +45,10 @@ class LegDriver {
 
   /// Sets the commands of wheels and spool. Corrects the pose in `senses` by the taut tether.
   Status Drive(Senses* senses, Commands* commands);
+  double Remaining() const { return follower_.Remaining(); }  // [m]
+  /// The rover against its place on the path: offset to the left, and heading beside the one that
+  /// holds it there while it drifts.
+  Pose2 Beside(const Pose2& X_DR, double drift) const;
   bool paused() const { return paused_since_.has_value(); }
 
  private:

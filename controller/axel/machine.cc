@@ -5,10 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "controller/axel/leg.h"
+#include "controller/axel/driving.h"
 #include "controller/axel/mating.h"
 #include "controller/axel/phases.h"
-#include "controller/axel/planner.h"
 #include "controller/axel/righting.h"
 #include "controller/axel/search.h"
 #include "controller/axel/senses.h"
@@ -36,8 +35,8 @@ class AxelMachine final : public Controller {
       : nominal_(nominal),
         options_(options),
         locator_(std::move(locator)),
-        geometry_(PlanGeometryOf(nominal)),
         senses_(nominal, options),
+        driving_(nominal, options),
         arm_(nominal, options.arm),
         righting_(nominal, options.righting),
         reel_in_(nominal, options),
@@ -103,15 +102,13 @@ class AxelMachine final : public Controller {
 
   void Change(Event event);
   void Enter(Phase phase);
-  void StartLeg();
-  void PutPlan(const std::vector<Arc>& plan, const Pose2& start);
   void FillBelief();
 
   const Nominal nominal_;
   const AxelOptions options_;
   const Locator locator_;
-  const PlanGeometry geometry_;
   Senses senses_;
+  Driving driving_;
   ArmLevel arm_;
   Righting righting_;
   ReelIn reel_in_;
@@ -125,7 +122,7 @@ class AxelMachine final : public Controller {
   double reeled_at_entry_m_ = 0.0, yaw_at_entry_rad_ = 0.0;
   double rolled_before_m_ = 0.0;  // when the wheels were freed
   Belief belief_;
-  int recoveries_ = 0, rightings_ = 0;
+  int rightings_ = 0;
   std::optional<Tick> over_since_;  // turned over
 
   // Tightening.
@@ -138,11 +135,6 @@ class AxelMachine final : public Controller {
   // Searching.
   int attempts_ = 0;
   std::optional<SearchAction> search_;
-  // Driving.
-  Pose2 leg_start_{};
-  std::vector<Arc> leg_;
-  std::optional<LegDriver> driver_;
-  PlanHistory history_;
   // Confirming: when the spool was braked, where it stood, and what the picture then shows.
   struct Braked {
     Tick since = 0;
@@ -274,41 +266,29 @@ std::optional<Event> AxelMachine::Judge(const StereoImages& images) {
 }
 
 Event AxelMachine::AfterSighting() {
-  Decision decision = Decide(geometry_, options_, senses_.pose(), history_);
-  if (decision.event == Event::kGoRecover) return Recover(Event::kGoRecover, "misaligned");
-  leg_ = std::move(decision.leg);
-  leg_start_ = senses_.pose();
-  if (decision.event == Event::kGoMate) leg_start_ = {leg_start_.x, 0.0, kPi};
-  PutPlan(decision.plan, leg_start_);
-  return belief_.plan_count > options_.limit.plans ? Event::kLimitReached : decision.event;
+  const Event event = driving_.PlanNext(senses_);
+  if (event == Event::kGoRecover) return Recover(event, "misaligned");
+  return driving_.legs() > options_.limit.plans ? Event::kLimitReached : event;
 }
 
 Event AxelMachine::AtTheMouth() {
-  if (!Aligned(geometry_, options_.mate, senses_.pose()))
-    return Recover(Event::kGoRecover, "misaligned at the mouth");
-  const double gap = TipOf(geometry_, senses_.pose()).gap_m;
-  leg_start_ = {senses_.pose().x, 0.0, kPi};
-  leg_ = {{std::max(0.0, gap - options_.mate.enter_gap_m), 0.0}};
-  PutPlan(leg_, leg_start_);
-  return Event::kGoMate;
+  if (driving_.PlanEntry(senses_)) return Event::kGoMate;
+  return Recover(Event::kGoRecover, "misaligned at the mouth");
 }
 
 Event AxelMachine::Recover(Event event, const std::string& why) {
   belief_.note = why;
-  if (recoveries_ >= options_.limit.recoveries) return Event::kLimitReached;
-  ++recoveries_;
-  leg_start_ = senses_.pose();
-  leg_ = PlanRecovery(geometry_, options_, leg_start_);
-  PutPlan(leg_, leg_start_);
+  if (driving_.recoveries() >= options_.limit.recoveries) return Event::kLimitReached;
+  driving_.PlanBack(senses_);
   return event;
 }
 
 std::optional<Event> AxelMachine::Drive(Commands* commands) {
-  const LegDriver::Status status = driver_->Drive(&senses_, commands);
+  const LegDriver::Status status = driving_.Drive(&senses_, commands);
   // A body far from level is tumbling: the arm motor could only make it worse.
-  const bool may_level = !driver_->paused() && std::abs(senses_.pitch_rad()) < Radians(45.0);
+  const bool may_level = !driving_.paused() && std::abs(senses_.pitch_rad()) < Radians(45.0);
   if (may_level) arm_.Level(senses_);
-  if (driver_->paused()) belief_.note = "arm lifted: reeling in";
+  if (driving_.paused()) belief_.note = "arm lifted: reeling in";
   if (status == LegDriver::Status::kUnderWay) return std::nullopt;
   if (status == LegDriver::Status::kFellShort) belief_.note = "leg fell short";
   return Event::kArrived;
@@ -344,16 +324,15 @@ std::optional<Event> AxelMachine::TurnBack(Commands* commands) {
 }
 
 void AxelMachine::BeginSearch() {
+  const PlanGeometry& geometry = driving_.geometry();
   const SearchKnowledge known{
-      senses_.filter().located(), SeesBoard(geometry_, options_.look, senses_.pose()),
-      BoardBearing(geometry_, senses_.pose()), TipOf(geometry_, senses_.pose()).gap_m};
+      senses_.filter().located(), SeesBoard(geometry, options_.look, senses_.pose()),
+      BoardBearing(geometry, senses_.pose()), TipOf(geometry, senses_.pose()).gap_m};
   search_ = NextSearchAction(attempts_++, known, options_.search);
   if (!search_ || search_->move != SearchMove::kAdvance) return;
-  leg_start_ = senses_.pose();
-  const std::vector<Arc> plan = PlanToAxis(geometry_, options_, leg_start_);
-  leg_ = Truncate(plan, search_->amount);
-  PutPlan(plan, leg_start_);
-  StartLeg();
+  driving_.PlanAhead(senses_, search_->amount);
+  const DriveOptions& drive = options_.drive;
+  driving_.Start({drive.approach_m_s, drive.reverse_m_s, drive.steering}, senses_.now());
 }
 
 std::optional<Event> AxelMachine::Search(Commands* commands) {
@@ -456,15 +435,9 @@ void AxelMachine::Enter(Phase phase) {
   if (phase == Phase::kReel && phase_ == Phase::kConfirm) {
     reel_in_.Wiggle(senses_);
   } else if (phase == Phase::kReel) {
-    reel_in_.Begin(senses_, TipOf(geometry_, senses_.pose()).gap_m);
+    reel_in_.Begin(senses_, TipOf(driving_.geometry(), senses_.pose()).gap_m);
   }
   phase_ = phase;
-  if (phase == Phase::kBackOff) ++history_.back_offs;
-  if (phase == Phase::kApproach || phase == Phase::kAlign || phase == Phase::kBackOff) {
-    history_.under_way = true;
-  } else if (phase == Phase::kRecover || phase == Phase::kSearch || phase == Phase::kRight) {
-    history_.under_way = false;
-  }
   entered_ = look_from_ = senses_.now();
   reeled_at_entry_m_ = senses_.reeled_m();
   yaw_at_entry_rad_ = senses_.yaw_rad();
@@ -473,39 +446,24 @@ void AxelMachine::Enter(Phase phase) {
   rolled_before_m_ = senses_.rolled_m();
   asked_at_.reset();
   asks_ = 0;
-  driver_.reset();
+  driving_.Enter(phase, senses_);
   braked_.reset();
   if (phase != Phase::kLook) taut_ = false;
   if (phase == Phase::kLook || phase == Phase::kRecheck) judge_.NewStop();
   if (phase == Phase::kSearch) BeginSearch();
   if (phase == Phase::kRight) righting_.Begin(senses_);
-  const bool drives = phase == Phase::kApproach || phase == Phase::kAlign ||
-                      phase == Phase::kBackOff || phase == Phase::kRecover ||
-                      phase == Phase::kMate || phase == Phase::kEnter;
-  if (drives) StartLeg();
-}
-
-void AxelMachine::StartLeg() {
-  const DriveOptions& drive = options_.drive;
-  LegDriver::Speed speed{drive.approach_m_s, drive.reverse_m_s, drive.steering};
-  if (phase_ == Phase::kMate || phase_ == Phase::kEnter)
-    speed = {drive.mate_m_s, drive.mate_m_s, drive.fine_steering};
-  driver_.emplace(nominal_, options_, leg_start_, leg_, speed, senses_.now());
-}
-
-void AxelMachine::PutPlan(const std::vector<Arc>& plan, const Pose2& start) {
-  belief_.plan = Planned(plan, start);
-  ++belief_.plan_count;
 }
 
 void AxelMachine::FillBelief() {
   belief_.phase = Name(phase_);
   belief_.located = senses_.filter().located();
   belief_.X_DR = senses_.pose();
+  belief_.plan = driving_.plan();
+  belief_.plan_count = driving_.plan_count();
   // Estimated: arm tip to anchor.
   belief_.values[0].value =
       belief_.located ? senses_.filter().ExposedLength(senses_.reeled_m()) : 0.0;
-  belief_.values[1].value = recoveries_;
+  belief_.values[1].value = driving_.recoveries();
   belief_.values[2].value = rightings_;
 }
 

@@ -81,11 +81,15 @@ struct PlanOptions {
   // Arm tip before the mouth at the alignment goal: board still within the lens with +-27 deg.
   double align_gap_m = 0.30;
   double align_tolerance_m = 0.12;  // counts as arrived; 3 % of a leg's slip and 2.5 cm of vision
-  double recover_gap_m = 1.40;      // axle at 2.4 m: room for +-0.4 m of offset; assumed, 1.0-2.0
-  double max_curvature = 0.7;       // [1/m] of a new plan; assumed, 0.5-1
-  double hold_curvature = 1.2;      // of its rest; tighter arcs only skid on loose soil; 1-1.5
+  double near_gap_m = 0.20;  // the goal of a rest that does not reach it: a hand's breadth nearer
+  double recover_gap_m = 1.20;  // axle at 2.2 m: room for +-0.3 m of offset; assumed, 1.0-2.0
+  double recover_step_m = 0.3;  // each recovery goes farther back than the last; assumed, 0.2-1
+  double max_curvature = 0.7;   // [1/m] of a new plan; assumed, 0.5-1
+  double hold_curvature = 1.2;  // of its rest; tighter arcs only skid on loose soil; 1-1.5
   double max_recover_curvature = 1.5;
-  int curvatures = 20;        // per side
+  // Pairs of arcs that are tried, by even splits of their chords: forwards, and behind each
+  // back-off.
+  int splits = 48, back_splits = 24;
   double turn_cost_m = 0.6;   // a radian of turning in metres of way; assumed, 0.3-1.5
   double reverse_cost = 1.4;  // a metre backwards in metres; assumed, 1-2
   double unseen_cost = 0.35;  // added to a metre with the board out of view; assumed, 0-1
@@ -94,12 +98,18 @@ struct PlanOptions {
   double tether_angle_rad = Radians(45.0);
   double tether_angle_cost = 1.0;  // a metre at one radian more, in metres
   double back_step_m = 0.5, back_limit_m = 3.5;
-  double back_turn_rad = Radians(10.0);
-  int back_turns = 4;                       // per side: to +-40 deg
+  int back_turns = 3;                       // curvatures of a back-off, per side
   double max_range_m = 5.5;                 // marks are made for 5 m (Tsai et al., III-A)
   double min_tip_gap_m = 0.15;              // no part of a plan brings the tip nearer than this
   double leg_min_m = 0.7, leg_max_m = 1.4;  // then a new image pair; about a quarter of 4 m
   double leg_turn_rad = Radians(25.0);
+  double leg_error_m = 0.05;  // belief off to a side at a leg's end, in one of ten; 0.03-0.1
+  double leg_stretch = 1.6;   // a leg whose rest would be lost by that is longer; assumed, 1-2
+  // While driving: an offset or a heading that would be left at the plan's end makes a new plan, if
+  // it lasts, not sooner than after this way on the old one. Assumed, 0.02-0.05 m, 2-5 deg, 0.3-1
+  // m.
+  double anew_offset_m = 0.03, anew_heading_rad = Radians(3.0), anew_way_m = 0.4;
+  Tick anew_after = 1'000;
   double align_range_m = 2.6;  // alignment region inside, approach region outside
 };
 

@@ -10,6 +10,7 @@ namespace dockyard {
 namespace {
 
 constexpr double kTolerance_m = 1e-9;
+constexpr double kZero_m = 1e-13;  // of a change, where it counts as zero
 // Even splits at which CheapestPair looks; between two of them nothing changes twice (tests).
 constexpr int kSplits = 48;
 // On either side of a split at which an arc is half a circle, and may be driven either way round.
@@ -88,7 +89,7 @@ double ZeroBetween(const Family& family, double least_radius_m, std::size_t whic
     zero = (low * at_high - high * at_low) / (at_high - at_low);
     const std::optional<ArcPair> pair = family.At(zero);
     const double at_zero = pair ? ChangesOf(*pair, least_radius_m)[which] : 0.0;
-    if (at_zero == 0.0) break;
+    if (std::abs(at_zero) < kZero_m) break;
     if ((at_zero > 0.0) == (at_high > 0.0)) {
       high = zero, at_high = at_zero;
       at_low *= 0.5;

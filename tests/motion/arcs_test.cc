@@ -11,8 +11,6 @@ namespace dockyard {
 namespace {
 
 using testing::DoubleNear;
-using testing::Each;
-using testing::SizeIs;
 
 double Miss(const Pose2& a, const Pose2& b) {
   return std::hypot(a.x - b.x, a.y - b.y) + std::abs(WrapPi(a.heading - b.heading));
@@ -70,97 +68,6 @@ TEST(OneArc, GoesBackwardsToAGoalBehind) {
 }
 
 TEST(OneArc, HasNoneWhereThePointIsAlready) { EXPECT_FALSE(OneArcTo({1.0, 0.2}, {1.0, 0.2})); }
-
-TEST(TwoArcs, EndAtTheGoalWhereverItIs) {
-  RandomStream random(StreamKey(1, "two arcs"));
-  int found = 0;
-  for (int i = 0; i < 3000; ++i) {
-    const Pose2 goal{random.Uniform(-5, 5), random.Uniform(-5, 5), random.Uniform(-kPi, kPi)};
-    const auto arcs = TwoArcsTo(goal, random.Uniform(-2, 2));
-    if (!arcs) continue;
-    ++found;
-    EXPECT_LT(Miss(Advance({}, *arcs), goal), 1e-5);
-  }
-  EXPECT_GT(found, 2900);
-}
-
-TEST(TwoArcs, EndAtTheGoalWithAStraightFirstPart) {
-  const Pose2 goal{3.0, 1.0, 0.8};
-  const auto arcs = TwoArcsTo(goal, 0.0);
-  ASSERT_TRUE(arcs);
-  EXPECT_EQ(arcs->front().turn_rad, 0.0);
-  EXPECT_LT(Miss(Advance({}, *arcs), goal), 1e-9);
-}
-
-TEST(TwoArcs, EndAtTheGoalWithAStraightSecondPart) {
-  // 1/k1 so that the circle's tangent at 45 deg runs through the goal.
-  const Pose2 bend = Advance({}, Arc{0.25 * kPi * 2.0, 0.25 * kPi});
-  const Pose2 goal = Advance(bend, Arc{1.5, 0.0});
-  const auto arcs = TwoArcsTo(goal, 0.5);
-  ASSERT_TRUE(arcs);
-  EXPECT_LT(Miss(Advance({}, *arcs), goal), 1e-9);
-  EXPECT_THAT(arcs->back().length_m, DoubleNear(1.5, 1e-6));
-}
-
-TEST(TwoArcs, AreOneStraightLineToAGoalStraightAhead) {
-  EXPECT_EQ(*TwoArcsTo({2.5, 0.0, 0.0}, 0.3), (std::vector<Arc>{{2.5, 0.0}}));
-}
-
-TEST(TwoArcs, EndAtATinyOffset) {
-  const Pose2 goal{2.0, 1e-7, 1e-7};
-  const auto arcs = CheapestTwoArcs(goal, 1.0, +1);
-  ASSERT_TRUE(arcs);
-  EXPECT_LT(Miss(Advance({}, *arcs), goal), 1e-6);
-}
-
-TEST(TwoArcs, ReachASidewaysGoalBackwards) {
-  const Pose2 goal{-1.5, 0.3, 0.0};
-  const auto arcs = CheapestTwoArcs(goal, 1.5, -1);
-  ASSERT_TRUE(arcs);
-  EXPECT_LT(Miss(Advance({}, *arcs), goal), 1e-6);
-  for (const Arc& arc : *arcs) EXPECT_LE(arc.length_m, 0.0);
-}
-
-TEST(TwoArcs, SymmetricPairIsTheCheapestForAParallelShift) {
-  // Eq. (14) is twice the longer arc, least when both are equal: for a shift each turns by
-  // 2 atan(y/x) and the meeting point is half way.
-  const Pose2 goal{2.0, 0.5, 0.0};
-  const auto arcs = CheapestTwoArcs(goal, 2.0, +1);
-  ASSERT_TRUE(arcs);
-  const double turn = 2.0 * std::atan2(goal.y, goal.x);
-  const double radius = 0.25 * (goal.x * goal.x + goal.y * goal.y) / goal.y;
-  EXPECT_THAT(TwoArcCost(*arcs), DoubleNear(2.0 * radius * turn, 0.02));
-}
-
-TEST(TwoArcs, NoPairOfAFineScanIsMuchCheaper) {
-  RandomStream random(StreamKey(3, "eq14"));
-  for (int i = 0; i < 50; ++i) {
-    const Pose2 goal{random.Uniform(1, 4), random.Uniform(-1, 1), random.Uniform(-0.6, 0.6)};
-    const auto best = CheapestTwoArcs(goal, 2.0, 0);
-    ASSERT_TRUE(best);
-    double least = 1e9;
-    for (double k = -2.0; k <= 2.0; k += 1e-3) {
-      const auto arcs = TwoArcsTo(goal, k);
-      if (!arcs) continue;
-      bool fits = true;
-      for (const Arc& arc : *arcs)
-        fits = fits && std::abs(arc.turn_rad) <= 2.0 * std::abs(arc.length_m);
-      if (fits) least = std::min(least, TwoArcCost(*arcs));
-    }
-    EXPECT_LT(TwoArcCost(*best), 1.05 * least);
-  }
-}
-
-TEST(TwoArcs, MirroredGoalGivesMirroredArcs) {
-  const auto left = CheapestTwoArcs({2.7, 0.6, 0.31}, 1.0, +1);
-  const auto right = CheapestTwoArcs({2.7, -0.6, -0.31}, 1.0, +1);
-  ASSERT_TRUE(left && right);
-  ASSERT_THAT(*right, SizeIs(left->size()));
-  for (std::size_t i = 0; i < left->size(); ++i) {
-    EXPECT_DOUBLE_EQ((*left)[i].length_m, (*right)[i].length_m);
-    EXPECT_DOUBLE_EQ((*left)[i].turn_rad, -(*right)[i].turn_rad);
-  }
-}
 
 }  // namespace
 }  // namespace dockyard

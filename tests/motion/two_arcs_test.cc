@@ -63,6 +63,40 @@ TEST(CheapestPair, IsOneArcHalvedWhereOneArcLeadsToTheGoal) {
   }
 }
 
+// A tenth of the goals is degenerate: on one circle, straight ahead or behind, or where one arc of
+// a pair turns in place.
+Pose2 AwkwardGoal(RandomStream& random, int i) {
+  Pose2 goal = AnyGoal(random);
+  if (i % 40 == 0) goal.heading = WrapPi(2.0 * std::atan2(goal.y, goal.x));
+  if (i % 40 == 10) goal.y = goal.heading = 0.0;
+  if (i % 40 == 20) goal.heading = 0.0;
+  if (i % 40 == 30) goal.heading = WrapPi(std::atan2(goal.y, goal.x) + random.Uniform(-1e-9, 1e-9));
+  return goal;
+}
+
+TEST(CheapestPair, EndsAtTheGoalTo1e9For10000GoalsATenthDegenerate) {
+  RandomStream random(StreamKey(4, "cheapest pair"));
+  double worst = 0.0;
+  for (int i = 0; i < 10'000; ++i) {
+    const Pose2 goal = AwkwardGoal(random, i);
+    const auto pair = CheapestPair(goal, {});
+    ASSERT_TRUE(pair);
+    worst = std::max(worst, Miss(EndOf(*pair), goal));
+  }
+  EXPECT_LT(worst, 1e-9);
+}
+
+TEST(CheapestPair, MirroredGoalGivesMirroredArcs) {
+  const ArcLimits limits{1.0, Travel::kForward};
+  const auto left = CheapestPair({2.7, 0.6, 0.31}, limits);
+  const auto right = CheapestPair({2.7, -0.6, -0.31}, limits);
+  ASSERT_TRUE(left && right);
+  for (std::size_t i = 0; i < left->size(); ++i) {
+    EXPECT_NEAR((*left)[i].length_m, (*right)[i].length_m, 1e-12);
+    EXPECT_NEAR((*left)[i].turn_rad, -(*right)[i].turn_rad, 1e-12);
+  }
+}
+
 // r = (x^2 + y^2) / (4 y), the S between parallel headings.
 TEST(CheapestPair, IsTheEvenSBetweenParallelHeadings) {
   const auto pair = CheapestPair({2.0, 1.0, 0.0}, {});

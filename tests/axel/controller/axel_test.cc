@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
+#include <string>
 
 #include "axel/controller/grid.h"
 #include "axel/controller/kinematic_rover.h"
@@ -69,6 +71,26 @@ TEST(Axel, TypicalRunTakesHalfThePapersTime) {
   const double way_m = 4.0 - TestNominal().arm_length_m + 0.20;
   EXPECT_GT(run.time_s, way_m / AxelOptions{}.drive.approach_m_s);
   EXPECT_NEAR(run.time_s, 98.8, 10.0);
+}
+
+// Plans beyond one for each leg.
+int PlansMadeWhileDriving(const KinematicRun& run) {
+  const std::set<std::string> drives{"approach", "align", "back_off", "recover", "mate", "enter"};
+  int legs = 0;
+  for (const std::string& phase : run.phases) legs += drives.count(phase) > 0 ? 1 : 0;
+  return run.belief.plan_count - legs;
+}
+
+TEST(Axel, PlansAnewWhileDrivingOnlyWhenItComesOffItsPlan) {
+  const DockingCoords start{3.0, Radians(15.0), 0.0};
+  KinematicWorld world;
+  world.heading_short = 0.0;
+  const KinematicRun as_told = RunKinematic(world, start);
+  EXPECT_EQ(PlansMadeWhileDriving(as_told), 0);
+  world.heading_short = 0.7;
+  const KinematicRun turns_too_little = RunKinematic(world, start);
+  EXPECT_GT(PlansMadeWhileDriving(turns_too_little), 0);
+  EXPECT_EQ(turns_too_little.verdict, Verdict::kDocked);
 }
 
 TEST(Axel, ChecksItsAlignmentBeforeItReels) {

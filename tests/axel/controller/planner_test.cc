@@ -50,7 +50,7 @@ TEST_F(Planner, LosesTheBoardBeyondTheLens) {
 TEST_F(Planner, EveryGridStartHasAPlanToTheAxis) {
   for (const GridStart& start : MarsYardGrid()) {
     const Pose2 X_DR = FromDockingCoords(start.at);
-    const Pose2 end = Advance(X_DR, PlanToAxis(geometry_, options_, X_DR));
+    const Pose2 end = Advance(X_DR, PlanToAxis(geometry_, options_, X_DR).arcs);
     EXPECT_THAT(end.x, DoubleNear(1.3, 1e-5)) << start.run;
     EXPECT_THAT(end.y, DoubleNear(0.0, 1e-5)) << start.run;
     EXPECT_THAT(WrapPi(end.heading - kPi), DoubleNear(0.0, 1e-5)) << start.run;
@@ -58,18 +58,18 @@ TEST_F(Planner, EveryGridStartHasAPlanToTheAxis) {
 }
 
 TEST_F(Planner, GoesForwardsOnlyWhenThereIsRoom) {
-  const auto plan = PlanToAxis(geometry_, options_, At(4.0, 15.0, 0.0));
+  const auto plan = PlanToAxis(geometry_, options_, At(4.0, 15.0, 0.0)).arcs;
   for (const Arc& arc : plan) EXPECT_GE(arc.length_m, 0.0);
 }
 
 TEST_F(Planner, BacksOffFirstWhenTooNearForTheAngle) {
-  EXPECT_LT(PlanToAxis(geometry_, options_, At(2.0, 40.0, 0.0)).front().length_m, 0.0);
+  EXPECT_LT(PlanToAxis(geometry_, options_, At(2.0, 40.0, 0.0)).arcs.front().length_m, 0.0);
 }
 
 TEST_F(Planner, KeepsANewPlanToWiderArcsThanItsRest) {
   for (const GridStart& start : MarsYardGrid()) {
     const Pose2 X_DR = FromDockingCoords(start.at);
-    for (const Arc& arc : PlanToAxis(geometry_, options_, X_DR)) {
+    for (const Arc& arc : PlanToAxis(geometry_, options_, X_DR).arcs) {
       EXPECT_LE(std::abs(arc.turn_rad),
                 options_.plan.max_curvature * std::abs(arc.length_m) + 1e-9);
     }
@@ -93,11 +93,46 @@ TEST_F(Planner, BacksOffFurtherEachTime) {
   const Pose2 X_DR = At(2.0, 40.0, 0.0);
   double last_m = 0.0;
   for (int back_offs = 0; back_offs < 4; ++back_offs) {
-    const auto plan = PlanToAxis(geometry_, options_, X_DR, {.back_offs = back_offs});
+    const auto plan = PlanToAxis(geometry_, options_, X_DR, {.back_offs = back_offs}).arcs;
     EXPECT_LE(plan.front().length_m, -options_.plan.back_step_m * (1 + back_offs));
     EXPECT_LE(plan.front().length_m, last_m);
     last_m = plan.front().length_m;
   }
+}
+
+TEST_F(Planner, NeverBacksOffToTheSamePlaceTwice) {
+  for (const Pose2& X_DR : {At(2.0, 40.0, 0.0), At(2.5, -35.0, 20.0), At(1.8, 10.0, -25.0)}) {
+    PlanHistory history;
+    for (int i = 0; i < 3; ++i) {
+      const auto plan = PlanToAxis(geometry_, options_, X_DR, history);
+      if (plan.arcs.front().length_m >= 0.0) break;
+      const Pose2 end = Advance(plan.start, plan.arcs.front());
+      EXPECT_FALSE(history.BackedTo(end)) << i;
+      history.backed_to.push_back(end);
+      ++history.back_offs;
+    }
+  }
+}
+
+// The leg's end 5 cm to a side, ten times the filter's error, at every stop of a run.
+TEST_F(Planner, GoesOnForwardsFromFiveCentimetresAsideAtTheEndOfEveryLegOfTheGrid) {
+  int back_offs = 0, stops = 0;
+  for (const GridStart& start : MarsYardGrid()) {
+    for (const double aside_m : {-0.05, 0.05}) {
+      Pose2 X_DR = FromDockingCoords(start.at);
+      PlanHistory history;
+      for (int leg = 0; leg < 12; ++leg) {
+        const Decision decision = Decide(geometry_, options_, X_DR, history);
+        if (decision.event == Event::kGoMate || decision.event == Event::kGoRecover) break;
+        if (leg > 0) ++stops;
+        if (history.under_way && decision.event == Event::kGoBackOff) ++back_offs;
+        X_DR = Advance(decision.plan.start, decision.leg) * Pose2{0.0, aside_m, 0.0};
+        history.under_way = true;
+      }
+    }
+  }
+  EXPECT_GT(stops, 80);
+  EXPECT_EQ(back_offs, 0);
 }
 
 TEST_F(Planner, SeesTheBoardAtTheEndOfEveryLegOfTheGrid) {
@@ -111,17 +146,24 @@ TEST_F(Planner, SeesTheBoardAtTheEndOfEveryLegOfTheGrid) {
 TEST_F(Planner, LegsAreTheBeginningOfThePlan) {
   const Pose2 X_DR = At(5.0, 10.0, 0.0);
   const Decision decision = Decide(geometry_, options_, X_DR);
-  EXPECT_LT(Length(decision.leg), Length(decision.plan));
-  EXPECT_EQ(Truncate(decision.plan, Length(decision.leg)), decision.leg);
+  EXPECT_LT(Length(decision.leg), Length(decision.plan.arcs));
+  EXPECT_EQ(Truncate(decision.plan.arcs, Length(decision.leg)), decision.leg);
 }
 
 TEST_F(Planner, MatesFromTheAlignmentGoal) {
   EXPECT_EQ(Decide(geometry_, options_, {1.3, 0.0, kPi}).event, Event::kGoMate);
 }
 
-TEST_F(Planner, RecoversWhenTheHeadingIsBeyondFiveDegrees) {
-  EXPECT_EQ(Decide(geometry_, options_, At(1.3, 0.0, 5.5)).event, Event::kGoRecover);
-  EXPECT_EQ(Decide(geometry_, options_, At(1.3, 0.0, -5.5)).event, Event::kGoRecover);
+// 6 cm before the mouth 9 cm of way are left: nearly what it has then, it enters with.
+TEST_F(Planner, RecoversWhenTheHeadingAtTheMouthIsBeyondFiveDegrees) {
+  EXPECT_EQ(Decide(geometry_, options_, {1.06, 0.0, kPi + Radians(7.0)}).event, Event::kGoRecover);
+  EXPECT_EQ(Decide(geometry_, options_, {1.06, 0.0, kPi - Radians(7.0)}).event, Event::kGoRecover);
+}
+
+TEST_F(Planner, RecoversWhenItCannotSteerBackOnTheWayThatIsLeft) {
+  EXPECT_EQ(Decide(geometry_, options_, At(1.3, 0.0, 5.5)).event, Event::kGoMate);
+  EXPECT_EQ(Decide(geometry_, options_, At(1.3, 0.0, 20.0)).event, Event::kGoRecover);
+  EXPECT_EQ(Decide(geometry_, options_, At(1.3, 0.0, -20.0)).event, Event::kGoRecover);
 }
 
 TEST_F(Planner, AcceptsTheHeadingWithinFiveDegreesIfTheTipMeetsTheMouth) {
@@ -133,11 +175,16 @@ TEST_F(Planner, RecoversWhenTheTipWouldMissTheMouth) {
   EXPECT_EQ(Decide(geometry_, options_, {1.3, 0.12, kPi}).event, Event::kGoRecover);
 }
 
-TEST_F(Planner, RecoveryEndsOnTheAxisAtTheRecoveryGoal) {
+TEST_F(Planner, RecoveryEndsOnTheAxisAtTheRecoveryGoalFartherOutEachTime) {
   const Pose2 X_DR{1.28, 0.11, WrapPi(kPi + Radians(7.0))};
-  const Pose2 end = Advance(X_DR, PlanRecovery(geometry_, options_, X_DR));
-  EXPECT_THAT(end.x, DoubleNear(2.4, 1e-5));
-  EXPECT_THAT(end.y, DoubleNear(0.0, 1e-5));
+  for (int before = 0; before < 4; ++before) {
+    const auto plan = PlanRecovery(geometry_, options_, X_DR, {.recoveries = before});
+    const Pose2 end = Advance(X_DR, plan);
+    const double gap_m = options_.plan.recover_gap_m + before * options_.plan.recover_step_m;
+    EXPECT_THAT(end.x, DoubleNear(1.0 + gap_m, 1e-9));
+    EXPECT_THAT(end.y, DoubleNear(0.0, 1e-9));
+    for (const Arc& arc : plan) EXPECT_LE(arc.length_m, 0.0);
+  }
 }
 
 TEST_F(Planner, RecoveryFromTheConeComesOutStraightFirst) {
@@ -155,13 +202,45 @@ TEST_F(Planner, SocketAngleIsATrailersAngleAfterTheDepth) {
 }
 
 TEST_F(Planner, MirroredStartHasTheMirroredPlan) {
-  const auto left = PlanToAxis(geometry_, options_, At(3.3, 32.0, 7.0));
-  const auto right = PlanToAxis(geometry_, options_, At(3.3, -32.0, -7.0));
+  const auto left = PlanToAxis(geometry_, options_, At(3.3, 32.0, 7.0)).arcs;
+  const auto right = PlanToAxis(geometry_, options_, At(3.3, -32.0, -7.0)).arcs;
   ASSERT_EQ(left.size(), right.size());
   for (std::size_t i = 0; i < left.size(); ++i) {
     EXPECT_THAT(left[i].length_m, DoubleNear(right[i].length_m, 1e-9));
     EXPECT_THAT(left[i].turn_rad, DoubleNear(-right[i].turn_rad, 1e-9));
   }
+}
+
+// Facing the station squarely, pushed aside by a tenth of the way.
+TEST_F(Planner, MouthLineIsTheWayOfARoverThatDrifts) {
+  for (const double drift : {-0.1, 0.0, 0.1}) {
+    Pose2 at = MouthLineAt(geometry_, options_.mate, 1.3, drift);
+    at.heading = kPi;
+    for (int i = 0; i < 330; ++i)
+      at = Advance(at, Arc{0.001, 0.0}) * Pose2{0.0, 0.001 * drift, 0.0};
+    EXPECT_THAT(at.x, DoubleNear(1.0 + options_.mate.enter_gap_m, 1e-9));
+    EXPECT_THAT(at.y, DoubleNear(0.0, 1e-9));
+  }
+}
+
+TEST_F(Planner, MouthLineIsKeptByARoverThatDriftsAsTold) {
+  const double drift = -0.08;
+  Pose2 at = MouthLineAt(geometry_, options_.mate, 1.3, drift);
+  at.heading = kPi;
+  const Pose2 end = AfterMouthLine(geometry_, options_, at, drift);
+  EXPECT_THAT(end.y, DoubleNear(0.0, 0.002));
+  EXPECT_THAT(WrapPi(end.heading - kPi), DoubleNear(0.0, 0.005));
+}
+
+TEST_F(Planner, PlansForTheCourseNotTheHeadingOfARoverThatDrifts) {
+  const Pose2 X_DR = At(4.0, 15.0, 0.0);
+  const AxisPlan plan = PlanToAxis(geometry_, options_, X_DR, {}, {.here = 0.1, .at_dock = -0.05});
+  EXPECT_THAT(WrapPi(plan.start.heading - X_DR.heading), DoubleNear(std::atan(0.1), 1e-12));
+  const Pose2 end = Advance(plan.start, plan.arcs),
+              goal = MouthLineAt(geometry_, options_.mate,
+                                 geometry_.arm_m + options_.plan.align_gap_m, -0.05);
+  EXPECT_THAT(std::hypot(end.x - goal.x, end.y - goal.y), DoubleNear(0.0, 1e-9));
+  EXPECT_THAT(WrapPi(end.heading - goal.heading), DoubleNear(0.0, 1e-9));
 }
 
 }  // namespace

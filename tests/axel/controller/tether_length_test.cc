@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "axel/controller/kinematic_rover.h"
+#include "controller/motion/two_arcs.h"
 
 namespace dockyard::axel {
 namespace {
@@ -80,11 +81,13 @@ class LinearTether : public testing::TestWithParam<LinearCase> {};
 TEST_P(LinearTether, SlackGrowsWithTheTurnAsTheClosedFormSays) {
   const LinearCase& at = GetParam();
   const Pose2 X_DR = FromDockingCoords({4.0, Radians(at.alpha_deg), 0.0});
-  const auto arcs = CheapestTwoArcs(Inverse(X_DR) * Pose2{1.5, 0.0, kPi}, 3.0, +1);
-  ASSERT_TRUE(arcs);
-  EXPECT_THAT(Degrees(std::abs(arcs->front().turn_rad)),
+  const auto pair =
+      CheapestPair(Inverse(X_DR) * Pose2{1.5, 0.0, kPi}, {1.0 / 3.0, Travel::kForward});
+  ASSERT_TRUE(pair);
+  const std::vector<Arc> arcs(pair->begin(), pair->end());
+  EXPECT_THAT(Degrees(std::abs(arcs.front().turn_rad)),
               AllOf(Ge(at.turn_low_deg), Le(at.turn_high_deg)));
-  EXPECT_THAT(LinearTetherErrorAlong(PaperGeometry(), X_DR, *arcs).most_slack_m,
+  EXPECT_THAT(LinearTetherErrorAlong(PaperGeometry(), X_DR, arcs).most_slack_m,
               AllOf(Ge(at.slack_low_m), Le(at.slack_high_m)));
 }
 

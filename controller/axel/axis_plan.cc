@@ -1,0 +1,160 @@
+#include "controller/axel/axis_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "controller/axel/mouth_way.h"
+#include "controller/motion/three_arcs.h"
+
+namespace dockyard::axel {
+namespace {
+
+constexpr int kSamplesPerArc = 8;
+constexpr double kNever = std::numeric_limits<double>::infinity();
+// Two places this near each other are the same to a rover that knows its own to 2-10 cm.
+constexpr double kSamePlace_m = 0.25, kSameHeading = Radians(8.0);
+
+struct Candidate {
+  std::vector<Arc> arcs;
+  double cost = kNever;
+};
+
+class AxisSearch {
+ public:
+  AxisSearch(const PlanGeometry& geometry, const AxelOptions& options, const Drift& drift)
+      : geometry_(geometry), options_(options), plan_(options.plan), drift_(drift) {}
+
+  /// The way that the rover follows, for a first arc driven forwards or backwards.
+  Pose2 Course(const Pose2& X_DR, bool forwards) const {
+    const double angle = std::atan(drift_.here);
+    return {X_DR.x, X_DR.y, WrapPi(X_DR.heading + (forwards ? angle : -angle))};
+  }
+
+  /// The cheapest pair forwards to a place gap_m before the mouth.
+  Candidate Forward(const Pose2& start, double max_curvature, double gap_m) const {
+    Candidate best;
+    ForEachPair(Inverse(start) * Goal(gap_m), {1.0 / max_curvature, Travel::kForward}, plan_.splits,
+                [&](const ArcPair& pair) {
+                  Offer(start, {pair.begin(), pair.end()}, PairCost(pair), &best);
+                });
+    return best;
+  }
+
+  /// Back by least_steps or more, then on; a cheaper one than the best so far replaces it.
+  void BackOff(const Pose2& start, const PlanHistory& history, int least_steps,
+               Candidate* best) const {
+    const ArcLimits back{1.0 / plan_.max_curvature, Travel::kBackward};
+    const double least_m = (least_steps - 0.5) * plan_.back_step_m;
+    const auto firsts = FirstArcs(back, plan_.back_step_m, plan_.back_limit_m, plan_.back_turns);
+    double back_cost = 0.0;
+    const auto wants = [&](const Arc& first) {
+      if (first.length_m > -least_m || !MayBackTo(Advance(start, first), history)) return false;
+      back_cost = plan_.reverse_cost * -first.length_m;
+      return back_cost + ArcCost(start, first) < best->cost;
+    };
+    ForEachTriple(
+        Inverse(start) * Goal(plan_.align_gap_m), firsts,
+        {1.0 / plan_.max_curvature, Travel::kForward}, plan_.back_splits, wants,
+        [&](const ArcTriple& arcs) {
+          Offer(start, {arcs.begin(), arcs.end()}, back_cost + PairCost({arcs[1], arcs[2]}), best);
+        });
+    CuspPairs(start, history, least_m, best);
+  }
+
+ private:
+  Pose2 Goal(double gap_m) const {
+    return MouthLineAt(geometry_, options_.mate, geometry_.arm_m + gap_m, drift_.at_dock);
+  }
+
+  // The board must be in view after backing off, for the next image pair.
+  bool MayBackTo(const Pose2& end, const PlanHistory& history) const {
+    return SeesBoard(geometry_, options_.look, end) && !history.BackedTo(end);
+  }
+
+  // One arc back, one forwards.
+  void CuspPairs(const Pose2& start, const PlanHistory& history, double least_m,
+                 Candidate* best) const {
+    ForEachPair(Inverse(start) * Goal(plan_.align_gap_m),
+                {1.0 / plan_.max_curvature, Travel::kEither}, plan_.splits,
+                [&](const ArcPair& pair) {
+                  const double back_m = -pair[0].length_m;
+                  if (back_m < least_m || back_m > plan_.back_limit_m) return;
+                  if (pair[1].length_m < 0.0) return;
+                  if (!MayBackTo(Advance(start, pair[0]), history)) return;
+                  Offer(start, {pair.begin(), pair.end()},
+                        plan_.reverse_cost * back_m + pair[1].length_m, best);
+                });
+  }
+
+  void Offer(const Pose2& start, const std::vector<Arc>& arcs, double cost, Candidate* best) const {
+    Pose2 at = start;
+    for (const Arc& arc : arcs) {
+      if (cost >= best->cost) return;
+      cost += ArcCost(at, arc);
+      at = Advance(at, arc);
+    }
+    if (cost < best->cost) *best = {arcs, cost};
+  }
+
+  // Cost of this arc beyond its length: turning, board out of view, tether aside. Infinite if the
+  // arc leaves the allowed region.
+  double ArcCost(const Pose2& start, const Arc& arc) const {
+    const double step = std::abs(arc.length_m) / kSamplesPerArc;
+    const bool backwards = arc.length_m < 0.0;
+    double cost = plan_.turn_cost_m * std::abs(arc.turn_rad);
+    for (int i = 1; i <= kSamplesPerArc; ++i) {
+      const Pose2 at = Advance(start, Part(arc, static_cast<double>(i) / kSamplesPerArc));
+      if (!backwards && TipOf(geometry_, at).gap_m < plan_.min_tip_gap_m) return kNever;
+      if (backwards && std::hypot(at.x, at.y) > plan_.max_range_m) return kNever;
+      if (!SeesBoard(geometry_, options_.look, at)) cost += step * plan_.unseen_cost;
+      const double aside = std::abs(TetherAngle(geometry_, at)) - plan_.tether_angle_rad;
+      cost += step * plan_.tether_angle_cost * std::max(0.0, aside);
+    }
+    return cost;
+  }
+
+  const PlanGeometry& geometry_;
+  const AxelOptions& options_;
+  const PlanOptions& plan_;
+  Drift drift_;
+};
+
+}  // namespace
+
+bool PlanHistory::BackedTo(const Pose2& X_DR) const {
+  return std::any_of(backed_to.begin(), backed_to.end(), [&](const Pose2& end) {
+    return std::hypot(end.x - X_DR.x, end.y - X_DR.y) < kSamePlace_m &&
+           std::abs(WrapPi(end.heading - X_DR.heading)) < kSameHeading;
+  });
+}
+
+AxisPlan PlanOn(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
+                const Drift& drift) {
+  const AxisSearch search(geometry, options, drift);
+  const PlanOptions& plan = options.plan;
+  const Pose2 start = search.Course(X_DR, true);
+  for (const double gap_m : {plan.align_gap_m, plan.near_gap_m}) {
+    Candidate on = search.Forward(start, plan.hold_curvature, gap_m);
+    if (!on.arcs.empty()) return {start, std::move(on.arcs)};
+  }
+  return {start, {}};
+}
+
+AxisPlan PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
+                    const PlanHistory& history, const Drift& drift) {
+  const PlanOptions& plan = options.plan;
+  if (history.under_way) {
+    AxisPlan on = PlanOn(geometry, options, X_DR, drift);
+    if (!on.arcs.empty()) return on;
+  }
+  const AxisSearch search(geometry, options, drift);
+  const Pose2 ahead = search.Course(X_DR, true), back = search.Course(X_DR, false);
+  Candidate best = search.Forward(ahead, plan.max_curvature, plan.align_gap_m);
+  search.BackOff(back, history, 1 + history.back_offs, &best);
+  if (best.arcs.empty()) search.BackOff(back, history, 1, &best);
+  if (best.arcs.empty()) best.arcs = {{-plan.back_step_m * (1 + history.back_offs), 0.0}};
+  return {best.arcs.front().length_m < 0.0 ? back : ahead, std::move(best.arcs)};
+}
+
+}  // namespace dockyard::axel

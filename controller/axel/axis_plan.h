@@ -1,0 +1,49 @@
+// The way to the alignment goal before the mouth, as at most three arcs: a back-off if that pays,
+// then two arcs.
+#pragma once
+
+#include <vector>
+
+#include "controller/axel/plan_geometry.h"
+#include "controller/motion/arcs.h"
+
+namespace dockyard::axel {
+
+/// Sideways way to the rover's left for each metre of way. A rover that drifts keeps a course
+/// beside its heading.
+struct Drift {
+  double here = 0.0;
+  double at_dock = 0.0;  // facing the station, by the ground's slope
+};
+
+/// What the rover did before it plans again.
+struct PlanHistory {
+  bool under_way = false;  // it has driven the first part of a plan to the axis
+  int back_offs = 0;       // of the run so far, as the next two
+  int recoveries = 0;
+  std::vector<Pose2> backed_to{};  // ends of its back-offs and recoveries
+
+  /// Whether it has backed to this place before, in about this heading.
+  bool BackedTo(const Pose2& X_DR) const;
+};
+
+/// A path of the rover's middle; the start's heading is the course. Empty: none was found.
+struct AxisPlan {
+  Pose2 start;
+  std::vector<Arc> arcs;
+};
+
+/// The cheapest of three arcs to the alignment goal, the second and third forwards, or of two, the
+/// second forwards: Eq. (14) of the Rocky 7 paper plus turning, way out of view and way with the
+/// tether far to the side. A new plan keeps to wider arcs than the rest of one that is under way,
+/// so that the rover's own errors do not send it back. Each back-off is longer than the one before
+/// and ends elsewhere than all before. Straight back if nothing fits.
+AxisPlan PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
+                    const PlanHistory& history = {}, const Drift& drift = {});
+
+/// The rest of a plan: two forward arcs as sharp as the rest may have, to the alignment goal or to
+/// the nearest place before the mouth. No arcs: it would have to back off.
+AxisPlan PlanOn(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
+                const Drift& drift = {});
+
+}  // namespace dockyard::axel

@@ -1,0 +1,116 @@
+#include "controller/axel/driving.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dockyard::axel {
+
+Driving::Driving(const Nominal& nominal, const AxelOptions& options)
+    : nominal_(nominal), options_(options), geometry_(PlanGeometryOf(nominal)) {}
+
+Drift Driving::DriftOf(const Senses& senses) const {
+  const double at_dock = senses.filter().side_slip().slope * SlopeForceAt(senses.ground(), kPi);
+  return {senses.side_drift(), at_dock};
+}
+
+void Driving::Put(const AxisPlan& plan, std::vector<Arc> leg) {
+  plan_ = plan;
+  leg_ = std::move(leg);
+  planned_ = Planned(plan_.arcs, plan_.start);
+  ++plan_count_;
+}
+
+Event Driving::PlanNext(const Senses& senses) {
+  Decision decision = Decide(geometry_, options_, senses.pose(), history_, DriftOf(senses));
+  if (decision.event == Event::kGoRecover) return decision.event;
+  Put(decision.plan, std::move(decision.leg));
+  ++legs_;
+  return decision.event;
+}
+
+bool Driving::PlanEntry(const Senses& senses) {
+  const double drift = senses.side_drift();
+  const Pose2 X_DR = senses.pose();
+  if (!CanMate(geometry_, options_, X_DR, drift)) return false;
+  const double way_m = TipOf(geometry_, X_DR).gap_m - options_.mate.enter_gap_m;
+  const std::vector<Arc> on{{std::max(0.0, way_m), 0.0}};
+  Put({MouthLineAt(geometry_, options_.mate, X_DR.x, drift), on}, on);
+  ++legs_;
+  return true;
+}
+
+void Driving::PlanBack(const Senses& senses) {
+  const Pose2 X_DR = senses.pose();
+  const auto back = PlanRecovery(geometry_, options_, X_DR, history_, DriftOf(senses));
+  Put({X_DR, back}, back);
+  ++legs_;
+  ++history_.recoveries;
+}
+
+void Driving::PlanAhead(const Senses& senses, double way_m) {
+  const AxisPlan plan = PlanToAxis(geometry_, options_, senses.pose(), {}, DriftOf(senses));
+  Put(plan, Truncate(plan.arcs, way_m));
+  ++legs_;
+}
+
+void Driving::Enter(Phase phase, const Senses& senses) {
+  driver_.reset();
+  const bool to_axis =
+      phase == Phase::kApproach || phase == Phase::kAlign || phase == Phase::kBackOff;
+  const bool to_mouth = phase == Phase::kMate || phase == Phase::kEnter;
+  const bool back = phase == Phase::kBackOff || phase == Phase::kRecover;
+  if (to_axis) history_.under_way = true;
+  if (phase == Phase::kRecover || phase == Phase::kSearch || phase == Phase::kRight)
+    history_.under_way = false;
+  if (phase == Phase::kBackOff) ++history_.back_offs;
+  if (back) history_.backed_to.push_back(Advance(plan_.start, leg_));
+  may_plan_anew_ = to_axis && !back;
+  const DriveOptions& drive = options_.drive;
+  if (to_mouth) {
+    Start({drive.mate_m_s, drive.mate_m_s, drive.fine_steering}, senses.now());
+  } else if (to_axis || back) {
+    Start({drive.approach_m_s, drive.reverse_m_s, drive.steering}, senses.now());
+  }
+}
+
+void Driving::Start(const LegDriver::Speed& speed, Tick now) {
+  speed_ = speed;
+  off_since_.reset();
+  driver_.emplace(nominal_, options_, plan_.start, leg_, speed, now);
+}
+
+// Critically damped, an offset y and a heading h beside the path become, after the way l,
+//   y(l) = (y + (h + y/s) l) exp(-l/s),   h(l) = (h - (h + y/s) l/s) exp(-l/s).
+bool Driving::OffPlan(const Senses& senses) const {
+  const Pose2 off = driver_->Beside(senses.pose(), senses.side_drift());
+  const double s = speed_.steering.settle_m;
+  const double l = Length(plan_.arcs) - Length(leg_) + driver_->Remaining();
+  const double rate = off.heading + off.y / s, left = std::exp(-l / s);
+  return std::abs((off.y + rate * l) * left) > options_.plan.anew_offset_m ||
+         std::abs((off.heading - rate * l / s) * left) > options_.plan.anew_heading_rad;
+}
+
+void Driving::PlanAnew(const Senses& senses) {
+  if (!may_plan_anew_ || !driver_ || driver_->paused()) return;
+  const double rest_m = driver_->Remaining();
+  const bool under_way = Length(leg_) - rest_m >= options_.plan.anew_way_m;
+  if (!under_way || rest_m < 0.5 * options_.plan.anew_way_m || !OffPlan(senses)) {
+    off_since_.reset();
+    return;
+  }
+  if (!off_since_) off_since_ = senses.now();
+  if (senses.now() - *off_since_ < options_.plan.anew_after) return;
+  const AxisPlan plan = PlanOn(geometry_, options_, senses.pose(), DriftOf(senses));
+  off_since_.reset();
+  if (plan.arcs.empty()) return;
+  Put(plan, Truncate(plan.arcs, rest_m));
+  Start(speed_, senses.now());
+}
+
+LegDriver::Status Driving::Drive(Senses* senses, Commands* commands) {
+  PlanAnew(*senses);
+  return driver_->Drive(senses, commands);
+}
+
+}  // namespace dockyard::axel

@@ -1,0 +1,61 @@
+// Plans the legs and drives them; remembers what was driven.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "controller/axel/leg.h"
+#include "controller/axel/planner.h"
+
+namespace dockyard::axel {
+
+class Driving {
+ public:
+  Driving(const Nominal& nominal, const AxelOptions& options);
+
+  const PlanGeometry& geometry() const { return geometry_; }
+
+  /// After a sighting: plans the next leg, and what it is for. Nothing is planned for kGoRecover.
+  Event PlanNext(const Senses& senses);
+  /// With the tip at the mouth: whether the arm will seat. If so, plans the rest of the way.
+  bool PlanEntry(const Senses& senses);
+  void PlanBack(const Senses& senses);
+  /// On by dead reckoning, this far.
+  void PlanAhead(const Senses& senses, double way_m);
+
+  /// A phase begins: its leg does, too, if it drives one.
+  void Enter(Phase phase, const Senses& senses);
+  /// Begins the leg that was planned last.
+  void Start(const LegDriver::Speed& speed, Tick now);
+  /// Drives on. When the rover has come off its plan by more than the steering can bring back, the
+  /// rest is planned anew.
+  LegDriver::Status Drive(Senses* senses, Commands* commands);
+  bool paused() const { return driver_ && driver_->paused(); }
+
+  /// The plan in force, and how many there were.
+  const std::vector<PlannedArc>& plan() const { return planned_; }
+  int plan_count() const { return plan_count_; }
+  int legs() const { return legs_; }  // of them planned at rest
+  int recoveries() const { return history_.recoveries; }
+
+ private:
+  Drift DriftOf(const Senses& senses) const;
+  void Put(const AxisPlan& plan, std::vector<Arc> leg);
+  bool OffPlan(const Senses& senses) const;
+  void PlanAnew(const Senses& senses);
+
+  Nominal nominal_;
+  AxelOptions options_;
+  PlanGeometry geometry_;
+  PlanHistory history_;
+  AxisPlan plan_;
+  std::vector<Arc> leg_;  // its first part
+  LegDriver::Speed speed_;
+  std::optional<LegDriver> driver_;
+  bool may_plan_anew_ = false;
+  std::optional<Tick> off_since_;
+  std::vector<PlannedArc> planned_;
+  int plan_count_ = 0, legs_ = 0;
+};
+
+}  // namespace dockyard::axel
