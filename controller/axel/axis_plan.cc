@@ -13,6 +13,7 @@ namespace {
 constexpr int kSamplesPerArc = 8;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 // Two places this near each other are the same to a rover that knows its own to 2-10 cm.
+constexpr double kStraightOn = Radians(3.0);  // less than the steering's own error
 constexpr double kSamePlace_m = 0.25, kSameHeading = Radians(8.0);
 
 struct Candidate {
@@ -25,11 +26,7 @@ class AxisSearch {
   AxisSearch(const PlanGeometry& geometry, const AxelOptions& options, const Drift& drift)
       : geometry_(geometry), options_(options), plan_(options.plan), drift_(drift) {}
 
-  /// The way that the rover follows, for a first arc driven forwards or backwards.
-  Pose2 Course(const Pose2& X_DR, bool forwards) const {
-    const double angle = std::atan(drift_.here);
-    return {X_DR.x, X_DR.y, WrapPi(X_DR.heading + (forwards ? angle : -angle))};
-  }
+  double CuspTurn() const { return 2.0 * std::atan(drift_.here); }
 
   /// The cheapest pair forwards to a place gap_m before the mouth.
   Candidate Forward(const Pose2& start, double max_curvature, double gap_m) const {
@@ -58,7 +55,8 @@ class AxisSearch {
         {1.0 / plan_.max_curvature, Travel::kForward}, plan_.back_splits, wants,
         [&](const ArcTriple& arcs) {
           Offer(start, {arcs.begin(), arcs.end()}, back_cost + PairCost({arcs[1], arcs[2]}), best);
-        });
+        },
+        CuspTurn());
     CuspPairs(start, history, least_m, best);
   }
 
@@ -72,9 +70,10 @@ class AxisSearch {
     return SeesBoard(geometry_, options_.look, end) && !history.BackedTo(end);
   }
 
-  // One arc back, one forwards.
+  // One arc back, one forwards; only where the course is the same both ways, as pairs are smooth.
   void CuspPairs(const Pose2& start, const PlanHistory& history, double least_m,
                  Candidate* best) const {
+    if (std::abs(CuspTurn()) > kStraightOn) return;
     ForEachPair(Inverse(start) * Goal(plan_.align_gap_m),
                 {1.0 / plan_.max_curvature, Travel::kEither}, plan_.splits,
                 [&](const ArcPair& pair) {
@@ -93,6 +92,7 @@ class AxisSearch {
       if (cost >= best->cost) return;
       cost += ArcCost(at, arc);
       at = Advance(at, arc);
+      if (arc.length_m < 0.0) at = at * Pose2{0.0, 0.0, CuspTurn()};
     }
     if (cost < best->cost) *best = {arcs, cost};
   }
@@ -122,6 +122,11 @@ class AxisSearch {
 
 }  // namespace
 
+Pose2 CourseOf(const Pose2& X_DR, double drift, bool forwards) {
+  const double angle = std::atan(drift);
+  return {X_DR.x, X_DR.y, WrapPi(X_DR.heading + (forwards ? angle : -angle))};
+}
+
 bool PlanHistory::BackedTo(const Pose2& X_DR) const {
   return std::any_of(backed_to.begin(), backed_to.end(), [&](const Pose2& end) {
     return std::hypot(end.x - X_DR.x, end.y - X_DR.y) < kSamePlace_m &&
@@ -133,7 +138,7 @@ AxisPlan PlanOn(const PlanGeometry& geometry, const AxelOptions& options, const 
                 const Drift& drift) {
   const AxisSearch search(geometry, options, drift);
   const PlanOptions& plan = options.plan;
-  const Pose2 start = search.Course(X_DR, true);
+  const Pose2 start = CourseOf(X_DR, drift.here, true);
   for (const double gap_m : {plan.align_gap_m, plan.near_gap_m}) {
     Candidate on = search.Forward(start, plan.hold_curvature, gap_m);
     if (!on.arcs.empty()) return {start, std::move(on.arcs)};
@@ -149,12 +154,13 @@ AxisPlan PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options, co
     if (!on.arcs.empty()) return on;
   }
   const AxisSearch search(geometry, options, drift);
-  const Pose2 ahead = search.Course(X_DR, true), back = search.Course(X_DR, false);
+  const Pose2 ahead = CourseOf(X_DR, drift.here, true), back = CourseOf(X_DR, drift.here, false);
   Candidate best = search.Forward(ahead, plan.max_curvature, plan.align_gap_m);
   search.BackOff(back, history, 1 + history.back_offs, &best);
   if (best.arcs.empty()) search.BackOff(back, history, 1, &best);
   if (best.arcs.empty()) best.arcs = {{-plan.back_step_m * (1 + history.back_offs), 0.0}};
-  return {best.arcs.front().length_m < 0.0 ? back : ahead, std::move(best.arcs)};
+  if (best.arcs.front().length_m >= 0.0) return {ahead, std::move(best.arcs)};
+  return {back, std::move(best.arcs), search.CuspTurn()};
 }
 
 }  // namespace dockyard::axel

@@ -27,10 +27,15 @@ struct PlanHistory {
   bool BackedTo(const Pose2& X_DR) const;
 };
 
-/// A path of the rover's middle; the start's heading is the course. Empty: none was found.
+/// The way that the middle of a rover takes that drifts, forwards or, seen from the front,
+/// backwards: {x, y, course}.
+Pose2 CourseOf(const Pose2& X_DR, double drift, bool forwards);
+
+/// A path of the rover's middle; the start's heading is the course. No arcs: none was found.
 struct AxisPlan {
   Pose2 start;
   std::vector<Arc> arcs;
+  double cusp_turn_rad = 0.0;  // of the course where the rover goes forwards after a way back
 };
 
 /// The cheapest of three arcs to the alignment goal, the second and third forwards, or of two, the

@@ -17,7 +17,7 @@ Drift Driving::DriftOf(const Senses& senses) const {
 void Driving::Put(const AxisPlan& plan, std::vector<Arc> leg) {
   plan_ = plan;
   leg_ = std::move(leg);
-  planned_ = Planned(plan_.arcs, plan_.start);
+  planned_ = Planned(plan_);
   ++plan_count_;
 }
 
@@ -41,9 +41,8 @@ bool Driving::PlanEntry(const Senses& senses) {
 }
 
 void Driving::PlanBack(const Senses& senses) {
-  const Pose2 X_DR = senses.pose();
-  const auto back = PlanRecovery(geometry_, options_, X_DR, history_, DriftOf(senses));
-  Put({X_DR, back}, back);
+  const AxisPlan back = PlanRecovery(geometry_, options_, senses.pose(), history_, DriftOf(senses));
+  Put(back, back.arcs);
   ++legs_;
   ++history_.recoveries;
 }

@@ -84,7 +84,7 @@ struct PlanOptions {
   double near_gap_m = 0.20;  // the goal of a rest that does not reach it: a hand's breadth nearer
   double recover_gap_m = 1.20;  // axle at 2.2 m: room for +-0.3 m of offset; assumed, 1.0-2.0
   double recover_step_m = 0.3;  // each recovery goes farther back than the last; assumed, 0.2-1
-  double max_curvature = 0.7;   // [1/m] of a new plan; assumed, 0.5-1
+  double max_curvature = 0.9;   // [1/m] of a new plan; assumed, 0.5-1
   double hold_curvature = 1.2;  // of its rest; tighter arcs only skid on loose soil; 1-1.5
   double max_recover_curvature = 1.5;
   // Pairs of arcs that are tried, by even splits of their chords: forwards, and behind each

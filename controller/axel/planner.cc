@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "controller/motion/two_arcs.h"
 
@@ -22,24 +23,26 @@ bool CanGoOn(const PlanGeometry& geometry, const AxelOptions& options, const Pos
 
 }  // namespace
 
-std::vector<Arc> PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options,
-                              const Pose2& X_DR, const PlanHistory& history, const Drift& drift) {
+AxisPlan PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
+                      const PlanHistory& history, const Drift& drift) {
   const PlanOptions& plan = options.plan;
-  std::vector<Arc> arcs;
+  AxisPlan back{CourseOf(X_DR, drift.here, false), {}};
   const double gap = TipOf(geometry, X_DR).gap_m;
-  if (gap < plan.min_tip_gap_m) arcs.push_back({gap - plan.min_tip_gap_m, 0.0});
-  const Pose2 out = Advance(X_DR, arcs);
+  if (gap < plan.min_tip_gap_m) back.arcs.push_back({gap - plan.min_tip_gap_m, 0.0});
+  const Pose2 out = Advance(back.start, back.arcs);
   const double gap_m = plan.recover_gap_m + history.recoveries * plan.recover_step_m;
   const double x_m = std::min(geometry.arm_m + gap_m, plan.max_range_m);
-  const Pose2 goal = MouthLineAt(geometry, options.mate, x_m, drift.at_dock);
+  // There it faces the station squarely, for the way to the mouth.
+  const Pose2 on_line = MouthLineAt(geometry, options.mate, x_m, drift.at_dock);
+  const Pose2 goal = CourseOf({on_line.x, on_line.y, kPi}, drift.at_dock, false);
   const ArcLimits limits{1.0 / plan.max_recover_curvature, Travel::kBackward};
   const Pose2 to_goal = Inverse(out) * goal;
   if (const auto pair = CheapestPair(to_goal, limits)) {
-    arcs.insert(arcs.end(), pair->begin(), pair->end());
+    back.arcs.insert(back.arcs.end(), pair->begin(), pair->end());
   } else {
-    arcs.push_back({-std::max(plan.back_step_m, -to_goal.x), 0.0});
+    back.arcs.push_back({-std::max(plan.back_step_m, -to_goal.x), 0.0});
   }
-  return arcs;
+  return back;
 }
 
 std::vector<Arc> FirstLeg(const PlanGeometry& geometry, const AxelOptions& options,
@@ -74,14 +77,24 @@ Decision Decide(const PlanGeometry& geometry, const AxelOptions& options, const 
       const std::vector<Arc> on{{std::max(0.0, gap - options.mate.look_gap_m), 0.0}};
       return {Event::kGoMate, {start, on}, on};
     }
-    const std::vector<Arc> back = PlanRecovery(geometry, options, X_DR, history, drift);
-    return {Event::kGoRecover, {X_DR, back}, back};
+    AxisPlan back = PlanRecovery(geometry, options, X_DR, history, drift);
+    const std::vector<Arc> leg = back.arcs;
+    return {Event::kGoRecover, std::move(back), leg};
   }
   const AxisPlan plan = PlanToAxis(geometry, options, X_DR, history, drift);
   const std::vector<Arc> leg = FirstLeg(geometry, options, plan, drift);
   if (plan.arcs.front().length_m < 0.0) return {Event::kGoBackOff, plan, leg};
   const bool near = std::hypot(X_DR.x, X_DR.y) <= options.plan.align_range_m;
   return {near ? Event::kGoAlign : Event::kGoApproach, plan, leg};
+}
+
+std::vector<PlannedArc> Planned(const AxisPlan& plan) {
+  if (plan.arcs.empty() || plan.arcs.front().length_m >= 0.0) return Planned(plan.arcs, plan.start);
+  std::vector<PlannedArc> planned = Planned({plan.arcs.front()}, plan.start);
+  const Pose2 cusp = Advance(plan.start, plan.arcs.front()) * Pose2{0.0, 0.0, plan.cusp_turn_rad};
+  const auto on = Planned({plan.arcs.begin() + 1, plan.arcs.end()}, cusp);
+  planned.insert(planned.end(), on.begin(), on.end());
+  return planned;
 }
 
 std::vector<PlannedArc> Planned(const std::vector<Arc>& arcs, const Pose2& X_DR_start) {

@@ -13,9 +13,8 @@ namespace dockyard::axel {
 
 /// Straight out of the cone if in it, then two reverse arcs to the recovery goal on the line to the
 /// mouth, farther out each time.
-std::vector<Arc> PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options,
-                              const Pose2& X_DR, const PlanHistory& history = {},
-                              const Drift& drift = {});
+AxisPlan PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
+                      const PlanHistory& history = {}, const Drift& drift = {});
 
 /// The first part of a plan, up to the next image pair. A move backwards is driven whole. The leg
 /// ends with the board in view and, if it can, where a rover that has come to its side by as much
@@ -33,6 +32,7 @@ Decision Decide(const PlanGeometry& geometry, const AxelOptions& options, const 
                 const PlanHistory& history = {}, const Drift& drift = {});
 
 /// A path in the belief's form.
+std::vector<PlannedArc> Planned(const AxisPlan& plan);
 std::vector<PlannedArc> Planned(const std::vector<Arc>& arcs, const Pose2& X_DR_start);
 
 }  // namespace dockyard::axel

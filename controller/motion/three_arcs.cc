@@ -32,12 +32,14 @@ std::vector<Arc> FirstArcs(const ArcLimits& limits, double step_m, double longes
 
 void ForEachTriple(const Pose2& X_RG, const std::vector<Arc>& firsts, const ArcLimits& limits,
                    int splits, const std::function<bool(const Arc&)>& wants,
-                   const std::function<void(const ArcTriple&)>& look) {
+                   const std::function<void(const ArcTriple&)>& look, double cusp_turn_rad) {
   for (const Arc& first : firsts) {
     if (!wants(first)) continue;
-    ForEachPair(Inverse(Advance({}, first)) * X_RG, limits, splits, [&](const ArcPair& pair) {
-      look({first, pair[0], pair[1]});
-    });
+    const Pose2 turned{0.0, 0.0, first.length_m < 0.0 ? cusp_turn_rad : 0.0};
+    ForEachPair(Inverse(Advance({}, first) * turned) * X_RG, limits, splits,
+                [&](const ArcPair& pair) {
+                  look({first, pair[0], pair[1]});
+                });
   }
 }
 

@@ -20,9 +20,10 @@ std::vector<Arc> FirstArcs(const ArcLimits& limits, double step_m, double longes
                            int curvatures);
 
 /// For each first arc that `wants` lets through, calls look for the pairs of ForEachPair from its
-/// end on.
+/// end on. Behind a first arc backwards the course turns by cusp_turn_rad: a rover that drifts
+/// sideways keeps another course forwards than backwards.
 void ForEachTriple(const Pose2& X_RG, const std::vector<Arc>& firsts, const ArcLimits& limits,
                    int splits, const std::function<bool(const Arc&)>& wants,
-                   const std::function<void(const ArcTriple&)>& look);
+                   const std::function<void(const ArcTriple&)>& look, double cusp_turn_rad = 0.0);
 
 }  // namespace dockyard

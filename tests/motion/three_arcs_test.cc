@@ -82,6 +82,25 @@ TEST(Triples, SkipFirstArcsThatAreNotWanted) {
   EXPECT_GT(seen, 0);
 }
 
+TEST(Triples, TurnTheCourseOnceBehindAWayBackwards) {
+  const Pose2 goal{2.0, 1.0, 0.4}, turned{0.0, 0.0, 0.2};
+  const Arc back{-0.5, 0.1}, on{0.5, 0.1};
+  const auto Misses = [&](const Arc& first, const Pose2& between, double cusp_turn_rad) {
+    double worst = 0.0;
+    ForEachTriple(
+        goal, {first}, {}, 12, Any,
+        [&](const ArcTriple& arcs) {
+          const Pose2 end = Advance({}, first) * between;
+          worst = std::max(worst, Miss(Advance(end, {arcs[1], arcs[2]}), goal));
+        },
+        cusp_turn_rad);
+    return worst;
+  };
+  EXPECT_LT(Misses(back, turned, 0.2), 1e-9);
+  EXPECT_LT(Misses(on, {}, 0.2), 1e-9);
+  EXPECT_GT(Misses(back, {}, 0.2), 0.1);
+}
+
 // Two arcs of a least radius miss a fifth of the poses near by; a turn at one place they never do.
 TEST(Triples, ReachWhatPairsMiss) {
   RandomStream random(StreamKey(2, "near goals"));

@@ -179,16 +179,26 @@ TEST_F(Planner, RecoveryEndsOnTheAxisAtTheRecoveryGoalFartherOutEachTime) {
   const Pose2 X_DR{1.28, 0.11, WrapPi(kPi + Radians(7.0))};
   for (int before = 0; before < 4; ++before) {
     const auto plan = PlanRecovery(geometry_, options_, X_DR, {.recoveries = before});
-    const Pose2 end = Advance(X_DR, plan);
+    const Pose2 end = Advance(plan.start, plan.arcs);
     const double gap_m = options_.plan.recover_gap_m + before * options_.plan.recover_step_m;
     EXPECT_THAT(end.x, DoubleNear(1.0 + gap_m, 1e-9));
     EXPECT_THAT(end.y, DoubleNear(0.0, 1e-9));
-    for (const Arc& arc : plan) EXPECT_LE(arc.length_m, 0.0);
+    for (const Arc& arc : plan.arcs) EXPECT_LE(arc.length_m, 0.0);
   }
 }
 
+// Backwards it keeps its course with the nose on the other side of it than forwards.
+TEST_F(Planner, RecoveryOfARoverThatDriftsEndsSquareToTheStation) {
+  const Drift drift{-0.06, -0.08};
+  const AxisPlan plan = PlanRecovery(geometry_, options_, {1.2, 0.02, kPi}, {}, drift);
+  const Pose2 end = Advance(plan.start, plan.arcs);
+  EXPECT_THAT(WrapPi(end.heading + std::atan(drift.at_dock) - kPi), DoubleNear(0.0, 1e-9));
+  const Pose2 line = MouthLineAt(geometry_, options_.mate, end.x, drift.at_dock);
+  EXPECT_THAT(end.y, DoubleNear(line.y, 1e-9));
+}
+
 TEST_F(Planner, RecoveryFromTheConeComesOutStraightFirst) {
-  const auto plan = PlanRecovery(geometry_, options_, {0.9, 0.02, kPi});
+  const auto plan = PlanRecovery(geometry_, options_, {0.9, 0.02, kPi}).arcs;
   EXPECT_EQ(plan.front().turn_rad, 0.0);
   EXPECT_THAT(plan.front().length_m, DoubleNear(-0.25, 1e-9));
 }
