@@ -53,7 +53,8 @@ void ReelIn::TurnToAndFro(Tick since, Commands* commands) const {
 
 ReelIn::Status ReelIn::Step(const Senses& senses, Commands* commands) {
   const TetherOptions& tether = options_.tether;
-  SetWheels(MotorMode::kFree, commands);
+  RollAlong(nominal_, tether.reel_m_s, options_.mate.thrust_n, options_.drive.wheel_accel_rad_s2,
+            commands);
   commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
       Winch(nominal_, tether.reel_m_s, tether.reel_tension_n, tether.accel_rad_s2);
   if (wiggle_since_) {

@@ -1,4 +1,4 @@
-// The end of a docking: reels the tip in with free wheels, finds out by a picture or by a push
+// The end of a docking: reels the tip in, finds out by a picture or by a push
 // whether it is seated, and wiggles an arm that stopped short.
 #pragma once
 
@@ -18,9 +18,9 @@ double DepthBySighting(const Nominal& nominal, const Pose3& X_RB, double arm_rad
 
 /// What the rover knows at its stop.
 struct SeatKnowledge {
-  double depth_by_drum_m = 0.0;              // since the last picture before the mouth
-  std::optional<double> depth_by_picture_m{};// none: no picture, or the board is not found in it
-  std::optional<double> taken_up_by_push_m{}; // while it was pushed to and fro; none: not pushed
+  double depth_by_drum_m = 0.0;                // since the last picture before the mouth
+  std::optional<double> depth_by_picture_m{};  // none: no picture, or the board is not found in it
+  std::optional<double> taken_up_by_push_m{};  // while it was pushed to and fro; none: not pushed
 };
 enum class SeatRuling {
   kSeated,
@@ -32,8 +32,9 @@ enum class SeatRuling {
 /// the tether in any further.
 SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateOptions& options);
 
-/// Wheels free, the spool pulls until it stops. In a wiggle the wheels turn the rover to and fro
-/// meanwhile, without driving it on.
+/// The spool pulls until it stops. The wheels run along with little thrust: what they do not carry
+/// over their paddles the station would have to bear, and they hold the rover back as it rolls off
+/// one. In a wiggle they turn the rover to and fro meanwhile, without driving it on.
 class ReelIn {
  public:
   enum class Status {

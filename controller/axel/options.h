@@ -129,6 +129,9 @@ struct MateOptions {
   // A stop this far before the floor counts as seated: about the middle between it and where arms
   // stop at their lead-in, 2.6 to 3.5 cm before it. Range 0.008-0.02.
   double seat_margin_m = 0.013;
+  // Of both wheels while the spool reels in. Rolling over a paddle takes 105 N, and the feet of a
+  // station of 35 kg slip at 137 N (friction 0.4). Assumed, 40-90.
+  double thrust_n = 60.0;
   Tick stuck_after = 2'000;  // spool at its limit without taking up
   // An arm that stopped short is turned to and fro under the spool's pull, the k-th time at k times
   // this rate. Within the funnel's play: 0.06 rad/s for 1.2 s is 4 deg. Assumed, 0.03-0.1 rad/s.

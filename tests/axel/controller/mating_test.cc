@@ -84,23 +84,32 @@ TEST_F(Wiggle, TurnsToAndFroWithoutGoingOnAndEndsWhereItBegan) {
       const MotorCommand& left = commands.motors[static_cast<std::size_t>(Motor::kLeftWheel)];
       const MotorCommand& right = commands.motors[static_cast<std::size_t>(Motor::kRightWheel)];
       EXPECT_GT(commands.motors[static_cast<std::size_t>(Motor::kSpool)].target, 0.0);
-      if (left.mode != MotorMode::kVelocity) continue;
+      if (left.target == right.target) continue;  // after it
       EXPECT_DOUBLE_EQ(left.target, -right.target);
       turned += right.target;
       most = std::max(most, right.target);
     }
     EXPECT_NEAR(turned, 0.0, most + 1e-9);  // but for one control period
-    EXPECT_GT(most, hardest);  // each time harder
+    EXPECT_GT(most, hardest);               // each time harder
     hardest = most;
   }
 }
 
-TEST_F(Wiggle, WheelsAreFreeInAReelInWithoutOne) {
+TEST_F(Wiggle, WheelsRunAlongWithLittleThrustInAReelInWithoutOne) {
   senses_.Update(frame_);
   reel_in_.Begin(senses_, 0.05);
   for (const Commands& commands : UntilItStops()) {
-    EXPECT_EQ(commands.motors[static_cast<std::size_t>(Motor::kLeftWheel)].mode, MotorMode::kFree);
-    EXPECT_EQ(commands.motors[static_cast<std::size_t>(Motor::kRightWheel)].mode, MotorMode::kFree);
+    double thrust_n = 0.0;
+    for (const Motor wheel : {Motor::kLeftWheel, Motor::kRightWheel}) {
+      const auto i = static_cast<std::size_t>(wheel);
+      const MotorCommand& command = commands.motors[i];
+      const NominalMotor& motor = nominal_.motors[i];
+      EXPECT_EQ(command.mode, MotorMode::kVelocity);
+      EXPECT_DOUBLE_EQ(command.target, options_.tether.reel_m_s / nominal_.wheel_radius_m);
+      thrust_n += (command.current_limit_a - motor.no_load_current_a) * motor.torque_per_amp_nm /
+                  nominal_.wheel_radius_m;
+    }
+    EXPECT_NEAR(thrust_n, options_.mate.thrust_n, 1e-9);
   }
 }
 
