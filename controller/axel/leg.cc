@@ -106,6 +106,17 @@ bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amou
   return false;
 }
 
+bool ReverseStraight(const Nominal& nominal, const AxelOptions& options, double amount_m,
+                     double rolled_m, Commands* commands) {
+  if (rolled_m <= -amount_m) return true;
+  const DriveOptions& drive = options.drive;
+  CommandWheels(nominal, {-drive.reverse_m_s, 0.0}, drive.wheel_accel_rad_s2, commands);
+  const TetherOptions& tether = options.tether;
+  commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
+      Winch(nominal, tether.catch_up_m_s, tether.reverse_tension_n, tether.accel_rad_s2);
+  return false;
+}
+
 void ReelNearer(const Nominal& nominal, const TetherOptions& options, Commands* commands) {
   SetWheels(MotorMode::kFree, commands);
   commands->motors[static_cast<std::size_t>(Motor::kSpool)] =

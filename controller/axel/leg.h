@@ -71,6 +71,10 @@ MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options);
 /// Turns in place until turned_rad reaches amount_rad; returns whether it has. The spool gives way.
 bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amount_rad,
                  double turned_rad, Commands* commands);
+/// Drives straight back until rolled_m, negative backwards, reaches -amount_m; returns whether it
+/// has. The spool gives way.
+bool ReverseStraight(const Nominal& nominal, const AxelOptions& options, double amount_m,
+                     double rolled_m, Commands* commands);
 /// Wheels free, spool pulling the rover along.
 void ReelNearer(const Nominal& nominal, const TetherOptions& options, Commands* commands);
 

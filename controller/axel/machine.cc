@@ -10,6 +10,7 @@
 #include "controller/axel/phases.h"
 #include "controller/axel/righting.h"
 #include "controller/axel/search.h"
+#include "controller/axel/seeker.h"
 #include "controller/axel/senses.h"
 #include "controller/axel/sighting.h"
 #include "controller/base/check.h"
@@ -41,6 +42,7 @@ class AxelMachine final : public Controller {
         righting_(nominal, options.righting),
         reel_in_(nominal, options),
         judge_(options.look, nominal.X_DB),
+        seeker_(options.search),
         still_(options.tether.still_m) {
     DOCKYARD_CHECK(locator_ != nullptr);
     belief_.phase = Name(phase_);
@@ -73,6 +75,8 @@ class AxelMachine final : public Controller {
   }
   Tick InPhase() const { return senses_.now() - entered_; }
   double ReeledHere() const { return senses_.reeled_m() - reeled_at_entry_m_; }
+  double RolledHere() const { return senses_.rolled_m() - rolled_before_m_; }
+  double TurnedHere() const { return WrapPi(senses_.yaw_rad() - yaw_at_entry_rad_); }
   bool Stuck() {
     return still_.Still(senses_.now(), senses_.reeled_m()) >= options_.mate.stuck_after;
   }
@@ -99,6 +103,8 @@ class AxelMachine final : public Controller {
   bool TurnedOver();
   Event Right();
   void BeginSearch();
+  SearchKnowledge Known() const;
+  bool TetherAbeam();
 
   void Change(Event event);
   void Enter(Phase phase);
@@ -113,6 +119,7 @@ class AxelMachine final : public Controller {
   Righting righting_;
   ReelIn reel_in_;
   SightingJudge judge_;
+  Seeker seeker_;
   CameraTurnFilter camera_turn_;
   StillWatch still_;
 
@@ -133,7 +140,8 @@ class AxelMachine final : public Controller {
   std::optional<Tick> asked_at_;
   int asks_ = 0;  // in a row without an answer
   // Searching.
-  int attempts_ = 0;
+  int attempts_ = 0, turning_pulls_ = 0;
+  bool seeking_ = true;  // it has not driven since the board was lost
   std::optional<SearchAction> search_;
   // Confirming: when the spool was braked, where it stood, and what the picture then shows.
   struct Braked {
@@ -258,8 +266,10 @@ std::optional<Event> AxelMachine::Judge(const StereoImages& images) {
   if (ruling == SightingJudge::Ruling::kAccepted) {
     camera_turn_.Take(*seen.sighting);
     attempts_ = 0;
+    seeker_ = Seeker(options_.search);
     if (taut_ && !senses_.filter().TetherKnown()) senses_.UseTether(0.0);
-    return phase_ == Phase::kRecheck ? AtTheMouth() : AfterSighting();
+    if (phase_ == Phase::kRecheck) return AtTheMouth();
+    return TetherAbeam() ? Event::kTetherAbeam : AfterSighting();
   }
   // At the mouth the marks may be too near to be seen (Tsai et al., II): the last estimate decides.
   return phase_ == Phase::kRecheck ? AtTheMouth() : Event::kNotSeen;
@@ -323,12 +333,26 @@ std::optional<Event> AxelMachine::TurnBack(Commands* commands) {
   return status == Righting::Status::kDone ? Event::kArrived : Event::kLimitReached;
 }
 
-void AxelMachine::BeginSearch() {
+SearchKnowledge AxelMachine::Known() const {
+  const Pose2 X_DR = senses_.pose();
   const PlanGeometry& geometry = driving_.geometry();
-  const SearchKnowledge known{
-      senses_.filter().located(), SeesBoard(geometry, options_.look, senses_.pose()),
-      BoardBearing(geometry, senses_.pose()), TipOf(geometry, senses_.pose()).gap_m};
-  search_ = NextSearchAction(attempts_++, known, options_.search);
+  const TipPlace tip = TipOf(geometry, X_DR);
+  return {SeesBoard(geometry, options_.look, X_DR), BoardBearing(geometry, X_DR),
+          std::hypot(tip.gap_m, tip.offset_m), TetherAngle(geometry, X_DR)};
+}
+
+// In the middle of its arcs the rover has the tether aside, too. So this counts only where it finds
+// the board, and a tether that does not turn it is not pulled for ever.
+bool AxelMachine::TetherAbeam() {
+  return seeking_ && PullFirst(Known(), options_.search) &&
+         turning_pulls_++ < options_.search.turning_pulls;
+}
+
+void AxelMachine::BeginSearch() {
+  seeking_ = true;
+  search_.reset();
+  if (senses_.filter().located()) search_ = NextSearchAction(attempts_++, Known(), options_.search);
+  if (!search_) search_ = seeker_.Next({senses_.yaw_rad(), senses_.reeled_m(), senses_.rolled_m()});
   if (!search_ || search_->move != SearchMove::kAdvance) return;
   driving_.PlanAhead(senses_, search_->amount);
   const DriveOptions& drive = options_.drive;
@@ -347,12 +371,16 @@ std::optional<Event> AxelMachine::Search(Commands* commands) {
     case SearchMove::kTilt:
       return Level(search_->amount, commands);
     case SearchMove::kTurn:
-      return ArrivedIf(TurnInPlace(nominal_, options_, search_->amount,
-                                   senses_.yaw_rad() - yaw_at_entry_rad_, commands));
+      return ArrivedIf(TurnInPlace(nominal_, options_, search_->amount, TurnedHere(), commands));
     case SearchMove::kReel:
       ReelNearer(nominal_, options_.tether, commands);
       return ArrivedIf(Stuck() || ReeledHere() >= search_->amount ||
-                       senses_.rolled_m() - rolled_before_m_ >= search_->amount);
+                       RolledHere() >= search_->amount ||
+                       RolledHere() <= -options_.search.backwards_m ||
+                       std::abs(TurnedHere()) >= options_.search.pull_turn_rad);
+    case SearchMove::kReverse:
+      return ArrivedIf(
+          ReverseStraight(nominal_, options_, search_->amount, RolledHere(), commands));
     case SearchMove::kAdvance:
       return Drive(commands);
     case SearchMove::kBackUp:
@@ -452,6 +480,10 @@ void AxelMachine::Enter(Phase phase) {
   if (phase == Phase::kLook || phase == Phase::kRecheck) judge_.NewStop();
   if (phase == Phase::kSearch) BeginSearch();
   if (phase == Phase::kRight) righting_.Begin(senses_);
+  const bool drives = phase == Phase::kApproach || phase == Phase::kAlign ||
+                      phase == Phase::kBackOff || phase == Phase::kRecover ||
+                      phase == Phase::kMate || phase == Phase::kEnter;
+  if (drives) seeking_ = false;
 }
 
 void AxelMachine::FillBelief() {

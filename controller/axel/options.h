@@ -154,10 +154,30 @@ struct MateOptions {
 struct SearchOptions {
   double tilt_rad = Radians(6.0);
   double turn_rad = Radians(12.0);  // two overlap the lens's edge region; assumed, 8-20
-  double reel_m = 0.6;      // towards the station, arm swinging into line; three times at most
+  double reel_m = 0.6;              // towards the station, arm swinging into line; assumed, 0.4-0.8
+  // A pull ends when the rover has turned by this much: half the lens's width of view, so that no
+  // direction is passed over. 30-60 deg.
+  double pull_turn_rad = Radians(45.0);
   double advance_m = 0.6;   // on dead reckoning: 6 cm of error at 10 % slip
   double near_gap_m = 1.2;  // nearer than this back up rather than go on blindly
   Tick move_limit = 25'000;
+  // The wheels turn the rover only while the tether is nearer to the arm than this; see
+  // PlanOptions::tether_angle_rad.
+  double tether_rad = Radians(45.0);
+  double pull_room_m = 0.3;  // left between tip and mouth after a pull; assumed, 0.2-0.5
+  int turning_pulls = 6;     // of a rover that sees the board; 180 deg by 35-45 deg each
+  double backwards_m = 0.3;  // drawn along backwards, it is in balance; assumed, 0.2-0.4
+  // A pull that turned it by less left it facing along the tether: paddles turn a rover on compact
+  // soil by 10 deg to and fro, of which half a step's length evens out most. Assumed, 6-12 deg.
+  double still_turn_rad = Radians(8.0);
+  double whole_pull = 0.85;  // share of a pull; less is a spool that stalled; assumed, 0.7-0.95
+  int stuck_pulls = 2;       // then the station is reached, or nothing helps; assumed, 2-3
+  double reverse_m = 1.0;    // axle from 1.2 m before the mouth to 2.2 m; assumed, 0.7-1.5
+  double sweep_rad = Radians(20.0);  // looks to each side: within tether_rad, lens's edges overlap
+  // Looks from nearly the same place show the same. Assumed, 8-20 deg and 0.5-2 m of tether.
+  double same_yaw_rad = Radians(12.0), same_place_m = 1.5;
+  // The tip is at most 9 m from the mouth, facing away at 8 m, and reversing gives 2 m back.
+  double reel_limit_m = 11.0;
 };
 
 /// Of a rover that has turned over. All assumed; angles and speeds leave the arm's motor, 80 N m,

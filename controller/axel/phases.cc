@@ -16,6 +16,7 @@ struct Transition {
 constexpr std::array kTransitions = {
     Transition{Phase::kTighten, Event::kTaut, Phase::kLook},
     Transition{Phase::kLook, Event::kNotSeen, Phase::kSearch},
+    Transition{Phase::kLook, Event::kTetherAbeam, Phase::kSearch},
     Transition{Phase::kLook, Event::kGoApproach, Phase::kApproach},
     Transition{Phase::kLook, Event::kGoAlign, Phase::kAlign},
     Transition{Phase::kLook, Event::kGoBackOff, Phase::kBackOff},

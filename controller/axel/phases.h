@@ -28,6 +28,7 @@ inline constexpr int kPhaseCount = static_cast<int>(Phase::kGivenUp) + 1;
 enum class Event {
   kTaut,
   kNotSeen,
+  kTetherAbeam,  // seen, but the tether has to turn the rover before it drives
   kGoApproach,
   kGoAlign,
   kGoBackOff,

@@ -1,29 +1,15 @@
 #include "controller/axel/search.h"
 
 #include <array>
+#include <cmath>
 
 namespace dockyard::axel {
 namespace {
 
-// Never seen: the tether is the only pointer to the station. Turns go left first.
-std::optional<SearchAction> Lost(int attempt, const SearchOptions& options) {
-  const std::array<SearchAction, 9> list = {{{SearchMove::kAgain, 0.0},
-                                             {SearchMove::kTilt, options.tilt_rad},
-                                             {SearchMove::kTilt, -options.tilt_rad},
-                                             {SearchMove::kReel, options.reel_m},
-                                             {SearchMove::kAgain, 0.0},
-                                             {SearchMove::kReel, options.reel_m},
-                                             {SearchMove::kTurn, options.turn_rad},
-                                             {SearchMove::kTurn, -2.0 * options.turn_rad},
-                                             {SearchMove::kReel, options.reel_m}}};
-  if (attempt >= static_cast<int>(list.size())) return std::nullopt;
-  return list[static_cast<std::size_t>(attempt)];
-}
-
-// Seen before: first towards where it should be, then on by dead reckoning. Turns go towards the
+// First towards where it should be, then on by dead reckoning. Turns go towards the
 // side where it is expected first, so that a mirrored start gives mirrored moves.
-std::optional<SearchAction> Remembering(int attempt, const SearchKnowledge& known,
-                                        const SearchOptions& options) {
+std::optional<SearchAction> Listed(int attempt, const SearchKnowledge& known,
+                                   const SearchOptions& options) {
   const double side = known.expected_bearing_rad < 0.0 ? -1.0 : 1.0;
   const bool near = known.tip_gap_m < options.near_gap_m;
   const std::array<SearchAction, 9> list = {{{SearchMove::kAgain, 0.0},
@@ -45,9 +31,18 @@ std::optional<SearchAction> Remembering(int attempt, const SearchKnowledge& know
 
 }  // namespace
 
+bool PullFirst(const SearchKnowledge& known, const SearchOptions& options) {
+  return std::abs(known.tether_rad) > options.tether_rad &&
+         known.tip_gap_m > options.reel_m + options.pull_room_m;
+}
+
 std::optional<SearchAction> NextSearchAction(int attempt, const SearchKnowledge& known,
                                              const SearchOptions& options) {
-  return known.located ? Remembering(attempt, known, options) : Lost(attempt, options);
+  const std::optional<SearchAction> action = Listed(attempt, known, options);
+  const bool turns = attempt == 0 || (action && action->move == SearchMove::kTurn);
+  if (action && turns && PullFirst(known, options))
+    return SearchAction{SearchMove::kReel, options.reel_m};
+  return action;
 }
 
 }  // namespace dockyard::axel

@@ -162,17 +162,19 @@ void KinematicRover::MoveSpool(const MotorCommand& command) {
   tension_n_ = tension();
 }
 
-// Free wheels under a pull: rolls along its heading while the arm swings towards the mouth.
+// Free wheels under a pull: the tip goes where the tether pulls it, axle and arm behind it.
 void KinematicRover::PullAlong() {
   if (!wheels_free_ || tension_n_ <= world_.roll_tension_n) return;
   const double step =
       std::min((tension_n_ - world_.roll_tension_n) / kTetherStiffness, 0.05 * kStep);
   const double aside = WrapPi(std::atan2(-tip_offset_m(), depth_m()) - X_DR_.heading);
-  const double turn = depth_m() < 0.0 ? std::sin(aside) * step / nominal_.arm_length_m : 0.0;
-  X_DR_ = Advance(X_DR_, Arc{step, turn});
+  const bool outside = depth_m() < 0.0;
+  const double turn = outside ? std::sin(aside) * step / nominal_.arm_length_m : 0.0;
+  const double way = outside ? std::cos(aside) * step : step;
+  X_DR_ = Advance(X_DR_, Arc{way, turn});
   yaw_ += turn;
-  left_ += step / nominal_.wheel_radius_m;
-  right_ += step / nominal_.wheel_radius_m;
+  left_ += way / nominal_.wheel_radius_m;
+  right_ += way / nominal_.wheel_radius_m;
 }
 
 // Inside the mouth the cone leads the tip to the axis; the arm turns about the axle.

@@ -53,6 +53,11 @@ TEST(Phases, ReelingIsReachedOnlyByTheCheckAtTheMouth) {
   }
 }
 
+TEST(Phases, TheSearchBeginsWithoutABoardOrWithTheTetherAbeam) {
+  for (const Event event : {Event::kNotSeen, Event::kTetherAbeam})
+    EXPECT_EQ(Next(Phase::kLook, event), Phase::kSearch);
+}
+
 TEST(Phases, NothingLeavesTheEnd) {
   for (int e = 0; e < kEventCount; ++e) {
     EXPECT_FALSE(Next(Phase::kDocked, EventAt(e)));

@@ -8,39 +8,42 @@ namespace {
 const SearchOptions kOptions{};
 
 TEST(Search, LooksAgainFirst) {
-  EXPECT_EQ(NextSearchAction(0, {}, kOptions)->move, SearchMove::kAgain);
+  EXPECT_EQ(NextSearchAction(0, {.board_expected_in_view = true}, kOptions)->move,
+            SearchMove::kAgain);
 }
 
 TEST(Search, IsBounded) {
-  EXPECT_FALSE(NextSearchAction(9, {}, kOptions));
-  EXPECT_FALSE(NextSearchAction(9, {.located = true, .board_expected_in_view = true}, kOptions));
-}
-
-TEST(Search, FollowsTheTetherWhenItNeverSawTheBoard) {
-  EXPECT_EQ(NextSearchAction(3, {}, kOptions)->move, SearchMove::kReel);
+  EXPECT_TRUE(NextSearchAction(8, {.board_expected_in_view = true}, kOptions));
+  EXPECT_FALSE(NextSearchAction(9, {.board_expected_in_view = true}, kOptions));
 }
 
 TEST(Search, TurnsToWhereTheBoardShouldBe) {
-  const SearchKnowledge aside{.located = true, .expected_bearing_rad = -0.9, .tip_gap_m = 2.0};
+  const SearchKnowledge aside{.expected_bearing_rad = -0.9, .tip_gap_m = 2.0};
   const auto action = NextSearchAction(0, aside, kOptions);
   EXPECT_EQ(action->move, SearchMove::kTurn);
   EXPECT_DOUBLE_EQ(action->amount, -0.9);
 }
 
 TEST(Search, GoesOnByDeadReckoningWhenFar) {
-  const SearchKnowledge far{true, true, 0.0, 2.5};
+  const SearchKnowledge far{true, 0.0, 2.5};
   EXPECT_EQ(NextSearchAction(3, far, kOptions)->move, SearchMove::kAdvance);
 }
 
 TEST(Search, BacksUpInsteadWhenNear) {
-  const SearchKnowledge near{true, true, 0.0, 0.4};
+  const SearchKnowledge near{true, 0.0, 0.4};
   EXPECT_EQ(NextSearchAction(3, near, kOptions)->move, SearchMove::kBackUp);
 }
 
 TEST(Search, TurnsToTheOtherSideInAMirroredWorld) {
-  const SearchKnowledge left{true, true, 0.2, 2.5}, right{true, true, -0.2, 2.5};
+  const SearchKnowledge left{true, 0.2, 2.5}, right{true, -0.2, 2.5};
   EXPECT_DOUBLE_EQ(NextSearchAction(5, left, kOptions)->amount,
                    -NextSearchAction(5, right, kOptions)->amount);
+}
+
+TEST(Search, LetsTheTetherTurnItWhileTheTetherIsAbeam) {
+  const SearchKnowledge abeam{
+      .expected_bearing_rad = 1.2, .tip_gap_m = 2.0, .tether_rad = Radians(80.0)};
+  EXPECT_EQ(NextSearchAction(0, abeam, kOptions)->move, SearchMove::kReel);
 }
 
 }  // namespace
