@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "controller/axel/driving.h"
+#include "controller/axel/haul.h"
 #include "controller/axel/mating.h"
 #include "controller/axel/phases.h"
 #include "controller/axel/righting.h"
@@ -41,6 +42,7 @@ class AxelMachine final : public Controller {
         arm_(nominal, options.arm),
         righting_(nominal, options.righting),
         reel_in_(nominal, options),
+        haul_(nominal, options),
         judge_(options.look, nominal.X_DB),
         seeker_(options.search),
         still_(options.tether.still_m) {
@@ -105,6 +107,8 @@ class AxelMachine final : public Controller {
   void BeginSearch();
   SearchKnowledge Known() const;
   bool TetherAbeam();
+  Event GoBlind(const std::string& why);
+  std::optional<Event> HaulIn(Commands* commands);
 
   void Change(Event event);
   void Enter(Phase phase);
@@ -118,6 +122,7 @@ class AxelMachine final : public Controller {
   ArmLevel arm_;
   Righting righting_;
   ReelIn reel_in_;
+  Haul haul_;
   SightingJudge judge_;
   Seeker seeker_;
   CameraTurnFilter camera_turn_;
@@ -140,7 +145,7 @@ class AxelMachine final : public Controller {
   std::optional<Tick> asked_at_;
   int asks_ = 0;  // in a row without an answer
   // Searching.
-  int attempts_ = 0, turning_pulls_ = 0;
+  int attempts_ = 0, turning_pulls_ = 0, hauls_ = 0;
   bool seeking_ = true;  // it has not driven since the board was lost
   std::optional<SearchAction> search_;
   // Confirming: when the spool was braked, where it stood, and what the picture then shows.
@@ -173,6 +178,8 @@ std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* comma
       return Reel(commands);
     case Phase::kConfirm:
       return Confirm(sensed, commands);
+    case Phase::kHaul:
+      return HaulIn(commands);
     case Phase::kRight:
       return TurnBack(commands);
     case Phase::kDocked:
@@ -224,8 +231,7 @@ std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* comm
   if (senses_.now() - look_from_ < options_.look.settle) return std::nullopt;
   if (!asked_at_ || senses_.now() - *asked_at_ >= options_.look.image_limit << (asks_ - 1)) {
     if (asks_ == options_.look.unanswered_asks) {
-      belief_.note = "cameras do not answer";
-      return Event::kLimitReached;
+      return GoBlind("cameras do not answer");
     }
     commands->take_images = {kLeftCamera, kRightCamera};
     asked_at_ = senses_.now();
@@ -360,10 +366,7 @@ void AxelMachine::BeginSearch() {
 }
 
 std::optional<Event> AxelMachine::Search(Commands* commands) {
-  if (!search_) {
-    belief_.note = "board not found";
-    return Event::kLimitReached;
-  }
+  if (!search_) return GoBlind("board not found");
   if (InPhase() > options_.search.move_limit) return Event::kArrived;
   switch (search_->move) {
     case SearchMove::kAgain:
@@ -387,6 +390,29 @@ std::optional<Event> AxelMachine::Search(Commands* commands) {
       return Recover(Event::kGoRecover, "board lost near the station");
   }
   return std::nullopt;
+}
+
+// A rover that knows from before that it stands aside of the cone would jam there.
+Event AxelMachine::GoBlind(const std::string& why) {
+  belief_.note = why;
+  const Pose2 X_DR = senses_.pose();
+  const bool aside =
+      senses_.filter().located() && std::abs(std::atan2(X_DR.y, X_DR.x)) > options_.haul.aside_rad;
+  if (aside || hauls_++ >= options_.haul.tries) return Event::kLimitReached;
+  return Event::kGoBlind;
+}
+
+// The cone that holds the arm tells the rover where it is. The reel-in then checks that it is
+// seated.
+std::optional<Event> AxelMachine::HaulIn(Commands* commands) {
+  const Haul::Status status = haul_.Step(senses_, commands);
+  if (status == Haul::Status::kUnderWay) return std::nullopt;
+  if (status == Haul::Status::kLoose) {
+    belief_.note += ", and the tether does not lead into the cone";
+    return Event::kLimitReached;
+  }
+  senses_.filter().Restart(SeatedFix(nominal_));
+  return Event::kArrived;
 }
 
 std::optional<Event> AxelMachine::Reel(Commands* commands) {
@@ -480,6 +506,7 @@ void AxelMachine::Enter(Phase phase) {
   if (phase == Phase::kLook || phase == Phase::kRecheck) judge_.NewStop();
   if (phase == Phase::kSearch) BeginSearch();
   if (phase == Phase::kRight) righting_.Begin(senses_);
+  if (phase == Phase::kHaul) haul_.Begin(senses_);
   const bool drives = phase == Phase::kApproach || phase == Phase::kAlign ||
                       phase == Phase::kBackOff || phase == Phase::kRecover ||
                       phase == Phase::kMate || phase == Phase::kEnter;

@@ -180,6 +180,24 @@ struct SearchOptions {
   double reel_limit_m = 11.0;
 };
 
+/// Of a rover that comes by the tether alone.
+struct HaulOptions {
+  // A rover in the socket turns by 0.8-1.4 deg of 11 deg commanded, in the mouth by 3.5-4.3,
+  // outside by 5.5-7 (simulated on loose and compact soil). Share of what is commanded; range
+  // 0.15-0.3.
+  double held_share = 0.22;
+  double elevation_rad = Radians(3.0);  // arm against the seated one's; a paddle is 2 deg; 2-4
+  double firm_m = 0.003;                // as MateOptions::wiggle_gain_m
+  double push_rad_s = 0.1, push_accel_rad_s2 = 0.5;  // 8 deg to each side; assumed, 0.06-0.15
+  Tick quarter = 1'400;
+  int pushes = 6;  // in a row that each help; assumed, 4-8
+  Tick ease_time = 1'500;
+  int tries = 2;  // approaches by the tether; assumed, 1-3
+  // Beyond this the arm jams in the cone (pure reeling; Tsai et al., V-C: 5 deg without moving the
+  // station). Where it has an estimate from before, it does not try. Range 8-20 deg.
+  double aside_rad = Radians(12.0);
+};
+
 /// Of a rover that has turned over. All assumed; angles and speeds leave the arm's motor, 80 N m,
 /// three times the 20 N m of an arm held level.
 struct RightingOptions {
@@ -214,6 +232,7 @@ struct AxelOptions {
   PlanOptions plan{};
   MateOptions mate{};
   SearchOptions search{};
+  HaulOptions haul{};
   RightingOptions righting{};
   LimitOptions limit{};
   FilterNoise noise{};

@@ -22,6 +22,9 @@ constexpr std::array kTransitions = {
     Transition{Phase::kLook, Event::kGoBackOff, Phase::kBackOff},
     Transition{Phase::kLook, Event::kGoMate, Phase::kMate},
     Transition{Phase::kLook, Event::kGoRecover, Phase::kRecover},
+    Transition{Phase::kLook, Event::kGoBlind, Phase::kHaul},
+    Transition{Phase::kSearch, Event::kGoBlind, Phase::kHaul},
+    Transition{Phase::kHaul, Event::kArrived, Phase::kReel},
     Transition{Phase::kSearch, Event::kArrived, Phase::kTighten},
     Transition{Phase::kSearch, Event::kGoRecover, Phase::kRecover},
     Transition{Phase::kApproach, Event::kArrived, Phase::kTighten},
@@ -44,7 +47,7 @@ constexpr std::array kTransitions = {
 const char* Name(Phase phase) {
   static constexpr std::array<const char*, kPhaseCount> kNames = {
       "tighten", "look",  "search", "approach", "align", "back_off", "recover", "mate",
-      "recheck", "enter", "reel",   "confirm",  "right", "docked",   "given_up"};
+      "recheck", "enter", "reel",   "confirm",  "haul",  "right",    "docked",  "given_up"};
   return kNames[static_cast<std::size_t>(phase)];
 }
 

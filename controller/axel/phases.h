@@ -19,6 +19,7 @@ enum class Phase {
   kEnter,     // slowly until the tip is in the mouth
   kReel,      // wheels free, reel in
   kConfirm,   // spool braked, nothing may move
+  kHaul,      // cannot see: wheels free, the tether draws it into the cone
   kRight,     // turned over: body upright again, arm ahead
   kDocked,
   kGivenUp,
@@ -34,6 +35,7 @@ enum class Event {
   kGoBackOff,
   kGoMate,      // aligned
   kGoRecover,   // misaligned and too near
+  kGoBlind,     // no camera shows the board
   kArrived,     // the move is over, complete or not
   kReeledIn,    // reeled in as far as asked
   kStopsShort,  // it is not all the way in, and may be with another push
