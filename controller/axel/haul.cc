@@ -9,11 +9,8 @@
 namespace dockyard::axel {
 namespace {
 
-double SeatedElevation(const Nominal& nominal) {
-  const Eigen::Vector3d inward = nominal.X_DB.R.col(2);
-  const double tip_m = nominal.mouth_height_m + nominal.seat_depth_m * inward.z();
-  return std::asin((tip_m - nominal.wheel_radius_m) / nominal.arm_length_m);
-}
+// The socket lays the arm along its axis, whatever the axle's height, which the soil decides.
+double SeatedElevation(const Nominal& nominal) { return std::asin(nominal.X_DB.R.col(2).z()); }
 
 }  // namespace
 
@@ -58,15 +55,17 @@ Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
   if (stage_ == Stage::kDraw) {
     spool = Winch(nominal_, tether.tighten_m_s, tether.search_tension_n, tether.accel_rad_s2);
     if (senses.reeled_m() - reeled_m_ > options_.search.reel_limit_m) return Status::kLoose;
-    if (stalled) Enter(Stage::kPull, senses);
+    if (stalled) Enter(Stage::kAlign, senses);
     return Status::kUnderWay;
   }
-  spool = Winch(nominal_, tether.reel_m_s, tether.reel_tension_n, tether.accel_rad_s2);
   if (stage_ == Stage::kEase) {
     spool =
         Winch(nominal_, options_.mate.taut_m_s, options_.mate.taut_tension_n, tether.accel_rad_s2);
     return since >= haul.ease_time ? Status::kHeld : Status::kUnderWay;
   }
+  const bool gently = stage_ == Stage::kAlign;
+  spool = Winch(nominal_, tether.reel_m_s, gently ? haul.align_tension_n : tether.reel_tension_n,
+                tether.accel_rad_s2);
   if (stage_ == Stage::kPull) {
     if (stalled) Enter(Stage::kPush, senses);
     return Status::kUnderWay;
@@ -82,6 +81,12 @@ Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
 }
 
 Haul::Status Haul::JudgeHere(const Senses& senses) {
+  if (stage_ == Stage::kAlign) {
+    const bool helped = senses.reeled_m() - reeled_m_ >= options_.haul.firm_m;
+    Enter(helped && ++pushes_ < options_.haul.pushes ? Stage::kAlign : Stage::kPull, senses);
+    if (stage_ == Stage::kPull) pushes_ = 0;
+    return Status::kUnderWay;
+  }
   const Push push{
       2.0 * options_.haul.push_rad_s * kTickSeconds * static_cast<double>(options_.haul.quarter),
       leftmost_rad_ - rightmost_rad_, senses.reeled_m() - reeled_m_};

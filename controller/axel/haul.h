@@ -44,10 +44,11 @@ class Haul {
   Status Step(const Senses& senses, Commands* commands);
 
  private:
-  /// First so gently that an arm against the station does not push it, then as hard as into the
-  /// cone, then with pushes to the sides. Held, it eases the tether to the tension of the last
-  /// check, so that what the tether stretches does not count as depth.
-  enum class Stage { kDraw, kPull, kPush, kEase };
+  /// The spool draws until it stalls. Then pushes to the sides let the cone turn the rover into
+  /// line, under less tension, so that they do not shift the station. It pulls as hard as the
+  /// reel-in does, and pushes again. Held, it eases the tether to the tension of the last check, so
+  /// that what the tether stretches does not count as depth.
+  enum class Stage { kDraw, kAlign, kPull, kPush, kEase };
   void Enter(Stage stage, const Senses& senses);
   Status JudgeHere(const Senses& senses);
 

@@ -358,7 +358,9 @@ void AxelMachine::BeginSearch() {
   seeking_ = true;
   search_.reset();
   if (senses_.filter().located()) search_ = NextSearchAction(attempts_++, Known(), options_.search);
-  if (!search_) search_ = seeker_.Next({senses_.yaw_rad(), senses_.reeled_m(), senses_.rolled_m()});
+  if (!search_)
+    search_ = seeker_.Next(
+        {senses_.yaw_rad(), senses_.reeled_m(), senses_.rolled_m(), senses_.elevation_rad()});
   if (!search_ || search_->move != SearchMove::kAdvance) return;
   driving_.PlanAhead(senses_, search_->amount);
   const DriveOptions& drive = options_.drive;

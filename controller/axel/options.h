@@ -172,7 +172,10 @@ struct SearchOptions {
   double still_turn_rad = Radians(8.0);
   double whole_pull = 0.85;  // share of a pull; less is a spool that stalled; assumed, 0.7-0.95
   int stuck_pulls = 2;       // then the station is reached, or nothing helps; assumed, 2-3
-  double reverse_m = 1.0;    // axle from 1.2 m before the mouth to 2.2 m; assumed, 0.7-1.5
+  // An arm raised so far after a pull hangs from the cone: the rover is near it, and backs off
+  // before it turns. 12 deg below the level it lies on the ground. Assumed, 0-3 deg.
+  double raised_rad = Radians(1.5);
+  double reverse_m = 1.0;            // axle from 1.2 m before the mouth to 2.2 m; assumed, 0.7-1.5
   double sweep_rad = Radians(20.0);  // looks to each side: within tether_rad, lens's edges overlap
   // Looks from nearly the same place show the same. Assumed, 8-20 deg and 0.5-2 m of tether.
   double same_yaw_rad = Radians(12.0), same_place_m = 1.5;
@@ -186,8 +189,13 @@ struct HaulOptions {
   // outside by 5.5-7 (simulated on loose and compact soil). Share of what is commanded; range
   // 0.15-0.3.
   double held_share = 0.22;
-  double elevation_rad = Radians(3.0);  // arm against the seated one's; a paddle is 2 deg; 2-4
-  double firm_m = 0.003;                // as MateOptions::wiggle_gain_m
+  // Arm against the axis of the socket, whose play is 1.5 deg. An arm that wedges askew in the
+  // throat stands 2.5 deg too high (simulated, 11 deg aside on sand).
+  double elevation_rad = Radians(2.0);  // range 1.5-2.5
+  // The wheels turn the rover, so the tether need not roll it. Below the station's friction on its
+  // feet, 137 N; assumed, 60-130.
+  double align_tension_n = 100.0;
+  double firm_m = 0.003;                             // as MateOptions::wiggle_gain_m
   double push_rad_s = 0.1, push_accel_rad_s2 = 0.5;  // 8 deg to each side; assumed, 0.06-0.15
   Tick quarter = 1'400;
   int pushes = 6;  // in a row that each help; assumed, 4-8

@@ -29,6 +29,9 @@ void Seeker::TakePull(const SeekerPlace& here) {
       planned_ = {{SearchMove::kTurn, WrapPi(here.yaw_rad + side_ * options_.sweep_rad)}};
       break;
     case PullResult::kAligned:
+      planned_.clear();
+      if (here.elevation_rad > options_.raised_rad)
+        planned_ = {{SearchMove::kReverse, options_.reverse_m}};
       PlanSweep(here);
       break;
     case PullResult::kStuck:  // too near, at the station, or in a hole

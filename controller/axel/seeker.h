@@ -16,9 +16,10 @@ namespace dockyard::axel {
 
 /// Where an image pair did not show the board.
 struct SeekerPlace {
-  double yaw_rad = 0.0;   // inertial
-  double reeled_m = 0.0;  // tether taken up since power-on
-  double rolled_m = 0.0;  // along the heading since power-on
+  double yaw_rad = 0.0;        // inertial
+  double reeled_m = 0.0;       // tether taken up since power-on
+  double rolled_m = 0.0;       // along the heading since power-on
+  double elevation_rad = 0.0;  // of the arm
 };
 
 /// What a pull by the spool, wheels free, did to the rover.

@@ -152,6 +152,18 @@ TEST(Seeker, ReversesFromTheStationBeforeItGivesUp) {
   EXPECT_EQ(reversals, kOptions.stuck_pulls);
 }
 
+// The tip may just have come into the cone, where a turn would push the station.
+TEST(Seeker, BacksOffBeforeItTurnsWithItsArmRaised) {
+  for (const double elevation_deg : {-12.0, 3.5}) {
+    Seeker seeker(kOptions);
+    seeker.Next({});
+    ASSERT_EQ(seeker.Next({})->move, SearchMove::kReel);
+    const SeekerPlace nearer{0.0, 0.6, 0.6, Radians(elevation_deg)};
+    const bool raised = elevation_deg > 0.0;
+    EXPECT_EQ(seeker.Next(nearer)->move, raised ? SearchMove::kReverse : SearchMove::kTilt);
+  }
+}
+
 TEST(JudgePull, TellsWhichWayTheTetherLeads) {
   const SeekerPlace before{.yaw_rad = 3.1, .reeled_m = 1.0, .rolled_m = -2.0};
   const auto after = [&](double turn, double reel, double roll) {
