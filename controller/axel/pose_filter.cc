@@ -21,7 +21,15 @@ BoardFix LevelSighting(const Pose3& X_RB, const ImuSample& imu, const Pose3& X_D
   const Pose3 X_HB{R_HR * X_RB.R, R_HR * X_RB.p};
   const Eigen::Matrix3d R_DH = X_DB.R * X_HB.R.transpose();
   return {std::hypot(X_HB.p.x(), X_HB.p.y()), std::atan2(X_HB.p.y(), X_HB.p.x()),
-          ToAxleAttitude(R_DH).heading};
+          ToAxleAttitude(R_DH).heading, Eigen::Vector3d::Zero()};
+}
+
+Eigen::Vector3d FixVariance(const Eigen::Vector3d& p_RB,
+                            const Eigen::Matrix<double, 6, 6>& covariance) {
+  const double range = std::max(p_RB.head<2>().norm(), 1e-3);
+  const Eigen::Vector2d towards = p_RB.head<2>() / range, aside(-towards.y(), towards.x());
+  const Eigen::Matrix2d place = covariance.topLeftCorner<2, 2>();
+  return {towards.dot(place * towards), aside.dot(place * aside) / Square(range), covariance(5, 5)};
 }
 
 Pose2 PoseOf(const BoardFix& fix, const Pose3& X_DB) {
@@ -57,8 +65,18 @@ void PoseFilter::Predict(const Motion& motion, double seconds, const SideForce& 
   Q(2, 2) =
       Square(noise_.heading_rad_per_sqrt_m) * way + Square(noise_.heading_rad_per_sqrt_s) * seconds;
   Q(4, 4) = Q(5, 5) = Square(noise_.side_slip_per_sqrt_m) * way;
+  Q(6, 6) = Square(noise_.drum_per_sqrt_m) * way;
   P_ = F * P_ * F.transpose() + Q;
   state_.head<3>() << p.x(), p.y(), along.heading;
+}
+
+Eigen::Vector3d PoseFilter::VarianceOf(const BoardFix& fix) const {
+  const Eigen::Vector3d floor(noise_.range_floor_m, noise_.bearing_rad,
+                              noise_.board_heading_floor_rad);
+  if (fix.variance.minCoeff() > 0.0) return floor.cwiseAbs2() + fix.variance;
+  return {Square(noise_.range_floor_m + noise_.range_m_per_m2 * Square(fix.range_m)),
+          Square(noise_.bearing_rad),
+          Square(noise_.board_heading_floor_rad + noise_.board_heading_rad_per_m * fix.range_m)};
 }
 
 PoseFilter::Innovation PoseFilter::Compare(const BoardFix& fix) const {
@@ -71,13 +89,8 @@ PoseFilter::Innovation PoseFilter::Compare(const BoardFix& fix) const {
   at.H.leftCols<3>() << -dx / range, -dy / range, 0.0,  //
       dy / square, -dx / square, -1.0,                  //
       0.0, 0.0, 1.0;
-  const double sigma_range = noise_.range_floor_m + noise_.range_m_per_m2 * Square(fix.range_m);
-  const double sigma_heading =
-      noise_.board_heading_floor_rad + noise_.board_heading_rad_per_m * fix.range_m;
-  const Eigen::Vector3d variance(Square(sigma_range), Square(noise_.bearing_rad),
-                                 Square(sigma_heading));
   at.S = at.H * P_ * at.H.transpose();
-  at.S.diagonal() += variance;
+  at.S.diagonal() += VarianceOf(fix);
   return at;
 }
 
@@ -93,7 +106,8 @@ void PoseFilter::Take(const Vector& change, const Matrix& kept) {
   state_.z() = WrapPi(state_.z());
   // Beyond this a sighting was wrong: side forces neither push uphill nor move a wheel like ice.
   constexpr double kMostSideSlip = 2.5;
-  state_.tail<2>() = state_.tail<2>().cwiseMax(0.0).cwiseMin(kMostSideSlip);
+  auto slip = state_.segment<2>(4);
+  slip = slip.cwiseMax(0.0).cwiseMin(kMostSideSlip);
   P_ = (kept * P_).eval();
   P_ = (0.5 * (P_ + P_.transpose())).eval();
 }
@@ -108,9 +122,9 @@ void PoseFilter::Correct(const BoardFix& fix) {
 void PoseFilter::Restart(const BoardFix& fix) {
   const Pose2 pose = PoseOf(fix, X_DB_);
   state_.head<4>() << pose.x, pose.y, pose.heading, 0.0;
-  const Eigen::Matrix2d slip = P_.bottomRightCorner<2, 2>();
+  const Eigen::Matrix3d kept = P_.bottomRightCorner<3, 3>();  // what is not of the pose
   P_ = kUnknown * Matrix::Identity();
-  P_.bottomRightCorner<2, 2>() = slip;
+  P_.bottomRightCorner<3, 3>() = kept;
   located_ = true;
   Correct(fix);
 }
@@ -120,8 +134,9 @@ void PoseFilter::CorrectByTether(double reeled_m, double elevation_rad) {
   const double expected = ExposedTether(geometry_, pose(), elevation_rad);
   Eigen::Matrix<double, 1, kStates> H = Eigen::Matrix<double, 1, kStates>::Zero();
   H.leftCols<4>() << -ExposedTetherSlope(geometry_, pose(), elevation_rad).transpose(), 1.0;
+  H(6) = -reeled_m;
   // Measured: the drum's count. Whole length less drum less path should be zero.
-  const double residual = -(state_(3) - reeled_m - expected);
+  const double residual = expected - ExposedLength(reeled_m);
   const double S = H * P_ * H.transpose() + Square(noise_.tether_m);
   const Vector K = P_ * H.transpose() / S;
   Take(K * residual, Matrix::Identity() - K * H);

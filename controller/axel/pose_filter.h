@@ -1,9 +1,9 @@
 // The rover's pose in the dock frame, by an extended Kalman filter (Kalman 1960; Thrun, Burgard and
 // Fox, Probabilistic Robotics, 2005, ch. 7). Its states are x, y, heading, the tether's whole
-// length and the two coefficients of sideways slip. Odometry, sightings of the board and the taut
-// tether feed it. The tether measures the distance to the station, however much the wheels slip.
-// Sightings after a way teach the sideways slip, as the rover ends beside where it was reckoned to
-// be.
+// length the two coefficients of sideways slip and the error of the drum's radius. Odometry,
+// sightings of the board and the taut tether feed it. The tether measures the distance to the
+// station, however much the wheels slip. Sightings after a way teach the sideways slip, as the
+// rover ends beside where it was reckoned to be.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,6 +35,7 @@ struct FilterNoise {
   double heading_rad_per_sqrt_s = 0.0002;  // yaw drift at rest; assumed, 0.0001-0.0005
   // Tsai et al., V-E: 0.20 m at 5 m, growing as the square of the range.
   double range_m_per_m2 = 0.008;
+  // The pipeline's own account instead, if it gives one, and the floors for what it does not know.
   double range_floor_m = 0.012;
   // Half of a relative camera yaw error of 0.16 deg and a pixel or two; assumed, 0.003-0.02.
   double bearing_rad = 0.008;
@@ -43,6 +44,9 @@ struct FilterNoise {
   double board_heading_floor_rad = 0.012;
   double board_heading_rad_per_m = 0.014;
   double tether_m = 0.02;  // lip bends, stretch, arm elevation; assumed, range 0.005-0.04
+  // Error of the drum's radius, and its change with the layers on it. A drum is built to 5 %, and
+  // grows by as much over 4 m of tether. Assumed, 0.01-0.05 and 0.005-0.02.
+  double drum_sigma = 0.03, drum_per_sqrt_m = 0.01;
   // Squared Mahalanobis distance beyond which a sighting contradicts the estimate: chi-square, 3
   // degrees of freedom, 99.99 %.
   double gate = 21.1;
@@ -52,11 +56,17 @@ struct FilterNoise {
 struct BoardFix {
   double range_m = 0.0, bearing_rad = 0.0;  // of the board's centre, bearing from the x axis
   double heading_rad = 0.0;                 // the rover's heading in D
+  // Variances of the three by the pipeline's own account; zero: it gives none.
+  Eigen::Vector3d variance = Eigen::Vector3d::Zero();
 };
 /// Turns a sighting by the inertial unit's attitude, taken against the ground, and takes its planar
 /// part.
 BoardFix LevelSighting(const Pose3& X_RB, const ImuSample& imu, const Pose3& X_DB,
                        const GroundSlope& ground);
+/// Variances of the fix of a sighting with this covariance: of p_RB [m], then of a small turn of
+/// the board about R's axes [rad]. The body's tilt is small.
+Eigen::Vector3d FixVariance(const Eigen::Vector3d& p_RB,
+                            const Eigen::Matrix<double, 6, 6>& covariance);
 /// The rover's pose that a fix implies.
 Pose2 PoseOf(const BoardFix& fix, const Pose3& X_DB);
 
@@ -64,14 +74,17 @@ class PoseFilter {
  public:
   PoseFilter(const FilterNoise& noise, const TetherGeometry& geometry, const Pose3& X_DB)
       : noise_(noise), geometry_(geometry), X_DB_(X_DB) {
-    state_.tail<2>() << noise.side_slip.slope, noise.side_slip.tether;
-    P_.bottomRightCorner<2, 2>() *= noise.side_slip_sigma * noise.side_slip_sigma;
+    state_.segment<2>(4) << noise.side_slip.slope, noise.side_slip.tether;
+    P_.diagonal().segment<2>(4).setConstant(noise.side_slip_sigma * noise.side_slip_sigma);
+    P_(6, 6) = noise.drum_sigma * noise.drum_sigma;
   }
 
   bool located() const { return located_; }
   Pose2 pose() const { return {state_.x(), state_.y(), state_.z()}; }
   /// Estimated exposed tether; reeled_m is the length that the drum took up since power-on.
-  double ExposedLength(double reeled_m) const { return state_(3) - reeled_m; }
+  double ExposedLength(double reeled_m) const { return state_(3) - drum_scale() * reeled_m; }
+  /// Length that the drum takes up for each metre that its turns say.
+  double drum_scale() const { return 1.0 + state_(6); }
   /// Whether the tether's whole length has been estimated yet.
   bool TetherKnown() const { return located_ && P_(3, 3) < 1.0; }
 
@@ -87,18 +100,20 @@ class PoseFilter {
   void CorrectByTether(double reeled_m, double elevation_rad);
 
  private:
-  static constexpr int kStates = 6;
+  static constexpr int kStates = 7;
   using Vector = Eigen::Matrix<double, kStates, 1>;
   using Matrix = Eigen::Matrix<double, kStates, kStates>;
   struct Innovation;
   Innovation Compare(const BoardFix& fix) const;
+  Eigen::Vector3d VarianceOf(const BoardFix& fix) const;
   void Take(const Vector& change, const Matrix& kept);
 
   FilterNoise noise_;
   TetherGeometry geometry_;
   Pose3 X_DB_;
   bool located_ = false;
-  Vector state_ = Vector::Zero();  // x, y, heading, whole tether, sideways slip
+  // x, y, heading, whole tether, sideways slip, drum's error
+  Vector state_ = Vector::Zero();
   Matrix P_ = Matrix::Identity();
 };
 

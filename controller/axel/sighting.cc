@@ -49,7 +49,8 @@ SightingJudge::Ruling SightingJudge::Judge(const DockSighting& sighting, Senses*
   GroundSlope ground = senses->ground();
   const bool finite = sighting.X_RB.p.allFinite() && sighting.X_RB.R.allFinite();
   if (finite) ground.Take(sighting.X_RB, AttitudeSigma(sighting), senses->imu(), X_DB_);
-  const BoardFix fix = LevelSighting(sighting.X_RB, senses->imu(), X_DB_, ground);
+  BoardFix fix = LevelSighting(sighting.X_RB, senses->imu(), X_DB_, ground);
+  fix.variance = FixVariance(sighting.X_RB.p, sighting.covariance);
   const bool in_front = std::abs(fix.bearing_rad) < 0.5 * kPi;
   if (!finite || !in_front || fix.range_m < options_.min_range_m ||
       fix.range_m > options_.max_range_m) {
