@@ -223,6 +223,7 @@ std::optional<Event> AxelMachine::Level(double target_pitch_rad, Commands* comma
 
 std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* commands) {
   StandStill(nominal_, options_.drive, InPhase(), commands);
+  if (InPhase() < options_.drive.stop_time) Spool(commands) = TautWinch(nominal_, options_.tether);
   if (const std::optional<StereoImages> images = Arrived(sensed)) {
     asked_at_.reset();
     asks_ = 0;

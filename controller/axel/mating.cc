@@ -28,6 +28,7 @@ void ReelIn::Begin(const Senses& senses, double tip_gap_m) {
   reeled_at_mouth_m_ = senses.reeled_m() + tip_gap_m;
   wiggles_ = 0;
   wiggle_since_.reset();
+  relax_since_.reset();
   at_wiggle_m_ = senses.reeled_m();
   still_.Reset();
 }
@@ -35,6 +36,7 @@ void ReelIn::Begin(const Senses& senses, double tip_gap_m) {
 void ReelIn::Wiggle(const Senses& senses) {
   ++wiggles_;
   wiggle_since_ = senses.now();
+  relax_since_.reset();
   at_wiggle_m_ = senses.reeled_m();
   still_.Reset();
 }
@@ -66,10 +68,16 @@ ReelIn::Status ReelIn::Step(const Senses& senses, Commands* commands) {
     wiggle_since_.reset();
     still_.Reset();
   }
+  if (relax_since_) {
+    SetWheels(MotorMode::kFree, commands);
+    const bool relaxed = senses.now() - *relax_since_ >= options_.mate.relax_time;
+    return relaxed ? Status::kStopped : Status::kUnderWay;
+  }
   const double past_floor = DepthByDrum(senses) - nominal_.seat_depth_m;
   if (past_floor >= options_.mate.over_reel_m) return Status::kPastEnd;
   const Tick still = still_.Still(senses.now(), senses.reeled_m());
-  return still >= options_.mate.stuck_after ? Status::kStopped : Status::kUnderWay;
+  if (still >= options_.mate.stuck_after) relax_since_ = senses.now();
+  return Status::kUnderWay;
 }
 
 }  // namespace dockyard::axel

@@ -34,7 +34,8 @@ SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateO
 
 /// The spool pulls until it stops. The wheels run along with little thrust: what they do not carry
 /// over their paddles the station would have to bear, and they hold the rover back as it rolls off
-/// one. In a wiggle they turn the rover to and fro meanwhile, without driving it on.
+/// one. At the end they are free for a moment, so that they do not hold the arm against a side of
+/// the socket. In a wiggle they turn the rover to and fro meanwhile, without driving it on.
 class ReelIn {
  public:
   enum class Status {
@@ -68,6 +69,7 @@ class ReelIn {
   int wiggles_ = 0;
   double at_wiggle_m_ = 0.0;
   std::optional<Tick> wiggle_since_;
+  std::optional<Tick> relax_since_;
 };
 
 }  // namespace dockyard::axel

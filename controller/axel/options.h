@@ -14,8 +14,10 @@ struct TetherOptions {
   double drive_tension_n = 47.0;
   // Reversing drags the tether out; 20-30 N costs a tenth of the way on loose soil. Range 5-30.
   double reverse_tension_n = 22.0;
-  // The winch runs this much faster than the cosine law asks, to take up slack. Range 0.01-0.04.
-  double catch_up_m_s = 0.02;
+  // The winch runs this much faster than the cosine law asks, to take up slack: a wheel that rolls
+  // off a paddle goes at up to 0.25 m/s, and with a slack tether the arm falls on the cone (700 to
+  // 1 000 N with 0.02 m/s, simulated). Assumed, 0.04-0.1.
+  double catch_up_m_s = 0.06;
   double tighten_m_s = 0.05;  // reeling slack at rest; assumed, 0.03-0.10
   double reel_m_s = 0.03;     // into the cone: slow, against jamming; assumed, 0.02-0.05
   // Paddles peak at W tan(pi/n) = 105 N. Straightening the arm at its collar's lead-in takes the
@@ -133,6 +135,7 @@ struct MateOptions {
   // station of 35 kg slip at 137 N (friction 0.4). Assumed, 40-90.
   double thrust_n = 60.0;
   Tick stuck_after = 2'000;  // spool at its limit without taking up
+  Tick relax_time = 800;     // wheels free then, before the brake; assumed, 0.3-2 s
   // An arm that stopped short is turned to and fro under the spool's pull, the k-th time at k times
   // this rate. Within the funnel's play: 0.06 rad/s for 1.2 s is 4 deg. Assumed, 0.03-0.1 rad/s.
   double wiggle_rad_s = 0.06, wiggle_accel_rad_s2 = 0.5;

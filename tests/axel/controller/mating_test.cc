@@ -98,7 +98,12 @@ TEST_F(Wiggle, TurnsToAndFroWithoutGoingOnAndEndsWhereItBegan) {
 TEST_F(Wiggle, WheelsRunAlongWithLittleThrustInAReelInWithoutOne) {
   senses_.Update(frame_);
   reel_in_.Begin(senses_, 0.05);
-  for (const Commands& commands : UntilItStops()) {
+  std::vector<Commands> sent = UntilItStops();
+  // At the end free, so that they do not hold the arm against a side of the socket.
+  EXPECT_EQ(sent.back().motors[0].mode, MotorMode::kFree);
+  EXPECT_EQ(sent.back().motors[1].mode, MotorMode::kFree);
+  sent.resize(sent.size() - static_cast<std::size_t>(options_.mate.relax_time / kControlPeriod));
+  for (const Commands& commands : sent) {
     double thrust_n = 0.0;
     for (const Motor wheel : {Motor::kLeftWheel, Motor::kRightWheel}) {
       const auto i = static_cast<std::size_t>(wheel);
