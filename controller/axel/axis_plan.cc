@@ -28,14 +28,23 @@ class AxisSearch {
 
   double CuspTurn() const { return 2.0 * std::atan(drift_.here); }
 
-  /// The cheapest pair forwards to a place gap_m before the mouth.
-  Candidate Forward(const Pose2& start, double max_curvature, double gap_m) const {
+  /// The cheapest pair forwards to a goal.
+  Candidate Forward(const Pose2& start, double max_curvature, const Pose2& goal) const {
     Candidate best;
-    ForEachPair(Inverse(start) * Goal(gap_m), {1.0 / max_curvature, Travel::kForward}, plan_.splits,
+    ForEachPair(Inverse(start) * goal, {1.0 / max_curvature, Travel::kForward}, plan_.splits,
                 [&](const ArcPair& pair) {
                   Offer(start, {pair.begin(), pair.end()}, PairCost(pair), &best);
                 });
     return best;
+  }
+
+  /// Before the mouth, on the line to it, or with the axle aside and the tip on it.
+  Pose2 Goal(double gap_m, double aside_m = 0.0) const {
+    const double x_m = geometry_.arm_m + gap_m;
+    Pose2 goal = MouthLineAt(geometry_, options_.mate, x_m, drift_.at_dock);
+    goal.y += aside_m;
+    goal.heading = WrapPi(goal.heading + std::asin(aside_m / geometry_.arm_m));
+    return goal;
   }
 
   /// Back by least_steps or more, then on; a cheaper one than the best so far replaces it.
@@ -61,10 +70,6 @@ class AxisSearch {
   }
 
  private:
-  Pose2 Goal(double gap_m) const {
-    return MouthLineAt(geometry_, options_.mate, geometry_.arm_m + gap_m, drift_.at_dock);
-  }
-
   // The board must be in view after backing off, for the next image pair.
   bool MayBackTo(const Pose2& end, const PlanHistory& history) const {
     return SeesBoard(geometry_, options_.look, end) && !history.BackedTo(end);
@@ -139,8 +144,17 @@ AxisPlan PlanOn(const PlanGeometry& geometry, const AxelOptions& options, const 
   const AxisSearch search(geometry, options, drift);
   const PlanOptions& plan = options.plan;
   const Pose2 start = CourseOf(X_DR, drift.here, true);
-  for (const double gap_m : {plan.align_gap_m, plan.near_gap_m}) {
-    Candidate on = search.Forward(start, plan.hold_curvature, gap_m);
+  struct Try {
+    double gap_m, aside_m, max_curvature;
+  };
+  const double near = plan.near_gap_m, aside = plan.near_aside_m;
+  // The last would cost a recovery if it failed, which is no more than a back-off.
+  const Try tries[] = {
+      {plan.align_gap_m, 0.0, plan.hold_curvature}, {near, 0.0, plan.hold_curvature},
+      {near, aside, plan.hold_curvature},           {near, -aside, plan.hold_curvature},
+      {near, aside, plan.last_curvature},           {near, -aside, plan.last_curvature}};
+  for (const Try& at : tries) {
+    Candidate on = search.Forward(start, at.max_curvature, search.Goal(at.gap_m, at.aside_m));
     if (!on.arcs.empty()) return {start, std::move(on.arcs)};
   }
   return {start, {}};
@@ -155,7 +169,7 @@ AxisPlan PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options, co
   }
   const AxisSearch search(geometry, options, drift);
   const Pose2 ahead = CourseOf(X_DR, drift.here, true), back = CourseOf(X_DR, drift.here, false);
-  Candidate best = search.Forward(ahead, plan.max_curvature, plan.align_gap_m);
+  Candidate best = search.Forward(ahead, plan.max_curvature, search.Goal(plan.align_gap_m));
   search.BackOff(back, history, 1 + history.back_offs, &best);
   if (best.arcs.empty()) search.BackOff(back, history, 1, &best);
   if (best.arcs.empty()) best.arcs = {{-plan.back_step_m * (1 + history.back_offs), 0.0}};

@@ -83,11 +83,14 @@ struct PlanOptions {
   // Arm tip before the mouth at the alignment goal: board still within the lens with +-27 deg.
   double align_gap_m = 0.30;
   double align_tolerance_m = 0.12;  // counts as arrived; 3 % of a leg's slip and 2.5 cm of vision
-  double near_gap_m = 0.20;  // the goal of a rest that does not reach it: a hand's breadth nearer
+  // The goal of a rest that does not reach it: a hand's breadth nearer, and then with the axle
+  // aside, the tip in the middle. The socket takes 7 cm of it; assumed, 0.03-0.06.
+  double near_gap_m = 0.20, near_aside_m = 0.05;
   double recover_gap_m = 1.20;  // axle at 2.2 m: room for +-0.3 m of offset; assumed, 1.0-2.0
   double recover_step_m = 0.3;  // each recovery goes farther back than the last; assumed, 0.2-1
   double max_curvature = 0.9;   // [1/m] of a new plan; assumed, 0.5-1
   double hold_curvature = 1.2;  // of its rest; tighter arcs only skid on loose soil; 1-1.5
+  double last_curvature = 1.5;  // of a rest that would otherwise have to back off; 1.2-2
   double max_recover_curvature = 1.5;
   // Pairs of arcs that are tried, by even splits of their chords: forwards, and behind each
   // back-off.

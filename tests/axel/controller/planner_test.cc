@@ -221,6 +221,22 @@ TEST_F(Planner, MirroredStartHasTheMirroredPlan) {
   }
 }
 
+// At its last legs a plan may end with the axle aside, yet so that the arm will seat.
+TEST_F(Planner, RestsEndWhereTheRoverCanMate) {
+  int plans = 0;
+  for (double y_m = 0.1; y_m < 0.5; y_m += 0.02) {
+    for (double heading_deg = 10.0; heading_deg < 60.0; heading_deg += 5.0) {
+      const Pose2 X_DR{1.75, y_m, WrapPi(kPi + Radians(heading_deg))};
+      const AxisPlan on = PlanOn(geometry_, options_, X_DR);
+      if (on.arcs.empty()) continue;
+      ++plans;
+      const Pose2 end = Advance(on.start, on.arcs);
+      EXPECT_TRUE(CanMate(geometry_, options_, end, 0.0)) << y_m << " " << heading_deg;
+    }
+  }
+  EXPECT_GT(plans, 30);
+}
+
 // Facing the station squarely, pushed aside by a tenth of the way.
 TEST_F(Planner, MouthLineIsTheWayOfARoverThatDrifts) {
   for (const double drift : {-0.1, 0.0, 0.1}) {
