@@ -12,8 +12,9 @@ namespace {
 
 constexpr int kSamplesPerArc = 8;
 constexpr double kNever = std::numeric_limits<double>::infinity();
-// Two places this near each other are the same to a rover that knows its own to 2-10 cm.
 constexpr double kStraightOn = Radians(3.0);  // less than the steering's own error
+constexpr double kLevelDrift = 0.03;          // 2 deg of slope; less comes with uneven ground
+// Two places this near each other are the same to a rover that knows its own to 2-10 cm.
 constexpr double kSamePlace_m = 0.25, kSameHeading = Radians(8.0);
 
 struct Candidate {
@@ -147,7 +148,10 @@ AxisPlan PlanOn(const PlanGeometry& geometry, const AxelOptions& options, const 
   struct Try {
     double gap_m, aside_m, max_curvature;
   };
-  const double near = plan.near_gap_m, aside = plan.near_aside_m;
+  // First to the side where it is; on a slope not at all, as it would slide farther down.
+  const double side = X_DR.y < 0.0 ? -plan.near_aside_m : plan.near_aside_m;
+  const double aside = std::abs(drift.at_dock) > kLevelDrift ? 0.0 : side;
+  const double near = plan.near_gap_m;
   // The last would cost a recovery if it failed, which is no more than a back-off.
   const Try tries[] = {
       {plan.align_gap_m, 0.0, plan.hold_curvature}, {near, 0.0, plan.hold_curvature},

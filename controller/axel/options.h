@@ -82,6 +82,7 @@ struct LookOptions {
 struct PlanOptions {
   // Arm tip before the mouth at the alignment goal: board still within the lens with +-27 deg.
   double align_gap_m = 0.30;
+  double near_axis_m = 0.4;  // a tip farther aside has not come to the goal yet; assumed, 0.3-0.6
   double align_tolerance_m = 0.12;  // counts as arrived; 3 % of a leg's slip and 2.5 cm of vision
   // The goal of a rest that does not reach it: a hand's breadth nearer, and then with the axle
   // aside, the tip in the middle. The socket takes 7 cm of it; assumed, 0.03-0.06.

@@ -70,8 +70,10 @@ std::vector<Arc> FirstLeg(const PlanGeometry& geometry, const AxelOptions& optio
 
 Decision Decide(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
                 const PlanHistory& history, const Drift& drift) {
-  const double gap = TipOf(geometry, X_DR).gap_m;
-  if (gap <= options.plan.align_gap_m + options.plan.align_tolerance_m) {
+  const auto [gap, offset] = TipOf(geometry, X_DR);
+  const bool at_goal = gap <= options.plan.align_gap_m + options.plan.align_tolerance_m &&
+                       std::abs(offset) <= options.plan.near_axis_m;
+  if (at_goal) {
     if (CanMate(geometry, options, X_DR, drift.here)) {
       const Pose2 start = MouthLineAt(geometry, options.mate, X_DR.x, drift.here);
       const std::vector<Arc> on{{std::max(0.0, gap - options.mate.look_gap_m), 0.0}};

@@ -171,6 +171,12 @@ TEST_F(Planner, AcceptsTheHeadingWithinFiveDegreesIfTheTipMeetsTheMouth) {
   EXPECT_EQ(Decide(geometry_, options_, At(1.3, 3.0, 3.0)).event, Event::kGoMate);
 }
 
+// Beside the station, facing as it should: nothing went wrong on the way there.
+TEST_F(Planner, BacksOffRatherThanRecoversFarBesideTheMouth) {
+  EXPECT_EQ(Decide(geometry_, options_, {1.33, 1.22, WrapPi(kPi + Radians(17.0))}).event,
+            Event::kGoBackOff);
+}
+
 TEST_F(Planner, RecoversWhenTheTipWouldMissTheMouth) {
   EXPECT_EQ(Decide(geometry_, options_, {1.3, 0.12, kPi}).event, Event::kGoRecover);
 }
