@@ -227,7 +227,12 @@ void WriteSpreads(Campaign& campaign, const std::vector<KnownSystem>& systems) {
       written.items.push_back(draw->items[i]);
     }
   }
-  *draw = std::move(written);
+  // A table of all draws, such as a plan, leaves nothing to them.
+  if (written.keys.empty()) {
+    RemovePath(campaign.tree, "draw");
+  } else {
+    *draw = std::move(written);
+  }
 }
 
 }  // namespace dockyard

@@ -149,6 +149,15 @@ TEST_F(SpreadWords, AllFilesOfACampaignMustAgree) {
   EXPECT_THAT(Message(soils), HasSubstr("not all of the files have this spread of soil.k"));
 }
 
+// As the plan of a campaign whose draws are all words.
+TEST_F(SpreadWords, LeaveEverythingToATableOfAllDraws) {
+  const Campaign campaign = Load(
+      "draw: {as_built.soil: tolerance}\n"
+      "runs: [{run: 1, as_built.soil.k.times: 1.1}, {run: 2, as_built.soil.k.times: 0.8}]\n");
+  EXPECT_TRUE(campaign.dispersions.empty());
+  EXPECT_THAT(Values(campaign, "as_built.soil.k.times"), ElementsAre(1.1, 0.8));
+}
+
 TEST_F(SpreadWords, FaultsAreToldByPlaceAndPath) {
   EXPECT_EQ(Message("draw: {as_built.robot.arm_m: assumed}\n"),
             "scenarios/d.yaml:3:30: draw.as_built.robot.arm_m: expected tolerance; what the robot "
