@@ -161,8 +161,15 @@ class Engine {
     return RunAndAnswer([&] { return maker_.Make(index); }, work_, dir);
   }
 
+  void KeepSightings(const FinishedRun& run, int place) const {
+    const fs::path to = SightingsFile(options_.out_dir, run.result.run);
+    MakeFolder(to.parent_path());
+    WriteWhole(to, ReadWhole(WorkFolder(place) / "sightings.json").value_or("[]\n"));
+  }
+
   void KeepLog(const FinishedRun& run, int place) {
     if (campaign_.keep.none()) return;
+    if (campaign_.keep.sightings && !IsLost(run.result.outcome)) KeepSightings(run, place);
     const Retention::Choice choice = retention_.Choose(run.result);
     if (choice.drop) fs::remove_all(RunFolder(options_.out_dir, *choice.drop));
     if (!choice.keep) return;

@@ -29,12 +29,18 @@ void Copy(const fs::path& from, const fs::path& to) {
   WriteWhole(to, *bytes);
 }
 
-}  // namespace
-
-fs::path RunFolder(const fs::path& dir, int run) {
+std::string NumberName(int run) {
   char name[32];
   std::snprintf(name, sizeof name, "%03d", run);
-  return dir / "runs" / name;
+  return name;
+}
+
+}  // namespace
+
+fs::path RunFolder(const fs::path& dir, int run) { return dir / "runs" / NumberName(run); }
+
+fs::path SightingsFile(const fs::path& dir, int run) {
+  return dir / "sightings" / (NumberName(run) + ".json");
 }
 
 bool HoldsCampaign(const fs::path& dir) {

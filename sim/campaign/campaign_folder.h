@@ -28,6 +28,9 @@ class FolderTaken : public std::runtime_error {
 /// "runs/007" of a results folder.
 std::filesystem::path RunFolder(const std::filesystem::path& dir, int run);
 
+/// "sightings/007.json" of a results folder.
+std::filesystem::path SightingsFile(const std::filesystem::path& dir, int run);
+
 /// Whether the folder holds a campaign's results.
 bool HoldsCampaign(const std::filesystem::path& dir);
 

@@ -170,8 +170,9 @@ void TakeShards(const fs::path& from, const fs::path& into) {
     MakeFolder(into / "shards");
     if (bytes.size() > there.size()) WriteWhole(place, bytes);
   }
-  if (fs::exists(from / "runs")) {
-    fs::copy(from / "runs", into / "runs",
+  for (const char* part : {"runs", "sightings"}) {
+    if (!fs::exists(from / part)) continue;
+    fs::copy(from / part, into / part,
              fs::copy_options::recursive | fs::copy_options::skip_existing);
   }
 }

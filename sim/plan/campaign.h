@@ -30,9 +30,10 @@ struct Keep {
   std::int64_t failures_per_cause = -1;  // those with the lowest numbers; -1: all
   std::int64_t every_nth_success = 1;    // one success in n; 0: none
   bool pictures = true;                  // in the logs
+  bool sightings = false;                // of every run, whether it leaves a folder or not
 
   static Keep None() { return {0, 0, false}; }
-  bool none() const { return failures_per_cause == 0 && every_nth_success == 0; }
+  bool none() const { return failures_per_cause == 0 && every_nth_success == 0 && !sightings; }
 };
 
 /// What a run may take. It is no part of what is run.

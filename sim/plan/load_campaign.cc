@@ -183,12 +183,12 @@ Keep ReadKeep(const YamlReader& root, std::int64_t runs) {
     return root.Choice("keep", {"all", "none"}) == 0 ? Keep{} : Keep::None();
   }
   const YamlReader in(root.Child("keep"), "keep",
-                      {"failures_per_cause", "every_nth_success", "pictures"});
+                      {"failures_per_cause", "every_nth_success", "pictures", "sightings"});
   constexpr int kMost = 1000000000;
   return {
       in.IntegerOr("failures_per_cause", static_cast<int>(of_many.failures_per_cause), 0, kMost),
       in.IntegerOr("every_nth_success", static_cast<int>(of_many.every_nth_success), 0, kMost),
-      in.BoolOr("pictures", true)};
+      in.BoolOr("pictures", true), in.BoolOr("sightings", false)};
 }
 
 RunLimits ReadLimits(const YamlReader& root) {

@@ -97,6 +97,24 @@ TEST_F(Toy, GoesThroughACampaignWithKeysAndTagsOfItsOwn) {
   EXPECT_EQ(Dockyard("replay " + dir_.string() + " 3").code, 0);
 }
 
+TEST_F(Toy, KeepsTheSightingsOfEveryRunWithoutItsLog) {
+  const std::string campaign =
+      "campaign " + kToy +
+      "twelve.yaml --quiet --set 'keep={failures_per_cause: 1, every_nth_success: 0, sightings: "
+      "true}' --out " +
+      dir_.string();
+  EXPECT_EQ(Dockyard(campaign).code, 0);
+  const auto files = [](const fs::path& dir) {
+    return std::distance(fs::directory_iterator(dir), fs::directory_iterator());
+  };
+  EXPECT_EQ(files(dir_ / "sightings"), 12);
+  EXPECT_EQ(Text("sightings/012.json"), "[]\n");  // the toy sees nothing
+  EXPECT_EQ(files(dir_ / "runs"), 1);
+  fs::remove_all(dir_ / "all");
+  EXPECT_EQ(Dockyard("merge " + (dir_ / "all").string() + " " + dir_.string()).code, 0);
+  EXPECT_EQ(files(dir_ / "all" / "sightings"), 12);
+}
+
 TEST_F(Toy, GoesThroughASweepOfAKey) {
   const auto end = Dockyard("campaign " + kToy + "sweep.yaml --quiet --out " + dir_.string());
   EXPECT_EQ(end.code, 0) << end.err;
