@@ -1,0 +1,249 @@
+#include "sim/plan/published.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "models/read/config_error.h"
+#include "models/read/yaml_reader.h"
+
+namespace dockyard {
+namespace {
+
+constexpr int kMostRuns = 1000000;
+constexpr std::size_t kMostItems = 100;
+
+[[noreturn]] void Fail(const YamlNode& node, const std::string& path, const std::string& expected) {
+  throw ConfigError(node.place.Text() + ": " + path + ": expected " + expected + ", found " +
+                    node.Found());
+}
+
+PublishedName NameAt(const YamlNode& node, const std::string& path) {
+  if (node.kind != YamlNode::Kind::kScalar || node.scalar.empty()) Fail(node, path, "a name");
+  return {node.scalar, node.place, path};
+}
+
+PublishedName NameOf(const YamlReader& in, const char* key) {
+  return NameAt(in.Child(key), in.PathOf(key));
+}
+
+/// A list of names; none without the key.
+std::vector<PublishedName> NamesOf(const YamlReader& in, const char* key) {
+  std::vector<PublishedName> names;
+  if (!in.Has(key)) return names;
+  const YamlNode& list = in.List(key, 1, kMostItems);
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    names.push_back(NameAt(list.items[i], YamlReader::PathOf(in.PathOf(key), i)));
+  }
+  return names;
+}
+
+std::vector<std::string> TextsOf(const YamlReader& in, const char* key) {
+  std::vector<std::string> texts;
+  for (const PublishedName& name : NamesOf(in, key)) texts.push_back(name.text);
+  return texts;
+}
+
+/// {label: text} or {label: [texts]}.
+std::vector<LabelFilter> FiltersOf(const YamlReader& in) {
+  std::vector<LabelFilter> filters;
+  if (!in.Has("where")) return filters;
+  const YamlNode& where = in.Child("where");
+  if (where.kind != YamlNode::Kind::kMapping) {
+    in.Refuse("where", "labels of the campaign, each with its texts");
+  }
+  for (std::size_t i = 0; i < where.keys.size(); ++i) {
+    const std::string path = in.PathOf("where") + "." + where.keys[i].name;
+    LabelFilter filter{{where.keys[i].name, where.keys[i].place, path}, {}};
+    const YamlNode& value = where.items[i];
+    if (value.kind == YamlNode::Kind::kSequence) {
+      for (const YamlNode& item : value.items) filter.texts.push_back(NameAt(item, path).text);
+    } else {
+      filter.texts.push_back(NameAt(value, path).text);
+    }
+    filters.push_back(std::move(filter));
+  }
+  return filters;
+}
+
+/// [count, runs]
+std::optional<PublishedCount> CountOf(const YamlReader& in, const char* key) {
+  if (!in.Has(key)) return std::nullopt;
+  const YamlNode& list = in.Child(key);
+  const auto whole = [](const YamlNode& node, int& value) {
+    const auto number = node.kind == YamlNode::Kind::kScalar && !node.quoted
+                            ? NumberFromText(node.scalar)
+                            : std::nullopt;
+    if (!number || *number != std::floor(*number) || *number < 0 || *number > kMostRuns) {
+      return false;
+    }
+    value = static_cast<int>(*number);
+    return true;
+  };
+  PublishedCount count;
+  const bool good = list.kind == YamlNode::Kind::kSequence && list.items.size() == 2 &&
+                    whole(list.items[0], count.count) && whole(list.items[1], count.runs) &&
+                    count.count <= count.runs && count.runs > 0;
+  if (!good) Fail(list, in.PathOf(key), "[count, runs], whole numbers with count <= runs");
+  return count;
+}
+
+/// Calls read(reader) for each mapping of a list.
+template <class Read>
+void ForItems(const YamlReader& in, const char* key, std::vector<std::string> keys, Read&& read) {
+  if (!in.Has(key)) return;
+  const YamlNode& list = in.List(key, 1, kMostItems);
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    read(YamlReader(list.items[i], YamlReader::PathOf(in.PathOf(key), i), keys));
+  }
+}
+
+void ReadCampaigns(const YamlReader& in, Published& published) {
+  ForItems(in, "campaigns", {"name", "file"}, [&](const YamlReader& item) {
+    const std::string name = item.Text("name");
+    const bool plain =
+        name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+    const bool fresh = std::none_of(published.campaigns.begin(), published.campaigns.end(),
+                                    [&](const auto& each) { return each.name == name; });
+    // It names a folder beside `figures`.
+    if (!plain || !fresh || name == "figures") {
+      item.Refuse("name", "a name of its own in small letters, digits and _");
+    }
+    published.campaigns.push_back({name, item.File("file")});
+  });
+  if (published.campaigns.empty()) in.List("campaigns", 1, kMostItems);
+}
+
+std::size_t RowNamed(const PublishedName& name, const Published& published) {
+  for (std::size_t i = 0; i < published.rows.size(); ++i) {
+    if (published.rows[i].name != name.text) continue;
+    if (published.rows[i].paper) return i;
+    throw ConfigError(name.place.Text() + ": " + name.path +
+                      ": expected a row with a published count, found '" + name.text + "'");
+  }
+  throw ConfigError(name.place.Text() + ": " + name.path + ": expected the name of a row, found '" +
+                    name.text + "'");
+}
+
+void ReadRows(const YamlReader& in, Published& published) {
+  in.List("rows", 1, kMostItems);
+  ForItems(in, "rows", {"name", "paper", "where"}, [&](const YamlReader& item) {
+    published.rows.push_back({item.Text("name"), CountOf(item, "paper"), FiltersOf(item)});
+  });
+  published.total = RowNamed(NameOf(in, "total"), published);
+  for (const PublishedName& name : NamesOf(in, "judged")) {
+    const std::size_t row = RowNamed(name, published);
+    const auto& judged = published.judged;
+    if (row == published.total || std::find(judged.begin(), judged.end(), row) != judged.end()) {
+      throw ConfigError(name.place.Text() + ": " + name.path +
+                        ": expected each row once and no total, found '" + name.text + "'");
+    }
+    published.judged.push_back(row);
+  }
+}
+
+void ReadFailures(const YamlReader& in, Published& published) {
+  ForItems(
+      in, "failures", {"name", "paper", "says", "where", "cases"}, [&](const YamlReader& item) {
+        FailureClass failure{item.Text("name"),
+                             CountOf(item, "paper"),
+                             item.TextOr("says", ""),
+                             FiltersOf(item),
+                             {}};
+        item.List("cases", 1, kMostItems);
+        ForItems(item, "cases", {"outcomes", "sighting", "methods"}, [&](const YamlReader& each) {
+          FailureCase found{NamesOf(each, "outcomes"), false, TextsOf(each, "methods")};
+          if (each.Has("sighting")) found.wrong_sighting = each.Choice("sighting", {"wrong"}) == 0;
+          failure.cases.push_back(std::move(found));
+        });
+        published.failures.push_back(std::move(failure));
+      });
+  published.others = in.TextOr("others", "");
+}
+
+void ReadSightings(const YamlReader& root, Published& published) {
+  if (!root.Has("sightings")) return;
+  const YamlReader in(root.Child("sightings"), "sightings",
+                      {"wrong_place_m", "wrong_heading_deg", "methods", "within_m", "errors"});
+  published.wrong_place_m = in.Number("wrong_place_m", Positive(100.0));
+  published.wrong_heading_rad = in.Degrees("wrong_heading_deg", Positive(180.0));
+  published.methods = TextsOf(in, "methods");
+  published.within_m = in.Number("within_m", Positive(100.0));
+  ForItems(in, "errors", {"at_m", "r_m", "heading_deg"}, [&](const YamlReader& item) {
+    published.errors.push_back({item.Number("at_m", Positive(1000.0)),
+                                item.NumberOr("r_m", std::nan(""), NonNegative(1000.0)),
+                                item.DegreesOr("heading_deg", std::nan(""), NonNegative(180.0))});
+  });
+}
+
+void ReadMeasures(const YamlReader& in, Published& published) {
+  ForItems(in, "measures", {"name", "campaign", "measure", "where", "low", "high"},
+           [&](const YamlReader& item) {
+             PublishedMeasure measure{item.Text("name"), NameOf(item, "campaign"),
+                                      NameOf(item, "measure"), FiltersOf(item)};
+             measure.low = item.NumberOr("low", std::nan(""), Between(-1e9, 1e9));
+             measure.high = item.NumberOr("high", std::nan(""), Between(-1e9, 1e9));
+             if (std::isnan(measure.low) != std::isnan(measure.high)) {
+               item.Refuse(std::isnan(measure.low) ? "high" : "low", "low and high, or neither");
+             }
+             if (measure.high < measure.low) item.Refuse("high", "a number from low on");
+             published.measures.push_back(std::move(measure));
+           });
+}
+
+void ReadFigures(const YamlReader& in, Published& published) {
+  ForItems(
+      in, "figures", {"file", "title", "shows", "where", "at_least", "channels"},
+      [&](const YamlReader& item) {
+        PublishedFigure figure;
+        figure.file = item.Text("file");
+        if (figure.file.find('/') != std::string::npos || figure.file[0] == '.') {
+          item.Refuse("file", "a file's name");
+        }
+        figure.title = item.Text("title");
+        figure.kind = static_cast<PublishedFigure::Kind>(item.Choice("shows", {"starts", "run"}));
+        figure.where = FiltersOf(item);
+        figure.channels = NamesOf(item, "channels");
+        if (item.Has("at_least")) {
+          const YamlNode& least = item.Child("at_least");
+          if (least.kind != YamlNode::Kind::kMapping || least.keys.size() != 1) {
+            item.Refuse("at_least", "a measure with its least value");
+          }
+          const std::string& name = least.keys[0].name;
+          const YamlReader value(least, item.PathOf("at_least"), {name});
+          figure.least = value.Number(name, Between(-1e9, 1e9));
+          figure.least_measure = {name, least.keys[0].place, value.PathOf(name)};
+        }
+        published.figures.push_back(std::move(figure));
+      });
+}
+
+}  // namespace
+
+Published LoadPublished(const std::string& file) {
+  const YamlNode tree = LoadYaml(file);
+  const YamlReader in(
+      tree, "",
+      {"reproduction", "source", "campaigns", "replications", "counted", "rows", "total", "judged",
+       "failures", "others", "sightings", "measures", "figures", "choices"});
+  Published published;
+  published.name = in.Text("reproduction");
+  if (published.name.find('/') != std::string::npos || published.name[0] == '.') {
+    in.Refuse("reproduction", "a name that its results folder can have");
+  }
+  published.file = file;
+  published.source = in.Text("source");
+  ReadCampaigns(in, published);
+  published.replications = in.IntegerOr("replications", 1, 1, 10000);
+  in.List("counted", 1, kMostItems);
+  published.counted = NamesOf(in, "counted");
+  ReadRows(in, published);
+  ReadFailures(in, published);
+  ReadSightings(in, published);
+  ReadMeasures(in, published);
+  ReadFigures(in, published);
+  if (in.Has("choices")) published.choices_file = in.File("choices");
+  return published;
+}
+
+}  // namespace dockyard
