@@ -1,0 +1,229 @@
+#include "sim/report/reproduction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/report/points.h"
+#include "sim/statistics/quantile.h"
+
+namespace dockyard {
+namespace {
+
+constexpr double kConfidence = 0.95;
+
+bool Contains(const std::vector<std::string>& texts, const std::string& text) {
+  return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+bool Names(const std::vector<PublishedName>& names, const std::string& text) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const PublishedName& name) { return name.text == text; });
+}
+
+RowFinding FindRow(const Published& published, std::size_t place, const CampaignResults& results) {
+  RowFinding found;
+  found.row = &published.rows[place];
+  for (const RunResult& row : results.rows) {
+    if (!Matches(found.row->where, row, results.columns)) continue;
+    ++found.runs;
+    found.successes += Counts(published, row);
+  }
+  const auto& judged = published.judged;
+  const bool of_judged = std::find(judged.begin(), judged.end(), place) != judged.end();
+  found.counts = of_judged || place == published.total;
+  if (of_judged) {
+    found.confidence = 1.0 - (1.0 - kConfidence) / static_cast<double>(judged.size());
+  }
+  if (!found.row->paper) return found;
+  const PublishedCount paper = *found.row->paper;
+  found.lacking = paper.runs * results.replications - found.runs;
+  found.at_95 = PredictCount(found.successes, found.runs, paper.runs, kConfidence);
+  found.judged_at = PredictCount(found.successes, found.runs, paper.runs, found.confidence);
+  found.p = PredictionP(found.successes, found.runs, paper.count, paper.runs);
+  return found;
+}
+
+/// The run's last accepted sighting; null where there is none or no log is kept.
+const SightingError* LastSighting(const RunResult& row, const SightingErrors& sightings) {
+  const auto found = sightings.find(row.run);
+  return found == sightings.end() || found->second.empty() ? nullptr : &found->second.back();
+}
+
+bool Wrong(const SightingError& error, const Published& published) {
+  return error.place_error_m > published.wrong_place_m ||
+         std::abs(error.heading_error_rad) > published.wrong_heading_rad;
+}
+
+bool Holds(const FailureCase& given, const RunResult& row, const SightingError* last,
+           const Published& published) {
+  if (!given.outcomes.empty() && !Names(given.outcomes, row.outcome)) return false;
+  if (!given.wrong_sighting && given.methods.empty()) return true;
+  if (last == nullptr) return false;
+  if (!given.methods.empty() && !Contains(given.methods, last->method)) return false;
+  return !given.wrong_sighting || Wrong(*last, published);
+}
+
+/// The first class of the file that the failure belongs to; their number for the others.
+std::size_t ClassOf(const RunResult& row, const CampaignResults& results,
+                    const Published& published) {
+  const SightingError* last = LastSighting(row, results.sightings);
+  for (std::size_t i = 0; i < published.failures.size(); ++i) {
+    const FailureClass& failure = published.failures[i];
+    if (!Matches(failure.where, row, results.columns)) continue;
+    if (std::any_of(failure.cases.begin(), failure.cases.end(),
+                    [&](const FailureCase& each) { return Holds(each, row, last, published); })) {
+      return i;
+    }
+  }
+  return published.failures.size();
+}
+
+std::vector<FailureFinding> FindFailures(const Published& published,
+                                         const CampaignResults& results) {
+  std::vector<FailureFinding> found;
+  if (published.failures.empty()) return found;
+  for (const FailureClass& failure : published.failures) {
+    FailureFinding each{failure.name, failure.says, failure.paper, 0, 0, std::nullopt};
+    for (const RunResult& row : results.rows) {
+      each.runs += Matches(failure.where, row, results.columns);
+    }
+    found.push_back(std::move(each));
+  }
+  found.push_back(
+      {"others", published.others, std::nullopt, 0, static_cast<int>(results.rows.size()), {}});
+  for (const RunResult& row : results.rows) {
+    if (!Counts(published, row)) ++found[ClassOf(row, results, published)].count;
+  }
+  for (FailureFinding& each : found) {
+    if (!each.paper || each.runs != each.paper->runs * results.replications) continue;
+    each.at_95 = PredictCount(each.count, each.runs, each.paper->runs, kConfidence);
+  }
+  return found;
+}
+
+struct MeanAndMedian {
+  double mean = std::nan(""), median = std::nan("");
+};
+
+MeanAndMedian Middle(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return {sum / static_cast<double>(values.size()), SampleQuantile(values, 0.5)};
+}
+
+ErrorFinding FindError(const PublishedError& paper, const Published& published,
+                       const SightingErrors& sightings) {
+  ErrorFinding found;
+  found.paper = paper;
+  std::vector<double> r_m, place_m, heading_rad;
+  for (const auto& [run, errors] : sightings) {
+    const int before = found.sightings;
+    for (const SightingError& error : errors) {
+      if (std::abs(error.r_m - paper.at_m) > published.within_m) continue;
+      if (!published.methods.empty() && !Contains(published.methods, error.method)) continue;
+      ++found.sightings;
+      if (Wrong(error, published)) {
+        ++found.wrong;
+        continue;
+      }
+      r_m.push_back(std::abs(error.r_error_m));
+      place_m.push_back(error.place_error_m);
+      heading_rad.push_back(std::abs(error.heading_error_rad));
+    }
+    found.runs += found.sightings > before;
+  }
+  const MeanAndMedian r = Middle(r_m), place = Middle(place_m), heading = Middle(heading_rad);
+  found.mean_r_m = r.mean;
+  found.median_r_m = r.median;
+  found.mean_place_m = place.mean;
+  found.median_place_m = place.median;
+  found.mean_heading_rad = heading.mean;
+  found.median_heading_rad = heading.median;
+  return found;
+}
+
+/// Where its campaign was not run, the first one's columns tell the unit.
+MeasureFinding FindMeasure(const PublishedMeasure& measure, const CampaignResults& results,
+                           const CampaignResults& first) {
+  MeasureFinding found;
+  found.measure = &measure;
+  found.simulated = !results.rows.empty();
+  for (const Column& column : SummedColumns(found.simulated ? results.columns : first.columns)) {
+    if (column.name == measure.measure.text) found.unit = column.unit;
+  }
+  if (!found.simulated) return found;
+  Rows rows;
+  for (const RunResult& row : results.rows) {
+    if (Matches(measure.where, row, results.columns)) rows.push_back(&row);
+  }
+  const Spread spread = SpreadOf(results.columns, measure.measure.text, rows);
+  found.runs = spread.count;
+  found.mean = spread.mean;
+  found.median = spread.median;
+  found.low = spread.low;
+  found.high = spread.high;
+  return found;
+}
+
+ReproductionVerdict VerdictOf(const std::vector<RowFinding>& rows) {
+  bool inside = true;
+  for (const RowFinding& row : rows) {
+    if (!row.counts) continue;
+    if (!row.comparable()) return ReproductionVerdict::kNotJudged;
+    inside = inside && row.inside();
+  }
+  return inside ? ReproductionVerdict::kInside : ReproductionVerdict::kOutside;
+}
+
+}  // namespace
+
+const char* NameOf(ReproductionVerdict verdict) {
+  switch (verdict) {
+    case ReproductionVerdict::kInside:
+      return "inside";
+    case ReproductionVerdict::kOutside:
+      return "outside";
+    case ReproductionVerdict::kNotJudged:
+      break;
+  }
+  return "not judged";
+}
+
+bool Counts(const Published& published, const RunResult& row) {
+  return Names(published.counted, row.outcome);
+}
+
+bool Matches(const std::vector<LabelFilter>& where, const RunResult& row,
+             const RowColumns& columns) {
+  return std::all_of(where.begin(), where.end(), [&](const LabelFilter& filter) {
+    return Contains(filter.texts, LabelOf(row, columns, filter.label.text));
+  });
+}
+
+ReproductionFinding JudgeReproduction(const Published& published,
+                                      const std::vector<CampaignResults>& campaigns) {
+  const CampaignResults& first = campaigns.at(0);
+  ReproductionFinding found;
+  found.published = &published;
+  found.replications = first.replications;
+  found.runs = static_cast<int>(first.rows.size());
+  for (std::size_t i = 0; i < published.rows.size(); ++i) {
+    found.rows.push_back(FindRow(published, i, first));
+  }
+  found.failures = FindFailures(published, first);
+  for (const PublishedError& error : published.errors) {
+    found.errors.push_back(FindError(error, published, first.sightings));
+  }
+  for (const PublishedMeasure& measure : published.measures) {
+    for (std::size_t i = 0; i < published.campaigns.size(); ++i) {
+      if (published.campaigns[i].name != measure.campaign.text) continue;
+      found.measures.push_back(FindMeasure(measure, campaigns.at(i), first));
+    }
+  }
+  found.verdict = VerdictOf(found.rows);
+  return found;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,178 @@
+#include "sim/report/reproduction_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/base/number_text.h"
+#include "controller/geometry/pose.h"
+#include "sim/report/rate_text.h"
+
+namespace dockyard {
+namespace {
+
+using Line = std::vector<std::string>;
+
+/// Columns as wide as their longest cell; a header line of one cell is a title and stands alone.
+std::string Table(const std::vector<Line>& lines) {
+  std::vector<std::size_t> widths;
+  for (const Line& line : lines) {
+    widths.resize(std::max(widths.size(), line.size()));
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  }
+  std::string text;
+  for (const Line& line : lines) {
+    std::string row;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      row += (i == 0 ? "" : "  ") + line[i] + std::string(widths[i] - line[i].size(), ' ');
+    }
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row + "\n";
+  }
+  return text;
+}
+
+std::string Range(const CountInterval& counts) {
+  return std::to_string(counts.low) + "-" + std::to_string(counts.high);
+}
+
+std::string PercentText(double confidence) { return NumberText(100.0 * confidence) + " %"; }
+
+std::string RowVerdict(const RowFinding& found, int replications) {
+  if (!found.row->paper) return "";
+  const int wanted = found.row->paper->runs * replications;
+  if (!found.comparable()) {
+    return std::to_string(found.runs) + " of " + std::to_string(wanted) + " runs: not judged";
+  }
+  const std::string word = found.inside() ? "inside " : "outside ";
+  return word + (found.counts ? "at " + PercentText(found.confidence) + ": " : "") +
+         Range(found.judged_at) + ", p = " + BriefNumber(found.p) +
+         (found.counts ? "" : ", does not count");
+}
+
+std::string RowsText(const ReproductionFinding& found) {
+  std::vector<Line> lines{{"runs", "paper", "here", "predicted", "the paper's count is"}};
+  for (const RowFinding& each : found.rows) {
+    const auto& paper = each.row->paper;
+    lines.push_back({each.row->name, paper ? RateText(paper->count, paper->runs) : "not given",
+                     RateText(each.successes, each.runs),
+                     each.comparable() ? Range(each.at_95) : "",
+                     RowVerdict(each, found.replications)});
+  }
+  return Table(lines);
+}
+
+std::string FailuresText(const ReproductionFinding& found) {
+  if (found.failures.empty()) return "";
+  std::vector<Line> lines{{"failures", "paper", "here", "predicted", ""}};
+  for (const FailureFinding& each : found.failures) {
+    lines.push_back(
+        {each.name,
+         each.paper ? std::to_string(each.paper->count) + " of " + std::to_string(each.paper->runs)
+                    : "",
+         std::to_string(each.count) + " of " + std::to_string(each.runs),
+         each.at_95 ? Range(*each.at_95) : "", each.says});
+  }
+  return "\n" + Table(lines);
+}
+
+/// "2.6 (1.9)"; "-" without values.
+std::string MeanAndMedian(double mean, double median, double unit) {
+  if (std::isnan(mean)) return "-";
+  return Fixed(mean / unit, 1) + " (" + Fixed(median / unit, 1) + ")";
+}
+
+std::string ErrorsText(const ReproductionFinding& found) {
+  if (found.errors.empty()) return "";
+  constexpr double kCm = 0.01;
+  const double degree = Radians(1.0);
+  const auto paper = [](double value, double unit) {
+    return std::isnan(value) ? std::string("-") : Fixed(value / unit, 2);
+  };
+  std::vector<Line> lines{{"sightings at", "r, paper", "here, cm", "place here, cm",
+                           "heading, paper", "here, deg", "sightings", "wrong"}};
+  for (const ErrorFinding& each : found.errors) {
+    lines.push_back({NumberText(each.paper.at_m) + " m", paper(each.paper.r_m, kCm),
+                     MeanAndMedian(each.mean_r_m, each.median_r_m, kCm),
+                     MeanAndMedian(each.mean_place_m, each.median_place_m, kCm),
+                     paper(each.paper.heading_rad, degree),
+                     MeanAndMedian(each.mean_heading_rad, each.median_heading_rad, degree),
+                     std::to_string(each.sightings) + " in " + std::to_string(each.runs) +
+                         (each.runs == 1 ? " run" : " runs"),
+                     std::to_string(each.wrong)});
+  }
+  return "\nmean error of the accepted sightings within " + NumberText(found.published->within_m) +
+         " m of a distance, median in brackets; without the wrong ones\n" + Table(lines);
+}
+
+std::string MeasuresText(const ReproductionFinding& found) {
+  if (found.measures.empty()) return "";
+  std::vector<Line> lines{{"measure", "paper", "mean", "median", "10-90 %", "runs"}};
+  for (const MeasureFinding& each : found.measures) {
+    const std::string unit = each.unit.empty() ? "" : " " + each.unit;
+    const std::string paper =
+        std::isnan(each.measure->low)
+            ? "not given"
+            : NumberText(each.measure->low) + "-" + NumberText(each.measure->high) + unit;
+    if (!each.simulated || each.runs == 0) {
+      lines.push_back({each.measure->name, paper, each.simulated ? "no run has it" : "not run"});
+      continue;
+    }
+    lines.push_back({each.measure->name, paper, BriefNumber(each.mean) + unit,
+                     BriefNumber(each.median), BriefNumber(each.low) + "-" + BriefNumber(each.high),
+                     std::to_string(each.runs)});
+  }
+  return "\n" + Table(lines);
+}
+
+std::string CountedText(const Published& published) {
+  std::string text;
+  for (const PublishedName& name : published.counted)
+    text += (text.empty() ? "" : ", ") + name.text;
+  return text;
+}
+
+std::string NamesWhere(const ReproductionFinding& found, bool lacking) {
+  std::string names;
+  for (const RowFinding& each : found.rows) {
+    if (!each.counts || (lacking ? each.comparable() : each.inside())) continue;
+    names += (names.empty() ? "" : ", ") + each.row->name;
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string VerdictText(const ReproductionFinding& found) {
+  const std::string verdict = NameOf(found.verdict);
+  switch (found.verdict) {
+    case ReproductionVerdict::kInside:
+      return verdict + ": the paper's total and each row that counts";
+    case ReproductionVerdict::kOutside:
+      return verdict + ": " + NamesWhere(found, false);
+    case ReproductionVerdict::kNotJudged:
+      break;
+  }
+  return verdict + ": these runs are not those of the paper: " + NamesWhere(found, true);
+}
+
+std::string ReproductionText(const ReproductionFinding& found) {
+  const Published& published = *found.published;
+  const std::size_t m = published.judged.size();
+  std::string text = published.name + ": " + published.source + "\n" + std::to_string(found.runs) +
+                     " runs, " + std::to_string(found.replications) +
+                     (found.replications == 1 ? " replication" : " replications") +
+                     "; counted as successes, as the paper counts: " + CountedText(published) +
+                     "\n\n";
+  text += RowsText(found);
+  text +=
+      "95 % intervals of Clopper and Pearson; predicted: the paper's count at 95 %, given these "
+      "runs (Thatcher)";
+  if (m > 0) {
+    text += "\nthe total counts at 95 %, each of " + std::to_string(m) + " rows at 1 - 0.05/" +
+            std::to_string(m);
+  }
+  text += "\n" + FailuresText(found) + ErrorsText(found) + MeasuresText(found);
+  return text + "\n" + VerdictText(found) + "\n";
+}
+
+}  // namespace dockyard
