@@ -15,7 +15,6 @@
 #include "sim/app/terminal.h"
 #include "sim/app/until_accepted_options.h"
 #include "sim/app/watch.h"
-#include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
 #include "sim/plan/make_run.h"
@@ -47,13 +46,6 @@ or a power cut, the same command goes on where it was. The results are the same,
 any number of jobs and shards. Exit code 10: runs are missing, crashed or were stopped; 22: a
 requirement is not met. With --until-accepted 0: accepted, 20: not accepted, 21: undecided.)";
 
-constexpr const char* kReproduceHelp = R"(Simulate the runs of a published experiment.
-
-Examples:
-  dockyard reproduce
-
-The experiment is a campaign of its system: the options, results and exit codes are those of `campaign`.)";
-
 std::string CommandToGoOn(const CommandArguments& arguments, const std::string& out_dir) {
   std::string command =
       "dockyard campaign " + ShellWord(arguments.campaign.file) + " --out " + ShellWord(out_dir);
@@ -62,13 +54,6 @@ std::string CommandToGoOn(const CommandArguments& arguments, const std::string& 
   if (!arguments.shard.empty()) command += " --shard " + arguments.shard;
   if (arguments.report) command += " --report";
   return command + WordsOf(arguments.until) + WordsOf(arguments.judging);
-}
-
-Shard ShardOf(const CommandArguments& arguments) {
-  if (arguments.shard.empty()) return {};
-  const auto shard = ShardFromText(arguments.shard);
-  if (shard) return *shard;
-  throw UsageError("--shard: expected K/N with K from 1 to N, found '" + arguments.shard + "'");
 }
 
 /// Results are judged when all of them are there, and a stopped test leaves no fair shares.
@@ -104,14 +89,6 @@ int EndOfShard(const CommandArguments& arguments, const CampaignOptions& options
   return end.complete() && end.tally.lost == 0 ? kExitDone : kExitIncomplete;
 }
 
-void WriteReport(const std::filesystem::path& dir, const std::vector<System>& systems) {
-  ReportSource source;
-  const ReportContent content = ContentOf(dir, systems, source);
-  const std::filesystem::path file = dir / "report.html";
-  WriteWhole(file, ReportPage(content));
-  PrintNote("report in " + file.string());
-}
-
 int RunCampaignCommand(const CommandArguments& arguments, const std::vector<System>& systems) {
   if (!arguments.watch_dir.empty()) {
     return WatchCampaign(arguments.watch_dir, arguments.json, systems);
@@ -131,7 +108,7 @@ int RunCampaignCommand(const CommandArguments& arguments, const std::vector<Syst
       ReadRequirements(arguments.judging, options.columns, campaign);
   SequentialEnd followed;
   if (plan) options.enough = Follower(options.out_dir, *plan, followed);
-  options.shard = ShardOf(arguments);
+  options.shard = ShardOption(arguments.shard);
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
   options.progress = StyleOf(arguments);
   const ShardEnd shard = RunShard(campaign, run, options);
@@ -160,36 +137,7 @@ void AddOptions(CLI::App& command, CommandArguments& arguments) {
                    "print the runs as CSV, which can be a campaign's table, and run none");
 }
 
-/// Without a name: lists all.
-int Reproduce(const std::string& name, CommandArguments arguments,
-              const std::vector<System>& systems) {
-  std::string names;
-  for (const System& system : systems) {
-    for (const Reproduction& each : system.reproductions) {
-      if (name.empty()) std::printf("%s: %s\n", each.name.c_str(), each.meaning.c_str());
-      names += (names.empty() ? "" : ", ") + each.name;
-      if (name != each.name) continue;
-      PrintNote(each.meaning);
-      arguments.campaign.file = each.campaign_file;
-      return RunCampaignCommand(arguments, systems);
-    }
-  }
-  if (name.empty()) return kExitDone;
-  throw UsageError("NAME: expected one of " + names + ", found '" + name + "'");
-}
-
 }  // namespace
-
-void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
-  auto arguments = std::make_shared<CommandArguments>();
-  auto name = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("reproduce", kReproduceHelp);
-  command->add_option("NAME", *name, "the experiment; without it, all are listed");
-  AddOptions(*command, *arguments);
-  command->callback([arguments, name, &systems, &exit_code] {
-    exit_code = Reproduce(*name, *arguments, systems);
-  });
-}
 
 void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<CommandArguments>();

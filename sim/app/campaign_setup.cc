@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/app/commands.h"
 #include "sim/app/identity.h"
 #include "sim/app/number_option.h"
 #include "sim/base/environment.h"
@@ -72,6 +73,13 @@ std::vector<std::string> OptionWords(const CampaignArguments& arguments) {
     words.insert(words.end(), {"--run-limit", NumberText(arguments.run_limit_s)});
   }
   return words;
+}
+
+Shard ShardOption(const std::string& text) {
+  if (text.empty()) return {};
+  const auto shard = ShardFromText(text);
+  if (shard) return *shard;
+  throw UsageError("--shard: expected K/N with K from 1 to N, found '" + text + "'");
 }
 
 Campaign LoadCampaign(const CampaignArguments& arguments, const std::vector<System>& systems) {

@@ -25,6 +25,9 @@ void AddCampaignOptions(CLI::App& command, CampaignArguments& arguments);
 /// The options as words that give them again, without --out.
 std::vector<std::string> OptionWords(const CampaignArguments& arguments);
 
+/// K/N of the option --shard; all runs without it. Throws UsageError.
+Shard ShardOption(const std::string& text);
+
 struct ReadyCampaign {
   Campaign campaign;        // on the copies of its files in the results folder
   RunFunction run;          // refers to the systems, which must outlive it

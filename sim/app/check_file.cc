@@ -14,6 +14,7 @@
 #include "models/read/urdf.h"
 #include "models/read/urdf_weld.h"
 #include "models/read/yaml_reader.h"
+#include "sim/app/reproduction_files.h"
 #include "sim/app/scenario_options.h"
 #include "sim/plan/make_run.h"
 #include "sim/scenario/load_scenario.h"
@@ -108,6 +109,18 @@ FileCheck CheckCampaign(const std::string& file, const std::vector<System>& syst
                           std::to_string(campaign.seed)};
 }
 
+FileCheck CheckReproduction(const std::string& file, const std::vector<System>& systems) {
+  const Published published = LoadPublished(file);
+  std::vector<CampaignNames> names;
+  for (const PublishedCampaign& campaign : published.campaigns) {
+    names.push_back(NamesOf(LoadCampaign(campaign.file, {}, CampaignSystemsOf(systems)), systems));
+  }
+  CheckPublished(published, names);
+  return {"published experiment", published.name + ": " + std::to_string(published.rows.size()) +
+                                      " rows, " + std::to_string(published.judged.size()) +
+                                      " of them judged beside the total"};
+}
+
 FileCheck CheckTable(const std::string& file) {
   const TableCheck table = CheckRunTable(file);
   const auto list = [](const std::vector<std::string>& names) {
@@ -122,6 +135,7 @@ FileCheck CheckTable(const std::string& file) {
 FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems) {
   const YamlNode root = LoadYaml(file);
   const auto has = [&](const char* key) { return root.Find(key) != nullptr; };
+  if (has("reproduction")) return CheckReproduction(file, systems);
   if (has("campaign") || has("study") || has("runs") || has("table"))
     return CheckCampaign(file, systems);
   if (has("system") || has("start")) return CheckScenario(file, systems);
@@ -138,7 +152,8 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
   }
   if (has("radius_m") || has("width_m") || has("paddles")) return CheckWheel(file);
   throw ConfigError(root.place.Text() +
-                    ": expected the keys of a scenario, campaign, board, soil, wheel, camera, rig "
+                    ": expected the keys of a scenario, campaign, published experiment, board, "
+                    "soil, wheel, camera, rig "
                     "or of a system's own model, found none of them");
 }
 

@@ -27,10 +27,11 @@ bool Fill(std::string& line, const std::vector<Word>& files) {
 std::string WithExamples(const std::string& help, const std::string& program,
                          const ExampleFiles& files) {
   const std::string name = std::filesystem::path(files.campaign).stem().string();
-  const std::vector<Word> words{{"{scenario}", files.scenario}, {"{campaign}", files.campaign},
-                                {"{campaign_name}", name},      {"{sweep}", files.sweep},
-                                {"{cameras}", files.cameras},   {"{robot}", files.robot},
-                                {"{target}", files.target}};
+  const std::vector<Word> words{
+      {"{scenario}", files.scenario}, {"{campaign}", files.campaign},
+      {"{campaign_name}", name},      {"{sweep}", files.sweep},
+      {"{cameras}", files.cameras},   {"{robot}", files.robot},
+      {"{target}", files.target},     {"{reproduction}", files.reproduction}};
   const std::string called = "  dockyard ";
   std::istringstream in(help);
   std::string text, line;

@@ -15,6 +15,7 @@ inline constexpr int kExitNotAccepted = 20;  // accept: the reliability is lower
 inline constexpr int kExitUndecided = 21;    // accept: too few runs to tell
 inline constexpr int kExitNotMet = 22;       // campaign, merge: a requirement is not met
 inline constexpr int kExitWorse = 23;        // compare: worse, as --fail-if-worse asks
+inline constexpr int kExitOutside = 30;      // reproduce: the paper's counts are not predicted
 inline constexpr int kExitIo = 50;           // a folder or file that cannot be written or read
 inline constexpr int kExitSignal = 128;      // plus the signal's number: 130 Ctrl-C, 143 terminated
 

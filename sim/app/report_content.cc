@@ -6,6 +6,7 @@
 
 #include "controller/base/number_text.h"
 #include "sim/app/commands.h"
+#include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign_folder.h"
@@ -155,6 +156,14 @@ ReportContent ContentOf(const fs::path& dir, const std::vector<System>& systems,
   const auto row = ReadSingleResult(dir, system.Columns({}));
   if (!row) throw ResultsError(dir.string() + " has no result of its run");
   return ContentOfRun(dir, system, scenario, *row, source);
+}
+
+void WriteReport(const fs::path& dir, const std::vector<System>& systems) {
+  ReportSource source;
+  const ReportContent content = ContentOf(dir, systems, source);
+  const fs::path file = dir / "report.html";
+  WriteWhole(file, ReportPage(content));
+  PrintNote("report in " + file.string());
 }
 
 ReportContent ContentOfRun(const fs::path& dir, const System& system, const Scenario& scenario,

@@ -173,11 +173,11 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
                           .sweep = "scenarios/studies/reel_alpha.yaml",
                           .robot = "models/axel/axel.yaml",
                           .target = "models/axel/station/station.yaml",
-                          .cameras = "models/cameras/axel_1024.yaml"};
-  system.reproductions = {
-      {"axel2013", "scenarios/mars_yard_40.yaml",
-       "The 40 docking runs of Tsai et al. 2013 in the Mars Yard, driven by our "
-       "controller: the paper's is not here yet."}};
+                          .cameras = "models/cameras/axel_1024.yaml",
+                          .reproduction = "axel2013"};
+  system.reproductions = {{"axel2013", "scenarios/axel2013_published.yaml",
+                           "The 40 docking runs of Tsai et al. 2013 in the Mars Yard, driven by a "
+                           "controller as they describe theirs, and pure reeling beside them."}};
   system.board = [store](const std::string& file) { return BoardOfStation(file, store->meshes()); };
   return system;
 }

@@ -55,8 +55,8 @@ struct SystemCommand {
 
 /// A published experiment that the system reproduces.
 struct Reproduction {
-  std::string name;  // of the paper and its year
-  std::string campaign_file;
+  std::string name;     // of the paper and its year
+  std::string file;     // what it says, and the campaigns (sim/plan/published.h)
   std::string meaning;  // a sentence: what is run, and where it differs from the paper
 };
 
@@ -64,6 +64,7 @@ struct Reproduction {
 /// line of help whose file is empty is left out.
 struct ExampleFiles {
   std::string scenario, campaign, sweep, robot, target, cameras;
+  std::string reproduction;  // a name of System::reproductions
 };
 
 struct System {

@@ -8,6 +8,7 @@
 #include "plan/toy_campaign.h"
 #include "sim/base/random.h"
 #include "sim/plan/file_keys.h"
+#include "sim/plan/published.h"
 #include "sim/scenario/key_path.h"
 #include "sim/scenario/load_scenario.h"
 #include "support/bad_files.h"
@@ -20,7 +21,10 @@ using ::testing::HasSubstr;
 
 const std::vector<KnownSystem>& Known() {
   static const std::vector<KnownSystem> known{
-      {.name = "axel", .controllers = {"dockyard", "reel_only"}, .file_keys = {"station"}}};
+      {.name = "axel",
+       .controllers = {"dockyard", "tsai2013", "reel_only"},
+       .file_keys = {"station"},
+       .model_roots = {{"robot", "robot"}, {"station", "axel.station"}, {"soil", "soil"}}}};
   return known;
 }
 CampaignSystems Systems() {
@@ -122,9 +126,31 @@ TEST(SmokeCampaign, HasRunsOfTheGrid) {
   }
 }
 
+// Tsai et al., V-B and V-D: what they count is what the table has.
+TEST(Axel2013, HasTheRunsOfEachPublishedRow) {
+  const Published published = LoadPublished(SourceFile("scenarios/axel2013_published.yaml"));
+  const Campaign grid = LoadCampaign(published.campaigns.at(0).file, {}, Systems());
+  const std::vector<CampaignRun> runs = Runs(grid);
+  int failures = 0;
+  for (const PublishedRow& row : published.rows) {
+    const auto count = std::count_if(runs.begin(), runs.end(), [&](const CampaignRun& run) {
+      return std::all_of(row.where.begin(), row.where.end(), [&](const LabelFilter& filter) {
+        const std::string text = Label(grid, run, filter.label.text);
+        return std::find(filter.texts.begin(), filter.texts.end(), text) != filter.texts.end();
+      });
+    });
+    EXPECT_EQ(count, row.paper ? row.paper->runs : 20) << row.name;  // half on each soil
+    if (row.paper) failures += row.paper->runs - row.paper->count;
+  }
+  EXPECT_EQ(failures, 3 * 11);  // all, by the workspace, by the light
+  EXPECT_EQ(published.judged.size(), 4u);
+  EXPECT_EQ(Runs(grid).front().scenario.seed, Runs(Grid()).front().scenario.seed);
+}
+
 /// Points of each study, as its factors multiply.
 const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"assisted.yaml", 2 * 2 * 10},
+    {"axel2013_sweep.yaml", 40 * (1 + 27)},
     {"cone_height.yaml", 2 * 2 * 11},
     {"mating_holds.yaml", 2 * 5 * 5},
     {"mating_map.yaml", 2 * 9 * 6},

@@ -73,7 +73,8 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
     return MessageOf([&] { CheckFile(file, Systems()); }, folder);
   };
   EXPECT_EQ(message("a.yaml", "colour: red\n"),
-            "a.yaml:1:1: expected the keys of a scenario, campaign, board, soil, wheel, camera, "
+            "a.yaml:1:1: expected the keys of a scenario, campaign, published experiment, board, "
+            "soil, wheel, camera, "
             "rig or of a system's own model, found none of them");
   EXPECT_EQ(message("a.txt", "x"),
             "a.txt: expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or "

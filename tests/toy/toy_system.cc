@@ -135,7 +135,10 @@ System ToySystem() {
   system.check_file = CheckPoint;
   system.detect = Detect;
   system.example_files.scenario = "tests/toy/scenario.yaml";
-  system.reproductions = {{"toy", "tests/toy/campaign.yaml", "Four drives to the flag."}};
+  system.example_files.reproduction = "toy";
+  system.reproductions = {{"toy", "tests/toy/published.yaml", "Drives to the flag."},
+                          {"toy_never", "tests/toy/published_never.yaml",
+                           "The same, said never to have come to the flag."}};
   system.commands = {{"way", "Say how far the flag is.", SayWay}};
   return system;
 }

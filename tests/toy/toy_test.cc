@@ -4,11 +4,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
 #include "app/program.h"
 #include "sim/base/files.h"
+#include "sim/base/json.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -51,14 +53,111 @@ TEST_F(Toy, DetectsWithAPerceptionOfItsOwn) {
   EXPECT_EQ(Dockyard("detect a.png --robot models/axel/axel.yaml").code, 2);
 }
 
-TEST_F(Toy, ReproducesWhatItStates) {
-  EXPECT_EQ(Dockyard("reproduce").out, "toy: Four drives to the flag.\n");
-  const auto end = Dockyard("reproduce toy --quiet --out " + dir_.string());
-  EXPECT_EQ(end.code, 0) << end.err;
-  EXPECT_THAT(Text("results.csv"), HasSubstr("toy.speed_m_s"));
+TEST_F(Toy, ListsWhatItReproduces) {
+  const auto list = Dockyard("reproduce");
+  EXPECT_EQ(list.code, 0);
+  EXPECT_THAT(list.out, testing::StartsWith("toy: Drives to the flag.\ntoy_never: "));
   const auto unknown = Dockyard("reproduce tay");
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("expected one of toy, found 'tay'"));
+  EXPECT_THAT(unknown.err, HasSubstr("expected one of toy, toy_never, found 'tay'"));
+}
+
+// Half of the drives end at the flag, which 6 of 12 agrees with.
+TEST_F(Toy, ReproducesACountThatItsRunsPredict) {
+  const std::string command = "reproduce toy --quiet --out " + dir_.string();
+  const auto end = Dockyard(command);
+  EXPECT_EQ(end.code, 0) << end.out << end.err;
+  EXPECT_THAT(end.out, HasSubstr("36 runs, 3 replications"));
+  EXPECT_THAT(end.out, HasSubstr("inside: the paper's total and each row that counts"));
+  EXPECT_THAT(end.out, HasSubstr("what was chosen"));
+  EXPECT_THAT(end.out, HasSubstr("system: toy"));  // of the file of choices
+  EXPECT_THAT(Text("grid/results.csv"), HasSubstr("start.r_m"));
+  EXPECT_THAT(Text("other/results.csv"), HasSubstr("toy.speed_m_s"));
+  const Json json = Json::parse(Text("reproduction.json"));
+  EXPECT_EQ(json.at("verdict"), "inside");
+  EXPECT_EQ(json.at("rows").at(1).at("runs"), 18);
+  EXPECT_EQ(json.at("measures").at(1).at("runs"), 2);
+  for (const char* figure : {"starts", "one_path", "one_history"}) {
+    EXPECT_THAT(Text("figures/" + std::string(figure) + ".svg"), HasSubstr("<svg")) << figure;
+  }
+  // Again: nothing is simulated, the table is the same.
+  EXPECT_EQ(Dockyard(command).out, end.out);
+  EXPECT_EQ(Dockyard(command + " --replications 4").code, 2);  // another campaign
+}
+
+TEST_F(Toy, EndsWithItsCodeWhereACountIsOutside) {
+  const auto end = Dockyard("reproduce toy_never --quiet --json --out " + dir_.string());
+  EXPECT_EQ(end.code, 30) << end.out << end.err;
+  EXPECT_THAT(end.out, HasSubstr("\"verdict\":\"outside\""));
+  EXPECT_THAT(Text("reproduction.txt"), HasSubstr("\noutside: all\n"));
+}
+
+TEST_F(Toy, DoesNotJudgeOtherRunsThanThePapers) {
+  const std::string out = " --quiet --out " + dir_.string();
+  const auto part =
+      Dockyard("reproduce toy_never --replications 1 --set 'vary={start.r_m: [1, 2]}'" + out);
+  EXPECT_EQ(part.code, 10) << part.err;
+  EXPECT_THAT(part.out, HasSubstr("2 of 12 runs: not judged"));
+  EXPECT_THAT(part.out, HasSubstr("not judged: these runs are not those of the paper: all, near"));
+}
+
+TEST_F(Toy, ReproducesInShardsAndParts) {
+  const std::string command = "reproduce toy --quiet --out " + dir_.string();
+  EXPECT_EQ(Dockyard(command + " --only grid --shard 1/2").code, 0);
+  EXPECT_EQ(Dockyard(command + " --only grid --shard 2/2").code, 0);
+  EXPECT_FALSE(fs::exists(dir_ / "reproduction.json"));
+  const auto grid = Dockyard(command + " --only grid");
+  EXPECT_EQ(grid.code, 0) << grid.err;
+  EXPECT_THAT(grid.out, testing::ContainsRegex("other drives +1-6 s +not run"));
+  EXPECT_THAT(Dockyard(command + " --only other").out, testing::Not(HasSubstr("not run")));
+  EXPECT_EQ(Dockyard(command + " --only athor").code, 2);
+}
+
+TEST_F(Toy, KeepsTheSightingsOfEveryRunWithoutItsLog) {
+  const std::string campaign =
+      "campaign " + kToy +
+      "twelve.yaml --quiet --set 'keep={failures_per_cause: 1, every_nth_success: 0, sightings: "
+      "true}' --out " +
+      dir_.string();
+  EXPECT_EQ(Dockyard(campaign).code, 0);
+  const auto files = [](const fs::path& dir) {
+    return std::distance(fs::directory_iterator(dir), fs::directory_iterator());
+  };
+  EXPECT_EQ(files(dir_ / "sightings"), 12);
+  EXPECT_EQ(Text("sightings/012.json"), "[]\n");  // the toy sees nothing
+  EXPECT_EQ(files(dir_ / "runs"), 1);
+  fs::remove_all(dir_ / "all");
+  EXPECT_EQ(Dockyard("merge " + (dir_ / "all").string() + " " + dir_.string()).code, 0);
+  EXPECT_EQ(files(dir_ / "all" / "sightings"), 12);
+}
+
+TEST_F(Toy, RefusesReproductionsThatMakeNoSense) {
+  EXPECT_EQ(Dockyard("reproduce toy --replications 0").code, 2);
+  EXPECT_EQ(Dockyard("reproduce toy --shard 1/2 --report").code, 2);
+  fs::create_directories(dir_);
+  WriteText(dir_ / "mine.txt", "not to be touched");
+  EXPECT_EQ(Dockyard("reproduce toy --out " + dir_.string()).code, 2);
+  EXPECT_FALSE(fs::exists(dir_ / "grid"));
+  const auto plan = Dockyard("reproduce toy --replications 2 --dry-run");
+  EXPECT_EQ(plan.code, 0) << plan.err;
+  EXPECT_EQ(std::count(plan.out.begin(), plan.out.end(), '\n'), 1 + 24);
+}
+
+TEST_F(Toy, ChecksWhatIsPublishedOfIt) {
+  const auto good = Dockyard("check " + kToy + "published.yaml");
+  EXPECT_EQ(good.code, 0) << good.err;
+  EXPECT_THAT(good.out, HasSubstr("published experiment: toy: 3 rows, 1 of them judged"));
+  std::string text = Slurp(SourceFile(kToy + "published.yaml"));
+  for (const char* file : {"twelve.yaml", "campaign.yaml", "scenario.yaml"}) {
+    text = Replaced(text, file, SourceFile(kToy + file));
+  }
+  fs::create_directories(dir_);
+  WriteText(dir_ / "p.yaml", Replaced(text, "counted: [at_flag]", "counted: [at_flog]"));
+  const auto bad = Dockyard("check " + (dir_ / "p.yaml").string());
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_THAT(bad.err,
+              HasSubstr("p.yaml:8:11: counted[0]: expected an outcome of the system, found "
+                        "'at_flog'; nearest is 'at_flag'"));
 }
 
 TEST_F(Toy, IsTheOnlySystemThatItsProgramsHelpNames) {
@@ -95,24 +194,6 @@ TEST_F(Toy, GoesThroughACampaignWithKeysAndTagsOfItsOwn) {
   EXPECT_THAT(Text("results.csv"), HasSubstr(",toy,counting,windy,3,1,"));
   EXPECT_THAT(end.out, HasSubstr("weather"));
   EXPECT_EQ(Dockyard("replay " + dir_.string() + " 3").code, 0);
-}
-
-TEST_F(Toy, KeepsTheSightingsOfEveryRunWithoutItsLog) {
-  const std::string campaign =
-      "campaign " + kToy +
-      "twelve.yaml --quiet --set 'keep={failures_per_cause: 1, every_nth_success: 0, sightings: "
-      "true}' --out " +
-      dir_.string();
-  EXPECT_EQ(Dockyard(campaign).code, 0);
-  const auto files = [](const fs::path& dir) {
-    return std::distance(fs::directory_iterator(dir), fs::directory_iterator());
-  };
-  EXPECT_EQ(files(dir_ / "sightings"), 12);
-  EXPECT_EQ(Text("sightings/012.json"), "[]\n");  // the toy sees nothing
-  EXPECT_EQ(files(dir_ / "runs"), 1);
-  fs::remove_all(dir_ / "all");
-  EXPECT_EQ(Dockyard("merge " + (dir_ / "all").string() + " " + dir_.string()).code, 0);
-  EXPECT_EQ(files(dir_ / "all" / "sightings"), 12);
 }
 
 TEST_F(Toy, GoesThroughASweepOfAKey) {
