@@ -132,6 +132,23 @@ FuzzKind CampaignKind() {
           }};
 }
 
+/// What a publication says, with its campaigns beside it.
+FuzzKind PublishedKind() {
+  const auto tree = std::make_shared<Tree>();
+  for (const char* name : {"twelve.yaml", "campaign.yaml"}) {
+    tree->folder.Write(std::string("scenarios/") + name,
+                       Slurp(SourceFile(std::string("tests/toy/") + name)));
+  }
+  std::vector<std::string> words{"sightings", "errors",  "at_m",   "wrong_place_m", "within_m",
+                                 "cases",     "methods", "others", "at_least",      "channels",
+                                 "judged",    "[1, 2]",  "nan",    "1e308",         "{}"};
+  return {"published", Files({"tests/toy/published.yaml", "tests/toy/published_never.yaml"}), words,
+          [tree](const std::string& bytes) {
+            const std::string file = tree->folder.Write("scenarios/fuzzed.yaml", bytes);
+            return ReadOrRefused([&] { CheckFile(file, tree->systems); });
+          }};
+}
+
 /// A table by itself, and as the table of a campaign.
 FuzzKind TableKind() {
   const auto tree = std::make_shared<Tree>();
@@ -171,6 +188,7 @@ FuzzKind PointsKind() {
 std::vector<NamedKind> PlanKinds() {
   return {{"scenario", ScenarioKind},
           {"campaign", CampaignKind},
+          {"published", PublishedKind},
           {"table", TableKind},
           {"points", PointsKind}};
 }
