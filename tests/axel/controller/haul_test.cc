@@ -36,6 +36,16 @@ TEST(JudgePush, AnArmThatCameInFurtherIsPushedAgain) {
   }
 }
 
+TEST(JudgePush, AnArmThatCameInAskewMayBeWedgedUnlessItLiesAlongTheSocket) {
+  const auto judge = [](double askew_deg, double raised_deg) {
+    return JudgePush({kCommanded, 0.0, 0.0, Radians(askew_deg)},
+                     kSeatedElevation + Radians(raised_deg), kNominal, kOptions);
+  };
+  EXPECT_EQ(judge(0.5, 2.8), Hold::kHeld);
+  EXPECT_EQ(judge(-2.4, 2.7), Hold::kLoose);
+  EXPECT_EQ(judge(3.5, 0.2), Hold::kHeld);
+}
+
 TEST(JudgePush, ATipOnTheGroundIsNotInTheCone) {
   const Push push{kCommanded, Radians(1.0), 0.0};
   EXPECT_EQ(JudgePush(push, Radians(-15.0), kNominal, kOptions), Hold::kLoose);
