@@ -9,10 +9,6 @@
 namespace dockyard::axel {
 namespace {
 
-constexpr double kStep_m = 0.05;
-// Of the way before the spool stalls: in the cone, and before it. Assumed, 0.25-0.4 and 0.3-0.8 m.
-constexpr double kCone_m = 0.3, kFree_m = 0.5;
-
 // The socket lays the arm along its axis, whatever the axle's height, which the soil decides.
 double SeatedElevation(const Nominal& nominal) { return std::asin(nominal.X_DB.R.col(2).z()); }
 
@@ -20,17 +16,14 @@ double SeatedElevation(const Nominal& nominal) { return std::asin(nominal.X_DB.R
 
 Hold JudgePush(const Push& push, double elevation_rad, const Nominal& nominal,
                const HaulOptions& options) {
-  // A tip on the ground. The pushes dig the wheels in on sand, and the arm stands up to 3 deg
-  // higher.
-  if (elevation_rad < SeatedElevation(nominal) - options.elevation_rad) return Hold::kLoose;
+  // Too low is a tip on the ground. Too high may be an arm wedged askew in the throat; on sand the
+  // pushes dig the wheels in, and a seated arm stands as high. There the rover cannot tell.
+  if (std::abs(elevation_rad - SeatedElevation(nominal)) > options.elevation_rad)
+    return Hold::kLoose;
   // A rover that comes in askew is turned into line by the cone on its way.
   if (push.taken_up_m >= options.firm_m) return Hold::kDeeper;
   const bool turns = push.turned_rad > options.held_share * push.commanded_rad;
-  // An arm that came in straight is not wedged. One that came in askew may be, unless it lies along
-  // the socket now.
-  const bool straight = std::abs(push.askew_rad) <= options.straight_rad;
-  const bool along = elevation_rad <= SeatedElevation(nominal) + options.elevation_rad;
-  return !turns && (straight || along) ? Hold::kHeld : Hold::kLoose;
+  return turns ? Hold::kLoose : Hold::kHeld;
 }
 
 BoardFix SeatedFix(const Nominal& nominal) {
@@ -51,7 +44,6 @@ void Haul::Enter(Stage stage, const Senses& senses) {
 
 void Haul::Begin(const Senses& senses) {
   pushes_ = 0;
-  way_ = {{senses.reeled_m(), senses.yaw_rad()}};
   Enter(Stage::kDraw, senses);
 }
 
@@ -64,8 +56,6 @@ Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
   MotorCommand& spool = commands->motors[static_cast<std::size_t>(Motor::kSpool)];
   if (stage_ == Stage::kDraw) {
     spool = Winch(nominal_, tether.tighten_m_s, tether.search_tension_n, tether.accel_rad_s2);
-    if (senses.reeled_m() - way_.back().reeled_m > kStep_m)
-      way_.push_back({senses.reeled_m(), senses.yaw_rad()});
     if (senses.reeled_m() - reeled_m_ > options_.search.reel_limit_m) return Status::kLoose;
     if (stalled) Enter(Stage::kAlign, senses);
     return Status::kUnderWay;
@@ -92,19 +82,6 @@ Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
   return Status::kUnderWay;
 }
 
-// Against the mean over the half metre before the cone: paddles turn the rover to and fro.
-double Haul::Askew(const Senses& senses) const {
-  double sum_rad = 0.0;
-  int count = 0;
-  for (const Passed& at : way_) {
-    const double before_m = way_.back().reeled_m - at.reeled_m;
-    if (before_m < kCone_m || before_m > kCone_m + kFree_m) continue;
-    sum_rad += WrapPi(senses.yaw_rad() - at.yaw_rad);
-    ++count;
-  }
-  return count > 0 ? sum_rad / count : kPi;
-}
-
 Haul::Status Haul::JudgeHere(const Senses& senses) {
   if (stage_ == Stage::kAlign) {
     const bool helped = senses.reeled_m() - reeled_m_ >= options_.haul.firm_m;
@@ -114,7 +91,7 @@ Haul::Status Haul::JudgeHere(const Senses& senses) {
   }
   const Push push{
       2.0 * options_.haul.push_rad_s * kTickSeconds * static_cast<double>(options_.haul.quarter),
-      leftmost_rad_ - rightmost_rad_, senses.reeled_m() - reeled_m_, Askew(senses)};
+      leftmost_rad_ - rightmost_rad_, senses.reeled_m() - reeled_m_};
   switch (JudgePush(push, senses.elevation_rad(), nominal_, options_.haul)) {
     case Hold::kHeld:
       Enter(Stage::kEase, senses);

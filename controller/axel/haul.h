@@ -2,8 +2,6 @@
 // with free wheels, and a push to each side tells whether the cone holds the arm.
 #pragma once
 
-#include <vector>
-
 #include "controller/axel/leg.h"
 #include "controller/axel/options.h"
 #include "controller/axel/pose_filter.h"
@@ -16,12 +14,11 @@ struct Push {
   double commanded_rad = 0.0;  // from one side to the other
   double turned_rad = 0.0;     // of it
   double taken_up_m = 0.0;     // tether
-  double askew_rad = 0.0;      // yaw since the free way to the cone
 };
 enum class Hold {
   kHeld,    // by the cone, and no more tether comes in
   kDeeper,  // the push let tether in: push again
-  kLoose,   // it turns as on open ground, or what holds it may be the throat, askew
+  kLoose,   // it turns as on open ground, or the arm does not lie as in the socket
 };
 /// elevation_rad: of the arm.
 Hold JudgePush(const Push& push, double elevation_rad, const Nominal& nominal,
@@ -51,7 +48,6 @@ class Haul {
   /// that what the tether stretches does not count as depth.
   enum class Stage { kDraw, kAlign, kPull, kPush, kEase };
   void Enter(Stage stage, const Senses& senses);
-  double Askew(const Senses& senses) const;
   Status JudgeHere(const Senses& senses);
 
   Nominal nominal_;
@@ -62,10 +58,6 @@ class Haul {
   double reeled_m_ = 0.0;                            // when the stage began
   double leftmost_rad_ = 0.0, rightmost_rad_ = 0.0;  // turned since then
   double yaw_rad_ = 0.0;
-  struct Passed {
-    double reeled_m = 0.0, yaw_rad = 0.0;
-  };
-  std::vector<Passed> way_;  // of the draw, every 5 cm
   int pushes_ = 0;
 };
 

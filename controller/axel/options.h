@@ -198,9 +198,6 @@ struct HaulOptions {
   double held_share = 0.22;
   // Arm against the axis of the socket, whose play is 1.5 deg.
   double elevation_rad = Radians(2.0);  // range 1.5-2.5
-  // Of arms on sand, those that came in within 1.1 deg of the axis were seated, those that the cone
-  // had turned by 2.4 deg wedged in the throat (simulated, six approaches). Range 1.2-2.2.
-  double straight_rad = Radians(1.7);
   // The wheels turn the rover, so the tether need not roll it. Below the station's friction on its
   // feet, 137 N; assumed, 60-130.
   double align_tension_n = 100.0;
