@@ -107,6 +107,7 @@ class AxelMachine final : public Controller {
   void BeginSearch();
   SearchKnowledge Known() const;
   bool TetherAbeam();
+  bool StopsAbeam() const;
   Event GoBlind(const std::string& why);
   std::optional<Event> HaulIn(Commands* commands);
 
@@ -145,7 +146,7 @@ class AxelMachine final : public Controller {
   std::optional<Tick> asked_at_;
   int asks_ = 0;  // in a row without an answer
   // Searching.
-  int attempts_ = 0, turning_pulls_ = 0, hauls_ = 0;
+  int attempts_ = 0, turning_pulls_ = 0, hauls_ = 0, recoveries_inside_ = 0;
   bool seeking_ = true;  // it has not driven since the board was lost
   std::optional<SearchAction> search_;
   // Confirming: when the spool was braked, where it stood, and what the picture then shows.
@@ -283,6 +284,12 @@ std::optional<Event> AxelMachine::Judge(const StereoImages& images) {
 }
 
 Event AxelMachine::AfterSighting() {
+  // A recovery that did not come out, or a search that ended in the cone: the way is in.
+  const double inside_m = -TipOf(driving_.geometry(), senses_.pose()).gap_m;
+  if (inside_m > options_.mate.inside_m && recoveries_inside_++ < options_.limit.recoveries) {
+    belief_.note = "tip is in the cone";
+    return Event::kInside;
+  }
   const Event event = driving_.PlanNext(senses_);
   if (event == Event::kGoRecover) return Recover(event, "misaligned");
   return driving_.legs() > options_.limit.plans ? Event::kLimitReached : event;
@@ -306,9 +313,23 @@ std::optional<Event> AxelMachine::Drive(Commands* commands) {
   const bool may_level = !driving_.paused() && std::abs(senses_.pitch_rad()) < Radians(45.0);
   if (may_level) arm_.Level(senses_);
   if (driving_.paused()) belief_.note = "arm lifted: reeling in";
+  if (StopsAbeam()) {
+    belief_.note = "tether abeam";
+    seeking_ = true;  // so that it is pulled first
+    return Event::kArrived;
+  }
   if (status == LegDriver::Status::kUnderWay) return std::nullopt;
   if (status == LegDriver::Status::kFellShort) belief_.note = "leg fell short";
   return Event::kArrived;
+}
+
+// On sand a rover that drives with the tether abeam tips its arm over.
+bool AxelMachine::StopsAbeam() const {
+  const bool on_leg = phase_ == Phase::kApproach || phase_ == Phase::kAlign;
+  if (!on_leg || turning_pulls_ >= options_.search.turning_pulls) return false;
+  const SearchKnowledge known = Known();
+  return std::abs(known.tether_rad) > options_.search.abeam_rad &&
+         PullFirst(known, options_.search);
 }
 
 // The arm went over the top, or the rover starts so. An arm that only swings past the upright comes

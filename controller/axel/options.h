@@ -135,6 +135,8 @@ struct MateOptions {
   // A stop this far before the floor counts as seated: about the middle between it and where arms
   // stop at their lead-in, 2.6 to 3.5 cm before it. Range 0.008-0.02.
   double seat_margin_m = 0.013;
+  // A look with the tip so deep inside goes on with the reel-in. Assumed, 0.1-0.18.
+  double inside_m = 0.12;
   // Of both wheels while the spool reels in. Rolling over a paddle takes 105 N, and the feet of a
   // station of 35 kg slip at 137 N (friction 0.4). Assumed, 40-90.
   double thrust_n = 60.0;
@@ -171,9 +173,10 @@ struct SearchOptions {
   // The wheels turn the rover only while the tether is nearer to the arm than this; see
   // PlanOptions::tether_angle_rad.
   double tether_rad = Radians(45.0);
-  double pull_room_m = 0.3;  // left between tip and mouth after a pull; assumed, 0.2-0.5
-  int turning_pulls = 6;     // of a rover that sees the board; 180 deg by 35-45 deg each
-  double backwards_m = 0.3;  // drawn along backwards, it is in balance; assumed, 0.2-0.4
+  double pull_room_m = 0.3;          // left between tip and mouth after a pull; assumed, 0.2-0.5
+  double abeam_rad = Radians(65.0);  // a leg ends there; assumed, 55-75 deg
+  int turning_pulls = 6;             // of a rover that sees the board; 180 deg by 35-45 deg each
+  double backwards_m = 0.3;          // drawn along backwards, it is in balance; assumed, 0.2-0.4
   // A pull that turned it by less left it facing along the tether: paddles turn a rover on compact
   // soil by 10 deg to and fro, of which half a step's length evens out most. Assumed, 6-12 deg.
   double still_turn_rad = Radians(8.0);

@@ -22,6 +22,7 @@ constexpr std::array kTransitions = {
     Transition{Phase::kLook, Event::kGoBackOff, Phase::kBackOff},
     Transition{Phase::kLook, Event::kGoMate, Phase::kMate},
     Transition{Phase::kLook, Event::kGoRecover, Phase::kRecover},
+    Transition{Phase::kLook, Event::kInside, Phase::kReel},
     Transition{Phase::kLook, Event::kGoBlind, Phase::kHaul},
     Transition{Phase::kSearch, Event::kGoBlind, Phase::kHaul},
     Transition{Phase::kHaul, Event::kArrived, Phase::kReel},

@@ -36,6 +36,7 @@ enum class Event {
   kGoMate,      // aligned
   kGoRecover,   // misaligned and too near
   kGoBlind,     // no camera shows the board
+  kInside,      // the tip is deep in the cone already
   kArrived,     // the move is over, complete or not
   kReeledIn,    // reeled in as far as asked
   kStopsShort,  // it is not all the way in, and may be with another push

@@ -36,13 +36,14 @@ INSTANTIATE_TEST_SUITE_P(Paper, PhaseTable,
                                          Row{Phase::kReel, Event::kReeledIn, Phase::kConfirm},
                                          Row{Phase::kConfirm, Event::kSteady, Phase::kDocked}));
 
-TEST(Phases, ReelingIsReachedOnlyByTheCheckAtTheMouth) {
+TEST(Phases, ReelingIsReachedOnlyByTheCheckAtTheMouthOrFromInside) {
   for (int p = 0; p < kPhaseCount; ++p) {
     for (int e = 0; e < kEventCount; ++e) {
       const auto to = Next(PhaseAt(p), EventAt(e));
       if (to == Phase::kReel && PhaseAt(p) == Phase::kHaul) continue;  // without cameras: felt
       if (to == Phase::kReel) {
-        EXPECT_TRUE(PhaseAt(p) == Phase::kEnter || EventAt(e) == Event::kStopsShort);
+        EXPECT_TRUE(PhaseAt(p) == Phase::kEnter || EventAt(e) == Event::kStopsShort ||
+                    EventAt(e) == Event::kInside);
       }
       if (to == Phase::kEnter) {
         EXPECT_EQ(PhaseAt(p), Phase::kRecheck);
