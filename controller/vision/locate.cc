@@ -31,7 +31,7 @@ LocateOutput LocateBoard(const StereoImages& images, const StereoRig& rig,
                          const VisionSettings& settings) {
   if (settings.pipeline == VisionPipeline::kTsai2013) {
     DOCKYARD_CHECK(HasTwoOfEachRotation(board));
-    return LocateTsai2013(images, rig, board, hints, settings.min_points);
+    return LocateTsai2013(images, rig, board, hints, settings);
   }
   return LocateDockyard(images, rig, board, hints);
 }

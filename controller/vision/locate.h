@@ -57,6 +57,7 @@ LocateOutput LocateBoard(const StereoImages& images, const StereoRig& rig,
 LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
                             const FiducialBoard& board, const LocateHints& hints);
 LocateOutput LocateTsai2013(const StereoImages& images, const StereoRig& rig,
-                            const FiducialBoard& board, const LocateHints& hints, int min_points);
+                            const FiducialBoard& board, const LocateHints& hints,
+                            const VisionSettings& settings);
 
 }  // namespace dockyard

@@ -53,16 +53,17 @@ void AddMarks(const TsaiCorrespondence& named, int view, const Camera& camera,
 }  // namespace
 
 LocateOutput LocateTsai2013(const StereoImages& images, const StereoRig& rig,
-                            const FiducialBoard& board, const LocateHints& hints, int min_points) {
+                            const FiducialBoard& board, const LocateHints& hints,
+                            const VisionSettings& settings) {
   const std::vector<CameraView> views = Views(rig);
   const std::array<const GrayImage*, 2> by_camera{&images.left, &images.right};
   std::vector<CorrespondenceResult> found;
   SightingReport report;
   for (std::size_t v = 0; v < 2; ++v) {
-    std::vector<DetectedFiducial> detections = DetectTsai2013(*by_camera[v]);
-    AssignRotations(detections, views[v].camera, views[v].X_RC.R.transpose() * hints.up_R);
+    const std::vector<DetectedFiducial> detections =
+        DetectTsai2013(*by_camera[v], settings.tsai2013);
     report.detected.push_back(static_cast<int>(detections.size()));
-    found.push_back(CorrespondTsai2013(detections, board, min_points));
+    found.push_back(CorrespondTsai2013(detections, board, settings));
   }
   if (!found[0] && !found[1]) {
     const bool left_first = found[0].error() != PoseFailure::kTooFewFiducials;

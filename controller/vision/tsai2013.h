@@ -13,9 +13,10 @@
 namespace dockyard {
 
 /// Adaptive threshold, connected regions, filters, local threshold, ellipse through the perimeter;
-/// the rotation from the major axis of the white inside. Their order is from the bottom of the
-/// image upwards, as the contour tracing returns them.
-std::vector<DetectedFiducial> DetectTsai2013(const GrayImage& image);
+/// the rotation from the major axis of the white inside, against the image's own up: of gravity the
+/// paper knows only that the board cannot be upside down. From the bottom of the image upwards.
+std::vector<DetectedFiducial> DetectTsai2013(const GrayImage& image,
+                                             const Tsai2013Vision& settings);
 
 /// The correspondence in one image.
 struct TsaiCorrespondence {
@@ -25,9 +26,11 @@ struct TsaiCorrespondence {
 };
 
 /// Each naming of the first min_points detections gives a homography between the board and the raw
-/// pixels; fiducials within the closeness of their re-projection give the last one. With five
-/// points one may be left out. Least mean error wins (Tsai et al., III-A.3).
+/// pixels; fiducials within the closeness of their re-projection verify it and give the last one.
+/// With five points one may be left out. The least error wins (Tsai et al., III-A.3).
+/// @param detections  in the order of DetectTsai2013
 Result<TsaiCorrespondence, PoseFailure> CorrespondTsai2013(
-    const std::vector<DetectedFiducial>& detections, const FiducialBoard& board, int min_points);
+    const std::vector<DetectedFiducial>& detections, const FiducialBoard& board,
+    const VisionSettings& settings);
 
 }  // namespace dockyard

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "controller/geometry/pose.h"
-#include "controller/vision/bar.h"
 #include "controller/vision/blobs.h"
 #include "controller/vision/tsai2013.h"
 
@@ -12,12 +11,16 @@ namespace dockyard {
 namespace {
 
 // Wellner's adaptive threshold (EuroPARC EPC-93-110, 1993) in the form of the toolbox that the
-// paper cites: a pixel is black when it lies this share below the Gaussian mean about it, of a
-// standard deviation of a twentieth of the width. The paper's levels "were chosen empirically";
-// these are the toolbox's window and, of 0.10-0.40, the share that finds most fiducials in even
-// light (docs/reference/perception.md).
-constexpr double kBelowMean = 0.25;
-constexpr double kWindowShare = 1.0 / 20.0;
+// paper cites: a pixel is black when it lies a share below the Gaussian mean about it.
+cv::Mat AdaptiveBlack(const cv::Mat& gray, const Tsai2013Vision& settings) {
+  cv::Mat values, mean, black;
+  gray.convertTo(values, CV_32F);
+  cv::GaussianBlur(values, mean, cv::Size(), settings.window_share * gray.cols, 0.0,
+                   cv::BORDER_REPLICATE);
+  cv::compare(values, mean * (1.0 - settings.black_below_mean), black, cv::CMP_LT);
+  return black;
+}
+
 // "Thresholds on individual filters had wide ranges" (III-A.2); all assumed.
 constexpr double kMinArea = 20.0;                     // [px]: a disc 5 px across
 constexpr double kMaxAreaShare = 0.05;                // of the image: a disc at half a metre
@@ -30,14 +33,6 @@ constexpr double kInside = 0.8;  // of the radius: the pattern is read within it
 // More outlines are noise, and no marks are found: cv::findContours takes 1.4 s for 125 000 of them
 // (3 megapixels of noise), and 34 s for 500 000. A rendered image 1024 px wide has 1000.
 constexpr int kMostOutlines = 150000;
-
-cv::Mat AdaptiveBlack(const cv::Mat& gray) {
-  cv::Mat values, mean, black;
-  gray.convertTo(values, CV_32F);
-  cv::GaussianBlur(values, mean, cv::Size(), kWindowShare * gray.cols, 0.0, cv::BORDER_REPLICATE);
-  cv::compare(values, mean * (1.0 - kBelowMean), black, cv::CMP_LT);
-  return black;
-}
 
 /// How many outlines cv::findContours would find: of the black regions and of their holes.
 int CountOutlines(const cv::Mat& black) {
@@ -137,17 +132,19 @@ std::optional<DetectedFiducial> Examine(const cv::Mat& gray,
       pattern.centroid.norm() > kCoincidence) {
     return std::nullopt;
   }
-  DetectedFiducial fiducial{.rim = *rim, .match = 1.0, .clear = true};
-  for (int i = 0; i < kBarAngles; ++i) {
-    fiducial.bar_match[static_cast<std::size_t>(i)] =
-        static_cast<float>(std::cos(2.0 * (kPi * i / kBarAngles - pattern.direction_rad)));
-  }
-  return fiducial;
+  // The image's up in the plane where the rim is a circle.
+  const Eigen::Vector2d up = rim->shape_px.inverse() * Eigen::Vector2d(0.0, -1.0);
+  const double lean_rad = std::atan2(-up.y(), up.x()) - kPi / 2.0;
+  return DetectedFiducial{.rim = *rim,
+                          .match = 1.0,
+                          .clear = true,
+                          .rotation_class = RotationClass(pattern.direction_rad - lean_rad)};
 }
 
 }  // namespace
 
-std::vector<DetectedFiducial> DetectTsai2013(const GrayImage& image) {
+std::vector<DetectedFiducial> DetectTsai2013(const GrayImage& image,
+                                             const Tsai2013Vision& settings) {
   std::vector<DetectedFiducial> found;
   if (image.width < 8 || image.height < 8) return found;
   [[maybe_unused]] static const bool single = (cv::setNumThreads(1), true);
@@ -155,7 +152,7 @@ std::vector<DetectedFiducial> DetectTsai2013(const GrayImage& image) {
                      const_cast<std::uint8_t*>(image.pixels.data()));  // only read
   std::vector<std::vector<cv::Point>> contours;
   std::vector<cv::Vec4i> links;  // next, previous, first hole, parent
-  const cv::Mat black = AdaptiveBlack(gray);
+  const cv::Mat black = AdaptiveBlack(gray, settings);
   if (CountOutlines(black) > kMostOutlines) return found;
   cv::findContours(black, contours, links, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
   for (std::size_t i = 0; i < contours.size(); ++i) {

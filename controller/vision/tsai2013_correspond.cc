@@ -8,10 +8,9 @@
 namespace dockyard {
 namespace {
 
-// "Closeness threshold" (III-A.3), which the paper does not give: assumed 6 px (3-10), about a
-// disc's radius at 5 m, and about its radius when it is large.
-double ClosenessPx(const DetectedFiducial& detection) {
-  return 6.0 + 1.2 * detection.rim.mean_radius_px();
+/// "Closeness threshold" (III-A.3).
+double ClosenessPx(const DetectedFiducial& detection, const Tsai2013Vision& settings) {
+  return settings.closeness_px + settings.closeness_radii * detection.rim.mean_radius_px();
 }
 
 std::vector<PlanePair> Pairs(const std::vector<DetectedFiducial>& detections,
@@ -36,12 +35,13 @@ struct Hypothesis {
   std::vector<MarkMatch> matches;
   std::vector<double> residual_px;
   Eigen::Matrix3d H = Eigen::Matrix3d::Identity();
-  double mean_px = 0.0;
+  double error_px = 0.0;  // mean over the matches
 };
 
 /// Detections near the re-projected model, each fiducial and each detection once.
 std::vector<MarkMatch> Close(const std::vector<DetectedFiducial>& detections,
-                             const FiducialBoard& board, const Eigen::Matrix3d& H) {
+                             const FiducialBoard& board, const Eigen::Matrix3d& H,
+                             const Tsai2013Vision& settings) {
   struct Pair {
     double distance;
     MarkMatch match;
@@ -53,7 +53,7 @@ std::vector<MarkMatch> Close(const std::vector<DetectedFiducial>& detections,
     for (int d = 0; d < static_cast<int>(detections.size()); ++d) {
       const DetectedFiducial& detection = detections[static_cast<std::size_t>(d)];
       const double distance = (detection.rim.centre_px - *at).norm();
-      if (distance < ClosenessPx(detection)) pairs.push_back({distance, {id, d}});
+      if (distance < ClosenessPx(detection, settings)) pairs.push_back({distance, {id, d}});
     }
   }
   std::stable_sort(pairs.begin(), pairs.end(),
@@ -70,21 +70,27 @@ std::vector<MarkMatch> Close(const std::vector<DetectedFiducial>& detections,
   return close;
 }
 
-std::optional<Hypothesis> Test(const std::vector<DetectedFiducial>& detections,
+/// named: of the detections in `first`, which alone give the homography.
+std::optional<Hypothesis> Test(const std::vector<DetectedFiducial>& first,
+                               const std::vector<DetectedFiducial>& detections,
                                const FiducialBoard& board, const std::vector<MarkMatch>& named,
-                               int min_points) {
+                               const VisionSettings& settings) {
   std::optional<Eigen::Matrix3d> H;
-  if (min_points <= 4) {
+  if (settings.min_points <= 4) {
     if (named.size() < 4) return std::nullopt;
-    H = FitHomography(Pairs(detections, board, named));
+    H = FitHomography(Pairs(first, board, named));
   } else {
     // Five or more may vote one out, down to four that agree.
-    const auto robust = FitHomographyRobust(Pairs(detections, board, named), 6.0, 4);
+    const auto robust = FitHomographyRobust(Pairs(first, board, named), 6.0, 4);
     if (robust) H = robust->H;
   }
   if (!H || !IsProper(*H)) return std::nullopt;
-  Hypothesis hypothesis{.matches = Close(detections, board, *H), .residual_px = {}};
-  if (hypothesis.matches.size() < 4) return std::nullopt;
+  Hypothesis hypothesis{.matches = Close(detections, board, *H, settings.tsai2013),
+                        .residual_px = {}};
+  // Verified by the remaining detections, if there are any.
+  const std::size_t agreeing =
+      std::min(static_cast<std::size_t>(settings.tsai2013.agreeing_points), detections.size());
+  if (hypothesis.matches.size() < agreeing) return std::nullopt;
   const std::vector<PlanePair> pairs = Pairs(detections, board, hypothesis.matches);
   const auto last = FitHomography(pairs);
   if (!last || !IsProper(*last)) return std::nullopt;
@@ -93,15 +99,32 @@ std::optional<Hypothesis> Test(const std::vector<DetectedFiducial>& detections,
     const auto at = Map(*last, pair.board);
     if (!at) return std::nullopt;
     hypothesis.residual_px.push_back((*at - pair.image).norm());
-    hypothesis.mean_px += hypothesis.residual_px.back() / static_cast<double>(pairs.size());
+    hypothesis.error_px += hypothesis.residual_px.back() / static_cast<double>(pairs.size());
   }
   return hypothesis;
 }
 
-/// The few detections that are put into the homography (V-D). Which ones of the six or seven the
-/// paper does not say: here one of each rotation as they come, whose namings are the 16 that it
-/// counts, then what comes next.
-std::vector<DetectedFiducial> Initial(const std::vector<DetectedFiducial>& detections, int count) {
+/// Smaller comes first.
+double Rank(const DetectedFiducial& detection, Tsai2013First first) {
+  switch (first) {
+    case Tsai2013First::kLowest:
+      return -detection.rim.centre_px.y();
+    case Tsai2013First::kTopmost:
+      return detection.rim.centre_px.y();
+    case Tsai2013First::kLeftmost:
+      return detection.rim.centre_px.x();
+    case Tsai2013First::kLargest:
+      break;
+  }
+  return -detection.rim.mean_radius_px();
+}
+
+/// The few detections that are put into the homography (V-D): one of each rotation in the order of
+/// their rank, whose namings are the 16 that the paper counts, then the others.
+std::vector<DetectedFiducial> Initial(std::vector<DetectedFiducial> detections, int count,
+                                      Tsai2013First first) {
+  std::stable_sort(detections.begin(), detections.end(),
+                   [&](const auto& a, const auto& b) { return Rank(a, first) < Rank(b, first); });
   std::vector<DetectedFiducial> initial, others;
   std::array<bool, 4> taken{};
   for (const DetectedFiducial& detection : detections) {
@@ -117,18 +140,17 @@ std::vector<DetectedFiducial> Initial(const std::vector<DetectedFiducial>& detec
 }  // namespace
 
 Result<TsaiCorrespondence, PoseFailure> CorrespondTsai2013(
-    const std::vector<DetectedFiducial>& detections, const FiducialBoard& board, int min_points) {
-  if (static_cast<int>(detections.size()) < std::max(4, min_points)) {
+    const std::vector<DetectedFiducial>& detections, const FiducialBoard& board,
+    const VisionSettings& settings) {
+  const int count = std::max(4, settings.min_points);
+  if (static_cast<int>(detections.size()) < count) {
     return PoseFailure::kTooFewFiducials;
   }
-  const std::vector<DetectedFiducial> first = Initial(detections, std::max(4, min_points));
+  const std::vector<DetectedFiducial> first = Initial(detections, count, settings.tsai2013.first);
   std::optional<Hypothesis> best;
   for (const auto& named : NamingHypotheses(first, board, 2)) {
-    const auto hypothesis = Test(detections, board, named, min_points);
-    if (!hypothesis) continue;
-    const bool more = !best || hypothesis->matches.size() > best->matches.size();
-    const bool as_many = best && hypothesis->matches.size() == best->matches.size();
-    if (more || (as_many && hypothesis->mean_px < best->mean_px)) best = hypothesis;
+    const auto hypothesis = Test(first, detections, board, named, settings);
+    if (hypothesis && (!best || hypothesis->error_px < best->error_px)) best = hypothesis;
   }
   if (!best) return PoseFailure::kNoCorrespondence;
   TsaiCorrespondence named{

@@ -49,6 +49,17 @@ TEST(Tsai2013, LocatesACalibratedBoardInEvenLight) {
   EXPECT_LT((out.sighting->X_RB.p - Truth(scene).p).norm(), 0.03);
 }
 
+TEST(Tsai2013, NeedsNoGravity) {
+  const SyntheticScene scene = From(2.0, 10.0, 5.0);
+  const StereoImages images = SyntheticPair(scene, kRig);
+  LocateHints wrong;
+  wrong.up_R = Eigen::Vector3d(0.0, 1.0, 0.0);
+  const LocateOutput with = LocateBoard(images, kRig, scene.board, wrong, kTsai);
+  const LocateOutput without = LocateBoard(images, kRig, scene.board, {}, kTsai);
+  ASSERT_TRUE(with.sighting && without.sighting);
+  EXPECT_EQ(with.sighting->X_RB.p, without.sighting->X_RB.p);
+}
+
 TEST(Tsai2013, RangeErrorOfAToeInGrowsAsTheSquareOfTheRange) {
   // Z^2 d / B (vision handbook of stereo): 0.16 deg over 0.35 m is 0.8 cm at 1 m.
   StereoRig built = kRig;
