@@ -1,7 +1,6 @@
 // The controller as Tsai, Nesnas and Zarzhitsky (2013) published it, with its known faults: the
 // last sighting alone is the pose, arcs are driven open loop, the tether follows a linear law, and
 // nothing tells that the arm is seated.
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -13,74 +12,51 @@
 #include "controller/axel/pose_filter.h"
 #include "controller/axel/senses.h"
 #include "controller/axel/tsai2013_plan.h"
+#include "controller/axel/tsai2013_stop.h"
 
 namespace dockyard::axel {
 namespace {
 
-enum class Phase { kTighten, kLook, kApproach, kAlign, kMate, kRecover, kReel, kDocked, kGivenUp };
+enum class Phase { kStop, kDrive, kReel, kDocked, kGivenUp };
 
-const char* Name(Phase phase) {
-  switch (phase) {
-    case Phase::kTighten:
-      return "tighten";
-    case Phase::kLook:
-      return "look";
-    case Phase::kApproach:
-      return "approach";
-    case Phase::kAlign:
-      return "align";
-    case Phase::kMate:
-      return "mate";
-    case Phase::kRecover:
-      return "recover";
-    case Phase::kReel:
-      return "reel";
-    case Phase::kDocked:
-      return "docked";
-    case Phase::kGivenUp:
-      return "given_up";
-  }
-  return "";
-}
-
-Phase PhaseOf(Tsai2013Step step) {
+const char* Name(Tsai2013Step step) {
   switch (step) {
     case Tsai2013Step::kApproach:
-      return Phase::kApproach;
+      return "approach";
     case Tsai2013Step::kAlign:
-      return Phase::kAlign;
+      return "align";
     case Tsai2013Step::kMate:
-      return Phase::kMate;
+      return "mate";
     case Tsai2013Step::kRecover:
+      return "recover";
+    case Tsai2013Step::kReel:
       break;
   }
-  return Phase::kRecover;
+  return "reel";
 }
 
 class Tsai2013 final : public Controller {
  public:
-  Tsai2013(const Nominal& nominal, const Tsai2013Options& options, Locator locator)
+  Tsai2013(const Nominal& nominal, Locator locator)
       : nominal_(nominal),
-        options_(options),
+        options_(nominal.tsai2013),
         locator_(std::move(locator)),
         geometry_(PlanGeometryOf(nominal)),
         senses_(nominal, {}),
-        arm_(nominal, {}),
-        still_(TetherOptions{}.still_m) {
+        arm_(nominal, {}) {
+    belief_.phase = "tighten";
     belief_.values = {{"tether_length_m", 0.0}, {"recoveries", 0.0}};
   }
 
   Commands Step(const SensorFrame& sensed) override {
     senses_.Update(sensed);
-    if (!started_) Enter(Phase::kTighten);
-    started_ = true;
+    if (!stop_ && phase_ == Phase::kStop) Enter(Phase::kStop);
     Commands commands = BrakedCommands();
     if (const std::optional<Phase> next = Act(sensed, &commands)) Enter(*next);
     commands.motors[static_cast<std::size_t>(Motor::kArm)] = arm_.Hold(senses_);
     commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDocked
                        : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
                                                    : Verdict::kUnderWay;
-    belief_.phase = Name(phase_);
     belief_.values[1].value = recoveries_;
     return WithinLimits(nominal_, commands);
   }
@@ -88,23 +64,13 @@ class Tsai2013 final : public Controller {
   const Belief& belief() const override { return belief_; }
 
  private:
-  Tick InPhase() const { return senses_.now() - entered_; }
-  OpenLoopOptions DriveOptionsOf(Phase phase) const {
-    return {.speed_m_s = phase == Phase::kMate ? options_.mate_m_s : options_.drive_m_s,
-            .wheel_accel_rad_s2 = options_.wheel_accel_rad_s2,
-            .patience = options_.patience,
-            .lag = options_.lag};
-  }
-
   std::optional<Phase> Act(const SensorFrame& sensed, Commands* commands);
-  std::optional<Phase> Tighten(Commands* commands);
-  std::optional<Phase> Level(Commands* commands);
-  std::optional<Phase> Look(const SensorFrame& sensed, Commands* commands);
+  std::optional<Phase> Stop(const SensorFrame& sensed, Commands* commands);
   std::optional<Phase> Take(const StereoImages& images);
   std::optional<Phase> Blind(const std::string& why);
   std::optional<Phase> Drive(const SensorFrame& sensed, Commands* commands);
   std::optional<Phase> Reel(const SensorFrame& sensed, Commands* commands);
-  void Plan();
+  Phase Plan();
   void Enter(Phase phase);
 
   const Nominal nominal_;
@@ -113,14 +79,12 @@ class Tsai2013 final : public Controller {
   const PlanGeometry geometry_;
   Senses senses_;
   ArmLevel arm_;
-  StillWatch still_;
 
-  bool started_ = false;
-  Phase phase_ = Phase::kTighten;
+  Phase phase_ = Phase::kStop;
   Tick entered_ = 0;
   Belief belief_;
   int recoveries_ = 0, blind_looks_ = 0;
-  std::optional<Tick> levelling_since_, asked_at_;
+  std::optional<Tsai2013Stop> stop_;
   Tsai2013Plan plan_;
   std::optional<OpenLoopArcs> arcs_;
   std::optional<double> reel_to_rad_;
@@ -128,14 +92,9 @@ class Tsai2013 final : public Controller {
 
 std::optional<Phase> Tsai2013::Act(const SensorFrame& sensed, Commands* commands) {
   switch (phase_) {
-    case Phase::kTighten:
-      return levelling_since_ ? Level(commands) : Tighten(commands);
-    case Phase::kLook:
-      return Look(sensed, commands);
-    case Phase::kApproach:
-    case Phase::kAlign:
-    case Phase::kMate:
-    case Phase::kRecover:
+    case Phase::kStop:
+      return Stop(sensed, commands);
+    case Phase::kDrive:
       return Drive(sensed, commands);
     case Phase::kReel:
       return Reel(sensed, commands);
@@ -146,61 +105,34 @@ std::optional<Phase> Tsai2013::Act(const SensorFrame& sensed, Commands* commands
   return std::nullopt;  // brakes: the default of Commands
 }
 
-std::optional<Phase> Tsai2013::Tighten(Commands* commands) {
-  StandStill(nominal_, {}, InPhase(), commands);
-  commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
-      Winch(nominal_, options_.tighten_m_s, options_.taut_n + nominal_.spool_friction_n,
-            TetherOptions{}.accel_rad_s2);
-  const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
-  const bool waited = InPhase() >= DriveOptions{}.stop_time + options_.still_after;
-  const bool taut = waited && still >= options_.still_after;
-  if (!taut && InPhase() < options_.tighten_limit) return std::nullopt;
-  if (std::abs(senses_.pitch_rad()) <= options_.look_pitch_rad) return Phase::kLook;
-  levelling_since_ = senses_.now();
-  return std::nullopt;
-}
-
-// "The rover can pitch its cameras independent of the rover's motion" (II): with free wheels the
-// arm's motor turns the body about the axle.
-std::optional<Phase> Tsai2013::Level(Commands* commands) {
-  SetWheels(MotorMode::kFree, commands);
-  arm_.Level(senses_);
-  const bool level = std::abs(senses_.pitch_rad()) <= 2.0 * ArmOptions{}.dead_band_rad;
-  const bool late = senses_.now() - *levelling_since_ >= options_.level_limit;
-  return level || late ? std::optional<Phase>(Phase::kLook) : std::nullopt;
-}
-
-std::optional<Phase> Tsai2013::Look(const SensorFrame& sensed, Commands* commands) {
-  StandStill(nominal_, {}, InPhase(), commands);
-  const GrayImage* left = GrayImageOf(sensed, kLeftCamera);
-  const GrayImage* right = GrayImageOf(sensed, kRightCamera);
-  if (asked_at_ && left && right) {
-    asked_at_.reset();
-    entered_ = senses_.now();
-    return Take({*left, *right});
-  }
-  if (InPhase() < options_.settle) return std::nullopt;
-  if (!asked_at_) {
-    commands->take_images = {kLeftCamera, kRightCamera};
-    asked_at_ = senses_.now();
-  } else if (senses_.now() - *asked_at_ > LookOptions{}.image_limit) {
-    asked_at_.reset();
-    entered_ = senses_.now();
-    return Blind("no images");
+std::optional<Phase> Tsai2013::Stop(const SensorFrame& sensed, Commands* commands) {
+  switch (stop_->Step(senses_, sensed, &arm_, commands)) {
+    case Tsai2013Stop::Status::kTightening:
+      break;
+    case Tsai2013Stop::Status::kLooking:
+      belief_.phase = "look";
+      break;
+    case Tsai2013Stop::Status::kImages:
+      return Take(stop_->images());
+    case Tsai2013Stop::Status::kNoImages:
+      return Blind("no images");
   }
   return std::nullopt;
 }
 
+// At the end of the mating "the fiducial markers are too close to be identified" (II): there the
+// sighting before it stands.
 std::optional<Phase> Tsai2013::Blind(const std::string& why) {
   belief_.note = why;
-  return ++blind_looks_ >= options_.blind_looks ? std::optional<Phase>(Phase::kGivenUp)
-                                                : std::nullopt;
+  if (++blind_looks_ < options_.blind_looks) return std::nullopt;
+  if (plan_.step != Tsai2013Step::kMate) return Phase::kGivenUp;
+  plan_ = {Tsai2013Step::kReel, {}};
+  return Phase::kReel;
 }
 
 std::optional<Phase> Tsai2013::Take(const StereoImages& images) {
-  LocateHints hints;
-  hints.up_R = UpOfStation(senses_.attitude(), false);
-  const LocateOutput seen = locator_(images, hints);
+  // Without the attitude: what the paper's rover knows of it is that the board hangs upright.
+  const LocateOutput seen = locator_(images, LocateHints{});
   ++belief_.sighting_count;
   belief_.last_sighting = seen.report;
   if (!seen.sighting) return Blind(std::string("not located: ") + seen.report.reason);
@@ -210,11 +142,10 @@ std::optional<Phase> Tsai2013::Take(const StereoImages& images) {
   const BoardFix fix =
       LevelSighting(seen.sighting->X_RB, senses_.imu(), nominal_.X_DB, senses_.ground());
   belief_.X_DR = PoseOf(fix, nominal_.X_DB);
-  Plan();
-  return PhaseOf(plan_.step);
+  return Plan();
 }
 
-void Tsai2013::Plan() {
+Phase Tsai2013::Plan() {
   plan_ = PlanTsai2013(geometry_, options_, belief_.X_DR);
   if (plan_.step == Tsai2013Step::kRecover) {
     ++recoveries_;
@@ -222,13 +153,14 @@ void Tsai2013::Plan() {
   }
   belief_.plan = Planned(plan_.arcs, belief_.X_DR);
   ++belief_.plan_count;
+  return plan_.step == Tsai2013Step::kReel ? Phase::kReel : Phase::kDrive;
 }
 
 std::optional<Phase> Tsai2013::Drive(const SensorFrame& sensed, Commands* commands) {
   arm_.Level(senses_);
   if (!arcs_->Drive(sensed, commands)) return std::nullopt;
   belief_.X_DR = Advance(belief_.X_DR, plan_.arcs);  // as it was planned
-  return phase_ == Phase::kMate ? Phase::kReel : Phase::kTighten;
+  return Phase::kStop;
 }
 
 // "As of this writing, the rover did not have a sensing capability to confirm the completed
@@ -243,8 +175,9 @@ std::optional<Phase> Tsai2013::Reel(const SensorFrame& sensed, Commands* command
                              .speed_limit_rad_s = options_.reel_m_s / nominal_.drum_radius_m,
                              .accel_rad_s2 = TetherOptions{}.accel_rad_s2,
                              .current_limit_a = nominal_.motors[spool].max_current_a};
+  const Tick in_phase = senses_.now() - entered_;
   const double seconds = options_.patience * options_.reel_in_m / options_.reel_m_s;
-  const bool late = InPhase() >= static_cast<Tick>(seconds / kTickSeconds) + 2 * options_.lag;
+  const bool late = in_phase >= static_cast<Tick>(seconds / kTickSeconds) + 2 * options_.lag;
   const bool reeled = std::abs(*reel_to_rad_ - angle_rad) * nominal_.drum_radius_m < 1e-3;
   return reeled || late ? std::optional<Phase>(Phase::kDocked) : std::nullopt;
 }
@@ -252,16 +185,22 @@ std::optional<Phase> Tsai2013::Reel(const SensorFrame& sensed, Commands* command
 void Tsai2013::Enter(Phase phase) {
   phase_ = phase;
   entered_ = senses_.now();
-  still_.Reset();
-  levelling_since_.reset();
-  asked_at_.reset();
-  reel_to_rad_.reset();
+  stop_.reset();
   arcs_.reset();
-  const bool drives = phase == Phase::kApproach || phase == Phase::kAlign ||
-                      phase == Phase::kMate || phase == Phase::kRecover;
-  if (!drives) return;
-  arcs_.emplace(nominal_, DriveOptionsOf(phase), plan_.arcs,
-                TetherShortening(nominal_.arm_length_m, belief_.X_DR, plan_.arcs));
+  reel_to_rad_.reset();
+  belief_.phase = phase == Phase::kStop      ? "tighten"
+                  : phase == Phase::kDocked  ? "docked"
+                  : phase == Phase::kGivenUp ? "given_up"
+                                             : Name(plan_.step);
+  if (phase == Phase::kStop) stop_.emplace(nominal_);
+  if (phase != Phase::kDrive) return;
+  const bool mates = plan_.step == Tsai2013Step::kMate;
+  arcs_.emplace(nominal_,
+                OpenLoopOptions{.speed_m_s = mates ? options_.mate_m_s : options_.drive_m_s,
+                                .wheel_accel_rad_s2 = options_.wheel_accel_rad_s2,
+                                .patience = options_.patience,
+                                .lag = options_.lag},
+                plan_.arcs, TetherShortening(nominal_.arm_length_m, belief_.X_DR, plan_.arcs));
 }
 
 }  // namespace
@@ -275,7 +214,7 @@ std::unique_ptr<Controller> MakeTsai2013Controller(const Nominal& nominal, Locat
       return LocateBoard(images, rig, board, hints, vision);
     };
   }
-  return std::make_unique<Tsai2013>(nominal, Tsai2013Options{}, std::move(locator));
+  return std::make_unique<Tsai2013>(nominal, std::move(locator));
 }
 
 }  // namespace dockyard::axel

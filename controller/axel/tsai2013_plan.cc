@@ -20,6 +20,9 @@ std::optional<std::vector<Arc>> BestPair(const Tsai2013Options& options, const P
   ForEachPair(Inverse(X_DR) * X_DR_goal, {options.least_radius_m, travel}, options.splits,
               [&](const ArcPair& pair) {
                 std::vector<Arc> arcs(pair.begin(), pair.end());
+                for (const Arc& arc : arcs) {
+                  if (std::abs(arc.turn_rad) > options.most_turn_rad) return;
+                }
                 const double cost = PairCost(pair) + options.turn_cost_m * Turning(arcs);
                 if (best && cost >= least) return;
                 least = cost;
@@ -38,23 +41,37 @@ Tsai2013Plan Recovery(const Tsai2013Options& options, const Pose2& X_DR) {
   return {Tsai2013Step::kRecover, {{-back_m, 0.0}}};
 }
 
-}  // namespace
+double HeadingError(const Pose2& X_DR) { return std::abs(WrapPi(X_DR.heading - kPi)); }
 
-bool WithinGate(const PlanGeometry& geometry, const Tsai2013Options& options, const Pose2& X_DR) {
-  const double h = WrapPi(X_DR.heading - kPi);
-  if (std::abs(h) > options.heading_rad) return false;
+// Straight on from here, the tip comes to the mouth this far beside its middle.
+double OffsetAtMouth(const PlanGeometry& geometry, const Pose2& X_DR) {
   const TipPlace tip = TipOf(geometry, X_DR);
-  return std::abs(tip.offset_m - tip.gap_m * std::tan(h)) <= options.tip_offset_m;
+  return std::abs(tip.offset_m - tip.gap_m * std::tan(WrapPi(X_DR.heading - kPi)));
 }
+
+// "The rover rechecks its alignment then puts its wheels in free rotation mode" (IV).
+Tsai2013Plan Mating(const PlanGeometry& geometry, const Tsai2013Options& options,
+                    const Pose2& X_DR) {
+  if (HeadingError(X_DR) > options.heading_rad) return Recovery(options, X_DR);
+  const TipPlace tip = TipOf(geometry, X_DR);
+  const double to_contact_m = tip.gap_m + options.contact_depth_m;
+  if (to_contact_m <= options.contact_within_m) {
+    if (std::abs(tip.offset_m) > options.tip_offset_m) return Recovery(options, X_DR);
+    return {Tsai2013Step::kReel, {}};
+  }
+  const Pose2 contact = OnAxis(geometry.arm_m - options.contact_depth_m);
+  auto pair = BestPair(options, X_DR, contact, Travel::kForward);
+  if (pair) return {Tsai2013Step::kMate, std::move(*pair)};
+  if (OffsetAtMouth(geometry, X_DR) > options.tip_offset_m) return Recovery(options, X_DR);
+  return {Tsai2013Step::kMate, {{to_contact_m, 0.0}}};
+}
+
+}  // namespace
 
 Tsai2013Plan PlanTsai2013(const PlanGeometry& geometry, const Tsai2013Options& options,
                           const Pose2& X_DR) {
   const double r_m = std::hypot(X_DR.x, X_DR.y);
-  if (r_m <= options.mate_r_m) {
-    if (!WithinGate(geometry, options, X_DR)) return Recovery(options, X_DR);
-    const double to_contact_m = TipOf(geometry, X_DR).gap_m + options.contact_depth_m;
-    return {Tsai2013Step::kMate, {{std::max(0.0, to_contact_m), 0.0}}};
-  }
+  if (r_m <= options.mate_r_m) return Mating(geometry, options, X_DR);
   if (r_m > options.align_r_m) {
     auto approach = BestPair(options, X_DR, OnAxis(options.align_r_m), Travel::kForward);
     if (approach) return {Tsai2013Step::kApproach, std::move(*approach)};

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "controller/axel/nominal/tsai2013_options.h"
 #include "controller/axel/planner.h"
-#include "controller/axel/tsai2013_options.h"
 #include "controller/motion/arcs.h"
 
 namespace dockyard::axel {
@@ -13,7 +13,8 @@ namespace dockyard::axel {
 enum class Tsai2013Step {
   kApproach,  // an S to the border of the alignment region
   kAlign,     // an S to before the mouth
-  kMate,      // straight on until contact
+  kMate,      // an S to the contact, slower
+  kReel,      // at contact: wheels free, the spool reels in
   kRecover,   // backwards to the recovery goal
 };
 
@@ -23,12 +24,10 @@ struct Tsai2013Plan {
 };
 
 /// The regions of Fig. 7 with the gate of V-B. No forward S to the goal within the limits, or in
-/// the mating region a misalignment, sends the rover back to the recovery goal.
+/// the mating region a misalignment, sends the rover back to the recovery goal. Where the mating
+/// has no S to the contact, it drives straight on if that brings the tip into the mouth.
 Tsai2013Plan PlanTsai2013(const PlanGeometry& geometry, const Tsai2013Options& options,
                           const Pose2& X_DR);
-
-/// Whether heading and tip's place at the mouth are within the gate.
-bool WithinGate(const PlanGeometry& geometry, const Tsai2013Options& options, const Pose2& X_DR);
 
 /// By how much the exposed tether shortens over each arc, after Eq. (1): arm, rover's distance and
 /// alpha - h.

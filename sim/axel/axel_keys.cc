@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "models/read/config_error.h"
+#include "sim/axel/tsai2013_keys.h"
 
 namespace dockyard::axel {
 
@@ -54,6 +55,9 @@ void VisitAxelKeys(Keys& keys, AxelKeys& values) {
         in.Number({"rock_m", "m", "height of a rock under the left wheel; 0: none"},
                   values.start.rock_m, NonNegative(0.3));
       });
+  keys.Mapping(
+      {"tsai2013", "", "what Tsai et al. (2013) leave open of their controller and perception"},
+      [&](Keys& in) { VisitTsai2013Keys(in, values.vision.tsai2013, values.tsai2013); });
 }
 
 AxelKeys ReadAxelKeys(const Scenario& scenario) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "controller/axel/nominal/tsai2013_options.h"
 #include "controller/io/vision_settings.h"
 #include "sim/axel/station_hand.h"
 #include "sim/scenario/keys.h"
@@ -36,6 +37,7 @@ struct AxelKeys {
   double board_dust = 0.0;                       // mean share of the board's face under dust
   DirtyMarks dirty_marks{};
   StartKeys start{};
+  Tsai2013Options tsai2013{};  // of the controller of that name; its vision's are in `vision`
   StationMove station_move{};
 };
 

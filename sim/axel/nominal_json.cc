@@ -1,6 +1,7 @@
 #include "sim/axel/nominal_json.h"
 
 #include "models/read/config_error.h"
+#include "sim/axel/tsai2013_json.h"
 
 namespace dockyard::axel {
 namespace {
@@ -159,6 +160,7 @@ Nominal Read(const Json& json) {
   nominal.rig.X_RQ = Pose3FromJson(json.at("X_RQ"));
   nominal.board = BoardFromJson(json.at("board"));
   nominal.vision = VisionFromJson(json.at("vision"));
+  ReadTsai2013(json, &nominal.vision.tsai2013, &nominal.tsai2013);
   nominal.X_DB = Pose3FromJson(json.at("X_DB"));
   for (std::size_t i = 0; i < nominal.motors.size(); ++i) {
     nominal.motors[i] = MotorFromJson(json.at("motors").at(i));
@@ -202,7 +204,8 @@ Json ToJson(const Nominal& nominal) {
           {"spool_friction_n", nominal.spool_friction_n},
           {"throat_depth_m", nominal.throat_depth_m},
           {"seat_depth_m", nominal.seat_depth_m},
-          {"mating_depth_m", nominal.mating_depth_m}};
+          {"mating_depth_m", nominal.mating_depth_m},
+          {"tsai2013", Tsai2013ToJson(nominal.vision.tsai2013, nominal.tsai2013)}};
 }
 
 Nominal NominalFromJson(const Json& json) {

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "sim/axel/build_run.h"
+#include "sim/axel/nominal_json.h"
 #include "sim/scenario/keys.h"
 #include "sim/scenario/load_scenario.h"
 #include "support/bad_files.h"
@@ -61,6 +63,18 @@ TEST(AxelKeys, DustIsAShareUpToItsLimit) {
             "'0.7'");
   EXPECT_EQ(SetMessage("axel.board_dust=much"),
             "--set axel.board_dust=much: axel.board_dust: expected a number >= 0, found 'much'");
+}
+
+TEST(AxelKeys, WhatThePaperLeavesOpenReachesTheController) {
+  const Scenario scenario =
+      Typical({"axel.tsai2013.first=largest", "axel.tsai2013.agreeing_points=6",
+               "axel.tsai2013.heading_deg=7", "axel.tsai2013.reel_in_m=0.3"});
+  const Nominal nominal = NominalFromJson(ToJson(BuildRun(scenario, LoadModels(scenario)).nominal));
+  EXPECT_EQ(nominal.vision.tsai2013.first, Tsai2013First::kLargest);
+  EXPECT_EQ(nominal.vision.tsai2013.agreeing_points, 6);
+  EXPECT_EQ(nominal.tsai2013.heading_rad, Radians(7.0));
+  EXPECT_EQ(nominal.tsai2013.reel_in_m, 0.3);
+  EXPECT_EQ(nominal.tsai2013.drive_m_s, Tsai2013Options{}.drive_m_s);
 }
 
 // The rover and its station weigh as on Earth.

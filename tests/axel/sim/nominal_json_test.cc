@@ -75,6 +75,30 @@ TEST(NominalJson, RefusesABoardUprightInWhatItDoesNotKnow) {
   EXPECT_EQ(ErrorOf(json), "no error");
 }
 
+TEST(NominalJson, ReadsBackWhatThePaperLeavesOpen) {
+  Nominal nominal = SomeNominal();
+  double number = 0.1;
+  Tsai2013Options& o = nominal.tsai2013;
+  for (double* value :
+       {&o.align_r_m, &o.mate_r_m, &o.mate_gap_m, &o.recover_r_m, &o.heading_rad, &o.tip_offset_m,
+        &o.contact_depth_m, &o.contact_within_m, &o.reel_in_m, &o.turn_cost_m, &o.least_radius_m,
+        &o.most_turn_rad, &o.drive_m_s, &o.mate_m_s, &o.reel_m_s, &o.wheel_accel_rad_s2, &o.taut_n,
+        &o.tighten_m_s, &o.look_pitch_rad}) {
+    *value = number += 0.1;
+  }
+  o.blind_looks = 7;
+  nominal.vision.tsai2013 = {0.11, 0.12, 13.0, 0.14, 6, Tsai2013First::kLeftmost};
+  const Nominal read = NominalFromJson(ToJson(nominal));
+  EXPECT_EQ(read.tsai2013, nominal.tsai2013);
+  EXPECT_EQ(read.vision, nominal.vision);
+  Json json = ToJson(nominal);
+  json["tsai2013"]["first"] = "rightmost";
+  EXPECT_EQ(ErrorOf(json),
+            "tsai2013 first: expected lowest, topmost, leftmost or largest, found 'rightmost'");
+  json.erase("tsai2013");  // a log from before
+  EXPECT_EQ(NominalFromJson(json).tsai2013, Tsai2013Options{});
+}
+
 TEST(NominalJson, RefusesTheParametersOfAnotherSystem) {
   EXPECT_NE(ErrorOf({{"distance_m", 2.0}}), "no error");
 }
