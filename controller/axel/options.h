@@ -174,7 +174,7 @@ struct SearchOptions {
   // PlanOptions::tether_angle_rad.
   double tether_rad = Radians(45.0);
   double pull_room_m = 0.3;          // left between tip and mouth after a pull; assumed, 0.2-0.5
-  double abeam_rad = Radians(65.0);  // a leg ends there; assumed, 55-75 deg
+  double abeam_rad = Radians(80.0);  // a leg ends there; it tipped at 95-104 deg; assumed, 70-90
   int turning_pulls = 6;             // of a rover that sees the board; 180 deg by 35-45 deg each
   double backwards_m = 0.3;          // drawn along backwards, it is in balance; assumed, 0.2-0.4
   // A pull that turned it by less left it facing along the tether: paddles turn a rover on compact
