@@ -27,8 +27,8 @@ SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateO
 void ReelIn::Begin(const Senses& senses, double tip_gap_m) {
   reeled_at_mouth_m_ = senses.reeled_m() + tip_gap_m;
   wiggles_ = 0;
+  gentle_ = true;
   wiggle_since_.reset();
-  relax_since_.reset();
   at_wiggle_m_ = senses.reeled_m();
   still_.Reset();
 }
@@ -36,7 +36,6 @@ void ReelIn::Begin(const Senses& senses, double tip_gap_m) {
 void ReelIn::Wiggle(const Senses& senses) {
   ++wiggles_;
   wiggle_since_ = senses.now();
-  relax_since_.reset();
   at_wiggle_m_ = senses.reeled_m();
   still_.Reset();
 }
@@ -53,12 +52,24 @@ void ReelIn::TurnToAndFro(Tick since, Commands* commands) const {
   CommandWheels(nominal_, {0.0, rate}, options_.mate.wiggle_accel_rad_s2, commands);
 }
 
-ReelIn::Status ReelIn::Step(const Senses& senses, Commands* commands) {
+// Gently, wheels and spool together roll the rover over its paddles, and the station bears no more
+// than the gentle tension. What that does not bring in, the spool's whole pull does.
+void ReelIn::Pull(Tick still, Commands* commands) const {
   const TetherOptions& tether = options_.tether;
-  RollAlong(nominal_, tether.reel_m_s, options_.mate.thrust_n, options_.drive.wheel_accel_rad_s2,
-            commands);
+  const double tension_n = gentle_ ? options_.mate.gentle_tension_n : tether.reel_tension_n;
   commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
-      Winch(nominal_, tether.reel_m_s, tether.reel_tension_n, tether.accel_rad_s2);
+      Winch(nominal_, tether.reel_m_s, tension_n + nominal_.spool_friction_n, tether.accel_rad_s2);
+  if (!gentle_ && still >= options_.mate.free_after) {
+    SetWheels(MotorMode::kFree, commands);
+  } else {
+    RollAlong(nominal_, tether.reel_m_s, options_.mate.thrust_n, options_.drive.wheel_accel_rad_s2,
+              commands);
+  }
+}
+
+ReelIn::Status ReelIn::Step(const Senses& senses, Commands* commands) {
+  const Tick still = still_.Still(senses.now(), senses.reeled_m());
+  Pull(still, commands);
   if (wiggle_since_) {
     const Tick since = senses.now() - *wiggle_since_;
     if (since < 4 * options_.mate.wiggle_quarter) {
@@ -67,16 +78,16 @@ ReelIn::Status ReelIn::Step(const Senses& senses, Commands* commands) {
     }
     wiggle_since_.reset();
     still_.Reset();
-  }
-  if (relax_since_) {
-    SetWheels(MotorMode::kFree, commands);
-    const bool relaxed = senses.now() - *relax_since_ >= options_.mate.relax_time;
-    return relaxed ? Status::kStopped : Status::kUnderWay;
+    return Status::kUnderWay;
   }
   const double past_floor = DepthByDrum(senses) - nominal_.seat_depth_m;
   if (past_floor >= options_.mate.over_reel_m) return Status::kPastEnd;
-  const Tick still = still_.Still(senses.now(), senses.reeled_m());
-  if (still >= options_.mate.stuck_after) relax_since_ = senses.now();
+  if (gentle_ && still >= options_.mate.gentle_after) {
+    gentle_ = false;
+    still_.Reset();
+  } else if (!gentle_ && still >= options_.mate.stuck_after) {
+    return Status::kStopped;
+  }
   return Status::kUnderWay;
 }
 

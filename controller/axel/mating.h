@@ -32,10 +32,11 @@ enum class SeatRuling {
 /// the tether in any further.
 SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateOptions& options);
 
-/// The spool pulls until it stops. The wheels run along with little thrust: what they do not carry
-/// over their paddles the station would have to bear, and they hold the rover back as it rolls off
-/// one. At the end they are free for a moment, so that they do not hold the arm against a side of
-/// the socket. In a wiggle they turn the rover to and fro meanwhile, without driving it on.
+/// The spool pulls until it stops, first gently, then as hard as it can. The wheels run along with
+/// little thrust: what they do not carry over their paddles the station would have to bear, and
+/// they hold the rover back as it rolls off one. Once nothing more comes in they are free, so that
+/// they hold the arm against no side of the socket. In a wiggle they turn the rover to and fro,
+/// without driving it on.
 class ReelIn {
  public:
   enum class Status {
@@ -60,6 +61,7 @@ class ReelIn {
   double taken_up_m(const Senses& senses) const { return senses.reeled_m() - at_wiggle_m_; }
 
  private:
+  void Pull(Tick still, Commands* commands) const;
   void TurnToAndFro(Tick since, Commands* commands) const;
 
   Nominal nominal_;
@@ -69,7 +71,7 @@ class ReelIn {
   int wiggles_ = 0;
   double at_wiggle_m_ = 0.0;
   std::optional<Tick> wiggle_since_;
-  std::optional<Tick> relax_since_;
+  bool gentle_ = true;
 };
 
 }  // namespace dockyard::axel

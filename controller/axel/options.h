@@ -138,10 +138,14 @@ struct MateOptions {
   // A look with the tip so deep inside goes on with the reel-in. Assumed, 0.1-0.18.
   double inside_m = 0.12;
   // Of both wheels while the spool reels in. Rolling over a paddle takes 105 N, and the feet of a
-  // station of 35 kg slip at 137 N (friction 0.4). Assumed, 40-90.
-  double thrust_n = 60.0;
+  // station of 35 kg slip at 137 N (friction 0.4), less on a slope. Assumed, 40-100.
+  double thrust_n = 80.0;
   Tick stuck_after = 2'000;  // spool at its limit without taking up
-  Tick relax_time = 800;     // wheels free then, before the brake; assumed, 0.3-2 s
+  Tick free_after = 400;     // and the wheels are free, before the brake; assumed, 0.2-1 s
+  // With the wheels' thrust enough for 105 N, and half of what slips the station. It ends when
+  // nothing came in for gentle_after: at the lead-in, on the floor, or before a paddle uphill.
+  double gentle_tension_n = 70.0;  // assumed, 50-100
+  Tick gentle_after = 1'000;       // assumed, 0.5-2 s
   // An arm that stopped short is turned to and fro under the spool's pull, the k-th time at k times
   // this rate. Within the funnel's play: 0.06 rad/s for 1.2 s is 4 deg. Assumed, 0.03-0.1 rad/s.
   double wiggle_rad_s = 0.06, wiggle_accel_rad_s2 = 0.5;
@@ -174,7 +178,7 @@ struct SearchOptions {
   // PlanOptions::tether_angle_rad.
   double tether_rad = Radians(45.0);
   double pull_room_m = 0.3;          // left between tip and mouth after a pull; assumed, 0.2-0.5
-  double abeam_rad = Radians(80.0);  // a leg ends there; it tipped at 95-104 deg; assumed, 70-90
+  double abeam_rad = Radians(95.0);  // a leg ends there; it tipped at 95-104 deg; assumed, 85-100
   int turning_pulls = 6;             // of a rover that sees the board; 180 deg by 35-45 deg each
   double backwards_m = 0.3;          // drawn along backwards, it is in balance; assumed, 0.2-0.4
   // A pull that turned it by less left it facing along the tether: paddles turn a rover on compact

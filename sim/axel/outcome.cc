@@ -54,7 +54,7 @@ OutcomeLimits LimitsOf(const RoverModel& rover, const StationModel& station) {
   // ones; assumed, range 1-2 deg. Commanded are 11 deg.
   constexpr double kBending_rad = Radians(1.5), kBentAt_n_per_m = 200e3, kMost_rad = Radians(6.0);
   const double bending_rad =
-      kBending_rad * kBentAt_n_per_m / station.cone.contact_stiffness_n_per_m;
+      kBending_rad * std::max(1.0, kBentAt_n_per_m / station.cone.contact_stiffness_n_per_m);
   OutcomeLimits limits;
   limits.shake_turn_rad = std::min(kMost_rad, 2.0 * SeatedPlay(rover, station.cone) + bending_rad);
   return limits;

@@ -84,7 +84,7 @@ TEST_F(Wiggle, TurnsToAndFroWithoutGoingOnAndEndsWhereItBegan) {
       const MotorCommand& left = commands.motors[static_cast<std::size_t>(Motor::kLeftWheel)];
       const MotorCommand& right = commands.motors[static_cast<std::size_t>(Motor::kRightWheel)];
       EXPECT_GT(commands.motors[static_cast<std::size_t>(Motor::kSpool)].target, 0.0);
-      if (left.target == right.target) continue;  // after it
+      if (left.mode == MotorMode::kFree || left.target == right.target) continue;  // after it
       EXPECT_DOUBLE_EQ(left.target, -right.target);
       turned += right.target;
       most = std::max(most, right.target);
@@ -95,27 +95,46 @@ TEST_F(Wiggle, TurnsToAndFroWithoutGoingOnAndEndsWhereItBegan) {
   }
 }
 
-TEST_F(Wiggle, WheelsRunAlongWithLittleThrustInAReelInWithoutOne) {
+TEST_F(Wiggle, WheelsRunAlongWithLittleThrustAndAreFreeAtTheEnd) {
   senses_.Update(frame_);
   reel_in_.Begin(senses_, 0.05);
-  std::vector<Commands> sent = UntilItStops();
-  // At the end free, so that they do not hold the arm against a side of the socket.
-  EXPECT_EQ(sent.back().motors[0].mode, MotorMode::kFree);
-  EXPECT_EQ(sent.back().motors[1].mode, MotorMode::kFree);
-  sent.resize(sent.size() - static_cast<std::size_t>(options_.mate.relax_time / kControlPeriod));
-  for (const Commands& commands : sent) {
+  bool free = false;
+  for (const Commands& commands : UntilItStops()) {
     double thrust_n = 0.0;
     for (const Motor wheel : {Motor::kLeftWheel, Motor::kRightWheel}) {
       const auto i = static_cast<std::size_t>(wheel);
       const MotorCommand& command = commands.motors[i];
       const NominalMotor& motor = nominal_.motors[i];
+      free = free || command.mode == MotorMode::kFree;
+      if (free) {
+        EXPECT_EQ(command.mode, MotorMode::kFree);
+        continue;
+      }
       EXPECT_EQ(command.mode, MotorMode::kVelocity);
       EXPECT_DOUBLE_EQ(command.target, options_.tether.reel_m_s / nominal_.wheel_radius_m);
       thrust_n += (command.current_limit_a - motor.no_load_current_a) * motor.torque_per_amp_nm /
                   nominal_.wheel_radius_m;
     }
-    EXPECT_NEAR(thrust_n, options_.mate.thrust_n, 1e-9);
+    if (!free) {
+      EXPECT_NEAR(thrust_n, options_.mate.thrust_n, 1e-9);
+    }
   }
+  EXPECT_TRUE(free);
+}
+
+TEST_F(Wiggle, SpoolPullsGentlyFirstThenAsHardAsItCan) {
+  senses_.Update(frame_);
+  reel_in_.Begin(senses_, 0.05);
+  const std::vector<Commands> sent = UntilItStops();
+  const auto tension_n = [&](const Commands& commands) {
+    const double current_a =
+        commands.motors[static_cast<std::size_t>(Motor::kSpool)].current_limit_a;
+    return TensionFromCurrent(nominal_, current_a) - nominal_.spool_friction_n;
+  };
+  EXPECT_NEAR(tension_n(sent.front()), options_.mate.gentle_tension_n, 1e-9);
+  EXPECT_NEAR(tension_n(sent.back()), options_.tether.reel_tension_n, 1e-9);
+  for (std::size_t i = 1; i < sent.size(); ++i)
+    EXPECT_GE(tension_n(sent[i]), tension_n(sent[i - 1]));
 }
 
 }  // namespace
