@@ -97,12 +97,13 @@ TEST(CameraFaults, OneInFivePairsLostAreAskedForAgain) {
   EXPECT_EQ(record.result.measures.back(), again.result.measures.back());
 }
 
-TEST(CameraFaults, WithoutAnyPairTheControllerGivesUp) {
+// Asked for six times, then the rover goes by its tether, and claims nothing that is not so.
+TEST(CameraFaults, WithoutAnyPairOnlyTheTetherIsLeft) {
   const RunRecord record = ShortDocking({"camera.lost=1"});
-  EXPECT_EQ(record.result.outcome, "recovery_limit");
+  ExpectOrdinaryEnd(record);
+  EXPECT_NE(record.result.outcome, "false_docked");
   EXPECT_EQ(record.result.images, 0);
-  EXPECT_EQ(MeasureOf(record, "pairs_lost"), 6.0);
-  EXPECT_LT(record.result.sim_time_s, kLimit_s);
+  EXPECT_GE(MeasureOf(record, "pairs_lost"), 6.0);
 }
 
 // A stop's first pair is seen that much later; all else that happens before it is the same.
