@@ -1,0 +1,80 @@
+// The tip at the mouth, in it, and on the socket's floor or not.
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "controller/axel/machine_impl.h"
+#include "controller/base/number_text.h"
+
+namespace dockyard::axel {
+
+Event AxelMachine::AtTheMouth() {
+  if (driving_.PlanEntry(senses_)) return Event::kGoMate;
+  return Recover(Event::kGoRecover, "misaligned at the mouth");
+}
+
+std::optional<Event> AxelMachine::Reel(Commands* commands) {
+  if (reel_in_.Step(senses_, commands) == ReelIn::Status::kUnderWay) return std::nullopt;
+  return Event::kReeledIn;
+}
+
+// Where the reel-in stopped the rover draws the tether taut, brakes the spool, under which nothing
+// may slip, and takes a picture.
+std::optional<Event> AxelMachine::Confirm(const SensorFrame& sensed, Commands* commands) {
+  StandStill(nominal_, options_.drive, InPhase(), commands);
+  if (!Steadied(commands)) return std::nullopt;
+  const bool looked = LookedAtHome(sensed, commands);
+  const bool waited = senses_.now() - braked_->since >= options_.mate.confirm_time;
+  return looked && waited ? std::optional<Event>(RuleHome()) : std::nullopt;
+}
+
+bool AxelMachine::Steadied(Commands* commands) {
+  if (braked_) return true;
+  Spool(commands) = Winch(nominal_, options_.mate.taut_m_s, options_.mate.taut_tension_n,
+                          options_.tether.accel_rad_s2);
+  const bool waited = InPhase() >= options_.drive.stop_time + options_.tether.taut_after;
+  const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
+  const bool still_enough = waited && still >= options_.tether.taut_after;
+  if (!still_enough && InPhase() < options_.mate.taut_limit) return false;
+  braked_ = Braked{.since = senses_.now(), .reeled_m = senses_.reeled_m()};
+  Spool(commands) = {};
+  return true;
+}
+
+bool AxelMachine::LookedAtHome(const SensorFrame& sensed, Commands* commands) {
+  if (braked_->looked) return true;
+  if (const std::optional<StereoImages> images = Arrived(sensed)) {
+    const LocateOutput seen = Locate(*images);
+    braked_->looked = true;
+    if (!seen.sighting) return true;
+    judge_.NewStop();
+    judge_.Judge(*seen.sighting, &senses_);
+    const double depth_m = DepthBySighting(nominal_, seen.sighting->X_RB, senses_.arm_rad());
+    // Deeper than the floor is nonsense.
+    if (depth_m <= nominal_.seat_depth_m + options_.mate.over_reel_m) braked_->depth_m = depth_m;
+    return true;
+  }
+  if (!asked_at_) {
+    commands->take_images = {kLeftCamera, kRightCamera};
+    asked_at_ = senses_.now();
+  }
+  braked_->looked = senses_.now() - *asked_at_ >= options_.mate.picture_limit;
+  return braked_->looked;
+}
+
+Event AxelMachine::RuleHome() {
+  SeatKnowledge known{.depth_by_drum_m = reel_in_.DepthByDrum(senses_),
+                      .depth_by_picture_m = braked_->depth_m};
+  if (reel_in_.wiggles() > 0) known.taken_up_by_push_m = reel_in_.taken_up_m(senses_);
+  SeatRuling ruling = RuleSeat(known, nominal_.seat_depth_m, options_.mate);
+  const double slipped = std::abs(senses_.reeled_m() - braked_->reeled_m);
+  if (slipped > options_.mate.confirm_slip_m) ruling = SeatRuling::kShort;
+  belief_.note = known.depth_by_picture_m
+                     ? "tip " + Fixed(*known.depth_by_picture_m, 3) + " m deep by its picture"
+                     : "tip " + Fixed(known.depth_by_drum_m, 3) + " m deep by the drum";
+  if (ruling == SeatRuling::kSeated) return Event::kSteady;
+  if (reel_in_.wiggles() < options_.mate.wiggles) return Event::kStopsShort;
+  return Recover(Event::kStuck, "does not go in");
+}
+
+}  // namespace dockyard::axel
