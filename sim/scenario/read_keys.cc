@@ -113,7 +113,8 @@ class ReadArchive : public Keys {
     const std::string key(name);
     if (!in_.Has(key)) return;
     const YamlNode& value = in_.Child(key);
-    if (value.kind == YamlNode::Kind::kScalar && value.scalar == word) in_.Refuse(key, std::string(hint));
+    if (value.kind == YamlNode::Kind::kScalar && value.scalar == word)
+      in_.Refuse(key, std::string(hint));
   }
 
   static void Read(const YamlNode& node, const std::string& path, const Visit& visit, bool demands);

@@ -14,9 +14,9 @@ namespace {
 constexpr double kAt = 2.0;
 
 WorldSetup Moved(const std::string& soil) {
-  const Scenario scenario = TypicalScenario(
-      {"axel.station_moved={at_s: 2, forward_m: 0.08, left_m: -0.06, turn_deg: 3}",
-       "soil=" DOCKYARD_SOURCE_DIR "/models/soils/" + soil + ".yaml"});
+  const Scenario scenario =
+      TypicalScenario({"axel.station_moved={at_s: 2, forward_m: 0.08, left_m: -0.06, turn_deg: 3}",
+                       "soil=" DOCKYARD_SOURCE_DIR "/models/soils/" + soil + ".yaml"});
   return Build(scenario).world;
 }
 
