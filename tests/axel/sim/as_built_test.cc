@@ -200,8 +200,8 @@ TEST(AsBuilt, MountingMovesCamerasOfAnyFile) {
 TEST(AsBuilt, IsWrittenOutAndReadBack) {
   const Scenario s = Typical({"as_built.robot.arm.offset_m=0.003"});
   const ScratchFolder folder;
-  const Scenario back =
-      LoadScenario(folder.Write("r.yaml", ResolvedYaml(s)), {}, {{"axel", {"dockyard"}, {"station"}}});
+  const Scenario back = LoadScenario(folder.Write("r.yaml", ResolvedYaml(s)), {},
+                                     {{"axel", {"dockyard"}, {"station"}}});
   EXPECT_EQ(FlowText(back.as_built), FlowText(s.as_built));
 }
 
