@@ -50,13 +50,10 @@ const std::vector<OutcomeName>& OutcomeNames() {
 
 OutcomeLimits LimitsOf(const RoverModel& rover, const StationModel& station) {
   // A seated rover turns through its play, from one side to the other, and bends arm and cone a
-  // little: the latter measured at up to 1.3 deg with contacts of 200 kN/m, and more with softer
-  // ones; assumed, range 1-2 deg. Commanded are 11 deg.
-  constexpr double kBending_rad = Radians(1.5), kBentAt_n_per_m = 200e3, kMost_rad = Radians(6.0);
-  const double bending_rad =
-      kBending_rad * std::max(1.0, kBentAt_n_per_m / station.cone.contact_stiffness_n_per_m);
+  // little: the latter measured at up to 1.3 deg; assumed, range 1-2 deg. Commanded are 11 deg.
+  constexpr double kBending_rad = Radians(1.5), kMost_rad = Radians(6.0);
   OutcomeLimits limits;
-  limits.shake_turn_rad = std::min(kMost_rad, 2.0 * SeatedPlay(rover, station.cone) + bending_rad);
+  limits.shake_turn_rad = std::min(kMost_rad, 2.0 * SeatedPlay(rover, station.cone) + kBending_rad);
   return limits;
 }
 
