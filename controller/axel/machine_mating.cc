@@ -14,8 +14,8 @@ Event AxelMachine::AtTheMouth() {
 }
 
 std::optional<Event> AxelMachine::Reel(Commands* commands) {
-  if (reel_in_.Step(senses_, commands) == ReelIn::Status::kUnderWay) return std::nullopt;
-  return Event::kReeledIn;
+  const bool over = reel_in_.Step(senses_, commands);
+  return over ? std::optional<Event>(Event::kReeledIn) : std::nullopt;
 }
 
 // Where the reel-in stopped the rover draws the tether taut, brakes the spool, under which nothing

@@ -67,28 +67,28 @@ void ReelIn::Pull(Tick still, Commands* commands) const {
   }
 }
 
-ReelIn::Status ReelIn::Step(const Senses& senses, Commands* commands) {
+bool ReelIn::Step(const Senses& senses, Commands* commands) {
   const Tick still = still_.Still(senses.now(), senses.reeled_m());
   Pull(still, commands);
   if (wiggle_since_) {
     const Tick since = senses.now() - *wiggle_since_;
     if (since < 4 * options_.mate.wiggle_quarter) {
       TurnToAndFro(since, commands);
-      return Status::kUnderWay;
+      return false;
     }
     wiggle_since_.reset();
     still_.Reset();
-    return Status::kUnderWay;
+    return false;
   }
   const double past_floor = DepthByDrum(senses) - nominal_.seat_depth_m;
-  if (past_floor >= options_.mate.over_reel_m) return Status::kPastEnd;
+  if (past_floor >= options_.mate.over_reel_m) return true;
   if (gentle_ && still >= options_.mate.gentle_after) {
     gentle_ = false;
     still_.Reset();
   } else if (!gentle_ && still >= options_.mate.stuck_after) {
-    return Status::kStopped;
+    return true;
   }
-  return Status::kUnderWay;
+  return false;
 }
 
 }  // namespace dockyard::axel

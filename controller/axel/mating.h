@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "controller/axel/leg.h"
 #include "controller/axel/options.h"
@@ -39,12 +38,6 @@ SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateO
 /// without driving it on.
 class ReelIn {
  public:
-  enum class Status {
-    kUnderWay,
-    kStopped,  // nothing more comes in
-    kPastEnd,  // more came in than can be: no tip is on the tether's end
-  };
-
   ReelIn(const Nominal& nominal, const AxelOptions& options)
       : nominal_(nominal), options_(options), still_(options.tether.still_m) {}
 
@@ -53,7 +46,9 @@ class ReelIn {
   /// Goes on after a stop: first to and fro, each time harder than the last.
   void Wiggle(const Senses& senses);
 
-  Status Step(const Senses& senses, Commands* commands);
+  /// Sets the commands of wheels and spool. Whether it is over: nothing more comes in, or more came
+  /// in than a tip on the tether's end lets in.
+  bool Step(const Senses& senses, Commands* commands);
 
   double DepthByDrum(const Senses& senses) const;
   int wiggles() const { return wiggles_; }

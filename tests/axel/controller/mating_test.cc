@@ -58,8 +58,7 @@ class Wiggle : public testing::Test {
       frame_.tick += kControlPeriod;
       senses_.Update(frame_);
       Commands commands = BrakedCommands();
-      const ReelIn::Status status = reel_in_.Step(senses_, &commands);
-      if (status != ReelIn::Status::kUnderWay) return sent;
+      if (reel_in_.Step(senses_, &commands)) return sent;
       sent.push_back(commands);
     }
     ADD_FAILURE() << "never stops";
