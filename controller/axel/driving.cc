@@ -10,7 +10,7 @@ Driving::Driving(const Nominal& nominal, const AxelOptions& options)
     : nominal_(nominal), options_(options), geometry_(PlanGeometryOf(nominal)) {}
 
 Drift Driving::DriftOf(const Senses& senses) const {
-  const double at_dock = senses.filter().side_slip().slope * SlopeForceAt(senses.ground(), kPi);
+  const double at_dock = senses.filter().slip().slope * SlopeForceAt(senses.ground(), kPi);
   return {senses.side_drift(), at_dock};
 }
 

@@ -74,13 +74,20 @@ MotorCommand LegDriver::Spool(const Senses& senses, const Twist& twist) const {
   return Winch(nominal_, reel, std::max(0.0, wanted + friction), tether.accel_rad_s2);
 }
 
+// A tether aside turns the rover against its wheels, which slip: they turn by that much more.
+Twist LegDriver::AgainstSlip(const Senses& senses, const Twist& twist) const {
+  const double most = options_.drive.yaw_slip_rad_s;
+  return {twist.speed_m_s, twist.turn_rad_s + std::clamp(senses.yaw_slip_rad_s(), -most, most)};
+}
+
 LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
   const bool forward = follower_.forward();
   Twist twist = follower_.Follow(senses->pose(), forward ? speed_.forward_m_s : speed_.reverse_m_s,
                                  speed_.steering, senses->side_drift());
   Guard(*senses, forward);
   if (paused_since_) twist = {};
-  CommandWheels(nominal_, twist, options_.drive.wheel_accel_rad_s2, commands);
+  CommandWheels(nominal_, paused_since_ ? twist : AgainstSlip(*senses, twist),
+                options_.drive.wheel_accel_rad_s2, commands);
   commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
       paused_since_ ? TautWinch(nominal_, options_.tether) : Spool(*senses, twist);
   const double set = forward ? options_.tether.drive_tension_n : options_.tether.reverse_tension_n;

@@ -54,6 +54,7 @@ class LegDriver {
  private:
   void Guard(const Senses& senses, bool forward);
   MotorCommand Spool(const Senses& senses, const Twist& twist) const;
+  Twist AgainstSlip(const Senses& senses, const Twist& twist) const;
 
   Nominal nominal_;
   AxelOptions options_;

@@ -49,6 +49,8 @@ Motion Odometer::Read(const SensorFrame& sensed, const GroundSlope& ground, doub
     const Turned turned = TurnedOnGround(last_->imu, now.imu, ground, heading_rad);
     motion.length_m = nominal_.wheel_radius_m * (rolled + turned.pitch_rad);
     motion.turn_rad = turned.turn_rad;
+    motion.wheel_turn_rad = nominal_.wheel_radius_m / nominal_.track_m *
+                            (now.right_rad - last_->right_rad - now.left_rad + last_->left_rad);
     motion.lean_m = -nominal_.wheel_radius_m * turned.roll_rad;
   }
   last_ = now;

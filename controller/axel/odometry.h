@@ -20,7 +20,8 @@ double ArmAngle(const Nominal& nominal, const SensorFrame& sensed);
 struct Motion {
   double length_m = 0.0;  // along the heading
   double turn_rad = 0.0;
-  double lean_m = 0.0;  // to the left: a rover that leans over carries its axle along
+  double lean_m = 0.0;          // to the left: a rover that leans over carries its axle along
+  double wheel_turn_rad = 0.0;  // what the wheels' difference would turn it without slip
   bool operator==(const Motion&) const = default;
 };
 

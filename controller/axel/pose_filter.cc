@@ -44,11 +44,13 @@ struct PoseFilter::Innovation {
   Eigen::Matrix3d S;
 };
 
-void PoseFilter::Predict(const Motion& motion, double seconds, const SideForce& force) {
+void PoseFilter::Predict(const Motion& motion, double seconds, const GroundForce& force,
+                         bool free) {
   if (!located_) return;
-  const double way = std::abs(motion.length_m);
-  const double left = way * side_slip().Drift(force) + motion.lean_m;
-  const Pose2 before = pose(), along = Advance(before, Arc{motion.length_m, motion.turn_rad});
+  const double rolled = motion.length_m, way = std::abs(rolled);
+  const double left = way * slip().Drift(force) + motion.lean_m;
+  const double length = free ? rolled : slip().Way(rolled, force);
+  const Pose2 before = pose(), along = Advance(before, Arc{length, motion.turn_rad});
   const double mean = before.heading + 0.5 * motion.turn_rad;
   const Eigen::Vector2d to_left(-std::sin(mean), std::cos(mean));
   const Eigen::Vector2d p = Eigen::Vector2d(along.x, along.y) + left * to_left;
@@ -58,14 +60,19 @@ void PoseFilter::Predict(const Motion& motion, double seconds, const SideForce& 
   F.block<2, 1>(0, 4) = way * force.slope * to_left;
   F.block<2, 1>(0, 5) = way * force.tether * to_left;
   const Eigen::Vector2d ahead(std::cos(before.heading), std::sin(before.heading));
+  if (!free) {
+    F.block<2, 1>(0, 6) = -rolled * ahead;
+    F.block<2, 1>(0, 7) = way * force.ahead * ahead;
+  }
   const Eigen::Vector2d aside(-ahead.y(), ahead.x());
   Matrix Q = Matrix::Zero();
   Q.topLeftCorner<2, 2>() = way * (Square(noise_.along_m_per_sqrt_m) * ahead * ahead.transpose() +
                                    Square(noise_.across_m_per_sqrt_m) * aside * aside.transpose());
   Q(2, 2) =
       Square(noise_.heading_rad_per_sqrt_m) * way + Square(noise_.heading_rad_per_sqrt_s) * seconds;
-  Q(4, 4) = Q(5, 5) = Square(noise_.side_slip_per_sqrt_m) * way;
-  Q(6, 6) = Square(noise_.drum_per_sqrt_m) * way;
+  Q(4, 4) = Q(5, 5) = Q(7, 7) = Square(noise_.side_slip_per_sqrt_m) * way;
+  Q(6, 6) = Square(noise_.rolling_per_sqrt_m) * way;
+  Q(8, 8) = Square(noise_.drum_per_sqrt_m) * way;
   P_ = F * P_ * F.transpose() + Q;
   state_.head<3>() << p.x(), p.y(), along.heading;
 }
@@ -105,9 +112,9 @@ void PoseFilter::Take(const Vector& change, const Matrix& kept) {
   state_ += change;
   state_.z() = WrapPi(state_.z());
   // Beyond this a sighting was wrong: side forces neither push uphill nor move a wheel like ice.
-  constexpr double kMostSideSlip = 2.5;
-  auto slip = state_.segment<2>(4);
-  slip = slip.cwiseMax(0.0).cwiseMin(kMostSideSlip);
+  constexpr double kMostSlip = 2.5;
+  auto slip = state_.segment<4>(4);
+  slip = slip.cwiseMax(0.0).cwiseMin(kMostSlip);
   P_ = (kept * P_).eval();
   P_ = (0.5 * (P_ + P_.transpose())).eval();
 }
@@ -122,9 +129,9 @@ void PoseFilter::Correct(const BoardFix& fix) {
 void PoseFilter::Restart(const BoardFix& fix) {
   const Pose2 pose = PoseOf(fix, X_DB_);
   state_.head<4>() << pose.x, pose.y, pose.heading, 0.0;
-  const Eigen::Matrix3d kept = P_.bottomRightCorner<3, 3>();  // what is not of the pose
+  const Eigen::Matrix<double, 5, 5> kept = P_.bottomRightCorner<5, 5>();  // what is not of the pose
   P_ = kUnknown * Matrix::Identity();
-  P_.bottomRightCorner<3, 3>() = kept;
+  P_.bottomRightCorner<5, 5>() = kept;
   located_ = true;
   Correct(fix);
 }
@@ -134,7 +141,7 @@ void PoseFilter::CorrectByTether(double reeled_m, double elevation_rad) {
   const double expected = ExposedTether(geometry_, pose(), elevation_rad);
   Eigen::Matrix<double, 1, kStates> H = Eigen::Matrix<double, 1, kStates>::Zero();
   H.leftCols<4>() << -ExposedTetherSlope(geometry_, pose(), elevation_rad).transpose(), 1.0;
-  H(6) = -reeled_m;
+  H(8) = -reeled_m;
   // Measured: the drum's count. Whole length less drum less path should be zero.
   const double residual = expected - ExposedLength(reeled_m);
   const double S = H * P_ * H.transpose() + Square(noise_.tether_m);

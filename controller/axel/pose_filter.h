@@ -1,9 +1,9 @@
 // The rover's pose in the dock frame, by an extended Kalman filter (Kalman 1960; Thrun, Burgard and
 // Fox, Probabilistic Robotics, 2005, ch. 7). Its states are x, y, heading, the tether's whole
-// length the two coefficients of sideways slip and the error of the drum's radius. Odometry,
-// sightings of the board and the taut tether feed it. The tether measures the distance to the
-// station, however much the wheels slip. Sightings after a way teach the sideways slip, as the
-// rover ends beside where it was reckoned to be.
+// length, the four coefficients of slip and the error of the drum's radius. Odometry, sightings of
+// the board and the taut tether feed it. The tether measures the distance to the station, however
+// much the wheels slip. Sightings after a way teach the slip, as the rover ends elsewhere than it
+// was reckoned to be.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,8 +11,8 @@
 
 #include "controller/axel/ground_slope.h"
 #include "controller/axel/odometry.h"
-#include "controller/axel/side_slip.h"
 #include "controller/axel/tether_length.h"
+#include "controller/axel/wheel_slip.h"
 #include "controller/geometry/pose.h"
 #include "controller/io/sensors.h"
 
@@ -20,16 +20,21 @@ namespace dockyard::axel {
 
 /// Standard deviations. Growths are per square root of distance or time.
 struct FilterNoise {
-  // Wheels slip 0-25 % under the tether's pull, assumed; 0.1 m per metre is the middle.
-  double along_m_per_sqrt_m = 0.10;
+  // What forces do not tell of the way ahead: 0.02 of a leg's way on loose, 0.05 on compact soil
+  // (339 simulated legs). Range 0.03-0.07.
+  double along_m_per_sqrt_m = 0.05;
   // What side forces do not tell of scrubbing sideways; assumed, range 0.01-0.04.
   double across_m_per_sqrt_m = 0.02;
   // Sideways slip before it is learned, and its change on the way. A wheel under a side force runs
   // at a slip angle, in radians, of about the force over the load (grip of 0.65-0.8 within 0.5-0.8
   // rad). Assumed, 0.5-1.8.
-  SideSlip side_slip{};
-  double side_slip_sigma = 0.4;            // assumed, 0.2-0.6
+  // Ahead, rolling over paddles loses 0.08-0.15, and a force gives 0.9 of its share on loose
+  // and 1.7 on compact soil, gravity and tether alike (the same legs).
+  WheelSlip slip{.rolling = 0.11, .ahead = 1.2};
+  double side_slip_sigma = 0.4;                    // assumed, 0.2-0.6
+  double rolling_sigma = 0.04, ahead_sigma = 0.4;  // half of the ranges above
   double side_slip_per_sqrt_m = 0.03;      // soil changes from place to place; assumed, 0.01-0.1
+  double rolling_per_sqrt_m = 0.01;        // assumed, 0.003-0.02
   double weight_n = 390.0;                 // of the rover, for side forces; assumed, 250-590
   double heading_rad_per_sqrt_m = 0.005;   // inertial yaw while driving; assumed, 0.002-0.01
   double heading_rad_per_sqrt_s = 0.0002;  // yaw drift at rest; assumed, 0.0001-0.0005
@@ -74,9 +79,12 @@ class PoseFilter {
  public:
   PoseFilter(const FilterNoise& noise, const TetherGeometry& geometry, const Pose3& X_DB)
       : noise_(noise), geometry_(geometry), X_DB_(X_DB) {
-    state_.segment<2>(4) << noise.side_slip.slope, noise.side_slip.tether;
-    P_.diagonal().segment<2>(4).setConstant(noise.side_slip_sigma * noise.side_slip_sigma);
-    P_(6, 6) = noise.drum_sigma * noise.drum_sigma;
+    state_.tail<5>() << noise.slip.slope, noise.slip.tether, noise.slip.rolling, noise.slip.ahead,
+        0.0;
+    Eigen::Matrix<double, 5, 1> sigma;
+    sigma << noise.side_slip_sigma, noise.side_slip_sigma, noise.rolling_sigma, noise.ahead_sigma,
+        noise.drum_sigma;
+    P_.diagonal().tail<5>() = sigma.cwiseAbs2();
   }
 
   bool located() const { return located_; }
@@ -84,12 +92,14 @@ class PoseFilter {
   /// Estimated exposed tether; reeled_m is the length that the drum took up since power-on.
   double ExposedLength(double reeled_m) const { return state_(3) - drum_scale() * reeled_m; }
   /// Length that the drum takes up for each metre that its turns say.
-  double drum_scale() const { return 1.0 + state_(6); }
+  double drum_scale() const { return 1.0 + state_(8); }
   /// Whether the tether's whole length has been estimated yet.
   bool TetherKnown() const { return located_ && P_(3, 3) < 1.0; }
 
-  void Predict(const Motion& motion, double seconds, const SideForce& force = {});
-  SideSlip side_slip() const { return {state_(4), state_(5)}; }
+  /// Wheels that run free do not slip along their way.
+  void Predict(const Motion& motion, double seconds, const GroundForce& force = {},
+               bool free = false);
+  WheelSlip slip() const { return {state_(4), state_(5), state_(6), state_(7)}; }
   /// Whether the fix agrees with the estimate; true before the first.
   bool Fits(const BoardFix& fix) const;
   void Correct(const BoardFix& fix);
@@ -100,7 +110,7 @@ class PoseFilter {
   void CorrectByTether(double reeled_m, double elevation_rad);
 
  private:
-  static constexpr int kStates = 7;
+  static constexpr int kStates = 9;
   using Vector = Eigen::Matrix<double, kStates, 1>;
   using Matrix = Eigen::Matrix<double, kStates, kStates>;
   struct Innovation;
@@ -112,7 +122,7 @@ class PoseFilter {
   TetherGeometry geometry_;
   Pose3 X_DB_;
   bool located_ = false;
-  // x, y, heading, whole tether, sideways slip, drum's error
+  // x, y, heading, whole tether, slips as in WheelSlip, drum's error
   Vector state_ = Vector::Zero();
   Matrix P_ = Matrix::Identity();
 };

@@ -40,21 +40,34 @@ void Senses::Update(const SensorFrame& sensed) {
   spool_current_a_ += share * (current - spool_current_a_);
   const Motion motion = odometer_.Read(sensed, ground_, filter_.pose().heading);
   rolled_m_ += motion.length_m;
-  const SideForce force = SideForceNow(reeled_m_ < reeled_before_m);
-  filter_.Predict(motion, seconds, force);
+  const GroundForce force = ForceNow(reeled_m_ < reeled_before_m);
+  filter_.Predict(motion, seconds, force, WheelsFree(sensed));
   const double force_share = started_ ? 1.0 - std::exp(-seconds / kForceSeconds) : 1.0;
   force_.slope += force_share * (force.slope - force_.slope);
   force_.tether += force_share * (force.tether - force_.tether);
+  if (seconds > 0.0) {
+    const double yaw_slip = (motion.wheel_turn_rad - motion.turn_rad) / seconds;
+    yaw_slip_rad_s_ += force_share * (yaw_slip - yaw_slip_rad_s_);
+  }
   attitude_ = ground_.Against(imu_, filter_.pose().heading);
   started_ = true;
 }
 
 // The gears take their friction from the motor's pull, or add it while the tether is dragged out.
-SideForce Senses::SideForceNow(bool pays_out) const {
+GroundForce Senses::ForceNow(bool pays_out) const {
   const double friction_n = pays_out ? nominal_.spool_friction_n : -nominal_.spool_friction_n;
   const double tension_n = TensionFromCurrent(nominal_, spool_current_a_);
   const double tether_n = tension_n > 0.0 ? std::max(0.0, tension_n + friction_n) : 0.0;
-  return SideForceOn(imu_, geometry_, filter_.pose(), tether_n, weight_n_);
+  return GroundForceOn(imu_, ground_, geometry_, filter_.pose(), tether_n, weight_n_);
+}
+
+bool Senses::WheelsFree(const SensorFrame& sensed) const {
+  for (const Motor wheel : {Motor::kLeftWheel, Motor::kRightWheel}) {
+    const auto i = static_cast<std::size_t>(wheel);
+    if (std::abs(sensed.motors[i].current_a) > 0.5 * nominal_.motors[i].no_load_current_a)
+      return false;
+  }
+  return true;
 }
 
 void Senses::SetGround(const GroundSlope& ground) {

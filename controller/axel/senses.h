@@ -8,7 +8,7 @@
 #include "controller/axel/odometry.h"
 #include "controller/axel/options.h"
 #include "controller/axel/pose_filter.h"
-#include "controller/axel/side_slip.h"
+#include "controller/axel/wheel_slip.h"
 
 namespace dockyard::axel {
 
@@ -55,7 +55,9 @@ class Senses {
   double rolled_m() const { return rolled_m_; }                // along the heading since power-on
   double spool_current_a() const { return spool_current_a_; }  // low-passed
   /// Sideways way to the left for each metre of way, by the side forces of the last second.
-  double side_drift() const { return filter_.side_slip().Drift(force_); }
+  double side_drift() const { return filter_.slip().Drift(force_); }
+  /// Turning rate that the wheels' slip takes, of the last second.
+  double yaw_slip_rad_s() const { return yaw_slip_rad_s_; }
   const PoseFilter& filter() const { return filter_; }
   PoseFilter& filter() { return filter_; }
   Pose2 pose() const { return filter_.pose(); }
@@ -67,7 +69,8 @@ class Senses {
   void UseTether(double tension_n);
 
  private:
-  SideForce SideForceNow(bool pays_out) const;
+  GroundForce ForceNow(bool pays_out) const;
+  bool WheelsFree(const SensorFrame& sensed) const;
 
   Nominal nominal_;
   TetherOptions tether_;
@@ -77,7 +80,8 @@ class Senses {
   PoseFilter filter_;
   GroundSlope ground_;
   Attitude attitude_;
-  SideForce force_{};  // low-passed
+  GroundForce force_{};  // low-passed
+  double yaw_slip_rad_s_ = 0.0;
   bool started_ = false;
   Tick now_ = 0, last_tether_fix_ = 0;
   ImuSample imu_{};
