@@ -40,14 +40,12 @@ void SetWheels(MotorMode mode, Commands* commands) {
   CommandOf(commands, Motor::kRightWheel) = {.mode = mode};
 }
 
-void RollAlong(const Nominal& nominal, double speed_m_s, double thrust_n, double accel_rad_s2,
-               Commands* commands) {
-  CommandWheels(nominal, {speed_m_s, 0.0}, accel_rad_s2, commands);
+void LimitThrust(const Nominal& nominal, double thrust_n, Commands* commands) {
   for (const Motor wheel : {Motor::kLeftWheel, Motor::kRightWheel}) {
     const NominalMotor& motor = NominalOf(nominal, wheel);
     const double torque_nm = 0.5 * thrust_n * nominal.wheel_radius_m;
-    CommandOf(commands, wheel).current_limit_a =
-        motor.no_load_current_a + torque_nm / motor.torque_per_amp_nm;
+    CommandOf(commands, wheel).current_limit_a = std::min(
+        motor.max_current_a, motor.no_load_current_a + torque_nm / motor.torque_per_amp_nm);
   }
 }
 

@@ -12,9 +12,8 @@ namespace dockyard::axel {
 void CommandWheels(const Nominal& nominal, const Twist& twist, double accel_rad_s2,
                    Commands* commands);
 void SetWheels(MotorMode mode, Commands* commands);
-/// Wheels that run along at this speed and push or hold back with at most thrust_n together.
-void RollAlong(const Nominal& nominal, double speed_m_s, double thrust_n, double accel_rad_s2,
-               Commands* commands);
+/// Wheels that push or hold back with at most thrust_n together.
+void LimitThrust(const Nominal& nominal, double thrust_n, Commands* commands);
 
 /// Spool current for a tension: torque T r over torque per ampere, plus no-load current.
 double CurrentForTension(const Nominal& nominal, double tension_n);

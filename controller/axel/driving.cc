@@ -67,7 +67,9 @@ void Driving::Enter(Phase phase, const Senses& senses) {
   may_plan_anew_ = to_axis && !back;
   const DriveOptions& drive = options_.drive;
   if (to_mouth) {
-    Start({drive.mate_m_s, drive.mate_m_s, drive.fine_steering}, senses.now());
+    LegDriver::Speed speed{drive.mate_m_s, drive.mate_m_s, drive.fine_steering};
+    if (phase == Phase::kEnter) speed.thrust_n = options_.mate.enter_thrust_n;
+    Start(speed, senses.now());
   } else if (to_axis || back) {
     Start({drive.approach_m_s, drive.reverse_m_s, drive.steering}, senses.now());
   }

@@ -64,12 +64,22 @@ Pose2 LegDriver::Beside(const Pose2& X_DR, double drift) const {
   return beside;
 }
 
+// Straight ahead the tether helps, from the side it turns the rover and drags it off its path.
+double LegDriver::Tension(const Senses& senses, bool forward) const {
+  const TetherOptions& tether = options_.tether;
+  if (!forward) return tether.reverse_tension_n;
+  const Eigen::Vector3d slope = ExposedTetherSlope(tether_, senses.pose(), senses.elevation_rad());
+  const double aside = std::asin(std::min(1.0, std::abs(slope.z()) / tether_.arm_m));
+  const double share = (aside - tether.ahead_rad) / (tether.aside_rad - tether.ahead_rad);
+  return std::lerp(tether.drive_tension_n, tether.aside_tension_n, std::clamp(share, 0.0, 1.0));
+}
+
 MotorCommand LegDriver::Spool(const Senses& senses, const Twist& twist) const {
   const TetherOptions& tether = options_.tether;
   const double shorten = -ExposedTetherRate(tether_, senses.pose(), senses.elevation_rad(),
                                             twist.speed_m_s, twist.turn_rad_s);
   const double reel = std::max(0.0, shorten) + tether.catch_up_m_s;
-  const double wanted = twist.speed_m_s < 0.0 ? tether.reverse_tension_n : tether.drive_tension_n;
+  const double wanted = Tension(senses, twist.speed_m_s >= 0.0);
   const double friction = shorten < 0.0 ? -nominal_.spool_friction_n : nominal_.spool_friction_n;
   return Winch(nominal_, reel, std::max(0.0, wanted + friction), tether.accel_rad_s2);
 }
@@ -88,10 +98,10 @@ LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
   if (paused_since_) twist = {};
   CommandWheels(nominal_, paused_since_ ? twist : AgainstSlip(*senses, twist),
                 options_.drive.wheel_accel_rad_s2, commands);
+  LimitThrust(nominal_, speed_.thrust_n, commands);
   commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
       paused_since_ ? TautWinch(nominal_, options_.tether) : Spool(*senses, twist);
-  const double set = forward ? options_.tether.drive_tension_n : options_.tether.reverse_tension_n;
-  senses->UseTether(options_.tether.taut_share * set);
+  senses->UseTether(options_.tether.taut_share * Tension(*senses, forward));
   if (follower_.done()) return Status::kArrived;
   return senses->now() > deadline_ && !paused_since_ ? Status::kFellShort : Status::kUnderWay;
 }

@@ -1,7 +1,7 @@
 // Drives one leg: path, tether and arm together, with a guard against a lifting arm.
 #pragma once
 
-#include <string>
+#include <limits>
 #include <vector>
 
 #include "controller/axel/drive.h"
@@ -37,6 +37,7 @@ class LegDriver {
   struct Speed {
     double forward_m_s = 0.05, reverse_m_s = 0.05;
     Steering steering{};
+    double thrust_n = std::numeric_limits<double>::infinity();  // of the wheels
   };
   enum class Status { kUnderWay, kArrived, kFellShort };
 
@@ -53,6 +54,7 @@ class LegDriver {
 
  private:
   void Guard(const Senses& senses, bool forward);
+  double Tension(const Senses& senses, bool forward) const;
   MotorCommand Spool(const Senses& senses, const Twist& twist) const;
   Twist AgainstSlip(const Senses& senses, const Twist& twist) const;
 

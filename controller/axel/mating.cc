@@ -52,8 +52,9 @@ void ReelIn::TurnToAndFro(Tick since, Commands* commands) const {
   CommandWheels(nominal_, {0.0, rate}, options_.mate.wiggle_accel_rad_s2, commands);
 }
 
-// Gently, wheels and spool together roll the rover over its paddles, and the station bears no more
-// than the gentle tension. What that does not bring in, the spool's whole pull does.
+// Gently, wheels and spool together roll the rover over its paddles. What that does not bring in,
+// the spool's whole pull does. An arm in the cone bears that pull, so the wheels alone push the
+// station.
 void ReelIn::Pull(Tick still, Commands* commands) const {
   const TetherOptions& tether = options_.tether;
   const double tension_n = gentle_ ? options_.mate.gentle_tension_n : tether.reel_tension_n;
@@ -62,8 +63,8 @@ void ReelIn::Pull(Tick still, Commands* commands) const {
   if (!gentle_ && still >= options_.mate.free_after) {
     SetWheels(MotorMode::kFree, commands);
   } else {
-    RollAlong(nominal_, tether.reel_m_s, options_.mate.thrust_n, options_.drive.wheel_accel_rad_s2,
-              commands);
+    CommandWheels(nominal_, {tether.reel_m_s, 0.0}, options_.drive.wheel_accel_rad_s2, commands);
+    LimitThrust(nominal_, options_.mate.thrust_n, commands);
   }
 }
 

@@ -12,6 +12,11 @@ struct TetherOptions {
   // One set point for loose and compact soil: slack lifts the arm below about rho W = 40 N on loose
   // soil, arcs fall short above 60 N (m = 40 kg). Assumed, range 35-60.
   double drive_tension_n = 47.0;
+  // Of a tether from the side, and the angles against the arm between which it falls to that: at
+  // 60 deg 47 N make the rover slip sideways by a quarter of its way on compact soil and take all
+  // of the wheels' turning (simulated). Assumed, 15-35 N, 10-30 deg and 40-60 deg.
+  double aside_tension_n = 25.0;
+  double ahead_rad = Radians(20.0), aside_rad = Radians(50.0);
   // Reversing drags the tether out; 20-30 N costs a tenth of the way on loose soil. Range 5-30.
   double reverse_tension_n = 22.0;
   // The winch runs this much faster than the cosine law asks, to take up slack: a wheel that rolls
@@ -140,14 +145,17 @@ struct MateOptions {
   double seat_margin_m = 0.013;
   // A look with the tip so deep inside goes on with the reel-in. Assumed, 0.1-0.18.
   double inside_m = 0.12;
-  // Of both wheels while the spool reels in. Rolling over a paddle takes 105 N, and the feet of a
-  // station of 35 kg slip at 137 N (friction 0.4), less on a slope. Assumed, 40-100.
-  double thrust_n = 80.0;
-  Tick stuck_after = 2'000;  // spool at its limit without taking up
-  Tick free_after = 400;     // and the wheels are free, before the brake; assumed, 0.2-1 s
-  // With the wheels' thrust enough for 105 N, and half of what slips the station. It ends when
-  // nothing came in for gentle_after: at the lead-in, on the floor, or before a paddle uphill.
-  double gentle_tension_n = 70.0;  // assumed, 50-100
+  // Of both wheels while the spool reels in. With the gentle tension it rolls over a paddle, which
+  // takes 105 N. The feet of a station of 35 kg slip at 137 N (friction 0.4), less on a slope, and
+  // a wheel on a paddle's flank pushes by up to 50 N more. Assumed, 30-80.
+  double thrust_n = 50.0;
+  // Into the mouth, where the tether pulls less: a tip that meets the rim pushes with that.
+  double enter_thrust_n = 70.0;  // assumed, 60-100
+  Tick stuck_after = 2'000;      // spool at its limit without taking up
+  Tick free_after = 400;         // and the wheels are free, before the brake; assumed, 0.2-1 s
+  // Two thirds of what slips the station. It ends when nothing came in for gentle_after: at the
+  // lead-in, on the floor, or before a paddle uphill.
+  double gentle_tension_n = 90.0;  // assumed, 60-110
   Tick gentle_after = 1'000;       // assumed, 0.5-2 s
   // An arm that stopped short is turned to and fro under the spool's pull, the k-th time at k times
   // this rate. Within the funnel's play: 0.06 rad/s for 1.2 s is 4 deg. Assumed, 0.03-0.1 rad/s.
