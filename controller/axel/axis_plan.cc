@@ -114,8 +114,9 @@ class AxisSearch {
       if (!backwards && TipOf(geometry_, at).gap_m < plan_.min_tip_gap_m) return kNever;
       if (backwards && std::hypot(at.x, at.y) > plan_.max_range_m) return kNever;
       if (!SeesBoard(geometry_, options_.look, at)) cost += step * plan_.unseen_cost;
-      const double aside = std::abs(TetherAngle(geometry_, at)) - plan_.tether_angle_rad;
-      cost += step * plan_.tether_angle_cost * std::max(0.0, aside);
+      const double aside = std::abs(TetherAngle(geometry_, at));
+      cost += step * plan_.tether_angle_cost * std::max(0.0, aside - plan_.tether_angle_rad);
+      cost += step * plan_.abeam_cost * std::max(0.0, aside - plan_.abeam_rad);
     }
     return cost;
   }

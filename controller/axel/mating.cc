@@ -64,7 +64,8 @@ void ReelIn::Pull(Tick still, Commands* commands) const {
     SetWheels(MotorMode::kFree, commands);
   } else {
     CommandWheels(nominal_, {tether.reel_m_s, 0.0}, options_.drive.wheel_accel_rad_s2, commands);
-    LimitThrust(nominal_, options_.mate.thrust_n, commands);
+    const bool moves = still < options_.mate.moving_after;
+    LimitThrust(nominal_, moves ? options_.mate.thrust_n : options_.mate.still_thrust_n, commands);
   }
 }
 

@@ -111,6 +111,9 @@ struct PlanOptions {
   // 70 N.
   double tether_angle_rad = Radians(45.0);
   double tether_angle_cost = 1.0;  // a metre at one radian more, in metres
+  // Nearly never a tether from abeam, where a leg ends (SearchOptions::abeam_rad): that, less what
+  // a rover that drifts heads beside its course. Assumed, 75-85 deg and 10-50 m.
+  double abeam_rad = Radians(80.0), abeam_cost = 20.0;
   double back_step_m = 0.5, back_limit_m = 3.5;
   int back_turns = 3;                       // curvatures of a back-off, per side
   double max_range_m = 5.5;                 // marks are made for 5 m (Tsai et al., III-A)
@@ -145,14 +148,16 @@ struct MateOptions {
   double seat_margin_m = 0.013;
   // A look with the tip so deep inside goes on with the reel-in. Assumed, 0.1-0.18.
   double inside_m = 0.12;
-  // Of both wheels while the spool reels in. With the gentle tension it rolls over a paddle, which
-  // takes 105 N. The feet of a station of 35 kg slip at 137 N (friction 0.4), less on a slope, and
-  // a wheel on a paddle's flank pushes by up to 50 N more. Assumed, 30-80.
-  double thrust_n = 50.0;
+  // Of both wheels while the spool reels in. Rolling over a paddle takes 105 N, and the feet of a
+  // station of 35 kg slip at 137 N (friction 0.4), less on a slope: the wheels carry the rover
+  // over, or the tether would pull the station out. A rover that nothing brings on pushes less, as
+  // it may stand on the socket's floor. Assumed, 60-100 N, 20-50 N and 0.1-0.4 s.
+  double thrust_n = 80.0, still_thrust_n = 30.0;
+  Tick moving_after = 200;
   // Into the mouth, where the tether pulls less: a tip that meets the rim pushes with that.
   double enter_thrust_n = 70.0;  // assumed, 60-100
   Tick stuck_after = 2'000;      // spool at its limit without taking up
-  Tick free_after = 400;         // and the wheels are free, before the brake; assumed, 0.2-1 s
+  Tick free_after = 400;         // and the wheels push no more, before the brake; assumed, 0.2-1 s
   // Two thirds of what slips the station. It ends when nothing came in for gentle_after: at the
   // lead-in, on the floor, or before a paddle uphill.
   double gentle_tension_n = 90.0;  // assumed, 60-110

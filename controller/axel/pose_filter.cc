@@ -70,7 +70,7 @@ void PoseFilter::Predict(const Motion& motion, double seconds, const GroundForce
                                    Square(noise_.across_m_per_sqrt_m) * aside * aside.transpose());
   Q(2, 2) =
       Square(noise_.heading_rad_per_sqrt_m) * way + Square(noise_.heading_rad_per_sqrt_s) * seconds;
-  Q(4, 4) = Q(5, 5) = Q(7, 7) = Square(noise_.side_slip_per_sqrt_m) * way;
+  Q(4, 4) = Q(5, 5) = Q(7, 7) = Square(noise_.slip_per_sqrt_m) * way;
   Q(6, 6) = Square(noise_.rolling_per_sqrt_m) * way;
   Q(8, 8) = Square(noise_.drum_per_sqrt_m) * way;
   P_ = F * P_ * F.transpose() + Q;
@@ -112,7 +112,7 @@ void PoseFilter::Take(const Vector& change, const Matrix& kept) {
   state_ += change;
   state_.z() = WrapPi(state_.z());
   // Beyond this a sighting was wrong: side forces neither push uphill nor move a wheel like ice.
-  constexpr double kMostSlip = 2.5;
+  constexpr double kMostSlip = 3.5;
   auto slip = state_.segment<4>(4);
   slip = slip.cwiseMax(0.0).cwiseMin(kMostSlip);
   P_ = (kept * P_).eval();
