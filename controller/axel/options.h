@@ -47,9 +47,9 @@ struct DriveOptions {
   double turn_rad_s = 0.08;         // turning in place; assumed, 0.05-0.15
   double wheel_accel_rad_s2 = 0.3;  // 0.05 m/s in 0.6 s; assumed, 0.1-1
   Steering steering{};              // far from the cone
-  // Near it only 0.3 m of way is left; with a shorter settle_m the rover enters askew. Range
-  // 0.3-0.6.
-  Steering fine_steering{.settle_m = 0.45, .max_turn_rad_s = 0.10};
+  // Near it only 0.4 m of way is left: an offset of 5 cm turns the arm by 2.5 deg in the socket.
+  // Assumed, 0.2-0.6.
+  Steering fine_steering{.settle_m = 0.30, .max_turn_rad_s = 0.10};
   // Of the turning that slip takes, so much is made up for: 45 N from the side take 0.04 rad/s at
   // 0.05 m/s on compact soil (simulated). Assumed, 0.05-0.12.
   double yaw_slip_rad_s = 0.08;
@@ -89,7 +89,7 @@ struct LookOptions {
 
 struct PlanOptions {
   // Arm tip before the mouth at the alignment goal: board still within the lens with +-27 deg.
-  double align_gap_m = 0.30;
+  double align_gap_m = 0.45;
   double near_axis_m = 0.4;  // a tip farther aside has not come to the goal yet; assumed, 0.3-0.6
   double align_tolerance_m = 0.12;  // counts as arrived; 3 % of a leg's slip and 2.5 cm of vision
   // The goal of a rest that does not reach it: a hand's breadth nearer, and then with the axle

@@ -98,7 +98,9 @@ TEST_F(Wiggle, WheelsRunAlongWithLittleThrustAndAreFreeAtTheEnd) {
   senses_.Update(frame_);
   reel_in_.Begin(senses_, 0.05);
   bool free = false;
-  for (const Commands& commands : UntilItStops()) {
+  double last_thrust_n = 0.0;
+  const std::vector<Commands> sent = UntilItStops();
+  for (const Commands& commands : sent) {
     double thrust_n = 0.0;
     for (const Motor wheel : {Motor::kLeftWheel, Motor::kRightWheel}) {
       const auto i = static_cast<std::size_t>(wheel);
@@ -114,10 +116,12 @@ TEST_F(Wiggle, WheelsRunAlongWithLittleThrustAndAreFreeAtTheEnd) {
       thrust_n += (command.current_limit_a - motor.no_load_current_a) * motor.torque_per_amp_nm /
                   nominal_.wheel_radius_m;
     }
-    if (!free) {
+    if (!free && &commands == &sent.front()) {
       EXPECT_NEAR(thrust_n, options_.mate.thrust_n, 1e-9);
     }
+    if (!free) last_thrust_n = thrust_n;
   }
+  EXPECT_NEAR(last_thrust_n, options_.mate.still_thrust_n, 1e-9);
   EXPECT_TRUE(free);
 }
 

@@ -51,7 +51,7 @@ TEST_F(Planner, EveryGridStartHasAPlanToTheAxis) {
   for (const GridStart& start : MarsYardGrid()) {
     const Pose2 X_DR = FromDockingCoords(start.at);
     const Pose2 end = Advance(X_DR, PlanToAxis(geometry_, options_, X_DR).arcs);
-    EXPECT_THAT(end.x, DoubleNear(1.3, 1e-5)) << start.run;
+    EXPECT_THAT(end.x, DoubleNear(geometry_.arm_m + options_.plan.align_gap_m, 1e-5)) << start.run;
     EXPECT_THAT(end.y, DoubleNear(0.0, 1e-5)) << start.run;
     EXPECT_THAT(WrapPi(end.heading - kPi), DoubleNear(0.0, 1e-5)) << start.run;
   }
@@ -162,8 +162,8 @@ TEST_F(Planner, RecoversWhenTheHeadingAtTheMouthIsBeyondFiveDegrees) {
 
 TEST_F(Planner, RecoversWhenItCannotSteerBackOnTheWayThatIsLeft) {
   EXPECT_EQ(Decide(geometry_, options_, At(1.3, 0.0, 5.5)).event, Event::kGoMate);
-  EXPECT_EQ(Decide(geometry_, options_, At(1.3, 0.0, 20.0)).event, Event::kGoRecover);
-  EXPECT_EQ(Decide(geometry_, options_, At(1.3, 0.0, -20.0)).event, Event::kGoRecover);
+  EXPECT_EQ(Decide(geometry_, options_, At(1.15, 0.0, 20.0)).event, Event::kGoRecover);
+  EXPECT_EQ(Decide(geometry_, options_, At(1.15, 0.0, -20.0)).event, Event::kGoRecover);
 }
 
 TEST_F(Planner, AcceptsTheHeadingWithinFiveDegreesIfTheTipMeetsTheMouth) {

@@ -22,7 +22,9 @@ class Filter : public testing::Test {
  protected:
   const Nominal nominal_ = TestNominal();
   const TetherGeometry tether_ = TetherGeometryOf(nominal_);
-  PoseFilter filter_{FilterNoise{}, tether_, nominal_.X_DB};
+  // Wheels that roll as far as they turn.
+  const FilterNoise noise_{.slip = {}};
+  PoseFilter filter_{noise_, tether_, nominal_.X_DB};
   const Pose2 start_ = FromDockingCoords({4.0, 0.3, 0.1});
 };
 
@@ -64,7 +66,8 @@ TEST_F(Filter, TrustsARangeMoreAfterAWayWithout) {
   ASSERT_THAT(first.bearing_rad, DoubleNear(0.0, 1e-9));
   for (int i = 0; i < 100; ++i) filter_.Correct(first);
   filter_.Predict({1.0, 0.0}, 20.0);
-  const double p_m2 = variance_m2(first.range_m) / 100 + std::pow(noise.along_m_per_sqrt_m, 2);
+  const double p_m2 = variance_m2(first.range_m) / 100 + std::pow(noise.along_m_per_sqrt_m, 2) +
+                      std::pow(noise.rolling_sigma, 2);
 
   BoardFix farther = second;
   farther.range_m += 0.01;
@@ -111,8 +114,8 @@ TEST_F(Filter, ALookFromAnotherPlaceDoesNotFit) {
 
 // Drives legs across a slope of 6 % with a sighting after each, slipping downhill by this much more
 // than the force's share; what the filter believes of the slip.
-SideSlip LearnedFrom(PoseFilter* filter, const Pose3& X_DB, double true_slip) {
-  const SideForce force{-0.06, 0.0};
+WheelSlip LearnedFrom(PoseFilter* filter, const Pose3& X_DB, double true_slip) {
+  const GroundForce force{-0.06, 0.0};
   Pose2 at = FromDockingCoords({6.0, 0.0, 0.0});
   filter->Correct(TrueFix(at, X_DB));
   for (int leg = 0; leg < 3; ++leg) {
@@ -122,28 +125,58 @@ SideSlip LearnedFrom(PoseFilter* filter, const Pose3& X_DB, double true_slip) {
     }
     filter->Correct(TrueFix(at, X_DB));
   }
-  return filter->side_slip();
+  return filter->slip();
 }
 
 TEST_F(Filter, LearnsTheSideSlipFromWhereSightingsFindIt) {
   for (const double true_slip : {0.5, 1.0, 1.6}) {
-    PoseFilter filter{FilterNoise{}, tether_, nominal_.X_DB};
-    const SideSlip learned = LearnedFrom(&filter, nominal_.X_DB, true_slip);
+    PoseFilter filter{noise_, tether_, nominal_.X_DB};
+    const WheelSlip learned = LearnedFrom(&filter, nominal_.X_DB, true_slip);
     // Most of the way from what is assumed.
-    const double assumed = FilterNoise{}.side_slip.slope;
+    const double assumed = noise_.slip.slope;
     EXPECT_THAT(learned.slope, DoubleNear(true_slip, 0.4 * std::abs(true_slip - assumed) + 0.02));
-    EXPECT_THAT(learned.tether, DoubleNear(FilterNoise{}.side_slip.tether, 1e-9));
+    EXPECT_THAT(learned.tether, DoubleNear(noise_.slip.tether, 1e-9));
   }
 }
 
 TEST_F(Filter, DriftsByTheSideForceAndTheLean) {
   filter_.Correct(TrueFix(start_, nominal_.X_DB));
   filter_.Predict({1.0, 0.0, 0.01}, 20.0, {-0.05, 0.02});
-  const FilterNoise noise;
-  const double left_m = -0.05 * noise.side_slip.slope + 0.02 * noise.side_slip.tether + 0.01;
+  const double left_m = -0.05 * noise_.slip.slope + 0.02 * noise_.slip.tether + 0.01;
   const Pose2 moved = Inverse(start_) * filter_.pose();
   EXPECT_THAT(moved.x, DoubleNear(1.0, 1e-6));
   EXPECT_THAT(moved.y, DoubleNear(left_m, 1e-6));
+}
+
+// Forwards and backwards, downhill and with the tether: the same slip of a shared law.
+TEST_F(Filter, LearnsTheSlipAheadFromWhereSightingsFindIt) {
+  const WheelSlip truth{.rolling = 0.15, .ahead = 1.7};
+  PoseFilter filter{FilterNoise{}, tether_, nominal_.X_DB};
+  Pose2 at = FromDockingCoords({5.0, 0.0, 0.0});
+  filter.Correct(TrueFix(at, nominal_.X_DB));
+  double last_error_m = 0.0;
+  for (int leg = 0; leg < 8; ++leg) {
+    const GroundForce force{0.0, 0.0, leg % 4 < 2 ? 0.15 : -0.05};
+    const double rolled_m = leg % 2 == 0 ? 0.01 : -0.01;
+    for (int i = 0; i < 150; ++i) {
+      at = Advance(at, Arc{truth.Way(rolled_m, force), 0.0});
+      filter.Predict({rolled_m, 0.0}, 0.2, force);
+    }
+    last_error_m = filter.pose().x - at.x;
+    BoardFix fix = TrueFix(at, nominal_.X_DB);
+    fix.variance = {1e-4, 1e-6, 1e-5};
+    filter.Correct(fix);
+  }
+  EXPECT_THAT(filter.slip().rolling, DoubleNear(truth.rolling, 0.015));
+  EXPECT_THAT(filter.slip().ahead, DoubleNear(truth.ahead, 0.2));
+  EXPECT_THAT(last_error_m, DoubleNear(0.0, 0.03));  // of 1.5 m, 0.34 m by the wheels
+}
+
+TEST_F(Filter, FreeWheelsDoNotSlipAhead) {
+  PoseFilter filter{FilterNoise{}, tether_, nominal_.X_DB};
+  filter.Correct(TrueFix(start_, nominal_.X_DB));
+  filter.Predict({1.0, 0.0}, 20.0, {0.0, 0.0, 0.3}, true);
+  EXPECT_THAT((Inverse(start_) * filter.pose()).x, DoubleNear(1.0, 1e-9));
 }
 
 // Facing the station on its axis, the left is -y of D. A tether from straight ahead has no share
@@ -151,14 +184,15 @@ TEST_F(Filter, DriftsByTheSideForceAndTheLean) {
 TEST_F(Filter, SideForcesPushDownhillAndTowardsTheMouth) {
   ImuSample imu;
   imu.roll_rad = 0.1;  // left side up
-  const SideForce on_axis = SideForceOn(imu, tether_, {3.0, 0.0, kPi}, 40.0, 400.0);
+  const GroundForce on_axis = GroundForceOn(imu, {}, tether_, {3.0, 0.0, kPi}, 40.0, 400.0);
   EXPECT_THAT(on_axis.slope, DoubleNear(-std::sin(0.1), 1e-12));
   EXPECT_THAT(on_axis.tether, DoubleNear(0.0, 1e-12));
+  EXPECT_THAT(on_axis.ahead, DoubleNear(0.1, 1e-12));  // the whole tension, on level ground
   // The mouth lies 45 deg to the right of the arm.
   const double to_mouth = std::atan2(-1.0, tether_.p_DQ.x() - 2.0);
   const Pose2 aside = {2.0 - std::cos(to_mouth + 0.25 * kPi), 1.0 - std::sin(to_mouth + 0.25 * kPi),
                        WrapPi(to_mouth + 0.25 * kPi)};
-  EXPECT_THAT(SideForceOn(imu, tether_, aside, 40.0, 400.0).tether,
+  EXPECT_THAT(GroundForceOn(imu, {}, tether_, aside, 40.0, 400.0).tether,
               DoubleNear(-0.1 * std::sqrt(0.5), 1e-9));
 }
 
@@ -166,7 +200,7 @@ TEST_F(Filter, SideForcesPushDownhillAndTowardsTheMouth) {
 // slip, so between sightings the tether alone tells of the way.
 TEST_F(Filter, LearnsTheDrumsRadiusFromSightings) {
   for (const double scale : {0.96, 1.0, 1.04}) {
-    PoseFilter filter{FilterNoise{}, tether_, nominal_.X_DB};
+    PoseFilter filter{noise_, tether_, nominal_.X_DB};
     Pose2 at = FromDockingCoords({6.0, 0.0, 0.0});
     const double whole_m = ExposedTether(tether_, at, 0.0);
     const auto reeled_m = [&] { return (whole_m - ExposedTether(tether_, at, 0.0)) / scale; };
