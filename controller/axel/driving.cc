@@ -9,9 +9,14 @@ namespace dockyard::axel {
 Driving::Driving(const Nominal& nominal, const AxelOptions& options)
     : nominal_(nominal), options_(options), geometry_(PlanGeometryOf(nominal)) {}
 
+// Near the dock and facing it, the axle's own roll tells of the ground there, which undulates about
+// the plane.
 Drift Driving::DriftOf(const Senses& senses) const {
-  const double at_dock = senses.filter().slip().slope * SlopeForceAt(senses.ground(), kPi);
-  return {senses.side_drift(), at_dock};
+  const Pose2 X_DR = senses.pose();
+  const bool there = std::hypot(X_DR.x, X_DR.y) < options_.plan.align_range_m &&
+                     std::abs(WrapPi(X_DR.heading - kPi)) < options_.plan.facing_rad;
+  const double slope = there ? senses.side_slope() : SlopeForceAt(senses.ground(), kPi);
+  return {senses.side_drift(), senses.filter().slip().slope * slope};
 }
 
 void Driving::Put(const AxisPlan& plan, std::vector<Arc> leg) {

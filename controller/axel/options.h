@@ -127,7 +127,8 @@ struct PlanOptions {
   // m.
   double anew_offset_m = 0.03, anew_heading_rad = Radians(3.0), anew_way_m = 0.4;
   Tick anew_after = 1'000;
-  double align_range_m = 2.6;  // alignment region inside, approach region outside
+  double align_range_m = 2.6;         // alignment region inside, approach region outside
+  double facing_rad = Radians(20.0);  // the axle's roll is the dock's cross slope; assumed, 10-30
 };
 
 struct MateOptions {

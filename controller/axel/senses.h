@@ -56,6 +56,8 @@ class Senses {
   double spool_current_a() const { return spool_current_a_; }  // low-passed
   /// Sideways way to the left for each metre of way, by the side forces of the last second.
   double side_drift() const { return filter_.slip().Drift(force_); }
+  /// Gravity's share of the weight along the axle, to the left, in the last second.
+  double side_slope() const { return force_.slope; }
   /// Turning rate that the wheels' slip takes, of the last second.
   double yaw_slip_rad_s() const { return yaw_slip_rad_s_; }
   const PoseFilter& filter() const { return filter_; }
