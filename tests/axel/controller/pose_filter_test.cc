@@ -75,17 +75,17 @@ TEST_F(Filter, TrustsARangeMoreAfterAWayWithout) {
   const double gain = p_m2 / (p_m2 + variance_m2(farther.range_m));
   // The first pose is known to 32 m at first: 1e-5 of the gain.
   EXPECT_THAT((filter_.pose().x - after.x) / 0.01, DoubleNear(gain, 1e-4));
-  EXPECT_GT(gain, 0.5);
+  EXPECT_GT(gain, 0.3);  // before the way 0.01, after a hundred looks
 }
 
 TEST_F(Filter, TautTetherTellsOfWheelSlip) {
   const Pose2 ahead = FromDockingCoords({4.0, 0.0, 0.0});
   filter_.Correct(TrueFix(ahead, nominal_.X_DB));
   filter_.CorrectByTether(0.0, 0.0);
-  // Wheels say 1 m, the drum only took up 0.7 m.
+  // Wheels say 1 m, the drum only took up 0.9 m.
   for (int i = 0; i < 100; ++i) filter_.Predict({0.01, 0.0}, 0.2);
-  filter_.CorrectByTether(0.7, 0.0);
-  EXPECT_THAT(filter_.pose().x, DoubleNear(3.3, 0.04));
+  filter_.CorrectByTether(0.9, 0.0);
+  EXPECT_THAT(filter_.pose().x, DoubleNear(3.1, 0.03));
 }
 
 TEST_F(Filter, TetherKnowsTheExposedLength) {
