@@ -34,8 +34,8 @@ SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateO
 /// The spool pulls until it stops, first gently, then as hard as it can. The wheels run along with
 /// little thrust: what they do not carry over their paddles the station would have to bear, and
 /// they hold the rover back as it rolls off one. Once nothing more comes in they are free, so that
-/// they hold the arm against no side of the socket. In a wiggle they turn the
-/// rover to and fro, without driving it on.
+/// they hold the arm against no side of the socket. In a wiggle they turn the rover to and fro,
+/// without driving it on.
 class ReelIn {
  public:
   ReelIn(const Nominal& nominal, const AxelOptions& options)

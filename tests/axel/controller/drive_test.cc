@@ -184,5 +184,64 @@ TEST(Arm, IsLevelledInTheTurnInWhichItIs) {
   }
 }
 
+// Commands of a leg of 1 m straight on. The rover stands 3 m before the tip's way to the mouth,
+// which lies this far to the right of the arm, and its wheels turn it by slip_rad_s more than its
+// gyro says.
+Commands DrivenBeside(double aside_rad, double slip_rad_s) {
+  const Nominal nominal = TestNominal();
+  const AxelOptions options;
+  Senses senses(nominal, options);
+  SensorFrame frame = StillFrame();
+  senses.Update(frame);
+  const TetherGeometry geometry = TetherGeometryOf(nominal);
+  const double heading = WrapPi(kPi + aside_rad);
+  const Pose2 X_DR{geometry.p_DQ.x() + 3.0 - geometry.arm_m * std::cos(heading),
+                   geometry.p_DQ.y() - geometry.arm_m * std::sin(heading), heading};
+  const double dx = nominal.X_DB.p.x() - X_DR.x, dy = nominal.X_DB.p.y() - X_DR.y;
+  senses.filter().Restart(
+      {std::hypot(dx, dy), WrapPi(std::atan2(dy, dx) - heading), heading, {1e-6, 1e-6, 1e-6}});
+  LegDriver leg(nominal, options, X_DR, {{1.0, 0.0}}, {}, 0);
+  const double wheel_rad_s = 0.5 * slip_rad_s * nominal.track_m / nominal.wheel_radius_m;
+  for (int i = 0; i < 500; ++i) {
+    frame.tick += kControlPeriod;
+    const double turned_rad = wheel_rad_s * kTickSeconds * static_cast<double>(frame.tick);
+    frame.motors[0].encoder_counts = std::llround(-turned_rad / nominal.motors[0].rad_per_count);
+    frame.motors[1].encoder_counts = std::llround(turned_rad / nominal.motors[1].rad_per_count);
+    senses.Update(frame);
+  }
+  Commands commands = BrakedCommands();
+  leg.Drive(&senses, &commands);
+  return commands;
+}
+
+TEST(Leg, SpoolPullsLessTheFartherAsideTheTetherIs) {
+  const Nominal nominal = TestNominal();
+  const TetherOptions options;
+  const auto tension_n = [&](double aside_rad) {
+    const MotorCommand spool =
+        DrivenBeside(aside_rad, 0.0).motors[static_cast<std::size_t>(Motor::kSpool)];
+    return TensionFromCurrent(nominal, spool.current_limit_a) - nominal.spool_friction_n;
+  };
+  EXPECT_THAT(tension_n(0.0), DoubleNear(options.drive_tension_n, 1e-6));
+  EXPECT_THAT(tension_n(Radians(60.0)), DoubleNear(options.aside_tension_n, 1e-6));
+  EXPECT_THAT(tension_n(Radians(-60.0)), DoubleNear(options.aside_tension_n, 1e-6));
+  const double half = 0.5 * (options.ahead_rad + options.aside_rad);
+  const double mean_n = 0.5 * (options.drive_tension_n + options.aside_tension_n);
+  EXPECT_THAT(tension_n(half), DoubleNear(mean_n, 0.5));
+}
+
+TEST(Leg, WheelsTurnByWhatSlipTakesWithinALimit) {
+  const Nominal nominal = TestNominal();
+  const auto turn_rad_s = [&](double slip_rad_s) {
+    const Commands commands = DrivenBeside(0.0, slip_rad_s);
+    return (commands.motors[1].target - commands.motors[0].target) * nominal.wheel_radius_m /
+           nominal.track_m;
+  };
+  const double none = turn_rad_s(0.0);
+  EXPECT_THAT(turn_rad_s(0.04) - none, DoubleNear(0.04, 0.002));
+  EXPECT_THAT(turn_rad_s(-0.04) - none, DoubleNear(-0.04, 0.002));
+  EXPECT_THAT(turn_rad_s(0.2) - none, DoubleNear(DriveOptions{}.yaw_slip_rad_s, 0.002));
+}
+
 }  // namespace
 }  // namespace dockyard::axel
