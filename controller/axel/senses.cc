@@ -61,7 +61,8 @@ GroundForce Senses::ForceNow(bool pays_out) const {
   return GroundForceOn(imu_, ground_, geometry_, filter_.pose(), tether_n, weight_n_);
 }
 
-// A wheel that is driven draws at least what its gears take.
+// A wheel that is driven draws at least what its gears take. Half of it tells the two apart;
+// assumed, 0.3-0.7.
 bool Senses::WheelsFree(const SensorFrame& sensed) const {
   for (const Motor wheel : {Motor::kLeftWheel, Motor::kRightWheel}) {
     const auto i = static_cast<std::size_t>(wheel);
