@@ -25,7 +25,7 @@ struct AcceptArguments {
   bool json = false;
 };
 
-constexpr const char* kHelp =
+constexpr const char* kAcceptHelp =
     R"(Say whether a campaign shows a reliability at a confidence.
 
 Examples:
@@ -67,7 +67,8 @@ Counts CountsOf(const AcceptArguments& arguments, const std::vector<System>& sys
   return counts;
 }
 
-Json ToJson(const Counts& counts, const AcceptArguments& arguments, const Acceptance& found) {
+Json AcceptanceJson(const Counts& counts, const AcceptArguments& arguments,
+                    const Acceptance& found) {
   Json json{{"verdict", NameOf(found.verdict)},
             {"trials", counts.trials},
             {"failures", counts.failures},
@@ -106,7 +107,7 @@ int Accept(const AcceptArguments& arguments, const std::vector<System>& systems)
   const Acceptance found =
       JudgeAcceptance(counts.trials, counts.failures, arguments.reliability, arguments.confidence);
   if (arguments.json) {
-    std::printf("%s\n", ToJson(counts, arguments, found).dump(2).c_str());
+    std::printf("%s\n", AcceptanceJson(counts, arguments, found).dump(2).c_str());
   } else {
     Print(counts, arguments, found);
   }
@@ -118,7 +119,7 @@ int Accept(const AcceptArguments& arguments, const std::vector<System>& systems)
 
 void AddAcceptCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<AcceptArguments>();
-  CLI::App* command = app.add_subcommand("accept", kHelp);
+  CLI::App* command = app.add_subcommand("accept", kAcceptHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign");
   command->add_option("--arm", arguments->arm, "the arm that is judged, where a campaign has arms");
   command->add_option("--trials", arguments->trials, "number of runs")

@@ -19,7 +19,7 @@ struct BoardArguments {
   bool tile = false;
 };
 
-constexpr const char* kHelp = R"(Draw a fiducial board for printing at true size.
+constexpr const char* kBoardHelp = R"(Draw a fiducial board for printing at true size.
 
 Examples:
   dockyard board models/boards/grid_4x3.yaml --out out/grid.pdf --paper a3
@@ -54,7 +54,7 @@ int Board(const BoardArguments& arguments, const std::vector<System>& systems) {
 
 void AddBoardCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<BoardArguments>();
-  CLI::App* command = app.add_subcommand("board", kHelp);
+  CLI::App* command = app.add_subcommand("board", kBoardHelp);
   command->add_option("FILE", arguments->board, "a board's file, or a station's")->required();
   command->add_option("--out", arguments->out, "the drawing, .svg or .pdf")->required();
   command->add_option("--paper", arguments->paper, "a4, a3, a2, a1, a0 or letter, either way round")

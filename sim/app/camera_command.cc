@@ -18,7 +18,7 @@ struct CameraArguments {
   bool json = false;
 };
 
-constexpr const char* kHelp = R"(Points to pixels and pixels to rays, with a camera's file.
+constexpr const char* kCameraHelp = R"(Points to pixels and pixels to rays, with a camera's file.
 
 Examples:
   dockyard camera project models/cameras/navcam.yaml 2.1 0.3 0.2 --name left
@@ -129,7 +129,7 @@ void AddPart(CLI::App* camera, const char* name, const char* help,
 }  // namespace
 
 void AddCameraCommand(CLI::App& app, int& exit_code) {
-  CLI::App* camera = app.add_subcommand("camera", kHelp);
+  CLI::App* camera = app.add_subcommand("camera", kCameraHelp);
   camera->require_subcommand(1);
   AddPart(camera, "project", kProjectHelp, {"X", "Y", "Z"}, Project, exit_code);
   AddPart(camera, "ray", kRayHelp, {"U", "V"}, Ray, exit_code);

@@ -31,7 +31,7 @@ struct CommandArguments {
   UntilAcceptedOptions until;
 };
 
-constexpr const char* kHelp = R"(Simulate all runs of a campaign on several processors.
+constexpr const char* kCampaignHelp = R"(Simulate all runs of a campaign on several processors.
 
 Examples:
   dockyard campaign {campaign}
@@ -141,7 +141,7 @@ void AddOptions(CLI::App& command, CommandArguments& arguments) {
 
 void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<CommandArguments>();
-  CLI::App* command = app.add_subcommand("campaign", kHelp);
+  CLI::App* command = app.add_subcommand("campaign", kCampaignHelp);
   command->add_option("FILE", arguments->campaign.file, "a campaign file");
   AddOptions(*command, *arguments);
   command->add_option("--watch", arguments->watch_dir,

@@ -12,7 +12,7 @@
 namespace dockyard {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kCheckHelp =
     R"(Check input files: scenarios, campaigns, rovers, stations, soils, URDF, meshes.
 
 Examples:
@@ -40,7 +40,7 @@ int Check(const std::vector<std::string>& files, const std::vector<System>& syst
 
 void AddCheckCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto files = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = app.add_subcommand("check", kHelp);
+  CLI::App* command = app.add_subcommand("check", kCheckHelp);
   command->add_option("FILE", *files, "files to check")->required();
   command->callback([files, &systems, &exit_code] { exit_code = Check(*files, systems); });
 }

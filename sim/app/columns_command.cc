@@ -7,7 +7,7 @@
 namespace dockyard {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kColumnsHelp =
     R"(Print the columns of every table that comes out, with units and meanings, as Markdown.
 
 Examples:
@@ -25,7 +25,7 @@ int PrintColumns(const std::vector<System>& systems) {
 }  // namespace
 
 void AddColumnsCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
-  CLI::App* command = app.add_subcommand("columns", kHelp);
+  CLI::App* command = app.add_subcommand("columns", kColumnsHelp);
   command->callback([&systems, &exit_code] { exit_code = PrintColumns(systems); });
 }
 

@@ -26,7 +26,7 @@ struct CompareArguments {
   bool json = false;
 };
 
-constexpr const char* kHelp =
+constexpr const char* kCompareHelp =
     R"(Compare two arms of a campaign, or a campaign with a kept one, run by run on the same draws.
 
 Examples:
@@ -191,7 +191,7 @@ int Compare(const CompareArguments& arguments, const std::vector<System>& system
 
 void AddCompareCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand("compare", kHelp);
+  CLI::App* command = app.add_subcommand("compare", kCompareHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign");
   command->add_option("A", arguments->a, "name of an arm");
   command->add_option("B", arguments->b, "name of another");

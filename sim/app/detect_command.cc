@@ -27,7 +27,8 @@ struct DetectArguments {
   bool json = false;
 };
 
-constexpr const char* kHelp = R"(Find the fiducial board in images with the controller's perception.
+constexpr const char* kDetectHelp =
+    R"(Find the fiducial board in images with the controller's perception.
 
 Examples:
   dockyard view {scenario} --out out/view
@@ -253,7 +254,7 @@ int Detect(const DetectArguments& arguments, const std::vector<System>& systems)
 
 void AddDetectCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<DetectArguments>();
-  CLI::App* command = app.add_subcommand("detect", kHelp);
+  CLI::App* command = app.add_subcommand("detect", kDetectHelp);
   command->add_option("LEFT", arguments->left,
                       "image of the left camera, or of the one that --camera names");
   command->add_option("RIGHT", arguments->right, "image of the right camera");

@@ -12,7 +12,7 @@
 namespace dockyard {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kDoctorHelp =
     R"(Say what this computer has for runs, and whether they equal those of others.
 
 Examples:
@@ -67,7 +67,7 @@ int Doctor(bool json) {
 
 void AddDoctorCommand(CLI::App& app, int& exit_code) {
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("doctor", kHelp);
+  CLI::App* command = app.add_subcommand("doctor", kDoctorHelp);
   command->add_flag("--json", *json, "the findings as JSON");
   command->callback([json, &exit_code] { exit_code = Doctor(*json); });
 }

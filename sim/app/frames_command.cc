@@ -24,7 +24,7 @@ struct FramesArguments {
   bool plain = false;
 };
 
-constexpr const char* kHelp =
+constexpr const char* kFramesHelp =
     R"(Write the images of a run's log as PNG files, with what the controller found drawn in.
 
 Examples:
@@ -89,7 +89,7 @@ int Frames(const FramesArguments& arguments, const std::vector<System>& systems)
 
 void AddFramesCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<FramesArguments>();
-  CLI::App* command = app.add_subcommand("frames", kHelp);
+  CLI::App* command = app.add_subcommand("frames", kFramesHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
       ->required();
   command->add_option("RUN", arguments->run, "number of the run in a campaign");

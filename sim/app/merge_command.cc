@@ -20,7 +20,7 @@ struct MergeArguments {
   JudgingOptions judging;
 };
 
-constexpr const char* kHelp = R"(Make tables, plots and a summary of the shards of a campaign.
+constexpr const char* kMergeHelp = R"(Make tables, plots and a summary of the shards of a campaign.
 
 Examples:
   dockyard campaign {campaign} --shard 1/2 --out out/yard
@@ -46,7 +46,7 @@ int Merge(const MergeArguments& arguments, const std::vector<System>& systems) {
 
 void AddMergeCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<MergeArguments>();
-  CLI::App* command = app.add_subcommand("merge", kHelp);
+  CLI::App* command = app.add_subcommand("merge", kMergeHelp);
   command->add_option("DIR", arguments->dir, "results folder of the campaign")->required();
   command->add_option("FROM", arguments->from, "results folders whose shards are copied in");
   command->add_flag("--json", arguments->json, "the result as a line of JSON");

@@ -23,7 +23,8 @@ struct PoseArguments {
   bool json = false, csv = false;
 };
 
-constexpr const char* kHelp = R"(Pose of a body from pixels of its known points, one camera or two.
+constexpr const char* kPoseHelp =
+    R"(Pose of a body from pixels of its known points, one camera or two.
 
 Examples:
   dockyard pose examples/points.csv --robot {robot}
@@ -102,7 +103,7 @@ int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
 
 void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<PoseArguments>();
-  CLI::App* command = app.add_subcommand("pose", kHelp);
+  CLI::App* command = app.add_subcommand("pose", kPoseHelp);
   command->add_option("POINTS", arguments->points, "a CSV file of one frame");
   command->add_option("--sequence", arguments->sequence, "a CSV file of many frames");
   AddRigOptions(*command, arguments->rig);

@@ -22,7 +22,7 @@
 namespace dockyard {
 namespace {
 
-constexpr const char* kHelp = R"(Dockyard: a physics testbed for autonomous rover docking.
+constexpr const char* kProgramHelp = R"(Dockyard: a physics testbed for autonomous rover docking.
 
 Examples:
   dockyard run {scenario}
@@ -128,7 +128,7 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   // A failed internal check has printed its place; it ends with the code that says so.
   std::signal(SIGABRT, [](int) { ::_exit(kExitOurBug); });
   int exit_code = kExitDone;
-  CLI::App app(kHelp, "dockyard");
+  CLI::App app(kProgramHelp, "dockyard");
   app.set_version_flag("--version", "dockyard " DOCKYARD_VERSION);
   app.require_subcommand(1);
   app.failure_message([](const CLI::App* failed, const CLI::Error& error) {

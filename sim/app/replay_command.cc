@@ -35,7 +35,7 @@ struct ReplayArguments {
   OutsideArguments outside;
 };
 
-constexpr const char* kHelp =
+constexpr const char* kReplayHelp =
     R"(Run one run again and say whether it came out the same.
 
 Examples:
@@ -187,7 +187,7 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
 
 void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* command = app.add_subcommand("replay", kHelp);
+  CLI::App* command = app.add_subcommand("replay", kReplayHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
       ->required();
   command->add_option("RUN", arguments->run, "number of the run in a campaign");

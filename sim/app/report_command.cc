@@ -32,7 +32,7 @@ struct Format {
 const std::vector<Format> kFormats{
     {"html", ".html"}, {"json", ".json"}, {"markdown", ".md"}, {"junit", ".xml"}};
 
-constexpr const char* kHelp =
+constexpr const char* kReportHelp =
     R"(Make a report of a campaign or of one run: an HTML file that opens without network.
 
 Examples:
@@ -117,7 +117,7 @@ int Report(const ReportArguments& arguments, const std::vector<System>& systems)
 
 void AddReportCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<ReportArguments>();
-  CLI::App* command = app.add_subcommand("report", kHelp);
+  CLI::App* command = app.add_subcommand("report", kReportHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
       ->required();
   command->add_option("--out", arguments->out,

@@ -31,7 +31,7 @@ struct ReproduceArguments {
   bool quiet = false, dry_run = false, json = false, report = false;
 };
 
-constexpr const char* kHelp =
+constexpr const char* kReproduceHelp =
     R"(Simulate a published experiment and hold its counts against the publication's.
 
 Examples:
@@ -230,7 +230,7 @@ int Reproduce(const ReproduceArguments& arguments, const std::vector<System>& sy
 
 void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<ReproduceArguments>();
-  CLI::App* command = app.add_subcommand("reproduce", kHelp);
+  CLI::App* command = app.add_subcommand("reproduce", kReproduceHelp);
   command->add_option("NAME", arguments->name, "the experiment; without it, all are listed");
   command
       ->add_option("--replications", arguments->replications,

@@ -29,7 +29,7 @@ struct RunArguments {
   bool json = false;
 };
 
-constexpr const char* kHelp = R"(Simulate one docking.
+constexpr const char* kRunHelp = R"(Simulate one docking.
 
 Examples:
   dockyard run {scenario}
@@ -112,7 +112,7 @@ int Run(const RunArguments& arguments, const std::vector<System>& systems) {
 
 void AddRunCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command = app.add_subcommand("run", kHelp);
+  CLI::App* command = app.add_subcommand("run", kRunHelp);
   AddScenarioOptions(*command, arguments->scenario);
   AddCommandOptions(*command, arguments->commands);
   command->add_option("--out", arguments->out_dir, "folder for log and history");

@@ -34,7 +34,7 @@ struct SubmitArguments {
   SlurmLimits limits;
 };
 
-constexpr const char* kHelp =
+constexpr const char* kSubmitHelp =
     R"(Submit a campaign to Slurm: an array of tasks, and a job that merges.
 
 Examples:
@@ -164,7 +164,7 @@ void AddSlurmOptions(CLI::App& command, SlurmLimits& limits) {
 
 void AddSubmitCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<SubmitArguments>();
-  CLI::App* command = app.add_subcommand("submit", kHelp);
+  CLI::App* command = app.add_subcommand("submit", kSubmitHelp);
   command->add_option("FILE", arguments->campaign.file, "a campaign file")->required();
   AddCampaignOptions(*command, arguments->campaign);
   command->add_option("--shards", arguments->shards, "number of tasks [from the time of a run]")

@@ -24,7 +24,7 @@ struct ViewArguments {
   CommandOptions commands;
 };
 
-constexpr const char* kHelp = R"(Render the stereo pair at a scenario's start pose.
+constexpr const char* kViewHelp = R"(Render the stereo pair at a scenario's start pose.
 
 Examples:
   dockyard view {scenario} --out out/view
@@ -77,7 +77,7 @@ int View(const ViewArguments& arguments, const std::vector<System>& systems) {
 
 void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<ViewArguments>();
-  CLI::App* command = app.add_subcommand("view", kHelp);
+  CLI::App* command = app.add_subcommand("view", kViewHelp);
   AddScenarioOptions(*command, arguments->scenario);
   command->add_option("--out", arguments->out_dir, "folder for the images")->required();
   command->add_flag("--colour", arguments->colour, "write colour images beside the grey ones");

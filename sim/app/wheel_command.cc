@@ -26,7 +26,7 @@ struct WheelArguments {
   bool sweep = false, json = false;
 };
 
-constexpr const char* kHelp =
+constexpr const char* kWheelHelp =
     R"(Drive one wheel over soil under a fixed load, at a set slip and side slip, to steady state.
 
 Examples:
@@ -100,7 +100,7 @@ int Drive(const WheelArguments& arguments) {
 
 void AddWheelCommand(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<WheelArguments>();
-  CLI::App* command = app.add_subcommand("wheel", kHelp);
+  CLI::App* command = app.add_subcommand("wheel", kWheelHelp);
   command->add_option("--wheel", arguments->wheel_file, "a wheel file")->required();
   command->add_option("--soil", arguments->soil_file, "a soil file")->required();
   command->add_option("--slip", arguments->slips, "slip, -1 to 1 [0]")
