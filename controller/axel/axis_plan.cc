@@ -24,8 +24,14 @@ struct Candidate {
 
 class AxisSearch {
  public:
-  AxisSearch(const PlanGeometry& geometry, const AxelOptions& options, const Drift& drift)
-      : geometry_(geometry), options_(options), plan_(options.plan), drift_(drift) {}
+  AxisSearch(const PlanGeometry& geometry, const AxelOptions& options, const PlanHistory& history,
+             const Drift& drift)
+      : geometry_(geometry),
+        options_(options),
+        plan_(options.plan),
+        drift_(drift),
+        abeam_rad_(std::max(plan_.least_abeam_rad,
+                            plan_.abeam_rad - history.back_offs * plan_.abeam_step_rad)) {}
 
   double CuspTurn() const { return 2.0 * std::atan(drift_.here); }
 
@@ -116,7 +122,7 @@ class AxisSearch {
       if (!SeesBoard(geometry_, options_.look, at)) cost += step * plan_.unseen_cost;
       const double aside = std::abs(TetherAngle(geometry_, at));
       cost += step * plan_.tether_angle_cost * std::max(0.0, aside - plan_.tether_angle_rad);
-      cost += step * plan_.abeam_cost * std::max(0.0, aside - plan_.abeam_rad);
+      cost += step * plan_.abeam_cost * std::max(0.0, aside - abeam_rad_);
     }
     return cost;
   }
@@ -125,6 +131,7 @@ class AxisSearch {
   const AxelOptions& options_;
   const PlanOptions& plan_;
   Drift drift_;
+  double abeam_rad_;
 };
 
 }  // namespace
@@ -143,7 +150,7 @@ bool PlanHistory::BackedTo(const Pose2& X_DR) const {
 
 AxisPlan PlanOn(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
                 const Drift& drift) {
-  const AxisSearch search(geometry, options, drift);
+  const AxisSearch search(geometry, options, {}, drift);
   const PlanOptions& plan = options.plan;
   const Pose2 start = CourseOf(X_DR, drift.here, true);
   struct Try {
@@ -172,7 +179,7 @@ AxisPlan PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options, co
     AxisPlan on = PlanOn(geometry, options, X_DR, drift);
     if (!on.arcs.empty()) return on;
   }
-  const AxisSearch search(geometry, options, drift);
+  const AxisSearch search(geometry, options, history, drift);
   const Pose2 ahead = CourseOf(X_DR, drift.here, true), back = CourseOf(X_DR, drift.here, false);
   Candidate best = search.Forward(ahead, plan.max_curvature, search.Goal(plan.align_gap_m));
   search.BackOff(back, history, 1 + history.back_offs, &best);

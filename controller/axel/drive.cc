@@ -49,6 +49,17 @@ void LimitThrust(const Nominal& nominal, double thrust_n, Commands* commands) {
   }
 }
 
+double WheelThrust(const Nominal& nominal, const SensorFrame& sensed) {
+  double thrust_n = 0.0;
+  for (const Motor wheel : {Motor::kLeftWheel, Motor::kRightWheel}) {
+    const NominalMotor& motor = NominalOf(nominal, wheel);
+    const double current_a = sensed.motors[static_cast<std::size_t>(wheel)].current_a;
+    const double driving_a = std::max(0.0, current_a - motor.no_load_current_a);
+    thrust_n += driving_a * motor.torque_per_amp_nm / nominal.wheel_radius_m;
+  }
+  return thrust_n;
+}
+
 double CurrentForTension(const Nominal& nominal, double tension_n) {
   const NominalMotor& spool = NominalOf(nominal, Motor::kSpool);
   return spool.no_load_current_a + tension_n * nominal.drum_radius_m / spool.torque_per_amp_nm;

@@ -3,6 +3,7 @@
 
 #include "controller/axel/nominal/nominal.h"
 #include "controller/io/commands.h"
+#include "controller/io/sensors.h"
 #include "controller/motion/path_follower.h"
 
 namespace dockyard::axel {
@@ -14,6 +15,10 @@ void CommandWheels(const Nominal& nominal, const Twist& twist, double accel_rad_
 void SetWheels(MotorMode mode, Commands* commands);
 /// Wheels that push or hold back with at most thrust_n together.
 void LimitThrust(const Nominal& nominal, double thrust_n, Commands* commands);
+
+/// The force of both wheels, by their currents, less what their gears take [N], >= 0. Currents do
+/// not tell which way.
+double WheelThrust(const Nominal& nominal, const SensorFrame& sensed);
 
 /// Spool current for a tension: torque T r over torque per ampere, plus no-load current.
 double CurrentForTension(const Nominal& nominal, double tension_n);

@@ -38,7 +38,8 @@ bool Driving::PlanEntry(const Senses& senses) {
   const double drift = senses.side_drift();
   const Pose2 X_DR = senses.pose();
   if (!CanMate(geometry_, options_, X_DR, drift)) return false;
-  const double way_m = TipOf(geometry_, X_DR).gap_m - options_.mate.enter_gap_m;
+  const double way_m =
+      TipOf(geometry_, X_DR).gap_m - options_.mate.enter_gap_m + 0.5 * nominal_.paddle_pitch_m;
   const std::vector<Arc> on{{std::max(0.0, way_m), 0.0}};
   Put({MouthLineAt(geometry_, options_.mate, X_DR.x, drift), on}, on);
   ++legs_;

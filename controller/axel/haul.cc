@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/axel/drive.h"
+#include "controller/axel/leg.h"
 #include "controller/axel/tether_length.h"
 
 namespace dockyard::axel {
@@ -52,12 +53,12 @@ Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
   const HaulOptions& haul = options_.haul;
   SetWheels(MotorMode::kFree, commands);
   const Tick since = senses.now() - entered_;
-  const bool stalled = still_.Still(senses.now(), senses.reeled_m()) >= options_.mate.stuck_after;
+  const Tick still = still_.Still(senses.now(), senses.reeled_m());
   MotorCommand& spool = commands->motors[static_cast<std::size_t>(Motor::kSpool)];
   if (stage_ == Stage::kDraw) {
-    spool = Winch(nominal_, tether.tighten_m_s, tether.search_tension_n, tether.accel_rad_s2);
+    ReelNearer(nominal_, options_, still, commands);
     if (senses.reeled_m() - reeled_m_ > options_.search.reel_limit_m) return Status::kLoose;
-    if (stalled) Enter(Stage::kAlign, senses);
+    if (still >= PullStalled(options_)) Enter(Stage::kAlign, senses);
     return Status::kUnderWay;
   }
   if (stage_ == Stage::kEase) {
@@ -69,7 +70,7 @@ Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
   spool = Winch(nominal_, tether.reel_m_s, gently ? haul.align_tension_n : tether.reel_tension_n,
                 tether.accel_rad_s2);
   if (stage_ == Stage::kPull) {
-    if (stalled) Enter(Stage::kPush, senses);
+    if (still >= options_.mate.stuck_after) Enter(Stage::kPush, senses);
     return Status::kUnderWay;
   }
   if (since >= 4 * haul.quarter) return JudgeHere(senses);

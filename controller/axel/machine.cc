@@ -58,6 +58,11 @@ std::optional<Event> AxelMachine::Drive(Commands* commands) {
     seeking_ = true;  // so that it is pulled first
     return Event::kArrived;
   }
+  if (phase_ == Phase::kEnter &&
+      entry_.Over(senses_, TipOf(driving_.geometry(), senses_.pose()).gap_m)) {
+    if (entry_.felt()) belief_.note = "tip feels the cone";
+    return Event::kArrived;
+  }
   if (status == LegDriver::Status::kUnderWay) return std::nullopt;
   if (status == LegDriver::Status::kFellShort) belief_.note = "leg fell short";
   return Event::kArrived;
@@ -120,6 +125,7 @@ void AxelMachine::Enter(Phase phase) {
   if (phase == Phase::kSearch) BeginSearch();
   if (phase == Phase::kRight) righting_.Begin(senses_);
   if (phase == Phase::kHaul) haul_.Begin(senses_);
+  if (phase == Phase::kEnter) entry_.Begin();
   const bool drives = phase == Phase::kApproach || phase == Phase::kAlign ||
                       phase == Phase::kBackOff || phase == Phase::kRecover ||
                       phase == Phase::kMate || phase == Phase::kEnter;

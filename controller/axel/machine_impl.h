@@ -31,6 +31,7 @@ class AxelMachine final : public Controller {
         driving_(nominal, options),
         arm_(nominal, options.arm),
         righting_(nominal, options.righting),
+        entry_(nominal, options),
         reel_in_(nominal, options),
         haul_(nominal, options),
         judge_(options.look, nominal.X_DB),
@@ -69,9 +70,6 @@ class AxelMachine final : public Controller {
   double ReeledHere() const { return senses_.reeled_m() - reeled_at_entry_m_; }
   double RolledHere() const { return senses_.rolled_m() - rolled_before_m_; }
   double TurnedHere() const { return WrapPi(senses_.yaw_rad() - yaw_at_entry_rad_); }
-  bool Stuck() {
-    return still_.Still(senses_.now(), senses_.reeled_m()) >= options_.mate.stuck_after;
-  }
 
   std::optional<Event> Act(const SensorFrame& sensed, Commands* commands);
   std::optional<Event> Tighten(Commands* commands);
@@ -112,6 +110,7 @@ class AxelMachine final : public Controller {
   Driving driving_;
   ArmLevel arm_;
   Righting righting_;
+  Entry entry_;
   ReelIn reel_in_;
   Haul haul_;
   SightingJudge judge_;
@@ -144,7 +143,8 @@ class AxelMachine final : public Controller {
     Tick since = 0;
     double reeled_m = 0.0;
     bool looked = false;
-    std::optional<double> depth_m{};
+    std::optional<TipSeen> tip{};
+    std::optional<Straighten> straighten{};
   };
   std::optional<Braked> braked_;
 };

@@ -25,7 +25,13 @@ std::optional<Event> AxelMachine::Confirm(const SensorFrame& sensed, Commands* c
   if (!Steadied(commands)) return std::nullopt;
   const bool looked = LookedAtHome(sensed, commands);
   const bool waited = senses_.now() - braked_->since >= options_.mate.confirm_time;
-  return looked && waited ? std::optional<Event>(RuleHome()) : std::nullopt;
+  if (!looked || !waited) return std::nullopt;
+  if (braked_->tip) {
+    if (!braked_->straighten) braked_->straighten.emplace(braked_->tip->askew_rad);
+    if (!braked_->straighten->Step(nominal_, senses_, options_.mate, commands)) return std::nullopt;
+    braked_->tip->askew_rad = braked_->straighten->LeanLeft(senses_);
+  }
+  return RuleHome();
 }
 
 bool AxelMachine::Steadied(Commands* commands) {
@@ -49,9 +55,11 @@ bool AxelMachine::LookedAtHome(const SensorFrame& sensed, Commands* commands) {
     if (!seen.sighting) return true;
     judge_.NewStop();
     judge_.Judge(*seen.sighting, &senses_);
-    const double depth_m = DepthBySighting(nominal_, seen.sighting->X_RB, senses_.arm_rad());
+    const Pose3& X_RB = seen.sighting->X_RB;
+    const TipSeen tip{DepthBySighting(nominal_, X_RB, senses_.arm_rad()),
+                      AskewBySighting(nominal_, X_RB, senses_.arm_rad())};
     // Deeper than the floor is nonsense.
-    if (depth_m <= nominal_.seat_depth_m + options_.mate.over_reel_m) braked_->depth_m = depth_m;
+    if (tip.depth_m <= nominal_.seat_depth_m + options_.mate.over_reel_m) braked_->tip = tip;
     return true;
   }
   if (!asked_at_) {
@@ -63,14 +71,15 @@ bool AxelMachine::LookedAtHome(const SensorFrame& sensed, Commands* commands) {
 }
 
 Event AxelMachine::RuleHome() {
-  SeatKnowledge known{.depth_by_drum_m = reel_in_.DepthByDrum(senses_),
-                      .depth_by_picture_m = braked_->depth_m};
+  SeatKnowledge known{.depth_by_drum_m = reel_in_.DepthByDrum(senses_), .by_picture = braked_->tip};
   if (reel_in_.wiggles() > 0) known.taken_up_by_push_m = reel_in_.taken_up_m(senses_);
   SeatRuling ruling = RuleSeat(known, nominal_.seat_depth_m, options_.mate);
   const double slipped = std::abs(senses_.reeled_m() - braked_->reeled_m);
   if (slipped > options_.mate.confirm_slip_m) ruling = SeatRuling::kShort;
-  belief_.note = known.depth_by_picture_m
-                     ? "tip " + Fixed(*known.depth_by_picture_m, 3) + " m deep by its picture"
+  belief_.note = known.by_picture
+                     ? "tip " + Fixed(known.by_picture->depth_m, 3) +
+                           " m deep by its picture, arm " +
+                           Fixed(Degrees(known.by_picture->askew_rad), 1) + " deg aside"
                      : "tip " + Fixed(known.depth_by_drum_m, 3) + " m deep by the drum";
   if (ruling == SeatRuling::kSeated) return Event::kSteady;
   if (reel_in_.wiggles() < options_.mate.wiggles) return Event::kStopsShort;

@@ -1,27 +1,72 @@
 #include "controller/axel/mating.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "controller/axel/drive.h"
 
 namespace dockyard::axel {
 
+namespace {
+
+/// From the axle's middle to the tip, as a unit vector in the body's frame.
+Eigen::Vector3d ArmInBody(double arm_rad) { return {std::cos(arm_rad), 0.0, -std::sin(arm_rad)}; }
+
+}  // namespace
+
 double DepthBySighting(const Nominal& nominal, const Pose3& X_RB, double arm_rad) {
-  const double reach = nominal.arm_length_m;
-  const Eigen::Vector3d p_RT(reach * std::cos(arm_rad), 0.0, -reach * std::sin(arm_rad));
+  const Eigen::Vector3d p_RT = nominal.arm_length_m * ArmInBody(arm_rad);
   // Along the ground, not along the cone's axis: 1 mm less at 5 deg of tilt and 0.23 m.
   return -(nominal.X_DB * Inverse(X_RB) * p_RT).x();
 }
 
+double AskewBySighting(const Nominal& nominal, const Pose3& X_RB, double arm_rad) {
+  const Eigen::Vector3d arm_D = (nominal.X_DB * Inverse(X_RB)).R * ArmInBody(arm_rad);
+  return std::atan2(arm_D.y(), -arm_D.x());
+}
+
 SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateOptions& options) {
-  if (known.depth_by_picture_m) {
-    const bool deep = *known.depth_by_picture_m >= seat_depth_m - options.seat_margin_m;
-    return deep ? SeatRuling::kSeated : SeatRuling::kShort;
+  if (known.by_picture) {
+    const bool deep = known.by_picture->depth_m >= seat_depth_m - options.seat_margin_m;
+    const bool straight = std::abs(known.by_picture->askew_rad) <= options.askew_rad;
+    return deep && straight ? SeatRuling::kSeated : SeatRuling::kShort;
   }
   if (known.depth_by_drum_m < seat_depth_m - options.seat_margin_m) return SeatRuling::kShort;
   if (!known.taken_up_by_push_m) return SeatRuling::kUnproven;
   const bool firm = *known.taken_up_by_push_m < options.wiggle_gain_m;
   return firm ? SeatRuling::kSeated : SeatRuling::kShort;
+}
+
+bool Straighten::Step(const Nominal& nominal, const Senses& senses, const MateOptions& options,
+                      Commands* commands) {
+  if (std::abs(lean_rad_) <= options.straighten_rad) return true;
+  if (!since_) {
+    since_ = senses.now();
+    yaw_rad_ = senses.yaw_rad();
+  }
+  if (stopped_) return senses.now() - *stopped_ >= options.straighten_rest;
+  const bool straight = LeanLeft(senses) * lean_rad_ <= options.straight_rad * std::abs(lean_rad_);
+  if (straight || senses.now() - *since_ >= options.straighten_limit) {
+    stopped_ = senses.now();
+    return false;
+  }
+  // Left is positive for the turn; a lean to D's +y is one to the right of a rover that faces it.
+  const double rate = std::copysign(options.straighten_rad_s, lean_rad_);
+  CommandWheels(nominal, {0.0, rate}, options.straighten_accel_rad_s2, commands);
+  return false;
+}
+
+double Straighten::LeanLeft(const Senses& senses) const {
+  return since_ ? lean_rad_ - WrapPi(senses.yaw_rad() - yaw_rad_) : lean_rad_;
+}
+
+bool Entry::Over(const Senses& senses, double tip_gap_m) {
+  const bool pushes =
+      senses.wheel_thrust_n() >= options_.mate.contact_share * options_.mate.enter_thrust_n;
+  const Tick still = still_.Still(senses.now(), senses.rolled_m());
+  felt_ = pushes && still >= options_.mate.contact_after;
+  const bool level = std::abs(senses.attitude().roll_rad) <= options_.mate.level_rad;
+  return felt_ || (tip_gap_m <= options_.mate.enter_gap_m && level);
 }
 
 void ReelIn::Begin(const Senses& senses, double tip_gap_m) {
@@ -52,6 +97,19 @@ void ReelIn::TurnToAndFro(Tick since, Commands* commands) const {
   CommandWheels(nominal_, {0.0, rate}, options_.mate.wiggle_accel_rad_s2, commands);
 }
 
+// Over half a pitch and back, the spool giving way meanwhile.
+void ReelIn::RollToAndFro(Tick since, Commands* commands) const {
+  const Tick half = 2 * options_.mate.wiggle_quarter;
+  const double speed_m_s =
+      0.5 * nominal_.paddle_pitch_m / (kTickSeconds * static_cast<double>(half));
+  CommandWheels(nominal_, {since < half ? -speed_m_s : speed_m_s, 0.0},
+                options_.drive.wheel_accel_rad_s2, commands);
+  const TetherOptions& tether = options_.tether;
+  if (since < half)
+    commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
+        Winch(nominal_, tether.reel_m_s, tether.reverse_tension_n, tether.accel_rad_s2);
+}
+
 // Gently, wheels and spool together roll the rover over its paddles. What that does not bring in,
 // the spool's whole pull does. An arm in the cone bears that pull, so the wheels alone push the
 // station.
@@ -75,7 +133,8 @@ bool ReelIn::Step(const Senses& senses, Commands* commands) {
   if (wiggle_since_) {
     const Tick since = senses.now() - *wiggle_since_;
     if (since < 4 * options_.mate.wiggle_quarter) {
-      TurnToAndFro(since, commands);
+      const bool rolls = wiggles_ == 2 && nominal_.paddle_pitch_m > 0.0;
+      rolls ? RollToAndFro(since, commands) : TurnToAndFro(since, commands);
       return false;
     }
     wiggle_since_.reset();

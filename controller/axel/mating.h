@@ -15,10 +15,19 @@ namespace dockyard::axel {
 /// that leans or has been pushed does not matter.
 double DepthBySighting(const Nominal& nominal, const Pose3& X_RB, double arm_rad);
 
+/// How far the arm leans to a side of the cone's axis [rad], positive to D's +y, from the same two
+/// alone.
+double AskewBySighting(const Nominal& nominal, const Pose3& X_RB, double arm_rad);
+
+/// What a picture at the rover's stop shows.
+struct TipSeen {
+  double depth_m = 0.0;
+  double askew_rad = 0.0;
+};
 /// What the rover knows at its stop.
 struct SeatKnowledge {
   double depth_by_drum_m = 0.0;                // since the last picture before the mouth
-  std::optional<double> depth_by_picture_m{};  // none: no picture, or the board is not found in it
+  std::optional<TipSeen> by_picture{};         // none: no picture, or the board is not found in it
   std::optional<double> taken_up_by_push_m{};  // while it was pushed to and fro; none: not pushed
 };
 enum class SeatRuling {
@@ -27,9 +36,46 @@ enum class SeatRuling {
   kUnproven,  // without a picture: push first
 };
 /// Whether the tip is on the socket's floor. A picture decides alone, as it is right to millimetres
-/// there. Without one the drum's count must be deep enough, and a push to each side must not let
-/// the tether in any further.
+/// there: deep enough, and the arm nearly straight. Without one the drum's count must be deep
+/// enough, and a push to each side must not let the tether in any further.
 SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateOptions& options);
+
+/// Turns the braked rover by a lean that its picture showed, so that the arm is in the middle of
+/// its play and not bent against a side.
+class Straighten {
+ public:
+  explicit Straighten(double lean_rad) : lean_rad_(lean_rad) {}
+  /// Sets the wheels' commands; whether it is over and the rover at rest again.
+  bool Step(const Nominal& nominal, const Senses& senses, const MateOptions& options,
+            Commands* commands);
+  /// What is left of the lean, by the inertial unit [rad].
+  double LeanLeft(const Senses& senses) const;
+
+ private:
+  double lean_rad_;
+  double yaw_rad_ = 0.0;  // at the start
+  std::optional<Tick> since_, stopped_;
+};
+
+/// Whether the way into the mouth is over. Its arcs lead half a pitch of the paddles on behind
+/// that.
+class Entry {
+ public:
+  Entry(const Nominal& nominal, const AxelOptions& options)
+      : nominal_(nominal), options_(options), still_(options.tether.still_m) {}
+
+  void Begin() { still_.Reset(); }
+  /// Over once the tip is as deep as wanted by the estimate and the axle lies level on its paddles,
+  /// or once the tip feels the cone.
+  bool Over(const Senses& senses, double tip_gap_m);
+  bool felt() const { return felt_; }
+
+ private:
+  Nominal nominal_;
+  AxelOptions options_;
+  StillWatch still_;
+  bool felt_ = false;
+};
 
 /// The spool pulls until it stops, first gently, then as hard as it can. The wheels run along with
 /// little thrust: what they do not carry over their paddles the station would have to bear, and
@@ -43,7 +89,8 @@ class ReelIn {
 
   /// A new reel-in from a tip this far before the mouth (negative: inside it) by the estimate.
   void Begin(const Senses& senses, double tip_gap_m);
-  /// Goes on after a stop: first to and fro, each time harder than the last.
+  /// Goes on after a stop: first to and fro, each time harder than the last. The second time the
+  /// rover rolls half a pitch of its paddles back and on, so that others carry it.
   void Wiggle(const Senses& senses);
 
   /// Sets the commands of wheels and spool. Whether it is over: nothing more comes in, or more came
@@ -58,6 +105,7 @@ class ReelIn {
  private:
   void Pull(Tick still, Commands* commands) const;
   void TurnToAndFro(Tick since, Commands* commands) const;
+  void RollToAndFro(Tick since, Commands* commands) const;
 
   Nominal nominal_;
   AxelOptions options_;

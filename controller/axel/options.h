@@ -28,8 +28,14 @@ struct TetherOptions {
   // Paddles peak at W tan(pi/n) = 105 N. Straightening the arm at its collar's lead-in takes the
   // spool's full pull, which the socket's floor bears. Assumed, 200-300.
   double reel_tension_n = 300.0;
-  double search_tension_n = 150.0;  // rolls free wheels on either soil (88 N loose); range 110-200
-  double accel_rad_s2 = 2.0;        // of the drum; reaches 0.05 m/s in half a second; assumed, 1-5
+  // Rolls free wheels on either soil: 88 N loose, 105 N over a paddle. The station's feet slip at
+  // 137 N, less on a slope. Range 106-130.
+  double search_tension_n = 120.0;
+  // Where the spool stalls, the wheels help it over the paddle first, with that thrust: 5 deg of
+  // slope leave the station 95 N. Assumed, 70-95 N, 40-80 N, 0.2-1 s and 0.5-2 s.
+  double first_tension_n = 85.0, nudge_thrust_n = 60.0;
+  Tick nudge_after = 400, nudge_time = 1'000;
+  double accel_rad_s2 = 2.0;  // of the drum; reaches 0.05 m/s in half a second; assumed, 1-5
   // Still: less than this taken up for that long. 2 mm at 0.05 m/s is 0.04 s of running.
   double still_m = 0.002;
   Tick taut_after = 500;
@@ -111,9 +117,11 @@ struct PlanOptions {
   // 70 N.
   double tether_angle_rad = Radians(45.0);
   double tether_angle_cost = 1.0;  // a metre at one radian more, in metres
-  // Nearly never a tether from abeam, where a leg ends (SearchOptions::abeam_rad): that, less what
-  // a rover that drifts heads beside its course. Assumed, 75-85 deg and 10-50 m.
-  double abeam_rad = Radians(80.0), abeam_cost = 20.0;
+  // Nearly never a tether from farther aside: from there its pull takes what the wheels turn on
+  // compact soil (simulated). Each back-off of the run asks for less, down to the least, so that
+  // the plan which failed is not tried again. Assumed, 60-80, 5-15 and 25-40 deg; 10-50 m.
+  double abeam_rad = Radians(65.0), abeam_step_rad = Radians(10.0), least_abeam_rad = Radians(30.0);
+  double abeam_cost = 20.0;
   double back_step_m = 0.5, back_limit_m = 3.5;
   int back_turns = 3;                       // curvatures of a back-off, per side
   double max_range_m = 5.5;                 // marks are made for 5 m (Tsai et al., III-A)
@@ -147,6 +155,10 @@ struct MateOptions {
   // A stop this far before the floor counts as seated: about the middle between it and where arms
   // stop at their lead-in, 2.6 to 3.5 cm before it. Range 0.008-0.02.
   double seat_margin_m = 0.013;
+  // An arm that leans more to a side is not seated: its play is 1.5 deg to either side, arm and
+  // cone bend by 1.3 deg. One that leans by 1.9 or 2.3 deg may come loose in the judge's shake
+  // (simulated). Range 1.5-2.2.
+  double askew_rad = Radians(1.8);
   // A look with the tip so deep inside goes on with the reel-in. Assumed, 0.1-0.18.
   double inside_m = 0.12;
   // Of both wheels while the spool reels in. Rolling over a paddle takes 105 N, and the feet of a
@@ -157,8 +169,14 @@ struct MateOptions {
   Tick moving_after = 200;
   // Into the mouth, where the tether pulls less: a tip that meets the rim pushes with that.
   double enter_thrust_n = 70.0;  // assumed, 60-100
-  Tick stuck_after = 2'000;      // spool at its limit without taking up
-  Tick free_after = 400;         // and the wheels push no more, before the brake; assumed, 0.2-1 s
+  // The tip feels the cone: wheels that push with so much of that and do not roll. Before that the
+  // way goes on until the axle lies level on its paddles, by the inertial unit, at most half a
+  // pitch. Assumed, 0.7-0.95, 0.3-1 s and 0.3-1 deg.
+  double contact_share = 0.8;
+  Tick contact_after = 500;
+  double level_rad = Radians(0.5);
+  Tick stuck_after = 2'000;  // spool at its limit without taking up
+  Tick free_after = 400;     // and the wheels push no more, before the brake; assumed, 0.2-1 s
   // Two thirds of what slips the station. It ends when nothing came in for gentle_after: at the
   // lead-in, on the floor, or before a paddle uphill.
   double gentle_tension_n = 90.0;  // assumed, 60-110
@@ -171,6 +189,13 @@ struct MateOptions {
   // A push to each side that takes up less than this has moved nothing: five counts of the drum,
   // the tether's stretch and the seated arm's play. Assumed, 0.002-0.005.
   double wiggle_gain_m = 0.003;
+  // An arm that leans more is turned into the middle of its play before the rover claims, until the
+  // inertial unit has seen that turn. Assumed, 1-1.6 deg, 0.03-0.1 rad/s, 2-5 s and 0.4-1 s.
+  // The wheels stand wound up in the soil and turn it on by a degree more once they are braked, so
+  // that it stops early. Assumed, 0.8-1.4 deg.
+  double straighten_rad = Radians(1.5), straight_rad = Radians(1.2);
+  double straighten_rad_s = 0.05, straighten_accel_rad_s2 = 0.5;
+  Tick straighten_limit = 3'000, straighten_rest = 600;
   Tick picture_limit = 5'000;  // for the picture at home, which may be late; assumed, 2-10 s
   // Seated, wheels braked: the tether is drawn taut before the brake, else the rover hangs loose in
   // the socket. Above a straight pull's 90 N, below the 105 N that lift it over a paddle; 60-150.

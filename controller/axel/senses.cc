@@ -38,6 +38,7 @@ void Senses::Update(const SensorFrame& sensed) {
   const double current = sensed.motors[static_cast<std::size_t>(Motor::kSpool)].current_a;
   const double share = started_ ? 1.0 - std::exp(-seconds / tether_.current_smoothing_s) : 1.0;
   spool_current_a_ += share * (current - spool_current_a_);
+  wheel_thrust_n_ += share * (WheelThrust(nominal_, sensed) - wheel_thrust_n_);
   const Motion motion = odometer_.Read(sensed, ground_, filter_.pose().heading);
   rolled_m_ += motion.length_m;
   const GroundForce force = ForceNow(reeled_m_ < reeled_before_m);

@@ -54,6 +54,8 @@ class Senses {
   double reeled_m() const { return reeled_m_; }
   double rolled_m() const { return rolled_m_; }                // along the heading since power-on
   double spool_current_a() const { return spool_current_a_; }  // low-passed
+  /// As WheelThrust, low-passed as the spool's current.
+  double wheel_thrust_n() const { return wheel_thrust_n_; }
   /// Sideways way to the left for each metre of way, by the side forces of the last second.
   double side_drift() const { return filter_.slip().Drift(force_); }
   /// Gravity's share of the weight along the axle, to the left, in the last second.
@@ -88,6 +90,7 @@ class Senses {
   Tick now_ = 0, last_tether_fix_ = 0;
   ImuSample imu_{};
   double arm_rad_ = 0.0, reeled_m_ = 0.0, rolled_m_ = 0.0, spool_current_a_ = 0.0;
+  double wheel_thrust_n_ = 0.0;
 };
 
 }  // namespace dockyard::axel

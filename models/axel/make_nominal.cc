@@ -20,6 +20,8 @@ Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double
   }
   nominal.wheel_radius_m =
       0.5 * (RollingRadius(rover.left_wheel_soil) + RollingRadius(rover.right_wheel_soil));
+  const int paddles = rover.left_wheel_soil.paddle_count;
+  nominal.paddle_pitch_m = paddles > 0 ? 2.0 * kPi * nominal.wheel_radius_m / paddles : 0.0;
   nominal.track_m = rover.track_m();
   nominal.arm_length_m = rover.arm_length_m;
   nominal.arm_at_zero_rad = arm_at_zero_rad;

@@ -166,6 +166,7 @@ Nominal Read(const Json& json) {
     nominal.motors[i] = MotorFromJson(json.at("motors").at(i));
   }
   nominal.wheel_radius_m = json.at("wheel_radius_m");
+  nominal.paddle_pitch_m = json.at("paddle_pitch_m");
   nominal.track_m = json.at("track_m");
   nominal.arm_length_m = json.at("arm_length_m");
   nominal.arm_at_zero_rad = json.at("arm_at_zero_rad");
@@ -195,6 +196,7 @@ Json ToJson(const Nominal& nominal) {
           {"X_DB", ToJson(nominal.X_DB)},
           {"motors", motors},
           {"wheel_radius_m", nominal.wheel_radius_m},
+          {"paddle_pitch_m", nominal.paddle_pitch_m},
           {"track_m", nominal.track_m},
           {"arm_length_m", nominal.arm_length_m},
           {"arm_at_zero_rad", nominal.arm_at_zero_rad},

@@ -21,6 +21,7 @@ struct Nominal {
   Pose3 X_DB;  // board in the dock, station standing level on flat ground
   std::array<NominalMotor, kMotorCount> motors;  // by Motor
   double wheel_radius_m = 0.0;                   // rolling radius on firm ground: rim plus paddle
+  double paddle_pitch_m = 0.0;                   // rolled from one paddle to the next; 0: smooth
   double track_m = 0.0;                          // between the wheels' middles
   double arm_length_m = 0.0;                     // axle to arm tip
   double arm_at_zero_rad = 0.0;  // arm against body at encoder zero, about +y: tip-down positive

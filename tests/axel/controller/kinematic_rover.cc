@@ -43,6 +43,7 @@ Nominal TestNominal() {
   nominal.motors = {wheel, wheel, NominalMotor{1e-4, 20.0, 0.2, 5.0, 0.5, 2.0},
                     NominalMotor{1e-4, 10.0, 0.2, 2.2, 2.0, 5.0}};
   nominal.wheel_radius_m = 0.30;
+  nominal.paddle_pitch_m = 0.15;
   nominal.track_m = 0.85;
   nominal.arm_length_m = 1.0;
   nominal.drum_radius_m = 0.06;

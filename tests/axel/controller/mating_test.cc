@@ -16,9 +16,18 @@ TEST(SeatRuling, PictureDecidesWhateverTheDrumSays) {
   for (const double drum : {0.10, 0.19, 0.23, 0.30}) {
     for (const std::optional<double> push :
          {std::optional<double>{}, std::optional<double>{0.02}}) {
-      EXPECT_EQ(RuleSeat({drum, 0.229, push}, kFloor, kMate), SeatRuling::kSeated);
-      EXPECT_EQ(RuleSeat({drum, 0.195, push}, kFloor, kMate), SeatRuling::kShort);
+      EXPECT_EQ(RuleSeat({drum, TipSeen{0.229, 0.01}, push}, kFloor, kMate), SeatRuling::kSeated);
+      EXPECT_EQ(RuleSeat({drum, TipSeen{0.195, 0.01}, push}, kFloor, kMate), SeatRuling::kShort);
     }
+  }
+}
+
+TEST(SeatRuling, ArmThatLeansBeyondItsPlayIsShortHoweverDeep) {
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_EQ(RuleSeat({0.23, TipSeen{0.23, side * Radians(1.5)}, {}}, kFloor, kMate),
+              SeatRuling::kSeated);
+    EXPECT_EQ(RuleSeat({0.23, TipSeen{0.23, side * Radians(2.5)}, 0.0}, kFloor, kMate),
+              SeatRuling::kShort);
   }
 }
 
@@ -34,16 +43,21 @@ TEST(SeatRuling, DrumThatIsNotDeepEnoughIsShortHoweverFirm) {
 }
 
 // Against poses put together from the other end: tip in the dock, then body, then board.
-TEST(DepthBySighting, IsThatOfTheTipWhateverTheBodysPitchAndTheArmsAngle) {
+TEST(SightingAtHome, GivesDepthAndLeanWhateverTheBodysPitchAndTheArmsAngle) {
   const Nominal nominal = TestNominal();
   for (const double depth : {-0.3, 0.0, 0.19, 0.23}) {
     for (const double pitch : {-0.2, 0.0, 0.1}) {
       for (const double arm : {-0.1, 0.0, 0.3}) {
-        const double elevation = -(pitch + arm);
-        const Pose2 X_DR{nominal.arm_length_m * std::cos(elevation) - depth, 0.01, kPi};
-        const Pose3 X_HR{RotY(pitch), Eigen::Vector3d::Zero()};
-        const Pose3 X_RB = Inverse(FromGround(X_DR, nominal.wheel_radius_m) * X_HR) * nominal.X_DB;
-        EXPECT_NEAR(DepthBySighting(nominal, X_RB, arm), depth, 1e-12);
+        for (const double askew : {-0.05, 0.0, 0.02}) {
+          const double reach_m = nominal.arm_length_m * std::cos(pitch + arm);
+          // Towards D's +y is clockwise for a rover that faces the dock.
+          const Pose2 X_DR{reach_m * std::cos(askew) - depth, 0.01, kPi - askew};
+          const Pose3 X_HR{RotY(pitch), Eigen::Vector3d::Zero()};
+          const Pose3 X_RB =
+              Inverse(FromGround(X_DR, nominal.wheel_radius_m) * X_HR) * nominal.X_DB;
+          EXPECT_NEAR(DepthBySighting(nominal, X_RB, arm), depth, 1e-12);
+          EXPECT_NEAR(AskewBySighting(nominal, X_RB, arm), askew, 1e-12);
+        }
       }
     }
   }
@@ -74,6 +88,8 @@ class Wiggle : public testing::Test {
 
 TEST_F(Wiggle, TurnsToAndFroWithoutGoingOnAndEndsWhereItBegan) {
   senses_.Update(frame_);
+  nominal_.paddle_pitch_m = 0.0;  // of smooth wheels, which need no roll
+  reel_in_ = ReelIn(nominal_, options_);
   reel_in_.Begin(senses_, 0.0);
   double hardest = 0.0;
   for (int k = 1; k <= options_.mate.wiggles; ++k) {
@@ -92,6 +108,126 @@ TEST_F(Wiggle, TurnsToAndFroWithoutGoingOnAndEndsWhereItBegan) {
     EXPECT_GT(most, hardest);               // each time harder
     hardest = most;
   }
+}
+
+TEST_F(Wiggle, SecondRollsHalfAPitchBackWithTheSpoolGivingWayAndOnAgain) {
+  senses_.Update(frame_);
+  reel_in_.Begin(senses_, 0.0);
+  reel_in_.Wiggle(senses_);
+  UntilItStops();
+  reel_in_.Wiggle(senses_);
+  const std::vector<Commands> sent = UntilItStops();
+  double way_m = 0.0, furthest_back_m = 0.0;
+  for (std::size_t i = 0;
+       i < static_cast<std::size_t>(4 * options_.mate.wiggle_quarter / kControlPeriod); ++i) {
+    const MotorCommand& left = sent[i].motors[static_cast<std::size_t>(Motor::kLeftWheel)];
+    const MotorCommand& right = sent[i].motors[static_cast<std::size_t>(Motor::kRightWheel)];
+    const MotorCommand& spool = sent[i].motors[static_cast<std::size_t>(Motor::kSpool)];
+    EXPECT_DOUBLE_EQ(left.target, right.target);
+    if (left.target < 0.0) {
+      EXPECT_DOUBLE_EQ(TensionFromCurrent(nominal_, spool.current_limit_a),
+                       options_.tether.reverse_tension_n);
+    }
+    way_m += left.target * nominal_.wheel_radius_m * kTickSeconds * kControlPeriod;
+    furthest_back_m = std::min(furthest_back_m, way_m);
+  }
+  const double step_m = 0.001;  // of one control period
+  EXPECT_NEAR(furthest_back_m, -0.5 * nominal_.paddle_pitch_m, step_m);
+  EXPECT_NEAR(way_m, 0.0, 2.0 * step_m);
+}
+
+class Straightening : public Wiggle {
+ protected:
+  /// What is left of the lean, of a rover that turns by this share of what its wheels are told.
+  double LeftOf(double lean_rad, double response) {
+    Straighten straighten(lean_rad);
+    turns_ = 0;
+    for (int i = 0; i < 500; ++i) {
+      frame_.tick += kControlPeriod;
+      senses_.Update(frame_);
+      Commands commands = BrakedCommands();
+      if (straighten.Step(nominal_, senses_, options_.mate, &commands))
+        return straighten.LeanLeft(senses_);
+      const MotorCommand& left = commands.motors[static_cast<std::size_t>(Motor::kLeftWheel)];
+      const MotorCommand& right = commands.motors[static_cast<std::size_t>(Motor::kRightWheel)];
+      if (left.mode != MotorMode::kVelocity) continue;
+      ++turns_;
+      const double rate = (right.target - left.target) * nominal_.wheel_radius_m / nominal_.track_m;
+      frame_.imu.yaw_rad += response * rate * kTickSeconds * kControlPeriod;
+    }
+    ADD_FAILURE() << "never ends";
+    return 0.0;
+  }
+  int turns_ = 0;
+};
+
+TEST_F(Straightening, TurnsAnArmThatLeansToEitherSideUntilItIsNearlyStraight) {
+  for (const double side : {-1.0, 1.0}) {
+    const double left_rad = LeftOf(side * Radians(2.3), 1.0);
+    EXPECT_NEAR(Degrees(left_rad), side * Degrees(options_.mate.straight_rad), 0.1);
+  }
+}
+
+TEST_F(Straightening, LeavesAnArmAloneThatIsStraightEnough) {
+  EXPECT_DOUBLE_EQ(LeftOf(Radians(1.4), 1.0), Radians(1.4));
+  EXPECT_EQ(turns_, 0);
+}
+
+TEST_F(Straightening, OfARoverThatDoesNotTurnEndsAndLeavesTheLean) {
+  EXPECT_DOUBLE_EQ(LeftOf(Radians(2.3), 0.0), Radians(2.3));
+  EXPECT_GT(turns_, 0);
+}
+
+class EnteringTheMouth : public Wiggle {
+ protected:
+  Entry entry_{nominal_, options_};
+
+  /// Steps with wheels that push like this and roll like this, until the entry is over or the time
+  /// is; returns how long it took [s].
+  double SecondsUntilOver(double thrust_n, double speed_m_s, double tip_gap_m, double roll_rad) {
+    const auto left = static_cast<std::size_t>(Motor::kLeftWheel);
+    frame_.imu.roll_rad = roll_rad;
+    for (const auto i : {left, static_cast<std::size_t>(Motor::kRightWheel)}) {
+      const NominalMotor& motor = nominal_.motors[i];
+      frame_.motors[i].current_a = motor.no_load_current_a + 0.5 * thrust_n *
+                                                                 nominal_.wheel_radius_m /
+                                                                 motor.torque_per_amp_nm;
+    }
+    double rolled_m = 0.0;
+    for (int i = 0; i < 1'000; ++i) {
+      frame_.tick += kControlPeriod;
+      rolled_m += speed_m_s * kTickSeconds * kControlPeriod;
+      for (const auto m : {left, static_cast<std::size_t>(Motor::kRightWheel)}) {
+        frame_.motors[m].encoder_counts = static_cast<std::int64_t>(
+            std::round(rolled_m / nominal_.wheel_radius_m / nominal_.motors[m].rad_per_count));
+      }
+      senses_.Update(frame_);
+      if (entry_.Over(senses_, tip_gap_m)) return kTickSeconds * kControlPeriod * (i + 1);
+    }
+    return kNever;
+  }
+  static constexpr double kNever = 1e9;
+  static constexpr double kSpeed = 0.03;
+};
+
+TEST_F(EnteringTheMouth, IsOverWhereTheTipIsDeepEnoughAndTheAxleLevel) {
+  EXPECT_LT(SecondsUntilOver(20.0, kSpeed, -0.04, 0.0), 0.1);
+  EXPECT_FALSE(entry_.felt());
+}
+
+TEST_F(EnteringTheMouth, GoesOnWhileTheTipIsNotDeepOrTheAxleNotLevel) {
+  EXPECT_EQ(SecondsUntilOver(20.0, kSpeed, 0.02, 0.0), kNever);
+  EXPECT_EQ(SecondsUntilOver(20.0, kSpeed, -0.04, Radians(2.0)), kNever);
+}
+
+TEST_F(EnteringTheMouth, IsOverOnceWheelsPushAndDoNotRoll) {
+  EXPECT_NEAR(SecondsUntilOver(options_.mate.enter_thrust_n, 0.0, 0.03, 0.0), 0.5, 0.4);
+  EXPECT_TRUE(entry_.felt());
+}
+
+TEST_F(EnteringTheMouth, WheelsThatPushAndRollOrStandWithoutPushingFeelNothing) {
+  EXPECT_EQ(SecondsUntilOver(options_.mate.enter_thrust_n, kSpeed, 0.03, 0.0), kNever);
+  EXPECT_EQ(SecondsUntilOver(20.0, 0.0, 0.03, 0.0), kNever);
 }
 
 TEST_F(Wiggle, WheelsRunAlongWithLittleThrustAndAreFreeAtTheEnd) {
