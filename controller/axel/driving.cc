@@ -34,6 +34,15 @@ Event Driving::PlanNext(const Senses& senses) {
   return decision.event;
 }
 
+std::optional<Event> Driving::PlanOnward(const Senses& senses) {
+  Decision decision = Decide(geometry_, options_, senses.pose(), history_, DriftOf(senses));
+  if (decision.event != Event::kGoApproach && decision.event != Event::kGoAlign)
+    return std::nullopt;
+  Put(decision.plan, std::move(decision.leg));
+  ++legs_;
+  return decision.event;
+}
+
 bool Driving::PlanEntry(const Senses& senses) {
   const double drift = senses.side_drift();
   const Pose2 X_DR = senses.pose();

@@ -17,6 +17,8 @@ class Driving {
 
   /// After a sighting: plans the next leg, and what it is for. Nothing is planned for kGoRecover.
   Event PlanNext(const Senses& senses);
+  /// At a leg's end under way: plans the next forward leg to the axis, if that is what comes next.
+  std::optional<Event> PlanOnward(const Senses& senses);
   /// With the tip at the mouth: whether the arm will seat. If so, plans the rest of the way.
   bool PlanEntry(const Senses& senses);
   void PlanBack(const Senses& senses);
@@ -30,12 +32,13 @@ class Driving {
   /// Drives on. When the rover has come off its plan by more than the steering can bring back, the
   /// rest is planned anew.
   LegDriver::Status Drive(Senses* senses, Commands* commands);
+  double left_m() const { return driver_ ? driver_->Remaining() : 0.0; }  // of the leg
   bool paused() const { return driver_ && driver_->paused(); }
 
   /// The plan in force, and how many there were.
   const std::vector<PlannedArc>& plan() const { return planned_; }
   int plan_count() const { return plan_count_; }
-  int legs() const { return legs_; }  // of them planned at rest
+  int legs() const { return legs_; }  // of them planned at a leg's start
   int recoveries() const { return history_.recoveries; }
 
  private:

@@ -20,6 +20,8 @@ std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* comma
       return Search(commands);
     case Phase::kApproach:
     case Phase::kAlign:
+      LookUnderWay(sensed, commands);
+      return Drive(commands);
     case Phase::kBackOff:
     case Phase::kRecover:
     case Phase::kMate:
@@ -65,7 +67,8 @@ std::optional<Event> AxelMachine::Drive(Commands* commands) {
   }
   if (status == LegDriver::Status::kUnderWay) return std::nullopt;
   if (status == LegDriver::Status::kFellShort) belief_.note = "leg fell short";
-  return Event::kArrived;
+  const std::optional<Event> onward = GoesOn(status) ? driving_.PlanOnward(senses_) : std::nullopt;
+  return onward.value_or(Event::kArrived);
 }
 
 // The arm went over the top, or the rover starts so. An arm that only swings past the upright comes
@@ -118,6 +121,7 @@ void AxelMachine::Enter(Phase phase) {
   rolled_before_m_ = senses_.rolled_m();
   asked_at_.reset();
   asks_ = 0;
+  looks_.Begin(senses_.now());
   driving_.Enter(phase, senses_);
   braked_.reset();
   if (phase != Phase::kLook) taut_ = false;

@@ -1,5 +1,6 @@
 // The state of the docking controller: one class whose parts stand in files of their own.
-// machine.cc steps through the phases, machine_looks.cc stands still and looks, machine_search.cc
+// machine.cc steps through the phases, machine_looks.cc stands still and looks, machine_moving.cc
+// looks under way, machine_search.cc
 // finds the board or the way without it, machine_mating.cc seats the tip.
 #pragma once
 
@@ -11,6 +12,7 @@
 #include "controller/axel/haul.h"
 #include "controller/axel/machine.h"
 #include "controller/axel/mating.h"
+#include "controller/axel/moving_looks.h"
 #include "controller/axel/phases.h"
 #include "controller/axel/righting.h"
 #include "controller/axel/search.h"
@@ -35,6 +37,7 @@ class AxelMachine final : public Controller {
         reel_in_(nominal, options),
         haul_(nominal, options),
         judge_(options.look, nominal.X_DB),
+        looks_(options.moving, nominal),
         seeker_(options.search),
         still_(options.tether.still_m) {
     DOCKYARD_CHECK(locator_ != nullptr);
@@ -84,8 +87,12 @@ class AxelMachine final : public Controller {
   Event RuleHome();
   std::optional<Event> TurnBack(Commands* commands);
 
+  void LookUnderWay(const SensorFrame& sensed, Commands* commands);
+  bool GoesOn(LegDriver::Status status) const;
+
   std::optional<StereoImages> Arrived(const SensorFrame& sensed);
   LocateOutput Locate(const StereoImages& images);
+  void Tell(const LocateOutput& seen);
   std::optional<Event> Judge(const StereoImages& images);
   Event AfterSighting();
   Event AtTheMouth();
@@ -114,6 +121,7 @@ class AxelMachine final : public Controller {
   ReelIn reel_in_;
   Haul haul_;
   SightingJudge judge_;
+  MovingLooks looks_;
   Seeker seeker_;
   CameraTurnFilter camera_turn_;
   StillWatch still_;

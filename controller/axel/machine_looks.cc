@@ -6,16 +6,6 @@
 #include "controller/axel/machine_impl.h"
 
 namespace dockyard::axel {
-namespace {
-
-/// In place of the picture of a camera that gave none beside the other's.
-GrayImage Dark(const GrayImage& other) {
-  GrayImage dark{.width = other.width, .height = other.height, .pixels = {}};
-  dark.pixels.resize(other.pixels.size());
-  return dark;
-}
-
-}  // namespace
 
 std::optional<Event> AxelMachine::Tighten(Commands* commands) {
   if (levelling_since_) return Level(0.0, commands);
@@ -70,19 +60,22 @@ std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* comm
 }
 
 std::optional<StereoImages> AxelMachine::Arrived(const SensorFrame& sensed) {
-  const GrayImage* left = GrayImageOf(sensed, kLeftCamera);
-  const GrayImage* right = GrayImageOf(sensed, kRightCamera);
-  if (!asked_at_ || (!left && !right)) return std::nullopt;
-  return StereoImages{left ? *left : Dark(*right), right ? *right : Dark(*left)};
+  // A picture from before the question is of a place under way.
+  if (!asked_at_ || ExposedAt(sensed) < *asked_at_) return std::nullopt;
+  return PairOf(sensed);
 }
 
 LocateOutput AxelMachine::Locate(const StereoImages& images) {
   LocateHints hints = HintsFrom(senses_);
   hints.camera_turn = camera_turn_.belief();
   LocateOutput seen = locator_(images, hints);
+  Tell(seen);
+  return seen;
+}
+
+void AxelMachine::Tell(const LocateOutput& seen) {
   ++belief_.sighting_count;
   belief_.last_sighting = seen.report;
-  return seen;
 }
 
 std::optional<Event> AxelMachine::Judge(const StereoImages& images) {

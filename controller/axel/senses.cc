@@ -42,7 +42,9 @@ void Senses::Update(const SensorFrame& sensed) {
   const Motion motion = odometer_.Read(sensed, ground_, filter_.pose().heading);
   rolled_m_ += motion.length_m;
   const GroundForce force = ForceNow(reeled_m_ < reeled_before_m);
+  const Pose2 before = filter_.pose();
   filter_.Predict(motion, seconds, force, WheelsFree(sensed));
+  reckoned_ = reckoned_ * (Inverse(before) * filter_.pose());
   const double force_share = started_ ? 1.0 - std::exp(-seconds / kForceSeconds) : 1.0;
   force_.slope += force_share * (force.slope - force_.slope);
   force_.tether += force_share * (force.tether - force_.tether);

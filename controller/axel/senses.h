@@ -65,6 +65,8 @@ class Senses {
   const PoseFilter& filter() const { return filter_; }
   PoseFilter& filter() { return filter_; }
   Pose2 pose() const { return filter_.pose(); }
+  /// By odometry alone, from anywhere: no sighting and no tether moves it.
+  Pose2 reckoned() const { return reckoned_; }
 
   /// Board in the body, by dead reckoning; none before the first fix.
   std::optional<Pose3> ExpectedBoard() const;
@@ -82,6 +84,7 @@ class Senses {
   double weight_n_;
   Odometer odometer_;
   PoseFilter filter_;
+  Pose2 reckoned_;
   GroundSlope ground_;
   Attitude attitude_;
   GroundForce force_{};  // low-passed

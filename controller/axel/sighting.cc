@@ -45,26 +45,47 @@ void CameraTurnFilter::Take(const DockSighting& sighting) {
   }
 }
 
-SightingJudge::Ruling SightingJudge::Judge(const DockSighting& sighting, Senses* senses) {
-  GroundSlope ground = senses->ground();
+std::optional<BoardFix> SightingJudge::FixOf(const DockSighting& sighting, const Senses& senses,
+                                             GroundSlope* ground) const {
   const bool finite = sighting.X_RB.p.allFinite() && sighting.X_RB.R.allFinite();
-  if (finite) ground.Take(sighting.X_RB, AttitudeSigma(sighting), senses->imu(), X_DB_);
-  BoardFix fix = LevelSighting(sighting.X_RB, senses->imu(), X_DB_, ground);
+  if (finite) ground->Take(sighting.X_RB, AttitudeSigma(sighting), senses.imu(), X_DB_);
+  BoardFix fix = LevelSighting(sighting.X_RB, senses.imu(), X_DB_, *ground);
   fix.variance = FixVariance(sighting.X_RB.p, sighting.covariance);
   const bool in_front = std::abs(fix.bearing_rad) < 0.5 * kPi;
   if (!finite || !in_front || fix.range_m < options_.min_range_m ||
       fix.range_m > options_.max_range_m) {
-    why_ = "board where it cannot be seen";
-    return Ruling::kRejected;
+    return std::nullopt;
   }
-  if (!senses->filter().Fits(fix)) return Doubt(fix, senses);
+  return fix;
+}
+
+void SightingJudge::Accept(const BoardFix& fix, const GroundSlope& ground, Senses* senses) {
   senses->filter().Correct(fix);
   senses->SetGround(ground);
   doubted_.reset();
   doubts_ = 0;
   ++accepted_;
   why_ = "board seen";
+}
+
+SightingJudge::Ruling SightingJudge::Judge(const DockSighting& sighting, Senses* senses) {
+  GroundSlope ground = senses->ground();
+  const std::optional<BoardFix> fix = FixOf(sighting, *senses, &ground);
+  if (!fix) {
+    why_ = "board where it cannot be seen";
+    return Ruling::kRejected;
+  }
+  if (!senses->filter().Fits(*fix)) return Doubt(*fix, senses);
+  Accept(*fix, ground, senses);
   return Ruling::kAccepted;
+}
+
+bool SightingJudge::JudgeUnderWay(const DockSighting& sighting, Senses* senses) {
+  GroundSlope ground = senses->ground();
+  const std::optional<BoardFix> fix = FixOf(sighting, *senses, &ground);
+  if (!fix || !senses->filter().Fits(*fix)) return false;
+  Accept(*fix, ground, senses);
+  return true;
 }
 
 SightingJudge::Ruling SightingJudge::Doubt(const BoardFix& fix, Senses* senses) {

@@ -19,11 +19,18 @@ class SightingJudge {
   SightingJudge(const LookOptions& options, const Pose3& X_DB) : options_(options), X_DB_(X_DB) {}
 
   Ruling Judge(const DockSighting& sighting, Senses* senses);
+  /// Of a sighting from under way, carried to now: one that contradicts dead reckoning is dropped,
+  /// as the next stop will tell. Returns whether it was taken.
+  bool JudgeUnderWay(const DockSighting& sighting, Senses* senses);
   const std::string& why() const { return why_; }
   /// A new stop: its doubted sightings are counted from zero.
   void NewStop() { doubts_here_ = 0; }
 
  private:
+  /// The sighting in the plane, with what it teaches of the ground; none where it cannot be.
+  std::optional<BoardFix> FixOf(const DockSighting& sighting, const Senses& senses,
+                                GroundSlope* ground) const;
+  void Accept(const BoardFix& fix, const GroundSlope& ground, Senses* senses);
   Ruling Doubt(const BoardFix& fix, Senses* senses);
 
   LookOptions options_;

@@ -32,6 +32,7 @@ struct MotorReading {
 struct CameraImage {
   int camera = 0;  // index in the order of the robot's nominal parameters
   std::variant<GrayImage, RgbImage> pixels;
+  Tick exposed{};  // the middle of its exposure; the frame that brings it may be later
 };
 
 /// One control period's readings. A robot's nominal parameters give the order of its motors and

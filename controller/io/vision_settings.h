@@ -41,6 +41,7 @@ struct VisionSettings {
   // out; five as its authors advise (Tsai et al., V-D).
   int min_points = 4;
   Tsai2013Vision tsai2013{};
+  bool while_driving = false;  // pictures are taken under way, too
 
   bool operator==(const VisionSettings&) const = default;
 };

@@ -15,7 +15,7 @@ import os
 import struct
 import sys
 
-PROTOCOL = 1
+PROTOCOL = 2
 FREE, BRAKE, VELOCITY, POSITION = range(4)  # modes of a motor
 UNDER_WAY, DOCKED, GIVEN_UP = range(3)  # verdicts
 
@@ -40,8 +40,9 @@ class Commands:
 class Image:
     """What one camera took: 8 bits a channel, row by row from the top left."""
 
-    def __init__(self, camera, channels, width, height, pixels):
+    def __init__(self, camera, exposed_ms, channels, width, height, pixels):
         self.camera, self.channels, self.width, self.height = camera, channels, width, height
+        self.exposed_ms = exposed_ms  # on the frames' clock; earlier than the frame if it came late
         self.pixels = pixels  # bytes
 
     def array(self):
@@ -71,10 +72,12 @@ class Frame:
         at += 5
         self.images = {}
         for _ in range(image_count):
-            camera, kind, width, height, size = struct.unpack_from("<IBIII", payload, at)
-            at += 17
+            camera, exposed_ms, kind, width, height, size = struct.unpack_from("<IqBIII", payload, at)
+            at += 25
             pixels = payload[at : at + size]
-            self.images[camera] = Image(camera, 3 if kind == 1 else 1, width, height, pixels)
+            self.images[camera] = Image(
+                camera, exposed_ms, 3 if kind == 1 else 1, width, height, pixels
+            )
             at += size
 
     @property

@@ -98,12 +98,13 @@ StereoModel ReadStereo(const YamlReader& root, int width, int height) {
   stereo.radial_sigma_px = built.Number("radial_px", NonNegative(50.0));
   const YamlReader sensor(in.Child("sensor"), in.PathOf("sensor"),
                           {"full_well_e", "read_noise_e", "vignetting_exponent", "blur_sigma_px",
-                           "response_sigma", "bits", "exposure", "focus"});
+                           "response_sigma", "shutter_s", "bits", "exposure", "focus"});
   stereo.full_well_e = sensor.Number("full_well_e", Between(100.0, 1e6));
   stereo.read_noise_e = sensor.Number("read_noise_e", NonNegative(1e4));
   stereo.vignetting_exponent = sensor.Number("vignetting_exponent", NonNegative(8.0));
   stereo.blur_sigma_px = sensor.Number("blur_sigma_px", NonNegative(10.0));
   stereo.response_sigma = sensor.NumberOr("response_sigma", 0.0, NonNegative(0.2));
+  stereo.shutter_s = sensor.NumberOr("shutter_s", 0.0, NonNegative(0.1));
   stereo.bits = sensor.IntegerOr("bits", 8, 8, 16);
   stereo.exposure = ReadExposure(sensor);
   stereo.focus = ReadFocus(sensor);

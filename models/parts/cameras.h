@@ -35,6 +35,7 @@ struct StereoModel {
   double vignetting_exponent = 0.0;  // irradiance falls as cos^n of the angle off axis
   double blur_sigma_px = 0.0;        // lens and pixel together
   double response_sigma = 0.0;       // of pixels among each other
+  double shutter_s = 0.0;            // open for so long; 0: a moving camera sees sharply, too
   int bits = 8;                      // of a pixel; the controller gets the upper eight
   ExposureModel exposure;
   FocusModel focus;

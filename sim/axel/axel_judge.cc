@@ -58,11 +58,11 @@ void AxelJudge::ObserveSlowly() {
 }
 
 void AxelJudge::ObserveSighting(const SightingReport& report) {
-  const Truth& truth = plant_.truth();
+  const Truth& truth = plant_.exposed_truth();
   const BuiltRun& built = plant_.built();
   const Pose3 X_RB = Inverse(truth.X_WR) * truth.X_WS * BoardInStation(built.world.station);
   const FiducialBoard& board = built.world.station.board;  // as many marks as are told
-  outcome_.ObserveSighting(truth.time_s,
+  outcome_.ObserveSighting(plant_.truth().time_s,
                            JudgeSighting(report, X_RB, built.built_rig, board, limits_));
 }
 

@@ -17,6 +17,8 @@ void VisitAxelKeys(Keys& keys, AxelKeys& values) {
               values.vision.pipeline, pipelines);
     in.Integer({"min_points", "", "tsai2013: detections given to the homography"},
                values.vision.min_points, 4, 5);
+    in.Bool({"while_driving", "", "dockyard: pictures under way, too, where they are not blurred"},
+            values.vision.while_driving);
   });
   keys.Degrees({"tip_angle_deg", "deg",
                 "how far the cone is tipped forward; else the station's own", Presence::kUnset},

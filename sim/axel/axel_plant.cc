@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "controller/base/check.h"
+#include "render/shutter.h"
 #include "sim/axel/axel_columns.h"
 #include "sim/axel/build_rocks.h"
+#include "sim/axel/exposure.h"
 #include "sim/base/hash.h"
 #include "sim/run/camera_faults.h"
 
@@ -55,8 +57,8 @@ SensorFrame AxelPlant::Sense() {
 std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras) {
   const SensorOptions sensor = WithFaults(
       CameraSensor(built_.world.rover.stereo, seed_, pairs_taken_++), camera_faults_, seed_);
-  StereoImages pair = renderer_->Get().Render(scene_.Make(truth_, world_.ground()),
-                                              built_.built_rig, truth_.X_WR, sensor);
+  exposed_truth_ = truth_;
+  StereoImages pair = Picture(sensor);
   std::vector<CameraImage> images;
   for (const int camera : cameras) {
     DOCKYARD_CHECK(camera == kLeftCamera || camera == kRightCamera);
@@ -64,6 +66,18 @@ std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras) 
     if (!image.pixels.empty()) images.push_back({camera, std::move(image)});
   }
   return images;
+}
+
+// A still pair is one view. The middle of a moving one's exposure is now.
+StereoImages AxelPlant::Picture(const SensorOptions& sensor) {
+  StereoRenderer& renderer = renderer_->Get();
+  const double shutter_s = built_.world.rover.stereo.shutter_s;
+  const auto view = [&](double share) {
+    const Truth then = share == 0.0 ? truth_ : MovedOn(truth_, share * shutter_s);
+    return renderer.RenderRadiance(scene_.Make(then, world_.ground()), built_.built_rig, then.X_WR,
+                                   sensor.focus.distance_m > 0.0);
+  };
+  return ExposeStereo(OverExposure(BoardMotion_px(truth_, built_), view), built_.built_rig, sensor);
 }
 
 void AxelPlant::Advance(const Commands& commands) {

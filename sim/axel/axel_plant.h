@@ -33,11 +33,16 @@ class AxelPlant final : public Plant {
   const BuiltRun& built() const { return built_; }
   /// The truth at the last sensor reading.
   const Truth& truth() const { return truth_; }
+  /// The truth when the latest images were exposed. No older ones are still on their way
+  /// (ImageLink).
+  const Truth& exposed_truth() const { return exposed_truth_; }
   void RefreshTruth() { TakeTruth(world_.truth()); }
   void TakeTruth(const Truth& now) { truth_ = now; }
   World& world() { return world_; }
 
  private:
+  StereoImages Picture(const SensorOptions& sensor);
+
   std::uint64_t seed_;
   double step_s_;
   CameraFaults camera_faults_;
@@ -48,7 +53,7 @@ class AxelPlant final : public Plant {
   std::vector<Eigen::Vector3d> rock_corners_W_;
   std::shared_ptr<KeptRenderer> renderer_;
   int pairs_taken_ = 0;
-  Truth truth_;
+  Truth truth_, exposed_truth_;
 };
 
 }  // namespace dockyard::axel

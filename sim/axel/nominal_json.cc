@@ -149,6 +149,7 @@ VisionSettings VisionFromJson(const Json& json) {
     throw ConfigError("vision pipeline: expected dockyard or tsai2013, found '" + name + "'");
   }
   vision.min_points = json.at("min_points");
+  vision.while_driving = json.at("while_driving");
   return vision;
 }
 
@@ -158,6 +159,7 @@ Nominal Read(const Json& json) {
   nominal.rig.right = CameraFromJson(json.at("right_camera"));
   nominal.rig.X_RL = Pose3FromJson(json.at("X_RL"));
   nominal.rig.X_RQ = Pose3FromJson(json.at("X_RQ"));
+  nominal.shutter_s = json.at("shutter_s");
   nominal.board = BoardFromJson(json.at("board"));
   nominal.vision = VisionFromJson(json.at("vision"));
   ReadTsai2013(json, &nominal.vision.tsai2013, &nominal.tsai2013);
@@ -189,10 +191,12 @@ Json ToJson(const Nominal& nominal) {
           {"right_camera", CameraToJson(nominal.rig.right)},
           {"X_RL", ToJson(nominal.rig.X_RL)},
           {"X_RQ", ToJson(nominal.rig.X_RQ)},
+          {"shutter_s", nominal.shutter_s},
           {"board", BoardToJson(nominal.board)},
           {"vision",
            {{"pipeline", PipelineName(nominal.vision.pipeline)},
-            {"min_points", nominal.vision.min_points}}},
+            {"min_points", nominal.vision.min_points},
+            {"while_driving", nominal.vision.while_driving}}},
           {"X_DB", ToJson(nominal.X_DB)},
           {"motors", motors},
           {"wheel_radius_m", nominal.wheel_radius_m},

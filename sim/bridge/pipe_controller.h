@@ -14,7 +14,7 @@
 
 namespace dockyard {
 
-inline constexpr int kControllerProtocol = 1;
+inline constexpr int kControllerProtocol = 2;
 
 /// The first message to such a controller.
 struct ControllerGreeting {

@@ -31,6 +31,7 @@ Eigen::Vector3d TakeVector(ByteReader& in) {
 
 void PutImage(std::string& out, const CameraImage& image, std::vector<std::string>* pictures) {
   PutU32(out, static_cast<std::uint32_t>(image.camera));
+  PutU64(out, static_cast<std::uint64_t>(image.exposed));
   std::visit(
       [&](const auto& pixels) {
         constexpr bool rgb = std::is_same_v<std::decay_t<decltype(pixels)>, RgbImage>;
@@ -75,6 +76,7 @@ CameraImage TakeImage(ByteReader& in, const std::string* picture) {
   constexpr std::uint32_t kLargestSide = 16384;
   CameraImage image;
   image.camera = static_cast<int>(in.U32());
+  image.exposed = static_cast<Tick>(in.U64());
   const std::uint8_t kind = in.U8();
   const std::uint32_t width = in.U32(), height = in.U32();
   const ImageCoding coding = picture != nullptr ? ImageCoding::kBeside : ImageCoding::kRaw;

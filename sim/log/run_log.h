@@ -22,7 +22,7 @@
 
 namespace dockyard {
 
-inline constexpr std::uint32_t kRunLogVersion = 3;
+inline constexpr std::uint32_t kRunLogVersion = 4;
 inline constexpr const char* kRunLogFile = "run.mcap";
 
 /// Topics of a log.

@@ -15,6 +15,7 @@ ImageLink::ImageLink(const CameraFaults& faults, std::uint64_t run_seed)
 bool ImageLink::Send(std::vector<CameraImage> images, Tick now) {
   on_the_way_.reset();
   if (random_.Uniform() < lost_) return false;
+  for (CameraImage& image : images) image.exposed = now;
   on_the_way_ = OnTheWay{std::move(images), now + delay_};
   return true;
 }

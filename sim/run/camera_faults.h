@@ -17,7 +17,8 @@ class ImageLink {
  public:
   ImageLink(const CameraFaults& faults, std::uint64_t run_seed);
 
-  /// Pictures exposed now. False: they are lost. One draw for each call.
+  /// Pictures exposed now, as they are told from here on. False: they are lost. One draw for each
+  /// call.
   bool Send(std::vector<CameraImage> images, Tick now);
   /// What has arrived by now, once; empty: nothing.
   std::vector<CameraImage> Receive(Tick now);

@@ -16,6 +16,7 @@ class Colour:
         if self.camera in frame.images:
             image = frame.images[self.camera]
             assert (image.channels, image.width, image.height) == (3, 3, 2)
+            assert image.exposed_ms == frame.tick_ms  # at once
             target = float(sum((i + 1) * value for i, value in enumerate(image.pixels)))
         verdict = DOCKED if frame.tick_ms >= 200 else UNDER_WAY
         return Commands([Motor(VELOCITY, target)], cameras=[self.camera], verdict=verdict)

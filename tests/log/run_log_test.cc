@@ -42,7 +42,8 @@ SensorFrame SomeFrame(Tick tick) {
   if (tick % 60 == 0) {
     const auto key = static_cast<std::uint64_t>(tick);
     const GrayImage other = NoisyImage(3 * 64, 48, key + 1);
-    frame.images = {{0, NoisyImage(64, 48, key)}, {2, RgbImage{64, 48, other.pixels}}};
+    frame.images = {{0, NoisyImage(64, 48, key), tick},
+                    {2, RgbImage{64, 48, other.pixels}, tick - 1234}};
   }
   return frame;
 }
@@ -119,6 +120,10 @@ TEST(RunLog, GivesBackEveryFrameBitForBit) {
   for (std::size_t i = 0; i < log.entries.size(); ++i) {
     const SensorFrame frame = SomeFrame(static_cast<Tick>(20 * i)), &read = log.entries[i].sensed;
     EXPECT_EQ(FrameBytes(read), FrameBytes(frame));
+    ASSERT_EQ(read.images.size(), frame.images.size());
+    for (std::size_t k = 0; k < frame.images.size(); ++k) {
+      EXPECT_EQ(read.images[k].exposed, frame.images[k].exposed);
+    }
     ASSERT_EQ(read.images.size(), frame.images.size());
     EXPECT_EQ(read.motors[1].encoder_counts, frame.motors[1].encoder_counts);
     EXPECT_EQ(read.imu.roll_rad, frame.imu.roll_rad);
@@ -202,9 +207,9 @@ TEST(RunLog, OfAnotherKindIsRefusedWithASentence) {
   EXPECT_EQ(ErrorOf(read), file + ": it is no MCAP file");
   WriteLog(folder.path(), 1);
   EditLog(file, [](McapAttachment& each) {
-    each.data.replace(each.data.find("\"version\":3"), 11, "\"version\":2");
+    each.data.replace(each.data.find("\"version\":4"), 11, "\"version\":3");
   });
-  EXPECT_EQ(ErrorOf(read), file + ": its version is 2, this program reads 3");
+  EXPECT_EQ(ErrorOf(read), file + ": its version is 3, this program reads 4");
   EditLog(file, [](McapAttachment& each) { each.name = "other"; });
   EXPECT_EQ(ErrorOf(read), file + ": its header is missing");
 }

@@ -55,6 +55,12 @@ TEST(ImageLink, ArrivesWithTheFirstFrameAfterTheDelay) {
   EXPECT_EQ(NumberOf(link.Receive(160)), 7);
 }
 
+TEST(ImageLink, APictureTellsWhenItWasExposed) {
+  ImageLink link(Late(0.101), 1);
+  link.Send(Picture(7), 40);
+  EXPECT_EQ(link.Receive(160).at(0).exposed, 40);
+}
+
 TEST(ImageLink, CamerasAskedAgainBeginAnew) {
   ImageLink link(Late(0.1), 1);
   link.Send(Picture(1), 0);

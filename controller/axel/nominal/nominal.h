@@ -15,7 +15,8 @@
 namespace dockyard::axel {
 
 struct Nominal {
-  StereoRig rig;  // calibration, not truth
+  StereoRig rig;           // calibration, not truth
+  double shutter_s = 0.0;  // for so long each picture is exposed
   FiducialBoard board;
   VisionSettings vision{};
   Pose3 X_DB;  // board in the dock, station standing level on flat ground

@@ -240,7 +240,10 @@ TEST(Axel, SurvivesNonsenseFromEverySensor) {
       }
       for (MotorReading& motor : frame.motors) motor.current_a = random.Uniform(0, 5);
       SensorFrame sent = frame;
-      if (asked) sent.images = {{kLeftCamera, GrayImage{}}, {kRightCamera, GrayImage{}}};
+      if (asked) {
+        sent.images = {{kLeftCamera, GrayImage{}, sent.tick},
+                       {kRightCamera, GrayImage{}, sent.tick}};
+      }
       asked = !controller->Step(sent).take_images.empty();
     }
     const Pose2& X_DR = controller->belief().X_DR;
@@ -288,7 +291,7 @@ TEST(Axel, UsesTheRealVisionByDefault) {
     frame.images.clear();
     if (asked) {
       const GrayImage gray{1024, 768, std::vector<std::uint8_t>(1024 * 768, 128)};
-      frame.images = {{kLeftCamera, gray}, {kRightCamera, gray}};
+      frame.images = {{kLeftCamera, gray, frame.tick}, {kRightCamera, gray, frame.tick}};
     }
     asked = !controller->Step(frame).take_images.empty();
   }
@@ -344,7 +347,7 @@ TEST(Axel, LooksByOneEyeWhenTheOtherGivesNoPicture) {
           return LocateOutput{PoseFailure::kNoCorrespondence, {}};
         });
     Rest(*controller, 20, [&](int, SensorFrame& frame) {
-      frame.images = {{eye, GrayImage{2, 1, {7, 9}}}};
+      frame.images = {{eye, GrayImage{2, 1, {7, 9}}, frame.tick}};
     });
     ASSERT_GT(controller->belief().sighting_count, 0);
     const GrayImage& has = eye == kLeftCamera ? seen.left : seen.right;

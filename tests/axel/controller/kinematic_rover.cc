@@ -87,8 +87,16 @@ SensorFrame KinematicRover::Sense() {
   count(Motor::kSpool, reeled_m_ / nominal_.drum_radius_m + arm_ - nominal_.arm_at_zero_rad);
   const double currents_a[] = {0.5, 0.5, 0.3, spool_current_};
   for (std::size_t i = 0; i < frame.motors.size(); ++i) frame.motors[i].current_a = currents_a[i];
-  if (images_due_) frame.images = {{kLeftCamera, GrayImage{}}, {kRightCamera, GrayImage{}}};
+  const bool moves = left_speed_ != 0.0 || right_speed_ != 0.0;
+  if (images_due_) on_the_way_ = Exposed{tick_, X_DR_, pitch_};
+  if (images_due_ && moves && world_.images_lost) on_the_way_.reset();
   images_due_ = false;
+  if (on_the_way_ && tick_ - on_the_way_->tick >= world_.images_late) {
+    seen_ = *on_the_way_;
+    on_the_way_.reset();
+    frame.images = {{kLeftCamera, GrayImage{}, seen_.tick},
+                    {kRightCamera, GrayImage{}, seen_.tick}};
+  }
   return frame;
 }
 
@@ -210,9 +218,10 @@ void KinematicRover::Step(const Commands& commands) {
 LocateOutput KinematicRover::Locate() {
   ++sightings_;
   const Eigen::Vector2d p_DB = nominal_.X_DB.p.head<2>();
-  const Eigen::Vector2d to = p_DB - Eigen::Vector2d(X_DR_.x, X_DR_.y);
+  Pose2 X_DR = seen_.X_DR;
+  const Eigen::Vector2d to = p_DB - Eigen::Vector2d(X_DR.x, X_DR.y);
   const double range = to.norm();
-  const double bearing = WrapPi(std::atan2(to.y(), to.x()) - X_DR_.heading);
+  const double bearing = WrapPi(std::atan2(to.y(), to.x()) - X_DR.heading);
   const double half = std::atan2(0.5 * nominal_.board.width_m, range);
   const bool seen = !world_.blind && range < world_.marks_range_m && range > 0.6 &&
                     std::abs(bearing) + 0.5 * half < Radians(45.0);
@@ -220,7 +229,6 @@ LocateOutput KinematicRover::Locate() {
   out.report.reason = Name(PoseFailure::kTooFewFiducials);
   if (!seen) return out;
   const double k = world_.vision_noise;
-  Pose2 X_DR = X_DR_;
   // Noise as cameras make it: the board is seen too far or near, aside, and turned.
   const double new_range = range + k * 0.008 * range * range * noise_.Normal();
   const double new_bearing = bearing + k * Radians(0.3) * noise_.Normal();
@@ -228,7 +236,7 @@ LocateOutput KinematicRover::Locate() {
   const double towards = X_DR.heading + new_bearing;
   X_DR.x = p_DB.x() - new_range * std::cos(towards);
   X_DR.y = p_DB.y() - new_range * std::sin(towards);
-  const Pose3 X_HR{RotY(pitch_), Eigen::Vector3d::Zero()};
+  const Pose3 X_HR{RotY(seen_.pitch), Eigen::Vector3d::Zero()};
   const Pose3 X_RB = Inverse(FromGround(X_DR, nominal_.wheel_radius_m) * X_HR) * nominal_.X_DB;
   out.sighting = DockSighting{X_RB, 1.0, 14, true};
   out.report.accepted = true;
@@ -239,7 +247,9 @@ LocateOutput KinematicRover::Locate() {
 
 KinematicRun RunKinematic(const KinematicWorld& world, const DockingCoords& start,
                           const AxelOptions& options, double limit_s) {
-  const Nominal nominal = TestNominal();
+  Nominal nominal = TestNominal();
+  nominal.vision.while_driving = world.while_driving;
+  nominal.shutter_s = 0.005;
   KinematicRover rover(nominal, world, FromDockingCoords(start));
   const auto controller = MakeAxelMachine(
       nominal, options, [&](const StereoImages&, const LocateHints&) { return rover.Locate(); });

@@ -32,6 +32,9 @@ struct KinematicWorld {
   double marks_range_m = 6.0;    // no detection beyond
   double roll_tension_n = 60.0;  // that pulls the freely rolling rover along
   bool blind = false;
+  bool while_driving = false;         // the controller may look under way
+  Tick images_late = 0;               // from the exposure to the frame that brings them
+  bool images_lost = false;           // of a moving rover
   std::optional<double> jam_depth_m;  // the tip goes no deeper than this, once
   std::uint64_t seed = 1;
 };
@@ -44,7 +47,7 @@ class KinematicRover {
   SensorFrame Sense();
   /// One control period under these commands.
   void Step(const Commands& commands);
-  /// Sees the board from the true pose.
+  /// Sees the board from the true pose at the exposure.
   LocateOutput Locate();
 
   const Pose2& X_DR() const { return X_DR_; }
@@ -80,6 +83,14 @@ class KinematicRover {
   double free_m_ = 0.0, reeled_m_ = 0.0, reel_speed_ = 0.0, tension_n_ = 0.0;
   double spool_current_ = 0.0;
   bool wheels_free_ = false, images_due_ = false;
+  // Images are exposed in the frame after the question.
+  struct Exposed {
+    Tick tick = 0;
+    Pose2 X_DR;
+    double pitch = 0.0;
+  };
+  std::optional<Exposed> on_the_way_;
+  Exposed seen_;
   int sightings_ = 0;
   std::optional<Entry> entry_;
 };

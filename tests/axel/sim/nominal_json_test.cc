@@ -44,12 +44,15 @@ TEST(NominalJson, ReadsBackEveryNumberBitForBit) {
 TEST(NominalJson, ReadsBackEachLensModelAndPipeline) {
   Nominal nominal = SomeNominal();
   nominal.vision = {VisionPipeline::kTsai2013, 5};
+  nominal.vision.while_driving = true;
+  nominal.shutter_s = 0.0123;
   for (const Lens& lens : {Lens(KannalaBrandt{.fx = 1.0}), Lens(BrownPinhole{.k3 = 2.0}),
                            Lens(Cahvore{.linearity = 0.5})}) {
     nominal.rig.left.lens = lens;
     const Nominal read = NominalFromJson(ToJson(nominal));
     EXPECT_EQ(read.rig.left, nominal.rig.left);
     EXPECT_EQ(read.vision, nominal.vision);
+    EXPECT_EQ(read.shutter_s, nominal.shutter_s);
   }
 }
 

@@ -1,0 +1,63 @@
+#include "render/shutter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/base/check.h"
+
+namespace dockyard {
+namespace {
+
+constexpr double kSharp_px = 0.05, kStep_px = 0.5;
+constexpr int kMostViews = 16;
+
+void Add(const std::vector<float>& more, std::vector<float>& sum) {
+  DOCKYARD_CHECK(more.size() == sum.size());
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
+}
+
+void Scale(float factor, std::vector<float>& values) {
+  for (float& value : values) value *= factor;
+}
+
+}  // namespace
+
+double MotionInExposure_px(const Camera& camera, double turn_rad_s, double speed_m_s,
+                           double distance_m, double exposure_s) {
+  DOCKYARD_CHECK(distance_m > 0.0);
+  return camera.focal_px().maxCoeff() * exposure_s *
+         (std::abs(turn_rad_s) + std::abs(speed_m_s) / distance_m);
+}
+
+// n moments, h apart, have the mean square h^2 (n^2 - 1) / 12.
+std::vector<double> ExposureMoments(double motion_px) {
+  DOCKYARD_CHECK(std::isfinite(motion_px) && motion_px >= 0.0);
+  if (motion_px < kSharp_px) return {0.0};
+  const double wanted = std::ceil(std::hypot(1.0, motion_px / kStep_px));
+  const int n = static_cast<int>(std::clamp(wanted, 2.0, static_cast<double>(kMostViews)));
+  const double apart = 1.0 / std::sqrt(n * n - 1.0);
+  std::vector<double> moments;
+  for (int i = 0; i < n; ++i) moments.push_back((i - 0.5 * (n - 1)) * apart);
+  return moments;
+}
+
+StereoRadiance OverExposure(double motion_px, const std::function<StereoRadiance(double)>& view) {
+  const std::vector<double> moments = ExposureMoments(motion_px);
+  StereoRadiance sum = view(moments.front());
+  for (std::size_t i = 1; i < moments.size(); ++i) {
+    const StereoRadiance more = view(moments[i]);
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      Add(more[k].values, sum[k].values);
+      Add(more[k].inverse_depth, sum[k].inverse_depth);
+    }
+  }
+  if (moments.size() == 1) return sum;
+  const auto share = 1.0f / static_cast<float>(moments.size());
+  for (RadianceImage& image : sum) {
+    Scale(share, image.values);
+    Scale(share, image.inverse_depth);
+  }
+  return sum;
+}
+
+}  // namespace dockyard

@@ -1,0 +1,32 @@
+// Motion blur: the picture of a moving camera is the mean of several views over its exposure. No
+// GL. All rows are exposed at once: a rolling shutter is not simulated.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "controller/geometry/camera.h"
+#include "render/stereo_renderer.h"
+
+namespace dockyard {
+
+/// Way in the image [px] of a thing at distance_m > 0 while the shutter is open, at most: the
+/// camera's turning and its own way add up. Of the middle of the image, in a pinhole's small
+/// angles.
+double MotionInExposure_px(const Camera& camera, double turn_rad_s, double speed_m_s,
+                           double distance_m, double exposure_s);
+
+/// When views are taken whose mean stands for an exposure in which the image moves by motion_px:
+/// times about the exposure's middle, as shares of it. They are evenly spaced, less than half a
+/// pixel apart (16 at most), and their mean square is that of the exposure, 1/12: a spot is widened
+/// by as much as by a box of motion_px. One view below 0.05 px: the box would widen the 0.6 px of
+/// lens and pixel by 0.03 %.
+std::vector<double> ExposureMoments(double motion_px);
+
+using StereoRadiance = std::array<RadianceImage, 2>;
+/// The mean of both views over the exposure. view: both ideal views at that share of it after its
+/// middle. Depths, which a lens with a focus needs, are means, too.
+StereoRadiance OverExposure(double motion_px, const std::function<StereoRadiance(double)>& view);
+
+}  // namespace dockyard
