@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "controller/axel/bracket.h"
 #include "controller/axel/driving.h"
 #include "controller/axel/haul.h"
 #include "controller/axel/machine.h"
@@ -34,6 +35,7 @@ class AxelMachine final : public Controller {
         reel_in_(nominal, options),
         haul_(nominal, options),
         judge_(options.look, nominal.X_DB),
+        bracket_(options.bracket, nominal),
         seeker_(options.search),
         still_(options.tether.still_m) {
     DOCKYARD_CHECK(locator_ != nullptr);
@@ -88,7 +90,8 @@ class AxelMachine final : public Controller {
 
   std::optional<StereoImages> Arrived(const SensorFrame& sensed);
   LocateOutput Locate(const StereoImages& images);
-  std::optional<Event> Judge(const StereoImages& images);
+  std::optional<Event> LookBracketed(const SensorFrame& sensed, Commands* commands);
+  std::optional<Event> Judge(const LocateOutput& seen);
   Event AfterSighting();
   Event AtTheMouth();
   Event Recover(Event event, const std::string& why);
@@ -115,6 +118,7 @@ class AxelMachine final : public Controller {
   ReelIn reel_in_;
   Haul haul_;
   SightingJudge judge_;
+  Bracket bracket_;
   Seeker seeker_;
   CameraTurnFilter camera_turn_;
   StillWatch still_;
@@ -134,7 +138,8 @@ class AxelMachine final : public Controller {
   // Taking sightings.
   Tick look_from_ = 0;
   std::optional<Tick> asked_at_;
-  int asks_ = 0;  // in a row without an answer
+  int asks_ = 0;           // in a row without an answer
+  Tick answer_limit_ = 0;  // the patience with which the last pair came
   // Searching.
   int attempts_ = 0, turning_pulls_ = 0, hauls_ = 0, recoveries_inside_ = 0;
   bool seeking_ = true;  // it has not driven since the board was lost

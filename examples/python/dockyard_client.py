@@ -15,7 +15,7 @@ import os
 import struct
 import sys
 
-PROTOCOL = 1
+PROTOCOLS = (2, 1)  # versions, the preferred one first
 FREE, BRAKE, VELOCITY, POSITION = range(4)  # modes of a motor
 UNDER_WAY, DOCKED, GIVEN_UP = range(3)  # verdicts
 
@@ -30,11 +30,14 @@ class Motor:
 
 class Commands:
     """What the robot is to do until the next frame. `belief` is for the run's history alone: phase,
-    note, x_m, y_m, heading_rad (in the target's frame), values (a dict of numbers)."""
+    note, x_m, y_m, heading_rad (in the target's frame), values (a dict of numbers). The cameras take
+    their images `exposure_stops` off the exposure that they choose: +1 is twice the light."""
 
-    def __init__(self, motors, cameras=(), switches=(), verdict=UNDER_WAY, belief=None):
+    def __init__(
+        self, motors, cameras=(), switches=(), verdict=UNDER_WAY, belief=None, exposure_stops=0.0
+    ):
         self.motors, self.cameras, self.switches = motors, cameras, switches
-        self.verdict, self.belief = verdict, belief
+        self.verdict, self.belief, self.exposure_stops = verdict, belief, exposure_stops
 
 
 class Image:
@@ -105,13 +108,14 @@ def _message(kind, payload):
     return struct.pack("<Ic", len(payload), kind) + payload
 
 
-def _commands(commands):
+def _commands(commands, protocol):
     out = struct.pack("<I", len(commands.motors))
     for m in commands.motors:
         out += struct.pack("<B4d", m.mode, m.target, m.speed_limit, m.accel, m.current_limit)
     out += struct.pack("<I%dI" % len(commands.cameras), len(commands.cameras), *commands.cameras)
     out += struct.pack("<I%dB" % len(commands.switches), len(commands.switches), *commands.switches)
-    return out + struct.pack("<B", commands.verdict)
+    out += struct.pack("<B", commands.verdict)
+    return out + struct.pack("<d", commands.exposure_stops) if protocol >= 2 else out
 
 
 def serve(make_controller):
@@ -126,16 +130,18 @@ def serve(make_controller):
     if kind != b"H":
         raise SystemExit("expected the testbed's hello; start me by a scenario's controller.command")
     hello = json.loads(payload)
-    if hello["protocol"] != PROTOCOL:
-        raise SystemExit("the testbed speaks protocol %s, I speak %d" % (hello["protocol"], PROTOCOL))
-    sink.write(_message(b"H", json.dumps({"protocol": PROTOCOL}).encode()))
+    spoken = hello.get("protocols", [hello["protocol"]])
+    protocol = next((version for version in PROTOCOLS if version in spoken), None)
+    if protocol is None:
+        raise SystemExit("the testbed speaks protocols %s, I speak %s" % (spoken, PROTOCOLS))
+    sink.write(_message(b"H", json.dumps({"protocol": protocol}).encode()))
     controller = make_controller(hello)
     while True:
         kind, payload = _receive(source)
         if kind != b"F":
             return
         commands = controller.step(Frame(payload))
-        answer = _message(b"C", _commands(commands))
+        answer = _message(b"C", _commands(commands, protocol))
         if commands.belief is not None:
             answer = _message(b"B", json.dumps(commands.belief).encode()) + answer
         sink.write(answer)

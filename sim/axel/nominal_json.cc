@@ -149,6 +149,8 @@ VisionSettings VisionFromJson(const Json& json) {
     throw ConfigError("vision pipeline: expected dockyard or tsai2013, found '" + name + "'");
   }
   vision.min_points = json.at("min_points");
+  // A log from before the bracket has no such key: its controller took none.
+  vision.bracket_stops = json.value("bracket_stops", 0.0);
   return vision;
 }
 
@@ -191,7 +193,8 @@ Json ToJson(const Nominal& nominal) {
           {"board", BoardToJson(nominal.board)},
           {"vision",
            {{"pipeline", PipelineName(nominal.vision.pipeline)},
-            {"min_points", nominal.vision.min_points}}},
+            {"min_points", nominal.vision.min_points},
+            {"bracket_stops", nominal.vision.bracket_stops}}},
           {"X_DB", ToJson(nominal.X_DB)},
           {"motors", motors},
           {"wheel_radius_m", nominal.wheel_radius_m},

@@ -53,6 +53,7 @@ PipeController::PipeController(const std::vector<std::string>& command,
     : greeting_(greeting), limit_s_(limit_s), process_(command, folder) {
   belief_.phase = "external";
   const Json hello{{"protocol", kControllerProtocol},
+                   {"protocols", {kControllerProtocol, kNewestControllerProtocol}},
                    {"system", greeting.system},
                    {"control_period_ms", greeting.control_period},
                    {"motors", greeting.motor_count},
@@ -70,9 +71,13 @@ void PipeController::CheckHello(const Message& hello) {
   if (hello.kind != kHello || !json.is_object() || !json.contains("protocol")) {
     FailBadly("its first message is no hello");
   }
-  if (json["protocol"] != kControllerProtocol) {
+  protocol_ = json["protocol"] == kControllerProtocol         ? kControllerProtocol
+              : json["protocol"] == kNewestControllerProtocol ? kNewestControllerProtocol
+                                                              : 0;
+  if (protocol_ == 0) {
     FailBadly("it speaks protocol " + json["protocol"].dump() + ", expected " +
-              std::to_string(kControllerProtocol));
+              std::to_string(kControllerProtocol) + " or " +
+              std::to_string(kNewestControllerProtocol));
   }
 }
 
@@ -119,7 +124,8 @@ Commands PipeController::Step(const SensorFrame& sensed) {
         FailBadly("a message of unknown kind; does it print to its standard output?");
       }
       ByteReader in(message.payload);
-      const Commands commands = TakeCommands(in);
+      Commands commands = TakeCommands(in);
+      if (protocol_ >= 2) TakeExposure(in, commands);
       if (!in.AtEnd()) FailBadly("commands longer than their content");
       CheckCommands(commands);
       return commands;

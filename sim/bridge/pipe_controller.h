@@ -14,7 +14,9 @@
 
 namespace dockyard {
 
-inline constexpr int kControllerProtocol = 1;
+/// The hello states the first version, so that programs of it go on working, and all the versions
+/// that a program may answer with.
+inline constexpr int kControllerProtocol = 1, kNewestControllerProtocol = 2;
 
 /// The first message to such a controller.
 struct ControllerGreeting {
@@ -73,6 +75,7 @@ class PipeController final : public Controller {
   ControllerGreeting greeting_;
   double limit_s_;
   Process process_;
+  int protocol_ = 0;  // that the program answered with
   Belief belief_;
   std::string bytes_;  // kept between calls for its memory
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "controller/base/check.h"
+#include "controller/base/number_text.h"
 #include "sim/images/png.h"
 
 namespace dockyard {
@@ -179,6 +180,10 @@ void PutCommands(std::string& out, const Commands& commands) {
   PutU8(out, static_cast<std::uint8_t>(commands.verdict));
 }
 
+void PutExposure(std::string& out, const Commands& commands) {
+  PutDouble(out, commands.exposure_stops);
+}
+
 Commands TakeCommands(ByteReader& in) {
   Commands commands;
   commands.motors.resize(TakeCount(in));
@@ -193,6 +198,13 @@ Commands TakeCommands(ByteReader& in) {
   }
   commands.verdict = static_cast<Verdict>(verdict);
   return commands;
+}
+
+void TakeExposure(ByteReader& in, Commands& commands) {
+  commands.exposure_stops = in.Double();
+  if (std::abs(commands.exposure_stops) <= kMostExposureStops) return;
+  throw DataError("an exposure must lie within " + NumberText(kMostExposureStops) +
+                  " stops of the cameras' own");
 }
 
 }  // namespace dockyard

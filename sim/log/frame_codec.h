@@ -19,6 +19,9 @@ enum class ImageCoding { kBeside, kRaw, kLeftOut };
 void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding,
               std::vector<std::string>* pictures = nullptr);
 void PutCommands(std::string& out, const Commands& commands);
+/// The exposure, which follows the commands in version 2 of the protocol, and in a log where the
+/// controller asked for another than the cameras' own.
+void PutExposure(std::string& out, const Commands& commands);
 
 struct LoggedFrame {
   SensorFrame frame;
@@ -29,5 +32,6 @@ struct LoggedFrame {
 LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding,
                       const std::vector<std::string>& pictures = {});
 Commands TakeCommands(ByteReader& in);
+void TakeExposure(ByteReader& in, Commands& commands);
 
 }  // namespace dockyard

@@ -63,6 +63,7 @@ void RequireShape(const SensorFrame& frame, const RobotShape& robot) {
 std::string CommandBytes(const Commands& commands) {
   std::string bytes;
   PutCommands(bytes, commands);
+  PutExposure(bytes, commands);
   return bytes;
 }
 
@@ -103,6 +104,7 @@ RunLogEntry RunLogReader::EntryFrom(std::string_view message) {
   LoggedFrame logged = TakeFrame(in, ImageCoding::kBeside, pictures_);
   pictures_.clear();
   RunLogEntry entry{std::move(logged.frame), logged.images_left_out, TakeCommands(in)};
+  if (!in.AtEnd()) TakeExposure(in, entry.commands);
   if (!in.AtEnd()) throw DataError("a record is longer than its content");
   ++entries_;
   return entry;

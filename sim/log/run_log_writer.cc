@@ -126,6 +126,7 @@ void RunLogWriter::Append(const SensorFrame& sensed, const Commands& commands) {
   PutFrame(payload_, sensed, keep_images_ ? ImageCoding::kBeside : ImageCoding::kLeftOut,
            keep_images_ ? &pictures : nullptr);
   PutCommands(payload_, commands);
+  if (commands.exposure_stops != 0.0) PutExposure(payload_, commands);
   AppendImages(sensed, pictures);
   const Tick tick = sensed.tick;
   Put(Channel(topic::kFrame, "dockyard_msgs/Frame"), tick, FrameMessage(tick, payload_));

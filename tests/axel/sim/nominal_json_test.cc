@@ -43,7 +43,7 @@ TEST(NominalJson, ReadsBackEveryNumberBitForBit) {
 
 TEST(NominalJson, ReadsBackEachLensModelAndPipeline) {
   Nominal nominal = SomeNominal();
-  nominal.vision = {VisionPipeline::kTsai2013, 5};
+  nominal.vision = {VisionPipeline::kTsai2013, 5, 1.5};
   for (const Lens& lens : {Lens(KannalaBrandt{.fx = 1.0}), Lens(BrownPinhole{.k3 = 2.0}),
                            Lens(Cahvore{.linearity = 0.5})}) {
     nominal.rig.left.lens = lens;
@@ -51,6 +51,12 @@ TEST(NominalJson, ReadsBackEachLensModelAndPipeline) {
     EXPECT_EQ(read.rig.left, nominal.rig.left);
     EXPECT_EQ(read.vision, nominal.vision);
   }
+}
+
+TEST(NominalJson, OfABuildBeforeTheBracketHasNone) {
+  Json json = ToJson(SomeNominal());
+  json["vision"].erase("bracket_stops");
+  EXPECT_EQ(NominalFromJson(json).vision.bracket_stops, 0.0);
 }
 
 TEST(NominalJson, RefusesALensModelOrPipelineThatItDoesNotKnow) {
