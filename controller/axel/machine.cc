@@ -124,6 +124,7 @@ void AxelMachine::Enter(Phase phase) {
   looks_.Begin(senses_.now());
   driving_.Enter(phase, senses_);
   braked_.reset();
+  bracket_.NewStop();
   if (phase != Phase::kLook) taut_ = false;
   if (phase == Phase::kLook || phase == Phase::kRecheck) judge_.NewStop();
   if (phase == Phase::kSearch) BeginSearch();

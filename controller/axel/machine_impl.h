@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "controller/axel/bracket.h"
 #include "controller/axel/driving.h"
 #include "controller/axel/haul.h"
 #include "controller/axel/machine.h"
@@ -38,6 +39,7 @@ class AxelMachine final : public Controller {
         haul_(nominal, options),
         judge_(options.look, nominal.X_DB),
         looks_(options.moving, nominal),
+        bracket_(options.bracket, nominal),
         seeker_(options.search),
         still_(options.tether.still_m) {
     DOCKYARD_CHECK(locator_ != nullptr);
@@ -93,7 +95,8 @@ class AxelMachine final : public Controller {
   std::optional<StereoImages> Arrived(const SensorFrame& sensed);
   LocateOutput Locate(const StereoImages& images);
   void Tell(const LocateOutput& seen);
-  std::optional<Event> Judge(const StereoImages& images);
+  std::optional<Event> LookBracketed(const SensorFrame& sensed, Commands* commands);
+  std::optional<Event> Judge(const LocateOutput& seen);
   Event AfterSighting();
   Event AtTheMouth();
   Event Recover(Event event, const std::string& why);
@@ -122,6 +125,7 @@ class AxelMachine final : public Controller {
   Haul haul_;
   SightingJudge judge_;
   MovingLooks looks_;
+  Bracket bracket_;
   Seeker seeker_;
   CameraTurnFilter camera_turn_;
   StillWatch still_;
@@ -141,7 +145,8 @@ class AxelMachine final : public Controller {
   // Taking sightings.
   Tick look_from_ = 0;
   std::optional<Tick> asked_at_;
-  int asks_ = 0;  // in a row without an answer
+  int asks_ = 0;           // in a row without an answer
+  Tick answer_limit_ = 0;  // the patience with which the last pair came
   // Searching.
   int attempts_ = 0, turning_pulls_ = 0, hauls_ = 0, recoveries_inside_ = 0;
   bool seeking_ = true;  // it has not driven since the board was lost

@@ -42,10 +42,15 @@ std::optional<Event> AxelMachine::Level(double target_pitch_rad, Commands* comma
 std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* commands) {
   StandStill(nominal_, options_.drive, InPhase(), commands);
   if (InPhase() < options_.drive.stop_time) Spool(commands) = TautWinch(nominal_, options_.tether);
+  if (bracket_.under_way()) return LookBracketed(sensed, commands);
   if (const std::optional<StereoImages> images = Arrived(sensed)) {
+    answer_limit_ = options_.look.image_limit << (asks_ - 1);
     asked_at_.reset();
     asks_ = 0;
-    return Judge(*images);
+    const LocateHints hints = HintsFrom(senses_);
+    const LocateOutput seen = Locate(*images);
+    if (bracket_.Begins(*images, seen, hints)) return LookBracketed(sensed, commands);
+    return Judge(seen);
   }
   if (senses_.now() - look_from_ < options_.look.settle) return std::nullopt;
   if (!asked_at_ || senses_.now() - *asked_at_ >= options_.look.image_limit << (asks_ - 1)) {
@@ -57,6 +62,28 @@ std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* comm
     ++asks_;
   }
   return std::nullopt;
+}
+
+// One exposure does not hold the board: more are taken from the same place. Pictures that do not
+// come are waited for as long as the first pair was, and not asked for again.
+std::optional<Event> AxelMachine::LookBracketed(const SensorFrame& sensed, Commands* commands) {
+  if (asked_at_ && Arrived(sensed)) {
+    bracket_.Take(GrayImageOf(sensed, kLeftCamera), GrayImageOf(sensed, kRightCamera));
+    asked_at_.reset();
+  } else if (asked_at_ && senses_.now() - *asked_at_ >= answer_limit_) {
+    bracket_.Stop();
+  }
+  if (bracket_.under_way()) {
+    if (asked_at_) return std::nullopt;
+    commands->take_images = {kLeftCamera, kRightCamera};
+    commands->exposure_stops = bracket_.stops();
+    asked_at_ = senses_.now();
+    return std::nullopt;
+  }
+  asked_at_.reset();
+  std::optional<LocateOutput> merged;
+  if (bracket_.HasMore()) merged = Locate(bracket_.Merged());
+  return Judge(bracket_.Better(merged));
 }
 
 std::optional<StereoImages> AxelMachine::Arrived(const SensorFrame& sensed) {
@@ -78,8 +105,7 @@ void AxelMachine::Tell(const LocateOutput& seen) {
   belief_.last_sighting = seen.report;
 }
 
-std::optional<Event> AxelMachine::Judge(const StereoImages& images) {
-  const LocateOutput seen = Locate(images);
+std::optional<Event> AxelMachine::Judge(const LocateOutput& seen) {
   auto ruling = SightingJudge::Ruling::kRejected;
   if (seen.sighting) {
     ruling = judge_.Judge(*seen.sighting, &senses_);

@@ -107,6 +107,25 @@ struct MovingOptions {
   int unanswered = 3;               // asks in a row, then none for this leg; assumed, 2-4
 };
 
+/// When one exposure does not hold the board: areas without a mark's contrast lie where it may be.
+/// How many stops the bracket has, the nominal parameters say (VisionSettings). All assumed.
+struct BracketOptions {
+  // Areas: squares of this share of the picture's width or, on a board whose place is known, of its
+  // width, so that no square lies within one black disc. 1/128-1/32 and 1/8-1/4.
+  double square_share = 1.0 / 64.0, board_square_share = 1.0 / 6.0;
+  // Too dark: not this share of the square reaches this number. White there is then so dim that
+  // black is noise; the locator searches from 10 on. 0.01-0.05 and 12-24.
+  double bright_share = 0.02;
+  int dim = 16;
+  // Too bright: this share of the square is saturated. 0.3-0.7 and 245-254.
+  double saturated_share = 0.5;
+  int saturated = 250;
+  // This share of the squares where the board should be, or of the whole picture if nothing is
+  // known of its place. 0.1-0.3, and 0.02-0.1: a board at 5 m takes 0.01 of it.
+  double share_at_board = 0.15, share_of_picture = 0.03;
+  double margin = 0.25;  // about the board where it should be, in its own sizes; 0.1-0.5
+};
+
 struct PlanOptions {
   // Arm tip before the mouth at the alignment goal: board still within the lens with +-27 deg.
   double align_gap_m = 0.45;
@@ -307,6 +326,7 @@ struct AxelOptions {
   ArmOptions arm{};
   LookOptions look{};
   MovingOptions moving{};
+  BracketOptions bracket{};
   PlanOptions plan{};
   MateOptions mate{};
   SearchOptions search{};

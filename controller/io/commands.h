@@ -31,10 +31,16 @@ struct MotorCommand {
 /// The controller's own verdict on its task. Scoring uses it only to name a false claim.
 enum class Verdict : std::uint8_t { kUnderWay, kDocked, kGivenUp };
 
+/// The most stops off that a controller may ask for, either way; assumed, 4-8: an electronic
+/// shutter spans more than 16 stops in all.
+inline constexpr double kMostExposureStops = 6.0;
+
 struct Commands {
   std::vector<MotorCommand> motors{};    // one for each of the robot's motors, in their order
   std::vector<int> take_images{};        // cameras whose image the next frame brings, or
                                          // a later one, or none: cameras may be slow or fail
+  double exposure_stops = 0.0;           // of take_images, as a power of two off the exposure that
+                                         // the cameras choose by themselves; +1: twice the light
   std::vector<std::uint8_t> switches{};  // lamps and the like, by index: 1 on, 0 off
   Verdict verdict = Verdict::kUnderWay;
 

@@ -40,6 +40,10 @@ struct VisionSettings {
   // tsai2013 only: detections given to the homography. Four as flown, which cannot vote a false one
   // out; five as its authors advise (Tsai et al., V-D).
   int min_points = 4;
+  // Stops to either side of the bracket that the docking controller takes where one exposure does
+  // not hold the board; 0: none. Two keep a surface in a sixteenth of the sun's light (a clear
+  // sky's share of it is a fourth to a ninth) where the first exposure had the sun's. Assumed, 1-3.
+  double bracket_stops = 2.0;
   Tsai2013Vision tsai2013{};
   bool while_driving = false;  // pictures are taken under way, too
 

@@ -30,11 +30,14 @@ class Motor:
 
 class Commands:
     """What the robot is to do until the next frame. `belief` is for the run's history alone: phase,
-    note, x_m, y_m, heading_rad (in the target's frame), values (a dict of numbers)."""
+    note, x_m, y_m, heading_rad (in the target's frame), values (a dict of numbers). The cameras take
+    their images `exposure_stops` off the exposure that they choose: +1 is twice the light."""
 
-    def __init__(self, motors, cameras=(), switches=(), verdict=UNDER_WAY, belief=None):
+    def __init__(
+        self, motors, cameras=(), switches=(), verdict=UNDER_WAY, belief=None, exposure_stops=0.0
+    ):
         self.motors, self.cameras, self.switches = motors, cameras, switches
-        self.verdict, self.belief = verdict, belief
+        self.verdict, self.belief, self.exposure_stops = verdict, belief, exposure_stops
 
 
 class Image:
@@ -114,7 +117,7 @@ def _commands(commands):
         out += struct.pack("<B4d", m.mode, m.target, m.speed_limit, m.accel, m.current_limit)
     out += struct.pack("<I%dI" % len(commands.cameras), len(commands.cameras), *commands.cameras)
     out += struct.pack("<I%dB" % len(commands.switches), len(commands.switches), *commands.switches)
-    return out + struct.pack("<B", commands.verdict)
+    return out + struct.pack("<Bd", commands.verdict, commands.exposure_stops)
 
 
 def serve(make_controller):

@@ -19,6 +19,9 @@ void VisitAxelKeys(Keys& keys, AxelKeys& values) {
                values.vision.min_points, 4, 5);
     in.Bool({"while_driving", "", "dockyard: pictures under way, too, where they are not blurred"},
             values.vision.while_driving);
+    in.Number({"bracket_stops", "", "exposures merged: stops to either side; 0: never; else 2",
+               Presence::kUnset},
+              values.bracket_stops, NonNegative(3.0));
   });
   keys.Degrees({"tip_angle_deg", "deg",
                 "how far the cone is tipped forward; else the station's own", Presence::kUnset},

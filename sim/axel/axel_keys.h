@@ -31,7 +31,9 @@ struct DirtyMarks {
 
 struct AxelKeys {
   std::string station_file;  // resolved path
-  VisionSettings vision{};   // of the controller's perception
+  VisionSettings vision{};   // of the controller's perception; its bracket is the next
+  // As of VisionSettings; NaN: its own default where a bracket can be taken, else none.
+  double bracket_stops = std::numeric_limits<double>::quiet_NaN();
   double tip_angle_rad =
       std::numeric_limits<double>::quiet_NaN();  // of the cone; NaN: as in the station's file
   double board_dust = 0.0;                       // mean share of the board's face under dust

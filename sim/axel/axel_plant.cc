@@ -54,9 +54,12 @@ SensorFrame AxelPlant::Sense() {
   return sensors_.Read(world_.tick(), Motors(truth_), world_.TakeTrueImu());
 }
 
-std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras) {
-  const SensorOptions sensor = WithFaults(
-      CameraSensor(built_.world.rover.stereo, seed_, pairs_taken_++), camera_faults_, seed_);
+std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras,
+                                               double exposure_stops) {
+  DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposureStops);
+  SensorOptions sensor = WithFaults(CameraSensor(built_.world.rover.stereo, seed_, pairs_taken_++),
+                                    camera_faults_, seed_);
+  sensor.exposure_stops += exposure_stops;
   exposed_truth_ = truth_;
   StereoImages pair = Picture(sensor);
   std::vector<CameraImage> images;

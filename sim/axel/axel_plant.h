@@ -21,7 +21,8 @@ class AxelPlant final : public Plant {
 
   Tick tick() const override { return world_.tick(); }
   SensorFrame Sense() override;
-  std::vector<CameraImage> TakeImages(const std::vector<int>& cameras) override;
+  std::vector<CameraImage> TakeImages(const std::vector<int>& cameras,
+                                      double exposure_stops) override;
   void Advance(const Commands& commands) override;
   Pose2 X_DR() const override { return AxleOnGround(truth_.X_DR); }
   void AppendChannels(std::vector<double>& values) const override;

@@ -166,6 +166,11 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   // The arm's encoder is absolute (assumed): the angle at power-on is known.
   run.nominal = MakeNominal(told.rover, told.station, LyingAt(told.rover, models.keys.start).arm);
   run.nominal.vision = models.keys.vision;
+  if (!std::isnan(models.keys.bracket_stops)) {
+    run.nominal.vision.bracket_stops = models.keys.bracket_stops;
+  } else if (!WhyNoBracket(scenario, models).empty()) {
+    run.nominal.vision.bracket_stops = 0.0;
+  }
   run.nominal.tsai2013 = models.keys.tsai2013;
   RandomStream start(StreamKey(scenario.seed, "start"));
   const double pitch_rad = 2.0 * kPi / std::max(1, world.rover.left_wheel_soil.paddle_count);

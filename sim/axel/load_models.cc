@@ -124,7 +124,33 @@ ModelSet LoadSet(const Scenario& scenario, const AxelKeys& keys, const YamlNode&
   return set;
 }
 
+/// A bracket that is asked for must be of use.
+void CheckBracket(const Scenario& scenario, const AxelModels& models) {
+  if (!(models.keys.bracket_stops > 0.0)) return;
+  const std::string why = WhyNoBracket(scenario, models);
+  if (why.empty()) return;
+  throw ConfigError(FindPath(scenario.of_system, "vision.bracket_stops")->place.Text() +
+                    ": axel.vision.bracket_stops: expected 0 " + why);
+}
+
 }  // namespace
+
+std::string WhyNoBracket(const Scenario& scenario, const AxelModels& models) {
+  if (models.keys.vision.pipeline == VisionPipeline::kTsai2013) {
+    return "beside axel.vision.pipeline tsai2013, which is held as flown";
+  }
+  if (scenario.command.empty() && !scenario.controller.empty() &&
+      scenario.controller != "dockyard") {
+    return "beside controller " + scenario.controller + ", which takes no bracket";
+  }
+  for (const ModelSet* set : {&models.told, &models.built}) {
+    if (set->rover.stereo.exposure.rule == ExposureRule::kBracketed) {
+      return "beside the robot's cameras.sensor.exposure.rule bracketed, as cameras that change "
+             "their exposure by themselves cannot be merged";
+    }
+  }
+  return "";
+}
 
 AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
   RequireFiles(scenario);
@@ -146,6 +172,7 @@ AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
                       ": board: expected two bars of each rotation, as axel.vision.pipeline "
                       "tsai2013 needs them, found others");
   }
+  CheckBracket(scenario, models);
   return models;
 }
 
@@ -153,7 +180,10 @@ std::shared_ptr<const AxelModels> ModelStore::Get(const Scenario& scenario) {
   const std::string key = ModelKey(scenario);
   const auto known =
       std::find_if(sets_.begin(), sets_.end(), [&](const auto& set) { return set.first == key; });
-  if (known != sets_.end()) return known->second;
+  if (known != sets_.end()) {
+    CheckBracket(scenario, *known->second);  // the controller is none of the models
+    return known->second;
+  }
   auto models = std::make_shared<const AxelModels>(LoadModels(scenario, &meshes_));
   if (sets_.size() >= kMostSets) sets_.erase(sets_.begin());
   sets_.emplace_back(key, models);

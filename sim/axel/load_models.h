@@ -32,6 +32,9 @@ struct AxelModels {
 /// @param meshes  as of LoadMesh
 AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes = nullptr);
 
+/// Why the controller's bracket of exposures cannot be of use, or empty.
+std::string WhyNoBracket(const Scenario& scenario, const AxelModels& models);
+
 /// Keeps the last few sets of models, so that the runs of a campaign share them. A worker that is
 /// forked after a set was loaded has the set without reading a file.
 class ModelStore {

@@ -150,6 +150,7 @@ VisionSettings VisionFromJson(const Json& json) {
   }
   vision.min_points = json.at("min_points");
   vision.while_driving = json.at("while_driving");
+  vision.bracket_stops = json.at("bracket_stops");
   return vision;
 }
 
@@ -196,7 +197,8 @@ Json ToJson(const Nominal& nominal) {
           {"vision",
            {{"pipeline", PipelineName(nominal.vision.pipeline)},
             {"min_points", nominal.vision.min_points},
-            {"while_driving", nominal.vision.while_driving}}},
+            {"while_driving", nominal.vision.while_driving},
+            {"bracket_stops", nominal.vision.bracket_stops}}},
           {"X_DB", ToJson(nominal.X_DB)},
           {"motors", motors},
           {"wheel_radius_m", nominal.wheel_radius_m},

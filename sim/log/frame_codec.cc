@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "controller/base/check.h"
+#include "controller/base/number_text.h"
 #include "sim/images/png.h"
 
 namespace dockyard {
@@ -179,6 +180,7 @@ void PutCommands(std::string& out, const Commands& commands) {
   PutU32(out, static_cast<std::uint32_t>(commands.switches.size()));
   for (const std::uint8_t on : commands.switches) PutU8(out, on);
   PutU8(out, static_cast<std::uint8_t>(commands.verdict));
+  PutDouble(out, commands.exposure_stops);
 }
 
 Commands TakeCommands(ByteReader& in) {
@@ -194,6 +196,11 @@ Commands TakeCommands(ByteReader& in) {
     throw DataError("unknown verdict " + std::to_string(verdict));
   }
   commands.verdict = static_cast<Verdict>(verdict);
+  commands.exposure_stops = in.Double();
+  if (!(std::abs(commands.exposure_stops) <= kMostExposureStops)) {
+    throw DataError("an exposure must lie within " + NumberText(kMostExposureStops) +
+                    " stops of the cameras' own");
+  }
   return commands;
 }
 

@@ -42,6 +42,10 @@ std::uint64_t HashCommands(std::uint64_t hash, const Commands& commands, int cam
       hash = HashBits(hash, static_cast<std::uint64_t>(camera));
     }
   }
+  // Only where there is one, so that a run without brackets keeps its fingerprint.
+  if (taken > 0 && commands.exposure_stops != 0.0) {
+    hash = HashDouble(hash, commands.exposure_stops);
+  }
   for (const std::uint8_t on : commands.switches) hash = HashBits(hash, on);
   return HashBits(hash, static_cast<std::uint64_t>(commands.verdict));
 }
@@ -103,7 +107,8 @@ class Run {
            !ready_.judge->fatal()) {
       SensorFrame sensed = plant().Sense();
       if (!commands.take_images.empty() &&
-          !link_.Send(plant().TakeImages(commands.take_images), sensed.tick)) {
+          !link_.Send(plant().TakeImages(commands.take_images, commands.exposure_stops),
+                      sensed.tick)) {
         ready_.judge->ObserveLostImages();
       }
       sensed.images = link_.Receive(sensed.tick);

@@ -21,7 +21,9 @@ class Plant {
   /// The readings of all sensors but the cameras now. Called once every control period.
   virtual SensorFrame Sense() = 0;
   /// The images of these cameras now; a camera that gives none is left out.
-  virtual std::vector<CameraImage> TakeImages(const std::vector<int>& cameras) = 0;
+  /// @param exposure_stops  off the cameras' own exposure, as Commands has it
+  virtual std::vector<CameraImage> TakeImages(const std::vector<int>& cameras,
+                                              double exposure_stops) = 0;
   /// One control period under these commands.
   virtual void Advance(const Commands& commands) = 0;
 

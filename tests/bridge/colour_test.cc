@@ -25,7 +25,7 @@ class ColourPlant final : public Plant {
  public:
   Tick tick() const override { return tick_; }
   SensorFrame Sense() override { return {.tick = tick_, .motors = {{}}}; }
-  std::vector<CameraImage> TakeImages(const std::vector<int>& cameras) override {
+  std::vector<CameraImage> TakeImages(const std::vector<int>& cameras, double) override {
     std::vector<CameraImage> images;
     for (const int camera : cameras) {
       if (camera == kColourCamera) images.push_back({camera, ImageAt(tick_)});

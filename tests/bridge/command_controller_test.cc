@@ -37,6 +37,21 @@ TEST(CommandController, GivesTheSameRunAsTheSameControllerInOurProcess) {
   EXPECT_EQ(outside["controller"], "command");
 }
 
+TEST(CommandController, OfAnotherProtocolIsRefused) {
+  const Json run = RunWith("python3, counting.py, first_protocol");
+  EXPECT_EQ(run["outcome"], "controller_error");
+  EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("it speaks protocol 1, expected 2"));
+}
+
+TEST(CommandController, ExposureMustBeOneThatCamerasHave) {
+  EXPECT_EQ(RunWith("python3, counting.py, stops")["outcome"], "at_flag");
+  for (const char* fault : {"nan_stops", "far_stops"}) {
+    const Json run = RunWith(std::string("python3, counting.py, ") + fault);
+    EXPECT_EQ(run["outcome"], "controller_error") << fault;
+    EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("within 6 stops")) << fault;
+  }
+}
+
 TEST(CommandController, ReplaysFromItsLog) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "run").string();

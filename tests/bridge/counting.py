@@ -7,6 +7,7 @@ import sys
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/python"))
+import dockyard_client
 from dockyard_client import BRAKE, DOCKED, UNDER_WAY, VELOCITY, Commands, Motor, serve
 
 
@@ -23,7 +24,9 @@ class Counting:
         motor = Motor(BRAKE if there else VELOCITY, self.speed_m_s / 0.1)
         belief = {"phase": "drive", "x_m": self.way_m - gone_m, "y_m": 0.0, "heading_rad": 3.14159}
         motors = [motor] if self.fault != "motors" else [motor, motor]
-        return Commands(motors, verdict=DOCKED if there else UNDER_WAY, belief=belief)
+        stops = {"nan_stops": float("nan"), "far_stops": 7.0, "stops": -2.0}.get(self.fault, 0.0)
+        verdict = DOCKED if there else UNDER_WAY
+        return Commands(motors, verdict=verdict, belief=belief, exposure_stops=stops)
 
     def misbehave(self):
         if self.fault == "crash":
@@ -45,4 +48,6 @@ class Counting:
             self.speed_m_s = float("nan")
 
 
+if sys.argv[1:] == ["first_protocol"]:
+    dockyard_client.json.dumps = lambda value: '{"protocol": 1}'
 serve(Counting)

@@ -58,7 +58,7 @@ FuzzKind PixelsKind() {
   const System& axel = FindSystem(systems, scenario.system);
   const auto seeds = [axel, scenario] {
     std::string pair;
-    for (const CameraImage& image : axel.make_ready(scenario).plant->TakeImages({0, 1})) {
+    for (const CameraImage& image : axel.make_ready(scenario).plant->TakeImages({0, 1}, 0.0)) {
       const auto& pixels = std::get<GrayImage>(image.pixels).pixels;
       pair.append(pixels.begin(), pixels.end());
     }

@@ -48,7 +48,7 @@ struct LoggedRun {
     for (int i = 0; i < count; ++i) {
       SensorFrame sensed = run.plant->Sense();
       if (!commands.take_images.empty())
-        sensed.images = run.plant->TakeImages(commands.take_images);
+        sensed.images = run.plant->TakeImages(commands.take_images, commands.exposure_stops);
       commands = controller->Step(sensed);
       log.Append(sensed, commands);
       for (int period = 0; period < 10; ++period) run.plant->Advance(commands);

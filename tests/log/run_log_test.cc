@@ -75,6 +75,7 @@ class MixingController : public Controller {
     commands.switches = {1, 0};
     commands.motors[2] = {MotorMode::kPosition, sum_, 1.0, 0.5, 2.0};
     if (sensed.tick % 60 == 40) commands.take_images = {0, 2};
+    if (sensed.tick % 120 == 100) commands.exposure_stops = -2.5;
     return commands;
   }
   const Belief& belief() const override { return belief_; }
@@ -133,7 +134,7 @@ TEST(RunLog, GivesBackEveryFrameBitForBit) {
 
 TEST(RunLog, GivesBackTheCommands) {
   const TemporaryFolder folder;
-  WriteLog(folder.path(), 5);
+  WriteLog(folder.path(), 10);
   MixingController controller;
   for (const RunLogEntry& entry : ReadWholeLog(folder.path()).entries) {
     EXPECT_EQ(entry.commands, controller.Step(entry.sensed));

@@ -52,7 +52,7 @@ class Line final : public Plant {
     frame.motors = {{std::llround(wheel_rad_ / kRadPerCount), 0.0}};
     return frame;
   }
-  std::vector<CameraImage> TakeImages(const std::vector<int>&) override { return {}; }
+  std::vector<CameraImage> TakeImages(const std::vector<int>&, double) override { return {}; }
   void Advance(const Commands& commands) override {
     const MotorCommand& motor = commands.motors[0];
     const double rad = motor.mode == MotorMode::kVelocity ? motor.target * 1e-3 * kPeriod : 0.0;

@@ -25,7 +25,7 @@ StereoImages StartPair(const Overrides& faults) {
   const Scenario scenario = TypicalScenario(overrides);
   StereoImages pair;
   const ReadyRun ready = Systems().front().make_ready(scenario);
-  for (CameraImage& image : ready.plant->TakeImages({kLeftCamera, kRightCamera})) {
+  for (CameraImage& image : ready.plant->TakeImages({kLeftCamera, kRightCamera}, 0.0)) {
     (image.camera == kLeftCamera ? pair.left : pair.right) = std::get<GrayImage>(image.pixels);
   }
   return pair;

@@ -36,7 +36,7 @@ std::vector<Scenario> Scenarios() {
 /// Of the images at the start.
 std::uint64_t ImageHash(const System& system, const Scenario& scenario) {
   std::uint64_t hash = kHashSeed;
-  for (const CameraImage& image : system.make_ready(scenario).plant->TakeImages({0, 1})) {
+  for (const CameraImage& image : system.make_ready(scenario).plant->TakeImages({0, 1}, 0.0)) {
     for (const std::uint8_t pixel : std::get<GrayImage>(image.pixels).pixels) {
       hash = HashByte(hash, pixel);
     }

@@ -66,7 +66,7 @@ TEST(MovingCamera, MovesOnAsTheWorldDoes) {
 
 StereoImages PairOf(AxelPlant& plant) {
   StereoImages pair;
-  for (CameraImage& image : plant.TakeImages({kLeftCamera, kRightCamera})) {
+  for (CameraImage& image : plant.TakeImages({kLeftCamera, kRightCamera}, 0.0)) {
     (image.camera == kLeftCamera ? pair.left : pair.right) = std::get<GrayImage>(image.pixels);
   }
   return pair;

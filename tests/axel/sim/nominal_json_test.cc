@@ -44,6 +44,7 @@ TEST(NominalJson, ReadsBackEveryNumberBitForBit) {
 TEST(NominalJson, ReadsBackEachLensModelAndPipeline) {
   Nominal nominal = SomeNominal();
   nominal.vision = {VisionPipeline::kTsai2013, 5};
+  nominal.vision.bracket_stops = 1.5;
   nominal.vision.while_driving = true;
   nominal.shutter_s = 0.0123;
   for (const Lens& lens : {Lens(KannalaBrandt{.fx = 1.0}), Lens(BrownPinhole{.k3 = 2.0}),
@@ -54,6 +55,12 @@ TEST(NominalJson, ReadsBackEachLensModelAndPipeline) {
     EXPECT_EQ(read.vision, nominal.vision);
     EXPECT_EQ(read.shutter_s, nominal.shutter_s);
   }
+}
+
+TEST(NominalJson, OfABuildBeforeTheBracketHasNone) {
+  Json json = ToJson(SomeNominal());
+  json["vision"].erase("bracket_stops");
+  EXPECT_EQ(NominalFromJson(json).vision.bracket_stops, 0.0);
 }
 
 TEST(NominalJson, RefusesALensModelOrPipelineThatItDoesNotKnow) {

@@ -77,7 +77,7 @@ TEST(RockScenario, IsSeenByTheCamerasAndBySpectators) {
   const auto images = [](const std::vector<std::string>& overrides) {
     const Scenario scenario = TypicalScenario(overrides);
     AxelPlant plant(scenario, Build(scenario), std::make_shared<KeptRenderer>());
-    return std::get<GrayImage>(plant.TakeImages({kLeftCamera})[0].pixels);
+    return std::get<GrayImage>(plant.TakeImages({kLeftCamera}, 0.0)[0].pixels);
   };
   const GrayImage without = images({"start.alpha_deg=0"}),
                   with = images({"start.alpha_deg=0", rock});
