@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "controller/axel/mouth_way.h"
+#include "controller/axel/rock_check.h"
 #include "controller/motion/three_arcs.h"
 
 namespace dockyard::axel {
@@ -13,6 +14,7 @@ namespace {
 constexpr int kSamplesPerArc = 8;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kStraightOn = Radians(3.0);  // less than the steering's own error
+constexpr double kRoundLimit_m = 2.0;         // first arc round a rock; assumed, 1-3 m
 constexpr double kLevelDrift = 0.03;          // 2 deg of slope; less comes with uneven ground
 // Two places this near each other are the same to a rover that knows its own to 2-10 cm.
 constexpr double kSamePlace_m = 0.25, kSameHeading = Radians(8.0);
@@ -24,14 +26,18 @@ struct Candidate {
 
 class AxisSearch {
  public:
-  AxisSearch(const PlanGeometry& geometry, const AxelOptions& options, const PlanHistory& history,
-             const Drift& drift)
+  AxisSearch(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
+             const PlanHistory& history, const Drift& drift)
       : geometry_(geometry),
         options_(options),
         plan_(options.plan),
         drift_(drift),
         abeam_rad_(std::max(plan_.least_abeam_rad,
-                            plan_.abeam_rad - history.back_offs * plan_.abeam_step_rad)) {}
+                            plan_.abeam_rad - history.back_offs * plan_.abeam_step_rad)),
+        rocks_(geometry, X_DR) {}
+
+  bool HasRocks() const { return !rocks_.empty(); }
+  bool Clear(const Candidate& plan) const { return !HasRocks() || plan.cost < kRockCost_m; }
 
   double CuspTurn() const { return 2.0 * std::atan(drift_.here); }
 
@@ -43,6 +49,23 @@ class AxisSearch {
                   Offer(start, {pair.begin(), pair.end()}, PairCost(pair), &best);
                 });
     return best;
+  }
+
+  /// Three arcs forwards, as a way round a rock needs; a cheaper one than the best so far replaces
+  /// it.
+  void Round(const Pose2& start, double max_curvature, const Pose2& goal, Candidate* best) const {
+    const ArcLimits limits{1.0 / max_curvature, Travel::kForward};
+    const auto firsts = FirstArcs(limits, plan_.back_step_m, kRoundLimit_m, plan_.back_turns);
+    double first_cost = 0.0;
+    const auto wants = [&](const Arc& first) {
+      first_cost = first.length_m;
+      return first.length_m > 0.0 && first_cost + ArcCost(start, first) < best->cost;
+    };
+    ForEachTriple(
+        Inverse(start) * goal, firsts, limits, plan_.back_splits, wants,
+        [&](const ArcTriple& arcs) {
+          Offer(start, {arcs.begin(), arcs.end()}, first_cost + PairCost({arcs[1], arcs[2]}), best);
+        });
   }
 
   /// Before the mouth, on the line to it, or with the axle aside and the tip on it.
@@ -109,8 +132,8 @@ class AxisSearch {
     if (cost < best->cost) *best = {arcs, cost};
   }
 
-  // Cost of this arc beyond its length: turning, board out of view, tether aside. Infinite if the
-  // arc leaves the allowed region.
+  // Cost of this arc beyond its length: turning, board out of view, tether aside, rocks. Infinite
+  // if the arc leaves the allowed region.
   double ArcCost(const Pose2& start, const Arc& arc) const {
     const double step = std::abs(arc.length_m) / kSamplesPerArc;
     const bool backwards = arc.length_m < 0.0;
@@ -124,6 +147,7 @@ class AxisSearch {
       cost += step * plan_.tether_angle_cost * std::max(0.0, aside - plan_.tether_angle_rad);
       cost += step * plan_.abeam_cost * std::max(0.0, aside - abeam_rad_);
     }
+    if (!rocks_.empty()) cost += rocks_.Cost(start, arc);
     return cost;
   }
 
@@ -132,6 +156,7 @@ class AxisSearch {
   const PlanOptions& plan_;
   Drift drift_;
   double abeam_rad_;
+  RockCheck rocks_;
 };
 
 }  // namespace
@@ -150,7 +175,7 @@ bool PlanHistory::BackedTo(const Pose2& X_DR) const {
 
 AxisPlan PlanOn(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
                 const Drift& drift) {
-  const AxisSearch search(geometry, options, {}, drift);
+  const AxisSearch search(geometry, options, X_DR, {}, drift);
   const PlanOptions& plan = options.plan;
   const Pose2 start = CourseOf(X_DR, drift.here, true);
   struct Try {
@@ -167,7 +192,12 @@ AxisPlan PlanOn(const PlanGeometry& geometry, const AxelOptions& options, const 
       {near, aside, plan.last_curvature},           {near, -aside, plan.last_curvature}};
   for (const Try& at : tries) {
     Candidate on = search.Forward(start, at.max_curvature, search.Goal(at.gap_m, at.aside_m));
-    if (!on.arcs.empty()) return {start, std::move(on.arcs)};
+    if (!on.arcs.empty() && search.Clear(on)) return {start, std::move(on.arcs)};
+  }
+  if (search.HasRocks()) {
+    Candidate round;
+    search.Round(start, plan.hold_curvature, search.Goal(plan.align_gap_m), &round);
+    if (!round.arcs.empty() && search.Clear(round)) return {start, std::move(round.arcs)};
   }
   return {start, {}};
 }
@@ -179,14 +209,18 @@ AxisPlan PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options, co
     AxisPlan on = PlanOn(geometry, options, X_DR, drift);
     if (!on.arcs.empty()) return on;
   }
-  const AxisSearch search(geometry, options, history, drift);
+  const AxisSearch search(geometry, options, X_DR, history, drift);
   const Pose2 ahead = CourseOf(X_DR, drift.here, true), back = CourseOf(X_DR, drift.here, false);
   Candidate best = search.Forward(ahead, plan.max_curvature, search.Goal(plan.align_gap_m));
+  if (search.HasRocks()) {
+    search.Round(ahead, plan.max_curvature, search.Goal(plan.align_gap_m), &best);
+  }
   search.BackOff(back, history, 1 + history.back_offs, &best);
-  if (best.arcs.empty()) search.BackOff(back, history, 1, &best);
+  if (best.arcs.empty() || !search.Clear(best)) search.BackOff(back, history, 1, &best);
   if (best.arcs.empty()) best.arcs = {{-plan.back_step_m * (1 + history.back_offs), 0.0}};
-  if (best.arcs.front().length_m >= 0.0) return {ahead, std::move(best.arcs)};
-  return {back, std::move(best.arcs), search.CuspTurn()};
+  const bool over = !search.Clear(best);
+  if (best.arcs.front().length_m >= 0.0) return {ahead, std::move(best.arcs), 0.0, over};
+  return {back, std::move(best.arcs), search.CuspTurn(), over};
 }
 
 }  // namespace dockyard::axel

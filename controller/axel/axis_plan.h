@@ -36,18 +36,21 @@ struct AxisPlan {
   Pose2 start;
   std::vector<Arc> arcs;
   double cusp_turn_rad = 0.0;  // of the course where the rover goes forwards after a way back
+  bool over_rock = false;      // no plan keeps clear of the rocks that it was told of
 };
 
 /// The cheapest of three arcs to the alignment goal, the second and third forwards, or of two, the
 /// second forwards: Eq. (14) of the Rocky 7 paper plus turning, way out of view and way with the
 /// tether far to the side. A new plan keeps to wider arcs than the rest of one that is under way,
 /// so that the rover's own errors do not send it back. Each back-off is longer than the one before
-/// and ends elsewhere than all before. Straight back if nothing fits.
+/// and ends elsewhere than all before. Straight back if nothing fits. With a map of rocks also
+/// three arcs forwards; if every plan crosses a rock, the one that does so least.
 AxisPlan PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
                     const PlanHistory& history = {}, const Drift& drift = {});
 
 /// The rest of a plan: two forward arcs as sharp as the rest may have, to the alignment goal or to
-/// the nearest place before the mouth. No arcs: it would have to back off.
+/// the nearest place before the mouth. With a map of rocks also three arcs, and none that crosses
+/// one. No arcs: it would have to back off.
 AxisPlan PlanOn(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
                 const Drift& drift = {});
 

@@ -38,7 +38,8 @@ class Driving {
   /// The plan in force, and how many there were.
   const std::vector<PlannedArc>& plan() const { return planned_; }
   int plan_count() const { return plan_count_; }
-  int legs() const { return legs_; }  // of them planned at a leg's start
+  bool over_rock() const { return plan_.over_rock; }  // of the plan in force
+  int legs() const { return legs_; }                  // of them planned at a leg's start
   int recoveries() const { return history_.recoveries; }
 
  private:

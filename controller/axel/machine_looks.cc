@@ -138,6 +138,7 @@ Event AxelMachine::AfterSighting() {
   }
   const Event event = driving_.PlanNext(senses_);
   if (event == Event::kGoRecover) return Recover(event, "misaligned");
+  if (driving_.over_rock()) belief_.note = "every plan crosses a rock";
   return driving_.legs() > options_.limit.plans ? Event::kLimitReached : event;
 }
 

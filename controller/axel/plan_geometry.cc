@@ -16,6 +16,10 @@ PlanGeometry PlanGeometryOf(const Nominal& nominal) {
   geometry.half_view_rad = std::atan2(edge.x(), edge.z());
   geometry.board_half_width_m = 0.5 * nominal.board.width_m;
   geometry.p_DB = nominal.X_DB.p.head<2>();
+  geometry.wheel_radius_m = nominal.wheel_radius_m;
+  geometry.track_m = nominal.track_m;
+  geometry.mouth_height_m = nominal.mouth_height_m;
+  geometry.rock_map = nominal.rock_map;
   return geometry;
 }
 

@@ -16,6 +16,10 @@ struct PlanGeometry {
   double half_view_rad = 0.0;  // of the lens, sideways
   double board_half_width_m = 0.0;
   Eigen::Vector2d p_DB = Eigen::Vector2d::Zero();  // board's centre in the plane
+  double wheel_radius_m = 0.0;                     // with its paddles
+  double track_m = 0.0;                            // between the wheels' middles
+  double mouth_height_m = 0.0;                     // centre of the cone's mouth above the ground
+  RockMap rock_map{};                              // rocks that it was told of
 };
 PlanGeometry PlanGeometryOf(const Nominal& nominal);
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "controller/axel/rock_check.h"
 #include "controller/motion/two_arcs.h"
 
 namespace dockyard::axel {
@@ -19,6 +21,39 @@ bool CanGoOn(const PlanGeometry& geometry, const AxelOptions& options, const Pos
     if (PlanOn(geometry, options, at, drift).arcs.empty()) return false;
   }
   return true;
+}
+
+/// The pair of least cost with that of the rocks that it crosses.
+std::optional<ArcPair> ClearestPair(const RockCheck& rocks, const Pose2& out, const Pose2& to_goal,
+                                    const ArcLimits& limits, int splits, double* least) {
+  std::optional<ArcPair> best;
+  ForEachPair(to_goal, limits, splits, [&](const ArcPair& pair) {
+    const double cost = PairCost(pair);
+    if (cost >= *least) return;
+    const double with_rocks = cost + rocks.Cost(out, {pair.begin(), pair.end()});
+    if (with_rocks >= *least) return;
+    *least = with_rocks;
+    best = pair;
+  });
+  return best;
+}
+
+/// As PlanRecovery among rocks: behind what it has so far, a pair to the recovery goal or to the
+/// next one farther out that no rock bars. Nothing if no pair fits.
+std::optional<ArcPair> RecoverAmongRocks(const PlanGeometry& geometry, const AxelOptions& options,
+                                         const RockCheck& rocks, const Pose2& out, double x_m,
+                                         const ArcLimits& limits, const Drift& drift,
+                                         double* least) {
+  std::optional<ArcPair> best;
+  for (; x_m <= options.plan.max_range_m && *least >= kRockCost_m;
+       x_m += options.plan.recover_step_m) {
+    const Pose2 on_line = MouthLineAt(geometry, options.mate, x_m, drift.at_dock);
+    const Pose2 goal = CourseOf({on_line.x, on_line.y, kPi}, drift.at_dock, false);
+    const auto pair =
+        ClearestPair(rocks, out, Inverse(out) * goal, limits, options.plan.splits, least);
+    if (pair) best = pair;
+  }
+  return best;
 }
 
 }  // namespace
@@ -37,6 +72,16 @@ AxisPlan PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options, 
   const Pose2 goal = CourseOf({on_line.x, on_line.y, kPi}, drift.at_dock, false);
   const ArcLimits limits{1.0 / plan.max_recover_curvature, Travel::kBackward};
   const Pose2 to_goal = Inverse(out) * goal;
+  const RockCheck rocks(geometry, X_DR);
+  if (!rocks.empty()) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto pair = RecoverAmongRocks(geometry, options, rocks, out, x_m, limits, drift, &least);
+    back.over_rock = least >= kRockCost_m;
+    if (pair) {
+      back.arcs.insert(back.arcs.end(), pair->begin(), pair->end());
+      return back;
+    }
+  }
   if (const auto pair = CheapestPair(to_goal, limits)) {
     back.arcs.insert(back.arcs.end(), pair->begin(), pair->end());
   } else {

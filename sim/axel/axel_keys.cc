@@ -60,10 +60,55 @@ void VisitAxelKeys(Keys& keys, AxelKeys& values) {
         in.Number({"rock_m", "m", "height of a rock under the left wheel; 0: none"},
                   values.start.rock_m, NonNegative(0.3));
       });
+  keys.Mapping({"rock_map", "", "rocks that the controller is told of"}, [&](Keys& in) {
+    RockMapKeys& map = values.rock_map;
+    in.Bool({"made", "", "from the rocks of the world, with a survey's errors"}, map.made);
+    in.Number({"sigma_m", "m", "of each coordinate of a place in the map; told, too"}, map.sigma_m,
+              NonNegative(1.0));
+    in.Number({"least_height_m", "m", "lower rocks are not in a made map"}, map.least_height_m,
+              NonNegative(1.0));
+    in.Tree({"given", "", "instead: rocks by x_m, y_m, radius_m, height_m", Presence::kUnset},
+            map.given, YamlNode::Kind::kSequence);
+  });
   keys.Mapping(
       {"tsai2013", "", "what Tsai et al. (2013) leave open of their controller and perception"},
       [&](Keys& in) { VisitTsai2013Keys(in, values.vision.tsai2013, values.tsai2013); });
 }
+
+namespace {
+
+constexpr std::size_t kMostMapped = 200;
+
+MappedRock ReadMapped(const YamlNode& node, const std::string& path) {
+  MappedRock rock;
+  ReadKeys(node, path, [&](Keys& keys) {
+    using enum Presence;
+    keys.Number({"x_m", "m", "of its middle in the dock's frame D", kRequired}, rock.x_m,
+                Between(-200.0, 200.0));
+    keys.Number({"y_m", "m", "the same", kRequired}, rock.y_m, Between(-200.0, 200.0));
+    keys.Number({"radius_m", "m", "of a disc that holds it", kRequired}, rock.radius_m,
+                Between(0.01, 2.0));
+    keys.Number({"height_m", "m", "above the ground", kRequired}, rock.height_m,
+                Between(0.005, 2.0));
+  });
+  return rock;
+}
+
+void ReadRockMap(RockMapKeys& map) {
+  const std::vector<YamlNode>& given = map.given.items;
+  if (given.empty()) return;
+  const std::string where = map.given.place.Text() + ": axel.rock_map.given: expected ";
+  if (map.made) throw ConfigError(where + "none beside made: true");
+  if (given.size() > kMostMapped) {
+    throw ConfigError(where + "at most " + std::to_string(kMostMapped) + " rocks, found " +
+                      std::to_string(given.size()));
+  }
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    map.rocks.push_back(ReadMapped(given[i], YamlReader::PathOf("axel.rock_map.given", i)));
+  }
+}
+
+}  // namespace
 
 AxelKeys ReadAxelKeys(const Scenario& scenario) {
   AxelKeys values;
@@ -74,6 +119,7 @@ AxelKeys ReadAxelKeys(const Scenario& scenario) {
                       ": axel.start.arm_deg: expected none beside body_pitch_deg; with the tip on "
                       "the ground one gives the other");
   }
+  ReadRockMap(values.rock_map);
   return values;
 }
 

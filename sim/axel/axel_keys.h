@@ -3,7 +3,9 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
+#include "controller/axel/nominal/rock_map.h"
 #include "controller/axel/nominal/tsai2013_options.h"
 #include "controller/io/vision_settings.h"
 #include "sim/axel/station_hand.h"
@@ -29,6 +31,15 @@ struct DirtyMarks {
   double dust = 0.8;  // mean share of each under dust
 };
 
+/// The controller's map of rocks: made from those of the world with a survey's errors, or given.
+struct RockMapKeys {
+  bool made = false;
+  double sigma_m = 0.03;  // of each coordinate of a place; assumed, 0.01-0.10 (a lander's stereo)
+  double least_height_m = 0.10;     // lower rocks are not in a made map; assumed, 0.05-0.2
+  YamlNode given{};                 // a list of x_m, y_m, radius_m, height_m; kNull: none
+  std::vector<MappedRock> rocks{};  // as given
+};
+
 struct AxelKeys {
   std::string station_file;  // resolved path
   VisionSettings vision{};   // of the controller's perception; its bracket is the next
@@ -41,6 +52,7 @@ struct AxelKeys {
   StartKeys start{};
   Tsai2013Options tsai2013{};  // of the controller of that name; its vision's are in `vision`
   StationMove station_move{};
+  RockMapKeys rock_map{};
 };
 
 /// Names every key: for reading, and for docs/reference/scenarios.md.

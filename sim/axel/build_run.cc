@@ -11,6 +11,7 @@
 #include "models/read/config_error.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_rocks.h"
+#include "sim/axel/rock_survey.h"
 #include "sim/axel/rover_start.h"
 #include "sim/base/random.h"
 
@@ -182,6 +183,8 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.slope = SlopeOf(scenario);
   world.X_DR_start = FromDockingCoords(scenario.start);
   world.rocks = BuildRocks(scenario, models, world.ground);
+  run.nominal.rock_map =
+      RockMapOf(models.keys.rock_map, world.rocks, world.ground, world.X_GD, scenario.seed);
   world.station_move = models.keys.station_move;
   world.step_s = scenario.physics_step_s;
   if (const std::string part = StartsInRock(world); !part.empty()) {

@@ -154,6 +154,25 @@ VisionSettings VisionFromJson(const Json& json) {
   return vision;
 }
 
+Json RocksToJson(const RockMap& map) {
+  Json rocks = Json::array();
+  for (const MappedRock& rock : map.rocks) {
+    rocks.push_back({{"x_m", rock.x_m},
+                     {"y_m", rock.y_m},
+                     {"radius_m", rock.radius_m},
+                     {"height_m", rock.height_m}});
+  }
+  return {{"rocks", rocks}, {"sigma_m", map.sigma_m}};
+}
+
+RockMap RocksFromJson(const Json& json) {
+  RockMap map{.rocks = {}, .sigma_m = json.at("sigma_m")};
+  for (const Json& rock : json.at("rocks")) {
+    map.rocks.push_back({rock.at("x_m"), rock.at("y_m"), rock.at("radius_m"), rock.at("height_m")});
+  }
+  return map;
+}
+
 Nominal Read(const Json& json) {
   Nominal nominal;
   nominal.rig.left = CameraFromJson(json.at("left_camera"));
@@ -180,6 +199,7 @@ Nominal Read(const Json& json) {
   nominal.throat_depth_m = json.at("throat_depth_m");
   nominal.seat_depth_m = json.at("seat_depth_m");
   nominal.mating_depth_m = json.at("mating_depth_m");
+  if (json.contains("rock_map")) nominal.rock_map = RocksFromJson(json.at("rock_map"));
   return nominal;
 }
 
@@ -188,32 +208,34 @@ Nominal Read(const Json& json) {
 Json ToJson(const Nominal& nominal) {
   Json motors = Json::array();
   for (const NominalMotor& motor : nominal.motors) motors.push_back(MotorToJson(motor));
-  return {{"left_camera", CameraToJson(nominal.rig.left)},
-          {"right_camera", CameraToJson(nominal.rig.right)},
-          {"X_RL", ToJson(nominal.rig.X_RL)},
-          {"X_RQ", ToJson(nominal.rig.X_RQ)},
-          {"shutter_s", nominal.shutter_s},
-          {"board", BoardToJson(nominal.board)},
-          {"vision",
-           {{"pipeline", PipelineName(nominal.vision.pipeline)},
-            {"min_points", nominal.vision.min_points},
-            {"while_driving", nominal.vision.while_driving},
-            {"bracket_stops", nominal.vision.bracket_stops}}},
-          {"X_DB", ToJson(nominal.X_DB)},
-          {"motors", motors},
-          {"wheel_radius_m", nominal.wheel_radius_m},
-          {"paddle_pitch_m", nominal.paddle_pitch_m},
-          {"track_m", nominal.track_m},
-          {"arm_length_m", nominal.arm_length_m},
-          {"arm_at_zero_rad", nominal.arm_at_zero_rad},
-          {"drum_radius_m", nominal.drum_radius_m},
-          {"mouth_height_m", nominal.mouth_height_m},
-          {"anchor_depth_m", nominal.anchor_depth_m},
-          {"spool_friction_n", nominal.spool_friction_n},
-          {"throat_depth_m", nominal.throat_depth_m},
-          {"seat_depth_m", nominal.seat_depth_m},
-          {"mating_depth_m", nominal.mating_depth_m},
-          {"tsai2013", Tsai2013ToJson(nominal.vision.tsai2013, nominal.tsai2013)}};
+  Json json{{"left_camera", CameraToJson(nominal.rig.left)},
+            {"right_camera", CameraToJson(nominal.rig.right)},
+            {"X_RL", ToJson(nominal.rig.X_RL)},
+            {"X_RQ", ToJson(nominal.rig.X_RQ)},
+            {"shutter_s", nominal.shutter_s},
+            {"board", BoardToJson(nominal.board)},
+            {"vision",
+             {{"pipeline", PipelineName(nominal.vision.pipeline)},
+              {"min_points", nominal.vision.min_points},
+              {"while_driving", nominal.vision.while_driving},
+              {"bracket_stops", nominal.vision.bracket_stops}}},
+            {"X_DB", ToJson(nominal.X_DB)},
+            {"motors", motors},
+            {"wheel_radius_m", nominal.wheel_radius_m},
+            {"paddle_pitch_m", nominal.paddle_pitch_m},
+            {"track_m", nominal.track_m},
+            {"arm_length_m", nominal.arm_length_m},
+            {"arm_at_zero_rad", nominal.arm_at_zero_rad},
+            {"drum_radius_m", nominal.drum_radius_m},
+            {"mouth_height_m", nominal.mouth_height_m},
+            {"anchor_depth_m", nominal.anchor_depth_m},
+            {"spool_friction_n", nominal.spool_friction_n},
+            {"throat_depth_m", nominal.throat_depth_m},
+            {"seat_depth_m", nominal.seat_depth_m},
+            {"mating_depth_m", nominal.mating_depth_m},
+            {"tsai2013", Tsai2013ToJson(nominal.vision.tsai2013, nominal.tsai2013)}};
+  if (!nominal.rock_map.rocks.empty()) json["rock_map"] = RocksToJson(nominal.rock_map);
+  return json;
 }
 
 Nominal NominalFromJson(const Json& json) {

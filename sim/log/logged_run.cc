@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <unordered_map>
 
 #include "sim/log/ros_messages.h"
@@ -36,8 +37,9 @@ class Gatherer {
     } else if (type == "sensor_msgs/msg/CameraInfo") {
       run_.cameras.push_back(TakeCamera(CdrReader(data)));
     } else if (type == "visualization_msgs/msg/MarkerArray" && topic != topic::kGroundMarkers) {
-      StageLine line = TakeLine(CdrReader(data));
-      run_.lines[topic.substr(1)].push_back(std::move(line));
+      // Solids are written once: as lines they would cut the run to its first sample.
+      std::optional<StageLine> line = TakeLine(CdrReader(data));
+      if (line) run_.lines[topic.substr(1)].push_back(*std::move(line));
     }
   }
 

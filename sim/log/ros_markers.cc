@@ -5,7 +5,7 @@
 namespace dockyard {
 namespace {
 
-constexpr std::int32_t kLineStrip = 4, kTriangleList = 11;  // of visualization_msgs/Marker
+constexpr std::int32_t kTriangleList = 11;  // of visualization_msgs/Marker
 
 struct MarkerOfPoints {
   std::string name;

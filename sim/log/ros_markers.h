@@ -1,6 +1,7 @@
 // Markers of a run's log in CDR: lines and triangles that ROS tools draw.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "sim/mcap/cdr.h"
 
 namespace dockyard {
+
+/// Type of a line in visualization_msgs/Marker.
+inline constexpr std::int32_t kLineStrip = 4;
 
 /// visualization_msgs/Marker of triangles in the world, three corners each.
 void PutTriangles(CdrWriter& out, Tick tick, const std::string& name, int id,

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "sim/log/ros_markers.h"
+
 namespace dockyard {
 namespace {
 
@@ -114,12 +116,14 @@ Timed<LoggedGround> TakeGround(CdrReader in) {
   return ground;
 }
 
-StageLine TakeLine(CdrReader in) {
+std::optional<StageLine> TakeLine(CdrReader in) {
   StageLine line;
   if (in.Count(kSmallestMarker) == 0) return line;
   TakeHeader(in);
   line.name = in.Text();
-  for (int i = 0; i < 3; ++i) in.I32();  // id, type, action
+  in.I32();  // id
+  if (in.I32() != kLineStrip) return std::nullopt;
+  in.I32();  // action
   TakePose(in);
   line.diameter_m = TakeVector(in).x();
   for (double& part : line.rgb) part = in.Float();

@@ -2,6 +2,7 @@
 // data that do not fit.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,8 @@ Timed<LoggedNote> TakeNote(CdrReader in);
 Timed<LoggedImage> TakeImage(CdrReader in);
 LoggedCamera TakeCamera(CdrReader in);
 Timed<LoggedGround> TakeGround(CdrReader in);
-/// The first marker of an array of lines.
-StageLine TakeLine(CdrReader in);
+/// The first marker of an array of lines; none if the array has solids.
+std::optional<StageLine> TakeLine(CdrReader in);
 /// A value for each name, at the end of its series.
 void TakeScalars(CdrReader in, Series& series);
 

@@ -32,7 +32,7 @@ SightingSample SomeSighting() {
 }
 
 /// Twenty samples of a robot with a wheel, a cable, a ground that changes, an image.
-void WriteRun(const std::filesystem::path& dir) {
+void WriteRun(const std::filesystem::path& dir, bool with_solids = false) {
   RunLogWriter log(dir, {.run = 3,
                          .system = "toy",
                          .motors = {{"wheel", 0.5}},
@@ -40,6 +40,7 @@ void WriteRun(const std::filesystem::path& dir) {
                          .channels = {{"depth_m", "m", "how deep"}},
                          .beliefs = {{"tries", "", "how often"}}});
   std::vector<double> heights(12, 0.01);
+  const std::vector<Eigen::Vector3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   for (int i = 0; i < 20; ++i) {
     const Tick tick = 100 * i;
     SensorFrame frame{.tick = tick, .motors = {{2 * i, 0.1 * i}}};
@@ -54,6 +55,7 @@ void WriteRun(const std::filesystem::path& dir) {
     stage.bodies = {{"robot", PoseAt(i)}, {"wheel", PoseAt(2 * i)}};
     stage.lines = {
         {.name = "cable", .diameter_m = 0.006, .points_W = {{0, 0, 0}, {i * 1.0, 0, 0}}}};
+    if (with_solids) stage.solids = {{.name = "stones", .rgb = {1, 0, 0}, .corners_W = &corners}};
     if (i == 10) heights[5] = -0.02;
     stage.ground = {
         .cell_m = 0.1, .nx = 4, .ny = 3, .heights_m = heights.data(), .revision = i < 10 ? 0u : 1u};
@@ -85,6 +87,15 @@ TEST(LoggedRun, GivesBackWhatTheRunWas) {
   EXPECT_EQ(run.truth.at("heading_rad")[9], 1.0);
   EXPECT_EQ(run.belief.at("tries")[9], 2.0);
   EXPECT_EQ(run.currents_a.at("wheel")[9], 0.1 * 9);
+}
+
+TEST(LoggedRun, KeepsAllSamplesBesideSolidsThatAreWrittenOnce) {
+  const TemporaryFolder folder;
+  WriteRun(folder.path(), true);
+  const LoggedRun run = ReadLoggedRun(folder.path());
+  EXPECT_EQ(run.times_s.size(), 20u);
+  EXPECT_EQ(run.lines.size(), 1u);
+  EXPECT_EQ(run.lines.at("cable").size(), 20u);
 }
 
 TEST(LoggedRun, HasWhatHappenedAtItsTime) {

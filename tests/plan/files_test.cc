@@ -156,6 +156,7 @@ const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"mating_map.yaml", 2 * 9 * 6},
     {"reel_alpha.yaml", 2 * 3 * 15},
     {"reel_heading.yaml", 2 * 2 * 9},
+    {"rock_map.yaml", 2 * 2},
     {"rocks.yaml", 4 * 2},
     {"sensitivity.yaml", 8 * (1 + 48)},
     {"sensitivity_compact.yaml", 4 * (1 + 20)},

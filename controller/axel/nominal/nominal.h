@@ -6,6 +6,7 @@
 #include <array>
 
 #include "controller/axel/nominal/motors.h"
+#include "controller/axel/nominal/rock_map.h"
 #include "controller/axel/nominal/tsai2013_options.h"
 #include "controller/geometry/board.h"
 #include "controller/geometry/camera.h"
@@ -35,6 +36,7 @@ struct Nominal {
   double throat_depth_m = 0.0;   // of the cone's throat behind the mouth plane
   double seat_depth_m = 0.0;     // of the socket's floor, on which the tip is seated
   double mating_depth_m = 0.25;  // how far to reel the tip in (Tsai et al., II)
+  RockMap rock_map{};            // of a survey; none by default
   Tsai2013Options tsai2013{};    // of the controller of that name
 };
 

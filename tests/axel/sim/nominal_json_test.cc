@@ -109,6 +109,13 @@ TEST(NominalJson, ReadsBackWhatThePaperLeavesOpen) {
   EXPECT_EQ(NominalFromJson(json).tsai2013, Tsai2013Options{});
 }
 
+TEST(NominalJson, ReadsBackAMapOfRocksAndWritesNoneWithout) {
+  Nominal nominal = SomeNominal();
+  EXPECT_FALSE(ToJson(nominal).contains("rock_map"));
+  nominal.rock_map = {{{1.0 / 3.0, -0.2, 0.15, 0.1}, {2.0, 0.5, 0.2, 0.3}}, 0.03};
+  EXPECT_EQ(NominalFromJson(ToJson(nominal)).rock_map, nominal.rock_map);
+}
+
 TEST(NominalJson, RefusesTheParametersOfAnotherSystem) {
   EXPECT_NE(ErrorOf({{"distance_m", 2.0}}), "no error");
 }

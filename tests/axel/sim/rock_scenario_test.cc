@@ -106,6 +106,57 @@ TEST(RockScenario, IsSeenByTheCamerasAndBySpectators) {
   EXPECT_NEAR(top, 0.3, 0.03);
 }
 
+TEST(RockScenario, TheControllerIsToldOfNoRockByDefault) {
+  EXPECT_EQ(Build(TypicalScenario({"rocks.cover=0.05"})).nominal.rock_map, RockMap{});
+}
+
+TEST(RockScenario, MapHasTheHighRocksWithASurveysErrors) {
+  const auto map = [](const std::string& keys, const char* seed) {
+    return Build(TypicalScenario({"rocks.cover=0.1", "axel.rock_map=" + keys, seed}))
+        .nominal.rock_map;
+  };
+  const RockMap exact = map("{made: true, sigma_m: 0, least_height_m: 0.05}", "seed=3");
+  const RockMap rough = map("{made: true, sigma_m: 0.1, least_height_m: 0.05}", "seed=3");
+  const RockMap higher = map("{made: true, sigma_m: 0.1, least_height_m: 0.08}", "seed=3");
+  ASSERT_GT(exact.rocks.size(), 20u);
+  ASSERT_EQ(exact.rocks.size(), rough.rocks.size());
+  double squares = 0.0;
+  for (std::size_t i = 0; i < exact.rocks.size(); ++i) {
+    EXPECT_GE(exact.rocks[i].height_m, 0.05);
+    EXPECT_EQ(exact.rocks[i].radius_m, rough.rocks[i].radius_m);
+    squares += std::pow(rough.rocks[i].x_m - exact.rocks[i].x_m, 2) +
+               std::pow(rough.rocks[i].y_m - exact.rocks[i].y_m, 2);
+  }
+  const double n = 2.0 * static_cast<double>(exact.rocks.size());
+  EXPECT_NEAR(std::sqrt(squares / n), 0.1, 4.0 * 0.1 / std::sqrt(2.0 * n));
+  // A rock's error does not hang on which others are in the map.
+  ASSERT_LT(higher.rocks.size(), rough.rocks.size());
+  for (const MappedRock& rock : higher.rocks) {
+    EXPECT_NE(std::find(rough.rocks.begin(), rough.rocks.end(), rock), rough.rocks.end());
+  }
+}
+
+TEST(RockScenario, MapHasAGivenRockWhereItStands) {
+  const RockMap map =
+      Build(TypicalScenario({"rocks.given=[{x_m: 2, y_m: 1, diameter_m: 0.3, height_m: 0.2}]",
+                             "axel.rock_map={made: true, sigma_m: 0}"}))
+          .nominal.rock_map;
+  ASSERT_EQ(map.rocks.size(), 1u);
+  EXPECT_NEAR(map.rocks[0].x_m, 2.0, 1e-9);
+  EXPECT_NEAR(map.rocks[0].y_m, 1.0, 1e-9);
+  EXPECT_NEAR(map.rocks[0].height_m, 0.2, 0.01);
+  EXPECT_NEAR(map.rocks[0].radius_m, 0.15, 0.05);
+}
+
+TEST(RockScenario, RefusesAMapThatIsBothMadeAndGiven) {
+  const std::string given = "given: [{x_m: 2, y_m: 0, radius_m: 0.1, height_m: 0.2}]";
+  EXPECT_EQ(Refused({"axel.rock_map={" + given + "}"}), "");
+  EXPECT_THAT(Refused({"axel.rock_map={made: true, " + given + "}"}),
+              HasSubstr("axel.rock_map.given: expected none beside made: true"));
+  EXPECT_THAT(Refused({"axel.rock_map={given: [{x_m: 2, y_m: 0, radius_m: 0.1}]}"}),
+              HasSubstr("height_m"));
+}
+
 TEST(RockScenario, SameSeedHasTheSameRocksAndAnotherOthers) {
   const auto first = [](const char* seed) {
     return Build(TypicalScenario({"rocks.cover=0.05", seed})).world.rocks.rocks[0].vertices[0];

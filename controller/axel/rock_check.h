@@ -1,0 +1,58 @@
+// Which drives put the rover or its tether over a rock that it was told of.
+#pragma once
+
+#include <vector>
+
+#include "controller/axel/plan_geometry.h"
+#include "controller/motion/arcs.h"
+
+namespace dockyard::axel {
+
+/// Of a drive over one rock, in metres of way, and the same again for each metre too near. More
+/// than any other plan costs, so that a plan over a rock is taken only if there is no other.
+inline constexpr double kRockCost_m = 1e3;
+
+struct RockLimits {
+  // A wheel rolls over lower rocks; 20 of 20 runs start with a wheel on 8 cm (docs/results). The
+  // paddled wheel is said to climb far higher ones, but it turns the rover as it does.
+  double wheel_climbs_m = 0.10;  // assumed, 0.06-0.15
+  // Body and arm pass over lower rocks: the axle is 0.30 m high, the body's underside and a hanging
+  // arm lower.
+  double body_clears_m = 0.15;  // assumed, 0.10-0.22
+  // The tether's height at the arm's tip; from there it rises to the mouth.
+  double tether_at_tip_m = 0.20;  // assumed, 0.15-0.35
+  double half_wheel_m = 0.075;    // half a wheel's width; assumed, 0.05-0.10
+  // The rover beside its plan: 2-10 cm of its own place.
+  double beside_m = 0.05;    // assumed, 0.03-0.10
+  double sigmas = 2.0;       // of the map that are kept clear, too; assumed, 1-3
+  double tether_m = 0.03;    // kept clear of the tether; assumed, 0-0.1
+  double tether_step = 0.1;  // of an arc between two places at which the tether is looked at, share
+};
+
+/// The rocks of a map that the rover cannot pass over, for a plan from one pose. A rock that is
+/// nearer than wanted at the start may be as near on the way, but no nearer.
+class RockCheck {
+ public:
+  RockCheck(const PlanGeometry& geometry, const Pose2& X_DR_start, const RockLimits& limits = {});
+
+  bool empty() const { return rocks_.empty(); }
+  /// Cost of the rocks that an arc from X_DR crosses [m]; 0 if it is clear of all.
+  double Cost(const Pose2& X_DR, const Arc& arc) const;
+  double Cost(const Pose2& X_DR, const std::vector<Arc>& arcs) const;
+
+ private:
+  struct Kept {
+    MappedRock rock;
+    double wheel_m = 0.0, body_m = 0.0;  // distances to keep from its middle; 0: none
+    bool tether = false;
+  };
+  double WheelDistance(const Pose2& X_DR, const Arc& arc, const MappedRock& rock) const;
+  double BodyDistance(const Pose2& X_DR, const Arc& arc, const MappedRock& rock) const;
+  double TetherDepth(const Pose2& X_DR, const MappedRock& rock) const;
+
+  double arm_m_ = 0.0, wheel_radius_m_ = 0.0, half_track_m_ = 0.0, mouth_height_m_ = 0.0;
+  RockLimits limits_;
+  std::vector<Kept> rocks_;
+};
+
+}  // namespace dockyard::axel
