@@ -176,6 +176,7 @@ Nominal Read(const Json& json) {
   nominal.throat_depth_m = json.at("throat_depth_m");
   nominal.seat_depth_m = json.at("seat_depth_m");
   nominal.mating_depth_m = json.at("mating_depth_m");
+  nominal.excursion_m = json.value("excursion_m", 0.0);
   return nominal;
 }
 
@@ -184,28 +185,30 @@ Nominal Read(const Json& json) {
 Json ToJson(const Nominal& nominal) {
   Json motors = Json::array();
   for (const NominalMotor& motor : nominal.motors) motors.push_back(MotorToJson(motor));
-  return {{"left_camera", CameraToJson(nominal.rig.left)},
-          {"right_camera", CameraToJson(nominal.rig.right)},
-          {"X_RL", ToJson(nominal.rig.X_RL)},
-          {"X_RQ", ToJson(nominal.rig.X_RQ)},
-          {"board", BoardToJson(nominal.board)},
-          {"vision",
-           {{"pipeline", PipelineName(nominal.vision.pipeline)},
-            {"min_points", nominal.vision.min_points}}},
-          {"X_DB", ToJson(nominal.X_DB)},
-          {"motors", motors},
-          {"wheel_radius_m", nominal.wheel_radius_m},
-          {"track_m", nominal.track_m},
-          {"arm_length_m", nominal.arm_length_m},
-          {"arm_at_zero_rad", nominal.arm_at_zero_rad},
-          {"drum_radius_m", nominal.drum_radius_m},
-          {"mouth_height_m", nominal.mouth_height_m},
-          {"anchor_depth_m", nominal.anchor_depth_m},
-          {"spool_friction_n", nominal.spool_friction_n},
-          {"throat_depth_m", nominal.throat_depth_m},
-          {"seat_depth_m", nominal.seat_depth_m},
-          {"mating_depth_m", nominal.mating_depth_m},
-          {"tsai2013", Tsai2013ToJson(nominal.vision.tsai2013, nominal.tsai2013)}};
+  Json json{{"left_camera", CameraToJson(nominal.rig.left)},
+            {"right_camera", CameraToJson(nominal.rig.right)},
+            {"X_RL", ToJson(nominal.rig.X_RL)},
+            {"X_RQ", ToJson(nominal.rig.X_RQ)},
+            {"board", BoardToJson(nominal.board)},
+            {"vision",
+             {{"pipeline", PipelineName(nominal.vision.pipeline)},
+              {"min_points", nominal.vision.min_points}}},
+            {"X_DB", ToJson(nominal.X_DB)},
+            {"motors", motors},
+            {"wheel_radius_m", nominal.wheel_radius_m},
+            {"track_m", nominal.track_m},
+            {"arm_length_m", nominal.arm_length_m},
+            {"arm_at_zero_rad", nominal.arm_at_zero_rad},
+            {"drum_radius_m", nominal.drum_radius_m},
+            {"mouth_height_m", nominal.mouth_height_m},
+            {"anchor_depth_m", nominal.anchor_depth_m},
+            {"spool_friction_n", nominal.spool_friction_n},
+            {"throat_depth_m", nominal.throat_depth_m},
+            {"seat_depth_m", nominal.seat_depth_m},
+            {"mating_depth_m", nominal.mating_depth_m},
+            {"tsai2013", Tsai2013ToJson(nominal.vision.tsai2013, nominal.tsai2013)}};
+  if (nominal.excursion_m > 0.0) json["excursion_m"] = nominal.excursion_m;
+  return json;
 }
 
 Nominal NominalFromJson(const Json& json) {
