@@ -33,6 +33,12 @@ std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* comma
       return Confirm(sensed, commands);
     case Phase::kHaul:
       return HaulIn(commands);
+    case Phase::kUndock:
+      return GoOut(UndockedWay(nominal_, options_.excursion), commands);
+    case Phase::kExcursion:
+      return GoOut(nominal_.excursion_m, commands);
+    case Phase::kReturn:
+      return returns_ ? Drive(commands) : Event::kArrived;
     case Phase::kRight:
       return TurnBack(commands);
     case Phase::kDocked:
@@ -131,6 +137,8 @@ void AxelMachine::Enter(Phase phase) {
   if (phase == Phase::kRight) righting_.Begin(senses_);
   if (phase == Phase::kHaul) haul_.Begin(senses_);
   if (phase == Phase::kEnter) entry_.Begin();
+  if (phase == Phase::kUndock) BeginExcursion();
+  if (phase == Phase::kReturn) BeginReturn();
   const bool drives = phase == Phase::kApproach || phase == Phase::kAlign ||
                       phase == Phase::kBackOff || phase == Phase::kRecover ||
                       phase == Phase::kMate || phase == Phase::kEnter;

@@ -1,7 +1,7 @@
 // The state of the docking controller: one class whose parts stand in files of their own.
 // machine.cc steps through the phases, machine_looks.cc stands still and looks, machine_moving.cc
-// looks under way, machine_search.cc
-// finds the board or the way without it, machine_mating.cc seats the tip.
+// looks under way, machine_search.cc finds the board or the way without it, machine_excursion.cc
+// goes out of the cone first, machine_mating.cc seats the tip.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,7 @@
 
 #include "controller/axel/bracket.h"
 #include "controller/axel/driving.h"
+#include "controller/axel/excursion.h"
 #include "controller/axel/haul.h"
 #include "controller/axel/machine.h"
 #include "controller/axel/mating.h"
@@ -49,7 +50,7 @@ class AxelMachine final : public Controller {
 
   Commands Step(const SensorFrame& sensed) override {
     senses_.Update(sensed);
-    if (!started_) Enter(Phase::kTighten);
+    if (!started_) Enter(nominal_.excursion_m > 0.0 ? Phase::kUndock : Phase::kTighten);
     started_ = true;
     Commands commands = BrakedCommands();
     if (TurnedOver()) Change(Right());
@@ -108,6 +109,9 @@ class AxelMachine final : public Controller {
   bool StopsAbeam() const;
   Event GoBlind(const std::string& why);
   std::optional<Event> HaulIn(Commands* commands);
+  void BeginExcursion();
+  std::optional<Event> GoOut(double way_m, Commands* commands);
+  void BeginReturn();
 
   void Change(Event event);
   void Enter(Phase phase);
@@ -138,6 +142,11 @@ class AxelMachine final : public Controller {
   Belief belief_;
   int rightings_ = 0;
   std::optional<Tick> over_since_;  // turned over
+
+  // Undocking and going out: how it stood in the socket, and what the spool then pulls with.
+  double reeled_seated_m_ = 0.0, rolled_seated_m_ = 0.0, yaw_seated_rad_ = 0.0;
+  double outward_tension_n_ = 0.0;
+  bool returns_ = false;  // a way back has been planned
 
   // Tightening.
   std::optional<Tick> levelling_since_;

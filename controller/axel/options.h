@@ -294,6 +294,17 @@ struct HaulOptions {
   double aside_rad = Radians(12.0);
 };
 
+/// The way out of a rover that starts seated. It reverses: the arm stays ahead and the tether taut.
+struct ExcursionOptions {
+  double clear_gap_m = 0.3;  // tip before the mouth when undocked; assumed, 0.2-0.6
+  // Share of the weight's pull downhill that the tether takes, beside its tension in reverse.
+  // Wheels that brake alone lift the arm, and a spool that holds alone pulls the station down.
+  // Assumed, 0.1-0.5.
+  double weight_share = 0.25;
+  double yaw_gain_per_s = 0.5;  // steering back to the first heading; assumed, 0.2-1
+  double return_m = 4.0;        // axle before the seat on its return; marks are made for 5 m; 3-5
+};
+
 /// Of a rover that has turned over. All assumed; angles and speeds leave the arm's motor, 80 N m,
 /// three times the 20 N m of an arm held level.
 struct RightingOptions {
@@ -331,6 +342,7 @@ struct AxelOptions {
   MateOptions mate{};
   SearchOptions search{};
   HaulOptions haul{};
+  ExcursionOptions excursion{};
   RightingOptions righting{};
   LimitOptions limit{};
   FilterNoise noise{};

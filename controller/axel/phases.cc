@@ -44,6 +44,9 @@ constexpr std::array kTransitions = {
     Transition{Phase::kConfirm, Event::kSteady, Phase::kDocked},
     Transition{Phase::kConfirm, Event::kStopsShort, Phase::kReel},
     Transition{Phase::kConfirm, Event::kStuck, Phase::kRecover},
+    Transition{Phase::kUndock, Event::kArrived, Phase::kExcursion},
+    Transition{Phase::kExcursion, Event::kArrived, Phase::kReturn},
+    Transition{Phase::kReturn, Event::kArrived, Phase::kTighten},
     Transition{Phase::kRight, Event::kArrived, Phase::kTighten},
 };
 
@@ -51,8 +54,9 @@ constexpr std::array kTransitions = {
 
 const char* Name(Phase phase) {
   static constexpr std::array<const char*, kPhaseCount> kNames = {
-      "tighten", "look",  "search", "approach", "align", "back_off", "recover", "mate",
-      "recheck", "enter", "reel",   "confirm",  "haul",  "right",    "docked",  "given_up"};
+      "tighten",   "look",    "search", "approach", "align",   "back_off", "recover",
+      "mate",      "recheck", "enter",  "reel",     "confirm", "haul",     "undock",
+      "excursion", "return",  "right",  "docked",   "given_up"};
   return kNames[static_cast<std::size_t>(phase)];
 }
 

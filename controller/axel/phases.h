@@ -7,20 +7,23 @@
 namespace dockyard::axel {
 
 enum class Phase {
-  kTighten,   // wheels braked, reel until the tether is taut
-  kLook,      // stand still, take an image pair, locate, decide
-  kSearch,    // board not seen: tilt, turn, come nearer
-  kApproach,  // drive a leg, far away
-  kAlign,     // drive a leg onto the cone's axis
-  kBackOff,   // reverse because there is no room for the arcs
-  kRecover,   // reverse to the recovery goal after a failed check
-  kMate,      // slowly to the mouth
-  kRecheck,   // take one more sighting
-  kEnter,     // slowly until the tip is in the mouth
-  kReel,      // wheels free, reel in
-  kConfirm,   // spool braked, nothing may move
-  kHaul,      // cannot see: wheels free, the tether draws it into the cone
-  kRight,     // turned over: body upright again, arm ahead
+  kTighten,    // wheels braked, reel until the tether is taut
+  kLook,       // stand still, take an image pair, locate, decide
+  kSearch,     // board not seen: tilt, turn, come nearer
+  kApproach,   // drive a leg, far away
+  kAlign,      // drive a leg onto the cone's axis
+  kBackOff,    // reverse because there is no room for the arcs
+  kRecover,    // reverse to the recovery goal after a failed check
+  kMate,       // slowly to the mouth
+  kRecheck,    // take one more sighting
+  kEnter,      // slowly until the tip is in the mouth
+  kReel,       // wheels free, reel in
+  kConfirm,    // spool braked, nothing may move
+  kHaul,       // cannot see: wheels free, the tether draws it into the cone
+  kUndock,     // seated at the start: reverse straight out of the cone
+  kExcursion,  // reverse on until it is as far out as told
+  kReturn,     // back by dead reckoning to where the board can be seen
+  kRight,      // turned over: body upright again, arm ahead
   kDocked,
   kGivenUp,
 };

@@ -50,7 +50,7 @@ struct AxelMeasures {
   double arm_up_peak_deg = 0.0, roll_rms_deg = 0.0;
   double entry_current_mean_a = std::nan(""), entry_current_peak_a = std::nan("");
   double entry_force_peak_n = std::nan("");
-  double advance_m = 0.0, turned_deg = 0.0;
+  double advance_m = 0.0, turned_deg = 0.0, farthest_m = 0.0;
   double pairs_lost = 0.0;
   double rock_force_peak_n = 0.0;
 };
@@ -91,6 +91,8 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
   visit("entry_force_peak_n", "N", "of the cone on the arm" + entry, false, m.entry_force_peak_n);
   visit("advance_m", "m", "way from start to end along the first heading", false, m.advance_m);
   visit("turned_deg", "deg", "heading at the end against that at the start", false, m.turned_deg);
+  visit("farthest_m", "m", "largest distance of the axle from where it started", false,
+        m.farthest_m);
   visit("pairs_lost", "", "image pairs asked for and lost on their way", false, m.pairs_lost);
   visit("rock_force_peak_n", "N",
         "largest sum of the rocks' contact forces on the rover, 0 if it touched none", false,

@@ -11,6 +11,12 @@ namespace {
 constexpr Tick kSlowPeriod = 100;    // measures over the history: 10 Hz
 constexpr Tick kSettleTicks = 2000;  // after a claim: time to come to rest before the shake
 
+OutcomeLimits LimitsOf(const BuiltRun& built) {
+  OutcomeLimits limits = LimitsOf(built.world.rover, built.world.station);
+  limits.excursion_m = built.nominal.excursion_m;
+  return limits;
+}
+
 }  // namespace
 
 void EntryMeter::Add(double depth_m, double spool_current_a, double cone_force_n,
@@ -32,7 +38,7 @@ void EntryMeter::Fill(AxelMeasures& measures) const {
 
 AxelJudge::AxelJudge(AxelPlant& plant)
     : plant_(plant),
-      limits_(LimitsOf(plant.built().world.rover, plant.built().world.station)),
+      limits_(LimitsOf(plant.built())),
       outcome_(plant.built().world.station, limits_) {}
 
 void AxelJudge::Observe() {
@@ -72,6 +78,7 @@ AxelMeasures AxelJudge::FinalMeasures(const Belief& belief) const {
   measures.recoveries = ValueOf(belief, "recoveries", 0.0);
   measures.rightings = ValueOf(belief, "rightings", 0.0);
   measures.flips = outcome_.flips();
+  measures.farthest_m = outcome_.farthest_m();
   measures.tip_depth_m = -truth.p_MT.x();
   measures.lateral_error_m = std::hypot(truth.p_MT.y(), truth.p_MT.z());
   measures.yaw_error_deg = Degrees(WrapPi(AxleOnGround(truth.X_DR).heading - kPi));

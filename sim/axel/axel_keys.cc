@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "controller/base/number_text.h"
 #include "models/read/config_error.h"
 #include "sim/axel/tsai2013_keys.h"
 
@@ -45,6 +46,10 @@ void VisitAxelKeys(Keys& keys, AxelKeys& values) {
         in.Degrees({"turn_deg", "deg", "to its left, about its mouth"}, move.turn_rad,
                    Between(-30.0, 30.0));
       });
+  keys.Number(
+      {"excursion_m", "m",
+       "the rover starts seated and goes this far out before it docks; 0: it starts outside"},
+      values.excursion_m, NonNegative(20.0));
   keys.Mapping(
       {"start", "", "how the rover lies at the start, its arm's tip on the ground"}, [&](Keys& in) {
         in.Choice({"arm", "", "the tip ahead of the axle or behind it"}, values.start.arm,
@@ -108,6 +113,35 @@ void ReadRockMap(RockMapKeys& map) {
   }
 }
 
+// Beyond the told way the rover needs room for its arm, its body, and a drum that counts short.
+// Assumed, range 2-4 m.
+constexpr double kRoomBeyond_m = 3.0;
+
+void CheckExcursion(const Scenario& scenario, const AxelKeys& values) {
+  if (values.excursion_m == 0.0) return;
+  const YamlNode& excursion = *scenario.of_system.Find("excursion_m");
+  const auto Refuse = [](const YamlNode& at, const std::string& what) {
+    throw ConfigError(at.place.Text() + ": " + what);
+  };
+  if (scenario.command.empty() && scenario.controller != "dockyard") {
+    Refuse(excursion,
+           "axel.excursion_m: expected the controller dockyard or a program, which go out and "
+           "come back, found '" +
+               scenario.controller + "'");
+  }
+  const StartKeys& start = values.start;
+  if (start.arm != ArmPlace::kLeading || !std::isnan(start.body_pitch_rad) ||
+      !std::isnan(start.arm_rad) || start.rock_m != 0.0) {
+    Refuse(*scenario.of_system.Find("start"),
+           "axel.start: expected none beside excursion_m; the rover starts seated");
+  }
+  const double most_m = scenario.yard.length_m - kYardBehind_m - kRoomBeyond_m;
+  if (values.excursion_m <= most_m) return;
+  Refuse(excursion, "axel.excursion_m: expected at most " + NumberText(most_m) +
+                        " in a yard of yard.length_m " + NumberText(scenario.yard.length_m) +
+                        ", found '" + NumberText(values.excursion_m) + "'");
+}
+
 }  // namespace
 
 AxelKeys ReadAxelKeys(const Scenario& scenario) {
@@ -120,6 +154,7 @@ AxelKeys ReadAxelKeys(const Scenario& scenario) {
                       "the ground one gives the other");
   }
   ReadRockMap(values.rock_map);
+  CheckExcursion(scenario, values);
   return values;
 }
 

@@ -53,6 +53,7 @@ struct AxelKeys {
   Tsai2013Options tsai2013{};  // of the controller of that name; its vision's are in `vision`
   StationMove station_move{};
   RockMapKeys rock_map{};
+  double excursion_m = 0.0;  // of a rover that starts seated; 0: it starts outside
 };
 
 /// Names every key: for reading, and for docs/reference/scenarios.md.

@@ -8,6 +8,7 @@
 #include "controller/base/number_text.h"
 #include "controller/geometry/axle_attitude.h"
 #include "models/axel/make_nominal.h"
+#include "models/axel/mating_fit.h"
 #include "models/read/config_error.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_rocks.h"
@@ -23,6 +24,19 @@ constexpr double kFlatRadiusM = 0.6;
 
 Slope SlopeOf(const Scenario& scenario) {
   return {scenario.yard.slope_rad, scenario.yard.downhill_rad};
+}
+
+/// Of a rover that starts seated: its axle on the cone's axis, facing the station.
+Pose2 SeatedStart(const RoverModel& rover, const StationModel& station) {
+  const double along_m = rover.arm_length_m - SeatDepth(station.cone);
+  return {along_m * std::cos(station.tip_angle_rad), 0.0, kPi};
+}
+
+/// Arm against a level body, tip-down positive, of an arm whose tip lies on the socket's axis while
+/// the wheels stand on their paddles' tips, as they are put down [rad].
+double SeatedArm(const RoverModel& rover, const StationModel& station) {
+  const double axle_m = RollingRadius(rover.left_wheel_soil);
+  return -(station.tip_angle_rad + SeatedElevation(rover, axle_m, station));
 }
 
 /// Body and arm about the axle, the arm's tip on level ground [rad].
@@ -150,6 +164,16 @@ std::vector<DustySpot> DustyMarks(const DirtyMarks& dirty, const FiducialBoard& 
   return spots;
 }
 
+// Arm and tether as the dock left them: seated and taut. The encoder tells the arm's angle.
+void StartSeated(const AxelModels& models, BuiltRun* run) {
+  WorldSetup& world = run->world;
+  world.X_DR_start = SeatedStart(world.rover, world.station);
+  world.arm_start_rad = SeatedArm(world.rover, world.station);
+  world.pitch_start_rad = 0.0;
+  world.slack_start_m = 0.0;
+  run->nominal.arm_at_zero_rad = SeatedArm(models.told.rover, models.told.station);
+}
+
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   BuiltRun run;
   WorldSetup& world = run.world;
@@ -173,6 +197,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
     run.nominal.vision.bracket_stops = 0.0;
   }
   run.nominal.tsai2013 = models.keys.tsai2013;
+  run.nominal.excursion_m = models.keys.excursion_m;
   RandomStream start(StreamKey(scenario.seed, "start"));
   const double pitch_rad = 2.0 * kPi / std::max(1, world.rover.left_wheel_soil.paddle_count);
   world.rover.left_wheel_soil.phase_rad = start.Uniform(0.0, pitch_rad);
@@ -182,6 +207,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.X_WG = scenario.X_WG;
   world.slope = SlopeOf(scenario);
   world.X_DR_start = FromDockingCoords(scenario.start);
+  if (models.keys.excursion_m > 0.0) StartSeated(models, &run);
   world.rocks = BuildRocks(scenario, models, world.ground);
   run.nominal.rock_map =
       RockMapOf(models.keys.rock_map, world.rocks, world.ground, world.X_GD, scenario.seed);

@@ -200,6 +200,7 @@ Nominal Read(const Json& json) {
   nominal.seat_depth_m = json.at("seat_depth_m");
   nominal.mating_depth_m = json.at("mating_depth_m");
   if (json.contains("rock_map")) nominal.rock_map = RocksFromJson(json.at("rock_map"));
+  nominal.excursion_m = json.value("excursion_m", 0.0);
   return nominal;
 }
 
@@ -235,6 +236,7 @@ Json ToJson(const Nominal& nominal) {
             {"mating_depth_m", nominal.mating_depth_m},
             {"tsai2013", Tsai2013ToJson(nominal.vision.tsai2013, nominal.tsai2013)}};
   if (!nominal.rock_map.rocks.empty()) json["rock_map"] = RocksToJson(nominal.rock_map);
+  if (nominal.excursion_m > 0.0) json["excursion_m"] = nominal.excursion_m;
   return json;
 }
 

@@ -28,6 +28,8 @@ const std::vector<OutcomeName>& OutcomeNames() {
       {"partly_seated", false,
        "tip at least " + NumberText(OutcomeLimits{}.entered_depth_m) +
            " m deep, at rest, taut, and held by the shake, but not on the socket's floor"},
+      {"not_gone", false,
+       "held by the shake, but the rover was not as far out as its mission told"},
       {"station_pushed", false,
        "docked, but the station's mouth was pushed by more than " +
            NumberText(OutcomeLimits{}.station_shift_m) + " m"},
@@ -100,6 +102,8 @@ OutcomeJudge::OutcomeJudge(const StationModel& station, const OutcomeLimits& lim
 
 void OutcomeJudge::Observe(const Truth& truth) {
   last_ = truth;
+  if (!p_WR_first_) p_WR_first_ = truth.X_WR.p;
+  farthest_m_ = std::max(farthest_m_, (truth.X_WR.p - *p_WR_first_).norm());
   const double now = truth.time_s;
   const double depth = Depth(truth), lateral = Lateral(truth);
   const double speed = truth.v_MT.norm();
@@ -140,6 +144,10 @@ bool OutcomeJudge::entered_at_rest() const {
 }
 
 OutcomeJudge::Verdicted OutcomeJudge::ConcludeHeld(const ShakeResult& shake) const {
+  if (farthest_m_ < limits_.excursion_share * limits_.excursion_m) {
+    return {Outcome::kNotGone,
+            Sentence("was %.2f m out at most, told were %.2f m", farthest_m_, limits_.excursion_m)};
+  }
   const double seat = SeatDepth(station_.cone) - limits_.seated_within_m;
   const bool seated = std::min(Depth(last_), shake.least_depth_m) >= seat;
   if (seated && last_.station_shift_m > limits_.station_shift_m) {

@@ -18,6 +18,7 @@ namespace dockyard::axel {
 enum class Outcome {
   kDocked,
   kPartlySeated,
+  kNotGone,
   kStationPushed,
   kStationOverload,
   kNoDetection,
@@ -56,8 +57,10 @@ struct OutcomeLimits {
   double jam_speed_m_s = 2e-3;  // slower than this under pull is no progress
   double jam_tension_n = 60.0;
   double jam_time_s = 8.0;
-  double mark_gate_px = 3.0;  // a detection nearer than this to its true place is right
-  int few_marks = 4;          // fewer detections than this in both images: not detected
+  double excursion_m = 0.0;      // told way out; 0: none
+  double excursion_share = 0.9;  // of it counts as gone: a drum is built to 5 %; 0.85-0.95
+  double mark_gate_px = 3.0;     // a detection nearer than this to its true place is right
+  int few_marks = 4;             // fewer detections than this in both images: not detected
 };
 
 /// The limits for these mating parts, which set how far the shake turns a seated rover.
@@ -94,6 +97,8 @@ class OutcomeJudge {
   bool fatal() const;
   /// How often the arm went from ahead of the axle to behind it.
   int flips() const { return flips_; }
+  /// Largest distance of the axle from where it started [m].
+  double farthest_m() const { return farthest_m_; }
   /// Whether the tip is seated, at rest and taut now, by the truth.
   bool entered_at_rest() const;
 
@@ -121,6 +126,8 @@ class OutcomeJudge {
   bool fatal_ = false;
   std::optional<bool> arm_behind_;
   int flips_ = 0;
+  std::optional<Eigen::Vector3d> p_WR_first_;
+  double farthest_m_ = 0.0;
 };
 
 }  // namespace dockyard::axel

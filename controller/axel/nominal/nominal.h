@@ -37,7 +37,10 @@ struct Nominal {
   double seat_depth_m = 0.0;     // of the socket's floor, on which the tip is seated
   double mating_depth_m = 0.25;  // how far to reel the tip in (Tsai et al., II)
   RockMap rock_map{};            // of a survey; none by default
-  Tsai2013Options tsai2013{};    // of the controller of that name
+  // The mission: the rover starts seated, and first goes this far out by its axle. 0: it starts
+  // outside, and only docks.
+  double excursion_m = 0.0;
+  Tsai2013Options tsai2013{};  // of the controller of that name
 };
 
 }  // namespace dockyard::axel

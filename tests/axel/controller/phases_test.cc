@@ -60,6 +60,12 @@ TEST(Phases, TheSearchBeginsWithoutABoardOrWithTheTetherAbeam) {
     EXPECT_EQ(Next(Phase::kLook, event), Phase::kSearch);
 }
 
+TEST(Phases, TheWayOutLeadsBackToTheDocking) {
+  EXPECT_EQ(Next(Phase::kUndock, Event::kArrived), Phase::kExcursion);
+  EXPECT_EQ(Next(Phase::kExcursion, Event::kArrived), Phase::kReturn);
+  EXPECT_EQ(Next(Phase::kReturn, Event::kArrived), Phase::kTighten);
+}
+
 TEST(Phases, NothingLeavesTheEnd) {
   for (int e = 0; e < kEventCount; ++e) {
     EXPECT_FALSE(Next(Phase::kDocked, EventAt(e)));
@@ -73,7 +79,7 @@ TEST(Phases, GivingUpIsPossibleFromEveryOtherPhase) {
 }
 
 TEST(Phases, EveryPhaseCanBeReached) {
-  std::set<Phase> reached{Phase::kTighten};
+  std::set<Phase> reached{Phase::kTighten, Phase::kUndock};  // where it starts
   for (int round = 0; round < kPhaseCount; ++round) {
     for (const Phase from : std::set<Phase>(reached)) {
       for (int e = 0; e < kEventCount; ++e) {

@@ -47,6 +47,32 @@ TEST(AxelKeys, PageHasTheTableThatTheVisitorDocuments) {
   EXPECT_EQ(page.substr(from + begin.size(), to - from - begin.size()), table);
 }
 
+TEST(AxelKeys, AnExcursionIsToldToTheControllerAndStartsSeated) {
+  const auto Built = [](const std::vector<std::string>& sets) {
+    const Scenario scenario = Typical(sets);
+    return BuildRun(scenario, LoadModels(scenario));
+  };
+  const BuiltRun out = Built({"axel.excursion_m=7"}), only = Built({});
+  EXPECT_EQ(out.nominal.excursion_m, 7.0);
+  EXPECT_EQ(NominalFromJson(ToJson(out.nominal)).excursion_m, 7.0);
+  EXPECT_FALSE(ToJson(only.nominal).contains("excursion_m"));
+  const double along_m = 1.0 - out.nominal.seat_depth_m;  // axle to mouth, an arm of 1 m
+  EXPECT_NEAR(out.world.X_DR_start.x, along_m * std::cos(Radians(5.0)), 1e-9);
+  EXPECT_EQ(out.world.slack_start_m, 0.0);
+}
+
+TEST(AxelKeys, AnExcursionThatCannotBeMadeIsRefused) {
+  const ScratchFolder folder;
+  const auto Message = [&](const std::vector<std::string>& sets) {
+    return MessageOf([&] { LoadModels(Typical(sets)); }, folder);
+  };
+  EXPECT_THAT(Message({"axel.excursion_m=5", "controller=reel_only"}),
+              HasSubstr("axel.excursion_m: expected the controller dockyard"));
+  EXPECT_THAT(Message({"axel.excursion_m=5", "axel.start.arm=trailing"}),
+              HasSubstr("axel.start: expected none beside excursion_m"));
+  EXPECT_THAT(Message({"axel.excursion_m=8"}), HasSubstr("expected at most 7.5 in a yard"));
+}
+
 TEST(AxelKeys, TipAngleAndImageSizeReachTheModels) {
   const AxelModels models =
       LoadModels(Typical({"axel.tip_angle_deg=0", "camera.width_px=640", "camera.height_px=480"}));

@@ -43,6 +43,25 @@ TEST(Outcome, DockedNeedsDepthRestTensionAndAFirmShake) {
   EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {}).outcome, Outcome::kFalseDocked);
 }
 
+TEST(Outcome, DockedAfterAnExcursionNeedsNineTenthsOfTheToldWay) {
+  OutcomeLimits limits;
+  limits.excursion_m = 10.0;
+  const auto WentOut = [&](double way_m) {
+    OutcomeJudge judge(Station(), limits);
+    judge.Observe(At(0.0, 0.2704, 0.005, 50.0));
+    Truth away = At(50.0, -way_m, 0.0, 50.0);
+    away.X_WR.p = {0.6 * way_m, 0.8 * way_m, 0.0};
+    judge.Observe(away);
+    Hold(judge, At(100.0, 0.2704, 0.005, 50.0), 2.0);
+    EXPECT_NEAR(judge.farthest_m(), way_m, 1e-9);
+    return judge.Conclude(Verdict::kDocked, 0, kFirm).outcome;
+  };
+  EXPECT_EQ(WentOut(0.0), Outcome::kNotGone);
+  EXPECT_EQ(WentOut(8.9), Outcome::kNotGone);
+  EXPECT_EQ(WentOut(9.1), Outcome::kDocked);
+  EXPECT_FALSE(OutcomeNames()[static_cast<std::size_t>(Outcome::kNotGone)].success);
+}
+
 TEST(Outcome, SeatedIsNoSuccessWhenTheStationWasPushedOrOverloaded) {
   StationModel station = Station();
   station.cone.rated_force_n = 1000.0;
