@@ -33,6 +33,8 @@ std::optional<Event> AxelMachine::GoOut(double way_m, Commands* commands) {
   CommandWheels(nominal_, {-drive.reverse_m_s, turn_rad_s}, drive.wheel_accel_rad_s2, commands);
   const TetherOptions& tether = options_.tether;
   Spool(commands) = Winch(nominal_, tether.catch_up_m_s, outward_tension_n_, tether.accel_rad_s2);
+  // Seated it learns the tether's length, and further out its distance from it.
+  senses_.UseTether(tether.taut_share * outward_tension_n_);
   if (std::abs(senses_.pitch_rad()) < Radians(45.0)) arm_.Level(senses_);
   return std::nullopt;
 }

@@ -36,7 +36,8 @@ class ContactWorld {
   /// Sum of the rocks' contact forces on the rover, in G [N], and its largest size in any step.
   const Eigen::Vector3d& rock_force_G() const { return rock_force_G_; }
   double rock_force_peak_n() const { return rock_force_peak_n_; }
-  void ForgetRockPeak() { rock_force_peak_n_ = 0.0; }
+  /// What settling at the start loaded is not the run's.
+  void ForgetPeaks() { arm_force_peak_n_ = rock_force_peak_n_ = 0.0; }
 
  private:
   /// A contact between a link and the station or a rock, in G, with the impulse it gave.

@@ -131,7 +131,7 @@ void World::Impl::Settle() {
   steps_ = 0;
   drives_.PowerOn(rover_);
   imu_.Start(rover_.motion(RoverLink::kBody));
-  contacts_.ForgetRockPeak();
+  contacts_.ForgetPeaks();
   settled_ = true;
   p_GM_start_ = station_.X_GM().p;
   if (!tether_tied_) TieTether();
