@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "controller/axel/drive.h"
-#include "controller/axel/leg.h"
 #include "controller/axel/tether_length.h"
 
 namespace dockyard::axel {
@@ -45,6 +44,7 @@ void Haul::Enter(Stage stage, const Senses& senses) {
 
 void Haul::Begin(const Senses& senses) {
   pushes_ = 0;
+  pull_.Begin(senses);
   Enter(Stage::kDraw, senses);
 }
 
@@ -53,12 +53,12 @@ Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
   const HaulOptions& haul = options_.haul;
   SetWheels(MotorMode::kFree, commands);
   const Tick since = senses.now() - entered_;
-  const Tick still = still_.Still(senses.now(), senses.reeled_m());
+  const bool stalled = still_.Still(senses.now(), senses.reeled_m()) >= options_.mate.stuck_after;
   MotorCommand& spool = commands->motors[static_cast<std::size_t>(Motor::kSpool)];
   if (stage_ == Stage::kDraw) {
-    ReelNearer(nominal_, options_, still, commands);
+    const bool drawn = pull_.Step(senses, commands);
     if (senses.reeled_m() - reeled_m_ > options_.search.reel_limit_m) return Status::kLoose;
-    if (still >= PullStalled(options_)) Enter(Stage::kAlign, senses);
+    if (drawn) Enter(Stage::kAlign, senses);
     return Status::kUnderWay;
   }
   if (stage_ == Stage::kEase) {
@@ -70,7 +70,7 @@ Haul::Status Haul::Step(const Senses& senses, Commands* commands) {
   spool = Winch(nominal_, tether.reel_m_s, gently ? haul.align_tension_n : tether.reel_tension_n,
                 tether.accel_rad_s2);
   if (stage_ == Stage::kPull) {
-    if (still >= options_.mate.stuck_after) Enter(Stage::kPush, senses);
+    if (stalled) Enter(Stage::kPush, senses);
     return Status::kUnderWay;
   }
   if (since >= 4 * haul.quarter) return JudgeHere(senses);

@@ -6,6 +6,7 @@
 #include "controller/axel/options.h"
 #include "controller/axel/pose_filter.h"
 #include "controller/axel/senses.h"
+#include "controller/axel/tether_pull.h"
 
 namespace dockyard::axel {
 
@@ -36,7 +37,10 @@ class Haul {
   };
 
   Haul(const Nominal& nominal, const AxelOptions& options)
-      : nominal_(nominal), options_(options), still_(options.tether.still_m) {}
+      : nominal_(nominal),
+        options_(options),
+        pull_(nominal, options),
+        still_(options.tether.still_m) {}
 
   void Begin(const Senses& senses);
   Status Step(const Senses& senses, Commands* commands);
@@ -52,6 +56,7 @@ class Haul {
 
   Nominal nominal_;
   AxelOptions options_;
+  TetherPull pull_;
   StillWatch still_;
   Stage stage_ = Stage::kDraw;
   Tick entered_ = 0;

@@ -134,25 +134,6 @@ bool ReverseStraight(const Nominal& nominal, const AxelOptions& options, double 
   return false;
 }
 
-void ReelNearer(const Nominal& nominal, const AxelOptions& options, Tick still,
-                Commands* commands) {
-  const TetherOptions& tether = options.tether;
-  const bool nudged = still >= tether.nudge_after + tether.nudge_time;
-  if (still >= tether.nudge_after && !nudged) {
-    CommandWheels(nominal, {tether.tighten_m_s, 0.0}, options.drive.wheel_accel_rad_s2, commands);
-    LimitThrust(nominal, tether.nudge_thrust_n, commands);
-  } else {
-    SetWheels(MotorMode::kFree, commands);
-  }
-  const double tension_n = nudged ? tether.search_tension_n : tether.first_tension_n;
-  commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
-      Winch(nominal, tether.tighten_m_s, tension_n, tether.accel_rad_s2);
-}
-
-Tick PullStalled(const AxelOptions& options) {
-  return options.tether.nudge_after + options.tether.nudge_time + options.mate.stuck_after;
-}
-
 void StandStill(const Nominal& nominal, const DriveOptions& options, Tick since_stop,
                 Commands* commands) {
   if (since_stop < options.stop_time) {

@@ -78,12 +78,6 @@ bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amou
 /// has. The spool gives way.
 bool ReverseStraight(const Nominal& nominal, const AxelOptions& options, double amount_m,
                      double rolled_m, Commands* commands);
-/// Wheels free, spool pulling the rover along. Once it has stalled for a while the wheels push
-/// ahead; if that does not help either, it pulls harder. still: nothing was taken up for that long.
-void ReelNearer(const Nominal& nominal, const AxelOptions& options, Tick still, Commands* commands);
-/// Still for so long, nothing helps [ticks].
-Tick PullStalled(const AxelOptions& options);
-
 /// Lets the wheels run down, then brakes them.
 void StandStill(const Nominal& nominal, const DriveOptions& options, Tick since_stop,
                 Commands* commands);

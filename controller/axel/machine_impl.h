@@ -21,6 +21,7 @@
 #include "controller/axel/seeker.h"
 #include "controller/axel/senses.h"
 #include "controller/axel/sighting.h"
+#include "controller/axel/tether_pull.h"
 #include "controller/base/check.h"
 
 namespace dockyard::axel {
@@ -37,6 +38,7 @@ class AxelMachine final : public Controller {
         righting_(nominal, options.righting),
         entry_(nominal, options),
         reel_in_(nominal, options),
+        pull_(nominal, options),
         haul_(nominal, options),
         judge_(options.look, nominal.X_DB),
         looks_(options.moving, nominal),
@@ -126,6 +128,7 @@ class AxelMachine final : public Controller {
   Righting righting_;
   Entry entry_;
   ReelIn reel_in_;
+  TetherPull pull_;
   Haul haul_;
   SightingJudge judge_;
   MovingLooks looks_;

@@ -41,6 +41,7 @@ bool AxelMachine::TetherAbeam() {
 void AxelMachine::BeginSearch() {
   seeking_ = true;
   search_.reset();
+  pull_.Begin(senses_);
   if (senses_.filter().located()) search_ = NextSearchAction(attempts_++, Known(), options_.search);
   if (!search_)
     search_ = seeker_.Next(
@@ -61,14 +62,11 @@ std::optional<Event> AxelMachine::Search(Commands* commands) {
       return Level(search_->amount, commands);
     case SearchMove::kTurn:
       return ArrivedIf(TurnInPlace(nominal_, options_, search_->amount, TurnedHere(), commands));
-    case SearchMove::kReel: {
-      const Tick still = still_.Still(senses_.now(), senses_.reeled_m());
-      ReelNearer(nominal_, options_, still, commands);
-      return ArrivedIf(still >= PullStalled(options_) || ReeledHere() >= search_->amount ||
+    case SearchMove::kReel:
+      return ArrivedIf(pull_.Step(senses_, commands) || ReeledHere() >= search_->amount ||
                        RolledHere() >= search_->amount ||
                        RolledHere() <= -options_.search.backwards_m ||
                        std::abs(TurnedHere()) >= options_.search.pull_turn_rad);
-    }
     case SearchMove::kReverse:
       return ArrivedIf(
           ReverseStraight(nominal_, options_, search_->amount, RolledHere(), commands));

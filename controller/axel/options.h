@@ -35,6 +35,7 @@ struct TetherOptions {
   // slope leave the station 95 N. Assumed, 70-95 N, 40-80 N, 0.2-1 s and 0.5-2 s.
   double first_tension_n = 85.0, nudge_thrust_n = 60.0;
   Tick nudge_after = 400, nudge_time = 1'000;
+  double helped_m = 0.02;     // taken up at least, where either helped; assumed, 0.01-0.05
   double accel_rad_s2 = 2.0;  // of the drum; reaches 0.05 m/s in half a second; assumed, 1-5
   // Still: less than this taken up for that long. 2 mm at 0.05 m/s is 0.04 s of running.
   double still_m = 0.002;
@@ -170,6 +171,24 @@ struct PlanOptions {
   Tick anew_after = 1'000;
   double align_range_m = 2.6;         // alignment region inside, approach region outside
   double facing_rad = Radians(20.0);  // the axle's roll is the dock's cross slope; assumed, 10-30
+};
+
+/// Of rocks that the rover was told of.
+struct RockLimits {
+  // A wheel rolls over lower rocks; 20 of 20 runs start with a wheel on 8 cm (docs/results). The
+  // paddled wheel is said to climb far higher ones, but it turns the rover as it does.
+  double wheel_climbs_m = 0.10;  // assumed, 0.06-0.15
+  // Body and arm pass over lower rocks: the axle is 0.30 m high, the body's underside and a hanging
+  // arm lower.
+  double body_clears_m = 0.15;  // assumed, 0.10-0.22
+  // The tether's height at the arm's tip; from there it rises to the mouth.
+  double tether_at_tip_m = 0.20;  // assumed, 0.15-0.35
+  double half_wheel_m = 0.075;    // half a wheel's width; assumed, 0.05-0.10
+  // The rover beside its plan: 2-10 cm of its own place.
+  double beside_m = 0.05;    // assumed, 0.03-0.10
+  double sigmas = 2.0;       // of the map that are kept clear, too; assumed, 1-3
+  double tether_m = 0.03;    // kept clear of the tether; assumed, 0-0.1
+  double tether_step = 0.1;  // of an arc between two places at which the tether is looked at, share
 };
 
 struct MateOptions {

@@ -12,23 +12,6 @@ namespace dockyard::axel {
 /// than any other plan costs, so that a plan over a rock is taken only if there is no other.
 inline constexpr double kRockCost_m = 1e3;
 
-struct RockLimits {
-  // A wheel rolls over lower rocks; 20 of 20 runs start with a wheel on 8 cm (docs/results). The
-  // paddled wheel is said to climb far higher ones, but it turns the rover as it does.
-  double wheel_climbs_m = 0.10;  // assumed, 0.06-0.15
-  // Body and arm pass over lower rocks: the axle is 0.30 m high, the body's underside and a hanging
-  // arm lower.
-  double body_clears_m = 0.15;  // assumed, 0.10-0.22
-  // The tether's height at the arm's tip; from there it rises to the mouth.
-  double tether_at_tip_m = 0.20;  // assumed, 0.15-0.35
-  double half_wheel_m = 0.075;    // half a wheel's width; assumed, 0.05-0.10
-  // The rover beside its plan: 2-10 cm of its own place.
-  double beside_m = 0.05;    // assumed, 0.03-0.10
-  double sigmas = 2.0;       // of the map that are kept clear, too; assumed, 1-3
-  double tether_m = 0.03;    // kept clear of the tether; assumed, 0-0.1
-  double tether_step = 0.1;  // of an arc between two places at which the tether is looked at, share
-};
-
 /// The rocks of a map that the rover cannot pass over, for a plan from one pose. A rock that is
 /// nearer than wanted at the start may be as near on the way, but no nearer.
 class RockCheck {

@@ -82,7 +82,7 @@ struct Bench {
       frame.imu.specific_force_R.z() = 9.81;
       frame.tick = i * kControlPeriod;
       if (due && answers(static_cast<int>(asked.size()))) {
-        frame.images = {{kLeftCamera, picture}, {kRightCamera, picture}};
+        frame.images = {{kLeftCamera, picture, frame.tick}, {kRightCamera, picture, frame.tick}};
       }
       const Commands commands = machine->Step(frame);
       due = !commands.take_images.empty();

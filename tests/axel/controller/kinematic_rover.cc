@@ -10,6 +10,7 @@
 namespace dockyard::axel {
 namespace {
 
+constexpr double kPlay = Radians(1.5);  // of the seated arm, to either side
 constexpr double kStep = kTickSeconds * kControlPeriod;
 constexpr double kTetherStiffness = 5000.0;  // [N/m]
 constexpr double kSpoolFriction = 0.5;       // [Nm]
@@ -189,6 +190,7 @@ void KinematicRover::PullAlong() {
 // Inside the mouth the cone leads the tip to the axis; the arm turns about the axle.
 void KinematicRover::Guide(const Pose2& before) {
   if (depth_m() > world_.jam_depth_m.value_or(nominal_.seat_depth_m)) {
+    yaw_ -= WrapPi(X_DR_.heading - before.heading);
     X_DR_ = before;
     return;
   }
@@ -199,7 +201,11 @@ void KinematicRover::Guide(const Pose2& before) {
   if (!entry_) entry_ = Entry{tip_offset_m(), WrapPi(X_DR_.heading - kPi)};
   const double off = tip_offset_m() * std::max(0.0, 1.0 - depth_m() / 0.12);
   const double sine = std::clamp((X_DR_.y - off) / nominal_.arm_length_m, -1.0, 1.0);
-  const double heading = kPi + std::asin(sine);
+  // Behind the throat the collar lays the arm straight within its play, and the axle slides aside.
+  const double most = depth_m() > nominal_.throat_depth_m ? kPlay : 0.5 * kPi;
+  const double lean = std::clamp(std::asin(sine), -most, most);
+  X_DR_.y = off + nominal_.arm_length_m * std::sin(lean);
+  const double heading = kPi + lean;
   yaw_ += WrapPi(heading - X_DR_.heading);
   X_DR_.heading = WrapPi(heading);
 }

@@ -57,12 +57,6 @@ TEST(NominalJson, ReadsBackEachLensModelAndPipeline) {
   }
 }
 
-TEST(NominalJson, OfABuildBeforeTheBracketHasNone) {
-  Json json = ToJson(SomeNominal());
-  json["vision"].erase("bracket_stops");
-  EXPECT_EQ(NominalFromJson(json).vision.bracket_stops, 0.0);
-}
-
 TEST(NominalJson, RefusesALensModelOrPipelineThatItDoesNotKnow) {
   const auto error_of = [](const char* part, const char* key, const char* name) {
     Json json = ToJson(SomeNominal());
