@@ -8,7 +8,7 @@
 namespace dockyard {
 namespace {
 
-constexpr double kSharp_px = 0.05, kStep_px = 0.5;
+constexpr double kSharp_px = 0.25, kStep_px = 0.5;
 constexpr int kMostViews = 16;
 
 void Add(const std::vector<float>& more, std::vector<float>& sum) {

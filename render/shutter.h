@@ -20,8 +20,8 @@ double MotionInExposure_px(const Camera& camera, double turn_rad_s, double speed
 /// When views are taken whose mean stands for an exposure in which the image moves by motion_px:
 /// times about the exposure's middle, as shares of it. They are evenly spaced, less than half a
 /// pixel apart (16 at most), and their mean square is that of the exposure, 1/12: a spot is widened
-/// by as much as by a box of motion_px. One view below 0.05 px: the box would widen the 0.6 px of
-/// lens and pixel by 0.03 %.
+/// by as much as by a box of motion_px. One view below 0.25 px: the box would widen the 0.6 px of
+/// lens and pixel by 0.7 %.
 std::vector<double> ExposureMoments(double motion_px);
 
 using StereoRadiance = std::array<RadianceImage, 2>;

@@ -86,7 +86,7 @@ TEST(MovingCamera, DrivingItSeesLessSharplyTheLongerTheShutterIsOpen) {
   const auto slow = Plant({"changes.robot.cameras.sensor.shutter_s=0.02"});
   for (AxelPlant* plant : {fast.get(), slow.get()}) Hold(*plant, Rolling(0.1, 0.3), 3.0);
   EXPECT_EQ(BoardMotion_px(fast->truth(), fast->built()), 0.0);
-  EXPECT_GT(BoardMotion_px(slow->truth(), slow->built()), 0.05);
+  EXPECT_GT(BoardMotion_px(slow->truth(), slow->built()), 0.25);
   EXPECT_NE(PairOf(*fast).left.pixels, PairOf(*slow).left.pixels);
 }
 
