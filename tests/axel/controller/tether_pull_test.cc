@@ -47,7 +47,7 @@ class Pull : public testing::Test {
   double StretchAt(double tension_n) const { return stretch_m_per_n_ * tension_n; }
 
   const Nominal nominal_ = TestNominal();
-  const AxelOptions options_;
+  const AxelOptions options_{};
   SensorFrame frame_ = StillFrame();
   Senses senses_{nominal_, options_};
   TetherPull pull_{nominal_, options_};
