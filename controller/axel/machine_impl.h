@@ -41,7 +41,7 @@ class AxelMachine final : public Controller {
         pull_(nominal, options),
         haul_(nominal, options),
         judge_(options.look, nominal.X_DB),
-        looks_(options.moving, nominal),
+        looks_(options, nominal),
         bracket_(options.bracket, nominal),
         seeker_(options.search),
         still_(options.tether.still_m) {

@@ -74,17 +74,19 @@ void MovingLooks::Begin(Tick now) {
 
 void MovingLooks::Remember(const Senses& senses) {
   places_.push_back({senses.now(), senses.reckoned(), senses.imu()});
-  while (senses.now() - places_.front().tick > options_.oldest) places_.pop_front();
+  while (senses.now() - places_.front().tick > options_.moving.oldest) places_.pop_front();
 }
 
 bool MovingLooks::Asks(const Senses& senses, bool due, bool sees, double range_m) {
   const Tick since = senses.now() - last_ask_;
-  if (since < options_.soonest || (!due && since < options_.period)) return false;
+  if (since < options_.moving.soonest || (!due && since < options_.moving.period)) return false;
   if (due && Fresh(senses.now())) return false;
-  if (awaited_ && since < options_.oldest) return false;
-  if (!senses.filter().located() || !sees || unanswered_ >= options_.unanswered) return false;
-  if (std::abs(senses.pitch_rad()) > options_.pitch_rad) return false;
-  if (ExpectedBlur_px(nominal_, senses.imu(), options_.speed_m_s, range_m) > options_.blur_px)
+  if (awaited_ && since < options_.moving.oldest) return false;
+  if (!senses.filter().located() || !sees || unanswered_ >= options_.moving.unanswered)
+    return false;
+  if (std::abs(senses.pitch_rad()) > options_.arm.look_pitch_rad) return false;
+  if (ExpectedBlur_px(nominal_, senses.imu(), options_.drive.approach_m_s, range_m) >
+      options_.moving.blur_px)
     return false;
   if (awaited_) ++unanswered_;
   last_ask_ = senses.now();

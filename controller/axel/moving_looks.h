@@ -36,7 +36,7 @@ void CarryToNow(const SinceExposure& since, const FilterNoise& noise, LocateOutp
 
 class MovingLooks {
  public:
-  MovingLooks(const MovingOptions& options, const Nominal& nominal)
+  MovingLooks(const AxelOptions& options, const Nominal& nominal)
       : options_(options), nominal_(nominal) {}
 
   /// A phase begins: what was asked for is not awaited any more.
@@ -51,7 +51,7 @@ class MovingLooks {
   std::optional<SinceExposure> Answered(const SensorFrame& sensed, const Senses& senses);
   void Accepted(Tick exposed) { accepted_ = exposed; }
   /// Whether a sighting from under way is so new that the rover need not stop for one.
-  bool Fresh(Tick now) const { return accepted_ && now - *accepted_ <= options_.fresh; }
+  bool Fresh(Tick now) const { return accepted_ && now - *accepted_ <= options_.moving.fresh; }
 
  private:
   struct Place {
@@ -60,7 +60,7 @@ class MovingLooks {
     ImuSample imu;
   };
 
-  MovingOptions options_;
+  AxelOptions options_;
   Nominal nominal_;
   std::deque<Place> places_;  // the latest
   Tick last_ask_ = 0;

@@ -99,13 +99,11 @@ struct MovingOptions {
   // A pair is asked for so often, and near a leg's end if the last is not fresh, but never sooner
   // than soonest after another. Assumed, 2-6 s and 0.5-2 s.
   Tick period = 4'000, soonest = 1'000;
-  double end_m = 0.15;      // left of the leg near its end: 3 s; assumed, 0.1-0.3
-  double blur_px = 0.7;     // expected blur, above which no picture is taken; assumed, 0.5-1
-  double speed_m_s = 0.05;  // for that, as DriveOptions::approach_m_s
-  double pitch_rad = Radians(8.0);  // as ArmOptions::look_pitch_rad
-  Tick oldest = 3'000;              // a picture that comes later is dropped; assumed, 2-5 s
-  Tick fresh = 4'000;               // a sighting so new saves the stop; assumed, 2-5 s
-  int unanswered = 3;               // asks in a row, then none for this leg; assumed, 2-4
+  double end_m = 0.15;   // left of the leg near its end: 3 s; assumed, 0.1-0.3
+  double blur_px = 0.7;  // expected blur, above which no picture is taken; assumed, 0.5-1
+  Tick oldest = 3'000;   // a picture that comes later is dropped; assumed, 2-5 s
+  Tick fresh = 4'000;    // a sighting so new saves the stop; assumed, 2-5 s
+  int unanswered = 3;    // asks in a row, then none for this leg; assumed, 2-4
 };
 
 /// When one exposure does not hold the board: areas without a mark's contrast lie where it may be.

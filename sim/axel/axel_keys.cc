@@ -4,6 +4,7 @@
 
 #include "controller/base/number_text.h"
 #include "models/read/config_error.h"
+#include "models/read/yaml_path.h"
 #include "sim/axel/tsai2013_keys.h"
 
 namespace dockyard::axel {
@@ -117,18 +118,21 @@ void ReadRockMap(RockMapKeys& map) {
 // Assumed, range 2-4 m.
 constexpr double kRoomBeyond_m = 3.0;
 
+// The other built-in controllers would leave such a key unused.
+void RequireDockyard(const Scenario& scenario, const std::string& key) {
+  if (!scenario.command.empty() || scenario.controller == "dockyard") return;
+  throw ConfigError(FindPath(scenario.of_system, key)->place.Text() + ": axel." + key +
+                    ": expected the controller dockyard or a program, found '" +
+                    scenario.controller + "'");
+}
+
 void CheckExcursion(const Scenario& scenario, const AxelKeys& values) {
   if (values.excursion_m == 0.0) return;
   const YamlNode& excursion = *scenario.of_system.Find("excursion_m");
   const auto Refuse = [](const YamlNode& at, const std::string& what) {
     throw ConfigError(at.place.Text() + ": " + what);
   };
-  if (scenario.command.empty() && scenario.controller != "dockyard") {
-    Refuse(excursion,
-           "axel.excursion_m: expected the controller dockyard or a program, which go out and "
-           "come back, found '" +
-               scenario.controller + "'");
-  }
+  RequireDockyard(scenario, "excursion_m");
   const StartKeys& start = values.start;
   if (start.arm != ArmPlace::kLeading || !std::isnan(start.body_pitch_rad) ||
       !std::isnan(start.arm_rad) || start.rock_m != 0.0) {
@@ -154,6 +158,8 @@ AxelKeys ReadAxelKeys(const Scenario& scenario) {
                       "the ground one gives the other");
   }
   ReadRockMap(values.rock_map);
+  if (values.rock_map.made || !values.rock_map.rocks.empty()) RequireDockyard(scenario, "rock_map");
+  if (values.vision.while_driving) RequireDockyard(scenario, "vision.while_driving");
   CheckExcursion(scenario, values);
   return values;
 }

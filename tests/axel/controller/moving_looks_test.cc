@@ -53,7 +53,7 @@ class UnderWay : public testing::Test {
   const Nominal nominal_ = WithShutter();
   const AxelOptions options_{};
   Senses senses_{nominal_, options_};
-  MovingLooks looks_{options_.moving, nominal_};
+  MovingLooks looks_{options_, nominal_};
   SensorFrame frame_ = StillFrame();
   double rolled_m_ = 0.0;
 };

@@ -73,6 +73,19 @@ TEST(AxelKeys, AnExcursionThatCannotBeMadeIsRefused) {
   EXPECT_THAT(Message({"axel.excursion_m=8"}), HasSubstr("expected at most 7.5 in a yard"));
 }
 
+TEST(AxelKeys, WhatOnlyDockyardUsesIsRefusedBesideAnotherBuiltInController) {
+  const ScratchFolder folder;
+  for (const std::string key : {"vision.while_driving", "rock_map.made"}) {
+    const auto Load = [&](const std::string& controller) {
+      LoadModels(Typical({"axel." + key + "=true", "controller=" + controller}));
+    };
+    EXPECT_NO_THROW(Load("dockyard"));
+    EXPECT_THAT(MessageOf([&] { Load("reel_only"); }, folder),
+                HasSubstr("axel." + key.substr(0, key.find(".made")) +
+                          ": expected the controller dockyard"));
+  }
+}
+
 TEST(AxelKeys, TipAngleAndImageSizeReachTheModels) {
   const AxelModels models =
       LoadModels(Typical({"axel.tip_angle_deg=0", "camera.width_px=640", "camera.height_px=480"}));
