@@ -39,20 +39,20 @@ void AddStation(Scene& scene) {
   const Eigen::Vector3d grey(0.62, 0.62, 0.6);
   // Module behind the board's plane, legs, a dark mouth.
   scene.objects.push_back(
-      {Share(BoxMesh({0.8, 1.0, 0.95})), Pose3::Translation(-0.41, 0, 0.62), grey});
+      {Share(BoxToRender({0.8, 1.0, 0.95})), Pose3::Translation(-0.41, 0, 0.62), grey});
   for (const double y : {-0.45, 0.45}) {
     for (const double x : {-0.1, -0.75}) {
-      scene.objects.push_back({Share(CylinderMesh(0.03, 0.2)), Pose3::Translation(x, y, 0.08),
+      scene.objects.push_back({Share(CylinderToRender(0.03, 0.2)), Pose3::Translation(x, y, 0.08),
                                Eigen::Vector3d(0.3, 0.3, 0.32)});
     }
   }
   Pose3 X_WK = Pose3::Translation(0.02, 0, 0.42);
   X_WK.R = RotY(kPi / 2);
   scene.objects.push_back(
-      {Share(CylinderMesh(0.17, 0.06, 48)), X_WK, Eigen::Vector3d(0.5, 0.5, 0.5)});
+      {Share(CylinderToRender(0.17, 0.06, 48)), X_WK, Eigen::Vector3d(0.5, 0.5, 0.5)});
   X_WK.p.x() = 0.03;
   scene.objects.push_back(
-      {Share(CylinderMesh(0.12, 0.05, 48)), X_WK, Eigen::Vector3d(0.03, 0.03, 0.03)});
+      {Share(CylinderToRender(0.12, 0.05, 48)), X_WK, Eigen::Vector3d(0.03, 0.03, 0.03)});
 }
 
 void AddRover(Yard& yard) {
@@ -63,13 +63,13 @@ void AddRover(Yard& yard) {
   };
   Pose3 X_RA = Pose3::Translation(0.45, 0, 0.02);
   X_RA.R = RotY(kPi / 2);
-  add(CylinderMesh(0.025, 0.9), X_RA, 0.55);
+  add(CylinderToRender(0.025, 0.9), X_RA, 0.55);
   for (const double y : {-0.5, 0.5}) {
     Pose3 X_RK = Pose3::Translation(0, y, 0);
     X_RK.R = RotX(kPi / 2);
-    add(CylinderMesh(0.15, 0.14), X_RK, 0.35);
+    add(CylinderToRender(0.15, 0.14), X_RK, 0.35);
   }
-  add(BoxMesh({0.2, 0.7, 0.15}), Pose3::Translation(-0.05, 0, 0), 0.4);
+  add(BoxToRender({0.2, 0.7, 0.15}), Pose3::Translation(-0.05, 0, 0), 0.4);
   const Eigen::Vector3d tip_W = yard.X_WR * Eigen::Vector3d(0.9, 0, 0.02);
   const Eigen::Vector3d anchor_W(-0.02, 0, 0.42);
   for (int i = 0; i <= 24; ++i) {
@@ -83,7 +83,7 @@ void AddRover(Yard& yard) {
 
 }  // namespace
 
-RenderMesh BoxMesh(const Eigen::Vector3d& size_m) {
+RenderMesh BoxToRender(const Eigen::Vector3d& size_m) {
   RenderMesh mesh;
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d corner((i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5);
@@ -94,7 +94,7 @@ RenderMesh BoxMesh(const Eigen::Vector3d& size_m) {
   return mesh;
 }
 
-RenderMesh CylinderMesh(double radius_m, double length_m, int sides) {
+RenderMesh CylinderToRender(double radius_m, double length_m, int sides) {
   RenderMesh mesh;
   for (const double z : {-0.5 * length_m, 0.5 * length_m}) {
     for (int k = 0; k < sides; ++k) {
@@ -180,7 +180,7 @@ std::unique_ptr<Yard> SampleYard(double range_m, const Eigen::Vector3d& to_sun_W
   AddStation(scene);
   AddRover(*yard);
   for (const auto& [x, y] : {std::pair(-1.0, 2.2), {1.2, -1.6}}) {
-    scene.objects.push_back({Share(CylinderMesh(0.04, 1.8)), Pose3::Translation(x, y, 0.9),
+    scene.objects.push_back({Share(CylinderToRender(0.04, 1.8)), Pose3::Translation(x, y, 0.9),
                              Eigen::Vector3d(0.4, 0.35, 0.3)});
   }
   return yard;
@@ -193,7 +193,7 @@ void AddCanopy(Yard& yard) {
   X_WO.p = yard.scene.board.X_WB.p + 3.0 * s + Eigen::Vector3d(0, 0, 0.75);
   X_WO.R = RotX(0.25);
   yard.scene.objects.push_back(
-      {Share(BoxMesh({0.05, 3.0, 1.5})), X_WO, Eigen::Vector3d(0.4, 0.4, 0.4)});
+      {Share(BoxToRender({0.05, 3.0, 1.5})), X_WO, Eigen::Vector3d(0.4, 0.4, 0.4)});
 }
 
 std::unique_ptr<Yard> Moved(const Yard& yard, double x_m, double y_m, double turn_rad) {

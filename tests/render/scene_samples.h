@@ -9,8 +9,8 @@
 namespace dockyard {
 
 /// Closed meshes, outward counter-clockwise.
-RenderMesh BoxMesh(const Eigen::Vector3d& size_m);
-RenderMesh CylinderMesh(double radius_m, double length_m, int sides = 32);  // along z, centred
+RenderMesh BoxToRender(const Eigen::Vector3d& size_m);
+RenderMesh CylinderToRender(double radius_m, double length_m, int sides = 32);  // along z, centred
 
 /// A camera that faces along the rover's x axis, from (x, y, z) in R, pitched nose-down.
 Pose3 ForwardCamera(double x_m, double y_m, double z_m, double pitch_rad = 0.0);

@@ -45,7 +45,7 @@ TEST(Object, IsDrawnWhereTheCameraModelSays) {
   Scene scene;
   scene.light = {.to_sun_W = {0, 0, 1}, .sun_irradiance = 0.0, .sky_irradiance = 1.0};
   const Pose3 X_WC = LookAt({0, 0, 0}, {3, 0, 0.1});
-  const RenderMesh plate = BoxMesh({0.002, 0.3, 0.3});
+  const RenderMesh plate = BoxToRender({0.002, 0.3, 0.3});
   scene.objects.push_back({Share(plate), Pose3::Translation(2.0, 0.7, 0.4), {0, 0, 0}});
   const RadianceImage image = StereoRenderer().RenderRadiance(scene, RigAt(kCamera, X_WC), {})[0];
   const auto at = [&](double y, double z) {
@@ -75,7 +75,7 @@ TEST(Shadow, OnASlopeIsAsLongAsTheAnglesSay) {
     Scene& scene = yard.scene;
     scene.ground.X_WG.R = RotY(slope);  // x is the way down, the shadow's way
     scene.light = {.to_sun_W = SunAt(kPi, elevation), .sky_irradiance = 0.0};
-    scene.objects.push_back({Share(BoxMesh({0.06, 0.2, height})),
+    scene.objects.push_back({Share(BoxToRender({0.06, 0.2, height})),
                              Pose3::Translation(-0.03, 0.0, 0.5 * height),
                              {0.5, 0.5, 0.5}});
     const double wanted = height * std::cos(elevation) / std::sin(elevation - slope);
@@ -105,7 +105,7 @@ TEST(Object, InFrontHidesTheBoard) {
   const Eigen::Vector2d pixel = *kCamera.Project(Inverse(X_WC) * disc_W);
   StereoRenderer renderer;
   const double bare = RadianceAt(renderer.RenderRadiance(scene, rig, {})[0], pixel);
-  scene.objects.push_back({Share(BoxMesh({0.02, 0.1, 0.1})),
+  scene.objects.push_back({Share(BoxToRender({0.02, 0.1, 0.1})),
                            Pose3::Translation(between.x(), between.y(), between.z()),
                            {0.6, 0.6, 0.6}});
   const double hidden = RadianceAt(renderer.RenderRadiance(scene, rig, {})[0], pixel);
@@ -119,7 +119,7 @@ TEST(Object, BehindTheBoardIsHidden) {
   StereoRenderer renderer;
   const auto bare = renderer.RenderRadiance(scene, rig, {});
   scene.objects.push_back(
-      {Share(BoxMesh({0.1, 0.3, 0.2})), Pose3::Translation(-0.1, 0, 0.7), {0.6, 0.6, 0.6}});
+      {Share(BoxToRender({0.1, 0.3, 0.2})), Pose3::Translation(-0.1, 0, 0.7), {0.6, 0.6, 0.6}});
   EXPECT_LT(LargestRelativeDifference(bare[0], renderer.RenderRadiance(scene, rig, {})[0]), 1e-4);
 }
 
@@ -127,7 +127,7 @@ TEST(Shadow, OfAPoleLiesOnTheSideAwayFromTheSun) {
   FlatYard yard;
   yard.scene.light.to_sun_W = SunAt(Radians(90), Radians(40));  // from the world's +y
   yard.scene.objects.push_back(
-      {Share(CylinderMesh(0.06, 1.0)), Pose3::Translation(2, 0, 0.5), {0.5, 0.5, 0.5}});
+      {Share(CylinderToRender(0.06, 1.0)), Pose3::Translation(2, 0, 0.5), {0.5, 0.5, 0.5}});
   const Pose3 X_WC = LookAt({0, 0, 1.2}, {2, 0, 0});
   const RadianceImage image =
       StereoRenderer().RenderRadiance(yard.scene, RigAt(kCamera, X_WC), {})[0];
@@ -145,7 +145,7 @@ TEST(Shadow, OfAPoleIsAsWideAsThePole) {
   FlatYard yard;
   yard.scene.light.to_sun_W = SunAt(Radians(90), Radians(40));
   yard.scene.objects.push_back(
-      {Share(CylinderMesh(0.06, 1.0, 64)), Pose3::Translation(2, 0, 0.5), {0.5, 0.5, 0.5}});
+      {Share(CylinderToRender(0.06, 1.0, 64)), Pose3::Translation(2, 0, 0.5), {0.5, 0.5, 0.5}});
   const Pose3 X_WC = LookAt({1.2, -0.6, 1.2}, {2, -0.6, 0});
   const RadianceImage image =
       StereoRenderer().RenderRadiance(yard.scene, RigAt(kCamera, X_WC), {})[0];
@@ -170,7 +170,7 @@ double PenumbraWidth(double edge_distance_m, double sun_diameter_rad) {
   scene.light = {.to_sun_W = {1, 0, 0}, .sky_irradiance = 0.0, .ground_bounce_albedo = 0.0};
   scene.light.sun_angular_diameter_rad = sun_diameter_rad;
   // Covers the side y < 0; the camera stands on the other side of its edge.
-  scene.objects.push_back({Share(BoxMesh({0.02, 2.0, 2.0})),
+  scene.objects.push_back({Share(BoxToRender({0.02, 2.0, 2.0})),
                            Pose3::Translation(edge_distance_m + 0.01, -1.0, 0.7),
                            {0.5, 0.5, 0.5}});
   const Camera camera = EquidistantCamera(1024, 768, kPi / 2);
@@ -277,7 +277,7 @@ TEST(Scene, BadInputIsRefusedWithAReason) {
   scene.ground.nx = scene.ground.ny = 10;
   EXPECT_THROW(renderer.RenderRadiance(scene, rig, {}), std::invalid_argument);
   scene = BoardOnly();
-  RenderMesh broken = BoxMesh({1, 1, 1});
+  RenderMesh broken = BoxToRender({1, 1, 1});
   broken.triangles.push_back({0, 1, 99});
   scene.objects.push_back({Share(broken), {}, {0.5, 0.5, 0.5}});
   EXPECT_THROW(renderer.RenderRadiance(scene, rig, {}), std::invalid_argument);
