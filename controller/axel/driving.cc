@@ -9,6 +9,15 @@ namespace dockyard::axel {
 Driving::Driving(const Nominal& nominal, const AxelOptions& options)
     : nominal_(nominal), options_(options), geometry_(PlanGeometryOf(nominal)) {}
 
+void Driving::Tell(const MappedRock& rock) {
+  const auto known = [&](const MappedRock& other) {
+    return std::hypot(other.x_m - rock.x_m, other.y_m - rock.y_m) < rock.radius_m &&
+           other.height_m >= rock.height_m;
+  };
+  std::vector<MappedRock>& rocks = geometry_.rock_map.rocks;
+  if (std::none_of(rocks.begin(), rocks.end(), known)) rocks.push_back(rock);
+}
+
 // Near the dock and facing it, the axle's own roll tells of the ground there, which undulates about
 // the plane.
 Drift Driving::DriftOf(const Senses& senses) const {
@@ -24,6 +33,13 @@ void Driving::Put(const AxisPlan& plan, std::vector<Arc> leg) {
   leg_ = std::move(leg);
   planned_ = Planned(plan_);
   ++plan_count_;
+}
+
+bool Driving::Held(const Senses& senses) const {
+  if (!leg_from_) return false;
+  const Pose2 X_DR = senses.pose();
+  const double way_m = std::hypot(X_DR.x - leg_from_->x, X_DR.y - leg_from_->y);
+  return way_m < options_.plan.held_share * Length(leg_);
 }
 
 Event Driving::PlanNext(const Senses& senses) {
@@ -80,6 +96,11 @@ void Driving::Enter(Phase phase, const Senses& senses) {
   if (phase == Phase::kBackOff) ++history_.back_offs;
   if (back) history_.backed_to.push_back(Advance(plan_.start, leg_));
   may_plan_anew_ = to_axis && !back;
+  if (may_plan_anew_) {
+    leg_from_ = senses.pose();
+  } else if (phase != Phase::kTighten && phase != Phase::kLook) {
+    leg_from_.reset();
+  }
   const DriveOptions& drive = options_.drive;
   if (to_mouth) {
     LegDriver::Speed speed{drive.mate_m_s, drive.mate_m_s, drive.fine_steering};

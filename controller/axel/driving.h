@@ -14,7 +14,11 @@ class Driving {
   Driving(const Nominal& nominal, const AxelOptions& options);
 
   const PlanGeometry& geometry() const { return geometry_; }
+  /// A rock to keep off, unless one as high is known there.
+  void Tell(const MappedRock& rock);
 
+  /// After a sighting: whether the last leg to the axis made hardly any way.
+  bool Held(const Senses& senses) const;
   /// After a sighting: plans the next leg, and what it is for. Nothing is planned for kGoRecover.
   Event PlanNext(const Senses& senses);
   /// At a leg's end under way: plans the next forward leg to the axis, if that is what comes next.
@@ -56,6 +60,7 @@ class Driving {
   std::vector<Arc> leg_;  // its first part
   LegDriver::Speed speed_;
   std::optional<LegDriver> driver_;
+  std::optional<Pose2> leg_from_;  // X_DR where the last leg to the axis began
   bool may_plan_anew_ = false;
   std::optional<Tick> off_since_;
   std::vector<PlannedArc> planned_;

@@ -90,14 +90,34 @@ Twist LegDriver::AgainstSlip(const Senses& senses, const Twist& twist) const {
   return {twist.speed_m_s, twist.turn_rad_s + std::clamp(senses.yaw_slip_rad_s(), -most, most)};
 }
 
+// A rover whose body lies on a rock: the wheel beside the rock spins, and what is made up for that
+// stops the other one, which alone has ground. Both then turn alike, as with a locked differential.
+bool LegDriver::Locked(const Senses& senses) {
+  const DriveOptions& drive = options_.drive;
+  if (std::abs(senses.yaw_slip_rad_s()) <= drive.yaw_slip_rad_s) {
+    spinning_since_.reset();
+  } else if (!spinning_since_) {
+    spinning_since_ = senses.now();
+  } else if (senses.now() - *spinning_since_ >= drive.spin_after) {
+    spinning_since_.reset();
+    locked_until_ = senses.now() + drive.lock_for;
+  }
+  return senses.now() < locked_until_;
+}
+
 LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
   const bool forward = follower_.forward();
   Twist twist = follower_.Follow(senses->pose(), forward ? speed_.forward_m_s : speed_.reverse_m_s,
                                  speed_.steering, senses->side_drift());
   Guard(*senses, forward);
   if (paused_since_) twist = {};
-  CommandWheels(nominal_, paused_since_ ? twist : AgainstSlip(*senses, twist),
-                options_.drive.wheel_accel_rad_s2, commands);
+  Twist wheels = twist;
+  if (Locked(*senses)) {
+    wheels.turn_rad_s = 0.0;
+  } else if (!paused_since_) {
+    wheels = AgainstSlip(*senses, twist);
+  }
+  CommandWheels(nominal_, wheels, options_.drive.wheel_accel_rad_s2, commands);
   LimitThrust(nominal_, speed_.thrust_n, commands);
   commands->motors[static_cast<std::size_t>(Motor::kSpool)] =
       paused_since_ ? TautWinch(nominal_, options_.tether) : Spool(*senses, twist);

@@ -57,6 +57,7 @@ class LegDriver {
   double Tension(const Senses& senses, bool forward) const;
   MotorCommand Spool(const Senses& senses, const Twist& twist) const;
   Twist AgainstSlip(const Senses& senses, const Twist& twist) const;
+  bool Locked(const Senses& senses);
 
   Nominal nominal_;
   AxelOptions options_;
@@ -66,6 +67,8 @@ class LegDriver {
   Tick deadline_ = 0;
   std::optional<Tick> paused_since_;
   Tick guard_off_until_ = 0;
+  std::optional<Tick> spinning_since_;
+  Tick locked_until_ = 0;
 };
 
 /// Reels slack in up to the driving tension.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "controller/axel/machine_impl.h"
+#include "controller/axel/rock_check.h"
 
 namespace dockyard::axel {
 
@@ -58,8 +59,9 @@ Event AxelMachine::Recover(Event event, const std::string& why) {
 std::optional<Event> AxelMachine::Drive(Commands* commands) {
   const LegDriver::Status status = driving_.Drive(&senses_, commands);
   // A body far from level is tumbling: the arm motor could only make it worse.
-  const bool may_level = !driving_.paused() && std::abs(senses_.pitch_rad()) < Radians(45.0);
-  if (may_level) arm_.Level(senses_);
+  const bool may_level = !driving_.paused() && std::abs(senses_.pitch_rad()) < Radians(60.0);
+  const bool high = held_ || BodyNearRock(driving_.geometry(), senses_.pose());
+  if (may_level) arm_.Level(senses_, high ? options_.arm.over_rock_rad : 0.0);
   if (driving_.paused()) belief_.note = "arm lifted: reeling in";
   if (StopsAbeam()) {
     belief_.note = "tether abeam";
@@ -75,6 +77,19 @@ std::optional<Event> AxelMachine::Drive(Commands* commands) {
   if (status == LegDriver::Status::kFellShort) belief_.note = "leg fell short";
   const std::optional<Event> onward = GoesOn(status) ? driving_.PlanOnward(senses_) : std::nullopt;
   return onward.value_or(Event::kArrived);
+}
+
+// Out of the cone, which tilts the rover by itself.
+void AxelMachine::FeelRocks() {
+  const bool in_the_open = phase_ == Phase::kTighten || phase_ == Phase::kLook ||
+                           phase_ == Phase::kSearch || phase_ == Phase::kApproach ||
+                           phase_ == Phase::kAlign || phase_ == Phase::kBackOff ||
+                           phase_ == Phase::kRecover;
+  if (!in_the_open) return felt_rocks_.Reset();
+  const auto rock = felt_rocks_.Take(senses_.attitude(), senses_.reckoned(), senses_.pose());
+  if (!rock || !senses_.filter().located()) return;
+  driving_.Tell(*rock);
+  belief_.note = "rock felt";
 }
 
 // The arm went over the top, or the rover starts so. An arm that only swings past the upright comes

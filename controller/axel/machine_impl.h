@@ -11,6 +11,7 @@
 #include "controller/axel/bracket.h"
 #include "controller/axel/driving.h"
 #include "controller/axel/excursion.h"
+#include "controller/axel/felt_rocks.h"
 #include "controller/axel/haul.h"
 #include "controller/axel/machine.h"
 #include "controller/axel/mating.h"
@@ -34,6 +35,7 @@ class AxelMachine final : public Controller {
         locator_(std::move(locator)),
         senses_(nominal, options),
         driving_(nominal, options),
+        felt_rocks_(nominal.track_m, options.felt_rocks, RockLimits{}),
         arm_(nominal, options.arm),
         righting_(nominal, options.righting),
         entry_(nominal, options),
@@ -55,6 +57,7 @@ class AxelMachine final : public Controller {
     if (!started_) Enter(nominal_.excursion_m > 0.0 ? Phase::kUndock : Phase::kTighten);
     started_ = true;
     Commands commands = BrakedCommands();
+    FeelRocks();
     if (TurnedOver()) Change(Right());
     const std::optional<Event> event = Act(sensed, &commands);
     if (phase_ != Phase::kRight) {
@@ -103,6 +106,7 @@ class AxelMachine final : public Controller {
   Event AfterSighting();
   Event AtTheMouth();
   Event Recover(Event event, const std::string& why);
+  void FeelRocks();
   bool TurnedOver();
   Event Right();
   void BeginSearch();
@@ -124,6 +128,7 @@ class AxelMachine final : public Controller {
   const Locator locator_;
   Senses senses_;
   Driving driving_;
+  FeltRocks felt_rocks_;
   ArmLevel arm_;
   Righting righting_;
   Entry entry_;
@@ -144,6 +149,7 @@ class AxelMachine final : public Controller {
   double rolled_before_m_ = 0.0;  // when the wheels were freed
   Belief belief_;
   int rightings_ = 0;
+  bool held_ = false;               // the last leg made no way
   std::optional<Tick> over_since_;  // turned over
 
   // Undocking and going out: how it stood in the socket, and what the spool then pulls with.

@@ -136,6 +136,8 @@ Event AxelMachine::AfterSighting() {
     belief_.note = "tip is in the cone";
     return Event::kInside;
   }
+  held_ = driving_.Held(senses_);
+  if (held_) return Recover(Event::kGoRecover, "leg made no way");
   const Event event = driving_.PlanNext(senses_);
   if (event == Event::kGoRecover) return Recover(event, "misaligned");
   if (driving_.over_rock()) belief_.note = "every plan crosses a rock";

@@ -60,6 +60,9 @@ struct DriveOptions {
   // Of the turning that slip takes, so much is made up for: 45 N from the side take 0.04 rad/s at
   // 0.05 m/s on compact soil (simulated). Assumed, 0.05-0.12.
   double yaw_slip_rad_s = 0.08;
+  // More than that for so long is a wheel that spins. Both wheels turn alike then, for 0.3 m of
+  // way. Assumed, 1-4 s and 4-12 s.
+  Tick spin_after = 2'000, lock_for = 6'000;
   // Arm lifting: slack tether, no progress, at 48-62 deg over the top. Stop early. Range 20-25 deg.
   double arm_guard_rad = Radians(22.0);
   double arm_resume_rad = Radians(10.0);
@@ -73,6 +76,9 @@ struct ArmOptions {
   double level_rate_rad_s = Radians(6.0);  // assumed, 3-10
   double dead_band_rad = Radians(0.5);     // of the inertial pitch's noise; assumed, 0.2-1
   double limit_rad = Radians(60.0);        // arm against body
+  // Over a rock the body goes nose-down: its middle is 4 cm behind and 2 cm below the axle, so that
+  // its underside rises by 2.4 cm. Assumed, 20-40 deg.
+  double over_rock_rad = Radians(30.0);
   double speed_rad_s = Radians(10.0), accel_rad_s2 = 1.0;  // of the drive's profile; assumed
   // At rest, a body pitched by more than this is levelled before an image pair is taken. The lens
   // covers +-37 deg up and down, so only large angles matter. Assumed, range 5-15 deg.
@@ -167,18 +173,23 @@ struct PlanOptions {
   // m.
   double anew_offset_m = 0.03, anew_heading_rad = Radians(3.0), anew_way_m = 0.4;
   Tick anew_after = 1'000;
+  double held_share = 0.25;           // a leg that makes less of its way was held; assumed, 0.1-0.4
   double align_range_m = 2.6;         // alignment region inside, approach region outside
   double facing_rad = Radians(20.0);  // the axle's roll is the dock's cross slope; assumed, 10-30
 };
 
 /// Of rocks that the rover was told of.
 struct RockLimits {
-  // A wheel rolls over lower rocks; 20 of 20 runs start with a wheel on 8 cm (docs/results). The
-  // paddled wheel is said to climb far higher ones, but it turns the rover as it does.
+  // A wheel rolls over lower rocks, as from a start on 8 cm (docs/results). The paddled wheel is
+  // said to climb far higher ones, but it turns the rover as it does.
   double wheel_climbs_m = 0.10;  // assumed, 0.06-0.15
-  // Body and arm pass over lower rocks: the axle is 0.30 m high, the body's underside and a hanging
-  // arm lower.
-  double body_clears_m = 0.15;  // assumed, 0.10-0.22
+  // The body passes over lower rocks: its underside is 0.118 m high, less the 5 cm that wheels sink
+  // into loose sand. A body on a rock leaves the wheel beside it without a load, which then spins.
+  double body_clears_m = 0.07;  // assumed, 0.06-0.12
+  // Half the body's length, and the way in which it goes nose-down. Assumed, 0.2-0.5.
+  double half_body_m = 0.35;
+  // The arm slides over lower rocks. Its root is on the axle, 0.30 m high.
+  double arm_clears_m = 0.15;  // assumed, 0.10-0.22
   // The tether's height at the arm's tip; from there it rises to the mouth.
   double tether_at_tip_m = 0.20;  // assumed, 0.15-0.35
   double half_wheel_m = 0.075;    // half a wheel's width; assumed, 0.05-0.10
@@ -187,6 +198,16 @@ struct RockLimits {
   double sigmas = 2.0;       // of the map that are kept clear, too; assumed, 1-3
   double tether_m = 0.03;    // kept clear of the tether; assumed, 0-0.1
   double tether_step = 0.1;  // of an arc between two places at which the tether is looked at, share
+};
+
+/// Of rocks that the rover has rolled off.
+struct FeltRockOptions {
+  // The wheel is off the rock when the axle's tilt has gone back to this share of its largest,
+  // within so much of the wheel's way and of turning. A slope's tilt does not go so soon. Assumed,
+  // 0.3-0.6, 0.3-0.6 m and 10-20 deg.
+  double down_share = 0.4, within_m = 0.45, within_rad = Radians(15.0);
+  // Heights are 3/8 to 1/2 of the diameter (Golombek and Rapp, JGR 102, 1997).
+  double radius_of_height = 0.5 / 0.375;
 };
 
 struct MateOptions {
@@ -356,6 +377,7 @@ struct AxelOptions {
   MovingOptions moving{};
   BracketOptions bracket{};
   PlanOptions plan{};
+  FeltRockOptions felt_rocks{};
   MateOptions mate{};
   SearchOptions search{};
   HaulOptions haul{};

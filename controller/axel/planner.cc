@@ -65,8 +65,9 @@ AxisPlan PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options, 
   const double gap = TipOf(geometry, X_DR).gap_m;
   if (gap < plan.min_tip_gap_m) back.arcs.push_back({gap - plan.min_tip_gap_m, 0.0});
   const Pose2 out = Advance(back.start, back.arcs);
-  const double gap_m = plan.recover_gap_m + history.recoveries * plan.recover_step_m;
-  const double x_m = std::min(geometry.arm_m + gap_m, plan.max_range_m);
+  const double nearest_m = std::max(geometry.arm_m + plan.recover_gap_m, out.x + plan.back_step_m);
+  const double x_m =
+      std::min(nearest_m + history.recoveries * plan.recover_step_m, plan.max_range_m);
   // There it faces the station squarely, for the way to the mouth.
   const Pose2 on_line = MouthLineAt(geometry, options.mate, x_m, drift.at_dock);
   const Pose2 goal = CourseOf({on_line.x, on_line.y, kPi}, drift.at_dock, false);
@@ -105,7 +106,7 @@ std::vector<Arc> FirstLeg(const PlanGeometry& geometry, const AxelOptions& optio
         gone >= limits.leg_max_m || (gone >= limits.leg_min_m && turned >= limits.leg_turn_rad);
     if (gone < limits.leg_min_m) continue;
     const Pose2 end = Advance(plan.start, leg);
-    if (!SeesBoard(geometry, options.look, end)) continue;
+    if (!SeesBoard(geometry, options.look, end) || BodyNearRock(geometry, end)) continue;
     if (CanGoOn(geometry, options, end, drift)) last_good_m = gone;
     const bool too_long = gone >= limits.leg_stretch * limits.leg_max_m;
     if (enough && (last_good_m || too_long)) return Truncate(plan.arcs, last_good_m.value_or(gone));

@@ -12,7 +12,8 @@
 namespace dockyard::axel {
 
 /// Straight out of the cone if in it, then two reverse arcs to the recovery goal on the line to the
-/// mouth, farther out each time; among rocks to the nearest such goal that no rock bars.
+/// mouth, behind the rover and farther out each time; among rocks to the nearest such goal that no
+/// rock bars.
 AxisPlan PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
                       const PlanHistory& history = {}, const Drift& drift = {});
 

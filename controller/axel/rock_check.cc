@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "controller/motion/arc_distance.h"
 
@@ -16,6 +17,18 @@ double KeptDistance(double wanted_m, double at_start_m) {
 }
 
 }  // namespace
+
+bool BodyNearRock(const PlanGeometry& geometry, const Pose2& X_DR, const RockLimits& limits) {
+  const double half_m = 0.5 * geometry.track_m - limits.half_wheel_m;
+  const auto near = [&](const MappedRock& rock) {
+    const Eigen::Vector2d p_RQ = Inverse(X_DR) * Eigen::Vector2d(rock.x_m, rock.y_m);
+    return rock.height_m > limits.body_clears_m &&
+           std::abs(p_RQ.x()) < rock.radius_m + limits.half_body_m &&
+           std::abs(p_RQ.y()) < rock.radius_m + half_m;
+  };
+  const std::vector<MappedRock>& rocks = geometry.rock_map.rocks;
+  return std::any_of(rocks.begin(), rocks.end(), near);
+}
 
 RockCheck::RockCheck(const PlanGeometry& geometry, const Pose2& X_DR_start,
                      const RockLimits& limits)
@@ -34,11 +47,18 @@ RockCheck::RockCheck(const PlanGeometry& geometry, const Pose2& X_DR_start,
           KeptDistance(wanted_m + limits.half_wheel_m, WheelDistance(X_DR_start, still, rock));
     }
     if (rock.height_m > limits.body_clears_m) {
-      kept.body_m = KeptDistance(wanted_m, BodyDistance(X_DR_start, still, rock));
+      // A wheel that rolls over its middle lifts the body off it.
+      const bool climbed = rock.height_m <= limits.wheel_climbs_m;
+      kept.body_m =
+          KeptDistance(climbed ? margin_m : wanted_m, BodyDistance(X_DR_start, still, rock));
+    }
+    if (rock.height_m > limits.arm_clears_m) {
+      kept.arm_m = KeptDistance(wanted_m, ArmDistance(X_DR_start, still, rock));
     }
     kept.tether = rock.height_m > limits.tether_at_tip_m - limits.tether_m &&
                   TetherDepth(X_DR_start, rock) <= 0.0;
-    if (kept.wheel_m > 0.0 || kept.body_m > 0.0 || kept.tether) rocks_.push_back(kept);
+    if (kept.wheel_m > 0.0 || kept.body_m > 0.0 || kept.arm_m > 0.0 || kept.tether)
+      rocks_.push_back(kept);
   }
 }
 
@@ -52,9 +72,13 @@ double RockCheck::WheelDistance(const Pose2& X_DR, const Arc& arc, const MappedR
 }
 
 double RockCheck::BodyDistance(const Pose2& X_DR, const Arc& arc, const MappedRock& rock) const {
-  const Eigen::Vector2d p_DQ(rock.x_m, rock.y_m), left(0.0, half_track_m_), tip(arm_m_, 0.0);
-  return std::min(SweptDistance(X_DR, arc, left, -left, p_DQ),
-                  SweptDistance(X_DR, arc, {0.0, 0.0}, tip, p_DQ));
+  const Eigen::Vector2d p_DQ(rock.x_m, rock.y_m), left(0.0, half_track_m_ - limits_.half_wheel_m);
+  return SweptDistance(X_DR, arc, left, -left, p_DQ);
+}
+
+double RockCheck::ArmDistance(const Pose2& X_DR, const Arc& arc, const MappedRock& rock) const {
+  const Eigen::Vector2d p_DQ(rock.x_m, rock.y_m), tip(arm_m_, 0.0);
+  return SweptDistance(X_DR, arc, {0.0, 0.0}, tip, p_DQ);
 }
 
 // How far the tether, straight from the tip to the mouth, goes into the disc where the rock is
@@ -74,20 +98,28 @@ double RockCheck::Cost(const Pose2& X_DR, const Arc& arc) const {
   double cost = 0.0;
   const double reach_m = std::abs(arc.length_m) + arm_m_ + half_track_m_ + wheel_radius_m_;
   for (const Kept& kept : rocks_) {
-    double depth_m = 0.0;
+    std::optional<double> depth_m;
+    const auto Cross = [&](double by_m) { depth_m = std::max(depth_m.value_or(0.0), by_m); };
     const double away_m = std::hypot(kept.rock.x_m - X_DR.x, kept.rock.y_m - X_DR.y) - reach_m;
     if (away_m < kept.wheel_m) {
-      depth_m = std::max(depth_m, kept.wheel_m - WheelDistance(X_DR, arc, kept.rock));
+      const double near_m = kept.wheel_m - WheelDistance(X_DR, arc, kept.rock);
+      if (near_m > 0.0) Cross(near_m);
     }
     if (away_m < kept.body_m) {
-      depth_m = std::max(depth_m, kept.body_m - BodyDistance(X_DR, arc, kept.rock));
+      const double near_m = kept.body_m - BodyDistance(X_DR, arc, kept.rock);
+      if (near_m > 0.0) Cross(near_m);
+    }
+    if (away_m < kept.arm_m) {
+      const double near_m = kept.arm_m - ArmDistance(X_DR, arc, kept.rock);
+      if (near_m > 0.0) Cross(near_m);
     }
     if (kept.tether) {
       for (double share = limits_.tether_step; share < 1.0 + 1e-9; share += limits_.tether_step) {
-        depth_m = std::max(depth_m, TetherDepth(Advance(X_DR, Part(arc, share)), kept.rock));
+        const double near_m = TetherDepth(Advance(X_DR, Part(arc, share)), kept.rock);
+        if (near_m > 0.0) Cross(near_m);
       }
     }
-    if (depth_m > 0.0) cost += kRockCost_m * (1.0 + depth_m);
+    if (depth_m) cost += kRockCost_m * (1.0 + *depth_m);
   }
   return cost;
 }

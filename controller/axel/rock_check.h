@@ -12,6 +12,9 @@ namespace dockyard::axel {
 /// than any other plan costs, so that a plan over a rock is taken only if there is no other.
 inline constexpr double kRockCost_m = 1e3;
 
+/// Whether the body of a rover that stands here is over or near a rock that it does not clear.
+bool BodyNearRock(const PlanGeometry& geometry, const Pose2& X_DR, const RockLimits& limits = {});
+
 /// The rocks of a map that the rover cannot pass over, for a plan from one pose. A rock that is
 /// nearer than wanted at the start may be as near on the way, but no nearer.
 class RockCheck {
@@ -26,11 +29,12 @@ class RockCheck {
  private:
   struct Kept {
     MappedRock rock;
-    double wheel_m = 0.0, body_m = 0.0;  // distances to keep from its middle; 0: none
+    double wheel_m = 0.0, body_m = 0.0, arm_m = 0.0;  // distances to keep from its middle; 0: none
     bool tether = false;
   };
   double WheelDistance(const Pose2& X_DR, const Arc& arc, const MappedRock& rock) const;
   double BodyDistance(const Pose2& X_DR, const Arc& arc, const MappedRock& rock) const;
+  double ArmDistance(const Pose2& X_DR, const Arc& arc, const MappedRock& rock) const;
   double TetherDepth(const Pose2& X_DR, const MappedRock& rock) const;
 
   double arm_m_ = 0.0, wheel_radius_m_ = 0.0, half_track_m_ = 0.0, mouth_height_m_ = 0.0;

@@ -124,6 +124,44 @@ TEST(Axel, BacksUpWhenItDoesNotGoIn) {
   EXPECT_TRUE(Docked(run));
 }
 
+TEST(Axel, BacksOutOfAPlaceWhereALegMadeNoWay) {
+  KinematicWorld world;
+  world.held_at_m = 2.4;
+  const KinematicRun run = RunKinematic(world, {3.0, 0.0, 0.0});
+  EXPECT_THAT(run.phases, Contains("recover"));
+  EXPECT_EQ(ValueOf(run.belief, "recoveries", -1.0), 1);
+  const auto farther = [](const Pose2& X_DR) {
+    return X_DR.x > 2.4 + 0.8 * AxelOptions{}.plan.back_step_m;
+  };
+  const auto nearer = [](const Pose2& X_DR) { return X_DR.x < 2.41; };
+  const auto held = std::find_if(run.path.begin(), run.path.end(), nearer);
+  EXPECT_TRUE(std::any_of(held, run.path.end(), farther));
+  EXPECT_TRUE(Docked(run));
+}
+
+TEST(Axel, LiftsItsBodyOverARockThatItKnows) {
+  const Nominal nominal = TestNominal();
+  const AxelOptions options;
+  const auto nose_down_rad = [&](std::vector<MappedRock> rocks) {
+    Nominal told = nominal;
+    told.rock_map = {std::move(rocks), 0.0};
+    KinematicRover rover(told, {}, {3.0, 0.0, kPi});
+    const auto controller = MakeAxelMachine(
+        told, options, [&](const StereoImages&, const LocateHints&) { return rover.Locate(); });
+    std::vector<double> pitch_rad;  // while the axle passes the rocks' place
+    for (int i = 0; i < 5000 && rover.X_DR().x > 1.6; ++i) {
+      const SensorFrame frame = rover.Sense();
+      if (std::abs(rover.X_DR().x - 2.0) < 0.05) pitch_rad.push_back(frame.imu.pitch_rad);
+      rover.Step(controller->Step(frame));
+    }
+    return pitch_rad.empty() ? -1.0 : *std::min_element(pitch_rad.begin(), pitch_rad.end());
+  };
+  std::vector<MappedRock> wall;
+  for (double y_m = -3.0; y_m <= 3.0; y_m += 0.3) wall.push_back({2.0, y_m, 0.1, 0.09});
+  EXPECT_LT(nose_down_rad({}), Radians(5.0));
+  EXPECT_GT(nose_down_rad(wall), 0.8 * options.arm.over_rock_rad);
+}
+
 TEST(Axel, GivesUpAfterItsLimitOfRecoveries) {
   AxelOptions options;
   options.mate.heading_rad = -1.0;  // no alignment is ever good enough

@@ -243,5 +243,41 @@ TEST(Leg, WheelsTurnByWhatSlipTakesWithinALimit) {
   EXPECT_THAT(turn_rad_s(0.2) - none, DoubleNear(DriveOptions{}.yaw_slip_rad_s, 0.002));
 }
 
+// The rover does not turn, whatever its wheels do, as with its body on a rock.
+TEST(Leg, BothWheelsTurnAlikeOnceOneSpins) {
+  const Nominal nominal = TestNominal();
+  const AxelOptions options;
+  Senses senses(nominal, options);
+  SensorFrame frame = StillFrame();
+  senses.Update(frame);
+  const Pose2 X_DR{3.0, 0.5, kPi};
+  const double dx = nominal.X_DB.p.x() - X_DR.x, dy = nominal.X_DB.p.y() - X_DR.y;
+  senses.filter().Restart({std::hypot(dx, dy),
+                           WrapPi(std::atan2(dy, dx) - X_DR.heading),
+                           X_DR.heading,
+                           {1e-6, 1e-6, 1e-6}});
+  LegDriver leg(nominal, options, X_DR, {{1.0, 0.0}}, {}, 0);
+  const auto drive_s = [&](double seconds, double spin_rad_s) {
+    Commands commands = BrakedCommands();
+    const Tick end = frame.tick + static_cast<Tick>(seconds / kTickSeconds);
+    while (frame.tick < end) {
+      frame.tick += kControlPeriod;
+      const double step_rad = spin_rad_s * kTickSeconds * static_cast<double>(kControlPeriod);
+      frame.motors[0].encoder_counts += std::llround(step_rad / nominal.motors[0].rad_per_count);
+      senses.Update(frame);
+      commands = BrakedCommands();
+      leg.Drive(&senses, &commands);
+    }
+    return commands.motors[0].target - commands.motors[1].target;
+  };
+  // The left wheel alone turns the rover by this without slip.
+  const double spin_rad_s =
+      3.0 * options.drive.yaw_slip_rad_s * nominal.track_m / nominal.wheel_radius_m;
+  EXPECT_GT(std::abs(drive_s(1.5, spin_rad_s)), 0.05);
+  EXPECT_EQ(drive_s(4.0, spin_rad_s), 0.0);
+  drive_s(8.0, 0.0);
+  EXPECT_NE(drive_s(2.0, 0.0), 0.0);
+}
+
 }  // namespace
 }  // namespace dockyard::axel

@@ -127,7 +127,8 @@ void KinematicRover::MoveWheels(const Commands& commands) {
   const bool slack = tension_n_ < 10.0 && forward > 0.01;
   elevation_ = slack ? std::min(elevation_ + Radians(10.0) * kStep, 1.2)
                      : Approach(elevation_, Guided(), Radians(10.0) * kStep);
-  const double progress = slack || elevation_ > Radians(15.0) ? 0.0 : 1.0 - world_.slip;
+  const bool held = forward > 0.0 && world_.held_at_m && X_DR_.x <= *world_.held_at_m;
+  const double progress = slack || held || elevation_ > Radians(15.0) ? 0.0 : 1.0 - world_.slip;
   const double turned = turn * (1.0 - world_.heading_short) * kStep;
   X_DR_ = Advance(X_DR_, Arc{forward * progress * kStep, turned});
   yaw_ += turned + world_.yaw_drift_rad_s * kStep;

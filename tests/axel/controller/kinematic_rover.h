@@ -36,6 +36,7 @@ struct KinematicWorld {
   Tick images_late = 0;               // from the exposure to the frame that brings them
   bool images_lost = false;           // of a moving rover
   std::optional<double> jam_depth_m;  // the tip goes no deeper than this, once
+  std::optional<double> held_at_m;    // the axle comes no nearer than this, once: the wheels spin
   std::uint64_t seed = 1;
 };
 
@@ -56,7 +57,10 @@ class KinematicRover {
   double depth_m() const;       // tip behind the mouth plane
   double tip_offset_m() const;  // beside the cone's axis
   int sightings() const { return sightings_; }
-  void Unjam() { world_.jam_depth_m.reset(); }
+  void Unjam() {
+    world_.jam_depth_m.reset();
+    world_.held_at_m.reset();
+  }
 
   // The places when the tip last passed the mouth.
   struct Entry {

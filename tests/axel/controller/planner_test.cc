@@ -193,6 +193,16 @@ TEST_F(Planner, RecoveryEndsOnTheAxisAtTheRecoveryGoalFartherOutEachTime) {
   }
 }
 
+TEST_F(Planner, RecoveryFromFartherOutThanItsGoalGoesBackByAStep) {
+  const Pose2 X_DR{3.0, 0.02, kPi};
+  for (int before = 0; before < 4; ++before) {
+    const auto plan = PlanRecovery(geometry_, options_, X_DR, {.recoveries = before});
+    const double way_m = options_.plan.back_step_m + before * options_.plan.recover_step_m;
+    EXPECT_THAT(Advance(plan.start, plan.arcs).x, DoubleNear(X_DR.x + way_m, 1e-9));
+    EXPECT_THAT(Length(plan.arcs), DoubleNear(way_m, 0.01));
+  }
+}
+
 // Backwards it keeps its course with the nose on the other side of it than forwards.
 TEST_F(Planner, RecoveryOfARoverThatDriftsEndsSquareToTheStation) {
   const Drift drift{-0.06, -0.08};

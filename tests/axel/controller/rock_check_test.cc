@@ -48,7 +48,7 @@ double WheelsFrom(const AxisPlan& plan, double half_track_m, const MappedRock& r
 
 TEST(RockCheck, LowRocksBarNothing) {
   const Pose2 start{4.0, 0.0, kPi};
-  const RockCheck low(With({{3.0, 0.4, 0.15, 0.9 * kLimits.wheel_climbs_m}}), start);
+  const RockCheck low(With({{3.0, 0.4, 0.15, 0.9 * kLimits.body_clears_m}}), start);
   const RockCheck high(With({{3.0, 0.4, 0.15, 1.1 * kLimits.wheel_climbs_m}}), start);
   EXPECT_EQ(low.Cost(start, Arc{2.0, 0.0}), 0.0);
   EXPECT_TRUE(low.empty());
@@ -61,6 +61,30 @@ TEST(RockCheck, WheelsStraddleARockThatTheBodyClears) {
   const RockCheck bars(With({{2.5, 0.0, 0.1, 1.1 * kLimits.body_clears_m}}), start);
   EXPECT_EQ(passes.Cost(start, Arc{2.0, 0.0}), 0.0);
   EXPECT_GE(bars.Cost(start, Arc{2.0, 0.0}), kRockCost_m);
+}
+
+TEST(RockCheck, AWheelMayRollOverTheMiddleOfARockThatTheBodyMayNotPass) {
+  const Pose2 start{4.0, 0.0, kPi};
+  const double half_track_m = 0.5 * TestNominal().track_m;
+  const auto bars = [&](double left_m) {
+    const MappedRock rock{2.5, -left_m, 0.1, 0.9 * kLimits.wheel_climbs_m};
+    return RockCheck(With({rock}), start).Cost(start, Arc{2.0, 0.0}) > 0.0;
+  };
+  EXPECT_FALSE(bars(half_track_m));
+  EXPECT_FALSE(bars(-half_track_m));
+  EXPECT_TRUE(bars(half_track_m - kLimits.half_wheel_m));
+  EXPECT_TRUE(bars(0.2));
+  EXPECT_TRUE(bars(0.0));
+}
+
+TEST(RockCheck, LegsEndWhereTheBodyIsOverNoRock) {
+  const AxelOptions options{};
+  const Pose2 start = At(4.0, 0.0, 0.0);
+  const AxisPlan free = PlanToAxis(With({}), options, start);
+  const Pose2 end = Advance(free.start, FirstLeg(With({}), options, free));
+  const auto geometry = With({{end.x, end.y + 0.2, 0.1, 0.9 * kLimits.wheel_climbs_m}});
+  EXPECT_TRUE(BodyNearRock(geometry, end));
+  EXPECT_FALSE(BodyNearRock(geometry, Advance(free.start, FirstLeg(geometry, options, free))));
 }
 
 TEST(RockCheck, TetherGoesOverALowRockAndNotOverAHighOne) {
@@ -106,8 +130,9 @@ TEST(RockCheck, PlansKeepClearOfARockOnTheirWay) {
     }
   }
   EXPECT_EQ(barred, 6);
-  // From -15 deg no plan of the search keeps the whole margin from the rock at 0.6.
-  EXPECT_EQ(clear, 5);
+  // The others lie within 1.3 m of the goal, or where the way bends: the body may not straddle
+  // them, and no arc of the search goes round them.
+  EXPECT_EQ(clear, 2);
 }
 
 TEST(RockCheck, TellsOfAPlanThatMustCrossARock) {
