@@ -131,6 +131,12 @@ MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options) {
                options.accel_rad_s2);
 }
 
+// A spool whose gears lose a quarter gives way at 1.7 times the tension that it reels with.
+MotorCommand HoldingWinch(const Nominal& nominal, const TetherOptions& options) {
+  return Winch(nominal, 0.0, options.drive_tension_n + nominal.spool_friction_n,
+               options.accel_rad_s2);
+}
+
 bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amount_rad,
                  double turned_rad, Commands* commands) {
   const double left = WrapPi(amount_rad - turned_rad);

@@ -73,6 +73,8 @@ class LegDriver {
 
 /// Reels slack in up to the driving tension.
 MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options);
+/// Holds the tether, and gives way before a rover that rolls off a rock pulls the station along.
+MotorCommand HoldingWinch(const Nominal& nominal, const TetherOptions& options);
 
 /// Turns in place until turned_rad reaches amount_rad; returns whether it has. The spool gives way.
 bool TurnInPlace(const Nominal& nominal, const AxelOptions& options, double amount_rad,

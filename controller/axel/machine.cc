@@ -60,7 +60,8 @@ std::optional<Event> AxelMachine::Drive(Commands* commands) {
   const LegDriver::Status status = driving_.Drive(&senses_, commands);
   // A body far from level is tumbling: the arm motor could only make it worse.
   const bool may_level = !driving_.paused() && std::abs(senses_.pitch_rad()) < Radians(60.0);
-  const bool high = held_ || BodyNearRock(driving_.geometry(), senses_.pose());
+  const bool to_mouth = phase_ == Phase::kMate || phase_ == Phase::kEnter;
+  const bool high = !to_mouth && (held_ || BodyNearRock(driving_.geometry(), senses_.pose()));
   if (may_level) arm_.Level(senses_, high ? options_.arm.over_rock_rad : 0.0);
   if (driving_.paused()) belief_.note = "arm lifted: reeling in";
   if (StopsAbeam()) {

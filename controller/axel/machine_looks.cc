@@ -25,12 +25,13 @@ std::optional<Event> AxelMachine::Tighten(Commands* commands) {
   return std::nullopt;
 }
 
-// The body turns about the axle only while the wheels are free. The braked spool holds the rover,
-// but not from rolling downhill towards the station: then it stops and looks as it is.
+// The body turns about the axle only while the wheels are free. The spool holds the rover, but not
+// from rolling downhill towards the station: then it stops and looks as it is.
 std::optional<Event> AxelMachine::Level(double target_pitch_rad, Commands* commands) {
   const Event done = phase_ == Phase::kTighten ? Event::kTaut : Event::kArrived;
   if (std::abs(senses_.rolled_m() - rolled_before_m_) > options_.arm.level_roll_m) return done;
   SetWheels(MotorMode::kFree, commands);
+  Spool(commands) = HoldingWinch(nominal_, options_.tether);
   arm_.Level(senses_, target_pitch_rad);
   const bool level =
       std::abs(senses_.pitch_rad() - target_pitch_rad) <= 2.0 * options_.arm.dead_band_rad;
@@ -41,7 +42,9 @@ std::optional<Event> AxelMachine::Level(double target_pitch_rad, Commands* comma
 
 std::optional<Event> AxelMachine::Look(const SensorFrame& sensed, Commands* commands) {
   StandStill(nominal_, options_.drive, InPhase(), commands);
-  if (InPhase() < options_.drive.stop_time) Spool(commands) = TautWinch(nominal_, options_.tether);
+  const bool stopped = InPhase() >= options_.drive.stop_time;
+  Spool(commands) =
+      stopped ? HoldingWinch(nominal_, options_.tether) : TautWinch(nominal_, options_.tether);
   if (bracket_.under_way()) return LookBracketed(sensed, commands);
   if (const std::optional<StereoImages> images = Arrived(sensed)) {
     answer_limit_ = options_.look.image_limit << (asks_ - 1);

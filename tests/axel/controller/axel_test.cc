@@ -12,6 +12,7 @@
 
 #include "axel/controller/grid.h"
 #include "axel/controller/kinematic_rover.h"
+#include "controller/axel/drive.h"
 #include "controller/axel/machine.h"
 
 namespace dockyard::axel {
@@ -184,6 +185,23 @@ TEST(Axel, TakesUpTheSlackBeforeItDrives) {
   const KinematicRun run = RunKinematic(world, {4.0, 0.0, 0.0});
   EXPECT_LT(Degrees(run.max_elevation_rad), 22.0);
   EXPECT_TRUE(Docked(run));
+}
+
+TEST(Axel, SpoolGivesWayToARoverThatRollsAwayWhileItLooks) {
+  const Nominal nominal = TestNominal();
+  const KinematicRun run = RunKinematic({}, {3.0, 0.0, 0.0});
+  const AxelOptions options;
+  int holding = 0;
+  for (const Commands& commands : run.commands) {
+    const MotorCommand& spool = commands.motors[static_cast<std::size_t>(Motor::kSpool)];
+    const bool wheels_hold = commands.motors[0].mode == MotorMode::kBrake;
+    if (!wheels_hold || commands.verdict != Verdict::kUnderWay) continue;
+    if (spool.mode != MotorMode::kVelocity || spool.target != 0.0) continue;
+    ++holding;
+    const double pull_n = TensionFromCurrent(nominal, spool.current_limit_a);
+    EXPECT_LE(pull_n, options.tether.drive_tension_n + nominal.spool_friction_n + 1e-9);
+  }
+  EXPECT_GT(holding, 20);
 }
 
 TEST(Axel, KeepsTheTensionBelowTheClampOnTheWay) {
