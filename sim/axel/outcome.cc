@@ -105,6 +105,11 @@ void OutcomeJudge::Observe(const Truth& truth) {
   if (!p_WR_first_) p_WR_first_ = truth.X_WR.p;
   farthest_m_ = std::max(farthest_m_, (truth.X_WR.p - *p_WR_first_).norm());
   const double now = truth.time_s;
+  if (!stand_ || (truth.X_WR.p - stand_->p_WR).norm() > limits_.stay_m) {
+    stand_ = Stand{truth.X_WR.p, now};
+  }
+  stand_->rock_force_sum_n += truth.rock_force_n;
+  ++stand_->samples;
   const double depth = Depth(truth), lateral = Lateral(truth);
   const double speed = truth.v_MT.norm();
 
@@ -141,6 +146,14 @@ bool OutcomeJudge::fatal() const { return fatal_; }
 bool OutcomeJudge::entered_at_rest() const {
   return Depth(last_) >= limits_.entered_depth_m && Lateral(last_) < station_.cone.mouth_radius_m &&
          rest_.Held(last_.time_s, limits_.rest_time_s) && last_.tether_tension_n > limits_.taut_n;
+}
+
+std::string OutcomeJudge::StandNote() const {
+  if (!stand_ || last_.time_s - stand_->since_s < limits_.stay_time_s) return {};
+  const double rock_n = stand_->rock_force_sum_n / static_cast<double>(stand_->samples);
+  const double stood_s = last_.time_s - stand_->since_s;
+  if (rock_n < limits_.catch_force_n) return Sentence("; stood there for %.0f s", stood_s);
+  return Sentence("; stood there for %.0f s with %.0f N on a rock", stood_s, rock_n);
 }
 
 OutcomeJudge::Verdicted OutcomeJudge::ConcludeHeld(const ShakeResult& shake) const {
@@ -211,12 +224,14 @@ OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
     case Verdict::kGivenUp:
       return {Outcome::kRecoveryLimit,
               Sentence("gave up after %.0f recoveries, tip %.0f mm before the mouth", recoveries,
-                       -1e3 * Depth(last_))};
+                       -1e3 * Depth(last_)) +
+                  StandNote()};
     case Verdict::kUnderWay:
       break;
   }
-  return {Outcome::kTimeout,
-          Sentence("time ran out, tip %.0f mm before the mouth", -1e3 * Depth(last_))};
+  return {
+      Outcome::kTimeout,
+      Sentence("time ran out, tip %.0f mm before the mouth", -1e3 * Depth(last_)) + StandNote()};
 }
 
 }  // namespace dockyard::axel

@@ -59,6 +59,8 @@ struct OutcomeLimits {
   double jam_time_s = 8.0;
   double excursion_m = 0.0;      // told way out; 0: none
   double excursion_share = 0.9;  // of it counts as gone: a drum is built to 5 %; 0.85-0.95
+  double stay_m = 0.15;          // a rover that has moved no more than this stands where it is
+  double stay_time_s = 60.0;     // a stand so long is worth a word
   double mark_gate_px = 3.0;     // a detection nearer than this to its true place is right
   int few_marks = 4;             // fewer detections than this in both images: not detected
 };
@@ -109,6 +111,9 @@ class OutcomeJudge {
   Verdicted Conclude(Verdict claimed, int recoveries, const ShakeResult& shake) const;
 
  private:
+  /// How long the rover has stood where it is at the end, and what of it lies on rocks; empty if it
+  /// has not stood long.
+  std::string StandNote() const;
   /// Of an arm that the shake holds.
   Verdicted ConcludeHeld(const ShakeResult& shake) const;
 
@@ -128,6 +133,13 @@ class OutcomeJudge {
   int flips_ = 0;
   std::optional<Eigen::Vector3d> p_WR_first_;
   double farthest_m_ = 0.0;
+  // Where the rover has stayed, and what rocks have borne of it since, in the mean.
+  struct Stand {
+    Eigen::Vector3d p_WR = Eigen::Vector3d::Zero();
+    double since_s = 0.0, rock_force_sum_n = 0.0;
+    long samples = 0;
+  };
+  std::optional<Stand> stand_;
 };
 
 }  // namespace dockyard::axel

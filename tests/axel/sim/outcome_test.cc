@@ -132,6 +132,23 @@ TEST(Outcome, TruthIsNotDockedUnlessTheControllerSaysSo) {
   EXPECT_EQ(judge.Conclude(Verdict::kUnderWay, 0, {}).outcome, Outcome::kTimeout);
 }
 
+TEST(Outcome, TimeoutTellsHowLongTheRoverHasStoodAndThatARockBearsIt) {
+  const auto note = [&](double stood_s, double rock_n) {
+    OutcomeJudge judge(Station(), {});
+    Hold(judge, At(0.0, -3.0, 0.0, 50.0), 100.0);
+    Truth stuck = At(100.02, -1.0, 0.0, 50.0);
+    stuck.X_WR.p.x() = 2.0;
+    stuck.rock_force_n = rock_n;
+    Hold(judge, stuck, stood_s);
+    return judge.Conclude(Verdict::kUnderWay, 0, {}).note;
+  };
+  EXPECT_EQ(note(30.0, 290.0), "time ran out, tip 1000 mm before the mouth");
+  EXPECT_EQ(note(500.0, 0.0), "time ran out, tip 1000 mm before the mouth; stood there for 500 s");
+  EXPECT_EQ(
+      note(500.0, 290.0),
+      "time ran out, tip 1000 mm before the mouth; stood there for 500 s with 290 N on a rock");
+}
+
 TEST(Outcome, AJamIsStillnessUnderPullInsideTheCone) {
   OutcomeJudge judge(Station(), {});
   Hold(judge, At(50.0, 0.15, 0.02, 200.0), 10.0);
