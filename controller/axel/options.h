@@ -157,9 +157,9 @@ struct PlanOptions {
   double tether_angle_cost = 1.0;  // a metre at one radian more, in metres
   // Nearly never a tether from farther aside: from there its pull takes what the wheels turn on
   // compact soil (simulated). Each back-off of the run asks for less, down to the least, so that
-  // the plan which failed is not tried again. Assumed, 60-80, 5-15 and 25-40 deg; 10-50 m.
+  // the plan which failed is not tried again. Assumed, 60-80, 5-15 and 25-40 deg; 20-100 m.
   double abeam_rad = Radians(65.0), abeam_step_rad = Radians(10.0), least_abeam_rad = Radians(30.0);
-  double abeam_cost = 20.0;
+  double abeam_cost = 60.0;
   double back_step_m = 0.5, back_limit_m = 3.5;
   int back_turns = 3;                       // curvatures of a back-off, per side
   double max_range_m = 5.5;                 // marks are made for 5 m (Tsai et al., III-A)
@@ -261,10 +261,12 @@ struct MateOptions {
   // the tether's stretch and the seated arm's play. Assumed, 0.002-0.005.
   double wiggle_gain_m = 0.003;
   // An arm that leans more is turned into the middle of its play before the rover claims, until the
-  // inertial unit has seen that turn. Assumed, 1-1.6 deg, 0.03-0.1 rad/s, 2-5 s and 0.4-1 s.
+  // inertial unit has seen that turn. The picture tells the lean to 0.7 deg: cameras, board and arm
+  // are mounted to a few tenths each. So an arm that it says to lean by 1.4 deg may lean by 2.1,
+  // which comes loose (simulated). Assumed, 0.8-1.4 deg, 0.03-0.1 rad/s, 2-5 s and 0.4-1 s.
   // The wheels stand wound up in the soil and turn it on by a degree more once they are braked, so
-  // that it stops early. Assumed, 0.8-1.4 deg.
-  double straighten_rad = Radians(1.5), straight_rad = Radians(1.2);
+  // that it stops early. Assumed, 0.5-1.2 deg.
+  double straighten_rad = Radians(1.2), straight_rad = Radians(0.9);
   double straighten_rad_s = 0.05, straighten_accel_rad_s2 = 0.5;
   Tick straighten_limit = 3'000, straighten_rest = 600;
   Tick picture_limit = 5'000;  // for the picture at home, which may be late; assumed, 2-10 s

@@ -169,7 +169,8 @@ TEST_F(Straightening, TurnsAnArmThatLeansToEitherSideUntilItIsNearlyStraight) {
 }
 
 TEST_F(Straightening, LeavesAnArmAloneThatIsStraightEnough) {
-  EXPECT_DOUBLE_EQ(LeftOf(Radians(1.4), 1.0), Radians(1.4));
+  EXPECT_DOUBLE_EQ(LeftOf(0.9 * options_.mate.straighten_rad, 1.0),
+                   0.9 * options_.mate.straighten_rad);
   EXPECT_EQ(turns_, 0);
 }
 
