@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sim/bridge/pipe_controller.h"
+#include "sim/log/frame_codec.h"
 
 namespace dockyard {
 namespace {
@@ -33,11 +34,11 @@ void Send(char kind, const std::string& payload) {
   std::fflush(stdout);
 }
 
-/// Commands by the protocol: each motor's mode 1 (brake) and four numbers, no camera, no switch.
 std::string AllBraked() {
-  std::string payload(4 + kMotors * 33 + 4 + 4 + 1, '\0');
-  payload[0] = kMotors;
-  for (int i = 0; i < kMotors; ++i) payload[4 + 33 * i] = 1;
+  Commands commands;
+  commands.motors.assign(kMotors, {.mode = MotorMode::kBrake});
+  std::string payload;
+  PutCommands(payload, commands);
   return payload;
 }
 
