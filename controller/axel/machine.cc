@@ -58,7 +58,7 @@ Event AxelMachine::Recover(Event event, const std::string& why) {
 
 std::optional<Event> AxelMachine::Drive(Commands* commands) {
   const LegDriver::Status status = driving_.Drive(&senses_, commands);
-  // A body far from level is tumbling: the arm motor could only make it worse.
+  // A body far from level is tumbling: the arm motor could only make it worse. Assumed, 50-70 deg.
   const bool may_level = !driving_.paused() && std::abs(senses_.pitch_rad()) < Radians(60.0);
   const bool to_mouth = phase_ == Phase::kMate || phase_ == Phase::kEnter;
   const bool high = !to_mouth && (held_ || BodyNearRock(driving_.geometry(), senses_.pose()));

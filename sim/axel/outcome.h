@@ -59,8 +59,8 @@ struct OutcomeLimits {
   double jam_time_s = 8.0;
   double excursion_m = 0.0;      // told way out; 0: none
   double excursion_share = 0.9;  // of it counts as gone: a drum is built to 5 %; 0.85-0.95
-  double stay_m = 0.15;          // a rover that has moved no more than this stands where it is
-  double stay_time_s = 60.0;     // a stand so long is worth a word
+  double stay_m = 0.15;          // a rover that has moved no more stands; assumed, 0.1-0.3
+  double stay_time_s = 60.0;     // the note tells of a stand so long; assumed, 30-120
   double mark_gate_px = 3.0;     // a detection nearer than this to its true place is right
   int few_marks = 4;             // fewer detections than this in both images: not detected
 };
