@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "controller/axel/leg.h"
 #include "controller/axel/mouth_way.h"
 #include "controller/axel/rock_check.h"
 #include "controller/motion/three_arcs.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kSamplesPerArc = 8;
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNoTurn = 1e-9;
 constexpr double kStraightOn = Radians(3.0);  // less than the steering's own error
 constexpr double kRoundLimit_m = 2.0;         // first arc round a rock; assumed, 1-3 m
 constexpr double kLevelDrift = 0.03;          // 2 deg of slope; less comes with uneven ground
@@ -97,6 +99,7 @@ class AxisSearch {
         },
         CuspTurn());
     CuspPairs(start, history, least_m, best);
+    TurnedBackOffs(start, history, least_m, best);
   }
 
  private:
@@ -121,13 +124,43 @@ class AxisSearch {
                 });
   }
 
+  // Turned sharply to a heading first, then straight back: so a rover goes uphill backwards, which
+  // presses its arm down.
+  void TurnedBackOffs(const Pose2& start, const PlanHistory& history, double least_m,
+                      Candidate* best) const {
+    for (int k = -plan_.back_headings; k <= plan_.back_headings; ++k) {
+      const double turn = WrapPi(kPi + k * plan_.back_heading_rad - start.heading);
+      if (std::abs(turn) < kNoTurn) continue;  // BackOff goes straight back
+      const Arc turned{-std::abs(turn) / plan_.max_recover_curvature, turn};
+      const double turned_cost =
+          plan_.reverse_cost * std::abs(turned.length_m) + ArcCost(start, turned);
+      const Pose2 from = Advance(start, turned);
+      const double limit_m = plan_.back_limit_m + turned.length_m;
+      for (double way_m = plan_.back_step_m; way_m <= limit_m; way_m += plan_.back_step_m) {
+        const Arc straight{-way_m, 0.0};
+        const Pose2 end = Advance(from, straight);
+        if (way_m - turned.length_m < least_m || !MayBackTo(end, history)) continue;
+        const double back_cost = plan_.reverse_cost * way_m + turned_cost;
+        if (back_cost + ArcCost(from, straight) >= best->cost) continue;
+        const Pose2 on = end * Pose2{0.0, 0.0, CuspTurn()};
+        ForEachPair(Inverse(on) * Goal(plan_.align_gap_m),
+                    {1.0 / plan_.max_curvature, Travel::kForward}, plan_.back_splits,
+                    [&](const ArcPair& pair) {
+                      Offer(start, {turned, straight, pair[0], pair[1]},
+                            plan_.reverse_cost * (way_m - turned.length_m) + PairCost(pair), best);
+                    });
+      }
+    }
+  }
+
   void Offer(const Pose2& start, const std::vector<Arc>& arcs, double cost, Candidate* best) const {
     Pose2 at = start;
-    for (const Arc& arc : arcs) {
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
       if (cost >= best->cost) return;
-      cost += ArcCost(at, arc);
-      at = Advance(at, arc);
-      if (arc.length_m < 0.0) at = at * Pose2{0.0, 0.0, CuspTurn()};
+      const bool cusp = i > 0 && arcs[i - 1].length_m < 0.0 && arcs[i].length_m >= 0.0;
+      if (cusp) at = at * Pose2{0.0, 0.0, CuspTurn()};
+      cost += ArcCost(at, arcs[i]);
+      at = Advance(at, arcs[i]);
     }
     if (cost < best->cost) *best = {arcs, cost};
   }
@@ -146,9 +179,20 @@ class AxisSearch {
       const double aside = std::abs(TetherAngle(geometry_, at));
       cost += step * plan_.tether_angle_cost * std::max(0.0, aside - plan_.tether_angle_rad);
       cost += step * plan_.abeam_cost * std::max(0.0, aside - abeam_rad_);
+      cost += step * plan_.far_abeam_cost * std::max(0.0, aside - abeam_rad_ - plan_.far_abeam_rad);
+      if (!backwards)
+        cost += step * plan_.lift_cost * std::max(0.0, Thrust(at, aside) - plan_.lift_share);
     }
     if (!rocks_.empty()) cost += rocks_.Cost(start, arc);
     return cost;
+  }
+
+  // Of the wheels, over the weight: what rolling and the slope take less what the tether gives.
+  double Thrust(const Pose2& at, double aside) const {
+    const double climb =
+        -(drift_.downhill_x * std::cos(at.heading) + drift_.downhill_y * std::sin(at.heading));
+    const double tether = TensionAside(options_.tether, aside) / options_.noise.weight_n;
+    return plan_.rolling_share + climb - tether * std::cos(aside);
   }
 
   const PlanGeometry& geometry_;
@@ -158,6 +202,11 @@ class AxisSearch {
   double abeam_rad_;
   RockCheck rocks_;
 };
+
+AxisPlan Rest(const Pose2& start, Candidate on) {
+  const double beyond_m = on.cost - Length(on.arcs);
+  return {start, std::move(on.arcs), 0.0, false, beyond_m};
+}
 
 }  // namespace
 
@@ -192,12 +241,12 @@ AxisPlan PlanOn(const PlanGeometry& geometry, const AxelOptions& options, const 
       {near, aside, plan.last_curvature},           {near, -aside, plan.last_curvature}};
   for (const Try& at : tries) {
     Candidate on = search.Forward(start, at.max_curvature, search.Goal(at.gap_m, at.aside_m));
-    if (!on.arcs.empty() && search.Clear(on)) return {start, std::move(on.arcs)};
+    if (!on.arcs.empty() && search.Clear(on)) return Rest(start, std::move(on));
   }
   if (search.HasRocks()) {
     Candidate round;
     search.Round(start, plan.hold_curvature, search.Goal(plan.align_gap_m), &round);
-    if (!round.arcs.empty() && search.Clear(round)) return {start, std::move(round.arcs)};
+    if (!round.arcs.empty() && search.Clear(round)) return Rest(start, std::move(round));
   }
   return {start, {}};
 }
@@ -207,7 +256,7 @@ AxisPlan PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options, co
   const PlanOptions& plan = options.plan;
   if (history.under_way) {
     AxisPlan on = PlanOn(geometry, options, X_DR, drift);
-    if (!on.arcs.empty()) return on;
+    if (!on.arcs.empty() && on.beyond_m <= plan.rest_beyond_m) return on;
   }
   const AxisSearch search(geometry, options, X_DR, history, drift);
   const Pose2 ahead = CourseOf(X_DR, drift.here, true), back = CourseOf(X_DR, drift.here, false);

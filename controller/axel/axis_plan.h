@@ -14,6 +14,8 @@ namespace dockyard::axel {
 struct Drift {
   double here = 0.0;
   double at_dock = 0.0;  // facing the station, by the ground's slope
+  // What pulls the rover downhill, over its weight, along D's x and y.
+  double downhill_x = 0.0, downhill_y = 0.0;
 };
 
 /// What the rover did before it plans again.
@@ -37,6 +39,7 @@ struct AxisPlan {
   std::vector<Arc> arcs;
   double cusp_turn_rad = 0.0;  // of the course where the rover goes forwards after a way back
   bool over_rock = false;      // no plan keeps clear of the rocks that it was told of
+  double beyond_m = 0.0;       // of a rest: its cost beyond its length
 };
 
 /// The cheapest of three arcs to the alignment goal, the second and third forwards, or of two, the

@@ -25,7 +25,8 @@ Drift Driving::DriftOf(const Senses& senses) const {
   const bool there = std::hypot(X_DR.x, X_DR.y) < options_.plan.align_range_m &&
                      std::abs(WrapPi(X_DR.heading - kPi)) < options_.plan.facing_rad;
   const double slope = there ? senses.side_slope() : SlopeForceAt(senses.ground(), kPi);
-  return {senses.side_drift(), senses.filter().slip().slope * slope};
+  const Eigen::Vector2d& lean_D = senses.ground().lean_D();
+  return {senses.side_drift(), senses.filter().slip().slope * slope, -lean_D.x(), -lean_D.y()};
 }
 
 void Driving::Put(const AxisPlan& plan, std::vector<Arc> leg) {
@@ -78,6 +79,19 @@ void Driving::PlanBack(const Senses& senses) {
   ++history_.recoveries;
 }
 
+void Driving::LearnMouthDrift(double off_m) {
+  const MateOptions& mate = options_.mate;
+  const double most = mate.learned_aside_m / mate.learned_way_m;
+  geometry_.mouth_drift =
+      std::clamp(geometry_.mouth_drift - off_m / mate.learned_way_m, -most, most);
+}
+
+double Driving::BesideMouthLine(const Senses& senses) const {
+  const Pose2 X_DR = senses.pose();
+  const Pose2 line = MouthLineAt(geometry_, options_.mate, X_DR.x, senses.side_drift());
+  return X_DR.y - line.y;
+}
+
 void Driving::PlanAhead(const Senses& senses, double way_m) {
   const AxisPlan plan = PlanToAxis(geometry_, options_, senses.pose(), {}, DriftOf(senses));
   Put(plan, Truncate(plan.arcs, way_m));
@@ -104,6 +118,7 @@ void Driving::Enter(Phase phase, const Senses& senses) {
   const DriveOptions& drive = options_.drive;
   if (to_mouth) {
     LegDriver::Speed speed{drive.mate_m_s, drive.mate_m_s, drive.fine_steering};
+    speed.by_tip = true;
     if (phase == Phase::kEnter) speed.thrust_n = options_.mate.enter_thrust_n;
     Start(speed, senses.now());
   } else if (to_axis || back) {

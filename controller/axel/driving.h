@@ -26,6 +26,11 @@ class Driving {
   /// With the tip at the mouth: whether the arm will seat. If so, plans the rest of the way.
   bool PlanEntry(const Senses& senses);
   void PlanBack(const Senses& senses);
+  /// The axle came out this far to D's +y of where it should be, at the mouth or in the socket: it
+  /// drifts by as much more on the last of the way than it reckons.
+  void LearnMouthDrift(double off_m);
+  /// The axle beside the line to the mouth, to D's +y [m].
+  double BesideMouthLine(const Senses& senses) const;
   /// On by dead reckoning, this far.
   void PlanAhead(const Senses& senses, double way_m);
 

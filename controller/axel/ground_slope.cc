@@ -56,11 +56,11 @@ void GroundSlope::Take(const Pose3& X_RB, double sigma_rad, const ImuSample& imu
   information_ += across * across.transpose() / Square(kRollSigma);
   weighted_ += across * up_R.y() / Square(kRollSigma);
 
-  const Eigen::Vector2d lean = information_.inverse() * weighted_;
-  const bool slopes = lean.norm() > std::sin(kLeastSlope) && lean.norm() < 1.0 &&
-                      lean.dot(weighted_) > Square(kSigmas);
+  lean_D_ = information_.inverse() * weighted_;
+  const bool slopes = lean_D_.norm() > std::sin(kLeastSlope) && lean_D_.norm() < 1.0 &&
+                      lean_D_.dot(weighted_) > Square(kSigmas);
   up_D_ = Eigen::Vector3d::UnitZ();
-  if (slopes) up_D_ << lean, std::sqrt(1.0 - lean.squaredNorm());
+  if (slopes) up_D_ << lean_D_, std::sqrt(1.0 - lean_D_.squaredNorm());
 }
 
 Attitude GroundSlope::Against(const ImuSample& imu, double heading_rad) const {

@@ -33,6 +33,8 @@ class GroundSlope {
   bool level() const { return up_D_.z() == 1.0; }
   /// Against gravity, unit.
   const Eigen::Vector3d& up_D() const { return up_D_; }
+  /// D's x and y of the normal as estimated, also where that is too little to count as a slope.
+  const Eigen::Vector2d& lean_D() const { return lean_D_; }
   /// The body's attitude against the ground, with this heading in D.
   Attitude Against(const ImuSample& imu, double heading_rad) const;
 
@@ -41,6 +43,7 @@ class GroundSlope {
   Eigen::Matrix2d information_ = Eigen::Matrix2d::Zero();
   Eigen::Vector2d weighted_ = Eigen::Vector2d::Zero();
   Eigen::Vector3d up_D_ = Eigen::Vector3d::UnitZ();
+  Eigen::Vector2d lean_D_ = Eigen::Vector2d::Zero();
 };
 
 /// Up for the gates of vision, in the body, unit. Before the slope is known, a roll that uneven

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/axel/mouth_way.h"
+
 namespace dockyard::axel {
 
 void ArmLevel::Level(const Senses& senses, double target_pitch_rad) {
@@ -69,9 +71,7 @@ double LegDriver::Tension(const Senses& senses, bool forward) const {
   const TetherOptions& tether = options_.tether;
   if (!forward) return tether.reverse_tension_n;
   const Eigen::Vector3d slope = ExposedTetherSlope(tether_, senses.pose(), senses.elevation_rad());
-  const double aside = std::asin(std::min(1.0, std::abs(slope.z()) / tether_.arm_m));
-  const double share = (aside - tether.ahead_rad) / (tether.aside_rad - tether.ahead_rad);
-  return std::lerp(tether.drive_tension_n, tether.aside_tension_n, std::clamp(share, 0.0, 1.0));
+  return TensionAside(tether, std::asin(std::min(1.0, std::abs(slope.z()) / tether_.arm_m)));
 }
 
 MotorCommand LegDriver::Spool(const Senses& senses, const Twist& twist) const {
@@ -109,6 +109,9 @@ LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
   const bool forward = follower_.forward();
   Twist twist = follower_.Follow(senses->pose(), forward ? speed_.forward_m_s : speed_.reverse_m_s,
                                  speed_.steering, senses->side_drift());
+  if (speed_.by_tip)
+    twist.turn_rad_s = TurnForTip(tether_.arm_m, senses->pose(), twist.speed_m_s,
+                                  senses->side_drift(), speed_.steering);
   Guard(*senses, forward);
   if (paused_since_) twist = {};
   Twist wheels = twist;
@@ -124,6 +127,11 @@ LegDriver::Status LegDriver::Drive(Senses* senses, Commands* commands) {
   senses->UseTether(options_.tether.taut_share * Tension(*senses, forward));
   if (follower_.done()) return Status::kArrived;
   return senses->now() > deadline_ && !paused_since_ ? Status::kFellShort : Status::kUnderWay;
+}
+
+double TensionAside(const TetherOptions& tether, double aside_rad) {
+  const double share = (aside_rad - tether.ahead_rad) / (tether.aside_rad - tether.ahead_rad);
+  return std::lerp(tether.drive_tension_n, tether.aside_tension_n, std::clamp(share, 0.0, 1.0));
 }
 
 MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options) {

@@ -38,6 +38,7 @@ class LegDriver {
     double forward_m_s = 0.05, reverse_m_s = 0.05;
     Steering steering{};
     double thrust_n = std::numeric_limits<double>::infinity();  // of the wheels
+    bool by_tip = false;  // to the mouth: the tip is steered to the axis, not the axle to the path
   };
   enum class Status { kUnderWay, kArrived, kFellShort };
 
@@ -71,6 +72,8 @@ class LegDriver {
   Tick locked_until_ = 0;
 };
 
+/// The set tension of a rover that drives forwards with the tether this far aside of its arm [N].
+double TensionAside(const TetherOptions& options, double aside_rad);
 /// Reels slack in up to the driving tension.
 MotorCommand TautWinch(const Nominal& nominal, const TetherOptions& options);
 /// Holds the tether, and gives way before a rover that rolls off a rock pulls the station along.

@@ -59,7 +59,10 @@ Event AxelMachine::Recover(Event event, const std::string& why) {
 std::optional<Event> AxelMachine::Drive(Commands* commands) {
   const LegDriver::Status status = driving_.Drive(&senses_, commands);
   // A body far from level is tumbling: the arm motor could only make it worse. Assumed, 50-70 deg.
-  const bool may_level = !driving_.paused() && std::abs(senses_.pitch_rad()) < Radians(60.0);
+  // An arm that is off the ground does not turn the body: levelling would only lift it farther.
+  const bool arm_down = senses_.elevation_rad() < options_.drive.arm_resume_rad;
+  const bool may_level =
+      !driving_.paused() && arm_down && std::abs(senses_.pitch_rad()) < Radians(60.0);
   const bool to_mouth = phase_ == Phase::kMate || phase_ == Phase::kEnter;
   const bool high = !to_mouth && (held_ || BodyNearRock(driving_.geometry(), senses_.pose()));
   if (may_level) arm_.Level(senses_, high ? options_.arm.over_rock_rad : 0.0);

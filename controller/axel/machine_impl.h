@@ -105,6 +105,7 @@ class AxelMachine final : public Controller {
   std::optional<Event> Judge(const LocateOutput& seen);
   Event AfterSighting();
   Event AtTheMouth();
+  Event Misaligned(const std::string& why);
   Event Recover(Event event, const std::string& why);
   void FeelRocks();
   bool TurnedOver();

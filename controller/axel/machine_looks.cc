@@ -142,7 +142,7 @@ Event AxelMachine::AfterSighting() {
   held_ = driving_.Held(senses_);
   if (held_) return Recover(Event::kGoRecover, "leg made no way");
   const Event event = driving_.PlanNext(senses_);
-  if (event == Event::kGoRecover) return Recover(event, "misaligned");
+  if (event == Event::kGoRecover) return Misaligned("misaligned");
   if (driving_.over_rock()) belief_.note = "every plan crosses a rock";
   return driving_.legs() > options_.limit.plans ? Event::kLimitReached : event;
 }

@@ -10,7 +10,12 @@ namespace dockyard::axel {
 
 Event AxelMachine::AtTheMouth() {
   if (driving_.PlanEntry(senses_)) return Event::kGoMate;
-  return Recover(Event::kGoRecover, "misaligned at the mouth");
+  return Misaligned("misaligned at the mouth");
+}
+
+Event AxelMachine::Misaligned(const std::string& why) {
+  driving_.LearnMouthDrift(driving_.BesideMouthLine(senses_));
+  return Recover(Event::kGoRecover, why);
 }
 
 std::optional<Event> AxelMachine::Reel(Commands* commands) {
@@ -82,8 +87,14 @@ Event AxelMachine::RuleHome() {
                            Fixed(Degrees(known.by_picture->askew_rad), 1) + " deg aside"
                      : "tip " + Fixed(known.depth_by_drum_m, 3) + " m deep by the drum";
   if (ruling == SeatRuling::kSeated) return Event::kSteady;
-  if (reel_in_.wiggles() < options_.mate.wiggles) return Event::kStopsShort;
-  return Recover(Event::kStuck, "does not go in");
+  const bool askew = ruling == SeatRuling::kAskew;
+  const int limit = askew ? options_.mate.askew_wiggles : options_.mate.wiggles;
+  if (reel_in_.wiggles() < limit) return Event::kStopsShort;
+  // An arm that leans to D's +y has its axle on the other side.
+  if (askew)
+    driving_.LearnMouthDrift(-(nominal_.arm_length_m - nominal_.seat_depth_m) *
+                             std::sin(known.by_picture->askew_rad));
+  return Recover(Event::kStuck, askew ? "arm stays askew" : "does not go in");
 }
 
 }  // namespace dockyard::axel

@@ -29,7 +29,8 @@ SeatRuling RuleSeat(const SeatKnowledge& known, double seat_depth_m, const MateO
   if (known.by_picture) {
     const bool deep = known.by_picture->depth_m >= seat_depth_m - options.seat_margin_m;
     const bool straight = std::abs(known.by_picture->askew_rad) <= options.askew_rad;
-    return deep && straight ? SeatRuling::kSeated : SeatRuling::kShort;
+    if (!deep) return SeatRuling::kShort;
+    return straight ? SeatRuling::kSeated : SeatRuling::kAskew;
   }
   if (known.depth_by_drum_m < seat_depth_m - options.seat_margin_m) return SeatRuling::kShort;
   if (!known.taken_up_by_push_m) return SeatRuling::kUnproven;

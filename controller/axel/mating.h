@@ -33,6 +33,7 @@ struct SeatKnowledge {
 enum class SeatRuling {
   kSeated,
   kShort,     // not seated
+  kAskew,     // on the floor, but the arm leans by more than its play
   kUnproven,  // without a picture: push first
 };
 /// Whether the tip is on the socket's floor. A picture decides alone, as it is right to millimetres

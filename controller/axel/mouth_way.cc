@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/motion/path_follower.h"
 
 namespace dockyard::axel {
 
@@ -23,9 +22,21 @@ bool Aligned(const PlanGeometry& geometry, const MateOptions& mate, const Pose2&
 }
 
 Pose2 MouthLineAt(const PlanGeometry& geometry, const MateOptions& mate, double x_m, double drift) {
-  const double course = std::atan(drift);
   const double left_m = x_m - (geometry.arm_m + mate.enter_gap_m);
-  return {x_m, left_m * std::tan(course), WrapPi(kPi + course)};
+  const double learned = geometry.mouth_drift;
+  const double here = drift + (left_m < mate.learned_way_m ? learned : 0.0);
+  return {x_m, left_m * drift + std::min(left_m, mate.learned_way_m) * learned,
+          WrapPi(kPi + std::atan(here))};
+}
+
+double TurnForTip(double arm_m, const Pose2& X_DR, double speed_m_s, double drift,
+                  const Steering& steering) {
+  const double h = WrapPi(X_DR.heading - kPi);
+  const double tip_m = X_DR.y - arm_m * std::sin(h);
+  const double turn_rad_s = speed_m_s *
+                            (tip_m / steering.settle_m - std::sin(h) - drift * std::cos(h)) /
+                            (arm_m * std::cos(h));
+  return std::clamp(turn_rad_s, -steering.max_turn_rad_s, steering.max_turn_rad_s);
 }
 
 Pose2 AfterMouthLine(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
@@ -33,24 +44,26 @@ Pose2 AfterMouthLine(const PlanGeometry& geometry, const AxelOptions& options, c
   // Turns on soil fall short by 15-40 % of what the wheels are told; assumed, 0.6-0.85 are done.
   constexpr double kTurned = 0.7;
   constexpr double kStep_m = 0.005;
-  const Pose2 start = MouthLineAt(geometry, options.mate, X_DR.x, drift);
-  const double way_m = X_DR.x - (geometry.arm_m + options.mate.enter_gap_m);
-  Pose2 at = X_DR;
-  if (way_m <= 0.0) return at;
-  PathFollower follower(start, {{way_m / std::cos(std::atan(drift)), 0.0}});
+  const double end_m = geometry.arm_m + options.mate.enter_gap_m;
   const double speed_m_s = options.drive.mate_m_s, seconds = kStep_m / speed_m_s;
-  for (int i = 0; i < 2.0 * way_m / kStep_m; ++i) {
-    const Twist twist = follower.Follow(at, speed_m_s, options.drive.fine_steering, drift);
-    if (follower.done()) break;
-    at = Advance(at, Arc{kStep_m, kTurned * twist.turn_rad_s * seconds}) *
-         Pose2{0.0, drift * kStep_m, 0.0};
+  Pose2 at = X_DR;
+  for (int i = 0; i < 2.0 * (X_DR.x - end_m) / kStep_m && at.x > end_m; ++i) {
+    const double turn_rad_s =
+        TurnForTip(geometry.arm_m, at, speed_m_s, drift, options.drive.fine_steering);
+    at = Advance(at, Arc{kStep_m, kTurned * turn_rad_s * seconds}) *
+         Pose2{0.0, (drift + geometry.mouth_drift) * kStep_m, 0.0};
   }
   return at;
 }
 
 bool CanMate(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
              double drift) {
-  return Aligned(geometry, options.mate, AfterMouthLine(geometry, options, X_DR, drift));
+  const auto aligned = [&](const PlanGeometry& with) {
+    return Aligned(with, options.mate, AfterMouthLine(with, options, X_DR, drift));
+  };
+  PlanGeometry unlearned = geometry;
+  unlearned.mouth_drift = 0.0;
+  return aligned(geometry) || (geometry.mouth_drift != 0.0 && aligned(unlearned));
 }
 
 }  // namespace dockyard::axel

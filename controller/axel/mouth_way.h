@@ -17,6 +17,11 @@ bool Aligned(const PlanGeometry& geometry, const MateOptions& mate, const Pose2&
 /// its way.
 Pose2 MouthLineAt(const PlanGeometry& geometry, const MateOptions& mate, double x_m, double drift);
 
+/// The turn [rad/s] that brings the tip to the cone's axis while the axle rolls on and drifts. The
+/// axle follows like a trailer's.
+double TurnForTip(double arm_m, const Pose2& X_DR, double speed_m_s, double drift,
+                  const Steering& steering);
+
 /// Where the rover is with its tip in the mouth, after it has followed that line from here.
 Pose2 AfterMouthLine(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
                      double drift);

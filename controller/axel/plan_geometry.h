@@ -20,6 +20,7 @@ struct PlanGeometry {
   double track_m = 0.0;                            // between the wheels' middles
   double mouth_height_m = 0.0;                     // centre of the cone's mouth above the ground
   RockMap rock_map{};                              // rocks that it was told of
+  double mouth_drift = 0.0;  // on the last of the way to the mouth, beyond the drift (learned)
 };
 PlanGeometry PlanGeometryOf(const Nominal& nominal);
 

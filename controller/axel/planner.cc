@@ -58,6 +58,12 @@ std::optional<ArcPair> RecoverAmongRocks(const PlanGeometry& geometry, const Axe
 
 }  // namespace
 
+std::vector<Arc> WayBack(const std::vector<Arc>& arcs) {
+  const auto on =
+      std::find_if(arcs.begin(), arcs.end(), [](const Arc& arc) { return arc.length_m >= 0.0; });
+  return {arcs.begin(), on};
+}
+
 AxisPlan PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
                       const PlanHistory& history, const Drift& drift) {
   const PlanOptions& plan = options.plan;
@@ -93,7 +99,7 @@ AxisPlan PlanRecovery(const PlanGeometry& geometry, const AxelOptions& options, 
 
 std::vector<Arc> FirstLeg(const PlanGeometry& geometry, const AxelOptions& options,
                           const AxisPlan& plan, const Drift& drift) {
-  if (plan.arcs.front().length_m < 0.0) return {plan.arcs.front()};
+  if (plan.arcs.front().length_m < 0.0) return WayBack(plan.arcs);
   constexpr double kStep = 0.05;
   const PlanOptions& limits = options.plan;
   const double whole = Length(plan.arcs);
@@ -138,9 +144,11 @@ Decision Decide(const PlanGeometry& geometry, const AxelOptions& options, const 
 
 std::vector<PlannedArc> Planned(const AxisPlan& plan) {
   if (plan.arcs.empty() || plan.arcs.front().length_m >= 0.0) return Planned(plan.arcs, plan.start);
-  std::vector<PlannedArc> planned = Planned({plan.arcs.front()}, plan.start);
-  const Pose2 cusp = Advance(plan.start, plan.arcs.front()) * Pose2{0.0, 0.0, plan.cusp_turn_rad};
-  const auto on = Planned({plan.arcs.begin() + 1, plan.arcs.end()}, cusp);
+  const std::vector<Arc> back = WayBack(plan.arcs);
+  std::vector<PlannedArc> planned = Planned(back, plan.start);
+  const Pose2 cusp = Advance(plan.start, back) * Pose2{0.0, 0.0, plan.cusp_turn_rad};
+  const auto first_on = plan.arcs.begin() + static_cast<std::ptrdiff_t>(back.size());
+  const auto on = Planned({first_on, plan.arcs.end()}, cusp);
   planned.insert(planned.end(), on.begin(), on.end());
   return planned;
 }

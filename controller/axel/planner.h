@@ -11,6 +11,9 @@
 
 namespace dockyard::axel {
 
+/// The arcs backwards with which a plan begins.
+std::vector<Arc> WayBack(const std::vector<Arc>& arcs);
+
 /// Straight out of the cone if in it, then two reverse arcs to the recovery goal on the line to the
 /// mouth, behind the rover and farther out each time; among rocks to the nearest such goal that no
 /// rock bars.

@@ -22,12 +22,12 @@ TEST(SeatRuling, PictureDecidesWhateverTheDrumSays) {
   }
 }
 
-TEST(SeatRuling, ArmThatLeansBeyondItsPlayIsShortHoweverDeep) {
+TEST(SeatRuling, ArmThatLeansBeyondItsPlayIsAskewHoweverDeep) {
   for (const double side : {-1.0, 1.0}) {
     EXPECT_EQ(RuleSeat({0.23, TipSeen{0.23, side * Radians(1.5)}, {}}, kFloor, kMate),
               SeatRuling::kSeated);
     EXPECT_EQ(RuleSeat({0.23, TipSeen{0.23, side * Radians(2.5)}, 0.0}, kFloor, kMate),
-              SeatRuling::kShort);
+              SeatRuling::kAskew);
   }
 }
 

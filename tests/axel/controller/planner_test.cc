@@ -7,6 +7,7 @@
 
 #include "axel/controller/grid.h"
 #include "axel/controller/kinematic_rover.h"
+#include "controller/axel/leg.h"
 
 namespace dockyard::axel {
 namespace {
@@ -66,12 +67,14 @@ TEST_F(Planner, BacksOffFirstWhenTooNearForTheAngle) {
   EXPECT_LT(PlanToAxis(geometry_, options_, At(2.0, 40.0, 0.0)).arcs.front().length_m, 0.0);
 }
 
+// A way back may begin with a sharp turn.
 TEST_F(Planner, KeepsANewPlanToWiderArcsThanItsRest) {
   for (const GridStart& start : MarsYardGrid()) {
     const Pose2 X_DR = FromDockingCoords(start.at);
     for (const Arc& arc : PlanToAxis(geometry_, options_, X_DR).arcs) {
-      EXPECT_LE(std::abs(arc.turn_rad),
-                options_.plan.max_curvature * std::abs(arc.length_m) + 1e-9);
+      const bool back = arc.length_m < 0.0;
+      const double most = back ? options_.plan.max_recover_curvature : options_.plan.max_curvature;
+      EXPECT_LE(std::abs(arc.turn_rad), most * std::abs(arc.length_m) + 1e-9);
     }
   }
 }
@@ -94,9 +97,10 @@ TEST_F(Planner, BacksOffFurtherEachTime) {
   double last_m = 0.0;
   for (int back_offs = 0; back_offs < 4; ++back_offs) {
     const auto plan = PlanToAxis(geometry_, options_, X_DR, {.back_offs = back_offs}).arcs;
-    EXPECT_LE(plan.front().length_m, -options_.plan.back_step_m * (1 + back_offs));
-    EXPECT_LE(plan.front().length_m, last_m);
-    last_m = plan.front().length_m;
+    const double back_m = Length(WayBack(plan));
+    EXPECT_GE(back_m, options_.plan.back_step_m * (0.5 + back_offs));
+    EXPECT_GE(back_m, last_m);
+    last_m = back_m;
   }
 }
 
@@ -106,7 +110,7 @@ TEST_F(Planner, NeverBacksOffToTheSamePlaceTwice) {
     for (int i = 0; i < 3; ++i) {
       const auto plan = PlanToAxis(geometry_, options_, X_DR, history);
       if (plan.arcs.front().length_m >= 0.0) break;
-      const Pose2 end = Advance(plan.start, plan.arcs.front());
+      const Pose2 end = Advance(plan.start, WayBack(plan.arcs));
       EXPECT_FALSE(history.BackedTo(end)) << i;
       history.backed_to.push_back(end);
       ++history.back_offs;
@@ -114,7 +118,8 @@ TEST_F(Planner, NeverBacksOffToTheSamePlaceTwice) {
   }
 }
 
-// The leg's end 5 cm to a side, ten times the filter's error, at every stop of a run.
+// The leg's end 5 cm to a side, ten times the filter's error, at every stop of a run. One rest of
+// them brings the tether too far abeam.
 TEST_F(Planner, GoesOnForwardsFromFiveCentimetresAsideAtTheEndOfEveryLegOfTheGrid) {
   int back_offs = 0, stops = 0;
   for (const GridStart& start : MarsYardGrid()) {
@@ -125,14 +130,18 @@ TEST_F(Planner, GoesOnForwardsFromFiveCentimetresAsideAtTheEndOfEveryLegOfTheGri
         const Decision decision = Decide(geometry_, options_, X_DR, history);
         if (decision.event == Event::kGoMate || decision.event == Event::kGoRecover) break;
         if (leg > 0) ++stops;
-        if (history.under_way && decision.event == Event::kGoBackOff) ++back_offs;
+        if (history.under_way && decision.event == Event::kGoBackOff) {
+          ++back_offs;
+          const double beyond_m = PlanOn(geometry_, options_, X_DR).beyond_m;
+          EXPECT_GT(beyond_m, options_.plan.rest_beyond_m) << start.run;
+        }
         X_DR = Advance(decision.plan.start, decision.leg) * Pose2{0.0, aside_m, 0.0};
         history.under_way = true;
       }
     }
   }
   EXPECT_GT(stops, 80);
-  EXPECT_EQ(back_offs, 0);
+  EXPECT_LE(back_offs, 1);
 }
 
 TEST_F(Planner, SeesTheBoardAtTheEndOfEveryLegOfTheGrid) {
@@ -263,6 +272,107 @@ TEST_F(Planner, MouthLineIsTheWayOfARoverThatDrifts) {
     EXPECT_THAT(at.x, DoubleNear(1.0 + options_.mate.enter_gap_m, 1e-9));
     EXPECT_THAT(at.y, DoubleNear(0.0, 1e-9));
   }
+}
+
+// It drifts more on the last 0.45 m.
+TEST_F(Planner, MouthLineIsTheWayOfARoverThatHasLearnedItsDriftThere) {
+  PlanGeometry geometry = geometry_;
+  for (const double learned : {-0.1, 0.1}) {
+    geometry.mouth_drift = learned;
+    for (const double from_m : {1.3, 1.8}) {
+      Pose2 at = MouthLineAt(geometry, options_.mate, from_m, 0.05);
+      at.heading = kPi;
+      const double end_m = 1.0 + options_.mate.enter_gap_m;
+      while (at.x > end_m + 1e-9) {
+        const bool last = at.x - end_m <= options_.mate.learned_way_m + 1e-9;
+        const double drift = 0.05 + (last ? learned : 0.0);
+        at = Advance(at, Arc{0.001, 0.0}) * Pose2{0.0, 0.001 * drift, 0.0};
+      }
+      EXPECT_THAT(at.y, DoubleNear(0.0, 1e-9)) << from_m << " " << learned;
+    }
+  }
+}
+
+TEST_F(Planner, RoverThatLearnedItsDriftReckonsWithIt) {
+  PlanGeometry geometry = geometry_;
+  const Pose2 X_DR{1.4, 0.03, kPi};
+  const double without_m = AfterMouthLine(geometry, options_, X_DR, 0.0).y;
+  geometry.mouth_drift = 0.1;
+  EXPECT_LT(AfterMouthLine(geometry, options_, X_DR, 0.0).y, without_m - 0.02);
+}
+
+// Without slip the tip's offset dies out as exp(-l/s), whatever the axle's heading and drift.
+TEST_F(Planner, TipIsSteeredToTheAxis) {
+  const Steering steering{.settle_m = 0.15, .max_turn_rad_s = 1.0};
+  const double speed_m_s = 0.03, step_m = 1e-5;
+  for (const double drift : {-0.1, 0.0, 0.1}) {
+    for (const double heading_deg : {-6.0, 0.0, 4.0}) {
+      Pose2 at{1.4, 0.03, WrapPi(kPi + Radians(heading_deg))};
+      const double before_m = TipOf(geometry_, at).offset_m;
+      for (int i = 0; i < 30'000; ++i) {
+        const double turn = TurnForTip(1.0, at, speed_m_s, drift, steering);
+        at = Advance(at, Arc{step_m, turn * step_m / speed_m_s}) * Pose2{0.0, drift * step_m, 0.0};
+      }
+      EXPECT_THAT(TipOf(geometry_, at).offset_m, DoubleNear(before_m * std::exp(-2.0), 2e-5))
+          << drift << " " << heading_deg;
+    }
+  }
+}
+
+// A tip on the axis stays there, and the axle follows it as a trailer: psi' = -sin(psi) / L.
+TEST_F(Planner, AxleFollowsTheTipLikeATrailer) {
+  const double psi = Radians(4.0);
+  const Pose2 start{1.4 * std::cos(psi), std::sin(psi), WrapPi(kPi + psi)};
+  ASSERT_THAT(TipOf(geometry_, start).offset_m, DoubleNear(0.0, 1e-12));
+  Pose2 at = start;
+  const Steering steering{.settle_m = 0.15, .max_turn_rad_s = 1.0};
+  for (int i = 0; i < 30'000; ++i)
+    at = Advance(at, Arc{1e-5, TurnForTip(1.0, at, 0.03, 0.0, steering) * 1e-5 / 0.03});
+  EXPECT_THAT(WrapPi(at.heading - kPi), DoubleNear(psi * std::exp(-0.3), 1e-4));
+}
+
+// The most thrust on the way forwards, over the weight: rolling and climbing less the tether's
+// pull.
+double MostThrust(const AxisPlan& plan, const PlanGeometry& geometry, const AxelOptions& options,
+                  double downhill_y) {
+  Pose2 at = plan.start;
+  double most = -1.0;
+  for (const Arc& arc : plan.arcs) {
+    for (int i = 1; i <= 50 && arc.length_m > 0.0; ++i) {
+      const Pose2 here = Advance(at, Part(arc, i / 50.0));
+      const double aside = std::abs(TetherAngle(geometry, here));
+      const double pull_n = TensionAside(options.tether, aside) * std::cos(aside);
+      most = std::max(most, 0.05 - downhill_y * std::sin(here.heading) - pull_n / 390.0);
+    }
+    at = Advance(at, arc);
+  }
+  return most;
+}
+
+// Arm 4 kg at 0.5 m, 12 deg below the level, body 24 kg 0.04 m behind the axle, wheels of 0.3 m,
+// 40 kg in all: 0.083 of the weight lifts the arm.
+TEST_F(Planner, KeepsTheArmDownOnTheWayUphill) {
+  const double lifts = (4.0 * 0.5 * std::cos(Radians(12.0)) - 24.0 * 0.04) / 0.3 / 40.0;
+  const double downhill_y = std::sin(Radians(4.5));
+  for (const Pose2& X_DR : {Pose2{1.85, 1.41, Radians(-149.0)}, Pose2{2.54, 1.75, Radians(-157.0)},
+                            Pose2{3.0, 2.0, Radians(-150.0)}}) {
+    const AxisPlan level = PlanToAxis(geometry_, options_, X_DR);
+    const AxisPlan uphill =
+        PlanToAxis(geometry_, options_, X_DR, {}, {.here = 0.0, .downhill_y = downhill_y});
+    EXPECT_GT(MostThrust(level, geometry_, options_, downhill_y), lifts);
+    EXPECT_LT(MostThrust(uphill, geometry_, options_, downhill_y), 0.85 * lifts);
+  }
+}
+
+// From nearly the same place, as the way forwards would lift the arm.
+TEST_F(Planner, GoesUphillBackwards) {
+  const Pose2 X_DR{1.85, 1.41, Radians(-149.0)};
+  const AxisPlan plan = PlanToAxis(geometry_, options_, X_DR, {},
+                                   {.here = 0.0, .downhill_y = std::sin(Radians(4.5))});
+  const std::vector<Arc> back = WayBack(plan.arcs);
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(back[1].turn_rad, 0.0);
+  EXPECT_LT(Advance(plan.start, back).y, X_DR.y - 0.5);
 }
 
 TEST_F(Planner, MouthLineIsKeptByARoverThatDriftsAsTold) {
