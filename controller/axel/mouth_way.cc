@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace dockyard::axel {
 
 double SocketAngle(const PlanGeometry& geometry, double axle_offset_m) {
