@@ -23,17 +23,15 @@ constexpr bool kSanitized = true;
 constexpr bool kSanitized = false;
 #endif
 
-/// Some kinds take minutes for 2 000, not optimised and sanitized: some logs go through the
-/// controller. The optimised test has all 2 000, scripts/fuzz 10^5 under sanitizers.
-int CountSanitized(const std::string& kind) {
-  return kind == "log" || kind == "urdf" || kind == "table" || kind == "model" ? 300 : 2000;
-}
+/// Not optimised and sanitized, 2 000 of each kind take minutes. The optimised test has them all,
+/// scripts/fuzz 10^5 under sanitizers.
+constexpr int kCount = kSanitized ? 300 : 2000;
 
 TEST_P(Mutations, AreReadOrRefused) {
   const FuzzKind kind = GetParam().make();
   // A search of two images takes 0.1 s, not optimised, and finds discs in nearly all.
   const bool pixels = kind.name == "pixels";
-  const int count = pixels ? 20 : kSanitized ? CountSanitized(kind.name) : 2000;
+  const int count = pixels ? 20 : kCount;
   const std::vector<std::string> seeds = kind.seeds();
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     EXPECT_TRUE(kind.read(seeds[i])) << "seed " << i;
