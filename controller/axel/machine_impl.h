@@ -91,6 +91,7 @@ class AxelMachine final : public Controller {
   std::optional<Event> Reel(Commands* commands);
   std::optional<Event> Confirm(const SensorFrame& sensed, Commands* commands);
   bool Steadied(Commands* commands);
+  bool TautAgain(Commands* commands);
   bool LookedAtHome(const SensorFrame& sensed, Commands* commands);
   Event RuleHome();
   std::optional<Event> TurnBack(Commands* commands);
@@ -177,6 +178,7 @@ class AxelMachine final : public Controller {
     bool looked = false;
     std::optional<TipSeen> tip{};
     std::optional<Straighten> straighten{};
+    std::optional<Tick> taut_from{}, again{};  // after that: drawn taut, braked
   };
   std::optional<Braked> braked_;
 };

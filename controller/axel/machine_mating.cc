@@ -1,4 +1,5 @@
 // The tip at the mouth, in it, and on the socket's floor or not.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -34,9 +35,32 @@ std::optional<Event> AxelMachine::Confirm(const SensorFrame& sensed, Commands* c
   if (braked_->tip) {
     if (!braked_->straighten) braked_->straighten.emplace(braked_->tip->askew_rad);
     if (!braked_->straighten->Step(nominal_, senses_, options_.mate, commands)) return std::nullopt;
+    if (!TautAgain(commands)) return std::nullopt;
     braked_->tip->askew_rad = braked_->straighten->LeanLeft(senses_);
   }
   return RuleHome();
+}
+
+// The turn that straightens the arm may push the tip in and leave the tether slack.
+bool AxelMachine::TautAgain(Commands* commands) {
+  if (!braked_->straighten->turned()) return true;
+  const Tick now = senses_.now();
+  if (!braked_->taut_from) {
+    braked_->taut_from = now;
+    still_.Reset();
+  }
+  const Tick still = still_.Still(now, senses_.reeled_m());
+  const bool taut = std::min(still, now - *braked_->taut_from) >= options_.tether.taut_after;
+  if (!braked_->again && !taut && now - *braked_->taut_from < options_.mate.taut_limit) {
+    Spool(commands) = Winch(nominal_, options_.mate.taut_m_s, options_.mate.taut_tension_n,
+                            options_.tether.accel_rad_s2);
+    return false;
+  }
+  if (!braked_->again) {
+    braked_->again = now;
+    braked_->reeled_m = senses_.reeled_m();
+  }
+  return now - *braked_->again >= options_.mate.confirm_time;
 }
 
 bool AxelMachine::Steadied(Commands* commands) {

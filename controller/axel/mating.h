@@ -49,6 +49,7 @@ class Straighten {
   /// Sets the wheels' commands; whether it is over and the rover at rest again.
   bool Step(const Nominal& nominal, const Senses& senses, const MateOptions& options,
             Commands* commands);
+  bool turned() const { return since_.has_value(); }  // or turns
   /// What is left of the lean, by the inertial unit [rad].
   double LeanLeft(const Senses& senses) const;
 

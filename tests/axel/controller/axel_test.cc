@@ -101,6 +101,28 @@ TEST(Axel, PlansAnewWhileDrivingOnlyWhenItComesOffItsPlan) {
   EXPECT_EQ(turns_too_little.verdict, Verdict::kDocked);
 }
 
+// The start whose arm leans by the whole of its play.
+TEST(Axel, DrawsTheTetherTautOnceMoreAfterItHasStraightenedTheArm) {
+  const GridStart start = MarsYardGrid().at(22);
+  const KinematicRun run = RunKinematic(SoilWorld(start), start.at);
+  ASSERT_TRUE(Docked(run));
+  const auto of = [](const Commands& commands, Motor motor) {
+    return commands.motors[static_cast<std::size_t>(motor)];
+  };
+  const auto turns = [&](const Commands& commands) {
+    return of(commands, Motor::kLeftWheel).target * of(commands, Motor::kRightWheel).target < 0.0;
+  };
+  const auto pulls = [&](const Commands& commands) {
+    const MotorCommand spool = of(commands, Motor::kSpool);
+    return spool.mode == MotorMode::kVelocity && spool.target > 0.0;
+  };
+  const auto last_turn = std::find_if(run.commands.rbegin(), run.commands.rend(), turns);
+  const auto last_pull = std::find_if(run.commands.rbegin(), run.commands.rend(), pulls);
+  ASSERT_NE(last_turn, run.commands.rend());
+  EXPECT_LT(last_pull, last_turn);
+  EXPECT_GE((last_pull - run.commands.rbegin()) * kControlPeriod, MateOptions{}.confirm_time);
+}
+
 TEST(Axel, ChecksItsAlignmentBeforeItReels) {
   const KinematicRun run = RunKinematic({}, {3.0, 0.0, 0.0});
   const auto at = [&](const char* name) {
