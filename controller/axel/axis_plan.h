@@ -1,5 +1,5 @@
-// The way to the alignment goal before the mouth, as at most three arcs: a back-off if that pays,
-// then two arcs.
+// The way to the alignment goal before the mouth: two arcs forwards, behind a back-off if that
+// pays.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 namespace dockyard::axel {
 
 /// Sideways way to the rover's left for each metre of way. A rover that drifts keeps a course
-/// beside its heading.
+/// beside its heading. With it the slope, which it comes of.
 struct Drift {
   double here = 0.0;
   double at_dock = 0.0;  // facing the station, by the ground's slope
@@ -42,12 +42,13 @@ struct AxisPlan {
   double beyond_m = 0.0;       // of a rest: its cost beyond its length
 };
 
-/// The cheapest of three arcs to the alignment goal, the second and third forwards, or of two, the
-/// second forwards: Eq. (14) of the Rocky 7 paper plus turning, way out of view and way with the
-/// tether far to the side. A new plan keeps to wider arcs than the rest of one that is under way,
-/// so that the rover's own errors do not send it back. Each back-off is longer than the one before
-/// and ends elsewhere than all before. Straight back if nothing fits. With a map of rocks also
-/// three arcs forwards; if every plan crosses a rock, the one that does so least.
+/// The cheapest of three arcs to the alignment goal, the second and third forwards, of two, the
+/// second forwards, or of a sharp turn backwards, a straight way back and two arcs: Eq. (14) of the
+/// Rocky 7 paper plus turning, way out of view, way with the tether far to the side and way on
+/// which the wheels' thrust may lift the arm. A new plan keeps to wider arcs than the rest of one
+/// that is under way, so that the rover's own errors do not send it back. Each back-off is longer
+/// than the one before and ends elsewhere than all before. Straight back if nothing fits. With a
+/// map of rocks also three arcs forwards; if every plan crosses a rock, the one that does so least.
 AxisPlan PlanToAxis(const PlanGeometry& geometry, const AxelOptions& options, const Pose2& X_DR,
                     const PlanHistory& history = {}, const Drift& drift = {});
 
