@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSamplesPerArc = 8;
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kNoTurn = 1e-9;
+constexpr double kNoTurn = 1e-9;              // numerically straight
 constexpr double kStraightOn = Radians(3.0);  // less than the steering's own error
 constexpr double kRoundLimit_m = 2.0;         // first arc round a rock; assumed, 1-3 m
 constexpr double kLevelDrift = 0.03;          // 2 deg of slope; less comes with uneven ground

@@ -54,7 +54,8 @@ struct DriveOptions {
   double turn_rad_s = 0.08;         // turning in place; assumed, 0.05-0.15
   double wheel_accel_rad_s2 = 0.3;  // 0.05 m/s in 0.6 s; assumed, 0.1-1
   Steering steering{};              // far from the cone
-  // Of the tip, on the last 0.4 m: the way over which its offset dies out. Assumed, 0.1-0.3.
+  // Of the tip, on the last 0.4 m: the way over which its offset dies out. Assumed, 0.1-0.3 m and
+  // 0.05-0.15 rad/s.
   Steering fine_steering{.settle_m = 0.15, .max_turn_rad_s = 0.10};
   // Of the turning that slip takes, so much is made up for: 45 N from the side take 0.04 rad/s at
   // 0.05 m/s on compact soil (simulated). Assumed, 0.05-0.12.
@@ -165,13 +166,15 @@ struct PlanOptions {
   // Nearly never a thrust that may lift the arm, over the weight: the arm's weight less the body's
   // behind the axle bears 0.085. Uphill with the tether aside, on 4.5 deg of compact soil, 50 to 90
   // % of the way was driven with the arm up (simulated). Assumed, 0.03-0.08, 50-300 m and
-  // 0.03-0.12. The rest of a plan that costs more beyond its length is compared with back-offs;
-  // assumed, 3-10 m.
-  double rest_beyond_m = 5.0;
+  // 0.03-0.12.
   double lift_share = 0.05, lift_cost = 150.0, rolling_share = 0.05;
+  // A rest of a plan that costs this more than its length is compared with back-offs; assumed,
+  // 3-10 m.
+  double rest_beyond_m = 5.0;
   double back_step_m = 0.5, back_limit_m = 3.5;
   int back_turns = 3;  // curvatures of a back-off, per side
-  // Headings about the station's direction into which a back-off may turn first.
+  // Headings about the station's direction into which a back-off may turn first. Assumed, 3-8 to
+  // each side and 5-15 deg.
   int back_headings = 5;
   double back_heading_rad = Radians(10.0);
   double max_range_m = 5.5;                 // marks are made for 5 m (Tsai et al., III-A)
@@ -272,9 +275,9 @@ struct MateOptions {
   // As many for an arm on the floor that leans: its axle stands aside, and more turning to and fro
   // only digs the wheels in (simulated: 10 cm deep after nine). Assumed, 0-2.
   int askew_wiggles = 0;
-  // Across a slope the rover slides by 4-7 cm on the last 0.4 m, each time anew: its tip goes
-  // uphill as it steers against it, and the tether draws it back (simulated, 3-5 deg of compact
-  // soil). What it was off by is planned for the next time, at most so much; assumed, 0.04-0.08.
+  // A rover that slid aside before the mouth slides so again: 4-7 cm across 3-5 deg of compact soil
+  // (simulated, with its axle steered to the line). What it was off by is planned for the next
+  // time, at most so much, over the alignment gap; assumed, 0.04-0.08.
   double learned_aside_m = 0.06, learned_way_m = 0.45;
   // A push to each side that takes up less than this has moved nothing: five counts of the drum,
   // the tether's stretch and the seated arm's play. Assumed, 0.002-0.005.
