@@ -1,0 +1,67 @@
+// What Ferreira and Ventura, Autonomous docking of a tracked wheels robot to its tether cable using
+// a vision-based algorithm, leave open or set by hand. "F" with a section is that paper.
+#pragma once
+
+#include <cstdint>
+
+namespace dockyard::raposa {
+
+/// One interval for each of hue, saturation and value (F, C.3). Hue in half degrees, 0 to 179,
+/// saturation and value 0 to 255, as OpenCV has them; a hue interval whose lower end is above its
+/// upper one passes through 0.
+struct HsvBand {
+  std::uint8_t hue_from = 0, hue_to = 179;
+  std::uint8_t saturation_from = 0, saturation_to = 255;
+  std::uint8_t value_from = 0, value_to = 255;
+
+  bool operator==(const HsvBand&) const = default;
+};
+
+/// Which pairs of an ellipse and a rectangle can be the pyramid's. The paper gives the criteria and
+/// no threshold but the ball.
+struct FerreiraVision {
+  HsvBand orange{.hue_from = 4, .hue_to = 18, .saturation_from = 120, .value_from = 60};
+  HsvBand blue{.hue_from = 100, .hue_to = 125, .saturation_from = 90, .value_from = 30};
+  double least_area_px2 = 12.0;    // of either blob; assumed, 8-40
+  double least_axis_ratio = 0.5;   // of the ellipse; assumed, 0.4-0.7
+  double most_deviation = 0.35;    // of width and height from the distance's; assumed, 0.25-0.5
+  double tight_deviation = 0.20;   // when several pairs are left; assumed, 0.1-0.25
+  double most_area_factor = 2.5;   // of the areas' ratio; assumed, 2-4
+  double tight_area_factor = 1.7;  // assumed, 1.3-2
+  double ball_px = 20.0;           // F, C.3: "20 pixels (configurable)"
+  int lost_frames = 10;            // then the ball is open, and a visual turn ends; assumed, 5-20
+
+  bool operator==(const FerreiraVision&) const = default;
+};
+
+/// Speeds, regions and tolerances. Calibrated ones are those that a fit to Table I's points 2, 14,
+/// 8 and 10 gives; nothing else of the table was used.
+struct FerreiraMotion {
+  double region_one_rad = 0.261799;    // 15 deg (F, C.3)
+  double tolerance_rad = 0.349066;     // 20 deg in place of it ...
+  double tolerance_from_m = 0.5;       // ... from here ...
+  double tolerance_to_m = 1.2;         // ... to here; assumed, within 0.4-1.5 m
+  double dead_zone_m = 0.34;           // F, C.3
+  double orange_far_m = 2.0;           // state 3 beyond; assumed, 1.5-2.3
+  double final_m = 0.30;               // state 6 below (F, D)
+  double slow_below_m = 1.0;           // the speed falls with the distance below (F, D)
+  double k_linear_per_s = 0.078;       // calibrated, points 2 and 14: 0.070-0.087
+  double k_angular_rad_s_px = 0.004;   // assumed, 0.002-0.008
+  double k_arm_rad_px = 0.004;         // assumed, 0.002-0.008
+  double final_speed_m_s = 0.0235;     // state 6, what state 1 has at 0.30 m
+  double final_s = 9.0;                // of state 6; calibrated with the doors, 7.7-10.6
+  double doors_s = 5.0;                // until the doors are taken for closed; assumed, 3-8
+  double standoff_m = 0.6;             // delta of Fig. 3; assumed, 0.5-0.8
+  double travel_m_s = 0.08;            // state 2; calibrated, points 8 and 10: 0.065-0.12
+  double turn_rad_s = 0.1676;          // 9.6 deg/s, by odometry; calibrated, points 8 and 10
+  double visual_turn_rad_s = 0.0698;   // 4 deg/s, state 7; assumed, 2-5
+  double search_turn_rad_s = 0.0698;   // assumed, 2-5 deg/s
+  double first_search_rad = 0.349066;  // 20 deg, doubled at each switch; assumed, 10-45
+  double most_search_rad = 6.108652;   // 350 deg: "lower than 360" (F, D)
+  double turn_tolerance_rad = 0.0349;  // 2 deg; assumed, 1-4
+  double way_tolerance_m = 0.02;       // assumed, 0.01-0.05
+
+  bool operator==(const FerreiraMotion&) const = default;
+};
+
+}  // namespace dockyard::raposa
