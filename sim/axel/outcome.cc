@@ -113,7 +113,11 @@ void OutcomeJudge::Observe(const Truth& truth) {
   const double depth = Depth(truth), lateral = Lateral(truth);
   const double speed = truth.v_MT.norm();
 
-  rest_.Update(speed < limits_.rest_speed_m_s, now);
+  // By its way: the speed of one instant may be that of a tremble of micrometres between stiff
+  // surfaces.
+  const bool stays = (truth.p_MT - p_MT_rest_).norm() < limits_.rest_travel_m;
+  if (!stays) p_MT_rest_ = truth.p_MT;
+  rest_.Update(stays, now);
   const double axle_tilt = std::asin(std::clamp(std::abs(truth.X_WR.R(2, 1)), 0.0, 1.0));
   tipped_.Update(axle_tilt > limits_.tipped_rad, now);
   // A rover turns over and back: this names the run only if it lasts. One that starts with its arm

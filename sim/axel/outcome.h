@@ -41,9 +41,9 @@ const std::vector<OutcomeName>& OutcomeNames();
 struct OutcomeLimits {
   double entered_depth_m = 0.20;   // deep enough to be held
   double seated_within_m = 0.005;  // of the socket's floor
-  double rest_speed_m_s = 1e-3;    // tip in the mouth frame
-  double rest_time_s = 1.0;
-  double taut_n = 5.0;  // tension that counts as taut
+  double rest_travel_m = 1e-3;     // of the tip in the mouth frame, within ...
+  double rest_time_s = 1.0;        // ... this time
+  double taut_n = 5.0;             // tension that counts as taut
   // Replaced by what the mating parts let through: LimitsOf.
   double shake_turn_rad = Radians(4.5);
   double shake_travel_m = 0.01;
@@ -133,6 +133,7 @@ class OutcomeJudge {
   int flips_ = 0;
   std::optional<Eigen::Vector3d> p_WR_first_;
   double farthest_m_ = 0.0;
+  Eigen::Vector3d p_MT_rest_ = Eigen::Vector3d::Zero();  // where the tip rests
   // Where the rover has stayed, and what rocks have borne of it since, in the mean.
   struct Stand {
     Eigen::Vector3d p_WR = Eigen::Vector3d::Zero();

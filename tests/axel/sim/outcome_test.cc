@@ -111,11 +111,20 @@ TEST(Outcome, SlackShallowOrMovingHasNotEntered) {
     Hold(judge, truth, 2.0);
     EXPECT_FALSE(judge.entered_at_rest());
   }
-  Truth moving = At(10.0, 0.24, 0.0, 50.0);
-  moving.v_MT.x() = -2e-3;
   OutcomeJudge judge(Station(), {});
-  Hold(judge, moving, 2.0);
+  for (double s = 0.0; s < 2.0; s += 0.02) judge.Observe(At(10.0 + s, 0.24 + 2e-3 * s, 0.0, 50.0));
   EXPECT_FALSE(judge.entered_at_rest());
+}
+
+TEST(Outcome, TipThatTremblesByMicrometresIsAtRest) {
+  OutcomeJudge judge(Station(), {});
+  for (int i = 0; i < 100; ++i) {
+    const double side = i % 2 == 0 ? 1.0 : -1.0;
+    Truth truth = At(10.0 + 0.02 * i, 0.24 + side * 1e-5, 0.0, 50.0);
+    truth.v_MT.x() = side * 0.02;  // 10 um in half a millisecond
+    judge.Observe(truth);
+  }
+  EXPECT_TRUE(judge.entered_at_rest());
 }
 
 TEST(Outcome, RestTakesAWholeSecond) {
