@@ -9,6 +9,7 @@
 #include "models/axel/urdf_agreement.h"
 #include "models/read/config_error.h"
 #include "models/read/load_model_yaml.h"
+#include "models/read/load_motor.h"
 #include "models/read/load_spreads.h"
 #include "models/read/load_wheel.h"
 #include "models/read/urdf.h"
@@ -31,38 +32,12 @@ const std::vector<std::string> kArmKeys{
 // A cable's masses must be some.
 constexpr double kLightestCable_kg_per_m = 0.001;
 
-MotorModel ReadMotor(const YamlReader& motors, const YamlNode& node, const char* name) {
-  const YamlReader in(
-      node, motors.PathOf(name),
-      {"torque_per_amp_nm", "no_load_current_a", "max_current_a", "gear_friction_nm",
-       "brake_torque_nm", "max_speed_rad_s", "max_accel_rad_s2", "reflected_inertia_kg_m2",
-       "counts_per_rev", "current_noise_a", "gear_efficiency", "profile"});
-  MotorModel motor;
-  motor.torque_per_amp_nm = in.Number("torque_per_amp_nm", Positive(1e4));
-  motor.no_load_current_a = in.Number("no_load_current_a", NonNegative(100.0));
-  motor.max_current_a = in.Number("max_current_a", Positive(1000.0));
-  motor.gear_friction_nm = in.Number("gear_friction_nm", NonNegative(1e3));
-  motor.brake_torque_nm = in.Number("brake_torque_nm", NonNegative(1e5));
-  motor.max_speed_rad_s = in.Number("max_speed_rad_s", Positive(100.0));
-  motor.max_accel_rad_s2 = in.Number("max_accel_rad_s2", Positive(1000.0));
-  motor.reflected_inertia_kg_m2 = in.Number("reflected_inertia_kg_m2", Positive(1e4));
-  motor.counts_per_rev = in.Integer("counts_per_rev", 16, 1 << 30);
-  motor.current_noise_a = in.Number("current_noise_a", NonNegative(10.0));
-  motor.gear_efficiency = in.NumberOr("gear_efficiency", 1.0, Between(0.2, 1.0));
-  motor.profile = in.ChoiceOr("profile", 0, {"trapezoid", "spline"}) == 0 ? ProfileShape::kTrapezoid
-                                                                          : ProfileShape::kSpline;
-  if (motor.max_current_a <= motor.no_load_current_a) {
-    in.Refuse("max_current_a", "more than no_load_current_a");
-  }
-  return motor;
-}
-
 /// The wheels' motor with the keys of one side on top.
 MotorModel ReadWheelMotor(const YamlReader& motors, const char* side) {
-  if (!motors.Has(side)) return ReadMotor(motors, motors.Child("wheel"), "wheel");
+  if (!motors.Has(side)) return ReadMotor(motors.Child("wheel"), motors.PathOf("wheel"));
   YamlNode merged = motors.Child("wheel");
   MergeYaml(merged, motors.Child(side));
-  return ReadMotor(motors, merged, side);
+  return ReadMotor(merged, motors.PathOf(side));
 }
 
 void ReadMotors(const YamlReader& root, RoverModel& rover) {
@@ -70,8 +45,8 @@ void ReadMotors(const YamlReader& root, RoverModel& rover) {
                       {"wheel", "left_wheel", "right_wheel", "arm", "spool"});
   rover.motors[static_cast<int>(Motor::kLeftWheel)] = ReadWheelMotor(in, "left_wheel");
   rover.motors[static_cast<int>(Motor::kRightWheel)] = ReadWheelMotor(in, "right_wheel");
-  rover.motors[static_cast<int>(Motor::kArm)] = ReadMotor(in, in.Child("arm"), "arm");
-  rover.motors[static_cast<int>(Motor::kSpool)] = ReadMotor(in, in.Child("spool"), "spool");
+  rover.motors[static_cast<int>(Motor::kArm)] = ReadMotor(in.Child("arm"), in.PathOf("arm"));
+  rover.motors[static_cast<int>(Motor::kSpool)] = ReadMotor(in.Child("spool"), in.PathOf("spool"));
 }
 
 void ReadWheels(const YamlReader& root, RoverModel& rover) {

@@ -11,13 +11,7 @@ Nominal MakeNominal(const RoverModel& rover, const StationModel& station, double
   nominal.board = station.board;
   nominal.X_DB = BoardInDock(station);
   for (std::size_t i = 0; i < rover.motors.size(); ++i) {
-    const MotorModel& motor = rover.motors[i];
-    nominal.motors[i] = {.rad_per_count = 2.0 * kPi / motor.counts_per_rev,
-                         .torque_per_amp_nm = motor.torque_per_amp_nm,
-                         .no_load_current_a = motor.no_load_current_a,
-                         .max_current_a = motor.max_current_a,
-                         .max_speed_rad_s = motor.max_speed_rad_s,
-                         .max_accel_rad_s2 = motor.max_accel_rad_s2};
+    nominal.motors[i] = NominalOf(rover.motors[i]);
   }
   nominal.wheel_radius_m =
       0.5 * (RollingRadius(rover.left_wheel_soil) + RollingRadius(rover.right_wheel_soil));

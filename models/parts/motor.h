@@ -3,6 +3,9 @@
 
 #include <cstdint>
 
+#include "controller/geometry/pose.h"
+#include "controller/io/nominal_motor.h"
+
 namespace dockyard {
 
 /// The path of a drive to its target: a trapezoid of speed, or a smooth polynomial (spline).
@@ -23,5 +26,15 @@ struct MotorModel {
   int counts_per_rev = 0;                // encoder at the output shaft
   double current_noise_a = 0.0;          // 1 sigma of one reading
 };
+
+/// What a controller is told of it.
+inline NominalMotor NominalOf(const MotorModel& motor) {
+  return {.rad_per_count = 2.0 * kPi / motor.counts_per_rev,
+          .torque_per_amp_nm = motor.torque_per_amp_nm,
+          .no_load_current_a = motor.no_load_current_a,
+          .max_current_a = motor.max_current_a,
+          .max_speed_rad_s = motor.max_speed_rad_s,
+          .max_accel_rad_s2 = motor.max_accel_rad_s2};
+}
 
 }  // namespace dockyard

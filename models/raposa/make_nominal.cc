@@ -1,0 +1,27 @@
+#include "models/raposa/make_nominal.h"
+
+namespace dockyard::raposa {
+
+Nominal MakeNominal(const RobotModel& robot, const PyramidModel& pyramid) {
+  Nominal nominal;
+  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
+    nominal.motors[i] = NominalOf(robot.motors[i]);
+  }
+  nominal.camera = robot.camera.camera;
+  nominal.X_RC = robot.camera.X_RC;
+  nominal.half_view_rad = robot.camera.half_view_rad;
+  nominal.marks = {.edge_m = pyramid.marks.edge_m,
+                   .behind_m = pyramid.marks.behind_m,
+                   .guide_diameter_m = pyramid.guide.diameter_m,
+                   .guide_length_m = pyramid.guide.length_m,
+                   .guide_height_m = pyramid.guide.height_m};
+  nominal.sprocket_radius_m = robot.belts.roller_radius_m;
+  nominal.gauge_m = robot.belts.gauge_m;
+  nominal.effective_gauge_m = robot.belts.effective_gauge_m;
+  nominal.door_pinion_radius_m = robot.doors.pinion_radius_m;
+  nominal.door_travel_m = robot.doors.travel_m;
+  nominal.p_RS = robot.socket.p_RS;
+  return nominal;
+}
+
+}  // namespace dockyard::raposa
