@@ -1,0 +1,141 @@
+#include "sim/physics/belt.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "controller/base/check.h"
+#include "controller/geometry/pose.h"
+#include "sim/base/hash.h"
+#include "sim/physics/belt_place.h"
+
+namespace dockyard {
+namespace {
+
+// Way of the belt over which its rolling loss turns round. Assumed, range 0.3-3 mm: the shear of
+// the rubber that is kneaded.
+constexpr double kLossTurns_m = 0.001;
+// Where a pad meets a roller its arc is taken as a parabola about the lowest point: over a pad's
+// length, in radii, it is off by 1/24 of this to the fourth, 0.5 % of the radius.
+constexpr double kLongestPad = 0.6;
+// How much higher than at three places under a roller the ground may be between them, in pads.
+constexpr double kMargin = 0.5;
+
+}  // namespace
+
+Belt::Belt(const BeltModel& belt, const BeltGround& ground)
+    : belt_(belt), ground_(ground), loop_(MakeBeltLoop(belt)) {
+  DOCKYARD_CHECK(belt.pads > 0 && belt.width_m > 0.0 && belt.stiffness_pa_per_m > 0.0);
+  DOCKYARD_CHECK(belt.shear_stiffness_pa_per_m > 0.0 && ground.shear_displacement_m >= 0.0);
+  pitch_m_ = loop_.length_m / belt.pads;
+  DOCKYARD_CHECK(pitch_m_ < kLongestPad * std::min(belt.front.radius_m, belt.rear.radius_m));
+  pads_.resize(static_cast<std::size_t>(belt.pads));
+}
+
+BeltLoad Belt::Step(const HeightGrid& ground, const LinkMotion& carrier, double belt_speed_m_s,
+                    double dt_s) {
+  BeltPlace at(ground, carrier, belt_.y_m);
+  at.speed_m_s = belt_speed_m_s;
+  at.dt_s = dt_s;
+  std::array<BeltWindow, 4> windows;
+  for (std::size_t i = 0; i < 4; ++i) {
+    windows[i] = WindowOf(loop_.segments[i], at, kMargin * pitch_m_);
+  }
+  BeltLoad load;
+  travel_m_ += belt_speed_m_s * dt_s;
+  travel_m_ -= loop_.length_m * std::floor(travel_m_ / loop_.length_m);
+  // From the loop's beginning on: the first pad that begins there or after, and its place.
+  const int passed = std::min(static_cast<int>(travel_m_ / pitch_m_), belt_.pads - 1);
+  const double first_m = travel_m_ - passed * pitch_m_;
+  int pad = passed == 0 ? 0 : belt_.pads - passed;
+  std::size_t segment = 0;
+  for (int k = 0; k < belt_.pads; ++k) {
+    BeltTouch touch;
+    const double begin_m = first_m + k * pitch_m_, end_m = begin_m + pitch_m_;
+    while (segment < 3 && loop_.segments[segment].end_m <= begin_m) ++segment;
+    for (std::size_t piece = segment; piece < 4 && loop_.segments[piece].begin_m < end_m; ++piece) {
+      const BeltWindow& window = windows[piece];
+      const double from_m = std::max(begin_m, window.begin_m);
+      const double until_m = std::min(end_m, window.end_m);
+      if (from_m < until_m) AddPiece(loop_.segments[piece], from_m, until_m, at, touch);
+    }
+    // The last pad may reach over the loop's end to its beginning.
+    const double over_m = std::min(end_m - loop_.length_m, windows[0].end_m);
+    if (windows[0].begin_m < over_m) {
+      AddPiece(loop_.segments[0], windows[0].begin_m, over_m, at, touch);
+    }
+    Pad& travelling = pads_[static_cast<std::size_t>(pad)];
+    if (touch.area_m2 > 0.0) {
+      LoadPad(touch, at, travelling, load);
+    } else if (travelling.length_m > 0.0) {
+      travelling = {};
+    }
+    if (++pad == belt_.pads) pad = 0;
+  }
+  turned_m_ = std::clamp(turned_m_ + belt_speed_m_s * dt_s, -kLossTurns_m, kLossTurns_m);
+  const double loss_n = ground_.rolling_loss * load.normal_n * (turned_m_ / kLossTurns_m);
+  load.drive_torque_nm = belt_.sprocket_radius_m * (load.traction_n + loss_n);
+  return load;
+}
+
+void Belt::LoadPad(const BeltTouch& touch, BeltPlace& at, Pad& pad, BeltLoad& load) const {
+  const Eigen::Vector3d arm_G = (1.0 / touch.area_m2) * touch.arm_G;
+  if (touch.n_G != touch.area_m2 * at.n_G) at.Face(touch.n_G.normalized());
+  const Eigen::Vector3d v_G = at.v_G + at.w_G.cross(arm_G);
+  const double pressed_n =
+      belt_.width_m * (belt_.stiffness_pa_per_m * touch.area_m2 -
+                       belt_.damping_pa_s_per_m * touch.length_m * v_G.dot(at.n_G));
+  const double normal_n = std::max(0.0, pressed_n);
+  const Eigen::Vector2d slide_m_s(v_G.dot(at.forward_G) - at.speed_m_s, v_G.dot(at.left_G));
+  const double cohesion_n = ground_.cohesion_pa * belt_.width_m * touch.length_m;
+  const double strength_n = ground_.friction * normal_n + std::min(cohesion_n, normal_n);
+  const Eigen::Vector2d grip_n = Grip(slide_m_s, strength_n, touch.length_m, at, pad);
+  const double forward_n = grip_n.x(), left_n = ground_.lateral_ratio * grip_n.y();
+
+  const Eigen::Vector3d force_G = normal_n * at.n_G + forward_n * at.forward_G + left_n * at.left_G;
+  load.force_G += force_G;
+  load.torque_G += arm_G.cross(force_G);
+  load.normal_n += normal_n;
+  load.traction_n += forward_n;
+  load.front_m = std::max(load.front_m, touch.front_m);
+  load.rear_m = std::min(load.rear_m, touch.rear_m);
+  ++load.pads;
+}
+
+/// Force against the sliding, forward and left before the lateral ratio.
+Eigen::Vector2d Belt::Grip(const Eigen::Vector2d& slide_m_s, double strength_n, double length_m,
+                           const BeltPlace& at, Pad& pad) const {
+  // What has run on in this step has not slid yet.
+  const double run_on_m =
+      std::clamp(length_m - pad.length_m, 0.0, std::fabs(at.speed_m_s) * at.dt_s);
+  const double stays = 1.0 - run_on_m / length_m;
+  pad.length_m = length_m;
+  pad.bend_m = stays * pad.bend_m + at.dt_s * slide_m_s;
+  double most_n = strength_n;
+  if (ground_.shear_displacement_m > 0.0) {
+    pad.slid_m = stays * pad.slid_m + at.dt_s * slide_m_s;
+    most_n *= -std::expm1(-pad.slid_m.norm() / ground_.shear_displacement_m);
+  }
+  const double area_m2 = belt_.width_m * length_m;
+  const double stiffness = area_m2 * belt_.shear_stiffness_pa_per_m;
+  const double held_n = stiffness * pad.bend_m.norm();
+  if (held_n > most_n) pad.bend_m *= most_n / held_n;
+  const Eigen::Vector2d grip_n =
+      -stiffness * pad.bend_m - area_m2 * belt_.shear_damping_pa_s_per_m * slide_m_s;
+  const double grips_n = grip_n.norm();
+  return grips_n > most_n ? (most_n / grips_n) * grip_n : grip_n;
+}
+
+std::uint64_t Belt::StateHash(std::uint64_t seed) const {
+  std::uint64_t hash = HashDouble(HashDouble(seed, travel_m_), turned_m_);
+  for (const Pad& pad : pads_) {
+    for (const double value :
+         {pad.slid_m.x(), pad.slid_m.y(), pad.bend_m.x(), pad.bend_m.y(), pad.length_m}) {
+      hash = HashDouble(hash, value);
+    }
+  }
+  return hash;
+}
+
+}  // namespace dockyard

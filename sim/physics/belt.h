@@ -1,0 +1,74 @@
+// Forces of the ground on a belt that runs round two rollers. Independent of Bullet.
+//
+// The belt is divided into pads that travel with it. Each pad that touches carries
+// * on the ground's normal the pressure of an elastic layer, integrated over the part of the pad
+//   that is below the ground, and bounded damping, never suction;
+// * in the ground's plane the elastic shear of the belt, damped, up to the strength mu p + c that
+//   the pad's sliding since it touched down has mobilised (Janosi and Hanamoto 1961); beyond it the
+//   pad slides, and the strength stands against the sliding (Wong and Chiang, Proc. IMechE D 215,
+//   2001). The bend is kept at rest and gone at lift-off, so a resting belt does not creep.
+// A pad's load grows and fades as it runs on and off, so the sums do not ripple. The gauge at which
+// a robot on belts turns is not put in. docs/reference/physics.md has the equations.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "models/parts/belt.h"
+#include "sim/physics/belt_loop.h"
+#include "sim/physics/belt_place.h"
+#include "sim/physics/motion.h"
+#include "sim/soil/height_grid.h"
+
+namespace dockyard {
+
+struct BeltLoad {
+  Eigen::Vector3d force_G = Eigen::Vector3d::Zero();   // of the ground on the carrier [N]
+  Eigen::Vector3d torque_G = Eigen::Vector3d::Zero();  // about the carrier's origin [N m]
+  double normal_n = 0.0;                               // the load that the belt bears
+  double traction_n = 0.0;       // along the belt, positive where it drives the carrier forward
+  double drive_torque_nm = 0.0;  // that a motor must give the sprocket, rolling loss included
+  // Where the belt touches, in the carrier's x; empty, front behind rear, with no pad in contact.
+  double front_m = -std::numeric_limits<double>::infinity();
+  double rear_m = std::numeric_limits<double>::infinity();
+  int pads = 0;  // in contact
+};
+
+/// One belt's contact state. Copyable, no globals; the same calls give the same bits.
+class Belt {
+ public:
+  Belt(const BeltModel& belt, const BeltGround& ground);
+
+  /// Advances the contact by dt and returns the load. The drive's torque acts between the sprocket
+  /// and whatever carries its motor; where that is another link than the carrier, the caller gives
+  /// both their reactions.
+  BeltLoad Step(const HeightGrid& ground, const LinkMotion& carrier, double belt_speed_m_s,
+                double dt_s);
+
+  /// Hash of the contact state, for bit-exact comparison of runs.
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  /// Both vectors forward and left.
+  struct Pad {
+    Eigen::Vector2d slid_m = Eigen::Vector2d::Zero();  // since touch-down
+    Eigen::Vector2d bend_m = Eigen::Vector2d::Zero();  // elastic shear of the belt
+    double length_m = 0.0;                             // of it that touches
+  };
+
+  void LoadPad(const BeltTouch& touch, BeltPlace& at, Pad& pad, BeltLoad& load) const;
+  Eigen::Vector2d Grip(const Eigen::Vector2d& slide_m_s, double strength_n, double length_m,
+                       const BeltPlace& at, Pad& pad) const;
+
+  BeltModel belt_;
+  BeltGround ground_;
+  BeltLoop loop_;
+  double pitch_m_ = 0.0;
+  double travel_m_ = 0.0;  // of pad 0's beginning round the loop
+  double turned_m_ = 0.0;  // way since the belt turned round, as the rolling loss counts it
+  std::vector<Pad> pads_;
+};
+
+}  // namespace dockyard
