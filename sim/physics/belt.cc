@@ -33,6 +33,15 @@ Belt::Belt(const BeltModel& belt, const BeltGround& ground)
   pads_.resize(static_cast<std::size_t>(belt.pads));
 }
 
+Belt::Belt(const BeltModel& belt, const SoilModel& soil, double rolling_loss)
+    : Belt(belt, BeltGround{.friction = std::tan(soil.friction_angle_rad),
+                            .cohesion_pa = soil.cohesion_pa,
+                            .rolling_loss = rolling_loss}) {
+  soil_ = MakeRimLaws(soil, belt.width_m);
+  const double rebound = 1.0 / (1.0 / belt.stiffness_pa_per_m + 1.0 / soil_->elastic_pa_per_m);
+  plate_ = {soil_->k, soil_->n, rebound};
+}
+
 BeltLoad Belt::Step(const HeightGrid& ground, const LinkMotion& carrier, double belt_speed_m_s,
                     double dt_s) {
   BeltPlace at(ground, carrier, belt_.y_m);
@@ -79,19 +88,39 @@ BeltLoad Belt::Step(const HeightGrid& ground, const LinkMotion& carrier, double 
   return load;
 }
 
+double Belt::Pressure(double depth_m, Pad& pad) const {
+  return soil_ ? PressPlate(plate_, depth_m, pad.sunk_m) : belt_.stiffness_pa_per_m * depth_m;
+}
+
 void Belt::LoadPad(const BeltTouch& touch, BeltPlace& at, Pad& pad, BeltLoad& load) const {
-  const Eigen::Vector3d arm_G = (1.0 / touch.area_m2) * touch.arm_G;
-  if (touch.n_G != touch.area_m2 * at.n_G) at.Face(touch.n_G.normalized());
+  const double per_area = 1.0 / touch.area_m2, per_length = 1.0 / touch.length_m;
+  const Eigen::Vector3d arm_G = per_area * touch.arm_G;
+  // Firm ground is elastic and presses along its own normal. Soil stays down behind a roller, so
+  // that what presses on the roller before it leans against the way: the soil's resistance.
+  const Eigen::Vector3d& pressing_G = soil_ ? touch.in_G : touch.up_G;
+  if (pressing_G != touch.area_m2 * at.n_G) at.Face(pressing_G.normalized());
   const Eigen::Vector3d v_G = at.v_G + at.w_G.cross(arm_G);
-  const double pressed_n =
-      belt_.width_m * (belt_.stiffness_pa_per_m * touch.area_m2 -
-                       belt_.damping_pa_s_per_m * touch.length_m * v_G.dot(at.n_G));
-  const double normal_n = std::max(0.0, pressed_n);
+  const double depth_m = touch.area_m2 * per_length, area_m2 = belt_.width_m * touch.length_m;
+  const double damping_pa = belt_.damping_pa_s_per_m * per_area *
+                            v_G.dot(touch.up_G);  // the carrier's way, not the belt's
+  const double normal_n = area_m2 * std::max(0.0, Pressure(depth_m, pad) - damping_pa);
+
   const Eigen::Vector2d slide_m_s(v_G.dot(at.forward_G) - at.speed_m_s, v_G.dot(at.left_G));
-  const double cohesion_n = ground_.cohesion_pa * belt_.width_m * touch.length_m;
-  const double strength_n = ground_.friction * normal_n + std::min(cohesion_n, normal_n);
-  const Eigen::Vector2d grip_n = Grip(slide_m_s, strength_n, touch.length_m, at, pad);
-  const double forward_n = grip_n.x(), left_n = ground_.lateral_ratio * grip_n.y();
+  // What has run on in this step has not slid yet.
+  const double run_on_m =
+      std::clamp(touch.length_m - pad.length_m, 0.0, std::fabs(at.speed_m_s) * at.dt_s);
+  const double stays = 1.0 - run_on_m * per_length;
+  pad.length_m = touch.length_m;
+  pad.bend_m = stays * pad.bend_m + at.dt_s * slide_m_s;
+  pad.slid_m = stays * pad.slid_m + at.dt_s * slide_m_s;
+  const double strength_n =
+      ground_.friction * normal_n + std::min(ground_.cohesion_pa * area_m2, normal_n);
+  const double shear_m =
+      soil_ ? ShearModulus(*soil_, ContactDepth(depth_m)) : ground_.shear_displacement_m;
+  const Eigen::Vector2d grip = Grip(slide_m_s, strength_n, shear_m, pad);
+  const double side_n = soil_ ? touch.length_m * BulldozingResistance(*soil_, pad.sunk_m) : 0.0;
+  const double forward_n = strength_n * grip.x();
+  const double left_n = (ground_.lateral_ratio * strength_n + side_n) * grip.y();
 
   const Eigen::Vector3d force_G = normal_n * at.n_G + forward_n * at.forward_G + left_n * at.left_G;
   load.force_G += force_G;
@@ -103,35 +132,29 @@ void Belt::LoadPad(const BeltTouch& touch, BeltPlace& at, Pad& pad, BeltLoad& lo
   ++load.pads;
 }
 
-/// Force against the sliding, forward and left before the lateral ratio.
-Eigen::Vector2d Belt::Grip(const Eigen::Vector2d& slide_m_s, double strength_n, double length_m,
-                           const BeltPlace& at, Pad& pad) const {
-  // What has run on in this step has not slid yet.
-  const double run_on_m =
-      std::clamp(length_m - pad.length_m, 0.0, std::fabs(at.speed_m_s) * at.dt_s);
-  const double stays = 1.0 - run_on_m / length_m;
-  pad.length_m = length_m;
-  pad.bend_m = stays * pad.bend_m + at.dt_s * slide_m_s;
-  double most_n = strength_n;
-  if (ground_.shear_displacement_m > 0.0) {
-    pad.slid_m = stays * pad.slid_m + at.dt_s * slide_m_s;
-    most_n *= -std::expm1(-pad.slid_m.norm() / ground_.shear_displacement_m);
+/// Share of the strength that stands against the sliding, forward and left; clips the pad's bend.
+Eigen::Vector2d Belt::Grip(const Eigen::Vector2d& slide_m_s, double strength_n, double shear_m,
+                           Pad& pad) const {
+  if (!(strength_n > 0.0)) {
+    pad.bend_m.setZero();
+    return Eigen::Vector2d::Zero();
   }
-  const double area_m2 = belt_.width_m * length_m;
-  const double stiffness = area_m2 * belt_.shear_stiffness_pa_per_m;
-  const double held_n = stiffness * pad.bend_m.norm();
-  if (held_n > most_n) pad.bend_m *= most_n / held_n;
-  const Eigen::Vector2d grip_n =
-      -stiffness * pad.bend_m - area_m2 * belt_.shear_damping_pa_s_per_m * slide_m_s;
-  const double grips_n = grip_n.norm();
-  return grips_n > most_n ? (most_n / grips_n) * grip_n : grip_n;
+  const double most = shear_m > 0.0 ? -std::expm1(-pad.slid_m.norm() / shear_m) : 1.0;
+  const double per_strength = belt_.width_m * pad.length_m / strength_n;
+  const double stiffness = per_strength * belt_.shear_stiffness_pa_per_m;
+  const double held = stiffness * pad.bend_m.norm();
+  if (held > most) pad.bend_m *= most / held;
+  const Eigen::Vector2d grip =
+      -stiffness * pad.bend_m - per_strength * belt_.shear_damping_pa_s_per_m * slide_m_s;
+  const double size = grip.norm();
+  return size > most ? (most / size) * grip : grip;
 }
 
 std::uint64_t Belt::StateHash(std::uint64_t seed) const {
   std::uint64_t hash = HashDouble(HashDouble(seed, travel_m_), turned_m_);
   for (const Pad& pad : pads_) {
-    for (const double value :
-         {pad.slid_m.x(), pad.slid_m.y(), pad.bend_m.x(), pad.bend_m.y(), pad.length_m}) {
+    for (const double value : {pad.slid_m.x(), pad.slid_m.y(), pad.bend_m.x(), pad.bend_m.y(),
+                               pad.length_m, pad.sunk_m}) {
       hash = HashDouble(hash, value);
     }
   }

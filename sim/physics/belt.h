@@ -14,13 +14,17 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "models/parts/belt.h"
+#include "models/parts/soil_model.h"
 #include "sim/physics/belt_loop.h"
 #include "sim/physics/belt_place.h"
 #include "sim/physics/motion.h"
 #include "sim/soil/height_grid.h"
+#include "sim/soil/sinking_plate.h"
+#include "sim/soil/soil_laws.h"
 
 namespace dockyard {
 
@@ -40,6 +44,10 @@ struct BeltLoad {
 class Belt {
  public:
   Belt(const BeltModel& belt, const BeltGround& ground);
+  /// On soil that the pads sink into, of a friction angle, cohesion and K of its own. It is pressed
+  /// by each pad anew, and keeps no rut in the grid: a belt that follows another sinks as deep.
+  /// The rolling loss is that of the belt alone; compacting the soil resists by itself.
+  Belt(const BeltModel& belt, const SoilModel& soil, double rolling_loss);
 
   /// Advances the contact by dt and returns the load. The drive's torque acts between the sprocket
   /// and whatever carries its motor; where that is another link than the carrier, the caller gives
@@ -56,14 +64,19 @@ class Belt {
     Eigen::Vector2d slid_m = Eigen::Vector2d::Zero();  // since touch-down
     Eigen::Vector2d bend_m = Eigen::Vector2d::Zero();  // elastic shear of the belt
     double length_m = 0.0;                             // of it that touches
+    double sunk_m = 0.0;  // depth of the soil under it that stays when the load goes
   };
 
+  /// What bears the pad, before damping [Pa].
+  double Pressure(double depth_m, Pad& pad) const;
   void LoadPad(const BeltTouch& touch, BeltPlace& at, Pad& pad, BeltLoad& load) const;
-  Eigen::Vector2d Grip(const Eigen::Vector2d& slide_m_s, double strength_n, double length_m,
-                       const BeltPlace& at, Pad& pad) const;
+  Eigen::Vector2d Grip(const Eigen::Vector2d& slide_m_s, double strength_n, double shear_m,
+                       Pad& pad) const;
 
   BeltModel belt_;
   BeltGround ground_;
+  std::optional<SoilLaws> soil_;
+  SinkingPlate plate_;  // of the soil under 1 m^2
   BeltLoop loop_;
   double pitch_m_ = 0.0;
   double travel_m_ = 0.0;  // of pad 0's beginning round the loop

@@ -83,7 +83,8 @@ void AddPiece(const BeltSegment& segment, double begin_m, double end_m, const Be
   touch.area_m2 += part.area_m2;
   touch.length_m += part.high_m - part.low_m;
   touch.arm_G += part.area_m2 * arm_G + part.moment_m3 * along_G;
-  touch.n_G += part.area_m2 * n_G;
+  touch.up_G += part.area_m2 * n_G;
+  touch.in_G -= part.area_m2 * (place.out.x() * at.x_G + place.out.y() * at.z_G);
   for (const double u_m : {part.low_m, part.high_m}) {
     const double x_m = place.at.x() + u_m * place.along.x();
     touch.front_m = std::max(touch.front_m, x_m);

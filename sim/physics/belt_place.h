@@ -35,7 +35,8 @@ struct BeltTouch {
   double area_m2 = 0.0;                             // integral of the depth over the length
   double length_m = 0.0;                            // that touches
   Eigen::Vector3d arm_G = Eigen::Vector3d::Zero();  // from the carrier's origin, times area_m2
-  Eigen::Vector3d n_G = Eigen::Vector3d::Zero();    // the ground's normal, times area_m2
+  Eigen::Vector3d up_G = Eigen::Vector3d::Zero();   // the ground's normal, times area_m2
+  Eigen::Vector3d in_G = Eigen::Vector3d::Zero();   // the belt's inward normal, times area_m2
   double front_m = -std::numeric_limits<double>::infinity();  // in the carrier's x
   double rear_m = std::numeric_limits<double>::infinity();
 };

@@ -36,6 +36,18 @@ struct BeltRig {
     contacts.clear();
     for (const RigBelt& belt : belts) contacts.emplace_back(belt.model, on);
   }
+  void PutOn(const SoilModel& soil, double rolling_loss) {
+    contacts.clear();
+    for (const RigBelt& belt : belts) contacts.emplace_back(belt.model, soil, rolling_loss);
+  }
+  /// Its weight grows from nothing, so that it presses no deeper than its weight at rest.
+  void LayDown(double seconds, double dt_s = 1e-3) {
+    const Eigen::Vector3d full_G = gravity_G;
+    for (int i = 1; i <= 100; ++i) {
+      gravity_G = 0.01 * i * full_G;
+      Run(0.01 * seconds, dt_s);
+    }
+  }
   LinkMotion MotionOf(const RigBelt& belt) const {
     const Pose3 X_GL = X_GR * belt.X_RL;
     return {X_GL, v_GCom_G + w_GR_G.cross(X_GL.p - X_GR * p_RCom), w_GR_G};
