@@ -51,37 +51,35 @@ BeltLoad Belt::Step(const HeightGrid& ground, const LinkMotion& carrier, double 
   for (std::size_t i = 0; i < 4; ++i) {
     windows[i] = WindowOf(loop_.segments[i], at, kMargin * pitch_m_);
   }
-  BeltLoad load;
   travel_m_ += belt_speed_m_s * dt_s;
   travel_m_ -= loop_.length_m * std::floor(travel_m_ / loop_.length_m);
-  // From the loop's beginning on: the first pad that begins there or after, and its place.
-  const int passed = std::min(static_cast<int>(travel_m_ / pitch_m_), belt_.pads - 1);
-  const double first_m = travel_m_ - passed * pitch_m_;
-  int pad = passed == 0 ? 0 : belt_.pads - passed;
-  std::size_t segment = 0;
-  for (int k = 0; k < belt_.pads; ++k) {
-    BeltTouch touch;
-    const double begin_m = first_m + k * pitch_m_, end_m = begin_m + pitch_m_;
-    while (segment < 3 && loop_.segments[segment].end_m <= begin_m) ++segment;
-    for (std::size_t piece = segment; piece < 4 && loop_.segments[piece].begin_m < end_m; ++piece) {
-      const BeltWindow& window = windows[piece];
-      const double from_m = std::max(begin_m, window.begin_m);
-      const double until_m = std::min(end_m, window.end_m);
-      if (from_m < until_m) AddPiece(loop_.segments[piece], from_m, until_m, at, touch);
-    }
-    // The last pad may reach over the loop's end to its beginning.
-    const double over_m = std::min(end_m - loop_.length_m, windows[0].end_m);
-    if (windows[0].begin_m < over_m) {
-      AddPiece(loop_.segments[0], windows[0].begin_m, over_m, at, touch);
-    }
-    Pad& travelling = pads_[static_cast<std::size_t>(pad)];
-    if (touch.area_m2 > 0.0) {
-      LoadPad(touch, at, travelling, load);
-    } else if (travelling.length_m > 0.0) {
-      travelling = {};
-    }
-    if (++pad == belt_.pads) pad = 0;
+  ++step_;
+  // Round the loop from behind a segment that touches nothing, so that the parts of a pad that lies
+  // over two segments follow each other.
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (windows[i].begin_m >= windows[i].end_m) start = i + 1;
   }
+  BeltLoad load;
+  BeltTouch touch;
+  int touching = -1;
+  for (std::size_t i = start; i < start + 4; ++i) {
+    const BeltWindow& window = windows[i % 4];
+    int k = static_cast<int>(std::floor((window.begin_m - travel_m_) / pitch_m_));
+    for (; travel_m_ + k * pitch_m_ < window.end_m; ++k) {
+      const double begin_m = std::max(window.begin_m, travel_m_ + k * pitch_m_);
+      const double end_m = std::min(window.end_m, travel_m_ + (k + 1) * pitch_m_);
+      if (begin_m >= end_m) continue;
+      const int pad = k < 0 ? k + belt_.pads : k;
+      if (pad != touching) {
+        LoadPad(touching, touch, at, load);
+        touch = {};
+        touching = pad;
+      }
+      AddPiece(loop_.segments[i % 4], begin_m, end_m, at, touch);
+    }
+  }
+  LoadPad(touching, touch, at, load);
   turned_m_ = std::clamp(turned_m_ + belt_speed_m_s * dt_s, -kLossTurns_m, kLossTurns_m);
   const double loss_n = ground_.rolling_loss * load.normal_n * (turned_m_ / kLossTurns_m);
   load.drive_torque_nm = belt_.sprocket_radius_m * (load.traction_n + loss_n);
@@ -92,7 +90,11 @@ double Belt::Pressure(double depth_m, Pad& pad) const {
   return soil_ ? PressPlate(plate_, depth_m, pad.sunk_m) : belt_.stiffness_pa_per_m * depth_m;
 }
 
-void Belt::LoadPad(const BeltTouch& touch, BeltPlace& at, Pad& pad, BeltLoad& load) const {
+void Belt::LoadPad(int index, const BeltTouch& touch, BeltPlace& at, BeltLoad& load) {
+  if (!(touch.area_m2 > 0.0)) return;
+  Pad& pad = pads_[static_cast<std::size_t>(index)];
+  if (pad.step != step_ - 1) pad = {};
+  pad.step = step_;
   const double per_area = 1.0 / touch.area_m2, per_length = 1.0 / touch.length_m;
   const Eigen::Vector3d arm_G = per_area * touch.arm_G;
   // Firm ground is elastic and presses along its own normal. Soil stays down behind a roller, so
@@ -152,7 +154,8 @@ Eigen::Vector2d Belt::Grip(const Eigen::Vector2d& slide_m_s, double strength_n, 
 
 std::uint64_t Belt::StateHash(std::uint64_t seed) const {
   std::uint64_t hash = HashDouble(HashDouble(seed, travel_m_), turned_m_);
-  for (const Pad& pad : pads_) {
+  for (const Pad& last : pads_) {
+    const Pad pad = last.step == step_ ? last : Pad{};
     for (const double value : {pad.slid_m.x(), pad.slid_m.y(), pad.bend_m.x(), pad.bend_m.y(),
                                pad.length_m, pad.sunk_m}) {
       hash = HashDouble(hash, value);

@@ -59,8 +59,10 @@ class Belt {
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
-  /// Both vectors forward and left.
+  /// Holds for the step in which the pad touched last, else the pad is as made. Both vectors
+  /// forward and left.
   struct Pad {
+    std::uint64_t step = 0;
     Eigen::Vector2d slid_m = Eigen::Vector2d::Zero();  // since touch-down
     Eigen::Vector2d bend_m = Eigen::Vector2d::Zero();  // elastic shear of the belt
     double length_m = 0.0;                             // of it that touches
@@ -69,7 +71,7 @@ class Belt {
 
   /// What bears the pad, before damping [Pa].
   double Pressure(double depth_m, Pad& pad) const;
-  void LoadPad(const BeltTouch& touch, BeltPlace& at, Pad& pad, BeltLoad& load) const;
+  void LoadPad(int index, const BeltTouch& touch, BeltPlace& at, BeltLoad& load);
   Eigen::Vector2d Grip(const Eigen::Vector2d& slide_m_s, double strength_n, double shear_m,
                        Pad& pad) const;
 
@@ -81,6 +83,7 @@ class Belt {
   double pitch_m_ = 0.0;
   double travel_m_ = 0.0;  // of pad 0's beginning round the loop
   double turned_m_ = 0.0;  // way since the belt turned round, as the rolling loss counts it
+  std::uint64_t step_ = 0;
   std::vector<Pad> pads_;
 };
 

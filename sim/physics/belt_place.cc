@@ -71,9 +71,10 @@ void AddPiece(const BeltSegment& segment, double begin_m, double end_m, const Be
   PressedPart part;
   if (arc) {
     // About the roller's lowest point over this plane, so that neighbours share one parabola.
-    const double steep = std::hypot(into, slope), bend = steep / segment.radius_m;
-    const double ahead_m = segment.radius_m * std::atan2(slope, into);
+    const double steep = std::sqrt(into * into + slope * slope), bend = steep / segment.radius_m;
     const double lowest_m = below_m * n_G.z() + segment.radius_m * (steep - into);
+    if (lowest_m <= 0.0) return;
+    const double ahead_m = segment.radius_m * std::atan2(slope, into);
     part = PressedPartOf(lowest_m - 0.5 * bend * ahead_m * ahead_m, bend * ahead_m, bend, length_m);
   } else {
     part = PressedPartOf(below_m * n_G.z(), slope, 0.0, length_m);
