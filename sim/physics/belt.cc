@@ -20,6 +20,7 @@ constexpr double kLossTurns_m = 0.001;
 // length, in radii, it is off by 1/24 of this to the fourth, 0.5 % of the radius.
 constexpr double kLongestPad = 0.6;
 // How much higher than at three places under a roller the ground may be between them, in pads.
+// Assumed, range 0.2-1.
 constexpr double kMargin = 0.5;
 
 }  // namespace
@@ -115,8 +116,9 @@ void Belt::LoadPad(int index, const BeltTouch& touch, BeltPlace& at, BeltLoad& l
   pad.length_m = touch.length_m;
   pad.bend_m = stays * pad.bend_m + at.dt_s * slide_m_s;
   pad.slid_m = stays * pad.slid_m + at.dt_s * slide_m_s;
+  const double here = FrictionFactor(patches_, at.p_G.x() + arm_G.x(), at.p_G.y() + arm_G.y());
   const double strength_n =
-      ground_.friction * normal_n + std::min(ground_.cohesion_pa * area_m2, normal_n);
+      here * (ground_.friction * normal_n + std::min(ground_.cohesion_pa * area_m2, normal_n));
   const double shear_m =
       soil_ ? ShearModulus(*soil_, ContactDepth(depth_m)) : ground_.shear_displacement_m;
   const Eigen::Vector2d grip = Grip(slide_m_s, strength_n, shear_m, pad);

@@ -21,6 +21,7 @@
 #include "models/parts/soil_model.h"
 #include "sim/physics/belt_loop.h"
 #include "sim/physics/belt_place.h"
+#include "sim/physics/friction_patches.h"
 #include "sim/physics/motion.h"
 #include "sim/soil/height_grid.h"
 #include "sim/soil/sinking_plate.h"
@@ -48,6 +49,9 @@ class Belt {
   /// by each pad anew, and keeps no rut in the grid: a belt that follows another sinks as deep.
   /// The rolling loss is that of the belt alone; compacting the soil resists by itself.
   Belt(const BeltModel& belt, const SoilModel& soil, double rolling_loss);
+
+  /// The ground's strength from place to place. The same patches for all belts of a robot.
+  void SetPatches(const FrictionPatches& patches) { patches_ = patches; }
 
   /// Advances the contact by dt and returns the load. The drive's torque acts between the sprocket
   /// and whatever carries its motor; where that is another link than the carrier, the caller gives
@@ -77,6 +81,7 @@ class Belt {
 
   BeltModel belt_;
   BeltGround ground_;
+  FrictionPatches patches_;
   std::optional<SoilLaws> soil_;
   SinkingPlate plate_;  // of the soil under 1 m^2
   BeltLoop loop_;
