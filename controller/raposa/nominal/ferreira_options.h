@@ -2,19 +2,20 @@
 // a vision-based algorithm, leave open or set by hand. "F" with a section is that paper.
 #pragma once
 
-#include <cstdint>
+#include <vector>
+
+#include "controller/geometry/hsv_band.h"
 
 namespace dockyard::raposa {
 
-/// One interval for each of hue, saturation and value (F, C.3). Hue in half degrees, 0 to 179,
-/// saturation and value 0 to 255, as OpenCV has them; a hue interval whose lower end is above its
-/// upper one passes through 0.
-struct HsvBand {
-  std::uint8_t hue_from = 0, hue_to = 179;
-  std::uint8_t saturation_from = 0, saturation_to = 255;
-  std::uint8_t value_from = 0, value_to = 255;
+using dockyard::HsvBand;
 
-  bool operator==(const HsvBand&) const = default;
+/// The user's hand on the thresholds "in real time" (F, C.3), written down beforehand.
+struct BandChange {
+  double at_s = 0.0;  // since power-on
+  HsvBand orange, blue;
+
+  bool operator==(const BandChange&) const = default;
 };
 
 /// Which pairs of an ellipse and a rectangle can be the pyramid's. The paper gives the criteria and
@@ -30,6 +31,10 @@ struct FerreiraVision {
   double tight_area_factor = 1.7;  // assumed, 1.3-2
   double ball_px = 20.0;           // F, C.3: "20 pixels (configurable)"
   int lost_frames = 10;            // then the ball is open, and a visual turn ends; assumed, 5-20
+  // Of the ellipse at 1 m, from the paper's "offline reference image" (F, D); 0: of a disc of the
+  // guide's diameter.
+  double area_at_one_m_px2 = 0.0;
+  std::vector<BandChange> band_changes{};  // in the order of their times
 
   bool operator==(const FerreiraVision&) const = default;
 };
