@@ -42,22 +42,27 @@ struct FerreiraVision {
 /// Speeds, regions and tolerances. Calibrated ones are those that a fit to Table I's points 2, 14,
 /// 8 and 10 gives; nothing else of the table was used.
 struct FerreiraMotion {
-  double region_one_rad = 0.261799;    // 15 deg (F, C.3)
-  double tolerance_rad = 0.349066;     // 20 deg in place of it ...
-  double tolerance_from_m = 0.5;       // ... from here ...
-  double tolerance_to_m = 1.2;         // ... to here; assumed, within 0.4-1.5 m
-  double dead_zone_m = 0.34;           // F, C.3
-  double orange_far_m = 2.0;           // state 3 beyond; assumed, 1.5-2.3
-  double final_m = 0.30;               // state 6 below (F, D)
-  double slow_below_m = 1.0;           // the speed falls with the distance below (F, D)
-  double k_linear_per_s = 0.078;       // calibrated, points 2 and 14: 0.070-0.087
-  double k_angular_rad_s_px = 0.004;   // assumed, 0.002-0.008
-  double k_arm_rad_px = 0.004;         // assumed, 0.002-0.008
-  double final_speed_m_s = 0.0235;     // state 6, what state 1 has at 0.30 m
-  double final_s = 9.0;                // of state 6; calibrated with the doors, 7.7-10.6
-  double doors_s = 5.0;                // until the doors are taken for closed; assumed, 3-8
-  double standoff_m = 0.6;             // delta of Fig. 3; assumed, 0.5-0.8
-  double travel_m_s = 0.08;            // state 2; calibrated, points 8 and 10: 0.065-0.12
+  double region_one_rad = 0.261799;   // 15 deg (F, C.3)
+  double tolerance_rad = 0.349066;    // 20 deg in place of it ...
+  double tolerance_from_m = 0.5;      // ... from here ...
+  double tolerance_to_m = 1.2;        // ... to here; assumed, within 0.4-1.5 m
+  double dead_zone_m = 0.34;          // F, C.3
+  double orange_far_m = 2.0;          // state 3 beyond; assumed, 1.5-2.3
+  double final_m = 0.30;              // state 6 below (F, D)
+  double slow_below_m = 1.0;          // the speed falls with the distance below (F, D)
+  double k_linear_per_s = 0.078;      // calibrated, points 2 and 14: 0.070-0.087
+  double k_angular_rad_s_px = 0.004;  // assumed, 0.002-0.008
+  double k_arm_rad_px = 0.004;        // assumed, 0.002-0.008
+  double final_speed_m_s = 0.0235;    // state 6, what state 1 has at 0.30 m
+  // From 0.30 m to the claim Table I leaves 18.1 s (points 2 and 14: 16.3-19.9): state 6, a stop,
+  // and the doors.
+  double final_s = 9.0;   // of state 6; calibrated, 7.7-10.6
+  double settle_s = 1.0;  // stop before the doors; assumed, 0.5-2
+  double doors_s = 8.1;  // until the doors are taken for closed; calibrated with the stop, 7.5-10.4
+  double close_s = 5.0;  // in which the doors are to close; assumed, 3-8
+  bool steer_final = true;   // state 6 turns to the ellipse; F, D has one turning rate for region I
+  double standoff_m = 0.6;   // delta of Fig. 3; assumed, 0.5-0.8
+  double travel_m_s = 0.08;  // state 2; calibrated, points 8 and 10: 0.065-0.12
   double turn_rad_s = 0.1676;          // 9.6 deg/s, by odometry; calibrated, points 8 and 10
   double visual_turn_rad_s = 0.0698;   // 4 deg/s, state 7; assumed, 2-5
   double search_turn_rad_s = 0.0698;   // assumed, 2-5 deg/s
@@ -65,6 +70,17 @@ struct FerreiraMotion {
   double most_search_rad = 6.108652;   // 350 deg: "lower than 360" (F, D)
   double turn_tolerance_rad = 0.0349;  // 2 deg; assumed, 1-4
   double way_tolerance_m = 0.02;       // assumed, 0.01-0.05
+  double turn_gain_per_s = 2.0;        // of the last part of a turn by odometry; assumed, 1-4
+  double way_gain_per_s = 1.0;         // of the inverse controller; assumed, 0.5-2
+  double lead_m = 0.2;                 // of the point that it controls; assumed, 0.1-0.4
+  double look_s = 0.5;                 // stop after state 2; assumed, 0.3-1
+  double creep_m_s = 0.04;             // state 3; assumed, 0.02-0.08
+  double blue_sweep = 0.6;             // of the half view, state 4; assumed, 0.4-0.8
+  double doubt_s = 10.0;               // of state 4 in a row, then it is left; assumed, 5-30
+  double arm_below_m = 0.45;           // "the end of state 1" (F, D); assumed, 0.35-0.6
+  double level_arm_rad = 0.0;          // arm "at a constant position" otherwise; assumed, +-0.1
+  double least_arm_rad = 0.0;          // assumed, -0.576-0: raising it lifts the back
+  double most_arm_rad = 0.349066;      // 20 deg, the successor's; assumed, 15-30 deg
 
   bool operator==(const FerreiraMotion&) const = default;
 };
