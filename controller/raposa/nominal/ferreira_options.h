@@ -2,6 +2,7 @@
 // a vision-based algorithm, leave open or set by hand. "F" with a section is that paper.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "controller/geometry/hsv_band.h"
@@ -39,6 +40,23 @@ struct FerreiraVision {
   bool operator==(const FerreiraVision&) const = default;
 };
 
+/// Where the bands are looked for in a picture, and how wide they are taken. Hues in half degrees.
+/// All assumed; the marks' hues hardly move with the light, their saturation does.
+struct FerreiraTuning {
+  int orange_from = 2, orange_to = 26;  // middles of hue windows; 0-5, 20-30
+  int blue_from = 95, blue_to = 130;    // 90-100, 125-135
+  int window_hue = 14;                  // their width; 10-20
+  std::array<int, 6> least_saturations{50, 80, 110, 140, 170, 200};
+  std::array<int, 3> least_values{20, 40, 80};
+  double outside_share = 0.05;     // of a mark's pixels at either end; 0.02-0.1
+  int hue_margin = 3;              // added to either end; 2-6
+  double saturation_share = 0.85;  // of the mark's least; 0.7-0.95
+  double value_share = 0.6;        // of the mark's least, for shade; 0.4-0.8
+  int least_pixels = 12;
+
+  bool operator==(const FerreiraTuning&) const = default;
+};
+
 /// Speeds, regions and tolerances. Calibrated ones are those that a fit to Table I's points 2, 14,
 /// 8 and 10 gives; nothing else of the table was used.
 struct FerreiraMotion {
@@ -63,7 +81,9 @@ struct FerreiraMotion {
   bool steer_final = true;   // state 6 turns to the ellipse; F, D has one turning rate for region I
   double standoff_m = 0.6;   // delta of Fig. 3; assumed, 0.5-0.8
   double travel_m_s = 0.08;  // state 2; calibrated, points 8 and 10: 0.065-0.12
-  double turn_rad_s = 0.1676;          // 9.6 deg/s, by odometry; calibrated, points 8 and 10
+  // 18 deg/s, by odometry; calibrated, points 8 and 10: with the visual turn before, the slowing
+  // down and the stop after it, the mean is their 9.6 deg/s. 12-26
+  double turn_rad_s = 0.314159;
   double visual_turn_rad_s = 0.0698;   // 4 deg/s, state 7; assumed, 2-5
   double search_turn_rad_s = 0.0698;   // assumed, 2-5 deg/s
   double first_search_rad = 0.349066;  // 20 deg, doubled at each switch; assumed, 10-45

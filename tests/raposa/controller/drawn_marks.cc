@@ -75,7 +75,21 @@ class Canvas {
     }
     return hull.size() >= 3;
   }
+  /// Of the point inside the polygon's nearest edge; next to a corner outside it is too small.
+  static double Depth(const Points& hull, const Eigen::Vector2d& q) {
+    double least = hull.size() < 3 ? -1e9 : 1e9;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      const Eigen::Vector2d edge = hull[(i + 1) % hull.size()] - hull[i];
+      least = std::min(least, Cross(edge, q - hull[i]) / edge.norm());
+    }
+    return least;
+  }
   static double Share(const Points& hull, const Points& cut, int x, int y) {
+    constexpr double kPixel = 0.71;  // half its diagonal
+    const Eigen::Vector2d middle(x, y);
+    const double depth = Depth(hull, middle), in_cut = Depth(cut, middle);
+    if (depth < -kPixel || in_cut > kPixel) return 0.0;
+    if (depth > kPixel && in_cut < -kPixel) return 1.0;
     int inside = 0;
     for (int i = 0; i < 64; ++i) {
       const Eigen::Vector2d q(x - 0.5 + (i % 8 + 0.5) / 8.0, y - 0.5 + (i / 8 + 0.5) / 8.0);
@@ -125,8 +139,8 @@ std::vector<Eigen::Vector3d> Square(double behind_m, double side_m) {
 std::vector<Eigen::Vector3d> BiCone(const Marks& marks) {
   std::vector<Eigen::Vector3d> points{{0.5 * marks.guide_length_m, 0, 0},
                                       {-0.5 * marks.guide_length_m, 0, 0}};
-  for (int i = 0; i < 32; ++i) {
-    const double turn = 2.0 * kPi * i / 32.0, radius = 0.5 * marks.guide_diameter_m;
+  for (int i = 0; i < 24; ++i) {
+    const double turn = 2.0 * kPi * i / 24.0, radius = 0.5 * marks.guide_diameter_m;
     points.emplace_back(0.0, radius * std::cos(turn), radius * std::sin(turn));
   }
   return points;

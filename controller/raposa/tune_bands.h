@@ -1,0 +1,30 @@
+// Bands of hue, saturation and value from one picture of the pyramid: what the user of Ferreira and
+// Ventura's robot did by hand when the light had changed (F, C.3).
+#pragma once
+
+#include <optional>
+
+#include "controller/raposa/marks.h"
+
+namespace dockyard::raposa {
+
+struct TunedBands {
+  HsvBand orange, blue;
+  MarkPair pair;        // that they were measured on
+  double misfit = 0.0;  // of the pair
+};
+
+/// The band of the colours of a region: from the 5th to the 95th hundredth of hue, saturation and
+/// value, widened by the margins of FerreiraTuning. Pixels of no colour (grey, or dark) are left
+/// out; none if few are left.
+std::optional<HsvBand> BandOf(const ColourSearch& image, const BlobBounds& region,
+                              const HsvBand& within, const FerreiraTuning& tuning);
+
+/// The pair that fits the pyramid best over a grid of candidate bands about orange and blue, then
+/// the bands of its two marks. Geometry finds the colours, so the picture should show the pyramid,
+/// both marks whole, at a moderate distance: 0.5 to 1.5 m, 20 to 60 deg from its axis. None when no
+/// candidate gives a possible pair, by the tight limits.
+std::optional<TunedBands> TuneBands(const RgbImage& image, const Nominal& nominal,
+                                    const FerreiraTuning& tuning = {});
+
+}  // namespace dockyard::raposa
