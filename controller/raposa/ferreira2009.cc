@@ -36,8 +36,9 @@ class Ferreira2009 final : public Controller {
         odometry_(nominal),
         search_(options_),
         arm_rad_(options_.level_arm_rad) {
-    Tell(State::kNothing, "not looked yet");
-    belief_.values = {{"state", 5.0}, {"alpha_deg", 0.0}, {"r_m", 0.0}, {"passes", 0.0}};
+    belief_.phase = "start";
+    belief_.values = {
+        {"state", 0.0}, {"alpha_deg", 0.0}, {"r_m", 0.0}, {"passes", 0.0}, {"band_changes", 0.0}};
   }
 
   Commands Step(const SensorFrame& sensed) override;
@@ -69,8 +70,8 @@ class Ferreira2009 final : public Controller {
 
   Tick now_ = 0, entered_ = 0;
   Part part_ = Part::kChoose;
-  State state_ = State::kNothing;
-  BeltMotion motion_;  // since the last call
+  std::optional<State> state_;  // none before the first picture
+  BeltMotion motion_;           // since the last call
   std::optional<AlignPass> pass_;
   double last_turn_rad_ = 0.0;         // of the last rotation, to the left
   std::optional<Tick> blue_since_;     // state 4 without a break
@@ -97,7 +98,8 @@ Commands Ferreira2009::Step(const SensorFrame& sensed) {
   commands.take_images = {kBackCamera};
   commands.switches[kLamps] = lamps_ ? 1 : 0;
   commands.verdict = part_ == Part::kDocked ? Verdict::kDocked : Verdict::kUnderWay;
-  belief_.values[0].value = static_cast<double>(state_);
+  if (state_) belief_.values[0].value = static_cast<double>(*state_);
+  belief_.values[4].value = sight_.band_changes();
   return commands;
 }
 

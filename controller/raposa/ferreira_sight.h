@@ -21,7 +21,8 @@ class Sight {
   /// Pictures in a row without an ellipse.
   int lost() const { return tracker_.lost(); }
   void Forget() { tracker_.Forget(); }
-  const FerreiraVision& vision() const { return vision_; }
+  /// Changes of the bands so far.
+  int band_changes() const { return static_cast<int>(next_change_); }
 
   /// Of the ellipse, to the right of the camera's axis.
   double Bearing() const;

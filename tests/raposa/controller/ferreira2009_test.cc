@@ -143,7 +143,7 @@ TEST(Ferreira2009Loop, BelievesItsPoseInTheDocksFrame) {
 TEST(Ferreira2009Loop, WithoutAPyramidItSearchesAndNeverClaims) {
   const KinematicRun run = RunKinematicAt(1.0, 0.0, {.scene = {.pyramid = false}}, 30.0);
   EXPECT_EQ(run.verdict, Verdict::kUnderWay);
-  EXPECT_EQ(run.phases, std::vector<std::string>{"search"});
+  EXPECT_EQ(run.phases, (std::vector<std::string>{"start", "search"}));
   EXPECT_GT(std::abs(Degrees(run.off_axis_rad())), 3.0);
 }
 
@@ -157,7 +157,9 @@ TEST(Ferreira2009Loop, BandsThatChangeInTimeHoldFromThenOn) {
     return RunKinematic(nominal, CameraAt(0.8, 0.0), {}, limit_s);
   };
   EXPECT_EQ(at(4.8).belief.sighting_count, 0);
+  EXPECT_EQ(ValueOf(at(4.8).belief, "band_changes", -1.0), 0.0);
   EXPECT_GT(at(5.5).belief.sighting_count, 0);
+  EXPECT_EQ(ValueOf(at(5.5).belief, "band_changes", -1.0), 1.0);
 }
 
 TEST(Ferreira2009, StandsStillWithoutPicturesAndAsksForThem) {
