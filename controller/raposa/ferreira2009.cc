@@ -53,6 +53,7 @@ class Ferreira2009 final : public Controller {
   Twist BeginPass();
   Twist Pass();
   Twist End();
+  void LeaveGuide();
   void Enter(Part part);
   void Tell(State state, const std::string& note);
   void Believe(const BeltMotion& motion);
@@ -164,6 +165,7 @@ Twist Ferreira2009::Do(State state) {
 // It stands still first, as long as the ball about the last ellipse is closed.
 Twist Ferreira2009::Search() {
   if (sight_.lost() < nominal_.ferreira_vision.lost_frames) return {};
+  LeaveGuide();
   if (!search_.begun()) search_.Begin(last_turn_rad_);
   if (blue_doubted_) {
     turned_from_blue_rad_ += std::abs(motion_.turn_rad);
@@ -190,6 +192,7 @@ Twist Ferreira2009::BlueOnly() {
 }
 
 Twist Ferreira2009::BeginPass() {
+  LeaveGuide();
   pass_.emplace(nominal_, sight_);
   odometry_.Reset(0.0);
   belief_.values[3].value += 1.0;
@@ -228,6 +231,13 @@ Twist Ferreira2009::End() {
   if (part_ != Part::kFinal) return {};
   if (!sight_.fresh() && !sight_.silent()) return last_twist_;
   return FinalApproach(sight_.fresh() ? sight_.seen() : MarksSeen{}, options_);
+}
+
+// "In all other states, the arm is kept at a constant position" (F, D): the odometry's gauge holds
+// there alone.
+void Ferreira2009::LeaveGuide() {
+  arm_rad_ = options_.level_arm_rad;
+  lamps_ = false;
 }
 
 void Ferreira2009::Enter(Part part) {

@@ -129,6 +129,24 @@ TEST(Ferreira2009Loop, ArmAndLampsBeginTogetherNearTheGuide) {
   }
 }
 
+// The odometry's one gauge is that of the level arm. A few lost frames leave the arm alone.
+TEST(Ferreira2009Loop, ASearchLevelsTheArm) {
+  KinematicWorld world;
+  world.scene_at = [](double time_s) {
+    return Scene{.pyramid = time_s < 1.0, .camera_up_m = 0.05};
+  };
+  const auto arm_rad = [](const KinematicRun& run) {
+    return run.last.motors[static_cast<std::size_t>(Motor::kArm)].target;
+  };
+  const KinematicRun lost = RunKinematicAt(0.42, 0.0, world, 1.5);
+  EXPECT_GT(arm_rad(lost), 0.1);
+  EXPECT_EQ(lost.last.switches[kLamps], 1);
+  const KinematicRun search = RunKinematicAt(0.42, 0.0, world, 3.0);
+  EXPECT_EQ(search.belief.phase, "search");
+  EXPECT_EQ(arm_rad(search), 0.0);
+  EXPECT_EQ(search.last.switches[kLamps], 0);
+}
+
 TEST(Ferreira2009Loop, BelievesItsPoseInTheDocksFrame) {
   const KinematicRun run = RunKinematicAt(1.33, 30.0, {.lever_m = 0.28}, 1.0);
   EXPECT_TRUE(run.belief.located);
@@ -160,6 +178,17 @@ TEST(Ferreira2009Loop, BandsThatChangeInTimeHoldFromThenOn) {
   EXPECT_EQ(ValueOf(at(4.8).belief, "band_changes", -1.0), 0.0);
   EXPECT_GT(at(5.5).belief.sighting_count, 0);
   EXPECT_EQ(ValueOf(at(5.5).belief, "band_changes", -1.0), 1.0);
+}
+
+TEST(Ferreira2009Loop, DocksWithACameraOfHalfTheRateAndStopsWithoutOne) {
+  const KinematicRun slow = RunKinematicAt(0.5, 0.0, {.every = 2});
+  EXPECT_TRUE(slow.reached());
+  EXPECT_NEAR(slow.time_s, StraightTime(0.5), 2.0);
+  const KinematicRun blind = RunKinematicAt(1.33, 0.0, {.camera_until_s = 3.0}, 8.0);
+  EXPECT_EQ(blind.last.motors[0].target, 0.0);
+  EXPECT_EQ(blind.last.motors[1].target, 0.0);
+  // It went on for the few periods that a picture may be late.
+  EXPECT_NEAR(1.33 - blind.X_PC.x, kPublished.k_linear_per_s * 3.1, 0.04);
 }
 
 TEST(Ferreira2009, StandsStillWithoutPicturesAndAsksForThem) {

@@ -24,7 +24,8 @@ class KinematicRobot {
     frame.motors.resize(kMotorCount);
     frame.motors[0].encoder_counts = std::llround(left_rad_ / nominal_.motors[0].rad_per_count);
     frame.motors[1].encoder_counts = std::llround(right_rad_ / nominal_.motors[1].rad_per_count);
-    if (asked_from_) {
+    const bool answers = ++senses_ % world_.every == 0 && time_s() < world_.camera_until_s;
+    if (asked_from_ && answers) {
       const Scene scene = world_.scene_at ? world_.scene_at(time_s()) : world_.scene;
       frame.images = {{kBackCamera, Draw(nominal_, *asked_from_, scene), tick_ - kControlPeriod}};
     }
@@ -57,6 +58,7 @@ class KinematicRobot {
   std::optional<Pose2> asked_from_;
   double left_rad_ = 0.0, right_rad_ = 0.0;
   Tick tick_ = 0;
+  int senses_ = 0;
 };
 
 }  // namespace

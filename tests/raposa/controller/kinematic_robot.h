@@ -13,8 +13,10 @@
 namespace dockyard::raposa {
 
 struct KinematicWorld {
-  double lever_m = 0.0;     // from the camera to the turning centre
-  double turn_share = 1.0;  // of the odometry's turns that come about
+  double lever_m = 0.0;         // from the camera to the turning centre
+  double turn_share = 1.0;      // of the odometry's turns that come about
+  int every = 1;                // period with a picture
+  double camera_until_s = 1e9;  // then it is silent
   Scene scene{};
   std::function<Scene(double time_s)> scene_at{};  // in place of it
 };
