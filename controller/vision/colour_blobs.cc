@@ -1,5 +1,6 @@
 #include "controller/vision/colour_blobs.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
