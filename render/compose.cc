@@ -46,7 +46,7 @@ class Composer {
         held_(width, 0),
         thin_(width, 0),
         wide_(wide),
-        has_thin_(wide.thin_width > 0 || (close && close->thin_width > 0)),
+        has_thin_(wide.HasThin() || (close && close->HasThin())),
         sky_(lit.scene, X_WC, channel),
         objects_(lit.scene, lit.ground.highest_m(), lit.shadow, X_WC, channel) {
     if (close) close_.emplace(*close);
@@ -104,9 +104,12 @@ class Composer {
       }
     }
     if (!has_thin_) return;
-    view.HaveThin(row_, first, last, thin_.data());
-    for (int x = first; x < last; ++x) {
-      if (thin_[x]) radiance[x] = Behind(view, x, radiance[x]);
+    for (std::size_t body = 0; body < view.layers().size(); ++body) {
+      if (view.layers()[body].width == 0) continue;
+      view.HaveThin(view.layers()[body], row_, first, last, thin_.data());
+      for (int x = first; x < last; ++x) {
+        if (thin_[x]) radiance[x] = Behind(view, body, x, radiance[x]);
+      }
     }
   }
 
@@ -200,13 +203,13 @@ class Composer {
     return met.count * objects_(middle, met.MeanFrom(), pixel);
   }
 
-  // The same behind thin bodies.
-  float Behind(const ViewSampler& view, int x, float radiance) const {
+  // The same behind a thin body.
+  float Behind(const ViewSampler& view, std::size_t body, int x, float radiance) const {
     const Pixel pixel = row_.At(x);
     Thin sum;
-    for (int k = 0; k < kRays; ++k) sum.Add(view.ThinAt(pixel.Ray(k)), 0.25f);
+    for (int k = 0; k < kRays; ++k) sum.Add(view.ThinAt(view.layers()[body], pixel.Ray(k)), 0.25f);
     if (sum.cover <= 0.0f) return radiance;
-    return radiance * (1.0f - sum.cover) + objects_.OfThin(sum, pixel.middle, pixel);
+    return radiance * (1.0f - sum.cover) + objects_.OfThin(body, sum, pixel.middle, pixel);
   }
 
   PixelRow row_;

@@ -53,14 +53,25 @@ struct Thin {
   }
 };
 
+/// One thin body in a part of a view; elsewhere there is none of it.
+struct ThinLayer {
+  int x = 0, y = 0, width = 0, height = 0;
+  std::vector<Thin> thin;
+};
+
 /// Rows from the top, rays evenly spread.
 struct FlatView {
   TanRect rect;
   int width = 0, height = 0;
   std::vector<Seen> seen;
-  // Of a part of the view; elsewhere there are none.
-  int thin_x = 0, thin_y = 0, thin_width = 0, thin_height = 0;
-  std::vector<Thin> thin;
+  std::vector<ThinLayer> layers;  // one for each of the scene's ThinBodies
+
+  bool HasThin() const {
+    for (const ThinLayer& layer : layers) {
+      if (layer.width > 0) return true;
+    }
+    return false;
+  }
 };
 
 }  // namespace dockyard

@@ -120,7 +120,8 @@ double GroundHeight::operator()(double x_m, double y_m) const {
   return border_mean_m_ + fade * (inside - border_mean_m_);
 }
 
-GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m) {
+GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m, int first,
+                        int count) {
   const std::vector<double> radii = RingRadii();
   GroundFan fan{.pole_x_m = pole_x_m,
                 .pole_y_m = pole_y_m,
@@ -130,14 +131,15 @@ GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole
   const auto add = [&](double x, double y) {
     fan.vertices.push_back(Eigen::Vector3d(x, y, height(pole_x_m + x, pole_y_m + y)).cast<float>());
   };
-  fan.vertices.reserve(1 + radii.size() * kGroundSectors);
+  const int spokes = std::min(count + 1, kGroundSectors);
+  fan.vertices.reserve(1 + radii.size() * spokes);
   add(0.0, 0.0);
-  for (int s = 0; s < kGroundSectors; ++s) {
+  for (int s = first; s < first + spokes; ++s) {
     const double azimuth = 2.0 * kPi * s / kGroundSectors;
     const double c = std::cos(azimuth), sn = std::sin(azimuth);
     for (const double r : radii) add(r * c, r * sn);
   }
-  for (int s = 0; s < kGroundSectors; ++s) {
+  for (int s = 0; s < count; ++s) {
     fan.indices.insert(fan.indices.end(), {0u, VertexAt(fan, s, 0), VertexAt(fan, s + 1, 0)});
     for (int r = 0; r + 1 < fan.rings; ++r) {
       const std::uint32_t a = VertexAt(fan, s, r), c = VertexAt(fan, s + 1, r);

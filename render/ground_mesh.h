@@ -29,8 +29,8 @@ class GroundHeight {
 };
 
 /// Fan of rings; positions relative to (pole_x, pole_y, 0) in G's axes: the pole, then the rings of
-/// azimuth 0, those of azimuth 2 pi / kGroundSectors, ... Triangles sector by sector, as many in
-/// each.
+/// azimuth 2 pi first / kGroundSectors, those of the next, ... Triangles sector by sector, as many
+/// in each.
 inline constexpr int kGroundSectors = 600;
 struct GroundFan {
   double pole_x_m = 0.0, pole_y_m = 0.0;
@@ -38,7 +38,9 @@ struct GroundFan {
   std::vector<Eigen::Vector3f> vertices;
   std::vector<std::uint32_t> indices;
 };
-GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m);
+/// Sectors first to first + count - 1.
+GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m, int first = 0,
+                        int count = kGroundSectors);
 
 /// Per cell of the grid, (nx - 1) x (ny - 1), three numbers for its middle: slope along x and along
 /// y, share of the sun that the ground itself leaves there. sun_G: unit, towards the sun.

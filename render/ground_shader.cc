@@ -167,7 +167,7 @@ void GroundShader::Fetch(int count, const Places& p, Lights& l) const {
   Four texels[kAtOnce];
   texture_.soil().At(p.soil_u, p.soil_v, p.soil_lod, count, texels);
   for (int i = 0; i < count; ++i) {
-    const Four grain = GroundTexture::Signed(texels[i]);
+    const Four grain = texture_.grain() * GroundTexture::Signed(texels[i]);
     l.tone[i] = grain[0];
     l.slope_x[i] = grain[1];
     l.slope_y[i] = grain[2];

@@ -38,8 +38,8 @@ Four GroundTexture::Lumps(float x, float y) const {
   constexpr float kTile = static_cast<float>(kSoilTile_m);
   constexpr float kFull = static_cast<float>(kSoilSlopeFull);
   const float tx = 0.7986f * x - 0.6018f * y, ty = 0.6018f * x + 0.7986f * y;
-  const Four wide = Signed(lumps_.Finest(tx / (6.7f * kTile), ty / (6.7f * kTile)));
-  const Four far = Signed(lumps_.Finest(ty / (61.0f * kTile), tx / (61.0f * kTile)));
+  const Four wide = grain_ * Signed(lumps_.Finest(tx / (6.7f * kTile), ty / (6.7f * kTile)));
+  const Four far = grain_ * Signed(lumps_.Finest(ty / (61.0f * kTile), tx / (61.0f * kTile)));
   return Four{0.5f * kFull * wide[1], 0.5f * kFull * wide[2], 0.0f,
               (1.0f + 0.6f * wide[0]) * (1.0f + 0.8f * far[0])};
 }
@@ -65,6 +65,11 @@ void GroundTexture::Update(const GroundView& ground, const Eigen::Vector3d& to_s
     lumps_ = SoilPyramid(SoilLumps(texels), kLumpSide);
     soil_ = SoilPyramid(texels, kSoilSide);
     soil_seed_ = ground.texture_seed;
+    relief_key_.reset();
+    cell_lumps_.clear();
+  }
+  if (const auto grain = static_cast<float>(ground.grain); grain_ != grain) {
+    grain_ = grain;
     relief_key_.reset();
     cell_lumps_.clear();
   }

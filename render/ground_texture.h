@@ -21,6 +21,8 @@ class GroundTexture {
   const ReliefPyramid& relief() const { return relief_; }
   /// Brightness, slopes and height of the grain; see soil_texture.h.
   const SoilPyramid& soil() const { return soil_; }
+  /// Contrast of grain and lumps.
+  float grain() const { return grain_; }
   /// Of the grid.
   double highest_m() const { return highest_m_; }
   /// Relief of level ground in full sun beyond the grid.
@@ -42,6 +44,7 @@ class GroundTexture {
   ReliefPyramid relief_;
   SoilPyramid soil_, lumps_;
   double highest_m_ = 0.0;
+  float grain_ = 1.0f;
   GridPlace lumps_of_;
   std::vector<Four> cell_lumps_;
   std::optional<std::uint64_t> relief_key_, soil_seed_;

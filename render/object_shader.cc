@@ -28,9 +28,7 @@ Eigen::Vector3f UnpackNormal(const Seen& seen) {
 
 ObjectShader::ObjectShader(const Scene& scene, double highest_m, const SunShadow& shadow,
                            const Pose3& X_WC, Channel channel)
-    : shadow_(shadow),
-      horizon_(scene, highest_m),
-      thin_(ToFloats(scene, scene.tether.albedo, channel)) {
+    : shadow_(shadow), horizon_(scene, highest_m) {
   const Pose3 X_UC = Inverse(shadow_.fit().X_WU) * X_WC;
   R_UC_ = X_UC.R.cast<float>();
   p_UC_ = X_UC.p.cast<float>();
@@ -38,6 +36,9 @@ ObjectShader::ObjectShader(const Scene& scene, double highest_m, const SunShadow
   R_GC_ = X_GC.R.cast<float>();
   p_GC_ = X_GC.p.cast<float>();
   up_U_ = shadow_.fit().X_WU.R.row(2).transpose().cast<float>();
+  for (const TetherView* body : ThinBodies(scene)) {
+    thin_.push_back(ToFloats(scene, body->albedo, channel));
+  }
   for (const SceneObject& object : scene.objects) {
     objects_.push_back(ToFloats(scene, object.albedo, channel));
   }
@@ -131,12 +132,17 @@ void ObjectShader::BoardShares(const PixelRow& row, int first, int count, float*
   }
 }
 
-float ObjectShader::OfThin(const Thin& thin, Tan tan, const Pixel& pixel) const {
+float ObjectShader::SunShare(Tan tan, float inverse_depth, const Eigen::Vector3f& n,
+                             const Pixel& pixel) const {
+  return Share(tan, inverse_depth, n, kCurvedBias_m, pixel, kSearches, kPoints);
+}
+
+float ObjectShader::OfThin(std::size_t body, const Thin& thin, Tan tan, const Pixel& pixel) const {
+  const Floats& f = thin_[body];
   const float per = 1.0f / thin.cover;
   const float share = Share(tan, thin.inverse_depth * per, Eigen::Vector3f::UnitZ(), kCurvedBias_m,
                             pixel, kSearches, kPoints);
-  return thin.cover *
-         Shade(thin_.sun, thin_.sky, thin_.bounce, thin.to_sun * per, thin.to_zenith * per, share);
+  return thin.cover * Shade(f.sun, f.sky, f.bounce, thin.to_sun * per, thin.to_zenith * per, share);
 }
 
 ObjectShader::Floats ObjectShader::ToFloats(const Scene& scene, const Eigen::Vector3d& albedo,

@@ -25,8 +25,10 @@ class ObjectShader {
   /// The same of pixels first to first + count - 1 of a row, at most kBoardAtOnce, all of whose
   /// rays met the board.
   void BoardShares(const PixelRow& row, int first, int count, float* shares) const;
-  /// Radiance times cover.
-  float OfThin(const Thin& thin, Tan tan, const Pixel& pixel) const;
+  /// Radiance times cover of one of the scene's ThinBodies.
+  float OfThin(std::size_t body, const Thin& thin, Tan tan, const Pixel& pixel) const;
+  /// Share of the sun in sight of an object where the ray meets it; n: its normal in light axes.
+  float SunShare(Tan tan, float inverse_depth, const Eigen::Vector3f& n, const Pixel& pixel) const;
 
  private:
   struct Floats {
@@ -38,8 +40,7 @@ class ObjectShader {
 
   const SunShadow& shadow_;
   GroundHorizon horizon_;
-  Floats thin_;
-  std::vector<Floats> objects_;
+  std::vector<Floats> thin_, objects_;
   Eigen::Matrix3f R_UC_, R_GC_;
   Eigen::Vector3f p_UC_, p_GC_, up_U_, n_board_U_, board_plane_C_;
 };

@@ -1,11 +1,12 @@
-// The scene to draw: posed meshes, board, ground, tether, sun and sky. It contains no physics.
-// Lengths in metres, colours linear 0..1, light in arbitrary radiance units.
+// The scene to draw: posed meshes, board, ground, cables, sun, sky and lamps. It contains no
+// physics. Lengths in metres, colours linear 0..1, light in arbitrary radiance units.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "controller/geometry/board.h"
@@ -23,6 +24,7 @@ struct SceneObject {
   std::shared_ptr<const RenderMesh> mesh;
   Pose3 X_WO;
   Eigen::Vector3d albedo{0.5, 0.5, 0.5};
+  int material = 0;  // of a ColourTable, whose cameras do not ask for the albedo
 };
 
 /// Row-major heights over the site frame G: height(ix, iy) at x0 + ix * cell, y0 + iy * cell.
@@ -34,6 +36,8 @@ struct GroundView {
   std::uint64_t revision = 0;         // changes when heights change
   Eigen::Vector3d albedo{0.45, 0.36, 0.28};
   std::uint64_t texture_seed = 1;
+  double grain = 1.0;  // contrast of grain, pebbles and lumps, 0 to 1; 0: a plain floor
+  int material = 0;    // see SceneObject
 };
 
 /// A round part of the board that is dustier than the rest.
@@ -60,6 +64,7 @@ struct TetherView {
   std::vector<Eigen::Vector3d> points_W;  // polyline, arm tip first
   double diameter_m = 0.0;
   Eigen::Vector3d albedo{0.6, 0.5, 0.1};
+  int material = 0;  // see SceneObject
 };
 
 struct SunAndSky {
@@ -73,12 +78,36 @@ struct SunAndSky {
   Eigen::Vector3d sun_rgb{1, 1, 1}, sky_rgb{1, 1, 1};
 };
 
+/// A lamp without an extent. Colour cameras alone see its light, and it throws no shadows: one that
+/// stands beside the camera would hide them behind what throws them.
+struct Lamp {
+  Eigen::Vector3d p_W{0, 0, 0}, axis_W{0, 0, 1};  // axis: unit, the way it shines
+  // Off the axis to where the intensity has fallen to one half: it goes as a power of the cosine,
+  // as data sheets of light diodes have it (60 deg: a flat diode without a lens). 0: equal on all
+  // sides.
+  double half_angle_rad = 0.0;
+  double irradiance_1m = 0.0;  // on the axis, on a surface 1 m away that faces the lamp
+  int kind = 0;                // which of a ColourTable's lamps
+};
+
+/// What the images are about: the shadows are finest here, and views are denser.
+struct Interest {
+  Eigen::Vector3d p_W{0, 0, 0};
+  double radius_m = 0.0;
+};
+
 struct Scene {
-  std::vector<SceneObject> objects;  // rover, station, occluders; all cast shadows
+  std::vector<SceneObject> objects;  // robot, target, occluders; all cast shadows
   GroundView ground;
-  BoardView board;
+  BoardView board;  // none if it has no width
   TetherView tether;
   SunAndSky light;
+  std::vector<TetherView> cables{};    // further ones
+  std::vector<Lamp> lamps{};           // of colour cameras
+  std::optional<Interest> interest{};  // none: the board, if there is one
 };
+
+/// Tether and cables together.
+std::vector<const TetherView*> ThinBodies(const Scene& scene);
 
 }  // namespace dockyard

@@ -28,6 +28,22 @@ void RequireLight(const SunAndSky& light) {
           "the sun's diameter must lie in 0 to 0.2 rad");
 }
 
+void RequireTether(const TetherView& tether) {
+  for (const Eigen::Vector3d& p : tether.points_W) {
+    Require(p.allFinite(), "a point of the tether is not finite");
+  }
+  Require(tether.diameter_m >= 0.0, "the tether's diameter must not be negative");
+}
+
+void RequireLamp(const Lamp& lamp) {
+  Require(lamp.p_W.allFinite(), "a lamp's place is not finite");
+  Require(std::abs(lamp.axis_W.norm() - 1.0) < 1e-6, "a lamp's axis must be a unit vector");
+  Require(lamp.half_angle_rad >= 0.0 && lamp.half_angle_rad < 0.5 * kPi,
+          "a lamp's half angle must lie in 0 to 90 deg");
+  Require(lamp.irradiance_1m >= 0.0 && std::isfinite(lamp.irradiance_1m),
+          "a lamp's light must not be negative");
+}
+
 void RequireBoard(const BoardView& view) {
   const FiducialBoard& board = view.board;
   Require(board.width_m >= 0.0 && board.height_m >= 0.0 && board.width_m < 10.0 &&
@@ -47,6 +63,12 @@ void RequireBoard(const BoardView& view) {
 
 }  // namespace
 
+std::vector<const TetherView*> ThinBodies(const Scene& scene) {
+  std::vector<const TetherView*> bodies{&scene.tether};
+  for (const TetherView& cable : scene.cables) bodies.push_back(&cable);
+  return bodies;
+}
+
 void RequireSoundScene(const Scene& scene) {
   Require(scene.objects.size() <= static_cast<std::size_t>(kMaxObjects),
           "at most " + std::to_string(kMaxObjects) + " objects can be drawn");
@@ -55,12 +77,16 @@ void RequireSoundScene(const Scene& scene) {
     RequirePose(object.X_WO, "an object's");
     Require(object.albedo.allFinite(), "an albedo is not finite");
   }
-  for (const Eigen::Vector3d& p : scene.tether.points_W) {
-    Require(p.allFinite(), "a point of the tether is not finite");
+  for (const TetherView* tether : ThinBodies(scene)) RequireTether(*tether);
+  for (const Lamp& lamp : scene.lamps) RequireLamp(lamp);
+  if (scene.interest) {
+    Require(scene.interest->p_W.allFinite() && scene.interest->radius_m > 0.0,
+            "a point of interest needs a place and a radius");
   }
-  Require(scene.tether.diameter_m >= 0.0, "the tether's diameter must not be negative");
   RequireLight(scene.light);
   RequireBoard(scene.board);
+  Require(scene.ground.grain >= 0.0 && scene.ground.grain <= 1.0,
+          "the ground's grain must lie in 0 to 1");
   RequireSoundGround(scene.ground);
   if (HasGround(scene.ground)) RequirePose(scene.ground.X_WG, "the ground's");
 }

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "render/board_plate.h"
-#include "render/ground_sectors.h"
 #include "render/shaders.h"
 
 namespace dockyard {
 namespace {
 
-constexpr double kNear_m = 0.02, kFar_m = 400.0;
+constexpr double kFar_m = 400.0;
+
 Eigen::Matrix4d ToMatrix(const Pose3& X) {
   Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
   m.topLeftCorner<3, 3>() = X.R;
@@ -48,15 +48,12 @@ Ball BoardBall(const Scene& scene) {
   return {scene.board.X_WB.p, 0.5 * std::hypot(board.width_m, board.height_m)};
 }
 
-}  // namespace
+Ball InterestBall(const Scene& scene, const Pose3& X_WR) {
+  if (scene.interest) return {scene.interest->p_W, scene.interest->radius_m};
+  return HasBoard(scene) ? BoardBall(scene) : Ball{X_WR.p, 0.5};
+}
 
-// One view being painted.
-struct ScenePainter::Frustum {
-  Pose3 X_WC, X_CW;
-  TanRect rect;
-  int width = 0, height = 0;
-  Eigen::Matrix4d clip_from_C;
-};
+}  // namespace
 
 ScenePainter::ScenePainter(const GlFunctions& gl)
     : gl_(gl),
@@ -72,14 +69,14 @@ ScenePainter::ScenePainter(const GlFunctions& gl)
   empty_mesh_.Upload(SurfaceMesh{});
 }
 
-void ScenePainter::Prepare(const Scene& scene, const Pose3& X_WR) {
+void ScenePainter::Prepare(const Scene& scene, const Pose3& X_WR, const ShadowDetail& shadow,
+                           const SectorRange& sectors) {
   scene_ = &scene;
   X_WP_ = {Eigen::Matrix3d::Identity(), X_WR.p};
   UploadObjects(scene);
   if (HasBoard(scene)) board_mesh_.Upload(BoardPlate(scene.board));
-  if (HasGround(scene.ground)) UploadGround(scene, X_WR);
-  const Ball board = HasBoard(scene) ? BoardBall(scene) : Ball{X_WR.p, 0.5};
-  fit_ = FitShadow(Casters(scene), board, X_WR, scene.light.to_sun_W);
+  if (HasGround(scene.ground)) UploadGround(scene, X_WR, sectors);
+  fit_ = FitShadow(Casters(scene), InterestBall(scene, X_WR), X_WR, scene.light.to_sun_W, shadow);
   empty_mesh_.Bind();
   shadow_map_.Render(
       fit_, scene.light.sun_angular_diameter_rad,
@@ -100,16 +97,12 @@ std::vector<Ball> ScenePainter::Casters(const Scene& scene) const {
     casters.push_back({object.X_WO * ball.center, ball.radius});
   }
   if (HasBoard(scene)) casters.push_back(BoardBall(scene));
-  for (const Eigen::Vector3d& p : scene.tether.points_W) {
-    casters.push_back({p, 0.5 * scene.tether.diameter_m});
+  for (const TetherView* body : ThinBodies(scene)) {
+    for (const Eigen::Vector3d& p : body->points_W) {
+      casters.push_back({p, 0.5 * body->diameter_m});
+    }
   }
   return casters;
-}
-
-SurfaceMesh ScenePainter::TetherTube(const std::function<double(const Eigen::Vector3d&)>& drawn) {
-  std::vector<Eigen::Vector3d> points_P;
-  for (const Eigen::Vector3d& p : scene_->tether.points_W) points_P.push_back(p - X_WP_.p);
-  return Tube(points_P, 0.5 * scene_->tether.diameter_m, drawn);
 }
 
 void ScenePainter::DrawCasters(GlProgram& program, const Eigen::Matrix4d& clip_from_U,
@@ -130,11 +123,14 @@ void ScenePainter::DrawCasters(GlProgram& program, const Eigen::Matrix4d& clip_f
     place(scene_->board.X_WB);
     board_mesh_.Draw();
   }
-  // Thinner than a texel, the tether would flicker along its length.
+  // Thinner than a texel, a tether would flicker along its length.
   const double least = 0.6 * window.texel_m();
-  tether_mesh_.Upload(TetherTube([&](const Eigen::Vector3d&) { return least; }));
   place(X_WP_);
-  tether_mesh_.Draw();
+  for (const TetherView* body : ThinBodies(*scene_)) {
+    if (body->points_W.empty()) continue;
+    tether_mesh_.Upload(TetherTube(*body, [&](const Eigen::Vector3d&) { return least; }));
+    tether_mesh_.Draw();
+  }
 }
 
 void ScenePainter::Pose(GlProgram& program, const Frustum& frustum, const Pose3& X_WO) const {
@@ -166,7 +162,11 @@ void ScenePainter::Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView
   if (HasGround(scene_->ground)) PaintGround(frustum);
   view.seen.resize(static_cast<std::size_t>(view.width) * view.height);
   target.Read(view.width, view.height, view.seen.data());
-  PaintTether(frustum, target, view);
+  const std::vector<const TetherView*> bodies = ThinBodies(*scene_);
+  view.layers.resize(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    PaintTether(frustum, target, *bodies[i], view.layers[i]);
+  }
 }
 
 void ScenePainter::PaintObjects(const Frustum& frustum) {
@@ -196,6 +196,7 @@ void ScenePainter::PaintBoard(const Frustum& frustum) {
 void ScenePainter::PaintGround(const Frustum& frustum) {
   ground_.Use();
   Pose(ground_, frustum, X_WF_);
+  if (fan_.count < kGroundSectors) return ground_mesh_.Draw();
   const SectorRange range = VisibleSectors(Inverse(X_WF_) * frustum.X_WC, frustum.rect);
   const int per_sector = ground_mesh_.count() / kGroundSectors;
   const auto draw = [&](int from, int to) {
@@ -204,64 +205,6 @@ void ScenePainter::PaintGround(const Frustum& frustum) {
   const int end = range.first + range.count;
   draw(range.first, std::min(end, kGroundSectors));
   if (end > kGroundSectors) draw(0, end - kGroundSectors);
-}
-
-// The pixels that the tether may touch.
-bool ScenePainter::FitThin(const Frustum& frustum, FlatView& view) const {
-  const Pose3& X_CW = frustum.X_CW;
-  const double px = (frustum.rect.right - frustum.rect.left) / frustum.width;
-  const double py = (frustum.rect.bottom - frustum.rect.top) / frustum.height;
-  Eigen::AlignedBox2d box;
-  bool any = false;
-  for (const Eigen::Vector3d& p_W : scene_->tether.points_W) {
-    const Eigen::Vector3d p_C = X_CW * p_W;
-    if (p_C.z() < 2.0 * kNear_m) {  // may come up to the camera: anywhere
-      box.extend(Eigen::Vector2d(frustum.rect.left, frustum.rect.top));
-      box.extend(Eigen::Vector2d(frustum.rect.right, frustum.rect.bottom));
-      continue;
-    }
-    any = true;
-    const Eigen::Vector2d tan = p_C.head<2>() / p_C.z();
-    const double reach = scene_->tether.diameter_m / p_C.z() + 2.0 * std::max(px, py);
-    box.extend(tan - Eigen::Vector2d::Constant(reach));
-    box.extend(tan + Eigen::Vector2d::Constant(reach));
-  }
-  if (!any) return false;
-  const auto pixel = [](double at, double from, double step, int last) {
-    return static_cast<int>(std::clamp(std::floor((at - from) / step), 0.0, double(last)));
-  };
-  view.thin_x = pixel(box.min().x(), frustum.rect.left, px, frustum.width);
-  view.thin_y = pixel(box.min().y(), frustum.rect.top, py, frustum.height);
-  view.thin_width = pixel(box.max().x() + px, frustum.rect.left, px, frustum.width) - view.thin_x;
-  view.thin_height = pixel(box.max().y() + py, frustum.rect.top, py, frustum.height) - view.thin_y;
-  return view.thin_width > 0 && view.thin_height > 0;
-}
-
-void ScenePainter::PaintTether(const Frustum& frustum, const GlViewTarget& target, FlatView& view) {
-  view.thin.clear();
-  view.thin_width = view.thin_height = 0;
-  if (!FitThin(frustum, view)) return;
-  const Pose3 X_CP = frustum.X_CW * X_WP_;
-  const double pixel = (frustum.rect.right - frustum.rect.left) / frustum.width;
-  tether_mesh_.Upload(TetherTube(
-      [&](const Eigen::Vector3d& p_P) { return 0.6 * pixel * std::max((X_CP * p_P).z(), 0.0); }));
-  target.BindThin();
-  gl_.Enable(GL_SCISSOR_TEST);
-  gl_.Scissor(view.thin_x, view.thin_y, view.thin_width, view.thin_height);
-  constexpr GLfloat kNone[4] = {0, 0, 0, 0};
-  gl_.ClearBufferfv(GL_COLOR, 0, kNone);
-  thin_.Use();
-  Pose(thin_, frustum, X_WP_);
-  thin_.Set("u_up", Eigen::Vector3d(fit_.X_WU.R.row(2).transpose()));
-  gl_.Enable(GL_CULL_FACE);  // or the far side would count as cover too
-  gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  tether_mesh_.Draw();
-  gl_.Disable(GL_BLEND);
-  gl_.Disable(GL_CULL_FACE);
-  gl_.Disable(GL_SCISSOR_TEST);
-  view.thin.resize(static_cast<std::size_t>(view.thin_width) * view.thin_height);
-  target.Read(view.thin_x, view.thin_y, view.thin_width, view.thin_height, view.thin.data());
 }
 
 }  // namespace dockyard

@@ -11,6 +11,7 @@
 #include "render/gl_mesh.h"
 #include "render/gl_objects.h"
 #include "render/ground_mesh.h"
+#include "render/ground_sectors.h"
 #include "render/scene.h"
 #include "render/shadow.h"
 #include "render/surface_mesh.h"
@@ -20,12 +21,17 @@ namespace dockyard {
 /// Throws std::invalid_argument that names the part of the scene that cannot be drawn.
 void RequireSoundScene(const Scene& scene);
 
+/// Views begin at this depth.
+inline constexpr double kNear_m = 0.02;
+
 class ScenePainter {
  public:
   explicit ScenePainter(const GlFunctions& gl);
 
-  /// Everything that both views share. The scene must outlive the calls of Paint that follow.
-  void Prepare(const Scene& scene, const Pose3& X_WR);
+  /// Everything that the views share. The scene must outlive the calls of Paint that follow. The
+  /// ground's fan stands under X_WR.p; views may show no other ground than that of its sectors.
+  void Prepare(const Scene& scene, const Pose3& X_WR, const ShadowDetail& shadow = {},
+               const SectorRange& sectors = {.first = 0, .count = kGroundSectors});
   /// Fills a view whose rect and size are set; the target is at least as large. The far end of the
   /// view is 400 m, the near one 2 cm.
   void Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView& view);
@@ -39,20 +45,28 @@ class ScenePainter {
     Ball ball;
     bool used = false;
   };
-  struct Frustum;
+  // One view being painted.
+  struct Frustum {
+    Pose3 X_WC, X_CW;
+    TanRect rect;
+    int width = 0, height = 0;
+    Eigen::Matrix4d clip_from_C;
+  };
 
   void UploadObjects(const Scene& scene);
-  void UploadGround(const Scene& scene, const Pose3& X_WR);
+  void UploadGround(const Scene& scene, const Pose3& X_WR, const SectorRange& sectors);
   std::vector<Ball> Casters(const Scene& scene) const;
   void DrawCasters(GlProgram& program, const Eigen::Matrix4d& clip_from_U,
                    const ShadowWindow& window);
-  SurfaceMesh TetherTube(const std::function<double(const Eigen::Vector3d&)>& drawn);
+  SurfaceMesh TetherTube(const TetherView& body,
+                         const std::function<double(const Eigen::Vector3d&)>& drawn) const;
   void Pose(GlProgram& program, const Frustum& frustum, const Pose3& X_WO) const;
   void PaintObjects(const Frustum& frustum);
   void PaintBoard(const Frustum& frustum);
   void PaintGround(const Frustum& frustum);
-  bool FitThin(const Frustum& frustum, FlatView& view) const;
-  void PaintTether(const Frustum& frustum, const GlViewTarget& target, FlatView& view);
+  bool FitThin(const Frustum& frustum, const TetherView& body, ThinLayer& layer) const;
+  void PaintTether(const Frustum& frustum, const GlViewTarget& target, const TetherView& body,
+                   ThinLayer& layer);
 
   const GlFunctions& gl_;
   ShadowMap shadow_map_;
@@ -65,7 +79,8 @@ class ScenePainter {
   const Scene* scene_ = nullptr;
   Pose3 X_WP_;  // rover's place with the world's axes: origin of the meshes made anew for each pair
   ShadowFit fit_;
-  Pose3 X_WF_;  // of the ground's fan
+  Pose3 X_WF_;         // of the ground's fan
+  SectorRange fan_{};  // its sectors
 };
 
 }  // namespace dockyard

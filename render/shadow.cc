@@ -5,9 +5,8 @@
 namespace dockyard {
 namespace {
 
-GlTexture& Prepared(GlTexture& texture) {
-  texture.Image(GL_DEPTH_COMPONENT32F, kAtlasWidth, kAtlasHeight, GL_DEPTH_COMPONENT, GL_FLOAT,
-                nullptr);
+GlTexture& Prepared(GlTexture& texture, int width, int height) {
+  texture.Image(GL_DEPTH_COMPONENT32F, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   texture.Sampling(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
   return texture;
 }
@@ -28,12 +27,14 @@ Eigen::Matrix4d ClipFromLight(const ShadowFit& fit, const ShadowWindow& window) 
 ShadowMap::ShadowMap(const GlFunctions& gl)
     : gl_(gl),
       depth_(gl),
-      depth_target_(gl, nullptr, &Prepared(depth_)),
+      depth_target_(gl, nullptr, &Prepared(depth_, width_, height_)),
       depth_program_(gl, PlainVertexShader(), DepthFragmentShader()) {}
 
 void ShadowMap::Render(const ShadowFit& fit, double sun_angular_diameter_rad,
                        const DrawCasters& draw, SunShadow& shadow) {
-  depth_target_.Bind(kAtlasWidth, kAtlasHeight);
+  const int width = AtlasWidth(fit.coarse.texels, fit.fine.texels), height = fit.coarse.texels;
+  if (width != width_ || height != height_) Prepared(depth_, width_ = width, height_ = height);
+  depth_target_.Bind(width, height);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_TRUE);
@@ -45,8 +46,8 @@ void ShadowMap::Render(const ShadowFit& fit, double sun_angular_diameter_rad,
     draw(depth_program_, ClipFromLight(fit, window), window);
   }
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl_.ReadPixels(0, 0, kAtlasWidth, kAtlasHeight, GL_DEPTH_COMPONENT, GL_FLOAT,
-                 shadow.depth().data());
+  shadow.Resize(fit);
+  gl_.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, shadow.depth().data());
   shadow.Take(fit, sun_angular_diameter_rad);
 }
 

@@ -22,6 +22,7 @@ class ShadowMap {
 
  private:
   const GlFunctions& gl_;
+  int width_ = kAtlasWidth, height_ = kAtlasHeight;
   GlTexture depth_;
   GlTextureTarget depth_target_;
   GlProgram depth_program_;

@@ -60,6 +60,30 @@ std::optional<TanRect> BoardRect(const BoardView& view, const Pose3& X_WC, const
   return rect;
 }
 
+// The part of the image that a ball covers, in the tan plane: bounded by the planes through the
+// camera's x or y axis that touch the ball.
+std::optional<TanRect> BallRect(const Interest& ball, const Pose3& X_WC, const TanRect& image) {
+  const Eigen::Vector3d p_C = Inverse(X_WC) * ball.p_W;
+  if (p_C.z() < ball.radius_m + 0.02) return std::nullopt;
+  const auto edge = [&](double across, double side) {
+    const double away = std::hypot(across, p_C.z());
+    return std::tan(std::atan2(across, p_C.z()) + side * std::asin(ball.radius_m / away));
+  };
+  const TanRect rect{
+      std::max(edge(p_C.x(), -1.0), image.left), std::max(edge(p_C.y(), -1.0), image.top),
+      std::min(edge(p_C.x(), 1.0), image.right), std::min(edge(p_C.y(), 1.0), image.bottom)};
+  if (rect.right - rect.left < 0.01 || rect.bottom - rect.top < 0.01) return std::nullopt;
+  return rect;
+}
+
+// Where a denser view is worth it.
+std::optional<TanRect> CloseRect(const Scene& scene, const Pose3& X_WC, const TanRect& image) {
+  if (scene.interest) return BallRect(*scene.interest, X_WC, image);
+  const FiducialBoard& board = scene.board.board;
+  if (board.width_m <= 0.0 || board.height_m <= 0.0) return std::nullopt;
+  return BoardRect(scene.board, X_WC, image);
+}
+
 }  // namespace
 
 class StereoRenderer::Impl {
@@ -151,12 +175,10 @@ class StereoRenderer::Impl {
     Size(camera, rect, kWideDensity, kMostFlatPixels, wide_);
     PaintInto(wide_target_, X_WC, wide_);
     const FlatView* close = nullptr;
-    if (scene.board.board.width_m > 0.0 && scene.board.board.height_m > 0.0) {
-      if (const auto board = BoardRect(scene.board, X_WC, rect)) {
-        Size(camera, *board, kCloseDensity, kMostClosePixels, close_);
-        PaintInto(close_target_, X_WC, close_);
-        close = &close_;
-      }
+    if (const auto about = CloseRect(scene, X_WC, rect)) {
+      Size(camera, *about, kCloseDensity, kMostClosePixels, close_);
+      PaintInto(close_target_, X_WC, close_);
+      close = &close_;
     }
     const Lit lit{scene, texture_, painter_->shadow()};
     std::vector<RadianceImage> images;

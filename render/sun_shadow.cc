@@ -9,7 +9,6 @@
 namespace dockyard {
 namespace {
 
-constexpr double kNearScene_m = 4.0;   // round rover and board, what the cameras see in detail
 constexpr double kWidestHalf_m = 8.0;  // 10 mm texels at worst
 
 // Sunflower points at multiples of the golden angle fill a disc evenly (Vogel, Mathematical
@@ -37,11 +36,11 @@ struct Box {
 };
 
 // Shadows lie where casters project; only those near the scene matter.
-ShadowWindow CoarseWindow(const Box& casters, const Box& scene) {
+ShadowWindow CoarseWindow(const Box& casters, const Box& scene, int texels) {
   const Eigen::Vector2d low = casters.low.cwiseMax(scene.low);
   const Eigen::Vector2d high = casters.high.cwiseMin(scene.high);
   ShadowWindow window;
-  window.texels = kCoarseTexels;
+  window.texels = texels;
   if ((low.array() >= high.array()).any()) return window;
   window.center_m = 0.5 * (low + high);
   // A margin of the texels next to the border, which are not used.
@@ -51,14 +50,14 @@ ShadowWindow CoarseWindow(const Box& casters, const Box& scene) {
 
 }  // namespace
 
-ShadowFit FitShadow(const std::vector<Ball>& casters_W, const Ball& board_W, const Pose3& X_WR,
-                    const Eigen::Vector3d& to_sun_W) {
+ShadowFit FitShadow(const std::vector<Ball>& casters_W, const Ball& interest_W, const Pose3& X_WR,
+                    const Eigen::Vector3d& to_sun_W, const ShadowDetail& detail) {
   ShadowFit fit;
-  fit.X_WU = {LightAxes(to_sun_W, X_WR), board_W.center};
+  fit.X_WU = {LightAxes(to_sun_W, X_WR), interest_W.center};
   const Pose3 X_UW = Inverse(fit.X_WU);
   Box casters, scene;
-  scene.Add(X_UW * board_W.center, board_W.radius + kNearScene_m);
-  scene.Add(X_UW * X_WR.p, kNearScene_m);
+  scene.Add(X_UW * interest_W.center, interest_W.radius + detail.near_m);
+  scene.Add(X_UW * X_WR.p, detail.near_m);
   fit.top_m = -1e9;
   fit.bottom_m = 1e9;
   for (const Ball& ball : casters_W) {
@@ -71,11 +70,11 @@ ShadowFit FitShadow(const std::vector<Ball>& casters_W, const Ball& board_W, con
     fit.top_m = 1.0;
     fit.bottom_m = 0.0;
   }
-  fit.coarse = CoarseWindow(casters, scene);
+  fit.coarse = CoarseWindow(casters, scene, detail.coarse_texels);
   fit.fine = {.center_m = Eigen::Vector2d::Zero(),
-              .half_m = std::max(1.1 * board_W.radius + 0.05, 0.2),
-              .texels = kFineTexels,
-              .column = kCoarseTexels};
+              .half_m = std::max(1.1 * interest_W.radius + 0.05, 0.2),
+              .texels = detail.fine_texels,
+              .column = detail.coarse_texels};
   return fit;
 }
 
@@ -91,6 +90,15 @@ SunShadow::SunShadow() {
       discs_[n].y[i / 4][i % 4] = static_cast<float>(radius * std::sin(angle));
     }
   }
+}
+
+void SunShadow::Resize(const ShadowFit& fit) {
+  width_ = AtlasWidth(fit.coarse.texels, fit.fine.texels);
+  height_ = fit.coarse.texels;
+  tiles_wide_ = width_ / kTile;
+  tiles_high_ = height_ / kTile;
+  plane_tiles_side_ = fit.fine.texels / kTile;
+  depth_.resize(static_cast<std::size_t>(width_) * height_, 1.0f);
 }
 
 void SunShadow::Take(const ShadowFit& fit, double sun_angular_diameter_rad) {
@@ -115,28 +123,28 @@ void SunShadow::Take(const ShadowFit& fit, double sun_angular_diameter_rad) {
 
 DOCKYARD_TWO_WIDTHS
 void SunShadow::ReduceTiles() {
-  tiles_.assign(std::size_t{kTilesWide} * kTilesHigh, {});
-  for (int ty = 0; ty < kTilesHigh; ++ty) {
-    for (int tx = 0; tx < kTilesWide; ++tx) {
-      const float* corner = &depth_[std::size_t{kTile} * ty * kAtlasWidth + kTile * tx];
+  tiles_.assign(static_cast<std::size_t>(tiles_wide_) * tiles_high_, {});
+  for (int ty = 0; ty < tiles_high_; ++ty) {
+    for (int tx = 0; tx < tiles_wide_; ++tx) {
+      const float* corner = &depth_[std::size_t{kTile} * ty * width_ + kTile * tx];
       float nearest[kTile], farthest[kTile];  // side by side, so that they go together
       for (int x = 0; x < kTile; ++x) nearest[x] = farthest[x] = corner[x];
       for (int y = 1; y < kTile; ++y) {
         for (int x = 0; x < kTile; ++x) {
-          const float z = corner[y * kAtlasWidth + x];
+          const float z = corner[y * width_ + x];
           nearest[x] = z < nearest[x] ? z : nearest[x];
           farthest[x] = z > farthest[x] ? z : farthest[x];
         }
       }
       const float low = *std::min_element(nearest, nearest + kTile);
       const float high = *std::max_element(farthest, farthest + kTile);
-      tiles_[std::size_t{kTilesWide} * ty + tx] = {
+      tiles_[static_cast<std::size_t>(tiles_wide_) * ty + tx] = {
           .highest = low < 1.0f ? top_ - low * range_ : kNoCaster,
           .lowest = high < 1.0f ? top_ - high * range_ : kNoCaster};
     }
   }
-  Spread(tiles_, 1, kTilesWide, kTilesHigh, around_, near_tiles_);
-  Spread(tiles_, kSpread, kTilesWide, kTilesHigh, around_, tiles_);
+  Spread(tiles_, 1, tiles_wide_, tiles_high_, around_, near_tiles_);
+  Spread(tiles_, kSpread, tiles_wide_, tiles_high_, around_, tiles_);
 }
 
 void SunShadow::Spread(const std::vector<Bounds>& from, int tiles, int wide, int high,
@@ -173,13 +181,13 @@ void SunShadow::TakePlane(const Eigen::Vector3d& p_U, const Eigen::Vector3d& nor
   const auto x0 = fine_.center_x - static_cast<float>(p_U.x());
   const auto y0 = fine_.center_y - static_cast<float>(p_U.y());
   const auto z0 = static_cast<float>(p_U.z());
-  plane_tiles_.assign(std::size_t{kPlaneTiles} * kPlaneTiles,
+  plane_tiles_.assign(static_cast<std::size_t>(plane_tiles_side_) * plane_tiles_side_,
                       {.highest = kNoCaster, .lowest = -kNoCaster});
-  for (int row = 0; row < kFineTexels; ++row) {
-    const float* depth = &depth_[static_cast<std::size_t>(row) * kAtlasWidth + fine_.column];
+  for (int row = 0; row < plane_tiles_side_ * kTile; ++row) {
+    const float* depth = &depth_[static_cast<std::size_t>(row) * width_ + fine_.column];
     const float dy = (static_cast<float>(row) + 0.5f - fine_.middle) * fine_.texel_m + y0;
-    Bounds* tiles = &plane_tiles_[std::size_t{kPlaneTiles} * (row / kTile)];
-    for (int tile = 0; tile < kPlaneTiles; ++tile) {
+    Bounds* tiles = &plane_tiles_[static_cast<std::size_t>(plane_tiles_side_) * (row / kTile)];
+    for (int tile = 0; tile < plane_tiles_side_; ++tile) {
       float over[kTile];
       for (int i = 0; i < kTile; ++i) {
         const int column = tile * kTile + i;
@@ -194,7 +202,7 @@ void SunShadow::TakePlane(const Eigen::Vector3d& p_U, const Eigen::Vector3d& nor
       }
     }
   }
-  Spread(plane_tiles_, kSpread, kPlaneTiles, kPlaneTiles, around_, plane_tiles_);
+  Spread(plane_tiles_, kSpread, plane_tiles_side_, plane_tiles_side_, around_, plane_tiles_);
 }
 
 }  // namespace dockyard

@@ -21,7 +21,7 @@ struct ShadowWindow {
   double texel_m() const { return 2.0 * half_m / texels; }
 };
 
-/// Light axes U: z towards the sun; origin near the board, so that floats stay small.
+/// Light axes U: z towards the sun; origin at the interest, so that floats stay small.
 struct ShadowFit {
   Pose3 X_WU;
   ShadowWindow coarse, fine;
@@ -31,12 +31,23 @@ struct ShadowFit {
 inline constexpr int kCoarseTexels = 1536;
 inline constexpr int kFineTexels = 768;
 /// With a few columns more: rows a multiple of 4 KB apart would share the first cache's places.
-inline constexpr int kAtlasWidth = kCoarseTexels + kFineTexels + 16, kAtlasHeight = kCoarseTexels;
+constexpr int AtlasWidth(int coarse_texels, int fine_texels) {
+  return coarse_texels + fine_texels + 16;
+}
+inline constexpr int kAtlasWidth = AtlasWidth(kCoarseTexels, kFineTexels),
+                     kAtlasHeight = kCoarseTexels;
 
-/// casters_W: balls round everything that casts. board: its centre and half diagonal. The fine
-/// window keeps texels of at most 3 mm on boards up to 1.9 m across.
-ShadowFit FitShadow(const std::vector<Ball>& casters_W, const Ball& board_W, const Pose3& X_WR,
-                    const Eigen::Vector3d& to_sun_W);
+/// How fine the map is and how much it covers. Texels: multiples of 8.
+struct ShadowDetail {
+  int coarse_texels = kCoarseTexels, fine_texels = kFineTexels;
+  double near_m = 4.0;  // round robot and interest, what the cameras see in detail
+};
+
+/// casters_W: balls round everything that casts. interest: the board's centre and half diagonal,
+/// or another ball of interest. The fine window keeps texels of at most 3 mm on boards up to 1.9 m
+/// across.
+ShadowFit FitShadow(const std::vector<Ball>& casters_W, const Ball& interest_W, const Pose3& X_WR,
+                    const Eigen::Vector3d& to_sun_W, const ShadowDetail& detail = {});
 
 class SunShadow {
  public:
@@ -46,8 +57,10 @@ class SunShadow {
   /// Of the map taken last: a plane in U in which many places lie, the board's. What stands over it
   /// is bounded tile by tile, so that its sunlit parts need no points.
   void TakePlane(const Eigen::Vector3d& p_U, const Eigen::Vector3d& normal_U);
-  /// Room for the map, kAtlasWidth x kAtlasHeight, row by row.
+  /// Room for the map, row by row; of kAtlasWidth x kAtlasHeight until Resize.
   std::vector<float>& depth() { return depth_; }
+  /// Room for a map of this fit: AtlasWidth(...) x coarse texels.
+  void Resize(const ShadowFit& fit);
   const ShadowFit& fit() const { return fit_; }
 
   /// How a surface rises towards the sun along U's x and y.
@@ -93,11 +106,9 @@ class SunShadow {
   SunShadow();
 
  private:
-  static constexpr int kTile = 8;    // texels a side
-  static constexpr int kSpread = 2;  // tiles round a place that its bounds cover
-  static constexpr int kTilesWide = kAtlasWidth / kTile, kTilesHigh = kAtlasHeight / kTile;
-  static constexpr int kPlaneTiles = kFineTexels / kTile;       // a side of the fine window
-  static constexpr float kMaxReach = kTile * kSpread;           // texels
+  static constexpr int kTile = 8;                      // texels a side
+  static constexpr int kSpread = 2;                    // tiles round a place that its bounds cover
+  static constexpr float kMaxReach = kTile * kSpread;  // texels
   static constexpr float kBoundsReach = kTile * (kSpread + 1);  // texels
   static constexpr float kEdge = kMaxReach + 2.0f;  // texels next to the border, not used
   static constexpr float kNoCaster = -1e9f;
@@ -128,7 +139,7 @@ class SunShadow {
     float sway = 0.0f;         // how far the surface leaves the level within its bounds
   };
   Spot SpotOf(const Place& place) const;
-  static std::size_t TileAt(const Spot& spot);
+  std::size_t TileAt(const Spot& spot) const;
   // The share where all casters as near as the points can lie agree, without any point; else -1.
   float PlainNear(const Spot& spot, const Place& place, float reach) const;
   float Penumbra(const Spot& spot, const Place& place, const Eigen::Vector2f& turn, float reach,
@@ -142,6 +153,9 @@ class SunShadow {
   std::array<Eigen::Vector2f, kTurns> turns_;  // cosine and sine
   std::array<Disc, kMostPoints + 1> discs_;    // by the count of their points
   std::vector<float> depth_ = std::vector<float>(std::size_t{kAtlasWidth} * kAtlasHeight, 1.0f);
+  int width_ = kAtlasWidth, height_ = kAtlasHeight;  // of the map
+  int tiles_wide_ = kAtlasWidth / kTile, tiles_high_ = kAtlasHeight / kTile;
+  int plane_tiles_side_ = kFineTexels / kTile;       // of the fine window
   std::vector<Bounds> tiles_, near_tiles_, around_;  // near: over a tile and those next to it
   std::vector<Bounds> plane_tiles_;  // of the fine window, heights over the plane; empty: no plane
   Window coarse_{}, fine_{};

@@ -31,8 +31,8 @@ SunShadow::Spot SunShadow::SpotOf(const Place& place) const {
   return spot;
 }
 
-std::size_t SunShadow::TileAt(const Spot& spot) {
-  return std::size_t{kTilesWide} * (static_cast<int>(spot.y) / kTile) +
+std::size_t SunShadow::TileAt(const Spot& spot) const {
+  return static_cast<std::size_t>(tiles_wide_) * (static_cast<int>(spot.y) / kTile) +
          static_cast<std::size_t>(static_cast<int>(spot.x) / kTile);
 }
 
@@ -44,7 +44,8 @@ float SunShadow::Plain(const Place& place) const {
   if (bounds.lowest > place.p.z() + spot.sway + place.bias_m) return 0.0f;
   if (!place.in_plane || plane_tiles_.empty() || spot.window != &fine_) return -1.0f;
   const int column = (static_cast<int>(spot.x) - fine_.column) / kTile;
-  const Bounds& over = plane_tiles_[std::size_t{kPlaneTiles} * (static_cast<int>(spot.y) / kTile) +
+  const Bounds& over = plane_tiles_[static_cast<std::size_t>(plane_tiles_side_) *
+                                        (static_cast<int>(spot.y) / kTile) +
                                     static_cast<std::size_t>(column)];
   if (over.highest < place.bias_m - kSlack_m) return 1.0f;
   if (over.lowest > place.bias_m + kSlack_m) return 0.0f;
@@ -60,6 +61,7 @@ void SunShadow::PlainOf(const Places& at, int count, float bias_m, bool in_plane
   const auto fine_column = static_cast<float>(fine.column);
   const auto coarse_column = static_cast<float>(coarse.column);
   const float fine_end = fine.last - kEdge, coarse_end = coarse.last - kEdge;
+  const int tiles_wide = tiles_wide_, plane_tiles = plane_tiles_side_;
   const bool by_plane = in_plane && !plane_tiles_.empty();
   for (int first = 0; first < count; first += kAtOnce) {
     const int n = std::min(kAtOnce, count - first);
@@ -80,8 +82,8 @@ void SunShadow::PlainOf(const Places& at, int count, float bias_m, bool in_plane
       const float y = is_fine ? fy : is_coarse ? cy : 0.0f;
       const std::int32_t column = static_cast<std::int32_t>(x) >> 3;
       const std::int32_t row = static_cast<std::int32_t>(y) >> 3;
-      tile[i] = row * kTilesWide + column;
-      plane_tile[i] = is_fine ? row * kPlaneTiles + column - fine.column / kTile : 0;
+      tile[i] = row * tiles_wide + column;
+      plane_tile[i] = is_fine ? row * plane_tiles + column - fine.column / kTile : 0;
       in_fine[i] = is_fine;
       in_any[i] = is_fine | is_coarse;
       sway[i] = (std::abs(slope_x[i]) + std::abs(slope_y[i])) *
@@ -129,7 +131,7 @@ int SunShadow::Turn(int pixel_x, int pixel_y) {
     const FourInts row = Truncated(spot.y + radius * (sn * disc.x[i] + c * disc.y[i]));
     const Four in_row = ToFloats(column), rows = ToFloats(row);
     // Exact: the map has fewer than 2^24 texels.
-    const FourInts at = Truncated(rows * static_cast<float>(kAtlasWidth) + in_row);
+    const FourInts at = Truncated(rows * static_cast<float>(width_) + in_row);
     const float* map = depth_.data();
     const Four depth{map[at[0]], map[at[1]], map[at[2]], map[at[3]]};
     const Four dx = (in_row + 0.5f - spot.x) * texel_m, dy = (rows + 0.5f - spot.y) * texel_m;

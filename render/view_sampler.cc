@@ -78,13 +78,13 @@ void ViewSampler::Hold(const PixelRow& row, int count, std::uint8_t* held) const
   Mark(row, 0, count, view_.rect, true, held);
 }
 
-void ViewSampler::HaveThin(const PixelRow& row, int first, int last, std::uint8_t* have) const {
+void ViewSampler::HaveThin(const ThinLayer& layer, const PixelRow& row, int first, int last,
+                           std::uint8_t* have) const {
   // Bodies spread over a pixel of the view by interpolation.
-  const TanRect part{
-      .left = x0_ + (static_cast<float>(view_.thin_x) - 1.0f) * per_sx_,
-      .top = y0_ + (static_cast<float>(view_.thin_y) - 1.0f) * per_sy_,
-      .right = x0_ + (static_cast<float>(view_.thin_x + view_.thin_width) + 1.0f) * per_sx_,
-      .bottom = y0_ + (static_cast<float>(view_.thin_y + view_.thin_height) + 1.0f) * per_sy_};
+  const TanRect part{.left = x0_ + (static_cast<float>(layer.x) - 1.0f) * per_sx_,
+                     .top = y0_ + (static_cast<float>(layer.y) - 1.0f) * per_sy_,
+                     .right = x0_ + (static_cast<float>(layer.x + layer.width) + 1.0f) * per_sx_,
+                     .bottom = y0_ + (static_cast<float>(layer.y + layer.height) + 1.0f) * per_sy_};
   Mark(row, first, last, part, false, have);
 }
 

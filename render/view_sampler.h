@@ -47,19 +47,21 @@ class ViewSampler {
   void Find(const PixelRow& row, int first, int last, RowRays& rays) const;
   /// Which of count pixels have their whole footprint in the view: 1, else 0.
   void Hold(const PixelRow& row, int count, std::uint8_t* held) const;
-  /// Which of pixels first to last - 1 thin bodies may touch.
-  void HaveThin(const PixelRow& row, int first, int last, std::uint8_t* have) const;
+  /// Which of pixels first to last - 1 a thin body may touch.
+  void HaveThin(const ThinLayer& layer, const PixelRow& row, int first, int last,
+                std::uint8_t* have) const;
+  const std::vector<ThinLayer>& layers() const { return view_.layers; }
   /// Bilinear, for the bodies are drawn hardly wider than the rays are apart.
-  Thin ThinAt(Tan tan) const {
+  Thin ThinAt(const ThinLayer& layer, Tan tan) const {
     const float x = (tan.x - x0_) * sx_ - 0.5f, y = (tan.y - y0_) * sy_ - 0.5f;
     const int ix = static_cast<int>(std::floor(x)), iy = static_cast<int>(std::floor(y));
     const float fx = x - static_cast<float>(ix), fy = y - static_cast<float>(iy);
     Thin sum;
     for (int k = 0; k < 4; ++k) {
-      const int tx = ix + (k & 1) - view_.thin_x, ty = iy + (k >> 1) - view_.thin_y;
-      if (tx < 0 || ty < 0 || tx >= view_.thin_width || ty >= view_.thin_height) continue;
+      const int tx = ix + (k & 1) - layer.x, ty = iy + (k >> 1) - layer.y;
+      if (tx < 0 || ty < 0 || tx >= layer.width || ty >= layer.height) continue;
       const float weight = ((k & 1) ? fx : 1.0f - fx) * ((k & 2) ? fy : 1.0f - fy);
-      sum.Add(view_.thin[static_cast<std::size_t>(ty) * view_.thin_width + tx], weight);
+      sum.Add(layer.thin[static_cast<std::size_t>(ty) * layer.width + tx], weight);
     }
     return sum;
   }
