@@ -17,10 +17,13 @@ constexpr int kMaxMarch = 64;         // nodes towards the sun; shadows of ruts 
 // distance, for a camera 0.4 m up sees the ground ever flatter: about ten pixels apart at 650
 // px/rad, because tiny triangles are slow. Detail finer than the rings is still in the relief that
 // shades them.
-std::vector<double> RingRadii() {
+std::vector<double> RingRadii(const FanPart& part) {
   std::vector<double> radii;
   for (double r = 0.04; r < 0.32; r += 0.04) radii.push_back(r);
-  for (double r = 0.32; r < kHorizon_m; r += std::max(0.014, 0.02 * r * r)) radii.push_back(r);
+  for (double r = 0.32; r < kHorizon_m;
+       r += std::max(part.least_ring_m, part.ring_per_r2 * r * r)) {
+    radii.push_back(r);
+  }
   radii.push_back(kHorizon_m);
   return radii;
 }
@@ -79,8 +82,8 @@ double SunShare(const GroundView& g, const March& march, int ix, int iy, double 
   return share;
 }
 
-std::uint32_t VertexAt(const GroundFan& fan, int sector, int ring) {
-  return static_cast<std::uint32_t>(1 + sector % kGroundSectors * fan.rings + ring);
+std::uint32_t VertexAt(const GroundFan& fan, int spoke, int ring) {
+  return static_cast<std::uint32_t>(1 + spoke * fan.rings + ring);
 }
 
 }  // namespace
@@ -120,9 +123,9 @@ double GroundHeight::operator()(double x_m, double y_m) const {
   return border_mean_m_ + fade * (inside - border_mean_m_);
 }
 
-GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m, int first,
-                        int count) {
-  const std::vector<double> radii = RingRadii();
+GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m,
+                        const FanPart& part) {
+  const std::vector<double> radii = RingRadii(part);
   GroundFan fan{.pole_x_m = pole_x_m,
                 .pole_y_m = pole_y_m,
                 .rings = static_cast<int>(radii.size()),
@@ -131,18 +134,21 @@ GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole
   const auto add = [&](double x, double y) {
     fan.vertices.push_back(Eigen::Vector3d(x, y, height(pole_x_m + x, pole_y_m + y)).cast<float>());
   };
-  const int spokes = std::min(count + 1, kGroundSectors);
+  const int sectors = (part.count + part.step - 1) / part.step;
+  const bool whole = part.count == kGroundSectors;
+  const int spokes = whole ? sectors : sectors + 1;
   fan.vertices.reserve(1 + radii.size() * spokes);
   add(0.0, 0.0);
-  for (int s = first; s < first + spokes; ++s) {
-    const double azimuth = 2.0 * kPi * s / kGroundSectors;
+  for (int s = 0; s < spokes; ++s) {
+    const double azimuth = 2.0 * kPi * (part.first + s * part.step) / kGroundSectors;
     const double c = std::cos(azimuth), sn = std::sin(azimuth);
     for (const double r : radii) add(r * c, r * sn);
   }
-  for (int s = 0; s < count; ++s) {
-    fan.indices.insert(fan.indices.end(), {0u, VertexAt(fan, s, 0), VertexAt(fan, s + 1, 0)});
+  for (int s = 0; s < sectors; ++s) {
+    const int next = (s + 1) % spokes;
+    fan.indices.insert(fan.indices.end(), {0u, VertexAt(fan, s, 0), VertexAt(fan, next, 0)});
     for (int r = 0; r + 1 < fan.rings; ++r) {
-      const std::uint32_t a = VertexAt(fan, s, r), c = VertexAt(fan, s + 1, r);
+      const std::uint32_t a = VertexAt(fan, s, r), c = VertexAt(fan, next, r);
       fan.indices.insert(fan.indices.end(), {a, a + 1, c, c, a + 1, c + 1});
     }
   }

@@ -28,19 +28,26 @@ class GroundHeight {
   double border_mean_m_ = 0.0;
 };
 
-/// Fan of rings; positions relative to (pole_x, pole_y, 0) in G's axes: the pole, then the rings of
-/// azimuth 2 pi first / kGroundSectors, those of the next, ... Triangles sector by sector, as many
-/// in each.
+/// A part of the fan, and how fine it is.
 inline constexpr int kGroundSectors = 600;
+struct FanPart {
+  int first = 0, count = kGroundSectors;  // sectors first, first + 1, ... (modulo kGroundSectors)
+  int step = 1;                           // sectors that are drawn as one
+  double least_ring_m = 0.014;            // between rings near the pole
+  double ring_per_r2 = 0.02;              // the same over the square of the distance [1/m]
+};
+
+/// Fan of rings; positions relative to (pole_x, pole_y, 0) in G's axes: the pole, then the rings of
+/// azimuth 2 pi first / kGroundSectors, those of the next spoke, ... Triangles sector by sector, as
+/// many in each.
 struct GroundFan {
   double pole_x_m = 0.0, pole_y_m = 0.0;
   int rings = 0;
   std::vector<Eigen::Vector3f> vertices;
   std::vector<std::uint32_t> indices;
 };
-/// Sectors first to first + count - 1.
-GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m, int first = 0,
-                        int count = kGroundSectors);
+GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m,
+                        const FanPart& part = {});
 
 /// Per cell of the grid, (nx - 1) x (ny - 1), three numbers for its middle: slope along x and along
 /// y, share of the sun that the ground itself leaves there. sun_G: unit, towards the sun.

@@ -46,6 +46,7 @@ GroundShader::GroundShader(const GroundTexture& texture, const Scene& scene,
   R_UC_ = X_UC.R.cast<float>();
   p_UC_ = X_UC.p.cast<float>();
   R_UG_ = (shadow.fit().X_WU.R.transpose() * scene.ground.X_WG.R).cast<float>();
+  R_CG_ = (X_WC.R.transpose() * scene.ground.X_WG.R).cast<float>();
   const GroundView& ground = scene.ground;
   const Pose3 X_GC = Inverse(ground.X_WG) * X_WC;
   p_GC_ = X_GC.p.head<2>().cast<float>();
@@ -86,6 +87,28 @@ void GroundShader::operator()(const PixelRow& row, float* radiance) const {
       if (share < 0.0f) share = SunShare(row, first + i, places, lights, i);
       radiance[first + i] = lights.around[i] + share * lights.sun[i];
     }
+  }
+}
+
+void GroundShader::FactorsOf(const PixelRow& row, bool sunlit, Factors& factors) const {
+  Places places;
+  Lights lights;
+  Find(row, 0, row.count, places);
+  Fetch(row.count, places, lights);
+  Weigh(row.count, lights, factors);
+  std::copy(places.z, places.z + row.count, factors.z);
+  if (!sunlit) return;
+  Turn(row, 0, row.count, places, lights);
+  shadow_.PlainOf({.p_x = lights.p_x,
+                   .p_y = lights.p_y,
+                   .p_z = lights.p_z,
+                   .slope_x = lights.slope_u_x,
+                   .slope_y = lights.slope_u_y},
+                  row.count, kBias_m, false, lights.share);
+  for (int i = 0; i < row.count; ++i) {
+    float share = factors.sun[i] > 0.0f ? lights.share[i] : 0.0f;
+    if (share < 0.0f) share = SunShare(row, i, places, lights, i);
+    factors.sun[i] *= share;
   }
 }
 
@@ -190,6 +213,31 @@ void GroundShader::Light(int count, Lights& l) const {
     const float open = std::min(std::max(0.92f + 0.5f * l.height[i], 0.7f), 1.0f);
     l.around[i] = tone * Shade(sun_, sky_ * open, bounce_ * open, 0.0f, to_zenith, 0.0f);
     l.sun[i] = tone * kInversePi * sun_ * std::max(to_sun, 0.0f) * l.over_ground[i];
+  }
+}
+
+// Light's twin without strengths.
+DOCKYARD_TWO_WIDTHS
+void GroundShader::Weigh(int count, const Lights& l, Factors& f) const {
+  const float sun_x = sun_G_.x(), sun_y = sun_G_.y(), sun_z = sun_G_.z();
+  const float up_x = up_G_.x(), up_y = up_G_.y(), up_z = up_G_.z();
+  const Eigen::Matrix3f m = R_CG_;
+  const float shut = 1.0f - 0.08f * texture_.grain();  // no grain, no shade of it
+  for (int i = 0; i < count; ++i) {
+    const float sx = l.relief_x[i] + kFull * l.slope_x[i];
+    const float sy = l.relief_y[i] + kFull * l.slope_y[i];
+    const float shorten = 1.0f / std::sqrt(1.0f + sx * sx + sy * sy);
+    const float to_sun = (sun_z - sx * sun_x - sy * sun_y) * shorten;
+    const float to_zenith = (up_z - sx * up_x - sy * up_y) * shorten;
+    const float open = std::min(std::max(shut + 0.5f * l.height[i], 0.7f), 1.0f);
+    const float tone = (1.0f + l.tone[i]) * l.lump_tone[i];
+    f.tone[i] = tone;
+    f.sun[i] = tone * kInversePi * std::max(to_sun, 0.0f) * l.over_ground[i];
+    f.sky[i] = tone * kInversePi * open * 0.5f * (1.0f + to_zenith);
+    f.bounce[i] = tone * kInversePi * open * 0.5f * (1.0f - to_zenith);
+    f.n_x[i] = (m(0, 2) - sx * m(0, 0) - sy * m(0, 1)) * shorten;
+    f.n_y[i] = (m(1, 2) - sx * m(1, 0) - sy * m(1, 1)) * shorten;
+    f.n_z[i] = (m(2, 2) - sx * m(2, 0) - sy * m(2, 1)) * shorten;
   }
 }
 

@@ -27,8 +27,19 @@ class GroundShader {
   /// Their radiance. A pixel's radiance does not depend on the other pixels.
   void operator()(const PixelRow& row, float* radiance) const;
 
- private:
   static constexpr int kAtOnce = 64;
+  /// The same before any light has a strength or the ground a colour: radiance is the sum of
+  /// factors times albedo times irradiance.
+  struct Factors {
+    float sun[kAtOnce], sky[kAtOnce], bounce[kAtOnce];
+    float tone[kAtOnce];                             // of the grain, which sun, sky and bounce hold
+    float n_x[kAtOnce], n_y[kAtOnce], n_z[kAtOnce];  // normal in the camera frame
+    float z[kAtOnce];                                // depth [m]
+  };
+  /// Of at most kAtOnce pixels. sunlit: whether the sun shines at all.
+  void FactorsOf(const PixelRow& row, bool sunlit, Factors& factors) const;
+
+ private:
   struct Places;
   struct Lights;
   void Find(const PixelRow& row, int first, int count, Places& places) const;
@@ -37,13 +48,14 @@ class GroundShader {
   Four Relief(float x, float y, float column, float row, float lod) const;
   float SunShare(const PixelRow& row, int pixel, const Places& places, const Lights& lights,
                  int i) const;
+  void Weigh(int count, const Lights& lights, Factors& factors) const;
   void Turn(const PixelRow& row, int first, int count, const Places& places, Lights& lights) const;
 
   const GroundTexture& texture_;
   const SunShadow& shadow_;
   Eigen::Vector2f p_GC_;
   Eigen::Matrix<float, 2, 3> to_level_;  // camera axes to the site's x and y
-  Eigen::Matrix3f R_UC_, R_UG_;
+  Eigen::Matrix3f R_UC_, R_UG_, R_CG_;
   Eigen::Vector3f p_UC_, up_C_, sun_G_, up_G_;  // up_C_: off the ground; up_G_: to the zenith
   float x0_, y0_, per_cell_, cell_, cell_log_;
   float last_column_, last_row_;

@@ -130,6 +130,8 @@ void Weigh(const std::vector<const float*>& rows, const std::vector<float>& kern
   for (; x < count; ++x) block(x, std::integral_constant<int, 1>());
 }
 
+}  // namespace
+
 void Blur(double sigma, RadianceImage& image) {
   if (sigma == 0.0) return;
   const std::vector<float> kernel = GaussianKernel(sigma);
@@ -152,6 +154,8 @@ void Blur(double sigma, RadianceImage& image) {
   }
   image.values = std::move(out);
 }
+
+namespace {
 
 // Shares of a disc in the pixels round its middle, (2 radius + 1) a side.
 struct Disc {

@@ -12,6 +12,9 @@ double BlurCircle_px(const Focus& focus, double z_m);
 /// Throws std::invalid_argument when options are no lens's.
 void RequireSoundOptics(const SensorOptions& sensor);
 
+/// Gaussian blur; the border's values go on beyond it. 0: none.
+void Blur(double sigma_px, RadianceImage& image);
+
 /// Defocus needs the view's depths.
 void ApplyOptics(const Camera& camera, const SensorOptions& sensor, RadianceImage& image);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "render/board_plate.h"
+#include "render/ground_sectors.h"
 #include "render/shaders.h"
 
 namespace dockyard {
@@ -69,14 +70,15 @@ ScenePainter::ScenePainter(const GlFunctions& gl)
   empty_mesh_.Upload(SurfaceMesh{});
 }
 
-void ScenePainter::Prepare(const Scene& scene, const Pose3& X_WR, const ShadowDetail& shadow,
-                           const SectorRange& sectors) {
+void ScenePainter::Prepare(const Scene& scene, const Pose3& X_WR, const Detail& detail) {
   scene_ = &scene;
   X_WP_ = {Eigen::Matrix3d::Identity(), X_WR.p};
   UploadObjects(scene);
   if (HasBoard(scene)) board_mesh_.Upload(BoardPlate(scene.board));
-  if (HasGround(scene.ground)) UploadGround(scene, X_WR, sectors);
-  fit_ = FitShadow(Casters(scene), InterestBall(scene, X_WR), X_WR, scene.light.to_sun_W, shadow);
+  if (HasGround(scene.ground)) UploadGround(scene, X_WR, detail.fan);
+  fit_ = FitShadow(Casters(scene), InterestBall(scene, X_WR), X_WR, scene.light.to_sun_W,
+                   detail.shadow);
+  if (!detail.shadows) return shadow_.TakeNone(fit_);
   empty_mesh_.Bind();
   shadow_map_.Render(
       fit_, scene.light.sun_angular_diameter_rad,

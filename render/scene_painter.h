@@ -11,7 +11,6 @@
 #include "render/gl_mesh.h"
 #include "render/gl_objects.h"
 #include "render/ground_mesh.h"
-#include "render/ground_sectors.h"
 #include "render/scene.h"
 #include "render/shadow.h"
 #include "render/surface_mesh.h"
@@ -28,10 +27,15 @@ class ScenePainter {
  public:
   explicit ScenePainter(const GlFunctions& gl);
 
-  /// Everything that the views share. The scene must outlive the calls of Paint that follow. The
-  /// ground's fan stands under X_WR.p; views may show no other ground than that of its sectors.
-  void Prepare(const Scene& scene, const Pose3& X_WR, const ShadowDetail& shadow = {},
-               const SectorRange& sectors = {.first = 0, .count = kGroundSectors});
+  struct Detail {
+    ShadowDetail shadow{};
+    bool shadows = true;  // of the sun; false saves their map
+    // Of the ground's fan, which stands under X_WR.p: views may show no other part.
+    FanPart fan{};
+  };
+  /// Everything that the views share. The scene must outlive the calls of Paint that follow.
+  void Prepare(const Scene& scene, const Pose3& X_WR) { Prepare(scene, X_WR, Detail{}); }
+  void Prepare(const Scene& scene, const Pose3& X_WR, const Detail& detail);
   /// Fills a view whose rect and size are set; the target is at least as large. The far end of the
   /// view is 400 m, the near one 2 cm.
   void Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView& view);
@@ -54,7 +58,7 @@ class ScenePainter {
   };
 
   void UploadObjects(const Scene& scene);
-  void UploadGround(const Scene& scene, const Pose3& X_WR, const SectorRange& sectors);
+  void UploadGround(const Scene& scene, const Pose3& X_WR, const FanPart& part);
   std::vector<Ball> Casters(const Scene& scene) const;
   void DrawCasters(GlProgram& program, const Eigen::Matrix4d& clip_from_U,
                    const ShadowWindow& window);
@@ -79,8 +83,8 @@ class ScenePainter {
   const Scene* scene_ = nullptr;
   Pose3 X_WP_;  // rover's place with the world's axes: origin of the meshes made anew for each pair
   ShadowFit fit_;
-  Pose3 X_WF_;         // of the ground's fan
-  SectorRange fan_{};  // its sectors
+  Pose3 X_WF_;  // of the ground's fan
+  FanPart fan_{};
 };
 
 }  // namespace dockyard

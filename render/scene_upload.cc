@@ -18,13 +18,12 @@ void ScenePainter::UploadObjects(const Scene& scene) {
   std::erase_if(cache_, [](const auto& entry) { return !entry.second.used; });
 }
 
-void ScenePainter::UploadGround(const Scene& scene, const Pose3& X_WR, const SectorRange& sectors) {
+void ScenePainter::UploadGround(const Scene& scene, const Pose3& X_WR, const FanPart& part) {
   const GroundView& ground = scene.ground;
   const Eigen::Vector3d p_GR = Inverse(ground.X_WG) * X_WR.p;
-  const GroundFan fan =
-      MakeGroundFan(GroundHeight(ground), p_GR.x(), p_GR.y(), sectors.first, sectors.count);
+  const GroundFan fan = MakeGroundFan(GroundHeight(ground), p_GR.x(), p_GR.y(), part);
   ground_mesh_.Upload(fan.vertices, fan.indices);
-  fan_ = sectors;
+  fan_ = part;
   X_WF_ = ground.X_WG * Pose3::Translation(p_GR.x(), p_GR.y(), 0.0);
 }
 

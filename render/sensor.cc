@@ -80,17 +80,6 @@ double Gain(const std::array<RadianceImage, 2>& images, const SensorOptions& s) 
   return stops * s.target_level * s.full_well_e / cut;
 }
 
-float DrawPoisson(float mean, std::uint64_t key, std::size_t place) {
-  const double u = HashUniform(key ^ 0x6a09e667f3bcc909ull, place);
-  double term = std::exp(-static_cast<double>(mean)), sum = term;
-  int n = 0;
-  while (u > sum && n < 400) {
-    term *= mean / ++n;
-    sum += term;
-  }
-  return static_cast<float>(n);
-}
-
 DOCKYARD_TWO_WIDTHS
 DeepImage Digitise(const RadianceImage& image, double gain_e, const SensorOptions& s, int view,
                    std::uint64_t key) {

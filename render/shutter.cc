@@ -1,5 +1,6 @@
 #include "render/shutter.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -39,6 +40,21 @@ std::vector<double> ExposureMoments(double motion_px) {
   std::vector<double> moments;
   for (int i = 0; i < n; ++i) moments.push_back((i - 0.5 * (n - 1)) * apart);
   return moments;
+}
+
+std::vector<Pose3> PosesInExposure(const Pose3& X_WC, const Eigen::Vector3d& v_WC_W,
+                                   const Eigen::Vector3d& w_WC_W, double exposure_s,
+                                   double motion_px) {
+  std::vector<Pose3> poses;
+  for (const double moment : ExposureMoments(motion_px)) {
+    const double after_s = moment * exposure_s;
+    Pose3 X = X_WC;
+    X.p += after_s * v_WC_W;
+    const double turn_rad = after_s * w_WC_W.norm();
+    if (turn_rad != 0.0) X.R = Eigen::AngleAxisd(turn_rad, w_WC_W.normalized()) * X_WC.R;
+    poses.push_back(X);
+  }
+  return poses;
 }
 
 StereoRadiance OverExposure(double motion_px, const std::function<StereoRadiance(double)>& view) {

@@ -24,6 +24,12 @@ double MotionInExposure_px(const Camera& camera, double turn_rad_s, double speed
 /// lens and pixel by 0.7 %.
 std::vector<double> ExposureMoments(double motion_px);
 
+/// Where a camera is at these moments, for StereoRenderer::RenderThrough. X_WC: at the exposure's
+/// middle; v_WC_W: of its origin [m/s]; w_WC_W: [rad/s].
+std::vector<Pose3> PosesInExposure(const Pose3& X_WC, const Eigen::Vector3d& v_WC_W,
+                                   const Eigen::Vector3d& w_WC_W, double exposure_s,
+                                   double motion_px);
+
 using StereoRadiance = std::array<RadianceImage, 2>;
 /// The mean of both views over the exposure. view: both ideal views at that share of it after its
 /// middle. Depths, which a lens with a focus needs, are means, too.

@@ -15,9 +15,11 @@ namespace dockyard {
 class SkyShader {
  public:
   SkyShader(const Scene& scene, const Pose3& X_WC, Channel channel)
+      : SkyShader(scene, X_WC, Reflect(scene.light, Eigen::Vector3d::Ones(), channel)) {}
+  /// r: what a white surface would send back.
+  SkyShader(const Scene& scene, const Pose3& X_WC, const Reflected& r)
       : up_C_(X_WC.R.row(2).transpose().cast<float>()),
         sun_C_((X_WC.R.transpose() * scene.light.to_sun_W).cast<float>()) {
-    const Reflected r = Reflect(scene.light, Eigen::Vector3d::Ones(), channel);
     const double radius = 0.5 * scene.light.sun_angular_diameter_rad;
     sky_ = static_cast<float>(r.sky) * kInversePi;
     bounce_ = static_cast<float>(r.bounce) * kInversePi;

@@ -5,11 +5,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "render/colour_views.h"
 #include "render/compose.h"
 #include "render/fisheye_warp.h"
 #include "render/gl_context.h"
 #include "render/gl_objects.h"
 #include "render/scene_painter.h"
+#include "render/view_rects.h"
 
 namespace dockyard {
 namespace {
@@ -25,72 +27,14 @@ std::unique_ptr<GlContext> CreateContext(GlBackend backend) {
   return backend == GlBackend::kOsMesa ? CreateOsMesaContext() : CreateEglSurfacelessContext();
 }
 
-void Size(const Camera& camera, const TanRect& rect, double density, double most_pixels,
-          FlatView& view) {
-  const double w = rect.right - rect.left, h = rect.bottom - rect.top;
-  const Eigen::Vector2d f = camera.focal_px();
-  const double wanted = density * density * f.x() * f.y() * w * h;
-  const double scale = density * std::min(1.0, std::sqrt(most_pixels / wanted));
-  view.rect = rect;
-  view.width = std::max(2, static_cast<int>(std::ceil(scale * f.x() * w)));
-  view.height = std::max(2, static_cast<int>(std::ceil(scale * f.y() * h)));
-}
-
-// The board's outline in the tan plane, cut to the image; none when it does not stand wholly before
-// the camera or lies outside the image.
-std::optional<TanRect> BoardRect(const BoardView& view, const Pose3& X_WC, const TanRect& image) {
-  const Pose3 X_CB = Inverse(X_WC) * view.X_WB;
-  TanRect rect{.left = 1e9, .top = 1e9, .right = -1e9, .bottom = -1e9};
-  for (const double x : {-0.5, 0.5}) {
-    for (const double y : {-0.5, 0.5}) {
-      const Eigen::Vector3d p_C =
-          X_CB * Eigen::Vector3d(x * view.board.width_m, y * view.board.height_m, 0.0);
-      if (p_C.z() < 0.05) return std::nullopt;
-      const Eigen::Vector2d tan = p_C.head<2>() / p_C.z();
-      rect.left = std::min(rect.left, tan.x());
-      rect.right = std::max(rect.right, tan.x());
-      rect.top = std::min(rect.top, tan.y());
-      rect.bottom = std::max(rect.bottom, tan.y());
-    }
-  }
-  const double margin = 0.03 * (rect.right - rect.left + rect.bottom - rect.top) + 0.01;
-  rect = {std::max(rect.left - margin, image.left), std::max(rect.top - margin, image.top),
-          std::min(rect.right + margin, image.right), std::min(rect.bottom + margin, image.bottom)};
-  if (rect.right - rect.left < 0.01 || rect.bottom - rect.top < 0.01) return std::nullopt;
-  return rect;
-}
-
-// The part of the image that a ball covers, in the tan plane: bounded by the planes through the
-// camera's x or y axis that touch the ball.
-std::optional<TanRect> BallRect(const Interest& ball, const Pose3& X_WC, const TanRect& image) {
-  const Eigen::Vector3d p_C = Inverse(X_WC) * ball.p_W;
-  if (p_C.z() < ball.radius_m + 0.02) return std::nullopt;
-  const auto edge = [&](double across, double side) {
-    const double away = std::hypot(across, p_C.z());
-    return std::tan(std::atan2(across, p_C.z()) + side * std::asin(ball.radius_m / away));
-  };
-  const TanRect rect{
-      std::max(edge(p_C.x(), -1.0), image.left), std::max(edge(p_C.y(), -1.0), image.top),
-      std::min(edge(p_C.x(), 1.0), image.right), std::min(edge(p_C.y(), 1.0), image.bottom)};
-  if (rect.right - rect.left < 0.01 || rect.bottom - rect.top < 0.01) return std::nullopt;
-  return rect;
-}
-
-// Where a denser view is worth it.
-std::optional<TanRect> CloseRect(const Scene& scene, const Pose3& X_WC, const TanRect& image) {
-  if (scene.interest) return BallRect(*scene.interest, X_WC, image);
-  const FiducialBoard& board = scene.board.board;
-  if (board.width_m <= 0.0 || board.height_m <= 0.0) return std::nullopt;
-  return BoardRect(scene.board, X_WC, image);
-}
-
 }  // namespace
 
 class StereoRenderer::Impl {
  public:
   explicit Impl(GlBackend backend)
       : context_(CreateContext(backend)),
-        painter_(std::make_unique<ScenePainter>(context_->functions())) {}
+        painter_(std::make_unique<ScenePainter>(context_->functions())),
+        colour_(std::make_unique<ColourViews>(context_->functions())) {}
   ~Impl() {
     // The objects die before the context, with it current; a refusal leaves them to the context.
     try {
@@ -99,6 +43,7 @@ class StereoRenderer::Impl {
       return;
     }
     painter_.reset();
+    colour_.reset();
     wide_target_.reset();
     close_target_.reset();
   }
@@ -131,15 +76,25 @@ class StereoRenderer::Impl {
     return RenderView(scene, LensOf(2, camera, scene, X_WC), X_WC, channels, false);
   }
 
+  ColourRadiance RenderThrough(const Scene& scene, const ColourTable& colours,
+                               const ColourView& view, const std::vector<Pose3>& X_WC) {
+    RequireSoundScene(scene);
+    context_->MakeCurrent();
+    UpdateTexture(scene);
+    return colour_->Render(*painter_, texture_, scene, colours, view, X_WC);
+  }
+
  private:
   /// What all views share. X_WR: where the ground is finest.
   void Prepare(const Scene& scene, const Pose3& X_WR) {
     RequireSoundScene(scene);
     context_->MakeCurrent();
     painter_->Prepare(scene, X_WR);
-    if (HasGround(scene.ground)) {
-      texture_.Update(scene.ground, scene.light.to_sun_W, scene.light.sun_angular_diameter_rad);
-    }
+    UpdateTexture(scene);
+  }
+  void UpdateTexture(const Scene& scene) {
+    if (!HasGround(scene.ground)) return;
+    texture_.Update(scene.ground, scene.light.to_sun_W, scene.light.sun_angular_diameter_rad);
   }
 
   // The rays of a camera's pixels do not change from image to image, unless its pupil moves.
@@ -172,11 +127,11 @@ class StereoRenderer::Impl {
                                         const std::vector<Channel>& channels, bool with_depth) {
     const Camera& camera = lens.scale.camera();
     const TanRect& rect = lens.rect;
-    Size(camera, rect, kWideDensity, kMostFlatPixels, wide_);
+    SizeView(camera, rect, kWideDensity, kMostFlatPixels, wide_);
     PaintInto(wide_target_, X_WC, wide_);
     const FlatView* close = nullptr;
     if (const auto about = CloseRect(scene, X_WC, rect)) {
-      Size(camera, *about, kCloseDensity, kMostClosePixels, close_);
+      SizeView(camera, *about, kCloseDensity, kMostClosePixels, close_);
       PaintInto(close_target_, X_WC, close_);
       close = &close_;
     }
@@ -199,6 +154,7 @@ class StereoRenderer::Impl {
 
   std::unique_ptr<GlContext> context_;
   std::unique_ptr<ScenePainter> painter_;
+  std::unique_ptr<ColourViews> colour_;
   std::unique_ptr<GlViewTarget> wide_target_, close_target_;
   GroundTexture texture_;
   std::array<std::optional<Lens>, 3> lenses_;  // left, right, from anywhere
@@ -239,6 +195,12 @@ std::array<RadianceImage, 3> StereoRenderer::RenderColourFrom(const Scene& scene
   auto seen =
       impl_->RenderFrom(scene, camera, X_WC, p_W, {Channel::kRed, Channel::kGreen, Channel::kBlue});
   return {std::move(seen[0]), std::move(seen[1]), std::move(seen[2])};
+}
+
+ColourRadiance StereoRenderer::RenderThrough(const Scene& scene, const ColourTable& colours,
+                                             const ColourView& view,
+                                             const std::vector<Pose3>& X_WC) {
+  return impl_->RenderThrough(scene, colours, view, X_WC);
 }
 
 StereoImages StereoRenderer::Render(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,

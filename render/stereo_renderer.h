@@ -1,4 +1,5 @@
-// A stereo pair of a scene, as the rover's cameras would deliver it; or one view from anywhere.
+// A stereo pair of a scene, as the rover's cameras would deliver it; one view from anywhere; or one
+// of a colour camera.
 #pragma once
 
 #include <array>
@@ -12,6 +13,10 @@
 #include "render/scene.h"
 
 namespace dockyard {
+
+struct ColourRadiance;
+struct ColourTable;
+struct ColourView;
 
 /// Linear radiance of one ideal view: exact lens geometry, no sensor.
 struct RadianceImage {
@@ -89,6 +94,11 @@ class StereoRenderer {
   /// Red, green and blue of one ideal view from anywhere. The ground is finest about `p_W`.
   std::array<RadianceImage, 3> RenderColourFrom(const Scene& scene, const Camera& camera,
                                                 const Pose3& X_WC, const Eigen::Vector3d& p_W);
+  /// One view of a colour camera in spectral light, through its hole: colour_view.h. X_WC: where it
+  /// stands while it exposes, one pose or several (PosesInExposure), of which it sees the mean.
+  /// Throws std::invalid_argument when the scene cannot be drawn; boards are none of its parts.
+  ColourRadiance RenderThrough(const Scene& scene, const ColourTable& colours,
+                               const ColourView& view, const std::vector<Pose3>& X_WC);
   /// Both views through the sensor; one exposure for the pair.
   StereoImages Render(const Scene& scene, const StereoRig& rig, const Pose3& X_WR,
                       const SensorOptions& sensor);

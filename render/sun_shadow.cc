@@ -121,6 +121,12 @@ void SunShadow::Take(const ShadowFit& fit, double sun_angular_diameter_rad) {
   ReduceTiles();
 }
 
+void SunShadow::TakeNone(const ShadowFit& fit) {
+  fit_ = fit;
+  coarse_ = fine_ = {};  // no place lies in a window
+  if (tiles_.empty()) tiles_.resize(1);
+}
+
 DOCKYARD_TWO_WIDTHS
 void SunShadow::ReduceTiles() {
   tiles_.assign(static_cast<std::size_t>(tiles_wide_) * tiles_high_, {});

@@ -54,6 +54,8 @@ class SunShadow {
   /// Takes a new map: depth 0 at fit.top_m towards the sun, 1 at fit.bottom_m and without a
   /// caster.
   void Take(const ShadowFit& fit, double sun_angular_diameter_rad);
+  /// No map: all places see the whole sun.
+  void TakeNone(const ShadowFit& fit);
   /// Of the map taken last: a plane in U in which many places lie, the board's. What stands over it
   /// is bounded tile by tile, so that its sunlit parts need no points.
   void TakePlane(const Eigen::Vector3d& p_U, const Eigen::Vector3d& normal_U);

@@ -14,7 +14,8 @@ struct GrayImage {
   bool operator==(const GrayImage&) const = default;
 };
 
-/// Linear red, green, blue, three bytes a pixel.
+/// Red, green, blue, three bytes a pixel: linear, or with the transfer curve of sRGB where the
+/// camera that took it has one (render/colour_sensor.h).
 struct RgbImage {
   int width = 0, height = 0;         // [px]
   std::vector<std::uint8_t> pixels;  // 3 * width * height

@@ -1,0 +1,29 @@
+// A colour camera before its sensor, and the light that reaches the sensor.
+#pragma once
+
+#include <array>
+
+#include "controller/geometry/camera.h"
+#include "render/colour_table.h"
+#include "render/stereo_renderer.h"
+#include "render/view_hole.h"
+
+namespace dockyard {
+
+struct ColourView {
+  Camera camera;  // any lens with one centre, all pixels within 60 deg off the axis
+  ViewHole hole{};
+  double vignetting_exponent = 0.0;  // light falls off as cos^n of the angle off the axis
+
+  bool operator==(const ColourView&) const = default;
+};
+
+/// Linear light, behind hole and falloff, before the lens's blur. It falls on a part of the image;
+/// the rest, behind the hole's rim, is dark.
+struct ColourRadiance {
+  int width = 0, height = 0;            // of the whole image [px]
+  int x0 = 0, y0 = 0;                   // where the part begins
+  std::array<RadianceImage, 3> part{};  // red, green, blue, of one size
+};
+
+}  // namespace dockyard

@@ -1,0 +1,45 @@
+// Draws the views of colour cameras: what is kept of each camera, and its memory.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/colour_view.h"
+#include "render/compose_colour.h"
+#include "render/scene_painter.h"
+
+namespace dockyard {
+
+class ColourViews {
+ public:
+  /// gl must outlive this, and be current at each call and at the end.
+  explicit ColourViews(const GlFunctions& gl) : gl_(gl) {}
+
+  /// The texture is that of the scene's ground.
+  ColourRadiance Render(ScenePainter& painter, const GroundTexture& texture, const Scene& scene,
+                        const ColourTable& colours, const ColourView& view,
+                        const std::vector<Pose3>& X_WC);
+
+ private:
+  // What does not change from image to image.
+  struct Lens {
+    ColourView view;
+    int x0 = 0, y0 = 0;            // of the part that is lit
+    PixelGrid grid{};              // of that part
+    std::vector<PixelSpan> spans;  // of its rows
+    std::vector<float> shares;     // of the light, behind hole and falloff
+    TanRect rect{};                // of all spans, in the tan plane of the views
+  };
+  static Lens MakeLens(const ColourView& view);
+  const Lens& LensOf(const ColourView& view);
+  void PaintInto(ScenePainter& painter, std::unique_ptr<GlViewTarget>& target, const Pose3& X_WC,
+                 FlatView& view);
+
+  const GlFunctions& gl_;
+  std::vector<Lens> lenses_;
+  std::unique_ptr<GlViewTarget> wide_target_, close_target_;
+  FlatView wide_, close_;
+};
+
+}  // namespace dockyard
