@@ -16,20 +16,24 @@ Rgb Lambert(const MaterialLight::Lights& l, float to_sun, float to_zenith, float
 ColourShader::ColourShader(const ColourLit& lit, const Pose3& X_WC)
     : lit_(lit),
       lights_(lit.scene, lit.colours, X_WC),
-      objects_(lit.scene, lit.ground.highest_m(), lit.shadow, X_WC, Channel::kGrey) {
+      objects_(lit.scene, lit.ground.highest_m(), lit.shadow, X_WC, Channel::kGrey),
+      sky_(lit.scene, X_WC, Reflected{.sun = 1.0, .sky = 1.0, .bounce = 1.0}) {
   if (HasGround(lit.scene.ground)) {
     ground_.emplace(lit.ground, lit.scene, lit.shadow, X_WC, Channel::kGrey);
   }
-  const MaterialLight::Lights& white = lights_.white();
-  const auto sky = [&](float sun, float all, float bounce) {
-    skies_.emplace_back(lit.scene, X_WC, Reflected{.sun = sun, .sky = all, .bounce = bounce});
-  };
-  sky(white.sun.r, white.sky.r, white.bounce.r);
-  sky(white.sun.g, white.sky.g, white.bounce.g);
-  sky(white.sun.b, white.sky.b, white.bounce.b);
   const Eigen::Matrix3d R_CU = X_WC.R.transpose() * lit.shadow.fit().X_WU.R;
   R_CU_ = R_CU.cast<float>();
   up_U_ = lit.shadow.fit().X_WU.R.row(2).transpose().cast<float>();
+}
+
+Rgb ColourShader::Sky(Tan tan) const {
+  const SkyShader::Parts parts = sky_.PartsOf(tan);
+  const MaterialLight::Lights& l = lights_.white();
+  Rgb colour;
+  colour.Add(l.sky, parts.sky);
+  colour.Add(l.bounce, parts.bounce);
+  colour.Add(l.sun, parts.sun);
+  return colour;
 }
 
 void ColourShader::Ground(const GroundShader::PixelRow& row, Rgb* colours) const {

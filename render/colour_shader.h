@@ -19,7 +19,7 @@ class ColourShader {
   /// lit must outlive this.
   ColourShader(const ColourLit& lit, const Pose3& X_WC);
 
-  Rgb Sky(Tan tan) const { return {skies_[0](tan), skies_[1](tan), skies_[2](tan)}; }
+  Rgb Sky(Tan tan) const;
   /// Of at most GroundShader::kAtOnce pixels side by side.
   void Ground(const GroundShader::PixelRow& row, Rgb* colours) const;
   /// Of the ground that some rays of a pixel met; met: their means.
@@ -35,7 +35,7 @@ class ColourShader {
   MaterialLight lights_;
   ObjectShader objects_;
   std::optional<GroundShader> ground_;
-  std::vector<SkyShader> skies_;  // red, green, blue
+  SkyShader sky_;  // of lights of strength 1
   Eigen::Matrix3f R_CU_;
   Eigen::Vector3f up_U_;
 };

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "controller/base/check.h"
+#include "render/ground_mesh.h"
 #include "render/ground_sectors.h"
 #include "render/ray_source.h"
 #include "render/view_rects.h"
@@ -30,6 +31,29 @@ void RequireSound(const ColourView& view) {
 }
 
 Pose3 Rolled(const Pose3& X_WC) { return {X_WC.R * RotZ(kViewTurn_rad), X_WC.p}; }
+
+// A level ground is a plane, whose 1/z is linear in the tan plane: no triangles are needed.
+void AddPlane(const GroundView& ground, const Pose3& X_WV, FlatView& view) {
+  const Eigen::Vector3d up_V = X_WV.R.transpose() * ground.X_WG.R.col(2);
+  const double below = (Inverse(ground.X_WG) * X_WV.p).z() - *ground.heights_m;  // the camera's
+  if (std::abs(below) < 1e-6) return;
+  const Eigen::Vector3d plane = -up_V / below;
+  const double step_x = (view.rect.right - view.rect.left) / view.width;
+  const double step_y = (view.rect.bottom - view.rect.top) / view.height;
+  const auto per_x = static_cast<float>(plane.x() * step_x);
+  const auto nearest = static_cast<float>(1.0 / kNear_m);
+  for (int y = 0; y < view.height; ++y) {
+    const double at_y = view.rect.top + (y + 0.5) * step_y;
+    const auto first = static_cast<float>(plane.x() * (view.rect.left + 0.5 * step_x) +
+                                          plane.y() * at_y + plane.z());
+    Seen* row = &view.seen[static_cast<std::size_t>(y) * view.width];
+    for (int x = 0; x < view.width; ++x) {
+      const float code = first + static_cast<float>(x) * per_x;
+      if (code > -row[x].code && code > 0.0f && code < nearest)
+        row[x] = {.object = 0, .code = code};
+    }
+  }
+}
 
 FanPart FanOf(const Scene& scene, const Pose3& X_WC, const TanRect& rect) {
   const Pose3& X_WG = scene.ground.X_WG;
@@ -147,10 +171,12 @@ ColourRadiance ColourViews::Render(ScenePainter& painter, const GroundTexture& t
   }
   const Lens& lens = LensOf(view);
   const Pose3& middle = X_WC[X_WC.size() / 2];
+  const bool level = HasGround(scene.ground) && IsLevel(scene.ground);
   painter.Prepare(scene, {Eigen::Matrix3d::Identity(), middle.p},
                   {.shadow = kShadow,
                    .shadows = scene.light.sun_irradiance > 0.0,
-                   .fan = FanOf(scene, Rolled(middle), lens.rect)});
+                   .fan = FanOf(scene, Rolled(middle), lens.rect),
+                   .ground = !level});
   const ColourLit lit{scene, texture, painter.shadow(), colours};
   ColourRadiance light{
       .width = view.camera.width, .height = view.camera.height, .x0 = lens.x0, .y0 = lens.y0};
@@ -162,11 +188,13 @@ ColourRadiance ColourViews::Render(ScenePainter& painter, const GroundTexture& t
     SizeView(view.camera, lens.rect, kWideRays, kMostRays, wide_);
     const Pose3 X_WV = Rolled(X);
     PaintInto(painter, wide_target_, X_WV, wide_);
+    if (level) AddPlane(scene.ground, X_WV, wide_);
     const FlatView* close = nullptr;
     if (const auto about = scene.interest ? CloseRect(scene, X_WV, lens.rect) : std::nullopt) {
       SizeView(view.camera, *about, kCloseRays, kMostRays, close_);
       if (static_cast<double>(close_.width) * close_.height <= kMostCloseRays) {
         PaintInto(painter, close_target_, X_WV, close_);
+        if (level) AddPlane(scene.ground, X_WV, close_);
         close = &close_;
       }
     }

@@ -103,6 +103,11 @@ void RequireSoundGround(const GroundView& g) {
   }
 }
 
+bool IsLevel(const GroundView& g) {
+  const double* end = g.heights_m + static_cast<std::size_t>(g.nx) * g.ny;
+  return std::all_of(g.heights_m, end, [&](double h) { return h == *g.heights_m; });
+}
+
 GroundHeight::GroundHeight(const GroundView& ground)
     : ground_(ground), border_mean_m_(BorderMean(ground)) {}
 

@@ -16,6 +16,9 @@ void RequireSoundGround(const GroundView& ground);
 /// Whether there is any ground to draw.
 inline bool HasGround(const GroundView& ground) { return ground.nx > 0 && ground.ny > 0; }
 
+/// Whether all heights of a ground that there is are the same.
+bool IsLevel(const GroundView& ground);
+
 /// Height of the ground in G: bilinear on the grid; outside the border's height, which falls off to
 /// the border's mean within a few metres.
 class GroundHeight {

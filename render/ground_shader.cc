@@ -186,6 +186,12 @@ void GroundShader::Fetch(int count, const Places& p, Lights& l) const {
     l.over_ground[i] = relief[2];
     l.lump_tone[i] = relief[3];
   }
+  if (texture_.grain() == 0.0f) {
+    for (float* values : {l.tone, l.slope_x, l.slope_y, l.height}) {
+      std::fill(values, values + count, 0.0f);
+    }
+    return;
+  }
   static_assert(kAtOnce <= SoilPyramid::kAtOnce);
   Four texels[kAtOnce];
   texture_.soil().At(p.soil_u, p.soil_v, p.soil_lod, count, texels);

@@ -75,7 +75,8 @@ void ScenePainter::Prepare(const Scene& scene, const Pose3& X_WR, const Detail& 
   X_WP_ = {Eigen::Matrix3d::Identity(), X_WR.p};
   UploadObjects(scene);
   if (HasBoard(scene)) board_mesh_.Upload(BoardPlate(scene.board));
-  if (HasGround(scene.ground)) UploadGround(scene, X_WR, detail.fan);
+  with_ground_ = detail.ground && HasGround(scene.ground);
+  if (with_ground_) UploadGround(scene, X_WR, detail.fan);
   fit_ = FitShadow(Casters(scene), InterestBall(scene, X_WR), X_WR, scene.light.to_sun_W,
                    detail.shadow);
   if (!detail.shadows) return shadow_.TakeNone(fit_);
@@ -161,7 +162,7 @@ void ScenePainter::Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   PaintObjects(frustum);
   if (HasBoard(*scene_)) PaintBoard(frustum);
-  if (HasGround(scene_->ground)) PaintGround(frustum);
+  if (with_ground_) PaintGround(frustum);
   view.seen.resize(static_cast<std::size_t>(view.width) * view.height);
   target.Read(view.width, view.height, view.seen.data());
   const std::vector<const TetherView*> bodies = ThinBodies(*scene_);

@@ -32,6 +32,7 @@ class ScenePainter {
     bool shadows = true;  // of the sun; false saves their map
     // Of the ground's fan, which stands under X_WR.p: views may show no other part.
     FanPart fan{};
+    bool ground = true;  // false: the caller adds it to its views
   };
   /// Everything that the views share. The scene must outlive the calls of Paint that follow.
   void Prepare(const Scene& scene, const Pose3& X_WR) { Prepare(scene, X_WR, Detail{}); }
@@ -85,6 +86,7 @@ class ScenePainter {
   ShadowFit fit_;
   Pose3 X_WF_;  // of the ground's fan
   FanPart fan_{};
+  bool with_ground_ = true;
 };
 
 }  // namespace dockyard

@@ -26,6 +26,18 @@ class SkyShader {
     near_sun_ = static_cast<float>(std::cos(radius));
     if (radius > 0.0) disc_ = static_cast<float>(r.sun / (kPi * radius * radius));
   }
+  /// Shares of the light in what is seen along a ray: of the sky, of the bounce, of the sun's disc.
+  struct Parts {
+    float sky = 0.0f, bounce = 0.0f, sun = 0.0f;
+  };
+  Parts PartsOf(Tan tan) const {
+    const float shorten = 1.0f / std::sqrt(1.0f + tan.x * tan.x + tan.y * tan.y);
+    const float s = (up_C_.x() * tan.x + up_C_.y() * tan.y + up_C_.z()) * shorten;
+    const float cosine = (sun_C_.x() * tan.x + sun_C_.y() * tan.y + sun_C_.z()) * shorten;
+    return {.sky = s > 0.0f ? sky_ * 0.75f * (2.0f - s) : 0.0f,
+            .bounce = s > 0.0f ? 0.0f : bounce_,
+            .sun = cosine > near_sun_ ? disc_ : 0.0f};
+  }
   float operator()(Tan tan) const {
     const float shorten = 1.0f / std::sqrt(1.0f + tan.x * tan.x + tan.y * tan.y);
     const float s = (up_C_.x() * tan.x + up_C_.y() * tan.y + up_C_.z()) * shorten;

@@ -138,6 +138,25 @@ TEST(ColourView, EachLightAddsItsOwnColour) {
   EXPECT_LT((seen_floor - floor).norm(), 2e-3 * floor.norm()) << seen_floor.transpose();
 }
 
+// A level ground is drawn as a plane, one that is not level as triangles: a step of a tenth of a
+// millimetre far off changes the way, not the picture.
+TEST(ColourView, LevelGroundIsWhereItsTrianglesAre) {
+  const auto marks = MarksAt(0.7, PlanckLight(5000.0));
+  marks->scene.objects[1].X_WO.p.z() -= 0.08;  // half in the ground
+  const ColourRadiance plane = DrawOne(*marks, MarksView());
+  marks->heights_m[0] = 1e-4;
+  const ColourRadiance triangles = DrawOne(*marks, MarksView());
+  double most = 0.0;
+  int apart = 0;
+  for (std::size_t i = 0; i < plane.part[2].values.size(); ++i) {
+    const double d = std::abs(plane.part[2].values[i] - triangles.part[2].values[i]);
+    apart += d > 0.02 * plane.part[2].at(90, 60);
+    most = std::max(most, d);
+  }
+  std::printf("%d pixels apart, at most by %.3f\n", apart, most);
+  EXPECT_LT(apart, 20) << "along the horizon and where the square meets the ground";
+}
+
 TEST(ColourView, LampFallsOffWithDistanceAngleAndCosine) {
   const auto marks = SquareAlone();
   marks->scene.light.sun_irradiance = marks->scene.light.sky_irradiance = 0.0;
