@@ -15,9 +15,9 @@ struct ColourSensorOptions {
   double full_well_e = 8000.0;  // of each colour; assumed, 4000-15000
   double read_noise_e = 12.0;   // assumed, 5-25
   // Automatic exposure: the mean green of the lit part goes to this share of the full well.
-  double target_level = 0.18;     // assumed, 0.12-0.25
-  double exposure_lag_s = 0.3;    // of the logarithm; 0: at once; assumed, 0.1-1
-  double most_exposure_e = 2e6;   // electrons of radiance 1: the limit in the dark; assumed
+  double target_level = 0.18;    // assumed, 0.12-0.25
+  double exposure_lag_s = 0.3;   // of the logarithm; 0: at once; assumed, 0.1-1
+  double most_exposure_e = 2e6;  // electrons of radiance 1: the limit in the dark; assumed, 5e5-1e7
   double fixed_exposure_e = 0.0;  // electrons of radiance 1; 0: automatic
   // Automatic white balance: the mean colour of the lit part goes to grey.
   bool auto_balance = true;
