@@ -25,6 +25,7 @@ struct SceneObject {
   Pose3 X_WO;
   Eigen::Vector3d albedo{0.5, 0.5, 0.5};
   int material = 0;  // of a ColourTable, whose cameras do not ask for the albedo
+  bool seen = true;  // false: its shadow alone is, as that of the body round a camera
 };
 
 /// Row-major heights over the site frame G: height(ix, iy) at x0 + ix * cell, y0 + iy * cell.

@@ -177,6 +177,7 @@ void ScenePainter::PaintObjects(const Frustum& frustum) {
   int index = -1;
   for (const SceneObject& object : scene_->objects) {
     ++index;
+    if (!object.seen) continue;
     const Cached& cached = cache_.at(object.mesh.get());
     const Eigen::Vector3d p_C = frustum.X_CW * (object.X_WO * cached.ball.center);
     if (!MayShow(frustum.rect, p_C, cached.ball.radius)) continue;

@@ -20,9 +20,13 @@ ColourView Open() {  // the same camera without a hole
   return view;
 }
 
+ColourRadiance DrawBy(StereoRenderer& renderer, const MarksScene& marks, const ColourView& view) {
+  return renderer.RenderThrough(marks.scene, MakeColourTable(marks.spectra, CheapCamera()), view,
+                                {marks.X_WC});
+}
 ColourRadiance DrawOne(const MarksScene& marks, const ColourView& view) {
-  return StereoRenderer().RenderThrough(marks.scene, MakeColourTable(marks.spectra, CheapCamera()),
-                                        view, {marks.X_WC});
+  StereoRenderer renderer;
+  return DrawBy(renderer, marks, view);
 }
 
 /// Pixels that objects of black paint cover of an even white wall.
@@ -161,9 +165,10 @@ TEST(ColourView, LampFallsOffWithDistanceAngleAndCosine) {
   const auto marks = SquareAlone();
   marks->scene.light.sun_irradiance = marks->scene.light.sky_irradiance = 0.0;
   const double half_angle = 0.4, at_m = 0.5 + kSquareBehind_m;
+  StereoRenderer renderer;
   const auto green = [&](const Lamp& lamp) {
     marks->scene.lamps = {lamp};
-    return ColourAt(DrawOne(*marks, Open()), 159, 119).y();
+    return ColourAt(DrawBy(renderer, *marks, Open()), 159, 119).y();
   };
   const double white = ColourOf(WhiteDiodeLight(), BluePaint(), CheapCamera()).y() / kPi;
   // Where the middle of the window meets the square.
@@ -322,6 +327,31 @@ TEST(ColourShadow, OfTheSmallMapLiesWhereItMust) {
   EXPECT_NEAR(sum, kFocal_px * (0.004 + 0.002 * 0.8 / 0.6) / wall_x, 1.3);
 }
 
+// A robot's body round its camera throws its shadow and hides nothing.
+TEST(ColourShadow, OfABodyRoundTheCameraIsSeenAndTheBodyIsNot) {
+  const auto marks = MarksAt(0.5, PlanckLight(5000.0));
+  marks->scene.light.to_sun_W = SunAt(kPi, 0.25);
+  StereoRenderer renderer;
+  const ColourRadiance alone = DrawBy(renderer, *marks, MarksView());
+  SceneObject body = marks->scene.objects[0];
+  body.mesh = std::make_shared<const RenderMesh>(BoxToRender({0.4, 0.5, 0.16}));
+  body.X_WO = Pose3::Translation(-0.15, 0.0, 0.09);
+  body.seen = false;
+  marks->scene.objects.push_back(body);
+  const ColourRadiance with = DrawBy(renderer, *marks, MarksView());
+  // The top edge, 0.17 m high at x = 0.05, throws its shadow onto the floor up to 0.72 m.
+  const double end_m = 0.05 + 0.17 / std::tan(0.25);
+  const auto row = [](double x_m) { return static_cast<int>(119.5 + kFocal_px * 0.1 / x_m); };
+  const auto share = [&](double x_m) {
+    return ColourAt(with, 110, row(x_m), 1).y() / ColourAt(alone, 110, row(x_m), 1).y();
+  };
+  EXPECT_NEAR(share(end_m + 0.1), 1.0, 0.01);
+  // There the sky alone is left: 0.4 of 0.4 + sin(0.25).
+  EXPECT_NEAR(share(end_m - 0.1), 0.4 / (0.4 + std::sin(0.25)), 0.01);
+  // The marks are in sight; the ball stands in the shadow's upper end.
+  EXPECT_EQ(ColourAt(with, 159, 60).y(), ColourAt(alone, 159, 60).y());
+}
+
 TEST(ColourView, HasEqualBitsWhateverWasDrawnBefore) {
   const auto marks = MarksAt(0.7, PlanckLight(4000.0)), other = MarksAt(0.4, PlanckLight(3000.0));
   marks->scene.ground.grain = 0.5;
@@ -340,14 +370,15 @@ TEST(ColourView, HasEqualBitsWhateverWasDrawnBefore) {
 
 TEST(ColourView, RefusesWhatTheTableDoesNotHave) {
   const auto marks = MarksAt(0.7, PlanckLight(4000.0));
+  StereoRenderer renderer;
   marks->scene.objects[0].material = 9;
-  EXPECT_THROW(DrawOne(*marks, MarksView()), std::invalid_argument);
+  EXPECT_THROW(DrawBy(renderer, *marks, MarksView()), std::invalid_argument);
   marks->scene.objects[0].material = 0;
   marks->scene.lamps = {{.kind = 3}};
-  EXPECT_THROW(DrawOne(*marks, MarksView()), std::invalid_argument);
+  EXPECT_THROW(DrawBy(renderer, *marks, MarksView()), std::invalid_argument);
   marks->scene.lamps.clear();
   marks->scene.board.board.width_m = marks->scene.board.board.height_m = 0.3;
-  EXPECT_THROW(DrawOne(*marks, MarksView()), std::invalid_argument);
+  EXPECT_THROW(DrawBy(renderer, *marks, MarksView()), std::invalid_argument);
 }
 
 }  // namespace

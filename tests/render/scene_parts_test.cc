@@ -93,7 +93,7 @@ TEST(Cables, AllThrowShadows) {
 }
 
 // Sum of what a dark box covers of an even bright wall, in pixels.
-double CoveredPixels(bool with_interest, double y_m) {
+double CoveredPixels(StereoRenderer& renderer, bool with_interest, double y_m) {
   Scene scene;
   scene.light.sun_irradiance = 0.0;
   const auto box = std::make_shared<const RenderMesh>(BoxToRender({0.001, 0.02, 0.02}));
@@ -101,7 +101,8 @@ double CoveredPixels(bool with_interest, double y_m) {
   scene.objects = {{box, Pose3::Translation(2.0, y_m, 0.0), Eigen::Vector3d::Zero()},
                    {wall, Pose3::Translation(2.1, 0, 0), Eigen::Vector3d::Ones()}};
   if (with_interest) scene.interest = Interest{.p_W = {2.0, y_m, 0.0}, .radius_m = 0.05};
-  const auto image = Draw(scene, {0, 0, 0}, {2, 0, 0})[1];
+  const auto image =
+      renderer.RenderColourFrom(scene, kPartsCamera, LookAt({0, 0, 0}, {2, 0, 0}), {2, 0, 0})[1];
   const double wall_value = image.at(20, 120);
   double covered = 0.0;
   for (int y = 90; y < 150; ++y) {
@@ -113,11 +114,12 @@ double CoveredPixels(bool with_interest, double y_m) {
 // 400 px/rad: a side of 4 px. Its area scatters with its place among the rays.
 TEST(Interest, SmallThingsKeepTheirAreaBetter) {
   const double exact = std::pow(kPartsCamera.focal_px().x() * 0.02 / 1.9995, 2);
+  StereoRenderer renderer;
   double with = 0.0, without = 0.0;
   for (int i = 0; i < 8; ++i) {
     const double y_m = 0.0011 * i;
-    with = std::max(with, std::abs(CoveredPixels(true, y_m) - exact));
-    without = std::max(without, std::abs(CoveredPixels(false, y_m) - exact));
+    with = std::max(with, std::abs(CoveredPixels(renderer, true, y_m) - exact));
+    without = std::max(without, std::abs(CoveredPixels(renderer, false, y_m) - exact));
   }
   EXPECT_LT(with, 0.13 * exact);
   EXPECT_LT(with, 0.75 * without);
