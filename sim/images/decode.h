@@ -1,4 +1,4 @@
-// Image files of any allowed format as grey images.
+// Image files of any allowed format as grey or colour images.
 #pragma once
 
 #include <optional>
@@ -13,5 +13,7 @@ namespace dockyard {
 /// Grey is 0.299 R + 0.587 G + 0.114 B (ITU-R BT.601) of the file's numbers; a JPEG's is its own
 /// luminance. Of 16 bits the upper 8 count. Alpha is left out. JPEGs of four inks are refused.
 std::optional<GrayImage> DecodeGray(std::string_view bytes);
+/// The same as red, green and blue by the file's numbers; a grey file has three equal ones.
+std::optional<RgbImage> DecodeColour(std::string_view bytes);
 
 }  // namespace dockyard

@@ -1,5 +1,8 @@
 #include "sim/images/exif.h"
 
+#include <type_traits>
+#include <utility>
+
 #include "sim/images/bytes.h"
 #include "sim/images/image_size.h"
 
@@ -48,6 +51,29 @@ std::int64_t ShortOf(std::string_view block, std::int64_t wanted) {
   return 0;
 }
 
+template <class Image>
+Image Turned(Image image, int orientation) {
+  if (orientation == 1) return image;
+  constexpr std::size_t kChannels = std::is_same_v<Image, RgbImage> ? 3 : 1;
+  const bool across = orientation >= 5;  // rows become columns, before either flip
+  const bool flip_x = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
+  const bool flip_y = orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
+  Image turned{.width = across ? image.height : image.width,
+               .height = across ? image.width : image.height,
+               .pixels = {}};
+  turned.pixels.reserve(image.pixels.size());
+  for (int y = 0; y < turned.height; ++y) {
+    for (int x = 0; x < turned.width; ++x) {
+      const int u = flip_x ? turned.width - 1 - x : x, v = flip_y ? turned.height - 1 - y : y;
+      const int from_x = across ? v : u, from_y = across ? u : v;
+      const std::size_t at = kChannels * (static_cast<std::size_t>(from_y) * image.width +
+                                          static_cast<std::size_t>(from_x));
+      for (std::size_t k = 0; k < kChannels; ++k) turned.pixels.push_back(image.pixels[at + k]);
+    }
+  }
+  return turned;
+}
+
 }  // namespace
 
 int OrientationOf(std::string_view file) {
@@ -60,21 +86,9 @@ int OrientationOf(std::string_view file) {
 }
 
 GrayImage Upright(GrayImage image, int orientation) {
-  if (orientation == 1) return image;
-  const bool across = orientation >= 5;  // rows become columns, before either flip
-  const bool flip_x = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
-  const bool flip_y = orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
-  GrayImage turned{.width = across ? image.height : image.width,
-                   .height = across ? image.width : image.height,
-                   .pixels = {}};
-  turned.pixels.reserve(image.pixels.size());
-  for (int y = 0; y < turned.height; ++y) {
-    for (int x = 0; x < turned.width; ++x) {
-      const int u = flip_x ? turned.width - 1 - x : x, v = flip_y ? turned.height - 1 - y : y;
-      turned.pixels.push_back(across ? image.at(v, u) : image.at(u, v));
-    }
-  }
-  return turned;
+  return Turned(std::move(image), orientation);
 }
+
+RgbImage Upright(RgbImage image, int orientation) { return Turned(std::move(image), orientation); }
 
 }  // namespace dockyard

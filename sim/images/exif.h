@@ -13,5 +13,6 @@ int OrientationOf(std::string_view file);
 
 /// The image turned upright.
 GrayImage Upright(GrayImage image, int orientation);
+RgbImage Upright(RgbImage image, int orientation);
 
 }  // namespace dockyard

@@ -1,5 +1,6 @@
 #include <csetjmp>
 #include <cstdio>
+#include <type_traits>
 
 #include "sim/images/formats.h"
 #include "sim/images/image_size.h"
@@ -38,7 +39,9 @@ class Reader {
   Reader& operator=(const Reader&) = delete;
 
   /// False when it is no image that we read. `image` then holds anything.
-  bool Read(GrayImage& image) {
+  template <class Image>
+  bool Read(Image& image) {
+    constexpr int kChannels = std::is_same_v<Image, RgbImage> ? 3 : 1;
     if (setjmp(errors_.escape) != 0) return false;
     jpeg_create_decompress(&jpeg_);
     jpeg_.progress = &progress_;
@@ -46,14 +49,14 @@ class Reader {
     jpeg_read_header(&jpeg_, TRUE);
     if (!ImageSize{jpeg_.image_width, jpeg_.image_height}.usable()) return false;
     if (jpeg_.num_components != 1 && jpeg_.num_components != 3) return false;
-    jpeg_.out_color_space = JCS_GRAYSCALE;
+    jpeg_.out_color_space = kChannels == 3 ? JCS_RGB : JCS_GRAYSCALE;
     image.width = static_cast<int>(jpeg_.image_width);
     image.height = static_cast<int>(jpeg_.image_height);
-    image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
+    const std::size_t row_bytes = static_cast<std::size_t>(kChannels) * image.width;
+    image.pixels.resize(row_bytes * image.height);
     jpeg_start_decompress(&jpeg_);
     while (jpeg_.output_scanline < jpeg_.output_height) {
-      JSAMPROW row =
-          image.pixels.data() + static_cast<std::size_t>(jpeg_.output_scanline) * image.width;
+      JSAMPROW row = image.pixels.data() + jpeg_.output_scanline * row_bytes;
       jpeg_read_scanlines(&jpeg_, &row, 1);
     }
     jpeg_finish_decompress(&jpeg_);
@@ -71,6 +74,12 @@ class Reader {
 
 std::optional<GrayImage> GrayFromJpeg(std::string_view bytes) {
   GrayImage image;
+  if (!Reader(bytes).Read(image)) return std::nullopt;
+  return image;
+}
+
+std::optional<RgbImage> RgbFromJpeg(std::string_view bytes) {
+  RgbImage image;
   if (!Reader(bytes).Read(image)) return std::nullopt;
   return image;
 }

@@ -144,7 +144,12 @@ std::optional<RgbImage> ColourFromPng(std::string_view bytes) {
   return gray ? std::optional(AsColour(*gray)) : std::nullopt;
 }
 
-std::optional<GrayImage> GrayFromPng(std::string_view bytes) {
+namespace {
+
+/// Any PNG as grey or colour of 8 bits.
+template <class Image>
+std::optional<Image> FromAnyPng(std::string_view bytes) {
+  constexpr bool kRgb = std::is_same_v<Image, RgbImage>;
   PngReader reader(bytes);
   const std::optional<ImageSize> size = ReadHeader(reader);
   if (!size) return std::nullopt;
@@ -153,13 +158,24 @@ std::optional<GrayImage> GrayFromPng(std::string_view bytes) {
     png_set_strip_alpha(reader.png);
     png_set_palette_to_rgb(reader.png);
     png_set_expand_gray_1_2_4_to_8(reader.png);
-    png_set_rgb_to_gray(reader.png, PNG_ERROR_ACTION_NONE, 0.299, 0.587);
+    if (kRgb) {
+      png_set_gray_to_rgb(reader.png);
+    } else {
+      png_set_rgb_to_gray(reader.png, PNG_ERROR_ACTION_NONE, 0.299, 0.587);
+    }
   });
   if (!asked) return std::nullopt;
-  auto pixels = ReadPixels(reader, *size, 1);
+  auto pixels = ReadPixels(reader, *size, kRgb ? 3 : 1);
   if (!pixels) return std::nullopt;
-  return GrayImage{static_cast<int>(size->width), static_cast<int>(size->height),
-                   std::move(*pixels)};
+  return Image{static_cast<int>(size->width), static_cast<int>(size->height), std::move(*pixels)};
 }
+
+}  // namespace
+
+std::optional<GrayImage> GrayFromPng(std::string_view bytes) {
+  return FromAnyPng<GrayImage>(bytes);
+}
+
+std::optional<RgbImage> RgbFromPng(std::string_view bytes) { return FromAnyPng<RgbImage>(bytes); }
 
 }  // namespace dockyard

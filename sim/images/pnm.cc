@@ -4,6 +4,7 @@
 
 #include "sim/images/formats.h"
 #include "sim/images/image_size.h"
+#include "sim/images/png.h"
 
 namespace dockyard {
 namespace {
@@ -56,13 +57,19 @@ std::vector<std::uint8_t> FromBytes(std::string_view bytes, int greatest, std::s
   return values;
 }
 
-}  // namespace
+/// The file's values, and whether there are three a pixel.
+struct Values {
+  int width = 0, height = 0;
+  bool colour = false;
+  std::vector<std::uint8_t> values;
+};
 
-std::optional<GrayImage> GrayFromPnm(std::string_view bytes) {
+std::optional<Values> Read(std::string_view bytes) {
   const char kind = bytes[1];
-  const bool text = kind <= '3', colour = kind == '3' || kind == '6';
+  const bool text = kind <= '3';
   Numbers numbers(bytes.substr(2));
-  GrayImage image;
+  Values image;
+  image.colour = kind == '3' || kind == '6';
   image.width = numbers.Next();
   image.height = numbers.Next();
   const int greatest = numbers.Next();
@@ -72,19 +79,27 @@ std::optional<GrayImage> GrayFromPnm(std::string_view bytes) {
   const std::size_t count = static_cast<std::size_t>(image.width) * image.height;
   // A short file must not cost the memory of a large image: a number has a byte at least.
   if (bytes.size() < count) return std::nullopt;
-  const std::size_t wanted = colour ? 3 * count : count;
-  std::vector<std::uint8_t> values =
+  const std::size_t wanted = image.colour ? 3 * count : count;
+  image.values =
       text ? FromText(numbers, greatest, wanted) : FromBytes(numbers.Rest(), greatest, wanted);
-  if (values.empty()) return std::nullopt;
-  if (!colour) {
-    image.pixels = std::move(values);
-    return image;
-  }
-  image.pixels.reserve(count);
-  for (std::size_t i = 0; i < wanted; i += 3) {
-    image.pixels.push_back(GrayOf(values[i], values[i + 1], values[i + 2]));
-  }
+  if (image.values.empty()) return std::nullopt;
   return image;
+}
+
+}  // namespace
+
+std::optional<GrayImage> GrayFromPnm(std::string_view bytes) {
+  std::optional<Values> read = Read(bytes);
+  if (!read) return std::nullopt;
+  if (read->colour) return GrayOf(RgbImage{read->width, read->height, std::move(read->values)});
+  return GrayImage{read->width, read->height, std::move(read->values)};
+}
+
+std::optional<RgbImage> RgbFromPnm(std::string_view bytes) {
+  std::optional<Values> read = Read(bytes);
+  if (!read) return std::nullopt;
+  if (read->colour) return RgbImage{read->width, read->height, std::move(read->values)};
+  return AsColour(GrayImage{read->width, read->height, std::move(read->values)});
 }
 
 }  // namespace dockyard

@@ -9,22 +9,23 @@
 
 namespace dockyard {
 
-std::optional<GrayImage> GrayFromWebp(std::string_view bytes) {
+std::optional<RgbImage> RgbFromWebp(std::string_view bytes) {
   const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   WebPBitstreamFeatures features;
   if (WebPGetFeatures(data, bytes.size(), &features) != VP8_STATUS_OK) return std::nullopt;
   if (!ImageSize{features.width, features.height}.usable()) return std::nullopt;
-  GrayImage image{.width = features.width, .height = features.height, .pixels = {}};
-  const std::size_t count = static_cast<std::size_t>(image.width) * image.height;
-  std::vector<std::uint8_t> rgb(3 * count);
-  if (WebPDecodeRGBInto(data, bytes.size(), rgb.data(), rgb.size(), 3 * image.width) == nullptr) {
+  RgbImage image{.width = features.width, .height = features.height, .pixels = {}};
+  image.pixels.resize(3 * static_cast<std::size_t>(image.width) * image.height);
+  if (WebPDecodeRGBInto(data, bytes.size(), image.pixels.data(), image.pixels.size(),
+                        3 * image.width) == nullptr) {
     return std::nullopt;
   }
-  image.pixels.reserve(count);
-  for (std::size_t i = 0; i < rgb.size(); i += 3) {
-    image.pixels.push_back(GrayOf(rgb[i], rgb[i + 1], rgb[i + 2]));
-  }
   return image;
+}
+
+std::optional<GrayImage> GrayFromWebp(std::string_view bytes) {
+  const std::optional<RgbImage> image = RgbFromWebp(bytes);
+  return image ? std::optional(GrayOf(*image)) : std::nullopt;
 }
 
 std::string EncodeWebp(const RgbImage& image, double quality) {

@@ -169,6 +169,32 @@ std::string Png(const std::string& exif) {
   return writer.bytes;
 }
 
+TEST(DecodeColour, HasOpenCvsBitsOfPngsJpegsAndPpms) {
+  for (const auto& [ending, type] : {std::pair(".png", CV_8UC3),
+                                     {".png", CV_16UC3},
+                                     {".png", CV_8UC1},
+                                     {".jpg", CV_8UC3},
+                                     {".jpg", CV_8UC1},
+                                     {".ppm", CV_8UC3},
+                                     {".pgm", CV_8UC1}}) {
+    const std::string bytes = Encoded(ending, type);
+    const cv::Mat file(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
+    const cv::Mat bgr = cv::imdecode(file, cv::IMREAD_COLOR);
+    const std::optional<RgbImage> ours = DecodeColour(bytes);
+    ASSERT_TRUE(ours && ours->width == bgr.cols && ours->height == bgr.rows) << ending;
+    int worst = 0;
+    for (int y = 0; y < bgr.rows; ++y) {
+      for (int x = 0; x < bgr.cols; ++x) {
+        for (int k = 0; k < 3; ++k) {
+          const int mine = ours->pixels[static_cast<std::size_t>(3 * (y * bgr.cols + x) + k)];
+          worst = std::max(worst, std::abs(mine - bgr.at<cv::Vec3b>(y, x)[2 - k]));
+        }
+      }
+    }
+    EXPECT_EQ(worst, 0) << ending << " of type " << type;
+  }
+}
+
 TEST(DecodeGray, TurnsAnImageUprightAsItsExifSays) {
   const std::string jpeg = Encoded(".jpg", CV_8UC1);
   const GrayImage as_stored = *DecodeGray(jpeg);

@@ -1,0 +1,33 @@
+#include "models/raposa/load_ground.h"
+
+#include <cmath>
+
+#include "models/read/load_model_yaml.h"
+#include "models/read/load_spreads.h"
+#include "models/read/yaml_reader.h"
+
+namespace dockyard::raposa {
+
+GroundModel LoadGround(const std::string& file, const ModelChanges& changes) {
+  YamlNode root = LoadModelYaml(file);
+  if (changes.told != nullptr) MergeYaml(root, *changes.told);
+  if (changes.built != nullptr) PutBuilt(root, *changes.built);
+  const YamlReader in(root, "",
+                      {"name", "source", "friction_angle_deg", "lateral_ratio", "cohesion_pa",
+                       "shear_displacement_m", "rolling_loss", "material", "grain", "spreads"});
+  GroundModel ground;
+  ground.name = in.Text("name");
+  ground.source = in.Text("source");
+  ground.belt.friction = std::tan(in.Degrees("friction_angle_deg", Between(1.0, 60.0)));
+  ground.belt.lateral_ratio = in.Number("lateral_ratio", Between(0.2, 3.0));
+  ground.belt.cohesion_pa = in.Number("cohesion_pa", NonNegative(1e5));
+  ground.belt.shear_displacement_m = in.Number("shear_displacement_m", NonNegative(0.2));
+  ground.belt.rolling_loss = in.Number("rolling_loss", NonNegative(1.0));
+  const int material = in.Choice("material", {"floor", "soil", "grass", "brick", "grey"});
+  ground.material = static_cast<GroundMaterialKind>(material);
+  ground.grain = in.Number("grain", Between(0.0, 1.0));
+  CheckSpreads(root);
+  return ground;
+}
+
+}  // namespace dockyard::raposa

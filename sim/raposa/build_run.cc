@@ -1,0 +1,70 @@
+#include "sim/raposa/build_run.h"
+
+#include <cmath>
+
+#include "models/raposa/make_nominal.h"
+#include "models/read/config_error.h"
+#include "sim/base/random.h"
+
+namespace dockyard::raposa {
+namespace {
+
+// Level about the pyramid's feet. Assumed, 0.1-0.5 m.
+constexpr double kFlatRadius_m = 0.15;
+// The cable's far end lies within this of straight behind the pyramid. Assumed, 0-60 deg.
+constexpr double kCableWithin_rad = Radians(40.0);
+
+HeightGrid GroundOf(const YardModel& yard, std::uint64_t seed) {
+  HeightGrid ground = LevelGrid(-kYardBehind_m, yard.length_m, yard.width_m, yard.cell_m);
+  AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadius_m,
+                StreamKey(seed, "yard"));
+  return ground;
+}
+
+void CheckStart(const Scenario& scenario, const RobotModel& robot) {
+  // The camera sits inside the robot: nearer than the socket's mouth is no place to be.
+  const double least_m = robot.camera.X_RC.p.x() - robot.socket.p_RS.x() + 0.1;
+  if (scenario.start.r >= least_m) return;
+  throw ConfigError(scenario.start_place +
+                    ": expected r_m, from the camera to the guide, of at least " +
+                    NumberText(least_m) + " m, found '" + NumberText(scenario.start.r) + "'");
+}
+
+void CheckHolds(const Scenario& scenario, const PyramidModel& pyramid) {
+  if (std::tan(scenario.yard.slope_rad) < pyramid.foot_friction) return;
+  throw ConfigError(scenario.yard_place +
+                    ": expected a slope that the pyramid's feet hold at their "
+                    "friction of " +
+                    NumberText(pyramid.foot_friction));
+}
+
+}  // namespace
+
+Slope SlopeOf(const Scenario& scenario) {
+  return {scenario.yard.slope_rad, scenario.yard.downhill_rad};
+}
+
+BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
+  CheckStart(scenario, models.built.robot);
+  CheckHolds(scenario, models.built.pyramid);
+  BuiltRun run;
+  run.keys = models.keys;
+  run.ground = models.built.ground;
+  run.nominal = MakeNominal(models.told.robot, models.told.pyramid);
+  WorldSetup& world = run.world;
+  world.robot = models.built.robot;
+  world.pyramid = models.built.pyramid;
+  world.belt_ground = models.built.ground.belt;
+  world.ground = GroundOf(scenario.yard, scenario.seed);
+  world.X_WG = scenario.X_WG;
+  world.slope = SlopeOf(scenario);
+  world.X_DV_start = FromDockingCoords(scenario.start);
+  RandomStream start(StreamKey(scenario.seed, "start"));
+  const double drawn_rad = start.Uniform(-kCableWithin_rad, kCableWithin_rad);
+  world.cable_rad = std::isnan(models.keys.cable_rad) ? drawn_rad : models.keys.cable_rad;
+  world.seed = scenario.seed;
+  world.step_s = scenario.physics_step_s;
+  return run;
+}
+
+}  // namespace dockyard::raposa

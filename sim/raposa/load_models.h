@@ -1,0 +1,29 @@
+// The models that a scenario of RAPOSA names.
+#pragma once
+
+#include <optional>
+
+#include "models/raposa/ground_model.h"
+#include "models/raposa/pyramid_model.h"
+#include "models/raposa/robot_model.h"
+#include "sim/raposa/raposa_keys.h"
+#include "sim/scenario/scenario.h"
+
+namespace dockyard::raposa {
+
+struct ModelSet {
+  RobotModel robot;
+  PyramidModel pyramid;
+  GroundModel ground;
+};
+
+struct RaposaModels {
+  RaposaKeys keys;
+  ModelSet told;   // what the controller is told of
+  ModelSet built;  // what the world is made of; equal unless the scenario has `as_built`
+};
+
+/// Reads the files and applies the scenario's changes. Throws ConfigError.
+RaposaModels LoadModels(const Scenario& scenario);
+
+}  // namespace dockyard::raposa

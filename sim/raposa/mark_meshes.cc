@@ -1,0 +1,92 @@
+#include "sim/raposa/mark_meshes.h"
+
+#include <array>
+#include <cmath>
+
+#include "sim/raposa/mating_shapes.h"
+
+namespace dockyard::raposa {
+namespace {
+
+constexpr int kFacets = 32;  // round a turned body: its outline is within 0.5 % of round
+
+/// A closed solid turned about z of the guide's axis from (z, radius), lowest z first.
+RenderMesh Turned(const std::vector<Eigen::Vector2d>& profile_m, const Pose3& X_PA) {
+  RenderMesh mesh;
+  const auto add = [&](double z, double x, double y) {
+    mesh.vertices.push_back((X_PA * Eigen::Vector3d(x, y, z)).cast<float>());
+  };
+  for (const Eigen::Vector2d& at : profile_m) {
+    for (int k = 0; k < kFacets; ++k) {
+      const double angle = 2.0 * kPi * k / kFacets;
+      add(at.x(), at.y() * std::cos(angle), at.y() * std::sin(angle));
+    }
+  }
+  const auto index = [](std::size_t ring, int k) {
+    return static_cast<std::uint32_t>(ring * kFacets + static_cast<std::size_t>(k % kFacets));
+  };
+  for (std::size_t ring = 0; ring + 1 < profile_m.size(); ++ring) {
+    for (int k = 0; k < kFacets; ++k) {
+      mesh.triangles.push_back({index(ring, k), index(ring, k + 1), index(ring + 1, k + 1)});
+      mesh.triangles.push_back({index(ring, k), index(ring + 1, k + 1), index(ring + 1, k)});
+    }
+  }
+  const auto low = static_cast<std::uint32_t>(mesh.vertices.size());
+  add(profile_m.front().x(), 0.0, 0.0);
+  add(profile_m.back().x(), 0.0, 0.0);
+  for (int k = 0; k < kFacets; ++k) {
+    mesh.triangles.push_back({low, index(0, k + 1), index(0, k)});
+    mesh.triangles.push_back(
+        {low + 1, index(profile_m.size() - 1, k), index(profile_m.size() - 1, k + 1)});
+  }
+  return mesh;
+}
+
+/// Corners of the square on the faces at this distance from the base, along a face; ordered
+/// counter-clockwise as seen from the guide.
+std::array<Eigen::Vector3d, 4> SquareOn(const MarksModel& marks, double along_m) {
+  const double half_m = 0.5 * marks.edge_m - along_m * std::cos(marks.rise_rad);
+  const double x_m = -marks.behind_m + along_m * std::sin(marks.rise_rad);
+  return {Eigen::Vector3d(x_m, -half_m, -half_m), Eigen::Vector3d(x_m, half_m, -half_m),
+          Eigen::Vector3d(x_m, half_m, half_m), Eigen::Vector3d(x_m, -half_m, half_m)};
+}
+
+}  // namespace
+
+RenderMesh GuideMesh(const GuideModel& guide) {
+  return Turned(GuideProfile(guide), GuideAxis(guide));
+}
+
+RenderMesh RodMesh(const PyramidModel& pyramid) {
+  const GuideModel& guide = pyramid.guide;
+  const double front_m = GuideProfile(guide).front().x();
+  const double rear_m = -pyramid.marks.behind_m / std::cos(guide.up_rad);
+  return Turned({{rear_m, guide.rod_radius_m}, {front_m, guide.rod_radius_m}}, GuideAxis(guide));
+}
+
+RenderMesh StripsMesh(const MarksModel& marks) {
+  RenderMesh mesh;
+  const auto outer = SquareOn(marks, 0.0), inner = SquareOn(marks, marks.strip_m);
+  for (const auto& square : {outer, inner}) {
+    for (const Eigen::Vector3d& p : square) mesh.vertices.push_back(p.cast<float>());
+  }
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const std::uint32_t next = (k + 1) % 4;
+    mesh.triangles.push_back({k, next, 4 + next});
+    mesh.triangles.push_back({k, 4 + next, 4 + k});
+  }
+  return mesh;
+}
+
+RenderMesh FacesMesh(const MarksModel& marks) {
+  RenderMesh mesh;
+  for (const Eigen::Vector3d& p : SquareOn(marks, marks.strip_m)) {
+    mesh.vertices.push_back(p.cast<float>());
+  }
+  const double apex_m = -marks.behind_m + 0.5 * marks.edge_m * std::tan(marks.rise_rad);
+  mesh.vertices.push_back(Eigen::Vector3d(apex_m, 0.0, 0.0).cast<float>());
+  for (std::uint32_t k = 0; k < 4; ++k) mesh.triangles.push_back({k, (k + 1) % 4, 4});
+  return mesh;
+}
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,126 @@
+#include "sim/raposa/mating_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/physics/collision_shapes.h"
+
+namespace dockyard::raposa {
+namespace {
+
+// Wedges round a wall: an inscribed circle differs from the polygon's corners by 1.7 %.
+constexpr int kWedges = 16;
+// Outside of all walls [m]; it only gives them thickness.
+constexpr double kWallOuter_m = 0.045;
+// The guide's front ends blunt, as the contact solver rounds edges by its margin. Assumed, 2-4 mm.
+constexpr double kBluntRadius_m = 2.5e-3;
+
+struct Rim {
+  double x_m = 0.0, radius_m = 0.0;
+};
+
+/// A cone's wall between two rims, its inner surface moved out by the margin, which the hulls add.
+void AddWall(const Eigen::Vector3d& p_R, Rim a, Rim b, const char* name,
+             std::vector<Collision>& walls) {
+  const Eigen::Vector2d along =
+      Eigen::Vector2d(b.x_m - a.x_m, b.radius_m - a.radius_m).normalized();
+  // Out of the bore, square to the wall.
+  const Eigen::Vector2d out =
+      kCollisionMargin_m * (along.x() < 0.0 ? Eigen::Vector2d(along.y(), -along.x())
+                                            : Eigen::Vector2d(-along.y(), along.x()));
+  for (Rim* rim : {&a, &b}) {
+    rim->x_m += out.x();
+    rim->radius_m += out.y();
+  }
+  const double widen = 1.0 / std::cos(kPi / kWedges);
+  for (int k = 0; k < kWedges; ++k) {
+    HullShape hull;
+    for (const Rim& rim : {a, b}) {
+      for (const double edge : {k - 0.5, k + 0.5}) {
+        const double angle = 2.0 * kPi * edge / kWedges;
+        const Eigen::Vector3d ray(0.0, std::cos(angle), std::sin(angle));
+        const Eigen::Vector3d x(rim.x_m, 0.0, 0.0);
+        hull.points.emplace_back(x + widen * rim.radius_m * ray);
+        hull.points.emplace_back(x + widen * kWallOuter_m * ray);
+      }
+    }
+    walls.push_back({name, hull, {Eigen::Matrix3d::Identity(), p_R}});
+  }
+}
+
+}  // namespace
+
+std::vector<Collision> SocketWalls(const RobotModel& robot) {
+  const SocketModel& socket = robot.socket;
+  const DoorsModel& doors = robot.doors;
+  const double slope = std::tan(socket.half_angle_rad);
+  const double slot_m = robot.p_R_doors.x() - socket.p_RS.x();  // < 0
+  const auto seat_radius = [&](double x_m) { return socket.seat_radius_m - slope * x_m; };
+  std::vector<Collision> walls;
+  const double behind_m = slot_m + 0.5 * doors.plate_m, before_m = slot_m - 0.5 * doors.plate_m;
+  const double bore_ends_m =
+      std::max(behind_m + 1e-3, (socket.seat_radius_m - socket.throat_radius_m) / slope);
+  AddWall(socket.p_RS, {behind_m, socket.throat_radius_m}, {bore_ends_m, socket.throat_radius_m},
+          "bore", walls);
+  AddWall(socket.p_RS, {bore_ends_m, seat_radius(bore_ends_m)}, {0.02, seat_radius(0.02)}, "seat",
+          walls);
+  const double funnel_m = (socket.entrance_radius_m - socket.throat_radius_m) / slope;
+  AddWall(socket.p_RS, {before_m - funnel_m, socket.entrance_radius_m},
+          {before_m, socket.throat_radius_m}, "funnel", walls);
+  return walls;
+}
+
+std::vector<Collision> DoorPieces(const DoorsModel& doors, bool left) {
+  // Both V leave a square on its corner: |y| + |z| < corner.
+  const double corner_m = std::sqrt(2.0) * (doors.closed_radius_m + kCollisionMargin_m);
+  const double half_m = 0.5 * doors.plate_m - kCollisionMargin_m;
+  const double wide_m = 0.06, high_m = 0.03, side = left ? 1.0 : -1.0;
+  std::vector<Collision> pieces;
+  for (const double up : {1.0, -1.0}) {
+    HullShape hull;
+    for (const Eigen::Vector2d& yz :
+         {Eigen::Vector2d(0.0, corner_m), Eigen::Vector2d(corner_m, 0.0),
+          Eigen::Vector2d(wide_m, 0.0), Eigen::Vector2d(wide_m, high_m),
+          Eigen::Vector2d(0.0, high_m)}) {
+      for (const double x : {-half_m, half_m})
+        hull.points.emplace_back(x, side * yz.x(), up * yz.y());
+    }
+    pieces.push_back({up > 0.0 ? "upper" : "lower", hull, {}});
+  }
+  return pieces;
+}
+
+Pose3 GuideAxis(const GuideModel& guide) {
+  Pose3 X_PA;
+  X_PA.R = RotY(0.5 * kPi - guide.up_rad);  // z to x, then up
+  return X_PA;
+}
+
+std::vector<Eigen::Vector2d> GuideProfile(const GuideModel& guide) {
+  const double radius_m = 0.5 * guide.diameter_m, slope = std::tan(guide.half_angle_rad);
+  const double front_m = std::min(0.5 * guide.length_m, (radius_m - kBluntRadius_m) / slope);
+  const double rear_m = std::min(0.5 * guide.length_m, (radius_m - guide.rod_radius_m) / slope);
+  return {
+      {-rear_m, radius_m - slope * rear_m}, {0.0, radius_m}, {front_m, radius_m - slope * front_m}};
+}
+
+std::vector<Collision> GuidePieces(const PyramidModel& pyramid) {
+  const GuideModel& guide = pyramid.guide;
+  const MarksModel& marks = pyramid.marks;
+  const Pose3 X_PA = GuideAxis(guide);
+  std::vector<Collision> pieces{{"bi-cone", TurnedShape{GuideProfile(guide)}, X_PA}};
+  const double rear_m = GuideProfile(guide).front().x();
+  const double rod_m = marks.behind_m / std::cos(guide.up_rad) + rear_m;
+  pieces.push_back({"rod", CylinderShape{guide.rod_radius_m, rod_m},
+                    X_PA * Pose3{Eigen::Matrix3d::Identity(), {0.0, 0.0, rear_m - 0.5 * rod_m}}});
+  HullShape faces;
+  const double half_m = 0.5 * marks.edge_m;
+  for (const double y : {-half_m, half_m}) {
+    for (const double z : {-half_m, half_m}) faces.points.emplace_back(-marks.behind_m, y, z);
+  }
+  faces.points.emplace_back(-marks.behind_m + half_m * std::tan(marks.rise_rad), 0.0, 0.0);
+  pieces.push_back({"faces", faces, {}});
+  return pieces;
+}
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,182 @@
+#include "sim/raposa/nominal_json.h"
+
+#include "models/read/config_error.h"
+#include "sim/run/nominal_parts.h"
+
+namespace dockyard::raposa {
+namespace {
+
+using dockyard::ToJson;
+
+// Each visitor names every member once, for both ways. A member that is added changes the struct's
+// size, and the check below it then fails.
+template <class Marks_, class Visit>
+void VisitMarks(Marks_& m, Visit&& visit) {
+  visit("edge_m", m.edge_m);
+  visit("behind_m", m.behind_m);
+  visit("guide_diameter_m", m.guide_diameter_m);
+  visit("guide_length_m", m.guide_length_m);
+  visit("guide_height_m", m.guide_height_m);
+}
+static_assert(sizeof(Marks) == 5 * sizeof(double));
+
+template <class Vision, class Visit>
+void VisitVision(Vision& v, Visit&& visit) {
+  visit("least_area_px2", v.least_area_px2);
+  visit("least_axis_ratio", v.least_axis_ratio);
+  visit("most_deviation", v.most_deviation);
+  visit("tight_deviation", v.tight_deviation);
+  visit("most_area_factor", v.most_area_factor);
+  visit("tight_area_factor", v.tight_area_factor);
+  visit("ball_px", v.ball_px);
+  visit("lost_frames", v.lost_frames);
+  visit("area_at_one_m_px2", v.area_at_one_m_px2);
+}
+static_assert(sizeof(FerreiraVision) ==
+              13 * sizeof(double) + sizeof(std::vector<BandChange>) - 2 * sizeof(double));
+
+template <class Motion, class Visit>
+void VisitMotion(Motion& m, Visit&& visit) {
+  visit("region_one_rad", m.region_one_rad);
+  visit("tolerance_rad", m.tolerance_rad);
+  visit("tolerance_from_m", m.tolerance_from_m);
+  visit("tolerance_to_m", m.tolerance_to_m);
+  visit("dead_zone_m", m.dead_zone_m);
+  visit("orange_far_m", m.orange_far_m);
+  visit("final_m", m.final_m);
+  visit("slow_below_m", m.slow_below_m);
+  visit("k_linear_per_s", m.k_linear_per_s);
+  visit("k_angular_rad_s_px", m.k_angular_rad_s_px);
+  visit("k_arm_rad_px", m.k_arm_rad_px);
+  visit("final_speed_m_s", m.final_speed_m_s);
+  visit("final_s", m.final_s);
+  visit("settle_s", m.settle_s);
+  visit("doors_s", m.doors_s);
+  visit("close_s", m.close_s);
+  visit("steer_final", m.steer_final);
+  visit("standoff_m", m.standoff_m);
+  visit("travel_m_s", m.travel_m_s);
+  visit("turn_rad_s", m.turn_rad_s);
+  visit("visual_turn_rad_s", m.visual_turn_rad_s);
+  visit("search_turn_rad_s", m.search_turn_rad_s);
+  visit("first_search_rad", m.first_search_rad);
+  visit("most_search_rad", m.most_search_rad);
+  visit("turn_tolerance_rad", m.turn_tolerance_rad);
+  visit("way_tolerance_m", m.way_tolerance_m);
+  visit("turn_gain_per_s", m.turn_gain_per_s);
+  visit("way_gain_per_s", m.way_gain_per_s);
+  visit("lead_m", m.lead_m);
+  visit("look_s", m.look_s);
+  visit("creep_m_s", m.creep_m_s);
+  visit("blue_sweep", m.blue_sweep);
+  visit("doubt_s", m.doubt_s);
+  visit("arm_below_m", m.arm_below_m);
+  visit("level_arm_rad", m.level_arm_rad);
+  visit("least_arm_rad", m.least_arm_rad);
+  visit("most_arm_rad", m.most_arm_rad);
+}
+static_assert(sizeof(FerreiraMotion) == 37 * sizeof(double));
+
+struct Write {
+  Json& json;
+  template <class Value>
+  void operator()(const char* name, const Value& value) const {
+    json[name] = value;
+  }
+};
+struct Read {
+  const Json& json;
+  template <class Value>
+  void operator()(const char* name, Value& value) const {
+    json.at(name).get_to(value);
+  }
+};
+
+Json BandToJson(const HsvBand& band) {
+  return {band.hue_from,      band.hue_to,     band.saturation_from,
+          band.saturation_to, band.value_from, band.value_to};
+}
+
+HsvBand BandFromJson(const Json& json) {
+  const auto at = [&](std::size_t i) { return json.at(i).get<std::uint8_t>(); };
+  return {at(0), at(1), at(2), at(3), at(4), at(5)};
+}
+
+Json VisionToJson(const FerreiraVision& vision) {
+  Json json{{"orange", BandToJson(vision.orange)}, {"blue", BandToJson(vision.blue)}};
+  VisitVision(vision, Write{json});
+  json["band_changes"] = Json::array();
+  for (const BandChange& change : vision.band_changes) {
+    json["band_changes"].push_back({{"at_s", change.at_s},
+                                    {"orange", BandToJson(change.orange)},
+                                    {"blue", BandToJson(change.blue)}});
+  }
+  return json;
+}
+
+FerreiraVision VisionFromJson(const Json& json) {
+  FerreiraVision vision;
+  vision.orange = BandFromJson(json.at("orange"));
+  vision.blue = BandFromJson(json.at("blue"));
+  VisitVision(vision, Read{json});
+  for (const Json& change : json.at("band_changes")) {
+    vision.band_changes.push_back(
+        {change.at("at_s"), BandFromJson(change.at("orange")), BandFromJson(change.at("blue"))});
+  }
+  return vision;
+}
+
+Nominal ReadNominal(const Json& json) {
+  Nominal nominal;
+  for (std::size_t i = 0; i < nominal.motors.size(); ++i) {
+    nominal.motors[i] = MotorFromJson(json.at("motors").at(i));
+  }
+  nominal.camera = CameraFromJson(json.at("camera"));
+  nominal.X_RC = Pose3FromJson(json.at("X_RC"));
+  nominal.half_view_rad = json.at("half_view_rad");
+  VisitMarks(nominal.marks, Read{json.at("marks")});
+  nominal.sprocket_radius_m = json.at("sprocket_radius_m");
+  nominal.gauge_m = json.at("gauge_m");
+  nominal.effective_gauge_m = json.at("effective_gauge_m");
+  nominal.door_pinion_radius_m = json.at("door_pinion_radius_m");
+  nominal.door_travel_m = json.at("door_travel_m");
+  const auto p = json.at("p_RS").get<std::array<double, 3>>();
+  nominal.p_RS = Eigen::Vector3d(p[0], p[1], p[2]);
+  nominal.ferreira_vision = VisionFromJson(json.at("ferreira_vision"));
+  VisitMotion(nominal.ferreira_motion, Read{json.at("ferreira_motion")});
+  return nominal;
+}
+
+}  // namespace
+
+Json ToJson(const Nominal& nominal) {
+  Json motors = Json::array();
+  for (const NominalMotor& motor : nominal.motors) motors.push_back(MotorToJson(motor));
+  Json marks, motion;
+  VisitMarks(nominal.marks, Write{marks});
+  VisitMotion(nominal.ferreira_motion, Write{motion});
+  return {{"motors", motors},
+          {"camera", CameraToJson(nominal.camera)},
+          {"X_RC", ToJson(nominal.X_RC)},
+          {"half_view_rad", nominal.half_view_rad},
+          {"marks", marks},
+          {"sprocket_radius_m", nominal.sprocket_radius_m},
+          {"gauge_m", nominal.gauge_m},
+          {"effective_gauge_m", nominal.effective_gauge_m},
+          {"door_pinion_radius_m", nominal.door_pinion_radius_m},
+          {"door_travel_m", nominal.door_travel_m},
+          {"p_RS", Json{nominal.p_RS.x(), nominal.p_RS.y(), nominal.p_RS.z()}},
+          {"ferreira_vision", VisionToJson(nominal.ferreira_vision)},
+          {"ferreira_motion", motion}};
+}
+
+Nominal NominalFromJson(const Json& json) {
+  try {
+    return ReadNominal(json);
+  } catch (const Json::exception& error) {
+    throw ConfigError(std::string("nominal parameters: expected RAPOSA's, found others: ") +
+                      error.what());
+  }
+}
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,132 @@
+#include "sim/raposa/pyramid_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/hash.h"
+#include "sim/physics/bullet_math.h"
+#include "sim/raposa/mating_shapes.h"
+
+namespace dockyard::raposa {
+namespace {
+
+// Share of critical damping in the feet: rubber. Assumed, 0.2-0.6.
+constexpr double kFootDampingRatio = 0.4;
+// Point masses of the cable lie this far apart. Assumed, 0.1-0.3 m: 10-15 on 3 m.
+constexpr double kCableSpacing_m = 0.2;
+// Of the cable's length. Assumed, 5-100 N s/m.
+constexpr double kCableDamping_ns_m = 20.0;
+// Slack is let out over the first second, before the run begins.
+constexpr double kSlackRate_m_s = 0.5;
+// The cable leaves the pyramid's back at this height above the ground.
+constexpr double kCableHeight_m = 0.015;
+
+CableModel ModelOf(const TetherCableModel& cable) {
+  return {.axial_stiffness_n = cable.axial_stiffness_n,
+          .damping_ns_per_m = kCableDamping_ns_m,
+          .diameter_m = cable.diameter_m,
+          .mass_kg_per_m = cable.mass_kg_per_m,
+          .friction_on_ground = cable.friction_on_ground,
+          .spacing_m = kCableSpacing_m};
+}
+
+}  // namespace
+
+PyramidBody::PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP,
+                         const Eigen::Vector3d& cable_to_G)
+    : pyramid_(pyramid),
+      inertia_(FindPrincipalInertia(pyramid.body)),
+      feet_(pyramid.p_P_soles.size()),
+      cable_model_(ModelOf(pyramid.cable)),
+      cable_(cable_model_),
+      cable_to_G_(cable_to_G),
+      slack_left_m_(pyramid.cable.slack_m) {
+  for (const std::vector<Collision>& pieces : {GuidePieces(pyramid), pyramid.body.collisions}) {
+    for (const Collision& piece : pieces) shape_.Add(piece, Inverse(inertia_.X_LP));
+  }
+  btRigidBody::btRigidBodyConstructionInfo info(pyramid.body.mass_kg, nullptr, shape_.compound(),
+                                                ToBullet(inertia_.moments));
+  info.m_startWorldTransform = ToBullet(X_GP * inertia_.X_LP);
+  info.m_friction = 1.0;  // Bullet multiplies: the robot's numbers are those of the pair
+  info.m_restitution = 0.0;
+  body_ = std::make_unique<btRigidBody>(info);
+  body_->setDamping(0.0, 0.0);
+  body_->setActivationState(DISABLE_DEACTIVATION);
+  const double share_kg = pyramid.body.mass_kg / static_cast<double>(feet_.size());
+  sole_ = {.stiffness_n_per_m = pyramid.foot_stiffness_n_per_m,
+           .damping_ns_per_m =
+               2.0 * kFootDampingRatio * std::sqrt(pyramid.foot_stiffness_n_per_m * share_kg),
+           .friction = pyramid.foot_friction};
+  Refresh();
+  const int masses = std::max(
+      2, static_cast<int>(std::lround((cable_to_G_ - CableEndInG()).norm() / kCableSpacing_m)));
+  cable_.LayOut(cable_to_G_, CableEndInG(), masses);
+}
+
+Eigen::Vector3d PyramidBody::CableEndInG() const {
+  double rear_m = 0.0;
+  for (const Eigen::Vector2d& p : pyramid_.p_P_soles) rear_m = std::min(rear_m, p.x());
+  return motion_.X_GL * Eigen::Vector3d(rear_m, 0.0, kCableHeight_m - pyramid_.guide.height_m);
+}
+
+void PyramidBody::AddForce(const Eigen::Vector3d& force_G, const Eigen::Vector3d& p_G) {
+  const Eigen::Vector3d com_G = motion_.X_GL * inertia_.X_LP.p;
+  body_->applyForce(ToBullet(force_G), ToBullet(Eigen::Vector3d(p_G - com_G)));
+}
+
+void PyramidBody::AddForces(const HeightGrid& ground, const Eigen::Vector3d& gravity_G,
+                            double dt_s) {
+  for (std::size_t i = 0; i < feet_.size(); ++i) {
+    const Eigen::Vector2d& p = pyramid_.p_P_soles[i];
+    const Eigen::Vector3d p_G =
+        motion_.X_GL * Eigen::Vector3d(p.x(), p.y(), -pyramid_.guide.height_m);
+    AddForce(GroundForce(ground, sole_, p_G, motion_.VelocityAt(p_G), dt_s, feet_[i]), p_G);
+  }
+  PullCable(ground, gravity_G, dt_s);
+}
+
+void PyramidBody::PullCable(const HeightGrid& ground, const Eigen::Vector3d& gravity_G,
+                            double dt_s) {
+  const double fed_m = std::min(slack_left_m_, kSlackRate_m_s * dt_s);
+  slack_left_m_ -= fed_m;
+  const Eigen::Vector3d p_GE = CableEndInG();
+  const FixedCableEnd end(cable_model_, p_GE, kCableSpacing_m);
+  cable_.Step({.step_s = dt_s,
+               .gravity_G = gravity_G,
+               .ground = &ground,
+               .p_GF = cable_to_G_,
+               .fed_m = fed_m,
+               .end = &end,
+               .end_rest_m = kCableSpacing_m});
+  const Eigen::Vector3d pull_G = -cable_.force_of_end_G();
+  cable_pull_n_ = pull_G.norm();
+  AddForce(pull_G, p_GE);
+}
+
+void PyramidBody::Refresh() {
+  const Pose3 X_GI = FromBullet(body_->getWorldTransform());
+  motion_.X_GL = X_GI * Inverse(inertia_.X_LP);
+  motion_.w_GL_G = FromBullet(body_->getAngularVelocity());
+  motion_.v_GL_G =
+      FromBullet(body_->getLinearVelocity()) + motion_.w_GL_G.cross(motion_.X_GL.p - X_GI.p);
+}
+
+std::vector<Eigen::Vector3d> PyramidBody::CableLine() const {
+  std::vector<Eigen::Vector3d> line = cable_.Line(cable_to_G_, {});
+  line.push_back(CableEndInG());
+  return line;
+}
+
+std::uint64_t PyramidBody::StateHash(std::uint64_t seed) const {
+  std::uint64_t hash = seed;
+  const btTransform& X = body_->getWorldTransform();
+  const btVector3 v = body_->getLinearVelocity(), w = body_->getAngularVelocity();
+  for (int i = 0; i < 3; ++i) {
+    for (const double value : {X.getOrigin()[i], v[i], w[i]}) hash = HashDouble(hash, value);
+    for (int j = 0; j < 3; ++j) hash = HashDouble(hash, X.getBasis()[i][j]);
+  }
+  for (const GroundPoint& foot : feet_) hash = HashPoint(hash, foot);
+  return cable_.StateHash(hash);
+}
+
+}  // namespace dockyard::raposa

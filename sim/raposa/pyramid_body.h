@@ -1,0 +1,54 @@
+// The pyramid as a free rigid body on feet that stick or slide on the ground, with its cable.
+#pragma once
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "models/raposa/pyramid_model.h"
+#include "sim/physics/cable.h"
+#include "sim/physics/collision_shapes.h"
+#include "sim/physics/ground_contact.h"
+#include "sim/physics/inertia.h"
+#include "sim/physics/motion.h"
+
+namespace dockyard::raposa {
+
+class PyramidBody {
+ public:
+  /// cable_to_G: the fixed far end of its cable, on the ground.
+  PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP, const Eigen::Vector3d& cable_to_G);
+
+  /// Motion of the frame P.
+  const LinkMotion& motion() const { return motion_; }
+  /// The ground's and the cable's forces.
+  void AddForces(const HeightGrid& ground, const Eigen::Vector3d& gravity_G, double dt_s);
+  void Refresh();
+  btRigidBody* body() { return body_.get(); }
+  /// From the far end to the pyramid.
+  std::vector<Eigen::Vector3d> CableLine() const;
+  double cable_pull_n() const { return cable_pull_n_; }
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  void AddForce(const Eigen::Vector3d& force_G, const Eigen::Vector3d& p_G);
+  Eigen::Vector3d CableEndInG() const;
+  void PullCable(const HeightGrid& ground, const Eigen::Vector3d& gravity_G, double dt_s);
+
+  PyramidModel pyramid_;
+  PrincipalInertia inertia_;
+  LinkShape shape_;
+  std::unique_ptr<btRigidBody> body_;
+  LinkMotion motion_;
+  GroundMaterial sole_;
+  std::vector<GroundPoint> feet_;
+  CableModel cable_model_;
+  Cable cable_;
+  Eigen::Vector3d cable_to_G_;
+  double slack_left_m_ = 0.0;
+  double cable_pull_n_ = 0.0;
+};
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,119 @@
+#include "sim/raposa/raposa_plant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/base/check.h"
+#include "controller/base/split_mix.h"
+#include "render/shutter.h"
+#include "sim/base/random.h"
+#include "sim/raposa/raposa_columns.h"
+
+namespace dockyard::raposa {
+namespace {
+
+std::vector<MotorModel> MotorModels(const RobotModel& robot) {
+  return {robot.motors.begin(), robot.motors.end()};
+}
+
+Lighting LightingOf(const Scenario& scenario, const BuiltRun& built) {
+  const Pose3 X_WD =
+      SiteInWorld(built.world.X_WG, built.world.slope) * FromGround(built.world.X_GD, 0.0);
+  const Eigen::Vector3d p_DP(0.0, 0.0, built.world.pyramid.guide.height_m);
+  return MakeLighting(scenario.light, X_WD, p_DP, scenario.seed, scenario.sun);
+}
+
+}  // namespace
+
+RaposaPlant::RaposaPlant(const Scenario& scenario, BuiltRun built,
+                         std::shared_ptr<KeptRenderer> renderer)
+    : seed_(scenario.seed),
+      step_s_(scenario.physics_step_s),
+      built_(std::move(built)),
+      world_(built_.world),
+      sensors_(ImuModel{}, MotorModels(built_.world.robot), kControlPeriod, seed_),
+      scene_(built_, LightingOf(scenario, built_), seed_),
+      view_(ViewOf(built_.world.robot.camera)),
+      sensor_(SensorOf(built_.world.robot.camera, built_.keys.balance_k)),
+      renderer_(std::move(renderer)),
+      truth_(world_.truth()),
+      exposed_(truth_) {}
+
+// The robot has no inertial unit: its sample stays zero.
+SensorFrame RaposaPlant::Sense() {
+  RefreshTruth();
+  return sensors_.Read(world_.tick(), {truth_.motors.begin(), truth_.motors.end()}, ImuSample{});
+}
+
+std::vector<CameraImage> RaposaPlant::TakeImages(const std::vector<int>& cameras,
+                                                 double exposure_stops) {
+  DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposureStops);
+  if (cameras.empty()) return {};
+  const BackCameraModel& camera = built_.world.robot.camera;
+  const Pose3 X_WC = exposed_.X_WR * camera.X_RC;
+  const Eigen::Vector3d v_W = exposed_.v_WR_W + exposed_.w_WR_W.cross(X_WC.p - exposed_.X_WR.p);
+  const double range_m = std::max(0.1, exposed_.range_m);
+  const double motion_px = MotionInExposure_px(camera.camera, exposed_.w_WR_W.norm(), v_W.norm(),
+                                               range_m, camera.shutter_s);
+  const ColourRadiance light = renderer_->Get().RenderThrough(
+      scene_.Make(exposed_, world_.ground(), lamps_on_), scene_.colours(), view_,
+      PosesInExposure(X_WC, v_W, exposed_.w_WR_W, camera.shutter_s, motion_px));
+  const Tick now = world_.tick();
+  const double since_s =
+      last_picture_ ? static_cast<double>(now - *last_picture_) * kTickSeconds : 0.0;
+  last_picture_ = now;
+  const std::uint64_t key =
+      SplitMix(StreamKey(seed_, "camera"), static_cast<std::uint64_t>(pictures_++));
+  std::vector<CameraImage> images;
+  images.push_back({kBackCamera, TakePicture(light, sensor_, since_s, key, sensor_state_)});
+  return images;
+}
+
+void RaposaPlant::Advance(const Commands& commands) {
+  DOCKYARD_CHECK(commands.motors.size() == kMotorCount);
+  std::array<MotorCommand, kMotorCount> motors;
+  std::copy(commands.motors.begin(), commands.motors.end(), motors.begin());
+  lamps_on_ = commands.switches.size() > kLamps && commands.switches[kLamps] != 0;
+  const auto steps = std::lround(kControlPeriod * kTickSeconds / step_s_);
+  const auto before_end = std::lround(built_.world.robot.camera.delay_s / step_s_);
+  for (long i = 0; i < steps; ++i) {
+    world_.Step(motors);
+    if (i + 1 == std::max(0L, steps - before_end)) exposed_ = world_.truth();
+  }
+}
+
+void RaposaPlant::AppendChannels(std::vector<double>& values) const {
+  VisitChannels(truth_, [&](const char*, const char*, const char*, double value) {
+    values.push_back(value);
+  });
+}
+
+Stage RaposaPlant::Look() const {
+  const HeightGrid& ground = world_.ground();
+  Stage stage;
+  stage.bodies = {{"robot", truth_.X_WR},
+                  {"arm", truth_.X_WA},
+                  {"left_door", truth_.X_W_left_door},
+                  {"right_door", truth_.X_W_right_door},
+                  {"pyramid", truth_.X_WP}};
+  const StageShapes shapes = scene_.Shapes();
+  if (shapes.bodies.size() > stage.bodies.size()) stage.bodies.push_back({"shade", Pose3{}});
+  stage.lines = {{.name = "cable",
+                  .diameter_m = built_.world.pyramid.cable.diameter_m,
+                  .rgb = {0.06, 0.06, 0.06},
+                  .points_W = truth_.cable_W}};
+  const Pose3 X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope);
+  stage.ground = {.X_WG = X_WG,
+                  .x0_m = ground.x0_m,
+                  .y0_m = ground.y0_m,
+                  .cell_m = ground.cell_m,
+                  .nx = ground.nx,
+                  .ny = ground.ny,
+                  .heights_m = ground.heights_m.data(),
+                  .revision = ground.revision,
+                  .rgb = shapes.ground_rgb};
+  stage.X_WD = X_WG * FromGround(built_.world.X_GD, 0.0);
+  return stage;
+}
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,109 @@
+#include "sim/raposa/raposa_system.h"
+
+#include "models/raposa/load_ground.h"
+#include "models/raposa/load_pyramid.h"
+#include "models/raposa/load_robot.h"
+#include "models/read/load_model_yaml.h"
+#include "models/read/yaml_reader.h"
+#include "sim/raposa/load_models.h"
+#include "sim/raposa/nominal_json.h"
+#include "sim/raposa/raposa_columns.h"
+#include "sim/raposa/raposa_judge.h"
+#include "sim/raposa/raposa_plant.h"
+#include "sim/raposa/view_start.h"
+
+namespace dockyard::raposa {
+namespace {
+
+/// In the order of Motor.
+void NameParts(const Nominal& nominal, ReadyRun& ready) {
+  const char* const names[kMotorCount] = {"left_belt", "right_belt", "arm", "left_door",
+                                          "right_door"};
+  for (std::size_t i = 0; i < kMotorCount; ++i) {
+    ready.motors.push_back({names[i], nominal.motors[i].rad_per_count});
+  }
+  ready.cameras = {{"back", nominal.camera, nominal.X_RC}};
+}
+
+ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>& renderer) {
+  BuiltRun built = BuildRun(scenario, LoadModels(scenario));
+  ReadyRun ready;
+  ready.nominal = ToJson(built.nominal);
+  ready.control_period = kControlPeriod;
+  ready.motor_count = kMotorCount;
+  ready.camera_count = kCameraCount;
+  ready.switch_count = kSwitchCount;
+  NameParts(built.nominal, ready);
+  auto plant = std::make_unique<RaposaPlant>(scenario, std::move(built), renderer);
+  ready.judge = std::make_unique<RaposaJudge>(*plant);
+  ready.plant = std::move(plant);
+  return ready;
+}
+
+std::string Check(const Scenario& scenario) {
+  const RaposaModels models = LoadModels(scenario);
+  BuildRun(scenario, models);
+  return models.told.robot.name + " from " + NumberText(scenario.start.r) + " m to " +
+         models.told.pyramid.name + " on " + models.told.ground.name;
+}
+
+StageShapes ShapesOf(const Scenario& scenario) {
+  return RaposaPlant(scenario, BuildRun(scenario, LoadModels(scenario)),
+                     std::make_shared<KeptRenderer>())
+      .shapes();
+}
+
+std::optional<FileCheck> CheckModelFile(const std::string& file) {
+  const YamlNode root = LoadModelYaml(file);
+  if (root.Find("belts") != nullptr) {
+    const RobotModel robot = LoadRobot(file);
+    return FileCheck{"tracked robot", robot.name + ": " + NumberText(robot.mass_kg()) +
+                                          " kg, belts " + NumberText(robot.belts.gauge_m) +
+                                          " m apart"};
+  }
+  if (root.Find("guide") != nullptr) {
+    const PyramidModel pyramid = LoadPyramid(file);
+    return FileCheck{"pyramid", pyramid.name + ": " + NumberText(pyramid.body.mass_kg) +
+                                    " kg, guide " + NumberText(pyramid.guide.height_m) +
+                                    " m above the ground"};
+  }
+  if (root.Find("rolling_loss") != nullptr) {
+    const GroundModel ground = LoadGround(file);
+    return FileCheck{"ground for belts", ground.name};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+System RaposaSystem(const std::vector<NamedController>& controllers,
+                    const std::vector<SystemCommand>& commands) {
+  const auto renderer = std::make_shared<KeptRenderer>();
+  System system;
+  system.name = "raposa";
+  for (const NamedController& controller : controllers) {
+    system.controllers.push_back({controller.name, [make = controller.make](const Json& nominal) {
+                                    return make(NominalFromJson(nominal));
+                                  }});
+  }
+  system.file_keys = {"pyramid"};
+  system.changes_file_keys = {"robot.urdf", "pyramid.urdf"};
+  system.model_roots = {{"robot", "robot"}, {"pyramid", "raposa.pyramid"}, {"soil", "soil"}};
+  system.outcomes = OutcomeNames();
+  system.channels = Channels();
+  system.beliefs = Beliefs();
+  system.measures = Measures();
+  system.check = Check;
+  system.make_ready = [renderer](const Scenario& scenario) {
+    return MakeReady(scenario, renderer);
+  };
+  system.view = [](const Scenario& scenario, const std::filesystem::path& dir) {
+    WriteStartView(scenario, LoadModels(scenario), dir);
+  };
+  system.shapes = ShapesOf;
+  system.check_file = CheckModelFile;
+  system.commands = commands;
+  return system;
+}
+
+}  // namespace dockyard::raposa

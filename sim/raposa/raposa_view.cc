@@ -1,0 +1,183 @@
+#include "sim/raposa/raposa_view.h"
+
+#include <cmath>
+
+#include "render/shading.h"
+#include "sim/base/random.h"
+#include "sim/raposa/mark_meshes.h"
+
+namespace dockyard::raposa {
+namespace {
+
+// Indices of the materials that every scene has.
+constexpr int kGround = 0, kOrange = 1, kBlue = 2;
+constexpr double kDaylightFrom_k = 4000.0;
+// Of cable and rod, and of the bare faces. Assumed, 0.03-0.1 and 0.2-0.4.
+constexpr double kRubber = 0.06, kBareFaces = 0.30;
+// Linear colours for spectators alone.
+const Eigen::Vector3d kOrangeRgb(0.71, 0.12, 0.02), kBlueRgb(0.01, 0.09, 0.34);
+
+Spectrum SpectrumOf(GroundMaterialKind material) {
+  switch (material) {
+    case GroundMaterialKind::kSoil:
+      return Soil();
+    case GroundMaterialKind::kGrass:
+      return Grass();
+    case GroundMaterialKind::kBrick:
+      return Brick();
+    case GroundMaterialKind::kGrey:
+      return EvenGrey(0.3);
+    case GroundMaterialKind::kFloor:
+      break;
+  }
+  return FloorCovering();
+}
+
+}  // namespace
+
+Spectrum LightOf(double temperature_k) {
+  return temperature_k < kDaylightFrom_k ? PlanckLight(temperature_k)
+                                         : DaylightLight(temperature_k);
+}
+
+SceneBuilder::SceneBuilder(const BuiltRun& built, Lighting lighting, std::uint64_t run_seed)
+    : lighting_(std::move(lighting)),
+      lamps_(built.world.robot.lamps),
+      X_WG_(SiteInWorld(built.world.X_WG, built.world.slope)),
+      cable_m_(built.world.pyramid.cable.diameter_m),
+      grain_(built.ground.grain),
+      mark_reach_m_(built.world.pyramid.marks.behind_m),
+      texture_seed_(StreamKey(run_seed, "texture")) {
+  spectra_.sun = spectra_.sky = LightOf(built.keys.light_k);
+  spectra_.lamps = {WhiteDiodeLight()};
+  spectra_.materials = {SpectrumOf(built.ground.material), OrangePaint(), BluePaint()};
+  spectra_.ground = kGround;
+  const RobotModel& robot = built.world.robot;
+  const PyramidModel& pyramid = built.world.pyramid;
+  body_ = Convert(robot.body.visuals);
+  arm_ = Convert(robot.arm.visuals);
+  left_door_ = Convert(robot.left_door.visuals);
+  right_door_ = Convert(robot.right_door.visuals);
+  pyramid_ = Convert(pyramid.body.visuals);
+  const auto mark = [&](RenderMesh mesh, const Eigen::Vector3d& rgb, int material) {
+    pyramid_.push_back({std::make_shared<const RenderMesh>(std::move(mesh)), {}, rgb, material});
+  };
+  mark(GuideMesh(pyramid.guide), kOrangeRgb, kOrange);
+  mark(StripsMesh(pyramid.marks), kBlueRgb, kBlue);
+  mark(FacesMesh(pyramid.marks), Eigen::Vector3d::Constant(kBareFaces), GreyMaterial(kBareFaces));
+  mark(RodMesh(pyramid), Eigen::Vector3d::Constant(kRubber), GreyMaterial(kRubber));
+  cable_material_ = GreyMaterial(kRubber);
+  const CameraResponse response = CheapCamera();
+  ground_rgb_ = ColourOf(DaylightLight(6500.0), spectra_.materials[kGround], response)
+                    .cwiseProduct(BalanceFor(DaylightLight(6500.0), response));
+  colours_ = MakeColourTable(spectra_, response);
+}
+
+int SceneBuilder::GreyMaterial(double reflectance) {
+  const Spectrum grey = EvenGrey(reflectance);
+  for (std::size_t i = kBlue + 1; i < spectra_.materials.size(); ++i) {
+    if (spectra_.materials[i] == grey) return static_cast<int>(i);
+  }
+  spectra_.materials.push_back(grey);
+  return static_cast<int>(spectra_.materials.size()) - 1;
+}
+
+std::vector<SceneBuilder::Part> SceneBuilder::Convert(const std::vector<Visual>& visuals) {
+  std::vector<Part> parts;
+  for (const Visual& visual : visuals) {
+    auto mesh = std::make_shared<RenderMesh>();
+    for (const Eigen::Vector3d& v : visual.mesh->vertices) {
+      mesh->vertices.push_back(v.cast<float>());
+    }
+    mesh->triangles = visual.mesh->triangles;
+    parts.push_back(
+        {std::move(mesh), visual.X_LV, visual.rgb, GreyMaterial(Luminance(visual.rgb))});
+  }
+  return parts;
+}
+
+void SceneBuilder::Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
+                       const Pose3& X_WL) {
+  for (const Part& part : parts) {
+    objects.push_back({part.mesh, X_WL * part.X_LV, part.albedo, part.material});
+  }
+}
+
+Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground, bool lamps_on) const {
+  Scene scene;
+  Add(scene.objects, body_, truth.X_WR);
+  Add(scene.objects, arm_, truth.X_WA);
+  Add(scene.objects, left_door_, truth.X_W_left_door);
+  Add(scene.objects, right_door_, truth.X_W_right_door);
+  Add(scene.objects, pyramid_, truth.X_WP);
+  for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
+  scene.ground = {.X_WG = X_WG_,
+                  .x0_m = ground.x0_m,
+                  .y0_m = ground.y0_m,
+                  .cell_m = ground.cell_m,
+                  .nx = ground.nx,
+                  .ny = ground.ny,
+                  .heights_m = ground.heights_m.data(),
+                  .revision = ground.revision,
+                  .albedo = ground_rgb_,
+                  .texture_seed = texture_seed_,
+                  .grain = grain_,
+                  .material = kGround};
+  scene.tether.points_W = truth.cable_W;
+  scene.tether.diameter_m = cable_m_;
+  scene.tether.material = cable_material_;
+  scene.light = lighting_.sun_and_sky;
+  scene.interest =
+      Interest{truth.X_WP * Eigen::Vector3d(-0.5 * mark_reach_m_, 0.0, 0.0), mark_reach_m_};
+  if (!lamps_on) return scene;
+  for (const double side : {-0.5, 0.5}) {
+    const Eigen::Vector3d p_R = lamps_.p_R + Eigen::Vector3d(0.0, side * lamps_.apart_m, 0.0);
+    scene.lamps.push_back({.p_W = truth.X_WR * p_R,
+                           .axis_W = -truth.X_WR.R.col(0),
+                           .half_angle_rad = lamps_.half_angle_rad,
+                           .irradiance_1m = 0.5 * lamps_.irradiance_at_1m,
+                           .kind = 0});
+  }
+  return scene;
+}
+
+StageShapes SceneBuilder::Shapes() const {
+  StageShapes shapes;
+  const auto add = [&](const char* name, bool robot, const std::vector<Part>& parts) {
+    shapes.bodies.push_back({name, robot, {}});
+    for (const Part& part : parts) {
+      shapes.bodies.back().parts.push_back({part.mesh, part.X_LV, part.albedo});
+    }
+  };
+  add("robot", true, body_);
+  add("arm", true, arm_);
+  add("left_door", true, left_door_);
+  add("right_door", true, right_door_);
+  add("pyramid", false, pyramid_);
+  if (!lighting_.occluders.empty()) {
+    shapes.bodies.push_back({"shade", false, {}});
+    for (const SceneObject& object : lighting_.occluders) {
+      shapes.bodies.back().parts.push_back({object.mesh, object.X_WO, object.albedo});
+    }
+  }
+  shapes.light = lighting_.sun_and_sky;
+  shapes.ground_rgb = ground_rgb_;
+  shapes.ground_texture_seed = texture_seed_;
+  return shapes;
+}
+
+ColourView ViewOf(const BackCameraModel& camera) {
+  return {.camera = camera.camera,
+          .hole = {.half_angle_rad = camera.half_view_rad, .distance_m = camera.hole_m},
+          .vignetting_exponent = camera.vignetting_exponent};
+}
+
+ColourSensorOptions SensorOf(const BackCameraModel& camera, double balance_k) {
+  return {.blur_sigma_px = camera.blur_sigma_px,
+          .full_well_e = camera.full_well_e,
+          .read_noise_e = camera.read_noise_e,
+          .auto_balance = false,
+          .balance = BalanceFor(LightOf(balance_k), CheapCamera())};
+}
+
+}  // namespace dockyard::raposa

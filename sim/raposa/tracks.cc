@@ -1,0 +1,114 @@
+#include "sim/raposa/tracks.h"
+
+#include <cmath>
+
+#include "sim/base/hash.h"
+
+namespace dockyard::raposa {
+namespace {
+
+constexpr double kPadPitch_m = 0.028;  // assumed, 15-40 mm: 48 pads round the main belt
+
+BeltModel BeltOf(const BeltsModel& belts, double rear_m, double front_m, double y_m) {
+  BeltModel belt;
+  belt.front = {.x_m = front_m, .radius_m = belts.roller_radius_m};
+  belt.rear = {.x_m = rear_m, .radius_m = belts.roller_radius_m};
+  belt.y_m = y_m;
+  belt.width_m = belts.width_m;
+  const double round_m = 2.0 * (front_m - rear_m) + 2.0 * kPi * belts.roller_radius_m;
+  belt.pads = static_cast<int>(std::lround(round_m / kPadPitch_m));
+  belt.sprocket_radius_m = belts.roller_radius_m;
+  belt.stiffness_pa_per_m = belts.stiffness_pa_per_m;
+  belt.damping_pa_s_per_m = belts.damping_pa_s_per_m;
+  belt.shear_stiffness_pa_per_m = belts.shear_stiffness_pa_per_m;
+  belt.shear_damping_pa_s_per_m = belts.shear_damping_pa_s_per_m;
+  return belt;
+}
+
+std::array<Belt, 2> BothSides(const RobotModel& robot, const BeltGround& ground, double rear_m,
+                              double front_m) {
+  const double y_m = 0.5 * robot.belts.gauge_m;
+  return {Belt(BeltOf(robot.belts, rear_m, front_m, y_m), ground),
+          Belt(BeltOf(robot.belts, rear_m, front_m, -y_m), ground)};
+}
+
+MotorDrive DriveOf(const RobotModel& robot, Motor motor) {
+  const MotorModel& model = robot.motors[static_cast<std::size_t>(motor)];
+  return {model, model.reflected_inertia_kg_m2};
+}
+
+}  // namespace
+
+Tracks::Tracks(const RobotModel& robot, const BeltGround& ground, std::uint64_t seed)
+    : radius_m_(robot.belts.roller_radius_m),
+      inertia_kg_m2_(
+          robot.motors[static_cast<std::size_t>(Motor::kLeftBelt)].reflected_inertia_kg_m2),
+      offset_rad_s_(robot.belts.speed_offset *
+                    robot.motors[static_cast<std::size_t>(Motor::kLeftBelt)].max_speed_rad_s),
+      drift_time_s_(robot.belts.drift_time_s),
+      dead_band_rad_s_(robot.belts.dead_band_m_s / radius_m_),
+      drift_(StreamKey(seed, "belt_speed")),
+      drives_{DriveOf(robot, Motor::kLeftBelt), DriveOf(robot, Motor::kRightBelt)},
+      body_belts_(BothSides(robot, ground, robot.belts.body_rear_m, robot.belts.body_front_m)),
+      arm_belts_(BothSides(robot, ground, 0.0, robot.belts.arm_length_m)) {
+  for (double& error : error_rad_s_) error = offset_rad_s_ * drift_.Normal();
+}
+
+// A first-order Gauss-Markov process.
+void Tracks::Wander(double dt_s) {
+  const double kept = std::exp(-dt_s / drift_time_s_);
+  const double fresh = offset_rad_s_ * std::sqrt(1.0 - kept * kept);
+  for (double& error : error_rad_s_) error = kept * error + fresh * drift_.Normal();
+}
+
+MotorCommand Tracks::Obeyed(const MotorCommand& command, std::size_t side) const {
+  if (command.mode != MotorMode::kVelocity) return command;
+  MotorCommand obeyed = command;
+  if (std::abs(command.target) <= dead_band_rad_s_) {
+    obeyed.target = 0.0;
+  } else {
+    obeyed.target -= error_rad_s_[side];
+  }
+  return obeyed;
+}
+
+void Tracks::Step(const HeightGrid& ground, const std::array<MotorCommand, 2>& commands,
+                  double dt_s, RobotBody& robot) {
+  Wander(dt_s);
+  const LinkMotion &body = robot.motion(RobotLink::kBody), &arm = robot.motion(RobotLink::kArm);
+  const Eigen::Vector3d y_G = body.X_GL.R.col(1);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double surface_m_s = radius_m_ * speed_rad_s_[side];
+    body_load_[side] = body_belts_[side].Step(ground, body, surface_m_s, dt_s);
+    arm_load_[side] = arm_belts_[side].Step(ground, arm, surface_m_s, dt_s);
+    const double arm_nm = arm_load_[side].drive_torque_nm;
+    robot.AddLoad(RobotLink::kBody, body_load_[side].force_G,
+                  body_load_[side].torque_G - arm_nm * y_G);
+    robot.AddLoad(RobotLink::kArm, arm_load_[side].force_G,
+                  arm_load_[side].torque_G + arm_nm * y_G);
+
+    output_[side] = drives_[side].Step(Obeyed(commands[side], side), angle_rad_[side],
+                                       speed_rad_s_[side], dt_s);
+    const double load_nm = body_load_[side].drive_torque_nm + arm_nm;
+    speed_rad_s_[side] += dt_s * (output_[side].torque_nm() - load_nm) / inertia_kg_m2_;
+    angle_rad_[side] += dt_s * speed_rad_s_[side];
+    const bool driven = commands[side].mode == MotorMode::kVelocity &&
+                        std::abs(commands[side].target) > dead_band_rad_s_;
+    read_rad_[side] += dt_s * (speed_rad_s_[side] + (driven ? error_rad_s_[side] : 0.0));
+  }
+}
+
+std::uint64_t Tracks::StateHash(std::uint64_t seed) const {
+  std::uint64_t hash = seed;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const double value :
+         {read_rad_[side], angle_rad_[side], speed_rad_s_[side], error_rad_s_[side]}) {
+      hash = HashDouble(hash, value);
+    }
+    hash = drives_[side].StateHash(hash);
+    hash = arm_belts_[side].StateHash(body_belts_[side].StateHash(hash));
+  }
+  return hash;
+}
+
+}  // namespace dockyard::raposa

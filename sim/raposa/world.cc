@@ -1,0 +1,314 @@
+#include "sim/raposa/world.h"
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "sim/base/hash.h"
+#include "sim/physics/bullet_math.h"
+#include "sim/raposa/pyramid_body.h"
+#include "sim/raposa/robot_body.h"
+#include "sim/raposa/tracks.h"
+
+namespace dockyard::raposa {
+namespace {
+
+// Robot and pyramid come to rest, and the cable lets out its slack, before the run begins. Assumed,
+// 1-3 s.
+constexpr double kSettleSeconds = 1.5;
+// End stops of arm and doors: a tenth of a millimetre at the motors' limits. Assumed, 1e4-1e6 N
+// m/rad and N/m.
+constexpr double kArmStop_nm_rad = 2e4, kDoorStop_n_m = 1e5;
+constexpr double kArmStopDamping_nms_rad = 50.0, kDoorStopDamping_ns_m = 20.0;
+constexpr int kSolverSweeps = 50;
+
+double StopLoad(double at, double rate, double low, double high, double stiffness, double damping) {
+  const double beyond = at > high ? at - high : at < low ? at - low : 0.0;
+  if (beyond == 0.0) return 0.0;
+  const double load = -stiffness * beyond - damping * rate;
+  return beyond > 0.0 ? std::min(load, 0.0) : std::max(load, 0.0);
+}
+
+/// The body on its main belts, so that the camera is where it is told in plan.
+Pose3 RobotStart(const WorldSetup& setup) {
+  const Pose2 X_GV = setup.X_GD * setup.X_DV_start;
+  const double heading = X_GV.heading + kPi;  // the camera looks back
+  const Eigen::Vector2d to_camera =
+      Eigen::Rotation2Dd(heading) * setup.robot.camera.X_RC.p.head<2>();
+  const Pose2 X_GR{X_GV.x - to_camera.x(), X_GV.y - to_camera.y(), heading};
+  return FromGround(X_GR, setup.ground.Height(X_GR.x, X_GR.y) + setup.robot.belts.roller_radius_m);
+}
+
+Pose3 PyramidStart(const WorldSetup& setup) {
+  return FromGround(setup.X_GD,
+                    setup.ground.Height(setup.X_GD.x, setup.X_GD.y) + setup.pyramid.guide.height_m);
+}
+
+Eigen::Vector3d CableFarEnd(const WorldSetup& setup) {
+  const TetherCableModel& cable = setup.pyramid.cable;
+  const double way_m = cable.length_m - cable.slack_m;
+  const double back = setup.X_GD.heading + kPi + setup.cable_rad;
+  const Eigen::Vector2d p = Eigen::Vector2d(setup.X_GD.x, setup.X_GD.y) +
+                            way_m * Eigen::Vector2d(std::cos(back), std::sin(back));
+  return {p.x(), p.y(), setup.ground.Height(p.x(), p.y()) + 0.5 * cable.diameter_m};
+}
+
+/// Rotors count as parts of what they move. The arm's then resists the body's pitch as well, by a
+/// third of the robot's own inertia: pitching is slower than it should be, and rests at the same
+/// angles. The doors' masses are taken from the body's, at its centre of mass.
+WorldSetup WithRotors(WorldSetup setup) {
+  RobotModel& robot = setup.robot;
+  const auto rotor_kg_m2 = [&](Motor motor) {
+    return robot.motors[static_cast<std::size_t>(motor)].reflected_inertia_kg_m2;
+  };
+  robot.arm.I_LCom_L(1, 1) += rotor_kg_m2(Motor::kArm);
+  const double radius_m = robot.doors.pinion_radius_m;
+  for (const auto& [door, motor] : {std::pair(&robot.left_door, Motor::kLeftDoor),
+                                    std::pair(&robot.right_door, Motor::kRightDoor)}) {
+    const double rotor_kg = rotor_kg_m2(motor) / (radius_m * radius_m);
+    const double share = rotor_kg / (door->mass_kg + rotor_kg);
+    Eigen::Vector3d to_body = robot.body.p_LoCom_L - robot.p_R_doors - door->p_LoCom_L;
+    to_body.y() = 0.0;
+    door->p_LoCom_L += share * to_body;
+    door->mass_kg += rotor_kg;
+    robot.body.mass_kg -= rotor_kg;
+  }
+  return setup;
+}
+
+/// Inertia that the arm's drive turns: arm, with its rotor, and body against each other.
+double ArmInertia(const RobotModel& robot) {
+  const Eigen::Vector3d& c = robot.arm.p_LoCom_L;
+  const double own = robot.arm.I_LCom_L(1, 1) + robot.arm.mass_kg * c.squaredNorm();
+  const double body = robot.body.I_LCom_L(1, 1);
+  return own * body / (own + body);
+}
+
+double DoorInertia(const RobotModel& robot) {
+  const double r = robot.doors.pinion_radius_m;
+  return robot.left_door.mass_kg * r * r;
+}
+
+const MotorModel& ModelOf(const RobotModel& robot, Motor motor) {
+  return robot.motors[static_cast<std::size_t>(motor)];
+}
+
+}  // namespace
+
+class World::Impl {
+ public:
+  explicit Impl(const WorldSetup& setup);
+
+  void Step(const std::array<MotorCommand, kMotorCount>& commands);
+  Truth MakeTruth() const;
+  Tick tick() const { return std::llround(time_s() / kTickSeconds); }
+  const HeightGrid& ground() const { return setup_.ground; }
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  struct DoorDrive {
+    RobotLink link;
+    Motor motor;
+    double side;  // of its travel
+  };
+  static constexpr std::array<DoorDrive, 2> kDoors{
+      {{RobotLink::kLeftDoor, Motor::kLeftDoor, 1.0},
+       {RobotLink::kRightDoor, Motor::kRightDoor, -1.0}}};
+
+  double time_s() const { return static_cast<double>(steps_) * setup_.step_s; }
+  double ArmAngle() const { return robot_.joint(RobotLink::kArm); }
+  /// A door's motor, closing positive, from open.
+  double DoorAngle(const DoorDrive& door) const;
+  double DoorRate(const DoorDrive& door) const;
+  void DriveArm(const MotorCommand& command);
+  void DriveDoor(const DoorDrive& door, const MotorCommand& command);
+  void SumContacts();
+  Eigen::Vector3d GuideFromSeat() const;
+
+  WorldSetup setup_;
+  Pose3 X_WG_;
+  Eigen::Vector3d gravity_G_;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_;
+  btDbvtBroadphase broadphase_;
+  btMultiBodyConstraintSolver solver_;
+  btMultiBodyDynamicsWorld world_;
+  RobotBody robot_;
+  PyramidBody pyramid_;
+  Tracks tracks_;
+  MotorDrive arm_drive_;
+  std::array<MotorDrive, 2> door_drives_;
+  DriveOutput arm_output_;
+  std::array<DriveOutput, 2> door_output_;
+  Pose3 X_GP_start_;
+  double contact_n_ = 0.0, contact_peak_n_ = 0.0;
+  long steps_ = 0;
+};
+
+World::Impl::Impl(const WorldSetup& setup)
+    : setup_(WithRotors(setup)),
+      X_WG_(SiteInWorld(setup.X_WG, setup.slope)),
+      gravity_G_(GravityInSite(setup.slope)),
+      dispatcher_(&configuration_),
+      world_(&dispatcher_, &broadphase_, &solver_, &configuration_),
+      robot_(setup_.robot, RobotStart(setup), 0.0),
+      pyramid_(setup.pyramid, PyramidStart(setup), CableFarEnd(setup)),
+      tracks_(setup.robot, setup.belt_ground, setup.seed),
+      arm_drive_(ModelOf(setup.robot, Motor::kArm), ArmInertia(setup_.robot)),
+      door_drives_{MotorDrive(ModelOf(setup.robot, Motor::kLeftDoor), DoorInertia(setup_.robot)),
+                   MotorDrive(ModelOf(setup.robot, Motor::kRightDoor), DoorInertia(setup_.robot))} {
+  if (!(setup.step_s > 0.0 && setup.step_s <= 5e-3)) {
+    throw std::invalid_argument("physics step must be in (0, 5] ms");
+  }
+  world_.setGravity(ToBullet(gravity_G_));
+  world_.getSolverInfo().m_numIterations = kSolverSweeps;
+  const int robot_group = 1, pyramid_group = 2;
+  world_.addMultiBody(robot_.multibody());
+  for (int i = 0; i < kRobotLinkCount; ++i) {
+    world_.addCollisionObject(robot_.collider(static_cast<RobotLink>(i)), robot_group,
+                              pyramid_group);
+  }
+  world_.addRigidBody(pyramid_.body(), pyramid_group, robot_group);
+  const std::array<MotorCommand, kMotorCount> braked{};
+  const long settle = std::lround(kSettleSeconds / setup.step_s);
+  for (long i = 0; i < settle; ++i) Step(braked);
+  steps_ = 0;
+  tracks_.PowerOn();
+  contact_peak_n_ = 0.0;
+  X_GP_start_ = pyramid_.motion().X_GL;
+}
+
+double World::Impl::DoorAngle(const DoorDrive& door) const {
+  const DoorsModel& doors = setup_.robot.doors;
+  return (doors.travel_m - door.side * robot_.joint(door.link)) / doors.pinion_radius_m;
+}
+
+double World::Impl::DoorRate(const DoorDrive& door) const {
+  return -door.side * robot_.joint_rate(door.link) / setup_.robot.doors.pinion_radius_m;
+}
+
+void World::Impl::DriveArm(const MotorCommand& command) {
+  const double rate = robot_.joint_rate(RobotLink::kArm);
+  arm_output_ = arm_drive_.Step(command, ArmAngle(), rate, setup_.step_s);
+  const double stop_nm =
+      StopLoad(ArmAngle(), rate, setup_.robot.arm_lower_rad, setup_.robot.arm_upper_rad,
+               kArmStop_nm_rad, kArmStopDamping_nms_rad);
+  robot_.AddJointLoad(RobotLink::kArm, arm_output_.torque_nm() + stop_nm);
+}
+
+void World::Impl::DriveDoor(const DoorDrive& door, const MotorCommand& command) {
+  const DoorsModel& doors = setup_.robot.doors;
+  DriveOutput& output = door_output_[door.side > 0.0 ? 0 : 1];
+  output = door_drives_[door.side > 0.0 ? 0 : 1].Step(command, DoorAngle(door), DoorRate(door),
+                                                      setup_.step_s);
+  const double stop_n =
+      StopLoad(door.side * robot_.joint(door.link), door.side * robot_.joint_rate(door.link), 0.0,
+               doors.travel_m, kDoorStop_n_m, kDoorStopDamping_ns_m);
+  robot_.AddJointLoad(door.link, door.side * (stop_n - output.torque_nm() / doors.pinion_radius_m));
+}
+
+void World::Impl::Step(const std::array<MotorCommand, kMotorCount>& commands) {
+  const auto command = [&](Motor motor) { return commands[static_cast<std::size_t>(motor)]; };
+  tracks_.Step(setup_.ground, {command(Motor::kLeftBelt), command(Motor::kRightBelt)},
+               setup_.step_s, robot_);
+  DriveArm(command(Motor::kArm));
+  for (const DoorDrive& door : kDoors) DriveDoor(door, command(door.motor));
+  pyramid_.AddForces(setup_.ground, gravity_G_, setup_.step_s);
+  world_.stepSimulation(setup_.step_s, 0);
+  robot_.Refresh();
+  pyramid_.Refresh();
+  SumContacts();
+  ++steps_;
+}
+
+void World::Impl::SumContacts() {
+  contact_n_ = 0.0;
+  for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
+    const btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(i);
+    for (int j = 0; j < manifold->getNumContacts(); ++j) {
+      contact_n_ += manifold->getContactPoint(j).getAppliedImpulse() / setup_.step_s;
+    }
+  }
+  contact_peak_n_ = std::max(contact_peak_n_, contact_n_);
+}
+
+Eigen::Vector3d World::Impl::GuideFromSeat() const {
+  const Pose3& X_GR = robot_.motion(RobotLink::kBody).X_GL;
+  return Inverse(X_GR) * pyramid_.motion().X_GL.p - setup_.robot.socket.p_RS;
+}
+
+Truth World::Impl::MakeTruth() const {
+  Truth truth;
+  truth.time_s = time_s();
+  const LinkMotion& body = robot_.motion(RobotLink::kBody);
+  const LinkMotion& pyramid = pyramid_.motion();
+  truth.X_WR = X_WG_ * body.X_GL;
+  truth.X_WA = X_WG_ * robot_.motion(RobotLink::kArm).X_GL;
+  truth.X_W_left_door = X_WG_ * robot_.motion(RobotLink::kLeftDoor).X_GL;
+  truth.X_W_right_door = X_WG_ * robot_.motion(RobotLink::kRightDoor).X_GL;
+  truth.X_WP = X_WG_ * pyramid.X_GL;
+  truth.v_WR_W = X_WG_.R * body.v_GL_G;
+  truth.w_WR_W = X_WG_.R * body.w_GL_G;
+  truth.X_DR_start = Inverse(FromGround(setup_.X_GD, 0.0)) * body.X_GL;
+  truth.X_PR = Inverse(pyramid.X_GL) * body.X_GL;
+  const Eigen::Vector3d p_PC = truth.X_PR * setup_.robot.camera.X_RC.p;
+  truth.range_m = std::hypot(p_PC.x(), p_PC.y());
+  truth.alpha_rad = std::atan2(p_PC.y(), p_PC.x());
+  truth.p_SP_R = GuideFromSeat();
+  const Eigen::Vector3d v_G = pyramid.v_GL_G - body.VelocityAt(pyramid.X_GL.p);
+  truth.guide_speed_m_s = v_G.norm();
+  truth.arm_rad = ArmAngle();
+  truth.left_door_m = robot_.joint(RobotLink::kLeftDoor);
+  truth.right_door_m = -robot_.joint(RobotLink::kRightDoor);
+  const auto tell = [&](Motor motor, double angle, double speed, const DriveOutput& output) {
+    truth.motors[static_cast<std::size_t>(motor)] = {angle, speed, output.torque_nm(),
+                                                     output.current_a};
+  };
+  tell(Motor::kLeftBelt, tracks_.read_rad(Side::kLeft), tracks_.speed_rad_s(Side::kLeft),
+       tracks_.output(Side::kLeft));
+  tell(Motor::kRightBelt, tracks_.read_rad(Side::kRight), tracks_.speed_rad_s(Side::kRight),
+       tracks_.output(Side::kRight));
+  tell(Motor::kArm, ArmAngle(), robot_.joint_rate(RobotLink::kArm), arm_output_);
+  for (const DoorDrive& door : kDoors) {
+    tell(door.motor, DoorAngle(door), DoorRate(door), door_output_[door.side > 0.0 ? 0 : 1]);
+  }
+  truth.contact_n = contact_n_;
+  truth.contact_peak_n = contact_peak_n_;
+  const Pose3 X_start_now = Inverse(X_GP_start_) * pyramid.X_GL;
+  truth.pyramid_shift_m = std::hypot(X_start_now.p.x(), X_start_now.p.y());
+  truth.pyramid_turn_rad = std::atan2(X_start_now.R(1, 0), X_start_now.R(0, 0));
+  truth.pyramid_tilt_rad = std::acos(std::clamp(X_start_now.R(2, 2), -1.0, 1.0));
+  truth.cable_pull_n = pyramid_.cable_pull_n();
+  for (const Eigen::Vector3d& p_G : pyramid_.CableLine()) truth.cable_W.push_back(X_WG_ * p_G);
+  truth.left_traction_n =
+      tracks_.body_load(Side::kLeft).traction_n + tracks_.arm_load(Side::kLeft).traction_n;
+  truth.right_traction_n =
+      tracks_.body_load(Side::kRight).traction_n + tracks_.arm_load(Side::kRight).traction_n;
+  return truth;
+}
+
+std::uint64_t World::Impl::StateHash(std::uint64_t seed) const {
+  std::uint64_t hash = HashBits(seed, static_cast<std::uint64_t>(steps_));
+  hash = robot_.StateHash(hash);
+  hash = pyramid_.StateHash(hash);
+  hash = tracks_.StateHash(hash);
+  hash = arm_drive_.StateHash(hash);
+  for (const MotorDrive& drive : door_drives_) hash = drive.StateHash(hash);
+  return hash;
+}
+
+World::World(const WorldSetup& setup) : impl_(std::make_unique<Impl>(setup)) {}
+World::~World() = default;
+void World::Step(const std::array<MotorCommand, kMotorCount>& commands) { impl_->Step(commands); }
+Tick World::tick() const { return impl_->tick(); }
+Truth World::truth() const { return impl_->MakeTruth(); }
+const HeightGrid& World::ground() const { return impl_->ground(); }
+std::uint64_t World::StateHash(std::uint64_t seed) const { return impl_->StateHash(seed); }
+
+}  // namespace dockyard::raposa
