@@ -14,17 +14,22 @@ namespace dockyard::raposa {
 namespace {
 
 void ReadBelts(const YamlReader& root, BeltsModel& belts) {
-  const YamlReader in(
-      root.Child("belts"), "belts",
-      {"gauge_m", "width_m", "roller_radius_m", "body_rear_m", "body_front_m", "arm_length_m",
-       "stiffness_n_per_m", "effective_gauge_m", "speed_offset", "drift_time_s", "dead_band_m_s"});
+  const YamlReader in(root.Child("belts"), "belts",
+                      {"gauge_m", "width_m", "roller_radius_m", "body_rear_m", "body_front_m",
+                       "arm_length_m", "stiffness_pa_per_m", "damping_pa_s_per_m",
+                       "shear_stiffness_pa_per_m", "shear_damping_pa_s_per_m", "effective_gauge_m",
+                       "speed_offset", "drift_time_s", "dead_band_m_s"});
   belts.gauge_m = in.Number("gauge_m", Positive(3.0));
   belts.width_m = in.Number("width_m", Positive(1.0));
   belts.roller_radius_m = in.Number("roller_radius_m", Positive(1.0));
   belts.body_rear_m = in.Number("body_rear_m", Between(-3.0, 0.0));
   belts.body_front_m = in.Number("body_front_m", Between(0.0, 3.0));
   belts.arm_length_m = in.Number("arm_length_m", Positive(2.0));
-  belts.stiffness_n_per_m = in.Number("stiffness_n_per_m", Between(1e4, 1e8));
+  belts.stiffness_pa_per_m = in.Number("stiffness_pa_per_m", Between(1e5, 1e9));
+  belts.damping_pa_s_per_m = in.Number("damping_pa_s_per_m", NonNegative(1e8));
+  belts.damping_pa_s_per_m = in.Number("damping_pa_s_per_m", NonNegative(1e8));
+  belts.shear_stiffness_pa_per_m = in.Number("shear_stiffness_pa_per_m", Between(1e4, 1e9));
+  belts.shear_damping_pa_s_per_m = in.Number("shear_damping_pa_s_per_m", NonNegative(1e8));
   belts.effective_gauge_m = in.Number("effective_gauge_m", Positive(10.0));
   belts.speed_offset = in.Number("speed_offset", NonNegative(0.5));
   belts.drift_time_s = in.Number("drift_time_s", Between(1.0, 1e5));
@@ -55,11 +60,12 @@ void ReadDoors(const YamlReader& root, DoorsModel& doors) {
 
 void ReadSocket(const YamlReader& root, SocketModel& socket) {
   const YamlReader in(root.Child("socket"), "socket",
-                      {"seat_m", "entrance_radius_m", "throat_radius_m", "half_angle_deg",
-                       "friction", "contact_margin_m"});
+                      {"seat_m", "entrance_radius_m", "throat_radius_m", "seat_radius_m",
+                       "half_angle_deg", "friction", "contact_margin_m"});
   socket.p_RS = in.Vector3("seat_m", Between(-2.0, 2.0));
   socket.entrance_radius_m = in.Number("entrance_radius_m", Positive(0.5));
   socket.throat_radius_m = in.Number("throat_radius_m", Positive(0.5));
+  socket.seat_radius_m = in.Number("seat_radius_m", Positive(socket.throat_radius_m));
   socket.half_angle_rad = in.Degrees("half_angle_deg", Between(5.0, 80.0));
   socket.friction = in.Number("friction", NonNegative(2.0));
   socket.contact_margin_m = in.Number("contact_margin_m", Between(1e-5, 5e-3));

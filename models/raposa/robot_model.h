@@ -19,10 +19,12 @@ struct BeltsModel {
   double roller_radius_m = 0.0;
   double body_rear_m = 0.0, body_front_m = 0.0;  // x of the rollers in R
   double arm_length_m = 0.0;                     // joint to tip roller
-  double stiffness_n_per_m = 0.0;                // of all pads that one belt has on the ground
-  double effective_gauge_m = 0.0;                // as the controller is told
-  double speed_offset = 0.0;                     // share of full speed, 1 sigma
-  double drift_time_s = 0.0;                     // of that offset
+  // Of rubber and floor, per area that touches: along the normal and along the ground.
+  double stiffness_pa_per_m = 0.0, damping_pa_s_per_m = 0.0;
+  double shear_stiffness_pa_per_m = 0.0, shear_damping_pa_s_per_m = 0.0;
+  double effective_gauge_m = 0.0;  // as the controller is told
+  double speed_offset = 0.0;       // share of full speed, 1 sigma
+  double drift_time_s = 0.0;       // of that offset
   double dead_band_m_s = 0.0;
 };
 
@@ -38,6 +40,7 @@ struct DoorsModel {
 struct SocketModel {
   Eigen::Vector3d p_RS{0, 0, 0};  // the guide's middle once docked
   double entrance_radius_m = 0.0, throat_radius_m = 0.0;
+  double seat_radius_m = 0.0;   // of the seat's cone at the guide's middle
   double half_angle_rad = 0.0;  // of funnel and seat
   double friction = 0.0;
   double contact_margin_m = 0.0;

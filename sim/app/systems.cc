@@ -2,18 +2,24 @@
 
 #include "controller/axel/axel.h"
 #include "controller/axel/scripted.h"
+#include "controller/raposa/ferreira2009.h"
+#include "sim/app/raposa/raposa_commands.h"
 #include "sim/axel/axel_system.h"
+#include "sim/raposa/raposa_system.h"
 
 namespace dockyard {
 
 std::vector<System> Systems() {
   return {axel::AxelSystem(
-      {{"dockyard",
-        [](const axel::Nominal& nominal) { return axel::MakeDockyardController(nominal); }, "axel"},
-       {"tsai2013",
-        [](const axel::Nominal& nominal) { return axel::MakeTsai2013Controller(nominal); }},
-       {"reel_only", axel::MakeReelOnlyController}},
-      axel::MakeScriptedController)};
+              {{"dockyard",
+                [](const axel::Nominal& nominal) { return axel::MakeDockyardController(nominal); },
+                "axel"},
+               {"tsai2013",
+                [](const axel::Nominal& nominal) { return axel::MakeTsai2013Controller(nominal); }},
+               {"reel_only", axel::MakeReelOnlyController}},
+              axel::MakeScriptedController),
+          raposa::RaposaSystem({{"ferreira2009", raposa::MakeFerreira2009Controller}},
+                               raposa::RaposaCommands(), raposa::DetectMarks)};
 }
 
 }  // namespace dockyard

@@ -15,6 +15,10 @@ constexpr double kFlatRadius_m = 0.15;
 constexpr double kCableWithin_rad = Radians(40.0);
 
 HeightGrid GroundOf(const YardModel& yard, std::uint64_t seed) {
+  // A level floor needs no cells, and is drawn as a plane.
+  if (yard.undulation_rms_m == 0.0) {
+    return LevelGrid(-kYardBehind_m, yard.length_m, yard.width_m, 0.5 * yard.length_m);
+  }
   HeightGrid ground = LevelGrid(-kYardBehind_m, yard.length_m, yard.width_m, yard.cell_m);
   AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadius_m,
                 StreamKey(seed, "yard"));

@@ -77,7 +77,8 @@ std::optional<FileCheck> CheckModelFile(const std::string& file) {
 }  // namespace
 
 System RaposaSystem(const std::vector<NamedController>& controllers,
-                    const std::vector<SystemCommand>& commands) {
+                    const std::vector<SystemCommand>& commands,
+                    const std::function<int(const std::vector<std::string>& words)>& detect) {
   const auto renderer = std::make_shared<KeptRenderer>();
   System system;
   system.name = "raposa";
@@ -103,6 +104,7 @@ System RaposaSystem(const std::vector<NamedController>& controllers,
   system.shapes = ShapesOf;
   system.check_file = CheckModelFile;
   system.commands = commands;
+  system.detect = detect;
   return system;
 }
 

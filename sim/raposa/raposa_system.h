@@ -19,6 +19,7 @@ struct NamedController {
 
 /// The first controller is the default.
 System RaposaSystem(const std::vector<NamedController>& controllers,
-                    const std::vector<SystemCommand>& commands);
+                    const std::vector<SystemCommand>& commands = {},
+                    const std::function<int(const std::vector<std::string>& words)>& detect = {});
 
 }  // namespace dockyard::raposa

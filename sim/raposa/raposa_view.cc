@@ -97,19 +97,20 @@ std::vector<SceneBuilder::Part> SceneBuilder::Convert(const std::vector<Visual>&
 }
 
 void SceneBuilder::Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
-                       const Pose3& X_WL) {
+                       const Pose3& X_WL, bool seen) {
   for (const Part& part : parts) {
-    objects.push_back({part.mesh, X_WL * part.X_LV, part.albedo, part.material});
+    objects.push_back({part.mesh, X_WL * part.X_LV, part.albedo, part.material, seen});
   }
 }
 
 Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground, bool lamps_on) const {
   Scene scene;
-  Add(scene.objects, body_, truth.X_WR);
-  Add(scene.objects, arm_, truth.X_WA);
-  Add(scene.objects, left_door_, truth.X_W_left_door);
-  Add(scene.objects, right_door_, truth.X_W_right_door);
-  Add(scene.objects, pyramid_, truth.X_WP);
+  // The camera looks out of the robot: of its own body it sees the shadow.
+  Add(scene.objects, body_, truth.X_WR, false);
+  Add(scene.objects, arm_, truth.X_WA, false);
+  Add(scene.objects, left_door_, truth.X_W_left_door, false);
+  Add(scene.objects, right_door_, truth.X_W_right_door, false);
+  Add(scene.objects, pyramid_, truth.X_WP, true);
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
   scene.ground = {.X_WG = X_WG_,
                   .x0_m = ground.x0_m,

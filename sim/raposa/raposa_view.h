@@ -37,7 +37,7 @@ class SceneBuilder {
   std::vector<Part> Convert(const std::vector<Visual>& visuals);
   int GreyMaterial(double reflectance);
   static void Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
-                  const Pose3& X_WL);
+                  const Pose3& X_WL, bool seen);
 
   SceneSpectra spectra_;
   std::vector<Part> body_, arm_, left_door_, right_door_, pyramid_;

@@ -118,7 +118,7 @@ TEST_F(CampaignFile, ResolvedReadsBackFromAListWithMappingsAndFiles) {
 
 TEST_F(CampaignFile, BadCellIsToldByLineAndColumn) {
   EXPECT_EQ(TableMessage("hard,even,2,", "hard,even,far,"),
-            "scenarios/c.csv:2:24: start.r_m: expected a number from 0.5 to 100, found 'far'");
+            "scenarios/c.csv:2:24: start.r_m: expected a number from 0.1 to 100, found 'far'");
   EXPECT_EQ(TableMessage("interior,hard", "interior,mud"),
             "scenarios/c.csv:2:14: soil: expected one of loose, hard, found 'mud'");
   EXPECT_EQ(TableMessage("\n4,2,edge", "\n4,,edge"),
@@ -219,7 +219,7 @@ TEST_F(CampaignFile, TableAloneIsCheckedAsFarAsItCanBe) {
               ElementsAre("day", "region", "soil", "toy.colour", "changes.soil.k"));
   WriteTable("run,start.r_m\n1,2\n2,far\n");
   EXPECT_EQ(MessageOf([&] { CheckRunTable(file); }, folder_),
-            "scenarios/c.csv:3:3: start.r_m: expected a number from 0.5 to 100, found 'far'");
+            "scenarios/c.csv:3:3: start.r_m: expected a number from 0.1 to 100, found 'far'");
   WriteTable("run,start.r_m\n1,near\n2,far\n");
   EXPECT_THAT(CheckRunTable(file).left_to_campaign, ElementsAre("start.r_m"));
   WriteTable("run,r_m\n1,2\n");

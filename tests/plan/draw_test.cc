@@ -134,7 +134,7 @@ TEST_F(DrawFile, FaultsAreToldByPlaceAndPath) {
 // A run in the middle of the night must not be the first to find out.
 TEST_F(DrawFile, EndsOfADistributionAreWithinTheKeysRange) {
   EXPECT_THAT(Message("draw: {start.r_m: {normal: {mean: 1, std: 0.2}}}\n"),
-              HasSubstr("start.r_m: expected a number from 0.5 to 100, found '-0.40"));
+              HasSubstr("start.r_m: expected a number from 0.1 to 100, found '-0.40"));
   EXPECT_EQ(Message("draw: {start.r_m: {normal: {mean: 1, std: 0.2, min: 0.5, max: 2}}}\n"),
             "(no error)");
   EXPECT_THAT(Message("draw: {light: {discrete: {values: [even, dark]}}}\n"),

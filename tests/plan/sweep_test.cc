@@ -140,7 +140,7 @@ TEST_F(SweepFile, PlotsMeasuresOfItsSystem) {
 
 TEST_F(SweepFile, FaultsAreToldByPlaceAndPath) {
   EXPECT_EQ(Message("vary:\n  start.r_m: [2, ten]\n"),
-            "scenarios/s.yaml:4:18: start.r_m: expected a number from 0.5 to 100, found 'ten'");
+            "scenarios/s.yaml:4:18: start.r_m: expected a number from 0.1 to 100, found 'ten'");
   EXPECT_EQ(Message("vary:\n  start.r_m: 3\n"),
             "scenarios/s.yaml:4:14: vary.start.r_m: expected a list of values, {from, to, step}, "
             "or labels with values");

@@ -92,7 +92,7 @@ TEST_F(ScenarioFile, FilesOfTheSystemAndOfChangesBecomeAbsolute) {
 
 TEST_F(ScenarioFile, BadValuesAreToldByPlaceAndPath) {
   EXPECT_EQ(Changed("r_m: 4,", "r_m: ten,"),
-            "scenarios/s.yaml:6:14: start.r_m: expected a number from 0.5 to 100, found 'ten'");
+            "scenarios/s.yaml:6:14: start.r_m: expected a number from 0.1 to 100, found 'ten'");
   EXPECT_EQ(
       Changed("light: even", "light: dim"),
       "scenarios/s.yaml:7:8: light: expected one of even, speckled, hard_shadow, found 'dim'");
@@ -179,13 +179,13 @@ TEST_F(ScenarioFile, SetOfAnUnknownKeyNamesTheNearestInFull) {
 
 TEST_F(ScenarioFile, SetOfABadValueIsToldWithTheOption) {
   EXPECT_EQ(SetMessage("start.r_m=ten"),
-            "--set start.r_m=ten: start.r_m: expected a number from 0.5 to 100, found 'ten'");
+            "--set start.r_m=ten: start.r_m: expected a number from 0.1 to 100, found 'ten'");
   EXPECT_EQ(SetMessage("start.r_m="),
-            "--set start.r_m=: start.r_m: expected a number from 0.5 to 100, found nothing");
+            "--set start.r_m=: start.r_m: expected a number from 0.1 to 100, found nothing");
   EXPECT_EQ(SetMessage("start=5"),
             "--set start=5: start: expected a mapping (key: value), found '5'");
   EXPECT_EQ(SetMessage("start.r_m.x=5"),
-            "--set start.r_m.x=5: start.r_m: expected a number from 0.5 to 100, found a mapping");
+            "--set start.r_m.x=5: start.r_m: expected a number from 0.1 to 100, found a mapping");
   EXPECT_THAT(SetMessage("start=[1, 2"), StartsWith("--set start=[1, 2:"));
 }
 

@@ -1,0 +1,168 @@
+// `dockyard detect` and `dockyard tune` for a robot that looks for two colours.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "controller/raposa/marks.h"
+#include "controller/raposa/tune_bands.h"
+#include "models/raposa/load_pyramid.h"
+#include "models/raposa/load_robot.h"
+#include "models/raposa/make_nominal.h"
+#include "models/read/config_error.h"
+#include "sim/app/raposa/alpha_command.h"
+#include "sim/app/raposa/raposa_commands.h"
+#include "sim/app/raposa/words.h"
+#include "sim/base/files.h"
+#include "sim/base/json.h"
+#include "sim/images/decode.h"
+#include "sim/images/png.h"
+
+namespace dockyard::raposa {
+namespace {
+
+const char* const kDetectHelp =
+    "Find the pyramid's two marks in an image, as ferreira2009 does.\n\n"
+    "Examples:\n"
+    "  dockyard detect out/view/back.png --robot models/raposa/raposa.yaml --draw out/marks.png\n\n"
+    "Exit code 0: both marks, as a pair; 4: no pair.";
+const char* const kTuneHelp =
+    "Write the bands of hue, saturation and value of the pyramid's marks, from one picture of "
+    "it.\n\n"
+    "Examples:\n"
+    "  dockyard tune out/view/back.png --robot models/raposa/raposa.yaml\n\n"
+    "The picture should show both marks whole, from 0.5 to 1.5 m and 20 to 60 deg off the axis.\n"
+    "Exit code 4: no pair of marks fits the pyramid's dimensions.";
+constexpr int kNoPair = 4;
+
+struct Arguments {
+  std::string image, robot, pyramid = "models/raposa/pyramid/pyramid.yaml";
+  std::string pipeline = "ferreira2009", draw;
+  bool json = false;
+};
+
+void AddOptions(CLI::App& app, Arguments& in) {
+  app.add_option("IMAGE", in.image, "PNG, JPEG, PGM, PPM or WebP")->required();
+  app.add_option("--robot", in.robot, "RAPOSA's file")->required();
+  app.add_option("--pyramid", in.pyramid, "the pyramid's file")->capture_default_str();
+  app.add_flag("--json", in.json, "JSON on standard output");
+}
+
+RgbImage Load(const std::string& file, const Camera& camera) {
+  const auto bytes = ReadWhole(file);
+  if (!bytes) throw ConfigError(file + ": expected an image, found no file that can be read");
+  std::optional<RgbImage> image = DecodeColour(*bytes);
+  if (!image) {
+    throw ConfigError(file + ": expected a whole image, found one that cannot be decoded");
+  }
+  if (image->width != camera.width || image->height != camera.height) {
+    throw ConfigError(file + ": expected the camera's size, " + std::to_string(camera.width) +
+                      " x " + std::to_string(camera.height) + ", found " +
+                      std::to_string(image->width) + " x " + std::to_string(image->height));
+  }
+  return std::move(*image);
+}
+
+Nominal NominalOfFiles(const Arguments& in) {
+  return MakeNominal(LoadRobot(in.robot), LoadPyramid(in.pyramid));
+}
+
+void DrawBox(RgbImage& image, const BlobBounds& box, const std::uint8_t (&rgb)[3]) {
+  const auto put = [&](int u, int v) {
+    if (u < 0 || v < 0 || u >= image.width || v >= image.height) return;
+    std::uint8_t* p =
+        &image.pixels[3 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
+                           static_cast<std::size_t>(u))];
+    std::copy(rgb, rgb + 3, p);
+  };
+  const int left = static_cast<int>(box.left_px) - 1, right = static_cast<int>(box.right_px) + 1;
+  const int top = static_cast<int>(box.top_px) - 1, bottom = static_cast<int>(box.bottom_px) + 1;
+  for (int u = left; u <= right; ++u) put(u, top), put(u, bottom);
+  for (int v = top; v <= bottom; ++v) put(left, v), put(right, v);
+}
+
+BlobBounds BoundsOf(const OrangeMark& orange) {
+  const Eigen::Vector2d c = orange.ellipse.centre_px;
+  const double a = orange.ellipse.semi_axes_px().y();
+  return {c.x() - a, c.y() - a, c.x() + a, c.y() + a};
+}
+
+Json BandJson(const HsvBand& band) {
+  return {{"hue", {band.hue_from, band.hue_to}},
+          {"saturation", {band.saturation_from, band.saturation_to}},
+          {"value", {band.value_from, band.value_to}}};
+}
+
+void PrintMarks(const MarksSeen& seen, bool as_json) {
+  Json json{{"oranges", seen.oranges}, {"blues", seen.blues}, {"pairs", seen.pairs}};
+  if (seen.pair) {
+    json["pair"] = {{"c_px", seen.pair->c_px},
+                    {"g_px", seen.pair->g_px},
+                    {"alpha_deg", Degrees(seen.pair->alpha_rad)},
+                    {"d_m", seen.pair->angle.d_m},
+                    {"r_m", seen.pair->angle.r_m},
+                    {"ambiguous", seen.pair->angle.ambiguous}};
+  }
+  if (as_json) {
+    std::printf("%s\n", json.dump(2).c_str());
+  } else if (seen.pair) {
+    std::printf("pair: alpha %.1f deg, r %.3f m (c %.1f px, g %.1f px)%s\n",
+                Degrees(seen.pair->alpha_rad), seen.pair->angle.r_m, seen.pair->c_px,
+                seen.pair->g_px, seen.pair->angle.ambiguous ? "; ambiguous" : "");
+  } else {
+    std::printf("no pair: %d orange ellipses, %d blue rectangles\n", seen.oranges, seen.blues);
+  }
+}
+
+int Tune(const std::vector<std::string>& words) {
+  Arguments in;
+  CLI::App app(kTuneHelp, "dockyard tune");
+  AddOptions(app, in);
+  if (const auto ended = ParseWords(app, words)) return *ended;
+  const Nominal nominal = NominalOfFiles(in);
+  const std::optional<TunedBands> tuned = TuneBands(Load(in.image, nominal.camera), nominal);
+  if (!tuned) {
+    std::fprintf(stderr, "%s: no pair of marks fits the pyramid's dimensions\n", in.image.c_str());
+    return kNoPair;
+  }
+  const Json json{{"orange", BandJson(tuned->orange)}, {"blue", BandJson(tuned->blue)}};
+  if (in.json) {
+    std::printf("%s\n", json.dump(2).c_str());
+    return 0;
+  }
+  for (const auto& [name, band] : {std::pair("orange", tuned->orange), {"blue", tuned->blue}}) {
+    std::printf("%s: {hue: [%d, %d], saturation: [%d, %d], value: [%d, %d]}\n", name, band.hue_from,
+                band.hue_to, band.saturation_from, band.saturation_to, band.value_from,
+                band.value_to);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int DetectMarks(const std::vector<std::string>& words) {
+  Arguments in;
+  CLI::App app(kDetectHelp, "dockyard detect");
+  AddOptions(app, in);
+  app.add_option("--pipeline", in.pipeline, "whose perception")
+      ->check(CLI::IsMember({"ferreira2009"}))
+      ->capture_default_str();
+  app.add_option("--draw", in.draw, "PNG of the image with the marks in boxes");
+  if (const auto ended = ParseWords(app, words)) return *ended;
+  const Nominal nominal = NominalOfFiles(in);
+  RgbImage image = Load(in.image, nominal.camera);
+  const MarksSeen seen =
+      FindMarks(ColourSearch(image), nominal, nominal.ferreira_vision, std::nullopt);
+  if (!in.draw.empty()) {
+    if (seen.orange) DrawBox(image, BoundsOf(*seen.orange), {255, 160, 0});
+    if (seen.blue) DrawBox(image, *seen.blue, {0, 160, 255});
+    WriteWhole(in.draw, EncodePng(image));
+  }
+  PrintMarks(seen, in.json);
+  return seen.pair ? 0 : kNoPair;
+}
+
+std::vector<SystemCommand> RaposaCommands() {
+  return {{"alpha", "Say from which angle and distance RAPOSA's pyramid is seen.", Alpha},
+          {"tune", "Write the colour bands of RAPOSA's pyramid from one picture.", Tune}};
+}
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,83 @@
+#include "sim/raposa/outcome.h"
+
+#include <gtest/gtest.h>
+
+namespace dockyard::raposa {
+namespace {
+
+/// The guide this far outside of its seat, doors this far open.
+Truth At(double time_s, double outside_m, double doors_m) {
+  Truth truth;
+  truth.time_s = time_s;
+  truth.p_SP_R = {-outside_m, 0.0, 0.0};
+  truth.left_door_m = truth.right_door_m = doors_m;
+  return truth;
+}
+
+void Hold(OutcomeJudge& judge, Truth truth, double seconds) {
+  for (const double end = truth.time_s + seconds; truth.time_s <= end; truth.time_s += 0.1) {
+    judge.Observe(truth);
+  }
+}
+
+const Trial kFollows{true, 0.001}, kComesLoose{true, 0.2};
+
+TEST(RaposaOutcome, ClaimHoldsWhenTheGuideFollowsItAway) {
+  OutcomeJudge judge{OutcomeLimits{}};
+  Hold(judge, At(30.0, 0.001, 0.006), 1.0);
+  EXPECT_TRUE(judge.holds());
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, kFollows).outcome, Outcome::kDocked);
+  EXPECT_EQ(judge.Conclude(Verdict::kDocked, kComesLoose).outcome, Outcome::kFalseDocked);
+}
+
+TEST(RaposaOutcome, OpenDoorsOrAGuideOutsideHoldNothing) {
+  for (const Truth& truth : {At(30.0, 0.001, 0.03), At(30.0, 0.02, 0.006)}) {
+    OutcomeJudge judge{OutcomeLimits{}};
+    Hold(judge, truth, 1.0);
+    EXPECT_FALSE(judge.holds());
+    EXPECT_EQ(judge.Conclude(Verdict::kDocked, {}).outcome, Outcome::kFalseDocked);
+  }
+}
+
+TEST(RaposaOutcome, IsNeverDockedWithoutAClaim) {
+  OutcomeJudge judge{OutcomeLimits{}};
+  Hold(judge, At(30.0, 0.001, 0.006), 1.0);
+  EXPECT_NE(judge.Conclude(Verdict::kUnderWay, kFollows).outcome, Outcome::kDocked);
+  EXPECT_NE(judge.Conclude(Verdict::kGivenUp, kFollows).outcome, Outcome::kDocked);
+}
+
+TEST(RaposaOutcome, PyramidOnItsSideEndsTheRunAndNamesIt) {
+  OutcomeJudge judge{OutcomeLimits{}};
+  Truth truth = At(10.0, 0.5, 0.03);
+  truth.pyramid_tilt_rad = Radians(80.0);
+  Hold(judge, truth, 1.0);
+  EXPECT_FALSE(judge.fatal()) << "it may still come back";
+  truth.time_s = 11.1;
+  Hold(judge, truth, 2.0);
+  EXPECT_TRUE(judge.fatal());
+  EXPECT_EQ(judge.Conclude(Verdict::kUnderWay, {}).outcome, Outcome::kTippedPyramid);
+}
+
+TEST(RaposaOutcome, FailureIsNamedByWhatTheTruthShows) {
+  const auto outcome = [](const Truth& truth, Verdict verdict = Verdict::kUnderWay) {
+    OutcomeJudge judge{OutcomeLimits{}};
+    Hold(judge, truth, 6.0);
+    return judge.Conclude(verdict, {}).outcome;
+  };
+  EXPECT_EQ(outcome(At(10.0, 0.6, 0.03)), Outcome::kTimeout);
+  EXPECT_EQ(outcome(At(10.0, 0.6, 0.03), Verdict::kGivenUp), Outcome::kSearchLimit);
+  EXPECT_EQ(outcome(At(10.0, 0.03, 0.03)), Outcome::kJammed);
+  Truth pushed = At(10.0, 0.2, 0.03);
+  pushed.pyramid_shift_m = 0.08;
+  EXPECT_EQ(outcome(pushed), Outcome::kPushedAway);
+  Truth touched = At(10.0, 0.2, 0.03);
+  touched.contact_n = 3.0;
+  EXPECT_EQ(outcome(touched), Outcome::kMissedSocket);
+}
+
+TEST(RaposaOutcome, OnlyDockedIsASuccess) {
+  for (const OutcomeName& name : OutcomeNames()) EXPECT_EQ(name.success, name.name == "docked");
+}
+
+}  // namespace
+}  // namespace dockyard::raposa

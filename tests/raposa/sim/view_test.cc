@@ -1,0 +1,117 @@
+// What the back camera shows is where the truth says.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/read/yaml_tree.h"
+#include "raposa/sim/raposa_rig.h"
+#include "sim/raposa/raposa_plant.h"
+
+namespace dockyard::raposa {
+namespace {
+
+/// A run on the hard floor, the camera looking at the guide.
+struct Start {
+  Scenario scenario;
+  BuiltRun built;
+};
+Start At(double r_m, double alpha_rad) {
+  const std::string models = std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/";
+  Start start;
+  start.scenario.robot_file = models + "raposa.yaml";
+  start.scenario.soil_file = models + "grounds/hard_floor.yaml";
+  start.scenario.of_system = ParseYaml("{pyramid: " + models + "pyramid/pyramid.yaml}", "test");
+  start.scenario.start = {r_m, alpha_rad, alpha_rad};
+  start.scenario.yard.undulation_rms_m = 0.0;
+  start.built = BuildRun(start.scenario, LoadModels(start.scenario));
+  return start;
+}
+
+struct Region {
+  double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9, sum_u = 0.0, sum_v = 0.0;
+  int pixels = 0;
+};
+/// Of the pixels that are more orange (red far above blue), or more blue, than anything grey.
+Region Find(const RgbImage& image, bool orange) {
+  Region region;
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const std::uint8_t* p =
+          &image.pixels[3 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
+                             static_cast<std::size_t>(u))];
+      const double red = p[0], blue = p[2];
+      const bool in = orange ? red > 1.8 * blue && red > 40.0 : blue > 2.0 * red && blue > 40.0;
+      if (!in) continue;
+      region.left = std::min(region.left, u - 0.5);
+      region.right = std::max(region.right, u + 0.5);
+      region.top = std::min(region.top, v - 0.5);
+      region.bottom = std::max(region.bottom, v + 0.5);
+      region.sum_u += u;
+      region.sum_v += v;
+      ++region.pixels;
+    }
+  }
+  return region;
+}
+
+RgbImage PictureOf(const Start& start, double* c_px, Eigen::Vector2d* guide_px) {
+  RaposaPlant plant(start.scenario, start.built, std::make_shared<KeptRenderer>());
+  const BackCameraModel& camera = start.built.world.robot.camera;
+  const Pose3 X_CP = Inverse(plant.truth().X_WR * camera.X_RC) * plant.truth().X_WP;
+  *guide_px = *camera.camera.Project(X_CP * Eigen::Vector3d::Zero());
+  const double half_m = 0.5 * start.built.world.pyramid.marks.edge_m;
+  *c_px = 0.0;
+  for (const double y : {-half_m, half_m}) {
+    const Eigen::Vector3d p_P(-start.built.world.pyramid.marks.behind_m, y, 0.0);
+    *c_px = std::max(*c_px, std::abs(camera.camera.Project(X_CP * p_P)->x() - guide_px->x()));
+  }
+  return std::get<RgbImage>(plant.TakeImages({kBackCamera}, 0.0).at(0).pixels);
+}
+
+TEST(RaposaView, GuideIsSeenWhereItProjects) {
+  for (const double alpha_deg : {0.0, 30.0, -60.0}) {
+    double c_px = 0.0;
+    Eigen::Vector2d guide_px;
+    const Region orange = Find(PictureOf(At(0.7, Radians(alpha_deg)), &c_px, &guide_px), true);
+    ASSERT_GT(orange.pixels, 50) << alpha_deg;
+    EXPECT_NEAR(orange.sum_u / orange.pixels, guide_px.x(), 1.0) << alpha_deg;
+    EXPECT_NEAR(orange.sum_v / orange.pixels, guide_px.y(), 1.5) << alpha_deg;
+  }
+}
+
+TEST(RaposaView, BlueReachesToTheSquaresFarEnd) {
+  for (const double alpha_deg : {30.0, 60.0}) {
+    double c_px = 0.0;
+    Eigen::Vector2d guide_px;
+    const Region blue = Find(PictureOf(At(0.8, Radians(alpha_deg)), &c_px, &guide_px), false);
+    ASSERT_GT(blue.pixels, 20);
+    const double reach =
+        std::max(std::abs(blue.left - guide_px.x()), std::abs(blue.right - guide_px.x()));
+    EXPECT_NEAR(reach, c_px, 2.0) << alpha_deg;  // half a pixel of blur at the end
+  }
+}
+
+TEST(RaposaView, OnlyTheDiscThatTheHoleLeavesIsLit) {
+  double c_px = 0.0;
+  Eigen::Vector2d guide_px;
+  const Start start = At(1.0, 0.0);
+  const RgbImage image = PictureOf(start, &c_px, &guide_px);
+  const double radius_px = 377.0 * std::tan(start.built.world.robot.camera.half_view_rad);
+  double outside = 0.0, inside = 0.0;
+  int n_outside = 0, n_inside = 0;
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const double r = std::hypot(u - 159.5, v - 119.5);
+      const double green =
+          image.pixels[3 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
+                            static_cast<std::size_t>(u)) +
+                       1];
+      if (r > radius_px + 8.0) outside += green, ++n_outside;
+      if (r < radius_px - 8.0) inside += green, ++n_inside;
+    }
+  }
+  EXPECT_LT(outside / n_outside, 0.2 * inside / n_inside);
+}
+
+}  // namespace
+}  // namespace dockyard::raposa
