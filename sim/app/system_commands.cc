@@ -11,7 +11,8 @@ void AddSystemCommands(CLI::App& app, const std::vector<System>& systems, int& e
   for (const System& system : systems) {
     for (const SystemCommand& own : system.commands) {
       CLI::App* command = app.add_subcommand(own.name, own.help);
-      command->prefix_command();  // what follows is the system's to read
+      command->prefix_command();  // what follows is the system's to read, --help too
+      command->set_help_flag();
       command->callback(
           [command, run = own.run, &exit_code] { exit_code = run(command->remaining()); });
     }

@@ -32,7 +32,7 @@ Examples:
   dockyard view {scenario} --colour --set sun.temperature_k=4500 --out out/warm
   dockyard view {scenario} --outside --time 20 --out out/outside
 
-Writes left.png, right.png and view.json: the board's true pose and, for each fiducial and camera,
+Of Axel it writes left.png, right.png and view.json: the board's true pose and, for each fiducial and camera,
 its projected centre, the centroid of the projected disc and the share that is hidden. With --colour
 (or camera.colour in the scenario) also left_colour.png and right_colour.png, linear red, green and
 blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.png of 16 bits.
@@ -69,7 +69,7 @@ int View(const ViewArguments& arguments, const std::vector<System>& systems) {
   scenario.colour = scenario.colour || arguments.colour;
   MakeFolder(arguments.out_dir);
   system.view(scenario, arguments.out_dir);
-  PrintNote("left.png, right.png and view.json in " + arguments.out_dir);
+  PrintNote("the images and what is true of them are in " + arguments.out_dir);
   return kExitDone;
 }
 

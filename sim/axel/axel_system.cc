@@ -88,11 +88,14 @@ std::string Check(const Scenario& scenario, const AxelModels& models) {
 }
 
 bool IsRobotFile(const YamlNode& root) {
-  return root.Find("wheels") != nullptr || root.Find("motors") != nullptr;
+  const YamlNode* motors = root.Find("motors");
+  return root.Find("wheels") != nullptr ||
+         (motors != nullptr &&
+          (motors->Find("wheel") != nullptr || motors->Find("spool") != nullptr));
 }
 
 bool IsStationFile(const YamlNode& root) {
-  return root.Find("cone") != nullptr || root.Find("feet") != nullptr;
+  return root.Find("cone") != nullptr || root.Find("board") != nullptr;
 }
 
 std::optional<FileCheck> CheckModelFile(const std::string& file, MeshStore& meshes) {

@@ -1,5 +1,7 @@
 #include "sim/raposa/raposa_system.h"
 
+#include <cmath>
+
 #include "models/raposa/load_ground.h"
 #include "models/raposa/load_pyramid.h"
 #include "models/raposa/load_robot.h"
@@ -57,9 +59,9 @@ std::optional<FileCheck> CheckModelFile(const std::string& file) {
   const YamlNode root = LoadModelYaml(file);
   if (root.Find("belts") != nullptr) {
     const RobotModel robot = LoadRobot(file);
-    return FileCheck{"tracked robot", robot.name + ": " + NumberText(robot.mass_kg()) +
-                                          " kg, belts " + NumberText(robot.belts.gauge_m) +
-                                          " m apart"};
+    return FileCheck{"tracked robot",
+                     robot.name + ": " + NumberText(std::round(1e3 * robot.mass_kg()) / 1e3) +
+                         " kg, belts " + NumberText(robot.belts.gauge_m) + " m apart"};
   }
   if (root.Find("guide") != nullptr) {
     const PyramidModel pyramid = LoadPyramid(file);
@@ -103,6 +105,13 @@ System RaposaSystem(const std::vector<NamedController>& controllers,
   };
   system.shapes = ShapesOf;
   system.check_file = CheckModelFile;
+  system.example_files.scenario = "scenarios/raposa_point_9.yaml";
+  system.example_files.campaign = "scenarios/raposa_grid.yaml";
+  system.example_files.robot = "models/raposa/raposa.yaml";
+  system.example_files.reproduction = "raposa2009";
+  system.reproductions = {{"raposa2009", "scenarios/raposa2009_published.yaml",
+                           "The 64 trials of Ferreira and Ventura (2009) from the 16 points of "
+                           "their Table I, driven by a controller as they describe theirs."}};
   system.commands = commands;
   system.detect = detect;
   return system;

@@ -49,7 +49,8 @@ struct FileCheck {
 /// A command of the system's own: `dockyard NAME ...`.
 struct SystemCommand {
   std::string name, help;
-  /// Gets the words after the name; returns the exit code and throws like the program's commands.
+  /// Gets the words after the name, --help among them; returns the exit code and throws like the
+  /// program's commands.
   std::function<int(const std::vector<std::string>& words)> run;
 };
 

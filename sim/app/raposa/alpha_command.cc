@@ -29,7 +29,13 @@ struct Lengths {
 int Alpha(const std::vector<std::string>& words) {
   Lengths in;
   CLI::App app(kHelp, "dockyard alpha");
-  const CLI::Validator positive = CLI::PositiveNumber;
+  const CLI::Validator positive(
+      [](const std::string& text) {
+        double value = 0.0;
+        const bool good = CLI::detail::lexical_cast(text, value) && value > 0.0 && value < 1e12;
+        return good ? std::string() : "expected a number > 0, found '" + text + "'";
+      },
+      "");
   app.add_option("--c-px", in.c_px, "from the orange ellipse's middle to the blue's far end")
       ->required()
       ->check(positive);
