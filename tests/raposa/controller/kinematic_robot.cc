@@ -12,6 +12,9 @@ namespace dockyard::raposa {
 namespace {
 
 constexpr double kStep_s = kTickSeconds * kControlPeriod;
+// The guide is on its seat this far before the camera (models/raposa/raposa.yaml). A robot that
+// drives on would push the pyramid; here it stands.
+constexpr double kSeat_m = 0.05;
 
 class KinematicRobot {
  public:
@@ -40,7 +43,10 @@ class KinematicRobot {
     left_rad_ += left;
     right_rad_ += right;
     const BeltMotion motion = MotionOfBelts(nominal_, left, right);
-    X_PN_ = Advance(X_PN_, Arc{motion.length_m, world_.turn_share * motion.turn_rad});
+    const Pose2 next = Advance(X_PN_, Arc{motion.length_m, world_.turn_share * motion.turn_rad});
+    const Eigen::Vector2d guide =
+        Inverse(next * Pose2{world_.lever_m, 0.0, 0.0}) * Eigen::Vector2d::Zero();
+    if (guide.norm() > kSeat_m) X_PN_ = next;
     tick_ += kControlPeriod;
   }
 
