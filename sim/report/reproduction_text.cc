@@ -35,7 +35,9 @@ std::string Range(const CountInterval& counts) {
   return std::to_string(counts.low) + "-" + std::to_string(counts.high);
 }
 
-std::string PercentText(double confidence) { return NumberText(100.0 * confidence) + " %"; }
+std::string PercentText(double confidence) {
+  return NumberText(std::round(1e4 * confidence) / 100.0) + " %";
+}
 
 std::string RowVerdict(const RowFinding& found, int replications) {
   if (!found.row->paper) return "";
