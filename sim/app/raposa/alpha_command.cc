@@ -15,7 +15,8 @@ const char* const kHelp =
     "Say from which angle and distance the pyramid is seen, by eqs. (2) and (7) of Ferreira and "
     "Ventura (2009).\n\n"
     "Examples:\n"
-    "  dockyard alpha --c-px 20.208456 --g-px 16.157382 --h-m 0.06 --m-m 0.0981256 --f-px 377\n\n"
+    "  build/dockyard alpha --c-px 20.208456 --g-px 16.157382 --h-m 0.06 --m-m 0.0981256 --f-px "
+    "377\n\n"
     "alpha is without a side. It is ambiguous where a second angle up to 110 deg fits the same\n"
     "lengths, or none does; then alpha is that of the turning point, 73 deg for the pyramid.";
 

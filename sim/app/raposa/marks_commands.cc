@@ -22,13 +22,14 @@ namespace {
 const char* const kDetectHelp =
     "Find the pyramid's two marks in an image, as ferreira2009 does.\n\n"
     "Examples:\n"
-    "  dockyard detect out/view/back.png --robot models/raposa/raposa.yaml --draw out/marks.png\n\n"
+    "  build/dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --draw "
+    "out/marks.png\n\n"
     "Exit code 0: both marks, as a pair; 4: no pair.";
 const char* const kTuneHelp =
     "Write the bands of hue, saturation and value of the pyramid's marks, from one picture of "
     "it.\n\n"
     "Examples:\n"
-    "  dockyard tune out/view/back.png --robot models/raposa/raposa.yaml\n\n"
+    "  build/dockyard tune examples/raposa_back.png --robot models/raposa/raposa.yaml\n\n"
     "The picture should show both marks whole, from 0.5 to 1.5 m and 20 to 60 deg off the axis.\n"
     "Exit code 4: no pair of marks fits the pyramid's dimensions.";
 constexpr int kNoPair = 4;
