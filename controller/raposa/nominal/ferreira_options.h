@@ -22,8 +22,8 @@ struct BandChange {
 /// Which pairs of an ellipse and a rectangle can be the pyramid's. The paper gives the criteria and
 /// no threshold but the ball.
 struct FerreiraVision {
-  // As `dockyard tune` writes them from a picture at 0.8 m and 30 deg in even light of 5000 K, hues a
-  // few steps wider. A user tunes them to the light (F, C.3).
+  // As `dockyard tune` writes them from a picture at 0.8 m and 30 deg in even light of 5000 K, hues
+  // a few steps wider. A user tunes them to the light (F, C.3).
   HsvBand orange{.hue_from = 4, .hue_to = 18, .saturation_from = 85, .value_from = 43};
   HsvBand blue{.hue_from = 100, .hue_to = 125, .saturation_from = 70, .value_from = 30};
   double least_area_px2 = 12.0;    // of either blob; assumed, 8-40
