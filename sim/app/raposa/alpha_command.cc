@@ -18,7 +18,9 @@ const char* const kHelp =
     "  build/dockyard alpha --c-px 20.208456 --g-px 16.157382 --h-m 0.06 --m-m 0.0981256 --f-px "
     "377\n\n"
     "alpha is without a side. It is ambiguous where a second angle up to 110 deg fits the same\n"
-    "lengths, or none does; then alpha is that of the turning point, 73 deg for the pyramid.";
+    "lengths, or none does. Where c / g is too large for any, alpha is that of the turning point, "
+    "73 deg\n"
+    "for the pyramid.";
 
 struct Lengths {
   double c_px = 0.0, g_px = 0.0, h_m = 0.0, m_m = 0.0, f_px = 0.0;
@@ -59,6 +61,8 @@ int Alpha(const std::vector<std::string>& words) {
   std::printf("alpha %.4f deg, d %.5f m", Degrees(angle.alpha_rad), angle.d_m);
   if (angle.beyond_root) {
     std::printf("; no angle fits, this is the turning point");
+  } else if (angle.ambiguous && angle.alpha_rad < 0.0) {
+    std::printf("; no angle from 0 to 110 deg fits");
   } else if (angle.ambiguous) {
     std::printf("; %.4f deg fits as well", Degrees(angle.other_rad));
   }
