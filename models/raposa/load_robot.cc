@@ -61,14 +61,13 @@ void ReadDoors(const YamlReader& root, DoorsModel& doors) {
 void ReadSocket(const YamlReader& root, SocketModel& socket) {
   const YamlReader in(root.Child("socket"), "socket",
                       {"seat_m", "entrance_radius_m", "throat_radius_m", "seat_radius_m",
-                       "half_angle_deg", "friction", "contact_margin_m"});
+                       "half_angle_deg", "friction"});
   socket.p_RS = in.Vector3("seat_m", Between(-2.0, 2.0));
   socket.entrance_radius_m = in.Number("entrance_radius_m", Positive(0.5));
   socket.throat_radius_m = in.Number("throat_radius_m", Positive(0.5));
   socket.seat_radius_m = in.Number("seat_radius_m", Positive(socket.throat_radius_m));
   socket.half_angle_rad = in.Degrees("half_angle_deg", Between(5.0, 80.0));
   socket.friction = in.Number("friction", NonNegative(2.0));
-  socket.contact_margin_m = in.Number("contact_margin_m", Between(1e-5, 5e-3));
   if (socket.throat_radius_m >= socket.entrance_radius_m) {
     in.Refuse("throat_radius_m", "less than entrance_radius_m");
   }

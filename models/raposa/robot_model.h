@@ -43,7 +43,6 @@ struct SocketModel {
   double seat_radius_m = 0.0;   // of the seat's cone at the guide's middle
   double half_angle_rad = 0.0;  // of funnel and seat
   double friction = 0.0;
-  double contact_margin_m = 0.0;
 };
 
 struct BackCameraModel {

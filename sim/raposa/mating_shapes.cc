@@ -10,7 +10,10 @@ namespace {
 
 // Wedges round a wall: an inscribed circle differs from the polygon's corners by 1.7 %.
 constexpr int kWedges = 16;
-// Outside of all walls [m]; it only gives them thickness.
+// The seat goes on so far inwards of the guide's middle, to 3.5 mm of radius, and hides its nose.
+// Assumed, 15-21 mm.
+constexpr double kSeatEnds_m = 0.02;
+// Outside of all walls [m]; it only gives them thickness. Assumed, 40-60 mm.
 constexpr double kWallOuter_m = 0.045;
 // The guide's front ends blunt, as the contact solver rounds edges by its margin. Assumed, 2-4 mm.
 constexpr double kBluntRadius_m = 2.5e-3;
@@ -62,8 +65,8 @@ std::vector<Collision> SocketWalls(const RobotModel& robot) {
       std::max(behind_m + 1e-3, (socket.seat_radius_m - socket.throat_radius_m) / slope);
   AddWall(socket.p_RS, {behind_m, socket.throat_radius_m}, {bore_ends_m, socket.throat_radius_m},
           "bore", walls);
-  AddWall(socket.p_RS, {bore_ends_m, seat_radius(bore_ends_m)}, {0.02, seat_radius(0.02)}, "seat",
-          walls);
+  AddWall(socket.p_RS, {bore_ends_m, seat_radius(bore_ends_m)},
+          {kSeatEnds_m, seat_radius(kSeatEnds_m)}, "seat", walls);
   const double funnel_m = (socket.entrance_radius_m - socket.throat_radius_m) / slope;
   AddWall(socket.p_RS, {before_m - funnel_m, socket.entrance_radius_m},
           {before_m, socket.throat_radius_m}, "funnel", walls);
@@ -74,6 +77,7 @@ std::vector<Collision> DoorPieces(const DoorsModel& doors, bool left) {
   // Both V leave a square on its corner: |y| + |z| < corner.
   const double corner_m = std::sqrt(2.0) * (doors.closed_radius_m + kCollisionMargin_m);
   const double half_m = 0.5 * doors.plate_m - kCollisionMargin_m;
+  // Of a plate, from its V outwards and up; assumed, 50-80 and 25-40 mm: they reach over the bore.
   const double wide_m = 0.06, high_m = 0.03, side = left ? 1.0 : -1.0;
   std::vector<Collision> pieces;
   for (const double up : {1.0, -1.0}) {

@@ -16,9 +16,9 @@ constexpr double kFootDampingRatio = 0.4;
 constexpr double kCableSpacing_m = 0.2;
 // Of the cable's length. Assumed, 5-100 N s/m.
 constexpr double kCableDamping_ns_m = 20.0;
-// Slack is let out over the first second, before the run begins.
+// Slack is let out before the run begins. Assumed, 0.3-1 m/s.
 constexpr double kSlackRate_m_s = 0.5;
-// The cable leaves the pyramid's back at this height above the ground.
+// The cable leaves the pyramid's back at this height above the ground. Assumed, 10-30 mm.
 constexpr double kCableHeight_m = 0.015;
 
 CableModel ModelOf(const TetherCableModel& cable) {

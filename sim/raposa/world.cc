@@ -25,7 +25,9 @@ constexpr double kSettleSeconds = 1.5;
 // End stops of arm and doors: a tenth of a millimetre at the motors' limits. Assumed, 1e4-1e6 N
 // m/rad and N/m.
 constexpr double kArmStop_nm_rad = 2e4, kDoorStop_n_m = 1e5;
+// A fifth of critical or more on what they stop; assumed, 20-100 and 5-50.
 constexpr double kArmStopDamping_nms_rad = 50.0, kDoorStopDamping_ns_m = 20.0;
+// Of Bullet's contacts in a step; its default is 10. Assumed, 30-100.
 constexpr int kSolverSweeps = 50;
 
 double StopLoad(double at, double rate, double low, double high, double stiffness, double damping) {
