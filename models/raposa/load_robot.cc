@@ -101,7 +101,7 @@ void ReadCamera(const YamlReader& root, BackCameraModel& camera) {
                             in.Degrees("pitch_deg", Between(-60.0, 60.0)));
   camera.half_view_rad = in.Degrees("half_view_deg", Between(1.0, 60.0));
   camera.hole_m = in.Number("hole_m", Positive(0.5));
-  camera.delay_s = in.Number("delay_s", NonNegative(5.0));
+  camera.delay_s = in.Number("delay_s", NonNegative(kTickSeconds * kControlPeriod));
   camera.shutter_s = in.Number("shutter_s", Between(1e-4, 0.5));
   camera.blur_sigma_px = in.Number("blur_sigma_px", NonNegative(10.0));
   camera.full_well_e = in.Number("full_well_e", Between(100.0, 1e6));
@@ -110,14 +110,12 @@ void ReadCamera(const YamlReader& root, BackCameraModel& camera) {
 }
 
 void ReadLamps(const YamlReader& root, LampsModel& lamps) {
-  const YamlReader in(
-      root.Child("lamps"), "lamps",
-      {"position_m", "apart_m", "irradiance_at_1m", "half_angle_deg", "temperature_k"});
+  const YamlReader in(root.Child("lamps"), "lamps",
+                      {"position_m", "apart_m", "irradiance_at_1m", "half_angle_deg"});
   lamps.p_R = in.Vector3("position_m", Between(-2.0, 2.0));
   lamps.apart_m = in.Number("apart_m", NonNegative(2.0));
   lamps.irradiance_at_1m = in.Number("irradiance_at_1m", NonNegative(100.0));
   lamps.half_angle_rad = in.Degrees("half_angle_deg", Between(1.0, 89.0));
-  lamps.temperature_k = in.Number("temperature_k", Between(1000.0, 20000.0));
 }
 
 void RequireJoint(const UrdfJoint& joint, const char* type, const char* child) {

@@ -49,17 +49,17 @@ struct BackCameraModel {
   Camera camera;
   Pose3 X_RC;
   double half_view_rad = 0.0, hole_m = 0.0;
-  double delay_s = 0.0, shutter_s = 0.0;
+  double delay_s = 0.0;  // at most a control period
+  double shutter_s = 0.0;
   double blur_sigma_px = 0.0, full_well_e = 0.0, read_noise_e = 0.0, vignetting_exponent = 0.0;
 };
 
-/// Two, beside each other, shining to the back.
+/// Two white light diodes, beside each other, shining to the back.
 struct LampsModel {
   Eigen::Vector3d p_R{0, 0, 0};  // middle of both
   double apart_m = 0.0;
   double irradiance_at_1m = 0.0;
   double half_angle_rad = 0.0;
-  double temperature_k = 0.0;
 };
 
 struct RobotModel {

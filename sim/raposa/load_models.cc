@@ -20,6 +20,10 @@ void RequireFiles(const Scenario& scenario) {
     throw ConfigError(scenario.camera_place +
                       ": expected no camera.file: RAPOSA's camera stands in its robot's file");
   }
+  if (scenario.image_width != 0 || scenario.image_height != 0) {
+    throw ConfigError(scenario.camera_place +
+                      ": expected no width_px or height_px: they stand in the robot's file");
+  }
 }
 
 void CheckRoots(const YamlNode& changes, const std::string& root) {
