@@ -1,0 +1,60 @@
+// What one picture of the back camera says of the pyramid, without a setting for the light.
+//
+// Frame V: the camera in plan, x along its view, y left. Frame D: the guide's middle on the ground,
+// x out along its axis.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "controller/geometry/image.h"
+#include "controller/geometry/pose.h"
+#include "controller/raposa/nominal/nominal.h"
+
+namespace dockyard::raposa {
+
+/// The guide, from its orange alone.
+struct GuideSeen {
+  Eigen::Vector2d centre_px{0.0, 0.0};
+  double bearing_rad = 0.0;  // of its middle, to the left of the camera's axis
+  double down_rad = 0.0;     // below the camera's axis
+  double range_m = 0.0;      // from the camera, in plan
+  double bearing_sigma_rad = 0.0, range_sigma_m = 0.0;
+  bool clipped = false;  // the view's edge cuts it: it may be nearer, and farther aside
+};
+
+/// A pose of the pyramid that explains the picture.
+struct PyramidFit {
+  Pose2 X_VD;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of X_VD's x, y [m], heading [rad]
+  double misfit = 0.0;  // mean square of the residuals by their sigmas; about 1 for a true one
+};
+
+struct PyramidSeen {
+  std::optional<GuideSeen> guide;
+  /// With guide and blue marks in view: the pose, or both where the picture allows two. The better
+  /// one first. Empty if the blue marks are not seen, or fit no pose.
+  std::vector<PyramidFit> fits;
+};
+
+/// What is believed of the pyramid before the picture.
+struct PyramidPrior {
+  Pose2 X_VD;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+class PyramidEye {
+ public:
+  explicit PyramidEye(const Nominal& nominal);
+
+  /// @param pitch_rad  of the camera, down positive, as the arm's angle has it; known to 2 deg
+  /// @param prior      marks that it rules out are other things of like colours
+  PyramidSeen Find(const RgbImage& image, double pitch_rad,
+                   const std::optional<PyramidPrior>& prior = std::nullopt) const;
+
+ private:
+  Nominal nominal_;
+};
+
+}  // namespace dockyard::raposa
