@@ -48,4 +48,12 @@ void CloseDoors(const Nominal& nominal, double seconds, Commands* commands) {
   }
 }
 
+void SetDoors(const Nominal& nominal, double opening_m, Commands* commands) {
+  const double angle_rad = (nominal.door_travel_m - opening_m) / nominal.door_pinion_radius_m;
+  for (const Motor door : {Motor::kLeftDoor, Motor::kRightDoor}) {
+    const NominalMotor& motor = nominal.motors[Index(door)];
+    commands->motors[Index(door)] = Position(motor, angle_rad, motor.max_speed_rad_s);
+  }
+}
+
 }  // namespace dockyard::raposa

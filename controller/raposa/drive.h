@@ -13,4 +13,7 @@ void SetArm(const Nominal& nominal, double angle_rad, Commands* commands);
 /// Both doors to closed, in that time.
 void CloseDoors(const Nominal& nominal, double seconds, Commands* commands);
 
+/// Both doors that far from closed, as fast as they go.
+void SetDoors(const Nominal& nominal, double opening_m, Commands* commands);
+
 }  // namespace dockyard::raposa

@@ -18,6 +18,8 @@ Nominal MakeNominal(const RobotModel& robot, const PyramidModel& pyramid) {
   nominal.sprocket_radius_m = robot.belts.roller_radius_m;
   nominal.gauge_m = robot.belts.gauge_m;
   nominal.effective_gauge_m = robot.belts.effective_gauge_m;
+  nominal.body_belt_m = robot.belts.body_front_m - robot.belts.body_rear_m;
+  nominal.arm_length_m = robot.belts.arm_length_m;
   nominal.door_pinion_radius_m = robot.doors.pinion_radius_m;
   nominal.door_travel_m = robot.doors.travel_m;
   nominal.p_RS = robot.socket.p_RS;

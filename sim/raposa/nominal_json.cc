@@ -138,6 +138,8 @@ Nominal ReadNominal(const Json& json) {
   nominal.sprocket_radius_m = json.at("sprocket_radius_m");
   nominal.gauge_m = json.at("gauge_m");
   nominal.effective_gauge_m = json.at("effective_gauge_m");
+  nominal.body_belt_m = json.at("body_belt_m");
+  nominal.arm_length_m = json.at("arm_length_m");
   nominal.door_pinion_radius_m = json.at("door_pinion_radius_m");
   nominal.door_travel_m = json.at("door_travel_m");
   const auto p = json.at("p_RS").get<std::array<double, 3>>();
@@ -163,6 +165,8 @@ Json ToJson(const Nominal& nominal) {
           {"sprocket_radius_m", nominal.sprocket_radius_m},
           {"gauge_m", nominal.gauge_m},
           {"effective_gauge_m", nominal.effective_gauge_m},
+          {"body_belt_m", nominal.body_belt_m},
+          {"arm_length_m", nominal.arm_length_m},
           {"door_pinion_radius_m", nominal.door_pinion_radius_m},
           {"door_travel_m", nominal.door_travel_m},
           {"p_RS", Json{nominal.p_RS.x(), nominal.p_RS.y(), nominal.p_RS.z()}},

@@ -36,6 +36,8 @@ struct Nominal {
   double sprocket_radius_m = 0.0;
   double gauge_m = 0.0;            // between the belts' middles
   double effective_gauge_m = 0.0;  // d of eq. (9), from one turn in place on a hard floor
+  double body_belt_m = 0.0;        // between the body's rollers
+  double arm_length_m = 0.0;       // from its joint, on the front roller, to the tip's roller
   double door_pinion_radius_m = 0.0;
   double door_travel_m = 0.0;                      // from open to closed on the guide's waist
   Eigen::Vector3d p_RS = Eigen::Vector3d::Zero();  // the guide's middle once docked

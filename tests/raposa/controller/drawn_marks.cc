@@ -176,6 +176,8 @@ Nominal TestNominal(double lever_m) {
   nominal.sprocket_radius_m = 0.09;
   nominal.gauge_m = 0.426;
   nominal.effective_gauge_m = 0.577;
+  nominal.body_belt_m = 0.386;
+  nominal.arm_length_m = 0.18;
   nominal.door_pinion_radius_m = 0.01;
   nominal.door_travel_m = 0.02;
   nominal.p_RS = {-lever_m - 0.08, 0.0, 0.0};

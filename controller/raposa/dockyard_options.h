@@ -1,0 +1,76 @@
+// How RAPOSA's own controller drives. Its eye has no setting.
+#pragma once
+
+#include "controller/geometry/pose.h"
+
+namespace dockyard::raposa {
+
+/// Distances along the pyramid's axis are of the robot's origin, x in D; a docked one stands
+/// at the seat's, 0.30 m.
+struct DockyardOptions {
+  // What the belts may do. 1 sigma; the filter learns the values on the way.
+  double gauge_sigma = 0.08;          // share of the told gauge; assumed, 0.05-0.15: floor, grass
+  double centre_sigma_m = 0.02;       // of the turning centre along x; assumed, 0.01-0.04
+  double centre_m = -0.01;            // it lies there in R; -0.04 to 0.02 by the belts' closed form
+  double belt_bias_m_s = 0.003;       // of a driven belt's reading; assumed, 0.002-0.01
+  double bias_time_s = 120.0;         // in which it wanders; assumed, 60-300
+  double way_noise = 0.01;            // share of the way; assumed, 0.005-0.03
+  double side_noise = 0.02;           // sideways, of the way; assumed, 0.01-0.05
+  double turn_noise = 0.03;           // share of a turn; assumed, 0.01-0.05
+  double pressed_gauge_share = 1.96;  // gauge with the arm pressed down, by level: 1.13 / 0.577
+
+  // The way to the axis.
+  double gate_m = 0.75;               // it turns onto the axis here ...
+  double far_gate_m = 1.05;           // ... to here, whichever is sooner; assumed, 0.6-1.2
+  double keep_out_m = 0.46;           // of a straight way from the guide: half the robot's width
+                                      // 0.25, half the pyramid's 0.08, margin; assumed, 0.40-0.55
+  double round_m = 0.80;              // of waypoints round the pyramid; assumed, 0.7-1.0
+  double turn_room_m = 0.52;          // of a turn in place: the rear corners reach 0.41 m
+  double travel_m_s = 0.25;           // assumed, 0.1-0.4
+  double turn_rad_s = Radians(40.0);  // with the guide out of view; assumed, 20-60
+  double seen_turn_rad_s = Radians(12.0);    // in view, for 1.6 px of blur; assumed, 8-20
+  double turn_gain_per_s = 2.5;              // of a turn's last part; assumed, 1-4
+  double turn_tolerance_rad = Radians(1.5);  // assumed, 1-3
+  double way_tolerance_m = 0.015;            // assumed, 0.01-0.03
+
+  // From where it drives straight in: the axis lies within a cone about the mouth.
+  double cone_from_m = 0.42, cone_half_m = 0.012, cone_slope = 0.13;  // assumed
+  double cone_heading_rad = Radians(11.0);                            // less than half the view
+  double settle_m = 0.11;             // an offset dies out over it; assumed, 0.08-0.15
+  double approach_m_s = 0.25;         // far from the seat ...
+  double approach_gain_per_s = 0.45;  // ... in proportion to the way left ...
+  double least_approach_m_s = 0.06;   // ... down to this: belts are off by 0.003 m/s
+  double press_m = 0.68;              // the arm is pressed down from here; assumed, 0.6-0.75
+  double press_rad = Radians(14.0);   // leans the body back by 4.5 deg, as the guide; 10-18
+  double beyond_m = 0.002;            // past the seat by the belief, to be in it; assumed, 0-8 mm
+  double lost_s = 1.0;                // without the guide it stops; assumed, 0.5-2
+
+  // Looking and searching.
+  int looks = 3;                            // pictures with a pose before it decides; assumed, 2-6
+  double sure_heading_rad = Radians(9.0);   // 1 sigma to decide on; assumed, 5-12
+  double patience_s = 1.2;                  // standing, for a picture with what it needs
+  double creep_m_s = 0.15;                  // towards a guide without marks; assumed, 0.05-0.2
+  double creep_to_m = 1.3;                  // in camera range; then it stands and looks
+  double back_m = 0.25;                     // away from a guide too near for its marks
+  double search_rad_s = Radians(15.0);      // assumed, 8-25
+  double first_search_rad = Radians(20.0);  // doubled at each switch
+
+  // Doors. Openings are of each door from closed.
+  double brake_s = 0.3;
+  double shut_m = 0.0010;   // nothing lies between doors this near; assumed, 0.5-2 mm
+  double held_m = 0.0075;   // doors that stall nearer hold the rear cone; wider, the
+                            // waist is between them: closing radius 6 mm, waist 15 mm
+  double stall_m = 0.0004;  // way of a door ...
+  double stall_s = 0.5;     // ... in this time; assumed
+  double stall_a = 0.35;    // of a door's motor that presses; free it takes 0.2
+  double close_s = 7.0;     // in which doors have closed or never will
+  double ajar_m = 0.018;    // open enough for the waist to pass
+  double nudge_m = 0.008;   // farther in before the doors close again
+  double prove_m = 0.03;    // it pulls that far before it claims
+  double prove_m_s = 0.04;
+  int nudges = 2;           // before it backs off
+  double retreat_m = 0.85;  // to there on the axis
+  int attempts = 8;         // then it gives up
+};
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,112 @@
+#include "controller/raposa/gate_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard::raposa {
+namespace {
+
+// The pyramid reaches from 0.02 m before the guide's middle to 0.14 m behind it: this is its middle
+// on the axis (models/raposa/pyramid).
+const Eigen::Vector2d kPyramidMiddle(-0.06, 0.0);
+constexpr double kStop_s = 0.6;  // of each start and stop, as reckoned; assumed, 0.4-1
+
+double DistanceOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const Eigen::Vector2d way = b - a;
+  const double length2 = way.squaredNorm();
+  const double share =
+      length2 > 0.0 ? std::clamp((kPyramidMiddle - a).dot(way) / length2, 0.0, 1.0) : 0.0;
+  return (a + share * way - kPyramidMiddle).norm();
+}
+
+/// A way that only leads away from the pyramid is clear wherever it begins.
+bool Clear(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const DockyardOptions& options) {
+  const double least = std::min(options.keep_out_m, (a - kPyramidMiddle).norm());
+  return DistanceOf(a, b) >= least - 1e-9;
+}
+
+double TurnTime(double turn_rad, const DockyardOptions& options) {
+  return std::abs(turn_rad) < options.turn_tolerance_rad
+             ? 0.0
+             : std::abs(turn_rad) / options.turn_rad_s + kStop_s;
+}
+
+/// Through these points; each leg forwards or backwards, by all choices.
+GatePlan Through(const Pose2& X_DN, const std::vector<Eigen::Vector2d>& points,
+                 const DockyardOptions& options) {
+  GatePlan best;
+  best.time_s = 1e9;
+  const std::size_t choices = std::size_t{1} << points.size();
+  for (std::size_t choice = 0; choice < choices; ++choice) {
+    GatePlan plan;
+    double heading = X_DN.heading;
+    Eigen::Vector2d at(X_DN.x, X_DN.y);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Eigen::Vector2d way = points[i] - at;
+      const bool back = (choice >> i & 1U) != 0;
+      const double to = WrapPi(std::atan2(way.y(), way.x()) + (back ? kPi : 0.0));
+      plan.time_s +=
+          TurnTime(WrapPi(to - heading), options) + way.norm() / options.travel_m_s + kStop_s;
+      plan.legs.push_back({to, back ? -way.norm() : way.norm(), points[i]});
+      heading = to;
+      at = points[i];
+    }
+    plan.time_s += TurnTime(WrapPi(kPi - heading), options);
+    if (plan.time_s < best.time_s) best = plan;
+  }
+  return best;
+}
+
+}  // namespace
+
+GatePlan PlanToGate(const Pose2& X_DN, const DockyardOptions& options) {
+  Eigen::Vector2d at(X_DN.x, X_DN.y);
+  Pose2 from = X_DN;
+  std::optional<Leg> away;
+  const double room_m = (at - kPyramidMiddle).norm() - options.turn_room_m;
+  if (room_m < 0.0) {
+    const double back_m = -room_m + 0.05;
+    at -= back_m * Eigen::Vector2d(std::cos(X_DN.heading), std::sin(X_DN.heading));
+    away = Leg{X_DN.heading, -back_m, at};
+    from = {at.x(), at.y(), X_DN.heading};
+  }
+  GatePlan best;
+  best.time_s = 1e9;
+  const auto consider = [&](std::vector<Eigen::Vector2d> points) {
+    Eigen::Vector2d last = at;
+    for (const Eigen::Vector2d& point : points) {
+      if (!Clear(last, point, options)) return;
+      last = point;
+    }
+    // The robot still has to come in from the gate.
+    GatePlan plan = Through(from, points, options);
+    plan.time_s += (last.x() - options.gate_m) / options.travel_m_s;
+    if (plan.time_s < best.time_s) best = plan;
+  };
+  const double angle = std::atan2(at.y(), at.x());
+  for (const double gate_m :
+       {options.gate_m, 0.5 * (options.gate_m + options.far_gate_m), options.far_gate_m}) {
+    const Eigen::Vector2d gate(gate_m, 0.0);
+    consider({gate});
+    for (const double share : {0.3, 0.5, 0.7}) {
+      const Eigen::Vector2d round =
+          options.round_m * Eigen::Vector2d(std::cos(share * angle), std::sin(share * angle));
+      consider({round, gate});
+    }
+    const Eigen::Vector2d first =
+        options.round_m * Eigen::Vector2d(std::cos(0.7 * angle), std::sin(0.7 * angle));
+    const Eigen::Vector2d second =
+        options.round_m * Eigen::Vector2d(std::cos(0.35 * angle), std::sin(0.35 * angle));
+    consider({first, second, gate});
+  }
+  if (away) best.legs.insert(best.legs.begin(), *away);
+  return best;
+}
+
+bool InCone(const Pose2& X_DN, const DockyardOptions& options) {
+  const double ahead_m = X_DN.x - options.cone_from_m;
+  return ahead_m > 0.0 && std::abs(X_DN.y) < options.cone_half_m + options.cone_slope * ahead_m &&
+         std::abs(WrapPi(X_DN.heading - kPi)) < options.cone_heading_rad;
+}
+
+}  // namespace dockyard::raposa

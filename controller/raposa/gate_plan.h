@@ -1,0 +1,32 @@
+// The shortest safe way onto the pyramid's axis: turns in place and straight legs round it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "controller/geometry/pose.h"
+#include "controller/raposa/dockyard_options.h"
+
+namespace dockyard::raposa {
+
+/// Turn to the heading, then drive length_m straight (negative: backwards).
+struct Leg {
+  double heading_rad = 0.0;  // in D
+  double length_m = 0.0;
+  Eigen::Vector2d p_D_end{0.0, 0.0};
+};
+
+struct GatePlan {
+  std::vector<Leg> legs;  // then turn to face the pyramid, heading pi in D
+  double time_s = 0.0;    // as reckoned
+};
+
+/// From N's pose in D to the soonest gate on the axis, with at most three waypoints round the
+/// pyramid, each leg forwards or backwards, whichever turns less in all. A robot too near to turn
+/// drives away first. Every leg, and every turn, keeps its distance from the pyramid.
+GatePlan PlanToGate(const Pose2& X_DN, const DockyardOptions& options);
+
+/// Whether the robot can drive straight in from there.
+bool InCone(const Pose2& X_DN, const DockyardOptions& options);
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,16 @@
+// How the body leans back when the arm is pressed down, on hard and level ground.
+#pragma once
+
+#include "controller/raposa/nominal/nominal.h"
+
+namespace dockyard::raposa {
+
+/// Front up positive [rad]. The robot stands on its rear rollers and the arm's tip rollers, all of
+/// one size: L sin b = a sin(arm - b), L between the body's rollers, a of the arm. None for an arm
+/// that is level or raised.
+double LeanOf(const Nominal& nominal, double arm_rad);
+
+/// The seat's way behind the robot's origin, in plan, at that lean.
+double SeatBehind(const Nominal& nominal, double lean_rad);
+
+}  // namespace dockyard::raposa

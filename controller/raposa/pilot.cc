@@ -1,0 +1,427 @@
+#include "controller/raposa/pilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/raposa/drive.h"
+#include "controller/raposa/lean.h"
+#include "controller/raposa/odometry.h"
+
+namespace dockyard::raposa {
+namespace {
+
+FerreiraMotion SearchOptions(const DockyardOptions& options) {
+  FerreiraMotion search;
+  search.search_turn_rad_s = options.search_rad_s;
+  search.first_search_rad = options.first_search_rad;
+  return search;
+}
+
+}  // namespace
+
+const char* Name(Pilot::Phase phase) {
+  static const char* const names[] = {"look", "search", "creep",    "back",   "turn",
+                                      "leg",  "face",   "approach", "brake",  "close",
+                                      "ajar", "prove",  "retreat",  "docked", "given_up"};
+  return names[static_cast<std::size_t>(phase)];
+}
+
+Pilot::Pilot(const Nominal& nominal, const DockyardOptions& options)
+    : nominal_(nominal),
+      options_(options),
+      filter_(nominal, options),
+      doors_(nominal, options),
+      search_(SearchOptions(options)),
+      door_open_m_(nominal.door_travel_m) {
+  belief_.phase = Name(phase_);
+  belief_.values = {
+      {"state", 0.0}, {"alpha_deg", 0.0}, {"r_m", 0.0}, {"passes", 0.0}, {"gauge_share", 1.0}};
+}
+
+double Pilot::Gauge() const {
+  return nominal_.effective_gauge_m * (ArmPressed() ? options_.pressed_gauge_share : 1.0);
+}
+
+double Pilot::pitch_rad() const { return LeanOf(nominal_, arm_rad_); }
+
+std::optional<PyramidPrior> Pilot::Prior() const {
+  if (!filter_.located()) return std::nullopt;
+  return filter_.Prior();
+}
+
+void Pilot::Enter(Phase phase, const std::string& note) {
+  phase_ = phase;
+  entered_ = now_;
+  driven_m_ = 0.0;
+  fits_ = 0;
+  belief_.note = note;
+  if (phase != Phase::kSearch) search_.End();
+  if (phase == Phase::kClose) doors_.Begin();
+}
+
+void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age_s) {
+  now_ = sensed.tick;
+  const auto angle = [&](Motor motor) {
+    const auto i = static_cast<std::size_t>(motor);
+    return static_cast<double>(sensed.motors[i].encoder_counts) * nominal_.motors[i].rad_per_count;
+  };
+  arm_rad_ = angle(Motor::kArm);
+  const std::array<double, 2> belts_m{nominal_.sprocket_radius_m * angle(Motor::kLeftBelt),
+                                      nominal_.sprocket_radius_m * angle(Motor::kRightBelt)};
+  if (belts_m_) {
+    const BeltSteps steps{.left_m = belts_m[0] - (*belts_m_)[0],
+                          .right_m = belts_m[1] - (*belts_m_)[1],
+                          .driven = last_.speed_m_s != 0.0 || last_.turn_rad_s != 0.0,
+                          .gauge_m = Gauge(),
+                          .dt_s = kTickSeconds * kControlPeriod};
+    turned_rad_ = (steps.right_m - steps.left_m) / steps.gauge_m;
+    way_m_ = -0.5 * (steps.left_m + steps.right_m);
+    driven_m_ += way_m_;
+    filter_.Drive(steps);
+  }
+  belts_m_ = belts_m;
+  doors_.Read(sensed);
+  if (seen == nullptr) return;
+  guide_ = seen->guide;
+  if (guide_) guide_seen_ = now_;
+  if (!seen->fits.empty()) {
+    ++fits_;
+    ++belief_.sighting_count;
+  }
+  const bool was = filter_.located();
+  const Pose2 before = was ? filter_.X_DN() : Pose2{};
+  filter_.See(*seen, age_s);
+  if (!was || (phase_ != Phase::kTurn && phase_ != Phase::kLeg && phase_ != Phase::kFace)) return;
+  const Pose2 change = Inverse(before) * filter_.X_DN();
+  if (std::hypot(change.x, change.y) > 0.2 || std::abs(change.heading) > Radians(12.0)) {
+    Enter(Phase::kLook, "the pyramid stands otherwise than thought");
+  }
+}
+
+Commands Pilot::Step(const SensorFrame& sensed, const PyramidSeen* seen, double age_s) {
+  Sense(sensed, seen, age_s);
+  last_ = Act();
+  Commands commands = BrakedCommands();
+  if (last_.speed_m_s != 0.0 || last_.turn_rad_s != 0.0) {
+    // drive.h reckons with the gauge of a level arm.
+    const double share = Gauge() / nominal_.effective_gauge_m;
+    SetBelts(nominal_, {last_.speed_m_s, share * last_.turn_rad_s}, &commands);
+  }
+  SetArm(nominal_, arm_told_rad_, &commands);
+  SetDoors(nominal_, door_open_m_, &commands);
+  commands.take_images = {kBackCamera};
+  commands.switches[kLamps] = lamps_ ? 1 : 0;
+  commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDocked
+                     : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
+                                                 : Verdict::kUnderWay;
+  Believe();
+  return commands;
+}
+
+Twist Pilot::Act() {
+  switch (phase_) {
+    case Phase::kLook:
+      return Look();
+    case Phase::kSearch:
+      return Search();
+    case Phase::kCreep:
+      return Creep();
+    case Phase::kBack:
+      return Back();
+    case Phase::kTurn:
+      return Turn();
+    case Phase::kLeg:
+      return DriveLeg();
+    case Phase::kFace:
+      return Face();
+    case Phase::kApproach:
+      return Approach();
+    case Phase::kBrake:
+      if (For() >= options_.brake_s) {
+        door_open_m_ = 0.0;
+        Enter(Phase::kClose, "");
+      }
+      return {};
+    case Phase::kClose:
+      return Close();
+    case Phase::kAjar:
+      return Ajar();
+    case Phase::kProve:
+      return Prove();
+    case Phase::kRetreat:
+      return Retreat();
+    case Phase::kDocked:
+    case Phase::kGivenUp:
+      break;
+  }
+  return {};
+}
+
+Twist Pilot::Look() {
+  lamps_ = filter_.located() && filter_.range_m() < 0.6;
+  if (filter_.located() && fits_ >= options_.looks) {
+    const double sigma = std::sqrt(filter_.covariance()(2, 2));
+    if (sigma < options_.sure_heading_rad || For() > options_.patience_s) {
+      Decide();
+      return {};
+    }
+  }
+  if (For() < options_.patience_s) return {};
+  if (!guide_) {
+    Enter(Phase::kSearch, "no guide in view");
+  } else if (guide_->range_m > options_.creep_to_m) {
+    Enter(Phase::kCreep, "the guide is too far for its marks");
+  } else if (backs_ < 4) {
+    ++backs_;
+    Enter(Phase::kBack, "the guide shows no marks");
+  } else {
+    backs_ = 0;
+    filter_.Forget();
+    Enter(Phase::kSearch, "this guide never shows marks");
+  }
+  return {};
+}
+
+void Pilot::Decide() {
+  const double sigma = std::sqrt(filter_.covariance()(2, 2));
+  if (sigma > options_.sure_heading_rad && guide_ && filter_.range_m() > options_.creep_to_m) {
+    Enter(Phase::kCreep, "the angle is not sure");
+    return;
+  }
+  backs_ = 0;
+  searched_rad_ = 0.0;
+  const Pose2 X_DN = filter_.X_DN();
+  if (InCone(X_DN, options_)) {
+    const double end_m =
+        SeatBehind(nominal_, LeanOf(nominal_, options_.press_rad)) - options_.beyond_m;
+    follower_.emplace(Pose2{X_DN.x, 0.0, kPi}, std::vector<Arc>{{X_DN.x - end_m, 0.0}});
+    nudges_ = 0;
+    belief_.plan = {{Pose2{X_DN.x, 0.0, 0.0}, end_m - X_DN.x, 0.0}};
+    ++belief_.plan_count;
+    Enter(Phase::kApproach, "on the axis");
+    return;
+  }
+  const GatePlan plan = PlanToGate(X_DN, options_);
+  if (plan.legs.empty()) {
+    TryAgain("no way to the axis");
+    return;
+  }
+  legs_ = plan.legs;
+  ++passes_;
+  belief_.plan.clear();
+  Pose2 at = X_DN;
+  for (const Leg& leg : legs_) {
+    belief_.plan.push_back({{at.x, at.y, WrapPi(leg.heading_rad + kPi)}, -leg.length_m, 0.0});
+    at = {leg.p_D_end.x(), leg.p_D_end.y(), leg.heading_rad};
+  }
+  ++belief_.plan_count;
+  BeginLeg();
+}
+
+void Pilot::BeginLeg() {
+  arm_told_rad_ = 0.0;
+  if (legs_.empty()) {
+    Enter(Phase::kFace, "at the gate");
+    return;
+  }
+  Enter(Phase::kTurn, "to the gate");
+}
+
+Twist Pilot::TurnTo(double heading_rad, bool* done) const {
+  const double left = WrapPi(heading_rad - filter_.X_DN().heading);
+  *done = std::abs(left) < options_.turn_tolerance_rad;
+  if (*done) return {};
+  const double most = GuideExpected() ? options_.seen_turn_rad_s : options_.turn_rad_s;
+  return {0.0, std::clamp(options_.turn_gain_per_s * left, -most, most)};
+}
+
+/// Whether the guide should be in view.
+bool Pilot::GuideExpected() const {
+  return filter_.located() && std::abs(filter_.bearing_rad()) < nominal_.half_view_rad;
+}
+
+Twist Pilot::Turn() {
+  bool done = false;
+  const Twist twist = TurnTo(legs_.front().heading_rad, &done);
+  if (!done) return twist;
+  const Leg& leg = legs_.front();
+  const Eigen::Vector2d along(std::cos(leg.heading_rad), std::sin(leg.heading_rad));
+  const Eigen::Vector2d start = leg.p_D_end - leg.length_m * along;
+  const Pose2 X_DN = filter_.X_DN();
+  // The way from where the robot stands after its turn; the turning centre moves a little.
+  const Eigen::Vector2d at(X_DN.x, X_DN.y);
+  const double length_m = (leg.p_D_end - at).dot(along);
+  follower_.emplace(Pose2{start.x(), start.y(), leg.heading_rad},
+                    std::vector<Arc>{{leg.length_m, 0.0}});
+  if (std::abs(length_m) < options_.way_tolerance_m) {
+    legs_.erase(legs_.begin());
+    BeginLeg();
+    return {};
+  }
+  Enter(Phase::kLeg, "to the gate");
+  return {};
+}
+
+Twist Pilot::DriveLeg() {
+  const Steering steering{.settle_m = 0.3, .max_turn_rad_s = 0.5};
+  const double left_m = follower_->Remaining();
+  const double speed =
+      std::clamp(1.5 * left_m + 0.03, options_.least_approach_m_s, options_.travel_m_s);
+  const Twist twist = follower_->Follow(filter_.X_DN(), speed, steering);
+  if (!follower_->done() && follower_->Remaining() > options_.way_tolerance_m) return twist;
+  legs_.erase(legs_.begin());
+  BeginLeg();
+  return {};
+}
+
+Twist Pilot::Face() {
+  const Pose2 X_DN = filter_.X_DN();
+  bool done = false;
+  // To the guide: off the axis by a little it is to be in the middle of the view.
+  const Twist twist = TurnTo(std::atan2(-X_DN.y, -X_DN.x), &done);
+  if (done) Enter(Phase::kLook, "at the gate");
+  return twist;
+}
+
+Twist Pilot::Approach() {
+  const Pose2 X_DN = filter_.X_DN();
+  if (X_DN.x < options_.press_m) {
+    arm_told_rad_ = options_.press_rad;
+    lamps_ = true;
+  }
+  const double unseen_s = static_cast<double>(now_ - guide_seen_) * kTickSeconds;
+  const double ahead_m = X_DN.x - options_.cone_from_m;
+  if (ahead_m > 0.03) {
+    if (unseen_s > options_.lost_s) {
+      Enter(Phase::kLook, "lost the guide");
+      return {};
+    }
+    if (std::abs(X_DN.y) > 0.03 + 0.2 * ahead_m ||
+        std::abs(WrapPi(X_DN.heading - kPi)) > 1.5 * options_.cone_heading_rad) {
+      TryAgain("too far off the axis");
+      return {};
+    }
+  }
+  const double left_m = follower_->Remaining();
+  const double speed = std::clamp(options_.approach_gain_per_s * left_m,
+                                  options_.least_approach_m_s, options_.approach_m_s);
+  const Twist twist =
+      follower_->Follow(X_DN, speed, {.settle_m = options_.settle_m, .max_turn_rad_s = 0.35});
+  // It goes on for half a period at this speed, and then as far as the belts take to stop.
+  const double deceleration = nominal_.sprocket_radius_m * nominal_.motors[0].max_accel_rad_s2;
+  const double stop_m =
+      0.5 * kTickSeconds * kControlPeriod * speed + 0.5 * speed * speed / deceleration;
+  if (!follower_->done() && follower_->Remaining() > stop_m) return twist;
+  Enter(Phase::kBrake, "at the seat, as believed");
+  return {};
+}
+
+Twist Pilot::Close() {
+  if (doors_.state() == DoorState::kHeld) {
+    doors_.Begin();
+    Enter(Phase::kProve, "doors hold something");
+    doors_.Begin();
+    return {};
+  }
+  if (doors_.state() == DoorState::kPinched && nudges_ < options_.nudges) {
+    ++nudges_;
+    door_open_m_ = options_.ajar_m;
+    Enter(Phase::kAjar, "the guide is not in yet");
+    return {};
+  }
+  if (doors_.state() == DoorState::kMoving && For() < options_.close_s) return {};
+  TryAgain(doors_.state() == DoorState::kEmpty ? "doors closed on nothing" : "doors do not close");
+  return {};
+}
+
+Twist Pilot::Ajar() {
+  if (std::abs(doors_.opening_m() - options_.ajar_m) > 0.003 && For() < 4.0) return {};
+  if (driven_m_ < options_.nudge_m) return {0.5 * options_.least_approach_m_s, 0.0};
+  Enter(Phase::kBrake, "nudged on");
+  return {};
+}
+
+Twist Pilot::Prove() {
+  if (driven_m_ > -options_.prove_m) return {-options_.prove_m_s, 0.0};
+  if (doors_.state() == DoorState::kHeld) {
+    Enter(Phase::kDocked, "doors hold the guide against a pull");
+  } else if (doors_.state() != DoorState::kMoving || For() > options_.close_s) {
+    TryAgain("the guide slipped out of the doors");
+  }
+  return {};
+}
+
+void Pilot::TryAgain(const std::string& why) {
+  ++attempts_;
+  if (attempts_ >= options_.attempts) {
+    Enter(Phase::kGivenUp, why);
+    return;
+  }
+  door_open_m_ = nominal_.door_travel_m;
+  Enter(Phase::kRetreat, why);
+}
+
+Twist Pilot::Retreat() {
+  // Doors first: they may hold something.
+  if (nominal_.door_travel_m - doors_.opening_m() > 0.004 && For() < 6.0) return {};
+  const Pose2 X_DN = filter_.X_DN();
+  const bool there = X_DN.x > options_.retreat_m || driven_m_ < -0.7;
+  if (!there) return {-0.6 * options_.approach_m_s, 0.0};
+  arm_told_rad_ = 0.0;
+  filter_.Forget();
+  Enter(Phase::kLook, "backed off");
+  return {};
+}
+
+Twist Pilot::Creep() {
+  if (!guide_) {
+    Enter(Phase::kLook, "lost the guide");
+    return {};
+  }
+  const bool sure = filter_.located() && fits_ >= options_.looks &&
+                    std::sqrt(filter_.covariance()(2, 2)) < options_.sure_heading_rad;
+  if (sure || guide_->range_m < options_.creep_to_m) {
+    Enter(Phase::kLook, "near enough");
+    return {};
+  }
+  return {options_.creep_m_s, std::clamp(1.0 * guide_->bearing_rad, -0.2, 0.2)};
+}
+
+Twist Pilot::Back() {
+  if (driven_m_ < -options_.back_m) {
+    Enter(Phase::kLook, "backed off");
+    return {};
+  }
+  return {-0.6 * options_.creep_m_s, 0.0};
+}
+
+Twist Pilot::Search() {
+  if (guide_) {
+    Enter(Phase::kLook, "guide in view");
+    return {};
+  }
+  if (!search_.begun()) {
+    search_.Begin(filter_.located() ? -filter_.bearing_rad() : -1.0);
+  }
+  searched_rad_ += std::abs(turned_rad_);
+  if (searched_rad_ > 6.0 * kPi) {
+    Enter(Phase::kGivenUp, "no guide in two and a half turns");
+    return {};
+  }
+  return {0.0, search_.Step(turned_rad_)};
+}
+
+void Pilot::Believe() {
+  belief_.phase = Name(phase_);
+  belief_.located = filter_.located();
+  belief_.values[0].value = static_cast<double>(phase_);
+  belief_.values[3].value = passes_;
+  belief_.values[4].value = filter_.gauge_share();
+  if (!filter_.located()) return;
+  const Pose2 X_DN = filter_.X_DN();
+  belief_.X_DR = {X_DN.x, X_DN.y, WrapPi(X_DN.heading + kPi)};
+  belief_.values[1].value = Degrees(filter_.alpha_rad());
+  belief_.values[2].value = filter_.range_m();
+}
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,301 @@
+#include "controller/raposa/pyramid_filter.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard::raposa {
+namespace {
+
+// The state: X_DN's x, y, heading; the share of the told gauge's turns that comes about; x_R of the
+// turning centre; what the left and the right belt's readings say too much, when driven.
+enum Index { kX, kY, kHeading, kShare, kCentre, kLeftBias, kRightBias };
+
+constexpr std::size_t kRecent = 10;    // control periods that a picture may be old
+constexpr std::size_t kMostKept = 4;   // poses at a time; assumed, 3-6
+constexpr double kDropped = 12.0;      // behind in log-likelihood; assumed, 8-20
+constexpr double kBornBehind = 4.0;    // of a new pose; assumed, 2-8
+constexpr double kGate = 20.0;         // of a squared Mahalanobis distance; 3 degrees of freedom
+constexpr double kMissed = 6.0;        // a fit that fits no pose, in log-likelihood; half the gate
+constexpr double kMisfitWeight = 3.0;  // residuals behind a fit's misfit, by two; assumed, 2-6
+constexpr double kGuideGate = 14.0;    // 2 degrees of freedom
+
+/// Wraps the angles of a residual: rows that are headings or bearings.
+void WrapRow(double& value) { value = WrapPi(value); }
+
+}  // namespace
+
+PyramidFilter::PyramidFilter(const Nominal& nominal, const DockyardOptions& options)
+    : nominal_(nominal), options_(options), camera_m_(-nominal.X_RC.p.x()) {
+  belts_.mean(kShare) = 1.0;
+  belts_.mean(kCentre) = options.centre_m;
+  const auto variance = [](double sigma) { return sigma * sigma; };
+  belts_.P(kShare, kShare) = variance(options.gauge_sigma);
+  belts_.P(kCentre, kCentre) = variance(options.centre_sigma_m);
+  belts_.P(kLeftBias, kLeftBias) = variance(options.belt_bias_m_s);
+  belts_.P(kRightBias, kRightBias) = variance(options.belt_bias_m_s);
+}
+
+/// The state after a share of the steps; a negative one goes back.
+PyramidFilter::State PyramidFilter::Moved(const State& state, const BeltSteps& steps,
+                                          double share) const {
+  const double dt_s = steps.driven ? steps.dt_s : 0.0;
+  const double left_m = share * (steps.left_m - dt_s * state(kLeftBias));
+  const double right_m = share * (steps.right_m - dt_s * state(kRightBias));
+  const double way_m = -0.5 * (left_m + right_m);
+  const double turn_rad = state(kShare) * (right_m - left_m) / steps.gauge_m;
+  const double side_m = state(kCentre) * turn_rad;  // v_y = -x_I w in R, turned half round
+  const double middle = state(kHeading) + 0.5 * turn_rad;
+  State next = state;
+  next(kX) += way_m * std::cos(middle) - side_m * std::sin(middle);
+  next(kY) += way_m * std::sin(middle) + side_m * std::cos(middle);
+  next(kHeading) = WrapPi(state(kHeading) + turn_rad);
+  return next;
+}
+
+void PyramidFilter::Drive(const BeltSteps& steps) {
+  recent_.push_front(steps);
+  if (recent_.size() > kRecent) recent_.pop_back();
+  const double way_m = 0.5 * std::abs(steps.left_m + steps.right_m);
+  const double turn_rad = std::abs(steps.right_m - steps.left_m) / steps.gauge_m;
+  const double kept_share = std::exp(-steps.dt_s / options_.bias_time_s);
+  const double fresh = std::pow(options_.belt_bias_m_s, 2) * (1.0 - kept_share * kept_share);
+  const auto drift = [&](Kept& kept) {
+    for (const int bias : {kLeftBias, kRightBias}) {
+      kept.mean(bias) *= kept_share;
+      kept.P.row(bias) *= kept_share;
+      kept.P.col(bias) *= kept_share;
+      kept.P(bias, bias) += fresh;
+    }
+  };
+  drift(belts_);
+  for (Kept& kept : kept_) {
+    StateMatrix F;
+    for (int i = 0; i < kStates; ++i) {
+      State up = kept.mean, down = kept.mean;
+      const double h = 1e-6;
+      up(i) += h;
+      down(i) -= h;
+      F.col(i) = Moved(up, steps, 1.0) - Moved(down, steps, 1.0);
+      F(kHeading, i) = WrapPi(F(kHeading, i));
+      F.col(i) /= 2.0 * h;
+    }
+    kept.mean = Moved(kept.mean, steps, 1.0);
+    kept.P = F * kept.P * F.transpose();
+    const double heading = kept.mean(kHeading);
+    const Eigen::Vector2d along(std::cos(heading), std::sin(heading));
+    const Eigen::Vector2d aside(-along.y(), along.x());
+    // Noise adds up over a way, whatever the period: variances grow with its length.
+    const double along_m2 = std::pow(options_.way_noise, 2) * way_m * 0.1;
+    const double aside_m2 = std::pow(options_.side_noise, 2) * (way_m * 0.1 + turn_rad * 0.02);
+    kept.P.topLeftCorner<2, 2>() +=
+        along_m2 * along * along.transpose() + aside_m2 * aside * aside.transpose();
+    kept.P(kHeading, kHeading) +=
+        std::pow(options_.turn_noise, 2) * turn_rad * Radians(10.0) + 1e-4 * way_m * 0.1;
+    drift(kept);
+  }
+}
+
+/// The camera's pose V in D when the picture was taken.
+Pose2 PyramidFilter::CameraIn(const State& state, double age_s) const {
+  State then = state;
+  for (const BeltSteps& steps : recent_) {
+    if (age_s <= 0.0) break;
+    const double share = std::min(1.0, age_s / steps.dt_s);
+    then = Moved(then, steps, -share);
+    age_s -= steps.dt_s;
+  }
+  return Pose2{then(kX), then(kY), then(kHeading)} * Pose2{camera_m_, 0.0, 0.0};
+}
+
+Eigen::Vector3d PyramidFilter::Foretold(const State& state, double age_s) const {
+  const Pose2 X_VD = Inverse(CameraIn(state, age_s));
+  return {X_VD.x, X_VD.y, X_VD.heading};
+}
+
+template <int Rows, class Model>
+double PyramidFilter::Update(Kept& kept, const Eigen::Matrix<double, Rows, 1>& measured,
+                             const Eigen::Matrix<double, Rows, Rows>& R, const Model& model,
+                             double gate) const {
+  Eigen::Matrix<double, Rows, 1> error = measured - model(kept.mean);
+  WrapRow(error(Rows - 1));
+  Eigen::Matrix<double, Rows, kStates> H;
+  for (int i = 0; i < kStates; ++i) {
+    State up = kept.mean, down = kept.mean;
+    const double h = 1e-6;
+    up(i) += h;
+    down(i) -= h;
+    Eigen::Matrix<double, Rows, 1> slope = model(up) - model(down);
+    WrapRow(slope(Rows - 1));
+    H.col(i) = slope / (2.0 * h);
+  }
+  const Eigen::Matrix<double, Rows, Rows> S = H * kept.P * H.transpose() + R;
+  const auto solver = S.ldlt();
+  const double distance2 = error.dot(solver.solve(error));
+  if (distance2 > gate) return distance2;
+  const Eigen::Matrix<double, kStates, Rows> K = solver.solve(H * kept.P).transpose();
+  kept.mean += K * error;
+  kept.mean(kHeading) = WrapPi(kept.mean(kHeading));
+  const StateMatrix rest = StateMatrix::Identity() - K * H;
+  kept.P = rest * kept.P * rest.transpose() + K * R * K.transpose();
+  kept.score -= 0.5 * (distance2 + std::log(S.determinant()));
+  return distance2;
+}
+
+/// A pose as a fit has it, with what is known of the belts.
+PyramidFilter::Kept PyramidFilter::Born(const PyramidFit& fit, double age_s) const {
+  Kept kept = belts_;
+  const auto place = [&](const Pose2& X_VD) {
+    // The motion since the exposure does not depend on where it took place.
+    State zero = belts_.mean;
+    zero.head<3>().setZero();
+    const Pose2 X_NV_then = CameraIn(zero, age_s);
+    return Inverse(X_NV_then * X_VD);
+  };
+  const Pose2 X_DN = place(fit.X_VD);
+  kept.mean.head<3>() = Eigen::Vector3d(X_DN.x, X_DN.y, X_DN.heading);
+  Eigen::Matrix3d J;
+  const double h = 1e-6;
+  for (int i = 0; i < 3; ++i) {
+    Pose2 up = fit.X_VD, down = fit.X_VD;
+    (i == 0 ? up.x : i == 1 ? up.y : up.heading) += h;
+    (i == 0 ? down.x : i == 1 ? down.y : down.heading) -= h;
+    const Pose2 a = place(up), b = place(down);
+    J.col(i) = Eigen::Vector3d(a.x - b.x, a.y - b.y, WrapPi(a.heading - b.heading)) / (2.0 * h);
+  }
+  kept.P.topLeftCorner<3, 3>() = J * fit.covariance * J.transpose();
+  return kept;
+}
+
+void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
+  const double best = seen.fits.front().misfit;
+  std::vector<bool> matched(seen.fits.size(), false);
+  const auto model = [&](const State& state) { return Foretold(state, age_s); };
+  for (Kept& kept : kept_) {
+    std::size_t nearest = 0;
+    Kept updated;
+    double least = 1e9;
+    for (std::size_t i = 0; i < seen.fits.size(); ++i) {
+      const PyramidFit& fit = seen.fits[i];
+      Kept trial = kept;
+      const double distance2 =
+          Update<3>(trial, Eigen::Vector3d(fit.X_VD.x, fit.X_VD.y, fit.X_VD.heading),
+                    fit.covariance, model, kGate);
+      trial.score -= kMisfitWeight * std::min(fit.misfit - best, 2.0);
+      if (distance2 >= least) continue;
+      least = distance2;
+      nearest = i;
+      updated = trial;
+    }
+    if (least > kGate) {
+      kept.score -= kMissed;
+      continue;
+    }
+    matched[nearest] = true;
+    kept = updated;
+  }
+  const double top = kept_.empty() ? 0.0 : kept_.front().score;
+  for (std::size_t i = 0; i < seen.fits.size(); ++i) {
+    if (matched[i]) continue;
+    Kept born = Born(seen.fits[i], age_s);
+    born.score = top - (kept_.empty() ? 0.0 : kBornBehind) -
+                 kMisfitWeight * std::min(seen.fits[i].misfit - best, 2.0);
+    kept_.push_back(born);
+  }
+}
+
+void PyramidFilter::SeeGuide(const GuideSeen& guide, double age_s) {
+  const auto model = [&](const State& state) {
+    const Pose2 X_VD = Inverse(CameraIn(state, age_s));
+    return Eigen::Vector2d(std::hypot(X_VD.x, X_VD.y), std::atan2(X_VD.y, X_VD.x));
+  };
+  Eigen::Matrix2d R = Eigen::Matrix2d::Zero();
+  R(0, 0) = guide.range_sigma_m * guide.range_sigma_m;
+  R(1, 1) = guide.bearing_sigma_rad * guide.bearing_sigma_rad;
+  for (Kept& kept : kept_) {
+    const double distance2 =
+        Update<2>(kept, Eigen::Vector2d(guide.range_m, guide.bearing_rad), R, model, kGuideGate);
+    if (distance2 > kGuideGate) kept.score -= kMissed;
+  }
+}
+
+void PyramidFilter::See(const PyramidSeen& seen, double age_s) {
+  if (!seen.fits.empty()) {
+    SeeFits(seen, age_s);
+  } else if (seen.guide && !seen.guide->clipped) {
+    SeeGuide(*seen.guide, age_s);
+  }
+  Order();
+}
+
+void PyramidFilter::Order() {
+  if (kept_.empty()) return;
+  std::stable_sort(kept_.begin(), kept_.end(),
+                   [](const Kept& a, const Kept& b) { return a.score > b.score; });
+  // Two that have come together are one.
+  std::vector<Kept> rest;
+  for (const Kept& kept : kept_) {
+    const bool again = std::any_of(rest.begin(), rest.end(), [&](const Kept& other) {
+      return (kept.mean.head<2>() - other.mean.head<2>()).norm() < 0.05 &&
+             std::abs(WrapPi(kept.mean(kHeading) - other.mean(kHeading))) < Radians(4.0);
+    });
+    if (!again && kept.score > kept_.front().score - kDropped && rest.size() < kMostKept) {
+      rest.push_back(kept);
+    }
+  }
+  kept_ = rest;
+  const double top = kept_.front().score;
+  for (Kept& kept : kept_) kept.score -= top;
+  const Kept& first = kept_.front();
+  belts_.mean.tail<4>() = first.mean.tail<4>();
+  belts_.P.setZero();
+  belts_.P.bottomRightCorner<4, 4>() = first.P.bottomRightCorner<4, 4>();
+}
+
+Pose2 PyramidFilter::X_DN() const {
+  const State& mean = kept_.front().mean;
+  return {mean(kX), mean(kY), mean(kHeading)};
+}
+
+Eigen::Matrix3d PyramidFilter::covariance() const { return kept_.front().P.topLeftCorner<3, 3>(); }
+
+double PyramidFilter::gauge_share() const {
+  return (kept_.empty() ? belts_ : kept_.front()).mean(kShare);
+}
+
+PyramidPrior PyramidFilter::Prior() const {
+  const State& mean = kept_.front().mean;
+  const Eigen::Vector3d now = Foretold(mean, 0.0);
+  Eigen::Matrix3d J;
+  const double h = 1e-6;
+  for (int i = 0; i < 3; ++i) {
+    State up = mean, down = mean;
+    up(i) += h;
+    down(i) -= h;
+    Eigen::Vector3d slope = Foretold(up, 0.0) - Foretold(down, 0.0);
+    slope(2) = WrapPi(slope(2));
+    J.col(i) = slope / (2.0 * h);
+  }
+  return {{now.x(), now.y(), now.z()}, J * covariance() * J.transpose()};
+}
+
+double PyramidFilter::Lead() const {
+  return kept_.size() < 2 ? kDropped : kept_[0].score - kept_[1].score;
+}
+
+double PyramidFilter::alpha_rad() const {
+  const Pose2 X_DV = X_DN() * Pose2{camera_m_, 0.0, 0.0};
+  return std::atan2(X_DV.y, X_DV.x);
+}
+
+double PyramidFilter::range_m() const {
+  const Pose2 X_DV = X_DN() * Pose2{camera_m_, 0.0, 0.0};
+  return std::hypot(X_DV.x, X_DV.y);
+}
+
+double PyramidFilter::bearing_rad() const {
+  const Pose2 X_VD = Inverse(X_DN() * Pose2{camera_m_, 0.0, 0.0});
+  return std::atan2(X_VD.y, X_VD.x);
+}
+
+}  // namespace dockyard::raposa

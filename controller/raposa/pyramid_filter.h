@@ -1,0 +1,80 @@
+// Where the robot stands before the pyramid: sightings and belts in one estimate, with what the
+// belts do not tell (gauge, turning centre, errors of their readings) as states.
+//
+// Frame N: the robot's origin, turned half round: x out of the back. D, V: pyramid_eye.h.
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <vector>
+
+#include "controller/raposa/dockyard_options.h"
+#include "controller/raposa/pyramid_eye.h"
+
+namespace dockyard::raposa {
+
+/// What the belts' readings say of one control period.
+struct BeltSteps {
+  double left_m = 0.0, right_m = 0.0;  // counting up drives towards the arm, along -x_N
+  bool driven = false;                 // readings of driven belts are off
+  double gauge_m = 0.0;                // as told, for the arm's angle
+  double dt_s = 0.0;
+};
+
+/// Several poses are kept while the pictures allow several; each has an extended Kalman filter. The
+/// log-likelihoods of what they foretold choose.
+class PyramidFilter {
+ public:
+  PyramidFilter(const Nominal& nominal, const DockyardOptions& options);
+
+  void Drive(const BeltSteps& steps);
+  /// @param age_s  of the picture's exposure, before the last Drive's end
+  void See(const PyramidSeen& seen, double age_s);
+  /// The pyramid may stand elsewhere now. What was learned of the belts stays.
+  void Forget() { kept_.clear(); }
+
+  bool located() const { return !kept_.empty(); }
+  /// Of the likeliest; located() must hold.
+  Pose2 X_DN() const;
+  Eigen::Matrix3d covariance() const;  // of X_DN's x, y [m] and heading [rad]
+  double gauge_share() const;          // turns by the told gauge that come about
+  /// What the next picture should show.
+  PyramidPrior Prior() const;
+  /// By how much the likeliest leads, in log-likelihood; large where there is no other.
+  double Lead() const;
+  /// The camera about the guide's axis, and its distance in plan.
+  double alpha_rad() const;
+  double range_m() const;
+  /// Of the guide, left of the camera's axis.
+  double bearing_rad() const;
+
+ private:
+  static constexpr int kStates = 7;
+  using State = Eigen::Matrix<double, kStates, 1>;
+  using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
+  struct Kept {
+    State mean = State::Zero();
+    StateMatrix P = StateMatrix::Zero();
+    double score = 0.0;
+  };
+
+  State Moved(const State& state, const BeltSteps& steps, double share) const;
+  Pose2 CameraIn(const State& state, double age_s) const;
+  Eigen::Vector3d Foretold(const State& state, double age_s) const;
+  Kept Born(const PyramidFit& fit, double age_s) const;
+  template <int Rows, class Model>
+  double Update(Kept& kept, const Eigen::Matrix<double, Rows, 1>& measured,
+                const Eigen::Matrix<double, Rows, Rows>& R, const Model& model, double gate) const;
+  void SeeFits(const PyramidSeen& seen, double age_s);
+  void SeeGuide(const GuideSeen& guide, double age_s);
+  void Order();
+
+  Nominal nominal_;
+  DockyardOptions options_;
+  double camera_m_;               // x of the camera in N
+  std::vector<Kept> kept_;        // the likeliest first
+  Kept belts_;                    // gauge, centre and biases, as last known
+  std::deque<BeltSteps> recent_;  // newest first
+};
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,282 @@
+// The pilot against a planar robot, doors and sightings with errors: no picture, no physics.
+#include "controller/raposa/pilot.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "controller/raposa/lean.h"
+#include "raposa/controller/drawn_marks.h"
+
+namespace dockyard::raposa {
+namespace {
+
+constexpr double kStep_s = kTickSeconds * kControlPeriod;
+constexpr double kCamera_m = 0.25, kSeat_m = 0.30;
+
+struct StandIn {
+  double share = 1.0, centre_m = -0.01;              // of its turns; x_R of the turning centre
+  double left_bias_m_s = 0.0, right_bias_m_s = 0.0;  // its readings say too much
+  bool two_fits = false;                             // beyond 0.6 m pictures allow a mirrored pose
+  double blind_until_m = 0.0;                        // no marks nearer than this
+  unsigned seed = 1;
+};
+
+struct Drive {
+  Verdict verdict = Verdict::kUnderWay;
+  double time_s = 0.0, nearest_m = 1e9, aside_m = 0.0, heading_off_rad = 0.0, seat_off_m = 0.0;
+  int passes = 0;
+  double pushed_m = 0.0, share = 1.0;
+};
+
+Nominal RobotNominal() {
+  Nominal nominal = TestNominal();
+  nominal.X_RC.p = {-kCamera_m, 0.0, 0.005};
+  nominal.p_RS = {-kSeat_m, 0.0, -0.038};
+  nominal.half_view_rad = Radians(12.5);
+  nominal.door_travel_m = 0.03;
+  nominal.door_pinion_radius_m = 0.01;
+  for (NominalMotor& motor : nominal.motors) {
+    motor.rad_per_count = 2.0 * kPi / 16125.0;
+    motor.max_speed_rad_s = 5.0;
+    motor.max_accel_rad_s2 = 5.0;
+    motor.max_current_a = 12.0;
+  }
+  nominal.motors[2].max_speed_rad_s = 0.35;
+  nominal.motors[3].max_speed_rad_s = nominal.motors[4].max_speed_rad_s = 0.6;
+  return nominal;
+}
+
+/// A robot in D, its motors and its eye.
+class PlanarRobot {
+ public:
+  PlanarRobot(const Nominal& nominal, const StandIn& is, const Pose2& X_DV)
+      : nominal_(nominal), is_(is), random_(is.seed), X_DN_(X_DV * Pose2{-kCamera_m, 0.0, 0.0}) {}
+
+  SensorFrame Sense() {
+    SensorFrame frame;
+    frame.tick = tick_;
+    frame.motors.resize(kMotorCount);
+    for (std::size_t i = 0; i < kMotorCount; ++i) {
+      frame.motors[i].encoder_counts = std::llround(read_[i] / nominal_.motors[i].rad_per_count);
+      frame.motors[i].current_a = current_[i];
+    }
+    return frame;
+  }
+
+  PyramidSeen Look() {
+    PyramidSeen seen;
+    const Pose2 X_VD = Inverse(exposed_ * Pose2{kCamera_m, 0.0, 0.0}) * Pose2{pushed_m_, 0.0, 0.0};
+    const double r = std::hypot(X_VD.x, X_VD.y), bearing = std::atan2(X_VD.y, X_VD.x);
+    if (std::abs(bearing) > Radians(11.5) || X_VD.x < 0.14 || r > 4.2) return seen;
+    const auto noise = [&](double sigma) {
+      return sigma * std::normal_distribution<double>()(random_);
+    };
+    GuideSeen guide;
+    guide.bearing_sigma_rad = 0.001;
+    guide.range_sigma_m = 0.01 * r + 0.01 * r * r;
+    guide.bearing_rad = bearing + noise(guide.bearing_sigma_rad);
+    guide.range_m = r + noise(guide.range_sigma_m);
+    seen.guide = guide;
+    if (r < std::max(0.28, is_.blind_until_m) || std::abs(bearing) > Radians(9.0)) return seen;
+    PyramidFit fit;
+    const double range_sigma = 0.006 * r + 0.004 * r * r, heading_sigma = Radians(1.0 + 2.0 * r);
+    const double scale = 1.0 + noise(range_sigma) / r;
+    const double turn = noise(0.001);
+    const Pose2 turned = Pose2{0.0, 0.0, turn} * X_VD;
+    fit.X_VD = {scale * turned.x, scale * turned.y, turned.heading + noise(heading_sigma)};
+    const Eigen::Vector2d along = Eigen::Vector2d(X_VD.x, X_VD.y) / r;
+    const Eigen::Vector2d aside(-along.y(), along.x());
+    fit.covariance.topLeftCorner<2, 2>() = range_sigma * range_sigma * along * along.transpose() +
+                                           1e-6 * r * r * aside * aside.transpose();
+    fit.covariance(2, 2) = heading_sigma * heading_sigma;
+    fit.misfit = 1.0;
+    seen.fits = {fit};
+    if (is_.two_fits && r > 0.6) {
+      PyramidFit other = fit;  // looks the same with the axis mirrored about the line of sight
+      const double sight = std::atan2(fit.X_VD.y, fit.X_VD.x);
+      other.X_VD.heading = WrapPi(2.0 * sight - fit.X_VD.heading);
+      seen.fits.push_back(other);
+      if (std::bernoulli_distribution(0.4)(random_)) std::swap(seen.fits[0], seen.fits[1]);
+    }
+    return seen;
+  }
+
+  void Step(const Commands& commands) {
+    for (int i = 0; i < 2; ++i) {
+      const MotorCommand& command = commands.motors[static_cast<std::size_t>(i)];
+      const double target = command.mode == MotorMode::kVelocity ? command.target : 0.0;
+      const double most = 5.0 * kStep_s;
+      speed_[i] += std::clamp(target - speed_[i], -most, most);
+    }
+    const bool driven = commands.motors[0].mode == MotorMode::kVelocity;
+    const double left_m = 0.09 * speed_[0] * kStep_s, right_m = 0.09 * speed_[1] * kStep_s;
+    const double bias_s = driven ? kStep_s : 0.0;
+    read_[0] += (left_m + bias_s * is_.left_bias_m_s) / 0.09;
+    read_[1] += (right_m + bias_s * is_.right_bias_m_s) / 0.09;
+    const bool pressed = read_[2] > Radians(7.0);
+    const double turn = is_.share * (right_m - left_m) / (pressed ? 1.13 : 0.577);
+    const double way = -0.5 * (left_m + right_m);
+    const double half = X_DN_.heading + 0.5 * turn, side = is_.centre_m * turn;
+    const Pose2 before = X_DN_;
+    X_DN_ = {X_DN_.x + way * std::cos(half) - side * std::sin(half),
+             X_DN_.y + way * std::sin(half) + side * std::cos(half), WrapPi(X_DN_.heading + turn)};
+    Touch(commands);
+    exposed_ = {0.5 * (before.x + X_DN_.x), 0.5 * (before.y + X_DN_.y),
+                before.heading + 0.5 * WrapPi(X_DN_.heading - before.heading)};
+    for (std::size_t i = 2; i < kMotorCount; ++i) {
+      const double most = nominal_.motors[i].max_speed_rad_s * kStep_s;
+      const double aim = commands.motors[i].target, before_rad = read_[i];
+      read_[i] += std::clamp(aim - read_[i], -most, most);
+      current_[i] = 0.1 + (std::abs(aim - before_rad) > 1e-6 ? 0.1 : 0.0);
+      if (i > 2 && GuideIn() && read_[i] > 2.6 && aim > 2.6) {
+        read_[i] = 2.6;  // 4 mm: the rear cone
+        current_[i] = 0.85;
+      }
+    }
+    tick_ += kControlPeriod;
+  }
+
+  /// Of the guide outside of its seat.
+  double SeatOff() const {
+    return X_DN_.x - pushed_m_ - SeatBehind(nominal_, LeanOf(nominal_, read_[2]));
+  }
+  /// Of the pyramid along its axis, before doors held it.
+  double most_pushed_m() const { return most_pushed_m_; }
+  bool GuideIn() const {
+    return SeatOff() < 0.008 && SeatOff() > -0.009 && std::abs(X_DN_.y) < 0.02 &&
+           std::abs(WrapPi(X_DN_.heading - kPi)) < Radians(12.0);
+  }
+  const Pose2& X_DN() const { return X_DN_; }
+  double time_s() const { return kTickSeconds * static_cast<double>(tick_); }
+
+ private:
+  /// A guide on its seat is pushed along; one that doors hold is pulled along as well.
+  void Touch(const Commands& commands) {
+    const bool held = GuideIn() && read_[3] > 2.5 && commands.motors[3].target > 2.5;
+    if (std::abs(X_DN_.y) > 0.02) return;
+    if (SeatOff() < 0.0 || held) pushed_m_ += SeatOff();
+    if (!held) most_pushed_m_ = std::max(most_pushed_m_, std::abs(pushed_m_));
+  }
+
+  Nominal nominal_;
+  StandIn is_;
+  double pushed_m_ = 0.0, most_pushed_m_ = 0.0;
+  std::mt19937 random_;
+  Pose2 X_DN_, exposed_ = X_DN_;
+  std::array<double, 2> speed_{};
+  std::array<double, kMotorCount> read_{}, current_{};
+  Tick tick_ = 0;
+};
+
+Drive RunPilot(double r_m, double alpha_deg, const StandIn& is, double aside_deg = 0.0,
+               bool tell = false) {
+  const Nominal nominal = RobotNominal();
+  const double alpha = Radians(alpha_deg);
+  const Pose2 X_DV{r_m * std::cos(alpha), r_m * std::sin(alpha),
+                   WrapPi(alpha + kPi + Radians(aside_deg))};
+  PlanarRobot robot(nominal, is, X_DV);
+  Pilot pilot(nominal, {});
+  Drive drive;
+  std::string last;
+  while (drive.verdict == Verdict::kUnderWay && robot.time_s() < 150.0) {
+    const SensorFrame frame = robot.Sense();
+    const PyramidSeen seen = robot.Look();
+    const bool first = frame.tick == 0;
+    const Commands commands = pilot.Step(frame, first ? nullptr : &seen, 0.05);
+    const std::string phase = pilot.belief().phase + ": " + pilot.belief().note;
+    const Pose2 X = robot.X_DN();
+    if (tell && phase != last) {
+      std::printf("%6.1f s  %-45s at %.3f %.3f %.1f", robot.time_s(), phase.c_str(), X.x, X.y,
+                  Degrees(X.heading));
+      if (pilot.filter().located()) {
+        const Pose2 b = pilot.filter().X_DN();
+        std::printf("  believed %.3f %.3f %.1f share %.3f lead %.1f", b.x, b.y, Degrees(b.heading),
+                    pilot.filter().gauge_share(), pilot.filter().Lead());
+      }
+      std::printf("\n");
+    }
+    last = phase;
+    if (std::abs(X.y) > 0.05) {
+      drive.nearest_m = std::min(drive.nearest_m, std::hypot(X.x + 0.06, X.y));
+    }
+    robot.Step(commands);
+    drive.verdict = commands.verdict;
+  }
+  drive.time_s = robot.time_s();
+  drive.passes = static_cast<int>(ValueOf(pilot.belief(), "passes", 0.0));
+  drive.aside_m = robot.X_DN().y;
+  drive.seat_off_m = robot.SeatOff();
+  drive.pushed_m = robot.most_pushed_m();
+  drive.share = pilot.filter().gauge_share();
+  return drive;
+}
+
+TEST(Pilot, DocksFromEveryPointOfThePapersGridWithinSixTenthsOfItsTimes) {
+  struct Cell {
+    double r_m, alpha_deg, paper_s;
+  };
+  for (const Cell& cell : {Cell{0.33, 0, 19.41},
+                           {0.5, 0, 24.29},
+                           {1.33, 0, 37.88},
+                           {2.0, 0, 46.06},
+                           {1.33, 30, 45.08},
+                           {1.33, -30, 45.08},
+                           {2.0, 30, 51.1},
+                           {2.0, -30, 51.1},
+                           {0.5, 60, 92.77},
+                           {0.5, -60, 92.77},
+                           {1.33, 60, 73.0},
+                           {1.33, -60, 73.0},
+                           {2.0, 60, 68.34},
+                           {2.0, -60, 68.34}}) {
+    const Drive drive = RunPilot(cell.r_m, cell.alpha_deg, {});
+    EXPECT_EQ(drive.verdict, Verdict::kDocked) << cell.r_m << " m " << cell.alpha_deg << " deg";
+    EXPECT_LE(drive.time_s, 0.6 * cell.paper_s) << cell.r_m << " m " << cell.alpha_deg << " deg";
+    std::printf("%.2f m %4.0f deg: %.1f s of %.1f, passes %d\n", cell.r_m, cell.alpha_deg,
+                drive.time_s, 0.6 * cell.paper_s, drive.passes);
+  }
+}
+
+TEST(Pilot, DocksWithBeltsThatTurnOtherwiseThanTold) {
+  int docked = 0, runs = 0;
+  std::mt19937 random(7);
+  const auto draw = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int i = 0; i < 200; ++i) {
+    StandIn is{.share = draw(0.88, 1.12),
+               .centre_m = draw(-0.03, 0.02),
+               .left_bias_m_s = draw(-0.004, 0.004),
+               .right_bias_m_s = draw(-0.004, 0.004),
+               .seed = 100U + static_cast<unsigned>(i)};
+    const double r_m = draw(0.33, 2.5), alpha_deg = draw(-110, 110), aside_deg = draw(-10, 10);
+    const Drive drive = RunPilot(r_m, alpha_deg, is, aside_deg);
+    ++runs;
+    const bool well =
+        drive.verdict == Verdict::kDocked && drive.nearest_m > 0.40 && drive.pushed_m < 0.01;
+    docked += well ? 1 : 0;
+    if (!well) {
+      std::printf(
+          "%d: %.2f m %.0f deg aside %.0f: verdict %d, %.1f s, passes %d, nearest %.2f, pushed "
+          "%.3f\n",
+          i, r_m, alpha_deg, aside_deg, static_cast<int>(drive.verdict), drive.time_s, drive.passes,
+          drive.nearest_m, drive.pushed_m);
+    }
+  }
+  EXPECT_EQ(docked, runs);
+}
+
+TEST(Pilot, TellsTwoPosesApartByMoving) {
+  for (const double alpha_deg : {-80.0, -40.0, 40.0, 80.0, 110.0}) {
+    const Drive drive = RunPilot(1.5, alpha_deg, {.two_fits = true, .seed = 3});
+    EXPECT_EQ(drive.verdict, Verdict::kDocked) << alpha_deg;
+    std::printf("two fits at %.0f deg: %.1f s, passes %d\n", alpha_deg, drive.time_s, drive.passes);
+  }
+}
+
+}  // namespace
+}  // namespace dockyard::raposa
