@@ -9,6 +9,7 @@ Nominal MakeNominal(const RobotModel& robot, const PyramidModel& pyramid) {
   }
   nominal.camera = robot.camera.camera;
   nominal.X_RC = robot.camera.X_RC;
+  nominal.camera_delay_s = robot.camera.delay_s;
   nominal.half_view_rad = robot.camera.half_view_rad;
   nominal.marks = {.edge_m = pyramid.marks.edge_m,
                    .behind_m = pyramid.marks.behind_m,

@@ -133,6 +133,7 @@ Nominal ReadNominal(const Json& json) {
   }
   nominal.camera = CameraFromJson(json.at("camera"));
   nominal.X_RC = Pose3FromJson(json.at("X_RC"));
+  nominal.camera_delay_s = json.at("camera_delay_s");
   nominal.half_view_rad = json.at("half_view_rad");
   VisitMarks(nominal.marks, Read{json.at("marks")});
   nominal.sprocket_radius_m = json.at("sprocket_radius_m");
@@ -160,6 +161,7 @@ Json ToJson(const Nominal& nominal) {
   return {{"motors", motors},
           {"camera", CameraToJson(nominal.camera)},
           {"X_RC", ToJson(nominal.X_RC)},
+          {"camera_delay_s", nominal.camera_delay_s},
           {"half_view_rad", nominal.half_view_rad},
           {"marks", marks},
           {"sprocket_radius_m", nominal.sprocket_radius_m},

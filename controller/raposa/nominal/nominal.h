@@ -31,7 +31,8 @@ struct Nominal {
   std::array<NominalMotor, kMotorCount> motors;  // by Motor
   Camera camera;
   Pose3 X_RC;
-  double half_view_rad = 0.0;  // what the hole leaves of the camera's view, from its axis
+  double camera_delay_s = 0.0;  // from a picture's exposure to the time it is stamped with
+  double half_view_rad = 0.0;   // what the hole leaves of the camera's view, from its axis
   Marks marks;
   double sprocket_radius_m = 0.0;
   double gauge_m = 0.0;            // between the belts' middles

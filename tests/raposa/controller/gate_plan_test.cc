@@ -1,0 +1,66 @@
+#include "controller/raposa/gate_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace dockyard::raposa {
+namespace {
+
+/// The smallest distance of a straight way from the pyramid's middle, by sampling.
+double Nearest(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  double nearest = 1e9;
+  for (int i = 0; i <= 400; ++i) {
+    nearest = std::min(nearest, (a + i / 400.0 * (b - a) - Eigen::Vector2d(-0.06, 0.0)).norm());
+  }
+  return nearest;
+}
+
+TEST(GatePlan, EveryWayEndsOnTheAxisAndKeepsItsDistance) {
+  const DockyardOptions options;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> range(0.4, 4.3), angle(-2.6, 2.6), heading(-kPi, kPi);
+  for (int i = 0; i < 5000; ++i) {
+    const double r = range(random), alpha = angle(random);
+    const Pose2 X_DN{r * std::cos(alpha), r * std::sin(alpha), heading(random)};
+    const Eigen::Vector2d start(X_DN.x, X_DN.y);
+    if ((start - Eigen::Vector2d(-0.06, 0.0)).norm() < options.turn_room_m) continue;
+    const GatePlan plan = PlanToGate(X_DN, options);
+    ASSERT_FALSE(plan.legs.empty()) << r << " m, " << Degrees(alpha) << " deg";
+    Eigen::Vector2d at = start;
+    for (const Leg& leg : plan.legs) {
+      EXPECT_GE(Nearest(at, leg.p_D_end), std::min(options.keep_out_m, Nearest(at, at)) - 1e-3);
+      // It turns where a leg ends.
+      EXPECT_GE(Nearest(leg.p_D_end, leg.p_D_end), options.turn_room_m);
+      const Eigen::Vector2d along(std::cos(leg.heading_rad), std::sin(leg.heading_rad));
+      EXPECT_LT((at + leg.length_m * along - leg.p_D_end).norm(), 1e-9);
+      at = leg.p_D_end;
+    }
+    EXPECT_NEAR(at.y(), 0.0, 1e-12);
+    EXPECT_GE(at.x(), options.gate_m - 1e-12);
+    EXPECT_LE(at.x(), options.far_gate_m + 1e-12);
+  }
+}
+
+TEST(GatePlan, RobotTooNearToTurnDrivesAwayFirst) {
+  const DockyardOptions options;
+  const double alpha = Radians(60.0);
+  const Pose2 X_DN{0.40 * std::cos(alpha), 0.40 * std::sin(alpha), WrapPi(alpha + kPi)};
+  const GatePlan plan = PlanToGate(X_DN, options);
+  ASSERT_GE(plan.legs.size(), 2u);
+  EXPECT_LT(plan.legs.front().length_m, 0.0);
+  EXPECT_DOUBLE_EQ(plan.legs.front().heading_rad, X_DN.heading);
+}
+
+TEST(GatePlan, ConeHoldsTheAxisAndNotItsSides) {
+  const DockyardOptions options;
+  EXPECT_TRUE(InCone({1.0, 0.0, kPi}, options));
+  EXPECT_TRUE(InCone({1.0, 0.05, Radians(175.0)}, options));
+  EXPECT_FALSE(InCone({1.0, 0.2, kPi}, options));
+  EXPECT_FALSE(InCone({1.0, 0.0, Radians(160.0)}, options));
+  EXPECT_FALSE(InCone({-1.0, 0.0, kPi}, options));
+}
+
+}  // namespace
+}  // namespace dockyard::raposa
