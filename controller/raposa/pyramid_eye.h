@@ -29,6 +29,8 @@ struct PyramidFit {
   Pose2 X_VD;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of X_VD's x, y [m], heading [rad]
   double misfit = 0.0;  // mean square of the residuals by their sigmas; about 1 for a true one
+  // As the fit has them: of the guide's middle below the camera, of the camera, down and clockwise.
+  double down_m = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
 };
 
 struct PyramidSeen {

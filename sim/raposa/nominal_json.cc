@@ -17,8 +17,13 @@ void VisitMarks(Marks_& m, Visit&& visit) {
   visit("guide_diameter_m", m.guide_diameter_m);
   visit("guide_length_m", m.guide_length_m);
   visit("guide_height_m", m.guide_height_m);
+  visit("strip_m", m.strip_m);
+  visit("rise_rad", m.rise_rad);
+  visit("guide_half_angle_rad", m.guide_half_angle_rad);
+  visit("guide_up_rad", m.guide_up_rad);
+  visit("rod_radius_m", m.rod_radius_m);
 }
-static_assert(sizeof(Marks) == 5 * sizeof(double));
+static_assert(sizeof(Marks) == 10 * sizeof(double));
 
 template <class Vision, class Visit>
 void VisitVision(Vision& v, Visit&& visit) {
@@ -126,6 +131,12 @@ FerreiraVision VisionFromJson(const Json& json) {
   return vision;
 }
 
+Json CornerToJson(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+Eigen::Vector3d CornerFromJson(const Json& json) {
+  const auto p = json.get<std::array<double, 3>>();
+  return {p[0], p[1], p[2]};
+}
+
 Nominal ReadNominal(const Json& json) {
   Nominal nominal;
   for (std::size_t i = 0; i < nominal.motors.size(); ++i) {
@@ -136,6 +147,9 @@ Nominal ReadNominal(const Json& json) {
   nominal.camera_delay_s = json.at("camera_delay_s");
   nominal.half_view_rad = json.at("half_view_rad");
   VisitMarks(nominal.marks, Read{json.at("marks")});
+  for (const Json& box : json.at("grey_boxes")) {
+    nominal.grey_boxes.push_back({CornerFromJson(box.at("low")), CornerFromJson(box.at("high"))});
+  }
   nominal.sprocket_radius_m = json.at("sprocket_radius_m");
   nominal.gauge_m = json.at("gauge_m");
   nominal.effective_gauge_m = json.at("effective_gauge_m");
@@ -143,8 +157,7 @@ Nominal ReadNominal(const Json& json) {
   nominal.arm_length_m = json.at("arm_length_m");
   nominal.door_pinion_radius_m = json.at("door_pinion_radius_m");
   nominal.door_travel_m = json.at("door_travel_m");
-  const auto p = json.at("p_RS").get<std::array<double, 3>>();
-  nominal.p_RS = Eigen::Vector3d(p[0], p[1], p[2]);
+  nominal.p_RS = CornerFromJson(json.at("p_RS"));
   nominal.ferreira_vision = VisionFromJson(json.at("ferreira_vision"));
   VisitMotion(nominal.ferreira_motion, Read{json.at("ferreira_motion")});
   return nominal;
@@ -155,7 +168,10 @@ Nominal ReadNominal(const Json& json) {
 Json ToJson(const Nominal& nominal) {
   Json motors = Json::array();
   for (const NominalMotor& motor : nominal.motors) motors.push_back(MotorToJson(motor));
-  Json marks, motion;
+  Json marks, motion, boxes = Json::array();
+  for (const GreyBox& box : nominal.grey_boxes) {
+    boxes.push_back({{"low", CornerToJson(box.low)}, {"high", CornerToJson(box.high)}});
+  }
   VisitMarks(nominal.marks, Write{marks});
   VisitMotion(nominal.ferreira_motion, Write{motion});
   return {{"motors", motors},
@@ -164,6 +180,7 @@ Json ToJson(const Nominal& nominal) {
           {"camera_delay_s", nominal.camera_delay_s},
           {"half_view_rad", nominal.half_view_rad},
           {"marks", marks},
+          {"grey_boxes", boxes},
           {"sprocket_radius_m", nominal.sprocket_radius_m},
           {"gauge_m", nominal.gauge_m},
           {"effective_gauge_m", nominal.effective_gauge_m},
@@ -171,7 +188,7 @@ Json ToJson(const Nominal& nominal) {
           {"arm_length_m", nominal.arm_length_m},
           {"door_pinion_radius_m", nominal.door_pinion_radius_m},
           {"door_travel_m", nominal.door_travel_m},
-          {"p_RS", Json{nominal.p_RS.x(), nominal.p_RS.y(), nominal.p_RS.z()}},
+          {"p_RS", CornerToJson(nominal.p_RS)},
           {"ferreira_vision", VisionToJson(nominal.ferreira_vision)},
           {"ferreira_motion", motion}};
 }

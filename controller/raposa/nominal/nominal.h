@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <vector>
 
 #include "controller/geometry/camera.h"
 #include "controller/io/nominal_motor.h"
@@ -21,8 +22,20 @@ struct Marks {
   double guide_diameter_m = 0.0;  // of the orange bi-cone, at its widest
   double guide_length_m = 0.0;
   double guide_height_m = 0.0;  // of its middle above the ground
+  // Strips along the square's edges, on faces that rise towards the guide.
+  double strip_m = 0.0, rise_rad = 0.0;
+  double guide_half_angle_rad = 0.0;  // of its two cones
+  double guide_up_rad = 0.0;          // of its axis above the level, towards the robot
+  double rod_radius_m = 0.0;          // from the guide to the square
 
   bool operator==(const Marks&) const = default;
+};
+
+/// A grey part of the pyramid, as a box along the axes of P.
+struct GreyBox {
+  Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = Eigen::Vector3d::Zero();
+
+  bool operator==(const GreyBox&) const = default;
 };
 
 /// R: the robot's body, x towards the arm, y left, z up. The robot docks with its back, so a
@@ -34,6 +47,7 @@ struct Nominal {
   double camera_delay_s = 0.0;  // from a picture's exposure to the time it is stamped with
   double half_view_rad = 0.0;   // what the hole leaves of the camera's view, from its axis
   Marks marks;
+  std::vector<GreyBox> grey_boxes;  // behind and under the marks
   double sprocket_radius_m = 0.0;
   double gauge_m = 0.0;            // between the belts' middles
   double effective_gauge_m = 0.0;  // d of eq. (9), from one turn in place on a hard floor

@@ -9,6 +9,7 @@
 #include "models/raposa/make_nominal.h"
 #include "models/read/config_error.h"
 #include "sim/app/raposa/alpha_command.h"
+#include "sim/app/raposa/eye_command.h"
 #include "sim/app/raposa/raposa_commands.h"
 #include "sim/app/raposa/words.h"
 #include "sim/base/files.h"
@@ -20,10 +21,12 @@ namespace dockyard::raposa {
 namespace {
 
 const char* const kDetectHelp =
-    "Find the pyramid's two marks in an image, as ferreira2009 does.\n\n"
+    "Find the pyramid in an image, as the controller of that name does.\n\n"
     "Examples:\n"
     "  build/dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --draw "
-    "out/marks.png\n\n"
+    "out/marks.png\n"
+    "  build/dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --pipeline "
+    "dockyard --draw out/pyramid.png\n\n"
     "Exit code 0: both marks, as a pair; 4: no pair.";
 const char* const kTuneHelp =
     "Write the bands of hue, saturation and value of the pyramid's marks, from one picture of "
@@ -37,6 +40,7 @@ constexpr int kNoPair = 4;
 struct Arguments {
   std::string image, robot, pyramid = "models/raposa/pyramid/pyramid.yaml";
   std::string pipeline = "ferreira2009", draw;
+  double pitch_deg = 0.0;
   bool json = false;
 };
 
@@ -144,12 +148,23 @@ int DetectMarks(const std::vector<std::string>& words) {
   CLI::App app(kDetectHelp, "dockyard detect");
   AddOptions(app, in);
   app.add_option("--pipeline", in.pipeline, "whose perception")
-      ->check(CLI::IsMember({"ferreira2009"}))
+      ->check(CLI::IsMember({"ferreira2009", "dockyard"}))
       ->capture_default_str();
   app.add_option("--draw", in.draw, "PNG of the image with the marks in boxes");
+  app.add_option("--pitch-deg", in.pitch_deg, "of the camera, down; for dockyard")
+      ->capture_default_str();
   if (const auto ended = ParseWords(app, words)) return *ended;
   const Nominal nominal = NominalOfFiles(in);
   RgbImage image = Load(in.image, nominal.camera);
+  if (in.pipeline == "dockyard") {
+    const PyramidSeen seen = PyramidEye(nominal).Find(image, Radians(in.pitch_deg));
+    if (!in.draw.empty()) {
+      DrawPyramid(nominal, seen, image);
+      WriteWhole(in.draw, EncodePng(image));
+    }
+    PrintPyramid(seen, in.json);
+    return seen.fits.empty() ? kNoPair : 0;
+  }
   const MarksSeen seen =
       FindMarks(ColourSearch(image), nominal, nominal.ferreira_vision, std::nullopt);
   if (!in.draw.empty()) {

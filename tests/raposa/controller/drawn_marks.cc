@@ -172,7 +172,12 @@ Nominal TestNominal(double lever_m) {
                    .behind_m = 0.03 * std::tan(Radians(73.0)),
                    .guide_diameter_m = 0.030,
                    .guide_length_m = 0.050,
-                   .guide_height_m = 0.045};
+                   .guide_height_m = 0.045,
+                   .strip_m = 0.01,
+                   .rise_rad = Radians(17.0),
+                   .guide_half_angle_rad = Radians(30.0),
+                   .guide_up_rad = Radians(5.0),
+                   .rod_radius_m = 0.004};
   nominal.sprocket_radius_m = 0.09;
   nominal.gauge_m = 0.426;
   nominal.effective_gauge_m = 0.577;

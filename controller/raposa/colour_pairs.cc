@@ -1,0 +1,193 @@
+#include "controller/raposa/colour_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard::raposa {
+namespace {
+
+// Linear light of the read noise, so that dark pixels have no colour. Assumed, 0.002-0.006.
+constexpr float kDark = 0.004f;
+// Paint is so much redder, or bluer, than all but a few hundredths of the view. Orange paint that
+// fills half a pixel is redder than grey floor by 1.0, blue that fills 0.4 of it bluer by 0.7
+// (raposa.md 5.3's reflectances). Assumed, 0.3-0.6 and 0.2-0.5.
+constexpr float kRedder = 0.45f, kBluer = 0.35f;
+// Shares of the view that are redder and bluer than its ground and sky. The guide fills a sixth at
+// 0.2 m.
+constexpr double kRedShare = 0.22, kBlueShare = 0.15;
+constexpr double kRim_px = 2.0;  // of the hole, left out
+constexpr int kLeastPairs = 2;
+
+float MedianOf(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+float RedBlue(const Eigen::Vector3f& c) { return std::log((c[0] + kDark) / (c[2] + kDark)); }
+
+/// The pairs of one tint that touch each other, from one of them; marks them as taken.
+struct Region {
+  std::vector<Eigen::Vector2i> pairs;
+};
+Region Grow(const TintMap& map, int i0, int j0, std::vector<std::uint8_t>* taken) {
+  Region region{{{i0, j0}}};
+  (*taken)[map.Index(i0, j0)] = 1;
+  for (std::size_t next = 0; next < region.pairs.size(); ++next) {
+    const Eigen::Vector2i at = region.pairs[next];
+    for (int j = std::max(0, at.y() - 1); j <= std::min(map.light.height - 1, at.y() + 1); ++j) {
+      for (int i = std::max(0, at.x() - 1); i <= std::min(map.light.width - 1, at.x() + 1); ++i) {
+        const std::size_t k = map.Index(i, j);
+        if ((*taken)[k] || map.tints[k] != Tint::kOrange) continue;
+        (*taken)[k] = 1;
+        region.pairs.emplace_back(i, j);
+      }
+    }
+  }
+  return region;
+}
+
+/// Its area, as if sharp: the sum of the orange over what a whole pixel of it would have. A small
+/// disc's peak is 1 - exp(-r^2 / 2 sigma^2) of that.
+double SharpArea(double sum, double peak) {
+  double area = sum / peak;
+  for (int i = 0; i < 20; ++i) {
+    const double radius2 = area / kPi;
+    area = sum / peak * (1.0 - std::exp(-0.5 * radius2 / (kImageBlur_px * kImageBlur_px)));
+    area = std::max(area, 1.0);
+  }
+  return area;
+}
+
+std::optional<OrangeSpot> SpotOf(const TintMap& map, const Region& region, float level) {
+  if (static_cast<int>(region.pairs.size()) < kLeastPairs) return std::nullopt;
+  OrangeSpot spot{.left = 1 << 20, .right = -1, .top = 1 << 20, .bottom = -1};
+  for (const Eigen::Vector2i& at : region.pairs) {
+    spot.left = std::min(spot.left, at.x());
+    spot.right = std::max(spot.right, at.x());
+    spot.top = std::min(spot.top, at.y());
+    spot.bottom = std::max(spot.bottom, at.y());
+    spot.strength += map.red_blue[map.Index(at.x(), at.y())] - level;
+    spot.clipped = spot.clipped || map.Inside(at.x(), at.y()) < 5.0;
+  }
+  const auto ground = GroundAbout(map, spot.left, spot.right, spot.top, spot.bottom);
+  if (!ground) return std::nullopt;
+  double sum = 0.0, sum_u = 0.0, sum_v = 0.0;
+  std::vector<float> core;
+  const int margin = 2;
+  for (int j = std::max(0, spot.top - margin);
+       j <= std::min(map.light.height - 1, spot.bottom + margin); ++j) {
+    for (int i = std::max(0, spot.left - 1); i <= std::min(map.light.width - 1, spot.right + 1);
+         ++i) {
+      if (map.tints[map.Index(i, j)] == Tint::kUnseen) continue;
+      const Eigen::Vector3f& c = map.light.At(i, j);
+      const double orange = (c[0] - ground->red_green * c[1]) - (c[2] - ground->blue_green * c[1]);
+      const bool in = map.tints[map.Index(i, j)] == Tint::kOrange;
+      if (in) core.push_back(static_cast<float>(orange));
+      if (!in && orange <= 0.0) continue;
+      const double weight = std::max(orange, 0.0);
+      sum += weight;
+      sum_u += weight * (2.0 * i + 0.5);
+      sum_v += weight * j;
+    }
+  }
+  if (!(sum > 0.0)) return std::nullopt;
+  std::ranges::sort(core);
+  const double peak = core[core.size() - 1 - core.size() / 8];
+  if (!(peak > 0.0)) return std::nullopt;
+  spot.centre_px = {sum_u / sum, sum_v / sum};
+  spot.area_px2 = SharpArea(2.0 * sum, peak);
+  return spot;
+}
+
+}  // namespace
+
+double TintMap::Inside(int i, int j) const {
+  return hole_px - (Eigen::Vector2d(2.0 * i + 0.5, j) - middle_px).norm();
+}
+
+TintMap TintsOf(const RgbImage& image, const Nominal& nominal) {
+  TintMap map;
+  map.light = ToLinearPairs(image);
+  map.middle_px = nominal.camera.centre_px();
+  map.hole_px = nominal.camera.focal_px().x() * std::tan(nominal.half_view_rad);
+  map.red_blue.assign(map.light.pairs.size(), 0.0f);
+  map.tints.assign(map.light.pairs.size(), Tint::kUnseen);
+  std::vector<float> seen;
+  for (int j = 1; j + 1 < map.light.height; ++j) {
+    for (int i = 0; i < map.light.width; ++i) {
+      if (map.Inside(i, j) < kRim_px) continue;
+      const std::size_t k = map.Index(i, j);
+      map.red_blue[k] = RedBlue(0.25f * (map.light.At(i, j - 1) + map.light.At(i, j + 1)) +
+                                0.5f * map.light.At(i, j));
+      map.tints[k] = Tint::kPlain;
+      seen.push_back(map.red_blue[k]);
+    }
+  }
+  if (seen.empty()) return map;
+  const auto share = [&](double s) {
+    const auto at =
+        seen.begin() + static_cast<std::ptrdiff_t>(s * static_cast<double>(seen.size() - 1));
+    std::nth_element(seen.begin(), at, seen.end());
+    return *at;
+  };
+  const float redder = share(1.0 - kRedShare) + kRedder, bluer = share(kBlueShare) - kBluer;
+  for (std::size_t k = 0; k < map.tints.size(); ++k) {
+    if (map.tints[k] == Tint::kUnseen) continue;
+    if (map.red_blue[k] > redder) map.tints[k] = Tint::kOrange;
+    if (map.red_blue[k] < bluer) map.tints[k] = Tint::kBlue;
+  }
+  return map;
+}
+
+std::vector<OrangeSpot> OrangeSpots(const TintMap& map, std::size_t most) {
+  std::vector<OrangeSpot> spots;
+  std::vector<std::uint8_t> taken(map.tints.size(), 0);
+  float level = 0.0f;
+  {
+    std::vector<float> plain;
+    for (std::size_t k = 0; k < map.tints.size(); ++k) {
+      if (map.tints[k] == Tint::kPlain) plain.push_back(map.red_blue[k]);
+    }
+    if (plain.empty()) return {};
+    level = MedianOf(plain);
+  }
+  for (int j = 0; j < map.light.height; ++j) {
+    for (int i = 0; i < map.light.width; ++i) {
+      const std::size_t k = map.Index(i, j);
+      if (map.tints[k] != Tint::kOrange || taken[k]) continue;
+      if (auto spot = SpotOf(map, Grow(map, i, j, &taken), level)) spots.push_back(*spot);
+    }
+  }
+  std::ranges::stable_sort(
+      spots, [](const OrangeSpot& a, const OrangeSpot& b) { return a.strength > b.strength; });
+  if (spots.size() > most) spots.resize(most);
+  return spots;
+}
+
+std::optional<GroundColour> GroundAbout(const TintMap& map, int left, int right, int top,
+                                        int bottom) {
+  const int margin = 6 + (bottom - top) / 2;
+  std::vector<float> red, blue, green;
+  for (int j = std::max(0, (top + bottom) / 2);
+       j <= std::min(map.light.height - 1, bottom + margin); ++j) {
+    for (int i = std::max(0, left - margin); i <= std::min(map.light.width - 1, right + margin);
+         ++i) {
+      // A margin to the marks, whose blur is in their neighbours.
+      const bool about = i < left - 2 || i > right + 2 || j > bottom + 2;
+      if (!about || map.tints[map.Index(i, j)] != Tint::kPlain) continue;
+      const Eigen::Vector3f& c = map.light.At(i, j);
+      red.push_back(c[0]);
+      green.push_back(c[1]);
+      blue.push_back(c[2]);
+    }
+  }
+  if (red.size() < 12) return std::nullopt;
+  GroundColour ground;
+  ground.green = std::max(MedianOf(green), 1e-4f);
+  ground.red_green = MedianOf(red) / ground.green;
+  ground.blue_green = MedianOf(blue) / ground.green;
+  return ground;
+}
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,117 @@
+#include "controller/raposa/pyramid_eye.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "controller/raposa/spot_fit.h"
+
+namespace dockyard::raposa {
+namespace {
+
+constexpr std::size_t kMostSpots = 5;  // orange regions that are looked into
+// What calibration and lens leave of a direction. Assumed, 0.1-0.5 px of 377.
+constexpr double kBearingFloor = 5e-4;
+constexpr double kGate = 5.0;  // sigmas of the prior
+
+GuideSeen SeenOf(const Nominal& nominal, const SpotFit& spot) {
+  const PyramidPlace& place = spot.guide.place;
+  const Eigen::Vector2d p(place.X_VD.x, place.X_VD.y);
+  const double r_m = p.norm();
+  GuideSeen seen;
+  seen.range_m = r_m;
+  seen.bearing_rad = std::atan2(p.y(), p.x());
+  const Eigen::Vector3d p_C = CameraToPyramid(place).p;
+  seen.down_rad = std::atan2(p_C.y(), p_C.z());
+  seen.centre_px = nominal.camera.Project(p_C).value_or(Eigen::Vector2d::Zero());
+  const Eigen::Matrix2d covariance = spot.guide.covariance.topLeftCorner<2, 2>();
+  const Eigen::Vector2d along = p / r_m, across(-along.y(), along.x());
+  seen.range_sigma_m = std::sqrt(along.dot(covariance * along));
+  seen.bearing_sigma_rad =
+      std::hypot(std::sqrt(across.dot(covariance * across)) / r_m, kBearingFloor);
+  seen.clipped = spot.clipped;
+  return seen;
+}
+
+PyramidFit FitOf(const PlaceFit& fit) {
+  PyramidFit out{fit.place.X_VD,      fit.covariance.topLeftCorner<3, 3>(),
+                 fit.misfit,          fit.place.down_m,
+                 fit.place.pitch_rad, fit.place.roll_rad};
+  const Pose2& X = fit.place.X_VD;
+  const Eigen::Vector2d across(-X.y, X.x);
+  out.covariance.topLeftCorner<2, 2>() +=
+      kBearingFloor * kBearingFloor * across * across.transpose();
+  return out;
+}
+
+/// Whether a guide in that direction and of that size can be the believed one.
+bool Allowed(const Nominal& nominal, const OrangeSpot& spot, const PyramidPrior& prior) {
+  const Eigen::Vector2d p(prior.X_VD.x, prior.X_VD.y);
+  const double r_m = std::max(p.norm(), 0.05);
+  const Eigen::Vector2d along = p / r_m, across(-along.y(), along.x());
+  const Eigen::Matrix2d covariance = prior.covariance.topLeftCorner<2, 2>();
+  const double bearing = std::atan2(p.y(), p.x());
+  const Eigen::Vector3d d_C = nominal.camera.Direction(spot.centre_px);
+  const double seen = std::atan2(-d_C.x(), d_C.z());
+  const double sigma = std::sqrt(across.dot(covariance * across)) / r_m;
+  // A clipped or half-hidden guide's middle is off by up to its radius.
+  const double radius = nominal.marks.guide_length_m / r_m;
+  if (std::abs(WrapPi(seen - bearing)) > kGate * sigma + 0.01 + radius) return false;
+  if (spot.clipped) return true;
+  const double range_m = RangeOfArea(nominal, spot.area_px2);
+  const double range_sigma = std::sqrt(along.dot(covariance * along));
+  return std::abs(range_m - r_m) < kGate * range_sigma + 0.35 * std::max(range_m, r_m);
+}
+
+double Distance2(const PlaceFit& fit, const PyramidPrior& prior) {
+  const Pose2& X = fit.place.X_VD;
+  const Eigen::Vector3d off(X.x - prior.X_VD.x, X.y - prior.X_VD.y,
+                            WrapPi(X.heading - prior.X_VD.heading));
+  const Eigen::Matrix3d both = prior.covariance + fit.covariance.topLeftCorner<3, 3>();
+  return off.dot(both.llt().solve(off));
+}
+
+/// Fits that the prior rules out go; whether anything is left.
+bool Gate(const PyramidPrior& prior, SpotFit* spot) {
+  if (spot->poses.empty()) return true;
+  std::erase_if(spot->poses,
+                [&](const PlaceFit& fit) { return Distance2(fit, prior) > kGate * kGate; });
+  if (spot->poses.empty()) return false;
+  spot->guide = spot->poses.front();
+  return true;
+}
+
+/// A pair is better than a guide alone, then the clearer one.
+bool Better(const SpotFit& a, const SpotFit& b) {
+  if (a.poses.empty() != b.poses.empty()) return !a.poses.empty();
+  if (!a.poses.empty()) return a.poses.front().misfit < b.poses.front().misfit;
+  return a.guide.misfit < b.guide.misfit;
+}
+
+}  // namespace
+
+PyramidEye::PyramidEye(const Nominal& nominal) : nominal_(nominal) {}
+
+PyramidSeen PyramidEye::Find(const RgbImage& image, double pitch_rad,
+                             const std::optional<PyramidPrior>& prior) const {
+  const TintMap map = TintsOf(image, nominal_);
+  std::optional<SpotFit> best;
+  for (const OrangeSpot& spot : OrangeSpots(map, kMostSpots)) {
+    std::optional<SpotFit> fit;
+    if (prior) {
+      if (!Allowed(nominal_, spot, *prior)) continue;
+      fit = FitSpot(nominal_, map, spot, pitch_rad, prior->X_VD);
+    }
+    // Without a prior, or where none of its poses fits.
+    if (!fit || fit->poses.empty()) fit = FitSpot(nominal_, map, spot, pitch_rad, std::nullopt);
+    if (!fit || (prior && !Gate(*prior, &*fit))) continue;
+    if (!best || Better(*fit, *best)) best = fit;
+  }
+  PyramidSeen seen;
+  if (!best) return seen;
+  seen.guide = SeenOf(nominal_, *best);
+  for (const PlaceFit& fit : best->poses) seen.fits.push_back(FitOf(fit));
+  return seen;
+}
+
+}  // namespace dockyard::raposa

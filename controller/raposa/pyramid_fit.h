@@ -1,0 +1,50 @@
+// The pyramid's place from a window of the image: the least squares of what the marks, drawn there
+// and blurred, leave of it. Levenberg and Marquardt's method; the layers' colours are found at each
+// step, so no colour is known beforehand.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "controller/raposa/layers.h"
+
+namespace dockyard::raposa {
+
+/// x, y, heading of X_VD, down, pitch, roll of PyramidPlace.
+inline constexpr int kPlaceUnknowns = 6;
+using PlaceVector = Eigen::Matrix<double, kPlaceUnknowns, 1>;
+PlaceVector ToVector(const PyramidPlace& place);
+PyramidPlace ToPlace(const PlaceVector& values);
+
+/// What is known of the unknowns beforehand; a sigma of 0 holds the unknown.
+struct PlacePrior {
+  PlaceVector mean = PlaceVector::Zero();
+  PlaceVector sigma = PlaceVector::Constant(1e3);
+};
+
+struct PlaceFit {
+  PyramidPlace place;
+  Eigen::Matrix<double, kPlaceUnknowns, kPlaceUnknowns> covariance =
+      Eigen::Matrix<double, kPlaceUnknowns, kPlaceUnknowns>::Zero();
+  double chi2 = 0.0;
+  double misfit =
+      0.0;  // mean square of what is left of the cells of the marks and of other colours
+  Eigen::Vector2d orange{0, 0}, blue{0, 0};       // the two values of FitWindow
+  double orange_sigmas = 0.0, blue_sigmas = 0.0;  // of those from 0
+  double blue_px2 = 0.0;                          // of it in the open part of the window
+  double orange_px2 = 0.0;
+};
+
+enum class MarksDrawn { kGuide, kAll };
+
+/// chi2 of a place, as FitPlace's; none where the marks have no sound image. Cheap: weights of
+/// colours that this place gives.
+std::optional<double> CostOf(const Nominal& nominal, const FitWindow& window,
+                             const PyramidPlace& place, const PlacePrior& prior, MarksDrawn drawn);
+
+/// From a start near the place.
+std::optional<PlaceFit> FitPlace(const Nominal& nominal, const FitWindow& window,
+                                 const PyramidPlace& start, const PlacePrior& prior,
+                                 MarksDrawn drawn, int most_steps);
+
+}  // namespace dockyard::raposa

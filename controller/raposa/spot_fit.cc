@@ -1,0 +1,243 @@
+#include "controller/raposa/spot_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dockyard::raposa {
+namespace {
+
+constexpr double kPitchSigma = Radians(2.0);
+constexpr double kRollSigma = Radians(1.5);  // ground under robot and pyramid; assumed, 1-3 deg
+constexpr double kDownSigma_m = 0.008;       // of the camera's height; assumed, 5-15 mm
+constexpr double kGroundSlopeSigma = Radians(0.8);  // from robot to pyramid; assumed, 0.5-2 deg
+constexpr double kMostAlpha =
+    Radians(122.0);  // the strips are out of sight from 117 (raposa.md 5.1)
+constexpr int kGridCells = 350, kFitCells = 900;  // of a window
+constexpr double kMargin_px = 7.0;
+// A fit with more is none. Its mean is 1.
+constexpr double kMostMisfit = 3.0;
+// Blue must stand out of the noise, and cover so much. Assumed, 5-10 and 2-6.
+constexpr double kLeastBlueSigmas = 7.0, kLeastBlue_px2 = 3.0, kLeastOrangeSigmas = 7.0;
+// |blue| over |orange| in the values of FitWindow: paint of raposa.md 5.3 in light of 3000 to
+// 6500 K, camera balanced for 5000 K: 0.18-0.63; twice that for shade.
+constexpr double kLeastBlueShare = 0.07, kMostBlueShare = 1.6;
+// Of a second pose's chi2 above the best one's, by the misfit.
+constexpr double kRivalChi2 = 9.0;
+
+/// Bearing to the left and angle below the level of a pixel, for a camera of that pitch.
+struct Sightline {
+  double bearing_rad = 0.0, down_rad = 0.0;
+};
+Sightline SightlineOf(const Nominal& nominal, const Eigen::Vector2d& pixel, double pitch_rad) {
+  const Pose3 X_CV0 = CameraToPyramid({{}, 0.0, pitch_rad, 0.0});
+  const Eigen::Vector3d d_V = X_CV0.R.transpose() * nominal.camera.Direction(pixel);
+  return {std::atan2(d_V.y(), d_V.x()), std::atan2(-d_V.z(), std::hypot(d_V.x(), d_V.y()))};
+}
+
+/// With the guide's middle at the pixel, by the camera's pitch.
+PyramidPlace PlaceAt(const Nominal& nominal, const Eigen::Vector2d& pixel, double pitch_rad,
+                     double r_m, double alpha_rad) {
+  const Sightline line = SightlineOf(nominal, pixel, pitch_rad);
+  PyramidPlace place;
+  place.X_VD = {r_m * std::cos(line.bearing_rad), r_m * std::sin(line.bearing_rad),
+                WrapPi(line.bearing_rad + kPi - alpha_rad)};
+  place.down_m = NominalDown(nominal);
+  place.pitch_rad = pitch_rad + std::atan(place.down_m / r_m) - line.down_rad;
+  return place;
+}
+
+PlacePrior PriorFor(const Nominal& nominal, double pitch_rad, double r_m) {
+  PlacePrior prior;
+  prior.mean[3] = NominalDown(nominal);
+  prior.sigma[3] = std::hypot(kDownSigma_m, kGroundSlopeSigma * r_m);
+  prior.mean[4] = pitch_rad;
+  prior.sigma[4] = kPitchSigma;
+  prior.sigma[5] = kRollSigma;
+  return prior;
+}
+
+void Widen(const ConvexPolygon& polygon, PixelRect* rect) {
+  for (int i = 0; i < polygon.count; ++i) {
+    const Eigen::Vector2d& p = polygon.corners[static_cast<std::size_t>(i)];
+    rect->left = std::min(rect->left, p.x());
+    rect->right = std::max(rect->right, p.x());
+    rect->top = std::min(rect->top, p.y());
+    rect->bottom = std::max(rect->bottom, p.y());
+  }
+}
+
+/// About all marks of the places, within what the hole leaves.
+PixelRect RectOf(const Nominal& nominal, const TintMap& map,
+                 const std::vector<PyramidPlace>& places, MarksDrawn drawn) {
+  PixelRect rect{1e9, 1e9, -1e9, -1e9};
+  for (const PyramidPlace& place : places) {
+    const auto marks =
+        drawn == MarksDrawn::kAll ? ProjectMarks(nominal, place) : ProjectGuide(nominal, place);
+    if (!marks) continue;
+    Widen(marks->guide, &rect);
+    for (const ConvexPolygon& strip : marks->strips) Widen(strip, &rect);
+    for (const ConvexPolygon& box : marks->boxes) Widen(box, &rect);
+  }
+  const Eigen::Vector2d c = map.middle_px;
+  return {std::max(rect.left - kMargin_px, c.x() - map.hole_px),
+          std::max(rect.top - kMargin_px, c.y() - map.hole_px),
+          std::min(rect.right + kMargin_px, c.x() + map.hole_px),
+          std::min(rect.bottom + kMargin_px, c.y() + map.hole_px)};
+}
+
+/// The lowest row at which a horizon may be: above the square.
+double LowestHorizon(const Nominal& nominal, double guide_row_px, double r_m) {
+  const double half_px = 0.5 * nominal.marks.edge_m * nominal.camera.focal_px().y() / r_m;
+  return guide_row_px - 0.8 * half_px;
+}
+
+/// Starts for the fit: the best angle of a grid, and its rival.
+std::vector<PyramidPlace> Starts(const Nominal& nominal, const TintMap& map,
+                                 const GroundColour& ground, const OrangeSpot& spot,
+                                 double pitch_rad, double r_m) {
+  constexpr int kAngles = 24;
+  constexpr double kFrom = Radians(-115.0), kStep = Radians(10.0);
+  const std::vector<double> scales = spot.area_px2 < 80.0 ? std::vector<double>{0.8, 1.0, 1.25}
+                                                          : std::vector<double>{0.93, 1.0, 1.07};
+  std::vector<PyramidPlace> all;
+  for (int a = 0; a < kAngles; a += 3) {
+    all.push_back(PlaceAt(nominal, spot.centre_px, pitch_rad, scales[0] * r_m, kFrom + a * kStep));
+  }
+  const auto window = WindowOn(map, ground, RectOf(nominal, map, all, MarksDrawn::kAll), kGridCells,
+                               LowestHorizon(nominal, spot.centre_px.y(), r_m));
+  if (!window) return {};
+  const PlacePrior prior = PriorFor(nominal, pitch_rad, r_m);
+  std::array<double, kAngles> costs{};
+  std::array<PyramidPlace, kAngles> places;
+  for (std::size_t a = 0; a < kAngles; ++a) {
+    costs[a] = 1e30;
+    for (const double scale : scales) {
+      const PyramidPlace place = PlaceAt(nominal, spot.centre_px, pitch_rad, scale * r_m,
+                                         kFrom + static_cast<double>(a) * kStep);
+      const auto cost = CostOf(nominal, *window, place, prior, MarksDrawn::kAll);
+      if (!cost || *cost >= costs[a]) continue;
+      costs[a] = *cost;
+      places[a] = place;
+    }
+  }
+  std::vector<std::size_t> valleys;
+  for (std::size_t a = 0; a < kAngles; ++a) {
+    const bool low =
+        (a == 0 || costs[a] <= costs[a - 1]) && (a + 1 == kAngles || costs[a] < costs[a + 1]);
+    if (low && costs[a] < 1e29) valleys.push_back(a);
+  }
+  std::ranges::sort(valleys, [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
+  std::vector<PyramidPlace> starts;
+  for (const std::size_t a : valleys) {
+    if (starts.size() < 2) starts.push_back(places[a]);
+  }
+  return starts;
+}
+
+bool IsPyramid(const PlaceFit& fit) {
+  const double orange = fit.orange.norm(), blue = fit.blue.norm();
+  const bool colours = fit.orange.x() > 0.0 && fit.orange.x() > fit.orange.y() &&
+                       fit.blue.y() > 0.0 && fit.blue.y() > fit.blue.x() &&
+                       blue > kLeastBlueShare * orange && blue < kMostBlueShare * orange;
+  return colours && fit.misfit < kMostMisfit && fit.blue_sigmas > kLeastBlueSigmas &&
+         fit.orange_sigmas > kLeastOrangeSigmas && fit.blue_px2 > kLeastBlue_px2 &&
+         std::abs(AlphaOf(fit.place.X_VD)) < kMostAlpha;
+}
+
+bool IsGuide(const PlaceFit& fit) {
+  return fit.orange.x() > 0.0 && fit.orange.x() > fit.orange.y() &&
+         fit.orange_sigmas > kLeastOrangeSigmas && fit.misfit < 2.0 * kMostMisfit;
+}
+
+std::optional<PlaceFit> GuideAlone(const Nominal& nominal, const TintMap& map,
+                                   const GroundColour& ground, const OrangeSpot& spot,
+                                   double pitch_rad, double r_m) {
+  std::optional<PlaceFit> best;
+  const std::vector<double> scales =
+      spot.clipped ? std::vector<double>{1.0, 0.7} : std::vector<double>{1.0};
+  for (const double scale : scales) {
+    const auto place = [&](double alpha_rad) {
+      return PlaceAt(nominal, spot.centre_px, pitch_rad, scale * r_m, alpha_rad);
+    };
+    auto window = WindowOn(map, ground, RectOf(nominal, map, {place(kPi / 2)}, MarksDrawn::kGuide),
+                           kFitCells, LowestHorizon(nominal, spot.centre_px.y(), r_m));
+    if (!window) continue;
+    for (std::size_t k = 0; k < window->size(); ++k) {
+      if (window->blue[k]) window->open[k] = 0.0f;  // nothing here explains it
+    }
+    PlacePrior prior = PriorFor(nominal, pitch_rad, r_m);
+    prior.sigma[2] = prior.sigma[5] = 0.0;
+    for (const double alpha_rad : {0.0, Radians(70.0), Radians(-70.0)}) {
+      const auto fit = FitPlace(nominal, *window, place(alpha_rad), prior, MarksDrawn::kGuide, 8);
+      if (fit && (!best || fit->chi2 < best->chi2)) best = fit;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+double RangeOfArea(const Nominal& nominal, double area_px2) {
+  const Marks& marks = nominal.marks;
+  const double radius_m = 0.5 * marks.guide_diameter_m;
+  const double area_m2 = kPi * radius_m * radius_m;  // its side's differs by a twentieth
+  return nominal.camera.focal_px().x() * std::sqrt(area_m2 / std::max(area_px2, 1.0));
+}
+
+double AlphaOf(const Pose2& X_VD) {
+  const Pose2 X_DV = Inverse(X_VD);
+  return std::atan2(X_DV.y, X_DV.x);
+}
+
+double NominalDown(const Nominal& nominal) {
+  return nominal.X_RC.p.z() + nominal.sprocket_radius_m - nominal.marks.guide_height_m;
+}
+
+std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const OrangeSpot& spot,
+                               double pitch_rad, const std::optional<Pose2>& start) {
+  const auto ground = GroundAbout(map, spot.left, spot.right, spot.top, spot.bottom);
+  if (!ground) return std::nullopt;
+  const double r_m = RangeOfArea(nominal, spot.area_px2);
+  const PyramidPlace nominal_place = PlaceAt(nominal, spot.centre_px, pitch_rad, r_m, 0.0);
+  const double steeper = std::abs(nominal_place.pitch_rad - pitch_rad);
+  if (steeper > 3.5 * kPitchSigma + 0.4 * NominalDown(nominal) / r_m) return std::nullopt;
+  SpotFit out;
+  out.clipped = spot.clipped;
+  std::vector<PyramidPlace> starts;
+  if (start) {
+    starts.push_back(PlaceAt(nominal, spot.centre_px, pitch_rad, std::hypot(start->x, start->y),
+                             AlphaOf(*start)));
+  } else {
+    starts = Starts(nominal, map, *ground, spot, pitch_rad, r_m);
+  }
+  if (!starts.empty()) {
+    const auto window = WindowOn(map, *ground, RectOf(nominal, map, starts, MarksDrawn::kAll),
+                                 kFitCells, LowestHorizon(nominal, spot.centre_px.y(), r_m));
+    for (const PyramidPlace& from : starts) {
+      if (!window) break;
+      const auto fit =
+          FitPlace(nominal, *window, from, PriorFor(nominal, pitch_rad, r_m), MarksDrawn::kAll, 12);
+      if (fit && IsPyramid(*fit)) out.poses.push_back(*fit);
+    }
+  }
+  std::ranges::stable_sort(out.poses, {}, &PlaceFit::chi2);
+  if (out.poses.size() == 2) {
+    const double scale = std::max(1.0, out.poses[0].misfit);
+    const double apart =
+        std::abs(WrapPi(out.poses[1].place.X_VD.heading - out.poses[0].place.X_VD.heading));
+    if (out.poses[1].chi2 - out.poses[0].chi2 > kRivalChi2 * scale || apart < Radians(3.0)) {
+      out.poses.pop_back();
+    }
+  }
+  if (!out.poses.empty()) {
+    out.guide = out.poses.front();
+    return out;
+  }
+  const auto alone = GuideAlone(nominal, map, *ground, spot, pitch_rad, r_m);
+  if (!alone || !IsGuide(*alone)) return std::nullopt;
+  out.guide = *alone;
+  return out;
+}
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,30 @@
+// From an orange spot to the pyramid: is it the guide, and how does the pyramid lie?
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "controller/raposa/pyramid_fit.h"
+
+namespace dockyard::raposa {
+
+/// A spot, explained.
+struct SpotFit {
+  PlaceFit guide;               // by the best that is known of it
+  std::vector<PlaceFit> poses;  // of the whole pyramid; the better one first
+  bool clipped = false;         // the guide reaches the hole's rim
+};
+
+/// @param pitch_rad  of the camera, down
+/// @param start      where the pyramid is believed to be; else all angles are tried
+std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const OrangeSpot& spot,
+                               double pitch_rad, const std::optional<Pose2>& start);
+
+/// Distance at which the guide covers so much of the image.
+double RangeOfArea(const Nominal& nominal, double area_px2);
+/// The camera's place about the guide, counter-clockwise from the guide's axis.
+double AlphaOf(const Pose2& X_VD);
+/// From the camera's height above the belts' ground to the guide's.
+double NominalDown(const Nominal& nominal);
+
+}  // namespace dockyard::raposa

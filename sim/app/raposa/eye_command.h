@@ -1,0 +1,12 @@
+// What `dockyard detect --pipeline dockyard` draws and prints.
+#pragma once
+
+#include "controller/raposa/pyramid_eye.h"
+
+namespace dockyard::raposa {
+
+/// The outlines of the marks as the best fit has them, or a cross on the guide.
+void DrawPyramid(const Nominal& nominal, const PyramidSeen& seen, RgbImage& image);
+void PrintPyramid(const PyramidSeen& seen, bool as_json);
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,37 @@
+// Pictures of the pyramid from anywhere, with what is true of them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "controller/geometry/image.h"
+#include "controller/raposa/nominal/nominal.h"
+#include "sim/run/renderer.h"
+
+namespace dockyard::raposa {
+
+struct PictureSetup {
+  double r_m = 1.0, alpha_rad = 0.0;  // of the camera about the guide
+  double beside_rad = 0.0;            // the camera looks so far to the left of the guide
+  double light_k = 5000.0, balance_k = 5000.0;
+  std::string ground = "hard_floor";  // a file of models/raposa/grounds
+  std::string light = "even";         // even, speckled or hard_shadow
+  bool lamps = false;
+  double undulation_rms_m = 0.0;
+  std::uint64_t seed = 1;
+};
+
+struct TakenPicture {
+  RgbImage image;
+  Nominal nominal;
+  Pose2 X_VD;  // V: the camera in plan, x along its view
+  std::optional<Eigen::Vector2d> guide_px;
+  double pitch_rad = 0.0;  // of the camera, down
+  bool in_view = false;    // the guide's middle, inside the hole's rim and its shade
+};
+
+/// The robot stands still with its arm level.
+TakenPicture TakePictureOf(const PictureSetup& setup,
+                           const std::shared_ptr<KeptRenderer>& renderer);
+
+}  // namespace dockyard::raposa

@@ -1,0 +1,189 @@
+// RAPOSA's eye over hundreds of rendered pictures: how often it finds the guide, how well it
+// measures, and whether its covariances say so.
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "controller/raposa/pyramid_eye.h"
+#include "raposa/sim/eye_pictures.h"
+#include "sim/base/random.h"
+
+namespace dockyard::raposa {
+namespace {
+
+struct Tally {
+  int in_view = 0, found = 0, wrong = 0, posed = 0, two = 0, outlier = 0;
+  double bearing2 = 0.0, bearing_z2 = 0.0, range2 = 0.0, range_z2 = 0.0;
+  double alpha2 = 0.0, alpha_z2 = 0.0, pose_chi2 = 0.0, misfit = 0.0, ms = 0.0, most_ms = 0.0;
+  std::vector<double> alpha_deg;
+
+  void Print(const char* name) const {
+    const double n = std::max(1, found), p = std::max(1, posed), m = std::max(1, posed - outlier);
+    std::printf(
+        "%-22s view %4d found %.4f wrong %d | bearing %.3f deg z %.2f | range %.2f %% z "
+        "%.2f | posed %.3f two %d alpha>25deg off %d | alpha %.2f deg z %.2f chi2/3 %.2f "
+        "misfit %.2f | %.2f ms (most %.1f)\n",
+        name, in_view, static_cast<double>(found) / std::max(1, in_view), wrong,
+        Degrees(std::sqrt(bearing2 / n)), std::sqrt(bearing_z2 / n), 100.0 * std::sqrt(range2 / n),
+        std::sqrt(range_z2 / n), posed / n, two, outlier, Degrees(std::sqrt(alpha2 / m)),
+        std::sqrt(alpha_z2 / m), pose_chi2 / m / 3.0, misfit / p, ms / std::max(1, in_view),
+        most_ms);
+  }
+};
+
+double AlphaOfPose(const Pose2& X_VD) {
+  const Pose2 X = Inverse(X_VD);
+  return std::atan2(X.y, X.x);
+}
+
+/// Sigma of alpha = bearing + pi - heading.
+double AlphaSigma(const PyramidFit& fit) {
+  const double r2 = fit.X_VD.x * fit.X_VD.x + fit.X_VD.y * fit.X_VD.y;
+  const Eigen::Vector3d J(-fit.X_VD.y / r2, fit.X_VD.x / r2, -1.0);
+  return std::sqrt(J.dot(fit.covariance * J));
+}
+
+void Count(const TakenPicture& taken, const PictureSetup& setup, Tally* tally, bool verbose) {
+  if (!taken.in_view) return;
+  ++tally->in_view;
+  const PyramidEye eye(taken.nominal);
+  const auto before = std::chrono::steady_clock::now();
+  const PyramidSeen seen = eye.Find(taken.image, taken.pitch_rad);
+  const double ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+  tally->ms += ms;
+  tally->most_ms = std::max(tally->most_ms, ms);
+  const double alpha = AlphaOfPose(taken.X_VD);
+  const auto tell = [&](const char* what) {
+    if (verbose) {
+      std::printf("  %s: r %.3f alpha %.1f beside %.1f light %.0f %s seed %llu guide %.1f %.1f",
+                  what, setup.r_m, Degrees(setup.alpha_rad), Degrees(setup.beside_rad),
+                  setup.light_k, setup.ground.c_str(), static_cast<unsigned long long>(setup.seed),
+                  taken.guide_px->x(), taken.guide_px->y());
+      if (seen.guide)
+        std::printf(" | at %.1f %.1f range %.3f +- %.3f", seen.guide->centre_px.x(),
+                    seen.guide->centre_px.y(), seen.guide->range_m, seen.guide->range_sigma_m);
+      for (const PyramidFit& fit : seen.fits) {
+        std::printf(" | alpha %.1f +- %.1f misfit %.2f", Degrees(AlphaOfPose(fit.X_VD)),
+                    Degrees(AlphaSigma(fit)), fit.misfit);
+      }
+      std::printf("\n");
+    }
+  };
+  if (!seen.guide) {
+    tell("unseen");
+    return;
+  }
+  if ((seen.guide->centre_px - *taken.guide_px).norm() > 3.0) {
+    ++tally->wrong;
+    tell("wrong");
+    return;
+  }
+  ++tally->found;
+  const double range = std::hypot(taken.X_VD.x, taken.X_VD.y);
+  const double bearing = std::atan2(taken.X_VD.y, taken.X_VD.x);
+  const double bearing_off = seen.guide->bearing_rad - bearing;
+  const double range_off = seen.guide->range_m - range;
+  tally->bearing2 += bearing_off * bearing_off;
+  tally->bearing_z2 += std::pow(bearing_off / seen.guide->bearing_sigma_rad, 2);
+  tally->range2 += std::pow(range_off / range, 2);
+  tally->range_z2 += std::pow(range_off / seen.guide->range_sigma_m, 2);
+  if (seen.fits.empty()) {
+    tell("alone");
+    return;
+  }
+  ++tally->posed;
+  tally->two += seen.fits.size() > 1;
+  const PyramidFit* best = &seen.fits.front();
+  tally->misfit += best->misfit;
+  const auto off_of = [&](const PyramidFit& fit) { return WrapPi(AlphaOfPose(fit.X_VD) - alpha); };
+  // Where the eye names two, the better of them.
+  for (const PyramidFit& fit : seen.fits) {
+    if (std::abs(off_of(fit)) < std::abs(off_of(*best))) best = &fit;
+  }
+  const double alpha_off = off_of(*best);
+  if (std::abs(alpha_off) > Radians(25.0)) {
+    ++tally->outlier;
+    tell("outlier");
+    return;
+  }
+  if (seen.fits.size() > 1) tell("two");
+  if (std::abs(alpha_off) > 4.0 * AlphaSigma(*best)) tell("4 sigma");
+  tally->alpha2 += alpha_off * alpha_off;
+  tally->alpha_z2 += std::pow(alpha_off / AlphaSigma(*best), 2);
+  tally->alpha_deg.push_back(Degrees(alpha_off));
+  const Eigen::Vector3d off(best->X_VD.x - taken.X_VD.x, best->X_VD.y - taken.X_VD.y,
+                            WrapPi(best->X_VD.heading - taken.X_VD.heading));
+  tally->pose_chi2 += off.dot(best->covariance.llt().solve(off));
+}
+
+double Number(const char* name, double otherwise) {
+  const char* value = std::getenv(name);
+  return value ? std::atof(value) : otherwise;
+}
+
+/// Everything drawn at random.
+PictureSetup Drawn(RandomStream& random, double from_m, double to_m, std::uint64_t seed) {
+  PictureSetup setup;
+  setup.r_m = random.Uniform(from_m, to_m);
+  setup.alpha_rad = Radians(random.Uniform(-110.0, 110.0));
+  setup.beside_rad = Radians(random.Uniform(-10.0, 10.0));
+  setup.light_k = random.Uniform(3000.0, 6500.0);
+  setup.ground = random.Uniform() < 0.5 ? "hard_floor" : "grass";
+  const double light = random.Uniform();
+  setup.light = light < 0.6 ? "even" : light < 0.8 ? "speckled" : "hard_shadow";
+  setup.lamps = random.Uniform() < 0.2;
+  setup.seed = seed;
+  return setup;
+}
+
+TEST(RaposaEyeSurvey, FindsTheGuideFromAnywhere) {
+  const int count = static_cast<int>(Number("EYE_COUNT", 60));
+  const double edges[] = {0.3, 0.4, 0.7, 1.1, 1.6, 2.5, 4.0};
+  auto renderer = std::make_shared<KeptRenderer>();
+  Tally bar;
+  RandomStream random(StreamKey(static_cast<std::uint64_t>(Number("EYE_SEED", 1)), "eye survey"));
+  std::uint64_t seed = 1;
+  for (std::size_t b = 0; b + 1 < std::size(edges); ++b) {
+    Tally tally;
+    for (int i = 0; i < count; ++i) {
+      const PictureSetup setup = Drawn(random, edges[b], edges[b + 1], seed++);
+      Count(TakePictureOf(setup, renderer), setup, &tally, Number("EYE_VERBOSE", 0) > 0);
+    }
+    char name[64];
+    std::snprintf(name, sizeof name, "%.1f to %.1f m", edges[b], edges[b + 1]);
+    tally.Print(name);
+    if (b >= 1 && b <= 4) {
+      bar.in_view += tally.in_view;
+      bar.found += tally.found;
+    }
+  }
+  EXPECT_GE(bar.found, 0.99 * bar.in_view);
+}
+
+TEST(RaposaEyeSurvey, MeasuresTheAngleAt133) {
+  const int count = static_cast<int>(Number("EYE_COUNT", 60));
+  auto renderer = std::make_shared<KeptRenderer>();
+  RandomStream random(StreamKey(7, "eye survey"));
+  std::uint64_t seed = 100000;
+  for (const double alpha_deg : {0.0, 15.0, 30.0, 45.0, 60.0, 73.0, 80.0, 90.0, 100.0, 110.0}) {
+    Tally tally;
+    for (int i = 0; i < count / 3; ++i) {
+      PictureSetup setup = Drawn(random, 1.33, 1.3301, seed++);
+      setup.alpha_rad = Radians(alpha_deg * (i % 2 ? 1.0 : -1.0));
+      setup.light = "even";
+      Count(TakePictureOf(setup, renderer), setup, &tally, Number("EYE_VERBOSE", 0) > 0);
+    }
+    char name[64];
+    std::snprintf(name, sizeof name, "1.33 m, %.0f deg", alpha_deg);
+    tally.Print(name);
+  }
+}
+
+}  // namespace
+}  // namespace dockyard::raposa
