@@ -65,12 +65,15 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
     const auto i = static_cast<std::size_t>(motor);
     return static_cast<double>(sensed.motors[i].encoder_counts) * nominal_.motors[i].rad_per_count;
   };
+  const double lean_before = pitch_rad();
   arm_rad_ = angle(Motor::kArm);
+  // The belts turn with the body that carries them: a body that leans back rolls backwards.
+  const double rolled_m = nominal_.sprocket_radius_m * (pitch_rad() - lean_before);
   const std::array<double, 2> belts_m{nominal_.sprocket_radius_m * angle(Motor::kLeftBelt),
                                       nominal_.sprocket_radius_m * angle(Motor::kRightBelt)};
   if (belts_m_) {
-    const BeltSteps steps{.left_m = belts_m[0] - (*belts_m_)[0],
-                          .right_m = belts_m[1] - (*belts_m_)[1],
+    const BeltSteps steps{.left_m = belts_m[0] - (*belts_m_)[0] - rolled_m,
+                          .right_m = belts_m[1] - (*belts_m_)[1] - rolled_m,
                           .driven = last_.speed_m_s != 0.0 || last_.turn_rad_s != 0.0,
                           .gauge_m = Gauge(),
                           .dt_s = kTickSeconds * kControlPeriod};

@@ -15,7 +15,7 @@ constexpr std::size_t kRecent = 10;    // control periods that a picture may be 
 constexpr std::size_t kMostKept = 4;   // poses at a time; assumed, 3-6
 constexpr double kDropped = 12.0;      // behind in log-likelihood; assumed, 8-20
 constexpr double kBornBehind = 4.0;    // of a new pose; assumed, 2-8
-constexpr double kGate = 20.0;         // of a squared Mahalanobis distance; 3 degrees of freedom
+constexpr double kFitGate = 20.0;      // of a squared Mahalanobis distance; 3 degrees of freedom
 constexpr double kMissed = 6.0;        // a fit that fits no pose, in log-likelihood; half the gate
 constexpr double kMisfitWeight = 3.0;  // residuals behind a fit's misfit, by two; assumed, 2-6
 constexpr double kGuideGate = 14.0;    // 2 degrees of freedom
@@ -180,14 +180,14 @@ void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
       Kept trial = kept;
       const double distance2 =
           Update<3>(trial, Eigen::Vector3d(fit.X_VD.x, fit.X_VD.y, fit.X_VD.heading),
-                    fit.covariance, model, kGate);
+                    fit.covariance, model, kFitGate);
       trial.score -= kMisfitWeight * std::min(fit.misfit - best, 2.0);
       if (distance2 >= least) continue;
       least = distance2;
       nearest = i;
       updated = trial;
     }
-    if (least > kGate) {
+    if (least > kFitGate) {
       kept.score -= kMissed;
       continue;
     }

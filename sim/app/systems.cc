@@ -2,6 +2,7 @@
 
 #include "controller/axel/axel.h"
 #include "controller/axel/scripted.h"
+#include "controller/raposa/dockyard.h"
 #include "controller/raposa/ferreira2009.h"
 #include "sim/app/raposa/raposa_commands.h"
 #include "sim/axel/axel_system.h"
@@ -18,7 +19,8 @@ std::vector<System> Systems() {
                 [](const axel::Nominal& nominal) { return axel::MakeTsai2013Controller(nominal); }},
                {"reel_only", axel::MakeReelOnlyController}},
               axel::MakeScriptedController),
-          raposa::RaposaSystem({{"ferreira2009", raposa::MakeFerreira2009Controller}},
+          raposa::RaposaSystem({{"dockyard", raposa::MakeDockyardController},
+                                {"ferreira2009", raposa::MakeFerreira2009Controller}},
                                raposa::RaposaCommands(), raposa::DetectMarks)};
 }
 
