@@ -42,13 +42,19 @@ struct DockyardOptions {
   double least_approach_m_s = 0.06;   // ... down to this: belts are off by 0.003 m/s
   double press_m = 0.68;              // the arm is pressed down from here; assumed, 0.6-0.75
   double press_rad = Radians(14.0);   // leans the body back by 4.5 deg, as the guide; 10-18
-  double beyond_m = 0.002;            // past the seat by the belief, to be in it; assumed, 0-8 mm
-  double lost_s = 1.0;                // without the guide it stops; assumed, 0.5-2
+  double short_m = 0.004;  // it stops before the seat: doors pull the guide in from 8 mm; 2-6 mm
+  double lost_s = 1.0;     // without the guide it stops; assumed, 0.5-2
 
   // Looking and searching.
-  int looks = 3;                            // pictures with a pose before it decides; assumed, 2-6
-  double sure_heading_rad = Radians(9.0);   // 1 sigma to decide on; assumed, 5-12
-  double patience_s = 1.2;                  // standing, for a picture with what it needs
+  int looks = 3;                           // pictures with a pose before it decides; assumed, 2-6
+  double sure_heading_rad = Radians(9.0);  // 1 sigma to decide on; assumed, 5-12
+  double patience_s = 0.9;                 // standing, for a picture with what it needs
+  double glance_s =
+      0.4;  // of that, until it presses the arm to see a guide that is low in its view
+  // The eye's prior is wider than the filter's: models of belts and paint are not exact.
+  double prior_share = 2.0;                 // of the sigmas; assumed, 1.5-4
+  double prior_m = 0.03;                    // added; assumed, 0.02-0.06
+  double prior_rad = Radians(5.0);          // assumed, 3-8
   double creep_m_s = 0.15;                  // towards a guide without marks; assumed, 0.05-0.2
   double creep_to_m = 1.3;                  // in camera range; then it stands and looks
   double back_m = 0.25;                     // away from a guide too near for its marks
@@ -57,18 +63,19 @@ struct DockyardOptions {
 
   // Doors. Openings are of each door from closed.
   double brake_s = 0.3;
-  double shut_m = 0.0010;   // nothing lies between doors this near; assumed, 0.5-2 mm
-  double held_m = 0.0075;   // doors that stall nearer hold the rear cone; wider, the
-                            // waist is between them: closing radius 6 mm, waist 15 mm
-  double stall_m = 0.0004;  // way of a door ...
-  double stall_s = 0.5;     // ... in this time; assumed
-  double stall_a = 0.35;    // of a door's motor that presses; free it takes 0.2
-  double close_s = 7.0;     // in which doors have closed or never will
-  double ajar_m = 0.018;    // open enough for the waist to pass
-  double nudge_m = 0.008;   // farther in before the doors close again
-  double prove_m = 0.03;    // it pulls that far before it claims
+  double shut_m = 0.0010;        // nothing lies between doors this near; assumed, 0.5-2 mm
+  double held_m = 0.0075;        // doors that stall nearer hold the rear cone; wider, the
+                                 // waist is between them: closing radius 6 mm, waist 15 mm
+  double stall_m = 0.0004;       // way of a door ...
+  double stall_s = 0.5;          // ... in this time; assumed
+  double stall_a = 0.35;         // of a door's motor that presses; free it takes 0.2
+  double close_s = 7.0;          // in which doors have closed or never will
+  double ajar_m = 0.018;         // open enough for the waist to pass
+  double nudge_m = 0.008;        // farther in where doors pinch the guide's waist ...
+  double blind_nudge_m = 0.015;  // ... and where they close on nothing: it may lie before them
+  double prove_m = 0.03;         // it pulls that far before it claims
   double prove_m_s = 0.04;
-  int nudges = 2;           // before it backs off
+  int nudges = 3;           // before it backs off
   double retreat_m = 0.85;  // to there on the axis
   int attempts = 8;         // then it gives up
 };

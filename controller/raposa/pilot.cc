@@ -46,7 +46,11 @@ double Pilot::pitch_rad() const { return LeanOf(nominal_, arm_rad_); }
 
 std::optional<PyramidPrior> Pilot::Prior() const {
   if (!filter_.located()) return std::nullopt;
-  return filter_.Prior();
+  PyramidPrior prior = filter_.Prior();
+  prior.covariance *= options_.prior_share * options_.prior_share;
+  prior.covariance.diagonal() +=
+      Eigen::Vector3d(options_.prior_m, options_.prior_m, options_.prior_rad).cwiseAbs2();
+  return prior;
 }
 
 void Pilot::Enter(Phase phase, const std::string& note) {
@@ -169,8 +173,18 @@ Twist Pilot::Look() {
       return {};
     }
   }
+  // A guide this low is cut by the view's edge, or lies below it.
+  const bool low = !guide_ || guide_->clipped;
+  if (For() > options_.glance_s && fits_ == 0 && low && arm_told_rad_ == 0.0 && !pressed_once_) {
+    arm_told_rad_ = options_.press_rad;
+    lamps_ = pressed_once_ = true;
+    Enter(Phase::kLook, "looks lower");
+    return {};
+  }
   if (For() < options_.patience_s) return {};
+  pressed_once_ = false;
   if (!guide_) {
+    arm_told_rad_ = 0.0;
     Enter(Phase::kSearch, "no guide in view");
   } else if (guide_->range_m > options_.creep_to_m) {
     Enter(Phase::kCreep, "the guide is too far for its marks");
@@ -193,10 +207,11 @@ void Pilot::Decide() {
   }
   backs_ = 0;
   searched_rad_ = 0.0;
+  pressed_once_ = false;
   const Pose2 X_DN = filter_.X_DN();
   if (InCone(X_DN, options_)) {
     const double end_m =
-        SeatBehind(nominal_, LeanOf(nominal_, options_.press_rad)) - options_.beyond_m;
+        SeatBehind(nominal_, LeanOf(nominal_, options_.press_rad)) + options_.short_m;
     follower_.emplace(Pose2{X_DN.x, 0.0, kPi}, std::vector<Arc>{{X_DN.x - end_m, 0.0}});
     nudges_ = 0;
     belief_.plan = {{Pose2{X_DN.x, 0.0, 0.0}, end_m - X_DN.x, 0.0}};
@@ -326,20 +341,22 @@ Twist Pilot::Close() {
     doors_.Begin();
     return {};
   }
-  if (doors_.state() == DoorState::kPinched && nudges_ < options_.nudges) {
+  if (doors_.state() == DoorState::kMoving && For() < options_.close_s) return {};
+  if (doors_.state() != DoorState::kMoving && nudges_ < options_.nudges) {
     ++nudges_;
+    const bool pinched = doors_.state() == DoorState::kPinched;
+    nudge_m_ = pinched ? options_.nudge_m : options_.blind_nudge_m;
     door_open_m_ = options_.ajar_m;
-    Enter(Phase::kAjar, "the guide is not in yet");
+    Enter(Phase::kAjar, pinched ? "the guide is not in yet" : "doors closed on nothing");
     return {};
   }
-  if (doors_.state() == DoorState::kMoving && For() < options_.close_s) return {};
   TryAgain(doors_.state() == DoorState::kEmpty ? "doors closed on nothing" : "doors do not close");
   return {};
 }
 
 Twist Pilot::Ajar() {
   if (std::abs(doors_.opening_m() - options_.ajar_m) > 0.003 && For() < 4.0) return {};
-  if (driven_m_ < options_.nudge_m) return {0.5 * options_.least_approach_m_s, 0.0};
+  if (driven_m_ < nudge_m_) return {0.5 * options_.least_approach_m_s, 0.0};
   Enter(Phase::kBrake, "nudged on");
   return {};
 }

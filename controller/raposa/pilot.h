@@ -90,7 +90,8 @@ class Pilot {
   std::vector<Leg> legs_;
   std::optional<PathFollower> follower_;
   double arm_rad_ = 0.0, arm_told_rad_ = 0.0, door_open_m_ = 0.0;
-  bool lamps_ = false;
+  double nudge_m_ = 0.0;
+  bool lamps_ = false, pressed_once_ = false;
   int passes_ = 0, backs_ = 0, nudges_ = 0, attempts_ = 0;
   double searched_rad_ = 0.0;
   Twist last_;
