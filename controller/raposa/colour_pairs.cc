@@ -6,8 +6,8 @@
 namespace dockyard::raposa {
 namespace {
 
-// Linear light of the read noise, so that dark pixels have no colour. Assumed, 0.002-0.006.
-constexpr float kDark = 0.004f;
+// Linear light of the read noise, so that dark pixels have no colour. Assumed, 0.004-0.01.
+constexpr float kDark = 0.007f;
 // Paint is so much redder, or bluer, than all but a few hundredths of the view. Orange paint that
 // fills half a pixel is redder than grey floor by 1.0, blue that fills 0.4 of it bluer by 0.7
 // (raposa.md 5.3's reflectances). Assumed, 0.3-0.6 and 0.2-0.5.
@@ -17,6 +17,7 @@ constexpr float kRedder = 0.45f, kBluer = 0.35f;
 constexpr double kRedShare = 0.22, kBlueShare = 0.15;
 constexpr double kRim_px = 2.0;  // of the hole, left out
 constexpr int kLeastPairs = 2;
+constexpr double kLeastStrength = 1.2;  // noise of dark grass makes spots of 1 to 1.3
 
 float MedianOf(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -70,6 +71,7 @@ std::optional<OrangeSpot> SpotOf(const TintMap& map, const Region& region, float
     spot.strength += map.red_blue[map.Index(at.x(), at.y())] - level;
     spot.clipped = spot.clipped || map.Inside(at.x(), at.y()) < 5.0;
   }
+  if (spot.strength < kLeastStrength) return std::nullopt;
   const auto ground = GroundAbout(map, spot.left, spot.right, spot.top, spot.bottom);
   if (!ground) return std::nullopt;
   double sum = 0.0, sum_u = 0.0, sum_v = 0.0;
@@ -93,7 +95,9 @@ std::optional<OrangeSpot> SpotOf(const TintMap& map, const Region& region, float
   }
   if (!(sum > 0.0)) return std::nullopt;
   std::ranges::sort(core);
-  const double peak = core[core.size() - 1 - core.size() / 8];
+  // A large guide is lit unevenly; of a small one only the middle is all orange.
+  const double peak =
+      core[core.size() - 1 - (core.size() > 20 ? core.size() * 2 / 5 : core.size() / 8)];
   if (!(peak > 0.0)) return std::nullopt;
   spot.centre_px = {sum_u / sum, sum_v / sum};
   spot.area_px2 = SharpArea(2.0 * sum, peak);

@@ -15,6 +15,24 @@ constexpr float kAtEdge = 0.10f;
 // Of grey parts against the ground, in its green. Assumed, 0.5-3.
 constexpr double kGreyColour = 1.5;
 constexpr double kAnyColour = 100.0;
+// Of paint's colour from the middle of a mark to its border: lit from above, or aside. Assumed,
+// 0.3-0.6. As a share of the colour, and of any colour.
+constexpr double kSlopeShare = 0.4, kAnySlope = 0.4;
+
+struct Extent {
+  Eigen::Vector2d middle_px{0.0, 0.0}, half_px{1.0, 1.0};
+};
+Extent ExtentOf(const std::vector<ConvexPolygon>& polygons) {
+  Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
+  for (const ConvexPolygon& polygon : polygons) {
+    for (int i = 0; i < polygon.count; ++i) {
+      low = low.cwiseMin(polygon.corners[static_cast<std::size_t>(i)]);
+      high = high.cwiseMax(polygon.corners[static_cast<std::size_t>(i)]);
+    }
+  }
+  if (low.x() > high.x()) return {};
+  return {0.5 * (low + high), (0.5 * (high - low)).cwiseMax(0.5)};
+}
 
 }  // namespace
 
@@ -57,6 +75,21 @@ void LayerImage::ToCells(std::vector<float>* fine, std::vector<float>* cells) {
   }
 }
 
+/// The layer times how far, in halves of its mark, a cell lies below or right of the mark's middle.
+void LayerImage::Slope(Layer of, Layer slope, bool down, const Eigen::Vector2d& middle_px,
+                       double half_px) {
+  const int across = window_->across_px(), unit = window_->unit_px;
+  std::size_t k = 0;
+  for (int j = 0; j < window_->rows; ++j) {
+    const double v = window_->y0_px + (j + 0.5) * unit - 0.5 - middle_px.y();
+    for (int i = 0; i < window_->columns; ++i, ++k) {
+      const double u = window_->x0_px + (i + 0.5) * across - 0.5 - middle_px.x();
+      const double far = std::clamp((down ? v : u) / half_px, -1.5, 1.5);
+      shares_[slope][k] = shares_[of][k] * static_cast<float>(far);
+    }
+  }
+}
+
 void LayerImage::Draw(const MarksInImage& marks) {
   Raster({marks.guide}, &guide_);
   const bool whole = !marks.strips.empty() || marks.rod.count > 0;
@@ -77,36 +110,53 @@ void LayerImage::Draw(const MarksInImage& marks) {
     ToCells(&boxes_, &shares_[kBoxes]);
   }
   ToCells(&guide_, &shares_[kOrangeLayer]);
+  const Extent guide = ExtentOf({marks.guide});
+  Slope(kOrangeLayer, kOrangeDown, true, guide.middle_px, guide.half_px.y());
+  Slope(kOrangeLayer, kOrangeAcross, false, guide.middle_px, guide.half_px.x());
+  if (!whole) return;
+  const Extent blue = ExtentOf(marks.strips);
+  Slope(kBlueLayer, kBlueDown, true, blue.middle_px, blue.half_px.y());
+}
+
+SlopePriors AnySlopes(const FitWindow& window) {
+  const double sigma = kAnySlope * window.whiten.cast<double>().norm();
+  return {sigma, sigma};
+}
+
+SlopePriors SlopesFor(const FitWindow& window, const LayerColours& colours) {
+  const double least = 0.1 * AnySlopes(window).orange;
+  return {std::max(least, kSlopeShare * colours.row(kOrangeLayer).norm()),
+          std::max(least, kSlopeShare * colours.row(kBlueLayer).norm())};
 }
 
 ColourFit FitColours(const FitWindow& window, const LayerImage& layers,
-                     const std::vector<float>& weights) {
+                     const std::vector<float>& weights, const SlopePriors& slopes) {
+  using Cells = Eigen::Map<const Eigen::VectorXf>;
+  const auto cells = static_cast<Eigen::Index>(window.size());
+  Eigen::Matrix<float, Eigen::Dynamic, kLayers> weighted(cells, kLayers);
+  const Cells weight(weights.data(), cells);
+  const Eigen::Map<const Eigen::Matrix<float, 2, Eigen::Dynamic>> seen(window.seen.data()->data(),
+                                                                       2, cells);
+  const auto shares = [&](Eigen::Index l) {
+    return Cells(layers.Shares(static_cast<std::size_t>(l)).data(), cells);
+  };
+  LayerNormal normal;
+  Eigen::Matrix<double, kLayers, 2> right;
   constexpr auto n = static_cast<Eigen::Index>(kLayers);
-  LayerNormal normal = LayerNormal::Zero();
-  Eigen::Matrix<double, kLayers, 2> right = Eigen::Matrix<double, kLayers, 2>::Zero();
-  std::array<const float*, kLayers> shares{};
-  for (std::size_t l = 0; l < kLayers; ++l) shares[l] = layers.Shares(l).data();
-  const std::size_t columns = static_cast<std::size_t>(window.columns);
-  for (int j = 0; j < window.rows; ++j) {
-    const std::size_t first = static_cast<std::size_t>(j) * columns;
-    Eigen::Matrix<float, kLayers, kLayers> of_row = Eigen::Matrix<float, kLayers, kLayers>::Zero();
-    Eigen::Matrix<float, kLayers, 2> right_row = Eigen::Matrix<float, kLayers, 2>::Zero();
-    for (std::size_t k = first; k < first + columns; ++k) {
-      if (weights[k] == 0.0f) continue;
-      Eigen::Matrix<float, kLayers, 1> a;
-      for (std::size_t l = 0; l < kLayers; ++l) a[static_cast<Eigen::Index>(l)] = shares[l][k];
-      const Eigen::Matrix<float, kLayers, 1> wa = weights[k] * a;
-      of_row.noalias() += wa * a.transpose();
-      right_row.noalias() += wa * window.seen[k].transpose();
+  for (Eigen::Index l = 0; l < n; ++l) {
+    weighted.col(l) = weight.cwiseProduct(shares(l));
+    for (Eigen::Index m = 0; m <= l; ++m) {
+      normal(l, m) = normal(m, l) = static_cast<double>(weighted.col(l).dot(shares(m)));
     }
-    normal += of_row.cast<double>();
-    right += right_row.cast<double>();
+    right.row(l) = (seen * weighted.col(l)).transpose().cast<double>();
   }
   // A colour's prior, in whitened values, about as wide as in plain ones times the whitening.
   const double scale = window.whiten.cast<double>().norm();
   for (Eigen::Index l = 0; l < n; ++l) {
     const bool grey = l == kBoxes || l == kFaces;
-    const double sigma = scale * (grey ? kGreyColour : kAnyColour);
+    const double sigma = l == kBlueDown     ? slopes.blue
+                         : l >= kOrangeDown ? slopes.orange
+                                            : scale * (grey ? kGreyColour : kAnyColour);
     normal(l, l) += 1.0 / (sigma * sigma);
   }
   const Eigen::LLT<LayerNormal> root(normal);
@@ -116,7 +166,7 @@ ColourFit FitColours(const FitWindow& window, const LayerImage& layers,
   fit.inverse = root.solve(LayerNormal::Identity());
   double data = 0.0;
   for (std::size_t k = 0; k < window.size(); ++k) {
-    if (weights[k] > 0.0f) data += weights[k] * window.seen[k].squaredNorm();
+    data += static_cast<double>(weights[k] * window.seen[k].squaredNorm());
   }
   // With linear unknowns at their best: d'Wd - right' colours.
   fit.chi2 = data - right.cwiseProduct(colours).sum();

@@ -11,8 +11,20 @@
 
 namespace dockyard::raposa {
 
-enum Layer : std::size_t { kEven, kRamp, kSky, kBoxes, kFaces, kOrangeLayer, kBlueLayer };
-inline constexpr std::size_t kLayers = 7;
+/// Paint is lit unevenly: its colour has a slope down the rows, the guide's one across as well.
+enum Layer : std::size_t {
+  kEven,
+  kRamp,
+  kSky,
+  kBoxes,
+  kFaces,
+  kOrangeLayer,
+  kBlueLayer,
+  kOrangeDown,
+  kOrangeAcross,
+  kBlueDown
+};
+inline constexpr std::size_t kLayers = 10;
 
 /// Shares of the cells, by layer.
 class LayerImage {
@@ -25,6 +37,7 @@ class LayerImage {
 
  private:
   void Raster(const std::vector<ConvexPolygon>& polygons, std::vector<float>* fine);
+  void Slope(Layer of, Layer slope, bool down, const Eigen::Vector2d& middle_px, double half_px);
   void ToCells(std::vector<float>* fine, std::vector<float>* cells);
 
   const FitWindow* window_;
@@ -43,10 +56,18 @@ struct ColourFit {
   double chi2 = 0.0;                          // of cells and of the colours' priors
 };
 
+/// How far the slopes of orange and of blue may go from 0, in whitened values.
+struct SlopePriors {
+  double orange = 0.0, blue = 0.0;
+};
+/// For paint of unknown colour, and of these colours.
+SlopePriors AnySlopes(const FitWindow& window);
+SlopePriors SlopesFor(const FitWindow& window, const LayerColours& colours);
+
 /// Least squares with these weights of the cells. Priors: colours of the grey parts lie near the
-/// ground's, those of paint anywhere.
+/// ground's, those of paint anywhere, their slopes near 0.
 ColourFit FitColours(const FitWindow& window, const LayerImage& layers,
-                     const std::vector<float>& weights);
+                     const std::vector<float>& weights, const SlopePriors& slopes);
 
 /// What is left of a cell.
 inline Eigen::Vector2f Residual(const FitWindow& window, const LayerImage& layers,

@@ -38,12 +38,14 @@ std::optional<MarksInImage> Project(const Nominal& nominal, const PyramidPlace& 
 struct Point {
   ColourFit colours;
   std::vector<float> weights;
+  SlopePriors slopes;
 };
 Point PointAt(const FitWindow& window, const LayerImage& layers) {
   Point point;
-  point.colours = FitColours(window, layers, window.open);
+  point.colours = FitColours(window, layers, window.open, AnySlopes(window));
   point.weights = WeightsFor(window, layers, point.colours.colours);
-  point.colours = FitColours(window, layers, point.weights);
+  point.slopes = SlopesFor(window, point.colours.colours);
+  point.colours = FitColours(window, layers, point.weights, point.slopes);
   return point;
 }
 
@@ -160,7 +162,8 @@ std::optional<double> CostOf(const Nominal& nominal, const FitWindow& window,
   if (!marks) return std::nullopt;
   LayerImage layers(window);
   layers.Draw(*marks);
-  return FitColours(window, layers, window.open).chi2 + PriorCost(ToVector(place), prior);
+  return FitColours(window, layers, window.open, AnySlopes(window)).chi2 +
+         PriorCost(ToVector(place), prior);
 }
 
 std::optional<PlaceFit> FitPlace(const Nominal& nominal, const FitWindow& window,
@@ -188,7 +191,7 @@ std::optional<PlaceFit> FitPlace(const Nominal& nominal, const FitWindow& window
       const auto marks = Project(nominal, ToPlace(there), drawn);
       if (marks) {
         tried.Draw(*marks);
-        const ColourFit colours = FitColours(window, tried, point.weights);
+        const ColourFit colours = FitColours(window, tried, point.weights, point.slopes);
         gain = now - colours.chi2 - PriorCost(there, prior);
         if (gain > 0.0) {
           better = true;

@@ -13,12 +13,14 @@ constexpr double kDownSigma_m = 0.008;       // of the camera's height; assumed,
 constexpr double kGroundSlopeSigma = Radians(0.8);  // from robot to pyramid; assumed, 0.5-2 deg
 constexpr double kMostAlpha =
     Radians(122.0);  // the strips are out of sight from 117 (raposa.md 5.1)
-constexpr int kGridCells = 350, kFitCells = 900;  // of a window
+constexpr int kGridCells = 250, kFitCells = 700;  // of a window
 constexpr double kMargin_px = 7.0;
+// Of the range by a spot's area, as a share. Assumed, 0.2-0.4.
+constexpr double kAreaRangeSigma = 0.3;
 // A fit with more is none. Its mean is 1.
-constexpr double kMostMisfit = 3.0;
+constexpr double kMostMisfit = 4.0, kMostGuideMisfit = 15.0;
 // Blue must stand out of the noise, and cover so much. Assumed, 5-10 and 2-6.
-constexpr double kLeastBlueSigmas = 7.0, kLeastBlue_px2 = 3.0, kLeastOrangeSigmas = 7.0;
+constexpr double kLeastBlueSigmas = 6.0, kLeastBlue_px2 = 2.0, kLeastOrangeSigmas = 7.0;
 // |blue| over |orange| in the values of FitWindow: paint of raposa.md 5.3 in light of 3000 to
 // 6500 K, camera balanced for 5000 K: 0.18-0.63; twice that for shade.
 constexpr double kLeastBlueShare = 0.07, kMostBlueShare = 1.6;
@@ -98,8 +100,7 @@ std::vector<PyramidPlace> Starts(const Nominal& nominal, const TintMap& map,
                                  double pitch_rad, double r_m) {
   constexpr int kAngles = 24;
   constexpr double kFrom = Radians(-115.0), kStep = Radians(10.0);
-  const std::vector<double> scales = spot.area_px2 < 80.0 ? std::vector<double>{0.8, 1.0, 1.25}
-                                                          : std::vector<double>{0.93, 1.0, 1.07};
+  const std::array<double, 4> scales{0.75, 0.87, 1.0, 1.15};
   std::vector<PyramidPlace> all;
   for (int a = 0; a < kAngles; a += 3) {
     all.push_back(PlaceAt(nominal, spot.centre_px, pitch_rad, scales[0] * r_m, kFrom + a * kStep));
@@ -147,7 +148,7 @@ bool IsPyramid(const PlaceFit& fit) {
 
 bool IsGuide(const PlaceFit& fit) {
   return fit.orange.x() > 0.0 && fit.orange.x() > fit.orange.y() &&
-         fit.orange_sigmas > kLeastOrangeSigmas && fit.misfit < 2.0 * kMostMisfit;
+         fit.orange_sigmas > kLeastOrangeSigmas && fit.misfit < kMostGuideMisfit;
 }
 
 std::optional<PlaceFit> GuideAlone(const Nominal& nominal, const TintMap& map,
@@ -168,6 +169,8 @@ std::optional<PlaceFit> GuideAlone(const Nominal& nominal, const TintMap& map,
     }
     PlacePrior prior = PriorFor(nominal, pitch_rad, r_m);
     prior.sigma[2] = prior.sigma[5] = 0.0;
+    prior.mean[0] = place(0.0).X_VD.x;
+    prior.sigma[0] = kAreaRangeSigma * r_m;
     for (const double alpha_rad : {0.0, Radians(70.0), Radians(-70.0)}) {
       const auto fit = FitPlace(nominal, *window, place(alpha_rad), prior, MarksDrawn::kGuide, 8);
       if (fit && (!best || fit->chi2 < best->chi2)) best = fit;

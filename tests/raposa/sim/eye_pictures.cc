@@ -3,12 +3,73 @@
 #include <cmath>
 
 #include "models/read/yaml_tree.h"
+#include "sim/base/random.h"
 #include "sim/raposa/raposa_plant.h"
 
 namespace dockyard::raposa {
+namespace {
 
-TakenPicture TakePictureOf(const PictureSetup& setup,
-                           const std::shared_ptr<KeptRenderer>& renderer) {
+// Materials of SceneBuilder's scenes.
+constexpr int kOrangePaint = 1, kBluePaint = 2;
+
+/// A ball, an upright cylinder or a box of the size 1, about its middle.
+std::shared_ptr<const RenderMesh> Shape(int kind) {
+  auto mesh = std::make_shared<RenderMesh>();
+  const int rings = kind == 0 ? 8 : 1, sides = kind == 2 ? 4 : 16;
+  for (int i = 0; i <= rings; ++i) {
+    const double along = static_cast<double>(i) / rings;
+    const double z = kind == 0 ? -0.5 * std::cos(kPi * along) : along - 0.5;
+    const double radius = kind == 0 ? 0.5 * std::sin(kPi * along) : kind == 1 ? 0.5 : 0.7071;
+    for (int k = 0; k < sides; ++k) {
+      const double turn = 2.0 * kPi * (k + 0.5) / sides;
+      mesh->vertices.push_back(
+          Eigen::Vector3d(radius * std::cos(turn), radius * std::sin(turn), z).cast<float>());
+    }
+  }
+  const auto at = [&](int ring, int k) {
+    return static_cast<std::uint32_t>(ring * sides + k % sides);
+  };
+  for (int i = 0; i < rings; ++i) {
+    for (int k = 0; k < sides; ++k) {
+      mesh->triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
+      mesh->triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
+    }
+  }
+  for (int k = 1; k + 1 < sides; ++k) {
+    mesh->triangles.push_back({at(rings, 0), at(rings, k), at(rings, k + 1)});
+  }
+  return mesh;
+}
+
+void AddClutter(Scene& scene, const Pose3& X_WC, std::uint64_t seed) {
+  RandomStream random(StreamKey(seed, "clutter"));
+  const Eigen::Vector3d view = X_WC.R.col(2);
+  const double ahead_rad = std::atan2(view.y(), view.x());
+  const int count = 2 + static_cast<int>(random.Uniform(0.0, 5.0));
+  double r_m = 1.0, aside_rad = 0.0;
+  for (int i = 0; i < count; ++i) {
+    // Every other one stands close to the one before, in the other colour.
+    const bool beside = i % 2 == 1;
+    r_m = beside ? r_m + random.Uniform(-0.1, 0.15) : random.Uniform(0.4, 4.0);
+    aside_rad =
+        beside ? aside_rad + random.Uniform(-0.15, 0.15) / r_m : Radians(random.Uniform(-10, 10));
+    const Eigen::Vector3d size(random.Uniform(0.02, 0.12), random.Uniform(0.02, 0.12),
+                               random.Uniform(0.02, 0.12));
+    const double from_ground_m = random.Uniform(0.0, 0.05) + 0.5 * size.z();
+    SceneObject object;
+    object.mesh = Shape(static_cast<int>(random.Uniform(0.0, 3.0)));
+    auto scaled = std::make_shared<RenderMesh>(*object.mesh);
+    for (auto& vertex : scaled->vertices) vertex = vertex.cwiseProduct(size.cast<float>());
+    object.mesh = scaled;
+    object.X_WO.R = RotZ(random.Uniform(0.0, 2.0 * kPi));
+    object.X_WO.p = {X_WC.p.x() + r_m * std::cos(ahead_rad + aside_rad),
+                     X_WC.p.y() + r_m * std::sin(ahead_rad + aside_rad), from_ground_m};
+    object.material = beside == (random.Uniform() < 0.8) ? kBluePaint : kOrangePaint;
+    scene.objects.push_back(object);
+  }
+}
+
+Scenario ScenarioOf(const PictureSetup& setup) {
   const std::string models = std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/";
   Scenario scenario;
   scenario.robot_file = models + "raposa.yaml";
@@ -23,6 +84,14 @@ TakenPicture TakePictureOf(const PictureSetup& setup,
   scenario.light = setup.light == "even"       ? Light::kEven
                    : setup.light == "speckled" ? Light::kSpeckled
                                                : Light::kHardShadow;
+  return scenario;
+}
+
+}  // namespace
+
+TakenPicture TakePictureOf(const PictureSetup& setup,
+                           const std::shared_ptr<KeptRenderer>& renderer) {
+  const Scenario scenario = ScenarioOf(setup);
   RaposaPlant plant(scenario, BuildRun(scenario, LoadModels(scenario)), renderer);
   if (setup.lamps) {
     Commands commands = BrakedCommands();
@@ -43,6 +112,34 @@ TakenPicture TakePictureOf(const PictureSetup& setup,
       camera.focal_px().x() * std::tan(plant.built().world.robot.camera.half_view_rad);
   taken.in_view = taken.guide_px && (*taken.guide_px - camera.centre_px()).norm() < hole_px - 4.0;
   taken.image = std::get<RgbImage>(plant.TakeImages({kBackCamera}, 0.0).at(0).pixels);
+  return taken;
+}
+
+TakenPicture TakeClutterOf(const PictureSetup& setup,
+                           const std::shared_ptr<KeptRenderer>& renderer) {
+  const Scenario scenario = ScenarioOf(setup);
+  RaposaPlant plant(scenario, BuildRun(scenario, LoadModels(scenario)), renderer);
+  const BuiltRun& built = plant.built();
+  const BackCameraModel& camera = built.world.robot.camera;
+  const Pose3 X_WC = plant.truth().X_WR * camera.X_RC;
+  const SceneBuilder builder(
+      built,
+      MakeLighting(scenario.light, FromGround(built.world.X_GD, 0.0),
+                   {0.0, 0.0, built.world.pyramid.guide.height_m}, scenario.seed, scenario.sun),
+      scenario.seed);
+  Scene scene = builder.Make(plant.truth(), plant.world().ground(), setup.lamps);
+  // The robot's own parts only cast shadows; what is seen is the pyramid.
+  std::erase_if(scene.objects, [](const SceneObject& object) { return object.seen; });
+  scene.tether.points_W.clear();
+  AddClutter(scene, X_WC, setup.seed);
+  const ColourRadiance light =
+      renderer->Get().RenderThrough(scene, builder.colours(), ViewOf(camera), {X_WC});
+  ColourSensorState state;
+  TakenPicture taken;
+  taken.nominal = built.nominal;
+  taken.pitch_rad = -std::asin(X_WC.R(2, 2));
+  taken.image = TakePicture(light, SensorOf(camera, setup.balance_k), 0.0,
+                            StreamKey(setup.seed, "camera"), state);
   return taken;
 }
 

@@ -34,4 +34,9 @@ struct TakenPicture {
 TakenPicture TakePictureOf(const PictureSetup& setup,
                            const std::shared_ptr<KeptRenderer>& renderer);
 
+/// The same view without the pyramid, with boxes and balls of its paints, and of both beside each
+/// other, on the ground. The camera's Nominal and pitch are as in the other.
+TakenPicture TakeClutterOf(const PictureSetup& setup,
+                           const std::shared_ptr<KeptRenderer>& renderer);
+
 }  // namespace dockyard::raposa
