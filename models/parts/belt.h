@@ -36,6 +36,8 @@ struct BeltGround {
   // K of Janosi and Hanamoto (1961). 0: firm, the belt's own shear alone comes before sliding.
   double shear_displacement_m = 0.0;
   double rolling_loss = 0.0;  // force to move the belt round under load, over the load
+  // Its strength differs from place to place: factors uniform in 1 -+ this, in square patches.
+  double patch_scatter = 0.0, patch_m = 0.2;
 };
 
 /// Vinyl or concrete under a rubber belt. Assumed: friction 0.4-0.9, lateral ratio 0.8-1.2, rolling

@@ -14,7 +14,8 @@ GroundModel LoadGround(const std::string& file, const ModelChanges& changes) {
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
   const YamlReader in(root, "",
                       {"name", "source", "friction_angle_deg", "lateral_ratio", "cohesion_pa",
-                       "shear_displacement_m", "rolling_loss", "material", "grain", "spreads"});
+                       "shear_displacement_m", "rolling_loss", "patch_scatter", "patch_m",
+                       "material", "grain", "spreads"});
   GroundModel ground;
   ground.name = in.Text("name");
   ground.source = in.Text("source");
@@ -23,6 +24,8 @@ GroundModel LoadGround(const std::string& file, const ModelChanges& changes) {
   ground.belt.cohesion_pa = in.Number("cohesion_pa", NonNegative(1e5));
   ground.belt.shear_displacement_m = in.Number("shear_displacement_m", NonNegative(0.2));
   ground.belt.rolling_loss = in.Number("rolling_loss", NonNegative(1.0));
+  ground.belt.patch_scatter = in.Number("patch_scatter", Between(0.0, 0.9));
+  ground.belt.patch_m = in.Number("patch_m", Between(0.01, 10.0));
   const int material = in.Choice("material", {"floor", "soil", "grass", "brick", "grey"});
   ground.material = static_cast<GroundMaterialKind>(material);
   ground.grain = in.Number("grain", Between(0.0, 1.0));

@@ -78,8 +78,10 @@ void CheckStands(const YamlReader& in, const PyramidModel& pyramid) {
 PyramidModel LoadPyramid(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
   YamlNode tree = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(tree, *changes.told);
+  PutIfLeftOut(tree, "mass_scale", 1.0);
   if (changes.built != nullptr) PutBuilt(tree, *changes.built);
-  const YamlReader in(tree, "", {"name", "urdf", "marks", "guide", "feet", "cable", "spreads"});
+  const YamlReader in(tree, "",
+                      {"name", "urdf", "mass_scale", "marks", "guide", "feet", "cable", "spreads"});
   PyramidModel pyramid;
   pyramid.name = in.Text("name");
   ReadMarks(in, pyramid.marks);
@@ -95,6 +97,9 @@ PyramidModel LoadPyramid(const std::string& file, const ModelChanges& changes, M
   if (!(pyramid.body.mass_kg > 0.0)) {
     throw ConfigError(urdf.PlaceOf("pyramid") + ": expected an <inertial>, found none");
   }
+  const double scale = in.Number("mass_scale", Between(0.1, 10.0));
+  pyramid.body.mass_kg *= scale;
+  pyramid.body.I_LCom_L *= scale;
   CheckStands(in, pyramid);
   CheckSpreads(tree);
   return pyramid;

@@ -5,6 +5,7 @@
 #include "models/read/config_error.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_motor.h"
+#include "models/read/load_mounting.h"
 #include "models/read/load_spreads.h"
 #include "models/read/urdf.h"
 #include "models/read/urdf_weld.h"
@@ -89,7 +90,7 @@ void ReadCamera(const YamlReader& root, BackCameraModel& camera) {
   const YamlReader in(root.Child("camera"), "camera",
                       {"width_px", "height_px", "focal_px", "position_m", "pitch_deg",
                        "half_view_deg", "hole_m", "delay_s", "shutter_s", "blur_sigma_px",
-                       "full_well_e", "read_noise_e", "vignetting_exponent"});
+                       "full_well_e", "read_noise_e", "vignetting_exponent", "mounting"});
   camera.camera.width = in.Integer("width_px", 16, 4096);
   camera.camera.height = in.Integer("height_px", 16, 4096);
   const double f = in.Number("focal_px", Positive(1e5));
@@ -99,6 +100,8 @@ void ReadCamera(const YamlReader& root, BackCameraModel& camera) {
                                     .cy = 0.5 * (camera.camera.height - 1)};
   camera.X_RC = BackLooking(in.Vector3("position_m", Between(-2.0, 2.0)),
                             in.Degrees("pitch_deg", Between(-60.0, 60.0)));
+  const Pose3 mounting = ReadMounting(in);
+  camera.X_RC = {mounting.R * camera.X_RC.R, camera.X_RC.p + mounting.p};
   camera.half_view_rad = in.Degrees("half_view_deg", Between(1.0, 60.0));
   camera.hole_m = in.Number("hole_m", Positive(0.5));
   camera.delay_s = in.Number("delay_s", NonNegative(kTickSeconds * kControlPeriod));
@@ -157,6 +160,13 @@ void TakeLinks(const UrdfModel& file, RobotModel& robot) {
   robot.arm_upper_rad = arm.upper_rad;
 }
 
+void ScaleMasses(double scale, RobotModel& robot) {
+  for (LinkModel* link : {&robot.body, &robot.arm, &robot.left_door, &robot.right_door}) {
+    link->mass_kg *= scale;
+    link->I_LCom_L *= scale;
+  }
+}
+
 void CheckTogether(const YamlReader& in, const RobotModel& robot) {
   const double arm_m = std::abs(robot.p_R_arm.x() - robot.belts.body_front_m);
   if (arm_m > 1e-6 || robot.p_R_arm.tail<2>().norm() > 1e-6) {
@@ -175,10 +185,12 @@ void CheckTogether(const YamlReader& in, const RobotModel& robot) {
 RobotModel LoadRobot(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
   YamlNode tree = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(tree, *changes.told);
+  PutIfLeftOut(tree, "mass_scale", 1.0);
+  PutMountingIfLeftOut(tree, "camera.mounting");
   if (changes.built != nullptr) PutBuilt(tree, *changes.built);
-  const YamlReader in(
-      tree, "",
-      {"name", "urdf", "belts", "motors", "doors", "socket", "camera", "lamps", "spreads"});
+  const YamlReader in(tree, "",
+                      {"name", "urdf", "mass_scale", "belts", "motors", "doors", "socket", "camera",
+                       "lamps", "spreads"});
   RobotModel robot;
   robot.name = in.Text("name");
   ReadBelts(in, robot.belts);
@@ -188,6 +200,7 @@ RobotModel LoadRobot(const std::string& file, const ModelChanges& changes, MeshS
   ReadCamera(in, robot.camera);
   ReadLamps(in, robot.lamps);
   TakeLinks(LoadUrdf(in.File("urdf"), meshes), robot);
+  ScaleMasses(in.Number("mass_scale", Between(0.1, 10.0)), robot);
   CheckTogether(in, robot);
   CheckSpreads(tree);
   return robot;

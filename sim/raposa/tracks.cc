@@ -52,6 +52,10 @@ Tracks::Tracks(const RobotModel& robot, const BeltGround& ground, std::uint64_t 
       body_belts_(BothSides(robot, ground, robot.belts.body_rear_m, robot.belts.body_front_m)),
       arm_belts_(BothSides(robot, ground, 0.0, robot.belts.arm_length_m)) {
   for (double& error : error_rad_s_) error = offset_rad_s_ * drift_.Normal();
+  const FrictionPatches patches{ground.patch_scatter, ground.patch_m, StreamKey(seed, "friction")};
+  for (auto* const belts : {&body_belts_, &arm_belts_}) {
+    for (Belt& belt : *belts) belt.SetPatches(patches);
+  }
 }
 
 // A first-order Gauss-Markov process.

@@ -22,7 +22,7 @@ enum class Side : std::uint8_t { kLeft, kRight };
 
 class Tracks {
  public:
-  /// Draws the readings' errors from the run's seed.
+  /// Draws the readings' errors and the ground's patches from the run's seed.
   Tracks(const RobotModel& robot, const BeltGround& ground, std::uint64_t seed);
 
   /// Works one step under these commands to left and right, and adds the ground's loads to the
