@@ -96,6 +96,10 @@ Spectrum Soil() { return Edge(0.08, 0.17, 580.0, 50.0); }
 Spectrum Grass() {
   return Spectrum::From([](double nm) { return 0.04 + 0.08 * Gaussian(nm, 550.0, 30.0); });
 }
+Spectrum Denim() {
+  return Spectrum::From([](double nm) { return 0.05 + 0.11 * Gaussian(nm, 455.0, 48.0); });
+}
+Spectrum ConeOrange() { return Edge(0.04, 0.62, 592.0, 10.0); }
 Spectrum EvenGrey(double reflectance) {
   return Spectrum::From([&](double) { return reflectance; });
 }

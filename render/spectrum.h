@@ -45,6 +45,8 @@ Spectrum FloorCovering();  // light, warm vinyl or wood
 Spectrum Brick();
 Spectrum Soil();
 Spectrum Grass();
+Spectrum Denim();       // blue jeans
+Spectrum ConeOrange();  // plastic of a traffic cone: redder than OrangePaint
 Spectrum EvenGrey(double reflectance);
 
 /// Share of the photons of a wavelength that a channel counts, red, green, blue; of any scale.

@@ -81,6 +81,14 @@ void CheckStation(const BuiltRun& run, const Truth& start) {
   throw ConfigError(run.yard_place + text);
 }
 
+/// The yard ends close behind the station.
+void CheckBearing(const Scenario& scenario) {
+  if (std::abs(scenario.start.alpha) <= Radians(90.0)) return;
+  throw ConfigError(scenario.start_place +
+                    ": expected alpha_deg from -90 to 90, a start before the station, found '" +
+                    NumberText(Degrees(scenario.start.alpha)) + "'");
+}
+
 }  // namespace
 
 HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed) {
@@ -175,6 +183,7 @@ void StartSeated(const AxelModels& models, BuiltRun* run) {
 }
 
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
+  CheckBearing(scenario);
   BuiltRun run;
   WorldSetup& world = run.world;
   world.rover = models.built.rover;

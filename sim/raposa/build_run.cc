@@ -5,6 +5,7 @@
 #include "models/raposa/make_nominal.h"
 #include "models/read/config_error.h"
 #include "sim/base/random.h"
+#include "sim/raposa/band_keys.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -14,24 +15,42 @@ constexpr double kFlatRadius_m = 0.15;
 // The cable's far end lies within this of straight behind the pyramid. Assumed, 0-60 deg.
 constexpr double kCableWithin_rad = Radians(40.0);
 
-HeightGrid GroundOf(const YardModel& yard, std::uint64_t seed) {
+HeightGrid GroundOf(const YardModel& yard, double behind_m, std::uint64_t seed) {
+  const double length_m = yard.length_m - kYardBehind_m + behind_m;
   // A level floor needs no cells, and is drawn as a plane.
   if (yard.undulation_rms_m == 0.0) {
-    return LevelGrid(-kYardBehind_m, yard.length_m, yard.width_m, 0.5 * yard.length_m);
+    return LevelGrid(-behind_m, length_m, yard.width_m, 0.5 * length_m);
   }
-  HeightGrid ground = LevelGrid(-kYardBehind_m, yard.length_m, yard.width_m, yard.cell_m);
+  HeightGrid ground = LevelGrid(-behind_m, length_m, yard.width_m, yard.cell_m);
   AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadius_m,
                 StreamKey(seed, "yard"));
   return ground;
 }
 
-void CheckStart(const Scenario& scenario, const RobotModel& robot) {
+// A start stays this far from the yard's border, as the scenario's reader has it on other sides.
+constexpr double kMargin_m = 1.0;
+
+void CheckStart(const Scenario& scenario, const RaposaKeys& keys, const RobotModel& robot) {
+  const double x_m = scenario.start.r * std::cos(scenario.start.alpha);
+  if (x_m < kMargin_m - keys.behind_m) {
+    throw ConfigError(scenario.start_place + ": expected a start within raposa.behind_m of " +
+                      NumberText(keys.behind_m) + " m and 1 m from its end, found one " +
+                      NumberText(-x_m) + " m behind the pyramid");
+  }
   // The camera sits inside the robot: nearer than the socket's mouth is no place to be.
   const double least_m = robot.camera.X_RC.p.x() - robot.socket.p_RS.x() + 0.1;
   if (scenario.start.r >= least_m) return;
   throw ConfigError(scenario.start_place +
                     ": expected r_m, from the camera to the guide, of at least " +
                     NumberText(least_m) + " m, found '" + NumberText(scenario.start.r) + "'");
+}
+
+/// Its spectra come from the system's own keys.
+void CheckLight(const Scenario& scenario) {
+  if (scenario.sun.temperature_k == 0.0 && scenario.sun.sky_temperature_k == 0.0) return;
+  throw ConfigError(scenario.name +
+                    ": expected no sun.temperature_k or sun.sky_temperature_k: RAPOSA's light has "
+                    "raposa.light_k and raposa.fill_light_k");
 }
 
 void CheckHolds(const Scenario& scenario, const PyramidModel& pyramid) {
@@ -49,20 +68,25 @@ Slope SlopeOf(const Scenario& scenario) {
 }
 
 BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
-  CheckStart(scenario, models.built.robot);
+  CheckStart(scenario, models.keys, models.built.robot);
   CheckHolds(scenario, models.built.pyramid);
+  CheckLight(scenario);
   BuiltRun run;
   run.keys = models.keys;
   run.ground = models.built.ground;
   run.nominal = MakeNominal(models.told.robot, models.told.pyramid);
+  PutBands(models.keys, run.nominal.ferreira_vision);
   WorldSetup& world = run.world;
   world.robot = models.built.robot;
   world.pyramid = models.built.pyramid;
   world.belt_ground = models.built.ground.belt;
-  world.ground = GroundOf(scenario.yard, scenario.seed);
+  world.ground = GroundOf(scenario.yard, run.keys.behind_m, scenario.seed);
   world.X_WG = scenario.X_WG;
   world.slope = SlopeOf(scenario);
-  world.X_DV_start = FromDockingCoords(scenario.start);
+  DockingCoords at = scenario.start;
+  if (!std::isnan(run.keys.off_guide_rad)) at.h = at.alpha + run.keys.off_guide_rad;
+  world.X_DV_start = FromDockingCoords(at);
+  run.clutter = DrawClutter(run.keys.clutter, world.X_DV_start, run.keys.behind_m, scenario.seed);
   RandomStream start(StreamKey(scenario.seed, "start"));
   const double drawn_rad = start.Uniform(-kCableWithin_rad, kCableWithin_rad);
   world.cable_rad = std::isnan(models.keys.cable_rad) ? drawn_rad : models.keys.cable_rad;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "controller/raposa/nominal/nominal.h"
+#include "sim/raposa/clutter.h"
 #include "sim/raposa/load_models.h"
 #include "sim/raposa/world.h"
 
@@ -10,6 +11,7 @@ namespace dockyard::raposa {
 struct BuiltRun {
   WorldSetup world;
   GroundModel ground;  // its look
+  std::vector<ClutterPiece> clutter;
   RaposaKeys keys;
   Nominal nominal;  // what the controller is told
 };

@@ -10,11 +10,21 @@ namespace {
 
 constexpr int kFacets = 32;  // round a turned body: its outline is within 0.5 % of round
 
-/// A closed solid turned about z of the guide's axis from (z, radius), lowest z first.
-RenderMesh Turned(const std::vector<Eigen::Vector2d>& profile_m, const Pose3& X_PA) {
+/// Corners of the square on the faces at this distance from the base, along a face; ordered
+/// counter-clockwise as seen from the guide.
+std::array<Eigen::Vector3d, 4> SquareOn(const MarksModel& marks, double along_m) {
+  const double half_m = 0.5 * marks.edge_m - along_m * std::cos(marks.rise_rad);
+  const double x_m = -marks.behind_m + along_m * std::sin(marks.rise_rad);
+  return {Eigen::Vector3d(x_m, -half_m, -half_m), Eigen::Vector3d(x_m, half_m, -half_m),
+          Eigen::Vector3d(x_m, half_m, half_m), Eigen::Vector3d(x_m, -half_m, half_m)};
+}
+
+}  // namespace
+
+RenderMesh TurnedMesh(const std::vector<Eigen::Vector2d>& profile_m, const Pose3& X_OA) {
   RenderMesh mesh;
   const auto add = [&](double z, double x, double y) {
-    mesh.vertices.push_back((X_PA * Eigen::Vector3d(x, y, z)).cast<float>());
+    mesh.vertices.push_back((X_OA * Eigen::Vector3d(x, y, z)).cast<float>());
   };
   for (const Eigen::Vector2d& at : profile_m) {
     for (int k = 0; k < kFacets; ++k) {
@@ -42,26 +52,16 @@ RenderMesh Turned(const std::vector<Eigen::Vector2d>& profile_m, const Pose3& X_
   return mesh;
 }
 
-/// Corners of the square on the faces at this distance from the base, along a face; ordered
-/// counter-clockwise as seen from the guide.
-std::array<Eigen::Vector3d, 4> SquareOn(const MarksModel& marks, double along_m) {
-  const double half_m = 0.5 * marks.edge_m - along_m * std::cos(marks.rise_rad);
-  const double x_m = -marks.behind_m + along_m * std::sin(marks.rise_rad);
-  return {Eigen::Vector3d(x_m, -half_m, -half_m), Eigen::Vector3d(x_m, half_m, -half_m),
-          Eigen::Vector3d(x_m, half_m, half_m), Eigen::Vector3d(x_m, -half_m, half_m)};
-}
-
-}  // namespace
-
 RenderMesh GuideMesh(const GuideModel& guide) {
-  return Turned(GuideProfile(guide), GuideAxis(guide));
+  return TurnedMesh(GuideProfile(guide), GuideAxis(guide));
 }
 
 RenderMesh RodMesh(const PyramidModel& pyramid) {
   const GuideModel& guide = pyramid.guide;
   const double front_m = GuideProfile(guide).front().x();
   const double rear_m = -pyramid.marks.behind_m / std::cos(guide.up_rad);
-  return Turned({{rear_m, guide.rod_radius_m}, {front_m, guide.rod_radius_m}}, GuideAxis(guide));
+  return TurnedMesh({{rear_m, guide.rod_radius_m}, {front_m, guide.rod_radius_m}},
+                    GuideAxis(guide));
 }
 
 RenderMesh StripsMesh(const MarksModel& marks) {

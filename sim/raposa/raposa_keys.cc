@@ -7,12 +7,33 @@ void VisitRaposaKeys(Keys& keys, RaposaKeys& values) {
   keys.Number({"light_k", "K",
                "colour temperature of the light: a filament's below 4000, daylight's above"},
               values.light_k, Between(2500.0, 10000.0));
+  keys.Number({"fill_light_k", "K", "of the light from all sides, sky or room; else light_k",
+               Presence::kUnset},
+              values.fill_light_k, Between(2500.0, 10000.0));
   keys.Number({"balance_k", "K", "colour temperature that the camera is balanced for"},
               values.balance_k, Between(2500.0, 10000.0));
+  keys.Bool({"auto_balance", "", "the camera balances by itself instead, with a lag"},
+            values.auto_balance);
   keys.Degrees({"cable_deg", "deg",
                 "from straight behind the pyramid to the cable's far end; else drawn within 40",
                 Presence::kUnset},
                values.cable_rad, Between(-90.0, 90.0));
+  keys.Degrees(
+      {"off_guide_deg", "deg",
+       "the camera's start heading off the guide, in place of start.heading_deg", Presence::kUnset},
+      values.off_guide_rad, Between(-180.0, 180.0));
+  keys.Number({"behind_m", "m", "of the ground behind the pyramid"}, values.behind_m,
+              Between(1.5, 50.0));
+  keys.Integer({"clutter", "", "objects in colours like the marks', drawn by the seed"},
+               values.clutter, 0, 100);
+  keys.Bool({"hide_pyramid", "", "the pyramid is not drawn: for pictures of clutter alone"},
+            values.hide_pyramid);
+  keys.Tree({"bands", "", "of ferreira2009: orange and blue, as `dockyard tune` writes them",
+             Presence::kUnset},
+            values.bands, YamlNode::Kind::kMapping);
+  keys.Tree({"band_changes", "", "the user's hand on them: at_s, orange and blue of each",
+             Presence::kUnset},
+            values.band_changes, YamlNode::Kind::kSequence);
 }
 
 RaposaKeys ReadRaposaKeys(const Scenario& scenario) {

@@ -4,16 +4,25 @@
 #include <limits>
 #include <string>
 
+#include "models/read/yaml_tree.h"
 #include "sim/scenario/keys.h"
 #include "sim/scenario/scenario.h"
 
 namespace dockyard::raposa {
 
 struct RaposaKeys {
-  std::string pyramid_file;   // resolved path
-  double light_k = 5000.0;    // colour temperature of the light
-  double balance_k = 5000.0;  // the camera is balanced for; NaN: it balances by itself
+  std::string pyramid_file;  // resolved path
+  double light_k = 5000.0;   // colour temperature of the light
+  // Of the light from all sides: sky or room; NaN: as light_k.
+  double fill_light_k = std::numeric_limits<double>::quiet_NaN();
+  double balance_k = 5000.0;                                    // the camera is balanced for
+  bool auto_balance = false;                                    // it balances by itself, with a lag
   double cable_rad = std::numeric_limits<double>::quiet_NaN();  // NaN: drawn
+  double off_guide_rad = std::numeric_limits<double>::quiet_NaN();  // NaN: start.h counts
+  double behind_m = 4.0;                                            // of the ground
+  int clutter = 0;                                                  // objects
+  bool hide_pyramid = false;                                        // it is not drawn
+  YamlNode bands{}, band_changes{};                                 // kNull: none
 };
 
 /// Names every key: for reading, and for docs/raposa.md.

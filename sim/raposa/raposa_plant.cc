@@ -34,7 +34,7 @@ RaposaPlant::RaposaPlant(const Scenario& scenario, BuiltRun built,
       sensors_(ImuModel{}, MotorModels(built_.world.robot), kControlPeriod, seed_),
       scene_(built_, LightingOf(scenario, built_), seed_),
       view_(ViewOf(built_.world.robot.camera)),
-      sensor_(SensorOf(built_.world.robot.camera, built_.keys.balance_k)),
+      sensor_(SensorOf(built_.world.robot.camera, built_.keys.balance_k, built_.keys.auto_balance)),
       renderer_(std::move(renderer)),
       truth_(world_.truth()),
       exposed_(truth_) {}
@@ -97,7 +97,10 @@ Stage RaposaPlant::Look() const {
                   {"right_door", truth_.X_W_right_door},
                   {"pyramid", truth_.X_WP}};
   const StageShapes shapes = scene_.Shapes();
-  if (shapes.bodies.size() > stage.bodies.size()) stage.bodies.push_back({"shade", Pose3{}});
+  // Clutter and shade stand where they are.
+  for (std::size_t i = stage.bodies.size(); i < shapes.bodies.size(); ++i) {
+    stage.bodies.push_back({shapes.bodies[i].name, Pose3{}});
+  }
   stage.lines = {{.name = "cable",
                   .diameter_m = built_.world.pyramid.cable.diameter_m,
                   .rgb = {0.06, 0.06, 0.06},

@@ -47,8 +47,11 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, Lighting lighting, std::uint64
       cable_m_(built.world.pyramid.cable.diameter_m),
       grain_(built.ground.grain),
       mark_reach_m_(built.world.pyramid.marks.behind_m),
+      hide_pyramid_(built.keys.hide_pyramid),
       texture_seed_(StreamKey(run_seed, "texture")) {
-  spectra_.sun = spectra_.sky = LightOf(built.keys.light_k);
+  const RaposaKeys& keys = built.keys;
+  spectra_.sun = LightOf(keys.light_k);
+  spectra_.sky = std::isnan(keys.fill_light_k) ? spectra_.sun : LightOf(keys.fill_light_k);
   spectra_.lamps = {WhiteDiodeLight()};
   spectra_.materials = {SpectrumOf(built.ground.material), OrangePaint(), BluePaint()};
   spectra_.ground = kGround;
@@ -67,19 +70,36 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, Lighting lighting, std::uint64
   mark(FacesMesh(pyramid.marks), Eigen::Vector3d::Constant(kBareFaces), GreyMaterial(kBareFaces));
   mark(RodMesh(pyramid), Eigen::Vector3d::Constant(kRubber), GreyMaterial(kRubber));
   cable_material_ = GreyMaterial(kRubber);
+  AddClutter(built);
   const CameraResponse response = CheapCamera();
   ground_rgb_ = ColourOf(DaylightLight(6500.0), spectra_.materials[kGround], response)
                     .cwiseProduct(BalanceFor(DaylightLight(6500.0), response));
   colours_ = MakeColourTable(spectra_, response);
 }
 
-int SceneBuilder::GreyMaterial(double reflectance) {
-  const Spectrum grey = EvenGrey(reflectance);
+int SceneBuilder::GreyMaterial(double reflectance) { return MaterialOf(EvenGrey(reflectance)); }
+
+int SceneBuilder::MaterialOf(const Spectrum& reflectance) {
   for (std::size_t i = kBlue + 1; i < spectra_.materials.size(); ++i) {
-    if (spectra_.materials[i] == grey) return static_cast<int>(i);
+    if (spectra_.materials[i] == reflectance) return static_cast<int>(i);
   }
-  spectra_.materials.push_back(grey);
+  spectra_.materials.push_back(reflectance);
   return static_cast<int>(spectra_.materials.size()) - 1;
+}
+
+void SceneBuilder::AddClutter(const BuiltRun& built) {
+  const Spectrum day = DaylightLight(6500.0);
+  const CameraResponse response = CheapCamera();
+  const HeightGrid& ground = built.world.ground;
+  for (const ClutterPiece& piece : built.clutter) {
+    const Pose2 X_GO = built.world.X_GD * piece.X_DO;
+    const Spectrum reflectance = ReflectanceOf(piece.paint);
+    const Eigen::Vector3d rgb =
+        ColourOf(day, reflectance, response).cwiseProduct(BalanceFor(day, response));
+    clutter_.push_back({std::make_shared<const RenderMesh>(ClutterMesh(piece)),
+                        X_WG_ * FromGround(X_GO, ground.Height(X_GO.x, X_GO.y)), rgb,
+                        MaterialOf(reflectance)});
+  }
 }
 
 std::vector<SceneBuilder::Part> SceneBuilder::Convert(const std::vector<Visual>& visuals) {
@@ -110,7 +130,8 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground, bool lamp
   Add(scene.objects, arm_, truth.X_WA, false);
   Add(scene.objects, left_door_, truth.X_W_left_door, false);
   Add(scene.objects, right_door_, truth.X_W_right_door, false);
-  Add(scene.objects, pyramid_, truth.X_WP, true);
+  if (!hide_pyramid_) Add(scene.objects, pyramid_, truth.X_WP, true);
+  Add(scene.objects, clutter_, Pose3{}, true);
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
   scene.ground = {.X_WG = X_WG_,
                   .x0_m = ground.x0_m,
@@ -155,6 +176,7 @@ StageShapes SceneBuilder::Shapes() const {
   add("left_door", true, left_door_);
   add("right_door", true, right_door_);
   add("pyramid", false, pyramid_);
+  if (!clutter_.empty()) add("clutter", false, clutter_);
   if (!lighting_.occluders.empty()) {
     shapes.bodies.push_back({"shade", false, {}});
     for (const SceneObject& object : lighting_.occluders) {
@@ -173,11 +195,11 @@ ColourView ViewOf(const BackCameraModel& camera) {
           .vignetting_exponent = camera.vignetting_exponent};
 }
 
-ColourSensorOptions SensorOf(const BackCameraModel& camera, double balance_k) {
+ColourSensorOptions SensorOf(const BackCameraModel& camera, double balance_k, bool auto_balance) {
   return {.blur_sigma_px = camera.blur_sigma_px,
           .full_well_e = camera.full_well_e,
           .read_noise_e = camera.read_noise_e,
-          .auto_balance = false,
+          .auto_balance = auto_balance,
           .balance = BalanceFor(LightOf(balance_k), CheapCamera())};
 }
 

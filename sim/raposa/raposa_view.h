@@ -36,11 +36,14 @@ class SceneBuilder {
   };
   std::vector<Part> Convert(const std::vector<Visual>& visuals);
   int GreyMaterial(double reflectance);
+  int MaterialOf(const Spectrum& reflectance);
+  void AddClutter(const BuiltRun& built);
   static void Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
                   const Pose3& X_WL, bool seen);
 
   SceneSpectra spectra_;
   std::vector<Part> body_, arm_, left_door_, right_door_, pyramid_;
+  std::vector<Part> clutter_;  // in the world
   Lighting lighting_;
   LampsModel lamps_;
   Pose3 X_WG_;
@@ -48,13 +51,15 @@ class SceneBuilder {
   int cable_material_ = 0;
   double grain_ = 0.0, mark_reach_m_ = 0.0;
   Eigen::Vector3d ground_rgb_{0.5, 0.5, 0.5};
+  bool hide_pyramid_ = false;
   std::uint64_t texture_seed_ = 0;
   ColourTable colours_;
 };
 
 ColourView ViewOf(const BackCameraModel& camera);
-/// The camera balanced for white under that light.
-ColourSensorOptions SensorOf(const BackCameraModel& camera, double balance_k);
+/// The camera balanced for white under that light, or by itself.
+ColourSensorOptions SensorOf(const BackCameraModel& camera, double balance_k,
+                             bool auto_balance = false);
 /// A filament's light below 4000 K, daylight above.
 Spectrum LightOf(double temperature_k);
 

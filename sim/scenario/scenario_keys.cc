@@ -41,7 +41,7 @@ void VisitStart(Keys& keys, DockingCoords& start) {
   using enum Presence;
   keys.Number({"r_m", "m", "distance from the target", kRequired}, start.r, Between(0.1, 100.0));
   keys.Degrees({"alpha_deg", "deg", "bearing about the target, from its axis", kRequired},
-               start.alpha, Between(-90.0, 90.0));
+               start.alpha, Between(-180.0, 180.0));
   keys.Degrees({"heading_deg", "deg", "heading against the target's axis", kRequired}, start.h,
                Between(-180.0, 180.0));
 }

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "models/read/config_error.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/nominal_json.h"
 #include "sim/scenario/keys.h"
@@ -59,6 +60,15 @@ TEST(AxelKeys, AnExcursionIsToldToTheControllerAndStartsSeated) {
   const double along_m = 1.0 - out.nominal.seat_depth_m;  // axle to mouth, an arm of 1 m
   EXPECT_NEAR(out.world.X_DR_start.x, along_m * std::cos(Radians(5.0)), 1e-9);
   EXPECT_EQ(out.world.slack_start_m, 0.0);
+}
+
+TEST(AxelKeys, AStartBehindTheStationIsRefused) {
+  const auto Build = [](const char* alpha) {
+    const Scenario scenario = Typical({alpha});
+    return BuildRun(scenario, LoadModels(scenario));
+  };
+  EXPECT_NO_THROW(Build("start.alpha_deg=90"));
+  EXPECT_THROW(Build("start.alpha_deg=91"), ConfigError);
 }
 
 TEST(AxelKeys, AnExcursionThatCannotBeMadeIsRefused) {
