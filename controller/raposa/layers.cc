@@ -153,10 +153,11 @@ ColourFit FitColours(const FitWindow& window, const LayerImage& layers,
   // A colour's prior, in whitened values, about as wide as in plain ones times the whitening.
   const double scale = window.whiten.cast<double>().norm();
   for (Eigen::Index l = 0; l < n; ++l) {
-    const bool grey = l == kBoxes || l == kFaces;
-    const double sigma = l == kBlueDown     ? slopes.blue
-                         : l >= kOrangeDown ? slopes.orange
-                                            : scale * (grey ? kGreyColour : kAnyColour);
+    const auto layer = static_cast<std::size_t>(l);
+    const bool grey = layer == kBoxes || layer == kFaces;
+    const double sigma = layer == kBlueDown     ? slopes.blue
+                         : layer >= kOrangeDown ? slopes.orange
+                                                : scale * (grey ? kGreyColour : kAnyColour);
     normal(l, l) += 1.0 / (sigma * sigma);
   }
   const Eigen::LLT<LayerNormal> root(normal);

@@ -12,6 +12,9 @@ namespace {
 constexpr std::size_t kMostSpots = 5;  // orange regions that are looked into
 // What calibration and lens leave of a direction. Assumed, 0.1-0.5 px of 377.
 constexpr double kBearingFloor = 5e-4;
+// Of the range by the guide alone, as a share: its shading looks like size. From
+// raposa_eye_survey; 0.04-0.1.
+constexpr double kAloneRange = 0.06;
 constexpr double kGate = 5.0;  // sigmas of the prior
 
 GuideSeen SeenOf(const Nominal& nominal, const SpotFit& spot) {
@@ -26,7 +29,8 @@ GuideSeen SeenOf(const Nominal& nominal, const SpotFit& spot) {
   seen.centre_px = nominal.camera.Project(p_C).value_or(Eigen::Vector2d::Zero());
   const Eigen::Matrix2d covariance = spot.guide.covariance.topLeftCorner<2, 2>();
   const Eigen::Vector2d along = p / r_m, across(-along.y(), along.x());
-  seen.range_sigma_m = std::sqrt(along.dot(covariance * along));
+  seen.range_sigma_m = std::hypot(std::sqrt(along.dot(covariance * along)),
+                                  spot.poses.empty() ? kAloneRange * r_m : 0.0);
   seen.bearing_sigma_rad =
       std::hypot(std::sqrt(across.dot(covariance * across)) / r_m, kBearingFloor);
   seen.clipped = spot.clipped;

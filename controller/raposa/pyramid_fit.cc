@@ -10,6 +10,9 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, kPlaceUnknowns, kPlaceUnknowns>;
 
+// Of the covariance, above that of independent cells: shading and the coding of colours err alike
+// in neighbours. From raposa_eye_survey, where chi2 of the poses was 2.5 to 6 a value; 3-6.
+constexpr double kCorrelated = 4.0;
 constexpr float kOfMarks = 0.02f;     // a cell of which marks fill so much counts for the misfit
 constexpr float kOtherColour = 4.0f;  // so does one that is so many sigmas off the ground
 
@@ -215,7 +218,7 @@ std::optional<PlaceFit> FitPlace(const Nominal& nominal, const FitWindow& window
   fit.covariance = linear->normal.inverse();
   fit.chi2 = point.colours.chi2 + PriorCost(at, prior);
   Describe(window, layers, point, &fit);
-  fit.covariance *= std::max(1.0, fit.misfit);
+  fit.covariance *= kCorrelated * std::max(1.0, fit.misfit);
   return fit;
 }
 

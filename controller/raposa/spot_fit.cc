@@ -94,7 +94,7 @@ double LowestHorizon(const Nominal& nominal, double guide_row_px, double r_m) {
   return guide_row_px - 0.8 * half_px;
 }
 
-/// Starts for the fit: the best angle of a grid, and its rival.
+/// Starts for the fit: the best angle of a grid, and its rivals.
 std::vector<PyramidPlace> Starts(const Nominal& nominal, const TintMap& map,
                                  const GroundColour& ground, const OrangeSpot& spot,
                                  double pitch_rad, double r_m) {
@@ -131,7 +131,7 @@ std::vector<PyramidPlace> Starts(const Nominal& nominal, const TintMap& map,
   std::ranges::sort(valleys, [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
   std::vector<PyramidPlace> starts;
   for (const std::size_t a : valleys) {
-    if (starts.size() < 2) starts.push_back(places[a]);
+    if (starts.size() < 3) starts.push_back(places[a]);
   }
   return starts;
 }
@@ -225,6 +225,7 @@ std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const
     }
   }
   std::ranges::stable_sort(out.poses, {}, &PlaceFit::chi2);
+  if (out.poses.size() > 2) out.poses.resize(2);
   if (out.poses.size() == 2) {
     const double scale = std::max(1.0, out.poses[0].misfit);
     const double apart =
