@@ -31,7 +31,6 @@ void RequireAll(const std::vector<PublishedName>& given, const std::vector<std::
 void CheckPublished(const Published& published, const std::vector<CampaignNames>& campaigns) {
   const CampaignNames& first = campaigns.at(0);
   RequireAll(published.counted, first.outcomes, "an outcome of the system");
-  for (const PublishedRow& row : published.rows) RequireLabels(row.where, first);
   for (const FailureClass& failure : published.failures) {
     RequireLabels(failure.where, first);
     for (const FailureCase& each : failure.cases) {
@@ -40,10 +39,16 @@ void CheckPublished(const Published& published, const std::vector<CampaignNames>
   }
   std::vector<std::string> names;
   for (const PublishedCampaign& each : published.campaigns) names.push_back(each.name);
+  const auto of = [&](const PublishedName& name) -> const CampaignNames& {
+    Require(name, names, "the name of a campaign of this file");
+    const auto at = std::find(names.begin(), names.end(), name.text);
+    return campaigns.at(static_cast<std::size_t>(at - names.begin()));
+  };
+  for (const PublishedRow& row : published.rows) {
+    RequireLabels(row.where, row.campaign ? of(*row.campaign) : first);
+  }
   for (const PublishedMeasure& measure : published.measures) {
-    Require(measure.campaign, names, "the name of a campaign of this file");
-    const auto at = std::find(names.begin(), names.end(), measure.campaign.text);
-    const CampaignNames& its = campaigns.at(static_cast<std::size_t>(at - names.begin()));
+    const CampaignNames& its = of(measure.campaign);
     Require(measure.measure, its.measures, "a column of results.csv");
     RequireLabels(measure.where, its);
   }

@@ -127,8 +127,16 @@ std::size_t RowNamed(const PublishedName& name, const Published& published) {
 
 void ReadRows(const YamlReader& in, Published& published) {
   in.List("rows", 1, kMostItems);
-  ForItems(in, "rows", {"name", "paper", "where"}, [&](const YamlReader& item) {
-    published.rows.push_back({item.Text("name"), CountOf(item, "paper"), FiltersOf(item)});
+  ForItems(in, "rows", {"name", "paper", "where", "campaign", "runs"}, [&](const YamlReader& item) {
+    PublishedRow row{item.Text("name"), CountOf(item, "paper"), FiltersOf(item)};
+    if (item.Has("campaign")) {
+      // The paper's runs are repeated by the first campaign alone.
+      row.campaign = NameOf(item, "campaign");
+      row.runs = item.Integer("runs", 1, kMostRuns);
+    } else if (item.Has("runs")) {
+      item.Refuse("runs", "none without a campaign: the first has the paper's");
+    }
+    published.rows.push_back(std::move(row));
   });
   published.total = RowNamed(NameOf(in, "total"), published);
   for (const PublishedName& name : NamesOf(in, "judged")) {
@@ -177,12 +185,13 @@ void ReadSightings(const YamlReader& root, Published& published) {
 }
 
 void ReadMeasures(const YamlReader& in, Published& published) {
-  ForItems(in, "measures", {"name", "campaign", "measure", "where", "low", "high"},
+  ForItems(in, "measures", {"name", "campaign", "measure", "where", "low", "high", "of"},
            [&](const YamlReader& item) {
              PublishedMeasure measure{item.Text("name"), NameOf(item, "campaign"),
                                       NameOf(item, "measure"), FiltersOf(item)};
              measure.low = item.NumberOr("low", std::nan(""), Between(-1e9, 1e9));
              measure.high = item.NumberOr("high", std::nan(""), Between(-1e9, 1e9));
+             measure.counted = item.ChoiceOr("of", 0, {"all", "counted"}) == 1;
              if (std::isnan(measure.low) != std::isnan(measure.high)) {
                item.Refuse(std::isnan(measure.low) ? "high" : "low", "low and high, or neither");
              }

@@ -29,8 +29,10 @@ struct PublishedCount {
 /// A row of the table of rates.
 struct PublishedRow {
   std::string name;
-  std::optional<PublishedCount> paper;  // successes; none: not published
-  std::vector<LabelFilter> where;       // all must hold
+  std::optional<PublishedCount> paper;      // successes; none: not published
+  std::vector<LabelFilter> where;           // all must hold
+  std::optional<PublishedName> campaign{};  // none: the first
+  int runs = 0;  // that it must have here; 0: the paper's, each once a replication
 };
 
 /// A way to tell a class of failures from a run: all that is set must hold.
@@ -54,6 +56,7 @@ struct PublishedMeasure {
   PublishedName campaign, measure;
   std::vector<LabelFilter> where;
   double low = 0.0, high = 0.0;
+  bool counted = false;  // over the runs alone that count as the paper's success
 };
 
 /// Mean errors of the sightings about a distance. NaN: not published.

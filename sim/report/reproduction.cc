@@ -36,7 +36,8 @@ RowFinding FindRow(const Published& published, std::size_t place, const Campaign
   }
   if (!found.row->paper) return found;
   const PublishedCount paper = *found.row->paper;
-  found.lacking = paper.runs * results.replications - found.runs;
+  const int wanted = found.row->runs > 0 ? found.row->runs : paper.runs * results.replications;
+  found.lacking = wanted - found.runs;
   found.at_95 = PredictCount(found.successes, found.runs, paper.runs, kConfidence);
   found.judged_at = PredictCount(found.successes, found.runs, paper.runs, found.confidence);
   found.p = PredictionP(found.successes, found.runs, paper.count, paper.runs);
@@ -145,8 +146,8 @@ ErrorFinding FindError(const PublishedError& paper, const Published& published,
 }
 
 /// Where its campaign was not run, the first one's columns tell the unit.
-MeasureFinding FindMeasure(const PublishedMeasure& measure, const CampaignResults& results,
-                           const CampaignResults& first) {
+MeasureFinding FindMeasure(const Published& published, const PublishedMeasure& measure,
+                           const CampaignResults& results, const CampaignResults& first) {
   MeasureFinding found;
   found.measure = &measure;
   found.simulated = !results.rows.empty();
@@ -156,6 +157,7 @@ MeasureFinding FindMeasure(const PublishedMeasure& measure, const CampaignResult
   if (!found.simulated) return found;
   Rows rows;
   for (const RunResult& row : results.rows) {
+    if (measure.counted && !Counts(published, row)) continue;
     if (Matches(measure.where, row, results.columns)) rows.push_back(&row);
   }
   const Spread spread = SpreadOf(results.columns, measure.measure.text, rows);
@@ -165,6 +167,15 @@ MeasureFinding FindMeasure(const PublishedMeasure& measure, const CampaignResult
   found.low = spread.low;
   found.high = spread.high;
   return found;
+}
+
+/// CheckPublished holds that there is one of the name.
+const CampaignResults& ResultsOf(const PublishedName& campaign, const Published& published,
+                                 const std::vector<CampaignResults>& campaigns) {
+  const auto at =
+      std::find_if(published.campaigns.begin(), published.campaigns.end(),
+                   [&](const PublishedCampaign& each) { return each.name == campaign.text; });
+  return campaigns.at(static_cast<std::size_t>(at - published.campaigns.begin()));
 }
 
 ReproductionVerdict VerdictOf(const std::vector<RowFinding>& rows) {
@@ -210,17 +221,17 @@ ReproductionFinding JudgeReproduction(const Published& published,
   found.replications = first.replications;
   found.runs = static_cast<int>(first.rows.size());
   for (std::size_t i = 0; i < published.rows.size(); ++i) {
-    found.rows.push_back(FindRow(published, i, first));
+    const std::optional<PublishedName>& campaign = published.rows[i].campaign;
+    found.rows.push_back(
+        FindRow(published, i, campaign ? ResultsOf(*campaign, published, campaigns) : first));
   }
   found.failures = FindFailures(published, first);
   for (const PublishedError& error : published.errors) {
     found.errors.push_back(FindError(error, published, first.sightings));
   }
   for (const PublishedMeasure& measure : published.measures) {
-    for (std::size_t i = 0; i < published.campaigns.size(); ++i) {
-      if (published.campaigns[i].name != measure.campaign.text) continue;
-      found.measures.push_back(FindMeasure(measure, campaigns.at(i), first));
-    }
+    found.measures.push_back(
+        FindMeasure(published, measure, ResultsOf(measure.campaign, published, campaigns), first));
   }
   found.verdict = VerdictOf(found.rows);
   return found;

@@ -39,9 +39,9 @@ std::string PercentText(double confidence) {
   return NumberText(std::round(1e4 * confidence) / 100.0) + " %";
 }
 
-std::string RowVerdict(const RowFinding& found, int replications) {
+std::string RowVerdict(const RowFinding& found) {
   if (!found.row->paper) return "";
-  const int wanted = found.row->paper->runs * replications;
+  const int wanted = found.runs + found.lacking;
   if (!found.comparable()) {
     return std::to_string(found.runs) + " of " + std::to_string(wanted) + " runs: not judged";
   }
@@ -58,7 +58,7 @@ std::string RowsText(const ReproductionFinding& found) {
     lines.push_back({each.row->name, paper ? RateText(paper->count, paper->runs) : "not given",
                      RateText(each.successes, each.runs),
                      each.comparable() ? Range(each.at_95) : "",
-                     RowVerdict(each, found.replications)});
+                     RowVerdict(each)});
   }
   return Table(lines);
 }

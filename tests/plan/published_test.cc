@@ -78,6 +78,19 @@ TEST_F(PublishedFile, NeedsBothEndsOfARange) {
             "p.yaml:13:69: measures[0].low: expected low and high, or neither, found '0.5'");
 }
 
+TEST_F(PublishedFile, HasRowsOfFurtherCampaignsWithTheRunsThatTheyNeed) {
+  const std::string of_grid = "{soil: loose}, campaign: grid";
+  const Published published = Load(Replaced(kGood, "{soil: loose}", of_grid + ", runs: 20"));
+  ASSERT_TRUE(published.rows[1].campaign);
+  EXPECT_EQ(published.rows[1].campaign->text, "grid");
+  EXPECT_EQ(published.rows[1].runs, 20);
+  EXPECT_THAT(Refusal("{soil: loose}", of_grid), testing::HasSubstr("runs"));
+  EXPECT_THAT(Refusal("{soil: loose}", "{soil: loose}, runs: 3"),
+              testing::HasSubstr("none without a campaign"));
+  EXPECT_THAT(Refusal("{soil: loose}", "{soil: loose}, campaign: greed, runs: 3"),
+              testing::HasSubstr("the name of a campaign of this file, found 'greed'"));
+}
+
 TEST_F(PublishedFile, MustSpeakOfWhatItsCampaignsHave) {
   EXPECT_EQ(Refusal("counted: [docked]", "counted: [docket]"),
             "p.yaml:4:11: counted[0]: expected an outcome of the system, found 'docket'; nearest "

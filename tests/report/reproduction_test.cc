@@ -221,5 +221,25 @@ TEST_F(Reproduced, TellsMeasuresAndWhichCampaignWasNotRun) {
   EXPECT_TRUE(ReproductionJson(found).at("measures").at(2).at("paper").is_null());
 }
 
+TEST_F(Reproduced, MeasuresTheCountedRunsAlone) {
+  // 0.4, 0.5, 0.6, 0.7 in turn: the first 24 runs succeed.
+  AddRegion("interior", 48, 24, "lost");
+  EXPECT_EQ(Judge().measures[0].runs, 48);
+  for (PublishedMeasure& measure : published_.measures) measure.counted = true;
+  const ReproductionFinding counted = Judge();
+  EXPECT_EQ(counted.measures[0].runs, 24);
+}
+
+TEST_F(Reproduced, ARowOfAFurtherCampaignHasItsOwnRuns) {
+  published_.rows[3].campaign = PublishedName{"reeling", {}, ""};
+  published_.rows[3].paper = PublishedCount{3, 4};
+  published_.rows[3].where.clear();
+  published_.rows[3].runs = 20;
+  AddRegion("interior", 48, 48, "lost");
+  EXPECT_EQ(Judge().rows[3].runs, 0);
+  EXPECT_EQ(Judge().rows[3].lacking, 20);
+  EXPECT_FALSE(Judge().rows[3].comparable());
+}
+
 }  // namespace
 }  // namespace dockyard
