@@ -48,7 +48,7 @@ struct FerreiraTuning {
   int orange_from = 2, orange_to = 26;  // middles of hue windows; 0-5, 20-30
   int blue_from = 95, blue_to = 130;    // 90-100, 125-135
   int window_hue = 14;                  // their width; 10-20
-  std::array<int, 6> least_saturations{50, 80, 110, 140, 170, 200};
+  std::array<int, 7> least_saturations{30, 50, 80, 110, 140, 170, 200};
   std::array<int, 3> least_values{20, 40, 80};
   double outside_share = 0.05;     // of a mark's pixels at either end; 0.02-0.1
   int hue_margin = 3;              // added to either end; 2-6

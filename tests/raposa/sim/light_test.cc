@@ -1,0 +1,106 @@
+// Light, balance and bands in rendered pictures.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "controller/raposa/tune_bands.h"
+#include "raposa/sim/pictures.h"
+
+namespace dockyard::raposa {
+namespace {
+
+std::string Light(double k) { return "light_k: " + std::to_string(k); }
+
+/// Of 12 pictures about the pyramid in a light, those in which g and c are right.
+int RightIn(double light_k, const HsvBand& orange, const HsvBand& blue,
+            const std::shared_ptr<KeptRenderer>& renderer) {
+  int right = 0;
+  for (const double r_m : {0.7, 1.0, 1.3}) {
+    for (const double alpha_deg : {-60.0, -30.0, 30.0, 60.0}) {
+      const Picture picture =
+          PictureOf(ScenarioAt(r_m, Radians(alpha_deg), Light(light_k)), renderer);
+      right += FindIn(picture, orange, blue).right();
+    }
+  }
+  return right;
+}
+
+// F, C.3: the user adjusts the thresholds when the light changes.
+TEST(RaposaLight, BandsOfOneLightFailInAnotherAndThoseTunedThereDoNot) {
+  const auto renderer = std::make_shared<KeptRenderer>();
+  // Those of scenarios/raposa_point_9.yaml.
+  FerreiraVision usual;
+  usual.orange = {8, 18, 70, 255, 46, 255};
+  usual.blue = {103, 119, 46, 255, 40, 255};
+  EXPECT_GE(RightIn(5000.0, usual.orange, usual.blue, renderer), 11);
+  for (const double light_k : {3000.0, 6500.0}) {
+    EXPECT_LE(RightIn(light_k, usual.orange, usual.blue, renderer), 6) << light_k;
+  }
+  for (const double light_k : {4000.0, 6500.0}) {
+    const Picture sample =
+        PictureOf(ScenarioAt(0.8, Radians(30.0), Light(light_k), {}, 1000), renderer);
+    const auto tuned = TuneBands(sample.image, sample.nominal);
+    ASSERT_TRUE(tuned) << light_k;
+    EXPECT_GE(RightIn(light_k, tuned->orange, tuned->blue, renderer), 11) << light_k;
+  }
+}
+
+/// Mean red over blue of the floor in the lower part of the disc that the hole leaves.
+double FloorRedOverBlue(const RgbImage& image) {
+  double red = 0.0, blue = 0.0;
+  for (int v = 150; v < 185; ++v) {
+    for (int u = 130; u < 190; ++u) {
+      const std::size_t at =
+          3 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
+               static_cast<std::size_t>(u));
+      red += image.pixels[at];
+      blue += image.pixels[at + 2];
+    }
+  }
+  return red / blue;
+}
+
+TEST(RaposaLight, FillLightTintsLessThanWhenAllLightIsOfItsColour) {
+  const auto renderer = std::make_shared<KeptRenderer>();
+  const auto floor = [&](const std::string& keys) {
+    return FloorRedOverBlue(PictureOf(ScenarioAt(1.5, 0.0, keys), renderer).image);
+  };
+  const double cold = floor("light_k: 6500"), warm = floor("light_k: 3000"),
+               mixed = floor("light_k: 6500, fill_light_k: 3000");
+  EXPECT_LT(1.1 * cold, mixed);
+  EXPECT_LT(1.1 * mixed, warm);
+}
+
+TEST(RaposaLight, CameraThatBalancesItselfTakesMostOfTheLightsColourAway) {
+  const auto renderer = std::make_shared<KeptRenderer>();
+  // What the light's colour does to the floor's.
+  const auto change = [&](const std::string& keys) {
+    const auto floor = [&](double light_k) {
+      return FloorRedOverBlue(
+          PictureOf(ScenarioAt(1.5, 0.0, Light(light_k) + keys), renderer).image);
+    };
+    return std::log(floor(3000.0) / floor(6500.0));
+  };
+  EXPECT_GT(change(""), 0.3);
+  EXPECT_LT(change(", auto_balance: true"), 0.4 * change(""));
+}
+
+TEST(RaposaClutter, IsSeenAndThePyramidCanBeLeftOut) {
+  const auto renderer = std::make_shared<KeptRenderer>();
+  const auto picture = [&](const std::string& keys) {
+    return PictureOf(ScenarioAt(1.5, 0.0, keys, {}, 3), renderer).image.pixels;
+  };
+  const auto differing = [](const std::vector<std::uint8_t>& a,
+                            const std::vector<std::uint8_t>& b) {
+    int n = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) n += std::abs(a[i] - b[i]) > 40;
+    return n;
+  };
+  const auto plain = picture("clutter: 0");
+  EXPECT_EQ(differing(plain, picture("clutter: 0")), 0);
+  EXPECT_GT(differing(plain, picture("clutter: 30")), 500);
+  EXPECT_GT(differing(plain, picture("hide_pyramid: true")), 50);
+}
+
+}  // namespace
+}  // namespace dockyard::raposa
