@@ -142,7 +142,7 @@ PictureSetup Drawn(RandomStream& random, double from_m, double to_m, std::uint64
 }
 
 TEST(RaposaEyeSurvey, FindsTheGuideFromAnywhere) {
-  const int count = static_cast<int>(Number("EYE_COUNT", 60));
+  const int count = static_cast<int>(Number("EYE_COUNT", 20));
   const double edges[] = {0.3, 0.4, 0.7, 1.1, 1.6, 2.5, 4.0};
   auto renderer = std::make_shared<KeptRenderer>();
   Tally bar;
@@ -190,13 +190,13 @@ TEST(RaposaEyeSurvey, TakesNoClutterForThePyramid) {
 }
 
 TEST(RaposaEyeSurvey, MeasuresTheAngleAt133) {
-  const int count = static_cast<int>(Number("EYE_COUNT", 60));
+  const int count = static_cast<int>(Number("EYE_COUNT", 20));
   auto renderer = std::make_shared<KeptRenderer>();
   RandomStream random(StreamKey(7, "eye survey"));
   std::uint64_t seed = 100000;
   for (const double alpha_deg : {0.0, 15.0, 30.0, 45.0, 60.0, 73.0, 80.0, 90.0, 100.0, 110.0}) {
     Tally tally;
-    for (int i = 0; i < count / 3; ++i) {
+    for (int i = 0; i < count; ++i) {
       PictureSetup setup = Drawn(random, 1.33, 1.3301, seed++);
       setup.alpha_rad = Radians(alpha_deg * (i % 2 ? 1.0 : -1.0));
       setup.light = "even";
