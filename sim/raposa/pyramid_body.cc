@@ -18,6 +18,9 @@ constexpr double kCableSpacing_m = 0.2;
 constexpr double kCableDamping_ns_m = 20.0;
 // Slack is let out before the run begins. Assumed, 0.3-1 m/s.
 constexpr double kSlackRate_m_s = 0.5;
+// A cable whose masses have all been slower than this for so long lies still: it is not stepped,
+// and pulls as before, until its end moves by 0.1 um. Numerical: in a minute it would go 0.06 mm.
+constexpr double kCalm_m_s = 1e-6, kCalm_s = 0.1, kStirred_m = 1e-7;
 // The cable leaves the pyramid's back at this height above the ground. Assumed, 10-30 mm.
 constexpr double kCableHeight_m = 0.015;
 
@@ -90,6 +93,8 @@ void PyramidBody::PullCable(const HeightGrid& ground, const Eigen::Vector3d& gra
   const double fed_m = std::min(slack_left_m_, kSlackRate_m_s * dt_s);
   slack_left_m_ -= fed_m;
   const Eigen::Vector3d p_GE = CableEndInG();
+  const bool stirred = fed_m > 0.0 || (p_GE - p_GE_calm_).norm() > kStirred_m;
+  if (calm_steps_ * dt_s >= kCalm_s && !stirred) return AddForce(pull_G_, p_GE);
   const FixedCableEnd end(cable_model_, p_GE, kCableSpacing_m);
   cable_.Step({.step_s = dt_s,
                .gravity_G = gravity_G,
@@ -98,9 +103,11 @@ void PyramidBody::PullCable(const HeightGrid& ground, const Eigen::Vector3d& gra
                .fed_m = fed_m,
                .end = &end,
                .end_rest_m = kCableSpacing_m});
-  const Eigen::Vector3d pull_G = -cable_.force_of_end_G();
-  cable_pull_n_ = pull_G.norm();
-  AddForce(pull_G, p_GE);
+  pull_G_ = -cable_.force_of_end_G();
+  cable_pull_n_ = pull_G_.norm();
+  AddForce(pull_G_, p_GE);
+  calm_steps_ = stirred || cable_.fastest_m_s() > kCalm_m_s ? 0 : calm_steps_ + 1;
+  if (calm_steps_ == 0) p_GE_calm_ = p_GE;
 }
 
 void PyramidBody::Refresh() {

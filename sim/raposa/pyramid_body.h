@@ -48,6 +48,8 @@ class PyramidBody {
   Cable cable_;
   Eigen::Vector3d cable_to_G_;
   double slack_left_m_ = 0.0;
+  int calm_steps_ = 0;  // for which the cable has hardly moved
+  Eigen::Vector3d p_GE_calm_{0, 0, 0}, pull_G_{0, 0, 0};
   double cable_pull_n_ = 0.0;
 };
 

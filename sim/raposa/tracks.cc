@@ -7,7 +7,8 @@
 namespace dockyard::raposa {
 namespace {
 
-constexpr double kPadPitch_m = 0.028;  // assumed, 15-40 mm: 48 pads round the main belt
+// Assumed, 15-42 mm: 32 pads round the main belt, nine of them in contact; eight are enough.
+constexpr double kPadPitch_m = 0.042;
 
 BeltModel BeltOf(const BeltsModel& belts, double rear_m, double front_m, double y_m) {
   BeltModel belt;

@@ -1,17 +1,12 @@
 #include "sim/raposa/world.h"
 
-#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
-#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
-#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
-#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "sim/base/hash.h"
-#include "sim/physics/bullet_math.h"
+#include "sim/raposa/bullet_world.h"
 #include "sim/raposa/pyramid_body.h"
 #include "sim/raposa/robot_body.h"
 #include "sim/raposa/tracks.h"
@@ -27,8 +22,6 @@ constexpr double kSettleSeconds = 1.5;
 constexpr double kArmStop_nm_rad = 2e4, kDoorStop_n_m = 1e5;
 // A fifth of critical or more on what they stop; assumed, 20-100 and 5-50.
 constexpr double kArmStopDamping_nms_rad = 50.0, kDoorStopDamping_ns_m = 20.0;
-// Of Bullet's contacts in a step; its default is 10. Assumed, 30-100.
-constexpr int kSolverSweeps = 50;
 
 double StopLoad(double at, double rate, double low, double high, double stiffness, double damping) {
   const double beyond = at > high ? at - high : at < low ? at - low : 0.0;
@@ -130,26 +123,21 @@ class World::Impl {
   double DoorRate(const DoorDrive& door) const;
   void DriveArm(const MotorCommand& command);
   void DriveDoor(const DoorDrive& door, const MotorCommand& command);
-  void SumContacts();
   Eigen::Vector3d GuideFromSeat() const;
 
   WorldSetup setup_;
   Pose3 X_WG_;
   Eigen::Vector3d gravity_G_;
-  btDefaultCollisionConfiguration configuration_;
-  btCollisionDispatcher dispatcher_;
-  btDbvtBroadphase broadphase_;
-  btMultiBodyConstraintSolver solver_;
-  btMultiBodyDynamicsWorld world_;
   RobotBody robot_;
   PyramidBody pyramid_;
+  BulletWorld bullet_;
   Tracks tracks_;
   MotorDrive arm_drive_;
   std::array<MotorDrive, 2> door_drives_;
   DriveOutput arm_output_;
   std::array<DriveOutput, 2> door_output_;
   Pose3 X_GP_start_;
-  double contact_n_ = 0.0, contact_peak_n_ = 0.0;
+  double contact_peak_n_ = 0.0;
   long steps_ = 0;
 };
 
@@ -157,10 +145,9 @@ World::Impl::Impl(const WorldSetup& setup)
     : setup_(WithRotors(setup)),
       X_WG_(SiteInWorld(setup.X_WG, setup.slope)),
       gravity_G_(GravityInSite(setup.slope)),
-      dispatcher_(&configuration_),
-      world_(&dispatcher_, &broadphase_, &solver_, &configuration_),
       robot_(setup_.robot, RobotStart(setup), 0.0),
       pyramid_(setup.pyramid, PyramidStart(setup), CableFarEnd(setup)),
+      bullet_(robot_, pyramid_, gravity_G_, setup.search_always),
       tracks_(setup.robot, setup.belt_ground, setup.seed),
       arm_drive_(ModelOf(setup.robot, Motor::kArm), ArmInertia(setup_.robot)),
       door_drives_{MotorDrive(ModelOf(setup.robot, Motor::kLeftDoor), DoorInertia(setup_.robot)),
@@ -168,15 +155,6 @@ World::Impl::Impl(const WorldSetup& setup)
   if (!(setup.step_s > 0.0 && setup.step_s <= 5e-3)) {
     throw std::invalid_argument("physics step must be in (0, 5] ms");
   }
-  world_.setGravity(ToBullet(gravity_G_));
-  world_.getSolverInfo().m_numIterations = kSolverSweeps;
-  const int robot_group = 1, pyramid_group = 2;
-  world_.addMultiBody(robot_.multibody());
-  for (int i = 0; i < kRobotLinkCount; ++i) {
-    world_.addCollisionObject(robot_.collider(static_cast<RobotLink>(i)), robot_group,
-                              pyramid_group);
-  }
-  world_.addRigidBody(pyramid_.body(), pyramid_group, robot_group);
   const std::array<MotorCommand, kMotorCount> braked{};
   const long settle = std::lround(kSettleSeconds / setup.step_s);
   for (long i = 0; i < settle; ++i) Step(braked);
@@ -222,22 +200,11 @@ void World::Impl::Step(const std::array<MotorCommand, kMotorCount>& commands) {
   DriveArm(command(Motor::kArm));
   for (const DoorDrive& door : kDoors) DriveDoor(door, command(door.motor));
   pyramid_.AddForces(setup_.ground, gravity_G_, setup_.step_s);
-  world_.stepSimulation(setup_.step_s, 0);
+  bullet_.Step(setup_.step_s);
   robot_.Refresh();
   pyramid_.Refresh();
-  SumContacts();
+  contact_peak_n_ = std::max(contact_peak_n_, bullet_.contact_n());
   ++steps_;
-}
-
-void World::Impl::SumContacts() {
-  contact_n_ = 0.0;
-  for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
-    const btPersistentManifold* manifold = dispatcher_.getManifoldByIndexInternal(i);
-    for (int j = 0; j < manifold->getNumContacts(); ++j) {
-      contact_n_ += manifold->getContactPoint(j).getAppliedImpulse() / setup_.step_s;
-    }
-  }
-  contact_peak_n_ = std::max(contact_peak_n_, contact_n_);
 }
 
 Eigen::Vector3d World::Impl::GuideFromSeat() const {
@@ -280,7 +247,7 @@ Truth World::Impl::MakeTruth() const {
   for (const DoorDrive& door : kDoors) {
     tell(door.motor, DoorAngle(door), DoorRate(door), door_output_[door.side > 0.0 ? 0 : 1]);
   }
-  truth.contact_n = contact_n_;
+  truth.contact_n = bullet_.contact_n();
   truth.contact_peak_n = contact_peak_n_;
   const Pose3 X_start_now = Inverse(X_GP_start_) * pyramid.X_GL;
   truth.pyramid_shift_m = std::hypot(X_start_now.p.x(), X_start_now.p.y());

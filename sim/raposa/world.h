@@ -30,6 +30,9 @@ struct WorldSetup {
   Pose2 X_DV_start;  // the camera in plan, x along its view: towards the pyramid
   std::uint64_t seed = 1;  // of the belts' readings
   double step_s = 1e-3;
+  // Search for contacts in each step, also where robot and pyramid are apart: the slow way, for
+  // tests of the fast one.
+  bool search_always = false;
 };
 
 /// What is true now, for scoring, plots and drawing. Never handed to a controller.

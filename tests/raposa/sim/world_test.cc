@@ -162,6 +162,20 @@ TEST(RaposaWorld, SameCallsGiveTheSameBits) {
   EXPECT_EQ(a.StateHash(1), b.StateHash(1));
 }
 
+// Where robot and pyramid are apart, no contact is looked for. With the search in each step the
+// same comes out, on the way from there into contact.
+TEST(RaposaWorld, SearchForContactsChangesNothingWhereThereAreNone) {
+  WorldSetup setup = AtStart(0.6, Radians(10.0));
+  World fast(setup);
+  setup.search_always = true;
+  World slow(setup);
+  for (World* world : {&fast, &slow}) Play(*world, setup, Belts(setup, -0.1, -0.095), 6.0);
+  const Truth a = fast.truth(), b = slow.truth();
+  EXPECT_GT(a.contact_peak_n, 0.1);
+  EXPECT_LT((a.X_WR.p - b.X_WR.p).norm(), 1e-6);
+  EXPECT_LT((a.X_WP.p - b.X_WP.p).norm(), 1e-6);
+}
+
 // The reading is off by an error that the drive cannot see: it runs by the reading, the robot turns
 // by the truth.
 TEST(RaposaWorld, DriveHoldsTheSpeedThatItReadsNotTheTrueOne) {
