@@ -52,12 +52,12 @@ struct DockyardOptions {
   double glance_s =
       0.4;  // of that, until it presses the arm to see a guide that is low in its view
   // The eye's prior is wider than the filter's: models of belts and paint are not exact.
-  double prior_share = 2.0;                 // of the sigmas; assumed, 1.5-4
-  double prior_m = 0.03;                    // added; assumed, 0.02-0.06
-  double prior_rad = Radians(5.0);          // assumed, 3-8
-  double creep_m_s = 0.15;                  // towards a guide without marks; assumed, 0.05-0.2
-  double creep_to_m = 1.3;                  // in camera range; then it stands and looks
-  double back_m = 0.25;                     // away from a guide too near for its marks
+  double prior_share = 2.0;         // of the sigmas; assumed, 1.5-4
+  double prior_m = 0.03;            // added; assumed, 0.02-0.06
+  double prior_rad = Radians(5.0);  // assumed, 3-8
+  double creep_m_s = 0.15;          // towards a guide without marks; assumed, 0.05-0.2
+  double creep_to_m = 0.62;  // in camera range, where even strips at 110 deg show; then it looks
+  double back_m = 0.25;      // away from a guide too near for its marks
   double search_rad_s = Radians(15.0);      // assumed, 8-25
   double first_search_rad = Radians(20.0);  // doubled at each switch
 

@@ -45,7 +45,8 @@ double Pilot::Gauge() const {
 double Pilot::pitch_rad() const { return LeanOf(nominal_, arm_rad_); }
 
 std::optional<PyramidPrior> Pilot::Prior() const {
-  if (!filter_.located()) return std::nullopt;
+  // A guide whose marks do not fit what is believed is looked at afresh now and then.
+  if (!filter_.located() || (fitless_ > 5 && fitless_ % 3 == 0)) return std::nullopt;
   PyramidPrior prior = filter_.Prior();
   prior.covariance *= options_.prior_share * options_.prior_share;
   prior.covariance.diagonal() +=
@@ -93,8 +94,10 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
   if (guide_) guide_seen_ = now_;
   if (!seen->fits.empty()) {
     ++fits_;
+    fitless_ = 0;
     ++belief_.sighting_count;
   }
+  if (guide_ && seen->fits.empty()) ++fitless_;
   const bool was = filter_.located();
   const Pose2 before = was ? filter_.X_DN() : Pose2{};
   filter_.See(*seen, age_s);

@@ -16,6 +16,8 @@ constexpr double kBearingFloor = 5e-4;
 // raposa_eye_survey; 0.04-0.1.
 constexpr double kAloneRange = 0.06;
 constexpr double kGate = 5.0;  // sigmas of the prior
+// A prior with a wider heading may have its angle in another valley of the fit. Assumed, 10-20 deg.
+constexpr double kWideHeading = Radians(14.0);
 
 GuideSeen SeenOf(const Nominal& nominal, const SpotFit& spot) {
   const PyramidPlace& place = spot.guide.place;
@@ -75,14 +77,11 @@ double Distance2(const PlaceFit& fit, const PyramidPrior& prior) {
   return off.dot(both.llt().solve(off));
 }
 
-/// Fits that the prior rules out go; whether anything is left.
-bool Gate(const PyramidPrior& prior, SpotFit* spot) {
-  if (spot->poses.empty()) return true;
+/// Fits that the prior rules out go. The guide stays: its place was allowed.
+void Gate(const PyramidPrior& prior, SpotFit* spot) {
   std::erase_if(spot->poses,
                 [&](const PlaceFit& fit) { return Distance2(fit, prior) > kGate * kGate; });
-  if (spot->poses.empty()) return false;
-  spot->guide = spot->poses.front();
-  return true;
+  if (!spot->poses.empty()) spot->guide = spot->poses.front();
 }
 
 /// A pair is better than a guide alone, then the clearer one.
@@ -106,9 +105,12 @@ PyramidSeen PyramidEye::Find(const RgbImage& image, double pitch_rad,
       if (!Allowed(nominal_, spot, *prior)) continue;
       fit = FitSpot(nominal_, map, spot, pitch_rad, prior->X_VD);
     }
-    // Without a prior, or where none of its poses fits.
-    if (!fit || fit->poses.empty()) fit = FitSpot(nominal_, map, spot, pitch_rad, std::nullopt);
-    if (!fit || (prior && !Gate(*prior, &*fit))) continue;
+    const bool open = !prior || prior->covariance(2, 2) > kWideHeading * kWideHeading;
+    if (open && (!fit || fit->poses.empty())) {
+      fit = FitSpot(nominal_, map, spot, pitch_rad, std::nullopt);
+    }
+    if (!fit) continue;
+    if (prior) Gate(*prior, &*fit);
     if (!best || Better(*fit, *best)) best = fit;
   }
   PyramidSeen seen;
