@@ -12,12 +12,15 @@ constexpr float kDark = 0.007f;
 // fills half a pixel is redder than grey floor by 1.0, blue that fills 0.4 of it bluer by 0.7
 // (raposa.md 5.3's reflectances). Assumed, 0.3-0.6 and 0.2-0.5.
 constexpr float kRedder = 0.45f, kBluer = 0.35f;
+// A guide beyond 3 m is no wider than the blur, and stands out by less. Assumed, 0.15-0.35.
+constexpr float kFaintRedder = 0.15f;
 // Shares of the view that are redder and bluer than its ground and sky. The guide fills a sixth at
 // 0.2 m.
 constexpr double kRedShare = 0.22, kBlueShare = 0.15;
 constexpr double kRim_px = 2.0;  // of the hole, left out
 constexpr int kLeastPairs = 2;
 constexpr double kLeastStrength = 1.2;  // noise of dark grass makes spots of 1 to 1.3
+constexpr double kFaintStrength = 0.3;  // such a spot counts with its blue alone
 
 float MedianOf(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -71,7 +74,8 @@ std::optional<OrangeSpot> SpotOf(const TintMap& map, const Region& region, float
     spot.strength += map.red_blue[map.Index(at.x(), at.y())] - level;
     spot.clipped = spot.clipped || map.Inside(at.x(), at.y()) < 5.0;
   }
-  if (spot.strength < kLeastStrength) return std::nullopt;
+  if (spot.strength < (map.spots == Spots::kFaint ? kFaintStrength : kLeastStrength))
+    return std::nullopt;
   const auto ground = GroundAbout(map, spot.left, spot.right, spot.top, spot.bottom);
   if (!ground) return std::nullopt;
   double sum = 0.0, sum_u = 0.0, sum_v = 0.0;
@@ -110,8 +114,9 @@ double TintMap::Inside(int i, int j) const {
   return hole_px - (Eigen::Vector2d(2.0 * i + 0.5, j) - middle_px).norm();
 }
 
-TintMap TintsOf(const RgbImage& image, const Nominal& nominal) {
+TintMap TintsOf(const RgbImage& image, const Nominal& nominal, Spots spots) {
   TintMap map;
+  map.spots = spots;
   map.light = ToLinearPairs(image);
   map.middle_px = nominal.camera.centre_px();
   map.hole_px = nominal.camera.focal_px().x() * std::tan(nominal.half_view_rad);
@@ -135,7 +140,8 @@ TintMap TintsOf(const RgbImage& image, const Nominal& nominal) {
     std::nth_element(seen.begin(), at, seen.end());
     return *at;
   };
-  const float redder = share(1.0 - kRedShare) + kRedder, bluer = share(kBlueShare) - kBluer;
+  const float redder = share(1.0 - kRedShare) + (spots == Spots::kFaint ? kFaintRedder : kRedder),
+              bluer = share(kBlueShare) - kBluer;
   for (std::size_t k = 0; k < map.tints.size(); ++k) {
     if (map.tints[k] == Tint::kUnseen) continue;
     if (map.red_blue[k] > redder) map.tints[k] = Tint::kOrange;

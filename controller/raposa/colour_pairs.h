@@ -17,6 +17,9 @@ inline constexpr double kImageBlur_px = 1.0;
 
 enum class Tint : std::uint8_t { kPlain, kOrange, kBlue, kUnseen };
 
+/// Which orange counts: what clearly differs from the view, or also a guide too far for that.
+enum class Spots : std::uint8_t { kClear, kFaint };
+
 /// The image by pairs of pixels (linear_colour.h).
 struct TintMap {
   PairImage light;
@@ -24,6 +27,7 @@ struct TintMap {
   std::vector<Tint> tints;
   double hole_px = 0.0;  // radius of what the hole leaves, about middle_px
   Eigen::Vector2d middle_px{0.0, 0.0};
+  Spots spots = Spots::kClear;
 
   std::size_t Index(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(light.width) +
@@ -33,7 +37,7 @@ struct TintMap {
   double Inside(int i, int j) const;
 };
 
-TintMap TintsOf(const RgbImage& image, const Nominal& nominal);
+TintMap TintsOf(const RgbImage& image, const Nominal& nominal, Spots spots = Spots::kClear);
 
 /// An orange region.
 struct OrangeSpot {

@@ -55,6 +55,7 @@ struct DockyardOptions {
   double prior_share = 2.0;         // of the sigmas; assumed, 1.5-4
   double prior_m = 0.03;            // added; assumed, 0.02-0.06
   double prior_rad = Radians(5.0);  // assumed, 3-8
+  double first_patience_s = 2.5;    // the same, before it has seen the guide at all
   double creep_m_s = 0.15;          // towards a guide without marks; assumed, 0.05-0.2
   double creep_to_m = 0.62;  // in camera range, where even strips at 110 deg show; then it looks
   double back_m = 0.25;      // away from a guide too near for its marks

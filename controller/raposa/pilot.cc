@@ -184,7 +184,9 @@ Twist Pilot::Look() {
     Enter(Phase::kLook, "looks lower");
     return {};
   }
-  if (For() < options_.patience_s) return {};
+  // At the start it is told that the guide is in view: far off it shows in some pictures alone.
+  const bool first = guide_seen_ == 0;
+  if (For() < (first ? options_.first_patience_s : options_.patience_s)) return {};
   pressed_once_ = false;
   if (!guide_) {
     arm_told_rad_ = 0.0;
@@ -397,10 +399,11 @@ Twist Pilot::Retreat() {
 }
 
 Twist Pilot::Creep() {
-  if (!guide_) {
+  if (static_cast<double>(now_ - guide_seen_) * kTickSeconds > options_.lost_s) {
     Enter(Phase::kLook, "lost the guide");
     return {};
   }
+  if (!guide_) return {options_.creep_m_s, 0.0};
   const bool sure = filter_.located() && fits_ >= options_.looks &&
                     std::sqrt(filter_.covariance()(2, 2)) < options_.sure_heading_rad;
   if (sure || guide_->range_m < options_.creep_to_m) {

@@ -95,23 +95,36 @@ bool Better(const SpotFit& a, const SpotFit& b) {
 
 PyramidEye::PyramidEye(const Nominal& nominal) : nominal_(nominal) {}
 
-PyramidSeen PyramidEye::Find(const RgbImage& image, double pitch_rad,
-                             const std::optional<PyramidPrior>& prior) const {
-  const TintMap map = TintsOf(image, nominal_);
+namespace {
+
+std::optional<SpotFit> BestOf(const Nominal& nominal, const TintMap& map, double pitch_rad,
+                              const std::optional<PyramidPrior>& prior) {
   std::optional<SpotFit> best;
   for (const OrangeSpot& spot : OrangeSpots(map, kMostSpots)) {
     std::optional<SpotFit> fit;
     if (prior) {
-      if (!Allowed(nominal_, spot, *prior)) continue;
-      fit = FitSpot(nominal_, map, spot, pitch_rad, prior->X_VD);
+      if (!Allowed(nominal, spot, *prior)) continue;
+      fit = FitSpot(nominal, map, spot, pitch_rad, prior->X_VD);
     }
     const bool open = !prior || prior->covariance(2, 2) > kWideHeading * kWideHeading;
     if (open && (!fit || fit->poses.empty())) {
-      fit = FitSpot(nominal_, map, spot, pitch_rad, std::nullopt);
+      fit = FitSpot(nominal, map, spot, pitch_rad, std::nullopt);
     }
     if (!fit) continue;
     if (prior) Gate(*prior, &*fit);
+    if (map.spots == Spots::kFaint && fit->poses.empty()) continue;
     if (!best || Better(*fit, *best)) best = fit;
+  }
+  return best;
+}
+
+}  // namespace
+
+PyramidSeen PyramidEye::Find(const RgbImage& image, double pitch_rad,
+                             const std::optional<PyramidPrior>& prior) const {
+  std::optional<SpotFit> best = BestOf(nominal_, TintsOf(image, nominal_), pitch_rad, prior);
+  if (!best) {
+    best = BestOf(nominal_, TintsOf(image, nominal_, Spots::kFaint), pitch_rad, prior);
   }
   PyramidSeen seen;
   if (!best) return seen;
