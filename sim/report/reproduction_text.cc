@@ -57,8 +57,7 @@ std::string RowsText(const ReproductionFinding& found) {
     const auto& paper = each.row->paper;
     lines.push_back({each.row->name, paper ? RateText(paper->count, paper->runs) : "not given",
                      RateText(each.successes, each.runs),
-                     each.comparable() ? Range(each.at_95) : "",
-                     RowVerdict(each)});
+                     each.comparable() ? Range(each.at_95) : "", RowVerdict(each)});
   }
   return Table(lines);
 }

@@ -48,8 +48,8 @@ double MeasureOf(const RunRecord& record, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-// The bars: six tenths of the paper's 37.9 s; the pyramid moved by less than 10 mm and turned
-// by less than 3 deg before the doors close. The second start lies in the paper's dead zone.
+// The bars: six tenths of the paper's 37.9 s; the pyramid moved by less than 10 mm and
+// turned by less than 3 deg before the doors close. The second start lies in the paper's dead zone.
 TEST(RaposaClosedLoop, OwnControllerDocksFromPointNineAndFromTheDeadZone) {
   const System system = RaposaSystem({{"dockyard", MakeDockyardController}});
   const RunRecord far = RunFrom(system, "dockyard", 1.33, 0.0, 1);
