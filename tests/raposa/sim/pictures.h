@@ -42,7 +42,8 @@ inline Picture PictureOf(const Scenario& scenario, const std::shared_ptr<KeptRen
   const MarksModel& marks = plant.built().world.pyramid.marks;
   const Pose3 X_CP = Inverse(plant.truth().X_WR * camera.X_RC) * plant.truth().X_WP;
   const double half_m = 0.5 * marks.edge_m;
-  const double reach_px = std::get<BrownPinhole>(camera.camera.lens).fx * std::tan(camera.half_view_rad);
+  const double reach_px =
+      std::get<BrownPinhole>(camera.camera.lens).fx * std::tan(camera.half_view_rad);
   const Eigen::Vector2d middle(0.5 * (camera.camera.width - 1), 0.5 * (camera.camera.height - 1));
   Picture picture;
   picture.nominal = plant.built().nominal;
