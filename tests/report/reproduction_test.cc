@@ -223,7 +223,7 @@ TEST_F(Reproduced, TellsMeasuresAndWhichCampaignWasNotRun) {
 
 TEST_F(Reproduced, MeasuresTheCountedRunsAlone) {
   // 0.4, 0.5, 0.6, 0.7 in turn: the first 24 runs succeed.
-  AddRegion("interior", 48, 24, "lost");
+  AddRegion("interior", 24, 48, "lost");
   EXPECT_EQ(Judge().measures[0].runs, 48);
   for (PublishedMeasure& measure : published_.measures) measure.counted = true;
   const ReproductionFinding counted = Judge();
