@@ -71,7 +71,8 @@ BeltLoad Belt::Step(const HeightGrid& ground, const LinkMotion& carrier, double 
       const double begin_m = std::max(window.begin_m, travel_m_ + k * pitch_m_);
       const double end_m = std::min(window.end_m, travel_m_ + (k + 1) * pitch_m_);
       if (begin_m >= end_m) continue;
-      const int pad = k < 0 ? k + belt_.pads : k;
+      // By rounding the loop's end may be the begin of the pad after its last one.
+      const int pad = ((k % belt_.pads) + belt_.pads) % belt_.pads;
       if (pad != touching) {
         LoadPad(touching, touch, at, load);
         touch = {};
@@ -93,7 +94,7 @@ double Belt::Pressure(double depth_m, Pad& pad) const {
 
 void Belt::LoadPad(int index, const BeltTouch& touch, BeltPlace& at, BeltLoad& load) {
   if (!(touch.area_m2 > 0.0)) return;
-  Pad& pad = pads_[static_cast<std::size_t>(index)];
+  Pad& pad = pads_.at(static_cast<std::size_t>(index));
   if (pad.step != step_ - 1) pad = {};
   pad.step = step_;
   const double per_area = 1.0 / touch.area_m2, per_length = 1.0 / touch.length_m;

@@ -57,6 +57,27 @@ TEST(Belt, CarriesTheWeightAtTheDepthOfHookesLaw) {
   EXPECT_NEAR(rig.belts[0].load.rear_m, -0.5 * kLength_m - beyond, 2e-4);
 }
 
+// A window that ends where the loop does must not reach a pad beyond its last one, nor one before
+// its first, however its length is rounded. A roller of this radius, drawn for RAPOSA's arm, did.
+TEST(Belt, HasNoPadBeyondItsLoop) {
+  BeltModel model = TwoBelts(kLength_m, kGauge_m, 0.0, kHardFloor).belts[0].model;
+  model.front = {.x_m = 0.18, .radius_m = 0.09 + 0.00013780593400224882};
+  model.rear = {.x_m = 0.0, .radius_m = model.front.radius_m};
+  model.pads = 22;
+  const HeightGrid ground = LevelGrid(-3.0, 6.0, 6.0, 3.0);
+  for (int depth = 0; depth < 40; ++depth) {
+    for (int pitch = -20; pitch <= 20; ++pitch) {
+      Belt belt(model, kHardFloor);
+      LinkMotion carrier;
+      carrier.X_GL.R = RotY(5e-4 * pitch);
+      carrier.X_GL.p.z() = model.front.radius_m - 2e-5 * depth;
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_NO_THROW(belt.Step(ground, carrier, 1e-16 * (i - 1), 1e-3));
+      }
+    }
+  }
+}
+
 TEST(Belt, NeverPulls) {
   BeltRig rig = Settled(kHardFloor);
   rig.v_GCom_G.z() = 5.0;
