@@ -33,52 +33,55 @@ struct DockyardOptions {
   double turn_tolerance_rad = Radians(1.5);  // assumed, 1-3
   double way_tolerance_m = 0.015;            // assumed, 0.01-0.03
 
-  // From where it drives straight in: the axis lies within a cone about the mouth.
-  double cone_from_m = 0.42, cone_half_m = 0.012, cone_slope = 0.13;  // assumed
-  double cone_heading_rad = Radians(11.0);                            // less than half the view
-  double settle_m = 0.11;             // an offset dies out over it; assumed, 0.08-0.15
-  double approach_m_s = 0.25;         // far from the seat ...
-  double approach_gain_per_s = 0.45;  // ... in proportion to the way left ...
-  double least_approach_m_s = 0.06;   // ... down to this: belts are off by 0.003 m/s
-  double press_m = 0.68;              // the arm is pressed down from here; assumed, 0.6-0.75
-  double press_rad = Radians(14.0);   // leans the body back by 4.5 deg, as the guide; 10-18
+  // From where it drives straight in: within a cone about the axis. Assumed: 0.40-0.45 m, 8-20 mm,
+  // 0.10-0.18, 8-11 deg.
+  double cone_from_m = 0.42, cone_half_m = 0.012, cone_slope = 0.13;
+  double cone_heading_rad = Radians(11.0);  // less than half the view of 12.5
+  double settle_m = 0.11;                   // an offset dies out over it; assumed, 0.08-0.15
+  double approach_m_s = 0.25;               // far from the seat; assumed, 0.1-0.4 ...
+  double approach_gain_per_s = 0.45;  // ... in proportion to the way left; assumed, 0.3-0.7 ...
+  double least_approach_m_s =
+      0.06;               // ... down to this, as belts are off by 0.003 m/s; assumed, 0.04-0.1
+  double press_m = 0.68;  // the arm is pressed down from here; assumed, 0.6-0.75
+  double press_rad = Radians(14.0);  // leans the body back by 4.5 deg, as the guide; 10-18
   double short_m = 0.004;  // it stops before the seat: doors pull the guide in from 8 mm; 2-6 mm
   double lost_s = 1.0;     // without the guide it stops; assumed, 0.5-2
 
   // Looking and searching.
   int looks = 3;                           // pictures with a pose before it decides; assumed, 2-6
   double sure_heading_rad = Radians(9.0);  // 1 sigma to decide on; assumed, 5-12
-  double patience_s = 0.9;                 // standing, for a picture with what it needs
-  double glance_s =
-      0.4;  // of that, until it presses the arm to see a guide that is low in its view
+  double patience_s = 0.9;  // standing, for a picture with what it needs; assumed, 0.5-2
+  // Of that, until it presses the arm to see a guide that is low in its view; assumed, 0.3-0.6.
+  double glance_s = 0.4;
   // The eye's prior is wider than the filter's: models of belts and paint are not exact.
   double prior_share = 2.0;         // of the sigmas; assumed, 1.5-4
   double prior_m = 0.03;            // added; assumed, 0.02-0.06
   double prior_rad = Radians(5.0);  // assumed, 3-8
-  double first_patience_s = 2.5;    // the same, before it has seen the guide at all
+  double first_patience_s = 2.5;    // the same, before it has seen the guide at all; assumed, 1-4
   double creep_m_s = 0.15;          // towards a guide without marks; assumed, 0.05-0.2
-  double creep_to_m = 0.62;  // in camera range, where even strips at 110 deg show; then it looks
-  double back_m = 0.25;      // away from a guide too near for its marks
+  double creep_to_m = 0.62;  // in camera range: strips show to 110 deg from there; assumed, 0.5-0.8
+  double back_m = 0.25;      // away from a guide too near for its marks; assumed, 0.15-0.4
   double search_rad_s = Radians(15.0);      // assumed, 8-25
-  double first_search_rad = Radians(20.0);  // doubled at each switch
+  double first_search_rad = Radians(20.0);  // doubled at each switch; assumed, 15-40
 
   // Doors. Openings are of each door from closed.
-  double brake_s = 0.3;
-  double shut_m = 0.0010;        // nothing lies between doors this near; assumed, 0.5-2 mm
-  double held_m = 0.0075;        // doors that stall nearer hold the rear cone; wider, the
-                                 // waist is between them: closing radius 6 mm, waist 15 mm
-  double stall_m = 0.0004;       // way of a door ...
-  double stall_s = 0.5;          // ... in this time; assumed
-  double stall_a = 0.35;         // of a door's motor that presses; free it takes 0.2
-  double close_s = 7.0;          // in which doors have closed or never will
-  double ajar_m = 0.018;         // open enough for the waist to pass
-  double nudge_m = 0.008;        // farther in where doors pinch the guide's waist ...
-  double blind_nudge_m = 0.015;  // ... and where they close on nothing: it may lie before them
-  double prove_m = 0.03;         // it pulls that far before it claims
-  double prove_m_s = 0.04;
-  int nudges = 3;           // before it backs off
-  double retreat_m = 0.85;  // to there on the axis
-  int attempts = 8;         // then it gives up
+  double brake_s = 0.3;     // assumed, 0.2-0.6
+  double shut_m = 0.0010;   // nothing lies between doors this near; assumed, 0.5-2 mm
+  double held_m = 0.0075;   // doors that stall nearer hold the rear cone; wider, the
+                            // waist is between them: closing radius 6 mm, waist 15 mm
+  double stall_m = 0.0004;  // a door that goes no farther, assumed 0.2-1 mm ...
+  double stall_s = 0.5;     // ... in this time rests; assumed, 0.3-1
+  double stall_a = 0.35;    // of a door's motor that presses; free it takes 0.2, at most 1.3
+  double close_s = 7.0;     // in which doors have closed or never will: they take 5
+  double ajar_m = 0.018;    // open enough for the waist of 15 mm to pass; 16-22
+  double nudge_m = 0.008;   // on, where doors pinch the guide's waist; assumed, 5-12 mm
+  double blind_nudge_m =
+      0.015;                // on, where they close on nothing: it may lie before them; 10-20 mm
+  double prove_m = 0.03;    // it pulls that far before it claims; assumed, 20-50 mm
+  double prove_m_s = 0.04;  // assumed, 0.02-0.08
+  int nudges = 3;           // before it backs off; assumed, 2-4
+  double retreat_m = 0.85;  // to there on the axis; assumed, 0.7-1.1
+  int attempts = 8;         // then it gives up; assumed, 4-12
 };
 
 }  // namespace dockyard::raposa

@@ -18,7 +18,13 @@ constexpr double kBornBehind = 4.0;    // of a new pose; assumed, 2-8
 constexpr double kFitGate = 20.0;      // of a squared Mahalanobis distance; 3 degrees of freedom
 constexpr double kMissed = 6.0;        // a fit that fits no pose, in log-likelihood; half the gate
 constexpr double kMisfitWeight = 3.0;  // residuals behind a fit's misfit, by two; assumed, 2-6
-constexpr double kGuideGate = 14.0;    // 2 degrees of freedom
+// Errors of the motion are those of independent stretches of a way, and of parts of a turn.
+constexpr double kStretch_m = 0.1;               // assumed, 0.05-0.3
+constexpr double kTurnPart_rad = Radians(10.0);  // assumed, 5-30 deg
+// A turn slips sideways as so much of a stretch's way for each radian; a way turns by so much on a
+// metre. Assumed, 0.1-0.5 m and 0.005-0.02 rad.
+constexpr double kTurnSlip_m = 0.2, kWayTurn_rad_m = 0.01;
+constexpr double kGuideGate = 14.0;  // 2 degrees of freedom
 
 /// Wraps the angles of a residual: rows that are headings or bearings.
 void WrapRow(double& value) { value = WrapPi(value); }
@@ -85,13 +91,13 @@ void PyramidFilter::Drive(const BeltSteps& steps) {
     const double heading = kept.mean(kHeading);
     const Eigen::Vector2d along(std::cos(heading), std::sin(heading));
     const Eigen::Vector2d aside(-along.y(), along.x());
-    // Noise adds up over a way, whatever the period: variances grow with its length.
-    const double along_m2 = std::pow(options_.way_noise, 2) * way_m * 0.1;
-    const double aside_m2 = std::pow(options_.side_noise, 2) * (way_m * 0.1 + turn_rad * 0.02);
+    const double along_m2 = std::pow(options_.way_noise, 2) * way_m * kStretch_m;
+    const double aside_m2 =
+        std::pow(options_.side_noise, 2) * kStretch_m * (way_m + kTurnSlip_m * turn_rad);
     kept.P.topLeftCorner<2, 2>() +=
         along_m2 * along * along.transpose() + aside_m2 * aside * aside.transpose();
-    kept.P(kHeading, kHeading) +=
-        std::pow(options_.turn_noise, 2) * turn_rad * Radians(10.0) + 1e-4 * way_m * 0.1;
+    kept.P(kHeading, kHeading) += std::pow(options_.turn_noise, 2) * turn_rad * kTurnPart_rad +
+                                  std::pow(kWayTurn_rad_m, 2) * way_m * kStretch_m;
     drift(kept);
   }
 }
