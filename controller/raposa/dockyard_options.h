@@ -29,6 +29,7 @@ struct DockyardOptions {
   double travel_m_s = 0.25;           // assumed, 0.1-0.4
   double turn_rad_s = Radians(40.0);  // with the guide out of view; assumed, 20-60
   double seen_turn_rad_s = Radians(12.0);    // in view, for 1.6 px of blur; assumed, 8-20
+  double least_turn_rad_s = Radians(4.5);    // belts at 0.023 m/s: above any dead band of 0.02
   double turn_gain_per_s = 2.5;              // of a turn's last part; assumed, 1-4
   double turn_tolerance_rad = Radians(1.5);  // assumed, 1-3
   double way_tolerance_m = 0.015;            // assumed, 0.01-0.03
@@ -45,6 +46,9 @@ struct DockyardOptions {
   double press_m = 0.68;  // the arm is pressed down from here; assumed, 0.6-0.75
   double press_rad = Radians(14.0);  // leans the body back by 4.5 deg, as the guide; 10-18
   double short_m = 0.004;  // it stops before the seat: doors pull the guide in from 8 mm; 2-6 mm
+  double lamps_m = 0.6;    // they are on nearer, in camera range; assumed, 0.4-1
+  double phase_s = 90.0;   // of any phase; the longest, a search, takes 72; assumed, 80-120
+  int passes = 12;         // ways to the axis, then it gives up; assumed, 6-20
   double lost_s = 1.0;     // without the guide it stops; assumed, 0.5-2
 
   // Looking and searching.
@@ -61,6 +65,8 @@ struct DockyardOptions {
   double creep_m_s = 0.15;          // towards a guide without marks; assumed, 0.05-0.2
   double creep_to_m = 0.62;  // in camera range: strips show to 110 deg from there; assumed, 0.5-0.8
   double back_m = 0.25;      // away from a guide too near for its marks; assumed, 0.15-0.4
+  int backs = 4;             // from one guide; assumed, 2-6
+  double most_search_rad = 6.0 * kPi;       // in all, without a way to the axis; assumed, 2-4 turns
   double search_rad_s = Radians(15.0);      // assumed, 8-25
   double first_search_rad = Radians(20.0);  // doubled at each switch; assumed, 15-40
 
@@ -76,12 +82,13 @@ struct DockyardOptions {
   double ajar_m = 0.018;    // open enough for the waist of 15 mm to pass; 16-22
   double nudge_m = 0.008;   // on, where doors pinch the guide's waist; assumed, 5-12 mm
   double blind_nudge_m =
-      0.015;                // on, where they close on nothing: it may lie before them; 10-20 mm
-  double prove_m = 0.03;    // it pulls that far before it claims; assumed, 20-50 mm
-  double prove_m_s = 0.04;  // assumed, 0.02-0.08
-  int nudges = 3;           // before it backs off; assumed, 2-4
-  double retreat_m = 0.85;  // to there on the axis; assumed, 0.7-1.1
-  int attempts = 8;         // then it gives up; assumed, 4-12
+      0.015;                    // on, where they close on nothing: it may lie before them; 10-20 mm
+  double prove_m = 0.03;        // it pulls that far before it claims; assumed, 20-50 mm
+  double prove_m_s = 0.04;      // assumed, 0.02-0.08
+  int nudges = 3;               // before it backs off; assumed, 2-4
+  double retreat_m = 0.85;      // to there on the axis; assumed, 0.7-1.1
+  double most_retreat_m = 0.7;  // or so far, where the axis is not known; assumed, 0.5-1
+  int attempts = 8;             // then it gives up; assumed, 4-12
 };
 
 }  // namespace dockyard::raposa

@@ -9,7 +9,8 @@ namespace {
 // The pyramid reaches from 0.02 m before the guide's middle to 0.14 m behind it: this is its middle
 // on the axis (models/raposa/pyramid).
 const Eigen::Vector2d kPyramidMiddle(-0.06, 0.0);
-constexpr double kStop_s = 0.6;  // of each start and stop, as reckoned; assumed, 0.4-1
+constexpr double kRoomMargin_m = 0.02;  // so that a turn after it is clear; assumed, 0.01-0.05
+constexpr double kStop_s = 0.6;         // of each start and stop, as reckoned; assumed, 0.4-1
 
 double DistanceOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const Eigen::Vector2d way = b - a;
@@ -63,11 +64,15 @@ GatePlan PlanToGate(const Pose2& X_DN, const DockyardOptions& options) {
   Eigen::Vector2d at(X_DN.x, X_DN.y);
   Pose2 from = X_DN;
   std::optional<Leg> away;
-  const double room_m = (at - kPyramidMiddle).norm() - options.turn_room_m;
-  if (room_m < 0.0) {
-    const double back_m = -room_m + 0.05;
-    at -= back_m * Eigen::Vector2d(std::cos(X_DN.heading), std::sin(X_DN.heading));
-    away = Leg{X_DN.heading, -back_m, at};
+  const Eigen::Vector2d off = at - kPyramidMiddle;
+  if (off.norm() < options.turn_room_m) {
+    // Straight on or back, whichever leads away, until there is room: |off + way along| = room.
+    const Eigen::Vector2d along(std::cos(X_DN.heading), std::sin(X_DN.heading));
+    const double room_m = options.turn_room_m + kRoomMargin_m, ahead_m = off.dot(along);
+    const double reach_m = std::sqrt(ahead_m * ahead_m + room_m * room_m - off.squaredNorm());
+    const double way_m = ahead_m < 0.0 ? -ahead_m - reach_m : -ahead_m + reach_m;
+    at += way_m * along;
+    away = Leg{X_DN.heading, way_m, at};
     from = {at.x(), at.y(), X_DN.heading};
   }
   GatePlan best;

@@ -21,7 +21,7 @@ struct GatePlan {
   double time_s = 0.0;    // as reckoned
 };
 
-/// From N's pose in D to the soonest gate on the axis, with at most three waypoints round the
+/// From N's pose in D to the soonest gate on the axis, with at most two waypoints round the
 /// pyramid, each leg forwards or backwards, whichever turns less in all. A robot too near to turn
 /// drives away first. Every leg, and every turn, keeps its distance from the pyramid.
 GatePlan PlanToGate(const Pose2& X_DN, const DockyardOptions& options);

@@ -13,4 +13,9 @@ double LeanOf(const Nominal& nominal, double arm_rad);
 /// The seat's way behind the robot's origin, in plan, at that lean.
 double SeatBehind(const Nominal& nominal, double lean_rad);
 
+/// The camera in plan, V in N (pyramid_filter.h), and below the level [rad, down positive], on
+/// level ground with the body level: as it is told to be mounted.
+Pose2 CameraInPlan(const Nominal& nominal);
+double CameraPitch(const Nominal& nominal);
+
 }  // namespace dockyard::raposa

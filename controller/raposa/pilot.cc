@@ -42,7 +42,7 @@ double Pilot::Gauge() const {
   return nominal_.effective_gauge_m * (ArmPressed() ? options_.pressed_gauge_share : 1.0);
 }
 
-double Pilot::pitch_rad() const { return LeanOf(nominal_, arm_rad_); }
+double Pilot::pitch_rad() const { return CameraPitch(nominal_) + LeanOf(nominal_, arm_rad_); }
 
 std::optional<PyramidPrior> Pilot::Prior() const {
   // A guide whose marks do not fit what is believed is looked at afresh now and then.
@@ -70,10 +70,10 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
     const auto i = static_cast<std::size_t>(motor);
     return static_cast<double>(sensed.motors[i].encoder_counts) * nominal_.motors[i].rad_per_count;
   };
-  const double lean_before = pitch_rad();
+  const double lean_before = LeanOf(nominal_, arm_rad_);
   arm_rad_ = angle(Motor::kArm);
   // The belts turn with the body that carries them: a body that leans back rolls backwards.
-  const double rolled_m = nominal_.sprocket_radius_m * (pitch_rad() - lean_before);
+  const double rolled_m = nominal_.sprocket_radius_m * (LeanOf(nominal_, arm_rad_) - lean_before);
   const std::array<double, 2> belts_m{nominal_.sprocket_radius_m * angle(Motor::kLeftBelt),
                                       nominal_.sprocket_radius_m * angle(Motor::kRightBelt)};
   if (belts_m_) {
@@ -83,8 +83,7 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
                           .gauge_m = Gauge(),
                           .dt_s = kTickSeconds * kControlPeriod};
     turned_rad_ = (steps.right_m - steps.left_m) / steps.gauge_m;
-    way_m_ = -0.5 * (steps.left_m + steps.right_m);
-    driven_m_ += way_m_;
+    driven_m_ -= 0.5 * (steps.left_m + steps.right_m);
     filter_.Drive(steps);
   }
   belts_m_ = belts_m;
@@ -129,6 +128,11 @@ Commands Pilot::Step(const SensorFrame& sensed, const PyramidSeen* seen, double 
 }
 
 Twist Pilot::Act() {
+  const bool over = phase_ == Phase::kDocked || phase_ == Phase::kGivenUp;
+  if (!over && For() > options_.phase_s) {
+    TryAgain(std::string("no end of ") + Name(phase_));
+    return {};
+  }
   switch (phase_) {
     case Phase::kLook:
       return Look();
@@ -168,7 +172,7 @@ Twist Pilot::Act() {
 }
 
 Twist Pilot::Look() {
-  lamps_ = filter_.located() && filter_.range_m() < 0.6;
+  lamps_ = pressed_once_ || (filter_.located() && filter_.range_m() < options_.lamps_m);
   if (filter_.located() && fits_ >= options_.looks) {
     const double sigma = std::sqrt(filter_.covariance()(2, 2));
     if (sigma < options_.sure_heading_rad || For() > options_.patience_s) {
@@ -193,12 +197,14 @@ Twist Pilot::Look() {
     Enter(Phase::kSearch, "no guide in view");
   } else if (guide_->range_m > options_.creep_to_m) {
     Enter(Phase::kCreep, "the guide is too far for its marks");
-  } else if (backs_ < 4) {
+  } else if (backs_ < options_.backs) {
     ++backs_;
     Enter(Phase::kBack, "the guide shows no marks");
   } else {
     backs_ = 0;
     filter_.Forget();
+    ++attempts_;
+    away_from_rad_ = 2.0 * nominal_.half_view_rad;
     Enter(Phase::kSearch, "this guide never shows marks");
   }
   return {};
@@ -229,6 +235,10 @@ void Pilot::Decide() {
     TryAgain("no way to the axis");
     return;
   }
+  if (passes_ >= options_.passes) {
+    Enter(Phase::kGivenUp, "too many ways to the axis");
+    return;
+  }
   legs_ = plan.legs;
   ++passes_;
   belief_.plan.clear();
@@ -255,7 +265,8 @@ Twist Pilot::TurnTo(double heading_rad, bool* done) const {
   *done = std::abs(left) < options_.turn_tolerance_rad;
   if (*done) return {};
   const double most = GuideExpected() ? options_.seen_turn_rad_s : options_.turn_rad_s;
-  return {0.0, std::clamp(options_.turn_gain_per_s * left, -most, most)};
+  const double rate = std::clamp(options_.turn_gain_per_s * left, -most, most);
+  return {0.0, std::copysign(std::max(std::abs(rate), options_.least_turn_rad_s), rate)};
 }
 
 /// Whether the guide should be in view.
@@ -341,7 +352,6 @@ Twist Pilot::Approach() {
 
 Twist Pilot::Close() {
   if (doors_.state() == DoorState::kHeld) {
-    doors_.Begin();
     Enter(Phase::kProve, "doors hold something");
     doors_.Begin();
     return {};
@@ -389,8 +399,8 @@ void Pilot::TryAgain(const std::string& why) {
 Twist Pilot::Retreat() {
   // Doors first: they may hold something.
   if (nominal_.door_travel_m - doors_.opening_m() > 0.004 && For() < 6.0) return {};
-  const Pose2 X_DN = filter_.X_DN();
-  const bool there = X_DN.x > options_.retreat_m || driven_m_ < -0.7;
+  const bool far = filter_.located() && filter_.X_DN().x > options_.retreat_m;
+  const bool there = far || driven_m_ < -options_.most_retreat_m;
   if (!there) return {-0.6 * options_.approach_m_s, 0.0};
   arm_told_rad_ = 0.0;
   filter_.Forget();
@@ -422,7 +432,8 @@ Twist Pilot::Back() {
 }
 
 Twist Pilot::Search() {
-  if (guide_) {
+  away_from_rad_ = std::max(0.0, away_from_rad_ - std::abs(turned_rad_));
+  if (guide_ && away_from_rad_ == 0.0) {
     Enter(Phase::kLook, "guide in view");
     return {};
   }
@@ -430,8 +441,8 @@ Twist Pilot::Search() {
     search_.Begin(filter_.located() ? -filter_.bearing_rad() : -1.0);
   }
   searched_rad_ += std::abs(turned_rad_);
-  if (searched_rad_ > 6.0 * kPi) {
-    Enter(Phase::kGivenUp, "no guide in two and a half turns");
+  if (searched_rad_ > options_.most_search_rad || attempts_ >= options_.attempts) {
+    Enter(Phase::kGivenUp, "no pyramid in three turns");
     return {};
   }
   return {0.0, search_.Step(turned_rad_)};

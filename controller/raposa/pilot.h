@@ -83,7 +83,7 @@ class Pilot {
   Phase phase_ = Phase::kLook;
   Tick now_ = 0, entered_ = 0, guide_seen_ = 0;
   std::optional<std::array<double, 2>> belts_m_;  // left, right, at the last call
-  double turned_rad_ = 0.0, way_m_ = 0.0;         // by the belts, since the last call
+  double turned_rad_ = 0.0;                       // by the belts, since the last call
   double driven_m_ = 0.0;                         // of this phase
   std::optional<GuideSeen> guide_;                // of the last picture
   int fits_ = 0;                                  // pictures with a pose, in this phase
@@ -94,7 +94,7 @@ class Pilot {
   double nudge_m_ = 0.0;
   bool lamps_ = false, pressed_once_ = false;
   int passes_ = 0, backs_ = 0, nudges_ = 0, attempts_ = 0;
-  double searched_rad_ = 0.0;
+  double searched_rad_ = 0.0, away_from_rad_ = 0.0;  // still to turn from a guide without marks
   Twist last_;
   Belief belief_;
 };

@@ -3,6 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "controller/raposa/lean.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -32,7 +35,7 @@ void WrapRow(double& value) { value = WrapPi(value); }
 }  // namespace
 
 PyramidFilter::PyramidFilter(const Nominal& nominal, const DockyardOptions& options)
-    : nominal_(nominal), options_(options), camera_m_(-nominal.X_RC.p.x()) {
+    : nominal_(nominal), options_(options), X_NV_(CameraInPlan(nominal)) {
   belts_.mean(kShare) = 1.0;
   belts_.mean(kCentre) = options.centre_m;
   const auto variance = [](double sigma) { return sigma * sigma; };
@@ -111,7 +114,7 @@ Pose2 PyramidFilter::CameraIn(const State& state, double age_s) const {
     then = Moved(then, steps, -share);
     age_s -= steps.dt_s;
   }
-  return Pose2{then(kX), then(kY), then(kHeading)} * Pose2{camera_m_, 0.0, 0.0};
+  return Pose2{then(kX), then(kY), then(kHeading)} * X_NV_;
 }
 
 Eigen::Vector3d PyramidFilter::Foretold(const State& state, double age_s) const {
@@ -138,7 +141,7 @@ double PyramidFilter::Update(Kept& kept, const Eigen::Matrix<double, Rows, 1>& m
   const Eigen::Matrix<double, Rows, Rows> S = H * kept.P * H.transpose() + R;
   const auto solver = S.ldlt();
   const double distance2 = error.dot(solver.solve(error));
-  if (distance2 > gate) return distance2;
+  if (!(distance2 <= gate)) return std::numeric_limits<double>::infinity();
   const Eigen::Matrix<double, kStates, Rows> K = solver.solve(H * kept.P).transpose();
   kept.mean += K * error;
   kept.mean(kHeading) = WrapPi(kept.mean(kHeading));
@@ -180,7 +183,7 @@ void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
   for (Kept& kept : kept_) {
     std::size_t nearest = 0;
     Kept updated;
-    double least = 1e9;
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < seen.fits.size(); ++i) {
       const PyramidFit& fit = seen.fits[i];
       Kept trial = kept;
@@ -193,7 +196,7 @@ void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
       nearest = i;
       updated = trial;
     }
-    if (least > kFitGate) {
+    if (!(least <= kFitGate)) {
       kept.score -= kMissed;
       continue;
     }
@@ -202,7 +205,9 @@ void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
   }
   const double top = kept_.empty() ? 0.0 : kept_.front().score;
   for (std::size_t i = 0; i < seen.fits.size(); ++i) {
-    if (matched[i]) continue;
+    const Eigen::Matrix3d& covariance = seen.fits[i].covariance;
+    if (matched[i] || !covariance.allFinite() || !(covariance.diagonal().minCoeff() > 0.0))
+      continue;
     Kept born = Born(seen.fits[i], age_s);
     born.score = top - (kept_.empty() ? 0.0 : kBornBehind) -
                  kMisfitWeight * std::min(seen.fits[i].misfit - best, 2.0);
@@ -221,7 +226,7 @@ void PyramidFilter::SeeGuide(const GuideSeen& guide, double age_s) {
   for (Kept& kept : kept_) {
     const double distance2 =
         Update<2>(kept, Eigen::Vector2d(guide.range_m, guide.bearing_rad), R, model, kGuideGate);
-    if (distance2 > kGuideGate) kept.score -= kMissed;
+    if (!(distance2 <= kGuideGate)) kept.score -= kMissed;
   }
 }
 
@@ -285,22 +290,18 @@ PyramidPrior PyramidFilter::Prior() const {
   return {{now.x(), now.y(), now.z()}, J * covariance() * J.transpose()};
 }
 
-double PyramidFilter::Lead() const {
-  return kept_.size() < 2 ? kDropped : kept_[0].score - kept_[1].score;
-}
-
 double PyramidFilter::alpha_rad() const {
-  const Pose2 X_DV = X_DN() * Pose2{camera_m_, 0.0, 0.0};
+  const Pose2 X_DV = X_DN() * X_NV_;
   return std::atan2(X_DV.y, X_DV.x);
 }
 
 double PyramidFilter::range_m() const {
-  const Pose2 X_DV = X_DN() * Pose2{camera_m_, 0.0, 0.0};
+  const Pose2 X_DV = X_DN() * X_NV_;
   return std::hypot(X_DV.x, X_DV.y);
 }
 
 double PyramidFilter::bearing_rad() const {
-  const Pose2 X_VD = Inverse(X_DN() * Pose2{camera_m_, 0.0, 0.0});
+  const Pose2 X_VD = Inverse(X_DN() * X_NV_);
   return std::atan2(X_VD.y, X_VD.x);
 }
 

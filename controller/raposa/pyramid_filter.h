@@ -40,8 +40,6 @@ class PyramidFilter {
   double gauge_share() const;          // turns by the told gauge that come about
   /// What the next picture should show.
   PyramidPrior Prior() const;
-  /// By how much the likeliest leads, in log-likelihood; large where there is no other.
-  double Lead() const;
   /// The camera about the guide's axis, and its distance in plan.
   double alpha_rad() const;
   double range_m() const;
@@ -71,7 +69,7 @@ class PyramidFilter {
 
   Nominal nominal_;
   DockyardOptions options_;
-  double camera_m_;               // x of the camera in N
+  Pose2 X_NV_;                    // the camera in plan
   std::vector<Kept> kept_;        // the likeliest first
   Kept belts_;                    // gauge, centre and biases, as last known
   std::deque<BeltSteps> recent_;  // newest first

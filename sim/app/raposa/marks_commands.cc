@@ -152,6 +152,7 @@ int DetectMarks(const std::vector<std::string>& words) {
       ->capture_default_str();
   app.add_option("--draw", in.draw, "PNG of the image with the marks in boxes");
   app.add_option("--pitch-deg", in.pitch_deg, "of the camera, down; for dockyard")
+      ->check(CLI::Range(-60.0, 60.0))
       ->capture_default_str();
   if (const auto ended = ParseWords(app, words)) return *ended;
   const Nominal nominal = NominalOfFiles(in);

@@ -53,6 +53,21 @@ TEST(GatePlan, RobotTooNearToTurnDrivesAwayFirst) {
   EXPECT_DOUBLE_EQ(plan.legs.front().heading_rad, X_DN.heading);
 }
 
+TEST(GatePlan, RobotTooNearDrivesAwayWhicheverWayItFaces) {
+  const DockyardOptions options;
+  const Eigen::Vector2d middle(-0.06, 0.0);
+  for (int i = 0; i < 72; ++i) {
+    const Pose2 X_DN{0.30, 0.20, WrapPi(Radians(5.0 * i))};
+    const Eigen::Vector2d start(X_DN.x, X_DN.y);
+    const GatePlan plan = PlanToGate(X_DN, options);
+    ASSERT_GE(plan.legs.size(), 2u);
+    const Leg& away = plan.legs.front();
+    EXPECT_GE((away.p_D_end - middle).norm(), options.turn_room_m);
+    // It comes nearer by no more than a way square to the pyramid does.
+    EXPECT_GE(Nearest(start, away.p_D_end), (start - middle).norm() - 1e-3);
+  }
+}
+
 TEST(GatePlan, ConeHoldsTheAxisAndNotItsSides) {
   const DockyardOptions options;
   EXPECT_TRUE(InCone({1.0, 0.0, kPi}, options));

@@ -20,15 +20,15 @@ struct StandIn {
   double share = 1.0, centre_m = -0.01;              // of its turns; x_R of the turning centre
   double left_bias_m_s = 0.0, right_bias_m_s = 0.0;  // its readings say too much
   bool two_fits = false;                             // beyond 0.6 m pictures allow a mirrored pose
-  double blind_until_m = 0.0;                        // no marks nearer than this
+  bool marks = true, guide = true;  // whether it sees them
+  bool in_doors = true;             // whether the guide gets between the doors
   unsigned seed = 1;
 };
 
 struct Drive {
   Verdict verdict = Verdict::kUnderWay;
-  double time_s = 0.0, nearest_m = 1e9, aside_m = 0.0, heading_off_rad = 0.0, seat_off_m = 0.0;
+  double time_s = 0.0, nearest_m = 1e9, pushed_m = 0.0;
   int passes = 0;
-  double pushed_m = 0.0, share = 1.0;
 };
 
 Nominal RobotNominal() {
@@ -70,7 +70,7 @@ class PlanarRobot {
     PyramidSeen seen;
     const Pose2 X_VD = Inverse(exposed_ * Pose2{kCamera_m, 0.0, 0.0}) * Pose2{pushed_m_, 0.0, 0.0};
     const double r = std::hypot(X_VD.x, X_VD.y), bearing = std::atan2(X_VD.y, X_VD.x);
-    if (std::abs(bearing) > Radians(11.5) || X_VD.x < 0.14 || r > 4.2) return seen;
+    if (!is_.guide || std::abs(bearing) > Radians(11.5) || X_VD.x < 0.14 || r > 4.2) return seen;
     const auto noise = [&](double sigma) {
       return sigma * std::normal_distribution<double>()(random_);
     };
@@ -80,7 +80,7 @@ class PlanarRobot {
     guide.bearing_rad = bearing + noise(guide.bearing_sigma_rad);
     guide.range_m = r + noise(guide.range_sigma_m);
     seen.guide = guide;
-    if (r < std::max(0.28, is_.blind_until_m) || std::abs(bearing) > Radians(9.0)) return seen;
+    if (!is_.marks || r < 0.28 || std::abs(bearing) > Radians(9.0)) return seen;
     PyramidFit fit;
     const double range_sigma = 0.006 * r + 0.004 * r * r, heading_sigma = Radians(1.0 + 2.0 * r);
     const double scale = 1.0 + noise(range_sigma) / r;
@@ -146,7 +146,7 @@ class PlanarRobot {
   /// Of the pyramid along its axis, before doors held it.
   double most_pushed_m() const { return most_pushed_m_; }
   bool GuideIn() const {
-    return SeatOff() < 0.008 && SeatOff() > -0.009 && std::abs(X_DN_.y) < 0.02 &&
+    return is_.in_doors && SeatOff() < 0.008 && SeatOff() > -0.009 && std::abs(X_DN_.y) < 0.02 &&
            std::abs(WrapPi(X_DN_.heading - kPi)) < Radians(12.0);
   }
   const Pose2& X_DN() const { return X_DN_; }
@@ -179,7 +179,7 @@ Drive RunPilot(double r_m, double alpha_deg, const StandIn& is, double aside_deg
   PlanarRobot robot(nominal, is, X_DV);
   Pilot pilot(nominal, {});
   Drive drive;
-  while (drive.verdict == Verdict::kUnderWay && robot.time_s() < 150.0) {
+  while (drive.verdict == Verdict::kUnderWay && robot.time_s() < 600.0) {
     const SensorFrame frame = robot.Sense();
     const PyramidSeen seen = robot.Look();
     const bool first = frame.tick == 0;
@@ -193,10 +193,7 @@ Drive RunPilot(double r_m, double alpha_deg, const StandIn& is, double aside_deg
   }
   drive.time_s = robot.time_s();
   drive.passes = static_cast<int>(ValueOf(pilot.belief(), "passes", 0.0));
-  drive.aside_m = robot.X_DN().y;
-  drive.seat_off_m = robot.SeatOff();
   drive.pushed_m = robot.most_pushed_m();
-  drive.share = pilot.filter().gauge_share();
   return drive;
 }
 
@@ -249,6 +246,16 @@ TEST(Pilot, TellsTwoPosesApartByMoving) {
   for (const double alpha_deg : {-80.0, -40.0, 40.0, 80.0, 110.0}) {
     const Drive drive = RunPilot(1.5, alpha_deg, {.two_fits = true, .seed = 3});
     EXPECT_EQ(drive.verdict, Verdict::kDocked) << alpha_deg;
+  }
+}
+
+// An orange thing without marks, nothing at all, and doors that never hold: each comes to an end,
+// and none is called docked.
+TEST(Pilot, GivesUpWhereThereIsNothingToDockTo) {
+  for (const StandIn& is :
+       {StandIn{.marks = false}, StandIn{.guide = false}, StandIn{.in_doors = false}}) {
+    const Drive drive = RunPilot(1.0, 0.0, is);
+    EXPECT_EQ(drive.verdict, Verdict::kGivenUp) << drive.time_s << " s";
   }
 }
 
