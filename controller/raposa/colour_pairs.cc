@@ -10,17 +10,17 @@ namespace {
 constexpr float kDark = 0.007f;
 // Paint is so much redder, or bluer, than all but a few hundredths of the view. Orange paint that
 // fills half a pixel is redder than grey floor by 1.0, blue that fills 0.4 of it bluer by 0.7
-// (raposa.md 5.3's reflectances). Assumed, 0.3-0.6 and 0.2-0.5.
+// (the paints of render/spectrum.cc). Assumed, 0.3-0.6 and 0.2-0.5.
 constexpr float kRedder = 0.45f, kBluer = 0.35f;
 // A guide beyond 3 m is no wider than the blur, and stands out by less. Assumed, 0.15-0.35.
 constexpr float kFaintRedder = 0.15f;
 // Shares of the view that are redder and bluer than its ground and sky. The guide fills a sixth at
-// 0.2 m.
+// 0.2 m. Assumed, 0.18-0.3 and 0.1-0.2.
 constexpr double kRedShare = 0.22, kBlueShare = 0.15;
-constexpr double kRim_px = 2.0;  // of the hole, left out
-constexpr int kLeastPairs = 2;
-constexpr double kLeastStrength = 1.2;  // noise of dark grass makes spots of 1 to 1.3
-constexpr double kFaintStrength = 0.3;  // such a spot counts with its blue alone
+constexpr double kRim_px = 2.0;         // of the hole, left out; assumed, 1-4
+constexpr int kLeastPairs = 2;          // assumed, 2-4
+constexpr double kLeastStrength = 1.2;  // noise of dark grass makes spots of 1 to 1.3; assumed, 1-2
+constexpr double kFaintStrength = 0.3;  // such a spot counts with its blue alone; assumed, 0.3-0.6
 
 float MedianOf(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

@@ -1,6 +1,6 @@
 // Orange that may be the guide, without bands: pixels that are far redder, against blue, than most
 // of the view. What the light does to colours it does to the ground as well, so it cancels
-// (raposa.md 5.4: log-chromaticity).
+// (log-chromaticity, as in Finlayson and Hordley's colour constancy).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace dockyard::raposa {
 
-/// Sigma of the image's blur, lens and pixel together. Assumed, 0.7-1.5 (raposa.md 3).
+/// Sigma of the image's blur, lens and pixel together. Assumed, 0.7-1.5.
 inline constexpr double kImageBlur_px = 1.0;
 
 enum class Tint : std::uint8_t { kPlain, kOrange, kBlue, kUnseen };

@@ -7,7 +7,7 @@ namespace dockyard::raposa {
 namespace {
 
 constexpr std::array<Motor, 2> kDoors{Motor::kLeftDoor, Motor::kRightDoor};
-constexpr double kSmooth = 0.4;  // share of a new reading
+constexpr double kSmooth = 0.4;  // share of a new reading; assumed, 0.2-0.6
 
 }  // namespace
 

@@ -14,6 +14,7 @@ constexpr float kShading = 0.10f;
 constexpr float kAtEdge = 0.10f;
 // Of grey parts against the ground, in its green. Assumed, 0.5-3.
 constexpr double kGreyColour = 1.5;
+// Of other paints: no prior. Numerical.
 constexpr double kAnyColour = 100.0;
 // Of paint's colour from the middle of a mark to its border: lit from above, or aside. Assumed,
 // 0.3-0.6. As a share of the colour, and of any colour.

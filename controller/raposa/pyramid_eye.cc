@@ -15,7 +15,7 @@ constexpr double kBearingFloor = 5e-4;
 // Of the range by the guide alone, as a share: its shading looks like size. From
 // raposa_eye_survey; 0.04-0.1.
 constexpr double kAloneRange = 0.06;
-constexpr double kGate = 5.0;  // sigmas of the prior
+constexpr double kGate = 5.0;  // sigmas of the prior; assumed, 4-6
 // A prior with a wider heading may have its angle in another valley of the fit. Assumed, 10-20 deg.
 constexpr double kWideHeading = Radians(14.0);
 

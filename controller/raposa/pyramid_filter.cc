@@ -14,11 +14,12 @@ namespace {
 // turning centre; what the left and the right belt's readings say too much, when driven.
 enum Index { kX, kY, kHeading, kShare, kCentre, kLeftBias, kRightBias };
 
-constexpr std::size_t kRecent = 10;    // control periods that a picture may be old
-constexpr std::size_t kMostKept = 4;   // poses at a time; assumed, 3-6
-constexpr double kDropped = 12.0;      // behind in log-likelihood; assumed, 8-20
-constexpr double kBornBehind = 4.0;    // of a new pose; assumed, 2-8
-constexpr double kFitGate = 20.0;      // of a squared Mahalanobis distance; 3 degrees of freedom
+constexpr std::size_t kRecent = 10;   // control periods that a picture may be old
+constexpr std::size_t kMostKept = 4;  // poses at a time; assumed, 3-6
+constexpr double kDropped = 12.0;     // behind in log-likelihood; assumed, 8-20
+constexpr double kBornBehind = 4.0;   // of a new pose; assumed, 2-8
+constexpr double kFitGate =
+    20.0;  // of a squared Mahalanobis distance: one in 6000 of 3 degrees of freedom
 constexpr double kMissed = 6.0;        // a fit that fits no pose, in log-likelihood; half the gate
 constexpr double kMisfitWeight = 3.0;  // residuals behind a fit's misfit, by two; assumed, 2-6
 // Errors of the motion are those of independent stretches of a way, and of parts of a turn.
@@ -27,7 +28,7 @@ constexpr double kTurnPart_rad = Radians(10.0);  // assumed, 5-30 deg
 // A turn slips sideways as so much of a stretch's way for each radian; a way turns by so much on a
 // metre. Assumed, 0.1-0.5 m and 0.005-0.02 rad.
 constexpr double kTurnSlip_m = 0.2, kWayTurn_rad_m = 0.01;
-constexpr double kGuideGate = 14.0;  // 2 degrees of freedom
+constexpr double kGuideGate = 14.0;  // one in 1100 of 2 degrees of freedom
 
 /// Wraps the angles of a residual: rows that are headings or bearings.
 void WrapRow(double& value) { value = WrapPi(value); }

@@ -7,24 +7,25 @@
 namespace dockyard::raposa {
 namespace {
 
-constexpr double kPitchSigma = Radians(2.0);
-constexpr double kRollSigma = Radians(1.5);  // ground under robot and pyramid; assumed, 1-3 deg
-constexpr double kDownSigma_m = 0.008;       // of the camera's height; assumed, 5-15 mm
+constexpr double kPitchSigma = Radians(2.0);  // of the camera against its told pitch; assumed, 1-3
+constexpr double kRollSigma = Radians(1.5);   // ground under robot and pyramid; assumed, 1-3 deg
+constexpr double kDownSigma_m = 0.008;        // of the camera's height; assumed, 5-15 mm
 constexpr double kGroundSlopeSigma = Radians(0.8);  // from robot to pyramid; assumed, 0.5-2 deg
 constexpr double kMostAlpha =
-    Radians(122.0);  // the strips are out of sight from 117 (raposa.md 5.1)
+    Radians(122.0);  // the strips are out of sight from 117 deg, as their faces rise by 17
 constexpr int kGridCells = 250, kFitCells = 700;  // of a window
-constexpr double kMargin_px = 7.0;
+constexpr double kMargin_px = 7.0;                // of a window about the marks; assumed, 5-10
 // Of the range by a spot's area, as a share. Assumed, 0.2-0.4.
 constexpr double kAreaRangeSigma = 0.3;
-// A fit with more is none. Its mean is 1.
+// A fit with more is none. Its mean is 1; a guide alone has its pyramid unexplained. Assumed, 3-6
+// and 10-20.
 constexpr double kMostMisfit = 4.0, kMostGuideMisfit = 15.0;
 // Blue must stand out of the noise, and cover so much. Assumed, 5-10 and 2-6.
 constexpr double kLeastBlueSigmas = 6.0, kLeastBlue_px2 = 2.0, kLeastOrangeSigmas = 7.0;
-// |blue| over |orange| in the values of FitWindow: paint of raposa.md 5.3 in light of 3000 to
-// 6500 K, camera balanced for 5000 K: 0.18-0.63; twice that for shade.
+// |blue| over |orange| in the values of FitWindow: the paints of render/spectrum.cc in light of
+// 3000 to 6500 K, camera balanced for 5000 K: 0.18-0.63; twice that for shade.
 constexpr double kLeastBlueShare = 0.07, kMostBlueShare = 1.6;
-// Of a second pose's chi2 above the best one's, by the misfit.
+// Of a second pose's chi2 above the best one's, by the misfit: three sigmas.
 constexpr double kRivalChi2 = 9.0;
 
 /// Bearing to the left and angle below the level of a pixel, for a camera of that pitch.
