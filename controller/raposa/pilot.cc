@@ -90,7 +90,10 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
   doors_.Read(sensed);
   if (seen == nullptr) return;
   guide_ = seen->guide;
-  if (guide_) guide_seen_ = now_;
+  if (guide_) {
+    guide_seen_ = now_;
+    last_guide_ = guide_;
+  }
   if (!seen->fits.empty()) {
     ++fits_;
     fitless_ = 0;
@@ -192,10 +195,11 @@ Twist Pilot::Look() {
   const bool first = guide_seen_ == 0;
   if (For() < (first ? options_.first_patience_s : options_.patience_s)) return {};
   pressed_once_ = false;
-  if (!guide_) {
+  // A far guide shows in some pictures alone.
+  if (first || UnseenFor() > options_.lost_s) {
     arm_told_rad_ = 0.0;
     Enter(Phase::kSearch, "no guide in view");
-  } else if (guide_->range_m > options_.creep_to_m) {
+  } else if (last_guide_->range_m > options_.creep_to_m) {
     Enter(Phase::kCreep, "the guide is too far for its marks");
   } else if (backs_ < options_.backs) {
     ++backs_;
@@ -212,7 +216,7 @@ Twist Pilot::Look() {
 
 void Pilot::Decide() {
   const double sigma = std::sqrt(filter_.covariance()(2, 2));
-  if (sigma > options_.sure_heading_rad && guide_ && filter_.range_m() > options_.creep_to_m) {
+  if (sigma > options_.sure_heading_rad && filter_.range_m() > options_.creep_to_m) {
     Enter(Phase::kCreep, "the angle is not sure");
     return;
   }
@@ -322,11 +326,12 @@ Twist Pilot::Approach() {
   if (X_DN.x < options_.press_m) {
     arm_told_rad_ = options_.press_rad;
     lamps_ = true;
+  } else {
+    arm_told_rad_ = 0.0;
   }
-  const double unseen_s = static_cast<double>(now_ - guide_seen_) * kTickSeconds;
   const double ahead_m = X_DN.x - options_.cone_from_m;
   if (ahead_m > 0.03) {
-    if (unseen_s > options_.lost_s) {
+    if (UnseenFor() > options_.lost_s) {
       Enter(Phase::kLook, "lost the guide");
       return {};
     }
@@ -409,10 +414,11 @@ Twist Pilot::Retreat() {
 }
 
 Twist Pilot::Creep() {
-  if (static_cast<double>(now_ - guide_seen_) * kTickSeconds > options_.lost_s) {
+  if (UnseenFor() > options_.lost_s) {
     Enter(Phase::kLook, "lost the guide");
     return {};
   }
+  arm_told_rad_ = 0.0;
   if (!guide_) return {options_.creep_m_s, 0.0};
   const bool sure = filter_.located() && fits_ >= options_.looks &&
                     std::sqrt(filter_.covariance()(2, 2)) < options_.sure_heading_rad;

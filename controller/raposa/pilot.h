@@ -72,6 +72,7 @@ class Pilot {
   double Gauge() const;
   double For() const { return static_cast<double>(now_ - entered_) * kTickSeconds; }
   bool GuideExpected() const;
+  double UnseenFor() const { return static_cast<double>(now_ - guide_seen_) * kTickSeconds; }
   void Believe();
 
   Nominal nominal_;
@@ -85,7 +86,7 @@ class Pilot {
   std::optional<std::array<double, 2>> belts_m_;  // left, right, at the last call
   double turned_rad_ = 0.0;                       // by the belts, since the last call
   double driven_m_ = 0.0;                         // of this phase
-  std::optional<GuideSeen> guide_;                // of the last picture
+  std::optional<GuideSeen> guide_, last_guide_;   // of the last picture; the last one seen
   int fits_ = 0;                                  // pictures with a pose, in this phase
   int fitless_ = 0;                               // in a row, with a guide and no pose
   std::vector<Leg> legs_;
