@@ -1,5 +1,6 @@
 // `dockyard detect` and `dockyard tune` for a robot that looks for two colours.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 
 #include "controller/raposa/marks.h"
@@ -150,11 +151,14 @@ int DetectMarks(const std::vector<std::string>& words) {
   app.add_option("--pipeline", in.pipeline, "whose perception")
       ->check(CLI::IsMember({"ferreira2009", "dockyard"}))
       ->capture_default_str();
-  app.add_option("--draw", in.draw, "PNG of the image with the marks in boxes");
+  app.add_option("--draw", in.draw, "PNG of the image with the marks outlined");
   app.add_option("--pitch-deg", in.pitch_deg, "of the camera, down; for dockyard")
       ->check(CLI::Range(-60.0, 60.0))
       ->capture_default_str();
   if (const auto ended = ParseWords(app, words)) return *ended;
+  if (!std::isfinite(in.pitch_deg)) {  // CLI::Range lets it through
+    throw ConfigError("--pitch-deg: expected a number from -60 to 60");
+  }
   const Nominal nominal = NominalOfFiles(in);
   RgbImage image = Load(in.image, nominal.camera);
   if (in.pipeline == "dockyard") {
