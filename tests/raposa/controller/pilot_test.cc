@@ -20,8 +20,8 @@ struct StandIn {
   double share = 1.0, centre_m = -0.01;              // of its turns; x_R of the turning centre
   double left_bias_m_s = 0.0, right_bias_m_s = 0.0;  // its readings say too much
   bool two_fits = false;                             // beyond 0.6 m pictures allow a mirrored pose
-  bool marks = true, guide = true;  // whether it sees them
-  bool in_doors = true;             // whether the guide gets between the doors
+  bool marks = true, guide = true;                   // whether it sees them
+  bool in_doors = true;                              // whether the guide gets between the doors
   unsigned seed = 1;
 };
 
