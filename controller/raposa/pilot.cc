@@ -10,6 +10,27 @@
 namespace dockyard::raposa {
 namespace {
 
+// A belief that changes by more, while the robot manoeuvres, is of another pose. Assumed, 0.1-0.3
+// m, 8-20 deg.
+constexpr double kOther_m = 0.2, kOther_rad = Radians(12.0);
+// After so many pictures whose marks do not fit the belief, every third is looked at without it.
+// Assumed, 3-10 and 2-5.
+constexpr int kFitless = 5, kAfresh = 3;
+// On straight legs: an offset dies out over it, and the speed falls before their ends. Assumed,
+// 0.2-0.5 m, 0.3-0.7 rad/s, 1-2 /s, 0.02-0.05 m/s.
+constexpr double kLegSettle_m = 0.3, kLegTurn_rad_s = 0.5, kLegGain_per_s = 1.5,
+                 kLegLast_m_s = 0.03;
+// The way in is broken off outside of a wider cone, and not any more in its last part. Assumed,
+// 0.02-0.05 m, 0.15-0.3, 1.2-2, 0.02-0.05 m, 0.2-0.5 rad/s.
+constexpr double kOff_m = 0.03, kOffSlope = 0.2, kOffHeading = 1.5, kCommitted_m = 0.03;
+constexpr double kApproachTurn_rad_s = 0.35;
+// Doors stand where they are told to within this, or have had their time: they take 5 s for 30 mm.
+constexpr double kDoorAt_m = 0.004, kDoorAjar_s = 4.0, kDoorOpen_s = 6.0;
+// Backwards, and nudging, at shares of the forward speeds. Assumed, 0.4-0.8.
+constexpr double kBackShare = 0.6, kNudgeShare = 0.5;
+// Towards a guide: its bearing dies out in a second. Assumed, 0.5-2 /s and 0.1-0.3 rad/s.
+constexpr double kCreepGain_per_s = 1.0, kCreepTurn_rad_s = 0.2;
+
 FerreiraMotion SearchOptions(const DockyardOptions& options) {
   FerreiraMotion search;
   search.search_turn_rad_s = options.search_rad_s;
@@ -46,7 +67,7 @@ double Pilot::pitch_rad() const { return CameraPitch(nominal_) + LeanOf(nominal_
 
 std::optional<PyramidPrior> Pilot::Prior() const {
   // A guide whose marks do not fit what is believed is looked at afresh now and then.
-  if (!filter_.located() || (fitless_ > 5 && fitless_ % 3 == 0)) return std::nullopt;
+  if (!filter_.located() || (fitless_ > kFitless && fitless_ % kAfresh == 0)) return std::nullopt;
   PyramidPrior prior = filter_.Prior();
   prior.covariance *= options_.prior_share * options_.prior_share;
   prior.covariance.diagonal() +=
@@ -105,7 +126,7 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
   filter_.See(*seen, age_s);
   if (!was || (phase_ != Phase::kTurn && phase_ != Phase::kLeg && phase_ != Phase::kFace)) return;
   const Pose2 change = Inverse(before) * filter_.X_DN();
-  if (std::hypot(change.x, change.y) > 0.2 || std::abs(change.heading) > Radians(12.0)) {
+  if (std::hypot(change.x, change.y) > kOther_m || std::abs(change.heading) > kOther_rad) {
     Enter(Phase::kLook, "the pyramid stands otherwise than thought");
   }
 }
@@ -301,10 +322,10 @@ Twist Pilot::Turn() {
 }
 
 Twist Pilot::DriveLeg() {
-  const Steering steering{.settle_m = 0.3, .max_turn_rad_s = 0.5};
+  const Steering steering{.settle_m = kLegSettle_m, .max_turn_rad_s = kLegTurn_rad_s};
   const double left_m = follower_->Remaining();
-  const double speed =
-      std::clamp(1.5 * left_m + 0.03, options_.least_approach_m_s, options_.travel_m_s);
+  const double speed = std::clamp(kLegGain_per_s * left_m + kLegLast_m_s,
+                                  options_.least_approach_m_s, options_.travel_m_s);
   const Twist twist = follower_->Follow(filter_.X_DN(), speed, steering);
   if (!follower_->done() && follower_->Remaining() > options_.way_tolerance_m) return twist;
   legs_.erase(legs_.begin());
@@ -330,13 +351,13 @@ Twist Pilot::Approach() {
     arm_told_rad_ = 0.0;
   }
   const double ahead_m = X_DN.x - options_.cone_from_m;
-  if (ahead_m > 0.03) {
+  if (ahead_m > kCommitted_m) {
     if (UnseenFor() > options_.lost_s) {
       Enter(Phase::kLook, "lost the guide");
       return {};
     }
-    if (std::abs(X_DN.y) > 0.03 + 0.2 * ahead_m ||
-        std::abs(WrapPi(X_DN.heading - kPi)) > 1.5 * options_.cone_heading_rad) {
+    if (std::abs(X_DN.y) > kOff_m + kOffSlope * ahead_m ||
+        std::abs(WrapPi(X_DN.heading - kPi)) > kOffHeading * options_.cone_heading_rad) {
       TryAgain("too far off the axis");
       return {};
     }
@@ -344,8 +365,8 @@ Twist Pilot::Approach() {
   const double left_m = follower_->Remaining();
   const double speed = std::clamp(options_.approach_gain_per_s * left_m,
                                   options_.least_approach_m_s, options_.approach_m_s);
-  const Twist twist =
-      follower_->Follow(X_DN, speed, {.settle_m = options_.settle_m, .max_turn_rad_s = 0.35});
+  const Twist twist = follower_->Follow(
+      X_DN, speed, {.settle_m = options_.settle_m, .max_turn_rad_s = kApproachTurn_rad_s});
   // It goes on for half a period at this speed, and then as far as the belts take to stop.
   const double deceleration = nominal_.sprocket_radius_m * nominal_.motors[0].max_accel_rad_s2;
   const double stop_m =
@@ -375,8 +396,8 @@ Twist Pilot::Close() {
 }
 
 Twist Pilot::Ajar() {
-  if (std::abs(doors_.opening_m() - options_.ajar_m) > 0.003 && For() < 4.0) return {};
-  if (driven_m_ < nudge_m_) return {0.5 * options_.least_approach_m_s, 0.0};
+  if (std::abs(doors_.opening_m() - options_.ajar_m) > kDoorAt_m && For() < kDoorAjar_s) return {};
+  if (driven_m_ < nudge_m_) return {kNudgeShare * options_.least_approach_m_s, 0.0};
   Enter(Phase::kBrake, "nudged on");
   return {};
 }
@@ -403,10 +424,10 @@ void Pilot::TryAgain(const std::string& why) {
 
 Twist Pilot::Retreat() {
   // Doors first: they may hold something.
-  if (nominal_.door_travel_m - doors_.opening_m() > 0.004 && For() < 6.0) return {};
+  if (nominal_.door_travel_m - doors_.opening_m() > kDoorAt_m && For() < kDoorOpen_s) return {};
   const bool far = filter_.located() && filter_.X_DN().x > options_.retreat_m;
   const bool there = far || driven_m_ < -options_.most_retreat_m;
-  if (!there) return {-0.6 * options_.approach_m_s, 0.0};
+  if (!there) return {-kBackShare * options_.approach_m_s, 0.0};
   arm_told_rad_ = 0.0;
   filter_.Forget();
   Enter(Phase::kLook, "backed off");
@@ -426,7 +447,8 @@ Twist Pilot::Creep() {
     Enter(Phase::kLook, "near enough");
     return {};
   }
-  return {options_.creep_m_s, std::clamp(1.0 * guide_->bearing_rad, -0.2, 0.2)};
+  return {options_.creep_m_s,
+          std::clamp(kCreepGain_per_s * guide_->bearing_rad, -kCreepTurn_rad_s, kCreepTurn_rad_s)};
 }
 
 Twist Pilot::Back() {
@@ -434,7 +456,7 @@ Twist Pilot::Back() {
     Enter(Phase::kLook, "backed off");
     return {};
   }
-  return {-0.6 * options_.creep_m_s, 0.0};
+  return {-kBackShare * options_.creep_m_s, 0.0};
 }
 
 Twist Pilot::Search() {
