@@ -6,24 +6,30 @@
 namespace dockyard::raposa {
 namespace {
 
-// The pyramid reaches from 0.02 m before the guide's middle to 0.14 m behind it: this is its middle
-// on the axis (models/raposa/pyramid).
-const Eigen::Vector2d kPyramidMiddle(-0.06, 0.0);
 constexpr double kRoomMargin_m = 0.02;  // so that a turn after it is clear; assumed, 0.01-0.05
 constexpr double kStop_s = 0.6;         // of each start and stop, as reckoned; assumed, 0.4-1
 
-double DistanceOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+/// Of all told parts, from the guide's front to the rearmost box.
+Eigen::Vector2d PyramidMiddle(const Nominal& nominal) {
+  double rear_m = -nominal.marks.behind_m;
+  for (const GreyBox& box : nominal.grey_boxes) rear_m = std::min(rear_m, box.low.x());
+  return {0.5 * (0.5 * nominal.marks.guide_length_m + rear_m), 0.0};
+}
+
+/// Of a point from a straight way.
+double DistanceOf(const Eigen::Vector2d& middle, const Eigen::Vector2d& a,
+                  const Eigen::Vector2d& b) {
   const Eigen::Vector2d way = b - a;
   const double length2 = way.squaredNorm();
-  const double share =
-      length2 > 0.0 ? std::clamp((kPyramidMiddle - a).dot(way) / length2, 0.0, 1.0) : 0.0;
-  return (a + share * way - kPyramidMiddle).norm();
+  const double share = length2 > 0.0 ? std::clamp((middle - a).dot(way) / length2, 0.0, 1.0) : 0.0;
+  return (a + share * way - middle).norm();
 }
 
 /// A way that only leads away from the pyramid is clear wherever it begins.
-bool Clear(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const DockyardOptions& options) {
-  const double least = std::min(options.keep_out_m, (a - kPyramidMiddle).norm());
-  return DistanceOf(a, b) >= least - 1e-9;
+bool Clear(const Eigen::Vector2d& middle, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+           const DockyardOptions& options) {
+  const double least = std::min(options.keep_out_m, (a - middle).norm());
+  return DistanceOf(middle, a, b) >= least - 1e-9;
 }
 
 double TurnTime(double turn_rad, const DockyardOptions& options) {
@@ -60,11 +66,12 @@ GatePlan Through(const Pose2& X_DN, const std::vector<Eigen::Vector2d>& points,
 
 }  // namespace
 
-GatePlan PlanToGate(const Pose2& X_DN, const DockyardOptions& options) {
+GatePlan PlanToGate(const Pose2& X_DN, const Nominal& nominal, const DockyardOptions& options) {
+  const Eigen::Vector2d middle = PyramidMiddle(nominal);
   Eigen::Vector2d at(X_DN.x, X_DN.y);
   Pose2 from = X_DN;
   std::optional<Leg> away;
-  const Eigen::Vector2d off = at - kPyramidMiddle;
+  const Eigen::Vector2d off = at - middle;
   if (off.norm() < options.turn_room_m) {
     // Straight on or back, whichever leads away, until there is room: |off + way along| = room.
     const Eigen::Vector2d along(std::cos(X_DN.heading), std::sin(X_DN.heading));
@@ -80,7 +87,7 @@ GatePlan PlanToGate(const Pose2& X_DN, const DockyardOptions& options) {
   const auto consider = [&](std::vector<Eigen::Vector2d> points) {
     Eigen::Vector2d last = at;
     for (const Eigen::Vector2d& point : points) {
-      if (!Clear(last, point, options)) return;
+      if (!Clear(middle, last, point, options)) return;
       last = point;
     }
     // The robot still has to come in from the gate.

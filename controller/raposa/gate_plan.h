@@ -6,6 +6,7 @@
 
 #include "controller/geometry/pose.h"
 #include "controller/raposa/dockyard_options.h"
+#include "controller/raposa/nominal/nominal.h"
 
 namespace dockyard::raposa {
 
@@ -24,7 +25,7 @@ struct GatePlan {
 /// From N's pose in D to the soonest gate on the axis, with at most two waypoints round the
 /// pyramid, each leg forwards or backwards, whichever turns less in all. A robot too near to turn
 /// drives away first. Every leg, and every turn, keeps its distance from the pyramid.
-GatePlan PlanToGate(const Pose2& X_DN, const DockyardOptions& options);
+GatePlan PlanToGate(const Pose2& X_DN, const Nominal& nominal, const DockyardOptions& options);
 
 /// Whether the robot can drive straight in from there.
 bool InCone(const Pose2& X_DN, const DockyardOptions& options);

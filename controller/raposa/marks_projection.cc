@@ -8,9 +8,7 @@ namespace dockyard::raposa {
 namespace {
 
 constexpr double kNearest_m = 0.03;  // before the camera; nearer parts have no sound image
-// The guide's front ends blunt. Assumed, 1-4 mm.
-constexpr double kBluntRadius_m = 2.5e-3;
-constexpr int kRim = 16, kEnd = 6;  // corners round the guide's widest place and its ends
+constexpr int kRim = 16, kEnd = 6;   // corners round the guide's widest place and its ends
 
 class Projector {
  public:
@@ -44,7 +42,8 @@ class Projector {
 ConvexPolygon Guide(const Marks& marks, Projector* projector) {
   const double radius_m = 0.5 * marks.guide_diameter_m;
   const double slope = std::tan(marks.guide_half_angle_rad);
-  const double front_m = std::min(0.5 * marks.guide_length_m, (radius_m - kBluntRadius_m) / slope);
+  const double front_m =
+      std::min(0.5 * marks.guide_length_m, (radius_m - marks.guide_blunt_radius_m) / slope);
   const double rear_m =
       std::min(0.5 * marks.guide_length_m, (radius_m - marks.rod_radius_m) / slope);
   const double c = std::cos(marks.guide_up_rad), s = std::sin(marks.guide_up_rad);

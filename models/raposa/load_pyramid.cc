@@ -22,9 +22,9 @@ void ReadMarks(const YamlReader& root, MarksModel& marks) {
 }
 
 void ReadGuide(const YamlReader& root, GuideModel& guide) {
-  const YamlReader in(
-      root.Child("guide"), "guide",
-      {"diameter_m", "length_m", "half_angle_deg", "height_m", "up_deg", "rod_radius_m"});
+  const YamlReader in(root.Child("guide"), "guide",
+                      {"diameter_m", "length_m", "half_angle_deg", "height_m", "up_deg",
+                       "rod_radius_m", "blunt_radius_m"});
   guide.diameter_m = in.Number("diameter_m", Positive(0.5));
   guide.length_m = in.Number("length_m", Positive(0.5));
   guide.half_angle_rad = in.Degrees("half_angle_deg", Between(5.0, 80.0));
@@ -33,6 +33,10 @@ void ReadGuide(const YamlReader& root, GuideModel& guide) {
   guide.rod_radius_m = in.Number("rod_radius_m", Positive(0.1));
   if (guide.rod_radius_m >= 0.5 * guide.diameter_m) {
     in.Refuse("rod_radius_m", "less than half of diameter_m");
+  }
+  guide.blunt_radius_m = in.Number("blunt_radius_m", Positive(0.1));
+  if (guide.blunt_radius_m >= 0.5 * guide.diameter_m) {
+    in.Refuse("blunt_radius_m", "less than half of diameter_m");
   }
 }
 

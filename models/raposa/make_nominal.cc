@@ -33,7 +33,8 @@ Nominal MakeNominal(const RobotModel& robot, const PyramidModel& pyramid) {
                    .rise_rad = pyramid.marks.rise_rad,
                    .guide_half_angle_rad = pyramid.guide.half_angle_rad,
                    .guide_up_rad = pyramid.guide.up_rad,
-                   .rod_radius_m = pyramid.guide.rod_radius_m};
+                   .rod_radius_m = pyramid.guide.rod_radius_m,
+                   .guide_blunt_radius_m = pyramid.guide.blunt_radius_m};
   for (const Visual& visual : pyramid.body.visuals) nominal.grey_boxes.push_back(BoxAbout(visual));
   nominal.sprocket_radius_m = robot.belts.roller_radius_m;
   nominal.gauge_m = robot.belts.gauge_m;

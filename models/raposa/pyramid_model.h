@@ -23,6 +23,7 @@ struct GuideModel {
   double height_m = 0.0;  // of its middle above level ground
   double up_rad = 0.0;    // of its axis above the level
   double rod_radius_m = 0.0;
+  double blunt_radius_m = 0.0;  // where its front ends
 };
 
 /// Its far end is fixed.

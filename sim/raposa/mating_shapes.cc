@@ -15,8 +15,6 @@ constexpr int kWedges = 16;
 constexpr double kSeatEnds_m = 0.02;
 // Outside of all walls [m]; it only gives them thickness. Assumed, 40-60 mm.
 constexpr double kWallOuter_m = 0.045;
-// The guide's front ends blunt, as the contact solver rounds edges by its margin. Assumed, 2-4 mm.
-constexpr double kBluntRadius_m = 2.5e-3;
 
 struct Rim {
   double x_m = 0.0, radius_m = 0.0;
@@ -102,7 +100,7 @@ Pose3 GuideAxis(const GuideModel& guide) {
 
 std::vector<Eigen::Vector2d> GuideProfile(const GuideModel& guide) {
   const double radius_m = 0.5 * guide.diameter_m, slope = std::tan(guide.half_angle_rad);
-  const double front_m = std::min(0.5 * guide.length_m, (radius_m - kBluntRadius_m) / slope);
+  const double front_m = std::min(0.5 * guide.length_m, (radius_m - guide.blunt_radius_m) / slope);
   const double rear_m = std::min(0.5 * guide.length_m, (radius_m - guide.rod_radius_m) / slope);
   return {
       {-rear_m, radius_m - slope * rear_m}, {0.0, radius_m}, {front_m, radius_m - slope * front_m}};

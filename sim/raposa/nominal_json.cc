@@ -22,8 +22,9 @@ void VisitMarks(Marks_& m, Visit&& visit) {
   visit("guide_half_angle_rad", m.guide_half_angle_rad);
   visit("guide_up_rad", m.guide_up_rad);
   visit("rod_radius_m", m.rod_radius_m);
+  visit("guide_blunt_radius_m", m.guide_blunt_radius_m);
 }
-static_assert(sizeof(Marks) == 10 * sizeof(double));
+static_assert(sizeof(Marks) == 11 * sizeof(double));
 
 template <class Vision, class Visit>
 void VisitVision(Vision& v, Visit&& visit) {

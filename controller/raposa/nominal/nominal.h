@@ -27,6 +27,7 @@ struct Marks {
   double guide_half_angle_rad = 0.0;  // of its two cones
   double guide_up_rad = 0.0;          // of its axis above the level, towards the robot
   double rod_radius_m = 0.0;          // from the guide to the square
+  double guide_blunt_radius_m = 0.0;  // where its front ends
 
   bool operator==(const Marks&) const = default;
 };

@@ -177,7 +177,8 @@ Nominal TestNominal(double lever_m) {
                    .rise_rad = Radians(17.0),
                    .guide_half_angle_rad = Radians(30.0),
                    .guide_up_rad = Radians(5.0),
-                   .rod_radius_m = 0.004};
+                   .rod_radius_m = 0.004,
+                   .guide_blunt_radius_m = 0.0025};
   nominal.sprocket_radius_m = 0.09;
   nominal.gauge_m = 0.426;
   nominal.effective_gauge_m = 0.577;

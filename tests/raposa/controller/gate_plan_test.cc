@@ -5,8 +5,17 @@
 #include <cmath>
 #include <random>
 
+#include "raposa/controller/drawn_marks.h"
+
 namespace dockyard::raposa {
 namespace {
+
+/// Its pyramid reaches from 0.025 m before the guide's middle to 0.145 m behind it.
+Nominal RobotNominal() {
+  Nominal nominal = TestNominal();
+  nominal.grey_boxes = {{{-0.145, -0.04, -0.045}, {-0.05, 0.04, 0.03}}};
+  return nominal;
+}
 
 /// The smallest distance of a straight way from the pyramid's middle, by sampling.
 double Nearest(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -18,6 +27,7 @@ double Nearest(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }
 
 TEST(GatePlan, EveryWayEndsOnTheAxisAndKeepsItsDistance) {
+  const Nominal nominal = RobotNominal();
   const DockyardOptions options;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> range(0.4, 4.3), angle(-2.6, 2.6), heading(-kPi, kPi);
@@ -26,7 +36,7 @@ TEST(GatePlan, EveryWayEndsOnTheAxisAndKeepsItsDistance) {
     const Pose2 X_DN{r * std::cos(alpha), r * std::sin(alpha), heading(random)};
     const Eigen::Vector2d start(X_DN.x, X_DN.y);
     if ((start - Eigen::Vector2d(-0.06, 0.0)).norm() < options.turn_room_m) continue;
-    const GatePlan plan = PlanToGate(X_DN, options);
+    const GatePlan plan = PlanToGate(X_DN, nominal, options);
     ASSERT_FALSE(plan.legs.empty()) << r << " m, " << Degrees(alpha) << " deg";
     Eigen::Vector2d at = start;
     for (const Leg& leg : plan.legs) {
@@ -44,22 +54,24 @@ TEST(GatePlan, EveryWayEndsOnTheAxisAndKeepsItsDistance) {
 }
 
 TEST(GatePlan, RobotTooNearToTurnDrivesAwayFirst) {
+  const Nominal nominal = RobotNominal();
   const DockyardOptions options;
   const double alpha = Radians(60.0);
   const Pose2 X_DN{0.40 * std::cos(alpha), 0.40 * std::sin(alpha), WrapPi(alpha + kPi)};
-  const GatePlan plan = PlanToGate(X_DN, options);
+  const GatePlan plan = PlanToGate(X_DN, nominal, options);
   ASSERT_GE(plan.legs.size(), 2u);
   EXPECT_LT(plan.legs.front().length_m, 0.0);
   EXPECT_DOUBLE_EQ(plan.legs.front().heading_rad, X_DN.heading);
 }
 
 TEST(GatePlan, RobotTooNearDrivesAwayWhicheverWayItFaces) {
+  const Nominal nominal = RobotNominal();
   const DockyardOptions options;
   const Eigen::Vector2d middle(-0.06, 0.0);
   for (int i = 0; i < 72; ++i) {
     const Pose2 X_DN{0.30, 0.20, WrapPi(Radians(5.0 * i))};
     const Eigen::Vector2d start(X_DN.x, X_DN.y);
-    const GatePlan plan = PlanToGate(X_DN, options);
+    const GatePlan plan = PlanToGate(X_DN, nominal, options);
     ASSERT_GE(plan.legs.size(), 2u);
     const Leg& away = plan.legs.front();
     EXPECT_GE((away.p_D_end - middle).norm(), options.turn_room_m);
@@ -69,6 +81,7 @@ TEST(GatePlan, RobotTooNearDrivesAwayWhicheverWayItFaces) {
 }
 
 TEST(GatePlan, ConeHoldsTheAxisAndNotItsSides) {
+  const Nominal nominal = RobotNominal();
   const DockyardOptions options;
   EXPECT_TRUE(InCone({1.0, 0.0, kPi}, options));
   EXPECT_TRUE(InCone({1.0, 0.05, Radians(175.0)}, options));
