@@ -12,6 +12,9 @@ constexpr float kShading = 0.10f;
 // Of a paint's colour, at an edge that halves a cell: the camera averages coded colours, not light.
 // Assumed, 0.05-0.2.
 constexpr float kAtEdge = 0.10f;
+// Of grey parts' colour, where it is not the ground's: they are lit from full sun to shade.
+// Assumed, 0.3-0.7.
+constexpr float kGreyShading = 0.5f;
 // Of grey parts against the ground, in its green. Assumed, 0.5-3.
 constexpr double kGreyColour = 1.5;
 // Of other paints: no prior. Numerical.
@@ -180,10 +183,15 @@ std::vector<float> WeightsFor(const FitWindow& window, const LayerImage& layers,
   std::vector<float> weights(window.size());
   const float orange2 = colours.row(kOrangeLayer).squaredNorm();
   const float blue2 = colours.row(kBlueLayer).squaredNorm();
+  const float boxes2 = colours.row(kBoxes).squaredNorm();
+  const float faces2 = colours.row(kFaces).squaredNorm();
   const auto edge = [](float share) { return 4.0f * share * (1.0f - share); };
   for (std::size_t k = 0; k < weights.size(); ++k) {
     const float o = layers.Shares(kOrangeLayer)[k], b = layers.Shares(kBlueLayer)[k];
-    const float shading = kShading * kShading * (o * o * orange2 + b * b * blue2);
+    const float grey = layers.Shares(kBoxes)[k], face = layers.Shares(kFaces)[k];
+    const float shading =
+        kShading * kShading * (o * o * orange2 + b * b * blue2) +
+        kGreyShading * kGreyShading * (grey * grey * boxes2 + face * face * faces2);
     const float at_edge =
         kAtEdge * kAtEdge * (edge(o) * edge(o) * orange2 + edge(b) * edge(b) * blue2);
     // Two values share it.

@@ -12,6 +12,9 @@ namespace {
 constexpr std::size_t kMostSpots = 5;  // orange regions that are looked into
 // What calibration and lens leave of a direction. Assumed, 0.1-0.5 px of 377.
 constexpr double kBearingFloor = 5e-4;
+// What calibration leaves of a range, as a share; and what the marks' model leaves, for each unit
+// of misfit above 1. Assumed, 0.5-2 % and 1-4 %.
+constexpr double kRangeFloor = 0.01, kMisfitRange = 0.02;
 // Of the range by the guide alone, as a share: its shading looks like size. From
 // raposa_eye_survey; 0.04-0.1.
 constexpr double kAloneRange = 0.06;
@@ -44,8 +47,10 @@ PyramidFit FitOf(const PlaceFit& fit) {
                  fit.misfit,          fit.place.down_m,
                  fit.place.pitch_rad, fit.place.roll_rad};
   const Pose2& X = fit.place.X_VD;
-  const Eigen::Vector2d across(-X.y, X.x);
+  const Eigen::Vector2d along(X.x, X.y), across(-X.y, X.x);
+  const double floor = kRangeFloor + kMisfitRange * std::max(0.0, fit.misfit - 1.0);
   out.covariance.topLeftCorner<2, 2>() +=
+      floor * floor * along * along.transpose() +
       kBearingFloor * kBearingFloor * across * across.transpose();
   return out;
 }

@@ -23,8 +23,8 @@ constexpr double kMostMisfit = 4.0, kMostGuideMisfit = 15.0;
 // Blue must stand out of the noise, and cover so much. Assumed, 5-10 and 2-6.
 constexpr double kLeastBlueSigmas = 6.0, kLeastBlue_px2 = 2.0, kLeastOrangeSigmas = 7.0;
 // |blue| over |orange| in the values of FitWindow: the paints of render/spectrum.cc in light of
-// 3000 to 6500 K, camera balanced for 5000 K: 0.18-0.63; twice that for shade.
-constexpr double kLeastBlueShare = 0.07, kMostBlueShare = 1.6;
+// 3000 to 6500 K, camera balanced for 5000 K: 0.18-0.63; five times that where one lies in shade.
+constexpr double kLeastBlueShare = 0.036, kMostBlueShare = 3.0;
 // Of a second pose's chi2 above the best one's, by the misfit: three sigmas.
 constexpr double kRivalChi2 = 9.0;
 

@@ -60,10 +60,11 @@ void Count(const TakenPicture& taken, const PictureSetup& setup, Tally* tally, b
   const double alpha = AlphaOfPose(taken.X_VD);
   const auto tell = [&](const char* what) {
     if (verbose) {
-      std::printf("  %s: r %.3f alpha %.1f beside %.1f light %.0f %s seed %llu guide %.1f %.1f",
+      std::printf("  %s: r %.3f alpha %.1f beside %.1f light %.0f %s %s seed %llu guide %.1f %.1f",
                   what, setup.r_m, Degrees(setup.alpha_rad), Degrees(setup.beside_rad),
-                  setup.light_k, setup.ground.c_str(), static_cast<unsigned long long>(setup.seed),
-                  taken.guide_px->x(), taken.guide_px->y());
+                  setup.light_k, setup.light.c_str(), setup.ground.c_str(),
+                  static_cast<unsigned long long>(setup.seed), taken.guide_px->x(),
+                  taken.guide_px->y());
       if (seen.guide)
         std::printf(" | at %.1f %.1f range %.3f +- %.3f", seen.guide->centre_px.x(),
                     seen.guide->centre_px.y(), seen.guide->range_m, seen.guide->range_sigma_m);
