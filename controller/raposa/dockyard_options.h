@@ -9,15 +9,19 @@ namespace dockyard::raposa {
 /// at the seat's, 0.30 m.
 struct DockyardOptions {
   // What the belts may do. 1 sigma; the filter learns the values on the way.
-  double gauge_sigma = 0.08;          // share of the told gauge; assumed, 0.05-0.15: floor, grass
-  double centre_sigma_m = 0.02;       // of the turning centre along x; assumed, 0.01-0.04
-  double centre_m = -0.01;            // it lies there in R; -0.04 to 0.02 by the belts' closed form
-  double belt_bias_m_s = 0.003;       // of a driven belt's reading; assumed, 0.002-0.01
-  double bias_time_s = 120.0;         // in which it wanders; assumed, 60-300
-  double way_noise = 0.01;            // share of the way; assumed, 0.005-0.03
-  double side_noise = 0.02;           // sideways, of the way; assumed, 0.01-0.05
-  double turn_noise = 0.03;           // share of a turn; assumed, 0.01-0.05
+  double gauge_sigma = 0.08;     // share of the told gauge; assumed, 0.05-0.15: floor, grass
+  double centre_sigma_m = 0.02;  // of the turning centre along x; assumed, 0.01-0.04
+  double centre_m = -0.01;       // it lies there in R; -0.04 to 0.02 by the belts' closed form
+  double belt_bias_m_s = 0.003;  // of a driven belt's reading; assumed, 0.002-0.01
+  double bias_time_s = 120.0;    // in which it wanders; assumed, 60-300
+  double way_noise = 0.01;       // share of the way; assumed, 0.005-0.03
+  double side_noise = 0.02;      // sideways, of the way; assumed, 0.01-0.05
+  double turn_noise = 0.03;      // share of a turn; assumed, 0.01-0.05
+  // An arm that turns rolls its belts one way and leans the body the other way. The robot goes with
+  // either, as the floor holds: share of the belts' way; assumed, 0.1-0.4.
+  double arm_noise = 0.25;
   double pressed_gauge_share = 1.96;  // gauge with the arm pressed down, by level: 1.13 / 0.577
+  double leaning_rad = Radians(1.0);  // arm's angle from which its tip bears; assumed, 0.5-2 deg
 
   // The way to the axis.
   double gate_m = 0.75;               // it turns onto the axis here ...
@@ -43,6 +47,8 @@ struct DockyardOptions {
   double approach_gain_per_s = 0.45;  // ... in proportion to the way left; assumed, 0.3-0.7 ...
   double least_approach_m_s =
       0.06;               // ... down to this, as belts are off by 0.003 m/s; assumed, 0.04-0.1
+  double blind_m = 0.16;  // in camera range; nearer the hole's rim cuts the guide in half, and it
+                          // drives in by its belts; assumed, 0.14-0.2
   double press_m = 0.68;  // the arm is pressed down from here; assumed, 0.6-0.75
   double press_rad = Radians(14.0);  // leans the body back by 4.5 deg, as the guide; 10-18
   double short_m = 0.004;  // it stops before the seat: doors pull the guide in from 8 mm; 2-6 mm

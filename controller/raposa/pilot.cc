@@ -24,6 +24,12 @@ constexpr double kLegSettle_m = 0.3, kLegTurn_rad_s = 0.5, kLegGain_per_s = 1.5,
 // 0.02-0.05 m, 0.15-0.3, 1.2-2, 0.02-0.05 m, 0.2-0.5 rad/s.
 constexpr double kOff_m = 0.03, kOffSlope = 0.2, kOffHeading = 1.5, kCommitted_m = 0.03;
 constexpr double kApproachTurn_rad_s = 0.35;
+// On the way in the guide keeps so far from the view's edge, as foretold for this time after the
+// command. Assumed, 1-4 deg and 0.2-0.5 s.
+constexpr double kEdge_rad = Radians(2.0), kEdgeLead_s = 0.4;
+// A standing robot turns to a guide that is cut by the view's edge and so far aside; assumed, 4-8
+// deg.
+constexpr double kAside_rad = Radians(6.0);
 // Doors stand where they are told to within this, or have had their time: they take 5 s for 30 mm.
 constexpr double kDoorAt_m = 0.004, kDoorAjar_s = 4.0, kDoorOpen_s = 6.0;
 // Backwards, and nudging, at shares of the forward speeds. Assumed, 0.4-0.8.
@@ -80,6 +86,7 @@ void Pilot::Enter(Phase phase, const std::string& note) {
   entered_ = now_;
   driven_m_ = 0.0;
   fits_ = 0;
+  turned_aside_rad_ = 0.0;
   belief_.note = note;
   if (phase != Phase::kSearch) search_.End();
   if (phase == Phase::kClose) doors_.Begin();
@@ -91,17 +98,16 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
     const auto i = static_cast<std::size_t>(motor);
     return static_cast<double>(sensed.motors[i].encoder_counts) * nominal_.motors[i].rad_per_count;
   };
-  const double lean_before = LeanOf(nominal_, arm_rad_);
+  const double arm_before = arm_rad_;
   arm_rad_ = angle(Motor::kArm);
-  // The belts turn with the body that carries them: a body that leans back rolls backwards.
-  const double rolled_m = nominal_.sprocket_radius_m * (LeanOf(nominal_, arm_rad_) - lean_before);
   const std::array<double, 2> belts_m{nominal_.sprocket_radius_m * angle(Motor::kLeftBelt),
                                       nominal_.sprocket_radius_m * angle(Motor::kRightBelt)};
   if (belts_m_) {
-    const BeltSteps steps{.left_m = belts_m[0] - (*belts_m_)[0] - rolled_m,
-                          .right_m = belts_m[1] - (*belts_m_)[1] - rolled_m,
+    const BeltSteps steps{.left_m = belts_m[0] - (*belts_m_)[0],
+                          .right_m = belts_m[1] - (*belts_m_)[1],
                           .driven = last_.speed_m_s != 0.0 || last_.turn_rad_s != 0.0,
                           .gauge_m = Gauge(),
+                          .arm_m = nominal_.sprocket_radius_m * std::abs(arm_rad_ - arm_before),
                           .dt_s = kTickSeconds * kControlPeriod};
     turned_rad_ = (steps.right_m - steps.left_m) / steps.gauge_m;
     driven_m_ -= 0.5 * (steps.left_m + steps.right_m);
@@ -109,7 +115,7 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
   }
   belts_m_ = belts_m;
   doors_.Read(sensed);
-  if (seen == nullptr) return;
+  if (seen == nullptr || !Looks()) return;
   guide_ = seen->guide;
   if (guide_) {
     guide_seen_ = now_;
@@ -142,7 +148,7 @@ Commands Pilot::Step(const SensorFrame& sensed, const PyramidSeen* seen, double 
   }
   SetArm(nominal_, arm_told_rad_, &commands);
   SetDoors(nominal_, door_open_m_, &commands);
-  commands.take_images = {kBackCamera};
+  if (Looks()) commands.take_images = {kBackCamera};
   commands.switches[kLamps] = lamps_ ? 1 : 0;
   commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDocked
                      : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
@@ -195,6 +201,17 @@ Twist Pilot::Act() {
   return {};
 }
 
+/// Towards a guide at the view's edge, which shows no marks there. Still if there is none.
+Twist Pilot::TurnToAside() {
+  const bool aside = guide_ && guide_->clipped && fits_ == 0 &&
+                     std::abs(guide_->bearing_rad) > kAside_rad &&
+                     turned_aside_rad_ < nominal_.half_view_rad;
+  if (!aside) return {};
+  turned_aside_rad_ += std::abs(turned_rad_);
+  entered_ = now_;  // what it looks for comes into view now
+  return {0.0, std::copysign(options_.seen_turn_rad_s, guide_->bearing_rad)};
+}
+
 Twist Pilot::Look() {
   lamps_ = pressed_once_ || (filter_.located() && filter_.range_m() < options_.lamps_m);
   if (filter_.located() && fits_ >= options_.looks) {
@@ -204,6 +221,8 @@ Twist Pilot::Look() {
       return {};
     }
   }
+  const Twist aside = TurnToAside();
+  if (aside.turn_rad_s != 0.0) return aside;
   // A guide this low is cut by the view's edge, or lies below it.
   const bool low = !guide_ || guide_->clipped;
   if (For() > options_.glance_s && fits_ == 0 && low && arm_told_rad_ == 0.0 && !pressed_once_) {
@@ -255,7 +274,7 @@ void Pilot::Decide() {
     Enter(Phase::kApproach, "on the axis");
     return;
   }
-  const GatePlan plan = PlanToGate(X_DN, options_);
+  const GatePlan plan = PlanToGate(X_DN, nominal_, options_);
   if (plan.legs.empty()) {
     TryAgain("no way to the axis");
     return;
@@ -292,6 +311,23 @@ Twist Pilot::TurnTo(double heading_rad, bool* done) const {
   const double most = GuideExpected() ? options_.seen_turn_rad_s : options_.turn_rad_s;
   const double rate = std::clamp(options_.turn_gain_per_s * left, -most, most);
   return {0.0, std::copysign(std::max(std::abs(rate), options_.least_turn_rad_s), rate)};
+}
+
+/// Whether pictures say anything: not from the last part of the way in until it drives off again.
+bool Pilot::Looks() const {
+  switch (phase_) {
+    case Phase::kBrake:
+    case Phase::kClose:
+    case Phase::kAjar:
+    case Phase::kProve:
+    case Phase::kDocked:
+    case Phase::kGivenUp:
+      return false;
+    case Phase::kApproach:
+      return !filter_.located() || filter_.range_m() > options_.blind_m;
+    default:
+      return true;
+  }
 }
 
 /// Whether the guide should be in view.
@@ -342,6 +378,16 @@ Twist Pilot::Face() {
   return twist;
 }
 
+/// No turn out of the view: without pictures the way in would be blind.
+void Pilot::KeepInView(Twist* twist) const {
+  if (!Looks()) return;
+  const double radius_rad = std::atan2(0.5 * nominal_.marks.guide_diameter_m, filter_.range_m());
+  const double most = std::max(0.0, nominal_.half_view_rad - kEdge_rad - radius_rad);
+  const double bearing = filter_.bearing_rad();
+  twist->turn_rad_s =
+      std::clamp(twist->turn_rad_s, (bearing - most) / kEdgeLead_s, (bearing + most) / kEdgeLead_s);
+}
+
 Twist Pilot::Approach() {
   const Pose2 X_DN = filter_.X_DN();
   if (X_DN.x < options_.press_m) {
@@ -365,12 +411,11 @@ Twist Pilot::Approach() {
   const double left_m = follower_->Remaining();
   const double speed = std::clamp(options_.approach_gain_per_s * left_m,
                                   options_.least_approach_m_s, options_.approach_m_s);
-  const Twist twist = follower_->Follow(
+  Twist twist = follower_->Follow(
       X_DN, speed, {.settle_m = options_.settle_m, .max_turn_rad_s = kApproachTurn_rad_s});
-  // It goes on for half a period at this speed, and then as far as the belts take to stop.
-  const double deceleration = nominal_.sprocket_radius_m * nominal_.motors[0].max_accel_rad_s2;
-  const double stop_m =
-      0.5 * kTickSeconds * kControlPeriod * speed + 0.5 * speed * speed / deceleration;
+  if (!follower_->done()) KeepInView(&twist);
+  // Half a period's way before or after the end, whichever is nearer.
+  const double stop_m = 0.5 * kTickSeconds * kControlPeriod * speed;
   if (!follower_->done() && follower_->Remaining() > stop_m) return twist;
   Enter(Phase::kBrake, "at the seat, as believed");
   return {};

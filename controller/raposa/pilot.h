@@ -59,6 +59,8 @@ class Pilot {
   Twist DriveLeg();
   Twist Face();
   Twist Approach();
+  Twist TurnToAside();
+  void KeepInView(Twist* twist) const;
   Twist Close();
   Twist Ajar();
   Twist Prove();
@@ -68,9 +70,10 @@ class Pilot {
   void TryAgain(const std::string& why);
   void Enter(Phase phase, const std::string& note);
   Twist TurnTo(double heading_rad, bool* done) const;
-  bool ArmPressed() const { return arm_rad_ > 0.5 * options_.press_rad; }
+  bool ArmPressed() const { return arm_rad_ > options_.leaning_rad; }
   double Gauge() const;
   double For() const { return static_cast<double>(now_ - entered_) * kTickSeconds; }
+  bool Looks() const;
   bool GuideExpected() const;
   double UnseenFor() const { return static_cast<double>(now_ - guide_seen_) * kTickSeconds; }
   void Believe();
@@ -87,6 +90,7 @@ class Pilot {
   double turned_rad_ = 0.0;                       // by the belts, since the last call
   double driven_m_ = 0.0;                         // of this phase
   std::optional<GuideSeen> guide_, last_guide_;   // of the last picture; the last one seen
+  double turned_aside_rad_ = 0.0;                 // of this phase
   int fits_ = 0;                                  // pictures with a pose, in this phase
   int fitless_ = 0;                               // in a row, with a guide and no pose
   std::vector<Leg> legs_;

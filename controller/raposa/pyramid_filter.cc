@@ -16,8 +16,15 @@ enum Index { kX, kY, kHeading, kShare, kCentre, kLeftBias, kRightBias };
 
 constexpr std::size_t kRecent = 10;   // control periods that a picture may be old
 constexpr std::size_t kMostKept = 4;  // poses at a time; assumed, 3-6
-constexpr double kDropped = 12.0;     // behind in log-likelihood; assumed, 8-20
-constexpr double kBornBehind = 4.0;   // of a new pose; assumed, 2-8
+constexpr double kDropped = 24.0;     // behind in log-likelihood; assumed, 15-30
+// Of a pose that none foretold: two of its pictures must agree before it can lead, as one picture
+// may be wrong. Assumed, 9-15.
+constexpr double kBornBehind = 12.0;
+// Pictures from almost one place err alike: each counts as a part of one. Assumed, 2-5.
+constexpr double kAlike = 3.0;
+// A pose that foretold no fit is less sure than it was: sigmas of place and heading grow by this
+// factor, up to these. Assumed, 1.5-3, 0.05-0.2 m, 5-15 deg.
+constexpr double kDoubt = 2.0, kMostDoubt_m = 0.1, kMostDoubt_rad = Radians(10.0);
 constexpr double kFitGate =
     20.0;  // of a squared Mahalanobis distance: one in 6000 of 3 degrees of freedom
 constexpr double kMissed = 6.0;        // a fit that fits no pose, in log-likelihood; half the gate
@@ -25,6 +32,7 @@ constexpr double kMisfitWeight = 3.0;  // residuals behind a fit's misfit, by tw
 // Errors of the motion are those of independent stretches of a way, and of parts of a turn.
 constexpr double kStretch_m = 0.1;               // assumed, 0.05-0.3
 constexpr double kTurnPart_rad = Radians(10.0);  // assumed, 5-30 deg
+constexpr double kArmPart_m = 0.02;              // of the arm's way: one press
 // A turn slips sideways as so much of a stretch's way for each radian; a way turns by so much on a
 // metre. Assumed, 0.1-0.5 m and 0.005-0.02 rad.
 constexpr double kTurnSlip_m = 0.2, kWayTurn_rad_m = 0.01;
@@ -95,7 +103,8 @@ void PyramidFilter::Drive(const BeltSteps& steps) {
     const double heading = kept.mean(kHeading);
     const Eigen::Vector2d along(std::cos(heading), std::sin(heading));
     const Eigen::Vector2d aside(-along.y(), along.x());
-    const double along_m2 = std::pow(options_.way_noise, 2) * way_m * kStretch_m;
+    const double along_m2 = std::pow(options_.way_noise, 2) * way_m * kStretch_m +
+                            std::pow(options_.arm_noise, 2) * steps.arm_m * kArmPart_m;
     const double aside_m2 =
         std::pow(options_.side_noise, 2) * kStretch_m * (way_m + kTurnSlip_m * turn_rad);
     kept.P.topLeftCorner<2, 2>() +=
@@ -177,6 +186,19 @@ PyramidFilter::Kept PyramidFilter::Born(const PyramidFit& fit, double age_s) con
   return kept;
 }
 
+/// Place and heading are less sure than thought; what is known of the belts stays.
+void PyramidFilter::Doubt(Kept* kept) const {
+  const double place_m = std::sqrt(std::max(kept->P(kX, kX), kept->P(kY, kY)));
+  const double heading_rad = std::sqrt(kept->P(kHeading, kHeading));
+  const auto grow = [](double sigma, double most) {
+    return std::clamp(most / std::max(sigma, 1e-9), 1.0, kDoubt);
+  };
+  State growth = State::Ones();
+  growth(kX) = growth(kY) = grow(place_m, kMostDoubt_m);
+  growth(kHeading) = grow(heading_rad, kMostDoubt_rad);
+  kept->P = growth.asDiagonal() * kept->P * growth.asDiagonal();
+}
+
 void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
   const double best = seen.fits.front().misfit;
   std::vector<bool> matched(seen.fits.size(), false);
@@ -190,7 +212,7 @@ void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
       Kept trial = kept;
       const double distance2 =
           Update<3>(trial, Eigen::Vector3d(fit.X_VD.x, fit.X_VD.y, fit.X_VD.heading),
-                    fit.covariance, model, kFitGate);
+                    kAlike * fit.covariance, model, kFitGate);
       trial.score -= kMisfitWeight * std::min(fit.misfit - best, 2.0);
       if (distance2 >= least) continue;
       least = distance2;
@@ -199,6 +221,7 @@ void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
     }
     if (!(least <= kFitGate)) {
       kept.score -= kMissed;
+      Doubt(&kept);
       continue;
     }
     matched[nearest] = true;

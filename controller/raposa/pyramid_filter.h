@@ -18,6 +18,7 @@ struct BeltSteps {
   double left_m = 0.0, right_m = 0.0;  // counting up drives towards the arm, along -x_N
   bool driven = false;                 // readings of driven belts are off
   double gauge_m = 0.0;                // as told, for the arm's angle
+  double arm_m = 0.0;                  // that the arm's belts rolled about its joint, either way
   double dt_s = 0.0;
 };
 
@@ -63,6 +64,7 @@ class PyramidFilter {
   template <int Rows, class Model>
   double Update(Kept& kept, const Eigen::Matrix<double, Rows, 1>& measured,
                 const Eigen::Matrix<double, Rows, Rows>& R, const Model& model, double gate) const;
+  void Doubt(Kept* kept) const;
   void SeeFits(const PyramidSeen& seen, double age_s);
   void SeeGuide(const GuideSeen& guide, double age_s);
   void Order();

@@ -28,6 +28,7 @@ struct StandIn {
 struct Drive {
   Verdict verdict = Verdict::kUnderWay;
   double time_s = 0.0, nearest_m = 1e9, pushed_m = 0.0;
+  double aside_rad = 0.0;  // the guide's largest bearing on the way in, until it fills the view
   int passes = 0;
 };
 
@@ -79,10 +80,11 @@ class PlanarRobot {
     guide.range_sigma_m = 0.01 * r + 0.01 * r * r;
     guide.bearing_rad = bearing + noise(guide.bearing_sigma_rad);
     guide.range_m = r + noise(guide.range_sigma_m);
+    guide.clipped = std::abs(bearing) > Radians(10.0);
     seen.guide = guide;
-    if (!is_.marks || r < 0.28 || std::abs(bearing) > Radians(9.0)) return seen;
+    if (!is_.marks || r < 0.16 || std::abs(bearing) > Radians(9.0)) return seen;
     PyramidFit fit;
-    const double range_sigma = 0.006 * r + 0.004 * r * r, heading_sigma = Radians(1.0 + 2.0 * r);
+    const double range_sigma = 0.006 * r + 0.004 * r * r, heading_sigma = Radians(0.2 + 1.5 * r);
     const double scale = 1.0 + noise(range_sigma) / r;
     const double turn = noise(0.001);
     const Pose2 turned = Pose2{0.0, 0.0, turn} * X_VD;
@@ -116,7 +118,7 @@ class PlanarRobot {
     const double bias_s = driven ? kStep_s : 0.0;
     read_[0] += (left_m + bias_s * is_.left_bias_m_s) / 0.09;
     read_[1] += (right_m + bias_s * is_.right_bias_m_s) / 0.09;
-    const bool pressed = read_[2] > Radians(7.0);
+    const bool pressed = read_[2] > Radians(1.0);  // the arm's tip bears
     const double turn = is_.share * (right_m - left_m) / (pressed ? 1.13 : 0.577);
     const double way = -0.5 * (left_m + right_m);
     const double half = X_DN_.heading + 0.5 * turn, side = is_.centre_m * turn;
@@ -185,6 +187,10 @@ Drive RunPilot(double r_m, double alpha_deg, const StandIn& is, double aside_deg
     const bool first = frame.tick == 0;
     const Commands commands = pilot.Step(frame, first ? nullptr : &seen, 0.05);
     const Pose2 X = robot.X_DN();
+    const Pose2 X_VD = Inverse(X * Pose2{kCamera_m, 0.0, 0.0});
+    if (pilot.phase() == Pilot::Phase::kApproach && X_VD.x > 0.2) {
+      drive.aside_rad = std::max(drive.aside_rad, std::abs(std::atan2(X_VD.y, X_VD.x)));
+    }
     if (std::abs(X.y) > 0.05) {
       drive.nearest_m = std::min(drive.nearest_m, std::hypot(X.x + 0.06, X.y));
     }
@@ -239,6 +245,26 @@ TEST(Pilot, DocksWithBeltsThatTurnOtherwiseThanTold) {
     EXPECT_TRUE(well) << i << ": " << r_m << " m, " << alpha_deg << " deg, aside " << aside_deg
                       << " deg: " << drive.time_s << " s, passes " << drive.passes << ", nearest "
                       << drive.nearest_m << " m, pushed " << drive.pushed_m << " m";
+  }
+}
+
+// Starts at the rim of the cone from where it drives straight in: it steers back to the axis
+// without losing the guide, whose middle the view shows to 12.5 deg aside.
+TEST(Pilot, KeepsTheGuideInViewOnTheWayIn) {
+  for (const double alpha_deg : {-6.0, -4.0, 4.0, 6.0}) {
+    for (const double aside_deg : {-7.0, 0.0, 7.0}) {
+      const Drive drive = RunPilot(0.55, alpha_deg, {}, aside_deg);
+      EXPECT_EQ(drive.verdict, Verdict::kDocked) << alpha_deg << ", aside " << aside_deg;
+      EXPECT_LE(Degrees(drive.aside_rad), 10.0) << alpha_deg << ", aside " << aside_deg;
+    }
+  }
+}
+
+TEST(Pilot, TurnsToAGuideAtTheEdgeOfItsView) {
+  for (const double aside_deg : {-11.0, 11.0}) {
+    const Drive drive = RunPilot(0.6, 0.0, {}, aside_deg);
+    EXPECT_EQ(drive.verdict, Verdict::kDocked) << aside_deg;
+    EXPECT_LE(drive.time_s, 20.0) << aside_deg;
   }
 }
 
