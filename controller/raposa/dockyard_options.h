@@ -50,7 +50,9 @@ struct DockyardOptions {
   double blind_m = 0.16;  // in camera range; nearer the hole's rim cuts the guide in half, and it
                           // drives in by its belts; assumed, 0.14-0.2
   double press_m = 0.68;  // the arm is pressed down from here; assumed, 0.6-0.75
-  double press_rad = Radians(14.0);  // leans the body back by 4.5 deg, as the guide; 10-18
+  double press_rad = Radians(14.0);       // leans the body back by 4.5 deg, as the guide; 10-18
+  double press_other_rad = Radians(4.0);  // more, then less, at each further try: the seat's height
+                                          // changes by 1.3 mm; assumed, 2-5 deg
   double short_m = 0.004;  // it stops before the seat: doors pull the guide in from 8 mm; 2-6 mm
   double lamps_m = 0.6;    // they are on nearer, in camera range; assumed, 0.4-1
   double phase_s = 90.0;   // of any phase; the longest, a search, takes 72; assumed, 80-120
@@ -70,8 +72,11 @@ struct DockyardOptions {
   double first_patience_s = 2.5;    // the same, before it has seen the guide at all; assumed, 1-4
   double creep_m_s = 0.15;          // towards a guide without marks; assumed, 0.05-0.2
   double creep_to_m = 0.62;  // in camera range: strips show to 110 deg from there; assumed, 0.5-0.8
-  double back_m = 0.25;      // away from a guide too near for its marks; assumed, 0.15-0.4
-  int backs = 4;             // from one guide; assumed, 2-6
+  double glance_rad = Radians(8.0);  // so far aside it puts a guide whose square may be out of
+                                     // view; less than the view's 12.5 and the guide's radius; 6-9
+  double glance_most_s = 2.5;        // for each side; assumed, 2-4
+  double back_m = 0.25;              // away from a guide too near for its marks; assumed, 0.15-0.4
+  int backs = 4;                     // from one guide; assumed, 2-6
   double most_search_rad = 6.0 * kPi;       // in all, without a way to the axis; assumed, 2-4 turns
   double search_rad_s = Radians(15.0);      // assumed, 8-25
   double first_search_rad = Radians(20.0);  // doubled at each switch; assumed, 15-40

@@ -47,9 +47,9 @@ FerreiraMotion SearchOptions(const DockyardOptions& options) {
 }  // namespace
 
 const char* Name(Pilot::Phase phase) {
-  static const char* const names[] = {"look", "search", "creep",    "back",   "turn",
-                                      "leg",  "face",   "approach", "brake",  "close",
-                                      "ajar", "prove",  "retreat",  "docked", "given_up"};
+  static const char* const names[] = {"look",  "search",  "creep",    "glance",  "back",  "turn",
+                                      "leg",   "face",    "approach", "brake",   "close", "ajar",
+                                      "prove", "retreat", "docked",   "given_up"};
   return names[static_cast<std::size_t>(phase)];
 }
 
@@ -87,6 +87,7 @@ void Pilot::Enter(Phase phase, const std::string& note) {
   driven_m_ = 0.0;
   fits_ = 0;
   turned_aside_rad_ = 0.0;
+  glanced_ = false;
   belief_.note = note;
   if (phase != Phase::kSearch) search_.End();
   if (phase == Phase::kClose) doors_.Begin();
@@ -170,6 +171,8 @@ Twist Pilot::Act() {
       return Search();
     case Phase::kCreep:
       return Creep();
+    case Phase::kGlance:
+      return Glance();
     case Phase::kBack:
       return Back();
     case Phase::kTurn:
@@ -243,7 +246,8 @@ Twist Pilot::Look() {
     Enter(Phase::kCreep, "the guide is too far for its marks");
   } else if (backs_ < options_.backs) {
     ++backs_;
-    Enter(Phase::kBack, "the guide shows no marks");
+    glance_side_ = last_guide_->bearing_rad < 0.0 ? -1.0 : 1.0;
+    Enter(Phase::kGlance, "the guide shows no marks");
   } else {
     backs_ = 0;
     filter_.Forget();
@@ -265,10 +269,9 @@ void Pilot::Decide() {
   pressed_once_ = false;
   const Pose2 X_DN = filter_.X_DN();
   if (InCone(X_DN, options_)) {
-    const double end_m =
-        SeatBehind(nominal_, LeanOf(nominal_, options_.press_rad)) + options_.short_m;
-    follower_.emplace(Pose2{X_DN.x, 0.0, kPi}, std::vector<Arc>{{X_DN.x - end_m, 0.0}});
     nudges_ = 0;
+    const double end_m = SeatBehind(nominal_, LeanOf(nominal_, PressAngle())) + options_.short_m;
+    follower_.emplace(Pose2{X_DN.x, 0.0, kPi}, std::vector<Arc>{{X_DN.x - end_m, 0.0}});
     belief_.plan = {{Pose2{X_DN.x, 0.0, 0.0}, end_m - X_DN.x, 0.0}};
     ++belief_.plan_count;
     Enter(Phase::kApproach, "on the axis");
@@ -391,7 +394,7 @@ void Pilot::KeepInView(Twist* twist) const {
 Twist Pilot::Approach() {
   const Pose2 X_DN = filter_.X_DN();
   if (X_DN.x < options_.press_m) {
-    arm_told_rad_ = options_.press_rad;
+    arm_told_rad_ = PressAngle();
     lamps_ = true;
   } else {
     arm_told_rad_ = 0.0;
@@ -421,6 +424,14 @@ Twist Pilot::Approach() {
   return {};
 }
 
+/// Each try after the first has another: a guide that is built higher or lower than told meets the
+/// seat at another lean.
+double Pilot::PressAngle() const {
+  const int tries = attempts_ + nudges_;
+  if (tries == 0) return options_.press_rad;
+  return options_.press_rad + (tries % 2 == 1 ? 1.0 : -1.0) * options_.press_other_rad;
+}
+
 Twist Pilot::Close() {
   if (doors_.state() == DoorState::kHeld) {
     Enter(Phase::kProve, "doors hold something");
@@ -433,6 +444,7 @@ Twist Pilot::Close() {
     const bool pinched = doors_.state() == DoorState::kPinched;
     nudge_m_ = pinched ? options_.nudge_m : options_.blind_nudge_m;
     door_open_m_ = options_.ajar_m;
+    arm_told_rad_ = PressAngle();
     Enter(Phase::kAjar, pinched ? "the guide is not in yet" : "doors closed on nothing");
     return {};
   }
@@ -494,6 +506,28 @@ Twist Pilot::Creep() {
   }
   return {options_.creep_m_s,
           std::clamp(kCreepGain_per_s * guide_->bearing_rad, -kCreepTurn_rad_s, kCreepTurn_rad_s)};
+}
+
+Twist Pilot::Glance() {
+  if (fits_ > 0 || UnseenFor() > options_.lost_s) {
+    Enter(Phase::kLook, fits_ > 0 ? "marks beside the guide" : "lost the guide");
+    return {};
+  }
+  const double left = last_guide_->bearing_rad - glance_side_ * options_.glance_rad;
+  const bool there = std::abs(left) < options_.turn_tolerance_rad || For() > options_.glance_most_s;
+  if (!there) {
+    const double rate = std::clamp(options_.turn_gain_per_s * left, -options_.seen_turn_rad_s,
+                                   options_.seen_turn_rad_s);
+    return {0.0, std::copysign(std::max(std::abs(rate), options_.least_turn_rad_s), rate)};
+  }
+  if (!glanced_) {
+    glanced_ = true;
+    glance_side_ = -glance_side_;
+    entered_ = now_;
+    return {};
+  }
+  Enter(Phase::kBack, "no marks on either side");
+  return {};
 }
 
 Twist Pilot::Back() {

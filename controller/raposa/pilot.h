@@ -21,6 +21,7 @@ class Pilot {
     kLook,      // stands and looks
     kSearch,    // turns to find the guide
     kCreep,     // towards a guide that is too far for a sure pose
+    kGlance,    // turns a little to either side of a guide whose square may be out of view
     kBack,      // straight back, away from a guide that is too near for its marks
     kTurn,      // in place, to a leg's heading
     kLeg,       // straight on a leg to the gate
@@ -54,6 +55,7 @@ class Pilot {
   Twist Look();
   Twist Search();
   Twist Creep();
+  Twist Glance();
   Twist Back();
   Twist Turn();
   Twist DriveLeg();
@@ -74,6 +76,7 @@ class Pilot {
   double Gauge() const;
   double For() const { return static_cast<double>(now_ - entered_) * kTickSeconds; }
   bool Looks() const;
+  double PressAngle() const;
   bool GuideExpected() const;
   double UnseenFor() const { return static_cast<double>(now_ - guide_seen_) * kTickSeconds; }
   void Believe();
@@ -99,6 +102,8 @@ class Pilot {
   double nudge_m_ = 0.0;
   bool lamps_ = false, pressed_once_ = false;
   int passes_ = 0, backs_ = 0, nudges_ = 0, attempts_ = 0;
+  bool glanced_ = false;                             // to the first side, in this phase
+  double glance_side_ = 0.0;                         // of the guide in the view: left 1, right -1
   double searched_rad_ = 0.0, away_from_rad_ = 0.0;  // still to turn from a guide without marks
   Twist last_;
   Belief belief_;

@@ -28,6 +28,7 @@ struct StandIn {
 struct Drive {
   Verdict verdict = Verdict::kUnderWay;
   double time_s = 0.0, nearest_m = 1e9, pushed_m = 0.0;
+  double located_s = 1e9;  // until it first has a pose
   double aside_rad = 0.0;  // the guide's largest bearing on the way in, until it fills the view
   int passes = 0;
 };
@@ -83,6 +84,9 @@ class PlanarRobot {
     guide.clipped = std::abs(bearing) > Radians(10.0);
     seen.guide = guide;
     if (!is_.marks || r < 0.16 || std::abs(bearing) > Radians(9.0)) return seen;
+    // The blue square stands 0.098 m behind the guide: from aside it can be out of the view.
+    const Pose2 square = X_VD * Pose2{-0.098, 0.0, 0.0};
+    if (std::abs(std::atan2(square.y, square.x)) > Radians(10.5)) return seen;
     PyramidFit fit;
     const double range_sigma = 0.006 * r + 0.004 * r * r, heading_sigma = Radians(0.2 + 1.5 * r);
     const double scale = 1.0 + noise(range_sigma) / r;
@@ -186,6 +190,7 @@ Drive RunPilot(double r_m, double alpha_deg, const StandIn& is, double aside_deg
     const PyramidSeen seen = robot.Look();
     const bool first = frame.tick == 0;
     const Commands commands = pilot.Step(frame, first ? nullptr : &seen, 0.05);
+    if (pilot.filter().located()) drive.located_s = std::min(drive.located_s, robot.time_s());
     const Pose2 X = robot.X_DN();
     const Pose2 X_VD = Inverse(X * Pose2{kCamera_m, 0.0, 0.0});
     if (pilot.phase() == Pilot::Phase::kApproach && X_VD.x > 0.2) {
@@ -265,6 +270,18 @@ TEST(Pilot, TurnsToAGuideAtTheEdgeOfItsView) {
     const Drive drive = RunPilot(0.6, 0.0, {}, aside_deg);
     EXPECT_EQ(drive.verdict, Verdict::kDocked) << aside_deg;
     EXPECT_LE(drive.time_s, 20.0) << aside_deg;
+  }
+}
+
+// The square lies 11 to 17 deg beside a guide that stands in the middle of the view or on the wrong
+// side of it.
+TEST(Pilot, GlancesBesideTheGuideForASquareOutOfView) {
+  for (const double side : {-1.0, 1.0}) {
+    for (const double aside_deg : {0.0, 5.0}) {
+      const Drive drive = RunPilot(0.5, side * 85.0, {}, -side * aside_deg);
+      EXPECT_LE(drive.located_s, 6.0) << side << ", aside " << aside_deg;
+      EXPECT_EQ(drive.verdict, Verdict::kDocked) << side << ", aside " << aside_deg;
+    }
   }
 }
 
