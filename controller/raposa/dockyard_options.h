@@ -46,14 +46,14 @@ struct DockyardOptions {
   double approach_m_s = 0.25;               // far from the seat; assumed, 0.1-0.4 ...
   double approach_gain_per_s = 0.45;  // ... in proportion to the way left; assumed, 0.3-0.7 ...
   double least_approach_m_s =
-      0.06;               // ... down to this, as belts are off by 0.003 m/s; assumed, 0.04-0.1
+      0.09;  // ... down to this: belts are off by 0.003 m/s, so slower is farther off; 0.04-0.12
   double blind_m = 0.16;  // in camera range; nearer the hole's rim cuts the guide in half, and it
                           // drives in by its belts; assumed, 0.14-0.2
   double press_m = 0.68;  // the arm is pressed down from here; assumed, 0.6-0.75
   double press_rad = Radians(14.0);       // leans the body back by 4.5 deg, as the guide; 10-18
   double press_other_rad = Radians(4.0);  // more, then less, at each further try: the seat's height
                                           // changes by 1.3 mm; assumed, 2-5 deg
-  double short_m = 0.004;  // it stops before the seat: doors pull the guide in from 8 mm; 2-6 mm
+  double short_m = 0.006;  // it stops before the seat: doors pull the guide in from 8 mm; 2-7 mm
   double lamps_m = 0.6;    // they are on nearer, in camera range; assumed, 0.4-1
   double phase_s = 90.0;   // of any phase; the longest, a search, takes 72; assumed, 80-120
   int passes = 12;         // ways to the axis, then it gives up; assumed, 6-20

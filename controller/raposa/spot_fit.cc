@@ -17,9 +17,10 @@ constexpr int kGridCells = 250, kFitCells = 700;  // of a window
 constexpr double kMargin_px = 7.0;                // of a window about the marks; assumed, 5-10
 // Of the range by a spot's area, as a share. Assumed, 0.2-0.4.
 constexpr double kAreaRangeSigma = 0.3;
-// A fit with more is none. Its mean is 1; a guide alone has its pyramid unexplained. Assumed, 3-6
-// and 10-20.
-constexpr double kMostMisfit = 4.0, kMostGuideMisfit = 15.0;
+// A fit with more is none. Its mean is 1, in shadows more; without a place where the pyramid is
+// believed, other things of like colours are more likely than shadows. A guide alone has its
+// pyramid unexplained. Assumed, 3-6, 2-4 and 10-20.
+constexpr double kMostMisfit = 4.0, kMostFreeMisfit = 3.0, kMostGuideMisfit = 15.0;
 // Blue must stand out of the noise, and cover so much. Assumed, 5-10 and 2-6.
 constexpr double kLeastBlueSigmas = 6.0, kLeastBlue_px2 = 2.0, kLeastOrangeSigmas = 7.0;
 // |blue| over |orange| in the values of FitWindow: the paints of render/spectrum.cc in light of
@@ -137,12 +138,12 @@ std::vector<PyramidPlace> Starts(const Nominal& nominal, const TintMap& map,
   return starts;
 }
 
-bool IsPyramid(const PlaceFit& fit) {
+bool IsPyramid(const PlaceFit& fit, double most_misfit) {
   const double orange = fit.orange.norm(), blue = fit.blue.norm();
   const bool colours = fit.orange.x() > 0.0 && fit.orange.x() > fit.orange.y() &&
                        fit.blue.y() > 0.0 && fit.blue.y() > fit.blue.x() &&
                        blue > kLeastBlueShare * orange && blue < kMostBlueShare * orange;
-  return colours && fit.misfit < kMostMisfit && fit.blue_sigmas > kLeastBlueSigmas &&
+  return colours && fit.misfit < most_misfit && fit.blue_sigmas > kLeastBlueSigmas &&
          fit.orange_sigmas > kLeastOrangeSigmas && fit.blue_px2 > kLeastBlue_px2 &&
          std::abs(AlphaOf(fit.place.X_VD)) < kMostAlpha;
 }
@@ -222,7 +223,7 @@ std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const
       if (!window) break;
       const auto fit =
           FitPlace(nominal, *window, from, PriorFor(nominal, pitch_rad, r_m), MarksDrawn::kAll, 12);
-      if (fit && IsPyramid(*fit)) out.poses.push_back(*fit);
+      if (fit && IsPyramid(*fit, start ? kMostMisfit : kMostFreeMisfit)) out.poses.push_back(*fit);
     }
   }
   std::ranges::stable_sort(out.poses, {}, &PlaceFit::chi2);
