@@ -204,7 +204,7 @@ Twist Pilot::Act() {
   return {};
 }
 
-/// Towards a guide at the view's edge, which shows no marks there. Still if there is none.
+/// Towards a guide at the view's edge, which shows no marks there. Zero if there is none.
 Twist Pilot::TurnToAside() {
   const bool aside = guide_ && guide_->clipped && fits_ == 0 &&
                      std::abs(guide_->bearing_rad) > kAside_rad &&
