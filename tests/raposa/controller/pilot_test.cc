@@ -273,13 +273,13 @@ TEST(Pilot, TurnsToAGuideAtTheEdgeOfItsView) {
   }
 }
 
-// The square lies 11 to 17 deg beside a guide that stands in the middle of the view or on the wrong
-// side of it.
+// The guide stands aside and its square 15 to 18 deg aside, out of the view. Backing off until it
+// is in view would take 3.6 and 6.1 s.
 TEST(Pilot, GlancesBesideTheGuideForASquareOutOfView) {
   for (const double side : {-1.0, 1.0}) {
-    for (const double aside_deg : {0.0, 5.0}) {
-      const Drive drive = RunPilot(0.5, side * 85.0, {}, -side * aside_deg);
-      EXPECT_LE(drive.located_s, 6.0) << side << ", aside " << aside_deg;
+    for (const double aside_deg : {4.0, 7.0}) {
+      const Drive drive = RunPilot(0.5, side * 85.0, {}, side * aside_deg);
+      EXPECT_LE(drive.located_s, 3.0) << side << ", aside " << aside_deg;
       EXPECT_EQ(drive.verdict, Verdict::kDocked) << side << ", aside " << aside_deg;
     }
   }
