@@ -68,15 +68,16 @@ bool ContactWorld::MayTouch() const {
 void ContactWorld::FindTouches(double dt_s) {
   const Pose3 X_GM = station_.X_GM();
   mating_.Find(Inverse(X_GM) * rover_.motion(RoverLink::kArm).X_GL, kWithin_m, matings_);
-  for (const MatingContact& contact : matings_) {
+  for (const BoreContact& contact : matings_) {
+    const bool on_face = IsOnFace(contact);
     touches_.push_back({.link = RoverLink::kArm,
                         .pair = contact.pair,
-                        .p_G = X_GM * contact.p_M,
-                        .normal_G = X_GM.R * contact.normal_M,
+                        .p_G = X_GM * contact.p,
+                        .normal_G = X_GM.R * contact.normal,
                         .gap_m = contact.gap_m,
                         .share = contact.share,
-                        .friction = contact.on_face ? cone_.face_friction : cone_.funnel_friction,
-                        .on_face = contact.on_face});
+                        .friction = on_face ? cone_.face_friction : cone_.funnel_friction,
+                        .on_face = on_face});
   }
   module_contacts_.Find(dt_s, modules_);
   for (const ModuleContact& contact : modules_) {

@@ -63,7 +63,7 @@ class ContactWorld {
   StationBody& station_;
   Mating mating_;
   ModuleContacts module_contacts_;
-  std::vector<MatingContact> matings_;
+  std::vector<BoreContact> matings_;
   std::vector<ModuleContact> modules_;
   std::optional<RockContacts> rock_contacts_;
   double rock_friction_ = 0.0;

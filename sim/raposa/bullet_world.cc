@@ -1,6 +1,9 @@
 #include "sim/raposa/bullet_world.h"
 
+#include <algorithm>
+
 #include "sim/physics/bullet_math.h"
+#include "sim/raposa/mating_shapes.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -13,6 +16,11 @@ constexpr double kSettled_m_s = 1e-6;
 // Balls round the bodies are so far apart that no contact can be near: 20 mm is the way at which
 // Bullet drops one, 1 mm the way of a fast robot in a step.
 constexpr double kApart_m = 0.05;
+// Contacts that are further open do nothing in a step, unless the bodies meet at 0.5 m/s.
+constexpr double kNear_m = 5e-4;
+// A point that was so near in the step before is the same: it starts with the impulse of then.
+// Numerical, 0.5-5 mm.
+constexpr double kSame_m = 2e-3;
 
 }  // namespace
 
@@ -22,15 +30,28 @@ BulletWorld::Ball BulletWorld::BallOf(const btCollisionObject& object) {
   return ball;
 }
 
-BulletWorld::BulletWorld(RobotBody& robot, PyramidBody& pyramid, const Eigen::Vector3d& gravity_G,
+void BulletWorld::SearchedWorld::performDiscreteCollisionDetection() {
+  btMultiBodyDynamicsWorld::performDiscreteCollisionDetection();
+  owner->MeetSocket();
+}
+
+BulletWorld::BulletWorld(RobotBody& robot, PyramidBody& pyramid, const RobotModel& robot_model,
+                         const PyramidModel& pyramid_model, const Eigen::Vector3d& gravity_G,
                          bool search_always)
     : dispatcher_(&configuration_),
       solver_(kSettled_m_s),
       world_(&dispatcher_, &broadphase_, &solver_, &configuration_),
+      robot_body_(robot),
+      pyramid_body_(pyramid),
       robot_(*robot.multibody()),
       pyramid_(*pyramid.body()),
+      X_RC_(SocketAxis(robot_model.socket)),
+      socket_friction_(robot_model.socket.friction),
+      socket_(SocketContacts(robot_model, pyramid_model)),
       pyramid_ball_(BallOf(pyramid_)),
       search_always_(search_always) {
+  world_.owner = this;
+  world_.getSimulationIslandManager()->setSplitIslands(false);
   world_.setGravity(ToBullet(gravity_G));
   world_.getSolverInfo().m_numIterations = kSolverSweeps;
   const int robot_group = 1, pyramid_group = 2;
@@ -40,7 +61,13 @@ BulletWorld::BulletWorld(RobotBody& robot, PyramidBody& pyramid, const Eigen::Ve
     world_.addCollisionObject(link, robot_group, pyramid_group);
     robot_balls_[static_cast<std::size_t>(i)] = BallOf(*link);
   }
+  pyramid_.setContactProcessingThreshold(kNear_m);
   world_.addRigidBody(&pyramid_, pyramid_group, robot_group);
+  // The body's ball is to hold the socket, which is none of its shapes.
+  Ball& body = robot_balls_[static_cast<std::size_t>(RobotLink::kBody)];
+  const Pose3 X_GC = robot.motion(RobotLink::kBody).X_GL * X_RC_;
+  const btVector3 socket = body.object->getWorldTransform().inverse() * ToBullet(X_GC.p);
+  body.radius = std::max(body.radius, (socket - body.center).length() + socket_.reach_m());
 }
 
 bool BulletWorld::AreApart() const {
@@ -82,6 +109,57 @@ void BulletWorld::StepApart(double dt_s) {
   pyramid_.predictIntegratedTransform(dt_s, next);
   pyramid_.proceedToTransform(next);
   pyramid_.clearForces();
+}
+
+BulletWorld::SocketPair& BulletWorld::PairOf(int pair) {
+  for (SocketPair& known : pairs_) {
+    if (known.pair == pair) return known;
+  }
+  btCollisionObject* body = robot_body_.collider(RobotLink::kBody);
+  pairs_.push_back({pair, dispatcher_.getNewManifold(body, &pyramid_), false});
+  return pairs_.back();
+}
+
+/// Gives Bullet the contacts of pyramid and socket.
+void BulletWorld::MeetSocket() {
+  const Pose3& X_GR = robot_body_.motion(RobotLink::kBody).X_GL;
+  const Pose3& X_GP = pyramid_body_.motion().X_GL;
+  socket_.Find(X_GR * X_RC_, X_GP, kNear_m, contacts_);
+  for (SocketPair& known : pairs_) known.found = false;
+  const btTransform X_AG = robot_body_.collider(RobotLink::kBody)->getWorldTransform().inverse();
+  const btTransform X_BG = pyramid_.getWorldTransform().inverse();
+  for (std::size_t i = 0; i < contacts_.size();) {
+    SocketPair& pair = PairOf(contacts_[i].pair);
+    pair.found = true;
+    std::array<btManifoldPoint, MANIFOLD_CACHE_SIZE> before;
+    const int known = pair.manifold->getNumContacts();
+    for (int k = 0; k < known; ++k)
+      before[static_cast<std::size_t>(k)] = pair.manifold->getContactPoint(k);
+    pair.manifold->clearManifold();
+    for (; i < contacts_.size() && contacts_[i].pair == pair.pair; ++i) {
+      const BoreContact& contact = contacts_[i];
+      const btVector3 on_pyramid = ToBullet(contact.p),
+                      normal = ToBullet(Eigen::Vector3d(-contact.normal));
+      const btVector3 on_wall = on_pyramid + contact.gap_m * normal;
+      btManifoldPoint point(X_AG * on_wall, X_BG * on_pyramid, normal, contact.gap_m);
+      point.m_positionWorldOnA = on_wall;
+      point.m_positionWorldOnB = on_pyramid;
+      point.m_combinedFriction = socket_friction_;
+      double nearest_m2 = kSame_m * kSame_m;
+      for (int k = 0; k < known; ++k) {
+        const btManifoldPoint& old = before[static_cast<std::size_t>(k)];
+        const double m2 = old.m_localPointB.distance2(point.m_localPointB);
+        if (m2 >= nearest_m2) continue;
+        nearest_m2 = m2;
+        point.m_appliedImpulse = old.m_appliedImpulse;
+      }
+      pair.manifold->addManifoldPoint(point);
+    }
+  }
+  const auto lost = std::stable_partition(pairs_.begin(), pairs_.end(),
+                                          [](const SocketPair& known) { return known.found; });
+  for (auto pair = lost; pair != pairs_.end(); ++pair) dispatcher_.releaseManifold(pair->manifold);
+  pairs_.erase(lost, pairs_.end());
 }
 
 void BulletWorld::Step(double dt_s) {

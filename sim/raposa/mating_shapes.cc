@@ -8,8 +8,6 @@
 namespace dockyard::raposa {
 namespace {
 
-// Wedges round a wall: an inscribed circle differs from the polygon's corners by 1.7 %.
-constexpr int kWedges = 16;
 // The seat goes on so far inwards of the guide's middle, to 3.5 mm of radius, and hides its nose.
 // Assumed, 15-21 mm.
 constexpr double kSeatEnds_m = 0.02;
@@ -20,55 +18,41 @@ struct Rim {
   double x_m = 0.0, radius_m = 0.0;
 };
 
-/// A cone's wall between two rims, its inner surface moved out by the margin, which the hulls add.
-void AddWall(const Eigen::Vector3d& p_R, Rim a, Rim b, const char* name,
-             std::vector<Collision>& walls) {
-  const Eigen::Vector2d along =
-      Eigen::Vector2d(b.x_m - a.x_m, b.radius_m - a.radius_m).normalized();
-  // Out of the bore, square to the wall.
-  const Eigen::Vector2d out =
-      kCollisionMargin_m * (along.x() < 0.0 ? Eigen::Vector2d(along.y(), -along.x())
-                                            : Eigen::Vector2d(-along.y(), along.x()));
-  for (Rim* rim : {&a, &b}) {
-    rim->x_m += out.x();
-    rim->radius_m += out.y();
-  }
-  const double widen = 1.0 / std::cos(kPi / kWedges);
-  for (int k = 0; k < kWedges; ++k) {
-    HullShape hull;
-    for (const Rim& rim : {a, b}) {
-      for (const double edge : {k - 0.5, k + 0.5}) {
-        const double angle = 2.0 * kPi * edge / kWedges;
-        const Eigen::Vector3d ray(0.0, std::cos(angle), std::sin(angle));
-        const Eigen::Vector3d x(rim.x_m, 0.0, 0.0);
-        hull.points.emplace_back(x + widen * rim.radius_m * ray);
-        hull.points.emplace_back(x + widen * kWallOuter_m * ray);
-      }
-    }
-    walls.push_back({name, hull, {Eigen::Matrix3d::Identity(), p_R}});
-  }
+/// The wall round a bore that is straight between two rims.
+void AddWall(Rim a, Rim b, BoreContacts& socket) {
+  socket.AddWall(
+      {{b.x_m, kWallOuter_m}, {b.x_m, b.radius_m}, {a.x_m, a.radius_m}, {a.x_m, kWallOuter_m}});
 }
 
 }  // namespace
 
-std::vector<Collision> SocketWalls(const RobotModel& robot) {
+Pose3 SocketAxis(const SocketModel& socket) { return {RotY(0.5 * kPi), socket.p_RS}; }
+
+BoreContacts SocketContacts(const RobotModel& robot, const PyramidModel& pyramid) {
   const SocketModel& socket = robot.socket;
   const DoorsModel& doors = robot.doors;
   const double slope = std::tan(socket.half_angle_rad);
   const double slot_m = robot.p_R_doors.x() - socket.p_RS.x();  // < 0
-  const auto seat_radius = [&](double x_m) { return socket.seat_radius_m - slope * x_m; };
-  std::vector<Collision> walls;
+  const auto seat = [&](double x_m) { return Rim{x_m, socket.seat_radius_m - slope * x_m}; };
   const double behind_m = slot_m + 0.5 * doors.plate_m, before_m = slot_m - 0.5 * doors.plate_m;
   const double bore_ends_m =
       std::max(behind_m + 1e-3, (socket.seat_radius_m - socket.throat_radius_m) / slope);
-  AddWall(socket.p_RS, {behind_m, socket.throat_radius_m}, {bore_ends_m, socket.throat_radius_m},
-          "bore", walls);
-  AddWall(socket.p_RS, {bore_ends_m, seat_radius(bore_ends_m)},
-          {kSeatEnds_m, seat_radius(kSeatEnds_m)}, "seat", walls);
   const double funnel_m = (socket.entrance_radius_m - socket.throat_radius_m) / slope;
-  AddWall(socket.p_RS, {before_m - funnel_m, socket.entrance_radius_m},
-          {before_m, socket.throat_radius_m}, "funnel", walls);
-  return walls;
+  const Rim entrance{before_m - funnel_m, socket.entrance_radius_m},
+      throat{before_m, socket.throat_radius_m}, bore{behind_m, socket.throat_radius_m},
+      bore_end{bore_ends_m, socket.throat_radius_m}, seat_end = seat(kSeatEnds_m);
+  BoreContacts contacts;
+  AddWall(entrance, throat, contacts);
+  AddWall(bore, bore_end, contacts);
+  AddWall(seat(bore_ends_m), seat_end, contacts);
+  for (const Rim& rim :
+       {Rim{entrance.x_m, kWallOuter_m}, entrance, throat, bore, seat(bore_ends_m), seat_end}) {
+    contacts.AddWallEdge(rim.x_m, rim.radius_m);
+  }
+  for (const std::vector<Collision>& pieces : {GuidePieces(pyramid), pyramid.body.collisions}) {
+    for (const Collision& piece : pieces) contacts.AddPart(piece);
+  }
+  return contacts;
 }
 
 std::vector<Collision> DoorPieces(const DoorsModel& doors, bool left) {

@@ -1,6 +1,5 @@
-// The convex pieces that meet when the guide enters the robot: funnel, seat and doors of the robot,
-// bi-cone, rod and case of the pyramid. Surfaces are where the models say, the contact solver's
-// margin included.
+// What meets when the guide enters the robot: funnel, seat and doors of the robot, bi-cone, rod and
+// case of the pyramid. Surfaces are where the models say, the contact solver's margin included.
 #pragma once
 
 #include <vector>
@@ -8,11 +7,15 @@
 #include "models/parts/link.h"
 #include "models/raposa/pyramid_model.h"
 #include "models/raposa/robot_model.h"
+#include "sim/physics/bore_contacts.h"
 
 namespace dockyard::raposa {
 
-/// Walls of funnel and seat, in R: wedges round the seat's axis.
-std::vector<Collision> SocketWalls(const RobotModel& robot);
+/// The frame in R of the socket's walls: z inwards along its axis, from where the guide's middle is
+/// once docked.
+Pose3 SocketAxis(const SocketModel& socket);
+/// Where the pyramid, all of it, meets the walls of funnel and seat.
+BoreContacts SocketContacts(const RobotModel& robot, const PyramidModel& pyramid);
 /// The two pieces of a door's plate above and below its V, in the door's frame. left: the door at
 /// y > 0.
 std::vector<Collision> DoorPieces(const DoorsModel& doors, bool left);

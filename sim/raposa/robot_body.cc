@@ -24,11 +24,7 @@ const LinkModel& ModelOf(const RobotModel& robot, RobotLink link) {
 std::vector<Collision> PiecesOf(const RobotModel& robot, RobotLink link) {
   if (link == RobotLink::kLeftDoor) return DoorPieces(robot.doors, true);
   if (link == RobotLink::kRightDoor) return DoorPieces(robot.doors, false);
-  std::vector<Collision> pieces = ModelOf(robot, link).collisions;
-  if (link == RobotLink::kBody) {
-    for (const Collision& wall : SocketWalls(robot)) pieces.push_back(wall);
-  }
-  return pieces;
+  return ModelOf(robot, link).collisions;
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ World::Impl::Impl(const WorldSetup& setup)
       gravity_G_(GravityInSite(setup.slope)),
       robot_(setup_.robot, RobotStart(setup), 0.0),
       pyramid_(setup.pyramid, PyramidStart(setup), CableFarEnd(setup)),
-      bullet_(robot_, pyramid_, gravity_G_, setup.search_always),
+      bullet_(robot_, pyramid_, setup_.robot, setup_.pyramid, gravity_G_, setup.search_always),
       tracks_(setup.robot, setup.belt_ground, setup.seed),
       arm_drive_(ModelOf(setup.robot, Motor::kArm), ArmInertia(setup_.robot)),
       door_drives_{MotorDrive(ModelOf(setup.robot, Motor::kLeftDoor), DoorInertia(setup_.robot)),

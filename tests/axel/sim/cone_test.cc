@@ -87,10 +87,10 @@ class WedgeQuery {
 };
 
 double LeastGap(const Mating& mating, const Pose3& X_MA, double within_m = 0.02) {
-  std::vector<MatingContact> contacts;
+  std::vector<BoreContact> contacts;
   mating.Find(X_MA, within_m, contacts);
   double least = 1.0;
-  for (const MatingContact& contact : contacts) least = std::min(least, contact.gap_m);
+  for (const BoreContact& contact : contacts) least = std::min(least, contact.gap_m);
   return least;
 }
 
