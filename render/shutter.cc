@@ -9,7 +9,6 @@
 namespace dockyard {
 namespace {
 
-constexpr double kSharp_px = 0.25, kStep_px = 0.5;
 constexpr int kMostViews = 16;
 
 void Add(const std::vector<float>& more, std::vector<float>& sum) {
@@ -30,11 +29,19 @@ double MotionInExposure_px(const Camera& camera, double turn_rad_s, double speed
          (std::abs(turn_rad_s) + std::abs(speed_m_s) / distance_m);
 }
 
+ShutterSteps StepsUnderBlur(double sigma_px) {
+  DOCKYARD_CHECK(sigma_px >= 0.0);
+  constexpr double kSharp = 0.25 / 0.6, kApart = 1.5;
+  const ShutterSteps sharp;
+  return {.sharp_px = std::max(sharp.sharp_px, kSharp * sigma_px),
+          .step_px = std::max(sharp.step_px, kApart * sigma_px)};
+}
+
 // n moments, h apart, have the mean square h^2 (n^2 - 1) / 12.
-std::vector<double> ExposureMoments(double motion_px) {
+std::vector<double> ExposureMoments(double motion_px, const ShutterSteps& steps) {
   DOCKYARD_CHECK(std::isfinite(motion_px) && motion_px >= 0.0);
-  if (motion_px < kSharp_px) return {0.0};
-  const double wanted = std::ceil(std::hypot(1.0, motion_px / kStep_px));
+  if (motion_px < steps.sharp_px) return {0.0};
+  const double wanted = std::ceil(std::hypot(1.0, motion_px / steps.step_px));
   const int n = static_cast<int>(std::clamp(wanted, 2.0, static_cast<double>(kMostViews)));
   const double apart = 1.0 / std::sqrt(n * n - 1.0);
   std::vector<double> moments;
@@ -44,9 +51,9 @@ std::vector<double> ExposureMoments(double motion_px) {
 
 std::vector<Pose3> PosesInExposure(const Pose3& X_WC, const Eigen::Vector3d& v_WC_W,
                                    const Eigen::Vector3d& w_WC_W, double exposure_s,
-                                   double motion_px) {
+                                   double motion_px, const ShutterSteps& steps) {
   std::vector<Pose3> poses;
-  for (const double moment : ExposureMoments(motion_px)) {
+  for (const double moment : ExposureMoments(motion_px, steps)) {
     const double after_s = moment * exposure_s;
     Pose3 X = X_WC;
     X.p += after_s * v_WC_W;

@@ -17,18 +17,28 @@ namespace dockyard {
 double MotionInExposure_px(const Camera& camera, double turn_rad_s, double speed_m_s,
                            double distance_m, double exposure_s);
 
-/// When views are taken whose mean stands for an exposure in which the image moves by motion_px:
-/// times about the exposure's middle, as shares of it. They are evenly spaced, less than half a
-/// pixel apart (16 at most), and their mean square is that of the exposure, 1/12: a spot is widened
-/// by as much as by a box of motion_px. One view below 0.25 px: the box would widen the 0.6 px of
+/// How finely an exposure is divided. Of a sharp lens: a box of 0.25 px would widen the 0.6 px of
 /// lens and pixel by 0.7 %.
-std::vector<double> ExposureMoments(double motion_px);
+struct ShutterSteps {
+  double sharp_px = 0.25;  // below this motion one view is enough
+  double step_px = 0.5;    // from view to view, at most
+};
+/// Of a lens that blurs by a Gauss law of sigma_px: no more than is needed under that blur. The same
+/// share of it is sharp, and views 1.5 sigma apart leave a ripple of exp(-2 (pi / 1.5)^2), 0.015 %.
+/// Never finer than those of a sharp lens.
+ShutterSteps StepsUnderBlur(double sigma_px);
+
+/// When views are taken whose mean stands for an exposure in which the image moves by motion_px:
+/// times about the exposure's middle, as shares of it. They are evenly spaced, no further apart
+/// than the step (16 at most), and their mean square is that of the exposure, 1/12: a spot is
+/// widened by as much as by a box of motion_px.
+std::vector<double> ExposureMoments(double motion_px, const ShutterSteps& steps = {});
 
 /// Where a camera is at these moments, for StereoRenderer::RenderThrough. X_WC: at the exposure's
 /// middle; v_WC_W: of its origin [m/s]; w_WC_W: [rad/s].
 std::vector<Pose3> PosesInExposure(const Pose3& X_WC, const Eigen::Vector3d& v_WC_W,
                                    const Eigen::Vector3d& w_WC_W, double exposure_s,
-                                   double motion_px);
+                                   double motion_px, const ShutterSteps& steps = {});
 
 using StereoRadiance = std::array<RadianceImage, 2>;
 /// The mean of both views over the exposure. view: both ideal views at that share of it after its

@@ -57,7 +57,8 @@ std::vector<CameraImage> RaposaPlant::TakeImages(const std::vector<int>& cameras
                                                range_m, camera.shutter_s);
   const ColourRadiance light = renderer_->Get().RenderThrough(
       scene_.Make(exposed_, world_.ground(), lamps_on_), scene_.colours(), view_,
-      PosesInExposure(X_WC, v_W, exposed_.w_WR_W, camera.shutter_s, motion_px));
+      PosesInExposure(X_WC, v_W, exposed_.w_WR_W, camera.shutter_s, motion_px,
+                      StepsUnderBlur(camera.blur_sigma_px)));
   const Tick now = world_.tick();
   const double since_s =
       last_picture_ ? static_cast<double>(now - *last_picture_) * kTickSeconds : 0.0;

@@ -72,6 +72,30 @@ TEST(Shutter, ViewsAreLessThanHalfAPixelApart) {
   EXPECT_EQ(ExposureMoments(1e6).size(), 16u);
 }
 
+// Against the box itself under the same blur: an edge's profile, at places all over it.
+TEST(Shutter, StepsUnderABlurCannotBeSeenBehindIt) {
+  const auto edge = [](double x, double sigma) {
+    return 0.5 * std::erfc(-x / (sigma * std::numbers::sqrt2));
+  };
+  for (const double sigma : {0.7, 1.0, 1.5}) {
+    for (double d = 0.1; d < 16.0 * sigma; d *= 1.3) {
+      const std::vector<double> moments = ExposureMoments(d, StepsUnderBlur(sigma));
+      double worst = 0.0;
+      for (double x = -20.0; x <= 20.0; x += 0.1) {
+        double views = 0.0, box = 0.0;
+        for (const double moment : moments) {
+          views += edge(x + moment * d, sigma) / static_cast<double>(moments.size());
+        }
+        constexpr int kFine = 200;
+        for (int i = 0; i < kFine; ++i)
+          box += edge(x + ((i + 0.5) / kFine - 0.5) * d, sigma) / kFine;
+        worst = std::max(worst, std::abs(views - box));
+      }
+      EXPECT_LT(worst, 0.005) << sigma << " " << d << " " << moments.size();
+    }
+  }
+}
+
 TEST(Shutter, OneViewOfAStillCamera) {
   int views = 0;
   const StereoRadiance still = OverExposure(0.04, [&](double share) -> StereoRadiance {
