@@ -1,6 +1,7 @@
 #include "controller/raposa/colour_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dockyard::raposa {
@@ -17,7 +18,10 @@ constexpr float kFaintRedder = 0.15f;
 // Shares of the view that are redder and bluer than its ground and sky. The guide fills a sixth at
 // 0.2 m. Assumed, 0.18-0.3 and 0.1-0.2.
 constexpr double kRedShare = 0.22, kBlueShare = 0.15;
-constexpr double kRim_px = 2.0;         // of the hole, left out; assumed, 1-4
+constexpr double kRim_px = 2.0;  // of the hole, left out; assumed, 1-4
+// A rim as built lies so near to where it is told; it is looked for by rings of a pixel. Assumed,
+// 5-8 px, of a hole of 84 px.
+constexpr int kRimSearch_px = 6;
 constexpr int kLeastPairs = 2;          // assumed, 2-4
 constexpr double kLeastStrength = 1.2;  // noise of dark grass makes spots of 1 to 1.3; assumed, 1-2
 constexpr double kFaintStrength = 0.3;  // such a spot counts with its blue alone; assumed, 0.3-0.6
@@ -108,6 +112,38 @@ std::optional<OrangeSpot> SpotOf(const TintMap& map, const Region& region, float
   return spot;
 }
 
+/// Radius at which the view is half as bright as a little further in: its rim, seen. The told one
+/// where the picture shows none.
+double RimOf(const PairImage& light, const Eigen::Vector2d& middle_px, double told_px) {
+  constexpr int kRings = 2 * kRimSearch_px + 5, kInner = 4;
+  const double from_px = told_px - kRimSearch_px - kInner;
+  std::array<double, kRings> sum{}, count{};
+  for (int j = 0; j < light.height; ++j) {
+    for (int i = 0; i < light.width; ++i) {
+      const double r_px = (Eigen::Vector2d(2.0 * i + 0.5, j) - middle_px).norm();
+      const double ring = std::floor(r_px - from_px);
+      if (ring < 0.0 || ring >= kRings) continue;
+      sum[static_cast<std::size_t>(ring)] += light.At(i, j)[1];
+      count[static_cast<std::size_t>(ring)] += 1.0;
+    }
+  }
+  double inner = 0.0;
+  for (std::size_t k = 0; k < kInner; ++k) {
+    if (count[k] == 0.0) return told_px;
+    inner += sum[k] / count[k] / kInner;
+  }
+  double before = inner;
+  for (std::size_t k = kInner; k < kRings && count[k] > 0.0; ++k) {
+    const double now = sum[k] / count[k];
+    if (now < 0.5 * inner) {
+      const double share = (before - 0.5 * inner) / std::max(before - now, 1e-12);
+      return from_px + static_cast<double>(k) - 0.5 + share;
+    }
+    before = now;
+  }
+  return told_px;
+}
+
 }  // namespace
 
 double TintMap::Inside(int i, int j) const {
@@ -119,7 +155,8 @@ TintMap TintsOf(const RgbImage& image, const Nominal& nominal, Spots spots) {
   map.spots = spots;
   map.light = ToLinearPairs(image);
   map.middle_px = nominal.camera.centre_px();
-  map.hole_px = nominal.camera.focal_px().x() * std::tan(nominal.half_view_rad);
+  map.hole_px = RimOf(map.light, map.middle_px,
+                      nominal.camera.focal_px().x() * std::tan(nominal.half_view_rad));
   map.red_blue.assign(map.light.pairs.size(), 0.0f);
   map.tints.assign(map.light.pairs.size(), Tint::kUnseen);
   std::vector<float> seen;

@@ -14,9 +14,10 @@ struct DockyardOptions {
   double centre_m = -0.01;       // it lies there in R; -0.04 to 0.02 by the belts' closed form
   double belt_bias_m_s = 0.003;  // of a driven belt's reading; assumed, 0.002-0.01
   double bias_time_s = 120.0;    // in which it wanders; assumed, 60-300
-  double way_noise = 0.01;       // share of the way; assumed, 0.005-0.03
-  double side_noise = 0.02;      // sideways, of the way; assumed, 0.01-0.05
-  double turn_noise = 0.03;      // share of a turn; assumed, 0.01-0.05
+  double scale_sigma = 0.015;  // of all ranges in pictures: focal length, marks; assumed, 0.01-0.03
+  double way_noise = 0.01;     // share of the way; assumed, 0.005-0.03
+  double side_noise = 0.02;    // sideways, of the way; assumed, 0.01-0.05
+  double turn_noise = 0.03;    // share of a turn; assumed, 0.01-0.05
   // An arm that turns rolls its belts one way and leans the body the other way. The robot goes with
   // either, as the floor holds: share of the belts' way; assumed, 0.1-0.4.
   double arm_noise = 0.25;
@@ -45,15 +46,21 @@ struct DockyardOptions {
   double settle_m = 0.11;                   // an offset dies out over it; assumed, 0.08-0.15
   double approach_m_s = 0.25;               // far from the seat; assumed, 0.1-0.4 ...
   double approach_gain_per_s = 0.45;  // ... in proportion to the way left; assumed, 0.3-0.7 ...
-  double least_approach_m_s =
-      0.09;  // ... down to this: belts are off by 0.003 m/s, so slower is farther off; 0.04-0.12
-  double blind_m = 0.16;  // in camera range; nearer the hole's rim cuts the guide in half, and it
+  // ... down to this: belts are off by 0.003 m/s, so slower is farther off; 0.04-0.12. At the end
+  // it is slower: a control period's way is what it cannot stop within; assumed, 10-30 mm,
+  // 0.03-0.06.
+  double least_approach_m_s = 0.09;
+  double end_m = 0.02, end_m_s = 0.045;
+  double blind_m = 0.18;  // in camera range; nearer the hole's rim cuts the guide in half, and it
                           // drives in by its belts; assumed, 0.14-0.2
   double press_m = 0.68;  // the arm is pressed down from here; assumed, 0.6-0.75
-  double press_rad = Radians(14.0);       // leans the body back by 4.5 deg, as the guide; 10-18
-  double press_other_rad = Radians(4.0);  // more, then less, at each further try: the seat's height
-                                          // changes by 1.3 mm; assumed, 2-5 deg
-  double short_m = 0.006;  // it stops before the seat: doors pull the guide in from 8 mm; 2-7 mm
+  // Leans the body back by 2.5 deg. The seat then lets in guides from 14 mm lower to 5 mm higher
+  // than told; of 14 deg, to 2 mm higher alone (docs/raposa.md, Socket). 6-12 deg.
+  double press_rad = Radians(8.0);
+  double press_other_rad = Radians(4.0);  // less, then more, at each further try: the seat's height
+                                          // changes by 2 mm; assumed, 2-5 deg
+  double look_low_rad = Radians(14.0);    // to see a guide that is low in the view; assumed, 10-18
+  double short_m = 0.003;  // it stops before the seat: doors pull the guide in from 9 mm; 0-6 mm
   double lamps_m = 0.6;    // they are on nearer, in camera range; assumed, 0.4-1
   double phase_s = 90.0;   // of any phase; the longest, a search, takes 72; assumed, 80-120
   int passes = 12;         // ways to the axis, then it gives up; assumed, 6-20
@@ -72,11 +79,15 @@ struct DockyardOptions {
   double first_patience_s = 2.5;    // the same, before it has seen the guide at all; assumed, 1-4
   double creep_m_s = 0.15;          // towards a guide without marks; assumed, 0.05-0.2
   double creep_to_m = 0.62;  // in camera range: strips show to 110 deg from there; assumed, 0.5-0.8
+  double far_m = 2.0;        // beyond it a guide shows in some pictures alone; assumed, 1.5-2.5
+  double unseen_way_m = 1.0;         // towards such a guide without seeing it; assumed, 0.5-1.5
   double glance_rad = Radians(8.0);  // so far aside it puts a guide whose square may be out of
                                      // view; less than the view's 12.5 and the guide's radius; 6-9
   double glance_most_s = 2.5;        // for each side; assumed, 2-4
   double back_m = 0.25;              // away from a guide too near for its marks; assumed, 0.15-0.4
-  int backs = 4;                     // from one guide; assumed, 2-6
+  int straight_backs = 1;            // from one guide; then it goes round it; assumed, 1-3 ...
+  double round_rad = Radians(60.0);  // ... by this at a time, seen from the guide; 45-75 ...
+  int backs = 7;                     // ... until it has been all round: 360 / 60, and one back
   double most_search_rad = 6.0 * kPi;       // in all, without a way to the axis; assumed, 2-4 turns
   double search_rad_s = Radians(15.0);      // assumed, 8-25
   double first_search_rad = Radians(20.0);  // doubled at each switch; assumed, 15-40
@@ -92,8 +103,9 @@ struct DockyardOptions {
   double close_s = 7.0;     // in which doors have closed or never will: they take 5
   double ajar_m = 0.018;    // open enough for the waist of 15 mm to pass; 16-22
   double nudge_m = 0.008;   // on, where doors pinch the guide's waist; assumed, 5-12 mm
-  double blind_nudge_m =
-      0.015;                    // on, where they close on nothing: it may lie before them; 10-20 mm
+  // On, where they close on nothing: they push a guide that is not between them yet to 28 mm before
+  // its seat; 20-27.
+  double blind_nudge_m = 0.024;
   double prove_m = 0.03;        // it pulls that far before it claims; assumed, 20-50 mm
   double prove_m_s = 0.04;      // assumed, 0.02-0.08
   int nudges = 3;               // before it backs off; assumed, 2-4

@@ -73,7 +73,8 @@ double Pilot::pitch_rad() const { return CameraPitch(nominal_) + LeanOf(nominal_
 
 std::optional<PyramidPrior> Pilot::Prior() const {
   // A guide whose marks do not fit what is believed is looked at afresh now and then.
-  if (!filter_.located() || (fitless_ > kFitless && fitless_ % kAfresh == 0)) return std::nullopt;
+  const bool afresh = supposed_ || (fitless_ > kFitless && fitless_ % kAfresh == 0);
+  if (!filter_.located() || afresh) return std::nullopt;
   PyramidPrior prior = filter_.Prior();
   prior.covariance *= options_.prior_share * options_.prior_share;
   prior.covariance.diagonal() +=
@@ -111,7 +112,10 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
                           .arm_m = nominal_.sprocket_radius_m * std::abs(arm_rad_ - arm_before),
                           .dt_s = kTickSeconds * kControlPeriod};
     turned_rad_ = (steps.right_m - steps.left_m) / steps.gauge_m;
-    driven_m_ -= 0.5 * (steps.left_m + steps.right_m);
+    const double way_m = -0.5 * (steps.left_m + steps.right_m);
+    driven_m_ += way_m;
+    unseen_m_ += std::abs(way_m);
+    guide_bearing_rad_ -= filter_.gauge_share() * turned_rad_;
     filter_.Drive(steps);
   }
   belts_m_ = belts_m;
@@ -121,13 +125,26 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
   if (guide_) {
     guide_seen_ = now_;
     last_guide_ = guide_;
+    unseen_m_ = 0.0;
+    guide_bearing_rad_ = guide_->bearing_rad;
   }
   if (!seen->fits.empty()) {
     ++fits_;
     fitless_ = 0;
+    sides_seen_ = 0.0;
     ++belief_.sighting_count;
   }
-  if (guide_ && seen->fits.empty()) ++fitless_;
+  if (guide_ && seen->fits.empty()) {
+    ++fitless_;
+    sides_seen_ += guide_->likely_side;
+  }
+  if (supposed_ && !seen->fits.empty()) {
+    supposed_ = false;
+    filter_.Forget();
+    filter_.See(*seen, age_s);
+    Enter(Phase::kLook, "marks in view");
+    return;
+  }
   const bool was = filter_.located();
   const Pose2 before = was ? filter_.X_DN() : Pose2{};
   filter_.See(*seen, age_s);
@@ -229,7 +246,7 @@ Twist Pilot::Look() {
   // A guide this low is cut by the view's edge, or lies below it.
   const bool low = !guide_ || guide_->clipped;
   if (For() > options_.glance_s && fits_ == 0 && low && arm_told_rad_ == 0.0 && !pressed_once_) {
-    arm_told_rad_ = options_.press_rad;
+    arm_told_rad_ = options_.look_low_rad;
     lamps_ = pressed_once_ = true;
     Enter(Phase::kLook, "looks lower");
     return {};
@@ -238,10 +255,13 @@ Twist Pilot::Look() {
   const bool first = guide_seen_ == 0;
   if (For() < (first ? options_.first_patience_s : options_.patience_s)) return {};
   pressed_once_ = false;
-  // A far guide shows in some pictures alone.
   if (first || UnseenFor() > options_.lost_s) {
     arm_told_rad_ = 0.0;
-    Enter(Phase::kSearch, "no guide in view");
+    if (MayBeAhead()) {
+      Enter(Phase::kCreep, "on towards a far guide");
+    } else {
+      Enter(Phase::kSearch, "no guide in view");
+    }
   } else if (last_guide_->range_m > options_.creep_to_m) {
     Enter(Phase::kCreep, "the guide is too far for its marks");
   } else if (backs_ < options_.backs) {
@@ -250,8 +270,9 @@ Twist Pilot::Look() {
     Enter(Phase::kGlance, "the guide shows no marks");
   } else {
     backs_ = 0;
+    round_side_ = 0.0;
     filter_.Forget();
-    ++attempts_;
+    attempts_ += options_.attempts / 2;  // seen from all round: of two such guides it gives up
     away_from_rad_ = 2.0 * nominal_.half_view_rad;
     Enter(Phase::kSearch, "this guide never shows marks");
   }
@@ -265,6 +286,7 @@ void Pilot::Decide() {
     return;
   }
   backs_ = 0;
+  round_side_ = 0.0;
   searched_rad_ = 0.0;
   pressed_once_ = false;
   const Pose2 X_DN = filter_.X_DN();
@@ -412,8 +434,10 @@ Twist Pilot::Approach() {
     }
   }
   const double left_m = follower_->Remaining();
-  const double speed = std::clamp(options_.approach_gain_per_s * left_m,
-                                  options_.least_approach_m_s, options_.approach_m_s);
+  const double speed = left_m < options_.end_m
+                           ? options_.end_m_s
+                           : std::clamp(options_.approach_gain_per_s * left_m,
+                                        options_.least_approach_m_s, options_.approach_m_s);
   Twist twist = follower_->Follow(
       X_DN, speed, {.settle_m = options_.settle_m, .max_turn_rad_s = kApproachTurn_rad_s});
   if (!follower_->done()) KeepInView(&twist);
@@ -429,7 +453,7 @@ Twist Pilot::Approach() {
 double Pilot::PressAngle() const {
   const int tries = attempts_ + nudges_;
   if (tries == 0) return options_.press_rad;
-  return options_.press_rad + (tries % 2 == 1 ? 1.0 : -1.0) * options_.press_other_rad;
+  return options_.press_rad + (tries % 2 == 1 ? -1.0 : 1.0) * options_.press_other_rad;
 }
 
 Twist Pilot::Close() {
@@ -491,21 +515,29 @@ Twist Pilot::Retreat() {
   return {};
 }
 
+/// A far guide shows in some pictures alone: it is gone on to for a while. At the start it is told
+/// to be in view.
+bool Pilot::MayBeAhead() const {
+  const bool far = !last_guide_ || last_guide_->range_m > options_.far_m;
+  return far && unseen_m_ < options_.unseen_way_m;
+}
+
 Twist Pilot::Creep() {
-  if (UnseenFor() > options_.lost_s) {
+  if (UnseenFor() > options_.lost_s && !MayBeAhead()) {
     Enter(Phase::kLook, "lost the guide");
     return {};
   }
   arm_told_rad_ = 0.0;
-  if (!guide_) return {options_.creep_m_s, 0.0};
+  const double turn_rad_s =
+      std::clamp(kCreepGain_per_s * guide_bearing_rad_, -kCreepTurn_rad_s, kCreepTurn_rad_s);
+  if (!guide_) return {options_.creep_m_s, turn_rad_s};
   const bool sure = filter_.located() && fits_ >= options_.looks &&
                     std::sqrt(filter_.covariance()(2, 2)) < options_.sure_heading_rad;
   if (sure || guide_->range_m < options_.creep_to_m) {
     Enter(Phase::kLook, "near enough");
     return {};
   }
-  return {options_.creep_m_s,
-          std::clamp(kCreepGain_per_s * guide_->bearing_rad, -kCreepTurn_rad_s, kCreepTurn_rad_s)};
+  return {options_.creep_m_s, turn_rad_s};
 }
 
 Twist Pilot::Glance() {
@@ -526,8 +558,24 @@ Twist Pilot::Glance() {
     entered_ = now_;
     return {};
   }
-  Enter(Phase::kBack, "no marks on either side");
+  if (backs_ > options_.straight_backs) {
+    GoRound();
+  } else {
+    Enter(Phase::kBack, "no marks on either side");
+  }
   return {};
+}
+
+/// Round a guide that shows no marks from here: to where the axis were, stood the robot so far off
+/// it. First to the side that the pictures make likely, then always the same way, so it comes to
+/// the front in the end.
+void Pilot::GoRound() {
+  if (round_side_ == 0.0) round_side_ = sides_seen_ < 0.0 ? -1.0 : 1.0;
+  filter_.Suppose(*last_guide_, round_side_ * options_.round_rad);
+  supposed_ = true;
+  legs_ = PlanToGate(filter_.X_DN(), nominal_, options_).legs;
+  BeginLeg();
+  belief_.note = "goes round a guide without marks";
 }
 
 Twist Pilot::Back() {

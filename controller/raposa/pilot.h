@@ -69,6 +69,7 @@ class Pilot {
   Twist Retreat();
   void Decide();
   void BeginLeg();
+  void GoRound();
   void TryAgain(const std::string& why);
   void Enter(Phase phase, const std::string& note);
   Twist TurnTo(double heading_rad, bool* done) const;
@@ -78,6 +79,7 @@ class Pilot {
   bool Looks() const;
   double PressAngle() const;
   bool GuideExpected() const;
+  bool MayBeAhead() const;
   double UnseenFor() const { return static_cast<double>(now_ - guide_seen_) * kTickSeconds; }
   void Believe();
 
@@ -93,6 +95,8 @@ class Pilot {
   double turned_rad_ = 0.0;                       // by the belts, since the last call
   double driven_m_ = 0.0;                         // of this phase
   std::optional<GuideSeen> guide_, last_guide_;   // of the last picture; the last one seen
+  double guide_bearing_rad_ = 0.0;                // of the last one seen, by the belts since
+  double unseen_m_ = 0.0;                         // driven since
   double turned_aside_rad_ = 0.0;                 // of this phase
   int fits_ = 0;                                  // pictures with a pose, in this phase
   int fitless_ = 0;                               // in a row, with a guide and no pose
@@ -105,6 +109,9 @@ class Pilot {
   bool glanced_ = false;                             // to the first side, in this phase
   double glance_side_ = 0.0;                         // of the guide in the view: left 1, right -1
   double searched_rad_ = 0.0, away_from_rad_ = 0.0;  // still to turn from a guide without marks
+  bool supposed_ = false;                            // no picture told where the pyramid stands
+  double sides_seen_ = 0.0;                          // sum of likely sides, of pictures in a row
+  double round_side_ = 0.0;                          // it goes round a guide by this way: left 1
   Twist last_;
   Belief belief_;
 };

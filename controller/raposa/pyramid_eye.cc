@@ -12,9 +12,12 @@ namespace {
 constexpr std::size_t kMostSpots = 5;  // orange regions that are looked into
 // What calibration and lens leave of a direction. Assumed, 0.1-0.5 px of 377.
 constexpr double kBearingFloor = 5e-4;
-// What calibration leaves of a range, as a share; and what the marks' model leaves, for each unit
-// of misfit above 1. Assumed, 0.5-2 % and 1-4 %.
-constexpr double kRangeFloor = 0.01, kMisfitRange = 0.02;
+// What the marks' model leaves of a range, as a share: at least, and for each unit of misfit
+// above 1. The scale that all ranges share is the filter's. Assumed, 0.3-1 % and 1-4 %.
+constexpr double kRangeFloor = 0.005, kMisfitRange = 0.02;
+// Of a pose whose guide the hole's rim cuts, as a share: on the way in it was up to 15 % too far.
+// Assumed, 0.04-0.1.
+constexpr double kClippedRange = 0.06;
 // Of the range by the guide alone, as a share: its shading looks like size. From
 // raposa_eye_survey; 0.04-0.1.
 constexpr double kAloneRange = 0.06;
@@ -39,16 +42,18 @@ GuideSeen SeenOf(const Nominal& nominal, const SpotFit& spot) {
   seen.bearing_sigma_rad =
       std::hypot(std::sqrt(across.dot(covariance * across)) / r_m, kBearingFloor);
   seen.clipped = spot.clipped;
+  if (spot.likely_alpha_rad) seen.likely_side = *spot.likely_alpha_rad < 0.0 ? -1.0 : 1.0;
   return seen;
 }
 
-PyramidFit FitOf(const PlaceFit& fit) {
+PyramidFit FitOf(const PlaceFit& fit, bool clipped) {
   PyramidFit out{fit.place.X_VD,      fit.covariance.topLeftCorner<3, 3>(),
                  fit.misfit,          fit.place.down_m,
                  fit.place.pitch_rad, fit.place.roll_rad};
   const Pose2& X = fit.place.X_VD;
   const Eigen::Vector2d along(X.x, X.y), across(-X.y, X.x);
-  const double floor = kRangeFloor + kMisfitRange * std::max(0.0, fit.misfit - 1.0);
+  const double floor = kRangeFloor + kMisfitRange * std::max(0.0, fit.misfit - 1.0) +
+                       (clipped ? kClippedRange : 0.0);
   out.covariance.topLeftCorner<2, 2>() +=
       floor * floor * along * along.transpose() +
       kBearingFloor * kBearingFloor * across * across.transpose();
@@ -134,7 +139,7 @@ PyramidSeen PyramidEye::Find(const RgbImage& image, double pitch_rad,
   PyramidSeen seen;
   if (!best) return seen;
   seen.guide = SeenOf(nominal_, *best);
-  for (const PlaceFit& fit : best->poses) seen.fits.push_back(FitOf(fit));
+  for (const PlaceFit& fit : best->poses) seen.fits.push_back(FitOf(fit, best->clipped));
   return seen;
 }
 

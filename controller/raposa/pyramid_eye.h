@@ -22,6 +22,9 @@ struct GuideSeen {
   double range_m = 0.0;      // from the camera, in plan
   double bearing_sigma_rad = 0.0, range_sigma_m = 0.0;
   bool clipped = false;  // the view's edge cuts it: it may be nearer, and farther aside
+  // The side of the axis on which the camera probably is, for a picture without a pose: left of it,
+  // seen from the guide, 1; right -1; not known 0.
+  double likely_side = 0.0;
 };
 
 /// A pose of the pyramid that explains the picture.

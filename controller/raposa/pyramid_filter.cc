@@ -11,8 +11,10 @@ namespace dockyard::raposa {
 namespace {
 
 // The state: X_DN's x, y, heading; the share of the told gauge's turns that comes about; x_R of the
-// turning centre; what the left and the right belt's readings say too much, when driven.
-enum Index { kX, kY, kHeading, kShare, kCentre, kLeftBias, kRightBias };
+// turning centre; what the left and the right belt's readings say too much, when driven; what
+// pictures say too much of a range, as a share: of marks and lens that are not as told.
+enum Index { kX, kY, kHeading, kShare, kCentre, kLeftBias, kRightBias, kScale };
+constexpr int kLearned = 5;  // the last of them
 
 constexpr std::size_t kRecent = 10;   // control periods that a picture may be old
 constexpr std::size_t kMostKept = 4;  // poses at a time; assumed, 3-6
@@ -36,7 +38,8 @@ constexpr double kArmPart_m = 0.02;              // of the arm's way: one press
 // A turn slips sideways as so much of a stretch's way for each radian; a way turns by so much on a
 // metre. Assumed, 0.1-0.5 m and 0.005-0.02 rad.
 constexpr double kTurnSlip_m = 0.2, kWayTurn_rad_m = 0.01;
-constexpr double kGuideGate = 14.0;  // one in 1100 of 2 degrees of freedom
+constexpr double kSupposed_rad = Radians(30.0);  // of an angle that no picture told
+constexpr double kGuideGate = 14.0;              // one in 1100 of 2 degrees of freedom
 
 /// Wraps the angles of a residual: rows that are headings or bearings.
 void WrapRow(double& value) { value = WrapPi(value); }
@@ -45,13 +48,14 @@ void WrapRow(double& value) { value = WrapPi(value); }
 
 PyramidFilter::PyramidFilter(const Nominal& nominal, const DockyardOptions& options)
     : nominal_(nominal), options_(options), X_NV_(CameraInPlan(nominal)) {
-  belts_.mean(kShare) = 1.0;
-  belts_.mean(kCentre) = options.centre_m;
+  learned_.mean(kShare) = 1.0;
+  learned_.mean(kCentre) = options.centre_m;
   const auto variance = [](double sigma) { return sigma * sigma; };
-  belts_.P(kShare, kShare) = variance(options.gauge_sigma);
-  belts_.P(kCentre, kCentre) = variance(options.centre_sigma_m);
-  belts_.P(kLeftBias, kLeftBias) = variance(options.belt_bias_m_s);
-  belts_.P(kRightBias, kRightBias) = variance(options.belt_bias_m_s);
+  learned_.P(kShare, kShare) = variance(options.gauge_sigma);
+  learned_.P(kCentre, kCentre) = variance(options.centre_sigma_m);
+  learned_.P(kLeftBias, kLeftBias) = variance(options.belt_bias_m_s);
+  learned_.P(kRightBias, kRightBias) = variance(options.belt_bias_m_s);
+  learned_.P(kScale, kScale) = variance(options.scale_sigma);
 }
 
 /// The state after a share of the steps; a negative one goes back.
@@ -86,7 +90,7 @@ void PyramidFilter::Drive(const BeltSteps& steps) {
       kept.P(bias, bias) += fresh;
     }
   };
-  drift(belts_);
+  drift(learned_);
   for (Kept& kept : kept_) {
     StateMatrix F;
     for (int i = 0; i < kStates; ++i) {
@@ -129,7 +133,8 @@ Pose2 PyramidFilter::CameraIn(const State& state, double age_s) const {
 
 Eigen::Vector3d PyramidFilter::Foretold(const State& state, double age_s) const {
   const Pose2 X_VD = Inverse(CameraIn(state, age_s));
-  return {X_VD.x, X_VD.y, X_VD.heading};
+  const double scale = 1.0 + state(kScale);
+  return {scale * X_VD.x, scale * X_VD.y, X_VD.heading};
 }
 
 template <int Rows, class Model>
@@ -161,32 +166,54 @@ double PyramidFilter::Update(Kept& kept, const Eigen::Matrix<double, Rows, 1>& m
   return distance2;
 }
 
-/// A pose as a fit has it, with what is known of the belts.
+/// A pose as a fit has it, with what is known of belts and pictures.
 PyramidFilter::Kept PyramidFilter::Born(const PyramidFit& fit, double age_s) const {
-  Kept kept = belts_;
-  const auto place = [&](const Pose2& X_VD) {
-    // The motion since the exposure does not depend on where it took place.
-    State zero = belts_.mean;
-    zero.head<3>().setZero();
-    const Pose2 X_NV_then = CameraIn(zero, age_s);
-    return Inverse(X_NV_then * X_VD);
+  Kept kept = learned_;
+  // The motion since the exposure does not depend on where it took place.
+  State zero = learned_.mean;
+  zero.head<3>().setZero();
+  const Pose2 X_NV_then = CameraIn(zero, age_s);
+  const auto place = [&](const Pose2& X_VD, double scale) {
+    const Pose2 true_VD{X_VD.x / (1.0 + scale), X_VD.y / (1.0 + scale), X_VD.heading};
+    return Inverse(X_NV_then * true_VD);
   };
-  const Pose2 X_DN = place(fit.X_VD);
+  const double scale = learned_.mean(kScale), h = 1e-6;
+  const auto slope = [&](const Pose2& up, const Pose2& down) {
+    return Eigen::Vector3d(
+        Eigen::Vector3d(up.x - down.x, up.y - down.y, WrapPi(up.heading - down.heading)) /
+        (2.0 * h));
+  };
+  const Pose2 X_DN = place(fit.X_VD, scale);
   kept.mean.head<3>() = Eigen::Vector3d(X_DN.x, X_DN.y, X_DN.heading);
   Eigen::Matrix3d J;
-  const double h = 1e-6;
   for (int i = 0; i < 3; ++i) {
     Pose2 up = fit.X_VD, down = fit.X_VD;
     (i == 0 ? up.x : i == 1 ? up.y : up.heading) += h;
     (i == 0 ? down.x : i == 1 ? down.y : down.heading) -= h;
-    const Pose2 a = place(up), b = place(down);
-    J.col(i) = Eigen::Vector3d(a.x - b.x, a.y - b.y, WrapPi(a.heading - b.heading)) / (2.0 * h);
+    J.col(i) = slope(place(up, scale), place(down, scale));
   }
-  kept.P.topLeftCorner<3, 3>() = J * fit.covariance * J.transpose();
+  const Eigen::Vector3d by_scale = slope(place(fit.X_VD, scale + h), place(fit.X_VD, scale - h));
+  const auto known = learned_.P.bottomRightCorner<kLearned, kLearned>();
+  const auto of_scale = known.row(kLearned - 1);
+  kept.P.topLeftCorner<3, 3>() = J * fit.covariance * J.transpose() +
+                                 learned_.P(kScale, kScale) * by_scale * by_scale.transpose();
+  kept.P.topRightCorner<3, kLearned>() = by_scale * of_scale;
+  kept.P.bottomLeftCorner<kLearned, 3>() = (by_scale * of_scale).transpose();
   return kept;
 }
 
-/// Place and heading are less sure than thought; what is known of the belts stays.
+void PyramidFilter::Suppose(const GuideSeen& guide, double alpha_rad) {
+  const Pose2 X_DV{guide.range_m * std::cos(alpha_rad), guide.range_m * std::sin(alpha_rad),
+                   WrapPi(alpha_rad + kPi - guide.bearing_rad)};
+  PyramidFit fit;
+  fit.X_VD = Inverse(X_DV);
+  const double aside_m = guide.range_m * guide.bearing_sigma_rad;
+  fit.covariance =
+      Eigen::Vector3d(guide.range_sigma_m, aside_m, kSupposed_rad).cwiseAbs2().asDiagonal();
+  kept_ = {Born(fit, 0.0)};
+}
+
+/// Place and heading are less sure than thought; what is known of belts and pictures stays.
 void PyramidFilter::Doubt(Kept* kept) const {
   const double place_m = std::sqrt(std::max(kept->P(kX, kX), kept->P(kY, kY)));
   const double heading_rad = std::sqrt(kept->P(kHeading, kHeading));
@@ -242,7 +269,8 @@ void PyramidFilter::SeeFits(const PyramidSeen& seen, double age_s) {
 void PyramidFilter::SeeGuide(const GuideSeen& guide, double age_s) {
   const auto model = [&](const State& state) {
     const Pose2 X_VD = Inverse(CameraIn(state, age_s));
-    return Eigen::Vector2d(std::hypot(X_VD.x, X_VD.y), std::atan2(X_VD.y, X_VD.x));
+    return Eigen::Vector2d((1.0 + state(kScale)) * std::hypot(X_VD.x, X_VD.y),
+                           std::atan2(X_VD.y, X_VD.x));
   };
   Eigen::Matrix2d R = Eigen::Matrix2d::Zero();
   R(0, 0) = guide.range_sigma_m * guide.range_sigma_m;
@@ -282,9 +310,10 @@ void PyramidFilter::Order() {
   const double top = kept_.front().score;
   for (Kept& kept : kept_) kept.score -= top;
   const Kept& first = kept_.front();
-  belts_.mean.tail<4>() = first.mean.tail<4>();
-  belts_.P.setZero();
-  belts_.P.bottomRightCorner<4, 4>() = first.P.bottomRightCorner<4, 4>();
+  learned_.mean.tail<kLearned>() = first.mean.tail<kLearned>();
+  learned_.P.setZero();
+  learned_.P.bottomRightCorner<kLearned, kLearned>() =
+      first.P.bottomRightCorner<kLearned, kLearned>();
 }
 
 Pose2 PyramidFilter::X_DN() const {
@@ -295,7 +324,7 @@ Pose2 PyramidFilter::X_DN() const {
 Eigen::Matrix3d PyramidFilter::covariance() const { return kept_.front().P.topLeftCorner<3, 3>(); }
 
 double PyramidFilter::gauge_share() const {
-  return (kept_.empty() ? belts_ : kept_.front()).mean(kShare);
+  return (kept_.empty() ? learned_ : kept_.front()).mean(kShare);
 }
 
 PyramidPrior PyramidFilter::Prior() const {

@@ -1,5 +1,6 @@
-// Where the robot stands before the pyramid: sightings and belts in one estimate, with what the
-// belts do not tell (gauge, turning centre, errors of their readings) as states.
+// Where the robot stands before the pyramid: sightings and belts in one estimate, with what both do
+// not tell (gauge, turning centre, errors of the belts' readings, scale of the pictures' ranges) as
+// states.
 //
 // Frame N: the robot's origin, turned half round: x out of the back. D, V: pyramid_eye.h.
 #pragma once
@@ -31,8 +32,11 @@ class PyramidFilter {
   void Drive(const BeltSteps& steps);
   /// @param age_s  of the picture's exposure, before the last Drive's end
   void See(const PyramidSeen& seen, double age_s);
-  /// The pyramid may stand elsewhere now. What was learned of the belts stays.
+  /// The pyramid may stand elsewhere now. What was learned of belts and pictures stays.
   void Forget() { kept_.clear(); }
+  /// Takes the camera to be at this angle about the axis of a guide that shows no marks, so that
+  /// belts lead round it. 1 sigma of 30 deg.
+  void Suppose(const GuideSeen& guide, double alpha_rad);
 
   bool located() const { return !kept_.empty(); }
   /// Of the likeliest; located() must hold.
@@ -48,7 +52,7 @@ class PyramidFilter {
   double bearing_rad() const;
 
  private:
-  static constexpr int kStates = 7;
+  static constexpr int kStates = 8;
   using State = Eigen::Matrix<double, kStates, 1>;
   using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
   struct Kept {
@@ -73,7 +77,7 @@ class PyramidFilter {
   DockyardOptions options_;
   Pose2 X_NV_;                    // the camera in plan
   std::vector<Kept> kept_;        // the likeliest first
-  Kept belts_;                    // gauge, centre and biases, as last known
+  Kept learned_;                  // gauge, centre, biases and scale, as last known
   std::deque<BeltSteps> recent_;  // newest first
 };
 

@@ -13,6 +13,7 @@ constexpr double kDownSigma_m = 0.008;        // of the camera's height; assumed
 constexpr double kGroundSlopeSigma = Radians(0.8);  // from robot to pyramid; assumed, 0.5-2 deg
 constexpr double kMostAlpha =
     Radians(122.0);  // the strips are out of sight from 117 deg, as their faces rise by 17
+constexpr double kMostRange_m = 6.0;              // the marks are then a pixel or two; assumed, 5-7
 constexpr int kGridCells = 250, kFitCells = 700;  // of a window
 constexpr double kMargin_px = 7.0;                // of a window about the marks; assumed, 5-10
 // Of the range by a spot's area, as a share. Assumed, 0.2-0.4.
@@ -145,7 +146,8 @@ bool IsPyramid(const PlaceFit& fit, double most_misfit) {
                        blue > kLeastBlueShare * orange && blue < kMostBlueShare * orange;
   return colours && fit.misfit < most_misfit && fit.blue_sigmas > kLeastBlueSigmas &&
          fit.orange_sigmas > kLeastOrangeSigmas && fit.blue_px2 > kLeastBlue_px2 &&
-         std::abs(AlphaOf(fit.place.X_VD)) < kMostAlpha;
+         std::abs(AlphaOf(fit.place.X_VD)) < kMostAlpha &&
+         std::hypot(fit.place.X_VD.x, fit.place.X_VD.y) < kMostRange_m;
 }
 
 bool IsGuide(const PlaceFit& fit) {
@@ -216,6 +218,7 @@ std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const
   } else {
     starts = Starts(nominal, map, *ground, spot, pitch_rad, r_m);
   }
+  double likeliest_chi2 = 1e30;
   if (!starts.empty()) {
     const auto window = WindowOn(map, *ground, RectOf(nominal, map, starts, MarksDrawn::kAll),
                                  kFitCells, LowestHorizon(nominal, spot.centre_px.y(), r_m));
@@ -223,7 +226,12 @@ std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const
       if (!window) break;
       const auto fit =
           FitPlace(nominal, *window, from, PriorFor(nominal, pitch_rad, r_m), MarksDrawn::kAll, 12);
-      if (fit && IsPyramid(*fit, start ? kMostMisfit : kMostFreeMisfit)) out.poses.push_back(*fit);
+      if (!fit) continue;
+      if (fit->chi2 < likeliest_chi2) {
+        likeliest_chi2 = fit->chi2;
+        out.likely_alpha_rad = AlphaOf(fit->place.X_VD);
+      }
+      if (IsPyramid(*fit, start ? kMostMisfit : kMostFreeMisfit)) out.poses.push_back(*fit);
     }
   }
   std::ranges::stable_sort(out.poses, {}, &PlaceFit::chi2);

@@ -13,6 +13,8 @@ struct SpotFit {
   PlaceFit guide;               // by the best that is known of it
   std::vector<PlaceFit> poses;  // of the whole pyramid; the better one first
   bool clipped = false;         // the guide reaches the hole's rim
+  // Without a pose: by which angle the pyramid explains the picture best. Only its sign is told.
+  std::optional<double> likely_alpha_rad;
 };
 
 /// @param pitch_rad  of the camera, down

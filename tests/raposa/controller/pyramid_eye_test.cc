@@ -3,8 +3,10 @@
 
 #include <cmath>
 
+#include "controller/raposa/colour_pairs.h"
 #include "controller/raposa/marks_projection.h"
 #include "controller/raposa/pyramid_eye.h"
+
 #include "controller/vision/coverage.h"
 #include "controller/vision/linear_colour.h"
 #include "raposa/controller/drawn_marks.h"
@@ -179,6 +181,19 @@ TEST(PyramidEye, MeasuresADrawnPyramid) {
       EXPECT_NEAR(std::hypot(X_DV.x, X_DV.y), r_m, 0.05 * r_m);
       EXPECT_NEAR(std::atan2(X_DV.y, X_DV.x), alpha, Radians(6.0));
     }
+  }
+}
+
+// The hole is built half a degree narrower or wider than told. A rim that were taken for what is
+// told would cut the guide.
+TEST(PyramidEye, FindsTheRimOfItsHoleInThePicture) {
+  const Nominal told = TestNominal();
+  for (const double off_deg : {-0.5, 0.0, 0.5}) {
+    Nominal built = told;
+    built.half_view_rad += Radians(off_deg);
+    const RgbImage image = Draw(built, CameraAt(0.5, 0.3), {.noise = 1.0});
+    const double rim_px = built.camera.focal_px().x() * std::tan(built.half_view_rad);
+    EXPECT_NEAR(TintsOf(image, told).hole_px, rim_px, 0.6) << off_deg;
   }
 }
 

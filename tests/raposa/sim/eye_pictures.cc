@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "controller/raposa/drive.h"
 #include "models/read/yaml_tree.h"
 #include "sim/base/random.h"
 #include "sim/raposa/raposa_plant.h"
@@ -93,10 +94,12 @@ TakenPicture TakePictureOf(const PictureSetup& setup,
                            const std::shared_ptr<KeptRenderer>& renderer) {
   const Scenario scenario = ScenarioOf(setup);
   RaposaPlant plant(scenario, BuildRun(scenario, LoadModels(scenario)), renderer);
-  if (setup.lamps) {
+  if (setup.lamps || setup.arm_rad > 0.0) {
     Commands commands = BrakedCommands();
-    commands.switches[kLamps] = 1;
-    plant.Advance(commands);
+    commands.switches[kLamps] = setup.lamps ? 1 : 0;
+    SetArm(plant.built().nominal, setup.arm_rad, &commands);
+    const int periods = setup.arm_rad > 0.0 ? 30 : 1;
+    for (int i = 0; i < periods; ++i) plant.Advance(commands);
     plant.RefreshTruth();
   }
   TakenPicture taken;

@@ -17,6 +17,7 @@ struct PictureSetup {
   std::string ground = "hard_floor";  // a file of models/raposa/grounds
   std::string light = "even";         // even, speckled or hard_shadow
   bool lamps = false;
+  double arm_rad = 0.0;  // pressed down by this, so that the body leans back
   double undulation_rms_m = 0.0;
   std::uint64_t seed = 1;
 };
@@ -30,7 +31,7 @@ struct TakenPicture {
   bool in_view = false;    // the guide's middle, inside the hole's rim and its shade
 };
 
-/// The robot stands still with its arm level.
+/// The robot stands still; r_m is from where it stood before it pressed its arm.
 TakenPicture TakePictureOf(const PictureSetup& setup,
                            const std::shared_ptr<KeptRenderer>& renderer);
 

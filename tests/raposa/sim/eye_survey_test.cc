@@ -192,6 +192,68 @@ TEST(RaposaEyeSurvey, TakesNoClutterForThePyramid) {
   EXPECT_LE(pairs, 0.06 * count);
 }
 
+// On the way in, the last pictures: the square is out of the view, the guide fills a third of it.
+TEST(RaposaEyeSurvey, MeasuresTheRangeOfANearGuide) {
+  const int count = 2 * static_cast<int>(Number("EYE_COUNT", 20));
+  auto renderer = std::make_shared<KeptRenderer>();
+  RandomStream random(StreamKey(13, "eye survey"));
+  std::uint64_t seed = 800000;
+  for (const double from_m : {0.18, 0.22, 0.26, 0.32, 0.40}) {
+    struct Errors {
+      int count = 0;
+      double sum = 0.0, sum2 = 0.0;
+      void Add(double error) {
+        ++count;
+        sum += error;
+        sum2 += error * error;
+      }
+      void Print(const char* name) const {
+        const double n = std::max(1, count), mean = sum / n;
+        std::printf(" | %s %3d: mean %.2f %%, about it %.2f %%", name, count, 100.0 * mean,
+                    100.0 * std::sqrt(std::max(0.0, sum2 / n - mean * mean)));
+      }
+    } posed, alone, clipped;
+    for (int i = 0; i < count; ++i) {
+      PictureSetup setup = Drawn(random, from_m, from_m + 0.04, seed++);
+      setup.alpha_rad = Radians(random.Uniform(-4.0, 4.0));
+      setup.beside_rad = Radians(random.Uniform(-3.0, 3.0));
+      setup.lamps = true;
+      setup.arm_rad = Radians(8.0);
+      const TakenPicture taken = TakePictureOf(setup, renderer);
+      const PyramidSeen seen = PyramidEye(taken.nominal).Find(taken.image, taken.pitch_rad);
+      if (!seen.guide) continue;
+      const double r_m = std::hypot(taken.X_VD.x, taken.X_VD.y);
+      const double error = seen.guide->range_m / r_m - 1.0;
+      (!seen.fits.empty() ? posed : seen.guide->clipped ? clipped : alone).Add(error);
+    }
+    std::printf("near guide, from %.2f m", from_m);
+    posed.Print("posed");
+    alone.Print("alone");
+    clipped.Print("clipped");
+    std::printf("\n");
+  }
+}
+
+// From beside and behind the marks are thin or out of sight; the rod and the grey faces are not.
+TEST(RaposaEyeSurvey, TellsTheSideOfAGuideWithoutMarks) {
+  const int count = 5 * static_cast<int>(Number("EYE_COUNT", 20));
+  auto renderer = std::make_shared<KeptRenderer>();
+  RandomStream random(StreamKey(11, "eye survey"));
+  int markless = 0, right = 0, wrong = 0;
+  for (int i = 0; i < count; ++i) {
+    PictureSetup setup = Drawn(random, 0.45, 0.9, 700000 + static_cast<std::uint64_t>(i));
+    setup.alpha_rad = std::copysign(random.Uniform(Radians(85.0), Radians(110.0)), i % 2 - 0.5);
+    const TakenPicture taken = TakePictureOf(setup, renderer);
+    const PyramidSeen seen = PyramidEye(taken.nominal).Find(taken.image, taken.pitch_rad);
+    if (!seen.guide || !seen.fits.empty()) continue;
+    ++markless;
+    right += seen.guide->likely_side * setup.alpha_rad > 0.0;
+    wrong += seen.guide->likely_side * setup.alpha_rad < 0.0;
+  }
+  std::printf("side: %d pictures without a pose, %d right, %d wrong\n", markless, right, wrong);
+  EXPECT_GE(right, 3 * wrong);
+}
+
 TEST(RaposaEyeSurvey, MeasuresTheAngleAt133) {
   const int count = static_cast<int>(Number("EYE_COUNT", 20));
   auto renderer = std::make_shared<KeptRenderer>();
