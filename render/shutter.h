@@ -23,9 +23,9 @@ struct ShutterSteps {
   double sharp_px = 0.25;  // below this motion one view is enough
   double step_px = 0.5;    // from view to view, at most
 };
-/// Of a lens that blurs by a Gauss law of sigma_px: no more than is needed under that blur. The same
-/// share of it is sharp, and views 1.5 sigma apart leave a ripple of exp(-2 (pi / 1.5)^2), 0.015 %.
-/// Never finer than those of a sharp lens.
+/// Of a lens that blurs by a Gauss law of sigma_px: no more than is needed under that blur. The
+/// same share of it is sharp, and views 1.5 sigma apart leave a ripple of exp(-2 (pi / 1.5)^2),
+/// 0.015 %. Never finer than those of a sharp lens.
 ShutterSteps StepsUnderBlur(double sigma_px);
 
 /// When views are taken whose mean stands for an exposure in which the image moves by motion_px:

@@ -25,7 +25,7 @@ struct DockyardOptions {
   double leaning_rad = Radians(1.0);  // arm's angle from which its tip bears; assumed, 0.5-2 deg
 
   // The way to the axis.
-  double gate_m = 0.75;               // it turns onto the axis here ...
+  double gate_m = 0.85;               // it turns onto the axis here ...
   double far_gate_m = 1.05;           // ... to here, whichever is sooner; assumed, 0.6-1.2
   double keep_out_m = 0.46;           // of a straight way from the guide: half the robot's width
                                       // 0.25, half the pyramid's 0.08, margin; assumed, 0.40-0.55
@@ -39,12 +39,14 @@ struct DockyardOptions {
   double turn_tolerance_rad = Radians(1.5);  // assumed, 1-3
   double way_tolerance_m = 0.015;            // assumed, 0.01-0.03
 
-  // From where it drives straight in: within a cone about the axis. Assumed: 0.40-0.45 m, 8-20 mm,
-  // 0.10-0.18, 8-11 deg.
-  double cone_from_m = 0.42, cone_half_m = 0.012, cone_slope = 0.13;
+  // From where it drives straight in: within a cone about the axis. The guide must stay in view on
+  // the way, so it can move aside by 4 cm at most. Assumed: 0.40-0.45 m, 8-20 mm, 0.06-0.15,
+  // 0.05-0.15 m, 8-11 deg.
+  double cone_from_m = 0.42, cone_half_m = 0.012, cone_slope = 0.07, cone_turn_m = 0.1;
   double cone_heading_rad = Radians(11.0);  // less than half the view of 12.5
-  double settle_m = 0.11;                   // an offset dies out over it; assumed, 0.08-0.15
-  double approach_m_s = 0.25;               // far from the seat; assumed, 0.1-0.4 ...
+  double settle_m = 0.08;             // an offset dies out over three of it; assumed, 0.06-0.12
+  double blind_settle_m = 0.05;       // where no view needs to be kept any more; assumed, 0.04-0.08
+  double approach_m_s = 0.25;         // far from the seat; assumed, 0.1-0.4 ...
   double approach_gain_per_s = 0.45;  // ... in proportion to the way left; assumed, 0.3-0.7 ...
   // ... down to this: belts are off by 0.003 m/s, so slower is farther off; 0.04-0.12. At the end
   // it is slower: a control period's way is what it cannot stop within; assumed, 10-30 mm,

@@ -117,7 +117,9 @@ GatePlan PlanToGate(const Pose2& X_DN, const Nominal& nominal, const DockyardOpt
 
 bool InCone(const Pose2& X_DN, const DockyardOptions& options) {
   const double ahead_m = X_DN.x - options.cone_from_m;
-  return ahead_m > 0.0 && std::abs(X_DN.y) < options.cone_half_m + options.cone_slope * ahead_m &&
+  // Before it has turned the other way it goes on by its heading.
+  const double y_m = X_DN.y + options.cone_turn_m * std::sin(X_DN.heading);
+  return ahead_m > 0.0 && std::abs(y_m) < options.cone_half_m + options.cone_slope * ahead_m &&
          std::abs(WrapPi(X_DN.heading - kPi)) < options.cone_heading_rad;
 }
 

@@ -438,8 +438,9 @@ Twist Pilot::Approach() {
                            ? options_.end_m_s
                            : std::clamp(options_.approach_gain_per_s * left_m,
                                         options_.least_approach_m_s, options_.approach_m_s);
-  Twist twist = follower_->Follow(
-      X_DN, speed, {.settle_m = options_.settle_m, .max_turn_rad_s = kApproachTurn_rad_s});
+  const double settle_m = Looks() ? options_.settle_m : options_.blind_settle_m;
+  Twist twist =
+      follower_->Follow(X_DN, speed, {.settle_m = settle_m, .max_turn_rad_s = kApproachTurn_rad_s});
   if (!follower_->done()) KeepInView(&twist);
   // Half a period's way before or after the end, whichever is nearer.
   const double stop_m = 0.5 * kTickSeconds * kControlPeriod * speed;

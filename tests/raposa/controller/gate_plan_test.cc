@@ -84,7 +84,8 @@ TEST(GatePlan, ConeHoldsTheAxisAndNotItsSides) {
   const Nominal nominal = RobotNominal();
   const DockyardOptions options;
   EXPECT_TRUE(InCone({1.0, 0.0, kPi}, options));
-  EXPECT_TRUE(InCone({1.0, 0.05, Radians(175.0)}, options));
+  EXPECT_TRUE(InCone({1.0, 0.045, Radians(-175.0)}, options));
+  EXPECT_FALSE(InCone({1.0, 0.05, Radians(175.0)}, options));  // away from the axis
   EXPECT_FALSE(InCone({1.0, 0.2, kPi}, options));
   EXPECT_FALSE(InCone({1.0, 0.0, Radians(160.0)}, options));
   EXPECT_FALSE(InCone({-1.0, 0.0, kPi}, options));

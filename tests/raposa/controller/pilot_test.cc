@@ -31,8 +31,9 @@ struct StandIn {
 struct Drive {
   Verdict verdict = Verdict::kUnderWay;
   double time_s = 0.0, nearest_m = 1e9, pushed_m = 0.0;
-  double located_s = 1e9;  // until it first has a pose
-  double aside_rad = 0.0;  // the guide's largest bearing on the way in, until it fills the view
+  double located_s = 1e9;   // until it first has a pose
+  double aside_rad = 0.0;   // the guide's largest bearing on the way in, until it fills the view
+  double off_axis_m = 0.0;  // where it stands when it first closes its doors
   int passes = 0;
 };
 
@@ -198,6 +199,7 @@ Drive RunPilot(double r_m, double alpha_deg, const StandIn& is, double aside_deg
   PlanarRobot robot(nominal, is, X_DV);
   Pilot pilot(nominal, {});
   Drive drive;
+  bool closes = false;
   while (drive.verdict == Verdict::kUnderWay && robot.time_s() < 600.0) {
     const SensorFrame frame = robot.Sense();
     const PyramidSeen seen = robot.Look();
@@ -211,6 +213,10 @@ Drive RunPilot(double r_m, double alpha_deg, const StandIn& is, double aside_deg
     }
     if (std::abs(X.y) > 0.05) {
       drive.nearest_m = std::min(drive.nearest_m, std::hypot(X.x + 0.06, X.y));
+    }
+    if (pilot.phase() == Pilot::Phase::kClose && !closes) {
+      closes = true;
+      drive.off_axis_m = std::abs(X.y);
     }
     robot.Step(commands);
     drive.verdict = commands.verdict;
@@ -276,6 +282,16 @@ TEST(Pilot, KeepsTheGuideInViewOnTheWayIn) {
       const Drive drive = RunPilot(0.55, alpha_deg, {}, aside_deg);
       EXPECT_EQ(drive.verdict, Verdict::kDocked) << alpha_deg << ", aside " << aside_deg;
       EXPECT_LE(Degrees(drive.aside_rad), 10.0) << alpha_deg << ", aside " << aside_deg;
+    }
+  }
+}
+
+// The seat lets a guide in that stands 1.6 mm aside; it pushes others there.
+TEST(Pilot, EndsOnTheAxisFromTheRimOfItsCone) {
+  for (const double alpha_deg : {-6.0, -3.0, 3.0, 6.0}) {
+    for (const double r_m : {0.45, 0.55, 0.7}) {
+      const Drive drive = RunPilot(r_m, alpha_deg, {});
+      EXPECT_LE(drive.off_axis_m, 0.003) << r_m << " m, " << alpha_deg << " deg";
     }
   }
 }
