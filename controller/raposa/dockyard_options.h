@@ -62,7 +62,7 @@ struct DockyardOptions {
   double press_other_rad = Radians(4.0);  // less, then more, at each further try: the seat's height
                                           // changes by 2 mm; assumed, 2-5 deg
   double look_low_rad = Radians(14.0);    // to see a guide that is low in the view; assumed, 10-18
-  double short_m = 0.003;  // it stops before the seat: doors pull the guide in from 9 mm; 0-6 mm
+  double short_m = 0.003;  // it stops before the seat: doors pull the guide in from 8 mm; 0-6 mm
   double lamps_m = 0.6;    // they are on nearer, in camera range; assumed, 0.4-1
   double phase_s = 90.0;   // of any phase; the longest, a search, takes 72; assumed, 80-120
   int passes = 12;         // ways to the axis, then it gives up; assumed, 6-20

@@ -567,9 +567,9 @@ Twist Pilot::Glance() {
   return {};
 }
 
-/// Round a guide that shows no marks from here: to where the axis were, stood the robot so far off
-/// it. First to the side that the pictures make likely, then always the same way, so it comes to
-/// the front in the end.
+/// Goes round a guide that shows no marks: it takes the axis to lie round_rad further on, and
+/// drives there. The first side is the one that the pictures make likely. It stays, so that the
+/// robot comes to the front in the end.
 void Pilot::GoRound() {
   if (round_side_ == 0.0) round_side_ = sides_seen_ < 0.0 ? -1.0 : 1.0;
   filter_.Suppose(*last_guide_, round_side_ * options_.round_rad);

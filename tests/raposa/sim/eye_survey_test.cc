@@ -207,10 +207,13 @@ TEST(RaposaEyeSurvey, MeasuresTheRangeOfANearGuide) {
         sum += error;
         sum2 += error * error;
       }
+      double Mean() const { return sum / std::max(1, count); }
+      double AboutIt() const {
+        return std::sqrt(std::max(0.0, sum2 / std::max(1, count) - Mean() * Mean()));
+      }
       void Print(const char* name) const {
-        const double n = std::max(1, count), mean = sum / n;
-        std::printf(" | %s %3d: mean %.2f %%, about it %.2f %%", name, count, 100.0 * mean,
-                    100.0 * std::sqrt(std::max(0.0, sum2 / n - mean * mean)));
+        std::printf(" | %s %3d: mean %.2f %%, about it %.2f %%", name, count, 100.0 * Mean(),
+                    100.0 * AboutIt());
       }
     } posed, alone, clipped;
     for (int i = 0; i < count; ++i) {
@@ -231,6 +234,10 @@ TEST(RaposaEyeSurvey, MeasuresTheRangeOfANearGuide) {
     alone.Print("alone");
     clipped.Print("clipped");
     std::printf("\n");
+    // What is held: the filter takes 0.5 % for such a pose.
+    EXPECT_GE(posed.count, 0.7 * count) << from_m;
+    EXPECT_LT(std::abs(posed.Mean()), 0.012) << from_m;
+    EXPECT_LT(posed.AboutIt(), 0.015) << from_m;
   }
 }
 

@@ -75,7 +75,7 @@ int main() {
     for (const double s : shorts_m) std::printf("   %2.0f mm short ", 1e3 * s);
     std::printf("\n");
   };
-  for (const double arm_deg : {6.0, 8.0, 10.0, 12.0, 14.0}) {
+  for (const double arm_deg : {6.0, 8.0, 10.0, 12.0, 14.0, 18.0}) {
     std::printf("arm %.0f deg\n", arm_deg);
     heading(" high mm");
     for (int high = -14; high <= 7; high += high < -6 ? 2 : 1) {
