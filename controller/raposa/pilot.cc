@@ -21,8 +21,8 @@ constexpr int kFitless = 5, kAfresh = 3;
 constexpr double kLegSettle_m = 0.3, kLegTurn_rad_s = 0.5, kLegGain_per_s = 1.5,
                  kLegLast_m_s = 0.03;
 // The way in is broken off outside of a wider cone, and not any more in its last part. Assumed,
-// 0.02-0.05 m, 0.15-0.3, 1.2-2, 0.02-0.05 m, 0.2-0.5 rad/s.
-constexpr double kOff_m = 0.03, kOffSlope = 0.2, kOffHeading = 1.5, kCommitted_m = 0.03;
+// 0.016-0.03 m, 0.08-0.2, 1.2-2, 0.02-0.05 m, 0.2-0.5 rad/s.
+constexpr double kOff_m = 0.02, kOffSlope = 0.1, kOffHeading = 1.5, kCommitted_m = 0.03;
 constexpr double kApproachTurn_rad_s = 0.35;
 // On the way in the guide keeps so far from the view's edge, as foretold for this time after the
 // command. Assumed, 1-4 deg and 0.2-0.5 s.

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kStep_s = kTickSeconds * kControlPeriod;
 constexpr double kCamera_m = 0.25, kSeat_m = 0.30;
+constexpr int kWrongFits = 5;
 constexpr double kPushedOut_m = 0.028;  // so far before its seat shut doors leave a guide
 
 struct StandIn {
@@ -24,6 +25,7 @@ struct StandIn {
   bool marks = true, guide = true;                   // whether it sees them
   double marks_to_rad = kPi;                         // off the axis, to either side
   double sees_far = 1.0;                             // share of pictures that show a far guide
+  double first_turn_rad = 0.0;                       // its first five fits say too much
   bool in_doors = true;                              // whether the guide gets between the doors
   unsigned seed = 1;
 };
@@ -101,7 +103,8 @@ class PlanarRobot {
     const double scale = 1.0 + noise(range_sigma) / r;
     const double turn = noise(0.001);
     const Pose2 turned = Pose2{0.0, 0.0, turn} * X_VD;
-    fit.X_VD = {scale * turned.x, scale * turned.y, turned.heading + noise(heading_sigma)};
+    const double wrong = fits_++ < kWrongFits ? is_.first_turn_rad : 0.0;
+    fit.X_VD = {scale * turned.x, scale * turned.y, turned.heading + noise(heading_sigma) + wrong};
     const Eigen::Vector2d along = Eigen::Vector2d(X_VD.x, X_VD.y) / r;
     const Eigen::Vector2d aside(-along.y(), along.x());
     fit.covariance.topLeftCorner<2, 2>() = range_sigma * range_sigma * along * along.transpose() +
@@ -186,6 +189,7 @@ class PlanarRobot {
   double pushed_m_ = 0.0, most_pushed_m_ = 0.0;
   std::mt19937 random_;
   Pose2 X_DN_, exposed_ = X_DN_;
+  int fits_ = 0;
   std::array<double, 2> speed_{};
   std::array<double, kMotorCount> read_{}, current_{};
   Tick tick_ = 0;
@@ -292,6 +296,21 @@ TEST(Pilot, EndsOnTheAxisFromTheRimOfItsCone) {
     for (const double r_m : {0.45, 0.55, 0.7}) {
       const Drive drive = RunPilot(r_m, alpha_deg, {});
       EXPECT_LE(drive.off_axis_m, 0.003) << r_m << " m, " << alpha_deg << " deg";
+    }
+  }
+}
+
+// Its first five fits turn the axis by 5 to 8 deg, so that it drives in beside it until others put
+// that right. It must break off what it can no longer steer back to the axis.
+TEST(Pilot, BreaksOffAWayInThatBeganOffTheAxis) {
+  for (const double wrong_deg : {-8.0, -6.0, -5.0, 5.0, 6.0, 8.0}) {
+    for (const double r_m : {0.55, 0.65, 0.92}) {
+      for (unsigned seed = 1; seed <= 5; ++seed) {
+        const StandIn is{.first_turn_rad = Radians(wrong_deg), .seed = seed};
+        const Drive drive = RunPilot(r_m, wrong_deg, is);
+        EXPECT_EQ(drive.verdict, Verdict::kDocked) << r_m << " m, " << wrong_deg << " deg";
+        EXPECT_LT(drive.pushed_m, 0.01) << r_m << " m, " << wrong_deg << " deg, seed " << seed;
+      }
     }
   }
 }
