@@ -27,6 +27,14 @@ constexpr double kLeastBlueSigmas = 6.0, kLeastBlue_px2 = 2.0, kLeastOrangeSigma
 // |blue| over |orange| in the values of FitWindow: the paints of render/spectrum.cc in light of
 // 3000 to 6500 K, camera balanced for 5000 K: 0.18-0.63; five times that where one lies in shade.
 constexpr double kLeastBlueShare = 0.036, kMostBlueShare = 3.0;
+// The second value of orange over its first, the first of blue over its second: from
+// raposa_eye_survey, -0.7 to 0 and -0.9 to 0.3. Assumed, that widened by 0.15-0.4.
+constexpr double kLeastOrangeHue = -1.0, kMostOrangeHue = 0.2;
+constexpr double kLeastBlueHue = -1.2, kMostBlueHue = 0.5;
+// Of orange in the values of FitWindow; from the same survey, 0.36 at least. Assumed, 0.2-0.35.
+constexpr double kLeastOrange = 0.25;
+// Of pitch, roll and height from what is told: one in 100 of 3 degrees of freedom.
+constexpr double kMostPriorChi2 = 11.3;
 // Of a second pose's chi2 above the best one's, by the misfit: three sigmas.
 constexpr double kRivalChi2 = 9.0;
 
@@ -139,12 +147,30 @@ std::vector<PyramidPlace> Starts(const Nominal& nominal, const TintMap& map,
   return starts;
 }
 
-bool IsPyramid(const PlaceFit& fit, double most_misfit) {
-  const double orange = fit.orange.norm(), blue = fit.blue.norm();
-  const bool colours = fit.orange.x() > 0.0 && fit.orange.x() > fit.orange.y() &&
-                       fit.blue.y() > 0.0 && fit.blue.y() > fit.blue.x() &&
-                       blue > kLeastBlueShare * orange && blue < kMostBlueShare * orange;
-  return colours && fit.misfit < most_misfit && fit.blue_sigmas > kLeastBlueSigmas &&
+bool Between(double low, double value, double high) { return low < value && value < high; }
+
+/// Whether two paints in one light can be those of the marks.
+bool ColoursOfMarks(const Eigen::Vector2d& orange, const Eigen::Vector2d& blue) {
+  const double share = blue.norm() / orange.norm();
+  return orange.x() > 0.0 && orange.norm() > kLeastOrange && blue.y() > 0.0 &&
+         Between(kLeastBlueShare, share, kMostBlueShare) &&
+         Between(kLeastOrangeHue, orange.y() / orange.x(), kMostOrangeHue) &&
+         Between(kLeastBlueHue, blue.x() / blue.y(), kMostBlueHue);
+}
+
+/// Whether it lies on the ground that the robot stands on, within what prior allows.
+bool LiesAsTold(const PyramidPlace& place, const PlacePrior& prior) {
+  const PlaceVector at = ToVector(place);
+  double chi2 = 0.0;
+  for (const Eigen::Index i : {3, 4, 5}) {
+    chi2 += std::pow((at[i] - prior.mean[i]) / prior.sigma[i], 2);
+  }
+  return chi2 < kMostPriorChi2;
+}
+
+bool IsPyramid(const PlaceFit& fit, const PlacePrior& prior, double most_misfit) {
+  return ColoursOfMarks(fit.orange, fit.blue) && LiesAsTold(fit.place, prior) &&
+         fit.misfit < most_misfit && fit.blue_sigmas > kLeastBlueSigmas &&
          fit.orange_sigmas > kLeastOrangeSigmas && fit.blue_px2 > kLeastBlue_px2 &&
          std::abs(AlphaOf(fit.place.X_VD)) < kMostAlpha &&
          std::hypot(fit.place.X_VD.x, fit.place.X_VD.y) < kMostRange_m;
@@ -224,14 +250,14 @@ std::optional<SpotFit> FitSpot(const Nominal& nominal, const TintMap& map, const
                                  kFitCells, LowestHorizon(nominal, spot.centre_px.y(), r_m));
     for (const PyramidPlace& from : starts) {
       if (!window) break;
-      const auto fit =
-          FitPlace(nominal, *window, from, PriorFor(nominal, pitch_rad, r_m), MarksDrawn::kAll, 12);
+      const PlacePrior prior = PriorFor(nominal, pitch_rad, r_m);
+      const auto fit = FitPlace(nominal, *window, from, prior, MarksDrawn::kAll, 12);
       if (!fit) continue;
       if (fit->chi2 < likeliest_chi2) {
         likeliest_chi2 = fit->chi2;
         out.likely_alpha_rad = AlphaOf(fit->place.X_VD);
       }
-      if (IsPyramid(*fit, start ? kMostMisfit : kMostFreeMisfit)) out.poses.push_back(*fit);
+      if (IsPyramid(*fit, prior, start ? kMostMisfit : kMostFreeMisfit)) out.poses.push_back(*fit);
     }
   }
   std::ranges::stable_sort(out.poses, {}, &PlaceFit::chi2);

@@ -42,7 +42,7 @@ std::shared_ptr<const RenderMesh> Shape(int kind) {
   return mesh;
 }
 
-void AddClutter(Scene& scene, const Pose3& X_WC, std::uint64_t seed) {
+void AddForgeries(Scene& scene, const Pose3& X_WC, std::uint64_t seed) {
   RandomStream random(StreamKey(seed, "clutter"));
   const Eigen::Vector3d view = X_WC.R.col(2);
   const double ahead_rad = std::atan2(view.y(), view.x());
@@ -68,6 +68,25 @@ void AddClutter(Scene& scene, const Pose3& X_WC, std::uint64_t seed) {
     object.material = beside == (random.Uniform() < 0.8) ? kBluePaint : kOrangePaint;
     scene.objects.push_back(object);
   }
+}
+
+/// The camera's place, x along its view.
+Pose2 PlanOf(const Pose3& X_WC) {
+  const Eigen::Vector3d view = X_WC.R.col(2);
+  return {X_WC.p.x(), X_WC.p.y(), std::atan2(view.y(), view.x())};
+}
+
+/// Around a point ahead. DrawClutter keeps things off a pyramid and the way to it; here the camera
+/// stands in their place.
+std::vector<ClutterPiece> ThingsAhead(const Pose2& X_DV, std::uint64_t seed) {
+  constexpr int kCount = 40;
+  constexpr double kAhead_m = 2.5, kNearest_m = 0.3;
+  std::vector<ClutterPiece> pieces = DrawClutter(kCount, {-100.0, 0.0, kPi}, 10.0, seed);
+  for (ClutterPiece& piece : pieces) piece.X_DO = X_DV * Pose2{kAhead_m, 0.0, kPi / 2} * piece.X_DO;
+  std::erase_if(pieces, [&](const ClutterPiece& piece) {
+    return std::hypot(piece.X_DO.x - X_DV.x, piece.X_DO.y - X_DV.y) < kNearest_m + piece.radius_m();
+  });
+  return pieces;
 }
 
 Scenario ScenarioOf(const PictureSetup& setup) {
@@ -118,23 +137,25 @@ TakenPicture TakePictureOf(const PictureSetup& setup,
   return taken;
 }
 
-TakenPicture TakeClutterOf(const PictureSetup& setup,
-                           const std::shared_ptr<KeptRenderer>& renderer) {
+TakenPicture TakeClutterOf(const PictureSetup& setup, const std::shared_ptr<KeptRenderer>& renderer,
+                           Instead instead) {
   const Scenario scenario = ScenarioOf(setup);
   RaposaPlant plant(scenario, BuildRun(scenario, LoadModels(scenario)), renderer);
-  const BuiltRun& built = plant.built();
+  BuiltRun built = plant.built();
+  built.keys.hide_pyramid = true;
   const BackCameraModel& camera = built.world.robot.camera;
   const Pose3 X_WC = plant.truth().X_WR * camera.X_RC;
+  if (instead == Instead::kThings) {
+    built.clutter = ThingsAhead(Inverse(built.world.X_GD) * PlanOf(X_WC), setup.seed);
+  }
   const SceneBuilder builder(
       built,
       MakeLighting(scenario.light, FromGround(built.world.X_GD, 0.0),
                    {0.0, 0.0, built.world.pyramid.guide.height_m}, scenario.seed, scenario.sun),
       scenario.seed);
   Scene scene = builder.Make(plant.truth(), plant.world().ground(), setup.lamps);
-  // The robot's own parts only cast shadows; what is seen is the pyramid.
-  std::erase_if(scene.objects, [](const SceneObject& object) { return object.seen; });
   scene.tether.points_W.clear();
-  AddClutter(scene, X_WC, setup.seed);
+  if (instead == Instead::kForgeries) AddForgeries(scene, X_WC, setup.seed);
   const ColourRadiance light =
       renderer->Get().RenderThrough(scene, builder.colours(), ViewOf(camera), {X_WC});
   ColourSensorState state;

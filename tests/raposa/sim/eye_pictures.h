@@ -35,9 +35,14 @@ struct TakenPicture {
 TakenPicture TakePictureOf(const PictureSetup& setup,
                            const std::shared_ptr<KeptRenderer>& renderer);
 
-/// The same view without the pyramid, with boxes and balls of its paints, and of both beside each
-/// other, on the ground. The camera's Nominal and pitch are as in the other.
-TakenPicture TakeClutterOf(const PictureSetup& setup,
-                           const std::shared_ptr<KeptRenderer>& renderer);
+/// What stands on the ground in the pyramid's place.
+enum class Instead {
+  kThings,    // 40 pieces of sim/raposa/clutter.h: bricks, cones, denim, some beside each other
+  kForgeries  // of the marks' own paints and sizes, each orange one close to a blue one
+};
+
+/// The same view without the pyramid. The camera's Nominal and pitch are as in the other.
+TakenPicture TakeClutterOf(const PictureSetup& setup, const std::shared_ptr<KeptRenderer>& renderer,
+                           Instead instead);
 
 }  // namespace dockyard::raposa

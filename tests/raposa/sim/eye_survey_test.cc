@@ -167,15 +167,15 @@ TEST(RaposaEyeSurvey, FindsTheGuideFromAnywhere) {
   EXPECT_GE(bar.found, 0.93 * bar.in_view);
 }
 
-TEST(RaposaEyeSurvey, TakesNoClutterForThePyramid) {
-  const int count = static_cast<int>(Number("EYE_CLUTTER", 100));
+/// How many of those pictures show a pair.
+int FalsePairs(int count, Instead instead, const char* name) {
   auto renderer = std::make_shared<KeptRenderer>();
   RandomStream random(StreamKey(3, "eye survey"));
   int pairs = 0, guides = 0;
   double ms = 0.0;
   for (int i = 0; i < count; ++i) {
     const PictureSetup setup = Drawn(random, 0.4, 4.0, 500000 + static_cast<std::uint64_t>(i));
-    const TakenPicture taken = TakeClutterOf(setup, renderer);
+    const TakenPicture taken = TakeClutterOf(setup, renderer, instead);
     const std::clock_t before = std::clock();
     const PyramidSeen seen = PyramidEye(taken.nominal).Find(taken.image, taken.pitch_rad);
     ms += 1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
@@ -186,10 +186,22 @@ TEST(RaposaEyeSurvey, TakesNoClutterForThePyramid) {
     std::printf("  false pair: picture %d, misfit %.2f, r %.2f m\n", i, fit.misfit,
                 std::hypot(fit.X_VD.x, fit.X_VD.y));
   }
-  std::printf("clutter: %d pictures, %d false pairs, %d guides, %.2f ms\n", count, pairs, guides,
+  std::printf("%s: %d pictures, %d false pairs, %d guides, %.2f ms\n", name, count, pairs, guides,
               ms / count);
-  // What is held; the aim is 1 in 1000.
-  EXPECT_LE(pairs, 0.06 * count);
+  return pairs;
+}
+
+TEST(RaposaEyeSurvey, TakesNoThingsForThePyramid) {
+  const int count = static_cast<int>(Number("EYE_CLUTTER", 100));
+  // What is held, 11 in 1000; the aim is 1.
+  EXPECT_LE(FalsePairs(count, Instead::kThings, "things"), 0.015 * count);
+}
+
+// An orange thing beside a blue one, of the marks' own paints, is a pair from afar: no bar asks for
+// less, but it shall not get worse.
+TEST(RaposaEyeSurvey, TakesFewForgeriesForThePyramid) {
+  const int count = static_cast<int>(Number("EYE_CLUTTER", 100));
+  EXPECT_LE(FalsePairs(count, Instead::kForgeries, "forgeries"), 0.05 * count);
 }
 
 // On the way in, the last pictures: the square is out of the view, the guide fills a third of it.
