@@ -61,9 +61,11 @@ PyramidBody::PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP,
                2.0 * kFootDampingRatio * std::sqrt(pyramid.foot_stiffness_n_per_m * share_kg),
            .friction = pyramid.foot_friction};
   Refresh();
-  const int masses = std::max(
-      2, static_cast<int>(std::lround((cable_to_G_ - CableEndInG()).norm() / kCableSpacing_m)));
-  cable_.LayOut(cable_to_G_, CableEndInG(), masses);
+  // The last of the pieces is the one from the last mass to the pyramid.
+  const Eigen::Vector3d way_G = CableEndInG() - cable_to_G_;
+  const int pieces = std::max(3, static_cast<int>(std::lround(way_G.norm() / kCableSpacing_m)));
+  last_piece_m_ = way_G.norm() / pieces;
+  cable_.LayOut(cable_to_G_, cable_to_G_ + (1.0 - 1.0 / pieces) * way_G, pieces - 1);
 }
 
 Eigen::Vector3d PyramidBody::CableEndInG() const {
@@ -95,14 +97,14 @@ void PyramidBody::PullCable(const HeightGrid& ground, const Eigen::Vector3d& gra
   const Eigen::Vector3d p_GE = CableEndInG();
   const bool stirred = fed_m > 0.0 || (p_GE - p_GE_calm_).norm() > kStirred_m;
   if (calm_steps_ * dt_s >= kCalm_s && !stirred) return AddForce(pull_G_, p_GE);
-  const FixedCableEnd end(cable_model_, p_GE, kCableSpacing_m);
+  const FixedCableEnd end(cable_model_, p_GE, last_piece_m_);
   cable_.Step({.step_s = dt_s,
                .gravity_G = gravity_G,
                .ground = &ground,
                .p_GF = cable_to_G_,
                .fed_m = fed_m,
                .end = &end,
-               .end_rest_m = kCableSpacing_m});
+               .end_rest_m = last_piece_m_});
   pull_G_ = -cable_.force_of_end_G();
   cable_pull_n_ = pull_G_.norm();
   AddForce(pull_G_, p_GE);

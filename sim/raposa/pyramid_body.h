@@ -47,8 +47,9 @@ class PyramidBody {
   CableModel cable_model_;
   Cable cable_;
   Eigen::Vector3d cable_to_G_;
-  double slack_left_m_ = 0.0;
-  int calm_steps_ = 0;  // for which the cable has hardly moved
+  double last_piece_m_ = 0.0;  // unstretched, from the last mass to the pyramid
+  double slack_left_m_ = 0.0;  // not yet let out
+  int calm_steps_ = 0;         // for which the cable has hardly moved
   Eigen::Vector3d p_GE_calm_{0, 0, 0}, pull_G_{0, 0, 0};
   double cable_pull_n_ = 0.0;
 };
