@@ -5,7 +5,7 @@
 #include "models/raposa/make_nominal.h"
 #include "models/read/config_error.h"
 #include "sim/base/random.h"
-#include "sim/raposa/band_keys.h"
+#include "sim/raposa/ferreira_keys.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -76,6 +76,7 @@ BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
   run.ground = models.built.ground;
   run.nominal = MakeNominal(models.told.robot, models.told.pyramid);
   PutBands(models.keys, run.nominal.ferreira_vision);
+  PutMotion(models.keys, run.nominal.ferreira_motion);
   WorldSetup& world = run.world;
   world.robot = models.built.robot;
   world.pyramid = models.built.pyramid;

@@ -34,6 +34,9 @@ void VisitRaposaKeys(Keys& keys, RaposaKeys& values) {
   keys.Tree({"band_changes", "", "the user's hand on them: at_s, orange and blue of each",
              Presence::kUnset},
             values.band_changes, YamlNode::Kind::kSequence);
+  keys.Tree({"motion", "", "of ferreira2009: speeds, times and limits in place of its own",
+             Presence::kUnset},
+            values.motion, YamlNode::Kind::kMapping);
 }
 
 RaposaKeys ReadRaposaKeys(const Scenario& scenario) {

@@ -61,6 +61,25 @@ TEST(RaposaKeys, BandsThatAreNoneAreRefused) {
   }
 }
 
+TEST(RaposaKeys, MotionReachesTheControllerInRadians) {
+  const FerreiraMotion told =
+      Built(ScenarioAt(1.0, 0.0,
+                       "motion: {k_linear_per_s: 0.07, turn_deg_s: 16, steer_final: false}"))
+          .nominal.ferreira_motion;
+  FerreiraMotion expected;
+  expected.k_linear_per_s = 0.07;
+  expected.turn_rad_s = Radians(16.0);
+  expected.steer_final = false;
+  EXPECT_EQ(told, expected);
+}
+
+TEST(RaposaKeys, MotionThatIsNoneIsRefused) {
+  for (const char* keys : {"motion: {turn_rad_s: 0.3}", "motion: {standoff_m: -1}",
+                           "motion: {doors_s: soon}", "motion: {k_linear: 0.07}"}) {
+    EXPECT_THROW(Built(ScenarioAt(1.0, 0.0, keys)), ConfigError) << keys;
+  }
+}
+
 TEST(RaposaKeys, TheStartLooksOffTheGuideByTheAngle) {
   const BuiltRun run = Built(ScenarioAt(2.0, Radians(110.0), "off_guide_deg: 7"));
   const Pose2& X_DV = run.world.X_DV_start;

@@ -1,13 +1,15 @@
-#include "sim/raposa/band_keys.h"
+#include "sim/raposa/ferreira_keys.h"
 
 #include <cmath>
 
 #include "models/read/yaml_reader.h"
+#include "sim/raposa/ferreira_members.h"
 
 namespace dockyard::raposa {
 namespace {
 
 constexpr int kMostHue = 179, kMostLevel = 255;
+constexpr double kMostNumber = 1e4;  // of motion; no speed, time or limit is as large
 
 void ReadEnds(const YamlReader& in, const char* key, int most, bool around, std::uint8_t& from,
               std::uint8_t& to) {
@@ -32,7 +34,40 @@ void ReadBand(const YamlReader& root, const char* key, HsvBand& band) {
   ReadEnds(in, "value", kMostLevel, false, band.value_from, band.value_to);
 }
 
+/// As people write it.
+std::string InDegrees(std::string name) {
+  const std::size_t at = name.find("_rad");
+  return at == std::string::npos ? name : name.replace(at, 4, "_deg");
+}
+
+std::vector<std::string> MotionKeys() {
+  std::vector<std::string> names;
+  FerreiraMotion motion;
+  VisitMotion(motion, [&](const char* name, const auto&) { names.push_back(InDegrees(name)); });
+  return names;
+}
+
+/// Reads the members that a mapping has.
+struct MotionReader {
+  const YamlReader& in;
+
+  void operator()(const char* name, bool& value) const { value = in.BoolOr(name, value); }
+  void operator()(const char* name, double& value) const {
+    const std::string key = InDegrees(name);
+    // The arm's angles alone have a sign.
+    const bool arm = key == "level_arm_deg" || key == "least_arm_deg";
+    const Range range = arm ? Between(-90.0, 90.0) : NonNegative(kMostNumber);
+    value = key == name ? in.NumberOr(key, value, range) : in.DegreesOr(key, value, range);
+  }
+};
+
 }  // namespace
+
+void PutMotion(const RaposaKeys& keys, FerreiraMotion& motion) {
+  if (keys.motion.kind == YamlNode::Kind::kNull) return;
+  const YamlReader in(keys.motion, "raposa.motion", MotionKeys());
+  VisitMotion(motion, MotionReader{in});
+}
 
 void PutBands(const RaposaKeys& keys, FerreiraVision& vision) {
   if (keys.bands.kind != YamlNode::Kind::kNull) {

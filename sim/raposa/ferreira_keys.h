@@ -1,4 +1,4 @@
-// Colour bands in a scenario of RAPOSA: the user's hand on ferreira2009's thresholds.
+// What a scenario of RAPOSA says of ferreira2009: its colour bands, speeds, times and limits.
 #pragma once
 
 #include "controller/raposa/nominal/ferreira_options.h"
@@ -11,5 +11,9 @@ namespace dockyard::raposa {
 /// it; one that is left out stays as it was before. Changes are in the order of their times. Throws
 /// ConfigError.
 void PutBands(const RaposaKeys& keys, FerreiraVision& vision);
+
+/// Puts what the key `motion` names in place of the members of `motion`: the names of
+/// FerreiraMotion, with _deg for _rad. Throws ConfigError.
+void PutMotion(const RaposaKeys& keys, FerreiraMotion& motion);
 
 }  // namespace dockyard::raposa
