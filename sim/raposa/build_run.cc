@@ -48,7 +48,7 @@ void CheckStart(const Scenario& scenario, const RaposaKeys& keys, const RobotMod
 /// Its spectra come from the system's own keys.
 void CheckLight(const Scenario& scenario) {
   if (scenario.sun.temperature_k == 0.0 && scenario.sun.sky_temperature_k == 0.0) return;
-  throw ConfigError(scenario.name +
+  throw ConfigError(scenario.sun_place +
                     ": expected no sun.temperature_k or sun.sky_temperature_k: RAPOSA's light has "
                     "raposa.light_k and raposa.fill_light_k");
 }

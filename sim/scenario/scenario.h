@@ -74,7 +74,7 @@ struct Scenario {
   std::string command_folder;                      // and where it runs: its file's folder
   DockingCoords start{.r = 4.0};
   // "file:line:column: start", for messages
-  std::string start_place, camera_place, yard_place, rocks_place;
+  std::string start_place, camera_place, yard_place, rocks_place, sun_place;
   Light light = Light::kEven;
   SunModel sun;
   YardModel yard;
