@@ -26,6 +26,12 @@ constexpr int kLeastPairs = 2;          // assumed, 2-4
 constexpr double kLeastStrength = 1.2;  // noise of dark grass makes spots of 1 to 1.3; assumed, 1-2
 constexpr double kFaintStrength = 0.3;  // such a spot counts with its blue alone; assumed, 0.3-0.6
 
+// An orange region is ground in warmer light, such as the shade of a sun that is bluer than the
+// sky, where it is larger than this and longer, or emptier, than a guide: that is 1.7 times as long
+// as wide and fills 0.7 of its box. Assumed, 30-100 pairs, 2-3, 0.35-0.5.
+constexpr std::size_t kGroundPairs = 50;
+constexpr double kGroundLonger = 2.5, kGroundFill = 0.4;
+
 float MedianOf(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -53,6 +59,41 @@ Region Grow(const TintMap& map, int i0, int j0, std::vector<std::uint8_t>* taken
     }
   }
   return region;
+}
+
+bool IsGround(const Region& region) {
+  if (region.pairs.size() < kGroundPairs) return false;
+  Eigen::Vector2i low = region.pairs.front(), high = low;
+  for (const Eigen::Vector2i& at : region.pairs) {
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
+  }
+  const double wide_px = 2.0 * (high.x() - low.x() + 1), tall_px = high.y() - low.y() + 1;
+  const double area_px2 = 2.0 * static_cast<double>(region.pairs.size());
+  return std::max(wide_px, tall_px) > kGroundLonger * std::min(wide_px, tall_px) ||
+         area_px2 < kGroundFill * wide_px * tall_px;
+}
+
+/// Within ground in warmer light orange is what is redder than that.
+void LeaveWarmGround(TintMap* map, float redder_by) {
+  std::vector<std::uint8_t> taken(map->tints.size(), 0);
+  for (int j = 0; j < map->light.height; ++j) {
+    for (int i = 0; i < map->light.width; ++i) {
+      const std::size_t k = map->Index(i, j);
+      if (map->tints[k] != Tint::kOrange || taken[k]) continue;
+      const Region region = Grow(*map, i, j, &taken);
+      if (!IsGround(region)) continue;
+      std::vector<float> values;
+      for (const Eigen::Vector2i& at : region.pairs) {
+        values.push_back(map->red_blue[map->Index(at.x(), at.y())]);
+      }
+      const float redder = MedianOf(values) + redder_by;
+      for (const Eigen::Vector2i& at : region.pairs) {
+        const std::size_t n = map->Index(at.x(), at.y());
+        if (map->red_blue[n] <= redder) map->tints[n] = Tint::kPlain;
+      }
+    }
+  }
 }
 
 /// Its area, as if sharp: the sum of the orange over what a whole pixel of it would have. A small
@@ -177,13 +218,14 @@ TintMap TintsOf(const RgbImage& image, const Nominal& nominal, Spots spots) {
     std::nth_element(seen.begin(), at, seen.end());
     return *at;
   };
-  const float redder = share(1.0 - kRedShare) + (spots == Spots::kFaint ? kFaintRedder : kRedder),
-              bluer = share(kBlueShare) - kBluer;
+  const float redder_by = spots == Spots::kFaint ? kFaintRedder : kRedder;
+  const float redder = share(1.0 - kRedShare) + redder_by, bluer = share(kBlueShare) - kBluer;
   for (std::size_t k = 0; k < map.tints.size(); ++k) {
     if (map.tints[k] == Tint::kUnseen) continue;
     if (map.red_blue[k] > redder) map.tints[k] = Tint::kOrange;
     if (map.red_blue[k] < bluer) map.tints[k] = Tint::kBlue;
   }
+  LeaveWarmGround(&map, redder_by);
   return map;
 }
 

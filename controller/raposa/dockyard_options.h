@@ -95,16 +95,16 @@ struct DockyardOptions {
   double first_search_rad = Radians(20.0);  // doubled at each switch; assumed, 15-40
 
   // Doors. Openings are of each door from closed.
-  double brake_s = 0.3;     // assumed, 0.2-0.6
-  double shut_m = 0.0010;   // nothing lies between doors this near; assumed, 0.5-2 mm
-  double held_m = 0.0075;   // doors that stall nearer hold the rear cone; wider, the
-                            // waist is between them: closing radius 6 mm, waist 15 mm
-  double stall_m = 0.0004;  // a door that goes no farther, assumed 0.2-1 mm ...
-  double stall_s = 0.5;     // ... in this time rests; assumed, 0.3-1
-  double stall_a = 0.35;    // of a door's motor that presses; free it takes 0.2, at most 1.3
-  double close_s = 7.0;     // in which doors have closed or never will: they take 5
-  double ajar_m = 0.018;    // open enough for the waist of 15 mm to pass; 16-22
-  double nudge_m = 0.008;   // on, where doors pinch the guide's waist; assumed, 5-12 mm
+  double brake_s = 0.3;        // assumed, 0.2-0.6
+  double shut_m = 0.0010;      // nothing lies between doors this near; assumed, 0.5-2 mm
+  double held_share = 0.5;     // of the guide's radius: doors that stall nearer hold the rear cone;
+                               // wider, the guide's widest part is between them; assumed, 0.45-0.7
+  double stall_m = 0.0004;     // a door that goes no farther, assumed 0.2-1 mm ...
+  double stall_s = 0.5;        // ... in this time rests; assumed, 0.3-1
+  double stall_a = 0.35;       // of a door's motor that presses; free it takes 0.2, at most 1.3
+  double close_s = 7.0;        // in which doors have closed or never will: they take 5
+  double ajar_past_m = 0.003;  // beyond the guide's radius, for it to pass; assumed, 1-7 mm
+  double nudge_m = 0.008;      // on, where doors pinch the guide's widest part; assumed, 5-12 mm
   // On, where they close on nothing: they push a guide that is not between them yet to 28 mm before
   // its seat; 20-27.
   double blind_nudge_m = 0.024;

@@ -43,7 +43,7 @@ void DoorFeel::Read(const SensorFrame& sensed) {
   // Doors that have not begun to move yet rest as well.
   if (opening_m() > 0.9 * nominal_.door_travel_m && current_a_ < options_.stall_a) return;
   const double least_m = std::min(opening_m_[0], opening_m_[1]);
-  if (opening_m() > options_.held_m) {
+  if (opening_m() > options_.held_share * 0.5 * nominal_.marks.guide_diameter_m) {
     state_ = DoorState::kPinched;
   } else if (least_m < options_.shut_m || current_a_ < options_.stall_a) {
     state_ = DoorState::kEmpty;

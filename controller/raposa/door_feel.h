@@ -12,7 +12,7 @@ enum class DoorState {
   kMoving,
   kHeld,     // stalled on the guide's rear cone
   kEmpty,    // closed on nothing
-  kPinched,  // stalled on something wider: the guide's waist
+  kPinched,  // stalled on something wider: the guide's widest part
 };
 
 class DoorFeel {

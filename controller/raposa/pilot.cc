@@ -13,7 +13,7 @@ namespace {
 // A belief that changes by more, while the robot manoeuvres, is of another pose. Assumed, 0.1-0.3
 // m, 8-20 deg.
 constexpr double kOther_m = 0.2, kOther_rad = Radians(12.0);
-// After so many pictures whose marks do not fit the belief, every third is looked at without it.
+// After so many pictures in which nothing fits the belief, every third is looked at without it.
 // Assumed, 3-10 and 2-5.
 constexpr int kFitless = 5, kAfresh = 3;
 // On straight legs: an offset dies out over it, and the speed falls before their ends. Assumed,
@@ -72,7 +72,7 @@ double Pilot::Gauge() const {
 double Pilot::pitch_rad() const { return CameraPitch(nominal_) + LeanOf(nominal_, arm_rad_); }
 
 std::optional<PyramidPrior> Pilot::Prior() const {
-  // A guide whose marks do not fit what is believed is looked at afresh now and then.
+  // Where nothing is seen that fits what is believed, it looks afresh now and then.
   const bool afresh = supposed_ || (fitless_ > kFitless && fitless_ % kAfresh == 0);
   if (!filter_.located() || afresh) return std::nullopt;
   PyramidPrior prior = filter_.Prior();
@@ -134,10 +134,8 @@ void Pilot::Sense(const SensorFrame& sensed, const PyramidSeen* seen, double age
     sides_seen_ = 0.0;
     ++belief_.sighting_count;
   }
-  if (guide_ && seen->fits.empty()) {
-    ++fitless_;
-    sides_seen_ += guide_->likely_side;
-  }
+  if (seen->fits.empty()) ++fitless_;
+  if (guide_ && seen->fits.empty()) sides_seen_ += guide_->likely_side;
   if (supposed_ && !seen->fits.empty()) {
     supposed_ = false;
     filter_.Forget();
@@ -287,6 +285,7 @@ void Pilot::Decide() {
   }
   backs_ = 0;
   round_side_ = 0.0;
+  other_side_ = false;
   searched_rad_ = 0.0;
   pressed_once_ = false;
   const Pose2 X_DN = filter_.X_DN();
@@ -457,6 +456,11 @@ double Pilot::PressAngle() const {
   return options_.press_rad + (tries % 2 == 1 ? -1.0 : 1.0) * options_.press_other_rad;
 }
 
+/// Of each door, for the guide to pass.
+double Pilot::AjarOpening() const {
+  return 0.5 * nominal_.marks.guide_diameter_m + options_.ajar_past_m;
+}
+
 Twist Pilot::Close() {
   if (doors_.state() == DoorState::kHeld) {
     Enter(Phase::kProve, "doors hold something");
@@ -468,7 +472,7 @@ Twist Pilot::Close() {
     ++nudges_;
     const bool pinched = doors_.state() == DoorState::kPinched;
     nudge_m_ = pinched ? options_.nudge_m : options_.blind_nudge_m;
-    door_open_m_ = options_.ajar_m;
+    door_open_m_ = AjarOpening();
     arm_told_rad_ = PressAngle();
     Enter(Phase::kAjar, pinched ? "the guide is not in yet" : "doors closed on nothing");
     return {};
@@ -478,7 +482,7 @@ Twist Pilot::Close() {
 }
 
 Twist Pilot::Ajar() {
-  if (std::abs(doors_.opening_m() - options_.ajar_m) > kDoorAt_m && For() < kDoorAjar_s) return {};
+  if (std::abs(doors_.opening_m() - AjarOpening()) > kDoorAt_m && For() < kDoorAjar_s) return {};
   if (driven_m_ < nudge_m_) return {kNudgeShare * options_.least_approach_m_s, 0.0};
   Enter(Phase::kBrake, "nudged on");
   return {};
@@ -597,6 +601,16 @@ Twist Pilot::Search() {
     search_.Begin(filter_.located() ? -filter_.bearing_rad() : -1.0);
   }
   searched_rad_ += std::abs(turned_rad_);
+  if (filter_.located() && !other_side_ && searched_rad_ > 2.0 * kPi) {
+    // It stands where the pyramid hides its guide: it went round it by the wrong side, or by a
+    // wrong pose.
+    other_side_ = true;
+    round_side_ = -round_side_;
+    last_guide_->range_m = filter_.range_m();
+    last_guide_->bearing_rad = filter_.bearing_rad();
+    GoRound();
+    return {};
+  }
   if (searched_rad_ > options_.most_search_rad || attempts_ >= options_.attempts) {
     Enter(Phase::kGivenUp, "no pyramid in three turns");
     return {};

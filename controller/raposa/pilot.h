@@ -78,6 +78,7 @@ class Pilot {
   double For() const { return static_cast<double>(now_ - entered_) * kTickSeconds; }
   bool Looks() const;
   double PressAngle() const;
+  double AjarOpening() const;
   bool GuideExpected() const;
   bool MayBeAhead() const;
   double UnseenFor() const { return static_cast<double>(now_ - guide_seen_) * kTickSeconds; }
@@ -112,6 +113,7 @@ class Pilot {
   bool supposed_ = false;                            // no picture told where the pyramid stands
   double sides_seen_ = 0.0;                          // sum of likely sides, of pictures in a row
   double round_side_ = 0.0;                          // it goes round a guide by this way: left 1
+  bool other_side_ = false;                          // and went back, by the other
   Twist last_;
   Belief belief_;
 };

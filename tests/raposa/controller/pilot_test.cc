@@ -23,7 +23,7 @@ struct StandIn {
   double left_bias_m_s = 0.0, right_bias_m_s = 0.0;  // its readings say too much
   bool two_fits = false;                             // beyond 0.6 m pictures allow a mirrored pose
   bool marks = true, guide = true;                   // whether it sees them
-  double marks_to_rad = kPi;                         // off the axis, to either side
+  double marks_to_rad = kPi, guide_to_rad = kPi;     // off the axis, to either side
   double sees_far = 1.0;                             // share of pictures that show a far guide
   double first_turn_rad = 0.0;                       // its first five fits say too much
   bool in_doors = true;                              // whether the guide gets between the doors
@@ -78,7 +78,11 @@ class PlanarRobot {
     PyramidSeen seen;
     const Pose2 X_VD = Inverse(exposed_ * Pose2{kCamera_m, 0.0, 0.0}) * Pose2{pushed_m_, 0.0, 0.0};
     const double r = std::hypot(X_VD.x, X_VD.y), bearing = std::atan2(X_VD.y, X_VD.x);
-    if (!is_.guide || std::abs(bearing) > Radians(11.5) || X_VD.x < 0.14 || r > 4.2) return seen;
+    const Pose2 X_DV = Inverse(X_VD);
+    const double off_axis = std::abs(std::atan2(X_DV.y, X_DV.x));
+    if (!is_.guide || off_axis > is_.guide_to_rad || std::abs(bearing) > Radians(11.5) ||
+        X_VD.x < 0.14 || r > 4.2)
+      return seen;
     if (r > 2.2 && is_.sees_far < 1.0 && !std::bernoulli_distribution(is_.sees_far)(random_)) {
       return seen;
     }
@@ -93,8 +97,7 @@ class PlanarRobot {
     guide.clipped = std::abs(bearing) > Radians(10.0);
     seen.guide = guide;
     if (!is_.marks || r < 0.16 || std::abs(bearing) > Radians(9.0)) return seen;
-    const Pose2 X_DV = Inverse(X_VD);
-    if (std::abs(std::atan2(X_DV.y, X_DV.x)) > is_.marks_to_rad) return seen;
+    if (off_axis > is_.marks_to_rad) return seen;
     // The blue square stands 0.098 m behind the guide: from aside it can be out of the view.
     const Pose2 square = X_VD * Pose2{-0.098, 0.0, 0.0};
     if (std::abs(std::atan2(square.y, square.x)) > Radians(10.5)) return seen;
@@ -361,6 +364,35 @@ TEST(Pilot, GoesRoundAGuideThatShowsNoMarksFromWhereItStands) {
     EXPECT_LE(drive.time_s, 150.0) << alpha_deg;
     EXPECT_GE(drive.nearest_m, 0.40) << alpha_deg;
   }
+}
+
+// No picture tells the side, so it goes round to the left first. From there the pyramid hides its
+// guide; it must come back by the other side.
+TEST(Pilot, ComesBackFromBehindThePyramid) {
+  for (const double alpha_deg : {-110.0, -95.0, 95.0, 110.0}) {
+    const Drive drive =
+        RunPilot(1.5, alpha_deg, {.marks_to_rad = Radians(70.0), .guide_to_rad = Radians(125.0)});
+    EXPECT_EQ(drive.verdict, Verdict::kDocked) << alpha_deg;
+    EXPECT_GE(drive.nearest_m, 0.40) << alpha_deg;
+  }
+}
+
+// A wrong belief would rule the guide out in every picture.
+TEST(Pilot, LooksWithoutItsBeliefWhereNothingFitsIt) {
+  const Nominal nominal = RobotNominal();
+  PlanarRobot robot(nominal, {}, {1.5, 0.0, kPi});
+  Pilot pilot(nominal, {});
+  int free = 0, pictures = 0;
+  for (int i = 0; i < 60; ++i) {
+    const PyramidSeen seen = i < 10 ? robot.Look() : PyramidSeen{};
+    if (i > 0) robot.Step(pilot.Step(robot.Sense(), &seen, 0.05));
+    if (i < 20) continue;
+    ++pictures;
+    free += !pilot.Prior();
+  }
+  ASSERT_TRUE(pilot.filter().located());
+  EXPECT_GE(free, pictures / 4);
+  EXPECT_LE(free, pictures / 2);
 }
 
 // An orange thing without marks, nothing at all, and doors that never hold: each comes to an end,

@@ -219,6 +219,20 @@ TEST(PyramidEye, KnowsTheGuideAlone) {
   EXPECT_LT(seen.guide->range_sigma_m, 0.12);
 }
 
+// A band of shade across the view, of a sky that is warmer than the sun: ln R/B is 1.4 above that of
+// the lit ground. Guide and marks lie in it, as dark.
+TEST(PyramidEye, FindsTheGuideInAShadeThatIsWarmerThanTheLight) {
+  const Nominal nominal = FlatNominal();
+  for (const double bearing : {-0.1, 0.0, 0.1}) {
+    Scene scene{.orange = {54, 8, 1}, .blue = {3, 8, 24}, .background = {60, 66, 72}, .noise = 0.4};
+    scene.clutter = {Box(60.0, 114.0, 260.0, 134.0, {14, 9, 4.2})};
+    const PyramidSeen seen = PyramidEye(nominal).Find(Drawn(0.9, 1.7, bearing, scene), 0.0);
+    ASSERT_TRUE(seen.guide) << bearing;
+    EXPECT_NEAR(seen.guide->bearing_rad, -bearing, 0.01);
+    EXPECT_NEAR(seen.guide->range_m, 0.9, 0.1);
+  }
+}
+
 TEST(PyramidEye, PriorRulesOutOtherThingsOfLikeColours) {
   const PyramidEye eye(FlatNominal());
   const double r_m = 1.2, alpha = 0.5;
