@@ -219,8 +219,8 @@ TEST(PyramidEye, KnowsTheGuideAlone) {
   EXPECT_LT(seen.guide->range_sigma_m, 0.12);
 }
 
-// A band of shade across the view, of a sky that is warmer than the sun: ln R/B is 1.4 above that of
-// the lit ground. Guide and marks lie in it, as dark.
+// A band of shade across the view, of a sky that is warmer than the sun: ln R/B is 1.4 above that
+// of the lit ground. Guide and marks lie in it, as dark.
 TEST(PyramidEye, FindsTheGuideInAShadeThatIsWarmerThanTheLight) {
   const Nominal nominal = FlatNominal();
   for (const double bearing : {-0.1, 0.0, 0.1}) {
