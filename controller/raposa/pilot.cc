@@ -34,6 +34,8 @@ constexpr double kAside_rad = Radians(6.0);
 constexpr double kDoorAt_m = 0.004, kDoorAjar_s = 4.0, kDoorOpen_s = 6.0;
 // Backwards, and nudging, at shares of the forward speeds. Assumed, 0.4-0.8.
 constexpr double kBackShare = 0.6, kNudgeShare = 0.5;
+// A search that doubles its angle from 20 deg has looked all round after so many turns to and fro.
+constexpr double kAllRound_rad = 3.0 * kPi;
 // Towards a guide: its bearing dies out in a second. Assumed, 0.5-2 /s and 0.1-0.3 rad/s.
 constexpr double kCreepGain_per_s = 1.0, kCreepTurn_rad_s = 0.2;
 
@@ -601,7 +603,7 @@ Twist Pilot::Search() {
     search_.Begin(filter_.located() ? -filter_.bearing_rad() : -1.0);
   }
   searched_rad_ += std::abs(turned_rad_);
-  if (filter_.located() && !other_side_ && searched_rad_ > 2.0 * kPi) {
+  if (filter_.located() && !other_side_ && searched_rad_ > kAllRound_rad) {
     // It stands where the pyramid hides its guide: it went round it by the wrong side, or by a
     // wrong pose.
     other_side_ = true;

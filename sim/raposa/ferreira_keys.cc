@@ -1,6 +1,8 @@
 #include "sim/raposa/ferreira_keys.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "models/read/yaml_reader.h"
 #include "sim/raposa/ferreira_members.h"

@@ -1,8 +1,6 @@
 // The names of ferreira2009's motion, once for files and scenarios.
 #pragma once
 
-#include <vector>
-
 #include "controller/raposa/nominal/ferreira_options.h"
 
 namespace dockyard::raposa {
