@@ -154,6 +154,8 @@ const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"cone_height.yaml", 2 * 2 * 11},
     {"mating_holds.yaml", 2 * 5 * 5},
     {"mating_map.yaml", 2 * 9 * 6},
+    {"raposa_built.yaml", 2 * 4},
+    {"raposa_calibrated.yaml", 5 * (1 + 10)},
     {"reel_alpha.yaml", 2 * 3 * 15},
     {"reel_heading.yaml", 2 * 2 * 9},
     {"rock_map.yaml", 2 * 2},
