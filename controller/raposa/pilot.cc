@@ -34,8 +34,8 @@ constexpr double kAside_rad = Radians(6.0);
 constexpr double kDoorAt_m = 0.004, kDoorAjar_s = 4.0, kDoorOpen_s = 6.0;
 // Backwards, and nudging, at shares of the forward speeds. Assumed, 0.4-0.8.
 constexpr double kBackShare = 0.6, kNudgeShare = 0.5;
-// A search that doubles its angle from 20 deg has looked all round after so many turns to and fro.
-constexpr double kAllRound_rad = 3.0 * kPi;
+// A search to and fro by 20, 40, 80, 160 and 320 deg has then seen all round.
+constexpr double kAllRound_rad = Radians(620.0);
 // Towards a guide: its bearing dies out in a second. Assumed, 0.5-2 /s and 0.1-0.3 rad/s.
 constexpr double kCreepGain_per_s = 1.0, kCreepTurn_rad_s = 0.2;
 
