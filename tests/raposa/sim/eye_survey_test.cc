@@ -193,7 +193,7 @@ int FalsePairs(int count, Instead instead, const char* name) {
 
 TEST(RaposaEyeSurvey, TakesNoThingsForThePyramid) {
   const int count = static_cast<int>(Number("EYE_CLUTTER", 100));
-  // What is held, 11 in 1000; the aim is 1.
+  // What is held, 12 in 1000; the aim is 1.
   EXPECT_LE(FalsePairs(count, Instead::kThings, "things"), 0.015 * count);
 }
 
