@@ -10,17 +10,17 @@
 
 namespace dockyard {
 
-/// One sighting of the board, accepted or refused.
+/// One sighting of the target, accepted or refused.
 struct SightingReport {
   bool accepted = false;
-  std::string reason;         // why not, in the words of PoseFailure; empty when accepted
-  std::string method;         // "stereo", "left", "right" or empty
+  std::string reason;         // why not; empty when accepted
+  std::string method;         // by which camera or cameras: "stereo", "left", "back"; or empty
   std::vector<int> detected;  // marks measured, not predicted, by camera
   int DetectedBy(int camera) const {
     return camera < static_cast<int>(detected.size()) ? detected[static_cast<std::size_t>(camera)]
                                                       : 0;
   }
-  // Board fiducial index for each measured pixel, for scoring the correspondence.
+  // Index of the mark for each measured pixel, for scoring the correspondence.
   struct Mark {
     int id = -1;
     int camera = 0;
@@ -28,8 +28,8 @@ struct SightingReport {
   };
   std::vector<Mark> marks;
   std::vector<Mark> predicted;   // where the others should be, by the pose or the homography
-  double reprojection_px = 0.0;  // RMS over the measured fiducials
-  Pose3 X_RB;                    // the board in the rover body
+  double reprojection_px = 0.0;  // RMS over the measured marks; NaN where none is reckoned
+  Pose3 X_RB;                    // the target in the body of the robot
   // Of p_RB [m], then of a small turn about R's axes [rad]; zero when the pipeline gives none.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
   // Right camera against the left beyond the calibration, after this sighting, and 1 sigma [rad].

@@ -87,11 +87,12 @@ struct DockyardOptions {
                                      // view; less than the view's 12.5 and the guide's radius; 6-9
   double glance_most_s = 2.5;        // for each side; assumed, 2-4
   double back_m = 0.25;              // away from a guide too near for its marks; assumed, 0.15-0.4
-  int straight_backs = 1;            // from one guide; then it goes round it; assumed, 1-3 ...
-  double round_rad = Radians(60.0);  // ... by this at a time, seen from the guide; 45-75 ...
-  int backs = 7;                     // ... until it has been all round: 360 / 60, and one back
-  double most_search_rad = 6.0 * kPi;       // in all, without a way to the axis; assumed, 2-4 turns
-  double search_rad_s = Radians(15.0);      // assumed, 8-25
+  double back_share = 0.6;  // backwards at this share of the forward speeds; assumed, 0.4-0.8
+  int straight_backs = 1;   // from one guide; then it goes round it; assumed, 1-3 ...
+  double round_rad = Radians(60.0);     // ... by this at a time, seen from the guide; 45-75 ...
+  int backs = 7;                        // ... until it has been all round: 360 / 60, and one back
+  double most_search_rad = 6.0 * kPi;   // in all, without a way to the axis; assumed, 2-4 turns
+  double search_rad_s = Radians(15.0);  // assumed, 8-25
   double first_search_rad = Radians(20.0);  // doubled at each switch; assumed, 15-40
 
   // Doors. Openings are of each door from closed.

@@ -9,6 +9,7 @@
 #include "controller/raposa/drive.h"
 #include "controller/raposa/ferreira_sight.h"
 #include "controller/raposa/odometry.h"
+#include "controller/raposa/picture_report.h"
 #include "controller/raposa/schemas.h"
 #include "controller/raposa/search.h"
 #include "controller/raposa/state_choice.h"
@@ -252,11 +253,15 @@ void Ferreira2009::Tell(State state, const std::string& note) {
 }
 
 void Ferreira2009::Believe(const BeltMotion& motion) {
-  if (sight_.fresh() && sight_.seen().pair) {
-    const Pose2 X_DN = PoseOfN(sight_.Guide(), lever_m_);
+  const bool pair = sight_.fresh() && sight_.seen().pair.has_value();
+  const Pose2 X_DN = pair ? PoseOfN(sight_.Guide(), lever_m_) : Pose2{};
+  if (sight_.fresh()) {
+    ++belief_.sighting_count;
+    belief_.last_sighting = ReportOf(sight_.seen(), X_DN);
+  }
+  if (pair) {
     belief_.located = true;
     belief_.X_DR = {X_DN.x, X_DN.y, WrapPi(X_DN.heading + kPi)};
-    ++belief_.sighting_count;
     belief_.values[1].value = Degrees(sight_.seen().pair->alpha_rad);
     belief_.values[2].value = sight_.seen().pair->angle.r_m;
   } else if (belief_.located) {

@@ -100,7 +100,7 @@ class Pilot {
   double unseen_m_ = 0.0;                         // driven since
   double turned_aside_rad_ = 0.0;                 // of this phase
   int fits_ = 0;                                  // pictures with a pose, in this phase
-  int fitless_ = 0;                               // in a row, with a guide and no pose
+  int fitless_ = 0;                               // in a row without a pose
   std::vector<Leg> legs_;
   std::optional<PathFollower> follower_;
   double arm_rad_ = 0.0, arm_told_rad_ = 0.0, door_open_m_ = 0.0;

@@ -202,6 +202,11 @@ PyramidFilter::Kept PyramidFilter::Born(const PyramidFit& fit, double age_s) con
   return kept;
 }
 
+Pose2 PyramidFilter::PlacedBy(const PyramidFit& fit, double age_s) const {
+  const State at = Born(fit, age_s).mean;
+  return {at(kX), at(kY), at(kHeading)};
+}
+
 void PyramidFilter::Suppose(const GuideSeen& guide, double alpha_rad) {
   const Pose2 X_DV{guide.range_m * std::cos(alpha_rad), guide.range_m * std::sin(alpha_rad),
                    WrapPi(alpha_rad + kPi - guide.bearing_rad)};

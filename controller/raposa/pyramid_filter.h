@@ -43,6 +43,8 @@ class PyramidFilter {
   Pose2 X_DN() const;
   Eigen::Matrix3d covariance() const;  // of X_DN's x, y [m] and heading [rad]
   double gauge_share() const;          // turns by the told gauge that come about
+  /// X_DN by one fit of a picture that was exposed age_s ago, carried to now by the belts.
+  Pose2 PlacedBy(const PyramidFit& fit, double age_s) const;
   /// What the next picture should show.
   PyramidPrior Prior() const;
   /// The camera about the guide's axis, and its distance in plan.

@@ -26,7 +26,9 @@ class RaposaPlant final : public Plant {
   Pose2 X_DR() const override { return ToGround(truth_.X_DR_start); }
   void AppendChannels(std::vector<double>& values) const override;
   Stage Look() const override;
-  Pose2 MeasuredPose(const SightingReport&) const override { return {}; }
+  Pose2 MeasuredPose(const SightingReport& report) const override {
+    return Inverse(ToGround(report.X_RB));
+  }
   std::uint64_t StateHash(std::uint64_t seed) const override { return world_.StateHash(seed); }
 
   const BuiltRun& built() const { return built_; }

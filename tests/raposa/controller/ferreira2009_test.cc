@@ -174,9 +174,9 @@ TEST(Ferreira2009Loop, BandsThatChangeInTimeHoldFromThenOn) {
   const auto at = [&](double limit_s) {
     return RunKinematic(nominal, CameraAt(0.8, 0.0), {}, limit_s);
   };
-  EXPECT_EQ(at(4.8).belief.sighting_count, 0);
+  EXPECT_FALSE(at(4.8).belief.located);
   EXPECT_EQ(ValueOf(at(4.8).belief, "band_changes", -1.0), 0.0);
-  EXPECT_GT(at(5.5).belief.sighting_count, 0);
+  EXPECT_TRUE(at(5.5).belief.located);
   EXPECT_EQ(ValueOf(at(5.5).belief, "band_changes", -1.0), 1.0);
 }
 

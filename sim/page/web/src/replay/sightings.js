@@ -73,7 +73,7 @@ export class Sightings {
       width: camera.width,
       height: camera.height,
       role: 'img',
-      'aria-label': `Image of the ${camera.name} camera with ${(camera.marks ?? []).length} marks`,
+      'aria-label': `Image of the ${camera.name} camera with ${marks((camera.marks ?? []).length)}`,
     });
     const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
     context.fillStyle = '#777';
@@ -92,7 +92,7 @@ export class Sightings {
       'figure',
       null,
       canvas,
-      make('figcaption', null, `${camera.name}: ${measured} marks measured`),
+      make('figcaption', null, `${camera.name}: ${marks(measured)} measured`),
     );
   }
 
@@ -129,6 +129,11 @@ function drawMarks(context, camera) {
     if (measured) context.fillRect(x - unit, y - unit, 2 * unit, 2 * unit);
     context.fillText(String(id), x + 8 * unit, y - 6 * unit);
   }
+}
+
+/** @param {number} count */
+function marks(count) {
+  return count === 1 ? '1 mark' : `${count} marks`;
 }
 
 /** @param {CanvasRenderingContext2D} context @param {string} text */

@@ -1,0 +1,180 @@
+// The phases in which the pilot manoeuvres to the axis and drives in along it.
+#include "controller/raposa/pilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/raposa/lean.h"
+
+namespace dockyard::raposa {
+namespace {
+
+// On straight legs: an offset dies out over it, and the speed falls before their ends. Assumed,
+// 0.2-0.5 m, 0.3-0.7 rad/s, 1-2 /s, 0.02-0.05 m/s.
+constexpr double kLegSettle_m = 0.3, kLegTurn_rad_s = 0.5, kLegGain_per_s = 1.5,
+                 kLegLast_m_s = 0.03;
+// The way in is broken off outside of a wider cone, and not any more in its last part. Assumed,
+// 0.016-0.03 m, 0.08-0.2, 1.2-2, 0.02-0.05 m, 0.2-0.5 rad/s.
+constexpr double kOff_m = 0.02, kOffSlope = 0.1, kOffHeading = 1.5, kCommitted_m = 0.03;
+constexpr double kApproachTurn_rad_s = 0.35;
+// On the way in the guide keeps so far from the view's edge, as foretold for this time after the
+// command. Assumed, 1-4 deg and 0.2-0.5 s.
+constexpr double kEdge_rad = Radians(2.0), kEdgeLead_s = 0.4;
+
+}  // namespace
+
+void Pilot::Decide() {
+  const double sigma = std::sqrt(filter_.covariance()(2, 2));
+  if (sigma > options_.sure_heading_rad && filter_.range_m() > options_.creep_to_m) {
+    Enter(Phase::kCreep, "the angle is not sure");
+    return;
+  }
+  backs_ = 0;
+  round_side_ = 0.0;
+  other_side_ = false;
+  searched_rad_ = 0.0;
+  pressed_once_ = false;
+  const Pose2 X_DN = filter_.X_DN();
+  if (InCone(X_DN, options_)) {
+    nudges_ = 0;
+    const double end_m = SeatBehind(nominal_, LeanOf(nominal_, PressAngle())) + options_.short_m;
+    follower_.emplace(Pose2{X_DN.x, 0.0, kPi}, std::vector<Arc>{{X_DN.x - end_m, 0.0}});
+    belief_.plan = {{Pose2{X_DN.x, 0.0, 0.0}, end_m - X_DN.x, 0.0}};
+    ++belief_.plan_count;
+    Enter(Phase::kApproach, "on the axis");
+    return;
+  }
+  const GatePlan plan = PlanToGate(X_DN, nominal_, options_);
+  if (plan.legs.empty()) {
+    TryAgain("no way to the axis");
+    return;
+  }
+  if (passes_ >= options_.passes) {
+    Enter(Phase::kGivenUp, "too many ways to the axis");
+    return;
+  }
+  legs_ = plan.legs;
+  ++passes_;
+  belief_.plan.clear();
+  Pose2 at = X_DN;
+  for (const Leg& leg : legs_) {
+    belief_.plan.push_back({{at.x, at.y, WrapPi(leg.heading_rad + kPi)}, -leg.length_m, 0.0});
+    at = {leg.p_D_end.x(), leg.p_D_end.y(), leg.heading_rad};
+  }
+  ++belief_.plan_count;
+  BeginLeg();
+}
+
+void Pilot::BeginLeg() {
+  arm_told_rad_ = 0.0;
+  if (legs_.empty()) {
+    Enter(Phase::kFace, "at the gate");
+    return;
+  }
+  Enter(Phase::kTurn, "to the gate");
+}
+
+Twist Pilot::TurnTo(double heading_rad, bool* done) const {
+  const double left = WrapPi(heading_rad - filter_.X_DN().heading);
+  *done = std::abs(left) < options_.turn_tolerance_rad;
+  if (*done) return {};
+  const double most = GuideExpected() ? options_.seen_turn_rad_s : options_.turn_rad_s;
+  const double rate = std::clamp(options_.turn_gain_per_s * left, -most, most);
+  return {0.0, std::copysign(std::max(std::abs(rate), options_.least_turn_rad_s), rate)};
+}
+
+/// Whether the guide should be in view.
+bool Pilot::GuideExpected() const {
+  return filter_.located() && std::abs(filter_.bearing_rad()) < nominal_.half_view_rad;
+}
+
+Twist Pilot::Turn() {
+  bool done = false;
+  const Twist twist = TurnTo(legs_.front().heading_rad, &done);
+  if (!done) return twist;
+  const Leg& leg = legs_.front();
+  const Eigen::Vector2d along(std::cos(leg.heading_rad), std::sin(leg.heading_rad));
+  const Eigen::Vector2d start = leg.p_D_end - leg.length_m * along;
+  const Pose2 X_DN = filter_.X_DN();
+  // The way from where the robot stands after its turn; the turning centre moves a little.
+  const Eigen::Vector2d at(X_DN.x, X_DN.y);
+  const double length_m = (leg.p_D_end - at).dot(along);
+  follower_.emplace(Pose2{start.x(), start.y(), leg.heading_rad},
+                    std::vector<Arc>{{leg.length_m, 0.0}});
+  if (std::abs(length_m) < options_.way_tolerance_m) {
+    legs_.erase(legs_.begin());
+    BeginLeg();
+    return {};
+  }
+  Enter(Phase::kLeg, "to the gate");
+  return {};
+}
+
+Twist Pilot::DriveLeg() {
+  const Steering steering{.settle_m = kLegSettle_m, .max_turn_rad_s = kLegTurn_rad_s};
+  const double left_m = follower_->Remaining();
+  const double speed = std::clamp(kLegGain_per_s * left_m + kLegLast_m_s,
+                                  options_.least_approach_m_s, options_.travel_m_s);
+  const Twist twist = follower_->Follow(filter_.X_DN(), speed, steering);
+  if (!follower_->done() && follower_->Remaining() > options_.way_tolerance_m) return twist;
+  legs_.erase(legs_.begin());
+  BeginLeg();
+  return {};
+}
+
+Twist Pilot::Face() {
+  const Pose2 X_DN = filter_.X_DN();
+  bool done = false;
+  // To the guide: off the axis by a little it is to be in the middle of the view.
+  const Twist twist = TurnTo(std::atan2(-X_DN.y, -X_DN.x), &done);
+  if (done) Enter(Phase::kLook, "at the gate");
+  return twist;
+}
+
+/// No turn out of the view: without pictures the way in would be blind.
+void Pilot::KeepInView(Twist* twist) const {
+  if (!Looks()) return;
+  const double radius_rad = std::atan2(0.5 * nominal_.marks.guide_diameter_m, filter_.range_m());
+  const double most = std::max(0.0, nominal_.half_view_rad - kEdge_rad - radius_rad);
+  const double bearing = filter_.bearing_rad();
+  twist->turn_rad_s =
+      std::clamp(twist->turn_rad_s, (bearing - most) / kEdgeLead_s, (bearing + most) / kEdgeLead_s);
+}
+
+Twist Pilot::Approach() {
+  const Pose2 X_DN = filter_.X_DN();
+  if (X_DN.x < options_.press_m) {
+    arm_told_rad_ = PressAngle();
+    lamps_ = true;
+  } else {
+    arm_told_rad_ = 0.0;
+  }
+  const double ahead_m = X_DN.x - options_.cone_from_m;
+  if (ahead_m > kCommitted_m) {
+    if (UnseenFor() > options_.lost_s) {
+      Enter(Phase::kLook, "lost the guide");
+      return {};
+    }
+    if (std::abs(X_DN.y) > kOff_m + kOffSlope * ahead_m ||
+        std::abs(WrapPi(X_DN.heading - kPi)) > kOffHeading * options_.cone_heading_rad) {
+      TryAgain("too far off the axis");
+      return {};
+    }
+  }
+  const double left_m = follower_->Remaining();
+  const double speed = left_m < options_.end_m
+                           ? options_.end_m_s
+                           : std::clamp(options_.approach_gain_per_s * left_m,
+                                        options_.least_approach_m_s, options_.approach_m_s);
+  const double settle_m = Looks() ? options_.settle_m : options_.blind_settle_m;
+  Twist twist =
+      follower_->Follow(X_DN, speed, {.settle_m = settle_m, .max_turn_rad_s = kApproachTurn_rad_s});
+  if (!follower_->done()) KeepInView(&twist);
+  // Half a period's way before or after the end, whichever is nearer.
+  const double stop_m = 0.5 * kTickSeconds * kControlPeriod * speed;
+  if (!follower_->done() && follower_->Remaining() > stop_m) return twist;
+  Enter(Phase::kBrake, "at the seat, as believed");
+  return {};
+}
+
+}  // namespace dockyard::raposa
