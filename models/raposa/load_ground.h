@@ -8,7 +8,8 @@
 
 namespace dockyard::raposa {
 
-/// `changes` are keys on top of the file's. Throws ConfigError.
+/// A file with a soil's keys, those of models/soils, is a ground that belts sink into. `changes`
+/// are keys on top of the file's. Throws ConfigError.
 GroundModel LoadGround(const std::string& file, const ModelChanges& changes = {});
 
 }  // namespace dockyard::raposa

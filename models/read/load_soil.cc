@@ -20,11 +20,32 @@ SoilModel LoadSoil(const std::string& file, const ModelChanges& changes) {
   YamlNode root = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(root, *changes.told);
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
-  const YamlReader in(
-      root, "",
-      {"name", "source", "n", "slip_weakening", "k_c", "k_phi", "plates", "cohesion_pa",
-       "friction_angle_deg", "shear_modulus_m", "shear_depth_m", "density_kg_m3",
-       "unloading_stiffness_pa_per_m", "damping_pa_s_per_m", "gravity_m_s2", "rgb", "spreads"});
+  const SoilModel soil = ReadSoil(YamlReader(root, "", SoilKeys()));
+  CheckSpreads(root);
+  return soil;
+}
+
+std::vector<std::string> SoilKeys() {
+  return {"name",
+          "source",
+          "n",
+          "slip_weakening",
+          "k_c",
+          "k_phi",
+          "plates",
+          "cohesion_pa",
+          "friction_angle_deg",
+          "shear_modulus_m",
+          "shear_depth_m",
+          "density_kg_m3",
+          "unloading_stiffness_pa_per_m",
+          "damping_pa_s_per_m",
+          "gravity_m_s2",
+          "rgb",
+          "spreads"};
+}
+
+SoilModel ReadSoil(const YamlReader& in) {
   SoilModel soil;
   soil.name = in.Text("name");
   soil.source = in.Text("source");
@@ -42,14 +63,13 @@ SoilModel LoadSoil(const std::string& file, const ModelChanges& changes) {
   soil.damping_pa_s_per_m = in.Number("damping_pa_s_per_m", NonNegative(1e8));
   soil.gravity_m_s2 = in.NumberOr("gravity_m_s2", soil.gravity_m_s2, Between(0.01, 50.0));
   soil.rgb = in.Rgb("rgb");
-  CheckSpreads(root);
   return soil;
 }
 
-void CheckCarries(const SoilModel& soil, const std::string& file, const WheelModel& wheel) {
-  if (soil.k_c / wheel.width_m + soil.k_phi > 0.0) return;
-  throw ConfigError(file + ": k_c: expected k_c / width + k_phi > 0 under a wheel " +
-                    NumberText(wheel.width_m) + " m wide, found '" + NumberText(soil.k_c) + "'");
+void CheckCarries(const SoilModel& soil, const std::string& file, double width_m) {
+  if (soil.k_c / width_m + soil.k_phi > 0.0) return;
+  throw ConfigError(file + ": k_c: expected k_c / width + k_phi > 0 at a width of " +
+                    NumberText(width_m) + " m, found '" + NumberText(soil.k_c) + "'");
 }
 
 }  // namespace dockyard

@@ -51,7 +51,7 @@ SingleWheelSetup MakeSetup(const WheelArguments& arguments) {
   SingleWheelSetup setup;
   setup.wheel = LoadWheel(arguments.wheel_file).wheel;
   setup.soil = LoadSoil(arguments.soil_file);
-  CheckCarries(setup.soil, arguments.soil_file, setup.wheel);
+  CheckCarries(setup.soil, arguments.soil_file, setup.wheel.width_m);
   setup.speed_m_s = arguments.speed_m_s;
   return setup;
 }

@@ -81,7 +81,7 @@ void CheckAsBuilt(const Scenario& scenario) {
 }
 
 void CheckTogether(const Scenario& scenario, const AxelKeys& keys, const ModelSet& set) {
-  CheckCarries(set.soil, scenario.soil_file, set.rover.left_wheel_soil);
+  CheckCarries(set.soil, scenario.soil_file, set.rover.left_wheel_soil.width_m);
   if (set.soil.gravity_m_s2 != kEarthGravity_m_s2) {
     throw ConfigError(scenario.soil_file + ": gravity_m_s2: expected " +
                       NumberText(kEarthGravity_m_s2) + ", in which the rover docks, found '" +

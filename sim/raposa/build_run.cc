@@ -4,6 +4,7 @@
 
 #include "models/raposa/make_nominal.h"
 #include "models/read/config_error.h"
+#include "models/read/load_soil.h"
 #include "sim/base/random.h"
 #include "sim/raposa/ferreira_keys.h"
 
@@ -71,6 +72,9 @@ BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
   CheckStart(scenario, models.keys, models.built.robot);
   CheckHolds(scenario, models.built.pyramid);
   CheckLight(scenario);
+  if (models.built.ground.soil) {
+    CheckCarries(*models.built.ground.soil, scenario.soil_file, models.built.robot.belts.width_m);
+  }
   BuiltRun run;
   run.keys = models.keys;
   run.ground = models.built.ground;
@@ -81,6 +85,7 @@ BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
   world.robot = models.built.robot;
   world.pyramid = models.built.pyramid;
   world.belt_ground = models.built.ground.belt;
+  world.belt_soil = models.built.ground.soil;
   world.ground = GroundOf(scenario.yard, run.keys.behind_m, scenario.seed);
   world.X_WG = scenario.X_WG;
   world.slope = SlopeOf(scenario);

@@ -1,6 +1,7 @@
 #include "sim/raposa/tracks.h"
 
 #include <cmath>
+#include <functional>
 
 #include "sim/base/hash.h"
 
@@ -26,11 +27,20 @@ BeltModel BeltOf(const BeltsModel& belts, double rear_m, double front_m, double 
   return belt;
 }
 
-std::array<Belt, 2> BothSides(const RobotModel& robot, const BeltGround& ground, double rear_m,
+/// A belt on a kind of ground.
+using MakeBelt = std::function<Belt(const BeltModel& belt)>;
+
+MakeBelt On(const BeltGround& ground, const std::optional<SoilModel>& soil) {
+  return [&ground, &soil](const BeltModel& belt) {
+    return soil ? Belt(belt, *soil, ground.rolling_loss) : Belt(belt, ground);
+  };
+}
+
+std::array<Belt, 2> BothSides(const RobotModel& robot, const MakeBelt& make, double rear_m,
                               double front_m) {
   const double y_m = 0.5 * robot.belts.gauge_m;
-  return {Belt(BeltOf(robot.belts, rear_m, front_m, y_m), ground),
-          Belt(BeltOf(robot.belts, rear_m, front_m, -y_m), ground)};
+  return {make(BeltOf(robot.belts, rear_m, front_m, y_m)),
+          make(BeltOf(robot.belts, rear_m, front_m, -y_m))};
 }
 
 MotorDrive DriveOf(const RobotModel& robot, Motor motor) {
@@ -40,7 +50,8 @@ MotorDrive DriveOf(const RobotModel& robot, Motor motor) {
 
 }  // namespace
 
-Tracks::Tracks(const RobotModel& robot, const BeltGround& ground, std::uint64_t seed)
+Tracks::Tracks(const RobotModel& robot, const BeltGround& ground,
+               const std::optional<SoilModel>& soil, std::uint64_t seed)
     : radius_m_(robot.belts.roller_radius_m),
       inertia_kg_m2_(
           robot.motors[static_cast<std::size_t>(Motor::kLeftBelt)].reflected_inertia_kg_m2),
@@ -50,8 +61,9 @@ Tracks::Tracks(const RobotModel& robot, const BeltGround& ground, std::uint64_t 
       dead_band_rad_s_(robot.belts.dead_band_m_s / radius_m_),
       drift_(StreamKey(seed, "belt_speed")),
       drives_{DriveOf(robot, Motor::kLeftBelt), DriveOf(robot, Motor::kRightBelt)},
-      body_belts_(BothSides(robot, ground, robot.belts.body_rear_m, robot.belts.body_front_m)),
-      arm_belts_(BothSides(robot, ground, 0.0, robot.belts.arm_length_m)) {
+      body_belts_(
+          BothSides(robot, On(ground, soil), robot.belts.body_rear_m, robot.belts.body_front_m)),
+      arm_belts_(BothSides(robot, On(ground, soil), 0.0, robot.belts.arm_length_m)) {
   for (double& error : error_rad_s_) error = offset_rad_s_ * drift_.Normal();
   const FrictionPatches patches{ground.patch_scatter, ground.patch_m, StreamKey(seed, "friction")};
   for (auto* const belts : {&body_belts_, &arm_belts_}) {

@@ -7,9 +7,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "controller/io/commands.h"
 #include "models/parts/belt.h"
+#include "models/parts/soil_model.h"
 #include "models/raposa/robot_model.h"
 #include "sim/base/random.h"
 #include "sim/physics/belt.h"
@@ -22,8 +24,10 @@ enum class Side : std::uint8_t { kLeft, kRight };
 
 class Tracks {
  public:
-  /// Draws the readings' errors and the ground's patches from the run's seed.
-  Tracks(const RobotModel& robot, const BeltGround& ground, std::uint64_t seed);
+  /// Draws the readings' errors and the ground's patches from the run's seed. On soil the ground's
+  /// strength is the soil's.
+  Tracks(const RobotModel& robot, const BeltGround& ground, const std::optional<SoilModel>& soil,
+         std::uint64_t seed);
 
   /// Works one step under these commands to left and right, and adds the ground's loads to the
   /// robot.

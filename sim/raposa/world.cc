@@ -148,7 +148,7 @@ World::Impl::Impl(const WorldSetup& setup)
       robot_(setup_.robot, RobotStart(setup), 0.0),
       pyramid_(setup.pyramid, PyramidStart(setup), CableFarEnd(setup)),
       bullet_(robot_, pyramid_, setup_.robot, setup_.pyramid, gravity_G_, setup.search_always),
-      tracks_(setup.robot, setup.belt_ground, setup.seed),
+      tracks_(setup.robot, setup.belt_ground, setup.belt_soil, setup.seed),
       arm_drive_(ModelOf(setup.robot, Motor::kArm), ArmInertia(setup_.robot)),
       door_drives_{MotorDrive(ModelOf(setup.robot, Motor::kLeftDoor), DoorInertia(setup_.robot)),
                    MotorDrive(ModelOf(setup.robot, Motor::kRightDoor), DoorInertia(setup_.robot))} {

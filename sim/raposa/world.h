@@ -5,10 +5,12 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "controller/io/commands.h"
 #include "models/parts/belt.h"
+#include "models/parts/soil_model.h"
 #include "models/raposa/pyramid_model.h"
 #include "models/raposa/robot_model.h"
 #include "sim/physics/motor_truth.h"
@@ -21,8 +23,9 @@ struct WorldSetup {
   RobotModel robot;
   PyramidModel pyramid;
   BeltGround belt_ground;
-  HeightGrid ground;  // in the site frame G
-  Pose2 X_WG;         // site in the world, before it is tilted
+  std::optional<SoilModel> belt_soil;  // that the belts sink into
+  HeightGrid ground;                   // in the site frame G
+  Pose2 X_WG;                          // site in the world, before it is tilted
   Slope slope;
   Pose2 X_GD;  // the pyramid: D is its frame P projected to the ground
   double cable_rad =

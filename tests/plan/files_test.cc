@@ -24,7 +24,11 @@ const std::vector<KnownSystem>& Known() {
       {.name = "axel",
        .controllers = {"dockyard", "tsai2013", "reel_only"},
        .file_keys = {"station"},
-       .model_roots = {{"robot", "robot"}, {"station", "axel.station"}, {"soil", "soil"}}}};
+       .model_roots = {{"robot", "robot"}, {"station", "axel.station"}, {"soil", "soil"}}},
+      {.name = "raposa",
+       .controllers = {"ferreira2009", "dockyard"},
+       .file_keys = {"pyramid"},
+       .model_roots = {{"robot", "robot"}, {"pyramid", "raposa.pyramid"}, {"soil", "soil"}}}};
   return known;
 }
 CampaignSystems Systems() {
@@ -156,6 +160,7 @@ const std::vector<std::pair<std::string, std::int64_t>> kStudies{
     {"mating_map.yaml", 2 * 9 * 6},
     {"raposa_built.yaml", 2 * 4},
     {"raposa_calibrated.yaml", 5 * (1 + 10)},
+    {"raposa_sand.yaml", 1},
     {"reel_alpha.yaml", 2 * 3 * 15},
     {"reel_heading.yaml", 2 * 2 * 9},
     {"rock_map.yaml", 2 * 2},

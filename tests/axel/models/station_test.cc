@@ -181,9 +181,9 @@ TEST(SoilFiles, NegativeModulusUnderANarrowWheelIsRefused) {
   const SoilModel soil = LoadSoil(file);
   WheelModel wheel;
   wheel.width_m = 0.15;
-  EXPECT_NO_THROW(CheckCarries(soil, file, wheel));
+  EXPECT_NO_THROW(CheckCarries(soil, file, wheel.width_m));
   wheel.width_m = 0.05;
-  EXPECT_THROW(CheckCarries(soil, file, wheel), ConfigError);
+  EXPECT_THROW(CheckCarries(soil, file, wheel.width_m), ConfigError);
 }
 
 TEST(WheelFiles, AreReadStrictly) {

@@ -165,7 +165,8 @@ TEST(RaposaSpreads, EveryToleranceCanBeBuiltAtBothItsEndsAndIsNotTold) {
   for (const auto& [root, file] : {std::pair("robot", models + "raposa.yaml"),
                                    std::pair("pyramid", models + "pyramid/pyramid.yaml"),
                                    std::pair("soil", models + "grounds/hard_floor.yaml"),
-                                   std::pair("soil", models + "grounds/grass.yaml")}) {
+                                   std::pair("soil", models + "grounds/grass.yaml"),
+                                   std::pair("soil", models + "grounds/sand.yaml")}) {
     for (const NumberSpread& spread : ReadSpreads(LoadModelYaml(file))) {
       if (!spread.tolerance) continue;
       ++spreads;
@@ -191,7 +192,7 @@ TEST(RaposaSpreads, EveryToleranceCanBeBuiltAtBothItsEndsAndIsNotTold) {
   EXPECT_GT(spreads, 50);
 }
 
-TEST(RaposaSpreads, GroundsHaveTheSameTolerancesForOneWordToDrawThem) {
+TEST(RaposaSpreads, FirmGroundsHaveTheSameTolerancesForOneWordToDrawThem) {
   const std::string grounds = std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/grounds/";
   const auto floor = ReadSpreads(LoadModelYaml(grounds + "hard_floor.yaml"));
   const auto grass = ReadSpreads(LoadModelYaml(grounds + "grass.yaml"));

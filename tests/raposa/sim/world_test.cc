@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "models/raposa/load_ground.h"
 #include "raposa/sim/raposa_rig.h"
 #include "sim/physics/slope.h"
+#include "sim/soil/soil_laws.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -83,6 +86,38 @@ TEST(RaposaWorld, GaugeAgreesBetweenSteps) {
   }
   EXPECT_NEAR(gauges[0], gauges[2], 0.01 * gauges[2]);
   EXPECT_NEAR(gauges[1], gauges[2], 0.005 * gauges[2]);
+}
+
+/// What soil bears under the two belts of a link, from the depth z under each place of their lower
+/// runs and of the rollers' arcs: the pressure is k z^n. The ground is at height 0.
+double BekkerLoad(const WorldSetup& setup, const Pose3& X_WL, double rear_m, double front_m) {
+  const BeltsModel& belts = setup.robot.belts;
+  const SoilLaws laws = MakeRimLaws(*setup.belt_soil, belts.width_m);
+  constexpr int kCells = 4000;
+  const double radius_m = belts.roller_radius_m;
+  const double from_m = rear_m - radius_m, cell_m = (front_m - rear_m + 2.0 * radius_m) / kCells;
+  double sum = 0.0;
+  for (int i = 0; i < kCells; ++i) {
+    const double x_m = from_m + (i + 0.5) * cell_m;
+    const double past_m = std::max({rear_m - x_m, x_m - front_m, 0.0});
+    const double below_m = std::sqrt(radius_m * radius_m - past_m * past_m);
+    const double z_m = -(X_WL * Eigen::Vector3d(x_m, 0.0, -below_m)).z();
+    sum += cell_m * std::pow(std::max(0.0, z_m), laws.n);
+  }
+  return 2.0 * belts.width_m * laws.k * sum;
+}
+
+TEST(RaposaWorld, SinksIntoSandAsBekkerHasIt) {
+  WorldSetup setup = AtStart(kAway_m);
+  setup.belt_soil = LoadGround(DOCKYARD_SOURCE_DIR "/models/raposa/grounds/sand.yaml").soil;
+  const World world(setup);
+  const Truth truth = world.truth();
+  const BeltsModel& belts = setup.robot.belts;
+  const double load_n = BekkerLoad(setup, truth.X_WR, belts.body_rear_m, belts.body_front_m) +
+                        BekkerLoad(setup, truth.X_WA, 0.0, belts.arm_length_m);
+  const double weight_n = 9.81 * setup.robot.mass_kg();
+  EXPECT_NEAR(load_n, weight_n, 0.05 * weight_n);
+  EXPECT_GT(belts.roller_radius_m - truth.X_WR.p.z(), 0.003);
 }
 
 TEST(RaposaWorld, BeltsWithoutFrictionDoNotTurnIt) {
