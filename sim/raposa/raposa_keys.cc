@@ -10,6 +10,8 @@ void VisitRaposaKeys(Keys& keys, RaposaKeys& values) {
   keys.Number({"fill_light_k", "K", "of the light from all sides, sky or room; else light_k",
                Presence::kUnset},
               values.fill_light_k, Between(2500.0, 10000.0));
+  keys.Number({"light_level", "", "of sun, sky or room, against a lit room; the lamps keep theirs"},
+              values.light_level, Between(0.0, 10.0));
   keys.Number({"balance_k", "K", "colour temperature that the camera is balanced for"},
               values.balance_k, Between(2500.0, 10000.0));
   keys.Bool({"auto_balance", "", "the camera balances by itself instead, with a lag"},

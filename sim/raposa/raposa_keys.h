@@ -15,9 +15,10 @@ struct RaposaKeys {
   double light_k = 5000.0;   // colour temperature of the light
   // Of the light from all sides: sky or room; NaN: as light_k.
   double fill_light_k = std::numeric_limits<double>::quiet_NaN();
-  double balance_k = 5000.0;                                    // the camera is balanced for
-  bool auto_balance = false;                                    // it balances by itself, with a lag
-  double cable_rad = std::numeric_limits<double>::quiet_NaN();  // NaN: drawn
+  double light_level = 1.0;   // of sun and sky or room, against a lit room
+  double balance_k = 5000.0;  // the camera is balanced for
+  bool auto_balance = false;  // it balances by itself, with a lag
+  double cable_rad = std::numeric_limits<double>::quiet_NaN();      // NaN: drawn
   double off_guide_rad = std::numeric_limits<double>::quiet_NaN();  // NaN: start.h counts
   double behind_m = 4.0;                                            // of the ground
   int clutter = 0;                                                  // objects

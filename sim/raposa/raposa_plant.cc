@@ -20,7 +20,10 @@ Lighting LightingOf(const Scenario& scenario, const BuiltRun& built) {
   const Pose3 X_WD =
       SiteInWorld(built.world.X_WG, built.world.slope) * FromGround(built.world.X_GD, 0.0);
   const Eigen::Vector3d p_DP(0.0, 0.0, built.world.pyramid.guide.height_m);
-  return MakeLighting(scenario.light, X_WD, p_DP, scenario.seed, scenario.sun);
+  Lighting lighting = MakeLighting(scenario.light, X_WD, p_DP, scenario.seed, scenario.sun);
+  lighting.sun_and_sky.sun_irradiance *= built.keys.light_level;
+  lighting.sun_and_sky.sky_irradiance *= built.keys.light_level;
+  return lighting;
 }
 
 }  // namespace

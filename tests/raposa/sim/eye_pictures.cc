@@ -96,6 +96,7 @@ Scenario ScenarioOf(const PictureSetup& setup) {
   scenario.soil_file = models + "grounds/" + setup.ground + ".yaml";
   scenario.of_system = ParseYaml(
       "{pyramid: " + models + "pyramid/pyramid.yaml, light_k: " + std::to_string(setup.light_k) +
+          ", light_level: " + std::to_string(setup.light_level) +
           ", balance_k: " + std::to_string(setup.balance_k) + "}",
       "test");
   scenario.start = {setup.r_m, setup.alpha_rad, setup.alpha_rad + setup.beside_rad};

@@ -16,6 +16,7 @@ struct PictureSetup {
   double light_k = 5000.0, balance_k = 5000.0;
   std::string ground = "hard_floor";  // a file of models/raposa/grounds
   std::string light = "even";         // even, speckled or hard_shadow
+  double light_level = 1.0;           // of all light but the lamps'
   bool lamps = false;
   double arm_rad = 0.0;  // pressed down by this, so that the body leans back
   double undulation_rms_m = 0.0;

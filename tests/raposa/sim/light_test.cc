@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "controller/raposa/pyramid_eye.h"
 #include "controller/raposa/tune_bands.h"
+#include "raposa/sim/eye_pictures.h"
 #include "raposa/sim/pictures.h"
 
 namespace dockyard::raposa {
@@ -23,6 +25,31 @@ int RightIn(double light_k, const HsvBand& orange, const HsvBand& blue,
     }
   }
   return right;
+}
+
+/// Of 4 pictures from near by in such light, those in which our eye finds the guide where it is.
+int FoundIn(double light_level, bool lamps, const std::shared_ptr<KeptRenderer>& renderer) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const TakenPicture taken = TakePictureOf({.r_m = 0.25 + 0.01 * static_cast<double>(seed),
+                                              .light_level = light_level,
+                                              .lamps = lamps,
+                                              .arm_rad = Radians(8.0),
+                                              .seed = seed},
+                                             renderer);
+    const PyramidSeen seen = PyramidEye(taken.nominal).Find(taken.image, taken.pitch_rad);
+    found += seen.guide && (seen.guide->centre_px - *taken.guide_px).norm() < 8.0;
+  }
+  return found;
+}
+
+// Within 0.3 m of the guide, in the light of a room and in almost none. Nearer than 0.25 m the
+// lamps dazzle a camera that meters the dark about them.
+TEST(RaposaLight, InTheDarkTheLampsAloneShowTheGuide) {
+  const auto renderer = std::make_shared<KeptRenderer>();
+  EXPECT_EQ(FoundIn(1.0, false, renderer), 4);
+  EXPECT_EQ(FoundIn(1e-5, true, renderer), 4);
+  EXPECT_EQ(FoundIn(1e-5, false, renderer), 0);
 }
 
 // F, C.3: the user adjusts the thresholds when the light changes.
