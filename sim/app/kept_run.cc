@@ -49,6 +49,9 @@ KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
     throw UsageError(dir.string() + " holds one run; leave out the number");
   }
   if (number) return RunOfCampaign(dir, *number, systems);
+  if (const auto found = FindRunOfFolder(dir)) {
+    return RunOfCampaign(found->campaign, found->run, systems);
+  }
   const Scenario scenario =
       LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
   const RowColumns columns = FindSystem(systems, scenario.system).Columns({});

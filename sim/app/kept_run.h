@@ -21,7 +21,8 @@ struct KeptRun {
   std::filesystem::path log_dir;
 };
 
-/// The folder of a campaign needs the run's number, that of a single run has none. Says on standard
+/// The folder of a campaign needs the run's number. That of a single run has none, nor has a run's
+/// own folder within a campaign's. Says on standard
 /// error where models or program are not those of the campaign.
 /// @param command  as it is called, for messages: "replay"
 /// Throws UsageError, ConfigError and ResultsError.

@@ -1,5 +1,6 @@
 #include "sim/campaign/campaign_folder.h"
 
+#include <charconv>
 #include <cstdio>
 
 #include "sim/base/files.h"
@@ -38,6 +39,17 @@ std::string NumberName(int run) {
 }  // namespace
 
 fs::path RunFolder(const fs::path& dir, int run) { return dir / "runs" / NumberName(run); }
+
+std::optional<RunOfFolder> FindRunOfFolder(const fs::path& run_folder) {
+  std::error_code ignored;
+  const fs::path folder = fs::weakly_canonical(run_folder, ignored);
+  const std::string name = folder.filename().string();
+  RunOfFolder found{folder.parent_path().parent_path()};
+  const auto read = std::from_chars(name.data(), name.data() + name.size(), found.run);
+  if (read.ec != std::errc() || RunFolder(found.campaign, found.run) != folder) return std::nullopt;
+  if (!HoldsCampaign(found.campaign)) return std::nullopt;
+  return found;
+}
 
 fs::path SightingsFile(const fs::path& dir, int run) {
   return dir / "sightings" / (NumberName(run) + ".json");

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -27,6 +28,14 @@ class FolderTaken : public std::runtime_error {
 
 /// "runs/007" of a results folder.
 std::filesystem::path RunFolder(const std::filesystem::path& dir, int run);
+
+/// A run of a campaign, told by the folder of its log.
+struct RunOfFolder {
+  std::filesystem::path campaign;
+  int run = 0;
+};
+/// If the folder is "runs/007" of a campaign's results folder.
+std::optional<RunOfFolder> FindRunOfFolder(const std::filesystem::path& run_folder);
 
 /// "sightings/007.json" of a results folder.
 std::filesystem::path SightingsFile(const std::filesystem::path& dir, int run);

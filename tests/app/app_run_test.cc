@@ -13,6 +13,7 @@
 #include "app/program.h"
 #include "sim/app/systems.h"
 #include "sim/base/json.h"
+#include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/merge.h"
 #include "sim/campaign/shard_file.h"
 #include "sim/images/png.h"
@@ -207,6 +208,7 @@ TEST(ProgramCampaign, ComesOutTheSameOnOneProcessorAndOnTwoAndReplays) {
   EXPECT_THAT(same.out, HasSubstr("same result row, bit for bit"));
   EXPECT_THAT(same.out, HasSubstr("controller alone: same"));
   EXPECT_THAT(same.err, Not(HasSubstr("differs")));
+  EXPECT_EQ(Dockyard("replay " + RunFolder(one, run).string()).out, same.out);
 
   FinishedRuns kept = ReadShards(one, columns);
   kept.results[0].state_hash ^= 1;
