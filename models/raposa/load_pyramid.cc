@@ -41,7 +41,8 @@ void ReadGuide(const YamlReader& root, GuideModel& guide) {
 }
 
 void ReadFeet(const YamlReader& root, PyramidModel& pyramid) {
-  const YamlReader in(root.Child("feet"), "feet", {"soles_m", "friction", "stiffness_n_per_m"});
+  const YamlReader in(root.Child("feet"), "feet",
+                      {"soles_m", "friction", "stiffness_n_per_m", "diameter_m"});
   const YamlNode& list = in.List("soles_m", 3, 16);
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const YamlReader sole(list.items[i], YamlReader::PathOf(in.PathOf("soles_m"), i), {"x", "y"});
@@ -50,6 +51,7 @@ void ReadFeet(const YamlReader& root, PyramidModel& pyramid) {
   }
   pyramid.foot_friction = in.Number("friction", NonNegative(3.0));
   pyramid.foot_stiffness_n_per_m = in.Number("stiffness_n_per_m", Between(100.0, 1e7));
+  pyramid.foot_diameter_m = in.Number("diameter_m", Between(0.003, 0.3));
 }
 
 void ReadCable(const YamlReader& root, TetherCableModel& cable) {

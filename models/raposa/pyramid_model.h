@@ -40,6 +40,7 @@ struct PyramidModel {
   GuideModel guide;
   std::vector<Eigen::Vector2d> p_P_soles;  // x, y; at the height of the ground
   double foot_friction = 0.0, foot_stiffness_n_per_m = 0.0;
+  double foot_diameter_m = 0.0;  // by which the feet sink into soil
   TetherCableModel cable;
 };
 

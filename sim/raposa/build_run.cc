@@ -74,6 +74,8 @@ BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
   CheckLight(scenario);
   if (models.built.ground.soil) {
     CheckCarries(*models.built.ground.soil, scenario.soil_file, models.built.robot.belts.width_m);
+    CheckCarries(*models.built.ground.soil, scenario.soil_file,
+                 0.5 * models.built.pyramid.foot_diameter_m);
   }
   BuiltRun run;
   run.keys = models.keys;
@@ -85,7 +87,7 @@ BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
   world.robot = models.built.robot;
   world.pyramid = models.built.pyramid;
   world.belt_ground = models.built.ground.belt;
-  world.belt_soil = models.built.ground.soil;
+  world.soil = models.built.ground.soil;
   world.ground = GroundOf(scenario.yard, run.keys.behind_m, scenario.seed);
   world.X_WG = scenario.X_WG;
   world.slope = SlopeOf(scenario);

@@ -36,7 +36,7 @@ CableModel ModelOf(const TetherCableModel& cable) {
 }  // namespace
 
 PyramidBody::PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP,
-                         const Eigen::Vector3d& cable_to_G)
+                         const Eigen::Vector3d& cable_to_G, const std::optional<SoilModel>& soil)
     : pyramid_(pyramid),
       inertia_(FindPrincipalInertia(pyramid.body)),
       feet_(pyramid.p_P_soles.size()),
@@ -60,6 +60,7 @@ PyramidBody::PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP,
            .damping_ns_per_m =
                2.0 * kFootDampingRatio * std::sqrt(pyramid.foot_stiffness_n_per_m * share_kg),
            .friction = pyramid.foot_friction};
+  if (soil) sole_.plate = RoundPlate(*soil, pyramid.foot_diameter_m);
   Refresh();
   // The last of the pieces is the one from the last mass to the pyramid.
   const Eigen::Vector3d way_G = CableEndInG() - cable_to_G_;

@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "models/parts/soil_model.h"
 #include "models/raposa/pyramid_model.h"
 #include "sim/physics/cable.h"
 #include "sim/physics/collision_shapes.h"
@@ -18,8 +20,9 @@ namespace dockyard::raposa {
 
 class PyramidBody {
  public:
-  /// cable_to_G: the fixed far end of its cable, on the ground.
-  PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP, const Eigen::Vector3d& cable_to_G);
+  /// cable_to_G: the fixed far end of its cable, on the ground. soil: the feet sink into it.
+  PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP, const Eigen::Vector3d& cable_to_G,
+              const std::optional<SoilModel>& soil);
 
   /// Motion of the frame P.
   const LinkMotion& motion() const { return motion_; }

@@ -146,9 +146,9 @@ World::Impl::Impl(const WorldSetup& setup)
       X_WG_(SiteInWorld(setup.X_WG, setup.slope)),
       gravity_G_(GravityInSite(setup.slope)),
       robot_(setup_.robot, RobotStart(setup), 0.0),
-      pyramid_(setup.pyramid, PyramidStart(setup), CableFarEnd(setup)),
+      pyramid_(setup.pyramid, PyramidStart(setup), CableFarEnd(setup), setup.soil),
       bullet_(robot_, pyramid_, setup_.robot, setup_.pyramid, gravity_G_, setup.search_always),
-      tracks_(setup.robot, setup.belt_ground, setup.belt_soil, setup.seed),
+      tracks_(setup.robot, setup.belt_ground, setup.soil, setup.seed),
       arm_drive_(ModelOf(setup.robot, Motor::kArm), ArmInertia(setup_.robot)),
       door_drives_{MotorDrive(ModelOf(setup.robot, Motor::kLeftDoor), DoorInertia(setup_.robot)),
                    MotorDrive(ModelOf(setup.robot, Motor::kRightDoor), DoorInertia(setup_.robot))} {

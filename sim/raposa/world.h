@@ -23,9 +23,9 @@ struct WorldSetup {
   RobotModel robot;
   PyramidModel pyramid;
   BeltGround belt_ground;
-  std::optional<SoilModel> belt_soil;  // that the belts sink into
-  HeightGrid ground;                   // in the site frame G
-  Pose2 X_WG;                          // site in the world, before it is tilted
+  std::optional<SoilModel> soil;  // that belts and feet sink into
+  HeightGrid ground;              // in the site frame G
+  Pose2 X_WG;                     // site in the world, before it is tilted
   Slope slope;
   Pose2 X_GD;  // the pyramid: D is its frame P projected to the ground
   double cable_rad =

@@ -92,7 +92,7 @@ TEST(RaposaWorld, GaugeAgreesBetweenSteps) {
 /// runs and of the rollers' arcs: the pressure is k z^n. The ground is at height 0.
 double BekkerLoad(const WorldSetup& setup, const Pose3& X_WL, double rear_m, double front_m) {
   const BeltsModel& belts = setup.robot.belts;
-  const SoilLaws laws = MakeRimLaws(*setup.belt_soil, belts.width_m);
+  const SoilLaws laws = MakeRimLaws(*setup.soil, belts.width_m);
   constexpr int kCells = 4000;
   const double radius_m = belts.roller_radius_m;
   const double from_m = rear_m - radius_m, cell_m = (front_m - rear_m + 2.0 * radius_m) / kCells;
@@ -107,9 +107,28 @@ double BekkerLoad(const WorldSetup& setup, const Pose3& X_WL, double rear_m, dou
   return 2.0 * belts.width_m * laws.k * sum;
 }
 
+// The cable lies on the ground, but for its last piece.
+TEST(RaposaWorld, PyramidSinksIntoSandAsBekkerHasIt) {
+  WorldSetup setup = AtStart(kAway_m);
+  setup.soil = LoadGround(DOCKYARD_SOURCE_DIR "/models/raposa/grounds/sand.yaml").soil;
+  const World world(setup);
+  const Pose3 X_WP = world.truth().X_WP;
+  const PyramidModel& pyramid = setup.pyramid;
+  const double radius_m = 0.5 * pyramid.foot_diameter_m;
+  const SoilLaws laws = MakeRimLaws(*setup.soil, radius_m);
+  double load_n = 0.0;
+  for (const Eigen::Vector2d& p : pyramid.p_P_soles) {
+    const double z_m = -(X_WP * Eigen::Vector3d(p.x(), p.y(), -pyramid.guide.height_m)).z();
+    load_n += kPi * radius_m * radius_m * laws.k * std::pow(std::max(0.0, z_m), laws.n);
+  }
+  const double weight_n = 9.81 * pyramid.body.mass_kg;
+  EXPECT_NEAR(load_n, weight_n, 0.1 * weight_n);
+  EXPECT_GT(pyramid.guide.height_m - X_WP.p.z(), 0.004);
+}
+
 TEST(RaposaWorld, SinksIntoSandAsBekkerHasIt) {
   WorldSetup setup = AtStart(kAway_m);
-  setup.belt_soil = LoadGround(DOCKYARD_SOURCE_DIR "/models/raposa/grounds/sand.yaml").soil;
+  setup.soil = LoadGround(DOCKYARD_SOURCE_DIR "/models/raposa/grounds/sand.yaml").soil;
   const World world(setup);
   const Truth truth = world.truth();
   const BeltsModel& belts = setup.robot.belts;
