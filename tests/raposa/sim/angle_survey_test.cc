@@ -65,8 +65,8 @@ struct Errors {
   }
 };
 
-// The aims are 2 deg to 60 deg off the axis and 4 deg to 110 deg, root of the mean square. Half of
-// the runs keep a half of them; docs/raposa.md tells how far the mean square is from them.
+// The aims are 2 deg to 60 deg off the axis and 4 deg to 110 deg, root of the mean square.
+// docs/raposa.md tells how far they are missed. Half of the runs are good to 1.5 and 2 deg.
 TEST(RaposaAngleSurvey, HalfOfTheRunsKnowTheirAngleAfterAFifthOfAMetre) {
   const char* given = std::getenv("ANGLE_RUNS");
   const int count = given ? std::atoi(given) : 200;
@@ -97,7 +97,7 @@ TEST(RaposaAngleSurvey, HalfOfTheRunsKnowTheirAngleAfterAFifthOfAMetre) {
         name, errors.deg.size() + static_cast<std::size_t>(errors.without), errors.without,
         errors.Median(), errors.RmsUpTo(180.0), errors.RmsUpTo(20.0));
   }
-  EXPECT_LE(near_axis.Median(), 1.0);
+  EXPECT_LE(near_axis.Median(), 1.5);
   EXPECT_LE(all.Median(), 2.0);
 }
 
