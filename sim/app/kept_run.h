@@ -22,8 +22,8 @@ struct KeptRun {
 };
 
 /// The folder of a campaign needs the run's number. That of a single run has none, nor has a run's
-/// own folder within a campaign's. Says on standard
-/// error where models or program are not those of the campaign.
+/// own folder within a campaign's. Says on standard error where models or program are not those of
+/// the campaign.
 /// @param command  as it is called, for messages: "replay"
 /// Throws UsageError, ConfigError and ResultsError.
 KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
