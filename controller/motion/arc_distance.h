@@ -1,4 +1,4 @@
-// How near a part of a rover comes to a point while the rover drives an arc. Exact.
+// How near parts of a rover come to fixed things while the rover drives an arc. Exact.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,5 +13,9 @@ namespace dockyard {
 /// of the rover. Closed form: seen from the rover the point moves along a circle or a line.
 double SweptDistance(const Pose2& X_AR, const Arc& arc, const Eigen::Vector2d& p_RP,
                      const Eigen::Vector2d& p_RE, const Eigen::Vector2d& p_AQ);
+
+/// The same of the rover's point p_RQ from a fixed segment, from p_AP to p_AE.
+double SweptDistanceOfPoint(const Pose2& X_AR, const Arc& arc, const Eigen::Vector2d& p_RQ,
+                            const Eigen::Vector2d& p_AP, const Eigen::Vector2d& p_AE);
 
 }  // namespace dockyard

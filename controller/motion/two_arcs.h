@@ -19,6 +19,9 @@ enum class Travel { kEither, kForward, kBackward };
 struct ArcLimits {
   double least_radius_m = 0.0;  // of every arc; 0: turns in place are allowed
   Travel travel = Travel::kEither;
+  /// Arcs that turn at least this tightly are allowed as well: wheels that steer past the centre
+  /// line let a rover turn nearly in place, but not on the radii between. None: they are not.
+  std::optional<double> pivot_radius_m{};
 };
 
 using ArcPair = std::array<Arc, 2>;

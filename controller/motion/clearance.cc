@@ -1,0 +1,182 @@
+#include "controller/motion/clearance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "controller/motion/arc_distance.h"
+#include "controller/motion/circle_way.h"
+#include "controller/motion/steering.h"
+
+namespace dockyard {
+namespace {
+
+using Eigen::Vector2d;
+
+Polygon WheelOutline(const RoverPlan& rover) {
+  const double x = rover.wheel_radius_m, y = 0.5 * rover.wheel_width_m;
+  return {{x, y}, {-x, y}, {-x, -y}, {x, -y}};
+}
+
+Polygon Moved(const Pose2& X, const Polygon& polygon) {
+  Polygon moved;
+  for (const Vector2d& corner : polygon) moved.push_back(X * corner);
+  return moved;
+}
+
+// Calls look with the ends of each side.
+template <class Look>
+void ForEachSide(const Polygon& polygon, const Look& look) {
+  for (std::size_t i = 0, last = polygon.size() - 1; i < polygon.size(); last = i++) {
+    look(polygon[last], polygon[i]);
+  }
+}
+
+// Even-odd rule: a ray to the right crosses the sides an odd number of times.
+bool Contains(const Polygon& polygon, const Vector2d& p) {
+  bool inside = false;
+  ForEachSide(polygon, [&](const Vector2d& a, const Vector2d& b) {
+    if ((a.y() > p.y()) == (b.y() > p.y())) return;
+    if (p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) inside = !inside;
+  });
+  return inside;
+}
+
+Vector2d MeanCorner(const Polygon& polygon) {
+  Vector2d sum(0, 0);
+  for (const Vector2d& corner : polygon) sum += corner;
+  return sum / static_cast<double>(polygon.size());
+}
+
+// The largest disc about p that lies in the polygon; 0 where p does not.
+double DiscWithin(const Polygon& polygon, const Vector2d& p) {
+  if (!Contains(polygon, p)) return 0.0;
+  double radius = std::numeric_limits<double>::infinity();
+  ForEachSide(polygon, [&](const Vector2d& a, const Vector2d& b) {
+    radius = std::min(radius, ToSegment(p, a, b));
+  });
+  return radius;
+}
+
+/// Parts of the rover that drive an arc. They must outlive it.
+class Sweep {
+ public:
+  Sweep(const Pose2& X_AR, const Arc& arc, const std::vector<Polygon>& parts)
+      : X_AR_(X_AR), arc_(arc) {
+    for (const Polygon& part : parts) {
+      parts_.push_back(RoundOf(part));
+      reach_m_ = std::max(reach_m_, parts_.back().middle.norm() + parts_.back().reach_m);
+    }
+  }
+
+  /// From the disc to the nearest part, negative within; no more than enough_m.
+  double FromDisc(const Disc& disc, double enough_m) const {
+    if (IsFar(disc.centre, disc.radius_m, enough_m)) return enough_m;
+    return FromPoint(disc.centre, enough_m + disc.radius_m) - disc.radius_m;
+  }
+
+  double FromPolygon(const Polygon& polygon, double enough_m) const {
+    const Rounded round = RoundOf(polygon);
+    if (IsFar(round.middle, round.reach_m, enough_m)) return enough_m;
+    double least = enough_m;
+    for (const Vector2d& corner : polygon) least = std::min(least, FromPoint(corner, least));
+    for (const Rounded& part : parts_) {
+      if (Contains(polygon, X_AR_ * part.corners->front())) least = std::min(least, 0.0);
+      for (const Vector2d& corner : *part.corners) {
+        ForEachSide(polygon, [&](const Vector2d& a, const Vector2d& b) {
+          least = std::min(least, SweptDistanceOfPoint(X_AR_, arc_, corner, a, b));
+        });
+      }
+    }
+    if (least > 0.0) return least;
+    const double within_m = DiscWithin(polygon, round.middle);
+    return std::min(least, FromPoint(round.middle, within_m) - within_m);
+  }
+
+ private:
+  /// A polygon and a circle round it.
+  struct Rounded {
+    const Polygon* corners = nullptr;
+    Vector2d middle{0, 0};
+    double reach_m = 0.0;
+  };
+  static Rounded RoundOf(const Polygon& polygon) {
+    Rounded round{&polygon, MeanCorner(polygon)};
+    for (const Vector2d& corner : polygon) {
+      round.reach_m = std::max(round.reach_m, (corner - round.middle).norm());
+    }
+    return round;
+  }
+
+  bool IsFar(const Vector2d& middle, double reach_m, double enough_m) const {
+    return SweptDistance(X_AR_, arc_, {0, 0}, {0, 0}, middle) > reach_m + reach_m_ + enough_m;
+  }
+  // From a fixed point to the nearest part, no more than enough_m; 0 where a part passes over it.
+  double FromPoint(const Vector2d& p, double enough_m) const {
+    double least = enough_m;
+    const Vector2d p_R = Inverse(X_AR_) * p;
+    for (const Rounded& part : parts_) {
+      const double apart_m = SweptDistance(X_AR_, arc_, part.middle, part.middle, p);
+      if (apart_m - part.reach_m >= least) continue;
+      if (Contains(*part.corners, p_R)) return std::min(least, 0.0);
+      ForEachSide(*part.corners, [&](const Vector2d& a, const Vector2d& b) {
+        least = std::min(least, SweptDistance(X_AR_, arc_, a, b, p));
+      });
+    }
+    return least;
+  }
+
+  Pose2 X_AR_;
+  Arc arc_;
+  std::vector<Rounded> parts_;
+  double reach_m_ = 0.0;  // from R
+};
+
+double FromAll(const Sweep& sweep, const Obstacles& obstacles, double enough_m) {
+  double least = enough_m;
+  for (const Disc& disc : obstacles.discs) least = std::min(least, sweep.FromDisc(disc, least));
+  for (const Polygon& polygon : obstacles.polygons) {
+    least = std::min(least, sweep.FromPolygon(polygon, least));
+  }
+  return least;
+}
+
+}  // namespace
+
+std::vector<Polygon> OutlineOn(const RoverPlan& rover, const Arc& arc) {
+  std::vector<Polygon> parts = rover.body;
+  for (const WheelPlan& wheel : rover.wheels) {
+    const Pose2 X_RW{wheel.p_RW.x(), wheel.p_RW.y(), OnArc(wheel, arc).steer_rad};
+    parts.push_back(Moved(X_RW, WheelOutline(rover)));
+  }
+  return parts;
+}
+
+double Clearance(const RoverPlan& rover, const std::vector<Arc>& path, const Obstacles& obstacles,
+                 double enough_m) {
+  if (obstacles.discs.empty() && obstacles.polygons.empty()) return enough_m;
+  const std::vector<Polygon> wheel{WheelOutline(rover)};
+  double least = enough_m;
+  Pose2 X_AR;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::vector<Polygon> outline = OutlineOn(rover, path[i]);
+    least = std::min(least, FromAll(Sweep(X_AR, path[i], outline), obstacles, least));
+    X_AR = Advance(X_AR, path[i]);
+    if (i + 1 == path.size()) break;
+    for (const WheelPlan& mount : rover.wheels) {
+      const double before = OnArc(mount, path[i]).steer_rad;
+      const double after = OnArc(mount, path[i + 1]).steer_rad;
+      if (before == after) continue;
+      const Pose2 X_AW = X_AR * Pose2{mount.p_RW.x(), mount.p_RW.y(), before};
+      least = std::min(least, FromAll(Sweep(X_AW, {0.0, after - before}, wheel), obstacles, least));
+    }
+  }
+  return least;
+}
+
+double StandingClearance(const RoverPlan& rover, const Pose2& X_AR, const Obstacles& obstacles,
+                         double enough_m) {
+  return FromAll(Sweep(X_AR, {}, rover.body), obstacles, enough_m);
+}
+
+}  // namespace dockyard
