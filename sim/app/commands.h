@@ -37,6 +37,7 @@ void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit
 void AddBoardCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddCheckCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddWheelCommand(CLI::App& app, int& exit_code);
+void AddPlanCommand(CLI::App& app, int& exit_code);
 void AddDoctorCommand(CLI::App& app, int& exit_code);
 
 /// Commands of the systems' own.

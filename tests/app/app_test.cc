@@ -15,8 +15,9 @@ using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
 TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
-  for (const std::string command : {"", "run", "campaign", "replay", "view", "check", "wheel",
-                                    "camera", "detect", "pose", "accept", "compare", "columns"}) {
+  for (const std::string command :
+       {"", "run", "campaign", "replay", "view", "check", "wheel", "plan", "camera", "detect",
+        "pose", "accept", "compare", "columns"}) {
     const Ended ended = Dockyard(command + " --help");
     EXPECT_EQ(ended.code, 0) << command;
     EXPECT_LT(ended.out.find("Examples:\n  " DOCKYARD_PROGRAM " "), 120u) << ended.out;

@@ -43,4 +43,4 @@ set(rooms
   "sim/campaign|many runs: workers, shards, merging, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
   "sim/app/systems.cc|the list of systems with their controllers|${contract}|sim/(run|app)/|controller/<system>/|sim/<system>/|sim/app/<system>/"
   "sim/app/<system>|a system's own commands|${models}|models/<system>/|controller/(vision|<system>)/|sim/(base|images|run)/|sim/app/<system>/|CLI/"
-  "sim/app|the program: the command line|${models}|controller/vision/|${low}|sim/(campaign|page|spectator|app)/|CLI/|opencv2/|nlohmann/|${os}")
+  "sim/app|the program: the command line|${models}|controller/(vision|motion)/|${low}|sim/(campaign|page|spectator|app)/|CLI/|opencv2/|nlohmann/|${os}")

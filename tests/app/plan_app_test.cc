@@ -1,0 +1,83 @@
+// `dockyard plan` as its users meet it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/program.h"
+#include "sim/base/json.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+
+Json PlanOf(const std::string& arguments) {
+  const Ended ended = Dockyard("plan --json " + arguments);
+  EXPECT_EQ(ended.code, 0) << arguments << ended.err;
+  return Json::parse(ended.out);
+}
+
+void ExpectArc(const Json& arc, double length_m, double turn_rad) {
+  EXPECT_NEAR(arc["length_m"].get<double>(), length_m, 1e-8);
+  EXPECT_NEAR(arc["turn_rad"].get<double>(), turn_rad, 1e-8);
+}
+
+// An independent computation's vectors, to 9 digits.
+TEST(PlanCommand, GivesOneArcToAPlace) {
+  const Json ahead = PlanOf("--point 0.6,0 --goal 1.5,0.3");
+  EXPECT_EQ(ahead["feasible"], true);
+  ASSERT_EQ(ahead["arcs"].size(), 1u);
+  ExpectArc(ahead["arcs"][0], 0.936520560, 0.283794109);
+  EXPECT_NEAR(ahead["cost_m"].get<double>(), 0.936520560, 1e-8);
+  ExpectArc(PlanOf("--point 0.6,0 --goal 0.5,0.05")["arcs"][0], -0.097660051, 0.090846559);
+  ExpectArc(PlanOf("--point 0.6,-0.1 --goal -0.9,0.2")["arcs"][0], -1.256637061, -1.570796327);
+}
+
+TEST(PlanCommand, DrivesOneArcTheOtherWayRoundIfOnlyForwards) {
+  const Json arc = PlanOf("--point 0.6,-0.1 --goal -0.9,0.2 --forward-only")["arcs"][0];
+  ExpectArc(arc, 0.8 * 1.5 * M_PI, 1.5 * M_PI);  // (3) as printed: theta + 2 pi
+}
+
+TEST(PlanCommand, GoesStraightBackToThePointsMirrorImageAndNowhereToThePoint) {
+  ExpectArc(PlanOf("--point 0.6,0.1 --goal -0.6,0.1")["arcs"][0], -1.2, 0.0);
+  const Json none = PlanOf("--point 0.6,0.1 --goal 0.6,0.1");
+  EXPECT_EQ(none["feasible"], true);
+  EXPECT_EQ(none["cost_m"], 0.0);
+}
+
+TEST(PlanCommand, GivesTheCheapestTwoArcsToAHeading) {
+  const Json plan = PlanOf("--point 0.6,0 --goal 2,0.5 --heading-deg -51.56620156177409");
+  ASSERT_EQ(plan["arcs"].size(), 2u);
+  ExpectArc(plan["arcs"][0], 1.150612339, 1.489537888);
+  ExpectArc(plan["arcs"][1], 1.150612339, -2.389537888);
+  EXPECT_NEAR(plan["cost_m"].get<double>(), 2.301224678, 1e-8);
+  const Json limited =
+      PlanOf("--goal 1.5,-0.6 --heading-deg 68.75493541569878 --min-radius 0.4 --forward-only");
+  EXPECT_NEAR(limited["cost_m"].get<double>(), 1.999400106, 1e-8);
+}
+
+TEST(PlanCommand, EndsWithFourWhereTwoArcsCannotAndThreeCan) {
+  const std::string near =
+      "--point 0,0 --goal 0.3,0.2 --heading-deg 0 --min-radius 0.5 --forward-only";
+  const Ended two = Dockyard("plan --json " + near);
+  EXPECT_EQ(two.code, 4);
+  EXPECT_EQ(Json::parse(two.out)["feasible"], false);
+  EXPECT_THAT(Dockyard("plan " + near).out, HasSubstr("no such arcs"));
+  const Json three = PlanOf(near + " --arcs 3");
+  EXPECT_EQ(three["arcs"].size(), 3u);
+  for (const Json& arc : three["arcs"]) EXPECT_GE(arc["length_m"].get<double>(), -1e-9);
+}
+
+TEST(PlanCommand, EndsWithTwoForArgumentsThatMakeNoSense) {
+  for (const char* arguments :
+       {"", "--goal 1", "--goal 1,nan", "--goal 1,2,3", "--goal 1,2 --arcs 3",
+        "--goal 1,2 --heading-deg 0 --arcs 4", "--goal 1,2 --min-radius -1"}) {
+    const Ended ended = Dockyard(std::string("plan ") + arguments);
+    EXPECT_EQ(ended.code, 2) << arguments;
+    EXPECT_EQ(ended.out, "") << arguments;
+  }
+}
+
+}  // namespace
+}  // namespace dockyard
