@@ -34,8 +34,6 @@ struct RoverPlan {
   std::vector<Polygon> body;   // in R, without the wheels, what is stowed included
   Eigen::Vector2d p_RP{0, 0};  // the point that is brought to a goal
   std::optional<ViewPlan> view{};
-  double speed_m_s = 0.0;         // of the reference point
-  double steer_rate_rad_s = 0.0;  // wheels are steered while the rover stands
 };
 
 }  // namespace dockyard
