@@ -1,62 +1,15 @@
 #include "controller/motion/clearance.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "controller/motion/arc_distance.h"
-#include "controller/motion/circle_way.h"
+#include "controller/motion/polygon.h"
 #include "controller/motion/steering.h"
 
 namespace dockyard {
 namespace {
 
 using Eigen::Vector2d;
-
-Polygon WheelOutline(const RoverPlan& rover) {
-  const double x = rover.wheel_radius_m, y = 0.5 * rover.wheel_width_m;
-  return {{x, y}, {-x, y}, {-x, -y}, {x, -y}};
-}
-
-Polygon Moved(const Pose2& X, const Polygon& polygon) {
-  Polygon moved;
-  for (const Vector2d& corner : polygon) moved.push_back(X * corner);
-  return moved;
-}
-
-// Calls look with the ends of each side.
-template <class Look>
-void ForEachSide(const Polygon& polygon, const Look& look) {
-  for (std::size_t i = 0, last = polygon.size() - 1; i < polygon.size(); last = i++) {
-    look(polygon[last], polygon[i]);
-  }
-}
-
-// Even-odd rule: a ray to the right crosses the sides an odd number of times.
-bool Contains(const Polygon& polygon, const Vector2d& p) {
-  bool inside = false;
-  ForEachSide(polygon, [&](const Vector2d& a, const Vector2d& b) {
-    if ((a.y() > p.y()) == (b.y() > p.y())) return;
-    if (p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) inside = !inside;
-  });
-  return inside;
-}
-
-Vector2d MeanCorner(const Polygon& polygon) {
-  Vector2d sum(0, 0);
-  for (const Vector2d& corner : polygon) sum += corner;
-  return sum / static_cast<double>(polygon.size());
-}
-
-// The largest disc about p that lies in the polygon; 0 where p does not.
-double DiscWithin(const Polygon& polygon, const Vector2d& p) {
-  if (!Contains(polygon, p)) return 0.0;
-  double radius = std::numeric_limits<double>::infinity();
-  ForEachSide(polygon, [&](const Vector2d& a, const Vector2d& b) {
-    radius = std::min(radius, ToSegment(p, a, b));
-  });
-  return radius;
-}
 
 /// Parts of the rover that drive an arc. They must outlive it.
 class Sweep {
@@ -72,7 +25,8 @@ class Sweep {
   /// From the disc to the nearest part, negative within; no more than enough_m.
   double FromDisc(const Disc& disc, double enough_m) const {
     if (IsFar(disc.centre, disc.radius_m, enough_m)) return enough_m;
-    return FromPoint(disc.centre, enough_m + disc.radius_m) - disc.radius_m;
+    const double far_m = enough_m + disc.radius_m, apart_m = FromPoint(disc.centre, far_m);
+    return apart_m < far_m ? apart_m - disc.radius_m : enough_m;
   }
 
   double FromPolygon(const Polygon& polygon, double enough_m) const {
@@ -81,15 +35,20 @@ class Sweep {
     double least = enough_m;
     for (const Vector2d& corner : polygon) least = std::min(least, FromPoint(corner, least));
     for (const Rounded& part : parts_) {
+      const double apart_m = SweptDistance(X_AR_, arc_, part.middle, part.middle, round.middle);
+      if (apart_m - part.reach_m - round.reach_m >= least) continue;
       if (Contains(polygon, X_AR_ * part.corners->front())) least = std::min(least, 0.0);
       for (const Vector2d& corner : *part.corners) {
+        if (SweptDistance(X_AR_, arc_, corner, corner, round.middle) - round.reach_m >= least) {
+          continue;
+        }
         ForEachSide(polygon, [&](const Vector2d& a, const Vector2d& b) {
           least = std::min(least, SweptDistanceOfPoint(X_AR_, arc_, corner, a, b));
         });
       }
     }
     if (least > 0.0) return least;
-    const double within_m = DiscWithin(polygon, round.middle);
+    const double within_m = std::max(0.0, DepthIn(polygon, round.middle));
     return std::min(least, FromPoint(round.middle, within_m) - within_m);
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "controller/motion/blocker.h"
 #include "controller/motion/extreme_arcs.h"
 #include "controller/motion/free_path.h"
 
@@ -38,7 +39,12 @@ class TripleSearch {
  public:
   TripleSearch(const RoverPlan& rover, const Pose2& X_RG, const ArcLimits& limits,
                const PathDemands& demands)
-      : rover_(rover), X_RG_(X_RG), limits_(limits), demands_(demands) {}
+      : rover_(rover),
+        X_RG_(X_RG),
+        limits_(limits),
+        demands_(demands),
+        discs_(DiscsWithin(demands.obstacles, demands.margin_m)),
+        cover_(rover) {}
 
   std::optional<ArcTriple> Shortest() const {
     std::vector<Found> best = BestOfGrid();
@@ -71,7 +77,8 @@ class TripleSearch {
   }
 
   bool IsFree(const ArcTriple& arcs) const {
-    return MissingOf(rover_, demands_, {arcs.begin(), arcs.end()}) == 0.0;
+    const std::vector<Arc> path(arcs.begin(), arcs.end());
+    return !cover_.Find(path, discs_, 0) && MissingOf(rover_, demands_, path) == 0.0;
   }
 
   // The shortest free path of the grid for each kind of first arc: those of one curvature and one
@@ -149,6 +156,8 @@ class TripleSearch {
   Pose2 X_RG_;
   const ArcLimits& limits_;
   const PathDemands& demands_;
+  std::vector<Disc> discs_;
+  Cover cover_;
 };
 
 }  // namespace

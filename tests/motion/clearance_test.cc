@@ -13,6 +13,11 @@ namespace {
 
 using Eigen::Vector2d;
 
+std::vector<Arc> AnyPath(RandomStream& random) {
+  return {{random.Uniform(-1, 1.5), random.Uniform(-1.5, 1.5)},
+          {random.Uniform(-1, 1.5), random.Uniform(-1.5, 1.5)}};
+}
+
 // Points along the sides of polygons, at most step_m apart.
 std::vector<Vector2d> PointsOf(const std::vector<Polygon>& polygons, double step_m) {
   std::vector<Vector2d> points;
@@ -62,8 +67,7 @@ TEST(Clearance, AgreesWithSamplesOfTheWayAndTheOutline) {
   const RoverPlan rover = RockySample();
   int free = 0;
   for (int i = 0; i < 30; ++i) {
-    const std::vector<Arc> path{{random.Uniform(-1, 1.5), random.Uniform(-1.5, 1.5)},
-                                {random.Uniform(-1, 1.5), random.Uniform(-1.5, 1.5)}};
+    const std::vector<Arc> path = AnyPath(random);
     const Disc disc{{random.Uniform(-0.8, 2), random.Uniform(-1, 1)}, 0.05};
     const double clear = Clearance(rover, path, {{disc}, {}}, 10.0);
     const double sampled = Sampled(rover, path, disc);
@@ -81,8 +85,7 @@ TEST(Clearance, OfAPolygonIsThatOfTheDiscThatItDraws) {
   const RoverPlan rover = RockySample();
   int free = 0;
   for (int i = 0; i < 200; ++i) {
-    const std::vector<Arc> path{{random.Uniform(-1, 1.5), random.Uniform(-1.5, 1.5)},
-                                {random.Uniform(-1, 1.5), random.Uniform(-1.5, 1.5)}};
+    const std::vector<Arc> path = AnyPath(random);
     const Disc disc{{random.Uniform(-1, 3), random.Uniform(-1.5, 1.5)}, 0.2};
     Polygon drawn;
     for (int k = 0; k < 128; ++k) {
@@ -114,6 +117,22 @@ TEST(Clearance, IsNotPositiveForAnObstacleInsideTheBodyOrRoundIt) {
   EXPECT_LE(Clearance(rover, path, {{{{0.2, 0.0}, 0.01}}, {}}, 1.0), 0.0);
   EXPECT_LE(Clearance(rover, path, {{}, {{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}}}, 1.0), 0.0);
   EXPECT_LE(Clearance(rover, path, {{{{0.2, 0.0}, 5.0}}, {}}, 1.0), 0.0);
+}
+
+// Rounding would make a free path a blocked one.
+TEST(Clearance, IsExactlyWhatIsEnoughWhereNothingIsNearer) {
+  RandomStream random(StreamKey(3, "enough"));
+  const RoverPlan rover = RockySample();
+  int free = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const std::vector<Arc> path = AnyPath(random);
+    const Disc disc{{random.Uniform(-1, 3), random.Uniform(-1.5, 1.5)}, random.Uniform(0.03, 0.2)};
+    const double enough = random.Uniform(0.01, 0.1);
+    if (Clearance(rover, path, {{disc}, {}}, 10.0) < enough + 1e-12) continue;
+    ++free;
+    EXPECT_EQ(Clearance(rover, path, {{disc}, {}}, enough), enough);
+  }
+  EXPECT_GT(free, 500);
 }
 
 TEST(StandingClearance, IsThatOfTheBody) {
