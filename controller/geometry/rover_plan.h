@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace dockyard {
+#include "controller/geometry/plan_shapes.h"
 
-/// Corners of an area in order, either way round; the last one is joined to the first.
-using Polygon = std::vector<Eigen::Vector2d>;
+namespace dockyard {
 
 struct WheelPlan {
   std::string name;
@@ -34,6 +33,11 @@ struct RoverPlan {
   std::vector<Polygon> body;   // in R, without the wheels, what is stowed included
   Eigen::Vector2d p_RP{0, 0};  // the point that is brought to a goal
   std::optional<ViewPlan> view{};
+  double speed_m_s = 0.0, steer_rate_rad_s = 0.0;  // of the fastest wheel's rim; of steering
 };
+
+/// x of the line on which the centres of turns lie, in the frame of the wheels' places: the mean of
+/// the fixed wheels, which slip least so. None where all wheels are steered: any line will do.
+std::optional<double> TurningLine_m(const std::vector<WheelPlan>& wheels);
 
 }  // namespace dockyard

@@ -10,17 +10,6 @@
 
 namespace dockyard {
 
-struct Disc {
-  Eigen::Vector2d centre{0, 0};
-  double radius_m = 0.0;
-};
-
-/// In the frame in which paths are planned.
-struct Obstacles {
-  std::vector<Disc> discs{};
-  std::vector<Polygon> polygons{};
-};
-
 /// The rover's parts in R while it drives the arc: its body, and its wheels steered.
 std::vector<Polygon> OutlineOn(const RoverPlan& rover, const Arc& arc);
 

@@ -17,18 +17,6 @@ WheelOnArc OnArc(const WheelPlan& wheel, const Arc& arc) {
   return {std::atan2(aside_m, ahead_m), way_m, 0.0};
 }
 
-std::optional<double> TurningLine_m(const std::vector<WheelPlan>& wheels) {
-  double sum = 0.0;
-  int fixed = 0;
-  for (const WheelPlan& wheel : wheels) {
-    if (wheel.steer_limit_rad != 0.0) continue;
-    sum += wheel.p_RW.x();
-    ++fixed;
-  }
-  if (fixed == 0) return std::nullopt;
-  return sum / fixed;
-}
-
 // A wheel at (x, y) with the limit d cannot steer to centres within abs(x) / tan d of its own y.
 ArcLimits LimitsOf(const std::vector<WheelPlan>& wheels, Travel travel) {
   double least_m = 0.0, pivot_m = std::numeric_limits<double>::infinity();

@@ -3,7 +3,6 @@
 // section III-A.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "controller/geometry/rover_plan.h"
@@ -19,10 +18,6 @@ struct WheelOnArc {
 };
 
 WheelOnArc OnArc(const WheelPlan& wheel, const Arc& arc);
-
-/// x of the line on which the centres of turns lie, in the frame of the wheels' places: the mean of
-/// the fixed wheels, which slip least so. None where all wheels are steered: any line will do.
-std::optional<double> TurningLine_m(const std::vector<WheelPlan>& wheels);
 
 /// The radii that the steered wheels reach, `travel` as given. With all wheels fixed, or able to
 /// turn by 90 deg, there are no limits. Where left and right differ, what both sides allow.

@@ -1,5 +1,6 @@
 #include "sim/app/check_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -8,6 +9,8 @@
 #include "models/read/load_board.h"
 #include "models/read/load_cameras.h"
 #include "models/read/load_model_yaml.h"
+#include "models/read/load_obstacles.h"
+#include "models/read/load_rover_plan.h"
 #include "models/read/load_soil.h"
 #include "models/read/load_wheel.h"
 #include "models/read/mesh_loader.h"
@@ -68,6 +71,21 @@ FileCheck CheckWheel(const std::string& file) {
   return {"wheel", wheel.name + ": radius " + NumberText(wheel.wheel.rim_radius_m) + " m, width " +
                        NumberText(wheel.wheel.width_m) + " m, " +
                        std::to_string(wheel.wheel.paddle_count) + " paddles"};
+}
+
+FileCheck CheckRoverPlan(const std::string& file) {
+  const RoverPlan rover = LoadRoverPlan(file);
+  const auto steered =
+      std::count_if(rover.wheels.begin(), rover.wheels.end(),
+                    [](const WheelPlan& wheel) { return wheel.steer_limit_rad > 0.0; });
+  return {"rover in plan", rover.name + ": " + std::to_string(rover.wheels.size()) + " wheels, " +
+                               std::to_string(steered) + " of them steered"};
+}
+
+FileCheck CheckObstacles(const std::string& file) {
+  const Obstacles obstacles = LoadObstacles(file);
+  return {"obstacles", std::to_string(obstacles.discs.size()) + " discs, " +
+                           std::to_string(obstacles.polygons.size()) + " areas"};
 }
 
 FileCheck CheckCameras(const std::string& file) {
@@ -136,6 +154,8 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
   const YamlNode root = LoadYaml(file);
   const auto has = [&](const char* key) { return root.Find(key) != nullptr; };
   if (has("reproduction")) return CheckReproduction(file, systems);
+  if (has("obstacles")) return CheckObstacles(file);
+  if (has("steer_rate_deg_s")) return CheckRoverPlan(file);
   if (has("campaign") || has("study") || has("runs") || has("table"))
     return CheckCampaign(file, systems);
   if (has("system") || has("start")) return CheckScenario(file, systems);
@@ -153,7 +173,7 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
   if (has("radius_m") || has("width_m") || has("paddles")) return CheckWheel(file);
   throw ConfigError(root.place.Text() +
                     ": expected the keys of a scenario, campaign, published experiment, board, "
-                    "soil, wheel, camera, rig "
+                    "soil, wheel, camera, rig, rover in plan, obstacles "
                     "or of a system's own model, found none of them");
 }
 

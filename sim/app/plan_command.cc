@@ -1,26 +1,30 @@
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "controller/geometry/pose.h"
-#include "controller/motion/free_path.h"
+#include "models/read/load_obstacles.h"
+#include "models/read/load_rover_plan.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"
-#include "sim/base/json.h"
+#include "sim/base/files.h"
+#include "sim/page/report_page.h"
+#include "sim/paths/path_json.h"
+#include "sim/paths/path_svg.h"
+#include "sim/paths/path_watch.h"
 
 namespace dockyard {
 namespace {
 
 struct PlanArguments {
-  std::vector<double> point_m{0.0, 0.0}, goal_m;
+  std::vector<double> point_m, goal_m, in_view_m;
   std::optional<double> heading_deg;
-  double min_radius_m = 0.0;
+  double min_radius_m = 0.0, margin_m = 0.05;
   int arcs = 2;
   bool forward_only = false, json = false;
+  std::string robot, obstacles, svg, page;
 };
 
 constexpr const char* kPlanHelp =
@@ -30,90 +34,112 @@ Examples:
   dockyard plan --point 0.6,0 --goal 1.5,0.3
   dockyard plan --point 0.6,0 --goal 2,0.5 --heading-deg -50 --min-radius 0.4 --json
   dockyard plan --point 0,0 --goal 0.3,0.2 --heading-deg 0 --min-radius 0.5 --forward-only --arcs 3
+  dockyard plan --robot models/rovers/rocky7.yaml --obstacles examples/obstacles.yaml \
+    --goal 2.6,0.8 --heading-deg 10 --svg out/plan.svg --page out/plan.html
 
 Metres, in the frame of the rover's reference point before it moves: x forward, y left, the centre
 of every turn on the y axis. Without --heading-deg one arc leads to the goal. With it two arcs do,
 those of least cost by the paper's Eq. (14), twice the longer of both; or three, the shortest found.
 An arc has a length, negative backwards, and a turn, counter-clockwise. cost_m of one arc and of
-three is their length. Exit code 4: there are no such arcs.)";
+three is their length. A rover's file has its wheels, whose steering limits hold, and its outline,
+which keeps the margin from all obstacles. Candidates are shown for one and two arcs, not for three.
+Exit code 4: there are no such arcs.)";
 
-struct Plan {
-  std::vector<Arc> arcs;
-  double cost_m = 0.0;
+struct Request {
+  PathTask task;
+  bool json = false;
+  std::string svg, page;
 };
 
-// The rest of the circle, driven the other way.
-Arc OtherWayRound(const Arc& arc) {
-  const double turn_rad = arc.turn_rad - std::copysign(2.0 * kPi, arc.turn_rad);
-  return {arc.length_m * turn_rad / arc.turn_rad, turn_rad};
+// The narrower of both.
+ArcLimits LimitsOf(const PlanArguments& in, const RoverPlan& rover) {
+  const Travel travel = in.forward_only ? Travel::kForward : Travel::kEither;
+  ArcLimits limits = LimitsOf(rover.wheels, travel);
+  if (in.min_radius_m > limits.least_radius_m) limits.least_radius_m = in.min_radius_m;
+  if (in.min_radius_m > 0.0) limits.pivot_radius_m.reset();
+  return limits;
 }
 
-std::optional<Plan> OneArc(const Eigen::Vector2d& goal, const Eigen::Vector2d& point,
-                           const ArcLimits& limits) {
-  if (goal == point) return Plan{};
-  Arc arc{-2.0 * point.x(), 0.0};  // to the point's mirror image every circle leads, and a line
-  if (const auto found = OneArcTo(goal, point)) arc = *found;
-  if (!Keeps(arc, limits) && arc.turn_rad != 0.0) arc = OtherWayRound(arc);
-  if (!Keeps(arc, limits)) return std::nullopt;
-  return Plan{{arc}, std::abs(arc.length_m)};
-}
+Eigen::Vector2d Place(const std::vector<double>& xy) { return {xy[0], xy[1]}; }
 
-std::optional<Plan> SeveralArcs(const Pose2& X_RG, const ArcLimits& limits, int arcs) {
-  if (arcs == 2) {
-    const auto pair = CheapestPair(X_RG, limits);
-    if (!pair) return std::nullopt;
-    return Plan{{pair->begin(), pair->end()}, PairCost(*pair)};
+Request RequestOf(const PlanArguments& in) {
+  if (in.arcs == 3 && !in.heading_deg) throw UsageError("--arcs needs --heading-deg");
+  if (in.robot.empty()) {
+    if (!in.obstacles.empty()) throw UsageError("--obstacles needs --robot, for its outline");
+    if (!in.page.empty()) throw UsageError("--page needs --robot, to show it");
+    if (!in.in_view_m.empty()) throw UsageError("--keep-in-view needs --robot, for its cameras");
   }
-  const auto triple = ShortestFreeTriple({}, X_RG, limits, {});
-  if (!triple) return std::nullopt;
-  const std::vector<Arc> all(triple->begin(), triple->end());
-  return Plan{all, Length(all)};
-}
-
-void PrintJson(const std::optional<Plan>& plan) {
-  Json arcs = Json::array();
-  for (const Arc& arc : plan ? plan->arcs : std::vector<Arc>{}) {
-    arcs.push_back({{"length_m", arc.length_m}, {"turn_rad", arc.turn_rad}});
+  Request request{{}, in.json, in.svg, in.page};
+  PathTask& task = request.task;
+  if (!in.robot.empty()) task.rover = LoadRoverPlan(in.robot);
+  task.p_RP = in.point_m.empty() ? task.rover.p_RP : Place(in.point_m);
+  task.p_AG = Place(in.goal_m);
+  if (in.heading_deg) task.heading = Radians(*in.heading_deg);
+  task.limits = LimitsOf(in, task.rover);
+  task.arcs = in.arcs;
+  if (!in.obstacles.empty()) {
+    task.demands.obstacles = LoadObstacles(in.obstacles);
+    task.demands.margin_m = in.margin_m;
   }
-  const Json json{{"feasible", plan.has_value()},
-                  {"arcs", arcs},
-                  {"cost_m", plan ? Json(plan->cost_m) : Json()}};
-  std::printf("%s\n", json.dump(2).c_str());
+  if (!in.in_view_m.empty()) {
+    if (!task.rover.view) throw UsageError("--keep-in-view needs a rover with a view");
+    task.demands.p_AT = Place(in.in_view_m);
+  }
+  return request;
 }
 
-void PrintText(const std::optional<Plan>& plan) {
-  if (!plan) {
+void PrintText(const PlannedPath& plan) {
+  if (!plan.best) {
     std::printf("there are no such arcs\n");
     return;
   }
-  for (const Arc& arc : plan->arcs) {
+  for (const Arc& arc : plan.best->arcs) {
     std::printf("arc of %.6f m, turning by %.6f deg", arc.length_m, Degrees(arc.turn_rad));
     if (arc.turn_rad != 0.0) {
       std::printf(", radius %.6f m", std::abs(arc.length_m / arc.turn_rad));
     }
     std::printf("\n");
   }
-  std::printf("cost %.6f m\n", plan->cost_m);
+  std::printf("cost %.6f m\n", plan.best->cost_m);
 }
 
-int PrintPlan(const PlanArguments& in) {
-  if (in.arcs == 3 && !in.heading_deg) throw UsageError("--arcs needs --heading-deg");
-  const Eigen::Vector2d point(in.point_m[0], in.point_m[1]), goal(in.goal_m[0], in.goal_m[1]);
-  const ArcLimits limits{in.min_radius_m, in.forward_only ? Travel::kForward : Travel::kEither};
-  std::optional<Plan> plan;
-  if (in.heading_deg) {
-    const double heading = WrapPi(Radians(*in.heading_deg));
-    const Eigen::Vector2d at = goal - Pose2{0.0, 0.0, heading} * point;  // Eq. (13)
-    plan = SeveralArcs({at.x(), at.y(), heading}, limits, in.arcs);
-  } else {
-    plan = OneArc(goal, point, limits);
-  }
-  if (in.json) {
-    PrintJson(plan);
+// The report's page with one run: the rover on its path.
+std::string PageOf(const PathTask& task, const PlannedPath& plan) {
+  RunResult row;
+  row.run = 1;
+  row.system = task.rover.name;
+  row.controller = "arcs";
+  row.docked = true;
+  row.outcome = "reached";
+  const LoggedRun watched = WatchedPath(task, plan);
+  row.sim_time_s = watched.times_s.back();
+  row.measures = {plan.best->cost_m, Length(plan.best->arcs)};
+  FinishedRuns runs;
+  runs.Add({row, {}, ""});
+  ReportContent content;
+  content.title = "A path of " + task.rover.name;
+  content.program = std::string("dockyard ") + DOCKYARD_VERSION;
+  content.runs = &runs;
+  content.columns = {{},
+                     {{"cost_m", "m", "Eq. (14): twice the longer of two arcs, else the length"},
+                      {"length_m", "m", "of the reference point's way"}},
+                     {{"reached", true, "the path leads to the goal"}}};
+  content.channels = WatchedChannels(task.rover);
+  content.system = task.rover.name;
+  content.watched = {{0, [&] { return watched; }, [&] { return ShapesOf(task); }, "", ""}};
+  return ReportPage(content);
+}
+
+int PrintPlan(const Request& request) {
+  const PlannedPath plan = PlanPath(request.task);
+  if (!request.svg.empty()) WriteWhole(request.svg, PathSvg(request.task, plan));
+  if (!request.page.empty() && plan.best) WriteWhole(request.page, PageOf(request.task, plan));
+  if (request.json) {
+    std::printf("%s\n", PathJson(request.task, plan).dump(2).c_str());
   } else {
     PrintText(plan);
   }
-  return plan ? kExitDone : kExitNotDocked;
+  return plan.best ? kExitDone : kExitNotDocked;
 }
 
 }  // namespace
@@ -127,7 +153,7 @@ void AddPlanCommand(CLI::App& app, int& exit_code) {
         ->expected(2)
         ->check(NumberWithin(-1e4, 1e4));
   };
-  AddPlace("--point", arguments->point_m, "X,Y of the rover's point to bring there [0,0]");
+  AddPlace("--point", arguments->point_m, "X,Y of the rover's point to bring there [its own]");
   AddPlace("--goal", arguments->goal_m, "X,Y of where to bring it")->required();
   command->add_option("--heading-deg", arguments->heading_deg, "heading at the goal")
       ->check(NumberWithin(-360.0, 360.0));
@@ -136,8 +162,16 @@ void AddPlanCommand(CLI::App& app, int& exit_code) {
   command->add_flag("--forward-only", arguments->forward_only, "no arc backwards");
   command->add_option("--arcs", arguments->arcs, "2 or 3 arcs to a heading [2]")
       ->check(CLI::IsMember({2, 3}));
+  command->add_option("--robot", arguments->robot, "file of a rover, as in models/rovers");
+  command->add_option("--obstacles", arguments->obstacles, "file of discs and areas to keep off");
+  command->add_option("--margin", arguments->margin_m, "m to keep from obstacles [0.05]")
+      ->check(NumberWithin(0.0, 1e3));
+  AddPlace("--keep-in-view", arguments->in_view_m,
+           "X,Y that the rover's camera must see all along");
+  command->add_option("--svg", arguments->svg, "file for a drawing with all candidates");
+  command->add_option("--page", arguments->page, "HTML file in which the rover drives the path");
   command->add_flag("--json", arguments->json, "the plan as JSON");
-  command->callback([arguments, &exit_code] { exit_code = PrintPlan(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = PrintPlan(RequestOf(*arguments)); });
 }
 
 }  // namespace dockyard

@@ -6,6 +6,7 @@
 
 #include "app/program.h"
 #include "sim/base/json.h"
+#include "support/bad_files.h"
 
 namespace dockyard {
 namespace {
@@ -69,10 +70,57 @@ TEST(PlanCommand, EndsWithFourWhereTwoArcsCannotAndThreeCan) {
   for (const Json& arc : three["arcs"]) EXPECT_GE(arc["length_m"].get<double>(), -1e-9);
 }
 
+const std::string kRocky = "--robot " + SourceFile("models/rovers/rocky7.yaml");
+
+TEST(PlanCommand, KeepsTheSteeringLimitAndTheOutlineOfARover) {
+  const Json plan = PlanOf(kRocky + " --goal 2.6,0.8 --heading-deg 10 --obstacles " +
+                           SourceFile("examples/obstacles.yaml"));
+  int blocked = 0;
+  for (const Json& candidate : plan["candidates"]) blocked += candidate["missing_m"] > 0.0;
+  EXPECT_GT(blocked, 5);
+  for (const Json& arc : plan["arcs"]) {
+    ASSERT_EQ(arc["wheels"].size(), 6u);
+    for (const auto& [name, wheel] : arc["wheels"].items()) {
+      EXPECT_LE(std::abs(wheel["steer_rad"].get<double>()), 70.0 * M_PI / 180.0 + 1e-7) << name;
+    }
+  }
+}
+
+TEST(PlanCommand, WritesADrawingAndAPage) {
+  const ScratchFolder folder;
+  const std::string svg = folder.path() / "plan.svg", page = folder.path() / "plan.html";
+  const Ended ended =
+      Dockyard("plan --goal 2.6,1 --heading-deg 0 " + kRocky + " --svg " + svg + " --page " + page);
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(Slurp(svg), HasSubstr("</svg>"));
+  EXPECT_THAT(Slurp(page), HasSubstr("</html>"));
+  const Ended none = Dockyard("plan --goal 2,1 --svg " + (folder.path() / "no" / "x.svg").string());
+  EXPECT_NE(none.code, 0);
+  EXPECT_THAT(none.err, HasSubstr("x.svg"));
+}
+
+TEST(PlanCommand, KeepsATargetInView) {
+  const std::string ahead = kRocky + " --goal 2.6,0.5 --heading-deg 0 --keep-in-view 3.2,0.5";
+  const Json plan = PlanOf(ahead);
+  EXPECT_EQ(plan["feasible"], true);
+  EXPECT_EQ(Dockyard("plan " + kRocky + " --goal 2.6,0.5 --heading-deg 0 --keep-in-view -1,0").code,
+            4);
+}
+
+TEST(PlanCommand, NamesTheLineOfABadFile) {
+  const ScratchFolder folder;
+  const std::string bad = folder.Write("stones.yaml", "obstacles:\n  - {x_m: 1}\n");
+  const Ended ended = Dockyard("plan " + kRocky + " --goal 1,0.1 --obstacles " + bad);
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("stones.yaml:2:"));
+}
+
 TEST(PlanCommand, EndsWithTwoForArgumentsThatMakeNoSense) {
   for (const char* arguments :
        {"", "--goal 1", "--goal 1,nan", "--goal 1,2,3", "--goal 1,2 --arcs 3",
-        "--goal 1,2 --heading-deg 0 --arcs 4", "--goal 1,2 --min-radius -1"}) {
+        "--goal 1,2 --heading-deg 0 --arcs 4", "--goal 1,2 --min-radius -1",
+        "--goal 1,2 --obstacles examples/obstacles.yaml", "--goal 1,2 --page x.html",
+        "--goal 1,2 --keep-in-view 1,1"}) {
     const Ended ended = Dockyard(std::string("plan ") + arguments);
     EXPECT_EQ(ended.code, 2) << arguments;
     EXPECT_EQ(ended.out, "") << arguments;

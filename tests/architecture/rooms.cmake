@@ -37,10 +37,11 @@ set(rooms
   "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
   "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"
   "sim/run|one run in closed loop, for any system|${contract}|models/read/|render/|sim/(base|scenario|log|bridge|run)/|unistd.h"
+  "sim/paths|planned paths: candidates, wheels along them, drawings, a run to watch|${contract}|controller/motion/|render/|sim/(base|log|report|run|paths)/"
   "sim/page|results as one HTML file|${contract}|models/read/|render/|sim/(base|images|plan|log|statistics|report|run|page)/|zlib.h"
   "sim/spectator|a logged run in pictures: from outside, and what its cameras saw|${contract}|models/read/|render/|sim/(base|images|log|run|spectator)/|opencv2/"
   "sim/<system>|a system's world, cameras, judge and plots|${models}|models/<system>/|controller/<system>/nominal/|controller/motion/|render/|${low}|sim/<system>/|bt|Bullet|LinearMath/|nlohmann/"
   "sim/campaign|many runs: workers, shards, merging, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
   "sim/app/systems.cc|the list of systems with their controllers|${contract}|sim/(run|app)/|controller/<system>/|sim/<system>/|sim/app/<system>/"
   "sim/app/<system>|a system's own commands|${models}|models/<system>/|controller/(vision|<system>)/|sim/(base|images|run)/|sim/app/<system>/|CLI/"
-  "sim/app|the program: the command line|${models}|controller/(vision|motion)/|${low}|sim/(campaign|page|spectator|app)/|CLI/|opencv2/|nlohmann/|${os}")
+  "sim/app|the program: the command line|${models}|controller/(vision|motion)/|${low}|sim/(campaign|page|paths|spectator|app)/|CLI/|opencv2/|nlohmann/|${os}")

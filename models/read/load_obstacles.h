@@ -1,0 +1,21 @@
+// Obstacles in plan, and areas, from YAML.
+#pragma once
+
+#include <string>
+
+#include "controller/geometry/plan_shapes.h"
+#include "models/read/yaml_reader.h"
+
+namespace dockyard {
+
+/// x_m and y_m of the mapping [m].
+Eigen::Vector2d ReadPlace(const YamlReader& in);
+
+/// The list of {x_m, y_m} under a key: 3 to 100 corners round an area.
+Polygon ReadPolygon(const YamlReader& in, std::string_view key);
+
+/// A file with a list `obstacles` of discs, {x_m, y_m, radius_m}, and areas, {corners: [...]}.
+/// Throws ConfigError.
+Obstacles LoadObstacles(const std::string& file);
+
+}  // namespace dockyard

@@ -1,0 +1,83 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "controller/geometry/pose.h"
+#include "models/read/load_obstacles.h"
+#include "models/read/load_rover_plan.h"
+#include "support/bad_files.h"
+
+namespace dockyard {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(LoadRoverPlan, ReadsTheSixRoversOfTheFigure) {
+  int rovers = 0, skid = 0, free = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(SourceFile("models/rovers"))) {
+    const RoverPlan rover = LoadRoverPlan(entry.path().string());
+    EXPECT_EQ(rover.name, entry.path().stem());
+    EXPECT_TRUE(rover.view);
+    ++rovers;
+    bool all_fixed = true;
+    for (const WheelPlan& wheel : rover.wheels) all_fixed &= wheel.steer_limit_rad == 0.0;
+    skid += all_fixed;
+    free += !TurningLine_m(rover.wheels);
+  }
+  EXPECT_EQ(rovers, 6);
+  EXPECT_EQ(skid, 1);  // (a)
+  EXPECT_EQ(free, 2);  // (c) and (f)
+}
+
+// The published sizes: 0.288 m to the rocker's pivot and 0.12075 m on to the front axle.
+TEST(LoadRoverPlan, HasTheWheelbaseOfRocky7) {
+  const RoverPlan rover = LoadRoverPlan(SourceFile("models/rovers/rocky7.yaml"));
+  ASSERT_EQ(rover.wheels.size(), 6u);
+  EXPECT_NEAR(rover.wheels[0].p_RW.x(), 0.288 + 0.12075, 1e-12);
+  EXPECT_NEAR(rover.wheels[0].steer_limit_rad, Radians(70.0), 1e-12);
+  EXPECT_EQ(rover.wheels[5].steer_limit_rad, 0.0);
+}
+
+std::string RoverMessage(const std::string& from, const std::string& to) {
+  const ScratchFolder folder;
+  const std::string good = Slurp(SourceFile("models/rovers/rocky7.yaml"));
+  const std::string file = folder.Write("rover.yaml", Replaced(good, from, to));
+  return MessageOf([&] { LoadRoverPlan(file); }, folder);
+}
+
+TEST(LoadRoverPlan, RefusesWhatCannotBeARoverWithLineAndReason) {
+  EXPECT_THAT(RoverMessage("x_m: -0.069, y_m: 0.2", "x_m: -0.5, y_m: 0.2"),
+              HasSubstr("expected fixed wheels whose places have a mean x_m of 0"));
+  EXPECT_THAT(RoverMessage("name: front_right", "name: front_left"),
+              HasSubstr("rover.yaml:9:12: wheels[1].name: expected a name of its own"));
+  EXPECT_THAT(RoverMessage("far_m: 3", "far_m: 0.01"), HasSubstr("a number above near_m"));
+  EXPECT_THAT(RoverMessage("speed_m_s: 0.05", "speed_m_s: 0"), HasSubstr("speed_m_s"));
+}
+
+std::string ObstaclesMessage(const std::string& text) {
+  const ScratchFolder folder;
+  const std::string file = folder.Write("stones.yaml", text);
+  return MessageOf([&] { LoadObstacles(file); }, folder);
+}
+
+TEST(LoadObstacles, ReadsDiscsAndAreas) {
+  const Obstacles obstacles = LoadObstacles(SourceFile("examples/obstacles.yaml"));
+  ASSERT_EQ(obstacles.discs.size(), 3u);
+  EXPECT_EQ(obstacles.discs[1].radius_m, 0.2);
+  ASSERT_EQ(obstacles.polygons.size(), 1u);
+  EXPECT_EQ(obstacles.polygons[0].size(), 4u);
+}
+
+TEST(LoadObstacles, RefusesWhatHasNoArea) {
+  EXPECT_THAT(ObstaclesMessage("obstacles:\n  - {x_m: 1, y_m: 0, radius_m: 0}\n"),
+              HasSubstr("stones.yaml:2:"));
+  EXPECT_THAT(ObstaclesMessage("obstacles:\n  - {x_m: 1, y_m: 0}\n"), HasSubstr("radius_m"));
+  const std::string line = "{x_m: 0, y_m: 0}, {x_m: 1, y_m: 1}, {x_m: 2, y_m: 2}";
+  EXPECT_THAT(ObstaclesMessage("obstacles:\n  - corners: [" + line + "]\n"),
+              HasSubstr("expected corners round an area"));
+  EXPECT_THAT(ObstaclesMessage("stones: []\n"), HasSubstr("stones"));
+}
+
+}  // namespace
+}  // namespace dockyard
