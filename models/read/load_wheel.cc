@@ -2,10 +2,7 @@
 
 namespace dockyard {
 
-WheelModel ReadWheelShape(const YamlReader& in) {
-  WheelModel wheel;
-  wheel.rim_radius_m = in.Number("radius_m", Positive(2.0));
-  wheel.width_m = in.Number("width_m", Positive(2.0));
+void ReadPaddles(const YamlReader& in, WheelModel& wheel) {
   const YamlReader paddles(in.Child("paddles"), in.PathOf("paddles"),
                            {"count", "height_m", "thickness_m"});
   wheel.paddle_count = paddles.Integer("count", 0, 64);
@@ -14,6 +11,13 @@ WheelModel ReadWheelShape(const YamlReader& in) {
   if (wheel.paddle_count > 0 && !(wheel.paddle_height_m > 0 && wheel.paddle_thickness_m > 0)) {
     paddles.Refuse("count", "0, or a height_m and a thickness_m above 0");
   }
+}
+
+WheelModel ReadWheelShape(const YamlReader& in) {
+  WheelModel wheel;
+  wheel.rim_radius_m = in.Number("radius_m", Positive(2.0));
+  wheel.width_m = in.Number("width_m", Positive(2.0));
+  ReadPaddles(in, wheel);
   return wheel;
 }
 

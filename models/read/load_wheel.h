@@ -17,6 +17,9 @@ struct WheelFile {
 /// Throws ConfigError.
 WheelFile LoadWheel(const std::string& file);
 
+/// Reads the mapping `paddles` of a mapping, phase zero.
+void ReadPaddles(const YamlReader& in, WheelModel& wheel);
+
 /// Reads radius_m, width_m and paddles of a mapping that has them, phase zero.
 WheelModel ReadWheelShape(const YamlReader& in);
 

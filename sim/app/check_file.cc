@@ -10,7 +10,7 @@
 #include "models/read/load_cameras.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_obstacles.h"
-#include "models/read/load_rover_plan.h"
+#include "models/read/load_rover.h"
 #include "models/read/load_soil.h"
 #include "models/read/load_wheel.h"
 #include "models/read/mesh_loader.h"
@@ -73,13 +73,15 @@ FileCheck CheckWheel(const std::string& file) {
                        std::to_string(wheel.wheel.paddle_count) + " paddles"};
 }
 
-FileCheck CheckRoverPlan(const std::string& file) {
+FileCheck CheckRover(const std::string& file, bool is_built) {
   const RoverPlan rover = LoadRoverPlan(file);
   const auto steered =
       std::count_if(rover.wheels.begin(), rover.wheels.end(),
                     [](const WheelPlan& wheel) { return wheel.steer_limit_rad > 0.0; });
-  return {"rover in plan", rover.name + ": " + std::to_string(rover.wheels.size()) + " wheels, " +
-                               std::to_string(steered) + " of them steered"};
+  std::string found = rover.name + ": " + std::to_string(rover.wheels.size()) + " wheels, " +
+                      std::to_string(steered) + " of them steered";
+  if (is_built) found += ", " + NumberText(LoadRover(file).mass_kg()) + " kg";
+  return {"rover on wheels", found};
 }
 
 FileCheck CheckObstacles(const std::string& file) {
@@ -155,7 +157,7 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
   const auto has = [&](const char* key) { return root.Find(key) != nullptr; };
   if (has("reproduction")) return CheckReproduction(file, systems);
   if (has("obstacles")) return CheckObstacles(file);
-  if (has("steer_rate_deg_s")) return CheckRoverPlan(file);
+  if (has("steer_rate_deg_s")) return CheckRover(file, has("build"));
   if (has("campaign") || has("study") || has("runs") || has("table"))
     return CheckCampaign(file, systems);
   if (has("system") || has("start")) return CheckScenario(file, systems);
@@ -173,7 +175,7 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
   if (has("radius_m") || has("width_m") || has("paddles")) return CheckWheel(file);
   throw ConfigError(root.place.Text() +
                     ": expected the keys of a scenario, campaign, published experiment, board, "
-                    "soil, wheel, camera, rig, rover in plan, obstacles "
+                    "soil, wheel, camera, rig, rover on wheels, obstacles "
                     "or of a system's own model, found none of them");
 }
 

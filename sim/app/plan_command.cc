@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "models/read/load_obstacles.h"
-#include "models/read/load_rover_plan.h"
+#include "models/read/load_rover.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/base/hash.h"
+#include "sim/physics/joint_stop.h"
 #include "sim/raposa/bullet_world.h"
 #include "sim/raposa/pyramid_body.h"
 #include "sim/raposa/robot_body.h"
@@ -17,18 +18,9 @@ namespace {
 // Robot and pyramid come to rest, and the cable lets out its slack, before the run begins. Assumed,
 // 1-3 s.
 constexpr double kSettleSeconds = 1.5;
-// End stops of arm and doors: a tenth of a millimetre at the motors' limits. Assumed, 1e4-1e6 N
-// m/rad and N/m.
-constexpr double kArmStop_nm_rad = 2e4, kDoorStop_n_m = 1e5;
-// A fifth of critical or more on what they stop; assumed, 20-100 and 5-50.
-constexpr double kArmStopDamping_nms_rad = 50.0, kDoorStopDamping_ns_m = 20.0;
-
-double StopLoad(double at, double rate, double low, double high, double stiffness, double damping) {
-  const double beyond = at > high ? at - high : at < low ? at - low : 0.0;
-  if (beyond == 0.0) return 0.0;
-  const double load = -stiffness * beyond - damping * rate;
-  return beyond > 0.0 ? std::min(load, 0.0) : std::max(load, 0.0);
-}
+// End stops of arm and doors: a tenth of a millimetre at the motors' limits, a fifth of critical or
+// more on what they stop. Assumed: 1e4-1e6 N m/rad and N/m, 20-100 N m s/rad, 5-50 N s/m.
+constexpr JointStop kArmStop{2e4, 50.0}, kDoorStop{1e5, 20.0};
 
 /// The body on its main belts, so that the camera is where it is told in plan.
 Pose3 RobotStart(const WorldSetup& setup) {
@@ -177,8 +169,7 @@ void World::Impl::DriveArm(const MotorCommand& command) {
   const double rate = robot_.joint_rate(RobotLink::kArm);
   arm_output_ = arm_drive_.Step(command, ArmAngle(), rate, setup_.step_s);
   const double stop_nm =
-      StopLoad(ArmAngle(), rate, setup_.robot.arm_lower_rad, setup_.robot.arm_upper_rad,
-               kArmStop_nm_rad, kArmStopDamping_nms_rad);
+      kArmStop.Load(ArmAngle(), rate, setup_.robot.arm_lower_rad, setup_.robot.arm_upper_rad);
   robot_.AddJointLoad(RobotLink::kArm, arm_output_.torque_nm() + stop_nm);
 }
 
@@ -188,8 +179,8 @@ void World::Impl::DriveDoor(const DoorDrive& door, const MotorCommand& command) 
   output = door_drives_[door.side > 0.0 ? 0 : 1].Step(command, DoorAngle(door), DoorRate(door),
                                                       setup_.step_s);
   const double stop_n =
-      StopLoad(door.side * robot_.joint(door.link), door.side * robot_.joint_rate(door.link), 0.0,
-               doors.travel_m, kDoorStop_n_m, kDoorStopDamping_ns_m);
+      kDoorStop.Load(door.side * robot_.joint(door.link), door.side * robot_.joint_rate(door.link),
+                     0.0, doors.travel_m);
   robot_.AddJointLoad(door.link, door.side * (stop_n - output.torque_nm() / doors.pinion_radius_m));
 }
 

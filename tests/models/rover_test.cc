@@ -5,7 +5,7 @@
 
 #include "controller/geometry/pose.h"
 #include "models/read/load_obstacles.h"
-#include "models/read/load_rover_plan.h"
+#include "models/read/load_rover.h"
 #include "support/bad_files.h"
 
 namespace dockyard {
@@ -37,6 +37,28 @@ TEST(LoadRoverPlan, HasTheWheelbaseOfRocky7) {
   EXPECT_NEAR(rover.wheels[0].p_RW.x(), 0.288 + 0.12075, 1e-12);
   EXPECT_NEAR(rover.wheels[0].steer_limit_rad, Radians(70.0), 1e-12);
   EXPECT_EQ(rover.wheels[5].steer_limit_rad, 0.0);
+}
+
+// Rocky 7: about 15 kg, as published.
+TEST(LoadRover, HasTheMassOfRocky7AndBogiesUnderItsFixedWheels) {
+  const RoverModel rover = LoadRover(SourceFile("models/rovers/rocky7.yaml"));
+  EXPECT_NEAR(rover.mass_kg(), 15.2, 0.05);
+  EXPECT_EQ(rover.suspension.kind, SuspensionKind::kRockerBogie);
+  EXPECT_EQ(rover.on_bogie, (std::vector<bool>{false, false, true, true, true, true}));
+}
+
+TEST(LoadRover, ReadsAllRoversAndRefusesAWheelThatIsNotThere) {
+  for (const auto& entry : std::filesystem::directory_iterator(SourceFile("models/rovers"))) {
+    const RoverModel rover = LoadRover(entry.path().string());
+    EXPECT_EQ(rover.suspension.kind == SuspensionKind::kRockerBogie, rover.plan.wheels.size() == 6)
+        << entry.path();
+  }
+  const ScratchFolder folder;
+  const std::string file =
+      folder.Write("rover.yaml", Replaced(Slurp(SourceFile("models/rovers/rocky7.yaml")),
+                                          "on_bogies: [middle_left", "on_bogies: [mid_left"));
+  EXPECT_THAT(MessageOf([&] { LoadRover(file); }, folder),
+              HasSubstr("expected the name of a wheel, found 'mid_left'"));
 }
 
 std::string RoverMessage(const std::string& from, const std::string& to) {

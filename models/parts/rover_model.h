@@ -1,0 +1,54 @@
+// A rover on wheels, as it is built: body, suspension, wheels and their motors.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "controller/geometry/rover_plan.h"
+#include "models/parts/link.h"
+#include "models/parts/motor.h"
+#include "models/parts/wheel.h"
+
+namespace dockyard {
+
+enum class SuspensionKind : std::uint8_t {
+  kRigid,        // all wheels on the body
+  kRockerBogie,  // each side a rocker on the body and a bogie on the rocker, and a differential
+                 // between the rockers: their angles are equal and opposite
+};
+
+/// Hinges turn about y. Places in R's x; heights above the wheels' axles on level ground.
+struct SuspensionModel {
+  SuspensionKind kind = SuspensionKind::kRigid;
+  double pivot_x_m = 0.0, pivot_z_m = 0.0;             // of the rockers on the body
+  double bogie_x_m = 0.0, bogie_z_m = 0.0;             // of the bogies on the rockers
+  double rocker_kg = 0.0, bogie_kg = 0.0;              // one of two
+  double friction_nm = 0.0;                            // of each hinge
+  double rocker_stop_rad = 0.0, bogie_stop_rad = 0.0;  // either way
+};
+
+struct RoverModel {
+  RoverPlan plan;
+  LinkModel body;  // its frame: R's place in plan, at the height of the axles
+  SuspensionModel suspension;
+  std::vector<bool> on_bogie;  // by wheel; the others are on the rocker
+  WheelModel tyre;             // of every wheel
+  double wheel_kg = 0.0;
+  double bracket_kg = 0.0;  // of a steered wheel
+  MotorModel drive, steer;
+
+  double mass_kg() const;
+};
+
+inline double RoverModel::mass_kg() const {
+  double sum = body.mass_kg + wheel_kg * static_cast<double>(plan.wheels.size());
+  for (const WheelPlan& wheel : plan.wheels) {
+    if (wheel.steer_limit_rad > 0.0) sum += bracket_kg;
+  }
+  if (suspension.kind == SuspensionKind::kRockerBogie) {
+    sum += 2.0 * (suspension.rocker_kg + suspension.bogie_kg);
+  }
+  return sum;
+}
+
+}  // namespace dockyard

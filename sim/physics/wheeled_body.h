@@ -1,0 +1,76 @@
+// A rover on wheels in soil: body, rockers and bogies with their differential, steering brackets
+// and wheels as one tree of links, with a drive on every wheel and every bracket.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "models/parts/rover_model.h"
+#include "models/parts/soil_model.h"
+#include "sim/physics/bristle.h"
+#include "sim/physics/motor_drive.h"
+#include "sim/physics/tree_body.h"
+#include "sim/soil/wheel_soil.h"
+
+namespace dockyard {
+
+class WheeledBody {
+ public:
+  /// The body's frame starts at X_GB: R's place in plan, at the height of the axles.
+  WheeledBody(const RoverModel& rover, const SoilModel& soil, const Pose3& X_GB);
+
+  /// Motors: the wheels' drives in the plan's order, then the steered wheels' steering in the same
+  /// order. Angles count from the start.
+  int motor_count() const { return static_cast<int>(motors_.size()); }
+  double angle_rad(int motor) const { return tree_.angle_rad(motors_[Place(motor)].link); }
+  double rate_rad_s(int motor) const { return tree_.rate_rad_s(motors_[Place(motor)].link); }
+  const DriveOutput& output(int motor) const { return motors_[Place(motor)].output; }
+
+  /// One step under a command for each motor: drives, soil, gravity, positions. Leaves the ruts in
+  /// the ground.
+  void Step(const std::vector<MotorCommand>& commands, const Eigen::Vector3d& gravity_G,
+            double step_s, HeightGrid& ground);
+
+  const TreeBody& tree() const { return tree_; }
+  TreeBody& tree() { return tree_; }
+  const LinkMotion& body() const { return tree_.motion(0); }
+  const LinkMotion& wheel(int i) const { return tree_.motion(wheel_link_[Place(i)]); }
+  /// The soil's load on a wheel in the last step.
+  const WheelLoad& load(int wheel) const { return loads_[Place(wheel)]; }
+  /// Angles of rocker and bogie on one side; nose-down positive. 0 of a rigid rover.
+  double rocker_rad(bool left) const {
+    return rocker_[left] > 0 ? tree_.angle_rad(rocker_[left]) : 0;
+  }
+  double bogie_rad(bool left) const { return bogie_[left] > 0 ? tree_.angle_rad(bogie_[left]) : 0; }
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  struct Motor {
+    int link = 0;
+    MotorDrive drive;
+    DriveOutput output;
+  };
+  /// A passive hinge with friction and stops.
+  struct Hinge {
+    int link = 0;
+    double stop_rad = 0.0, bend_rad = 0.0;
+  };
+  static std::size_t Place(int i) { return static_cast<std::size_t>(i); }
+  /// The links in a tree's order, with their places in the members.
+  std::vector<TreeLink> LinksOf(const RoverModel& rover);
+  std::vector<JointTie> TiesOf() const;
+  void AddHinge(std::vector<TreeLink>& links, const RoverModel& rover, bool left, bool bogie);
+  void AddWheel(std::vector<TreeLink>& links, const RoverModel& rover, std::size_t wheel);
+  void WorkHinges(double step_s);
+
+  int rocker_[2]{}, bogie_[2]{};  // links, right and left; 0: none
+  std::vector<int> wheel_link_, bracket_link_;
+  std::vector<Hinge> hinges_;
+  ShaftBristle hinge_friction_;
+  TreeBody tree_;
+  std::vector<Motor> motors_;
+  std::vector<WheelSoil> soils_;
+  std::vector<WheelLoad> loads_;
+};
+
+}  // namespace dockyard
