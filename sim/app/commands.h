@@ -38,6 +38,7 @@ void AddBoardCommand(CLI::App& app, const std::vector<System>& systems, int& exi
 void AddCheckCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
 void AddWheelCommand(CLI::App& app, int& exit_code);
 void AddPlanCommand(CLI::App& app, int& exit_code);
+void AddStereoCommand(CLI::App& app, int& exit_code);
 void AddDoctorCommand(CLI::App& app, int& exit_code);
 
 /// Commands of the systems' own.

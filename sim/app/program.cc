@@ -153,6 +153,7 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   AddCheckCommand(app, systems, exit_code);
   AddWheelCommand(app, exit_code);
   AddPlanCommand(app, exit_code);
+  AddStereoCommand(app, exit_code);
   AddDoctorCommand(app, exit_code);
   AddReproduceCommand(app, systems, exit_code);
   AddSystemCommands(app, systems, exit_code);

@@ -16,9 +16,10 @@ set(rooms
   "controller/geometry|poses, cameras, lenses, images|${contract}"
   "controller/io|what any robot senses, can be told and believes|${contract}"
   "controller/vision|images in, pose of the board out|${contract}|controller/vision/|opencv2/"
+  "controller/stereo|a stereo pair in, distances out|${contract}|controller/stereo/|opencv2/"
   "controller/motion|arcs and following them|${contract}|controller/motion/"
   "controller/<system>/nominal|the nominal parameters that a controller is told|${contract}|controller/<system>/nominal/"
-  "controller/<system>|a system's controllers|${contract}|controller/(vision|motion|<system>)/"
+  "controller/<system>|a system's controllers|${contract}|controller/(vision|motion|stereo|<system>)/"
   "models/parts|what things are: links, motors, wheels, cameras, soil|${contract}|models/parts/"
   "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h|${os}"
   "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
@@ -44,4 +45,4 @@ set(rooms
   "sim/campaign|many runs: workers, shards, merging, progress|${contract}|models/read/|${low}|sim/campaign/|nlohmann/|sqlite3.h|${os}"
   "sim/app/systems.cc|the list of systems with their controllers|${contract}|sim/(run|app)/|controller/<system>/|sim/<system>/|sim/app/<system>/"
   "sim/app/<system>|a system's own commands|${models}|models/<system>/|controller/(vision|<system>)/|sim/(base|images|run)/|sim/app/<system>/|CLI/"
-  "sim/app|the program: the command line|${models}|controller/(vision|motion)/|${low}|sim/(campaign|page|paths|spectator|app)/|CLI/|opencv2/|nlohmann/|${os}")
+  "sim/app|the program: the command line|${models}|controller/(vision|motion|stereo)/|${low}|sim/(campaign|page|paths|spectator|app)/|CLI/|opencv2/|nlohmann/|${os}")

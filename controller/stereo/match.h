@@ -1,0 +1,61 @@
+// Disparities of a rectified pair.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "controller/geometry/image.h"
+#include "controller/stereo/rectify.h"
+
+namespace dockyard {
+
+/// By pixel of the left image, row by row: u there less u in the right image [px]; NaN: none.
+struct Disparities {
+  int width = 0, height = 0;
+  std::vector<float> px;
+
+  float at(int u, int v) const {
+    return px[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
+              static_cast<std::size_t>(u)];
+  }
+};
+
+/// A plane's disparity: a + b u + c v, nowhere below 0.
+struct PlaneDisparity {
+  double a = 0.0, b = 0.0, c = 0.0;
+
+  double At(double u, double v) const { return std::max(0.0, a + b * u + c * v); }
+};
+
+/// Of a plane that does not hold the left camera; in the rig's frame.
+PlaneDisparity DisparityOf(const RectifiedPair& pair, const Plane& plane_R);
+
+enum class Matcher : std::uint8_t {
+  kBlocks,      // sums of differences over a block: exact on sand, gaps on rocks of one colour
+  kSemiGlobal,  // smooth along paths (Hirschmueller 2008): fewer gaps, less exact
+};
+
+struct MatchSettings {
+  Matcher matcher = Matcher::kBlocks;
+  int block_px = 15;                 // odd
+  int least_px = 0, count_px = 128;  // disparities that are tried; the count a multiple of 16
+  int uniqueness_percent = 10;       // by which the best must beat the second
+  int most_left_right_px = 1;        // that left and right may differ by
+  int speckle_px = 50;               // smaller patches are left out
+  /// The ground. Each row of the right image is shifted by its disparity before the search, so that
+  /// the search is for what stands out of it: a block on a slope is as sharp as on a wall, and few
+  /// disparities need be tried.
+  std::optional<PlaneDisparity> ground{};
+};
+
+/// Of the pair's images; none where a block, in either image, reaches beyond what the camera saw.
+/// Throws std::invalid_argument for images of another size and settings out of range.
+Disparities Match(const Rectifier& rectifier, const StereoImages& images,
+                  const MatchSettings& settings);
+
+/// Of images that are rectified already.
+Disparities Match(const StereoImages& rectified, const MatchSettings& settings);
+
+}  // namespace dockyard
