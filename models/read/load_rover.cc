@@ -1,5 +1,6 @@
 #include "models/read/load_rover.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/read/config_error.h"
@@ -97,7 +98,10 @@ SuspensionModel ReadSuspension(const YamlReader& build) {
       {"kind", "pivot_x_m", "pivot_z_m", "bogie_x_m", "bogie_z_m", "rocker_mass_kg",
        "bogie_mass_kg", "friction_nm", "rocker_stop_deg", "bogie_stop_deg", "on_bogies"});
   SuspensionModel suspension;
-  if (in.Choice("kind", {"rigid", "rocker_bogie"}) == 0) return suspension;
+  if (in.Choice("kind", {"rigid", "rocker_bogie"}) == 0) {
+    if (build.Child("suspension").keys.size() > 1) in.Refuse("kind", "no other key beside rigid");
+    return suspension;
+  }
   suspension.kind = SuspensionKind::kRockerBogie;
   suspension.pivot_x_m = in.Number("pivot_x_m", Between(-10.0, 10.0));
   suspension.pivot_z_m = in.Number("pivot_z_m", Between(-10.0, 10.0));
@@ -111,22 +115,36 @@ SuspensionModel ReadSuspension(const YamlReader& build) {
   return suspension;
 }
 
+// Each side's rocker and bogie carry wheels.
+void CheckSides(const YamlReader& build, const RoverPlan& plan, const std::vector<bool>& on_bogie) {
+  int carried[2][2] = {};
+  for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
+    const double y = plan.wheels[i].p_RW.y();
+    if (y == 0.0) build.Refuse("suspension", "wheels on either side, none on the middle line");
+    ++carried[y > 0.0][on_bogie[i]];
+  }
+  for (const auto& side : carried) {
+    if (side[0] > 0 && side[1] > 0) continue;
+    build.Refuse("suspension", "on_bogies with some of each side's wheels, not all");
+  }
+}
+
 // By wheel, from the list of names.
 std::vector<bool> ReadOnBogies(const YamlReader& build, const RoverPlan& plan) {
   std::vector<bool> on_bogie(plan.wheels.size(), false);
   const YamlNode* names = build.Child("suspension").Find("on_bogies");
-  if (names == nullptr) return on_bogie;
+  if (names == nullptr) build.Refuse("suspension", "on_bogies, the wheels that the bogies carry");
   for (const YamlNode& name : names->items) {
-    bool known = false;
-    for (std::size_t i = 0; i < plan.wheels.size(); ++i) {
-      if (plan.wheels[i].name != name.scalar) continue;
-      on_bogie[i] = known = true;
-    }
-    if (!known) {
+    const auto named =
+        std::find_if(plan.wheels.begin(), plan.wheels.end(),
+                     [&](const WheelPlan& wheel) { return wheel.name == name.scalar; });
+    if (named == plan.wheels.end()) {
       throw ConfigError(name.place.Text() + ": expected the name of a wheel, found " +
                         name.Found());
     }
+    on_bogie[static_cast<std::size_t>(named - plan.wheels.begin())] = true;
   }
+  CheckSides(build, plan, on_bogie);
   return on_bogie;
 }
 
@@ -151,7 +169,10 @@ RoverModel LoadRover(const std::string& file) {
       {"body", "wheel_mass_kg", "bracket_mass_kg", "paddles", "suspension", "drive", "steer"});
   rover.body = ReadBox(build);
   rover.suspension = ReadSuspension(build);
-  rover.on_bogie = ReadOnBogies(build, rover.plan);
+  rover.on_bogie.assign(rover.plan.wheels.size(), false);
+  if (rover.suspension.kind == SuspensionKind::kRockerBogie) {
+    rover.on_bogie = ReadOnBogies(build, rover.plan);
+  }
   rover.wheel_kg = build.Number("wheel_mass_kg", Positive(1e3));
   rover.bracket_kg = build.Number("bracket_mass_kg", Positive(1e3));
   rover.tyre.rim_radius_m = rover.plan.wheel_radius_m;

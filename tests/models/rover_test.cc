@@ -13,6 +13,15 @@ namespace {
 
 using ::testing::HasSubstr;
 
+// What a loader says of Rocky 7's file with a change.
+template <class Load>
+std::string MessageWith(const Load& load, const std::string& from, const std::string& to) {
+  const ScratchFolder folder;
+  const std::string good = Slurp(SourceFile("models/rovers/rocky7.yaml"));
+  const std::string file = folder.Write("rover.yaml", Replaced(good, from, to));
+  return MessageOf([&] { load(file); }, folder);
+}
+
 TEST(LoadRoverPlan, ReadsTheSixRoversOfTheFigure) {
   int rovers = 0, skid = 0, free = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SourceFile("models/rovers"))) {
@@ -53,28 +62,34 @@ TEST(LoadRover, ReadsAllRoversAndRefusesAWheelThatIsNotThere) {
     EXPECT_EQ(rover.suspension.kind == SuspensionKind::kRockerBogie, rover.plan.wheels.size() == 6)
         << entry.path();
   }
-  const ScratchFolder folder;
-  const std::string file =
-      folder.Write("rover.yaml", Replaced(Slurp(SourceFile("models/rovers/rocky7.yaml")),
-                                          "on_bogies: [middle_left", "on_bogies: [mid_left"));
-  EXPECT_THAT(MessageOf([&] { LoadRover(file); }, folder),
+  EXPECT_THAT(MessageWith(LoadRover, "on_bogies: [middle_left", "on_bogies: [mid_left"),
               HasSubstr("expected the name of a wheel, found 'mid_left'"));
 }
 
-std::string RoverMessage(const std::string& from, const std::string& to) {
-  const ScratchFolder folder;
-  const std::string good = Slurp(SourceFile("models/rovers/rocky7.yaml"));
-  const std::string file = folder.Write("rover.yaml", Replaced(good, from, to));
-  return MessageOf([&] { LoadRoverPlan(file); }, folder);
+TEST(LoadRover, RefusesASuspensionThatCarriesNoWheelsOrIsRigidWithBogies) {
+  EXPECT_THAT(
+      MessageWith(LoadRover, "on_bogies: [middle_left, middle_right, back_left, back_right]",
+                  "on_bogies: [middle_left, back_left]"),
+      HasSubstr("on_bogies with some of each side's wheels"));
+  EXPECT_THAT(
+      MessageWith(LoadRover, "    on_bogies: [middle_left, middle_right, back_left, back_right]\n",
+                  ""),
+      HasSubstr("on_bogies, the wheels that the bogies carry"));
+  EXPECT_THAT(MessageWith(LoadRover, "kind: rocker_bogie", "kind: rigid"),
+              HasSubstr("no other key beside rigid"));
+  EXPECT_THAT(MessageWith(LoadRover, "mass_kg: 11", "mass_kg: -1"),
+              HasSubstr("build.body.mass_kg"));
 }
 
 TEST(LoadRoverPlan, RefusesWhatCannotBeARoverWithLineAndReason) {
-  EXPECT_THAT(RoverMessage("x_m: -0.069, y_m: 0.2", "x_m: -0.5, y_m: 0.2"),
+  EXPECT_THAT(MessageWith(LoadRoverPlan, "x_m: -0.069, y_m: 0.2", "x_m: -0.5, y_m: 0.2"),
               HasSubstr("expected fixed wheels whose places have a mean x_m of 0"));
-  EXPECT_THAT(RoverMessage("name: front_right", "name: front_left"),
+  EXPECT_THAT(MessageWith(LoadRoverPlan, "name: front_right", "name: front_left"),
               HasSubstr("rover.yaml:9:12: wheels[1].name: expected a name of its own"));
-  EXPECT_THAT(RoverMessage("far_m: 3", "far_m: 0.01"), HasSubstr("a number above near_m"));
-  EXPECT_THAT(RoverMessage("speed_m_s: 0.05", "speed_m_s: 0"), HasSubstr("speed_m_s"));
+  EXPECT_THAT(MessageWith(LoadRoverPlan, "far_m: 3", "far_m: 0.01"),
+              HasSubstr("a number above near_m"));
+  EXPECT_THAT(MessageWith(LoadRoverPlan, "speed_m_s: 0.05", "speed_m_s: 0"),
+              HasSubstr("speed_m_s"));
 }
 
 std::string ObstaclesMessage(const std::string& text) {
