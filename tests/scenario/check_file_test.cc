@@ -23,6 +23,8 @@ TEST(CheckFile, NamesTheKindOfEveryFileHere) {
   EXPECT_EQ(kind("models/soils/compact_gravel.yaml"), "soil");
   EXPECT_EQ(kind("models/wheels/axel.yaml"), "wheel");
   EXPECT_EQ(kind("models/cameras/navcam.yaml"), "rig");
+  EXPECT_EQ(kind("models/rovers/rocky7.yaml"), "rover on wheels");
+  EXPECT_EQ(kind("examples/obstacles.yaml"), "obstacles");
   EXPECT_EQ(kind("tests/models/data/m2020_cameras.json"), "camera");
   EXPECT_EQ(kind("scenarios/axel_typical.yaml"), "scenario");
   EXPECT_EQ(kind("scenarios/mars_yard_40.yaml"), "campaign");
@@ -32,6 +34,8 @@ TEST(CheckFile, NamesTheKindOfEveryFileHere) {
 }
 
 TEST(CheckFile, SaysInALineWhatIsInside) {
+  EXPECT_EQ(Check("models/rovers/rocky7.yaml").summary,
+            "rocky7: 6 wheels, 2 of them steered, 15.2 kg");
   EXPECT_EQ(Check("models/axel/axel.yaml").summary, "axel: 40 kg, arm 1 m, stereo baseline 0.35 m");
   EXPECT_EQ(Check("scenarios/mars_yard_40.yaml").summary,
             "mars_yard_40: 40 runs by day, region, soil, light, start.r_m, start.alpha_deg, "
@@ -72,10 +76,11 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
     const std::string file = folder.Write(name, text);
     return MessageOf([&] { CheckFile(file, Systems()); }, folder);
   };
-  EXPECT_EQ(message("a.yaml", "colour: red\n"),
-            "a.yaml:1:1: expected the keys of a scenario, campaign, published experiment, board, "
-            "soil, wheel, camera, "
-            "rig or of a system's own model, found none of them");
+  EXPECT_EQ(
+      message("a.yaml", "colour: red\n"),
+      "a.yaml:1:1: expected the keys of a scenario, campaign, published experiment, board, "
+      "soil, wheel, camera, rig, rover on wheels, obstacles or of a system's own model, found "
+      "none of them");
   EXPECT_EQ(message("a.txt", "x"),
             "a.txt: expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or "
             ".glb, found extension '.txt'");
