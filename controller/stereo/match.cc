@@ -35,16 +35,18 @@ void Check(const StereoImages& images, const MatchSettings& with) {
   if (images.left.width != images.right.width || images.left.height != images.right.height) {
     throw std::invalid_argument("the images of a pair must have one size");
   }
-  if (with.block_px < 3 || with.block_px % 2 == 0 || with.count_px < 16 ||
+  const int least_px = with.matcher == Matcher::kBlocks ? 5 : 3;
+  if (with.block_px < least_px || with.block_px % 2 == 0 || with.count_px < 16 ||
       with.count_px % 16 != 0) {
-    throw std::invalid_argument("a block needs an odd side, disparities a multiple of 16");
+    throw std::invalid_argument(
+        "a block needs an odd side of 3 px or 5, disparities a multiple of 16");
   }
 }
 
 cv::Mat Search(const cv::Mat& left, const cv::Mat& right, const MatchSettings& with) {
   cv::Mat found;
   if (with.matcher == Matcher::kBlocks) {
-    const auto matcher = cv::StereoBM::create(with.count_px, std::max(5, with.block_px));
+    const auto matcher = cv::StereoBM::create(with.count_px, with.block_px);
     matcher->setMinDisparity(with.least_px);
     matcher->setUniquenessRatio(with.uniqueness_percent);
     matcher->setDisp12MaxDiff(with.most_left_right_px);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -39,7 +40,7 @@ enum class Matcher : std::uint8_t {
 
 struct MatchSettings {
   Matcher matcher = Matcher::kBlocks;
-  int block_px = 15;                 // odd
+  int block_px = 15;                 // odd, from 3; of blocks from 5
   int least_px = 0, count_px = 128;  // disparities that are tried; the count a multiple of 16
   int uniqueness_percent = 10;       // by which the best must beat the second
   int most_left_right_px = 1;        // that left and right may differ by

@@ -37,7 +37,7 @@ struct RectifiedPair {
 
 struct RectifySettings {
   double focal_px = 0.0;                   // 0: the left camera's, on its axis
-  double widest_rad = 57.0 * kPi / 180.0;  // off the axis, along each side of the image
+  double widest_rad = 57.0 * kPi / 180.0;  // off the axis, along each side; assumed, 45-65
   /// Where a lens has no single centre, the images are brought together for points on this plane,
   /// in the rig's frame; else for points far away.
   std::optional<Plane> ground_R{};

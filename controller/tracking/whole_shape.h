@@ -12,11 +12,11 @@ namespace dockyard {
 
 struct WholeShapeSettings {
   double half_m = 0.08;          // of the shape's square; assumed, 0.06-0.12
-  double step_m = 0.01;          // between its places
-  double window_m = 0.08;        // how far the prediction may be off, along x and y
-  double yaw_rad = 0.12;         // and in heading
+  double step_m = 0.01;          // between its places; assumed, 5-15 mm
+  double window_m = 0.08;        // how far the prediction may be off; assumed, 4-12 cm
+  double yaw_rad = 0.12;         // and in heading; assumed, 0.05-0.2
   double yaw_step_rad = 0.06;    // assumed, 0.03-0.1: a place 8 cm away moves by half a step
-  double least_share = 0.5;      // of the shape's places that must be seen again
+  double least_share = 0.5;      // of its places that must be seen again; assumed, 0.3-0.7
   double least_relief_m = 2e-3;  // of a shape that is worth looking for; assumed, 1-4 mm
   double most_misfit = 2.0;      // root mean square over the sigmas; assumed, 1.5-4
   // The second-best place, this far off, must fit worse by so much. Assumed, 1-3 cm, 1.15-2.

@@ -88,8 +88,20 @@ DeepImage DisparityPicture(const Disparities& disparities) {
   return image;
 }
 
-int PrintStereo(const StereoArguments& in) {
+// Arguments that parse but cannot be met.
+void CheckArguments(const StereoArguments& in) {
+  constexpr double kMostCells = 4000.0;  // along a side
+  if (in.most_m / in.cell_m > kMostCells) {
+    throw UsageError("--reach must be at most 4000 times --cell");
+  }
   if (in.block_px > 0 && in.block_px % 2 == 0) throw UsageError("--block must be odd");
+  if (in.block_px == 3 && in.matcher == "blocks") {
+    throw UsageError("--matcher blocks needs a --block of 5 or more");
+  }
+}
+
+int PrintStereo(const StereoArguments& in) {
+  CheckArguments(in);
   const StereoImages images{LoadGray(in.left), LoadGray(in.right)};
   if (images.left.width != images.right.width || images.left.height != images.right.height) {
     throw ConfigError(in.right + ": expected an image of " + std::to_string(images.left.width) +

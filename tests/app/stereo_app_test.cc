@@ -77,7 +77,10 @@ TEST_F(StereoCommand, WritesHeightsAndDisparitiesOfAUsersPictures) {
 
 TEST_F(StereoCommand, RefusesWhatIsNoPair) {
   EXPECT_EQ(Dockyard("stereo " + left_ + " " + right_).code, 2);
-  EXPECT_EQ(Dockyard("stereo " + Arguments() + " --block 4").code, 2);
+  for (const char* wrong :
+       {"--block 4", "--block 3 --matcher blocks", "--reach 100 --cell 0.001"}) {
+    EXPECT_EQ(Dockyard("stereo " + Arguments() + " " + wrong).code, 2) << wrong;
+  }
   const GrayImage small{8, 6, std::vector<std::uint8_t>(48, 9)};
   const std::string other = folder_.Write("small.png", EncodePng(small));
   const Ended ended = Dockyard("stereo " + left_ + " " + other + " --rig " + rig_);
