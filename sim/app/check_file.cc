@@ -80,7 +80,8 @@ FileCheck CheckRover(const std::string& file, bool is_built) {
                     [](const WheelPlan& wheel) { return wheel.steer_limit_rad > 0.0; });
   std::string found = rover.name + ": " + std::to_string(rover.wheels.size()) + " wheels, " +
                       std::to_string(steered) + " of them steered";
-  if (is_built) found += ", " + NumberText(LoadRover(file).mass_kg()) + " kg";
+  if (is_built)
+    found += ", " + NumberText(std::round(100.0 * LoadRover(file).mass_kg()) / 100.0) + " kg";
   return {"rover on wheels", found};
 }
 
