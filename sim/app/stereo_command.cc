@@ -30,9 +30,9 @@ struct StereoArguments {
 constexpr const char* kStereoHelp = R"(Distances from a pair of pictures.
 
 Examples:
-  dockyard stereo out/view/left.png out/view/right.png --rig models/cameras/axel_1024.yaml --json
-  dockyard stereo out/view/left.png out/view/right.png --rig models/cameras/axel_1024.yaml \
-    --ground 0.29 --elevation out/view/heights.csv --disparity out/view/disparity.png
+  dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --json
+  dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --elevation out/heights.csv
+  dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --ground 0.29 --json
 
 The pictures are brought to one plane by the rig's cameras. Then they are matched: semi-global finds
 most, on stones too; blocks are exact on sand, if the cameras are known to a fraction of a pixel.

@@ -162,8 +162,9 @@ TEST_F(Toy, ChecksWhatIsPublishedOfIt) {
 
 TEST_F(Toy, IsTheOnlySystemThatItsProgramsHelpNames) {
   EXPECT_THAT(Dockyard("--help").out, HasSubstr(" run tests/toy/scenario.yaml"));
-  for (const char* command : {"", "run ", "campaign ", "replay ", "view ", "camera ", "detect ",
-                              "pose ", "board ", "check ", "wheel ", "reproduce ", "submit "}) {
+  for (const char* command :
+       {"", "run ", "campaign ", "replay ", "view ", "camera ", "detect ", "pose ", "board ",
+        "check ", "wheel ", "reproduce ", "submit ", "stereo ", "plan "}) {
     const auto help = Dockyard(std::string(command) + "--help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.out, testing::Not(testing::AnyOf(HasSubstr("axel"), HasSubstr(" scenarios/"))))
