@@ -11,7 +11,7 @@
 namespace dockyard {
 
 struct ColourView {
-  Camera camera;  // any lens with one centre, all pixels within 60 deg off the axis
+  Camera camera;  // any lens with one centre, all pixels within 65 deg off the axis
   ViewHole hole{};
   double vignetting_exponent = 0.0;  // light falls off as cos^n of the angle off the axis
 

@@ -7,7 +7,6 @@
 namespace dockyard {
 namespace {
 
-constexpr double kWidest_rad = 60.0 * kPi / 180.0;
 constexpr int kTableSize = 8192;
 constexpr double kBorder = 0.02;
 
@@ -37,8 +36,8 @@ double AngleOf(const Eigen::Vector3d& ray) {
 
 Eigen::Vector3d RequiredRay(const Camera& camera, const Eigen::Vector2d& pixel) {
   const Eigen::Vector3d ray = camera.Direction(pixel);
-  if (AngleOf(ray) > kWidest_rad) {
-    throw std::invalid_argument("camera: a pixel sees more than 60 deg off the axis");
+  if (AngleOf(ray) > kWidestDrawn_rad) {
+    throw std::invalid_argument("camera: a pixel sees more than 65 deg off the axis");
   }
   if (!camera.HasRay(pixel)) {
     throw std::invalid_argument("camera: the lens polynomial gives some pixels no ray");

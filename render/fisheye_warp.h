@@ -10,12 +10,15 @@
 
 namespace dockyard {
 
+/// Off the axis; beyond it one flat view no longer serves.
+inline constexpr double kWidestDrawn_rad = Radians(65.0);
+
 /// Tan-plane points of a lens's pixels, tabulated from Camera::Ray: against the radius for a
 /// Kannala-Brandt lens, corner by corner for the others, which costs 0.1 s: keep it for the run.
 class TanScale {
  public:
-  /// Throws std::invalid_argument when the camera's numbers are no camera, or a pixel points more
-  /// than 60 deg off the axis, where one flat view no longer serves.
+  /// Throws std::invalid_argument when the camera's numbers are no camera, or a pixel points
+  /// further than kWidestDrawn_rad off the axis.
   explicit TanScale(const Camera& camera);
   /// Tan-plane point of a pixel; error below 1e-8.
   Eigen::Vector2d operator()(const Eigen::Vector2d& pixel) const;

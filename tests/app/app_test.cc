@@ -106,7 +106,7 @@ TEST(Program, ChecksThatImagesOfAScenarioCanBeDrawn) {
   EXPECT_EQ(ended.code, 3) << ended.out;
   const auto line = 1 + std::count(text.begin(), text.end(), '\n');
   EXPECT_THAT(ended.err, HasSubstr("error: " + wide.string() + ":" + std::to_string(line) +
-                                   ":20: camera: expected all pixels within 60 deg"));
+                                   ":20: camera: expected all pixels within 65 deg"));
 }
 
 TEST(Program, WritesNoColorsIntoAFile) {

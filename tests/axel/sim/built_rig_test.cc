@@ -76,7 +76,7 @@ TEST(Start, ImagesWiderThanCanBeDrawnAreRefused) {
     Build(TypicalScenario({"camera={width_px: 1200, height_px: 1200}"}));
     FAIL() << "accepted";
   } catch (const ConfigError& error) {
-    EXPECT_NE(std::string(error.what()).find(": camera: expected all pixels within 60 deg"),
+    EXPECT_NE(std::string(error.what()).find(": camera: expected all pixels within 65 deg"),
               std::string::npos)
         << error.what();
   }
