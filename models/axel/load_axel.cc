@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "models/axel/read_stereo.h"
 #include "models/axel/rover_changes.h"
 #include "models/axel/rover_links.h"
 #include "models/axel/urdf_agreement.h"
@@ -12,6 +11,8 @@
 #include "models/read/load_motor.h"
 #include "models/read/load_spreads.h"
 #include "models/read/load_wheel.h"
+#include "models/read/read_imu.h"
+#include "models/read/read_stereo.h"
 #include "models/read/urdf.h"
 #include "models/read/yaml_reader.h"
 
@@ -115,26 +116,6 @@ void ReadTether(const YamlReader& root, RoverModel& rover) {
       in.NumberOr("drum_growth_m_per_turn", 0.0, NonNegative(0.1 * tether.drum_radius_m));
 }
 
-void ReadImu(const YamlReader& root, RoverModel& rover) {
-  const YamlReader in(
-      root.Child("imu"), "imu",
-      {"position_m", "attitude_noise_deg", "attitude_bias_deg", "gyro_walk_deg_per_sqrt_h",
-       "gyro_bias_deg_per_h", "gyro_instability_deg_per_h", "accel_walk_m_s_per_sqrt_h",
-       "accel_bias_m_s2", "accel_instability_m_s2", "instability_time_s"});
-  ImuModel& imu = rover.imu;
-  imu.p_RI = in.Vector3("position_m", Between(-5.0, 5.0));
-  imu.attitude_noise_rad = in.Degrees("attitude_noise_deg", NonNegative(10.0));
-  imu.attitude_bias_rad = in.Degrees("attitude_bias_deg", NonNegative(10.0));
-  imu.gyro_walk_rad_sqrt_s = in.Degrees("gyro_walk_deg_per_sqrt_h", NonNegative(600.0)) / 60.0;
-  imu.gyro_bias_rad_s = in.Degrees("gyro_bias_deg_per_h", NonNegative(36000.0)) / 3600.0;
-  imu.gyro_instability_rad_s =
-      in.Degrees("gyro_instability_deg_per_h", NonNegative(36000.0)) / 3600.0;
-  imu.accel_walk_m_s_sqrt_s = in.Number("accel_walk_m_s_per_sqrt_h", NonNegative(600.0)) / 60.0;
-  imu.accel_bias_m_s2 = in.Number("accel_bias_m_s2", NonNegative(10.0));
-  imu.accel_instability_m_s2 = in.Number("accel_instability_m_s2", NonNegative(10.0));
-  imu.instability_time_s = in.Number("instability_time_s", Between(1.0, 1e5));
-}
-
 /// What the URDF must agree with: the numbers that it holds too, and its links.
 RoverModel ReadDrawn(const YamlNode& tree, const UrdfModel& urdf) {
   const YamlReader in(tree, "", kKeys);
@@ -192,8 +173,9 @@ RoverModel ReadRover(const YamlNode& tree, const YamlNode& drawn_by, int image_w
   ReadMotors(in, rover);
   ReadArm(in, rover);
   ReadTether(in, rover);
-  ReadImu(in, rover);
-  rover.stereo = ReadStereo(in, image_width, image_height);
+  rover.imu = ReadImu(in);
+  rover.stereo =
+      ReadStereo(in, {image_width, image_height}, {kDefaultImageWidth, kDefaultImageHeight});
   Differ(in, rover);
   const UrdfModel urdf = LoadUrdf(in.File("urdf"), meshes);
   TakeLinks(in, ReadDrawn(drawn_by, urdf), rover);

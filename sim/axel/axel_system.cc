@@ -17,6 +17,7 @@
 #include "sim/axel/nominal_json.h"
 #include "sim/axel/read_script.h"
 #include "sim/axel/view_start.h"
+#include "sim/run/built_cameras.h"
 #include "sim/run/light.h"
 #include "sim/scenario/rock_keys.h"
 
@@ -89,7 +90,8 @@ std::string Check(const Scenario& scenario, const AxelModels& models) {
 
 bool IsRobotFile(const YamlNode& root) {
   const YamlNode* motors = root.Find("motors");
-  return root.Find("wheels") != nullptr ||
+  const YamlNode* wheels = root.Find("wheels");  // other rovers have a list of them
+  return (wheels != nullptr && wheels->kind != YamlNode::Kind::kSequence) ||
          (motors != nullptr &&
           (motors->Find("wheel") != nullptr || motors->Find("spool") != nullptr));
 }

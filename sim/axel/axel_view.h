@@ -4,22 +4,16 @@
 #include <memory>
 #include <vector>
 
-#include "controller/geometry/camera.h"
 #include "models/axel/axel_model.h"
 #include "models/axel/station_model.h"
 #include "models/parts/soil_model.h"
 #include "render/scene.h"
-#include "render/stereo_renderer.h"
 #include "sim/axel/world.h"
 #include "sim/run/light.h"
 #include "sim/run/stage_shapes.h"
 #include "sim/scenario/scenario.h"
 
 namespace dockyard::axel {
-
-/// The pair as built: the nominal rig with the manufacturing errors of this run (1 sigma each from
-/// the rover's file). The controller keeps the nominal rig.
-StereoRig BuiltRig(const StereoModel& stereo, std::uint64_t run_seed);
 
 /// Builds the scene that the cameras see. Meshes are converted once; poses come from the truth.
 class SceneBuilder {
@@ -54,8 +48,5 @@ class SceneBuilder {
   Pose3 X_WG_;
   std::uint64_t texture_seed_ = 0;
 };
-
-/// The sensor of the rover's cameras, for image number index of a run.
-SensorOptions CameraSensor(const StereoModel& stereo, std::uint64_t run_seed, int index);
 
 }  // namespace dockyard::axel

@@ -10,12 +10,12 @@
 #include "models/axel/make_nominal.h"
 #include "models/axel/mating_fit.h"
 #include "models/read/config_error.h"
-#include "render/fisheye_warp.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_rocks.h"
 #include "sim/axel/rock_survey.h"
 #include "sim/axel/rover_start.h"
 #include "sim/base/random.h"
+#include "sim/run/built_cameras.h"
 
 namespace dockyard::axel {
 namespace {
@@ -100,24 +100,6 @@ HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed) {
 }
 
 Pose3 SiteOf(const Scenario& scenario) { return SiteInWorld(scenario.X_WG, SlopeOf(scenario)); }
-
-void CheckImagesCanBeDrawn(const StereoRig& rig, const std::string& place) {
-  for (const Camera* camera : {&rig.left, &rig.right}) {
-    for (const double u : {-0.5, camera->width - 0.5}) {
-      for (const double v : {-0.5, camera->height - 0.5}) {
-        const Eigen::Vector3d ray = camera->Direction({u, v});
-        const double angle = std::atan2(std::hypot(ray.x(), ray.y()), ray.z());
-        if (angle <= kWidestDrawn_rad) continue;
-        char text[160];
-        std::snprintf(text, sizeof text,
-                      ": expected all pixels within %.0f deg of the lens's axis, at %d x %d a "
-                      "corner is %.0f deg off it",
-                      Degrees(kWidestDrawn_rad), camera->width, camera->height, Degrees(angle));
-        throw ConfigError(place + text);
-      }
-    }
-  }
-}
 
 void CheckStationHolds(const Scenario& scenario, const StationModel& station) {
   const double slope = std::tan(scenario.yard.slope_rad);

@@ -28,10 +28,6 @@ Pose3 SiteOf(const Scenario& scenario);
 /// Draws the run's dispersions. Throws ConfigError for images that cannot be drawn.
 BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models);
 
-/// Throws ConfigError when an image of these cameras reaches more than 65 deg from a lens's axis,
-/// beyond what the renderer draws (docs/reference/images.md). The message begins with `place`.
-void CheckImagesCanBeDrawn(const StereoRig& rig, const std::string& place);
-
 /// Throws ConfigError for a slope on which the station slides down by itself.
 void CheckStationHolds(const Scenario& scenario, const StationModel& station);
 

@@ -5,11 +5,11 @@
 
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
-#include "models/axel/read_stereo.h"
 #include "models/parts/gravity.h"
 #include "models/read/config_error.h"
 #include "models/read/load_cameras.h"
 #include "models/read/load_soil.h"
+#include "models/read/read_stereo.h"
 #include "models/read/yaml_path.h"
 #include "models/read/yaml_reader.h"
 #include "sim/scenario/key_path.h"

@@ -9,6 +9,7 @@
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/images/png.h"
+#include "sim/run/built_cameras.h"
 #include "sim/run/camera_faults.h"
 #include "sim/run/renderer.h"
 

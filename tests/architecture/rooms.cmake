@@ -38,7 +38,7 @@ set(rooms
   "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|${os}"
   "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
   "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"
-  "sim/run|one run in closed loop, for any system|${contract}|models/read/|render/|sim/(base|scenario|log|bridge|run)/|unistd.h"
+  "sim/run|one run in closed loop, for any system|${models}|render/|sim/(base|scenario|log|bridge|run)/|unistd.h"
   "sim/paths|planned paths: candidates, wheels along them, drawings, a run to watch|${contract}|controller/motion/|render/|sim/(base|log|report|run|paths)/"
   "sim/page|results as one HTML file|${contract}|models/read/|render/|sim/(base|images|plan|log|statistics|report|run|page)/|zlib.h"
   "sim/spectator|a logged run in pictures: from outside, and what its cameras saw|${contract}|models/read/|render/|sim/(base|images|log|run|spectator)/|opencv2/"

@@ -11,6 +11,7 @@
 #include "controller/vision/locate.h"
 #include "render/stereo_renderer.h"
 #include "sim/axel/axel_view.h"
+#include "sim/run/built_cameras.h"
 
 namespace dockyard::axel {
 namespace {

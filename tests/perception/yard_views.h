@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "controller/vision/locate.h"
+#include "render/stereo_renderer.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/fiducial_truth.h"

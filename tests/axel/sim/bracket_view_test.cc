@@ -17,6 +17,7 @@
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/load_models.h"
+#include "sim/run/built_cameras.h"
 #include "sim/run/renderer.h"
 #include "sim/scenario/load_scenario.h"
 #include "support/bad_files.h"

@@ -10,6 +10,7 @@
 #include "models/read/load_cameras.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
+#include "sim/run/built_cameras.h"
 
 namespace dockyard::axel {
 namespace {

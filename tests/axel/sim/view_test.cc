@@ -11,6 +11,7 @@
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/fiducial_truth.h"
+#include "sim/run/built_cameras.h"
 
 namespace dockyard::axel {
 namespace {

@@ -1,11 +1,10 @@
-#include "models/axel/read_stereo.h"
+#include "models/read/read_stereo.h"
 
-#include "models/axel/load_axel.h"
 #include "models/parts/mounting.h"
 #include "models/read/load_cameras.h"
 #include "models/read/load_mounting.h"
 
-namespace dockyard::axel {
+namespace dockyard {
 namespace {
 
 /// Cameras side by side, facing along the body's x axis, pitched down together.
@@ -23,21 +22,22 @@ StereoRig MakeRig(double baseline_m, double forward_m, double height_m, double p
   return rig;
 }
 
-StereoRig ReadRig(const YamlReader& in, int width, int height) {
+StereoRig ReadRig(const YamlReader& in, const ImageSize& size, const ImageSize& usual) {
   if (in.Has("file")) {
     for (const char* key :
          {"baseline_m", "forward_m", "height_m", "pitch_deg", "field_of_view_deg"}) {
-      if (in.Has(key)) in.Refuse(key, "no such key beside cameras.file, which sets it");
+      if (in.Has(key))
+        in.Refuse(key, "no such key beside " + in.PathOf("file") + ", which sets it");
     }
-    return LoadRig(in.File("file"), width, height);
+    return LoadRig(in.File("file"), size.width, size.height);
   }
   const double fov_rad = in.Degrees("field_of_view_deg", Between(10.0, 200.0));
   return MakeRig(in.Number("baseline_m", Between(0.01, 2.0)),
                  in.Number("forward_m", Between(-2.0, 2.0)),
                  in.Number("height_m", Between(-2.0, 3.0)),
                  in.DegreesOr("pitch_deg", 0.0, Between(-60.0, 60.0)),
-                 EquidistantCamera(width > 0 ? width : kDefaultImageWidth,
-                                   height > 0 ? height : kDefaultImageHeight, fov_rad));
+                 EquidistantCamera(size.width > 0 ? size.width : usual.width,
+                                   size.height > 0 ? size.height : usual.height, fov_rad));
 }
 
 ExposureModel ReadExposure(const YamlReader& sensor) {
@@ -80,14 +80,15 @@ StereoRig MountedRig(const StereoRig& rig, const StereoModel& stereo) {
   return mounted;
 }
 
-StereoModel ReadStereo(const YamlReader& root, int width, int height) {
-  const YamlReader in(root.Child("cameras"), "cameras",
+StereoModel ReadStereo(const YamlReader& root, const ImageSize& size, const ImageSize& usual,
+                       const std::string& key) {
+  const YamlReader in(root.Child(key), root.PathOf(key),
                       {"file", "baseline_m", "forward_m", "height_m", "pitch_deg",
                        "field_of_view_deg", "mounting", "right_mounting", "as_built", "sensor"});
   StereoModel stereo;
   stereo.mounting = ReadMounting(in);
   stereo.right_mounting = ReadMounting(in, "right_mounting");
-  stereo.nominal = MountedRig(ReadRig(in, width, height), stereo);
+  stereo.nominal = MountedRig(ReadRig(in, size, usual), stereo);
   const YamlReader built(
       in.Child("as_built"), in.PathOf("as_built"),
       {"relative_yaw_deg", "rotation_deg", "focal_relative", "centre_px", "radial_px"});
@@ -111,4 +112,4 @@ StereoModel ReadStereo(const YamlReader& root, int width, int height) {
   return stereo;
 }
 
-}  // namespace dockyard::axel
+}  // namespace dockyard
