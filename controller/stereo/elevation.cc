@@ -16,18 +16,6 @@ struct Point {
   double height_m = 0.0, sigma_m = 0.0;
 };
 
-Pose3 FrameOn(const Plane& ground_R) {
-  const Vector3d z = ground_R.normal.normalized();
-  const Vector3d ahead = Vector3d::UnitX() - z * z.x();
-  if (ahead.norm() < 1e-3) throw std::invalid_argument("the ground must not face ahead");
-  Pose3 X_RE;
-  X_RE.R.col(0) = ahead.normalized();
-  X_RE.R.col(1) = z.cross(X_RE.R.col(0));
-  X_RE.R.col(2) = z;
-  X_RE.p = ground_R.offset_m * z;
-  return X_RE;
-}
-
 // How far a point's height goes with its disparity: it moves along its ray.
 double SigmaUp(const RectifiedPair& pair, const Vector3d& p_C, const Vector3d& up_C,
                double sigma_px) {
@@ -43,6 +31,18 @@ double Median(const std::vector<Point>& points, std::size_t first, std::size_t c
 }
 
 }  // namespace
+
+Pose3 FrameOn(const Plane& ground_R) {
+  const Vector3d z = ground_R.normal.normalized();
+  const Vector3d ahead = Vector3d::UnitX() - z * z.x();
+  if (ahead.norm() < 1e-3) throw std::invalid_argument("the ground must not face ahead");
+  Pose3 X_RE;
+  X_RE.R.col(0) = ahead.normalized();
+  X_RE.R.col(1) = z.cross(X_RE.R.col(0));
+  X_RE.R.col(2) = z;
+  X_RE.p = ground_R.offset_m * z;
+  return X_RE;
+}
 
 ElevationMap MapHeights(const RectifiedPair& pair, const Disparities& disparities,
                         const Plane& ground_R, int block_px, const ElevationSettings& settings) {

@@ -7,10 +7,14 @@
 
 namespace dockyard {
 
-/// Heights over a plane. Frame E: the rig's origin brought down on the plane, z along its normal, x
-/// along the rig's x axis, as far as that lies in the plane.
+/// Frame E on a plane: the rig's origin brought down on it, z along its normal, x along the rig's x
+/// axis, as far as that lies in the plane. Throws std::invalid_argument for a plane that faces
+/// ahead.
+Pose3 FrameOn(const Plane& ground_R);
+
+/// Heights over a plane.
 struct ElevationMap {
-  Pose3 X_RE;
+  Pose3 X_RE;                                   // FrameOn of the plane
   double x0_m = 0.0, y0_m = 0.0, cell_m = 0.0;  // middle of the first cell
   int nx = 0, ny = 0;
   // By cell, iy * nx + ix; NaN without points.
