@@ -159,9 +159,18 @@ RoverPlan LoadRoverPlan(const std::string& file) {
   return ReadPlan(YamlReader(root, "", kKeys));
 }
 
+std::vector<std::string> RoverKeys(const std::vector<std::string>& more) {
+  std::vector<std::string> keys = kKeys;
+  keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
+}
+
 RoverModel LoadRover(const std::string& file) {
   const YamlNode root = LoadYaml(file);
-  const YamlReader in(root, "", kKeys);
+  return ReadRover(YamlReader(root, "", kKeys));
+}
+
+RoverModel ReadRover(const YamlReader& in) {
   RoverModel rover;
   rover.plan = ReadPlan(in);
   const YamlReader build(

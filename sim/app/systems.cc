@@ -4,9 +4,12 @@
 #include "controller/axel/scripted.h"
 #include "controller/raposa/dockyard.h"
 #include "controller/raposa/ferreira2009.h"
+#include "controller/rocky7/dockyard.h"
+#include "controller/rocky7/nesnas2000.h"
 #include "sim/app/raposa/raposa_commands.h"
 #include "sim/axel/axel_system.h"
 #include "sim/raposa/raposa_system.h"
+#include "sim/rocky7/rocky7_system.h"
 
 namespace dockyard {
 
@@ -21,7 +24,9 @@ std::vector<System> Systems() {
               axel::MakeScriptedController),
           raposa::RaposaSystem({{"dockyard", raposa::MakeDockyardController},
                                 {"ferreira2009", raposa::MakeFerreira2009Controller}},
-                               raposa::RaposaCommands(), raposa::DetectMarks)};
+                               raposa::RaposaCommands(), raposa::DetectMarks),
+          rocky7::Rocky7System({{"dockyard", rocky7::MakeDockyardController},
+                                {"nesnas2000", rocky7::MakeNesnas2000Controller}})};
 }
 
 }  // namespace dockyard

@@ -4,7 +4,7 @@
 # A single file may have a line of its own, which holds instead of its folder's.
 # The standard library is open to all by its C++ names (<cmath>, not math.h), the operating system to those
 # that name it. A folder with sources and without a line here is an error. No semicolon in a line: CMake ends an item there.
-set(systems axel raposa)
+set(systems axel raposa rocky7)
 
 set(contract "controller/(base|geometry|io)/|Eigen/")
 set(os "sys/|unistd.h|fcntl.h|poll.h|signal.h")

@@ -28,7 +28,13 @@ const std::vector<KnownSystem>& Known() {
       {.name = "raposa",
        .controllers = {"ferreira2009", "dockyard"},
        .file_keys = {"pyramid"},
-       .model_roots = {{"robot", "robot"}, {"pyramid", "raposa.pyramid"}, {"soil", "soil"}}}};
+       .model_roots = {{"robot", "robot"}, {"pyramid", "raposa.pyramid"}, {"soil", "soil"}}},
+      {.name = "rocky7",
+       .controllers = {"dockyard", "nesnas2000"},
+       .file_keys = {},
+       .model_roots = {{"robot", "robot"}, {"soil", "soil"}},
+       .spoiled_pictures = false,
+       .rocks = true}};
   return known;
 }
 CampaignSystems Systems() {

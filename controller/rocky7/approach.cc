@@ -1,0 +1,176 @@
+#include "controller/rocky7/approach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/motion/steering.h"
+#include "controller/motion/three_arcs.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+// Cameras that do not answer are asked again after so long, so often. Assumed, 1-10 s and 2-10.
+constexpr Tick kAskAgain = 3000;
+constexpr int kMostAsks = 5;
+// First arcs of a path of two: lengths in steps up to a longest. Assumed, 2-10 cm and 0.3-1 m.
+constexpr double kFirstStep_m = 0.03, kFirstLongest_m = 0.6;
+constexpr int kFirstCurvatures = 3;
+
+// No sharper than the wheels steer; the length stays.
+Arc Widened(const Arc& arc, const ArcLimits& limits) {
+  if (Keeps(arc, limits) || limits.least_radius_m <= 0.0) return arc;
+  const double turn_rad = std::abs(arc.length_m) / limits.least_radius_m;
+  return {arc.length_m, std::copysign(turn_rad, arc.turn_rad)};
+}
+
+}  // namespace
+
+ArcLimits GentleLimits(const RoverPlan& plan) {
+  ArcLimits limits = LimitsOf(plan.wheels, Travel::kEither);
+  limits.pivot_radius_m.reset();
+  return limits;
+}
+
+std::vector<Arc> ArcsToPoint(const Eigen::Vector2d& p_RG, const Eigen::Vector2d& p_RP,
+                             const ArcLimits& limits) {
+  const auto straight = OneArcTo(p_RG, p_RP);
+  if (straight && Keeps(*straight, limits)) return {*straight};
+  std::vector<Arc> best;
+  for (const Arc& first : FirstArcs(limits, kFirstStep_m, kFirstLongest_m, kFirstCurvatures)) {
+    const auto second = OneArcTo(Inverse(Advance({}, first)) * p_RG, p_RP);
+    if (!second || !Keeps(*second, limits)) continue;
+    const std::vector<Arc> path{first, *second};
+    if (best.empty() || Length(path) < Length(best)) best = path;
+  }
+  return best;
+}
+
+Approach::Approach(const Nominal& nominal, std::unique_ptr<TargetTracker> tracker,
+                   const ApproachOptions& options)
+    : nominal_(nominal),
+      options_(options),
+      eye_(nominal),
+      drive_(nominal),
+      tracker_(std::move(tracker)) {}
+
+void Approach::Tell(const std::string& phase, const std::string& note) {
+  belief_.phase = phase;
+  if (!note.empty()) belief_.note = note;
+  belief_.values = {
+      {"target_x_m", p_RT_.x()}, {"target_y_m", p_RT_.y()}, {"looks", static_cast<double>(looks_)}};
+}
+
+void Approach::GiveUp(const std::string& why) {
+  verdict_ = Verdict::kGivenUp;
+  Tell("given_up", why);
+}
+
+void Approach::Report(const TargetSeen& seen, const ImuSample& attitude) {
+  SightingReport report;
+  report.accepted = seen.found;
+  report.reason = seen.found ? "" : seen.why;
+  report.method = "stereo";
+  const Eigen::Matrix3d R_ER = RotY(attitude.pitch_rad) * RotX(attitude.roll_rad);
+  const Eigen::Vector3d p_E(seen.p_E.x(), seen.p_E.y(), seen.height_m - nominal_.rolling_radius_m);
+  report.X_RB = {R_ER.transpose(), R_ER.transpose() * p_E};
+  if (seen.found) {
+    const auto pixel = nominal_.front.left.Project(Inverse(nominal_.front.X_RL) * report.X_RB.p);
+    if (pixel) report.marks.push_back({0, kFrontLeft, pixel->x(), pixel->y()});
+    report.detected = {1, 1};
+  }
+  belief_.last_sighting = report;
+  ++belief_.sighting_count;
+}
+
+std::vector<Arc> Approach::PathToTarget() const {
+  const ArcLimits limits = GentleLimits(nominal_.plan);
+  if (options_.backs_up) return ArcsToPoint(p_RT_, nominal_.plan.p_RP, limits);
+  const auto arc = OneArcTo(p_RT_, nominal_.plan.p_RP);
+  return arc ? std::vector<Arc>{Widened(*arc, limits)} : std::vector<Arc>{};
+}
+
+void Approach::Drive(const Arc& arc) {
+  drive_.Start(arc);
+  driving_ = true;
+  moved_before_ = {};
+  belief_.plan = {{.X_DR_start = {}, .length_m = arc.length_m, .turn_rad = arc.turn_rad}};
+  ++belief_.plan_count;
+  Tell("drive",
+       "drives " + std::to_string(static_cast<int>(std::lround(1e3 * arc.length_m))) + " mm");
+}
+
+void Approach::TakeLook(const StereoImages& images, const SensorFrame& sensed) {
+  ++looks_;
+  const GroundSeen ground = eye_.Look(images, sensed.imu);
+  TargetSeen seen;
+  if (begun_) {
+    seen = tracker_->Follow(eye_.MapAbout(ground, p_RT_),
+                            {p_RT_.x(), p_RT_.y(), WrapPi(-turned_rad_)});
+  } else if (const auto p_E = eye_.PlaceOf(ground, nominal_.target_px)) {
+    seen = tracker_->Begin(eye_.MapAbout(ground, *p_E), *p_E);
+    begun_ = seen.found;
+  } else {
+    seen.why = "no range data where the user clicked";
+  }
+  Report(seen, sensed.imu);
+  if (seen.found) {
+    p_RT_ = seen.p_E;
+    turned_rad_ = 0.0;
+    misses_ = 0;
+    Tell("look", seen.why);
+    return Decide();
+  }
+  ++misses_;
+  Tell("look", seen.why);
+  if (misses_ >= options_.most_misses || !begun_) GiveUp("lost the target: " + seen.why);
+}
+
+void Approach::Decide() {
+  const double off_m = (p_RT_ - nominal_.plan.p_RP).norm();
+  if (off_m <= options_.claim_share * nominal_.reach_m) {
+    verdict_ = Verdict::kDocked;
+    return Tell("there", "the point is on the target");
+  }
+  if (looks_ >= options_.most_looks) return GiveUp("cannot stabilize about the goal");
+  const std::vector<Arc> path = PathToTarget();
+  if (path.empty()) return GiveUp("no arcs lead to the target");
+  // A first arc that only makes room is driven whole.
+  const Arc& arc = path.front();
+  const double left_m = std::abs(arc.length_m);
+  const double step_m = std::max(options_.least_step_m, options_.image_share * left_m);
+  Drive(path.size() > 1 || step_m >= left_m ? arc : Part(arc, step_m / left_m));
+}
+
+Commands Approach::Step(const SensorFrame& sensed) {
+  Commands commands;
+  commands.motors.resize(nominal_.motors.size());
+  if (driving_) {
+    commands.motors = drive_.Step(sensed);
+    const Pose2 since = Inverse(moved_before_) * drive_.moved();
+    p_RT_ = Inverse(since) * p_RT_;
+    turned_rad_ += since.heading;
+    moved_before_ = drive_.moved();
+    driving_ = !drive_.done();
+  }
+  if (verdict_ == Verdict::kUnderWay && !driving_) {
+    if (const auto images = FrontPair(sensed)) {
+      asked_.reset();
+      asks_ = 0;
+      TakeLook(*images, sensed);
+    }
+    const bool waits = asked_ && sensed.tick - *asked_ < kAskAgain;
+    if (verdict_ == Verdict::kUnderWay && !driving_ && !waits) {
+      if (++asks_ > kMostAsks) {
+        GiveUp("the cameras do not answer");
+      } else {
+        commands.take_images = {kFrontLeft, kFrontRight};
+        asked_ = sensed.tick;
+        Tell("look", "");
+      }
+    }
+  }
+  commands.verdict = verdict_;
+  return commands;
+}
+
+}  // namespace dockyard::rocky7

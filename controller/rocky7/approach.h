@@ -1,0 +1,70 @@
+// The tracking loop of Nesnas, Maimone and Das (ICRA 2000), section IV: look, find the target, plan
+// arcs to it, drive a part of them, look again, until the point P is on the target.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controller/io/controller.h"
+#include "controller/motion/two_arcs.h"
+#include "controller/rocky7/arc_drive.h"
+#include "controller/rocky7/ground_eye.h"
+#include "controller/rocky7/target_tracker.h"
+
+namespace dockyard::rocky7 {
+
+struct ApproachOptions {
+  double image_share = 0.1;    // of the way that is left, then the rover looks
+  double least_step_m = 0.03;  // what is left is driven at once when it is no longer than this
+  double claim_share = 1.0;    // of the nominal reach, within which the target must be seen
+  bool backs_up = false;       // where one arc would be too sharp: two arcs, back and forth
+  int most_looks = 60;         // then it gives up: its steps are coarser than its reach
+  int most_misses = 1;         // looks in a row without the target
+};
+
+class Approach {
+ public:
+  Approach(const Nominal& nominal, std::unique_ptr<TargetTracker> tracker,
+           const ApproachOptions& options);
+
+  Commands Step(const SensorFrame& sensed);
+  const Belief& belief() const { return belief_; }
+  /// The target where it was seen last, in R's plan, odometry since then included.
+  const Eigen::Vector2d& p_RT() const { return p_RT_; }
+
+ private:
+  void TakeLook(const StereoImages& images, const SensorFrame& sensed);
+  void Decide();
+  void Drive(const Arc& arc);
+  void GiveUp(const std::string& why);
+  void Report(const TargetSeen& seen, const ImuSample& attitude);
+  void Tell(const std::string& phase, const std::string& note);
+  std::vector<Arc> PathToTarget() const;
+
+  const Nominal nominal_;
+  const ApproachOptions options_;
+  GroundEye eye_;
+  ArcDrive drive_;
+  std::unique_ptr<TargetTracker> tracker_;
+  Verdict verdict_ = Verdict::kUnderWay;
+  bool driving_ = false, begun_ = false;
+  std::optional<Tick> asked_;
+  int asks_ = 0, looks_ = 0, misses_ = 0;
+  Eigen::Vector2d p_RT_{0, 0};
+  double turned_rad_ = 0.0;  // by odometry, since the look that found the target last
+  Pose2 moved_before_;       // of the present arc, as far as it is counted in p_RT_
+  Belief belief_;
+};
+
+/// What the wheels steer, but no turn in place: it slips, and loads the mechanism (Nesnas, Maimone
+/// and Das, III-B).
+ArcLimits GentleLimits(const RoverPlan& plan);
+
+/// Arcs that bring the point p_RP onto a goal in R: one where the limits let it, else a first arc
+/// within 0.6 m and a second one, the shortest such; none where there is none.
+std::vector<Arc> ArcsToPoint(const Eigen::Vector2d& p_RG, const Eigen::Vector2d& p_RP,
+                             const ArcLimits& limits);
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,15 @@
+// Our controller of Rocky 7: the whole shape about the target is tracked, and the rover backs up
+// where one arc cannot bring the point onto it.
+#pragma once
+
+#include <memory>
+
+#include "controller/io/controller.h"
+#include "controller/rocky7/nominal/nominal.h"
+
+namespace dockyard::rocky7 {
+
+/// Its belief has these values: "target_x_m" and "target_y_m" in R, and "looks".
+std::unique_ptr<Controller> MakeDockyardController(const Nominal& nominal);
+
+}  // namespace dockyard::rocky7

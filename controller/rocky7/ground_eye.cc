@@ -1,0 +1,95 @@
+#include "controller/rocky7/ground_eye.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "controller/stereo/fill_gaps.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+// Disparities off the ground's that are searched: things from 4 cm below it to 20 cm above, at half
+// a metre. Assumed, -32 to -8 and 32 to 96 in all.
+constexpr int kLeast_px = -16, kCount_px = 48;
+// Half the side of a map: the largest window, and the shape in it. Assumed, 0.2-0.5 m.
+constexpr double kHalf_m = 0.3;
+// Cells of a map: 5 mm near by (assumed, 2.5-10 mm), and this share of a pixel's footprint along
+// the ground (assumed, 0.5-1).
+constexpr double kFinest_m = 0.005, kOfFootprint = 0.7;
+// Range data about a pixel: those within this of it. Assumed, 1-4 px.
+constexpr int kAbout_px = 2;
+// Cells without a pixel of their own, in a row. Assumed, 2-5.
+constexpr int kGap_cells = 3;
+
+// Level ground below R, in R.
+Plane GroundIn(const Nominal& nominal, const ImuSample& attitude) {
+  const Eigen::Matrix3d R_ER = RotY(attitude.pitch_rad) * RotX(attitude.roll_rad);
+  return {R_ER.transpose() * Eigen::Vector3d::UnitZ(), -nominal.rolling_radius_m};
+}
+
+}  // namespace
+
+GroundEye::GroundEye(const Nominal& nominal) : nominal_(nominal), rectifier_(nominal.front) {
+  settings_.matcher = Matcher::kSemiGlobal;
+  settings_.block_px = 5;
+  settings_.least_px = kLeast_px;
+  settings_.count_px = kCount_px;
+}
+
+GroundSeen GroundEye::Look(const StereoImages& images, const ImuSample& attitude) const {
+  GroundSeen seen;
+  seen.ground_R = GroundIn(nominal_, attitude);
+  seen.X_RE = FrameOn(seen.ground_R);
+  MatchSettings settings = settings_;
+  settings.ground = DisparityOf(rectifier_.pair(), seen.ground_R);
+  seen.disparities = Match(rectifier_, images, settings);
+  return seen;
+}
+
+ElevationMap GroundEye::MapAbout(const GroundSeen& seen, const Eigen::Vector2d& p_E) const {
+  const RectifiedPair& pair = rectifier_.pair();
+  const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
+  const double away_m = (p_E - p_EC.head<2>()).norm(), up_m = std::max(0.05, p_EC.z());
+  const double footprint_m = (away_m * away_m + up_m * up_m) / (up_m * pair.focal_px);
+  ElevationMap map = MapHeights(pair, seen.disparities, seen.ground_R, settings_.block_px,
+                                {.cell_m = std::max(kFinest_m, kOfFootprint * footprint_m),
+                                 .x_low_m = p_E.x() - kHalf_m,
+                                 .x_high_m = p_E.x() + kHalf_m,
+                                 .y_low_m = p_E.y() - kHalf_m,
+                                 .y_high_m = p_E.y() + kHalf_m});
+  FillGaps(kGap_cells, map);
+  return map;
+}
+
+std::optional<Eigen::Vector2d> GroundEye::PlaceOf(const GroundSeen& seen,
+                                                  const Eigen::Vector2d& pixel) const {
+  const RectifiedPair& pair = rectifier_.pair();
+  const Eigen::Vector3d ray_C =
+      pair.X_RC.R.transpose() * nominal_.front.X_RL.R * nominal_.front.left.Direction(pixel);
+  if (ray_C.z() <= 0.0) return std::nullopt;
+  const Eigen::Vector2d at = pair.centre_px + pair.focal_px * ray_C.head<2>() / ray_C.z();
+  std::vector<double> found;
+  const int u0 = static_cast<int>(std::lround(at.x())), v0 = static_cast<int>(std::lround(at.y()));
+  for (int v = v0 - kAbout_px; v <= v0 + kAbout_px; ++v) {
+    for (int u = u0 - kAbout_px; u <= u0 + kAbout_px; ++u) {
+      if (u < 0 || v < 0 || u >= pair.width || v >= pair.height) continue;
+      const double disparity_px = seen.disparities.at(u, v);
+      if (std::isfinite(disparity_px) && disparity_px > 0.0) found.push_back(disparity_px);
+    }
+  }
+  if (found.empty()) return std::nullopt;
+  std::nth_element(found.begin(), found.begin() + static_cast<long>(found.size()) / 2, found.end());
+  const Eigen::Vector3d p_C = pair.Point(at.x(), at.y(), found[found.size() / 2]);
+  const Eigen::Vector3d p_E = Inverse(seen.X_RE) * (pair.X_RC * p_C);
+  return p_E.head<2>().eval();
+}
+
+std::optional<StereoImages> FrontPair(const SensorFrame& frame) {
+  const GrayImage* left = GrayImageOf(frame, kFrontLeft);
+  const GrayImage* right = GrayImageOf(frame, kFrontRight);
+  if (left == nullptr || right == nullptr) return std::nullopt;
+  return StereoImages{*left, *right};
+}
+
+}  // namespace dockyard::rocky7

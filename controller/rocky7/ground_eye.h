@@ -1,0 +1,47 @@
+// From a pair of pictures to the heights of the ground ahead.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "controller/io/sensors.h"
+#include "controller/rocky7/nominal/nominal.h"
+#include "controller/stereo/elevation.h"
+#include "controller/stereo/match.h"
+#include "controller/stereo/rectify.h"
+
+namespace dockyard::rocky7 {
+
+/// What one pair of pictures shows. Frame E: the rover's R brought down on the ground, level, x
+/// ahead.
+struct GroundSeen {
+  Plane ground_R;  // level, at the height of the wheels' lowest points
+  Pose3 X_RE;
+  Disparities disparities;
+};
+
+class GroundEye {
+ public:
+  explicit GroundEye(const Nominal& nominal);
+
+  /// The pictures were taken at the attitude of this sample.
+  GroundSeen Look(const StereoImages& images, const ImuSample& attitude) const;
+
+  /// The place of the ground, in E, that a pixel of the left camera shows; none without range data
+  /// about it.
+  std::optional<Eigen::Vector2d> PlaceOf(const GroundSeen& seen,
+                                         const Eigen::Vector2d& pixel) const;
+
+  /// Heights about a place of E, in cells as large as a pixel's footprint there, small gaps closed.
+  ElevationMap MapAbout(const GroundSeen& seen, const Eigen::Vector2d& p_E) const;
+
+ private:
+  Nominal nominal_;
+  Rectifier rectifier_;
+  MatchSettings settings_;
+};
+
+/// The pair of a frame; none unless it has both pictures.
+std::optional<StereoImages> FrontPair(const SensorFrame& frame);
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,52 @@
+#include "controller/rocky7/nesnas2000.h"
+
+#include "controller/rocky7/approach.h"
+#include "controller/tracking/local_maximum.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+// "The new target is the local elevation maximum" in a small window (N, IV). It has no way to tell
+// that the target is gone, but that the window is empty.
+class HighestPoint final : public TargetTracker {
+ public:
+  explicit HighestPoint(const NesnasTracking& with) : settings_{with.window_m} {}
+
+  TargetSeen Begin(const ElevationMap& map, const Eigen::Vector2d& p_E_clicked) override {
+    return Find(map, p_E_clicked);
+  }
+  TargetSeen Follow(const ElevationMap& map, const Pose2& X_ET_predicted) override {
+    return Find(map, {X_ET_predicted.x, X_ET_predicted.y});
+  }
+
+ private:
+  TargetSeen Find(const ElevationMap& map, const Eigen::Vector2d& p_E) const {
+    const auto top = HighestInWindow(map, p_E, settings_);
+    if (!top) return {.why = "no range data in the window"};
+    return {.found = true, .p_E = top->p_E, .height_m = top->height_m};
+  }
+
+  LocalMaximumSettings settings_;
+};
+
+class Nesnas2000 final : public Controller {
+ public:
+  explicit Nesnas2000(const Nominal& nominal)
+      : approach_(nominal, std::make_unique<HighestPoint>(nominal.nesnas),
+                  {.image_share = nominal.nesnas.image_share,
+                   .least_step_m = nominal.nesnas.least_step_m}) {}
+
+  Commands Step(const SensorFrame& sensed) override { return approach_.Step(sensed); }
+  const Belief& belief() const override { return approach_.belief(); }
+
+ private:
+  Approach approach_;
+};
+
+}  // namespace
+
+std::unique_ptr<Controller> MakeNesnas2000Controller(const Nominal& nominal) {
+  return std::make_unique<Nesnas2000>(nominal);
+}
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,30 @@
+// A target on the ground, followed from one look to the next.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "controller/geometry/pose.h"
+#include "controller/stereo/elevation.h"
+
+namespace dockyard::rocky7 {
+
+/// Where a look has the target, in E; or why it has it not.
+struct TargetSeen {
+  bool found = false;
+  Eigen::Vector2d p_E{0, 0};
+  double height_m = 0.0;  // over the level ground below R
+  std::string why{};      // in a few words; empty when found without a remark
+};
+
+class TargetTracker {
+ public:
+  virtual ~TargetTracker() = default;
+  /// The first look: the user clicked on this place of the ground.
+  virtual TargetSeen Begin(const ElevationMap& map, const Eigen::Vector2d& p_E_clicked) = 0;
+  /// A later one. X_ET: where odometry has the target, and how the rover has turned since the last
+  /// one that found it.
+  virtual TargetSeen Follow(const ElevationMap& map, const Pose2& X_ET_predicted) = 0;
+};
+
+}  // namespace dockyard::rocky7

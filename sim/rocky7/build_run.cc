@@ -1,0 +1,120 @@
+#include "sim/rocky7/build_run.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "controller/base/number_text.h"
+#include "models/read/config_error.h"
+#include "models/read/load_soil.h"
+#include "models/rocky7/make_nominal.h"
+#include "sim/base/random.h"
+#include "sim/physics/rocks.h"
+#include "sim/run/built_cameras.h"
+#include "sim/scenario/rock_keys.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+// Wheels of 65 mm leave ruts that coarser cells do not hold. Assumed, 5-20 mm.
+constexpr double kCoarsest_m = 0.01;
+// Level about the target. Assumed, 0.05-0.3 m.
+constexpr double kFlatRadius_m = 0.1;
+// Between the target and a stone of the field, at least [m].
+constexpr double kApart_m = 0.005;
+// The rover at its start: a disc about the middle of its wheels, in R.
+constexpr double kRoverRadius_m = 0.45;
+const Eigen::Vector2d kMiddle_R(0.17, 0.0);
+
+void CheckYard(const Scenario& scenario) {
+  if (scenario.yard.cell_m <= kCoarsest_m) return;
+  throw ConfigError(scenario.yard_place + ": expected yard.cell_m of at most " +
+                    NumberText(kCoarsest_m) + " m, fine enough for Rocky 7's wheels, found " +
+                    NumberText(scenario.yard.cell_m));
+}
+
+ConvexBody TargetStone(const Rocky7Keys& keys, std::uint64_t seed) {
+  const ConvexBody body_D =
+      RockShape({keys.diameter_m, keys.height_m}, keys.buried, 0.0, StreamKey(seed, "target"));
+  return FromGround({0.0, 0.0, keys.turn_rad}, 0.0) * body_D;
+}
+
+/// Whether a stone of the field would lie in the target, or under the rover at its start.
+bool IsInTheWay(const Rock& rock, const Rocky7Keys& keys, const Pose2& X_DR) {
+  if (rock.given) return false;
+  const double half_m = 0.5 * rock.size.diameter_m;
+  if (rock.p_D.norm() < 0.5 * keys.diameter_m + half_m + kApart_m) return true;
+  return (Inverse(X_DR) * rock.p_D - kMiddle_R).norm() < kRoverRadius_m + half_m;
+}
+
+std::vector<ConvexBody> Stones(const Scenario& scenario, const Rocky7Keys& keys,
+                               const Pose2& X_DR_start, const HeightGrid& ground) {
+  std::vector<ConvexBody> stones;
+  const auto lift = [&](double x_m, double y_m) {
+    return Pose3::Translation(0.0, 0.0, ground.Height(x_m, y_m));
+  };
+  stones.push_back(lift(0.0, 0.0) * TargetStone(keys, scenario.seed));
+  if (!HasRocks(scenario.rocks)) return stones;
+  const YardModel& yard = scenario.yard;
+  const GroundArea area{-kYardBehind_m, yard.length_m - kYardBehind_m, -0.5 * yard.width_m,
+                        0.5 * yard.width_m};
+  try {
+    for (const Rock& rock :
+         PlaceRocks(scenario.rocks, area, {{0.0, 0.0}}, StreamKey(scenario.seed, "rocks"))) {
+      if (IsInTheWay(rock, keys, X_DR_start)) continue;
+      stones.push_back(lift(rock.p_D.x(), rock.p_D.y()) * rock.body);
+    }
+  } catch (const std::length_error&) {
+    throw ConfigError(scenario.rocks_place + ": expected at most " + std::to_string(kMostRocks) +
+                      " rocks in the yard; a lower cover, a larger least_m or a smaller yard has "
+                      "fewer");
+  }
+  return stones;
+}
+
+}  // namespace
+
+BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
+  CheckYard(scenario);
+  CheckCarries(models.built.soil, scenario.soil_file, models.built.robot.rover.tyre.width_m);
+  CheckImagesCanBeDrawn(models.built.robot.front.nominal, scenario.camera_place);
+  BuiltRun run;
+  run.keys = models.keys;
+  WorldSetup& world = run.world;
+  world.robot = models.built.robot;
+  world.soil = models.built.soil;
+  world.ground = LevelGrid(-kYardBehind_m, scenario.yard.length_m, scenario.yard.width_m,
+                           scenario.yard.cell_m);
+  AddUndulation(world.ground, scenario.yard.undulation_rms_m, scenario.yard.undulation_wavelength_m,
+                kFlatRadius_m, StreamKey(scenario.seed, "yard"));
+  world.X_WG = scenario.X_WG;
+  world.slope = {scenario.yard.slope_rad, scenario.yard.downhill_rad};
+  DockingCoords at = scenario.start;
+  if (!std::isnan(models.keys.off_target_rad)) at.h = at.alpha + models.keys.off_target_rad;
+  world.X_GR_start = FromDockingCoords(at);
+  world.stones = Stones(scenario, models.keys, world.X_GR_start, world.ground);
+  world.stone_friction = scenario.rocks.friction;
+  world.step_s = scenario.physics_step_s;
+  run.front = BuiltRig(models.built.robot.front, scenario.seed);
+  run.lighting = MakeLighting(scenario.light, SiteInWorld(world.X_WG, world.slope),
+                              {0.0, 0.0, 0.5 * models.keys.height_m}, scenario.seed, scenario.sun);
+  run.nominal = MakeNominal(models.told.robot);
+  run.nominal.reach_m = models.keys.reach_m;
+  return run;
+}
+
+Eigen::Vector2d ClickOn(const Scenario& scenario, const BuiltRun& run, const Pose3& X_WR) {
+  const Pose3 X_WC = X_WR * run.front.X_RL;
+  const Eigen::Vector3d p_W =
+      SiteInWorld(run.world.X_WG, run.world.slope) * run.world.stones.front().centre;
+  const auto pixel = run.front.left.Project(Inverse(X_WC) * p_W);
+  constexpr double kMargin_px = 10.0;
+  if (!pixel || !run.front.left.Sees(*pixel, kMargin_px)) {
+    throw ConfigError(scenario.start_place +
+                      ": expected a start from where the front cameras see the target");
+  }
+  RandomStream hand(StreamKey(scenario.seed, "click"));
+  const double u = hand.Normal(), v = hand.Normal();
+  return *pixel + run.keys.click_px * Eigen::Vector2d(u, v);
+}
+
+}  // namespace dockyard::rocky7

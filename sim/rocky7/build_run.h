@@ -1,0 +1,27 @@
+// A run of Rocky 7 as it is built from its scenario.
+#pragma once
+
+#include "controller/rocky7/nominal/nominal.h"
+#include "sim/rocky7/load_models.h"
+#include "sim/rocky7/world.h"
+#include "sim/run/light.h"
+
+namespace dockyard::rocky7 {
+
+struct BuiltRun {
+  WorldSetup world;  // G is D: the target's middle on the ground
+  Rocky7Keys keys;
+  StereoRig front;  // as built
+  Lighting lighting;
+  Nominal nominal;  // what the controller is told; the click is put in by the plant
+};
+
+/// Throws ConfigError.
+BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models);
+
+/// The user's click: the pixel of the left camera that shows the target's middle, with the error of
+/// the hand. X_WR: the body as it stands at the start. Throws ConfigError when the target is not in
+/// that picture.
+Eigen::Vector2d ClickOn(const Scenario& scenario, const BuiltRun& run, const Pose3& X_WR);
+
+}  // namespace dockyard::rocky7

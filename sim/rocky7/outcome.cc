@@ -1,0 +1,47 @@
+#include "sim/rocky7/outcome.h"
+
+#include "controller/base/number_text.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+std::string Millimetres(double length_m) { return Fixed(1e3 * length_m, 0) + " mm"; }
+
+}  // namespace
+
+const std::vector<OutcomeName>& OutcomeNames() {
+  static const std::vector<OutcomeName> names{
+      {"on_target", true, "the point is on the target's middle, as near as was asked"},
+      {"off_target", false,
+       "claims to be there; the point is near the target, but not near enough"},
+      {"wrong_lock", false, "claims to be there, and the point is on another thing"},
+      {"lost_target", false, "gave up, and had the target last where it is not"},
+      {"unstable", false, "gave up though it saw the target: its steps are coarser than its reach"},
+      {"on_stone", false, "a stone under the body or a bogie, which is not simulated"},
+      {"timeout", false, "ran out of time, and nothing else explains it"}};
+  return names;
+}
+
+const char* Name(Outcome outcome) {
+  return OutcomeNames()[static_cast<std::size_t>(outcome)].name.c_str();
+}
+
+Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
+  const std::string point = "the point " + Millimetres(end.point_off_m) + " off the target";
+  const std::string seen = "the target was seen " + Millimetres(end.estimate_off_m) + " off";
+  if (end.on_stone) return {Outcome::kOnStone, "the rover came down on a stone; " + point};
+  switch (end.claimed) {
+    case Verdict::kDocked:
+      if (end.point_off_m <= limits.reach_m) return {Outcome::kOnTarget, point};
+      return {end.point_off_m > limits.wrong_lock_m ? Outcome::kWrongLock : Outcome::kOffTarget,
+              "claimed to be there; " + point};
+    case Verdict::kGivenUp:
+      return {end.estimate_off_m > limits.wrong_lock_m ? Outcome::kLostTarget : Outcome::kUnstable,
+              "gave up; " + seen};
+    case Verdict::kUnderWay:
+      break;
+  }
+  return {Outcome::kTimeout, point + "; " + seen};
+}
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,46 @@
+// How a run of Rocky 7 can end, by the truth.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "controller/io/commands.h"
+#include "sim/log/column.h"
+
+namespace dockyard::rocky7 {
+
+enum class Outcome {
+  kOnTarget,
+  kOffTarget,
+  kWrongLock,
+  kLostTarget,
+  kUnstable,
+  kOnStone,
+  kTimeout
+};
+
+/// In the order of Outcome.
+const std::vector<OutcomeName>& OutcomeNames();
+const char* Name(Outcome outcome);
+
+struct OutcomeLimits {
+  double reach_m = 0.01;  // "to within 1 cm" (Nesnas, Maimone and Das 2000)
+  double wrong_lock_m =
+      0.03;  // a claim this far off is of another thing: half a stone's width more
+};
+
+/// What the truth says at the end.
+struct EndOfRun {
+  Verdict claimed = Verdict::kUnderWay;
+  double point_off_m = 0.0;     // the point from the target's middle
+  double estimate_off_m = 0.0;  // the target as it was seen last
+  bool on_stone = false;        // a part of the rover that is not a wheel has met a stone
+};
+
+struct Judged {
+  Outcome outcome = Outcome::kTimeout;
+  std::string note;
+};
+Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits);
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,57 @@
+// The numbers of Rocky 7's runs: each stands here once, with its name, unit, meaning and value.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sim/log/column.h"
+#include "sim/rocky7/world.h"
+
+namespace dockyard::rocky7 {
+
+/// Calls visit(name, unit, meaning, value) for each channel of the history.
+template <class Visit>
+void VisitChannels(const Truth& t, Visit&& visit) {
+  double wheel_current_a = 0.0;
+  for (const MotorTruth& motor : t.motors) {
+    wheel_current_a = std::max(wheel_current_a, motor.current_a);
+  }
+  visit("point_x_m", "m", "the point to be placed, in the target's frame", t.p_GP.x());
+  visit("point_y_m", "m", "the same, to the left", t.p_GP.y());
+  visit("point_off_m", "m", "the point from the target's middle, in plan", t.p_GP.head<2>().norm());
+  visit("pitch_deg", "deg", "of the body, front down positive",
+        -Degrees(std::asin(t.X_WR.R(2, 0))));
+  visit("roll_deg", "deg", "of the body, right side down positive",
+        Degrees(std::atan2(t.X_WR.R(2, 1), t.X_WR.R(2, 2))));
+  visit("speed_m_s", "m/s", "of the body", t.v_WR_W.norm());
+  visit("sinkage_m", "m", "mean of the wheels, below the ground as it was", t.sinkage_m);
+  visit("stone_force_n", "N", "between wheels and stones, normal forces summed", t.stone_force_n);
+  visit("most_current_a", "A", "largest of all motors", wheel_current_a);
+}
+
+struct Rocky7Measures {
+  double point_off_m = 0.0;     // at the end
+  double estimate_off_m = 0.0;  // of the last look that found the target
+  double worst_estimate_m = 0.0;
+  double looks = 0.0, driven_m = 0.0;
+};
+
+/// Calls visit(name, unit, meaning, headline, value) for each measure of the result row.
+template <class Visit>
+void VisitMeasures(const Rocky7Measures& m, Visit&& visit) {
+  visit("point_off_m", "m", "the point from the target's middle, at the end", true, m.point_off_m);
+  visit("estimate_off_m", "m", "the target as it was seen last, from its middle", true,
+        m.estimate_off_m);
+  visit("worst_estimate_m", "m", "the same, largest of all looks", false, m.worst_estimate_m);
+  visit("looks", "", "pairs of pictures", true, m.looks);
+  visit("driven_m", "m", "way of the body", false, m.driven_m);
+}
+
+std::vector<Column> Channels();
+std::vector<Column> Measures();
+/// Names of the values that the controllers' beliefs may hold.
+std::vector<Column> Beliefs();
+std::vector<double> Values(const Rocky7Measures& measures);
+
+}  // namespace dockyard::rocky7

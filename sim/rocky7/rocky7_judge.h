@@ -1,0 +1,28 @@
+// The judge of Rocky 7's runs: where the point is, and where the controller saw the target.
+#pragma once
+
+#include "sim/rocky7/outcome.h"
+#include "sim/rocky7/rocky7_columns.h"
+#include "sim/rocky7/rocky7_plant.h"
+#include "sim/run/judge.h"
+
+namespace dockyard::rocky7 {
+
+class Rocky7Judge final : public Judge {
+ public:
+  /// The plant must outlive it.
+  explicit Rocky7Judge(Rocky7Plant& plant);
+
+  void Observe() override;
+  void ObserveSighting(const SightingReport& report) override;
+  bool fatal() const override;
+  Conclusion Conclude(const Commands& last, const Belief& belief, const TrialWatch& watch) override;
+
+ private:
+  OutcomeLimits limits_;
+  Rocky7Plant& plant_;
+  Rocky7Measures measures_;
+  Pose2 X_GR_last_;
+};
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,30 @@
+#include "sim/rocky7/rocky7_keys.h"
+
+namespace dockyard::rocky7 {
+
+void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
+  keys.Number({"diameter_m", "m", "of the target stone, the mean of its length and width"},
+              values.diameter_m, Between(0.01, 0.3));
+  keys.Number({"height_m", "m", "of the target stone over the ground"}, values.height_m,
+              Between(0.005, 0.2));
+  keys.Number({"buried", "", "share of its height that is in the ground"}, values.buried,
+              Between(0.0, 0.5));
+  keys.Degrees({"turn_deg", "deg", "of the target stone about the vertical"}, values.turn_rad,
+               Between(-180.0, 180.0));
+  keys.Degrees(
+      {"off_target_deg", "deg",
+       "the rover's start heading off the target, in place of start.heading_deg", Presence::kUnset},
+      values.off_target_rad, Between(-60.0, 60.0));
+  keys.Number({"reach_m", "m", "how near the point must come to the target's middle"},
+              values.reach_m, Between(0.002, 0.1));
+  keys.Number({"click_px", "px", "error of the user's click along each side, 1 sigma"},
+              values.click_px, Between(0.0, 50.0));
+}
+
+Rocky7Keys ReadRocky7Keys(const Scenario& scenario) {
+  Rocky7Keys values;
+  ReadKeys(scenario.of_system, "rocky7", [&](Keys& keys) { VisitRocky7Keys(keys, values); });
+  return values;
+}
+
+}  // namespace dockyard::rocky7

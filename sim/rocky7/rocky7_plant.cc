@@ -1,0 +1,128 @@
+#include "sim/rocky7/rocky7_plant.h"
+
+#include <cmath>
+
+#include "controller/base/check.h"
+#include "render/shutter.h"
+#include "sim/base/hash.h"
+#include "sim/rocky7/rocky7_columns.h"
+#include "sim/run/built_cameras.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+std::vector<MotorModel> MotorModels(const RoverModel& rover) {
+  std::vector<MotorModel> motors(rover.plan.wheels.size(), rover.drive);
+  for (const WheelPlan& wheel : rover.plan.wheels) {
+    if (wheel.steer_limit_rad > 0.0) motors.push_back(rover.steer);
+  }
+  return motors;
+}
+
+// The nearest ground in the pictures, by which their blur is judged [m].
+constexpr double kNearest_m = 0.3;
+
+Truth MovedOn(const Truth& truth, double seconds) {
+  Truth moved = truth;
+  const double turn_rad = seconds * truth.w_WR_W.norm();
+  if (turn_rad != 0.0) {
+    moved.X_WR.R = Eigen::AngleAxisd(turn_rad, truth.w_WR_W.normalized()) * truth.X_WR.R;
+  }
+  moved.X_WR.p += seconds * truth.v_WR_W;
+  const Pose3 moving = moved.X_WR * Inverse(truth.X_WR);
+  for (Pose3& X_WL : moved.X_WL) X_WL = moving * X_WL;
+  return moved;
+}
+
+}  // namespace
+
+Rocky7Plant::Rocky7Plant(const Scenario& scenario, BuiltRun built,
+                         std::shared_ptr<KeptRenderer> renderer)
+    : seed_(scenario.seed),
+      step_s_(scenario.physics_step_s),
+      built_(std::move(built)),
+      world_(built_.world),
+      sensors_(built_.world.robot.imu, MotorModels(built_.world.robot.rover), kControlPeriod,
+               seed_),
+      scene_(built_, world_.rover(), seed_),
+      renderer_(std::move(renderer)),
+      truth_(world_.truth()) {
+  built_.nominal.target_px = ClickOn(scenario, built_, truth_.X_WR);
+}
+
+SensorFrame Rocky7Plant::Sense() {
+  RefreshTruth();
+  return sensors_.Read(world_.tick(), truth_.motors, world_.TakeTrueImu());
+}
+
+std::vector<CameraImage> Rocky7Plant::TakeImages(const std::vector<int>& cameras,
+                                                 double exposure_stops) {
+  DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposureStops);
+  const StereoModel& stereo = built_.world.robot.front;
+  SensorOptions sensor = CameraSensor(stereo, seed_, pairs_taken_++);
+  sensor.exposure_stops += exposure_stops;
+  StereoRenderer& renderer = renderer_->Get();
+  const auto view = [&](double share) {
+    const Truth then = share == 0.0 ? truth_ : MovedOn(truth_, share * stereo.shutter_s);
+    return renderer.RenderRadiance(scene_.Make(then, world_.ground()), built_.front, then.X_WR,
+                                   sensor.focus.distance_m > 0.0);
+  };
+  const double motion_px = MotionInExposure_px(built_.front.left, truth_.w_WR_W.norm(),
+                                               truth_.v_WR_W.norm(), kNearest_m, stereo.shutter_s);
+  StereoImages pair = ExposeStereo(OverExposure(motion_px, view), built_.front, sensor);
+  std::vector<CameraImage> images;
+  for (const int camera : cameras) {
+    DOCKYARD_CHECK(camera == kFrontLeft || camera == kFrontRight);
+    images.push_back({camera, std::move(camera == kFrontLeft ? pair.left : pair.right)});
+  }
+  return images;
+}
+
+void Rocky7Plant::Advance(const Commands& commands) {
+  const auto steps = std::lround(kControlPeriod * kTickSeconds / step_s_);
+  for (long i = 0; i < steps; ++i) world_.Step(commands.motors);
+}
+
+void Rocky7Plant::AppendChannels(std::vector<double>& values) const {
+  VisitChannels(truth_, [&](const char*, const char*, const char*, double value) {
+    values.push_back(value);
+  });
+}
+
+Stage Rocky7Plant::Look() const {
+  const HeightGrid& ground = world_.ground();
+  const StageShapes shapes = scene_.Shapes();
+  Stage stage;
+  for (std::size_t i = 0; i < shapes.bodies.size(); ++i) {
+    // Beyond the rover's links there are stones, in G, and shades, in the world.
+    const Pose3 fixed = shapes.bodies[i].name == "shade" ? Pose3{} : world_.X_WG();
+    stage.bodies.push_back(
+        {shapes.bodies[i].name, i < truth_.X_WL.size() ? truth_.X_WL[i] : fixed});
+  }
+  stage.ground = {.X_WG = world_.X_WG(),
+                  .x0_m = ground.x0_m,
+                  .y0_m = ground.y0_m,
+                  .cell_m = ground.cell_m,
+                  .nx = ground.nx,
+                  .ny = ground.ny,
+                  .heights_m = ground.heights_m.data(),
+                  .revision = ground.revision,
+                  .rgb = shapes.ground_rgb};
+  stage.X_WD = world_.X_WG();
+  return stage;
+}
+
+Pose2 Rocky7Plant::MeasuredPose(const SightingReport& report) const {
+  const double heading = truth_.X_GR.heading;
+  const Eigen::Vector2d p_D =
+      -(Eigen::Rotation2Dd(heading) * Eigen::Vector2d(report.X_RB.p.head<2>()));
+  return {p_D.x(), p_D.y(), heading};
+}
+
+// The ruts sum up all that the wheels did: once, at the end, is enough.
+std::uint64_t Rocky7Plant::FinalHash(std::uint64_t seed) const {
+  for (const double height : world_.ground().heights_m) seed = HashDouble(seed, height);
+  return world_.StateHash(seed);
+}
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,113 @@
+#include "sim/rocky7/rocky7_system.h"
+
+#include "models/read/load_model_yaml.h"
+#include "models/read/yaml_reader.h"
+#include "models/rocky7/load_robot.h"
+#include "sim/rocky7/load_models.h"
+#include "sim/rocky7/nominal_json.h"
+#include "sim/rocky7/rocky7_columns.h"
+#include "sim/rocky7/rocky7_judge.h"
+#include "sim/rocky7/rocky7_plant.h"
+#include "sim/rocky7/view_start.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+void NameParts(const Nominal& nominal, ReadyRun& ready) {
+  std::size_t motor = 0;
+  for (const WheelPlan& wheel : nominal.plan.wheels) {
+    ready.motors.push_back({wheel.name, nominal.motors[motor++].rad_per_count});
+  }
+  for (const WheelPlan& wheel : nominal.plan.wheels) {
+    if (wheel.steer_limit_rad == 0.0) continue;
+    ready.motors.push_back({wheel.name + "_steering", nominal.motors[motor++].rad_per_count});
+  }
+  ready.cameras = {{"front_left", nominal.front.left, nominal.front.X_RL},
+                   {"front_right", nominal.front.right, nominal.front.X_RQ}};
+}
+
+ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>& renderer) {
+  auto plant =
+      std::make_unique<Rocky7Plant>(scenario, BuildRun(scenario, LoadModels(scenario)), renderer);
+  const Nominal& nominal = plant->built().nominal;
+  ReadyRun ready;
+  ready.nominal = ToJson(nominal);
+  ready.control_period = kControlPeriod;
+  ready.motor_count = static_cast<int>(nominal.motors.size());
+  ready.camera_count = kCameraCount;
+  NameParts(nominal, ready);
+  ready.judge = std::make_unique<Rocky7Judge>(*plant);
+  ready.plant = std::move(plant);
+  return ready;
+}
+
+std::string Check(const Scenario& scenario) {
+  const Rocky7Models models = LoadModels(scenario);
+  BuildRun(scenario, models);
+  return models.told.robot.rover.plan.name + " from " + NumberText(scenario.start.r) +
+         " m to a stone of " + NumberText(1e3 * models.keys.diameter_m) + " mm on " +
+         models.told.soil.name;
+}
+
+StageShapes ShapesOf(const Scenario& scenario) {
+  return Rocky7Plant(scenario, BuildRun(scenario, LoadModels(scenario)),
+                     std::make_shared<KeptRenderer>())
+      .shapes();
+}
+
+bool IsRobotFile(const std::string& file) {
+  const YamlNode root = LoadModelYaml(file);
+  return root.Find("steer_rate_deg_s") != nullptr && root.Find("cameras") != nullptr;
+}
+
+std::optional<FileCheck> CheckModelFile(const std::string& file) {
+  if (!IsRobotFile(file)) return std::nullopt;
+  const RobotModel robot = LoadRobot(file);
+  return FileCheck{"rover on wheels with cameras",
+                   robot.rover.plan.name + ": " + NumberText(robot.rover.mass_kg()) +
+                       " kg, front pair of " + NumberText(robot.front.nominal.baseline_m()) + " m"};
+}
+
+std::optional<StereoRig> RigOf(const std::string& file, int width, int height) {
+  if (!IsRobotFile(file)) return std::nullopt;
+  StereoRig rig = LoadRobot(file).front.nominal;
+  if (width > 0) {
+    rig.left = Resized(rig.left, width, height);
+    rig.right = Resized(rig.right, width, height);
+  }
+  return rig;
+}
+
+}  // namespace
+
+System Rocky7System(const std::vector<NamedController>& controllers) {
+  const auto renderer = std::make_shared<KeptRenderer>();
+  System system;
+  system.name = "rocky7";
+  for (const NamedController& controller : controllers) {
+    system.controllers.push_back({controller.name, [make = controller.make](const Json& nominal) {
+                                    return make(NominalFromJson(nominal));
+                                  }});
+  }
+  system.model_roots = {{"robot", "robot"}, {"soil", "soil"}};
+  system.rocks = true;
+  system.outcomes = OutcomeNames();
+  system.channels = Channels();
+  system.beliefs = Beliefs();
+  system.measures = Measures();
+  system.check = Check;
+  system.make_ready = [renderer](const Scenario& scenario) {
+    return MakeReady(scenario, renderer);
+  };
+  system.view = [](const Scenario& scenario, const std::filesystem::path& dir) {
+    WriteStartView(scenario, LoadModels(scenario), dir);
+  };
+  system.shapes = ShapesOf;
+  system.check_file = CheckModelFile;
+  system.rig = RigOf;
+  system.example_files.scenario = "scenarios/rocky7_reach.yaml";
+  system.example_files.robot = "models/rocky7/rocky7.yaml";
+  return system;
+}
+
+}  // namespace dockyard::rocky7

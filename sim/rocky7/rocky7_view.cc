@@ -1,0 +1,102 @@
+#include "sim/rocky7/rocky7_view.h"
+
+#include "sim/base/random.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+// Albedo of stones against that of the soil: freshly broken faces are darker than dust. Assumed,
+// 0.4-1.
+constexpr double kStoneToSoil = 0.65;
+// About the target the shadows are finest [m].
+constexpr double kInterest_m = 0.3;
+
+// Three corners to each triangle, so that no faces share a normal.
+RenderMesh Faceted(const ConvexBody& body) {
+  RenderMesh mesh;
+  for (const auto& triangle : body.triangles) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const std::uint32_t i : triangle) mesh.vertices.push_back(body.vertices[i].cast<float>());
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+}  // namespace
+
+SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, std::uint64_t run_seed)
+    : lighting_(built.lighting),
+      X_WG_(SiteInWorld(built.world.X_WG, built.world.slope)),
+      soil_rgb_(built.world.soil.rgb),
+      stone_rgb_(kStoneToSoil * built.world.soil.rgb),
+      texture_seed_(StreamKey(run_seed, "texture")) {
+  for (const LinkLook& look : LooksOf(built.world.robot.rover, rover)) {
+    Link link{look.name, {}};
+    for (const Visual& visual : look.visuals) {
+      auto mesh = std::make_shared<RenderMesh>();
+      for (const Eigen::Vector3d& v : visual.mesh->vertices) {
+        mesh->vertices.push_back(v.cast<float>());
+      }
+      mesh->triangles = visual.mesh->triangles;
+      link.parts.push_back({std::move(mesh), visual.X_LV, visual.rgb});
+    }
+    links_.push_back(std::move(link));
+  }
+  for (const ConvexBody& stone : built.world.stones) {
+    stones_.push_back(std::make_shared<const RenderMesh>(Faceted(stone)));
+  }
+  p_W_target_ = X_WG_ * built.world.stones.front().centre;
+}
+
+Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
+  Scene scene;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    for (const Part& part : links_[i].parts) {
+      scene.objects.push_back({part.mesh, truth.X_WL.at(i) * part.X_LV, part.albedo});
+    }
+  }
+  for (std::size_t i = 0; i < stones_.size(); ++i) {
+    scene.objects.push_back(
+        {stones_[i], X_WG_ * Pose3::Translation(0.0, 0.0, -truth.sunk_m.at(i)), stone_rgb_});
+  }
+  for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
+  scene.ground = {.X_WG = X_WG_,
+                  .x0_m = ground.x0_m,
+                  .y0_m = ground.y0_m,
+                  .cell_m = ground.cell_m,
+                  .nx = ground.nx,
+                  .ny = ground.ny,
+                  .heights_m = ground.heights_m.data(),
+                  .revision = ground.revision,
+                  .albedo = soil_rgb_,
+                  .texture_seed = texture_seed_};
+  scene.light = lighting_.sun_and_sky;
+  scene.interest = Interest{p_W_target_, kInterest_m};
+  return scene;
+}
+
+StageShapes SceneBuilder::Shapes() const {
+  StageShapes shapes;
+  for (const Link& link : links_) {
+    shapes.bodies.push_back({link.name, true, {}});
+    for (const Part& part : link.parts) {
+      shapes.bodies.back().parts.push_back({part.mesh, part.X_LV, part.albedo});
+    }
+  }
+  for (std::size_t i = 0; i < stones_.size(); ++i) {
+    if (i < 2) shapes.bodies.push_back({i == 0 ? "target" : "stones", false, {}});
+    shapes.bodies.back().parts.push_back({stones_[i], Pose3{}, stone_rgb_});
+  }
+  if (!lighting_.occluders.empty()) {
+    shapes.bodies.push_back({"shade", false, {}});
+    for (const SceneObject& object : lighting_.occluders) {
+      shapes.bodies.back().parts.push_back({object.mesh, object.X_WO, object.albedo});
+    }
+  }
+  shapes.light = lighting_.sun_and_sky;
+  shapes.ground_rgb = soil_rgb_;
+  shapes.ground_texture_seed = texture_seed_;
+  return shapes;
+}
+
+}  // namespace dockyard::rocky7

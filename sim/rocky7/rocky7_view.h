@@ -1,0 +1,43 @@
+// From the truth to pictures: the only caller of render/.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/scene.h"
+#include "sim/rocky7/build_run.h"
+#include "sim/rocky7/rover_shapes.h"
+#include "sim/run/stage_shapes.h"
+
+namespace dockyard::rocky7 {
+
+/// Builds the scene that the cameras see. Meshes are converted once; poses come from the truth.
+class SceneBuilder {
+ public:
+  SceneBuilder(const BuiltRun& built, const WheeledBody& rover, std::uint64_t run_seed);
+
+  /// The scene borrows the grid's heights: draw it before the grid changes.
+  Scene Make(const Truth& truth, const HeightGrid& ground) const;
+  /// For spectators; bodies in the order of Rocky7Plant::Look.
+  StageShapes Shapes() const;
+
+ private:
+  struct Part {
+    std::shared_ptr<const RenderMesh> mesh;
+    Pose3 X_LV;
+    Eigen::Vector3d albedo;
+  };
+  struct Link {
+    std::string name;
+    std::vector<Part> parts;
+  };
+
+  std::vector<Link> links_;
+  std::vector<std::shared_ptr<const RenderMesh>> stones_;  // in G; the target first
+  Lighting lighting_;
+  Pose3 X_WG_;
+  Eigen::Vector3d soil_rgb_, stone_rgb_, p_W_target_;
+  std::uint64_t texture_seed_ = 0;
+};
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,114 @@
+#include "sim/rocky7/world.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <variant>
+
+#include "sim/base/hash.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+// The rover is put down with its axles at the height that they have above hard ground, and comes to
+// rest within this time.
+constexpr double kSettle_s = 2.0;
+// Beyond this from R no part of the body is. Half a bogie's bar is that thick; assumed, 5-20 mm.
+constexpr double kNearby_m = 0.6, kBogie_m = 0.01;
+// The body is looked after every so many steps: at 0.1 m/s it moves by 2 mm.
+constexpr long kLookEvery = 20;
+
+Pose3 StartPose(const WorldSetup& setup) {
+  const Pose2& at = setup.X_GR_start;
+  double highest_m = -1e9;
+  for (const WheelPlan& wheel : setup.robot.rover.plan.wheels) {
+    const Eigen::Vector2d p_G = at * wheel.p_RW;
+    highest_m = std::max(highest_m, setup.ground.Height(p_G.x(), p_G.y()));
+  }
+  return FromGround(at, highest_m + RollingRadius(setup.robot.rover.tyre));
+}
+
+}  // namespace
+
+World::World(const WorldSetup& setup)
+    : setup_(setup),
+      X_WG_(SiteInWorld(setup.X_WG, setup.slope)),
+      gravity_G_(GravityInSite(setup.slope)),
+      rover_(setup.robot.rover, setup.soil, StartPose(setup)),
+      imu_(setup.robot.imu.p_RI, gravity_G_),
+      stones_(setup.stones, setup.soil, setup.ground, setup.robot.rover.tyre,
+              setup.stone_friction) {
+  if (!(setup.step_s > 0.0 && setup.step_s <= 2e-3)) {
+    throw std::invalid_argument("physics step must be in (0, 2] ms");
+  }
+  const std::vector<MotorCommand> braked(static_cast<std::size_t>(rover_.motor_count()));
+  const long settle = std::lround(kSettle_s / setup.step_s);
+  for (long i = 0; i < settle; ++i) Step(braked);
+  steps_ = 0;
+  imu_.Start(rover_.body());
+}
+
+void World::Step(const std::vector<MotorCommand>& commands) {
+  stones_.AddLoads(setup_.step_s, rover_);
+  rover_.Step(commands, gravity_G_, setup_.step_s, setup_.ground);
+  imu_.Add(rover_.body(), setup_.step_s);
+  if (steps_ % kLookEvery == 0) on_stone_ = on_stone_ || BodyMeetsStone();
+  ++steps_;
+}
+
+// Below the body, and about the bogies' hinges, which hang between the wheels.
+bool World::BodyMeetsStone() const {
+  const LinkModel& body = setup_.robot.rover.body;
+  const auto* box = std::get_if<BoxShape>(&body.collisions.front().shape);
+  const Eigen::AlignedBox3d under(Eigen::Vector3d(body.p_LoCom_L - 0.5 * box->size_m),
+                                  Eigen::Vector3d(body.p_LoCom_L + 0.5 * box->size_m));
+  const Pose3 X_BG = Inverse(rover_.body().X_GL);
+  for (std::size_t s = 0; s < setup_.stones.size(); ++s) {
+    const ConvexBody& stone = setup_.stones[s];
+    const Eigen::Vector3d sunk_G(0.0, 0.0, -stones_.sunk_m(s));
+    if ((stone.centre - rover_.body().X_GL.p).norm() > kNearby_m + stone.radius_m) continue;
+    for (const Eigen::Vector3d& vertex : stone.vertices) {
+      if (under.contains(X_BG * (vertex + sunk_G))) return true;
+    }
+    for (const bool left : {false, true}) {
+      const Eigen::Vector3d p_G = rover_.bogie_place_G(left) - sunk_G;
+      if (DistanceTo(stone, p_G).distance_m < kBogie_m) return true;
+    }
+  }
+  return false;
+}
+
+Truth World::truth() const {
+  Truth truth;
+  truth.time_s = time_s();
+  const LinkMotion& body = rover_.body();
+  truth.X_WR = X_WG_ * body.X_GL;
+  for (int i = 0; i < rover_.tree().link_count(); ++i) {
+    truth.X_WL.push_back(X_WG_ * rover_.tree().motion(i).X_GL);
+  }
+  truth.v_WR_W = X_WG_.R * body.v_GL_G;
+  truth.w_WR_W = X_WG_.R * body.w_GL_G;
+  truth.X_GR = ToGround(body.X_GL);
+  const Eigen::Vector2d& p_RP = setup_.robot.rover.plan.p_RP;
+  truth.p_GP =
+      body.X_GL * Eigen::Vector3d(p_RP.x(), p_RP.y(), -RollingRadius(setup_.robot.rover.tyre));
+  for (int i = 0; i < rover_.motor_count(); ++i) {
+    truth.motors.push_back({rover_.angle_rad(i), rover_.rate_rad_s(i), rover_.output(i).torque_nm(),
+                            rover_.output(i).current_a});
+  }
+  const int wheels = static_cast<int>(setup_.robot.rover.plan.wheels.size());
+  for (int i = 0; i < wheels; ++i) truth.sinkage_m += rover_.load(i).sinkage_m / wheels;
+  for (std::size_t i = 0; i < setup_.stones.size(); ++i) truth.sunk_m.push_back(stones_.sunk_m(i));
+  truth.stone_force_n = stones_.force_n();
+  truth.on_stone = on_stone_;
+  return truth;
+}
+
+ImuSample World::TakeTrueImu() { return imu_.Take(rover_.body(), X_WG_); }
+
+std::uint64_t World::StateHash(std::uint64_t seed) const {
+  return stones_.StateHash(rover_.StateHash(HashBits(seed, static_cast<std::uint64_t>(steps_))));
+}
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,78 @@
+// The physical world of one run: rover, ground and stones. Every run makes a new world and never
+// resets it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "models/parts/soil_model.h"
+#include "models/rocky7/robot_model.h"
+#include "sim/physics/convex_body.h"
+#include "sim/physics/imu.h"
+#include "sim/physics/motor_truth.h"
+#include "sim/physics/slope.h"
+#include "sim/physics/wheel_stones.h"
+#include "sim/physics/wheeled_body.h"
+#include "sim/soil/height_grid.h"
+
+namespace dockyard::rocky7 {
+
+struct WorldSetup {
+  RobotModel robot;
+  SoilModel soil;
+  HeightGrid ground;  // in the site frame G
+  Pose2 X_WG;         // site in the world, before it is tilted
+  Slope slope;
+  Pose2 X_GR_start;                // the rover in plan
+  std::vector<ConvexBody> stones;  // in the ground, in G; the target first
+  double stone_friction = 0.6;     // of the wheels on them
+  double step_s = 1e-3;
+};
+
+/// What is true now, for scoring, plots and drawing. Never handed to a controller.
+struct Truth {
+  double time_s = 0.0;
+  Pose3 X_WR;                 // the body
+  std::vector<Pose3> X_WL{};  // all links, in the order of the rover's tree; the body first
+  Eigen::Vector3d v_WR_W = Eigen::Vector3d::Zero(), w_WR_W = Eigen::Vector3d::Zero();
+  Pose2 X_GR;
+  Eigen::Vector3d p_GP{0, 0, 0};  // the point on the body that is to reach the target
+  std::vector<MotorTruth> motors{};
+  double sinkage_m = 0.0;        // mean of the wheels
+  std::vector<double> sunk_m{};  // each stone, by wheels
+  double stone_force_n = 0.0;    // between wheels and stones
+  bool on_stone = false;         // another part of the rover than a wheel has met a stone
+};
+
+class World {
+ public:
+  /// The rover stands braked until it has come to rest. Throws std::invalid_argument for a step out
+  /// of (0, 2] ms.
+  explicit World(const WorldSetup& setup);
+
+  /// One step with the drives obeying these commands.
+  void Step(const std::vector<MotorCommand>& commands);
+  Tick tick() const { return std::llround(time_s() / kTickSeconds); }
+  Truth truth() const;
+  /// Averages since the last call.
+  ImuSample TakeTrueImu();
+  const WheeledBody& rover() const { return rover_; }
+  const HeightGrid& ground() const { return setup_.ground; }
+  const Pose3& X_WG() const { return X_WG_; }
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  double time_s() const { return static_cast<double>(steps_) * setup_.step_s; }
+  bool BodyMeetsStone() const;
+
+  WorldSetup setup_;
+  Pose3 X_WG_;
+  Eigen::Vector3d gravity_G_;
+  WheeledBody rover_;
+  ImuAverage imu_;
+  WheelStones stones_;
+  bool on_stone_ = false;
+  long steps_ = 0;
+};
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,78 @@
+#include "controller/rocky7/approach.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "controller/rocky7/dockyard.h"
+#include "rocky7/controller/nominal_rover.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ArcsToPoint, EndOnThePointWithinTheSteeringsLimits) {
+  const Nominal nominal = NominalRover();
+  const ArcLimits limits = GentleLimits(nominal.plan);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> ahead(-0.5, 2.5), aside(-1.0, 1.0);
+  int pairs = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const Eigen::Vector2d goal(ahead(random), aside(random));
+    const std::vector<Arc> path = ArcsToPoint(goal, nominal.plan.p_RP, limits);
+    ASSERT_FALSE(path.empty()) << goal.transpose();
+    for (const Arc& arc : path) EXPECT_TRUE(Keeps(arc, limits));
+    EXPECT_LT((Advance({}, path) * nominal.plan.p_RP - goal).norm(), 1e-9);
+    pairs += path.size() == 2;
+  }
+  EXPECT_GT(pairs, 500);
+}
+
+// One arc to a point 2 cm aside turns about a centre 1 cm away, which no wheel steers.
+TEST(ArcsToPoint, BackUpForAPointAside) {
+  const Nominal nominal = NominalRover();
+  const ArcLimits limits = GentleLimits(nominal.plan);
+  const Eigen::Vector2d goal = nominal.plan.p_RP + Eigen::Vector2d(0.0, 0.02);
+  ASSERT_FALSE(Keeps(*OneArcTo(goal, nominal.plan.p_RP), limits));
+  const std::vector<Arc> path = ArcsToPoint(goal, nominal.plan.p_RP, limits);
+  ASSERT_EQ(path.size(), 2u);
+  EXPECT_LT(path[0].length_m * path[1].length_m, 0.0);
+}
+
+SensorFrame Frame(Tick tick) {
+  SensorFrame frame;
+  frame.tick = tick;
+  frame.motors.resize(8);
+  return frame;
+}
+
+TEST(Approach, GivesUpWhenTheCamerasDoNotAnswer) {
+  const auto controller = MakeDockyardController(NominalRover());
+  int asks = 0;
+  Tick tick = 0;
+  for (; tick < 60000; tick += kControlPeriod) {
+    const Commands commands = controller->Step(Frame(tick));
+    asks += !commands.take_images.empty();
+    if (commands.verdict == Verdict::kGivenUp) break;
+  }
+  EXPECT_EQ(asks, 5);
+  EXPECT_EQ(tick, 15000);
+  EXPECT_THAT(controller->belief().note, HasSubstr("cameras do not answer"));
+}
+
+TEST(Approach, SaysThatNothingIsSeenWhereTheUserClicked) {
+  const auto controller = MakeDockyardController(NominalRover());
+  EXPECT_FALSE(controller->Step(Frame(0)).take_images.empty());
+  SensorFrame frame = Frame(kControlPeriod);
+  const GrayImage blank{640, 480, std::vector<std::uint8_t>(640 * 480, 90)};
+  frame.images = {{kFrontLeft, blank, 0}, {kFrontRight, blank, 0}};
+  const Commands commands = controller->Step(frame);
+  EXPECT_EQ(commands.verdict, Verdict::kGivenUp);
+  EXPECT_THAT(controller->belief().note, HasSubstr("no range data where the user clicked"));
+}
+
+}  // namespace
+}  // namespace dockyard::rocky7

@@ -1,0 +1,52 @@
+// Rocky 7 drives to a stone by its pictures.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "controller/rocky7/dockyard.h"
+#include "controller/rocky7/nesnas2000.h"
+#include "models/read/yaml_tree.h"
+#include "sim/rocky7/rocky7_columns.h"
+#include "sim/rocky7/rocky7_system.h"
+#include "sim/run/loop.h"
+#include "support/bad_files.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+RunRecord RunFrom(const System& system, const std::string& controller, const std::string& soil,
+                  std::uint64_t seed) {
+  CampaignRun run;
+  Scenario& scenario = run.scenario;
+  scenario.name = "test";
+  scenario.system = "rocky7";
+  scenario.controller = controller;
+  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
+  scenario.soil_file = SourceFile("models/soils/" + soil + ".yaml");
+  scenario.start = {1.3, 0.0, Radians(5.0)};
+  scenario.yard.length_m = scenario.yard.width_m = 4.0;
+  scenario.yard.cell_m = 0.01;
+  scenario.yard.undulation_rms_m = 0.003;
+  scenario.time_limit_s = 200.0;
+  scenario.seed = seed;
+  return Simulate(system, run, {});
+}
+
+double MeasureOf(const RunRecord& record, const std::string& name) {
+  const std::vector<Column> columns = Measures();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i].name == name) return record.result.measures.at(i);
+  }
+  throw std::out_of_range(name);
+}
+
+TEST(Rocky7ClosedLoop, ThePapersTrackerBringsThePointToAStoneTheSameWayTwice) {
+  const System system = Rocky7System({{"nesnas2000", MakeNesnas2000Controller}});
+  const RunRecord a = RunFrom(system, "nesnas2000", "compact_gravel", 1),
+                  b = RunFrom(system, "nesnas2000", "compact_gravel", 1);
+  EXPECT_LT(MeasureOf(a, "point_off_m"), 0.03) << a.failure_note;
+  EXPECT_GE(MeasureOf(a, "looks"), 8);
+  EXPECT_EQ(a.result.state_hash, b.result.state_hash);
+}
+
+}  // namespace
+}  // namespace dockyard::rocky7
