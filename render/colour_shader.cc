@@ -85,6 +85,11 @@ Rgb ColourShader::OfObject(const Met& met, const Pixel& pixel) const {
     const Eigen::Vector3f p_C(z * met.from.x, z * met.from.y, z);
     lights_.AddLamps(l, p_C, R_CU_ * n, 1.0f, colour);
   }
+  const auto object = static_cast<std::size_t>(met.object);
+  if (lit_.scene.objects[object].stains.contrast > 0.0) {
+    const float stain = objects_.Stain(object, met.from, met.ray, met.code, n, pixel);
+    colour = {colour.r * stain, colour.g * stain, colour.b * stain};
+  }
   return colour;
 }
 

@@ -200,7 +200,7 @@ class Composer {
       met.Add(seen[j].code, pixel.Ray(j), from[j]);
     }
     const Seen middle{.object = seen[k].object, .code = met.MeanCode()};
-    return met.count * objects_(middle, met.MeanFrom(), pixel);
+    return met.count * objects_(middle, met.MeanFrom(), met.MeanRay(), pixel);
   }
 
   // The same behind a thin body.

@@ -26,6 +26,7 @@ class Composer {
         colour_(width),
         rays_(width),
         wide_(wide, kWideRays),
+        bits_(BitsFor(lit.scene.objects.size())),
         shader_(lit, X_WC) {
     if (close) close_.emplace(*close, kCloseRays);
   }
@@ -129,12 +130,12 @@ class Composer {
       if (IsSky(seen.code)) {
         ++skies;
       } else if (IsObject(seen.code)) {
-        const int object = ObjectOf(seen);
+        const int object = ObjectOf(seen, bits_);
         int k = 0;
         while (k < kinds && objects[k].object != object) ++k;
         if (k == kinds) objects[kinds++].object = object;
         objects[k].Add(-seen.code, ray, from);
-        objects[k].normal += UnpackNormal(seen);
+        objects[k].normal += UnpackNormal(seen, bits_);
       } else {
         ground.Add(seen.code, ray, from);
       }
@@ -186,6 +187,7 @@ class Composer {
   RowRays rays_;
   RaySource wide_;
   std::optional<RaySource> close_;
+  SeenBits bits_;
   ColourShader shader_;
 };
 

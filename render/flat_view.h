@@ -19,7 +19,7 @@ struct TanRect {
 
 /// The hit of one ray.
 struct Seen {
-  std::uint32_t object = 0;  // object's index in the scene, and normal: see UnpackNormal
+  std::uint32_t object = 0;  // object's index in the scene, and normal: see SeenBits
   float code = 0.0f;         // object: -1/z; sky: 0; ground: 1/z; board: kBoardCode + 1/z  [1/m]
 };
 
@@ -34,11 +34,25 @@ inline float InverseDepth(float code) {
   return code < 0.0f ? -code : code >= kBoardCode ? code - kBoardCode : code;
 }
 
-inline constexpr int kMaxObjects = 255;    // eight bits
-inline constexpr int kNormalSteps = 4094;  // twelve bits each; even, so that axes are met exactly
-inline int ObjectOf(const Seen& seen) { return static_cast<int>(seen.object >> 24); }
-/// Of length 1, in light axes; within 5e-4 rad.
-Eigen::Vector3f UnpackNormal(const Seen& seen);
+/// How Seen::object holds an index and a normal: two numbers of so many bits for the normal, the
+/// rest for the index.
+struct SeenBits {
+  int normal = 12;
+
+  /// Even, so that axes are met exactly.
+  int NormalSteps() const { return (1 << normal) - 2; }
+  bool operator==(const SeenBits&) const = default;
+};
+inline constexpr int kMaxObjects = 2000;  // eleven bits; a yard of ten square metres has hundreds
+inline constexpr SeenBits kFewObjects{.normal = 12};   // up to 255; normals within 5e-4 rad
+inline constexpr SeenBits kManyObjects{.normal = 10};  // up to 4095; within 2e-3 rad
+inline SeenBits BitsFor(std::size_t objects) { return objects > 255 ? kManyObjects : kFewObjects; }
+
+inline int ObjectOf(const Seen& seen, SeenBits bits) {
+  return static_cast<int>(seen.object >> (2 * bits.normal));
+}
+/// Of length 1, in light axes.
+Eigen::Vector3f UnpackNormal(const Seen& seen, SeenBits bits);
 
 /// Thin bodies before all that, each times its cover: cosine to the sun, cosine to the zenith, 1/z,
 /// and 1.

@@ -60,11 +60,13 @@ void GroundTexture::KeepLumps(const GroundView& g) {
 
 void GroundTexture::Update(const GroundView& ground, const Eigen::Vector3d& to_sun_W,
                            double sun_diameter_rad) {
-  if (soil_seed_ != ground.texture_seed) {
-    const std::vector<std::uint8_t> texels = SoilTexture(ground.texture_seed);
+  if (soil_seed_ != ground.texture_seed || largest_pebble_m_ != ground.largest_pebble_m) {
+    const std::vector<std::uint8_t> texels =
+        SoilTexture(ground.texture_seed, ground.largest_pebble_m);
     lumps_ = SoilPyramid(SoilLumps(texels), kLumpSide);
     soil_ = SoilPyramid(texels, kSoilSide);
     soil_seed_ = ground.texture_seed;
+    largest_pebble_m_ = ground.largest_pebble_m;
     relief_key_.reset();
     cell_lumps_.clear();
   }

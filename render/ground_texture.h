@@ -45,6 +45,7 @@ class GroundTexture {
   SoilPyramid soil_, lumps_;
   double highest_m_ = 0.0;
   float grain_ = 1.0f;
+  double largest_pebble_m_ = kAllPebbles_m;
   GridPlace lumps_of_;
   std::vector<Four> cell_lumps_;
   std::optional<std::uint64_t> relief_key_, soil_seed_;

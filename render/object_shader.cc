@@ -15,10 +15,11 @@ constexpr int kSearches = 4, kPoints = 8, kBoardSearches = 8, kBoardPoints = 16;
 
 }  // namespace
 
-Eigen::Vector3f UnpackNormal(const Seen& seen) {
-  constexpr float kPerStep = 2.0f / kNormalSteps;
-  const float x = static_cast<float>(seen.object & 4095u) * kPerStep - 1.0f;
-  const float y = static_cast<float>(seen.object >> 12 & 4095u) * kPerStep - 1.0f;
+Eigen::Vector3f UnpackNormal(const Seen& seen, SeenBits bits) {
+  const float per_step = 2.0f / static_cast<float>(bits.NormalSteps());
+  const std::uint32_t mask = (1u << bits.normal) - 1u;
+  const float x = static_cast<float>(seen.object & mask) * per_step - 1.0f;
+  const float y = static_cast<float>(seen.object >> bits.normal & mask) * per_step - 1.0f;
   const float z = 1.0f - std::abs(x) - std::abs(y);
   const float back = std::max(-z, 0.0f);  // folded over the edges
   const float nx = x >= 0.0f ? x - back : x + back, ny = y >= 0.0f ? y - back : y + back;
@@ -28,7 +29,7 @@ Eigen::Vector3f UnpackNormal(const Seen& seen) {
 
 ObjectShader::ObjectShader(const Scene& scene, double highest_m, const SunShadow& shadow,
                            const Pose3& X_WC, Channel channel)
-    : shadow_(shadow), horizon_(scene, highest_m) {
+    : shadow_(shadow), horizon_(scene, highest_m), bits_(BitsFor(scene.objects.size())) {
   const Pose3 X_UC = Inverse(shadow_.fit().X_WU) * X_WC;
   R_UC_ = X_UC.R.cast<float>();
   p_UC_ = X_UC.p.cast<float>();
@@ -41,6 +42,7 @@ ObjectShader::ObjectShader(const Scene& scene, double highest_m, const SunShadow
   }
   for (const SceneObject& object : scene.objects) {
     objects_.push_back(ToFloats(scene, object.albedo, channel));
+    stains_.emplace_back(object, X_WC);
   }
   const BoardView& board = scene.board;
   n_board_U_ = (shadow_.fit().X_WU.R.transpose() * board.X_WB.R.col(2)).cast<float>();
@@ -50,12 +52,21 @@ ObjectShader::ObjectShader(const Scene& scene, double highest_m, const SunShadow
   if (p_B.z() < 0.0) n_board_U_ = -n_board_U_;  // its face, which points along -z
 }
 
-float ObjectShader::operator()(const Seen& seen, Tan tan, const Pixel& pixel) const {
-  const Eigen::Vector3f n = UnpackNormal(seen);
-  const Floats& f = objects_[static_cast<std::size_t>(ObjectOf(seen))];
+float ObjectShader::operator()(const Seen& seen, Tan tan, Tan ray, const Pixel& pixel) const {
+  const Eigen::Vector3f n = UnpackNormal(seen, bits_);
+  const auto object = static_cast<std::size_t>(ObjectOf(seen, bits_));
+  const Floats& f = objects_[object];
   const float share =
       n.z() > 0.0f ? Share(tan, -seen.code, n, kCurvedBias_m, pixel, kSearches, kPoints) : 0.0f;
-  return Shade(f.sun, f.sky, f.bounce, n.z(), n.dot(up_U_), share);
+  const float light = Shade(f.sun, f.sky, f.bounce, n.z(), n.dot(up_U_), share);
+  if (!stains_[object].any()) return light;
+  return light * stains_[object].At({tan, ray, -seen.code, R_UC_.transpose() * n, pixel.blur()});
+}
+
+float ObjectShader::Stain(std::size_t object, Tan tan, Tan ray, float inverse_depth,
+                          const Eigen::Vector3f& n, const Pixel& pixel) const {
+  if (!stains_[object].any()) return 1.0f;
+  return stains_[object].At({tan, ray, inverse_depth, R_UC_.transpose() * n, pixel.blur()});
 }
 
 float ObjectShader::BoardShare(Tan tan, const Pixel& pixel) const {

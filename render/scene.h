@@ -19,6 +19,16 @@ struct RenderMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise from outside
 };
 
+/// Stains on an object, as minerals have them: noise in three dimensions, so that it has no seams.
+/// It belongs to the object's frame and moves with it.
+struct Stains {
+  // Standard deviation of the albedo over its mean, before a pixel's footprint averages it; 0:
+  // none. Rocks: assumed, 0.1-0.2.
+  double contrast = 0.0;
+  std::uint64_t seed = 1;
+  double largest_m = 0.016, least_m = 0.002;  // sizes of the stains; assumed, 8-30 and 1-4 mm
+};
+
 /// Meshes keep their GPU copies as long as the same shared_ptr is passed again.
 struct SceneObject {
   std::shared_ptr<const RenderMesh> mesh;
@@ -26,7 +36,11 @@ struct SceneObject {
   Eigen::Vector3d albedo{0.5, 0.5, 0.5};
   int material = 0;  // of a ColourTable, whose cameras do not ask for the albedo
   bool seen = true;  // false: its shadow alone is, as that of the body round a camera
+  Stains stains{};
 };
+
+/// No pebble of the texture is as large.
+inline constexpr double kAllPebbles_m = 1.0;
 
 /// Row-major heights over the site frame G: height(ix, iy) at x0 + ix * cell, y0 + iy * cell.
 struct GroundView {
@@ -39,6 +53,9 @@ struct GroundView {
   std::uint64_t texture_seed = 1;
   double grain = 1.0;  // contrast of grain, pebbles and lumps, 0 to 1; 0: a plain floor
   int material = 0;    // see SceneObject
+  // Longer half side of the largest pebble that is painted on the ground; larger ones are left out,
+  // so that a scene may have them as objects. The paint has no height for a stereo pair to see.
+  double largest_pebble_m = kAllPebbles_m;
 };
 
 /// A round part of the board that is dustier than the rest.

@@ -76,6 +76,11 @@ void RequireSoundScene(const Scene& scene) {
     Require(object.mesh != nullptr, "an object has no mesh");
     RequirePose(object.X_WO, "an object's");
     Require(object.albedo.allFinite(), "an albedo is not finite");
+    const Stains& stains = object.stains;
+    Require(stains.contrast >= 0.0 && stains.contrast <= 0.5,
+            "stains must have a contrast of 0 to 0.5");
+    Require(stains.least_m >= 1e-4 && stains.largest_m >= stains.least_m && stains.largest_m <= 10,
+            "stains must have sizes of 0.1 mm to 10 m, the largest no less than the least");
   }
   for (const TetherView* tether : ThinBodies(scene)) RequireTether(*tether);
   for (const Lamp& lamp : scene.lamps) RequireLamp(lamp);
@@ -87,6 +92,7 @@ void RequireSoundScene(const Scene& scene) {
   RequireBoard(scene.board);
   Require(scene.ground.grain >= 0.0 && scene.ground.grain <= 1.0,
           "the ground's grain must lie in 0 to 1");
+  Require(scene.ground.largest_pebble_m >= 0.0, "a pebble's size must not be negative");
   RequireSoundGround(scene.ground);
   if (HasGround(scene.ground)) RequirePose(scene.ground.X_WG, "the ground's");
 }

@@ -59,7 +59,7 @@ Ball InterestBall(const Scene& scene, const Pose3& X_WR) {
 ScenePainter::ScenePainter(const GlFunctions& gl)
     : gl_(gl),
       shadow_map_(gl),
-      object_(gl, SurfaceVertexShader(), ObjectFragmentShader()),
+      object_(gl, SurfaceVertexShader(), ObjectFragmentShader(kFewObjects)),
       ground_(gl, PlainVertexShader(), GroundFragmentShader()),
       board_(gl, PlainVertexShader(), BoardFragmentShader()),
       thin_(gl, SurfaceVertexShader(), ThinFragmentShader()),
@@ -173,7 +173,12 @@ void ScenePainter::Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView
 }
 
 void ScenePainter::PaintObjects(const Frustum& frustum) {
-  object_.Use();
+  const bool few = BitsFor(scene_->objects.size()) == kFewObjects;
+  if (!few && !many_objects_) {
+    many_objects_.emplace(gl_, SurfaceVertexShader(), ObjectFragmentShader(kManyObjects));
+  }
+  GlProgram& program = few ? object_ : *many_objects_;
+  program.Use();
   int index = -1;
   for (const SceneObject& object : scene_->objects) {
     ++index;
@@ -181,8 +186,8 @@ void ScenePainter::PaintObjects(const Frustum& frustum) {
     const Cached& cached = cache_.at(object.mesh.get());
     const Eigen::Vector3d p_C = frustum.X_CW * (object.X_WO * cached.ball.center);
     if (!MayShow(frustum.rect, p_C, cached.ball.radius)) continue;
-    Pose(object_, frustum, object.X_WO);
-    object_.Set("u_object", index);
+    Pose(program, frustum, object.X_WO);
+    program.Set("u_object", index);
     cached.buffers->Draw();
   }
 }

@@ -77,6 +77,7 @@ class ScenePainter {
   ShadowMap shadow_map_;
   SunShadow shadow_;
   GlProgram object_, ground_, board_, thin_;
+  std::optional<GlProgram> many_objects_;  // of scenes that need kManyObjects
   GlMesh ground_mesh_, board_mesh_, tether_mesh_;
   GlMesh empty_mesh_;  // core GL draws nothing without a vertex array
   std::map<const RenderMesh*, Cached> cache_;

@@ -1,7 +1,5 @@
 #include "render/shaders.h"
 
-#include "render/flat_view.h"
-
 namespace dockyard {
 namespace {
 
@@ -34,9 +32,10 @@ void main() {
 }
 
 // The normal unfolded from the octahedron |x| + |y| + |z| = 1 (Meyer et al., EGSR 2010).
-std::string ObjectFragmentShader() {
-  return kVersion + std::string("const float kSteps = ") + std::to_string(kNormalSteps) + ".0;\n" +
-         R"(
+std::string ObjectFragmentShader(SeenBits bits) {
+  const std::string of_normal = std::to_string(bits.normal);
+  return kVersion + std::string("const float kSteps = ") + std::to_string(bits.NormalSteps()) +
+         ".0;\nconst int kBits = " + of_normal + ";\n" + R"(
 in vec3 v_normal;
 uniform int u_object;
 out uvec2 o_seen;
@@ -45,7 +44,8 @@ void main() {
   vec2 q = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
   if (n.z < 0.0) q = (1.0 - abs(q.yx)) * vec2(q.x < 0.0 ? -1.0 : 1.0, q.y < 0.0 ? -1.0 : 1.0);
   uvec2 steps = uvec2(floor((0.5 * q + 0.5) * kSteps + 0.5));
-  o_seen = uvec2(uint(u_object) << 24 | steps.y << 12 | steps.x, floatBitsToUint(-gl_FragCoord.w));
+  uint object = uint(u_object) << (2 * kBits) | steps.y << kBits | steps.x;
+  o_seen = uvec2(object, floatBitsToUint(-gl_FragCoord.w));
 }
 )";
 }

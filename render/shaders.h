@@ -4,12 +4,14 @@
 
 #include <string>
 
+#include "render/flat_view.h"
+
 namespace dockyard {
 
 /// Positions alone, and with normals and coverage.
 std::string PlainVertexShader();
 std::string SurfaceVertexShader();
-std::string ObjectFragmentShader();
+std::string ObjectFragmentShader(SeenBits bits);
 std::string GroundFragmentShader();
 std::string BoardFragmentShader();
 /// Of bodies thinner than the rays are apart.

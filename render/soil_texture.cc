@@ -48,7 +48,7 @@ void AddOctave(std::vector<float>& plane, std::uint64_t key, int cells, float am
 }
 
 // A half-buried flattened stone; where stones overlap the higher one shows.
-void AddPebble(Field& field, std::uint64_t key, int index) {
+void AddPebble(Field& field, std::uint64_t key, int index, double largest_m) {
   const auto uniform = [&](int k) { return HashUniform(key, 8u * index + k); };
   // Sizes fall as a power of -1.9, so that small ones abound as on real gravel fans.
   const double ratio = kPebbleMax_m / kPebbleMin_m;
@@ -56,6 +56,7 @@ void AddPebble(Field& field, std::uint64_t key, int index) {
   const double radius_m =
       kPebbleMin_m * std::pow(1.0 + uniform(0) * (std::pow(ratio, exponent) - 1.0), 1.0 / exponent);
   const double stretch = 1.0 + 0.7 * uniform(1), angle = 3.14159265 * uniform(2);
+  if (radius_m * stretch > largest_m) return;
   const double c = std::cos(angle), s = std::sin(angle);
   const double x0 = kSoilSide * uniform(3), y0 = kSoilSide * uniform(4);
   const double top_m = radius_m * (0.35 + 0.35 * uniform(5));
@@ -82,7 +83,7 @@ std::uint8_t Byte(double value) {
   return static_cast<std::uint8_t>(std::clamp(std::lround(128.0 + 127.0 * value), 0l, 255l));
 }
 
-Field MakeField(std::uint64_t seed) {
+Field MakeField(std::uint64_t seed, double largest_pebble_m) {
   Field field;
   const auto key = [&](std::uint64_t k) { return MixBits(seed * 64 + k); };
   AddOctave(field.height_m, key(0), 8, 0.006f);
@@ -94,15 +95,15 @@ Field MakeField(std::uint64_t seed) {
   AddOctave(field.tone, key(6), 32, 0.06f);
   AddOctave(field.tone, key(7), 256, 0.10f);
   AddOctave(field.tone, key(8), 512, 0.12f);
-  for (int i = 0; i < kPebbles; ++i) AddPebble(field, key(9), i);
+  for (int i = 0; i < kPebbles; ++i) AddPebble(field, key(9), i, largest_pebble_m);
   return field;
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> SoilTexture(std::uint64_t seed) {
+std::vector<std::uint8_t> SoilTexture(std::uint64_t seed, double largest_pebble_m) {
   if (seed == 0) return std::vector<std::uint8_t>(4u * kSoilSide * kSoilSide, 128);
-  const Field field = MakeField(seed);
+  const Field field = MakeField(seed, largest_pebble_m);
   std::vector<std::uint8_t> texels(4u * kSoilSide * kSoilSide);
   const auto height = [&](int x, int y) { return field.height_m[Wrap(y) * kSoilSide + Wrap(x)]; };
   const auto slope = [](double rise_m) {

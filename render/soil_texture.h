@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/scene.h"
+
 namespace dockyard {
 
 /// side x side texels of four bytes over kSoilTile_m: brightness (128 = mean), slope along x, slope
@@ -13,7 +15,8 @@ inline constexpr double kSoilTile_m = 1.6;
 inline constexpr double kSoilSlopeFull = 1.5;
 
 /// Seed 0: level and even, no grain at all.
-std::vector<std::uint8_t> SoilTexture(std::uint64_t seed);
+/// Pebbles with a longer half side above largest_pebble_m are left out; the others stay.
+std::vector<std::uint8_t> SoilTexture(std::uint64_t seed, double largest_pebble_m = kAllPebbles_m);
 
 /// The same texture at kLumpSide texels a side, for tone over wide ground.
 inline constexpr int kLumpSide = 64;

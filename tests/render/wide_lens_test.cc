@@ -24,7 +24,7 @@ TEST(WideLens, HasItsCornersBeyond64Deg) {
 // centroid is integrated here pixel by pixel from the cone and the lens alone.
 Eigen::Vector2d CentroidOfCone(const Eigen::Vector3d& axis_C, double half_angle_rad,
                                const Eigen::Vector2d& middle, int half_px) {
-  constexpr int kParts = 12;
+  constexpr int kParts = 6;
   const double cosine = std::cos(half_angle_rad);
   Eigen::Vector2d sum(0, 0);
   double count = 0.0;
