@@ -41,6 +41,16 @@ void Check(const StereoImages& images, const MatchSettings& with) {
     throw std::invalid_argument(
         "a block needs an odd side of 3 px or 5, disparities a multiple of 16");
   }
+  if (!(with.smooth_px >= 0.0 && with.smooth_px <= 5.0)) {
+    throw std::invalid_argument("images can be smoothed by 0 to 5 px");
+  }
+}
+
+cv::Mat Smoothed(const cv::Mat& image, double sigma_px) {
+  if (sigma_px <= 0.0) return image;
+  cv::Mat out;
+  cv::GaussianBlur(image, out, {}, sigma_px);
+  return out;
 }
 
 cv::Mat Search(const cv::Mat& left, const cv::Mat& right, const MatchSettings& with) {
@@ -81,7 +91,8 @@ Disparities Match(const StereoImages& rectified, const MatchSettings& with) {
   const PlaneDisparity ground = with.ground.value_or(PlaneDisparity{});
   const cv::Mat right =
       with.ground ? WithoutGround(rectified.right, ground) : MatOn(rectified.right);
-  const cv::Mat found = Search(MatOn(rectified.left), right, with);
+  const cv::Mat found = Search(Smoothed(MatOn(rectified.left), with.smooth_px),
+                               Smoothed(right, with.smooth_px), with);
   Disparities out{found.cols, found.rows, {}};
   out.px.reserve(found.total());
   const int none = kSubpixels * (with.least_px - 1);

@@ -45,6 +45,9 @@ struct MatchSettings {
   int uniqueness_percent = 10;       // by which the best must beat the second
   int most_left_right_px = 1;        // that left and right may differ by
   int speckle_px = 50;               // smaller patches are left out
+  // Gaussian on both images before the search; 0: none. It takes noise off faint texture, as ground
+  // far away has it, and blurs the edges of what stands out.
+  double smooth_px = 0.0;
   /// The ground. Each row of the right image is shifted by its disparity before the search, so that
   /// the search is for what stands out of it: a block on a slope is as sharp as on a wall, and few
   /// disparities need be tried.

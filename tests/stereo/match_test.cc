@@ -95,11 +95,26 @@ TEST_F(OnLevelGround, ExchangedPicturesGiveNothing) {
   EXPECT_LT(wrong.density, 0.2);
 }
 
+// Smoothing leaves the place of what is seen alone.
+TEST_F(OnLevelGround, SmoothedPicturesMatchAtTheSamePlace) {
+  MatchSettings settings{.matcher = Matcher::kSemiGlobal,
+                         .block_px = 5,
+                         .least_px = -16,
+                         .count_px = 48,
+                         .smooth_px = 1.0};
+  settings.ground = truth_;
+  const Quality flat = OnGround(rectifier_, Match(rectifier_, images_, settings), truth_, 1.0);
+  EXPECT_GT(flat.density, 0.85);
+  EXPECT_LT(flat.sigma_px, 0.3);
+  EXPECT_LT(std::abs(flat.bias_px), 0.05);
+}
+
 TEST(Match, RefusesSettingsThatNoMatcherHas) {
   const StereoImages images{{8, 8, std::vector<std::uint8_t>(64)},
                             {8, 8, std::vector<std::uint8_t>(64)}};
   EXPECT_THROW(Match(images, {.block_px = 4}), std::invalid_argument);
   EXPECT_THROW(Match(images, {.count_px = 20}), std::invalid_argument);
+  EXPECT_THROW(Match(images, {.smooth_px = -1.0}), std::invalid_argument);
   EXPECT_THROW(Match({images.left, {4, 8, std::vector<std::uint8_t>(32)}}, {}),
                std::invalid_argument);
 }
