@@ -72,10 +72,12 @@ Disparities MergeStones(const Disparities& sand, const Disparities& stones,
     for (int u = 0; u < stones.width; ++u) {
       const double level_px =
           ground.At(u, v) + static_cast<double>(around.at<float>(v / kTile_px, u / kTile_px));
-      const bool sharp =
-          std::abs(static_cast<double>(stones.at(u, v)) - level_px) > with.stands_out_px;
+      const double sharp_px = static_cast<double>(stones.at(u, v)) - level_px;
       const double smooth_px = static_cast<double>(sand.at(u, v)) - level_px;
-      const bool smooth = std::isnan(smooth_px) || std::abs(smooth_px) > 0.5 * with.stands_out_px;
+      const bool sharp = std::abs(sharp_px) > with.stands_out_px;
+      const bool smooth =
+          std::isnan(smooth_px) ||
+          (std::abs(smooth_px) > 0.75 * with.stands_out_px && sharp_px * smooth_px > 0.0);
       stands_out.at<std::uint8_t>(v, u) = sharp && smooth ? 255 : 0;
     }
   }
@@ -89,6 +91,34 @@ Disparities MergeStones(const Disparities& sand, const Disparities& stones,
     }
   }
   return merged;
+}
+
+Disparities WithoutEdges(const Disparities& disparities, const PlaneDisparity& ground,
+                         int beside_px, double drop_px) {
+  std::vector<float> rest_px(disparities.px.size());
+  std::size_t place = 0;
+  for (int v = 0; v < disparities.height; ++v) {
+    for (int u = 0; u < disparities.width; ++u, ++place) {
+      rest_px[place] = disparities.px[place] - static_cast<float>(ground.At(u, v));
+    }
+  }
+  Disparities kept = disparities;
+  place = 0;
+  for (int v = 0; v < kept.height; ++v) {
+    for (int u = 0; u < kept.width; ++u, ++place) {
+      for (int y = std::max(0, v - beside_px); y <= std::min(kept.height - 1, v + beside_px); ++y) {
+        for (int x = std::max(0, u - beside_px); x <= std::min(kept.width - 1, u + beside_px);
+             ++x) {
+          const auto other = static_cast<std::size_t>(y) * static_cast<std::size_t>(kept.width) +
+                             static_cast<std::size_t>(x);
+          if (static_cast<double>(rest_px[place] - rest_px[other]) > drop_px) {
+            kept.px[place] = std::numeric_limits<float>::quiet_NaN();
+          }
+        }
+      }
+    }
+  }
+  return kept;
 }
 
 Disparities MatchSandAndStones(const Rectifier& rectifier, const StereoImages& images,

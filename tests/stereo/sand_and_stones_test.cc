@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -64,6 +65,20 @@ TEST(MergeStones, KeepsWhatOneOfThemDoesNotSee) {
 TEST(MergeStones, RefusesTwoSizes) {
   EXPECT_THROW(MergeStones(Level(0, 0), {8, 8, std::vector<float>(64)}, kGround, {}),
                std::invalid_argument);
+}
+
+// Those of the bump that have ground beside them, and no others.
+TEST(WithoutEdges, LeavesOutTheFrontOfAnEdge) {
+  const Disparities level = Level(3.0, 0.0), kept = WithoutEdges(level, kGround);
+  int gone = 0;
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u) {
+      const int away = std::max(std::abs(u - 100), std::abs(v - 80));
+      EXPECT_EQ(std::isnan(kept.at(u, v)), away == 11) << u << ' ' << v;
+      gone += std::isnan(kept.at(u, v));
+    }
+  }
+  EXPECT_EQ(gone, 4 * 22);
 }
 
 // On level ground in closed form, with a ball half in it.
