@@ -126,7 +126,7 @@ std::vector<YardScore> Survey(double sun_deg, const Off& off, const std::vector<
 // right camera does not see.
 TEST(StereoSurvey, OfMatchersWithTheSunAt40Deg) {
   const YardScore merged = Survey(40.0, {}, All()).back();
-  constexpr std::array<double, kBandCount> kUp_m{0.5e-3, 0.8e-3, 1.2e-3, 3.0e-3};
+  constexpr std::array<double, kBandCount> kUp_m{0.5e-3, 0.8e-3, 1.2e-3, 2.7e-3};
   constexpr std::array<double, kBandCount> kDense{0.8, 0.9, 0.93, 0.9};
   for (std::size_t band = 0; band < kBandCount; ++band) {
     EXPECT_LE(merged.ground[band].SigmaUp(), kUp_m[band]);

@@ -21,7 +21,7 @@ class ByMiddle : public ::testing::Test {
 
 TEST_F(ByMiddle, IsThatOfAStoneWhereverThePredictionIs) {
   const HeightScene scene{{{{0.6, 0.1}, 0.022, 0.02}}};
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 15; ++i) {
     const Vector2d off(random_.Uniform(-0.035, 0.035), random_.Uniform(-0.035, 0.035));
     const StoneMiddle stone = FindStone(Seen(scene), Vector2d(0.6, 0.1) + off, {});
     ASSERT_EQ(stone.verdict, StoneVerdict::kFound);
@@ -87,7 +87,7 @@ TEST_F(ByMiddle, TellsTwoStonesThatTouch) {
 }
 
 TEST_F(ByMiddle, SaysThatThereIsNone) {
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 20; ++i) {
     EXPECT_EQ(FindStone(Seen({}), {0.6, 0.1}, {}).verdict, StoneVerdict::kFlat);
   }
   // A pebble, and a stone beyond the window.
