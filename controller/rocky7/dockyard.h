@@ -1,5 +1,5 @@
-// Our controller of Rocky 7: the whole shape about the target is tracked, and the rover backs up
-// where one arc cannot bring the point onto it.
+// Our controller of Rocky 7: it tracks the middle of a stone, tells neighbours apart by the shape
+// of the ground about them, and backs up where one arc cannot bring the point onto it.
 #pragma once
 
 #include <memory>

@@ -5,13 +5,11 @@
 #include <vector>
 
 #include "controller/stereo/fill_gaps.h"
+#include "controller/stereo/sand_and_stones.h"
 
 namespace dockyard::rocky7 {
 namespace {
 
-// Disparities off the ground's that are searched: things from 4 cm below it to 20 cm above, at half
-// a metre. Assumed, -32 to -8 and 32 to 96 in all.
-constexpr int kLeast_px = -16, kCount_px = 48;
 // Half the side of a map: the largest window, and the shape in it. Assumed, 0.2-0.5 m.
 constexpr double kHalf_m = 0.3;
 // Cells of a map: 5 mm near by (assumed, 2.5-10 mm), and this share of a pixel's footprint along
@@ -30,20 +28,14 @@ Plane GroundIn(const Nominal& nominal, const ImuSample& attitude) {
 
 }  // namespace
 
-GroundEye::GroundEye(const Nominal& nominal) : nominal_(nominal), rectifier_(nominal.front) {
-  settings_.matcher = Matcher::kSemiGlobal;
-  settings_.block_px = 5;
-  settings_.least_px = kLeast_px;
-  settings_.count_px = kCount_px;
-}
+GroundEye::GroundEye(const Nominal& nominal) : nominal_(nominal), rectifier_(nominal.front) {}
 
 GroundSeen GroundEye::Look(const StereoImages& images, const ImuSample& attitude) const {
   GroundSeen seen;
   seen.ground_R = GroundIn(nominal_, attitude);
   seen.X_RE = FrameOn(seen.ground_R);
-  MatchSettings settings = settings_;
-  settings.ground = DisparityOf(rectifier_.pair(), seen.ground_R);
-  seen.disparities = Match(rectifier_, images, settings);
+  const PlaneDisparity ground = DisparityOf(rectifier_.pair(), seen.ground_R);
+  seen.disparities = WithoutEdges(MatchSandAndStones(rectifier_, images, ground), ground);
   return seen;
 }
 
@@ -52,12 +44,13 @@ ElevationMap GroundEye::MapAbout(const GroundSeen& seen, const Eigen::Vector2d& 
   const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
   const double away_m = (p_E - p_EC.head<2>()).norm(), up_m = std::max(0.05, p_EC.z());
   const double footprint_m = (away_m * away_m + up_m * up_m) / (up_m * pair.focal_px);
-  ElevationMap map = MapHeights(pair, seen.disparities, seen.ground_R, settings_.block_px,
-                                {.cell_m = std::max(kFinest_m, kOfFootprint * footprint_m),
-                                 .x_low_m = p_E.x() - kHalf_m,
-                                 .x_high_m = p_E.x() + kHalf_m,
-                                 .y_low_m = p_E.y() - kHalf_m,
-                                 .y_high_m = p_E.y() + kHalf_m});
+  ElevationMap map =
+      MapHeights(pair, seen.disparities, seen.ground_R, SandAndStonesSettings{}.stones.block_px,
+                 {.cell_m = std::max(kFinest_m, kOfFootprint * footprint_m),
+                  .x_low_m = p_E.x() - kHalf_m,
+                  .x_high_m = p_E.x() + kHalf_m,
+                  .y_low_m = p_E.y() - kHalf_m,
+                  .y_high_m = p_E.y() + kHalf_m});
   FillGaps(kGap_cells, map);
   return map;
 }

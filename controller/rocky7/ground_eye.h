@@ -38,7 +38,6 @@ class GroundEye {
  private:
   Nominal nominal_;
   Rectifier rectifier_;
-  MatchSettings settings_;
 };
 
 /// The pair of a frame; none unless it has both pictures.

@@ -1,5 +1,6 @@
 #include "sim/rocky7/rocky7_view.h"
 
+#include "controller/base/split_mix.h"
 #include "sim/base/random.h"
 
 namespace dockyard::rocky7 {
@@ -8,6 +9,10 @@ namespace {
 // Albedo of stones against that of the soil: freshly broken faces are darker than dust. Assumed,
 // 0.4-1.
 constexpr double kStoneToSoil = 0.65;
+// Of a stone's albedo, over its mean. Assumed, 0.1-0.2.
+constexpr double kStains = 0.15;
+// Larger pebbles have a height that a stereo pair would see, so they are not painted.
+constexpr double kLargestPebble_m = 0.005;
 // About the target the shadows are finest [m].
 constexpr double kInterest_m = 0.3;
 
@@ -56,8 +61,10 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
     }
   }
   for (std::size_t i = 0; i < stones_.size(); ++i) {
-    scene.objects.push_back(
-        {stones_[i], X_WG_ * Pose3::Translation(0.0, 0.0, -truth.sunk_m.at(i)), stone_rgb_});
+    scene.objects.push_back({.mesh = stones_[i],
+                             .X_WO = X_WG_ * Pose3::Translation(0.0, 0.0, -truth.sunk_m.at(i)),
+                             .albedo = stone_rgb_,
+                             .stains = {.contrast = kStains, .seed = SplitMix(texture_seed_, i)}});
   }
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
   scene.ground = {.X_WG = X_WG_,
@@ -69,7 +76,8 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
                   .heights_m = ground.heights_m.data(),
                   .revision = ground.revision,
                   .albedo = soil_rgb_,
-                  .texture_seed = texture_seed_};
+                  .texture_seed = texture_seed_,
+                  .largest_pebble_m = kLargestPebble_m};
   scene.light = lighting_.sun_and_sky;
   scene.interest = Interest{p_W_target_, kInterest_m};
   return scene;
