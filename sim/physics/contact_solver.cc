@@ -18,7 +18,8 @@ struct Rows {
   double across = 0.0;  // 1 / (the largest own answer of the two rows across + softness)
 };
 
-Rows RowsOf(const ContactLaw& law, const ContactStep::Matrix& answer, int row, double h) {
+template <class Matrix>
+Rows RowsOf(const ContactLaw& law, const Matrix& answer, int row, double h) {
   Rows rows;
   const double give = h * law.stiffness_n_per_m + law.damping_ns_per_m;
   rows.softness = 1.0 / (h * give);
@@ -32,12 +33,13 @@ Rows RowsOf(const ContactLaw& law, const ContactStep::Matrix& answer, int row, d
 }
 
 // Advances the bends by the velocities after the step.
-void Bend(double step_s, ContactStep& contacts) {
+template <int kMost>
+void Bend(double step_s, ContactStepOf<kMost>& contacts) {
   for (int i = 0; i < contacts.count; ++i) {
     ContactLaw& law = contacts.laws[i];
     const int row = 3 * i + 1;
-    const Eigen::Vector2d sliding =
-        contacts.velocity.segment<2>(row) + contacts.answer.middleRows<2>(row) * contacts.impulse;
+    const Eigen::Vector2d sliding = contacts.velocity.template segment<2>(row) +
+                                    contacts.answer.template middleRows<2>(row) * contacts.impulse;
     law.bend_m += step_s * sliding;
     const double most = law.friction * contacts.impulse[3 * i] / (step_s * law.stiffness_n_per_m);
     const double size = law.bend_m.norm();
@@ -47,12 +49,13 @@ void Bend(double step_s, ContactStep& contacts) {
 
 }  // namespace
 
-int SolveContacts(double step_s, ContactStep& contacts) {
-  std::array<Rows, kMostContacts> rows;
+template <int kMost>
+int SolveContacts(double step_s, ContactStepOf<kMost>& contacts) {
+  std::array<Rows, kMost> rows;
   for (int i = 0; i < contacts.count; ++i) {
     rows[i] = RowsOf(contacts.laws[i], contacts.answer, 3 * i, step_s);
   }
-  ContactStep::Vector& impulse = contacts.impulse;
+  auto& impulse = contacts.impulse;
   const auto VelocityOf = [&](int row) {
     return contacts.velocity[row] + contacts.answer.row(row).dot(impulse);
   };
@@ -69,13 +72,13 @@ int SolveContacts(double step_s, ContactStep& contacts) {
       change = std::max(change, std::abs(impulse[row] - before));
       largest = std::max(largest, impulse[row]);
 
-      const Eigen::Vector2d rubbed = impulse.segment<2>(row + 1);
+      const Eigen::Vector2d rubbed = impulse.template segment<2>(row + 1);
       const Eigen::Vector2d sliding(VelocityOf(row + 1), VelocityOf(row + 2));
       Eigen::Vector2d rub =
           rubbed - own.across * (sliding + own.softness * rubbed + own.unbend_m_s);
       const double most = contacts.laws[i].friction * impulse[row], size = rub.norm();
       if (size > most) rub *= most / size;
-      impulse.segment<2>(row + 1) = rub;
+      impulse.template segment<2>(row + 1) = rub;
       change = std::max(change, (rub - rubbed).lpNorm<Eigen::Infinity>());
     }
     ++sweeps;
@@ -84,5 +87,8 @@ int SolveContacts(double step_s, ContactStep& contacts) {
   Bend(step_s, contacts);
   return sweeps;
 }
+
+template int SolveContacts(double step_s, ContactStepOf<kMostContacts>& contacts);
+template int SolveContacts(double step_s, ContactStepOf<kManyContacts>& contacts);
 
 }  // namespace dockyard

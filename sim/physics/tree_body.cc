@@ -198,6 +198,12 @@ TreeBody::Speeds TreeBody::Answer(const Speeds& impulse) const {
   return change;
 }
 
+Eigen::MatrixXd TreeBody::Answers(const Eigen::MatrixXd& impulses) const {
+  Eigen::MatrixXd changes = mass_.solve(impulses);
+  if (ties_.rows() > 0) changes -= tie_answers_ * held_.solve(ties_ * changes);
+  return changes;
+}
+
 void TreeBody::TakeLoads(const Vector3d& gravity_G, double step_s) {
   FindAnswers();
   AddSpeeds(Answer(step_s * CollectLoads(gravity_G)));

@@ -70,6 +70,8 @@ class TreeBody {
   void TakeLoads(const Eigen::Vector3d& gravity_G, double step_s);
   /// Speeds that an impulse over the speeds gives [N s, N m s]; good from TakeLoads to Move.
   Speeds Answer(const Speeds& impulse) const;
+  /// The same for an impulse in each column.
+  Eigen::MatrixXd Answers(const Eigen::MatrixXd& impulses) const;
   void AddSpeeds(const Speeds& change);
   /// A step's positions by the speeds.
   void Move(double step_s);
