@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "controller/geometry/rover_plan.h"
+#include "models/parts/arm_model.h"
 #include "models/parts/link.h"
 #include "models/parts/motor.h"
 #include "models/parts/wheel.h"
@@ -36,6 +38,7 @@ struct RoverModel {
   double wheel_kg = 0.0;
   double bracket_kg = 0.0;  // of a steered wheel
   MotorModel drive, steer;
+  std::optional<ArmModel> arm;
 
   double mass_kg() const;
 };
@@ -48,6 +51,7 @@ inline double RoverModel::mass_kg() const {
   if (suspension.kind == SuspensionKind::kRockerBogie) {
     sum += 2.0 * (suspension.rocker_kg + suspension.bogie_kg);
   }
+  if (arm) sum += arm->mass_kg + 2.0 * arm->scoop.mass_kg;
   return sum;
 }
 

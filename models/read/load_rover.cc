@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "models/read/config_error.h"
+#include "models/read/load_arm.h"
 #include "models/read/load_motor.h"
 #include "models/read/load_obstacles.h"
 #include "models/read/load_wheel.h"
@@ -173,9 +174,9 @@ RoverModel LoadRover(const std::string& file) {
 RoverModel ReadRover(const YamlReader& in) {
   RoverModel rover;
   rover.plan = ReadPlan(in);
-  const YamlReader build(
-      in.Child("build"), "build",
-      {"body", "wheel_mass_kg", "bracket_mass_kg", "paddles", "suspension", "drive", "steer"});
+  const YamlReader build(in.Child("build"), "build",
+                         {"body", "wheel_mass_kg", "bracket_mass_kg", "paddles", "suspension",
+                          "drive", "steer", "arm"});
   rover.body = ReadBox(build);
   rover.suspension = ReadSuspension(build);
   rover.on_bogie.assign(rover.plan.wheels.size(), false);
@@ -189,6 +190,7 @@ RoverModel ReadRover(const YamlReader& in) {
   ReadPaddles(build, rover.tyre);
   rover.drive = ReadMotor(build.Child("drive"), build.PathOf("drive"));
   rover.steer = ReadMotor(build.Child("steer"), build.PathOf("steer"));
+  if (build.Has("arm")) rover.arm = ReadArm(build.Child("arm"), build.PathOf("arm"));
   return rover;
 }
 

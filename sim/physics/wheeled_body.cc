@@ -120,6 +120,10 @@ std::vector<TreeLink> WheeledBody::LinksOf(const RoverModel& rover) {
     }
   }
   for (std::size_t i = 0; i < rover.plan.wheels.size(); ++i) AddWheel(links, rover, i);
+  if (rover.arm) {
+    arm_link_ = static_cast<int>(links.size());
+    for (TreeLink& link : ArmLinks(*rover.arm, arm_link_)) links.push_back(std::move(link));
+  }
   return links;
 }
 
@@ -144,6 +148,15 @@ WheeledBody::WheeledBody(const RoverModel& rover, const SoilModel& soil, const P
     motors_.push_back({link, MotorDrive(rover.steer, steer_kg_m2), {}});
   }
   loads_.resize(soils_.size());
+  if (!rover.arm) return;
+  arm_.emplace(*rover.arm, arm_link_, soil);
+  arm_->Stow(tree_);
+  for (int i = 0; i < kArmMotors; ++i) {
+    const MotorModel& motor = i == kArmRoll    ? rover.arm->roll
+                              : i == kArmPitch ? rover.arm->pitch
+                                               : rover.arm->scoop_motor;
+    motors_.push_back({arm_->link(i), MotorDrive(motor, ArmInertia(*rover.arm, i)), {}});
+  }
 }
 
 void WheeledBody::WorkHinges(double step_s) {
@@ -157,6 +170,12 @@ void WheeledBody::WorkHinges(double step_s) {
 
 void WheeledBody::Step(const std::vector<MotorCommand>& commands, const Vector3d& gravity_G,
                        double step_s, HeightGrid& ground) {
+  TakeLoads(commands, gravity_G, step_s, ground);
+  Move(step_s);
+}
+
+void WheeledBody::TakeLoads(const std::vector<MotorCommand>& commands, const Vector3d& gravity_G,
+                            double step_s, HeightGrid& ground) {
   if (commands.size() != motors_.size()) {
     throw std::invalid_argument("a rover needs one command for each motor");
   }
@@ -173,8 +192,8 @@ void WheeledBody::Step(const std::vector<MotorCommand>& commands, const Vector3d
     tree_.AddForce(wheel_link_[i], loads_[i].force_G, wheel.X_GL.p);
     tree_.AddTorque(wheel_link_[i], loads_[i].torque_G);
   }
+  if (arm_) arm_->Work(tree_, ground, step_s);
   tree_.TakeLoads(gravity_G, step_s);
-  tree_.Move(step_s);
 }
 
 std::uint64_t WheeledBody::StateHash(std::uint64_t seed) const {
@@ -182,7 +201,7 @@ std::uint64_t WheeledBody::StateHash(std::uint64_t seed) const {
   for (const Motor& motor : motors_) hash = motor.drive.StateHash(hash);
   for (const WheelSoil& soil : soils_) hash = soil.StateHash(hash);
   for (const Hinge& hinge : hinges_) hash = HashDouble(hash, hinge.bend_rad);
-  return hash;
+  return arm_ ? arm_->StateHash(hash) : hash;
 }
 
 }  // namespace dockyard

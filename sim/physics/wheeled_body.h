@@ -1,12 +1,15 @@
 // A rover on wheels in soil: body, rockers and bogies with their differential, steering brackets
-// and wheels as one tree of links, with a drive on every wheel and every bracket.
+// and wheels as one tree of links, with a drive on every wheel and every bracket. It may have an
+// arm with scoops.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "models/parts/rover_model.h"
 #include "models/parts/soil_model.h"
+#include "sim/physics/arm_body.h"
 #include "sim/physics/bristle.h"
 #include "sim/physics/motor_drive.h"
 #include "sim/physics/tree_body.h"
@@ -20,7 +23,7 @@ class WheeledBody {
   WheeledBody(const RoverModel& rover, const SoilModel& soil, const Pose3& X_GB);
 
   /// Motors: the wheels' drives in the plan's order, then the steered wheels' steering in the same
-  /// order. Angles count from the start.
+  /// order, then the arm's (arm_model.h). Angles count from the start, the arm's from its zero.
   int motor_count() const { return static_cast<int>(motors_.size()); }
   double angle_rad(int motor) const { return tree_.angle_rad(motors_[Place(motor)].link); }
   double rate_rad_s(int motor) const { return tree_.rate_rad_s(motors_[Place(motor)].link); }
@@ -30,6 +33,10 @@ class WheeledBody {
   /// the ground.
   void Step(const std::vector<MotorCommand>& commands, const Eigen::Vector3d& gravity_G,
             double step_s, HeightGrid& ground);
+  /// The same in two parts, between which others may change the speeds (loose_stones.h).
+  void TakeLoads(const std::vector<MotorCommand>& commands, const Eigen::Vector3d& gravity_G,
+                 double step_s, HeightGrid& ground);
+  void Move(double step_s) { tree_.Move(step_s); }
 
   const TreeBody& tree() const { return tree_; }
   TreeBody& tree() { return tree_; }
@@ -48,6 +55,10 @@ class WheeledBody {
   const Eigen::Vector3d& bogie_place_G(bool left) const {
     return tree_.motion(bogie_[left]).X_GL.p;
   }
+  bool has_arm() const { return arm_.has_value(); }
+  const ArmBody& arm() const { return *arm_; }
+  /// The number of the arm's first motor.
+  int arm_motor() const { return motor_count() - kArmMotors; }
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
@@ -69,6 +80,7 @@ class WheeledBody {
   void AddWheel(std::vector<TreeLink>& links, const RoverModel& rover, std::size_t wheel);
   void WorkHinges(double step_s);
 
+  int arm_link_ = 0;              // the arm's first
   int rocker_[2]{}, bogie_[2]{};  // links, right and left; 0: none
   std::vector<int> wheel_link_, bracket_link_;
   std::vector<Hinge> hinges_;
@@ -77,6 +89,7 @@ class WheeledBody {
   std::vector<Motor> motors_;
   std::vector<WheelSoil> soils_;
   std::vector<WheelLoad> loads_;
+  std::optional<ArmBody> arm_;
 };
 
 }  // namespace dockyard

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "controller/geometry/pose.h"
@@ -48,10 +49,11 @@ TEST(LoadRoverPlan, HasTheWheelbaseOfRocky7) {
   EXPECT_EQ(rover.wheels[5].steer_limit_rad, 0.0);
 }
 
-// Rocky 7: about 15 kg, as published.
+// Rocky 7: about 15 kg, as published; 0.81 kg of arm and scoops come on top of what is known of the
+// rest.
 TEST(LoadRover, HasTheMassOfRocky7AndBogiesUnderItsFixedWheels) {
   const RoverModel rover = LoadRover(SourceFile("models/rovers/rocky7.yaml"));
-  EXPECT_NEAR(rover.mass_kg(), 15.2, 0.05);
+  EXPECT_NEAR(rover.mass_kg(), 16.01, 0.005);
   EXPECT_EQ(rover.suspension.kind, SuspensionKind::kRockerBogie);
   EXPECT_EQ(rover.on_bogie, (std::vector<bool>{false, false, true, true, true, true}));
 }
@@ -79,6 +81,27 @@ TEST(LoadRover, RefusesASuspensionThatCarriesNoWheelsOrIsRigidWithBogies) {
               HasSubstr("no other key beside rigid"));
   EXPECT_THAT(MessageWith(LoadRover, "mass_kg: 11", "mass_kg: -1"),
               HasSubstr("build.body.mass_kg"));
+}
+
+// The arm reaches the ground at the point that the planner brings to its goal.
+TEST(LoadRover, ReadsTheArmThatReachesItsPointAndNoneWhereThereIsNone) {
+  const RoverModel rover = LoadRover(SourceFile("models/rovers/rocky7.yaml"));
+  ASSERT_TRUE(rover.arm);
+  const double down_m = rover.arm->p_BS.z() + rover.tyre.rim_radius_m;
+  EXPECT_NEAR(rover.arm->p_BS.x() + std::sqrt(0.32 * 0.32 - down_m * down_m), rover.plan.p_RP.x(),
+              1e-3);
+  EXPECT_FALSE(LoadRover(SourceFile("models/rovers/steered_six.yaml")).arm);
+}
+
+TEST(LoadRover, RefusesAnArmThatCannotBe) {
+  EXPECT_THAT(MessageWith(LoadRover, "opening_m: 0.08 ", "opening_m: 0.1 "),
+              HasSubstr("build.arm.scoops.opening_m: expected less than twice depth_m"));
+  EXPECT_THAT(MessageWith(LoadRover, "wall_m: 0.002", "wall_m: 0.02"),
+              HasSubstr("at most a fifth of width_m, depth_m and belly_m"));
+  EXPECT_THAT(MessageWith(LoadRover, "stowed_pitch_deg: -80", "stowed_pitch_deg: -100"),
+              HasSubstr("build.arm.stowed_pitch_deg: expected a number from -90 to 80"));
+  EXPECT_THAT(MessageWith(LoadRover, "    length_m: 0.32 ", "    longness_m: 0.32 "),
+              HasSubstr("longness_m"));
 }
 
 TEST(LoadRoverPlan, RefusesWhatCannotBeARoverWithLineAndReason) {

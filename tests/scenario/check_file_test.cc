@@ -35,7 +35,7 @@ TEST(CheckFile, NamesTheKindOfEveryFileHere) {
 
 TEST(CheckFile, SaysInALineWhatIsInside) {
   EXPECT_EQ(Check("models/rovers/rocky7.yaml").summary,
-            "rocky7: 6 wheels, 2 of them steered, 15.2 kg");
+            "rocky7: 6 wheels, 2 of them steered, 16.01 kg");
   EXPECT_EQ(Check("models/rovers/steered_six.yaml").summary,
             "steered_six: 6 wheels, 6 of them steered, 15.6 kg");
   EXPECT_EQ(Check("models/axel/axel.yaml").summary, "axel: 40 kg, arm 1 m, stereo baseline 0.35 m");
