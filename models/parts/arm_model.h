@@ -27,7 +27,7 @@ struct ScoopModel {
 };
 
 struct ArmModel {
-  Eigen::Vector3d p_BS{0, 0, 0};  // of the shoulder; z from the wheels' axles [m]
+  Eigen::Vector3d p_RA{0, 0, 0};  // of the shoulder in the body, z from the axles [m]
   double length_m = 0.0;          // from shoulder to scoops' axis
   double mass_kg = 0.0;           // without scoops
   double roll_stop_rad = 0.0;     // either way

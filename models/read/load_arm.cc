@@ -36,7 +36,7 @@ ArmModel ReadArm(const YamlNode& node, const std::string& path) {
                        "pitch_high_deg", "scoop_low_deg", "scoop_high_deg", "stowed_pitch_deg",
                        "stowed_scoop_deg", "scoops", "roll", "pitch", "scoop"});
   ArmModel arm;
-  arm.p_BS = {in.Number("x_m", Between(-10.0, 10.0)), in.NumberOr("y_m", 0.0, Between(-10.0, 10.0)),
+  arm.p_RA = {in.Number("x_m", Between(-10.0, 10.0)), in.NumberOr("y_m", 0.0, Between(-10.0, 10.0)),
               in.Number("z_m", Between(-10.0, 10.0))};
   arm.length_m = in.Number("length_m", Positive(10.0));
   arm.mass_kg = in.Number("mass_kg", Positive(1e3));

@@ -59,7 +59,7 @@ std::vector<TreeLink> ArmLinks(const ArmModel& arm, int first) {
   const Vector3d end(arm.length_m, 0.0, 0.0), y = Vector3d::UnitY();
   const double rotor = arm.scoop_motor.reflected_inertia_kg_m2;
   return {
-      LinkOf(0, arm.p_BS, Vector3d::UnitX(), ShoulderMass(arm), arm.roll.reflected_inertia_kg_m2),
+      LinkOf(0, arm.p_RA, Vector3d::UnitX(), ShoulderMass(arm), arm.roll.reflected_inertia_kg_m2),
       LinkOf(first + kArmRoll, Vector3d::Zero(), y, BarMass(arm),
              arm.pitch.reflected_inertia_kg_m2),
       LinkOf(first + kArmPitch, end, y, ScoopMass(arm.scoop, true), rotor),

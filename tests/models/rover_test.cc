@@ -87,8 +87,8 @@ TEST(LoadRover, RefusesASuspensionThatCarriesNoWheelsOrIsRigidWithBogies) {
 TEST(LoadRover, ReadsTheArmThatReachesItsPointAndNoneWhereThereIsNone) {
   const RoverModel rover = LoadRover(SourceFile("models/rovers/rocky7.yaml"));
   ASSERT_TRUE(rover.arm);
-  const double down_m = rover.arm->p_BS.z() + rover.tyre.rim_radius_m;
-  EXPECT_NEAR(rover.arm->p_BS.x() + std::sqrt(0.32 * 0.32 - down_m * down_m), rover.plan.p_RP.x(),
+  const double down_m = rover.arm->p_RA.z() + rover.tyre.rim_radius_m;
+  EXPECT_NEAR(rover.arm->p_RA.x() + std::sqrt(0.32 * 0.32 - down_m * down_m), rover.plan.p_RP.x(),
               1e-3);
   EXPECT_FALSE(LoadRover(SourceFile("models/rovers/steered_six.yaml")).arm);
 }

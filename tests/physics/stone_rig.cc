@@ -20,7 +20,7 @@ void TurnScoops(ArmRig& rig, double pitch_rad, double open_rad, double speed_rad
 }
 
 double PitchFor(const ArmRig& rig, double axis_m) {
-  const double shoulder_m = rig.model.arm->p_BS.z() + RollingRadius(rig.model.tyre);
+  const double shoulder_m = rig.model.arm->p_RA.z() + RollingRadius(rig.model.tyre);
   return std::asin((shoulder_m - axis_m) / rig.model.arm->length_m);
 }
 

@@ -72,6 +72,30 @@ class ArmRig {
     return ToRollPitchYaw(body.tree().motion(body.arm().link(kArmPitch)).X_GL.R).pitch;
   }
 
+  /// Below the scoops' axis when the arm's end is 50 mm above level ground.
+  Eigen::Vector2d PointUnderArm() const {
+    const double down_m = model.arm->p_RA.z() + RollingRadius(model.tyre) - 0.05;
+    const double ahead_m = std::sqrt(model.arm->length_m * model.arm->length_m - down_m * down_m);
+    return (body.body().X_GL * Eigen::Vector3d(model.arm->p_RA.x() + ahead_m, 0.0, 0.0)).head<2>();
+  }
+  /// Of a stone's centre of mass above the level ground.
+  double StoneHeight(int i) const { return stones.stone(i).motion().X_GL.p.z(); }
+  /// The same in the arm's frame.
+  Eigen::Vector3d StoneInArm(int i) const {
+    const Pose3& X_GA = body.tree().motion(body.arm().link(kArmPitch)).X_GL;
+    return Inverse(X_GA) * stones.stone(i).motion().X_GL.p;
+  }
+  /// Straight on by this way of the wheels' rims, at the rover's speed.
+  void Drive(double way_m) {
+    const double rate = model.plan.speed_m_s / RollingRadius(model.tyre);
+    for (std::size_t i = 0; i < model.plan.wheels.size(); ++i) {
+      commands[i] = {MotorMode::kVelocity, rate, 0.0, 1.5, 2.0};
+    }
+    Run(way_m / model.plan.speed_m_s);
+    for (std::size_t i = 0; i < model.plan.wheels.size(); ++i) commands[i] = {};
+    Run(0.5);
+  }
+
   RoverModel model;
   HeightGrid ground;
   WheeledBody body;
