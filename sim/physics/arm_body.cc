@@ -102,7 +102,7 @@ void ArmBody::Stow(TreeBody& tree) const {
   tree.SetAngle(link(kBackScoop), model_.stowed_scoop_rad);
 }
 
-void ArmBody::Work(TreeBody& tree, const HeightGrid& ground, double step_s) {
+void ArmBody::Work(TreeBody& tree, HeightGrid& ground, double step_s) {
   const auto Stop = [&](int motor, const JointStop& stop, double low, double high) {
     const int i = link(motor);
     tree.AddJointTorque(i, stop.Load(tree.angle_rad(i), tree.rate_rad_s(i), low, high));

@@ -29,7 +29,7 @@ class ArmBody {
   /// Puts the arm as it is stowed.
   void Stow(TreeBody& tree) const;
   /// Loads of a step: stops of the joints, the scoops' lips on each other, soil.
-  void Work(TreeBody& tree, const HeightGrid& ground, double step_s);
+  void Work(TreeBody& tree, HeightGrid& ground, double step_s);
 
   int link(int motor) const { return first_ + motor; }
   const ArmModel& model() const { return model_; }

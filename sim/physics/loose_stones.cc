@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/base/hash.h"
+#include "sim/physics/moved_soil.h"
 #include "sim/physics/plate_contacts.h"
 #include "sim/soil/sinking_plate.h"
 
@@ -155,7 +156,7 @@ void LooseStones::FindSoil(int stone, const HeightGrid& ground, double step_s) {
   const ConvexBody& shape = kept.body.shape_S();
   for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
     const Vector3d p_G = motion.X_GL * shape.vertices[i];
-    const double below_m = ground.Height(p_G.x(), p_G.y()) - p_G.z();
+    const double below_m = BearingHeight(ground, p_G.x(), p_G.y()) - p_G.z();
     const double area_m2 = -(motion.X_GL.R.row(2).dot(kept.area_S[i]));
     double& sunk_m = kept.sunk_m[i];
     if (below_m <= 0.0 || area_m2 < kLeastArea_m2) {
@@ -189,7 +190,7 @@ void LooseStones::FindTouches(const TreeBody& tool, const HeightGrid& ground, do
     Kept& kept = stones_[Place(i)];
     if (kept.asleep) {
       const Vector3d& at = kept.body.motion().X_GL.p;
-      const double change_m = ground.Height(at.x(), at.y()) - kept.ground_m;
+      const double change_m = BearingHeight(ground, at.x(), at.y()) - kept.ground_m;
       if (std::abs(change_m) > kGroundChange_m) {
         kept.asleep = false;
         kept.still_s = 0.0;
@@ -237,7 +238,7 @@ void LooseStones::Rest(Kept& kept, const HeightGrid& ground, double step_s) {
   kept.still_s = held || speed_m_s > kStill_m_s ? 0.0 : kept.still_s + step_s;
   if (kept.still_s < kStill_s) return;
   kept.asleep = true;
-  kept.ground_m = ground.Height(motion.X_GL.p.x(), motion.X_GL.p.y());
+  kept.ground_m = BearingHeight(ground, motion.X_GL.p.x(), motion.X_GL.p.y());
   kept.body.SetMotion(Vector3d::Zero(), Vector3d::Zero());
 }
 

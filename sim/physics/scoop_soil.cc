@@ -6,6 +6,7 @@
 
 #include "models/parts/scoop_shape.h"
 #include "sim/base/hash.h"
+#include "sim/physics/moved_soil.h"
 
 namespace dockyard {
 namespace {
@@ -15,8 +16,11 @@ using Eigen::Vector3d;
 // Pieces of lip and wall: across the width, and along the profile.
 constexpr int kAcross = 5, kAlong = 3;
 
+// Slopes slump so often; assumed, 5-50 ms.
+constexpr double kSlump_s = 0.01;
+
 double Below(const HeightGrid& ground, const Vector3d& p_G) {
-  return ground.Height(p_G.x(), p_G.y()) - p_G.z();
+  return BearingHeight(ground, p_G.x(), p_G.y()) - p_G.z();
 }
 
 }  // namespace
@@ -30,6 +34,7 @@ ScoopSoil::ScoopSoil(const ScoopModel& scoop, bool front, const SoilModel& soil)
   };
   way_L_ = (At(profile[3], 0.0) - At(profile[2], 0.0)).normalized();
   lip_area_m2_ = scoop.width_m * scoop.wall_m / kAcross;
+  reach_m_ = 2.0 * scoop.depth_m;
   for (int i = 0; i < kAcross; ++i) {
     const double across = (i + 0.5) / kAcross - 0.5;
     lips_.push_back({At(profile[3], across)});
@@ -46,7 +51,18 @@ ScoopSoil::ScoopSoil(const ScoopModel& scoop, bool front, const SoilModel& soil)
   }
 }
 
-ScoopLoad ScoopSoil::Step(const HeightGrid& ground, const LinkMotion& scoop, double step_s) {
+// The wedge before a wall comes out at depth x tan(45 deg + phi / 2). The trench opens behind it.
+void ScoopSoil::Heap(HeightGrid& ground, const Wall& wall, const Vector3d& p_G,
+                     const Vector3d& swept_G, double depth_m) const {
+  const Eigen::Vector2d aside = swept_G.head<2>();
+  const double way_m = aside.norm();
+  if (way_m == 0.0) return;
+  const double out_m = depth_m * wall_laws_.sqrt_n_phi + ground.cell_m;
+  const Eigen::Vector2d at = p_G.head<2>(), towards = aside / way_m;
+  MoveSoil(ground, at - ground.cell_m * towards, at + out_m * towards, wall.area_m2 * way_m);
+}
+
+ScoopLoad ScoopSoil::Step(HeightGrid& ground, const LinkMotion& scoop, double step_s) {
   ScoopLoad load;
   load.deepest_m = -1e3;
   const auto Add = [&](const Vector3d& force_G, const Vector3d& p_G) {
@@ -89,6 +105,12 @@ ScoopLoad ScoopSoil::Step(const HeightGrid& ground, const LinkMotion& scoop, dou
     const double wall_n = wall.area_m2 * FacePressure(wall_laws_, depth_m, 1.0);
     Add(-wall_n * (wall.push * normal_G + wall_laws_.tan_rim * std::abs(wall.push) * wall.rub_G),
         p_G);
+    Heap(ground, wall, p_G, into_m * normal_G, depth_m);
+  }
+  since_slump_s_ += step_s;
+  if (load.deepest_m > 0.0 && since_slump_s_ >= kSlump_s) {
+    SlumpWithin(ground, scoop.X_GL.p.head<2>(), reach_m_, wall_laws_.tan_phi);
+    since_slump_s_ = 0.0;
   }
   return load;
 }

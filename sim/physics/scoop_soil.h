@@ -1,5 +1,5 @@
 // Forces of soil on a scoop: on its lip as on a narrow blade that is pressed in, on its floor and
-// back as on walls that push soil before them. The ground keeps its shape: no hole, no heap.
+// back as on walls that push soil before them. They leave a trench and a heap in the ground.
 #pragma once
 
 #include <cstdint>
@@ -25,13 +25,17 @@ struct ScoopLoad {
 ///
 /// A piece of a wall at depth z is pushed back by the passive pressure there, as far as its way
 /// through the soil has mobilised it, and rubs along the wall with the soil's friction on metal.
-/// Either side of the wall counts: it has soil before it whichever way it goes.
+/// Either side of the wall counts: it has soil before it whichever way it goes. Depths count from
+/// the soil as it was, or from the floor of a trench: the pressure has the heap in it already.
+///
+/// The soil that a wall sweeps sideways is heaped up where its passive wedge comes out, and slumps
+/// where that is too steep. What a scoop lifts out is not taken from the ground.
 class ScoopSoil {
  public:
   ScoopSoil(const ScoopModel& scoop, bool front, const SoilModel& soil);
 
   /// The load on a scoop that moves so; advances the soil's memory by a step.
-  ScoopLoad Step(const HeightGrid& ground, const LinkMotion& scoop, double step_s);
+  ScoopLoad Step(HeightGrid& ground, const LinkMotion& scoop, double step_s);
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
@@ -47,11 +51,16 @@ class ScoopSoil {
     Eigen::Vector3d rub_G{0, 0, 0};
   };
 
+  void Heap(HeightGrid& ground, const Wall& wall, const Eigen::Vector3d& p_G,
+            const Eigen::Vector3d& swept_G, double depth_m) const;
+
   SoilLaws laws_, wall_laws_;
   Eigen::Vector3d way_L_{0, 0, 0};  // of the lip, out of its plate
   double lip_area_m2_ = 0.0;        // of a piece
   std::vector<Lip> lips_;
   std::vector<Wall> walls_;
+  double reach_m_ = 0.0;  // of what slumps about the scoop
+  double since_slump_s_ = 0.0;
 };
 
 }  // namespace dockyard

@@ -94,6 +94,30 @@ TEST(ScoopSoil, WallsTakeThePassivePressureOfTheSoilBeforeThem) {
   EXPECT_NEAR(-load.force_G.x(), passive_n, 0.15 * passive_n);
 }
 
+// A trench as deep as the lip was, the soil of it in the heap before the scoop and beside it, and
+// no slope above the friction angle but where the scoop stands.
+TEST(ScoopSoil, LeavesATrenchAndAHeapOfTheSameVolume) {
+  Scoop scoop("loose_sand");
+  scoop.Go({0.0, 0.0, -0.015});
+  scoop.Go({0.08, 0.0, 0.0});
+  double sum_m = 0.0, low_m = 0.0, high_m = 0.0;
+  for (const double height_m : scoop.ground.heights_m) {
+    sum_m += height_m;
+    low_m = std::min(low_m, height_m);
+    high_m = std::max(high_m, height_m);
+  }
+  EXPECT_NEAR(sum_m, 0.0, 1e-9);
+  EXPECT_LT(low_m, -0.008);
+  EXPECT_GT(low_m, -0.020);
+  EXPECT_GT(high_m, 0.004);
+  // Where it went before there is less to push.
+  const double first_n = -scoop.Go({0.01, 0.0, 0.0}).force_G.x();
+  scoop.Go({0.0, 0.0, 0.05});
+  scoop.Go({-0.06, 0.0, 0.0});
+  scoop.Go({0.0, 0.0, -0.05});
+  EXPECT_LT(-scoop.Go({0.01, 0.0, 0.0}).force_G.x(), 0.75 * first_n);
+}
+
 TEST(ScoopSoil, DoesNothingAboveTheGround) {
   Scoop scoop("loose_sand");
   scoop.Go({0.0, 0.0, -0.02});
