@@ -100,16 +100,33 @@ void LooseStones::AddTouch(StoneTouch touch) {
   touches_.push_back(touch);
 }
 
-void LooseStones::FindParts(const TreeBody& tool, int stone) {
+void LooseStones::PlaceParts(const TreeBody& tool) {
+  part_poses_.resize(parts_.size());
+  part_centres_.resize(parts_.size());
+  parts_centre_G_.setZero();
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    part_poses_[i] = tool.motion(parts_[i].link).X_GL;
+    part_centres_[i] = part_poses_[i] * parts_[i].body_L.centre;
+    parts_centre_G_ += part_centres_[i] / static_cast<double>(parts_.size());
+  }
+  parts_reach_m_ = 0.0;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const double off_m = (part_centres_[i] - parts_centre_G_).norm();
+    parts_reach_m_ = std::max(parts_reach_m_, off_m + parts_[i].body_L.radius_m);
+  }
+}
+
+void LooseStones::FindParts(int stone) {
   Kept& kept = stones_[Place(stone)];
   const Pose3& X_GS = kept.body.motion().X_GL;
   const ConvexBody& shape = kept.body.shape_S();
   const Vector3d centre_G = X_GS * shape.centre;
+  const double near_m = parts_reach_m_ + shape.radius_m;
+  if ((centre_G - parts_centre_G_).squaredNorm() > near_m * near_m) return;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const Pose3& X_GL = tool.motion(parts_[i].link).X_GL;
-    if (!MayMeet(shape, centre_G, parts_[i].body_L, X_GL * parts_[i].body_L.centre)) continue;
+    if (!MayMeet(shape, centre_G, parts_[i].body_L, part_centres_[i])) continue;
     found_.clear();
-    AddPlateContacts(shape, Inverse(X_GS) * X_GL * parts_[i].body_L, found_);
+    AddPlateContacts(shape, Inverse(X_GS) * part_poses_[i] * parts_[i].body_L, found_);
     for (const BodyContact& at : found_) {
       AddTouch({.stone = stone,
                 .part = static_cast<int>(i),
@@ -186,6 +203,7 @@ void LooseStones::FindSoil(int stone, const HeightGrid& ground, double step_s) {
 
 void LooseStones::FindTouches(const TreeBody& tool, const HeightGrid& ground, double step_s) {
   touches_.clear();
+  PlaceParts(tool);
   for (int i = 0; i < count(); ++i) {
     Kept& kept = stones_[Place(i)];
     if (kept.asleep) {
@@ -196,7 +214,7 @@ void LooseStones::FindTouches(const TreeBody& tool, const HeightGrid& ground, do
         kept.still_s = 0.0;
       }
     }
-    FindParts(tool, i);
+    FindParts(i);
   }
   FindStones();
   for (int i = 0; i < count(); ++i) {

@@ -80,7 +80,8 @@ class LooseStones {
     bool asleep = false, moved = false;  // moved: in the last step
   };
   static std::size_t Place(int i) { return static_cast<std::size_t>(i); }
-  void FindParts(const TreeBody& tool, int stone);
+  void PlaceParts(const TreeBody& tool);
+  void FindParts(int stone);
   void FindStones();
   void FindSoil(int stone, const HeightGrid& ground, double step_s);
   void FindTouches(const TreeBody& tool, const HeightGrid& ground, double step_s);
@@ -92,6 +93,10 @@ class LooseStones {
   void Rest(Kept& kept, const HeightGrid& ground, double step_s);
 
   std::vector<ToolPart> parts_;
+  std::vector<Pose3> part_poses_;              // in G, of the links
+  std::vector<Eigen::Vector3d> part_centres_;  // in G
+  Eigen::Vector3d parts_centre_G_{0, 0, 0};
+  double parts_reach_m_ = 0.0;  // of a sphere about it that holds all parts
   SoilModel soil_;
   StoneMaterial material_;
   std::vector<Kept> stones_;
