@@ -7,8 +7,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-// The profile's corners, as shares of belly and depth. Assumed: a floor that rises by 27 deg from
-// the lip, so that with the scoops open by 80 mm it goes into the ground 10 deg off the vertical.
+// The profile's corners, as shares of belly and depth. Assumed, 0.3-0.7, 0.2-0.4, 0.6-0.8: a floor
+// that rises by 27 deg from the lip, so that with the scoops open by 80 mm it goes into the ground
+// 10 deg off the vertical.
 constexpr double kTopX = 0.5, kBackTop = 0.3, kBackFoot = 0.7;
 // The arm's bar; assumed, 10-20 mm high and 15-30 mm wide.
 constexpr double kBarHigh_m = 0.012, kBarWide_m = 0.020;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "controller/geometry/pose.h"
@@ -46,6 +47,13 @@ ConvexBody LooseStoneShape(double length_m, std::uint64_t key) {
   const Vector3d com = MassOf(HullOf(points), 1.0).p_com;
   for (Vector3d& p : points) p -= com;
   return HullOf(points);
+}
+
+Pose3 StandingAt(const ConvexBody& shape, const Eigen::Vector2d& p_G, double turn_rad,
+                 double ground_m) {
+  double low_m = shape.vertices.front().z();
+  for (const Vector3d& p : shape.vertices) low_m = std::min(low_m, p.z());
+  return {RotZ(turn_rad), {p_G.x(), p_G.y(), ground_m - low_m}};
 }
 
 LooseStone::LooseStone(const ConvexBody& shape, double density_kg_m3, const Pose3& X_GS) {

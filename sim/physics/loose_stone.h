@@ -10,12 +10,16 @@
 
 namespace dockyard {
 
-/// Basalt and its like; range 2 500-3 000 kg/m^3.
+/// Basalt and its like; assumed, 2 500-3 000 kg/m^3.
 inline constexpr double kStoneDensity_kg_m3 = 2700.0;
 
 /// The hull of points on an ellipsoid with axes 1 : 0.8 : 0.65 along x, y, z and noise along their
 /// radius, scaled to this length along x. Centred on its centre of mass. Same key, same shape.
 ConvexBody LooseStoneShape(double length_m, std::uint64_t key);
+
+/// The pose in which a shape stands on level ground at this height, its lowest corner on it.
+Pose3 StandingAt(const ConvexBody& shape, const Eigen::Vector2d& p_G, double turn_rad,
+                 double ground_m);
 
 /// Frame S: the centre of mass of the stone, axes of its shape.
 class LooseStone {
