@@ -125,6 +125,16 @@ void Approach::TakeLook(const StereoImages& images, const SensorFrame& sensed) {
   if (misses_ >= options_.most_misses || !begun_) GiveUp("lost the target: " + seen.why);
 }
 
+TargetSeen Approach::Peek(const StereoImages& images, const SensorFrame& sensed) {
+  ++looks_;
+  const GroundSeen ground = eye_.Look(images, sensed.imu);
+  const TargetSeen seen =
+      tracker_->Follow(eye_.MapAbout(ground, p_RT_), {p_RT_.x(), p_RT_.y(), 0.0});
+  Report(seen, sensed.imu);
+  Tell("peek", seen.why);
+  return seen;
+}
+
 void Approach::Decide() {
   const double off_m = (p_RT_ - nominal_.plan.p_RP).norm();
   if (off_m <= options_.claim_share * nominal_.reach_m) {

@@ -30,6 +30,10 @@ class Approach {
            const ApproachOptions& options);
 
   Commands Step(const SensorFrame& sensed);
+  /// A look at where the target was seen last, by a rover that stands. It changes no plan.
+  TargetSeen Peek(const StereoImages& images, const SensorFrame& sensed);
+  /// Takes a claim back: the target was moved, and is looked for where it was last.
+  void LookAgain() { verdict_ = Verdict::kUnderWay; }
   const Belief& belief() const { return belief_; }
   /// The target where it was seen last, in R's plan, odometry since then included.
   const Eigen::Vector2d& p_RT() const { return p_RT_; }

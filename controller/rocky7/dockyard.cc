@@ -1,6 +1,6 @@
 #include "controller/rocky7/dockyard.h"
 
-#include "controller/rocky7/approach.h"
+#include "controller/rocky7/mission.h"
 #include "controller/tracking/stone_middle.h"
 #include "controller/tracking/whole_shape.h"
 
@@ -45,7 +45,9 @@ class StoneTracker final : public TargetTracker {
       narrow.apart_m = 0.0;
       stone = FindStone(map, {shape.X_ET.x, shape.X_ET.y}, narrow);
     }
-    if (stone.verdict != StoneVerdict::kFound) return {.why = WhyNot(stone.verdict)};
+    if (stone.verdict != StoneVerdict::kFound) {
+      return {.gone = stone.verdict == StoneVerdict::kFlat, .why = WhyNot(stone.verdict)};
+    }
     if (std::abs(stone.height_m - height_m_) > kOtherHeight_m + kOtherShare * height_m_) {
       return {.why = "another stone stands where the target should be"};
     }
@@ -79,22 +81,13 @@ constexpr ApproachOptions kOptions{.image_share = 0.3,
                                    .most_looks = 60,
                                    .most_misses = 3};
 
-class Dockyard final : public Controller {
- public:
-  explicit Dockyard(const Nominal& nominal)
-      : approach_(nominal, std::make_unique<StoneTracker>(), kOptions) {}
-
-  Commands Step(const SensorFrame& sensed) override { return approach_.Step(sensed); }
-  const Belief& belief() const override { return approach_.belief(); }
-
- private:
-  Approach approach_;
-};
+// Assumed, 1-5 tries.
+constexpr MissionOptions kMission{.tries = 3, .peeks = true};
 
 }  // namespace
 
 std::unique_ptr<Controller> MakeDockyardController(const Nominal& nominal) {
-  return std::make_unique<Dockyard>(nominal);
+  return std::make_unique<Mission>(nominal, std::make_unique<StoneTracker>(), kOptions, kMission);
 }
 
 }  // namespace dockyard::rocky7

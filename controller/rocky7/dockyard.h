@@ -9,7 +9,7 @@
 
 namespace dockyard::rocky7 {
 
-/// Its belief has these values: "target_x_m" and "target_y_m" in R, and "looks".
+/// Its belief has these values: "target_x_m" and "target_y_m" in R, "looks" and "grasps".
 std::unique_ptr<Controller> MakeDockyardController(const Nominal& nominal);
 
 }  // namespace dockyard::rocky7

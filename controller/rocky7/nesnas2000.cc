@@ -1,6 +1,6 @@
 #include "controller/rocky7/nesnas2000.h"
 
-#include "controller/rocky7/approach.h"
+#include "controller/rocky7/mission.h"
 #include "controller/tracking/local_maximum.h"
 
 namespace dockyard::rocky7 {
@@ -29,24 +29,13 @@ class HighestPoint final : public TargetTracker {
   LocalMaximumSettings settings_;
 };
 
-class Nesnas2000 final : public Controller {
- public:
-  explicit Nesnas2000(const Nominal& nominal)
-      : approach_(nominal, std::make_unique<HighestPoint>(nominal.nesnas),
-                  {.image_share = nominal.nesnas.image_share,
-                   .least_step_m = nominal.nesnas.least_step_m}) {}
-
-  Commands Step(const SensorFrame& sensed) override { return approach_.Step(sensed); }
-  const Belief& belief() const override { return approach_.belief(); }
-
- private:
-  Approach approach_;
-};
-
 }  // namespace
 
 std::unique_ptr<Controller> MakeNesnas2000Controller(const Nominal& nominal) {
-  return std::make_unique<Nesnas2000>(nominal);
+  const ApproachOptions options{.image_share = nominal.nesnas.image_share,
+                                .least_step_m = nominal.nesnas.least_step_m};
+  return std::make_unique<Mission>(nominal, std::make_unique<HighestPoint>(nominal.nesnas), options,
+                                   MissionOptions{});
 }
 
 }  // namespace dockyard::rocky7

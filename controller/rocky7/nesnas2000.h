@@ -9,7 +9,7 @@
 namespace dockyard::rocky7 {
 
 /// Tracks the local maximum of heights and stops for each look. Its belief has these values:
-/// "target_x_m" and "target_y_m" in R, and "looks".
+/// "target_x_m" and "target_y_m" in R, "looks" and "grasps".
 std::unique_ptr<Controller> MakeNesnas2000Controller(const Nominal& nominal);
 
 }  // namespace dockyard::rocky7

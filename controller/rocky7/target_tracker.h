@@ -12,6 +12,7 @@ namespace dockyard::rocky7 {
 /// Where a look has the target, in E; or why it has it not.
 struct TargetSeen {
   bool found = false;
+  bool gone = false;  // it is seen that nothing stands there
   Eigen::Vector2d p_E{0, 0};
   double height_m = 0.0;  // over the level ground below R
   std::string why{};      // in a few words; empty when found without a remark

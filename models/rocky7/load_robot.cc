@@ -32,6 +32,7 @@ RobotModel LoadRobot(const std::string& file, const ModelChanges& changes) {
   if (robot.rover.suspension.kind != SuspensionKind::kRockerBogie) {
     in.Refuse("build", "a suspension of the kind rocker_bogie");
   }
+  if (!robot.rover.arm) in.Refuse("build", "an arm");
   return robot;
 }
 

@@ -19,6 +19,8 @@ namespace {
 constexpr double kCoarsest_m = 0.01;
 // Level about the target. Assumed, 0.05-0.3 m.
 constexpr double kFlatRadius_m = 0.1;
+// Of a loose stone, length 1 and width 0.8: the mean of both.
+constexpr double kMeanOfLength = 0.9;
 // Between the target and a stone of the field, at least [m].
 constexpr double kApart_m = 0.005;
 // The rover at its start: a disc about the middle of its wheels, in R.
@@ -52,7 +54,7 @@ std::vector<ConvexBody> Stones(const Scenario& scenario, const Rocky7Keys& keys,
   const auto lift = [&](double x_m, double y_m) {
     return Pose3::Translation(0.0, 0.0, ground.Height(x_m, y_m));
   };
-  stones.push_back(lift(0.0, 0.0) * TargetStone(keys, scenario.seed));
+  if (keys.task == "reach") stones.push_back(lift(0.0, 0.0) * TargetStone(keys, scenario.seed));
   if (!HasRocks(scenario.rocks)) return stones;
   const YardModel& yard = scenario.yard;
   const GroundArea area{-kYardBehind_m, yard.length_m - kYardBehind_m, -0.5 * yard.width_m,
@@ -92,20 +94,30 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   if (!std::isnan(models.keys.off_target_rad)) at.h = at.alpha + models.keys.off_target_rad;
   world.X_GR_start = FromDockingCoords(at);
   world.stones = Stones(scenario, models.keys, world.X_GR_start, world.ground);
+  if (models.keys.task == "grasp") {
+    world.loose_target =
+        LooseStoneShape(models.keys.diameter_m / kMeanOfLength, StreamKey(scenario.seed, "target"));
+    world.target_turn_rad = models.keys.turn_rad;
+  }
   world.stone_friction = scenario.rocks.friction;
   world.step_s = scenario.physics_step_s;
   run.front = BuiltRig(models.built.robot.front, scenario.seed);
   run.lighting = MakeLighting(scenario.light, SiteInWorld(world.X_WG, world.slope),
                               {0.0, 0.0, 0.5 * models.keys.height_m}, scenario.seed, scenario.sun);
   run.nominal = MakeNominal(models.told.robot);
+  if (models.keys.task == "grasp") {
+    // Not the point where the arm reaches the ground, but the one where its scoops close.
+    run.nominal.plan.p_RP = GraspPoint(run.nominal.arm, run.nominal.rolling_radius_m);
+    world.robot.rover.plan.p_RP = run.nominal.plan.p_RP;
+  }
+  run.nominal.task = models.keys.task == "grasp" ? Task::kGrasp : Task::kReach;
   run.nominal.reach_m = models.keys.reach_m;
   return run;
 }
 
-Eigen::Vector2d ClickOn(const Scenario& scenario, const BuiltRun& run, const Pose3& X_WR) {
-  const Pose3 X_WC = X_WR * run.front.X_RL;
-  const Eigen::Vector3d p_W =
-      SiteInWorld(run.world.X_WG, run.world.slope) * run.world.stones.front().centre;
+Eigen::Vector2d ClickOn(const Scenario& scenario, const BuiltRun& run, const Truth& truth) {
+  const Pose3 X_WC = truth.X_WR * run.front.X_RL;
+  const Eigen::Vector3d p_W = SiteInWorld(run.world.X_WG, run.world.slope) * truth.X_GT.p;
   const auto pixel = run.front.left.Project(Inverse(X_WC) * p_W);
   constexpr double kMargin_px = 10.0;
   if (!pixel || !run.front.left.Sees(*pixel, kMargin_px)) {

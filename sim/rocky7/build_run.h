@@ -20,8 +20,8 @@ struct BuiltRun {
 BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models);
 
 /// The user's click: the pixel of the left camera that shows the target's middle, with the error of
-/// the hand. X_WR: the body as it stands at the start. Throws ConfigError when the target is not in
+/// the hand. truth: of the start. Throws ConfigError when the target is not in
 /// that picture.
-Eigen::Vector2d ClickOn(const Scenario& scenario, const BuiltRun& run, const Pose3& X_WR);
+Eigen::Vector2d ClickOn(const Scenario& scenario, const BuiltRun& run, const Truth& truth);
 
 }  // namespace dockyard::rocky7

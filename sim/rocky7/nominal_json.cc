@@ -69,6 +69,18 @@ RoverPlan PlanFromJson(const Json& json) {
   return plan;
 }
 
+Json ArmToJson(const NominalArm& arm) {
+  return {{"p_RA", {arm.p_RA.x(), arm.p_RA.y(), arm.p_RA.z()}},
+          {"length_m", arm.length_m},
+          {"scoop_depth_m", arm.scoop_depth_m},
+          {"open_rad", arm.open_rad}};
+}
+
+NominalArm ArmFromJson(const Json& json) {
+  const auto p = json.at("p_RA").get<std::array<double, 3>>();
+  return {{p[0], p[1], p[2]}, json.at("length_m"), json.at("scoop_depth_m"), json.at("open_rad")};
+}
+
 Nominal ReadNominal(const Json& json) {
   Nominal nominal;
   nominal.plan = PlanFromJson(json.at("plan"));
@@ -77,6 +89,8 @@ Nominal ReadNominal(const Json& json) {
   const Json& front = json.at("front");
   nominal.front = {CameraFromJson(front.at("left")), CameraFromJson(front.at("right")),
                    Pose3FromJson(front.at("X_RL")), Pose3FromJson(front.at("X_RQ"))};
+  nominal.arm = ArmFromJson(json.at("arm"));
+  nominal.task = json.at("task") == "grasp" ? Task::kGrasp : Task::kReach;
   nominal.reach_m = json.at("reach_m");
   nominal.target_px = Vector2From(json.at("target_px"));
   const Json& nesnas = json.at("nesnas");
@@ -99,6 +113,8 @@ Json ToJson(const Nominal& nominal) {
             {"right", CameraToJson(front.right)},
             {"X_RL", ToJson(front.X_RL)},
             {"X_RQ", ToJson(front.X_RQ)}}},
+          {"arm", ArmToJson(nominal.arm)},
+          {"task", nominal.task == Task::kGrasp ? "grasp" : "reach"},
           {"reach_m", nominal.reach_m},
           {"target_px", ToJson(nominal.target_px)},
           {"nesnas",

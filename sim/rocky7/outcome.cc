@@ -12,9 +12,13 @@ std::string Millimetres(double length_m) { return Fixed(1e3 * length_m, 0) + " m
 const std::vector<OutcomeName>& OutcomeNames() {
   static const std::vector<OutcomeName> names{
       {"on_target", true, "the point is on the target's middle, as near as was asked"},
+      {"grasped", true, "the stone is in the scoops, for 10 s and over half a metre of driving"},
+      {"lost_grip", false, "the stone was lifted and lost; the paper's marginal ones"},
+      {"false_grasp", false, "claims to hold the stone, which was never lifted"},
+      {"missed_grasp", false, "the scoops closed on nothing, the point near the stone"},
       {"off_target", false,
-       "claims to be there; the point is near the target, but not near enough"},
-      {"wrong_lock", false, "claims to be there, and the point is on another thing"},
+       "took itself to be there; the point is near the target, but not near enough"},
+      {"wrong_lock", false, "took itself to be there, and the point is on another thing"},
       {"lost_target", false, "gave up, and had the target last where it is not"},
       {"unstable", false, "gave up though it saw the target: its steps are coarser than its reach"},
       {"on_stone", false, "a stone under the body or a bogie, which is not simulated"},
@@ -30,6 +34,19 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
   const std::string point = "the point " + Millimetres(end.point_off_m) + " off the target";
   const std::string seen = "the target was seen " + Millimetres(end.estimate_off_m) + " off";
   if (end.on_stone) return {Outcome::kOnStone, "the rover came down on a stone; " + point};
+  if (end.tried > 0) {
+    if (end.lifted && end.held) return {Outcome::kGrasped, "held through the trial"};
+    if (end.lifted) return {Outcome::kLostGrip, "the stone was lifted and lost; " + point};
+    if (end.claimed == Verdict::kDocked) {
+      return {Outcome::kFalseGrasp, "claims to hold a stone that lies on the ground; " + point};
+    }
+    if (end.claimed == Verdict::kGivenUp) {
+      return {end.point_off_m > limits.wrong_lock_m ? Outcome::kWrongLock
+              : end.point_off_m > limits.reach_m    ? Outcome::kOffTarget
+                                                    : Outcome::kMissedGrasp,
+              "the scoops closed on nothing; " + point};
+    }
+  }
   switch (end.claimed) {
     case Verdict::kDocked:
       if (end.point_off_m <= limits.reach_m) return {Outcome::kOnTarget, point};

@@ -11,6 +11,10 @@ namespace dockyard::rocky7 {
 
 enum class Outcome {
   kOnTarget,
+  kGrasped,
+  kLostGrip,
+  kFalseGrasp,
+  kMissedGrasp,
   kOffTarget,
   kWrongLock,
   kLostTarget,
@@ -32,6 +36,10 @@ struct OutcomeLimits {
 /// What the truth says at the end.
 struct EndOfRun {
   Verdict claimed = Verdict::kUnderWay;
+  bool grasps = false;          // a grasp was asked for
+  int tried = 0;                // times that the arm was sent out
+  bool lifted = false;          // the target was off the ground at some time
+  bool held = false;            // and through the trial at the end
   double point_off_m = 0.0;     // the point from the target's middle
   double estimate_off_m = 0.0;  // the target as it was seen last
   bool on_stone = false;        // a part of the rover that is not a wheel has met a stone

@@ -22,7 +22,8 @@ std::vector<Column> Measures() {
 std::vector<Column> Beliefs() {
   return {{"target_x_m", "m", "the target in the rover's plan, as believed"},
           {"target_y_m", "m", "the same, to the left"},
-          {"looks", "", "pairs of pictures so far"}};
+          {"looks", "", "pairs of pictures so far"},
+          {"grasps", "", "times that the arm was sent out so far"}};
 }
 
 std::vector<double> Values(const Rocky7Measures& measures) {

@@ -20,6 +20,7 @@ void VisitChannels(const Truth& t, Visit&& visit) {
   visit("point_x_m", "m", "the point to be placed, in the target's frame", t.p_GP.x());
   visit("point_y_m", "m", "the same, to the left", t.p_GP.y());
   visit("point_off_m", "m", "the point from the target's middle, in plan", t.p_GP.head<2>().norm());
+  visit("target_rise_m", "m", "the target over where it was at the start", t.target_rise_m);
   visit("pitch_deg", "deg", "of the body, front down positive",
         -Degrees(std::asin(t.X_WR.R(2, 0))));
   visit("roll_deg", "deg", "of the body, right side down positive",
@@ -34,7 +35,7 @@ struct Rocky7Measures {
   double point_off_m = 0.0;     // at the end
   double estimate_off_m = 0.0;  // of the last look that found the target
   double worst_estimate_m = 0.0;
-  double looks = 0.0, driven_m = 0.0;
+  double looks = 0.0, driven_m = 0.0, grasps = 0.0, rise_m = 0.0;
 };
 
 /// Calls visit(name, unit, meaning, headline, value) for each measure of the result row.
@@ -45,6 +46,8 @@ void VisitMeasures(const Rocky7Measures& m, Visit&& visit) {
         m.estimate_off_m);
   visit("worst_estimate_m", "m", "the same, largest of all looks", false, m.worst_estimate_m);
   visit("looks", "", "pairs of pictures", true, m.looks);
+  visit("grasps", "", "times that the scoops were closed", false, m.grasps);
+  visit("rise_m", "m", "the target over where it was, at the end", false, m.rise_m);
   visit("driven_m", "m", "way of the body", false, m.driven_m);
 }
 

@@ -8,6 +8,11 @@ namespace {
 
 // After a claim the rover comes to rest. Assumed, 0.2-2 s.
 constexpr Tick kSettle = 500;
+// A stone that has risen so far is off the ground. Assumed, 1-5 cm.
+constexpr double kLifted_m = 0.02;
+// The trial: held so long, then over so far, backwards, out of the rover's own ruts.
+constexpr Tick kHold = 10000;
+constexpr double kDrive_m = 0.5;
 
 }  // namespace
 
@@ -16,6 +21,7 @@ Rocky7Judge::Rocky7Judge(Rocky7Plant& plant) : plant_(plant), X_GR_last_(plant.t
 }
 
 void Rocky7Judge::Observe() {
+  if (plant_.truth().target_rise_m > kLifted_m) lifted_ = true;
   const Pose2& now = plant_.truth().X_GR;
   measures_.driven_m += std::hypot(now.x - X_GR_last_.x, now.y - X_GR_last_.y);
   X_GR_last_ = now;
@@ -34,21 +40,57 @@ void Rocky7Judge::ObserveSighting(const SightingReport& report) {
 
 bool Rocky7Judge::fatal() const { return plant_.truth().on_stone; }
 
-Conclusion Rocky7Judge::Conclude(const Commands& last, const Belief& belief,
-                                 const TrialWatch& watch) {
-  if (last.verdict == Verdict::kDocked) {
-    for (Tick t = 0; t < kSettle; t += kControlPeriod) {
-      watch("rest");
-      plant_.Advance(last);
-    }
+void Rocky7Judge::Play(const Commands& commands, Tick time, const char* phase,
+                       const TrialWatch& watch) {
+  for (Tick t = 0; t < time; t += kControlPeriod) {
+    plant_.RefreshTruth();
+    Observe();
+    watch(phase);
+    plant_.Advance(commands);
   }
   plant_.RefreshTruth();
+}
+
+bool Rocky7Judge::HoldsOn(const Commands& last, const TrialWatch& watch) {
+  if (plant_.truth().target_rise_m < kLifted_m) return false;
+  Play(last, kHold, "hold", watch);
+  if (plant_.truth().target_rise_m < kLifted_m) return false;
+  const RoverModel& rover = plant_.built().world.robot.rover;
+  Commands back = last;
+  for (std::size_t i = 0; i < rover.plan.wheels.size(); ++i) {
+    back.motors[i] = {.mode = MotorMode::kVelocity,
+                      .target = -rover.plan.speed_m_s / RollingRadius(rover.tyre),
+                      .speed_limit_rad_s = 0.0,
+                      .accel_rad_s2 = rover.drive.max_accel_rad_s2,
+                      .current_limit_a = rover.drive.max_current_a};
+  }
+  Play(back, static_cast<Tick>(kDrive_m / rover.plan.speed_m_s / kTickSeconds), "drive_away",
+       watch);
+  Play(last, kSettle, "rest", watch);
+  return plant_.truth().target_rise_m > kLifted_m;
+}
+
+Conclusion Rocky7Judge::Conclude(const Commands& last, const Belief& belief,
+                                 const TrialWatch& watch) {
+  if (last.verdict == Verdict::kDocked) Play(last, kSettle, "rest", watch);
+  plant_.RefreshTruth();
   Observe();
-  const Truth& end = plant_.truth();
+  const Truth end = plant_.truth();
   measures_.point_off_m = end.p_GP.head<2>().norm();
   measures_.looks = ValueOf(belief, "looks", 0.0);
-  const Judged judged = JudgeEnd(
-      {last.verdict, measures_.point_off_m, measures_.estimate_off_m, end.on_stone}, limits_);
+  measures_.grasps = ValueOf(belief, "grasps", 0.0);
+  EndOfRun told{.claimed = last.verdict,
+                .grasps = plant_.built().nominal.task == Task::kGrasp,
+                .tried = static_cast<int>(measures_.grasps),
+                .lifted = false,
+                .held = false,
+                .point_off_m = measures_.point_off_m,
+                .estimate_off_m = measures_.estimate_off_m,
+                .on_stone = end.on_stone};
+  if (last.verdict == Verdict::kDocked && told.grasps) told.held = HoldsOn(last, watch);
+  told.lifted = lifted_;
+  measures_.rise_m = plant_.truth().target_rise_m;
+  const Judged judged = JudgeEnd(told, limits_);
   return {Name(judged.outcome), judged.note, Values(measures_)};
 }
 

@@ -19,10 +19,16 @@ class Rocky7Judge final : public Judge {
   Conclusion Conclude(const Commands& last, const Belief& belief, const TrialWatch& watch) override;
 
  private:
+  /// Steps the plant under these commands.
+  void Play(const Commands& commands, Tick time, const char* phase, const TrialWatch& watch);
+  /// Whether the lifted stone stays where it is.
+  bool HoldsOn(const Commands& last, const TrialWatch& watch);
+
   OutcomeLimits limits_;
   Rocky7Plant& plant_;
   Rocky7Measures measures_;
   Pose2 X_GR_last_;
+  bool lifted_ = false;
 };
 
 }  // namespace dockyard::rocky7

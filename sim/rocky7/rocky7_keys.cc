@@ -3,10 +3,13 @@
 namespace dockyard::rocky7 {
 
 void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
+  keys.Word({"task", "", "bring the point to the target, or grasp it"}, values.task,
+            {"reach", "grasp"});
   keys.Number({"diameter_m", "m", "of the target stone, the mean of its length and width"},
               values.diameter_m, Between(0.01, 0.3));
-  keys.Number({"height_m", "m", "of the target stone over the ground"}, values.height_m,
-              Between(0.005, 0.2));
+  keys.Number(
+      {"height_m", "m", "of the target stone over the ground; one to be grasped has its own"},
+      values.height_m, Between(0.005, 0.2));
   keys.Number({"buried", "", "share of its height that is in the ground"}, values.buried,
               Between(0.0, 0.5));
   keys.Degrees({"turn_deg", "deg", "of the target stone about the vertical"}, values.turn_rad,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 
 #include "sim/scenario/keys.h"
 #include "sim/scenario/scenario.h"
@@ -9,7 +10,9 @@
 namespace dockyard::rocky7 {
 
 struct Rocky7Keys {
-  // The target: a stone at the origin of D. 3-5 cm (Nesnas, Maimone and Das 2000).
+  std::string task = "reach";
+  // The target: a stone at the origin of D; to be grasped it lies loose on the ground. 3-5 cm
+  // (Nesnas, Maimone and Das 2000).
   double diameter_m = 0.04;
   double height_m = 0.02;  // over the ground; of its diameter one half (assumed, 0.3-0.7)
   double buried = 0.1;     // share of its height in the ground; assumed, 0-0.3

@@ -16,6 +16,8 @@ std::vector<MotorModel> MotorModels(const RoverModel& rover) {
   for (const WheelPlan& wheel : rover.plan.wheels) {
     if (wheel.steer_limit_rad > 0.0) motors.push_back(rover.steer);
   }
+  motors.insert(motors.end(), {rover.arm->roll, rover.arm->pitch, rover.arm->scoop_motor,
+                               rover.arm->scoop_motor});
   return motors;
 }
 
@@ -47,7 +49,7 @@ Rocky7Plant::Rocky7Plant(const Scenario& scenario, BuiltRun built,
       scene_(built_, world_.rover(), seed_),
       renderer_(std::move(renderer)),
       truth_(world_.truth()) {
-  built_.nominal.target_px = ClickOn(scenario, built_, truth_.X_WR);
+  built_.nominal.target_px = ClickOn(scenario, built_, truth_);
 }
 
 SensorFrame Rocky7Plant::Sense() {
@@ -95,9 +97,10 @@ Stage Rocky7Plant::Look() const {
   Stage stage;
   for (std::size_t i = 0; i < shapes.bodies.size(); ++i) {
     // Beyond the rover's links there are stones, in G, and shades, in the world.
-    const Pose3 fixed = shapes.bodies[i].name == "shade" ? Pose3{} : world_.X_WG();
-    stage.bodies.push_back(
-        {shapes.bodies[i].name, i < truth_.X_WL.size() ? truth_.X_WL[i] : fixed});
+    const std::string& name = shapes.bodies[i].name;
+    Pose3 fixed = name == "shade" ? Pose3{} : world_.X_WG();
+    if (name == "target" && built_.world.loose_target) fixed = world_.X_WG() * truth_.X_GT;
+    stage.bodies.push_back({name, i < truth_.X_WL.size() ? truth_.X_WL[i] : fixed});
   }
   stage.ground = {.X_WG = world_.X_WG(),
                   .x0_m = ground.x0_m,

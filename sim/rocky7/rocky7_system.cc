@@ -22,6 +22,9 @@ void NameParts(const Nominal& nominal, ReadyRun& ready) {
     if (wheel.steer_limit_rad == 0.0) continue;
     ready.motors.push_back({wheel.name + "_steering", nominal.motors[motor++].rad_per_count});
   }
+  for (const char* name : {"arm_roll", "arm_pitch", "front_scoop", "back_scoop"}) {
+    ready.motors.push_back({name, nominal.motors[motor++].rad_per_count});
+  }
   ready.cameras = {{"front_left", nominal.front.left, nominal.front.X_RL},
                    {"front_right", nominal.front.right, nominal.front.X_RQ}};
 }

@@ -50,7 +50,9 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, std:
   for (const ConvexBody& stone : built.world.stones) {
     stones_.push_back(std::make_shared<const RenderMesh>(Faceted(stone)));
   }
-  p_W_target_ = X_WG_ * built.world.stones.front().centre;
+  if (built.world.loose_target) {
+    loose_target_ = std::make_shared<const RenderMesh>(Faceted(*built.world.loose_target));
+  }
 }
 
 Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
@@ -66,6 +68,12 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
                              .albedo = stone_rgb_,
                              .stains = {.contrast = kStains, .seed = SplitMix(texture_seed_, i)}});
   }
+  if (loose_target_) {
+    scene.objects.push_back({.mesh = loose_target_,
+                             .X_WO = X_WG_ * truth.X_GT,
+                             .albedo = stone_rgb_,
+                             .stains = {.contrast = kStains, .seed = texture_seed_}});
+  }
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
   scene.ground = {.X_WG = X_WG_,
                   .x0_m = ground.x0_m,
@@ -79,7 +87,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
                   .texture_seed = texture_seed_,
                   .largest_pebble_m = kLargestPebble_m};
   scene.light = lighting_.sun_and_sky;
-  scene.interest = Interest{p_W_target_, kInterest_m};
+  scene.interest = Interest{X_WG_ * truth.X_GT.p, kInterest_m};
   return scene;
 }
 
@@ -91,8 +99,12 @@ StageShapes SceneBuilder::Shapes() const {
       shapes.bodies.back().parts.push_back({part.mesh, part.X_LV, part.albedo});
     }
   }
+  if (loose_target_) {
+    shapes.bodies.push_back({"target", false, {{loose_target_, Pose3{}, stone_rgb_}}});
+  }
   for (std::size_t i = 0; i < stones_.size(); ++i) {
-    if (i < 2) shapes.bodies.push_back({i == 0 ? "target" : "stones", false, {}});
+    const std::string name = i == 0 && !loose_target_ ? "target" : "stones";
+    if (shapes.bodies.back().name != name) shapes.bodies.push_back({name, false, {}});
     shapes.bodies.back().parts.push_back({stones_[i], Pose3{}, stone_rgb_});
   }
   if (!lighting_.occluders.empty()) {

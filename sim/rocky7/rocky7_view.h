@@ -33,10 +33,11 @@ class SceneBuilder {
   };
 
   std::vector<Link> links_;
-  std::vector<std::shared_ptr<const RenderMesh>> stones_;  // in G; the target first
+  std::vector<std::shared_ptr<const RenderMesh>> stones_;  // in G; a fixed target first
+  std::shared_ptr<const RenderMesh> loose_target_;         // in its own frame; or none
   Lighting lighting_;
   Pose3 X_WG_;
-  Eigen::Vector3d soil_rgb_, stone_rgb_, p_W_target_;
+  Eigen::Vector3d soil_rgb_, stone_rgb_;
   std::uint64_t texture_seed_ = 0;
 };
 

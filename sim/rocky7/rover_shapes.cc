@@ -1,5 +1,6 @@
 #include "sim/rocky7/rover_shapes.h"
 
+#include "models/parts/scoop_shape.h"
 #include "models/read/mesh_loader.h"
 
 namespace dockyard::rocky7 {
@@ -84,8 +85,23 @@ std::vector<LinkLook> LooksOf(const RoverModel& rover, const WheeledBody& body) 
     looks[link] = {rover.plan.wheels[i].name, WheelLook(rover)};
     is_wheel[link] = true;
   }
+  if (body.has_arm()) {
+    const auto look = [&](int motor) -> LinkLook& {
+      return looks[static_cast<std::size_t>(body.arm().link(motor))];
+    };
+    look(kArmRoll).name = "shoulder";
+    look(kArmPitch) = {"arm", {Part("bar", ArmBar(*rover.arm), {}, kBars)}};
+    for (const bool front : {true, false}) {
+      LinkLook& scoop = look(front ? kFrontScoop : kBackScoop);
+      scoop.name = front ? "front_scoop" : "back_scoop";
+      for (TriangleMesh& plate : ScoopPlates(rover.arm->scoop, front)) {
+        scoop.visuals.push_back(Part("plate", std::move(plate), {}, kBars));
+      }
+    }
+  }
   // A link that carries others has a bar to each of their hinges.
   for (std::size_t i = 1; i < looks.size(); ++i) {
+    if (body.has_arm() && static_cast<int>(i) >= body.arm().link(0)) break;
     if (!is_wheel[i]) looks[i].name = "link_" + std::to_string(i);
     const TreeLink& link = tree.link(static_cast<int>(i));
     if (link.parent > 0 && link.p_PL.norm() > kBar_m) {

@@ -37,21 +37,30 @@ World::World(const WorldSetup& setup)
       gravity_G_(GravityInSite(setup.slope)),
       rover_(setup.robot.rover, setup.soil, StartPose(setup)),
       imu_(setup.robot.imu.p_RI, gravity_G_),
-      stones_(setup.stones, setup.soil, setup.ground, setup.robot.rover.tyre,
-              setup.stone_friction) {
+      stones_(setup.stones, setup.soil, setup.ground, setup.robot.rover.tyre, setup.stone_friction),
+      loose_(ArmParts(*setup.robot.rover.arm, rover_.arm().link(0)), setup.soil,
+             {.friction = setup.stone_friction}) {
   if (!(setup.step_s > 0.0 && setup.step_s <= 2e-3)) {
     throw std::invalid_argument("physics step must be in (0, 2] ms");
+  }
+  if (setup.loose_target) {
+    loose_.Add(LooseStone(*setup.loose_target, kStoneDensity_kg_m3,
+                          StandingAt(*setup.loose_target, {0.0, 0.0}, setup.target_turn_rad,
+                                     setup.ground.Height(0.0, 0.0))));
   }
   const std::vector<MotorCommand> braked(static_cast<std::size_t>(rover_.motor_count()));
   const long settle = std::lround(kSettle_s / setup.step_s);
   for (long i = 0; i < settle; ++i) Step(braked);
   steps_ = 0;
+  if (loose_.count() > 0) target_start_m_ = loose_.stone(0).motion().X_GL.p.z();
   imu_.Start(rover_.body());
 }
 
 void World::Step(const std::vector<MotorCommand>& commands) {
   stones_.AddLoads(setup_.step_s, rover_);
-  rover_.Step(commands, gravity_G_, setup_.step_s, setup_.ground);
+  rover_.TakeLoads(commands, gravity_G_, setup_.step_s, setup_.ground);
+  loose_.Step(rover_.tree(), gravity_G_, setup_.step_s, setup_.ground);
+  rover_.Move(setup_.step_s);
   imu_.Add(rover_.body(), setup_.step_s);
   if (steps_ % kLookEvery == 0) on_stone_ = on_stone_ || BodyMeetsStone();
   ++steps_;
@@ -93,6 +102,11 @@ Truth World::truth() const {
   const Eigen::Vector2d& p_RP = setup_.robot.rover.plan.p_RP;
   truth.p_GP =
       body.X_GL * Eigen::Vector3d(p_RP.x(), p_RP.y(), -RollingRadius(setup_.robot.rover.tyre));
+  truth.X_GT = loose_.count() > 0 ? loose_.stone(0).motion().X_GL
+               : setup_.stones.empty()
+                   ? Pose3{}
+                   : Pose3::Translation(0.0, 0.0, setup_.stones.front().centre.z());
+  if (loose_.count() > 0) truth.target_rise_m = truth.X_GT.p.z() - target_start_m_;
   for (int i = 0; i < rover_.motor_count(); ++i) {
     truth.motors.push_back({rover_.angle_rad(i), rover_.rate_rad_s(i), rover_.output(i).torque_nm(),
                             rover_.output(i).current_a});
@@ -108,7 +122,8 @@ Truth World::truth() const {
 ImuSample World::TakeTrueImu() { return imu_.Take(rover_.body(), X_WG_); }
 
 std::uint64_t World::StateHash(std::uint64_t seed) const {
-  return stones_.StateHash(rover_.StateHash(HashBits(seed, static_cast<std::uint64_t>(steps_))));
+  return loose_.StateHash(
+      stones_.StateHash(rover_.StateHash(HashBits(seed, static_cast<std::uint64_t>(steps_)))));
 }
 
 }  // namespace dockyard::rocky7

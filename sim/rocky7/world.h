@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "models/parts/soil_model.h"
 #include "models/rocky7/robot_model.h"
 #include "sim/physics/convex_body.h"
 #include "sim/physics/imu.h"
+#include "sim/physics/loose_stones.h"
 #include "sim/physics/motor_truth.h"
 #include "sim/physics/slope.h"
 #include "sim/physics/wheel_stones.h"
@@ -26,6 +28,9 @@ struct WorldSetup {
   Pose2 X_GR_start;                // the rover in plan
   std::vector<ConvexBody> stones;  // in the ground, in G; the target first
   double stone_friction = 0.6;     // of the wheels on them
+  // The target where it lies loose, in its own frame and at rest; then it is not among the stones.
+  std::optional<ConvexBody> loose_target{};
+  double target_turn_rad = 0.0;
   double step_s = 1e-3;
 };
 
@@ -37,6 +42,8 @@ struct Truth {
   Eigen::Vector3d v_WR_W = Eigen::Vector3d::Zero(), w_WR_W = Eigen::Vector3d::Zero();
   Pose2 X_GR;
   Eigen::Vector3d p_GP{0, 0, 0};  // the point on the body that is to reach the target
+  Pose3 X_GT;                  // the target: middle of a fixed one, centre of mass of a loose one
+  double target_rise_m = 0.0;  // since the start
   std::vector<MotorTruth> motors{};
   double sinkage_m = 0.0;        // mean of the wheels
   std::vector<double> sunk_m{};  // each stone, by wheels
@@ -57,6 +64,7 @@ class World {
   /// Averages since the last call.
   ImuSample TakeTrueImu();
   const WheeledBody& rover() const { return rover_; }
+  const LooseStones& loose() const { return loose_; }
   const HeightGrid& ground() const { return setup_.ground; }
   const Pose3& X_WG() const { return X_WG_; }
   std::uint64_t StateHash(std::uint64_t seed) const;
@@ -71,7 +79,9 @@ class World {
   WheeledBody rover_;
   ImuAverage imu_;
   WheelStones stones_;
+  LooseStones loose_;
   bool on_stone_ = false;
+  double target_start_m_ = 0.0;
   long steps_ = 0;
 };
 

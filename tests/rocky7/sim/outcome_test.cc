@@ -6,7 +6,12 @@ namespace dockyard::rocky7 {
 namespace {
 
 Outcome Of(Verdict claimed, double point_off_m, double estimate_off_m, bool on_stone = false) {
-  return JudgeEnd({claimed, point_off_m, estimate_off_m, on_stone}, {}).outcome;
+  EndOfRun end;
+  end.claimed = claimed;
+  end.point_off_m = point_off_m;
+  end.estimate_off_m = estimate_off_m;
+  end.on_stone = on_stone;
+  return JudgeEnd(end, {}).outcome;
 }
 
 TEST(Rocky7Outcome, TheTruthDecidesNotTheClaim) {
@@ -23,10 +28,31 @@ TEST(Rocky7Outcome, ARoverOnAStoneHasLeftTheModel) {
   EXPECT_EQ(Of(Verdict::kUnderWay, 1.0, 0.0, true), Outcome::kOnStone);
 }
 
-TEST(Rocky7Outcome, NamesOneSuccess) {
+Outcome AfterGrasp(Verdict claimed, bool lifted, bool held, double point_off_m = 0.005) {
+  EndOfRun end;
+  end.claimed = claimed;
+  end.grasps = true;
+  end.tried = 1;
+  end.lifted = lifted;
+  end.held = held;
+  end.point_off_m = point_off_m;
+  return JudgeEnd(end, {}).outcome;
+}
+
+TEST(Rocky7Outcome, AGraspIsCountedWhenTheStoneIsHeldNotWhenTheScoopsAreClosed) {
+  EXPECT_EQ(AfterGrasp(Verdict::kDocked, true, true), Outcome::kGrasped);
+  EXPECT_EQ(AfterGrasp(Verdict::kDocked, true, false), Outcome::kLostGrip);
+  EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, true, false), Outcome::kLostGrip);
+  EXPECT_EQ(AfterGrasp(Verdict::kDocked, false, false), Outcome::kFalseGrasp);
+  EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, false, false), Outcome::kMissedGrasp);
+  EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, false, false, 0.02), Outcome::kOffTarget);
+  EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, false, false, 0.05), Outcome::kWrongLock);
+}
+
+TEST(Rocky7Outcome, NamesTwoSuccesses) {
   int successes = 0;
   for (const OutcomeName& name : OutcomeNames()) successes += name.success;
-  EXPECT_EQ(successes, 1);
+  EXPECT_EQ(successes, 2);
   EXPECT_STREQ(Name(Outcome::kOnTarget), "on_target");
   EXPECT_STREQ(Name(Outcome::kTimeout), "timeout");
 }

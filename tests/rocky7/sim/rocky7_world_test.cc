@@ -33,7 +33,7 @@ std::vector<MotorCommand> Ahead(const World& world, double rad_s) {
 TEST(Rocky7World, StandsStillUnderItsBrakes) {
   World world(AtStart());
   const Truth before = world.truth();
-  const std::vector<MotorCommand> braked(8);
+  const std::vector<MotorCommand> braked(static_cast<std::size_t>(world.rover().motor_count()));
   for (int i = 0; i < 2000; ++i) world.Step(braked);
   const Truth after = world.truth();
   EXPECT_LT((after.X_WR.p - before.X_WR.p).norm(), 2e-5);

@@ -1,0 +1,182 @@
+#include "controller/rocky7/grasp.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard::rocky7 {
+namespace {
+
+// Heights of the scoops' axis over level ground: the lips clear a stone of 5 cm with the scoops
+// open; the lips are below a stone's middle (assumed, 20-40 mm).
+constexpr double kAbove_m = 0.11, kDown_m = 0.03;
+// Of the arm on its way down, and of the scoops as they close. Assumed, 0.05-0.2 and 0.1-0.5.
+constexpr double kLower_rad_s = 0.1, kClose_rad_s = 0.25;
+constexpr double kSwing_rad_s = 0.4, kLift_rad_s = 0.2;
+// A rise of the pitch motor's current over its usual one: 1.5 N m, 5 N at the arm's end. Assumed,
+// 0.3-0.8 A; the usual one is learnt over half a second (assumed, 0.2-1 s).
+constexpr double kTouch_a = 0.5, kLearn = 0.1;
+// A scoop that resists: its motor's 0.27 N m, less 0.1 A of its own friction. Assumed, 0.3-0.8 A.
+constexpr double kFeels_a = 0.45;
+// One small raise: 2 mm at the arm's end; all together 4 cm. Assumed, 1-4 mm and 2-6 cm.
+constexpr double kRaise_rad = 0.006, kRaiseMost_rad = 0.12;
+// Scoops that are nearer together hold nothing: 2 mm between the lips. Assumed, 0.02-0.06 rad.
+constexpr double kClosed_rad = 0.04;
+// Scoops that have moved by less than 5 mrad for a second have a stable grasp. Assumed, 0.5-2 s.
+constexpr double kStill_rad = 0.005;
+constexpr Tick kStill = 1000;
+// Ends of the phases, by time. Assumed, 5-15 s, 10-40 s and 0.5-2 s.
+constexpr Tick kSwingTime = 8000, kTimeOut = 20000, kHold = 1000;
+// The arm as it carries: above the cameras, out of their view. Assumed, -0.6 to -0.2.
+constexpr double kCarry_rad = -0.35;
+constexpr double kThere_rad = 0.02;
+
+}  // namespace
+
+Grasp::Grasp(const Nominal& nominal)
+    : nominal_(nominal),
+      first_(nominal.motors.size() - kArmMotorCount),
+      commands_(kArmMotorCount) {}
+
+const char* Grasp::phase() const {
+  switch (phase_) {
+    case Phase::kStowed:
+      break;
+    case Phase::kDeploy:
+      return "deploy";
+    case Phase::kLower:
+      return "lower";
+    case Phase::kClose:
+      return "close";
+    case Phase::kLift:
+      return "lift";
+    case Phase::kEnded:
+      return "ended";
+  }
+  return "stowed";
+}
+
+void Grasp::Begin(Phase phase, Tick now) {
+  phase_ = phase;
+  since_ = now;
+}
+
+void Grasp::Start(const SensorFrame& sensed) {
+  note_.clear();
+  pitch_rad_ = PitchFor(kAbove_m);
+  Begin(Phase::kDeploy, sensed.tick);
+}
+
+double Grasp::Angle(const SensorFrame& sensed, ArmMotor motor) const {
+  const std::size_t i = first_ + static_cast<std::size_t>(motor);
+  return static_cast<double>(sensed.motors[i].encoder_counts) * nominal_.motors[i].rad_per_count;
+}
+
+double Grasp::Current(const SensorFrame& sensed, ArmMotor motor) const {
+  return sensed.motors[first_ + static_cast<std::size_t>(motor)].current_a;
+}
+
+double Grasp::Open(const SensorFrame& sensed) const {
+  return Angle(sensed, ArmMotor::kBackScoop) - Angle(sensed, ArmMotor::kFrontScoop);
+}
+
+double Grasp::PitchFor(double height_m) const {
+  const double shoulder_m = nominal_.arm.p_RA.z() + nominal_.rolling_radius_m;
+  return std::asin(std::clamp((shoulder_m - height_m) / nominal_.arm.length_m, -1.0, 1.0));
+}
+
+MotorCommand Grasp::To(ArmMotor motor, double target_rad, double speed_rad_s) const {
+  const NominalMotor& model = nominal_.motors[first_ + static_cast<std::size_t>(motor)];
+  return {.mode = MotorMode::kPosition,
+          .target = target_rad,
+          .speed_limit_rad_s = std::min(speed_rad_s, model.max_speed_rad_s),
+          .accel_rad_s2 = model.max_accel_rad_s2,
+          .current_limit_a = model.max_current_a};
+}
+
+void Grasp::Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s, double open_rad,
+                 double scoop_rad_s) {
+  const auto set = [&](ArmMotor motor, double target_rad, double speed_rad_s) {
+    commands_[static_cast<std::size_t>(motor)] = To(motor, target_rad, speed_rad_s);
+  };
+  set(ArmMotor::kRoll, 0.0, kSwing_rad_s);
+  set(ArmMotor::kPitch, pitch_rad - sensed.imu.pitch_rad, pitch_rad_s);
+  set(ArmMotor::kFrontScoop, -pitch_rad - 0.5 * open_rad, scoop_rad_s);
+  set(ArmMotor::kBackScoop, -pitch_rad + 0.5 * open_rad, scoop_rad_s);
+}
+
+void Grasp::Lower(const SensorFrame& sensed) {
+  const double now_a = Current(sensed, ArmMotor::kPitch);
+  if (sensed.tick - since_ < kStill / 2) usual_a_ = now_a;
+  usual_a_ += kLearn * (now_a - usual_a_);
+  const bool touches = std::abs(now_a - usual_a_) > kTouch_a;
+  if (touches || pitch_rad_ >= PitchFor(kDown_m)) {
+    note_ = touches ? "felt something below" : "reached the ground's height";
+    raised_rad_ = 0.0;
+    least_open_rad_ = 10.0;
+    felt_ = 0;
+    still_ = sensed.tick;
+    return Begin(Phase::kClose, sensed.tick);
+  }
+  pitch_rad_ += kLower_rad_s * kControlPeriod * kTickSeconds;
+  Turn(sensed, pitch_rad_, kSwing_rad_s, nominal_.arm.open_rad, kSwing_rad_s);
+}
+
+void Grasp::Close(const SensorFrame& sensed) {
+  const double open_rad = Open(sensed);
+  if (open_rad < kClosed_rad || sensed.tick - since_ > kTimeOut) {
+    note_ = open_rad < kClosed_rad ? "the scoops are shut" : "the scoops did not come to rest";
+    return Begin(Phase::kLift, sensed.tick);
+  }
+  if (open_rad < least_open_rad_ - kStill_rad) {
+    least_open_rad_ = open_rad;
+    still_ = sensed.tick;
+  }
+  const double most_a =
+      std::max(Current(sensed, ArmMotor::kFrontScoop), Current(sensed, ArmMotor::kBackScoop));
+  const bool raises = most_a > kFeels_a && raised_rad_ < kRaiseMost_rad;
+  if (raises) {
+    pitch_rad_ -= kRaise_rad;
+    raised_rad_ += kRaise_rad;
+  } else if (sensed.tick - still_ > kStill) {
+    note_ = "the scoops came to rest";
+    return Begin(Phase::kLift, sensed.tick);
+  }
+  Turn(sensed, pitch_rad_, kSwing_rad_s, 0.0, kClose_rad_s);
+}
+
+void Grasp::Lift(const SensorFrame& sensed) {
+  const auto takes = static_cast<Tick>((pitch_rad_ - kCarry_rad) / kLift_rad_s / kTickSeconds);
+  Turn(sensed, kCarry_rad, kLift_rad_s, 0.0, kLift_rad_s);
+  if (sensed.tick - since_ >= takes + kHold) Begin(Phase::kEnded, sensed.tick);
+}
+
+std::vector<MotorCommand> Grasp::Step(const SensorFrame& sensed) {
+  const bool late = sensed.tick - since_ > kSwingTime;
+  switch (phase_) {
+    case Phase::kStowed:
+      commands_.assign(kArmMotorCount, {});
+      break;
+    case Phase::kEnded:
+      break;
+    case Phase::kDeploy: {
+      Turn(sensed, pitch_rad_, kSwing_rad_s, nominal_.arm.open_rad, kSwing_rad_s);
+      const double off_rad =
+          std::abs(Angle(sensed, ArmMotor::kPitch) + sensed.imu.pitch_rad - pitch_rad_) +
+          std::abs(Open(sensed) - nominal_.arm.open_rad);
+      if (off_rad < kThere_rad || late) Begin(Phase::kLower, sensed.tick);
+      break;
+    }
+    case Phase::kLower:
+      Lower(sensed);
+      break;
+    case Phase::kClose:
+      Close(sensed);
+      break;
+    case Phase::kLift:
+      Lift(sensed);
+      break;
+  }
+  return commands_;
+}
+
+}  // namespace dockyard::rocky7

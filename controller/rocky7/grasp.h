@@ -1,0 +1,58 @@
+// The grasp of Nesnas, Maimone and Das (ICRA 2000), section V: the arm goes down until it feels a
+// stone or the ground; then the scoops close, and as they feel resistance the arm is raised in
+// small amounts. It ends when they have come to rest, are shut, or after a time, and the arm lifts
+// them out of the cameras' view. It feels by the motors' currents alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "controller/io/commands.h"
+#include "controller/io/sensors.h"
+#include "controller/rocky7/nominal/nominal.h"
+
+namespace dockyard::rocky7 {
+
+class Grasp {
+ public:
+  explicit Grasp(const Nominal& nominal);
+
+  /// From the arm as it is stowed, the rover standing.
+  void Start(const SensorFrame& sensed);
+  /// The commands of the arm's motors, in their order.
+  std::vector<MotorCommand> Step(const SensorFrame& sensed);
+
+  bool busy() const { return phase_ != Phase::kStowed && phase_ != Phase::kEnded; }
+  /// Lifted, whatever the scoops have: shut ones feel the same with a stone as without.
+  bool lifted() const { return phase_ == Phase::kEnded; }
+  const char* phase() const;
+  const std::string& note() const { return note_; }
+
+ private:
+  enum class Phase { kStowed, kDeploy, kLower, kClose, kLift, kEnded };
+  void Begin(Phase phase, Tick now);
+  double Angle(const SensorFrame& sensed, ArmMotor motor) const;
+  double Current(const SensorFrame& sensed, ArmMotor motor) const;
+  double Open(const SensorFrame& sensed) const;
+  /// Of the level at which the scoops' axis has this height over level ground.
+  double PitchFor(double height_m) const;
+  /// Pitch against the level; scoops about the vertical, open by so much.
+  void Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s, double open_rad,
+            double scoop_rad_s);
+  MotorCommand To(ArmMotor motor, double target_rad, double speed_rad_s) const;
+  void Lower(const SensorFrame& sensed);
+  void Close(const SensorFrame& sensed);
+  void Lift(const SensorFrame& sensed);
+
+  const Nominal nominal_;
+  std::size_t first_ = 0;  // of the arm's motors
+  Phase phase_ = Phase::kStowed;
+  Tick since_ = 0;
+  std::vector<MotorCommand> commands_;
+  double pitch_rad_ = 0.0;  // commanded, against the level
+  double usual_a_ = 0.0, raised_rad_ = 0.0, least_open_rad_ = 0.0;
+  Tick felt_ = 0, still_ = 0;
+  std::string note_;
+};
+
+}  // namespace dockyard::rocky7
