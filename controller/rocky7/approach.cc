@@ -122,14 +122,16 @@ void Approach::TakeLook(const StereoImages& images, const SensorFrame& sensed) {
   }
   ++misses_;
   Tell("look", seen.why);
-  if (misses_ >= options_.most_misses || !begun_) GiveUp("lost the target: " + seen.why);
+  if (misses_ >= options_.most_misses || !begun_) return GiveUp("lost the target: " + seen.why);
+  // From afar it goes on by odometry, to see better; near by it looks again.
+  if ((p_RT_ - nominal_.plan.p_RP).norm() > options_.blind_beyond_m) Decide();
 }
 
 TargetSeen Approach::Peek(const StereoImages& images, const SensorFrame& sensed) {
   ++looks_;
   const GroundSeen ground = eye_.Look(images, sensed.imu);
   const TargetSeen seen =
-      tracker_->Follow(eye_.MapAbout(ground, p_RT_), {p_RT_.x(), p_RT_.y(), 0.0});
+      tracker_->Check(eye_.MapAbout(ground, p_RT_), {p_RT_.x(), p_RT_.y(), 0.0});
   Report(seen, sensed.imu);
   Tell("peek", seen.why);
   return seen;

@@ -21,7 +21,9 @@ struct ApproachOptions {
   double claim_share = 1.0;    // of the nominal reach, within which the target must be seen
   bool backs_up = false;       // where one arc would be too sharp: two arcs, back and forth
   int most_looks = 60;         // then it gives up: its steps are coarser than its reach
-  int most_misses = 1;         // looks in a row without the target
+  // A target further from the point than this may be unseen for a look; then the way goes on.
+  double blind_beyond_m = 1e9;
+  int most_misses = 1;  // looks in a row without the target
 };
 
 class Approach {

@@ -26,6 +26,8 @@ class TargetTracker {
   /// A later one. X_ET: where odometry has the target, and how the rover has turned since the last
   /// one that found it.
   virtual TargetSeen Follow(const ElevationMap& map, const Pose2& X_ET_predicted) = 0;
+  /// After a grasp: whether the target still stands there, among what the scoops have dug up.
+  virtual TargetSeen Check(const ElevationMap& map, const Pose2& X_ET) { return Follow(map, X_ET); }
 };
 
 }  // namespace dockyard::rocky7
