@@ -9,6 +9,8 @@
 namespace dockyard::rocky7 {
 namespace {
 
+// Of odometry, of the way: slip on sand is 7 %, and half of it scatters. Assumed, 0.03-0.1.
+constexpr double kSlip = 0.05;
 // Cameras that do not answer are asked again after so long, so often. Assumed, 1-10 s and 2-10.
 constexpr Tick kAskAgain = 3000;
 constexpr int kMostAsks = 5;
@@ -92,7 +94,9 @@ std::vector<Arc> Approach::PathToTarget() const {
 void Approach::Drive(const Arc& arc) {
   drive_.Start(arc);
   driving_ = true;
+  variance_m2_ += kSlip * kSlip * arc.length_m * arc.length_m;
   moved_before_ = {};
+  yaw_at_start_rad_ = yaw_rad_;
   belief_.plan = {{.X_DR_start = {}, .length_m = arc.length_m, .turn_rad = arc.turn_rad}};
   ++belief_.plan_count;
   Tell("drive",
@@ -104,10 +108,11 @@ void Approach::TakeLook(const StereoImages& images, const SensorFrame& sensed) {
   const GroundSeen ground = eye_.Look(images, sensed.imu);
   TargetSeen seen;
   if (begun_) {
-    seen = tracker_->Follow(eye_.MapAbout(ground, p_RT_),
-                            {p_RT_.x(), p_RT_.y(), WrapPi(-turned_rad_)});
+    seen =
+        tracker_->Follow(eye_.MapsAbout(ground, p_RT_),
+                         {{p_RT_.x(), p_RT_.y(), WrapPi(-turned_rad_)}, std::sqrt(variance_m2_)});
   } else if (const auto p_E = eye_.PlaceOf(ground, nominal_.target_px)) {
-    seen = tracker_->Begin(eye_.MapAbout(ground, *p_E), *p_E);
+    seen = tracker_->Begin(eye_.MapsAbout(ground, *p_E), *p_E);
     begun_ = seen.found;
   } else {
     seen.why = "no range data where the user clicked";
@@ -115,6 +120,7 @@ void Approach::TakeLook(const StereoImages& images, const SensorFrame& sensed) {
   Report(seen, sensed.imu);
   if (seen.found) {
     p_RT_ = seen.p_E;
+    variance_m2_ = seen.sigma_m * seen.sigma_m;
     turned_rad_ = 0.0;
     misses_ = 0;
     Tell("look", seen.why);
@@ -131,7 +137,7 @@ TargetSeen Approach::Peek(const StereoImages& images, const SensorFrame& sensed)
   ++looks_;
   const GroundSeen ground = eye_.Look(images, sensed.imu);
   const TargetSeen seen =
-      tracker_->Check(eye_.MapAbout(ground, p_RT_), {p_RT_.x(), p_RT_.y(), 0.0});
+      tracker_->Check(eye_.MapsAbout(ground, p_RT_), {p_RT_.x(), p_RT_.y(), 0.0});
   Report(seen, sensed.imu);
   Tell("peek", seen.why);
   return seen;
@@ -153,15 +159,22 @@ void Approach::Decide() {
   Drive(path.size() > 1 || step_m >= left_m ? arc : Part(arc, step_m / left_m));
 }
 
+Pose2 Approach::Moved() const {
+  if (!options_.turn_by_unit) return drive_.moved();
+  return Advance({}, Arc{drive_.driven_m(), WrapPi(yaw_rad_ - yaw_at_start_rad_)});
+}
+
 Commands Approach::Step(const SensorFrame& sensed) {
   Commands commands;
   commands.motors.resize(nominal_.motors.size());
+  yaw_rad_ = sensed.imu.yaw_rad;
   if (driving_) {
     commands.motors = drive_.Step(sensed);
-    const Pose2 since = Inverse(moved_before_) * drive_.moved();
+    const Pose2 moved = Moved();
+    const Pose2 since = Inverse(moved_before_) * moved;
     p_RT_ = Inverse(since) * p_RT_;
     turned_rad_ += since.heading;
-    moved_before_ = drive_.moved();
+    moved_before_ = moved;
     driving_ = !drive_.done();
   }
   if (verdict_ == Verdict::kUnderWay && !driving_) {

@@ -19,8 +19,11 @@ struct ApproachOptions {
   double image_share = 0.1;    // of the way that is left, then the rover looks
   double least_step_m = 0.03;  // what is left is driven at once when it is no longer than this
   double claim_share = 1.0;    // of the nominal reach, within which the target must be seen
-  bool backs_up = false;       // where one arc would be too sharp: two arcs, back and forth
-  int most_looks = 60;         // then it gives up: its steps are coarser than its reach
+  // The turn by the inertial unit in place of the wheels: tandem wheels slip aside on an arc, and
+  // the rover turns by 83 to 87 % of what they count (docs/rocky7.md).
+  bool turn_by_unit = false;
+  bool backs_up = false;  // where one arc would be too sharp: two arcs, back and forth
+  int most_looks = 60;    // then it gives up: its steps are coarser than its reach
   // A target further from the point than this may be unseen for a look; then the way goes on.
   double blind_beyond_m = 1e9;
   int most_misses = 1;  // looks in a row without the target
@@ -48,6 +51,7 @@ class Approach {
   void Report(const TargetSeen& seen, const ImuSample& attitude);
   void Tell(const std::string& phase, const std::string& note);
   std::vector<Arc> PathToTarget() const;
+  Pose2 Moved() const;
 
   const Nominal nominal_;
   const ApproachOptions options_;
@@ -59,8 +63,10 @@ class Approach {
   std::optional<Tick> asked_;
   int asks_ = 0, looks_ = 0, misses_ = 0;
   Eigen::Vector2d p_RT_{0, 0};
-  double turned_rad_ = 0.0;  // by odometry, since the look that found the target last
-  Pose2 moved_before_;       // of the present arc, as far as it is counted in p_RT_
+  double variance_m2_ = 0.0;  // of that, by the last look and odometry since
+  double turned_rad_ = 0.0;   // by odometry, since the look that found the target last
+  double yaw_rad_ = 0.0, yaw_at_start_rad_ = 0.0;  // now; of the present arc
+  Pose2 moved_before_;  // of the present arc, as far as it is counted in p_RT_
   Belief belief_;
 };
 

@@ -29,6 +29,7 @@ ArcDrive::ArcDrive(const Nominal& nominal) : nominal_(nominal) {
 void ArcDrive::Start(const Arc& arc) {
   arc_ = arc;
   moved_ = {};
+  driven_m_ = 0.0;
   start_rad_.clear();
   phase_ = Phase::kSteer;
 }
@@ -99,7 +100,10 @@ void ArcDrive::Count(const SensorFrame& sensed) {
     turned_m += way_m < 0.0 ? -rolled_m : rolled_m;
     whole_m += std::abs(way_m);
   }
-  if (whole_m > 0.0) moved_ = Advance({}, Part(arc_, std::clamp(turned_m / whole_m, 0.0, 1.0)));
+  if (whole_m == 0.0) return;
+  const Arc part = Part(arc_, std::clamp(turned_m / whole_m, 0.0, 1.0));
+  moved_ = Advance({}, part);
+  driven_m_ = part.length_m;
 }
 
 std::vector<MotorCommand> ArcDrive::Step(const SensorFrame& sensed) {

@@ -23,6 +23,7 @@ class ArcDrive {
   /// What the fixed wheels counted of the arc since its start: the whole of it when it was driven
   /// without slip.
   Pose2 moved() const { return moved_; }
+  double driven_m() const { return driven_m_; }  // of its length
 
  private:
   enum class Phase { kDone, kSteer, kDrive, kRest };
@@ -40,6 +41,7 @@ class ArcDrive {
   std::vector<double> start_rad_;
   std::vector<MotorCommand> commands_;
   Pose2 moved_;
+  double driven_m_ = 0.0;
 };
 
 }  // namespace dockyard::rocky7

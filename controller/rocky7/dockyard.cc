@@ -1,5 +1,8 @@
 #include "controller/rocky7/dockyard.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "controller/rocky7/mission.h"
 #include "controller/tracking/stone_middle.h"
 #include "controller/tracking/whole_shape.h"
@@ -29,26 +32,29 @@ class StoneTracker final : public TargetTracker {
  public:
   // A click is nearer to its stone than to another one. From afar a stone may be too low to be told
   // from the ground; then the place that was clicked on is the target until it is seen.
-  TargetSeen Begin(const ElevationMap& map, const Eigen::Vector2d& p_E_clicked) override {
-    const StoneMiddle stone = FindStone(map, p_E_clicked, settings_);
+  TargetSeen Begin(const GroundMaps& maps, const Eigen::Vector2d& p_E_clicked) override {
+    const StoneMiddle stone = FindStone(maps.fine, p_E_clicked, settings_);
     if (stone.verdict == StoneVerdict::kFound || stone.verdict == StoneVerdict::kSeveral) {
-      return Keep(map, stone);
+      return Keep(maps, stone);
     }
-    const auto height = Bilinear(map, p_E_clicked);
+    const auto height = Bilinear(maps.closed, p_E_clicked);
     return {.found = true,
             .p_E = p_E_clicked,
             .height_m = height ? height->height_m : 0.0,
+            .sigma_m = kClick_m,
             .why = WhyNot(stone.verdict)};
   }
 
-  TargetSeen Follow(const ElevationMap& map, const Pose2& X_ET_predicted) override {
-    StoneMiddle stone = FindStone(map, {X_ET_predicted.x, X_ET_predicted.y}, settings_);
+  TargetSeen Follow(const GroundMaps& maps, const Predicted& target) override {
+    StoneMiddleSettings settings = settings_;
+    settings.window_m = std::clamp(3.0 * target.sigma_m, kLeastWindow_m, kMostWindow_m);
+    StoneMiddle stone = FindStone(maps.fine, {target.X_ET.x, target.X_ET.y}, settings);
     if (stone.verdict == StoneVerdict::kSeveral) {
-      const TrackedShape shape = FindShape(shape_, map, X_ET_predicted, shapes_);
+      const TrackedShape shape = FindShape(shape_, maps.closed, target.X_ET, shapes_);
       if (shape.verdict != TrackVerdict::kFound) return {.why = WhyNot(stone.verdict)};
-      StoneMiddleSettings narrow = settings_;
+      StoneMiddleSettings narrow = settings;
       narrow.apart_m = 0.0;
-      stone = FindStone(map, {shape.X_ET.x, shape.X_ET.y}, narrow);
+      stone = FindStone(maps.fine, {shape.X_ET.x, shape.X_ET.y}, narrow);
     }
     if (stone.verdict != StoneVerdict::kFound) {
       return {.gone = stone.verdict == StoneVerdict::kFlat, .why = WhyNot(stone.verdict)};
@@ -57,14 +63,14 @@ class StoneTracker final : public TargetTracker {
         std::abs(stone.height_m - height_m_) > kOtherHeight_m + kOtherShare * height_m_) {
       return {.why = "another stone stands where the target should be"};
     }
-    return Keep(map, stone);
+    return Keep(maps, stone);
   }
 
   // Scoops leave heaps and trenches, but none as high as the stone was.
-  TargetSeen Check(const ElevationMap& map, const Pose2& X_ET) override {
+  TargetSeen Check(const GroundMaps& maps, const Pose2& X_ET) override {
     StoneMiddleSettings near = settings_;
     near.apart_m = 0.0;
-    const StoneMiddle stone = FindStone(map, {X_ET.x, X_ET.y}, near);
+    const StoneMiddle stone = FindStone(maps.fine, {X_ET.x, X_ET.y}, near);
     const bool stands =
         stone.verdict == StoneVerdict::kFound && stone.height_m > kHeapShare * height_m_;
     const bool seen = stone.verdict != StoneVerdict::kUnseen;
@@ -76,8 +82,8 @@ class StoneTracker final : public TargetTracker {
   }
 
  private:
-  TargetSeen Keep(const ElevationMap& map, const StoneMiddle& stone) {
-    shape_ = ShapeAbout(map, {stone.p_E.x(), stone.p_E.y(), 0.0}, shapes_);
+  TargetSeen Keep(const GroundMaps& maps, const StoneMiddle& stone) {
+    shape_ = ShapeAbout(maps.closed, {stone.p_E.x(), stone.p_E.y(), 0.0}, shapes_);
     height_m_ = stone.height_m;
     const double ground_m = stone.ground.dot(Eigen::Vector3d(1.0, stone.p_E.x(), stone.p_E.y()));
     return {.found = true, .p_E = stone.p_E, .height_m = ground_m + stone.height_m};
@@ -86,6 +92,10 @@ class StoneTracker final : public TargetTracker {
   // Heights of one stone from look to look: tops are up to 2.5 mm low at 1 m, with 2.2 mm of sigma.
   // Assumed, 5-15 mm and 0.2-0.6.
   static constexpr double kOtherHeight_m = 0.008, kOtherShare = 0.4;
+  // Of the window in which the target is looked for. Assumed, 3-5 and 8-15 cm.
+  static constexpr double kLeastWindow_m = 0.04, kMostWindow_m = 0.12;
+  // Of a click on what is not told from the ground: two pixels at 1.3 m. Assumed, 2-5 cm.
+  static constexpr double kClick_m = 0.03;
   // Heaps before this share of the stone's height; assumed, 0.4-0.8.
   static constexpr double kHeapShare = 0.6;
 
@@ -95,11 +105,11 @@ class StoneTracker final : public TargetTracker {
   double height_m_ = 0.0;
 };
 
-// Larger steps than the paper's: the stone is looked for within 6 cm of where odometry has it.
-// Assumed, 0.15-0.4.
-constexpr ApproachOptions kOptions{.image_share = 0.3,
+// Larger steps than the paper's, as the window follows from them. Assumed, 0.15-0.4.
+constexpr ApproachOptions kOptions{.image_share = 0.25,
                                    .least_step_m = 0.06,
                                    .claim_share = 0.6,  // assumed, 0.4-0.8: what is seen errs too
+                                   .turn_by_unit = true,
                                    .backs_up = true,
                                    .most_looks = 60,
                                    .blind_beyond_m = 0.25,  // assumed, 0.2-0.5

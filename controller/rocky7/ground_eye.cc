@@ -39,20 +39,23 @@ GroundSeen GroundEye::Look(const StereoImages& images, const ImuSample& attitude
   return seen;
 }
 
-ElevationMap GroundEye::MapAbout(const GroundSeen& seen, const Eigen::Vector2d& p_E) const {
+GroundMaps GroundEye::MapsAbout(const GroundSeen& seen, const Eigen::Vector2d& p_E) const {
   const RectifiedPair& pair = rectifier_.pair();
   const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
   const double away_m = (p_E - p_EC.head<2>()).norm(), up_m = std::max(0.05, p_EC.z());
   const double footprint_m = (away_m * away_m + up_m * up_m) / (up_m * pair.focal_px);
-  ElevationMap map =
-      MapHeights(pair, seen.disparities, seen.ground_R, SandAndStonesSettings{}.stones.block_px,
-                 {.cell_m = std::max(kFinest_m, kOfFootprint * footprint_m),
-                  .x_low_m = p_E.x() - kHalf_m,
-                  .x_high_m = p_E.x() + kHalf_m,
-                  .y_low_m = p_E.y() - kHalf_m,
-                  .y_high_m = p_E.y() + kHalf_m});
-  FillGaps(kGap_cells, map);
-  return map;
+  ElevationSettings settings{.cell_m = kFinest_m,
+                             .x_low_m = p_E.x() - kHalf_m,
+                             .x_high_m = p_E.x() + kHalf_m,
+                             .y_low_m = p_E.y() - kHalf_m,
+                             .y_high_m = p_E.y() + kHalf_m};
+  const int block_px = SandAndStonesSettings{}.stones.block_px;
+  GroundMaps maps;
+  maps.fine = MapHeights(pair, seen.disparities, seen.ground_R, block_px, settings);
+  settings.cell_m = std::max(kFinest_m, kOfFootprint * footprint_m);
+  maps.closed = MapHeights(pair, seen.disparities, seen.ground_R, block_px, settings);
+  FillGaps(kGap_cells, maps.closed);
+  return maps;
 }
 
 std::optional<Eigen::Vector2d> GroundEye::PlaceOf(const GroundSeen& seen,

@@ -20,6 +20,12 @@ struct GroundSeen {
   Disparities disparities;
 };
 
+/// Heights about a place: in fine cells, far away with gaps; and in cells as large as a pixel's
+/// footprint, small gaps closed.
+struct GroundMaps {
+  ElevationMap fine, closed;
+};
+
 class GroundEye {
  public:
   explicit GroundEye(const Nominal& nominal);
@@ -32,8 +38,8 @@ class GroundEye {
   std::optional<Eigen::Vector2d> PlaceOf(const GroundSeen& seen,
                                          const Eigen::Vector2d& pixel) const;
 
-  /// Heights about a place of E, in cells as large as a pixel's footprint there, small gaps closed.
-  ElevationMap MapAbout(const GroundSeen& seen, const Eigen::Vector2d& p_E) const;
+  /// Heights about a place of E.
+  GroundMaps MapsAbout(const GroundSeen& seen, const Eigen::Vector2d& p_E) const;
 
  private:
   Nominal nominal_;

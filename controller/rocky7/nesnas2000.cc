@@ -12,16 +12,16 @@ class HighestPoint final : public TargetTracker {
  public:
   explicit HighestPoint(const NesnasTracking& with) : settings_{with.window_m} {}
 
-  TargetSeen Begin(const ElevationMap& map, const Eigen::Vector2d& p_E_clicked) override {
-    return Find(map, p_E_clicked);
+  TargetSeen Begin(const GroundMaps& maps, const Eigen::Vector2d& p_E_clicked) override {
+    return Find(maps, p_E_clicked);
   }
-  TargetSeen Follow(const ElevationMap& map, const Pose2& X_ET_predicted) override {
-    return Find(map, {X_ET_predicted.x, X_ET_predicted.y});
+  TargetSeen Follow(const GroundMaps& maps, const Predicted& target) override {
+    return Find(maps, {target.X_ET.x, target.X_ET.y});
   }
 
  private:
-  TargetSeen Find(const ElevationMap& map, const Eigen::Vector2d& p_E) const {
-    const auto top = HighestInWindow(map, p_E, settings_);
+  TargetSeen Find(const GroundMaps& maps, const Eigen::Vector2d& p_E) const {
+    const auto top = HighestInWindow(maps.fine, p_E, settings_);
     if (!top) return {.why = "no range data in the window"};
     return {.found = true, .p_E = top->p_E, .height_m = top->height_m};
   }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "controller/geometry/pose.h"
-#include "controller/stereo/elevation.h"
+#include "controller/rocky7/ground_eye.h"
 
 namespace dockyard::rocky7 {
 
@@ -15,19 +15,28 @@ struct TargetSeen {
   bool gone = false;  // it is seen that nothing stands there
   Eigen::Vector2d p_E{0, 0};
   double height_m = 0.0;  // over the level ground below R
+  double sigma_m = 0.01;  // of p_E when found
   std::string why{};      // in a few words; empty when found without a remark
+};
+
+/// Where odometry has the target in E: its place, how the rover has turned since the last look that
+/// found it, and how far that may be off, 1 sigma.
+struct Predicted {
+  Pose2 X_ET;
+  double sigma_m = 0.0;
 };
 
 class TargetTracker {
  public:
   virtual ~TargetTracker() = default;
   /// The first look: the user clicked on this place of the ground.
-  virtual TargetSeen Begin(const ElevationMap& map, const Eigen::Vector2d& p_E_clicked) = 0;
-  /// A later one. X_ET: where odometry has the target, and how the rover has turned since the last
-  /// one that found it.
-  virtual TargetSeen Follow(const ElevationMap& map, const Pose2& X_ET_predicted) = 0;
+  virtual TargetSeen Begin(const GroundMaps& maps, const Eigen::Vector2d& p_E_clicked) = 0;
+  /// A later one.
+  virtual TargetSeen Follow(const GroundMaps& maps, const Predicted& target) = 0;
   /// After a grasp: whether the target still stands there, among what the scoops have dug up.
-  virtual TargetSeen Check(const ElevationMap& map, const Pose2& X_ET) { return Follow(map, X_ET); }
+  virtual TargetSeen Check(const GroundMaps& maps, const Pose2& X_ET) {
+    return Follow(maps, {X_ET, 0.0});
+  }
 };
 
 }  // namespace dockyard::rocky7

@@ -44,7 +44,7 @@ TEST(GroundEye, PlacesAClickOnAStoneWithinACentimetreAndAHalf) {
 TEST(GroundEye, MapsTheStoneAndTheGroundAboutItWithoutGaps) {
   const Sample sample(0.8, 0.1);
   const GroundEye eye(sample.nominal);
-  const ElevationMap map = eye.MapAbout(eye.Look(sample.images, {}), {0.8, 0.1});
+  const ElevationMap map = eye.MapsAbout(eye.Look(sample.images, {}), {0.8, 0.1}).closed;
   int known = 0;
   float top = -1.0F;
   for (const float height : map.height_m) {
