@@ -9,8 +9,9 @@
 namespace dockyard::rocky7 {
 namespace {
 
-// Of odometry, of the way: slip on sand is 7 %, and half of it scatters. Assumed, 0.03-0.1.
-constexpr double kSlip = 0.05;
+// Of odometry, of the way, 1 sigma: how far slip is off what is taken. Assumed, 0.05-0.12.
+constexpr double kSlip = 0.08;
+constexpr double kMostSlip = 0.5;
 // Cameras that do not answer are asked again after so long, so often. Assumed, 1-10 s and 2-10.
 constexpr Tick kAskAgain = 3000;
 constexpr int kMostAsks = 5;
@@ -53,7 +54,8 @@ Approach::Approach(const Nominal& nominal, std::unique_ptr<TargetTracker> tracke
       options_(options),
       eye_(nominal),
       drive_(nominal),
-      tracker_(std::move(tracker)) {}
+      tracker_(std::move(tracker)),
+      slip_(options.slip) {}
 
 void Approach::Tell(const std::string& phase, const std::string& note) {
   belief_.phase = phase;
@@ -119,6 +121,7 @@ void Approach::TakeLook(const StereoImages& images, const SensorFrame& sensed) {
   }
   Report(seen, sensed.imu);
   if (seen.found) {
+    LearnSlip(seen);
     p_RT_ = seen.p_E;
     variance_m2_ = seen.sigma_m * seen.sigma_m;
     turned_rad_ = 0.0;
@@ -159,9 +162,20 @@ void Approach::Decide() {
   Drive(path.size() > 1 || step_m >= left_m ? arc : Part(arc, step_m / left_m));
 }
 
+// The target lies further ahead than predicted by what the rover slipped more. The gain is that of
+// an estimate of slip by one look, weighted by both sigmas.
+void Approach::LearnSlip(const TargetSeen& seen) {
+  const double way_m = drive_.driven_m();
+  if (options_.slip <= 0.0 || way_m == 0.0) return;
+  const double by_slip_m2 = kSlip * kSlip * way_m * way_m;
+  const double gain = by_slip_m2 / (by_slip_m2 + seen.sigma_m * seen.sigma_m);
+  slip_ += gain * (seen.p_E.x() - p_RT_.x()) / way_m;
+  slip_ = std::clamp(slip_, 0.0, kMostSlip);
+}
+
 Pose2 Approach::Moved() const {
   if (!options_.turn_by_unit) return drive_.moved();
-  return Advance({}, Arc{drive_.driven_m(), WrapPi(yaw_rad_ - yaw_at_start_rad_)});
+  return Advance({}, Arc{(1.0 - slip_) * drive_.driven_m(), WrapPi(yaw_rad_ - yaw_at_start_rad_)});
 }
 
 Commands Approach::Step(const SensorFrame& sensed) {
