@@ -12,12 +12,34 @@ namespace {
 // Of odometry, of the way, 1 sigma: how far slip is off what is taken. Assumed, 0.05-0.12.
 constexpr double kSlip = 0.08;
 constexpr double kMostSlip = 0.5;
+// Grey about the target: what is aimed at, and what is too bright. Assumed, 60-120 and 180-230.
+constexpr double kGoodLevel = 80.0, kBrightLevel = 200.0;
+// Of exposure: a stop less is not worth a picture (assumed, 0.5-1.5); four stops bring the light of
+// a clear sky up to that of the sun (assumed, 3-5).
+constexpr double kWorthStops = 1.0, kMostStops = 4.0;
+constexpr int kShade_px = 12;  // assumed, 8-20
 // Cameras that do not answer are asked again after so long, so often. Assumed, 1-10 s and 2-10.
 constexpr Tick kAskAgain = 3000;
 constexpr int kMostAsks = 5;
 // First arcs of a path of two: lengths in steps up to a longest. Assumed, 2-10 cm and 0.3-1 m.
 constexpr double kFirstStep_m = 0.03, kFirstLongest_m = 0.6;
 constexpr int kFirstCurvatures = 3;
+
+// Below 0: off the picture.
+double MeanAbout(const GrayImage& image, const Eigen::Vector2d& pixel) {
+  double sum = 0.0;
+  int count = 0;
+  const int u0 = static_cast<int>(std::lround(pixel.x()));
+  const int v0 = static_cast<int>(std::lround(pixel.y()));
+  for (int v = std::max(0, v0 - kShade_px); v < std::min(image.height, v0 + kShade_px); ++v) {
+    for (int u = std::max(0, u0 - kShade_px); u < std::min(image.width, u0 + kShade_px); ++u) {
+      sum += image.pixels[static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
+                          static_cast<std::size_t>(u)];
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : -1.0;
+}
 
 // No sharper than the wheels steer; the length stays.
 Arc Widened(const Arc& arc, const ArcLimits& limits) {
@@ -162,6 +184,27 @@ void Approach::Decide() {
   Drive(path.size() > 1 || step_m >= left_m ? arc : Part(arc, step_m / left_m));
 }
 
+// Whether the target's surroundings are worth another picture with another exposure.
+bool Approach::TooDark(const GrayImage& left, const ImuSample& attitude) {
+  if (!options_.exposes_for_target) return false;
+  Eigen::Vector2d at = nominal_.target_px;
+  if (begun_) {
+    const Eigen::Matrix3d R_ER = RotY(attitude.pitch_rad) * RotX(attitude.roll_rad);
+    const Eigen::Vector3d p_E(p_RT_.x(), p_RT_.y(), -nominal_.rolling_radius_m);
+    const auto pixel = nominal_.front.left.Project(Inverse(nominal_.front.X_RL) *
+                                                   Eigen::Vector3d(R_ER.transpose() * p_E));
+    if (!pixel) return false;
+    at = *pixel;
+  }
+  const double level = MeanAbout(left, at);
+  if (level < 0.0) return false;
+  const double more =
+      std::clamp(std::log2(kGoodLevel / std::max(level, 1.0)), -stops_, kMostStops - stops_);
+  if (more < kWorthStops && !(level > kBrightLevel && more < 0.0)) return false;
+  stops_ += more;
+  return true;
+}
+
 // The target lies further ahead than predicted by what the rover slipped more. The gain is that of
 // an estimate of slip by one look, weighted by both sigmas.
 void Approach::LearnSlip(const TargetSeen& seen) {
@@ -195,7 +238,7 @@ Commands Approach::Step(const SensorFrame& sensed) {
     if (const auto images = FrontPair(sensed)) {
       asked_.reset();
       asks_ = 0;
-      TakeLook(*images, sensed);
+      if (!TooDark(images->left, sensed.imu)) TakeLook(*images, sensed);
     }
     const bool waits = asked_ && sensed.tick - *asked_ < kAskAgain;
     if (verdict_ == Verdict::kUnderWay && !driving_ && !waits) {
@@ -203,6 +246,7 @@ Commands Approach::Step(const SensorFrame& sensed) {
         GiveUp("the cameras do not answer");
       } else {
         commands.take_images = {kFrontLeft, kFrontRight};
+        commands.exposure_stops = stops_;
         asked_ = sensed.tick;
         Tell("look", "");
       }

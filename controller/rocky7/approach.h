@@ -26,8 +26,9 @@ struct ApproachOptions {
   // With a start and a stop every 10 to 20 cm it is 1 to 5 % on gravel, 20 % in sand (measured in
   // the world). 0: the wheels' counts are believed.
   double slip = 0.0;
-  bool backs_up = false;  // where one arc would be too sharp: two arcs, back and forth
-  int most_looks = 60;    // then it gives up: its steps are coarser than its reach
+  bool exposes_for_target = false;  // asks for more light where the target lies in the shade
+  bool backs_up = false;            // where one arc would be too sharp: two arcs, back and forth
+  int most_looks = 60;              // then it gives up: its steps are coarser than its reach
   // A target further from the point than this may be unseen for a look; then the way goes on.
   double blind_beyond_m = 1e9;
   int most_misses = 1;  // looks in a row without the target
@@ -39,6 +40,7 @@ class Approach {
            const ApproachOptions& options);
 
   Commands Step(const SensorFrame& sensed);
+  double exposure_stops() const { return stops_; }
   /// A look at where the target was seen last, by a rover that stands. It changes no plan.
   TargetSeen Peek(const StereoImages& images, const SensorFrame& sensed);
   /// Takes a claim back: the target was moved, and is looked for where it was last.
@@ -56,6 +58,7 @@ class Approach {
   void Tell(const std::string& phase, const std::string& note);
   std::vector<Arc> PathToTarget() const;
   Pose2 Moved() const;
+  bool TooDark(const GrayImage& left, const ImuSample& attitude);
   void LearnSlip(const TargetSeen& seen);
 
   const Nominal nominal_;
@@ -68,6 +71,7 @@ class Approach {
   std::optional<Tick> asked_;
   int asks_ = 0, looks_ = 0, misses_ = 0;
   Eigen::Vector2d p_RT_{0, 0};
+  double stops_ = 0.0;        // off the cameras' own exposure
   double slip_ = 0.0;         // as learnt
   double variance_m2_ = 0.0;  // of that, by the last look and odometry since
   double turned_rad_ = 0.0;   // by odometry, since the look that found the target last

@@ -111,6 +111,7 @@ constexpr ApproachOptions kOptions{.image_share = 0.25,
                                    .claim_share = 0.6,  // assumed, 0.4-0.8: what is seen errs too
                                    .turn_by_unit = true,
                                    .slip = 0.1,  // assumed, 0.05-0.2
+                                   .exposes_for_target = true,
                                    .backs_up = true,
                                    .most_looks = 60,
                                    .blind_beyond_m = 0.25,  // assumed, 0.2-0.5

@@ -75,6 +75,7 @@ void Mission::StepPeek(const SensorFrame& sensed, Commands& commands) {
     return;
   }
   commands.take_images = {kFrontLeft, kFrontRight};
+  commands.exposure_stops = approach_.exposure_stops();
   asked_ = sensed.tick;
 }
 
