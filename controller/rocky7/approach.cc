@@ -155,7 +155,13 @@ void Approach::TakeLook(const StereoImages& images, const SensorFrame& sensed) {
   Tell("look", seen.why);
   if (misses_ >= options_.most_misses || !begun_) return GiveUp("lost the target: " + seen.why);
   // From afar it goes on by odometry, to see better; near by it looks again.
-  if ((p_RT_ - nominal_.plan.p_RP).norm() > options_.blind_beyond_m) Decide();
+  if ((p_RT_ - nominal_.plan.p_RP).norm() <= options_.blind_beyond_m) return;
+  if (seen.guess) {
+    p_RT_ = seen.p_E;
+    variance_m2_ = seen.sigma_m * seen.sigma_m;
+    turned_rad_ = 0.0;
+  }
+  Decide();
 }
 
 TargetSeen Approach::Peek(const StereoImages& images, const SensorFrame& sensed) {

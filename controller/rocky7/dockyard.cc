@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/rocky7/mission.h"
+#include "controller/tracking/local_maximum.h"
 #include "controller/tracking/stone_middle.h"
 #include "controller/tracking/whole_shape.h"
 
@@ -51,14 +52,12 @@ class StoneTracker final : public TargetTracker {
     StoneMiddle stone = FindStone(maps.fine, {target.X_ET.x, target.X_ET.y}, settings);
     if (stone.verdict == StoneVerdict::kSeveral) {
       const TrackedShape shape = FindShape(shape_, maps.closed, target.X_ET, shapes_);
-      if (shape.verdict != TrackVerdict::kFound) return {.why = WhyNot(stone.verdict)};
+      if (shape.verdict != TrackVerdict::kFound) return Guess(maps, target, stone.verdict);
       StoneMiddleSettings narrow = settings;
       narrow.apart_m = 0.0;
       stone = FindStone(maps.fine, {shape.X_ET.x, shape.X_ET.y}, narrow);
     }
-    if (stone.verdict != StoneVerdict::kFound) {
-      return {.gone = stone.verdict == StoneVerdict::kFlat, .why = WhyNot(stone.verdict)};
-    }
+    if (stone.verdict != StoneVerdict::kFound) return Guess(maps, target, stone.verdict);
     if (height_m_ > 0.0 &&
         std::abs(stone.height_m - height_m_) > kOtherHeight_m + kOtherShare * height_m_) {
       return {.why = "another stone stands where the target should be"};
@@ -82,6 +81,18 @@ class StoneTracker final : public TargetTracker {
   }
 
  private:
+  // The paper's: what is highest there. It cannot tell that the target is gone.
+  static TargetSeen Guess(const GroundMaps& maps, const Predicted& target, StoneVerdict verdict) {
+    TargetSeen seen{.gone = verdict == StoneVerdict::kFlat, .why = WhyNot(verdict)};
+    const auto top =
+        HighestInWindow(maps.fine, {target.X_ET.x, target.X_ET.y}, LocalMaximumSettings{});
+    if (!top) return seen;
+    seen.guess = true;
+    seen.p_E = top->p_E;
+    seen.sigma_m = kClick_m;
+    return seen;
+  }
+
   TargetSeen Keep(const GroundMaps& maps, const StoneMiddle& stone) {
     shape_ = ShapeAbout(maps.closed, {stone.p_E.x(), stone.p_E.y(), 0.0}, shapes_);
     height_m_ = stone.height_m;

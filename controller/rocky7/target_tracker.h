@@ -12,7 +12,8 @@ namespace dockyard::rocky7 {
 /// Where a look has the target, in E; or why it has it not.
 struct TargetSeen {
   bool found = false;
-  bool gone = false;  // it is seen that nothing stands there
+  bool gone = false;   // it is seen that nothing stands there
+  bool guess = false;  // not found, but p_E is better than the prediction
   Eigen::Vector2d p_E{0, 0};
   double height_m = 0.0;  // over the level ground below R
   double sigma_m = 0.01;  // of p_E when found

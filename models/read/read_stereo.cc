@@ -22,7 +22,7 @@ StereoRig MakeRig(double baseline_m, double forward_m, double height_m, double p
   return rig;
 }
 
-StereoRig ReadRig(const YamlReader& in, const ImageSize& size, const ImageSize& usual) {
+StereoRig ReadRig(const YamlReader& in, const PictureSize& size, const PictureSize& usual) {
   if (in.Has("file")) {
     for (const char* key :
          {"baseline_m", "forward_m", "height_m", "pitch_deg", "field_of_view_deg"}) {
@@ -80,7 +80,7 @@ StereoRig MountedRig(const StereoRig& rig, const StereoModel& stereo) {
   return mounted;
 }
 
-StereoModel ReadStereo(const YamlReader& root, const ImageSize& size, const ImageSize& usual,
+StereoModel ReadStereo(const YamlReader& root, const PictureSize& size, const PictureSize& usual,
                        const std::string& key) {
   const YamlReader in(root.Child(key), root.PathOf(key),
                       {"file", "baseline_m", "forward_m", "height_m", "pitch_deg",

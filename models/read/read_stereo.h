@@ -9,13 +9,13 @@
 namespace dockyard {
 
 /// Pixels of an image.
-struct ImageSize {
+struct PictureSize {
   int width = 0, height = 0;
 };
 
 /// Reads the mapping under `key`. `size` 0: that of `cameras.file`, or else `usual`. Throws
 /// ConfigError.
-StereoModel ReadStereo(const YamlReader& root, const ImageSize& size, const ImageSize& usual,
+StereoModel ReadStereo(const YamlReader& root, const PictureSize& size, const PictureSize& usual,
                        const std::string& key = "cameras");
 
 /// The pair turned and shifted as the mountings of `stereo` say.

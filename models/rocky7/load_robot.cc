@@ -11,7 +11,7 @@ namespace dockyard::rocky7 {
 namespace {
 
 // Assumed, 320 x 240 to 640 x 480: the paper gives no size.
-constexpr ImageSize kImage{640, 480};
+constexpr PictureSize kImage{640, 480};
 
 }  // namespace
 

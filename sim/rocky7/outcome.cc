@@ -14,10 +14,11 @@ const std::vector<OutcomeName>& OutcomeNames() {
       {"on_target", true, "the point is on the target's middle, as near as was asked"},
       {"grasped", true, "the stone is in the scoops, for 10 s and over half a metre of driving"},
       {"lost_grip", false, "the stone was lifted and lost; the paper's marginal ones"},
-      {"false_grasp", false, "claims to hold the stone, which was never lifted"},
-      {"missed_grasp", false, "the scoops closed on nothing, the point near the stone"},
+      {"false_grasp", false, "as missed_grasp, and claims to hold the stone"},
+      {"missed_grasp", false, "the scoops closed on nothing, the point within 1 cm of the stone"},
+      {"near_target", false, "to bring the point there: within 3 cm, but not as near as was asked"},
       {"off_target", false,
-       "took itself to be there; the point is near the target, but not near enough"},
+       "the scoops closed on nothing, the point further than 1 cm from the stone"},
       {"wrong_lock", false, "took itself to be there, and the point is on another thing"},
       {"lost_target", false, "gave up, and had the target last where it is not"},
       {"unstable", false, "gave up though it saw the target: its steps are coarser than its reach"},
@@ -37,20 +38,19 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
   if (end.tried > 0) {
     if (end.lifted && end.held) return {Outcome::kGrasped, "held through the trial"};
     if (end.lifted) return {Outcome::kLostGrip, "the stone was lifted and lost; " + point};
-    if (end.claimed == Verdict::kDocked) {
-      return {Outcome::kFalseGrasp, "claims to hold a stone that lies on the ground; " + point};
-    }
-    if (end.claimed == Verdict::kGivenUp) {
+    if (end.claimed != Verdict::kUnderWay) {
+      const Outcome near =
+          end.claimed == Verdict::kDocked ? Outcome::kFalseGrasp : Outcome::kMissedGrasp;
       return {end.point_off_m > limits.wrong_lock_m ? Outcome::kWrongLock
               : end.point_off_m > limits.reach_m    ? Outcome::kOffTarget
-                                                    : Outcome::kMissedGrasp,
+                                                    : near,
               "the scoops closed on nothing; " + point};
     }
   }
   switch (end.claimed) {
     case Verdict::kDocked:
       if (end.point_off_m <= limits.reach_m) return {Outcome::kOnTarget, point};
-      return {end.point_off_m > limits.wrong_lock_m ? Outcome::kWrongLock : Outcome::kOffTarget,
+      return {end.point_off_m > limits.wrong_lock_m ? Outcome::kWrongLock : Outcome::kNearTarget,
               "claimed to be there; " + point};
     case Verdict::kGivenUp:
       return {end.estimate_off_m > limits.wrong_lock_m ? Outcome::kLostTarget : Outcome::kUnstable,

@@ -15,6 +15,7 @@ enum class Outcome {
   kLostGrip,
   kFalseGrasp,
   kMissedGrasp,
+  kNearTarget,
   kOffTarget,
   kWrongLock,
   kLostTarget,

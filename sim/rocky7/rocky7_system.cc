@@ -110,6 +110,11 @@ System Rocky7System(const std::vector<NamedController>& controllers) {
   system.rig = RigOf;
   system.example_files.scenario = "scenarios/rocky7_reach.yaml";
   system.example_files.robot = "models/rocky7/rocky7.yaml";
+  system.example_files.reproduction = "rocky7";
+  system.reproductions = {
+      {"rocky7", "scenarios/rocky7_published.yaml",
+       "The 25 grasps and 14 tracking sequences of Nesnas, Maimone and Das (2000), "
+       "by a controller as they describe theirs; starts, stones and light are ours."}};
   return system;
 }
 

@@ -16,7 +16,7 @@ Outcome Of(Verdict claimed, double point_off_m, double estimate_off_m, bool on_s
 
 TEST(Rocky7Outcome, TheTruthDecidesNotTheClaim) {
   EXPECT_EQ(Of(Verdict::kDocked, 0.009, 0.0), Outcome::kOnTarget);
-  EXPECT_EQ(Of(Verdict::kDocked, 0.011, 0.0), Outcome::kOffTarget);
+  EXPECT_EQ(Of(Verdict::kDocked, 0.011, 0.0), Outcome::kNearTarget);
   EXPECT_EQ(Of(Verdict::kDocked, 0.031, 0.0), Outcome::kWrongLock);
   EXPECT_EQ(Of(Verdict::kGivenUp, 0.005, 0.0), Outcome::kUnstable);
   EXPECT_EQ(Of(Verdict::kGivenUp, 0.005, 0.04), Outcome::kLostTarget);
@@ -45,6 +45,7 @@ TEST(Rocky7Outcome, AGraspIsCountedWhenTheStoneIsHeldNotWhenTheScoopsAreClosed) 
   EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, true, false), Outcome::kLostGrip);
   EXPECT_EQ(AfterGrasp(Verdict::kDocked, false, false), Outcome::kFalseGrasp);
   EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, false, false), Outcome::kMissedGrasp);
+  EXPECT_EQ(AfterGrasp(Verdict::kDocked, false, false, 0.05), Outcome::kWrongLock);
   EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, false, false, 0.02), Outcome::kOffTarget);
   EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, false, false, 0.05), Outcome::kWrongLock);
 }

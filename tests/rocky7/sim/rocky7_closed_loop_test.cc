@@ -14,7 +14,7 @@ namespace dockyard::rocky7 {
 namespace {
 
 RunRecord RunFrom(const System& system, const std::string& controller, const std::string& soil,
-                  std::uint64_t seed) {
+                  std::uint64_t seed, const std::string& task = "reach") {
   CampaignRun run;
   Scenario& scenario = run.scenario;
   scenario.name = "test";
@@ -22,6 +22,7 @@ RunRecord RunFrom(const System& system, const std::string& controller, const std
   scenario.controller = controller;
   scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
   scenario.soil_file = SourceFile("models/soils/" + soil + ".yaml");
+  scenario.of_system = ParseYaml("{task: " + task + "}", "test");
   scenario.start = {1.3, 0.0, Radians(5.0)};
   scenario.yard.length_m = scenario.yard.width_m = 4.0;
   scenario.yard.cell_m = 0.01;
@@ -46,6 +47,14 @@ TEST(Rocky7ClosedLoop, ThePapersTrackerBringsThePointToAStoneTheSameWayTwice) {
   EXPECT_LT(MeasureOf(a, "point_off_m"), 0.03) << a.failure_note;
   EXPECT_GE(MeasureOf(a, "looks"), 8);
   EXPECT_EQ(a.result.state_hash, b.result.state_hash);
+}
+
+TEST(Rocky7ClosedLoop, OursGraspsALooseStoneAndKeepsItWhileItDrivesAway) {
+  const System system = Rocky7System({{"dockyard", MakeDockyardController}});
+  const RunRecord record = RunFrom(system, "dockyard", "loose_sand", 2, "grasp");
+  EXPECT_EQ(record.result.outcome, "grasped") << record.failure_note;
+  EXPECT_LT(MeasureOf(record, "point_off_m"), 0.012);
+  EXPECT_GT(MeasureOf(record, "rise_m"), 0.1);
 }
 
 }  // namespace
