@@ -45,7 +45,7 @@ TEST(ArcsToPoint, BackUpForAPointAside) {
 SensorFrame Frame(Tick tick) {
   SensorFrame frame;
   frame.tick = tick;
-  frame.motors.resize(8);
+  frame.motors.resize(12);
   return frame;
 }
 

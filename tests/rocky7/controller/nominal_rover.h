@@ -18,6 +18,9 @@ inline Nominal NominalRover() {
   nominal.plan.steer_rate_rad_s = 0.5;
   nominal.motors.assign(6, {1e-4, 2.0, 0.1, 2.0, 1.5, 1.5});
   nominal.motors.resize(8, {1e-4, 4.0, 0.1, 2.0, 0.5, 2.0});
+  nominal.motors.resize(10, {1e-4, 3.0, 0.1, 2.0, 0.5, 1.0});
+  nominal.motors.resize(12, {1e-4, 0.6, 0.1, 1.1, 1.0, 5.0});
+  nominal.arm = {{0.36, 0.0, 0.13}, 0.32, 0.05, 1.85};
   nominal.front.left = nominal.front.right = EquidistantCamera(640, 480, Radians(103.0));
   Eigen::Matrix3d R_level;
   R_level.col(0) = -Eigen::Vector3d::UnitY();
