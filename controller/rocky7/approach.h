@@ -46,8 +46,6 @@ class Approach {
   /// Takes a claim back: the target was moved, and is looked for where it was last.
   void LookAgain() { verdict_ = Verdict::kUnderWay; }
   const Belief& belief() const { return belief_; }
-  /// The target where it was seen last, in R's plan, odometry since then included.
-  const Eigen::Vector2d& p_RT() const { return p_RT_; }
 
  private:
   void TakeLook(const StereoImages& images, const SensorFrame& sensed);
@@ -70,11 +68,11 @@ class Approach {
   bool driving_ = false, begun_ = false;
   std::optional<Tick> asked_;
   int asks_ = 0, looks_ = 0, misses_ = 0;
-  Eigen::Vector2d p_RT_{0, 0};
-  double stops_ = 0.0;        // off the cameras' own exposure
-  double slip_ = 0.0;         // as learnt
-  double variance_m2_ = 0.0;  // of that, by the last look and odometry since
-  double turned_rad_ = 0.0;   // by odometry, since the look that found the target last
+  Eigen::Vector2d p_RT_{0, 0};  // the target in R's plan, odometry since the last look included
+  double stops_ = 0.0;          // off the cameras' own exposure
+  double slip_ = 0.0;           // as learnt
+  double variance_m2_ = 0.0;    // of that, by the last look and odometry since
+  double turned_rad_ = 0.0;     // by odometry, since the look that found the target last
   double yaw_rad_ = 0.0, yaw_at_start_rad_ = 0.0;  // now; of the present arc
   Pose2 moved_before_;  // of the present arc, as far as it is counted in p_RT_
   Belief belief_;

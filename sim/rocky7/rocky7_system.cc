@@ -1,5 +1,7 @@
 #include "sim/rocky7/rocky7_system.h"
 
+#include <cmath>
+
 #include "models/read/load_model_yaml.h"
 #include "models/read/yaml_reader.h"
 #include "models/rocky7/load_robot.h"
@@ -67,7 +69,8 @@ std::optional<FileCheck> CheckModelFile(const std::string& file) {
   if (!IsRobotFile(file)) return std::nullopt;
   const RobotModel robot = LoadRobot(file);
   return FileCheck{"rover on wheels with cameras",
-                   robot.rover.plan.name + ": " + NumberText(robot.rover.mass_kg()) +
+                   robot.rover.plan.name + ": " +
+                       NumberText(std::round(1e2 * robot.rover.mass_kg()) / 1e2) +
                        " kg, front pair of " + NumberText(robot.front.nominal.baseline_m()) + " m"};
 }
 

@@ -24,6 +24,7 @@ TEST(CheckFile, NamesTheKindOfEveryFileHere) {
   EXPECT_EQ(kind("models/wheels/axel.yaml"), "wheel");
   EXPECT_EQ(kind("models/cameras/navcam.yaml"), "rig");
   EXPECT_EQ(kind("models/rovers/rocky7.yaml"), "rover on wheels");
+  EXPECT_EQ(kind("models/rocky7/rocky7.yaml"), "rover on wheels with cameras");
   EXPECT_EQ(kind("examples/obstacles.yaml"), "obstacles");
   EXPECT_EQ(kind("tests/models/data/m2020_cameras.json"), "camera");
   EXPECT_EQ(kind("scenarios/axel_typical.yaml"), "scenario");
