@@ -23,8 +23,8 @@ struct ApproachOptions {
   // the rover turns by 83 to 87 % of what they count (docs/rocky7.md).
   bool turn_by_unit = false;
   // The share of its way that the rover slips, as it is taken at first and then learnt from looks.
-  // With a start and a stop every 10 to 20 cm it is 1 to 5 % on gravel, 20 % in sand (measured in
-  // the world). 0: the wheels' counts are believed.
+  // With a start and a stop every 15 cm it is 20 % in sand (docs/rocky7.md). 0: the wheels' counts
+  // are believed.
   double slip = 0.0;
   bool exposes_for_target = false;  // asks for more light where the target lies in the shade
   bool backs_up = false;            // where one arc would be too sharp: two arcs, back and forth
