@@ -101,7 +101,7 @@ TEST(Program, ChecksThatImagesOfAScenarioCanBeDrawn) {
   for (std::size_t at = 0; (at = text.find("../models", at)) != std::string::npos; at += 9) {
     text.replace(at, 9, DOCKYARD_SOURCE_DIR "/models");
   }
-  WriteText(wide, text + "camera: {width_px: 1200, height_px: 1200}\n");
+  WriteText(wide, text + "camera: {width_px: 1200, height_px: 1400}\n");
   const Ended ended = Dockyard("check " + wide.string());
   EXPECT_EQ(ended.code, 3) << ended.out;
   const auto line = 1 + std::count(text.begin(), text.end(), '\n');

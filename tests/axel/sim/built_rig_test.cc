@@ -74,7 +74,7 @@ TEST(Start, RoverThatRollsOffAPaddleFarFromTheStationIsNotRefused) {
 
 TEST(Start, ImagesWiderThanCanBeDrawnAreRefused) {
   try {
-    Build(TypicalScenario({"camera={width_px: 1200, height_px: 1200}"}));
+    Build(TypicalScenario({"camera={width_px: 1200, height_px: 1400}"}));
     FAIL() << "accepted";
   } catch (const ConfigError& error) {
     EXPECT_NE(std::string(error.what()).find(": camera: expected all pixels within 65 deg"),
