@@ -11,6 +11,7 @@ namespace {
 
 // Of odometry, of the way, 1 sigma: how far slip is off what is taken. Assumed, 0.05-0.12.
 constexpr double kSlip = 0.08;
+// More is not believed of a single look. Assumed, 0.3-0.7.
 constexpr double kMostSlip = 0.5;
 // Grey about the target: what is aimed at, and what is too bright. Assumed, 60-120 and 180-230.
 constexpr double kGoodLevel = 80.0, kBrightLevel = 200.0;

@@ -11,6 +11,7 @@ namespace {
 constexpr double kAbove_m = 0.11, kDown_m = 0.03;
 // Of the arm on its way down, and of the scoops as they close. Assumed, 0.05-0.2 and 0.1-0.5.
 constexpr double kLower_rad_s = 0.1, kClose_rad_s = 0.25;
+// Swinging out, and lifting. Assumed, 0.2-0.5 and 0.1-0.4.
 constexpr double kSwing_rad_s = 0.4, kLift_rad_s = 0.2;
 // A rise of the pitch motor's current over its usual one: 1.5 N m, 5 N at the arm's end. Assumed,
 // 0.3-0.8 A; the usual one is learnt over half a second (assumed, 0.2-1 s).
@@ -19,7 +20,7 @@ constexpr double kTouch_a = 0.5, kLearn = 0.1;
 constexpr double kFeels_a = 0.45;
 // One small raise: 2 mm at the arm's end; all together 4 cm. Assumed, 1-4 mm and 2-6 cm.
 constexpr double kRaise_rad = 0.006, kRaiseMost_rad = 0.12;
-// Scoops that are nearer together hold nothing: 2 mm between the lips. Assumed, 0.02-0.06 rad.
+// Scoops that are nearer together are shut: 2 mm between the lips. Assumed, 0.02-0.06 rad.
 constexpr double kClosed_rad = 0.04;
 // Scoops that have moved by less than 5 mrad for a second have a stable grasp. Assumed, 0.5-2 s.
 constexpr double kStill_rad = 0.005;
@@ -28,6 +29,7 @@ constexpr Tick kStill = 1000;
 constexpr Tick kSwingTime = 8000, kTimeOut = 20000, kHold = 1000;
 // The arm as it carries: above the cameras, out of their view. Assumed, -0.6 to -0.2.
 constexpr double kCarry_rad = -0.35;
+// A joint has arrived within this. Assumed, 0.01-0.05.
 constexpr double kThere_rad = 0.02;
 
 }  // namespace
@@ -113,7 +115,6 @@ void Grasp::Lower(const SensorFrame& sensed) {
     note_ = touches ? "felt something below" : "reached the ground's height";
     raised_rad_ = 0.0;
     least_open_rad_ = 10.0;
-    felt_ = 0;
     still_ = sensed.tick;
     return Begin(Phase::kClose, sensed.tick);
   }

@@ -51,7 +51,7 @@ class Grasp {
   std::vector<MotorCommand> commands_;
   double pitch_rad_ = 0.0;  // commanded, against the level
   double usual_a_ = 0.0, raised_rad_ = 0.0, least_open_rad_ = 0.0;
-  Tick felt_ = 0, still_ = 0;
+  Tick still_ = 0;
   std::string note_;
 };
 
