@@ -15,7 +15,7 @@ import os
 import struct
 import sys
 
-PROTOCOL = 2
+PROTOCOL = 3
 FREE, BRAKE, VELOCITY, POSITION = range(4)  # modes of a motor
 UNDER_WAY, DOCKED, GIVEN_UP = range(3)  # verdicts
 
@@ -71,6 +71,10 @@ class Frame:
             self.counts.append(counts)
             self.currents.append(current)
             at += 16
+        contact_count = struct.unpack_from("<I", payload, at)[0]
+        at += 4
+        self.contacts = list(payload[at : at + contact_count])  # switches: 1 closed, 0 open
+        at += contact_count
         image_count = struct.unpack_from("<BI", payload, at)[1]
         at += 5
         self.images = {}

@@ -58,6 +58,7 @@ PipeController::PipeController(const std::vector<std::string>& command,
                    {"motors", greeting.motor_count},
                    {"cameras", greeting.camera_count},
                    {"switches", greeting.switch_count},
+                   {"contacts", greeting.contact_count},
                    {"seed", greeting.seed},
                    {"nominal", greeting.nominal}};
   const Deadline deadline = DeadlineIn(limit_s_);

@@ -14,13 +14,13 @@
 
 namespace dockyard {
 
-inline constexpr int kControllerProtocol = 2;
+inline constexpr int kControllerProtocol = 3;
 
 /// The first message to such a controller.
 struct ControllerGreeting {
   std::string system;
   Tick control_period = 20;
-  int motor_count = 0, camera_count = 0, switch_count = 0;
+  int motor_count = 0, camera_count = 0, switch_count = 0, contact_count = 0;
   std::uint64_t seed = 0;  // for its own random draws; reveals nothing of the world
   Json nominal;
 };

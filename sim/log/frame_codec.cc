@@ -132,6 +132,8 @@ void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding,
     PutU64(out, static_cast<std::uint64_t>(motor.encoder_counts));
     PutDouble(out, motor.current_a);
   }
+  PutU32(out, static_cast<std::uint32_t>(frame.contacts.size()));
+  for (const std::uint8_t closed : frame.contacts) PutU8(out, closed);
   const bool left_out = coding == ImageCoding::kLeftOut && !frame.images.empty();
   PutU8(out, left_out ? 1 : 0);
   PutU32(out, left_out ? 0 : static_cast<std::uint32_t>(frame.images.size()));
@@ -154,6 +156,8 @@ LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding,
     motor.encoder_counts = static_cast<std::int64_t>(in.U64());
     motor.current_a = TakeReading(in);
   }
+  frame.contacts.resize(TakeCount(in));
+  for (std::uint8_t& closed : frame.contacts) closed = in.U8();
   const std::uint8_t left_out = in.U8();
   if (left_out > 1) throw DataError("unknown kind of images " + std::to_string(left_out));
   logged.images_left_out = left_out == 1;

@@ -22,7 +22,7 @@
 
 namespace dockyard {
 
-inline constexpr std::uint32_t kRunLogVersion = 4;
+inline constexpr std::uint32_t kRunLogVersion = 5;
 inline constexpr const char* kRunLogFile = "run.mcap";
 
 /// Topics of a log.
@@ -136,9 +136,9 @@ struct ControllerReplay {
   bool complete = false;           // the log has its end
   bool same() const { return !differs_at && !blind_at && complete; }
 };
-/// How many motors and cameras a robot has: a controller takes for granted that a frame has them.
+/// How many motors, cameras and contact switches a robot has: a controller takes for granted that a frame has them.
 struct RobotShape {
-  int motors = 0, cameras = 0;
+  int motors = 0, cameras = 0, contacts = 0;
 };
 /// Feeds the logged frames to a fresh controller and compares its commands with the logged ones.
 /// Throws DataError for a frame that is not of this robot.

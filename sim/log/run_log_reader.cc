@@ -53,6 +53,10 @@ void RequireShape(const SensorFrame& frame, const RobotShape& robot) {
     refuse("expected the readings of " + std::to_string(robot.motors) + " motors, found " +
            std::to_string(frame.motors.size()));
   }
+  if (frame.contacts.size() != static_cast<std::size_t>(robot.contacts)) {
+    refuse("expected " + std::to_string(robot.contacts) + " contact switches, found " +
+           std::to_string(frame.contacts.size()));
+  }
   for (const CameraImage& image : frame.images) {
     if (image.camera >= 0 && image.camera < robot.cameras) continue;
     refuse("expected images of cameras 0 to " + std::to_string(robot.cameras - 1) +

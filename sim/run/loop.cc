@@ -255,6 +255,7 @@ std::unique_ptr<Controller> MakeController(const System& system, const Scenario&
                          .motor_count = ready.motor_count,
                          .camera_count = ready.camera_count,
                          .switch_count = ready.switch_count,
+                         .contact_count = ready.contact_count,
                          .seed = StreamKey(scenario.seed, "controller"),
                          .nominal = ready.nominal},
       options.answer_limit_s);

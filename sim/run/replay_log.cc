@@ -13,7 +13,9 @@ std::optional<ControllerReplay> ReplayLog(RunLogReader& log, const System& syste
   if (log.header().nominal.dump() != ready.nominal.dump()) return std::nullopt;
   const auto controller = MakeController(system, scenario, ready, options);
   return ReplayController(log, *controller,
-                          {.motors = ready.motor_count, .cameras = ready.camera_count});
+                          {.motors = ready.motor_count,
+                           .cameras = ready.camera_count,
+                           .contacts = ready.contact_count});
 }
 
 }  // namespace dockyard

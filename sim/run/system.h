@@ -28,7 +28,7 @@ struct ReadyRun {
   std::unique_ptr<Judge> judge;
   Json nominal;  // the nominal parameters that the controller gets; no truth
   Tick control_period = 20;
-  int motor_count = 0, camera_count = 0, switch_count = 0;
+  int motor_count = 0, camera_count = 0, switch_count = 0, contact_count = 0;
   // Names for the log, in the controller's order; nominal numbers. May be empty.
   std::vector<NamedMotor> motors{};
   std::vector<NamedCamera> cameras{};
