@@ -8,6 +8,7 @@
 #include "controller/geometry/rover_plan.h"
 #include "models/parts/arm_model.h"
 #include "models/parts/link.h"
+#include "models/parts/mast_model.h"
 #include "models/parts/motor.h"
 #include "models/parts/wheel.h"
 
@@ -39,6 +40,7 @@ struct RoverModel {
   double bracket_kg = 0.0;  // of a steered wheel
   MotorModel drive, steer;
   std::optional<ArmModel> arm;
+  std::optional<MastModel> mast;
 
   double mass_kg() const;
 };
@@ -52,6 +54,7 @@ inline double RoverModel::mass_kg() const {
     sum += 2.0 * (suspension.rocker_kg + suspension.bogie_kg);
   }
   if (arm) sum += arm->mass_kg + 2.0 * arm->scoop.mass_kg;
+  if (mast) sum += mast->mass_kg();
   return sum;
 }
 

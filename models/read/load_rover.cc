@@ -5,6 +5,7 @@
 
 #include "models/read/config_error.h"
 #include "models/read/load_arm.h"
+#include "models/read/load_mast.h"
 #include "models/read/load_motor.h"
 #include "models/read/load_obstacles.h"
 #include "models/read/load_wheel.h"
@@ -176,7 +177,7 @@ RoverModel ReadRover(const YamlReader& in) {
   rover.plan = ReadPlan(in);
   const YamlReader build(in.Child("build"), "build",
                          {"body", "wheel_mass_kg", "bracket_mass_kg", "paddles", "suspension",
-                          "drive", "steer", "arm"});
+                          "drive", "steer", "arm", "mast"});
   rover.body = ReadBox(build);
   rover.suspension = ReadSuspension(build);
   rover.on_bogie.assign(rover.plan.wheels.size(), false);
@@ -191,6 +192,7 @@ RoverModel ReadRover(const YamlReader& in) {
   rover.drive = ReadMotor(build.Child("drive"), build.PathOf("drive"));
   rover.steer = ReadMotor(build.Child("steer"), build.PathOf("steer"));
   if (build.Has("arm")) rover.arm = ReadArm(build.Child("arm"), build.PathOf("arm"));
+  if (build.Has("mast")) rover.mast = ReadMast(build.Child("mast"), build.PathOf("mast"));
   return rover;
 }
 

@@ -124,6 +124,10 @@ std::vector<TreeLink> WheeledBody::LinksOf(const RoverModel& rover) {
     arm_link_ = static_cast<int>(links.size());
     for (TreeLink& link : ArmLinks(*rover.arm, arm_link_)) links.push_back(std::move(link));
   }
+  if (rover.mast) {
+    mast_link_ = static_cast<int>(links.size());
+    for (TreeLink& link : MastLinks(*rover.mast, mast_link_)) links.push_back(std::move(link));
+  }
   return links;
 }
 
@@ -148,15 +152,27 @@ WheeledBody::WheeledBody(const RoverModel& rover, const SoilModel& soil, const P
     motors_.push_back({link, MotorDrive(rover.steer, steer_kg_m2), {}});
   }
   loads_.resize(soils_.size());
-  if (!rover.arm) return;
-  arm_.emplace(*rover.arm, arm_link_, soil);
-  arm_->Stow(tree_);
-  for (int i = 0; i < kArmMotors; ++i) {
-    const MotorModel& motor = i == kArmRoll    ? rover.arm->roll
-                              : i == kArmPitch ? rover.arm->pitch
-                                               : rover.arm->scoop_motor;
-    motors_.push_back({arm_->link(i), MotorDrive(motor, ArmInertia(*rover.arm, i)), {}});
+  if (rover.arm) {
+    arm_.emplace(*rover.arm, arm_link_, soil);
+    arm_->Stow(tree_);
+    for (int i = 0; i < kArmMotors; ++i) {
+      const MotorModel& motor = i == kArmRoll    ? rover.arm->roll
+                                : i == kArmPitch ? rover.arm->pitch
+                                                 : rover.arm->scoop_motor;
+      motors_.push_back({arm_->link(i), MotorDrive(motor, ArmInertia(*rover.arm, i)), {}});
+    }
   }
+  if (!rover.mast) return;
+  mast_ = rover.mast;
+  PutMast(mast_->stowed_rad);
+  for (int i = 0; i < kMastMotors; ++i) {
+    motors_.push_back(
+        {mast_link(i), MotorDrive(mast_->motors[Place(i)], MastInertia(*mast_, i)), {}});
+  }
+}
+
+void WheeledBody::PutMast(const std::array<double, 3>& angle_rad) {
+  for (int i = 0; i < kMastMotors; ++i) tree_.SetAngle(mast_link(i), angle_rad[Place(i)]);
 }
 
 void WheeledBody::WorkHinges(double step_s) {
@@ -193,6 +209,7 @@ void WheeledBody::TakeLoads(const std::vector<MotorCommand>& commands, const Vec
     tree_.AddTorque(wheel_link_[i], loads_[i].torque_G);
   }
   if (arm_) arm_->Work(tree_, ground, step_s);
+  if (mast_) WorkMastStops(*mast_, mast_link_, tree_);
   tree_.TakeLoads(gravity_G, step_s);
 }
 

@@ -1,8 +1,9 @@
 // A rover on wheels in soil: body, rockers and bogies with their differential, steering brackets
 // and wheels as one tree of links, with a drive on every wheel and every bracket. It may have an
-// arm with scoops.
+// arm with scoops and a mast.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "models/parts/soil_model.h"
 #include "sim/physics/arm_body.h"
 #include "sim/physics/bristle.h"
+#include "sim/physics/mast_body.h"
 #include "sim/physics/motor_drive.h"
 #include "sim/physics/tree_body.h"
 #include "sim/soil/wheel_soil.h"
@@ -23,7 +25,8 @@ class WheeledBody {
   WheeledBody(const RoverModel& rover, const SoilModel& soil, const Pose3& X_GB);
 
   /// Motors: the wheels' drives in the plan's order, then the steered wheels' steering in the same
-  /// order, then the arm's (arm_model.h). Angles count from the start, the arm's from its zero.
+  /// order, then the arm's (arm_model.h), then the mast's (mast_model.h). Angles count from the
+  /// start, those of arm and mast from their zeros.
   int motor_count() const { return static_cast<int>(motors_.size()); }
   double angle_rad(int motor) const { return tree_.angle_rad(motors_[Place(motor)].link); }
   double rate_rad_s(int motor) const { return tree_.rate_rad_s(motors_[Place(motor)].link); }
@@ -58,7 +61,11 @@ class WheeledBody {
   bool has_arm() const { return arm_.has_value(); }
   const ArmBody& arm() const { return *arm_; }
   /// The number of the arm's first motor.
-  int arm_motor() const { return motor_count() - kArmMotors; }
+  int arm_motor() const { return motor_count() - (mast_ ? kMastMotors : 0) - kArmMotors; }
+  /// The link that a motor of the mast turns.
+  int mast_link(int motor) const { return mast_link_ + motor; }
+  /// Puts the mast at these angles, for a start.
+  void PutMast(const std::array<double, 3>& angle_rad);
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
@@ -80,8 +87,8 @@ class WheeledBody {
   void AddWheel(std::vector<TreeLink>& links, const RoverModel& rover, std::size_t wheel);
   void WorkHinges(double step_s);
 
-  int arm_link_ = 0;              // the arm's first
-  int rocker_[2]{}, bogie_[2]{};  // links, right and left; 0: none
+  int arm_link_ = 0, mast_link_ = 0;  // their first
+  int rocker_[2]{}, bogie_[2]{};      // links, right and left; 0: none
   std::vector<int> wheel_link_, bracket_link_;
   std::vector<Hinge> hinges_;
   ShaftBristle hinge_friction_;
@@ -90,6 +97,7 @@ class WheeledBody {
   std::vector<WheelSoil> soils_;
   std::vector<WheelLoad> loads_;
   std::optional<ArmBody> arm_;
+  std::optional<MastModel> mast_;
 };
 
 }  // namespace dockyard
