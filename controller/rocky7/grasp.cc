@@ -35,9 +35,7 @@ constexpr double kThere_rad = 0.02;
 }  // namespace
 
 Grasp::Grasp(const Nominal& nominal)
-    : nominal_(nominal),
-      first_(nominal.motors.size() - kArmMotorCount),
-      commands_(kArmMotorCount) {}
+    : nominal_(nominal), first_(FirstArmMotor(nominal)), commands_(kArmMotorCount) {}
 
 const char* Grasp::phase() const {
   switch (phase_) {

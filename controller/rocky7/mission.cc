@@ -85,7 +85,8 @@ Commands Mission::Step(const SensorFrame& sensed) {
   const bool acts = verdict_ == Verdict::kUnderWay;
   if (acts && phase_ == Phase::kApproach) StepApproach(sensed, commands);
   const std::vector<MotorCommand> arm = grasp_.Step(sensed);
-  std::copy(arm.begin(), arm.end(), commands.motors.end() - kArmMotorCount);
+  std::copy(arm.begin(), arm.end(),
+            commands.motors.begin() + static_cast<long>(FirstArmMotor(nominal_)));
   if (acts && phase_ == Phase::kGrasp) StepGrasp(sensed);
   if (acts && phase_ == Phase::kPeek) StepPeek(sensed, commands);
   belief_.values.resize(3);

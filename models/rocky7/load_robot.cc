@@ -13,17 +13,42 @@ namespace {
 // Assumed, 320 x 240 to 640 x 480: the paper gives no size.
 constexpr PictureSize kImage{640, 480};
 
+// A further pair of cameras: what its mapping leaves out is as the front pair has it.
+void CompletePair(YamlNode& tree, const char* key) {
+  const YamlNode* front = tree.Find("cameras");
+  for (std::size_t i = 0; front != nullptr && i < tree.keys.size(); ++i) {
+    if (tree.keys[i].name != key) continue;
+    YamlNode whole = *front;
+    MergeYaml(whole, tree.items[i]);
+    tree.items[i] = std::move(whole);
+  }
+}
+
+// It looks back: given as if the rover were turned about.
+void TurnAbout(StereoRig& rig) {
+  const Pose3 turn{RotZ(kPi), Eigen::Vector3d::Zero()};
+  rig.X_RL = turn * rig.X_RL;
+  rig.X_RQ = turn * rig.X_RQ;
+}
+
 }  // namespace
 
 RobotModel LoadRobot(const std::string& file, const ModelChanges& changes) {
   YamlNode tree = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(tree, *changes.told);
-  PutMountingIfLeftOut(tree, "cameras.mounting");
+  for (const char* key : {"back_cameras", "mast_cameras"}) CompletePair(tree, key);
+  for (const char* key : {"cameras", "back_cameras", "mast_cameras"}) {
+    PutMountingIfLeftOut(tree, std::string(key) + ".mounting");
+  }
   if (changes.built != nullptr) PutBuilt(tree, *changes.built);
-  const YamlReader in(tree, "", RoverKeys({"cameras", "imu", "spreads"}));
+  const YamlReader in(tree, "",
+                      RoverKeys({"cameras", "back_cameras", "mast_cameras", "imu", "spreads"}));
   RobotModel robot;
   robot.rover = ReadRover(in);
   robot.front = ReadStereo(in, {}, kImage);
+  robot.back = ReadStereo(in, {}, kImage, "back_cameras");
+  TurnAbout(robot.back.nominal);
+  robot.mast_pair = ReadStereo(in, {}, kImage, "mast_cameras");
   robot.imu = ReadImu(in);
   CheckSpreads(tree);
   if (!TurningLine_m(robot.rover.plan.wheels)) {
@@ -33,6 +58,7 @@ RobotModel LoadRobot(const std::string& file, const ModelChanges& changes) {
     in.Refuse("build", "a suspension of the kind rocker_bogie");
   }
   if (!robot.rover.arm) in.Refuse("build", "an arm");
+  if (!robot.rover.mast) in.Refuse("build", "a mast");
   return robot;
 }
 

@@ -17,8 +17,20 @@ Nominal MakeNominal(const RobotModel& robot) {
                  .length_m = arm.length_m,
                  .scoop_depth_m = arm.scoop.depth_m,
                  .open_rad = MostOpen_rad(arm.scoop)};
+  const MastModel& mast = *robot.rover.mast;
+  for (const MotorModel& motor : mast.motors) nominal.motors.push_back(NominalOf(motor));
+  nominal.mast = {.p_RM = mast.p_RM,
+                  .link1_m = mast.link1_m,
+                  .link2_m = mast.link2_m,
+                  .low_rad = mast.low_rad,
+                  .high_rad = mast.high_rad,
+                  .stowed_rad = mast.stowed_rad,
+                  .watch_rad = mast.watch_rad,
+                  .switch_radius_m = mast.instrument.switch_radius_m,
+                  .pair_K = robot.mast_pair.nominal};
   nominal.rolling_radius_m = RollingRadius(robot.rover.tyre);
   nominal.front = robot.front.nominal;
+  nominal.back = robot.back.nominal;
   return nominal;
 }
 

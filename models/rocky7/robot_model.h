@@ -9,7 +9,9 @@ namespace dockyard::rocky7 {
 
 struct RobotModel {
   RoverModel rover;
-  StereoModel front;  // its places are those in R, at the height of the axles
+  // Places of the body pairs are those in R, at the height of the axles; of the mast's pair in K,
+  // its second link.
+  StereoModel front, back, mast_pair;
   ImuModel imu;
 };
 

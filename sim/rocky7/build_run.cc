@@ -8,6 +8,7 @@
 #include "models/read/load_soil.h"
 #include "models/rocky7/make_nominal.h"
 #include "sim/base/random.h"
+#include "sim/physics/boulder.h"
 #include "sim/physics/rocks.h"
 #include "sim/run/built_cameras.h"
 #include "sim/scenario/rock_keys.h"
@@ -40,11 +41,21 @@ ConvexBody TargetStone(const Rocky7Keys& keys, std::uint64_t seed) {
   return FromGround({0.0, 0.0, keys.turn_rad}, 0.0) * body_D;
 }
 
+BoulderShape ShapeOfBoulder(const Rocky7Keys& keys) {
+  return {.width_m = keys.boulder_m,
+          .target_up_m = keys.target_up_m,
+          .face_up_rad = keys.face_up_rad,
+          .face_turn_rad = keys.face_turn_rad,
+          .rim_m = keys.rim_m,
+          .roughness_m = keys.roughness_m};
+}
+
 /// Whether a stone of the field would lie in the target, or under the rover at its start.
 bool IsInTheWay(const Rock& rock, const Rocky7Keys& keys, const Pose2& X_DR) {
   if (rock.given) return false;
   const double half_m = 0.5 * rock.size.diameter_m;
-  if (rock.p_D.norm() < 0.5 * keys.diameter_m + half_m + kApart_m) return true;
+  const double own_m = keys.task == "place" ? 2.0 * keys.boulder_m : keys.diameter_m;
+  if (rock.p_D.norm() < 0.5 * own_m + half_m + kApart_m) return true;
   return (Inverse(X_DR) * rock.p_D - kMiddle_R).norm() < kRoverRadius_m + half_m;
 }
 
@@ -78,7 +89,10 @@ std::vector<ConvexBody> Stones(const Scenario& scenario, const Rocky7Keys& keys,
 BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   CheckYard(scenario);
   CheckCarries(models.built.soil, scenario.soil_file, models.built.robot.rover.tyre.width_m);
-  CheckImagesCanBeDrawn(models.built.robot.front.nominal, scenario.camera_place);
+  const RobotModel& robot = models.built.robot;
+  for (const StereoModel* pair : {&robot.front, &robot.back, &robot.mast_pair}) {
+    CheckImagesCanBeDrawn(pair->nominal, scenario.camera_place);
+  }
   BuiltRun run;
   run.keys = models.keys;
   WorldSetup& world = run.world;
@@ -99,9 +113,15 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
         LooseStoneShape(models.keys.diameter_m / kMeanOfLength, StreamKey(scenario.seed, "target"));
     world.target_turn_rad = models.keys.turn_rad;
   }
+  if (models.keys.task == "place") {
+    world.boulder = MakeBoulder(ShapeOfBoulder(models.keys), StreamKey(scenario.seed, "target"));
+    world.target_G = {0.0, 0.0, models.keys.target_up_m};
+  }
   world.stone_friction = scenario.rocks.friction;
   world.step_s = scenario.physics_step_s;
-  run.front = BuiltRig(models.built.robot.front, scenario.seed);
+  run.front = BuiltRig(robot.front, scenario.seed);
+  run.back = BuiltRig(robot.back, scenario.seed, "back_calibration");
+  run.mast_pair = BuiltRig(robot.mast_pair, scenario.seed, "mast_calibration");
   run.lighting = MakeLighting(scenario.light, SiteInWorld(world.X_WG, world.slope),
                               {0.0, 0.0, 0.5 * models.keys.height_m}, scenario.seed, scenario.sun);
   run.nominal = MakeNominal(models.told.robot);
@@ -110,23 +130,40 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
     run.nominal.plan.p_RP = GraspPoint(run.nominal.arm, run.nominal.rolling_radius_m);
     world.robot.rover.plan.p_RP = run.nominal.plan.p_RP;
   }
-  run.nominal.task = models.keys.task == "grasp" ? Task::kGrasp : Task::kReach;
+  run.nominal.task = models.keys.task == "grasp"   ? Task::kGrasp
+                     : models.keys.task == "place" ? Task::kPlace
+                                                   : Task::kReach;
   run.nominal.reach_m = models.keys.reach_m;
   return run;
 }
 
 Eigen::Vector2d ClickOn(const Scenario& scenario, const BuiltRun& run, const Truth& truth) {
-  const Pose3 X_WC = truth.X_WR * run.front.X_RL;
+  const bool by_mast = run.world.boulder.has_value();
+  const StereoRig& rig = by_mast ? run.mast_pair : run.front;
+  const Pose3 X_WC = (by_mast ? truth.X_WK : truth.X_WR) * rig.X_RL;
   const Eigen::Vector3d p_W = SiteInWorld(run.world.X_WG, run.world.slope) * truth.X_GT.p;
-  const auto pixel = run.front.left.Project(Inverse(X_WC) * p_W);
+  const auto pixel = rig.left.Project(Inverse(X_WC) * p_W);
   constexpr double kMargin_px = 10.0;
-  if (!pixel || !run.front.left.Sees(*pixel, kMargin_px)) {
-    throw ConfigError(scenario.start_place +
-                      ": expected a start from where the front cameras see the target");
+  if (!pixel || !rig.left.Sees(*pixel, kMargin_px)) {
+    throw ConfigError(scenario.start_place + ": expected a start from where the " +
+                      (by_mast ? "mast's" : "front") + " cameras see the target");
   }
   RandomStream hand(StreamKey(scenario.seed, "click"));
   const double u = hand.Normal(), v = hand.Normal();
   return *pixel + run.keys.click_px * Eigen::Vector2d(u, v);
+}
+
+Eigen::Vector3d ClickedPoint(const Scenario& scenario, const BuiltRun& run, const Truth& truth,
+                             const Eigen::Vector2d& pixel) {
+  const Pose3 X_GC =
+      Inverse(SiteInWorld(run.world.X_WG, run.world.slope)) * truth.X_WK * run.mast_pair.X_RL;
+  const auto hit =
+      FirstOnRay(*run.world.boulder, X_GC.p, X_GC.R * run.mast_pair.left.Direction(pixel));
+  if (!hit || (*hit - truth.X_GT.p).norm() > run.keys.boulder_m) {
+    throw ConfigError(scenario.start_place +
+                      ": expected a start from where the mast's cameras see the boulder's face");
+  }
+  return *hit;
 }
 
 }  // namespace dockyard::rocky7

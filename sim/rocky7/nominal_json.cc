@@ -81,16 +81,60 @@ NominalArm ArmFromJson(const Json& json) {
   return {{p[0], p[1], p[2]}, json.at("length_m"), json.at("scoop_depth_m"), json.at("open_rad")};
 }
 
+Json RigToJson(const StereoRig& rig) {
+  return {{"left", CameraToJson(rig.left)},
+          {"right", CameraToJson(rig.right)},
+          {"X_RL", ToJson(rig.X_RL)},
+          {"X_RQ", ToJson(rig.X_RQ)}};
+}
+
+StereoRig RigFromJson(const Json& json) {
+  return {CameraFromJson(json.at("left")), CameraFromJson(json.at("right")),
+          Pose3FromJson(json.at("X_RL")), Pose3FromJson(json.at("X_RQ"))};
+}
+
+Json MastToJson(const NominalMast& mast) {
+  return {{"p_RM", {mast.p_RM.x(), mast.p_RM.y(), mast.p_RM.z()}},
+          {"link1_m", mast.link1_m},
+          {"link2_m", mast.link2_m},
+          {"low_rad", mast.low_rad},
+          {"high_rad", mast.high_rad},
+          {"stowed_rad", mast.stowed_rad},
+          {"watch_rad", mast.watch_rad},
+          {"switch_radius_m", mast.switch_radius_m},
+          {"pair_K", RigToJson(mast.pair_K)}};
+}
+
+NominalMast MastFromJson(const Json& json) {
+  const auto p = json.at("p_RM").get<std::array<double, 3>>();
+  const auto angles = [&](const char* key) { return json.at(key).get<std::array<double, 3>>(); };
+  return {.p_RM = {p[0], p[1], p[2]},
+          .link1_m = json.at("link1_m"),
+          .link2_m = json.at("link2_m"),
+          .low_rad = angles("low_rad"),
+          .high_rad = angles("high_rad"),
+          .stowed_rad = angles("stowed_rad"),
+          .watch_rad = angles("watch_rad"),
+          .switch_radius_m = json.at("switch_radius_m"),
+          .pair_K = RigFromJson(json.at("pair_K"))};
+}
+
+constexpr const char* kTasks[] = {"reach", "grasp", "place"};  // in the order of Task
+
+Task TaskFrom(const std::string& name) {
+  return name == "grasp" ? Task::kGrasp : name == "place" ? Task::kPlace : Task::kReach;
+}
+
 Nominal ReadNominal(const Json& json) {
   Nominal nominal;
   nominal.plan = PlanFromJson(json.at("plan"));
   for (const Json& motor : json.at("motors")) nominal.motors.push_back(MotorFromJson(motor));
   nominal.rolling_radius_m = json.at("rolling_radius_m");
-  const Json& front = json.at("front");
-  nominal.front = {CameraFromJson(front.at("left")), CameraFromJson(front.at("right")),
-                   Pose3FromJson(front.at("X_RL")), Pose3FromJson(front.at("X_RQ"))};
+  nominal.front = RigFromJson(json.at("front"));
+  nominal.back = RigFromJson(json.at("back"));
   nominal.arm = ArmFromJson(json.at("arm"));
-  nominal.task = json.at("task") == "grasp" ? Task::kGrasp : Task::kReach;
+  nominal.mast = MastFromJson(json.at("mast"));
+  nominal.task = TaskFrom(json.at("task"));
   nominal.reach_m = json.at("reach_m");
   nominal.target_px = Vector2From(json.at("target_px"));
   const Json& nesnas = json.at("nesnas");
@@ -104,17 +148,14 @@ static_assert(sizeof(NesnasTracking) == 3 * sizeof(double));
 Json ToJson(const Nominal& nominal) {
   Json motors = Json::array();
   for (const NominalMotor& motor : nominal.motors) motors.push_back(MotorToJson(motor));
-  const StereoRig& front = nominal.front;
   return {{"plan", PlanToJson(nominal.plan)},
           {"motors", motors},
           {"rolling_radius_m", nominal.rolling_radius_m},
-          {"front",
-           {{"left", CameraToJson(front.left)},
-            {"right", CameraToJson(front.right)},
-            {"X_RL", ToJson(front.X_RL)},
-            {"X_RQ", ToJson(front.X_RQ)}}},
+          {"front", RigToJson(nominal.front)},
+          {"back", RigToJson(nominal.back)},
           {"arm", ArmToJson(nominal.arm)},
-          {"task", nominal.task == Task::kGrasp ? "grasp" : "reach"},
+          {"mast", MastToJson(nominal.mast)},
+          {"task", kTasks[static_cast<int>(nominal.task)]},
           {"reach_m", nominal.reach_m},
           {"target_px", ToJson(nominal.target_px)},
           {"nesnas",

@@ -1,11 +1,24 @@
 #include "sim/rocky7/outcome.h"
 
 #include "controller/base/number_text.h"
+#include "controller/geometry/pose.h"
 
 namespace dockyard::rocky7 {
 namespace {
 
 std::string Millimetres(double length_m) { return Fixed(1e3 * length_m, 0) + " mm"; }
+
+Judged JudgePlacement(const EndOfRun& end, const OutcomeLimits& limits) {
+  const std::string note = "touched " + Millimetres(end.point_off_m) + " off the target, " +
+                           Fixed(Degrees(end.tilt_rad), 1) + " deg off its normal, by " +
+                           Fixed(end.most_n, 1) + " N";
+  if (end.most_n > limits.most_n) return {Outcome::kPressed, note};
+  if (end.point_off_m > limits.reach_m) return {Outcome::kMisplaced, note};
+  if (end.tilt_rad > limits.tilt_rad) return {Outcome::kTilted, note};
+  if (end.claimed == Verdict::kDocked) return {Outcome::kPlaced, note};
+  return {end.claimed == Verdict::kGivenUp ? Outcome::kUnstable : Outcome::kTimeout,
+          (end.claimed == Verdict::kGivenUp ? "gave up; " : "ran out of time; ") + note};
+}
 
 }  // namespace
 
@@ -13,16 +26,24 @@ const std::vector<OutcomeName>& OutcomeNames() {
   static const std::vector<OutcomeName> names{
       {"on_target", true, "the point is on the target's middle, as near as was asked"},
       {"grasped", true, "the stone is in the scoops, for 10 s and over half a metre of driving"},
+      {"placed", true,
+       "the instrument stood on the point that was clicked on, within 2 cm and 5 deg, by less than "
+       "10 N"},
       {"lost_grip", false, "the stone was lifted and lost; the paper's marginal ones"},
       {"false_grasp", false, "as missed_grasp, and claims to hold the stone"},
       {"missed_grasp", false, "the scoops closed on nothing, the point within 1 cm of the stone"},
+      {"pressed", false, "the instrument was pressed on the rock by more than is allowed"},
+      {"misplaced", false,
+       "the instrument touched the rock, further from the target than is allowed"},
+      {"tilted", false, "it touched it there, further off the surface's normal than is allowed"},
+      {"false_place", false, "claims a contact that there was not"},
       {"near_target", false, "to bring the point there: within 3 cm, but not as near as was asked"},
       {"off_target", false,
        "the scoops closed on nothing, the point further than 1 cm from the stone"},
       {"wrong_lock", false, "took itself to be there, and the point is on another thing"},
       {"lost_target", false, "gave up, and had the target last where it is not"},
       {"unstable", false, "gave up though it saw the target: its steps are coarser than its reach"},
-      {"on_stone", false, "a stone under the body or a bogie, which is not simulated"},
+      {"on_stone", false, "a part that no contact is simulated of met a stone"},
       {"timeout", false, "ran out of time, and nothing else explains it"}};
   return names;
 }
@@ -35,6 +56,10 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
   const std::string point = "the point " + Millimetres(end.point_off_m) + " off the target";
   const std::string seen = "the target was seen " + Millimetres(end.estimate_off_m) + " off";
   if (end.on_stone) return {Outcome::kOnStone, "the rover came down on a stone; " + point};
+  if (end.places && end.touched) return JudgePlacement(end, limits);
+  if (end.places && end.claimed == Verdict::kDocked) {
+    return {Outcome::kFalsePlace, "claimed a contact; the instrument touched nothing"};
+  }
   if (end.tried > 0) {
     if (end.lifted && end.held) return {Outcome::kGrasped, "held through the trial"};
     if (end.lifted) return {Outcome::kLostGrip, "the stone was lifted and lost; " + point};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "controller/geometry/pose.h"
 #include "controller/io/commands.h"
 #include "sim/log/column.h"
 
@@ -12,9 +13,14 @@ namespace dockyard::rocky7 {
 enum class Outcome {
   kOnTarget,
   kGrasped,
+  kPlaced,
   kLostGrip,
   kFalseGrasp,
   kMissedGrasp,
+  kPressed,
+  kMisplaced,
+  kTilted,
+  kFalsePlace,
   kNearTarget,
   kOffTarget,
   kWrongLock,
@@ -32,6 +38,8 @@ struct OutcomeLimits {
   double reach_m = 0.01;  // "to within 1 cm" (Nesnas, Maimone and Das 2000)
   double wrong_lock_m =
       0.03;  // a claim this far off is of another thing: half a stone's width more
+  double tilt_rad = Radians(5.0);  // of a placement: 5 deg
+  double most_n = 10.0;
 };
 
 /// What the truth says at the end.
@@ -43,7 +51,11 @@ struct EndOfRun {
   bool held = false;            // and through the trial at the end
   double point_off_m = 0.0;     // the point from the target's middle
   double estimate_off_m = 0.0;  // the target as it was seen last
-  bool on_stone = false;        // a part of the rover that is not a wheel has met a stone
+  bool places = false;          // the instrument was to be placed
+  bool touched = false;         // its face has met the rock
+  double tilt_rad = 0.0;        // of it off the rock's normal there
+  double most_n = 0.0;          // on it, in the whole run
+  bool on_stone = false;        // a part that is not simulated so has met a stone
 };
 
 struct Judged {

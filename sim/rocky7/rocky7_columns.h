@@ -17,7 +17,9 @@ void VisitChannels(const Truth& t, Visit&& visit) {
   for (const MotorTruth& motor : t.motors) {
     wheel_current_a = std::max(wheel_current_a, motor.current_a);
   }
-  visit("point_x_m", "m", "the point to be placed, in the target's frame", t.p_GP.x());
+  visit("point_x_m", "m",
+        "the point to be brought to the target, in its frame; of a placement the instrument's face",
+        t.p_GP.x());
   visit("point_y_m", "m", "the same, to the left", t.p_GP.y());
   visit("point_off_m", "m", "the point from the target's middle, in plan", t.p_GP.head<2>().norm());
   visit("target_rise_m", "m", "the target over where it was at the start", t.target_rise_m);
@@ -28,6 +30,7 @@ void VisitChannels(const Truth& t, Visit&& visit) {
   visit("speed_m_s", "m/s", "of the body", t.v_WR_W.norm());
   visit("sinkage_m", "m", "mean of the wheels, below the ground as it was", t.sinkage_m);
   visit("stone_force_n", "N", "between wheels and stones, normal forces summed", t.stone_force_n);
+  visit("face_force_n", "N", "on the instrument's face, normal forces summed", t.face_n);
   visit("most_current_a", "A", "largest of all motors", wheel_current_a);
 }
 
@@ -36,18 +39,25 @@ struct Rocky7Measures {
   double estimate_off_m = 0.0;  // of the last look that found the target
   double worst_estimate_m = 0.0;
   double looks = 0.0, driven_m = 0.0, grasps = 0.0, rise_m = 0.0;
+  // Of a placement; NaN without a contact.
+  double tilt_deg = std::nan(""), face_force_n = std::nan("");
 };
 
 /// Calls visit(name, unit, meaning, headline, value) for each measure of the result row.
 template <class Visit>
 void VisitMeasures(const Rocky7Measures& m, Visit&& visit) {
-  visit("point_off_m", "m", "the point from the target's middle, at the end", true, m.point_off_m);
+  visit("point_off_m", "m",
+        "the point from the target's middle, at the end; the instrument's face at its contact",
+        true, m.point_off_m);
   visit("estimate_off_m", "m", "the target as it was seen last, from its middle", true,
         m.estimate_off_m);
   visit("worst_estimate_m", "m", "the same, largest of all looks", false, m.worst_estimate_m);
   visit("looks", "", "pairs of pictures", true, m.looks);
   visit("grasps", "", "times that the scoops were closed", false, m.grasps);
   visit("rise_m", "m", "the target over where it was, at the end", false, m.rise_m);
+  visit("tilt_deg", "deg", "at its contact, the instrument off the rock's normal", true,
+        m.tilt_deg);
+  visit("face_force_n", "N", "most that pressed on the instrument's face", false, m.face_force_n);
   visit("driven_m", "m", "way of the body", false, m.driven_m);
 }
 

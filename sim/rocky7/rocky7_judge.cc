@@ -18,10 +18,14 @@ constexpr double kDrive_m = 0.5;
 
 Rocky7Judge::Rocky7Judge(Rocky7Plant& plant) : plant_(plant), X_GR_last_(plant.truth().X_GR) {
   limits_.reach_m = plant.built().keys.reach_m;
+  limits_.tilt_rad = plant.built().keys.tilt_rad;
+  limits_.most_n = plant.built().keys.most_n;
 }
 
 void Rocky7Judge::Observe() {
   if (plant_.truth().target_rise_m > kLifted_m) lifted_ = true;
+  const Truth& truth = plant_.truth();
+  if (truth.face_n > contact_.force_n) contact_ = {truth.face_n, truth.p_GF, truth.axis_G};
   const Pose2& now = plant_.truth().X_GR;
   measures_.driven_m += std::hypot(now.x - X_GR_last_.x, now.y - X_GR_last_.y);
   X_GR_last_ = now;
@@ -29,12 +33,13 @@ void Rocky7Judge::Observe() {
 
 void Rocky7Judge::ObserveSighting(const SightingReport& report) {
   if (!report.accepted) return;
-  // The report is in the body's frame, the target at G's origin.
+  // The report is in the body's frame. A stone's middle counts in plan, a boulder's point in space.
   const Truth& truth = plant_.truth();
   const Eigen::Vector3d p_G =
       Inverse(SiteInWorld(plant_.built().world.X_WG, plant_.built().world.slope)) *
       (truth.X_WR * report.X_RB.p);
-  measures_.estimate_off_m = p_G.head<2>().norm();
+  measures_.estimate_off_m =
+      plant_.built().world.boulder ? (p_G - plant_.target_G()).norm() : p_G.head<2>().norm();
   measures_.worst_estimate_m = std::max(measures_.worst_estimate_m, measures_.estimate_off_m);
 }
 
@@ -70,6 +75,27 @@ bool Rocky7Judge::HoldsOn(const Commands& last, const TrialWatch& watch) {
   return plant_.truth().target_rise_m > kLifted_m;
 }
 
+void Rocky7Judge::JudgeContact(EndOfRun& told) {
+  told.places = true;
+  told.touched = contact_.force_n > 0.0;
+  if (!told.touched) {
+    measures_.point_off_m = (plant_.truth().p_GF - plant_.target_G()).norm();
+    return;
+  }
+  const BuiltRun& built = plant_.built();
+  measures_.point_off_m = (contact_.p_GF - plant_.target_G()).norm();
+  told.point_off_m = measures_.point_off_m;
+  // What the can stands on: beyond an edge there is nothing, and it stands askew by any measure.
+  const double radius_m = built.world.robot.rover.mast->instrument.radius_m;
+  const auto normal =
+      NormalUnderDisc(*built.world.boulder, contact_.p_GF, -contact_.axis_G, radius_m);
+  told.tilt_rad =
+      normal ? std::acos(std::clamp(-normal->dot(contact_.axis_G), -1.0, 1.0)) : 0.5 * kPi;
+  told.most_n = plant_.truth().most_face_n;
+  measures_.tilt_deg = Degrees(told.tilt_rad);
+  measures_.face_force_n = told.most_n;
+}
+
 Conclusion Rocky7Judge::Conclude(const Commands& last, const Belief& belief,
                                  const TrialWatch& watch) {
   if (last.verdict == Verdict::kDocked) Play(last, kSettle, "rest", watch);
@@ -87,6 +113,7 @@ Conclusion Rocky7Judge::Conclude(const Commands& last, const Belief& belief,
                 .point_off_m = measures_.point_off_m,
                 .estimate_off_m = measures_.estimate_off_m,
                 .on_stone = end.on_stone};
+  if (plant_.built().world.boulder) JudgeContact(told);
   if (last.verdict == Verdict::kDocked && told.grasps) told.held = HoldsOn(last, watch);
   told.lifted = lifted_;
   measures_.rise_m = plant_.truth().target_rise_m;

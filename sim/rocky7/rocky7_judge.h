@@ -21,6 +21,8 @@ class Rocky7Judge final : public Judge {
  private:
   /// Steps the plant under these commands.
   void Play(const Commands& commands, Tick time, const char* phase, const TrialWatch& watch);
+  /// Where and how the instrument touched the boulder.
+  void JudgeContact(EndOfRun& told);
   /// Whether the lifted stone stays where it is.
   bool HoldsOn(const Commands& last, const TrialWatch& watch);
 
@@ -29,6 +31,12 @@ class Rocky7Judge final : public Judge {
   Rocky7Measures measures_;
   Pose2 X_GR_last_;
   bool lifted_ = false;
+  /// The instrument's face when it was pressed most.
+  struct Contact {
+    double force_n = 0.0;
+    Eigen::Vector3d p_GF{0, 0, 0}, axis_G{1, 0, 0};
+  };
+  Contact contact_;
 };
 
 }  // namespace dockyard::rocky7

@@ -3,8 +3,8 @@
 namespace dockyard::rocky7 {
 
 void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
-  keys.Word({"task", "", "bring the point to the target, or grasp it"}, values.task,
-            {"reach", "grasp"});
+  keys.Word({"task", "", "bring the point to the target, grasp it, or place the instrument on it"},
+            values.task, {"reach", "grasp", "place"});
   keys.Number({"diameter_m", "m", "of the target stone, the mean of its length and width"},
               values.diameter_m, Between(0.01, 0.3));
   keys.Number(
@@ -18,6 +18,23 @@ void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
       {"off_target_deg", "deg",
        "the rover's start heading off the target, in place of start.heading_deg", Presence::kUnset},
       values.off_target_rad, Between(-60.0, 60.0));
+  keys.Number({"boulder_m", "m", "to place on: the boulder's width"}, values.boulder_m,
+              Between(0.3, 1.5));
+  keys.Number({"target_up_m", "m", "the same: height of its face's middle over the ground"},
+              values.target_up_m, Between(0.1, 0.7));
+  keys.Degrees({"face_up_deg", "deg", "the same: its face's outward normal over the horizontal"},
+               values.face_up_rad, Between(0.0, 80.0));
+  keys.Degrees({"face_turn_deg", "deg", "the same: that normal in plan, from the x axis of D"},
+               values.face_turn_rad, Between(-180.0, 180.0));
+  keys.Number(
+      {"rim_m", "m", "the same: from the face's middle to its upper edge; a top's is small"},
+      values.rim_m, Between(0.005, 0.3));
+  keys.Number({"roughness_m", "m", "the same: root mean square over 12 to 100 mm"},
+              values.roughness_m, Between(0.0, 0.01));
+  keys.Degrees({"tilt_deg", "deg", "how near to the surface's normal the instrument must stand"},
+               values.tilt_rad, Between(0.5, 45.0));
+  keys.Number({"most_n", "N", "what the instrument may press with"}, values.most_n,
+              Between(1.0, 1000.0));
   keys.Number({"reach_m", "m", "how near the point must come to the target's middle"},
               values.reach_m, Between(0.002, 0.1));
   keys.Number({"click_px", "px", "error of the user's click along each side, 1 sigma"},

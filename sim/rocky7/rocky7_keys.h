@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "controller/geometry/pose.h"
 #include "sim/scenario/keys.h"
 #include "sim/scenario/scenario.h"
 
@@ -20,6 +21,15 @@ struct Rocky7Keys {
   // The rover's start heading off the target; NaN: start.heading counts.
   double off_target_rad = std::numeric_limits<double>::quiet_NaN();
   double reach_m = 0.01;  // how near the point P must come: "to within 1 cm"
+  // A boulder to place the instrument on; its face holds the origin of D.
+  double boulder_m = 0.6;              // across; assumed, 0.4-0.8: "boulder" has no size there
+  double target_up_m = 0.3;            // of the face's middle over the ground; assumed, 0.15-0.45
+  double face_up_rad = Radians(30.0);  // of its outward normal over the horizontal
+  double face_turn_rad = 0.0;          // of that normal in plan
+  double rim_m = 0.1;                  // from its middle to its upper edge; assumed, 0.02-0.15
+  double roughness_m = 1e-3;           // assumed, 0.5-3 mm
+  double tilt_rad = Radians(5.0);      // the instrument must stand so near to the normal: 5 deg
+  double most_n = 10.0;                // and must not press more
   double click_px = 1.5;  // of the user's click, 1 sigma along each side; assumed, 0.5-4
 };
 

@@ -1,6 +1,7 @@
 #include "sim/rocky7/rocky7_plant.h"
 
 #include <cmath>
+#include <map>
 
 #include "controller/base/check.h"
 #include "render/shutter.h"
@@ -18,11 +19,23 @@ std::vector<MotorModel> MotorModels(const RoverModel& rover) {
   }
   motors.insert(motors.end(), {rover.arm->roll, rover.arm->pitch, rover.arm->scoop_motor,
                                rover.arm->scoop_motor});
+  motors.insert(motors.end(), rover.mast->motors.begin(), rover.mast->motors.end());
   return motors;
 }
 
 // The nearest ground in the pictures, by which their blur is judged [m].
 constexpr double kNearest_m = 0.3;
+
+// The mast's second link as it will be.
+Pose3 MastMovedOn(const Truth& truth, double seconds) {
+  Pose3 X_WK = truth.X_WK;
+  const double turn_rad = seconds * truth.w_WK_W.norm();
+  if (turn_rad != 0.0) {
+    X_WK.R = Eigen::AngleAxisd(turn_rad, truth.w_WK_W.normalized()) * X_WK.R;
+  }
+  X_WK.p += seconds * truth.v_WK_W;
+  return X_WK;
+}
 
 Truth MovedOn(const Truth& truth, double seconds) {
   Truth moved = truth;
@@ -50,34 +63,59 @@ Rocky7Plant::Rocky7Plant(const Scenario& scenario, BuiltRun built,
       renderer_(std::move(renderer)),
       truth_(world_.truth()) {
   built_.nominal.target_px = ClickOn(scenario, built_, truth_);
+  target_G_ = truth_.X_GT.p;
+  if (built_.world.boulder) {
+    target_G_ = ClickedPoint(scenario, built_, truth_, built_.nominal.target_px);
+  }
 }
 
 SensorFrame Rocky7Plant::Sense() {
   RefreshTruth();
-  return sensors_.Read(world_.tick(), truth_.motors, world_.TakeTrueImu());
+  SensorFrame frame = sensors_.Read(world_.tick(), truth_.motors, world_.TakeTrueImu());
+  frame.contacts.assign(truth_.closed.begin(), truth_.closed.end());
+  return frame;
+}
+
+Rocky7Plant::PairView Rocky7Plant::PairOf(int camera) const {
+  const RobotModel& robot = built_.world.robot;
+  if (camera == kMastLeft || camera == kMastRight) {
+    return {robot.mast_pair, built_.mast_pair, kMastLeft, truth_.w_WK_W, truth_.v_WK_W};
+  }
+  const bool back = camera == kBackLeft || camera == kBackRight;
+  return {back ? robot.back : robot.front, back ? built_.back : built_.front,
+          back ? kBackLeft : kFrontLeft, truth_.w_WR_W, truth_.v_WR_W};
 }
 
 std::vector<CameraImage> Rocky7Plant::TakeImages(const std::vector<int>& cameras,
                                                  double exposure_stops) {
   DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposureStops);
-  const StereoModel& stereo = built_.world.robot.front;
-  SensorOptions sensor = CameraSensor(stereo, seed_, pairs_taken_++);
+  std::vector<CameraImage> images;
+  std::map<int, StereoImages> pairs;  // by left camera: a pair is exposed together
+  for (const int camera : cameras) {
+    DOCKYARD_CHECK(camera >= 0 && camera < kCameraCount);
+    const PairView pair = PairOf(camera);
+    if (pairs.count(pair.left) == 0) pairs[pair.left] = TakePair(pair, exposure_stops);
+    StereoImages& both = pairs[pair.left];
+    images.push_back({camera, camera == pair.left ? both.left : both.right});
+  }
+  return images;
+}
+
+StereoImages Rocky7Plant::TakePair(const PairView& pair, double exposure_stops) {
+  SensorOptions sensor = CameraSensor(pair.model, seed_, pairs_taken_++);
   sensor.exposure_stops += exposure_stops;
   StereoRenderer& renderer = renderer_->Get();
   const auto view = [&](double share) {
-    const Truth then = share == 0.0 ? truth_ : MovedOn(truth_, share * stereo.shutter_s);
-    return renderer.RenderRadiance(scene_.Make(then, world_.ground()), built_.front, then.X_WR,
+    const double seconds = share * pair.model.shutter_s;
+    const Truth then = share == 0.0 ? truth_ : MovedOn(truth_, seconds);
+    const Pose3 X_WC = pair.left == kMastLeft ? MastMovedOn(truth_, seconds) : then.X_WR;
+    return renderer.RenderRadiance(scene_.Make(then, world_.ground()), pair.built, X_WC,
                                    sensor.focus.distance_m > 0.0);
   };
-  const double motion_px = MotionInExposure_px(built_.front.left, truth_.w_WR_W.norm(),
-                                               truth_.v_WR_W.norm(), kNearest_m, stereo.shutter_s);
-  StereoImages pair = ExposeStereo(OverExposure(motion_px, view), built_.front, sensor);
-  std::vector<CameraImage> images;
-  for (const int camera : cameras) {
-    DOCKYARD_CHECK(camera == kFrontLeft || camera == kFrontRight);
-    images.push_back({camera, std::move(camera == kFrontLeft ? pair.left : pair.right)});
-  }
-  return images;
+  const double motion_px =
+      MotionInExposure_px(pair.built.left, pair.turning_rad_s.norm(), pair.speed_m_s.norm(),
+                          kNearest_m, pair.model.shutter_s);
+  return ExposeStereo(OverExposure(motion_px, view), pair.built, sensor);
 }
 
 void Rocky7Plant::Advance(const Commands& commands) {

@@ -36,8 +36,20 @@ class Rocky7Plant final : public Plant {
   const Truth& truth() const { return truth_; }
   void RefreshTruth() { truth_ = world_.truth(); }
   StageShapes shapes() const { return scene_.Shapes(); }
+  /// What is to be reached: the target's middle at the start, or the point clicked on a boulder.
+  const Eigen::Vector3d& target_G() const { return target_G_; }
 
  private:
+  /// A pair of cameras, and how what carries it moves, in the world.
+  struct PairView {
+    const StereoModel& model;
+    const StereoRig& built;
+    int left = 0;  // number of its left camera
+    Eigen::Vector3d turning_rad_s, speed_m_s;
+  };
+  PairView PairOf(int camera) const;
+  StereoImages TakePair(const PairView& pair, double exposure_stops);
+
   std::uint64_t seed_;
   double step_s_;
   BuiltRun built_;
@@ -47,6 +59,7 @@ class Rocky7Plant final : public Plant {
   std::shared_ptr<KeptRenderer> renderer_;
   int pairs_taken_ = 0;
   Truth truth_;
+  Eigen::Vector3d target_G_{0, 0, 0};
 };
 
 }  // namespace dockyard::rocky7

@@ -15,6 +15,11 @@
 namespace dockyard::rocky7 {
 namespace {
 
+Pose3 AtElbow(const Nominal& nominal, Pose3 X_KC) {
+  X_KC.p += nominal.mast.p_RM + Eigen::Vector3d(nominal.mast.link1_m, 0.0, 0.0);
+  return X_KC;
+}
+
 void NameParts(const Nominal& nominal, ReadyRun& ready) {
   std::size_t motor = 0;
   for (const WheelPlan& wheel : nominal.plan.wheels) {
@@ -24,11 +29,18 @@ void NameParts(const Nominal& nominal, ReadyRun& ready) {
     if (wheel.steer_limit_rad == 0.0) continue;
     ready.motors.push_back({wheel.name + "_steering", nominal.motors[motor++].rad_per_count});
   }
-  for (const char* name : {"arm_roll", "arm_pitch", "front_scoop", "back_scoop"}) {
+  for (const char* name : {"arm_roll", "arm_pitch", "front_scoop", "back_scoop", "mast_roll",
+                           "mast_shoulder", "mast_elbow"}) {
     ready.motors.push_back({name, nominal.motors[motor++].rad_per_count});
   }
-  ready.cameras = {{"front_left", nominal.front.left, nominal.front.X_RL},
-                   {"front_right", nominal.front.right, nominal.front.X_RQ}};
+  ready.cameras = {
+      {"front_left", nominal.front.left, nominal.front.X_RL},
+      {"front_right", nominal.front.right, nominal.front.X_RQ},
+      // The mast's are as they are on a mast that points ahead and level.
+      {"mast_left", nominal.mast.pair_K.left, AtElbow(nominal, nominal.mast.pair_K.X_RL)},
+      {"mast_right", nominal.mast.pair_K.right, AtElbow(nominal, nominal.mast.pair_K.X_RQ)},
+      {"back_left", nominal.back.left, nominal.back.X_RL},
+      {"back_right", nominal.back.right, nominal.back.X_RQ}};
 }
 
 ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>& renderer) {
@@ -40,6 +52,7 @@ ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>
   ready.control_period = kControlPeriod;
   ready.motor_count = static_cast<int>(nominal.motors.size());
   ready.camera_count = kCameraCount;
+  ready.contact_count = kContactCount;
   NameParts(nominal, ready);
   ready.judge = std::make_unique<Rocky7Judge>(*plant);
   ready.plant = std::move(plant);
@@ -49,9 +62,10 @@ ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>
 std::string Check(const Scenario& scenario) {
   const Rocky7Models models = LoadModels(scenario);
   BuildRun(scenario, models);
+  const double width_m =
+      models.keys.task == "place" ? models.keys.boulder_m : models.keys.diameter_m;
   return models.told.robot.rover.plan.name + " from " + NumberText(scenario.start.r) +
-         " m to a stone of " + NumberText(1e3 * models.keys.diameter_m) + " mm on " +
-         models.told.soil.name;
+         " m to a stone of " + NumberText(1e3 * width_m) + " mm on " + models.told.soil.name;
 }
 
 StageShapes ShapesOf(const Scenario& scenario) {

@@ -11,17 +11,20 @@ namespace {
 constexpr double kStoneToSoil = 0.65;
 // Of a stone's albedo, over its mean. Assumed, 0.1-0.2.
 constexpr double kStains = 0.15;
+// A boulder's stains are larger than a stone's: they are told apart from 7 m. Assumed, 40-150 mm.
+constexpr double kBoulderStain_m = 0.08;
 // Larger pebbles have a height that a stereo pair would see, so they are not painted.
 constexpr double kLargestPebble_m = 0.005;
 // About the target the shadows are finest [m].
 constexpr double kInterest_m = 0.3;
 
 // Three corners to each triangle, so that no faces share a normal.
-RenderMesh Faceted(const ConvexBody& body) {
+RenderMesh Faceted(const std::vector<Eigen::Vector3d>& vertices,
+                   const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   RenderMesh mesh;
-  for (const auto& triangle : body.triangles) {
+  for (const auto& triangle : triangles) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const std::uint32_t i : triangle) mesh.vertices.push_back(body.vertices[i].cast<float>());
+    for (const std::uint32_t i : triangle) mesh.vertices.push_back(vertices[i].cast<float>());
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
   return mesh;
@@ -48,10 +51,15 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, std:
     links_.push_back(std::move(link));
   }
   for (const ConvexBody& stone : built.world.stones) {
-    stones_.push_back(std::make_shared<const RenderMesh>(Faceted(stone)));
+    stones_.push_back(std::make_shared<const RenderMesh>(Faceted(stone.vertices, stone.triangles)));
   }
   if (built.world.loose_target) {
-    loose_target_ = std::make_shared<const RenderMesh>(Faceted(*built.world.loose_target));
+    const ConvexBody& target = *built.world.loose_target;
+    loose_target_ = std::make_shared<const RenderMesh>(Faceted(target.vertices, target.triangles));
+  }
+  if (built.world.boulder) {
+    const StarBody& boulder = *built.world.boulder;
+    boulder_ = std::make_shared<const RenderMesh>(Faceted(boulder.vertices, boulder.triangles()));
   }
 }
 
@@ -73,6 +81,13 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
                              .X_WO = X_WG_ * truth.X_GT,
                              .albedo = stone_rgb_,
                              .stains = {.contrast = kStains, .seed = texture_seed_}});
+  }
+  if (boulder_) {
+    scene.objects.push_back(
+        {.mesh = boulder_,
+         .X_WO = X_WG_,
+         .albedo = stone_rgb_,
+         .stains = {.contrast = kStains, .seed = texture_seed_, .largest_m = kBoulderStain_m}});
   }
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
   scene.ground = {.X_WG = X_WG_,
@@ -102,8 +117,9 @@ StageShapes SceneBuilder::Shapes() const {
   if (loose_target_) {
     shapes.bodies.push_back({"target", false, {{loose_target_, Pose3{}, stone_rgb_}}});
   }
+  if (boulder_) shapes.bodies.push_back({"target", false, {{boulder_, Pose3{}, stone_rgb_}}});
   for (std::size_t i = 0; i < stones_.size(); ++i) {
-    const std::string name = i == 0 && !loose_target_ ? "target" : "stones";
+    const std::string name = i == 0 && !loose_target_ && !boulder_ ? "target" : "stones";
     if (shapes.bodies.back().name != name) shapes.bodies.push_back({name, false, {}});
     shapes.bodies.back().parts.push_back({stones_[i], Pose3{}, stone_rgb_});
   }

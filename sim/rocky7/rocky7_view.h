@@ -35,6 +35,7 @@ class SceneBuilder {
   std::vector<Link> links_;
   std::vector<std::shared_ptr<const RenderMesh>> stones_;  // in G; a fixed target first
   std::shared_ptr<const RenderMesh> loose_target_;         // in its own frame; or none
+  std::shared_ptr<const RenderMesh> boulder_;              // in G; or none
   Lighting lighting_;
   Pose3 X_WG_;
   Eigen::Vector3d soil_rgb_, stone_rgb_;

@@ -73,6 +73,17 @@ std::vector<Visual> WheelLook(const RoverModel& rover) {
   return parts;
 }
 
+// The instrument as a can at the bar's end.
+std::vector<Visual> OuterLook(const MastModel& mast) {
+  const double can_m = mast.link2_m - mast.instrument.length_m;
+  Pose3 X_LV;
+  X_LV.R = RotZ(kPi / 2);  // a cylinder's axis is y
+  X_LV.p = {can_m + 0.5 * mast.instrument.length_m, 0.0, 0.0};
+  return {
+      Bar(Vector3d::Zero(), {can_m, 0.0, 0.0}),
+      Part("can", CylinderMesh(mast.instrument.radius_m, mast.instrument.length_m), X_LV, kWheels)};
+}
+
 }  // namespace
 
 std::vector<LinkLook> LooksOf(const RoverModel& rover, const WheeledBody& body) {
@@ -99,9 +110,18 @@ std::vector<LinkLook> LooksOf(const RoverModel& rover, const WheeledBody& body) 
       }
     }
   }
+  if (rover.mast) {
+    const MastModel& mast = *rover.mast;
+    const auto look = [&](int motor) -> LinkLook& {
+      return looks[static_cast<std::size_t>(body.mast_link(motor))];
+    };
+    look(kMastRoll).name = "mast";
+    look(kMastShoulder) = {"mast_link_1", {Bar(Vector3d::Zero(), {mast.link1_m, 0.0, 0.0})}};
+    look(kMastElbow) = {"mast_link_2", OuterLook(mast)};
+  }
   // A link that carries others has a bar to each of their hinges.
   for (std::size_t i = 1; i < looks.size(); ++i) {
-    if (body.has_arm() && static_cast<int>(i) >= body.arm().link(0)) break;
+    if (!looks[i].name.empty() && !is_wheel[i]) continue;
     if (!is_wheel[i]) looks[i].name = "link_" + std::to_string(i);
     const TreeLink& link = tree.link(static_cast<int>(i));
     if (link.parent > 0 && link.p_PL.norm() > kBar_m) {

@@ -10,10 +10,12 @@ namespace dockyard::rocky7 {
 void WriteStartView(const Scenario& scenario, const Rocky7Models& models,
                     const std::filesystem::path& dir) {
   Rocky7Plant plant(scenario, BuildRun(scenario, models), std::make_shared<KeptRenderer>());
-  const std::vector<CameraImage> images = plant.TakeImages({kFrontLeft, kFrontRight}, 0.0);
+  const bool by_mast = plant.built().world.boulder.has_value();
+  const int left = by_mast ? kMastLeft : kFrontLeft, right = by_mast ? kMastRight : kFrontRight;
+  const std::vector<CameraImage> images = plant.TakeImages({left, right}, 0.0);
   std::filesystem::create_directories(dir);
   for (const CameraImage& image : images) {
-    WriteWhole(dir / (image.camera == kFrontLeft ? "left.png" : "right.png"),
+    WriteWhole(dir / (image.camera == left ? "left.png" : "right.png"),
                EncodePng(std::get<GrayImage>(image.pixels)));
   }
   using dockyard::ToJson;

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "sim/base/hash.h"
+#include "sim/rocky7/boulder_meeting.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -39,7 +40,9 @@ World::World(const WorldSetup& setup)
       imu_(setup.robot.imu.p_RI, gravity_G_),
       stones_(setup.stones, setup.soil, setup.ground, setup.robot.rover.tyre, setup.stone_friction),
       loose_(ArmParts(*setup.robot.rover.arm, rover_.arm().link(0)), setup.soil,
-             {.friction = setup.stone_friction}) {
+             {.friction = setup.stone_friction}),
+      face_(setup.robot.rover.mast->instrument, rover_.mast_link(kMastElbow),
+            setup.robot.rover.mast->link2_m) {
   if (!(setup.step_s > 0.0 && setup.step_s <= 2e-3)) {
     throw std::invalid_argument("physics step must be in (0, 2] ms");
   }
@@ -47,6 +50,10 @@ World::World(const WorldSetup& setup)
     loose_.Add(LooseStone(*setup.loose_target, kStoneDensity_kg_m3,
                           StandingAt(*setup.loose_target, {0.0, 0.0}, setup.target_turn_rad,
                                      setup.ground.Height(0.0, 0.0))));
+  }
+  if (setup.boulder) {
+    rover_.PutMast(setup.robot.rover.mast->watch_rad);
+    rover_.tree().SetAngle(rover_.arm().link(kArmRoll), setup.robot.rover.arm->roll_stop_rad);
   }
   const std::vector<MotorCommand> braked(static_cast<std::size_t>(rover_.motor_count()));
   const long settle = std::lround(kSettle_s / setup.step_s);
@@ -58,16 +65,21 @@ World::World(const WorldSetup& setup)
 
 void World::Step(const std::vector<MotorCommand>& commands) {
   stones_.AddLoads(setup_.step_s, rover_);
+  if (setup_.boulder) {
+    face_.Step(*setup_.boulder, setup_.step_s, rover_.tree());
+    most_face_n_ = std::max(most_face_n_, face_.force_n());
+  }
   rover_.TakeLoads(commands, gravity_G_, setup_.step_s, setup_.ground);
   loose_.Step(rover_.tree(), gravity_G_, setup_.step_s, setup_.ground);
   rover_.Move(setup_.step_s);
   imu_.Add(rover_.body(), setup_.step_s);
-  if (steps_ % kLookEvery == 0) on_stone_ = on_stone_ || BodyMeetsStone();
+  if (steps_ % kLookEvery == 0) on_stone_ = on_stone_ || MeetsStone();
   ++steps_;
 }
 
 // Below the body, and about the bogies' hinges, which hang between the wheels.
-bool World::BodyMeetsStone() const {
+bool World::MeetsStone() const {
+  if (setup_.boulder && MeetsBoulder(rover_, setup_.robot, *setup_.boulder)) return true;
   const LinkModel& body = setup_.robot.rover.body;
   const auto* box = std::get_if<BoxShape>(&body.collisions.front().shape);
   const Eigen::AlignedBox3d under(Eigen::Vector3d(body.p_LoCom_L - 0.5 * box->size_m),
@@ -102,7 +114,18 @@ Truth World::truth() const {
   const Eigen::Vector2d& p_RP = setup_.robot.rover.plan.p_RP;
   truth.p_GP =
       body.X_GL * Eigen::Vector3d(p_RP.x(), p_RP.y(), -RollingRadius(setup_.robot.rover.tyre));
-  truth.X_GT = loose_.count() > 0 ? loose_.stone(0).motion().X_GL
+  const LinkMotion& outer = rover_.tree().motion(rover_.mast_link(kMastElbow));
+  truth.X_WK = X_WG_ * outer.X_GL;
+  truth.v_WK_W = X_WG_.R * outer.v_GL_G;
+  truth.w_WK_W = X_WG_.R * outer.w_GL_G;
+  truth.axis_G = outer.X_GL.R.col(0);
+  truth.p_GF = outer.X_GL.p + setup_.robot.rover.mast->link2_m * truth.axis_G;
+  truth.closed = face_.closed();
+  truth.face_n = face_.force_n();
+  truth.most_face_n = most_face_n_;
+  if (setup_.boulder) truth.p_GP = truth.p_GF;
+  truth.X_GT = setup_.boulder       ? Pose3{Eigen::Matrix3d::Identity(), setup_.target_G}
+               : loose_.count() > 0 ? loose_.stone(0).motion().X_GL
                : setup_.stones.empty()
                    ? Pose3{}
                    : Pose3::Translation(0.0, 0.0, setup_.stones.front().centre.z());
@@ -122,8 +145,8 @@ Truth World::truth() const {
 ImuSample World::TakeTrueImu() { return imu_.Take(rover_.body(), X_WG_); }
 
 std::uint64_t World::StateHash(std::uint64_t seed) const {
-  return loose_.StateHash(
-      stones_.StateHash(rover_.StateHash(HashBits(seed, static_cast<std::uint64_t>(steps_)))));
+  return face_.StateHash(loose_.StateHash(
+      stones_.StateHash(rover_.StateHash(HashBits(seed, static_cast<std::uint64_t>(steps_))))));
 }
 
 }  // namespace dockyard::rocky7

@@ -2,6 +2,7 @@
 // resets it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -9,10 +10,12 @@
 #include "models/parts/soil_model.h"
 #include "models/rocky7/robot_model.h"
 #include "sim/physics/convex_body.h"
+#include "sim/physics/face_contact.h"
 #include "sim/physics/imu.h"
 #include "sim/physics/loose_stones.h"
 #include "sim/physics/motor_truth.h"
 #include "sim/physics/slope.h"
+#include "sim/physics/star_body.h"
 #include "sim/physics/wheel_stones.h"
 #include "sim/physics/wheeled_body.h"
 #include "sim/soil/height_grid.h"
@@ -31,6 +34,9 @@ struct WorldSetup {
   // The target where it lies loose, in its own frame and at rest; then it is not among the stones.
   std::optional<ConvexBody> loose_target{};
   double target_turn_rad = 0.0;
+  // To place the instrument on, in G. Then the mast watches, and the arm is rolled aside.
+  std::optional<StarBody> boulder{};
+  Eigen::Vector3d target_G{0, 0, 0};  // the middle of its face
   double step_s = 1e-3;
 };
 
@@ -48,7 +54,16 @@ struct Truth {
   double sinkage_m = 0.0;        // mean of the wheels
   std::vector<double> sunk_m{};  // each stone, by wheels
   double stone_force_n = 0.0;    // between wheels and stones
-  bool on_stone = false;         // another part of the rover than a wheel has met a stone
+  // The mast's second link, and how it moves.
+  Pose3 X_WK;
+  Eigen::Vector3d v_WK_W = Eigen::Vector3d::Zero(), w_WK_W = Eigen::Vector3d::Zero();
+  // The instrument: middle of its face, the way it looks, its switches, what it presses with now
+  // and has at most.
+  Eigen::Vector3d p_GF{0, 0, 0}, axis_G{1, 0, 0};
+  std::array<bool, kFaceSwitches> closed{};
+  double face_n = 0.0, most_face_n = 0.0;
+  bool on_stone =
+      false;  // another part of the rover than a wheel has met a stone, or any the boulder
 };
 
 class World {
@@ -71,7 +86,7 @@ class World {
 
  private:
   double time_s() const { return static_cast<double>(steps_) * setup_.step_s; }
-  bool BodyMeetsStone() const;
+  bool MeetsStone() const;
 
   WorldSetup setup_;
   Pose3 X_WG_;
@@ -80,6 +95,8 @@ class World {
   ImuAverage imu_;
   WheelStones stones_;
   LooseStones loose_;
+  FaceContact face_;
+  double most_face_n_ = 0.0;
   bool on_stone_ = false;
   double target_start_m_ = 0.0;
   long steps_ = 0;

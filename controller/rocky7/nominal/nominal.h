@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct NesnasTracking {
 };
 
 /// What the rover is asked for.
-enum class Task { kReach, kGrasp };
+enum class Task { kReach, kGrasp, kPlace };
 
 /// The arm as its drawing has it. Angles as ArmMotor has them; at 0 the arm points ahead and level.
 struct NominalArm {
@@ -35,17 +36,34 @@ struct NominalArm {
   bool operator==(const NominalArm&) const = default;
 };
 
+/// The mast as its drawing has it. Angles in the order of MastMotor, and as that has them.
+/// K: its second link. The origin is the elbow's hinge; x along the link to the instrument's face,
+/// which is the tool's axis; y left, z up at angle 0.
+struct NominalMast {
+  Eigen::Vector3d p_RM{0, 0, 0};  // shoulder
+  double link1_m = 0.0;           // from the shoulder to the elbow
+  double link2_m = 0.0;           // from the elbow to the instrument's face
+  std::array<double, 3> low_rad{}, high_rad{}, stowed_rad{};
+  std::array<double, 3> watch_rad{};  // as it stands when it watches ahead, and at a placement's
+                                      // start
+  double switch_radius_m = 0.0;       // of the circle of contact switches on the face
+  StereoRig pair_K;                   // its cameras, in K in place of R
+};
+
 /// R: the rover's body. Its origin lies between the tandem wheels, at the height of their axles; x
 /// forward, y left, z up.
 struct Nominal {
   RoverPlan plan;
   std::vector<NominalMotor> motors;
   double rolling_radius_m = 0.0;  // of every wheel; R stands so high above level ground
-  StereoRig front;
+  StereoRig front, back;
   NominalArm arm;
+  NominalMast mast;
   Task task = Task::kReach;
   double reach_m = 0.01;            // how near the point P must come to the target (N, V)
-  Eigen::Vector2d target_px{0, 0};  // the user's click in the first picture of the left camera
+  // The user's click in the first picture of the left front camera; of the mast's, where the task
+  // is to place the instrument.
+  Eigen::Vector2d target_px{0, 0};
   NesnasTracking nesnas{};
 };
 
@@ -56,6 +74,14 @@ inline Eigen::Vector2d GraspPoint(const NominalArm& arm, double rolling_radius_m
   const double down_m = arm.p_RA.z() + rolling_radius_m - kAxis_m;
   const double ahead_m = std::sqrt(arm.length_m * arm.length_m - down_m * down_m);
   return {arm.p_RA.x() + ahead_m, arm.p_RA.y()};
+}
+
+/// The number of the arm's, and of the mast's, first motor.
+inline std::size_t FirstArmMotor(const Nominal& nominal) {
+  return nominal.motors.size() - kMastMotorCount - kArmMotorCount;
+}
+inline std::size_t FirstMastMotor(const Nominal& nominal) {
+  return nominal.motors.size() - kMastMotorCount;
 }
 
 }  // namespace dockyard::rocky7

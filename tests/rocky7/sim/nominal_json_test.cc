@@ -32,6 +32,8 @@ TEST(Rocky7NominalJson, ComesBackBitForBit) {
   EXPECT_EQ(back.nesnas, nominal.nesnas);
   EXPECT_EQ(back.front.left, nominal.front.left);
   EXPECT_EQ(back.motors, nominal.motors);
+  EXPECT_EQ(back.mast.watch_rad, nominal.mast.watch_rad);
+  EXPECT_EQ(back.mast.pair_K.left, nominal.mast.pair_K.left);
 }
 
 TEST(Rocky7NominalJson, ReadsEveryNumberThatItWrites) {

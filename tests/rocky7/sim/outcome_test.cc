@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "controller/geometry/pose.h"
+
 namespace dockyard::rocky7 {
 namespace {
 
@@ -50,10 +52,35 @@ TEST(Rocky7Outcome, AGraspIsCountedWhenTheStoneIsHeldNotWhenTheScoopsAreClosed) 
   EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, false, false, 0.05), Outcome::kWrongLock);
 }
 
-TEST(Rocky7Outcome, NamesTwoSuccesses) {
+EndOfRun Touched(double off_m, double tilt_deg, double most_n) {
+  EndOfRun end;
+  end.claimed = Verdict::kDocked;
+  end.places = end.touched = true;
+  end.point_off_m = off_m;
+  end.tilt_rad = Radians(tilt_deg);
+  end.most_n = most_n;
+  return end;
+}
+
+TEST(Rocky7Outcome, APlacementIsJudgedByItsContact) {
+  const OutcomeLimits limits{.reach_m = 0.02};
+  const auto of = [&](const EndOfRun& end) { return JudgeEnd(end, limits).outcome; };
+  EXPECT_EQ(of(Touched(0.019, 4.9, 9.9)), Outcome::kPlaced);
+  EXPECT_EQ(of(Touched(0.021, 4.9, 9.9)), Outcome::kMisplaced);
+  EXPECT_EQ(of(Touched(0.019, 5.1, 9.9)), Outcome::kTilted);
+  EXPECT_EQ(of(Touched(0.019, 4.9, 10.1)), Outcome::kPressed);
+  EndOfRun none = Touched(0.019, 4.9, 0.0);
+  none.touched = false;
+  EXPECT_EQ(of(none), Outcome::kFalsePlace);
+  EndOfRun unsaid = Touched(0.019, 4.9, 5.0);
+  unsaid.claimed = Verdict::kUnderWay;
+  EXPECT_EQ(of(unsaid), Outcome::kTimeout);
+}
+
+TEST(Rocky7Outcome, NamesThreeSuccesses) {
   int successes = 0;
   for (const OutcomeName& name : OutcomeNames()) successes += name.success;
-  EXPECT_EQ(successes, 2);
+  EXPECT_EQ(successes, 3);
   EXPECT_STREQ(Name(Outcome::kOnTarget), "on_target");
   EXPECT_STREQ(Name(Outcome::kTimeout), "timeout");
 }

@@ -7,6 +7,7 @@
 
 #include "models/read/load_soil.h"
 #include "models/rocky7/load_robot.h"
+#include "sim/physics/boulder.h"
 #include "sim/physics/rocks.h"
 #include "support/bad_files.h"
 
@@ -91,6 +92,52 @@ TEST(Rocky7World, NoticesAStoneUnderTheBody) {
   WorldSetup setup = AtStart();
   setup.stones = {Pose3::Translation(1.2 - 0.6, 0.0, 0.0) * RockShape({0.2, 0.19}, 0.1, 0.0, 3)};
   World world(setup);
+  const auto commands = Ahead(world, 0.7);
+  for (int i = 0; i < 9000 && !world.truth().on_stone; ++i) world.Step(commands);
+  EXPECT_TRUE(world.truth().on_stone);
+}
+
+// A boulder whose face looks along x, and the rover before it, so that its tool, level, is aimed at
+// the face's middle 0.45 m up: shoulder 11.5 deg up, elbow as much down.
+WorldSetup BeforeBoulder(double stand_off_m) {
+  WorldSetup setup = AtStart();
+  const BoulderShape shape{.target_up_m = 0.45, .face_up_rad = 0.0, .roughness_m = 0.0};
+  setup.boulder = MakeBoulder(shape, 3);
+  setup.target_G = {0.0, 0.0, 0.45};
+  setup.X_GR_start = {0.05 + stand_off_m, 0.0, kPi};
+  return setup;
+}
+
+std::vector<MotorCommand> MastTo(const World& world, double shoulder_rad, double elbow_rad) {
+  std::vector<MotorCommand> commands(static_cast<std::size_t>(world.rover().motor_count()));
+  const double targets[] = {0.0, shoulder_rad, elbow_rad};
+  for (std::size_t i = 0; i < 3; ++i) {
+    commands[commands.size() - 3 + i] = {MotorMode::kPosition, targets[i], 0.3, 0.5, 2.0};
+  }
+  return commands;
+}
+
+TEST(Rocky7World, TheInstrumentTouchesTheFaceWhereTheMastBringsIt) {
+  const double a = std::asin(0.1 / 0.5), reach_m = 0.5 * std::cos(a) + 0.5;
+  for (const bool touches : {false, true}) {
+    World world(BeforeBoulder(reach_m + (touches ? -0.002 : 0.02)));
+    const auto commands = MastTo(world, -a, a);
+    for (int i = 0; i < 9000; ++i) world.Step(commands);
+    const Truth truth = world.truth();
+    EXPECT_FALSE(truth.on_stone);
+    EXPECT_NEAR(truth.p_GF.z(), 0.45, 0.02);
+    EXPECT_EQ(truth.face_n > 0.0, touches);
+    if (touches) {
+      // Springs of 500 N/m; the body gives way and pitches, so their bend is not exactly 2 mm.
+      EXPECT_TRUE(truth.closed[0] || truth.closed[1] || truth.closed[2]);
+      EXPECT_LT(truth.most_face_n, 40.0);
+    }
+  }
+}
+
+TEST(Rocky7World, AWheelAgainstTheBoulderIsNotSimulated) {
+  World world(BeforeBoulder(0.75));
+  EXPECT_FALSE(world.truth().on_stone);
   const auto commands = Ahead(world, 0.7);
   for (int i = 0; i < 9000 && !world.truth().on_stone; ++i) world.Step(commands);
   EXPECT_TRUE(world.truth().on_stone);
