@@ -2,7 +2,7 @@
 
 #include "models/parts/scoop_shape.h"
 #include "sim/physics/joint_stop.h"
-#include "sim/physics/solid_mass.h"
+#include "sim/physics/solid_link.h"
 
 namespace dockyard {
 namespace {
@@ -28,19 +28,6 @@ SolidMass ScoopMass(const ScoopModel& scoop, bool front) {
   return whole;
 }
 
-TreeLink LinkOf(int parent, const Vector3d& p_PL, const Vector3d& axis, const SolidMass& mass,
-                double rotor_kg_m2) {
-  TreeLink link;
-  link.model.mass_kg = mass.mass_kg;
-  link.model.p_LoCom_L = mass.p_com;
-  link.model.I_LCom_L = mass.I_com;
-  link.parent = parent;
-  link.p_PL = p_PL;
-  link.axis_L = axis;
-  link.rotor_kg_m2 = rotor_kg_m2;
-  return link;
-}
-
 SolidMass ShoulderMass(const ArmModel& arm) {
   const double mass_kg = kShoulderShare * arm.mass_kg;
   const double moment = mass_kg * kShoulder_m * kShoulder_m / 6.0;
@@ -58,12 +45,12 @@ SolidMass BarMass(const ArmModel& arm) {
 std::vector<TreeLink> ArmLinks(const ArmModel& arm, int first) {
   const Vector3d end(arm.length_m, 0.0, 0.0), y = Vector3d::UnitY();
   const double rotor = arm.scoop_motor.reflected_inertia_kg_m2;
-  return {
-      LinkOf(0, arm.p_RA, Vector3d::UnitX(), ShoulderMass(arm), arm.roll.reflected_inertia_kg_m2),
-      LinkOf(first + kArmRoll, Vector3d::Zero(), y, BarMass(arm),
-             arm.pitch.reflected_inertia_kg_m2),
-      LinkOf(first + kArmPitch, end, y, ScoopMass(arm.scoop, true), rotor),
-      LinkOf(first + kArmPitch, end, y, ScoopMass(arm.scoop, false), rotor)};
+  return {SolidLink(0, arm.p_RA, Vector3d::UnitX(), ShoulderMass(arm),
+                    arm.roll.reflected_inertia_kg_m2),
+          SolidLink(first + kArmRoll, Vector3d::Zero(), y, BarMass(arm),
+                    arm.pitch.reflected_inertia_kg_m2),
+          SolidLink(first + kArmPitch, end, y, ScoopMass(arm.scoop, true), rotor),
+          SolidLink(first + kArmPitch, end, y, ScoopMass(arm.scoop, false), rotor)};
 }
 
 double ArmInertia(const ArmModel& arm, int motor) {

@@ -1,6 +1,7 @@
 #include "sim/physics/mast_body.h"
 
 #include "sim/physics/joint_stop.h"
+#include "sim/physics/solid_link.h"
 
 namespace dockyard {
 namespace {
@@ -19,64 +20,41 @@ Matrix3d BlockInertia(double mass_kg, const Vector3d& size_m) {
          Vector3d(s2.y() + s2.z(), s2.x() + s2.z(), s2.x() + s2.y()).asDiagonal().toDenseMatrix();
 }
 
-TreeLink MastLink(int parent, const Vector3d& p_PL, const Vector3d& axis_L, double mass_kg,
-                  const Vector3d& p_com, const Matrix3d& inertia, double rotor_kg_m2) {
-  TreeLink link;
-  link.model.mass_kg = mass_kg;
-  link.model.p_LoCom_L = p_com;
-  link.model.I_LCom_L = inertia;
-  link.parent = parent;
-  link.p_PL = p_PL;
-  link.axis_L = axis_L;
-  link.rotor_kg_m2 = rotor_kg_m2;
-  return link;
+SolidMass Block(double mass_kg, const Vector3d& middle, const Vector3d& size_m) {
+  return {mass_kg, middle, BlockInertia(mass_kg, size_m)};
 }
 
 // The second link: a bar, and the instrument at its end.
-struct Outer {
-  double mass_kg = 0.0;
-  Vector3d p_com{0, 0, 0};
-  Matrix3d inertia = Matrix3d::Zero();
-};
-Outer OuterOf(const MastModel& mast) {
+SolidMass OuterMass(const MastModel& mast) {
   const InstrumentModel& can = mast.instrument;
   const double bar_m = mast.link2_m - can.length_m;
-  const Vector3d p_bar(0.5 * bar_m, 0.0, 0.0), p_can(bar_m + 0.5 * can.length_m, 0.0, 0.0);
-  Outer outer;
-  outer.mass_kg = mast.link2_kg + can.mass_kg;
-  outer.p_com = (mast.link2_kg * p_bar + can.mass_kg * p_can) / outer.mass_kg;
-  const auto Add = [&](double mass_kg, const Vector3d& p, const Vector3d& size_m) {
-    const Vector3d off = p - outer.p_com;
-    outer.inertia += BlockInertia(mass_kg, size_m) +
-                     mass_kg * (off.squaredNorm() * Matrix3d::Identity() - off * off.transpose());
-  };
-  Add(mast.link2_kg, p_bar, {bar_m, kMastBar_m, kMastBar_m});
-  Add(can.mass_kg, p_can, {can.length_m, 2.0 * can.radius_m, 2.0 * can.radius_m});
-  return outer;
+  return Together({Block(mast.link2_kg, {0.5 * bar_m, 0.0, 0.0}, {bar_m, kMastBar_m, kMastBar_m}),
+                   Block(can.mass_kg, {bar_m + 0.5 * can.length_m, 0.0, 0.0},
+                         {can.length_m, 2.0 * can.radius_m, 2.0 * can.radius_m})});
 }
 
 }  // namespace
 
 std::vector<TreeLink> MastLinks(const MastModel& mast, int first) {
   const Vector3d y = Vector3d::UnitY();
-  const Outer outer = OuterOf(mast);
   const auto rotor = [&](std::size_t i) { return mast.motors[i].reflected_inertia_kg_m2; };
-  return {MastLink(0, mast.p_RM, Vector3d::UnitZ(), mast.housing_kg, Vector3d::Zero(),
-                   BlockInertia(mast.housing_kg, Vector3d::Constant(kHousing_m)), rotor(kMastRoll)),
-          MastLink(first + kMastRoll, Vector3d::Zero(), y, mast.link1_kg,
-                   {0.5 * mast.link1_m, 0.0, 0.0},
-                   BlockInertia(mast.link1_kg, {mast.link1_m, kMastBar_m, kMastBar_m}),
-                   rotor(kMastShoulder)),
-          MastLink(first + kMastShoulder, {mast.link1_m, 0.0, 0.0}, y, outer.mass_kg, outer.p_com,
-                   outer.inertia, rotor(kMastElbow))};
+  return {SolidLink(0, mast.p_RM, Vector3d::UnitZ(),
+                    Block(mast.housing_kg, Vector3d::Zero(), Vector3d::Constant(kHousing_m)),
+                    rotor(kMastRoll)),
+          SolidLink(first + kMastRoll, Vector3d::Zero(), y,
+                    Block(mast.link1_kg, {0.5 * mast.link1_m, 0.0, 0.0},
+                          {mast.link1_m, kMastBar_m, kMastBar_m}),
+                    rotor(kMastShoulder)),
+          SolidLink(first + kMastShoulder, {mast.link1_m, 0.0, 0.0}, y, OuterMass(mast),
+                    rotor(kMastElbow))};
 }
 
 double MastInertia(const MastModel& mast, int motor) {
-  const Outer outer = OuterOf(mast);
+  const SolidMass outer = OuterMass(mast);
   const auto About = [](double mass_kg, double away_m, double moment) {
     return moment + mass_kg * away_m * away_m;
   };
-  const double outer_yy = outer.inertia(1, 1);
+  const double outer_yy = outer.I_com(1, 1);
   const double rotor = mast.motors[static_cast<std::size_t>(motor)].reflected_inertia_kg_m2;
   if (motor == kMastElbow) return rotor + About(outer.mass_kg, outer.p_com.x(), outer_yy);
   return rotor + mast.link1_kg * mast.link1_m * mast.link1_m / 3.0 +

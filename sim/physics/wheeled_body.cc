@@ -5,6 +5,7 @@
 
 #include "sim/base/hash.h"
 #include "sim/physics/joint_stop.h"
+#include "sim/physics/solid_link.h"
 
 namespace dockyard {
 namespace {
@@ -32,18 +33,6 @@ Eigen::Matrix3d WheelInertia(double mass_kg, const WheelModel& tyre) {
   const double about_axle = 0.75 * mass_kg * r2;
   const double across = 0.5 * about_axle + mass_kg * tyre.width_m * tyre.width_m / 12.0;
   return Vector3d(across, about_axle, across).asDiagonal();
-}
-
-TreeLink LinkOn(int parent, const Vector3d& p_PL, const Vector3d& axis, double mass_kg,
-                const Vector3d& com_L, const Eigen::Matrix3d& inertia) {
-  TreeLink link;
-  link.model.mass_kg = mass_kg;
-  link.model.p_LoCom_L = com_L;
-  link.model.I_LCom_L = inertia;
-  link.parent = parent;
-  link.p_PL = p_PL;
-  link.axis_L = axis;
-  return link;
 }
 
 // Half the track: where rockers and bogies are.
@@ -75,8 +64,8 @@ void WheeledBody::AddHinge(std::vector<TreeLink>& links, const RoverModel& rover
       bogie ? 2.0 * std::abs(reach_m) : std::abs(reach_m - (joint.x() - pivot.x()));
   const double mass_kg = bogie ? with.bogie_kg : with.rocker_kg;
   const int parent = bogie ? rocker_[left] : 0;
-  links.push_back(LinkOn(parent, bogie ? Vector3d(joint - pivot) : pivot, Vector3d::UnitY(),
-                         mass_kg, middle, BarInertia(mass_kg, length_m)));
+  links.push_back(SolidLink(parent, bogie ? Vector3d(joint - pivot) : pivot, Vector3d::UnitY(),
+                            {mass_kg, middle, BarInertia(mass_kg, length_m)}));
   const int link = static_cast<int>(links.size()) - 1;
   (bogie ? bogie_ : rocker_)[left] = link;
   hinges_.push_back({link, bogie ? with.bogie_stop_rad : with.rocker_stop_rad});
@@ -98,16 +87,18 @@ void WheeledBody::AddWheel(std::vector<TreeLink>& links, const RoverModel& rover
   if (steered) {
     // A bracket from the arm above down to the axle: its centre half-way up the wheel.
     const double up_m = 0.5 * rover.tyre.rim_radius_m;
-    links.push_back(LinkOn(parent, p_PL, Vector3d::UnitZ(), rover.bracket_kg, {0.0, 0.0, up_m},
-                           BarInertia(rover.bracket_kg, 2.0 * up_m)));
-    links.back().rotor_kg_m2 = rover.steer.reflected_inertia_kg_m2;
+    links.push_back(
+        SolidLink(parent, p_PL, Vector3d::UnitZ(),
+                  {rover.bracket_kg, {0.0, 0.0, up_m}, BarInertia(rover.bracket_kg, 2.0 * up_m)},
+                  rover.steer.reflected_inertia_kg_m2));
     parent = static_cast<int>(links.size()) - 1;
     bracket_link_.push_back(parent);
     p_PL.setZero();
   }
-  links.push_back(LinkOn(parent, p_PL, Vector3d::UnitY(), rover.wheel_kg, {0.0, 0.0, 0.0},
-                         WheelInertia(rover.wheel_kg, rover.tyre)));
-  links.back().rotor_kg_m2 = rover.drive.reflected_inertia_kg_m2;
+  links.push_back(
+      SolidLink(parent, p_PL, Vector3d::UnitY(),
+                {rover.wheel_kg, Vector3d::Zero(), WheelInertia(rover.wheel_kg, rover.tyre)},
+                rover.drive.reflected_inertia_kg_m2));
   wheel_link_.push_back(static_cast<int>(links.size()) - 1);
 }
 
