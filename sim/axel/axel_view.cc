@@ -2,6 +2,7 @@
 
 #include "sim/axel/build_rocks.h"
 #include "sim/base/random.h"
+#include "sim/run/drawn_mesh.h"
 
 namespace dockyard::axel {
 SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
@@ -29,12 +30,7 @@ SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
 std::vector<SceneBuilder::Part> SceneBuilder::Convert(const std::vector<Visual>& visuals) {
   std::vector<Part> parts;
   for (const Visual& visual : visuals) {
-    auto mesh = std::make_shared<RenderMesh>();
-    for (const Eigen::Vector3d& v : visual.mesh->vertices) {
-      mesh->vertices.push_back(v.cast<float>());
-    }
-    mesh->triangles = visual.mesh->triangles;
-    parts.push_back({std::move(mesh), visual.X_LV, visual.rgb});
+    parts.push_back({DrawnMesh(*visual.mesh), visual.X_LV, visual.rgb});
   }
   return parts;
 }

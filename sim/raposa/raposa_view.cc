@@ -5,6 +5,7 @@
 #include "render/shading.h"
 #include "sim/base/random.h"
 #include "sim/raposa/mark_meshes.h"
+#include "sim/run/drawn_mesh.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -105,13 +106,8 @@ void SceneBuilder::AddClutter(const BuiltRun& built) {
 std::vector<SceneBuilder::Part> SceneBuilder::Convert(const std::vector<Visual>& visuals) {
   std::vector<Part> parts;
   for (const Visual& visual : visuals) {
-    auto mesh = std::make_shared<RenderMesh>();
-    for (const Eigen::Vector3d& v : visual.mesh->vertices) {
-      mesh->vertices.push_back(v.cast<float>());
-    }
-    mesh->triangles = visual.mesh->triangles;
     parts.push_back(
-        {std::move(mesh), visual.X_LV, visual.rgb, GreyMaterial(Luminance(visual.rgb))});
+        {DrawnMesh(*visual.mesh), visual.X_LV, visual.rgb, GreyMaterial(Luminance(visual.rgb))});
   }
   return parts;
 }

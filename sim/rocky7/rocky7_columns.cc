@@ -1,22 +1,15 @@
 #include "sim/rocky7/rocky7_columns.h"
 
+#include "sim/log/visited_columns.h"
+
 namespace dockyard::rocky7 {
 
 std::vector<Column> Channels() {
-  std::vector<Column> columns;
-  VisitChannels(Truth{}, [&](const char* name, const char* unit, const char* meaning, double) {
-    columns.push_back({name, unit, meaning});
-  });
-  return columns;
+  return ColumnsVisited([](const auto& visit) { VisitChannels(Truth{}, visit); });
 }
 
 std::vector<Column> Measures() {
-  std::vector<Column> columns;
-  VisitMeasures(
-      {}, [&](const char* name, const char* unit, const char* meaning, bool headline, double) {
-        columns.push_back({name, unit, meaning, headline});
-      });
-  return columns;
+  return MeasuresVisited([](const auto& visit) { VisitMeasures({}, visit); });
 }
 
 std::vector<Column> Beliefs() {
@@ -27,11 +20,7 @@ std::vector<Column> Beliefs() {
 }
 
 std::vector<double> Values(const Rocky7Measures& measures) {
-  std::vector<double> values;
-  VisitMeasures(measures, [&](const char*, const char*, const char*, bool, double value) {
-    values.push_back(value);
-  });
-  return values;
+  return ValuesVisited([&](const auto& visit) { VisitMeasures(measures, visit); });
 }
 
 }  // namespace dockyard::rocky7

@@ -2,6 +2,7 @@
 
 #include "controller/base/split_mix.h"
 #include "sim/base/random.h"
+#include "sim/run/drawn_mesh.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -41,12 +42,7 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, std:
   for (const LinkLook& look : LooksOf(built.world.robot.rover, rover)) {
     Link link{look.name, {}};
     for (const Visual& visual : look.visuals) {
-      auto mesh = std::make_shared<RenderMesh>();
-      for (const Eigen::Vector3d& v : visual.mesh->vertices) {
-        mesh->vertices.push_back(v.cast<float>());
-      }
-      mesh->triangles = visual.mesh->triangles;
-      link.parts.push_back({std::move(mesh), visual.X_LV, visual.rgb});
+      link.parts.push_back({DrawnMesh(*visual.mesh), visual.X_LV, visual.rgb});
     }
     links_.push_back(std::move(link));
   }

@@ -7,6 +7,7 @@
 #include "models/read/mesh_loader.h"
 #include "render/scene.h"
 #include "sim/base/hash.h"
+#include "sim/run/drawn_mesh.h"
 
 namespace dockyard {
 namespace {
@@ -42,11 +43,7 @@ std::vector<double> Heights() {
 }
 
 SceneObject Box() {
-  const TriangleMesh box = BoxMesh({0.3, 0.2, 0.3});
-  auto mesh = std::make_shared<RenderMesh>();
-  for (const Eigen::Vector3d& v : box.vertices) mesh->vertices.push_back(v.cast<float>());
-  mesh->triangles = box.triangles;
-  return {std::move(mesh), Pose3::Translation(1.2, -0.5, 0.15)};
+  return {DrawnMesh(BoxMesh({0.3, 0.2, 0.3})), Pose3::Translation(1.2, -0.5, 0.15)};
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// Columns and their values of a visitor: a function that calls its argument for each number of a
+// system with name, unit, meaning and value, so that each number stands in one place.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/log/column.h"
+
+namespace dockyard {
+
+/// Of visit_all(f), which calls f(name, unit, meaning, value).
+template <class VisitAll>
+std::vector<Column> ColumnsVisited(VisitAll&& visit_all) {
+  std::vector<Column> columns;
+  visit_all([&](const char* name, const char* unit, const std::string& meaning, double) {
+    columns.push_back({name, unit, meaning});
+  });
+  return columns;
+}
+
+/// Of visit_all(f), which calls f(name, unit, meaning, headline, value).
+template <class VisitAll>
+std::vector<Column> MeasuresVisited(VisitAll&& visit_all) {
+  std::vector<Column> columns;
+  visit_all(
+      [&](const char* name, const char* unit, const std::string& meaning, bool headline, double) {
+        columns.push_back({name, unit, meaning, headline});
+      });
+  return columns;
+}
+template <class VisitAll>
+std::vector<double> ValuesVisited(VisitAll&& visit_all) {
+  std::vector<double> values;
+  visit_all([&](const char*, const char*, const std::string&, bool, double value) {
+    values.push_back(value);
+  });
+  return values;
+}
+
+}  // namespace dockyard
