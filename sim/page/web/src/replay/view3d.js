@@ -138,7 +138,7 @@ export class View3d {
   reset() {
     const [x0, y0, x1, y1] = this.tracks.extent();
     const centre = new Vector3((x0 + x1) / 2, (y0 + y1) / 2, 0.25);
-    const size = Math.max(1.2, Math.hypot(x1 - x0, y1 - y0));
+    const size = Math.hypot(x1 - x0, y1 - y0) + 0.9; // the robot reaches beyond its way
     const target = this.tracks.X_WD;
     const side = target[2] - 1.05; // from beside the axis, in front of the target
     this.controls.target.copy(centre);
