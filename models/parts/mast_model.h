@@ -21,8 +21,10 @@ struct InstrumentModel {
   double switch_radius_m = 0.0;  // of the circle on which the switches are, 120 deg apart
   double switch_out_m = 0.0;     // how far they stand out of the face
   double closes_n = 0.0;         // force that closes a switch
-  // How a point of the face gives way along the tool's axis: the mast's own give.
-  double stiffness_n_per_m = 0.0, damping_ns_per_m = 0.0;
+  double switch_n_per_m = 0.0;   // of a switch's spring
+  double rim_n_per_m = 0.0;      // of a point of the can's rim
+  // How the mast gives way along the tool's axis, and across it where the face rubs.
+  double mast_n_per_m = 0.0, mast_ns_per_m = 0.0;
   double friction = 0.0;
 };
 

@@ -9,9 +9,10 @@ namespace {
 constexpr const char* kJoints[kMastMotors] = {"roll", "shoulder", "elbow"};
 
 InstrumentModel ReadInstrument(const YamlReader& mast) {
-  const YamlReader in(mast.Child("instrument"), mast.PathOf("instrument"),
-                      {"radius_m", "length_m", "mass_kg", "switch_radius_m", "switch_out_m",
-                       "closes_n", "stiffness_n_per_m", "damping_ns_per_m", "friction"});
+  const YamlReader in(
+      mast.Child("instrument"), mast.PathOf("instrument"),
+      {"radius_m", "length_m", "mass_kg", "switch_radius_m", "switch_out_m", "closes_n",
+       "switch_n_per_m", "rim_n_per_m", "mast_n_per_m", "mast_ns_per_m", "friction"});
   InstrumentModel instrument;
   instrument.radius_m = in.Number("radius_m", Positive(1.0));
   instrument.length_m = in.Number("length_m", Positive(1.0));
@@ -19,8 +20,10 @@ InstrumentModel ReadInstrument(const YamlReader& mast) {
   instrument.switch_radius_m = in.Number("switch_radius_m", Positive(instrument.radius_m));
   instrument.switch_out_m = in.Number("switch_out_m", NonNegative(0.05));
   instrument.closes_n = in.Number("closes_n", Positive(100.0));
-  instrument.stiffness_n_per_m = in.Number("stiffness_n_per_m", Between(10.0, 1e5));
-  instrument.damping_ns_per_m = in.Number("damping_ns_per_m", NonNegative(1e3));
+  instrument.switch_n_per_m = in.Number("switch_n_per_m", Between(10.0, 1e6));
+  instrument.rim_n_per_m = in.Number("rim_n_per_m", Between(10.0, 1e6));
+  instrument.mast_n_per_m = in.Number("mast_n_per_m", Between(10.0, 1e4));
+  instrument.mast_ns_per_m = in.Number("mast_ns_per_m", NonNegative(100.0));
   instrument.friction = in.Number("friction", NonNegative(3.0));
   return instrument;
 }

@@ -1,6 +1,7 @@
 // A mast with an instrument: what its joints carry, and what its face feels.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/read/load_model_yaml.h"
@@ -109,7 +110,8 @@ struct Touch {
   std::array<bool, 3> closed{};
 };
 
-Touch At(double overtravel_m, double tip_rad = 0.0, double speed_m_s = 0.0) {
+// So many steps of a can that is held there.
+Touch At(double overtravel_m, double tip_rad = 0.0, int steps = 1) {
   const MastModel mast = Rocky7Mast();
   // A base that stands for the link, with its face at x = link2_m.
   std::vector<TreeLink> links(1);
@@ -120,40 +122,51 @@ Touch At(double overtravel_m, double tip_rad = 0.0, double speed_m_s = 0.0) {
   // The face's middle is brought to the wall, then in.
   X_GL.p = Vector3d(overtravel_m, 0.0, 0.0) - X_GL.R * Vector3d(mast.link2_m, 0.0, 0.0);
   TreeBody tree(links, {}, X_GL);
-  TreeBody::Speeds speeds = tree.speeds();
-  speeds[0] = speed_m_s;
-  tree.SetSpeeds(speeds);
   FaceContact face(mast.instrument, 0, mast.link2_m);
-  face.Step(Wall(0.0), 1e-3, tree);
+  const StarBody wall = Wall(0.0);
+  for (int i = 0; i < steps; ++i) face.Step(wall, 1e-3, tree);
   return {face.force_n(), face.closed()};
 }
+Touch Held(double overtravel_m, double tip_rad = 0.0) { return At(overtravel_m, tip_rad, 1000); }
 
-TEST(InstrumentFace, PressesByItsSpringsTimesTheOvertravel) {
+// Springs in series: three switches and the mast; then the rim, 4 mm behind, beside the switches.
+TEST(InstrumentFace, PressesByTheOvertravelThroughSpringsInSeries) {
   const InstrumentModel can = Rocky7Mast().instrument;
-  for (const double over_m : {0.0005, 0.001, 0.0019}) {  // the rim is 2 mm behind
-    EXPECT_NEAR(At(over_m).force_n, 3.0 * can.stiffness_n_per_m * over_m, 1e-9) << over_m;
+  const double switches = 3.0 * can.switch_n_per_m, rim = 12.0 * can.rim_n_per_m;
+  const double before = switches * can.mast_n_per_m / (switches + can.mast_n_per_m);
+  for (const double over_m : {0.0005, 0.002, 0.007}) {
+    EXPECT_NEAR(Held(over_m).force_n, before * over_m, 1e-6) << over_m;
   }
-  EXPECT_NEAR(At(0.001, 0.0, 0.05).force_n,
-              3.0 * (can.stiffness_n_per_m * 0.001 + can.damping_ns_per_m * 0.05), 1e-9);
-  EXPECT_EQ(At(-0.001).force_n, 0.0);
-  // Beyond that the rim's twelve points press, too.
-  EXPECT_NEAR(At(0.003).force_n, can.stiffness_n_per_m * (3.0 * 0.003 + 12.0 * 0.001), 1e-9);
+  EXPECT_EQ(Held(-0.001).force_n, 0.0);
+  for (const double over_m : {0.03, 0.04}) {
+    // k u = s (d - u) + r (d - out - u)
+    const double give_m =
+        ((switches + rim) * over_m - rim * can.switch_out_m) / (can.mast_n_per_m + switches + rim);
+    EXPECT_NEAR(Held(over_m).force_n, can.mast_n_per_m * give_m, 1e-6) << over_m;
+  }
+}
+
+// The mast's damper: a face that comes at some speed presses as it will with that give, at once.
+TEST(InstrumentFace, AFastTouchPressesMore) {
+  EXPECT_GT(At(0.001).force_n, 1.5 * Held(0.001).force_n);
+  EXPECT_LT(At(0.001).force_n, 3.0 * Rocky7Mast().instrument.switch_n_per_m * 0.001);
 }
 
 TEST(InstrumentFace, ASwitchClosesAtItsForce) {
   const InstrumentModel can = Rocky7Mast().instrument;
-  const double closes_m = can.closes_n / can.stiffness_n_per_m;
-  EXPECT_FALSE(At(0.99 * closes_m).closed[0]);
-  const Touch touch = At(1.01 * closes_m);
+  // All three alike: each bears a third.
+  const double closes_m = can.closes_n / can.switch_n_per_m + 3.0 * can.closes_n / can.mast_n_per_m;
+  EXPECT_FALSE(Held(0.99 * closes_m).closed[0]);
+  const Touch touch = Held(1.01 * closes_m);
   EXPECT_TRUE(touch.closed[0] && touch.closed[1] && touch.closed[2]);
 }
 
 TEST(InstrumentFace, TheSwitchThatClosesFirstTellsWhichWayItIsTipped) {
-  // Nose down: the upper switch leads. sin 5 deg of 28 mm is 2.4 mm.
-  const Touch down = At(0.001, Radians(5.0));
+  // Nose down: the upper switch leads, by 1.5 times sin 5 deg of 28 mm, 3.7 mm.
+  const Touch down = Held(0.003, Radians(5.0));
   EXPECT_TRUE(down.closed[0]);
   EXPECT_FALSE(down.closed[1] || down.closed[2]);
-  const Touch up = At(0.001, Radians(-5.0));
+  const Touch up = Held(0.005, Radians(-5.0));
   EXPECT_FALSE(up.closed[0]);
   EXPECT_TRUE(up.closed[1] && up.closed[2]);
 }
@@ -172,15 +185,17 @@ TEST(InstrumentFace, HoldsASidePushUpToCoulombsLimit) {
     FaceContact face(mast.instrument, 0, mast.link2_m);
     const StarBody wall = Wall(0.0);
     const double push_n = share * mast.instrument.friction * press_n;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 6000; ++i) {
       face.Step(wall, 1e-3, tree);
-      tree.AddForce(0, {press_n, i < 1000 ? 0.0 : push_n, 0.0}, tree.motion(0).X_GL.p);
+      const double now_n = push_n * std::clamp((i - 1000) / 2000.0, 0.0, 1.0);
+      tree.AddForce(0, {press_n, now_n, 0.0}, tree.motion(0).X_GL.p);
       tree.AddForce(0, -2.0 * tree.motion(0).v_GL_G, tree.motion(0).X_GL.p);  // comes to rest
       tree.TakeLoads(Vector3d::Zero(), 1e-3);
       tree.Move(1e-3);
     }
     if (share < 1.0) {
-      EXPECT_LT(tree.motion(0).X_GL.p.y(), 0.01);
+      // The mast bends aside by the push.
+      EXPECT_NEAR(tree.motion(0).X_GL.p.y(), push_n / mast.instrument.mast_n_per_m, 1e-3);
       EXPECT_LT(tree.motion(0).v_GL_G.norm(), 2e-3);
     } else {
       EXPECT_GT(tree.motion(0).v_GL_G.y(), 0.1);

@@ -120,7 +120,7 @@ std::vector<MotorCommand> MastTo(const World& world, double shoulder_rad, double
 TEST(Rocky7World, TheInstrumentTouchesTheFaceWhereTheMastBringsIt) {
   const double a = std::asin(0.1 / 0.5), reach_m = 0.5 * std::cos(a) + 0.5;
   for (const bool touches : {false, true}) {
-    World world(BeforeBoulder(reach_m + (touches ? -0.002 : 0.02)));
+    World world(BeforeBoulder(reach_m + (touches ? -0.012 : 0.02)));
     const auto commands = MastTo(world, -a, a);
     for (int i = 0; i < 9000; ++i) world.Step(commands);
     const Truth truth = world.truth();
@@ -128,9 +128,10 @@ TEST(Rocky7World, TheInstrumentTouchesTheFaceWhereTheMastBringsIt) {
     EXPECT_NEAR(truth.p_GF.z(), 0.45, 0.02);
     EXPECT_EQ(truth.face_n > 0.0, touches);
     if (touches) {
-      // Springs of 500 N/m; the body gives way and pitches, so their bend is not exactly 2 mm.
+      // The mast gives way by 500 N/m, the body and its wheels a little.
       EXPECT_TRUE(truth.closed[0] || truth.closed[1] || truth.closed[2]);
-      EXPECT_LT(truth.most_face_n, 40.0);
+      EXPECT_NEAR(truth.face_n, 5.0, 2.0);
+      EXPECT_LT(truth.most_face_n, 10.0);
     }
   }
 }
