@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/rocky7/mission.h"
+#include "controller/rocky7/place_mission.h"
 #include "controller/tracking/local_maximum.h"
 #include "controller/tracking/stone_middle.h"
 #include "controller/tracking/whole_shape.h"
@@ -134,6 +135,7 @@ constexpr MissionOptions kMission{.tries = 3, .peeks = true};
 }  // namespace
 
 std::unique_ptr<Controller> MakeDockyardController(const Nominal& nominal) {
+  if (nominal.task == Task::kPlace) return MakeDockyardPlacement(nominal);
   return std::make_unique<Mission>(nominal, std::make_unique<StoneTracker>(), kOptions, kMission);
 }
 

@@ -1,6 +1,7 @@
 #include "controller/rocky7/nesnas2000.h"
 
 #include "controller/rocky7/mission.h"
+#include "controller/rocky7/place_mission.h"
 #include "controller/tracking/local_maximum.h"
 
 namespace dockyard::rocky7 {
@@ -32,6 +33,7 @@ class HighestPoint final : public TargetTracker {
 }  // namespace
 
 std::unique_ptr<Controller> MakeNesnas2000Controller(const Nominal& nominal) {
+  if (nominal.task == Task::kPlace) return MakeNesnas2000Placement(nominal);
   const ApproachOptions options{.image_share = nominal.nesnas.image_share,
                                 .least_step_m = nominal.nesnas.least_step_m};
   return std::make_unique<Mission>(nominal, std::make_unique<HighestPoint>(nominal.nesnas), options,

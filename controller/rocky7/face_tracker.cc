@@ -1,0 +1,130 @@
+#include "controller/rocky7/face_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/base/number_text.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+// Where the target may be off its prediction, 1 sigma: along and across the way driven (slip: 0.08
+// in approach.cc), what a step over rough ground lifts the rover, and where the mast points.
+// Assumed, 0.05-0.12 and 0.02-0.06 of the way, 1-3 cm and 0.2-0.5 deg.
+constexpr double kWayShare = 0.08, kAcrossShare = 0.03, kLifts_m = 0.015,
+                 kPoints_rad = Radians(0.3);
+// Half the window, in sigmas; at least and at most. Assumed, 3-4, 6-12 and 40-80 px.
+constexpr double kWindowSigmas = 3.0, kLeastWindow_px = 8.0, kMostWindow_px = 60.0;
+// A range that differs from the prediction by more sigmas is another surface. Assumed, 3-5.
+constexpr double kRangeSigmas = 3.5;
+// A normal that is less sure than this does not turn the patch. Assumed, 10-25 deg.
+constexpr double kSureNormal_rad = Radians(15.0);
+// The picture to compare with is taken anew when the face is so much nearer or seen from so much
+// aside, and not each time: errors add up with each. Assumed, 1.2-1.6 and 10-20 deg.
+constexpr double kNearer = 1.35, kAside_rad = Radians(15.0);
+
+std::string WhyNotFound(const PatchFound& found) {
+  switch (found.verdict) {
+    case PatchVerdict::kFound:
+      break;
+    case PatchVerdict::kUnseen:
+      return "the target is not in the picture";
+    case PatchVerdict::kPlain:
+      return "the face has no contrast about the target";
+    case PatchVerdict::kElsewhere:
+      return "nothing looks like the target: score " + Fixed(found.score, 2);
+    case PatchVerdict::kAmbiguous:
+      return "two places look like the target: " + Fixed(found.second / found.score, 2);
+  }
+  return "";
+}
+
+}  // namespace
+
+FaceSeen PatchTracker::Measure(const FaceEye& eye, const FaceView& view,
+                               const Eigen::Vector2d& pixel) const {
+  FaceSeen seen;
+  const auto p_C = PointUnder(view.pair, view.disparities, pixel);
+  if (!p_C) {
+    seen.why = "no range data about the target";
+    return seen;
+  }
+  seen.found = true;
+  seen.p_E = view.pair.X_RC * *p_C;
+  seen.range_m = p_C->norm();
+  if (const auto plane = eye.PlaneAt(view, pixel)) {
+    seen.p_E = plane->p;
+    seen.normal_E = plane->normal;
+    seen.normal_sigma_rad = plane->normal_sigma_rad;
+  }
+  return seen;
+}
+
+void PatchTracker::Keep(const FaceView& view, const FaceSeen& seen) {
+  const Pose3 X_CE = Inverse(view.pair.X_RC);
+  patch_.left = view.images.left;
+  patch_.focal_px = view.pair.focal_px;
+  patch_.centre_px = view.pair.centre_px;
+  patch_.p_C = X_CE * seen.p_E;
+  const bool sure = seen.normal_E && seen.normal_sigma_rad < kSureNormal_rad;
+  patch_.normal_C = sure ? Eigen::Vector3d(X_CE.R * *seen.normal_E) : -patch_.p_C.normalized();
+  X_EC_ = view.pair.X_RC;
+  p_ET_ = seen.p_E;
+  turned_rad_ = 0.0;
+}
+
+FaceSeen PatchTracker::Begin(const FaceEye& eye, const FaceView& view,
+                             const Eigen::Vector2d& pixel) {
+  FaceSeen seen = Measure(eye, view, pixel);
+  if (!seen.found) {
+    seen.why = "no range data where the user clicked";
+    return seen;
+  }
+  seen.score = 1.0;
+  range_m_ = seen.range_m;
+  Keep(view, seen);
+  return seen;
+}
+
+FaceSeen PatchTracker::Follow(const FaceEye& eye, const FaceView& view,
+                              const FaceExpected& target) {
+  // The older picture's E in the present one: turned, and so that its target lies where odometry
+  // has it since the last look.
+  const double turned_rad = turned_rad_ + target.turned_rad;
+  const Eigen::Matrix3d R_turn = RotZ(-turned_rad);
+  const Pose3 X_EO{R_turn, target.p_E - R_turn * p_ET_};
+  const Pose3 X_NC = Inverse(view.pair.X_RC) * X_EO * X_EC_;
+  const double range_m = (X_NC * patch_.p_C).norm();
+  const double off_m = std::hypot(kWayShare * target.way_m, kLifts_m);
+  // What it is off along the way moves the picture only where it is not looked along the way.
+  const Eigen::Vector3d ray_E = (target.p_E - view.pair.X_RC.p).normalized();
+  const double aside = ray_E.tail<2>().norm();
+  const double across_m =
+      std::hypot(kWayShare * target.way_m * aside, kAcrossShare * target.way_m, kLifts_m);
+  const double sigma_px = view.pair.focal_px * std::hypot(across_m / range_m, kPoints_rad);
+  const double window_px = std::clamp(kWindowSigmas * sigma_px, kLeastWindow_px, kMostWindow_px);
+  const PatchFound found = FindPatch(patch_, view.images.left, X_NC, window_px, settings_);
+  if (found.verdict != PatchVerdict::kFound)
+    return {.score = found.score, .why = WhyNotFound(found)};
+  FaceSeen seen = Measure(eye, view, found.pixel);
+  seen.score = found.score;
+  if (!seen.found) return seen;
+  const double sigma_m =
+      std::hypot(off_m, RangeSigma(view.pair, range_m), RangeSigma(view.pair, range_m_));
+  if (std::abs(seen.range_m - range_m) > kRangeSigmas * sigma_m) {
+    return {.score = found.score,
+            .why = "what looks like the target is " + Fixed(seen.range_m - range_m, 3) +
+                   " m behind where it should be"};
+  }
+  range_m_ = seen.range_m;
+  turned_rad_ = turned_rad;
+  const Eigen::Vector3d from_then = X_EO.R * (X_EC_.p - p_ET_);
+  const Eigen::Vector3d from_now = view.pair.X_RC.p - seen.p_E;
+  if (from_then.norm() > kNearer * from_now.norm() ||
+      AngleBetween(from_then, from_now) > kAside_rad) {
+    Keep(view, seen);
+  }
+  return seen;
+}
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,63 @@
+// A point on a face, followed from one pair of the mast's pictures to the next.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "controller/rocky7/face_eye.h"
+#include "controller/stereo/face_patch.h"
+
+namespace dockyard::rocky7 {
+
+/// Where a look has the target; or why it has it not.
+struct FaceSeen {
+  bool found = false;
+  Eigen::Vector3d p_E{0, 0, 0};
+  double range_m = 0.0;                       // from the left camera
+  std::optional<Eigen::Vector3d> normal_E{};  // outwards; none where too few points are seen
+  double normal_sigma_rad = 0.0;
+  double score = 0.0;
+  std::string why{};  // in a few words; empty when found without a remark
+};
+
+/// Where odometry has the target: since the look that found it last the rover turned by turned_rad,
+/// counter-clockwise, and drove way_m.
+struct FaceExpected {
+  Eigen::Vector3d p_E{0, 0, 0};
+  double turned_rad = 0.0, way_m = 0.0;
+};
+
+class FaceTracker {
+ public:
+  virtual ~FaceTracker() = default;
+  /// The first look: the user clicked on this pixel of the rectified left picture.
+  virtual FaceSeen Begin(const FaceEye& eye, const FaceView& view,
+                         const Eigen::Vector2d& pixel) = 0;
+  /// A later one.
+  virtual FaceSeen Follow(const FaceEye& eye, const FaceView& view, const FaceExpected& target) = 0;
+};
+
+/// Ours: the appearance of the face about the target, with its range as a check.
+class PatchTracker final : public FaceTracker {
+ public:
+  FaceSeen Begin(const FaceEye& eye, const FaceView& view, const Eigen::Vector2d& pixel) override;
+  FaceSeen Follow(const FaceEye& eye, const FaceView& view, const FaceExpected& target) override;
+
+ private:
+  FaceSeen Measure(const FaceEye& eye, const FaceView& view, const Eigen::Vector2d& pixel) const;
+  void Keep(const FaceView& view, const FaceSeen& seen);
+
+  FacePatchSettings settings_;
+  FacePatch patch_;
+  Pose3 X_EC_;                     // of the patch's picture, in the E of then
+  Eigen::Vector3d p_ET_{0, 0, 0};  // the target in that
+  double turned_rad_ = 0.0;        // of the rover, since then
+  double range_m_ = 0.0;           // by the last look that found it
+};
+
+/// The paper's: the highest cell of a window (controller/tracking/local_maximum.h).
+std::unique_ptr<FaceTracker> MakeTopTracker(const NesnasTracking& with);
+
+}  // namespace dockyard::rocky7

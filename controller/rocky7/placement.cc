@@ -1,0 +1,190 @@
+#include "controller/rocky7/placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/base/number_text.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+// "It stops at about 20 cm from the target's surface" (N, IV-B).
+constexpr double kBeforeSurface_m = 0.2;
+// Along the normal: on the way, in the last centimetres, and after the first contact. Assumed,
+// 1-3, 0.5-1.5 and 0.1-0.5 cm/s; the last but one keeps v t + v^2 / 2 a below a millimetre.
+constexpr double kAdvance_m_s = 0.02, kNear_m_s = 0.01, kPress_m_s = 0.003, kRetract_m_s = 0.03;
+constexpr double kNear_m = 0.04;
+// After the first switch: so much further, by which three springs of 500 N/m stay below 10 N.
+// Assumed, 2-4 mm.
+constexpr double kPress_m = 0.003;
+constexpr int kEnoughSwitches = 3;
+// Beyond the surface as it was seen: then it was not there. Assumed, 4-8 cm.
+constexpr double kBeyond_m = 0.06;
+// The instrument measures. Assumed, 2-60 s.
+constexpr Tick kMeasure = 5000;
+// Of the mast's joints on the way to 20 cm. Assumed, 0.3-0.8.
+constexpr double kUnfoldSpeed = 0.5;
+// A current that rises over its usual one by this share of the most, for so many periods, is a
+// collision; the usual one follows with this share a period. Assumed, 0.2-0.5, 3-6 and 0.02-0.1.
+constexpr double kRise = 0.35, kFollowCurrent = 0.05;
+constexpr int kRisePeriods = 4;
+
+constexpr double kPeriod_s = kControlPeriod * kTickSeconds;
+
+}  // namespace
+
+Placement::Placement(const Nominal& nominal) : nominal_(nominal), mast_(nominal) {}
+
+const char* Placement::phase() const {
+  switch (phase_) {
+    case Phase::kIdle:
+      return "idle";
+    case Phase::kUnfold:
+      return "unfold";
+    case Phase::kAdvance:
+      return "advance";
+    case Phase::kPress:
+      return "press";
+    case Phase::kHold:
+      return "hold";
+    case Phase::kRetract:
+      return "retract";
+    case Phase::kStow:
+      return "stow";
+    case Phase::kStopped:
+      break;
+  }
+  return "stopped";
+}
+
+void Placement::Begin(Phase phase, Tick now) {
+  phase_ = phase;
+  since_ = now;
+}
+
+int Placement::Closed(const SensorFrame& sensed) {
+  return static_cast<int>(std::count(sensed.contacts.begin(), sensed.contacts.end(), 1));
+}
+
+void Placement::Stop(const std::string& why, const SensorFrame& sensed) {
+  note_ = why;
+  result_ = Result::kBlocked;
+  mast_.Follow(mast_.Angles(sensed));
+  Begin(Phase::kStopped, sensed.tick);
+}
+
+bool Placement::MoveTo(double before_m) {
+  const auto angles = AnglesTo(nominal_.mast, face_.p_RT + before_m * face_.normal_R);
+  if (!angles) return false;
+  before_m_ = before_m;
+  mast_.Follow(*angles);
+  return true;
+}
+
+double Placement::BeforeSurface(const SensorFrame& sensed) const {
+  const Eigen::Vector3d p_RF = FaceCentre(nominal_.mast, mast_.Angles(sensed));
+  return face_.normal_R.dot(p_RF - face_.p_RT);
+}
+
+void Placement::Start(const FaceAt& face, const SensorFrame& sensed) {
+  face_ = face;
+  result_ = Result::kNone;
+  touched_ = false;
+  closed_ = risen_ = 0;
+  beyond_m_ = 0.0;
+  usual_a_.clear();
+  note_ = "unfolds to 20 cm before the surface";
+  const auto angles = AnglesTo(nominal_.mast, face.p_RT + kBeforeSurface_m * face.normal_R);
+  if (!angles) return Stop("the mast does not reach the place before the surface", sensed);
+  mast_.Begin(*angles, kUnfoldSpeed, sensed);
+  Begin(Phase::kUnfold, sensed.tick);
+}
+
+bool Placement::MeetsSomething(const SensorFrame& sensed) {
+  const std::size_t first = FirstMastMotor(nominal_);
+  const bool learns = usual_a_.empty();
+  usual_a_.resize(kMastMotorCount);
+  bool rises = false;
+  for (std::size_t i = 0; i < usual_a_.size(); ++i) {
+    const double now_a = sensed.motors[first + i].current_a;
+    if (learns) usual_a_[i] = now_a;
+    rises = rises || now_a - usual_a_[i] > kRise * nominal_.motors[first + i].max_current_a;
+    usual_a_[i] += kFollowCurrent * (now_a - usual_a_[i]);
+  }
+  risen_ = rises ? risen_ + 1 : 0;
+  return risen_ >= kRisePeriods || Closed(sensed) > 0;
+}
+
+void Placement::Unfold(const SensorFrame& sensed) {
+  if (MeetsSomething(sensed)) return Stop("the mast met something on its way", sensed);
+  if (!mast_.Rests(sensed)) return;
+  if (mast_.Missed(sensed)) return Stop("something holds the mast back", sensed);
+  before_m_ = kBeforeSurface_m;
+  note_ = "moves along the normal";
+  Begin(Phase::kAdvance, sensed.tick);
+}
+
+void Placement::Advance(const SensorFrame& sensed) {
+  closed_ = std::max(closed_, Closed(sensed));
+  if (closed_ > 0) {
+    touched_ = true;
+    beyond_m_ = -BeforeSurface(sensed);
+    // No further than it is: what it lags behind would press.
+    MoveTo(std::max(before_m_, BeforeSurface(sensed)));
+    touched_m_ = before_m_;
+    note_ = "touches";
+    return Begin(Phase::kPress, sensed.tick);
+  }
+  const double speed_m_s = before_m_ > kNear_m ? kAdvance_m_s : kNear_m_s;
+  if (before_m_ < -kBeyond_m || !MoveTo(before_m_ - speed_m_s * kPeriod_s)) {
+    note_ = "nothing was there to touch";
+    Begin(Phase::kRetract, sensed.tick);
+  }
+}
+
+void Placement::Press(const SensorFrame& sensed) {
+  closed_ = std::max(closed_, Closed(sensed));
+  const bool enough = Closed(sensed) >= kEnoughSwitches || before_m_ <= touched_m_ - kPress_m;
+  if (enough || !MoveTo(before_m_ - kPress_m_s * kPeriod_s)) {
+    note_ = "holds with " + std::to_string(Closed(sensed)) + " switches closed";
+    Begin(Phase::kHold, sensed.tick);
+  }
+}
+
+void Placement::Retract(const SensorFrame& sensed) {
+  if (before_m_ < kBeforeSurface_m && MoveTo(before_m_ + kRetract_m_s * kPeriod_s)) return;
+  mast_.Begin(nominal_.mast.watch_rad, kUnfoldSpeed, sensed);
+  Begin(Phase::kStow, sensed.tick);
+}
+
+std::vector<MotorCommand> Placement::Step(const SensorFrame& sensed) {
+  switch (phase_) {
+    case Phase::kIdle:
+    case Phase::kStopped:
+      break;
+    case Phase::kUnfold:
+      Unfold(sensed);
+      break;
+    case Phase::kAdvance:
+      Advance(sensed);
+      break;
+    case Phase::kPress:
+      Press(sensed);
+      break;
+    case Phase::kHold:
+      closed_ = std::max(closed_, Closed(sensed));
+      if (sensed.tick - since_ >= kMeasure) Begin(Phase::kRetract, sensed.tick);
+      break;
+    case Phase::kRetract:
+      Retract(sensed);
+      break;
+    case Phase::kStow:
+      if (mast_.Rests(sensed) && result_ == Result::kNone) {
+        result_ = touched_ ? Result::kPlaced : Result::kMissed;
+      }
+      break;
+  }
+  return mast_.commands();
+}
+
+}  // namespace dockyard::rocky7

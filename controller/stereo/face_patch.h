@@ -1,0 +1,52 @@
+// A point of a face found again in a new picture: what surrounds it in an older one, as it would
+// look from the new place, moved over the new picture. It goes by visual appearance, where
+// controller/tracking/whole_shape.h goes by shape: a face has no shape to find it by.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "controller/geometry/image.h"
+#include "controller/stereo/rectify.h"
+
+namespace dockyard {
+
+struct FacePatchSettings {
+  double half_m = 0.05;         // of the face about the point; assumed, 4-6 cm
+  int least_half_px = 14;       // whatever that is on the face; assumed, 10-20
+  int most_half_px = 40;        // assumed, 25-60
+  double least_score = 0.6;     // of normalised correlation; assumed, 0.5-0.8
+  double most_second = 0.9;     // the second-best place's share of it; assumed, 0.8-0.95
+  double least_contrast = 2.0;  // grey, one sigma over the patch; assumed, 1.5-4
+};
+
+/// A view of a face: the left rectified picture and the plane in the camera's frame C.
+struct FacePatch {
+  GrayImage left;
+  double focal_px = 0.0;
+  Eigen::Vector2d centre_px{0, 0};
+  Eigen::Vector3d p_C{0, 0, 1};        // the point
+  Eigen::Vector3d normal_C{0, 0, -1};  // of the face
+};
+
+enum class PatchVerdict : std::uint8_t {
+  kFound,
+  kUnseen,     // the patch or its window lies off a picture
+  kPlain,      // nothing on it to find it by
+  kElsewhere,  // nothing in the window looks like it
+  kAmbiguous,  // two places do
+};
+
+struct PatchFound {
+  PatchVerdict verdict = PatchVerdict::kUnseen;
+  Eigen::Vector2d pixel{0, 0};  // of the point
+  double score = 0.0, second = 0.0;
+};
+
+/// @param image      left and rectified, with the focal length and centre of the patch
+/// @param X_NC       the older camera in the new one, as predicted; the point's pixel follows
+/// @param window_px  how far from there it may be, along each side
+PatchFound FindPatch(const FacePatch& patch, const GrayImage& image, const Pose3& X_NC,
+                     double window_px, const FacePatchSettings& settings);
+
+}  // namespace dockyard

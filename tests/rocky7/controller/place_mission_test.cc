@@ -1,0 +1,78 @@
+#include "controller/rocky7/place_mission.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "controller/rocky7/dockyard.h"
+#include "rocky7/controller/ideal_rover.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+// Up to 15 minutes; says what it does when the variable PLACE_TRACE is set.
+Verdict Drive(IdealRover& rover, Controller& controller) {
+  std::string last;
+  while (rover.tick < 900000) {
+    const Commands commands = controller.Step(rover.Frame());
+    const Belief& belief = controller.belief();
+    const std::string now = belief.phase + ": " + belief.note;
+    if (std::getenv("PLACE_TRACE") != nullptr && now != last) {
+      std::printf("%6.1f s  %.3f %.3f %.1f  %s off %.2f\n", 1e-3 * static_cast<double>(rover.tick),
+                  rover.X_WR.x, rover.X_WR.y, Degrees(rover.X_WR.heading), now.c_str(),
+                  ValueOf(belief, "tool_off_deg", 0.0));
+    }
+    last = now;
+    if (commands.verdict != Verdict::kUnderWay) return commands.verdict;
+    rover.Turn(commands);
+  }
+  return Verdict::kUnderWay;
+}
+
+TEST(PlaceMission, PlacesTheInstrumentOnAFaceFromFiveMetres) {
+  IdealRover rover;
+  rover.nominal.task = Task::kPlace;
+  rover.scene.p_W = {5.5, 0.4, 0.4};
+  rover.scene.normal_W = NormalOf(25.0, 20.0);
+  rover.Click();
+  const auto controller = MakeDockyardController(rover.nominal);
+  EXPECT_EQ(Drive(rover, *controller), Verdict::kDocked) << controller->belief().note;
+  const Eigen::Vector3d off = rover.touched_W - rover.scene.p_W;
+  const double off_rad = AngleBetween(rover.tool_W, -rover.scene.normal_W);
+  std::printf("off by %.1f mm, %.1f deg, %.1f N, %.0f looks\n", 1e3 * off.norm(), Degrees(off_rad),
+              rover.most_n, ValueOf(controller->belief(), "looks", 0.0));
+  EXPECT_LT(off.norm(), 0.012);
+  EXPECT_LT(Degrees(off_rad), 3.0);
+  EXPECT_LT(rover.most_n, 10.0);
+  EXPECT_GT(rover.nearest_wheel_m, 0.05);
+}
+
+TEST(PlaceMission, GivesUpWhenTheMastsCamerasDoNotAnswer) {
+  IdealRover rover;
+  rover.nominal.task = Task::kPlace;
+  const auto controller = MakeDockyardController(rover.nominal);
+  int asks = 0;
+  Verdict verdict = Verdict::kUnderWay;
+  while (verdict == Verdict::kUnderWay && rover.tick < 60000) {
+    const Commands commands = controller->Step(rover.Frame());
+    asks += !commands.take_images.empty();
+    verdict = commands.verdict;
+    rover.Turn(commands);
+    rover.asked.clear();
+  }
+  EXPECT_EQ(verdict, Verdict::kGivenUp);
+  EXPECT_EQ(asks, 5);
+}
+
+TEST(PlaceMission, SaysThatNothingIsSeenWhereTheUserClicked) {
+  IdealRover rover;
+  rover.nominal.task = Task::kPlace;
+  rover.nominal.target_px = {320.0, 5.0};  // the sky
+  const auto controller = MakeDockyardController(rover.nominal);
+  EXPECT_EQ(Drive(rover, *controller), Verdict::kGivenUp);
+}
+
+}  // namespace
+}  // namespace dockyard::rocky7
