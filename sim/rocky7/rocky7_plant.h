@@ -36,6 +36,7 @@ class Rocky7Plant final : public Plant {
   const Truth& truth() const { return truth_; }
   void RefreshTruth() { truth_ = world_.truth(); }
   StageShapes shapes() const { return scene_.Shapes(); }
+  const Pose3& X_WG() const { return world_.X_WG(); }
   /// What is to be reached: the target's middle at the start, or the point clicked on a boulder.
   const Eigen::Vector3d& target_G() const { return target_G_; }
 

@@ -14,7 +14,7 @@ namespace dockyard::rocky7 {
 namespace {
 
 RunRecord RunFrom(const System& system, const std::string& controller, const std::string& soil,
-                  std::uint64_t seed, const std::string& task = "reach") {
+                  std::uint64_t seed, const std::string& task = "reach", double from_m = 1.3) {
   CampaignRun run;
   Scenario& scenario = run.scenario;
   scenario.name = "test";
@@ -23,8 +23,8 @@ RunRecord RunFrom(const System& system, const std::string& controller, const std
   scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
   scenario.soil_file = SourceFile("models/soils/" + soil + ".yaml");
   scenario.of_system = ParseYaml("{task: " + task + "}", "test");
-  scenario.start = {1.3, 0.0, Radians(5.0)};
-  scenario.yard.length_m = scenario.yard.width_m = 4.0;
+  scenario.start = {from_m, 0.0, Radians(5.0)};
+  scenario.yard.length_m = scenario.yard.width_m = 3.0 + from_m;
   scenario.yard.cell_m = 0.01;
   scenario.yard.undulation_rms_m = 0.003;
   scenario.time_limit_s = 200.0;
@@ -55,6 +55,17 @@ TEST(Rocky7ClosedLoop, OursGraspsALooseStoneAndKeepsItWhileItDrivesAway) {
   EXPECT_EQ(record.result.outcome, "grasped") << record.failure_note;
   EXPECT_LT(MeasureOf(record, "point_off_m"), 0.012);
   EXPECT_GT(MeasureOf(record, "rise_m"), 0.1);
+}
+
+// Two metres to a boulder whose face looks past the rover, so that it must come by two arcs.
+TEST(Rocky7ClosedLoop, OursPlacesItsInstrumentOnAFace) {
+  const System system = Rocky7System({{"dockyard", MakeDockyardController}});
+  const RunRecord record =
+      RunFrom(system, "dockyard", "compact_gravel", 3,
+              "place, target_up_m: 0.33, face_up_deg: 30, face_turn_deg: 15, reach_m: 0.02", 2.8);
+  EXPECT_EQ(record.result.outcome, "placed") << record.failure_note;
+  EXPECT_LT(MeasureOf(record, "tilt_deg"), 5.0);
+  EXPECT_LT(MeasureOf(record, "face_force_n"), 10.0);
 }
 
 }  // namespace

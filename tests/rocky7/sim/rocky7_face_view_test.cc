@@ -1,0 +1,84 @@
+// The normal of a boulder's face as the mast's pictures give it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "controller/base/number_text.h"
+#include "controller/rocky7/face_eye.h"
+#include "models/read/yaml_tree.h"
+#include "sim/physics/boulder.h"
+#include "sim/rocky7/rocky7_plant.h"
+#include "support/bad_files.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+struct Face {
+  double height_m = 0.33, up_deg = 30.0, turn_deg = 20.0;
+};
+
+struct Seen {
+  double off_rad = 0.0;  // measured normal from that of what a can would stand on
+  double away_m = 0.0;   // measured point from the one that was clicked on
+};
+
+// A look at a face from so far, its middle to R; nominal cameras, the mast as it watches.
+Seen LookAt(std::uint64_t seed, double from_m, const Face& face = {}) {
+  Scenario scenario;
+  scenario.name = "test";
+  scenario.system = "rocky7";
+  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
+  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
+  scenario.of_system = ParseYaml("{task: place, target_up_m: " + NumberText(face.height_m) +
+                                     ", face_up_deg: " + NumberText(face.up_deg) +
+                                     ", face_turn_deg: " + NumberText(face.turn_deg) + "}",
+                                 "test");
+  scenario.start = {from_m, 0.0, 0.0};
+  scenario.yard.length_m = scenario.yard.width_m = 5.0;
+  scenario.yard.cell_m = 0.01;
+  scenario.seed = seed;
+  BuiltRun built = BuildRun(scenario, LoadModels(scenario));
+  built.mast_pair = built.world.robot.mast_pair.nominal;
+  Rocky7Plant plant(scenario, built, std::make_shared<KeptRenderer>());
+  const Nominal& nominal = plant.built().nominal;
+  const SensorFrame sensed = plant.Sense();
+  std::vector<CameraImage> images = plant.TakeImages({kMastLeft, kMastRight}, 2.0);
+  const StereoImages pair{std::get<GrayImage>(images[0].pixels),
+                          std::get<GrayImage>(images[1].pixels)};
+  const Truth& truth = plant.truth();
+  const Pose3 X_ER = LevelFrame(nominal, sensed.imu);
+  const Pose3 X_EG = X_ER * Inverse(truth.X_WR) * plant.X_WG();
+  const Eigen::Vector3d p_ET = X_EG * plant.target_G();
+  const FaceEye eye(nominal);
+  const FaceView view = eye.Look(pair, nominal.mast.watch_rad, sensed.imu, p_ET);
+  const auto plane = eye.PlaneAt(view, eye.Rectified(nominal.target_px));
+  EXPECT_TRUE(plane.has_value()) << seed;
+  if (!plane) return {kPi, 1.0};
+  const Eigen::Vector3d face_G =
+      FaceNormal({.face_up_rad = Radians(face.up_deg), .face_turn_rad = Radians(face.turn_deg)});
+  const auto stood_on =
+      NormalUnderDisc(*plant.built().world.boulder, plant.target_G(), face_G, 0.033);
+  const double along = plane->normal.dot(X_EG.R * *stood_on);
+  return {std::acos(std::clamp(along, -1.0, 1.0)), (plane->p - p_ET).norm()};
+}
+
+// Each seed has its own stains, pebbles and noise.
+TEST(Rocky7FaceView, TheNormalIsThatOfTheSurfaceWhateverItsTexture) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Seen seen = LookAt(seed, 2.2);
+    EXPECT_LT(Degrees(seen.off_rad), 2.0) << seed;
+    EXPECT_LT(seen.away_m, 0.012) << seed;
+  }
+}
+
+TEST(Rocky7FaceView, TheNormalFollowsTheFace) {
+  for (const Face face : {Face{0.5, 5.0, -20.0}, Face{0.4, 15.0, 35.0}, Face{0.27, 40.0, 0.0}}) {
+    const Seen seen = LookAt(7, 2.2, face);
+    EXPECT_LT(Degrees(seen.off_rad), 2.0) << face.up_deg;
+    EXPECT_LT(seen.away_m, 0.012) << face.up_deg;
+  }
+}
+
+}  // namespace
+}  // namespace dockyard::rocky7
