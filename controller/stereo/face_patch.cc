@@ -12,6 +12,8 @@ namespace {
 
 // Another peak lies so far from the best one, of the patch's half side. Assumed, 0.2-0.5.
 constexpr double kOtherPeak = 0.3;
+// Greys of a face lie within so many sigmas. Assumed, 2-3.
+constexpr double kOfFace = 2.5;
 
 // Pixels of the older picture for those of the new one: p_N = (R + t n^T / d) p_C on n . p_C = d.
 Eigen::Matrix3d OlderFromNew(const FacePatch& patch, const Pose3& X_NC) {
@@ -69,13 +71,20 @@ PatchFound FindPatch(const FacePatch& patch, const GrayImage& image, const Pose3
   for (int i = 0; i < 9; ++i) map.at<double>(i / 3, i % 3) = H(i / 3, i % 3);
   cv::warpPerspective(MatOn(patch.left), seen, map, {side, side},
                       cv::INTER_CUBIC | cv::WARP_INVERSE_MAP);
+  // The face's own greys, by the patch's inner part. What is far brighter or darker beside it is
+  // another surface: sky and sunlit ground behind a boulder's edge would outweigh its stains.
+  const int inner = half / 2;
   cv::Scalar mean, sigma;
-  cv::meanStdDev(seen, mean, sigma);
+  cv::meanStdDev(seen(cv::Rect(half - inner, half - inner, 2 * inner + 1, 2 * inner + 1)), mean,
+                 sigma);
   found.verdict = PatchVerdict::kPlain;
   if (sigma[0] < settings.least_contrast) return found;
-
+  cv::Mat face;
+  cv::inRange(seen, mean - kOfFace * sigma, mean + kOfFace * sigma, face);
   const cv::Mat window = MatOn(image)(cv::Range(top, bottom + 1), cv::Range(left, right + 1));
-  cv::matchTemplate(window, seen, scores, cv::TM_CCOEFF_NORMED);
+  cv::matchTemplate(window, seen, scores, cv::TM_CCOEFF_NORMED, face);
+  cv::patchNaNs(scores, -1.0);  // without contrast
+  cv::threshold(scores, scores, 1.0, -1.0, cv::THRESH_TOZERO_INV);
   cv::Point best;
   cv::minMaxLoc(scores, nullptr, &found.score, nullptr, &best);
   found.verdict = PatchVerdict::kElsewhere;
