@@ -36,14 +36,14 @@ struct CameraImage {
 };
 
 /// One control period's readings. A robot's nominal parameters give the order of its motors and
-/// cameras, the radians of an encoder count, and which way counts up. Its system says which contacts
-/// it has.
+/// cameras, the radians of an encoder count, and which way counts up. Its system says which
+/// contacts it has.
 struct SensorFrame {
   Tick tick = 0;
   ImuSample imu{};
   std::vector<MotorReading> motors{};
   std::vector<std::uint8_t> contacts{};  // contact switches, by index: 1 closed, 0 open
-  std::vector<CameraImage> images{};  // the answer to Commands::take_images
+  std::vector<CameraImage> images{};     // the answer to Commands::take_images
 };
 
 /// The image of that camera, or null when the frame holds none of this kind from it.

@@ -60,7 +60,7 @@ struct Nominal {
   NominalArm arm;
   NominalMast mast;
   Task task = Task::kReach;
-  double reach_m = 0.01;            // how near the point P must come to the target (N, V)
+  double reach_m = 0.01;  // how near the point P must come to the target (N, V)
   // The user's click in the first picture of the left front camera; of the mast's, where the task
   // is to place the instrument.
   Eigen::Vector2d target_px{0, 0};
