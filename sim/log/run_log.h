@@ -136,7 +136,8 @@ struct ControllerReplay {
   bool complete = false;           // the log has its end
   bool same() const { return !differs_at && !blind_at && complete; }
 };
-/// How many motors, cameras and contact switches a robot has: a controller takes for granted that a frame has them.
+/// How many motors, cameras and contact switches a robot has: a controller takes for granted that a
+/// frame has them.
 struct RobotShape {
   int motors = 0, cameras = 0, contacts = 0;
 };

@@ -38,8 +38,7 @@ inline Nominal NominalRover() {
   nominal.mast.stowed_rad = {0.0, Radians(-90.0), Radians(170.0)};
   nominal.mast.watch_rad = {0.0, Radians(-90.0), Radians(102.0)};
   nominal.mast.switch_radius_m = 0.028;
-  nominal.mast.pair_K.left = nominal.mast.pair_K.right =
-      EquidistantCamera(640, 480, Radians(43.0));
+  nominal.mast.pair_K.left = nominal.mast.pair_K.right = EquidistantCamera(640, 480, Radians(43.0));
   nominal.mast.pair_K.X_RL = {R_level, Eigen::Vector3d(0.4, 0.1, 0.07)};
   nominal.mast.pair_K.X_RQ = {R_level, Eigen::Vector3d(0.4, -0.1, 0.07)};
   nominal.target_px = {320.0, 100.0};
