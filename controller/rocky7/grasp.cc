@@ -29,6 +29,9 @@ constexpr Tick kStill = 1000;
 constexpr Tick kSwingTime = 8000, kTimeOut = 20000, kHold = 1000;
 // The arm as it carries: above the cameras, out of their view. Assumed, -0.6 to -0.2.
 constexpr double kCarry_rad = -0.35;
+// Beyond the angles at which the arm is weighed, where it brakes: the way that it takes from its
+// speed to rest, and the arrival's tolerance. Assumed, 0.03-0.1.
+constexpr double kOvershoot_rad = 0.05;
 // A joint has arrived within this. Assumed, 0.01-0.05.
 constexpr double kThere_rad = 0.02;
 
@@ -43,6 +46,9 @@ const char* Grasp::phase() const {
       break;
     case Phase::kDeploy:
       return "deploy";
+    case Phase::kWeigh:
+    case Phase::kReturn:
+      return "weigh";
     case Phase::kLower:
       return "lower";
     case Phase::kClose:
@@ -60,8 +66,10 @@ void Grasp::Begin(Phase phase, Tick now) {
   since_ = now;
 }
 
-void Grasp::Start(const SensorFrame& sensed) {
+void Grasp::Start(const SensorFrame& sensed, bool weighs) {
+  weighs_ = weighs;
   note_.clear();
+  empty_ = loaded_ = {};
   pitch_rad_ = PitchFor(kAbove_m);
   Begin(Phase::kDeploy, sensed.tick);
 }
@@ -102,6 +110,23 @@ void Grasp::Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s
   set(ArmMotor::kPitch, pitch_rad - sensed.imu.pitch_rad, pitch_rad_s);
   set(ArmMotor::kFrontScoop, -pitch_rad - 0.5 * open_rad, scoop_rad_s);
   set(ArmMotor::kBackScoop, -pitch_rad + 0.5 * open_rad, scoop_rad_s);
+}
+
+bool Grasp::Arrived(const SensorFrame& sensed) const {
+  const double off_rad =
+      std::abs(Angle(sensed, ArmMotor::kPitch) + sensed.imu.pitch_rad - pitch_rad_) +
+      std::abs(Open(sensed) - nominal_.arm.open_rad);
+  return off_rad < kThere_rad || sensed.tick - since_ > kSwingTime;
+}
+
+void Grasp::Weigh(const SensorFrame& sensed, RisingCurrent& rise) const {
+  rise.Add(Angle(sensed, ArmMotor::kPitch) + sensed.imu.pitch_rad,
+           Current(sensed, ArmMotor::kPitch));
+}
+
+Load Grasp::load() const {
+  return LoadOf(empty_, loaded_, nominal_.arm,
+                nominal_.motors[first_ + static_cast<std::size_t>(ArmMotor::kPitch)]);
 }
 
 void Grasp::Lower(const SensorFrame& sensed) {
@@ -146,25 +171,31 @@ void Grasp::Close(const SensorFrame& sensed) {
 void Grasp::Lift(const SensorFrame& sensed) {
   const auto takes = static_cast<Tick>((pitch_rad_ - kCarry_rad) / kLift_rad_s / kTickSeconds);
   Turn(sensed, kCarry_rad, kLift_rad_s, 0.0, kLift_rad_s);
+  Weigh(sensed, loaded_);
   if (sensed.tick - since_ >= takes + kHold) Begin(Phase::kEnded, sensed.tick);
 }
 
 std::vector<MotorCommand> Grasp::Step(const SensorFrame& sensed) {
-  const bool late = sensed.tick - since_ > kSwingTime;
   switch (phase_) {
     case Phase::kStowed:
       commands_.assign(kArmMotorCount, {});
       break;
     case Phase::kEnded:
       break;
-    case Phase::kDeploy: {
+    case Phase::kDeploy:
+    case Phase::kReturn:
       Turn(sensed, pitch_rad_, kSwing_rad_s, nominal_.arm.open_rad, kSwing_rad_s);
-      const double off_rad =
-          std::abs(Angle(sensed, ArmMotor::kPitch) + sensed.imu.pitch_rad - pitch_rad_) +
-          std::abs(Open(sensed) - nominal_.arm.open_rad);
-      if (off_rad < kThere_rad || late) Begin(Phase::kLower, sensed.tick);
+      if (Arrived(sensed))
+        Begin(phase_ == Phase::kDeploy && weighs_ ? Phase::kWeigh : Phase::kLower, sensed.tick);
       break;
-    }
+    case Phase::kWeigh:
+      pitch_rad_ = kWeighTo_rad - kOvershoot_rad;
+      Turn(sensed, pitch_rad_, kLift_rad_s, nominal_.arm.open_rad, kSwing_rad_s);
+      Weigh(sensed, empty_);
+      if (!Arrived(sensed)) break;
+      pitch_rad_ = PitchFor(kAbove_m);
+      Begin(Phase::kReturn, sensed.tick);
+      break;
     case Phase::kLower:
       Lower(sensed);
       break;

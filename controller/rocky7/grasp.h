@@ -1,7 +1,8 @@
 // The grasp of Nesnas, Maimone and Das (ICRA 2000), section V: the arm goes down until it feels a
 // stone or the ground; then the scoops close, and as they feel resistance the arm is raised in
 // small amounts. It ends when they have come to rest, are shut, or after a time, and the arm lifts
-// them out of the cameras' view. It feels by the motors' currents alone.
+// them out of the cameras' view. It feels by the motors' currents alone, and weighs the arm by them
+// before and after.
 #pragma once
 
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "controller/io/commands.h"
 #include "controller/io/sensors.h"
+#include "controller/rocky7/arm_weight.h"
 #include "controller/rocky7/nominal/nominal.h"
 
 namespace dockyard::rocky7 {
@@ -18,18 +20,20 @@ class Grasp {
   explicit Grasp(const Nominal& nominal);
 
   /// From the arm as it is stowed, the rover standing.
-  void Start(const SensorFrame& sensed);
+  void Start(const SensorFrame& sensed, bool weighs);
   /// The commands of the arm's motors, in their order.
   std::vector<MotorCommand> Step(const SensorFrame& sensed);
 
   bool busy() const { return phase_ != Phase::kStowed && phase_ != Phase::kEnded; }
   /// Lifted, whatever the scoops have: shut ones feel the same with a stone as without.
   bool lifted() const { return phase_ == Phase::kEnded; }
+  /// What the arm weighs more than before the grasp; unknown where it was not weighed.
+  Load load() const;
   const char* phase() const;
   const std::string& note() const { return note_; }
 
  private:
-  enum class Phase { kStowed, kDeploy, kLower, kClose, kLift, kEnded };
+  enum class Phase { kStowed, kDeploy, kWeigh, kReturn, kLower, kClose, kLift, kEnded };
   void Begin(Phase phase, Tick now);
   double Angle(const SensorFrame& sensed, ArmMotor motor) const;
   double Current(const SensorFrame& sensed, ArmMotor motor) const;
@@ -40,6 +44,8 @@ class Grasp {
   void Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s, double open_rad,
             double scoop_rad_s);
   MotorCommand To(ArmMotor motor, double target_rad, double speed_rad_s) const;
+  bool Arrived(const SensorFrame& sensed) const;
+  void Weigh(const SensorFrame& sensed, RisingCurrent& rise) const;
   void Lower(const SensorFrame& sensed);
   void Close(const SensorFrame& sensed);
   void Lift(const SensorFrame& sensed);
@@ -52,6 +58,8 @@ class Grasp {
   double pitch_rad_ = 0.0;  // commanded, against the level
   double usual_a_ = 0.0, raised_rad_ = 0.0, least_open_rad_ = 0.0;
   Tick still_ = 0;
+  bool weighs_ = false;
+  RisingCurrent empty_, loaded_;
   std::string note_;
 };
 

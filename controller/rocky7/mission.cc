@@ -33,14 +33,14 @@ void Mission::StepApproach(const SensorFrame& sensed, Commands& commands) {
     return;
   }
   ++tried_;
-  grasp_.Start(sensed);
+  grasp_.Start(sensed, options_.peeks);
   phase_ = Phase::kGrasp;
 }
 
 void Mission::StepGrasp(const SensorFrame& sensed) {
   Tell(grasp_.phase(), grasp_.note());
   if (!grasp_.lifted()) return;
-  if (!options_.peeks) {
+  if (!options_.peeks || grasp_.load() == Load::kStone) {
     verdict_ = Verdict::kDocked;
     return;
   }
@@ -62,7 +62,8 @@ void Mission::StepPeek(const SensorFrame& sensed, Commands& commands) {
   if (const auto images = FrontPair(sensed)) {
     const TargetSeen seen = approach_.Peek(*images, sensed);
     Tell("peek", seen.why);
-    if (seen.found) return TryAgain();
+    // The arm weighs no more, so the stone is on the ground wherever it has gone.
+    if (seen.found || grasp_.load() == Load::kNone) return TryAgain();
     if (seen.gone) {
       verdict_ = Verdict::kDocked;
       return;

@@ -1,4 +1,5 @@
-// Reach, and grasp where it is asked for: the approach, then the arm, then a look at the place.
+// Reach, and grasp where it is asked for: the approach, then the arm, then its weight, and a look
+// at the place where that says nothing of a stone.
 #pragma once
 
 #include <memory>
@@ -11,7 +12,7 @@ namespace dockyard::rocky7 {
 
 struct MissionOptions {
   int tries = 1;       // grasps, at most
-  bool peeks = false;  // looks whether the stone is gone; without it the scoops are believed
+  bool peeks = false;  // weighs, and looks if need be; without it the scoops are believed
 };
 
 class Mission final : public Controller {

@@ -28,7 +28,7 @@ class ArmStand {
       frame.motors[8 + i] = {std::llround(rad_[i] / nominal_.motors[8 + i].rad_per_count),
                              current_a[i]};
     }
-    if (tick_ == 0) grasp.Start(frame);
+    if (tick_ == 0) grasp.Start(frame, weighs);
     const std::vector<MotorCommand> commands = grasp.Step(frame);
     for (std::size_t i = 0; i < 4; ++i) {
       if (commands[i].mode != MotorMode::kPosition) continue;
@@ -54,6 +54,7 @@ class ArmStand {
 
  public:
   Grasp grasp;
+  bool weighs = false;
   std::array<double, 4> current_a{0.1, 0.5, 0.1, 0.1};
   double least_open_rad = 0.0;
   bool resists = false;
@@ -97,6 +98,22 @@ TEST(Grasp, RaisesTheArmWhileScoopsThatResistClose) {
   EXPECT_EQ(stand.grasp.note(), "the scoops came to rest");
   // 0.12 rad of raising, at the arm's pitch.
   EXPECT_NEAR(at_lift_m - lowest_m, 0.12 * 0.32 * 0.87, 0.008);
+}
+
+// The arm's motor draws more once the scoops have closed.
+TEST(Grasp, WeighsWhatTheScoopsHaveBroughtUp) {
+  for (const bool holds : {true, false}) {
+    ArmStand stand(NominalRover());
+    stand.weighs = true;
+    bool closed = false;
+    while (!stand.grasp.lifted() && stand.seconds() < 60.0) {
+      closed = closed || std::string(stand.grasp.phase()) == "close";
+      stand.current_a[1] = closed && holds ? 0.54 : 0.5;
+      stand.Step();
+    }
+    EXPECT_TRUE(stand.grasp.lifted());
+    EXPECT_EQ(stand.grasp.load(), holds ? Load::kStone : Load::kNone);
+  }
 }
 
 // A motor whose current reads zero feels neither stone nor ground: nothing else tells.
