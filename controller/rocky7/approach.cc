@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "controller/motion/steering.h"
-#include "controller/motion/three_arcs.h"
 
 namespace dockyard::rocky7 {
 namespace {
 
-// Of odometry, of the way, 1 sigma: how far slip is off what is taken. Assumed, 0.05-0.12.
-constexpr double kSlip = 0.08;
+// Of odometry, of the way, 1 sigma: how far slip is off what is taken. Assumed, 0.05-0.15.
+constexpr double kSlip = 0.1;
+// The same aside, the heading being known: tandem wheels slip aside on arcs. Assumed, 0.02-0.08.
+constexpr double kSideSlip = 0.05;
 // More is not believed of a single look. Assumed, 0.3-0.7.
 constexpr double kMostSlip = 0.5;
 // Grey about the target: what is aimed at, and what is too bright. Assumed, 60-120 and 180-230.
@@ -22,9 +23,12 @@ constexpr int kShade_px = 12;  // assumed, 8-20
 // Cameras that do not answer are asked again after so long, so often. Assumed, 1-10 s and 2-10.
 constexpr Tick kAskAgain = 3000;
 constexpr int kMostAsks = 5;
-// First arcs of a path of two: lengths in steps up to a longest. Assumed, 2-10 cm and 0.3-1 m.
-constexpr double kFirstStep_m = 0.03, kFirstLongest_m = 0.6;
-constexpr int kFirstCurvatures = 3;
+// Share of a miss that the next arc is aimed off by, and the most. Assumed, 0.5-1 and 2-4 cm.
+constexpr double kAimGain = 0.8, kMostAim_m = 0.03;
+// Of a long first arc so much is driven before the next look. Assumed, 0.15-0.3 m.
+constexpr double kFirstPart_m = 0.2;
+// Back from where the target is not seen. Assumed, 5-20 cm.
+constexpr double kStepBack_m = 0.1;
 
 // Below 0: off the picture.
 double MeanAbout(const GrayImage& image, const Eigen::Vector2d& pixel) {
@@ -51,26 +55,6 @@ Arc Widened(const Arc& arc, const ArcLimits& limits) {
 
 }  // namespace
 
-ArcLimits GentleLimits(const RoverPlan& plan) {
-  ArcLimits limits = LimitsOf(plan.wheels, Travel::kEither);
-  limits.pivot_radius_m.reset();
-  return limits;
-}
-
-std::vector<Arc> ArcsToPoint(const Eigen::Vector2d& p_RG, const Eigen::Vector2d& p_RP,
-                             const ArcLimits& limits) {
-  const auto straight = OneArcTo(p_RG, p_RP);
-  if (straight && Keeps(*straight, limits)) return {*straight};
-  std::vector<Arc> best;
-  for (const Arc& first : FirstArcs(limits, kFirstStep_m, kFirstLongest_m, kFirstCurvatures)) {
-    const auto second = OneArcTo(Inverse(Advance({}, first)) * p_RG, p_RP);
-    if (!second || !Keeps(*second, limits)) continue;
-    const std::vector<Arc> path{first, *second};
-    if (best.empty() || Length(path) < Length(best)) best = path;
-  }
-  return best;
-}
-
 Approach::Approach(const Nominal& nominal, std::unique_ptr<TargetTracker> tracker,
                    const ApproachOptions& options)
     : nominal_(nominal),
@@ -78,7 +62,7 @@ Approach::Approach(const Nominal& nominal, std::unique_ptr<TargetTracker> tracke
       eye_(nominal),
       drive_(nominal),
       tracker_(std::move(tracker)),
-      slip_(options.slip) {}
+      slip_{options.slip, options.slip} {}
 
 void Approach::Tell(const std::string& phase, const std::string& note) {
   belief_.phase = phase;
@@ -110,16 +94,20 @@ void Approach::Report(const TargetSeen& seen, const ImuSample& attitude) {
 }
 
 std::vector<Arc> Approach::PathToTarget() const {
+  if (options_.backs_up) return GentleArcsToPoint(p_RT_ + aim_m_, nominal_.plan);
   const ArcLimits limits = GentleLimits(nominal_.plan);
-  if (options_.backs_up) return ArcsToPoint(p_RT_, nominal_.plan.p_RP, limits);
   const auto arc = OneArcTo(p_RT_, nominal_.plan.p_RP);
   return arc ? std::vector<Arc>{Widened(*arc, limits)} : std::vector<Arc>{};
 }
 
-void Approach::Drive(const Arc& arc) {
+void Approach::Drive(const Arc& way) {
+  // So that the rover itself, which slips, goes the way.
+  const double more = 1.0 / (1.0 - SlipOf(way.length_m));
+  const Arc arc{more * way.length_m, more * way.turn_rad};
   drive_.Start(arc);
   driving_ = true;
-  variance_m2_ += kSlip * kSlip * arc.length_m * arc.length_m;
+  const double along_m = kSlip * arc.length_m, aside_m = kSideSlip * arc.length_m;
+  spread_m2_ += Eigen::Vector2d(along_m * along_m, aside_m * aside_m).asDiagonal();
   moved_before_ = {};
   yaw_at_start_rad_ = yaw_rad_;
   belief_.plan = {{.X_DR_start = {}, .length_m = arc.length_m, .turn_rad = arc.turn_rad}};
@@ -133,11 +121,10 @@ void Approach::TakeLook(const StereoImages& images, const SensorFrame& sensed) {
   const GroundSeen ground = eye_.Look(images, sensed.imu);
   TargetSeen seen;
   if (begun_) {
-    seen =
-        tracker_->Follow(eye_.MapsAbout(ground, p_RT_),
-                         {{p_RT_.x(), p_RT_.y(), WrapPi(-turned_rad_)}, std::sqrt(variance_m2_)});
-  } else if (const auto p_E = eye_.PlaceOf(ground, nominal_.target_px)) {
-    seen = tracker_->Begin(eye_.MapsAbout(ground, *p_E), *p_E);
+    seen = tracker_->Follow(eye_.MapsAbout(ground, p_RT_),
+                            {{p_RT_.x(), p_RT_.y(), WrapPi(-turned_rad_)}, spread_m2_, way_m_});
+  } else if (const auto clicked = eye_.ClickOf(ground, nominal_.target_px)) {
+    seen = tracker_->Begin(eye_.MapsAbout(ground, clicked->p_E), *clicked);
     begun_ = seen.found;
   } else {
     seen.why = "no range data where the user clicked";
@@ -145,24 +132,29 @@ void Approach::TakeLook(const StereoImages& images, const SensorFrame& sensed) {
   Report(seen, sensed.imu);
   if (seen.found) {
     LearnSlip(seen);
-    p_RT_ = seen.p_E;
-    variance_m2_ = seen.sigma_m * seen.sigma_m;
-    turned_rad_ = 0.0;
+    TakeOver(seen);
     misses_ = 0;
     Tell("look", seen.why);
     return Decide();
   }
   ++misses_;
   Tell("look", seen.why);
+  if (seen.guess) TakeOver(seen);
   if (misses_ >= options_.most_misses || !begun_) return GiveUp("lost the target: " + seen.why);
-  // From afar it goes on by odometry, to see better; near by it looks again.
-  if ((p_RT_ - nominal_.plan.p_RP).norm() <= options_.blind_beyond_m) return;
-  if (seen.guess) {
-    p_RT_ = seen.p_E;
-    variance_m2_ = seen.sigma_m * seen.sigma_m;
-    turned_rad_ = 0.0;
+  // From afar it goes on by odometry, to see better; near by it looks again, and then from further
+  // back.
+  if ((p_RT_ - nominal_.plan.p_RP).norm() <= options_.blind_beyond_m) {
+    if (options_.backs_up && misses_ % 2 == 0) Drive({-kStepBack_m, 0.0});
+    return;
   }
   Decide();
+}
+
+void Approach::TakeOver(const TargetSeen& seen) {
+  p_RT_ = seen.p_E;
+  spread_m2_.setZero();
+  turned_rad_ = 0.0;
+  way_m_ = 0.0;
 }
 
 TargetSeen Approach::Peek(const StereoImages& images, const SensorFrame& sensed) {
@@ -182,13 +174,28 @@ void Approach::Decide() {
     return Tell("there", "the point is on the target");
   }
   if (looks_ >= options_.most_looks) return GiveUp("cannot stabilize about the goal");
+  // What the last arc to the target has missed by, the next one will miss by again: slopes and
+  // stones under the wheels are still there.
+  if (options_.backs_up && aimed_ && off_m < kMostAim_m) {
+    aim_m_ += kAimGain * (p_RT_ - nominal_.plan.p_RP);
+    aim_m_ *= std::min(1.0, kMostAim_m / std::max(aim_m_.norm(), 1e-9));
+  }
+  aimed_ = false;
+  if (options_.most_stalls > 0 &&
+      retreat_.Look(off_m, options_.blind_beyond_m, options_.most_stalls)) {
+    aim_m_.setZero();
+    return Drive(retreat_.Next());
+  }
   const std::vector<Arc> path = PathToTarget();
   if (path.empty()) return GiveUp("no arcs lead to the target");
-  // A first arc that only makes room is driven whole.
+  // A first arc that only makes room is short, and driven whole.
   const Arc& arc = path.front();
   const double left_m = std::abs(arc.length_m);
-  const double step_m = std::max(options_.least_step_m, options_.image_share * left_m);
-  Drive(path.size() > 1 || step_m >= left_m ? arc : Part(arc, step_m / left_m));
+  const double step_m = path.size() > 1
+                            ? kFirstPart_m
+                            : std::max(options_.least_step_m, options_.image_share * left_m);
+  aimed_ = path.size() == 1 && step_m >= left_m;
+  Drive(step_m >= left_m ? arc : Part(arc, step_m / left_m));
 }
 
 // Whether the target's surroundings are worth another picture with another exposure.
@@ -212,20 +219,18 @@ bool Approach::TooDark(const GrayImage& left, const ImuSample& attitude) {
   return true;
 }
 
-// The target lies further ahead than predicted by what the rover slipped more. The gain is that of
-// an estimate of slip by one look, weighted by both sigmas.
+// Stones lie further ahead than predicted by what the rover slipped more.
 void Approach::LearnSlip(const TargetSeen& seen) {
   const double way_m = drive_.driven_m();
-  if (options_.slip <= 0.0 || way_m == 0.0) return;
-  const double by_slip_m2 = kSlip * kSlip * way_m * way_m;
-  const double gain = by_slip_m2 / (by_slip_m2 + seen.sigma_m * seen.sigma_m);
-  slip_ += gain * (seen.p_E.x() - p_RT_.x()) / way_m;
-  slip_ = std::clamp(slip_, 0.0, kMostSlip);
+  if (options_.slip <= 0.0 || way_m == 0.0 || way_m != way_m_) return;
+  double& slip = SlipOf(way_m);
+  slip = std::clamp(slip + seen.further_m / way_m, 0.0, kMostSlip);
 }
 
-Pose2 Approach::Moved() const {
+Pose2 Approach::Moved() {
   if (!options_.turn_by_unit) return drive_.moved();
-  return Advance({}, Arc{(1.0 - slip_) * drive_.driven_m(), WrapPi(yaw_rad_ - yaw_at_start_rad_)});
+  const double way_m = drive_.driven_m();
+  return Advance({}, Arc{(1.0 - SlipOf(way_m)) * way_m, WrapPi(yaw_rad_ - yaw_at_start_rad_)});
 }
 
 Commands Approach::Step(const SensorFrame& sensed) {
@@ -238,8 +243,11 @@ Commands Approach::Step(const SensorFrame& sensed) {
     const Pose2 since = Inverse(moved_before_) * moved;
     p_RT_ = Inverse(since) * p_RT_;
     turned_rad_ += since.heading;
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-since.heading).toRotationMatrix();
+    spread_m2_ = (turn * spread_m2_ * turn.transpose()).eval();
     moved_before_ = moved;
     driving_ = !drive_.done();
+    if (!driving_) way_m_ += drive_.driven_m();
   }
   if (verdict_ == Verdict::kUnderWay && !driving_) {
     if (const auto images = FrontPair(sensed)) {

@@ -2,15 +2,17 @@
 // arcs to it, drive a part of them, look again, until the point P is on the target.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "controller/io/controller.h"
-#include "controller/motion/two_arcs.h"
 #include "controller/rocky7/arc_drive.h"
 #include "controller/rocky7/ground_eye.h"
+#include "controller/rocky7/paths_to_point.h"
+#include "controller/rocky7/retreat.h"
 #include "controller/rocky7/target_tracker.h"
 
 namespace dockyard::rocky7 {
@@ -27,8 +29,12 @@ struct ApproachOptions {
   // are believed.
   double slip = 0.0;
   bool exposes_for_target = false;  // asks for more light where the target lies in the shade
-  bool backs_up = false;            // where one arc would be too sharp: two arcs, back and forth
-  int most_looks = 60;              // then it gives up: its steps are coarser than its reach
+  bool backs_up = false;            // two arcs where one would be too sharp, and more patience
+  // Near the target, after so many looks that came no nearer, it backs off and comes again by
+  // another way: in sand short arcs slip by more than they correct, and a wheel may stand against a
+  // stone. 0: never.
+  int most_stalls = 0;
+  int most_looks = 60;  // then it gives up: its steps are coarser than its reach
   // A target further from the point than this may be unseen for a look; then the way goes on.
   double blind_beyond_m = 1e9;
   int most_misses = 1;  // looks in a row without the target
@@ -50,14 +56,16 @@ class Approach {
  private:
   void TakeLook(const StereoImages& images, const SensorFrame& sensed);
   void Decide();
-  void Drive(const Arc& arc);
+  void Drive(const Arc& way);
   void GiveUp(const std::string& why);
   void Report(const TargetSeen& seen, const ImuSample& attitude);
   void Tell(const std::string& phase, const std::string& note);
+  void TakeOver(const TargetSeen& seen);
   std::vector<Arc> PathToTarget() const;
-  Pose2 Moved() const;
+  Pose2 Moved();
   bool TooDark(const GrayImage& left, const ImuSample& attitude);
   void LearnSlip(const TargetSeen& seen);
+  double& SlipOf(double way_m) { return slip_[way_m < 0.0 ? 1 : 0]; }
 
   const Nominal nominal_;
   const ApproachOptions options_;
@@ -68,23 +76,18 @@ class Approach {
   bool driving_ = false, begun_ = false;
   std::optional<Tick> asked_;
   int asks_ = 0, looks_ = 0, misses_ = 0;
-  Eigen::Vector2d p_RT_{0, 0};  // the target in R's plan, odometry since the last look included
-  double stops_ = 0.0;          // off the cameras' own exposure
-  double slip_ = 0.0;           // as learnt
-  double variance_m2_ = 0.0;    // of that, by the last look and odometry since
-  double turned_rad_ = 0.0;     // by odometry, since the look that found the target last
+  Eigen::Vector2d p_RT_{0, 0};    // the target in R's plan, odometry since the last look included
+  double stops_ = 0.0;            // off the cameras' own exposure
+  std::array<double, 2> slip_{};  // as learnt, ahead and back
+  Eigen::Matrix2d spread_m2_ = Eigen::Matrix2d::Zero();  // of odometry, since then
+  double turned_rad_ = 0.0;  // by odometry, since the look that found the target last
   double yaw_rad_ = 0.0, yaw_at_start_rad_ = 0.0;  // now; of the present arc
+  double way_m_ = 0.0;           // driven since the target was found or guessed last
+  Eigen::Vector2d aim_m_{0, 0};  // beside the target, as arcs have missed it
+  bool aimed_ = false;           // the present arc leads to the target
+  Retreat retreat_;
   Pose2 moved_before_;  // of the present arc, as far as it is counted in p_RT_
   Belief belief_;
 };
-
-/// What the wheels steer, but no turn in place: it slips, and loads the mechanism (Nesnas, Maimone
-/// and Das, III-B).
-ArcLimits GentleLimits(const RoverPlan& plan);
-
-/// Arcs that bring the point p_RP onto a goal in R: one where the limits let it, else a first arc
-/// within 0.6 m and a second one, the shortest such; none where there is none.
-std::vector<Arc> ArcsToPoint(const Eigen::Vector2d& p_RG, const Eigen::Vector2d& p_RP,
-                             const ArcLimits& limits);
 
 }  // namespace dockyard::rocky7

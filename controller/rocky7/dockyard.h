@@ -1,5 +1,5 @@
-// Our controller of Rocky 7: it tracks the middle of a stone, tells neighbours apart by the shape
-// of the ground about them, and backs up where one arc cannot bring the point onto it.
+// Our controller of Rocky 7: it tracks the middle of a stone among its neighbours, and backs up
+// where one arc cannot bring the point onto it, or where it comes no nearer.
 #pragma once
 
 #include <memory>

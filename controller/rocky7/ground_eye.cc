@@ -17,6 +17,8 @@ constexpr double kHalf_m = 0.3;
 constexpr double kFinest_m = 0.005, kOfFootprint = 0.7;
 // Range data about a pixel: those within this of it. Assumed, 1-4 px.
 constexpr int kAbout_px = 2;
+// Of a user's click on a stone's middle, 1 sigma along each side. Assumed, 1-4.
+constexpr double kClick_px = 2.0;
 // Cells without a pixel of their own, in a row. Assumed, 2-5.
 constexpr int kGap_cells = 3;
 
@@ -51,6 +53,8 @@ GroundMaps GroundEye::MapsAbout(const GroundSeen& seen, const Eigen::Vector2d& p
                              .y_high_m = p_E.y() + kHalf_m};
   const int block_px = SandAndStonesSettings{}.stones.block_px;
   GroundMaps maps;
+  maps.p_EC = p_EC;
+  maps.focal_baseline_px_m = pair.focal_px * pair.baseline_m;
   maps.fine = MapHeights(pair, seen.disparities, seen.ground_R, block_px, settings);
   settings.cell_m = std::max(kFinest_m, kOfFootprint * footprint_m);
   maps.closed = MapHeights(pair, seen.disparities, seen.ground_R, block_px, settings);
@@ -79,6 +83,15 @@ std::optional<Eigen::Vector2d> GroundEye::PlaceOf(const GroundSeen& seen,
   const Eigen::Vector3d p_C = pair.Point(at.x(), at.y(), found[found.size() / 2]);
   const Eigen::Vector3d p_E = Inverse(seen.X_RE) * (pair.X_RC * p_C);
   return p_E.head<2>().eval();
+}
+
+std::optional<Clicked> GroundEye::ClickOf(const GroundSeen& seen,
+                                          const Eigen::Vector2d& pixel) const {
+  const auto p_E = PlaceOf(seen, pixel);
+  if (!p_E) return std::nullopt;
+  const Eigen::Matrix3d R_EL = seen.X_RE.R.transpose() * nominal_.front.X_RL.R;
+  return Clicked{*p_E, R_EL * nominal_.front.left.Direction(pixel),
+                 kClick_px / rectifier_.pair().focal_px};
 }
 
 std::optional<StereoImages> FrontPair(const SensorFrame& frame) {

@@ -24,6 +24,15 @@ struct GroundSeen {
 /// footprint, small gaps closed.
 struct GroundMaps {
   ElevationMap fine, closed;
+  Eigen::Vector3d p_EC{0, 0, 0.3};    // the cameras
+  double focal_baseline_px_m = 25.0;  // of the rectified pair
+};
+
+/// What the user clicked on.
+struct Clicked {
+  Eigen::Vector2d p_E{0, 0};       // by the range data there
+  Eigen::Vector3d ray_E{0, 0, 0};  // from the cameras; its length has no meaning
+  double sigma_rad = 0.0;          // of the ray along each side of the picture
 };
 
 class GroundEye {
@@ -37,6 +46,9 @@ class GroundEye {
   /// about it.
   std::optional<Eigen::Vector2d> PlaceOf(const GroundSeen& seen,
                                          const Eigen::Vector2d& pixel) const;
+
+  /// The click with the place that it shows; none as above.
+  std::optional<Clicked> ClickOf(const GroundSeen& seen, const Eigen::Vector2d& pixel) const;
 
   /// Heights about a place of E.
   GroundMaps MapsAbout(const GroundSeen& seen, const Eigen::Vector2d& p_E) const;

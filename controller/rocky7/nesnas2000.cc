@@ -13,8 +13,8 @@ class HighestPoint final : public TargetTracker {
  public:
   explicit HighestPoint(const NesnasTracking& with) : settings_{with.window_m} {}
 
-  TargetSeen Begin(const GroundMaps& maps, const Eigen::Vector2d& p_E_clicked) override {
-    return Find(maps, p_E_clicked);
+  TargetSeen Begin(const GroundMaps& maps, const Clicked& clicked) override {
+    return Find(maps, clicked.p_E);
   }
   TargetSeen Follow(const GroundMaps& maps, const Predicted& target) override {
     return Find(maps, {target.X_ET.x, target.X_ET.y});

@@ -15,28 +15,29 @@ struct TargetSeen {
   bool gone = false;   // it is seen that nothing stands there
   bool guess = false;  // not found, but p_E is better than the prediction
   Eigen::Vector2d p_E{0, 0};
-  double height_m = 0.0;  // over the level ground below R
-  double sigma_m = 0.01;  // of p_E when found
-  std::string why{};      // in a few words; empty when found without a remark
+  double height_m = 0.0;   // over the level ground below R
+  double further_m = 0.0;  // all stones, further ahead than odometry had them; 0: not known
+  std::string why{};       // in a few words; empty when found without a remark
 };
 
-/// Where odometry has the target in E: its place, how the rover has turned since the last look that
-/// found it, and how far that may be off, 1 sigma.
+/// Where odometry has the target in E: its place, and how the rover has turned since the last look
+/// that found or guessed it.
 struct Predicted {
   Pose2 X_ET;
-  double sigma_m = 0.0;
+  Eigen::Matrix2d spread_m2 = Eigen::Matrix2d::Zero();  // by odometry since then
+  double way_m = 0.0;  // that the wheels counted since then: stuck, the rover went less
 };
 
 class TargetTracker {
  public:
   virtual ~TargetTracker() = default;
   /// The first look: the user clicked on this place of the ground.
-  virtual TargetSeen Begin(const GroundMaps& maps, const Eigen::Vector2d& p_E_clicked) = 0;
+  virtual TargetSeen Begin(const GroundMaps& maps, const Clicked& clicked) = 0;
   /// A later one.
   virtual TargetSeen Follow(const GroundMaps& maps, const Predicted& target) = 0;
   /// After a grasp: whether the target still stands there, among what the scoops have dug up.
   virtual TargetSeen Check(const GroundMaps& maps, const Pose2& X_ET) {
-    return Follow(maps, {X_ET, 0.0});
+    return Follow(maps, {X_ET});
   }
 };
 
