@@ -39,6 +39,10 @@ void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
               values.reach_m, Between(0.002, 0.1));
   keys.Number({"click_px", "px", "error of the user's click along each side, 1 sigma"},
               values.click_px, Between(0.0, 50.0));
+  keys.Number({"stone_albedo", "", "of all stones, over the soil's"}, values.stone_albedo,
+              Between(0.1, 2.0));
+  keys.Number({"stone_stains", "", "of their albedo over its mean, 1 sigma"}, values.stone_stains,
+              Between(0.0, 0.5));
 }
 
 Rocky7Keys ReadRocky7Keys(const Scenario& scenario) {

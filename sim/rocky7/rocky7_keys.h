@@ -31,6 +31,9 @@ struct Rocky7Keys {
   double tilt_rad = Radians(5.0);      // the instrument must stand so near to the normal: 5 deg
   double most_n = 10.0;                // and must not press more
   double click_px = 1.5;  // of the user's click, 1 sigma along each side; assumed, 0.5-4
+  // Albedo of stones against that of the soil: freshly broken faces are darker than dust. Assumed,
+  // 0.4-1. Its stains over its mean: assumed, 0.1-0.2.
+  double stone_albedo = 0.65, stone_stains = 0.15;
 };
 
 /// Names every key: for reading, and for docs/rocky7.md.

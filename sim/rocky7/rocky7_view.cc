@@ -7,11 +7,6 @@
 namespace dockyard::rocky7 {
 namespace {
 
-// Albedo of stones against that of the soil: freshly broken faces are darker than dust. Assumed,
-// 0.4-1.
-constexpr double kStoneToSoil = 0.65;
-// Of a stone's albedo, over its mean. Assumed, 0.1-0.2.
-constexpr double kStains = 0.15;
 // A boulder's stains are larger than a stone's: they are told apart from 7 m. Assumed, 40-150 mm.
 constexpr double kBoulderStain_m = 0.08;
 // Larger pebbles have a height that a stereo pair would see, so they are not painted.
@@ -37,7 +32,8 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, std:
     : lighting_(built.lighting),
       X_WG_(SiteInWorld(built.world.X_WG, built.world.slope)),
       soil_rgb_(built.world.soil.rgb),
-      stone_rgb_(kStoneToSoil * built.world.soil.rgb),
+      stone_rgb_(built.keys.stone_albedo * built.world.soil.rgb),
+      stains_(built.keys.stone_stains),
       texture_seed_(StreamKey(run_seed, "texture")) {
   for (const LinkLook& look : LooksOf(built.world.robot.rover, rover)) {
     Link link{look.name, {}};
@@ -70,20 +66,20 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
     scene.objects.push_back({.mesh = stones_[i],
                              .X_WO = X_WG_ * Pose3::Translation(0.0, 0.0, -truth.sunk_m.at(i)),
                              .albedo = stone_rgb_,
-                             .stains = {.contrast = kStains, .seed = SplitMix(texture_seed_, i)}});
+                             .stains = {.contrast = stains_, .seed = SplitMix(texture_seed_, i)}});
   }
   if (loose_target_) {
     scene.objects.push_back({.mesh = loose_target_,
                              .X_WO = X_WG_ * truth.X_GT,
                              .albedo = stone_rgb_,
-                             .stains = {.contrast = kStains, .seed = texture_seed_}});
+                             .stains = {.contrast = stains_, .seed = texture_seed_}});
   }
   if (boulder_) {
     scene.objects.push_back(
         {.mesh = boulder_,
          .X_WO = X_WG_,
          .albedo = stone_rgb_,
-         .stains = {.contrast = kStains, .seed = texture_seed_, .largest_m = kBoulderStain_m}});
+         .stains = {.contrast = stains_, .seed = texture_seed_, .largest_m = kBoulderStain_m}});
   }
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
   scene.ground = {.X_WG = X_WG_,

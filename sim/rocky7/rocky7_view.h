@@ -39,6 +39,7 @@ class SceneBuilder {
   Lighting lighting_;
   Pose3 X_WG_;
   Eigen::Vector3d soil_rgb_, stone_rgb_;
+  double stains_;
   std::uint64_t texture_seed_ = 0;
 };
 

@@ -1,0 +1,118 @@
+// What a controller that took a short cut would not notice: its sensors are altered on the way to
+// it, or the scene is.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <set>
+
+#include "controller/rocky7/dockyard.h"
+#include "models/read/yaml_tree.h"
+#include "sim/base/random.h"
+#include "sim/rocky7/rocky7_system.h"
+#include "sim/run/loop.h"
+#include "support/bad_files.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+using Alter = std::function<void(SensorFrame&)>;
+using Notes = std::set<std::string>;
+
+// Ours, with what it senses altered and what it says written down.
+class Altered final : public Controller {
+ public:
+  Altered(const Nominal& nominal, Alter alter, Notes& notes)
+      : inner_(MakeDockyardController(nominal)), alter_(std::move(alter)), notes_(notes) {}
+
+  Commands Step(const SensorFrame& sensed) override {
+    SensorFrame frame = sensed;
+    alter_(frame);
+    const Commands commands = inner_->Step(frame);
+    notes_.insert(inner_->belief().note);
+    return commands;
+  }
+  const Belief& belief() const override { return inner_->belief(); }
+
+ private:
+  std::unique_ptr<Controller> inner_;
+  Alter alter_;
+  Notes& notes_;
+};
+
+struct Ended {
+  std::string outcome;
+  Notes notes;
+};
+
+Ended RunWith(const std::string& keys, const Alter& alter) {
+  CampaignRun run;
+  Scenario& scenario = run.scenario;
+  scenario.name = "test";
+  scenario.system = "rocky7";
+  scenario.controller = "altered";
+  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
+  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
+  scenario.of_system = ParseYaml("{" + keys + "}", "test");
+  scenario.start = {1.0, 0.0, Radians(3.0)};
+  scenario.yard.length_m = scenario.yard.width_m = 4.0;
+  scenario.yard.cell_m = 0.01;
+  scenario.time_limit_s = 120.0;
+  scenario.seed = 3;
+  Ended ended;
+  const System system =
+      Rocky7System({{"altered", [&](const Nominal& nominal) {
+                       return std::make_unique<Altered>(nominal, alter, ended.notes);
+                     }}});
+  const RunRecord record = Simulate(system, run, {});
+  ended.outcome = record.result.outcome;
+  return ended;
+}
+
+const Alter kNothing = [](SensorFrame&) {};
+
+TEST(Rocky7Shortcuts, WithItsPicturesSwappedItDoesNotReachTheStone) {
+  const Ended swapped = RunWith("task: reach", [](SensorFrame& frame) {
+    for (CameraImage& image : frame.images) image.camera = kFrontRight - image.camera;
+  });
+  EXPECT_NE(swapped.outcome, "on_target");
+}
+
+// Shaded facets alone are enough to match: it is not the stones' dark colour that is tracked.
+TEST(Rocky7Shortcuts, FindsAStoneOfTheSoilsOwnColourWithoutStains) {
+  const Ended plain = RunWith("task: reach, stone_albedo: 1, stone_stains: 0", kNothing);
+  EXPECT_EQ(plain.outcome, "on_target");
+}
+
+bool LookedAfterwards(const Ended& ended) {
+  return ended.notes.contains("no stone stands there any more") ||
+         ended.notes.contains("the stone still stands there");
+}
+
+TEST(Rocky7Shortcuts, KnowsByTheCurrentsAloneThatItHoldsTheStone) {
+  const Ended usual = RunWith("task: grasp", kNothing);
+  EXPECT_EQ(usual.outcome, "grasped");
+  EXPECT_FALSE(LookedAfterwards(usual));
+}
+
+TEST(Rocky7Shortcuts, InTenTimesTheCurrentsNoiseItLooksWhetherTheStoneIsGone) {
+  RandomStream random(9);
+  const Ended noisy = RunWith("task: grasp", [&](SensorFrame& frame) {
+    for (MotorReading& motor : frame.motors) {
+      motor.current_a = std::abs(motor.current_a + 0.1 * random.Normal());
+    }
+  });
+  EXPECT_TRUE(LookedAfterwards(noisy)) << noisy.outcome;
+}
+
+TEST(Rocky7Shortcuts, WithCurrentsThatReadNothingItLooksToo) {
+  const Ended stuck = RunWith("task: grasp", [](SensorFrame& frame) {
+    for (MotorReading& motor : frame.motors) motor.current_a = 0.0;
+  });
+  EXPECT_TRUE(LookedAfterwards(stuck)) << stuck.outcome;
+}
+
+}  // namespace
+}  // namespace dockyard::rocky7
