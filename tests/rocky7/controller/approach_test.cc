@@ -42,6 +42,42 @@ TEST(ArcsToPoint, BackUpForAPointAside) {
   EXPECT_LT(path[0].length_m * path[1].length_m, 0.0);
 }
 
+// A centimetre aside is a turn by a degree: no reason to turn the wheels by sixty.
+TEST(GentleArcsToPoint, LeadBackAtFirstAndTurnNoSharperThanAMetre) {
+  const Nominal nominal = NominalRover();
+  for (const double aside_m : {0.009, 0.02, -0.03}) {
+    const Eigen::Vector2d goal = nominal.plan.p_RP + Eigen::Vector2d(0.004, aside_m);
+    const std::vector<Arc> path = GentleArcsToPoint(goal, nominal.plan);
+    ASSERT_EQ(path.size(), 2u);
+    EXPECT_LE(path[0].length_m, -0.09);
+    for (const Arc& arc : path) {
+      EXPECT_GE(std::abs(arc.length_m), 0.999 * std::abs(arc.turn_rad));
+    }
+    EXPECT_LT((Advance({}, path) * nominal.plan.p_RP - goal).norm(), 1e-9);
+  }
+}
+
+TEST(Retreat, BeginsAfterThreeLooksThatCameNoNearerAndTakesTurnsAside) {
+  Retreat retreat;
+  EXPECT_FALSE(retreat.Look(0.5, 0.25, 3));
+  EXPECT_FALSE(retreat.Look(0.10, 0.25, 3));
+  EXPECT_FALSE(retreat.Look(0.05, 0.25, 3));
+  EXPECT_FALSE(retreat.Look(0.05, 0.25, 3));
+  EXPECT_FALSE(retreat.Look(0.06, 0.25, 3));
+  std::vector<double> ends_m;
+  for (int time = 0; time < 2; ++time) {
+    std::vector<Arc> path;
+    while (retreat.Look(0.05, 0.25, 3)) path.push_back(retreat.Next());
+    const Pose2 end = Advance({}, path);
+    EXPECT_LT(end.x, -0.55);
+    EXPECT_NEAR(end.heading, 0.0, 1e-12);
+    ends_m.push_back(end.y);
+    for (int look = 0; look < 2; ++look) EXPECT_FALSE(retreat.Look(0.05, 0.25, 3));
+  }
+  EXPECT_GT(std::abs(ends_m[0]), 0.05);
+  EXPECT_NEAR(ends_m[0], -ends_m[1], 1e-12);
+}
+
 SensorFrame Frame(Tick tick) {
   SensorFrame frame;
   frame.tick = tick;
