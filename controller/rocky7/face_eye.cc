@@ -5,15 +5,14 @@
 #include <map>
 #include <utility>
 
+#include "controller/stereo/plain_parts.h"
+
 namespace dockyard::rocky7 {
 namespace {
 
 // Disparities to either side of the expected one that are searched: at 0.66 m from 0.56 to 0.81 m,
-// beyond 3.5 m up to infinity. A multiple of 8. Assumed, 32-64 px.
+// beyond 3.5 m up to infinity; at first from 1.8 m on. A multiple of 8. Assumed, 32-64 px.
 constexpr int kEitherSide_px = 48;
-// A target that was clicked on: 2 to 10 m away (Nesnas, Maimone and Das: more than 5 m), by its
-// middle disparity.
-constexpr double kFirstNearest_m = 2.0, kFirstFarthest_m = 10.0;
 // A face's own slope is taken out within this range, and searched for what is left of it. Assumed,
 // 2-5 m and 8-24 px.
 constexpr double kSlopesWithin_m = 3.0;
@@ -21,6 +20,9 @@ constexpr int kAboutSlope_px = 16;
 constexpr int kSlopePasses = 2;
 // Small blocks for rocks (docs/rocky7.md).
 constexpr int kFaceBlock_px = 5;
+// Smaller patches of alike disparity are left out: faint ground far away is matched wrongly in
+// such. A boulder of 0.5 m at 7 m has 2500 px. Assumed, 100-400 px.
+constexpr int kSpeckle_px = 200;
 // Of a disparity: half a block's noise, and what calibration leaves, 0.05 deg of yaw (0.7 px;
 // models/rocky7/rocky7.yaml). Assumed, 0.3-1.5 px.
 constexpr double kRange_px = 0.8;
@@ -41,6 +43,7 @@ MatchSettings SearchAbout(const PlaneDisparity& expected, int either_side_px) {
           .block_px = kFaceBlock_px,
           .least_px = -either_side_px,
           .count_px = 2 * either_side_px,
+          .speckle_px = kSpeckle_px,
           .ground = expected};
 }
 
@@ -69,13 +72,14 @@ FaceView FaceEye::Look(const StereoImages& images, const MastAngles& angles,
   view.pair = rectifier_.pair();
   view.pair.X_RC = view.X_EK * view.pair.X_RC;
   const double scale_px_m = view.pair.focal_px * view.pair.baseline_m;
-  PlaneDisparity expected{0.5 * scale_px_m * (1.0 / kFirstNearest_m + 1.0 / kFirstFarthest_m)};
+  PlaneDisparity expected{static_cast<double>(kEitherSide_px)};
   if (p_ET) {
     const double depth_m = (Inverse(view.pair.X_RC) * *p_ET).z();
     expected.a = scale_px_m / std::max(0.2, depth_m);
   }
-  view.disparities = Match(rectifier_, images, SearchAbout(expected, kEitherSide_px));
   view.images = rectifier_.Rectified(images);
+  view.disparities = WithoutPlainParts(
+      Match(rectifier_, images, SearchAbout(expected, kEitherSide_px)), view.images.left);
   return view;
 }
 
@@ -130,7 +134,12 @@ ElevationMap FaceEye::HeightsAbout(const FaceView& view, const Eigen::Vector2d& 
   // A pixel's footprint across the view, at least.
   const double away_m = (p_E - view.pair.X_RC.p.head<2>()).norm();
   settings.cell_m = std::max(settings.cell_m, away_m / view.pair.focal_px);
-  return MapHeights(view.pair, view.disparities, Plane{}, kFaceBlock_px, settings);
+  ElevationMap map = MapHeights(view.pair, view.disparities, Plane{}, kFaceBlock_px, settings);
+  const double across_px = settings.cell_m * view.pair.focal_px / away_m;
+  for (std::size_t i = 0; i < map.points.size(); ++i) {
+    if (map.points[i] < kCellShare * across_px * across_px) map.height_m[i] = std::nanf("");
+  }
+  return map;
 }
 
 std::optional<StereoImages> MastPair(const SensorFrame& frame, Tick not_before) {

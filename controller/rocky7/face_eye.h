@@ -29,7 +29,7 @@ class FaceEye {
   explicit FaceEye(const Nominal& nominal);
 
   /// @param angles  of the mast when the pictures were taken, at the attitude of the sample
-  /// @param p_ET    where the target is expected; none: anywhere from 2 to 10 m away
+  /// @param p_ET    where the target is expected; none: anywhere from 1.8 m on
   FaceView Look(const StereoImages& images, const MastAngles& angles, const ImuSample& attitude,
                 const std::optional<Eigen::Vector3d>& p_ET) const;
 

@@ -18,6 +18,8 @@ constexpr double kCellDisc_m = 0.028;  // about a cell of 4 cm: half its diagona
 // Corrections: single arcs to either side up to this, in such steps. Assumed, 0.1-0.3 m, 3-10 mm.
 constexpr double kCorrection_m = 0.2, kCorrectionStep_m = 0.005;
 constexpr int kCorrectionCurvatures = 8;  // to either side
+// A normal steeper than this belongs to a top. Assumed, 65-80 deg.
+constexpr double kTop_rad = Radians(72.0);
 // A metre of way must make the tool better by this. Assumed, 0.5-3 deg.
 constexpr double kPerMetre_rad = Radians(1.0);
 // The heading may be off the normal's azimuth by this after a correction. Assumed, 15-40 deg.
@@ -25,9 +27,12 @@ constexpr double kMostAside_rad = Radians(25.0);
 // A pair this much longer than the way is a detour: three arcs are shorter. Assumed, 1.5-4.
 constexpr double kDetour = 2.0;
 
+// Which way the rover comes: along the inward normal; to a top, whose normal has no azimuth to
+// speak of, along the line of sight.
 Eigen::Vector2d Ahead(const FaceAt& face) {
   const Eigen::Vector2d inward = -face.normal_R.head<2>();
-  return inward.norm() > 1e-3 ? inward.normalized() : face.p_RT.head<2>().normalized();
+  if (inward.norm() > std::cos(kTop_rad) * face.normal_R.norm()) return inward.normalized();
+  return face.p_RT.head<2>().normalized();
 }
 
 double AzimuthOf(const FaceAt& face) {
