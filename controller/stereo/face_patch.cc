@@ -3,8 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <utility>
 
 #include "controller/stereo/gray_mat.h"
 
@@ -15,6 +17,10 @@ namespace {
 constexpr double kOtherPeak = 0.3;
 // The place that the surroundings choose must look as good by this share. Assumed, 0.85-0.95.
 constexpr double kAsGood = 0.9;
+// Greys are compared with those about them, in a square of half the patch's half side; of noise,
+// 1 sigma in grey. Assumed, 5-11 px and 1-4.
+constexpr int kLeastAbout_px = 7;
+constexpr float kSensorNoise = 2.0F;
 // Greys of a face lie within so many sigmas. Assumed, 2-3.
 constexpr double kOfFace = 2.5;
 
@@ -61,6 +67,22 @@ std::optional<cv::Mat> SeenFromNew(const FacePatch& patch, const Pose3& X_NC,
   return seen;
 }
 
+// Each grey against those about it, over their contrast: stains count alike in light and in shade,
+// and a shadow's edge no more than they do.
+cv::Mat LocallyNormal(const cv::Mat& greys, int about_px) {
+  cv::Mat grey, mean, square, out;
+  greys.convertTo(grey, CV_32F);
+  const cv::Size about(about_px, about_px);
+  cv::blur(grey, mean, about);
+  cv::blur(grey.mul(grey), square, about);
+  cv::Mat variance = cv::max(square - mean.mul(mean), 0.0F) + kSensorNoise * kSensorNoise;
+  cv::sqrt(variance, variance);
+  cv::divide(grey - mean, variance, out);
+  return out;
+}
+
+enum class Greys : std::uint8_t { kAsTheyAre, kLocal };
+
 struct Compared {
   PatchVerdict verdict = PatchVerdict::kUnseen;
   cv::Mat scores;
@@ -86,7 +108,7 @@ double SecondPeak(const cv::Mat& scores, const cv::Point& best, double apart) {
 
 Compared Compare(const FacePatch& patch, const GrayImage& image, const Pose3& X_NC,
                  const Eigen::Vector2i& middle, int half, double window_px,
-                 const FacePatchSettings& settings) {
+                 const FacePatchSettings& settings, Greys greys = Greys::kAsTheyAre) {
   Compared out;
   const int reach = half + static_cast<int>(std::ceil(window_px));
   const int left = std::max(0, middle.x() - reach), top = std::max(0, middle.y() - reach);
@@ -106,7 +128,13 @@ Compared Compare(const FacePatch& patch, const GrayImage& image, const Pose3& X_
   cv::Mat face;
   cv::inRange(*seen, mean - kOfFace * sigma, mean + kOfFace * sigma, face);
   const cv::Mat window = MatOn(image)(cv::Range(top, bottom + 1), cv::Range(left, right + 1));
-  cv::matchTemplate(window, *seen, out.scores, cv::TM_CCOEFF_NORMED, face);
+  if (greys == Greys::kLocal) {
+    const int about_px = std::max(kLeastAbout_px, half / 2) | 1;
+    cv::matchTemplate(LocallyNormal(window, about_px), LocallyNormal(*seen, about_px), out.scores,
+                      cv::TM_CCOEFF_NORMED, face);
+  } else {
+    cv::matchTemplate(window, *seen, out.scores, cv::TM_CCOEFF_NORMED, face);
+  }
   // Where the window has no contrast there is no score, or one without meaning.
   cv::patchNaNs(out.scores, -1.0);
   cv::threshold(out.scores, out.scores, 1.0, -1.0, cv::THRESH_TOZERO_INV);
@@ -153,6 +181,11 @@ PatchFound FindPatch(const FacePatch& patch, const GrayImage& image, const Pose3
       std::clamp(static_cast<int>(std::lround(patch.focal_px * settings.half_m / p_N.z())),
                  settings.least_half_px, settings.most_half_px);
   Compared compared = Compare(patch, image, X_NC, middle, half, window_px, settings);
+  if (compared.verdict == PatchVerdict::kAmbiguous) {
+    // Near by, stains on either side of a shadow's edge tell; far away noise hides them so.
+    Compared local = Compare(patch, image, X_NC, middle, half, window_px, settings, Greys::kLocal);
+    if (local.verdict == PatchVerdict::kFound) compared = std::move(local);
+  }
   if (compared.verdict == PatchVerdict::kAmbiguous) {
     Decide(Compare(patch, image, X_NC, middle, 2 * half, window_px, settings), half, compared);
   }
