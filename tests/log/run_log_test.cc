@@ -208,9 +208,9 @@ TEST(RunLog, OfAnotherKindIsRefusedWithASentence) {
   EXPECT_EQ(ErrorOf(read), file + ": it is no MCAP file");
   WriteLog(folder.path(), 1);
   EditLog(file, [](McapAttachment& each) {
-    each.data.replace(each.data.find("\"version\":4"), 11, "\"version\":3");
+    each.data.replace(each.data.find("\"version\":5"), 11, "\"version\":4");
   });
-  EXPECT_EQ(ErrorOf(read), file + ": its version is 3, this program reads 4");
+  EXPECT_EQ(ErrorOf(read), file + ": its version is 4, this program reads 5");
   EditLog(file, [](McapAttachment& each) { each.name = "other"; });
   EXPECT_EQ(ErrorOf(read), file + ": its header is missing");
 }
