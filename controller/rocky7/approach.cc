@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/motion/steering.h"
+#include "controller/rocky7/exposure.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -14,12 +15,6 @@ constexpr double kSlip = 0.1;
 constexpr double kSideSlip = 0.05;
 // More is not believed of a single look. Assumed, 0.3-0.7.
 constexpr double kMostSlip = 0.5;
-// Grey about the target: what is aimed at, and what is too bright. Assumed, 60-120 and 180-230.
-constexpr double kGoodLevel = 80.0, kBrightLevel = 200.0;
-// Of exposure: a stop less is not worth a picture (assumed, 0.5-1.5); four stops bring the light of
-// a clear sky up to that of the sun (assumed, 3-5).
-constexpr double kWorthStops = 1.0, kMostStops = 4.0;
-constexpr int kShade_px = 12;  // assumed, 8-20
 // Cameras that do not answer are asked again after so long, so often. Assumed, 1-10 s and 2-10.
 constexpr Tick kAskAgain = 3000;
 constexpr int kMostAsks = 5;
@@ -29,29 +24,6 @@ constexpr double kAimGain = 0.8, kMostAim_m = 0.03;
 constexpr double kFirstPart_m = 0.2;
 // Back from where the target is not seen. Assumed, 5-20 cm.
 constexpr double kStepBack_m = 0.1;
-
-// Below 0: off the picture.
-double MeanAbout(const GrayImage& image, const Eigen::Vector2d& pixel) {
-  double sum = 0.0;
-  int count = 0;
-  const int u0 = static_cast<int>(std::lround(pixel.x()));
-  const int v0 = static_cast<int>(std::lround(pixel.y()));
-  for (int v = std::max(0, v0 - kShade_px); v < std::min(image.height, v0 + kShade_px); ++v) {
-    for (int u = std::max(0, u0 - kShade_px); u < std::min(image.width, u0 + kShade_px); ++u) {
-      sum += image.pixels[static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
-                          static_cast<std::size_t>(u)];
-      ++count;
-    }
-  }
-  return count > 0 ? sum / count : -1.0;
-}
-
-// No sharper than the wheels steer; the length stays.
-Arc Widened(const Arc& arc, const ArcLimits& limits) {
-  if (Keeps(arc, limits) || limits.least_radius_m <= 0.0) return arc;
-  const double turn_rad = std::abs(arc.length_m) / limits.least_radius_m;
-  return {arc.length_m, std::copysign(turn_rad, arc.turn_rad)};
-}
 
 }  // namespace
 
@@ -97,7 +69,7 @@ std::vector<Arc> Approach::PathToTarget() const {
   if (options_.backs_up) return GentleArcsToPoint(p_RT_ + aim_m_, nominal_.plan);
   const ArcLimits limits = GentleLimits(nominal_.plan);
   const auto arc = OneArcTo(p_RT_, nominal_.plan.p_RP);
-  return arc ? std::vector<Arc>{Widened(*arc, limits)} : std::vector<Arc>{};
+  return arc ? std::vector<Arc>{NoSharper(*arc, limits)} : std::vector<Arc>{};
 }
 
 void Approach::Drive(const Arc& way) {
@@ -210,12 +182,9 @@ bool Approach::TooDark(const GrayImage& left, const ImuSample& attitude) {
     if (!pixel) return false;
     at = *pixel;
   }
-  const double level = MeanAbout(left, at);
-  if (level < 0.0) return false;
-  const double more =
-      std::clamp(std::log2(kGoodLevel / std::max(level, 1.0)), -stops_, kMostStops - stops_);
-  if (more < kWorthStops && !(level > kBrightLevel && more < 0.0)) return false;
-  stops_ += more;
+  const auto more = MoreStops(left, at, stops_);
+  if (!more) return false;
+  stops_ += *more;
   return true;
 }
 

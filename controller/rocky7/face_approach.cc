@@ -5,8 +5,8 @@
 
 #include "controller/base/number_text.h"
 #include "controller/motion/steering.h"
-#include "controller/rocky7/approach.h"
 #include "controller/rocky7/exposure.h"
+#include "controller/rocky7/paths_to_point.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -33,17 +33,8 @@ constexpr double kFoot_m = 0.1;
 // Cameras that do not answer are asked again after so long, so often. Assumed, 1-10 s and 2-10.
 constexpr Tick kAskMastAgain = 3000;
 constexpr int kMostMastAsks = 5;
-// The way by odometry after a look without the target. Assumed, 0.15-0.4 m.
-constexpr double kBlind_m = 0.25;
 // Of the mast on its way to a look. Assumed, 0.5-1.
 constexpr double kAimSpeed = 0.8;
-
-// No sharper than the wheels steer; the length stays.
-Arc NoSharper(const Arc& arc, const ArcLimits& limits) {
-  if (Keeps(arc, limits) || limits.least_radius_m <= 0.0) return arc;
-  const double turn_rad = std::abs(arc.length_m) / limits.least_radius_m;
-  return {arc.length_m, std::copysign(turn_rad, arc.turn_rad)};
-}
 
 double UpOf(const Eigen::Vector3d& normal) {
   return std::atan2(normal.z(), normal.head<2>().norm());
@@ -197,8 +188,6 @@ void FaceApproach::TakeLook(const StereoImages& images, const SensorFrame& sense
   ++misses_;
   Tell("look", seen.why);
   if (misses_ >= options_.most_misses || !begun_) return GiveUp("lost the target: " + seen.why);
-  const double away_m = (p_ET_.head<2>() - nominal_.mast.p_RM.head<2>()).norm();
-  if (!near_ && away_m > options_.blind_beyond_m) return Decide(sensed);
   aimed_ = false;
   phase_ = Phase::kAim;
 }
@@ -233,8 +222,8 @@ void FaceApproach::DecideFar(const PlaceGoal& goal, const SensorFrame& sensed) {
   if (!arc) return GiveUp("no arc leads to the target");
   const Arc way = NoSharper(*arc, GentleLimits(nominal_.plan));
   const double left_m = std::abs(way.length_m);
-  const double most_m = misses_ > 0 ? kBlind_m : options_.most_step_m;
-  const double step_m = std::clamp(options_.image_share * left_m, options_.least_step_m, most_m);
+  const double step_m =
+      std::clamp(options_.image_share * left_m, options_.least_step_m, options_.most_step_m);
   Drive({step_m >= left_m ? way : Part(way, step_m / left_m)}, sensed);
 }
 

@@ -27,9 +27,6 @@ struct FaceApproachOptions {
   // Plans anew at each look of the last metre and corrects where it stands. Else the two arcs are
   // driven as planned from a metre away, and the mast does what it can from there.
   bool corrects = false;
-  // A target further from the mast than this may be unseen; then the way goes on by odometry, as
-  // two places that look alike from afar do not from nearer by.
-  double blind_beyond_m = 1e9;
   int most_looks = 60, most_misses = 1;  // in all; in a row without the target
 };
 

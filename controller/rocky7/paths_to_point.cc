@@ -36,6 +36,12 @@ ArcLimits GentleLimits(const RoverPlan& plan) {
   return limits;
 }
 
+Arc NoSharper(const Arc& arc, const ArcLimits& limits) {
+  if (Keeps(arc, limits) || limits.least_radius_m <= 0.0) return arc;
+  const double turn_rad = std::abs(arc.length_m) / limits.least_radius_m;
+  return {arc.length_m, std::copysign(turn_rad, arc.turn_rad)};
+}
+
 std::vector<Arc> ArcsToPoint(const Eigen::Vector2d& p_RG, const Eigen::Vector2d& p_RP,
                              const ArcLimits& limits) {
   const auto straight = OneArcTo(p_RG, p_RP);

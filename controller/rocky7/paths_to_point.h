@@ -13,6 +13,9 @@ namespace dockyard::rocky7 {
 /// and Das, III-B).
 ArcLimits GentleLimits(const RoverPlan& plan);
 
+/// The arc, no sharper than the wheels steer; its length stays.
+Arc NoSharper(const Arc& arc, const ArcLimits& limits);
+
 /// Arcs that bring the point p_RP onto a goal in R: one where the limits let it, else a first arc
 /// of 0.09 to 0.6 m and a second one, the shortest such, else with a shorter first one; none where
 /// there is none.

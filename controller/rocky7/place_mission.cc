@@ -17,9 +17,8 @@ constexpr FaceApproachOptions kOurs{.image_share = 0.3,
                                     .odometry = {.turn_by_unit = true, .slip = 0.1},
                                     .exposes_for_target = true,
                                     .corrects = true,
-                                    .blind_beyond_m = 1.5,  // assumed, 1-2
                                     .most_looks = 60,
-                                    .most_misses = 6};
+                                    .most_misses = 4};
 // Of the paper's tenths there are 40 on a way of 6 m. Assumed, 60-200.
 constexpr int kTenths = 100;
 // Assumed, 1-3.

@@ -6,7 +6,7 @@
 
 #include "controller/motion/free_path.h"
 #include "controller/motion/steering.h"
-#include "controller/rocky7/approach.h"
+#include "controller/rocky7/paths_to_point.h"
 
 namespace dockyard::rocky7 {
 namespace {

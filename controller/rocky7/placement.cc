@@ -14,8 +14,8 @@ constexpr double kBeforeSurface_m = 0.2;
 // 1-3, 0.5-1.5 and 0.1-0.5 cm/s; the last but one keeps v t + v^2 / 2 a below a millimetre.
 constexpr double kAdvance_m_s = 0.02, kNear_m_s = 0.008, kPress_m_s = 0.003, kRetract_m_s = 0.03;
 constexpr double kNear_m = 0.04;
-// After the first switch: so much further, or until the second one closes. The can's rim meets the
-// rock right behind the switches, and is stiff: 4 N each millimetre. Assumed, 0.5-2 mm, 2-3.
+// After the first switch: so much further, or until the second one closes. The mast gives way, so a
+// millimetre adds half a newton (models/rocky7/rocky7.yaml). Assumed, 0.5-2 mm, 2-3.
 constexpr double kPress_m = 0.0008;
 constexpr int kEnoughSwitches = 2;
 // Beyond the surface as it was seen: then it was not there. Assumed, 4-8 cm.
