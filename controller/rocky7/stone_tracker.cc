@@ -23,11 +23,17 @@ constexpr double kPushed_m = 0.02;
 constexpr double kStuck = 0.5;
 // Heaps before this share of the stone's height; assumed, 0.4-0.8.
 constexpr double kHeapShare = 0.6;
-// The middle by the ground close by, where it agrees with the stone of the field. Assumed, 1-2 cm.
+// Two places of one stone are so near to each other: a share of its height, or this. Assumed,
+// 0.4-0.8 and 1-2 cm.
+constexpr double kAgreesShare = 0.6;
 constexpr double kAgrees_m = 0.015;
 
 bool IsKnown(const ElevationMap& closed, const Vector2d& p_E) {
   return Bilinear(closed, p_E).has_value();
+}
+
+bool Agree(const FieldStone& stone, const Vector2d& p_E) {
+  return (stone.p - p_E).norm() < std::max(kAgrees_m, kAgreesShare * stone.height_m);
 }
 
 FieldMatch Unmatched(std::size_t stones, const Matrix2d& shift_spread_m2) {
@@ -76,9 +82,8 @@ TargetSeen StoneTracker::Follow(const GroundMaps& maps, const Predicted& target)
   memory_.Choose();
   const FieldStone& stone = memory_.target();
   // It was seen now where it has not been missed.
-  const auto now = std::find_if(seen.begin(), seen.end(), [&](const FieldStone& other) {
-    return (other.p - stone.p).norm() < kAgrees_m;
-  });
+  const auto now = std::find_if(seen.begin(), seen.end(),
+                                [&](const FieldStone& other) { return Agree(stone, other.p); });
   if (now != seen.end()) {
     TargetSeen found = Found(maps, *now);
     found.further_m = match.shift_m.x();
@@ -106,7 +111,7 @@ TargetSeen StoneTracker::Found(const GroundMaps& maps, const FieldStone& target)
   close.window_m = 0.04;  // assumed, 3-6 cm
   close.apart_m = 0.0;
   const StoneMiddle stone = FindStone(maps.fine, p_E, close);
-  if (stone.verdict == StoneVerdict::kFound && (stone.p_E - p_E).norm() < kAgrees_m) {
+  if (stone.verdict == StoneVerdict::kFound && Agree(target, stone.p_E)) {
     p_E = stone.p_E;
     top_m = stone.ground.dot(Eigen::Vector3d(1.0, p_E.x(), p_E.y())) + stone.height_m;
   }
