@@ -3,7 +3,9 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace dockyard {
 namespace {
@@ -65,6 +67,15 @@ const StarBody::Triangle& TriangleIn(const StarBody& body, const Vector3d& direc
     }
   }
   return body.triangles()[at];
+}
+
+// Whether the origin of x and y lies in a triangle.
+bool HoldsMiddle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const auto side = [](const Vector3d& p, const Vector3d& q) {
+    return p.x() * q.y() - p.y() * q.x();
+  };
+  const double ab = side(a, b), bc = side(b, c), ca = side(c, a);
+  return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
 }
 
 }  // namespace
@@ -138,24 +149,36 @@ std::optional<Vector3d> NormalUnderDisc(const StarBody& body, const Vector3d& ce
                                         const Vector3d& axis, double radius_m) {
   constexpr int kRings = 4, kOnRing = 12;
   const Vector3d side = axis.unitOrthogonal(), up = axis.cross(side);
-  Eigen::Matrix<double, 3, kRings * kOnRing> points;
-  for (int ring = 0; ring < kRings; ++ring) {
-    // Rings of equal area.
-    const double r = radius_m * std::sqrt((ring + 0.5) / kRings);
+  std::vector<Vector3d> points;  // aside, up and along the axis, from the centre
+  for (int ring = 1; ring <= kRings; ++ring) {
+    const double r = radius_m * std::sqrt(static_cast<double>(ring) / kRings);
     for (int i = 0; i < kOnRing; ++i) {
       const double angle = 2.0 * kPi * (i + 0.5 * (ring % 2)) / kOnRing;
       const Vector3d from =
           centre + r * (std::cos(angle) * side + std::sin(angle) * up) + body.radius_m * axis;
       const auto hit = FirstOnRay(body, from, -axis);
-      if (!hit) return std::nullopt;
-      points.col(ring * kOnRing + i) = *hit;
+      if (!hit) continue;
+      const Vector3d at = *hit - centre;
+      points.emplace_back(at.dot(side), at.dot(up), at.dot(axis));
     }
   }
-  const Vector3d mean = points.rowwise().mean();
-  const Eigen::Matrix3d spread = (points.colwise() - mean) * (points.colwise() - mean).transpose();
-  const Vector3d normal =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-  return normal.dot(axis) >= 0.0 ? normal : Vector3d(-normal);
+  // Of all triangles about the middle the highest one there has no point above it.
+  std::optional<Vector3d> normal;
+  double highest_m = -1e30;
+  for (std::size_t a = 0; a < points.size(); ++a) {
+    for (std::size_t b = a + 1; b < points.size(); ++b) {
+      for (std::size_t c = b + 1; c < points.size(); ++c) {
+        const Vector3d across = (points[b] - points[a]).cross(points[c] - points[a]);
+        if (std::abs(across.z()) < 1e-9) continue;
+        const double height_m = points[a].dot(across) / across.z();
+        if (height_m <= highest_m || !HoldsMiddle(points[a], points[b], points[c])) continue;
+        highest_m = height_m;
+        const Vector3d n = across.normalized() * (across.z() > 0.0 ? 1.0 : -1.0);
+        normal = n.x() * side + n.y() * up + n.z() * axis;
+      }
+    }
+  }
+  return normal;
 }
 
 }  // namespace dockyard

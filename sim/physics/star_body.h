@@ -45,8 +45,9 @@ StarDepth DepthIn(const StarBody& body, const Eigen::Vector3d& p);
 std::optional<Eigen::Vector3d> FirstOnRay(const StarBody& body, const Eigen::Vector3d& origin,
                                           const Eigen::Vector3d& direction);
 
-/// The surface's normal as a disc feels it: of the plane by least squares through points on the
-/// disc, brought onto the surface along -axis. None where one of them misses.
+/// The normal of the plane that a stiff disc rests on when it is pressed on its middle along -axis:
+/// it touches three points of the surface about the middle, and none stands out of it. What falls
+/// away beyond an edge does not count. None where no three points are about the middle.
 std::optional<Eigen::Vector3d> NormalUnderDisc(const StarBody& body, const Eigen::Vector3d& centre,
                                                const Eigen::Vector3d& axis, double radius_m);
 

@@ -137,33 +137,4 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   return run;
 }
 
-Eigen::Vector2d ClickOn(const Scenario& scenario, const BuiltRun& run, const Truth& truth) {
-  const bool by_mast = run.world.boulder.has_value();
-  const StereoRig& rig = by_mast ? run.mast_pair : run.front;
-  const Pose3 X_WC = (by_mast ? truth.X_WK : truth.X_WR) * rig.X_RL;
-  const Eigen::Vector3d p_W = SiteInWorld(run.world.X_WG, run.world.slope) * truth.X_GT.p;
-  const auto pixel = rig.left.Project(Inverse(X_WC) * p_W);
-  constexpr double kMargin_px = 10.0;
-  if (!pixel || !rig.left.Sees(*pixel, kMargin_px)) {
-    throw ConfigError(scenario.start_place + ": expected a start from where the " +
-                      (by_mast ? "mast's" : "front") + " cameras see the target");
-  }
-  RandomStream hand(StreamKey(scenario.seed, "click"));
-  const double u = hand.Normal(), v = hand.Normal();
-  return *pixel + run.keys.click_px * Eigen::Vector2d(u, v);
-}
-
-Eigen::Vector3d ClickedPoint(const Scenario& scenario, const BuiltRun& run, const Truth& truth,
-                             const Eigen::Vector2d& pixel) {
-  const Pose3 X_GC =
-      Inverse(SiteInWorld(run.world.X_WG, run.world.slope)) * truth.X_WK * run.mast_pair.X_RL;
-  const auto hit =
-      FirstOnRay(*run.world.boulder, X_GC.p, X_GC.R * run.mast_pair.left.Direction(pixel));
-  if (!hit || (*hit - truth.X_GT.p).norm() > run.keys.boulder_m) {
-    throw ConfigError(scenario.start_place +
-                      ": expected a start from where the mast's cameras see the boulder's face");
-  }
-  return *hit;
-}
-
 }  // namespace dockyard::rocky7

@@ -7,6 +7,7 @@
 #include "render/shutter.h"
 #include "sim/base/hash.h"
 #include "sim/rocky7/rocky7_columns.h"
+#include "sim/rocky7/user_click.h"
 #include "sim/run/built_cameras.h"
 
 namespace dockyard::rocky7 {
@@ -62,11 +63,9 @@ Rocky7Plant::Rocky7Plant(const Scenario& scenario, BuiltRun built,
       scene_(built_, world_.rover(), seed_),
       renderer_(std::move(renderer)),
       truth_(world_.truth()) {
-  built_.nominal.target_px = ClickOn(scenario, built_, truth_);
-  target_G_ = truth_.X_GT.p;
-  if (built_.world.boulder) {
-    target_G_ = ClickedPoint(scenario, built_, truth_, built_.nominal.target_px);
-  }
+  const UserClick click = ClickOn(scenario, built_, truth_);
+  built_.nominal.target_px = click.pixel;
+  target_G_ = click.target_G;
 }
 
 SensorFrame Rocky7Plant::Sense() {

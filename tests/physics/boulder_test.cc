@@ -111,6 +111,26 @@ TEST(Boulder, FallsAwayBehindASmallRim) {
   EXPECT_NEAR(highest_m, shape.target_up_m + 0.02 * up, 5e-3);
 }
 
+// Two planes meet in a ridge: a disc that reaches over it rests on the plane its middle is on,
+// where a plane through all points under it would tilt towards the other.
+TEST(StarBody, ADiscThatReachesOverAnEdgeRestsOnTheSideOfItsMiddle) {
+  const Vector3d n = Vector3d(0.0, 0.5, 1.0).normalized();
+  const StarBody roof = MakeStarBody({0.0, 0.0, 0.0}, 7, [&](const Vector3d& d) {
+    const double up = std::max(n.dot(d), n.dot(Vector3d(d.x(), -d.y(), d.z())));
+    return std::min(0.4, up > 0.0 ? 0.2 / up : 0.4);
+  });
+  const Vector3d top(0.0, 0.0, 0.2 / n.z());
+  const Vector3d down = Vector3d::UnitX().cross(n).normalized();  // from the ridge along the plane
+  const Vector3d side = down.y() > 0.0 ? down : Vector3d(-down);
+  for (const double away_m : {0.006, 0.015, 0.03}) {
+    const auto normal = NormalUnderDisc(roof, top + away_m * side, n, 0.02);
+    ASSERT_TRUE(normal.has_value());
+    // Triangles of 4 mm cut the ridge off.
+    EXPECT_GT(normal->dot(n), std::cos(Radians(3.0))) << away_m;
+  }
+  EXPECT_FALSE(NormalUnderDisc(roof, {1.0, 0.0, 0.2}, Vector3d::UnitZ(), 0.02).has_value());
+}
+
 TEST(Boulder, IsAsRoughAsItWasAskedToBe) {
   const BoulderShape shape = Shape(30.0, 1e-3);
   const Vector3d normal = FaceNormal(shape), middle(0.0, 0.0, shape.target_up_m);

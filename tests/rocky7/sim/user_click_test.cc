@@ -1,0 +1,68 @@
+#include "sim/rocky7/user_click.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "models/read/yaml_tree.h"
+#include "sim/physics/boulder.h"
+#include "sim/physics/slope.h"
+#include "support/bad_files.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+struct Clicked {
+  BuiltRun run;
+  Truth truth;
+  UserClick click;
+};
+
+Clicked ClickFrom(double from_m, const std::string& task, std::uint64_t seed) {
+  Scenario scenario;
+  scenario.name = "test";
+  scenario.system = "rocky7";
+  scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
+  scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
+  scenario.of_system = ParseYaml(task, "test");
+  scenario.start = {from_m, 0.0, 0.0};
+  scenario.yard.length_m = scenario.yard.width_m = from_m + 3.0;
+  scenario.yard.cell_m = 0.01;
+  scenario.seed = seed;
+  BuiltRun run = BuildRun(scenario, LoadModels(scenario));
+  const Truth truth = World(run.world).truth();
+  return {run, truth, ClickOn(scenario, run, truth)};
+}
+
+// From 4 m with a hand of 4 px, 2 cm along the view, many clicks fall beyond an edge 3 cm away.
+TEST(UserClick, OnABoulderTheTargetIsWhatTheClickShowsAndLiesOnTheFaceThatIsMeant) {
+  double farthest_m = 0.0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Clicked at = ClickFrom(
+        4.0, "{task: place, target_up_m: 0.18, face_up_deg: 60, rim_m: 0.03, click_px: 4}", seed);
+    const Pose3 X_GC = Inverse(SiteInWorld(at.run.world.X_WG, at.run.world.slope)) * at.truth.X_WK *
+                       at.run.mast_pair.X_RL;
+    const auto pixel = at.run.mast_pair.left.Project(Inverse(X_GC) * at.click.target_G);
+    ASSERT_TRUE(pixel.has_value());
+    EXPECT_LT((*pixel - at.click.pixel).norm(), 1e-6) << seed;
+    const Eigen::Vector3d normal = FaceNormal({.face_up_rad = Radians(60.0), .face_turn_rad = 0.0});
+    const Eigen::Vector3d from_middle = at.click.target_G - Eigen::Vector3d(0.0, 0.0, 0.18);
+    EXPECT_LT(std::abs(normal.dot(from_middle)), 3.1e-3) << seed;
+    farthest_m = std::max(farthest_m, from_middle.norm());
+  }
+  EXPECT_GT(farthest_m, 0.02);
+}
+
+TEST(UserClick, AStoneStaysTheTargetWhereverTheClickFalls) {
+  const Clicked at = ClickFrom(1.5, "{task: grasp, click_px: 4}", 1);
+  EXPECT_EQ(at.click.target_G, at.truth.X_GT.p);
+  const auto middle = at.run.front.left.Project(
+      Inverse(Inverse(SiteInWorld(at.run.world.X_WG, at.run.world.slope)) * at.truth.X_WR *
+              at.run.front.X_RL) *
+      at.truth.X_GT.p);
+  EXPECT_GT((at.click.pixel - *middle).norm(), 0.1);
+}
+
+}  // namespace
+}  // namespace dockyard::rocky7
