@@ -109,15 +109,15 @@ void FaceApproach::Report(const FaceView& view, const FaceSeen& seen) {
   ++belief_.sighting_count;
 }
 
+// The first picture is the one that the user clicked in: nothing has moved since.
 void FaceApproach::Aim(const SensorFrame& sensed) {
-  if (!aimed_) {
+  if (begun_ && !aimed_) {
     const Eigen::Vector3d p_RT = Inverse(LevelFrame(nominal_, sensed.imu)) * p_ET_;
-    mast_.Begin(begun_ ? AnglesToWatch(nominal_.mast, p_RT) : nominal_.mast.watch_rad, kAimSpeed,
-                sensed);
+    mast_.Begin(AnglesToWatch(nominal_.mast, p_RT), kAimSpeed, sensed);
     aimed_ = true;
     Tell("aim", "");
   }
-  if (!mast_.Rests(sensed)) return;
+  if (begun_ && !mast_.Rests(sensed)) return;
   phase_ = Phase::kAsk;
   rests_since_ = sensed.tick;
   asked_.reset();
@@ -141,7 +141,7 @@ bool FaceApproach::TooDark(const GrayImage& left, const SensorFrame& sensed) {
 }
 
 void FaceApproach::Take(const FaceView& view, const FaceSeen& seen) {
-  if (begun_ && signed_way_m_ != 0.0) {
+  if (begun_ && seen.ranged && signed_way_m_ != 0.0) {
     odometry_.Learn(seen.p_E.x() - p_ET_.x(), RangeSigma(view.pair, seen.range_m), signed_way_m_);
   }
   if (seen.normal_E) {

@@ -17,6 +17,12 @@ constexpr double kWayShare = 0.08, kAcrossShare = 0.03, kLifts_m = 0.015,
 constexpr double kWindowSigmas = 3.0, kLeastWindow_px = 8.0, kMostWindow_px = 60.0;
 // A range that differs from the prediction by more sigmas is another surface. Assumed, 3-5.
 constexpr double kRangeSigmas = 3.5;
+// Beside the target the face may be so much nearer or farther. Assumed, 5-15 cm.
+constexpr double kFaceDepth_m = 0.1;
+// From further away the target's direction will do where its range is not seen. Assumed, 2-4 m.
+constexpr double kDirectionBeyond_m = 3.0;
+// Disparities of the face about its plane, roughness and the fit's error included. Assumed, 2-5 px.
+constexpr double kOnFace_px = 3.0;
 // A normal that is less sure than this does not turn the patch. Assumed, 10-25 deg.
 constexpr double kSureNormal_rad = Radians(15.0);
 // The picture to compare with is taken anew when the face is so much nearer or seen from so much
@@ -34,15 +40,45 @@ std::string WhyNotFound(const PatchFound& found) {
     case PatchVerdict::kElsewhere:
       return "nothing looks like the target: score " + Fixed(found.score, 2);
     case PatchVerdict::kAmbiguous:
-      return "two places look like the target: " + Fixed(found.second / found.score, 2);
+      return "two places look like the target: scores " + Fixed(found.score, 2) + " and " +
+             Fixed(found.second, 2);
   }
   return "";
+}
+
+// Disparities of what is so far away, in the camera's depth.
+Disparities Between(const Disparities& all, const RectifiedPair& pair, double nearest_m,
+                    double farthest_m) {
+  const double scale_px_m = pair.focal_px * pair.baseline_m;
+  const double least_px = scale_px_m / farthest_m;
+  const double most_px = nearest_m > 0.0 ? scale_px_m / nearest_m : HUGE_VAL;
+  Disparities some = all;
+  for (float& px : some.px) {
+    if (!(px >= least_px && px <= most_px)) px = 0.0F;
+  }
+  return some;
+}
+
+// Pixels whose disparity is that of the patch's plane.
+GrayImage OnFace(const FaceView& view, const FacePatch& patch) {
+  RectifiedPair pair = view.pair;
+  pair.X_RC = Pose3{};
+  const PlaneDisparity plane = DisparityOf(pair, {patch.normal_C, patch.normal_C.dot(patch.p_C)});
+  GrayImage on_face{view.disparities.width, view.disparities.height, {}};
+  on_face.pixels.reserve(view.disparities.px.size());
+  for (int v = 0; v < view.disparities.height; ++v) {
+    for (int u = 0; u < view.disparities.width; ++u) {
+      const bool near = std::abs(view.disparities.at(u, v) - plane.At(u, v)) < kOnFace_px;
+      on_face.pixels.push_back(near ? 255 : 0);
+    }
+  }
+  return on_face;
 }
 
 }  // namespace
 
 FaceSeen PatchTracker::Measure(const FaceEye& eye, const FaceView& view,
-                               const Eigen::Vector2d& pixel) const {
+                               const Eigen::Vector2d& pixel) {
   FaceSeen seen;
   const auto p_C = PointUnder(view.pair, view.disparities, pixel);
   if (!p_C) {
@@ -68,6 +104,7 @@ void PatchTracker::Keep(const FaceView& view, const FaceSeen& seen) {
   patch_.p_C = X_CE * seen.p_E;
   const bool sure = seen.normal_E && seen.normal_sigma_rad < kSureNormal_rad;
   patch_.normal_C = sure ? Eigen::Vector3d(X_CE.R * *seen.normal_E) : -patch_.p_C.normalized();
+  patch_.on_face = OnFace(view, patch_);
   X_EC_ = view.pair.X_RC;
   p_ET_ = seen.p_E;
   turned_rad_ = 0.0;
@@ -103,15 +140,30 @@ FaceSeen PatchTracker::Follow(const FaceEye& eye, const FaceView& view,
       std::hypot(kWayShare * target.way_m * aside, kAcrossShare * target.way_m, kLifts_m);
   const double sigma_px = view.pair.focal_px * std::hypot(across_m / range_m, kPoints_rad);
   const double window_px = std::clamp(kWindowSigmas * sigma_px, kLeastWindow_px, kMostWindow_px);
-  const PatchFound found = FindPatch(patch_, view.images.left, X_NC, window_px, settings_);
+  const PatchFound found =
+      FindPatch(patch_, view.images.left, X_NC, sigma_px, window_px, settings_);
   if (found.verdict != PatchVerdict::kFound)
     return {.score = found.score, .why = WhyNotFound(found)};
-  FaceSeen seen = Measure(eye, view, found.pixel);
-  seen.score = found.score;
-  if (!seen.found) return seen;
+  // Before and behind an edge there are other ranges: the prediction tells which is the face's.
   const double sigma_m =
       std::hypot(off_m, RangeSigma(view.pair, range_m), RangeSigma(view.pair, range_m_));
-  if (std::abs(seen.range_m - range_m) > kRangeSigmas * sigma_m) {
+  const double depth_m = (X_NC * patch_.p_C).z(), within_m = kRangeSigmas * sigma_m;
+  FaceView face = view;
+  face.disparities = Between(view.disparities, view.pair, depth_m - within_m - kFaceDepth_m,
+                             depth_m + within_m + kFaceDepth_m);
+  FaceSeen seen = Measure(eye, face, found.pixel);
+  seen.score = found.score;
+  if (!seen.found) {
+    if (range_m < kDirectionBeyond_m) return seen;
+    const Eigen::Vector2d from_px = found.pixel - view.pair.centre_px;
+    const Eigen::Vector3d ray_C(from_px.x(), from_px.y(), view.pair.focal_px);
+    seen = {.found = true,
+            .ranged = false,
+            .p_E = view.pair.X_RC * (range_m * ray_C.normalized()),
+            .range_m = range_m,
+            .score = found.score};
+  }
+  if (std::abs(seen.range_m - range_m) > within_m) {
     return {.score = found.score,
             .why = "what looks like the target is " + Fixed(seen.range_m - range_m, 3) +
                    " m behind where it should be"};

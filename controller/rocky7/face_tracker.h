@@ -14,6 +14,7 @@ namespace dockyard::rocky7 {
 /// Where a look has the target; or why it has it not.
 struct FaceSeen {
   bool found = false;
+  bool ranged = true;  // else only its direction is seen, its range is the expected one
   Eigen::Vector3d p_E{0, 0, 0};
   double range_m = 0.0;                       // from the left camera
   std::optional<Eigen::Vector3d> normal_E{};  // outwards; none where too few points are seen
@@ -46,7 +47,7 @@ class PatchTracker final : public FaceTracker {
   FaceSeen Follow(const FaceEye& eye, const FaceView& view, const FaceExpected& target) override;
 
  private:
-  FaceSeen Measure(const FaceEye& eye, const FaceView& view, const Eigen::Vector2d& pixel) const;
+  static FaceSeen Measure(const FaceEye& eye, const FaceView& view, const Eigen::Vector2d& pixel);
   void Keep(const FaceView& view, const FaceSeen& seen);
 
   FacePatchSettings settings_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "controller/stereo/gray_mat.h"
+#include "controller/stereo/patch_fit.h"
 
 namespace dockyard {
 namespace {
@@ -23,6 +24,14 @@ constexpr int kLeastAbout_px = 7;
 constexpr float kSensorNoise = 2.0F;
 // Greys of a face lie within so many sigmas. Assumed, 2-3.
 constexpr double kOfFace = 2.5;
+
+// Both pictures are smoothed by so much, one sigma, as noise hides faint stains; and the new one
+// by what a pixel of the older one spans in it. Assumed, 0.7-1.5 px and 0.3-0.6 of a pixel.
+constexpr double kSmooth_px = 1.0, kPixelSmooths = 0.5;
+
+// Across a face's edge greys mix by smoothing, and disparities by the matcher's blocks: a square of
+// this side must be on the face. Assumed, 3-7 px.
+constexpr int kEdge_px = 5;
 
 // Pixels of the older picture for those of the new one: p_N = (R + t n^T / d) p_C on n . p_C = d.
 Eigen::Matrix3d OlderFromNew(const FacePatch& patch, const Pose3& X_NC) {
@@ -41,9 +50,13 @@ double Vertex(double before, double at, double after) {
   return std::clamp(0.5 * (before - after) / bend, -0.5, 0.5);
 }
 
+struct SeenPatch {
+  cv::Mat greys, on_face;
+};
+
 // The older picture as seen from the new place, about a pixel there; none beyond its borders.
-std::optional<cv::Mat> SeenFromNew(const FacePatch& patch, const Pose3& X_NC,
-                                   const Eigen::Vector2i& middle, int half) {
+std::optional<SeenPatch> SeenFromNew(const FacePatch& patch, const Pose3& X_NC,
+                                     const Eigen::Vector2i& middle, int half) {
   const int side = 2 * half + 1;
   Eigen::Matrix3d shift = Eigen::Matrix3d::Identity();
   shift(0, 2) = middle.x() - half;
@@ -60,18 +73,34 @@ std::optional<cv::Mat> SeenFromNew(const FacePatch& patch, const Pose3& X_NC,
       }
     }
   }
-  cv::Mat map(3, 3, CV_64F), seen;
+  cv::Mat map(3, 3, CV_64F);
+  SeenPatch seen;
   for (int i = 0; i < 9; ++i) map.at<double>(i / 3, i % 3) = H(i / 3, i % 3);
-  cv::warpPerspective(MatOn(patch.left), seen, map, {side, side},
+  cv::warpPerspective(MatOn(patch.left), seen.greys, map, {side, side},
                       cv::INTER_CUBIC | cv::WARP_INVERSE_MAP);
+  if (patch.on_face.pixels.empty()) {
+    seen.on_face = cv::Mat(side, side, CV_8U, cv::Scalar(255));
+  } else {
+    cv::warpPerspective(MatOn(patch.on_face), seen.on_face, map, {side, side},
+                        cv::INTER_NEAREST | cv::WARP_INVERSE_MAP);
+    // Beyond the border nothing is known, which erode() takes for the face.
+    cv::erode(seen.on_face, seen.on_face,
+              cv::getStructuringElement(cv::MORPH_ELLIPSE, {kEdge_px, kEdge_px}));
+  }
   return seen;
+}
+
+cv::Mat SmoothGreys(const cv::Mat& greys, double sigma_px) {
+  cv::Mat exact, smooth;
+  greys.convertTo(exact, CV_32F);
+  cv::GaussianBlur(exact, smooth, {}, sigma_px);
+  return smooth;
 }
 
 // Each grey against those about it, over their contrast: stains count alike in light and in shade,
 // and a shadow's edge no more than they do.
-cv::Mat LocallyNormal(const cv::Mat& greys, int about_px) {
-  cv::Mat grey, mean, square, out;
-  greys.convertTo(grey, CV_32F);
+cv::Mat LocallyNormal(const cv::Mat& grey, int about_px) {
+  cv::Mat mean, square, out;
   const cv::Size about(about_px, about_px);
   cv::blur(grey, mean, about);
   cv::blur(grey.mul(grey), square, about);
@@ -83,34 +112,58 @@ cv::Mat LocallyNormal(const cv::Mat& greys, int about_px) {
 
 enum class Greys : std::uint8_t { kAsTheyAre, kLocal };
 
+// Where a patch is looked for: its middle as predicted, and how far off that may be.
+struct Window {
+  Eigen::Vector2i middle{0, 0};
+  double sigma_px = 0.0, half_px = 0.0;
+};
+
 struct Compared {
   PatchVerdict verdict = PatchVerdict::kUnseen;
-  cv::Mat scores;
+  cv::Mat scores, odds;
+  cv::Mat about, then, face;  // the picture about the place, the patch's greys, what counts of them
   Eigen::Vector2i first{0, 0};  // the patch's middle at the first place
   cv::Point best;
   double score = 0.0, second = 0.0;
 };
 
-// Another peak than the best one's own slope.
-double SecondPeak(const cv::Mat& scores, const cv::Point& best, double apart) {
-  double second = 0.0;
-  for (int y = 1; y < scores.rows - 1; ++y) {
-    for (int x = 1; x < scores.cols - 1; ++x) {
-      const float here = scores.at<float>(y, x);
-      if (here <= second || std::hypot(x - best.x, y - best.y) < apart) continue;
+// Log likelihoods of the places, up to a constant.
+cv::Mat OddsOf(const Compared& compared, const Window& window, double independent) {
+  cv::Mat odds(compared.scores.size(), CV_32F);
+  for (int y = 0; y < odds.rows; ++y) {
+    for (int x = 0; x < odds.cols; ++x) {
+      const double c = std::clamp<double>(compared.scores.at<float>(y, x), 0.0, 0.999);
+      const Eigen::Vector2i off = compared.first + Eigen::Vector2i(x, y) - window.middle;
+      odds.at<float>(y, x) =
+          static_cast<float>(-0.5 * independent * std::log(1.0 - c * c) -
+                             0.5 * off.squaredNorm() / (window.sigma_px * window.sigma_px));
+    }
+  }
+  return odds;
+}
+
+// The likeliest place beside the best one's own slope; none: the best one.
+cv::Point SecondPeak(const cv::Mat& odds, const cv::Point& best, double apart) {
+  cv::Point second = best;
+  for (int y = 1; y < odds.rows - 1; ++y) {
+    for (int x = 1; x < odds.cols - 1; ++x) {
+      const float here = odds.at<float>(y, x);
+      if (second != best && here <= odds.at<float>(second)) continue;
+      if (std::hypot(x - best.x, y - best.y) < apart) continue;
       double most = 0.0;
-      cv::minMaxLoc(scores(cv::Rect(x - 1, y - 1, 3, 3)), nullptr, &most);
-      if (most <= here) second = here;
+      cv::minMaxLoc(odds(cv::Rect(x - 1, y - 1, 3, 3)), nullptr, &most);
+      if (most <= here) second = {x, y};
     }
   }
   return second;
 }
 
 Compared Compare(const FacePatch& patch, const GrayImage& image, const Pose3& X_NC,
-                 const Eigen::Vector2i& middle, int half, double window_px,
-                 const FacePatchSettings& settings, Greys greys = Greys::kAsTheyAre) {
+                 const Window& window, int half, const FacePatchSettings& settings,
+                 Greys greys = Greys::kAsTheyAre) {
   Compared out;
-  const int reach = half + static_cast<int>(std::ceil(window_px));
+  const Eigen::Vector2i& middle = window.middle;
+  const int reach = half + static_cast<int>(std::ceil(window.half_px));
   const int left = std::max(0, middle.x() - reach), top = std::max(0, middle.y() - reach);
   const int right = std::min(image.width - 1, middle.x() + reach);
   const int bottom = std::min(image.height - 1, middle.y() + reach);
@@ -120,33 +173,44 @@ Compared Compare(const FacePatch& patch, const GrayImage& image, const Pose3& X_
   // The face's own greys, by the patch's inner part. What is far brighter or darker beside it is
   // another surface: sky and sunlit ground behind a boulder's edge would outweigh its stains.
   const int inner = half / 2;
+  const cv::Rect middle_part(half - inner, half - inner, 2 * inner + 1, 2 * inner + 1);
   cv::Scalar mean, sigma;
-  cv::meanStdDev((*seen)(cv::Rect(half - inner, half - inner, 2 * inner + 1, 2 * inner + 1)), mean,
-                 sigma);
+  cv::meanStdDev(seen->greys(middle_part), mean, sigma, seen->on_face(middle_part));
   out.verdict = PatchVerdict::kPlain;
   if (sigma[0] < settings.least_contrast) return out;
-  cv::Mat face;
-  cv::inRange(*seen, mean - kOfFace * sigma, mean + kOfFace * sigma, face);
-  const cv::Mat window = MatOn(image)(cv::Range(top, bottom + 1), cv::Range(left, right + 1));
+  cv::Mat& face = out.face;
+  cv::inRange(seen->greys, mean - kOfFace * sigma, mean + kOfFace * sigma, face);
+  cv::bitwise_and(face, seen->on_face, face);
+  const double larger = patch.p_C.z() / (X_NC * patch.p_C).z();
+  const double spans = kPixelSmooths * std::sqrt(std::max(0.0, larger * larger - 1.0));
+  const cv::Mat about = out.about =
+      SmoothGreys(MatOn(image)(cv::Range(top, bottom + 1), cv::Range(left, right + 1)),
+                  std::hypot(kSmooth_px, spans));
+  const cv::Mat greys_then = out.then = SmoothGreys(seen->greys, kSmooth_px);
   if (greys == Greys::kLocal) {
     const int about_px = std::max(kLeastAbout_px, half / 2) | 1;
-    cv::matchTemplate(LocallyNormal(window, about_px), LocallyNormal(*seen, about_px), out.scores,
-                      cv::TM_CCOEFF_NORMED, face);
+    cv::matchTemplate(LocallyNormal(about, about_px), LocallyNormal(greys_then, about_px),
+                      out.scores, cv::TM_CCOEFF_NORMED, face);
   } else {
-    cv::matchTemplate(window, *seen, out.scores, cv::TM_CCOEFF_NORMED, face);
+    cv::matchTemplate(about, greys_then, out.scores, cv::TM_CCOEFF_NORMED, face);
   }
   // Where the window has no contrast there is no score, or one without meaning.
   cv::patchNaNs(out.scores, -1.0);
   cv::threshold(out.scores, out.scores, 1.0, -1.0, cv::THRESH_TOZERO_INV);
-  cv::minMaxLoc(out.scores, nullptr, &out.score, nullptr, &out.best);
   out.first = {left + half, top + half};
+  out.odds = OddsOf(out, window, settings.independent);
+  cv::minMaxLoc(out.odds, nullptr, nullptr, nullptr, &out.best);
+  out.score = out.scores.at<float>(out.best);
   out.verdict = PatchVerdict::kElsewhere;
   const bool border = out.best.x == 0 || out.best.y == 0 || out.best.x == out.scores.cols - 1 ||
                       out.best.y == out.scores.rows - 1;
   if (out.score < settings.least_score || border) return out;
-  out.second = SecondPeak(out.scores, out.best, kOtherPeak * half);
-  const bool two = out.second > settings.most_second * out.score;
-  out.verdict = two ? PatchVerdict::kAmbiguous : PatchVerdict::kFound;
+  out.verdict = PatchVerdict::kFound;
+  const cv::Point second = SecondPeak(out.odds, out.best, kOtherPeak * half);
+  if (second == out.best) return out;
+  out.second = out.scores.at<float>(second);
+  const bool two = out.odds.at<float>(out.best) - out.odds.at<float>(second) < settings.least_odds;
+  if (two) out.verdict = PatchVerdict::kAmbiguous;
   return out;
 }
 
@@ -171,37 +235,46 @@ void Decide(const Compared& wide, int half, Compared& narrow) {
 }  // namespace
 
 PatchFound FindPatch(const FacePatch& patch, const GrayImage& image, const Pose3& X_NC,
-                     double window_px, const FacePatchSettings& settings) {
+                     double sigma_px, double window_px, const FacePatchSettings& settings) {
   const Eigen::Vector3d p_N = X_NC * patch.p_C;
   if (p_N.z() <= 0.0) return {};
   const Eigen::Vector2d at = patch.centre_px + patch.focal_px * p_N.head<2>() / p_N.z();
-  const Eigen::Vector2i middle(static_cast<int>(std::lround(at.x())),
-                               static_cast<int>(std::lround(at.y())));
+  const Window window{
+      {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))},
+      sigma_px,
+      window_px};
   const int half =
       std::clamp(static_cast<int>(std::lround(patch.focal_px * settings.half_m / p_N.z())),
                  settings.least_half_px, settings.most_half_px);
-  Compared compared = Compare(patch, image, X_NC, middle, half, window_px, settings);
+  Compared compared = Compare(patch, image, X_NC, window, half, settings);
   if (compared.verdict == PatchVerdict::kAmbiguous) {
     // Near by, stains on either side of a shadow's edge tell; far away noise hides them so.
-    Compared local = Compare(patch, image, X_NC, middle, half, window_px, settings, Greys::kLocal);
+    Compared local = Compare(patch, image, X_NC, window, half, settings, Greys::kLocal);
     if (local.verdict == PatchVerdict::kFound) compared = std::move(local);
   }
   if (compared.verdict == PatchVerdict::kAmbiguous) {
-    Decide(Compare(patch, image, X_NC, middle, 2 * half, window_px, settings), half, compared);
+    Decide(Compare(patch, image, X_NC, window, 2 * half, settings), half, compared);
   }
   PatchFound found{.verdict = compared.verdict, .score = compared.score, .second = compared.second};
   if (found.verdict != PatchVerdict::kFound) return found;
   const cv::Point& best = compared.best;
+  // From the patch's middle pixel to the point, and from the window's corner.
+  const Eigen::Vector2d to_point = at - window.middle.cast<double>();
+  const Eigen::Vector2d first = compared.first.cast<double>();
+  const Eigen::Vector2d corner = first - Eigen::Vector2d::Constant(compared.then.cols / 2);
+  const Eigen::Vector2d middle = first + Eigen::Vector2d(best.x, best.y);
+  const auto fit = FitPatch(compared.then, compared.face, compared.about, middle - corner);
+  if (fit) {
+    found.pixel = corner + fit->t + fit->A * to_point;
+    return found;
+  }
   const auto score = [&](int x, int y) {
     return static_cast<double>(compared.scores.at<float>(y, x));
   };
   const double centre = score(best.x, best.y);
   const double du = Vertex(score(best.x - 1, best.y), centre, score(best.x + 1, best.y));
   const double dv = Vertex(score(best.x, best.y - 1), centre, score(best.x, best.y + 1));
-  // From the patch's middle pixel to the point.
-  found.pixel =
-      Eigen::Vector2d(compared.first.x() + best.x + du, compared.first.y() + best.y + dv) +
-      (at - middle.cast<double>());
+  found.pixel = middle + Eigen::Vector2d(du, dv) + to_point;
   return found;
 }
 

@@ -16,7 +16,8 @@ struct FacePatchSettings {
   int least_half_px = 14;       // whatever that is on the face; assumed, 10-20
   int most_half_px = 40;        // assumed, 25-60
   double least_score = 0.6;     // of normalised correlation; assumed, 0.5-0.8
-  double most_second = 0.9;     // the second-best place's share of it; assumed, 0.8-0.95
+  double independent = 20.0;    // parts of a patch that look alike by chance; assumed, 10-40
+  double least_odds = 3.0;      // log odds of the best place before the next; assumed, 2-5
   double least_contrast = 2.0;  // grey, one sigma over the patch; assumed, 1.5-4
 };
 
@@ -25,6 +26,7 @@ struct FacePatch {
   GrayImage left;
   double focal_px = 0.0;
   Eigen::Vector2d centre_px{0, 0};
+  GrayImage on_face{};                 // not 0 where a pixel of left shows the face; empty: all do
   Eigen::Vector3d p_C{0, 0, 1};        // the point
   Eigen::Vector3d normal_C{0, 0, -1};  // of the face
 };
@@ -43,10 +45,13 @@ struct PatchFound {
   double score = 0.0, second = 0.0;
 };
 
+/// The likeliest place: a correlation of c over so many independent parts has the log likelihood
+/// -parts/2 log(1 - c^2), and the place itself that of a Gaussian about the prediction.
 /// @param image      left and rectified, with the focal length and centre of the patch
 /// @param X_NC       the older camera in the new one, as predicted; the point's pixel follows
-/// @param window_px  how far from there it may be, along each side
+/// @param sigma_px   of that pixel, along each side
+/// @param window_px  how far from there it is looked for, along each side
 PatchFound FindPatch(const FacePatch& patch, const GrayImage& image, const Pose3& X_NC,
-                     double window_px, const FacePatchSettings& settings);
+                     double sigma_px, double window_px, const FacePatchSettings& settings);
 
 }  // namespace dockyard

@@ -49,6 +49,29 @@ TEST(PlaceMission, PlacesTheInstrumentOnAFaceFromFiveMetres) {
   EXPECT_GT(rover.nearest_wheel_m, 0.05);
 }
 
+// The user has clicked in a picture from where the cameras stand: another place would show the
+// target at another pixel.
+TEST(PlaceMission, TheMastStaysBrakedUntilItsFirstPicture) {
+  IdealRover rover;
+  rover.nominal.task = Task::kPlace;
+  rover.scene.p_W = {5.5, 0.4, 0.4};
+  rover.scene.normal_W = NormalOf(25.0, 20.0);
+  rover.Click();
+  const auto controller = MakeDockyardController(rover.nominal);
+  bool asked = false, moved = false;
+  while (!moved && rover.tick < 60000) {
+    const Commands commands = controller->Step(rover.Frame());
+    asked = asked || !commands.take_images.empty();
+    for (const MotorCommand& motor : commands.motors) {
+      moved = moved || motor.mode != MotorMode::kBrake;
+    }
+    ASSERT_TRUE(asked || !moved);
+    rover.Turn(commands);
+  }
+  EXPECT_TRUE(asked);
+  EXPECT_TRUE(moved);
+}
+
 TEST(PlaceMission, GivesUpWhenTheMastsCamerasDoNotAnswer) {
   IdealRover rover;
   rover.nominal.task = Task::kPlace;
