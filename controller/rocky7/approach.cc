@@ -5,6 +5,7 @@
 
 #include "controller/motion/steering.h"
 #include "controller/rocky7/exposure.h"
+#include "controller/rocky7/odometry.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 constexpr double kSlip = 0.1;
 // The same aside, the heading being known: tandem wheels slip aside on arcs. Assumed, 0.02-0.08.
 constexpr double kSideSlip = 0.05;
-// More is not believed of a single look. Assumed, 0.3-0.7.
-constexpr double kMostSlip = 0.5;
 // Cameras that do not answer are asked again after so long, so often. Assumed, 1-10 s and 2-10.
 constexpr Tick kAskAgain = 3000;
 constexpr int kMostAsks = 5;

@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "controller/base/number_text.h"
+#include "controller/rocky7/odometry.h"
 
 namespace dockyard::rocky7 {
 namespace {
 
-// Where the target may be off its prediction, 1 sigma: along and across the way driven (slip: 0.08
-// in approach.cc), what a step over rough ground lifts the rover, and where the mast points.
-// Assumed, 0.05-0.12 and 0.02-0.06 of the way, 1-3 cm and 0.2-0.5 deg.
-constexpr double kWayShare = 0.08, kAcrossShare = 0.03, kLifts_m = 0.015,
-                 kPoints_rad = Radians(0.3);
+// Where the target may be off its prediction, 1 sigma: across the way driven (along it:
+// kSlipSigma), what a step over rough ground lifts the rover, and where the mast points. Assumed,
+// 0.02-0.06 of the way, 1-3 cm and 0.2-0.5 deg.
+constexpr double kAcrossShare = 0.03, kLifts_m = 0.015, kPoints_rad = Radians(0.3);
 // Half the window, in sigmas; at least and at most. Assumed, 3-4, 6-12 and 40-80 px.
 constexpr double kWindowSigmas = 3.0, kLeastWindow_px = 8.0, kMostWindow_px = 60.0;
 // A range that differs from the prediction by more sigmas is another surface. Assumed, 3-5.
@@ -132,12 +132,12 @@ FaceSeen PatchTracker::Follow(const FaceEye& eye, const FaceView& view,
   const Pose3 X_EO{R_turn, target.p_E - R_turn * p_ET_};
   const Pose3 X_NC = Inverse(view.pair.X_RC) * X_EO * X_EC_;
   const double range_m = (X_NC * patch_.p_C).norm();
-  const double off_m = std::hypot(kWayShare * target.way_m, kLifts_m);
+  const double off_m = std::hypot(kSlipSigma * target.way_m, kLifts_m);
   // What it is off along the way moves the picture only where it is not looked along the way.
   const Eigen::Vector3d ray_E = (target.p_E - view.pair.X_RC.p).normalized();
   const double aside = ray_E.tail<2>().norm();
   const double across_m =
-      std::hypot(kWayShare * target.way_m * aside, kAcrossShare * target.way_m, kLifts_m);
+      std::hypot(kSlipSigma * target.way_m * aside, kAcrossShare * target.way_m, kLifts_m);
   const double sigma_px = view.pair.focal_px * std::hypot(across_m / range_m, kPoints_rad);
   const double window_px = std::clamp(kWindowSigmas * sigma_px, kLeastWindow_px, kMostWindow_px);
   const PatchFound found =

@@ -6,15 +6,6 @@
 #include "controller/motion/arcs.h"
 
 namespace dockyard::rocky7 {
-namespace {
-
-// How far slip is off what is taken, 1 sigma. Assumed, 0.05-0.12.
-constexpr double kSlipSigma = 0.08;
-// More is not believed. Assumed, 0.3-0.7.
-constexpr double kSlipMost = 0.5;
-
-}  // namespace
-
 void Odometry::Begin(double yaw_rad) {
   yaw_at_start_rad_ = yaw_rad;
   before_ = {};
@@ -34,7 +25,7 @@ void Odometry::Learn(double further_m, double sigma_m, double way_m) {
   if (options_.slip <= 0.0 || way_m == 0.0) return;
   const double by_slip_m2 = kSlipSigma * kSlipSigma * way_m * way_m;
   const double gain = by_slip_m2 / (by_slip_m2 + sigma_m * sigma_m);
-  slip_ = std::clamp(slip_ + gain * further_m / way_m, 0.0, kSlipMost);
+  slip_ = std::clamp(slip_ + gain * further_m / way_m, 0.0, kMostSlip);
 }
 
 }  // namespace dockyard::rocky7

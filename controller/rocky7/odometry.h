@@ -6,6 +6,11 @@
 
 namespace dockyard::rocky7 {
 
+/// How far slip is off what is taken, 1 sigma, share of the way. Assumed, 0.05-0.12.
+inline constexpr double kSlipSigma = 0.08;
+/// More is not believed of looks. Assumed, 0.3-0.7.
+inline constexpr double kMostSlip = 0.5;
+
 struct OdometryOptions {
   // The turn by the inertial unit in place of the wheels: tandem wheels slip aside on an arc, and
   // the rover turns by 83 to 87 % of what they count (docs/rocky7.md).

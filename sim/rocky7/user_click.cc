@@ -14,6 +14,7 @@ namespace {
 constexpr double kMargin_px = 10.0;
 // Off the face's plane, beyond its roughness, is another surface. Assumed, 0.5-2 mm and 2-3 sigmas.
 constexpr double kOffFace_m = 1e-3, kRoughnessSigmas = 2.0;
+// Who misses the face so often does not see it. Assumed, 10-100.
 constexpr int kMostClicks = 20;
 
 bool IsOnFace(const Rocky7Keys& keys, const Eigen::Vector3d& from_middle_G) {

@@ -3,14 +3,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "controller/rocky7/dockyard.h"
 #include "models/read/yaml_tree.h"
 #include "sim/base/random.h"
+#include "sim/rocky7/rocky7_plant.h"
 #include "sim/rocky7/rocky7_system.h"
 #include "sim/run/loop.h"
 #include "support/bad_files.h"
@@ -47,9 +50,8 @@ struct Ended {
   Notes notes;
 };
 
-Ended RunWith(const std::string& keys, const Alter& alter) {
-  CampaignRun run;
-  Scenario& scenario = run.scenario;
+Scenario NearStone(const std::string& keys) {
+  Scenario scenario;
   scenario.name = "test";
   scenario.system = "rocky7";
   scenario.controller = "altered";
@@ -61,6 +63,12 @@ Ended RunWith(const std::string& keys, const Alter& alter) {
   scenario.yard.cell_m = 0.01;
   scenario.time_limit_s = 120.0;
   scenario.seed = 3;
+  return scenario;
+}
+
+Ended RunWith(const std::string& keys, const Alter& alter) {
+  CampaignRun run;
+  run.scenario = NearStone(keys);
   Ended ended;
   const System system =
       Rocky7System({{"altered", [&](const Nominal& nominal) {
@@ -84,6 +92,53 @@ TEST(Rocky7Shortcuts, WithItsPicturesSwappedItDoesNotReachTheStone) {
 TEST(Rocky7Shortcuts, FindsAStoneOfTheSoilsOwnColourWithoutStains) {
   const Ended plain = RunWith("task: reach, stone_albedo: 1, stone_stains: 0", kNothing);
   EXPECT_EQ(plain.outcome, "on_target");
+}
+
+// All the world of one colour, from the second look on: nothing but the pictures tells where the
+// stone is.
+TEST(Rocky7Shortcuts, InPicturesOfOneGreyItLosesTheStone) {
+  int pictures = 0;
+  const Ended blank = RunWith("task: reach", [&](SensorFrame& frame) {
+    for (CameraImage& image : frame.images) {
+      if (++pictures <= 2) continue;
+      auto& pixels = std::get<GrayImage>(image.pixels).pixels;
+      std::fill(pixels.begin(), pixels.end(), 100);
+    }
+  });
+  EXPECT_GT(pictures, 4);
+  EXPECT_THAT(blank.outcome, testing::AnyOf("lost_target", "unstable"));
+}
+
+// Two worlds alike but for the stone turn by the same commands; from 8 s on the pictures are of the
+// one whose stone is a pebble that nobody can tell from the ground.
+TEST(Rocky7Shortcuts, WhenTheStoneIsTakenAwayHalfWayItReportsTheLoss) {
+  const auto renderer = std::make_shared<KeptRenderer>();
+  const auto plant = [&](const std::string& diameter_m) {
+    const Scenario scenario = NearStone("task: reach, diameter_m: " + diameter_m);
+    return std::make_unique<Rocky7Plant>(scenario, BuildRun(scenario, LoadModels(scenario)),
+                                         renderer);
+  };
+  const auto with = plant("0.04"), without = plant("0.01");
+  const auto controller = MakeDockyardController(with->built().nominal);
+  Commands commands;
+  std::vector<CameraImage> images;
+  int found = 0;
+  while (commands.verdict == Verdict::kUnderWay && with->tick() < 120000) {
+    SensorFrame sensed = with->Sense();
+    without->Sense();
+    sensed.images = std::exchange(images, {});
+    commands = controller->Step(sensed);
+    if (!commands.take_images.empty()) {
+      const bool gone = with->tick() >= 8000;
+      images = (gone ? without : with)->TakeImages(commands.take_images, commands.exposure_stops);
+      for (CameraImage& image : images) image.exposed = with->tick();
+      found += !gone;
+    }
+    with->Advance(commands);
+    without->Advance(commands);
+  }
+  EXPECT_GE(found, 2);
+  EXPECT_EQ(commands.verdict, Verdict::kGivenUp) << controller->belief().note;
 }
 
 bool LookedAfterwards(const Ended& ended) {
