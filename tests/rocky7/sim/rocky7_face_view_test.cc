@@ -1,6 +1,7 @@
 // The normal of a boulder's face as the mast's pictures give it.
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -18,8 +19,27 @@ struct Face {
   double height_m = 0.33, up_deg = 30.0, turn_deg = 20.0;
 };
 
+// The normal of the plane by least squares through points of the surface on a disc about a point.
+Eigen::Vector3d MeanNormal(const StarBody& body, const Eigen::Vector3d& centre,
+                           const Eigen::Vector3d& axis, double radius_m) {
+  const Eigen::Vector3d side = axis.unitOrthogonal(), up = axis.cross(side);
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  for (double x = -radius_m; x <= radius_m; x += 0.1 * radius_m) {
+    for (double y = -radius_m; y <= radius_m; y += 0.1 * radius_m) {
+      if (std::hypot(x, y) > radius_m) continue;
+      const Eigen::Vector3d from = centre + x * side + y * up + body.radius_m * axis;
+      const Eigen::Vector3d row(1.0, x, y);
+      A += row * row.transpose();
+      b += axis.dot(FirstOnRay(body, from, -axis).value() - centre) * row;
+    }
+  }
+  const Eigen::Vector3d plane = A.ldlt().solve(b);
+  return (axis - plane[1] * side - plane[2] * up).normalized();
+}
+
 struct Seen {
-  double off_rad = 0.0;  // measured normal from that of what a can would stand on
+  double off_rad = 0.0;  // measured normal from the surface's, over a can's face
   double away_m = 0.0;   // measured point from the one that was clicked on
 };
 
@@ -57,9 +77,9 @@ Seen LookAt(std::uint64_t seed, double from_m, const Face& face = {}) {
   if (!plane) return {kPi, 1.0};
   const Eigen::Vector3d face_G =
       FaceNormal({.face_up_rad = Radians(face.up_deg), .face_turn_rad = Radians(face.turn_deg)});
-  const auto stood_on =
-      NormalUnderDisc(*plant.built().world.boulder, plant.target_G(), face_G, 0.033);
-  const double along = plane->normal.dot(X_EG.R * *stood_on);
+  const Eigen::Vector3d surface_G =
+      MeanNormal(*plant.built().world.boulder, plant.target_G(), face_G, 0.033);
+  const double along = plane->normal.dot(X_EG.R * surface_G);
   return {std::acos(std::clamp(along, -1.0, 1.0)), (plane->p - p_ET).norm()};
 }
 
