@@ -137,7 +137,9 @@ ElevationMap FaceEye::HeightsAbout(const FaceView& view, const Eigen::Vector2d& 
   ElevationMap map = MapHeights(view.pair, view.disparities, Plane{}, kFaceBlock_px, settings);
   const double across_px = settings.cell_m * view.pair.focal_px / away_m;
   for (std::size_t i = 0; i < map.points.size(); ++i) {
-    if (map.points[i] < kCellShare * across_px * across_px) map.height_m[i] = std::nanf("");
+    if (map.points[i] >= kCellShare * across_px * across_px) continue;
+    map.points[i] = 0;
+    map.height_m[i] = std::nanf("");
   }
   return map;
 }

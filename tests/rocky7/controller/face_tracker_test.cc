@@ -49,6 +49,20 @@ TEST(FaceEye, MeasuresPointAndNormalOfAFaceFromNearBy) {
   }
 }
 
+// A cell of few points is left out whole: the highest one of a window would be not a number.
+TEST(FaceEye, EveryCellOfItsHeightsHasPointsOrNoHeight) {
+  Watch watch;
+  watch.scene.p_W = {0.9, 0.05, 0.4};
+  watch.scene.normal_W = NormalOf(40.0, 30.0);
+  const ElevationMap map = watch.eye.HeightsAbout(watch.Look(), {0.9, 0.05}, 0.2);
+  int known = 0;
+  for (std::size_t i = 0; i < map.points.size(); ++i) {
+    ASSERT_EQ(map.points[i] == 0, std::isnan(map.height_m[i])) << i;
+    known += map.points[i] > 0;
+  }
+  EXPECT_GT(known, 100);
+}
+
 TEST(FaceEye, FindsAClickWithinAFewCentimetresFromSixMetres) {
   Watch watch;
   watch.scene.p_W = {6.0, 0.3, 0.4};
