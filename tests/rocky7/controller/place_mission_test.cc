@@ -31,12 +31,17 @@ Verdict Drive(IdealRover& rover, Controller& controller) {
   return Verdict::kUnderWay;
 }
 
-TEST(PlaceMission, PlacesTheInstrumentOnAFaceFromFiveMetres) {
+IdealRover FiveMetresBeforeAFace() {
   IdealRover rover;
   rover.nominal.task = Task::kPlace;
   rover.scene.p_W = {5.5, 0.4, 0.4};
   rover.scene.normal_W = NormalOf(25.0, 20.0);
   rover.Click();
+  return rover;
+}
+
+TEST(PlaceMission, PlacesTheInstrumentOnAFaceFromFiveMetres) {
+  IdealRover rover = FiveMetresBeforeAFace();
   const auto controller = MakeDockyardController(rover.nominal);
   EXPECT_EQ(Drive(rover, *controller), Verdict::kDocked) << controller->belief().note;
   const Eigen::Vector3d off = rover.touched_W - rover.scene.p_W;
@@ -52,11 +57,7 @@ TEST(PlaceMission, PlacesTheInstrumentOnAFaceFromFiveMetres) {
 // The user has clicked in a picture from where the cameras stand: another place would show the
 // target at another pixel.
 TEST(PlaceMission, TheMastStaysBrakedUntilItsFirstPicture) {
-  IdealRover rover;
-  rover.nominal.task = Task::kPlace;
-  rover.scene.p_W = {5.5, 0.4, 0.4};
-  rover.scene.normal_W = NormalOf(25.0, 20.0);
-  rover.Click();
+  IdealRover rover = FiveMetresBeforeAFace();
   const auto controller = MakeDockyardController(rover.nominal);
   bool asked = false, moved = false;
   while (!moved && rover.tick < 60000) {
