@@ -21,6 +21,8 @@ constexpr int kMostAsks = 5;
 constexpr double kAimGain = 0.8, kMostAim_m = 0.03;
 // Of a long first arc so much is driven before the next look. Assumed, 0.15-0.3 m.
 constexpr double kFirstPart_m = 0.2;
+// What counts about a stone for the exposure, to either side. Assumed, 8-20 px.
+constexpr int kStoneLevel_px = 12;
 // Back from where the target is not seen. Assumed, 5-20 cm.
 constexpr double kStepBack_m = 0.1;
 
@@ -181,7 +183,7 @@ bool Approach::TooDark(const GrayImage& left, const ImuSample& attitude) {
     if (!pixel) return false;
     at = *pixel;
   }
-  const auto more = MoreStops(left, at, stops_);
+  const auto more = MoreStops(left, at, kStoneLevel_px, stops_);
   if (!more) return false;
   stops_ += *more;
   return true;

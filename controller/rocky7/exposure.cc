@@ -11,20 +11,17 @@ constexpr double kAimedLevel = 80.0, kTooBright = 200.0;
 // Of exposure: a stop less is not worth a picture (assumed, 0.5-1.5); four stops bring the light of
 // a clear sky up to that of the sun (assumed, 3-5).
 constexpr double kWorthWhile = 1.0, kMostMore = 4.0;
-constexpr int kLevelAbout_px = 12;  // assumed, 8-20
 
 }  // namespace
 
-std::optional<double> MoreStops(const GrayImage& image, const Eigen::Vector2d& pixel,
+std::optional<double> MoreStops(const GrayImage& image, const Eigen::Vector2d& pixel, int about_px,
                                 double stops_now) {
   const int u0 = static_cast<int>(std::lround(pixel.x()));
   const int v0 = static_cast<int>(std::lround(pixel.y()));
   double sum = 0.0;
   int count = 0;
-  for (int v = std::max(0, v0 - kLevelAbout_px); v < std::min(image.height, v0 + kLevelAbout_px);
-       ++v) {
-    for (int u = std::max(0, u0 - kLevelAbout_px); u < std::min(image.width, u0 + kLevelAbout_px);
-         ++u) {
+  for (int v = std::max(0, v0 - about_px); v < std::min(image.height, v0 + about_px); ++v) {
+    for (int u = std::max(0, u0 - about_px); u < std::min(image.width, u0 + about_px); ++u) {
       sum += image.at(u, v);
       ++count;
     }

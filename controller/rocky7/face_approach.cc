@@ -33,6 +33,9 @@ constexpr double kFoot_m = 0.1;
 // Cameras that do not answer are asked again after so long, so often. Assumed, 1-10 s and 2-10.
 constexpr Tick kAskMastAgain = 3000;
 constexpr int kMostMastAsks = 5;
+// What counts about the target for the exposure, to either side: a top of 18 cm is 20 px high from
+// 7 m, and the ground behind it may be in the sun. Assumed, 4-8 px.
+constexpr int kFaceLevel_px = 6;
 // Of the mast on its way to a look. Assumed, 0.5-1.
 constexpr double kAimSpeed = 0.8;
 
@@ -134,7 +137,7 @@ bool FaceApproach::TooDark(const GrayImage& left, const SensorFrame& sensed) {
     if (!pixel) return false;
     at = *pixel;
   }
-  const auto more = MoreStops(left, at, stops_);
+  const auto more = MoreStops(left, at, kFaceLevel_px, stops_);
   if (!more) return false;
   stops_ += *more;
   return true;

@@ -175,18 +175,18 @@ Compared Compare(const FacePatch& patch, const GrayImage& image, const Pose3& X_
   const int inner = half / 2;
   const cv::Rect middle_part(half - inner, half - inner, 2 * inner + 1, 2 * inner + 1);
   cv::Scalar mean, sigma;
-  cv::meanStdDev(seen->greys(middle_part), mean, sigma, seen->on_face(middle_part));
+  const cv::Mat greys_then = out.then = SmoothGreys(seen->greys, kSmooth_px);
+  cv::meanStdDev(greys_then(middle_part), mean, sigma, seen->on_face(middle_part));
   out.verdict = PatchVerdict::kPlain;
   if (sigma[0] < settings.least_contrast) return out;
   cv::Mat& face = out.face;
-  cv::inRange(seen->greys, mean - kOfFace * sigma, mean + kOfFace * sigma, face);
+  cv::inRange(greys_then, mean - kOfFace * sigma, mean + kOfFace * sigma, face);
   cv::bitwise_and(face, seen->on_face, face);
   const double larger = patch.p_C.z() / (X_NC * patch.p_C).z();
   const double spans = kPixelSmooths * std::sqrt(std::max(0.0, larger * larger - 1.0));
   const cv::Mat about = out.about =
       SmoothGreys(MatOn(image)(cv::Range(top, bottom + 1), cv::Range(left, right + 1)),
                   std::hypot(kSmooth_px, spans));
-  const cv::Mat greys_then = out.then = SmoothGreys(seen->greys, kSmooth_px);
   if (greys == Greys::kLocal) {
     const int about_px = std::max(kLeastAbout_px, half / 2) | 1;
     cv::matchTemplate(LocallyNormal(about, about_px), LocallyNormal(greys_then, about_px),

@@ -18,7 +18,7 @@ struct FacePatchSettings {
   double least_score = 0.6;     // of normalised correlation; assumed, 0.5-0.8
   double independent = 20.0;    // parts of a patch that look alike by chance; assumed, 10-40
   double least_odds = 3.0;      // log odds of the best place before the next; assumed, 2-5
-  double least_contrast = 2.0;  // grey, one sigma over the patch; assumed, 1.5-4
+  double least_contrast = 1.0;  // grey, one sigma over the patch, smoothed; assumed, 0.5-2
 };
 
 /// A view of a face: the left rectified picture and the plane in the camera's frame C.
