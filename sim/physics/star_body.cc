@@ -69,13 +69,21 @@ const StarBody::Triangle& TriangleIn(const StarBody& body, const Vector3d& direc
   return body.triangles()[at];
 }
 
-// Whether the origin of x and y lies in a triangle.
-bool HoldsMiddle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  const auto side = [](const Vector3d& p, const Vector3d& q) {
-    return p.x() * q.y() - p.y() * q.x();
-  };
-  const double ab = side(a, b), bc = side(b, c), ca = side(c, a);
-  return (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0);
+// Points that lie further below a plane fall away beyond an edge: two sigmas of a roughness of 1
+// mm. Assumed, 1-4 mm.
+constexpr double kFallsAway_m = 2e-3;
+constexpr int kEdgeRounds = 5;
+
+// Least squares of z = a + b x + c y.
+Vector3d PlaneOf(const std::vector<Vector3d>& points) {
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+  Vector3d b = Vector3d::Zero();
+  for (const Vector3d& p : points) {
+    const Vector3d row(1.0, p.x(), p.y());
+    A += row * row.transpose();
+    b += p.z() * row;
+  }
+  return A.ldlt().solve(b);
 }
 
 }  // namespace
@@ -150,6 +158,7 @@ std::optional<Vector3d> NormalUnderDisc(const StarBody& body, const Vector3d& ce
   constexpr int kRings = 4, kOnRing = 12;
   const Vector3d side = axis.unitOrthogonal(), up = axis.cross(side);
   std::vector<Vector3d> points;  // aside, up and along the axis, from the centre
+  int inner = 0;
   for (int ring = 1; ring <= kRings; ++ring) {
     const double r = radius_m * std::sqrt(static_cast<double>(ring) / kRings);
     for (int i = 0; i < kOnRing; ++i) {
@@ -158,27 +167,23 @@ std::optional<Vector3d> NormalUnderDisc(const StarBody& body, const Vector3d& ce
           centre + r * (std::cos(angle) * side + std::sin(angle) * up) + body.radius_m * axis;
       const auto hit = FirstOnRay(body, from, -axis);
       if (!hit) continue;
+      inner += ring == 1;
       const Vector3d at = *hit - centre;
       points.emplace_back(at.dot(side), at.dot(up), at.dot(axis));
     }
   }
-  // Of all triangles about the middle the highest one there has no point above it.
-  std::optional<Vector3d> normal;
-  double highest_m = -1e30;
-  for (std::size_t a = 0; a < points.size(); ++a) {
-    for (std::size_t b = a + 1; b < points.size(); ++b) {
-      for (std::size_t c = b + 1; c < points.size(); ++c) {
-        const Vector3d across = (points[b] - points[a]).cross(points[c] - points[a]);
-        if (std::abs(across.z()) < 1e-9) continue;
-        const double height_m = points[a].dot(across) / across.z();
-        if (height_m <= highest_m || !HoldsMiddle(points[a], points[b], points[c])) continue;
-        highest_m = height_m;
-        const Vector3d n = across.normalized() * (across.z() > 0.0 ? 1.0 : -1.0);
-        normal = n.x() * side + n.y() * up + n.z() * axis;
-      }
+  // From the inner ring's plane outwards: one through all would already lean over an edge.
+  if (inner < kOnRing) return std::nullopt;
+  Vector3d plane = PlaneOf({points.begin(), points.begin() + kOnRing});
+  for (int round = 0; round < kEdgeRounds; ++round) {
+    std::vector<Vector3d> on_face;
+    for (const Vector3d& p : points) {
+      if (plane.dot(Vector3d(1.0, p.x(), p.y())) - p.z() < kFallsAway_m) on_face.push_back(p);
     }
+    if (on_face.size() < kOnRing) return std::nullopt;
+    plane = PlaneOf(on_face);
   }
-  return normal;
+  return (axis - plane[1] * side - plane[2] * up).normalized();
 }
 
 }  // namespace dockyard

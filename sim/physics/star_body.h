@@ -45,9 +45,9 @@ StarDepth DepthIn(const StarBody& body, const Eigen::Vector3d& p);
 std::optional<Eigen::Vector3d> FirstOnRay(const StarBody& body, const Eigen::Vector3d& origin,
                                           const Eigen::Vector3d& direction);
 
-/// The normal of the plane that a stiff disc rests on when it is pressed on its middle along -axis:
-/// it touches three points of the surface about the middle, and none stands out of it. What falls
-/// away beyond an edge does not count. None where no three points are about the middle.
+/// The surface's normal over a disc: of the plane by least squares through points on it, brought
+/// onto the surface along -axis, without those that fall away beyond an edge. None where the
+/// surface is not there under the disc's inner half.
 std::optional<Eigen::Vector3d> NormalUnderDisc(const StarBody& body, const Eigen::Vector3d& centre,
                                                const Eigen::Vector3d& axis, double radius_m);
 

@@ -85,7 +85,7 @@ void Rocky7Judge::JudgeContact(EndOfRun& told) {
   const BuiltRun& built = plant_.built();
   measures_.point_off_m = (contact_.p_GF - plant_.target_G()).norm();
   told.point_off_m = measures_.point_off_m;
-  // What the can stands on: beyond an edge there is nothing, and it stands askew by any measure.
+  // What the can stands on; off the surface it stands askew by any measure.
   const double radius_m = built.world.robot.rover.mast->instrument.radius_m;
   const auto normal =
       NormalUnderDisc(*built.world.boulder, contact_.p_GF, -contact_.axis_G, radius_m);

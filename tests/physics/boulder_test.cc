@@ -111,9 +111,9 @@ TEST(Boulder, FallsAwayBehindASmallRim) {
   EXPECT_NEAR(highest_m, shape.target_up_m + 0.02 * up, 5e-3);
 }
 
-// Two planes meet in a ridge: a disc that reaches over it rests on the plane its middle is on,
-// where a plane through all points under it would tilt towards the other.
-TEST(StarBody, ADiscThatReachesOverAnEdgeRestsOnTheSideOfItsMiddle) {
+// Two planes meet in a ridge. A plane through all points under a disc that reaches over it would
+// lean towards the other side.
+TEST(StarBody, TheNormalOverADiscIsThatOfTheSideItsMiddleIsOn) {
   const Vector3d n = Vector3d(0.0, 0.5, 1.0).normalized();
   const StarBody roof = MakeStarBody({0.0, 0.0, 0.0}, 7, [&](const Vector3d& d) {
     const double up = std::max(n.dot(d), n.dot(Vector3d(d.x(), -d.y(), d.z())));
