@@ -24,7 +24,9 @@ struct PatchFit {
 
 /// Least squares over shift, affine map, gain and offset of the greys, by Gauss and Newton; the map
 /// is held near the identity. An error in the range or in the plane that the patch was warped by
-/// is taken up by the map, and moves the middle no more. None where it does not converge.
+/// is taken up by the map, and moves the middle no more. None where it does not converge or too
+/// little counts. Without contrast it stays where it began: FindPatch() refuses such patches
+/// before.
 /// @param patch    CV_32F, of odd sides
 /// @param on_face  CV_8U, as large: 0 where a pixel does not count
 /// @param picture  CV_32F
