@@ -35,12 +35,12 @@ Clicked ClickFrom(double from_m, const std::string& task, std::uint64_t seed) {
   return {run, truth, ClickOn(scenario, run, truth)};
 }
 
-// From 4 m with a hand of 4 px, 2 cm along the view, many clicks fall beyond an edge 3 cm away.
+// From 4 m with a hand of 12 px, 6 cm across the view, many clicks fall beyond an edge 3 cm away.
 TEST(UserClick, OnABoulderTheTargetIsWhatTheClickShowsAndLiesOnTheFaceThatIsMeant) {
   double farthest_m = 0.0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const Clicked at = ClickFrom(
-        4.0, "{task: place, target_up_m: 0.18, face_up_deg: 60, rim_m: 0.03, click_px: 4}", seed);
+        4.0, "{task: place, target_up_m: 0.18, face_up_deg: 60, rim_m: 0.03, click_px: 12}", seed);
     const Pose3 X_GC = Inverse(SiteInWorld(at.run.world.X_WG, at.run.world.slope)) * at.truth.X_WK *
                        at.run.mast_pair.X_RL;
     const auto pixel = at.run.mast_pair.left.Project(Inverse(X_GC) * at.click.target_G);
