@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -81,7 +82,7 @@ fs::path OutDir(const ReproduceArguments& arguments, const Published& published)
 /// The arguments of one of the experiment's campaigns. --set and --replications belong to the
 /// first, or to the one chosen.
 CampaignArguments ArgumentsOf(const ReproduceArguments& arguments, const Published& published,
-                              std::size_t place) {
+                              std::size_t place, const std::vector<System>& systems) {
   const PublishedCampaign& campaign = published.campaigns[place];
   CampaignArguments its = arguments.campaign;
   its.file = campaign.file;
@@ -89,12 +90,11 @@ CampaignArguments ArgumentsOf(const ReproduceArguments& arguments, const Publish
   const bool meant = arguments.only.empty() ? place == 0 : arguments.only == campaign.name;
   if (!meant) its.overrides.clear();
   if (place > 0) return its;
-  if (arguments.replications == 0) {
-    its.overrides.insert(its.overrides.begin(),
-                         "design.runs=" + std::to_string(published.replications));
-  } else {
-    its.overrides.push_back("design.runs=" + std::to_string(arguments.replications));
-  }
+  const bool told = arguments.replications > 0;
+  const std::int64_t runs = std::int64_t{told ? arguments.replications : published.replications} *
+                            RunsOfOne(campaign, systems);
+  its.overrides.insert(told ? its.overrides.end() : its.overrides.begin(),
+                       "design.runs=" + std::to_string(runs));
   return its;
 }
 
@@ -103,7 +103,7 @@ std::vector<Campaign> LoadAll(const ReproduceArguments& arguments, const Publish
   std::vector<Campaign> campaigns;
   std::vector<CampaignNames> names;
   for (std::size_t i = 0; i < published.campaigns.size(); ++i) {
-    campaigns.push_back(LoadCampaign(ArgumentsOf(arguments, published, i), systems));
+    campaigns.push_back(LoadCampaign(ArgumentsOf(arguments, published, i, systems), systems));
     names.push_back(NamesOf(campaigns.back(), systems));
   }
   CheckPublished(published, names);
@@ -213,8 +213,8 @@ int Reproduce(const ReproduceArguments& arguments, const std::vector<System>& sy
       std::printf("%s", PlanCsv(campaigns[i], KnownSystems(systems)).c_str());
       return kExitDone;
     }
-    const ShardEnd end =
-        RunPart(arguments, ArgumentsOf(arguments, published, i), std::move(campaigns[i]), systems);
+    const ShardEnd end = RunPart(arguments, ArgumentsOf(arguments, published, i, systems),
+                                 std::move(campaigns[i]), systems);
     if (end.signal != 0) {
       PrintNote("stopped; to go on: " + CommandToGoOn(arguments));
       return kExitSignal + end.signal;

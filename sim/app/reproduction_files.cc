@@ -45,10 +45,12 @@ std::vector<SightingError> ErrorsOf(const fs::path& file, const std::string& tex
   return errors;
 }
 
-CampaignResults ResultsOf(const fs::path& dir, const std::vector<System>& systems) {
+CampaignResults ResultsOf(const PublishedCampaign& campaign, const fs::path& dir,
+                          const std::vector<System>& systems) {
   if (!HoldsCampaign(dir)) return {};
   KeptCampaign kept = ReadKeptCampaign(dir, systems);
-  CampaignResults results{std::move(kept.runs.results), kept.columns, kept.campaign.repeats, {}};
+  const int replications = kept.campaign.repeats / RunsOfOne(campaign, systems);
+  CampaignResults results{std::move(kept.runs.results), kept.columns, replications, {}};
   for (const RunResult& row : results.rows) {
     fs::path file = SightingsFile(dir, row.run);
     if (!fs::exists(file)) file = RunFolder(dir, row.run) / "sightings.json";
@@ -134,11 +136,15 @@ CampaignNames NamesOf(const Campaign& campaign, const std::vector<System>& syste
   return names;
 }
 
+int RunsOfOne(const PublishedCampaign& campaign, const std::vector<System>& systems) {
+  return LoadCampaign(campaign.file, {}, CampaignSystemsOf(systems)).repeats;
+}
+
 std::vector<CampaignResults> ReadReproduced(const Published& published, const fs::path& dir,
                                             const std::vector<System>& systems) {
   std::vector<CampaignResults> all;
   for (const PublishedCampaign& campaign : published.campaigns) {
-    all.push_back(ResultsOf(dir / campaign.name, systems));
+    all.push_back(ResultsOf(campaign, dir / campaign.name, systems));
   }
   return all;
 }

@@ -14,6 +14,10 @@ namespace dockyard {
 /// For CheckPublished.
 CampaignNames NamesOf(const Campaign& campaign, const std::vector<System>& systems);
 
+/// How many runs the campaign's file has at each point: those of one replication. 1 but for a
+/// campaign whose runs are drawn.
+int RunsOfOne(const PublishedCampaign& campaign, const std::vector<System>& systems);
+
 /// The campaigns of the file, each from the folder of its name; without rows where that is missing.
 /// Throws ConfigError, ResultsError, IoError.
 std::vector<CampaignResults> ReadReproduced(const Published& published,

@@ -136,9 +136,11 @@ System ToySystem() {
   system.detect = Detect;
   system.example_files.scenario = "tests/toy/scenario.yaml";
   system.example_files.reproduction = "toy";
-  system.reproductions = {{"toy", "tests/toy/published.yaml", "Drives to the flag."},
-                          {"toy_never", "tests/toy/published_never.yaml",
-                           "The same, said never to have come to the flag."}};
+  system.reproductions = {
+      {"toy", "tests/toy/published.yaml", "Drives to the flag."},
+      {"toy_never", "tests/toy/published_never.yaml",
+       "The same, said never to have come to the flag."},
+      {"toy_drawn", "tests/toy/published_drawn.yaml", "Drives from places that are drawn."}};
   system.commands = {{"way", "Say how far the flag is.", SayWay}};
   return system;
 }

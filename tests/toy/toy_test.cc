@@ -59,7 +59,7 @@ TEST_F(Toy, ListsWhatItReproduces) {
   EXPECT_THAT(list.out, testing::StartsWith("toy: Drives to the flag.\ntoy_never: "));
   const auto unknown = Dockyard("reproduce tay");
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("expected one of toy, toy_never, found 'tay'"));
+  EXPECT_THAT(unknown.err, HasSubstr("expected one of toy, toy_never, toy_drawn, found 'tay'"));
 }
 
 // Half of the drives end at the flag, which 6 of 12 agrees with.
@@ -83,6 +83,17 @@ TEST_F(Toy, ReproducesACountThatItsRunsPredict) {
   // Again: nothing is simulated, the table is the same.
   EXPECT_EQ(Dockyard(command).out, end.out);
   EXPECT_EQ(Dockyard(command + " --replications 4").code, 2);  // another campaign
+}
+
+TEST_F(Toy, ReplicatesAllRunsOfACampaignThatDrawsThem) {
+  const auto end = Dockyard("reproduce toy_drawn --quiet --out " + dir_.string());
+  EXPECT_NE(end.code, 10) << end.out << end.err;
+  EXPECT_THAT(end.out, HasSubstr("120 runs, 2 replications"));
+  const Json json = Json::parse(Text("reproduction.json"));
+  EXPECT_EQ(json.at("rows").at(0).at("runs"), 120);
+  EXPECT_NE(json.at("verdict"), "not judged");
+  const auto plan = Dockyard("reproduce toy_drawn --replications 3 --dry-run");
+  EXPECT_EQ(std::count(plan.out.begin(), plan.out.end(), '\n'), 1 + 180);
 }
 
 TEST_F(Toy, EndsWithItsCodeWhereACountIsOutside) {
