@@ -83,13 +83,13 @@ StereoRig BodyCameras(int width, int height) {
 }
 
 StereoImages PictureOf(StereoRenderer& renderer, const RenderedYard& yard, const StereoRig& rig,
-                       std::uint64_t noise_key) {
+                       std::uint64_t noise_key, const Pose3& X_WR) {
   SensorOptions sensor;
   sensor.blur_sigma_px = kBlur_px;
   sensor.noise_key = noise_key;
   Scene scene = yard.scene;
   scene.ground.heights_m = yard.heights_m.data();
-  return renderer.Render(scene, rig, {}, sensor);
+  return renderer.Render(scene, rig, X_WR, sensor);
 }
 
 std::optional<Met3> MeetsYard(const std::vector<Rock>& rocks, const Vector3d& from,

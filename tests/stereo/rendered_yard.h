@@ -35,7 +35,7 @@ StereoRig BodyCameras(int width = 640, int height = 480);
 
 /// The default sensor with a blur of 0.6 px at 640 px.
 StereoImages PictureOf(StereoRenderer& renderer, const RenderedYard& yard, const StereoRig& rig,
-                       std::uint64_t noise_key);
+                       std::uint64_t noise_key, const Pose3& X_WR = {});
 
 /// What a ray meets first.
 struct Met3 {
