@@ -5,15 +5,10 @@
 
 #include "controller/motion/steering.h"
 #include "controller/rocky7/exposure.h"
-#include "controller/rocky7/odometry.h"
 
 namespace dockyard::rocky7 {
 namespace {
 
-// Of odometry, of the way, 1 sigma: how far slip is off what is taken. Assumed, 0.05-0.15.
-constexpr double kSlip = 0.1;
-// The same aside, the heading being known: tandem wheels slip aside on arcs. Assumed, 0.02-0.08.
-constexpr double kSideSlip = 0.05;
 // Cameras that do not answer are asked again after so long, so often. Assumed, 1-10 s and 2-10.
 constexpr Tick kAskAgain = 3000;
 constexpr int kMostAsks = 5;
@@ -25,6 +20,14 @@ constexpr double kFirstPart_m = 0.2;
 constexpr int kStoneLevel_px = 12;
 // Back from where the target is not seen. Assumed, 5-20 cm.
 constexpr double kStepBack_m = 0.1;
+// An arc that will miss by more than this, or this share of what is left of it, is left for a new
+// one. Assumed, 1-2 cm and 0.05-0.2.
+constexpr double kOffAtEnd_m = 0.015, kOffShare = 0.1;
+// So much of an arc is left for short parts with looks between them: the rover that stands sees
+// best, and a part misses by less than the whole. Assumed, 10-20 cm.
+constexpr double kLast_m = 0.15;
+// Looks under way in a row without the target, after which the rover stands to look. Assumed, 1-3.
+constexpr int kMostMissesUnderWay = 2;
 
 }  // namespace
 
@@ -35,13 +38,14 @@ Approach::Approach(const Nominal& nominal, std::unique_ptr<TargetTracker> tracke
       eye_(nominal),
       drive_(nominal),
       tracker_(std::move(tracker)),
-      slip_{options.slip, options.slip} {}
+      target_(options.odometry) {}
 
 void Approach::Tell(const std::string& phase, const std::string& note) {
   belief_.phase = phase;
   if (!note.empty()) belief_.note = note;
-  belief_.values = {
-      {"target_x_m", p_RT_.x()}, {"target_y_m", p_RT_.y()}, {"looks", static_cast<double>(looks_)}};
+  belief_.values = {{"target_x_m", target_.p_RT().x()},
+                    {"target_y_m", target_.p_RT().y()},
+                    {"looks", static_cast<double>(looks_)}};
 }
 
 void Approach::GiveUp(const std::string& why) {
@@ -67,81 +71,98 @@ void Approach::Report(const TargetSeen& seen, const ImuSample& attitude) {
 }
 
 std::vector<Arc> Approach::PathToTarget() const {
-  if (options_.backs_up) return GentleArcsToPoint(p_RT_ + aim_m_, nominal_.plan);
+  if (options_.backs_up) return GentleArcsToPoint(target_.p_RT() + aim_m_, nominal_.plan);
   const ArcLimits limits = GentleLimits(nominal_.plan);
-  const auto arc = OneArcTo(p_RT_, nominal_.plan.p_RP);
+  const auto arc = OneArcTo(target_.p_RT(), nominal_.plan.p_RP);
   return arc ? std::vector<Arc>{NoSharper(*arc, limits)} : std::vector<Arc>{};
 }
 
 void Approach::Drive(const Arc& way) {
-  // So that the rover itself, which slips, goes the way.
-  const double more = 1.0 / (1.0 - SlipOf(way.length_m));
-  const Arc arc{more * way.length_m, more * way.turn_rad};
+  const Arc arc = options_.odometry.slip > 0.0
+                      ? NoSharper(target_.AgainstSlip(way), GentleLimits(nominal_.plan))
+                      : way;
+  way_ = way;
+  looked_at_m_ = 0.0;
+  misses_under_way_ = 0;
   drive_.Start(arc);
   driving_ = true;
-  const double along_m = kSlip * arc.length_m, aside_m = kSideSlip * arc.length_m;
-  spread_m2_ += Eigen::Vector2d(along_m * along_m, aside_m * aside_m).asDiagonal();
-  moved_before_ = {};
-  yaw_at_start_rad_ = yaw_rad_;
+  target_.BeginArc(arc, yaw_rad_);
   belief_.plan = {{.X_DR_start = {}, .length_m = arc.length_m, .turn_rad = arc.turn_rad}};
   ++belief_.plan_count;
   Tell("drive",
        "drives " + std::to_string(static_cast<int>(std::lround(1e3 * arc.length_m))) + " mm");
 }
 
-void Approach::TakeLook(const StereoImages& images, const SensorFrame& sensed) {
+TargetSeen Approach::Look(const StereoImages& images, const SensorFrame& sensed) {
   ++looks_;
-  const GroundSeen ground = eye_.Look(images, sensed.imu);
+  const ImuSample attitude = target_.BeginLook(ExposureOfFront(sensed));
+  const GroundSeen ground = eye_.Look(images, attitude);
+  const bool saw_motion =
+      options_.sees_motion && target_.SeeGround(eye_.PictureAhead(ground, images));
   TargetSeen seen;
   if (begun_) {
-    seen = tracker_->Follow(eye_.MapsAbout(ground, p_RT_),
-                            {{p_RT_.x(), p_RT_.y(), WrapPi(-turned_rad_)}, spread_m2_, way_m_});
+    seen = tracker_->Follow(eye_.MapsAbout(ground, target_.p_RT()), target_.predicted());
   } else if (const auto clicked = eye_.ClickOf(ground, nominal_.target_px)) {
     seen = tracker_->Begin(eye_.MapsAbout(ground, clicked->p_E), *clicked);
     begun_ = seen.found;
   } else {
     seen.why = "no range data where the user clicked";
   }
-  Report(seen, sensed.imu);
+  Report(seen, attitude);
+  if (seen.found || seen.guess) target_.TakeOver(seen.p_E, saw_motion ? 0.0 : seen.further_m);
+  target_.EndLook();
+  Tell("look", seen.why);
+  return seen;
+}
+
+void Approach::LookStanding(const StereoImages& images, const SensorFrame& sensed) {
+  const TargetSeen seen = Look(images, sensed);
+  watched_ = false;
   if (seen.found) {
-    LearnSlip(seen);
-    TakeOver(seen);
     misses_ = 0;
-    Tell("look", seen.why);
     return Decide();
   }
   ++misses_;
-  Tell("look", seen.why);
-  if (seen.guess) TakeOver(seen);
   if (misses_ >= options_.most_misses || !begun_) return GiveUp("lost the target: " + seen.why);
   // From afar it goes on by odometry, to see better; near by it looks again, and then from further
   // back.
-  if ((p_RT_ - nominal_.plan.p_RP).norm() <= options_.blind_beyond_m) {
+  if ((target_.p_RT() - nominal_.plan.p_RP).norm() <= options_.blind_beyond_m) {
     if (options_.backs_up && misses_ % 2 == 0) Drive({-kStepBack_m, 0.0});
     return;
   }
   Decide();
 }
 
-void Approach::TakeOver(const TargetSeen& seen) {
-  p_RT_ = seen.p_E;
-  spread_m2_.setZero();
-  turned_rad_ = 0.0;
-  way_m_ = 0.0;
+// By how much the point would miss the target at the end of the whole arc.
+double Approach::OffAtEnd() const {
+  const double gone = drive_.share() * way_.length_m / to_target_.length_m;
+  const Pose2 X_RE = Advance({}, Part(to_target_, 1.0 - gone));
+  return (X_RE * nominal_.plan.p_RP - target_.p_RT() - aim_m_).norm();
+}
+
+void Approach::LookUnderWay(const StereoImages& images, const SensorFrame& sensed) {
+  looked_at_m_ = std::abs(drive_.driven_m());
+  const TargetSeen seen = Look(images, sensed);
+  misses_under_way_ = seen.found ? 0 : misses_under_way_ + 1;
+  const double left_m = std::abs(to_target_.length_m) - drive_.share() * std::abs(way_.length_m);
+  const bool misses = OffAtEnd() > std::max(kOffAtEnd_m, kOffShare * left_m);
+  if (!misses && misses_under_way_ < kMostMissesUnderWay) return Tell("drive", "");
+  drive_.Stop(sensed);
+  Tell("drive", misses ? "stops: the arc would miss the target" : "stops: " + seen.why);
 }
 
 TargetSeen Approach::Peek(const StereoImages& images, const SensorFrame& sensed) {
   ++looks_;
   const GroundSeen ground = eye_.Look(images, sensed.imu);
-  const TargetSeen seen =
-      tracker_->Check(eye_.MapsAbout(ground, p_RT_), {p_RT_.x(), p_RT_.y(), 0.0});
+  const Eigen::Vector2d& p_RT = target_.p_RT();
+  const TargetSeen seen = tracker_->Check(eye_.MapsAbout(ground, p_RT), {p_RT.x(), p_RT.y(), 0.0});
   Report(seen, sensed.imu);
   Tell("peek", seen.why);
   return seen;
 }
 
 void Approach::Decide() {
-  const double off_m = (p_RT_ - nominal_.plan.p_RP).norm();
+  const double off_m = (target_.p_RT() - nominal_.plan.p_RP).norm();
   if (off_m <= options_.claim_share * nominal_.reach_m) {
     verdict_ = Verdict::kDocked;
     return Tell("there", "the point is on the target");
@@ -150,7 +171,7 @@ void Approach::Decide() {
   // What the last arc to the target has missed by, the next one will miss by again: slopes and
   // stones under the wheels are still there.
   if (options_.backs_up && aimed_ && off_m < kMostAim_m) {
-    aim_m_ += kAimGain * (p_RT_ - nominal_.plan.p_RP);
+    aim_m_ += kAimGain * (target_.p_RT() - nominal_.plan.p_RP);
     aim_m_ *= std::min(1.0, kMostAim_m / std::max(aim_m_.norm(), 1e-9));
   }
   aimed_ = false;
@@ -164,10 +185,13 @@ void Approach::Decide() {
   // A first arc that only makes room is short, and driven whole.
   const Arc& arc = path.front();
   const double left_m = std::abs(arc.length_m);
-  const double step_m = path.size() > 1
-                            ? kFirstPart_m
-                            : std::max(options_.least_step_m, options_.image_share * left_m);
-  aimed_ = path.size() == 1 && step_m >= left_m;
+  const bool single = path.size() == 1;
+  watched_ = single && options_.look_each_m > 0.0 && left_m > kLast_m + options_.look_each_m;
+  const double part_m =
+      single ? std::max(options_.least_step_m, options_.image_share * left_m) : kFirstPart_m;
+  const double step_m = watched_ ? left_m - kLast_m : part_m;
+  aimed_ = single && step_m >= left_m;
+  to_target_ = arc;
   Drive(step_m >= left_m ? arc : Part(arc, step_m / left_m));
 }
 
@@ -177,7 +201,7 @@ bool Approach::TooDark(const GrayImage& left, const ImuSample& attitude) {
   Eigen::Vector2d at = nominal_.target_px;
   if (begun_) {
     const Eigen::Matrix3d R_ER = RotY(attitude.pitch_rad) * RotX(attitude.roll_rad);
-    const Eigen::Vector3d p_E(p_RT_.x(), p_RT_.y(), -nominal_.rolling_radius_m);
+    const Eigen::Vector3d p_E(target_.p_RT().x(), target_.p_RT().y(), -nominal_.rolling_radius_m);
     const auto pixel = nominal_.front.left.Project(Inverse(nominal_.front.X_RL) *
                                                    Eigen::Vector3d(R_ER.transpose() * p_E));
     if (!pixel) return false;
@@ -189,54 +213,52 @@ bool Approach::TooDark(const GrayImage& left, const ImuSample& attitude) {
   return true;
 }
 
-// Stones lie further ahead than predicted by what the rover slipped more.
-void Approach::LearnSlip(const TargetSeen& seen) {
-  const double way_m = drive_.driven_m();
-  if (options_.slip <= 0.0 || way_m == 0.0 || way_m != way_m_) return;
-  double& slip = SlipOf(way_m);
-  slip = std::clamp(slip + seen.further_m / way_m, 0.0, kMostSlip);
+bool Approach::Waits(const SensorFrame& sensed) const {
+  return asked_ && sensed.tick - *asked_ < kAskAgain;
 }
 
-Pose2 Approach::Moved() {
-  if (!options_.turn_by_unit) return drive_.moved();
-  const double way_m = drive_.driven_m();
-  return Advance({}, Arc{(1.0 - SlipOf(way_m)) * way_m, WrapPi(yaw_rad_ - yaw_at_start_rad_)});
+void Approach::Ask(const SensorFrame& sensed, Commands& commands) {
+  commands.take_images = {kFrontLeft, kFrontRight};
+  commands.exposure_stops = stops_;
+  asked_ = sensed.tick;
+}
+
+void Approach::StepStanding(const SensorFrame& sensed, Commands& commands) {
+  if (const auto images = FrontPair(sensed)) {
+    asked_.reset();
+    asks_ = 0;
+    if (!TooDark(images->left, sensed.imu)) LookStanding(*images, sensed);
+  }
+  if (verdict_ != Verdict::kUnderWay || driving_ || Waits(sensed)) return;
+  if (++asks_ > kMostAsks) return GiveUp("the cameras do not answer");
+  Ask(sensed, commands);
+  Tell("look", "");
+}
+
+// Cameras that do not answer cost nothing here.
+void Approach::StepUnderWay(const SensorFrame& sensed, Commands& commands) {
+  if (!watched_) return;
+  if (const auto images = FrontPair(sensed)) {
+    asked_.reset();
+    return LookUnderWay(*images, sensed);
+  }
+  const double since_m = std::abs(drive_.driven_m()) - looked_at_m_;
+  const double left_m = (1.0 - drive_.share()) * std::abs(way_.length_m);
+  if (since_m >= options_.look_each_m && left_m >= options_.look_each_m && !Waits(sensed)) {
+    Ask(sensed, commands);
+  }
 }
 
 Commands Approach::Step(const SensorFrame& sensed) {
   Commands commands;
   commands.motors.resize(nominal_.motors.size());
   yaw_rad_ = sensed.imu.yaw_rad;
-  if (driving_) {
-    commands.motors = drive_.Step(sensed);
-    const Pose2 moved = Moved();
-    const Pose2 since = Inverse(moved_before_) * moved;
-    p_RT_ = Inverse(since) * p_RT_;
-    turned_rad_ += since.heading;
-    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-since.heading).toRotationMatrix();
-    spread_m2_ = (turn * spread_m2_ * turn.transpose()).eval();
-    moved_before_ = moved;
-    driving_ = !drive_.done();
-    if (!driving_) way_m_ += drive_.driven_m();
-  }
-  if (verdict_ == Verdict::kUnderWay && !driving_) {
-    if (const auto images = FrontPair(sensed)) {
-      asked_.reset();
-      asks_ = 0;
-      if (!TooDark(images->left, sensed.imu)) TakeLook(*images, sensed);
-    }
-    const bool waits = asked_ && sensed.tick - *asked_ < kAskAgain;
-    if (verdict_ == Verdict::kUnderWay && !driving_ && !waits) {
-      if (++asks_ > kMostAsks) {
-        GiveUp("the cameras do not answer");
-      } else {
-        commands.take_images = {kFrontLeft, kFrontRight};
-        commands.exposure_stops = stops_;
-        asked_ = sensed.tick;
-        Tell("look", "");
-      }
-    }
-  }
+  const bool drove = driving_;
+  if (drove) commands.motors = drive_.Step(sensed);
+  target_.Step(drive_, drove, sensed);
+  driving_ = drove && !drive_.done();
+  if (verdict_ == Verdict::kUnderWay && driving_) StepUnderWay(sensed, commands);
+  if (verdict_ == Verdict::kUnderWay && !driving_) StepStanding(sensed, commands);
   commands.verdict = verdict_;
   return commands;
 }

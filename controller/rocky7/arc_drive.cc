@@ -29,7 +29,7 @@ ArcDrive::ArcDrive(const Nominal& nominal) : nominal_(nominal) {
 void ArcDrive::Start(const Arc& arc) {
   arc_ = arc;
   moved_ = {};
-  driven_m_ = 0.0;
+  driven_m_ = share_ = 0.0;
   start_rad_.clear();
   phase_ = Phase::kSteer;
 }
@@ -101,9 +101,16 @@ void ArcDrive::Count(const SensorFrame& sensed) {
     whole_m += std::abs(way_m);
   }
   if (whole_m == 0.0) return;
-  const Arc part = Part(arc_, std::clamp(turned_m / whole_m, 0.0, 1.0));
+  share_ = std::clamp(turned_m / whole_m, 0.0, 1.0);
+  const Arc part = Part(arc_, share_);
   moved_ = Advance({}, part);
   driven_m_ = part.length_m;
+}
+
+void ArcDrive::Stop(const SensorFrame& sensed) {
+  phase_ = Phase::kRest;
+  since_ = sensed.tick;
+  commands_.assign(commands_.size(), {});
 }
 
 std::vector<MotorCommand> ArcDrive::Step(const SensorFrame& sensed) {
@@ -114,10 +121,7 @@ std::vector<MotorCommand> ArcDrive::Step(const SensorFrame& sensed) {
   }
   if (phase_ == Phase::kDrive) Count(sensed);
   if (phase_ == Phase::kDrive && Arrived(sensed, 0, wheels())) {
-    phase_ = Phase::kRest;
-    since_ = sensed.tick;
-    // The steering holds its angle for the next arc.
-    for (std::size_t i = 0; i < commands_.size(); ++i) commands_[i] = {};
+    Stop(sensed);  // the steering holds its angle for the next arc
   }
   if (phase_ == Phase::kRest) {
     Count(sensed);

@@ -19,10 +19,14 @@ class ArcDrive {
   void Start(const Arc& arc);
   /// The motors' commands for this period. All braked once it is done.
   std::vector<MotorCommand> Step(const SensorFrame& sensed);
+  /// Brakes where the rover is; done() follows when it rests.
+  void Stop(const SensorFrame& sensed);
   bool done() const { return phase_ == Phase::kDone; }
   /// What the fixed wheels counted of the arc since its start: the whole of it when it was driven
   /// without slip.
   Pose2 moved() const { return moved_; }
+  /// The share of its arc that it has driven, 0 to 1.
+  double share() const { return share_; }
   double driven_m() const { return driven_m_; }  // of its length
 
  private:
@@ -41,7 +45,7 @@ class ArcDrive {
   std::vector<double> start_rad_;
   std::vector<MotorCommand> commands_;
   Pose2 moved_;
-  double driven_m_ = 0.0;
+  double driven_m_ = 0.0, share_ = 0.0;
 };
 
 }  // namespace dockyard::rocky7

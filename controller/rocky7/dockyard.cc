@@ -10,9 +10,11 @@ namespace {
 // Larger steps than the paper's, as the window follows from them. Assumed, 0.15-0.4.
 constexpr ApproachOptions kOptions{.image_share = 0.25,
                                    .least_step_m = 0.06,
-                                   .claim_share = 0.7,  // assumed, 0.4-0.8: what is seen errs too
-                                   .turn_by_unit = true,
-                                   .slip = 0.1,  // assumed, 0.05-0.2
+                                   .look_each_m = 0.12,  // assumed, 8-20 cm
+                                   .claim_share = 0.7,   // assumed, 0.4-0.8: what is seen errs too
+                                   // Slip assumed, 0.05-0.2.
+                                   .odometry = {.turn_by_unit = true, .slip = 0.1},
+                                   .sees_motion = true,
                                    .exposes_for_target = true,
                                    .backs_up = true,
                                    .most_stalls = 3,  // assumed, 2-5

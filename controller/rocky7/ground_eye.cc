@@ -21,6 +21,9 @@ constexpr int kAbout_px = 2;
 constexpr double kClick_px = 2.0;
 // Cells without a pixel of their own, in a row. Assumed, 2-5.
 constexpr int kGap_cells = 3;
+// Of the ground ahead of the cameras so much tells the rover's motion; further away a pixel shows
+// more than a cell. Assumed, 0.7-1.2 m and 0.4-0.7 m.
+constexpr double kAhead_m = 0.95, kAside_m = 0.5;
 
 // Level ground below R, in R.
 Plane GroundIn(const Nominal& nominal, const ImuSample& attitude) {
@@ -62,6 +65,20 @@ GroundMaps GroundEye::MapsAbout(const GroundSeen& seen, const Eigen::Vector2d& p
   return maps;
 }
 
+GroundPicture GroundEye::PictureAhead(const GroundSeen& seen, const StereoImages& images) const {
+  const RectifiedPair& pair = rectifier_.pair();
+  const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
+  ElevationMap heights =
+      MapHeights(pair, seen.disparities, seen.ground_R, SandAndStonesSettings{}.stones.block_px,
+                 {.cell_m = kFinest_m,
+                  .x_low_m = p_EC.x(),
+                  .x_high_m = p_EC.x() + kAhead_m,
+                  .y_low_m = -kAside_m,
+                  .y_high_m = kAside_m});
+  FillGaps(kGap_cells, heights);
+  return FromAbove(pair, rectifier_.Rectified(images).left, heights);
+}
+
 std::optional<Eigen::Vector2d> GroundEye::PlaceOf(const GroundSeen& seen,
                                                   const Eigen::Vector2d& pixel) const {
   const RectifiedPair& pair = rectifier_.pair();
@@ -99,6 +116,13 @@ std::optional<StereoImages> FrontPair(const SensorFrame& frame) {
   const GrayImage* right = GrayImageOf(frame, kFrontRight);
   if (left == nullptr || right == nullptr) return std::nullopt;
   return StereoImages{*left, *right};
+}
+
+Tick ExposureOfFront(const SensorFrame& frame) {
+  for (const CameraImage& image : frame.images) {
+    if (image.camera == kFrontLeft) return image.exposed;
+  }
+  return frame.tick;
 }
 
 }  // namespace dockyard::rocky7

@@ -7,6 +7,7 @@
 #include "controller/io/sensors.h"
 #include "controller/rocky7/nominal/nominal.h"
 #include "controller/stereo/elevation.h"
+#include "controller/stereo/ground_motion.h"
 #include "controller/stereo/match.h"
 #include "controller/stereo/rectify.h"
 
@@ -53,6 +54,9 @@ class GroundEye {
   /// Heights about a place of E.
   GroundMaps MapsAbout(const GroundSeen& seen, const Eigen::Vector2d& p_E) const;
 
+  /// The ground ahead from above, of the pictures that Look() got.
+  GroundPicture PictureAhead(const GroundSeen& seen, const StereoImages& images) const;
+
  private:
   Nominal nominal_;
   Rectifier rectifier_;
@@ -60,5 +64,8 @@ class GroundEye {
 
 /// The pair of a frame; none unless it has both pictures.
 std::optional<StereoImages> FrontPair(const SensorFrame& frame);
+
+/// When that pair was exposed; the frame's own time without one.
+Tick ExposureOfFront(const SensorFrame& frame);
 
 }  // namespace dockyard::rocky7

@@ -2,6 +2,8 @@
 // taught of the slip.
 #pragma once
 
+#include <array>
+
 #include "controller/geometry/pose.h"
 
 namespace dockyard::rocky7 {
@@ -10,31 +12,42 @@ namespace dockyard::rocky7 {
 inline constexpr double kSlipSigma = 0.08;
 /// More is not believed of looks. Assumed, 0.3-0.7.
 inline constexpr double kMostSlip = 0.5;
+/// What a rover with tandem wheels turns on an arc of 1 m, of what they count: 83 to 87 %
+/// (docs/rocky7.md).
+inline constexpr double kTurnShare = 0.85;
 
 struct OdometryOptions {
   // The turn by the inertial unit in place of the wheels: tandem wheels slip aside on an arc, and
   // the rover turns by 83 to 87 % of what they count (docs/rocky7.md).
   bool turn_by_unit = false;
-  // The share of its way that the rover slips, as it is taken at first and then learnt from looks;
-  // 0: the wheels' counts are believed.
+  // The share of its way that the rover slips, as it is taken at first and then learnt from looks,
+  // ahead and back. With a start and a stop every 15 cm it is 20 % in sand (docs/rocky7.md). 0: the
+  // wheels' counts are believed.
   double slip = 0.0;
 };
 
 class Odometry {
  public:
-  explicit Odometry(const OdometryOptions& options) : options_(options), slip_(options.slip) {}
+  explicit Odometry(const OdometryOptions& options)
+      : options_(options), slip_{options.slip, options.slip} {}
 
-  /// An arc begins.
+  /// An arc begins. What the last one turned is learnt.
   void Begin(double yaw_rad);
   /// The motion since the last call, from what the wheels count of the arc.
   Pose2 Step(double driven_m, const Pose2& counted, double yaw_rad);
-  /// A target straight ahead was found further away than predicted by this, after a way.
+  /// After a way that the wheels counted, negative back, the rover was further back along x than
+  /// predicted by this.
   void Learn(double further_m, double sigma_m, double way_m);
-  double slip() const { return slip_; }
+  /// On a way ahead, or back.
+  double SlipOn(double way_m) const { return slip_[way_m < 0.0 ? 1 : 0]; }
+  /// What the rover turns, of what its wheels count.
+  double turn_share() const { return turn_share_; }
 
  private:
   const OdometryOptions options_;
-  double slip_ = 0.0, yaw_at_start_rad_ = 0.0;
+  std::array<double, 2> slip_{};
+  double turn_share_ = kTurnShare;
+  double yaw_at_start_rad_ = 0.0, yaw_before_rad_ = 0.0, driven_before_m_ = 0.0;
   Pose2 before_;
 };
 

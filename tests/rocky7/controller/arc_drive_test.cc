@@ -101,5 +101,18 @@ TEST(ArcDrive, LeavesAWheelThatIsStuckAndCountsWhatTheOthersTurned) {
   EXPECT_NEAR(drive.moved().x, 0.3, 1e-3);  // three of the four fixed wheels
 }
 
+TEST(ArcDrive, StopsHalfWayAndCountsWhatItDrove) {
+  const Nominal nominal = NominalRover();
+  ArcDrive drive(nominal);
+  IdealDrives drives(nominal);
+  drive.Start({0.5, 0.0});
+  while (drive.share() < 0.5) drives.Obey(drive.Step(drives.Read()));
+  drive.Stop(drives.Read());
+  EXPECT_FALSE(drive.done());
+  EXPECT_LT(DriveAll(drive, drives), 1.0);
+  EXPECT_NEAR(drive.driven_m(), 0.25, 0.006);
+  EXPECT_NEAR(drives.rad(0) * nominal.rolling_radius_m, drive.driven_m(), 1e-3);
+}
+
 }  // namespace
 }  // namespace dockyard::rocky7

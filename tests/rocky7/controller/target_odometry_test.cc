@@ -1,0 +1,137 @@
+#include "controller/rocky7/target_odometry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rocky7/controller/nominal_rover.h"
+#include "sim/base/random.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+constexpr OdometryOptions kByUnit{.turn_by_unit = true, .slip = 0.1};
+
+// Smooth stains of the ground in the world.
+float GreyAt(const Eigen::Vector2d& p_W) {
+  RandomStream waves(5);
+  double sum = 0.0;
+  for (int i = 0; i < 30; ++i) {
+    const double angle = waves.Uniform(-kPi, kPi), length_m = waves.Uniform(0.03, 0.15);
+    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+    sum += std::cos(2.0 * kPi * along.dot(p_W) / length_m + waves.Uniform(-kPi, kPi));
+  }
+  return static_cast<float>(90.0 + 8.0 * sum);
+}
+
+// What a rover at X_WR sees of it from above.
+GroundPicture GroundFrom(const Pose2& X_WR) {
+  GroundPicture picture{.x0_m = 0.2, .y0_m = -0.4, .cell_m = 0.01, .nx = 80, .ny = 80};
+  for (int iy = 0; iy < picture.ny; ++iy) {
+    for (int ix = 0; ix < picture.nx; ++ix) {
+      picture.grey.push_back(GreyAt(X_WR * Eigen::Vector2d(0.2 + 0.01 * ix, -0.4 + 0.01 * iy)));
+    }
+  }
+  return picture;
+}
+
+// Wheels that turn as they are told, over ground on which the rover comes less far.
+struct Rover {
+  Nominal nominal = NominalRover();
+  ArcDrive drive{nominal};
+  TargetOdometry odometry{kByUnit};
+  Pose2 X_WR;
+  SensorFrame frame;
+  double slip = 0.3;
+
+  Rover() { frame.motors.resize(nominal.motors.size()); }
+
+  void Rest() {
+    frame.tick += kControlPeriod;
+    odometry.Step(drive, false, frame);
+  }
+  void Go(const Arc& arc) {
+    drive.Start(arc);
+    odometry.BeginArc(arc, frame.imu.yaw_rad);
+    double before_m = 0.0;
+    while (!drive.done()) {
+      const auto commands = drive.Step(frame);
+      odometry.Step(drive, true, frame);
+      const Arc gone{(1.0 - slip) * (drive.driven_m() - before_m), 0.0};
+      before_m = drive.driven_m();
+      X_WR = Advance(X_WR, gone);
+      frame.tick += kControlPeriod;
+      for (std::size_t i = 0; i < commands.size(); ++i) {
+        if (commands[i].mode != MotorMode::kPosition) continue;
+        const double rad_per_count = nominal.motors[i].rad_per_count;
+        const double step = commands[i].speed_limit_rad_s * kControlPeriod * kTickSeconds;
+        const double now = static_cast<double>(frame.motors[i].encoder_counts) * rad_per_count;
+        frame.motors[i].encoder_counts =
+            std::llround((now + std::clamp(commands[i].target - now, -step, step)) / rad_per_count);
+      }
+    }
+  }
+  /// A look that finds the target where it is, or none.
+  bool Look(const std::optional<Eigen::Vector2d>& p_WT) {
+    odometry.BeginLook(frame.tick);
+    const bool saw = odometry.SeeGround(GroundFrom(X_WR));
+    if (p_WT) odometry.TakeOver(Inverse(X_WR) * *p_WT, 0.0);
+    odometry.EndLook();
+    return saw;
+  }
+};
+
+TEST(Odometry, CountsSlipThatIsLearntHalfWayFromThereOn) {
+  Odometry odometry(kByUnit);
+  odometry.Begin(0.0);
+  EXPECT_NEAR(odometry.Step(0.1, {0.1, 0.0, 0.0}, 0.0).x, 0.09, 1e-12);
+  odometry.Learn(0.02, 1e-6, 0.1);
+  EXPECT_NEAR(odometry.Step(0.2, {0.2, 0.0, 0.0}, 0.0).x, 0.07, 1e-6);
+}
+
+TEST(TargetOdometry, HasTheTargetWithinMillimetresWhereTheGroundShowsThatWheelsSlipped) {
+  const Eigen::Vector2d p_WT(1.2, 0.1);
+  Rover rover;
+  rover.Rest();
+  rover.Look(p_WT);
+  rover.Go({0.2, 0.0});
+  // Slip is thrice what is taken: 4 cm.
+  EXPECT_GT((rover.odometry.p_RT() - Inverse(rover.X_WR) * p_WT).norm(), 0.03);
+  EXPECT_TRUE(rover.Look({}));
+  EXPECT_LT((rover.odometry.p_RT() - Inverse(rover.X_WR) * p_WT).norm(), 0.003);
+  EXPECT_LT(rover.odometry.predicted().spread_m2.trace(), 2.0 * 0.003 * 0.003);
+  // What was learnt is most of the slip.
+  rover.Go({0.2, 0.0});
+  EXPECT_LT((rover.odometry.p_RT() - Inverse(rover.X_WR) * p_WT).norm(), 0.02);
+}
+
+TEST(TargetOdometry, SeesThatTheRoverStoodStillWhileItsWheelsTurned) {
+  const Eigen::Vector2d p_WT(1.0, 0.0);
+  Rover rover;
+  rover.slip = 1.0;
+  rover.Rest();
+  rover.Look(p_WT);
+  rover.Go({0.2, 0.0});
+  EXPECT_TRUE(rover.Look({}));
+  EXPECT_LT((rover.odometry.p_RT() - p_WT).norm(), 0.003);
+}
+
+// 4.5 cm go by between a picture's exposure and its arrival.
+TEST(TargetOdometry, CountsALateLookFromWhenItWasExposed) {
+  const Eigen::Vector2d p_WT(1.0, 0.0);
+  Rover rover;
+  rover.slip = 0.1;
+  rover.Rest();
+  rover.Look(p_WT);
+  const Tick exposed = rover.frame.tick;
+  rover.Go({0.05, 0.0});
+  rover.odometry.BeginLook(exposed);
+  EXPECT_LT((rover.odometry.p_RT() - p_WT).norm(), 1e-3);
+  rover.odometry.TakeOver(p_WT + Eigen::Vector2d(0.0, 0.02), 0.0);
+  rover.odometry.EndLook();
+  const Eigen::Vector2d now = Inverse(rover.X_WR) * Eigen::Vector2d(p_WT.x(), 0.02);
+  EXPECT_LT((rover.odometry.p_RT() - now).norm(), 2e-3);
+}
+
+}  // namespace
+}  // namespace dockyard::rocky7
