@@ -18,25 +18,35 @@ double SegmentToSegment(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
 
 }  // namespace
 
-double SweptDistance(const Pose2& X_AR, const Arc& arc, const Eigen::Vector2d& p_RP,
-                     const Eigen::Vector2d& p_RE, const Eigen::Vector2d& p_AQ) {
-  const Eigen::Vector2d p_RQ = Inverse(X_AR) * p_AQ;
-  if (std::abs(arc.turn_rad) < kStraight_rad) {
-    return SegmentToSegment(p_RP, p_RE, p_RQ, p_RQ - Eigen::Vector2d(arc.length_m, 0.0));
-  }
-  const Eigen::Vector2d centre(0.0, arc.length_m / arc.turn_rad);
-  return CircleWay{centre, p_RQ, -arc.turn_rad}.DistanceTo(p_RP, p_RE);
+SweptArc::SweptArc(const Pose2& X_AR, const Arc& arc)
+    : p_AR_(X_AR.x, X_AR.y),
+      heading_(X_AR.heading),
+      turn_(arc.turn_rad),
+      length_m_(arc.length_m),
+      straight_(std::abs(arc.turn_rad) < kStraight_rad) {
+  if (!straight_) centre_R_.y() = arc.length_m / arc.turn_rad;
 }
 
-double SweptDistanceOfPoint(const Pose2& X_AR, const Arc& arc, const Eigen::Vector2d& p_RQ,
-                            const Eigen::Vector2d& p_AP, const Eigen::Vector2d& p_AE) {
-  const Pose2 X_RA = Inverse(X_AR);
-  const Eigen::Vector2d p_RP = X_RA * p_AP, p_RE = X_RA * p_AE;
-  if (std::abs(arc.turn_rad) < kStraight_rad) {
-    return SegmentToSegment(p_RQ, p_RQ + Eigen::Vector2d(arc.length_m, 0.0), p_RP, p_RE);
+double SweptArc::OfPart(const Eigen::Vector2d& p_RP, const Eigen::Vector2d& p_RE,
+                        const Eigen::Vector2d& p_RQ) const {
+  if (straight_) {
+    return SegmentToSegment(p_RP, p_RE, p_RQ, p_RQ - Eigen::Vector2d(length_m_, 0.0));
   }
-  const Eigen::Vector2d centre(0.0, arc.length_m / arc.turn_rad);
-  return CircleWay{centre, p_RQ, arc.turn_rad}.DistanceTo(p_RP, p_RE);
+  return CircleWay{centre_R_, p_RQ, turn_.Back()}.DistanceTo(p_RP, p_RE);
+}
+
+double SweptArc::OfPoint(const Eigen::Vector2d& p_RQ, const Eigen::Vector2d& p_RP,
+                         const Eigen::Vector2d& p_RE) const {
+  if (straight_) {
+    return SegmentToSegment(p_RQ, p_RQ + Eigen::Vector2d(length_m_, 0.0), p_RP, p_RE);
+  }
+  return CircleWay{centre_R_, p_RQ, turn_}.DistanceTo(p_RP, p_RE);
+}
+
+double SweptDistance(const Pose2& X_AR, const Arc& arc, const Eigen::Vector2d& p_RP,
+                     const Eigen::Vector2d& p_RE, const Eigen::Vector2d& p_AQ) {
+  const SweptArc swept(X_AR, arc);
+  return swept.OfPart(p_RP, p_RE, swept.InR(p_AQ));
 }
 
 }  // namespace dockyard

@@ -80,9 +80,14 @@ Cover::Cover(const RoverPlan& rover) : body_(rover.body), wheel_(WheelOutline(ro
 }
 
 Pose2 Cover::PoseOf(const Blocker& blocker, const std::vector<Arc>& path) const {
-  Pose2 X_AR;
-  for (std::size_t i = 0; i < blocker.arc; ++i) X_AR = Advance(X_AR, path[i]);
-  X_AR = Advance(X_AR, Part(path[blocker.arc], blocker.share));
+  Pose2 X_AB;
+  for (std::size_t i = 0; i < blocker.arc; ++i) X_AB = Advance(X_AB, path[i]);
+  return PoseFrom(X_AB, blocker, path);
+}
+
+Pose2 Cover::PoseFrom(const Pose2& X_AB, const Blocker& blocker,
+                      const std::vector<Arc>& path) const {
+  const Pose2 X_AR = Advance(X_AB, Part(path[blocker.arc], blocker.share));
   if (!blocker.wheel) return X_AR;
   const WheelPlan& wheel = wheels_[*blocker.wheel];
   double steer = OnArc(wheel, path[blocker.arc]).steer_rad;
@@ -94,7 +99,7 @@ Pose2 Cover::PoseOf(const Blocker& blocker, const std::vector<Arc>& path) const 
 
 double Cover::Overlap(const Blocker& blocker, const Pose2& X_AP) const {
   const Disc& disc = blocker.disc;
-  const Vector2d p = Inverse(X_AP) * disc.centre;
+  const Vector2d p = Turn(X_AP.heading).Back() * (disc.centre - Vector2d(X_AP.x, X_AP.y));
   const double near_m = Reach(blocker) + disc.radius_m;
   if (p.squaredNorm() > near_m * near_m) return 0.0;
   if (blocker.wheel) return std::max(0.0, disc.radius_m + DepthIn(wheel_, p));
@@ -112,8 +117,8 @@ std::optional<Blocker> Cover::Find(const std::vector<Arc>& path, const std::vect
   const std::vector<Pass> passes = Passes(path, discs);
   std::optional<Blocker> deepest;
   double most = 0.0;
-  const auto Look = [&](const Blocker& blocker) {
-    const double overlap_m = Overlap(blocker, PoseOf(blocker, path));
+  const auto Look = [&](const Pass& pass, const Blocker& blocker) {
+    const double overlap_m = Overlap(blocker, PoseFrom(pass.X_AB, blocker, path));
     if (overlap_m <= most) return;
     most = overlap_m;
     deepest = blocker;
@@ -121,8 +126,8 @@ std::optional<Blocker> Cover::Find(const std::vector<Arc>& path, const std::vect
   const auto LookAlong = [&](const std::optional<std::size_t>& wheel, const Vector2d& p_RP) {
     for (const Pass& pass : passes) {
       const double share = ShareNearest(path[pass.arc], p_RP, pass.p_RD);
-      Look({pass.disc, pass.arc, share, wheel});
-      for (int i = 0; i < even; ++i) Look({pass.disc, pass.arc, i / (even - 1.0), wheel});
+      Look(pass, {pass.disc, pass.arc, share, wheel});
+      for (int i = 0; i < even; ++i) Look(pass, {pass.disc, pass.arc, i / (even - 1.0), wheel});
     }
   };
   LookAlong(std::nullopt, middle_);
@@ -130,7 +135,7 @@ std::optional<Blocker> Cover::Find(const std::vector<Arc>& path, const std::vect
     LookAlong(wheel, wheels_[wheel].p_RW);
     for (const Pass& pass : passes) {
       for (int i = 1; i < kSteerings && pass.arc + 1 < path.size(); ++i) {
-        Look({pass.disc, pass.arc, 1.0, wheel, static_cast<double>(i) / kSteerings});
+        Look(pass, {pass.disc, pass.arc, 1.0, wheel, static_cast<double>(i) / kSteerings});
       }
     }
   }
@@ -142,10 +147,13 @@ std::vector<Cover::Pass> Cover::Passes(const std::vector<Arc>& path,
   std::vector<Pass> passes;
   Pose2 X_AR;
   for (std::size_t arc = 0; arc < path.size(); ++arc) {
+    const SweptArc swept(X_AR, path[arc]);
     for (const Disc& disc : discs) {
+      const Vector2d p_RD = swept.InR(disc.centre);
       const double near_m = reach_m_ + disc.radius_m;
-      if (SweptDistance(X_AR, path[arc], {0, 0}, {0, 0}, disc.centre) > near_m) continue;
-      passes.push_back({disc, arc, Inverse(X_AR) * disc.centre});
+      if (p_RD.norm() > std::abs(path[arc].length_m) + near_m) continue;
+      if (swept.OfPart({0, 0}, {0, 0}, p_RD) > near_m) continue;
+      passes.push_back({disc, arc, X_AR, p_RD});
     }
     X_AR = Advance(X_AR, path[arc]);
   }

@@ -44,8 +44,11 @@ class Cover {
   struct Pass {
     Disc disc;
     std::size_t arc = 0;
-    Eigen::Vector2d p_RD{0, 0};  // as the arc begins
+    Pose2 X_AB;                  // R as the arc begins
+    Eigen::Vector2d p_RD{0, 0};  // likewise
   };
+  // X_AB: R as the blocker's arc begins.
+  Pose2 PoseFrom(const Pose2& X_AB, const Blocker& blocker, const std::vector<Arc>& path) const;
   std::vector<Pass> Passes(const std::vector<Arc>& path, const std::vector<Disc>& discs) const;
 
   std::vector<Polygon> body_;  // and fixed wheels

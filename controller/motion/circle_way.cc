@@ -18,19 +18,18 @@ double ToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen
   return (p - a - share * ab).norm();
 }
 
-Eigen::Vector2d CircleWay::End() const {
-  const double c = std::cos(turn_rad), s = std::sin(turn_rad);
-  const Eigen::Vector2d v = from - centre;
-  return centre + Eigen::Vector2d(c * v.x() - s * v.y(), s * v.x() + c * v.y());
-}
+Eigen::Vector2d CircleWay::End() const { return centre + turn * (from - centre); }
 
+// By the sides on which the direction lies of the way's begin and end.
 bool CircleWay::Passes(const Eigen::Vector2d& direction) const {
-  if (std::abs(turn_rad) >= 2.0 * kPi) return true;
+  const double way_rad = std::abs(turn.rad);
+  if (way_rad >= 2.0 * kPi) return true;
   const Eigen::Vector2d v = from - centre;
-  double angle = std::atan2(Cross(v, direction), v.dot(direction));
-  if (turn_rad < 0.0) angle = -angle;
-  if (angle < 0.0) angle += 2.0 * kPi;
-  return angle <= std::abs(turn_rad);
+  const double sign = turn.rad < 0.0 ? -1.0 : 1.0;
+  const double past_begin = sign * Cross(v, direction);
+  const double before_end = v.dot(direction) * sign * turn.sin - past_begin * turn.cos;
+  if (way_rad <= kPi) return past_begin >= 0.0 && before_end >= 0.0;
+  return past_begin >= 0.0 || before_end >= 0.0;
 }
 
 double CircleWay::DistanceTo(const Eigen::Vector2d& p) const {
@@ -42,10 +41,10 @@ double CircleWay::DistanceTo(const Eigen::Vector2d& p) const {
 // The least distance is at an end of either, at a crossing, or where the circle is parallel to the
 // segment.
 double CircleWay::DistanceTo(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
+  if (a == b) return DistanceTo(a);
   double least =
       std::min({ToSegment(from, a, b), ToSegment(End(), a, b), DistanceTo(a), DistanceTo(b)});
   const double length = (b - a).norm();
-  if (length == 0.0) return least;
   const Eigen::Vector2d along = (b - a) / length, normal(-along.y(), along.x());
   for (const double sign : {-1.0, 1.0}) {
     const Eigen::Vector2d out = sign * normal;

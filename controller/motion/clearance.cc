@@ -14,8 +14,7 @@ using Eigen::Vector2d;
 /// Parts of the rover that drive an arc. They must outlive it.
 class Sweep {
  public:
-  Sweep(const Pose2& X_AR, const Arc& arc, const std::vector<Polygon>& parts)
-      : X_AR_(X_AR), arc_(arc) {
+  Sweep(const Pose2& X_AR, const Arc& arc, const std::vector<Polygon>& parts) : arc_(X_AR, arc) {
     for (const Polygon& part : parts) {
       parts_.push_back(RoundOf(part));
       reach_m_ = std::max(reach_m_, parts_.back().middle.norm() + parts_.back().reach_m);
@@ -24,32 +23,39 @@ class Sweep {
 
   /// From the disc to the nearest part, negative within; no more than enough_m.
   double FromDisc(const Disc& disc, double enough_m) const {
-    if (IsFar(disc.centre, disc.radius_m, enough_m)) return enough_m;
-    const double far_m = enough_m + disc.radius_m, apart_m = FromPoint(disc.centre, far_m);
+    const Vector2d centre_R = arc_.InR(disc.centre);
+    if (IsFar(centre_R, disc.radius_m, enough_m)) return enough_m;
+    const double far_m = enough_m + disc.radius_m, apart_m = FromPoint(centre_R, far_m, parts_);
     return apart_m < far_m ? apart_m - disc.radius_m : enough_m;
   }
 
-  double FromPolygon(const Polygon& polygon, double enough_m) const {
-    const Rounded round = RoundOf(polygon);
-    if (IsFar(round.middle, round.reach_m, enough_m)) return enough_m;
-    double least = enough_m;
-    for (const Vector2d& corner : polygon) least = std::min(least, FromPoint(corner, least));
+  double FromPolygon(const Polygon& polygon_A, double enough_m) const {
+    const Rounded round_A = RoundOf(polygon_A);
+    const Vector2d middle_R = arc_.InR(round_A.middle);
+    if (IsFar(middle_R, round_A.reach_m, enough_m)) return enough_m;
+    Polygon polygon_R;
+    for (const Vector2d& corner : polygon_A) polygon_R.push_back(arc_.InR(corner));
+    std::vector<Rounded> near;
     for (const Rounded& part : parts_) {
-      const double apart_m = SweptDistance(X_AR_, arc_, part.middle, part.middle, round.middle);
-      if (apart_m - part.reach_m - round.reach_m >= least) continue;
-      if (Contains(polygon, X_AR_ * part.corners->front())) least = std::min(least, 0.0);
+      const double apart_m = arc_.OfPart(part.middle, part.middle, middle_R);
+      if (apart_m - part.reach_m - round_A.reach_m < enough_m) near.push_back(part);
+    }
+    double least = enough_m;
+    for (const Vector2d& corner : polygon_R) {
+      least = std::min(least, FromPoint(corner, least, near));
+    }
+    for (const Rounded& part : near) {
+      if (Contains(polygon_R, part.corners->front())) least = std::min(least, 0.0);
       for (const Vector2d& corner : *part.corners) {
-        if (SweptDistance(X_AR_, arc_, corner, corner, round.middle) - round.reach_m >= least) {
-          continue;
-        }
-        ForEachSide(polygon, [&](const Vector2d& a, const Vector2d& b) {
-          least = std::min(least, SweptDistanceOfPoint(X_AR_, arc_, corner, a, b));
+        if (arc_.OfPart(corner, corner, middle_R) - round_A.reach_m >= least) continue;
+        ForEachSide(polygon_R, [&](const Vector2d& a, const Vector2d& b) {
+          least = std::min(least, arc_.OfPoint(corner, a, b));
         });
       }
     }
     if (least > 0.0) return least;
-    const double within_m = std::max(0.0, DepthIn(polygon, round.middle));
-    return std::min(least, FromPoint(round.middle, within_m) - within_m);
+    const double within_m = std::max(0.0, DepthIn(polygon_R, middle_R));
+    return std::min(least, FromPoint(middle_R, within_m, near) - within_m);
   }
 
  private:
@@ -67,26 +73,25 @@ class Sweep {
     return round;
   }
 
-  bool IsFar(const Vector2d& middle, double reach_m, double enough_m) const {
-    return SweptDistance(X_AR_, arc_, {0, 0}, {0, 0}, middle) > reach_m + reach_m_ + enough_m;
+  bool IsFar(const Vector2d& middle_R, double reach_m, double enough_m) const {
+    return arc_.OfPart({0, 0}, {0, 0}, middle_R) > reach_m + reach_m_ + enough_m;
   }
-  // From a fixed point to the nearest part, no more than enough_m; 0 where a part passes over it.
-  double FromPoint(const Vector2d& p, double enough_m) const {
+  // From a fixed point to the nearest of these parts, no more than enough_m; 0 where one passes
+  // over it.
+  double FromPoint(const Vector2d& p_R, double enough_m, const std::vector<Rounded>& parts) const {
     double least = enough_m;
-    const Vector2d p_R = Inverse(X_AR_) * p;
-    for (const Rounded& part : parts_) {
-      const double apart_m = SweptDistance(X_AR_, arc_, part.middle, part.middle, p);
+    for (const Rounded& part : parts) {
+      const double apart_m = arc_.OfPart(part.middle, part.middle, p_R);
       if (apart_m - part.reach_m >= least) continue;
       if (Contains(*part.corners, p_R)) return std::min(least, 0.0);
       ForEachSide(*part.corners, [&](const Vector2d& a, const Vector2d& b) {
-        least = std::min(least, SweptDistance(X_AR_, arc_, a, b, p));
+        least = std::min(least, arc_.OfPart(a, b, p_R));
       });
     }
     return least;
   }
 
-  Pose2 X_AR_;
-  Arc arc_;
+  SweptArc arc_;
   std::vector<Rounded> parts_;
   double reach_m_ = 0.0;  // from R
 };
