@@ -18,12 +18,11 @@ struct FaceScene {
   double other = 0.0;  // another number, another texture
 
   double Grey(const Eigen::Vector3d& at) const {
+    // Turned, lest the noise's lattice shows as stripes on a face.
+    static const Eigen::Matrix3d turn = RotZ(0.7) * RotX(0.5) * RotY(0.3);
+    const Eigen::Vector3d turned = turn * at + Eigen::Vector3d(other, 3, 0);
     double sum = 0.0;
-    for (const double grain_m : {0.01, 0.05}) {
-      const RayScene scene{.grain_m = grain_m};
-      // Turned, lest the noise's lattice shows as stripes on a face.
-      sum += scene.Texture(RotZ(0.7) * RotX(0.5) * RotY(0.3) * at + Eigen::Vector3d(other, 3, 0));
-    }
+    for (const double grain_m : {0.01, 0.05}) sum += RayScene{.grain_m = grain_m}.Texture(turned);
     return 30.0 + 90.0 * sum;
   }
 
