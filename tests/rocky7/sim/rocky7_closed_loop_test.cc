@@ -32,7 +32,8 @@ RunRecord RunFrom(const System& system, const std::string& controller, const std
   return Simulate(system, run, {});
 }
 
-/// The controller, with a count of the pictures that came while its wheels turned, and that did not.
+/// The controller, with a count of the pictures that came while its wheels turned, and that did
+/// not.
 struct LooksSeen {
   int under_way = 0, standing = 0;
 };
@@ -73,10 +74,10 @@ TEST(Rocky7ClosedLoop, ThePapersTrackerBringsThePointToAStoneTheSameWayTwice) {
 
 TEST(Rocky7ClosedLoop, OursGraspsALooseStoneAndKeepsItWhileItDrivesAway) {
   const auto looks = std::make_shared<LooksSeen>();
-  const System system = Rocky7System({{"dockyard", [&](const Nominal& nominal) {
-                                         return std::make_unique<Watched>(
-                                             MakeDockyardController(nominal), looks);
-                                       }}});
+  const System system =
+      Rocky7System({{"dockyard", [&](const Nominal& nominal) {
+                       return std::make_unique<Watched>(MakeDockyardController(nominal), looks);
+                     }}});
   const RunRecord record = RunFrom(system, "dockyard", "loose_sand", 2, "grasp");
   EXPECT_EQ(record.result.outcome, "grasped") << record.failure_note;
   EXPECT_LT(MeasureOf(record, "point_off_m"), 0.012);
