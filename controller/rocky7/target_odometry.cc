@@ -16,7 +16,8 @@ using Eigen::Vector2d;
 constexpr double kSideSlip = 0.05;
 // Of the turn by the inertial unit between two looks. Assumed, 0.1-0.5 deg.
 constexpr double kYawSigma_rad = Radians(0.3);
-// Wheels that were stuck have brought the rover only so far.
+// The motion is looked for about these shares of the way that was counted: wheels may have been
+// stuck. Assumed.
 constexpr std::array<double, 3> kShares{1.0, 0.5, 0.0};
 // A body that tips over stones moves its middle by this, which is no slip. Assumed, 5-15 mm.
 constexpr double kTips_m = 0.01;
