@@ -62,12 +62,7 @@ StereoImages Alone(GrayImage image, bool right) {
                : StereoImages{.left = std::move(image), .right = {}};
 }
 
-void Warn(const std::string& text, Json* warnings) {
-  std::fprintf(stderr, "warning: %s\n", text.c_str());
-  warnings->push_back(text);
-}
-
-void WarnIfCut(const std::string& file, Json* warnings) {
+void WarnIfCut(const std::string& file, std::vector<std::string>* warnings) {
   if (file.empty() || !IsCutJpeg(file)) return;
   Warn(file + ": expected a whole JPEG, found one without its end; the missing part is grey",
        warnings);
@@ -75,7 +70,8 @@ void WarnIfCut(const std::string& file, Json* warnings) {
 
 /// The board was not found: checks whether it hangs upside down.
 void WarnIfTurned(const StereoImages& images, const DetectArguments& arguments,
-                  const FiducialBoard& board, const std::vector<System>& systems, Json* warnings) {
+                  const FiducialBoard& board, const std::vector<System>& systems,
+                  std::vector<std::string>* warnings) {
   for (const bool right : {false, true}) {
     const GrayImage& image = right ? images.right : images.left;
     if (image.pixels.empty()) continue;
@@ -102,7 +98,7 @@ Json MarksJson(const SightingReport& report) {
 }
 
 void PrintJson(const DetectArguments& arguments, const SightingReport& report,
-               const Json& warnings) {
+               const std::vector<std::string>& warnings) {
   Json json;
   json["pipeline"] = arguments.pipeline.name;
   json["accepted"] = report.accepted;
@@ -157,7 +153,7 @@ int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board,
   Json list = Json::array();
   for (const std::string& file : ImageFilesIn(arguments.folder)) {
     SightingReport report;
-    Json warnings = Json::array();
+    std::vector<std::string> warnings;
     try {
       report = LocatePair(Alone(LoadFor(arguments, file), right), arguments, board, systems).report;
       WarnIfCut(file, &warnings);
@@ -240,7 +236,7 @@ int Detect(const DetectArguments& arguments, const std::vector<System>& systems)
   }
   if (!arguments.folder.empty()) return DetectInFolder(arguments, board, systems);
   const StereoImages images = LoadImages(arguments);
-  Json warnings = Json::array();
+  std::vector<std::string> warnings;
   WarnIfCut(arguments.left, &warnings);
   WarnIfCut(arguments.right, &warnings);
   const LocateOutput out = LocatePair(images, arguments, board, systems);

@@ -28,6 +28,11 @@ void PrintNote(const std::string& message) {
   std::fprintf(stderr, "%s\n", message.c_str());
 }
 
+void Warn(const std::string& text, std::vector<std::string>* warnings) {
+  PrintNote("warning: " + text);
+  warnings->push_back(text);
+}
+
 int UsableProcessors() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }

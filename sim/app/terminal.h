@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace dockyard {
 
@@ -9,6 +10,9 @@ namespace dockyard {
 void PrintError(const std::string& message);
 /// A line on stderr.
 void PrintNote(const std::string& message);
+/// "warning: ..." on stderr at once, and the text at the end of `warnings`: a command's `--json`
+/// answer has them all under the key "warnings".
+void Warn(const std::string& text, std::vector<std::string>* warnings);
 /// Processors that this process may use, at least 1.
 int UsableProcessors();
 

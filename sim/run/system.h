@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,9 +42,12 @@ struct ControllerEntry {
   std::function<std::unique_ptr<Controller>(const Json& nominal)> make;
 };
 
-/// The kind of a file and, in a line, its content.
+/// The kind of a file and, in a line, its content. `left_out` counts what the reader passes over,
+/// by name.
 struct FileCheck {
   std::string kind, summary;
+  std::vector<std::string> warnings = {};
+  std::map<std::string, int> left_out = {};
 };
 
 /// A command of the system's own: `dockyard NAME ...`.
