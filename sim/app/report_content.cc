@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "controller/base/number_text.h"
-#include "sim/app/commands.h"
+#include "sim/app/kept_run.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
-#include "sim/base/shell_word.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
@@ -112,8 +111,8 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
       const int number = rows[i].run;
       const fs::path folder = RunFolder(dir, number);
       if (rows[i].docked != docked || !fs::exists(folder / kRunLogFile)) continue;
-      WatchedRun run = Watched(
-          i, folder, "dockyard replay " + ShellWord(dir.string()) + " " + std::to_string(number));
+      WatchedRun run =
+          Watched(i, folder, ReplayCommand(dir, std::to_string(number), StartsProgram(rows[i])));
       run.shapes = [&system, maker, number] {
         return ShapesOf(system, maker->Make(maker->IndexOf(number)).scenario);
       };
@@ -133,7 +132,9 @@ ReportContent ContentOfCampaign(const fs::path& dir, const std::vector<System>& 
   content.campaign = &source.kept.campaign;
   content.runs = &source.kept.runs;
   content.columns = source.kept.columns;
-  content.replay_command = "dockyard replay " + ShellWord(dir.string()) + " {run}";
+  const std::vector<RunResult>& rows = source.kept.runs.results;
+  content.replay_command =
+      ReplayCommand(dir, "{run}", std::any_of(rows.begin(), rows.end(), StartsProgram));
   AddSystem(system, content);
   content.starts = StartsOf(source);
   AddWatched(dir, system, source, content);
@@ -145,11 +146,7 @@ ReportContent ContentOfCampaign(const fs::path& dir, const std::vector<System>& 
 ReportContent ContentOf(const fs::path& dir, const std::vector<System>& systems,
                         ReportSource& source) {
   if (HoldsCampaign(dir)) return ContentOfCampaign(dir, systems, source);
-  if (!fs::exists(dir / "resolved.yaml")) {
-    throw UsageError(
-        "DIR: expected the results folder of a campaign or of one run, found none in '" +
-        dir.string() + "'");
-  }
+  if (!fs::exists(dir / "resolved.yaml")) RefuseResultsFolder(dir, kAnyResults);
   const Scenario scenario =
       LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
   const System& system = FindSystem(systems, scenario.system);
@@ -158,10 +155,10 @@ ReportContent ContentOf(const fs::path& dir, const std::vector<System>& systems,
   return ContentOfRun(dir, system, scenario, *row, source);
 }
 
-void WriteReport(const fs::path& dir, const std::vector<System>& systems) {
+void WriteReport(const fs::path& dir, const fs::path& file, const std::vector<System>& systems) {
   ReportSource source;
   const ReportContent content = ContentOf(dir, systems, source);
-  const fs::path file = dir / "report.html";
+  if (file.has_parent_path()) MakeFolder(file.parent_path());
   WriteWhole(file, ReportPage(content));
   PrintNote("report in " + file.string());
 }
@@ -177,7 +174,7 @@ ReportContent ContentOfRun(const fs::path& dir, const System& system, const Scen
   content.columns = system.Columns({});
   AddSystem(system, content);
   content.starts = {FromDockingCoords(scenario.start)};
-  WatchedRun run = Watched(0, dir, "dockyard replay " + ShellWord(dir.string()));
+  WatchedRun run = Watched(0, dir, ReplayCommand(dir, "", StartsProgram(row)));
   run.shapes = [&system, kept = source.scenario] { return ShapesOf(system, *kept); };
   content.watched.push_back(std::move(run));
   return content;
