@@ -5,7 +5,9 @@
 namespace dockyard {
 namespace {
 
-constexpr std::string_view kGoOn = "how to add a system (docs/contributing.md)";
+constexpr std::string_view kGoOn =
+    " of another kind needs a system of its own: docs/contributing.md tells how to add one, "
+    "docs/reference/models.md what files can change";
 
 /// A key of the file itself that is missing: the place stands right before the message.
 bool LacksPart(std::string_view message) {
@@ -26,8 +28,7 @@ bool TellsOfOtherKind(std::string_view message) {
 
 std::string WithOtherKind(const std::string& message, const std::string& what) {
   if (!TellsOfOtherKind(message) || message.find(kGoOn) != message.npos) return message;
-  return message + "; a " + what + " of another kind is code: " + std::string(kGoOn) +
-         ", and what files can change (docs/reference/models.md)";
+  return message + "; a " + what + std::string(kGoOn);
 }
 
 }  // namespace dockyard

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "models/read/near_names.h"
 #include "sim/app/commands.h"
@@ -143,17 +144,19 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
 }
 
 std::string FirstSteps(const CLI::App& app, const ExampleFiles& files) {
-  const std::string program = CalledAs();
+  std::vector<std::pair<std::string, const char*>> steps;
+  if (!files.scenario.empty()) steps.emplace_back("run " + files.scenario, "simulate one docking");
+  if (!files.campaign.empty()) steps.emplace_back("campaign " + files.campaign, "simulate many");
+  steps.emplace_back("help", "all commands");
+  steps.emplace_back("help run", "one command, with examples");
+  steps.emplace_back("doctor", "what this computer has for runs");
+  std::size_t widest = 0;
+  for (const auto& [words, what] : steps) widest = std::max(widest, words.size());
   std::string text = Summary(app) + "\n\n";
-  const auto add = [&](const std::string& words, const char* what) {
-    const std::string line = "  " + program + " " + words;
-    text += line + std::string(line.size() < 52 ? 52 - line.size() : 1, ' ') + what + "\n";
-  };
-  if (!files.scenario.empty()) add("run " + files.scenario, "simulate one docking");
-  if (!files.campaign.empty()) add("campaign " + files.campaign, "simulate many");
-  add("help", "all commands");
-  add("help run", "one command, with examples");
-  add("doctor", "what this computer has for runs");
+  for (const auto& [words, what] : steps) {
+    text +=
+        "  " + CalledAs() + " " + words + std::string(widest + 2 - words.size(), ' ') + what + "\n";
+  }
   return text;
 }
 

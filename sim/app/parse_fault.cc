@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "models/read/near_names.h"
+#include "models/read/yaml_reader.h"
 #include "sim/app/help.h"
 #include "sim/base/called_as.h"
 
@@ -28,7 +29,7 @@ Reached ReachedIn(const CLI::App& app) {
 std::vector<std::string> OptionNames(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back(name);
   }
   return names;
 }
@@ -39,11 +40,13 @@ bool IsOption(const std::string& word) {
 
 std::string UnknownOption(const Reached& reached, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
-  const std::string near = DidYouMean(name, OptionNames(*reached.command));
+  // Without the dashes, which all have in common.
+  const std::string near =
+      NearestName(name.substr(name.find_first_not_of('-')), OptionNames(*reached.command));
   const std::string of = reached.name.empty() ? "" : " of " + reached.name;
   const std::string help = CalledAs() + " help" + (reached.name.empty() ? "" : " ") + reached.name;
   return "unknown option '" + name + "'" + of +
-         (near.empty() ? "; " + help + " lists the options" : near);
+         (near.empty() ? "; " + help + " lists the options" : ", did you mean '--" + near + "'?");
 }
 
 }  // namespace

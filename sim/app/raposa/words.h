@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "models/read/near_names.h"
+#include "models/read/yaml_reader.h"
 #include "sim/base/called_as.h"
 
 namespace dockyard::raposa {
@@ -17,11 +17,13 @@ namespace dockyard::raposa {
 inline std::string UnknownOption(const CLI::App& app) {
   std::vector<std::string> known;
   for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    for (const std::string& name : option->get_lnames()) known.push_back(name);
   }
   for (const std::string& word : app.remaining()) {
     if (word.rfind("--", 0) != 0) continue;
-    return "unknown option '" + word + "'" + DidYouMean(word, known);
+    const std::string near = NearestName(word.substr(2), known);  // all have the dashes
+    return "unknown option '" + word + "'" +
+           (near.empty() ? "" : ", did you mean '--" + near + "'?");
   }
   return "";
 }
