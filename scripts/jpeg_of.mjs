@@ -7,7 +7,8 @@ import { openReport, startBrowser } from '../tests/page/browser.mjs';
 
 const kHeight_px = 384;
 const kReport_px = { width: 1280, height: 820 };
-const kQuality = 88;
+const kRowQuality = 88; // grey pictures, whose marks are small
+const kQuality = 80;
 
 /** The images in a row. @param {any} browser @param {string[]} files */
 async function row(browser, files) {
@@ -37,5 +38,6 @@ async function reportAt(browser, place) {
 const [target, ...sources] = process.argv.slice(2);
 const browser = await startBrowser();
 const shown = sources[0].includes('.html#') ? await reportAt(browser, sources[0]) : await row(browser, sources);
-await shown.screenshot({ path: target, type: 'jpeg', quality: kQuality });
+const quality = sources.length > 1 ? kRowQuality : kQuality;
+await shown.screenshot({ path: target, type: 'jpeg', quality });
 await browser.close();

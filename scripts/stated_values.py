@@ -2,9 +2,9 @@
 
 Behind a stated value stands its source, in a comment that readers of the page do not see:
 
-    0.230<!-- = out/first/outcome.json tip_depth_m -->   a value of a JSON file; a.0.b goes down, # counts
+    0.230<!-- = out/first/outcome.json tip_depth_m -->   a value of a JSON file; a.0.b goes down
     `docked`<!-- = out/first/outcome.json outcome -->    a word of it, in backticks
-    six<!-- = out/first/sightings.json # -->             small whole numbers may be words
+    six<!-- = out/first/sightings.json count() -->       small whole numbers may be words
     46<!-- = output "axel: {} kg" -->                    {} in what the ```sh block before printed
     eight<!-- = lines "left * detected" -->              how many lines of it have this; * stands for anything
 
@@ -105,7 +105,7 @@ def value_of(source, output):
         with open(path, encoding="utf-8") as file:
             value = json.load(file, parse_float=Decimal)
         for step in key.split("."):
-            value = len(value) if step == "#" else value[int(step) if isinstance(value, list) else step]
+            value = len(value) if step == "count()" else value[int(step) if isinstance(value, list) else step]
     except (OSError, KeyError, IndexError, ValueError, TypeError) as error:
         raise ValueError(f"{source}: {type(error).__name__}: {error}") from None
     return str(value).lower() if isinstance(value, bool) else value

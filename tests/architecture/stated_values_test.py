@@ -41,8 +41,8 @@ class Folder(unittest.TestCase):
     def test_words_and_counts(self):
         self.assertEqual(self.true("`false_docked`", "outcome"), "`docked`")
         self.assertEqual(self.true("no", "docked"), "true")
-        self.assertEqual(self.true("eight", "pairs.#"), "two")
-        self.assertEqual(self.true("Six", "pairs.#"), "Two")
+        self.assertEqual(self.true("eight", "pairs.count()"), "two")
+        self.assertEqual(self.true("Six", "pairs.count()"), "Two")
         self.assertEqual(self.true("7", "pairs.0.at"), "3")
         self.assertEqual(self.true("twelve", "sim_time_s"), "99.52")
 
