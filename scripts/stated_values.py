@@ -6,6 +6,7 @@ Behind a stated value stands its source, in a comment that readers of the page d
     `docked`<!-- = out/first/outcome.json outcome -->    a word of it, in backticks
     six<!-- = out/first/sightings.json count() -->       small whole numbers may be words
     46<!-- = output "axel: {} kg" -->                    {} in what the ```sh block before printed
+    4<!-- = output "^exit code {}" -->                   ^ stands for the beginning of a line
     eight<!-- = lines "left * detected" -->              how many lines of it have this; * stands for anything
 
 Numbers are compared at the precision in which they are printed. A ```text block holds lines of what the ```sh
@@ -89,7 +90,8 @@ def value_of(source, output):
         before, hole, after = printed[1].partition("{}")
         if not hole:
             raise ValueError(f"{source}: expected {{}} in place of the value")
-        pattern = spaced(before) + r"([^\s,;()]+)" + spaced(after)
+        start = "(?m)^" if before.startswith("^") else ""
+        pattern = start + spaced(before.removeprefix("^")) + r"([^\s,;()]+)" + spaced(after)
         found = re.search(pattern, output)
         if not found:
             raise ValueError(f"not printed: {source}")

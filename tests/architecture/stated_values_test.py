@@ -60,6 +60,8 @@ class Folder(unittest.TestCase):
         self.assertEqual(stated_values.true_text(item, "rover:  axel:\n  46 kg, arm 1 m\n"), "46")
         with self.assertRaisesRegex(ValueError, "not printed"):
             stated_values.true_text(item, "rover: axel: heavy\n")
+        (item,) = stated_values.items('7<!-- = output "^exit code {}" -->')
+        self.assertEqual(stated_values.true_text(item, "it had exit code 1\nexit code 4\n"), "4")
         (item,) = stated_values.items('nine<!-- = lines "left * detected" -->')
         self.assertEqual(stated_values.true_text(item, "left 0 detected\nleft 1 lost\nleft 2  detected\n"), "two")
 
