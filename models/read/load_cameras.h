@@ -47,9 +47,9 @@ double LoadCalibrationError(const std::string& file);
 /// Throws ConfigError unless a ray reaches every pixel of the image.
 void RequireRays(const std::string& place, const Camera& camera);
 
-/// The pixels that no ray reaches.
+/// The pixels of which no ray reaches some part.
 struct RaylessPixels {
-  long count = 0;                       // by their centres
+  long count = 0;
   std::optional<Eigen::Vector2d> at{};  // a place without a ray on the image's outer edge
 };
 RaylessPixels CountRayless(const Camera& camera);

@@ -159,6 +159,26 @@ std::optional<Eigen::Vector2d> RaylessBorder(const Camera& camera) {
   return std::nullopt;
 }
 
+bool IsWhole(const Camera& camera, int u, int v) {
+  for (const double du : {-0.5, 0.5}) {
+    for (const double dv : {-0.5, 0.5}) {
+      if (!camera.HasRay({u + du, v + dv})) return false;
+    }
+  }
+  return true;
+}
+
+/// How many pixels beside the middle one of a row have rays, to its right (1) or left (-1). Rays
+/// end outside a curve about the axis, so that those without lie at the end: halved to it.
+long WholeFrom(const Camera& camera, int middle, int v, int side) {
+  int whole = 0, beyond = (side > 0 ? camera.width - 1 - middle : middle) + 1;
+  while (beyond - whole > 1) {
+    const int at = (whole + beyond) / 2;
+    (IsWhole(camera, middle + side * at, v) ? whole : beyond) = at;
+  }
+  return whole;
+}
+
 }  // namespace
 
 StereoRig LoadRig(const std::string& file, int width, int height, Rays rays) {
@@ -194,13 +214,12 @@ void RequireRays(const std::string& place, const Camera& camera) {
 RaylessPixels CountRayless(const Camera& camera) {
   RaylessPixels rayless{.at = RaylessBorder(camera)};
   if (!rayless.at) return rayless;
-  // The rays end outside some curve about the axis: in each row the pixels without one lie at its
-  // two ends.
+  const int middle = static_cast<int>(
+      std::clamp(camera.centre_px().x(), 0.0, static_cast<double>(camera.width - 1)));
   for (int v = 0; v < camera.height; ++v) {
-    int first = 0, last = camera.width;
-    while (first < last && !camera.HasRay(Eigen::Vector2d(first, v))) ++first;
-    while (last > first && !camera.HasRay(Eigen::Vector2d(last - 1, v))) --last;
-    rayless.count += first + (camera.width - last);
+    rayless.count += camera.width;
+    if (!IsWhole(camera, middle, v)) continue;
+    rayless.count -= 1 + WholeFrom(camera, middle, v, 1) + WholeFrom(camera, middle, v, -1);
   }
   return rayless;
 }

@@ -72,7 +72,10 @@ FileCheck CheckFirst(const std::string& kind, const std::vector<PlacedCamera>& c
 
 bool IsCalibration(const YamlNode& root) { return FormOf(root) != CalibrationForm::kOurs; }
 
-FileCheck CheckCameras(const std::string& file) { return CheckFirst("camera", LoadCameras(file)); }
+FileCheck CheckCameras(const std::string& file) {
+  if (IsCalibration(LoadCameraTree(file))) return CheckCalibration(file);
+  return CheckFirst("camera", LoadCameras(file));
+}
 
 FileCheck CheckRig(const std::string& file) {
   const StereoRig rig = LoadRig(file, 0, 0, Rays::kMasked);

@@ -170,15 +170,14 @@ FileCheck CheckFile(const std::string& file, const std::vector<System>& systems)
   const std::string extension = std::filesystem::path(file).extension().string();
   if (IsMeshFile(file)) return CheckMesh(file);
   if (extension == ".urdf") return CheckUrdf(file);
-  if (extension == ".json") return CheckCameras(file);
-  if (extension == ".xml") return CheckCalibration(file);
+  if (extension == ".json" || extension == ".xml") return CheckCameras(file);
   if (extension == ".csv") return CheckTable(file);
   if (extension == ".yaml" || extension == ".yml") return CheckYaml(file, systems);
-  throw ConfigError(
-      file +
-      ": expected a file .yaml, .yml, .json, .xml, .csv, .urdf, .stl, .obj, .dae, .gltf or .glb, found "
-      "extension '" +
-      extension + "'");
+  throw ConfigError(file +
+                    ": expected a file .yaml, .yml, .json, .xml, .csv, .urdf, .stl, .obj, .dae, "
+                    ".gltf or .glb, found "
+                    "extension '" +
+                    extension + "'");
 }
 
 }  // namespace dockyard
