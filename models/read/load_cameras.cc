@@ -222,6 +222,11 @@ std::vector<PlacedCamera> LoadCameras(const std::string& file) {
       cameras.back().name = side;
     }
   } else {
+    if (root.kind == YamlNode::Kind::kMapping && !root.Find("model")) {
+      throw ConfigError(root.place.Text() +
+                        ": missing key 'model' of a camera, or the keys of a calibration of ROS, "
+                        "Kalibr or OpenCV (docs/reference/cameras.md)");
+    }
     cameras.push_back(ReadOne(root, ""));
   }
   return cameras;

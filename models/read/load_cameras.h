@@ -39,6 +39,9 @@ enum class Rays { kEverywhere, kMasked };
 StereoRig LoadRig(const std::string& file, int width = 0, int height = 0,
                   Rays rays = Rays::kEverywhere);
 
+/// Whether `file` is one of the two forms that name two files of a pair.
+bool NamesTwoFiles(const std::string& file);
+
 /// What the file states its calibration to err [px], 1 sigma, one axis: the key
 /// `calibration_error_px` of the rig or the largest of its cameras; 0 when none states it. Throws
 /// ConfigError.

@@ -91,8 +91,8 @@ Pair OfTwoFiles(const std::string& left, const std::string& right) {
   return pair;
 }
 
-/// The one or two files that `--rig` names.
-std::vector<std::string> FilesOf(const std::string& file) {
+/// The two files that `--rig` names; empty: it names one.
+std::vector<std::string> TwoFilesOf(const std::string& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) {
     for (const char* end : {".yaml", ".yml"}) {
@@ -102,16 +102,20 @@ std::vector<std::string> FilesOf(const std::string& file) {
         return {left.string(), right.string()};
       }
     }
-    throw ConfigError(file + ": expected left.yaml and right.yaml in this folder, found none");
+    return {};
   }
   const std::size_t comma = file.find(',');
-  if (comma == std::string::npos || fs::exists(file, error)) return {file};
+  if (comma == std::string::npos || fs::exists(file, error)) return {};
   return {file.substr(0, comma), file.substr(comma + 1)};
 }
 
 Pair LoadPair(const std::string& file) {
-  const std::vector<std::string> files = FilesOf(file);
-  if (files.size() == 2) return OfTwoFiles(files[0], files[1]);
+  const std::vector<std::string> files = TwoFilesOf(file);
+  if (!files.empty()) return OfTwoFiles(files[0], files[1]);
+  std::error_code error;
+  if (fs::is_directory(file, error)) {
+    throw ConfigError(file + ": expected left.yaml and right.yaml in this folder, found none");
+  }
   const YamlNode root = LoadCameraTree(file);
   switch (FormOf(root)) {
     case CalibrationForm::kRos:
@@ -123,6 +127,7 @@ Pair LoadPair(const std::string& file) {
     case CalibrationForm::kOurs:
       break;
   }
+  if (root.Find("model")) RefuseSingle(root, "one camera");
   return OfOurs(root);
 }
 
@@ -180,6 +185,8 @@ long WholeFrom(const Camera& camera, int middle, int v, int side) {
 }
 
 }  // namespace
+
+bool NamesTwoFiles(const std::string& file) { return !TwoFilesOf(file).empty(); }
 
 StereoRig LoadRig(const std::string& file, int width, int height, Rays rays) {
   const Pair pair = LoadPair(file);

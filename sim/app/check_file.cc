@@ -8,6 +8,7 @@
 #include "models/read/calibrations.h"
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
+#include "models/read/load_cameras.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_obstacles.h"
 #include "models/read/load_rover.h"
@@ -164,6 +165,7 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
 }  // namespace
 
 FileCheck CheckFile(const std::string& file, const std::vector<System>& systems) {
+  if (NamesTwoFiles(file)) return CheckRig(file);
   if (std::filesystem::is_directory(file)) {
     throw ConfigError(file + ": expected a file, found a folder");
   }

@@ -163,6 +163,8 @@ TEST_F(RosCalibration, TwoFilesAreAPairByTheirRectification) {
     EXPECT_LT((X_LQ.R - R_PL.transpose() * R_PQ).norm(), 1e-12);
     EXPECT_LT((X_LQ.p - R_PL.transpose() * Eigen::Vector3d(0.12, 0, 0)).norm(), 1e-12);
   }
+  EXPECT_TRUE(NamesTwoFiles(left + "," + right));
+  EXPECT_FALSE(NamesTwoFiles(left));
   EXPECT_THAT(MessageOf([&] { LoadRig(left); }, folder_),
               HasSubstr("expected a pair of cameras, found a camera_info of ROS with one camera"));
 }
