@@ -144,6 +144,17 @@ Lens PinholeOf(const FocalNumbers& focal, const NumberGrid* d) {
       RationalPinhole{.k = {c[0], c[1], c[4], c[5], c[6], c[7]}, .p1 = c[2], .p2 = c[3]}, focal);
 }
 
+Lens OmniOf(const FocalNumbers& focal, double xi, const NumberGrid* d) {
+  Omni lens = WithFocal(Omni{.xi = xi}, focal);
+  if (!d || d->count() == 0) return lens;
+  d->RequireCount(4);
+  lens.k1 = d->values[0];
+  lens.k2 = d->values[1];
+  lens.p1 = d->values[2];
+  lens.p2 = d->values[3];
+  return lens;
+}
+
 Lens FisheyeOf(const FocalNumbers& focal, const NumberGrid* d) {
   KannalaBrandt lens = WithFocal(KannalaBrandt{}, focal);
   if (!d || d->count() == 0) return lens;

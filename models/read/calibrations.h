@@ -48,6 +48,8 @@ FocalNumbers ReadFocalMatrix(const NumberGrid& K);
 Lens PinholeOf(const FocalNumbers& focal, const NumberGrid* d);
 /// Of OpenCV's fisheye module, and ROS's and Kalibr's equidistant: k1 k2 k3 k4, or none.
 Lens FisheyeOf(const FocalNumbers& focal, const NumberGrid* d);
+/// Of OpenCV's omnidir module and Kalibr's omni: k1 k2 p1 p2, or none.
+Lens OmniOf(const FocalNumbers& focal, double xi, const NumberGrid* d);
 /// The first key of these that the mapping has, or null.
 const YamlNode* FindFirst(const YamlNode& root, const std::vector<std::string>& keys,
                           std::string* found = nullptr);

@@ -108,15 +108,11 @@ Lens KalibrPinhole(const Link& link, Distortion model, const std::optional<Numbe
 
 Lens KalibrOmni(const Link& link, Distortion model, const std::optional<NumberGrid>& d) {
   const NumberGrid in = link.Numbers("intrinsics", 5);
-  Omni lens = WithFocal(Omni{.xi = Checked(in, 0, NonNegative(100.0))}, FocalAt(in, 1));
-  if (model == Distortion::kNone || (model == Distortion::kRadtan && !d)) return lens;
-  if (model != Distortion::kRadtan) RefusePair(link, "omni", "radtan or none");
-  d->RequireCount(4);
-  lens.k1 = d->values[0];
-  lens.k2 = d->values[1];
-  lens.p1 = d->values[2];
-  lens.p2 = d->values[3];
-  return lens;
+  const double xi = Checked(in, 0, NonNegative(100.0));
+  if (model != Distortion::kNone && model != Distortion::kRadtan) {
+    RefusePair(link, "omni", "radtan or none");
+  }
+  return OmniOf(FocalAt(in, 1), xi, model == Distortion::kRadtan && d ? &*d : nullptr);
 }
 
 Lens KalibrLens(const Link& link) {

@@ -88,14 +88,7 @@ Lens OpenCvLens(const YamlNode& root, const FocalNumbers& focal, const NumberGri
   if (!xi) return IsFisheye(root) ? FisheyeOf(focal, d) : PinholeOf(focal, d);
   xi->RequireCount(1);
   if (!(xi->values[0] >= 0.0 && xi->values[0] <= 100.0)) xi->Refuse(0, "a number from 0 to 100");
-  Omni lens = WithFocal(Omni{.xi = xi->values[0]}, focal);
-  if (!d || d->count() == 0) return lens;
-  d->RequireCount(4);
-  lens.k1 = d->values[0];
-  lens.k2 = d->values[1];
-  lens.p1 = d->values[2];
-  lens.p2 = d->values[3];
-  return lens;
+  return OmniOf(focal, xi->values[0], d);
 }
 
 Camera OpenCvCamera(const YamlNode& root, const NumberGrid& K, const Names& coefficients,

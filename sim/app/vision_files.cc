@@ -10,7 +10,9 @@ namespace dockyard {
 
 void AddRigOptions(CLI::App& command, RigOptions& options) {
   command.add_option("--robot", options.robot, "a robot's file: its stereo cameras");
-  command.add_option("--rig", options.rig, "instead: a file of two cameras, left and right; or two of one each, LEFT,RIGHT");
+  command.add_option(
+      "--rig", options.rig,
+      "instead: a file of two cameras, left and right; or two of one each, LEFT,RIGHT");
 }
 
 StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, int width,
