@@ -85,8 +85,15 @@ Pair OfTwoFiles(const std::string& left, const std::string& right) {
   Pair pair{LoadCamera(left), LoadCamera(right), {}, right, left, right};
   PlaceByRectified(pair);
   if (!pair.left.X_PC != !pair.right.X_PC) {
-    throw ConfigError((pair.left.X_PC ? right : left) +
-                      ": expected a projection_matrix, as the other file has it");
+    throw ConfigError(
+        (pair.left.X_PC ? right : left) +
+        ": expected a projection_matrix and rectification_matrix, as the other file has them");
+  }
+  if (!pair.left.X_PC && pair.left.X_FC.p == pair.right.X_FC.p) {
+    throw ConfigError(right +
+                      ": expected where the right camera stands, found nothing about it; write a "
+                      "rig with left: {file: ...} and right: {file: ..., position_m: ..., "
+                      "rotation: ...} (docs/reference/cameras.md)");
   }
   return pair;
 }

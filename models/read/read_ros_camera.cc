@@ -81,6 +81,7 @@ std::optional<Pose3> ReadRectified(const YamlNode& root) {
   X_PC.p = {-P->values[3] / fx, -P->values[7] / fy, 0.0};
   if (const std::optional<NumberGrid> R = RosGrid(root, {"rectification_matrix", "R", "r"})) {
     R->RequireShape(3, 3);
+    if (R->matrix<3, 3>().isZero(0.0)) return std::nullopt;  // drivers leave it so
     X_PC.R = NearestRotation(R->matrix<3, 3>(), R->Place());
   }
   return X_PC;

@@ -163,6 +163,11 @@ TEST_F(RosCalibration, TwoFilesAreAPairByTheirRectification) {
     EXPECT_LT((X_LQ.R - R_PL.transpose() * R_PQ).norm(), 1e-12);
     EXPECT_LT((X_LQ.p - R_PL.transpose() * Eigen::Vector3d(0.12, 0, 0)).norm(), 1e-12);
   }
+  const std::string never =
+      folder_.Write("never.yaml", with(Eigen::Matrix3d::Zero(), 0.0));  // rectified
+  EXPECT_EQ(LoadCamera(never).camera, LoadCamera(left).camera);
+  EXPECT_THAT(MessageOf([&] { LoadRig(left + "," + never); }, folder_),
+              HasSubstr("never.yaml: expected a projection_matrix"));
   EXPECT_TRUE(NamesTwoFiles(left + "," + right));
   EXPECT_FALSE(NamesTwoFiles(left));
   EXPECT_THAT(MessageOf([&] { LoadRig(left); }, folder_),
@@ -341,6 +346,17 @@ TEST_F(OpenCvStorage, IntrinsicsAndExtrinsicsMayBeTwoFiles) {
   EXPECT_NEAR(LoadRig(intrinsics + "," + extrinsics).baseline_m(), std::hypot(0.12, 0.001, 0.002),
               1e-12);
   EXPECT_THAT(MessageOf([&] { LoadRig(intrinsics); }, folder_), HasSubstr("missing key 'R'"));
+}
+
+TEST_F(OpenCvStorage, TwoFilesWithoutAPlaceArePlacedByARig) {
+  const std::string text = ByFileStorage("x.yml", false);
+  const std::string left = folder_.Write("a.yml", text), right = folder_.Write("b.yml", text);
+  EXPECT_THAT(MessageOf([&] { LoadRig(left + "," + right); }, folder_),
+              HasSubstr("b.yml: expected where the right camera stands"));
+  const StereoRig rig =
+      Rig("left: {file: a.yml}\nright: {file: b.yml, position_m: [0.1, 0, 0], "
+          "rotation_wxyz: [1, 0, 0, 0]}\n");
+  EXPECT_EQ(RightInLeft(rig).p, Eigen::Vector3d(0.1, 0, 0));
 }
 
 TEST_F(OpenCvStorage, BadXmlIsNamedByPlace) {
