@@ -51,6 +51,7 @@ void Rectifier::FindBounds() {
   const double most = std::tan(settings_.widest_rad);
   Vector2d low(most, most), high(-most, -most);
   const auto Hold = [&](double u, double v) {
+    if (!rig_.left.HasRay({u, v})) return;  // masked: no ray leads there
     const Vector3d ray = pair_.X_RC.R.transpose() * rig_.X_RL.R * rig_.left.Direction({u, v});
     if (ray.z() <= 0.0) return;
     const Vector2d at = (ray.head<2>() / ray.z()).cwiseMax(-most).cwiseMin(most);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "models/read/calibrations.h"
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
 #include "models/read/load_cameras.h"
@@ -17,6 +18,7 @@
 #include "models/read/urdf.h"
 #include "models/read/urdf_weld.h"
 #include "models/read/yaml_reader.h"
+#include "sim/app/check_cameras.h"
 #include "sim/app/reproduction_files.h"
 #include "sim/app/scenario_options.h"
 #include "sim/plan/make_run.h"
@@ -91,27 +93,6 @@ FileCheck CheckObstacles(const std::string& file) {
                            std::to_string(obstacles.polygons.size()) + " areas"};
 }
 
-FileCheck CheckCameras(const std::string& file) {
-  const std::vector<PlacedCamera> cameras = LoadCameras(file);
-  for (const PlacedCamera& placed : cameras) {
-    RequireRays(placed.name.empty() ? file : file + ": " + placed.name, placed.camera);
-  }
-  const Camera& first = cameras[0].camera;
-  const Eigen::Vector2d f = first.focal_px();
-  std::string summary = std::to_string(cameras.size()) +
-                        (cameras.size() == 1 ? " camera, " : " cameras, the first of ") +
-                        std::to_string(first.width) + " x " + std::to_string(first.height) +
-                        " px, " + NumberText(std::round(10.0 * f.x()) / 10.0) + " px/rad";
-  return {"camera", summary};
-}
-
-FileCheck CheckRig(const std::string& file) {
-  const StereoRig rig = LoadRig(file);
-  return {"rig", std::to_string(rig.left.width) + " x " + std::to_string(rig.left.height) +
-                     " px, baseline " + NumberText(std::round(1e4 * rig.baseline_m()) / 1e4) +
-                     " m"};
-}
-
 FileCheck CheckScenario(const std::string& file, const std::vector<System>& systems) {
   const Scenario scenario = LoadScenario(file, {}, KnownSystems(systems));
   const std::string found = FindSystem(systems, scenario.system).check(scenario);
@@ -154,7 +135,8 @@ FileCheck CheckTable(const std::string& file) {
 }
 
 FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems) {
-  const YamlNode root = LoadYaml(file);
+  const YamlNode root = LoadCameraTree(file);  // YAML, also with the marks of OpenCV
+  if (IsCalibration(root)) return CheckCalibration(file);
   const auto has = [&](const char* key) { return root.Find(key) != nullptr; };
   if (has("reproduction")) return CheckReproduction(file, systems);
   if (has("obstacles")) return CheckObstacles(file);
@@ -183,20 +165,21 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
 }  // namespace
 
 FileCheck CheckFile(const std::string& file, const std::vector<System>& systems) {
+  if (NamesTwoFiles(file)) return CheckRig(file);
   if (std::filesystem::is_directory(file)) {
     throw ConfigError(file + ": expected a file, found a folder");
   }
   const std::string extension = std::filesystem::path(file).extension().string();
   if (IsMeshFile(file)) return CheckMesh(file);
   if (extension == ".urdf") return CheckUrdf(file);
-  if (extension == ".json") return CheckCameras(file);
+  if (extension == ".json" || extension == ".xml") return CheckCameras(file);
   if (extension == ".csv") return CheckTable(file);
   if (extension == ".yaml" || extension == ".yml") return CheckYaml(file, systems);
-  throw ConfigError(
-      file +
-      ": expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or .glb, found "
-      "extension '" +
-      extension + "'");
+  throw ConfigError(file +
+                    ": expected a file .yaml, .yml, .json, .xml, .csv, .urdf, .stl, .obj, .dae, "
+                    ".gltf or .glb, found "
+                    "extension '" +
+                    extension + "'");
 }
 
 }  // namespace dockyard

@@ -7,6 +7,7 @@
 #include "controller/vision/point_pose.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/pixel_rays.h"
 #include "sim/app/point_files.h"
 #include "sim/app/point_report.h"
 #include "sim/app/vision_files.h"
@@ -83,6 +84,7 @@ int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
       LoadPointFrames(sequence ? arguments.sequence : arguments.points, sequence);
   const StereoRig rig =
       RigOf(arguments.rig, systems, arguments.width.value_or(0), arguments.height.value_or(0));
+  RequirePixelRays(frames, rig, sequence ? arguments.sequence : arguments.points);
   PointOptions options;
   options.survey_m = arguments.survey_m.value_or(DefaultSurveyError(frames));
   if (arguments.csv) std::printf("%s\n", PoseTableHeader().c_str());

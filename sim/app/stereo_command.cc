@@ -107,7 +107,7 @@ int PrintStereo(const StereoArguments& in) {
     throw ConfigError(in.right + ": expected an image of " + std::to_string(images.left.width) +
                       " x " + std::to_string(images.left.height) + " pixels, as " + in.left);
   }
-  const StereoRig rig = LoadRig(in.rig, images.left.width, images.left.height);
+  const StereoRig rig = LoadRig(in.rig, images.left.width, images.left.height, Rays::kMasked);
   const Plane ground = GroundOf(in);
   RectifySettings rectify;
   if (in.ground_m) rectify.ground_R = ground;
@@ -155,7 +155,8 @@ void AddStereoCommand(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("stereo", kStereoHelp);
   command->add_option("left", in->left, "picture of the left camera")->required();
   command->add_option("right", in->right, "picture of the right camera")->required();
-  command->add_option("--rig", in->rig, "file of the pair of cameras")->required();
+  command->add_option("--rig", in->rig, "file of the pair of cameras, or two, LEFT,RIGHT")
+      ->required();
   command->add_option("--ground", in->ground_m, "m that the ground lies below the rig's origin")
       ->check(NumberWithin(0.001, 1e3));
   command->add_option("--pitch-deg", in->pitch_deg, "of the rig's frame against the ground [0]")

@@ -50,6 +50,12 @@ RosLens LensOf(const Camera& camera) {
             brown->fx,   brown->fy,
             brown->cx,   brown->cy};
   }
+  if (const auto* rational = std::get_if<RationalPinhole>(&camera.lens)) {
+    const auto& k = rational->k;
+    return {"rational_polynomial", {k[0], k[1], rational->p1, rational->p2, k[2], k[3], k[4], k[5]},
+            rational->fx,          rational->fy,
+            rational->cx,          rational->cy};
+  }
   const Eigen::Vector2d focal = camera.focal_px(), centre = camera.centre_px();
   return {"", {}, focal.x(), focal.y(), centre.x(), centre.y()};
 }
