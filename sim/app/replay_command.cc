@@ -117,6 +117,9 @@ Alone ReportCommands(const std::filesystem::path& run_dir, const Scenario& scena
     std::printf("controller alone: same for %llu steps, then the log is cut short\n", compared);
     return Alone::kLogIsShort;
   }
+  if (!replay.guarded) {
+    PrintNote("note: the log has no check values, so damage to it may go unseen");
+  }
   std::printf("controller alone: same commands at all %llu steps\n", compared);
   return Alone::kSame;
 }

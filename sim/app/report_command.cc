@@ -12,6 +12,7 @@
 #include "sim/app/report_content.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
+#include "sim/log/belief_error.h"
 #include "sim/page/markdown.h"
 #include "sim/report/run_plots.h"
 #include "sim/report/starts_plot.h"
@@ -80,7 +81,9 @@ int WriteFigures(const ReportContent& content, const std::filesystem::path& out)
     const LoggedRun log = content.watched.front().log();
     const std::string title = TitleOf(content, content.runs->results.front());
     WriteWhole(out / "path.svg", PathPlot(title, log));
-    WriteWhole(out / "history.svg", HistoryPlot(title, log, content.channels));
+    std::vector<Column> channels = content.channels;
+    channels.insert(channels.end(), BeliefErrorColumns().begin(), BeliefErrorColumns().end());
+    WriteWhole(out / "history.svg", HistoryPlot(title, log, channels));
     PrintNote("path.svg and history.svg in " + out.string());
     return kExitDone;
   }
