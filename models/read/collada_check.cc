@@ -39,11 +39,13 @@ void CheckUnit(const std::string& file, const TiXmlElement& unit) {
   const char* text = unit.Attribute("meter");
   if (text == nullptr) return;  // 1 m
   double metres = 0.0;
-  if (ParseNumber(text, metres) && metres > 0.0) return;
-  RefuseElement(file, unit,
-                std::string("meter: expected the metres of a unit, a number > 0 such as 0.001, "
-                            "found '") +
-                    std::string(text).substr(0, 40) + "'");
+  // Smaller ones put all places on one point.
+  if (ParseNumber(text, metres) && metres >= 1e-9) return;
+  RefuseElement(
+      file, unit,
+      std::string("meter: expected the metres of a unit, a number from 1e-9 such as 0.001, "
+                  "found '") +
+          std::string(text).substr(0, 40) + "'");
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ class ObjText {
       if (!ParseNumber(word, value)) Refuse("'v' and numbers");
     }
     const std::size_t count = words_.size();
-    if (count != 3 && count != 4 && count != 6) Refuse("'v' and 3, 4 or 6 numbers");
+    if (count < 3 || count == 5 || count > 7) Refuse("'v' and 3, 4, 6 or 7 numbers");
     if (++places_ > 3 * static_cast<long>(kMaxMeshTriangles)) {
       RefuseCount(std::to_string(3 * kMaxMeshTriangles) + " places");
     }

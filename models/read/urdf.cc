@@ -106,6 +106,18 @@ class PartByPart {
   UrdfFaults& faults_;
 };
 
+void ReadPartByPart(const TiXmlElement& robot, UrdfParts& parts, UrdfFaults& faults) {
+  PartByPart part_by_part(parts, faults);
+  for (const TiXmlElement* e = robot.FirstChildElement("link"); e;
+       e = e->NextSiblingElement("link")) {
+    part_by_part.ReadLink(*e);
+  }
+  for (const TiXmlElement* e = robot.FirstChildElement("joint"); e;
+       e = e->NextSiblingElement("joint")) {
+    part_by_part.ReadJoint(*e);
+  }
+}
+
 }  // namespace
 
 const LinkModel& UrdfModel::Link(const std::string& link_name) const {
@@ -136,13 +148,18 @@ UrdfModel LoadUrdf(const std::string& file, const UrdfOptions& options) {
   UrdfFaults faults(source.name, UrdfFaults::Wanted::kFirst);
   UrdfModel model;
   model.left_out = CheckUrdfXml(robot, faults);
-  // liburdfdom takes the first element of a <geometry> for its shape, whatever it is.
-  const urdf::ModelInterfaceSharedPtr parsed =
-      ParseUrdfText(model.left_out.empty() ? source.text : TextOfXml(robot), source.name);
+  UrdfParts parts(file, options, faults);
+  urdf::ModelInterfaceSharedPtr parsed;
+  try {
+    // liburdfdom takes the first element of a <geometry> for its shape, whatever it is.
+    parsed = ParseUrdfText(model.left_out.empty() ? source.text : TextOfXml(robot), source.name);
+  } catch (const ConfigError&) {
+    ReadPartByPart(robot, parts, faults);  // says where, which liburdfdom does not
+    throw;
+  }
   model.name = parsed->getName();
   model.file = file;
   model.root = parsed->getRoot() ? parsed->getRoot()->name : "";
-  UrdfParts parts(file, options, faults);
   const ElementsByName links = Named(robot, "link"), joints = Named(robot, "joint");
   for (const auto& [name, link] : parsed->links_) {
     const TiXmlElement& element = *links.at(name);
@@ -164,15 +181,7 @@ UrdfFindings FindUrdfFaults(const std::string& file, const UrdfOptions& options)
     UrdfFaults faults(source.name, UrdfFaults::Wanted::kAll);
     found.left_out = CheckUrdfXml(robot, faults);
     UrdfParts parts(file, options, faults);
-    PartByPart part_by_part(parts, faults);
-    for (const TiXmlElement* e = robot.FirstChildElement("link"); e;
-         e = e->NextSiblingElement("link")) {
-      part_by_part.ReadLink(*e);
-    }
-    for (const TiXmlElement* e = robot.FirstChildElement("joint"); e;
-         e = e->NextSiblingElement("joint")) {
-      part_by_part.ReadJoint(*e);
-    }
+    ReadPartByPart(robot, parts, faults);
     found.faults = faults.Sorted();
     if (found.faults.empty()) LoadUrdf(file, options);  // the totals over all parts
   } catch (const ConfigError& error) {

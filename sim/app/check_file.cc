@@ -18,6 +18,7 @@
 #include "models/read/urdf_weld.h"
 #include "models/read/xacro.h"
 #include "models/read/yaml_reader.h"
+#include "sim/app/check_answer.h"
 #include "sim/app/reproduction_files.h"
 #include "sim/app/scenario_options.h"
 #include "sim/plan/make_run.h"
@@ -240,7 +241,12 @@ UrdfFindings FindFaults(const std::string& file, const std::vector<System>& syst
   try {
     CheckFile(file, systems, options);
   } catch (const ConfigError& error) {
-    return {{error.what()}, {}};
+    // The fault may lie in a URDF file that this one names, which has more of them.
+    const std::string urdf = PlaceOf(error.what(), file).file;
+    UrdfFindings found;
+    if (IsUrdfFile(urdf) && !IsMeshFile(file)) found = FindUrdfFaults(urdf, {});
+    if (found.faults.empty()) found.faults = {error.what()};
+    return found;
   }
   return {};
 }

@@ -60,6 +60,19 @@ TEST(CheckCommand, AnswersAsJson) {
   EXPECT_THAT(ended.err, HasSubstr("warning: " + mesh + ": its size is"));
 }
 
+TEST(CheckCommand, TellsAllFaultsOfTheUrdfThatARobotNames) {
+  const ScratchFolder folder;
+  folder.CopyModel("axel");
+  const std::string robot = (folder.path() / "models/axel/axel.yaml").string();
+  const std::string text = Slurp(folder.path() / "models/axel/axel.urdf");
+  folder.Write("models/axel/axel.urdf",
+               Replaced(text, "</robot>", "<visuals/>\n<collisions/>\n</robot>"));
+  const Ended all = Dockyard("check --all " + robot);
+  EXPECT_EQ(all.code, 3);
+  EXPECT_THAT(all.err, HasSubstr("<visuals>: unknown element in <robot>"));
+  EXPECT_THAT(all.err, HasSubstr("<collisions>: unknown element in <robot>"));
+}
+
 TEST(CheckCommand, HasNoLineForAFaultWithoutOne) {
   const Json answer = Json::parse(Dockyard("check --json /no/such.urdf").out);
   const Json fault = {

@@ -101,7 +101,7 @@ TEST(ExportedCollada, UnitsThatAreNoLengthAreRefusedWithTheirLine) {
     return Replaced(TriangleCollada(), "<library_geometries>",
                     "<asset>\n<unit meter=\"" + metres + "\"/></asset><library_geometries>");
   };
-  for (const char* bad : {"0", "0.0", "-1", "nan", "inf", "1e999", "", "0,01"}) {
+  for (const char* bad : {"0", "0.0", "-1", "nan", "inf", "1e999", "1e-300", "", "0,01"}) {
     EXPECT_THAT(
         MessageFor("a.dae", with(bad)),
         testing::MatchesRegex("a.dae:[0-9]+:1: not a usable mesh: <unit>: meter: expected.*"))

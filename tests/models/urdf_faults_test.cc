@@ -85,6 +85,18 @@ TEST(UrdfFaults, AreTheFirstOneWhereTheXmlBreaks) {
   EXPECT_THAT(FaultsOf("<link name=\"a\"><link></robot>"), ElementsAre(HasSubstr("not valid XML")));
 }
 
+TEST(UrdfFaults, ThatOnlyLiburdfdomFindsHaveTheirPlace) {
+  const std::string joint =
+      "<link name=\"a\"/><link name=\"b\"/>\n<joint name=\"j\" type=\"revolute\"><parent "
+      "link=\"a\"/>"
+      "<child link=\"b\"/><limit lower=\"0\" upper=\"1\" velocity=\"1\"/></joint>\n";
+  EXPECT_THAT(FaultsOf(joint), ElementsAre(StartsWith("m.urdf:3:1: not a usable URDF: ")));
+  const ScratchFolder folder;
+  const std::string file = folder.Write("m.urdf", "<robot name=\"m\">\n" + joint + "</robot>");
+  EXPECT_THAT(MessageOf([&] { LoadUrdf(file); }, folder),
+              StartsWith("m.urdf:3:1: not a usable URDF: "));
+}
+
 TEST(UrdfFaults, AreNoneInTheModelsHere) {
   for (const char* name : {"axel/axel", "axel/station/station", "raposa/raposa"}) {
     const UrdfFindings found =
