@@ -123,8 +123,8 @@ class Table {
 
 }  // namespace
 
-YamlNode LoadCsv(const std::string& file) {
-  const std::string text = ReadText(file);
+YamlNode LoadCsv(const std::string& file, std::size_t max_bytes) {
+  const std::string text = ReadText(file, max_bytes);
   Table table(file);
   int number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
