@@ -178,8 +178,8 @@ void CheckSeparator(const Table& table, const std::vector<std::string_view>& lin
 
 }  // namespace
 
-YamlNode LoadCsv(const std::string& file) {
-  const std::string text = ReadText(file);
+YamlNode LoadCsv(const std::string& file, std::size_t max_bytes) {
+  const std::string text = ReadText(file, max_bytes);
   const std::vector<std::string_view> lines = LinesOf(text);
   Table table(file);
   for (std::size_t i = 0; i < lines.size(); ++i) {

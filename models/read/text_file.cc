@@ -134,8 +134,8 @@ void CheckIsText(std::string_view text, const std::string& file) {
   }
 }
 
-std::string ReadText(const fs::path& file) {
-  const std::string bytes = ReadBytes(file, kMaxTextBytes);
+std::string ReadText(const fs::path& file, std::size_t max_bytes) {
+  const std::string bytes = ReadBytes(file, max_bytes);
   const std::string_view text = WithoutByteOrderMark(bytes);
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw ConfigError(file.string() + ":1:1: the file is empty");

@@ -17,7 +17,7 @@ std::string ReadBytes(const std::filesystem::path& file, std::size_t max_bytes);
 /// The text of a file: UTF-8 without control characters other than tab and line ends. A byte order
 /// mark at its begin is left out. Throws ConfigError with the place of the first byte that is no
 /// text.
-std::string ReadText(const std::filesystem::path& file);
+std::string ReadText(const std::filesystem::path& file, std::size_t max_bytes = kMaxTextBytes);
 /// The same check on text that is there already.
 void CheckIsText(std::string_view text, const std::string& file);
 /// Throws ConfigError for UTF-16 and UTF-32, as Excel's "Unicode Text" and PowerShell's > write.

@@ -209,7 +209,7 @@ FileCheck CheckFile(const std::string& file, const std::vector<System>& systems,
   if (IsMeshFile(file)) return CheckMesh(file);
   if (IsUrdfFile(file)) return CheckUrdf(file, options);
   if (extension == ".json" || extension == ".xml") return CheckCameras(file);
-  if (extension == ".csv") return CheckTable(file);
+  if (extension == ".csv") return IsDiscTable(file) ? CheckObstacles(file) : CheckTable(file);
   if (extension == ".yaml" || extension == ".yml") return CheckYaml(file, systems);
   throw ConfigError(
       file +
