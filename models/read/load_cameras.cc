@@ -88,8 +88,8 @@ bool HasFocalLength(const std::string& model) {
 
 /// The keys that a camera of this model may have.
 std::vector<std::string> KeysOf(const std::string& model) {
-  std::vector<std::string> keys{"name",     "source",    "model",       "pixel_zero",
-                                "width_px", "height_px", "scaled_to_px"};
+  std::vector<std::string> keys{"name",     "source",    "model",        "pixel_zero",
+                                "width_px", "height_px", "scaled_to_px", "calibration_error_px"};
   const auto know = [&](const std::vector<std::string>& more) {
     keys.insert(keys.end(), more.begin(), more.end());
   };
@@ -147,6 +147,10 @@ PlacedCamera ReadFocalCamera(const YamlReader& in, const std::string& model, int
   return placed;
 }
 
+double ReadCalibrationError(const YamlReader& in) {
+  return in.NumberOr("calibration_error_px", 0.0, NonNegative(10.0));
+}
+
 /// The camera at the size that `scaled_to_px` says.
 Camera ScaledAsSaid(const YamlReader& in, const Camera& camera) {
   if (!in.Has("scaled_to_px")) return camera;
@@ -182,6 +186,7 @@ PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
   }
   placed.name = in.TextOr("name", "");
   in.TextOr("source", "-");
+  placed.calibration_error_px = ReadCalibrationError(in);
   const double first = FirstPixel(in);
   placed.camera = ScaledAsSaid(in, Adjusted(placed.camera, 1.0, {first, first}));
   return placed;
@@ -221,7 +226,7 @@ PlacedCamera ReadOne(const YamlNode& node, const std::string& path) {
 }
 
 YamlReader RigReader(const YamlNode& root) {
-  return {root, "", {"name", "source", "in_rover", "left", "right"}};
+  return {root, "", {"name", "source", "in_rover", "left", "right", "calibration_error_px"}};
 }
 
 /// JSON is YAML but for the tabs that indent it.
@@ -313,6 +318,16 @@ StereoRig LoadRig(const std::string& file, int width, int height) {
                       NumberText(rig.baseline_m()) + "'");
   }
   return rig;
+}
+
+double LoadCalibrationError(const std::string& file) {
+  const YamlNode root = LoadTree(file);
+  double error_px = 0.0;
+  if (IsRig(root)) error_px = ReadCalibrationError(RigReader(root));
+  for (const PlacedCamera& placed : LoadCameras(file)) {
+    error_px = std::max(error_px, placed.calibration_error_px);
+  }
+  return error_px;
 }
 
 void RequireRays(const std::string& place, const Camera& camera) {
