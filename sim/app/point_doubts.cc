@@ -75,16 +75,20 @@ FrameAnswer AnswerFor(const PointFrame& frame, const StereoRig& rig, const Visio
                   : answer.pose.error() == PoseFailure::kTooFewFiducials) {
     return answer;
   }
+  // The best of those that agree: a mirrored body, say, also agrees a little with a wrong scale.
+  double least = answer.pose ? kMuchLess * Share(*answer.pose) : kBeyondReason;
+  least = std::min(least, kBeyondReason);
   for (Mistake& mistake : Mistakes(frame.points, rig)) {
     const auto mended = PoseFromPoints(mistake.mended, rig, settings, options);
-    if (!mended || Share(*mended) > kBeyondReason) continue;
-    if (answer.pose) {
-      if (Share(*mended) > kMuchLess * Share(*answer.pose)) continue;
-      answer.chi_square = answer.pose->fit.misfit;
-      answer.freedom = answer.pose->fit.freedom;
-      answer.pose = PoseFailure::kPoorFit;
-    }
+    if (!mended || Share(*mended) > least) continue;
+    least = Share(*mended);
     answer.agree_when = std::move(mistake.text);
+  }
+  if (!answer.agree_when.empty()) {
+    if (!answer.pose) return answer;
+    answer.chi_square = answer.pose->fit.misfit;
+    answer.freedom = answer.pose->fit.freedom;
+    answer.pose = PoseFailure::kPoorFit;
     return answer;
   }
   if (!answer.pose) return answer;
