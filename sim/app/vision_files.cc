@@ -28,6 +28,10 @@ StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, i
   throw ConfigError(options.robot + ": expected a robot's file with a stereo pair, found another");
 }
 
+double CalibrationErrorOf(const RigOptions& options) {
+  return options.rig.empty() ? 0.0 : LoadCalibrationError(options.rig);
+}
+
 NamedBoard BoardOf(const std::string& file, const std::vector<System>& systems) {
   if (IsBoardFile(LoadYaml(file))) return LoadBoard(file);
   for (const System& system : systems) {
