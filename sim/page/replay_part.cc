@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/page/images_part.h"
 #include "sim/page/replay_ground.h"
 #include "sim/page/sightings_part.h"
 #include "sim/page/simplified.h"
@@ -178,6 +179,7 @@ Json ReplayPart(const LoggedRun& run, const ReplayFacts& facts, Payload& payload
   json["ground"] = ReplayGround(run, X_GO, payload);
   json["scalars"] = ScalarsJson(run, facts, payload);
   json["sightings"] = SightingsPart(run, facts.pictures, payload);
+  if (facts.pictures) json["images"] = ImagesPart(run, facts.most_images, payload);
   json["plans"] = PlansJson(run);
   json["phases"] = PhasesJson(run);
   return json;
