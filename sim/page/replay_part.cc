@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/log/belief_error.h"
+#include "sim/page/images_part.h"
 #include "sim/page/replay_ground.h"
 #include "sim/page/sightings_part.h"
 #include "sim/page/simplified.h"
@@ -184,6 +185,7 @@ Json ReplayPart(const LoggedRun& run, const ReplayFacts& facts, Payload& payload
   json["ground"] = ReplayGround(run, X_GO, payload);
   json["scalars"] = ScalarsJson(run, facts, payload);
   json["sightings"] = SightingsPart(run, facts.pictures, payload);
+  if (facts.pictures) json["images"] = ImagesPart(run, facts.most_images, payload);
   json["plans"] = PlansJson(run);
   json["phases"] = PhasesJson(run);
   return json;
