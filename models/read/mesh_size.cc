@@ -15,10 +15,13 @@ Eigen::Vector3d ExtentOf(const TriangleMesh& mesh) {
 }
 
 std::string SizeText(const Eigen::Vector3d& extent_m) {
-  char text[100];
-  std::snprintf(text, sizeof text, "%.3g x %.3g x %.3g m", extent_m.x(), extent_m.y(),
-                extent_m.z());
-  return text;
+  std::string text;
+  for (const double side : extent_m) {
+    char number[32];
+    std::snprintf(number, sizeof number, side < 100.0 ? "%.3g" : "%.0f", side);
+    text += (text.empty() ? "" : " x ") + std::string(number);
+  }
+  return text + " m";
 }
 
 std::string UnitDoubt(const Eigen::Vector3d& extent_m) {

@@ -136,6 +136,7 @@ TEST(MeshSize, IsTheBoxOfAllVertices) {
   for (Eigen::Vector3d& v : mesh.vertices) v += Eigen::Vector3d(5, -7, 2);
   EXPECT_LT((ExtentOf(mesh) - Eigen::Vector3d(1.5, 0.25, 3.0)).norm(), 1e-12);
   EXPECT_EQ(SizeText(ExtentOf(mesh)), "1.5 x 0.25 x 3 m");
+  EXPECT_EQ(SizeText({1234.4, 0.0123456, 0}), "1234 x 0.0123 x 0 m");
   EXPECT_EQ(UnitDoubt(ExtentOf(mesh)), "");
   EXPECT_THAT(UnitDoubt({450, 300, 120}), HasSubstr("450 x 300 x 120 m; is it in millimetres?"));
   EXPECT_THAT(UnitDoubt({4e-4, 3e-4, 0}), HasSubstr("scaled twice?"));
