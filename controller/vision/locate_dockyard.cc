@@ -256,6 +256,10 @@ LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
   for (std::size_t v = 0; v < 2; ++v) {
     pair.up_C[v] = pair.views[v].X_RC.R.transpose() * hints.up_R;
     pair.detections[v] = DetectFiducials(*pair.images[v], pair.levels[v], board);
+    // Masked: where the lens's polynomial has turned back, no direction belongs to a pixel.
+    std::erase_if(pair.detections[v], [&](const DetectedFiducial& detection) {
+      return !pair.views[v].camera.HasRay(detection.rim.centre_px);
+    });
     AssignRotations(pair.detections[v], pair.views[v].camera, pair.up_C[v]);
   }
   report.detected = {static_cast<int>(pair.detections[0].size()),

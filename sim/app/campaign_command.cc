@@ -118,7 +118,7 @@ int RunCampaignCommand(const CommandArguments& arguments, const std::vector<Syst
   if (shard.signal != 0) return EndOfShard(arguments, options, shard);
   int code = ReportEnd(end, options.out_dir, arguments.json);
   if (plan) code = ReportAcceptance(*plan, followed, arguments.json);
-  if (arguments.report) WriteReport(options.out_dir, systems);
+  if (arguments.report) WriteReport(options.out_dir, systems, requirements);
   return JudgeResults(arguments.judging, requirements, end, campaign, options.columns,
                       options.out_dir, arguments.json, code);
 }

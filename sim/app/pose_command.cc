@@ -9,6 +9,7 @@
 #include "models/read/yaml_reader.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/pixel_rays.h"
 #include "sim/app/point_doubts.h"
 #include "sim/app/point_files.h"
 #include "sim/app/point_report.h"
@@ -93,8 +94,9 @@ int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
   const bool sequence = !arguments.sequence.empty();
   const StereoRig rig =
       RigOf(arguments.rig, systems, arguments.width.value_or(0), arguments.height.value_or(0));
-  const std::vector<PointFrame> frames =
-      LoadPointFrames(sequence ? arguments.sequence : arguments.points, sequence, &rig);
+  const std::string& file = sequence ? arguments.sequence : arguments.points;
+  const std::vector<PointFrame> frames = LoadPointFrames(file, sequence, &rig);
+  RequirePixelRays(frames, rig, file);
   PointOptions options;
   options.survey_m = arguments.survey_m.value_or(DefaultSurveyError(frames));
   options.sigma_px = std::hypot(options.sigma_px, CalibrationErrorOf(arguments.rig));

@@ -42,6 +42,7 @@ Examples:
   dockyard replay results/{campaign_name} 17
   dockyard replay out/typical
   dockyard replay out/typical --frames out/film --period 5
+  dockyard replay out/typical --frames out/tip --period 20 --at tip
 
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
 controller alone and compares its commands. Exit code 0: the same, 1: not the same, 10: the
@@ -117,6 +118,9 @@ Alone ReportCommands(const std::filesystem::path& run_dir, const Scenario& scena
     std::printf("controller alone: same for %llu steps, then the log is cut short\n", compared);
     return Alone::kLogIsShort;
   }
+  if (!replay.guarded) {
+    PrintNote("note: the log has no check values, so damage to it may go unseen");
+  }
   std::printf("controller alone: same commands at all %llu steps\n", compared);
   return Alone::kSame;
 }
@@ -138,8 +142,8 @@ Alone ReportController(const std::filesystem::path& run_dir, const Scenario& sce
 int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept,
                const std::vector<System>& systems) {
   const System& system = FindSystem(systems, kept.run.scenario.system);
-  const OutsideOptions outside = arguments.outside.options();
   const StageShapes shapes = ShapesToDraw(system, kept.run.scenario);
+  const OutsideOptions outside = arguments.outside.options(shapes);
   const bool logged = std::filesystem::exists(kept.log_dir / kRunLogFile);
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
   arguments.commands.Fill(options);

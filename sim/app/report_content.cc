@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "controller/base/number_text.h"
 #include "sim/app/commands.h"
 #include "sim/app/terminal.h"
+#include "sim/base/called_as.h"
 #include "sim/base/files.h"
-#include "sim/base/shell_word.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
@@ -82,6 +84,27 @@ std::vector<Pose2> StartsOf(const ReportSource& source) {
   return starts;
 }
 
+/// The command that runs a run again, as it can be pasted.
+/// @param number    of the run; empty: the folder has one
+/// @param programs  whether its controller is a program, which has to be allowed
+std::string ReplayCommand(const fs::path& dir, const std::string& number, bool programs) {
+  return CommandText({"replay", dir.string()}) + (number.empty() ? "" : " " + number) +
+         (programs ? " --allow-commands" : "");
+}
+
+bool RunsProgram(const RunMaker& maker, int run) {
+  return !maker.Make(maker.IndexOf(run)).scenario.command.empty();
+}
+
+/// A run of each controller is looked at: rows tell no more of it.
+bool AnyRunsProgram(const ReportSource& source) {
+  std::set<std::string> known;
+  for (const RunResult& row : source.kept.runs.results) {
+    if (known.insert(row.controller).second && RunsProgram(*source.maker, row.run)) return true;
+  }
+  return false;
+}
+
 WatchedRun Watched(std::size_t place, const fs::path& dir, std::string command) {
   return {.place = place,
           .log = [dir] { return ReadLoggedRun(dir); },
@@ -113,7 +136,7 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
       const fs::path folder = RunFolder(dir, number);
       if (rows[i].docked != docked || !fs::exists(folder / kRunLogFile)) continue;
       WatchedRun run = Watched(
-          i, folder, "dockyard replay " + ShellWord(dir.string()) + " " + std::to_string(number));
+          i, folder, ReplayCommand(dir, std::to_string(number), RunsProgram(*maker, number)));
       run.shapes = [&system, maker, number] {
         return ShapesOf(system, maker->Make(maker->IndexOf(number)).scenario);
       };
@@ -133,7 +156,7 @@ ReportContent ContentOfCampaign(const fs::path& dir, const std::vector<System>& 
   content.campaign = &source.kept.campaign;
   content.runs = &source.kept.runs;
   content.columns = source.kept.columns;
-  content.replay_command = "dockyard replay " + ShellWord(dir.string()) + " {run}";
+  content.replay_command = ReplayCommand(dir, "{run}", AnyRunsProgram(source));
   AddSystem(system, content);
   content.starts = StartsOf(source);
   AddWatched(dir, system, source, content);
@@ -158,9 +181,11 @@ ReportContent ContentOf(const fs::path& dir, const std::vector<System>& systems,
   return ContentOfRun(dir, system, scenario, *row, source);
 }
 
-void WriteReport(const fs::path& dir, const std::vector<System>& systems) {
+void WriteReport(const fs::path& dir, const std::vector<System>& systems,
+                 const std::vector<Requirement>& requirements) {
   ReportSource source;
-  const ReportContent content = ContentOf(dir, systems, source);
+  ReportContent content = ContentOf(dir, systems, source);
+  content.requirements = requirements;
   const fs::path file = dir / "report.html";
   WriteWhole(file, ReportPage(content));
   PrintNote("report in " + file.string());
@@ -177,7 +202,7 @@ ReportContent ContentOfRun(const fs::path& dir, const System& system, const Scen
   content.columns = system.Columns({});
   AddSystem(system, content);
   content.starts = {FromDockingCoords(scenario.start)};
-  WatchedRun run = Watched(0, dir, "dockyard replay " + ShellWord(dir.string()));
+  WatchedRun run = Watched(0, dir, ReplayCommand(dir, "", !scenario.command.empty()));
   run.shapes = [&system, kept = source.scenario] { return ShapesOf(system, *kept); };
   content.watched.push_back(std::move(run));
   return content;

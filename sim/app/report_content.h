@@ -26,7 +26,8 @@ ReportContent ContentOf(const std::filesystem::path& dir, const std::vector<Syst
                         ReportSource& source);
 
 /// Writes report.html into a campaign's folder and says so. Throws as ContentOf.
-void WriteReport(const std::filesystem::path& dir, const std::vector<System>& systems);
+void WriteReport(const std::filesystem::path& dir, const std::vector<System>& systems,
+                 const std::vector<Requirement>& requirements = {});
 
 /// Of one run whose log lies in the folder.
 ReportContent ContentOfRun(const std::filesystem::path& dir, const System& system,

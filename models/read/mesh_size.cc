@@ -1,0 +1,33 @@
+#include "models/read/mesh_size.h"
+
+#include <cstdio>
+
+namespace dockyard {
+
+Eigen::Vector3d ExtentOf(const TriangleMesh& mesh) {
+  if (mesh.vertices.empty()) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d low = mesh.vertices[0], high = low;
+  for (const Eigen::Vector3d& v : mesh.vertices) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  return high - low;
+}
+
+std::string SizeText(const Eigen::Vector3d& extent_m) {
+  char text[100];
+  std::snprintf(text, sizeof text, "%.3g x %.3g x %.3g m", extent_m.x(), extent_m.y(),
+                extent_m.z());
+  return text;
+}
+
+std::string UnitDoubt(const Eigen::Vector3d& extent_m) {
+  constexpr double kLarge_m = 50.0, kSmall_m = 1e-3;
+  const double largest = extent_m.maxCoeff();
+  const std::string size = "its size is " + SizeText(extent_m);
+  if (largest > kLarge_m) return size + "; is it in millimetres? Numbers count as metres";
+  if (largest < kSmall_m) return size + "; is it scaled twice? Numbers count as metres";
+  return {};
+}
+
+}  // namespace dockyard
