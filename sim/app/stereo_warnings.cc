@@ -14,13 +14,13 @@ constexpr int kFewCorners = 20;  // too few to judge by
 // boards and noise: of two scenes 0-10, 0.00-0.18, 0.2-0.4; of pairs 14-180, 0.3-0.9, 0.6-1.0.
 constexpr double kLeastFound = 8, kShareFound = 0.08, kAgree = 0.3;
 constexpr double kLeastAskew = 12, kShareAskew = 0.15, kAgreeAskew = 0.5;
-constexpr double kLevel = 4.0;         // pixels by which rows go apart
-constexpr double kFinest = 0.5;        // of a pixel of the smaller images, for slopes of rows
-constexpr double kRowsOff_px = 1.0;    // what the matchers bear
-constexpr double kBehind_px = 1.0;     // a disparity so far below that of points far away
-constexpr double kStill_px = 0.25;     // no disparity
-constexpr double kBeyondShare = 0.25;  // of corners beyond the search
-constexpr int kStep = 16;              // of --disparities
+constexpr double kLevel = 4.0;        // pixels by which rows go apart
+constexpr double kFinest = 0.5;       // of a pixel of the smaller images, for slopes of rows
+constexpr double kRowsOff_px = 1.0;   // what the matchers bear
+constexpr double kBehind_px = 1.0;    // a disparity so far below that of points far away
+constexpr double kStill_px = 0.25;    // no disparity
+constexpr double kBeyondShare = 0.9;  // of corners beyond the search: hardly a match is right
+constexpr int kStep = 16;             // of --disparities
 
 template <typename... Numbers>
 std::string Worded(const char* format, Numbers... numbers) {

@@ -96,7 +96,7 @@ TEST(RectifiedPair, FindsAPointByItsDisparity) {
 }
 
 // Two pinholes side by side, the right image cut off by 7.5 px on its left.
-StereoRig ParallelPair() {
+StereoRig CroppedPair() {
   StereoRig rig = BodyPair();
   const BrownPinhole lens{250.0, 250.0, 159.5, 119.5};
   rig.left.lens = rig.right.lens = lens;
@@ -105,7 +105,7 @@ StereoRig ParallelPair() {
 }
 
 TEST(Rectifier, LeavesImagesOfARectifiedRigAsTheyAre) {
-  const StereoRig rig = ParallelPair();
+  const StereoRig rig = CroppedPair();
   ASSERT_TRUE(IsRectified(rig));
   const StereoImages images = RayScene{}.Pair(rig);
   const Rectifier kept(rig, {.keep_rectified = true});
@@ -115,7 +115,7 @@ TEST(Rectifier, LeavesImagesOfARectifiedRigAsTheyAre) {
 }
 
 TEST(IsRectified, IsNoneThatIsTurnedBentOrShifted) {
-  StereoRig turned = ParallelPair(), bent = turned, raised = turned, shifted = turned,
+  StereoRig turned = CroppedPair(), bent = turned, raised = turned, shifted = turned,
             exchanged = turned, wide = turned;
   turned.X_RQ.R = turned.X_RQ.R * RotX(1e-4);  // 0.025 px
   std::get<BrownPinhole>(bent.left.lens).k1 = 0.001;
@@ -130,7 +130,7 @@ TEST(IsRectified, IsNoneThatIsTurnedBentOrShifted) {
 
 // The cameras' own projections of a point, and OpenCV's equation: Q (u, v, d, 1) ~ (p, 1).
 TEST(RectifiedPair, ReprojectsAPointAsOpenCvDoes) {
-  const StereoRig rig = ParallelPair();
+  const StereoRig rig = CroppedPair();
   const RectifiedPair pair = Rectifier(rig, {.keep_rectified = true}).pair();
   EXPECT_NEAR(pair.doffs_px, -7.5, 1e-12);
   const Vector3d p_L(0.1, -0.2, 0.8);
