@@ -11,6 +11,7 @@
 #include "models/read/load_motor.h"
 #include "models/read/load_spreads.h"
 #include "models/read/load_wheel.h"
+#include "models/read/other_kind.h"
 #include "models/read/read_imu.h"
 #include "models/read/read_stereo.h"
 #include "models/read/urdf.h"
@@ -164,8 +165,8 @@ void TakeLinks(const YamlReader& in, const RoverModel& drawn, RoverModel& rover)
   com_x_m = in.NumberOr("body_com_x_m", com_x_m, Between(-1.0, 1.0));
 }
 
-RoverModel ReadRover(const YamlNode& tree, const YamlNode& drawn_by, int image_width,
-                     int image_height, MeshStore* meshes) {
+RoverModel ReadRoverKeys(const YamlNode& tree, const YamlNode& drawn_by, int image_width,
+                         int image_height, MeshStore* meshes) {
   const YamlReader in(tree, "", kKeys);
   RoverModel rover;
   rover.name = in.Text("name");
@@ -185,6 +186,12 @@ RoverModel ReadRover(const YamlNode& tree, const YamlNode& drawn_by, int image_w
     in.Refuse("arm", "at_power_on_deg within the limits of the URDF's arm_joint");
   }
   return rover;
+}
+
+RoverModel ReadRover(const YamlNode& tree, const YamlNode& drawn_by, int image_width,
+                     int image_height, MeshStore* meshes) {
+  return NamingOtherKinds(
+      "robot", [&] { return ReadRoverKeys(tree, drawn_by, image_width, image_height, meshes); });
 }
 
 }  // namespace

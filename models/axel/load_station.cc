@@ -9,6 +9,7 @@
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_mounting.h"
 #include "models/read/load_spreads.h"
+#include "models/read/other_kind.h"
 #include "models/read/text_file.h"
 #include "models/read/urdf.h"
 #include "models/read/urdf_weld.h"
@@ -144,7 +145,7 @@ void TakeLinks(const YamlReader& in, const UrdfModel& file, StationModel& statio
   for (Collision& part : station.module.collisions) part.X_LG = tilt.X_PJ * part.X_LG;
 }
 
-StationModel ReadStation(const YamlNode& tree, MeshStore* meshes) {
+StationModel ReadStationKeys(const YamlNode& tree, MeshStore* meshes) {
   const YamlReader in(tree, "",
                       {"name", "urdf", "tip_angle_deg", "cone", "board", "anchor_depth_m", "feet",
                        "mass_kg", "mouth_height_m", "spreads"});
@@ -160,6 +161,10 @@ StationModel ReadStation(const YamlNode& tree, MeshStore* meshes) {
   const double lowest = station.mouth_height_m - station.cone.face_outer_radius_m;
   if (lowest <= 0.0) in.Refuse("cone", "a face that clears the ground below the mouth");
   return station;
+}
+
+StationModel ReadStation(const YamlNode& tree, MeshStore* meshes) {
+  return NamingOtherKinds("target", [&] { return ReadStationKeys(tree, meshes); });
 }
 
 constexpr std::string_view kMouthHeight = "mouth_height_m";

@@ -5,6 +5,7 @@
 #include "models/read/config_error.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_spreads.h"
+#include "models/read/other_kind.h"
 #include "models/read/urdf.h"
 #include "models/read/urdf_weld.h"
 #include "models/read/yaml_reader.h"
@@ -81,7 +82,8 @@ void CheckStands(const YamlReader& in, const PyramidModel& pyramid) {
 
 }  // namespace
 
-PyramidModel LoadPyramid(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
+static PyramidModel ReadPyramidFile(const std::string& file, const ModelChanges& changes,
+                                    MeshStore* meshes) {
   YamlNode tree = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(tree, *changes.told);
   PutIfLeftOut(tree, "mass_scale", 1.0);
@@ -106,6 +108,10 @@ PyramidModel LoadPyramid(const std::string& file, const ModelChanges& changes, M
   CheckStands(in, pyramid);
   CheckSpreads(tree);
   return pyramid;
+}
+
+PyramidModel LoadPyramid(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
+  return NamingOtherKinds("target", [&] { return ReadPyramidFile(file, changes, meshes); });
 }
 
 }  // namespace dockyard::raposa

@@ -7,6 +7,7 @@
 #include "models/read/load_motor.h"
 #include "models/read/load_mounting.h"
 #include "models/read/load_spreads.h"
+#include "models/read/other_kind.h"
 #include "models/read/urdf.h"
 #include "models/read/urdf_weld.h"
 #include "models/read/yaml_reader.h"
@@ -176,7 +177,8 @@ void CheckTogether(const YamlReader& in, const RobotModel& robot) {
 
 }  // namespace
 
-RobotModel LoadRobot(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
+static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& changes,
+                                MeshStore* meshes) {
   YamlNode tree = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(tree, *changes.told);
   PutIfLeftOut(tree, "mass_scale", 1.0);
@@ -198,6 +200,10 @@ RobotModel LoadRobot(const std::string& file, const ModelChanges& changes, MeshS
   CheckTogether(in, robot);
   CheckSpreads(tree);
   return robot;
+}
+
+RobotModel LoadRobot(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
+  return NamingOtherKinds("robot", [&] { return ReadRobotFile(file, changes, meshes); });
 }
 
 }  // namespace dockyard::raposa

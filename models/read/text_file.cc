@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "models/read/config_error.h"
+#include "models/read/near_names.h"
 
 namespace dockyard {
 namespace {
@@ -62,7 +63,8 @@ std::string_view WideEncoding(std::string_view text) {
 std::string ReadBytes(const fs::path& file, std::size_t max_bytes) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  if (!fs::exists(status)) throw ConfigError(file.string() + ": no such file");
+  if (!fs::exists(status))
+    throw ConfigError(file.string() + ": no such file" + DidYouMeanFile(file));
   if (!fs::is_regular_file(status)) throw ConfigError(file.string() + ": not a regular file");
   std::ifstream in(file, std::ios::binary);
   if (!in) throw ConfigError(file.string() + ": cannot be opened for reading");
@@ -171,7 +173,8 @@ fs::path ResolveInside(const std::string& written_in, const std::string& path,
   if (inside.empty() || *inside.begin() == "..") refuse("it leads out of it");
   const fs::path file = ResolveBeside(written_in, path);
   if (!fs::is_regular_file(file, error)) {
-    throw ConfigError(place + ": expected a file, found none at '" + file.string() + "'");
+    throw ConfigError(place + ": expected a file, found none at '" + file.string() + "'" +
+                      DidYouMeanFile(file));
   }
   return file;
 }

@@ -9,6 +9,7 @@
 #include "controller/base/check.h"
 #include "controller/geometry/pose.h"
 #include "models/read/config_error.h"
+#include "models/read/near_names.h"
 #include "models/read/text_file.h"
 
 namespace dockyard {
@@ -237,7 +238,8 @@ std::string YamlReader::File(std::string_view key) const {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
     throw ConfigError(node.place.Text() + ": " + PathOf(key) +
-                      ": expected a file, found none at '" + file.string() + "'");
+                      ": expected a file, found none at '" + file.string() + "'" +
+                      DidYouMeanFile(file));
   }
   return file.string();
 }

@@ -4,6 +4,7 @@
 #include "models/read/load_mounting.h"
 #include "models/read/load_rover.h"
 #include "models/read/load_spreads.h"
+#include "models/read/other_kind.h"
 #include "models/read/read_imu.h"
 #include "models/read/read_stereo.h"
 
@@ -33,7 +34,7 @@ void TurnAbout(StereoRig& rig) {
 
 }  // namespace
 
-RobotModel LoadRobot(const std::string& file, const ModelChanges& changes) {
+static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& changes) {
   YamlNode tree = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(tree, *changes.told);
   for (const char* key : {"back_cameras", "mast_cameras"}) CompletePair(tree, key);
@@ -60,6 +61,10 @@ RobotModel LoadRobot(const std::string& file, const ModelChanges& changes) {
   if (!robot.rover.arm) in.Refuse("build", "an arm");
   if (!robot.rover.mast) in.Refuse("build", "a mast");
   return robot;
+}
+
+RobotModel LoadRobot(const std::string& file, const ModelChanges& changes) {
+  return NamingOtherKinds("robot", [&] { return ReadRobotFile(file, changes); });
 }
 
 }  // namespace dockyard::rocky7

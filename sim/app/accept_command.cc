@@ -41,7 +41,8 @@ struct Counts {
   std::int64_t planned = 0;  // 0: not known
 };
 
-Counts CountsOf(const AcceptArguments& arguments, const std::vector<System>& systems) {
+Counts CountsOf(const AcceptArguments& arguments, const std::vector<System>& systems,
+                std::vector<std::string>& warnings) {
   if (arguments.trials && arguments.failures && arguments.dir.empty()) {
     if (*arguments.failures > *arguments.trials) {
       throw UsageError("--failures: expected at most the " + std::to_string(*arguments.trials) +
@@ -54,8 +55,9 @@ Counts CountsOf(const AcceptArguments& arguments, const std::vector<System>& sys
   }
   const KeptCampaign kept = ReadKeptCampaign(arguments.dir, systems);
   if (std::filesystem::exists(std::filesystem::path(arguments.dir) / kAcceptanceFile)) {
-    PrintNote("note: a sequential test ended this campaign (" + std::string(kAcceptanceFile) +
-              "); the confidence of this verdict holds for a fixed number of runs alone");
+    Warn("a sequential test ended this campaign (" + std::string(kAcceptanceFile) +
+             "); the confidence of this verdict holds for a fixed number of runs alone",
+         &warnings);
   }
   if (!kept.campaign.arms.empty() || !arguments.arm.empty()) RequireArm(kept, arguments.arm);
   Counts counts;
@@ -67,8 +69,8 @@ Counts CountsOf(const AcceptArguments& arguments, const std::vector<System>& sys
   return counts;
 }
 
-Json AcceptanceJson(const Counts& counts, const AcceptArguments& arguments,
-                    const Acceptance& found) {
+Json AcceptanceJson(const Counts& counts, const AcceptArguments& arguments, const Acceptance& found,
+                    const std::vector<std::string>& warnings) {
   Json json{{"verdict", NameOf(found.verdict)},
             {"trials", counts.trials},
             {"failures", counts.failures},
@@ -79,6 +81,7 @@ Json AcceptanceJson(const Counts& counts, const AcceptArguments& arguments,
             {"further_runs", nullptr}};
   if (found.further_runs) json["further_runs"] = *found.further_runs;
   if (counts.planned > 0) json["planned"] = counts.planned;
+  json["warnings"] = warnings;
   return json;
 }
 
@@ -98,16 +101,18 @@ void Print(const Counts& counts, const AcceptArguments& arguments, const Accepta
 }
 
 int Accept(const AcceptArguments& arguments, const std::vector<System>& systems) {
-  const Counts counts = CountsOf(arguments, systems);
+  std::vector<std::string> warnings;
+  const Counts counts = CountsOf(arguments, systems, warnings);
   if (counts.planned > counts.trials) {
-    PrintNote("note: " + std::to_string(counts.trials) + " of " + std::to_string(counts.planned) +
-              " planned runs are there; a verdict on a part, asked for again and again, is wrong "
-              "more often than the confidence says");
+    Warn(std::to_string(counts.trials) + " of " + std::to_string(counts.planned) +
+             " planned runs are there; a verdict on a part, asked for again and again, is wrong "
+             "more often than the confidence says",
+         &warnings);
   }
   const Acceptance found =
       JudgeAcceptance(counts.trials, counts.failures, arguments.reliability, arguments.confidence);
   if (arguments.json) {
-    std::printf("%s\n", AcceptanceJson(counts, arguments, found).dump(2).c_str());
+    std::printf("%s\n", AcceptanceJson(counts, arguments, found, warnings).dump(2).c_str());
   } else {
     Print(counts, arguments, found);
   }
@@ -120,7 +125,7 @@ int Accept(const AcceptArguments& arguments, const std::vector<System>& systems)
 void AddAcceptCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<AcceptArguments>();
   CLI::App* command = app.add_subcommand("accept", kAcceptHelp);
-  command->add_option("DIR", arguments->dir, "results folder of a campaign");
+  command->add_option("DIR", arguments->dir, "results folder of a campaign")->type_name("DIR");
   command->add_option("--arm", arguments->arm, "the arm that is judged, where a campaign has arms");
   command->add_option("--trials", arguments->trials, "number of runs")
       ->check(CLI::Range(0, 2000000000));

@@ -7,8 +7,10 @@
 #include "sim/app/board_sheet.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
 #include "sim/base/files.h"
+#include "sim/base/json.h"
 
 namespace dockyard {
 namespace {
@@ -16,7 +18,7 @@ namespace {
 struct BoardArguments {
   std::string board, out;
   std::optional<std::string> paper{};
-  bool tile = false;
+  bool tile = false, json = false;
 };
 
 constexpr const char* kBoardHelp = R"(Draw a fiducial board for printing at true size.
@@ -45,6 +47,15 @@ int Board(const BoardArguments& arguments, const std::vector<System>& systems) {
                      " pages, found '" + arguments.out + "'");
   }
   WriteWhole(arguments.out, ending == ".svg" ? SvgText(pages[0]) : PdfText(pages));
+  if (arguments.json) {
+    const Json answer{{"file", arguments.out},
+                      {"board", named.name},
+                      {"pages", pages.size()},
+                      {"page_mm", {pages[0].width_mm, pages[0].height_mm}},
+                      {"warnings", WarningsSaid()}};
+    std::printf("%s\n", answer.dump(1).c_str());
+    return kExitDone;
+  }
   std::printf("%s: %s, %zu page%s of %.0f x %.0f mm\n", arguments.out.c_str(), named.name.c_str(),
               pages.size(), pages.size() == 1 ? "" : "s", pages[0].width_mm, pages[0].height_mm);
   return kExitDone;
@@ -55,12 +66,15 @@ int Board(const BoardArguments& arguments, const std::vector<System>& systems) {
 void AddBoardCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<BoardArguments>();
   CLI::App* command = app.add_subcommand("board", kBoardHelp);
-  command->add_option("FILE", arguments->board, "a board's file, or a station's")->required();
+  command->add_option("FILE", arguments->board, "a board's file, or a station's")
+      ->required()
+      ->type_name("FILE");
   command->add_option("--out", arguments->out, "the drawing, .svg or .pdf")->required();
   command->add_option("--paper", arguments->paper, "a4, a3, a2, a1, a0 or letter, either way round")
       ->check(CLI::IsMember(PaperNames()));
   command->add_flag("--tile", arguments->tile,
                     "on several papers (.pdf) when it is too large for one");
+  command->add_flag("--json", arguments->json, "print JSON");
   command->callback([arguments, &systems, &exit_code] { exit_code = Board(*arguments, systems); });
 }
 

@@ -12,9 +12,11 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/judging.h"
 #include "sim/app/report_content.h"
+#include "sim/app/report_option.h"
 #include "sim/app/terminal.h"
 #include "sim/app/until_accepted_options.h"
 #include "sim/app/watch.h"
+#include "sim/base/called_as.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
 #include "sim/plan/make_run.h"
@@ -26,7 +28,8 @@ struct CommandArguments {
   CampaignArguments campaign;
   int jobs = 0;  // 0: all processors
   std::string shard, watch_dir;
-  bool quiet = false, dry_run = false, json = false, report = false;
+  bool quiet = false, dry_run = false, json = false;
+  ReportOption report;
   JudgingOptions judging;
   UntilAcceptedOptions until;
 };
@@ -47,13 +50,12 @@ any number of jobs and shards. Exit code 10: runs are missing, crashed or were s
 requirement is not met. With --until-accepted 0: accepted, 20: not accepted, 21: undecided.)";
 
 std::string CommandToGoOn(const CommandArguments& arguments, const std::string& out_dir) {
-  std::string command =
-      "dockyard campaign " + ShellWord(arguments.campaign.file) + " --out " + ShellWord(out_dir);
+  std::string command = CommandText({"campaign", arguments.campaign.file, "--out", out_dir});
   for (const std::string& word : OptionWords(arguments.campaign)) command += " " + ShellWord(word);
   if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
   if (!arguments.shard.empty()) command += " --shard " + arguments.shard;
-  if (arguments.report) command += " --report";
-  return command + WordsOf(arguments.until) + WordsOf(arguments.judging);
+  return command + WordsOf(arguments.until) + WordsOf(arguments.judging) +
+         WordsOf(arguments.report);
 }
 
 /// Results are judged when all of them are there, and a stopped test leaves no fair shares.
@@ -62,7 +64,7 @@ void RequireJudgeable(const CommandArguments& arguments) {
   if (!arguments.shard.empty() && (judges || arguments.until.asked)) {
     throw UsageError("--shard: expected no --until-accepted, and --require and --junit with merge");
   }
-  if (!arguments.shard.empty() && arguments.report) {
+  if (!arguments.shard.empty() && arguments.report.asked) {
     throw UsageError("--shard: expected no --report; dockyard report makes it after the merge");
   }
   if (arguments.until.asked &&
@@ -85,7 +87,7 @@ int EndOfShard(const CommandArguments& arguments, const CampaignOptions& options
     return kExitSignal + end.signal;
   }
   PrintNote("shard " + arguments.shard + ": " + TallyText(end.tally, end.total) +
-            "\nwhen all shards are done: dockyard merge " + ShellWord(dir));
+            "\nwhen all shards are done: " + CommandText({"merge", dir}));
   return end.complete() && end.tally.lost == 0 ? kExitDone : kExitIncomplete;
 }
 
@@ -118,7 +120,9 @@ int RunCampaignCommand(const CommandArguments& arguments, const std::vector<Syst
   if (shard.signal != 0) return EndOfShard(arguments, options, shard);
   int code = ReportEnd(end, options.out_dir, arguments.json);
   if (plan) code = ReportAcceptance(*plan, followed, arguments.json);
-  if (arguments.report) WriteReport(options.out_dir, systems, requirements);
+  if (arguments.report.asked) {
+    WriteReport(options.out_dir, arguments.report.FileIn(options.out_dir), systems, requirements);
+  }
   return JudgeResults(arguments.judging, requirements, end, campaign, options.columns,
                       options.out_dir, arguments.json, code);
 }
@@ -130,7 +134,7 @@ void AddOptions(CLI::App& command, CommandArguments& arguments) {
   AddJudgingOptions(command, arguments.judging);
   AddUntilAcceptedOptions(command, arguments.until);
   command.add_option("--shard", arguments.shard, "K/N: every N-th run, from the K-th on");
-  command.add_flag("--report", arguments.report, "a report at the end: report.html in the folder");
+  AddReportOption(command, arguments.report, "the results folder");
   command.add_flag("--json", arguments.json, "progress and result as JSON, a line each");
   command.add_flag("--quiet", arguments.quiet, "no progress on stderr");
   command.add_flag("--dry-run", arguments.dry_run,
@@ -142,10 +146,12 @@ void AddOptions(CLI::App& command, CommandArguments& arguments) {
 void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<CommandArguments>();
   CLI::App* command = app.add_subcommand("campaign", kCampaignHelp);
-  command->add_option("FILE", arguments->campaign.file, "a campaign file");
+  command->add_option("FILE", arguments->campaign.file, "a campaign file")->type_name("FILE");
   AddOptions(*command, *arguments);
-  command->add_option("--watch", arguments->watch_dir,
-                      "DIR: show the progress of the campaign that runs in it");
+  command
+      ->add_option("--watch", arguments->watch_dir,
+                   "show the progress of the campaign that runs in this folder")
+      ->type_name("DIR");
   command->callback(
       [arguments, &systems, &exit_code] { exit_code = RunCampaignCommand(*arguments, systems); });
 }

@@ -5,9 +5,9 @@
 #include <map>
 
 #include "sim/app/exit_codes.h"
+#include "sim/app/kept_run.h"
 #include "sim/app/terminal.h"
 #include "sim/base/json.h"
-#include "sim/base/shell_word.h"
 #include "sim/campaign/campaign_folder.h"
 
 namespace dockyard {
@@ -22,9 +22,10 @@ void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir) {
       if (result.docked || IsLost(result.outcome)) continue;
       if (std::filesystem::exists(RunFolder(dir, result.run)) != logged) continue;
       if (shown++ == kMost) return;
-      std::printf("%sdockyard replay %s %d   # %s\n",
-                  shown == 1 ? "\nto run a failure again:\n" : "", ShellWord(dir.string()).c_str(),
-                  result.run, result.outcome.c_str());
+      const std::string command =
+          ReplayCommand(dir, std::to_string(result.run), StartsProgram(result));
+      std::printf("%s%s   # %s\n", shown == 1 ? "\nto run a failure again:\n" : "", command.c_str(),
+                  result.outcome.c_str());
     }
   }
 }
@@ -37,11 +38,9 @@ Json EndJson(const CampaignEnd& end) {
     docked += result.docked ? 1 : 0;
     lost += IsLost(result.outcome) ? 1 : 0;
   }
-  return {{"done", end.runs.size()},
-          {"total", end.total},
-          {"successes", docked},
-          {"lost", lost},
-          {"outcomes", outcomes}};
+  return {{"done", end.runs.size()}, {"total", end.total},
+          {"successes", docked},     {"lost", lost},
+          {"outcomes", outcomes},    {"warnings", WarningsSaid()}};
 }
 
 }  // namespace

@@ -47,7 +47,9 @@ CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& c
 }  // namespace
 
 void AddCampaignOptions(CLI::App& command, CampaignArguments& arguments) {
-  command.add_option("--out", arguments.out_dir, "results folder [results/<name>]");
+  command.add_option("--out", arguments.out_dir, "results folder [results/<name>]")
+      ->type_name("DIR");
+  AddSeedOption(command, arguments.seed);
   AddSetOption(command, arguments.overrides);
   AddCommandOptions(command, arguments.commands);
   command.add_flag("--retry-crashed", arguments.retry_lost,
@@ -61,6 +63,7 @@ void AddCampaignOptions(CLI::App& command, CampaignArguments& arguments) {
 
 std::vector<std::string> OptionWords(const CampaignArguments& arguments) {
   std::vector<std::string> words;
+  if (arguments.seed) words.insert(words.end(), {"--seed", std::to_string(*arguments.seed)});
   for (const std::string& override : arguments.overrides) {
     words.insert(words.end(), {"--set", override});
   }
@@ -83,7 +86,9 @@ Shard ShardOption(const std::string& text) {
 }
 
 Campaign LoadCampaign(const CampaignArguments& arguments, const std::vector<System>& systems) {
-  Campaign campaign = LoadCampaign(arguments.file, arguments.overrides, CampaignSystemsOf(systems));
+  std::vector<std::string> overrides = arguments.overrides;
+  if (arguments.seed) overrides.push_back("seed=" + std::to_string(*arguments.seed));
+  Campaign campaign = LoadCampaign(arguments.file, overrides, CampaignSystemsOf(systems));
   if (arguments.run_limit_s > 0.0) campaign.limits.wall_s = arguments.run_limit_s;
   return campaign;
 }

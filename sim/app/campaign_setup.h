@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,8 @@ namespace dockyard {
 struct CampaignArguments {
   std::string file, out_dir;  // out_dir empty: results/<name>
   std::vector<std::string> overrides;
-  double run_limit_s = 0.0;  // 0: as the campaign says
+  std::optional<std::uint64_t> seed;  // none: as the campaign says
+  double run_limit_s = 0.0;           // 0: as the campaign says
   bool retry_lost = false;
   CommandOptions commands;
 };

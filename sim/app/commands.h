@@ -40,6 +40,8 @@ void AddWheelCommand(CLI::App& app, int& exit_code);
 void AddPlanCommand(CLI::App& app, int& exit_code);
 void AddStereoCommand(CLI::App& app, int& exit_code);
 void AddDoctorCommand(CLI::App& app, int& exit_code);
+void AddSchemaCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddCompletionCommand(CLI::App& app, int& exit_code);
 
 /// Commands of the systems' own.
 void AddSystemCommands(CLI::App& app, const std::vector<System>& systems, int& exit_code);

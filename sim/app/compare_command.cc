@@ -27,7 +27,7 @@ struct CompareArguments {
 };
 
 constexpr const char* kCompareHelp =
-    R"(Compare two arms of a campaign, or a campaign with a kept one, run by run on the same draws.
+    R"(Compare two arms of a campaign, or a campaign with a kept one, run by run.
 
 Examples:
   dockyard compare --only-a 5 --only-b 14
@@ -104,7 +104,7 @@ Comparison Find(const CompareArguments& arguments, const std::vector<System>& sy
   return CompareArms(kept, arguments.a, arguments.b);
 }
 
-void PrintJson(const Comparison& found) {
+void PrintJson(const Comparison& found, const std::vector<std::string>& warnings) {
   const PairedCounts& counts = found.counts;
   Json json{{"only_a", counts.only_a},
             {"only_b", counts.only_b},
@@ -127,6 +127,7 @@ void PrintJson(const Comparison& found) {
     json["only_there"] = found.baseline->only_there;
     json["other_draw"] = found.baseline->other_draw;
   }
+  json["warnings"] = warnings;
   std::printf("%s\n", json.dump(2).c_str());
 }
 
@@ -171,11 +172,12 @@ void Print(const Comparison& found) {
 
 int Compare(const CompareArguments& arguments, const std::vector<System>& systems) {
   const Comparison found = Find(arguments, systems);
+  std::vector<std::string> warnings;
   if (found.unpaired > 0) {
-    PrintNote("note: " + std::to_string(found.unpaired) + " runs have no partner yet");
+    Warn(std::to_string(found.unpaired) + " runs have no partner yet", &warnings);
   }
   if (arguments.json) {
-    PrintJson(found);
+    PrintJson(found, warnings);
   } else {
     Print(found);
   }
@@ -192,7 +194,7 @@ int Compare(const CompareArguments& arguments, const std::vector<System>& system
 void AddCompareCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", kCompareHelp);
-  command->add_option("DIR", arguments->dir, "results folder of a campaign");
+  command->add_option("DIR", arguments->dir, "results folder of a campaign")->type_name("DIR");
   command->add_option("A", arguments->a, "name of an arm");
   command->add_option("B", arguments->b, "name of another");
   command->add_option("--baseline", arguments->baseline,

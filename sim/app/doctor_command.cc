@@ -51,7 +51,8 @@ void PrintJson(const std::vector<Finding>& findings) {
                     {"health", Name(finding.health)},
                     {"advice", finding.advice}});
   }
-  std::printf("%s\n", list.dump(1).c_str());
+  const Json answer{{"findings", list}, {"warnings", WarningsSaid()}};
+  std::printf("%s\n", answer.dump(1).c_str());
 }
 
 int Doctor(bool json) {

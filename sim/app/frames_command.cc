@@ -21,11 +21,11 @@ namespace {
 struct FramesArguments {
   std::string dir, out_dir;
   std::optional<int> run;  // none: the folder of a single run
-  bool plain = false;
+  bool plain = false, json = false;
 };
 
 constexpr const char* kFramesHelp =
-    R"(Write the images of a run's log as PNG files, with what the controller found drawn in.
+    R"(Write the images of a run's log as PNG files, with marks of what was found.
 
 Examples:
   dockyard frames results/{campaign_name} 17 --out out/frames
@@ -82,6 +82,11 @@ int Frames(const FramesArguments& arguments, const std::vector<System>& systems)
     return kExitIncomplete;
   }
   PrintNote(std::to_string(files.size()) + " images and frames.json in " + arguments.out_dir);
+  if (arguments.json) {
+    const Json answer{
+        {"folder", arguments.out_dir}, {"images", files}, {"warnings", WarningsSaid()}};
+    std::printf("%s\n", answer.dump(1).c_str());
+  }
   return kExitDone;
 }
 
@@ -91,10 +96,14 @@ void AddFramesCommand(CLI::App& app, const std::vector<System>& systems, int& ex
   auto arguments = std::make_shared<FramesArguments>();
   CLI::App* command = app.add_subcommand("frames", kFramesHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
-      ->required();
+      ->required()
+      ->type_name("DIR");
   command->add_option("RUN", arguments->run, "number of the run in a campaign");
-  command->add_option("--out", arguments->out_dir, "folder for the images")->required();
+  command->add_option("--out", arguments->out_dir, "folder for the images")
+      ->required()
+      ->type_name("DIR");
   command->add_flag("--plain", arguments->plain, "without marks");
+  command->add_flag("--json", arguments->json, "print what was written as JSON");
   command->callback([arguments, &systems, &exit_code] { exit_code = Frames(*arguments, systems); });
 }
 

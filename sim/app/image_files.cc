@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "models/read/config_error.h"
+#include "models/read/near_names.h"
 #include "models/read/text_file.h"
 #include "sim/base/files.h"
 #include "sim/images/decode.h"
@@ -66,7 +67,8 @@ std::vector<std::string> ImageFilesIn(const std::string& folder) {
   const std::vector<std::string> kEndings{".png", ".pgm", ".ppm",  ".jpg", ".jpeg",
                                           ".bmp", ".tif", ".tiff", ".webp"};
   if (!std::filesystem::is_directory(folder)) {
-    throw ConfigError(folder + ": expected a folder of images, found none");
+    throw ConfigError(folder + ": expected a folder of images, found none" +
+                      DidYouMeanFile(folder));
   }
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -5,6 +5,8 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/kept_run.h"
+#include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/base/shell_word.h"
@@ -21,7 +23,8 @@ void Print(const Judgement& judged, bool json) {
   Json line{{"requirement", judged.requirement.text},
             {"met", judged.met},
             {"found", nullptr},
-            {"runs", judged.count}};
+            {"runs", judged.count},
+            {"warnings", WarningsSaid()}};
   if (judged.count > 0) line["found"] = judged.found;
   std::printf("%s\n", line.dump().c_str());
 }
@@ -48,7 +51,7 @@ std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
     const RunResult& row = finished.results[i];
     JUnitRun run{&row, finished.timings[i].wall_time_s, finished.notes[i], ""};
     if (!row.docked && !IsLost(row.outcome)) {
-      run.replay = "dockyard replay " + ShellWord(dir.string()) + " " + std::to_string(row.run);
+      run.replay = ReplayCommand(dir, std::to_string(row.run), StartsProgram(row));
     }
     runs.push_back(run);
   }
@@ -60,7 +63,7 @@ std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
 void AddJudgingOptions(CLI::App& command, JudgingOptions& options) {
   command.add_option("--require", options.require,
                      "exit code 22 unless the results meet it, such as 'docked >= 0.9'; may be "
-                     "given again (docs/reference/campaigns.md)");
+                     "given again (docs/reference/judging.md)");
   command.add_option("--junit", options.junit_file,
                      "write the results as JUnit XML into this file");
 }

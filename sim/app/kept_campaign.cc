@@ -1,5 +1,6 @@
 #include "sim/app/kept_campaign.h"
 
+#include "models/read/near_names.h"
 #include "sim/app/commands.h"
 #include "sim/app/scenario_options.h"
 #include "sim/campaign/campaign_folder.h"
@@ -10,12 +11,20 @@
 
 namespace dockyard {
 
+void RefuseResultsFolder(const std::filesystem::path& dir, const std::string& expected) {
+  std::error_code ignored;
+  const bool there = std::filesystem::exists(dir, ignored);
+  const bool folder = std::filesystem::is_directory(dir, ignored);
+  throw UsageError("DIR: expected " + expected + ", found " +
+                   (folder  ? "no results in '"
+                    : there ? "the file '"
+                            : "no folder '") +
+                   dir.string() + "'" + DidYouMeanFile(dir));
+}
+
 KeptCampaign OpenKeptCampaign(const std::filesystem::path& dir,
                               const std::vector<System>& systems) {
-  if (!HoldsCampaign(dir)) {
-    throw UsageError("DIR: expected the results folder of a campaign, found none in '" +
-                     dir.string() + "'");
-  }
+  if (!HoldsCampaign(dir)) RefuseResultsFolder(dir, "the results folder of a campaign");
   KeptCampaign kept;
   kept.campaign = WithAbsolutePaths(
       LoadCampaign((dir / "campaign.yaml").string(), {}, CampaignSystemsOf(systems)),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "sim/log/results.h"
@@ -16,6 +17,13 @@ struct KeptCampaign {
   RowColumns columns;
   FinishedRuns runs;
 };
+
+inline constexpr const char* kAnyResults = "the results folder of a campaign or of one run";
+
+/// Throws UsageError for a folder without results, the same for every command: "DIR: expected ...".
+/// @param expected  "the results folder of a campaign"
+[[noreturn]] void RefuseResultsFolder(const std::filesystem::path& dir,
+                                      const std::string& expected);
 
 /// Without its runs. Throws UsageError for a folder without a campaign, ConfigError, ResultsError
 /// and IoError.

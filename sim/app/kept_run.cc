@@ -4,6 +4,7 @@
 #include "sim/app/identity.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
+#include "sim/base/called_as.h"
 #include "sim/base/files.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/merge.h"
@@ -38,19 +39,32 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
 
 }  // namespace
 
+bool StartsProgram(const RunResult& row) { return row.controller == "command"; }
+
+std::string ReplayCommand(const std::filesystem::path& dir, const std::string& run,
+                          bool starts_program) {
+  return CommandText({"replay", dir.string()}) + (run.empty() ? "" : " " + run) +
+         (starts_program ? " --allow-commands" : "");
+}
+
 KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
                     const std::string& command, const std::vector<System>& systems) {
   const bool campaign = HoldsCampaign(dir);
   if (campaign && !number) {
-    throw UsageError(dir.string() + " holds a campaign; name the run, as in: dockyard " + command +
-                     " " + dir.string() + " 1");
+    throw UsageError(dir.string() + " holds a campaign; name the run, as in: " +
+                     CommandText({command, dir.string(), "1"}));
   }
   if (!campaign && number && std::filesystem::exists(dir / "result.csv")) {
     throw UsageError(dir.string() + " holds one run; leave out the number");
   }
-  if (number) return RunOfCampaign(dir, *number, systems);
+  if (campaign) return RunOfCampaign(dir, *number, systems);
+  if (number) RefuseResultsFolder(dir, "the results folder of a campaign");
   if (const auto found = FindRunOfFolder(dir)) {
     return RunOfCampaign(found->campaign, found->run, systems);
+  }
+  std::error_code ignored;
+  if (!std::filesystem::exists(dir / "resolved.yaml", ignored)) {
+    RefuseResultsFolder(dir, kAnyResults);
   }
   const Scenario scenario =
       LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));

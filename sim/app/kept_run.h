@@ -21,6 +21,13 @@ struct KeptRun {
   std::filesystem::path log_dir;
 };
 
+/// Whether the run's controller is a program, by its row: `command` (docs/reference/columns.md).
+bool StartsProgram(const RunResult& row);
+/// The command that runs one run again, to be pasted.
+/// @param run  its number, or {run} for a reader to fill in; empty: the folder is of one run
+std::string ReplayCommand(const std::filesystem::path& dir, const std::string& run,
+                          bool starts_program);
+
 /// The folder of a campaign needs the run's number. That of a single run has none, nor has a run's
 /// own folder within a campaign's. Says on standard error where models or program are not those of
 /// the campaign.

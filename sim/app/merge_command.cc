@@ -47,8 +47,11 @@ int Merge(const MergeArguments& arguments, const std::vector<System>& systems) {
 void AddMergeCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
   auto arguments = std::make_shared<MergeArguments>();
   CLI::App* command = app.add_subcommand("merge", kMergeHelp);
-  command->add_option("DIR", arguments->dir, "results folder of the campaign")->required();
-  command->add_option("FROM", arguments->from, "results folders whose shards are copied in");
+  command->add_option("DIR", arguments->dir, "results folder of the campaign")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("FROM", arguments->from, "results folders whose shards are copied in")
+      ->type_name("DIR");
   command->add_flag("--json", arguments->json, "the result as a line of JSON");
   AddJudgingOptions(*command, arguments->judging);
   command->callback([arguments, &systems, &exit_code] { exit_code = Merge(*arguments, systems); });

@@ -29,7 +29,7 @@ struct PlanArguments {
 };
 
 constexpr const char* kPlanHelp =
-    R"(Plan arcs that bring a point of a rover to a goal, after Nesnas, Maimone and Das (2000).
+    R"(Plan arcs that bring a point of a rover to a goal, after Nesnas et al. (2000).
 
 Examples:
   dockyard plan --point 0.6,0 --goal 1.5,0.3

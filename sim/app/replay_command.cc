@@ -16,6 +16,7 @@
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
+#include "sim/base/json.h"
 #include "sim/base/shell_word.h"
 #include "sim/bridge/pipe_controller.h"
 #include "sim/log/result_row.h"
@@ -33,6 +34,7 @@ struct ReplayArguments {
   std::string frames_dir;  // empty: no pictures
   double period_s = 0.1;
   OutsideArguments outside;
+  bool json = false;
 };
 
 constexpr const char* kReplayHelp =
@@ -69,8 +71,25 @@ void ReportEnvironment(const std::filesystem::path& dir) {
   }
 }
 
+/// What was found: said at once, or printed as JSON at the end.
+struct ReplayAnswer {
+  bool as_json = false;
+  Json json = Json::object();
+  std::vector<std::string> warnings;
+
+  void Say(const std::string& line) const {
+    if (!as_json) std::printf("%s\n", line.c_str());
+  }
+  void Print() {
+    if (!as_json) return;
+    json["warnings"] = warnings;
+    std::printf("%s\n", json.dump(1).c_str());
+  }
+};
+
 /// Columns whose values differ, with both values; true when none does.
-bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& columns) {
+bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& columns,
+               ReplayAnswer& answer) {
   const std::vector<std::string> names = ColumnNames(columns);
   const std::vector<std::string> cells_then = RowCells(then, columns),
                                  cells_now = RowCells(now, columns);
@@ -78,14 +97,22 @@ bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& co
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (cells_then[i] != cells_now[i]) differing.push_back(i);
   }
+  const std::string run = "run " + std::to_string(now.run);
+  answer.json["run"] = now.run;
+  answer.json["outcome"] = now.outcome;
+  answer.json["same_row"] = differing.empty();
+  answer.json["differing"] = Json::array();
   if (differing.empty()) {
-    std::printf("run %d: same result row, bit for bit (%s)\n", now.run, now.outcome.c_str());
+    answer.Say(run + ": same result row, bit for bit (" + now.outcome + ")");
     return true;
   }
-  std::printf("run %d: not the same; %zu columns differ\n", now.run, differing.size());
+  answer.Say(run + ": not the same; " + std::to_string(differing.size()) + " columns differ");
   for (const std::size_t i : differing) {
-    std::printf("  %-22s was %s, is %s\n", names[i].c_str(), cells_then[i].c_str(),
-                cells_now[i].c_str());
+    std::string name = names[i];
+    name.resize(std::max<std::size_t>(name.size(), 22), ' ');
+    answer.Say("  " + name + " was " + cells_then[i] + ", is " + cells_now[i]);
+    answer.json["differing"].push_back(
+        {{"column", names[i]}, {"was", cells_then[i]}, {"is", cells_now[i]}});
   }
   return false;
 }
@@ -93,49 +120,57 @@ bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& co
 /// What the controller did, run alone from its log; the exit code where the row is the same.
 enum class Alone { kSame = kExitDone, kDiffers = kExitOurBug, kLogIsShort = kExitIncomplete };
 
+Alone Conclude(Alone alone, const std::string& what, ReplayAnswer& answer) {
+  answer.Say("controller alone: " + what);
+  answer.json["controller_alone"] = {{"same", alone != Alone::kDiffers}, {"text", what}};
+  return alone;
+}
+
 /// Throws ControllerFailure where its program fails.
 Alone ReportCommands(const std::filesystem::path& run_dir, const Scenario& scenario,
-                     const RunOptions& options, const std::vector<System>& systems) {
+                     const RunOptions& options, const std::vector<System>& systems,
+                     ReplayAnswer& answer) {
   RunLogReader log(run_dir);
   const System& system = FindSystem(systems, scenario.system);
   const auto fed = ReplayLog(log, system, scenario, system.make_ready(scenario), options);
   if (!fed) {
-    std::printf("controller alone: not run, the models' nominal parameters are not the log's\n");
-    return Alone::kDiffers;
+    return Conclude(Alone::kDiffers, "not run, the models' nominal parameters are not the log's",
+                    answer);
   }
   const ControllerReplay& replay = *fed;
-  const auto compared = static_cast<unsigned long long>(replay.compared);
+  const std::string steps = std::to_string(replay.compared) + " steps";
   if (replay.differs_at) {
-    std::printf("controller alone: other commands at %.3f s, after %llu equal ones\n",
-                kTickSeconds * static_cast<double>(*replay.differs_at), compared);
-    return Alone::kDiffers;
+    return Conclude(Alone::kDiffers,
+                    "other commands at " +
+                        Fixed(kTickSeconds * static_cast<double>(*replay.differs_at), 3) +
+                        " s, after " + std::to_string(replay.compared) + " equal ones",
+                    answer);
   }
   if (replay.blind_at) {
-    std::printf("controller alone: same for %llu steps, then the log has no images\n", compared);
-    return Alone::kSame;
+    return Conclude(Alone::kSame, "same for " + steps + ", then the log has no images", answer);
   }
   if (!replay.complete) {
-    std::printf("controller alone: same for %llu steps, then the log is cut short\n", compared);
-    return Alone::kLogIsShort;
+    return Conclude(Alone::kLogIsShort, "same for " + steps + ", then the log is cut short",
+                    answer);
   }
   if (!replay.guarded) {
-    PrintNote("note: the log has no check values, so damage to it may go unseen");
+    Warn("the log has no check values, so nothing guards it against damage", &answer.warnings);
   }
-  std::printf("controller alone: same commands at all %llu steps\n", compared);
-  return Alone::kSame;
+  return Conclude(Alone::kSame, "same commands at all " + steps, answer);
 }
 
 /// The same; a program that fails must have failed so in the run.
 Alone ReportController(const std::filesystem::path& run_dir, const Scenario& scenario,
                        const std::string& outcome, const RunOptions& options,
-                       const std::vector<System>& systems) {
+                       const std::vector<System>& systems, ReplayAnswer& answer) {
   try {
-    return ReportCommands(run_dir, scenario, options, systems);
+    return ReportCommands(run_dir, scenario, options, systems, answer);
   } catch (const ControllerFailure& failure) {
     const bool same = failure.outcome() == outcome;
-    std::printf("controller alone: %s (%s)\n",
-                same ? "fails as it did in the run" : "fails, unlike in the run", failure.what());
-    return same ? Alone::kSame : Alone::kDiffers;
+    return Conclude(same ? Alone::kSame : Alone::kDiffers,
+                    std::string(same ? "fails as it did in the run" : "fails, unlike in the run") +
+                        " (" + failure.what() + ")",
+                    answer);
   }
 }
 
@@ -152,10 +187,13 @@ int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept,
   const std::filesystem::path dir = arguments.frames_dir;
   const int frames = WriteFilm(log, shapes, outside, arguments.period_s, dir);
   PrintNote(std::to_string(frames) + " frames in " + dir.string() + "; a film of them:");
-  std::printf("ffmpeg -framerate %s -i %s -pix_fmt yuv420p %s\n",
-              NumberText(1.0 / arguments.period_s).c_str(),
-              ShellWord((dir / "frame_%05d.png").string()).c_str(),
-              ShellWord((dir / "film.mp4").string()).c_str());
+  const std::string film = "ffmpeg -framerate " + NumberText(1.0 / arguments.period_s) + " -i " +
+                           ShellWord((dir / "frame_%05d.png").string()) + " -pix_fmt yuv420p " +
+                           ShellWord((dir / "film.mp4").string());
+  ReplayAnswer answer{arguments.json};
+  answer.Say(film);
+  answer.json = {{"folder", dir.string()}, {"frames", frames}, {"film", film}};
+  answer.Print();
   return log.complete ? kExitDone : kExitIncomplete;
 }
 
@@ -176,14 +214,18 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
   arguments.commands.Fill(options);
   const RunRecord now = Simulate(system, kept.run, options);
-  const bool same_row = ReportRow(*kept.result, now.result, kept.columns);
+  ReplayAnswer answer{arguments.json};
+  const bool same_row = ReportRow(*kept.result, now.result, kept.columns, answer);
   if (!same_row && arguments.run) ReportEnvironment(arguments.dir);
   if (!std::filesystem::exists(kept.log_dir / kRunLogFile)) {
     PrintError("controller alone: not run, there is no log in " + kept.log_dir.string());
+    answer.json["controller_alone"] = nullptr;
+    answer.Print();
     return same_row ? kExitIncomplete : kExitOurBug;
   }
-  const Alone alone =
-      ReportController(kept.log_dir, kept.run.scenario, now.result.outcome, options, systems);
+  const Alone alone = ReportController(kept.log_dir, kept.run.scenario, now.result.outcome, options,
+                                       systems, answer);
+  answer.Print();
   return same_row ? static_cast<int>(alone) : kExitOurBug;
 }
 
@@ -193,13 +235,15 @@ void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& ex
   auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = app.add_subcommand("replay", kReplayHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
-      ->required();
+      ->required()
+      ->type_name("DIR");
   command->add_option("RUN", arguments->run, "number of the run in a campaign");
   AddCommandOptions(*command, arguments->commands);
   command->add_option("--frames", arguments->frames_dir, "instead: folder for pictures of the run");
   command->add_option("--period", arguments->period_s, "simulated time from frame to frame [0.1 s]")
       ->type_name("SECONDS")
       ->check(NumberWithin(0.1, 60.0));
+  command->add_flag("--json", arguments->json, "print what was found as JSON");
   AddOutsideOptions(*command, arguments->outside);
   command->callback([arguments, &systems, &exit_code] { exit_code = Replay(*arguments, systems); });
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 #include "sim/app/report_content.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
+#include "sim/base/json.h"
 #include "sim/log/belief_error.h"
 #include "sim/page/markdown.h"
 #include "sim/report/run_plots.h"
@@ -25,7 +27,7 @@ struct ReportArguments {
   double reliability = 0.0, confidence = 0.95;
   JudgingOptions judging;  // without a file
   int most_mib = 50;
-  bool no_pictures = false, svg = false;
+  bool no_pictures = false, svg = false, json = false;
 };
 
 struct Format {
@@ -84,7 +86,14 @@ std::string TitleOf(const ReportContent& content, const RunResult& row) {
          Fixed(row.sim_time_s, 0) + " s";
 }
 
-int WriteFigures(const ReportContent& content, const std::filesystem::path& out) {
+void PrintWritten(const std::vector<std::filesystem::path>& files) {
+  Json names = Json::array();
+  for (const std::filesystem::path& file : files) names.push_back(file.string());
+  const Json answer{{"files", names}, {"warnings", WarningsSaid()}};
+  std::printf("%s\n", answer.dump(1).c_str());
+}
+
+int WriteFigures(const ReportContent& content, const std::filesystem::path& out, bool json) {
   MakeFolder(out);
   if (content.campaign == nullptr) {
     const LoggedRun log = content.watched.front().log();
@@ -94,6 +103,7 @@ int WriteFigures(const ReportContent& content, const std::filesystem::path& out)
     channels.insert(channels.end(), BeliefErrorColumns().begin(), BeliefErrorColumns().end());
     WriteWhole(out / "history.svg", HistoryPlot(title, log, channels));
     PrintNote("path.svg and history.svg in " + out.string());
+    if (json) PrintWritten({out / "path.svg", out / "history.svg"});
     return kExitDone;
   }
   if (content.starts.empty()) {
@@ -102,6 +112,7 @@ int WriteFigures(const ReportContent& content, const std::filesystem::path& out)
   }
   WriteWhole(out / "starts.svg", StartsPlot(content.title, content.runs->results, content.starts));
   PrintNote("starts.svg in " + out.string());
+  if (json) PrintWritten({out / "starts.svg"});
   return kExitDone;
 }
 
@@ -109,8 +120,10 @@ int Report(const ReportArguments& arguments, const std::vector<System>& systems)
   const std::filesystem::path dir = arguments.dir;
   ReportSource source;
   ReportContent content = ContentOf(dir, systems, source);
-  if (arguments.svg)
-    return WriteFigures(content, arguments.out.empty() ? dir.string() : arguments.out);
+  if (arguments.svg) {
+    const std::filesystem::path out = arguments.out.empty() ? dir.string() : arguments.out;
+    return WriteFigures(content, out, arguments.json);
+  }
   content.pictures = !arguments.no_pictures;
   content.most_bytes = static_cast<std::size_t>(arguments.most_mib) << 20;
   if (arguments.reliability > 0.0) {
@@ -128,6 +141,7 @@ int Report(const ReportArguments& arguments, const std::vector<System>& systems)
   if (file.has_parent_path()) MakeFolder(file.parent_path());
   WriteWhole(file, ReportText(arguments.format, content, dir));
   PrintNote("report in " + file.string());
+  if (arguments.json) PrintWritten({file});
   return kExitDone;
 }
 
@@ -137,7 +151,8 @@ void AddReportCommand(CLI::App& app, const std::vector<System>& systems, int& ex
   auto arguments = std::make_shared<ReportArguments>();
   CLI::App* command = app.add_subcommand("report", kReportHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
-      ->required();
+      ->required()
+      ->type_name("DIR");
   command->add_option("--out", arguments->out,
                       "the file [DIR/report.html]; with --svg a folder [DIR]");
   command->add_option("--format", arguments->format, "html, json, markdown or junit [html]")
@@ -147,6 +162,7 @@ void AddReportCommand(CLI::App& app, const std::vector<System>& systems, int& ex
                    "largest file; replays beyond it are left out, and told [50]")
       ->check(CLI::Range(2, 380));
   command->add_flag("--svg", arguments->svg, "instead: figures as SVG files");
+  command->add_flag("--json", arguments->json, "print what was written as JSON");
   command->add_flag("--no-pictures", arguments->no_pictures, "replays without the cameras' images");
   command
       ->add_option("--reliability", arguments->reliability,

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "controller/base/number_text.h"
-#include "sim/app/commands.h"
+#include "sim/app/kept_run.h"
 #include "sim/app/terminal.h"
-#include "sim/base/called_as.h"
 #include "sim/base/files.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/log/record_files.h"
@@ -84,27 +82,6 @@ std::vector<Pose2> StartsOf(const ReportSource& source) {
   return starts;
 }
 
-/// The command that runs a run again, as it can be pasted.
-/// @param number    of the run; empty: the folder has one
-/// @param programs  whether its controller is a program, which has to be allowed
-std::string ReplayCommand(const fs::path& dir, const std::string& number, bool programs) {
-  return CommandText({"replay", dir.string()}) + (number.empty() ? "" : " " + number) +
-         (programs ? " --allow-commands" : "");
-}
-
-bool RunsProgram(const RunMaker& maker, int run) {
-  return !maker.Make(maker.IndexOf(run)).scenario.command.empty();
-}
-
-/// A run of each controller is looked at: rows tell no more of it.
-bool AnyRunsProgram(const ReportSource& source) {
-  std::set<std::string> known;
-  for (const RunResult& row : source.kept.runs.results) {
-    if (known.insert(row.controller).second && RunsProgram(*source.maker, row.run)) return true;
-  }
-  return false;
-}
-
 WatchedRun Watched(std::size_t place, const fs::path& dir, std::string command) {
   return {.place = place,
           .log = [dir] { return ReadLoggedRun(dir); },
@@ -135,8 +112,8 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
       const int number = rows[i].run;
       const fs::path folder = RunFolder(dir, number);
       if (rows[i].docked != docked || !fs::exists(folder / kRunLogFile)) continue;
-      WatchedRun run = Watched(
-          i, folder, ReplayCommand(dir, std::to_string(number), RunsProgram(*maker, number)));
+      WatchedRun run =
+          Watched(i, folder, ReplayCommand(dir, std::to_string(number), StartsProgram(rows[i])));
       run.shapes = [&system, maker, number] {
         return ShapesOf(system, maker->Make(maker->IndexOf(number)).scenario);
       };
@@ -156,7 +133,9 @@ ReportContent ContentOfCampaign(const fs::path& dir, const std::vector<System>& 
   content.campaign = &source.kept.campaign;
   content.runs = &source.kept.runs;
   content.columns = source.kept.columns;
-  content.replay_command = ReplayCommand(dir, "{run}", AnyRunsProgram(source));
+  const std::vector<RunResult>& rows = source.kept.runs.results;
+  content.replay_command =
+      ReplayCommand(dir, "{run}", std::any_of(rows.begin(), rows.end(), StartsProgram));
   AddSystem(system, content);
   content.starts = StartsOf(source);
   AddWatched(dir, system, source, content);
@@ -168,11 +147,7 @@ ReportContent ContentOfCampaign(const fs::path& dir, const std::vector<System>& 
 ReportContent ContentOf(const fs::path& dir, const std::vector<System>& systems,
                         ReportSource& source) {
   if (HoldsCampaign(dir)) return ContentOfCampaign(dir, systems, source);
-  if (!fs::exists(dir / "resolved.yaml")) {
-    throw UsageError(
-        "DIR: expected the results folder of a campaign or of one run, found none in '" +
-        dir.string() + "'");
-  }
+  if (!fs::exists(dir / "resolved.yaml")) RefuseResultsFolder(dir, kAnyResults);
   const Scenario scenario =
       LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
   const System& system = FindSystem(systems, scenario.system);
@@ -181,12 +156,12 @@ ReportContent ContentOf(const fs::path& dir, const std::vector<System>& systems,
   return ContentOfRun(dir, system, scenario, *row, source);
 }
 
-void WriteReport(const fs::path& dir, const std::vector<System>& systems,
+void WriteReport(const fs::path& dir, const fs::path& file, const std::vector<System>& systems,
                  const std::vector<Requirement>& requirements) {
   ReportSource source;
   ReportContent content = ContentOf(dir, systems, source);
   content.requirements = requirements;
-  const fs::path file = dir / "report.html";
+  if (file.has_parent_path()) MakeFolder(file.parent_path());
   WriteWhole(file, ReportPage(content));
   PrintNote("report in " + file.string());
 }
@@ -202,7 +177,7 @@ ReportContent ContentOfRun(const fs::path& dir, const System& system, const Scen
   content.columns = system.Columns({});
   AddSystem(system, content);
   content.starts = {FromDockingCoords(scenario.start)};
-  WatchedRun run = Watched(0, dir, ReplayCommand(dir, "", !scenario.command.empty()));
+  WatchedRun run = Watched(0, dir, ReplayCommand(dir, "", StartsProgram(row)));
   run.shapes = [&system, kept = source.scenario] { return ShapesOf(system, *kept); };
   content.watched.push_back(std::move(run));
   return content;

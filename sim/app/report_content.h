@@ -25,8 +25,9 @@ struct ReportSource {
 ReportContent ContentOf(const std::filesystem::path& dir, const std::vector<System>& systems,
                         ReportSource& source);
 
-/// Writes report.html into a campaign's folder and says so. Throws as ContentOf.
-void WriteReport(const std::filesystem::path& dir, const std::vector<System>& systems,
+/// Writes the page of a campaign's folder into a file and says so. Throws as ContentOf.
+void WriteReport(const std::filesystem::path& dir, const std::filesystem::path& file,
+                 const std::vector<System>& systems,
                  const std::vector<Requirement>& requirements = {});
 
 /// Of one run whose log lies in the folder.

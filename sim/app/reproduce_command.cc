@@ -7,12 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "models/read/near_names.h"
 #include "sim/app/campaign_setup.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/report_content.h"
 #include "sim/app/reproduction_files.h"
 #include "sim/app/terminal.h"
+#include "sim/base/called_as.h"
 #include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
@@ -51,20 +53,29 @@ campaign, or of the one of --only. Stopped, the same command goes on where it wa
 
 const Reproduction& FindReproduction(const std::string& name, const std::vector<System>& systems) {
   std::string names;
+  std::vector<std::string> known;
   for (const System& system : systems) {
     for (const Reproduction& each : system.reproductions) {
       if (each.name == name) return each;
+      known.push_back(each.name);
       names += (names.empty() ? "" : ", ") + each.name;
     }
   }
-  throw UsageError("NAME: expected one of " + names + ", found '" + name + "'");
+  throw UsageError("NAME: expected one of " + names + ", found '" + name + "'" +
+                   DidYouMean(name, known));
 }
 
-int List(const std::vector<System>& systems) {
+int List(const std::vector<System>& systems, bool as_json) {
+  Json list = Json::array();
   for (const System& system : systems) {
     for (const Reproduction& each : system.reproductions) {
-      std::printf("%s: %s\n", each.name.c_str(), each.meaning.c_str());
+      list.push_back({{"name", each.name}, {"system", system.name}, {"meaning", each.meaning}});
+      if (!as_json) std::printf("%s: %s\n", each.name.c_str(), each.meaning.c_str());
     }
+  }
+  if (as_json) {
+    const Json answer{{"experiments", list}, {"warnings", WarningsSaid()}};
+    std::printf("%s\n", answer.dump().c_str());
   }
   return kExitDone;
 }
@@ -129,7 +140,7 @@ void RequireFree(const fs::path& dir, const Published& published) {
 }
 
 std::string CommandToGoOn(const ReproduceArguments& arguments) {
-  std::string command = "dockyard reproduce " + ShellWord(arguments.name);
+  std::string command = CommandText({"reproduce", arguments.name});
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) command += std::string(" ") + option + " " + ShellWord(value);
   };
@@ -157,7 +168,9 @@ ShardEnd RunPart(const ReproduceArguments& arguments, const CampaignArguments& p
   ShardEnd end = RunShard(campaign, run, options);
   if (options.shard.whole()) {
     MergeShards(options.out_dir, campaign, options.columns);
-    if (end.signal == 0 && arguments.report) WriteReport(options.out_dir, systems);
+    if (end.signal == 0 && arguments.report) {
+      WriteReport(options.out_dir, options.out_dir / "report.html", systems);
+    }
   }
   return end;
 }
@@ -182,6 +195,7 @@ int Tell(const ReproduceArguments& arguments, const Published& published,
   WriteWhole(dir / "reproduction.json", json.dump(1) + "\n");
   WriteWhole(dir / "reproduction.txt", text);
   if (arguments.json) {
+    json["warnings"] = WarningsSaid();
     std::printf("%s\n", json.dump().c_str());
   } else {
     std::printf("%s%s", text.c_str(), ChoicesText(published).c_str());
@@ -196,7 +210,7 @@ int Tell(const ReproduceArguments& arguments, const Published& published,
 }
 
 int Reproduce(const ReproduceArguments& arguments, const std::vector<System>& systems) {
-  if (arguments.name.empty()) return List(systems);
+  if (arguments.name.empty()) return List(systems, arguments.json);
   const Reproduction& reproduction = FindReproduction(arguments.name, systems);
   const Published published = LoadPublished(reproduction.file);
   RequireChoice(arguments, published);
@@ -242,7 +256,8 @@ void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int&
   command->add_option("--jobs", arguments->jobs, "processes at once [all processors]")
       ->check(CLI::Range(1, 1024));
   command->add_option("--shard", arguments->shard, "K/N: every N-th run, from the K-th on");
-  command->add_flag("--report", arguments->report, "a report of each campaign, report.html");
+  command->add_flag("--report", arguments->report,
+                    "make a page of each campaign: report.html in its folder");
   command->add_flag("--json", arguments->json, "progress and result as JSON, a line each");
   command->add_flag("--quiet", arguments->quiet, "no progress on stderr");
   command->add_flag("--dry-run", arguments->dry_run,

@@ -9,6 +9,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/passing_folder.h"
 #include "sim/app/report_content.h"
+#include "sim/app/report_option.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
@@ -16,6 +17,7 @@
 #include "sim/campaign/run_work.h"
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
+#include "sim/report/run_table.h"
 #include "sim/run/loop.h"
 #include "sim/scenario/load_scenario.h"
 
@@ -25,7 +27,8 @@ namespace {
 struct RunArguments {
   ScenarioOptions scenario;
   CommandOptions commands;
-  std::string out_dir, report;
+  std::string out_dir;
+  ReportOption report;
   bool json = false;
 };
 
@@ -37,9 +40,9 @@ Examples:
   dockyard run {scenario} --out out/typical --json
   dockyard run {scenario} --report out/typical.html
 
-Prints the result on stdout. Exit code 0: docked, 4: it ran but did not dock.
-With --out the folder gets the log, the history and the plots of the run, and
-`dockyard replay` runs it again. With --report a page shows it, with its replay.)";
+Prints the result as a table on stdout, its last line a sentence; --json has every digit. Exit code
+0: docked, 4: it ran but did not dock. With --out the folder gets the log, the history and the plots
+of the run, and `dockyard replay` runs it again. With --report a page shows it, with its replay.)";
 
 /// The folder may be new, empty, or an earlier run's; nothing else is written over.
 void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
@@ -51,13 +54,12 @@ void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
   WriteWhole(dir / "resolved.yaml", ResolvedYaml(scenario));
 }
 
-void PrintRecord(const RunRecord& record) {
-  const std::vector<std::string> names = ColumnNames(record.columns);
-  const std::vector<std::string> cells = RowCells(record.result, record.columns);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    std::printf("%-22s %s\n", names[i].c_str(), cells[i].c_str());
-  }
-  std::printf("%-22s %.3f\n", "cpu_time_s", record.timing.cpu_time_s);
+void PrintJson(const RunRecord& record) {
+  Json json = RowJson(record.result, record.columns);
+  json["cpu_time_s"] = record.timing.cpu_time_s;
+  json["failure_note"] = record.failure_note;
+  json["warnings"] = WarningsSaid();
+  std::printf("%s\n", json.dump(1).c_str());
 }
 
 /// @param log_dir  holds the run's log
@@ -76,12 +78,11 @@ void WriteReport(const std::filesystem::path& file, const std::filesystem::path&
 int Run(const RunArguments& arguments, const std::vector<System>& systems) {
   const CampaignRun run = SingleRun(Load(arguments.scenario, systems));
   const System& system = FindSystem(systems, run.scenario.system);
+  const std::filesystem::path report = arguments.report.FileIn(arguments.out_dir);
   RunOptions options;
   options.log_dir = arguments.out_dir;
   std::optional<PassingFolder> passing;
-  if (arguments.out_dir.empty() && !arguments.report.empty()) {
-    options.log_dir = passing.emplace().path();
-  }
+  if (arguments.out_dir.empty() && !report.empty()) options.log_dir = passing.emplace().path();
   arguments.commands.Fill(options);
   if (!arguments.out_dir.empty()) PrepareFolder(arguments.out_dir, run.scenario);
   const RunRecord record = Simulate(system, run, options);
@@ -93,18 +94,16 @@ int Run(const RunArguments& arguments, const std::vector<System>& systems) {
     }
     PrintNote("log and history in " + arguments.out_dir);
   }
-  if (!arguments.report.empty()) {
-    WriteReport(arguments.report, options.log_dir, !passing, system, run.scenario, record);
-  }
-  if (arguments.json) {
-    Json json = RowJson(record.result, record.columns);
-    json["cpu_time_s"] = record.timing.cpu_time_s;
-    std::printf("%s\n", json.dump(1).c_str());
-  } else {
-    PrintRecord(record);
+  if (!report.empty()) {
+    WriteReport(report, options.log_dir, !passing, system, run.scenario, record);
   }
   if (!record.messages.empty()) PrintNote("the controller said:\n" + record.messages);
-  if (!record.failure_note.empty()) PrintNote(record.failure_note);
+  if (arguments.json) {
+    PrintJson(record);
+  } else {
+    std::printf("%s\n%s\n", RunTable(run.scenario.name, record).c_str(),
+                RunSentence(record).c_str());
+  }
   return record.result.docked ? kExitDone : kExitNotDocked;
 }
 
@@ -115,8 +114,8 @@ void AddRunCommand(CLI::App& app, const std::vector<System>& systems, int& exit_
   CLI::App* command = app.add_subcommand("run", kRunHelp);
   AddScenarioOptions(*command, arguments->scenario);
   AddCommandOptions(*command, arguments->commands);
-  command->add_option("--out", arguments->out_dir, "folder for log and history");
-  command->add_option("--report", arguments->report, "an HTML file that shows the run");
+  command->add_option("--out", arguments->out_dir, "folder for log and history")->type_name("DIR");
+  AddReportOption(*command, arguments->report, "--out");
   command->add_flag("--json", arguments->json, "the result as JSON");
   command->callback([arguments, &systems, &exit_code] { exit_code = Run(*arguments, systems); });
 }

@@ -32,15 +32,20 @@ void AddCommandOptions(CLI::App& command, CommandOptions& options) {
       ->check(NumberWithin(0.001, 1e6));
 }
 
-void AddScenarioOptions(CLI::App& command, ScenarioOptions& options) {
-  command.add_option("SCENARIO", options.file, "a scenario file")->required();
-  command.add_option("--seed", options.seed, "of all random draws; overrides the file's")
+void AddSeedOption(CLI::App& command, std::optional<std::uint64_t>& seed) {
+  command.add_option("--seed", seed, "of all random draws; overrides the file's")
+      ->type_name("INTEGER")
       ->check([](const std::string& text) {  // else -1 and 2^64 would read as 2^64 - 1
-        std::uint64_t seed = 0;
-        const auto read = std::from_chars(text.data(), text.data() + text.size(), seed);
+        std::uint64_t number = 0;
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
         const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
         return whole ? "" : "expected a whole number from 0 to 2^64 - 1, found '" + text + "'";
       });
+}
+
+void AddScenarioOptions(CLI::App& command, ScenarioOptions& options) {
+  command.add_option("SCENARIO", options.file, "a scenario file")->required()->type_name("FILE");
+  AddSeedOption(command, options.seed);
   AddSetOption(command, options.overrides);
 }
 

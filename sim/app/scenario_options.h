@@ -21,6 +21,8 @@ struct ScenarioOptions {
 };
 
 void AddSetOption(CLI::App& command, std::vector<std::string>& overrides);
+/// `--seed N`: of a scenario or a campaign, in place of its key `seed`.
+void AddSeedOption(CLI::App& command, std::optional<std::uint64_t>& seed);
 void AddScenarioOptions(CLI::App& command, ScenarioOptions& options);
 
 /// Throws ConfigError.

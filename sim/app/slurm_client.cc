@@ -8,6 +8,7 @@
 #include <string>
 
 #include "sim/app/exit_codes.h"
+#include "sim/base/called_as.h"
 #include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 
@@ -71,8 +72,8 @@ void Submit(const SlurmJob& job, const SlurmScripts& scripts) {
   }
   std::printf("tasks: job %s, %d of them; merge: job %s\n", tasks.c_str(), job.shards,
               merge.c_str());
-  const std::string dir = ShellWord(job.out_dir.string());
-  std::printf("progress:     dockyard campaign --watch %s\n", dir.c_str());
+  std::printf("progress:     %s\n",
+              CommandText({"campaign", "--watch", job.out_dir.string()}).c_str());
   std::printf("cancel:       scancel %s %s\n", tasks.c_str(), merge.c_str());
   std::printf("submit again: %s\n", submit.c_str());
 }

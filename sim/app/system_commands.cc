@@ -11,6 +11,7 @@ void AddSystemCommands(CLI::App& app, const std::vector<System>& systems, int& e
   for (const System& system : systems) {
     for (const SystemCommand& own : system.commands) {
       CLI::App* command = app.add_subcommand(own.name, own.help);
+      command->group("Of the system " + system.name);
       command->prefix_command();  // what follows is the system's to read, --help too
       command->set_help_flag();
       command->callback(

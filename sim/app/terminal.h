@@ -13,6 +13,8 @@ void PrintNote(const std::string& message);
 /// "warning: ..." on stderr at once, and the text at the end of `warnings`: a command's `--json`
 /// answer has them all under the key "warnings".
 void Warn(const std::string& text, std::vector<std::string>* warnings);
+/// All of them so far, for an answer that no command gives: that on a failure.
+const std::vector<std::string>& WarningsSaid();
 /// Processors that this process may use, at least 1.
 int UsableProcessors();
 

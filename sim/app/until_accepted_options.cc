@@ -8,6 +8,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"
+#include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/base/text.h"
 #include "sim/report/until_accepted.h"
@@ -117,7 +118,9 @@ void KeepAcceptance(const std::filesystem::path& dir, const SequentialPlan& plan
 
 int ReportAcceptance(const SequentialPlan& plan, const SequentialEnd& end, bool json) {
   if (json) {
-    std::printf("%s\n", SequentialJson(plan, end).dump().c_str());
+    Json answer = SequentialJson(plan, end);
+    answer["warnings"] = WarningsSaid();
+    std::printf("%s\n", answer.dump().c_str());
   } else {
     std::printf("\n%s", SequentialText(plan, end).c_str());
   }

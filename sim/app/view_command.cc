@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "controller/base/number_text.h"
 #include "sim/app/commands.h"
@@ -11,6 +13,7 @@
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
+#include "sim/base/json.h"
 
 namespace dockyard {
 namespace {
@@ -18,7 +21,7 @@ namespace {
 struct ViewArguments {
   ScenarioOptions scenario;
   std::string out_dir;
-  bool colour = false, outside = false;
+  bool colour = false, outside = false, json = false;
   double time_s = 0.0;  // of the view from outside
   OutsideArguments camera;
   CommandOptions commands;
@@ -41,6 +44,11 @@ blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.pn
 --outside writes outside.png instead: the world as a spectator sees it, at the start or, with
 --time, as the run has made it by then. --at says which point it looks at from near.)";
 
+void PrintAnswer(Json answer, const std::vector<std::string>& warnings) {
+  answer["warnings"] = warnings;
+  std::printf("%s\n", answer.dump(1).c_str());
+}
+
 int ViewOutside(const ViewArguments& arguments, Scenario scenario,
                 const std::vector<System>& systems) {
   const System& system = FindSystem(systems, scenario.system);
@@ -57,7 +65,11 @@ int ViewOutside(const ViewArguments& arguments, Scenario scenario,
   const std::filesystem::path file = std::filesystem::path(arguments.out_dir) / "outside.png";
   const double shown_s = WriteOutside(log, shapes, options, arguments.time_s, file);
   PrintNote("the world at " + Fixed(shown_s, 1) + " s in " + file.string());
-  if (shown_s < arguments.time_s - kSample_s) PrintNote("the run ended before --time");
+  std::vector<std::string> warnings;
+  if (shown_s < arguments.time_s - kSample_s) {
+    Warn("the run ended before --time", &warnings);
+  }
+  if (arguments.json) PrintAnswer({{"file", file.string()}, {"time_s", shown_s}}, warnings);
   return kExitDone;
 }
 
@@ -71,6 +83,7 @@ int View(const ViewArguments& arguments, const std::vector<System>& systems) {
   MakeFolder(arguments.out_dir);
   system.view(scenario, arguments.out_dir);
   PrintNote("the images and what is true of them are in " + arguments.out_dir);
+  if (arguments.json) PrintAnswer({{"folder", arguments.out_dir}}, {});
   return kExitDone;
 }
 
@@ -80,12 +93,15 @@ void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit
   auto arguments = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand("view", kViewHelp);
   AddScenarioOptions(*command, arguments->scenario);
-  command->add_option("--out", arguments->out_dir, "folder for the images")->required();
+  command->add_option("--out", arguments->out_dir, "folder for the images")
+      ->required()
+      ->type_name("DIR");
   command->add_flag("--colour", arguments->colour, "write colour images beside the grey ones");
   command->add_flag("--outside", arguments->outside, "the world as a spectator sees it");
   command->add_option("--time", arguments->time_s, "of --outside, since the start [0 s]")
       ->type_name("SECONDS")
       ->check(NumberWithin(0.0, 86400.0));
+  command->add_flag("--json", arguments->json, "print what was written as JSON");
   AddOutsideOptions(*command, arguments->camera);
   AddCommandOptions(*command, arguments->commands);
   command->callback([arguments, &systems, &exit_code] { exit_code = View(*arguments, systems); });

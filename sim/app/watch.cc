@@ -6,6 +6,7 @@
 
 #include "sim/app/exit_codes.h"
 #include "sim/app/kept_campaign.h"
+#include "sim/app/terminal.h"
 #include "sim/base/json.h"
 #include "sim/campaign/finished_set.h"
 #include "sim/campaign/progress.h"
@@ -17,11 +18,9 @@ namespace {
 
 void Print(const Tally& tally, std::int64_t total, bool json) {
   if (json) {
-    const Json line{{"done", tally.done},
-                    {"total", total},
-                    {"successes", tally.docked},
-                    {"lost", tally.lost},
-                    {"failures", tally.failures}};
+    const Json line{{"done", tally.done},         {"total", total},
+                    {"successes", tally.docked},  {"lost", tally.lost},
+                    {"failures", tally.failures}, {"warnings", WarningsSaid()}};
     std::printf("%s\n", line.dump().c_str());
   } else {
     std::printf("%s\n", TallyText(tally, total).c_str());

@@ -28,7 +28,7 @@ struct WheelArguments {
 };
 
 constexpr const char* kWheelHelp =
-    R"(Drive one wheel over soil under a fixed load, at a set slip and side slip, to steady state.
+    R"(Drive one wheel over soil at a set load, slip and side slip, to steady state.
 
 Examples:
   dockyard wheel --wheel models/wheels/pavlov_grouser.yaml --soil models/soils/pavlov_90.yaml \

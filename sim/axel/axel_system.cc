@@ -11,6 +11,7 @@
 #include "models/read/yaml_reader.h"
 #include "sim/axel/axel_columns.h"
 #include "sim/axel/axel_judge.h"
+#include "sim/axel/axel_keys.h"
 #include "sim/axel/axel_plant.h"
 #include "sim/axel/build_rocks.h"
 #include "sim/axel/load_models.h"
@@ -152,6 +153,10 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   system.channels = Channels();
   system.beliefs = Beliefs();
   system.measures = Measures();
+  system.keys = [](Keys& keys) {
+    AxelKeys values;
+    VisitAxelKeys(keys, values);
+  };
   system.check = [store](const Scenario& scenario) {
     return Check(scenario, *store->Get(scenario));
   };

@@ -7,13 +7,12 @@
 
 #include "models/read/config_error.h"
 #include "models/read/yaml_reader.h"
+#include "sim/plan/campaign_keys.h"
 
 namespace dockyard {
 namespace {
 
 constexpr double kLargest = 1e12;
-// The work for correlated keys grows with their number cubed: 8000 took minutes and 1.5 GB.
-constexpr std::size_t kMostKeys = 200;
 const Range kAny = Between(-kLargest, kLargest);
 
 Normal ReadNormal(const YamlReader& in) {
@@ -72,8 +71,7 @@ std::size_t PlaceOf(const YamlNode& key, const std::string& path,
 Dispersion ReadDispersion(const YamlNode::Key& key, const YamlNode& node) {
   const std::string path = "draw." + key.name;
   RequireSettable(key, path);
-  static const std::vector<std::string> kinds{"normal", "uniform", "loguniform", "discrete"};
-  const YamlReader in(node, path, kinds);
+  const YamlReader in(node, path, DistributionWords());
   if (node.keys.size() != 1) {
     throw ConfigError(node.place.Text() + ": " + path +
                       ": expected one distribution, such as {uniform: {min: 1, max: 2}}");
@@ -102,8 +100,8 @@ std::vector<Dispersion> ReadDispersions(const YamlReader& root) {
   if (node.kind != YamlNode::Kind::kMapping || node.keys.empty()) {
     root.Refuse("draw", "keys of the scenario, each with its distribution");
   }
-  if (node.keys.size() > kMostKeys) {
-    root.Refuse("draw", "at most " + std::to_string(kMostKeys) + " keys",
+  if (node.keys.size() > kMostDraws) {
+    root.Refuse("draw", "at most " + std::to_string(kMostDraws) + " keys",
                 std::to_string(node.keys.size()));
   }
   for (std::size_t i = 0; i < node.keys.size(); ++i) {

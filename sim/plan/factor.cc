@@ -3,13 +3,11 @@
 #include <cmath>
 
 #include "models/read/config_error.h"
+#include "sim/plan/campaign_keys.h"
 #include "sim/scenario/key_path.h"
 
 namespace dockyard {
 namespace {
-
-constexpr std::size_t kMaxValues = 1000;
-constexpr std::size_t kMaxFactors = 100;
 
 /// {from, to, step}: both ends included.
 void AddRange(const YamlNode& node, const std::string& path, Factor& factor) {
@@ -17,7 +15,7 @@ void AddRange(const YamlNode& node, const std::string& path, Factor& factor) {
   const double from = in.Number("from", Between(-1e9, 1e9)), to = in.Number("to", {from, 1e9});
   const double step = in.Number("step", Positive(1e9));
   const double steps = std::floor((to - from) / step + 1e-9);
-  if (steps >= static_cast<double>(kMaxValues)) in.Refuse("step", "at most 1000 values");
+  if (steps >= static_cast<double>(kMostFactorValues)) in.Refuse("step", "at most 1000 values");
   for (double i = 0; i <= steps; ++i) {
     // So that 0.1 + 2 x 0.1 reads 0.3.
     const double value = std::round((from + i * step) * 1e9) / 1e9;
@@ -54,7 +52,7 @@ Factor ReadFactor(const YamlNode::Key& key, const YamlNode& node, const std::str
       factor.values.push_back(node.items[i]);
     }
   }
-  if (factor.values.empty() || factor.values.size() > kMaxValues) {
+  if (factor.values.empty() || factor.values.size() > kMostFactorValues) {
     throw ConfigError(node.place.Text() + ": " + path +
                       ": expected a list of values, {from, to, step}, or labels with values");
   }
@@ -68,8 +66,8 @@ std::vector<Factor> ReadFactors(const YamlReader& root, const char* name) {
   if (node.kind != YamlNode::Kind::kMapping || node.keys.empty()) {
     root.Refuse(name, "keys of the scenario, each with its values");
   }
-  if (node.keys.size() > kMaxFactors) {
-    root.Refuse(name, "at most " + std::to_string(kMaxFactors) + " keys",
+  if (node.keys.size() > kMostFactors) {
+    root.Refuse(name, "at most " + std::to_string(kMostFactors) + " keys",
                 std::to_string(node.keys.size()));
   }
   for (std::size_t i = 0; i < node.keys.size(); ++i) {

@@ -6,7 +6,9 @@
 #include "models/read/csv_table.h"
 #include "models/read/text_file.h"
 #include "models/read/yaml_reader.h"
+#include "sim/base/called_as.h"
 #include "sim/plan/campaign.h"
+#include "sim/plan/campaign_keys.h"
 #include "sim/plan/check_campaign.h"
 #include "sim/plan/spread_words.h"
 #include "sim/scenario/key_path.h"
@@ -32,6 +34,15 @@ void RefuseFormerKeys(const YamlNode& tree) {
       if (key.name == name) RefuseKey(key, name, now);
     }
   }
+}
+
+/// A scenario has its system and its start at the top, a campaign neither.
+void RefuseScenario(const YamlNode& tree, const std::string& file) {
+  const bool scenario = tree.Find("system") != nullptr && tree.Find("start") != nullptr;
+  if (!scenario || tree.Find("campaign") != nullptr) return;
+  throw ConfigError(
+      tree.place.Text() +
+      ": expected a campaign, found one scenario; simulate it with: " + CommandText({"run", file}));
 }
 
 /// The base: a scenario file, with the keys of `scenario` and `script` on top.
@@ -111,8 +122,7 @@ void ReadArms(const YamlReader& in, Campaign& campaign) {
 void ReadDesign(const YamlReader& root, Campaign& campaign) {
   if (!root.Has("design")) return;
   const YamlReader in(root.Child("design"), "design", {"kind", "runs"});
-  static const std::vector<std::string> kinds{"monte_carlo", "latin_hypercube", "sobol"};
-  campaign.design = static_cast<DesignKind>(in.ChoiceOr("kind", 0, kinds));
+  campaign.design = static_cast<DesignKind>(in.ChoiceOr("kind", 0, DesignWords()));
   campaign.repeats = in.IntegerOr("runs", 1, 1, 1000000000);
   if (campaign.design != DesignKind::kMonteCarlo && campaign.dispersions.empty()) {
     in.Refuse("kind", "keys in draw for this design");
@@ -230,10 +240,8 @@ Campaign LoadCampaign(const std::string& file, const std::vector<std::string>& o
   campaign.tree = LoadYaml(file);
   for (const std::string& assignment : overrides) SetYaml(campaign.tree, assignment);
   RefuseFormerKeys(campaign.tree);
-  const YamlReader in(
-      campaign.tree, "",
-      {"campaign", "seed", "base", "scenario", "script", "arms", "vary", "one_at_a_time", "draw",
-       "correlate", "design", "tags", "table", "runs", "keep", "limits", "figures"});
+  RefuseScenario(campaign.tree, file);
+  const YamlReader in(campaign.tree, "", CampaignKeyNames());
   campaign.name = NameOf(in);
   campaign.file = file;
   campaign.seed = in.SeedOr("seed", 1);

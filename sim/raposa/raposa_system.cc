@@ -11,6 +11,7 @@
 #include "sim/raposa/nominal_json.h"
 #include "sim/raposa/raposa_columns.h"
 #include "sim/raposa/raposa_judge.h"
+#include "sim/raposa/raposa_keys.h"
 #include "sim/raposa/raposa_plant.h"
 #include "sim/raposa/view_start.h"
 
@@ -96,6 +97,10 @@ System RaposaSystem(const std::vector<NamedController>& controllers,
   system.channels = Channels();
   system.beliefs = Beliefs();
   system.measures = Measures();
+  system.keys = [](Keys& keys) {
+    RaposaKeys values;
+    VisitRaposaKeys(keys, values);
+  };
   system.check = Check;
   system.make_ready = [renderer](const Scenario& scenario) {
     return MakeReady(scenario, renderer);

@@ -9,6 +9,7 @@
 #include "sim/rocky7/nominal_json.h"
 #include "sim/rocky7/rocky7_columns.h"
 #include "sim/rocky7/rocky7_judge.h"
+#include "sim/rocky7/rocky7_keys.h"
 #include "sim/rocky7/rocky7_plant.h"
 #include "sim/rocky7/view_start.h"
 
@@ -110,6 +111,10 @@ System Rocky7System(const std::vector<NamedController>& controllers) {
   system.channels = Channels();
   system.beliefs = Beliefs();
   system.measures = Measures();
+  system.keys = [](Keys& keys) {
+    Rocky7Keys values;
+    VisitRocky7Keys(keys, values);
+  };
   system.check = Check;
   system.make_ready = [renderer](const Scenario& scenario) {
     return MakeReady(scenario, renderer);

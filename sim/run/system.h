@@ -23,6 +23,8 @@
 
 namespace dockyard {
 
+class Keys;  // sim/scenario/keys.h
+
 /// All parts of one run except its controller.
 struct ReadyRun {
   std::unique_ptr<Plant> plant;
@@ -108,6 +110,9 @@ struct System {
   /// `dockyard detect` for a robot of this system whose perception is its own. Gets the words after
   /// `detect`; returns the exit code. Empty: the program's own, which locates boards of discs.
   std::function<int(const std::vector<std::string>& words)> detect;
+  /// Names the keys under the system's own name, for the schema of its scenarios. Empty: the
+  /// schema leaves them open.
+  std::function<void(Keys&)> keys;
   std::vector<SystemCommand> commands;
   std::vector<Reproduction> reproductions;
   ExampleFiles example_files;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include "controller/base/number_text.h"
 #include "models/read/config_error.h"
+#include "models/read/other_kind.h"
 #include "models/read/text_file.h"
 #include "sim/scenario/camera_keys.h"
 #include "sim/scenario/key_path.h"
@@ -196,6 +198,20 @@ void MakeFilesAbsolute(YamlNode& tree, const std::string& path,
   }
 }
 
+/// A ground or a system of another kind is no key of a scenario: the refusal says where to go on.
+void SayWhereToGoOn(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const ConfigError& error) {
+    const std::string text = error.what();
+    const auto of = [&](const char* path) { return text.find(path) != text.npos; };
+    if (of(": yard.") || of(": rocks.") || of("'yard.") || of("'rocks.")) {
+      throw ConfigError(WithOtherKind(text, "ground"));
+    }
+    throw ConfigError(of(": system: ") ? WithOtherKind(text, "robot") : text);
+  }
+}
+
 }  // namespace
 
 const std::vector<std::string>& LightWords() {
@@ -238,7 +254,8 @@ void VisitScenario(Keys& keys, Scenario& s, const std::vector<KnownSystem>& syst
 
 Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& systems) {
   Scenario scenario;
-  ReadKeys(root, "", [&](Keys& keys) { VisitScenario(keys, scenario, systems); });
+  SayWhereToGoOn(
+      [&] { ReadKeys(root, "", [&](Keys& keys) { VisitScenario(keys, scenario, systems); }); });
   if (scenario.of_system.kind == YamlNode::Kind::kNull) scenario.of_system.place = root.place;
   scenario.start_place = PlaceOf(root, "start", "r_m");
   scenario.camera_place = PlaceOf(root, "camera", "width_px");
@@ -252,7 +269,7 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
   }
   const KnownSystem& system = *Find(systems, scenario.system);
   CheckFaults(scenario, system, root);
-  ReadRocks(scenario, root, system);
+  SayWhereToGoOn([&] { ReadRocks(scenario, root, system); });
   MakeFilesAbsolute(scenario.of_system, system.name, system.file_keys);
   MakeFilesAbsolute(scenario.changes, "changes", system.changes_file_keys);
   MakeFilesAbsolute(scenario.as_built, "as_built", system.changes_file_keys);

@@ -38,7 +38,9 @@ TEST(ProgramRun, ThatHasNoTimeToDockEndsWithFour) {
   const Json json = Json::parse(ended.out);
   EXPECT_EQ(json["docked"], false);
   EXPECT_GT(json["cpu_time_s"].get<double>(), 0.0);
-  EXPECT_EQ(json.size(), ColumnNames(AxelColumns({})).size() + 1);
+  EXPECT_EQ(json.size(), ColumnNames(AxelColumns({})).size() + 3);
+  EXPECT_EQ(json["warnings"], Json::array());
+  EXPECT_THAT(json["failure_note"].get<std::string>(), Not(testing::IsEmpty()));
 }
 
 TEST(ProgramRun, WithTheSameSeedHasTheSameStateHash) {

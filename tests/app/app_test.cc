@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
   for (const std::string command :
-       {"", "run", "campaign", "replay", "view", "check", "wheel", "plan", "camera", "detect",
-        "pose", "accept", "compare", "columns"}) {
+       {"", "run", "campaign", "replay", "report", "help", "schema", "completion", "view", "check",
+        "wheel", "plan", "camera", "detect", "pose", "accept", "compare", "columns"}) {
     const Ended ended = Dockyard(command + " --help");
     EXPECT_EQ(ended.code, 0) << command;
     EXPECT_LT(ended.out.find("Examples:\n  " DOCKYARD_PROGRAM " "), 120u) << ended.out;
@@ -33,7 +33,7 @@ TEST(Program, PrintsThePageOfColumns) {
 
 TEST(Program, EndsWithTwoForArgumentsThatMakeNoSense) {
   for (const char* arguments :
-       {"", "dock", "run", "run a b", "run --sead 3 x.yaml", "campaign x.yaml --jobs 0",
+       {"dock", "run", "run a b", "run --sead 3 x.yaml", "campaign x.yaml --jobs 0",
         "campaign x.yaml --jobs many", "replay", "view scenarios/axel_typical.yaml",
         "run scenarios/axel_typical.yaml --seed -1", "run scenarios/axel_typical.yaml --set start",
         "run scenarios/axel_typical.yaml --set =5",

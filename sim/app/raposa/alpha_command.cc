@@ -6,16 +6,17 @@
 #include "controller/geometry/pose.h"
 #include "controller/raposa/mark_angle.h"
 #include "sim/app/raposa/words.h"
+#include "sim/base/called_as.h"
 #include "sim/base/json.h"
 
 namespace dockyard::raposa {
 namespace {
 
 const char* const kHelp =
-    "Say from which angle and distance the pyramid is seen, by eqs. (2) and (7) of Ferreira and "
-    "Ventura (2009).\n\n"
+    "Say from which angle and distance RAPOSA's pyramid is seen, by eqs. (2) and (7) of Ferreira "
+    "and Ventura (2009). A command of the system raposa.\n\n"
     "Examples:\n"
-    "  build/dockyard alpha --c-px 20.208456 --g-px 16.157382 --h-m 0.06 --m-m 0.0981256 --f-px "
+    "  dockyard alpha --c-px 20.208456 --g-px 16.157382 --h-m 0.06 --m-m 0.0981256 --f-px "
     "377\n\n"
     "alpha is without a side. It is ambiguous where a second angle up to 110 deg fits the same\n"
     "lengths, or none does. Where c / g is too large for any, alpha is that of the turning point, "
@@ -31,7 +32,7 @@ struct Lengths {
 
 int Alpha(const std::vector<std::string>& words) {
   Lengths in;
-  CLI::App app(kHelp, "dockyard alpha");
+  CLI::App app(WithProgram(kHelp), CalledAs() + " alpha");
   const CLI::Validator positive(
       [](const std::string& text) {
         double value = 0.0;
@@ -54,7 +55,8 @@ int Alpha(const std::vector<std::string>& words) {
   if (in.json) {
     const Json json{{"alpha_deg", Degrees(angle.alpha_rad)},
                     {"d_m", angle.d_m},
-                    {"ambiguous", angle.ambiguous}};
+                    {"ambiguous", angle.ambiguous},
+                    {"warnings", Json::array()}};
     std::printf("%s\n", json.dump(2).c_str());
     return 0;
   }

@@ -85,6 +85,7 @@ void PrintPyramid(const PyramidSeen& seen, bool as_json) {
                               {"alpha_sigma_deg", Degrees(angle.sigma_rad)},
                               {"misfit", fit.misfit}});
     }
+    json["warnings"] = Json::array();
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }

@@ -9,10 +9,12 @@
 #include "models/raposa/load_robot.h"
 #include "models/raposa/make_nominal.h"
 #include "models/read/config_error.h"
+#include "models/read/near_names.h"
 #include "sim/app/raposa/alpha_command.h"
 #include "sim/app/raposa/eye_command.h"
 #include "sim/app/raposa/raposa_commands.h"
 #include "sim/app/raposa/words.h"
+#include "sim/base/called_as.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/images/decode.h"
@@ -24,16 +26,16 @@ namespace {
 const char* const kDetectHelp =
     "Find the pyramid in an image, as the controller of that name does.\n\n"
     "Examples:\n"
-    "  build/dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --draw "
+    "  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --draw "
     "out/marks.png\n"
-    "  build/dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --pipeline "
+    "  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --pipeline "
     "dockyard --draw out/pyramid.png\n\n"
     "Exit code 0: both marks, as a pair; 4: no pair.";
 const char* const kTuneHelp =
     "Write the bands of hue, saturation and value of the pyramid's marks, from one picture of "
-    "it.\n\n"
+    "it. A command of the system raposa.\n\n"
     "Examples:\n"
-    "  build/dockyard tune examples/raposa_back.png --robot models/raposa/raposa.yaml\n\n"
+    "  dockyard tune examples/raposa_back.png --robot models/raposa/raposa.yaml\n\n"
     "The picture should show both marks whole, from 0.5 to 1.5 m and 20 to 60 deg off the axis.\n"
     "Exit code 4: no pair of marks fits the pyramid's dimensions.";
 constexpr int kNoPair = 4;
@@ -54,7 +56,10 @@ void AddOptions(CLI::App& app, Arguments& in) {
 
 RgbImage Load(const std::string& file, const Camera& camera) {
   const auto bytes = ReadWhole(file);
-  if (!bytes) throw ConfigError(file + ": expected an image, found no file that can be read");
+  if (!bytes) {
+    throw ConfigError(file + ": expected an image, found no file that can be read" +
+                      DidYouMeanFile(file));
+  }
   std::optional<RgbImage> image = DecodeColour(*bytes);
   if (!image) {
     throw ConfigError(file + ": expected a whole image, found one that cannot be decoded");
@@ -108,6 +113,7 @@ void PrintMarks(const MarksSeen& seen, bool as_json) {
                     {"ambiguous", seen.pair->angle.ambiguous}};
   }
   if (as_json) {
+    json["warnings"] = Json::array();
     std::printf("%s\n", json.dump(2).c_str());
   } else if (seen.pair) {
     std::printf("pair: alpha %.1f deg, r %.3f m (c %.1f px, g %.1f px)%s\n",
@@ -120,7 +126,7 @@ void PrintMarks(const MarksSeen& seen, bool as_json) {
 
 int Tune(const std::vector<std::string>& words) {
   Arguments in;
-  CLI::App app(kTuneHelp, "dockyard tune");
+  CLI::App app(WithProgram(kTuneHelp), CalledAs() + " tune");
   AddOptions(app, in);
   if (const auto ended = ParseWords(app, words)) return *ended;
   const Nominal nominal = NominalOfFiles(in);
@@ -129,7 +135,9 @@ int Tune(const std::vector<std::string>& words) {
     std::fprintf(stderr, "%s: no pair of marks fits the pyramid's dimensions\n", in.image.c_str());
     return kNoPair;
   }
-  const Json json{{"orange", BandJson(tuned->orange)}, {"blue", BandJson(tuned->blue)}};
+  const Json json{{"orange", BandJson(tuned->orange)},
+                  {"blue", BandJson(tuned->blue)},
+                  {"warnings", Json::array()}};
   if (in.json) {
     std::printf("%s\n", json.dump(2).c_str());
     return 0;
@@ -146,7 +154,7 @@ int Tune(const std::vector<std::string>& words) {
 
 int DetectMarks(const std::vector<std::string>& words) {
   Arguments in;
-  CLI::App app(kDetectHelp, "dockyard detect");
+  CLI::App app(WithProgram(kDetectHelp), CalledAs() + " detect");
   AddOptions(app, in);
   app.add_option("--pipeline", in.pipeline, "whose perception")
       ->check(CLI::IsMember({"ferreira2009", "dockyard"}))

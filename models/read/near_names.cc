@@ -1,0 +1,92 @@
+#include "models/read/near_names.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "models/read/yaml_reader.h"
+
+namespace dockyard {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string Question(const std::string& name) {
+  return name.empty() ? "" : ", did you mean '" + name + "'?";
+}
+
+std::string OnlyLonger(std::string_view name, const std::vector<std::string>& known) {
+  constexpr std::size_t kFewest = 3;  // fewer letters begin too many names
+  std::string longer;
+  for (const std::string& each : known) {
+    if (name.size() < kFewest || !each.starts_with(name)) continue;
+    if (!longer.empty()) return "";
+    longer = each;
+  }
+  return longer;
+}
+
+/// In the order of their names. Of a very large folder the first that come.
+std::vector<fs::path> NamesIn(const fs::path& folder) {
+  constexpr std::size_t kMost = 5000;
+  std::error_code error;
+  std::vector<fs::path> names;
+  fs::directory_iterator at(folder, error);
+  for (; !error && at != fs::directory_iterator() && names.size() < kMost; at.increment(error)) {
+    names.push_back(at->path().filename());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// A name of the same ending that is near, else one that differs in its ending alone.
+fs::path NearName(const fs::path& name, const fs::path& folder) {
+  const std::vector<fs::path> names = NamesIn(folder);
+  std::vector<std::string> stems;
+  for (const fs::path& each : names) {
+    if (each.extension() == name.extension()) stems.push_back(each.stem().string());
+  }
+  const std::string stem = NearestName(name.stem().string(), stems);
+  if (!stem.empty()) return stem + name.extension().string();
+  for (const fs::path& each : names) {
+    if (each.stem() == name.stem()) return each;
+  }
+  return {};
+}
+
+/// The path with every part that is not there replaced by a near one; empty if one has none.
+fs::path WithNearParts(const fs::path& path) {
+  fs::path known;
+  std::error_code ignored;
+  for (const fs::path& part : path) {
+    fs::path next = known / part;
+    if (!fs::exists(next, ignored)) {
+      const fs::path near = NearName(part, known.empty() ? fs::path(".") : known);
+      if (near.empty()) return {};
+      next = known / near;
+    }
+    known = next;
+  }
+  return known;
+}
+
+}  // namespace
+
+std::string DidYouMean(std::string_view name, const std::vector<std::string>& known) {
+  const std::string longer = OnlyLonger(name, known);
+  return Question(longer.empty() ? NearestName(name, known) : longer);
+}
+
+std::string NearFile(const fs::path& path) {
+  std::error_code ignored;
+  if (path.empty() || fs::exists(path, ignored)) return "";
+  const fs::path near = WithNearParts(path);
+  if (!near.empty()) return near.string();
+  const fs::path usual = "scenarios";
+  if (!path.has_filename() || !fs::is_directory(usual, ignored)) return "";
+  const fs::path there = usual / path.filename();
+  return fs::exists(there, ignored) ? there.string() : WithNearParts(there).string();
+}
+
+std::string DidYouMeanFile(const fs::path& path) { return Question(NearFile(path)); }
+
+}  // namespace dockyard

@@ -1,0 +1,21 @@
+// What a wrong word was meant to be: of known names, and of the files that are there.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dockyard {
+
+/// ", did you mean 'seed'?" for the known name nearest to the given one, else for the only one that
+/// begins with it; empty if there is none.
+std::string DidYouMean(std::string_view name, const std::vector<std::string>& known);
+
+/// The file or folder that a path without one was likely meant to be: a like name in the folder
+/// that it names, under a like folder, or in scenarios/. Empty: there is none.
+std::string NearFile(const std::filesystem::path& path);
+/// The same as the end of a message: ", did you mean 'scenarios/near.yaml'?"
+std::string DidYouMeanFile(const std::filesystem::path& path);
+
+}  // namespace dockyard

@@ -1,0 +1,34 @@
+#include "models/read/other_kind.h"
+
+#include <string_view>
+
+namespace dockyard {
+namespace {
+
+constexpr std::string_view kGoOn =
+    " of another kind needs a system of its own: docs/contributing.md tells how to add one, "
+    "docs/reference/models.md what files can change";
+
+/// A key of the file itself that is missing: the place stands right before the message.
+bool LacksPart(std::string_view message) {
+  const std::size_t at = message.find(": missing key '");
+  return at != message.npos && at > 0 && message[at - 1] >= '0' && message[at - 1] <= '9';
+}
+
+bool TellsOfOtherKind(std::string_view message) {
+  for (const std::string_view sign :
+       {": unknown key, known are", "', known are", "the root link", "expected a joint named",
+        "expected a link named", ": system: expected one of"}) {
+    if (message.find(sign) != message.npos) return true;
+  }
+  return LacksPart(message);
+}
+
+}  // namespace
+
+std::string WithOtherKind(const std::string& message, const std::string& what) {
+  if (!TellsOfOtherKind(message) || message.find(kGoOn) != message.npos) return message;
+  return message + "; a " + what + std::string(kGoOn);
+}
+
+}  // namespace dockyard

@@ -1,0 +1,27 @@
+// Refusals of a robot, a target or a ground that is of another kind: where to go on.
+#pragma once
+
+#include <string>
+#include <type_traits>
+
+#include "models/read/config_error.h"
+
+namespace dockyard {
+
+/// The message with a way to go on at its end, where it tells of a key or a link that things of
+/// this kind do not have; else as it is. A slip of the pen, for which the message has a likely
+/// name, is none.
+/// @param what  "robot", "target", "ground"
+std::string WithOtherKind(const std::string& message, const std::string& what);
+
+/// Calls `read`; its ConfigErrors have the way to go on.
+template <class Read>
+std::invoke_result_t<Read> NamingOtherKinds(const std::string& what, const Read& read) {
+  try {
+    return read();
+  } catch (const ConfigError& error) {
+    throw ConfigError(WithOtherKind(error.what(), what));
+  }
+}
+
+}  // namespace dockyard

@@ -1,0 +1,21 @@
+// What ends a command early: the message, the exit code, and the same as JSON where it was asked.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "sim/base/json.h"
+
+namespace dockyard {
+
+/// The object under "error": the text, with file, line and column where it opens with them, null
+/// where it does not, and the exit code.
+Json ErrorJson(const std::string& text, int exit_code);
+
+/// Calls `work` and returns its exit code. What it throws is told on stderr, with `as_json` as an
+/// object on stdout too, and becomes the exit code of docs/reference/exit_codes.md.
+/// @param app  for the sentence on arguments that cannot be read
+int WithFailuresTold(const CLI::App& app, bool as_json, const std::function<int()>& work);
+
+}  // namespace dockyard
