@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kFadeOut_m = 2.0;    // outside the grid, assumed: no yard ends in a cliff
 constexpr double kHorizon_m = 300.0;  // a camera 0.4 m up sees it 0.08 deg below the level
-constexpr int kMaxMarch = 64;         // nodes towards the sun; shadows of ruts are shorter
 
 // Near rings a little closer than the cells of the usual grid. Farther out by the square of the
 // distance, for a camera 0.4 m up sees the ground ever flatter: about ten pixels apart at 650
@@ -30,56 +29,12 @@ std::vector<double> RingRadii(const FanPart& part) {
 
 double BorderMean(const GroundView& g) {
   double sum = 0.0;
-  int count = 0;
   for (int iy = 0; iy < g.ny; ++iy) {
-    for (int ix = 0; ix < g.nx; ++ix) {
-      if (ix > 0 && iy > 0 && ix < g.nx - 1 && iy < g.ny - 1) continue;
-      sum += g.heights_m[static_cast<std::size_t>(iy) * g.nx + ix];
-      ++count;
-    }
+    const double* row = g.heights_m + static_cast<std::size_t>(iy) * g.nx;
+    const int step = iy == 0 || iy == g.ny - 1 ? 1 : g.nx - 1;
+    for (int ix = 0; ix < g.nx; ix += step) sum += row[ix];
   }
-  return sum / count;
-}
-
-// Nodes towards the sun and how high the ray to the sun's centre stands over each of them.
-struct March {
-  std::vector<int> dx, dy;
-  std::vector<double> rise_m, distance_m;
-};
-
-March MarchToSun(const GroundView& g, const Eigen::Vector3d& sun_G, double relief_m) {
-  March march;
-  const double level = std::hypot(sun_G.x(), sun_G.y());
-  if (level < 1e-9) return march;
-  const double slope = sun_G.z() / level;
-  const double ux = sun_G.x() / level, uy = sun_G.y() / level;
-  const double stride = g.cell_m / std::max(std::abs(ux), std::abs(uy));
-  for (int i = 1; i <= kMaxMarch; ++i) {
-    const double distance = i * stride;
-    if (distance * slope > relief_m) break;
-    march.dx.push_back(static_cast<int>(std::lround(distance * ux / g.cell_m)));
-    march.dy.push_back(static_cast<int>(std::lround(distance * uy / g.cell_m)));
-    march.rise_m.push_back(distance * slope);
-    march.distance_m.push_back(distance);
-  }
-  return march;
-}
-
-double SunShare(const GroundView& g, const March& march, int ix, int iy, double sun_rise) {
-  const double here = g.heights_m[static_cast<std::size_t>(iy) * g.nx + ix];
-  double share = 1.0;
-  for (std::size_t i = 0; i < march.dx.size(); ++i) {
-    const int x = ix + march.dx[i], y = iy + march.dy[i];
-    if (x < 0 || y < 0 || x >= g.nx || y >= g.ny) break;
-    const double over =
-        g.heights_m[static_cast<std::size_t>(y) * g.nx + x] - here - march.rise_m[i];
-    if (over < -2.0 * sun_rise * march.distance_m[i]) continue;
-    // The horizon there against the sun's disc, which counts as a uniform strip.
-    const double covered = 0.5 + 0.5 * over / (sun_rise * march.distance_m[i]);
-    share = std::min(share, std::clamp(1.0 - covered, 0.0, 1.0));
-    if (share == 0.0) break;
-  }
-  return share;
+  return sum / (2 * g.nx + 2 * g.ny - 4);
 }
 
 std::uint32_t VertexAt(const GroundFan& fan, int spoke, int ring) {
@@ -158,37 +113,6 @@ GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole
     }
   }
   return fan;
-}
-
-std::vector<float> GroundRelief(const GroundView& g, const Eigen::Vector3d& sun_G,
-                                double sun_angular_diameter_rad) {
-  const std::size_t count = static_cast<std::size_t>(g.nx) * g.ny;
-  const auto [low, high] = std::minmax_element(g.heights_m, g.heights_m + count);
-  const March march = MarchToSun(g, sun_G, *high - *low);
-  // Height of the disc's radius over a level metre; see ground_horizon.cc.
-  const double level = sun_G.head<2>().norm();
-  const double sun_rise =
-      std::max(0.5 * sun_angular_diameter_rad, 1e-4) / std::max(level * level, 1e-4);
-  std::vector<float> shares(count);
-  for (int iy = 0; iy < g.ny; ++iy) {
-    for (int ix = 0; ix < g.nx; ++ix) {
-      shares[static_cast<std::size_t>(iy) * g.nx + ix] =
-          static_cast<float>(SunShare(g, march, ix, iy, sun_rise));
-    }
-  }
-  std::vector<float> relief;
-  relief.reserve(3 * count);
-  for (int iy = 0; iy + 1 < g.ny; ++iy) {
-    for (int ix = 0; ix + 1 < g.nx; ++ix) {
-      const std::size_t at = static_cast<std::size_t>(iy) * g.nx + ix;
-      const double *h = g.heights_m + at, *k = h + g.nx;
-      const float *s = &shares[at], *t = s + g.nx;
-      relief.push_back(static_cast<float>((h[1] - h[0] + k[1] - k[0]) / (2.0 * g.cell_m)));
-      relief.push_back(static_cast<float>((k[0] - h[0] + k[1] - h[1]) / (2.0 * g.cell_m)));
-      relief.push_back(0.25f * (s[0] + s[1] + t[0] + t[1]));
-    }
-  }
-  return relief;
 }
 
 }  // namespace dockyard

@@ -1,5 +1,5 @@
-// The ground as seen from one place: a fan of rings, fine near and coarse far, and a texture of its
-// slopes and own shadow at the grid's full resolution. Plain arithmetic, no GL.
+// The ground as seen from one place: a fan of rings, fine near and coarse far. Plain arithmetic, no
+// GL.
 #pragma once
 
 #include <Eigen/Core>
@@ -51,10 +51,5 @@ struct GroundFan {
 };
 GroundFan MakeGroundFan(const GroundHeight& height, double pole_x_m, double pole_y_m,
                         const FanPart& part = {});
-
-/// Per cell of the grid, (nx - 1) x (ny - 1), three numbers for its middle: slope along x and along
-/// y, share of the sun that the ground itself leaves there. sun_G: unit, towards the sun.
-std::vector<float> GroundRelief(const GroundView& ground, const Eigen::Vector3d& sun_G,
-                                double sun_angular_diameter_rad);
 
 }  // namespace dockyard

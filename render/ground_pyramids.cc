@@ -77,8 +77,8 @@ void SoilPyramid::At(const float* u, const float* v, const float* lod, int count
   }
 }
 
-ReliefPyramid::Level::Level(std::vector<Four> n, int x, int y, int k)
-    : nodes(std::move(n)),
+ReliefPyramid::Level::Level(int x, int y, int k)
+    : nodes(static_cast<std::size_t>(x) * y),
       nx(x),
       ny(y),
       scale(1.0f / static_cast<float>(1 << k)),
@@ -86,20 +86,29 @@ ReliefPyramid::Level::Level(std::vector<Four> n, int x, int y, int k)
       last_x(static_cast<float>(x) - 1.001f),
       last_y(static_cast<float>(y) - 1.001f) {}
 
-ReliefPyramid::ReliefPyramid(std::vector<Four> nodes, int nx, int ny) {
-  levels_.emplace_back(std::move(nodes), nx, ny, 0);
+ReliefPyramid::ReliefPyramid(int nx, int ny) {
+  levels_.emplace_back(nx, ny, 0);
   for (int k = 1; levels_.back().nx > 4 && levels_.back().ny > 4; ++k) {
-    const Level& fine = levels_.back();
-    const int half_x = fine.nx / 2, half_y = fine.ny / 2;
-    std::vector<Four> coarse;
-    coarse.reserve(static_cast<std::size_t>(half_x) * half_y);
-    for (int y = 0; y < half_y; ++y) {
-      for (int x = 0; x < half_x; ++x) {
+    levels_.emplace_back(levels_.back().nx / 2, levels_.back().ny / 2, k);
+  }
+}
+
+void ReliefPyramid::FillCoarse(GridRect rect) {
+  for (std::size_t k = 1; k < levels_.size(); ++k) {
+    const Level& fine = levels_[k - 1];
+    Level& level = levels_[k];
+    // The last column or row of an odd number has no pair.
+    rect = {.x_begin = rect.x_begin / 2,
+            .x_end = std::min((rect.x_end + 1) / 2, level.nx),
+            .y_begin = rect.y_begin / 2,
+            .y_end = std::min((rect.y_end + 1) / 2, level.ny)};
+    for (int y = rect.y_begin; y < rect.y_end; ++y) {
+      for (int x = rect.x_begin; x < rect.x_end; ++x) {
         const Four* from = &fine.nodes[static_cast<std::size_t>(2 * y) * fine.nx + 2 * x];
-        coarse.push_back(0.25f * (from[0] + from[1] + from[fine.nx] + from[fine.nx + 1]));
+        level.nodes[static_cast<std::size_t>(y) * level.nx + x] =
+            0.25f * (from[0] + from[1] + from[fine.nx] + from[fine.nx + 1]);
       }
     }
-    levels_.emplace_back(std::move(coarse), half_x, half_y, k);
   }
 }
 

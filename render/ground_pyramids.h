@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/four_floats.h"
+#include "render/ground_relief.h"
 
 namespace dockyard {
 
@@ -83,7 +84,18 @@ class SoilPyramid {
 class ReliefPyramid {
  public:
   ReliefPyramid() = default;
-  ReliefPyramid(std::vector<Four> nodes, int nx, int ny);
+  ReliefPyramid(int nx, int ny);
+  /// Nodes of the finest level anew, and all that is made of them: node(column, row).
+  template <typename Node>
+  void Fill(const GridRect& rect, const Node& node) {
+    Level& finest = levels_.front();
+    for (int y = rect.y_begin; y < rect.y_end; ++y) {
+      for (int x = rect.x_begin; x < rect.x_end; ++x) {
+        finest.nodes[static_cast<std::size_t>(y) * finest.nx + x] = node(x, y);
+      }
+    }
+    FillCoarse(rect);
+  }
   /// At grid coordinates (column, row), held at the border, in the level nearest to lod.
   Four At(float column, float row, float lod) const {
     const int last = static_cast<int>(levels_.size()) - 1;
@@ -101,11 +113,12 @@ class ReliefPyramid {
 
  private:
   struct Level {
-    Level(std::vector<Four> n, int x, int y, int k);
+    Level(int x, int y, int k);
     std::vector<Four> nodes;
     int nx, ny;
     float scale, shift, last_x, last_y;  // from the finest level's coordinates to these
   };
+  void FillCoarse(GridRect rect);
   std::vector<Level> levels_;
 };
 

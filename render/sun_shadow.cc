@@ -129,21 +129,30 @@ void SunShadow::TakeNone(const ShadowFit& fit) {
 
 DOCKYARD_TWO_WIDTHS
 void SunShadow::ReduceTiles() {
-  tiles_.assign(static_cast<std::size_t>(tiles_wide_) * tiles_high_, {});
+  tiles_.resize(static_cast<std::size_t>(tiles_wide_) * tiles_high_);
+  nearest_.resize(static_cast<std::size_t>(width_));
+  farthest_.resize(static_cast<std::size_t>(width_));
   for (int ty = 0; ty < tiles_high_; ++ty) {
-    for (int tx = 0; tx < tiles_wide_; ++tx) {
-      const float* corner = &depth_[std::size_t{kTile} * ty * width_ + kTile * tx];
-      float nearest[kTile], farthest[kTile];  // side by side, so that they go together
-      for (int x = 0; x < kTile; ++x) nearest[x] = farthest[x] = corner[x];
-      for (int y = 1; y < kTile; ++y) {
-        for (int x = 0; x < kTile; ++x) {
-          const float z = corner[y * width_ + x];
-          nearest[x] = z < nearest[x] ? z : nearest[x];
-          farthest[x] = z > farthest[x] ? z : farthest[x];
-        }
+    // Whole rows, as they lie in memory: tile by tile takes three times as long.
+    const float* row = &depth_[std::size_t{kTile} * ty * width_];
+    float* __restrict nearest = nearest_.data();
+    float* __restrict farthest = farthest_.data();
+    std::copy(row, row + width_, nearest);
+    std::copy(row, row + width_, farthest);
+    for (int y = 1; y < kTile; ++y) {
+      row += width_;
+      for (int x = 0; x < width_; ++x) {
+        const float z = row[x];
+        nearest[x] = z < nearest[x] ? z : nearest[x];
+        farthest[x] = z > farthest[x] ? z : farthest[x];
       }
-      const float low = *std::min_element(nearest, nearest + kTile);
-      const float high = *std::max_element(farthest, farthest + kTile);
+    }
+    for (int tx = 0; tx < tiles_wide_; ++tx) {
+      float low = nearest[kTile * tx], high = farthest[kTile * tx];
+      for (int x = kTile * tx + 1; x < kTile * (tx + 1); ++x) {
+        low = nearest[x] < low ? nearest[x] : low;
+        high = farthest[x] > high ? farthest[x] : high;
+      }
       tiles_[static_cast<std::size_t>(tiles_wide_) * ty + tx] = {
           .highest = low < 1.0f ? top_ - low * range_ : kNoCaster,
           .lowest = high < 1.0f ? top_ - high * range_ : kNoCaster};

@@ -159,6 +159,7 @@ class SunShadow {
   int tiles_wide_ = kAtlasWidth / kTile, tiles_high_ = kAtlasHeight / kTile;
   int plane_tiles_side_ = kFineTexels / kTile;       // of the fine window
   std::vector<Bounds> tiles_, near_tiles_, around_;  // near: over a tile and those next to it
+  std::vector<float> nearest_, farthest_;            // of a row of tiles, texel by texel
   std::vector<Bounds> plane_tiles_;  // of the fine window, heights over the plane; empty: no plane
   Window coarse_{}, fine_{};
   float top_ = 0.0f, range_ = 1.0f, sun_radius_ = 0.0f;

@@ -12,14 +12,53 @@ void Map(Lens& lens, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     cahvore->V = a.y() * cahvore->V + b.y() * cahvore->A;
     return;
   }
-  const auto map = [&](auto& l) {
-    l.fx *= a.x();
-    l.fy *= a.y();
-    l.cx = a.x() * l.cx + b.x();
-    l.cy = a.y() * l.cy + b.y();
-  };
-  if (auto* fisheye = std::get_if<KannalaBrandt>(&lens)) map(*fisheye);
-  if (auto* pinhole = std::get_if<BrownPinhole>(&lens)) map(*pinhole);
+  std::visit(
+      [&](auto& l) {
+        if constexpr (requires { l.fx; }) {
+          l.fx *= a.x();
+          l.fy *= a.y();
+          l.cx = a.x() * l.cx + b.x();
+          l.cy = a.y() * l.cy + b.y();
+        }
+      },
+      lens);
+}
+
+/// Pixels per radian on the axis, for one along each side of the image plane.
+struct AxisScale {
+  double operator()(const Cahvore& l) const { return 1.0 + l.R[0]; }
+  double operator()(const DoubleSphere& l) const { return 1.0 / (1.0 + l.xi); }
+  double operator()(const Omni& l) const { return 1.0 / (1.0 + l.xi); }
+  double operator()(const FovPinhole& l) const { return 2.0 * std::tan(0.5 * l.w_rad) / l.w_rad; }
+  template <typename L>
+  double operator()(const L&) const {
+    return 1.0;
+  }
+};
+
+/// A radial term of the lens moved by `by`; the focal length on the axis stays.
+void BendBy(DoubleSphere& lens, double by) { lens.alpha += by; }
+void BendBy(Eucm& lens, double by) { lens.alpha += by; }
+void BendBy(FovPinhole& lens, double by) {
+  const double before = AxisScale()(lens);
+  lens.w_rad += by;
+  const double focal = before / AxisScale()(lens);
+  lens.fx *= focal;
+  lens.fy *= focal;
+}
+
+/// The term moved until the pixel of the direction lies shift_px further out: Newton's first step.
+template <typename L>
+void BendUntil(L& lens, const Eigen::Vector3d& ray, double shift_px) {
+  constexpr double kStep = 1e-5;
+  L more = lens, less = lens;
+  BendBy(more, kStep);
+  BendBy(less, -kStep);
+  const auto far = more.Project(ray, nullptr), near = less.Project(ray, nullptr);
+  if (!far || !near) return;
+  // `ray` lies to the left of the axis: outwards is to smaller u.
+  const double slope = (near->x() - far->x()) / (2.0 * kStep);
+  if (slope != 0.0) BendBy(lens, shift_px / slope);
 }
 
 }  // namespace
@@ -48,13 +87,17 @@ bool Camera::Sees(const Eigen::Vector2d& pixel, double margin_px) const {
 }
 
 Eigen::Vector2d Camera::focal_px() const {
-  if (const auto* cahvore = std::get_if<Cahvore>(&lens)) {
-    const CahvScales scales = ScalesOf(*cahvore);
-    return (1.0 + cahvore->R[0]) * Eigen::Vector2d(scales.hs, scales.vs);
-  }
-  if (const auto* pinhole = std::get_if<BrownPinhole>(&lens)) return {pinhole->fx, pinhole->fy};
-  const auto& fisheye = std::get<KannalaBrandt>(lens);
-  return {fisheye.fx, fisheye.fy};
+  const double scale = std::visit(AxisScale(), lens);
+  return std::visit(
+      [&](const auto& l) -> Eigen::Vector2d {
+        if constexpr (requires { l.fx; }) {
+          return {scale * l.fx, scale * l.fy};
+        } else {
+          const CahvScales scales = ScalesOf(l);
+          return scale * Eigen::Vector2d(scales.hs, scales.vs);
+        }
+      },
+      lens);
 }
 
 Eigen::Vector2d Camera::centre_px() const {
@@ -81,14 +124,16 @@ Camera Adjusted(Camera camera, double focal_scale, const Eigen::Vector2d& centre
     Map(camera.lens, {focal_scale, focal_scale}, b);
     return camera;
   }
-  const auto adjust = [&](auto& l) {
-    l.fx *= focal_scale;
-    l.fy *= focal_scale;
-    l.cx += centre_shift_px.x();
-    l.cy += centre_shift_px.y();
-  };
-  if (auto* fisheye = std::get_if<KannalaBrandt>(&camera.lens)) adjust(*fisheye);
-  if (auto* pinhole = std::get_if<BrownPinhole>(&camera.lens)) adjust(*pinhole);
+  std::visit(
+      [&](auto& l) {
+        if constexpr (requires { l.fx; }) {
+          l.fx *= focal_scale;
+          l.fy *= focal_scale;
+          l.cx += centre_shift_px.x();
+          l.cy += centre_shift_px.y();
+        }
+      },
+      camera.lens);
   return camera;
 }
 
@@ -104,8 +149,21 @@ Camera Bent(Camera camera, double shift_px) {
     cahvore->R[1] += term(half / f);
   } else if (auto* pinhole = std::get_if<BrownPinhole>(&camera.lens)) {
     pinhole->k1 += term(across / ray.z());
+  } else if (auto* fisheye = std::get_if<KannalaBrandt>(&camera.lens)) {
+    fisheye->k[0] += term(std::atan2(across, ray.z()));
+  } else if (auto* rational = std::get_if<RationalPinhole>(&camera.lens)) {
+    const double x = across / ray.z(), x2 = x * x;
+    const auto& k = rational->k;
+    rational->k[0] += term(x) * (1.0 + x2 * (k[3] + x2 * (k[4] + x2 * k[5])));
+  } else if (auto* omni = std::get_if<Omni>(&camera.lens)) {
+    const double x = across / (ray.z() + omni->xi);
+    omni->k1 += shift_px / (omni->fx * x * x * x);
   } else {
-    std::get<KannalaBrandt>(camera.lens).k[0] += term(std::atan2(across, ray.z()));
+    std::visit(
+        [&](auto& l) {
+          if constexpr (requires { BendBy(l, 0.0); }) BendUntil(l, ray, shift_px);
+        },
+        camera.lens);
   }
   return camera;
 }

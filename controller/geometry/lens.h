@@ -72,6 +72,69 @@ struct Cahvore {
   bool operator==(const Cahvore&) const = default;
 };
 
+/// Pinhole with OpenCV's rational distortion (projectPoints with eight coefficients): BrownPinhole
+/// with the radial factor
+///   (1 + k1 r^2 + k2 r^4 + k3 r^6) / (1 + k4 r^2 + k5 r^4 + k6 r^6).
+struct RationalPinhole {
+  double fx = 0.0, fy = 0.0;  // [px], > 0
+  double cx = 0.0, cy = 0.0;  // [px]
+  std::array<double, 6> k{};  // k1..k6 [-]
+  double p1 = 0.0, p2 = 0.0;  // [-]
+
+  std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p, PixelJacobian* J) const;
+  LensRay Ray(const Eigen::Vector2d& pixel) const;
+  bool operator==(const RationalPinhole&) const = default;
+};
+
+/// Two unit spheres, xi apart, and a pinhole (Usenko, Demmel and Cremers, 3DV 2018):
+///   d1 = |p|, z1 = z + xi d1, d2 = |(x, y, z1)|, u = fx x / (alpha d2 + (1 - alpha) z1) + cx.
+struct DoubleSphere {
+  double fx = 0.0, fy = 0.0;     // [px], > 0
+  double cx = 0.0, cy = 0.0;     // [px]
+  double xi = 0.0, alpha = 0.0;  // -1 < xi <= 1, 0 <= alpha <= 1
+
+  std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p, PixelJacobian* J) const;
+  LensRay Ray(const Eigen::Vector2d& pixel) const;
+  bool operator==(const DoubleSphere&) const = default;
+};
+
+/// Enhanced unified camera model (Khomutenko, Garcia and Martinet, RA-L 1(1), 2016):
+///   d = sqrt(beta (x^2 + y^2) + z^2), u = fx x / (alpha d + (1 - alpha) z) + cx.
+struct Eucm {
+  double fx = 0.0, fy = 0.0;       // [px], > 0
+  double cx = 0.0, cy = 0.0;       // [px]
+  double alpha = 0.0, beta = 1.0;  // 0 <= alpha <= 1, beta > 0
+
+  std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p, PixelJacobian* J) const;
+  LensRay Ray(const Eigen::Vector2d& pixel) const;
+  bool operator==(const Eucm&) const = default;
+};
+
+/// Omnidirectional camera (Mei and Rives, ICRA 2007), as in OpenCV's omnidir module without skew:
+/// x, y = p.xy / (z + xi |p|), then BrownPinhole's distortion with k3 = 0.
+struct Omni {
+  double fx = 0.0, fy = 0.0;                      // [px], > 0
+  double cx = 0.0, cy = 0.0;                      // [px]
+  double xi = 0.0;                                // >= 0
+  double k1 = 0.0, k2 = 0.0, p1 = 0.0, p2 = 0.0;  // [-]
+
+  std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p, PixelJacobian* J) const;
+  LensRay Ray(const Eigen::Vector2d& pixel) const;
+  bool operator==(const Omni&) const = default;
+};
+
+/// Field-of-view lens (Devernay and Faugeras, Machine Vision and Applications 13, 2001): with r the
+/// distance off the axis at depth 1, it shows the point at r' = atan(2 r tan(w / 2)) / w.
+struct FovPinhole {
+  double fx = 0.0, fy = 0.0;  // [px], > 0
+  double cx = 0.0, cy = 0.0;  // [px]
+  double w_rad = 1.0;         // > 0, < pi
+
+  std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p, PixelJacobian* J) const;
+  LensRay Ray(const Eigen::Vector2d& pixel) const;
+  bool operator==(const FovPinhole&) const = default;
+};
+
 /// Horizontal and vertical focal length and centre of a CAHV* model [px]: hs, vs, hc, vc.
 struct CahvScales {
   double hs = 0.0, vs = 0.0, hc = 0.0, vc = 0.0;
@@ -84,6 +147,7 @@ Pose3 CameraFrameOf(const Cahvore& lens_F);
 /// The same lens with its vectors in the frame G.
 Cahvore InFrame(const Cahvore& lens_F, const Pose3& X_FG);
 
-using Lens = std::variant<KannalaBrandt, BrownPinhole, Cahvore>;
+using Lens = std::variant<KannalaBrandt, BrownPinhole, Cahvore, RationalPinhole, DoubleSphere, Eucm,
+                          Omni, FovPinhole>;
 
 }  // namespace dockyard

@@ -173,4 +173,9 @@ std::vector<Disc> DiscsWithin(const Obstacles& obstacles, double margin_m) {
   return within;
 }
 
+BlockerSearch::BlockerSearch(const RoverPlan& rover, const PathDemands& demands)
+    : cover_(rover), discs_(DiscsWithin(demands.obstacles, demands.margin_m)) {
+  if (demands.grid) grid_.emplace(discs_);
+}
+
 }  // namespace dockyard

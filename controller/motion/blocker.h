@@ -7,7 +7,7 @@
 
 #include "controller/geometry/rover_plan.h"
 #include "controller/motion/arcs.h"
-#include "controller/motion/clearance.h"
+#include "controller/motion/free_path.h"
 
 namespace dockyard {
 
@@ -38,6 +38,10 @@ class Cover {
   /// blocked by little.
   std::optional<Blocker> Find(const std::vector<Arc>& path, const std::vector<Disc>& discs,
                               int even) const;
+  /// The same among a grid's discs.
+  std::optional<Blocker> Find(const std::vector<Arc>& path, const DiscGrid& discs, int even) const {
+    return Find(path, discs.Near(path, reach_m_), even);
+  }
 
  private:
   /// A disc that the rover may come near on an arc.
@@ -60,5 +64,22 @@ class Cover {
 
 /// Discs that lie within the obstacles grown by the margin: all discs, and some of each polygon.
 std::vector<Disc> DiscsWithin(const Obstacles& obstacles, double margin_m);
+
+/// What blocks paths of one rover among obstacles.
+class BlockerSearch {
+ public:
+  BlockerSearch(const RoverPlan& rover, const PathDemands& demands);
+
+  const Cover& cover() const { return cover_; }
+  /// As Cover::Find.
+  std::optional<Blocker> Find(const std::vector<Arc>& path, int even) const {
+    return grid_ ? cover_.Find(path, *grid_, even) : cover_.Find(path, discs_, even);
+  }
+
+ private:
+  Cover cover_;
+  std::vector<Disc> discs_;
+  std::optional<DiscGrid> grid_;  // of the same discs, where the demands have one
+};
 
 }  // namespace dockyard

@@ -63,8 +63,7 @@ class PairSearch {
       : rover_(rover),
         limits_(limits),
         demands_(demands),
-        discs_(DiscsWithin(demands.obstacles, demands.margin_m)),
-        cover_(rover),
+        blockers_(rover, demands),
         family_(X_RG) {}
 
   std::optional<ArcPair> Cheapest(const Pose2& X_RG) {
@@ -125,18 +124,18 @@ class PairSearch {
       stop.blocker = blocker;
     }
     if (stop.blocker) return stop;
-    stop.blocker = cover_.Find(path, discs_, 0);
+    stop.blocker = blockers_.Find(path, 0);
     if (!stop.blocker) {
       stop.missing_m = MissingOf(rover_, demands_, path);
       stop.is_free = stop.missing_m == 0.0;
-      if (!stop.is_free) stop.blocker = cover_.Find(path, discs_, kEvenPlaces);
+      if (!stop.is_free) stop.blocker = blockers_.Find(path, kEvenPlaces);
     }
     if (stop.blocker) stop.overlap_m = OverlapOf(*stop.blocker, path);
     return stop;
   }
 
   double OverlapOf(const Blocker& blocker, const std::vector<Arc>& path) const {
-    return cover_.Overlap(blocker, cover_.PoseOf(blocker, path));
+    return blockers_.cover().Overlap(blocker, blockers_.cover().PoseOf(blocker, path));
   }
 
   void Take(const ArcPair& pair) {
@@ -183,9 +182,10 @@ class PairSearch {
     }
     double most = 0.0;
     for (const Blocker& place : places) {
-      const double reach_m = cover_.Reach(place);
-      const Pose2 p = cover_.PoseOf(place, PathOf(a)), q = cover_.PoseOf(place, PathOf(b)),
-                  r = cover_.PoseOf(place, PathOf(c));
+      const double reach_m = blockers_.cover().Reach(place);
+      const Pose2 p = blockers_.cover().PoseOf(place, PathOf(a)),
+                  q = blockers_.cover().PoseOf(place, PathOf(b)),
+                  r = blockers_.cover().PoseOf(place, PathOf(c));
       most = std::max(most, Apart(p, q, reach_m) + Apart(q, r, reach_m));
     }
     return most;
@@ -197,8 +197,7 @@ class PairSearch {
   const RoverPlan& rover_;
   const ArcLimits& limits_;
   const PathDemands& demands_;
-  std::vector<Disc> discs_;
-  Cover cover_;
+  BlockerSearch blockers_;
   PairFamily family_;
   std::priority_queue<Gap> gaps_;
   std::optional<ArcPair> best_;

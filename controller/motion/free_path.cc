@@ -6,6 +6,22 @@
 #include "controller/motion/keep_in_view.h"
 
 namespace dockyard {
+namespace {
+
+double ClearanceOf(const RoverPlan& rover, const PathDemands& demands,
+                   const std::vector<Arc>& path) {
+  if (!demands.grid) return Clearance(rover, path, demands.obstacles, demands.margin_m);
+  const Obstacles near{demands.grid->Near(path, ReachOf(rover) + demands.margin_m),
+                       demands.obstacles.polygons};
+  return Clearance(rover, path, near, demands.margin_m);
+}
+
+}  // namespace
+
+PathDemands WithGrid(PathDemands demands) {
+  demands.grid = std::make_shared<const DiscGrid>(demands.obstacles.discs);
+  return demands;
+}
 
 double MissingOf(const RoverPlan& rover, const PathDemands& demands, const std::vector<Arc>& path) {
   double missing_m = 0.0;
@@ -13,7 +29,7 @@ double MissingOf(const RoverPlan& rover, const PathDemands& demands, const std::
     DOCKYARD_CHECK(rover.view);
     missing_m = std::max(missing_m, -SpareInView(*rover.view, path, *demands.p_AT));
   }
-  const double clear_m = Clearance(rover, path, demands.obstacles, demands.margin_m);
+  const double clear_m = ClearanceOf(rover, demands, path);
   return std::max(missing_m, demands.margin_m - clear_m);
 }
 

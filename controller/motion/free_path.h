@@ -1,11 +1,13 @@
 // Paths of two and of three arcs that keep clear of obstacles and keep a target in view.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "controller/geometry/rover_plan.h"
 #include "controller/motion/clearance.h"
+#include "controller/motion/disc_grid.h"
 #include "controller/motion/three_arcs.h"
 #include "controller/motion/two_arcs.h"
 
@@ -16,7 +18,13 @@ struct PathDemands {
   Obstacles obstacles{};
   double margin_m = 0.0;                  // from the outline to any obstacle
   std::optional<Eigen::Vector2d> p_AT{};  // to keep in the rover's view, which it must have
+  /// Of the obstacles' discs. With it, each path is compared with the discs near it alone; all
+  /// answers are the same. Worth it from a thousand on.
+  std::shared_ptr<const DiscGrid> grid{};
 };
+
+/// The same demands with the grid.
+PathDemands WithGrid(PathDemands demands);
 
 /// 0 where the path keeps the demands. Else by how much [m] it must be moved, at least, to keep
 /// them.

@@ -39,12 +39,7 @@ class TripleSearch {
  public:
   TripleSearch(const RoverPlan& rover, const Pose2& X_RG, const ArcLimits& limits,
                const PathDemands& demands)
-      : rover_(rover),
-        X_RG_(X_RG),
-        limits_(limits),
-        demands_(demands),
-        discs_(DiscsWithin(demands.obstacles, demands.margin_m)),
-        cover_(rover) {}
+      : rover_(rover), X_RG_(X_RG), limits_(limits), demands_(demands), blockers_(rover, demands) {}
 
   std::optional<ArcTriple> Shortest() const {
     std::vector<Found> best = BestOfGrid();
@@ -78,7 +73,7 @@ class TripleSearch {
 
   bool IsFree(const ArcTriple& arcs) const {
     const std::vector<Arc> path(arcs.begin(), arcs.end());
-    return !cover_.Find(path, discs_, 0) && MissingOf(rover_, demands_, path) == 0.0;
+    return !blockers_.Find(path, 0) && MissingOf(rover_, demands_, path) == 0.0;
   }
 
   // The shortest free path of the grid for each kind of first arc: those of one curvature and one
@@ -156,8 +151,7 @@ class TripleSearch {
   Pose2 X_RG_;
   const ArcLimits& limits_;
   const PathDemands& demands_;
-  std::vector<Disc> discs_;
-  Cover cover_;
+  BlockerSearch blockers_;
 };
 
 }  // namespace

@@ -31,6 +31,11 @@ cv::Mat WithoutGround(const GrayImage& right, const PlaneDisparity& ground) {
   return out;
 }
 
+// The least size of images for a search.
+int LeastWidth(const MatchSettings& with) {
+  return std::max(0, with.least_px + with.count_px) + std::max(0, -with.least_px) + with.block_px;
+}
+
 void Check(const StereoImages& images, const MatchSettings& with) {
   if (images.left.width != images.right.width || images.left.height != images.right.height) {
     throw std::invalid_argument("the images of a pair must have one size");
@@ -76,6 +81,16 @@ cv::Mat Search(const cv::Mat& left, const cv::Mat& right, const MatchSettings& w
 
 }  // namespace
 
+std::string WhyNoSearch(int width, int height, const MatchSettings& with) {
+  // OpenCV's blocks must be smaller than the image.
+  const int least_px = LeastWidth(with), least_height_px = with.block_px + 1;
+  if (width >= least_px && height >= least_height_px) return "";
+  return "a search of " + std::to_string(with.count_px) + " disparities by blocks of " +
+         std::to_string(with.block_px) + " px needs rectified images of at least " +
+         std::to_string(least_px) + " x " + std::to_string(least_height_px) + " px, these have " +
+         std::to_string(width) + " x " + std::to_string(height);
+}
+
 PlaneDisparity DisparityOf(const RectifiedPair& pair, const Plane& plane_R) {
   const Eigen::Vector3d normal = pair.X_RC.R.transpose() * plane_R.normal;
   const double offset_m = plane_R.offset_m - plane_R.normal.dot(pair.X_RC.p);
@@ -83,7 +98,8 @@ PlaneDisparity DisparityOf(const RectifiedPair& pair, const Plane& plane_R) {
   // A ray's depth on the plane is offset / (normal . ray).
   const Eigen::Vector3d scaled = pair.baseline_m / offset_m * normal;
   const Eigen::Vector2d centre = pair.centre_px;
-  return {pair.focal_px * scaled.z() - scaled.head<2>().dot(centre), scaled.x(), scaled.y()};
+  return {pair.focal_px * scaled.z() - scaled.head<2>().dot(centre) - pair.doffs_px, scaled.x(),
+          scaled.y()};
 }
 
 Disparities Match(const StereoImages& rectified, const MatchSettings& with) {

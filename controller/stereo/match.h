@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "controller/geometry/image.h"
@@ -53,6 +54,10 @@ struct MatchSettings {
   /// disparities need be tried.
   std::optional<PlaneDisparity> ground{};
 };
+
+/// A sentence where images of this size are too small for the search: it would have no column with
+/// all disparities, or no whole block. Empty for others. Match must not be called for them.
+std::string WhyNoSearch(int width, int height, const MatchSettings& with);
 
 /// Of the pair's images; none where a block, in either image, reaches beyond what the camera saw.
 /// Throws std::invalid_argument for images of another size and settings out of range.

@@ -34,10 +34,61 @@ Eigen::Matrix3d CommonAxes(const StereoRig& rig) {
   return R;
 }
 
+constexpr double kSame_px = 0.01;  // less than matching finds; calibrations have 0.1
+constexpr int kRaysAlong = 8;      // looked at along each side
+
+// How far the camera's pixels lie, at most, from those of a pinhole with the axes of C. [px]
+double OffPinhole(const Camera& camera, const Eigen::Matrix3d& R_CK, double focal_px) {
+  const Vector2d centre = camera.centre_px();
+  double most_px = 0.0;
+  for (int j = 0; j <= kRaysAlong; ++j) {
+    for (int i = 0; i <= kRaysAlong; ++i) {
+      const Vector2d pixel(i * (camera.width - 1.0) / kRaysAlong,
+                           j * (camera.height - 1.0) / kRaysAlong);
+      const LensRay ray = camera.Ray(pixel);
+      const Vector3d along = R_CK * ray.direction;
+      if (along.z() <= 0.0 || ray.origin.norm() > 1e-9) return INFINITY;
+      const Vector2d ideal = centre + focal_px * along.head<2>() / along.z();
+      most_px = std::max(most_px, (pixel - ideal).norm());
+    }
+  }
+  return most_px;
+}
+
 }  // namespace
 
+Eigen::Matrix4d ReprojectionOf(const RectifiedPair& pair) {
+  Eigen::Matrix4d Q = Eigen::Matrix4d::Zero();
+  Q(0, 0) = Q(1, 1) = 1.0;
+  Q(0, 3) = -pair.centre_px.x();
+  Q(1, 3) = -pair.centre_px.y();
+  Q(2, 3) = pair.focal_px;
+  Q(3, 2) = 1.0 / pair.baseline_m;
+  Q(3, 3) = pair.doffs_px / pair.baseline_m;
+  return Q;
+}
+
+bool IsRectified(const StereoRig& rig) {
+  if (rig.left.width != rig.right.width || rig.left.height != rig.right.height) return false;
+  const Eigen::Matrix3d R_CR = rig.X_RL.R.transpose();
+  const Vector3d baseline = R_CR * (rig.X_RQ.p - rig.X_RL.p);
+  const double focal_px = rig.left.focal_px().x();
+  if (!(baseline.x() > 0.0) || focal_px * baseline.tail<2>().norm() > kSame_px * baseline.x()) {
+    return false;
+  }
+  if (std::abs(rig.left.centre_px().y() - rig.right.centre_px().y()) > kSame_px) return false;
+  return OffPinhole(rig.left, Eigen::Matrix3d::Identity(), focal_px) <= kSame_px &&
+         OffPinhole(rig.right, R_CR * rig.X_RQ.R, focal_px) <= kSame_px;
+}
+
 Rectifier::Rectifier(const StereoRig& rig, const RectifySettings& settings)
-    : rig_(rig), settings_(settings) {
+    : rig_(rig),
+      settings_(settings),
+      kept_(settings.keep_rectified && settings.focal_px <= 0.0 && IsRectified(rig)) {
+  if (kept_) {
+    KeepImages();
+    return;
+  }
   pair_.X_RC = {CommonAxes(rig), rig.X_RL.p};
   pair_.baseline_m = rig.baseline_m();
   pair_.focal_px = settings.focal_px > 0.0 ? settings.focal_px : rig.left.focal_px().x();
@@ -51,6 +102,7 @@ void Rectifier::FindBounds() {
   const double most = std::tan(settings_.widest_rad);
   Vector2d low(most, most), high(-most, -most);
   const auto Hold = [&](double u, double v) {
+    if (!rig_.left.HasRay({u, v})) return;  // masked: no ray leads there
     const Vector3d ray = pair_.X_RC.R.transpose() * rig_.X_RL.R * rig_.left.Direction({u, v});
     if (ray.z() <= 0.0) return;
     const Vector2d at = (ray.head<2>() / ray.z()).cwiseMax(-most).cwiseMin(most);
@@ -71,7 +123,20 @@ void Rectifier::FindBounds() {
   pair_.centre_px = -pair_.focal_px * low;
 }
 
+void Rectifier::KeepImages() {
+  pair_.width = rig_.left.width;
+  pair_.height = rig_.left.height;
+  pair_.focal_px = rig_.left.focal_px().x();
+  pair_.centre_px = rig_.left.centre_px();
+  pair_.baseline_m = rig_.baseline_m();
+  pair_.X_RC = rig_.X_RL;
+  pair_.doffs_px = rig_.right.centre_px().x() - rig_.left.centre_px().x();
+  left_ = MapOf(false);
+  right_ = MapOf(true);
+}
+
 std::optional<Vector2d> Rectifier::Source(const Vector2d& pixel, bool right) const {
+  if (kept_) return rig_.left.Sees(pixel) ? std::optional(pixel) : std::nullopt;
   const Camera& camera = right ? rig_.right : rig_.left;
   const Pose3& X_RK = right ? rig_.X_RQ : rig_.X_RL;
   const Vector2d at = (pixel - pair_.centre_px) / pair_.focal_px;

@@ -28,12 +28,12 @@ const char* Name(PoseFailure failure) {
 
 LocateOutput LocateBoard(const StereoImages& images, const StereoRig& rig,
                          const FiducialBoard& board, const LocateHints& hints,
-                         const VisionSettings& settings) {
+                         const VisionSettings& settings, const ErrorAllowance& errors) {
   if (settings.pipeline == VisionPipeline::kTsai2013) {
     DOCKYARD_CHECK(HasTwoOfEachRotation(board));
     return LocateTsai2013(images, rig, board, hints, settings);
   }
-  return LocateDockyard(images, rig, board, hints);
+  return LocateDockyard(images, rig, board, hints, errors);
 }
 
 }  // namespace dockyard

@@ -48,14 +48,24 @@ struct LocateOutput {
   SightingReport report;
 };
 
+/// Errors of the marks beyond their own prediction and RefineOptions::model_px. The default is the
+/// controllers': they know board and cameras, so a misfit means a wrong sighting. Users' printed
+/// boards and calibrations err more. Used by the pipeline dockyard alone.
+struct ErrorAllowance {
+  bool raise_noise = false;     // to what the residuals show (noise_raise.h), before it is judged
+  double flatness_m = 0.0;      // largest departure of the board from a plane
+  double calibration_px = 0.0;  // 1 sigma of the calibration, one axis
+};
+
 /// tsai2013 takes only a board with two bars of each rotation; dockyard takes any (MarksNeeded).
 LocateOutput LocateBoard(const StereoImages& images, const StereoRig& rig,
                          const FiducialBoard& board, const LocateHints& hints,
-                         const VisionSettings& settings = {});
+                         const VisionSettings& settings = {}, const ErrorAllowance& errors = {});
 
 /// The pipelines behind it.
 LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
-                            const FiducialBoard& board, const LocateHints& hints);
+                            const FiducialBoard& board, const LocateHints& hints,
+                            const ErrorAllowance& errors = {});
 LocateOutput LocateTsai2013(const StereoImages& images, const StereoRig& rig,
                             const FiducialBoard& board, const LocateHints& hints,
                             const VisionSettings& settings);

@@ -7,8 +7,10 @@
 #include "controller/vision/blobs.h"
 #include "controller/vision/correspond.h"
 #include "controller/vision/fiducials.h"
+#include "controller/vision/fix_fit.h"
 #include "controller/vision/guided.h"
 #include "controller/vision/locate.h"
+#include "controller/vision/noise_raise.h"
 #include "controller/vision/pose_gates.h"
 #include "controller/vision/pose_refine.h"
 #include "controller/vision/sighting_report.h"
@@ -17,8 +19,6 @@
 namespace dockyard {
 namespace {
 
-constexpr int kMinTogether = 6;      // marks of both images that give a pose when neither has five
-constexpr int kMinSecondCamera = 2;  // marks in the other image that allow a joint fit
 // How far a mark may lie from where the other camera's pose puts it [px]: a mono range error of 0.3
 // m at 5 m shifts it by 3 px, 0.5 deg between the cameras by 6 px.
 constexpr double kCrossGatePx = 12.0;
@@ -34,6 +34,7 @@ struct DetectedPair {
   std::vector<CameraView> views;
   std::array<Eigen::Vector3d, 2> up_C;
   RefineOptions refine;
+  bool raise_noise = false;
 };
 
 std::size_t Index(int view) { return static_cast<std::size_t>(view); }
@@ -53,10 +54,6 @@ std::vector<MarkPixel> Marks(const DetectedPair& pair, int view,
 std::vector<MarkPixel> Joined(std::vector<MarkPixel> a, const std::vector<MarkPixel>& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
-}
-
-long CountIn(const std::vector<MarkPixel>& marks, int view) {
-  return std::count_if(marks.begin(), marks.end(), [&](const auto& m) { return m.view == view; });
 }
 
 bool Near(const Pose3& a, const Pose3& b) {
@@ -83,36 +80,8 @@ Pose3 CameraFromBoard(const DetectedPair& pair, const Fix& fix, int view) {
 }
 
 Fix Refit(const DetectedPair& pair, const FiducialBoard& board, const Fix& fix,
-          const std::vector<MarkPixel>& marks, bool with_covariance = false) {
-  RefineOptions options = pair.refine;
-  options.with_covariance = with_covariance;
-  if (fix.method == "stereo") {
-    return {RefinePose(marks, pair.views, board, fix.fit.X_RB, options), marks, "stereo"};
-  }
-  const int view = fix.method == "left" ? 0 : 1;
-  std::vector<MarkPixel> alone = marks;
-  for (MarkPixel& mark : alone) mark.view = 0;
-  return {RefinePose(alone, {pair.views[Index(view)]}, board, fix.fit.X_RB, options), marks,
-          fix.method};
-}
-
-/// The fit with its covariance, and without marks that contradict the rest by more than 4.5 of
-/// their predicted sigmas (4e-5 of good ones): a disc half hidden, a shadow's edge along a rim. Six
-/// marks, and two thirds, must stay; from less the fit is judged as it is.
-Fix WithoutStrays(const DetectedPair& pair, const FiducialBoard& board, const Fix& fix) {
-  constexpr double kStray = 4.5;
-  Fix at = Refit(pair, board, fix, fix.marks, true);
-  const std::size_t least = std::max<std::size_t>(kMinTogether, (2 * fix.marks.size() + 2) / 3);
-  while (at.marks.size() > least) {
-    const auto worst = std::max_element(at.fit.mark_sigmas.begin(), at.fit.mark_sigmas.end());
-    if (*worst < kStray) break;
-    std::vector<MarkPixel> rest = at.marks;
-    rest.erase(rest.begin() + (worst - at.fit.mark_sigmas.begin()));
-    if (at.method == "stereo" && std::min(CountIn(rest, 0), CountIn(rest, 1)) < kMinSecondCamera)
-      break;
-    at = Refit(pair, board, at, rest, true);
-  }
-  return at;
+          const std::vector<MarkPixel>& marks) {
+  return Refit({.views = pair.views, .board = board, .refine = pair.refine}, fix, marks);
 }
 
 /// Gathers the detections of both images where the fit expects them, and fits again.
@@ -224,7 +193,11 @@ Result<Fix, PoseFailure> FromOne(const DetectedPair& pair, const FiducialBoard& 
                .marks = {},
                .method = view == 0 ? "left" : "right"};
   const Fix fix = Refit(pair, board, at, Marks(pair, view, named.matches));
-  if (IsAmbiguous(named.branches, *chosen, camera.X_RC, hints, board.upright))
+  // Errors of board and lens move both branches' costs by as much as they exceed the prediction.
+  const double freedom = std::max(1.0, 2.0 * static_cast<double>(named.matches.size()) - 6.0);
+  const double noise =
+      pair.raise_noise ? std::max(1.0, named.branches[*chosen].cost / freedom) : 1.0;
+  if (IsAmbiguous(named.branches, *chosen, camera.X_RC, hints, board.upright, noise))
     return PoseFailure::kAmbiguous;
   return WithGuidedMarks(pair, board, fix);
 }
@@ -255,28 +228,50 @@ Result<Fix, PoseFailure> FindFix(const DetectedPair& pair, const StereoRig& rig,
   return WithGuidedMarks(pair, board, WithAllMarks(pair, board, *fix));
 }
 
+RefineOptions Refinement(const LocateHints& hints, const ErrorAllowance& errors) {
+  // Root mean square of a parabolic bow about the plane nearest to it, over its height: the root of
+  // 4/45.
+  constexpr double kOfABow = 0.3;
+  RefineOptions refine{.turn = hints.camera_turn, .with_covariance = false};
+  refine.off_plane_m = kOfABow * errors.flatness_m;
+  if (errors.calibration_px > 0.0) {
+    refine.model_px = std::hypot(refine.model_px, errors.calibration_px);
+  }
+  return refine;
+}
+
 }  // namespace
 
 LocateOutput LocateDockyard(const StereoImages& images, const StereoRig& rig,
-                            const FiducialBoard& board, const LocateHints& hints) {
+                            const FiducialBoard& board, const LocateHints& hints,
+                            const ErrorAllowance& errors) {
   DetectedPair pair{.images = {&images.left, &images.right},
                     .levels = {BuildLevels(images.left), BuildLevels(images.right)},
                     .detections = {},
                     .views = Views(rig),
                     .up_C = {},
-                    .refine = {.turn = hints.camera_turn, .with_covariance = false}};
+                    .refine = Refinement(hints, errors),
+                    .raise_noise = errors.raise_noise};
   SightingReport report;
   for (std::size_t v = 0; v < 2; ++v) {
     pair.up_C[v] = pair.views[v].X_RC.R.transpose() * hints.up_R;
     pair.detections[v] = DetectFiducials(*pair.images[v], pair.levels[v], board);
+    // Masked: where the lens's polynomial has turned back, no direction belongs to a pixel.
+    std::erase_if(pair.detections[v], [&](const DetectedFiducial& detection) {
+      return !pair.views[v].camera.HasRay(detection.rim.centre_px);
+    });
     AssignRotations(pair.detections[v], pair.views[v].camera, pair.up_C[v]);
   }
   report.detected = {static_cast<int>(pair.detections[0].size()),
                      static_cast<int>(pair.detections[1].size())};
   const auto found = FindFix(pair, rig, board, hints);
   if (!found) return Refused(found.error(), std::move(report));
-  const Fix fix = WithoutStrays(pair, board, *found);
+  const FitInputs inputs{.views = pair.views, .board = board, .refine = pair.refine};
+  const RaisedFix raised = errors.raise_noise ? WithNoiseRaised(inputs, *found)
+                                              : RaisedFix{.fix = WithoutStrays(inputs, *found)};
+  const Fix& fix = raised.fix;
   Describe(fix, pair.views, board, &report);
+  if (raised.failure) return Refused(*raised.failure, std::move(report));
   const bool stereo = fix.method == "stereo";
   const std::vector<CameraView> used =
       stereo ? pair.views : std::vector<CameraView>{pair.views[fix.method == "left" ? 0 : 1]};

@@ -19,7 +19,9 @@ struct PointOptions {
 };
 
 struct PointPose {
-  RefinedPose fit;                // `misfit` with pixels and survey as stated in PointOptions
+  // `misfit` with the pixels' noise as stated in PointOptions, and the survey's error as stated or
+  // as the residuals lower it (survey_share below 1).
+  RefinedPose fit;
   std::vector<bool> inlier;       // by point
   std::string method;             // "stereo", "left", "right"
   std::optional<Pose3> other_RB;  // a plane seen by one camera: the other pose that fits nearly

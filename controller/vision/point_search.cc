@@ -254,12 +254,15 @@ Result<PointPose, PoseFailure> PointSearch::Find() {
       // A few residuals show the survey's error too poorly to weigh by it: it goes into the
       // covariance alone.
       TakeNoiseOfInliers(errors);
-      const double stated = 1.0 / survey_share_;  // Misfit counts from the share
+      // Against the stated pixels, and the survey's error as stated or as lowered, never as raised:
+      // so a bad frame shows, and a survey that is better than stated hides nothing. Misfit counts
+      // from the share.
+      const double least_stated = std::min(1.0, survey_share_) / survey_share_;
       const RefinedPose shown = Fit(at, fit_turn).fit;
       pose.fit.covariance = shown.covariance;
       pose.fit.turn.covariance = shown.turn.covariance;
-      pose.fit.misfit = Misfit(errors, options_.sigma_px, stated) + at.calibration.squaredNorm() +
-                        TurnSquares(found.fit, fit_turn);
+      pose.fit.misfit = Misfit(errors, options_.sigma_px, least_stated) +
+                        at.calibration.squaredNorm() + TurnSquares(found.fit, fit_turn);
       break;
     }
     inlier_ = gated;

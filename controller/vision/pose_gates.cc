@@ -109,7 +109,7 @@ std::optional<std::size_t> ChooseBranch(const std::vector<PlanarBranch>& branche
 }
 
 bool IsAmbiguous(const std::vector<PlanarBranch>& branches, std::size_t chosen, const Pose3& X_RC,
-                 const LocateHints& hints, const Upright& rule) {
+                 const LocateHints& hints, const Upright& rule, double noise) {
   constexpr double kClear = 9.0;  // three sigma between the branches
   // Branches nearer than this are one pose for any purpose here: half of "wrong" (10 deg).
   constexpr double kSameRad = 5.0 * kPi / 180.0;
@@ -118,7 +118,7 @@ bool IsAmbiguous(const std::vector<PlanarBranch>& branches, std::size_t chosen, 
     const Eigen::Matrix3d between = branches[i].X_CB.R.transpose() * branches[chosen].X_CB.R;
     if (Eigen::AngleAxisd(between).angle() < kSameRad) continue;
     if (BranchScore(branches[i], X_RC, hints) <
-        BranchScore(branches[chosen], X_RC, hints) + kClear) {
+        BranchScore(branches[chosen], X_RC, hints) + noise * kClear) {
       return true;
     }
   }

@@ -41,8 +41,9 @@ std::optional<PoseFailure> Judge(const RefinedPose& fit, const std::vector<Camer
 
 /// Whether the other branch fits nearly as well and nothing known speaks against it: then a pose
 /// from one camera is a guess between two.
+/// @param noise  variance of the marks over their predicted one
 bool IsAmbiguous(const std::vector<PlanarBranch>& branches, std::size_t chosen, const Pose3& X_RC,
-                 const LocateHints& hints, const Upright& rule = {});
+                 const LocateHints& hints, const Upright& rule = {}, double noise = 1.0);
 
 /// Index of the branch to accept: upright first, then the sum of the reprojection cost and the
 /// squared deviation from the expected heading; none when no branch is upright and face-on.

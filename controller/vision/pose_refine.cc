@@ -215,6 +215,19 @@ RefinedPose RefinePoints(const std::vector<PointPixel>& points,
   return refined;
 }
 
+double MarkSigmaPx(const MarkPixel& mark, const CameraView& view, const FiducialBoard& board,
+                   const Pose3& X_RB, const RefineOptions& options) {
+  double sigma_px = std::hypot(mark.sigma_px, options.model_px);
+  if (options.off_plane_m > 0.0) {
+    const Eigen::Vector2d& p = board.fiducials[static_cast<std::size_t>(mark.id)].p_BF;
+    const Pose3 X_CB = Inverse(view.X_RC) * X_RB;
+    const auto on = view.camera.Project(X_CB * Eigen::Vector3d(p.x(), p.y(), 0.0));
+    const auto off = view.camera.Project(X_CB * Eigen::Vector3d(p.x(), p.y(), options.off_plane_m));
+    if (on && off) sigma_px = std::hypot(sigma_px, (*off - *on).norm() / std::sqrt(2.0));
+  }
+  return sigma_px * options.noise_scale;
+}
+
 RefinedPose RefinePose(const std::vector<MarkPixel>& marks, const std::vector<CameraView>& views,
                        const FiducialBoard& board, const Pose3& X_RB_start,
                        const RefineOptions& options) {
@@ -226,7 +239,10 @@ RefinedPose RefinePose(const std::vector<MarkPixel>& marks, const std::vector<Ca
          .view = mark.view,
          .pixel = mark.pixel,
          .disc_diameter_m = board.disc_diameter_m,
-         .sigma_px = mark.sigma_px > 0.0 ? std::hypot(mark.sigma_px, options.model_px) : 0.0});
+         .sigma_px = mark.sigma_px > 0.0
+                         ? MarkSigmaPx(mark, views[static_cast<std::size_t>(mark.view)], board,
+                                       X_RB_start, options)
+                         : 0.0});
   }
   return RefinePoints(points, views, X_RB_start, options);
 }

@@ -55,6 +55,9 @@ struct RefineOptions {
   // Errors of lens and board beyond CalibrationSpread, added to a mark's predicted error: 0.2 mm of
   // print at 2.5 m. Assumed, 0.03-0.1.
   double model_px = 0.05;
+  // Of the board's marks off its plane, 1 sigma. It shifts a mark that is seen aslant.
+  double off_plane_m = 0.0;
+  double noise_scale = 1.0;  // factor on the predicted errors of marks
   double huber_sigmas = 4.0;
   // The default variances are 0.2, 0.2 and 0.14 deg squared: the range error of Tsai et al., V-E
   // (20 cm at 5 m) is what 0.16 deg of relative yaw gives; a pixel of image centre in each camera
@@ -97,6 +100,9 @@ std::optional<Eigen::Vector2d> ProjectDisc(const Camera& camera, const Pose3& X_
 RefinedPose RefinePoints(const std::vector<PointPixel>& points,
                          const std::vector<CameraView>& views, const Pose3& X_RB_start,
                          const RefineOptions& options = {});
+/// The error of a mark with a predicted one of its own, all of RefineOptions included, one axis.
+double MarkSigmaPx(const MarkPixel& mark, const CameraView& view, const FiducialBoard& board,
+                   const Pose3& X_RB, const RefineOptions& options);
 /// The same on the board's fiducials.
 RefinedPose RefinePose(const std::vector<MarkPixel>& marks, const std::vector<CameraView>& views,
                        const FiducialBoard& board, const Pose3& X_RB_start,

@@ -134,10 +134,7 @@ void TakeLinks(const YamlReader& in, const UrdfModel& file, StationModel& statio
   tilt.X_PJ.p.z() = in.NumberOr("mouth_height_m", tilt.X_PJ.p.z(), Positive(5.0));
   station.mouth_height_m = tilt.X_PJ.p.z();
   station.stand_visuals = urdf.Link("stand").visuals;
-  station.module = urdf.Link("module");
-  if (!(station.module.mass_kg > 0.0)) {
-    throw ConfigError(urdf.PlaceOf("module") + ": expected an <inertial>, found none");
-  }
+  station.module = RequireInertial(urdf, "module");
   const double scale =
       in.NumberOr("mass_kg", station.module.mass_kg, Between(0.1, 1e5)) / station.module.mass_kg;
   station.module.mass_kg *= scale;

@@ -29,12 +29,6 @@ void CheckJoint(const UrdfJoint& joint, const char* child) {
   }
 }
 
-const LinkModel& BodyWithMass(const UrdfModel& urdf, const char* name) {
-  const LinkModel& link = urdf.Link(name);
-  if (link.mass_kg > 0.0) return link;
-  throw ConfigError(urdf.PlaceOf(name) + ": expected an <inertial>, found none");
-}
-
 /// The model with fixed links welded: body, wheels and arm are left, and their three joints.
 UrdfModel WeldRover(const UrdfModel& urdf) {
   if (urdf.root != "body") {
@@ -76,10 +70,10 @@ void CheckArm(const UrdfModel& urdf, const RoverModel& rover) {
 
 void TakeRoverLinks(const UrdfModel& file, RoverModel& rover) {
   const UrdfModel urdf = WeldRover(file);
-  rover.body = BodyWithMass(urdf, "body");
-  rover.left_wheel = BodyWithMass(urdf, "left_wheel");
-  rover.right_wheel = BodyWithMass(urdf, "right_wheel");
-  rover.arm = BodyWithMass(urdf, "arm");
+  rover.body = RequireInertial(urdf, "body");
+  rover.left_wheel = RequireInertial(urdf, "left_wheel");
+  rover.right_wheel = RequireInertial(urdf, "right_wheel");
+  rover.arm = RequireInertial(urdf, "arm");
   const UrdfJoint &left = urdf.Joint("left_wheel_joint"), &right = urdf.Joint("right_wheel_joint"),
                   &arm = urdf.Joint("arm_joint");
   CheckJoint(left, "left_wheel");

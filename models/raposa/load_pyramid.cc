@@ -101,10 +101,7 @@ static PyramidModel ReadPyramidFile(const std::string& file, const ModelChanges&
   if (urdf.root != "pyramid") {
     throw ConfigError(urdf.PlaceOf(urdf.root) + ": expected the root link to be 'pyramid'");
   }
-  pyramid.body = urdf.Link("pyramid");
-  if (!(pyramid.body.mass_kg > 0.0)) {
-    throw ConfigError(urdf.PlaceOf("pyramid") + ": expected an <inertial>, found none");
-  }
+  pyramid.body = RequireInertial(urdf, "pyramid");
   const double scale = in.Number("mass_scale", Between(0.1, 10.0));
   pyramid.body.mass_kg *= scale;
   pyramid.body.I_LCom_L *= scale;

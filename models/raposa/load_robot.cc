@@ -130,12 +130,6 @@ void RequireJoint(const UrdfJoint& joint, const char* type, const char* child) {
                     "' with axis 0 1 0 and an origin without rotation");
 }
 
-const LinkModel& WithMass(const UrdfModel& urdf, const char* name) {
-  const LinkModel& link = urdf.Link(name);
-  if (link.mass_kg > 0.0) return link;
-  throw ConfigError(urdf.PlaceOf(name) + ": expected an <inertial>, found none");
-}
-
 void TakeLinks(const UrdfModel& file, RobotModel& robot) {
   if (file.root != "body") {
     throw ConfigError(file.PlaceOf(file.root) + ": expected the root link to be 'body'");
@@ -151,10 +145,10 @@ void TakeLinks(const UrdfModel& file, RobotModel& robot) {
   if (left.X_PJ.p != right.X_PJ.p) {
     throw ConfigError(right.place + ": expected the origin of left_door_joint, where both V meet");
   }
-  robot.body = WithMass(urdf, "body");
-  robot.arm = WithMass(urdf, "arm");
-  robot.left_door = WithMass(urdf, "left_door");
-  robot.right_door = WithMass(urdf, "right_door");
+  robot.body = RequireInertial(urdf, "body");
+  robot.arm = RequireInertial(urdf, "arm");
+  robot.left_door = RequireInertial(urdf, "left_door");
+  robot.right_door = RequireInertial(urdf, "right_door");
   robot.p_R_arm = arm.X_PJ.p;
   robot.p_R_doors = left.X_PJ.p;
   robot.arm_lower_rad = arm.lower_rad;

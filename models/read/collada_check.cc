@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "controller/base/number_text.h"
 #include "models/read/collada_parts.h"
 #include "models/read/config_error.h"
 #include "models/read/xml_scan.h"
@@ -31,6 +32,20 @@ void StripDeep(TiXmlElement& parent) {
                                              "render", "instance_camera"};
   Strip(parent, no_part, false);
   for (TiXmlElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement()) StripDeep(*e);
+}
+
+/// The length that the file's numbers count. An importer multiplies by any number.
+void CheckUnit(const std::string& file, const TiXmlElement& unit) {
+  const char* text = unit.Attribute("meter");
+  if (text == nullptr) return;  // 1 m
+  double metres = 0.0;
+  // Smaller ones put all places on one point.
+  if (ParseNumber(text, metres) && metres >= 1e-9) return;
+  RefuseElement(
+      file, unit,
+      std::string("meter: expected the metres of a unit, a number from 1e-9 such as 0.001, "
+                  "found '") +
+          std::string(text).substr(0, 40) + "'");
 }
 
 }  // namespace
@@ -97,6 +112,10 @@ std::string CheckedCollada(const std::string& text, const std::string& file) {
   for (TiXmlElement* e = collada->FirstChildElement("asset"); e;
        e = e->NextSiblingElement("asset")) {
     Strip(*e, {"unit", "up_axis"}, true);
+    for (const TiXmlElement* unit = e->FirstChildElement("unit"); unit;
+         unit = unit->NextSiblingElement("unit")) {
+      CheckUnit(file, *unit);
+    }
   }
   StripDeep(*collada);
   for (TiXmlElement* library = collada->FirstChildElement("library_geometries"); library;

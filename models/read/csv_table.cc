@@ -1,8 +1,11 @@
 #include "models/read/csv_table.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "models/read/config_error.h"
+#include "models/read/csv_separator.h"
 #include "models/read/text_file.h"
 
 namespace dockyard {
@@ -68,7 +71,12 @@ class Table {
   }
   YamlNode Take() { return std::move(list_); }
 
-  YamlPlace PlaceOf(int line) const { return {source_, line, 1}; }
+  YamlPlace PlaceOf(int line, std::size_t at = 0) const {
+    return {source_, line, static_cast<int>(at) + 1};
+  }
+  bool has_header() const { return !header_.empty(); }
+  /// Whether a line without a comma can be a whole one.
+  bool may_have_one_cell() const { return header_.size() <= 1; }
 
   void AddLine(const std::vector<Cell>& cells, int line) {
     if (header_.empty()) {
@@ -82,6 +90,13 @@ class Table {
   [[noreturn]] void Refuse(int line, int column, const std::string& what) const {
     throw ConfigError(YamlPlace{source_, line, column}.Text() + ": " + what);
   }
+  void RefuseControls(const Cell& cell, int line) const {
+    if (const auto found = FirstControl(cell.text)) {
+      Refuse(line, cell.column,
+             "expected text without control characters, found " + CharacterName(*found) +
+                 (*found == U'\t' ? " (a tab)" : ""));
+    }
+  }
   void TakeHeader(const std::vector<Cell>& cells, int line) {
     if (cells.size() > kMaxColumns) {
       Refuse(line, cells[kMaxColumns].column,
@@ -89,6 +104,7 @@ class Table {
                  std::to_string(cells.size()));
     }
     for (const Cell& cell : cells) {
+      RefuseControls(cell, line);
       if (cell.text.empty()) Refuse(line, cell.column, "expected a column's name, found nothing");
       for (const YamlNode::Key& key : header_) {
         if (key.name == cell.text) Refuse(line, cell.column, cell.text + ": given twice");
@@ -98,15 +114,19 @@ class Table {
   }
   void TakeRow(const std::vector<Cell>& cells, int line) {
     if (cells.size() != header_.size()) {
+      // A number with a decimal comma makes two cells.
+      const bool commas = cells.size() == 2 * header_.size() && header_.size() > 1;
       Refuse(line, cells.back().column,
              "expected " + std::to_string(header_.size()) + " cells as in the header, found " +
-                 std::to_string(cells.size()));
+                 std::to_string(cells.size()) +
+                 (commas ? " (decimal commas? expected decimal points)" : ""));
     }
     YamlNode row;
     row.kind = YamlNode::Kind::kMapping;
     row.place = {source_, line, 1};
     row.keys = header_;
     for (const Cell& cell : cells) {
+      RefuseControls(cell, line);
       YamlNode value;
       value.kind = cell.text.empty() ? YamlNode::Kind::kNull : YamlNode::Kind::kScalar;
       value.place = {source_, line, cell.column};
@@ -121,20 +141,53 @@ class Table {
   YamlNode list_;
 };
 
+/// The lines, ended as on any system: \n, \r\n, or \r alone (Excel's "CSV (Macintosh)").
+std::vector<std::string_view> LinesOf(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    lines.push_back(text.substr(0, end));
+    const std::size_t ending = text.substr(end, 2) == "\r\n" ? 2 : 1;
+    text.remove_prefix(std::min(end + ending, text.size()));
+  }
+  return lines;
+}
+
+/// Excel's first line "sep=X" names the separator.
+std::optional<char> NamedSeparator(std::string_view line) {
+  if (line.size() > 4 && line.front() == '"') line = line.substr(1, line.find_last_not_of('"'));
+  const bool names = line.size() == 5 && (line.starts_with("sep=") || line.starts_with("SEP="));
+  return names ? std::optional(line[4]) : std::nullopt;
+}
+
+/// Refuses a line whose cells are separated by something else than commas.
+void CheckSeparator(const Table& table, const std::vector<std::string_view>& lines,
+                    std::size_t index) {
+  if (table.has_header() && table.may_have_one_cell()) return;
+  const std::optional<OtherSeparator> other = FindOtherSeparator(lines[index]);
+  if (!other) return;
+  const bool decimal_commas =
+      std::any_of(lines.begin() + static_cast<std::ptrdiff_t>(index), lines.end(),
+                  [&](std::string_view line) { return HasDecimalComma(line, other->mark); });
+  throw ConfigError(table.PlaceOf(static_cast<int>(index) + 1, other->at).Text() +
+                    ": expected cells separated by commas, found " + other->name +
+                    (decimal_commas ? " and decimal commas" : "") +
+                    "; save the table with commas between the cells" +
+                    (decimal_commas ? " and decimal points" : ""));
+}
+
 }  // namespace
 
-YamlNode LoadCsv(const std::string& file) {
-  const std::string text = ReadText(file);
+YamlNode LoadCsv(const std::string& file, std::size_t max_bytes) {
+  const std::string text = ReadText(file, max_bytes);
+  const std::vector<std::string_view> lines = LinesOf(text);
   Table table(file);
-  int number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    std::size_t end = text.find('\n', begin);
-    if (end == std::string::npos) end = text.size();
-    std::string_view line(text.data() + begin, end - begin);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    begin = end + 1;
-    ++number;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string_view line = lines[i];
     if (line.find_first_not_of(" \t") == std::string_view::npos || line.front() == '#') continue;
+    if (!table.has_header() && NamedSeparator(line) == ',') continue;
+    CheckSeparator(table, lines, i);
+    const int number = static_cast<int>(i) + 1;
     table.AddLine(Split(line, table.PlaceOf(number)), number);
   }
   return table.Take();

@@ -5,11 +5,12 @@
 
 #include <string>
 
+#include "models/read/text_file.h"
 #include "models/read/yaml_tree.h"
 
 namespace dockyard {
 
 /// Throws ConfigError with file:line:col (columns count bytes from 1).
-YamlNode LoadCsv(const std::string& file);
+YamlNode LoadCsv(const std::string& file, std::size_t max_bytes = kMaxTextBytes);
 
 }  // namespace dockyard

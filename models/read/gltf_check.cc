@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "models/read/gltf_layout.h"
+#include "models/read/gltf_uri.h"
 #include "models/read/mesh_loader.h"
 
 namespace dockyard {
@@ -126,13 +127,10 @@ class GltfWalk {
     }
   }
 
-  /// Whether an address is data, or a plain name with nothing to resolve: given a path, assimp
-  /// takes the file of that name beside the mesh, which is another one.
+  /// Whether an address is data, or a name in the mesh's own folder: given a path, assimp takes the
+  /// file of that name beside the mesh, which is another one.
   static bool IsBeside(std::string_view uri) {
-    if (uri.substr(0, 5) == "data:") return true;
-    const std::string_view ending = ".bin";
-    return uri.size() > ending.size() && uri.substr(uri.size() - ending.size()) == ending &&
-           uri.find_first_of("/\\:%") == std::string_view::npos;
+    return uri.substr(0, 5) == "data:" || BufferNameOf(uri).has_value();
   }
 
   void Key(std::string_view key) {

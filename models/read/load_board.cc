@@ -176,8 +176,11 @@ bool IsBoardFile(const YamlNode& root) {
 
 NamedBoard LoadBoard(const std::string& file) {
   const YamlNode root = LoadYaml(file);
-  const YamlReader in(root, "", BoardKeys({"name"}));
-  return {.name = in.Text("name"), .board = ReadBoard(in)};
+  constexpr double kMostBow_m = 0.05;  // a bow beyond it shows no plane any more
+  const YamlReader in(root, "", BoardKeys({"name", "flatness_m"}));
+  return {.name = in.Text("name"),
+          .board = ReadBoard(in),
+          .flatness_m = in.NumberOr("flatness_m", 0.0, NonNegative(kMostBow_m))};
 }
 
 }  // namespace dockyard

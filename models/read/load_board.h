@@ -25,6 +25,7 @@ struct NamedBoard {
   std::string name;
   FiducialBoard board;
   std::optional<BoardCutout> cutout{};  // none for a board of its own file
+  double flatness_m = 0.0;              // how far the print may lie off a plane; 0 for a target's
 };
 /// A board's file. Throws ConfigError.
 NamedBoard LoadBoard(const std::string& file);

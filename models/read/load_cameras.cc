@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <optional>
 
+#include "models/read/calibrations.h"
+#include "models/read/camera_pose.h"
 #include "models/read/config_error.h"
-#include "models/read/text_file.h"
+#include "models/read/read_lens.h"
 #include "models/read/yaml_reader.h"
 
 namespace dockyard {
 namespace {
 
-constexpr int kMostPixels = 16384;
 const Range kVector = Between(-1e6, 1e6);
 
 /// The place of the file's (0, 0), in pixels from the first pixel's centre.
@@ -19,27 +20,6 @@ double FirstPixel(const YamlReader& in) {
   const std::vector<std::string> words{"centre", "corner", "one"};
   const double of_words[] = {0.0, -0.5, -1.0};
   return of_words[in.Choice("pixel_zero", words)];
-}
-
-/// x forward, y left, z up -> z along the view, x right, y down, turned by the file's angles.
-Pose3 ReadPose(const YamlReader& in) {
-  Eigen::Matrix3d R_level;
-  R_level.col(0) = -Eigen::Vector3d::UnitY();
-  R_level.col(1) = -Eigen::Vector3d::UnitZ();
-  R_level.col(2) = Eigen::Vector3d::UnitX();
-  const double yaw = in.DegreesOr("yaw_deg", 0.0, Between(-180, 180));
-  const double pitch = in.DegreesOr("pitch_deg", 0.0, Between(-90, 90));
-  const double roll = in.DegreesOr("roll_deg", 0.0, Between(-180, 180));
-  return {RotZ(yaw) * RotY(pitch) * RotX(roll) * R_level,
-          in.Vector3("position_m", Between(-100, 100))};
-}
-
-template <typename L>
-void ReadFocal(const YamlReader& in, L& lens) {
-  lens.fx = in.Number("fx_px", Positive(1e6));
-  lens.fy = in.Number("fy_px", Positive(1e6));
-  lens.cx = in.Number("cx_px", Between(-1e6, 1e6));
-  lens.cy = in.Number("cy_px", Between(-1e6, 1e6));
 }
 
 Eigen::Vector3d Unit(const YamlReader& in, const char* key) {
@@ -81,22 +61,16 @@ PlacedCamera Placed(const Cahvore& lens_F, int width, int height) {
   return placed;
 }
 
-/// Models with a focal length, placed by position and angles.
-bool HasFocalLength(const std::string& model) {
-  return model == "kannala_brandt" || model == "brown" || model == "pinhole";
-}
-
 /// The keys that a camera of this model may have.
 std::vector<std::string> KeysOf(const std::string& model) {
-  std::vector<std::string> keys{"name",     "source",    "model",       "pixel_zero",
-                                "width_px", "height_px", "scaled_to_px"};
+  std::vector<std::string> keys{"name",     "source",    "model",        "pixel_zero",
+                                "width_px", "height_px", "scaled_to_px", "calibration_error_px"};
   const auto know = [&](const std::vector<std::string>& more) {
     keys.insert(keys.end(), more.begin(), more.end());
   };
-  if (HasFocalLength(model)) {
-    know({"fx_px", "fy_px", "cx_px", "cy_px", "position_m", "yaw_deg", "pitch_deg", "roll_deg"});
-    if (model == "brown") know({"k1", "k2", "k3", "p1", "p2"});
-    if (model == "kannala_brandt") know({"k"});
+  if (IsFocalModel(model)) {
+    know(FocalModelKeys(model));
+    know(PoseKeys());
   } else {
     know({"C", "A", "H", "V"});
     if (model != "cahv") know({"O", "R"});
@@ -105,46 +79,13 @@ std::vector<std::string> KeysOf(const std::string& model) {
   return keys;
 }
 
-BrownPinhole ReadBrown(const YamlReader& in) {
-  BrownPinhole lens;
-  ReadFocal(in, lens);
-  lens.k1 = in.Number("k1", kVector);
-  lens.k2 = in.Number("k2", kVector);
-  lens.k3 = in.NumberOr("k3", 0.0, kVector);
-  lens.p1 = in.NumberOr("p1", 0.0, kVector);
-  lens.p2 = in.NumberOr("p2", 0.0, kVector);
-  return lens;
-}
-
-KannalaBrandt ReadKannalaBrandt(const YamlReader& in) {
-  KannalaBrandt lens;
-  ReadFocal(in, lens);
-  const YamlNode& list = in.List("k", 4, 4);
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!ParseNumber(list.items[i].scalar, lens.k[i])) in.Refuse("k", "a list of 4 numbers");
+/// Where the file places a camera; none: it does not say.
+std::optional<Pose3> ReadPlace(const YamlReader& in) {
+  if (in.Has("position_m")) return ReadCameraPose(in);
+  for (const std::string& key : PoseKeys()) {
+    if (in.Has(key)) in.Refuse(key, "a position_m beside it");
   }
-  return lens;
-}
-
-/// A lens about a principal point, placed by position and angles.
-PlacedCamera ReadFocalCamera(const YamlReader& in, const std::string& model, int width,
-                             int height) {
-  PlacedCamera placed;
-  placed.camera = {.width = width, .height = height, .lens = {}};
-  if (model == "pinhole") {
-    BrownPinhole lens;  // without distortion
-    ReadFocal(in, lens);
-    placed.camera.lens = lens;
-  } else if (model == "brown") {
-    placed.camera.lens = ReadBrown(in);
-  } else {
-    placed.camera.lens = ReadKannalaBrandt(in);
-  }
-  if (in.Has("position_m")) placed.X_FC = ReadPose(in);
-  for (const char* key : {"yaw_deg", "pitch_deg", "roll_deg"}) {
-    if (in.Has(key) && !in.Has("position_m")) in.Refuse(key, "a position_m beside it");
-  }
-  return placed;
+  return std::nullopt;
 }
 
 /// The camera at the size that `scaled_to_px` says.
@@ -154,7 +95,7 @@ Camera ScaledAsSaid(const YamlReader& in, const Camera& camera) {
   double to[2] = {};
   for (std::size_t i = 0; i < 2; ++i) {
     const bool number = ParseNumber(size.items[i].scalar, to[i]);
-    if (!number || to[i] < 1 || to[i] > kMostPixels || to[i] != std::floor(to[i])) {
+    if (!number || to[i] < 1 || to[i] > kMostImagePixels || to[i] != std::floor(to[i])) {
       in.Refuse("scaled_to_px", "a list of 2 whole numbers");
     }
   }
@@ -162,18 +103,19 @@ Camera ScaledAsSaid(const YamlReader& in, const Camera& camera) {
 }
 
 PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
-  const std::vector<std::string> models{"kannala_brandt", "brown",  "pinhole",
-                                        "cahv",           "cahvor", "cahvore"};
+  std::vector<std::string> models = FocalModelNames();
+  models.insert(models.end(), kCahvWords.begin(), kCahvWords.end());
   // Which other keys are known depends on the model: read that first.
   std::vector<std::string> written{"model"};
   for (const YamlNode::Key& key : node.keys) written.push_back(key.name);
   const std::string model = models[YamlReader(node, path, written).Choice("model", models)];
   const YamlReader in(node, path, KeysOf(model));
-  const int width = in.Integer("width_px", 1, kMostPixels);
-  const int height = in.Integer("height_px", 1, kMostPixels);
+  const int width = in.Integer("width_px", 1, kMostImagePixels);
+  const int height = in.Integer("height_px", 1, kMostImagePixels);
   PlacedCamera placed;
-  if (HasFocalLength(model)) {
-    placed = ReadFocalCamera(in, model, width, height);
+  if (IsFocalModel(model)) {
+    placed.camera = {.width = width, .height = height, .lens = ReadFocalLens(in, model)};
+    placed.X_FC = ReadPlace(in).value_or(Pose3{});
   } else {
     const auto kind = std::find(kCahvWords.begin(), kCahvWords.end(), model) - kCahvWords.begin();
     Cahvore lens = ReadCahv(in, static_cast<CahvKind>(kind));
@@ -182,6 +124,7 @@ PlacedCamera ReadOurs(const YamlNode& node, const std::string& path) {
   }
   placed.name = in.TextOr("name", "");
   in.TextOr("source", "-");
+  placed.calibration_error_px = ReadCalibrationError(in);
   const double first = FirstPixel(in);
   placed.camera = ScaledAsSaid(in, Adjusted(placed.camera, 1.0, {first, first}));
   return placed;
@@ -206,32 +149,17 @@ PlacedCamera ReadNasa(const YamlNode& node, const std::string& path) {
                      : pupil == 2 ? 0.0
                                   : model.Number("linearity", Between(-1.0, 1.0));
   }
-  PlacedCamera placed =
-      Placed(lens, model.Integer("width", 1, kMostPixels), model.Integer("height", 1, kMostPixels));
+  PlacedCamera placed = Placed(lens, model.Integer("width", 1, kMostImagePixels),
+                               model.Integer("height", 1, kMostImagePixels));
   placed.name = in.TextOr("name", "");
   return placed;
 }
 
-bool IsRig(const YamlNode& root) { return root.Find("left") || root.Find("right"); }
-
+/// A camera of its own, by our keys or NASA's.
 PlacedCamera ReadOne(const YamlNode& node, const std::string& path) {
   const YamlNode* model = node.Find("model");
   const bool nasa = model && model->kind == YamlNode::Kind::kMapping;
   return nasa ? ReadNasa(node, path) : ReadOurs(node, path);
-}
-
-YamlReader RigReader(const YamlNode& root) {
-  return {root, "", {"name", "source", "in_rover", "left", "right"}};
-}
-
-/// JSON is YAML but for the tabs that indent it.
-YamlNode LoadTree(const std::string& file) {
-  std::string text = ReadText(file);
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && (text[first] == '{' || text[first] == '[')) {
-    std::replace(text.begin(), text.end(), '\t', ' ');
-  }
-  return ParseYaml(text, file);
 }
 
 std::string Names(const std::vector<PlacedCamera>& cameras) {
@@ -242,21 +170,63 @@ std::string Names(const std::vector<PlacedCamera>& cameras) {
 
 }  // namespace
 
+double ReadCalibrationError(const YamlReader& in) {
+  return in.NumberOr("calibration_error_px", 0.0, NonNegative(10.0));
+}
+
+PlacedCamera ReadSide(const YamlReader& rig, const std::string& side) {
+  const YamlNode& node = rig.Child(side);
+  if (node.kind != YamlNode::Kind::kMapping || !node.Find("file")) return ReadOne(node, side);
+  std::vector<std::string> keys{"file", "name"};
+  keys.insert(keys.end(), PoseKeys().begin(), PoseKeys().end());
+  const YamlReader in(node, side, keys);
+  const std::string file = in.File("file");
+  const YamlNode root = LoadCameraTree(file);
+  if (root.Find("left") || root.Find("right")) {
+    in.Refuse("file", "a file of cameras that is no rig itself");
+  }
+  PlacedCamera placed = LoadCamera(file, in.TextOr("name", ""));
+  if (const std::optional<Pose3> X_FC = ReadPlace(in)) {
+    placed.X_FC = *X_FC;
+    placed.X_PC = std::nullopt;
+  }
+  return placed;
+}
+
+YamlReader RigReader(const YamlNode& root) {
+  return {root, "", {"name", "source", "in_rover", "left", "right", "calibration_error_px"}};
+}
+
 std::vector<PlacedCamera> LoadCameras(const std::string& file) {
-  const YamlNode root = LoadTree(file);
+  const YamlNode root = LoadCameraTree(file);
+  switch (FormOf(root)) {
+    case CalibrationForm::kRos:
+      return {ReadRosCamera(root)};
+    case CalibrationForm::kKalibr:
+      return ReadKalibrChain(root);
+    case CalibrationForm::kOpenCv:
+      return ReadOpenCvCameras(root);
+    case CalibrationForm::kOurs:
+      break;
+  }
   std::vector<PlacedCamera> cameras;
   if (root.kind == YamlNode::Kind::kSequence) {
     for (std::size_t i = 0; i < root.items.size(); ++i) {
       cameras.push_back(ReadOne(root.items[i], YamlReader::PathOf("", i)));
     }
     if (cameras.empty()) throw ConfigError(root.place.Text() + ": expected cameras, found none");
-  } else if (IsRig(root)) {
+  } else if (root.Find("left") || root.Find("right")) {
     const YamlReader in = RigReader(root);
     for (const char* side : {"left", "right"}) {
-      cameras.push_back(ReadOne(in.Child(side), side));
+      cameras.push_back(ReadSide(in, side));
       cameras.back().name = side;
     }
   } else {
+    if (root.kind == YamlNode::Kind::kMapping && !root.Find("model")) {
+      throw ConfigError(root.place.Text() +
+                        ": missing key 'model' of a camera, or the keys of a calibration of ROS, "
+                        "Kalibr or OpenCV (docs/reference/cameras.md)");
+    }
     cameras.push_back(ReadOne(root, ""));
   }
   return cameras;
@@ -272,62 +242,6 @@ PlacedCamera LoadCamera(const std::string& file, const std::string& name) {
     if (placed.name == name) return placed;
   }
   throw ConfigError(file + ": expected a camera '" + name + "', found " + Names(cameras));
-}
-
-StereoRig LoadRig(const std::string& file, int width, int height) {
-  const YamlNode root = LoadTree(file);
-  const YamlReader in = RigReader(root);
-  in.TextOr("name", "-");
-  in.TextOr("source", "-");
-  Pose3 X_RF;
-  if (in.Has("in_rover")) {
-    const YamlReader place(in.Child("in_rover"), "in_rover",
-                           {"position_m", "yaw_deg", "pitch_deg", "roll_deg"});
-    X_RF.R = RotZ(place.DegreesOr("yaw_deg", 0.0, Between(-180, 180))) *
-             RotY(place.DegreesOr("pitch_deg", 0.0, Between(-90, 90))) *
-             RotX(place.DegreesOr("roll_deg", 0.0, Between(-180, 180)));
-    X_RF.p = place.Vector3("position_m", Between(-100, 100));
-  }
-  const auto read = [&](const char* side, Camera& camera, Pose3& X_RC) {
-    const PlacedCamera placed = ReadOne(in.Child(side), side);
-    camera = placed.camera;
-    X_RC = X_RF * placed.X_FC;
-    const std::string place = in.Child(side).place.Text() + ": " + side;
-    if (width > 0) {
-      const double shape = static_cast<double>(width) / height;
-      if (std::abs(shape * camera.height / camera.width - 1.0) > 0.01) {
-        throw ConfigError(place + ": expected a camera of the shape of images of " +
-                          std::to_string(width) + " x " + std::to_string(height) + ", found '" +
-                          std::to_string(camera.width) + " x " + std::to_string(camera.height) +
-                          "'");
-      }
-      camera = Resized(camera, width, height);
-    }
-    RequireRays(place, camera);
-  };
-  StereoRig rig;
-  read("left", rig.left, rig.X_RL);
-  read("right", rig.right, rig.X_RQ);
-  if (rig.baseline_m() < 0.01) {
-    throw ConfigError(root.place.Text() + ": expected cameras at least 0.01 m apart, found '" +
-                      NumberText(rig.baseline_m()) + "'");
-  }
-  return rig;
-}
-
-void RequireRays(const std::string& place, const Camera& camera) {
-  constexpr int kParts = 64;  // of each side
-  for (int i = 0; i <= kParts; ++i) {
-    const double u = camera.width * (i / double(kParts)) - 0.5;
-    const double v = camera.height * (i / double(kParts)) - 0.5;
-    for (const Eigen::Vector2d& pixel :
-         {Eigen::Vector2d(u, -0.5), Eigen::Vector2d(u, camera.height - 0.5),
-          Eigen::Vector2d(-0.5, v), Eigen::Vector2d(camera.width - 0.5, v)}) {
-      if (camera.HasRay(pixel)) continue;
-      throw ConfigError(place + ": expected a lens that gives every pixel a ray, found none for '" +
-                        NumberText(pixel.x()) + " " + NumberText(pixel.y()) + "'");
-    }
-  }
 }
 
 }  // namespace dockyard

@@ -1,12 +1,20 @@
 #include "models/read/load_obstacles.h"
 
+#include <cctype>
 #include <cmath>
+#include <filesystem>
+
+#include "models/read/config_error.h"
+#include "models/read/csv_table.h"
 
 namespace dockyard {
 namespace {
 
 constexpr double kFarthest_m = 1e3;
-constexpr std::size_t kMostObstacles = 1000, kMostCorners = 100;
+constexpr std::size_t kMostAreas = 1000, kMostCorners = 100;
+// A map of rocks from orbit; in plan some 20 MB.
+constexpr std::size_t kMostObstacleDiscs = 100'000;
+constexpr std::size_t kMostCsvBytes = std::size_t{16} << 20;  // 160 bytes a disc
 
 // By the shoelace formula, without sign.
 double AreaOf(const Polygon& polygon) {
@@ -15,6 +23,34 @@ double AreaOf(const Polygon& polygon) {
     twice += polygon[last].x() * polygon[i].y() - polygon[last].y() * polygon[i].x();
   }
   return 0.5 * std::abs(twice);
+}
+
+Disc ReadObstacleDisc(const YamlNode& node, const std::string& path) {
+  const YamlReader disc(node, path, {"x_m", "y_m", "radius_m"});
+  return {ReadPlace(disc), disc.Number("radius_m", Positive(kFarthest_m))};
+}
+
+bool IsCsvFile(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".csv";
+}
+
+// A disc a row.
+Obstacles LoadDiscs(const std::string& file) {
+  const YamlNode table = LoadCsv(file, kMostCsvBytes);
+  if (table.items.size() > kMostObstacleDiscs) {
+    throw ConfigError(table.items[kMostObstacleDiscs].place.Text() + ": expected at most " +
+                      std::to_string(kMostObstacleDiscs) + " discs, found " +
+                      std::to_string(table.items.size()) +
+                      "; leave out those that the rover cannot reach");
+  }
+  Obstacles obstacles;
+  obstacles.discs.reserve(table.items.size());
+  for (std::size_t i = 0; i < table.items.size(); ++i) {
+    obstacles.discs.push_back(ReadObstacleDisc(table.items[i], "row " + std::to_string(i + 1)));
+  }
+  return obstacles;
 }
 
 }  // namespace
@@ -36,21 +72,33 @@ Polygon ReadPolygon(const YamlReader& in, std::string_view key) {
 }
 
 Obstacles LoadObstacles(const std::string& file) {
+  if (IsCsvFile(file)) return LoadDiscs(file);
   const YamlNode root = LoadYaml(file);
   const YamlReader in(root, "", {"obstacles"});
-  const YamlNode& list = in.List("obstacles", 0, kMostObstacles);
+  const YamlNode& list = in.List("obstacles", 0, kMostObstacleDiscs);
   Obstacles obstacles;
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     const std::string path = YamlReader::PathOf("obstacles", i);
-    if (list.items[i].Find("corners") != nullptr) {
-      obstacles.polygons.push_back(
-          ReadPolygon(YamlReader(list.items[i], path, {"corners"}), "corners"));
+    if (list.items[i].Find("corners") == nullptr) {
+      obstacles.discs.push_back(ReadObstacleDisc(list.items[i], path));
       continue;
     }
-    const YamlReader disc(list.items[i], path, {"x_m", "y_m", "radius_m"});
-    obstacles.discs.push_back({ReadPlace(disc), disc.Number("radius_m", Positive(kFarthest_m))});
+    if (obstacles.polygons.size() == kMostAreas) {
+      throw ConfigError(list.items[i].place.Text() + ": obstacles: expected at most " +
+                        std::to_string(kMostAreas) + " areas; discs may be more");
+    }
+    obstacles.polygons.push_back(
+        ReadPolygon(YamlReader(list.items[i], path, {"corners"}), "corners"));
   }
   return obstacles;
+}
+
+bool IsDiscTable(const std::string& file) {
+  const YamlNode table = LoadCsv(file, kMostCsvBytes);
+  if (table.items.empty()) return false;
+  const YamlNode& row = table.items.front();
+  return row.Find("x_m") != nullptr && row.Find("y_m") != nullptr &&
+         row.Find("radius_m") != nullptr;
 }
 
 }  // namespace dockyard

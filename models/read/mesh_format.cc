@@ -4,10 +4,13 @@
 #include <cctype>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
+#include "models/read/collada_check.h"
 #include "models/read/config_error.h"
 #include "models/read/gltf_check.h"
 #include "models/read/mesh_loader.h"
+#include "models/read/obj_text.h"
 #include "models/read/text_file.h"
 #include "models/read/text_mesh_check.h"
 
@@ -16,10 +19,15 @@ namespace {
 
 constexpr std::size_t kMaxObjParts = 10000;
 
-std::optional<MeshFormat> FormatByExtension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
+std::string LowerCase(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+std::optional<MeshFormat> FormatByExtension(const std::filesystem::path& file) {
+  const std::string extension = LowerCase(file.extension().string());
   if (extension == ".stl") return MeshFormat::kStl;
   if (extension == ".obj") return MeshFormat::kObj;
   if (extension == ".dae") return MeshFormat::kDae;
@@ -82,6 +90,12 @@ std::optional<GlbChunks> ChunksOf(std::string_view bytes) {
   return chunks;
 }
 
+/// Whether the letter and a space stand somewhere in the text.
+bool HasLineOf(std::string_view text, char letter) {
+  return text.find(std::string{letter, ' '}) != std::string_view::npos ||
+         text.find(std::string{letter, '\t'}) != std::string_view::npos;
+}
+
 /// Lines of an OBJ text that open an object, group or material: assimp compares each with all.
 std::size_t CountObjParts(std::string_view text) {
   std::size_t parts = 0;
@@ -95,16 +109,25 @@ std::size_t CountObjParts(std::string_view text) {
   return parts;
 }
 
+/// STL in text, in capitals or not: some facet follows the word "solid".
+bool IsTextStl(std::string_view text) {
+  if (LowerCase(text.substr(0, 5)) != "solid") return false;
+  const std::string_view facet = "facet";
+  return std::search(text.begin(), text.end(), facet.begin(), facet.end(), [](char a, char b) {
+           return std::tolower(static_cast<unsigned char>(a)) == b;
+         }) != text.end();
+}
+
 /// Of the formats that are not glTF.
 std::string Objection(MeshFormat format, std::string_view bytes) {
   const std::string_view text = SkipSpace(bytes);
   switch (format) {
     case MeshFormat::kStl:
       if (IsBinaryStl(bytes)) return {};
-      if (text.substr(0, 5) == "solid" && text.find("facet") != std::string_view::npos) return {};
+      if (IsTextStl(text)) return {};
       return "neither a binary STL file of the length that its header states nor one in text";
     case MeshFormat::kObj:
-      if (text.find("v ") == std::string_view::npos || text.find("f ") == std::string_view::npos) {
+      if (!HasLineOf(text, 'v') || !HasLineOf(text, 'f')) {
         return "an OBJ file without vertices or faces";
       }
       if (CountObjParts(text) > kMaxObjParts) {
@@ -124,6 +147,14 @@ std::string Objection(MeshFormat format, std::string_view bytes) {
   return "of no known format";
 }
 
+/// The mark that programs on Windows write before text in UTF-8.
+void DropByteOrderMark(const std::string& file, std::string& bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    throw ConfigError(file + ": not a usable mesh: text in UTF-16, expected UTF-8");
+  }
+}
+
 GltfFindings FindingsOf(MeshFormat format, std::string_view bytes) {
   if (format == MeshFormat::kGlb) {
     const std::optional<GlbChunks> chunks = ChunksOf(bytes);
@@ -140,26 +171,28 @@ GltfFindings FindingsOf(MeshFormat format, std::string_view bytes) {
 
 bool IsMeshFile(const std::filesystem::path& file) { return FormatByExtension(file).has_value(); }
 
-MeshStatement CheckMeshFormat(const std::filesystem::path& file, std::string_view bytes) {
+MeshStatement CheckMeshFormat(const std::filesystem::path& file, std::string bytes) {
   const std::optional<MeshFormat> format = FormatByExtension(file);
+  const std::string name = file.string();
   if (!format) {
     throw ConfigError(
-        file.string() +
-        ": expected a mesh file (.stl, .obj, .dae, .gltf or .glb), found extension '" +
+        name + ": expected a mesh file (.stl, .obj, .dae, .gltf or .glb), found extension '" +
         file.extension().string() + "'");
   }
   const bool text = *format == MeshFormat::kObj || *format == MeshFormat::kDae ||
                     *format == MeshFormat::kGltf ||
                     (*format == MeshFormat::kStl && !IsBinaryStl(bytes));
+  if (text) DropByteOrderMark(name, bytes);
   const bool gltf = *format == MeshFormat::kGltf || *format == MeshFormat::kGlb;
   const GltfFindings findings = gltf ? FindingsOf(*format, bytes) : GltfFindings{};
   const std::string objection = gltf ? findings.objection : Objection(*format, bytes);
-  if (!objection.empty()) throw ConfigError(file.string() + ": not a usable mesh: " + objection);
-  if (text) CheckIsText(bytes, file.string());
-  if (*format == MeshFormat::kObj) CheckObjText(bytes, file.string());
-  if (*format == MeshFormat::kStl && text) CheckStlText(bytes, file.string());
-  if (*format == MeshFormat::kGlb) CheckIsText(ChunksOf(bytes)->json, file.string());
-  return {*format, gltf ? findings.triangles : -1};
+  if (!objection.empty()) throw ConfigError(name + ": not a usable mesh: " + objection);
+  if (text) CheckIsText(bytes, name);
+  if (*format == MeshFormat::kGlb) CheckIsText(ChunksOf(bytes)->json, name);
+  if (*format == MeshFormat::kObj) bytes = SimplifiedObj(bytes, name);
+  if (*format == MeshFormat::kStl && text) bytes = CheckedStl(bytes, name);
+  if (*format == MeshFormat::kDae) bytes = CheckedCollada(bytes, name);
+  return {*format, gltf ? findings.triangles : -1, std::move(bytes)};
 }
 
 }  // namespace dockyard

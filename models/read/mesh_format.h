@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace dockyard {
 
@@ -12,9 +11,12 @@ enum class MeshFormat { kStl, kObj, kDae, kGltf, kGlb };
 struct MeshStatement {
   MeshFormat format;
   long triangles = -1;  // as a glTF document states them; -1: not known
+  std::string bytes;    // for an importer
 };
 
 /// The format by extension, confirmed by the file's own bytes; throws ConfigError, naming the file.
-MeshStatement CheckMeshFormat(const std::filesystem::path& file, std::string_view bytes);
+/// The bytes come back without byte order mark, OBJ as of SimplifiedObj, STL in text as of
+/// CheckedStl, Collada as of CheckedCollada.
+MeshStatement CheckMeshFormat(const std::filesystem::path& file, std::string bytes);
 
 }  // namespace dockyard

@@ -15,6 +15,7 @@
 #include <set>
 
 #include "models/read/config_error.h"
+#include "models/read/gltf_uri.h"
 #include "models/read/mesh_loader.h"
 #include "models/read/text_file.h"
 
@@ -69,15 +70,19 @@ class OneFolder : public Assimp::IOSystem {
 
  private:
   bool IsMesh(const char* name) const { return file_.string() == name; }
+  /// assimp asks for an address as it stands in the document: "rover%20body.bin".
   fs::path Beside(const char* name) const {
-    return file_.parent_path() / fs::path(name).filename();
+    const std::string written = fs::path(name).filename().string();
+    return file_.parent_path() / PercentDecoded(written).value_or(written);
   }
   bool IsBuffer(const char* name) const {
-    const fs::path path(name);
+    const fs::path path = fs::path(name).lexically_normal(), buffer = Beside(name);
     std::error_code error;
-    const bool beside = path.parent_path() == file_.parent_path() || !path.has_parent_path();
-    return beside && path.extension() == ".bin" &&
-           fs::symlink_status(Beside(name), error).type() == fs::file_type::regular;
+    const fs::path folder = file_.parent_path().lexically_normal();
+    const bool beside = path.parent_path() == folder || !path.has_parent_path();
+    return beside && buffer.parent_path() == file_.parent_path() &&
+           BufferNameOf(path.filename().string()).has_value() &&
+           fs::symlink_status(buffer, error).type() == fs::file_type::regular;
   }
 
   fs::path file_;

@@ -10,7 +10,7 @@
 
 namespace dockyard {
 
-/// The triangles of a file that CheckMeshFormat and CheckedCollada have let pass.
+/// The triangles of a file that CheckMeshFormat has let pass.
 /// @param bytes      what the importer sees as the file
 /// @param triangles  that the importer must find, -1: any number; it drops those whose index is out
 ///                   of range

@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 
-#include "models/read/collada_check.h"
 #include "models/read/mesh_child.h"
 #include "models/read/mesh_format.h"
 #include "models/read/mesh_import.h"
@@ -28,19 +27,17 @@ void MeshStore::Keep(const std::string& bytes, std::shared_ptr<const TriangleMes
 
 std::shared_ptr<const TriangleMesh> LoadMesh(const std::filesystem::path& file, MeshStore* store) {
   if (!IsMeshFile(file)) CheckMeshFormat(file, {});  // throws before the file is touched
-  std::string bytes = ReadBytes(file, kMaxMeshBytes);
-  const MeshStatement stated = CheckMeshFormat(file, bytes);
+  const MeshStatement stated = CheckMeshFormat(file, ReadBytes(file, kMaxMeshBytes));
   const MeshFormat format = stated.format;
-  if (format == MeshFormat::kDae) bytes = CheckedCollada(bytes, file.string());
   const bool whole = format != MeshFormat::kGltf && format != MeshFormat::kGlb;
-  const std::string key = std::to_string(static_cast<int>(format)) + bytes;
+  const std::string key = std::to_string(static_cast<int>(format)) + stated.bytes;
   if (!whole) store = nullptr;
   if (store != nullptr) {
     if (auto known = store->Find(key)) return known;
   }
   std::optional<TriangleMesh> plain;
-  if (format == MeshFormat::kObj) plain = PlainObj(bytes);
-  const auto import = [&] { return ImportMesh(file, bytes, stated.triangles); };
+  if (format == MeshFormat::kObj) plain = PlainObj(stated.bytes);
+  const auto import = [&] { return ImportMesh(file, stated.bytes, stated.triangles); };
   const auto mesh = std::make_shared<const TriangleMesh>(
       plain ? std::move(*plain) : MeshFromChild(file.string(), kImportLimits, import));
   if (store != nullptr) store->Keep(key, mesh);

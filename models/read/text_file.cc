@@ -1,5 +1,6 @@
 #include "models/read/text_file.h"
 
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
@@ -32,6 +33,31 @@ int SequenceLength(std::string_view text, std::size_t i) {
   return 0;
 }
 
+/// The character of a sequence of that length.
+char32_t CharacterAt(std::string_view text, std::size_t i, int length) {
+  constexpr unsigned kLeadBits[] = {0x7F, 0x7F, 0x1F, 0x0F, 0x07};
+  char32_t c = static_cast<unsigned char>(text[i]) & kLeadBits[length];
+  for (std::size_t k = 1; k < static_cast<std::size_t>(length); ++k) {
+    c = (c << 6) | (static_cast<unsigned char>(text[i + k]) & 0x3Fu);
+  }
+  return c;
+}
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// The encoding of text in units of two or four bytes; empty for others. Without a mark it shows
+/// by the zeros: every second byte of the first four.
+std::string_view WideEncoding(std::string_view text) {
+  using namespace std::string_view_literals;
+  if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
+  if (text.size() < 4) return {};
+  const auto zero = [&](std::size_t k) { return text[k] == '\0'; };
+  const bool low = !zero(0) && zero(1) && !zero(2) && zero(3);
+  const bool high = zero(0) && !zero(1) && zero(2) && !zero(3);
+  return low || high ? "UTF-16" : "";
+}
+
 }  // namespace
 
 std::string ReadBytes(const fs::path& file, std::size_t max_bytes) {
@@ -55,7 +81,42 @@ std::string ReadBytes(const fs::path& file, std::size_t max_bytes) {
   return bytes;
 }
 
+void RefuseWideText(std::string_view text, const std::string& file) {
+  const std::string encoding(WideEncoding(text));
+  if (encoding.empty()) return;
+  throw ConfigError(file + ":1:1: expected text in UTF-8, found " + encoding +
+                    "; save it as UTF-8 (in Excel 'CSV UTF-8', in an editor the encoding 'UTF-8'), "
+                    "or convert it by iconv -f " +
+                    encoding + " -t UTF-8");
+}
+
+std::string_view WithoutByteOrderMark(std::string_view text) {
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
+bool IsControl(char32_t c) {
+  return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029 || c == 0xFEFF;
+}
+
+std::optional<char32_t> FirstControl(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const int length = SequenceLength(text, i);
+    if (length == 0) return static_cast<unsigned char>(text[i]);
+    const char32_t c = CharacterAt(text, i, length);
+    if (IsControl(c)) return c;
+    i += static_cast<std::size_t>(length);
+  }
+  return std::nullopt;
+}
+
+std::string CharacterName(char32_t c) {
+  char name[16];
+  std::snprintf(name, sizeof name, "U+%04X", static_cast<unsigned>(c));
+  return name;
+}
+
 void CheckIsText(std::string_view text, const std::string& file) {
+  RefuseWideText(text, file);
   int line = 1, column = 1;
   for (std::size_t i = 0; i < text.size();) {
     const int length = SequenceLength(text, i);
@@ -75,13 +136,14 @@ void CheckIsText(std::string_view text, const std::string& file) {
   }
 }
 
-std::string ReadText(const fs::path& file) {
-  const std::string text = ReadBytes(file, kMaxTextBytes);
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+std::string ReadText(const fs::path& file, std::size_t max_bytes) {
+  const std::string bytes = ReadBytes(file, max_bytes);
+  const std::string_view text = WithoutByteOrderMark(bytes);
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw ConfigError(file.string() + ":1:1: the file is empty");
   }
   CheckIsText(text, file.string());
-  return text;
+  return std::string(text);
 }
 
 fs::path ResolveBeside(const std::string& written_in, const std::string& path) {

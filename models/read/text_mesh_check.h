@@ -1,5 +1,5 @@
-// Meshes in text, checked before an importer sees them. assimp 5.2.5 reads "1x" and "1,5" in some
-// way, and a part of a file as a whole mesh. All throw ConfigError with line and column.
+// STL files in text, checked before an importer sees them. assimp 5.2.5 reads "1x" and "1,5" in
+// some way, a part of a file as a whole mesh, and no capitals.
 #pragma once
 
 #include <string>
@@ -7,11 +7,10 @@
 
 namespace dockyard {
 
-/// Every line that begins with v holds three numbers, and a weight or a colour.
-void CheckObjText(std::string_view text, const std::string& file);
-
-/// Solids from "solid" to "endsolid", of facets of three vertices of three numbers. Normals are not
-/// read: files state their own as nan.
-void CheckStlText(std::string_view text, const std::string& file);
+/// The text of the same facets, its words in small letters and its last lines complete. Read are
+/// solids from "solid" to "endsolid", in any letters, of facets of three vertices of three numbers.
+/// Behind the last vertex the file may end anywhere. Normals are not read: files state their own as
+/// nan. Throws ConfigError with line and column.
+std::string CheckedStl(std::string_view text, const std::string& file);
 
 }  // namespace dockyard

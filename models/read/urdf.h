@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/parts/link.h"
+#include "models/read/mesh_address.h"
 #include "models/read/mesh_loader.h"
 
 namespace dockyard {
@@ -28,6 +29,7 @@ struct UrdfModel {
   std::vector<UrdfJoint> joints;        // by name
   std::vector<std::string> place;       // of each link, for messages
   std::map<std::string, int> left_out;  // elements that change nothing here -> how many
+  std::vector<std::string> warnings;    // each with its place
 
   /// Throw ConfigError when there is no such link or joint.
   const LinkModel& Link(const std::string& name) const;
@@ -35,11 +37,28 @@ struct UrdfModel {
   const std::string& PlaceOf(const std::string& link) const;
 };
 
+struct UrdfOptions {
+  MeshStore* meshes = nullptr;  // as of LoadMesh
+  PackageFolders packages = {};
+  bool expand_xacro = false;  // run the program xacro on a file with macros
+};
+
 /// Any tree of links and joints. Throws ConfigError: XML that does not parse, elements that are
 /// neither read nor without effect, links outside the tree (with line and column), objections of
 /// liburdfdom, masses or inertias that no body can have, numbers out of range, meshes that are
-/// missing, leave the file's folder or do not load. Links without <inertial> have zero mass.
-/// @param meshes  as of LoadMesh
+/// missing, leave the file's folder or package (MeshAddresses) or do not load, macros of xacro that
+/// are not to be expanded. Links without <inertial>, or with a mass of 0 and moments of 0, have
+/// zero mass.
+UrdfModel LoadUrdf(const std::string& file, const UrdfOptions& options);
 UrdfModel LoadUrdf(const std::string& file, MeshStore* meshes = nullptr);
+
+/// Everything that LoadUrdf would object to, in the order of the file: each link, joint, visual and
+/// collision is read by itself. Faults that follow from another are not among them: a part with a
+/// number that is none is not weighed, a tree with a joint to nowhere is not searched for its root.
+struct UrdfFindings {
+  std::vector<std::string> faults;
+  std::map<std::string, int> left_out;  // as of UrdfModel
+};
+UrdfFindings FindUrdfFaults(const std::string& file, const UrdfOptions& options);
 
 }  // namespace dockyard

@@ -1,7 +1,5 @@
 #include "models/read/urdf_check.h"
 
-#include <tinyxml.h>
-
 #include <algorithm>
 #include <optional>
 #include <string_view>
@@ -10,6 +8,7 @@
 
 #include "models/read/config_error.h"
 #include "models/read/urdf_elements.h"
+#include "models/read/urdf_rules.h"
 #include "models/read/urdf_tree.h"
 #include "models/read/xml_scan.h"
 #include "models/read/yaml_reader.h"
@@ -29,59 +28,37 @@ const std::vector<std::pair<std::string, std::size_t>>& NumberAttributes() {
 
 class XmlCheck {
  public:
-  explicit XmlCheck(std::string file) : file_(std::move(file)) {}
+  explicit XmlCheck(UrdfFaults& faults) : faults_(faults) {}
 
-  UrdfText Run(const std::string& text) {
-    CheckNesting(text);
-    TiXmlDocument document;
-    document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
-    if (document.Error()) {
-      throw ConfigError(Place(std::max(1, document.ErrorRow()), std::max(1, document.ErrorCol())) +
-                        ": not valid XML: " + document.ErrorDesc());
-    }
-    const TiXmlElement* robot = document.FirstChildElement("robot");
-    if (robot == nullptr) {
-      throw ConfigError(Place(1, 1) + ": expected a <robot> element, found none");
-    }
-    for (const TiXmlElement* e = robot->FirstChildElement(); e; e = e->NextSiblingElement()) {
+  std::map<std::string, int> Run(TiXmlElement& robot) {
+    for (const TiXmlElement* e = robot.FirstChildElement(); e; e = e->NextSiblingElement()) {
       const std::string_view tag = e->Value();
       if (tag == "link" || tag == "joint") TakeName(*e);
       if (tag == "link" || tag == "joint" || tag == "material") CheckNumbers(*e);
     }
-    for (const TiXmlElement* e = robot->FirstChildElement("joint"); e;
+    for (const TiXmlElement* e = robot.FirstChildElement("joint"); e;
          e = e->NextSiblingElement("joint")) {
       CheckJoint(*e);
     }
-    UrdfText checked;
-    checked.left_out = CheckUrdfElements(*robot, file_);
-    CheckUrdfTree(*robot, file_);
-    checked.places = std::move(places_);
-    return checked;
+    const std::map<std::string, int> left_out = CheckUrdfElements(robot, faults_);
+    if (names_and_ends_) CheckUrdfTree(robot, faults_);
+    return left_out;
   }
 
  private:
-  std::string Place(int line, int column) const {
-    return file_ + ":" + std::to_string(line) + ":" + std::to_string(column);
-  }
-  [[noreturn]] void Refuse(const TiXmlElement& at, const std::string& what) const {
-    throw ConfigError(Place(at.Row(), at.Column()) + ": <" + at.Value() + ">: " + what);
-  }
-
-  /// Keeps the recursive XML parser within its stack and its time.
-  void CheckNesting(const std::string& text) const {
-    if (const std::optional<XmlFault> fault = ScanXml(text)) {
-      throw ConfigError(file_ + ":" + LineAndColumn(text, fault->at) +
-                        ": not usable XML: " + fault->what);
-    }
-  }
-
   void TakeName(const TiXmlElement& element) {
     const char* name = element.Attribute("name");
-    if (name == nullptr || *name == '\0') Refuse(element, "missing attribute 'name'");
-    const auto [at, fresh] = places_.emplace(std::string(element.Value()) + " " + name,
-                                             Place(element.Row(), element.Column()));
+    if (name == nullptr || *name == '\0') return Break(element, "missing attribute 'name'");
+    const auto [at, fresh] =
+        names_.emplace(std::string(element.Value()) + " " + name, faults_.PlaceOf(element));
     if (!fresh)
-      Refuse(element, std::string("'") + name + "' is given twice, first at " + at->second);
+      Break(element, std::string("'") + name + "' is given twice, first at " + at->second);
+  }
+
+  /// A fault after which there is no tree to check.
+  void Break(const TiXmlElement& at, const std::string& what) {
+    names_and_ends_ = false;
+    faults_.Add(at, what);
   }
 
   void CheckNumbers(const TiXmlElement& element) const {
@@ -89,7 +66,7 @@ class XmlCheck {
     if (mass) CheckList(element, "value", 1);
     for (const auto& [name, count] : NumberAttributes()) CheckList(element, name, count);
     for (const TiXmlElement* e = element.FirstChildElement(); e; e = e->NextSiblingElement()) {
-      CheckNumbers(*e);
+      if (!IsLeftOutOfUrdf(element.Value(), *e)) CheckNumbers(*e);
     }
   }
 
@@ -108,40 +85,64 @@ class XmlCheck {
     }
     if (good && numbers == count) return;
     const std::string expected = count == 1 ? "a number" : std::to_string(count) + " numbers";
-    Refuse(element,
-           name + ": expected " + expected + ", found '" + std::string(text.substr(0, 60)) + "'");
+    faults_.Add(element, name + ": expected " + expected + ", found '" +
+                             std::string(text.substr(0, 60)) + "'");
   }
 
-  void CheckJoint(const TiXmlElement& joint) const {
+  void CheckJoint(const TiXmlElement& joint) {
     const char* type = joint.Attribute("type");
     static const std::vector<std::string> types{"continuous", "fixed",     "floating",
                                                 "planar",     "prismatic", "revolute"};
     if (type == nullptr || std::find(types.begin(), types.end(), type) == types.end()) {
-      Refuse(joint, std::string("type: expected continuous, fixed, floating, planar, prismatic or "
-                                "revolute, found '") +
-                        (type == nullptr ? "" : type) + "'");
+      faults_.Add(joint,
+                  std::string("type: expected continuous, fixed, floating, planar, prismatic or "
+                              "revolute, found '") +
+                      (type == nullptr ? "" : type) + "'");
+      type = "";
     }
     for (const char* end : {"parent", "child"}) {
       const TiXmlElement* element = joint.FirstChildElement(end);
       const char* link = element == nullptr ? nullptr : element->Attribute("link");
-      if (link == nullptr) Refuse(joint, std::string("missing <") + end + " link=\"...\"/>");
-      if (places_.count(std::string("link ") + link) == 0) {
-        Refuse(*element, std::string("expected the name of a link, found '") + link + "'");
+      if (link == nullptr) {
+        Break(joint, std::string("missing <") + end + " link=\"...\"/>");
+      } else if (names_.count(std::string("link ") + link) == 0) {
+        Break(*element, std::string("expected the name of a link, found '") + link + "'");
       }
     }
     const bool bounded =
         std::string_view(type) == "revolute" || std::string_view(type) == "prismatic";
-    if (bounded && joint.FirstChildElement("limit") == nullptr) Refuse(joint, "missing <limit>");
+    if (bounded && joint.FirstChildElement("limit") == nullptr)
+      faults_.Add(joint, "missing <limit>");
   }
 
-  std::string file_;
-  std::map<std::string, std::string> places_;
+  UrdfFaults& faults_;
+  std::map<std::string, std::string> names_;  // "link NAME" or "joint NAME" -> its place
+  bool names_and_ends_ = true;                // have no fault
 };
 
 }  // namespace
 
-UrdfText CheckUrdfXml(const std::string& text, const std::string& file) {
-  return XmlCheck(file).Run(text);
+std::unique_ptr<TiXmlDocument> ParseUrdfXml(const std::string& text, const std::string& name) {
+  // Keeps the recursive XML parser within its stack and its time.
+  if (const std::optional<XmlFault> fault = ScanXml(text)) {
+    throw ConfigError(name + ":" + LineAndColumn(text, fault->at) +
+                      ": not usable XML: " + fault->what);
+  }
+  auto document = std::make_unique<TiXmlDocument>();
+  document->Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  if (document->Error()) {
+    throw ConfigError(name + ":" + std::to_string(std::max(1, document->ErrorRow())) + ":" +
+                      std::to_string(std::max(1, document->ErrorCol())) +
+                      ": not valid XML: " + document->ErrorDesc());
+  }
+  if (document->FirstChildElement("robot") == nullptr) {
+    throw ConfigError(name + ":1:1: expected a <robot> element, found none");
+  }
+  return document;
+}
+
+std::map<std::string, int> CheckUrdfXml(TiXmlElement& robot, UrdfFaults& faults) {
+  return XmlCheck(faults).Run(robot);
 }
 
 }  // namespace dockyard

@@ -1,65 +1,33 @@
 #include "models/read/urdf_elements.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <vector>
 
-#include "models/read/config_error.h"
+#include "models/read/urdf_rules.h"
 #include "models/read/yaml_reader.h"
 
 namespace dockyard {
 namespace {
 
-/// The allowed content of an element. `once` holds the children that may not be repeated, `must`
-/// those of them that may not be missing.
-struct Rule {
-  std::vector<std::string> attributes, once, any, must = {};
-};
-
-const std::map<std::string, Rule>& Rules() {
-  static const std::map<std::string, Rule> rules{
-      {"robot", {{"name", "version"}, {}, {"link", "joint", "material"}}},
-      {"link", {{"name"}, {"inertial"}, {"visual", "collision"}}},
-      {"inertial", {{}, {"origin", "mass", "inertia"}, {}, {"mass", "inertia"}}},
-      {"origin", {{"xyz", "rpy"}, {}, {}}},
-      {"mass", {{"value"}, {}, {}}},
-      {"inertia", {{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}, {}, {}}},
-      {"visual", {{"name"}, {"origin", "geometry", "material"}, {}, {"geometry"}}},
-      {"collision", {{"name"}, {"origin", "geometry"}, {}, {"geometry"}}},
-      {"geometry", {{}, {"box", "cylinder", "sphere", "mesh"}, {}}},
-      {"box", {{"size"}, {}, {}}},
-      {"cylinder", {{"radius", "length"}, {}, {}}},
-      {"sphere", {{"radius"}, {}, {}}},
-      {"mesh", {{"filename", "scale"}, {}, {}}},
-      {"material", {{"name"}, {"color"}, {}}},
-      {"color", {{"rgba"}, {}, {}}},
-      {"joint", {{"name", "type"}, {"origin", "parent", "child", "axis", "limit", "dynamics"}, {}}},
-      {"parent", {{"link"}, {}, {}}},
-      {"child", {{"link"}, {}, {}}},
-      {"axis", {{"xyz"}, {}, {}}},
-      {"limit", {{"lower", "upper", "effort", "velocity"}, {}, {}}},
-      {"dynamics", {{"damping", "friction"}, {}, {}}}};
-  return rules;
-}
-
-/// Change nothing here: notes for other programs, and where an encoder's mark sits.
-bool IsLeftOut(const std::string& parent, const std::string& name) {
-  static const std::set<std::string> of_robot{"gazebo", "transmission", "ros2_control"};
-  return (parent == "robot" && of_robot.count(name) > 0) ||
-         (parent == "joint" && name == "calibration");
-}
-
-/// Why a known element of URDF is refused; empty for any other.
-std::string ReasonAgainst(const std::string& name) {
-  static const std::map<std::string, std::string> reasons{
-      {"mimic", "joints that follow another are not simulated"},
-      {"safety_controller", "its soft limits are not simulated; <limit> is"},
-      {"texture", "textures are not drawn; a <color> is"},
-      {"capsule", "capsules are not read; a cylinder and two spheres are"},
-      {"sensor", "sensors are described in the robot's YAML file"}};
-  if (name.rfind("xacro:", 0) == 0) return "macros are not expanded; run xacro first";
-  const auto at = reasons.find(name);
-  return at == reasons.end() ? std::string() : at->second;
+/// The numbers of an attribute, none where it holds others than so many.
+template <std::size_t kCount>
+std::optional<std::array<double, kCount>> NumbersIn(const char* attribute) {
+  std::array<double, kCount> numbers;
+  std::size_t found = 0;
+  const std::string_view text = attribute == nullptr ? "" : attribute;
+  for (std::size_t at = text.find_first_not_of(" \t\r\n"); at != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
+    if (found == kCount || !ParseNumber(text.substr(at, end - at), numbers[found++])) {
+      return std::nullopt;
+    }
+    at = text.find_first_not_of(" \t\r\n", end);
+  }
+  if (found != kCount) return std::nullopt;
+  return numbers;
 }
 
 bool Contains(const std::vector<std::string>& list, const std::string& name) {
@@ -68,31 +36,35 @@ bool Contains(const std::vector<std::string>& list, const std::string& name) {
 
 class ElementCheck {
  public:
-  explicit ElementCheck(std::string file) : file_(std::move(file)) {}
+  explicit ElementCheck(UrdfFaults& faults) : faults_(faults) {}
 
-  void Visit(const TiXmlElement& element) {
+  void Visit(TiXmlElement& element) {
     const std::string name = element.Value();
-    const Rule& rule = Rules().at(name);
+    const UrdfRule& rule = RuleOfUrdf(name);
     CheckAttributes(element, rule);
     std::set<std::string> seen;
-    for (const TiXmlElement* e = element.FirstChildElement(); e; e = e->NextSiblingElement()) {
+    for (TiXmlElement *e = element.FirstChildElement(), *next = nullptr; e; e = next) {
+      next = e->NextSiblingElement();
       const std::string child = e->Value();
-      if (IsLeftOut(name, child)) {
+      if (IsLeftOutOfUrdf(name, *e)) {
         ++left_out_[child];
+        element.RemoveChild(e);
         continue;
       }
       const bool once = Contains(rule.once, child);
-      if (!once && !Contains(rule.any, child)) RefuseChild(*e, name, rule);
-      if (once && !seen.insert(child).second) Refuse(*e, "given twice in one <" + name + ">");
-      Visit(*e);
+      if (!once && !Contains(rule.any, child)) {
+        AddChild(*e, name, rule);
+      } else if (once && !seen.insert(child).second) {
+        faults_.Add(*e, "given twice in one <" + name + ">");
+      } else {
+        Visit(*e);
+        if (!IsLeftOutOfUrdf(name, *e)) continue;  // a material is empty without its texture
+        ++left_out_[child];
+        element.RemoveChild(e);
+      }
     }
-    for (const std::string& needed : rule.must) {
-      if (seen.count(needed) == 0) Refuse(element, "missing <" + needed + ">");
-    }
-    if (name == "geometry" && seen.size() != 1) {
-      Refuse(element, "expected one shape, found " + std::to_string(seen.size()));
-    }
-    CheckValues(element, name);
+    CheckWhole(element, rule, seen);
+    if (!faults_.In(element)) CheckValues(element, name);
     if (name == "material") TakeMaterial(element);
   }
 
@@ -101,16 +73,23 @@ class ElementCheck {
     for (const TiXmlElement* e = robot.FirstChildElement("material"); e;
          e = e->NextSiblingElement("material")) {
       const char *name = e->Attribute("name"), *rgba = ColourOf(*e);
-      if (name != nullptr && rgba != nullptr) colours_.emplace(name, rgba);
+      if (name != nullptr && rgba != nullptr) colours_.emplace(name, NumbersIn<4>(rgba));
     }
   }
 
   std::map<std::string, int> TakeLeftOut() { return std::move(left_out_); }
 
  private:
-  [[noreturn]] void Refuse(const TiXmlElement& at, const std::string& what) const {
-    throw ConfigError(file_ + ":" + std::to_string(at.Row()) + ":" + std::to_string(at.Column()) +
-                      ": <" + at.Value() + ">: " + what);
+  using Colour = std::optional<std::array<double, 4>>;
+
+  void CheckWhole(const TiXmlElement& element, const UrdfRule& rule,
+                  const std::set<std::string>& seen) const {
+    for (const std::string& needed : rule.must) {
+      if (seen.count(needed) == 0) faults_.Add(element, "missing <" + needed + ">");
+    }
+    if (element.ValueStr() == "geometry" && seen.size() != 1 && !faults_.In(element)) {
+      faults_.Add(element, "expected one shape, found " + std::to_string(seen.size()));
+    }
   }
 
   /// "unknown X in <Y>, did you mean 'a'?"
@@ -125,45 +104,62 @@ class ElementCheck {
     return text;
   }
 
-  [[noreturn]] void RefuseChild(const TiXmlElement& child, const std::string& parent,
-                                const Rule& rule) const {
-    const std::string reason = ReasonAgainst(child.Value());
-    if (!reason.empty()) Refuse(child, reason);
+  void AddChild(const TiXmlElement& child, const std::string& parent, const UrdfRule& rule) const {
+    const std::string reason = ReasonAgainstInUrdf(child.Value());
     std::vector<std::string> known = rule.any;
     known.insert(known.end(), rule.once.begin(), rule.once.end());
-    Refuse(child, Unknown("element", child.Value(), parent, known));
+    faults_.Add(child, reason.empty() ? Unknown("element", child.Value(), parent, known) : reason);
   }
 
-  void CheckAttributes(const TiXmlElement& element, const Rule& rule) const {
+  void CheckAttributes(const TiXmlElement& element, const UrdfRule& rule) {
+    const std::string tag = element.Value();
     for (const TiXmlAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
       const std::string name = a->Name();
       if (Contains(rule.attributes, name) || name.rfind("xmlns", 0) == 0) continue;
-      Refuse(element, name + ": " + Unknown("attribute", name, element.Value(), rule.attributes));
+      if (IsLeftOutAttribute(tag, name) || (tag == "axis" && name == "rpy")) {
+        ++left_out_[tag + " " + name];
+        continue;
+      }
+      faults_.Add(element, name + ": " + Unknown("attribute", name, tag, rule.attributes));
     }
   }
 
   void CheckValues(const TiXmlElement& element, const std::string& name) const {
-    if (name == "dynamics") {
-      for (const char* attribute : {"damping", "friction"}) {
-        const char* text = element.Attribute(attribute);
-        double value = 0.0;
-        if (text == nullptr || (ParseNumber(text, value) && value == 0.0)) continue;
-        Refuse(element,
-               std::string(attribute) +
-                   ": expected 0, the robot's YAML file has the motors' friction; found '" + text +
-                   "'");
-      }
+    if (name == "dynamics") CheckDynamics(element);
+    if (name == "color") CheckColour(element);
+    if (name == "axis" && element.Attribute("rpy") != nullptr) {
+      // The format before URDF 1.0 turned the axis by it.
+      const auto rpy = NumbersIn<3>(element.Attribute("rpy"));
+      if (rpy == std::array{0.0, 0.0, 0.0}) return;
+      faults_.Add(element, std::string("rpy: expected 0 0 0, an axis is turned by its xyz alone; "
+                                       "found '") +
+                               element.Attribute("rpy") + "'");
     }
-    if (name == "color") {
-      const std::string rgba = element.Attribute("rgba") ? element.Attribute("rgba") : "";
-      const std::size_t last = rgba.find_last_not_of(" \t\r\n");
-      const std::size_t gap = rgba.find_last_of(" \t\r\n", last);
-      double alpha = 0.0;
-      const bool opaque = last != std::string::npos && gap != std::string::npos &&
-                          ParseNumber(rgba.substr(gap + 1, last - gap), alpha) && alpha == 1.0;
-      if (!opaque)
-        Refuse(element, "rgba: expected a last number of 1, nothing is drawn transparent");
+  }
+
+  void CheckDynamics(const TiXmlElement& element) const {
+    for (const char* attribute : {"damping", "friction"}) {
+      const char* text = element.Attribute(attribute);
+      double value = 0.0;
+      if (text == nullptr || (ParseNumber(text, value) && value == 0.0)) continue;
+      faults_.Add(element,
+                  std::string(attribute) +
+                      ": expected 0, the robot's YAML file has the motors' friction; found '" +
+                      text + "'");
     }
+  }
+
+  void CheckColour(const TiXmlElement& element) const {
+    const Colour rgba = NumbersIn<4>(element.Attribute("rgba"));
+    if (!rgba || (*rgba)[3] != 1.0) {
+      faults_.Add(element, "rgba: expected a last number of 1, nothing is drawn transparent");
+      return;
+    }
+    const auto out =
+        std::find_if(rgba->begin(), rgba->end(), [](double x) { return x < 0.0 || x > 1.0; });
+    if (out == rgba->end()) return;
+    faults_.Add(element,
+                "rgba: colour: expected numbers from 0 to 1, found '" + NumberText(*out) + "'");
   }
 
   static const char* ColourOf(const TiXmlElement& material) {
@@ -174,25 +170,27 @@ class ElementCheck {
   /// One name is one colour: a parser takes the first for all.
   void TakeMaterial(const TiXmlElement& material) {
     const std::string name = material.Attribute("name") ? material.Attribute("name") : "";
-    const char* rgba = ColourOf(material);
-    if (rgba != nullptr && name.empty()) return;
-    if (rgba == nullptr && colours_.count(name) == 0) {
-      Refuse(material,
-             "expected a <color>, or the name of a material before, found '" + name + "'");
+    if (faults_.In(material)) return;
+    if (ColourOf(material) == nullptr) {
+      if (name.empty() || colours_.count(name) > 0) return;
+      faults_.Add(material,
+                  "expected a <color>, or the name of a material before, found '" + name + "'");
+      return;
     }
-    if (rgba == nullptr || colours_.emplace(name, rgba).first->second == rgba) return;
-    Refuse(material, "'" + name + "' has another colour before");
+    const Colour rgba = NumbersIn<4>(ColourOf(material));
+    if (name.empty() || colours_.emplace(name, rgba).first->second == rgba) return;
+    faults_.Add(material, "'" + name + "' has another colour before");
   }
 
-  std::string file_;
-  std::map<std::string, std::string> colours_;  // by material
+  UrdfFaults& faults_;
+  std::map<std::string, Colour> colours_;  // by material
   std::map<std::string, int> left_out_;
 };
 
 }  // namespace
 
-std::map<std::string, int> CheckUrdfElements(const TiXmlElement& robot, const std::string& file) {
-  ElementCheck check(file);
+std::map<std::string, int> CheckUrdfElements(TiXmlElement& robot, UrdfFaults& faults) {
+  ElementCheck check(faults);
   check.TakeMaterials(robot);
   check.Visit(robot);
   return check.TakeLeftOut();

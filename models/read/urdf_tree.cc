@@ -4,8 +4,6 @@
 #include <set>
 #include <vector>
 
-#include "models/read/config_error.h"
-
 namespace dockyard {
 namespace {
 
@@ -14,11 +12,13 @@ constexpr std::size_t kMaxLinks = 1000;
 
 class TreeCheck {
  public:
-  TreeCheck(const TiXmlElement& robot, std::string file) : file_(std::move(file)) {
+  TreeCheck(const TiXmlElement& robot, UrdfFaults& faults) : faults_(faults) {
     for (const TiXmlElement* e = robot.FirstChildElement("link"); e;
          e = e->NextSiblingElement("link")) {
-      if (links_.size() >= kMaxLinks) Refuse(*e, "more than 1000 links");
       links_.push_back(e);
+      if (links_.size() <= kMaxLinks) continue;
+      faults_.Add(*e, "more than 1000 links");
+      return;
     }
     for (const TiXmlElement* e = robot.FirstChildElement("joint"); e;
          e = e->NextSiblingElement("joint")) {
@@ -26,7 +26,8 @@ class TreeCheck {
     }
   }
 
-  void Run() const {
+  void Run() {
+    if (links_.size() > kMaxLinks) return;
     std::set<std::string> largest;
     std::string root;
     for (const TiXmlElement* link : links_) {
@@ -41,30 +42,23 @@ class TreeCheck {
       const std::string name = link->Attribute("name");
       if (largest.count(name) > 0) continue;
       if (parent_joint_.count(name) == 0) {
-        Refuse(*link, "'" + name + "' hangs on no joint, expected one tree" +
-                          (root.empty() ? "" : ", its root is '" + root + "'"));
-      }
-      if (root.empty() || InCircle(name)) {
-        Refuse(*parent_joint_.at(name), "joints in a circle, expected a tree");
+        faults_.Add(*link, "'" + name + "' hangs on no joint, expected one tree" +
+                               (root.empty() ? "" : ", its root is '" + root + "'"));
+      } else if (root.empty() || InCircle(name)) {
+        TakeCircle(name);
       }
     }
   }
 
  private:
-  [[noreturn]] void Refuse(const TiXmlElement& at, const std::string& what) const {
-    throw ConfigError(Place(at) + ": <" + at.Value() + ">: " + what);
-  }
-  std::string Place(const TiXmlElement& at) const {
-    return file_ + ":" + std::to_string(at.Row()) + ":" + std::to_string(at.Column());
-  }
-
   void TakeJoint(const TiXmlElement& joint) {
     const std::string parent = joint.FirstChildElement("parent")->Attribute("link");
     const std::string child = joint.FirstChildElement("child")->Attribute("link");
     const auto [at, fresh] = parent_joint_.emplace(child, &joint);
     if (!fresh) {
-      Refuse(joint,
-             "link '" + child + "' is the child of two joints, the first at " + Place(*at->second));
+      faults_.Add(joint, "link '" + child + "' is the child of two joints, the first at " +
+                             faults_.PlaceOf(*at->second));
+      return;
     }
     parent_[child] = parent;
     children_[parent].push_back(child);
@@ -93,7 +87,20 @@ class TreeCheck {
     return false;
   }
 
-  std::string file_;
+  /// One fault a circle, not one for each link that hangs on it.
+  void TakeCircle(const std::string& link) {
+    bool fresh = true;
+    std::set<std::string> seen;
+    for (auto at = parent_.find(link); at != parent_.end(); at = parent_.find(at->second)) {
+      if (!seen.insert(at->first).second) break;
+      fresh = fresh && in_circles_.count(at->first) == 0;
+    }
+    if (fresh) faults_.Add(*parent_joint_.at(link), "joints in a circle, expected a tree");
+    in_circles_.insert(seen.begin(), seen.end());
+  }
+
+  UrdfFaults& faults_;
+  std::set<std::string> in_circles_;
   std::vector<const TiXmlElement*> links_;
   std::map<std::string, const TiXmlElement*> parent_joint_;  // by child link
   std::map<std::string, std::string> parent_;                // link by child link
@@ -102,8 +109,8 @@ class TreeCheck {
 
 }  // namespace
 
-void CheckUrdfTree(const TiXmlElement& robot, const std::string& file) {
-  TreeCheck(robot, file).Run();
+void CheckUrdfTree(const TiXmlElement& robot, UrdfFaults& faults) {
+  TreeCheck(robot, faults).Run();
 }
 
 }  // namespace dockyard

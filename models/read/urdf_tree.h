@@ -3,13 +3,13 @@
 
 #include <tinyxml.h>
 
-#include <string>
+#include "models/read/urdf_faults.h"
 
 namespace dockyard {
 
-/// Throws ConfigError with line and column for a link that is the child of two joints, a link that
-/// the tree does not reach (of several trees the largest counts, the first of equals), joints in a
-/// circle, and more than 1000 links. Names must have been checked before.
-void CheckUrdfTree(const TiXmlElement& robot, const std::string& file);
+/// Faults are a link that is the child of two joints, a link that the tree does not reach (of
+/// several trees the largest counts, the first of equals), joints in a circle, and more than 1000
+/// links. Names and the ends of joints must have no fault.
+void CheckUrdfTree(const TiXmlElement& robot, UrdfFaults& faults);
 
 }  // namespace dockyard

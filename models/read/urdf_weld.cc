@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "controller/base/number_text.h"
+#include "controller/geometry/decompositions.h"
 #include "models/read/config_error.h"
 
 namespace dockyard {
@@ -94,6 +96,19 @@ UrdfModel WeldFixedLinks(const UrdfModel& model) {
     welded.joints.push_back(std::move(joint));
   }
   return welded;
+}
+
+const LinkModel& RequireInertial(const UrdfModel& welded, const std::string& name) {
+  const LinkModel& link = welded.Link(name);
+  if (!(link.mass_kg > 0.0)) {
+    throw ConfigError(welded.PlaceOf(name) + ": expected an <inertial>, found none");
+  }
+  const Eigen::Vector3d moments = EigenOfSymmetric(link.I_LCom_L).values;
+  if (moments[0] > 1e-9 * moments[2]) return link;
+  throw ConfigError(welded.PlaceOf(name) +
+                    ": inertia: a link that moves needs three principal moments > 0, found the "
+                    "smallest " +
+                    NumberText(moments[0]) + " kg m^2");
 }
 
 void RequireJoints(const UrdfModel& welded, const std::vector<std::string>& joints,

@@ -19,6 +19,10 @@ std::string CarrierOf(const UrdfModel& model, const std::string& link);
 /// joints between such links keep every bit. Link frames, [kg, m, kg m^2].
 UrdfModel WeldFixedLinks(const UrdfModel& model);
 
+/// The link of a welded model, which must have a mass and three moments: it moves. Throws
+/// ConfigError with its line where it has none.
+const LinkModel& RequireInertial(const UrdfModel& welded, const std::string& link);
+
 /// Throws ConfigError, with its line, for the first joint of a welded model that is none of these;
 /// `simulated` names the simulated ones: "a body, two wheels and an arm".
 void RequireJoints(const UrdfModel& welded, const std::vector<std::string>& joints,

@@ -5,6 +5,7 @@
 #include <yaml-cpp/parser.h>
 
 #include <map>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -40,6 +41,7 @@ class TreeBuilder : public YAML::EventHandler {
     RefuseTag(mark, tag);
     YamlNode node = Make(YamlNode::Kind::kScalar, mark);
     node.scalar = value;
+    RefuseControls(node, "\t\n");
     node.quoted = tag == "!";
     if (!node.quoted && (value == "null" || value == "~")) node.kind = YamlNode::Kind::kNull;
     Add(std::move(node));
@@ -73,6 +75,16 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void RefuseTag(const YAML::Mark& mark, const std::string& tag) const {
     if (!tag.empty() && tag != "?" && tag != "!") Refuse(mark, "tags (!name) are not read");
+  }
+  /// An escape such as \x1b puts any character into a quoted text. Results hold the texts of their
+  /// files, and a control character in them would keep them from being read again.
+  void RefuseControls(const YamlNode& node, std::string_view allowed) const {
+    std::string text = node.scalar;
+    std::erase_if(text, [&](char c) { return allowed.find(c) != std::string_view::npos; });
+    const std::optional<char32_t> found = FirstControl(text);
+    if (!found) return;
+    throw ConfigError(node.place.Text() + ": expected text without control characters, found " +
+                      CharacterName(*found));
   }
   YamlNode Make(YamlNode::Kind kind, const YAML::Mark& mark) {
     if (++nodes_ > kMaxNodes) {
@@ -113,6 +125,7 @@ class TreeBuilder : public YAML::EventHandler {
     if (node.kind != YamlNode::Kind::kScalar || node.scalar.empty()) {
       throw ConfigError(node.place.Text() + ": expected a key, found " + node.Found());
     }
+    RefuseControls(node, "");
     Level& level = levels_.back();
     const auto [first, fresh] = level.line_of_key.emplace(node.scalar, node.place.line);
     if (!fresh) {
@@ -182,7 +195,7 @@ YamlNode ParseYaml(const std::string& text, const std::string& file) {
   const auto source = std::make_shared<const std::string>(file);
   CheckIsText(text, file);
   try {
-    std::istringstream in(text);
+    std::istringstream in{std::string(WithoutByteOrderMark(text))};
     YAML::Parser parser(in);
     TreeBuilder builder(source);
     if (!parser.HandleNextDocument(builder)) throw ConfigError(file + ":1:1: the file is empty");
@@ -210,7 +223,13 @@ std::string FlowText(const YamlNode& node) {
     std::string out = "\"";
     for (const char c : text) {
       if (c == '"' || c == '\\') out += '\\';
-      out += c;
+      if (c == '\n') {
+        out += "\\n";  // a line's end in a quotation is read back as a space
+      } else if (c == '\t') {
+        out += "\\t";
+      } else {
+        out += c;
+      }
     }
     return out + '"';
   };
@@ -263,6 +282,10 @@ void SetYaml(YamlNode& root, const std::string& assignment) {
   CheckIsText(assignment, "--set");
   const std::size_t equals = assignment.find('=');
   const std::string path = assignment.substr(0, equals);
+  if (const auto control = FirstControl(path)) {
+    throw ConfigError("--set: expected a key without control characters, found " +
+                      CharacterName(*control));
+  }
   const bool dots = path.empty() || path.front() == '.' || path.back() == '.' ||
                     path.find("..") != std::string::npos;
   if (equals == std::string::npos || dots) {

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "models/read/load_cameras.h"
@@ -25,16 +26,16 @@ Examples:
   dockyard camera ray models/cameras/navcam.yaml 512 384 --name left --json
   dockyard camera project tests/models/data/m2020_cameras.json 3 0 0.5 --name HAZFLA
 
-FILE holds one camera, a list of them or a rig: our YAML, or JSON in the form in which NASA publishes
-the cameras of Mars 2020 (docs/reference/cameras.md). Points and rays are in the frame of the file's numbers,
-in metres; pixel 0 0 is the centre of the first pixel.)";
+FILE holds one camera, a list of them or a rig: our YAML, NASA's JSON of the cameras of Mars 2020, a
+camera_info of ROS, a chain of Kalibr, or YAML or XML of OpenCV (docs/reference/cameras.md). Points and
+rays are in the frame of the file's numbers, in metres; pixel 0 0 is the centre of the first pixel.)";
 
 constexpr const char* kProjectHelp = R"(The pixel that shows a point.
 
 Example:
   dockyard camera project models/cameras/navcam.yaml 2 0.1 0.3 --name left --json
 
---json: pixel [u, v], or null with the reason; in_image. A point that the camera cannot show is no
+--json: pixel [u, v], or null with the reason; in_image; warnings. A point that the camera cannot show is no
 error.)";
 
 constexpr const char* kRayHelp = R"(The points that a pixel shows: origin + s direction, s > 0.
@@ -43,13 +44,14 @@ Example:
   dockyard camera ray models/cameras/navcam.yaml 511.5 383.5 --name left --json
 
 --json: origin [x, y, z] in metres, direction [x, y, z] of length 1, or both null with the
-reason; in_image.)";
+reason; in_image; warnings.)";
 
 Json List(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// Either form: the JSON, or "key value value" lines.
-void Print(const Json& result, bool json) {
+void Print(Json result, bool json) {
   if (json) {
+    result["warnings"] = Json::array();
     std::printf("%s\n", result.dump().c_str());
     return;
   }
@@ -86,7 +88,7 @@ int Project(const CameraArguments& arguments) {
     result["in_image"] = false;
     result["reason"] = "the point lies behind the camera or outside the lens's field of view";
   }
-  Print(result, arguments.json);
+  Print(std::move(result), arguments.json);
   return kExitDone;
 }
 
@@ -107,7 +109,7 @@ int Ray(const CameraArguments& arguments) {
               {"in_image", in_image},
               {"reason", "no ray reaches this pixel"}};
   }
-  Print(result, arguments.json);
+  Print(std::move(result), arguments.json);
   return kExitDone;
 }
 

@@ -121,7 +121,7 @@ int RunCampaignCommand(const CommandArguments& arguments, const std::vector<Syst
   int code = ReportEnd(end, options.out_dir, arguments.json);
   if (plan) code = ReportAcceptance(*plan, followed, arguments.json);
   if (arguments.report.asked) {
-    WriteReport(options.out_dir, arguments.report.FileIn(options.out_dir), systems);
+    WriteReport(options.out_dir, arguments.report.FileIn(options.out_dir), systems, requirements);
   }
   return JudgeResults(arguments.judging, requirements, end, campaign, options.columns,
                       options.out_dir, arguments.json, code);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "models/read/calibrations.h"
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
 #include "models/read/load_cameras.h"
@@ -14,9 +15,12 @@
 #include "models/read/load_soil.h"
 #include "models/read/load_wheel.h"
 #include "models/read/mesh_loader.h"
-#include "models/read/urdf.h"
+#include "models/read/mesh_size.h"
 #include "models/read/urdf_weld.h"
+#include "models/read/xacro.h"
 #include "models/read/yaml_reader.h"
+#include "sim/app/check_answer.h"
+#include "sim/app/check_cameras.h"
 #include "sim/app/reproduction_files.h"
 #include "sim/app/scenario_options.h"
 #include "sim/plan/make_run.h"
@@ -27,12 +31,37 @@ namespace {
 
 FileCheck CheckMesh(const std::string& file) {
   const auto mesh = LoadMesh(file);
-  return {"mesh", std::to_string(mesh->vertices.size()) + " vertices, " +
-                      std::to_string(mesh->triangles.size()) + " triangles"};
+  const Eigen::Vector3d extent_m = ExtentOf(*mesh);
+  FileCheck check{"mesh", std::to_string(mesh->vertices.size()) + " vertices, " +
+                              std::to_string(mesh->triangles.size()) + " triangles, " +
+                              SizeText(extent_m) + " (x, y, z)"};
+  if (const std::string doubt = UnitDoubt(extent_m); !doubt.empty()) check.warnings = {doubt};
+  return check;
 }
 
-FileCheck CheckUrdf(const std::string& file) {
-  const UrdfModel model = LoadUrdf(file);
+UrdfOptions OptionsOf(const CheckOptions& options) {
+  return {.meshes = nullptr, .packages = options.packages, .expand_xacro = true};
+}
+
+/// Warnings of what the reader takes and a user may not mean.
+std::vector<std::string> WarningsOf(const UrdfModel& model) {
+  std::vector<std::string> warnings = model.warnings;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    for (const Visual& visual : model.links[i].visuals) {
+      const std::string doubt = UnitDoubt(ExtentOf(*visual.mesh));
+      if (!doubt.empty()) warnings.push_back(model.place[i] + ": visual: " + doubt);
+    }
+  }
+  for (const char* ignored : {"joint_properties", "surface", "contact", "contact_coefficients"}) {
+    if (model.left_out.count(ignored) == 0) continue;
+    warnings.push_back("<" + std::string(ignored) +
+                       "> is left out: friction and damping come from the robot's YAML file");
+  }
+  return warnings;
+}
+
+FileCheck CheckUrdf(const std::string& file, const CheckOptions& options) {
+  const UrdfModel model = LoadUrdf(file, OptionsOf(options));
   double mass_kg = 0.0;
   for (const LinkModel& link : model.links) mass_kg += link.mass_kg;
   std::string summary = model.name + ": " + std::to_string(model.links.size()) + " links, " +
@@ -49,7 +78,11 @@ FileCheck CheckUrdf(const std::string& file) {
     left_out +=
         (left_out.empty() ? "; left out: " : ", ") + std::to_string(count) + " <" + element + ">";
   }
-  return {"urdf", summary + welded + left_out};
+  return {"urdf",
+          summary + welded + left_out +
+              "; a run takes it only through a robot's or target's YAML file, with the links and "
+              "joints of that system",
+          WarningsOf(model), model.left_out};
 }
 
 FileCheck CheckBoard(const std::string& file) {
@@ -89,27 +122,6 @@ FileCheck CheckObstacles(const std::string& file) {
   const Obstacles obstacles = LoadObstacles(file);
   return {"obstacles", std::to_string(obstacles.discs.size()) + " discs, " +
                            std::to_string(obstacles.polygons.size()) + " areas"};
-}
-
-FileCheck CheckCameras(const std::string& file) {
-  const std::vector<PlacedCamera> cameras = LoadCameras(file);
-  for (const PlacedCamera& placed : cameras) {
-    RequireRays(placed.name.empty() ? file : file + ": " + placed.name, placed.camera);
-  }
-  const Camera& first = cameras[0].camera;
-  const Eigen::Vector2d f = first.focal_px();
-  std::string summary = std::to_string(cameras.size()) +
-                        (cameras.size() == 1 ? " camera, " : " cameras, the first of ") +
-                        std::to_string(first.width) + " x " + std::to_string(first.height) +
-                        " px, " + NumberText(std::round(10.0 * f.x()) / 10.0) + " px/rad";
-  return {"camera", summary};
-}
-
-FileCheck CheckRig(const std::string& file) {
-  const StereoRig rig = LoadRig(file);
-  return {"rig", std::to_string(rig.left.width) + " x " + std::to_string(rig.left.height) +
-                     " px, baseline " + NumberText(std::round(1e4 * rig.baseline_m()) / 1e4) +
-                     " m"};
 }
 
 FileCheck CheckScenario(const std::string& file, const std::vector<System>& systems) {
@@ -154,7 +166,8 @@ FileCheck CheckTable(const std::string& file) {
 }
 
 FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems) {
-  const YamlNode root = LoadYaml(file);
+  const YamlNode root = LoadCameraTree(file);  // YAML, also with the marks of OpenCV
+  if (IsCalibration(root)) return CheckCalibration(file);
   const auto has = [&](const char* key) { return root.Find(key) != nullptr; };
   if (has("reproduction")) return CheckReproduction(file, systems);
   if (has("obstacles")) return CheckObstacles(file);
@@ -180,23 +193,45 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
                     "or of a system's own model, found none of them");
 }
 
+bool IsUrdfFile(const std::string& file) {
+  return std::filesystem::path(file).extension() == ".urdf" || IsXacroFile(file);
+}
+
 }  // namespace
 
-FileCheck CheckFile(const std::string& file, const std::vector<System>& systems) {
+FileCheck CheckFile(const std::string& file, const std::vector<System>& systems,
+                    const CheckOptions& options) {
+  if (NamesTwoFiles(file)) return CheckRig(file);
   if (std::filesystem::is_directory(file)) {
     throw ConfigError(file + ": expected a file, found a folder");
   }
   const std::string extension = std::filesystem::path(file).extension().string();
   if (IsMeshFile(file)) return CheckMesh(file);
-  if (extension == ".urdf") return CheckUrdf(file);
-  if (extension == ".json") return CheckCameras(file);
-  if (extension == ".csv") return CheckTable(file);
+  if (IsUrdfFile(file)) return CheckUrdf(file, options);
+  if (extension == ".json" || extension == ".xml") return CheckCameras(file);
+  if (extension == ".csv") return IsDiscTable(file) ? CheckObstacles(file) : CheckTable(file);
   if (extension == ".yaml" || extension == ".yml") return CheckYaml(file, systems);
   throw ConfigError(
       file +
-      ": expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or .glb, found "
-      "extension '" +
+      ": expected a file .yaml, .yml, .json, .xml, .csv, .urdf, .xacro, .stl, .obj, .dae, .gltf or "
+      ".glb, found extension '" +
       extension + "'");
+}
+
+UrdfFindings FindFaults(const std::string& file, const std::vector<System>& systems,
+                        const CheckOptions& options) {
+  if (IsUrdfFile(file)) return FindUrdfFaults(file, OptionsOf(options));
+  try {
+    CheckFile(file, systems, options);
+  } catch (const ConfigError& error) {
+    // The fault may lie in a URDF file that this one names, which has more of them.
+    const std::string urdf = PlaceOf(error.what(), file).file;
+    UrdfFindings found;
+    if (IsUrdfFile(urdf) && !IsMeshFile(file)) found = FindUrdfFaults(urdf, {});
+    if (found.faults.empty()) found.faults = {error.what()};
+    return found;
+  }
+  return {};
 }
 
 }  // namespace dockyard

@@ -6,6 +6,7 @@
 #include "controller/vision/locate.h"
 #include "models/read/config_error.h"
 #include "sim/app/commands.h"
+#include "sim/app/detect_report.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/image_files.h"
 #include "sim/app/number_option.h"
@@ -41,19 +42,28 @@ One image is taken for the left camera's unless --camera says right. --board is 
 own (docs/reference/models.md): discs with bars or plain ones. Prints each fiducial (pixel, id, detected
 or predicted) and the board's pose in the rover body: metres, unit quaternion w x y z, covariance of
 p_x p_y p_z [m] and of a small turn about the rover's x y z [rad]. Exit code 4: no board accepted; the reason
-is printed.
+is printed. The noise is raised to what the residuals show, up to 1 px rms, and the covariance with it:
+flatness_m in the board's file states a bow, calibration_error_px in the rig's the cameras' error.
 --folder searches every image of a folder by itself and counts the accepted boards. Exit code 0, or 3 when
 some file is no image (it is named, the others are done).)";
 
+/// What the images are searched for, and by which rules.
+struct Searched {
+  const std::vector<System>& systems;
+  NamedBoard board;
+  ErrorAllowance errors;
+};
+
 LocateOutput LocatePair(const StereoImages& images, const DetectArguments& arguments,
-                        const FiducialBoard& board, const std::vector<System>& systems) {
+                        const Searched& searched) {
   const GrayImage& any = images.left.pixels.empty() ? images.right : images.left;
-  const StereoRig rig = RigOf(arguments.rig, systems, any.width, any.height);
+  const StereoRig rig = RigOf(arguments.rig, searched.systems, any.width, any.height);
   LocateHints hints;
   hints.up_R =
       (RotY(Radians(arguments.pitch_deg)) * RotX(Radians(arguments.roll_deg))).transpose() *
       Eigen::Vector3d::UnitZ();
-  return LocateBoard(images, rig, board, hints, arguments.pipeline.settings());
+  return LocateBoard(images, rig, searched.board.board, hints, arguments.pipeline.settings(),
+                     searched.errors);
 }
 
 /// What one camera saw.
@@ -68,66 +78,29 @@ void WarnIfCut(const std::string& file, std::vector<std::string>* warnings) {
        warnings);
 }
 
-/// The board was not found: checks whether it hangs upside down.
-void WarnIfTurned(const StereoImages& images, const DetectArguments& arguments,
-                  const FiducialBoard& board, const std::vector<System>& systems,
-                  std::vector<std::string>* warnings) {
+/// The board was not found: checks whether the images are exchanged, or else upside down.
+void TryOtherWays(const StereoImages& images, const DetectArguments& arguments,
+                  const Searched& searched, DetectAnswer* answer) {
+  if (!images.left.pixels.empty() && !images.right.pixels.empty()) {
+    const SightingReport exchanged =
+        LocatePair({.left = images.right, .right = images.left}, arguments, searched).report;
+    if (exchanged.accepted && exchanged.method == "stereo") {
+      answer->detail = "with left and right exchanged the images show the board";
+      return;
+    }
+  }
+  // A board that may be rolled by half a turn would have been found.
+  const Upright& upright = searched.board.board.upright;
+  const bool any_roll =
+      upright.against != Upright::Against::kPlumb && upright.within_rad >= Radians(180.0) - 1e-9;
+  if (any_roll || !answer->report.marks.empty()) return;
   for (const bool right : {false, true}) {
     const GrayImage& image = right ? images.right : images.left;
     if (image.pixels.empty()) continue;
-    if (LocatePair(Alone(UpsideDown(image), right), arguments, board, systems).report.marks.empty())
-      continue;
+    if (!LocatePair(Alone(UpsideDown(image), right), arguments, searched).report.accepted) continue;
     Warn("turned by 180 deg the " + std::string(right ? "right" : "left") +
              " image shows the board: is it upside down?",
-         warnings);
-  }
-}
-
-Json MarksJson(const SightingReport& report) {
-  Json list = Json::array();
-  const auto add = [&](const SightingReport::Mark& mark, const char* state) {
-    list.push_back({{"id", mark.id},
-                    {"camera", mark.camera == 1 ? "right" : "left"},
-                    {"u_px", mark.u_px},
-                    {"v_px", mark.v_px},
-                    {"state", state}});
-  };
-  for (const auto& mark : report.marks) add(mark, "detected");
-  for (const auto& mark : report.predicted) add(mark, "predicted");
-  return list;
-}
-
-void PrintJson(const DetectArguments& arguments, const SightingReport& report,
-               const std::vector<std::string>& warnings) {
-  Json json;
-  json["pipeline"] = arguments.pipeline.name;
-  json["accepted"] = report.accepted;
-  json["reason"] = report.accepted ? Json() : Json(report.reason);
-  json["method"] = report.method;
-  json["detected_left"] = report.DetectedBy(0);
-  json["detected_right"] = report.DetectedBy(1);
-  json["board_in_rover"] = report.accepted ? PoseJson(report.X_RB, report.covariance) : Json();
-  json["reprojection_px"] = report.marks.empty() ? Json() : Json(report.reprojection_px);
-  const Eigen::Vector3d &turn = report.camera_turn_rad, &sigma = report.camera_turn_sigma_rad;
-  json["camera_turn_rad"] = {turn.x(), turn.y(), turn.z()};
-  json["camera_turn_sigma_rad"] = {sigma.x(), sigma.y(), sigma.z()};
-  json["fiducials"] = MarksJson(report);
-  json["warnings"] = warnings;
-  std::printf("%s\n", json.dump(2).c_str());
-}
-
-void PrintText(const SightingReport& report) {
-  for (const Json& mark : MarksJson(report)) {
-    std::printf("%-5s %d  %9.3f %9.3f px  %s\n", mark["camera"].get<std::string>().c_str(),
-                mark["id"].get<int>(), mark["u_px"].get<double>(), mark["v_px"].get<double>(),
-                mark["state"].get<std::string>().c_str());
-  }
-  if (report.accepted) {
-    std::printf("board (%s, %.3f px rms): %s\n", report.method.c_str(), report.reprojection_px,
-                PoseText(report.X_RB, report.covariance).c_str());
-  } else {
-    std::printf("no board: %s (%d and %d discs detected)\n", report.reason.c_str(),
-                report.DetectedBy(0), report.DetectedBy(1));
+         &answer->warnings);
   }
 }
 
@@ -145,40 +118,44 @@ GrayImage LoadFor(const DetectArguments& arguments, const std::string& file) {
   return image;
 }
 
-int DetectInFolder(const DetectArguments& arguments, const FiducialBoard& board,
-                   const std::vector<System>& systems) {
-  RigOf(arguments.rig, systems, 0, 0);  // a bad rig is not the fault of an image
+int DetectInFolder(const DetectArguments& arguments, const Searched& searched) {
+  RigOf(arguments.rig, searched.systems, 0, 0);  // a bad rig is not the fault of an image
+  const std::size_t board_discs = searched.board.board.fiducials.size();
   const bool right = arguments.camera == "right";
   int images = 0, failed = 0, accepted = 0;
   Json list = Json::array();
+  std::vector<std::string> all_warnings;
   for (const std::string& file : ImageFilesIn(arguments.folder)) {
     SightingReport report;
     std::vector<std::string> warnings;
     try {
-      report = LocatePair(Alone(LoadFor(arguments, file), right), arguments, board, systems).report;
+      report = LocatePair(Alone(LoadFor(arguments, file), right), arguments, searched).report;
       WarnIfCut(file, &warnings);
     } catch (const ConfigError& error) {  // no image, or not of the cameras' shape
       ++failed;
       std::fprintf(stderr, "%s\n", error.what());
-      list.push_back({{"file", file}, {"error", error.what()}});
+      list.push_back({{"file", file}, {"error", error.what()}, {"warnings", warnings}});
       continue;
     }
+    all_warnings.insert(all_warnings.end(), warnings.begin(), warnings.end());
     ++images;
     accepted += report.accepted;
     list.push_back({{"file", file},
                     {"detected", report.DetectedBy(0) + report.DetectedBy(1)},
+                    {"board_discs_detected", NamedDiscs(report)},
                     {"warnings", warnings},
                     {"accepted", report.accepted},
                     {"reason", report.accepted ? Json() : Json(report.reason)}});
     if (arguments.json) continue;
-    std::printf("%s: %d discs, %s\n", file.c_str(), report.DetectedBy(0) + report.DetectedBy(1),
+    std::printf("%s: %s, %s\n", file.c_str(), DiscsText(report, board_discs).c_str(),
                 report.accepted ? "board accepted" : report.reason.c_str());
   }
   if (arguments.json) {
     const Json json{{"images", images},
                     {"not_looked_at", failed},
                     {"boards_accepted", accepted},
-                    {"files", list}};
+                    {"files", list},
+                    {"warnings", all_warnings}};
     std::printf("%s\n", json.dump(2).c_str());
   } else {
     std::printf("%d images, %d boards accepted", images, accepted);
@@ -227,23 +204,35 @@ void Draw(const StereoImages& images, const SightingReport& report, const std::s
 
 int Detect(const DetectArguments& arguments, const std::vector<System>& systems) {
   RequireSound(arguments);
-  const FiducialBoard board = BoardOf(arguments.board, systems).board;
+  const NamedBoard named = BoardOf(arguments.board, systems);
+  const Searched searched{.systems = systems,
+                          .board = named,
+                          .errors = {.raise_noise = true,
+                                     .flatness_m = named.flatness_m,
+                                     .calibration_px = CalibrationErrorOf(arguments.rig)}};
   if (arguments.pipeline.settings().pipeline == VisionPipeline::kTsai2013 &&
-      !HasTwoOfEachRotation(board)) {
+      !HasTwoOfEachRotation(named.board)) {
     throw ConfigError(arguments.board +
                       ": expected two bars of each rotation, as --pipeline tsai2013 needs them, "
                       "found others");
   }
-  if (!arguments.folder.empty()) return DetectInFolder(arguments, board, systems);
+  if (!arguments.folder.empty()) return DetectInFolder(arguments, searched);
   const StereoImages images = LoadImages(arguments);
-  std::vector<std::string> warnings;
-  WarnIfCut(arguments.left, &warnings);
-  WarnIfCut(arguments.right, &warnings);
-  const LocateOutput out = LocatePair(images, arguments, board, systems);
-  if (!out.report.accepted) WarnIfTurned(images, arguments, board, systems, &warnings);
-  if (!arguments.draw.empty()) Draw(images, out.report, arguments.draw);
-  arguments.json ? PrintJson(arguments, out.report, warnings) : PrintText(out.report);
-  return out.report.accepted ? kExitDone : kExitNotDocked;
+  DetectAnswer answer{.report = {},
+                      .detail = {},
+                      .pipeline = arguments.pipeline.name,
+                      .board_discs = named.board.fiducials.size()};
+  WarnIfCut(arguments.left, &answer.warnings);
+  WarnIfCut(arguments.right, &answer.warnings);
+  answer.report = LocatePair(images, arguments, searched).report;
+  if (!answer.report.accepted) TryOtherWays(images, arguments, searched, &answer);
+  if (!arguments.draw.empty()) Draw(images, answer.report, arguments.draw);
+  if (arguments.json) {
+    std::printf("%s\n", DetectJson(answer).dump(2).c_str());
+  } else {
+    PrintDetectText(answer);
+  }
+  return answer.report.accepted ? kExitDone : kExitNotDocked;
 }
 
 }  // namespace

@@ -1,8 +1,12 @@
 #include "sim/app/film_files.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
+#include "controller/base/number_text.h"
+#include "models/read/yaml_reader.h"
 #include "sim/app/commands.h"
 #include "sim/app/passing_folder.h"
 #include "sim/app/terminal.h"
@@ -13,7 +17,37 @@
 
 namespace dockyard {
 
-OutsideOptions OutsideArguments::options() const {
+namespace {
+
+/// Three numbers apart by commas; none: the text is something else.
+std::optional<Eigen::Vector3d> PlaceFrom(const std::string& text) {
+  Eigen::Vector3d place(0.0, 0.0, 0.0);
+  std::size_t begin = 0;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = i < 2 ? text.find(',', begin) : text.size();
+    if (comma == std::string::npos) return std::nullopt;
+    const auto number = NumberFromText(text.substr(begin, comma - begin));
+    if (!number || std::abs(*number) > 1e4) return std::nullopt;
+    place(i) = *number;
+    begin = comma + 1;
+  }
+  return place;
+}
+
+Aim AimFrom(const std::string& text, const StageShapes& shapes) {
+  if (const auto place = PlaceFrom(text)) return {.name = {}, .p_D = place};
+  const std::vector<std::string> known = AimNames(shapes);
+  if (std::find(known.begin(), known.end(), text) != known.end()) return {text, std::nullopt};
+  std::string names;
+  for (const std::string& name : known) names += name + ", ";
+  const std::string near = NearestName(text, known);
+  throw UsageError("--at: expected " + names + "or X,Y,Z in metres, found '" + text + "'" +
+                   (near.empty() ? "" : "; nearest is '" + near + "'"));
+}
+
+}  // namespace
+
+OutsideOptions OutsideArguments::options(const StageShapes& shapes) const {
   OutsideOptions options;
   char rest = 0;
   const bool two =
@@ -27,8 +61,9 @@ OutsideOptions OutsideArguments::options() const {
   if (options.width % 2 != 0 || options.height % 2 != 0) {
     throw UsageError("--size: expected even numbers, as films need them, found '" + size + "'");
   }
-  if (eye_D.empty()) return options;
-  options.eye_D = Eigen::Vector3d(eye_D[0], eye_D[1], eye_D[2]);
+  if (!at.empty()) options.at = AimFrom(at, shapes);
+  if (from_D.empty()) return options;
+  options.from_D = Eigen::Vector3d(from_D[0], from_D[1], from_D[2]);
   return options;
 }
 
@@ -36,12 +71,17 @@ void AddOutsideOptions(CLI::App& command, OutsideArguments& arguments) {
   command.add_option("--size", arguments.size, "of the pictures [960x540]")
       ->type_name("WIDTHxHEIGHT");
   command
-      .add_option("--from", arguments.eye_D,
+      .add_option("--from", arguments.from_D,
                   "where the spectator stands, from the target: out along its axis, to the left, "
                   "up [m] [where all is in view]")
       ->type_name("X,Y,Z")
       ->delimiter(',')
       ->expected(3);
+  command
+      .add_option("--at", arguments.at,
+                  "what the spectator looks at: target, robot, another point of the system (tip, "
+                  "gripper ...), or a place as of --from [robot and target]")
+      ->type_name("NAME|X,Y,Z");
 }
 
 StageShapes ShapesToDraw(const System& system, const Scenario& scenario) {

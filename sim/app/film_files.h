@@ -12,13 +12,14 @@
 
 namespace dockyard {
 
-/// --size and --from.
+/// --size, --from and --at.
 struct OutsideArguments {
   std::string size = "960x540";
-  std::vector<double> eye_D;  // x, y, z [m], or empty
+  std::vector<double> from_D;  // x, y, z [m], or empty
+  std::string at;              // empty: robot and target
 
-  /// Throws UsageError.
-  OutsideOptions options() const;
+  /// Throws UsageError, also for a point that these shapes do not have.
+  OutsideOptions options(const StageShapes& shapes) const;
 };
 void AddOutsideOptions(CLI::App& command, OutsideArguments& arguments);
 

@@ -5,6 +5,7 @@
 #include <regex>
 #include <set>
 
+#include "models/read/config_error.h"
 #include "models/read/text_file.h"
 #include "models/read/yaml_tree.h"
 #include "sim/base/environment.h"
@@ -116,6 +117,21 @@ fs::path CommonFolder(const std::set<fs::path>& files) {
   return common;
 }
 
+/// A folder of results is read by its own campaign.yaml ever after.
+void RequireReadable(const std::string& campaign_yaml) {
+  const std::string file = "campaign.yaml of the results";
+  if (campaign_yaml.size() > kMaxTextBytes) {
+    throw ConfigError(file + ": would be larger than " + std::to_string(kMaxTextBytes >> 20) +
+                      " MiB, which no command reads again; make a campaign of each part of the "
+                      "table");
+  }
+  try {
+    ParseYaml(campaign_yaml, file);
+  } catch (const ConfigError& error) {
+    throw ConfigError(std::string(error.what()) + "; no command could read the results again");
+  }
+}
+
 }  // namespace
 
 CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSystem>& systems) {
@@ -149,6 +165,7 @@ CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSys
                                                                        : "files/" + inside;
   };
   identity.campaign_yaml = CampaignYaml(WithMovedFiles(campaign, systems, place_of, true));
+  RequireReadable(identity.campaign_yaml);
   identity.program = {{"version", DOCKYARD_VERSION},
                       {"fingerprint", Fingerprint("/proc/self/exe")},
                       {"mathematics", HexText(MathFingerprint())},

@@ -9,6 +9,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"
+#include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/page/report_page.h"
 #include "sim/paths/path_json.h"
@@ -42,8 +43,11 @@ of every turn on the y axis. Without --heading-deg one arc leads to the goal. Wi
 those of least cost by the paper's Eq. (14), twice the longer of both; or three, the shortest found.
 An arc has a length, negative backwards, and a turn, counter-clockwise. cost_m of one arc and of
 three is their length. A rover's file has its wheels, whose steering limits hold, and its outline,
-which keeps the margin from all obstacles. Candidates are shown for one and two arcs, not for three.
+which keeps the margin from all obstacles: a YAML file of discs and areas, or a CSV file of up to
+100 000 discs with the columns x_m, y_m, radius_m. Candidates are shown for one and two arcs, not for three.
 Exit code 4: there are no such arcs.)";
+
+constexpr std::size_t kManyDiscs = 1000;  // fewer are compared one by one as quickly
 
 struct Request {
   PathTask task;
@@ -80,6 +84,9 @@ Request RequestOf(const PlanArguments& in) {
   if (!in.obstacles.empty()) {
     task.demands.obstacles = LoadObstacles(in.obstacles);
     task.demands.margin_m = in.margin_m;
+    if (task.demands.obstacles.discs.size() > kManyDiscs) {
+      task.demands = WithGrid(std::move(task.demands));
+    }
   }
   if (!in.in_view_m.empty()) {
     if (!task.rover.view) throw UsageError("--keep-in-view needs a rover with a view");
@@ -130,12 +137,34 @@ std::string PageOf(const PathTask& task, const PlannedPath& plan) {
   return ReportPage(content);
 }
 
+std::vector<std::string> WarningsOf(const Request& request, const PlannedPath& plan) {
+  std::vector<std::string> warnings;
+  const PathTask& task = request.task;
+  const PathDemands& demands = task.demands;
+  const auto Stands = [&](const Pose2& X_AR, const char* where) {
+    const double clear_m = StandingClearance(task.rover, X_AR, demands.obstacles, demands.margin_m);
+    if (clear_m >= demands.margin_m) return;
+    Warn(std::string("the rover is nearer to an obstacle than --margin ") + where, &warnings);
+  };
+  if (!plan.best) {
+    Stands({}, "where it starts");
+    if (task.heading) Stands(GoalPose(task), "at the goal");
+  }
+  if (!request.page.empty() && plan.best && demands.obstacles.discs.size() > kMostShownDiscs) {
+    Warn(request.page + " shows the " + std::to_string(kMostShownDiscs) +
+             " discs nearest to the start and the goal",
+         &warnings);
+  }
+  return warnings;
+}
+
 int PrintPlan(const Request& request) {
   const PlannedPath plan = PlanPath(request.task);
+  const std::vector<std::string> warnings = WarningsOf(request, plan);
   if (!request.svg.empty()) WriteWhole(request.svg, PathSvg(request.task, plan));
   if (!request.page.empty() && plan.best) WriteWhole(request.page, PageOf(request.task, plan));
   if (request.json) {
-    std::printf("%s\n", PathJson(request.task, plan).dump(2).c_str());
+    std::printf("%s\n", PathJson(request.task, plan, warnings).dump(2).c_str());
   } else {
     PrintText(plan);
   }
@@ -163,7 +192,8 @@ void AddPlanCommand(CLI::App& app, int& exit_code) {
   command->add_option("--arcs", arguments->arcs, "2 or 3 arcs to a heading [2]")
       ->check(CLI::IsMember({2, 3}));
   command->add_option("--robot", arguments->robot, "file of a rover, as in models/rovers");
-  command->add_option("--obstacles", arguments->obstacles, "file of discs and areas to keep off");
+  command->add_option("--obstacles", arguments->obstacles,
+                      "YAML of discs and areas, or CSV of discs");
   command->add_option("--margin", arguments->margin_m, "m to keep from obstacles [0.05]")
       ->check(NumberWithin(0.0, 1e3));
   AddPlace("--keep-in-view", arguments->in_view_m,

@@ -1,6 +1,7 @@
 #include "sim/app/point_files.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <tuple>
 
@@ -36,6 +37,34 @@ bool Given(const YamlNode& row, const char* column) {
   return cell && cell->kind != YamlNode::Kind::kNull;
 }
 
+/// Trackers write NaN, or nothing, for a point that they did not find.
+bool IsNoNumber(const YamlNode& row, const char* column) {
+  const YamlNode* cell = row.Find(column);
+  if (!cell) return false;
+  if (cell->kind == YamlNode::Kind::kNull) return true;
+  std::string text = cell->scalar;
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.erase(0, 1);
+  return text == "nan" || text == "na" || text == "n/a" || text == "none" || text == "null";
+}
+
+/// The camera's image holds the pixel. A corner that is found by its edges may lie a little
+/// outside.
+void RequireInside(const YamlReader& in, const PointPixel& point, const StereoRig& rig) {
+  constexpr double kOutsidePx = 2.0;  // assumed, 1-5
+  const Camera& camera = point.view == 0 ? rig.left : rig.right;
+  if (camera.Sees(point.pixel, -kOutsidePx)) return;
+  const bool across =
+      point.pixel.x() < -kOutsidePx || point.pixel.x() > camera.width - 1.0 + kOutsidePx;
+  in.Refuse(across ? "u_px" : "v_px",
+            std::string("a pixel of the ") + (point.view == 0 ? "left" : "right") +
+                " camera's image of " + std::to_string(camera.width) + " x " +
+                std::to_string(camera.height) +
+                " px, it lies outside (are the pixels those of an image of another size or "
+                "resolution? --width and --height state the images' size)");
+}
+
 PointPixel ReadPoint(const YamlNode& row, const YamlReader& in) {
   PointPixel point;
   point.view = in.Choice("camera", {"left", "right"});
@@ -51,7 +80,8 @@ PointPixel ReadPoint(const YamlNode& row, const YamlReader& in) {
 
 }  // namespace
 
-std::vector<PointFrame> LoadPointFrames(const std::string& file, bool sequence) {
+std::vector<PointFrame> LoadPointFrames(const std::string& file, bool sequence,
+                                        const StereoRig* rig) {
   const YamlNode table = LoadCsv(file);
   std::vector<PointFrame> frames;
   if (table.items.empty()) {
@@ -72,7 +102,13 @@ std::vector<PointFrame> LoadPointFrames(const std::string& file, bool sequence) 
       in.Refuse("frame", "the same frame in every row (--sequence reads several)");
     }
     if (is_new) frames.push_back({.name = name, .points = {}, .rows = {}});
+    if (IsNoNumber(row, "u_px") || IsNoNumber(row, "v_px")) {
+      in.Choice("camera", {"left", "right"});
+      ++frames[at->second].not_detected;
+      continue;
+    }
     const PointPixel point = ReadPoint(row, in);
+    if (rig) RequireInside(in, point, *rig);
     const auto [known, first] = surveys.try_emplace(
         {at->second, point.p_B.x(), point.p_B.y(), point.p_B.z()}, point.survey_m);
     if (!first && known->second != point.survey_m) {

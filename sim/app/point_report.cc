@@ -48,21 +48,32 @@ InversePose Inverted(const Pose3& X_RB, const Matrix6d& covariance) {
   return {.X_BR = Inverse(X_RB), .covariance = T * covariance * T.transpose()};
 }
 
-std::string Detail(const FrameAnswer& answer) {
-  if (answer.pipeline != PipelineName(VisionPipeline::kDockyard)) return "";
+namespace {
+
+std::string WhyNoPose(const FrameAnswer& answer) {
   switch (answer.pose.error()) {
     case PoseFailure::kTooFewFiducials:
       return "fewer than four different points agree; three fix a pose and agree with any";
     case PoseFailure::kNoCorrespondence:
       return "fewer than half of the points agree on a pose, or so few that accident explains it";
     case PoseFailure::kCamerasDisagree:
-      return std::string("the points of one camera alone agree on a pose, those of both do not") +
-             (answer.agree_when_exchanged ? "; with left and right exchanged they do" : "");
+      return "the points of one camera alone agree on a pose, those of both do not";
     case PoseFailure::kUncertain:
       return "the points do not fix a pose: 1 sigma above 30 deg or half the distance";
+    case PoseFailure::kPoorFit:
+      return "chi-square " + NumberText(std::round(answer.chi_square)) + " of " +
+             std::to_string(answer.freedom);
     default:
       return "";
   }
+}
+
+}  // namespace
+
+std::string Detail(const FrameAnswer& answer) {
+  if (answer.pipeline != PipelineName(VisionPipeline::kDockyard)) return "";
+  const std::string why = WhyNoPose(answer);
+  return answer.agree_when.empty() ? why : why + "; " + answer.agree_when;
 }
 
 Json FrameJson(const PointFrame& frame, const FrameAnswer& answer) {
@@ -71,8 +82,10 @@ Json FrameJson(const PointFrame& frame, const FrameAnswer& answer) {
   json["pipeline"] = answer.pipeline;
   json["accepted"] = static_cast<bool>(answer.pose);
   json["reason"] = answer.pose ? Json() : Json(Name(answer.pose.error()));
+  json["not_detected"] = frame.not_detected;
   if (!answer.pose) {
     json["detail"] = Detail(answer);
+    json["warnings"] = answer.warnings;
     return json;
   }
   const PointPose& pose = *answer.pose;
@@ -98,6 +111,7 @@ Json FrameJson(const PointFrame& frame, const FrameAnswer& answer) {
   // squared it fits worse.
   json["other_branch"] = pose.other_RB ? PoseJson(*pose.other_RB, Matrix6d::Zero()) : Json();
   if (pose.other_RB) json["other_branch"]["cost_more"] = pose.other_cost - pose.fit.cost;
+  json["warnings"] = answer.warnings;
   return json;
 }
 

@@ -12,9 +12,13 @@ namespace dockyard {
 
 struct FrameAnswer {
   Result<PointPose, PoseFailure> pose = PoseFailure::kTooFewFiducials;
-  double survey_m = 0.0;              // survey error of points whose row states none
-  bool agree_when_exchanged = false;  // refused, but left and right exchanged would be accepted
+  double survey_m = 0.0;  // survey error of points whose row states none
+  // Refused, but with this changed the points agree; part of a sentence.
+  std::string agree_when{};
+  double chi_square = 0.0;  // of a pose that was refused as a poor fit
+  int freedom = 0;
   std::string pipeline;
+  std::vector<std::string> warnings{};
 };
 
 /// The rover in the body's frame, with the covariance in the order of Matrix6d: place, then a small

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -5,10 +6,14 @@
 #include <vector>
 
 #include "controller/vision/point_pose.h"
+#include "models/read/yaml_reader.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/pixel_rays.h"
+#include "sim/app/point_doubts.h"
 #include "sim/app/point_files.h"
 #include "sim/app/point_report.h"
+#include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
 
 namespace dockyard {
@@ -37,29 +42,16 @@ they are left out. Optional columns, where an empty cell is as no column:
   survey_error_m   1 sigma of the point's place on the body, one axis; else that of --survey-error-m
   disc_diameter_m  the pixel is the middle of a disc of this size, square to the body's z
   frame            any text; --sequence needs it: rows with the same text are seen at the same time
-Further columns are ignored. The survey's error is shared by all pixels of a point; it enters what counts as
+Further columns are ignored. A row whose pixel is empty or NaN was not detected: it is left out and counted. A
+pixel outside the image is an error. The survey's error is shared by all pixels of a point; it enters what counts as
 wrong, the weights and the covariance, and the default holds for the whole file. Pipeline tsai2013 knows
-neither it nor discs, and leaves no point out.
+neither it nor discs, and leaves no point out. Chi-square above 10 times its freedom is a warning, or a refusal
+when a usual mistake explains it: cameras exchanged, axes left-handed, an image of another size.
 
 Prints the body's pose in the rover body (metres, unit quaternion w x y z, covariance), the rover's in the
 body, chi-square, the fitted turn of the cameras, and which points were left out. With --sequence: one line,
 JSON object or CSV row for each frame, in order of their first rows. Exit code 0: a pose (of a sequence: of one
 frame at least); 4: no pose, the reason is printed; 3: a bad file; 2: usage.)";
-
-FrameAnswer Answer(const PointFrame& frame, const StereoRig& rig, const VisionSettings& settings,
-                   const PointOptions& options) {
-  FrameAnswer answer{.pose = PoseFromPoints(frame.points, rig, settings, options),
-                     .survey_m = options.survey_m,
-                     .agree_when_exchanged = false,
-                     .pipeline = PipelineName(settings.pipeline)};
-  if (!answer.pose && answer.pose.error() == PoseFailure::kCamerasDisagree) {
-    std::vector<PointPixel> exchanged = frame.points;
-    for (PointPixel& point : exchanged) point.view = 1 - point.view;
-    answer.agree_when_exchanged =
-        static_cast<bool>(PoseFromPoints(exchanged, rig, settings, options));
-  }
-  return answer;
-}
 
 void RequireSound(const PoseArguments& arguments) {
   arguments.pipeline.RequireSound();
@@ -76,27 +68,59 @@ void RequireSound(const PoseArguments& arguments) {
   if (arguments.json && arguments.csv) throw UsageError("--json and --csv are two forms: give one");
 }
 
+/// What the whole file shows, on stderr.
+struct Totals {
+  std::size_t frames = 0, poses = 0, doubtful = 0;
+  int not_detected = 0;
+};
+
+void Note(const Totals& totals) {
+  if (totals.doubtful > 0) {
+    PrintNote("warning: " + std::to_string(totals.doubtful) + " of " +
+              std::to_string(totals.frames) + " frames have a chi-square above " +
+              NumberText(kBeyondReason) +
+              " times its freedom: check the images' size, the calibration and the points");
+  }
+  std::string text =
+      std::to_string(totals.frames) + " frames, " + std::to_string(totals.poses) + " poses";
+  if (totals.not_detected > 0) {
+    text += "; " + std::to_string(totals.not_detected) + " rows without a pixel left out";
+  }
+  PrintNote(text);
+}
+
 int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
   RequireSound(arguments);
   const bool sequence = !arguments.sequence.empty();
-  const std::vector<PointFrame> frames =
-      LoadPointFrames(sequence ? arguments.sequence : arguments.points, sequence);
   const StereoRig rig =
       RigOf(arguments.rig, systems, arguments.width.value_or(0), arguments.height.value_or(0));
+  const std::string& file = sequence ? arguments.sequence : arguments.points;
+  const std::vector<PointFrame> frames = LoadPointFrames(file, sequence, &rig);
+  RequirePixelRays(frames, rig, file);
   PointOptions options;
   options.survey_m = arguments.survey_m.value_or(DefaultSurveyError(frames));
+  options.sigma_px = std::hypot(options.sigma_px, CalibrationErrorOf(arguments.rig));
   if (arguments.csv) std::printf("%s\n", PoseTableHeader().c_str());
-  std::size_t poses = 0;
+  Totals totals{.frames = frames.size()};
   for (const PointFrame& frame : frames) {
-    const FrameAnswer answer = Answer(frame, rig, arguments.pipeline.settings(), options);
-    poses += static_cast<bool>(answer.pose);
+    FrameAnswer answer = AnswerFor(frame, rig, arguments.pipeline.settings(), options);
+    totals.poses += static_cast<bool>(answer.pose);
+    totals.doubtful += !answer.warnings.empty();
+    totals.not_detected += frame.not_detected;
+    if (!sequence) {
+      if (frame.not_detected > 0) {
+        answer.warnings.push_back(std::to_string(frame.not_detected) +
+                                  " rows without a pixel left out");
+      }
+      for (const std::string& warning : answer.warnings) PrintNote("warning: " + warning);
+    }
     const std::string text = arguments.json  ? FrameJson(frame, answer).dump(sequence ? -1 : 2)
                              : arguments.csv ? PoseTableRow(frame, answer)
                                              : FrameText(frame, answer, !sequence);
     std::printf("%s\n", text.c_str());
   }
-  if (sequence) std::fprintf(stderr, "%zu frames, %zu poses\n", frames.size(), poses);
-  return poses > 0 ? kExitDone : kExitNotDocked;
+  if (sequence) Note(totals);
+  return totals.poses > 0 ? kExitDone : kExitNotDocked;
 }
 
 }  // namespace

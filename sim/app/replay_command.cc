@@ -44,6 +44,7 @@ Examples:
   dockyard replay results/{campaign_name} 17
   dockyard replay out/typical
   dockyard replay out/typical --frames out/film --period 5
+  dockyard replay out/typical --frames out/tip --period 20 --at tip
 
 Compares the result row and state_hash bit for bit, then feeds the logged sensor frames to the
 controller alone and compares its commands. Exit code 0: the same, 1: not the same, 10: the
@@ -74,13 +75,14 @@ void ReportEnvironment(const std::filesystem::path& dir) {
 struct ReplayAnswer {
   bool as_json = false;
   Json json = Json::object();
+  std::vector<std::string> warnings;
 
   void Say(const std::string& line) const {
     if (!as_json) std::printf("%s\n", line.c_str());
   }
   void Print() {
     if (!as_json) return;
-    json["warnings"] = WarningsSaid();
+    json["warnings"] = warnings;
     std::printf("%s\n", json.dump(1).c_str());
   }
 };
@@ -151,6 +153,9 @@ Alone ReportCommands(const std::filesystem::path& run_dir, const Scenario& scena
     return Conclude(Alone::kLogIsShort, "same for " + steps + ", then the log is cut short",
                     answer);
   }
+  if (!replay.guarded) {
+    Warn("the log has no check values, so nothing guards it against damage", &answer.warnings);
+  }
   return Conclude(Alone::kSame, "same commands at all " + steps, answer);
 }
 
@@ -172,8 +177,8 @@ Alone ReportController(const std::filesystem::path& run_dir, const Scenario& sce
 int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept,
                const std::vector<System>& systems) {
   const System& system = FindSystem(systems, kept.run.scenario.system);
-  const OutsideOptions outside = arguments.outside.options();
   const StageShapes shapes = ShapesToDraw(system, kept.run.scenario);
+  const OutsideOptions outside = arguments.outside.options(shapes);
   const bool logged = std::filesystem::exists(kept.log_dir / kRunLogFile);
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
   arguments.commands.Fill(options);

@@ -14,6 +14,7 @@
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
+#include "sim/log/belief_error.h"
 #include "sim/page/markdown.h"
 #include "sim/report/run_plots.h"
 #include "sim/report/starts_plot.h"
@@ -24,6 +25,7 @@ namespace {
 struct ReportArguments {
   std::string dir, out, format = "html";
   double reliability = 0.0, confidence = 0.95;
+  JudgingOptions judging;  // without a file
   int most_mib = 50;
   bool no_pictures = false, svg = false, json = false;
 };
@@ -41,11 +43,14 @@ Examples:
   dockyard report results/{campaign_name}
   dockyard report results/{campaign_name} --out out/yard.html --no-pictures
   dockyard report results/{campaign_name} --reliability 0.9 --confidence 0.95
+  dockyard report results/{campaign_name} --require 'docked >= 0.9' --out out/aim.html
   dockyard report results/{campaign_name} --format markdown --out out/yard.md
   dockyard report results/{campaign_name} --svg --out out/figures
 
-The page has success with exact intervals, failures by cause, a map of the starts, the sensitivity,
-all runs in a table, and a replay of each run whose log is kept (`keep` in the campaign's file).
+The page has success with exact intervals, failures by cause, a map of the starts, curves over the
+numbers that the campaign varies, the sensitivity, all runs in a table, and a replay of each run whose
+log is kept (`keep` in the campaign's file). --reliability and --require on `docked` draw their limit
+into the curves.
 
 --svg writes static figures instead, into the folder --out: of a campaign starts.svg, the starts from
 above with how they ended; of a run path.svg and history.svg, its path and its channels over time.)";
@@ -63,9 +68,14 @@ std::string ReportText(const std::string& format, const ReportContent& content,
     if (content.campaign == nullptr) {
       throw UsageError("--format junit: expected the results folder of a campaign");
     }
-    return JUnitOf(*content.runs, *content.campaign, content.columns, dir, {});
+    std::vector<Judgement> judged;
+    for (const Requirement& requirement : content.requirements) {
+      judged.push_back(Judge(requirement, content.columns, content.runs->results));
+    }
+    return JUnitOf(*content.runs, *content.campaign, content.columns, dir, judged);
   }
-  const Json overview = OverviewPart(content.campaign, *content.runs, content.columns, content.aim);
+  const Json overview = OverviewPart(content.campaign, *content.runs, content.columns, content.aim,
+                                     content.requirements);
   if (format == "json") return overview.dump(1) + "\n";
   return OverviewMarkdown(content.title, overview, content.replay_command);
 }
@@ -89,7 +99,9 @@ int WriteFigures(const ReportContent& content, const std::filesystem::path& out,
     const LoggedRun log = content.watched.front().log();
     const std::string title = TitleOf(content, content.runs->results.front());
     WriteWhole(out / "path.svg", PathPlot(title, log));
-    WriteWhole(out / "history.svg", HistoryPlot(title, log, content.channels));
+    std::vector<Column> channels = content.channels;
+    channels.insert(channels.end(), BeliefErrorColumns().begin(), BeliefErrorColumns().end());
+    WriteWhole(out / "history.svg", HistoryPlot(title, log, channels));
     PrintNote("path.svg and history.svg in " + out.string());
     if (json) PrintWritten({out / "path.svg", out / "history.svg"});
     return kExitDone;
@@ -116,6 +128,12 @@ int Report(const ReportArguments& arguments, const std::vector<System>& systems)
   content.most_bytes = static_cast<std::size_t>(arguments.most_mib) << 20;
   if (arguments.reliability > 0.0) {
     content.aim = AcceptanceAim{arguments.reliability, arguments.confidence};
+  }
+  if (!arguments.judging.require.empty()) {
+    if (content.campaign == nullptr) {
+      throw UsageError("--require: expected the results folder of a campaign");
+    }
+    content.requirements = ReadRequirements(arguments.judging, content.columns, *content.campaign);
   }
   const std::filesystem::path file = arguments.out.empty()
                                          ? dir / ("report" + ExtensionOf(arguments.format))
@@ -150,6 +168,9 @@ void AddReportCommand(CLI::App& app, const std::vector<System>& systems, int& ex
       ->add_option("--reliability", arguments->reliability,
                    "say whether the runs show this share of successes")
       ->check(NumberWithin(1e-9, 1.0));
+  command->add_option(
+      "--require", arguments->judging.require,
+      "say whether the results meet it, such as 'docked >= 0.9'; may be given again");
   command->add_option("--confidence", arguments->confidence, "of that verdict [0.95]")
       ->check(NumberWithin(0.5, 1.0 - 1e-12));
   command->callback([arguments, &systems, &exit_code] { exit_code = Report(*arguments, systems); });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 
 #include "controller/base/number_text.h"
@@ -155,9 +156,11 @@ ReportContent ContentOf(const fs::path& dir, const std::vector<System>& systems,
   return ContentOfRun(dir, system, scenario, *row, source);
 }
 
-void WriteReport(const fs::path& dir, const fs::path& file, const std::vector<System>& systems) {
+void WriteReport(const fs::path& dir, const fs::path& file, const std::vector<System>& systems,
+                 const std::vector<Requirement>& requirements) {
   ReportSource source;
-  const ReportContent content = ContentOf(dir, systems, source);
+  ReportContent content = ContentOf(dir, systems, source);
+  content.requirements = requirements;
   if (file.has_parent_path()) MakeFolder(file.parent_path());
   WriteWhole(file, ReportPage(content));
   PrintNote("report in " + file.string());

@@ -27,7 +27,8 @@ ReportContent ContentOf(const std::filesystem::path& dir, const std::vector<Syst
 
 /// Writes the page of a campaign's folder into a file and says so. Throws as ContentOf.
 void WriteReport(const std::filesystem::path& dir, const std::filesystem::path& file,
-                 const std::vector<System>& systems);
+                 const std::vector<System>& systems,
+                 const std::vector<Requirement>& requirements = {});
 
 /// Of one run whose log lies in the folder.
 ReportContent ContentOfRun(const std::filesystem::path& dir, const System& system,

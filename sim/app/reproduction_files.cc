@@ -80,23 +80,16 @@ const RunResult* RunFor(const PublishedFigure& figure, const Published& publishe
   return first;
 }
 
-/// The heading is no channel of a system's. As docking coordinates have it: 0 against the target's
-/// axis.
-std::vector<Column> ChannelsOf(const PublishedFigure& figure, const System& system,
-                               LoggedRun& run) {
-  constexpr const char* kYaw = "yaw_deg";
+/// Those that the figure names, and the yaw.
+std::vector<Column> ChannelsOf(const PublishedFigure& figure, const System& system) {
   std::vector<Column> channels;
   for (const Column& channel : system.channels) {
     const auto named = [&](const PublishedName& name) { return name.text == channel.name; };
-    if (figure.channels.empty() ||
+    if (figure.channels.empty() || channel.name == "yaw_deg" ||
         std::any_of(figure.channels.begin(), figure.channels.end(), named)) {
       channels.push_back(channel);
     }
   }
-  if (run.truth.contains(kYaw) || !run.truth.contains("heading_rad")) return channels;
-  std::vector<double>& yaw = run.truth[kYaw];
-  for (const double rad : run.truth.at("heading_rad")) yaw.push_back(Degrees(WrapPi(rad - kPi)));
-  channels.push_back({kYaw, "deg", "heading, 0 against the target's axis"});
   return channels;
 }
 
@@ -105,10 +98,10 @@ std::string WriteRunFigure(const PublishedFigure& figure, const Published& publi
                            const System& system, const fs::path& into) {
   const RunResult* row = RunFor(figure, published, results, dir);
   if (row == nullptr) return figure.file + ": missing: no run like it has kept its log";
-  LoggedRun run = ReadLoggedRun(RunFolder(dir, row->run));
+  const LoggedRun run = ReadLoggedRun(RunFolder(dir, row->run));
   const std::string title =
       figure.title + ": run " + std::to_string(row->run) + ", " + row->outcome;
-  const std::vector<Column> channels = ChannelsOf(figure, system, run);
+  const std::vector<Column> channels = ChannelsOf(figure, system);
   WriteWhole(into / (figure.file + "_path.svg"), PathPlot(title, run));
   WriteWhole(into / (figure.file + "_history.svg"), HistoryPlot(title, run, channels));
   return figure.file + "_path.svg, " + figure.file + "_history.svg: " + title;

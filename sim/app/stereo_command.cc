@@ -1,7 +1,9 @@
-#include <cmath>
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,37 +14,47 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/image_files.h"
 #include "sim/app/number_option.h"
+#include "sim/app/stereo_files.h"
+#include "sim/app/stereo_truth.h"
+#include "sim/app/stereo_warnings.h"
+#include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
-#include "sim/images/png.h"
 
 namespace dockyard {
 namespace {
 
 struct StereoArguments {
-  std::string left, right, rig, matcher = "semi-global", disparity, elevation;
+  std::string left, right, rig, matcher = "semi-global", disparity, elevation, points, truth;
   std::optional<double> ground_m;
   double pitch_deg = 0.0, roll_deg = 0.0, cell_m = 0.005, most_m = 1.5;
   int block_px = 0, count_px = 0;
   bool json = false;
 };
 
-constexpr const char* kStereoHelp = R"(Distances from a pair of pictures.
+constexpr const char* kStereoHelp = R"(Distances from a pair of images.
 
 Examples:
   dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --json
   dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --elevation out/heights.csv
   dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --ground 0.29 --json
+  dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --points out/points.ply
 
-The pictures are brought to one plane by the rig's cameras. Then they are matched: semi-global finds
-most, on stones too; blocks are exact on sand, if the cameras are known to a fraction of a pixel.
+The images are brought to one plane by the rig's cameras; those of a rig that is rectified already
+stay as they are. Then they are matched: semi-global finds most, on stones too; blocks are exact on
+sand, if the cameras are known to a fraction of a pixel. Corners of the left image are sought in the
+right one: a warning says where the images are exchanged, turned, off in their rows, or no pair.
 --ground says how far the ground lies below the origin of the rig's frame, and --pitch-deg and
 --roll-deg how that frame is tilted against it: nose-down and to the right positive. The ground's
 disparity is then taken out before the search, which is sharper and needs few disparities.
-The file of heights is CSV: x_m ahead and y_m to the left of that origin, height_m over the ground
-(over the rig's origin, without --ground), sigma_m, points; a row for each cell that was seen. The
-file of disparities is a PNG of 16 bits: 256 times the disparity of the left rectified picture's
-pixels, 0 where there is none.)";
+--disparity: a PNG of 16 bits has 256 times the disparity of the left rectified image's pixels, 0
+where there is none, up to 255.99 px; a .pfm has floats without limit, infinity for none.
+--elevation: x_m ahead and y_m to the left of the rig's origin, height_m over the ground (over the
+rig's origin, without --ground), sigma_m, points; a row for each cell that was seen.
+--points: x, y, z in the rig's frame, in metres, and the pixel's grey. --truth scores the disparities
+by true ones of the left rectified image: a PFM, or a PNG of 16 bits (1/256 px) or 8 bits (whole px).
+--json: rotation_left_wxyz turns the left camera's axes to those of the rectified image
+(p_rectified = R p_left); Q is OpenCV's, for reprojectImageTo3D.)";
 
 // The ground in the rig's frame: level but for pitch and roll, below the origin.
 Plane GroundOf(const StereoArguments& in) {
@@ -50,42 +62,38 @@ Plane GroundOf(const StereoArguments& in) {
   return {R_ER.transpose() * Eigen::Vector3d::UnitZ(), -in.ground_m.value_or(0.0)};
 }
 
+// As many disparities as leave half of the image's columns a whole search, up to the default.
+int FittingCount(int width, int most_px, int block_px) {
+  const int room_px = std::max(width / 2, std::min(width - block_px, 16));
+  return std::clamp(room_px / 16 * 16, 16, most_px);
+}
+
+PlaneDisparity GroundDisparity(const StereoArguments& in, const RectifiedPair& pair) {
+  try {
+    return DisparityOf(pair, GroundOf(in));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--ground: ") + error.what());
+  }
+}
+
 MatchSettings SettingsOf(const StereoArguments& in, const RectifiedPair& pair) {
   MatchSettings settings;
   settings.matcher = in.matcher == "blocks" ? Matcher::kBlocks : Matcher::kSemiGlobal;
   settings.block_px = in.block_px > 0 ? in.block_px : settings.matcher == Matcher::kBlocks ? 15 : 5;
+  int most_px = settings.count_px;
   if (in.ground_m) {
-    settings.ground = DisparityOf(pair, GroundOf(in));
+    settings.ground = GroundDisparity(in, pair);
     settings.least_px = -16;
-    settings.count_px = 48;
+    most_px = 48;
   }
-  if (in.count_px > 0) settings.count_px = (in.count_px + 15) / 16 * 16;
-  return settings;
-}
-
-std::string HeightsCsv(const ElevationMap& map) {
-  std::string text = "x_m,y_m,height_m,sigma_m,points\n";
-  char row[128];
-  for (int iy = 0; iy < map.ny; ++iy) {
-    for (int ix = 0; ix < map.nx; ++ix) {
-      const auto cell = static_cast<std::size_t>(iy * map.nx + ix);
-      if (map.points[cell] == 0) continue;
-      std::snprintf(row, sizeof row, "%.5f,%.5f,%.5f,%.5f,%d\n", map.x0_m + ix * map.cell_m,
-                    map.y0_m + iy * map.cell_m, static_cast<double>(map.height_m[cell]),
-                    static_cast<double>(map.sigma_m[cell]), map.points[cell]);
-      text += row;
-    }
+  settings.count_px = in.count_px > 0 ? (in.count_px + 15) / 16 * 16
+                                      : FittingCount(pair.width, most_px, settings.block_px);
+  const std::string why_not = WhyNoSearch(pair.width, pair.height, settings);
+  if (why_not.empty()) return settings;
+  if (in.count_px > 0 || in.block_px > 0) {
+    throw UsageError("--disparities, --block: " + why_not);
   }
-  return text;
-}
-
-DeepImage DisparityPicture(const Disparities& disparities) {
-  DeepImage image{disparities.width, disparities.height, 16, {}};
-  for (const float px : disparities.px) {
-    const double scaled = px > 0.0F ? std::round(256.0 * static_cast<double>(px)) : 0.0;
-    image.pixels.push_back(static_cast<std::uint16_t>(std::min(scaled, 65535.0)));
-  }
-  return image;
+  throw ConfigError(in.left + ": " + why_not);
 }
 
 // Arguments that parse but cannot be met.
@@ -98,23 +106,34 @@ void CheckArguments(const StereoArguments& in) {
   if (in.block_px == 3 && in.matcher == "blocks") {
     throw UsageError("--matcher blocks needs a --block of 5 or more");
   }
+  if (!in.disparity.empty()) DisparityFormatOf(in.disparity);
 }
 
-int PrintStereo(const StereoArguments& in) {
-  CheckArguments(in);
-  const StereoImages images{LoadGray(in.left), LoadGray(in.right)};
+StereoImages LoadPair(const StereoArguments& in) {
+  StereoImages images{LoadGray(in.left), LoadGray(in.right)};
   if (images.left.width != images.right.width || images.left.height != images.right.height) {
     throw ConfigError(in.right + ": expected an image of " + std::to_string(images.left.width) +
-                      " x " + std::to_string(images.left.height) + " pixels, as " + in.left);
+                      " x " + std::to_string(images.left.height) + " pixels, as " + in.left +
+                      ", found " + std::to_string(images.right.width) + " x " +
+                      std::to_string(images.right.height));
   }
-  const StereoRig rig = LoadRig(in.rig, images.left.width, images.left.height);
-  const Plane ground = GroundOf(in);
+  return images;
+}
+
+Rectifier RectifierOf(const StereoArguments& in, const StereoImages& images) {
+  const StereoRig rig = LoadRig(in.rig, images.left.width, images.left.height, Rays::kMasked);
   RectifySettings rectify;
-  if (in.ground_m) rectify.ground_R = ground;
-  const Rectifier rectifier(rig, rectify);
-  const RectifiedPair& pair = rectifier.pair();
-  const MatchSettings settings = SettingsOf(in, pair);
-  const Disparities found = Match(rectifier, images, settings);
+  rectify.keep_rectified = true;
+  if (in.ground_m) rectify.ground_R = GroundOf(in);
+  try {
+    return Rectifier(rig, rectify);
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(in.rig + ": " + error.what());
+  }
+}
+
+// Of the pixels that the left camera sees.
+double MatchedShare(const Rectifier& rectifier, const Disparities& found) {
   long seen = 0, matched = 0;
   for (int v = 0; v < found.height; ++v) {
     for (int u = 0; u < found.width; ++u) {
@@ -123,28 +142,74 @@ int PrintStereo(const StereoArguments& in) {
       matched += found.at(u, v) > 0.0F;
     }
   }
-  if (!in.disparity.empty()) WriteWhole(in.disparity, EncodePng(DisparityPicture(found)));
+  return seen > 0 ? static_cast<double>(matched) / static_cast<double>(seen) : 0.0;
+}
+
+Json PairJson(const Rectifier& rectifier) {
+  const RectifiedPair& pair = rectifier.pair();
+  Eigen::Quaterniond turn(pair.X_RC.R.transpose() * rectifier.rig().X_RL.R);
+  if (turn.w() < 0.0) turn.coeffs() *= -1.0;
+  const Eigen::Matrix4d Q = ReprojectionOf(pair);
+  Json rows = Json::array();
+  for (int i = 0; i < 4; ++i) rows.push_back({Q(i, 0), Q(i, 1), Q(i, 2), Q(i, 3)});
+  return {{"width_px", pair.width},
+          {"height_px", pair.height},
+          {"focal_px", pair.focal_px},
+          {"principal_point_px", ToJson(pair.centre_px)},
+          {"doffs_px", pair.doffs_px},
+          {"baseline_m", pair.baseline_m},
+          {"rotation_left_wxyz", {turn.w(), turn.x(), turn.y(), turn.z()}},
+          {"rectified_in_rig", ToJson(pair.X_RC)},
+          {"Q", rows},
+          {"kept_as_it_was", rectifier.IsKept()}};
+}
+
+void WriteFiles(const StereoArguments& in, const Rectifier& rectifier, const StereoImages& images,
+                const Disparities& found, int block_px) {
+  if (!in.disparity.empty()) WriteDisparities(in.disparity, found);
   if (!in.elevation.empty()) {
     ElevationSettings cells;
     cells.cell_m = in.cell_m;
     cells.x_high_m = in.most_m;
     cells.y_low_m = -0.5 * in.most_m;
     cells.y_high_m = 0.5 * in.most_m;
-    WriteWhole(in.elevation, HeightsCsv(MapHeights(pair, found, ground, settings.block_px, cells)));
+    WriteWhole(in.elevation,
+               HeightsCsv(MapHeights(rectifier.pair(), found, GroundOf(in), block_px, cells)));
   }
-  const double share = seen > 0 ? static_cast<double>(matched) / static_cast<double>(seen) : 0.0;
+  if (!in.points.empty()) {
+    WriteWhole(in.points, PointsPly(rectifier.pair(), found, rectifier.Rectified(images).left));
+  }
+}
+
+int PrintStereo(const StereoArguments& in) {
+  CheckArguments(in);
+  const StereoImages images = LoadPair(in);
+  const Rectifier rectifier = RectifierOf(in, images);
+  const RectifiedPair& pair = rectifier.pair();
+  const MatchSettings settings = SettingsOf(in, pair);
+  std::optional<Disparities> truth;
+  if (!in.truth.empty()) truth = LoadTruth(in.truth, pair.width, pair.height);
+  const Disparities found = Match(rectifier, images, settings);
+  const double share = MatchedShare(rectifier, found);
+  WriteFiles(in, rectifier, images, found, settings.block_px);
+  const int most_px = in.ground_m ? 0 : settings.least_px + settings.count_px - 1;
+  const PairVerdict verdict = JudgePair(rectifier, images, most_px);
+  std::vector<std::string> warnings;
+  for (const std::string& warning : verdict.warnings) Warn(warning, &warnings);
   if (in.json) {
-    const Json json{{"width_px", pair.width},
-                    {"height_px", pair.height},
-                    {"focal_px", pair.focal_px},
-                    {"baseline_m", pair.baseline_m},
-                    {"matched_share", share}};
+    Json json = PairJson(rectifier);
+    json["disparities"] = {{"least_px", settings.least_px}, {"count", settings.count_px}};
+    json["matched_share"] = share;
+    json["pair_check"] = ToJson(verdict.check);
+    if (truth) json["truth"] = ToJson(ScoreOf(found, *truth));
+    json["warnings"] = warnings;
     std::printf("%s\n", json.dump(2).c_str());
-  } else {
-    std::printf(
-        "rectified to %d x %d px, %.1f px/rad, baseline %.4f m\n%.1f %% of the pixels matched\n",
-        pair.width, pair.height, pair.focal_px, pair.baseline_m, 100.0 * share);
+    return kExitDone;
   }
+  std::printf("%s %d x %d px, %.1f px/rad, baseline %.4f m\n%.1f %% of the pixels matched\n",
+              rectifier.IsKept() ? "rectified already:" : "rectified to", pair.width, pair.height,
+              pair.focal_px, pair.baseline_m, 100.0 * share);
+  if (truth) std::printf("%s", TextOf(ScoreOf(found, *truth)).c_str());
   return kExitDone;
 }
 
@@ -153,9 +218,10 @@ int PrintStereo(const StereoArguments& in) {
 void AddStereoCommand(CLI::App& app, int& exit_code) {
   auto in = std::make_shared<StereoArguments>();
   CLI::App* command = app.add_subcommand("stereo", kStereoHelp);
-  command->add_option("left", in->left, "picture of the left camera")->required();
-  command->add_option("right", in->right, "picture of the right camera")->required();
-  command->add_option("--rig", in->rig, "file of the pair of cameras")->required();
+  command->add_option("left", in->left, "image of the left camera")->required();
+  command->add_option("right", in->right, "image of the right camera")->required();
+  command->add_option("--rig", in->rig, "file of the pair of cameras, or two, LEFT,RIGHT")
+      ->required();
   command->add_option("--ground", in->ground_m, "m that the ground lies below the rig's origin")
       ->check(NumberWithin(0.001, 1e3));
   command->add_option("--pitch-deg", in->pitch_deg, "of the rig's frame against the ground [0]")
@@ -166,10 +232,14 @@ void AddStereoCommand(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"blocks", "semi-global"}));
   command->add_option("--block", in->block_px, "side of a block in px, odd [5; 15 of blocks]")
       ->check(CLI::Range(3, 63));
-  command->add_option("--disparities", in->count_px, "that are tried [128; 48 with --ground]")
+  command
+      ->add_option("--disparities", in->count_px,
+                   "that are tried [128; 48 with --ground; fewer for small images]")
       ->check(CLI::Range(16, 1024));
-  command->add_option("--disparity", in->disparity, "PNG file for the disparities");
+  command->add_option("--disparity", in->disparity, "file .png or .pfm for the disparities");
   command->add_option("--elevation", in->elevation, "CSV file for the heights");
+  command->add_option("--points", in->points, "PLY file for the points");
+  command->add_option("--truth", in->truth, "file .pfm or .png of true disparities, to score by");
   command->add_option("--cell", in->cell_m, "m, side of a cell of heights [0.005]")
       ->check(NumberWithin(0.001, 1.0));
   command->add_option("--reach", in->most_m, "m ahead, and across in all, of the heights [1.5]")

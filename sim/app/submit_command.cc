@@ -19,6 +19,7 @@
 #include "sim/campaign/campaign.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/progress.h"
+#include "sim/campaign/slurm_options.h"
 #include "sim/campaign/slurm_script.h"
 
 namespace dockyard {
@@ -43,7 +44,8 @@ Examples:
   dockyard submit {campaign} --seconds-per-run 5 --cpus-per-task 8 --slurm=--account=rover --dry-run
 
 Every mistake of the file is found first. The scripts go to submit/ in the results folder; --dry-run
-prints them instead. Without --shards, the first two runs are timed, and there are as many tasks as
+prints them instead. --slurm adds an option of sbatch that the scripts do not set themselves: tasks
+are numbered by --shards, not by --array. Without --shards, the first two runs are timed, and there are as many tasks as
 make each last up to half an hour. The scripts submitted again go on with what is missing.)";
 
 /// A signal ended the timing.
@@ -109,6 +111,7 @@ void Divide(SlurmJob& job, const SubmitArguments& arguments, std::int64_t runs,
 }
 
 int RunSubmitCommand(const SubmitArguments& arguments, const std::vector<System>& systems) {
+  CheckFurtherOptions(arguments.limits.further);
   const Campaign campaign = LoadCampaign(arguments.campaign, systems);
   const ReadyCampaign ready = MakeReady(campaign, arguments.campaign, systems);
   SlurmJob job;

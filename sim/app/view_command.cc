@@ -34,6 +34,7 @@ Examples:
   dockyard view {scenario} --set start.r_m=2 --set light=hard_shadow --out out/near
   dockyard view {scenario} --colour --set sun.temperature_k=4500 --out out/warm
   dockyard view {scenario} --outside --time 20 --out out/outside
+  dockyard view {scenario} --outside --at target --out out/target
 
 Of Axel it writes left.png, right.png and view.json: the board's true pose and, for each fiducial and camera,
 its projected centre, the centroid of the projected disc and the share that is hidden. With --colour
@@ -41,7 +42,7 @@ its projected centre, the centroid of the projected disc and the share that is h
 blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.png of 16 bits.
 
 --outside writes outside.png instead: the world as a spectator sees it, at the start or, with
---time, as the run has made it by then.)";
+--time, as the run has made it by then. --at says which point it looks at from near.)";
 
 void PrintAnswer(Json answer, const std::vector<std::string>& warnings) {
   answer["warnings"] = warnings;
@@ -51,8 +52,8 @@ void PrintAnswer(Json answer, const std::vector<std::string>& warnings) {
 int ViewOutside(const ViewArguments& arguments, Scenario scenario,
                 const std::vector<System>& systems) {
   const System& system = FindSystem(systems, scenario.system);
-  const OutsideOptions options = arguments.camera.options();
   const StageShapes shapes = ShapesToDraw(system, scenario);
+  const OutsideOptions options = arguments.camera.options(shapes);
   // The run need not go on beyond the picture; its first sample is at its beginning.
   constexpr double kSample_s = 0.1;
   scenario.time_limit_s = std::min(scenario.time_limit_s, arguments.time_s + kSample_s);

@@ -10,7 +10,9 @@ namespace dockyard {
 
 void AddRigOptions(CLI::App& command, RigOptions& options) {
   command.add_option("--robot", options.robot, "a robot's file: its stereo cameras");
-  command.add_option("--rig", options.rig, "instead: a file of two cameras, left and right");
+  command.add_option(
+      "--rig", options.rig,
+      "instead: a file of two cameras, left and right; or two of one each, LEFT,RIGHT");
 }
 
 StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, int width,
@@ -18,12 +20,16 @@ StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, i
   if (options.robot.empty() == options.rig.empty()) {
     throw UsageError("give one of --robot FILE and --rig FILE");
   }
-  if (!options.rig.empty()) return LoadRig(options.rig, width, height);
+  if (!options.rig.empty()) return LoadRig(options.rig, width, height, Rays::kMasked);
   for (const System& system : systems) {
     if (!system.rig) continue;
     if (const auto rig = system.rig(options.robot, width, height)) return *rig;
   }
   throw ConfigError(options.robot + ": expected a robot's file with a stereo pair, found another");
+}
+
+double CalibrationErrorOf(const RigOptions& options) {
+  return options.rig.empty() ? 0.0 : LoadCalibrationError(options.rig);
 }
 
 NamedBoard BoardOf(const std::string& file, const std::vector<System>& systems) {

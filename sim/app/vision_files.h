@@ -24,6 +24,9 @@ void AddRigOptions(CLI::App& command, RigOptions& options);
 /// ConfigError.
 StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, int width,
                 int height);
+/// What the rig's file states its calibration to err [px]; 0 for a robot's cameras. Throws
+/// ConfigError.
+double CalibrationErrorOf(const RigOptions& options);
 /// The board of a board's file, or of a system's target file. Throws ConfigError.
 NamedBoard BoardOf(const std::string& file, const std::vector<System>& systems);
 

@@ -12,6 +12,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
+#include "sim/app/wheel_premises.h"
 #include "sim/app/wheel_sweep.h"
 #include "sim/base/files.h"
 #include "sim/soil/wheel_data.h"
@@ -45,7 +46,10 @@ that of the paddles' tips; all are means over whole paddle pitches. With --sweep
 --beta and --load take lists; --out gets sweep.csv, drawbar.svg and sinkage.svg. --data draws measured
 rows over the curves of their side slip: a CSV table with the columns slip, Fx_N, Fz_N and, where
 measured, beta_deg, sinkage_mm and torque_Nm; if it holds several wheels, wheel.
-Exit code 10: a wheel was still changing at the end of its way; its row says steady 0.)";
+A row is warned of where the soil's laws were never compared with a measured wheel: sinkage beyond
+0.64 of the radius, slip beyond 0.8, side slip beyond 45 deg. In sweep.csv, warnings counts them.
+Exit code 10: a wheel was still changing at the end of its path, or its axle is below the ground;
+its row says steady 0.)";
 
 SingleWheelSetup MakeSetup(const WheelArguments& arguments) {
   SingleWheelSetup setup;
@@ -54,6 +58,29 @@ SingleWheelSetup MakeSetup(const WheelArguments& arguments) {
   CheckCarries(setup.soil, arguments.soil_file, setup.wheel.width_m);
   setup.speed_m_s = arguments.speed_m_s;
   return setup;
+}
+
+WheelRow RowOf(SingleWheelSetup setup, double load_n, double beta_deg, double slip) {
+  setup.load_n = load_n;
+  setup.side_slip_rad = Radians(beta_deg);
+  setup.slip = slip;
+  WheelRow row{load_n, beta_deg, slip, RunSingleWheel(setup)};
+  row.buried = IsBuried(setup.wheel, row.result);
+  row.warnings = BrokenPremises(setup, row.result);
+  return row;
+}
+
+// After the rows, so that a table on the terminal stays whole.
+void PrintWarnings(const std::vector<WheelRow>& table) {
+  std::vector<std::string> kept;
+  for (const WheelRow& row : table) {
+    char place[96];
+    std::snprintf(place, sizeof place, "load %g N, side slip %g deg, slip %g: ", row.load_n,
+                  row.beta_deg, row.slip);
+    for (const std::string& warning : row.warnings) {
+      Warn((table.size() > 1 ? place : "") + warning, &kept);
+    }
+  }
 }
 
 int Drive(const WheelArguments& arguments) {
@@ -66,22 +93,20 @@ int Drive(const WheelArguments& arguments) {
   if (!arguments.data_file.empty() && arguments.out_dir.empty()) {
     throw UsageError("--data needs --sweep and --out");
   }
-  SingleWheelSetup setup = MakeSetup(arguments);
+  const SingleWheelSetup setup = MakeSetup(arguments);
   std::vector<MeasuredRow> measured;
   if (!arguments.data_file.empty()) {
     measured = LoadMeasuredRows(arguments.data_file, arguments.data_wheel);
   }
   if (!arguments.out_dir.empty()) MakeFolder(arguments.out_dir);
   std::vector<WheelRow> table;
-  bool steady = true;
+  bool steady = true, buried = false;
   for (const double load : arguments.loads_n) {
     for (const double beta : arguments.betas_deg) {
       for (const double slip : arguments.slips) {
-        setup.load_n = load;
-        setup.side_slip_rad = Radians(beta);
-        setup.slip = slip;
-        table.push_back({load, beta, slip, RunSingleWheel(setup)});
+        table.push_back(RowOf(setup, load, beta, slip));
         steady = steady && table.back().result.steady;
+        buried = buried || table.back().buried;
         if (arguments.sweep && !arguments.json) PrintWheelRow(table.back(), table.size() == 1);
       }
     }
@@ -92,8 +117,9 @@ int Drive(const WheelArguments& arguments) {
     PrintWheelResult(table.front());
   }
   if (!arguments.out_dir.empty()) WriteWheelSweep(table, measured, arguments.out_dir);
-  if (!steady) PrintNote("a wheel was still changing at the end of its way of 60 radii");
-  return steady ? kExitDone : kExitIncomplete;
+  PrintWarnings(table);
+  if (!steady) PrintNote("a wheel was still changing at the end of its path of 60 radii");
+  return steady && !buried ? kExitDone : kExitIncomplete;
 }
 
 }  // namespace

@@ -15,14 +15,15 @@ namespace {
 
 constexpr const char* kHead =
     "load_N,beta_deg,slip,Fx_N,Fy_N,Fz_N,torque_Nm,sinkage_m,Fx_rms_N,height_rms_m,travel_m,steps,"
-    "steady";
+    "steady,warnings";
 
 std::string RowText(const WheelRow& row) {
   const SingleWheelResult& r = row.result;
   char text[320];
-  std::snprintf(text, sizeof(text), "%g,%g,%g,%.5g,%.5g,%.5g,%.5g,%.5g,%.3g,%.3g,%.4g,%ld,%d",
+  std::snprintf(text, sizeof(text), "%g,%g,%g,%.5g,%.5g,%.5g,%.5g,%.5g,%.3g,%.3g,%.4g,%ld,%d,%zu",
                 row.load_n, row.beta_deg, row.slip, r.ahead_n, r.side_n, r.up_n, r.torque_nm,
-                r.sinkage_m, r.ahead_rms_n, r.height_rms_m, r.travel_m, r.steps, r.steady ? 1 : 0);
+                r.sinkage_m, r.ahead_rms_n, r.height_rms_m, r.travel_m, r.steps,
+                row.holds() ? 1 : 0, row.warnings.size());
   return text;
 }
 
@@ -34,7 +35,7 @@ Json RowObject(const WheelRow& row) {
           {"torque_Nm", r.torque_nm},  {"sinkage_m", r.sinkage_m},
           {"Fx_rms_N", r.ahead_rms_n}, {"height_rms_m", r.height_rms_m},
           {"travel_m", r.travel_m},    {"steps", r.steps},
-          {"steady", r.steady}};
+          {"steady", row.holds()},     {"warnings", row.warnings}};
 }
 
 struct Point {

@@ -13,6 +13,11 @@ namespace dockyard {
 struct WheelRow {
   double load_n = 0.0, beta_deg = 0.0, slip = 0.0;
   SingleWheelResult result;
+  bool buried = false;                  // its axle is below the ground
+  std::vector<std::string> warnings{};  // premises that do not hold
+
+  /// Whether the means are a result: of forces that no longer change, on a wheel above the ground.
+  bool holds() const { return result.steady && !buried; }
 };
 
 /// One result, a line for each quantity.

@@ -37,6 +37,8 @@ void VisitChannels(const Truth& truth, Visit&& visit) {
   visit("rock_force_n", "N", "sum of the rocks' contact forces on the rover", truth.rock_force_n);
   visit("left_sinkage_m", "m", "of the left wheel in the soil", truth.left_sinkage_m);
   visit("right_sinkage_m", "m", "of the right wheel in the soil", truth.right_sinkage_m);
+  visit("yaw_deg", "deg", "heading against the dock's axis, 0: as it docks",
+        Degrees(WrapPi(AxleOnGround(truth.X_DR).heading - kPi)));
 }
 
 /// The measures of a result row. NaN: does not apply.

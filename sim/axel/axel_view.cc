@@ -3,6 +3,7 @@
 #include "sim/axel/build_rocks.h"
 #include "sim/base/random.h"
 #include "sim/run/drawn_mesh.h"
+#include "sim/run/shade_body.h"
 
 namespace dockyard::axel {
 SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
@@ -15,6 +16,8 @@ SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
       station_(Convert(station.module.visuals)),
       stand_(Convert(station.stand_visuals)),
       X_SB_(BoardInStation(station)),
+      p_SM_(MouthInStation(station).p),
+      p_AT_(rover.arm_length_m, 0.0, 0.0),
       board_(station.board),
       cutout_(CutoutOf(station)),
       soil_rgb_(soil.rgb),
@@ -96,12 +99,13 @@ StageShapes SceneBuilder::Shapes() const {
   add("arm", true, arm_);
   add("station", false, station_, X_S_module_);
   add("station", false, stand_);
-  if (!rocks_.empty()) add("rocks", false, rocks_);
-  std::vector<Part> shade;
-  for (const SceneObject& object : lighting_.occluders) {
-    shade.push_back({object.mesh, object.X_WO, object.albedo});
+  if (!rocks_.empty()) {
+    add("rocks", false, rocks_);
+    shapes.bodies.back().about = true;
   }
-  if (!shade.empty()) add("shade", false, shade);
+  for (StageBody& shade : ShadeBodies(lighting_)) shapes.bodies.push_back(std::move(shade));
+  shapes.points = {
+      {"target", "station", p_SM_}, {"tip", "arm", p_AT_}, {"board", "station", X_SB_.p}};
   shapes.board = {"station", X_SB_, board_, cutout_.p_B, cutout_.radius_m};
   shapes.light = lighting_.sun_and_sky;
   shapes.ground_rgb = soil_rgb_;

@@ -40,6 +40,7 @@ class SceneBuilder {
 
   std::vector<Part> body_, left_wheel_, right_wheel_, arm_, station_, stand_, rocks_;
   Pose3 X_S_module_, X_SB_;
+  Eigen::Vector3d p_SM_, p_AT_;  // the mouth; the arm's tip
   FiducialBoard board_;
   BoardCutout cutout_;
   Eigen::Vector3d soil_rgb_, rock_rgb_;

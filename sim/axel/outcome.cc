@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "controller/base/number_text.h"
+#include "controller/geometry/axle_attitude.h"
 #include "models/axel/mating_fit.h"
 
 namespace dockyard::axel {
@@ -18,6 +19,12 @@ std::string Sentence(const char* format, double a, double b = 0.0, double c = 0.
   char text[256];
   std::snprintf(text, sizeof text, format, a, b, c);
   return text;
+}
+
+std::string TipPlace(const Truth& truth) {
+  const double before_mm = -1e3 * Depth(truth);
+  return before_mm >= 0.0 ? Sentence("tip %.0f mm before the mouth", before_mm)
+                          : Sentence("tip %.0f mm behind the mouth", -before_mm);
 }
 
 }  // namespace
@@ -40,7 +47,8 @@ const std::vector<OutcomeName>& OutcomeNames() {
       {"missed_cone", false, "the tip passed the mouth plane outside the mouth"},
       {"face_catch", false, "the tip pressed on the flat face around the mouth"},
       {"jammed", false, "the tip stuck in the cone under pull"},
-      {"recovery_limit", false, "the controller gave up"},
+      {"recovery_limit", false, "the controller gave up after its recoveries"},
+      {"gave_up", false, "the controller gave up without a recovery"},
       {"tether_overload", false, "the tether's tension stayed above its working load"},
       {"tipped_over", false,
        "the axle stood on end, or the arm went over the top and was not brought back"},
@@ -168,8 +176,10 @@ OutcomeJudge::Verdicted OutcomeJudge::ConcludeHeld(const ShakeResult& shake) con
   const double seat = SeatDepth(station_.cone) - limits_.seated_within_m;
   const bool seated = std::min(Depth(last_), shake.least_depth_m) >= seat;
   if (seated && last_.station_shift_m > limits_.station_shift_m) {
-    return {Outcome::kStationPushed, Sentence("tip %.0f mm deep, station pushed by %.0f mm",
-                                              1e3 * Depth(last_), 1e3 * last_.station_shift_m)};
+    return {
+        Outcome::kStationPushed,
+        Sentence("tip %.0f mm deep, station pushed by %.0f mm (at most %.0f mm)",
+                 1e3 * Depth(last_), 1e3 * last_.station_shift_m, 1e3 * limits_.station_shift_m)};
   }
   const double rated_n = station_.cone.rated_force_n;
   if (seated && last_.cone_force_peak_n > rated_n) {
@@ -177,11 +187,54 @@ OutcomeJudge::Verdicted OutcomeJudge::ConcludeHeld(const ShakeResult& shake) con
             Sentence("tip %.0f mm deep, the arm loaded the cone with %.0f N, rated for %.0f N",
                      1e3 * Depth(last_), last_.cone_force_peak_n, rated_n)};
   }
-  return {seated ? Outcome::kDocked : Outcome::kPartlySeated,
-          Sentence(seated ? "tip %.0f mm deep, shake turned it %.1f deg and moved it %.1f mm"
-                          : "tip %.0f mm deep, not on the floor; shake turned it %.1f deg and "
-                            "moved it %.1f mm",
-                   1e3 * Depth(last_), Degrees(shake.turn_rad), 1e3 * shake.travel_m)};
+  const std::string shaken = Sentence("shake turned it %.1f deg and moved it %.1f mm",
+                                      Degrees(shake.turn_rad), 1e3 * shake.travel_m);
+  if (seated)
+    return {Outcome::kDocked, Sentence("tip %.0f mm deep, ", 1e3 * Depth(last_)) + shaken};
+  return {Outcome::kPartlySeated,
+          Sentence("tip %.0f mm deep, not on the floor (docked: %.0f mm, under the shake too); ",
+                   1e3 * Depth(last_), 1e3 * seat) +
+              shaken};
+}
+
+std::string OutcomeJudge::ClaimNote(const ShakeResult& shake) const {
+  const double depth_m = Depth(last_), lateral_m = Lateral(last_);
+  std::string note = Sentence(depth_m < limits_.entered_depth_m
+                                  ? "tip %.0f mm deep (held: at least %.0f mm; docked: %.0f mm)"
+                                  : "tip %.0f mm deep",
+                              1e3 * depth_m, 1e3 * limits_.entered_depth_m,
+                              1e3 * (SeatDepth(station_.cone) - limits_.seated_within_m));
+  note += Sentence(", heading %.1f deg against the axis",
+                   Degrees(WrapPi(AxleOnGround(last_.X_DR).heading - kPi)));
+  if (lateral_m >= station_.cone.mouth_radius_m) {
+    note += Sentence(", tip %.0f mm off the axis (less than %.0f mm)", 1e3 * lateral_m,
+                     1e3 * station_.cone.mouth_radius_m);
+  }
+  if (!rest_.Held(last_.time_s, limits_.rest_time_s)) {
+    note += Sentence(", not at rest (within %.0f mm for %.0f s)", 1e3 * limits_.rest_travel_m,
+                     limits_.rest_time_s);
+  }
+  if (last_.tether_tension_n <= limits_.taut_n) {
+    note +=
+        Sentence(", tether at %.0f N (taut: over %.0f N)", last_.tether_tension_n, limits_.taut_n);
+  }
+  if (!shake.done) return note;
+  if (shake.turn_rad >= limits_.shake_turn_rad) {
+    note += Sentence(", shake turned it %.1f deg (less than %.1f deg)", Degrees(shake.turn_rad),
+                     Degrees(limits_.shake_turn_rad));
+  }
+  if (shake.travel_m >= limits_.shake_travel_m) {
+    note += Sentence(", shake moved it %.1f mm (less than %.0f mm)", 1e3 * shake.travel_m,
+                     1e3 * limits_.shake_travel_m);
+  }
+  return note;
+}
+
+OutcomeJudge::Verdicted OutcomeJudge::ConcludeGivenUp(int recoveries) const {
+  const std::string where = TipPlace(last_) + StandNote();
+  if (recoveries == 0) return {Outcome::kGaveUp, "gave up without a recovery, " + where};
+  return {Outcome::kRecoveryLimit, "gave up after " + std::to_string(recoveries) +
+                                       (recoveries == 1 ? " recovery, " : " recoveries, ") + where};
 }
 
 OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
@@ -221,21 +274,13 @@ OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
   if (first) return {first->outcome, first->note};
   switch (claimed) {
     case Verdict::kDocked:
-      return {Outcome::kFalseDocked,
-              Sentence(
-                  "claimed docked; tip %.0f mm deep, shake turned it %.1f deg and moved it %.1f mm",
-                  1e3 * Depth(last_), Degrees(shake.turn_rad), 1e3 * shake.travel_m)};
+      return {Outcome::kFalseDocked, "claimed docked; " + ClaimNote(shake)};
     case Verdict::kGivenUp:
-      return {Outcome::kRecoveryLimit,
-              Sentence("gave up after %.0f recoveries, tip %.0f mm before the mouth", recoveries,
-                       -1e3 * Depth(last_)) +
-                  StandNote()};
+      return ConcludeGivenUp(recoveries);
     case Verdict::kUnderWay:
       break;
   }
-  return {
-      Outcome::kTimeout,
-      Sentence("time ran out, tip %.0f mm before the mouth", -1e3 * Depth(last_)) + StandNote()};
+  return {Outcome::kTimeout, "time ran out, " + TipPlace(last_) + StandNote()};
 }
 
 }  // namespace dockyard::axel

@@ -28,6 +28,7 @@ enum class Outcome {
   kFaceCatch,
   kJammed,
   kRecoveryLimit,
+  kGaveUp,
   kTetherOverload,
   kTippedOver,
   kFalseDocked,
@@ -111,6 +112,9 @@ class OutcomeJudge {
   Verdicted Conclude(Verdict claimed, int recoveries, const ShakeResult& shake) const;
 
  private:
+  /// The limits that a claim of being docked did not keep, with what was measured.
+  std::string ClaimNote(const ShakeResult& shake) const;
+  Verdicted ConcludeGivenUp(int recoveries) const;
   /// How long the rover has stood where it is at the end, and what of it lies on rocks; empty if it
   /// has not stood long.
   std::string StandNote() const;

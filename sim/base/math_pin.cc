@@ -23,6 +23,14 @@ std::string WithWord(const std::string& list, const std::string& word) {
   return list.empty() ? word : list + "," + word;
 }
 
+/// Valgrind's tools are preloaded as vgpreload_*.so. Under them a program that starts itself again
+/// leaves the tool, or is stopped by it.
+[[maybe_unused]] bool UnderValgrind() {
+  const char* preloaded = std::getenv("LD_PRELOAD");
+  return preloaded != nullptr &&
+         std::string_view(preloaded).find("/vgpreload_") != std::string_view::npos;
+}
+
 [[maybe_unused]] std::string TunablesNow() {
   const char* now = std::getenv(kVariable.data());
   return now == nullptr ? "" : now;
@@ -55,7 +63,7 @@ bool PinMathFunctions(char** arguments) {
 #if defined(__x86_64__) && defined(__GLIBC__)
   if (MathIsPinned()) return true;
   // A program with privileges of its own loses the variable at its start: it would never come back.
-  if (::getauxval(AT_SECURE) != 0) return false;
+  if (::getauxval(AT_SECURE) != 0 || UnderValgrind()) return false;
   if (::setenv(kVariable.data(), PinnedTunables(TunablesNow()).c_str(), 1) != 0) return false;
   ::execv("/proc/self/exe", arguments);
   return false;  // it returned

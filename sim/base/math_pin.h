@@ -13,7 +13,8 @@ std::string PinnedTunables(const std::string& tunables);
 /// Starts the program again, in the same process and with the same arguments, under PinnedTunables;
 /// returns if it runs under them already. The C library reads them at its start alone. Elsewhere
 /// than on x86-64 with the GNU C library it does nothing. Returns false if the program cannot be
-/// started again; it then runs on with the variants of its processor.
+/// started again, or runs under Valgrind, whose tool it would leave; it then runs on with the
+/// variants of its processor.
 bool PinMathFunctions(char** arguments);
 
 /// Whether the program was started under PinnedTunables, or needs not be.

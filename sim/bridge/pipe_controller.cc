@@ -31,10 +31,23 @@ std::string Printable(std::string text) {
   return text;
 }
 
+/// On one line: phases and notes go into tables and onto terminals. JSON's own text is UTF-8.
+std::string OneLine(std::string text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    // C1, as U+009B, which terminals take for an escape, is C2 80..9F.
+    const bool c1 =
+        byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    if (c1) text.erase(i + 1, 1);
+    if (byte < 0x20 || byte == 0x7F || c1) text[i] = '?';
+  }
+  return text;
+}
+
 /// A field that is there replaces the earlier belief.
 void TakeBelief(const Json& json, Belief& belief) {
-  belief.phase = json.value("phase", belief.phase);
-  belief.note = json.value("note", belief.note);
+  belief.phase = OneLine(json.value("phase", belief.phase));
+  belief.note = OneLine(json.value("note", belief.note));
   if (json.contains("x_m")) {
     belief.located = true;
     belief.X_DR = {json.at("x_m"), json.at("y_m"), WrapPi(json.at("heading_rad"))};

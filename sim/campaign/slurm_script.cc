@@ -6,6 +6,7 @@
 
 #include "controller/base/check.h"
 #include "sim/base/shell_word.h"
+#include "sim/campaign/slurm_options.h"
 
 namespace dockyard {
 namespace {
@@ -41,13 +42,10 @@ std::string PlainFolder(const std::filesystem::path& dir) {
 }
 
 std::string Further(const SlurmLimits& limits) {
+  CheckFurtherOptions(limits.further);
   std::string lines = Line("partition", limits.partition) + Line("constraint", limits.constraint);
   for (const std::string& option : limits.further) {
     const std::size_t equals = option.find('=');
-    if (option.rfind("--", 0) != 0) {
-      throw SlurmError("expected an option of sbatch such as --account=rover, found '" + option +
-                       "'");
-    }
     lines += equals == option.npos ? "#SBATCH " + option + "\n"
                                    : Line(option.substr(2, equals - 2), option.substr(equals + 1));
   }

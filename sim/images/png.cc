@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "controller/base/check.h"
+#include "sim/images/deep_png.h"
 #include "sim/images/formats.h"
 #include "sim/images/image_size.h"
 #include "sim/images/png_handle.h"
@@ -128,6 +129,26 @@ std::optional<Image> DecodePng(std::string_view bytes) {
 }
 template std::optional<GrayImage> DecodePng(std::string_view bytes);
 template std::optional<RgbImage> DecodePng(std::string_view bytes);
+
+std::optional<DeepImage> DeepFromPng(std::string_view bytes) {
+  PngReader reader(bytes);
+  const std::optional<ImageSize> size = ReadHeader(reader);
+  if (!size || png_get_color_type(reader.png, reader.info) != PNG_COLOR_TYPE_GRAY) {
+    return std::nullopt;
+  }
+  const int bits = png_get_bit_depth(reader.png, reader.info), each = bits / 8;
+  if (bits != 8 && bits != 16) return std::nullopt;
+  const auto raw = ReadPixels(reader, *size, each);
+  if (!raw) return std::nullopt;
+  DeepImage image{static_cast<int>(size->width), static_cast<int>(size->height), bits, {}};
+  image.pixels.reserve(raw->size() / static_cast<std::size_t>(each));
+  for (std::size_t at = 0; at < raw->size(); at += static_cast<std::size_t>(each)) {
+    // The upper byte stands first.
+    const int value = each == 1 ? (*raw)[at] : (*raw)[at] << 8 | (*raw)[at + 1];
+    image.pixels.push_back(static_cast<std::uint16_t>(value));
+  }
+  return image;
+}
 
 RgbImage AsColour(const GrayImage& image) {
   RgbImage colour{image.width, image.height, {}};

@@ -35,7 +35,11 @@ class Gatherer {
     if (type == "sensor_msgs/msg/CompressedImage") {
       run_.images.push_back(TakeImage(CdrReader(data)));
     } else if (type == "sensor_msgs/msg/CameraInfo") {
-      run_.cameras.push_back(TakeCamera(CdrReader(data)));
+      const LoggedCamera camera = TakeCamera(CdrReader(data));  // one for each image
+      const auto same = [&](const LoggedCamera& each) { return each.name == camera.name; };
+      if (std::none_of(run_.cameras.begin(), run_.cameras.end(), same)) {
+        run_.cameras.push_back(camera);
+      }
     } else if (type == "visualization_msgs/msg/MarkerArray" && topic != topic::kGroundMarkers) {
       // Solids are written once: as lines they would cut the run to its first sample.
       std::optional<StageLine> line = TakeLine(CdrReader(data));
@@ -67,9 +71,11 @@ class Gatherer {
     Pose3 X_WD, X_WG;
     std::size_t body = 0;
     for (std::uint32_t left = in.Count(kSmallestStamped); left > 0; --left) {
-      time_s = TakeHeader(in).time_s;
+      const TakenHeader header = TakeHeader(in);
+      time_s = header.time_s;
       const std::string name = in.Text();
       const Pose3 X = TakePose(in);
+      if (header.frame != kWorldFrame) continue;  // a camera on the robot
       if (name == kDockFrame) {
         X_WD = X;
       } else if (name == kGroundFrame) {
@@ -128,6 +134,10 @@ LoggedRun ReadLoggedRun(const std::filesystem::path& dir) {
   const std::filesystem::path path = dir / kRunLogFile;
   LoggedRun run;
   run.header = RunLogReader(dir).header();
+  for (const NamedCamera& each : run.header.cameras) {
+    run.cameras.push_back({each.name, static_cast<std::uint32_t>(each.camera.width),
+                           static_cast<std::uint32_t>(each.camera.height)});
+  }
   try {
     McapReader file(path);
     Gatherer gatherer(run);

@@ -3,6 +3,7 @@
 #include "controller/base/check.h"
 #include "sim/base/files.h"
 #include "sim/base/text.h"
+#include "sim/log/belief_error.h"
 #include "sim/log/result_row.h"
 
 namespace dockyard {
@@ -16,6 +17,7 @@ std::vector<std::string> HistoryNames(const RunRecord& record) {
   names.insert(names.end(), {"phase", "located", "believed_x_m", "believed_y_m",
                              "believed_heading_deg", "sightings", "plans"});
   for (const Column& belief : record.belief_columns) names.push_back(belief.name);
+  for (const Column& error : BeliefErrorColumns()) names.push_back(error.name);
   return names;
 }
 
@@ -35,6 +37,7 @@ std::vector<std::string> HistoryCells(const HistorySample& sample) {
   cells.push_back(std::to_string(sample.sighting_count));
   cells.push_back(std::to_string(sample.plan_count));
   for (const double value : sample.beliefs) cells.push_back(NumberText(value));
+  for (const double value : BeliefErrors(sample)) cells.push_back(NumberText(value));
   return cells;
 }
 

@@ -33,27 +33,6 @@ void PutMarks(CdrWriter& out, const std::vector<SightingReport::Mark>& marks) {
   }
 }
 
-/// A lens as ROS has it: its name, coefficients, focal lengths and centre.
-struct RosLens {
-  const char* model = "";
-  std::vector<double> d;
-  double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;
-};
-
-RosLens LensOf(const Camera& camera) {
-  if (const auto* fish = std::get_if<KannalaBrandt>(&camera.lens)) {
-    return {"equidistant", {fish->k.begin(), fish->k.end()}, fish->fx, fish->fy, fish->cx,
-            fish->cy};
-  }
-  if (const auto* brown = std::get_if<BrownPinhole>(&camera.lens)) {
-    return {"plumb_bob", {brown->k1, brown->k2, brown->p1, brown->p2, brown->k3},
-            brown->fx,   brown->fy,
-            brown->cx,   brown->cy};
-  }
-  const Eigen::Vector2d focal = camera.focal_px(), centre = camera.centre_px();
-  return {"", {}, focal.x(), focal.y(), centre.x(), centre.y()};
-}
-
 }  // namespace
 
 std::uint64_t Nanoseconds(Tick tick) {
@@ -74,15 +53,17 @@ void PutPose(CdrWriter& out, const Pose3& X) {
   PutRotation(out, X.R);
 }
 
-std::string TransformsMessage(Tick tick, const std::string& parent,
-                              const std::vector<BodyPose>& bodies) {
+std::string TransformsMessage(Tick tick, const std::vector<BodyPose>& bodies,
+                              const std::vector<NamedCamera>& cameras) {
   CdrWriter out;
-  out.Count(bodies.size());
-  for (const BodyPose& body : bodies) {
+  out.Count(bodies.size() + cameras.size());
+  const auto put = [&](const std::string& parent, const std::string& name, const Pose3& X) {
     PutHeader(out, tick, parent);
-    out.Text(body.name);
-    PutPose(out, body.X_WO);
-  }
+    out.Text(name);
+    PutPose(out, X);
+  };
+  for (const BodyPose& body : bodies) put(kWorldFrame, body.name, body.X_WO);
+  for (const NamedCamera& camera : cameras) put(camera.body, camera.name, camera.X_OC);
   return out.Take();
 }
 
@@ -120,27 +101,6 @@ std::string ImageMessage(Tick tick, const std::string& frame, const std::string&
   PutHeader(out, tick, frame);
   out.Text(format);
   out.Bytes(bytes);
-  return out.Take();
-}
-
-std::string CameraInfoMessage(Tick tick, const std::string& frame, const Camera& camera) {
-  const RosLens lens = LensOf(camera);
-  CdrWriter out;
-  PutHeader(out, tick, frame);
-  out.U32(static_cast<std::uint32_t>(camera.height));
-  out.U32(static_cast<std::uint32_t>(camera.width));
-  out.Text(lens.model);
-  out.Doubles(lens.d);
-  for (const double k : {lens.fx, 0.0, lens.cx, 0.0, lens.fy, lens.cy, 0.0, 0.0, 1.0}) {
-    out.Double(k);
-  }
-  for (const double r : {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) out.Double(r);
-  for (const double p :
-       {lens.fx, 0.0, lens.cx, 0.0, 0.0, lens.fy, lens.cy, 0.0, 0.0, 0.0, 1.0, 0.0}) {
-    out.Double(p);
-  }
-  for (int i = 0; i < 6; ++i) out.U32(0);  // no binning, the whole image
-  out.Bool(false);
   return out.Take();
 }
 

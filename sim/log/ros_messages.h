@@ -37,9 +37,9 @@ void PutPose(CdrWriter& out, const Pose3& X);
 
 // Whole messages.
 
-/// tf2_msgs/TFMessage: each pose in the frame `parent`.
-std::string TransformsMessage(Tick tick, const std::string& parent,
-                              const std::vector<BodyPose>& bodies);
+/// tf2_msgs/TFMessage: the bodies in the world, and each camera in the body that carries it.
+std::string TransformsMessage(Tick tick, const std::vector<BodyPose>& bodies,
+                              const std::vector<NamedCamera>& cameras);
 /// sensor_msgs/Imu; no covariances are known.
 std::string ImuMessage(Tick tick, const ImuSample& imu);
 /// sensor_msgs/JointState: angles [rad] since power-on, currents [A] as effort.
@@ -48,9 +48,6 @@ std::string MotorsMessage(Tick tick, const std::vector<NamedMotor>& names,
 /// sensor_msgs/CompressedImage
 std::string ImageMessage(Tick tick, const std::string& frame, const std::string& format,
                          std::string_view bytes);
-/// sensor_msgs/CameraInfo. A CAHV* lens has no distortion model of ROS: its focal lengths and
-/// centre alone.
-std::string CameraInfoMessage(Tick tick, const std::string& frame, const Camera& camera);
 /// geometry_msgs/PoseWithCovarianceStamped in the frame `dock`; the covariance is not known.
 std::string BeliefPoseMessage(Tick tick, const Pose2& X_DR);
 /// nav_msgs/Path in the frame `dock`.

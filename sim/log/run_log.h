@@ -16,6 +16,7 @@
 #include "sim/log/frame_codec.h"
 #include "sim/log/ground_log.h"
 #include "sim/log/record.h"
+#include "sim/log/ros_cameras.h"
 #include "sim/log/stage.h"
 #include "sim/mcap/mcap_reader.h"
 #include "sim/mcap/mcap_writer.h"
@@ -50,7 +51,7 @@ struct RunLogHeader {
   Json nominal{};  // the nominal parameters that the controller got
   // Names for the messages. Motors and cameras without one are called by their number.
   std::vector<NamedMotor> motors{};
-  std::vector<NamedCamera> cameras{};
+  std::vector<NamedCamera> cameras{};         // read back: names and sizes
   std::vector<Column> channels{}, beliefs{};  // of the history
 };
 
@@ -94,7 +95,9 @@ class RunLogWriter {
 
   bool keep_images_ = true;
   std::vector<NamedMotor> motors_;
-  std::vector<NamedCamera> cameras_;
+  std::vector<NamedCamera> cameras_;              // more are added as their images come
+  const std::vector<NamedCamera> named_cameras_;  // with mounting and lens
+  std::vector<RosRectification> rectifications_;  // of these
   std::vector<std::string> truth_names_, belief_names_;
   std::unique_ptr<McapWriter> file_;
   std::map<std::string, std::uint16_t> schemas_, channels_;  // by type, by topic
@@ -116,6 +119,8 @@ class RunLogReader {
   std::optional<RunLogEntry> Next();
   /// After the last entry: whether the log has its end, or the run was cut short.
   bool complete() const { return file_->complete(); }
+  /// After the last entry: whether a check value stands over all of it.
+  bool guarded() const { return file_->guarded(); }
 
  private:
   RunLogEntry EntryFrom(std::string_view message);
@@ -134,6 +139,7 @@ struct ControllerReplay {
   std::optional<Tick> differs_at;  // first tick with other commands
   std::optional<Tick> blind_at;    // first tick whose images the log left out: stopped there
   bool complete = false;           // the log has its end
+  bool guarded = true;             // a check value stands over all of it
   bool same() const { return !differs_at && !blind_at && complete; }
 };
 /// How many motors, cameras and contact switches a robot has: a controller takes for granted that a

@@ -21,10 +21,23 @@ RunLogHeader HeaderFromText(const std::string& text) {
     header.controller = json.at("controller");
     header.images_kept = json.at("images_kept");
     header.nominal = json.at("nominal");
+    for (const Json& each : json.value("cameras", Json::array())) {
+      NamedCamera camera{.name = each.at("name"), .camera = {}, .X_OC = {}};
+      camera.camera.width = each.at("width_px");
+      camera.camera.height = each.at("height_px");
+      header.cameras.push_back(std::move(camera));
+    }
     return header;
   } catch (const Json::exception& error) {
     throw DataError(std::string("its header cannot be read: ") + error.what());
   }
+}
+
+const McapAttachment* HeaderIn(const McapReader& file) {
+  for (const McapAttachment& attachment : file.attachments()) {
+    if (attachment.name == "header.json") return &attachment;
+  }
+  return nullptr;
 }
 
 /// Behind the time of a message.
@@ -76,12 +89,20 @@ RunLogReader::RunLogReader(const std::filesystem::path& dir) : path_(dir / kRunL
   try {
     file_ = std::make_unique<McapReader>(path_);
     first_ = file_->Next();
-    for (const McapAttachment& attachment : file_->attachments()) {
-      if (attachment.name != "header.json") continue;
-      header_ = HeaderFromText(attachment.data);
-      return;
+    const McapAttachment* header = HeaderIn(*file_);
+    std::optional<McapReader> whole;
+    if (header == nullptr) {  // other writers may put it behind the messages
+      whole.emplace(path_);
+      while (whole->Next()) {
+      }
+      header = HeaderIn(*whole);
     }
-    throw DataError("its header is missing");
+    if (header == nullptr) {
+      throw DataError(
+          "its header is missing: the attachment header.json (mcap filter keeps it with "
+          "--include-attachments)");
+    }
+    header_ = HeaderFromText(header->data);
   } catch (const DataError& failure) {
     throw DataError(path_.string() + ": " + failure.what());
   }
@@ -129,6 +150,7 @@ ControllerReplay ReplayController(RunLogReader& log, Controller& controller,
     ++replay.compared;
   }
   replay.complete = log.complete();
+  replay.guarded = log.guarded();
   return replay;
 }
 

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "sim/base/files.h"
+#include "sim/log/belief_error.h"
+#include "sim/log/ros_cameras.h"
 #include "sim/log/ros_markers.h"
 #include "sim/log/ros_messages.h"
 #include "sim/log/ros_schemas.h"
@@ -10,6 +12,16 @@
 namespace dockyard {
 namespace {
 
+/// Their order is that of the numbers by which sightings and frames name them.
+Json CamerasJson(const std::vector<NamedCamera>& cameras) {
+  Json list = Json::array();
+  for (const NamedCamera& each : cameras) {
+    list.push_back(
+        {{"name", each.name}, {"width_px", each.camera.width}, {"height_px", each.camera.height}});
+  }
+  return list;
+}
+
 std::string HeaderText(const RunLogHeader& header) {
   const Json json = {{"version", kRunLogVersion},
                      {"run", header.run},
@@ -17,8 +29,15 @@ std::string HeaderText(const RunLogHeader& header) {
                      {"system", header.system},
                      {"controller", header.controller},
                      {"images_kept", header.images_kept},
-                     {"nominal", header.nominal}};
+                     {"nominal", header.nominal},
+                     {"cameras", CamerasJson(header.cameras)}};
   return json.dump();
+}
+
+std::vector<Column> WithErrors(std::vector<Column> channels) {
+  const std::vector<Column>& errors = BeliefErrorColumns();
+  channels.insert(channels.end(), errors.begin(), errors.end());
+  return channels;
 }
 
 std::vector<std::string> Names(std::vector<std::string> names, const std::vector<Column>& columns) {
@@ -62,7 +81,8 @@ RunLogWriter::RunLogWriter(const std::filesystem::path& dir, const RunLogHeader&
     : keep_images_(header.images_kept),
       motors_(header.motors),
       cameras_(header.cameras),
-      truth_names_(Names({"x_m", "y_m", "heading_rad"}, header.channels)),
+      named_cameras_(header.cameras),
+      truth_names_(Names({"x_m", "y_m", "heading_rad"}, WithErrors(header.channels))),
       belief_names_(Names({"located", "x_m", "y_m", "heading_rad"}, header.beliefs)) {
   MakeFolder(dir);
   file_ = std::make_unique<McapWriter>(dir / kRunLogFile,
@@ -70,13 +90,10 @@ RunLogWriter::RunLogWriter(const std::filesystem::path& dir, const RunLogHeader&
   file_->Attach({0, 0, "header.json", "application/json", HeaderText(header)});
   if (!scenario.empty()) file_->Attach({0, 0, "scenario.yaml", "application/yaml", scenario});
   channels_[topic::kTruth] =
-      Channel(topic::kTruth, "dockyard_msgs/Scalars", Meanings(header.channels));
+      Channel(topic::kTruth, "dockyard_msgs/Scalars", Meanings(WithErrors(header.channels)));
   channels_[topic::kBelief] =
       Channel(topic::kBelief, "dockyard_msgs/Scalars", Meanings(header.beliefs));
-  for (const NamedCamera& camera : cameras_) {
-    Put(Channel("/camera/" + camera.name + "/camera_info", "sensor_msgs/CameraInfo"), 0,
-        CameraInfoMessage(0, camera.name, camera.camera));
-  }
+  rectifications_ = RectificationsOf(cameras_);
   file_->Flush();
 }
 
@@ -114,7 +131,12 @@ const std::vector<NamedMotor>& RunLogWriter::MotorsOf(const SensorFrame& sensed)
 void RunLogWriter::AppendImages(const SensorFrame& sensed,
                                 const std::vector<std::string>& pictures) {
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const NamedCamera& camera = CameraOf(sensed.images[i].camera);
+    const int index = sensed.images[i].camera;
+    const NamedCamera& camera = CameraOf(index);
+    if (const auto place = static_cast<std::size_t>(index); place < rectifications_.size()) {
+      Put(Channel("/camera/" + camera.name + "/camera_info", "sensor_msgs/CameraInfo"), sensed.tick,
+          CameraInfoMessage(sensed.tick, camera.name, camera.camera, rectifications_[place]));
+    }
     Put(Channel("/camera/" + camera.name + "/image/compressed", "sensor_msgs/CompressedImage"),
         sensed.tick, ImageMessage(sensed.tick, camera.name, "png", pictures[i]));
   }
@@ -141,7 +163,7 @@ void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick 
   if (stage.ground.heights_m != nullptr) frames.push_back({kGroundFrame, stage.ground.X_WG});
   frames.insert(frames.end(), stage.bodies.begin(), stage.bodies.end());
   Put(Channel(topic::kTransforms, "tf2_msgs/TFMessage"), tick,
-      TransformsMessage(tick, kWorldFrame, frames));
+      TransformsMessage(tick, frames, named_cameras_));
   if (!has_solids_) {
     has_solids_ = true;
     for (const StageSolids& solids : stage.solids) {
@@ -155,6 +177,8 @@ void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick 
   }
   std::vector<double> truth{sample.X_DR.x, sample.X_DR.y, sample.X_DR.heading};
   truth.insert(truth.end(), sample.channels.begin(), sample.channels.end());
+  const std::vector<double> errors = BeliefErrors(sample);
+  truth.insert(truth.end(), errors.begin(), errors.end());
   Put(channels_.at(topic::kTruth), tick, ScalarsMessage(tick, truth_names_, truth));
   const Pose2& X = sample.X_DR_believed;
   std::vector<double> belief{sample.located ? 1.0 : 0.0, X.x, X.y, X.heading};

@@ -60,7 +60,8 @@ struct NamedMotor {
 struct NamedCamera {
   std::string name;
   Camera camera;
-  Pose3 X_RC;
+  Pose3 X_OC;                  // in the body that carries it
+  std::string body = "robot";  // that body, one of the stage
 };
 
 }  // namespace dockyard

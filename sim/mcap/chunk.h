@@ -32,9 +32,10 @@ std::string MakeChunk(std::string_view records, bool compress, McapChunkIndex& i
 std::string MessageIndexRecords(const McapMessageIndex& messages, std::uint64_t begin,
                                 McapChunkIndex& index);
 
-/// The records of a chunk, checked. Throws DataError: damaged, another compression than Zstandard
-/// or none, more than kMostChunkBytes.
-std::string RecordsOfChunk(std::string_view content, McapChunkIndex& index);
+/// The records of a chunk, checked. Throws DataError: damaged, another compression than Zstandard,
+/// LZ4 or none, more than kMostChunkBytes.
+/// @param guarded  whether the chunk has a check value
+std::string RecordsOfChunk(std::string_view content, McapChunkIndex& index, bool& guarded);
 
 /// A second of the largest images of two cameras has 240 MB.
 inline constexpr std::uint64_t kMostChunkBytes = std::uint64_t{512} << 20;

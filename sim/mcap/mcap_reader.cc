@@ -13,12 +13,15 @@ namespace {
 constexpr std::size_t kCheck = sizeof(std::uint32_t);
 
 McapOp OpOf(std::uint8_t byte) {
-  if (byte < static_cast<std::uint8_t>(McapOp::kHeader) ||
-      byte > static_cast<std::uint8_t>(McapOp::kDataEnd)) {
+  const bool is_private = byte >= kFirstPrivateOp;
+  if (!is_private && (byte < static_cast<std::uint8_t>(McapOp::kHeader) ||
+                      byte > static_cast<std::uint8_t>(McapOp::kDataEnd))) {
     throw DataError("a record is of unknown kind " + std::to_string(byte));
   }
   return static_cast<McapOp>(byte);
 }
+
+bool IsPrivate(McapOp op) { return static_cast<std::uint8_t>(op) >= kFirstPrivateOp; }
 
 }  // namespace
 
@@ -103,6 +106,7 @@ void McapReader::TakeRecord(McapOp op) {
   if (op == McapOp::kChunk) return TakeChunk();
   if (op == McapOp::kAttachment) {
     attachments_.push_back(AttachmentFrom(content_));
+    parts_guarded_ = parts_guarded_ && attachments_.back().guarded;
     const std::uint64_t length = kMcapRecordHead + content_.size();
     summary_.Add(attachments_.back(), at_ - length, length);
   } else if (op == McapOp::kMetadata) {
@@ -111,14 +115,17 @@ void McapReader::TakeRecord(McapOp op) {
     summary_.Add(metadata_.back(), at_ - length, length);
   } else if (op == McapOp::kDataEnd) {
     TakeEnd();
-  } else {
+  } else if (!IsPrivate(op)) {
+    parts_guarded_ = false;  // it stands in no chunk
     TakeInner(op, content_, 0);
   }
 }
 
 void McapReader::TakeChunk() {
   chunk_.emplace();
-  records_ = RecordsOfChunk(content_, *chunk_);
+  bool guarded = false;
+  records_ = RecordsOfChunk(content_, *chunk_, guarded);
+  parts_guarded_ = parts_guarded_ && guarded;
   chunk_->length = kMcapRecordHead + content_.size();
   chunk_->offset = at_ - chunk_->length;
   next_ = 0;
@@ -138,7 +145,7 @@ void McapReader::TakeInner(McapOp op, std::string_view content, std::uint64_t at
     }
     if (chunk_) chunk_messages_[found_->channel_id].push_back({found_->log_time_ns, at});
     summary_.Add(*found_);
-  } else {
+  } else if (!IsPrivate(op)) {
     throw DataError("a record of kind " + std::to_string(static_cast<int>(op)) +
                     " stands where none may");
   }
@@ -148,7 +155,9 @@ void McapReader::TakeInner(McapOp op, std::string_view content, std::uint64_t at
 void McapReader::TakeEnd() {
   ended_ = true;
   ByteReader data_end(content_);
-  if (data_end.U32() != crc_ || !data_end.AtEnd()) {
+  const std::uint32_t check = data_end.U32();
+  data_guarded_ = check != kNoCheckValue;
+  if ((data_guarded_ && check != crc_) || !data_end.AtEnd()) {
     throw DataError("its data do not have their check value");
   }
   std::string rest(size_ - at_, '\0');
@@ -158,7 +167,9 @@ void McapReader::TakeEnd() {
   if (cut_short) return;
   const std::size_t checked = rest.size() - kMcapMagic.size() - kCheck;
   ByteReader in(std::string_view(rest).substr(checked));
-  if (in.U32() != Crc32(std::string_view(rest).substr(0, checked))) {
+  const std::uint32_t of_summary = in.U32();
+  if (of_summary != kNoCheckValue &&
+      of_summary != Crc32(std::string_view(rest).substr(0, checked))) {
     throw DataError("its summary does not have its check value");
   }
   complete_ = true;

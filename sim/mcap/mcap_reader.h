@@ -1,5 +1,7 @@
-// Reads an MCAP file from its begin, message by message, and checks all of its check values. A file
-// without its end, as after a kill -9, gives the messages that are whole.
+// Reads an MCAP file from its begin, message by message, and checks all of the check values that it
+// has. A file without its end, as after a kill -9, gives the messages that are whole. Files of
+// other writers are read, too: with chunks of any size or none, compressed or not, with or without
+// indexes, summary and check values.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +28,9 @@ class McapReader {
   std::optional<McapMessage> Next();
   /// After the last message: whether the file's end is there, or it was cut short.
   bool complete() const { return complete_; }
+  /// After the last message: whether a check value stands over every message and attachment.
+  /// Without one a changed byte goes unseen.
+  bool guarded() const { return data_guarded_ || parts_guarded_; }
 
   const std::string& profile() const { return profile_; }
   /// The channel of a message. Those seen so far are known.
@@ -63,6 +68,7 @@ class McapReader {
   std::size_t next_ = 0;              // the next of them
   std::optional<McapMessage> found_;  // by the record just taken
   bool complete_ = false, ended_ = false;
+  bool data_guarded_ = false, parts_guarded_ = true;  // as a whole; each chunk and attachment
   std::string profile_;
   std::map<std::uint16_t, McapSchema> schemas_;
   std::map<std::uint16_t, McapChannel> channels_;

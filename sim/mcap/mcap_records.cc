@@ -138,7 +138,8 @@ McapAttachment AttachmentFrom(std::string_view content) {
   attachment.data = std::string(in.Take(in.U64()));
   const std::uint32_t check = in.U32();
   RequireEnd(in);
-  if (check != Crc32(content.substr(0, content.size() - sizeof check))) {
+  attachment.guarded = check != kNoCheckValue;
+  if (attachment.guarded && check != Crc32(content.substr(0, content.size() - sizeof check))) {
     throw DataError("the attachment " + attachment.name + " does not have its check value");
   }
   return attachment;

@@ -30,6 +30,10 @@ enum class McapOp : std::uint8_t {
   kSummaryOffset = 0x0e,
   kDataEnd = 0x0f,
 };
+/// Kinds from here on are other programs' own.
+inline constexpr std::uint8_t kFirstPrivateOp = 0x80;
+/// Instead of a check value: "not available", which many writers leave.
+inline constexpr std::uint32_t kNoCheckValue = 0;
 inline constexpr std::size_t kMcapRecordHead = 1 + sizeof(std::uint64_t);
 
 using McapTexts = std::map<std::string, std::string>;
@@ -61,6 +65,7 @@ struct McapMessage {
 struct McapAttachment {
   std::uint64_t log_time_ns = 0, create_time_ns = 0;
   std::string name, media_type, data;
+  bool guarded = true;  // has a check value; ours have
 
   bool operator==(const McapAttachment&) const = default;
 };

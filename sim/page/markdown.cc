@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "controller/base/number_text.h"
+#include "sim/report/rate_text.h"
 
 namespace dockyard {
 namespace {
@@ -51,12 +52,18 @@ std::string Estimate(const Json& estimate) {
          Number(estimate["high"], 2) + ")";
 }
 
+/// A number with four figures; words as they are.
+std::string ShortNumber(const std::string& text) {
+  const auto number = NumberFromText(text);
+  return number ? BriefNumber(*number) : text;
+}
+
 std::string Groups(const Json& groups) {
   if (groups.empty()) return "";
   std::string text = Head({"factor", "value", "docked"});
   for (const Json& group : groups) {
     for (const Json& value : group["values"]) {
-      text += Line({group["label"], value["value"], Rate(value)});
+      text += Line({group["label"], ShortNumber(value["value"]), Rate(value)});
     }
   }
   return text;
@@ -125,6 +132,12 @@ std::string OverviewMarkdown(const std::string& title, const Json& overview,
   if (overview.contains("acceptance")) {
     text += "\n**" + overview["acceptance"]["verdict"].get<std::string>() +
             "**: " + overview["acceptance"]["sentence"].get<std::string>() + "\n";
+  }
+  if (overview.contains("requirements")) {
+    text += "\n";
+    for (const Json& each : overview["requirements"]) {
+      text += "- " + each["text"].get<std::string>() + "\n";
+    }
   }
   text += Groups(overview["groups"]) + Causes(overview["causes"], replay_command);
   if (overview.contains("arms")) text += Arms(overview["arms"]);

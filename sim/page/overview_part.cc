@@ -5,6 +5,8 @@
 #include <map>
 
 #include "controller/base/number_text.h"
+#include "sim/page/curves_part.h"
+#include "sim/page/groups_part.h"
 #include "sim/report/arm_pairs.h"
 #include "sim/report/points.h"
 #include "sim/report/sensitivity.h"
@@ -15,16 +17,12 @@
 namespace dockyard {
 namespace {
 
-constexpr std::size_t kMostGroups = 12, kMostNumbers = 40;
+constexpr std::size_t kMostNumbers = 40;
 
 /// NaN has no place in JSON.
 Json Number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json Ends(const Interval& interval) { return Json::array({interval.low, interval.high}); }
-
-Json Share(int docked, int runs) {
-  return {{"docked", docked}, {"runs", runs}, {"interval", Ends(ClopperPearson(docked, runs))}};
-}
 
 Json Totals(const FinishedRuns& runs, std::int64_t planned) {
   int docked = 0, lost = 0;
@@ -32,35 +30,10 @@ Json Totals(const FinishedRuns& runs, std::int64_t planned) {
     docked += row.docked;
     lost += IsLost(row.outcome);
   }
-  Json totals = Share(docked, static_cast<int>(runs.size()));
+  Json totals = ShareJson(docked, static_cast<int>(runs.size()));
   totals["planned"] = planned;
   totals["lost"] = lost;
   return totals;
-}
-
-/// Success by the values of each label that has a few.
-Json Groups(const FinishedRuns& runs, const RowColumns& columns) {
-  Json groups = Json::array();
-  for (std::size_t label = 0; label < columns.labels.size(); ++label) {
-    std::vector<std::string> values;  // in the order in which they appear
-    std::map<std::string, std::pair<int, int>> counts;
-    for (const RunResult& row : runs.results) {
-      const auto [at, fresh] = counts.try_emplace(row.labels[label]);
-      if (fresh) values.push_back(row.labels[label]);
-      at->second.first += row.docked;
-      ++at->second.second;
-      if (counts.size() > kMostGroups) break;
-    }
-    if (values.size() < 2 || values.size() > kMostGroups) continue;
-    Json list = Json::array();
-    for (const std::string& value : values) {
-      Json share = Share(counts[value].first, counts[value].second);
-      share["value"] = value;
-      list.push_back(share);
-    }
-    groups.push_back({{"label", columns.labels[label]}, {"values", list}});
-  }
-  return groups;
 }
 
 Json Causes(const FinishedRuns& runs) {
@@ -100,7 +73,7 @@ Json SensitivityJson(const std::vector<Sensitivity>& found) {
                        {"partial", EstimateJson(draw.partial)}});
     }
     for (const LevelRate& rate : arm.rates) {
-      Json level = Share(rate.docked, rate.runs);
+      Json level = ShareJson(rate.docked, rate.runs);
       level.update({{"label", rate.label},
                     {"word", rate.word},
                     {"low", Number(rate.low)},
@@ -155,19 +128,41 @@ Json AcceptanceJson(const Json& totals, const AcceptanceAim& aim) {
           {"further_runs", undecided && found.further_runs ? Json(*found.further_runs) : Json()}};
 }
 
+/// `requirements` and `aims`: the limits of those on success, for figures to show.
+void AddRequirements(const std::vector<Requirement>& requirements,
+                     const std::optional<AcceptanceAim>& aim, const FinishedRuns& runs,
+                     const RowColumns& columns, Json& json) {
+  Json judged = Json::array(), aims = Json::array();
+  if (aim) {
+    aims.push_back({{"text", NumberText(100.0 * aim->reliability) + " % to be shown"},
+                    {"share", aim->reliability}});
+  }
+  for (const Requirement& requirement : requirements) {
+    const Judgement found = Judge(requirement, columns, runs.results);
+    judged.push_back({{"met", found.met}, {"text", found.text}});
+    if (requirement.figure != "docked" || requirement.outcome) continue;
+    aims.push_back({{"text", requirement.text}, {"share", requirement.limit}});
+  }
+  if (!judged.empty()) json["requirements"] = judged;
+  if (!aims.empty()) json["aims"] = aims;
+}
+
 }  // namespace
 
 Json OverviewPart(const Campaign* campaign, const FinishedRuns& runs, const RowColumns& columns,
-                  const std::optional<AcceptanceAim>& aim) {
+                  const std::optional<AcceptanceAim>& aim,
+                  const std::vector<Requirement>& requirements) {
   const auto count = static_cast<std::int64_t>(runs.size());
   Json json{{"totals", Totals(runs, campaign ? campaign->run_count() : count)},
-            {"groups", Groups(runs, columns)},
+            {"groups", GroupsPart(campaign, runs, columns)},
             {"causes", Causes(runs)}};
   if (campaign != nullptr) {
     json["sensitivity"] = SensitivityJson(FindSensitivity(*campaign, columns, runs.results));
     if (!campaign->arms.empty()) json["arms"] = ArmsJson(*campaign, runs, columns);
   }
+  if (campaign != nullptr) json["curves"] = CurvesPart(*campaign, runs, columns);
   if (aim) json["acceptance"] = AcceptanceJson(json["totals"], *aim);
+  AddRequirements(requirements, aim, runs, columns, json);
   return json;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/log/belief_error.h"
+#include "sim/page/images_part.h"
 #include "sim/page/replay_ground.h"
 #include "sim/page/sightings_part.h"
 #include "sim/page/simplified.h"
@@ -94,11 +96,15 @@ const char* GroupOf(const std::string& unit) {
   return "Others";
 }
 
+bool HasValues(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
+}
+
 void AddScalars(const Series& series, const std::vector<Column>& columns, const char* source,
                 Payload& payload, Json& scalars) {
   for (const Column& column : columns) {
     const auto found = series.find(column.name);
-    if (found == series.end()) continue;
+    if (found == series.end() || !HasValues(found->second)) continue;
     scalars.push_back({{"name", column.name},
                        {"unit", column.unit},
                        {"meaning", column.meaning},
@@ -120,6 +126,7 @@ Json ScalarsJson(const LoggedRun& run, const ReplayFacts& facts, Payload& payloa
                [&](const Column& column) { return column.unit != "A" || motors.empty(); });
   AddScalars(run.truth, truth, "truth", payload, scalars);
   AddScalars(run.belief, facts.beliefs, "belief", payload, scalars);
+  AddScalars(run.truth, BeliefErrorColumns(), "belief", payload, scalars);
   return scalars;
 }
 
@@ -178,6 +185,7 @@ Json ReplayPart(const LoggedRun& run, const ReplayFacts& facts, Payload& payload
   json["ground"] = ReplayGround(run, X_GO, payload);
   json["scalars"] = ScalarsJson(run, facts, payload);
   json["sightings"] = SightingsPart(run, facts.pictures, payload);
+  if (facts.pictures) json["images"] = ImagesPart(run, facts.most_images, payload);
   json["plans"] = PlansJson(run);
   json["phases"] = PhasesJson(run);
   return json;

@@ -18,6 +18,7 @@ struct ReplayFacts {
   bool docked = false;
   std::vector<Column> channels{}, beliefs{};  // of the system, for units and meanings
   bool pictures = true;
+  std::size_t most_images = 240;  // of those without a sighting
 };
 
 /// An entry of `replays` in the header. The page's world is the run's site G, so that the ground

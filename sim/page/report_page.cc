@@ -1,5 +1,6 @@
 #include "sim/page/report_page.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <future>
 #include <stdexcept>
@@ -48,6 +49,14 @@ std::string SentenceOf(const LoggedRun& log) {
   return note.is_string() ? note.get<std::string>() : "The log is cut short.";
 }
 
+/// Images without a sighting that each run may keep: together they take half of the file, at most.
+std::size_t MostImages(const ReportContent& content) {
+  constexpr std::size_t kOfOne = 240, kLeast = 8;
+  constexpr std::size_t kBytes = 16'000;  // of an image, packed, at most: 640 px wide
+  const std::size_t all = content.most_bytes / 2 / kBytes;
+  return std::clamp(all / std::max<std::size_t>(1, content.watched.size()), kLeast, kOfOne);
+}
+
 ReplayFacts FactsOf(const ReportContent& content, const WatchedRun& watched, std::size_t scene,
                     const LoggedRun& log) {
   const RunResult& row = content.runs->results[watched.place];
@@ -62,7 +71,8 @@ ReplayFacts FactsOf(const ReportContent& content, const WatchedRun& watched, std
           .docked = row.docked,
           .channels = content.channels,
           .beliefs = content.beliefs,
-          .pictures = content.pictures};
+          .pictures = content.pictures,
+          .most_images = MostImages(content)};
 }
 
 /// Replays until the data are as large as they may be. They count before they are packed, which can
@@ -110,7 +120,8 @@ void AddReplays(const ReportContent& content, Payload& payload, Json& header,
 std::string ReportPage(const ReportContent& content) {
   Payload payload;
   std::vector<std::string> left_out;
-  Json header = OverviewPart(content.campaign, *content.runs, content.columns, content.aim);
+  Json header = OverviewPart(content.campaign, *content.runs, content.columns, content.aim,
+                             content.requirements);
   header["format"] = 1;
   header["title"] = content.title;
   header["program"] = content.program;

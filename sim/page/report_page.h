@@ -30,6 +30,7 @@ struct ReportContent {
   std::string system;
   std::vector<Pose2> starts;  // in the target's frame, by place; empty: not known
   std::optional<AcceptanceAim> aim;
+  std::vector<Requirement> requirements;
   std::string replay_command;       // with {run}; empty: there is none
   std::vector<WatchedRun> watched;  // in the order in which they are taken in
   bool pictures = true;

@@ -76,9 +76,14 @@ std::size_t Scenes::Add(const StageShapes& shapes) {
       PutPose(part.X_OP, json);
       parts.push_back(json);
     }
-    bodies.push_back({{"name", body.name}, {"robot", body.robot}, {"parts", parts}});
+    Json json{{"name", body.name}, {"robot", body.robot}, {"parts", parts}};
+    if (body.about) json["about"] = true;
+    if (body.leaves) json["leaves"] = true;
+    bodies.push_back(std::move(json));
   }
-  Json scene{{"bodies", bodies}, {"sun_W", Numbers(shapes.light.to_sun_W)}};
+  Json scene{{"bodies", bodies},
+             {"sun_W", Numbers(shapes.light.to_sun_W)},
+             {"ground", Numbers(shapes.ground_rgb)}};
   if (shapes.board) scene["board"] = BoardJson(*shapes.board, of_board);
   const auto [place, fresh] = scene_places_.emplace(scene.dump(), scenes_.size());
   if (fresh) scenes_.push_back(std::move(scene));

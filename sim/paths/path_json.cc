@@ -17,7 +17,8 @@ Json WheelsJson(const RoverPlan& rover, const Arc& arc) {
 
 }  // namespace
 
-Json PathJson(const PathTask& task, const PlannedPath& plan) {
+Json PathJson(const PathTask& task, const PlannedPath& plan,
+              const std::vector<std::string>& warnings) {
   Json arcs = Json::array(), candidates = Json::array();
   for (const Arc& arc : plan.best ? plan.best->arcs : std::vector<Arc>{}) {
     Json json = ArcJson(arc);
@@ -35,7 +36,8 @@ Json PathJson(const PathTask& task, const PlannedPath& plan) {
   return {{"feasible", plan.best.has_value()},
           {"arcs", arcs},
           {"cost_m", plan.best ? Json(plan.best->cost_m) : Json()},
-          {"candidates", candidates}};
+          {"candidates", candidates},
+          {"warnings", warnings}};
 }
 
 }  // namespace dockyard

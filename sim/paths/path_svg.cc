@@ -87,9 +87,16 @@ void DrawWithin(SvgDocument& svg, const PlotArea& area, const std::vector<Vector
   Put();
 }
 
+bool IsOutside(const PlotArea& area, const Disc& disc) {
+  const Vector2d& p = disc.centre;
+  return p.x() + disc.radius_m < area.x.low || p.x() - disc.radius_m > area.x.high ||
+         p.y() + disc.radius_m < area.y.low || p.y() - disc.radius_m > area.y.high;
+}
+
 void DrawObstacles(SvgDocument& svg, const PlotArea& area, const Obstacles& obstacles) {
   svg.OpenGroup("obstacles");
   for (const Disc& disc : obstacles.discs) {
+    if (IsOutside(area, disc)) continue;
     const double radius_px = disc.radius_m * area.width / area.x.span();
     svg.Circle(area.At(disc.centre.x(), disc.centre.y()), radius_px, "#c9b8a3", kThin);
   }

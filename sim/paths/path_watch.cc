@@ -26,6 +26,18 @@ struct Moment {
   std::vector<double> steer_rad, way_m, speed_m_s;  // by wheel; way since the start
 };
 
+std::vector<Disc> ShownDiscs(const PathTask& task) {
+  std::vector<Disc> discs = task.demands.obstacles.discs;
+  if (discs.size() <= kMostShownDiscs) return discs;
+  const auto Away = [&](const Disc& disc) {
+    return std::min(disc.centre.norm(), (disc.centre - task.p_AG).norm()) - disc.radius_m;
+  };
+  std::stable_sort(discs.begin(), discs.end(),
+                   [&](const Disc& a, const Disc& b) { return Away(a) < Away(b); });
+  discs.resize(kMostShownDiscs);
+  return discs;
+}
+
 /// The moments of a path, every period.
 class Film {
  public:
@@ -180,7 +192,7 @@ StageShapes ShapesOf(const PathTask& task) {
     shapes.bodies.push_back({mount.name, true, {{wheel, X_OP, kWheel_rgb}}});
   }
   StageBody stones{"obstacles", false, {}};
-  for (const Disc& disc : task.demands.obstacles.discs) {
+  for (const Disc& disc : ShownDiscs(task)) {
     stones.parts.push_back({PrismMesh(Round(disc, 32), 0.0, kObstacleHeight_m), {}, kStone_rgb});
   }
   for (const Polygon& polygon : task.demands.obstacles.polygons) {

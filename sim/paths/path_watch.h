@@ -11,6 +11,9 @@ namespace dockyard {
 /// then it is driven at its speed. The task must have a rover with wheels, the plan a path.
 LoggedRun WatchedPath(const PathTask& task, const PlannedPath& plan);
 
+/// More discs are not shown: those nearest to the rover's start and to the goal are.
+inline constexpr std::size_t kMostShownDiscs = 1000;
+
 /// Its bodies, in the run's order: body, wheels, obstacles.
 StageShapes ShapesOf(const PathTask& task);
 

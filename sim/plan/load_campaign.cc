@@ -4,6 +4,7 @@
 
 #include "models/read/config_error.h"
 #include "models/read/csv_table.h"
+#include "models/read/text_file.h"
 #include "models/read/yaml_reader.h"
 #include "sim/base/called_as.h"
 #include "sim/plan/campaign.h"
@@ -77,6 +78,11 @@ void ReadTags(const YamlReader& in, Campaign& campaign) {
       if (row.cells[*column].kind != YamlNode::Kind::kScalar) {
         throw ConfigError(row.cells[*column].place.Text() + ": " + tag.scalar +
                           ": expected a value, found " + row.cells[*column].Found());
+      }
+      if (const auto control = FirstControl(row.cells[*column].scalar)) {
+        throw ConfigError(row.cells[*column].place.Text() + ": " + tag.scalar +
+                          ": expected one line without control characters, found " +
+                          CharacterName(*control));
       }
     }
   }

@@ -34,6 +34,7 @@ const std::vector<OutcomeName>& OutcomeNames() {
       {"jammed", false, "the guide stuck in the socket before its seat"},
       {"missed_socket", false, "robot and pyramid touched, the guide is not in the socket"},
       {"search_limit", false, "gave up its search"},
+      {"gave_up", false, "gave up, and it is not known to search"},
       {"timeout", false, "ran out of time, and nothing else explains it"}};
   return names;
 }
@@ -63,7 +64,21 @@ bool OutcomeJudge::holds() const {
          std::max(last_.left_door_m, last_.right_door_m) < limits_.closed_m;
 }
 
-OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, const Trial& trial) const {
+std::string OutcomeJudge::ClaimNote() const {
+  std::string note = GuidePlace(last_);
+  if (last_.p_SP_R.norm() >= limits_.seated_within_m) {
+    note += Sentence(" (docked: within %.0f mm)", 1e3 * limits_.seated_within_m);
+  }
+  const double open_m = std::max(last_.left_door_m, last_.right_door_m);
+  if (open_m >= limits_.closed_m) {
+    note += Sentence(", a door %.0f mm from closed (less than %.0f mm)", 1e3 * open_m,
+                     1e3 * limits_.closed_m);
+  }
+  return note;
+}
+
+OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, const Trial& trial,
+                                               bool searches) const {
   if (claimed == Verdict::kDocked) {
     const bool held = trial.done && trial.worst_m < limits_.seated_within_m;
     if (held) {
@@ -71,27 +86,31 @@ OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, const Trial& tri
               Sentence("guide within %.1f mm of its seat while it was driven away",
                        1e3 * trial.worst_m)};
     }
-    if (!trial.done) return {Outcome::kFalseDocked, "claimed docked; " + GuidePlace(last_)};
+    if (!trial.done) return {Outcome::kFalseDocked, "claimed docked; " + ClaimNote()};
     return {Outcome::kFalseDocked,
-            Sentence("claimed docked; driven away, the guide came %.0f mm off its seat",
-                     1e3 * trial.worst_m)};
+            Sentence("claimed docked; driven away, the guide came %.0f mm off its seat (at most "
+                     "%.0f mm)",
+                     1e3 * trial.worst_m, 1e3 * limits_.seated_within_m)};
   }
   if (tipped_since_s_) {
     return {Outcome::kTippedPyramid,
-            Sentence("the pyramid leans by %.0f deg", Degrees(last_.pyramid_tilt_rad))};
+            Sentence("the pyramid leans by %.0f deg (at most %.0f deg)",
+                     Degrees(last_.pyramid_tilt_rad), Degrees(limits_.tipped_rad))};
   }
   if (stay_ && last_.time_s - stay_->since_s > limits_.jam_time_s) {
     return {Outcome::kJammed, GuidePlace(last_)};
   }
   if (last_.pyramid_shift_m > limits_.pushed_m) {
     return {Outcome::kPushedAway,
-            Sentence("the pyramid was pushed by %.0f mm and turned by %.0f deg",
-                     1e3 * last_.pyramid_shift_m, Degrees(last_.pyramid_turn_rad))};
+            Sentence("the pyramid was pushed by %.0f mm (at most %.0f mm) and turned by %.0f deg",
+                     1e3 * last_.pyramid_shift_m, 1e3 * limits_.pushed_m,
+                     Degrees(last_.pyramid_turn_rad))};
   }
   if (touched_since_s_) return {Outcome::kMissedSocket, GuidePlace(last_)};
   const std::string where = Sentence("the camera %.2f m from the guide, %.0f deg off its axis",
                                      last_.range_m, Degrees(last_.alpha_rad));
-  return {claimed == Verdict::kGivenUp ? Outcome::kSearchLimit : Outcome::kTimeout, where};
+  if (claimed != Verdict::kGivenUp) return {Outcome::kTimeout, where};
+  return {searches ? Outcome::kSearchLimit : Outcome::kGaveUp, where};
 }
 
 }  // namespace dockyard::raposa

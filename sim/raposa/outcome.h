@@ -19,6 +19,7 @@ enum class Outcome {
   kJammed,
   kMissedSocket,
   kSearchLimit,
+  kGaveUp,
   kTimeout,
 };
 const char* Name(Outcome outcome);  // "docked", "false_docked", ...
@@ -60,9 +61,12 @@ class OutcomeJudge {
     Outcome outcome = Outcome::kTimeout;
     std::string note;  // a sentence on the truth
   };
-  Verdicted Conclude(Verdict claimed, const Trial& trial) const;
+  /// @param searches  whether the controller says by its states that it searches
+  Verdicted Conclude(Verdict claimed, const Trial& trial, bool searches = true) const;
 
  private:
+  /// The limits that a claim of being docked did not keep, with what was measured.
+  std::string ClaimNote() const;
   OutcomeLimits limits_;
   Truth last_{};
   std::optional<double> tipped_since_s_, touched_since_s_;

@@ -36,6 +36,8 @@ void VisitChannels(const Truth& t, Visit&& visit) {
   visit("right_current_a", "A", "of the right belt's motor", motor(Motor::kRightBelt).current_a);
   visit("door_current_a", "A", "of both doors' motors together",
         motor(Motor::kLeftDoor).current_a + motor(Motor::kRightDoor).current_a);
+  visit("yaw_deg", "deg", "heading against the pyramid's axis as at the start, 0: as it docks",
+        Degrees(ToGround(t.X_DR_start).heading));
 }
 
 struct RaposaMeasures {

@@ -57,7 +57,8 @@ Conclusion RaposaJudge::Conclude(const Commands& last, const Belief& belief,
                              watch("drive_away");
                            });
   }
-  const OutcomeJudge::Verdicted verdict = outcome_.Conclude(last.verdict, trial);
+  const OutcomeJudge::Verdicted verdict =
+      outcome_.Conclude(last.verdict, trial, !std::isnan(ValueOf(belief, "state", std::nan(""))));
   return {Name(verdict.outcome), verdict.note, Values(measures_)};
 }
 

@@ -6,6 +6,7 @@
 #include "sim/base/random.h"
 #include "sim/raposa/mark_meshes.h"
 #include "sim/run/drawn_mesh.h"
+#include "sim/run/shade_body.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -48,6 +49,7 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, Lighting lighting, std::uint64
       cable_m_(built.world.pyramid.cable.diameter_m),
       grain_(built.ground.grain),
       mark_reach_m_(built.world.pyramid.marks.behind_m),
+      p_RC_(built.world.robot.camera.X_RC.p),
       hide_pyramid_(built.keys.hide_pyramid),
       texture_seed_(StreamKey(run_seed, "texture")) {
   const RaposaKeys& keys = built.keys;
@@ -172,16 +174,16 @@ StageShapes SceneBuilder::Shapes() const {
   add("left_door", true, left_door_);
   add("right_door", true, right_door_);
   add("pyramid", false, pyramid_);
-  if (!clutter_.empty()) add("clutter", false, clutter_);
-  if (!lighting_.occluders.empty()) {
-    shapes.bodies.push_back({"shade", false, {}});
-    for (const SceneObject& object : lighting_.occluders) {
-      shapes.bodies.back().parts.push_back({object.mesh, object.X_WO, object.albedo});
-    }
+  if (!clutter_.empty()) {
+    add("clutter", false, clutter_);
+    shapes.bodies.back().about = true;
   }
+  for (StageBody& shade : ShadeBodies(lighting_)) shapes.bodies.push_back(std::move(shade));
   shapes.light = lighting_.sun_and_sky;
   shapes.ground_rgb = ground_rgb_;
   shapes.ground_texture_seed = texture_seed_;
+  shapes.ground_grain = grain_;
+  shapes.points = {{"target", "pyramid"}, {"gripper", "left_door"}, {"camera", "robot", p_RC_}};
   return shapes;
 }
 

@@ -50,7 +50,7 @@ class SceneBuilder {
   double cable_m_ = 0.0;
   int cable_material_ = 0;
   double grain_ = 0.0, mark_reach_m_ = 0.0;
-  Eigen::Vector3d ground_rgb_{0.5, 0.5, 0.5};
+  Eigen::Vector3d p_RC_, ground_rgb_{0.5, 0.5, 0.5};
   bool hide_pyramid_ = false;
   std::uint64_t texture_seed_ = 0;
   ColourTable colours_;

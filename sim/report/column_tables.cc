@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "sim/log/belief_error.h"
+
 namespace dockyard {
 namespace {
 
@@ -111,25 +113,29 @@ ColumnTable Levels() {
 }
 
 ColumnTable History() {
-  return {"history.csv",
-          "Of a run whose log is kept: truth and belief, 10 Hz and at the end, the judge's trial "
-          "included.",
-          {{"time_s", "s", "simulated time"},
-           {"x_m", "m",
-            "truth: `X_DR`, the robot in the target's frame D "
-            "([frames](../contributing.md#frames))"},
-           {"y_m", "m", "truth, likewise"},
-           {"heading_deg", "deg", "truth, likewise"},
-           {"[channels]", "", "truth, by the system: below"},
-           {"phase", "",
-            "belief: state of the controller; `rest` and `shake` while the judge tries a claim"},
-           {"located", "", "belief: 1 if the believed pose means anything yet"},
-           {"believed_x_m", "m", "belief: `X_DR`"},
-           {"believed_y_m", "m", "belief, likewise"},
-           {"believed_heading_deg", "deg", "belief, likewise"},
-           {"sightings", "", "sightings of the target so far"},
-           {"plans", "", "plans of the controller so far"},
-           {"[beliefs]", "", "belief, by the system: below; `nan` if the controller gives none"}}};
+  ColumnTable table{
+      "history.csv",
+      "Of a run whose log is kept: truth and belief, 10 Hz and at the end, the judge's trial "
+      "included.",
+      {{"time_s", "s", "simulated time"},
+       {"x_m", "m",
+        "truth: `X_DR`, the robot in the target's frame D "
+        "([frames](../contributing.md#frames))"},
+       {"y_m", "m", "truth, likewise"},
+       {"heading_deg", "deg", "truth, likewise"},
+       {"[channels]", "", "truth, by the system: below"},
+       {"phase", "",
+        "belief: state of the controller; `rest` and `shake` while the judge tries a claim"},
+       {"located", "", "belief: 1 if the believed pose means anything yet"},
+       {"believed_x_m", "m", "belief: `X_DR`"},
+       {"believed_y_m", "m", "belief, likewise"},
+       {"believed_heading_deg", "deg", "belief, likewise"},
+       {"sightings", "", "sightings of the target so far"},
+       {"plans", "", "plans of the controller so far"},
+       {"[beliefs]", "", "belief, by the system: below; `nan` if the controller gives none"}}};
+  const std::vector<Column>& errors = BeliefErrorColumns();
+  table.columns.insert(table.columns.end(), errors.begin(), errors.end());
+  return table;
 }
 
 std::string MarkdownTable(const char* kind, const std::vector<Column>& columns) {

@@ -12,9 +12,16 @@ Judged JudgePlacement(const EndOfRun& end, const OutcomeLimits& limits) {
   const std::string note = "touched " + Millimetres(end.point_off_m) + " off the target, " +
                            Fixed(Degrees(end.tilt_rad), 1) + " deg off its normal, by " +
                            Fixed(end.most_n, 1) + " N";
-  if (end.most_n > limits.most_n) return {Outcome::kPressed, note};
-  if (end.point_off_m > limits.reach_m) return {Outcome::kMisplaced, note};
-  if (end.tilt_rad > limits.tilt_rad) return {Outcome::kTilted, note};
+  const auto at_most = [&](const std::string& limit) { return note + " (at most " + limit + ")"; };
+  if (end.most_n > limits.most_n) {
+    return {Outcome::kPressed, at_most(Fixed(limits.most_n, 1) + " N")};
+  }
+  if (end.point_off_m > limits.reach_m) {
+    return {Outcome::kMisplaced, at_most(Millimetres(limits.reach_m))};
+  }
+  if (end.tilt_rad > limits.tilt_rad) {
+    return {Outcome::kTilted, at_most(Fixed(Degrees(limits.tilt_rad), 1) + " deg")};
+  }
   if (end.claimed == Verdict::kDocked) return {Outcome::kPlaced, note};
   return {end.claimed == Verdict::kGivenUp ? Outcome::kUnstable : Outcome::kTimeout,
           (end.claimed == Verdict::kGivenUp ? "gave up; " : "ran out of time; ") + note};
@@ -43,6 +50,7 @@ const std::vector<OutcomeName>& OutcomeNames() {
       {"wrong_lock", false, "took itself to be there, and the point is on another thing"},
       {"lost_target", false, "gave up, and had the target last where it is not"},
       {"unstable", false, "gave up though it saw the target: its steps are coarser than its reach"},
+      {"gave_up", false, "gave up without a sighting of the target"},
       {"on_stone", false, "a part that no contact is simulated of met a stone"},
       {"timeout", false, "ran out of time, and nothing else explains it"}};
   return names;
@@ -54,7 +62,9 @@ const char* Name(Outcome outcome) {
 
 Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
   const std::string point = "the point " + Millimetres(end.point_off_m) + " off the target";
-  const std::string seen = "the target was seen " + Millimetres(end.estimate_off_m) + " off";
+  const std::string seen = end.sighted
+                               ? "the target was seen " + Millimetres(end.estimate_off_m) + " off"
+                               : "the target was not sighted";
   if (end.on_stone) return {Outcome::kOnStone, "the rover came down on a stone; " + point};
   if (end.places && end.touched) return JudgePlacement(end, limits);
   if (end.places && end.claimed == Verdict::kDocked) {
@@ -76,8 +86,9 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
     case Verdict::kDocked:
       if (end.point_off_m <= limits.reach_m) return {Outcome::kOnTarget, point};
       return {end.point_off_m > limits.wrong_lock_m ? Outcome::kWrongLock : Outcome::kNearTarget,
-              "claimed to be there; " + point};
+              "claimed to be there; " + point + " (at most " + Millimetres(limits.reach_m) + ")"};
     case Verdict::kGivenUp:
+      if (!end.sighted) return {Outcome::kGaveUp, "gave up; " + seen + ", " + point};
       return {end.estimate_off_m > limits.wrong_lock_m ? Outcome::kLostTarget : Outcome::kUnstable,
               "gave up; " + seen};
     case Verdict::kUnderWay:

@@ -26,6 +26,7 @@ enum class Outcome {
   kWrongLock,
   kLostTarget,
   kUnstable,
+  kGaveUp,
   kOnStone,
   kTimeout
 };
@@ -50,7 +51,8 @@ struct EndOfRun {
   bool lifted = false;          // the target was off the ground at some time
   bool held = false;            // and through the trial at the end
   double point_off_m = 0.0;     // the point from the target's middle
-  double estimate_off_m = 0.0;  // the target as it was seen last
+  bool sighted = true;          // the target was sighted at some time
+  double estimate_off_m = 0.0;  // the target as it was sighted last
   bool places = false;          // the instrument was to be placed
   bool touched = false;         // its face has met the rock
   double tilt_rad = 0.0;        // of it off the rock's normal there

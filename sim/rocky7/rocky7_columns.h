@@ -32,6 +32,8 @@ void VisitChannels(const Truth& t, Visit&& visit) {
   visit("stone_force_n", "N", "between wheels and stones, normal forces summed", t.stone_force_n);
   visit("face_force_n", "N", "on the instrument's face, normal forces summed", t.face_n);
   visit("most_current_a", "A", "largest of all motors", wheel_current_a);
+  visit("yaw_deg", "deg", "heading against the axis of the target's frame, 0: towards it",
+        Degrees(WrapPi(t.X_GR.heading - kPi)));
 }
 
 struct Rocky7Measures {

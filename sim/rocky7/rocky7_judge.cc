@@ -33,6 +33,7 @@ void Rocky7Judge::Observe() {
 
 void Rocky7Judge::ObserveSighting(const SightingReport& report) {
   if (!report.accepted) return;
+  sighted_ = true;
   // The report is in the body's frame. A stone's middle counts in plan, a boulder's point in space.
   const Truth& truth = plant_.truth();
   const Eigen::Vector3d p_G =
@@ -111,6 +112,7 @@ Conclusion Rocky7Judge::Conclude(const Commands& last, const Belief& belief,
                 .lifted = false,
                 .held = false,
                 .point_off_m = measures_.point_off_m,
+                .sighted = sighted_,
                 .estimate_off_m = measures_.estimate_off_m,
                 .on_stone = end.on_stone};
   if (plant_.built().world.boulder) JudgeContact(told);

@@ -30,7 +30,7 @@ class Rocky7Judge final : public Judge {
   Rocky7Plant& plant_;
   Rocky7Measures measures_;
   Pose2 X_GR_last_;
-  bool lifted_ = false;
+  bool lifted_ = false, sighted_ = false;
   /// The instrument's face when it was pressed most.
   struct Contact {
     double force_n = 0.0;

@@ -16,10 +16,7 @@
 namespace dockyard::rocky7 {
 namespace {
 
-Pose3 AtElbow(const Nominal& nominal, Pose3 X_KC) {
-  X_KC.p += nominal.mast.p_RM + Eigen::Vector3d(nominal.mast.link1_m, 0.0, 0.0);
-  return X_KC;
-}
+constexpr const char* kMastHead = "mast_link_2";  // the body K: RoverShapes names it
 
 void NameParts(const Nominal& nominal, ReadyRun& ready) {
   std::size_t motor = 0;
@@ -34,14 +31,12 @@ void NameParts(const Nominal& nominal, ReadyRun& ready) {
                            "mast_shoulder", "mast_elbow"}) {
     ready.motors.push_back({name, nominal.motors[motor++].rad_per_count});
   }
-  ready.cameras = {
-      {"front_left", nominal.front.left, nominal.front.X_RL},
-      {"front_right", nominal.front.right, nominal.front.X_RQ},
-      // The mast's are as they are on a mast that points ahead and level.
-      {"mast_left", nominal.mast.pair_K.left, AtElbow(nominal, nominal.mast.pair_K.X_RL)},
-      {"mast_right", nominal.mast.pair_K.right, AtElbow(nominal, nominal.mast.pair_K.X_RQ)},
-      {"back_left", nominal.back.left, nominal.back.X_RL},
-      {"back_right", nominal.back.right, nominal.back.X_RQ}};
+  ready.cameras = {{"front_left", nominal.front.left, nominal.front.X_RL},
+                   {"front_right", nominal.front.right, nominal.front.X_RQ},
+                   {"mast_left", nominal.mast.pair_K.left, nominal.mast.pair_K.X_RL, kMastHead},
+                   {"mast_right", nominal.mast.pair_K.right, nominal.mast.pair_K.X_RQ, kMastHead},
+                   {"back_left", nominal.back.left, nominal.back.X_RL},
+                   {"back_right", nominal.back.right, nominal.back.X_RQ}};
 }
 
 ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>& renderer) {

@@ -1,8 +1,11 @@
 #include "sim/rocky7/rocky7_view.h"
 
+#include <algorithm>
+
 #include "controller/base/split_mix.h"
 #include "sim/base/random.h"
 #include "sim/run/drawn_mesh.h"
+#include "sim/run/shade_body.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -26,6 +29,12 @@ RenderMesh Faceted(const std::vector<Eigen::Vector3d>& vertices,
   return mesh;
 }
 
+Eigen::Vector3d MiddleOf(const RenderMesh& mesh) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& vertex : mesh.vertices) sum += vertex.cast<double>();
+  return sum / std::max<double>(1.0, static_cast<double>(mesh.vertices.size()));
+}
+
 }  // namespace
 
 SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, std::uint64_t run_seed)
@@ -39,6 +48,10 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, std:
     Link link{look.name, {}};
     for (const Visual& visual : look.visuals) {
       link.parts.push_back({DrawnMesh(*visual.mesh), visual.X_LV, visual.rgb});
+    }
+    if (link.name == "mast_link_2") {
+      instrument_link_ = links_.size();
+      instrument_m_ = built.world.robot.rover.mast->link2_m;
     }
     links_.push_back(std::move(link));
   }
@@ -66,13 +79,13 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
     scene.objects.push_back({.mesh = stones_[i],
                              .X_WO = X_WG_ * Pose3::Translation(0.0, 0.0, -truth.sunk_m.at(i)),
                              .albedo = stone_rgb_,
-                             .stains = {.contrast = stains_, .seed = SplitMix(texture_seed_, i)}});
+                             .stains = StainsOf(SplitMix(texture_seed_, i))});
   }
   if (loose_target_) {
     scene.objects.push_back({.mesh = loose_target_,
                              .X_WO = X_WG_ * truth.X_GT,
                              .albedo = stone_rgb_,
-                             .stains = {.contrast = stains_, .seed = texture_seed_}});
+                             .stains = StainsOf(texture_seed_)});
   }
   if (boulder_) {
     scene.objects.push_back(
@@ -98,6 +111,22 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   return scene;
 }
 
+std::vector<StagePoint> SceneBuilder::Points() const {
+  std::vector<StagePoint> points;
+  if (loose_target_) {
+    points.push_back({"target", "target"});
+  } else if (boulder_ || !stones_.empty()) {
+    points.push_back({"target", "target", MiddleOf(boulder_ ? *boulder_ : *stones_.front())});
+  }
+  for (const Link& link : links_) {
+    if (link.name == "front_scoop") points.push_back({"gripper", link.name});
+  }
+  if (instrument_link_) {
+    points.push_back({"tip", links_[*instrument_link_].name, {instrument_m_, 0.0, 0.0}});
+  }
+  return points;
+}
+
 StageShapes SceneBuilder::Shapes() const {
   StageShapes shapes;
   for (const Link& link : links_) {
@@ -107,23 +136,27 @@ StageShapes SceneBuilder::Shapes() const {
     }
   }
   if (loose_target_) {
-    shapes.bodies.push_back({"target", false, {{loose_target_, Pose3{}, stone_rgb_}}});
+    shapes.bodies.push_back(
+        {"target", false, {{loose_target_, Pose3{}, stone_rgb_, StainsOf(texture_seed_)}}});
   }
-  if (boulder_) shapes.bodies.push_back({"target", false, {{boulder_, Pose3{}, stone_rgb_}}});
+  if (boulder_) {
+    Stains stains = StainsOf(texture_seed_);
+    stains.largest_m = kBoulderStain_m;
+    shapes.bodies.push_back({"target", false, {{boulder_, Pose3{}, stone_rgb_, stains}}});
+  }
   for (std::size_t i = 0; i < stones_.size(); ++i) {
     const std::string name = i == 0 && !loose_target_ && !boulder_ ? "target" : "stones";
     if (shapes.bodies.back().name != name) shapes.bodies.push_back({name, false, {}});
-    shapes.bodies.back().parts.push_back({stones_[i], Pose3{}, stone_rgb_});
+    shapes.bodies.back().about = name == "stones";
+    shapes.bodies.back().parts.push_back(
+        {stones_[i], Pose3{}, stone_rgb_, StainsOf(SplitMix(texture_seed_, i))});
   }
-  if (!lighting_.occluders.empty()) {
-    shapes.bodies.push_back({"shade", false, {}});
-    for (const SceneObject& object : lighting_.occluders) {
-      shapes.bodies.back().parts.push_back({object.mesh, object.X_WO, object.albedo});
-    }
-  }
+  for (StageBody& shade : ShadeBodies(lighting_)) shapes.bodies.push_back(std::move(shade));
   shapes.light = lighting_.sun_and_sky;
   shapes.ground_rgb = soil_rgb_;
   shapes.ground_texture_seed = texture_seed_;
+  shapes.largest_pebble_m = kLargestPebble_m;
+  shapes.points = Points();
   return shapes;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "render/scene.h"
@@ -32,7 +34,12 @@ class SceneBuilder {
     std::vector<Part> parts;
   };
 
+  Stains StainsOf(std::uint64_t seed) const { return {.contrast = stains_, .seed = seed}; }
+  std::vector<StagePoint> Points() const;
+
   std::vector<Link> links_;
+  std::optional<std::size_t> instrument_link_;             // the mast's outer link
+  double instrument_m_ = 0.0;                              // along it to the instrument's face
   std::vector<std::shared_ptr<const RenderMesh>> stones_;  // in G; a fixed target first
   std::shared_ptr<const RenderMesh> loose_target_;         // in its own frame; or none
   std::shared_ptr<const RenderMesh> boulder_;              // in G; or none

@@ -100,6 +100,7 @@ Lighting Speckled(RandomStream& random, const Eigen::Vector3d& p_LB, const SunMo
   const double distance = 4.5;
   lit.occluders.push_back(
       Object(Leaves(random), FacingSun(p_LB + distance * to_sun, to_sun), 0.12));
+  lit.leaves = true;
   return lit;
 }
 

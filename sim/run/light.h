@@ -14,6 +14,7 @@ namespace dockyard {
 struct Lighting {
   SunAndSky sun_and_sky;
   std::vector<SceneObject> occluders;  // posed in the world; they stay where they are
+  bool leaves = false;                 // whether those are leaves
   double board_dust = 0.0;             // mean share of the board's face under dust
   std::vector<DustySpot> dusty_spots;  // of the board, dirtier than the rest
 };

@@ -1,6 +1,7 @@
 #include "sim/run/nominal_parts.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -28,6 +29,71 @@ Json LensToJson(const Cahvore& lens) {
   return {{"model", "cahvore"}, {"C", list(lens.C)}, {"A", list(lens.A)},
           {"H", list(lens.H)},  {"V", list(lens.V)}, {"O", list(lens.O)},
           {"R", list(lens.R)},  {"E", list(lens.E)}, {"linearity", lens.linearity}};
+}
+
+/// Focal lengths and centre, which every lens but CAHV* has.
+template <typename L>
+Json NamedLens(const char* model, const L& lens) {
+  return {{"model", model}, {"fx", lens.fx}, {"fy", lens.fy}, {"cx", lens.cx}, {"cy", lens.cy}};
+}
+
+Json LensToJson(const RationalPinhole& lens) {
+  Json json = NamedLens("rational", lens);
+  json.update({{"k", lens.k}, {"p1", lens.p1}, {"p2", lens.p2}});
+  return json;
+}
+
+Json LensToJson(const DoubleSphere& lens) {
+  Json json = NamedLens("double_sphere", lens);
+  json.update({{"xi", lens.xi}, {"alpha", lens.alpha}});
+  return json;
+}
+
+Json LensToJson(const Eucm& lens) {
+  Json json = NamedLens("eucm", lens);
+  json.update({{"alpha", lens.alpha}, {"beta", lens.beta}});
+  return json;
+}
+
+Json LensToJson(const Omni& lens) {
+  Json json = NamedLens("omni", lens);
+  json.update(
+      {{"xi", lens.xi}, {"k1", lens.k1}, {"k2", lens.k2}, {"p1", lens.p1}, {"p2", lens.p2}});
+  return json;
+}
+
+Json LensToJson(const FovPinhole& lens) {
+  Json json = NamedLens("fov", lens);
+  json.update({{"w_rad", lens.w_rad}});
+  return json;
+}
+
+/// The lenses of other people's calibrations; none: the model is none of them.
+std::optional<Lens> OtherLensFromJson(const std::string& model, const Json& json) {
+  const auto with_focal = [&](auto lens) {
+    lens.fx = json.at("fx");
+    lens.fy = json.at("fy");
+    lens.cx = json.at("cx");
+    lens.cy = json.at("cy");
+    return lens;
+  };
+  if (model == "rational") {
+    return with_focal(RationalPinhole{
+        .k = json.at("k").get<std::array<double, 6>>(), .p1 = json.at("p1"), .p2 = json.at("p2")});
+  }
+  if (model == "double_sphere") {
+    return with_focal(DoubleSphere{.xi = json.at("xi"), .alpha = json.at("alpha")});
+  }
+  if (model == "eucm") return with_focal(Eucm{.alpha = json.at("alpha"), .beta = json.at("beta")});
+  if (model == "omni") {
+    return with_focal(Omni{.xi = json.at("xi"),
+                           .k1 = json.at("k1"),
+                           .k2 = json.at("k2"),
+                           .p1 = json.at("p1"),
+                           .p2 = json.at("p2")});
+  }
+  if (model == "fov") return with_focal(FovPinhole{.w_rad = json.at("w_rad")});
+  return std::nullopt;
 }
 
 Lens LensFromJson(const Json& json) {
@@ -64,7 +130,11 @@ Lens LensFromJson(const Json& json) {
                          .cy = json.at("cy"),
                          .k = json.at("k").get<std::array<double, 4>>()};
   }
-  throw ConfigError("lens model: expected kannala_brandt, brown or cahvore, found '" + model + "'");
+  if (const std::optional<Lens> lens = OtherLensFromJson(model, json)) return *lens;
+  throw ConfigError(
+      "lens model: expected kannala_brandt, brown, cahvore, rational, double_sphere, eucm, omni or "
+      "fov, found '" +
+      model + "'");
 }
 
 }  // namespace

@@ -17,12 +17,21 @@ struct StagePart {
   std::shared_ptr<const RenderMesh> mesh;
   Pose3 X_OP;                          // in the body
   Eigen::Vector3d rgb{0.5, 0.5, 0.5};  // linear, 0..1
+  Stains stains{};
 };
 
 struct StageBody {
   std::string name;    // as in Stage::bodies
-  bool robot = false;  // part of the robot, or of its target
+  bool robot = false;  // part of the robot
   std::vector<StagePart> parts;
+  bool about = false;   // stands about: part neither of the robot nor of its target
+  bool leaves = false;  // a crown that throws speckled shade
+};
+
+/// A point that a spectator may want to see from near.
+struct StagePoint {
+  std::string name, body;
+  Eigen::Vector3d p_O{0, 0, 0};  // in the body
 };
 
 struct StageBoard {
@@ -37,8 +46,11 @@ struct StageShapes {
   std::vector<StageBody> bodies;  // in the order of Stage::bodies
   std::optional<StageBoard> board;
   SunAndSky light;
+  // The ground as the cameras see it: GroundView has the meanings.
   Eigen::Vector3d ground_rgb{0.5, 0.5, 0.5};  // linear, 0..1
   std::uint64_t ground_texture_seed = 1;
+  double ground_grain = 1.0, largest_pebble_m = kAllPebbles_m;
+  std::vector<StagePoint> points;  // beside the bodies' own origins
 };
 
 }  // namespace dockyard

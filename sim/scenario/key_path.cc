@@ -1,7 +1,11 @@
 #include "sim/scenario/key_path.h"
 
 #include <filesystem>
+#include <optional>
 #include <utility>
+
+#include "models/read/config_error.h"
+#include "models/read/text_file.h"
 
 namespace dockyard {
 namespace {
@@ -82,7 +86,15 @@ std::string CellText(const YamlNode& node) {
 }
 
 std::string AbsolutePath(const std::string& file) {
-  return std::filesystem::absolute(file).lexically_normal().string();
+  const std::string path = std::filesystem::absolute(file).lexically_normal().string();
+  const std::optional<char32_t> control = FirstControl(path);
+  if (!control) return path;
+  std::string shown = path;
+  for (char& c : shown) {
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7F) c = '?';
+  }
+  throw ConfigError("'" + shown + "': expected a path in UTF-8 without control characters, found " +
+                    CharacterName(*control) + "; results that name it could not be read again");
 }
 
 YamlNode ScalarNode(const std::string& text, bool quoted) {

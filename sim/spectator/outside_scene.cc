@@ -31,7 +31,8 @@ void OutsideScenes::AddBodies(std::size_t sample, Scene& scene) const {
     const StageBody& body = shapes_.bodies[i];
     const Pose3& X_WO = run_.X_WO[places_[i]][sample];
     for (const StagePart& part : body.parts) {
-      scene.objects.push_back({part.mesh, X_WO * part.X_OP, part.rgb});
+      scene.objects.push_back(
+          {.mesh = part.mesh, .X_WO = X_WO * part.X_OP, .albedo = part.rgb, .stains = part.stains});
     }
     if (!shapes_.board || shapes_.board->body != body.name) continue;
     scene.board.board = shapes_.board->board;
@@ -59,7 +60,9 @@ void OutsideScenes::AddGround(std::size_t sample, Scene& scene) {
                   .heights_m = heights_m_.data(),
                   .revision = revision_,
                   .albedo = shapes_.ground_rgb,
-                  .texture_seed = shapes_.ground_texture_seed};
+                  .texture_seed = shapes_.ground_texture_seed,
+                  .grain = shapes_.ground_grain,
+                  .largest_pebble_m = shapes_.largest_pebble_m};
 }
 
 }  // namespace dockyard

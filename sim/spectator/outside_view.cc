@@ -29,11 +29,21 @@ std::uint8_t Srgb(double linear) {
   return static_cast<std::uint8_t>(std::lround(255.0 * y));
 }
 
-Sights SightsOf(const LoggedRun& run, const StageShapes& shapes, std::size_t first,
-                std::size_t last) {
+// About a point that is looked at; assumed, 0.2-0.5: a gripper or a tip with what it meets.
+constexpr double kAboutPoint_m = 0.3;
+
+Sights SightsOf(const LoggedRun& run, const StageShapes& shapes, const std::optional<Aim>& at,
+                std::size_t first, std::size_t last) {
   Sights sights;
   sights.X_WD = ToGround(run.X_WD[first]);
   sights.to_sun_W = shapes.light.to_sun_W;
+  if (at) {
+    sights.margin_m = kAboutPoint_m;
+    for (std::size_t i = first; i <= last; ++i) {
+      sights.places_W.push_back(AimPlace(*at, run, shapes, i));
+    }
+    return sights;
+  }
   sights.places_W.push_back(run.X_WD[first].p);
   for (std::size_t i = first; i <= last; ++i) sights.places_W.push_back(run.X_WO.front()[i].p);
   return sights;
@@ -45,13 +55,17 @@ OutsideView::OutsideView(const LoggedRun& run, const StageShapes& shapes,
                          const OutsideOptions& options, std::size_t first, std::size_t last,
                          StereoRenderer& renderer)
     : run_(run),
+      shapes_(shapes),
+      at_(options.at),
       scenes_(run, shapes),
       camera_(PinholeCamera(options.width, options.height, kVerticalFov_rad)),
-      X_WC_(SpectatorPose(SightsOf(run, shapes, first, last), camera_, options.eye_D)),
+      X_WC_(SpectatorPose(SightsOf(run, shapes, options.at, first, last), camera_, options.from_D)),
       renderer_(renderer) {}
 
 RgbImage OutsideView::Picture(std::size_t sample) {
-  const Eigen::Vector3d p_W = run_.X_WO.front()[sample].p;
+  const Eigen::Vector3d p_W =
+      at_ ? AimPlace(*at_, run_, shapes_, sample) : run_.X_WO.front()[sample].p;
+  if (at_) X_WC_ = LookAt(X_WC_.p, p_W);
   const auto radiance = renderer_.RenderColourFrom(scenes_.At(sample), camera_, X_WC_, p_W);
   if (gain_ == 0.0) gain_ = GainOf(radiance);
   RgbImage picture{camera_.width, camera_.height, {}};

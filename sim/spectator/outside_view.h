@@ -7,21 +7,23 @@
 #include "controller/geometry/camera.h"
 #include "controller/geometry/image.h"
 #include "render/stereo_renderer.h"
+#include "sim/spectator/aim_point.h"
 #include "sim/spectator/outside_scene.h"
 
 namespace dockyard {
 
 struct OutsideOptions {
-  int width = 960, height = 540;         // [px]
-  std::optional<Eigen::Vector3d> eye_D;  // of the camera; none: where it sees all (SpectatorPose)
+  int width = 960, height = 540;          // [px]
+  std::optional<Eigen::Vector3d> from_D;  // of the camera; none: where it sees all (SpectatorPose)
+  std::optional<Aim> at;                  // none: robot and target
 };
 
-/// One camera that does not move, with one exposure for all pictures. Run, shapes and renderer must
-/// outlive it.
+/// One camera that does not move, with one exposure for all images. With `at` it turns so that the
+/// point stays in the middle. Run, shapes and renderer must outlive it.
 class OutsideView {
  public:
-  /// The camera sees the target, and the robot from sample `first` to `last`. Throws as
-  /// OutsideScenes.
+  /// The camera sees the target and the robot, or the point, from sample `first` to `last`. Throws
+  /// as OutsideScenes.
   OutsideView(const LoggedRun& run, const StageShapes& shapes, const OutsideOptions& options,
               std::size_t first, std::size_t last, StereoRenderer& renderer);
 
@@ -30,6 +32,8 @@ class OutsideView {
 
  private:
   const LoggedRun& run_;
+  const StageShapes& shapes_;
+  std::optional<Aim> at_;
   OutsideScenes scenes_;
   Camera camera_;
   Pose3 X_WC_;

@@ -9,7 +9,7 @@ namespace {
 
 // Assumed, for a view in which neither robot nor target hides the other: 30-70 and 15-35 deg.
 constexpr double kAside_rad = 50.0 * kPi / 180.0, kAbove_rad = 24.0 * kPi / 180.0;
-constexpr double kNearest_m = 1.5, kFarthest_m = 100.0;
+constexpr double kNearest_m = 0.8, kFarthest_m = 100.0;
 
 bool ShowsAll(const Sights& sights, const Camera& camera, const Pose3& X_WC) {
   const Pose3 X_CW = Inverse(X_WC);
@@ -41,19 +41,21 @@ Camera PinholeCamera(int width, int height, double vertical_fov_rad) {
   return {.width = width, .height = height, .lens = lens};
 }
 
-Pose3 LookAt(const Eigen::Vector3d& eye_W, const Eigen::Vector3d& centre_W) {
+Pose3 LookAt(const Eigen::Vector3d& from_W, const Eigen::Vector3d& centre_W) {
   Pose3 X_WC;
-  const Eigen::Vector3d z = (centre_W - eye_W).normalized();
-  const Eigen::Vector3d x = z.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const Eigen::Vector3d z = (centre_W - from_W).normalized();
+  const Eigen::Vector3d level = z.cross(Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d x =
+      level.norm() > 1e-9 ? Eigen::Vector3d(level.normalized()) : Eigen::Vector3d::UnitX();
   X_WC.R << x, z.cross(x), z;
-  X_WC.p = eye_W;
+  X_WC.p = from_W;
   return X_WC;
 }
 
 Pose3 SpectatorPose(const Sights& sights, const Camera& camera,
-                    const std::optional<Eigen::Vector3d>& eye_D) {
+                    const std::optional<Eigen::Vector3d>& from_D) {
   const Eigen::Vector3d middle_W = MiddleOf(sights.places_W);
-  if (eye_D) return LookAt(FromGround(sights.X_WD, 0.0) * *eye_D, middle_W);
+  if (from_D) return LookAt(FromGround(sights.X_WD, 0.0) * *from_D, middle_W);
   const auto outwards = [&](double aside_rad) {
     const double azimuth = sights.X_WD.heading + aside_rad;
     return Eigen::Vector3d(std::cos(kAbove_rad) * std::cos(azimuth),

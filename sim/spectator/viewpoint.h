@@ -12,9 +12,10 @@ namespace dockyard {
 /// A pinhole whose image is `vertical_fov_rad` high.
 Camera PinholeCamera(int width, int height, double vertical_fov_rad);
 
-/// The camera's pose at `eye_W` with `centre_W` in the middle of its image and the world's z
-/// upwards in it. The line between them must not be upright.
-Pose3 LookAt(const Eigen::Vector3d& eye_W, const Eigen::Vector3d& centre_W);
+/// The camera's pose at `from_W` with `centre_W` in the middle of its image and the world's z
+/// upwards in it. A line between them that
+/// is upright has the world's x to the right.
+Pose3 LookAt(const Eigen::Vector3d& from_W, const Eigen::Vector3d& centre_W);
 
 /// What a spectator wants to see.
 struct Sights {
@@ -25,9 +26,9 @@ struct Sights {
 };
 
 /// A camera before the target, aside of its axis on the side of the sun and above, as near as all
-/// places are in its image. With `eye_D`, it stands there (in the target's frame, z from its
+/// places are in its image. With `from_D`, it stands there (in the target's frame, z from its
 /// ground).
 Pose3 SpectatorPose(const Sights& sights, const Camera& camera,
-                    const std::optional<Eigen::Vector3d>& eye_D);
+                    const std::optional<Eigen::Vector3d>& from_D);
 
 }  // namespace dockyard

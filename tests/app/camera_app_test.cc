@@ -31,6 +31,7 @@ TEST(CameraCommand, ProjectsThroughAPublishedHazcam) {
   EXPECT_NEAR(answer.at("pixel").at(0).get<double>(), 3140.325646955424, 1e-6);
   EXPECT_NEAR(answer.at("pixel").at(1).get<double>(), 2172.9598808900378, 1e-6);
   EXPECT_EQ(answer.at("in_image"), true);
+  EXPECT_EQ(answer.at("warnings"), Json::array());
 }
 
 TEST(CameraCommand, GivesRaysThatProjectBackToTheirPixel) {

@@ -107,6 +107,31 @@ TEST(PlanCommand, KeepsATargetInView) {
             4);
 }
 
+// A map of rocks: a lattice all about, and free ground before the rover.
+TEST(PlanCommand, TakesAHundredThousandDiscsOfATable) {
+  const ScratchFolder folder;
+  std::string rows = "x_m,y_m,radius_m\n";
+  for (int i = 0; i < 100000; ++i) {
+    const double x_m = 0.5 * (i % 400) - 100.0, y_m = 0.8 * (i / 400) - 100.0;
+    if (std::hypot(x_m - 1.0, y_m - 0.4) < 3.0) continue;
+    rows += std::to_string(x_m) + "," + std::to_string(y_m) + ",0.150000000000000\n";
+  }
+  const std::string goal = kRocky + " --goal 2.6,0.8 --heading-deg 10";
+  const Json strewn = PlanOf(goal + " --obstacles " + folder.Write("rocks.csv", rows));
+  EXPECT_EQ(strewn["arcs"], PlanOf(goal)["arcs"]);
+  EXPECT_EQ(strewn["warnings"], Json::array());
+}
+
+TEST(PlanCommand, SaysThatAnObstacleStandsInTheWayAtTheStart) {
+  const ScratchFolder folder;
+  const std::string rocks = folder.Write("rocks.csv", "x_m,y_m,radius_m\n0.2,0,0.1\n");
+  const Ended ended = Dockyard("plan --json " + kRocky + " --goal 2.6,0.8 --heading-deg 10" +
+                               " --obstacles " + rocks);
+  EXPECT_EQ(ended.code, 4);
+  ASSERT_EQ(Json::parse(ended.out)["warnings"].size(), 1u);
+  EXPECT_THAT(ended.err, HasSubstr("warning: the rover is nearer to an obstacle"));
+}
+
 TEST(PlanCommand, NamesTheLineOfABadFile) {
   const ScratchFolder folder;
   const std::string bad = folder.Write("stones.yaml", "obstacles:\n  - {x_m: 1}\n");

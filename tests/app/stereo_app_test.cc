@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <sstream>
 
 #include "app/program.h"
@@ -77,8 +79,8 @@ TEST_F(StereoCommand, WritesHeightsAndDisparitiesOfAUsersPictures) {
 
 TEST_F(StereoCommand, RefusesWhatIsNoPair) {
   EXPECT_EQ(Dockyard("stereo " + left_ + " " + right_).code, 2);
-  for (const char* wrong :
-       {"--block 4", "--block 3 --matcher blocks", "--reach 100 --cell 0.001"}) {
+  for (const char* wrong : {"--disparity x.tif", "--block 4", "--block 3 --matcher blocks",
+                            "--reach 100 --cell 0.001"}) {
     EXPECT_EQ(Dockyard("stereo " + Arguments() + " " + wrong).code, 2) << wrong;
   }
   const GrayImage small{8, 6, std::vector<std::uint8_t>(48, 9)};
@@ -86,6 +88,113 @@ TEST_F(StereoCommand, RefusesWhatIsNoPair) {
   const Ended ended = Dockyard("stereo " + left_ + " " + other + " --rig " + rig_);
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err, HasSubstr("expected an image of 320 x 240 pixels"));
+}
+
+TEST_F(StereoCommand, SaysThatAPairIsOneAndWhyAnotherIsNone) {
+  const auto Warnings = [&](const std::string& left, const std::string& right) {
+    const Ended ended = Dockyard("stereo " + left + " " + right + " --rig " + rig_ + " --json");
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    const Json warnings = Json::parse(ended.out)["warnings"];
+    EXPECT_EQ(warnings.empty(), ended.err.empty());
+    return warnings.dump();
+  };
+  EXPECT_EQ(Warnings(left_, right_), "[]");
+  EXPECT_THAT(Warnings(right_, left_), HasSubstr("exchanged"));
+  EXPECT_THAT(Warnings(left_, left_), HasSubstr("the same image"));
+  const GrayImage right = *DecodePng<GrayImage>(Slurp(right_));
+  GrayImage lower = right, turned = right;
+  std::copy(right.pixels.begin(), right.pixels.end() - 3 * 320, lower.pixels.begin() + 3 * 320);
+  std::reverse(turned.pixels.begin(), turned.pixels.end());
+  EXPECT_THAT(Warnings(left_, folder_.Write("lower.png", EncodePng(lower))),
+              HasSubstr("rows lower"));
+  EXPECT_THAT(Warnings(left_, folder_.Write("turned.png", EncodePng(turned))),
+              HasSubstr("upside down"));
+  StereoRig elsewhere = BodyPair();
+  elsewhere.X_RQ.p.x() += 5.0;
+  const std::string other = folder_.Write("other.png", EncodePng(RayScene{}.Pair(elsewhere).right));
+  EXPECT_THAT(Warnings(left_, other), HasSubstr("two different scenes"));
+}
+
+// What a user needs to make points of the disparities himself.
+TEST_F(StereoCommand, GivesTheRectifiedCamera) {
+  const Ended ended = Dockyard("stereo " + Arguments() + " --json");
+  const Json json = Json::parse(ended.out);
+  EXPECT_EQ(json["principal_point_px"].size(), 2u);
+  EXPECT_NEAR(json["rotation_left_wxyz"][0].get<double>(), 1.0, 1e-12);  // parallel cameras
+  EXPECT_EQ(json["Q"][0][3], -json["principal_point_px"][0].get<double>());
+  EXPECT_EQ(json["Q"][2][3], json["focal_px"]);
+  EXPECT_NEAR(json["Q"][3][2].get<double>(), 10.0, 1e-6);
+  EXPECT_EQ(json["kept_as_it_was"], false);  // equidistant lenses
+}
+
+TEST_F(StereoCommand, WritesPointsInTheRigsFrame) {
+  const std::string file = folder_.path() / "points.ply";
+  ASSERT_EQ(Dockyard("stereo " + Arguments() + " --points " + file).code, 0);
+  const std::string ply = Slurp(file);
+  std::size_t count = 0;
+  ASSERT_EQ(std::sscanf(ply.c_str() + ply.find("element vertex"), "element vertex %zu", &count), 1);
+  const std::size_t begin = ply.find("end_header\n") + 11;
+  ASSERT_EQ(ply.size(), begin + 15 * count);
+  ASSERT_GT(count, 10000u);
+  std::size_t on_ground = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    float z = 0.0F;
+    std::memcpy(&z, ply.data() + begin + 15 * i + 8, sizeof z);
+    on_ground += std::abs(z) < 0.02F;
+  }
+  EXPECT_GT(static_cast<double>(on_ground), 0.9 * static_cast<double>(count));
+}
+
+// Its own disparities as the truth: all there, none off by more than a file's rounding.
+TEST_F(StereoCommand, ScoresAPairByTrueDisparities) {
+  for (const char* name : {"d.pfm", "d.png"}) {
+    const std::string file = folder_.path() / name;
+    ASSERT_EQ(Dockyard("stereo " + Arguments() + " --disparity " + file).code, 0);
+    const Ended ended = Dockyard("stereo " + Arguments() + " --json --truth " + file);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const Json truth = Json::parse(ended.out)["truth"];
+    EXPECT_EQ(truth["density"], 1.0);
+    EXPECT_EQ(truth["bad_1px_share"], 0.0);
+    EXPECT_LT(truth["rms_px"].get<double>(), 0.5 / 256.0);
+    EXPECT_THAT(Dockyard("stereo " + Arguments() + " --truth " + file).out, HasSubstr("100.0 %"));
+  }
+  const Ended other = Dockyard("stereo " + Arguments() + " --truth " + left_);
+  EXPECT_EQ(other.code, 3);
+  EXPECT_THAT(other.err, HasSubstr("the size of the left rectified image"));
+}
+
+// OpenCV ends a program for some of these.
+TEST_F(StereoCommand, TakesOrRefusesImagesOfAnySizeInASentence) {
+  const auto Small = [&](int width, int height, const std::string& more) {
+    GrayImage left{width, height, {}};
+    for (int i = 0; i < width * height; ++i) {
+      left.pixels.push_back(static_cast<std::uint8_t>(HashDouble(3, i) >> 56));
+    }
+    GrayImage right = left;
+    std::rotate(right.pixels.begin(), right.pixels.begin() + 4, right.pixels.end());
+    const std::string lens =
+        "{model: pinhole, pixel_zero: centre, width_px: " + std::to_string(width) +
+        ", height_px: " + std::to_string(height) +
+        ", fx_px: 100, fy_px: 100, cx_px: 1, cy_px: 1, position_m: [0, ";
+    const std::string rig =
+        folder_.Write("small.yaml", "left: " + lens + "0.1, 0]}\nright: " + lens + "0, 0]}\n");
+    return Dockyard("stereo " + folder_.Write("l.png", EncodePng(left)) + " " +
+                    folder_.Write("r.png", EncodePng(right)) + " --rig " + rig + more);
+  };
+  EXPECT_EQ(Small(64, 48, "").code, 0);
+  EXPECT_EQ(Small(128, 40, " --matcher blocks").code, 0);
+  EXPECT_EQ(Small(22, 6, "").code, 0);
+  for (const char* more : {" --block 63", " --disparities 64", " --disparities 1024",
+                           " --matcher blocks --block 21"}) {
+    const Ended ended = Small(65, 20, more);
+    EXPECT_EQ(ended.code, 2) << more;
+    EXPECT_THAT(ended.err, HasSubstr("needs rectified images of at least")) << more;
+  }
+  for (const int side : {1, 4, 20}) {
+    const Ended ended = Small(side, side, "");
+    EXPECT_EQ(ended.code, 3) << side;
+    EXPECT_THAT(ended.err, HasSubstr("16 disparities"));
+  }
 }
 
 }  // namespace

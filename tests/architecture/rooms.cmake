@@ -26,7 +26,7 @@ set(rooms
   "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
   "render|a scene in, images out, without physics|${contract}|render/|GL/|EGL/|dlfcn.h"
   "sim/base|random streams, normal numbers, hashes, files, text, JSON, what this computer is|${contract}|sim/base/|nlohmann/|opencv2/core/version.hpp|zlib.h|${os}"
-  "sim/mcap|MCAP files, and messages in CDR in them|controller/base/|sim/(base|mcap)/|zstd.h"
+  "sim/mcap|MCAP files, and messages in CDR in them|controller/base/|sim/(base|mcap)/|zstd.h|lz4frame.h"
   "sim/images|image files: PNG, JPEG, PGM, PPM and WebP in, PNG out|${contract}|sim/(base|images)/|png.h|zlib.h|jpeglib.h|webp/"
   "sim/draws|values of dispersed numbers: distributions, designs, correlation|${contract}|sim/(base|draws)/|boost/random/"
   "sim/jobs|work in processes of its own|controller/base/|sim/(base|jobs)/|${os}"

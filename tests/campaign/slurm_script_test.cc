@@ -1,6 +1,7 @@
 // Bash runs the scripts in place of Slurm, with a program that stands in for dockyard.
 // scripts/test-slurm has the real Slurm.
 #include "sim/campaign/slurm_script.h"
+#include "sim/campaign/slurm_options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -169,6 +170,27 @@ TEST_F(SlurmScript, RefusesWhatSbatchCannotTake) {
   for (const SlurmJob& job : {line, backslash, word}) {
     EXPECT_THROW(ScriptsFor(job), SlurmError);
   }
+}
+
+// sbatch's own parser is getopt_long(3): long, short, cut short, and several words on a line.
+TEST(FurtherOptions, LeaveToTheScriptsWhatTheySet) {
+  for (const char* option :
+       {"--array=0-3", "--array 0-3", "--array", "--arr=0-3", "-a 0-3", "-a0-3", "-a=0-3",
+        "--exclusive --array=0-3", "--exclusive -a 0-3", "--output=x", "-o x", "--time=5",
+        "--mem-per-cpu=1G", "--no-requeue", "--nodes=2", "--\"array\" 0-3", "--wrap=ls"}) {
+    EXPECT_THROW(CheckFurtherOptions({"--account=rover", option}), SlurmError) << option;
+  }
+}
+
+TEST(FurtherOptions, TakeTheOthers) {
+  EXPECT_NO_THROW(CheckFurtherOptions({"--account=rover group", "--exclusive", "--qos=long",
+                                       "--nice=-5", "--nice -5", "--mail-type=END,FAIL",
+                                       "--comment=see --array", "--exclude=n[1-3]", "--gres=gpu:1",
+                                       "--time-min=5", "--mem-bind=local", "--nodelist=n1"}));
+  EXPECT_THROW(CheckFurtherOptions({"account=rover"}), SlurmError);
+  EXPECT_THROW(CheckFurtherOptions({"-A rover"}), SlurmError);
+  EXPECT_THROW(CheckFurtherOptions({""}), SlurmError);
+  EXPECT_THROW(CheckFurtherOptions({"--qos=a\n#SBATCH --uid=0"}), SlurmError);
 }
 
 TEST(Shards, TakeHalfAnHourEachAsFarAsTheyCan) {

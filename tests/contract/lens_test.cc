@@ -65,6 +65,37 @@ BrownPinhole Webcam() {
           .p2 = -0.0003};
 }
 
+/// Of the size of an Azure Kinect's: terms that nearly cancel between the two polynomials.
+RationalPinhole DepthCamera() {
+  return {.fx = 905.2,
+          .fy = 904.8,
+          .cx = 640.3,
+          .cy = 362.9,
+          .k = {0.512, -2.61, 1.47, 0.395, -2.43, 1.40},
+          .p1 = 0.0005,
+          .p2 = -0.0002};
+}
+
+DoubleSphere WideSphere() {
+  return {.fx = 413.2, .fy = 413.1, .cx = 638.7, .cy = 514.4, .xi = -0.183, .alpha = 0.592};
+}
+
+Eucm WideEllipsoid() {
+  return {.fx = 481.5, .fy = 481.3, .cx = 637.9, .cy = 514.9, .alpha = 0.631, .beta = 1.044};
+}
+
+Omni Mirror() {
+  return {.fx = 1165.1,
+          .fy = 1164.2,
+          .cx = 639.5,
+          .cy = 481.7,
+          .xi = 1.372,
+          .k1 = -0.121,
+          .k2 = 0.043,
+          .p1 = 0.0011,
+          .p2 = -0.0006};
+}
+
 std::vector<Sample> Samples() {
   const KannalaBrandt fisheye{
       .fx = 558.478087865323,
@@ -77,14 +108,33 @@ std::vector<Sample> Samples() {
   Cahvore cahv = MslNavcam();
   cahv.R.setZero();
   const auto own = [](const Cahvore& lens) { return InFrame(lens, CameraFrameOf(lens)); };
-  return {{"kannala_brandt", {1280, 800, fisheye}},
-          {"equidistant", EquidistantCamera(1024, 768, Radians(90))},
-          {"brown", {640, 480, Webcam()}},
-          {"cahv", {1024, 1024, own(cahv)}},
-          {"cahvor", {1024, 1024, own(MslNavcam())}},
-          {"cahvore_hazcam", {5120, 3840, own(Hazcam())}},
-          {"cahvore_navcam", {5120, 3840, own(Navcam())}},
-          {"cahvore_negative_linearity", {5120, 3840, own(sine)}}};
+  return {
+      {"kannala_brandt", {1280, 800, fisheye}},
+      {"equidistant", EquidistantCamera(1024, 768, Radians(90))},
+      {"brown", {640, 480, Webcam()}},
+      {"rational", {1280, 720, DepthCamera()}},
+      {"rational_without_quotient",
+       {640, 480,
+        RationalPinhole{.fx = 620,
+                        .fy = 621,
+                        .cx = 322,
+                        .cy = 241,
+                        .k = {-0.171, 0.094, 0, 0, 0, 0},
+                        .p1 = 0.0012}}},
+      {"double_sphere", {1280, 1024, WideSphere()}},
+      {"double_sphere_of_small_alpha",
+       {640, 480,
+        DoubleSphere{.fx = 400, .fy = 400, .cx = 319, .cy = 239, .xi = 0.3, .alpha = 0.4}}},
+      {"eucm", {1280, 1024, WideEllipsoid()}},
+      {"omni", {1280, 960, Mirror()}},
+      {"omni_of_small_xi",
+       {640, 480, Omni{.fx = 500, .fy = 501, .cx = 320, .cy = 240, .xi = 0.8, .k1 = -0.05}}},
+      {"fov", {640, 480, FovPinhole{.fx = 320, .fy = 321, .cx = 318, .cy = 242, .w_rad = 0.93}}},
+      {"cahv", {1024, 1024, own(cahv)}},
+      {"cahvor", {1024, 1024, own(MslNavcam())}},
+      {"cahvore_hazcam", {5120, 3840, own(Hazcam())}},
+      {"cahvore_navcam", {5120, 3840, own(Navcam())}},
+      {"cahvore_negative_linearity", {5120, 3840, own(sine)}}};
 }
 
 void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.name; }
@@ -207,10 +257,10 @@ TEST(Cahvore, ShowsTheSameInEveryFrame) {
 INSTANTIATE_TEST_SUITE_P(, EveryLens, testing::ValuesIn(Samples()),
                          [](const auto& info) { return info.param.name; });
 
-TEST(BrownPinhole, ProjectsAsOpenCvDoes) {
-  const BrownPinhole lens = Webcam();
+/// Points over the image give the pixels of OpenCV's projectPoints with these coefficients.
+template <typename L, int kCount>
+void ExpectAsOpenCv(const L& lens, const cv::Vec<double, kCount>& D) {
   const cv::Matx33d K(lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1);
-  const cv::Vec<double, 5> D(lens.k1, lens.k2, lens.p1, lens.p2, lens.k3);
   for (const double x : {-0.6, -0.2, 0.0, 0.5}) {
     for (const double y : {-0.4, 0.1, 0.45}) {
       const std::vector<cv::Point3d> points{{2 * x, 2 * y, 2.0}};
@@ -222,6 +272,107 @@ TEST(BrownPinhole, ProjectsAsOpenCvDoes) {
       EXPECT_NEAR(pixel->y(), pixels[0].y, 1e-10);
     }
   }
+}
+
+TEST(BrownPinhole, ProjectsAsOpenCvDoes) {
+  const BrownPinhole lens = Webcam();
+  ExpectAsOpenCv(lens, cv::Vec<double, 5>(lens.k1, lens.k2, lens.p1, lens.p2, lens.k3));
+}
+
+TEST(RationalPinhole, ProjectsAsOpenCvDoes) {
+  for (const RationalPinhole& lens : {DepthCamera(), RationalPinhole{.fx = 620.5,
+                                                     .fy = 621.3,
+                                                     .cx = 322.1,
+                                                     .cy = 241.7,
+                                                     .k = {5.1, 3.2, 0.17, 5.4, 4.9, 0.96},
+                                                     .p1 = 0.0004,
+                                                     .p2 = -0.0003}}) {
+    const auto& k = lens.k;
+    ExpectAsOpenCv(lens, cv::Vec<double, 8>(k[0], k[1], lens.p1, lens.p2, k[2], k[3], k[4], k[5]));
+  }
+}
+
+// With its terms zero or at their limits each of these is a lens that is known by another name.
+TEST(SphereLenses, HaveTheirKnownLimits) {
+  const BrownPinhole pinhole{.fx = 400, .fy = 410, .cx = 320, .cy = 240};
+  const BrownPinhole bent{
+      .fx = 400, .fy = 410, .cx = 320, .cy = 240, .k1 = -0.1, .k2 = 0.02, .p1 = 1e-3, .p2 = -2e-3};
+  // alpha 1 / 2 and beta 1 is Mei's model with xi 1: (x, y) / ((d + z) / 2).
+  const Omni unified{.fx = 200, .fy = 205, .cx = 320, .cy = 240, .xi = 1.0};
+  const Eucm half{.fx = 100, .fy = 102.5, .cx = 320, .cy = 240, .alpha = 0.5, .beta = 1.0};
+  const DoubleSphere no_shift{.fx = 100, .fy = 102.5, .cx = 320, .cy = 240, .xi = 0, .alpha = 0.5};
+  const auto near = [](const auto& a, const auto& b, const Eigen::Vector3d& p) {
+    const auto pa = a.Project(p, nullptr), pb = b.Project(p, nullptr);
+    return pa && pb && (*pa - *pb).norm() < 1e-10;
+  };
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d(0.3, -0.2, 1.0), Eigen::Vector3d(-1, 0.4, 2)}) {
+    EXPECT_TRUE(near(pinhole, Omni{.fx = 400, .fy = 410, .cx = 320, .cy = 240}, p));
+    EXPECT_TRUE(near(pinhole, Eucm{.fx = 400, .fy = 410, .cx = 320, .cy = 240}, p));
+    EXPECT_TRUE(near(pinhole, DoubleSphere{.fx = 400, .fy = 410, .cx = 320, .cy = 240}, p));
+    EXPECT_TRUE(
+        near(pinhole, FovPinhole{.fx = 400, .fy = 410, .cx = 320, .cy = 240, .w_rad = 1e-7}, p));
+    EXPECT_TRUE(near(bent,
+                     Omni{.fx = 400,
+                          .fy = 410,
+                          .cx = 320,
+                          .cy = 240,
+                          .k1 = -0.1,
+                          .k2 = 0.02,
+                          .p1 = 1e-3,
+                          .p2 = -2e-3},
+                     p));
+    EXPECT_TRUE(near(half, no_shift, p));
+    // u - cx is fx x / (z + d) for one, and 2 fx' x / (z + d) with fx' = fx / 2 for the other.
+    EXPECT_TRUE(near(unified, half, p));
+  }
+}
+
+// Worked by hand from the equations of the papers.
+TEST(SphereLenses, ProjectAsTheirPapersSay) {
+  const Eigen::Vector3d p(0.6, 0.0, 0.8);  // of length 1: d1 = 1
+  const DoubleSphere sphere{.fx = 100, .fy = 100, .cx = 0, .cy = 0, .xi = -0.2, .alpha = 0.6};
+  // z1 = 0.6, d2 = 0.6 sqrt(2).
+  EXPECT_NEAR(sphere.Project(p, nullptr)->x(), 60.0 / (0.36 * std::sqrt(2.0) + 0.24), 1e-12);
+  const Eucm ellipsoid{.fx = 100, .fy = 100, .cx = 0, .cy = 0, .alpha = 0.6, .beta = 2.0};
+  EXPECT_NEAR(ellipsoid.Project(p, nullptr)->x(),
+              60.0 / (0.6 * std::sqrt(2.0 * 0.36 + 0.64) + 0.4 * 0.8), 1e-12);
+  const Omni omni{.fx = 100, .fy = 100, .cx = 0, .cy = 0, .xi = 1.2, .k1 = 0.5};
+  EXPECT_NEAR(omni.Project(p, nullptr)->x(), 30.0 * (1.0 + 0.5 * 0.09), 1e-12);  // 0.6 / 2
+  const FovPinhole fov{.fx = 100, .fy = 100, .cx = 0, .cy = 0, .w_rad = kPi / 2};
+  EXPECT_NEAR(fov.Project(p, nullptr)->x(), 100.0 * std::atan(1.5) / (kPi / 2), 1e-12);
+}
+
+TEST(SphereLenses, KnowWhichPixelsHaveNoRay) {
+  // Just inside and just outside the greatest radius that a point is shown at.
+  const auto reach = [](const Lens& lens, double radius_px) {
+    const Camera camera{1000, 1000, lens};
+    return std::pair(camera.HasRay({500 + 0.99 * radius_px, 500}),
+                     camera.HasRay({500 + 1.01 * radius_px, 500}));
+  };
+  const auto only_inside = std::pair(true, false);
+  const double wide = 100 / std::sqrt(2.0 * 0.95 - 1.0);  // 93 deg off the axis
+  EXPECT_EQ(reach(Eucm{.fx = 100, .fy = 100, .cx = 500, .cy = 500, .alpha = 0.95}, wide),
+            only_inside);
+  EXPECT_EQ(reach(Omni{.fx = 100, .fy = 100, .cx = 500, .cy = 500, .xi = 2.5},
+                  100 / std::sqrt(2.5 * 2.5 - 1.0)),
+            only_inside);
+  EXPECT_EQ(reach(FovPinhole{.fx = 100, .fy = 100, .cx = 500, .cy = 500, .w_rad = 0.9},
+                  100 * kPi / 2 / 0.9),
+            only_inside);
+}
+
+// A quotient may unfold again beyond its fold: the part there has no rays.
+TEST(RationalPinhole, ShowsNothingFromBeyondItsFirstFold) {
+  const RationalPinhole lens{
+      .fx = 500, .fy = 500, .cx = 320, .cy = 240, .k = {-0.5, 0.06, 0.0, 0.0, 0.0, 0.0}};
+  // r (1 - 0.5 s + 0.06 s^2) has the slope 1 - 1.5 s + 0.3 s^2: zero at s = 0.793 and 4.21.
+  EXPECT_TRUE(lens.Project({std::sqrt(0.78), 0, 1}, nullptr));
+  EXPECT_FALSE(lens.Project({std::sqrt(0.81), 0, 1}, nullptr));
+  EXPECT_FALSE(lens.Project({std::sqrt(4.5), 0, 1}, nullptr));
+  const Camera camera{640, 480, lens};
+  const double peak = std::sqrt(0.793) * (1 - 0.5 * 0.793 + 0.06 * 0.793 * 0.793);
+  EXPECT_TRUE(camera.HasRay({320 + 500 * (peak - 0.005), 240}));
+  EXPECT_FALSE(camera.HasRay({320 + 500 * (peak + 0.005), 240}));
 }
 
 // Without the check, barrel distortion brings points far outside back into the image.

@@ -66,6 +66,41 @@ FuzzKind CamerasKind() {
           }};
 }
 
+constexpr const char* kSmallRos =
+    "image_width: 64\nimage_height: 48\ncamera_matrix:\n  rows: 3\n  cols: 3\n"
+    "  data: [62., 0., 32., 0., 62., 24., 0., 0., 1.]\ndistortion_model: rational_polynomial\n"
+    "distortion_coefficients:\n  rows: 1\n  cols: 8\n  data: [0.5, -2.6, 0, 0, 1.4, 0.4, -2.4, "
+    "1.4]\n"
+    "projection_matrix: {rows: 3, cols: 4, data: [60, 0, 32, -7, 0, 60, 24, 0, 0, 0, 1, 0]}\n"
+    "binning_x: 2\nroi: {x_offset: 4, y_offset: 4, width: 32, height: 32}\n";
+constexpr const char* kSmallChain =
+    "cam0: {camera_model: ds, intrinsics: [-0.2, 0.6, 30, 30, 32, 24], distortion_model: none,\n"
+    "  resolution: [64, 48]}\ncam1:\n  camera_model: omni\n  intrinsics: [1.4, 60, 60, 32, 24]\n"
+    "  distortion_model: radtan\n  distortion_coeffs: [-0.1, 0.01, 0, 0]\n  resolution: [64, 48]\n"
+    "  T_cn_cnm1: [[1, 0, 0, -0.1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n";
+constexpr const char* kSmallStorage =
+    "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_size>64 48</image_size>\n"
+    "<M1 type_id=\"opencv-matrix\"><rows>3</rows><cols>3</cols><dt>d</dt>\n"
+    "<data>62. 0. 32. 0. 62. 24. 0. 0. 1.</data></M1>\n"
+    "<M2><rows>3</rows><cols>3</cols><data>62. 0. 32. 0. 62. 24. 0. 0. 1.</data></M2>\n"
+    "<D1><rows>1</rows><cols>4</cols><data>0.1 0 0 0</data></D1>\n<R><_>1 0 0</_><_>0 1 0</_>"
+    "<_>0 0 1</_></R><T>-0.1 0 0</T>\n</opencv_storage>\n";
+
+/// Of ROS, Kalibr and OpenCV.
+FuzzKind CalibrationKind() {
+  const auto folder = std::make_shared<ScratchFolder>();
+  return {"calibration",
+          [] {
+            return std::vector<std::string>{kSmallRos, kSmallChain, kSmallStorage};
+          },
+          {"nan", "1e308", "-1", "0", "rows", "cols", "data", "eucm", "fov", "pinhole",
+           "equidistant", "<_>", "</_>", "<!--", "16384", "!!opencv-matrix", "%YAML:1.0", "---"},
+          [folder](const std::string& bytes) {
+            const std::string file = folder->Write("fuzzed.yaml", bytes);
+            return ReadOrRefused([&] { CheckFile(file, {}); });
+          }};
+}
+
 constexpr const char* kSmallUrdf = R"(<robot name="a"><link name="b">
 <inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
 <collision><geometry><sphere radius="1"/></geometry></collision></link><link name="c"/>
@@ -120,7 +155,10 @@ FuzzKind UrdfKind() {
 }  // namespace
 
 std::vector<NamedKind> ModelKinds() {
-  return {{"model", ModelKind}, {"cameras", CamerasKind}, {"urdf", UrdfKind}};
+  return {{"model", ModelKind},
+          {"cameras", CamerasKind},
+          {"calibration", CalibrationKind},
+          {"urdf", UrdfKind}};
 }
 
 }  // namespace dockyard

@@ -107,7 +107,7 @@ FuzzKind McapKind() {
           [seed] {
             return std::vector{seed(false, true), seed(true, true), seed(true, false)};
           },
-          {std::string(kMcapMagic), "zstd", std::string("\xff\xff\xff\xff\xff\xff\xff\x7f", 8)},
+          {std::string(kMcapMagic), "zstd", "lz4", std::string("\xff\xff\xff\xff\xff\xff\xff\x7f", 8)},
           [folder, file](const std::string& bytes) {
             folder->Write("a.mcap", WithCheckValues(bytes));
             return ReadOrRefused([&] { RepairMcap(file); });

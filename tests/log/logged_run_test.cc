@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/log/ground_over_time.h"
+#include "sim/log/take_messages.h"
 #include "sim/mcap/mcap_reader.h"
 #include "support/edited_log.h"
 #include "support/fake_runs.h"
@@ -36,7 +39,7 @@ void WriteRun(const std::filesystem::path& dir, bool with_solids = false) {
   RunLogWriter log(dir, {.run = 3,
                          .system = "toy",
                          .motors = {{"wheel", 0.5}},
-                         .cameras = {{"left", EquidistantCamera(8, 6, 1.0), {}}},
+                         .cameras = {{"left", EquidistantCamera(8, 6, 1.0), PoseAt(4)}},
                          .channels = {{"depth_m", "m", "how deep"}},
                          .beliefs = {{"tries", "", "how often"}}});
   std::vector<double> heights(12, 0.01);
@@ -51,6 +54,8 @@ void WriteRun(const std::filesystem::path& dir, bool with_solids = false) {
     sample.channels = {0.5 * i};
     sample.beliefs = {2.0};
     sample.phase = i < 5 ? "look" : "drive";
+    sample.located = i >= 10;
+    sample.X_DR_believed = {0.1 * i + 0.25, 0.0, 1.0 - Radians(1.0)};
     Stage stage;
     stage.bodies = {{"robot", PoseAt(i)}, {"wheel", PoseAt(2 * i)}};
     stage.lines = {
@@ -87,6 +92,78 @@ TEST(LoggedRun, GivesBackWhatTheRunWas) {
   EXPECT_EQ(run.truth.at("heading_rad")[9], 1.0);
   EXPECT_EQ(run.belief.at("tries")[9], 2.0);
   EXPECT_EQ(run.currents_a.at("wheel")[9], 0.1 * 9);
+}
+
+/// Frame, parent and pose of each transform in the log's messages on /tf.
+struct Transform {
+  std::string parent, name;
+  Pose3 X;
+};
+std::vector<Transform> TransformsIn(const std::filesystem::path& dir) {
+  std::vector<Transform> all;
+  McapReader file(dir / kRunLogFile);
+  while (const auto message = file.Next()) {
+    if (file.channel(message->channel_id).topic != topic::kTransforms) continue;
+    CdrReader in(message->data);
+    for (std::uint32_t left = in.Count(kSmallestStamped); left > 0; --left) {
+      const std::string parent = TakeHeader(in).frame, name = in.Text();
+      all.push_back({parent, name, TakePose(in)});
+    }
+  }
+  return all;
+}
+
+TEST(RunLog, NamesTheFramesOfItsImagesInEverySampleOfTheTransforms) {
+  const TemporaryFolder folder;
+  WriteRun(folder.path());
+  int found = 0;
+  for (const Transform& each : TransformsIn(folder.path())) {
+    if (each.name != "left") continue;
+    ++found;
+    EXPECT_EQ(each.parent, "robot");
+    EXPECT_EQ(each.X.p, PoseAt(4).p);
+    EXPECT_TRUE(each.X.R.isApprox(PoseAt(4).R, 1e-12));
+  }
+  EXPECT_EQ(found, 20);
+}
+
+TEST(RunLog, HasACameraInfoOfTheSameTimeForEachImage) {
+  const TemporaryFolder folder;
+  WriteRun(folder.path());
+  std::vector<std::pair<std::uint64_t, std::string>> infos, images;
+  McapReader file(folder.path() / kRunLogFile);
+  while (const auto message = file.Next()) {
+    const std::string& topic = file.channel(message->channel_id).topic;
+    const bool info = topic == "/camera/left/camera_info";
+    if (!info && topic != "/camera/left/image/compressed") continue;
+    CdrReader in(message->data);
+    (info ? infos : images).push_back({message->log_time_ns, TakeHeader(in).frame});
+  }
+  ASSERT_EQ(images.size(), 1u);
+  EXPECT_EQ(images[0].second, "left");
+  EXPECT_EQ(infos, images);
+}
+
+TEST(LoggedRun, HasItsCamerasInTheirOrderWhetherTheyTookImagesOrNot) {
+  const TemporaryFolder folder;
+  RunLogWriter(folder.path(), {.run = 1,
+                               .system = "toy",
+                               .cameras = {{"left", EquidistantCamera(8, 6, 1.0), {}},
+                                           {"right", EquidistantCamera(9, 7, 1.0), {}}}})
+      .Finish();
+  const LoggedRun run = ReadLoggedRun(folder.path());
+  ASSERT_EQ(run.cameras.size(), 2u);
+  EXPECT_EQ(run.cameras[1].name, "right");
+  EXPECT_EQ(run.cameras[1].width, 9u);
+}
+
+TEST(LoggedRun, HasBeliefMinusTruthOverTime) {
+  const TemporaryFolder folder;
+  WriteRun(folder.path());
+  const LoggedRun run = ReadLoggedRun(folder.path());
+  EXPECT_TRUE(std::isnan(run.truth.at("error_x_m")[3]));
+  EXPECT_DOUBLE_EQ(run.truth.at("error_x_m")[12], 0.25);
+  EXPECT_NEAR(run.truth.at("error_yaw_deg")[12], -1.0, 1e-9);
 }
 
 TEST(LoggedRun, KeepsAllSamplesBesideSolidsThatAreWrittenOnce) {

@@ -28,8 +28,8 @@ TEST(History, HasTheSystemsChannelsAndBeliefsByName) {
   record.history.resize(1);
   EXPECT_EQ(HistoryCsv(record),
             "time_s,x_m,y_m,heading_deg,tension_n,roll_deg,phase,located,believed_x_m,believed_y_m,"
-            "believed_heading_deg,sightings,plans,recoveries\n"
-            "0.1,4,-0.5,90,40.5,-1.5,\"look, again\",1,3.5,0.25,0,3,2,1\n");
+            "believed_heading_deg,sightings,plans,recoveries,error_x_m,error_y_m,error_yaw_deg\n"
+            "0.1,4,-0.5,90,40.5,-1.5,\"look, again\",1,3.5,0.25,0,3,2,1,-0.5,0.75,-90\n");
 }
 
 TEST(History, OfASystemWithoutChannelsIsThePathAndTheBelief) {
@@ -37,7 +37,8 @@ TEST(History, OfASystemWithoutChannelsIsThePathAndTheBelief) {
   record.history.resize(1);
   EXPECT_EQ(HistoryCsv(record),
             "time_s,x_m,y_m,heading_deg,phase,located,believed_x_m,believed_y_m,"
-            "believed_heading_deg,sightings,plans\n0,0,0,0,,0,0,0,0,0,0\n");
+            "believed_heading_deg,sightings,plans,error_x_m,error_y_m,error_yaw_deg\n"
+            "0,0,0,0,,0,0,0,0,0,0,nan,nan,nan\n");
 }
 
 TEST(HistoryDeathTest, RefusesASampleThatLacksAChannel) {

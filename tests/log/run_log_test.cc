@@ -11,6 +11,7 @@
 #include "sim/base/random.h"
 #include "support/edited_log.h"
 #include "support/fake_runs.h"
+#include "support/foreign_log.h"
 
 namespace dockyard {
 namespace {
@@ -212,7 +213,10 @@ TEST(RunLog, OfAnotherKindIsRefusedWithASentence) {
   });
   EXPECT_EQ(ErrorOf(read), file + ": its version is 4, this program reads 5");
   EditLog(file, [](McapAttachment& each) { each.name = "other"; });
-  EXPECT_EQ(ErrorOf(read), file + ": its header is missing");
+  EXPECT_EQ(ErrorOf(read),
+            file +
+                ": its header is missing: the attachment header.json (mcap filter keeps it with "
+                "--include-attachments)");
 }
 
 TEST(RunLog, RefusesReadingsThatAreNotFinite) {
@@ -252,6 +256,28 @@ TEST(ControllerReplay, OfTheSameControllerGivesTheSameCommands) {
   const ControllerReplay replay = ReplayController(log, controller, kSomeRobot);
   EXPECT_TRUE(replay.same());
   EXPECT_EQ(replay.compared, 30u);
+}
+
+// As filters, compressors and `recover` leave a log.
+TEST(ControllerReplay, OfALogThatAnotherProgramWroteAnewIsTheSame) {
+  const TemporaryFolder folder, other;
+  WriteLog(folder.path(), 30);
+  for (const ForeignWriting& how :
+       {ForeignWriting{.compression = ForeignCompression::kLz4, .check_values = false},
+        ForeignWriting{.message_indexes = false, .summary = false, .chunk_bytes = 1u << 20},
+        ForeignWriting{.compression = ForeignCompression::kZstdWithoutSize,
+        .chunk_bytes = 100,
+        .attachments_last = true,
+        .private_records = true},
+        ForeignWriting{.chunk_bytes = 0}}) {
+    RewriteForeign(folder.path() / kRunLogFile, other.path() / kRunLogFile, how);
+    RunLogReader log(other.path());
+    MixingController controller;
+    const ControllerReplay replay = ReplayController(log, controller, kSomeRobot);
+    EXPECT_TRUE(replay.same());
+    EXPECT_EQ(replay.compared, 30u);
+    EXPECT_EQ(replay.guarded, how.check_values);
+  }
 }
 
 TEST(ControllerReplay, NamesTheFirstTickThatDiffers) {

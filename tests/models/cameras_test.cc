@@ -181,8 +181,8 @@ TEST(CameraFile, BadOnesAreToldByPlaceAndPath) {
             "c.yaml:6:8: fx_px: expected a number > 0, found '-1'");
   EXPECT_EQ(message("k1:", "k_1:"), "c.yaml:10:1: k_1: unknown key, did you mean 'k1'?");
   EXPECT_EQ(message("model: brown", "model: fisheye"),
-            "c.yaml:2:8: model: expected one of kannala_brandt, brown, pinhole, cahv, cahvor, "
-            "cahvore, found 'fisheye'");
+            "c.yaml:2:8: model: expected one of kannala_brandt, brown, pinhole, rational, "
+            "double_sphere, eucm, omni, fov, cahv, cahvor, cahvore, found 'fisheye'");
   EXPECT_THAT(message("model: brown", "model: pinhole"), HasSubstr("c.yaml:10:1: k1: unknown key"));
   EXPECT_EQ(message("pixel_zero: centre\n", ""), "c.yaml:1:1: missing key 'pixel_zero'");
   EXPECT_EQ(message("p1: 0.0018", "yaw_deg: 3"),

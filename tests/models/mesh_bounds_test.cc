@@ -3,6 +3,8 @@
 // geometry; each is refused before it is asked.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 
 #include "models/read/mesh_loader.h"
@@ -157,6 +159,8 @@ TEST(ObjBounds, CornersHoldNumbers) {
   }
 }
 
+constexpr std::array kFacetEnds{"vertex 0 1 0\n", "endloop", "endloop\n", "endfacet", "endfacet\n"};
+
 TEST(StlBounds, TextIsWholeFacetsToItsEnd) {
   const std::string facet =
       "facet normal nan 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
@@ -164,13 +168,17 @@ TEST(StlBounds, TextIsWholeFacetsToItsEnd) {
   const std::string whole = "solid a b\n" + facet + facet + "endsolid a b\n";
   EXPECT_EQ(MessageFor("a.stl", whole), "(no error)");
   EXPECT_EQ(MessageFor("a.stl", whole + whole), "(no error)");
-  // Cut after a facet it was read as a mesh.
-  EXPECT_EQ(MessageFor("a.stl", "solid a b\n" + facet),
-            "a.stl:9:1: not a usable mesh: expected 'facet' or 'endsolid', found ''");
+  // Some programs leave the last lines out. Cut anywhere else, it is no mesh.
+  int complete = 0;
   for (std::size_t length = 40; length < whole.size() - 13; ++length) {
-    EXPECT_THAT(MessageFor("a.stl", whole.substr(0, length)), HasSubstr("not a usable mesh"))
+    const std::string cut = whole.substr(0, length);
+    const bool facets = std::any_of(kFacetEnds.begin(), kFacetEnds.end(),
+                                    [&](const char* end) { return cut.ends_with(end); });
+    complete += facets ? 1 : 0;
+    EXPECT_THAT(MessageFor("a.stl", cut), HasSubstr(facets ? "(no error)" : "not a usable mesh"))
         << length;
   }
+  EXPECT_EQ(complete, 9);
   for (const char* bad : {"vertex 1 0", "vertex 1,5 0 0", "vertex 1x 0 0", "vertex a b c",
                           "vertex 1 0 0\nvertex 5 5 5", "rubbish 1 0 0"}) {
     EXPECT_THAT(MessageFor("a.stl", Replaced(whole, "vertex 1 0 0", bad)),

@@ -129,6 +129,37 @@ TEST(LoadObstacles, ReadsDiscsAndAreas) {
   EXPECT_EQ(obstacles.polygons[0].size(), 4u);
 }
 
+TEST(LoadObstacles, ReadsATableOfDiscs) {
+  const ScratchFolder folder;
+  std::string rows = "radius_m,x_m,y_m\r\n";
+  for (int i = 0; i < 20000; ++i) rows += "0.1," + std::to_string(i / 100) + ",-2.5\r\n";
+  const std::string file = folder.Write("stones.CSV", rows);
+  const Obstacles obstacles = LoadObstacles(file);
+  ASSERT_EQ(obstacles.discs.size(), 20000u);
+  EXPECT_EQ(obstacles.discs[19999].centre, Eigen::Vector2d(199.0, -2.5));
+  EXPECT_EQ(obstacles.discs[19999].radius_m, 0.1);
+  EXPECT_TRUE(IsDiscTable(file));
+  EXPECT_FALSE(IsDiscTable(folder.Write("runs.csv", "run,x_m\n1,2\n")));
+  const std::string bad = folder.Write("bad.csv", "x_m,y_m,radius_m\n1,2,0.5\n1,2,-0.5\n");
+  EXPECT_THAT(MessageOf([&] { LoadObstacles(bad); }, folder),
+              HasSubstr("bad.csv:3:5: row 2.radius_m: expected a number > 0"));
+}
+
+TEST(LoadObstacles, ReadsTenThousandDiscsOfAListAndNoMoreThanItsMost) {
+  std::string list = "obstacles:\n";
+  for (int i = 0; i < 10000; ++i) {
+    list += "  - {x_m: " + std::to_string(i % 100) + ", y_m: 1, radius_m: 0.1}\n";
+  }
+  const ScratchFolder folder;
+  EXPECT_EQ(LoadObstacles(folder.Write("stones.yaml", list)).discs.size(), 10000u);
+  std::string areas = "obstacles:\n";
+  for (int i = 0; i < 1001; ++i) {
+    areas += "  - corners: [{x_m: 0, y_m: 0}, {x_m: 1, y_m: 0}, {x_m: 0, y_m: 1}]\n";
+  }
+  EXPECT_THAT(ObstaclesMessage(areas),
+              HasSubstr("stones.yaml:1002:5: obstacles: expected at most"));
+}
+
 TEST(LoadObstacles, RefusesWhatHasNoArea) {
   EXPECT_THAT(ObstaclesMessage("obstacles:\n  - {x_m: 1, y_m: 0, radius_m: 0}\n"),
               HasSubstr("stones.yaml:2:"));

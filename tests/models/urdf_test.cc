@@ -9,6 +9,7 @@
 namespace dockyard {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -61,15 +62,67 @@ TEST(Urdf, XmlErrorsTellLineAndColumn) {
 
 TEST(Urdf, MassesAndInertiasThatNoBodyHasAreRefused) {
   EXPECT_EQ(MessageFor(Inertial("-1", "1", "1", "1")),
-            "m.urdf:2:2: link 'a': mass: expected a number > 0, found '-1'");
+            "m.urdf:2:17: link 'a': mass: expected a number > 0, found '-1'");
   EXPECT_EQ(MessageFor(Inertial("1e9", "1", "1", "1")),
-            "m.urdf:2:2: link 'a': mass: expected a number > 0 and <= 1e+05, found '1e+09'");
-  const std::string impossible =
-      "m.urdf:2:2: link 'a': inertia: expected principal moments > 0 of which none exceeds the sum "
-      "of the others";
-  EXPECT_EQ(MessageFor(Inertial("1", "1", "1", "2.1")), impossible);
-  EXPECT_EQ(MessageFor(Inertial("1", "0", "1", "1")), impossible);
-  EXPECT_EQ(MessageFor(Inertial("1", "-1", "1", "1")), impossible);
+            "m.urdf:2:17: link 'a': mass: expected a number > 0 and <= 1e+05, found '1e+09'");
+  EXPECT_EQ(
+      MessageFor(Inertial("0", "1", "1", "1")),
+      "m.urdf:2:17: link 'a': mass: expected a number > 0, or 0 with moments of 0, found '0'");
+  EXPECT_EQ(MessageFor(Inertial("1", "1", "1", "2.1")),
+            "m.urdf:2:17: link 'a': inertia: expected principal moments >= 0 of which none exceeds "
+            "the sum of the others, found 1, 1 and 2.1 kg m^2: the largest exceeds the sum of the "
+            "others by 0.1, 4.8 % of it");
+  EXPECT_THAT(MessageFor(Inertial("1", "-1", "1", "1")), HasSubstr("-1, 1 and 1 kg m^2: -1 is"));
+  EXPECT_THAT(MessageFor(Inertial("1", "0", "0", "1")), HasSubstr("0, 0 and 1 kg m^2"));
+}
+
+/// The warnings about a file that loads.
+std::vector<std::string> WarningsFor(const std::string& text) {
+  const ScratchFolder folder;
+  std::vector<std::string> warnings =
+      LoadUrdf(folder.Write("m.urdf", text), UrdfOptions()).warnings;
+  for (std::string& warning : warnings) warning.erase(0, warning.find("m.urdf"));
+  return warnings;
+}
+
+TEST(Urdf, MomentsRoundedByAnExporterAreTakenWithAWarning) {
+  // Flat plates obey Izz = Ixx + Iyy. Their moments, rounded to some digits, need not.
+  EXPECT_THAT(
+      WarningsFor(Inertial("1.2", "0.0333", "0.0083", "0.0417")),
+      ElementsAre("m.urdf:2:17: link 'a': inertia: the principal moments are 0.0083, 0.0333 "
+                  "and 0.0417 kg m^2: the largest exceeds the sum of the others by 0.0001, "
+                  "0.24 % of it, taken for rounding of the printed digits"));
+  EXPECT_EQ(WarningsFor(Inertial("1", "1.2e-05", "3e-06", "1.6e-05")).size(), 1u);
+  EXPECT_EQ(WarningsFor(Inertial("1", "0.002", "0.001", "0.004")).size(), 1u);
+  EXPECT_EQ(WarningsFor(Inertial("1", "100", "100", "201")).size(), 1u);
+  EXPECT_EQ(WarningsFor(Inertial("1", "0.0333", "0.0084", "0.0417")).size(), 0u);
+}
+
+TEST(Urdf, MomentsBeyondTheirRoundingAreRefused) {
+  for (const char* izz : {"0.0430", "0.05", "0.5"}) {
+    EXPECT_THAT(MessageFor(Inertial("1", "0.0333", "0.0083", izz)), HasSubstr("exceeds the sum"));
+  }
+  // One digit each would explain anything: beyond 30 % nothing is taken for rounding.
+  EXPECT_THAT(MessageFor(Inertial("1", "0.1", "0.1", "0.3")), HasSubstr("33 % of it"));
+}
+
+TEST(Urdf, AMomentOfZeroIsThatOfARodOrAPoint) {
+  for (const char* ixx : {"0", "0.0", "0.000"}) {
+    const auto warnings = WarningsFor(Inertial("1", ixx, "1", "1"));
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_THAT(warnings[0], HasSubstr("a principal moment of 0"));
+  }
+  EXPECT_EQ(WarningsFor(Inertial("1", "0", "0", "0")).size(), 1u);
+}
+
+TEST(Urdf, MassAndMomentsOfZeroCountAsNoInertial) {
+  const ScratchFolder folder;
+  const std::string text =
+      Replaced(Inertial("0", "0", "0", "0.0"), "<mass", "<origin xyz=\"1 2 3\"/><mass");
+  const UrdfModel model = LoadUrdf(folder.Write("m.urdf", text));
+  EXPECT_EQ(model.Link("a").mass_kg, 0.0);
+  EXPECT_EQ(model.Link("a").p_LoCom_L, Eigen::Vector3d::Zero());
+  EXPECT_EQ(model.warnings.size(), 0u);
 }
 
 TEST(Urdf, NumbersThatAreNoneAreRefused) {
@@ -115,12 +168,13 @@ TEST(Urdf, MeshesStayInsideTheModelsFolder) {
     return MessageFor(Visual("<mesh filename=\"" + filename + "\"/>"));
   };
   EXPECT_EQ(message("none.obj"),
-            "m.urdf:2:2: link 'a': mesh filename: expected a file, found none at 'none.obj'");
+            "m.urdf:2:17: link 'a': mesh filename: expected a file, found none at 'none.obj'");
   EXPECT_THAT(message("../mesh.obj"), HasSubstr("(it leads out of it)"));
   EXPECT_THAT(message("x/../../mesh.obj"), HasSubstr("(it leads out of it)"));
-  EXPECT_THAT(message("/etc/passwd"), HasSubstr("(it is absolute)"));
-  EXPECT_THAT(message("package://axel/mesh.obj"), HasSubstr("package:// or file:// are not"));
-  EXPECT_THAT(message("file:///etc/passwd"), HasSubstr("package:// or file:// are not"));
+  EXPECT_THAT(message("/etc/passwd"), HasSubstr("(it is absolute and leads elsewhere; copy"));
+  EXPECT_THAT(message("file:///etc/passwd"),
+              HasSubstr("(it is absolute and leads elsewhere; copy"));
+  EXPECT_THAT(message("http://example.org/a.obj"), HasSubstr("are followed"));
 }
 
 TEST(Urdf, SymbolicLinksDoNotLeadOut) {
@@ -218,8 +272,10 @@ TEST(UrdfElements, ThatAreUnknownAreRefusedWithTheirLine) {
             "m.urdf:3:1: <visuals>: unknown element in <link>, did you mean 'visual'?");
   EXPECT_EQ(Robot("<link name=\"a\" kind=\"arm\"/>"),
             "m.urdf:2:1: <link>: kind: unknown attribute in <link>, known are: name");
-  EXPECT_EQ(Robot("<xacro:wheel side=\"left\"/><link name=\"a\"/>"),
-            "m.urdf:2:1: <xacro:wheel>: macros are not expanded; run xacro first");
+  EXPECT_EQ(
+      Robot("<xacro:wheel side=\"left\"/><link name=\"a\"/>"),
+      "m.urdf:2:1: '<xacro:wheel>' is a macro or an argument: only `check` expands it; expand "
+      "the file by hand: xacro m.urdf > m_expanded.urdf");
   EXPECT_THAT(MessageFor(Visual("<capsule radius=\"1\" length=\"1\"/>")), HasSubstr("<capsule>: "));
 }
 
@@ -251,6 +307,11 @@ TEST(UrdfElements, MaterialsHaveOneColour) {
   EXPECT_EQ(with("", "<material name=\"x\"/>"),
             "m.urdf:3:1: <material>: expected a <color>, or the name of a material before, found "
             "'x'");
+  for (const char* same : {"1.0 0.0 0.0 1.0", " 1 -0  0e3 1 "}) {
+    EXPECT_EQ(with(red, Replaced(red, "1 0 0 1", same)), "(no error)") << same;
+  }
+  EXPECT_THAT(with("", Replaced(red, "1 0 0 1", "255 0 0 1")),
+              HasSubstr("m.urdf:3:20: <color>: rgba"));
   EXPECT_EQ(with(red, blue), "m.urdf:3:1: <material>: 'x' has another colour before");
 }
 
@@ -264,6 +325,33 @@ TEST(UrdfElements, WithoutEffectAreLeftOutAndCounted) {
       "<calibration rising=\"0\"/><dynamics damping=\"0\" friction=\"0.0\"/></joint></robot>"));
   const std::map<std::string, int> expected{{"calibration", 1}, {"gazebo", 2}, {"transmission", 1}};
   EXPECT_EQ(model.left_out, expected);
+}
+
+TEST(UrdfElements, OfOldToolsAreLeftOutAndCounted) {
+  const ScratchFolder folder;
+  const UrdfModel model = LoadUrdf(folder.Write(
+      "m.urdf",
+      "<robot name=\"m\"><link name=\"a\" type=\"base\"><visual><geometry name=\"g\">"
+      "<material name=\"x\"/><sphere radius=\"1\"/></geometry><material name=\"\">"
+      "<texture filename=\"\"/></material></visual>"
+      "<collision><geometry><sphere radius=\"2\"/><surface><friction/></surface></geometry>"
+      "<surface/><material name=\"y\"/></collision><sensor name=\"s\"/></link><link name=\"b\"/>"
+      "<joint name=\"j\" type=\"continuous\"><parent link=\"a\"/><child link=\"b\"/>"
+      "<axis xyz=\"0 1 0\" rpy=\"0.0 0 -0\"/><joint_properties damping=\"some\" friction=\"1\"/>"
+      "</joint></robot>"));
+  const std::map<std::string, int> expected{
+      {"axis rpy", 1}, {"geometry name", 1}, {"joint_properties", 1}, {"link type", 1},
+      {"material", 3}, {"sensor", 1},        {"surface", 2},          {"texture", 1}};
+  EXPECT_EQ(model.left_out, expected);
+  EXPECT_EQ(model.Link("a").visuals[0].mesh->vertices.size(), SphereMesh(1.0).vertices.size());
+  EXPECT_EQ(std::get<SphereShape>(model.Link("a").collisions[0].shape).radius_m, 2.0);
+  EXPECT_EQ(model.Joint("j").axis_J, Eigen::Vector3d::UnitY());
+}
+
+TEST(UrdfElements, AnAxisWithARotationIsRefused) {
+  EXPECT_EQ(WithInJoint("\n<axis xyz=\"0 1 0\" rpy=\"0 0 1.57\"/>"),
+            "m.urdf:4:1: <axis>: rpy: expected 0 0 0, an axis is turned by its xyz alone; found "
+            "'0 0 1.57'");
 }
 
 TEST(UrdfTree, LinksOutsideItAreRefusedWithTheirLine) {

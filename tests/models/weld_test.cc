@@ -153,6 +153,30 @@ TEST(Weld, CarriesMassOnALinkThatHasNone) {
   EXPECT_EQ(welded.Link("base").p_LoCom_L, Eigen::Vector3d(0, 0, 0.5));
 }
 
+TEST(Weld, APointMayRideOnAnotherLinkAndNotMoveByItself) {
+  // Two points of 1 kg, 0.2 m apart along x, on a link without mass: a dumbbell has no moment about
+  // x.
+  const std::string point =
+      "<inertial><mass value=\"1\"/><inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" "
+      "izz=\"0\"/></inertial></link>\n";
+  const auto at = [](double x, double y) {
+    return "<origin xyz=\"" + std::to_string(x) + " " + std::to_string(y) + " 0\"/>";
+  };
+  const std::string dumbbell =
+      "<link name=\"root\"/><link name=\"a\">" + point + "<link name=\"b\">" + point +
+      Joint("fixed", "root", "a", at(0.1, 0)) + Joint("fixed", "root", "b", at(-0.1, 0));
+  const ScratchFolder folder;
+  EXPECT_THAT(MessageOf([&] { RequireInertial(WeldFixedLinks(Read(dumbbell)), "root"); }, folder),
+              HasSubstr("needs three principal moments > 0"));
+  const UrdfModel plate = WeldFixedLinks(
+      Read(dumbbell + "<link name=\"c\">" + point + Joint("fixed", "root", "c", at(0, 0.3))));
+  const Eigen::Matrix3d I = RequireInertial(plate, "root").I_LCom_L;
+  // sum m y^2 about the mean 0.1, sum m x^2, and their sum, since the points lie in a plane.
+  EXPECT_LT((I.diagonal() - Eigen::Vector3d(0.06, 0.02, 0.08)).norm(), 1e-12);
+  EXPECT_THAT(MessageOf([&] { RequireInertial(Read("<link name=\"a\"/>"), "a"); }, folder),
+              HasSubstr("expected an <inertial>, found none"));
+}
+
 TEST(Weld, NamesWhatCarriesALink) {
   const UrdfModel tree = Tree();
   EXPECT_EQ(CarrierOf(tree, "head"), "trunk");

@@ -120,6 +120,43 @@ TEST(YamlSyntax, DoesNotBearBinaryJunk) {
   EXPECT_EQ(MessageFor("a: \xc3\x28"), "a.yaml:1:4: expected text in UTF-8, found byte 195");
 }
 
+TEST(YamlText, HoldsNoControlCharacterHoweverItIsWritten) {
+  const auto refused = [](const std::string& at, const std::string& name) {
+    return "a.yaml:" + at + ": expected text without control characters, found " + name;
+  };
+  EXPECT_EQ(MessageFor("a: \"\\x1b[32m\"\n"), refused("1:4", "U+001B"));
+  EXPECT_EQ(MessageFor("a: \"x\\e[0m\"\n"), refused("1:4", "U+001B"));
+  EXPECT_EQ(MessageFor("a:\n  - \"\\0\"\n"), refused("2:5", "U+0000"));
+  EXPECT_EQ(MessageFor("a: [x, \"\\a\"]\n"), refused("1:8", "U+0007"));
+  EXPECT_EQ(MessageFor("a: \"\\r\"\n"), refused("1:4", "U+000D"));
+  EXPECT_EQ(MessageFor("a: \"\\x7f\"\n"), refused("1:4", "U+007F"));
+  EXPECT_EQ(MessageFor("a: \"\\N\"\n"), refused("1:4", "U+0085"));
+  EXPECT_EQ(MessageFor("a: \"\\u009b\"\n"), refused("1:4", "U+009B"));
+  EXPECT_EQ(MessageFor("a: x\xC2\x9By\n"), refused("1:4", "U+009B"));
+  EXPECT_EQ(MessageFor("a: \"\\L\"\n"), refused("1:4", "U+2028"));
+  EXPECT_EQ(MessageFor("{\"a\\x1b\": 1}\n"), refused("1:2", "U+001B"));
+  EXPECT_EQ(MessageFor("\"a\\nb\": 1\n"), refused("1:1", "U+000A"));
+}
+
+TEST(YamlText, OfAnOptionHoldsNoControlCharacter) {
+  const ScratchFolder folder;
+  const auto set = [&](const std::string& assignment) {
+    YamlNode root = ParseYaml("a: 1", "a.yaml");
+    return MessageOf([&] { SetYaml(root, assignment); }, folder);
+  };
+  EXPECT_THAT(set("a=\"\\e[0m\""), HasSubstr("without control characters, found U+001B"));
+  EXPECT_THAT(set("a=x\x1b"), HasSubstr("expected text in UTF-8, found byte 27"));
+  EXPECT_THAT(set("a\nb=1"), HasSubstr("a key without control characters, found U+000A"));
+  EXPECT_EQ(set("a=\"caf\xC3\xA9\""), "(no error)");
+}
+
+TEST(YamlText, OfSeveralLinesIsWrittenInOneAndReadBack) {
+  const YamlNode text = ParseYaml("a: |\n  for x in y:\n  \tprint(\"x\\n\")\n", "a.yaml");
+  const std::string written = FlowText(text);
+  EXPECT_EQ(written.find('\n'), std::string::npos);
+  EXPECT_EQ(ParseYaml(written, "b.yaml").Find("a")->scalar, "for x in y:\n\tprint(\"x\\n\")\n");
+}
+
 TEST(YamlFile, ThatIsEmptyMissingOrHugeIsRefused) {
   const ScratchFolder folder;
   const auto load = [&](const std::string& name) {

@@ -71,6 +71,25 @@ test('images are whole PNG files of the size that the camera has', async () => {
   }
 });
 
+test('each image has a camera_info of its time, and a frame on the robot', async () => {
+  const all = await messagesOf(bytes);
+  const stamps = (topic) => all.filter((each) => each.topic === topic).map((each) => decodeMessage(each).header);
+  const frames = new Map();
+  for (const each of all.filter(({ topic }) => topic === '/tf')) {
+    for (const { header, child_frame_id } of decodeMessage(each).transforms) {
+      frames.set(child_frame_id, header.frame_id);
+    }
+  }
+  for (const side of ['left', 'right']) {
+    assert.deepEqual(stamps(`/camera/${side}/camera_info`), stamps(`/camera/${side}/image/compressed`));
+    assert.equal(frames.get(side), 'robot');
+  }
+  assert.equal(frames.get('robot'), 'world');
+  const info = decodeMessage(all.find(({ topic }) => topic === '/camera/right/camera_info'));
+  const fx = 1024 / (Math.PI / 2); // models/axel/axel.yaml: 90 deg across 1024 px, 0.35 m apart
+  assert.ok(Math.abs(info.p[3] + 0.35 * fx) < 1e-6, info.p);
+});
+
 test('a log that was cut short gives its first messages to a reader of streams', () => {
   const count = (part) => {
     const reader = openStream();

@@ -124,7 +124,8 @@ export function makeReplay(blobs, run, with_pictures = true) {
         .filter((_, i) => i % 8 === 0)
         .map(([x, y]) => [x, y + 0.03]),
     })),
-    sightings: sightings(blobs, run, poses_D, samples, with_pictures),
+    sightings: run.images ? [] : sightings(blobs, run, poses_D, samples, with_pictures),
+    images: run.images ? { taken: 200, shown: images(blobs, samples) } : null,
     scalars: scalars(blobs, samples, rolled),
     phases: [
       [0, 'tighten'],
@@ -206,6 +207,16 @@ function ground(blobs, left, right, samples) {
     });
   }
   return { x0_m, y0_m, cell_m: CELL_M, columns, rows, heights: blobs.channel(metres(heights), HEIGHT_QUANTUM_M), changes };
+}
+
+/** Images of a controller that reports no sighting. */
+function images(blobs, samples) {
+  return Array.from({ length: 20 }, (_, n) => ({
+    sample: Math.round((n * (samples - 1)) / 19),
+    cameras: [
+      { name: 'left', width: 1024, height: 768, picture: blobs.add(storedPicture([[100 + 10 * n, 120, 16]])) },
+    ],
+  }));
 }
 
 function sightings(blobs, run, poses_D, samples, with_pictures) {

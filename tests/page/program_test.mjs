@@ -56,6 +56,26 @@ test('a replay ends where the log says that the robot was', async () => {
   await context.close();
 });
 
+test("a program's run shows its images, and its command can be pasted", async () => {
+  const out = join(folder, 'program');
+  const program = ['run', 'examples/python/dock_straight.yaml', '--allow-commands', '--set', 'time_limit_s=3'];
+  try {
+    execFileSync('build/dockyard', [...program, '--out', out], { cwd: root, stdio: 'ignore' });
+  } catch (failure) {
+    assert.equal(failure.status, 4); // not docked, as it has no time
+  }
+  execFileSync('build/dockyard', ['report', out], { cwd: root, stdio: 'ignore' });
+  const { page, context, messages } = await openReport(browser, join(out, 'report.html'));
+  await page.keyboard.press('End');
+  assert.match(await page.textContent('.sightings'), /The images of all 1 times without a sighting are shown/);
+  const command = await page.textContent('.command code');
+  assert.match(command, /dockyard replay \S+ --allow-commands$/);
+  const env = { ...process.env, PATH: `build:${process.env.PATH}` }; // of a program that is called without its folder
+  execFileSync('sh', ['-c', command], { cwd: root, stdio: 'ignore', env });
+  assert.deepEqual(messages, []);
+  await context.close();
+});
+
 test('the images that a camera took are drawn', async () => {
   const { page, context } = await open('#run=1');
   await page.keyboard.press('End');

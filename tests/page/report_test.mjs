@@ -127,6 +127,96 @@ test('keys play, step and go to both ends', async () => {
   await context.close();
 });
 
+test('keys play and step wherever the focus is, but in a field', async () => {
+  const { page, context } = await open({ rows: 40, replays: 3 }, { hash: '#run=2' });
+  const time = async () => (await frameOf(page)).time;
+  await page.mouse.click(1000, 60); // on nothing: the focus is on no element of the run
+  await page.keyboard.press('ArrowRight');
+  assert.ok(Math.abs((await time()) - 0.1) < 1e-9);
+  for (const button of ['Follow robot', 'From above', 'Copy']) {
+    await page.click(`button:text-is("${button}")`);
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => document.querySelector('button.play').textContent === 'Pause');
+    await page.keyboard.press(' ');
+  }
+  await page.keyboard.press('Home');
+  await page.focus('select[aria-label="Speed"]');
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await time(), 0);
+  await page.keyboard.press('Escape');
+  await page.focus('#filter');
+  await page.keyboard.type('a b');
+  assert.equal(await page.inputValue('#filter'), 'a b');
+  await context.close();
+});
+
+test('groups of buttons are one stop of the Tab key each', async () => {
+  const { page, context, header } = await open({ rows: 40, replays: 3 });
+  const stops = await page.evaluate(
+    () =>
+      [...document.querySelectorAll('#overview button, #overview select, #overview input, #overview [tabindex]')].filter(
+        (e) => e.tabIndex >= 0 && e.offsetParent,
+      ).length,
+  );
+  assert.ok(stops < 30, `${stops} stops`);
+  const names = header.table.columns.length;
+  assert.ok(names > 10);
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  assert.ok(await page.evaluate(() => document.activeElement.matches('#runs .window')));
+  await page.focus('#runs thead th:nth-child(1) button');
+  await page.keyboard.press('ArrowRight');
+  assert.ok(await page.evaluate(() => document.activeElement.matches('#runs thead th:nth-child(2) button')));
+  await context.close();
+});
+
+test('the first view holds robot and target over the whole run, wide and narrow', async () => {
+  for (const [width, height] of [
+    [1280, 800],
+    [390, 844],
+    [1920, 500],
+  ]) {
+    const { page, context } = await open({ rows: 40, replays: 3 }, { hash: '#run=2', width, height });
+    const ends = (await frameOf(page)).framed;
+    assert.ok(
+      ends.every((v) => Math.abs(v) < 0.95),
+      `${width} x ${height}: ${ends}`,
+    );
+    assert.ok(
+      ends.some((v) => Math.abs(v) > 0.8),
+      `${width} x ${height}: ${ends}`,
+    );
+    await context.close();
+  }
+});
+
+test('images without a sighting stand on the time axis, and the page says how many there were', async () => {
+  const { page, context, messages } = await open({ rows: 40, replays: 1, images: true }, { hash: '#run=1' });
+  assert.equal(await page.locator('.sighting-strip span').count(), 20);
+  await page.keyboard.press('End');
+  assert.match(await page.textContent('.sighting-head'), /Images 20 of 20, .* s: no sighting reported/);
+  assert.match(await page.textContent('.sightings'), /20 of 200 times are shown/);
+  await page.click('button[aria-label="Image before"]');
+  assert.match(await page.textContent('.sighting-head'), /Images 19 of 20/);
+  await page.waitForFunction(() => {
+    const pixel = document.querySelector('.cameras canvas')?.getContext('2d').getImageData(5, 5, 1, 1).data;
+    return pixel?.[0] > 150;
+  });
+  assert.deepEqual(messages, []);
+  await context.close();
+});
+
+test('curves of the design stand before the table, with the line of the aim', async () => {
+  const { page, context } = await open({ rows: 40, replays: 1 });
+  const [curves, runs] = await Promise.all(['#curves', '#runs'].map((name) => page.locator(name).boundingBox()));
+  assert.ok(curves.y < runs.y);
+  assert.match(await page.textContent('#curves'), /Success over start\.r \[m\]/);
+  assert.match(await page.textContent('#curves svg'), /aim: docked >= 0\.9/);
+  assert.equal(await page.locator('#curves g[aria-label="dot"] :is(path, circle)').count(), 8);
+  assert.match(await page.textContent('#requirements'), /not met: docked >= 0\.9/);
+  await context.close();
+});
+
 test('the image of each camera is drawn under its marks', async () => {
   const { page, context } = await open({ rows: 40, replays: 3 }, { hash: '#run=1' });
   await page.keyboard.press('End');

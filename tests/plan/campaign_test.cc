@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <optional>
 #include <set>
 
 #include "plan/toy_campaign.h"
@@ -79,6 +80,81 @@ TEST_F(CampaignFile, ColumnsSetKeysOfTheScenario) {
   EXPECT_EQ(run.start.alpha, Radians(15.0));  // of the base
   EXPECT_EQ(run.of_system.Find("colour")->scalar, "blue");
   EXPECT_EQ(FindPath(run.changes, "soil.k")->scalar, "1e3");
+}
+
+// Every text either reads back to the same, or is refused before the first run.
+TEST_F(CampaignFile, WithAnyTextReadsBackOrIsRefused) {
+  int read_back = 0, refused = 0;
+  const auto Try = [&](const std::string& campaign) {
+    std::optional<Campaign> loaded;
+    const std::string message = MessageOf([&] { loaded = Load(campaign); }, folder_);
+    if (loaded) {
+      ++read_back;
+      ExpectReadsBack(*loaded);
+    } else {
+      ++refused;
+      EXPECT_THAT(message, testing::StartsWith("scenarios/c.")) << campaign;
+    }
+  };
+  for (const char* text : {"a\\x1b[32mb",
+                           "a\\eb",
+                           "a\\0b",
+                           "a\\tb",
+                           "a\\nb",
+                           "a\\rb",
+                           "a\\x7fb",
+                           "a\\Nb",
+                           "a\\Lb",
+                           "a\\Pb",
+                           "a\\u009bb",
+                           "a\\uFEFFb",
+                           "a\\_b",
+                           "a\\u20acb",
+                           "a\\\\b",
+                           "a\\\"b",
+                           "a: b, {c} #d",
+                           " a ",
+                           "null",
+                           "~",
+                           "1e3",
+                           "-",
+                           "a'b",
+                           "\xC3\xA9",
+                           "\xF0\x9F\x9A\x80"}) {
+    const std::string quoted = "\"" + std::string(text) + "\"";
+    Try("campaign: c\nbase: toy.yaml\ntags: [day]\nruns: [{run: 1, day: " + quoted + "}]\n");
+    Try("campaign: c\nbase: toy.yaml\ntags: [" + quoted + "]\nruns: [{run: 1, " + quoted +
+        ": x}]\n");
+    Try("campaign: " + quoted + "\nbase: toy.yaml\n");
+    Try("campaign: c\nbase: toy.yaml\narms: {" + quoted + ": {start.r_m: 2}}\n");
+    Try("campaign: c\nbase: toy.yaml\nvary: {start.r_m: {" + quoted + ": 2, b: 3}}\n");
+    Try("campaign: c\nbase: toy.yaml\nscenario: {controller: {command: [sh, " + quoted + "]}}\n");
+  }
+  EXPECT_GT(read_back, 50);
+  EXPECT_GT(refused, 50);
+}
+
+TEST_F(CampaignFile, ThatNamesAControlCharacterIsRefusedAtItsPlace) {
+  const auto message = [&](const std::string& day) {
+    return MessageOf(
+        [&] {
+          Load("campaign: c\nbase: toy.yaml\ntags: [day]\nruns:\n  - {run: 1, day: " + day + "}\n");
+        },
+        folder_);
+  };
+  EXPECT_EQ(message("\"\\x1b[32m\""),
+            "scenarios/c.yaml:5:19: expected text without control characters, found U+001B");
+  EXPECT_EQ(
+      message("\"a\\nb\""),
+      "scenarios/c.yaml:5:19: day: expected one line without control characters, found U+000A");
+}
+
+TEST_F(CampaignFile, WhosePathsHoldControlCharactersIsRefused) {
+  EXPECT_THAT(MessageOf([] { AbsolutePath("/tmp/a\x1b[31m/b.yaml"); }, folder_),
+              HasSubstr("'/tmp/a?[31m/b.yaml': expected a path in UTF-8 without control "
+                        "characters, found U+001B"));
+  EXPECT_THAT(MessageOf([] { AbsolutePath("/tmp/caf\xE9.yaml"); }, folder_), HasSubstr("U+00E9"));
+  EXPECT_EQ(AbsolutePath("/tmp/caf\xC3\xA9.yaml"), "/tmp/caf\xC3\xA9.yaml");
 }
 
 TEST_F(CampaignFile, LabelsAreTheCellsAsWritten) {

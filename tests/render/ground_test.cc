@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 #include "render/ground_horizon.h"
-#include "render/ground_mesh.h"
+#include "render/ground_relief.h"
+#include "render/ground_texture.h"
 #include "render/scene_samples.h"
 
 namespace dockyard {
@@ -103,11 +105,14 @@ TEST(Horizon, EndsWithTheGrid) {
   EXPECT_EQ(Terrace(kStep_m, SunAt(0.0, Radians(5.0))).Share(-2.5, 0.0), 1.0);
 }
 
-// Per cell: slope along x and y, share of the sun.
-std::array<float, 3> ReliefAt(const std::vector<float>& relief, double x, double y) {
-  const int ix = static_cast<int>((x + 2.0) / kCell_m), iy = static_cast<int>((y + 2.0) / kCell_m);
-  const std::size_t at = 3 * (static_cast<std::size_t>(iy) * (kSide - 1) + ix);
-  return {relief[at], relief[at + 1], relief[at + 2]};
+GroundRelief ReliefOf(const Terrace& terrace) {
+  GroundRelief relief;
+  relief.Update(terrace.scene.ground, terrace.scene.light.to_sun_W, 0.0093);
+  return relief;
+}
+
+GroundRelief::Cell CellAt(const GroundRelief& relief, double x, double y) {
+  return relief.At(static_cast<int>((x + 2.0) / kCell_m), static_cast<int>((y + 2.0) / kCell_m));
 }
 
 TEST(Relief, OfAPlaneIsItsSlope) {
@@ -115,13 +120,12 @@ TEST(Relief, OfAPlaneIsItsSlope) {
   for (int i = 0; i < kSide * kSide; ++i) {
     terrace.heights[i] = 0.2 * Terrace::X(i % kSide) - 0.1 * Terrace::X(i / kSide);
   }
-  const auto relief = GroundRelief(terrace.scene.ground, terrace.scene.light.to_sun_W, 0.0093);
-  ASSERT_EQ(relief.size(), 3u * (kSide - 1) * (kSide - 1));
+  const GroundRelief relief = ReliefOf(terrace);
   for (const double x : {-1.99, 0.3, 1.97}) {
-    const auto [slope_x, slope_y, share] = ReliefAt(relief, x, 0.7);
-    EXPECT_NEAR(slope_x, 0.2, 1e-5);
-    EXPECT_NEAR(slope_y, -0.1, 1e-5);
-    EXPECT_EQ(share, 1.0f);
+    const GroundRelief::Cell cell = CellAt(relief, x, 0.7);
+    EXPECT_NEAR(cell.slope_x, 0.2, 1e-5);
+    EXPECT_NEAR(cell.slope_y, -0.1, 1e-5);
+    EXPECT_EQ(cell.sun_share, 1.0f);
   }
 }
 
@@ -129,12 +133,73 @@ TEST(Relief, ShadowOfAStepIsAsLongAsTheSunIsLow) {
   const double elevation = Radians(35.0);
   constexpr double kLow_m = 0.3;
   const Terrace terrace(kLow_m, SunAt(0.0, elevation));
-  const auto relief = GroundRelief(terrace.scene.ground, terrace.scene.light.to_sun_W, 0.0093);
+  const GroundRelief relief = ReliefOf(terrace);
   const double end = kAt_m - kLow_m / std::tan(elevation);
   // Penumbra: 0.3 m x 0.0093 rad / sin^2 35 deg = 8 mm, and a cell on either side.
-  EXPECT_EQ(ReliefAt(relief, end + 2.5 * kCell_m, 0.0)[2], 0.0f);
-  EXPECT_EQ(ReliefAt(relief, end - 2.5 * kCell_m, 0.0)[2], 1.0f);
-  EXPECT_EQ(ReliefAt(relief, kAt_m + 0.1, 0.0)[2], 1.0f);
+  EXPECT_EQ(CellAt(relief, end + 2.5 * kCell_m, 0.0).sun_share, 0.0f);
+  EXPECT_EQ(CellAt(relief, end - 2.5 * kCell_m, 0.0).sun_share, 1.0f);
+  EXPECT_EQ(CellAt(relief, kAt_m + 0.1, 0.0).sun_share, 1.0f);
+}
+
+// Azimuth and elevation of the sun [deg].
+class ChangingRelief : public testing::TestWithParam<std::pair<double, double>> {};
+
+// Waves, and then ruts and heaps anywhere, at the border too: some change how high all the ground
+// reaches, and with it how far the shadows are followed.
+TEST_P(ChangingRelief, IsThatOfTheGroundMadeAnew) {
+  const auto [azimuth_deg, elevation_deg] = GetParam();
+  Terrace yard(0.0, SunAt(Radians(azimuth_deg), Radians(elevation_deg)));
+  for (int i = 0; i < kSide * kSide; ++i) {
+    yard.heights[i] = 0.02 * std::sin(3.0 * Terrace::X(i % kSide) + Terrace::X(i / kSide));
+  }
+  const GroundView& ground = yard.scene.ground;
+  const Eigen::Vector3d& to_sun = yard.scene.light.to_sun_W;
+  GroundTexture kept;
+  kept.Update(ground, to_sun, 0.0093);
+  GroundRelief relief = ReliefOf(yard);
+  for (int step = 0; step < 12; ++step) {
+    const int column = (step * 71) % (kSide - 3), row = (step * 53 + 190) % (kSide - 3);
+    for (int k = 0; k < 9; ++k) {
+      yard.heights[(row + k / 3) * kSide + column + k % 3] += step % 3 == 0 ? 0.01 : -0.015;
+    }
+    const GridRect changed = relief.Update(ground, to_sun, 0.0093);
+    EXPECT_TRUE(changed.x_begin <= column && column + 3 <= std::min(changed.x_end + 1, kSide));
+    EXPECT_TRUE(relief.Update(ground, to_sun, 0.0093).empty());
+    const GroundRelief fresh = ReliefOf(yard);
+    kept.Update(ground, to_sun, 0.0093);
+    EXPECT_EQ(kept.highest_m(), *std::max_element(yard.heights.begin(), yard.heights.end()));
+    for (int i = 0; i < (kSide - 1) * (kSide - 1); ++i) {
+      const int x = i % (kSide - 1), y = i / (kSide - 1);
+      const GroundRelief::Cell a = relief.At(x, y), b = fresh.At(x, y);
+      ASSERT_TRUE(a.slope_x == b.slope_x && a.slope_y == b.slope_y && a.sun_share == b.sun_share)
+          << step << ": " << x << ", " << y;
+    }
+  }
+  GroundTexture anew;
+  anew.Update(ground, to_sun, 0.0093);
+  for (int i = 0; i < (kSide - 1) * (kSide - 1); ++i) {
+    const auto x = static_cast<float>(i % (kSide - 1)), y = static_cast<float>(i / (kSide - 1));
+    for (float lod = 0.0f; lod < 7.0f; ++lod) {
+      const Four a = kept.relief().At(x, y, lod), b = anew.relief().At(x, y, lod);
+      ASSERT_EQ(0, std::memcmp(&a, &b, sizeof a)) << x << ", " << y << ", " << lod;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Suns, ChangingRelief,
+                         testing::Values(std::pair(20.0, 8.0), std::pair(200.0, 25.0),
+                                         std::pair(-70.0, 60.0), std::pair(0.0, 90.0)));
+
+TEST(Relief, OfALittleRutIsMadeAnewThereAlone) {
+  Terrace yard(0.3, SunAt(0.0, Radians(45.0)));
+  GroundRelief relief = ReliefOf(yard);
+  yard.heights[50 * kSide + 80] = 0.01;
+  // 15 nodes on the way up to 0.3 m towards the sun.
+  const GridRect changed = relief.Update(yard.scene.ground, yard.scene.light.to_sun_W, 0.0093);
+  EXPECT_EQ(changed.x_end, 81);
+  EXPECT_NEAR(changed.x_begin, 80 - 16, 1);
+  EXPECT_EQ(changed.y_begin, 49);
+  EXPECT_EQ(changed.y_end, 51);
 }
 
 }  // namespace

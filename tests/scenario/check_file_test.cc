@@ -84,9 +84,10 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
       "a.yaml:1:1: expected the keys of a scenario, campaign, published experiment, board, "
       "soil, wheel, camera, rig, rover on wheels, obstacles or of a system's own model, found "
       "none of them");
-  EXPECT_EQ(message("a.txt", "x"),
-            "a.txt: expected a file .yaml, .yml, .json, .csv, .urdf, .stl, .obj, .dae, .gltf or "
-            ".glb, found extension '.txt'");
+  EXPECT_EQ(
+      message("a.txt", "x"),
+      "a.txt: expected a file .yaml, .yml, .json, .xml, .csv, .urdf, .stl, .obj, .dae, .gltf or "
+      ".glb, found extension '.txt'");
   EXPECT_EQ(message("a.csv", "run" + std::string(200, ',') + "\n"),
             "a.csv:1:204: expected at most 200 columns, found 201");
   EXPECT_EQ(message("a.csv", "run,start.r_m\n1,2\nten,3\n"),

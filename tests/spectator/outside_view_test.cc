@@ -32,7 +32,7 @@ Eigen::Vector2d MiddleOf(const RgbImage& image, int channel) {
 TEST(OutsideView, ShowsEachBodyWhereTheLogHasIt) {
   const LoggedRun run = SomeRun();
   const StageShapes shapes = SomeShapes();
-  OutsideOptions options{.width = 320, .height = 180, .eye_D = Eigen::Vector3d(2.0, 8.0, 3.0)};
+  OutsideOptions options{.width = 320, .height = 180, .from_D = Eigen::Vector3d(2.0, 8.0, 3.0)};
   const auto renderer = MakeRenderer();
   OutsideView view(run, shapes, options, 0, 1, *renderer);
   const Camera camera = PinholeCamera(320, 180, 32.0 * kPi / 180.0);
@@ -51,15 +51,15 @@ TEST(OutsideView, HasGroundAllTheWayToTheSpectator) {
   StageShapes shapes = SomeShapes();
   shapes.ground_rgb = {0.03, 0.6, 0.03};
   const auto renderer = MakeRenderer();
-  for (const Eigen::Vector3d& eye_D : {Eigen::Vector3d(2.0, 8.0, 3.0), {7.0, -4.0, 1.0}}) {
-    OutsideView view(run, shapes, {.width = 320, .height = 180, .eye_D = eye_D}, 0, 1, *renderer);
+  for (const Eigen::Vector3d& from_D : {Eigen::Vector3d(2.0, 8.0, 3.0), {7.0, -4.0, 1.0}}) {
+    OutsideView view(run, shapes, {.width = 320, .height = 180, .from_D = from_D}, 0, 1, *renderer);
     const RgbImage picture = view.Picture(0);
     int green = 0;
     for (int x = 0; x < picture.width; ++x) {
       const std::uint8_t* p = &picture.pixels[3 * (179 * std::size_t{320} + x)];
       green += p[1] > 2 * p[0] && p[1] > 2 * p[2];
     }
-    EXPECT_EQ(green, 320) << eye_D.transpose();
+    EXPECT_EQ(green, 320) << from_D.transpose();
   }
 }
 

@@ -95,5 +95,53 @@ TEST(RectifiedPair, FindsAPointByItsDisparity) {
   EXPECT_LT((pair.Point(left.x(), left.y(), left.x() - right.x()) - p_C).norm(), 1e-12);
 }
 
+// Two pinholes side by side, the right image cut off by 7.5 px on its left.
+StereoRig CroppedPair() {
+  StereoRig rig = BodyPair();
+  const BrownPinhole lens{250.0, 250.0, 159.5, 119.5};
+  rig.left.lens = rig.right.lens = lens;
+  std::get<BrownPinhole>(rig.right.lens).cx -= 7.5;
+  return rig;
+}
+
+TEST(Rectifier, LeavesImagesOfARectifiedRigAsTheyAre) {
+  const StereoRig rig = CroppedPair();
+  ASSERT_TRUE(IsRectified(rig));
+  const StereoImages images = RayScene{}.Pair(rig);
+  const Rectifier kept(rig, {.keep_rectified = true});
+  EXPECT_EQ(kept.Rectified(images), images);
+  EXPECT_TRUE(kept.IsSeen(0, 0, true));
+  EXPECT_FALSE(Rectifier(rig).Rectified(images) == images);
+}
+
+TEST(IsRectified, IsNoneThatIsTurnedBentOrShifted) {
+  StereoRig turned = CroppedPair(), bent = turned, raised = turned, shifted = turned,
+            exchanged = turned, wide = turned;
+  turned.X_RQ.R = turned.X_RQ.R * RotX(1e-4);  // 0.025 px
+  std::get<BrownPinhole>(bent.left.lens).k1 = 0.001;
+  raised.X_RQ.p += 1e-5 * raised.X_RL.R.col(1);
+  std::get<BrownPinhole>(shifted.right.lens).cy += 0.1;
+  std::swap(exchanged.X_RL, exchanged.X_RQ);
+  std::get<BrownPinhole>(wide.right.lens).fx += 0.1;
+  for (const StereoRig& rig : {turned, bent, raised, shifted, exchanged, wide, BodyPair()}) {
+    EXPECT_FALSE(IsRectified(rig));
+  }
+}
+
+// The cameras' own projections of a point, and OpenCV's equation: Q (u, v, d, 1) ~ (p, 1).
+TEST(RectifiedPair, ReprojectsAPointAsOpenCvDoes) {
+  const StereoRig rig = CroppedPair();
+  const RectifiedPair pair = Rectifier(rig, {.keep_rectified = true}).pair();
+  EXPECT_NEAR(pair.doffs_px, -7.5, 1e-12);
+  const Vector3d p_L(0.1, -0.2, 0.8);
+  const Vector2d left = *rig.left.Project(p_L),
+                 right = *rig.right.Project(Inverse(rig.X_RQ) * (rig.X_RL * p_L));
+  const double disparity_px = left.x() - right.x();
+  EXPECT_LT((pair.Point(left.x(), left.y(), disparity_px) - p_L).norm(), 1e-12);
+  const Eigen::Vector4d p =
+      ReprojectionOf(pair) * Eigen::Vector4d(left.x(), left.y(), disparity_px, 1.0);
+  EXPECT_LT((p.head<3>() / p.w() - p_L).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace dockyard

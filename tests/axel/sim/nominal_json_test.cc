@@ -48,7 +48,12 @@ TEST(NominalJson, ReadsBackEachLensModelAndPipeline) {
   nominal.vision.while_driving = true;
   nominal.shutter_s = 0.0123;
   for (const Lens& lens : {Lens(KannalaBrandt{.fx = 1.0}), Lens(BrownPinhole{.k3 = 2.0}),
-                           Lens(Cahvore{.linearity = 0.5})}) {
+                           Lens(Cahvore{.linearity = 0.5}),
+                           Lens(RationalPinhole{.fy = 1.5, .k = {1, 2, 3, 4, 5, 6}, .p2 = 0.1}),
+                           Lens(DoubleSphere{.cx = 3.0, .xi = -0.2, .alpha = 0.6}),
+                           Lens(Eucm{.cy = 4.0, .alpha = 0.6, .beta = 1.1}),
+                           Lens(Omni{.xi = 1.5, .k1 = 0.1, .k2 = 0.2, .p1 = 0.3, .p2 = 0.4}),
+                           Lens(FovPinhole{.fx = 2.0, .w_rad = 0.9})}) {
     nominal.rig.left.lens = lens;
     const Nominal read = NominalFromJson(ToJson(nominal));
     EXPECT_EQ(read.rig.left, nominal.rig.left);
@@ -63,8 +68,10 @@ TEST(NominalJson, RefusesALensModelOrPipelineThatItDoesNotKnow) {
     json[part][key] = name;
     return ErrorOf(json);
   };
-  EXPECT_EQ(error_of("left_camera", "model", "mei"),
-            "lens model: expected kannala_brandt, brown or cahvore, found 'mei'");
+  EXPECT_EQ(
+      error_of("left_camera", "model", "mei"),
+      "lens model: expected kannala_brandt, brown, cahvore, rational, double_sphere, eucm, omni "
+      "or fov, found 'mei'");
   EXPECT_EQ(error_of("vision", "pipeline", "tsai2014"),
             "vision pipeline: expected dockyard or tsai2013, found 'tsai2014'");
   EXPECT_EQ(error_of("vision", "pipeline", "dockyard"), "no error");

@@ -230,7 +230,45 @@ TEST(Outcome, ArmThatWentOverTheTopNamesTheRunOnlyIfItIsNotBroughtBack) {
   Observe(trailing, 0.0, 165.0);
   Observe(trailing, 1.0, 165.0);
   EXPECT_EQ(trailing.flips(), 0);
-  EXPECT_EQ(trailing.Conclude(Verdict::kGivenUp, 0, {}).outcome, Outcome::kRecoveryLimit);
+  EXPECT_EQ(trailing.Conclude(Verdict::kGivenUp, 2, {}).outcome, Outcome::kRecoveryLimit);
+}
+
+TEST(Outcome, GivingUpAtOnceIsNoRecoveryLimit) {
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, At(1.0, -1.5, 0.1, 20.0), 1.0);
+  const auto gave_up = judge.Conclude(Verdict::kGivenUp, 0, {});
+  EXPECT_EQ(gave_up.outcome, Outcome::kGaveUp);
+  EXPECT_EQ(gave_up.note, "gave up without a recovery, tip 1500 mm before the mouth");
+  EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, 1, {}).note,
+            "gave up after 1 recovery, tip 1500 mm before the mouth");
+}
+
+TEST(Outcome, TipInTheConeIsSaidToBeBehindTheMouth) {
+  OutcomeJudge judge(Station(), {});
+  Hold(judge, At(50.0, 0.05, 0.02, 20.0), 1.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kUnderWay, 0, {}).note,
+            "time ran out, tip 50 mm behind the mouth");
+}
+
+TEST(Outcome, AFalseClaimNamesTheLimitsThatItMissed) {
+  const auto note = [](const Truth& truth, double seconds, const ShakeResult& shake) {
+    Truth turned = truth;
+    turned.X_DR.R = RotZ(kPi + Radians(5.3));
+    OutcomeJudge judge(Station(), {});
+    Hold(judge, turned, seconds);
+    return judge.Conclude(Verdict::kDocked, 0, shake).note;
+  };
+  const std::string yaw = ", heading 5.3 deg against the axis";
+  EXPECT_EQ(note(At(50.0, 0.189, 0.01, 50.0), 2.0, {}),
+            "claimed docked; tip 189 mm deep (held: at least 200 mm; docked: 265 mm)" + yaw);
+  EXPECT_EQ(note(At(50.0, 0.24, 0.01, 3.0), 2.0, {}),
+            "claimed docked; tip 240 mm deep" + yaw + ", tether at 3 N (taut: over 5 N)");
+  EXPECT_EQ(note(At(50.0, 0.24, 0.01, 50.0), 0.5, {}),
+            "claimed docked; tip 240 mm deep" + yaw + ", not at rest (within 1 mm for 1 s)");
+  EXPECT_EQ(note(At(50.0, 0.24, 0.01, 50.0), 2.0, {true, Radians(6.0), 0.02, 0.23}),
+            "claimed docked; tip 240 mm deep" + yaw +
+                ", shake turned it 6.0 deg (less than 4.5 deg)"
+                ", shake moved it 20.0 mm (less than 10 mm)");
 }
 
 TEST(Outcome, GivingUpInSightOfTheBoardIsTheRecoveryLimit) {

@@ -58,6 +58,14 @@ TEST(RaposaOutcome, PyramidOnItsSideEndsTheRunAndNamesIt) {
   EXPECT_EQ(judge.Conclude(Verdict::kUnderWay, {}).outcome, Outcome::kTippedPyramid);
 }
 
+TEST(RaposaOutcome, GivingUpWithoutASearchIsNoSearchLimit) {
+  OutcomeJudge judge{OutcomeLimits{}};
+  Hold(judge, At(1.0, 0.6, 0.03), 1.0);
+  EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, {}, true).outcome, Outcome::kSearchLimit);
+  EXPECT_EQ(judge.Conclude(Verdict::kGivenUp, {}, false).outcome, Outcome::kGaveUp);
+  EXPECT_EQ(judge.Conclude(Verdict::kUnderWay, {}, false).outcome, Outcome::kTimeout);
+}
+
 TEST(RaposaOutcome, FailureIsNamedByWhatTheTruthShows) {
   const auto outcome = [](const Truth& truth, Verdict verdict = Verdict::kUnderWay) {
     OutcomeJudge judge{OutcomeLimits{}};

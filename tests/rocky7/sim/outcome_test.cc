@@ -25,6 +25,16 @@ TEST(Rocky7Outcome, TheTruthDecidesNotTheClaim) {
   EXPECT_EQ(Of(Verdict::kUnderWay, 0.005, 0.0), Outcome::kTimeout);
 }
 
+TEST(Rocky7Outcome, GivingUpWithoutASightingIsSaidToBeThat) {
+  EndOfRun end;
+  end.claimed = Verdict::kGivenUp;
+  end.point_off_m = 1.5;
+  end.sighted = false;
+  const Judged judged = JudgeEnd(end, {});
+  EXPECT_EQ(judged.outcome, Outcome::kGaveUp);
+  EXPECT_EQ(judged.note, "gave up; the target was not sighted, the point 1500 mm off the target");
+}
+
 TEST(Rocky7Outcome, ARoverOnAStoneHasLeftTheModel) {
   EXPECT_EQ(Of(Verdict::kDocked, 0.001, 0.0, true), Outcome::kOnStone);
   EXPECT_EQ(Of(Verdict::kUnderWay, 1.0, 0.0, true), Outcome::kOnStone);
@@ -69,6 +79,8 @@ TEST(Rocky7Outcome, APlacementIsJudgedByItsContact) {
   EXPECT_EQ(of(Touched(0.021, 4.9, 9.9)), Outcome::kMisplaced);
   EXPECT_EQ(of(Touched(0.019, 5.1, 9.9)), Outcome::kTilted);
   EXPECT_EQ(of(Touched(0.019, 4.9, 10.1)), Outcome::kPressed);
+  EXPECT_EQ(JudgeEnd(Touched(0.019, 5.1, 9.9), limits).note,
+            "touched 19 mm off the target, 5.1 deg off its normal, by 9.9 N (at most 5.0 deg)");
   EndOfRun none = Touched(0.019, 4.9, 0.0);
   none.touched = false;
   EXPECT_EQ(of(none), Outcome::kFalsePlace);

@@ -73,6 +73,41 @@ export function tableHead(names, classOf = () => null) {
   return make('thead', null, make('tr', null, cells));
 }
 
+const STEPS = /** @type {Record<string, number>} */ ({
+  ArrowRight: 1,
+  ArrowDown: 1,
+  ArrowLeft: -1,
+  ArrowUp: -1,
+  Home: -Infinity,
+  End: Infinity,
+});
+
+/**
+ * Makes the buttons of a group one stop of the Tab key; arrow keys go from one to the next.
+ * @param {any} group @returns {any} the group
+ */
+export function oneStop(group) {
+  const buttons = () => [...group.querySelectorAll('button')];
+  /** @param {any} stop */
+  const mark = (stop) => {
+    for (const button of buttons()) button.tabIndex = button === stop ? 0 : -1;
+  };
+  mark(buttons()[0]);
+  group.addEventListener('focusin', (/** @type {FocusEvent} */ event) => {
+    if (buttons().includes(event.target)) mark(event.target);
+  });
+  group.addEventListener('keydown', (/** @type {KeyboardEvent} */ event) => {
+    const list = buttons(),
+      step = STEPS[event.key];
+    if (step === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
+    const place = list.indexOf(event.target) + step;
+    event.preventDefault();
+    event.stopPropagation();
+    list[Math.min(list.length - 1, Math.max(0, place))]?.focus();
+  });
+  return group;
+}
+
 /** The colour that the style sheet gives a name. @param {string} name */
 export function themeColour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();

@@ -18,6 +18,12 @@ export function number(value, digits = 4) {
   return sign(text.includes('.') ? text.replace(/\.?0+$/, '') : text);
 }
 
+/** A setting's text: a number with four digits, a word as it is. @param {string} text */
+export function setting(text) {
+  const value = Number(text);
+  return text.trim() === '' || Number.isNaN(value) || text.length < 6 ? text : number(value);
+}
+
 /** A fixed number of places. @param {number} value @param {number} places */
 export function fixed(value, places) {
   return Number.isNaN(value) ? '–' : sign(value.toFixed(places));

@@ -1,7 +1,7 @@
 // Starts the page: unpacks the data, builds the overview, opens runs.
 
 import { make } from './dom.js';
-import { overview, pageHead } from './overview.js';
+import { overview, pageHead, skipLink } from './overview.js';
 import { readPayload } from './payload.js';
 import { RunPanel } from './run_panel.js';
 import { RunsTable } from './runs_table.js';
@@ -29,6 +29,7 @@ function show({ header, blobs }) {
   const runs = new RunsTable(table, openRun);
   const panel = new RunPanel(header, blobs, table, runs);
   const head = pageHead(header);
+  if (table.rows > 1) head.prepend(skipLink(runs));
   const main = overview(header, table, runs, openRun);
   document.body.replaceChildren(head, main, panel.element);
   let scrolled_to = 0;

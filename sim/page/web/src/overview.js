@@ -2,6 +2,7 @@
 
 import { arms, acceptance } from './charts/arms.js';
 import { causes } from './charts/causes.js';
+import { curves } from './charts/curves.js';
 import { distributions } from './charts/distributions.js';
 import { extremes } from './charts/extremes.js';
 import { sensitivity } from './charts/sensitivity.js';
@@ -37,17 +38,37 @@ export function overview(header, table, runs, openRun) {
         { class: 'column' },
         headline(header),
         acceptance(header),
+        requirements(header),
         factors(header, table, showFilter),
       ),
       make('div', { class: 'column' }, causes(header, openRun, showFilter), starts(table, openRun)),
     ),
+    curves(header, table),
     arms(header),
+    runs.element,
     sensitivity(header),
     distributions(table),
     extremes(header, table, openRun),
-    runs.element,
     print_table,
     leftOut(header),
+  );
+}
+
+/** What became of the requirements on the results. @param {any} header */
+function requirements(header) {
+  const list = header.requirements ?? [];
+  if (list.length === 0) return null;
+  return card(
+    'requirements',
+    'Requirements',
+    null,
+    make(
+      'ul',
+      { class: 'requirements' },
+      list.map((/** @type {any} */ each) =>
+        make('li', { class: each.met ? 'docked' : 'failed' }, `${each.met ? '●' : '✕'} ${each.text}`),
+      ),
+    ),
   );
 }
 
@@ -64,6 +85,22 @@ function leftOut(header) {
       null,
       sentences.map((/** @type {string} */ text) => make('li', null, text)),
     ),
+  );
+}
+
+/** A first stop of the Tab key that leads past all figures. @param {import('./runs_table.js').RunsTable} runs */
+export function skipLink(runs) {
+  return make(
+    'button',
+    {
+      type: 'button',
+      class: 'skip no-print',
+      onclick: () => {
+        runs.element.scrollIntoView({ block: 'start' });
+        runs.window.focus({ preventScroll: true });
+      },
+    },
+    'To the table of runs',
   );
 }
 

@@ -19,11 +19,8 @@ export class RunPanel {
     this.replays = new Map((header.replays ?? []).map((/** @type {any} */ r) => [r.run, r]));
     /** @type {Player | null} */
     this.player = null;
-    this.element = make('main', {
-      id: 'run',
-      hidden: true,
-      onkeydown: (/** @type {KeyboardEvent} */ e) => this.key(e),
-    });
+    this.element = make('main', { id: 'run', hidden: true, onclick: leaveButton });
+    document.addEventListener('keydown', (e) => this.key(e)); // wherever the focus is
   }
 
   /** @param {number} row */
@@ -160,7 +157,7 @@ export class RunPanel {
               make('dt', null, plainName(column.name, column.unit)),
               make(
                 'dd',
-                null,
+                { class: column.dictionary ? null : 'number' },
                 text || '–',
                 unit && text !== '–' && make('span', { class: 'unit' }, ` ${unit}`),
               ),
@@ -173,8 +170,9 @@ export class RunPanel {
     );
   }
 
-  /** @param {KeyboardEvent} event */
+  /** Keys of the run's view, but for those of a field or of a button that has the focus. @param {KeyboardEvent} event */
   key(event) {
+    if (this.element.hidden || event.defaultPrevented) return;
     const target = /** @type {HTMLElement} */ (event.target);
     if (event.key === 'Escape' && this.header.campaign) location.hash = '';
     else if (
@@ -187,6 +185,12 @@ export class RunPanel {
   frame() {
     return this.player ? { run: this.run, ...this.player.frame() } : null;
   }
+}
+
+/** A button that the mouse has pressed gives the focus back, so that Space plays. @param {MouseEvent} event */
+function leaveButton(event) {
+  const button = /** @type {HTMLElement} */ (event.target).closest('button');
+  if (event.detail > 0) button?.blur();
 }
 
 /** @param {any} header @param {number} run */

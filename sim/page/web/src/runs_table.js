@@ -1,6 +1,6 @@
 // The table of runs: a few recycled rows in a window that scrolls over all of them.
 
-import { card, make } from './dom.js';
+import { card, make, oneStop } from './dom.js';
 import { filterRows } from './filter.js';
 import { group, plainName } from './format.js';
 import { allRows, sortRows } from './order.js';
@@ -48,7 +48,7 @@ export class RunsTable {
     this.grid = make(
       'table',
       { class: 'runs', role: 'grid', 'aria-label': 'Runs', 'aria-rowcount': this.table.rows + 1 },
-      make('thead', null, make('tr', { 'aria-rowindex': '1' }, this.heads)),
+      make('thead', null, oneStop(make('tr', { 'aria-rowindex': '1' }, this.heads))),
       make('tbody', null, this.lines),
     );
     this.spacer = make('div', { class: 'spacer' }, this.grid);

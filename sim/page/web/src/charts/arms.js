@@ -52,7 +52,7 @@ export function arms(header) {
         ],
       }),
     ),
-    make(
+    make('div', { class: 'scroll' }, make(
       'table',
       { class: 'plain' },
       tableHead(['Arms', 'Both', 'Only first', 'Only second', 'Neither', 'Difference', 'Exact p', 'Mid-p']),
@@ -75,7 +75,7 @@ export function arms(header) {
           ),
         ),
       ),
-    ),
+    )),
   );
 }
 

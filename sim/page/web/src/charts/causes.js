@@ -1,6 +1,6 @@
 // Failures by cause.
 
-import { card, make, tableHead } from '../dom.js';
+import { card, make, oneStop, tableHead } from '../dom.js';
 import { group } from '../format.js';
 
 /**
@@ -52,7 +52,7 @@ export function causes(header, openRun, showFilter) {
               make('div', { class: 'bar', style: `width:${(70 * cause.count) / most}%` }),
               make('span', null, group(cause.count)),
             ),
-            make(
+            oneStop(make(
               'td',
               { class: 'run-links' },
               (cause.runs ?? []).slice(0, 6).map((/** @type {number} */ run) =>
@@ -68,7 +68,7 @@ export function causes(header, openRun, showFilter) {
                 ),
               ),
               cause.count > Math.min(6, (cause.runs ?? []).length) && make('span', { class: 'quiet' }, '…'),
-            ),
+            )),
           ),
         ),
       ),

@@ -1,6 +1,6 @@
 // The slowest runs, and the runs with the largest value of a measure.
 
-import { card, make, outcomeMark, tableHead } from '../dom.js';
+import { card, make, oneStop, outcomeMark, tableHead } from '../dom.js';
 import { axisName } from '../format.js';
 
 const SHOWN = 8;
@@ -73,8 +73,10 @@ function chooser(table, columns, name, largest, openRun) {
         );
       }),
     );
+    for (const [i, button] of body.querySelectorAll('button').entries()) button.tabIndex = i === 0 ? 0 : -1;
   }
   fill();
+  oneStop(body);
   return make(
     'div',
     { class: 'extreme' },

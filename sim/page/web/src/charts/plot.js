@@ -7,6 +7,7 @@ export {
   frame,
   gridX,
   gridY,
+  line,
   plot,
   pointer,
   rectY,

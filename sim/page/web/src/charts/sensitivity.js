@@ -23,11 +23,17 @@ export function sensitivity(header) {
         'div',
         null,
         arm.arm && make('h3', null, `Arm ${arm.arm}`),
-        make('div', { class: 'pair' }, strengths(arm), directions(arm)),
-        levels(arm),
+        ...(hasStrength(arm)
+          ? [make('div', { class: 'pair' }, strengths(arm), directions(arm)), levels(arm)]
+          : [make('p', null, 'All runs ended alike, or are too few: success does not vary with any draw.')]),
       ),
     ),
   );
+}
+
+/** @param {any} arm */
+function hasStrength(arm) {
+  return arm.draws.some((/** @type {any} */ draw) => typeof draw.eta === 'number');
 }
 
 /** The strongest draws. @param {any} arm */

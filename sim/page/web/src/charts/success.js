@@ -1,8 +1,8 @@
 // Success with its exact intervals, over all runs and by every factor. All intervals come with the data.
 
 import * as Plot from './plot.js';
-import { card, make } from '../dom.js';
-import { group, interval, percent } from '../format.js';
+import { card, make, oneStop } from '../dom.js';
+import { group, interval, percent, setting } from '../format.js';
 
 const MARGIN_LEFT = 150;
 const MARGIN_RIGHT = 150;
@@ -61,17 +61,24 @@ export function factors(header, table, showFilter) {
   return card(
     'factors',
     'Success by factor',
-    'Share of runs that docked, with its exact 95 % interval. The line marks all runs.',
+    `Share of runs that docked, with its exact 95 % interval. The broken line marks all runs${aims(header).length > 0 ? ', the green line the aim' : ''}.`,
     ...groups.map((/** @type {any} */ g) =>
-      factor(g, header.totals, table.byName.has(g.label) ? showFilter : null),
+      factor(g, header, table.byName.has(g.label) ? showFilter : null),
     ),
   );
 }
 
-/** @param {any} factor_group @param {any} totals @param {((filter: string) => void) | null} showFilter */
-function factor(factor_group, totals, showFilter) {
+/** Limits that success is held against: `{text, share}`. @param {any} header @returns {any[]} */
+export function aims(header) {
+  return header.aims ?? [];
+}
+
+/** @param {any} factor_group @param {any} header @param {((filter: string) => void) | null} showFilter */
+function factor(factor_group, header, showFilter) {
+  const { totals } = header;
   const rows = factor_group.values.map((/** @type {any} */ v) => ({
     value: String(v.value),
+    name: shorten(setting(String(v.value))),
     share: v.runs > 0 ? v.docked / v.runs : NaN,
     low: v.interval?.[0],
     high: v.interval?.[1],
@@ -97,11 +104,15 @@ function factor(factor_group, totals, showFilter) {
       label: null,
       padding: 0.3,
       tickSize: 0,
-      tickFormat: shorten,
+      tickFormat: (/** @type {string} */ value) => shorten(setting(value)),
     },
     marks: [
       Plot.gridX({ ticks: 5, strokeOpacity: 0.12 }),
       Plot.ruleX([totals.docked / totals.runs], { stroke: 'var(--quiet)', strokeDasharray: '3,3' }),
+      Plot.ruleX(
+        aims(header).map((aim) => aim.share),
+        { stroke: 'var(--plan)', strokeWidth: 1.5 },
+      ),
       Plot.ruleY(
         rows.filter((/** @type {any} */ r) => r.low !== undefined),
         { x1: 'low', x2: 'high', y: 'value', stroke: 'var(--docked)', strokeWidth: 5, strokeOpacity: 0.35 },
@@ -128,7 +139,7 @@ function factor(factor_group, totals, showFilter) {
             type: 'button',
             onclick: () => showFilter(`${factor_group.label}="${r.value}"`),
           },
-          shorten(r.value),
+          r.name,
         ),
       );
   return make(
@@ -136,7 +147,7 @@ function factor(factor_group, totals, showFilter) {
     null,
     make('figcaption', null, factor_group.label),
     plot,
-    buttons.length > 0 && make('p', { class: 'row-links no-print' }, 'Runs with: ', ...buttons),
+    buttons.length > 0 && oneStop(make('p', { class: 'row-links no-print' }, 'Runs with: ', ...buttons)),
   );
 }
 

@@ -77,7 +77,8 @@ export class PlanView {
     this.stroke(tracks.trail('truth', time).points, TRUTH, 2, []);
     this.stroke(tracks.trail('believed', time).points, BELIEF, 2, [7, 5]);
     for (const [body, pose] of this.poses)
-      this.drawBody(body, pose, tracks.scene.bodies[body].robot ? TRUTH : INK, true);
+      if (!tracks.scene.bodies[body].leaves)
+        this.drawBody(body, pose, tracks.scene.bodies[body].robot ? TRUTH : INK, true);
     for (const [body, pose] of tracks.ghost(time) ?? []) this.drawBody(body, pose, BELIEF, false);
     for (const line of tracks.lines) this.stroke(tracks.linePoints(line, time), '#111', 2, []);
   }
@@ -198,6 +199,10 @@ export class PlanView {
   }
 
   dispose() {}
+
+  framed() {
+    return null;
+  }
 
   drawn() {
     return Object.fromEntries(

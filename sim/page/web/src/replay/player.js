@@ -180,6 +180,7 @@ export class Player {
       poses: this.view.drawn(),
       solid: this.view instanceof View3d,
       frame_ms: this.frame_ms,
+      framed: this.view.framed(),
     };
   }
 
@@ -199,6 +200,8 @@ function viewLegend(tracks) {
     tracks.truth && make('span', { class: 'truth-key' }, 'true'),
     tracks.believed && make('span', { class: 'belief-key' }, 'believed'),
     tracks.plans.length > 0 && make('span', { class: 'plan-key' }, 'plan'),
+    tracks.scene.bodies.some((/** @type {any} */ b) => b.leaves) &&
+      make('span', { class: 'leaf-key' }, 'leaves that throw the speckled shade'),
   );
 }
 

@@ -14,7 +14,11 @@ export class Scalars {
     this.tracks = tracks;
     this.goTo = goTo;
     this.times = Float64Array.from({ length: tracks.samples }, (_, k) => tracks.timeOf(k));
-    this.panels = panelsOf(tracks.replay.scalars ?? []).map((panel) => this.makePanel(panel));
+    const scalars = (tracks.replay.scalars ?? []).map((/** @type {any} */ scalar) => ({
+      ...scalar,
+      values: readChannel(tracks.blobs, scalar.channel, tracks.samples),
+    }));
+    this.panels = panelsOf(scalars.filter(hasValues)).map((panel) => this.makePanel(panel));
     this.element = make(
       'section',
       { class: 'scalars', 'aria-label': 'Numbers over time' },
@@ -28,7 +32,7 @@ export class Scalars {
   makePanel(panel) {
     const factor = shownFactor(panel.unit);
     const series = panel.scalars.map((/** @type {any} */ scalar) =>
-      readChannel(this.tracks.blobs, scalar.channel, this.tracks.samples).map((v) => v * factor),
+      scalar.values.map((/** @type {number} */ v) => v * factor),
     );
     const values = panel.scalars.map(() => make('b'));
     const legend = make(
@@ -134,6 +138,11 @@ function panelsOf(scalars) {
     panels.get(key).scalars.push(scalar);
   }
   return [...panels.values()];
+}
+
+/** Whether there is anything to draw. @param {any} scalar */
+function hasValues(scalar) {
+  return scalar.values.some((/** @type {number} */ v) => !Number.isNaN(v));
 }
 
 /** @param {Float64Array} values */

@@ -9,7 +9,7 @@ export class Sightings {
   /** @param {import('./tracks.js').Tracks} tracks @param {(time: number) => void} goTo */
   constructor(tracks, goTo) {
     this.tracks = tracks;
-    this.list = tracks.sightings;
+    this.list = [...tracks.sightings, ...tracks.images].sort((a, b) => a.sample - b.sample);
     this.shown = -2;
     /** @type {Map<string, Promise<ImageBitmap>>} */
     this.images = new Map();
@@ -20,6 +20,7 @@ export class Sightings {
       const next = Math.min(this.list.length - 1, Math.max(0, this.shown + step));
       goTo(tracks.timeOf(this.list[next].sample));
     };
+    const what = tracks.sightings.length > 0 ? 'Sighting' : 'Image';
     this.element = make(
       'section',
       { class: 'sightings', 'aria-label': 'Sightings' },
@@ -27,12 +28,13 @@ export class Sightings {
         'div',
         { class: 'sighting-row' },
         make('h2', null, 'Cameras'),
-        make('button', { type: 'button', 'aria-label': 'Sighting before', onclick: () => jump(-1) }, '‹'),
-        make('button', { type: 'button', 'aria-label': 'Next sighting', onclick: () => jump(1) }, '›'),
+        make('button', { type: 'button', 'aria-label': `${what} before`, onclick: () => jump(-1) }, '‹'),
+        make('button', { type: 'button', 'aria-label': `Next ${what.toLowerCase()}`, onclick: () => jump(1) }, '›'),
       ),
       this.head,
       this.figures,
       this.facts,
+      make('p', { class: 'note' }, howMany(tracks)),
     );
     if (this.list.length === 0) this.element.hidden = true;
   }
@@ -43,22 +45,13 @@ export class Sightings {
     if (at === this.shown || this.list.length === 0) return;
     this.shown = at;
     if (at < 0) {
-      this.head.textContent = 'No sighting yet.';
+      this.head.textContent = this.tracks.sightings.length > 0 ? 'No sighting yet.' : 'No image yet.';
       this.facts.textContent = '';
       this.figures.replaceChildren();
       return;
     }
     const sighting = this.list[at];
-    const when = this.tracks.timeOf(sighting.sample);
-    this.head.replaceChildren(
-      `Sighting ${at + 1} of ${this.list.length}, ${when.toFixed(1)} s: `,
-      make(
-        'span',
-        { class: sighting.accepted ? 'docked' : 'failed' },
-        sighting.accepted ? '● accepted' : '✕ not accepted',
-      ),
-      sighting.accepted ? (sighting.method ? ` (${sighting.method})` : '') : `: ${sighting.reason}`,
-    );
+    this.head.replaceChildren(...this.headOf(sighting));
     this.facts.textContent = sightingFacts(sighting);
     this.figures.replaceChildren(
       ...(sighting.cameras ?? []).map((/** @type {any} */ camera, /** @type {number} */ i) =>
@@ -67,13 +60,30 @@ export class Sightings {
     );
   }
 
+  /** Number, time and verdict. @param {any} sighting */
+  headOf(sighting) {
+    const { sightings, images } = this.tracks;
+    const of = sightings.includes(sighting) ? sightings : images;
+    const when = `${of.indexOf(sighting) + 1} of ${of.length}, ${this.tracks.timeOf(sighting.sample).toFixed(1)} s`;
+    if (of === images) return [`Images ${when}: `, make('span', { class: 'quiet' }, 'no sighting reported')];
+    return [
+      `Sighting ${when}: `,
+      make(
+        'span',
+        { class: sighting.accepted ? 'docked' : 'failed' },
+        sighting.accepted ? '● accepted' : '✕ not accepted',
+      ),
+      sighting.accepted ? (sighting.method ? ` (${sighting.method})` : '') : `: ${sighting.reason}`,
+    ];
+  }
+
   /** @param {any} camera @param {string} key */
   figure(camera, key) {
     const canvas = make('canvas', {
       width: camera.width,
       height: camera.height,
       role: 'img',
-      'aria-label': `Image of the ${camera.name} camera with ${marks((camera.marks ?? []).length)}`,
+      'aria-label': `Image of the ${camera.name} camera${camera.marks ? ` with ${marks(camera.marks.length)}` : ''}`,
     });
     const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
     context.fillStyle = '#777';
@@ -92,7 +102,7 @@ export class Sightings {
       'figure',
       null,
       canvas,
-      make('figcaption', null, `${camera.name}: ${marks(measured)} measured`),
+      make('figcaption', null, camera.marks ? `${camera.name}: ${marks(measured)} measured` : camera.name),
     );
   }
 
@@ -129,6 +139,16 @@ function drawMarks(context, camera) {
     if (measured) context.fillRect(x - unit, y - unit, 2 * unit, 2 * unit);
     context.fillText(String(id), x + 8 * unit, y - 6 * unit);
   }
+}
+
+/** How many of the log's images without a sighting are here. @param {import('./tracks.js').Tracks} tracks */
+function howMany(tracks) {
+  const images = tracks.replay.images;
+  if (!images) return null;
+  const all = images.taken === images.shown.length;
+  return all
+    ? `The images of all ${images.taken} times without a sighting are shown.`
+    : `Images without a sighting: ${images.shown.length} of ${images.taken} times are shown; dockyard frames writes all.`;
 }
 
 /** @param {number} count */

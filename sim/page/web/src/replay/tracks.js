@@ -28,6 +28,7 @@ export class Tracks {
     this.lines = (replay.lines ?? []).map((/** @type {any} */ line) => readLine(line, blobs, this.samples));
     this.plans = replay.plans ?? [];
     this.sightings = replay.sightings ?? [];
+    this.images = replay.images?.shown ?? []; // without a sighting
     this.phases = replay.phases ?? [];
     this.ground = replay.ground ?? null;
   }
@@ -174,7 +175,7 @@ export class Tracks {
     return now.map((p, i) => p.map((v, axis) => v + share * (next[i][axis] - v)));
   }
 
-  /** Box of all that moves and the target, in W: [x0, y0, x1, y1]. */
+  /** Box of robot and target over the run, in W: [x0, y0, x1, y1]. */
   extent() {
     const box = [Infinity, Infinity, -Infinity, -Infinity];
     const take = (/** @type {number} */ x, /** @type {number} */ y) => {
@@ -184,7 +185,8 @@ export class Tracks {
       box[2] = Math.max(box[2], x);
       box[3] = Math.max(box[3], y);
     };
-    for (const { pose, track } of this.bodies) {
+    for (const { body, pose, track } of this.bodies) {
+      if (this.scene.bodies[body].about) continue;
       if (!track) take(pose[0], pose[1]);
       else for (let k = 0; k < this.samples; k += 5) take(track[0][k], track[1][k]);
     }

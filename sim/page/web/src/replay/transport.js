@@ -27,12 +27,20 @@ export class Transport {
     });
     this.readout = make('output', { class: 'time' });
     this.phase = make('span', { class: 'phase' });
+    let by_pointer = false;
     const speeds = make(
       'select',
       {
         'aria-label': 'Speed',
         onchange: () => {
           clock.speed = Number(speeds.value);
+          if (by_pointer) speeds.blur(); // Space plays again
+        },
+        onpointerdown: () => {
+          by_pointer = true;
+        },
+        onkeydown: () => {
+          by_pointer = false;
         },
       },
       SPEEDS.map((s) => make('option', { value: String(s), selected: s === clock.speed }, `${s} ×`)),
@@ -119,6 +127,17 @@ function sightingStrip(tracks) {
   return make(
     'div',
     { class: 'sighting-strip', 'aria-hidden': 'true' },
+    tracks.images.map((/** @type {any} */ s) =>
+      make(
+        'span',
+        {
+          class: 'quiet',
+          style: `left:${(100 * tracks.timeOf(s.sample)) / (tracks.end_s || 1)}%`,
+          title: 'images',
+        },
+        '▪',
+      ),
+    ),
     tracks.sightings.map((/** @type {any} */ s) =>
       make(
         'span',

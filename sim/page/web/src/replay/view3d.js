@@ -1,12 +1,9 @@
 // The replay in three dimensions.
 
 import {
-  AmbientLight,
   Color,
-  DirectionalLight,
   Fog,
   Group,
-  HemisphereLight,
   LineBasicMaterial,
   LineDashedMaterial,
   PerspectiveCamera,
@@ -15,12 +12,15 @@ import {
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { cornersOf, firstView } from './first_view.js';
 import { makeGround } from './ground3d.js';
 import { makeBody, makeBoard, TubeLine } from './parts3d.js';
 import { compose } from './poses.js';
+import { addLight } from './light3d.js';
+import { HORIZON, makeSky } from './sky3d.js';
 import { lay, makeLine, makeTrail } from './trails3d.js';
 
-const SKY = 0xdfe5ea;
+const FOV_DEG = 38;
 const TRUTH = 0x1f5fa8;
 const BELIEF = 0xd9780f;
 const PLAN = 0x1c8a5a;
@@ -50,54 +50,31 @@ export class View3d {
     this.renderer.setPixelRatio(drawn_in_software ? 1 : Math.min(2, window.devicePixelRatio));
     this.renderer.shadowMap.enabled = !drawn_in_software;
     this.scene = new Scene();
-    this.scene.background = new Color(SKY);
-    this.scene.fog = new Fog(SKY, 14, 45);
-    this.camera = new PerspectiveCamera(38, 16 / 9, 0.05, 200);
+    this.scene.background = new Color(HORIZON);
+    this.scene.fog = new Fog(HORIZON, 14, 90);
+    this.sky = makeSky();
+    this.scene.add(this.sky);
+    this.camera = new PerspectiveCamera(FOV_DEG, 16 / 9, 0.05, 2000);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.maxPolarAngle = 1.53;
+    this.controls.maxDistance = 150;
     this.controls.addEventListener('change', () => this.render());
+    this.controls.addEventListener('start', () => {
+      this.moved = true;
+    });
+    this.moved = false; // by the user: then a new size does not move it
     this.following = false;
     this.time = 0;
-    this.addLight();
-    this.addParts(header, blobs);
+    addLight(this.scene, tracks);
+    this.addParts(header, blobs, drawn_in_software ? 2 : 8);
+    this.corners = cornersOf(tracks, this.bodies);
+    this.draw(0);
     this.reset();
   }
 
-  addLight() {
-    const sun = new DirectionalLight(0xfff4e2, 2.6);
-    const [x, y, z] = this.tracks.scene.sun_W ?? [0.4, -0.5, 0.8];
-    sun.position.set(x, y, Math.max(0.25, z)).multiplyScalar(20);
-    this.castShadows(sun);
-    this.scene.add(
-      sun,
-      sun.target,
-      new HemisphereLight(0xcfdcec, 0x8d7d68, 1.3),
-      new AmbientLight(0xffffff, 0.25),
-    );
-  }
-
-  /** The sun's shadows cover all that moves. @param {DirectionalLight} sun */
-  castShadows(sun) {
-    const [x0, y0, x1, y1] = this.tracks.extent();
-    const reach = Math.hypot(x1 - x0, y1 - y0) / 2 + 1.5;
-    sun.target.position.set((x0 + x1) / 2, (y0 + y1) / 2, 0);
-    sun.position.add(sun.target.position);
-    sun.castShadow = true;
-    sun.shadow.mapSize.set(2048, 2048);
-    sun.shadow.normalBias = 0.01;
-    Object.assign(sun.shadow.camera, {
-      left: -reach,
-      right: reach,
-      top: reach,
-      bottom: -reach,
-      near: 1,
-      far: 40,
-    });
-  }
-
-  /** @param {any} header @param {import('../payload.js').Blobs} blobs */
-  addParts(header, blobs) {
+  /** @param {any} header @param {import('../payload.js').Blobs} blobs @param {number} sharpness of the ground */
+  addParts(header, blobs, sharpness) {
     const { tracks, scene } = this;
     this.bodies = new Map();
     this.ghosts = new Map();
@@ -115,8 +92,11 @@ export class View3d {
     }
     this.robot = tracks.bodies.find((/** @type {any} */ b) => tracks.scene.bodies[b.body].robot)?.body;
     this.lines = tracks.lines.map((/** @type {any} */ line) => new TubeLine(line));
-    scene.add(...this.lines.map((/** @type {any} */ line) => line.mesh));
-    this.ground = makeGround(tracks.ground, blobs, tracks.extent());
+    for (const line of this.lines) scene.add(line.mesh);
+    this.ground = makeGround(tracks.ground, blobs, tracks.extent(), {
+      colour: tracks.scene.ground,
+      sharpness,
+    });
     scene.add(this.ground.group);
     const { ground } = this;
     this.truth = makeTrail(tracks, ground, 'truth', new LineBasicMaterial({ color: TRUTH }), 0.012);
@@ -134,26 +114,27 @@ export class View3d {
     scene.add(this.overlay);
   }
 
-  /** The camera where it sees the whole way from the side. */
+  /** The camera where it sees robot and target, over the whole run. */
   reset() {
-    const [x0, y0, x1, y1] = this.tracks.extent();
-    const centre = new Vector3((x0 + x1) / 2, (y0 + y1) / 2, 0.25);
-    const size = Math.hypot(x1 - x0, y1 - y0) + 0.9; // the robot reaches beyond its way
-    const target = this.tracks.X_WD;
-    const side = target[2] - 1.05; // from beside the axis, in front of the target
-    this.controls.target.copy(centre);
-    this.camera.position.set(
-      centre.x + Math.cos(side) * size * 1.15,
-      centre.y + Math.sin(side) * size * 1.15,
-      0.25 + size * 0.62,
-    );
-    this.controls.update();
+    this.moved = false;
+    this.aim();
     this.render();
+  }
+
+  aim() {
+    if (this.corners.length === 0) return;
+    const { from, centre, distance } = firstView(this.tracks, this.corners, FOV_DEG, this.camera.aspect);
+    this.controls.target.copy(centre);
+    this.camera.position.copy(from);
+    const fog = /** @type {Fog} */ (this.scene.fog);
+    fog.near = 1.5 * distance + 5;
+    fog.far = 8 * distance + 60;
+    this.controls.update();
   }
 
   /** @param {boolean} following */
   follow(following) {
-    this.following = following;
+    this.following = this.moved = following;
     if (following && this.robot !== undefined) this.moveCamera(this.bodies.get(this.robot).position);
     this.render();
   }
@@ -203,6 +184,7 @@ export class View3d {
   }
 
   render() {
+    this.sky.position.copy(this.camera.position);
     this.renderer.render(this.scene, this.camera);
   }
 
@@ -211,6 +193,7 @@ export class View3d {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (!this.moved) this.aim();
     this.render();
   }
 
@@ -219,6 +202,20 @@ export class View3d {
     this.scene.traverse((/** @type {any} */ part) => part.geometry?.dispose());
     this.renderer.dispose();
     this.renderer.forceContextLoss();
+  }
+
+  /** Ends of robot and target in the image, -1 to 1 across and upwards: [u0, v0, u1, v1]. */
+  framed() {
+    this.camera.updateMatrixWorld();
+    const ends = [Infinity, Infinity, -Infinity, -Infinity];
+    for (const corner of this.corners) {
+      const { x, y } = corner.clone().project(this.camera);
+      ends[0] = Math.min(ends[0], x);
+      ends[1] = Math.min(ends[1], y);
+      ends[2] = Math.max(ends[2], x);
+      ends[3] = Math.max(ends[3], y);
+    }
+    return ends;
   }
 
   /** Where a body is drawn. @returns {Record<string, number[]>} */

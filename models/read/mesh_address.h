@@ -1,0 +1,41 @@
+// The addresses of meshes in a URDF file: paths beside it, and package:// as ROS writes it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dockyard {
+
+/// Folders of ROS packages by name, given by the user.
+using PackageFolders = std::map<std::string, std::string>;
+
+/// Finds the files that one URDF file names. None lies outside the folder of that file, or, where a
+/// package.xml stands in it or above, outside its package; the files of a package:// lie in that
+/// package. Symbolic links are followed for that.
+class MeshAddresses {
+ public:
+  MeshAddresses(std::string urdf_file, PackageFolders packages);
+
+  /// Throws ConfigError that begins with `place`: an address of another kind, a package that is not
+  /// found (with the folders that were searched), a path that leads out, a file that is not there.
+  std::filesystem::path Resolve(const std::string& address, const std::string& place);
+
+ private:
+  /// The folder of a package: as given by the user, else one whose package.xml has that name. It is
+  /// searched for above the URDF file, then in and beside the file's own package, two folders deep.
+  std::filesystem::path FolderOf(const std::string& package, const std::string& place);
+  void FindOwnPackages();
+
+  std::string urdf_file_;
+  std::filesystem::path root_;                // what relative paths must stay in
+  std::vector<std::filesystem::path> above_;  // packages that the file lies in, the nearest first
+  PackageFolders packages_;
+};
+
+/// The name in a package.xml of that folder, of a Gazebo model the folder's own name; empty for any
+/// other folder.
+std::string PackageNameOf(const std::filesystem::path& folder);
+
+}  // namespace dockyard

@@ -1,0 +1,24 @@
+// Lenses with focal lengths and a principal point, under our own keys.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "controller/geometry/lens.h"
+#include "models/read/yaml_reader.h"
+
+namespace dockyard {
+
+/// xi of the double sphere, and the angle of the field-of-view lens.
+inline constexpr Range kXiOfSpheres{-1.0, 1.0, true};
+inline constexpr Range kWidthOfFov_rad = Positive(3.14);
+
+/// The values of `model`: kannala_brandt, brown, ...
+std::vector<std::string> FocalModelNames();
+bool IsFocalModel(const std::string& model);
+/// The keys of the lens of that model; IsFocalModel must hold.
+std::vector<std::string> FocalModelKeys(const std::string& model);
+/// Throws ConfigError; IsFocalModel must hold.
+Lens ReadFocalLens(const YamlReader& in, const std::string& model);
+
+}  // namespace dockyard

@@ -1,0 +1,29 @@
+// Answers of the command detect on one image or a pair: JSON, and lines for people.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "controller/io/belief.h"
+#include "sim/base/json.h"
+
+namespace dockyard {
+
+struct DetectAnswer {
+  SightingReport report;
+  std::string detail;  // more about why there is no board; empty: nothing
+  std::string pipeline;
+  std::size_t board_discs = 0;  // on the board
+  std::vector<std::string> warnings{};
+};
+
+/// Discs of the board that were measured, in all images.
+std::size_t NamedDiscs(const SightingReport& report);
+
+/// "43 of the board's 44 discs", or before they have names "116 discs in the image".
+std::string DiscsText(const SightingReport& report, std::size_t board_discs);
+
+Json DetectJson(const DetectAnswer& answer);
+void PrintDetectText(const DetectAnswer& answer);
+
+}  // namespace dockyard
