@@ -9,7 +9,7 @@
 namespace dockyard {
 namespace {
 
-std::string SizeText(const Camera& camera) {
+std::string PixelsText(const Camera& camera) {
   return std::to_string(camera.width) + " x " + std::to_string(camera.height) + " px";
 }
 
@@ -62,7 +62,7 @@ FileCheck CheckFirst(const std::string& kind, const std::vector<PlacedCamera>& c
   const Camera& first = cameras[0].camera;
   FileCheck check{kind, std::to_string(cameras.size()) +
                             (cameras.size() == 1 ? " camera, " : " cameras, the first of ") +
-                            SizeText(first) + ", " +
+                            PixelsText(first) + ", " +
                             NumberText(std::round(10.0 * first.focal_px().x()) / 10.0) + " px/rad"};
   for (const PlacedCamera& placed : cameras) WarnOfRayless(placed.name, placed.camera, check);
   return check;
@@ -80,7 +80,7 @@ FileCheck CheckCameras(const std::string& file) {
 FileCheck CheckRig(const std::string& file) {
   const StereoRig rig = LoadRig(file, 0, 0, Rays::kMasked);
   const Eigen::Vector3d p_LQ = Inverse(rig.X_RL) * rig.X_RQ.p;
-  FileCheck check{"rig", SizeText(rig.left) + ", baseline " +
+  FileCheck check{"rig", PixelsText(rig.left) + ", baseline " +
                              NumberText(std::round(1e4 * rig.baseline_m()) / 1e4) +
                              " m, right camera " + SideOf(p_LQ)};
   WarnOfRayless("left", rig.left, check);

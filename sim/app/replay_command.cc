@@ -75,7 +75,7 @@ void ReportEnvironment(const std::filesystem::path& dir) {
 struct ReplayAnswer {
   bool as_json = false;
   Json json = Json::object();
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = {};
 
   void Say(const std::string& line) const {
     if (!as_json) std::printf("%s\n", line.c_str());
@@ -190,7 +190,7 @@ int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept,
   const std::string film = "ffmpeg -framerate " + NumberText(1.0 / arguments.period_s) + " -i " +
                            ShellWord((dir / "frame_%05d.png").string()) + " -pix_fmt yuv420p " +
                            ShellWord((dir / "film.mp4").string());
-  ReplayAnswer answer{arguments.json};
+  ReplayAnswer answer{.as_json = arguments.json};
   answer.Say(film);
   answer.json = {{"folder", dir.string()}, {"frames", frames}, {"film", film}};
   answer.Print();
@@ -214,7 +214,7 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
   arguments.commands.Fill(options);
   const RunRecord now = Simulate(system, kept.run, options);
-  ReplayAnswer answer{arguments.json};
+  ReplayAnswer answer{.as_json = arguments.json};
   const bool same_row = ReportRow(*kept.result, now.result, kept.columns, answer);
   if (!same_row && arguments.run) ReportEnvironment(arguments.dir);
   if (!std::filesystem::exists(kept.log_dir / kRunLogFile)) {

@@ -36,7 +36,7 @@ std::optional<Disparities> FromPfm(const std::string& bytes) {
   return Disparities{image->width, image->height, std::move(image->pixels)};
 }
 
-std::string SizeText(int width, int height) {
+std::string PixelsText(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height) + " px";
 }
 
@@ -52,7 +52,7 @@ Disparities LoadTruth(const std::string& file, int width, int height) {
   }
   if (truth->width != width || truth->height != height) {
     throw ConfigError(file + ": expected the size of the left rectified image, " +
-                      SizeText(width, height) + ", found " + SizeText(truth->width, truth->height));
+                      PixelsText(width, height) + ", found " + PixelsText(truth->width, truth->height));
   }
   for (float& px : truth->px) {
     if (!(px > 0.0F) || std::isinf(px)) px = std::numeric_limits<float>::quiet_NaN();
