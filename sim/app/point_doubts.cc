@@ -26,7 +26,7 @@ Mistake Exchanged(Points points) {
 }
 
 /// A body in one plane is the same mirrored, seen from behind.
-Mistake Mirrored(Points points) {
+Mistake MirroredBody(Points points) {
   for (PointPixel& point : points) point.p_B.x() = -point.p_B.x();
   return {std::move(points),
           "with x turned round (mirrored) the points agree: are the body's axes left-handed?"};
@@ -55,7 +55,7 @@ std::vector<Mistake> Mistakes(const Points& points, const StereoRig& rig) {
   const auto right = std::count_if(points.begin(), points.end(), in_right);
   const bool both = right > 0 && right < static_cast<long>(points.size());
   if (both) mistakes.push_back(Exchanged(points));
-  mistakes.push_back(Mirrored(points));
+  mistakes.push_back(MirroredBody(points));
   for (const double factor : {2.0, 0.5, 1.5, 2.0 / 3.0, 4.0, 0.25, 3.0, 1.0 / 3.0}) {
     if (auto scaled = Scaled(points, rig, factor)) mistakes.push_back(std::move(*scaled));
   }
