@@ -13,9 +13,10 @@
 namespace dockyard {
 
 struct OutsideOptions {
-  int width = 960, height = 540;          // [px]
-  std::optional<Eigen::Vector3d> from_D;  // of the camera; none: where it sees all (SpectatorPose)
-  std::optional<Aim> at;                  // none: robot and target
+  int width = 960, height = 540;  // [px]
+  std::optional<Eigen::Vector3d>
+      from_D{};             // of the camera; none: where it sees all (SpectatorPose)
+  std::optional<Aim> at{};  // none: robot and target
 };
 
 /// One camera that does not move, with one exposure for all images. With `at` it turns so that the
