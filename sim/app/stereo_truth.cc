@@ -52,7 +52,8 @@ Disparities LoadTruth(const std::string& file, int width, int height) {
   }
   if (truth->width != width || truth->height != height) {
     throw ConfigError(file + ": expected the size of the left rectified image, " +
-                      PixelsText(width, height) + ", found " + PixelsText(truth->width, truth->height));
+                      PixelsText(width, height) + ", found " +
+                      PixelsText(truth->width, truth->height));
   }
   for (float& px : truth->px) {
     if (!(px > 0.0F) || std::isinf(px)) px = std::numeric_limits<float>::quiet_NaN();

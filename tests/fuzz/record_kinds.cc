@@ -103,15 +103,16 @@ FuzzKind McapKind() {
     finish ? writer.Finish() : writer.Flush();
     return Slurp(file);
   };
-  return {"mcap",
-          [seed] {
-            return std::vector{seed(false, true), seed(true, true), seed(true, false)};
-          },
-          {std::string(kMcapMagic), "zstd", "lz4", std::string("\xff\xff\xff\xff\xff\xff\xff\x7f", 8)},
-          [folder, file](const std::string& bytes) {
-            folder->Write("a.mcap", WithCheckValues(bytes));
-            return ReadOrRefused([&] { RepairMcap(file); });
-          }};
+  return {
+      "mcap",
+      [seed] {
+        return std::vector{seed(false, true), seed(true, true), seed(true, false)};
+      },
+      {std::string(kMcapMagic), "zstd", "lz4", std::string("\xff\xff\xff\xff\xff\xff\xff\x7f", 8)},
+      [folder, file](const std::string& bytes) {
+        folder->Write("a.mcap", WithCheckValues(bytes));
+        return ReadOrRefused([&] { RepairMcap(file); });
+      }};
 }
 
 const std::vector<std::string> kCellWords{"nan", "inf", "1e308",   "-0",     "\"", "\"\"",
