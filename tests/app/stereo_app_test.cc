@@ -171,7 +171,8 @@ TEST_F(StereoCommand, TakesOrRefusesImagesOfAnySizeInASentence) {
       left.pixels.push_back(static_cast<std::uint8_t>(HashDouble(3, i) >> 56));
     }
     GrayImage right = left;
-    std::rotate(right.pixels.begin(), right.pixels.begin() + 4, right.pixels.end());
+    const int shift = std::min(4, width * height - 1);
+    std::rotate(right.pixels.begin(), right.pixels.begin() + shift, right.pixels.end());
     const std::string lens =
         "{model: pinhole, pixel_zero: centre, width_px: " + std::to_string(width) +
         ", height_px: " + std::to_string(height) +
