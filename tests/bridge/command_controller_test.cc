@@ -24,7 +24,7 @@ Json RunWith(const std::string& words, const std::string& more = "") {
       Dockyard("run " + kScenario + Command(words) + "--allow-commands --json " + more);
   EXPECT_THAT(ended.code, testing::AnyOf(0, 4)) << ended.err;
   Json json = Json::parse(ended.out, nullptr, false);
-  json["said"] = ended.err;
+  json["said"] = ended.err + json.value("failure_note", "");
   return json;
 }
 

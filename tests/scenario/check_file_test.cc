@@ -69,8 +69,10 @@ TEST(CheckFile, SaysWhatOfAUrdfIsWeldedAndLeftOut) {
       "m.urdf",
       "<robot name=\"m\"><gazebo/><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" "
       "type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/></joint></robot>");
-  EXPECT_EQ(CheckFile(file, Systems()).summary,
-            "m: 2 links, 1 joints, 0 kg; welded: b into a; left out: 1 <gazebo>");
+  EXPECT_EQ(
+      CheckFile(file, Systems()).summary,
+      "m: 2 links, 1 joints, 0 kg; welded: b into a; left out: 1 <gazebo>; a run takes it only "
+      "through a robot's or target's YAML file, with the links and joints of that system");
 }
 
 TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
@@ -86,8 +88,8 @@ TEST(CheckFile, RefusesWhatIsOfNoKnownKind) {
       "none of them");
   EXPECT_EQ(
       message("a.txt", "x"),
-      "a.txt: expected a file .yaml, .yml, .json, .xml, .csv, .urdf, .stl, .obj, .dae, .gltf or "
-      ".glb, found extension '.txt'");
+      "a.txt: expected a file .yaml, .yml, .json, .xml, .csv, .urdf, .xacro, .stl, .obj, .dae, "
+      ".gltf or .glb, found extension '.txt'");
   EXPECT_EQ(message("a.csv", "run" + std::string(200, ',') + "\n"),
             "a.csv:1:204: expected at most 200 columns, found 201");
   EXPECT_EQ(message("a.csv", "run,start.r_m\n1,2\nten,3\n"),

@@ -99,7 +99,9 @@ TEST_F(ScenarioFile, BadValuesAreToldByPlaceAndPath) {
   EXPECT_EQ(Changed("controller: wave", "controller: autopilot"),
             "scenarios/s.yaml:5:13: controller: expected one of straight, wave, found 'autopilot'");
   EXPECT_EQ(Changed("system: toy", "system: tow"),
-            "scenarios/s.yaml:2:9: system: expected one of toy, other, found 'tow'");
+            "scenarios/s.yaml:2:9: system: expected one of toy, other, found 'tow'; a robot of "
+            "another kind needs a system of its own: docs/contributing.md tells how to add one, "
+            "docs/reference/models.md what files can change");
   EXPECT_EQ(Changed("system: toy\n", ""), "scenarios/s.yaml:1:1: missing key 'system'");
   EXPECT_EQ(Changed("seed: 1", "seed: -1"),
             "scenarios/s.yaml:8:7: seed: expected a whole number from 0 to 18446744073709551615, "
