@@ -1,4 +1,4 @@
-// The ground as seen from one place: a fan of rings, fine near and coarse far. Plain arithmetic, no
+// The ground as drawn for one place: a fan of rings, fine near and coarse far. Plain arithmetic, no
 // GL.
 #pragma once
 

@@ -41,7 +41,7 @@ class GroundRelief {
   double highest_m() const { return highest_m_; }
 
  private:
-  // Nodes towards the sun and how high the ray to the sun's centre stands over each of them.
+  // Nodes towards the sun and how high the ray to the sun's centre is over each of them.
   struct March {
     std::vector<int> dx, dy;
     std::vector<double> rise_m, distance_m;
@@ -49,7 +49,7 @@ class GroundRelief {
   static March MarchToSun(double cell_m, const Eigen::Vector3d& sun_G, double relief_m);
   double SunShare(int ix, int iy) const;
   GridRect ChangedNodes(const double* heights_m) const;
-  /// The nodes whose way to the sun leads over one of these.
+  /// The nodes whose ray to the sun passes over one of these.
   GridRect InTheirShadow(const GridRect& nodes) const;
 
   GridPlace place_;

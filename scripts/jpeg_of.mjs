@@ -7,7 +7,7 @@ import { openReport, startBrowser } from '../tests/page/browser.mjs';
 
 const kHeight_px = 384;
 const kReport_px = { width: 1280, height: 820 };
-const kRowQuality = 88; // grey pictures, whose marks are small
+const kRowQuality = 88; // grey images, whose marks are small
 const kQuality = 80;
 
 /** The images in a row. @param {any} browser @param {string[]} files */

@@ -1,16 +1,16 @@
 """What a page states of its commands' results, compared with what came out.
 
-Behind a stated value stands its source, in a comment that readers of the page do not see:
+Each stated value is followed by its source, in a comment that readers of the page do not see:
 
     0.230<!-- = out/first/outcome.json tip_depth_m -->   a value of a JSON file; a.0.b goes down
     `docked`<!-- = out/first/outcome.json outcome -->    a word of it, in backticks
     six<!-- = out/first/sightings.json count() -->       small whole numbers may be words
     46<!-- = output "axel: {} kg" -->                    {} in what the ```sh block before printed
-    4<!-- = output "^exit code {}" -->                   ^ stands for the beginning of a line
-    eight<!-- = lines "left * detected" -->              how many lines of it have this; * stands for anything
+    4<!-- = output "^exit code {}" -->                   ^ matches the beginning of a line
+    eight<!-- = lines "left * detected" -->              how many lines of it have this; * matches anything
 
 Numbers are compared at the precision in which they are printed. A ```text block holds lines of what the ```sh
-block right before it printed, in their order; "..." at the end of a line stands for the rest of it.
+block right before it printed, in their order; "..." at the end of a line matches the rest of it.
 """
 
 import json

@@ -16,7 +16,7 @@ struct RationalDistortion {
   Eigen::Vector2d Distort(const Eigen::Vector2d& m, Eigen::Matrix2d& M) const;
   /// Whether the image is unfolded from the axis out to m, and not folded at m, where the
   /// derivative is M. The radial part is proven: its slope, a quotient of polynomials, has no zero
-  /// and no pole on the way.
+  /// and no pole up to there.
   bool Holds(const Eigen::Vector2d& m, const Eigen::Matrix2d& M) const;
   /// The point that Distort brings to `wanted`, within the part that Holds; none: there is none.
   /// Then `edge`, if given, is a point near the end of that part.

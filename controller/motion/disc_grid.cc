@@ -61,7 +61,7 @@ DiscGrid::DiscGrid(std::vector<Disc> discs) : discs_(std::move(discs)) {
   }
 }
 
-// Of a square. The cells at the border stand for all beyond it, too.
+// Of a square. The cells at the border also hold the discs beyond it.
 DiscGrid::Cells DiscGrid::CellsAround(const Vector2d& middle, double half_m) const {
   const auto index = [&](double at_m, int count) {
     return static_cast<int>(std::clamp(std::floor(at_m / cell_m_), 0.0, count - 1.0));

@@ -54,15 +54,15 @@ Views ViewsOf(const Rectifier& rectifier, const StereoImages& images) {
   };
   views.left = Made(rectified.left);
   views.right = Made(rectified.right);
-  cv::Mat seen(size, CV_8U);
+  cv::Mat valid(size, CV_8U);
   for (int v = 0; v < size.height; ++v) {
     for (int u = 0; u < size.width; ++u) {
-      const bool is_seen = rectifier.IsSeen(u * views.smaller, v * views.smaller, false);
-      seen.at<std::uint8_t>(v, u) = is_seen ? 255 : 0;
+      const bool is_valid = rectifier.IsSeen(u * views.smaller, v * views.smaller, false);
+      valid.at<std::uint8_t>(v, u) = is_valid ? 255 : 0;
     }
   }
   const int side = 2 * views.half_px + 3;
-  cv::erode(seen, views.mask, cv::Mat::ones(side, side, CV_8U), {-1, -1}, 1, cv::BORDER_CONSTANT,
+  cv::erode(valid, views.mask, cv::Mat::ones(side, side, CV_8U), {-1, -1}, 1, cv::BORDER_CONSTANT,
             cv::Scalar(0));
   return views;
 }
@@ -79,7 +79,7 @@ double Past(double before, double peak, double after) {
   return bend < 0.0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
 }
 
-/// Where `to` looks most as `from` does about a pixel; none where nothing does.
+/// The place in `to` that correlates best with `from` about a pixel; none where nothing does.
 std::optional<Vector2d> Sought(const cv::Mat& from, const cv::Mat& to, const Vector2d& pixel,
                                const Views& views) {
   const int half = views.half_px, side = 2 * half + 1;
@@ -185,8 +185,8 @@ double SpanOf(const std::vector<FoundCorner>& corners, int axis) {
   return high - low;
 }
 
-/// Found both ways, about the middle of the smaller image.
-std::vector<FoundCorner> FoundBothWays(const Views& views, const std::vector<Vector2d>& corners) {
+/// Found there and back, about the middle of the smaller image.
+std::vector<FoundCorner> FoundMutually(const Views& views, const std::vector<Vector2d>& corners) {
   const Vector2d middle(0.5 * views.left.cols, 0.5 * views.left.rows);
   std::vector<FoundCorner> found;
   for (const Vector2d& corner : corners) {
@@ -208,7 +208,7 @@ PairCheck CheckPair(const Rectifier& rectifier, const StereoImages& images) {
   if (views.left.empty()) return check;
   const std::vector<Vector2d> corners = CornersOf(views);
   check.corners = static_cast<int>(corners.size());
-  const std::vector<FoundCorner> found = FoundBothWays(views, corners);
+  const std::vector<FoundCorner> found = FoundMutually(views, corners);
   check.both_ways = static_cast<int>(found.size());
   if (found.size() < 3) return check;
   Vector3d rows = MostAgreed(found);

@@ -17,7 +17,7 @@ struct FoundCorner {
 };
 
 struct PairCheck {
-  int corners = 0;    // looked for
+  int corners = 0;    // searched for
   int both_ways = 0;  // found from left to right and back at the same place
   /// Those of them in rows that agree with each other.
   std::vector<FoundCorner> found{};

@@ -35,7 +35,7 @@ Eigen::Matrix3d CommonAxes(const StereoRig& rig) {
 }
 
 constexpr double kSame_px = 0.01;  // less than matching finds; calibrations have 0.1
-constexpr int kRaysAlong = 8;      // looked at along each side
+constexpr int kRaysAlong = 8;      // compared along each side
 
 // How far the camera's pixels lie, at most, from those of a pinhole with the axes of C. [px]
 double OffPinhole(const Camera& camera, const Eigen::Matrix3d& R_CK, double focal_px) {

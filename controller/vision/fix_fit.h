@@ -10,11 +10,11 @@ namespace dockyard {
 
 constexpr int kMinTogether = 6;      // marks of both images that give a pose when neither has five
 constexpr int kMinSecondCamera = 2;  // marks in the other image that allow a joint fit
-/// A mark contradicts the others when its error is above so many of its sigmas (4e-5 of good
-/// ones).
+/// A mark contradicts the others when its error exceeds this multiple of its sigma (4e-5 of the
+/// good ones do).
 constexpr double kStraySigmas = 4.5;
 
-/// What a fit needs besides the marks.
+/// What a fit needs in addition to the marks.
 struct FitInputs {
   const std::vector<CameraView>& views;  // both
   const FiducialBoard& board;

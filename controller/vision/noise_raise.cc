@@ -90,15 +90,15 @@ void WidenForSmoothErrors(FitInputs inputs, Fix* fix) {
 
 double MostRaisedRmsPx(int freedom) {
   constexpr double kMostPx = 1.0;
-  constexpr double kNamingPx = 2.5;  // correspond.cc, GatePx
-  constexpr double kFivePx = 0.12;   // of five marks that err by 0.06 px, at ChiSquareLimit
+  constexpr double kGatePx = 2.5;   // correspond.cc, GatePx
+  constexpr double kFivePx = 0.12;  // of five marks that err by 0.06 px, at ChiSquareLimit
   constexpr double kFreedomOfFive = 4.0;
   if (freedom < kFreedomOfFive) return 0.0;
-  return std::min(kMostPx, kNamingPx * std::pow(kFivePx / kNamingPx, kFreedomOfFive / freedom));
+  return std::min(kMostPx, kGatePx * std::pow(kFivePx / kGatePx, kFreedomOfFive / freedom));
 }
 
 RaisedFix WithNoiseRaised(FitInputs inputs, const Fix& fix) {
-  // A median that the prediction explains: marks that stand out are wrong, not the prediction.
+  // The prediction explains the median: marks far above it are wrong, not the prediction.
   constexpr double kAsPredicted = 1.5;
   const FitInputs predicted = inputs;
   Fix at = Settled(inputs, Refit(inputs, fix, fix.marks, true), MedianScale);

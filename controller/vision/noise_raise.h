@@ -10,8 +10,8 @@
 namespace dockyard {
 
 /// Largest RMS error of an accepted pose [px]: 1 px (assumed, 0.7-2), less when few marks leave few
-/// degrees of freedom. Five marks of one image must fit as well as predicted, since a wrong naming
-/// of them fits within G = 2.5 px (the gate of a naming) by accident, and within r only in
+/// degrees of freedom. Five marks of one image must fit as well as predicted, since a wrong match
+/// of them fits within G = 2.5 px (the gate of a match) by accident, and within r only in
 /// (r/G)^4 of these cases: one power for each degree of freedom. More marks may err by an r that
 /// makes this chance no larger.
 double MostRaisedRmsPx(int freedom);

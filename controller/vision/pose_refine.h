@@ -55,7 +55,7 @@ struct RefineOptions {
   // Errors of lens and board beyond CalibrationSpread, added to a mark's predicted error: 0.2 mm of
   // print at 2.5 m. Assumed, 0.03-0.1.
   double model_px = 0.05;
-  // Of the board's marks off its plane, 1 sigma. It shifts a mark that is seen aslant.
+  // Of the board's marks off its plane, 1 sigma. It shifts a mark viewed obliquely.
   double off_plane_m = 0.0;
   double noise_scale = 1.0;  // factor on the predicted errors of marks
   double huber_sigmas = 4.0;

@@ -47,7 +47,7 @@ const char* RotationKey(const YamlReader& in) {
   }
   if (!found) return nullptr;
   for (const char* angle : kAngles) {
-    if (in.Has(angle)) in.Refuse(angle, "no angle beside " + std::string(found));
+    if (in.Has(angle)) in.Refuse(angle, "no angle next to " + std::string(found));
   }
   return found;
 }

@@ -14,7 +14,7 @@ const std::vector<std::string>& PoseKeys();
 
 /// A body's pose: x forward, y left, z up without a turn.
 Pose3 ReadBodyPose(const YamlReader& in);
-/// A camera's pose. Angles turn a camera that looks along the frame's x axis with z up; `rotation`
+/// A camera's pose. Angles turn a camera with its view along the frame's x and z up; `rotation`
 /// and `rotation_wxyz` are R_FC itself, whose columns are the camera's axes right, down, ahead.
 Pose3 ReadCameraPose(const YamlReader& in);
 

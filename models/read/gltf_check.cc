@@ -128,7 +128,7 @@ class GltfWalk {
   }
 
   /// Whether an address is data, or a name in the mesh's own folder: given a path, assimp takes the
-  /// file of that name beside the mesh, which is another one.
+  /// file of that name next to the mesh, which is another one.
   static bool IsBeside(std::string_view uri) {
     return uri.substr(0, 5) == "data:" || BufferNameOf(uri).has_value();
   }

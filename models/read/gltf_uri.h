@@ -7,7 +7,7 @@
 
 namespace dockyard {
 
-/// The text with each %XX as the byte that it stands for; none where a % has no two hexadecimal
+/// The text with each %XX as the byte that it encodes; none where a % has no two hexadecimal
 /// digits behind it.
 std::optional<std::string> PercentDecoded(std::string_view text);
 

@@ -83,7 +83,7 @@ std::vector<std::string> KeysOf(const std::string& model) {
 std::optional<Pose3> ReadPlace(const YamlReader& in) {
   if (in.Has("position_m")) return ReadCameraPose(in);
   for (const std::string& key : PoseKeys()) {
-    if (in.Has(key)) in.Refuse(key, "a position_m beside it");
+    if (in.Has(key)) in.Refuse(key, "a position_m next to it");
   }
   return std::nullopt;
 }

@@ -91,7 +91,7 @@ Pair OfTwoFiles(const std::string& left, const std::string& right) {
   }
   if (!pair.left.X_PC && pair.left.X_FC.p == pair.right.X_FC.p) {
     throw ConfigError(right +
-                      ": expected where the right camera stands, found nothing about it; write a "
+                      ": expected the place of the right camera, found nothing about it; write a "
                       "rig with left: {file: ...} and right: {file: ..., position_m: ..., "
                       "rotation: ...} (docs/reference/cameras.md)");
   }
@@ -180,7 +180,7 @@ bool IsWhole(const Camera& camera, int u, int v) {
   return true;
 }
 
-/// How many pixels beside the middle one of a row have rays, to its right (1) or left (-1). Rays
+/// How many pixels next to the middle one of a row have rays, to its right (1) or left (-1). Rays
 /// end outside a curve about the axis, so that those without lie at the end: halved to it.
 long WholeFrom(const Camera& camera, int middle, int v, int side) {
   int whole = 0, beyond = (side > 0 ? camera.width - 1 - middle : middle) + 1;

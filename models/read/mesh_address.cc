@@ -190,7 +190,7 @@ fs::path MeshAddresses::Resolve(const std::string& address, const std::string& p
       if (LiesIn(file, folder)) return FileIn(folder, file, address, place);
     }
     refuse(
-        "it is absolute and leads elsewhere; copy the mesh beside the file and write a relative "
+        "it is absolute and leads elsewhere; copy the mesh next to the file and write a relative "
         "path, or write package://NAME/PATH and check it with --package NAME=DIR");
   }
   if (path != address) refuse("expected file:/// and an absolute path");

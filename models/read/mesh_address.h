@@ -1,4 +1,4 @@
-// The addresses of meshes in a URDF file: paths beside it, and package:// as ROS writes it.
+// The addresses of meshes in a URDF file: paths relative to it, and package:// as ROS writes it.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace dockyard {
 using PackageFolders = std::map<std::string, std::string>;
 
 /// Finds the files that one URDF file names. None lies outside the folder of that file, or, where a
-/// package.xml stands in it or above, outside its package; the files of a package:// lie in that
+/// package.xml lies in it or above, outside its package; the files of a package:// lie in that
 /// package. Symbolic links are followed for that.
 class MeshAddresses {
  public:
@@ -24,7 +24,7 @@ class MeshAddresses {
 
  private:
   /// The folder of a package: as given by the user, else one whose package.xml has that name. It is
-  /// searched for above the URDF file, then in and beside the file's own package, two folders deep.
+  /// searched for above the URDF file, then in its own package and next to that, two folders deep.
   std::filesystem::path FolderOf(const std::string& package, const std::string& place);
   void FindOwnPackages();
 

@@ -90,7 +90,7 @@ std::optional<GlbChunks> ChunksOf(std::string_view bytes) {
   return chunks;
 }
 
-/// Whether the letter and a space stand somewhere in the text.
+/// Whether a line of the text begins with the letter and a space.
 bool HasLineOf(std::string_view text, char letter) {
   return text.find(std::string{letter, ' '}) != std::string_view::npos ||
          text.find(std::string{letter, '\t'}) != std::string_view::npos;

@@ -70,7 +70,7 @@ class OneFolder : public Assimp::IOSystem {
 
  private:
   bool IsMesh(const char* name) const { return file_.string() == name; }
-  /// assimp asks for an address as it stands in the document: "rover%20body.bin".
+  /// assimp asks for an address as the document has it: "rover%20body.bin".
   fs::path Beside(const char* name) const {
     const std::string written = fs::path(name).filename().string();
     return file_.parent_path() / PercentDecoded(written).value_or(written);

@@ -25,7 +25,7 @@ std::string OnlyLonger(std::string_view name, const std::vector<std::string>& kn
   return longer;
 }
 
-/// In the order of their names. Of a very large folder the first that come.
+/// In the order of their names. A very large folder gives the first that come.
 std::vector<fs::path> NamesIn(const fs::path& folder) {
   constexpr std::size_t kMost = 5000;
   std::error_code error;

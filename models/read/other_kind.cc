@@ -9,7 +9,7 @@ constexpr std::string_view kGoOn =
     " of another kind needs a system of its own: docs/contributing.md tells how to add one, "
     "docs/reference/models.md what files can change";
 
-/// A key of the file itself that is missing: the place stands right before the message.
+/// A key of the file itself that is missing: the place is right before the message.
 bool LacksPart(std::string_view message) {
   const std::size_t at = message.find(": missing key '");
   return at != message.npos && at > 0 && message[at - 1] >= '0' && message[at - 1] <= '9';

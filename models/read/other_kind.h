@@ -8,13 +8,13 @@
 
 namespace dockyard {
 
-/// The message with a way to go on at its end, where it tells of a key or a link that things of
-/// this kind do not have; else as it is. A slip of the pen, for which the message has a likely
-/// name, is none.
+/// The message with advice at its end, if it names a key or a link that things of this kind do
+/// not have; else as it is. A misspelt name, for which the message has a likely one, gets no
+/// advice.
 /// @param what  "robot", "target", "ground"
 std::string WithOtherKind(const std::string& message, const std::string& what);
 
-/// Calls `read`; its ConfigErrors have the way to go on.
+/// Calls `read`; its ConfigErrors have the advice.
 template <class Read>
 std::invoke_result_t<Read> NamingOtherKinds(const std::string& what, const Read& read) {
   try {

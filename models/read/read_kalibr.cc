@@ -84,7 +84,7 @@ double Checked(const NumberGrid& in, std::size_t index, const Range& range) {
 
 [[noreturn]] void RefusePair(const Link& link, const char* model, const char* expected) {
   RefuseNode(*link.node->Find("distortion_model"), link.path + "distortion_model",
-             std::string(expected) + " beside camera_model " + model);
+             std::string(expected) + " with camera_model " + model);
 }
 
 Lens KalibrPinhole(const Link& link, Distortion model, const std::optional<NumberGrid>& d) {

@@ -78,7 +78,7 @@ Lens ReadFov(const YamlReader& in) {
 
 struct FocalModel {
   const char* name;
-  std::vector<std::string> keys;  // beside those of every focal model
+  std::vector<std::string> keys;  // in addition to those of every focal model
   Lens (*read)(const YamlReader& in);
 };
 

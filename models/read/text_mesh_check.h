@@ -1,5 +1,5 @@
-// STL files in text, checked before an importer sees them. assimp 5.2.5 reads "1x" and "1,5" in
-// some way, a part of a file as a whole mesh, and no capitals.
+// STL files in text, checked before an importer sees them. assimp 5.2.5 accepts "1x" and "1,5" as
+// numbers and a part of a file as a whole mesh, and reads no capitals.
 #pragma once
 
 #include <string>

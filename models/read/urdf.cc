@@ -81,7 +81,7 @@ class PartByPart {
       TiXmlElement holder("link");
       holder.SetAttribute("name", name);
       TiXmlElement* part = holder.InsertEndChild(*e)->ToElement();
-      // Its colour has been checked, and may stand in another link.
+      // Its colour has been checked, and may be defined in another link.
       if (TiXmlElement* material = part->FirstChildElement("material")) part->RemoveChild(material);
       faults_.Catch(*e, [&] {
         const auto parsed = ParseUrdfText(Alone(holder, {}), faults_.PlaceOf(*e));

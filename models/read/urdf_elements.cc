@@ -13,7 +13,7 @@
 namespace dockyard {
 namespace {
 
-/// The numbers of an attribute, none where it holds others than so many.
+/// The numbers of an attribute, none where their count is not kCount.
 template <std::size_t kCount>
 std::optional<std::array<double, kCount>> NumbersIn(const char* attribute) {
   std::array<double, kCount> numbers;
@@ -42,7 +42,7 @@ class ElementCheck {
     const std::string name = element.Value();
     const UrdfRule& rule = RuleOfUrdf(name);
     CheckAttributes(element, rule);
-    std::set<std::string> seen;
+    std::set<std::string> found;
     for (TiXmlElement *e = element.FirstChildElement(), *next = nullptr; e; e = next) {
       next = e->NextSiblingElement();
       const std::string child = e->Value();
@@ -54,7 +54,7 @@ class ElementCheck {
       const bool once = Contains(rule.once, child);
       if (!once && !Contains(rule.any, child)) {
         AddChild(*e, name, rule);
-      } else if (once && !seen.insert(child).second) {
+      } else if (once && !found.insert(child).second) {
         faults_.Add(*e, "given twice in one <" + name + ">");
       } else {
         Visit(*e);
@@ -63,7 +63,7 @@ class ElementCheck {
         element.RemoveChild(e);
       }
     }
-    CheckWhole(element, rule, seen);
+    CheckWhole(element, rule, found);
     if (!faults_.In(element)) CheckValues(element, name);
     if (name == "material") TakeMaterial(element);
   }
@@ -83,12 +83,12 @@ class ElementCheck {
   using Colour = std::optional<std::array<double, 4>>;
 
   void CheckWhole(const TiXmlElement& element, const UrdfRule& rule,
-                  const std::set<std::string>& seen) const {
+                  const std::set<std::string>& found) const {
     for (const std::string& needed : rule.must) {
-      if (seen.count(needed) == 0) faults_.Add(element, "missing <" + needed + ">");
+      if (found.count(needed) == 0) faults_.Add(element, "missing <" + needed + ">");
     }
-    if (element.ValueStr() == "geometry" && seen.size() != 1 && !faults_.In(element)) {
-      faults_.Add(element, "expected one shape, found " + std::to_string(seen.size()));
+    if (element.ValueStr() == "geometry" && found.size() != 1 && !faults_.In(element)) {
+      faults_.Add(element, "expected one shape, found " + std::to_string(found.size()));
     }
   }
 

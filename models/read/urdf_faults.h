@@ -21,7 +21,7 @@ class UrdfFaults {
   std::string PlaceOf(const TiXmlElement& at) const;
   /// "file:line:col: <tag>: what". Throws it as a ConfigError where the first fault is wanted.
   void Add(const TiXmlElement& at, const std::string& what);
-  /// A message that names its own place; `at` says where it stands among the others.
+  /// A message that names its own place; `at` gives its order among the others.
   void AddMessage(const TiXmlElement& at, const std::string& message);
   /// Takes the ConfigError that the call throws.
   template <class Read>

@@ -28,7 +28,7 @@ double NumberOf(const TiXmlElement& element, const char* name) {
 }
 
 /// How far rounding may have moved the sum of two principal moments against the third: a moment on
-/// the diagonal counts once, a product of inertia stands twice in the matrix.
+/// the diagonal counts once, a product of inertia is twice in the matrix.
 double RoundingOfAll(const TiXmlElement& inertia) {
   double sum = 0.0;
   for (const char* name : {"ixx", "iyy", "izz"}) {

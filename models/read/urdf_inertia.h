@@ -12,10 +12,10 @@ struct InertiaCheck {
   std::string warning;  // what is odd about them; empty when nothing is
 };
 
-/// No body has a negative principal moment, or one beyond the sum of the others. What rounding
-/// explains is accepted with a warning: half a unit of the last printed digit of each number, at
-/// most 30 % of the largest moment, and at any rate 1 % of it. A moment of 0 is that of a thin rod
-/// or a point; it is warned of, because such a link cannot move by itself.
+/// No body has a negative principal moment, or one beyond the sum of the others. An excess that
+/// rounding explains is accepted with a warning: half a unit of each number's last printed digit,
+/// at most 30 % of the largest moment, and always 1 % of it. A moment of 0 (a thin rod, a point)
+/// has a warning too, because such a link cannot move by itself.
 /// @param inertia  an <inertia> element whose attributes are numbers
 InertiaCheck CheckInertia(const TiXmlElement& inertia);
 

@@ -16,7 +16,7 @@
 namespace dockyard {
 
 /// Reads the parts of one file; counts what all of them have together, and keeps its meshes. Faults
-/// are told with the element that they stand in.
+/// name the element that has them.
 class UrdfParts {
  public:
   UrdfParts(const std::string& file, const UrdfOptions& options, UrdfFaults& faults);

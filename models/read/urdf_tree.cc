@@ -90,13 +90,13 @@ class TreeCheck {
   /// One fault a circle, not one for each link that hangs on it.
   void TakeCircle(const std::string& link) {
     bool fresh = true;
-    std::set<std::string> seen;
+    std::set<std::string> circle;
     for (auto at = parent_.find(link); at != parent_.end(); at = parent_.find(at->second)) {
-      if (!seen.insert(at->first).second) break;
+      if (!circle.insert(at->first).second) break;
       fresh = fresh && in_circles_.count(at->first) == 0;
     }
     if (fresh) faults_.Add(*parent_joint_.at(link), "joints in a circle, expected a tree");
-    in_circles_.insert(seen.begin(), seen.end());
+    in_circles_.insert(circle.begin(), circle.end());
   }
 
   UrdfFaults& faults_;

@@ -12,7 +12,7 @@ namespace dockyard {
 bool IsXacroFile(const std::string& file);
 
 /// The first macro or argument among what is read of a URDF: an element such as <xacro:wheel> or
-/// the older <macro>, or an attribute with ${...} or $(...), as it stands there; with its place
+/// the older <macro>, or an attribute with ${...} or $(...), as written; with its place
 /// "line:column". None for an expanded file.
 struct Macro {
   std::string text, place;
@@ -24,7 +24,7 @@ std::string HowToExpand(const std::string& file);
 
 /// What `xacro FILE` prints. Throws ConfigError: no such program on PATH, with the command to type
 /// where there is one; what it says about the file; more than 60 s.
-/// @param place  what the first message begins with: where the macro stands, and what it is
+/// @param place  what the first message begins with: the macro's place, and what it is
 std::string ExpandXacro(const std::string& file, const std::string& place);
 
 }  // namespace dockyard

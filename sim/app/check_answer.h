@@ -16,7 +16,7 @@ struct PlacedFault {
   std::string text;
 };
 
-/// @param checked  the file that stands for a message which names none
+/// @param checked  the file to name for a message without one
 PlacedFault PlaceOf(const std::string& message, const std::string& checked);
 
 struct CheckedFile {

@@ -26,7 +26,7 @@ void WarnOfRayless(const std::string& name, const Camera& camera, FileCheck& che
   check.warnings.push_back((name.empty() ? "" : name + ": ") + text);
 }
 
-/// Where the right camera stands, by the greatest part of its place: x right, y down, z ahead.
+/// The side of the right camera, by the greatest part of its place: x right, y down, z ahead.
 const char* SideOf(const Eigen::Vector3d& p_LQ) {
   Eigen::Index axis = 0;
   p_LQ.cwiseAbs().maxCoeff(&axis);
@@ -42,7 +42,7 @@ void WarnOfPlace(const StereoRig& rig, const Eigen::Vector3d& p_LQ, FileCheck& c
   if (side != "to the right") {
     char text[300];
     std::snprintf(text, sizeof text,
-                  "the right camera stands %s%s the left one, at (%.4g, %.4g, %.4g) m right, down "
+                  "the right camera is %s%s the left one, at (%.4g, %.4g, %.4g) m right, down "
                   "and ahead of it: is the sign of T turned round, T's inverse meant, or left and "
                   "right exchanged?",
                   side.c_str(),
@@ -53,7 +53,7 @@ void WarnOfPlace(const StereoRig& rig, const Eigen::Vector3d& p_LQ, FileCheck& c
     check.warnings.emplace_back(text);
   }
   if (rig.baseline_m() > kLongBaseline_m) {
-    check.warnings.push_back("the cameras stand " + NumberText(rig.baseline_m()) +
+    check.warnings.push_back("the cameras are " + NumberText(rig.baseline_m()) +
                              " m apart: is T given in millimetres?");
   }
 }

@@ -13,7 +13,7 @@ bool IsCalibration(const YamlNode& root);
 
 /// One camera or several. Throws ConfigError.
 FileCheck CheckCameras(const std::string& file);
-/// A pair. Warns of pixels without a ray, and of a right camera that does not stand to the right.
+/// A pair. Warns of pixels without a ray, and of a right camera that is not on the right.
 FileCheck CheckRig(const std::string& file);
 /// Either, of another program.
 FileCheck CheckCalibration(const std::string& file);

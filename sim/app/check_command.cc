@@ -25,10 +25,10 @@ Examples:
 
 Prints a line for each good file on stdout. The first fault of each bad one goes to
 stderr, with --all every fault of a URDF file, also of one that a robot's file names;
-of all other kinds --all knows the first fault alone. Warnings go to stderr and
+for every other kind --all also gives the first fault alone. Warnings go to stderr and
 change no exit code.
 A URDF file's package://NAME/PATH is found by the package.xml of that name above the
-file, or in the packages in and beside its own; --package NAME=DIR names it. A file
+file, or in the packages in its own or next to it; --package NAME=DIR names it. A file
 with macros (.xacro) is expanded by the program xacro, if it is on PATH.
 --json prints {files: [{file, kind, summary, faults, left_out, warnings}], faults,
 left_out, warnings}, the last three over all files. A fault is {file, line, column,

@@ -19,8 +19,8 @@ struct CheckOptions {
 FileCheck CheckFile(const std::string& file, const std::vector<System>& systems,
                     const CheckOptions& options = {});
 
-/// All faults of the file, each as CheckFile would tell it: every one of a URDF file, of any other
-/// kind the first, or all of the URDF file in which that lies; and what is left out beside them.
+/// All faults of the file, each as CheckFile reports it: every one of a URDF file, of any other
+/// kind the first, or all of the URDF file in which that lies; and the elements left out.
 UrdfFindings FindFaults(const std::string& file, const std::vector<System>& systems,
                         const CheckOptions& options);
 

@@ -79,7 +79,7 @@ void WarnIfCut(const std::string& file, std::vector<std::string>* warnings) {
 }
 
 /// The board was not found: checks whether the images are exchanged, or else upside down.
-void TryOtherWays(const StereoImages& images, const DetectArguments& arguments,
+void TryExchanges(const StereoImages& images, const DetectArguments& arguments,
                   const Searched& searched, DetectAnswer* answer) {
   if (!images.left.pixels.empty() && !images.right.pixels.empty()) {
     const SightingReport exchanged =
@@ -225,7 +225,7 @@ int Detect(const DetectArguments& arguments, const std::vector<System>& systems)
   WarnIfCut(arguments.left, &answer.warnings);
   WarnIfCut(arguments.right, &answer.warnings);
   answer.report = LocatePair(images, arguments, searched).report;
-  if (!answer.report.accepted) TryOtherWays(images, arguments, searched, &answer);
+  if (!answer.report.accepted) TryExchanges(images, arguments, searched, &answer);
   if (!arguments.draw.empty()) Draw(images, answer.report, arguments.draw);
   if (arguments.json) {
     std::printf("%s\n", DetectJson(answer).dump(2).c_str());

@@ -13,8 +13,8 @@ namespace dockyard {
 /// where it does not, and the exit code.
 Json ErrorJson(const std::string& text, int exit_code);
 
-/// Calls `work` and returns its exit code. What it throws is told on stderr, with `as_json` as an
-/// object on stdout too, and becomes the exit code of docs/reference/exit_codes.md.
+/// Calls `work` and returns its exit code. An exception is printed on stderr, with `as_json` as
+/// an object on stdout too, and becomes the exit code of docs/reference/exit_codes.md.
 /// @param app  for the sentence on arguments that cannot be read
 int WithFailuresTold(const CLI::App& app, bool as_json, const std::function<int()>& work);
 

@@ -79,7 +79,7 @@ void AddOutsideOptions(CLI::App& command, OutsideArguments& arguments) {
       ->expected(3);
   command
       .add_option("--at", arguments.at,
-                  "what the spectator looks at: target, robot, another point of the system (tip, "
+                  "the spectator's aim point: target, robot, another point of the system (tip, "
                   "gripper ...), or a place as of --from [robot and target]")
       ->type_name("NAME|X,Y,Z");
 }

@@ -61,7 +61,7 @@ std::string ParseFault(const CLI::App& app, const CLI::ParseError& error) {
   const Reached reached = ReachedIn(app);
   if (reached.command->get_prefix_command()) return error.what();  // a system's, which read it
   const std::vector<std::string> left = reached.command->remaining();
-  // A wrong option comes first: its value may stand where another argument is missed.
+  // A wrong option comes first: its value may be at the place of a missing argument.
   const auto option = std::find_if(left.begin(), left.end(), IsOption);
   if (option != left.end()) return UnknownOption(reached, *option);
   const std::string help = "; " + CalledAs() + " help" +

@@ -141,14 +141,14 @@ std::vector<std::string> WarningsOf(const Request& request, const PlannedPath& p
   std::vector<std::string> warnings;
   const PathTask& task = request.task;
   const PathDemands& demands = task.demands;
-  const auto Stands = [&](const Pose2& X_AR, const char* where) {
+  const auto CheckAt = [&](const Pose2& X_AR, const char* where) {
     const double clear_m = StandingClearance(task.rover, X_AR, demands.obstacles, demands.margin_m);
     if (clear_m >= demands.margin_m) return;
     Warn(std::string("the rover is nearer to an obstacle than --margin ") + where, &warnings);
   };
   if (!plan.best) {
-    Stands({}, "where it starts");
-    if (task.heading) Stands(GoalPose(task), "at the goal");
+    CheckAt({}, "where it starts");
+    if (task.heading) CheckAt(GoalPose(task), "at the goal");
   }
   if (!request.page.empty() && plan.best && demands.obstacles.discs.size() > kMostShownDiscs) {
     Warn(request.page + " shows the " + std::to_string(kMostShownDiscs) +

@@ -25,7 +25,7 @@ Mistake Exchanged(Points points) {
   return {std::move(points), "with left and right exchanged they do"};
 }
 
-/// A body in one plane is the same mirrored, seen from behind.
+/// A body in one plane, mirrored, is the same body viewed from behind.
 Mistake MirroredBody(Points points) {
   for (PointPixel& point : points) point.p_B.x() = -point.p_B.x();
   return {std::move(points),

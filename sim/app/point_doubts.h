@@ -7,8 +7,8 @@
 
 namespace dockyard {
 
-/// Chi-square above so many times its freedom is beyond reason: pixels of 0.15 px then err by 0.5
-/// px. Other people's detectors do, so this alone is a warning. Assumed, 5-20.
+/// Chi-square above this multiple of its freedom is beyond reason: pixels of 0.15 px then err by
+/// 0.5 px. Other people's detectors do, so this alone is a warning. Assumed, 5-20.
 constexpr double kBeyondReason = 10.0;
 
 /// The pose of a frame by one pipeline. When pipeline dockyard refuses it, or its chi-square is

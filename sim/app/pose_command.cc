@@ -38,12 +38,12 @@ Examples:
 
 POINTS has the columns camera,u_px,v_px,x_m,y_m,z_m: camera is left or right, pixel (0, 0) the middle of
 the first pixel, x y z a point of the body. The points may lie in a plane or not; up to half may be wrong:
-they are left out. Optional columns, where an empty cell is as no column:
+they are left out. Optional columns; an empty cell counts as a missing column:
   survey_error_m   1 sigma of the point's place on the body, one axis; else that of --survey-error-m
   disc_diameter_m  the pixel is the middle of a disc of this size, square to the body's z
-  frame            any text; --sequence needs it: rows with the same text are seen at the same time
+  frame            any text; --sequence needs it: rows with the same text are of the same time
 Further columns are ignored. A row whose pixel is empty or NaN was not detected: it is left out and counted. A
-pixel outside the image is an error. The survey's error is shared by all pixels of a point; it enters what counts as
+pixel more than 2 px outside the image is an error. The survey's error is shared by all pixels of a point; it enters what counts as
 wrong, the weights and the covariance, and the default holds for the whole file. Pipeline tsai2013 knows
 neither it nor discs, and leaves no point out. Chi-square above 10 times its freedom is a warning, or a refusal
 when a usual mistake explains it: cameras exchanged, axes left-handed, an image of another size.

@@ -33,7 +33,7 @@ void AddReportOption(CLI::App& command, ReportOption& option, const std::string&
           "make a page that shows the result [report.html in " + folder + "]")
       ->type_name("FILE.html")
       ->expected(0, 1)
-      // The next word may have been meant as another argument: it is told, not written over.
+      // The next word may have been meant as another argument: it is refused, not written over.
       ->check([](const std::string& file) {
         return file.empty() || IsPage(file) ? ""
                                             : "expected a file .html, found '" + file +

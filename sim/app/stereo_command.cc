@@ -42,15 +42,15 @@ Examples:
 
 The images are brought to one plane by the rig's cameras; those of a rig that is rectified already
 stay as they are. Then they are matched: semi-global finds most, on stones too; blocks are exact on
-sand, if the cameras are known to a fraction of a pixel. Corners of the left image are sought in the
-right one: a warning says where the images are exchanged, turned, off in their rows, or no pair.
+sand, if the cameras are known to a fraction of a pixel. Corners of the left image are searched for in
+the right one: a warning says where the images are exchanged, turned, off in their rows, or no pair.
 --ground says how far the ground lies below the origin of the rig's frame, and --pitch-deg and
 --roll-deg how that frame is tilted against it: nose-down and to the right positive. The ground's
 disparity is then taken out before the search, which is sharper and needs few disparities.
 --disparity: a PNG of 16 bits has 256 times the disparity of the left rectified image's pixels, 0
 where there is none, up to 255.99 px; a .pfm has floats without limit, infinity for none.
 --elevation: x_m ahead and y_m to the left of the rig's origin, height_m over the ground (over the
-rig's origin, without --ground), sigma_m, points; a row for each cell that was seen.
+rig's origin, without --ground), sigma_m, points; a row for each cell with points.
 --points: x, y, z in the rig's frame, in metres, and the pixel's grey. --truth scores the disparities
 by true ones of the left rectified image: a PFM, or a PNG of 16 bits (1/256 px) or 8 bits (whole px).
 --json: rotation_left_wxyz turns the left camera's axes to those of the rectified image
@@ -134,15 +134,15 @@ Rectifier RectifierOf(const StereoArguments& in, const StereoImages& images) {
 
 // Of the pixels that the left camera sees.
 double MatchedShare(const Rectifier& rectifier, const Disparities& found) {
-  long seen = 0, matched = 0;
+  long in_view = 0, matched = 0;
   for (int v = 0; v < found.height; ++v) {
     for (int u = 0; u < found.width; ++u) {
       if (!rectifier.IsSeen(u, v, false)) continue;
-      ++seen;
+      ++in_view;
       matched += found.at(u, v) > 0.0F;
     }
   }
-  return seen > 0 ? static_cast<double>(matched) / static_cast<double>(seen) : 0.0;
+  return in_view > 0 ? static_cast<double>(matched) / static_cast<double>(in_view) : 0.0;
 }
 
 Json PairJson(const Rectifier& rectifier) {

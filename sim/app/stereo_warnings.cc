@@ -10,10 +10,10 @@ namespace dockyard {
 namespace {
 
 constexpr int kFewCorners = 20;  // too few to judge by
-// Corners found, as a number, a share of all, and a share of those found both ways. Rendered yards,
+// Corners found: a number, a share of all, a share of those found there and back. Rendered yards,
 // boards and noise: of two scenes 0-10, 0.00-0.18, 0.2-0.4; of pairs 14-180, 0.3-0.9, 0.6-1.0.
 constexpr double kLeastFound = 8, kShareFound = 0.08, kAgree = 0.3;
-constexpr double kLeastAskew = 12, kShareAskew = 0.15, kAgreeAskew = 0.5;
+constexpr double kLeastSlope = 12, kShareSlope = 0.15, kAgreeSlope = 0.5;
 constexpr double kLevel = 4.0;        // pixels by which rows go apart
 constexpr double kFinest = 0.5;       // of a pixel of the smaller images, for slopes of rows
 constexpr double kRowsOff_px = 1.0;   // what the matchers bear
@@ -29,15 +29,15 @@ std::string Worded(const char* format, Numbers... numbers) {
   return text;
 }
 
-/// Whether enough corners agree on their rows. Any few agree on rows that are askew enough, so that
-/// such rows need more: of two scenes up to 10 corners did, half of those found both ways.
+/// Whether enough corners agree on their rows. Any few agree on rows that are tilted enough, so
+/// such rows need more: up to 10 corners of two scenes did, half of those found there and back.
 bool HasEnough(const PairCheck& check) {
   const double found = static_cast<double>(check.found.size());
   const double slope_px = std::max(std::abs(check.across_px), std::abs(check.down_px));
   const bool is_level = slope_px <= kLevel * check.pixel_px;
-  return found >= (is_level ? kLeastFound : kLeastAskew) &&
-         found >= (is_level ? kShareFound : kShareAskew) * check.corners &&
-         found >= (is_level ? kAgree : kAgreeAskew) * check.both_ways;
+  return found >= (is_level ? kLeastFound : kLeastSlope) &&
+         found >= (is_level ? kShareFound : kShareSlope) * check.corners &&
+         found >= (is_level ? kAgree : kAgreeSlope) * check.both_ways;
 }
 
 GrayImage Mirrored(const GrayImage& image) {
@@ -59,7 +59,7 @@ std::string NoPair(const Rectifier& rectifier, const StereoImages& images, const
   if (HasEnough(CheckPair(rectifier, {images.left, Mirrored(images.right)}))) {
     return found + "; with one image mirrored they are: mirror it back";
   }
-  return found + Worded(": do they show two different scenes? (Rows were sought up to %g px off.)",
+  return found + Worded(": do they show two different scenes? (Rows were tried up to %g px off.)",
                         check.farthest_row_px);
 }
 

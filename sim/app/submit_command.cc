@@ -45,8 +45,8 @@ Examples:
 
 Every mistake of the file is found first. The scripts go to submit/ in the results folder; --dry-run
 prints them instead. --slurm adds an option of sbatch that the scripts do not set themselves: tasks
-are numbered by --shards, not by --array. Without --shards, the first two runs are timed, and there are as many tasks as
-make each last up to half an hour. The scripts submitted again go on with what is missing.)";
+are numbered by --shards, not by --array. Without --shards, the first two runs are timed: each task
+then lasts up to half an hour. The scripts submitted again go on with the missing runs.)";
 
 /// A signal ended the timing.
 struct Stopped {

@@ -42,7 +42,7 @@ its projected centre, the centroid of the projected disc and the share that is h
 blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.png of 16 bits.
 
 --outside writes outside.png instead: the world as a spectator sees it, at the start or, with
---time, as the run has made it by then. --at says which point it looks at from near.)";
+--time, as the run has made it by then. --at names the point that it shows from near.)";
 
 void PrintAnswer(Json answer, const std::vector<std::string>& warnings) {
   answer["warnings"] = warnings;

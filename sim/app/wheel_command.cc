@@ -46,7 +46,7 @@ that of the paddles' tips; all are means over whole paddle pitches. With --sweep
 --beta and --load take lists; --out gets sweep.csv, drawbar.svg and sinkage.svg. --data draws measured
 rows over the curves of their side slip: a CSV table with the columns slip, Fx_N, Fz_N and, where
 measured, beta_deg, sinkage_mm and torque_Nm; if it holds several wheels, wheel.
-A row is warned of where the soil's laws were never compared with a measured wheel: sinkage beyond
+A row has a warning where the soil's laws were never compared with a measured wheel: sinkage beyond
 0.64 of the radius, slip beyond 0.8, side slip beyond 45 deg. In sweep.csv, warnings counts them.
 Exit code 10: a wheel was still changing at the end of its path, or its axle is below the ground;
 its row says steady 0.)";

@@ -8,7 +8,7 @@
 
 namespace dockyard {
 
-/// A grey PNG of 8 or 16 bits, the numbers as they stand; none for other bytes.
+/// A grey PNG of 8 or 16 bits, the numbers as stored; none for other bytes.
 std::optional<DeepImage> DeepFromPng(std::string_view bytes);
 
 }  // namespace dockyard

@@ -15,11 +15,11 @@ struct FloatImage {
   bool operator==(const FloatImage&) const = default;
 };
 
-/// Grey, the lower byte first; in the file the bottom row stands first. NaN is written as infinity,
-/// which stands for no value.
+/// Grey, the lower byte first; in the file the bottom row is first. NaN is written as infinity,
+/// which means no value.
 std::string EncodePfm(const FloatImage& image);
 /// Grey, either byte order; none for other bytes, a file that ends early, or more than
-/// kMaxImagePixels. Infinity as it stands.
+/// kMaxImagePixels. Infinity is kept.
 std::optional<FloatImage> DecodePfm(std::string_view bytes);
 
 }  // namespace dockyard

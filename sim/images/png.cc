@@ -143,7 +143,7 @@ std::optional<DeepImage> DeepFromPng(std::string_view bytes) {
   DeepImage image{static_cast<int>(size->width), static_cast<int>(size->height), bits, {}};
   image.pixels.reserve(raw->size() / static_cast<std::size_t>(each));
   for (std::size_t at = 0; at < raw->size(); at += static_cast<std::size_t>(each)) {
-    // The upper byte stands first.
+    // The upper byte is first.
     const int value = each == 1 ? (*raw)[at] : (*raw)[at] << 8 | (*raw)[at + 1];
     image.pixels.push_back(static_cast<std::uint16_t>(value));
   }

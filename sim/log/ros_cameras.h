@@ -11,7 +11,7 @@
 namespace dockyard {
 
 /// `r` and `p` of sensor_msgs/CameraInfo: the turn from the camera to its rectified image, and the
-/// projection onto that image. Of a right camera p(0, 3) is -f B with the baseline B.
+/// projection onto that image. A right camera has p(0, 3) = -f B with the baseline B.
 struct RosRectification {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   Eigen::Matrix<double, 3, 4> P = Eigen::Matrix<double, 3, 4>::Zero();

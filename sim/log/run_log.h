@@ -119,7 +119,7 @@ class RunLogReader {
   std::optional<RunLogEntry> Next();
   /// After the last entry: whether the log has its end, or the run was cut short.
   bool complete() const { return file_->complete(); }
-  /// After the last entry: whether a check value stands over all of it.
+  /// After the last entry: whether a check value covers all of it.
   bool guarded() const { return file_->guarded(); }
 
  private:
@@ -139,7 +139,7 @@ struct ControllerReplay {
   std::optional<Tick> differs_at;  // first tick with other commands
   std::optional<Tick> blind_at;    // first tick whose images the log left out: stopped there
   bool complete = false;           // the log has its end
-  bool guarded = true;             // a check value stands over all of it
+  bool guarded = true;             // a check value covers all of it
   bool same() const { return !differs_at && !blind_at && complete; }
 };
 /// How many motors, cameras and contact switches a robot has: a controller takes for granted that a

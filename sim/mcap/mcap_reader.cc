@@ -116,7 +116,7 @@ void McapReader::TakeRecord(McapOp op) {
   } else if (op == McapOp::kDataEnd) {
     TakeEnd();
   } else if (!IsPrivate(op)) {
-    parts_guarded_ = false;  // it stands in no chunk
+    parts_guarded_ = false;  // it is in no chunk
     TakeInner(op, content_, 0);
   }
 }

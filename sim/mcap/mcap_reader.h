@@ -28,8 +28,8 @@ class McapReader {
   std::optional<McapMessage> Next();
   /// After the last message: whether the file's end is there, or it was cut short.
   bool complete() const { return complete_; }
-  /// After the last message: whether a check value stands over every message and attachment.
-  /// Without one a changed byte goes unseen.
+  /// After the last message: whether a check value covers every message and attachment.
+  /// Without one a changed byte goes undetected.
   bool guarded() const { return data_guarded_ || parts_guarded_; }
 
   const std::string& profile() const { return profile_; }

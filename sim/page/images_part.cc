@@ -55,12 +55,12 @@ Json ImagesPart(const LoggedRun& run, std::size_t most, Payload& payload) {
   for (const double time_s : times_s) {
     Json cameras = Json::array();
     for (const LoggedCamera& camera : run.cameras) {
-      const std::string& picture = *next++;
-      if (picture.empty()) continue;
+      const std::string& image = *next++;
+      if (image.empty()) continue;
       cameras.push_back({{"name", camera.name},
                          {"width", camera.width},
                          {"height", camera.height},
-                         {"picture", payload.Add(picture)}});
+                         {"picture", payload.Add(image)}});
     }
     if (!cameras.empty()) list.push_back({{"sample", run.SampleAt(time_s)}, {"cameras", cameras}});
   }

@@ -9,8 +9,8 @@
 namespace dockyard {
 
 /// `images` of a replay; null where each image has its sighting.
-/// @param most  so many image files are kept, evenly over the run; the begin and the end are among
-///              them
+/// @param most  number of image files to keep, evenly over the run; the first and the last are
+///              among them
 Json ImagesPart(const LoggedRun& run, std::size_t most, Payload& payload);
 
 }  // namespace dockyard

@@ -62,9 +62,9 @@ const char* Name(Outcome outcome) {
 
 Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
   const std::string point = "the point " + Millimetres(end.point_off_m) + " off the target";
-  const std::string seen = end.sighted
-                               ? "the target was seen " + Millimetres(end.estimate_off_m) + " off"
-                               : "the target was not sighted";
+  const std::string sighted =
+      end.sighted ? "the target was sighted " + Millimetres(end.estimate_off_m) + " off"
+                  : "the target was not sighted";
   if (end.on_stone) return {Outcome::kOnStone, "the rover came down on a stone; " + point};
   if (end.places && end.touched) return JudgePlacement(end, limits);
   if (end.places && end.claimed == Verdict::kDocked) {
@@ -88,13 +88,13 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
       return {end.point_off_m > limits.wrong_lock_m ? Outcome::kWrongLock : Outcome::kNearTarget,
               "claimed to be there; " + point + " (at most " + Millimetres(limits.reach_m) + ")"};
     case Verdict::kGivenUp:
-      if (!end.sighted) return {Outcome::kGaveUp, "gave up; " + seen + ", " + point};
+      if (!end.sighted) return {Outcome::kGaveUp, "gave up; " + sighted + ", " + point};
       return {end.estimate_off_m > limits.wrong_lock_m ? Outcome::kLostTarget : Outcome::kUnstable,
-              "gave up; " + seen};
+              "gave up; " + sighted};
     case Verdict::kUnderWay:
       break;
   }
-  return {Outcome::kTimeout, point + "; " + seen};
+  return {Outcome::kTimeout, point + "; " + sighted};
 }
 
 }  // namespace dockyard::rocky7

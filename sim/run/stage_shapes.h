@@ -24,7 +24,7 @@ struct StageBody {
   std::string name;    // as in Stage::bodies
   bool robot = false;  // part of the robot
   std::vector<StagePart> parts;
-  bool about = false;   // stands about: part neither of the robot nor of its target
+  bool about = false;   // surroundings: part neither of the robot nor of its target
   bool leaves = false;  // a crown that throws speckled shade
 };
 
@@ -50,7 +50,7 @@ struct StageShapes {
   Eigen::Vector3d ground_rgb{0.5, 0.5, 0.5};  // linear, 0..1
   std::uint64_t ground_texture_seed = 1;
   double ground_grain = 1.0, largest_pebble_m = kAllPebbles_m;
-  std::vector<StagePoint> points;  // beside the bodies' own origins
+  std::vector<StagePoint> points;  // in addition to the bodies' own origins
 };
 
 }  // namespace dockyard

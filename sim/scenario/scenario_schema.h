@@ -18,7 +18,7 @@ struct SystemKeys {
 /// @param whole  false: keys on top of another scenario, of which none is required
 Json ScenarioSchema(const std::vector<SystemKeys>& systems, bool whole);
 
-/// The first keys of a schema that stands by itself: dialect, title and the rest of `schema`.
+/// The first keys of a complete schema: dialect, title and the rest of `schema`.
 Json SchemaDocument(const std::string& title, const Json& schema);
 
 }  // namespace dockyard

@@ -1,4 +1,4 @@
-// The point that a spectator looks at.
+// The point that a spectator is aimed at.
 #pragma once
 
 #include <cstddef>

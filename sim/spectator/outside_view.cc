@@ -29,7 +29,7 @@ std::uint8_t Srgb(double linear) {
   return static_cast<std::uint8_t>(std::lround(255.0 * y));
 }
 
-// About a point that is looked at; assumed, 0.2-0.5: a gripper or a tip with what it meets.
+// Radius about the aim point; assumed, 0.2-0.5: a gripper or a tip with what it meets.
 constexpr double kAboutPoint_m = 0.3;
 
 Sights SightsOf(const LoggedRun& run, const StageShapes& shapes, const std::optional<Aim>& at,

@@ -26,7 +26,7 @@ struct Sights {
 };
 
 /// A camera before the target, aside of its axis on the side of the sun and above, as near as all
-/// places are in its image. With `from_D`, it stands there (in the target's frame, z from its
+/// places are in its image. With `from_D`, it is there (in the target's frame, z from its
 /// ground).
 Pose3 SpectatorPose(const Sights& sights, const Camera& camera,
                     const std::optional<Eigen::Vector3d>& from_D);

@@ -27,23 +27,22 @@ FileCheck CheckAt(const std::string& position_m) {
                                              "], rotation_wxyz: [1, 0, 0, 0]}\n"));
 }
 
-TEST(CheckRig, SaysOnWhichSideTheRightCameraStands) {
+TEST(CheckRig, SaysOnWhichSideTheRightCameraIs) {
   EXPECT_EQ(CheckAt("0.12, 0.01, -0.01").summary,
             "640 x 480 px, baseline 0.1208 m, right camera to the right");
   EXPECT_THAT(CheckAt("0.12, 0.01, -0.01").warnings, IsEmpty());
-  EXPECT_THAT(
-      CheckAt("-0.12, 0, 0").warnings,
-      ElementsAre(HasSubstr("the right camera stands to the left of the left one, at (-0.12, "
-                            "0, 0) m right, down and ahead of it: is the sign of T")));
-  EXPECT_THAT(CheckAt("0.01, -0.12, 0").warnings, ElementsAre(HasSubstr("stands above the left")));
-  EXPECT_THAT(CheckAt("0.01, 0.12, 0").warnings, ElementsAre(HasSubstr("stands below the left")));
-  EXPECT_THAT(CheckAt("0, 0, -0.12").warnings, ElementsAre(HasSubstr("stands behind the left")));
-  EXPECT_THAT(CheckAt("0, 0, 0.12").warnings, ElementsAre(HasSubstr("stands ahead of the left")));
+  EXPECT_THAT(CheckAt("-0.12, 0, 0").warnings,
+              ElementsAre(HasSubstr("the right camera is to the left of the left one, at (-0.12, "
+                                    "0, 0) m right, down and ahead of it: is the sign of T")));
+  EXPECT_THAT(CheckAt("0.01, -0.12, 0").warnings, ElementsAre(HasSubstr("is above the left")));
+  EXPECT_THAT(CheckAt("0.01, 0.12, 0").warnings, ElementsAre(HasSubstr("is below the left")));
+  EXPECT_THAT(CheckAt("0, 0, -0.12").warnings, ElementsAre(HasSubstr("is behind the left")));
+  EXPECT_THAT(CheckAt("0, 0, 0.12").warnings, ElementsAre(HasSubstr("is ahead of the left")));
 }
 
 TEST(CheckRig, TakesALongBaselineForMillimetres) {
   EXPECT_THAT(CheckAt("60, 0, 0").warnings,
-              ElementsAre("the cameras stand 60 m apart: is T given in millimetres?"));
+              ElementsAre("the cameras are 60 m apart: is T given in millimetres?"));
 }
 
 TEST(CheckRig, StatesTheShareOfPixelsWithoutARay) {

@@ -1,4 +1,4 @@
-// Help, suggestions, completion, manual pages, and failures told in one way by all commands.
+// Help, suggestions, completion, manual pages, and the same report of failures by all commands.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -179,7 +179,7 @@ TEST(Report, IsAskedForWithTheSameWordsOfARunAndACampaign) {
   const Ended nowhere = Dockyard("run scenarios/axel_typical.yaml --report");
   EXPECT_EQ(nowhere.code, 2);
   EXPECT_THAT(nowhere.err, HasSubstr("--report: expected a file .html, or --out DIR"));
-  // FILE of a campaign need not be there, so the option takes what stands after it.
+  // FILE of a campaign need not be there, so the option takes the next word.
   const Ended taken = Dockyard("campaign --report scenarios/ci_4.yaml");
   EXPECT_EQ(taken.code, 2) << taken.err;
   EXPECT_THAT(taken.err, HasSubstr("expected a file .html, found 'scenarios/ci_4.yaml'"));

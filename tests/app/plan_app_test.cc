@@ -122,7 +122,7 @@ TEST(PlanCommand, TakesAHundredThousandDiscsOfATable) {
   EXPECT_EQ(strewn["warnings"], Json::array());
 }
 
-TEST(PlanCommand, SaysThatAnObstacleStandsInTheWayAtTheStart) {
+TEST(PlanCommand, SaysThatAnObstacleIsTooNearAtTheStart) {
   const ScratchFolder folder;
   const std::string rocks = folder.Write("rocks.csv", "x_m,y_m,radius_m\n0.2,0,0.1\n");
   const Ended ended = Dockyard("plan --json " + kRocky + " --goal 2.6,0.8 --heading-deg 10" +

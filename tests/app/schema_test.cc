@@ -1,4 +1,4 @@
-// The schemas of scenarios and campaigns beside an independent validator.
+// The schemas of scenarios and campaigns against an independent validator.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -43,7 +43,7 @@ class Calibration : public testing::Test {
   const Eigen::Vector3d p_{0.3, -0.2, 1.0};
 };
 
-/// Where the right camera stands in the left one.
+/// Pose of the right camera in the left one.
 inline Pose3 RightInLeft(const StereoRig& rig) { return Inverse(rig.X_RL) * rig.X_RQ; }
 
 }  // namespace dockyard

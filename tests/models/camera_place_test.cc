@@ -58,7 +58,7 @@ TEST_F(CameraPlace, WhatIsNoRotationIsRefused) {
   EXPECT_THAT(message("rotation: [1, 0, 0]"), HasSubstr("expected a matrix of 3 x 3"));
   EXPECT_THAT(message("rotation_wxyz: [2, 0, 0, 0]"), HasSubstr("found length 2"));
   EXPECT_THAT(message("rotation_wxyz: [1, 0, 0, 0], yaw_deg: 3"),
-              HasSubstr("right.yaw_deg: expected no angle beside rotation_wxyz"));
+              HasSubstr("right.yaw_deg: expected no angle next to rotation_wxyz"));
   EXPECT_THAT(message("rotation_wxyz: [1, 0, 0, 0], rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1]"),
               HasSubstr("expected one of rotation and rotation_wxyz"));
 }

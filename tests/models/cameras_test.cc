@@ -186,7 +186,7 @@ TEST(CameraFile, BadOnesAreToldByPlaceAndPath) {
   EXPECT_THAT(message("model: brown", "model: pinhole"), HasSubstr("c.yaml:10:1: k1: unknown key"));
   EXPECT_EQ(message("pixel_zero: centre\n", ""), "c.yaml:1:1: missing key 'pixel_zero'");
   EXPECT_EQ(message("p1: 0.0018", "yaw_deg: 3"),
-            "c.yaml:12:10: yaw_deg: expected a position_m beside it, found '3'");
+            "c.yaml:12:10: yaw_deg: expected a position_m next to it, found '3'");
 }
 
 TEST(CameraFile, BadJsonIsToldByPlaceAndPath) {

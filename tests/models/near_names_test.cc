@@ -59,7 +59,7 @@ TEST_F(NearFiles, AreNamedWhereAFileIsMissing) {
   EXPECT_THAT(message, EndsWith("axel_typical.yaml'?"));
 }
 
-TEST(OtherKind, IsToldWhereAKeyOrALinkIsOfNoSuchThing) {
+TEST(OtherKind, IsNamedWhereAKeyOrALinkIsOfNoSuchThing) {
   for (const char* message : {"dock.yaml:1:1: missing key 'cone'",
                               "dock.yaml:4:3: board.family: unknown key, known are: a",
                               "amr.urdf:3: expected the root link to be 'body'",
@@ -70,7 +70,7 @@ TEST(OtherKind, IsToldWhereAKeyOrALinkIsOfNoSuchThing) {
   }
 }
 
-TEST(OtherKind, IsNotToldForSlipsAndWrongNumbers) {
+TEST(OtherKind, IsNotNamedForSlipsAndWrongNumbers) {
   for (const char* message : {"a.yaml:4:3: board.fidcials: unknown key, did you mean 'fiducials'?",
                               "a.yaml:4:3: mass_kg: expected a number > 0, found 'ten'",
                               "a.yaml:9:5: motors.wheel: missing key 'resistance_ohm'"}) {

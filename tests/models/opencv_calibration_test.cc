@@ -59,7 +59,7 @@ TEST_F(OpenCvStorage, TwoFilesWithoutAPlaceArePlacedByARig) {
   const std::string text = ByFileStorage("x.yml", false);
   const std::string left = folder_.Write("a.yml", text), right = folder_.Write("b.yml", text);
   EXPECT_THAT(MessageOf([&] { LoadRig(left + "," + right); }, folder_),
-              HasSubstr("b.yml: expected where the right camera stands"));
+              HasSubstr("b.yml: expected the place of the right camera"));
   const StereoRig rig =
       Rig("left: {file: a.yml}\nright: {file: b.yml, position_m: [0.1, 0, 0], "
           "rotation_wxyz: [1, 0, 0, 0]}\n");

@@ -42,7 +42,7 @@ TEST(UrdfFaults, OfEachLinkAreAllFound) {
   }
 }
 
-TEST(UrdfFaults, OfOneLinkAreToldWithThePartThatHasThem) {
+TEST(UrdfFaults, OfOneLinkNameThePartThatHasThem) {
   EXPECT_THAT(
       FaultsOf("<link name=\"a\">\n"
                "<visual><geometry><mesh filename=\"none.obj\"/></geometry></visual>\n"
@@ -57,7 +57,7 @@ TEST(UrdfFaults, OfOneLinkAreToldWithThePartThatHasThem) {
                   "m.urdf:6:11: link 'a': sphere radius: expected a number > 0, found '0'"));
 }
 
-TEST(UrdfFaults, ThatFollowFromOthersAreNotTold) {
+TEST(UrdfFaults, ThatFollowFromOthersAreNotListed) {
   const std::string joint =
       "<joint name=\"j\" type=\"hinge\"><parent link=\"a\"/>\n<child link=\"x\"/>"
       "<axis xyz=\"0 0 0\"/></joint>\n";
@@ -67,7 +67,7 @@ TEST(UrdfFaults, ThatFollowFromOthersAreNotTold) {
                           "m.urdf:4:1: <child>: expected the name of a link, found 'x'"));
 }
 
-TEST(UrdfFaults, OfTheTreeAreToldOnceACircle) {
+TEST(UrdfFaults, OfTheTreeAreListedOnceACircle) {
   const auto joint = [](const std::string& parent, const std::string& child) {
     return "<joint name=\"" + parent + child + "\" type=\"fixed\"><parent link=\"" + parent +
            "\"/><child link=\"" + child + "\"/></joint>\n";
@@ -105,7 +105,7 @@ TEST(UrdfFaults, AreNoneInTheModelsHere) {
   }
 }
 
-TEST(UrdfFaults, StandBesideWhatIsLeftOut) {
+TEST(UrdfFaults, AreListedWithWhatIsLeftOut) {
   const ScratchFolder folder;
   const std::string file = folder.Write(
       "m.urdf", "<robot name=\"m\"><link name=\"a\" kind=\"x\"/><gazebo/><gazebo/></robot>");

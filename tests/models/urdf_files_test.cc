@@ -47,7 +47,7 @@ class UrdfPackages : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(UrdfPackages, AreFoundAboveTheFileAndBesideItsOwn) {
+TEST_F(UrdfPackages, AreFoundAboveTheFileAndNextToItsOwn) {
   for (const char* mesh :
        {"package://probe_description/meshes/body arm.obj",
         "package://probe_description/meshes/body%20arm.obj", "package://other/a.obj",
@@ -111,7 +111,7 @@ TEST(Xacro, IsRunOnFilesWithMacros) {
   const OnPath xacro("sed 's/${n}/a/' \"$1\"");
   EXPECT_EQ(Expanded("m.urdf.xacro", kMacros), "(no error)");
   EXPECT_EQ(Expanded("m.urdf", kMacros), "(no error)");
-  // The meshes lie beside the file with the macros.
+  // The meshes are in the folder of the file with the macros.
   EXPECT_EQ(Expanded("m.xacro", Robot("a.obj")), "(no error)");
   EXPECT_THAT(Expanded("m.xacro", Robot("b.obj")),
               StartsWith("m.xacro (expanded):1:32: link 'a': mesh filename: expected a file"));

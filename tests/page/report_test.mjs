@@ -190,7 +190,7 @@ test('the first view holds robot and target over the whole run, wide and narrow'
   }
 });
 
-test('images without a sighting stand on the time axis, and the page says how many there were', async () => {
+test('images without a sighting are on the time axis, and the page says how many there were', async () => {
   const { page, context, messages } = await open({ rows: 40, replays: 1, images: true }, { hash: '#run=1' });
   assert.equal(await page.locator('.sighting-strip span').count(), 20);
   await page.keyboard.press('End');
@@ -206,7 +206,7 @@ test('images without a sighting stand on the time axis, and the page says how ma
   await context.close();
 });
 
-test('curves of the design stand before the table, with the line of the aim', async () => {
+test('curves of the design come before the table, with the line of the aim', async () => {
   const { page, context } = await open({ rows: 40, replays: 1 });
   const [curves, runs] = await Promise.all(['#curves', '#runs'].map((name) => page.locator(name).boundingBox()));
   assert.ok(curves.y < runs.y);

@@ -194,7 +194,7 @@ TEST(Relief, OfALittleRutIsMadeAnewThereAlone) {
   Terrace yard(0.3, SunAt(0.0, Radians(45.0)));
   GroundRelief relief = ReliefOf(yard);
   yard.heights[50 * kSide + 80] = 0.01;
-  // 15 nodes on the way up to 0.3 m towards the sun.
+  // 15 nodes on the ray up to 0.3 m towards the sun.
   const GridRect changed = relief.Update(yard.scene.ground, yard.scene.light.to_sun_W, 0.0093);
   EXPECT_EQ(changed.x_end, 81);
   EXPECT_NEAR(changed.x_begin, 80 - 16, 1);

@@ -20,7 +20,7 @@ double AreaOf(const RenderMesh& mesh, std::size_t first, std::size_t count) {
   return area;
 }
 
-// A spectator's leaf throws as much shade as the flake that the cameras' light meets.
+// A spectator's leaf throws the same shade as the flake that the cameras' light meets.
 TEST(ShadeBodies, LeavesAreGreenAndAsLargeAsTheFlakesBehindTheShade) {
   const Lighting lighting = LightOf(Light::kSpeckled);
   const std::vector<StageBody> bodies = ShadeBodies(lighting);

@@ -86,7 +86,7 @@ TEST_F(CheckedPair, FindsHardlyAnyCornerOfAnotherScene) {
   EXPECT_LT(ShareFound(check), 0.06);
 }
 
-TEST_F(CheckedPair, LooksForNothingInImagesWithoutTexture) {
+TEST_F(CheckedPair, SearchesForNothingInImagesWithoutTexture) {
   StereoImages flat = images_;
   std::fill(flat.left.pixels.begin(), flat.left.pixels.end(), 90);
   EXPECT_EQ(Check(flat).corners, 0);

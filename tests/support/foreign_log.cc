@@ -68,7 +68,7 @@ class ForeignWriter {
     if (how_.compression == ForeignCompression::kZstd) packed = Zstd(records_, true);
     if (how_.compression == ForeignCompression::kZstdWithoutSize) packed = Zstd(records_, false);
     std::string content;
-    PutU64(content, 0);  // times of its messages: not looked at
+    PutU64(content, 0);  // times of its messages: not read
     PutU64(content, 0);
     PutU64(content, records_.size());
     PutU32(content, how_.check_values ? Crc32(records_) : 0);

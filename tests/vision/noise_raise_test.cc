@@ -151,7 +151,7 @@ TEST_F(NoiseRaise, MarksThatDisagreeInKindAreRefused) {
 }
 
 TEST_F(NoiseRaise, FewMarksMustFitAsPredicted) {
-  // The chance that a wrong naming fits so well is the same for any number of marks.
+  // The chance that a wrong match fits so well is the same for any number of marks.
   for (const int freedom : {4, 6, 8, 10}) {
     EXPECT_NEAR(freedom * std::log(MostRaisedRmsPx(freedom) / 2.5), 4.0 * std::log(0.12 / 2.5),
                 1e-9);
@@ -173,7 +173,7 @@ TEST_F(NoiseRaise, ImagesThatFitByThemselvesAloneAreRefused) {
   const Pose3 X_RB{RotY(0.3), {0.02, -0.01, 0.5}};
   const auto flat = [](const Eigen::Vector2d&) { return 0.0; };
   auto marks = Marks(board, X_RB, 0, flat);
-  // The board was tilted between the two images: no turn of the cameras looks like this.
+  // The board was tilted between the two images: no turn of the cameras has this effect.
   const Pose3 moved = X_RB * Pose3{RotY(0.08), Eigen::Vector3d::Zero()};
   for (const MarkPixel& mark : Marks(board, moved, 1, flat)) marks.push_back(mark);
   const RaisedFix raised = WithNoiseRaised(Inputs(board), At(X_RB, marks, "stereo"));

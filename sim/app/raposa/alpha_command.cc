@@ -13,7 +13,7 @@ namespace dockyard::raposa {
 namespace {
 
 const char* const kHelp =
-    "Say from which angle and distance RAPOSA's pyramid is seen, by eqs. (2) and (7) of Ferreira "
+    "Say from which angle and distance RAPOSA's pyramid is viewed, by eqs. (2) and (7) of Ferreira "
     "and Ventura (2009). A command of the system raposa.\n\n"
     "Examples:\n"
     "  dockyard alpha --c-px 20.208456 --g-px 16.157382 --h-m 0.06 --m-m 0.0981256 --f-px "

@@ -190,7 +190,7 @@ int DetectMarks(const std::vector<std::string>& words) {
 }
 
 std::vector<SystemCommand> RaposaCommands() {
-  return {{"alpha", "Say from which angle and distance RAPOSA's pyramid is seen.", Alpha},
+  return {{"alpha", "Say from which angle and distance RAPOSA's pyramid is viewed.", Alpha},
           {"tune", "Write the colour bands of RAPOSA's pyramid from one picture.", Tune}};
 }
 

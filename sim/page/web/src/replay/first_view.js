@@ -1,4 +1,4 @@
-// Where the camera stands at first: all of robot and target in view, over the whole run.
+// The first pose of the camera: all of robot and target in view, over the whole run.
 
 import { Box3, Matrix4, Quaternion, Vector3 } from 'three';
 
@@ -6,7 +6,7 @@ const ASIDE = 1.0; // rad off the target's axis: neither hides the other
 const ABOVE = 0.27; // rad
 const FILLED = 0.86; // share of the image
 const NEAREST_M = 1;
-const SAMPLES = 40; // poses that are looked at
+const SAMPLES = 40; // poses that are tried
 
 /**
  * Corners in W of the boxes round robot and target, over the run.
@@ -49,7 +49,7 @@ export function cornersOf(tracks, groups) {
 
 /**
  * From the centre to the camera: before the target, aside of its axis, on the sun's side unless something
- * that throws a shadow stands there.
+ * that throws a shadow is there.
  * @param {import('./tracks.js').Tracks} tracks
  */
 function outwards(tracks) {
@@ -88,7 +88,7 @@ export function firstView(tracks, corners, fov, aspect) {
       const across = Math.max(Math.abs(p.dot(right)) / wide, Math.abs(p.dot(up)) / high);
       distance = Math.max(distance, p.dot(out) + across);
     }
-    // What is near looks large: the image's middle is not that of the box.
+    // Near things appear large: the image's middle is not that of the box.
     const ends = [Infinity, -Infinity, Infinity, -Infinity];
     for (const corner of corners) {
       const p = corner.clone().sub(centre);

@@ -36,7 +36,7 @@ export function makeGround(ground, blobs, extent, look) {
   };
 }
 
-/** A soil's colour as bright as a page's picture needs it; its hue stays. @param {number[] | undefined} colour */
+/** A soil's colour as bright as a page's image needs it; its hue stays. @param {number[] | undefined} colour */
 function shown(colour) {
   if (!colour) return SAND;
   const bright = 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2];
@@ -51,7 +51,7 @@ function whitened(geometry) {
 }
 
 /**
- * Rings from the edge of the grid, at its heights, out to the horizon, level: no edge is seen.
+ * Rings from the edge of the grid, at its heights, out to the horizon, level: no edge is visible.
  * @param {GroundHeights} heights
  */
 function surroundings({ columns, rows, x0, y0, cell, first }) {

@@ -1,4 +1,4 @@
-// The look of the ground: grain, pebbles and patches over the whole site, and a line at each metre.
+// The material of the ground: grain, pebbles and patches over the whole site, and a line at each metre.
 
 import {
   DataTexture,
@@ -12,7 +12,7 @@ import {
 
 const SIZE = 512; // texels, across GRAIN_M of ground: 3 mm each
 const GRAIN_M = 1.5;
-const PATCH_M = 19; // the same texture, wide: no square of it looks like its neighbour
+const PATCH_M = 19; // the same texture, wide: no square of it repeats its neighbour
 const PEBBLES = 420;
 
 /** @type {DataTexture | null} */
