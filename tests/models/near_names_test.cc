@@ -71,9 +71,11 @@ TEST(OtherKind, IsNamedWhereAKeyOrALinkIsOfNoSuchThing) {
 }
 
 TEST(OtherKind, IsNotNamedForSlipsAndWrongNumbers) {
-  for (const char* message : {"a.yaml:4:3: board.fidcials: unknown key, did you mean 'fiducials'?",
-                              "a.yaml:4:3: mass_kg: expected a number > 0, found 'ten'",
-                              "a.yaml:9:5: motors.wheel: missing key 'resistance_ohm'"}) {
+  for (const char* message :
+       {"a.yaml:4:3: board.fidcials: unknown key, did you mean 'fiducials'?",
+        "a.yaml:16:9: cameras.sensor.exposure.stops: unknown key, known are: rule",
+        "a.yaml:4:3: mass_kg: expected a number > 0, found 'ten'",
+        "a.yaml:9:5: motors.wheel: missing key 'resistance_ohm'"}) {
     EXPECT_EQ(WithOtherKind(message, "robot"), message);
   }
 }
