@@ -35,7 +35,7 @@ class Toy : public testing::Test {
 TEST_F(Toy, RunsIsCheckedAndReplays) {
   EXPECT_EQ(Dockyard("check " + kToy + "scenario.yaml").code, 0);
   const auto run = Dockyard("run " + kToy + "scenario.yaml --out " + dir_.string());
-  EXPECT_THAT(run.out, HasSubstr("miss_m"));
+  EXPECT_THAT(run.out, HasSubstr("  miss  "));
   EXPECT_THAT(Text("history.csv"), HasSubstr("wheel_rad"));
   const auto replay = Dockyard("replay " + dir_.string());
   EXPECT_EQ(replay.code, 0) << replay.out << replay.err;

@@ -52,6 +52,10 @@ TEST(HeldBoard, PlainGridIsFoundNearAndThroughAWideLens) {
 TEST(HeldBoard, PlainGridIsFoundInAnyRollThatItsFileAllows) {
   HeldOptions options = FarGrid();
   EXPECT_EQ(Scored(options, 12, 12).accepted, 12);
+}
+
+TEST(HeldBoard, PlainGridIsFoundByOneCameraInNoise) {
+  HeldOptions options = FarGrid();
   options.left_only = true;
   options.noise_dn = 5.0;
   EXPECT_EQ(Scored(options, 20, 12).accepted, 20);
