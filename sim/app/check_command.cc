@@ -16,7 +16,7 @@ namespace dockyard {
 namespace {
 
 constexpr const char* kCheckHelp =
-    R"(Check input files: scenarios, campaigns, robots, targets, soils, cameras, URDF, meshes.
+    R"(Check input files: scenarios, robots, targets, soils, cameras, URDF, meshes and others.
 
 Examples:
   dockyard check {campaign}
