@@ -18,8 +18,9 @@ Examples:
   dockyard schema scenario >out/scenario.schema.json
   dockyard schema campaign >out/campaign.schema.json
 
-By it an editor completes and checks a file. The schema (draft 2020-12) has each key's type, range, words, default and meaning. An editor with the
-YAML language server reads it by the first line of a file, relative to it:
+By it an editor completes and checks a file. The schema (draft 2020-12) has each key's type, range,
+words, default and meaning. An editor with the YAML language server reads it by the first line of a
+file, relative to it:
 
   # yaml-language-server: $schema=../out/scenario.schema.json
 
