@@ -154,6 +154,6 @@ function gapsAsNull(values) {
 /** @param {number | null} low @param {number | null} high @returns {[number, number]} */
 function padded(low, high) {
   if (low === null || high === null) return [0, 1];
-  const pad = high > low ? 0.06 * (high - low) : Math.max(1e-3, 0.1 * Math.abs(high));
+  const pad = high > low ? 0.06 * (high - low) : 0.1 * Math.abs(high) || 1;
   return [low - pad, high + pad];
 }
