@@ -5,6 +5,7 @@
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_soil.h"
 #include "models/read/load_spreads.h"
+#include "models/read/other_kind.h"
 #include "models/read/yaml_reader.h"
 
 namespace dockyard::raposa {
@@ -22,12 +23,7 @@ void ReadFirm(const YamlReader& in, BeltGround& belt) {
   belt.shear_displacement_m = in.Number("shear_displacement_m", NonNegative(0.2));
 }
 
-}  // namespace
-
-GroundModel LoadGround(const std::string& file, const ModelChanges& changes) {
-  YamlNode root = LoadModelYaml(file);
-  if (changes.told != nullptr) MergeYaml(root, *changes.told);
-  if (changes.built != nullptr) PutBuilt(root, *changes.built);
+GroundModel ReadGround(const YamlNode& root) {
   const bool soft = root.Find("k_phi") != nullptr;
   std::vector<std::string> keys = soft ? SoilKeys() : FirmKeys();
   keys.insert(keys.end(), {"rolling_loss", "patch_scatter", "patch_m", "material", "grain"});
@@ -48,6 +44,15 @@ GroundModel LoadGround(const std::string& file, const ModelChanges& changes) {
   ground.grain = in.Number("grain", Between(0.0, 1.0));
   CheckSpreads(root);
   return ground;
+}
+
+}  // namespace
+
+GroundModel LoadGround(const std::string& file, const ModelChanges& changes) {
+  YamlNode root = LoadModelYaml(file);
+  if (changes.told != nullptr) MergeYaml(root, *changes.told);
+  if (changes.built != nullptr) PutBuilt(root, *changes.built);
+  return NamingOtherKinds("ground", [&] { return ReadGround(root); });
 }
 
 }  // namespace dockyard::raposa

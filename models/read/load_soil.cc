@@ -3,6 +3,7 @@
 
 #include "models/read/config_error.h"
 #include "models/read/load_spreads.h"
+#include "models/read/other_kind.h"
 #include "models/read/yaml_reader.h"
 
 namespace dockyard {
@@ -20,9 +21,11 @@ SoilModel LoadSoil(const std::string& file, const ModelChanges& changes) {
   YamlNode root = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(root, *changes.told);
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
-  const SoilModel soil = ReadSoil(YamlReader(root, "", SoilKeys()));
-  CheckSpreads(root);
-  return soil;
+  return NamingOtherKinds("ground", [&] {
+    SoilModel soil = ReadSoil(YamlReader(root, "", SoilKeys()));
+    CheckSpreads(root);
+    return soil;
+  });
 }
 
 std::vector<std::string> SoilKeys() {

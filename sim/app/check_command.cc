@@ -16,7 +16,7 @@ namespace dockyard {
 namespace {
 
 constexpr const char* kCheckHelp =
-    R"(Check input files: scenarios, robots, targets, soils, cameras, URDF, meshes and others.
+    R"(Check files: scenarios, campaigns, robots, targets, soils, cameras, URDF, meshes.
 
 Examples:
   dockyard check {campaign}

@@ -73,11 +73,18 @@ int ViewOutside(const ViewArguments& arguments, Scenario scenario,
   return kExitDone;
 }
 
+/// Of a view through the robot's own cameras: else they would be left out in silence.
+void RefuseOutsideOptions(const ViewArguments& arguments) {
+  if (arguments.time_s > 0.0) throw UsageError("--time is of --outside alone");
+  if (!arguments.camera.at.empty()) throw UsageError("--at is of --outside alone");
+  if (!arguments.camera.from_D.empty()) throw UsageError("--from is of --outside alone");
+}
+
 int View(const ViewArguments& arguments, const std::vector<System>& systems) {
   Scenario scenario = Load(arguments.scenario, systems);
   const System& system = FindSystem(systems, scenario.system);
   if (arguments.outside) return ViewOutside(arguments, std::move(scenario), systems);
-  if (arguments.time_s > 0.0) throw UsageError("--time is of --outside alone");
+  RefuseOutsideOptions(arguments);
   if (!system.view) throw UsageError("the system " + system.name + " has no cameras to view with");
   scenario.colour = scenario.colour || arguments.colour;
   MakeFolder(arguments.out_dir);

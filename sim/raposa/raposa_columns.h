@@ -57,8 +57,9 @@ void VisitMeasures(const RaposaMeasures& m, Visit&& visit) {
   visit("seat_m", "m", "guide's middle from its seat, at the end", true, m.seat_m);
   visit("shift_before_doors_m", "m", "furthest that the pyramid was moved before the doors closed",
         false, m.shift_before_doors_m);
-  visit("turn_before_doors_deg", "deg", "furthest that it was turned before the doors closed",
-        false, m.turn_before_doors_deg);
+  visit("turn_before_doors_deg", "deg",
+        "furthest that the pyramid was turned before the doors closed", false,
+        m.turn_before_doors_deg);
   visit("contact_peak_n", "N", "largest sum of the forces between robot and pyramid", false,
         m.contact_peak_n);
   visit("belt_current_peak_a", "A", "largest current of a belt's motor", false,

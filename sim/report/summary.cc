@@ -42,7 +42,16 @@ std::string CellOrDash(std::string text) {
   return text.empty() ? "-" : text;
 }
 
-/// The text, cut where there are too many values to show.
+/// Numbers in rising order; words stay in the order in which they first come.
+void Sort(std::vector<Group>& groups) {
+  const auto number = [](const Group& group) { return NumberFromText(group.value); };
+  if (!std::all_of(groups.begin(), groups.end(), number)) return;
+  std::stable_sort(groups.begin(), groups.end(), [&](const Group& a, const Group& b) {
+    return number(a).value() < number(b).value();
+  });
+}
+
+/// Cut where there are too many values to show.
 std::vector<Group> GroupsBy(std::size_t label, const FinishedRuns& runs) {
   std::vector<Group> groups;
   for (const RunResult& result : runs.results) {
@@ -54,6 +63,7 @@ std::vector<Group> GroupsBy(std::size_t label, const FinishedRuns& runs) {
     ++group->runs;
     group->docked += result.docked ? 1 : 0;
   }
+  Sort(groups);
   return groups;
 }
 

@@ -32,17 +32,26 @@ TEST(Program, PrintsThePageOfColumns) {
 }
 
 TEST(Program, EndsWithTwoForArgumentsThatMakeNoSense) {
-  for (const char* arguments :
-       {"dock", "run", "run a b", "run --sead 3 x.yaml", "campaign x.yaml --jobs 0",
-        "campaign x.yaml --jobs many", "replay", "view scenarios/axel_typical.yaml",
-        "run scenarios/axel_typical.yaml --seed -1", "run scenarios/axel_typical.yaml --set start",
-        "run scenarios/axel_typical.yaml --set =5",
-        "run scenarios/axel_typical.yaml --seed 18446744073709551616",
-        "view scenarios/axel_typical.yaml --seed -1 --out x",
-        "view scenarios/axel_typical.yaml --time 3 --out x",
-        "view scenarios/axel_typical.yaml --outside --size 1x1 --out x",
-        "view scenarios/axel_typical.yaml --outside --size 321x180 --out x",
-        "view scenarios/axel_typical.yaml --outside --from 1,2 --out x", "frames x"}) {
+  for (const char* arguments : {"dock",
+                                "run",
+                                "run a b",
+                                "run --sead 3 x.yaml",
+                                "campaign x.yaml --jobs 0",
+                                "campaign x.yaml --jobs many",
+                                "replay",
+                                "view scenarios/axel_typical.yaml",
+                                "run scenarios/axel_typical.yaml --seed -1",
+                                "run scenarios/axel_typical.yaml --set start",
+                                "run scenarios/axel_typical.yaml --set =5",
+                                "run scenarios/axel_typical.yaml --seed 18446744073709551616",
+                                "view scenarios/axel_typical.yaml --seed -1 --out x",
+                                "view scenarios/axel_typical.yaml --time 3 --out x",
+                                "view scenarios/axel_typical.yaml --outside --size 1x1 --out x",
+                                "view scenarios/axel_typical.yaml --outside --size 321x180 --out x",
+                                "view scenarios/axel_typical.yaml --outside --from 1,2 --out x",
+                                "view scenarios/axel_typical.yaml --at tip --out x",
+                                "view scenarios/axel_typical.yaml --from 1,2,3 --out x",
+                                "frames x"}) {
     const Ended ended = Dockyard(arguments);
     EXPECT_EQ(ended.code, 2) << arguments << "\n" << ended.err;
     EXPECT_EQ(ended.out, "") << arguments;

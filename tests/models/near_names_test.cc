@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "models/read/load_soil.h"
 #include "models/read/near_names.h"
 #include "models/read/other_kind.h"
 #include "models/read/text_file.h"
@@ -67,6 +68,15 @@ TEST(OtherKind, IsNamedWhereAKeyOrALinkIsOfNoSuchThing) {
     const std::string hinted = WithOtherKind(message, "robot");
     EXPECT_THAT(hinted, HasSubstr("docs/contributing.md")) << message;
     EXPECT_EQ(WithOtherKind(hinted, "robot"), hinted);
+  }
+}
+
+TEST(OtherKind, IsNamedForARobotsFileInPlaceOfAGround) {
+  try {
+    LoadSoil(DOCKYARD_SOURCE_DIR "/models/axel/axel.yaml");
+    FAIL() << "read as a ground";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a ground of another kind needs a system of its own"));
   }
 }
 

@@ -14,13 +14,16 @@ import { makeReplay } from './made_up_run.mjs';
 import { box, wheel } from './shapes.mjs';
 
 /**
- * @param {{rows: number, replays?: number, single?: boolean, pictures?: boolean, bare?: boolean, images?: boolean}} options
- * `images`: of a controller that reports no sighting
+ * @param {{rows: number, replays?: number, single?: boolean, pictures?: boolean, bare?: boolean, images?: boolean,
+ *   straight?: boolean}} options
+ * `images`: of a controller that reports no sighting; `straight`: every start lies on the target's axis
  * @returns {{header: any, blobs: BlobStore, last: Map<number, number[]>}} `last`: last pose in W of the robot's body by run
  */
-export function makeReport({ rows, replays = 0, single = false, pictures = true, bare = false, images = false }) {
+export function makeReport(options) {
+  const { rows, replays = 0, single = false, pictures = true, bare = false, images = false } = options;
   const blobs = new BlobStore(),
     data = makeRows(rows);
+  if (options.straight) data.start_y_m.fill(1e-16);
   const header = {
     format: 1,
     title: single ? 'A made-up run' : 'Made-up campaign',

@@ -87,6 +87,18 @@ test('a failed run that is clicked and played ends at the last true pose', async
   await context.close();
 });
 
+test('starts on the axis alone lie in a map with numbers to both sides', async () => {
+  const { page, context, messages } = await open({ rows: 4, straight: true });
+  const labels = await page.locator('#starts g[aria-label="y-axis tick label"] text').allTextContents();
+  assert.ok(labels.length > 2, labels.join(' '));
+  assert.ok(
+    labels.every((label) => label.length <= 4),
+    labels.join(' '),
+  );
+  assert.deepEqual(messages, []);
+  await context.close();
+});
+
 test('a click on the map, on a row or on a cause leads to the run', async () => {
   const { page, context, header } = await open({ rows: 40, replays: 3 });
   const failed = header.causes.flatMap((cause) => cause.runs);

@@ -53,6 +53,19 @@ TEST(Summary, OfFourRunsIsThis) {
             "  4  compact  crashed   401.0       8        -\n");
 }
 
+TEST(Summary, ListsNumbersOfALabelInRisingOrder) {
+  FinishedRuns runs;
+  for (const char* angle : {"5", "-10", "0"}) {
+    RunResult row;
+    row.run = static_cast<int>(runs.results.size()) + 1;
+    row.labels = {"loose", angle};
+    row.outcome = "missed";
+    runs.Add({row, {}, ""});
+  }
+  EXPECT_THAT(SummaryText("angles", runs, FakeColumns(), 3),
+              testing::ContainsRegex(" -10 .*\n.* 0 .*\n.* 5 .*\n\nfailures"));
+}
+
 TEST(Summary, GroupsByEveryLabelOfTwoToEightValues) {
   const std::string text = SummaryText("fake", FakeResults(12), FakeColumns(), 12);
   EXPECT_THAT(text, HasSubstr("fake: docked 8/12 (67 %, 35-90 %)"));

@@ -62,6 +62,13 @@ function legend() {
   );
 }
 
+const AROUND_M = 0.5; // shown to both sides of the axis where all starts lie on it
+
+/** All on the target's axis, but for rounding: a range of their own would be 0. @param {any[]} points */
+function onTheAxis(points) {
+  return points.every((p) => Math.abs(p.y) < 1e-3);
+}
+
 /** @param {any[]} points @param {boolean} with_heading @param {(run: number) => void} openRun */
 function drawMap(points, with_heading, openRun) {
   const docked = points.filter((p) => p.docked),
@@ -88,7 +95,7 @@ function drawMap(points, with_heading, openRun) {
     inset: 16,
     ariaLabel: `Map of ${points.length} starts`,
     x: { label: 'x [m]', nice: true },
-    y: { label: 'y [m]', nice: true },
+    y: { label: 'y [m]', nice: true, ...(onTheAxis(points) ? { domain: [-AROUND_M, AROUND_M] } : {}) },
     marks: [
       Plot.gridX({ strokeOpacity: 0.1 }),
       Plot.gridY({ strokeOpacity: 0.1 }),

@@ -7,6 +7,7 @@ import { readChannel } from '../channels.js';
 
 const COLOURS = ['#1f5fa8', '#c8501e', '#1c8a5a', '#7a4fb0', '#9a7b12', '#3a8fb7'];
 const HEIGHT = 120;
+const TICKS_APART_PX = 16; // least distance of two numbers of the y axis; the library's own leaves one number alone
 
 export class Scalars {
   /** @param {import('./tracks.js').Tracks} tracks @param {(time: number) => void} goTo */
@@ -88,7 +89,7 @@ export class Scalars {
       },
       axes: [
         { ...axis, size: 22 },
-        { ...axis, size: 46 },
+        { ...axis, size: 46, space: TICKS_APART_PX },
       ],
       series: [
         {},
@@ -153,6 +154,6 @@ function gapsAsNull(values) {
 /** @param {number | null} low @param {number | null} high @returns {[number, number]} */
 function padded(low, high) {
   if (low === null || high === null) return [0, 1];
-  const pad = high > low ? 0.06 * (high - low) : Math.max(1e-3, 0.1 * Math.abs(high));
+  const pad = high > low ? 0.06 * (high - low) : 0.1 * Math.abs(high) || 1;
   return [low - pad, high + pad];
 }
