@@ -190,7 +190,7 @@ RoverModel ReadRoverKeys(const YamlNode& tree, const YamlNode& drawn_by, int ima
 
 RoverModel ReadRover(const YamlNode& tree, const YamlNode& drawn_by, int image_width,
                      int image_height, MeshStore* meshes) {
-  return NamingOtherKinds(
+  return AdvisingOtherKinds(
       "robot", [&] { return ReadRoverKeys(tree, drawn_by, image_width, image_height, meshes); });
 }
 

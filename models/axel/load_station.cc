@@ -164,7 +164,7 @@ StationModel ReadStationKeys(const YamlNode& tree, MeshStore* meshes) {
 }
 
 StationModel ReadStation(const YamlNode& tree, MeshStore* meshes) {
-  return NamingOtherKinds("target", [&] { return ReadStationKeys(tree, meshes); });
+  return AdvisingOtherKinds("target", [&] { return ReadStationKeys(tree, meshes); });
 }
 
 constexpr std::string_view kMouthHeight = "mouth_height_m";

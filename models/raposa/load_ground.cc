@@ -52,7 +52,7 @@ GroundModel LoadGround(const std::string& file, const ModelChanges& changes) {
   YamlNode root = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(root, *changes.told);
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
-  return NamingOtherKinds("ground", [&] { return ReadGround(root); });
+  return AdvisingOtherKinds("ground", [&] { return ReadGround(root); });
 }
 
 }  // namespace dockyard::raposa

@@ -111,7 +111,7 @@ static PyramidModel ReadPyramidFile(const std::string& file, const ModelChanges&
 }
 
 PyramidModel LoadPyramid(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
-  return NamingOtherKinds("target", [&] { return ReadPyramidFile(file, changes, meshes); });
+  return AdvisingOtherKinds("target", [&] { return ReadPyramidFile(file, changes, meshes); });
 }
 
 }  // namespace dockyard::raposa

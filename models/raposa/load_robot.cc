@@ -203,7 +203,7 @@ static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& cha
 }
 
 RobotModel LoadRobot(const std::string& file, const ModelChanges& changes, MeshStore* meshes) {
-  return NamingOtherKinds("robot", [&] { return ReadRobotFile(file, changes, meshes); });
+  return AdvisingOtherKinds("robot", [&] { return ReadRobotFile(file, changes, meshes); });
 }
 
 }  // namespace dockyard::raposa

@@ -21,7 +21,7 @@ SoilModel LoadSoil(const std::string& file, const ModelChanges& changes) {
   YamlNode root = LoadModelYaml(file);
   if (changes.told != nullptr) MergeYaml(root, *changes.told);
   if (changes.built != nullptr) PutBuilt(root, *changes.built);
-  return NamingOtherKinds("ground", [&] {
+  return AdvisingOtherKinds("ground", [&] {
     SoilModel soil = ReadSoil(YamlReader(root, "", SoilKeys()));
     CheckSpreads(root);
     return soil;

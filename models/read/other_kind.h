@@ -16,7 +16,7 @@ std::string WithOtherKind(const std::string& message, const std::string& what);
 
 /// Calls `read`; its ConfigErrors have the advice.
 template <class Read>
-std::invoke_result_t<Read> NamingOtherKinds(const std::string& what, const Read& read) {
+std::invoke_result_t<Read> AdvisingOtherKinds(const std::string& what, const Read& read) {
   try {
     return read();
   } catch (const ConfigError& error) {

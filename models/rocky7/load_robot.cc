@@ -64,7 +64,7 @@ static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& cha
 }
 
 RobotModel LoadRobot(const std::string& file, const ModelChanges& changes) {
-  return NamingOtherKinds("robot", [&] { return ReadRobotFile(file, changes); });
+  return AdvisingOtherKinds("robot", [&] { return ReadRobotFile(file, changes); });
 }
 
 }  // namespace dockyard::rocky7

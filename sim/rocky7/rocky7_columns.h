@@ -51,9 +51,9 @@ void VisitMeasures(const Rocky7Measures& m, Visit&& visit) {
   visit("point_off_m", "m",
         "the point from the target's middle, at the end; the instrument's face at its contact",
         true, m.point_off_m);
-  visit("estimate_off_m", "m", "the target as it was seen last, from its middle", true,
+  visit("estimate_off_m", "m", "the target as detected last, from its middle", true,
         m.estimate_off_m);
-  visit("worst_estimate_m", "m", "the target as it was seen worst, from its middle", false,
+  visit("worst_estimate_m", "m", "the target as detected worst, from its middle", false,
         m.worst_estimate_m);
   visit("looks", "", "pairs of pictures", true, m.looks);
   visit("grasps", "", "times that the scoops were closed", false, m.grasps);
