@@ -153,6 +153,9 @@ std::vector<std::string_view> LinesOf(std::string_view text) {
   return lines;
 }
 
+/// A spreadsheet leaves rows of empty cells (",,,") below a table: as blank as an empty line.
+bool IsBlank(std::string_view line) { return line.find_first_not_of(" \t,") == line.npos; }
+
 /// Excel's first line "sep=X" names the separator.
 std::optional<char> NamedSeparator(std::string_view line) {
   if (line.size() > 4 && line.front() == '"') line = line.substr(1, line.find_last_not_of('"'));
@@ -185,6 +188,7 @@ YamlNode LoadCsv(const std::string& file, std::size_t max_bytes) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string_view line = lines[i];
     if (line.find_first_not_of(" \t") == std::string_view::npos || line.front() == '#') continue;
+    if (table.has_header() && IsBlank(line)) continue;
     if (!table.has_header() && NamedSeparator(line) == ',') continue;
     CheckSeparator(table, lines, i);
     const int number = static_cast<int>(i) + 1;

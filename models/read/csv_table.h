@@ -1,6 +1,6 @@
 // A table in comma-separated values as a list of YAML mappings, so that rows get the same checks as
 // other input: one header line, cells with commas in quotation marks (RFC 4180, each on one line),
-// lines that begin with # are comments.
+// lines that begin with #, and rows whose cells are all empty are left out.
 #pragma once
 
 #include <string>

@@ -43,6 +43,16 @@ UrdfOptions OptionsOf(const CheckOptions& options) {
   return {.meshes = nullptr, .packages = options.packages, .expand_xacro = true};
 }
 
+/// Links that a joint moves and that have no mass, with what is welded to them.
+void WarnOfMassless(const UrdfModel& model, std::vector<std::string>& warnings) {
+  const UrdfModel welded = WeldFixedLinks(model);
+  for (const UrdfJoint& joint : welded.joints) {
+    if (welded.Link(joint.child).mass_kg > 0.0) continue;
+    warnings.push_back(welded.PlaceOf(joint.child) + ": it has no mass, and the " + joint.type +
+                       " joint '" + joint.name + "' moves it: a run refuses such a link");
+  }
+}
+
 /// Warnings of what the reader takes and a user may not mean.
 std::vector<std::string> WarningsOf(const UrdfModel& model) {
   std::vector<std::string> warnings = model.warnings;
@@ -52,6 +62,7 @@ std::vector<std::string> WarningsOf(const UrdfModel& model) {
       if (!doubt.empty()) warnings.push_back(model.place[i] + ": visual: " + doubt);
     }
   }
+  WarnOfMassless(model, warnings);
   for (const char* ignored : {"joint_properties", "surface", "contact", "contact_coefficients"}) {
     if (model.left_out.count(ignored) == 0) continue;
     warnings.push_back("<" + std::string(ignored) +

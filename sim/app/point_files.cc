@@ -103,7 +103,7 @@ std::vector<PointFrame> LoadPointFrames(const std::string& file, bool sequence,
     }
     if (is_new) frames.push_back({.name = name, .points = {}, .rows = {}});
     if (IsNoNumber(row, "u_px") || IsNoNumber(row, "v_px")) {
-      in.Choice("camera", {"left", "right"});
+      if (Given(row, "camera")) in.Choice("camera", {"left", "right"});
       ++frames[at->second].not_detected;
       continue;
     }

@@ -45,7 +45,7 @@ they are left out. Optional columns; an empty cell counts as a missing column:
 Further columns are ignored. A row whose pixel is empty or NaN was not detected: it is left out and counted. A
 pixel more than 2 px outside the image is an error. The survey's error is shared by all pixels of a point; it enters what counts as
 wrong, the weights and the covariance, and the default holds for the whole file. Pipeline tsai2013 knows
-neither it nor discs, and leaves no point out. Chi-square above 10 times its freedom is a warning, or a refusal
+neither it nor discs, and leaves no point out. Chi-square above 5 times its freedom is a warning, or a refusal
 when a usual mistake explains it: cameras exchanged, axes left-handed, an image of another size.
 
 Prints the body's pose in the rover body (metres, unit quaternion w x y z, covariance), the rover's in the

@@ -80,6 +80,28 @@ TEST(CheckCommand, HasNoLineForAFaultWithoutOne) {
   EXPECT_EQ(answer["faults"], Json::array({fault}));
 }
 
+// A link without mass may hang on a fixed joint; on another one no run can move it.
+TEST(CheckCommand, WarnsOfALinkWithoutMassThatMoves) {
+  const ScratchFolder folder;
+  const auto Warnings = [&](const std::string& type, const std::string& tip) {
+    const std::string file = folder.Write(
+        "m.urdf", Robot("<link name=\"a\"/><link name=\"b\"/><link name=\"c\">" + tip +
+                        "</link><joint name=\"j\" type=\"" + type +
+                        "\"><parent link=\"a\"/><child link=\"b\"/></joint><joint name=\"k\" "
+                        "type=\"fixed\"><parent link=\"b\"/><child link=\"c\"/></joint>"));
+    const Ended ended = Dockyard("check --json " + file);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return Json::parse(ended.out)["warnings"].dump();
+  };
+  const std::string massive =
+      "<inertial><mass value=\"1\"/><inertia ixx=\"0.01\" iyy=\"0.01\" izz=\"0.01\" "
+      "ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>";
+  EXPECT_THAT(Warnings("continuous", ""),
+              HasSubstr("link 'b': it has no mass, and the continuous joint 'j' moves it"));
+  EXPECT_EQ(Warnings("continuous", massive), "[]");
+  EXPECT_EQ(Warnings("fixed", ""), "[]");
+}
+
 TEST(CheckCommand, TakesTheFoldersOfPackages) {
   const ScratchFolder folder;
   folder.Write("parts/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -20,9 +20,10 @@ std::string MessageFor(const std::string& text) {
   return MessageOf([&] { LoadCsv(file); }, folder);
 }
 
-TEST(CsvTable, ReadsTheSameWithTheLineEndsOfEverySystem) {
-  for (const char* text : {"run,x_m\n1,2.5\n3,4\n", "run,x_m\r\n1,2.5\r\n3,4\r\n",
-                           "run,x_m\r1,2.5\r3,4\r", "run,x_m\n\n1,2.5\n# a note\n3,4"}) {
+TEST(CsvTable, ReadsTheSameWithAnyLineEndsAndBlankRows) {
+  for (const char* text :
+       {"run,x_m\n1,2.5\n3,4\n", "run,x_m\r\n1,2.5\r\n3,4\r\n", "run,x_m\r1,2.5\r3,4\r",
+        "run,x_m\n\n1,2.5\n# a note\n3,4", "run,x_m\n1,2.5\n,\n3,4\n , \n,\n"}) {
     const YamlNode table = TableOf(text);
     ASSERT_EQ(table.items.size(), 2u) << text;
     EXPECT_EQ(table.items[0].Find("x_m")->scalar, "2.5");

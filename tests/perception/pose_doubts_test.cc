@@ -30,12 +30,13 @@ class PoseDoubts : public ::testing::Test {
     WriteText(rig_, "left: {" + camera + "}\nright: {" + camera +
                         ", position_m: [0.12, 0, 0], pitch_deg: -90, roll_deg: 90}\n");
   }
-  /// Corners of a box 1.2 m ahead, turned by 0.3 about y, by the pinhole's own formula; pixels as of
-  /// an image `scale` times as large, x times `hand`, with noise.
+  /// Corners of a box 1.2 m ahead, turned by 0.3 about y, by the pinhole's own formula; pixels as
+  /// of an image `scale` times as large, x times `hand`, with noise.
   std::string Rows(double scale, double hand, double noise_px, const std::string& frame = "") {
     std::string csv;
     for (int i = 0; i < 16; ++i) {
-      const double x = i & 1 ? 0.2 : -0.15, y = i & 2 ? 0.15 : -0.2, z = i & 4 ? 0.1 : -0.12;
+      const double x = size_ * (i & 1 ? 0.2 : -0.15), y = size_ * (i & 2 ? 0.15 : -0.2),
+                   z = size_ * (i & 4 ? 0.1 : -0.12);
       const double by = i & 8 ? 0.5 : 1.0;
       const double bx = by * x, bz = by * z, c = std::cos(0.3), s = std::sin(0.3);
       const double X = c * bx + s * bz + 0.05, Y = by * y + 0.02, Z = -s * bx + c * bz + 1.2;
@@ -59,6 +60,7 @@ class PoseDoubts : public ::testing::Test {
   RandomStream random_{StreamKey(3, "pose doubts")};
   const TemporaryFolder folder_;
   std::string rig_, file_;
+  double size_ = 1.0;
 };
 
 TEST_F(PoseDoubts, GoodPointsHaveNoWarning) {
@@ -86,6 +88,18 @@ TEST_F(PoseDoubts, PixelsOfASmallerImageAreNamedAsSuch) {
   EXPECT_THAT(ended.out, HasSubstr("image of another size, 320 x 240"));
 }
 
+// A small body in a corner of the image: a long, tilted one explains its pixels nearly.
+TEST_F(PoseDoubts, ASmallBodyInASmallerImageIsNotBelieved) {
+  size_ = 0.5;
+  const Ended good = Pose(Rows(1.0, 1.0, 0.05));
+  ASSERT_EQ(good.code, 0) << good.out;
+  EXPECT_TRUE(json::parse(good.out)["warnings"].empty());
+  for (const double scale : {0.25, 1.0 / 3.0, 0.5}) {
+    const Ended ended = Pose(Rows(scale, 1.0, 0.05));
+    EXPECT_EQ(ended.code, 4) << scale << ended.out;
+  }
+}
+
 TEST_F(PoseDoubts, AMirroredBodyIsNamedAsSuch) {
   const Ended ended = Pose(Rows(1.0, -1.0, 0.1));
   EXPECT_EQ(ended.code, 4) << ended.out;
@@ -106,12 +120,12 @@ TEST_F(PoseDoubts, NoiseBeyondReasonIsAWarningAndInTheCovariance) {
 
 TEST_F(PoseDoubts, RowsWithoutAPixelAreLeftOutAndCounted) {
   WriteText(file_, "frame,camera,u_px,v_px,x_m,y_m,z_m\n" + Rows(1.0, 1.0, 0.1, "a,") +
-                       "a,left,nan,NaN,0.1,0.1,0.1\nb,left,,,0.1,0.1,0.1\n" +
+                       "a,left,nan,NaN,0.1,0.1,0.1\nb,left,,,0.1,0.1,0.1\nb,,,,,,\n,,,,,,\n" +
                        Rows(1.0, 1.0, 0.1, "c,"));
   const std::string command = "pose --sequence " + file_ + " --rig " + rig_;
   const Ended ended = Dockyard(command + " --json");
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("3 frames, 2 poses; 2 rows without a pixel left out"));
+  EXPECT_THAT(ended.err, HasSubstr("3 frames, 2 poses; 3 rows without a pixel left out"));
   std::istringstream lines(ended.out);
   std::vector<json> frames;
   for (std::string line; std::getline(lines, line);) frames.push_back(json::parse(line));
@@ -119,7 +133,7 @@ TEST_F(PoseDoubts, RowsWithoutAPixelAreLeftOutAndCounted) {
   EXPECT_EQ(frames[0]["not_detected"], 1);
   EXPECT_EQ(frames[0]["points_used"], 32);
   EXPECT_EQ(frames[1]["accepted"], false);
-  EXPECT_EQ(frames[1]["not_detected"], 1);
+  EXPECT_EQ(frames[1]["not_detected"], 2);
   EXPECT_EQ(frames[2]["accepted"], true);
   for (const json& frame : frames) EXPECT_TRUE(frame["warnings"].is_array());
   // A single frame says so in its warnings.
