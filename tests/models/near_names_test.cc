@@ -71,7 +71,7 @@ TEST(OtherKind, IsToldWhereAKeyOrALinkIsOfNoSuchThing) {
   }
 }
 
-TEST(OtherKind, IsToldOfARobotsFileThatIsNamedAsAGround) {
+TEST(OtherKind, HintsAtASystemForARobotsFileAsAGround) {
   try {
     LoadSoil(DOCKYARD_SOURCE_DIR "/models/axel/axel.yaml");
     FAIL() << "read as a ground";
