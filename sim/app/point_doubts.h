@@ -8,8 +8,8 @@
 namespace dockyard {
 
 /// Chi-square above this multiple of its freedom is beyond reason: pixels of 0.15 px then err by
-/// 0.34 px. Other people's detectors do, so this alone is a warning. A small body in an image of half
-/// the size makes 6 to 7 times; no frame of STAR-loc has 3. Assumed, 4-10.
+/// 0.34 px. Other people's detectors do, so this alone is a warning. A small body in an image of
+/// half the size makes 6 to 7 times; no frame of STAR-loc has 3. Assumed, 4-10.
 constexpr double kBeyondReason = 5.0;
 
 /// The pose of a frame by one pipeline. When pipeline dockyard refuses it, or its chi-square is

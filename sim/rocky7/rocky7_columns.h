@@ -53,7 +53,7 @@ void VisitMeasures(const Rocky7Measures& m, Visit&& visit) {
         true, m.point_off_m);
   visit("estimate_off_m", "m", "the target as detected last, from its middle", true,
         m.estimate_off_m);
-  visit("worst_estimate_m", "m", "the target as detected worst, from its middle", false,
+  visit("worst_estimate_m", "m", "largest distance of an estimate from the target's middle", false,
         m.worst_estimate_m);
   visit("looks", "", "pairs of pictures", true, m.looks);
   visit("grasps", "", "times that the scoops were closed", false, m.grasps);

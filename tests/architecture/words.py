@@ -76,7 +76,7 @@ def files(root):
     for room in ROOMS:
         for path in sorted((root / room).rglob("*")):
             relative = path.relative_to(root)
-            if path.is_file() and is_text(relative) and str(relative) not in OWN_FILES:
+            if "node_modules" not in path.parts and path.is_file() and is_text(relative) and str(relative) not in OWN_FILES:
                 yield relative
 
 
