@@ -196,12 +196,15 @@ int PrintStereo(const StereoArguments& in) {
   const PairVerdict verdict = JudgePair(rectifier, images, most_px);
   std::vector<std::string> warnings;
   for (const std::string& warning : verdict.warnings) Warn(warning, &warnings);
+  std::optional<StereoScore> score;
+  if (truth) score = ScoreOf(found, *truth);
+  if (score && score->matched == 0) Warn(NothingScored(in.truth, *score), &warnings);
   if (in.json) {
     Json json = PairJson(rectifier);
     json["disparities"] = {{"least_px", settings.least_px}, {"count", settings.count_px}};
     json["matched_share"] = share;
     json["pair_check"] = ToJson(verdict.check);
-    if (truth) json["truth"] = ToJson(ScoreOf(found, *truth));
+    if (score) json["truth"] = ToJson(*score);
     json["warnings"] = warnings;
     std::printf("%s\n", json.dump(2).c_str());
     return kExitDone;
@@ -209,7 +212,7 @@ int PrintStereo(const StereoArguments& in) {
   std::printf("%s %d x %d px, %.1f px/rad, baseline %.4f m\n%.1f %% of the pixels matched\n",
               rectifier.IsKept() ? "rectified already:" : "rectified to", pair.width, pair.height,
               pair.focal_px, pair.baseline_m, 100.0 * share);
-  if (truth) std::printf("%s", TextOf(ScoreOf(found, *truth)).c_str());
+  if (score) std::printf("%s", TextOf(*score).c_str());
   return kExitDone;
 }
 

@@ -111,4 +111,12 @@ std::string TextOf(const StereoScore& score) {
   return text;
 }
 
+std::string NothingScored(const std::string& file, const StereoScore& score) {
+  return file +
+         (score.truths == 0 ? ": no pixel has a true disparity (0, negative numbers, "
+                              "infinity and NaN are unknown)"
+                            : ": no pixel with a true disparity is matched") +
+         ": nothing is scored";
+}
+
 }  // namespace dockyard

@@ -26,5 +26,7 @@ StereoScore ScoreOf(const Disparities& found, const Disparities& truth);
 
 Json ToJson(const StereoScore& score);
 std::string TextOf(const StereoScore& score);
+/// Why a score of no pixel says nothing.
+std::string NothingScored(const std::string& file, const StereoScore& score);
 
 }  // namespace dockyard

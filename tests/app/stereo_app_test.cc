@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <sstream>
 
 #include "app/program.h"
@@ -161,6 +162,21 @@ TEST_F(StereoCommand, ScoresAPairByTrueDisparities) {
   const Ended other = Dockyard("stereo " + Arguments() + " --truth " + left_);
   EXPECT_EQ(other.code, 3);
   EXPECT_THAT(other.err, HasSubstr("the size of the left rectified image"));
+}
+
+TEST_F(StereoCommand, SaysThatATruthOfNoPixelScoresNothing) {
+  const std::string file = folder_.path() / "d.pfm";
+  ASSERT_EQ(Dockyard("stereo " + Arguments() + " --disparity " + file).code, 0);
+  std::string text = Slurp(file);
+  // Infinity in every pixel: three lines of text stand before them.
+  std::size_t begin = 0;
+  for (int line = 0; line < 3; ++line) begin = text.find('\n', begin) + 1;
+  for (std::size_t i = begin; i < text.size(); ++i) text[i] = "\0\0\x80\x7f"[(i - begin) % 4];
+  std::ofstream(file, std::ios::binary) << text;
+  const Ended ended = Dockyard("stereo " + Arguments() + " --json --truth " + file);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(Json::parse(ended.out)["warnings"].dump(),
+              HasSubstr("no pixel has a true disparity"));
 }
 
 // OpenCV ends a program for some of these.
