@@ -168,7 +168,7 @@ TEST_F(StereoCommand, SaysThatATruthOfNoPixelScoresNothing) {
   const std::string file = folder_.path() / "d.pfm";
   ASSERT_EQ(Dockyard("stereo " + Arguments() + " --disparity " + file).code, 0);
   std::string text = Slurp(file);
-  // Infinity in every pixel: three lines of text stand before them.
+  // Infinity in every pixel: three lines of text precede them.
   std::size_t begin = 0;
   for (int line = 0; line < 3; ++line) begin = text.find('\n', begin) + 1;
   for (std::size_t i = begin; i < text.size(); ++i) text[i] = "\0\0\x80\x7f"[(i - begin) % 4];
