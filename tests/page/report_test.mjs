@@ -156,6 +156,7 @@ test('keys play and step wherever the focus is, but in a field', async () => {
   await page.keyboard.press('ArrowDown');
   assert.equal(await time(), 0);
   await page.keyboard.press('Escape');
+  await page.waitForSelector('#overview', { state: 'visible' });
   await page.focus('#filter');
   await page.keyboard.type('a b');
   assert.equal(await page.inputValue('#filter'), 'a b');
@@ -214,7 +215,8 @@ test('images without a sighting are on the time axis, and the page says how many
     const pixel = document.querySelector('.cameras canvas')?.getContext('2d').getImageData(5, 5, 1, 1).data;
     return pixel?.[0] > 150;
   });
-  assert.deepEqual(messages, []);
+  // Chromium says so of this test's own reading, when it reads often.
+  assert.deepEqual(messages.filter((message) => !message.includes('willReadFrequently')), []);
   await context.close();
 });
 
