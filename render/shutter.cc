@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "controller/base/check.h"
 
@@ -10,14 +11,27 @@ namespace dockyard {
 namespace {
 
 constexpr int kMostViews = 16;
+constexpr double kPart_px =
+    0.85;  // three-tap weights are within 0.2 % of a box's under 0.6 px of blur
 
 void Add(const std::vector<float>& more, std::vector<float>& sum) {
   DOCKYARD_CHECK(more.size() == sum.size());
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
 }
 
-void Scale(float factor, std::vector<float>& values) {
-  for (float& value : values) value *= factor;
+void Add(RadianceImage more, RadianceImage& sum) {
+  if (sum.values.empty()) {
+    sum = std::move(more);
+    return;
+  }
+  Add(more.values, sum.values);
+  Add(more.inverse_depth, sum.inverse_depth);
+}
+
+void Scale(float factor, RadianceImage& image) {
+  if (factor == 1.0f) return;
+  for (float& value : image.values) value *= factor;
+  for (float& value : image.inverse_depth) value *= factor;
 }
 
 }  // namespace
@@ -64,22 +78,22 @@ std::vector<Pose3> PosesInExposure(const Pose3& X_WC, const Eigen::Vector3d& v_W
   return poses;
 }
 
-StereoRadiance OverExposure(double motion_px, const std::function<StereoRadiance(double)>& view) {
-  const std::vector<double> moments = ExposureMoments(motion_px);
-  StereoRadiance sum = view(moments.front());
-  for (std::size_t i = 1; i < moments.size(); ++i) {
-    const StereoRadiance more = view(moments[i]);
-    for (std::size_t k = 0; k < sum.size(); ++k) {
-      Add(more[k].values, sum[k].values);
-      Add(more[k].inverse_depth, sum[k].inverse_depth);
-    }
+StereoRadiance OverExposure(double motion_px, const StereoRig& rig, const ExposureMotion& motion,
+                            const ViewAt& view) {
+  DOCKYARD_CHECK(std::isfinite(motion_px) && motion_px >= 0.0);
+  if (motion_px < ShutterSteps{}.sharp_px) return view(0.0, false);
+  const int parts = std::clamp(static_cast<int>(std::ceil(motion_px / kPart_px)), 1, kMostViews);
+  const ExposureMotion part{motion.shift_m / parts, motion.turn_rad / parts};
+  const std::array<ExposureMotion, 2> of_cameras{MotionOfCamera(part, rig.X_RL),
+                                                 MotionOfCamera(part, rig.X_RQ)};
+  StereoRadiance sum;
+  for (int i = 0; i < parts; ++i) {
+    StereoRadiance more = view((i + 0.5) / parts - 0.5, true);
+    BlurByMotion(rig.left, of_cameras[0], more[0]);
+    BlurByMotion(rig.right, of_cameras[1], more[1]);
+    for (std::size_t k = 0; k < sum.size(); ++k) Add(std::move(more[k]), sum[k]);
   }
-  if (moments.size() == 1) return sum;
-  const auto share = 1.0f / static_cast<float>(moments.size());
-  for (RadianceImage& image : sum) {
-    Scale(share, image.values);
-    Scale(share, image.inverse_depth);
-  }
+  for (RadianceImage& image : sum) Scale(1.0f / static_cast<float>(parts), image);
   return sum;
 }
 

@@ -1,5 +1,5 @@
-// Motion blur: the picture of a moving camera is the mean of several views over its exposure. No
-// GL. All rows are exposed at once: a rolling shutter is not simulated.
+// Motion blur: the image of a moving camera is the mean of views over its exposure. No GL. All rows
+// are exposed at once: a rolling shutter is not simulated.
 #pragma once
 
 #include <array>
@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "controller/geometry/camera.h"
+#include "render/motion_blur.h"
 #include "render/stereo_renderer.h"
 
 namespace dockyard {
 
-/// Way in the image [px] of a thing at distance_m > 0 while the shutter is open, at most: the
-/// camera's turning and its own way add up. Of the middle of the image, in a pinhole's small
-/// angles.
+/// Displacement in the image [px] of a thing at distance_m > 0 while the shutter is open, at most:
+/// those by the camera's turning and by its travel add up. Of the middle of the image, in a
+/// pinhole's small angles.
 double MotionInExposure_px(const Camera& camera, double turn_rad_s, double speed_m_s,
                            double distance_m, double exposure_s);
 
@@ -41,8 +42,16 @@ std::vector<Pose3> PosesInExposure(const Pose3& X_WC, const Eigen::Vector3d& v_W
                                    double motion_px, const ShutterSteps& steps = {});
 
 using StereoRadiance = std::array<RadianceImage, 2>;
-/// The mean of both views over the exposure. view: both ideal views at that share of it after its
-/// middle. Depths, which a lens with a focus needs, are means, too.
-StereoRadiance OverExposure(double motion_px, const std::function<StereoRadiance(double)>& view);
+/// A pair of views for OverExposure. share: when, as a share of the exposure after its middle.
+using ViewAt = std::function<StereoRadiance(double share, bool with_depth)>;
+
+/// The mean of both views over an exposure in which the image moves by motion_px at most: one view
+/// if that is below 0.25 px. Otherwise the exposure is cut into equal parts of 0.85 px at most (16
+/// parts at most), each with one view at its middle that BlurByMotion widens by the part's motion.
+/// So a spot is widened by as much as by a box, d^2/12, and one view serves the slow motions of a
+/// docking. `motion` is that of the rig's body. Nothing but the camera is taken to move within a
+/// part. The depths, which a lens with a focus needs, are means, too.
+StereoRadiance OverExposure(double motion_px, const StereoRig& rig, const ExposureMotion& motion,
+                            const ViewAt& view);
 
 }  // namespace dockyard

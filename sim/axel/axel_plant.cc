@@ -72,16 +72,19 @@ std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras,
   return images;
 }
 
-// A still pair is one view. The middle of a moving one's exposure is now.
+// The middle of the exposure is now.
 StereoImages AxelPlant::Picture(const SensorOptions& sensor) {
   StereoRenderer& renderer = renderer_->Get();
   const double shutter_s = built_.world.rover.stereo.shutter_s;
-  const auto view = [&](double share) {
+  const StereoRig& rig = built_.built_rig;
+  const auto view = [&](double share, bool with_depth) {
     const Truth then = share == 0.0 ? truth_ : MovedOn(truth_, share * shutter_s);
-    return renderer.RenderRadiance(scene_.Make(then, world_.ground()), built_.built_rig, then.X_WR,
-                                   sensor.focus.distance_m > 0.0);
+    return renderer.RenderRadiance(scene_.Make(then, world_.ground()), rig, then.X_WR,
+                                   with_depth || sensor.focus.distance_m > 0.0);
   };
-  return ExposeStereo(OverExposure(BoardMotion_px(truth_, built_), view), built_.built_rig, sensor);
+  const ExposureMotion motion =
+      MotionOverExposure(truth_.X_WR.R, truth_.v_WR_W, truth_.w_WR_W, shutter_s);
+  return ExposeStereo(OverExposure(BoardMotion_px(truth_, built_), rig, motion, view), rig, sensor);
 }
 
 void AxelPlant::Advance(const Commands& commands) {

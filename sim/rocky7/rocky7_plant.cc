@@ -104,17 +104,20 @@ StereoImages Rocky7Plant::TakePair(const PairView& pair, double exposure_stops) 
   SensorOptions sensor = CameraSensor(pair.model, seed_, pairs_taken_++);
   sensor.exposure_stops += exposure_stops;
   StereoRenderer& renderer = renderer_->Get();
-  const auto view = [&](double share) {
+  const auto view = [&](double share, bool with_depth) {
     const double seconds = share * pair.model.shutter_s;
     const Truth then = share == 0.0 ? truth_ : MovedOn(truth_, seconds);
     const Pose3 X_WC = pair.left == kMastLeft ? MastMovedOn(truth_, seconds) : then.X_WR;
     return renderer.RenderRadiance(scene_.Make(then, world_.ground()), pair.built, X_WC,
-                                   sensor.focus.distance_m > 0.0);
+                                   with_depth || sensor.focus.distance_m > 0.0);
   };
+  const Pose3 X_WC = pair.left == kMastLeft ? MastMovedOn(truth_, 0.0) : truth_.X_WR;
+  const ExposureMotion motion =
+      MotionOverExposure(X_WC.R, pair.speed_m_s, pair.turning_rad_s, pair.model.shutter_s);
   const double motion_px =
       MotionInExposure_px(pair.built.left, pair.turning_rad_s.norm(), pair.speed_m_s.norm(),
                           kNearest_m, pair.model.shutter_s);
-  return ExposeStereo(OverExposure(motion_px, view), pair.built, sensor);
+  return ExposeStereo(OverExposure(motion_px, pair.built, motion, view), pair.built, sensor);
 }
 
 void Rocky7Plant::Advance(const Commands& commands) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "render/optics.h"
 #include "render/scene_samples.h"
 
 namespace dockyard {
@@ -43,9 +44,19 @@ Spread SpreadOf(const RadianceImage& image) {
   return spread;
 }
 
+StereoRig EdgeRig() {
+  const Camera camera = EquidistantCamera(kWidth, kHeight, Radians(60.0));
+  return {camera, camera, {}, {}};
+}
+
+/// Both views of the edge, far away, while the cameras turn so that it goes right.
 StereoRadiance MovedEdge(double motion_px) {
-  return OverExposure(motion_px, [&](double share) -> StereoRadiance {
-    return {EdgeAt(60.3 + share * motion_px), EdgeAt(60.3 - share * motion_px)};
+  const StereoRig rig = EdgeRig();
+  const ExposureMotion turning{{0, 0, 0}, {0, -motion_px / rig.left.focal_px().x(), 0}};
+  return OverExposure(motion_px, rig, turning, [&](double share, bool with_depth) {
+    RadianceImage edge = EdgeAt(60.3 + share * motion_px);
+    if (with_depth) edge.inverse_depth.assign(edge.values.size(), 0.0f);
+    return StereoRadiance{edge, edge};
   });
 }
 
@@ -98,11 +109,13 @@ TEST(Shutter, StepsUnderABlurCannotBeSeenBehindIt) {
 
 TEST(Shutter, OneViewOfAStillCamera) {
   int views = 0;
-  const StereoRadiance still = OverExposure(0.04, [&](double share) -> StereoRadiance {
+  const auto view = [&](double share, bool with_depth) -> StereoRadiance {
     ++views;
     EXPECT_EQ(share, 0.0);
+    EXPECT_FALSE(with_depth);
     return {EdgeAt(50.0), EdgeAt(50.0)};
-  });
+  };
+  const StereoRadiance still = OverExposure(0.04, EdgeRig(), {}, view);
   EXPECT_EQ(views, 1);
   EXPECT_EQ(still[0].values, EdgeAt(50.0).values);
 }
@@ -123,28 +136,66 @@ double RmsApart(const RadianceImage& a, const RadianceImage& b) {
   return std::sqrt(sum / static_cast<double>(a.values.size()));
 }
 
-// A camera that turns by 2 px before the board: five views stand for a box of 20. What is left are
-// the steps of half a pixel at edges that no lens has blurred yet.
-TEST(Shutter, TurningCameraSeesWhatManyMoreViewsShow) {
-  StereoRenderer renderer;
-  const StereoRig rig = SampleRig(160, 120);
-  const Scene scene = BoardOnly();
-  constexpr double kMotion_px = 2.0;
-  constexpr int kViews = 20;
-  const double turn_rad = kMotion_px / rig.left.focal_px().x();
-  const auto view = [&](double share) {
-    return renderer.RenderRadiance(scene, rig, LevelRover(-2.0, 0.0, share * turn_rad));
-  };
-  RadianceImage box = view(-0.5 + 0.5 / kViews)[0];
+/// The mean of 40 views evenly over an exposure.
+RadianceImage ManyViews(const std::function<RadianceImage(double share)>& view) {
+  constexpr int kViews = 40;
+  RadianceImage box = view(-0.5 + 0.5 / kViews);
   for (int i = 1; i < kViews; ++i) {
-    const RadianceImage more = view(-0.5 + (i + 0.5) / kViews)[0];
+    const RadianceImage more = view(-0.5 + (i + 0.5) / kViews);
     for (std::size_t k = 0; k < box.values.size(); ++k) box.values[k] += more.values[k];
   }
   for (float& value : box.values) value /= static_cast<float>(kViews);
-  const double still = RmsApart(view(0.0)[0], box);
-  const double blurred = RmsApart(OverExposure(kMotion_px, view)[0], box);
+  return box;
+}
+
+// A camera that drives and turns before the board so that it moves by 2 px, behind a lens of 0.6
+// px. Slower motions are smaller than the renderer's own steps at edges: for them see
+// MotionBlur.
+TEST(Shutter, MovingCameraSeesWhatManyViewsShow) {
+  StereoRenderer renderer;
+  const StereoRig rig = SampleRig(160, 120);
+  const Scene scene = BoardOnly();
+  constexpr double kDistance_m = 2.0, kMotion_px = 2.0;
+  // Half of the motion is a turn, half a displacement to the right of the view.
+  const double turn_rad = 0.5 * kMotion_px / rig.left.focal_px().x();
+  const double shift_m = turn_rad * kDistance_m;
+  int views = 0;
+  const auto rover = [&](double share) {
+    Pose3 X_WR = LevelRover(-kDistance_m, 0.0, share * turn_rad);
+    X_WR.p.y() -= share * shift_m;
+    return X_WR;
+  };
+  const auto view = [&](double share, bool with_depth) {
+    ++views;
+    return renderer.RenderRadiance(scene, rig, rover(share), with_depth);
+  };
+  const auto behind_lens = [](RadianceImage image) {
+    Blur(0.6, image);
+    return image;
+  };
+  const RadianceImage box =
+      behind_lens(ManyViews([&](double share) { return view(share, false)[0]; }));
+  const double still = RmsApart(behind_lens(view(0.0, false)[0]), box);
+  views = 0;
+  const ExposureMotion motion =
+      MotionOverExposure(rover(0.0).R, {0, -shift_m, 0}, {0, 0, turn_rad}, 1.0);
+  const RadianceImage moving = OverExposure(kMotion_px, rig, motion, view)[0];
+  EXPECT_EQ(views, 3);
   EXPECT_GT(still, 0.0);
-  EXPECT_LT(blurred, 0.35 * still);
+  EXPECT_LT(RmsApart(behind_lens(moving), box), 0.3 * still);
+}
+
+TEST(Shutter, OneViewServesASlowMotion) {
+  for (const auto& [motion_px, wanted] : {std::pair{0.3, 1}, {0.84, 1}, {0.9, 2}, {1e6, 16}}) {
+    int views = 0;
+    OverExposure(motion_px, EdgeRig(), {}, [&](double, bool with_depth) {
+      ++views;
+      RadianceImage edge = EdgeAt(50.0);
+      if (with_depth) edge.inverse_depth.assign(edge.values.size(), 0.0f);
+      return StereoRadiance{edge, edge};
+    });
+    EXPECT_EQ(views, wanted) << motion_px;
+  }
 }
 
 }  // namespace
