@@ -41,8 +41,7 @@ struct Counts {
   std::int64_t planned = 0;  // 0: not known
 };
 
-Counts CountsOf(const AcceptArguments& arguments, const std::vector<System>& systems,
-                std::vector<std::string>& warnings) {
+Counts CountsOf(const AcceptArguments& arguments, Invocation& call) {
   if (arguments.trials && arguments.failures && arguments.dir.empty()) {
     if (*arguments.failures > *arguments.trials) {
       throw UsageError("--failures: expected at most the " + std::to_string(*arguments.trials) +
@@ -53,11 +52,11 @@ Counts CountsOf(const AcceptArguments& arguments, const std::vector<System>& sys
   if (arguments.trials || arguments.failures || arguments.dir.empty()) {
     throw UsageError("expected DIR, or --trials with --failures");
   }
-  const KeptCampaign kept = ReadKeptCampaign(arguments.dir, systems);
+  const KeptCampaign kept = ReadKeptCampaign(arguments.dir, call.systems);
   if (std::filesystem::exists(std::filesystem::path(arguments.dir) / kAcceptanceFile)) {
     Warn("a sequential test ended this campaign (" + std::string(kAcceptanceFile) +
              "); the confidence of this verdict holds for a fixed number of runs alone",
-         &warnings);
+         &call.warnings);
   }
   if (!kept.campaign.arms.empty() || !arguments.arm.empty()) RequireArm(kept, arguments.arm);
   Counts counts;
@@ -100,19 +99,18 @@ void Print(const Counts& counts, const AcceptArguments& arguments, const Accepta
   }
 }
 
-int Accept(const AcceptArguments& arguments, const std::vector<System>& systems) {
-  std::vector<std::string> warnings;
-  const Counts counts = CountsOf(arguments, systems, warnings);
+int Accept(const AcceptArguments& arguments, Invocation& call) {
+  const Counts counts = CountsOf(arguments, call);
   if (counts.planned > counts.trials) {
     Warn(std::to_string(counts.trials) + " of " + std::to_string(counts.planned) +
              " planned runs are there; a verdict on a part, asked for again and again, is wrong "
              "more often than the confidence says",
-         &warnings);
+         &call.warnings);
   }
   const Acceptance found =
       JudgeAcceptance(counts.trials, counts.failures, arguments.reliability, arguments.confidence);
   if (arguments.json) {
-    std::printf("%s\n", AcceptanceJson(counts, arguments, found, warnings).dump(2).c_str());
+    std::printf("%s\n", AcceptanceJson(counts, arguments, found, call.warnings).dump(2).c_str());
   } else {
     Print(counts, arguments, found);
   }
@@ -122,7 +120,7 @@ int Accept(const AcceptArguments& arguments, const std::vector<System>& systems)
 
 }  // namespace
 
-void AddAcceptCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddAcceptCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<AcceptArguments>();
   CLI::App* command = app.add_subcommand("accept", kAcceptHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign")->type_name("DIR");
@@ -137,7 +135,7 @@ void AddAcceptCommand(CLI::App& app, const std::vector<System>& systems, int& ex
   command->add_option("--confidence", arguments->confidence, "of the verdict [0.95]")
       ->check(NumberWithin(0.5, 1.0 - 1e-12));
   command->add_flag("--json", arguments->json, "print JSON");
-  command->callback([arguments, &systems, &exit_code] { exit_code = Accept(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Accept(*arguments, call); });
 }
 
 }  // namespace dockyard

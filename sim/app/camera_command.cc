@@ -115,7 +115,7 @@ int Ray(const CameraArguments& arguments) {
 
 void AddPart(CLI::App* camera, const char* name, const char* help,
              const std::vector<const char*>& numbers, int (*act)(const CameraArguments&),
-             int& exit_code) {
+             Invocation& call) {
   auto arguments = std::make_shared<CameraArguments>();
   arguments->numbers.resize(numbers.size());
   CLI::App* command = camera->add_subcommand(name, help);
@@ -125,16 +125,16 @@ void AddPart(CLI::App* camera, const char* name, const char* help,
   }
   command->add_option("--name", arguments->name, "which camera, when the file holds several");
   command->add_flag("--json", arguments->json, "the result as JSON");
-  command->callback([arguments, act, &exit_code] { exit_code = act(*arguments); });
+  command->callback([arguments, act, &call] { call.exit_code = act(*arguments); });
 }
 
 }  // namespace
 
-void AddCameraCommand(CLI::App& app, int& exit_code) {
+void AddCameraCommand(CLI::App& app, Invocation& call) {
   CLI::App* camera = app.add_subcommand("camera", kCameraHelp);
   camera->require_subcommand(1);
-  AddPart(camera, "project", kProjectHelp, {"X", "Y", "Z"}, Project, exit_code);
-  AddPart(camera, "ray", kRayHelp, {"U", "V"}, Ray, exit_code);
+  AddPart(camera, "project", kProjectHelp, {"X", "Y", "Z"}, Project, call);
+  AddPart(camera, "ray", kRayHelp, {"U", "V"}, Ray, call);
 }
 
 }  // namespace dockyard

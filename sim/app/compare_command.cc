@@ -170,14 +170,13 @@ void Print(const Comparison& found) {
   if (found.baseline) PrintBaseline(*found.baseline);
 }
 
-int Compare(const CompareArguments& arguments, const std::vector<System>& systems) {
-  const Comparison found = Find(arguments, systems);
-  std::vector<std::string> warnings;
+int Compare(const CompareArguments& arguments, Invocation& call) {
+  const Comparison found = Find(arguments, call.systems);
   if (found.unpaired > 0) {
-    Warn(std::to_string(found.unpaired) + " runs have no partner yet", &warnings);
+    Warn(std::to_string(found.unpaired) + " runs have no partner yet", &call.warnings);
   }
   if (arguments.json) {
-    PrintJson(found, warnings);
+    PrintJson(found, call.warnings);
   } else {
     Print(found);
   }
@@ -191,7 +190,7 @@ int Compare(const CompareArguments& arguments, const std::vector<System>& system
 
 }  // namespace
 
-void AddCompareCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddCompareCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", kCompareHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign")->type_name("DIR");
@@ -207,8 +206,7 @@ void AddCompareCommand(CLI::App& app, const std::vector<System>& systems, int& e
                    "exit code 23 where A is worse with at most this chance of error")
       ->check(NumberWithin(1e-12, 0.5));
   command->add_flag("--json", arguments->json, "print JSON");
-  command->callback(
-      [arguments, &systems, &exit_code] { exit_code = Compare(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Compare(*arguments, call); });
 }
 
 }  // namespace dockyard

@@ -8,7 +8,6 @@
 #include "models/read/near_names.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
-#include "sim/base/called_as.h"
 
 namespace dockyard {
 namespace {
@@ -34,7 +33,7 @@ std::vector<std::string> GroupsOf(const CLI::App& app) {
 std::string Screen(const CLI::App& app) {
   std::size_t widest = 0;
   for (const std::string& name : CommandNames(app)) widest = std::max(widest, name.size());
-  const std::string program = CalledAs();
+  const std::string program = app.get_name();
   std::string text = app.get_description() + "\nUsage: " + program + " COMMAND [ARGUMENTS]\n\n";
   for (const std::string& group : GroupsOf(app)) {
     text += group + ":\n";
@@ -73,12 +72,12 @@ int Help(const CLI::App& app, const std::vector<std::string>& words,
          const std::vector<System>& systems) {
   for (const System& system : systems) {
     for (const SystemCommand& own : system.commands) {
-      if (!words.empty() && own.name == words[0]) return own.run({"--help"});
+      if (!words.empty() && own.name == words[0]) return own.run(app.get_name(), {"--help"});
     }
   }
   const Named named = Find(app, words);
   // CLI11 puts the command's own name at the end.
-  std::string before = named.path.empty() ? "" : CalledAs();
+  std::string before = named.path.empty() ? "" : app.get_name();
   for (std::size_t i = 0; i + 1 < named.path.size(); ++i) before += " " + named.path[i];
   std::cout << app.get_formatter()->make_help(
       named.command, named.path.empty() ? "" : before + " " + named.path.back(),
@@ -154,18 +153,17 @@ std::string FirstSteps(const CLI::App& app, const ExampleFiles& files) {
   for (const auto& [words, what] : steps) widest = std::max(widest, words.size());
   std::string text = Summary(app) + "\n\n";
   for (const auto& [words, what] : steps) {
-    text +=
-        "  " + CalledAs() + " " + words + std::string(widest + 2 - words.size(), ' ') + what + "\n";
+    text += "  " + app.get_name() + " " + words + std::string(widest + 2 - words.size(), ' ') +
+            what + "\n";
   }
   return text;
 }
 
-void AddHelpCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddHelpCommand(CLI::App& app, Invocation& call) {
   auto words = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand("help", kHelpHelp);
   command->add_option("COMMAND", *words, "one of those that help lists");
-  command->callback(
-      [&app, words, &systems, &exit_code] { exit_code = Help(app, *words, systems); });
+  command->callback([&app, words, &call] { call.exit_code = Help(app, *words, call.systems); });
 }
 
 }  // namespace dockyard

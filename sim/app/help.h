@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/run/system.h"
+#include "sim/app/invocation.h"
 
 namespace dockyard {
 
@@ -27,9 +27,10 @@ std::vector<std::string> CommandNames(const CLI::App& app);
 std::string Summary(const CLI::App& command);
 
 /// What to do first, for a call without a command.
+/// @param app  of the program, with its name as it was called
 std::string FirstSteps(const CLI::App& app, const ExampleFiles& files);
 
 /// `dockyard help [COMMAND...]`.
-void AddHelpCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddHelpCommand(CLI::App& app, Invocation& call);
 
 }  // namespace dockyard

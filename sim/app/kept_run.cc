@@ -4,8 +4,8 @@
 #include "sim/app/identity.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
-#include "sim/base/called_as.h"
 #include "sim/base/files.h"
+#include "sim/base/shell_word.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/merge.h"
 #include "sim/log/record_files.h"
@@ -41,18 +41,19 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
 
 bool StartsProgram(const RunResult& row) { return row.controller == "command"; }
 
-std::string ReplayCommand(const std::filesystem::path& dir, const std::string& run,
-                          bool starts_program) {
-  return CommandText({"replay", dir.string()}) + (run.empty() ? "" : " " + run) +
+std::string ReplayCommand(const std::string& program, const std::filesystem::path& dir,
+                          const std::string& run, bool starts_program) {
+  return CommandText(program, {"replay", dir.string()}) + (run.empty() ? "" : " " + run) +
          (starts_program ? " --allow-commands" : "");
 }
 
 KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
-                    const std::string& command, const std::vector<System>& systems) {
+                    const std::string& command, const Invocation& call) {
+  const std::vector<System>& systems = call.systems;
   const bool campaign = HoldsCampaign(dir);
   if (campaign && !number) {
     throw UsageError(dir.string() + " holds a campaign; name the run, as in: " +
-                     CommandText({command, dir.string(), "1"}));
+                     CommandText(call.program, {command, dir.string(), "1"}));
   }
   if (!campaign && number && std::filesystem::exists(dir / "result.csv")) {
     throw UsageError(dir.string() + " holds one run; leave out the number");

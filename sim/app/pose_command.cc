@@ -125,7 +125,7 @@ int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
 
 }  // namespace
 
-void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddPoseCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<PoseArguments>();
   CLI::App* command = app.add_subcommand("pose", kPoseHelp);
   command->add_option("POINTS", arguments->points, "a CSV file of one frame");
@@ -146,7 +146,7 @@ void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit
   command->add_flag("--json", arguments->json, "JSON; of a sequence one object a line");
   command->add_flag("--csv", arguments->csv, "a table, one row a frame");
   AddPipelineOptions(*command, arguments->pipeline);
-  command->callback([arguments, &systems, &exit_code] { exit_code = Pose(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Pose(*arguments, call.systems); });
 }
 
 }  // namespace dockyard

@@ -74,8 +74,8 @@ void ReportEnvironment(const std::filesystem::path& dir) {
 /// What was found: said at once, or printed as JSON at the end.
 struct ReplayAnswer {
   bool as_json = false;
+  std::vector<std::string>& warnings;
   Json json = Json::object();
-  std::vector<std::string> warnings = {};
 
   void Say(const std::string& line) const {
     if (!as_json) std::printf("%s\n", line.c_str());
@@ -174,9 +174,8 @@ Alone ReportController(const std::filesystem::path& run_dir, const Scenario& sce
   }
 }
 
-int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept,
-               const std::vector<System>& systems) {
-  const System& system = FindSystem(systems, kept.run.scenario.system);
+int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept, Invocation& call) {
+  const System& system = FindSystem(call.systems, kept.run.scenario.system);
   const StageShapes shapes = ShapesToDraw(system, kept.run.scenario);
   const OutsideOptions outside = arguments.outside.options(shapes);
   const bool logged = std::filesystem::exists(kept.log_dir / kRunLogFile);
@@ -190,16 +189,16 @@ int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept,
   const std::string film = "ffmpeg -framerate " + NumberText(1.0 / arguments.period_s) + " -i " +
                            ShellWord((dir / "frame_%05d.png").string()) + " -pix_fmt yuv420p " +
                            ShellWord((dir / "film.mp4").string());
-  ReplayAnswer answer{.as_json = arguments.json};
+  ReplayAnswer answer{.as_json = arguments.json, .warnings = call.warnings};
   answer.Say(film);
   answer.json = {{"folder", dir.string()}, {"frames", frames}, {"film", film}};
   answer.Print();
   return log.complete ? kExitDone : kExitIncomplete;
 }
 
-int Replay(const ReplayArguments& arguments, const std::vector<System>& systems) {
-  const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "replay", systems);
-  if (!arguments.frames_dir.empty()) return DrawFrames(arguments, kept, systems);
+int Replay(const ReplayArguments& arguments, Invocation& call) {
+  const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "replay", call);
+  if (!arguments.frames_dir.empty()) return DrawFrames(arguments, kept, call);
   if (!kept.result) {
     PrintError("run " + std::to_string(kept.run.run) + " has no result in " + arguments.dir +
                " yet");
@@ -210,11 +209,11 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
                ": there is nothing to compare with");
     return kExitIncomplete;
   }
-  const System& system = FindSystem(systems, kept.run.scenario.system);
+  const System& system = FindSystem(call.systems, kept.run.scenario.system);
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
   arguments.commands.Fill(options);
   const RunRecord now = Simulate(system, kept.run, options);
-  ReplayAnswer answer{.as_json = arguments.json};
+  ReplayAnswer answer{.as_json = arguments.json, .warnings = call.warnings};
   const bool same_row = ReportRow(*kept.result, now.result, kept.columns, answer);
   if (!same_row && arguments.run) ReportEnvironment(arguments.dir);
   if (!std::filesystem::exists(kept.log_dir / kRunLogFile)) {
@@ -224,14 +223,14 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
     return same_row ? kExitIncomplete : kExitOurBug;
   }
   const Alone alone = ReportController(kept.log_dir, kept.run.scenario, now.result.outcome, options,
-                                       systems, answer);
+                                       call.systems, answer);
   answer.Print();
   return same_row ? static_cast<int>(alone) : kExitOurBug;
 }
 
 }  // namespace
 
-void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddReplayCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = app.add_subcommand("replay", kReplayHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
@@ -245,7 +244,7 @@ void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& ex
       ->check(NumberWithin(0.1, 60.0));
   command->add_flag("--json", arguments->json, "print what was found as JSON");
   AddOutsideOptions(*command, arguments->outside);
-  command->callback([arguments, &systems, &exit_code] { exit_code = Replay(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Replay(*arguments, call); });
 }
 
 }  // namespace dockyard

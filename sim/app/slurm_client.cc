@@ -8,7 +8,6 @@
 #include <string>
 
 #include "sim/app/exit_codes.h"
-#include "sim/base/called_as.h"
 #include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 
@@ -52,7 +51,7 @@ int HighestTaskHere() {
   return HighestTask(config.text).value_or(kDefaultHighestTask);
 }
 
-void Submit(const SlurmJob& job, const SlurmScripts& scripts) {
+void Submit(const SlurmJob& job, const SlurmScripts& scripts, const std::string& program) {
   Write(job, scripts);
   const std::string submit =
       "bash " + ShellWord((SubmitFolder(job.out_dir) / "submit.sh").string());
@@ -73,7 +72,7 @@ void Submit(const SlurmJob& job, const SlurmScripts& scripts) {
   std::printf("tasks: job %s, %d of them; merge: job %s\n", tasks.c_str(), job.shards,
               merge.c_str());
   std::printf("progress:     %s\n",
-              CommandText({"campaign", "--watch", job.out_dir.string()}).c_str());
+              CommandText(program, {"campaign", "--watch", job.out_dir.string()}).c_str());
   std::printf("cancel:       scancel %s %s\n", tasks.c_str(), merge.c_str());
   std::printf("submit again: %s\n", submit.c_str());
 }

@@ -10,6 +10,7 @@ int HighestTaskHere();
 
 /// Puts the scripts into the job's folder, hands them to Slurm, and prints what can be done next.
 /// Throws IoError, also when there is no Slurm or it refuses; the scripts stay.
-void Submit(const SlurmJob& job, const SlurmScripts& scripts);
+/// @param program  as it was called, for the printed command
+void Submit(const SlurmJob& job, const SlurmScripts& scripts, const std::string& program);
 
 }  // namespace dockyard

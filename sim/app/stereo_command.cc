@@ -181,7 +181,7 @@ void WriteFiles(const StereoArguments& in, const Rectifier& rectifier, const Ste
   }
 }
 
-int PrintStereo(const StereoArguments& in) {
+int PrintStereo(const StereoArguments& in, Invocation& call) {
   CheckArguments(in);
   const StereoImages images = LoadPair(in);
   const Rectifier rectifier = RectifierOf(in, images);
@@ -194,18 +194,17 @@ int PrintStereo(const StereoArguments& in) {
   WriteFiles(in, rectifier, images, found, settings.block_px);
   const int most_px = in.ground_m ? 0 : settings.least_px + settings.count_px - 1;
   const PairVerdict verdict = JudgePair(rectifier, images, most_px);
-  std::vector<std::string> warnings;
-  for (const std::string& warning : verdict.warnings) Warn(warning, &warnings);
+  for (const std::string& warning : verdict.warnings) Warn(warning, &call.warnings);
   std::optional<StereoScore> score;
   if (truth) score = ScoreOf(found, *truth);
-  if (score && score->matched == 0) Warn(NothingScored(in.truth, *score), &warnings);
+  if (score && score->matched == 0) Warn(NothingScored(in.truth, *score), &call.warnings);
   if (in.json) {
     Json json = PairJson(rectifier);
     json["disparities"] = {{"least_px", settings.least_px}, {"count", settings.count_px}};
     json["matched_share"] = share;
     json["pair_check"] = ToJson(verdict.check);
     if (score) json["truth"] = ToJson(*score);
-    json["warnings"] = warnings;
+    json["warnings"] = call.warnings;
     std::printf("%s\n", json.dump(2).c_str());
     return kExitDone;
   }
@@ -218,7 +217,7 @@ int PrintStereo(const StereoArguments& in) {
 
 }  // namespace
 
-void AddStereoCommand(CLI::App& app, int& exit_code) {
+void AddStereoCommand(CLI::App& app, Invocation& call) {
   auto in = std::make_shared<StereoArguments>();
   CLI::App* command = app.add_subcommand("stereo", kStereoHelp);
   command->add_option("left", in->left, "image of the left camera")->required();
@@ -248,7 +247,7 @@ void AddStereoCommand(CLI::App& app, int& exit_code) {
   command->add_option("--reach", in->most_m, "m ahead, and across in all, of the heights [1.5]")
       ->check(NumberWithin(0.05, 100.0));
   command->add_flag("--json", in->json, "the figures as JSON");
-  command->callback([in, &exit_code] { exit_code = PrintStereo(*in); });
+  command->callback([in, &call] { call.exit_code = PrintStereo(*in, call); });
 }
 
 }  // namespace dockyard

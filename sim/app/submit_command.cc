@@ -110,7 +110,8 @@ void Divide(SlurmJob& job, const SubmitArguments& arguments, std::int64_t runs,
             DurationText(std::ceil(task_s)) + " each, time limit " + job.limits.time);
 }
 
-int RunSubmitCommand(const SubmitArguments& arguments, const std::vector<System>& systems) {
+int RunSubmitCommand(const SubmitArguments& arguments, const Invocation& call) {
+  const std::vector<System>& systems = call.systems;
   CheckFurtherOptions(arguments.limits.further);
   const Campaign campaign = LoadCampaign(arguments.campaign, systems);
   const ReadyCampaign ready = MakeReady(campaign, arguments.campaign, systems);
@@ -132,7 +133,7 @@ int RunSubmitCommand(const SubmitArguments& arguments, const std::vector<System>
     return kExitDone;
   }
   ClaimFolder(ready.options.out_dir, ready.options.identity, ready.options.facts);
-  Submit(job, scripts);
+  Submit(job, scripts, call.program);
   return kExitDone;
 }
 
@@ -165,7 +166,7 @@ void AddSlurmOptions(CLI::App& command, SlurmLimits& limits) {
 
 }  // namespace
 
-void AddSubmitCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddSubmitCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<SubmitArguments>();
   CLI::App* command = app.add_subcommand("submit", kSubmitHelp);
   command->add_option("FILE", arguments->campaign.file, "a campaign file")->required();
@@ -178,13 +179,13 @@ void AddSubmitCommand(CLI::App& app, const std::vector<System>& systems, int& ex
       ->check(NumberWithin(1e-6, 1e6));
   AddSlurmOptions(*command, arguments->limits);
   command->add_flag("--dry-run", arguments->dry_run, "print the scripts, submit nothing");
-  command->callback([arguments, &systems, &exit_code] {
+  command->callback([arguments, &call] {
     try {
-      exit_code = RunSubmitCommand(*arguments, systems);
+      call.exit_code = RunSubmitCommand(*arguments, call);
     } catch (const SlurmError& error) {
       throw UsageError(error.what());
     } catch (const Stopped& stopped) {
-      exit_code = kExitSignal + stopped.signal;
+      call.exit_code = kExitSignal + stopped.signal;
     }
   });
 }

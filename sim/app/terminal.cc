@@ -15,11 +15,6 @@ bool ColorWanted() {
   return ::isatty(STDERR_FILENO) && (no_color == nullptr || *no_color == '\0');
 }
 
-std::vector<std::string>& Said() {
-  static std::vector<std::string> said;
-  return said;
-}
-
 }  // namespace
 
 void PrintError(const std::string& message) {
@@ -36,10 +31,7 @@ void PrintNote(const std::string& message) {
 void Warn(const std::string& text, std::vector<std::string>* warnings) {
   PrintNote("warning: " + text);
   warnings->push_back(text);
-  Said().push_back(text);
 }
-
-const std::vector<std::string>& WarningsSaid() { return Said(); }
 
 int UsableProcessors() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

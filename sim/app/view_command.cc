@@ -49,9 +49,8 @@ void PrintAnswer(Json answer, const std::vector<std::string>& warnings) {
   std::printf("%s\n", answer.dump(1).c_str());
 }
 
-int ViewOutside(const ViewArguments& arguments, Scenario scenario,
-                const std::vector<System>& systems) {
-  const System& system = FindSystem(systems, scenario.system);
+int ViewOutside(const ViewArguments& arguments, Scenario scenario, Invocation& call) {
+  const System& system = FindSystem(call.systems, scenario.system);
   const StageShapes shapes = ShapesToDraw(system, scenario);
   const OutsideOptions options = arguments.camera.options(shapes);
   // The run need not go on beyond the picture; its first sample is at its beginning.
@@ -65,11 +64,10 @@ int ViewOutside(const ViewArguments& arguments, Scenario scenario,
   const std::filesystem::path file = std::filesystem::path(arguments.out_dir) / "outside.png";
   const double shown_s = WriteOutside(log, shapes, options, arguments.time_s, file);
   PrintNote("the world at " + Fixed(shown_s, 1) + " s in " + file.string());
-  std::vector<std::string> warnings;
   if (shown_s < arguments.time_s - kSample_s) {
-    Warn("the run ended before --time", &warnings);
+    Warn("the run ended before --time", &call.warnings);
   }
-  if (arguments.json) PrintAnswer({{"file", file.string()}, {"time_s", shown_s}}, warnings);
+  if (arguments.json) PrintAnswer({{"file", file.string()}, {"time_s", shown_s}}, call.warnings);
   return kExitDone;
 }
 
@@ -80,23 +78,23 @@ void RefuseOutsideOptions(const ViewArguments& arguments) {
   if (!arguments.camera.from_D.empty()) throw UsageError("--from is of --outside alone");
 }
 
-int View(const ViewArguments& arguments, const std::vector<System>& systems) {
-  Scenario scenario = Load(arguments.scenario, systems);
-  const System& system = FindSystem(systems, scenario.system);
-  if (arguments.outside) return ViewOutside(arguments, std::move(scenario), systems);
+int View(const ViewArguments& arguments, Invocation& call) {
+  Scenario scenario = Load(arguments.scenario, call.systems);
+  const System& system = FindSystem(call.systems, scenario.system);
+  if (arguments.outside) return ViewOutside(arguments, std::move(scenario), call);
   RefuseOutsideOptions(arguments);
   if (!system.view) throw UsageError("the system " + system.name + " has no cameras to view with");
   scenario.colour = scenario.colour || arguments.colour;
   MakeFolder(arguments.out_dir);
   system.view(scenario, arguments.out_dir);
   PrintNote("the images and what is true of them are in " + arguments.out_dir);
-  if (arguments.json) PrintAnswer({{"folder", arguments.out_dir}}, {});
+  if (arguments.json) PrintAnswer({{"folder", arguments.out_dir}}, call.warnings);
   return kExitDone;
 }
 
 }  // namespace
 
-void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddViewCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand("view", kViewHelp);
   AddScenarioOptions(*command, arguments->scenario);
@@ -111,7 +109,7 @@ void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit
   command->add_flag("--json", arguments->json, "print what was written as JSON");
   AddOutsideOptions(*command, arguments->camera);
   AddCommandOptions(*command, arguments->commands);
-  command->callback([arguments, &systems, &exit_code] { exit_code = View(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = View(*arguments, call); });
 }
 
 }  // namespace dockyard

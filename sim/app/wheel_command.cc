@@ -71,19 +71,18 @@ WheelRow RowOf(SingleWheelSetup setup, double load_n, double beta_deg, double sl
 }
 
 // After the rows, so that a table on the terminal stays whole.
-void PrintWarnings(const std::vector<WheelRow>& table) {
-  std::vector<std::string> kept;
+void PrintWarnings(const std::vector<WheelRow>& table, std::vector<std::string>* warnings) {
   for (const WheelRow& row : table) {
     char place[96];
     std::snprintf(place, sizeof place, "load %g N, side slip %g deg, slip %g: ", row.load_n,
                   row.beta_deg, row.slip);
     for (const std::string& warning : row.warnings) {
-      Warn((table.size() > 1 ? place : "") + warning, &kept);
+      Warn((table.size() > 1 ? place : "") + warning, warnings);
     }
   }
 }
 
-int Drive(const WheelArguments& arguments) {
+int Drive(const WheelArguments& arguments, Invocation& call) {
   const std::size_t rows =
       arguments.slips.size() * arguments.betas_deg.size() * arguments.loads_n.size();
   if (!arguments.sweep && rows > 1) {
@@ -117,14 +116,14 @@ int Drive(const WheelArguments& arguments) {
     PrintWheelResult(table.front());
   }
   if (!arguments.out_dir.empty()) WriteWheelSweep(table, measured, arguments.out_dir);
-  PrintWarnings(table);
+  PrintWarnings(table, &call.warnings);
   if (!steady) PrintNote("a wheel was still changing at the end of its path of 60 radii");
   return steady && !buried ? kExitDone : kExitIncomplete;
 }
 
 }  // namespace
 
-void AddWheelCommand(CLI::App& app, int& exit_code) {
+void AddWheelCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<WheelArguments>();
   CLI::App* command = app.add_subcommand("wheel", kWheelHelp);
   command->add_option("--wheel", arguments->wheel_file, "a wheel file")->required();
@@ -151,7 +150,7 @@ void AddWheelCommand(CLI::App& app, int& exit_code) {
   command->add_option("--data-wheel", arguments->data_wheel, "only the data's rows of this wheel")
       ->needs(data);
   command->add_flag("--json", arguments->json, "the result as JSON");
-  command->callback([arguments, &exit_code] { exit_code = Drive(*arguments); });
+  command->callback([arguments, &call] { call.exit_code = Drive(*arguments, call); });
 }
 
 }  // namespace dockyard

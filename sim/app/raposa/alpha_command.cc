@@ -6,7 +6,6 @@
 #include "controller/geometry/pose.h"
 #include "controller/raposa/mark_angle.h"
 #include "sim/app/raposa/words.h"
-#include "sim/base/called_as.h"
 #include "sim/base/json.h"
 
 namespace dockyard::raposa {
@@ -30,9 +29,9 @@ struct Lengths {
 
 }  // namespace
 
-int Alpha(const std::vector<std::string>& words) {
+int Alpha(const std::string& program, const std::vector<std::string>& words) {
   Lengths in;
-  CLI::App app(WithProgram(kHelp), CalledAs() + " alpha");
+  CLI::App app(WithProgram(kHelp, program), program + " alpha");
   const CLI::Validator positive(
       [](const std::string& text) {
         double value = 0.0;

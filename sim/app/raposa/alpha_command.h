@@ -6,7 +6,7 @@
 
 namespace dockyard::raposa {
 
-/// Gets the words after `alpha`; returns the exit code. Throws CLI::ParseError.
-int Alpha(const std::vector<std::string>& words);
+/// A CommandFunction. Throws CLI::ParseError.
+int Alpha(const std::string& program, const std::vector<std::string>& words);
 
 }  // namespace dockyard::raposa

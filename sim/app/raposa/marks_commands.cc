@@ -14,7 +14,6 @@
 #include "sim/app/raposa/eye_command.h"
 #include "sim/app/raposa/raposa_commands.h"
 #include "sim/app/raposa/words.h"
-#include "sim/base/called_as.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/images/decode.h"
@@ -124,9 +123,9 @@ void PrintMarks(const MarksSeen& seen, bool as_json) {
   }
 }
 
-int Tune(const std::vector<std::string>& words) {
+int Tune(const std::string& program, const std::vector<std::string>& words) {
   Arguments in;
-  CLI::App app(WithProgram(kTuneHelp), CalledAs() + " tune");
+  CLI::App app(WithProgram(kTuneHelp, program), program + " tune");
   AddOptions(app, in);
   if (const auto ended = ParseWords(app, words)) return *ended;
   const Nominal nominal = NominalOfFiles(in);
@@ -152,9 +151,9 @@ int Tune(const std::vector<std::string>& words) {
 
 }  // namespace
 
-int DetectMarks(const std::vector<std::string>& words) {
+int DetectMarks(const std::string& program, const std::vector<std::string>& words) {
   Arguments in;
-  CLI::App app(WithProgram(kDetectHelp), CalledAs() + " detect");
+  CLI::App app(WithProgram(kDetectHelp, program), program + " detect");
   AddOptions(app, in);
   app.add_option("--pipeline", in.pipeline, "whose perception")
       ->check(CLI::IsMember({"ferreira2009", "dockyard"}))

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "models/read/yaml_reader.h"
-#include "sim/base/called_as.h"
 
 namespace dockyard::raposa {
 
@@ -29,10 +28,10 @@ inline std::string UnknownOption(const CLI::App& app) {
 }
 
 /// The help with its examples as the program was called.
-inline std::string WithProgram(std::string help) {
+inline std::string WithProgram(std::string help, const std::string& program) {
   const std::string head = "\n  dockyard ";
   for (std::size_t at = 0; (at = help.find(head, at)) != std::string::npos; at += 3) {
-    help.replace(at, head.size(), "\n  " + CalledAs() + " ");
+    help.replace(at, head.size(), "\n  " + program + " ");
   }
   return help;
 }
