@@ -134,7 +134,7 @@ int DetectInFolder(const DetectArguments& arguments, const Searched& searched,
       WarnIfCut(file, &warnings);
     } catch (const ConfigError& error) {  // no image, or not of the cameras' shape
       ++failed;
-      std::fprintf(stderr, "%s\n", error.what());
+      PrintNote(error.what());
       list.push_back({{"file", file}, {"error", error.what()}, {"warnings", warnings}});
       continue;
     }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "models/read/config_error.h"
+#include "models/read/text_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/parse_fault.h"
@@ -53,7 +54,9 @@ int Fail(const std::string& text, int exit_code, bool as_json,
          const std::vector<std::string>& warnings) {
   PrintError(text);
   if (as_json) {
-    const Json answer{{"error", ErrorJson(text, exit_code)}, {"warnings", warnings}};
+    // As on stderr: a byte that is no UTF-8 cannot be in JSON.
+    const Json answer{{"error", ErrorJson(WithControlsShown(text), exit_code)},
+                      {"warnings", warnings}};
     std::printf("%s\n", answer.dump().c_str());
   }
   return exit_code;

@@ -1,4 +1,5 @@
-// Messages for people, on stderr; stdout gets results only.
+// Messages for people, on stderr; stdout gets results only. What they quote cannot move the
+// terminal: control characters are shown as escapes.
 #pragma once
 
 #include <string>

@@ -10,6 +10,7 @@
 #include "models/raposa/make_nominal.h"
 #include "models/read/config_error.h"
 #include "models/read/near_names.h"
+#include "models/read/text_file.h"
 #include "sim/app/raposa/alpha_command.h"
 #include "sim/app/raposa/eye_command.h"
 #include "sim/app/raposa/raposa_commands.h"
@@ -131,7 +132,8 @@ int Tune(const std::string& program, const std::vector<std::string>& words) {
   const Nominal nominal = NominalOfFiles(in);
   const std::optional<TunedBands> tuned = TuneBands(Load(in.image, nominal.camera), nominal);
   if (!tuned) {
-    std::fprintf(stderr, "%s: no pair of marks fits the pyramid's dimensions\n", in.image.c_str());
+    std::fprintf(stderr, "%s: no pair of marks fits the pyramid's dimensions\n",
+                 WithControlsShown(in.image).c_str());
     return kNoPair;
   }
   const Json json{{"orange", BandJson(tuned->orange)},

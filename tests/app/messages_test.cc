@@ -1,0 +1,44 @@
+// What the program says to people, whatever the words are that it quotes.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "app/program.h"
+#include "sim/base/json.h"
+#include "support/fake_runs.h"
+
+namespace dockyard {
+namespace {
+
+bool HasControl(const std::string& text) {
+  const bool c0 = std::any_of(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f;
+  });
+  return c0 || text.find("\xC2\x85") != text.npos || text.find("\xC2\x9B") != text.npos;
+}
+
+TEST(Messages, ShowControlCharactersAsEscapes) {
+  const std::string harm = "'a\xC2\x85z\x1b[31mz\xC2\x9Bz\xE9'";
+  for (const std::string command :
+       {"run scenarios/axel_typical.yaml --set ", "run scenarios/axel_typical.yaml --set name=",
+        "run scenarios/axel_typical.yaml --set light=", "run ", "report ", "", "run --", "help ",
+        "campaign scenarios/ci_4.yaml --set vary=", "submit scenarios/ci_4.yaml --slurm=--",
+        "submit scenarios/ci_4.yaml --slurm=--qos=", "accept --reliability ", "check --package ",
+        "check "}) {
+    const Ended ended = Dockyard(command + harm);
+    EXPECT_NE(ended.code, 0) << command;
+    EXPECT_FALSE(HasControl(ended.err)) << command << ended.err;
+    EXPECT_EQ(ended.out, "") << command;
+  }
+}
+
+TEST(Messages, AreTheSameInJson) {
+  const Ended ended = Dockyard("run 'a\xE9\xC2\x85.yaml' --json");
+  EXPECT_EQ(ended.code, 3);
+  const Json error = Json::parse(ended.out)["error"];
+  EXPECT_EQ(ended.err, "error: " + error["text"].get<std::string>() + "\n");
+  EXPECT_EQ(error["file"], "a\\xe9\\u0085.yaml");
+}
+
+}  // namespace
+}  // namespace dockyard
