@@ -28,9 +28,9 @@ Examples:
   dockyard board {target} --out out/station.pdf --paper a4 --tile
   dockyard board models/boards/five_discs.yaml --out out/five.svg
 
-FILE is a board's file or a station's. --out names the format by its ending: .svg or .pdf. Without --paper the
-page is as large as the board needs. Print it at 100 % and hold a rule against the 100 mm below the board; matt
-paper, laid flat on a stiff plate.)";
+FILE is a board's file or a station's. --out names the format by its ending: .svg or .pdf. Without
+--paper the page is as large as the board needs. Print it at 100 % and hold a rule against the 100
+mm below the board; matt paper, laid flat on a stiff plate.)";
 
 int Board(const BoardArguments& arguments, const Invocation& call) {
   const std::string ending = std::filesystem::path(arguments.out).extension().string();

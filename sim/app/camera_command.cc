@@ -27,16 +27,17 @@ Examples:
   dockyard camera project tests/models/data/m2020_cameras.json 3 0 0.5 --name HAZFLA
 
 FILE holds one camera, a list of them or a rig: our YAML, NASA's JSON of the cameras of Mars 2020, a
-camera_info of ROS, a chain of Kalibr, or YAML or XML of OpenCV (docs/reference/cameras.md). Points and
-rays are in the frame of the file's numbers, in metres; pixel 0 0 is the centre of the first pixel.)";
+camera_info of ROS, a chain of Kalibr, or YAML or XML of OpenCV (docs/reference/cameras.md). Points
+and rays are in the frame of the file's numbers, in metres; pixel 0 0 is the centre of the first
+pixel.)";
 
 constexpr const char* kProjectHelp = R"(The pixel that shows a point.
 
 Example:
   dockyard camera project models/cameras/navcam.yaml 2 0.1 0.3 --name left --json
 
---json: pixel [u, v], or null with the reason; in_image; warnings. A point that the camera cannot show is no
-error.)";
+--json: pixel [u, v], or null with the reason; in_image; warnings. A point that the camera cannot
+show is no error.)";
 
 constexpr const char* kRayHelp = R"(The points that a pixel shows: origin + s direction, s > 0.
 

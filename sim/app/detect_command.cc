@@ -33,19 +33,24 @@ constexpr const char* kDetectHelp =
 
 Examples:
   dockyard view {scenario} --out out/view
-  dockyard detect out/view/left.png out/view/right.png --robot {robot} --board {target}
-  dockyard detect out/view/left.png --robot {robot} --board {target} --json
-  dockyard detect out/view/right.png --camera right --robot {robot} --board {target} --draw out/view/seen.png
-  dockyard detect --folder out/view --robot {robot} --board {target}
+  dockyard detect out/view/left.png out/view/right.png --robot {robot} \
+    --board {target}
+  dockyard detect out/view/left.png --robot {robot} --board {target} \
+    --json
+  dockyard detect out/view/right.png --camera right --robot {robot} \
+    --board {target} --draw out/view/seen.png
+  dockyard detect --folder out/view --robot {robot} \
+    --board {target}
 
-One image is taken for the left camera's unless --camera says right. --board is a station's file or a board's
-own (docs/reference/models.md): discs with bars or plain ones. Prints each fiducial (pixel, id, detected
-or predicted) and the board's pose in the rover body: metres, unit quaternion w x y z, covariance of
-p_x p_y p_z [m] and of a small turn about the rover's x y z [rad]. Exit code 4: no board accepted; the reason
-is printed. The noise is raised to what the residuals show, up to 1 px rms, and the covariance with it:
-flatness_m in the board's file states a bow, calibration_error_px in the rig's the cameras' error.
---folder searches every image of a folder by itself and counts the accepted boards. Exit code 0, or 3 when
-some file is no image (it is named, the others are done).)";
+One image is taken for the left camera's unless --camera says right. --board is a station's file or
+a board's own (docs/reference/models.md): discs with bars or plain ones. Prints each fiducial
+(pixel, id, detected or predicted) and the board's pose in the rover body: metres, unit quaternion w
+x y z, covariance of p_x p_y p_z [m] and of a small turn about the rover's x y z [rad]. Exit code 4:
+no board accepted; the reason is printed. The noise is raised to what the residuals show, up to 1 px
+rms, and the covariance with it: flatness_m in the board's file states a bow, calibration_error_px
+in the rig's the cameras' error.
+--folder searches every image of a folder by itself and counts the accepted boards. Exit code 0, or
+3 when some file is no image (it is named, the others are done).)";
 
 /// What the images are searched for, and by which rules.
 struct Searched {

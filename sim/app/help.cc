@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 #include "models/read/near_names.h"
@@ -11,6 +12,8 @@
 
 namespace dockyard {
 namespace {
+
+constexpr std::size_t kColumns = 100;  // of a line of help
 
 constexpr const char* kHelpHelp = R"(Show all commands, or the help of one.
 
@@ -85,6 +88,21 @@ int Help(const CLI::App& app, const std::vector<std::string>& words,
   return kExitDone;
 }
 
+/// The text with line breaks between words, so that no line is longer than `most`, unless a word
+/// is.
+std::string Folded(const std::string& text, std::size_t most) {
+  std::istringstream in(text);
+  std::string folded;
+  std::size_t length = 0;
+  for (std::string word; in >> word; folded += word, length += word.size()) {
+    if (length == 0) continue;
+    const bool fits = length + 1 + word.size() <= most;
+    folded += fits ? ' ' : '\n';
+    length = fits ? length + 1 : 0;
+  }
+  return folded;
+}
+
 /// "0 to 1" of "INT in [0 - 1]".
 std::string BoundsOf(const std::string& text, std::size_t open) {
   const std::size_t close = text.find(']', open), dash = text.find(" - ", open);
@@ -130,6 +148,12 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string name,
   return CLI::Formatter::make_help(app, std::move(name), mode);
 }
 
+std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
+  std::ostringstream out;
+  CLI::detail::format_help(out, command->get_name(), Summary(*command), get_column_width());
+  return out.str();
+}
+
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   if (option->get_type_size() == 0 || !option->get_option_text().empty()) {
     return CLI::Formatter::make_option_opts(option);
@@ -140,6 +164,10 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   if (most == CLI::detail::expected_max_vector_size) text += " ...";
   if (option->get_required()) text += " REQUIRED";
   return text;
+}
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+  return Folded(CLI::Formatter::make_option_desc(option), kColumns - get_column_width());
 }
 
 std::string FirstSteps(const CLI::App& app, const ExampleFiles& files) {

@@ -48,12 +48,13 @@ Examples:
   dockyard report results/{campaign_name} --svg --out out/figures
 
 The page has success with exact intervals, failures by cause, a map of the starts, curves over the
-numbers that the campaign varies, the sensitivity, all runs in a table, and a replay of each run whose
-log is kept (`keep` in the campaign's file). --reliability and --require on `docked` draw their limit
-into the curves.
+numbers that the campaign varies, the sensitivity, all runs in a table, and a replay of each run
+whose log is kept (`keep` in the campaign's file). --reliability and --require on `docked` draw
+their limit into the curves.
 
---svg writes static figures instead, into the folder --out: of a campaign starts.svg, the starts from
-above with how they ended; of a run path.svg and history.svg, its path and its channels over time.)";
+--svg writes static figures instead, into the folder --out: of a campaign starts.svg, the starts
+from above with how they ended; of a run path.svg and history.svg, its path and its channels over
+time.)";
 
 std::string ExtensionOf(const std::string& format) {
   const auto known = std::find_if(kFormats.begin(), kFormats.end(),

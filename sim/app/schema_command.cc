@@ -18,9 +18,9 @@ Examples:
   dockyard schema scenario >out/scenario.schema.json
   dockyard schema campaign >out/campaign.schema.json
 
-With it an editor completes and checks a file. The schema (draft 2020-12) has each key's type, range,
-words, default and meaning. An editor with the YAML language server reads it if the first line of a
-file names it, relative to the file:
+With it an editor completes and checks a file. The schema (draft 2020-12) has each key's type,
+range, words, default and meaning. An editor with the YAML language server reads it if the first
+line of a file names it, relative to the file:
 
   # yaml-language-server: $schema=../out/scenario.schema.json
 

@@ -43,7 +43,8 @@ constexpr const char* kSubmitHelp =
 Examples:
   dockyard submit {campaign} --out results/yard --dry-run
   dockyard submit {campaign} --shards 4 --time 60 --dry-run --json
-  dockyard submit {campaign} --seconds-per-run 5 --cpus-per-task 8 --slurm=--account=rover --dry-run
+  dockyard submit {campaign} --seconds-per-run 5 --cpus-per-task 8 \
+    --slurm=--account=rover --dry-run
 
 Every mistake of the file is found first. The scripts go to submit/ in the results folder; --dry-run
 prints them instead. --json has the jobs, their limits, and the scripts. --slurm adds an option of
@@ -186,7 +187,7 @@ void AddSubmitCommand(CLI::App& app, Invocation& call) {
       ->check(NumberWithin(1e-6, 1e6));
   AddSlurmOptions(*command, arguments->limits);
   command->add_flag("--dry-run", arguments->dry_run, "print the scripts, submit nothing");
-  command->add_flag("--json", arguments->json, "print what is submitted as JSON");
+  command->add_flag("--json", arguments->json, "print the jobs as JSON");
   command->callback([arguments, &call] {
     try {
       call.exit_code = RunSubmitCommand(*arguments, call);

@@ -1,5 +1,5 @@
-// Messages for people, on stderr; stdout gets results only. What they quote cannot move the
-// terminal: control characters are shown as escapes.
+// Messages for people, on stderr; stdout gets results only. Control characters in them are shown as
+// escapes, so that no quoted word moves the terminal.
 #pragma once
 
 #include <string>

@@ -36,10 +36,11 @@ Examples:
   dockyard view {scenario} --outside --time 20 --out out/outside
   dockyard view {scenario} --outside --at target --out out/target
 
-Of Axel it writes left.png, right.png and view.json: the board's true pose and, for each fiducial and camera,
-its projected centre, the centroid of the projected disc and the share that is hidden. With --colour
-(or camera.colour in the scenario) also left_colour.png and right_colour.png, linear red, green and
-blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.png of 16 bits.
+Of Axel it writes left.png, right.png and view.json: the board's true pose and, for each fiducial
+and camera, its projected centre, the centroid of the projected disc and the share that is hidden.
+With --colour (or camera.colour in the scenario) also left_colour.png and right_colour.png, linear
+red, green and blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.png of
+16 bits.
 
 --outside writes outside.png instead: the world as a spectator sees it, at the start or, with
 --time, as the run has made it by then. --at names the point that it shows from near.)";

@@ -43,9 +43,9 @@ Slip is (w r - v) / max(|w r|, |v|), r the rim's radius, v the speed of travel; 
 from the wheel's plane to its travel, to the right. Fx_N > 0 is drawbar, Fy_N the soil's force
 against the side slip, Fz_N the load that it carries, torque_Nm what a motor must give, sinkage_m
 that of the paddles' tips; all are means over whole paddle pitches. With --sweep the options --slip,
---beta and --load take lists; --out gets sweep.csv, drawbar.svg and sinkage.svg. --data draws measured
-rows over the curves of their side slip: a CSV table with the columns slip, Fx_N, Fz_N and, where
-measured, beta_deg, sinkage_mm and torque_Nm; if it holds several wheels, wheel.
+--beta and --load take lists; --out gets sweep.csv, drawbar.svg and sinkage.svg. --data draws
+measured rows over the curves of their side slip: a CSV table with the columns slip, Fx_N, Fz_N and,
+where measured, beta_deg, sinkage_mm and torque_Nm; if it holds several wheels, wheel.
 A row has a warning where the soil's laws were never compared with a measured wheel: sinkage beyond
 0.64 of the radius, slip beyond 0.8, side slip beyond 45 deg. In sweep.csv, warnings counts them.
 Exit code 10: a wheel was still changing at the end of its path, or its axle is below the ground;

@@ -12,15 +12,14 @@ namespace dockyard::raposa {
 namespace {
 
 const char* const kHelp =
-    "Say from which angle and distance RAPOSA's pyramid is viewed, by eqs. (2) and (7) of Ferreira "
-    "and Ventura (2009). A command of the system raposa.\n\n"
-    "Examples:\n"
-    "  dockyard alpha --c-px 20.208456 --g-px 16.157382 --h-m 0.06 --m-m 0.0981256 --f-px "
-    "377\n\n"
-    "alpha is without a side. It is ambiguous where a second angle up to 110 deg fits the same\n"
-    "lengths, or none does. Where c / g is too large for any, alpha is that of the turning point, "
-    "73 deg\n"
-    "for the pyramid.";
+    R"(Say from which angle and distance RAPOSA's pyramid is viewed.
+
+Examples:
+  dockyard alpha --c-px 20.208456 --g-px 16.157382 --h-m 0.06 --m-m 0.0981256 --f-px 377
+
+A command of the system raposa, by eqs. (2) and (7) of Ferreira and Ventura (2009). alpha is without
+a side. It is ambiguous where a second angle up to 110 deg fits the same lengths, or none does.
+Where c / g is too large for any, alpha is that of the turning point, 73 deg for the pyramid.)";
 
 struct Lengths {
   double c_px = 0.0, g_px = 0.0, h_m = 0.0, m_m = 0.0, f_px = 0.0;

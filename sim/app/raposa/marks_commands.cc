@@ -24,20 +24,22 @@ namespace dockyard::raposa {
 namespace {
 
 const char* const kDetectHelp =
-    "Find the pyramid in an image, as the controller of that name does.\n\n"
-    "Examples:\n"
-    "  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --draw "
-    "out/marks.png\n"
-    "  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --pipeline "
-    "dockyard --draw out/pyramid.png\n\n"
-    "Exit code 0: both marks, as a pair; 4: no pair.";
+    R"(Find the pyramid in an image, as the controller of that name does.
+
+Examples:
+  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --draw out/marks.png
+  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --pipeline dockyard \
+    --draw out/pyramid.png
+
+Exit code 0: both marks, as a pair; 4: no pair.)";
 const char* const kTuneHelp =
-    "Write the bands of hue, saturation and value of the pyramid's marks, from one picture of "
-    "it. A command of the system raposa.\n\n"
-    "Examples:\n"
-    "  dockyard tune examples/raposa_back.png --robot models/raposa/raposa.yaml\n\n"
-    "The picture should show both marks whole, from 0.5 to 1.5 m and 20 to 60 deg off the axis.\n"
-    "Exit code 4: no pair of marks fits the pyramid's dimensions.";
+    R"(Write the bands of hue, saturation and value of the pyramid's marks, from one image of it.
+
+Examples:
+  dockyard tune examples/raposa_back.png --robot models/raposa/raposa.yaml
+
+A command of the system raposa. The image should show both marks whole, from 0.5 to 1.5 m and 20 to
+60 deg off the axis. Exit code 4: no pair of marks fits the pyramid's dimensions.)";
 constexpr int kNoPair = 4;
 
 struct Arguments {
@@ -192,7 +194,7 @@ int DetectMarks(const std::string& program, const std::vector<std::string>& word
 
 std::vector<SystemCommand> RaposaCommands() {
   return {{"alpha", "Say from which angle and distance RAPOSA's pyramid is viewed.", Alpha},
-          {"tune", "Write the colour bands of RAPOSA's pyramid from one picture.", Tune}};
+          {"tune", "Write the colour bands of RAPOSA's pyramid from one image.", Tune}};
 }
 
 }  // namespace dockyard::raposa
