@@ -4,6 +4,7 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/identity.h"
+#include "sim/app/misplaced_file.h"
 #include "sim/app/number_option.h"
 #include "sim/base/environment.h"
 #include "sim/base/text.h"
@@ -88,7 +89,9 @@ Shard ShardOption(const std::string& text) {
 Campaign LoadCampaign(const CampaignArguments& arguments, const std::vector<System>& systems) {
   std::vector<std::string> overrides = arguments.overrides;
   if (arguments.seed) overrides.push_back("seed=" + std::to_string(*arguments.seed));
-  Campaign campaign = LoadCampaign(arguments.file, overrides, CampaignSystemsOf(systems));
+  Campaign campaign = LoadAs(kWantedCampaign, arguments.file, systems, [&] {
+    return LoadCampaign(arguments.file, overrides, CampaignSystemsOf(systems));
+  });
   if (arguments.run_limit_s > 0.0) campaign.limits.wall_s = arguments.run_limit_s;
   return campaign;
 }

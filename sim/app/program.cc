@@ -50,8 +50,11 @@ std::optional<int> DetectBySystem(int argc, char** argv, const Invocation& call)
   const std::string robot = ValueOf(words, "--robot");
   if (robot.empty()) return std::nullopt;
   for (const System& system : call.systems) {
-    if (system.detect && system.check_file && system.check_file(robot)) {
+    if (!system.detect || !system.check_file || !system.check_file(robot)) continue;
+    try {
       return system.detect(call.program, words);
+    } catch (const CLI::ParseError& error) {  // which says where its own help is
+      throw UsageError("detect, with a robot of the system " + system.name + ": " + error.what());
     }
   }
   return std::nullopt;

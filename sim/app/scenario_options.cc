@@ -1,9 +1,9 @@
 #include "sim/app/scenario_options.h"
 
-#include "sim/app/number_option.h"
-
 #include <charconv>
 
+#include "sim/app/misplaced_file.h"
+#include "sim/app/number_option.h"
 #include "sim/report/points.h"
 #include "sim/scenario/load_scenario.h"
 
@@ -50,7 +50,9 @@ void AddScenarioOptions(CLI::App& command, ScenarioOptions& options) {
 }
 
 Scenario Load(const ScenarioOptions& options, const std::vector<System>& systems) {
-  Scenario scenario = LoadScenario(options.file, options.overrides, KnownSystems(systems));
+  Scenario scenario = LoadAs(kWantedScenario, options.file, systems, [&] {
+    return LoadScenario(options.file, options.overrides, KnownSystems(systems));
+  });
   if (options.seed) scenario.seed = *options.seed;
   return scenario;
 }

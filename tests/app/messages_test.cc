@@ -10,6 +10,10 @@
 namespace dockyard {
 namespace {
 
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
 bool HasControl(const std::string& text) {
   const bool c0 = std::any_of(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f;
@@ -38,6 +42,33 @@ TEST(Messages, AreTheSameInJson) {
   const Json error = Json::parse(ended.out)["error"];
   EXPECT_EQ(ended.err, "error: " + error["text"].get<std::string>() + "\n");
   EXPECT_EQ(error["file"], "a\\xe9\\u0085.yaml");
+}
+
+TEST(Messages, SaysOfWhichKindAFileIsThatItCannotRun) {
+  for (const std::string wanted : {"campaign", "scenario"}) {
+    for (const auto& [file, kind] : {std::pair("models/axel/axel.yaml", "rover"),
+                                     {"models/soils/loose_sand.yaml", "soil"},
+                                     {"models/axel/axel.urdf", "urdf"}}) {
+      const Ended ended =
+          Dockyard((wanted == "campaign" ? "campaign " : "run ") + std::string(file));
+      EXPECT_EQ(ended.code, 3) << file;
+      EXPECT_THAT(ended.err, StartsWith("error: " + std::string(file) + ": expected a " + wanted +
+                                        ", found a file of the kind '" + kind + "'; a " + wanted +
+                                        " has the key"));
+      EXPECT_THAT(ended.err, HasSubstr("(docs/reference/" + wanted + "s.md)"));
+    }
+  }
+}
+
+TEST(Messages, LeadsToTheHelpOfASystemsOwnDetect) {
+  const std::string detect = "detect a.png --robot models/raposa/raposa.yaml ";
+  const Ended unknown = Dockyard(detect + "--board models/axel/station/station.yaml");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_EQ(unknown.err,
+            "error: detect, with a robot of the system raposa: unknown option "
+            "'--board'; " DOCKYARD_PROGRAM " detect --robot FILE --help lists the options\n");
+  EXPECT_THAT(Dockyard(detect + "--draww x.png").err, EndsWith("did you mean '--draw'?\n"));
+  EXPECT_THAT(Dockyard("tune").err, HasSubstr("; " DOCKYARD_PROGRAM " help tune shows"));
 }
 
 }  // namespace

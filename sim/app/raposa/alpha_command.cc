@@ -48,7 +48,7 @@ int Alpha(const std::string& program, const std::vector<std::string>& words) {
       ->check(positive);
   app.add_option("--f-px", in.f_px, "focal length of the camera")->required()->check(positive);
   app.add_flag("--json", in.json, "JSON on standard output");
-  if (const auto ended = ParseWords(app, words)) return *ended;
+  if (const auto ended = ParseWords(app, words, program + " help alpha")) return *ended;
   const MarkAngle angle = AngleOfMarks(in.c_px, in.g_px, in.h_m, in.m_m, in.f_px);
   if (in.json) {
     const Json json{{"alpha_deg", Degrees(angle.alpha_rad)},

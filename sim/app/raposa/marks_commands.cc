@@ -130,7 +130,7 @@ int Tune(const std::string& program, const std::vector<std::string>& words) {
   Arguments in;
   CLI::App app(WithProgram(kTuneHelp, program), program + " tune");
   AddOptions(app, in);
-  if (const auto ended = ParseWords(app, words)) return *ended;
+  if (const auto ended = ParseWords(app, words, program + " help tune")) return *ended;
   const Nominal nominal = NominalOfFiles(in);
   const std::optional<TunedBands> tuned = TuneBands(Load(in.image, nominal.camera), nominal);
   if (!tuned) {
@@ -157,6 +157,8 @@ int Tune(const std::string& program, const std::vector<std::string>& words) {
 
 int DetectMarks(const std::string& program, const std::vector<std::string>& words) {
   Arguments in;
+  // Without a robot of this system the help is that of another search.
+  const std::string help = program + " detect --robot FILE --help";
   CLI::App app(WithProgram(kDetectHelp, program), program + " detect");
   AddOptions(app, in);
   app.add_option("--pipeline", in.pipeline, "whose perception")
@@ -166,7 +168,7 @@ int DetectMarks(const std::string& program, const std::vector<std::string>& word
   app.add_option("--pitch-deg", in.pitch_deg, "of the camera, down; for dockyard")
       ->check(CLI::Range(-60.0, 60.0))
       ->capture_default_str();
-  if (const auto ended = ParseWords(app, words)) return *ended;
+  if (const auto ended = ParseWords(app, words, help)) return *ended;
   if (!std::isfinite(in.pitch_deg)) {  // CLI::Range lets it through
     throw ConfigError("--pitch-deg: expected a number from -60 to 60");
   }

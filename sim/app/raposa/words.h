@@ -37,17 +37,21 @@ inline std::string WithProgram(std::string help, const std::string& program) {
 }
 
 /// Parses the words, or prints help: then the exit code. Throws CLI::ParseError for bad ones.
-inline std::optional<int> ParseWords(CLI::App& app, std::vector<std::string> words) {
+/// @param help  the command that prints the help
+inline std::optional<int> ParseWords(CLI::App& app, std::vector<std::string> words,
+                                     const std::string& help) {
   std::reverse(words.begin(), words.end());  // CLI11 takes the last one first
   try {
     app.parse(std::move(words));
   } catch (const CLI::CallForHelp&) {
     std::cout << app.help();
     return 0;
-  } catch (const CLI::ParseError&) {
+  } catch (const CLI::ParseError& error) {
     const std::string unknown = UnknownOption(app);
-    if (unknown.empty()) throw;
-    throw CLI::ParseError(unknown, CLI::ExitCodes::ExtrasError);
+    if (unknown.ends_with('?')) throw CLI::ParseError(unknown, CLI::ExitCodes::ExtrasError);
+    throw CLI::ParseError((unknown.empty() ? error.what() : unknown) + "; " + help +
+                              (unknown.empty() ? " shows its arguments" : " lists the options"),
+                          CLI::ExitCodes::ExtrasError);
   }
   return std::nullopt;
 }
