@@ -10,6 +10,7 @@
 #include "sim/app/kept_campaign.h"
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/json.h"
 #include "sim/base/text.h"
 #include "sim/report/until_accepted.h"
@@ -44,8 +45,8 @@ struct Counts {
 Counts CountsOf(const AcceptArguments& arguments, Invocation& call) {
   if (arguments.trials && arguments.failures && arguments.dir.empty()) {
     if (*arguments.failures > *arguments.trials) {
-      throw UsageError("--failures: expected at most the " + std::to_string(*arguments.trials) +
-                       " trials, found " + std::to_string(*arguments.failures));
+      throw UsageError("--failures: expected at most the " + CountText(*arguments.trials, "trial") +
+                       ", found " + std::to_string(*arguments.failures));
     }
     return {*arguments.trials, *arguments.failures, 0};
   }
@@ -85,15 +86,16 @@ Json AcceptanceJson(const Counts& counts, const AcceptArguments& arguments, cons
 }
 
 void Print(const Counts& counts, const AcceptArguments& arguments, const Acceptance& found) {
-  std::printf("%d trials, %d failures: reliability at least %.6g, at most %.6g (each at %s %%)\n",
-              counts.trials, counts.failures, found.lower, found.upper,
+  std::printf("%s, %s: reliability at least %.6g, at most %.6g (each at %s %%)\n",
+              CountText(counts.trials, "trial").c_str(),
+              CountText(counts.failures, "failure").c_str(), found.lower, found.upper,
               NumberText(100.0 * arguments.confidence).c_str());
   std::printf("%s: reliability %s at confidence %s\n", NameOf(found.verdict),
               NumberText(arguments.reliability).c_str(), NumberText(arguments.confidence).c_str());
   if (found.verdict != AcceptanceVerdict::kUndecided) return;
   if (found.further_runs) {
-    std::printf("%lld further runs without a failure would be accepted\n",
-                static_cast<long long>(*found.further_runs));
+    std::printf("%s without a failure would be accepted\n",
+                CountText(*found.further_runs, "further run").c_str());
   } else {
     std::printf("no number of further runs would be accepted\n");
   }

@@ -9,6 +9,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 
@@ -56,8 +57,8 @@ int Board(const BoardArguments& arguments, const Invocation& call) {
     std::printf("%s\n", answer.dump(1).c_str());
     return kExitDone;
   }
-  std::printf("%s: %s, %zu page%s of %.0f x %.0f mm\n", arguments.out.c_str(), named.name.c_str(),
-              pages.size(), pages.size() == 1 ? "" : "s", pages[0].width_mm, pages[0].height_mm);
+  std::printf("%s: %s, %s of %.0f x %.0f mm\n", arguments.out.c_str(), named.name.c_str(),
+              CountText(pages.size(), "page").c_str(), pages[0].width_mm, pages[0].height_mm);
   return kExitDone;
 }
 

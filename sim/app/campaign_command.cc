@@ -16,6 +16,7 @@
 #include "sim/app/terminal.h"
 #include "sim/app/until_accepted_options.h"
 #include "sim/app/watch.h"
+#include "sim/base/count_text.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
 #include "sim/plan/make_run.h"
@@ -85,8 +86,9 @@ int EndOfShard(const CommandArguments& arguments, const CampaignOptions& options
                const ShardEnd& end, const Invocation& call) {
   const std::string dir = options.out_dir.string();
   if (end.signal != 0) {
-    PrintNote("stopped: " + std::to_string(end.tally.done) + " of " + std::to_string(end.total) +
-              " runs are kept in " + dir + "\nto go on: " + CommandToGoOn(arguments, dir, call));
+    PrintNote("stopped: " + std::to_string(end.tally.done) + " of " +
+              CountText(end.total, "run is", "runs are") + " kept in " + dir +
+              "\nto go on: " + CommandToGoOn(arguments, dir, call));
     return kExitSignal + end.signal;
   }
   PrintNote("shard " + arguments.shard + ": " + TallyText(end.tally, end.total) +

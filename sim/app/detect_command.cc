@@ -12,6 +12,7 @@
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/images/png.h"
 #include "sim/spectator/canvas.h"
@@ -164,7 +165,8 @@ int DetectInFolder(const DetectArguments& arguments, const Searched& searched,
                     {"warnings", *all_warnings}};
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    std::printf("%d images, %d boards accepted", images, accepted);
+    std::printf("%s, %s accepted", CountText(images, "image").c_str(),
+                CountText(accepted, "board").c_str());
     if (failed > 0) std::printf("; %d not usable", failed);
     std::printf("\n");
   }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "sim/app/vision_files.h"
+#include "sim/base/count_text.h"
 
 namespace dockyard {
 namespace {
@@ -35,7 +36,7 @@ std::string DiscsText(const SightingReport& report, std::size_t board_discs) {
     return std::to_string(NamedDiscs(report)) + " of the board's " + std::to_string(board_discs) +
            " discs";
   }
-  return std::to_string(report.DetectedBy(0) + report.DetectedBy(1)) + " discs in the image";
+  return CountText(report.DetectedBy(0) + report.DetectedBy(1), "disc") + " in the image";
 }
 
 Json DetectJson(const DetectAnswer& answer, const std::vector<std::string>& warnings) {

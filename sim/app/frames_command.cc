@@ -9,6 +9,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/kept_run.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/images/png.h"
 #include "sim/log/record_files.h"
@@ -81,7 +82,7 @@ int Frames(const FramesArguments& arguments, const Invocation& call) {
     PrintError("the log in " + kept.log_dir.string() + " has no images");
     return kExitIncomplete;
   }
-  PrintNote(std::to_string(files.size()) + " images and frames.json in " + arguments.out_dir);
+  PrintNote(CountText(files.size(), "image") + " and frames.json in " + arguments.out_dir);
   if (arguments.json) {
     const Json answer{
         {"folder", arguments.out_dir}, {"images", files}, {"warnings", call.warnings}};

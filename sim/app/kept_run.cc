@@ -4,6 +4,7 @@
 #include "sim/app/identity.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign_folder.h"
@@ -23,7 +24,7 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
   const std::int64_t index = maker.IndexOf(number);
   if (index < 0) {
     throw UsageError(dir.string() + " has no run " + std::to_string(number) + "; it has " +
-                     std::to_string(kept.campaign.run_count()) + " runs");
+                     CountText(kept.campaign.run_count(), "run"));
   }
   const Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
                                     /*allow_exceptions=*/false);

@@ -15,6 +15,7 @@
 #include "sim/app/point_report.h"
 #include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
+#include "sim/base/count_text.h"
 
 namespace dockyard {
 namespace {
@@ -79,14 +80,13 @@ struct Totals {
 void Note(const Totals& totals) {
   if (totals.doubtful > 0) {
     PrintNote("warning: " + std::to_string(totals.doubtful) + " of " +
-              std::to_string(totals.frames) + " frames have a chi-square above " +
+              CountText(totals.frames, "frame has", "frames have") + " a chi-square above " +
               NumberText(kBeyondReason) +
               " times its freedom: check the images' size, the calibration and the points");
   }
-  std::string text =
-      std::to_string(totals.frames) + " frames, " + std::to_string(totals.poses) + " poses";
+  std::string text = CountText(totals.frames, "frame") + ", " + CountText(totals.poses, "pose");
   if (totals.not_detected > 0) {
-    text += "; " + std::to_string(totals.not_detected) + " rows without a pixel left out";
+    text += "; " + CountText(totals.not_detected, "row") + " without a pixel left out";
   }
   PrintNote(text);
 }
@@ -111,8 +111,8 @@ int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
     totals.not_detected += frame.not_detected;
     if (!sequence) {
       if (frame.not_detected > 0) {
-        answer.warnings.push_back(std::to_string(frame.not_detected) +
-                                  " rows without a pixel left out");
+        answer.warnings.push_back(CountText(frame.not_detected, "row") +
+                                  " without a pixel left out");
       }
       for (const std::string& warning : answer.warnings) PrintNote("warning: " + warning);
     }

@@ -15,6 +15,7 @@
 #include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/base/shell_word.h"
@@ -106,7 +107,8 @@ bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& co
     answer.Say(run + ": same result row, bit for bit (" + now.outcome + ")");
     return true;
   }
-  answer.Say(run + ": not the same; " + std::to_string(differing.size()) + " columns differ");
+  answer.Say(run + ": not the same; " +
+             CountText(differing.size(), "column differs", "columns differ"));
   for (const std::size_t i : differing) {
     std::string name = names[i];
     name.resize(std::max<std::size_t>(name.size(), 22), ' ');
@@ -138,7 +140,7 @@ Alone ReportCommands(const std::filesystem::path& run_dir, const Scenario& scena
                     answer);
   }
   const ControllerReplay& replay = *fed;
-  const std::string steps = std::to_string(replay.compared) + " steps";
+  const std::string steps = CountText(replay.compared, "step");
   if (replay.differs_at) {
     return Conclude(Alone::kDiffers,
                     "other commands at " +
@@ -185,7 +187,7 @@ int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept, Invocation
       logged ? ReadLoggedRun(kept.log_dir) : LogAnew(system, kept.run, std::move(options));
   const std::filesystem::path dir = arguments.frames_dir;
   const int frames = WriteFilm(log, shapes, outside, arguments.period_s, dir);
-  PrintNote(std::to_string(frames) + " frames in " + dir.string() + "; a film of them:");
+  PrintNote(CountText(frames, "frame") + " in " + dir.string() + "; a film of them:");
   const std::string film = "ffmpeg -framerate " + NumberText(1.0 / arguments.period_s) + " -i " +
                            ShellWord((dir / "frame_%05d.png").string()) + " -pix_fmt yuv420p " +
                            ShellWord((dir / "film.mp4").string());

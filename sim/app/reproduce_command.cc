@@ -14,6 +14,7 @@
 #include "sim/app/report_content.h"
 #include "sim/app/reproduction_files.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
@@ -162,7 +163,7 @@ ShardEnd RunPart(const ReproduceArguments& arguments, const CampaignArguments& p
   options.progress = arguments.json    ? ProgressStyle::kJson
                      : arguments.quiet ? ProgressStyle::kNone
                                        : ProgressStyleOfStderr();
-  PrintNote(campaign.name + ": " + std::to_string(campaign.run_count()) + " runs into " +
+  PrintNote(campaign.name + ": " + CountText(campaign.run_count(), "run") + " into " +
             options.out_dir.string());
   ShardEnd end = RunShard(campaign, run, options);
   if (options.shard.whole()) {

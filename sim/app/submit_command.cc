@@ -17,6 +17,7 @@
 #include "sim/app/slurm_client.h"
 #include "sim/app/submit_answer.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/campaign/campaign.h"
 #include "sim/campaign/campaign_folder.h"
@@ -82,10 +83,6 @@ double SecondsPerRunOf(const Campaign& campaign, const SubmitArguments& argument
   CampaignArguments elsewhere = arguments.campaign;
   elsewhere.out_dir = scratch.path();
   return SecondsPerRun(MakeReady(campaign, elsewhere, systems));
-}
-
-std::string CountText(std::int64_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 /// Chooses the number of tasks and their time where they were not said.

@@ -15,6 +15,7 @@
 #include "sim/app/raposa/eye_command.h"
 #include "sim/app/raposa/raposa_commands.h"
 #include "sim/app/raposa/words.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/images/decode.h"
@@ -122,7 +123,8 @@ void PrintMarks(const MarksSeen& seen, bool as_json) {
                 Degrees(seen.pair->alpha_rad), seen.pair->angle.r_m, seen.pair->c_px,
                 seen.pair->g_px, seen.pair->angle.ambiguous ? "; ambiguous" : "");
   } else {
-    std::printf("no pair: %d orange ellipses, %d blue rectangles\n", seen.oranges, seen.blues);
+    std::printf("no pair: %s, %s\n", CountText(seen.oranges, "orange ellipse").c_str(),
+                CountText(seen.blues, "blue rectangle").c_str());
   }
 }
 
