@@ -16,6 +16,13 @@
 namespace dockyard {
 namespace {
 
+/// An empty object where there is none that can be read.
+Json ReadManifest(const std::filesystem::path& dir) {
+  Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
+                              /*allow_exceptions=*/false);
+  return manifest.is_object() ? manifest : Json::object();
+}
+
 KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
                       const std::vector<System>& systems) {
   const KeptCampaign kept = OpenKeptCampaign(dir, systems);
@@ -26,8 +33,7 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
     throw UsageError(dir.string() + " has no run " + std::to_string(number) + "; it has " +
                      CountText(kept.campaign.run_count(), "run"));
   }
-  const Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
-                                    /*allow_exceptions=*/false);
+  const Json manifest = ReadManifest(dir);
   const std::string difference =
       ManifestDifference(manifest, MakeManifest(IdentityOf(kept.campaign, known), {}));
   if (!difference.empty()) PrintNote("note: " + dir.string() + ": " + difference);
@@ -42,10 +48,22 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
 
 bool StartsProgram(const RunResult& row) { return row.controller == "command"; }
 
+double KeptAnswerLimit(const std::filesystem::path& dir) {
+  const Json facts = ReadManifest(dir).value("facts", Json::object());
+  const double usual = CommandOptions{}.answer_limit_s;
+  const Json limit = facts.is_object() ? facts.value(kAnswerLimitFact, Json(usual)) : Json(usual);
+  return limit.is_number() ? limit.get<double>() : usual;
+}
+
 std::string ReplayCommand(const std::string& program, const std::filesystem::path& dir,
-                          const std::string& run, bool starts_program) {
-  return CommandText(program, {"replay", dir.string()}) + (run.empty() ? "" : " " + run) +
-         (starts_program ? " --allow-commands" : "");
+                          const std::string& run, bool starts_program, double limit_s) {
+  std::string command =
+      CommandText(program, {"replay", dir.string()}) + (run.empty() ? "" : " " + run);
+  if (!starts_program) return command;
+  for (const std::string& word : OptionWords({.allow = true, .answer_limit_s = limit_s})) {
+    command += " " + word;
+  }
+  return command;
 }
 
 KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,

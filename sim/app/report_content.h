@@ -31,9 +31,9 @@ void WriteReport(const std::filesystem::path& dir, const std::filesystem::path& 
                  const Invocation& call, const std::vector<Requirement>& requirements = {});
 
 /// Of one run whose log lies in the folder.
-/// @param program  as it was called, for the replay command
+/// @param replay_command  to be pasted; empty: the folder does not stay
 ReportContent ContentOfRun(const std::filesystem::path& dir, const System& system,
                            const Scenario& scenario, const RunResult& row,
-                           const std::string& program, ReportSource& source);
+                           std::string replay_command, ReportSource& source);
 
 }  // namespace dockyard

@@ -7,6 +7,7 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/kept_run.h"
 #include "sim/app/passing_folder.h"
 #include "sim/app/report_content.h"
 #include "sim/app/report_option.h"
@@ -63,14 +64,14 @@ void PrintJson(const RunRecord& record, const std::vector<std::string>& warnings
 }
 
 /// @param log_dir  holds the run's log
-/// @param kept     whether it stays there
-void WriteReport(const std::filesystem::path& file, const std::filesystem::path& log_dir, bool kept,
+/// @param replay_command  to be pasted; empty: the log does not stay
+void WriteReport(const std::filesystem::path& file, const std::filesystem::path& log_dir,
                  const System& system, const Scenario& scenario, const RunRecord& record,
-                 const std::string& program) {
+                 const std::string& replay_command) {
   ReportSource source;
-  ReportContent content = ContentOfRun(log_dir, system, scenario, record.result, program, source);
+  ReportContent content =
+      ContentOfRun(log_dir, system, scenario, record.result, replay_command, source);
   content.watched.front().messages = record.messages;
-  if (!kept) content.watched.front().command.clear();
   if (file.has_parent_path()) MakeFolder(file.parent_path());
   WriteWhole(file, ReportPage(content));
   PrintNote("report in " + file.string());
@@ -96,7 +97,11 @@ int Run(const RunArguments& arguments, const Invocation& call) {
     PrintNote("log and history in " + arguments.out_dir);
   }
   if (!report.empty()) {
-    WriteReport(report, options.log_dir, !passing, system, run.scenario, record, call.program);
+    const std::string replay =
+        passing ? ""
+                : ReplayCommand(call.program, options.log_dir, "", StartsProgram(record.result),
+                                arguments.commands.answer_limit_s);
+    WriteReport(report, options.log_dir, system, run.scenario, record, replay);
   }
   if (!record.messages.empty()) PrintNote("the controller said:\n" + record.messages);
   if (arguments.json) {

@@ -32,6 +32,15 @@ void AddCommandOptions(CLI::App& command, CommandOptions& options) {
       ->check(NumberWithin(0.001, 1e6));
 }
 
+std::vector<std::string> OptionWords(const CommandOptions& options) {
+  std::vector<std::string> words;
+  if (options.allow) words.push_back("--allow-commands");
+  if (options.answer_limit_s != CommandOptions{}.answer_limit_s) {
+    words.insert(words.end(), {"--answer-limit", NumberText(options.answer_limit_s)});
+  }
+  return words;
+}
+
 void AddSeedOption(CLI::App& command, std::optional<std::uint64_t>& seed) {
   command.add_option("--seed", seed, "of all random draws; overrides the file's")
       ->type_name("INTEGER")
