@@ -30,7 +30,7 @@ void AddCompletionCommand(CLI::App& app, Invocation& call) {
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   command->callback([&app, shell, &call] {
-    std::printf("%s", CompletionScript(app, *shell).c_str());
+    std::printf("%s", CompletionScript(app, call.systems, *shell).c_str());
     call.exit_code = kExitDone;
   });
 }

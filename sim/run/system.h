@@ -57,10 +57,18 @@ struct FileCheck {
 using CommandFunction =
     std::function<int(const std::string& program, const std::vector<std::string>& words)>;
 
+/// An option of a command, for the shells that complete it.
+struct CommandOption {
+  std::string name;  // "--json"
+  std::string meaning;
+  bool takes_value = false;
+};
+
 /// A command of the system's own: `dockyard NAME ...`.
 struct SystemCommand {
   std::string name, help;
   CommandFunction run;
+  std::vector<CommandOption> options = {};
 };
 
 /// A published experiment that the system reproduces.

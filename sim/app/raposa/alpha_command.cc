@@ -26,11 +26,7 @@ struct Lengths {
   bool json = false;
 };
 
-}  // namespace
-
-int Alpha(const std::string& program, const std::vector<std::string>& words) {
-  Lengths in;
-  CLI::App app(WithProgram(kHelp, program), program + " alpha");
+void AddLengths(CLI::App& app, Lengths& in) {
   const CLI::Validator positive(
       [](const std::string& text) {
         double value = 0.0;
@@ -48,6 +44,21 @@ int Alpha(const std::string& program, const std::vector<std::string>& words) {
       ->check(positive);
   app.add_option("--f-px", in.f_px, "focal length of the camera")->required()->check(positive);
   app.add_flag("--json", in.json, "JSON on standard output");
+}
+
+}  // namespace
+
+std::vector<CommandOption> AlphaOptions() {
+  Lengths unread;
+  CLI::App app;
+  AddLengths(app, unread);
+  return OptionsOf(app);
+}
+
+int Alpha(const std::string& program, const std::vector<std::string>& words) {
+  Lengths in;
+  CLI::App app(WithProgram(kHelp, program), program + " alpha");
+  AddLengths(app, in);
   if (const auto ended = ParseWords(app, words, program + " help alpha")) return *ended;
   const MarkAngle angle = AngleOfMarks(in.c_px, in.g_px, in.h_m, in.m_m, in.f_px);
   if (in.json) {

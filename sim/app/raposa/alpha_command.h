@@ -4,9 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "sim/run/system.h"
+
 namespace dockyard::raposa {
 
 /// A CommandFunction. Throws CLI::ParseError.
 int Alpha(const std::string& program, const std::vector<std::string>& words);
+
+/// For completion.
+std::vector<CommandOption> AlphaOptions();
 
 }  // namespace dockyard::raposa

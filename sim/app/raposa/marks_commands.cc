@@ -155,6 +155,13 @@ int Tune(const std::string& program, const std::vector<std::string>& words) {
   return 0;
 }
 
+std::vector<CommandOption> TuneOptions() {
+  Arguments unread;
+  CLI::App app;
+  AddOptions(app, unread);
+  return OptionsOf(app);
+}
+
 }  // namespace
 
 int DetectMarks(const std::string& program, const std::vector<std::string>& words) {
@@ -197,8 +204,10 @@ int DetectMarks(const std::string& program, const std::vector<std::string>& word
 }
 
 std::vector<SystemCommand> RaposaCommands() {
-  return {{"alpha", "Say from which angle and distance RAPOSA's pyramid is viewed.", Alpha},
-          {"tune", "Write the colour bands of RAPOSA's pyramid from one image.", Tune}};
+  return {
+      {"alpha", "Say from which angle and distance RAPOSA's pyramid is viewed.", Alpha,
+       AlphaOptions()},
+      {"tune", "Write the colour bands of RAPOSA's pyramid from one image.", Tune, TuneOptions()}};
 }
 
 }  // namespace dockyard::raposa

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/read/yaml_reader.h"
+#include "sim/run/system.h"
 
 namespace dockyard::raposa {
 
@@ -25,6 +26,17 @@ inline std::string UnknownOption(const CLI::App& app) {
            (near.empty() ? "" : ", did you mean '--" + near + "'?");
   }
   return "";
+}
+
+/// For SystemCommand::options, from the command line that the command itself reads.
+inline std::vector<CommandOption> OptionsOf(const CLI::App& app) {
+  std::vector<CommandOption> options;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      options.push_back({"--" + name, option->get_description(), option->get_type_size() != 0});
+    }
+  }
+  return options;
 }
 
 /// The help with its examples as the program was called.
