@@ -1,5 +1,6 @@
 #include "models/read/text_file.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <system_error>
@@ -113,6 +114,27 @@ std::string CharacterName(char32_t c) {
   char name[16];
   std::snprintf(name, sizeof name, "U+%04X", static_cast<unsigned>(c));
   return name;
+}
+
+std::string WithControlsShown(std::string_view text) {
+  std::string shown;
+  for (std::size_t i = 0; i < text.size();) {
+    const int length = SequenceLength(text, i);
+    const auto bytes = static_cast<std::size_t>(std::max(length, 1));
+    const char32_t c =
+        length == 0 ? static_cast<unsigned char>(text[i]) : CharacterAt(text, i, length);
+    if (length > 0 && (c == '\t' || c == '\n' || !IsControl(c))) {
+      shown += text.substr(i, bytes);
+    } else {
+      char escape[16];
+      const bool is_byte = length == 0 || c < 0x80;
+      std::snprintf(escape, sizeof escape, is_byte ? "\\x%02x" : "\\u%04x",
+                    static_cast<unsigned>(c));
+      shown += escape;
+    }
+    i += bytes;
+  }
+  return shown;
 }
 
 void CheckIsText(std::string_view text, const std::string& file) {

@@ -33,6 +33,9 @@ bool IsControl(char32_t c);
 std::optional<char32_t> FirstControl(std::string_view text);
 /// "U+001B"
 std::string CharacterName(char32_t c);
+/// The text for a terminal: control characters but tab and newline as "\x1b" or "\u0085", bytes
+/// that are no UTF-8 as "\xff". Twice is as once.
+std::string WithControlsShown(std::string_view text);
 
 /// A path written in a file, relative to that file's folder; absolute paths stay as they are.
 std::filesystem::path ResolveBeside(const std::string& written_in, const std::string& path);

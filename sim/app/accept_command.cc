@@ -10,6 +10,7 @@
 #include "sim/app/kept_campaign.h"
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/json.h"
 #include "sim/base/text.h"
 #include "sim/report/until_accepted.h"
@@ -41,23 +42,22 @@ struct Counts {
   std::int64_t planned = 0;  // 0: not known
 };
 
-Counts CountsOf(const AcceptArguments& arguments, const std::vector<System>& systems,
-                std::vector<std::string>& warnings) {
+Counts CountsOf(const AcceptArguments& arguments, Invocation& call) {
   if (arguments.trials && arguments.failures && arguments.dir.empty()) {
     if (*arguments.failures > *arguments.trials) {
-      throw UsageError("--failures: expected at most the " + std::to_string(*arguments.trials) +
-                       " trials, found " + std::to_string(*arguments.failures));
+      throw UsageError("--failures: expected at most the " + CountText(*arguments.trials, "trial") +
+                       ", found " + std::to_string(*arguments.failures));
     }
     return {*arguments.trials, *arguments.failures, 0};
   }
   if (arguments.trials || arguments.failures || arguments.dir.empty()) {
     throw UsageError("expected DIR, or --trials with --failures");
   }
-  const KeptCampaign kept = ReadKeptCampaign(arguments.dir, systems);
+  const KeptCampaign kept = ReadKeptCampaign(arguments.dir, call.systems);
   if (std::filesystem::exists(std::filesystem::path(arguments.dir) / kAcceptanceFile)) {
     Warn("a sequential test ended this campaign (" + std::string(kAcceptanceFile) +
              "); the confidence of this verdict holds for a fixed number of runs alone",
-         &warnings);
+         &call.warnings);
   }
   if (!kept.campaign.arms.empty() || !arguments.arm.empty()) RequireArm(kept, arguments.arm);
   Counts counts;
@@ -86,33 +86,33 @@ Json AcceptanceJson(const Counts& counts, const AcceptArguments& arguments, cons
 }
 
 void Print(const Counts& counts, const AcceptArguments& arguments, const Acceptance& found) {
-  std::printf("%d trials, %d failures: reliability at least %.6g, at most %.6g (each at %s %%)\n",
-              counts.trials, counts.failures, found.lower, found.upper,
+  std::printf("%s, %s: reliability at least %.6g, at most %.6g (each at %s %%)\n",
+              CountText(counts.trials, "trial").c_str(),
+              CountText(counts.failures, "failure").c_str(), found.lower, found.upper,
               NumberText(100.0 * arguments.confidence).c_str());
   std::printf("%s: reliability %s at confidence %s\n", NameOf(found.verdict),
               NumberText(arguments.reliability).c_str(), NumberText(arguments.confidence).c_str());
   if (found.verdict != AcceptanceVerdict::kUndecided) return;
   if (found.further_runs) {
-    std::printf("%lld further runs without a failure would be accepted\n",
-                static_cast<long long>(*found.further_runs));
+    std::printf("%s without a failure would be accepted\n",
+                CountText(*found.further_runs, "further run").c_str());
   } else {
     std::printf("no number of further runs would be accepted\n");
   }
 }
 
-int Accept(const AcceptArguments& arguments, const std::vector<System>& systems) {
-  std::vector<std::string> warnings;
-  const Counts counts = CountsOf(arguments, systems, warnings);
+int Accept(const AcceptArguments& arguments, Invocation& call) {
+  const Counts counts = CountsOf(arguments, call);
   if (counts.planned > counts.trials) {
     Warn(std::to_string(counts.trials) + " of " + std::to_string(counts.planned) +
              " planned runs are there; a verdict on a part, asked for again and again, is wrong "
              "more often than the confidence says",
-         &warnings);
+         &call.warnings);
   }
   const Acceptance found =
       JudgeAcceptance(counts.trials, counts.failures, arguments.reliability, arguments.confidence);
   if (arguments.json) {
-    std::printf("%s\n", AcceptanceJson(counts, arguments, found, warnings).dump(2).c_str());
+    std::printf("%s\n", AcceptanceJson(counts, arguments, found, call.warnings).dump(2).c_str());
   } else {
     Print(counts, arguments, found);
   }
@@ -122,7 +122,7 @@ int Accept(const AcceptArguments& arguments, const std::vector<System>& systems)
 
 }  // namespace
 
-void AddAcceptCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddAcceptCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<AcceptArguments>();
   CLI::App* command = app.add_subcommand("accept", kAcceptHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign")->type_name("DIR");
@@ -137,7 +137,7 @@ void AddAcceptCommand(CLI::App& app, const std::vector<System>& systems, int& ex
   command->add_option("--confidence", arguments->confidence, "of the verdict [0.95]")
       ->check(NumberWithin(0.5, 1.0 - 1e-12));
   command->add_flag("--json", arguments->json, "print JSON");
-  command->callback([arguments, &systems, &exit_code] { exit_code = Accept(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Accept(*arguments, call); });
 }
 
 }  // namespace dockyard

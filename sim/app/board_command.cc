@@ -9,6 +9,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 
@@ -28,11 +29,11 @@ Examples:
   dockyard board {target} --out out/station.pdf --paper a4 --tile
   dockyard board models/boards/five_discs.yaml --out out/five.svg
 
-FILE is a board's file or a station's. --out names the format by its ending: .svg or .pdf. Without --paper the
-page is as large as the board needs. Print it at 100 % and hold a rule against the 100 mm below the board; matt
-paper, laid flat on a stiff plate.)";
+FILE is a board's file or a station's. --out names the format by its ending: .svg or .pdf. Without
+--paper the page is as large as the board needs. Print it at 100 % and hold a rule against the 100
+mm below the board; matt paper, laid flat on a stiff plate.)";
 
-int Board(const BoardArguments& arguments, const std::vector<System>& systems) {
+int Board(const BoardArguments& arguments, const Invocation& call) {
   const std::string ending = std::filesystem::path(arguments.out).extension().string();
   if (ending != ".svg" && ending != ".pdf") {
     throw UsageError("--out: expected a file .svg or .pdf, found '" + arguments.out + "'");
@@ -40,7 +41,7 @@ int Board(const BoardArguments& arguments, const std::vector<System>& systems) {
   if (arguments.tile && !arguments.paper) {
     throw UsageError("--tile: expected --paper with it, the size of the tiles");
   }
-  const NamedBoard named = BoardOf(arguments.board, systems);
+  const NamedBoard named = BoardOf(arguments.board, call.systems);
   const std::vector<Page> pages = BoardPages(named, arguments.paper, arguments.tile);
   if (ending == ".svg" && pages.size() > 1) {
     throw UsageError("--out: expected a file .pdf for " + std::to_string(pages.size()) +
@@ -52,18 +53,18 @@ int Board(const BoardArguments& arguments, const std::vector<System>& systems) {
                       {"board", named.name},
                       {"pages", pages.size()},
                       {"page_mm", {pages[0].width_mm, pages[0].height_mm}},
-                      {"warnings", WarningsSaid()}};
+                      {"warnings", call.warnings}};
     std::printf("%s\n", answer.dump(1).c_str());
     return kExitDone;
   }
-  std::printf("%s: %s, %zu page%s of %.0f x %.0f mm\n", arguments.out.c_str(), named.name.c_str(),
-              pages.size(), pages.size() == 1 ? "" : "s", pages[0].width_mm, pages[0].height_mm);
+  std::printf("%s: %s, %s of %.0f x %.0f mm\n", arguments.out.c_str(), named.name.c_str(),
+              CountText(pages.size(), "page").c_str(), pages[0].width_mm, pages[0].height_mm);
   return kExitDone;
 }
 
 }  // namespace
 
-void AddBoardCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddBoardCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<BoardArguments>();
   CLI::App* command = app.add_subcommand("board", kBoardHelp);
   command->add_option("FILE", arguments->board, "a board's file, or a station's")
@@ -75,7 +76,7 @@ void AddBoardCommand(CLI::App& app, const std::vector<System>& systems, int& exi
   command->add_flag("--tile", arguments->tile,
                     "on several papers (.pdf) when it is too large for one");
   command->add_flag("--json", arguments->json, "print JSON");
-  command->callback([arguments, &systems, &exit_code] { exit_code = Board(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Board(*arguments, call); });
 }
 
 }  // namespace dockyard

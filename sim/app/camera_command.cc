@@ -27,16 +27,17 @@ Examples:
   dockyard camera project tests/models/data/m2020_cameras.json 3 0 0.5 --name HAZFLA
 
 FILE holds one camera, a list of them or a rig: our YAML, NASA's JSON of the cameras of Mars 2020, a
-camera_info of ROS, a chain of Kalibr, or YAML or XML of OpenCV (docs/reference/cameras.md). Points and
-rays are in the frame of the file's numbers, in metres; pixel 0 0 is the centre of the first pixel.)";
+camera_info of ROS, a chain of Kalibr, or YAML or XML of OpenCV (docs/reference/cameras.md). Points
+and rays are in the frame of the file's numbers, in metres; pixel 0 0 is the centre of the first
+pixel.)";
 
 constexpr const char* kProjectHelp = R"(The pixel that shows a point.
 
 Example:
   dockyard camera project models/cameras/navcam.yaml 2 0.1 0.3 --name left --json
 
---json: pixel [u, v], or null with the reason; in_image; warnings. A point that the camera cannot show is no
-error.)";
+--json: pixel [u, v], or null with the reason; in_image; warnings. A point that the camera cannot
+show is no error.)";
 
 constexpr const char* kRayHelp = R"(The points that a pixel shows: origin + s direction, s > 0.
 
@@ -115,7 +116,7 @@ int Ray(const CameraArguments& arguments) {
 
 void AddPart(CLI::App* camera, const char* name, const char* help,
              const std::vector<const char*>& numbers, int (*act)(const CameraArguments&),
-             int& exit_code) {
+             Invocation& call) {
   auto arguments = std::make_shared<CameraArguments>();
   arguments->numbers.resize(numbers.size());
   CLI::App* command = camera->add_subcommand(name, help);
@@ -125,16 +126,16 @@ void AddPart(CLI::App* camera, const char* name, const char* help,
   }
   command->add_option("--name", arguments->name, "which camera, when the file holds several");
   command->add_flag("--json", arguments->json, "the result as JSON");
-  command->callback([arguments, act, &exit_code] { exit_code = act(*arguments); });
+  command->callback([arguments, act, &call] { call.exit_code = act(*arguments); });
 }
 
 }  // namespace
 
-void AddCameraCommand(CLI::App& app, int& exit_code) {
+void AddCameraCommand(CLI::App& app, Invocation& call) {
   CLI::App* camera = app.add_subcommand("camera", kCameraHelp);
   camera->require_subcommand(1);
-  AddPart(camera, "project", kProjectHelp, {"X", "Y", "Z"}, Project, exit_code);
-  AddPart(camera, "ray", kRayHelp, {"U", "V"}, Ray, exit_code);
+  AddPart(camera, "project", kProjectHelp, {"X", "Y", "Z"}, Project, call);
+  AddPart(camera, "ray", kRayHelp, {"U", "V"}, Ray, call);
 }
 
 }  // namespace dockyard

@@ -16,7 +16,7 @@
 #include "sim/app/terminal.h"
 #include "sim/app/until_accepted_options.h"
 #include "sim/app/watch.h"
-#include "sim/base/called_as.h"
+#include "sim/base/count_text.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
 #include "sim/plan/make_run.h"
@@ -41,16 +41,20 @@ Examples:
   dockyard campaign {campaign} --jobs 2 --out results/yard --report
   dockyard campaign {campaign} --dry-run
   dockyard campaign {sweep} --set design.runs=1 --out out/quick
-  dockyard campaign {sweep} --set design.runs=1 --out out/quick --require 'docked >= 0'
-  dockyard campaign {sweep} --set 'vary={start.alpha_deg: [0, 3]}' --set figures= --out out/two
+  dockyard campaign {sweep} --set design.runs=1 --out out/quick \
+    --require 'docked >= 0'
+  dockyard campaign {sweep} --set 'vary={start.alpha_deg: [0, 3]}' --set figures= \
+    --out out/two
 
 Any key of a scenario can be varied or drawn, those of its models too. Stopped by Ctrl-C, a crash
 or a power cut, the same command goes on where it was. The results are the same, bit for bit, for
 any number of jobs and shards. Exit code 10: runs are missing, crashed or were stopped; 22: a
 requirement is not met. With --until-accepted 0: accepted, 20: not accepted, 21: undecided.)";
 
-std::string CommandToGoOn(const CommandArguments& arguments, const std::string& out_dir) {
-  std::string command = CommandText({"campaign", arguments.campaign.file, "--out", out_dir});
+std::string CommandToGoOn(const CommandArguments& arguments, const std::string& out_dir,
+                          const Invocation& call) {
+  std::string command =
+      CommandText(call.program, {"campaign", arguments.campaign.file, "--out", out_dir});
   for (const std::string& word : OptionWords(arguments.campaign)) command += " " + ShellWord(word);
   if (arguments.jobs > 0) command += " --jobs " + std::to_string(arguments.jobs);
   if (!arguments.shard.empty()) command += " --shard " + arguments.shard;
@@ -79,21 +83,23 @@ ProgressStyle StyleOf(const CommandArguments& arguments) {
 }
 
 int EndOfShard(const CommandArguments& arguments, const CampaignOptions& options,
-               const ShardEnd& end) {
+               const ShardEnd& end, const Invocation& call) {
   const std::string dir = options.out_dir.string();
   if (end.signal != 0) {
-    PrintNote("stopped: " + std::to_string(end.tally.done) + " of " + std::to_string(end.total) +
-              " runs are kept in " + dir + "\nto go on: " + CommandToGoOn(arguments, dir));
+    PrintNote("stopped: " + std::to_string(end.tally.done) + " of " +
+              CountText(end.total, "run is", "runs are") + " kept in " + dir +
+              "\nto go on: " + CommandToGoOn(arguments, dir, call));
     return kExitSignal + end.signal;
   }
   PrintNote("shard " + arguments.shard + ": " + TallyText(end.tally, end.total) +
-            "\nwhen all shards are done: " + CommandText({"merge", dir}));
+            "\nwhen all shards are done: " + CommandText(call.program, {"merge", dir}));
   return end.complete() && end.tally.lost == 0 ? kExitDone : kExitIncomplete;
 }
 
-int RunCampaignCommand(const CommandArguments& arguments, const std::vector<System>& systems) {
+int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
+  const std::vector<System>& systems = call.systems;
   if (!arguments.watch_dir.empty()) {
-    return WatchCampaign(arguments.watch_dir, arguments.json, systems);
+    return WatchCampaign(arguments.watch_dir, arguments.json, call);
   }
   if (arguments.campaign.file.empty()) {
     throw UsageError("FILE: expected a campaign file, or --watch DIR");
@@ -114,17 +120,17 @@ int RunCampaignCommand(const CommandArguments& arguments, const std::vector<Syst
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
   options.progress = StyleOf(arguments);
   const ShardEnd shard = RunShard(campaign, run, options);
-  if (!options.shard.whole()) return EndOfShard(arguments, options, shard);
+  if (!options.shard.whole()) return EndOfShard(arguments, options, shard, call);
   const CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns, shard.enough);
   if (plan) KeepAcceptance(options.out_dir, *plan, followed);
-  if (shard.signal != 0) return EndOfShard(arguments, options, shard);
-  int code = ReportEnd(end, options.out_dir, arguments.json);
-  if (plan) code = ReportAcceptance(*plan, followed, arguments.json);
+  if (shard.signal != 0) return EndOfShard(arguments, options, shard, call);
+  int code = ReportEnd(end, options.out_dir, arguments.json, call);
+  if (plan) code = ReportAcceptance(*plan, followed, arguments.json, call);
   if (arguments.report.asked) {
-    WriteReport(options.out_dir, arguments.report.FileIn(options.out_dir), systems, requirements);
+    WriteReport(options.out_dir, arguments.report.FileIn(options.out_dir), call, requirements);
   }
   return JudgeResults(arguments.judging, requirements, end, campaign, options.columns,
-                      options.out_dir, arguments.json, code);
+                      options.out_dir, arguments.json, code, call);
 }
 
 void AddOptions(CLI::App& command, CommandArguments& arguments) {
@@ -143,7 +149,7 @@ void AddOptions(CLI::App& command, CommandArguments& arguments) {
 
 }  // namespace
 
-void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddCampaignCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<CommandArguments>();
   CLI::App* command = app.add_subcommand("campaign", kCampaignHelp);
   command->add_option("FILE", arguments->campaign.file, "a campaign file")->type_name("FILE");
@@ -152,8 +158,7 @@ void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& 
       ->add_option("--watch", arguments->watch_dir,
                    "show the progress of the campaign that runs in this folder")
       ->type_name("DIR");
-  command->callback(
-      [arguments, &systems, &exit_code] { exit_code = RunCampaignCommand(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = RunCampaignCommand(*arguments, call); });
 }
 
 void AddStudyCommand(CLI::App& app) {

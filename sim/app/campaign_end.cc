@@ -14,8 +14,10 @@ namespace dockyard {
 namespace {
 
 /// Those with a log first: they can be replayed in full.
-void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir) {
+void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir,
+                  const std::string& program) {
   constexpr int kMost = 10;
+  const double limit_s = KeptAnswerLimit(dir);
   int shown = 0;
   for (const bool logged : {true, false}) {
     for (const RunResult& result : runs.results) {
@@ -23,14 +25,14 @@ void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir) {
       if (std::filesystem::exists(RunFolder(dir, result.run)) != logged) continue;
       if (shown++ == kMost) return;
       const std::string command =
-          ReplayCommand(dir, std::to_string(result.run), StartsProgram(result));
+          ReplayCommand(program, dir, std::to_string(result.run), StartsProgram(result), limit_s);
       std::printf("%s%s   # %s\n", shown == 1 ? "\nto run a failure again:\n" : "", command.c_str(),
                   result.outcome.c_str());
     }
   }
 }
 
-Json EndJson(const CampaignEnd& end) {
+Json EndJson(const CampaignEnd& end, const std::vector<std::string>& warnings) {
   std::map<std::string, int> outcomes;
   int docked = 0, lost = 0;
   for (const RunResult& result : end.runs.results) {
@@ -38,19 +40,19 @@ Json EndJson(const CampaignEnd& end) {
     docked += result.docked ? 1 : 0;
     lost += IsLost(result.outcome) ? 1 : 0;
   }
-  return {{"done", end.runs.size()}, {"total", end.total},
-          {"successes", docked},     {"lost", lost},
-          {"outcomes", outcomes},    {"warnings", WarningsSaid()}};
+  return {{"done", end.runs.size()}, {"total", end.total},  {"successes", docked}, {"lost", lost},
+          {"outcomes", outcomes},    {"warnings", warnings}};
 }
 
 }  // namespace
 
-int ReportEnd(const CampaignEnd& end, const std::filesystem::path& dir, bool json) {
+int ReportEnd(const CampaignEnd& end, const std::filesystem::path& dir, bool json,
+              const Invocation& call) {
   if (json) {
-    std::printf("%s\n", EndJson(end).dump().c_str());
+    std::printf("%s\n", EndJson(end, call.warnings).dump().c_str());
   } else {
     std::printf("%s", end.summary.c_str());
-    PrintReplays(end.runs, dir);
+    PrintReplays(end.runs, dir, call.program);
   }
   for (const std::string& place : end.damaged) {
     PrintNote("note: " + place + ": a damaged row was left out");

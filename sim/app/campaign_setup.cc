@@ -4,6 +4,8 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/identity.h"
+#include "sim/app/kept_run.h"
+#include "sim/app/misplaced_file.h"
 #include "sim/app/number_option.h"
 #include "sim/base/environment.h"
 #include "sim/base/text.h"
@@ -40,6 +42,9 @@ CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& c
                    {"seed", campaign.seed},
                    {"runs", campaign.run_count()},
                    {"columns", ColumnNames(options.columns)}};
+  if (arguments.commands.answer_limit_s != CommandOptions{}.answer_limit_s) {
+    options.facts[kAnswerLimitFact] = arguments.commands.answer_limit_s;
+  }
   options.environment = EnvironmentJson();
   return options;
 }
@@ -67,10 +72,8 @@ std::vector<std::string> OptionWords(const CampaignArguments& arguments) {
   for (const std::string& override : arguments.overrides) {
     words.insert(words.end(), {"--set", override});
   }
-  if (arguments.commands.allow) words.push_back("--allow-commands");
-  if (arguments.commands.answer_limit_s != CommandOptions{}.answer_limit_s) {
-    words.insert(words.end(), {"--answer-limit", NumberText(arguments.commands.answer_limit_s)});
-  }
+  const std::vector<std::string> of_commands = OptionWords(arguments.commands);
+  words.insert(words.end(), of_commands.begin(), of_commands.end());
   if (arguments.retry_lost) words.push_back("--retry-crashed");
   if (arguments.run_limit_s > 0.0) {
     words.insert(words.end(), {"--run-limit", NumberText(arguments.run_limit_s)});
@@ -88,7 +91,9 @@ Shard ShardOption(const std::string& text) {
 Campaign LoadCampaign(const CampaignArguments& arguments, const std::vector<System>& systems) {
   std::vector<std::string> overrides = arguments.overrides;
   if (arguments.seed) overrides.push_back("seed=" + std::to_string(*arguments.seed));
-  Campaign campaign = LoadCampaign(arguments.file, overrides, CampaignSystemsOf(systems));
+  Campaign campaign = LoadAs(kWantedCampaign, arguments.file, systems, [&] {
+    return LoadCampaign(arguments.file, overrides, CampaignSystemsOf(systems));
+  });
   if (arguments.run_limit_s > 0.0) campaign.limits.wall_s = arguments.run_limit_s;
   return campaign;
 }

@@ -5,6 +5,7 @@
 
 #include "models/read/calibrations.h"
 #include "models/read/load_cameras.h"
+#include "sim/base/count_text.h"
 
 namespace dockyard {
 namespace {
@@ -60,8 +61,7 @@ void WarnOfPlace(const StereoRig& rig, const Eigen::Vector3d& p_LQ, FileCheck& c
 
 FileCheck CheckFirst(const std::string& kind, const std::vector<PlacedCamera>& cameras) {
   const Camera& first = cameras[0].camera;
-  FileCheck check{kind, std::to_string(cameras.size()) +
-                            (cameras.size() == 1 ? " camera, " : " cameras, the first of ") +
+  FileCheck check{kind, CountText(cameras.size(), "camera, ", "cameras, the first of ") +
                             PixelsText(first) + ", " +
                             NumberText(std::round(10.0 * first.focal_px().x()) / 10.0) + " px/rad"};
   for (const PlacedCamera& placed : cameras) WarnOfRayless(placed.name, placed.camera, check);

@@ -70,31 +70,30 @@ CheckedFile CheckOne(const std::string& file, const CheckArguments& arguments,
   return checked;
 }
 
-int Check(const CheckArguments& arguments, const std::vector<System>& systems) {
+int Check(const CheckArguments& arguments, Invocation& call) {
   const CheckOptions options = OptionsOf(arguments);
   std::vector<CheckedFile> files;
-  std::vector<std::string> warnings;
   int exit_code = kExitDone;
   for (const std::string& file : arguments.files) {
-    files.push_back(CheckOne(file, arguments, options, systems));
+    files.push_back(CheckOne(file, arguments, options, call.systems));
     const CheckedFile& checked = files.back();
     for (const std::string& fault : checked.faults) PrintError(fault);
     if (!checked.faults.empty()) exit_code = kExitBadInput;
     for (const std::string& text : checked.check.warnings) {
       const bool placed = text.rfind(file, 0) == 0;
-      Warn(placed ? text : file + ": " + text, &warnings);
+      Warn(placed ? text : file + ": " + text, &call.warnings);
     }
     if (arguments.json || !checked.faults.empty()) continue;
     std::printf("%s: %s: %s\n", file.c_str(), checked.check.kind.c_str(),
                 checked.check.summary.c_str());
   }
-  if (arguments.json) std::printf("%s\n", CheckAnswer(files, warnings).c_str());
+  if (arguments.json) std::printf("%s\n", CheckAnswer(files, call.warnings).c_str());
   return exit_code;
 }
 
 }  // namespace
 
-void AddCheckCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddCheckCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand("check", kCheckHelp);
   command->add_option("FILE", arguments->files, "files to check")->required();
@@ -103,7 +102,7 @@ void AddCheckCommand(CLI::App& app, const std::vector<System>& systems, int& exi
   command->add_option("--package", arguments->packages, "NAME=DIR: the folder of a ROS package")
       ->expected(1)
       ->take_all();
-  command->callback([arguments, &systems, &exit_code] { exit_code = Check(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Check(*arguments, call); });
 }
 
 }  // namespace dockyard

@@ -23,6 +23,7 @@
 #include "sim/app/check_cameras.h"
 #include "sim/app/reproduction_files.h"
 #include "sim/app/scenario_options.h"
+#include "sim/base/count_text.h"
 #include "sim/plan/make_run.h"
 #include "sim/scenario/load_scenario.h"
 
@@ -32,8 +33,8 @@ namespace {
 FileCheck CheckMesh(const std::string& file) {
   const auto mesh = LoadMesh(file);
   const Eigen::Vector3d extent_m = ExtentOf(*mesh);
-  FileCheck check{"mesh", std::to_string(mesh->vertices.size()) + " vertices, " +
-                              std::to_string(mesh->triangles.size()) + " triangles, " +
+  FileCheck check{"mesh", CountText(mesh->vertices.size(), "vertex", "vertices") + ", " +
+                              CountText(mesh->triangles.size(), "triangle") + ", " +
                               SizeText(extent_m) + " (x, y, z)"};
   if (const std::string doubt = UnitDoubt(extent_m); !doubt.empty()) check.warnings = {doubt};
   return check;
@@ -75,8 +76,8 @@ FileCheck CheckUrdf(const std::string& file, const CheckOptions& options) {
   const UrdfModel model = LoadUrdf(file, OptionsOf(options));
   double mass_kg = 0.0;
   for (const LinkModel& link : model.links) mass_kg += link.mass_kg;
-  std::string summary = model.name + ": " + std::to_string(model.links.size()) + " links, " +
-                        std::to_string(model.joints.size()) + " joints, " + NumberText(mass_kg) +
+  std::string summary = model.name + ": " + CountText(model.links.size(), "link") + ", " +
+                        CountText(model.joints.size(), "joint") + ", " + NumberText(mass_kg) +
                         " kg";
   std::string welded;
   for (const LinkModel& link : model.links) {
@@ -114,7 +115,7 @@ FileCheck CheckWheel(const std::string& file) {
   const WheelFile wheel = LoadWheel(file);
   return {"wheel", wheel.name + ": radius " + NumberText(wheel.wheel.rim_radius_m) + " m, width " +
                        NumberText(wheel.wheel.width_m) + " m, " +
-                       std::to_string(wheel.wheel.paddle_count) + " paddles"};
+                       CountText(wheel.wheel.paddle_count, "paddle")};
 }
 
 FileCheck CheckRover(const std::string& file, bool is_built) {
@@ -122,7 +123,7 @@ FileCheck CheckRover(const std::string& file, bool is_built) {
   const auto steered =
       std::count_if(rover.wheels.begin(), rover.wheels.end(),
                     [](const WheelPlan& wheel) { return wheel.steer_limit_rad > 0.0; });
-  std::string found = rover.name + ": " + std::to_string(rover.wheels.size()) + " wheels, " +
+  std::string found = rover.name + ": " + CountText(rover.wheels.size(), "wheel") + ", " +
                       std::to_string(steered) + " of them steered";
   if (is_built)
     found += ", " + NumberText(std::round(100.0 * LoadRover(file).mass_kg()) / 100.0) + " kg";
@@ -131,8 +132,8 @@ FileCheck CheckRover(const std::string& file, bool is_built) {
 
 FileCheck CheckObstacles(const std::string& file) {
   const Obstacles obstacles = LoadObstacles(file);
-  return {"obstacles", std::to_string(obstacles.discs.size()) + " discs, " +
-                           std::to_string(obstacles.polygons.size()) + " areas"};
+  return {"obstacles", CountText(obstacles.discs.size(), "disc") + ", " +
+                           CountText(obstacles.polygons.size(), "area")};
 }
 
 FileCheck CheckScenario(const std::string& file, const std::vector<System>& systems) {
@@ -148,7 +149,7 @@ FileCheck CheckCampaign(const std::string& file, const std::vector<System>& syst
   });
   std::string labels;
   for (const std::string& label : campaign.labels) labels += (labels.empty() ? "" : ", ") + label;
-  return {"campaign", campaign.name + ": " + std::to_string(campaign.run_count()) + " runs" +
+  return {"campaign", campaign.name + ": " + CountText(campaign.run_count(), "run") +
                           (labels.empty() ? "" : " by " + labels) + "; seed " +
                           std::to_string(campaign.seed)};
 }
@@ -160,8 +161,8 @@ FileCheck CheckReproduction(const std::string& file, const std::vector<System>& 
     names.push_back(NamesOf(LoadCampaign(campaign.file, {}, CampaignSystemsOf(systems)), systems));
   }
   CheckPublished(published, names);
-  return {"published experiment", published.name + ": " + std::to_string(published.rows.size()) +
-                                      " rows, " + std::to_string(published.judged.size()) +
+  return {"published experiment", published.name + ": " + CountText(published.rows.size(), "row") +
+                                      ", " + std::to_string(published.judged.size()) +
                                       " of them judged beside the total"};
 }
 
@@ -172,7 +173,7 @@ FileCheck CheckTable(const std::string& file) {
     for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
     return text.empty() ? "none" : text;
   };
-  return {"campaign table", std::to_string(table.runs) + " runs; checked: " + list(table.checked) +
+  return {"campaign table", CountText(table.runs, "run") + "; checked: " + list(table.checked) +
                                 "; left to the campaign's file: " + list(table.left_to_campaign)};
 }
 

@@ -26,8 +26,9 @@ Json ListOf(const std::vector<Column>& columns) {
   return list;
 }
 
-int PrintColumnsJson(const std::vector<SystemColumns>& systems) {
-  Json answer{{"tables", Json::array()}, {"systems", Json::array()}, {"warnings", WarningsSaid()}};
+int PrintColumnsJson(const std::vector<SystemColumns>& systems,
+                     const std::vector<std::string>& warnings) {
+  Json answer{{"tables", Json::array()}, {"systems", Json::array()}, {"warnings", warnings}};
   for (const ColumnTable& table : ColumnTables()) {
     answer["tables"].push_back({{"file", table.file}, {"columns", ListOf(table.columns)}});
   }
@@ -41,23 +42,23 @@ int PrintColumnsJson(const std::vector<SystemColumns>& systems) {
   return kExitDone;
 }
 
-int PrintColumns(const std::vector<System>& systems, bool as_json) {
+int PrintColumns(const Invocation& call, bool as_json) {
   std::vector<SystemColumns> columns;
-  for (const System& system : systems) {
+  for (const System& system : call.systems) {
     columns.push_back({system.name, system.measures, system.channels, system.beliefs});
   }
-  if (as_json) return PrintColumnsJson(columns);
+  if (as_json) return PrintColumnsJson(columns, call.warnings);
   std::printf("%s", ColumnsPage(columns).c_str());
   return kExitDone;
 }
 
 }  // namespace
 
-void AddColumnsCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddColumnsCommand(CLI::App& app, Invocation& call) {
   CLI::App* command = app.add_subcommand("columns", kColumnsHelp);
   auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "print JSON");
-  command->callback([json, &systems, &exit_code] { exit_code = PrintColumns(systems, *json); });
+  command->callback([json, &call] { call.exit_code = PrintColumns(call, *json); });
 }
 
 }  // namespace dockyard

@@ -1,13 +1,12 @@
 // The subcommands of the program. Each adds itself to the command line. When chosen, it sets its
-// exit code or throws; RunProgram turns what was thrown into an exit code. `systems` must outlive
-// the parsing.
+// exit code in the call, or throws; RunProgram turns what was thrown into an exit code. The call
+// must outlive the parsing.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <stdexcept>
-#include <vector>
 
-#include "sim/run/system.h"
+#include "sim/app/invocation.h"
 
 namespace dockyard {
 
@@ -17,33 +16,33 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-void AddRunCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddCampaignCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddSubmitCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddMergeCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddFramesCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddReportCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddAcceptCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddCompareCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddRunCommand(CLI::App& app, Invocation& call);
+void AddCampaignCommand(CLI::App& app, Invocation& call);
+void AddSubmitCommand(CLI::App& app, Invocation& call);
+void AddMergeCommand(CLI::App& app, Invocation& call);
+void AddReproduceCommand(CLI::App& app, Invocation& call);
+void AddReplayCommand(CLI::App& app, Invocation& call);
+void AddFramesCommand(CLI::App& app, Invocation& call);
+void AddReportCommand(CLI::App& app, Invocation& call);
+void AddViewCommand(CLI::App& app, Invocation& call);
+void AddAcceptCommand(CLI::App& app, Invocation& call);
+void AddCompareCommand(CLI::App& app, Invocation& call);
 /// Says what took the former command's place.
 void AddStudyCommand(CLI::App& app);
-void AddColumnsCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddCameraCommand(CLI::App& app, int& exit_code);
-void AddDetectCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddBoardCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddCheckCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddWheelCommand(CLI::App& app, int& exit_code);
-void AddPlanCommand(CLI::App& app, int& exit_code);
-void AddStereoCommand(CLI::App& app, int& exit_code);
-void AddDoctorCommand(CLI::App& app, int& exit_code);
-void AddSchemaCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
-void AddCompletionCommand(CLI::App& app, int& exit_code);
+void AddColumnsCommand(CLI::App& app, Invocation& call);
+void AddCameraCommand(CLI::App& app, Invocation& call);
+void AddDetectCommand(CLI::App& app, Invocation& call);
+void AddPoseCommand(CLI::App& app, Invocation& call);
+void AddBoardCommand(CLI::App& app, Invocation& call);
+void AddCheckCommand(CLI::App& app, Invocation& call);
+void AddWheelCommand(CLI::App& app, Invocation& call);
+void AddPlanCommand(CLI::App& app, Invocation& call);
+void AddStereoCommand(CLI::App& app, Invocation& call);
+void AddDoctorCommand(CLI::App& app, Invocation& call);
+void AddSchemaCommand(CLI::App& app, Invocation& call);
+void AddCompletionCommand(CLI::App& app, Invocation& call);
 
 /// Commands of the systems' own.
-void AddSystemCommands(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddSystemCommands(CLI::App& app, Invocation& call);
 
 }  // namespace dockyard

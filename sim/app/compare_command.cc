@@ -10,6 +10,7 @@
 #include "sim/app/kept_campaign.h"
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/json.h"
 #include "sim/report/arm_pairs.h"
 #include "sim/report/baseline.h"
@@ -132,10 +133,12 @@ void PrintJson(const Comparison& found, const std::vector<std::string>& warnings
 }
 
 /// "3 runs docked in the baseline alone: 4 17 20"; nothing without runs.
-void PrintRuns(const std::vector<int>& runs, const char* what) {
+/// @param one, many  what is said of one run, and of several; many empty: the same
+void PrintRuns(const std::vector<int>& runs, const std::string& one, const std::string& many = "") {
   constexpr std::size_t kMostShown = 12;
   if (runs.empty()) return;
-  std::string text = std::to_string(runs.size()) + " runs " + what + ":";
+  std::string text =
+      CountText(runs.size(), "run " + one, "runs " + (many.empty() ? one : many)) + ":";
   for (std::size_t i = 0; i < std::min(runs.size(), kMostShown); ++i) {
     text += " " + std::to_string(runs[i]);
   }
@@ -145,12 +148,14 @@ void PrintRuns(const std::vector<int>& runs, const char* what) {
 void PrintBaseline(const BaselinePairs& pairs) {
   const int count =
       pairs.counts.both + pairs.counts.only_a + pairs.counts.only_b + pairs.counts.neither;
-  std::printf("%d pairs, %d of them the same bit for bit\n", count, pairs.same_bits);
+  std::printf("%s, %d of them the same bit for bit\n", CountText(count, "pair").c_str(),
+              pairs.same_bits);
   PrintRuns(pairs.lost, "docked in the baseline alone");
   PrintRuns(pairs.won, "docked here alone");
-  PrintRuns(pairs.only_here, "are not in the baseline");
-  PrintRuns(pairs.only_there, "are in the baseline alone");
-  PrintRuns(pairs.other_draw, "have another seed or other labels there, and no partner");
+  PrintRuns(pairs.only_here, "is not in the baseline", "are not in the baseline");
+  PrintRuns(pairs.only_there, "is in the baseline alone", "are in the baseline alone");
+  PrintRuns(pairs.other_draw, "has another seed or other labels there, and no partner",
+            "have another seed or other labels there, and no partner");
 }
 
 void Print(const Comparison& found) {
@@ -164,20 +169,20 @@ void Print(const Comparison& found) {
     std::printf("%s less %s: %+.3f (95 %%, %+.3f to %+.3f; Newcombe)\n", a, b, difference.value,
                 difference.interval.low, difference.interval.high);
   }
-  std::printf("only %s docked %d times, only %s %d times: p = %.4f exact, %.4f mid-p (McNemar)\n",
-              a, counts.only_a, b, counts.only_b, McNemarExact(counts.only_a, counts.only_b),
+  std::printf("only %s docked %s, only %s %s: p = %.4f exact, %.4f mid-p (McNemar)\n", a,
+              CountText(counts.only_a, "time").c_str(), b, CountText(counts.only_b, "time").c_str(),
+              McNemarExact(counts.only_a, counts.only_b),
               McNemarMidP(counts.only_a, counts.only_b));
   if (found.baseline) PrintBaseline(*found.baseline);
 }
 
-int Compare(const CompareArguments& arguments, const std::vector<System>& systems) {
-  const Comparison found = Find(arguments, systems);
-  std::vector<std::string> warnings;
+int Compare(const CompareArguments& arguments, Invocation& call) {
+  const Comparison found = Find(arguments, call.systems);
   if (found.unpaired > 0) {
-    Warn(std::to_string(found.unpaired) + " runs have no partner yet", &warnings);
+    Warn(CountText(found.unpaired, "run has", "runs have") + " no partner yet", &call.warnings);
   }
   if (arguments.json) {
-    PrintJson(found, warnings);
+    PrintJson(found, call.warnings);
   } else {
     Print(found);
   }
@@ -191,7 +196,7 @@ int Compare(const CompareArguments& arguments, const std::vector<System>& system
 
 }  // namespace
 
-void AddCompareCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddCompareCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", kCompareHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign")->type_name("DIR");
@@ -207,8 +212,7 @@ void AddCompareCommand(CLI::App& app, const std::vector<System>& systems, int& e
                    "exit code 23 where A is worse with at most this chance of error")
       ->check(NumberWithin(1e-12, 0.5));
   command->add_flag("--json", arguments->json, "print JSON");
-  command->callback(
-      [arguments, &systems, &exit_code] { exit_code = Compare(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Compare(*arguments, call); });
 }
 
 }  // namespace dockyard

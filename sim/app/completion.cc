@@ -63,11 +63,24 @@ void AddContexts(const CLI::App& command, const std::string& path, std::vector<C
   }
 }
 
-std::vector<Context> ContextsOf(const CLI::App& app) {
+/// The program's own commands know their options; a system's reads its words itself.
+void AddOptionsOf(const std::vector<System>& systems, Context& context) {
+  for (const System& system : systems) {
+    for (const SystemCommand& own : system.commands) {
+      if (own.name != context.path) continue;
+      for (const CommandOption& option : own.options) {
+        context.options.push_back({option.name, FirstLine(option.meaning), {}, option.takes_value});
+      }
+    }
+  }
+}
+
+std::vector<Context> ContextsOf(const CLI::App& app, const std::vector<System>& systems) {
   std::vector<Context> contexts;
   AddContexts(app, "", contexts);
   for (Context& context : contexts) {
     if (context.path == "help") context.arguments = contexts.front().commands;
+    AddOptionsOf(systems, context);
   }
   return contexts;
 }
@@ -199,8 +212,9 @@ std::string FishScript(const std::vector<Context>& contexts) {
 
 }  // namespace
 
-std::string CompletionScript(const CLI::App& app, const std::string& shell) {
-  const std::vector<Context> contexts = ContextsOf(app);
+std::string CompletionScript(const CLI::App& app, const std::vector<System>& systems,
+                             const std::string& shell) {
+  const std::vector<Context> contexts = ContextsOf(app, systems);
   if (shell == "bash") return BashScript(contexts);
   return shell == "zsh" ? ZshScript(contexts) : FishScript(contexts);
 }

@@ -23,15 +23,15 @@ zsh: put _dockyard into a folder of $fpath. fish: put the file into ~/.config/fi
 
 }  // namespace
 
-void AddCompletionCommand(CLI::App& app, int& exit_code) {
+void AddCompletionCommand(CLI::App& app, Invocation& call) {
   auto shell = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("completion", kCompletionHelp);
   command->add_option("SHELL", *shell, "whose script")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  command->callback([&app, shell, &exit_code] {
-    std::printf("%s", CompletionScript(app, *shell).c_str());
-    exit_code = kExitDone;
+  command->callback([&app, shell, &call] {
+    std::printf("%s", CompletionScript(app, call.systems, *shell).c_str());
+    call.exit_code = kExitDone;
   });
 }
 

@@ -12,6 +12,7 @@
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/images/png.h"
 #include "sim/spectator/canvas.h"
@@ -33,19 +34,24 @@ constexpr const char* kDetectHelp =
 
 Examples:
   dockyard view {scenario} --out out/view
-  dockyard detect out/view/left.png out/view/right.png --robot {robot} --board {target}
-  dockyard detect out/view/left.png --robot {robot} --board {target} --json
-  dockyard detect out/view/right.png --camera right --robot {robot} --board {target} --draw out/view/seen.png
-  dockyard detect --folder out/view --robot {robot} --board {target}
+  dockyard detect out/view/left.png out/view/right.png --robot {robot} \
+    --board {target}
+  dockyard detect out/view/left.png --robot {robot} --board {target} \
+    --json
+  dockyard detect out/view/right.png --camera right --robot {robot} \
+    --board {target} --draw out/view/seen.png
+  dockyard detect --folder out/view --robot {robot} \
+    --board {target}
 
-One image is taken for the left camera's unless --camera says right. --board is a station's file or a board's
-own (docs/reference/models.md): discs with bars or plain ones. Prints each fiducial (pixel, id, detected
-or predicted) and the board's pose in the rover body: metres, unit quaternion w x y z, covariance of
-p_x p_y p_z [m] and of a small turn about the rover's x y z [rad]. Exit code 4: no board accepted; the reason
-is printed. The noise is raised to what the residuals show, up to 1 px rms, and the covariance with it:
-flatness_m in the board's file states a bow, calibration_error_px in the rig's the cameras' error.
---folder searches every image of a folder by itself and counts the accepted boards. Exit code 0, or 3 when
-some file is no image (it is named, the others are done).)";
+One image is taken for the left camera's unless --camera says right. --board is a station's file or
+a board's own (docs/reference/models.md): discs with bars or plain ones. Prints each fiducial
+(pixel, id, detected or predicted) and the board's pose in the rover body: metres, unit quaternion w
+x y z, covariance of p_x p_y p_z [m] and of a small turn about the rover's x y z [rad]. Exit code 4:
+no board accepted; the reason is printed. The noise is raised to what the residuals show, up to 1 px
+rms, and the covariance with it: flatness_m in the board's file states a bow, calibration_error_px
+in the rig's the cameras' error.
+--folder searches every image of a folder by itself and counts the accepted boards. Exit code 0, or
+3 when some file is no image (it is named, the others are done).)";
 
 /// What the images are searched for, and by which rules.
 struct Searched {
@@ -80,7 +86,8 @@ void WarnIfCut(const std::string& file, std::vector<std::string>* warnings) {
 
 /// The board was not found: checks whether the images are exchanged, or else upside down.
 void TryExchanges(const StereoImages& images, const DetectArguments& arguments,
-                  const Searched& searched, DetectAnswer* answer) {
+                  const Searched& searched, DetectAnswer* answer,
+                  std::vector<std::string>* warnings) {
   if (!images.left.pixels.empty() && !images.right.pixels.empty()) {
     const SightingReport exchanged =
         LocatePair({.left = images.right, .right = images.left}, arguments, searched).report;
@@ -100,7 +107,7 @@ void TryExchanges(const StereoImages& images, const DetectArguments& arguments,
     if (!LocatePair(Alone(UpsideDown(image), right), arguments, searched).report.accepted) continue;
     Warn("turned by 180 deg the " + std::string(right ? "right" : "left") +
              " image shows the board: is it upside down?",
-         &answer->warnings);
+         warnings);
   }
 }
 
@@ -118,13 +125,13 @@ GrayImage LoadFor(const DetectArguments& arguments, const std::string& file) {
   return image;
 }
 
-int DetectInFolder(const DetectArguments& arguments, const Searched& searched) {
+int DetectInFolder(const DetectArguments& arguments, const Searched& searched,
+                   std::vector<std::string>* all_warnings) {
   RigOf(arguments.rig, searched.systems, 0, 0);  // a bad rig is not the fault of an image
   const std::size_t board_discs = searched.board.board.fiducials.size();
   const bool right = arguments.camera == "right";
   int images = 0, failed = 0, accepted = 0;
   Json list = Json::array();
-  std::vector<std::string> all_warnings;
   for (const std::string& file : ImageFilesIn(arguments.folder)) {
     SightingReport report;
     std::vector<std::string> warnings;
@@ -133,11 +140,11 @@ int DetectInFolder(const DetectArguments& arguments, const Searched& searched) {
       WarnIfCut(file, &warnings);
     } catch (const ConfigError& error) {  // no image, or not of the cameras' shape
       ++failed;
-      std::fprintf(stderr, "%s\n", error.what());
+      PrintNote(error.what());
       list.push_back({{"file", file}, {"error", error.what()}, {"warnings", warnings}});
       continue;
     }
-    all_warnings.insert(all_warnings.end(), warnings.begin(), warnings.end());
+    all_warnings->insert(all_warnings->end(), warnings.begin(), warnings.end());
     ++images;
     accepted += report.accepted;
     list.push_back({{"file", file},
@@ -155,10 +162,11 @@ int DetectInFolder(const DetectArguments& arguments, const Searched& searched) {
                     {"not_looked_at", failed},
                     {"boards_accepted", accepted},
                     {"files", list},
-                    {"warnings", all_warnings}};
+                    {"warnings", *all_warnings}};
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    std::printf("%d images, %d boards accepted", images, accepted);
+    std::printf("%s, %s accepted", CountText(images, "image").c_str(),
+                CountText(accepted, "board").c_str());
     if (failed > 0) std::printf("; %d not usable", failed);
     std::printf("\n");
   }
@@ -202,10 +210,10 @@ void Draw(const StereoImages& images, const SightingReport& report, const std::s
   WriteWhole(file, EncodePng(SideBySide(left, right)));
 }
 
-int Detect(const DetectArguments& arguments, const std::vector<System>& systems) {
+int Detect(const DetectArguments& arguments, Invocation& call) {
   RequireSound(arguments);
-  const NamedBoard named = BoardOf(arguments.board, systems);
-  const Searched searched{.systems = systems,
+  const NamedBoard named = BoardOf(arguments.board, call.systems);
+  const Searched searched{.systems = call.systems,
                           .board = named,
                           .errors = {.raise_noise = true,
                                      .flatness_m = named.flatness_m,
@@ -216,19 +224,19 @@ int Detect(const DetectArguments& arguments, const std::vector<System>& systems)
                       ": expected two bars of each rotation, as --pipeline tsai2013 needs them, "
                       "found others");
   }
-  if (!arguments.folder.empty()) return DetectInFolder(arguments, searched);
+  if (!arguments.folder.empty()) return DetectInFolder(arguments, searched, &call.warnings);
   const StereoImages images = LoadImages(arguments);
   DetectAnswer answer{.report = {},
                       .detail = {},
                       .pipeline = arguments.pipeline.name,
                       .board_discs = named.board.fiducials.size()};
-  WarnIfCut(arguments.left, &answer.warnings);
-  WarnIfCut(arguments.right, &answer.warnings);
+  WarnIfCut(arguments.left, &call.warnings);
+  WarnIfCut(arguments.right, &call.warnings);
   answer.report = LocatePair(images, arguments, searched).report;
-  if (!answer.report.accepted) TryExchanges(images, arguments, searched, &answer);
+  if (!answer.report.accepted) TryExchanges(images, arguments, searched, &answer, &call.warnings);
   if (!arguments.draw.empty()) Draw(images, answer.report, arguments.draw);
   if (arguments.json) {
-    std::printf("%s\n", DetectJson(answer).dump(2).c_str());
+    std::printf("%s\n", DetectJson(answer, call.warnings).dump(2).c_str());
   } else {
     PrintDetectText(answer);
   }
@@ -237,7 +245,7 @@ int Detect(const DetectArguments& arguments, const std::vector<System>& systems)
 
 }  // namespace
 
-void AddDetectCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddDetectCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<DetectArguments>();
   CLI::App* command = app.add_subcommand("detect", kDetectHelp);
   command->add_option("LEFT", arguments->left,
@@ -257,7 +265,7 @@ void AddDetectCommand(CLI::App& app, const std::vector<System>& systems, int& ex
   command->add_option("--draw", arguments->draw, "PNG of the images with the detections marked");
   command->add_flag("--json", arguments->json, "JSON on standard output");
   AddPipelineOptions(*command, arguments->pipeline);
-  command->callback([arguments, &systems, &exit_code] { exit_code = Detect(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Detect(*arguments, call); });
 }
 
 }  // namespace dockyard

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "sim/app/vision_files.h"
+#include "sim/base/count_text.h"
 
 namespace dockyard {
 namespace {
@@ -35,10 +36,10 @@ std::string DiscsText(const SightingReport& report, std::size_t board_discs) {
     return std::to_string(NamedDiscs(report)) + " of the board's " + std::to_string(board_discs) +
            " discs";
   }
-  return std::to_string(report.DetectedBy(0) + report.DetectedBy(1)) + " discs in the image";
+  return CountText(report.DetectedBy(0) + report.DetectedBy(1), "disc") + " in the image";
 }
 
-Json DetectJson(const DetectAnswer& answer) {
+Json DetectJson(const DetectAnswer& answer, const std::vector<std::string>& warnings) {
   const SightingReport& report = answer.report;
   Json json;
   json["pipeline"] = answer.pipeline;
@@ -56,7 +57,7 @@ Json DetectJson(const DetectAnswer& answer) {
   json["camera_turn_rad"] = {turn.x(), turn.y(), turn.z()};
   json["camera_turn_sigma_rad"] = {sigma.x(), sigma.y(), sigma.z()};
   json["fiducials"] = MarksJson(report);
-  json["warnings"] = answer.warnings;
+  json["warnings"] = warnings;
   return json;
 }
 

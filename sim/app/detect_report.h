@@ -14,7 +14,6 @@ struct DetectAnswer {
   std::string detail;  // more about why there is no board; empty: nothing
   std::string pipeline;
   std::size_t board_discs = 0;  // on the board
-  std::vector<std::string> warnings{};
 };
 
 /// Discs of the board that were measured, in all images.
@@ -23,7 +22,7 @@ std::size_t NamedDiscs(const SightingReport& report);
 /// "43 of the board's 44 discs", or before they have names "116 discs in the image".
 std::string DiscsText(const SightingReport& report, std::size_t board_discs);
 
-Json DetectJson(const DetectAnswer& answer);
+Json DetectJson(const DetectAnswer& answer, const std::vector<std::string>& warnings);
 void PrintDetectText(const DetectAnswer& answer);
 
 }  // namespace dockyard

@@ -43,7 +43,7 @@ void PrintText(const std::vector<Finding>& findings) {
   }
 }
 
-void PrintJson(const std::vector<Finding>& findings) {
+void PrintJson(const std::vector<Finding>& findings, const std::vector<std::string>& warnings) {
   Json list = Json::array();
   for (const Finding& finding : findings) {
     list.push_back({{"name", finding.name},
@@ -51,13 +51,13 @@ void PrintJson(const std::vector<Finding>& findings) {
                     {"health", Name(finding.health)},
                     {"advice", finding.advice}});
   }
-  const Json answer{{"findings", list}, {"warnings", WarningsSaid()}};
+  const Json answer{{"findings", list}, {"warnings", warnings}};
   std::printf("%s\n", answer.dump(1).c_str());
 }
 
-int Doctor(bool json) {
+int Doctor(bool json, const std::vector<std::string>& warnings) {
   const std::vector<Finding> findings = Examine();
-  json ? PrintJson(findings) : PrintText(findings);
+  json ? PrintJson(findings, warnings) : PrintText(findings);
   const bool missing = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
     return finding.health == Health::kMissing;
   });
@@ -66,11 +66,11 @@ int Doctor(bool json) {
 
 }  // namespace
 
-void AddDoctorCommand(CLI::App& app, int& exit_code) {
+void AddDoctorCommand(CLI::App& app, Invocation& call) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("doctor", kDoctorHelp);
   command->add_flag("--json", *json, "the findings as JSON");
-  command->callback([json, &exit_code] { exit_code = Doctor(*json); });
+  command->callback([json, &call] { call.exit_code = Doctor(*json, call.warnings); });
 }
 
 }  // namespace dockyard

@@ -36,6 +36,7 @@ std::string WithExamples(const std::string& help, const std::string& program,
   std::istringstream in(help);
   std::string text, line;
   while (std::getline(in, line)) {
+    for (std::string more; line.ends_with('\\') && std::getline(in, more);) line += "\n" + more;
     if (!Fill(line, words)) continue;
     if (line.rfind(called, 0) == 0) line.replace(0, called.size(), "  " + program + " ");
     text += (text.empty() ? "" : "\n") + line;

@@ -7,13 +7,16 @@
 #include <optional>
 
 #include "models/read/config_error.h"
+#include "models/read/text_file.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/parse_fault.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
+#include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
 #include "sim/log/run_log.h"
+#include "sim/scenario/other_file_kind.h"
 
 namespace dockyard {
 namespace {
@@ -47,10 +50,13 @@ bool NamesFile(const std::string& text) {
          text.rfind("--", 0) != 0;
 }
 
-int Fail(const std::string& text, int exit_code, bool as_json) {
+int Fail(const std::string& text, int exit_code, bool as_json,
+         const std::vector<std::string>& warnings) {
   PrintError(text);
   if (as_json) {
-    const Json answer{{"error", ErrorJson(text, exit_code)}, {"warnings", WarningsSaid()}};
+    // As on stderr: a byte that is no UTF-8 cannot be in JSON.
+    const Json answer{{"error", ErrorJson(WithControlsShown(text), exit_code)},
+                      {"warnings", warnings}};
     std::printf("%s\n", answer.dump().c_str());
   }
   return exit_code;
@@ -78,15 +84,23 @@ Json ErrorJson(const std::string& text, int exit_code) {
   return json;
 }
 
-int WithFailuresTold(const CLI::App& app, bool as_json, const std::function<int()>& work) {
+int WithFailuresTold(const CLI::App& app, const Invocation& call, bool as_json,
+                     const std::function<int()>& work) {
+  const auto fail = [&](const std::string& text, int exit_code) {
+    return Fail(text, exit_code, as_json, call.warnings);
+  };
   try {
     return work();
   } catch (const CLI::Success& asked) {  // help, version
     return app.exit(asked, std::cout, std::cerr);
   } catch (const CLI::ParseError& error) {
-    return Fail(ParseFault(app, error), kExitUsage, as_json);
+    return fail(ParseFault(app, error, call.program), kExitUsage);
+  } catch (const OtherFileKind& other) {
+    return fail(std::string(other.what()) + "; simulate it with: " +
+                    CommandText(call.program, {other.command(), other.file()}),
+                ExitCodeOf(other));
   } catch (const std::exception& error) {
-    return Fail(error.what(), ExitCodeOf(error), as_json);
+    return fail(error.what(), ExitCodeOf(error));
   }
 }
 

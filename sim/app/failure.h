@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "sim/app/invocation.h"
 #include "sim/base/json.h"
 
 namespace dockyard {
@@ -15,7 +16,9 @@ Json ErrorJson(const std::string& text, int exit_code);
 
 /// Calls `work` and returns its exit code. An exception is printed on stderr, with `as_json` as
 /// an object on stdout too, and becomes the exit code of docs/reference/exit_codes.md.
-/// @param app  for the sentence on arguments that cannot be read
-int WithFailuresTold(const CLI::App& app, bool as_json, const std::function<int()>& work);
+/// @param app   for the sentence on arguments that cannot be read
+/// @param call  its warnings are in the object
+int WithFailuresTold(const CLI::App& app, const Invocation& call, bool as_json,
+                     const std::function<int()>& work);
 
 }  // namespace dockyard

@@ -9,6 +9,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/kept_run.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/images/png.h"
 #include "sim/log/record_files.h"
@@ -59,8 +60,8 @@ Json WriteLook(const LoggedRun& log, const Look& look, std::size_t index, std::s
           {"verdict", WordOf(look)}};
 }
 
-int Frames(const FramesArguments& arguments, const std::vector<System>& systems) {
-  const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "frames", systems);
+int Frames(const FramesArguments& arguments, const Invocation& call) {
+  const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "frames", call);
   if (!std::filesystem::exists(kept.log_dir / kRunLogFile)) {
     PrintError("there is no log in " + kept.log_dir.string() +
                "; `keep` in the campaign's file says which runs keep theirs");
@@ -81,10 +82,10 @@ int Frames(const FramesArguments& arguments, const std::vector<System>& systems)
     PrintError("the log in " + kept.log_dir.string() + " has no images");
     return kExitIncomplete;
   }
-  PrintNote(std::to_string(files.size()) + " images and frames.json in " + arguments.out_dir);
+  PrintNote(CountText(files.size(), "image") + " and frames.json in " + arguments.out_dir);
   if (arguments.json) {
     const Json answer{
-        {"folder", arguments.out_dir}, {"images", files}, {"warnings", WarningsSaid()}};
+        {"folder", arguments.out_dir}, {"images", files}, {"warnings", call.warnings}};
     std::printf("%s\n", answer.dump(1).c_str());
   }
   return kExitDone;
@@ -92,7 +93,7 @@ int Frames(const FramesArguments& arguments, const std::vector<System>& systems)
 
 }  // namespace
 
-void AddFramesCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddFramesCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<FramesArguments>();
   CLI::App* command = app.add_subcommand("frames", kFramesHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
@@ -104,7 +105,7 @@ void AddFramesCommand(CLI::App& app, const std::vector<System>& systems, int& ex
       ->type_name("DIR");
   command->add_flag("--plain", arguments->plain, "without marks");
   command->add_flag("--json", arguments->json, "print what was written as JSON");
-  command->callback([arguments, &systems, &exit_code] { exit_code = Frames(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Frames(*arguments, call); });
 }
 
 }  // namespace dockyard

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 #include "models/read/near_names.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
-#include "sim/base/called_as.h"
 
 namespace dockyard {
 namespace {
+
+constexpr std::size_t kColumns = 100;  // of a line of help
 
 constexpr const char* kHelpHelp = R"(Show all commands, or the help of one.
 
@@ -34,7 +36,7 @@ std::vector<std::string> GroupsOf(const CLI::App& app) {
 std::string Screen(const CLI::App& app) {
   std::size_t widest = 0;
   for (const std::string& name : CommandNames(app)) widest = std::max(widest, name.size());
-  const std::string program = CalledAs();
+  const std::string program = app.get_name();
   std::string text = app.get_description() + "\nUsage: " + program + " COMMAND [ARGUMENTS]\n\n";
   for (const std::string& group : GroupsOf(app)) {
     text += group + ":\n";
@@ -73,17 +75,32 @@ int Help(const CLI::App& app, const std::vector<std::string>& words,
          const std::vector<System>& systems) {
   for (const System& system : systems) {
     for (const SystemCommand& own : system.commands) {
-      if (!words.empty() && own.name == words[0]) return own.run({"--help"});
+      if (!words.empty() && own.name == words[0]) return own.run(app.get_name(), {"--help"});
     }
   }
   const Named named = Find(app, words);
   // CLI11 puts the command's own name at the end.
-  std::string before = named.path.empty() ? "" : CalledAs();
+  std::string before = named.path.empty() ? "" : app.get_name();
   for (std::size_t i = 0; i + 1 < named.path.size(); ++i) before += " " + named.path[i];
   std::cout << app.get_formatter()->make_help(
       named.command, named.path.empty() ? "" : before + " " + named.path.back(),
       CLI::AppFormatMode::Normal);
   return kExitDone;
+}
+
+/// The text with line breaks between words, so that no line is longer than `most`, unless a word
+/// is.
+std::string Folded(const std::string& text, std::size_t most) {
+  std::istringstream in(text);
+  std::string folded;
+  std::size_t length = 0;
+  for (std::string word; in >> word; folded += word, length += word.size()) {
+    if (length == 0) continue;
+    const bool fits = length + 1 + word.size() <= most;
+    folded += fits ? ' ' : '\n';
+    length = fits ? length + 1 : 0;
+  }
+  return folded;
 }
 
 /// "0 to 1" of "INT in [0 - 1]".
@@ -131,6 +148,12 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string name,
   return CLI::Formatter::make_help(app, std::move(name), mode);
 }
 
+std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
+  std::ostringstream out;
+  CLI::detail::format_help(out, command->get_name(), Summary(*command), get_column_width());
+  return out.str();
+}
+
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   if (option->get_type_size() == 0 || !option->get_option_text().empty()) {
     return CLI::Formatter::make_option_opts(option);
@@ -141,6 +164,10 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   if (most == CLI::detail::expected_max_vector_size) text += " ...";
   if (option->get_required()) text += " REQUIRED";
   return text;
+}
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+  return Folded(CLI::Formatter::make_option_desc(option), kColumns - get_column_width());
 }
 
 std::string FirstSteps(const CLI::App& app, const ExampleFiles& files) {
@@ -154,18 +181,17 @@ std::string FirstSteps(const CLI::App& app, const ExampleFiles& files) {
   for (const auto& [words, what] : steps) widest = std::max(widest, words.size());
   std::string text = Summary(app) + "\n\n";
   for (const auto& [words, what] : steps) {
-    text +=
-        "  " + CalledAs() + " " + words + std::string(widest + 2 - words.size(), ' ') + what + "\n";
+    text += "  " + app.get_name() + " " + words + std::string(widest + 2 - words.size(), ' ') +
+            what + "\n";
   }
   return text;
 }
 
-void AddHelpCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddHelpCommand(CLI::App& app, Invocation& call) {
   auto words = std::make_shared<std::vector<std::string>>();
   CLI::App* command = app.add_subcommand("help", kHelpHelp);
   command->add_option("COMMAND", *words, "one of those that help lists");
-  command->callback(
-      [&app, words, &systems, &exit_code] { exit_code = Help(app, *words, systems); });
+  command->callback([&app, words, &call] { call.exit_code = Help(app, *words, call.systems); });
 }
 
 }  // namespace dockyard

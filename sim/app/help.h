@@ -5,17 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "sim/run/system.h"
+#include "sim/app/invocation.h"
 
 namespace dockyard {
 
 /// The whole program's help lists its commands by group, a line each. In a command's help the
-/// options' values are in words: "NUMBER from 0 to 1".
+/// options' values are in words: "NUMBER from 0 to 1"; their meanings end at column 100. Of a
+/// command inside there is the first line alone.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name,
                         CLI::AppFormatMode mode) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
   std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_option_desc(const CLI::Option* option) const override;
 };
 
 /// "NUMBER from 0 to 1" from CLI11's "FLOAT:from 0 to 1", "a|b" from "TEXT:{a,b}".
@@ -27,9 +30,10 @@ std::vector<std::string> CommandNames(const CLI::App& app);
 std::string Summary(const CLI::App& command);
 
 /// What to do first, for a call without a command.
+/// @param app  of the program, with its name as it was called
 std::string FirstSteps(const CLI::App& app, const ExampleFiles& files);
 
 /// `dockyard help [COMMAND...]`.
-void AddHelpCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code);
+void AddHelpCommand(CLI::App& app, Invocation& call);
 
 }  // namespace dockyard

@@ -15,7 +15,7 @@
 namespace dockyard {
 namespace {
 
-void Print(const Judgement& judged, bool json) {
+void Print(const Judgement& judged, bool json, const std::vector<std::string>& warnings) {
   if (!json) {
     std::printf("%s\n", judged.text.c_str());
     return;
@@ -24,7 +24,7 @@ void Print(const Judgement& judged, bool json) {
             {"met", judged.met},
             {"found", nullptr},
             {"runs", judged.count},
-            {"warnings", WarningsSaid()}};
+            {"warnings", warnings}};
   if (judged.count > 0) line["found"] = judged.found;
   std::printf("%s\n", line.dump().c_str());
 }
@@ -45,13 +45,15 @@ std::vector<std::string> NamedLabels(const Campaign& campaign) {
 
 std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
                     const RowColumns& columns, const std::filesystem::path& dir,
-                    const std::vector<Judgement>& judged) {
+                    const std::vector<Judgement>& judged, const std::string& program) {
+  const double limit_s = KeptAnswerLimit(dir);
   std::vector<JUnitRun> runs;
   for (std::size_t i = 0; i < finished.size(); ++i) {
     const RunResult& row = finished.results[i];
     JUnitRun run{&row, finished.timings[i].wall_time_s, finished.notes[i], ""};
     if (!row.docked && !IsLost(row.outcome)) {
-      run.replay = ReplayCommand(dir, std::to_string(row.run), StartsProgram(row));
+      run.replay =
+          ReplayCommand(program, dir, std::to_string(row.run), StartsProgram(row), limit_s);
     }
     runs.push_back(run);
   }
@@ -88,14 +90,14 @@ std::vector<Requirement> ReadRequirements(const JudgingOptions& options, const R
 
 int JudgeResults(const JudgingOptions& options, const std::vector<Requirement>& requirements,
                  const CampaignEnd& end, const Campaign& campaign, const RowColumns& columns,
-                 const std::filesystem::path& dir, bool json, int code) {
+                 const std::filesystem::path& dir, bool json, int code, const Invocation& call) {
   std::vector<Judgement> judged;
   for (const Requirement& requirement : requirements) {
     judged.push_back(Judge(requirement, columns, end.runs.results));
-    Print(judged.back(), json);
+    Print(judged.back(), json, call.warnings);
   }
   if (!options.junit_file.empty()) {
-    WriteWhole(options.junit_file, JUnitOf(end.runs, campaign, columns, dir, judged));
+    WriteWhole(options.junit_file, JUnitOf(end.runs, campaign, columns, dir, judged, call.program));
   }
   const bool met =
       std::all_of(judged.begin(), judged.end(), [](const Judgement& each) { return each.met; });

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/app/invocation.h"
 #include "sim/campaign/merge.h"
 #include "sim/report/requirement.h"
 
@@ -26,16 +27,17 @@ std::vector<Requirement> ReadRequirements(const JudgingOptions& options, const R
                                           const Campaign& campaign);
 
 /// The results as JUnit XML, with a replay command for each failure.
-/// @param dir  the campaign's results folder
+/// @param dir      the campaign's results folder
+/// @param program  as it was called, for the replay commands
 std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
                     const RowColumns& columns, const std::filesystem::path& dir,
-                    const std::vector<Judgement>& judged);
+                    const std::vector<Judgement>& judged, const std::string& program);
 
 /// Prints what became of each requirement, as lines of JSON if asked, and writes the JUnit file.
 /// @param code  the exit code without requirements
 /// @return 22 where a requirement is not met and no run is missing, else `code`. Throws IoError.
 int JudgeResults(const JudgingOptions& options, const std::vector<Requirement>& requirements,
                  const CampaignEnd& end, const Campaign& campaign, const RowColumns& columns,
-                 const std::filesystem::path& dir, bool json, int code);
+                 const std::filesystem::path& dir, bool json, int code, const Invocation& call);
 
 }  // namespace dockyard

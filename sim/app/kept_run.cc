@@ -4,8 +4,9 @@
 #include "sim/app/identity.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
-#include "sim/base/called_as.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
+#include "sim/base/shell_word.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/merge.h"
 #include "sim/log/record_files.h"
@@ -15,6 +16,13 @@
 namespace dockyard {
 namespace {
 
+/// An empty object where there is none that can be read.
+Json ReadManifest(const std::filesystem::path& dir) {
+  Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
+                              /*allow_exceptions=*/false);
+  return manifest.is_object() ? manifest : Json::object();
+}
+
 KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
                       const std::vector<System>& systems) {
   const KeptCampaign kept = OpenKeptCampaign(dir, systems);
@@ -23,10 +31,9 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
   const std::int64_t index = maker.IndexOf(number);
   if (index < 0) {
     throw UsageError(dir.string() + " has no run " + std::to_string(number) + "; it has " +
-                     std::to_string(kept.campaign.run_count()) + " runs");
+                     CountText(kept.campaign.run_count(), "run"));
   }
-  const Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
-                                    /*allow_exceptions=*/false);
+  const Json manifest = ReadManifest(dir);
   const std::string difference =
       ManifestDifference(manifest, MakeManifest(IdentityOf(kept.campaign, known), {}));
   if (!difference.empty()) PrintNote("note: " + dir.string() + ": " + difference);
@@ -41,18 +48,31 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
 
 bool StartsProgram(const RunResult& row) { return row.controller == "command"; }
 
-std::string ReplayCommand(const std::filesystem::path& dir, const std::string& run,
-                          bool starts_program) {
-  return CommandText({"replay", dir.string()}) + (run.empty() ? "" : " " + run) +
-         (starts_program ? " --allow-commands" : "");
+double KeptAnswerLimit(const std::filesystem::path& dir) {
+  const Json facts = ReadManifest(dir).value("facts", Json::object());
+  const double usual = CommandOptions{}.answer_limit_s;
+  const Json limit = facts.is_object() ? facts.value(kAnswerLimitFact, Json(usual)) : Json(usual);
+  return limit.is_number() ? limit.get<double>() : usual;
+}
+
+std::string ReplayCommand(const std::string& program, const std::filesystem::path& dir,
+                          const std::string& run, bool starts_program, double limit_s) {
+  std::string command =
+      CommandText(program, {"replay", dir.string()}) + (run.empty() ? "" : " " + run);
+  if (!starts_program) return command;
+  for (const std::string& word : OptionWords({.allow = true, .answer_limit_s = limit_s})) {
+    command += " " + word;
+  }
+  return command;
 }
 
 KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
-                    const std::string& command, const std::vector<System>& systems) {
+                    const std::string& command, const Invocation& call) {
+  const std::vector<System>& systems = call.systems;
   const bool campaign = HoldsCampaign(dir);
   if (campaign && !number) {
     throw UsageError(dir.string() + " holds a campaign; name the run, as in: " +
-                     CommandText({command, dir.string(), "1"}));
+                     CommandText(call.program, {command, dir.string(), "1"}));
   }
   if (!campaign && number && std::filesystem::exists(dir / "result.csv")) {
     throw UsageError(dir.string() + " holds one run; leave out the number");

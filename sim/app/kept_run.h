@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/app/invocation.h"
 #include "sim/app/kept_campaign.h"
 #include "sim/log/record.h"
 #include "sim/run/system.h"
@@ -23,10 +24,16 @@ struct KeptRun {
 
 /// Whether the run's controller is a program, by its row: `command` (docs/reference/columns.md).
 bool StartsProgram(const RunResult& row);
+/// Of the facts in a campaign's manifest: the limit of a program's answers, where it is not the
+/// usual.
+inline constexpr const char* kAnswerLimitFact = "answer_limit_s";
+/// The limit with which the campaign in the folder was begun.
+double KeptAnswerLimit(const std::filesystem::path& dir);
 /// The command that runs one run again, to be pasted.
-/// @param run  its number, or {run} for a reader to fill in; empty: the folder is of one run
-std::string ReplayCommand(const std::filesystem::path& dir, const std::string& run,
-                          bool starts_program);
+/// @param run      its number, or {run} for a reader to fill in; empty: the folder is of one run
+/// @param limit_s  of a program's answers; said where it starts one
+std::string ReplayCommand(const std::string& program, const std::filesystem::path& dir,
+                          const std::string& run, bool starts_program, double limit_s);
 
 /// The folder of a campaign needs the run's number. That of a single run has none, nor has a run's
 /// own folder within a campaign's. Says on standard error where models or program are not those of
@@ -34,6 +41,6 @@ std::string ReplayCommand(const std::filesystem::path& dir, const std::string& r
 /// @param command  as it is called, for messages: "replay"
 /// Throws UsageError, ConfigError and ResultsError.
 KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
-                    const std::string& command, const std::vector<System>& systems);
+                    const std::string& command, const Invocation& call);
 
 }  // namespace dockyard

@@ -31,20 +31,20 @@ Examples:
 Shards of other results folders of the same campaign are copied in first, with the logs of their
 runs. Exit code 10: runs are missing, crashed or were stopped; 22: a requirement is not met.)";
 
-int Merge(const MergeArguments& arguments, const std::vector<System>& systems) {
+int Merge(const MergeArguments& arguments, const Invocation& call) {
   for (const std::string& from : arguments.from) TakeShards(from, arguments.dir);
-  const KeptCampaign kept = OpenKeptCampaign(arguments.dir, systems);
+  const KeptCampaign kept = OpenKeptCampaign(arguments.dir, call.systems);
   const std::vector<Requirement> requirements =
       ReadRequirements(arguments.judging, kept.columns, kept.campaign);
   const CampaignEnd end = MergeShards(arguments.dir, kept.campaign, kept.columns);
-  const int code = ReportEnd(end, arguments.dir, arguments.json);
+  const int code = ReportEnd(end, arguments.dir, arguments.json, call);
   return JudgeResults(arguments.judging, requirements, end, kept.campaign, kept.columns,
-                      arguments.dir, arguments.json, code);
+                      arguments.dir, arguments.json, code, call);
 }
 
 }  // namespace
 
-void AddMergeCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddMergeCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<MergeArguments>();
   CLI::App* command = app.add_subcommand("merge", kMergeHelp);
   command->add_option("DIR", arguments->dir, "results folder of the campaign")
@@ -54,7 +54,7 @@ void AddMergeCommand(CLI::App& app, const std::vector<System>& systems, int& exi
       ->type_name("DIR");
   command->add_flag("--json", arguments->json, "the result as a line of JSON");
   AddJudgingOptions(*command, arguments->judging);
-  command->callback([arguments, &systems, &exit_code] { exit_code = Merge(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Merge(*arguments, call); });
 }
 
 }  // namespace dockyard

@@ -44,7 +44,8 @@ those of least cost by the paper's Eq. (14), twice the longer of both; or three,
 An arc has a length, negative backwards, and a turn, counter-clockwise. cost_m of one arc and of
 three is their length. A rover's file has its wheels, whose steering limits hold, and its outline,
 which keeps the margin from all obstacles: a YAML file of discs and areas, or a CSV file of up to
-100 000 discs with the columns x_m, y_m, radius_m. Candidates are shown for one and two arcs, not for three.
+100 000 discs with the columns x_m, y_m, radius_m. Candidates are shown for one and two arcs, not
+for three.
 Exit code 4: there are no such arcs.)";
 
 constexpr std::size_t kManyDiscs = 1000;  // fewer are compared one by one as quickly
@@ -137,14 +138,13 @@ std::string PageOf(const PathTask& task, const PlannedPath& plan) {
   return ReportPage(content);
 }
 
-std::vector<std::string> WarningsOf(const Request& request, const PlannedPath& plan) {
-  std::vector<std::string> warnings;
+void WarnOf(const Request& request, const PlannedPath& plan, std::vector<std::string>* warnings) {
   const PathTask& task = request.task;
   const PathDemands& demands = task.demands;
   const auto CheckAt = [&](const Pose2& X_AR, const char* where) {
     const double clear_m = StandingClearance(task.rover, X_AR, demands.obstacles, demands.margin_m);
     if (clear_m >= demands.margin_m) return;
-    Warn(std::string("the rover is nearer to an obstacle than --margin ") + where, &warnings);
+    Warn(std::string("the rover is nearer to an obstacle than --margin ") + where, warnings);
   };
   if (!plan.best) {
     CheckAt({}, "where it starts");
@@ -153,18 +153,17 @@ std::vector<std::string> WarningsOf(const Request& request, const PlannedPath& p
   if (!request.page.empty() && plan.best && demands.obstacles.discs.size() > kMostShownDiscs) {
     Warn(request.page + " shows the " + std::to_string(kMostShownDiscs) +
              " discs nearest to the start and the goal",
-         &warnings);
+         warnings);
   }
-  return warnings;
 }
 
-int PrintPlan(const Request& request) {
+int PrintPlan(const Request& request, Invocation& call) {
   const PlannedPath plan = PlanPath(request.task);
-  const std::vector<std::string> warnings = WarningsOf(request, plan);
+  WarnOf(request, plan, &call.warnings);
   if (!request.svg.empty()) WriteWhole(request.svg, PathSvg(request.task, plan));
   if (!request.page.empty() && plan.best) WriteWhole(request.page, PageOf(request.task, plan));
   if (request.json) {
-    std::printf("%s\n", PathJson(request.task, plan, warnings).dump(2).c_str());
+    std::printf("%s\n", PathJson(request.task, plan, call.warnings).dump(2).c_str());
   } else {
     PrintText(plan);
   }
@@ -173,7 +172,7 @@ int PrintPlan(const Request& request) {
 
 }  // namespace
 
-void AddPlanCommand(CLI::App& app, int& exit_code) {
+void AddPlanCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<PlanArguments>();
   CLI::App* command = app.add_subcommand("plan", kPlanHelp);
   const auto AddPlace = [&](const char* name, std::vector<double>& place, const char* help) {
@@ -201,7 +200,8 @@ void AddPlanCommand(CLI::App& app, int& exit_code) {
   command->add_option("--svg", arguments->svg, "file for a drawing with all candidates");
   command->add_option("--page", arguments->page, "HTML file in which the rover drives the path");
   command->add_flag("--json", arguments->json, "the plan as JSON");
-  command->callback([arguments, &exit_code] { exit_code = PrintPlan(RequestOf(*arguments)); });
+  command->callback(
+      [arguments, &call] { call.exit_code = PrintPlan(RequestOf(*arguments), call); });
 }
 
 }  // namespace dockyard

@@ -15,6 +15,7 @@
 #include "sim/app/point_report.h"
 #include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
+#include "sim/base/count_text.h"
 
 namespace dockyard {
 namespace {
@@ -36,22 +37,24 @@ Examples:
   dockyard pose examples/points.csv --robot {robot} --pipeline tsai2013 --json
   dockyard pose --sequence examples/frames.csv --rig {cameras} --csv
 
-POINTS has the columns camera,u_px,v_px,x_m,y_m,z_m: camera is left or right, pixel (0, 0) the middle of
-the first pixel, x y z a point of the body. The points may lie in a plane or not; up to half may be wrong:
-they are left out. Optional columns; an empty cell counts as a missing column:
+POINTS has the columns camera,u_px,v_px,x_m,y_m,z_m: camera is left or right, pixel (0, 0) the
+middle of the first pixel, x y z a point of the body. The points may lie in a plane or not; up to
+half may be wrong: they are left out. Optional columns; an empty cell counts as a missing column:
   survey_error_m   1 sigma of the point's place on the body, one axis; else that of --survey-error-m
   disc_diameter_m  the pixel is the middle of a disc of this size, square to the body's z
   frame            any text; --sequence needs it: rows with the same text are of the same time
-Further columns are ignored. A row whose pixel is empty or NaN was not detected: it is left out and counted. A
-pixel more than 2 px outside the image is an error. The survey's error is shared by all pixels of a point; it enters what counts as
-wrong, the weights and the covariance, and the default holds for the whole file. Pipeline tsai2013 knows
-neither it nor discs, and leaves no point out. Chi-square above 5 times its freedom is a warning, or a refusal
-when a usual mistake explains it: cameras exchanged, axes left-handed, an image of another size.
+Further columns are ignored. A row whose pixel is empty or NaN was not detected: it is left out and
+counted. A pixel more than 2 px outside the image is an error. The survey's error is shared by all
+pixels of a point; it enters what counts as wrong, the weights and the covariance, and the default
+holds for the whole file. Pipeline tsai2013 knows neither it nor discs, and leaves no point out.
+Chi-square above 5 times its freedom is a warning, or a refusal when a usual mistake explains it:
+cameras exchanged, axes left-handed, an image of another size.
 
-Prints the body's pose in the rover body (metres, unit quaternion w x y z, covariance), the rover's in the
-body, chi-square, the fitted turn of the cameras, and which points were left out. With --sequence: one line,
-JSON object or CSV row for each frame, in order of their first rows. Exit code 0: a pose (of a sequence: of one
-frame at least); 4: no pose, the reason is printed; 3: a bad file; 2: usage.)";
+Prints the body's pose in the rover body (metres, unit quaternion w x y z, covariance), the rover's
+in the body, chi-square, the fitted turn of the cameras, and which points were left out. With
+--sequence: one line, JSON object or CSV row for each frame, in order of their first rows. Exit code
+0: a pose (of a sequence: of one frame at least); 4: no pose, the reason is printed; 3: a bad file;
+2: usage.)";
 
 void RequireSound(const PoseArguments& arguments) {
   arguments.pipeline.RequireSound();
@@ -77,14 +80,13 @@ struct Totals {
 void Note(const Totals& totals) {
   if (totals.doubtful > 0) {
     PrintNote("warning: " + std::to_string(totals.doubtful) + " of " +
-              std::to_string(totals.frames) + " frames have a chi-square above " +
+              CountText(totals.frames, "frame has", "frames have") + " a chi-square above " +
               NumberText(kBeyondReason) +
               " times its freedom: check the images' size, the calibration and the points");
   }
-  std::string text =
-      std::to_string(totals.frames) + " frames, " + std::to_string(totals.poses) + " poses";
+  std::string text = CountText(totals.frames, "frame") + ", " + CountText(totals.poses, "pose");
   if (totals.not_detected > 0) {
-    text += "; " + std::to_string(totals.not_detected) + " rows without a pixel left out";
+    text += "; " + CountText(totals.not_detected, "row") + " without a pixel left out";
   }
   PrintNote(text);
 }
@@ -109,8 +111,8 @@ int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
     totals.not_detected += frame.not_detected;
     if (!sequence) {
       if (frame.not_detected > 0) {
-        answer.warnings.push_back(std::to_string(frame.not_detected) +
-                                  " rows without a pixel left out");
+        answer.warnings.push_back(CountText(frame.not_detected, "row") +
+                                  " without a pixel left out");
       }
       for (const std::string& warning : answer.warnings) PrintNote("warning: " + warning);
     }
@@ -125,7 +127,7 @@ int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
 
 }  // namespace
 
-void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddPoseCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<PoseArguments>();
   CLI::App* command = app.add_subcommand("pose", kPoseHelp);
   command->add_option("POINTS", arguments->points, "a CSV file of one frame");
@@ -146,7 +148,7 @@ void AddPoseCommand(CLI::App& app, const std::vector<System>& systems, int& exit
   command->add_flag("--json", arguments->json, "JSON; of a sequence one object a line");
   command->add_flag("--csv", arguments->csv, "a table, one row a frame");
   AddPipelineOptions(*command, arguments->pipeline);
-  command->callback([arguments, &systems, &exit_code] { exit_code = Pose(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Pose(*arguments, call.systems); });
 }
 
 }  // namespace dockyard

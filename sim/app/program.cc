@@ -14,10 +14,11 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/failure.h"
 #include "sim/app/help.h"
+#include "sim/app/invocation.h"
 #include "sim/app/parse_fault.h"
 #include "sim/app/terminal.h"
-#include "sim/base/called_as.h"
 #include "sim/base/math_pin.h"
+#include "sim/base/shell_word.h"
 
 namespace dockyard {
 namespace {
@@ -43,14 +44,17 @@ std::string ValueOf(const std::vector<std::string>& words, const std::string& op
 }
 
 /// The exit code of `detect` where the robot's system has a perception of its own.
-std::optional<int> DetectBySystem(int argc, char** argv, const std::vector<System>& systems) {
+std::optional<int> DetectBySystem(int argc, char** argv, const Invocation& call) {
   if (argc < 2 || std::string(argv[1]) != "detect") return std::nullopt;
   const std::vector<std::string> words(argv + 2, argv + argc);
   const std::string robot = ValueOf(words, "--robot");
   if (robot.empty()) return std::nullopt;
-  for (const System& system : systems) {
-    if (system.detect && system.check_file && system.check_file(robot)) {
-      return system.detect(words);
+  for (const System& system : call.systems) {
+    if (!system.detect || !system.check_file || !system.check_file(robot)) continue;
+    try {
+      return system.detect(call.program, words);
+    } catch (const CLI::ParseError& error) {  // which says where its own help is
+      throw UsageError("detect, with a robot of the system " + system.name + ": " + error.what());
     }
   }
   return std::nullopt;
@@ -69,12 +73,12 @@ bool AskForNumbers(int argc, char** argv) {
 }
 
 /// Throws UsageError for a first word that names no command.
-void RequireCommand(const CLI::App& app, int argc, char** argv) {
+void RequireCommand(const CLI::App& app, int argc, char** argv, const std::string& program) {
   if (argc < 2 || argv[1][0] == '-') return;
   for (const CLI::App* command : app.get_subcommands({})) {
     if (command->get_name() == argv[1]) return;
   }
-  throw UsageError(UnknownCommand(app, argv[1]));
+  throw UsageError(UnknownCommand(app, argv[1], program));
 }
 
 bool AsksForJson(int argc, char** argv) {
@@ -89,37 +93,37 @@ void EndGroup(CLI::App& app, const char* group) {
   }
 }
 
-void AddCommands(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
-  AddRunCommand(app, systems, exit_code);
-  AddCampaignCommand(app, systems, exit_code);
-  AddSubmitCommand(app, systems, exit_code);
-  AddMergeCommand(app, systems, exit_code);
-  AddReproduceCommand(app, systems, exit_code);
+void AddCommands(CLI::App& app, Invocation& call) {
+  AddRunCommand(app, call);
+  AddCampaignCommand(app, call);
+  AddSubmitCommand(app, call);
+  AddMergeCommand(app, call);
+  AddReproduceCommand(app, call);
   EndGroup(app, "Run");
-  AddReplayCommand(app, systems, exit_code);
-  AddReportCommand(app, systems, exit_code);
-  AddFramesCommand(app, systems, exit_code);
-  AddAcceptCommand(app, systems, exit_code);
-  AddCompareCommand(app, systems, exit_code);
-  AddColumnsCommand(app, systems, exit_code);
+  AddReplayCommand(app, call);
+  AddReportCommand(app, call);
+  AddFramesCommand(app, call);
+  AddAcceptCommand(app, call);
+  AddCompareCommand(app, call);
+  AddColumnsCommand(app, call);
   EndGroup(app, "Results");
-  AddViewCommand(app, systems, exit_code);
-  AddCameraCommand(app, exit_code);
-  AddDetectCommand(app, systems, exit_code);
-  AddPoseCommand(app, systems, exit_code);
-  AddStereoCommand(app, exit_code);
-  AddBoardCommand(app, systems, exit_code);
+  AddViewCommand(app, call);
+  AddCameraCommand(app, call);
+  AddDetectCommand(app, call);
+  AddPoseCommand(app, call);
+  AddStereoCommand(app, call);
+  AddBoardCommand(app, call);
   EndGroup(app, "Vision");
-  AddCheckCommand(app, systems, exit_code);
-  AddWheelCommand(app, exit_code);
-  AddPlanCommand(app, exit_code);
-  AddDoctorCommand(app, exit_code);
-  AddSchemaCommand(app, systems, exit_code);
-  AddCompletionCommand(app, exit_code);
-  AddHelpCommand(app, systems, exit_code);
+  AddCheckCommand(app, call);
+  AddWheelCommand(app, call);
+  AddPlanCommand(app, call);
+  AddDoctorCommand(app, call);
+  AddSchemaCommand(app, call);
+  AddCompletionCommand(app, call);
+  AddHelpCommand(app, call);
   EndGroup(app, "Tools");
   AddStudyCommand(app);
-  AddSystemCommands(app, systems, exit_code);
+  AddSystemCommands(app, call);
 }
 
 }  // namespace
@@ -133,24 +137,24 @@ int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
   }
   // A failed internal check has printed its place; it ends with the code that says so.
   std::signal(SIGABRT, [](int) { ::_exit(kExitOurBug); });
-  SetCalledAs(argc > 0 ? argv[0] : "");
-  int exit_code = kExitDone;
-  CLI::App app(kProgramHelp, CalledAs());
+  const bool named = argc > 0 && *argv[0] != '\0';
+  Invocation call{.systems = systems, .program = ShellWord(named ? argv[0] : "dockyard")};
+  CLI::App app(kProgramHelp, call.program);
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", "dockyard " DOCKYARD_VERSION);
   app.require_subcommand(1);
-  AddCommands(app, systems, exit_code);
+  AddCommands(app, call);
   const ExampleFiles files = systems.empty() ? ExampleFiles{} : systems.front().example_files;
-  FillExamples(app, CalledAs(), files);
-  exit_code = WithFailuresTold(app, AsksForJson(argc, argv), [&] {
+  FillExamples(app, call.program, files);
+  const int exit_code = WithFailuresTold(app, call, AsksForJson(argc, argv), [&] {
     if (argc < 2) {
       std::cout << FirstSteps(app, files);
       return kExitUsage;
     }
-    RequireCommand(app, argc, argv);
-    if (const auto ended = DetectBySystem(argc, argv, systems)) return *ended;
+    RequireCommand(app, argc, argv, call.program);
+    if (const auto ended = DetectBySystem(argc, argv, call)) return *ended;
     app.parse(argc, argv);
-    return exit_code;
+    return call.exit_code;
   });
   std::cout.flush();
   if (std::fflush(stdout) != 0 || !std::cout) {

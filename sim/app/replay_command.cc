@@ -15,6 +15,7 @@
 #include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/base/shell_word.h"
@@ -74,8 +75,8 @@ void ReportEnvironment(const std::filesystem::path& dir) {
 /// What was found: said at once, or printed as JSON at the end.
 struct ReplayAnswer {
   bool as_json = false;
+  std::vector<std::string>& warnings;
   Json json = Json::object();
-  std::vector<std::string> warnings = {};
 
   void Say(const std::string& line) const {
     if (!as_json) std::printf("%s\n", line.c_str());
@@ -106,7 +107,8 @@ bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& co
     answer.Say(run + ": same result row, bit for bit (" + now.outcome + ")");
     return true;
   }
-  answer.Say(run + ": not the same; " + std::to_string(differing.size()) + " columns differ");
+  answer.Say(run + ": not the same; " +
+             CountText(differing.size(), "column differs", "columns differ"));
   for (const std::size_t i : differing) {
     std::string name = names[i];
     name.resize(std::max<std::size_t>(name.size(), 22), ' ');
@@ -138,7 +140,7 @@ Alone ReportCommands(const std::filesystem::path& run_dir, const Scenario& scena
                     answer);
   }
   const ControllerReplay& replay = *fed;
-  const std::string steps = std::to_string(replay.compared) + " steps";
+  const std::string steps = CountText(replay.compared, "step");
   if (replay.differs_at) {
     return Conclude(Alone::kDiffers,
                     "other commands at " +
@@ -174,9 +176,8 @@ Alone ReportController(const std::filesystem::path& run_dir, const Scenario& sce
   }
 }
 
-int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept,
-               const std::vector<System>& systems) {
-  const System& system = FindSystem(systems, kept.run.scenario.system);
+int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept, Invocation& call) {
+  const System& system = FindSystem(call.systems, kept.run.scenario.system);
   const StageShapes shapes = ShapesToDraw(system, kept.run.scenario);
   const OutsideOptions outside = arguments.outside.options(shapes);
   const bool logged = std::filesystem::exists(kept.log_dir / kRunLogFile);
@@ -186,20 +187,20 @@ int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept,
       logged ? ReadLoggedRun(kept.log_dir) : LogAnew(system, kept.run, std::move(options));
   const std::filesystem::path dir = arguments.frames_dir;
   const int frames = WriteFilm(log, shapes, outside, arguments.period_s, dir);
-  PrintNote(std::to_string(frames) + " frames in " + dir.string() + "; a film of them:");
+  PrintNote(CountText(frames, "frame") + " in " + dir.string() + "; a film of them:");
   const std::string film = "ffmpeg -framerate " + NumberText(1.0 / arguments.period_s) + " -i " +
                            ShellWord((dir / "frame_%05d.png").string()) + " -pix_fmt yuv420p " +
                            ShellWord((dir / "film.mp4").string());
-  ReplayAnswer answer{.as_json = arguments.json};
+  ReplayAnswer answer{.as_json = arguments.json, .warnings = call.warnings};
   answer.Say(film);
   answer.json = {{"folder", dir.string()}, {"frames", frames}, {"film", film}};
   answer.Print();
   return log.complete ? kExitDone : kExitIncomplete;
 }
 
-int Replay(const ReplayArguments& arguments, const std::vector<System>& systems) {
-  const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "replay", systems);
-  if (!arguments.frames_dir.empty()) return DrawFrames(arguments, kept, systems);
+int Replay(const ReplayArguments& arguments, Invocation& call) {
+  const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "replay", call);
+  if (!arguments.frames_dir.empty()) return DrawFrames(arguments, kept, call);
   if (!kept.result) {
     PrintError("run " + std::to_string(kept.run.run) + " has no result in " + arguments.dir +
                " yet");
@@ -210,11 +211,11 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
                ": there is nothing to compare with");
     return kExitIncomplete;
   }
-  const System& system = FindSystem(systems, kept.run.scenario.system);
+  const System& system = FindSystem(call.systems, kept.run.scenario.system);
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
   arguments.commands.Fill(options);
   const RunRecord now = Simulate(system, kept.run, options);
-  ReplayAnswer answer{.as_json = arguments.json};
+  ReplayAnswer answer{.as_json = arguments.json, .warnings = call.warnings};
   const bool same_row = ReportRow(*kept.result, now.result, kept.columns, answer);
   if (!same_row && arguments.run) ReportEnvironment(arguments.dir);
   if (!std::filesystem::exists(kept.log_dir / kRunLogFile)) {
@@ -224,14 +225,14 @@ int Replay(const ReplayArguments& arguments, const std::vector<System>& systems)
     return same_row ? kExitIncomplete : kExitOurBug;
   }
   const Alone alone = ReportController(kept.log_dir, kept.run.scenario, now.result.outcome, options,
-                                       systems, answer);
+                                       call.systems, answer);
   answer.Print();
   return same_row ? static_cast<int>(alone) : kExitOurBug;
 }
 
 }  // namespace
 
-void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddReplayCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = app.add_subcommand("replay", kReplayHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
@@ -245,7 +246,7 @@ void AddReplayCommand(CLI::App& app, const std::vector<System>& systems, int& ex
       ->check(NumberWithin(0.1, 60.0));
   command->add_flag("--json", arguments->json, "print what was found as JSON");
   AddOutsideOptions(*command, arguments->outside);
-  command->callback([arguments, &systems, &exit_code] { exit_code = Replay(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Replay(*arguments, call); });
 }
 
 }  // namespace dockyard

@@ -48,12 +48,13 @@ Examples:
   dockyard report results/{campaign_name} --svg --out out/figures
 
 The page has success with exact intervals, failures by cause, a map of the starts, curves over the
-numbers that the campaign varies, the sensitivity, all runs in a table, and a replay of each run whose
-log is kept (`keep` in the campaign's file). --reliability and --require on `docked` draw their limit
-into the curves.
+numbers that the campaign varies, the sensitivity, all runs in a table, and a replay of each run
+whose log is kept (`keep` in the campaign's file). --reliability and --require on `docked` draw
+their limit into the curves.
 
---svg writes static figures instead, into the folder --out: of a campaign starts.svg, the starts from
-above with how they ended; of a run path.svg and history.svg, its path and its channels over time.)";
+--svg writes static figures instead, into the folder --out: of a campaign starts.svg, the starts
+from above with how they ended; of a run path.svg and history.svg, its path and its channels over
+time.)";
 
 std::string ExtensionOf(const std::string& format) {
   const auto known = std::find_if(kFormats.begin(), kFormats.end(),
@@ -62,7 +63,7 @@ std::string ExtensionOf(const std::string& format) {
 }
 
 std::string ReportText(const std::string& format, const ReportContent& content,
-                       const std::filesystem::path& dir) {
+                       const std::filesystem::path& dir, const std::string& program) {
   if (format == "html") return ReportPage(content);
   if (format == "junit") {
     if (content.campaign == nullptr) {
@@ -72,7 +73,7 @@ std::string ReportText(const std::string& format, const ReportContent& content,
     for (const Requirement& requirement : content.requirements) {
       judged.push_back(Judge(requirement, content.columns, content.runs->results));
     }
-    return JUnitOf(*content.runs, *content.campaign, content.columns, dir, judged);
+    return JUnitOf(*content.runs, *content.campaign, content.columns, dir, judged, program);
   }
   const Json overview = OverviewPart(content.campaign, *content.runs, content.columns, content.aim,
                                      content.requirements);
@@ -86,14 +87,16 @@ std::string TitleOf(const ReportContent& content, const RunResult& row) {
          Fixed(row.sim_time_s, 0) + " s";
 }
 
-void PrintWritten(const std::vector<std::filesystem::path>& files) {
+void PrintWritten(const std::vector<std::filesystem::path>& files,
+                  const std::vector<std::string>& warnings) {
   Json names = Json::array();
   for (const std::filesystem::path& file : files) names.push_back(file.string());
-  const Json answer{{"files", names}, {"warnings", WarningsSaid()}};
+  const Json answer{{"files", names}, {"warnings", warnings}};
   std::printf("%s\n", answer.dump(1).c_str());
 }
 
-int WriteFigures(const ReportContent& content, const std::filesystem::path& out, bool json) {
+int WriteFigures(const ReportContent& content, const std::filesystem::path& out, bool json,
+                 const std::vector<std::string>& warnings) {
   MakeFolder(out);
   if (content.campaign == nullptr) {
     const LoggedRun log = content.watched.front().log();
@@ -103,7 +106,7 @@ int WriteFigures(const ReportContent& content, const std::filesystem::path& out,
     channels.insert(channels.end(), BeliefErrorColumns().begin(), BeliefErrorColumns().end());
     WriteWhole(out / "history.svg", HistoryPlot(title, log, channels));
     PrintNote("path.svg and history.svg in " + out.string());
-    if (json) PrintWritten({out / "path.svg", out / "history.svg"});
+    if (json) PrintWritten({out / "path.svg", out / "history.svg"}, warnings);
     return kExitDone;
   }
   if (content.starts.empty()) {
@@ -112,17 +115,17 @@ int WriteFigures(const ReportContent& content, const std::filesystem::path& out,
   }
   WriteWhole(out / "starts.svg", StartsPlot(content.title, content.runs->results, content.starts));
   PrintNote("starts.svg in " + out.string());
-  if (json) PrintWritten({out / "starts.svg"});
+  if (json) PrintWritten({out / "starts.svg"}, warnings);
   return kExitDone;
 }
 
-int Report(const ReportArguments& arguments, const std::vector<System>& systems) {
+int Report(const ReportArguments& arguments, const Invocation& call) {
   const std::filesystem::path dir = arguments.dir;
   ReportSource source;
-  ReportContent content = ContentOf(dir, systems, source);
+  ReportContent content = ContentOf(dir, call, source);
   if (arguments.svg) {
     const std::filesystem::path out = arguments.out.empty() ? dir.string() : arguments.out;
-    return WriteFigures(content, out, arguments.json);
+    return WriteFigures(content, out, arguments.json, call.warnings);
   }
   content.pictures = !arguments.no_pictures;
   content.most_bytes = static_cast<std::size_t>(arguments.most_mib) << 20;
@@ -139,15 +142,15 @@ int Report(const ReportArguments& arguments, const std::vector<System>& systems)
                                          ? dir / ("report" + ExtensionOf(arguments.format))
                                          : std::filesystem::path(arguments.out);
   if (file.has_parent_path()) MakeFolder(file.parent_path());
-  WriteWhole(file, ReportText(arguments.format, content, dir));
+  WriteWhole(file, ReportText(arguments.format, content, dir, call.program));
   PrintNote("report in " + file.string());
-  if (arguments.json) PrintWritten({file});
+  if (arguments.json) PrintWritten({file}, call.warnings);
   return kExitDone;
 }
 
 }  // namespace
 
-void AddReportCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddReportCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<ReportArguments>();
   CLI::App* command = app.add_subcommand("report", kReportHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign or of one run")
@@ -173,7 +176,7 @@ void AddReportCommand(CLI::App& app, const std::vector<System>& systems, int& ex
       "say whether the results meet it, such as 'docked >= 0.9'; may be given again");
   command->add_option("--confidence", arguments->confidence, "of that verdict [0.95]")
       ->check(NumberWithin(0.5, 1.0 - 1e-12));
-  command->callback([arguments, &systems, &exit_code] { exit_code = Report(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Report(*arguments, call); });
 }
 
 }  // namespace dockyard

@@ -7,6 +7,7 @@
 
 #include "controller/base/number_text.h"
 #include "sim/app/kept_run.h"
+#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/campaign/campaign_folder.h"
@@ -103,17 +104,19 @@ StageShapes ShapesOf(const System& system, const Scenario& scenario) {
 
 /// The runs whose log is kept, failures first.
 void AddWatched(const fs::path& dir, const System& system, const ReportSource& source,
-                ReportContent& content) {
+                const std::string& program, ReportContent& content) {
   const std::vector<RunResult>& rows = source.kept.runs.results;
   const RunMaker* maker = source.maker.get();
   if (!fs::exists(dir / "runs")) return;
+  const double limit_s = KeptAnswerLimit(dir);
   for (const bool docked : {false, true}) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const int number = rows[i].run;
       const fs::path folder = RunFolder(dir, number);
       if (rows[i].docked != docked || !fs::exists(folder / kRunLogFile)) continue;
-      WatchedRun run =
-          Watched(i, folder, ReplayCommand(dir, std::to_string(number), StartsProgram(rows[i])));
+      WatchedRun run = Watched(
+          i, folder,
+          ReplayCommand(program, dir, std::to_string(number), StartsProgram(rows[i]), limit_s));
       run.shapes = [&system, maker, number] {
         return ShapesOf(system, maker->Make(maker->IndexOf(number)).scenario);
       };
@@ -122,8 +125,8 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
   }
 }
 
-ReportContent ContentOfCampaign(const fs::path& dir, const std::vector<System>& systems,
-                                ReportSource& source) {
+ReportContent ContentOfCampaign(const fs::path& dir, const Invocation& call, ReportSource& source) {
+  const std::vector<System>& systems = call.systems;
   source.kept = ReadKeptCampaign(dir, systems);
   source.known = KnownSystems(systems);
   source.maker = std::make_unique<RunMaker>(source.kept.campaign, source.known);
@@ -135,31 +138,35 @@ ReportContent ContentOfCampaign(const fs::path& dir, const std::vector<System>& 
   content.columns = source.kept.columns;
   const std::vector<RunResult>& rows = source.kept.runs.results;
   content.replay_command =
-      ReplayCommand(dir, "{run}", std::any_of(rows.begin(), rows.end(), StartsProgram));
+      ReplayCommand(call.program, dir, "{run}",
+                    std::any_of(rows.begin(), rows.end(), StartsProgram), KeptAnswerLimit(dir));
   AddSystem(system, content);
   content.starts = StartsOf(source);
-  AddWatched(dir, system, source, content);
+  AddWatched(dir, system, source, call.program, content);
   return content;
 }
 
 }  // namespace
 
-ReportContent ContentOf(const fs::path& dir, const std::vector<System>& systems,
-                        ReportSource& source) {
-  if (HoldsCampaign(dir)) return ContentOfCampaign(dir, systems, source);
+ReportContent ContentOf(const fs::path& dir, const Invocation& call, ReportSource& source) {
+  const std::vector<System>& systems = call.systems;
+  if (HoldsCampaign(dir)) return ContentOfCampaign(dir, call, source);
   if (!fs::exists(dir / "resolved.yaml")) RefuseResultsFolder(dir, kAnyResults);
   const Scenario scenario =
       LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
   const System& system = FindSystem(systems, scenario.system);
   const auto row = ReadSingleResult(dir, system.Columns({}));
   if (!row) throw ResultsError(dir.string() + " has no result of its run");
-  return ContentOfRun(dir, system, scenario, *row, source);
+  return ContentOfRun(
+      dir, system, scenario, *row,
+      ReplayCommand(call.program, dir, "", StartsProgram(*row), CommandOptions{}.answer_limit_s),
+      source);
 }
 
-void WriteReport(const fs::path& dir, const fs::path& file, const std::vector<System>& systems,
+void WriteReport(const fs::path& dir, const fs::path& file, const Invocation& call,
                  const std::vector<Requirement>& requirements) {
   ReportSource source;
-  ReportContent content = ContentOf(dir, systems, source);
+  ReportContent content = ContentOf(dir, call, source);
   content.requirements = requirements;
   if (file.has_parent_path()) MakeFolder(file.parent_path());
   WriteWhole(file, ReportPage(content));
@@ -167,7 +174,7 @@ void WriteReport(const fs::path& dir, const fs::path& file, const std::vector<Sy
 }
 
 ReportContent ContentOfRun(const fs::path& dir, const System& system, const Scenario& scenario,
-                           const RunResult& row, ReportSource& source) {
+                           const RunResult& row, std::string replay_command, ReportSource& source) {
   source.scenario = std::make_shared<Scenario>(scenario);
   source.kept.runs = {};
   source.kept.runs.results.push_back(row);
@@ -177,7 +184,7 @@ ReportContent ContentOfRun(const fs::path& dir, const System& system, const Scen
   content.columns = system.Columns({});
   AddSystem(system, content);
   content.starts = {FromDockingCoords(scenario.start)};
-  WatchedRun run = Watched(0, dir, ReplayCommand(dir, "", StartsProgram(row)));
+  WatchedRun run = Watched(0, dir, std::move(replay_command));
   run.shapes = [&system, kept = source.scenario] { return ShapesOf(system, *kept); };
   content.watched.push_back(std::move(run));
   return content;

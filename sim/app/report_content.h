@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/app/invocation.h"
 #include "sim/app/kept_campaign.h"
 #include "sim/page/report_page.h"
 #include "sim/plan/make_run.h"
@@ -22,16 +23,17 @@ struct ReportSource {
 
 /// Of a campaign's folder or a single run's. Failures are watched first. Throws UsageError,
 /// ConfigError, ResultsError and IoError.
-ReportContent ContentOf(const std::filesystem::path& dir, const std::vector<System>& systems,
+ReportContent ContentOf(const std::filesystem::path& dir, const Invocation& call,
                         ReportSource& source);
 
 /// Writes the page of a campaign's folder into a file and says so. Throws as ContentOf.
 void WriteReport(const std::filesystem::path& dir, const std::filesystem::path& file,
-                 const std::vector<System>& systems,
-                 const std::vector<Requirement>& requirements = {});
+                 const Invocation& call, const std::vector<Requirement>& requirements = {});
 
 /// Of one run whose log lies in the folder.
+/// @param replay_command  to be pasted; empty: the folder does not stay
 ReportContent ContentOfRun(const std::filesystem::path& dir, const System& system,
-                           const Scenario& scenario, const RunResult& row, ReportSource& source);
+                           const Scenario& scenario, const RunResult& row,
+                           std::string replay_command, ReportSource& source);
 
 }  // namespace dockyard

@@ -14,7 +14,7 @@
 #include "sim/app/report_content.h"
 #include "sim/app/reproduction_files.h"
 #include "sim/app/terminal.h"
-#include "sim/base/called_as.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
@@ -65,16 +65,16 @@ const Reproduction& FindReproduction(const std::string& name, const std::vector<
                    DidYouMean(name, known));
 }
 
-int List(const std::vector<System>& systems, bool as_json) {
+int List(const Invocation& call, bool as_json) {
   Json list = Json::array();
-  for (const System& system : systems) {
+  for (const System& system : call.systems) {
     for (const Reproduction& each : system.reproductions) {
       list.push_back({{"name", each.name}, {"system", system.name}, {"meaning", each.meaning}});
       if (!as_json) std::printf("%s: %s\n", each.name.c_str(), each.meaning.c_str());
     }
   }
   if (as_json) {
-    const Json answer{{"experiments", list}, {"warnings", WarningsSaid()}};
+    const Json answer{{"experiments", list}, {"warnings", call.warnings}};
     std::printf("%s\n", answer.dump().c_str());
   }
   return kExitDone;
@@ -139,8 +139,8 @@ void RequireFree(const fs::path& dir, const Published& published) {
   throw FolderTaken(dir.string() + " holds something else; choose another folder with --out");
 }
 
-std::string CommandToGoOn(const ReproduceArguments& arguments) {
-  std::string command = CommandText({"reproduce", arguments.name});
+std::string CommandToGoOn(const ReproduceArguments& arguments, const std::string& program) {
+  std::string command = CommandText(program, {"reproduce", arguments.name});
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) command += std::string(" ") + option + " " + ShellWord(value);
   };
@@ -156,20 +156,20 @@ std::string CommandToGoOn(const ReproduceArguments& arguments) {
 
 /// Returns how the shard ended; tables are made when it is the whole campaign.
 ShardEnd RunPart(const ReproduceArguments& arguments, const CampaignArguments& part,
-                 Campaign loaded, const std::vector<System>& systems) {
-  auto [campaign, run, options] = MakeReady(std::move(loaded), part, systems);
+                 Campaign loaded, const Invocation& call) {
+  auto [campaign, run, options] = MakeReady(std::move(loaded), part, call.systems);
   options.shard = ShardOption(arguments.shard);
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
   options.progress = arguments.json    ? ProgressStyle::kJson
                      : arguments.quiet ? ProgressStyle::kNone
                                        : ProgressStyleOfStderr();
-  PrintNote(campaign.name + ": " + std::to_string(campaign.run_count()) + " runs into " +
+  PrintNote(campaign.name + ": " + CountText(campaign.run_count(), "run") + " into " +
             options.out_dir.string());
   ShardEnd end = RunShard(campaign, run, options);
   if (options.shard.whole()) {
     MergeShards(options.out_dir, campaign, options.columns);
     if (end.signal == 0 && arguments.report) {
-      WriteReport(options.out_dir, options.out_dir / "report.html", systems);
+      WriteReport(options.out_dir, options.out_dir / "report.html", call);
     }
   }
   return end;
@@ -181,12 +181,11 @@ std::string ChoicesText(const Published& published) {
          ReadWhole(published.choices_file).value_or("");
 }
 
-int Tell(const ReproduceArguments& arguments, const Published& published,
-         const std::vector<System>& systems) {
+int Tell(const ReproduceArguments& arguments, const Published& published, const Invocation& call) {
   const fs::path dir = OutDir(arguments, published);
-  const std::vector<CampaignResults> results = ReadReproduced(published, dir, systems);
+  const std::vector<CampaignResults> results = ReadReproduced(published, dir, call.systems);
   const ReproductionFinding found = JudgeReproduction(published, results);
-  const std::vector<std::string> figures = WriteFigures(published, dir, systems);
+  const std::vector<std::string> figures = WriteFigures(published, dir, call);
   Json json = ReproductionJson(found);
   json["figures"] = figures;
   json["choices"] = published.choices_file;
@@ -195,7 +194,7 @@ int Tell(const ReproduceArguments& arguments, const Published& published,
   WriteWhole(dir / "reproduction.json", json.dump(1) + "\n");
   WriteWhole(dir / "reproduction.txt", text);
   if (arguments.json) {
-    json["warnings"] = WarningsSaid();
+    json["warnings"] = call.warnings;
     std::printf("%s\n", json.dump().c_str());
   } else {
     std::printf("%s%s", text.c_str(), ChoicesText(published).c_str());
@@ -209,8 +208,9 @@ int Tell(const ReproduceArguments& arguments, const Published& published,
   return found.verdict == ReproductionVerdict::kInside ? kExitDone : kExitOutside;
 }
 
-int Reproduce(const ReproduceArguments& arguments, const std::vector<System>& systems) {
-  if (arguments.name.empty()) return List(systems, arguments.json);
+int Reproduce(const ReproduceArguments& arguments, const Invocation& call) {
+  const std::vector<System>& systems = call.systems;
+  if (arguments.name.empty()) return List(call, arguments.json);
   const Reproduction& reproduction = FindReproduction(arguments.name, systems);
   const Published published = LoadPublished(reproduction.file);
   RequireChoice(arguments, published);
@@ -228,21 +228,21 @@ int Reproduce(const ReproduceArguments& arguments, const std::vector<System>& sy
       return kExitDone;
     }
     const ShardEnd end = RunPart(arguments, ArgumentsOf(arguments, published, i, systems),
-                                 std::move(campaigns[i]), systems);
+                                 std::move(campaigns[i]), call);
     if (end.signal != 0) {
-      PrintNote("stopped; to go on: " + CommandToGoOn(arguments));
+      PrintNote("stopped; to go on: " + CommandToGoOn(arguments, call.program));
       return kExitSignal + end.signal;
     }
     complete = complete && end.complete() && end.tally.lost == 0;
   }
-  if (!sharded) return Tell(arguments, published, systems);
+  if (!sharded) return Tell(arguments, published, call);
   PrintNote("shard " + arguments.shard + " is done; when all are: the command without --shard");
   return complete ? kExitDone : kExitIncomplete;
 }
 
 }  // namespace
 
-void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddReproduceCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<ReproduceArguments>();
   CLI::App* command = app.add_subcommand("reproduce", kReproduceHelp);
   command->add_option("NAME", arguments->name, "the experiment; without it, all are listed");
@@ -262,8 +262,7 @@ void AddReproduceCommand(CLI::App& app, const std::vector<System>& systems, int&
   command->add_flag("--quiet", arguments->quiet, "no progress on stderr");
   command->add_flag("--dry-run", arguments->dry_run,
                     "print the runs of the first campaign as CSV, and run none");
-  command->callback(
-      [arguments, &systems, &exit_code] { exit_code = Reproduce(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Reproduce(*arguments, call); });
 }
 
 }  // namespace dockyard

@@ -143,13 +143,13 @@ std::vector<CampaignResults> ReadReproduced(const Published& published, const fs
 }
 
 std::vector<std::string> WriteFigures(const Published& published, const fs::path& dir,
-                                      const std::vector<System>& systems) {
+                                      const Invocation& call) {
   const fs::path first = dir / published.campaigns.at(0).name, into = dir / "figures";
   if (published.figures.empty() || !HoldsCampaign(first)) return {};
   MakeFolder(into);
   ReportSource source;
-  const ReportContent content = ContentOf(first, systems, source);
-  const System& system = FindSystem(systems, source.kept.system);
+  const ReportContent content = ContentOf(first, call, source);
+  const System& system = FindSystem(call.systems, source.kept.system);
   const CampaignResults results{source.kept.runs.results, source.kept.columns, 1, {}};
   std::vector<std::string> lines;
   for (const PublishedFigure& figure : published.figures) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "sim/app/invocation.h"
 #include "sim/app/kept_campaign.h"
 #include "sim/plan/published.h"
 #include "sim/report/reproduction.h"
@@ -27,6 +28,6 @@ std::vector<CampaignResults> ReadReproduced(const Published& published,
 /// Writes figures/*.svg of the first campaign's runs, and returns a line for each figure: what it
 /// shows, or why it is missing. Throws as ReadReproduced, and DataError for a damaged log.
 std::vector<std::string> WriteFigures(const Published& published, const std::filesystem::path& dir,
-                                      const std::vector<System>& systems);
+                                      const Invocation& call);
 
 }  // namespace dockyard

@@ -7,6 +7,7 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/kept_run.h"
 #include "sim/app/passing_folder.h"
 #include "sim/app/report_content.h"
 #include "sim/app/report_option.h"
@@ -41,8 +42,8 @@ Examples:
   dockyard run {scenario} --report out/typical.html
 
 Prints the result as a table on stdout, its last line a sentence; --json has every digit. Exit code
-0: docked, 4: it ran but did not dock. With --out the folder gets the log and the history of the run,
-and `dockyard replay` runs it again. With --report a page shows it, with its replay.)";
+0: docked, 4: it ran but did not dock. With --out the folder gets the log and the history of the
+run, and `dockyard replay` runs it again. With --report a page shows it, with its replay.)";
 
 /// The folder may be new, empty, or an earlier run's; nothing else is written over.
 void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
@@ -54,30 +55,31 @@ void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
   WriteWhole(dir / "resolved.yaml", ResolvedYaml(scenario));
 }
 
-void PrintJson(const RunRecord& record) {
+void PrintJson(const RunRecord& record, const std::vector<std::string>& warnings) {
   Json json = RowJson(record.result, record.columns);
   json["cpu_time_s"] = record.timing.cpu_time_s;
   json["failure_note"] = record.failure_note;
-  json["warnings"] = WarningsSaid();
+  json["warnings"] = warnings;
   std::printf("%s\n", json.dump(1).c_str());
 }
 
 /// @param log_dir  holds the run's log
-/// @param kept     whether it stays there
-void WriteReport(const std::filesystem::path& file, const std::filesystem::path& log_dir, bool kept,
-                 const System& system, const Scenario& scenario, const RunRecord& record) {
+/// @param replay_command  to be pasted; empty: the log does not stay
+void WriteReport(const std::filesystem::path& file, const std::filesystem::path& log_dir,
+                 const System& system, const Scenario& scenario, const RunRecord& record,
+                 const std::string& replay_command) {
   ReportSource source;
-  ReportContent content = ContentOfRun(log_dir, system, scenario, record.result, source);
+  ReportContent content =
+      ContentOfRun(log_dir, system, scenario, record.result, replay_command, source);
   content.watched.front().messages = record.messages;
-  if (!kept) content.watched.front().command.clear();
   if (file.has_parent_path()) MakeFolder(file.parent_path());
   WriteWhole(file, ReportPage(content));
   PrintNote("report in " + file.string());
 }
 
-int Run(const RunArguments& arguments, const std::vector<System>& systems) {
-  const CampaignRun run = SingleRun(Load(arguments.scenario, systems));
-  const System& system = FindSystem(systems, run.scenario.system);
+int Run(const RunArguments& arguments, const Invocation& call) {
+  const CampaignRun run = SingleRun(Load(arguments.scenario, call.systems));
+  const System& system = FindSystem(call.systems, run.scenario.system);
   const std::filesystem::path report = arguments.report.FileIn(arguments.out_dir);
   RunOptions options;
   options.log_dir = arguments.out_dir;
@@ -95,11 +97,15 @@ int Run(const RunArguments& arguments, const std::vector<System>& systems) {
     PrintNote("log and history in " + arguments.out_dir);
   }
   if (!report.empty()) {
-    WriteReport(report, options.log_dir, !passing, system, run.scenario, record);
+    const std::string replay =
+        passing ? ""
+                : ReplayCommand(call.program, options.log_dir, "", StartsProgram(record.result),
+                                arguments.commands.answer_limit_s);
+    WriteReport(report, options.log_dir, system, run.scenario, record, replay);
   }
   if (!record.messages.empty()) PrintNote("the controller said:\n" + record.messages);
   if (arguments.json) {
-    PrintJson(record);
+    PrintJson(record, call.warnings);
   } else {
     std::printf("%s\n%s\n", RunTable(run.scenario.name, record).c_str(),
                 RunSentence(record).c_str());
@@ -109,7 +115,7 @@ int Run(const RunArguments& arguments, const std::vector<System>& systems) {
 
 }  // namespace
 
-void AddRunCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddRunCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", kRunHelp);
   AddScenarioOptions(*command, arguments->scenario);
@@ -117,7 +123,7 @@ void AddRunCommand(CLI::App& app, const std::vector<System>& systems, int& exit_
   command->add_option("--out", arguments->out_dir, "folder for log and history")->type_name("DIR");
   AddReportOption(*command, arguments->report, "--out");
   command->add_flag("--json", arguments->json, "the result as JSON");
-  command->callback([arguments, &systems, &exit_code] { exit_code = Run(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = Run(*arguments, call); });
 }
 
 }  // namespace dockyard

@@ -1,9 +1,9 @@
 #include "sim/app/scenario_options.h"
 
-#include "sim/app/number_option.h"
-
 #include <charconv>
 
+#include "sim/app/misplaced_file.h"
+#include "sim/app/number_option.h"
 #include "sim/report/points.h"
 #include "sim/scenario/load_scenario.h"
 
@@ -32,6 +32,15 @@ void AddCommandOptions(CLI::App& command, CommandOptions& options) {
       ->check(NumberWithin(0.001, 1e6));
 }
 
+std::vector<std::string> OptionWords(const CommandOptions& options) {
+  std::vector<std::string> words;
+  if (options.allow) words.push_back("--allow-commands");
+  if (options.answer_limit_s != CommandOptions{}.answer_limit_s) {
+    words.insert(words.end(), {"--answer-limit", NumberText(options.answer_limit_s)});
+  }
+  return words;
+}
+
 void AddSeedOption(CLI::App& command, std::optional<std::uint64_t>& seed) {
   command.add_option("--seed", seed, "of all random draws; overrides the file's")
       ->type_name("INTEGER")
@@ -50,7 +59,9 @@ void AddScenarioOptions(CLI::App& command, ScenarioOptions& options) {
 }
 
 Scenario Load(const ScenarioOptions& options, const std::vector<System>& systems) {
-  Scenario scenario = LoadScenario(options.file, options.overrides, KnownSystems(systems));
+  Scenario scenario = LoadAs(kWantedScenario, options.file, systems, [&] {
+    return LoadScenario(options.file, options.overrides, KnownSystems(systems));
+  });
   if (options.seed) scenario.seed = *options.seed;
   return scenario;
 }

@@ -38,6 +38,8 @@ struct CommandOptions {
   }
 };
 void AddCommandOptions(CLI::App& command, CommandOptions& options);
+/// The options as words that give them again.
+std::vector<std::string> OptionWords(const CommandOptions& options);
 
 /// The part of the systems that a campaign's reader needs.
 CampaignSystems CampaignSystemsOf(const std::vector<System>& systems);

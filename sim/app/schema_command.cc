@@ -18,9 +18,9 @@ Examples:
   dockyard schema scenario >out/scenario.schema.json
   dockyard schema campaign >out/campaign.schema.json
 
-With it an editor completes and checks a file. The schema (draft 2020-12) has each key's type, range,
-words, default and meaning. An editor with the YAML language server reads it if the first line of a
-file names it, relative to the file:
+With it an editor completes and checks a file. The schema (draft 2020-12) has each key's type,
+range, words, default and meaning. An editor with the YAML language server reads it if the first
+line of a file names it, relative to the file:
 
   # yaml-language-server: $schema=../out/scenario.schema.json
 
@@ -41,13 +41,13 @@ int PrintSchema(const std::string& of, const std::vector<System>& systems) {
 
 }  // namespace
 
-void AddSchemaCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddSchemaCommand(CLI::App& app, Invocation& call) {
   auto of = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("schema", kSchemaHelp);
   command->add_option("KIND", *of, "of which file")
       ->required()
       ->check(CLI::IsMember({"scenario", "campaign"}));
-  command->callback([of, &systems, &exit_code] { exit_code = PrintSchema(*of, systems); });
+  command->callback([of, &call] { call.exit_code = PrintSchema(*of, call.systems); });
 }
 
 }  // namespace dockyard

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "sim/app/exit_codes.h"
-#include "sim/base/called_as.h"
 #include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 
@@ -52,10 +51,9 @@ int HighestTaskHere() {
   return HighestTask(config.text).value_or(kDefaultHighestTask);
 }
 
-void Submit(const SlurmJob& job, const SlurmScripts& scripts) {
+SubmittedJobs Submit(const SlurmJob& job, const SlurmScripts& scripts) {
   Write(job, scripts);
-  const std::string submit =
-      "bash " + ShellWord((SubmitFolder(job.out_dir) / "submit.sh").string());
+  const std::string submit = SubmitCommandText(job);
   if (AskShell("command -v sbatch").code != 0) {
     throw IoError(
         "this machine has no sbatch. The scripts are written; on the cluster, where the " +
@@ -63,19 +61,18 @@ void Submit(const SlurmJob& job, const SlurmScripts& scripts) {
   }
   const Answer answer = AskShell(submit);
   std::istringstream lines(answer.text);
-  std::string tasks, merge;
-  std::getline(lines, tasks);
-  std::getline(lines, merge);
+  SubmittedJobs jobs;
+  std::getline(lines, jobs.tasks);
+  std::getline(lines, jobs.merge);
   if (answer.code != 0) {
-    throw IoError(tasks.empty() ? "sbatch refused the tasks"
-                                : "sbatch refused the merge; the tasks are job " + tasks);
+    throw IoError(jobs.tasks.empty() ? "sbatch refused the tasks"
+                                     : "sbatch refused the merge; the tasks are job " + jobs.tasks);
   }
-  std::printf("tasks: job %s, %d of them; merge: job %s\n", tasks.c_str(), job.shards,
-              merge.c_str());
-  std::printf("progress:     %s\n",
-              CommandText({"campaign", "--watch", job.out_dir.string()}).c_str());
-  std::printf("cancel:       scancel %s %s\n", tasks.c_str(), merge.c_str());
-  std::printf("submit again: %s\n", submit.c_str());
+  return jobs;
+}
+
+std::string SubmitCommandText(const SlurmJob& job) {
+  return "bash " + ShellWord((SubmitFolder(job.out_dir) / "submit.sh").string());
 }
 
 }  // namespace dockyard

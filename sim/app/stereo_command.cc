@@ -36,14 +36,18 @@ constexpr const char* kStereoHelp = R"(Distances from a pair of images.
 
 Examples:
   dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --json
-  dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --elevation out/heights.csv
-  dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --ground 0.29 --json
-  dockyard stereo out/view/left.png out/view/right.png --rig {cameras} --points out/points.ply
+  dockyard stereo out/view/left.png out/view/right.png --rig {cameras} \
+    --elevation out/heights.csv
+  dockyard stereo out/view/left.png out/view/right.png --rig {cameras} \
+    --ground 0.29 --json
+  dockyard stereo out/view/left.png out/view/right.png --rig {cameras} \
+    --points out/points.ply
 
 The images are brought to one plane by the rig's cameras; those of a rig that is rectified already
 stay as they are. Then they are matched: semi-global finds most, on stones too; blocks are exact on
-sand, if the cameras are known to a fraction of a pixel. Corners of the left image are searched for in
-the right one: a warning says where the images are exchanged, turned, off in their rows, or no pair.
+sand, if the cameras are known to a fraction of a pixel. Corners of the left image are searched for
+in the right one: a warning says where the images are exchanged, turned, off in their rows, or no
+pair.
 --ground says how far the ground lies below the origin of the rig's frame, and --pitch-deg and
 --roll-deg how that frame is tilted against it: nose-down and to the right positive. The ground's
 disparity is then taken out before the search, which is sharper and needs few disparities.
@@ -51,8 +55,9 @@ disparity is then taken out before the search, which is sharper and needs few di
 where there is none, up to 255.99 px; a .pfm has floats without limit, infinity for none.
 --elevation: x_m ahead and y_m to the left of the rig's origin, height_m over the ground (over the
 rig's origin, without --ground), sigma_m, points; a row for each cell with points.
---points: x, y, z in the rig's frame, in metres, and the pixel's grey. --truth scores the disparities
-by true ones of the left rectified image: a PFM, or a PNG of 16 bits (1/256 px) or 8 bits (whole px).
+--points: x, y, z in the rig's frame, in metres, and the pixel's grey. --truth scores the
+disparities by true ones of the left rectified image: a PFM, or a PNG of 16 bits (1/256 px) or 8
+bits (whole px).
 --json: rotation_left_wxyz turns the left camera's axes to those of the rectified image
 (p_rectified = R p_left); Q is OpenCV's, for reprojectImageTo3D.)";
 
@@ -181,7 +186,7 @@ void WriteFiles(const StereoArguments& in, const Rectifier& rectifier, const Ste
   }
 }
 
-int PrintStereo(const StereoArguments& in) {
+int PrintStereo(const StereoArguments& in, Invocation& call) {
   CheckArguments(in);
   const StereoImages images = LoadPair(in);
   const Rectifier rectifier = RectifierOf(in, images);
@@ -194,18 +199,17 @@ int PrintStereo(const StereoArguments& in) {
   WriteFiles(in, rectifier, images, found, settings.block_px);
   const int most_px = in.ground_m ? 0 : settings.least_px + settings.count_px - 1;
   const PairVerdict verdict = JudgePair(rectifier, images, most_px);
-  std::vector<std::string> warnings;
-  for (const std::string& warning : verdict.warnings) Warn(warning, &warnings);
+  for (const std::string& warning : verdict.warnings) Warn(warning, &call.warnings);
   std::optional<StereoScore> score;
   if (truth) score = ScoreOf(found, *truth);
-  if (score && score->matched == 0) Warn(NothingScored(in.truth, *score), &warnings);
+  if (score && score->matched == 0) Warn(NothingScored(in.truth, *score), &call.warnings);
   if (in.json) {
     Json json = PairJson(rectifier);
     json["disparities"] = {{"least_px", settings.least_px}, {"count", settings.count_px}};
     json["matched_share"] = share;
     json["pair_check"] = ToJson(verdict.check);
     if (score) json["truth"] = ToJson(*score);
-    json["warnings"] = warnings;
+    json["warnings"] = call.warnings;
     std::printf("%s\n", json.dump(2).c_str());
     return kExitDone;
   }
@@ -218,7 +222,7 @@ int PrintStereo(const StereoArguments& in) {
 
 }  // namespace
 
-void AddStereoCommand(CLI::App& app, int& exit_code) {
+void AddStereoCommand(CLI::App& app, Invocation& call) {
   auto in = std::make_shared<StereoArguments>();
   CLI::App* command = app.add_subcommand("stereo", kStereoHelp);
   command->add_option("left", in->left, "image of the left camera")->required();
@@ -248,7 +252,7 @@ void AddStereoCommand(CLI::App& app, int& exit_code) {
   command->add_option("--reach", in->most_m, "m ahead, and across in all, of the heights [1.5]")
       ->check(NumberWithin(0.05, 100.0));
   command->add_flag("--json", in->json, "the figures as JSON");
-  command->callback([in, &exit_code] { exit_code = PrintStereo(*in); });
+  command->callback([in, &call] { call.exit_code = PrintStereo(*in, call); });
 }
 
 }  // namespace dockyard

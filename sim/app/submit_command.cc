@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
@@ -14,7 +15,9 @@
 #include "sim/app/number_option.h"
 #include "sim/app/passing_folder.h"
 #include "sim/app/slurm_client.h"
+#include "sim/app/submit_answer.h"
 #include "sim/app/terminal.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/campaign/campaign.h"
 #include "sim/campaign/campaign_folder.h"
@@ -31,7 +34,7 @@ struct SubmitArguments {
   CampaignArguments campaign;
   int shards = 0;                // 0: from the time that a run takes
   double seconds_per_run = 0.0;  // 0: from the runs that the folder has, at least two
-  bool dry_run = false;
+  bool dry_run = false, json = false;
   SlurmLimits limits;
 };
 
@@ -40,13 +43,15 @@ constexpr const char* kSubmitHelp =
 
 Examples:
   dockyard submit {campaign} --out results/yard --dry-run
-  dockyard submit {campaign} --shards 4 --time 60 --dry-run
-  dockyard submit {campaign} --seconds-per-run 5 --cpus-per-task 8 --slurm=--account=rover --dry-run
+  dockyard submit {campaign} --shards 4 --time 60 --dry-run --json
+  dockyard submit {campaign} --seconds-per-run 5 --cpus-per-task 8 \
+    --slurm=--account=rover --dry-run
 
 Every mistake of the file is found first. The scripts go to submit/ in the results folder; --dry-run
-prints them instead. --slurm adds an option of sbatch that the scripts do not set themselves: tasks
-are numbered by --shards, not by --array. Without --shards, the first two runs are timed: each task
-then lasts up to half an hour. The scripts submitted again go on with the missing runs.)";
+prints them instead. --json has the jobs, their limits, and the scripts. --slurm adds an option of
+sbatch that the scripts do not set themselves: tasks are numbered by --shards, not by --array.
+Without --shards, the first two runs are timed: each task then lasts up to half an hour. The scripts
+submitted again go on with the missing runs.)";
 
 /// A signal ended the timing.
 struct Stopped {
@@ -80,10 +85,6 @@ double SecondsPerRunOf(const Campaign& campaign, const SubmitArguments& argument
   return SecondsPerRun(MakeReady(campaign, elsewhere, systems));
 }
 
-std::string CountText(std::int64_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 /// Chooses the number of tasks and their time where they were not said.
 void Divide(SlurmJob& job, const SubmitArguments& arguments, std::int64_t runs,
             const std::function<double()>& seconds_per_run) {
@@ -110,7 +111,8 @@ void Divide(SlurmJob& job, const SubmitArguments& arguments, std::int64_t runs,
             DurationText(std::ceil(task_s)) + " each, time limit " + job.limits.time);
 }
 
-int RunSubmitCommand(const SubmitArguments& arguments, const std::vector<System>& systems) {
+int RunSubmitCommand(const SubmitArguments& arguments, const Invocation& call) {
+  const std::vector<System>& systems = call.systems;
   CheckFurtherOptions(arguments.limits.further);
   const Campaign campaign = LoadCampaign(arguments.campaign, systems);
   const ReadyCampaign ready = MakeReady(campaign, arguments.campaign, systems);
@@ -127,12 +129,16 @@ int RunSubmitCommand(const SubmitArguments& arguments, const std::vector<System>
     return arguments.dry_run ? SecondsPerRunOf(campaign, arguments, systems) : SecondsPerRun(ready);
   });
   const SlurmScripts scripts = ScriptsFor(job);
-  if (arguments.dry_run) {
-    std::printf("%s\n%s\n%s", scripts.array.c_str(), scripts.merge.c_str(), scripts.submit.c_str());
-    return kExitDone;
+  std::optional<SubmittedJobs> jobs;
+  if (!arguments.dry_run) {
+    ClaimFolder(ready.options.out_dir, ready.options.identity, ready.options.facts);
+    jobs = Submit(job, scripts);
   }
-  ClaimFolder(ready.options.out_dir, ready.options.identity, ready.options.facts);
-  Submit(job, scripts);
+  if (arguments.json) {
+    PrintSubmitJson(job, scripts, campaign.run_count(), jobs, call);
+  } else {
+    PrintSubmitText(job, scripts, jobs, call.program);
+  }
   return kExitDone;
 }
 
@@ -165,7 +171,7 @@ void AddSlurmOptions(CLI::App& command, SlurmLimits& limits) {
 
 }  // namespace
 
-void AddSubmitCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddSubmitCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<SubmitArguments>();
   CLI::App* command = app.add_subcommand("submit", kSubmitHelp);
   command->add_option("FILE", arguments->campaign.file, "a campaign file")->required();
@@ -178,13 +184,14 @@ void AddSubmitCommand(CLI::App& app, const std::vector<System>& systems, int& ex
       ->check(NumberWithin(1e-6, 1e6));
   AddSlurmOptions(*command, arguments->limits);
   command->add_flag("--dry-run", arguments->dry_run, "print the scripts, submit nothing");
-  command->callback([arguments, &systems, &exit_code] {
+  command->add_flag("--json", arguments->json, "print the jobs as JSON");
+  command->callback([arguments, &call] {
     try {
-      exit_code = RunSubmitCommand(*arguments, systems);
+      call.exit_code = RunSubmitCommand(*arguments, call);
     } catch (const SlurmError& error) {
       throw UsageError(error.what());
     } catch (const Stopped& stopped) {
-      exit_code = kExitSignal + stopped.signal;
+      call.exit_code = kExitSignal + stopped.signal;
     }
   });
 }

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <thread>
 
+#include "models/read/text_file.h"
+
 namespace dockyard {
 namespace {
 
@@ -15,31 +17,23 @@ bool ColorWanted() {
   return ::isatty(STDERR_FILENO) && (no_color == nullptr || *no_color == '\0');
 }
 
-std::vector<std::string>& Said() {
-  static std::vector<std::string> said;
-  return said;
-}
-
 }  // namespace
 
 void PrintError(const std::string& message) {
   std::fflush(stdout);
   const char* word = ColorWanted() ? "\x1b[1;31merror:\x1b[0m" : "error:";
-  std::fprintf(stderr, "%s %s\n", word, message.c_str());
+  std::fprintf(stderr, "%s %s\n", word, WithControlsShown(message).c_str());
 }
 
 void PrintNote(const std::string& message) {
   std::fflush(stdout);  // in a file that both go to, in the order in which they are said
-  std::fprintf(stderr, "%s\n", message.c_str());
+  std::fprintf(stderr, "%s\n", WithControlsShown(message).c_str());
 }
 
 void Warn(const std::string& text, std::vector<std::string>* warnings) {
   PrintNote("warning: " + text);
-  warnings->push_back(text);
-  Said().push_back(text);
+  warnings->push_back(WithControlsShown(text));
 }
-
-const std::vector<std::string>& WarningsSaid() { return Said(); }
 
 int UsableProcessors() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

@@ -1,4 +1,5 @@
-// Messages for people, on stderr; stdout gets results only.
+// Messages for people, on stderr; stdout gets results only. Control characters in them are shown as
+// escapes, so that no quoted word moves the terminal.
 #pragma once
 
 #include <string>
@@ -10,11 +11,9 @@ namespace dockyard {
 void PrintError(const std::string& message);
 /// A line on stderr.
 void PrintNote(const std::string& message);
-/// "warning: ..." on stderr at once, and the text at the end of `warnings`: a command's `--json`
-/// answer has them all under the key "warnings".
+/// "warning: ..." on stderr at once, and the text at the end of `warnings`: those of the call,
+/// which a command's `--json` answer has under the key "warnings", as has the answer on a failure.
 void Warn(const std::string& text, std::vector<std::string>* warnings);
-/// All of them so far, for an answer that no command gives: that on a failure.
-const std::vector<std::string>& WarningsSaid();
 /// Processors that this process may use, at least 1.
 int UsableProcessors();
 

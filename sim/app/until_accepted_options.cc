@@ -116,10 +116,11 @@ void KeepAcceptance(const std::filesystem::path& dir, const SequentialPlan& plan
   WriteWhole(dir / kAcceptanceFile, SequentialJson(plan, end).dump(2) + "\n");
 }
 
-int ReportAcceptance(const SequentialPlan& plan, const SequentialEnd& end, bool json) {
+int ReportAcceptance(const SequentialPlan& plan, const SequentialEnd& end, bool json,
+                     const Invocation& call) {
   if (json) {
     Json answer = SequentialJson(plan, end);
-    answer["warnings"] = WarningsSaid();
+    answer["warnings"] = call.warnings;
     std::printf("%s\n", answer.dump().c_str());
   } else {
     std::printf("\n%s", SequentialText(plan, end).c_str());

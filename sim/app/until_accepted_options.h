@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/app/invocation.h"
 #include "sim/log/record.h"
 #include "sim/plan/campaign.h"
 #include "sim/statistics/sequential.h"
@@ -42,6 +43,7 @@ void KeepAcceptance(const std::filesystem::path& dir, const SequentialPlan& plan
 
 /// Prints what was decided, as a line of JSON if asked. Returns the exit code: 0 accepted, 20 not
 /// accepted, 21 undecided.
-int ReportAcceptance(const SequentialPlan& plan, const SequentialEnd& end, bool json);
+int ReportAcceptance(const SequentialPlan& plan, const SequentialEnd& end, bool json,
+                     const Invocation& call);
 
 }  // namespace dockyard

@@ -36,10 +36,11 @@ Examples:
   dockyard view {scenario} --outside --time 20 --out out/outside
   dockyard view {scenario} --outside --at target --out out/target
 
-Of Axel it writes left.png, right.png and view.json: the board's true pose and, for each fiducial and camera,
-its projected centre, the centroid of the projected disc and the share that is hidden. With --colour
-(or camera.colour in the scenario) also left_colour.png and right_colour.png, linear red, green and
-blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.png of 16 bits.
+Of Axel it writes left.png, right.png and view.json: the board's true pose and, for each fiducial
+and camera, its projected centre, the centroid of the projected disc and the share that is hidden.
+With --colour (or camera.colour in the scenario) also left_colour.png and right_colour.png, linear
+red, green and blue of the same views; with sensor.bits above 8 left_deep.png and right_deep.png of
+16 bits.
 
 --outside writes outside.png instead: the world as a spectator sees it, at the start or, with
 --time, as the run has made it by then. --at names the point that it shows from near.)";
@@ -49,9 +50,8 @@ void PrintAnswer(Json answer, const std::vector<std::string>& warnings) {
   std::printf("%s\n", answer.dump(1).c_str());
 }
 
-int ViewOutside(const ViewArguments& arguments, Scenario scenario,
-                const std::vector<System>& systems) {
-  const System& system = FindSystem(systems, scenario.system);
+int ViewOutside(const ViewArguments& arguments, Scenario scenario, Invocation& call) {
+  const System& system = FindSystem(call.systems, scenario.system);
   const StageShapes shapes = ShapesToDraw(system, scenario);
   const OutsideOptions options = arguments.camera.options(shapes);
   // The run need not go on beyond the picture; its first sample is at its beginning.
@@ -65,11 +65,10 @@ int ViewOutside(const ViewArguments& arguments, Scenario scenario,
   const std::filesystem::path file = std::filesystem::path(arguments.out_dir) / "outside.png";
   const double shown_s = WriteOutside(log, shapes, options, arguments.time_s, file);
   PrintNote("the world at " + Fixed(shown_s, 1) + " s in " + file.string());
-  std::vector<std::string> warnings;
   if (shown_s < arguments.time_s - kSample_s) {
-    Warn("the run ended before --time", &warnings);
+    Warn("the run ended before --time", &call.warnings);
   }
-  if (arguments.json) PrintAnswer({{"file", file.string()}, {"time_s", shown_s}}, warnings);
+  if (arguments.json) PrintAnswer({{"file", file.string()}, {"time_s", shown_s}}, call.warnings);
   return kExitDone;
 }
 
@@ -80,23 +79,23 @@ void RefuseOutsideOptions(const ViewArguments& arguments) {
   if (!arguments.camera.from_D.empty()) throw UsageError("--from is of --outside alone");
 }
 
-int View(const ViewArguments& arguments, const std::vector<System>& systems) {
-  Scenario scenario = Load(arguments.scenario, systems);
-  const System& system = FindSystem(systems, scenario.system);
-  if (arguments.outside) return ViewOutside(arguments, std::move(scenario), systems);
+int View(const ViewArguments& arguments, Invocation& call) {
+  Scenario scenario = Load(arguments.scenario, call.systems);
+  const System& system = FindSystem(call.systems, scenario.system);
+  if (arguments.outside) return ViewOutside(arguments, std::move(scenario), call);
   RefuseOutsideOptions(arguments);
   if (!system.view) throw UsageError("the system " + system.name + " has no cameras to view with");
   scenario.colour = scenario.colour || arguments.colour;
   MakeFolder(arguments.out_dir);
   system.view(scenario, arguments.out_dir);
   PrintNote("the images and what is true of them are in " + arguments.out_dir);
-  if (arguments.json) PrintAnswer({{"folder", arguments.out_dir}}, {});
+  if (arguments.json) PrintAnswer({{"folder", arguments.out_dir}}, call.warnings);
   return kExitDone;
 }
 
 }  // namespace
 
-void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit_code) {
+void AddViewCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand("view", kViewHelp);
   AddScenarioOptions(*command, arguments->scenario);
@@ -111,7 +110,7 @@ void AddViewCommand(CLI::App& app, const std::vector<System>& systems, int& exit
   command->add_flag("--json", arguments->json, "print what was written as JSON");
   AddOutsideOptions(*command, arguments->camera);
   AddCommandOptions(*command, arguments->commands);
-  command->callback([arguments, &systems, &exit_code] { exit_code = View(*arguments, systems); });
+  command->callback([arguments, &call] { call.exit_code = View(*arguments, call); });
 }
 
 }  // namespace dockyard

@@ -16,11 +16,12 @@
 namespace dockyard {
 namespace {
 
-void Print(const Tally& tally, std::int64_t total, bool json) {
+void Print(const Tally& tally, std::int64_t total, bool json,
+           const std::vector<std::string>& warnings) {
   if (json) {
     const Json line{{"done", tally.done},         {"total", total},
                     {"successes", tally.docked},  {"lost", tally.lost},
-                    {"failures", tally.failures}, {"warnings", WarningsSaid()}};
+                    {"failures", tally.failures}, {"warnings", warnings}};
     std::printf("%s\n", line.dump().c_str());
   } else {
     std::printf("%s\n", TallyText(tally, total).c_str());
@@ -30,15 +31,15 @@ void Print(const Tally& tally, std::int64_t total, bool json) {
 
 }  // namespace
 
-int WatchCampaign(const std::filesystem::path& dir, bool json, const std::vector<System>& systems) {
-  const KeptCampaign kept = OpenKeptCampaign(dir, systems);
-  const std::vector<KnownSystem> known = KnownSystems(systems);
+int WatchCampaign(const std::filesystem::path& dir, bool json, const Invocation& call) {
+  const KeptCampaign kept = OpenKeptCampaign(dir, call.systems);
+  const std::vector<KnownSystem> known = KnownSystems(call.systems);
   const RunMaker maker(kept.campaign, known);
   SignalQueue signals;
   for (std::int64_t shown = -1;;) {
     std::vector<std::string> damaged;
     const Tally tally = ReadFinished(dir, maker, kept.columns, damaged).TallyOf(Shard{});
-    if (tally.done != shown) Print(tally, maker.run_count(), json);
+    if (tally.done != shown) Print(tally, maker.run_count(), json, call.warnings);
     shown = tally.done;
     if (tally.done == maker.run_count()) return tally.lost == 0 ? kExitDone : kExitIncomplete;
     pollfd news{signals.descriptor(), POLLIN, 0};

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
-#include "sim/run/system.h"
+#include "sim/app/invocation.h"
 
 namespace dockyard {
 
 /// Prints a line whenever runs have ended, until all have, or a signal. Returns the exit code.
 /// Throws UsageError for a folder without a campaign, ConfigError, ResultsError and IoError.
-int WatchCampaign(const std::filesystem::path& dir, bool json, const std::vector<System>& systems);
+int WatchCampaign(const std::filesystem::path& dir, bool json, const Invocation& call);
 
 }  // namespace dockyard

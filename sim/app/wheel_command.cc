@@ -43,9 +43,9 @@ Slip is (w r - v) / max(|w r|, |v|), r the rim's radius, v the speed of travel; 
 from the wheel's plane to its travel, to the right. Fx_N > 0 is drawbar, Fy_N the soil's force
 against the side slip, Fz_N the load that it carries, torque_Nm what a motor must give, sinkage_m
 that of the paddles' tips; all are means over whole paddle pitches. With --sweep the options --slip,
---beta and --load take lists; --out gets sweep.csv, drawbar.svg and sinkage.svg. --data draws measured
-rows over the curves of their side slip: a CSV table with the columns slip, Fx_N, Fz_N and, where
-measured, beta_deg, sinkage_mm and torque_Nm; if it holds several wheels, wheel.
+--beta and --load take lists; --out gets sweep.csv, drawbar.svg and sinkage.svg. --data draws
+measured rows over the curves of their side slip: a CSV table with the columns slip, Fx_N, Fz_N and,
+where measured, beta_deg, sinkage_mm and torque_Nm; if it holds several wheels, wheel.
 A row has a warning where the soil's laws were never compared with a measured wheel: sinkage beyond
 0.64 of the radius, slip beyond 0.8, side slip beyond 45 deg. In sweep.csv, warnings counts them.
 Exit code 10: a wheel was still changing at the end of its path, or its axle is below the ground;
@@ -71,19 +71,18 @@ WheelRow RowOf(SingleWheelSetup setup, double load_n, double beta_deg, double sl
 }
 
 // After the rows, so that a table on the terminal stays whole.
-void PrintWarnings(const std::vector<WheelRow>& table) {
-  std::vector<std::string> kept;
+void PrintWarnings(const std::vector<WheelRow>& table, std::vector<std::string>* warnings) {
   for (const WheelRow& row : table) {
     char place[96];
     std::snprintf(place, sizeof place, "load %g N, side slip %g deg, slip %g: ", row.load_n,
                   row.beta_deg, row.slip);
     for (const std::string& warning : row.warnings) {
-      Warn((table.size() > 1 ? place : "") + warning, &kept);
+      Warn((table.size() > 1 ? place : "") + warning, warnings);
     }
   }
 }
 
-int Drive(const WheelArguments& arguments) {
+int Drive(const WheelArguments& arguments, Invocation& call) {
   const std::size_t rows =
       arguments.slips.size() * arguments.betas_deg.size() * arguments.loads_n.size();
   if (!arguments.sweep && rows > 1) {
@@ -117,14 +116,14 @@ int Drive(const WheelArguments& arguments) {
     PrintWheelResult(table.front());
   }
   if (!arguments.out_dir.empty()) WriteWheelSweep(table, measured, arguments.out_dir);
-  PrintWarnings(table);
+  PrintWarnings(table, &call.warnings);
   if (!steady) PrintNote("a wheel was still changing at the end of its path of 60 radii");
   return steady && !buried ? kExitDone : kExitIncomplete;
 }
 
 }  // namespace
 
-void AddWheelCommand(CLI::App& app, int& exit_code) {
+void AddWheelCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<WheelArguments>();
   CLI::App* command = app.add_subcommand("wheel", kWheelHelp);
   command->add_option("--wheel", arguments->wheel_file, "a wheel file")->required();
@@ -151,7 +150,7 @@ void AddWheelCommand(CLI::App& app, int& exit_code) {
   command->add_option("--data-wheel", arguments->data_wheel, "only the data's rows of this wheel")
       ->needs(data);
   command->add_flag("--json", arguments->json, "the result as JSON");
-  command->callback([arguments, &exit_code] { exit_code = Drive(*arguments); });
+  command->callback([arguments, &call] { call.exit_code = Drive(*arguments, call); });
 }
 
 }  // namespace dockyard

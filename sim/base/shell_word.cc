@@ -11,4 +11,10 @@ std::string ShellWord(std::string_view text) {
   return word + "'";
 }
 
+std::string CommandText(const std::string& program, const std::vector<std::string>& words) {
+  std::string text = program;
+  for (const std::string& word : words) text += " " + ShellWord(word);
+  return text;
+}
+
 }  // namespace dockyard

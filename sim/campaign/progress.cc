@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "models/read/text_file.h"
 #include "sim/base/json.h"
 #include "sim/report/rate_text.h"
 
@@ -73,8 +74,8 @@ void Progress::Finished(const FinishedRun& run) {
   if (!row.docked) ++tally_.failures[row.outcome];
   const bool lost = IsLost(row.outcome);
   tally_.lost += lost ? 1 : 0;
-  const std::string what =
-      "run " + std::to_string(row.run) + ": " + row.outcome + (lost ? " (" + run.note + ")" : "");
+  const std::string what = "run " + std::to_string(row.run) + ": " + row.outcome +
+                           (lost ? " (" + WithControlsShown(run.note) + ")" : "");
   if (style_ == ProgressStyle::kLines) {
     std::fprintf(stderr, "%s; %s\n", what.c_str(), Line(0).c_str());
   } else if (style_ == ProgressStyle::kLive && lost) {

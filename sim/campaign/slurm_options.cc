@@ -51,8 +51,13 @@ constexpr Taken kTaken[] = {
     {"version", 'V', "sbatch --version prints it"},
 };
 
-// sbatch takes a name cut short, as getopt_long(3) does.
-const Taken* FindLong(std::string_view name) {
+// sbatch takes a name cut short, as getopt_long(3) does. It knows no name in capitals: such a one
+// would fail only when the jobs are submitted, so it is taken for the option that was meant.
+const Taken* FindLong(std::string_view given) {
+  std::string name;
+  for (const char c : given) {
+    name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
   for (const Taken& taken : kTaken) {
     if (taken.name == name) return &taken;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "controller/base/check.h"
+#include "sim/base/count_text.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/slurm_options.h"
 
@@ -78,7 +79,7 @@ std::string ArrayScript(const SlurmJob& job) {
   std::string text =
       "#!/bin/bash\n"
       "# The runs of a campaign in " +
-      shards + (job.shards == 1 ? " task" : " tasks") +
+      CountText(job.shards, "task") +
       ", written by `dockyard submit`.\n"
       "# A task that was stopped or killed goes on where it was: submit this file again.\n";
   text += Line("job-name", "dockyard " + job.name);

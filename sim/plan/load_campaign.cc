@@ -6,12 +6,12 @@
 #include "models/read/csv_table.h"
 #include "models/read/text_file.h"
 #include "models/read/yaml_reader.h"
-#include "sim/base/called_as.h"
 #include "sim/plan/campaign.h"
 #include "sim/plan/campaign_keys.h"
 #include "sim/plan/check_campaign.h"
 #include "sim/plan/spread_words.h"
 #include "sim/scenario/key_path.h"
+#include "sim/scenario/other_file_kind.h"
 #include "sim/scenario/scenario_keys.h"
 
 namespace dockyard {
@@ -40,9 +40,7 @@ void RefuseFormerKeys(const YamlNode& tree) {
 void RefuseScenario(const YamlNode& tree, const std::string& file) {
   const bool scenario = tree.Find("system") != nullptr && tree.Find("start") != nullptr;
   if (!scenario || tree.Find("campaign") != nullptr) return;
-  throw ConfigError(
-      tree.place.Text() +
-      ": expected a campaign, found one scenario; simulate it with: " + CommandText({"run", file}));
+  throw OtherFileKind(tree.place.Text() + ": expected a campaign, found one scenario", "run", file);
 }
 
 /// The base: a scenario file, with the keys of `scenario` and `script` on top.

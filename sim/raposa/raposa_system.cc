@@ -80,8 +80,7 @@ std::optional<FileCheck> CheckModelFile(const std::string& file) {
 }  // namespace
 
 System RaposaSystem(const std::vector<NamedController>& controllers,
-                    const std::vector<SystemCommand>& commands,
-                    const std::function<int(const std::vector<std::string>& words)>& detect) {
+                    const std::vector<SystemCommand>& commands, const CommandFunction& detect) {
   const auto renderer = std::make_shared<KeptRenderer>();
   System system;
   system.name = "raposa";

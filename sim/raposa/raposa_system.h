@@ -20,6 +20,6 @@ struct NamedController {
 /// The first controller is the default.
 System RaposaSystem(const std::vector<NamedController>& controllers,
                     const std::vector<SystemCommand>& commands = {},
-                    const std::function<int(const std::vector<std::string>& words)>& detect = {});
+                    const CommandFunction& detect = {});
 
 }  // namespace dockyard::raposa

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "controller/base/check.h"
+#include "sim/base/count_text.h"
 #include "sim/base/text.h"
 #include "sim/report/plot_labels.h"
 #include "sim/report/points.h"
@@ -168,7 +169,7 @@ std::string CurvesPlot(const std::string& title, const Figures& figures, const R
   const double width = kLeft + static_cast<double>(axes.panels.levels.size()) * (kWide + kGapX);
   const double height = kTop + static_cast<double>(figures.measures.size()) * (kHigh + kGapY) + 4;
   SvgDocument svg(std::max(width, 520.0), height, title);
-  svg.Text({kLeft, 26}, title + ", " + std::to_string(rows.size()) + " runs",
+  svg.Text({kLeft, 26}, title + ", " + CountText(rows.size(), "run"),
            {15, "#111111", Anchor::kStart, true});
   std::vector<std::pair<std::string, Pen>> legend;
   for (std::size_t i = 0; !figures.curves.empty() && i < axes.curves.levels.size(); ++i) {

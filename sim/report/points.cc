@@ -57,7 +57,7 @@ int DockedOf(const Rows& rows) {
 
 std::vector<Column> SummedColumns(const RowColumns& columns) {
   std::vector<Column> made{{kDocked, "", "whether the outcome is a success", true},
-                           {"sim_time_s", "s", "from the start to the end of the run"}};
+                           {"sim_time_s", "s", "from the start to the last command"}};
   made.insert(made.end(), columns.measures.begin(), columns.measures.end());
   return made;
 }

@@ -5,6 +5,7 @@
 
 #include "controller/base/number_text.h"
 #include "controller/geometry/pose.h"
+#include "sim/base/count_text.h"
 #include "sim/report/rate_text.h"
 
 namespace dockyard {
@@ -43,7 +44,7 @@ std::string RowVerdict(const RowFinding& found) {
   if (!found.row->paper) return "";
   const int wanted = found.runs + found.lacking;
   if (!found.comparable()) {
-    return std::to_string(found.runs) + " of " + std::to_string(wanted) + " runs: not judged";
+    return std::to_string(found.runs) + " of " + CountText(wanted, "run") + ": not judged";
   }
   const std::string word = found.inside() ? "inside " : "outside ";
   return word + (found.counts ? "at " + PercentText(found.confidence) + ": " : "") +
@@ -97,8 +98,7 @@ std::string ErrorsText(const ReproductionFinding& found) {
                      MeanAndMedian(each.mean_place_m, each.median_place_m, kCm),
                      paper(each.paper.heading_rad, degree),
                      MeanAndMedian(each.mean_heading_rad, each.median_heading_rad, degree),
-                     std::to_string(each.sightings) + " in " + std::to_string(each.runs) +
-                         (each.runs == 1 ? " run" : " runs"),
+                     std::to_string(each.sightings) + " in " + CountText(each.runs, "run"),
                      std::to_string(each.wrong)});
   }
   return "\nmean error of the accepted sightings within " + NumberText(found.published->within_m) +
@@ -159,17 +159,16 @@ std::string VerdictText(const ReproductionFinding& found) {
 std::string ReproductionText(const ReproductionFinding& found) {
   const Published& published = *found.published;
   const std::size_t m = published.judged.size();
-  std::string text = published.name + ": " + published.source + "\n" + std::to_string(found.runs) +
-                     " runs, " + std::to_string(found.replications) +
-                     (found.replications == 1 ? " replication" : " replications") +
-                     "; counted as successes, as the paper counts: " + CountedText(published) +
-                     "\n\n";
+  std::string text =
+      published.name + ": " + published.source + "\n" + CountText(found.runs, "run") + ", " +
+      CountText(found.replications, "replication") +
+      "; counted as successes, as the paper counts: " + CountedText(published) + "\n\n";
   text += RowsText(found);
   text +=
       "95 % intervals of Clopper and Pearson; predicted: the paper's count at 95 %, given these "
       "runs (Thatcher)";
   if (m > 0) {
-    text += "\nthe total counts at 95 %, each of " + std::to_string(m) + " rows at 1 - 0.05/" +
+    text += "\nthe total counts at 95 %, each of " + CountText(m, "row") + " at 1 - 0.05/" +
             std::to_string(m);
   }
   text += "\n" + FailuresText(found) + ErrorsText(found) + MeasuresText(found);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "controller/base/check.h"
+#include "sim/base/count_text.h"
 #include "sim/base/text.h"
 #include "sim/report/points.h"
 #include "sim/report/rate_text.h"
@@ -53,7 +54,7 @@ Found ShareOf(const Requirement& requirement, const Rows& rows) {
 Found StatisticOf(const Requirement& requirement, const RowColumns& columns, const Rows& rows) {
   std::vector<double> values = ValuesOf(columns, requirement.figure, rows);
   Found found{static_cast<int>(values.size()), std::nan(""),
-              "of " + std::to_string(values.size()) + " runs"};
+              "of " + CountText(values.size(), "run")};
   if (values.empty()) return found;
   if (requirement.statistic == Statistic::kMean) {
     double sum = 0.0;

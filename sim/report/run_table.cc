@@ -111,7 +111,8 @@ std::string RunTable(const std::string& name, const RunRecord& record) {
   std::map<std::string, std::string> lines = LinesByTitle(record, without);
   std::string text = name + " (system " + row.system + ", controller " + row.controller + ")\n";
   text += TextRow("outcome", row.outcome, "");
-  text += TextRow("simulated time", WithUnit(row.sim_time_s, "s"), "from the start to the end");
+  text += TextRow("simulated time", WithUnit(row.sim_time_s, "s"),
+                  "from the start to the last command");
   text += TextRow("images", std::to_string(row.images), "that the controller was given");
   text += lines[""];
   for (const std::string& title : TitlesInOrder(record.columns.measures)) {

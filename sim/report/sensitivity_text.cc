@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/count_text.h"
 #include "sim/base/text.h"
 #include "sim/report/rate_text.h"
 #include "sim/report/sensitivity.h"
@@ -67,7 +68,7 @@ std::string ArmText(const Sensitivity& found) {
   const MeasureEffects& docked = found.measures[0];
   std::string text = "\nsensitivity of docked to the draws" +
                      (found.arm.empty() ? "" : ", arm " + found.arm) + ", " +
-                     std::to_string(found.runs) + " runs, 95 % intervals\n";
+                     CountText(found.runs, "run") + ", 95 % intervals\n";
   std::vector<Cells> lines{{"", "eta", "p", "rank correlation", "partial"}};
   for (const DrawEffect& draw : docked.draws) {
     if (std::isnan(draw.eta) || lines.size() > kMostDraws) break;

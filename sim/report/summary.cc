@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/base/count_text.h"
 #include "sim/base/text.h"
 #include "sim/report/rate_text.h"
 
@@ -224,11 +225,11 @@ void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& colu
     if (!runs.notes[i].empty()) AddLine(out, std::string(widths[0] + 2, ' ') + runs.notes[i]);
   }
   if (left_out > 0) {
-    AddLine(out, std::to_string(left_out) + " more labels are in results.csv");
+    AddLine(out, CountText(left_out, "more label is", "more labels are") + " in results.csv");
   }
   if (shown.size() < runs.size()) {
     AddLine(out, "of " + std::to_string(runs.size()) + " runs the first " +
-                     std::to_string(shown.size()) + " failures; results.csv has all");
+                     CountText(shown.size(), "failure") + "; results.csv has all");
   }
 }
 
@@ -243,7 +244,7 @@ std::string SummaryText(const std::string& title, const FinishedRuns& runs,
   AddLine(out, title + ": " + BriefRate(docked, done) + ", 95 % intervals (Clopper-Pearson)");
   if (done < total) {
     AddLine(out, (enough ? "ended early, by --until-accepted: " : "incomplete: ") +
-                     std::to_string(done) + " of " + std::to_string(total) + " runs");
+                     std::to_string(done) + " of " + CountText(total, "run"));
   }
   std::vector<std::vector<Group>> by_label;
   std::vector<std::size_t> differing;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "sim/base/count_text.h"
 #include "sim/base/text.h"
 #include "sim/report/rate_text.h"
 
@@ -70,13 +71,12 @@ Json SequentialJson(const SequentialPlan& plan, const SequentialEnd& end) {
 
 std::string SequentialText(const SequentialPlan& plan, const SequentialEnd& end) {
   const SequentialAims& aims = plan.aims;
-  std::string text = std::string(NameOf(end.state)) + " after " + std::to_string(end.trials) +
-                     " runs, " + std::to_string(end.failures) + " failures: reliability " +
+  std::string text = std::string(NameOf(end.state)) + " after " + CountText(end.trials, "run") +
+                     ", " + CountText(end.failures, "failure") + ": reliability " +
                      NumberText(aims.reliability) + " at confidence " +
                      NumberText(aims.confidence) + "\n";
   text += "sequential test against " + NumberText(aims.design_reliability) + ", power " +
-          NumberText(aims.power) + ", at most " + std::to_string(aims.max_runs) +
-          " runs; exactly:\n";
+          NumberText(aims.power) + ", at most " + CountText(aims.max_runs, "run") + "; exactly:\n";
   for (const double reliability : std::array{aims.reliability, aims.design_reliability}) {
     text += Chances(reliability, ExactOperation(plan, reliability));
   }

@@ -52,12 +52,23 @@ struct FileCheck {
   std::map<std::string, int> left_out = {};
 };
 
+/// Gets the program's name as it was called, for help, and the words after the command's name,
+/// --help among them; returns the exit code and throws like the program's commands.
+using CommandFunction =
+    std::function<int(const std::string& program, const std::vector<std::string>& words)>;
+
+/// An option of a command, for the shells that complete it.
+struct CommandOption {
+  std::string name;  // "--json"
+  std::string meaning;
+  bool takes_value = false;
+};
+
 /// A command of the system's own: `dockyard NAME ...`.
 struct SystemCommand {
   std::string name, help;
-  /// Gets the words after the name, --help among them; returns the exit code and throws like the
-  /// program's commands.
-  std::function<int(const std::vector<std::string>& words)> run;
+  CommandFunction run;
+  std::vector<CommandOption> options = {};
 };
 
 /// A published experiment that the system reproduces.
@@ -107,9 +118,9 @@ struct System {
   /// The fiducial board in a target's file; none: the file is not this system's, or has none.
   /// Throws ConfigError.
   std::function<std::optional<NamedBoard>(const std::string& target_file)> board;
-  /// `dockyard detect` for a robot of this system whose perception is its own. Gets the words after
-  /// `detect`; returns the exit code. Empty: the program's own, which locates boards of discs.
-  std::function<int(const std::vector<std::string>& words)> detect;
+  /// `dockyard detect` for a robot of this system whose perception is its own. Empty: the
+  /// program's own, which locates boards of discs.
+  CommandFunction detect;
   /// Names the keys under the system's own name, for the schema of its scenarios. Empty: the
   /// schema leaves them open.
   std::function<void(Keys&)> keys;

@@ -1,8 +1,7 @@
 #include "sim/scenario/load_scenario.h"
 
-#include "models/read/config_error.h"
-#include "sim/base/called_as.h"
 #include "sim/scenario/key_path.h"
+#include "sim/scenario/other_file_kind.h"
 #include "sim/scenario/scenario_keys.h"
 
 namespace dockyard {
@@ -12,9 +11,8 @@ Scenario LoadScenario(const std::string& file, const std::vector<std::string>& o
   YamlNode root = LoadYaml(file);
   for (const std::string& assignment : overrides) SetYaml(root, assignment);
   if (root.Find("campaign") != nullptr) {
-    throw ConfigError(root.place.Text() +
-                      ": expected one scenario, found a campaign; simulate it with: " +
-                      CommandText({"campaign", file}));
+    throw OtherFileKind(root.place.Text() + ": expected one scenario, found a campaign", "campaign",
+                        file);
   }
   return ReadScenario(root, systems);
 }

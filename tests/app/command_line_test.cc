@@ -208,6 +208,8 @@ TEST(Completion, OffersCommandsOptionsAndWordsInBash) {
   EXPECT_EQ(Completed(script, "build/dockyard rep"), (Words{"replay", "report", "reproduce"}));
   EXPECT_EQ(Completed(script, "dockyard run a.yaml --se"), (Words{"--seed", "--set"}));
   EXPECT_EQ(Completed(script, "dockyard camera proj"), Words{"project"});
+  EXPECT_EQ(Completed(script, "dockyard alpha --f"), Words{"--f-px"});
+  EXPECT_EQ(Completed(script, "dockyard tune a.png --p"), Words{"--pyramid"});
   EXPECT_EQ(Completed(script, "dockyard report out --format j"), (Words{"json", "junit"}));
   EXPECT_EQ(Completed(script, "dockyard help camp"), Words{"campaign"});
   EXPECT_EQ(Completed(script, "dockyard completion z"), Words{"zsh"});
@@ -221,6 +223,7 @@ TEST(Completion, NamesEveryCommandForEachShell) {
       EXPECT_THAT(script, HasSubstr(word)) << shell;
     }
     EXPECT_THAT(script, HasSubstr("until-accepted")) << shell;
+    EXPECT_THAT(script, HasSubstr("g-px")) << shell;
   }
   EXPECT_EQ(Dockyard("completion tcsh").code, 2);
 }

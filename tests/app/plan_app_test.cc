@@ -132,6 +132,19 @@ TEST(PlanCommand, SaysThatAnObstacleIsTooNearAtTheStart) {
   EXPECT_THAT(ended.err, HasSubstr("warning: the rover is nearer to an obstacle"));
 }
 
+TEST(PlanCommand, ListsItsWarningsWhenItFails) {
+  const ScratchFolder folder;
+  const std::string rocks = folder.Write("rocks.csv", "x_m,y_m,radius_m\n0.2,0,0.1\n");
+  const Ended ended = Dockyard("plan --json " + kRocky + " --goal 2.6,0.8 --heading-deg 10" +
+                               " --obstacles " + rocks + " --svg /proc/nothing/plan.svg");
+  EXPECT_EQ(ended.code, 50) << ended.err;
+  const Json answer = Json::parse(ended.out);
+  EXPECT_EQ(answer["error"]["exit_code"], 50);
+  ASSERT_EQ(answer["warnings"].size(), 1u);
+  EXPECT_THAT(answer["warnings"][0].get<std::string>(),
+              testing::StartsWith("the rover is nearer to an obstacle"));
+}
+
 TEST(PlanCommand, NamesTheLineOfABadFile) {
   const ScratchFolder folder;
   const std::string bad = folder.Write("stones.yaml", "obstacles:\n  - {x_m: 1}\n");

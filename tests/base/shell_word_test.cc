@@ -23,6 +23,12 @@ TEST(ShellWord, IsReadBackByAShell) {
   }
 }
 
+TEST(CommandText, IsReadBackByAShellWordByWord) {
+  EXPECT_EQ(CommandText("build/dockyard", {"replay", "my results", "3"}),
+            "build/dockyard replay 'my results' 3");
+  EXPECT_EQ(Said(CommandText("'a b'", {"it's", ""})), "a b\nit's\n\n");
+}
+
 TEST(ShellWord, LeavesPlainWordsAsTheyAre) {
   EXPECT_EQ(ShellWord("results/yard_2.csv"), "results/yard_2.csv");
 }

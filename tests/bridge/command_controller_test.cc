@@ -175,6 +175,24 @@ TEST(CommandController, CostsOneRunOfACampaign) {
               HasSubstr("the wheel fell off"));
 }
 
+TEST(CommandController, IsReplayedWithTheLimitOfItsAnswers) {
+  const TemporaryFolder folder;
+  const std::string in = folder.path().string(), out = in + "/out";
+  WriteCommandFiles(folder.path(), "sh, controller.sh");
+  WriteText(folder.path() / "controller.sh", "exit 1\n");
+  const auto Ends = [&](const std::string& dir, int run) {
+    return HasSubstr(" replay " + dir + " " + std::to_string(run) +
+                     " --allow-commands --answer-limit 20 ");
+  };
+  const Ended campaign = Dockyard("campaign " + in + "/campaign.yaml --quiet --allow-commands " +
+                                  "--answer-limit 20 --out " + out);
+  EXPECT_THAT(campaign.out, Ends(out, 1)) << campaign.err;
+  EXPECT_THAT(Dockyard("merge " + out).out, Ends(out, 1));
+  const std::string page = in + "/page.html", single = in + "/run";
+  RunWith("python3, counting.py", "--answer-limit 20 --out " + single + " --report=" + page);
+  EXPECT_THAT(Slurp(page), HasSubstr(" replay " + single + " --allow-commands --answer-limit 20"));
+}
+
 TEST(CommandController, OfACampaignCanBeTerminated) {
   const TemporaryFolder folder;
   const std::string in = folder.path().string();

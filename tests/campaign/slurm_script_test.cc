@@ -174,19 +174,43 @@ TEST_F(SlurmScript, RefusesWhatSbatchCannotTake) {
 
 // sbatch's own parser is getopt_long(3): long, short, cut short, and several words on a line.
 TEST(FurtherOptions, LeaveToTheScriptsWhatTheySet) {
-  for (const char* option :
-       {"--array=0-3", "--array 0-3", "--array", "--arr=0-3", "-a 0-3", "-a0-3", "-a=0-3",
-        "--exclusive --array=0-3", "--exclusive -a 0-3", "--output=x", "-o x", "--time=5",
-        "--mem-per-cpu=1G", "--no-requeue", "--nodes=2", "--\"array\" 0-3", "--wrap=ls"}) {
+  for (const char* option : {"--array=0-3",
+                             "--array 0-3",
+                             "--array",
+                             "--arr=0-3",
+                             "-a 0-3",
+                             "-a0-3",
+                             "-a=0-3",
+                             "--exclusive --array=0-3",
+                             "--exclusive -a 0-3",
+                             "--output=x",
+                             "-o x",
+                             "--time=5",
+                             "--mem-per-cpu=1G",
+                             "--no-requeue",
+                             "--nodes=2",
+                             "--\"array\" 0-3",
+                             "--wrap=ls",
+                             "--a=1",
+                             "-a 1",
+                             "-a1",
+                             "-a",
+                             "-Qa1",
+                             "-Q -a1",
+                             "--exclusive -Qa1",
+                             "--exclusive\t--arr\t1",
+                             "--ARRAY=1",
+                             "--Arr=1",
+                             "--TIME=5"}) {
     EXPECT_THROW(CheckFurtherOptions({"--account=rover", option}), SlurmError) << option;
   }
 }
 
 TEST(FurtherOptions, TakeTheOthers) {
-  EXPECT_NO_THROW(CheckFurtherOptions({"--account=rover group", "--exclusive", "--qos=long",
-                                       "--nice=-5", "--nice -5", "--mail-type=END,FAIL",
-                                       "--comment=see --array", "--exclude=n[1-3]", "--gres=gpu:1",
-                                       "--time-min=5", "--mem-bind=local", "--nodelist=n1"}));
+  EXPECT_NO_THROW(CheckFurtherOptions(
+      {"--account=rover group", "--exclusive", "--qos=long", "--nice=-5", "--nice -5",
+       "--mail-type=END,FAIL", "--comment=see --array", "--exclude=n[1-3]", "--gres=gpu:1",
+       "--time-min=5", "--mem-bind=local", "--nodelist=n1", "--X11=all"}));
   EXPECT_THROW(CheckFurtherOptions({"account=rover"}), SlurmError);
   EXPECT_THROW(CheckFurtherOptions({"-A rover"}), SlurmError);
   EXPECT_THROW(CheckFurtherOptions({""}), SlurmError);

@@ -89,5 +89,15 @@ TEST(ControlCharacters, AreThoseThatMoveATerminalOrEndALine) {
   EXPECT_EQ(CharacterName(U'\x1b'), "U+001B");
 }
 
+TEST(WithControlsShown, EscapesWhatMovesATerminalAndLeavesTheRest) {
+  const std::string plain = "r\xC3\xB6ver \xE6\x9C\x88 \xF0\x9F\x9A\x80 C:\\x\tb\n";
+  EXPECT_EQ(WithControlsShown(plain), plain);
+  EXPECT_EQ(WithControlsShown("a\x1b[31mz\r\x7f"), "a\\x1b[31mz\\x0d\\x7f");
+  EXPECT_EQ(WithControlsShown("a\xC2\x85z\xC2\x9B\xE2\x80\xA8"), "a\\u0085z\\u009b\\u2028");
+  EXPECT_EQ(WithControlsShown("a\xE9 \xC2"), "a\\xe9 \\xc2");  // no UTF-8
+  const std::string shown = WithControlsShown("\x1b\xE9\xC2\x85");
+  EXPECT_EQ(WithControlsShown(shown), shown);
+}
+
 }  // namespace
 }  // namespace dockyard

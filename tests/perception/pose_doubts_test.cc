@@ -139,7 +139,7 @@ TEST_F(PoseDoubts, RowsWithoutAPixelAreLeftOutAndCounted) {
   // A single frame says so in its warnings.
   const Ended single = Pose(Rows(1.0, 1.0, 0.1) + "left,NaN,NaN,0.1,0.1,0.1\n");
   ASSERT_EQ(single.code, 0) << single.err;
-  EXPECT_THAT(single.err, HasSubstr("1 rows without a pixel left out"));
+  EXPECT_THAT(single.err, HasSubstr("1 row without a pixel left out"));
 }
 
 TEST_F(PoseDoubts, AStatedCalibrationErrorWidensTheStatedNoise) {

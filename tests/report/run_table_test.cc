@@ -51,7 +51,8 @@ TEST(FourDigits, RoundsToFourAndDropsZeros) {
 TEST(RunTable, HasUnitsAndRoundedNumbersInGroups) {
   const std::string table = RunTable("typical", SomeRecord());
   EXPECT_THAT(table, HasSubstr("typical (system toy, controller counting)\n"));
-  EXPECT_THAT(table, testing::ContainsRegex("\n  simulated time +99.52 s "));
+  EXPECT_THAT(table, testing::ContainsRegex(
+                         "\n  simulated time +99.52 s +from the start to the last command\n"));
   EXPECT_THAT(table, testing::ContainsRegex("\n  tip depth +0.2302 m +behind the mouth\n"));
   EXPECT_THAT(table, testing::ContainsRegex("\nCurrents\n  current peak +2 A +of the motor\n"));
   EXPECT_THAT(table, testing::ContainsRegex("\nAngles\n  yaw +-0.8698 deg "));

@@ -71,7 +71,7 @@ TEST(CheckFile, SaysWhatOfAUrdfIsWeldedAndLeftOut) {
       "type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/></joint></robot>");
   EXPECT_EQ(
       CheckFile(file, Systems()).summary,
-      "m: 2 links, 1 joints, 0 kg; welded: b into a; left out: 1 <gazebo>; a run takes it only "
+      "m: 2 links, 1 joint, 0 kg; welded: b into a; left out: 1 <gazebo>; a run takes it only "
       "through a robot's or target's YAML file, with the links and joints of that system");
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/program.h"
+#include "sim/base/json.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -105,6 +106,56 @@ TEST_F(Submit, PrintsTheScriptsAndLeavesNothingInADryRun) {
   EXPECT_THAT(dry.out, HasSubstr("\nexec \"$program\" merge '" + out_.string() + "'\n"));
   EXPECT_FALSE(fs::exists(out_));
   EXPECT_FALSE(fs::exists(folder_.path() / "asked"));
+}
+
+TEST_F(Submit, SaysInJsonWhatItWouldSubmit) {
+  StandInForSlurm();
+  const std::string words = "--shards 4 --time 10 --dry-run";
+  const Ended text = Run(words), json = Run(words + " --json");
+  ASSERT_EQ(json.code, 0) << json.err;
+  const Json answer = Json::parse(json.out);
+  EXPECT_EQ(answer["submitted"], false);
+  EXPECT_EQ(answer["folder"], out_.string());
+  EXPECT_EQ(answer["runs"], 9);
+  EXPECT_EQ(answer["tasks"], 4);
+  EXPECT_EQ(answer["time"], "10");
+  EXPECT_EQ(answer["mem"], "1G");
+  EXPECT_TRUE(answer["jobs"].is_null());
+  EXPECT_TRUE(answer["commands"].is_null());
+  EXPECT_EQ(answer["warnings"], Json::array());
+  std::string scripts;
+  for (const char* name : {"array", "merge", "submit"}) {
+    const Json& script = answer["scripts"][name];
+    EXPECT_EQ(script["file"], (out_ / "submit" / (std::string(name) + ".sh")).string());
+    scripts += (scripts.empty() ? "" : "\n") + script["text"].get<std::string>();
+  }
+  EXPECT_EQ(scripts, text.out);
+  EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(Submit, SaysInJsonWhatItSubmitted) {
+  StandInForSlurm();
+  Command("sbatch", "echo 7");
+  const Ended json = Run("--shards 3 --time 10 --json"), text = Run("--shards 3 --time 10");
+  ASSERT_EQ(json.code, 0) << json.err;
+  const Json answer = Json::parse(json.out);
+  EXPECT_EQ(answer["submitted"], true);
+  EXPECT_EQ(answer["jobs"], (Json{{"array", "7"}, {"merge", "7"}}));
+  EXPECT_EQ(answer["warnings"], Json::array());
+  for (const Json& script : answer["scripts"]) {
+    EXPECT_EQ(Slurp(script["file"].get<std::string>()), script["text"]);
+  }
+  for (const Json& command : answer["commands"]) {
+    EXPECT_THAT(text.out, HasSubstr(" " + command.get<std::string>() + "\n"));
+  }
+}
+
+TEST_F(Submit, TellsARefusalAsJson) {
+  StandInForSlurm();
+  Command("sbatch", "exit 1");
+  const Ended refused = Run("--shards 3 --time 10 --json");
+  EXPECT_EQ(refused.code, 50);
+  EXPECT_EQ(Json::parse(refused.out)["error"]["text"], "sbatch refused the tasks");
 }
 
 TEST_F(Submit, LeavesTheScriptsWhereThereIsNoSlurm) {

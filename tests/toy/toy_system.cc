@@ -104,7 +104,7 @@ ReadyRun MakeReady(const Scenario& scenario) {
   return ready;
 }
 
-int SayWay(const std::vector<std::string>& words) {
+int SayWay(const std::string&, const std::vector<std::string>& words) {
   std::printf("the flag is %s m away\n", words.empty() ? "0" : words[0].c_str());
   return 0;
 }
@@ -114,7 +114,7 @@ std::optional<FileCheck> CheckPoint(const std::string& file) {
   return FileCheck{"point", "a robot that sees a lamp"};
 }
 
-int Detect(const std::vector<std::string>& words) {
+int Detect(const std::string&, const std::vector<std::string>& words) {
   std::printf("a lamp seen by a point, asked with %zu words\n", words.size());
   return 0;
 }

@@ -6,33 +6,27 @@
 #include "controller/geometry/pose.h"
 #include "controller/raposa/mark_angle.h"
 #include "sim/app/raposa/words.h"
-#include "sim/base/called_as.h"
 #include "sim/base/json.h"
 
 namespace dockyard::raposa {
 namespace {
 
 const char* const kHelp =
-    "Say from which angle and distance RAPOSA's pyramid is viewed, by eqs. (2) and (7) of Ferreira "
-    "and Ventura (2009). A command of the system raposa.\n\n"
-    "Examples:\n"
-    "  dockyard alpha --c-px 20.208456 --g-px 16.157382 --h-m 0.06 --m-m 0.0981256 --f-px "
-    "377\n\n"
-    "alpha is without a side. It is ambiguous where a second angle up to 110 deg fits the same\n"
-    "lengths, or none does. Where c / g is too large for any, alpha is that of the turning point, "
-    "73 deg\n"
-    "for the pyramid.";
+    R"(Say from which angle and distance RAPOSA's pyramid is viewed.
+
+Examples:
+  dockyard alpha --c-px 20.208456 --g-px 16.157382 --h-m 0.06 --m-m 0.0981256 --f-px 377
+
+A command of the system raposa, by eqs. (2) and (7) of Ferreira and Ventura (2009). alpha is without
+a side. It is ambiguous where a second angle up to 110 deg fits the same lengths, or none does.
+Where c / g is too large for any, alpha is that of the turning point, 73 deg for the pyramid.)";
 
 struct Lengths {
   double c_px = 0.0, g_px = 0.0, h_m = 0.0, m_m = 0.0, f_px = 0.0;
   bool json = false;
 };
 
-}  // namespace
-
-int Alpha(const std::vector<std::string>& words) {
-  Lengths in;
-  CLI::App app(WithProgram(kHelp), CalledAs() + " alpha");
+void AddLengths(CLI::App& app, Lengths& in) {
   const CLI::Validator positive(
       [](const std::string& text) {
         double value = 0.0;
@@ -50,7 +44,22 @@ int Alpha(const std::vector<std::string>& words) {
       ->check(positive);
   app.add_option("--f-px", in.f_px, "focal length of the camera")->required()->check(positive);
   app.add_flag("--json", in.json, "JSON on standard output");
-  if (const auto ended = ParseWords(app, words)) return *ended;
+}
+
+}  // namespace
+
+std::vector<CommandOption> AlphaOptions() {
+  Lengths unread;
+  CLI::App app;
+  AddLengths(app, unread);
+  return OptionsOf(app);
+}
+
+int Alpha(const std::string& program, const std::vector<std::string>& words) {
+  Lengths in;
+  CLI::App app(WithProgram(kHelp, program), program + " alpha");
+  AddLengths(app, in);
+  if (const auto ended = ParseWords(app, words, program + " help alpha")) return *ended;
   const MarkAngle angle = AngleOfMarks(in.c_px, in.g_px, in.h_m, in.m_m, in.f_px);
   if (in.json) {
     const Json json{{"alpha_deg", Degrees(angle.alpha_rad)},

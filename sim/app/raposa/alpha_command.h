@@ -4,9 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "sim/run/system.h"
+
 namespace dockyard::raposa {
 
-/// Gets the words after `alpha`; returns the exit code. Throws CLI::ParseError.
-int Alpha(const std::vector<std::string>& words);
+/// A CommandFunction. Throws CLI::ParseError.
+int Alpha(const std::string& program, const std::vector<std::string>& words);
+
+/// For completion.
+std::vector<CommandOption> AlphaOptions();
 
 }  // namespace dockyard::raposa

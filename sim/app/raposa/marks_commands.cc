@@ -10,11 +10,12 @@
 #include "models/raposa/make_nominal.h"
 #include "models/read/config_error.h"
 #include "models/read/near_names.h"
+#include "models/read/text_file.h"
 #include "sim/app/raposa/alpha_command.h"
 #include "sim/app/raposa/eye_command.h"
 #include "sim/app/raposa/raposa_commands.h"
 #include "sim/app/raposa/words.h"
-#include "sim/base/called_as.h"
+#include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/images/decode.h"
@@ -24,20 +25,22 @@ namespace dockyard::raposa {
 namespace {
 
 const char* const kDetectHelp =
-    "Find the pyramid in an image, as the controller of that name does.\n\n"
-    "Examples:\n"
-    "  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --draw "
-    "out/marks.png\n"
-    "  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --pipeline "
-    "dockyard --draw out/pyramid.png\n\n"
-    "Exit code 0: both marks, as a pair; 4: no pair.";
+    R"(Find the pyramid in an image, as the controller of that name does.
+
+Examples:
+  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --draw out/marks.png
+  dockyard detect examples/raposa_back.png --robot models/raposa/raposa.yaml --pipeline dockyard \
+    --draw out/pyramid.png
+
+Exit code 0: both marks, as a pair; 4: no pair.)";
 const char* const kTuneHelp =
-    "Write the bands of hue, saturation and value of the pyramid's marks, from one picture of "
-    "it. A command of the system raposa.\n\n"
-    "Examples:\n"
-    "  dockyard tune examples/raposa_back.png --robot models/raposa/raposa.yaml\n\n"
-    "The picture should show both marks whole, from 0.5 to 1.5 m and 20 to 60 deg off the axis.\n"
-    "Exit code 4: no pair of marks fits the pyramid's dimensions.";
+    R"(Write the bands of hue, saturation and value of the pyramid's marks, from one image of it.
+
+Examples:
+  dockyard tune examples/raposa_back.png --robot models/raposa/raposa.yaml
+
+A command of the system raposa. The image should show both marks whole, from 0.5 to 1.5 m and 20 to
+60 deg off the axis. Exit code 4: no pair of marks fits the pyramid's dimensions.)";
 constexpr int kNoPair = 4;
 
 struct Arguments {
@@ -120,19 +123,21 @@ void PrintMarks(const MarksSeen& seen, bool as_json) {
                 Degrees(seen.pair->alpha_rad), seen.pair->angle.r_m, seen.pair->c_px,
                 seen.pair->g_px, seen.pair->angle.ambiguous ? "; ambiguous" : "");
   } else {
-    std::printf("no pair: %d orange ellipses, %d blue rectangles\n", seen.oranges, seen.blues);
+    std::printf("no pair: %s, %s\n", CountText(seen.oranges, "orange ellipse").c_str(),
+                CountText(seen.blues, "blue rectangle").c_str());
   }
 }
 
-int Tune(const std::vector<std::string>& words) {
+int Tune(const std::string& program, const std::vector<std::string>& words) {
   Arguments in;
-  CLI::App app(WithProgram(kTuneHelp), CalledAs() + " tune");
+  CLI::App app(WithProgram(kTuneHelp, program), program + " tune");
   AddOptions(app, in);
-  if (const auto ended = ParseWords(app, words)) return *ended;
+  if (const auto ended = ParseWords(app, words, program + " help tune")) return *ended;
   const Nominal nominal = NominalOfFiles(in);
   const std::optional<TunedBands> tuned = TuneBands(Load(in.image, nominal.camera), nominal);
   if (!tuned) {
-    std::fprintf(stderr, "%s: no pair of marks fits the pyramid's dimensions\n", in.image.c_str());
+    std::fprintf(stderr, "%s: no pair of marks fits the pyramid's dimensions\n",
+                 WithControlsShown(in.image).c_str());
     return kNoPair;
   }
   const Json json{{"orange", BandJson(tuned->orange)},
@@ -150,11 +155,20 @@ int Tune(const std::vector<std::string>& words) {
   return 0;
 }
 
+std::vector<CommandOption> TuneOptions() {
+  Arguments unread;
+  CLI::App app;
+  AddOptions(app, unread);
+  return OptionsOf(app);
+}
+
 }  // namespace
 
-int DetectMarks(const std::vector<std::string>& words) {
+int DetectMarks(const std::string& program, const std::vector<std::string>& words) {
   Arguments in;
-  CLI::App app(WithProgram(kDetectHelp), CalledAs() + " detect");
+  // Without a robot of this system the help is that of another search.
+  const std::string help = program + " detect --robot FILE --help";
+  CLI::App app(WithProgram(kDetectHelp, program), program + " detect");
   AddOptions(app, in);
   app.add_option("--pipeline", in.pipeline, "whose perception")
       ->check(CLI::IsMember({"ferreira2009", "dockyard"}))
@@ -163,7 +177,7 @@ int DetectMarks(const std::vector<std::string>& words) {
   app.add_option("--pitch-deg", in.pitch_deg, "of the camera, down; for dockyard")
       ->check(CLI::Range(-60.0, 60.0))
       ->capture_default_str();
-  if (const auto ended = ParseWords(app, words)) return *ended;
+  if (const auto ended = ParseWords(app, words, help)) return *ended;
   if (!std::isfinite(in.pitch_deg)) {  // CLI::Range lets it through
     throw ConfigError("--pitch-deg: expected a number from -60 to 60");
   }
@@ -190,8 +204,10 @@ int DetectMarks(const std::vector<std::string>& words) {
 }
 
 std::vector<SystemCommand> RaposaCommands() {
-  return {{"alpha", "Say from which angle and distance RAPOSA's pyramid is viewed.", Alpha},
-          {"tune", "Write the colour bands of RAPOSA's pyramid from one picture.", Tune}};
+  return {
+      {"alpha", "Say from which angle and distance RAPOSA's pyramid is viewed.", Alpha,
+       AlphaOptions()},
+      {"tune", "Write the colour bands of RAPOSA's pyramid from one image.", Tune, TuneOptions()}};
 }
 
 }  // namespace dockyard::raposa

@@ -9,8 +9,8 @@
 namespace dockyard::raposa {
 
 std::vector<SystemCommand> RaposaCommands();
-/// `dockyard detect IMAGE --robot FILE ...`. Gets the words after `detect`; returns the exit code.
-/// Throws ConfigError and CLI::ParseError.
-int DetectMarks(const std::vector<std::string>& words);
+/// `dockyard detect IMAGE --robot FILE ...`, as System::detect. Throws ConfigError and
+/// CLI::ParseError.
+int DetectMarks(const std::string& program, const std::vector<std::string>& words);
 
 }  // namespace dockyard::raposa
