@@ -48,7 +48,8 @@ TEST(ExportedMesh, MayBeginWithAByteOrderMark) {
   const ScratchFolder folder;
   folder.Write("a.bin", TriangleBytes());
   EXPECT_EQ(LoadMesh(folder.Write("a.gltf", Windows(TriangleGltf("a.bin"))))->triangles.size(), 1u);
-  EXPECT_THAT(MessageFor("a.obj", std::string("\xFF\xFEv\0 \0", 6)), HasSubstr("UTF-16"));
+  EXPECT_THAT(MessageFor("a.obj", std::string("\xFF\xFEv\0 \0", 6)),
+              HasSubstr("a.obj:1:1: expected text in UTF-8, found UTF-16; save it as UTF-8"));
 }
 
 TEST(ExportedObj, CornersMayNameTextureAndNormalsThatAreNotThere) {
