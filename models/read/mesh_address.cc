@@ -127,6 +127,14 @@ std::string PackageNameOf(const fs::path& folder) {
   }
 }
 
+fs::path PackageFileAbove(const fs::path& folder) {
+  for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
+    if (PackageNameOf(at).empty()) continue;
+    return at / (IsFile(at / "package.xml") ? "package.xml" : "model.config");
+  }
+  return {};
+}
+
 MeshAddresses::MeshAddresses(std::string urdf_file, PackageFolders packages)
     : urdf_file_(std::move(urdf_file)), packages_(std::move(packages)) {
   FindRoot();

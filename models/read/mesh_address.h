@@ -40,4 +40,8 @@ class MeshAddresses {
 /// other folder.
 std::string PackageNameOf(const std::filesystem::path& folder);
 
+/// The package.xml, or the model.config, of the nearest package that holds the folder; empty: none
+/// does.
+std::filesystem::path PackageFileAbove(const std::filesystem::path& folder);
+
 }  // namespace dockyard
