@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/read/near_names.h"
 #include "models/read/urdf_rules.h"
 #include "models/read/yaml_reader.h"
 

@@ -256,6 +256,17 @@ TEST(PoseCommand, SaysWhatAFileOfFramesMustHave) {
   const Ended slip = Dockyard("pose " + file + rig);
   EXPECT_EQ(slip.code, 3);
   EXPECT_THAT(slip.err, HasSubstr("points.csv:1:30: survey_eror_m: unknown column, did you mean"));
+  for (const auto& [header, meant] :
+       {std::pair("Camera,u_px,v_px,x_m,y_m,z_m",
+                  "1:1: Camera: unknown column, did you mean 'camera'?"),
+        std::pair("camera,u_px,v_px,x_m,y_m,z_mm",
+                  "1:26: z_mm: unknown column, did you mean 'z_m'?"),
+        std::pair("camera,u_px,v_px,x_m,y_m,z_m,Frame",
+                  "1:30: Frame: unknown column, did you mean 'frame'?")}) {
+    WriteText(file, std::string(header) + "\nleft,1,2,0,0,0" +
+                        (std::string(header).ends_with("Frame") ? ",1\n" : "\n"));
+    EXPECT_THAT(Dockyard("pose " + file + rig).err, HasSubstr(meant)) << header;
+  }
   WriteText(file, "frame,camera,u_px,v_px,x_m,y_m,z_m\na,left,1,2,0,0,0\n");
   EXPECT_EQ(Dockyard("pose --sequence " + file + rig).code, 4);
 }
