@@ -286,7 +286,24 @@ TEST(PoseCommand, NoticesThatLeftAndRightAreExchanged) {
   WriteText(file, csv);
   const Ended ended = Dockyard("pose " + file + " --robot models/axel/axel.yaml");
   EXPECT_EQ(ended.code, 4);
-  EXPECT_THAT(ended.out, HasSubstr("with left and right exchanged they do"));
+  const std::string mistake = "with left and right exchanged the points agree";
+  EXPECT_THAT(ended.out, HasSubstr(mistake));
+  // A table has no column for it.
+  const Ended table = Dockyard("pose " + file + " --robot models/axel/axel.yaml --csv");
+  EXPECT_THAT(table.err, HasSubstr("no pose: cameras disagree: "));
+  EXPECT_THAT(table.err, HasSubstr(mistake));
+  std::string frames = "frame," + csv.substr(0, csv.find('\n') + 1);
+  for (const char* name : {"a,", "b,"}) {
+    for (std::size_t at = csv.find('\n') + 1; at < csv.size(); at = csv.find('\n', at) + 1) {
+      frames += name + csv.substr(at, csv.find('\n', at) + 1 - at);
+    }
+  }
+  WriteText(file, frames);
+  for (const char* form : {" --csv", " --json", ""}) {
+    const Ended many =
+        Dockyard("pose --sequence " + file + " --robot models/axel/axel.yaml" + form);
+    EXPECT_THAT(many.err, HasSubstr("warning: 2 of 2 frames have no pose: " + mistake)) << form;
+  }
 }
 
 TEST(PoseCommand, TakesTheImagesSizeFromTheRigAndTheSurveysErrorFromItsColumn) {
