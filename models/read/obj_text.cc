@@ -7,7 +7,7 @@
 #include "controller/base/number_text.h"
 #include "models/read/config_error.h"
 #include "models/read/mesh_loader.h"
-#include "models/read/xml_scan.h"
+#include "models/read/mesh_text.h"
 
 namespace dockyard {
 namespace {
@@ -31,10 +31,7 @@ class ObjText {
  private:
   [[noreturn]] void Refuse(const std::string& expected) const {
     const std::size_t end = std::min(text_.find_first_of(kEndsOfLine, begin_), text_.size());
-    throw ConfigError(file_ + ":" + LineAndColumn(text_, begin_) +
-                      ": not a usable mesh: expected " + expected + ", found '" +
-                      std::string(text_.substr(begin_, std::min<std::size_t>(end - begin_, 40))) +
-                      "'");
+    RefuseMeshText(file_, text_, begin_, end, expected);
   }
   [[noreturn]] void RefuseCount(const std::string& what) const {
     throw ConfigError(file_ + ": not a usable mesh: more than " + what);
