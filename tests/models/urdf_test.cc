@@ -88,6 +88,11 @@ TEST(Urdf, MomentsBeyondTheirRoundingAreRefused) {
   EXPECT_THAT(UrdfMessage(Inertial("1", "0.1", "0.1", "0.3")), HasSubstr("33 % of it"));
 }
 
+TEST(Urdf, MomentsMayHaveSpacesAroundThem) {
+  EXPECT_EQ(WarningsFor(Inertial("1", " 0.0333", "0.0084", "\t0.0417")).size(), 0u);
+  EXPECT_EQ(WarningsFor(Inertial("1.2", " 0.0333", "0.0083", " 0.0417")).size(), 1u);
+}
+
 TEST(Urdf, AMomentOfZeroIsThatOfARodOrAPoint) {
   for (const char* ixx : {"0", "0.0", "0.000"}) {
     const auto warnings = WarningsFor(Inertial("1", ixx, "1", "1"));
