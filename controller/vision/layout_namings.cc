@@ -1,19 +1,15 @@
 #include "controller/vision/layout_namings.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <tuple>
 
+#include "controller/vision/detected_marks.h"
 #include "controller/vision/homography.h"
 #include "controller/vision/p3p.h"
 #include "controller/vision/pose_gates.h"
 
 namespace dockyard {
 namespace {
-
-using Naming = std::vector<MarkMatch>;
 
 constexpr std::size_t kSeeds = 60;    // detections that are tried as a first disc, best ones first
 constexpr std::size_t kNearSeen = 6;  // detections about it, of which two are taken
@@ -22,74 +18,11 @@ constexpr std::size_t kNearPrinted =
 // The ellipse's map against the true one over one pitch: perspective at 45 deg and two pitches away
 // changes lengths by a third and angles by 20 deg.
 constexpr double kLengthTolerance = 1.5, kTurnTolerance = 30.0 * kPi / 180.0;
-constexpr double kLeastSine = 0.3;      // of the angle between the two neighbours
-constexpr double kSizeTolerance = 1.5;  // either way, of a disc's radius against the pose's
-constexpr int kRounds = 3;              // of naming by homography
-constexpr std::size_t kKept = 40;       // namings
-constexpr int kMostTriples = 25000;     // compared in one image; 2 s for a board of 44 not found
-constexpr double kLargeShare = 0.75;    // of the marks, in a naming whose discs are not tried again
-
-struct Seen {
-  Eigen::Vector2d at_T;        // on the tangent plane
-  Eigen::Matrix2d px_by_T;     // about it
-  Eigen::Matrix2d board_by_T;  // from a step on the plane to one on the board [m], but for a turn
-  Eigen::Vector3d sight_C;
-  double radius_px = 0.0;
-  double gate_px = 0.0;
-};
-
-struct DetectedMarks {
-  TangentPlane plane;
-  std::vector<Seen> seen;
-  // For NameBy: the detections from left to right on the plane, and how far from one of them a
-  // place within its gate can lie.
-  std::vector<std::size_t> by_x;
-  double reach_T = 0.0;
-};
-
-/// How far on the plane the gate reaches: over the least stretch of px_by_T, with a margin for
-/// rounding.
-double Reach(const Seen& seen) {
-  const double squares = seen.px_by_T.squaredNorm();
-  const double area = seen.px_by_T.determinant();
-  const double root = std::sqrt(std::max(0.0, squares * squares - 4.0 * area * area));
-  const double least = std::sqrt(std::max(0.0, 0.5 * (squares - root)));
-  return 1.001 * seen.gate_px / least;
-}
-
-DetectedMarks Prepare(const std::vector<DetectedFiducial>& detections, const Camera& camera,
-                      const FiducialBoard& board) {
-  DetectedMarks marks;
-  std::vector<Eigen::Vector3d> rays;
-  for (const auto& detection : detections)
-    rays.push_back(camera.Direction(detection.rim.centre_px));
-  marks.plane = TangentPlaneAt(rays);
-  for (std::size_t i = 0; i < detections.size(); ++i) {
-    const Ellipse& rim = detections[i].rim;
-    const auto on_plane = [&](double du, double dv) {
-      return marks.plane.FromRay(camera.Direction(rim.centre_px + Eigen::Vector2d(du, dv)));
-    };
-    Eigen::Matrix2d T_by_px;
-    T_by_px.col(0) = 0.5 * (on_plane(1, 0) - on_plane(-1, 0));
-    T_by_px.col(1) = 0.5 * (on_plane(0, 1) - on_plane(0, -1));
-    Seen seen;
-    seen.at_T = marks.plane.FromRay(rays[i]);
-    seen.px_by_T = T_by_px.inverse();
-    seen.board_by_T = 0.5 * board.disc_diameter_m * rim.shape_px.inverse() * seen.px_by_T;
-    seen.sight_C = rays[i];
-    seen.radius_px = rim.mean_radius_px();
-    seen.gate_px = 3.0 + 0.25 * seen.radius_px;
-    marks.seen.push_back(seen);
-    marks.by_x.push_back(i);
-    const double reach_T = Reach(seen);
-    if (!(reach_T <= marks.reach_T)) marks.reach_T = reach_T;
-  }
-  std::sort(marks.by_x.begin(), marks.by_x.end(), [&](std::size_t a, std::size_t b) {
-    return marks.seen[a].at_T.x() < marks.seen[b].at_T.x();
-  });
-  if (!std::isfinite(marks.reach_T)) marks.reach_T = std::numeric_limits<double>::infinity();
-  return marks;
-}
+constexpr double kLeastSine = 0.3;    // of the angle between the two neighbours
+constexpr int kRounds = 3;            // of fits by homography
+constexpr std::size_t kKept = 40;     // namings
+constexpr int kMostTriples = 25000;   // compared in one image; 2 s for a board of 44 not found
+constexpr double kLargeShare = 0.75;  // of the marks, in a naming whose discs are not tried again
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -111,7 +44,7 @@ std::vector<Beside> Nearest(std::vector<Beside> all, std::size_t count) {
 
 std::vector<Beside> SeenBeside(const DetectedMarks& marks, std::size_t seed) {
   std::vector<Beside> all;
-  const Seen& from = marks.seen[seed];
+  const SeenMark& from = marks.seen[seed];
   for (std::size_t i = 0; i < marks.seen.size(); ++i) {
     const double ratio = marks.seen[i].radius_px / from.radius_px;
     if (i == seed || ratio > 2.0 || ratio < 0.5 || !from.board_by_T.allFinite()) continue;
@@ -147,44 +80,6 @@ bool TurnsAgree(const Beside& seen_a, const Beside& seen_b, const Beside& a, con
 
 bool OnALine(const Beside& a, const Beside& b) {
   return Cross(a.way_m, b.way_m) < kLeastSine * a.way_m.norm() * b.way_m.norm();
-}
-
-/// Each mark with the nearest detection of its size within the gate, both once.
-/// @param places_T  by mark; NaN: not to be seen
-/// @param radii_px  by mark; zero: any
-Naming NameBy(const DetectedMarks& marks, const std::vector<Eigen::Vector2d>& places_T,
-              const std::vector<double>& radii_px) {
-  std::vector<std::tuple<double, int, int>> pairs;
-  for (std::size_t id = 0; id < places_T.size(); ++id) {
-    const Eigen::Vector2d& place = places_T[id];
-    if (std::isnan(place.x())) continue;
-    auto next = std::lower_bound(
-        marks.by_x.begin(), marks.by_x.end(), place.x() - marks.reach_T,
-        [&](std::size_t d, double least) { return marks.seen[d].at_T.x() < least; });
-    for (; next != marks.by_x.end(); ++next) {
-      const std::size_t d = *next;
-      const Seen& seen = marks.seen[d];
-      if (seen.at_T.x() > place.x() + marks.reach_T) break;
-      if (std::abs(place.y() - seen.at_T.y()) > marks.reach_T) continue;
-      const double ratio = radii_px[id] > 0.0 ? seen.radius_px / radii_px[id] : 1.0;
-      if (ratio > kSizeTolerance || ratio < 1.0 / kSizeTolerance) continue;
-      const double distance = (seen.px_by_T * (place - seen.at_T)).norm();
-      if (distance < seen.gate_px) {
-        pairs.emplace_back(distance, static_cast<int>(id), static_cast<int>(d));
-      }
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  Naming naming;
-  std::vector<bool> id_taken(places_T.size(), false), detection_taken(marks.seen.size(), false);
-  for (const auto& [distance, id, d] : pairs) {
-    const std::size_t mark = static_cast<std::size_t>(id), detection = static_cast<std::size_t>(d);
-    if (id_taken[mark] || detection_taken[detection]) continue;
-    id_taken[mark] = detection_taken[detection] = true;
-    naming.push_back({.id = id, .detection = d});
-  }
-  std::sort(naming.begin(), naming.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
-  return naming;
 }
 
 const Eigen::Vector2d kUnseen(std::nan(""), std::nan(""));
@@ -245,10 +140,10 @@ struct Search {
 };
 
 /// Whether a disc at this point of the board would be as large as the one seen.
-bool SizeFits(const Seen& seen, const Search& search, const Pose3& X_CB,
+bool SizeFits(const SeenMark& seen, const Search& search, const Pose3& X_CB,
               const Eigen::Vector3d& p_B) {
   const double ratio = seen.radius_px / RadiusPx(search.camera, search.board, X_CB, X_CB * p_B);
-  return ratio < kSizeTolerance && ratio > 1.0 / kSizeTolerance;
+  return ratio < kDiscSizeTolerance && ratio > 1.0 / kDiscSizeTolerance;
 }
 
 /// Takes the seed and two neighbours for a mark and two of its neighbours.
@@ -305,7 +200,7 @@ std::vector<std::vector<MarkMatch>> NamingsByLayout(const std::vector<DetectedFi
                                                     const Camera& camera,
                                                     const FiducialBoard& board,
                                                     const Eigen::Vector3d& up_C) {
-  const DetectedMarks marks = Prepare(detections, camera, board);
+  const DetectedMarks marks = MarksOf(detections, camera, board);
   Search search{marks, camera, board, up_C, PrintedBeside(board), {}, 0};
   for (std::size_t seed = 0; seed < std::min(kSeeds, detections.size()); ++seed) {
     // A disc of a large naming would give that naming and its rivals again. A small naming may be

@@ -29,7 +29,6 @@ void ReadBelts(const YamlReader& root, BeltsModel& belts) {
   belts.arm_length_m = in.Number("arm_length_m", Positive(2.0));
   belts.stiffness_pa_per_m = in.Number("stiffness_pa_per_m", Between(1e5, 1e9));
   belts.damping_pa_s_per_m = in.Number("damping_pa_s_per_m", NonNegative(1e8));
-  belts.damping_pa_s_per_m = in.Number("damping_pa_s_per_m", NonNegative(1e8));
   belts.shear_stiffness_pa_per_m = in.Number("shear_stiffness_pa_per_m", Between(1e4, 1e9));
   belts.shear_damping_pa_s_per_m = in.Number("shear_damping_pa_s_per_m", NonNegative(1e8));
   belts.effective_gauge_m = in.Number("effective_gauge_m", Positive(10.0));

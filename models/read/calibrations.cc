@@ -61,7 +61,6 @@ const char* NameOf(CalibrationForm form) {
 
 YamlNode LoadCameraTree(const std::string& file) {
   std::string text = ReadText(file);
-  if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && text[first] == '<') return ParseOpenCvXml(text, file);
   // JSON is YAML but for the tabs that indent it.

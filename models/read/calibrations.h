@@ -7,6 +7,7 @@
 
 #include "models/read/load_cameras.h"
 #include "models/read/number_grid.h"
+#include "models/read/read_lens.h"
 #include "models/read/yaml_reader.h"
 
 namespace dockyard {
@@ -37,10 +38,6 @@ YamlReader RigReader(const YamlNode& root);
 
 // Parts that the readers share.
 
-/// Focal lengths and principal point [px].
-struct FocalNumbers {
-  double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;
-};
 /// Of [fx 0 cx; 0 fy cy; 0 0 1].
 FocalNumbers ReadFocalMatrix(const NumberGrid& K);
 /// The lens of OpenCV's pinhole with 0, 4, 5, 8, 12 or 14 coefficients, k1 k2 p1 p2 k3 ...; `d`
@@ -57,14 +54,5 @@ const YamlNode* FindFirst(const YamlNode& root, const std::vector<std::string>& 
 int PixelCount(const YamlNode& node, const std::string& path);
 [[noreturn]] void RefuseNode(const YamlNode& node, const std::string& path,
                              const std::string& expected);
-
-template <typename L>
-L WithFocal(L lens, const FocalNumbers& focal) {
-  lens.fx = focal.fx;
-  lens.fy = focal.fy;
-  lens.cx = focal.cx;
-  lens.cy = focal.cy;
-  return lens;
-}
 
 }  // namespace dockyard

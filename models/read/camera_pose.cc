@@ -52,6 +52,7 @@ const char* RotationKey(const YamlReader& in) {
   return found;
 }
 
+/// @param R_unturned  the rotation where all angles are 0
 Eigen::Matrix3d ReadTurn(const YamlReader& in, const Eigen::Matrix3d& R_unturned) {
   if (const char* key = RotationKey(in)) {
     return std::string(key) == "rotation" ? ReadMatrix(in) : ReadQuaternion(in);
@@ -71,16 +72,7 @@ const std::vector<std::string>& PoseKeys() {
 }
 
 Pose3 ReadBodyPose(const YamlReader& in) {
-  Pose3 X;
-  if (const char* key = RotationKey(in)) {
-    X.R = std::string(key) == "rotation" ? ReadMatrix(in) : ReadQuaternion(in);
-  } else {
-    X.R = RotZ(in.DegreesOr("yaw_deg", 0.0, Between(-180, 180))) *
-          RotY(in.DegreesOr("pitch_deg", 0.0, Between(-90, 90))) *
-          RotX(in.DegreesOr("roll_deg", 0.0, Between(-180, 180)));
-  }
-  X.p = in.Vector3("position_m", Between(-100, 100));
-  return X;
+  return {ReadTurn(in, Eigen::Matrix3d::Identity()), in.Vector3("position_m", Between(-100, 100))};
 }
 
 Pose3 ReadCameraPose(const YamlReader& in) {

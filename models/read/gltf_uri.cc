@@ -53,25 +53,30 @@ bool TakeUnicode(std::string_view& rest, std::string& text) {
   return true;
 }
 
-std::optional<std::string> JsonDecoded(std::string_view rest) {
+/// The text with what `take` puts for each part behind the mark; none where it takes nothing.
+template <class Take>
+std::optional<std::string> Decoded(std::string_view rest, char mark, const Take& take) {
   std::string text;
   while (!rest.empty()) {
     const char c = rest.front();
     rest.remove_prefix(1);
-    if (c != '\\') {
+    if (c != mark) {
       text += c;
-      continue;
-    }
-    const char kind = rest.empty() ? '\0' : rest.front();
-    if (kind == '\0') return std::nullopt;
-    rest.remove_prefix(1);
-    if (kind == '/' || kind == '\\' || kind == '"') {
-      text += kind;
-    } else if (kind != 'u' || !TakeUnicode(rest, text)) {
-      return std::nullopt;  // a line break or the like, which no name has
+    } else if (!take(rest, text)) {
+      return std::nullopt;
     }
   }
   return text;
+}
+
+bool TakeJsonEscape(std::string_view& rest, std::string& text) {
+  if (rest.empty()) return false;
+  const char kind = rest.front();
+  rest.remove_prefix(1);
+  if (kind == 'u') return TakeUnicode(rest, text);
+  if (kind != '/' && kind != '\\' && kind != '"') return false;  // a line break: in no name
+  text += kind;
+  return true;
 }
 
 bool EndsInBin(std::string_view name) {
@@ -85,24 +90,16 @@ bool EndsInBin(std::string_view name) {
 
 }  // namespace
 
-std::optional<std::string> PercentDecoded(std::string_view rest) {
-  std::string text;
-  while (!rest.empty()) {
-    const char c = rest.front();
-    rest.remove_prefix(1);
-    if (c != '%') {
-      text += c;
-      continue;
-    }
+std::optional<std::string> PercentDecoded(std::string_view text) {
+  return Decoded(text, '%', [](std::string_view& rest, std::string& decoded) {
     const auto byte = TakeHex(rest, 2);
-    if (!byte) return std::nullopt;
-    text += static_cast<char>(*byte);
-  }
-  return text;
+    if (byte) decoded += static_cast<char>(*byte);
+    return byte.has_value();
+  });
 }
 
 std::optional<std::string> BufferNameOf(std::string_view json) {
-  const auto uri = JsonDecoded(json);
+  const auto uri = Decoded(json, '\\', TakeJsonEscape);
   if (!uri) return std::nullopt;
   auto name = PercentDecoded(*uri);
   if (!name) return std::nullopt;

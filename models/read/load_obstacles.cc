@@ -1,15 +1,18 @@
 #include "models/read/load_obstacles.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
 
 #include "models/read/config_error.h"
 #include "models/read/csv_table.h"
+#include "models/read/near_names.h"
 
 namespace dockyard {
 namespace {
 
+const std::vector<std::string> kDiscKeys{"x_m", "y_m", "radius_m"};
 constexpr double kFarthest_m = 1e3;
 constexpr std::size_t kMostAreas = 1000, kMostCorners = 100;
 // A map of rocks from orbit; in plan some 20 MB.
@@ -26,7 +29,7 @@ double AreaOf(const Polygon& polygon) {
 }
 
 Disc ReadObstacleDisc(const YamlNode& node, const std::string& path) {
-  const YamlReader disc(node, path, {"x_m", "y_m", "radius_m"});
+  const YamlReader disc(node, path, kDiscKeys);
   return {ReadPlace(disc), disc.Number("radius_m", Positive(kFarthest_m))};
 }
 
@@ -96,9 +99,12 @@ Obstacles LoadObstacles(const std::string& file) {
 bool IsDiscTable(const std::string& file) {
   const YamlNode table = LoadCsv(file, kMostCsvBytes);
   if (table.items.empty()) return false;
-  const YamlNode& row = table.items.front();
-  return row.Find("x_m") != nullptr && row.Find("y_m") != nullptr &&
-         row.Find("radius_m") != nullptr;
+  const std::vector<YamlNode::Key>& columns = table.items.front().keys;
+  return std::all_of(kDiscKeys.begin(), kDiscKeys.end(), [&](const std::string& name) {
+    return std::any_of(columns.begin(), columns.end(), [&](const YamlNode::Key& column) {
+      return column.name == name || DiffersInCaseAlone(column.name, name);
+    });
+  });
 }
 
 }  // namespace dockyard

@@ -19,7 +19,8 @@ Polygon ReadPolygon(const YamlReader& in, std::string_view key);
 /// and 200 000 values hold) and 1000 areas. Throws ConfigError.
 Obstacles LoadObstacles(const std::string& file);
 
-/// Whether a CSV file has the columns of discs and at least one row. Throws ConfigError.
+/// Whether a CSV file has the columns of discs, in any case of letters (LoadObstacles says what is
+/// wrong with it), and at least one row. Throws ConfigError.
 bool IsDiscTable(const std::string& file);
 
 }  // namespace dockyard

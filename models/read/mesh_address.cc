@@ -9,6 +9,7 @@
 
 #include "models/read/config_error.h"
 #include "models/read/gltf_uri.h"
+#include "models/read/near_names.h"
 #include "models/read/text_file.h"
 #include "models/read/xml_scan.h"
 
@@ -80,14 +81,23 @@ fs::path Written(const fs::path& folder, const std::string& path) {
   return !IsFile(file) && decoded && IsFile(folder / *decoded) ? folder / *decoded : file;
 }
 
+/// @param advice  the end of the message about a path that leads out of the folder
 fs::path FileIn(const fs::path& folder, const fs::path& file, const std::string& address,
-                const std::string& place) {
+                const std::string& place, const std::string& advice = {}) {
   if (!LiesIn(file, folder)) {
     RefuseAddress(place, "expected a path inside '" + folder.string() + "', found '" + address +
-                             "' (it leads out of it)");
+                             "' (it leads out of it)" + advice);
   }
-  if (IsFile(file)) return file.lexically_normal();
-  RefuseAddress(place, "expected a file, found none at '" + file.lexically_normal().string() + "'");
+  const fs::path plain = file.lexically_normal();
+  if (IsFile(file)) return plain;
+  RefuseAddress(place,
+                "expected a file, found none at '" + plain.string() + "'" + DidYouMeanFile(plain));
+}
+
+/// Whether ROS packages keep their URDF files in a folder of that name, with meshes next to it.
+bool IsUrdfFolder(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  return name == "urdf" || name == "xacro" || name == "robots";
 }
 
 /// The rest of the address behind the scheme, none for another one.
@@ -117,19 +127,30 @@ std::string PackageNameOf(const fs::path& folder) {
   }
 }
 
-MeshAddresses::MeshAddresses(std::string urdf_file, PackageFolders packages)
-    : urdf_file_(std::move(urdf_file)), packages_(std::move(packages)) {
-  FindOwnPackages();
+fs::path PackageFileAbove(const fs::path& folder) {
+  for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
+    if (PackageNameOf(at).empty()) continue;
+    return at / (IsFile(at / "package.xml") ? "package.xml" : "model.config");
+  }
+  return {};
 }
 
-void MeshAddresses::FindOwnPackages() {
-  root_ = fs::path(urdf_file_).parent_path();
-  const fs::path start = Canonical(root_);
-  for (fs::path folder = start; folder != folder.root_path(); folder = folder.parent_path()) {
+MeshAddresses::MeshAddresses(std::string urdf_file, PackageFolders packages)
+    : urdf_file_(std::move(urdf_file)), packages_(std::move(packages)) {
+  FindRoot();
+}
+
+void MeshAddresses::FindRoot() {
+  root_ = Canonical(fs::path(urdf_file_).parent_path());
+  for (fs::path folder = root_; folder != folder.root_path(); folder = folder.parent_path()) {
     if (folder.empty()) break;
     if (!PackageNameOf(folder).empty()) above_.push_back(folder);
   }
-  if (!above_.empty()) root_ = above_.front();
+  if (!above_.empty()) {
+    root_ = above_.front();
+  } else if (IsUrdfFolder(root_) && root_.parent_path().has_relative_path()) {
+    root_ = root_.parent_path();
+  }
 }
 
 fs::path MeshAddresses::FolderOf(const std::string& package, const std::string& place) {
@@ -194,8 +215,12 @@ fs::path MeshAddresses::Resolve(const std::string& address, const std::string& p
         "path, or write package://NAME/PATH and check it with --package NAME=DIR");
   }
   if (path != address) refuse("expected file:/// and an absolute path");
-  if (above_.empty()) return ResolveInside(urdf_file_, address, place);
-  return FileIn(root_, Written(fs::path(urdf_file_).parent_path(), address), address, place);
+  const fs::path own = fs::path(urdf_file_).parent_path();
+  const std::string advice = root_ != Canonical(own)
+                                 ? ""
+                                 : "; a file in a ROS package, or in a folder named urdf, xacro or "
+                                   "robots, may name meshes next to its folder";
+  return FileIn(root_, Written(own, address), address, place, advice);
 }
 
 }  // namespace dockyard

@@ -147,14 +147,6 @@ std::string Objection(MeshFormat format, std::string_view bytes) {
   return "of no known format";
 }
 
-/// The mark that programs on Windows write before text in UTF-8.
-void DropByteOrderMark(const std::string& file, std::string& bytes) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
-    throw ConfigError(file + ": not a usable mesh: text in UTF-16, expected UTF-8");
-  }
-}
-
 GltfFindings FindingsOf(MeshFormat format, std::string_view bytes) {
   if (format == MeshFormat::kGlb) {
     const std::optional<GlbChunks> chunks = ChunksOf(bytes);
@@ -182,7 +174,10 @@ MeshStatement CheckMeshFormat(const std::filesystem::path& file, std::string byt
   const bool text = *format == MeshFormat::kObj || *format == MeshFormat::kDae ||
                     *format == MeshFormat::kGltf ||
                     (*format == MeshFormat::kStl && !IsBinaryStl(bytes));
-  if (text) DropByteOrderMark(name, bytes);
+  if (text) {
+    RefuseWideText(bytes, name);
+    bytes.erase(0, bytes.size() - WithoutByteOrderMark(bytes).size());
+  }
   const bool gltf = *format == MeshFormat::kGltf || *format == MeshFormat::kGlb;
   const GltfFindings findings = gltf ? FindingsOf(*format, bytes) : GltfFindings{};
   const std::string objection = gltf ? findings.objection : Objection(*format, bytes);

@@ -1,14 +1,29 @@
 #include "models/read/near_names.h"
 
 #include <algorithm>
+#include <cctype>
+#include <numeric>
 #include <system_error>
-
-#include "models/read/yaml_reader.h"
 
 namespace dockyard {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row.back();
+}
 
 std::string Question(const std::string& name) {
   return name.empty() ? "" : ", did you mean '" + name + "'?";
@@ -70,6 +85,27 @@ fs::path WithNearParts(const fs::path& path) {
 }
 
 }  // namespace
+
+bool DiffersInCaseAlone(std::string_view a, std::string_view b) {
+  const auto low = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  return a != b && std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                              [&](char x, char y) { return low(x) == low(y); });
+}
+
+std::string NearestName(std::string_view name, const std::vector<std::string>& known) {
+  if (name.size() > 64) return {};
+  std::string nearest;
+  std::size_t best = 2 + name.size() / 3;  // a name farther off is no likely typing error
+  for (const std::string& candidate : known) {
+    if (DiffersInCaseAlone(name, candidate)) return candidate;
+    const std::size_t distance = EditDistance(name, candidate);
+    if (distance < best) {
+      best = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
 
 std::string DidYouMean(std::string_view name, const std::vector<std::string>& known) {
   const std::string longer = OnlyLonger(name, known);

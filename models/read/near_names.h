@@ -8,6 +8,12 @@
 
 namespace dockyard {
 
+bool DiffersInCaseAlone(std::string_view a, std::string_view b);
+
+/// The known name nearest to the given one: one that differs in its case alone, else by edit
+/// distance (Levenshtein); empty if none is near.
+std::string NearestName(std::string_view name, const std::vector<std::string>& known);
+
 /// ", did you mean 'seed'?" for the known name nearest to the given one, else for the only one that
 /// begins with it; empty if there is none.
 std::string DidYouMean(std::string_view name, const std::vector<std::string>& known);

@@ -9,7 +9,7 @@
 
 namespace dockyard {
 
-/// Row by row. The node must outlive it.
+/// Row by row.
 struct NumberGrid {
   int rows = 0, cols = 0;
   std::vector<double> values{};

@@ -7,7 +7,7 @@
 #include "controller/base/number_text.h"
 #include "models/read/config_error.h"
 #include "models/read/mesh_loader.h"
-#include "models/read/xml_scan.h"
+#include "models/read/mesh_text.h"
 
 namespace dockyard {
 namespace {
@@ -20,9 +20,9 @@ class ObjText {
 
   std::string Run() {
     while (at_ < text_.size()) TakeLine();
-    if (highest_ > places_) {
+    if (highest_ > vertices_) {
       begin_ = highest_at_;
-      Refuse("corners from 1 to " + std::to_string(places_) + ", the places of the file");
+      Refuse("corners from 1 to " + std::to_string(vertices_) + ", the vertices of the file");
     }
     if (faces_ == 0) throw ConfigError(file_ + ": not a usable mesh: an OBJ file without faces");
     return std::move(out_);
@@ -31,10 +31,7 @@ class ObjText {
  private:
   [[noreturn]] void Refuse(const std::string& expected) const {
     const std::size_t end = std::min(text_.find_first_of(kEndsOfLine, begin_), text_.size());
-    throw ConfigError(file_ + ":" + LineAndColumn(text_, begin_) +
-                      ": not a usable mesh: expected " + expected + ", found '" +
-                      std::string(text_.substr(begin_, std::min<std::size_t>(end - begin_, 40))) +
-                      "'");
+    RefuseMeshText(file_, text_, begin_, end, expected);
   }
   [[noreturn]] void RefuseCount(const std::string& what) const {
     throw ConfigError(file_ + ": not a usable mesh: more than " + what);
@@ -64,7 +61,7 @@ class ObjText {
     if (line.size() < 2 || kBlank.find(line[1]) == std::string_view::npos) return;
     if (line[0] != 'v' && line[0] != 'f') return;
     SplitWords(line.substr(1));
-    if (line[0] == 'v') TakePlace();
+    if (line[0] == 'v') TakeVertex();
     if (line[0] == 'f' && words_.size() >= 3) TakeFace();
   }
 
@@ -77,7 +74,7 @@ class ObjText {
     }
   }
 
-  void TakePlace() {
+  void TakeVertex() {
     double value = 0.0;
     for (std::string_view& word : words_) {
       if (word.starts_with('+')) word.remove_prefix(1);
@@ -85,8 +82,8 @@ class ObjText {
     }
     const std::size_t count = words_.size();
     if (count < 3 || count == 5 || count > 7) Refuse("'v' and 3, 4, 6 or 7 numbers");
-    if (++places_ > 3 * static_cast<long>(kMaxMeshTriangles)) {
-      RefuseCount(std::to_string(3 * kMaxMeshTriangles) + " places");
+    if (++vertices_ > 3 * static_cast<long>(kMaxMeshTriangles)) {
+      RefuseCount(std::to_string(3 * kMaxMeshTriangles) + " vertices");
     }
     const bool weighted = count == 4 && value != 1.0;
     out_ += 'v';
@@ -97,14 +94,14 @@ class ObjText {
   void TakeFace() {
     if (++faces_ > kMaxMeshTriangles) RefuseCount(std::to_string(kMaxMeshTriangles) + " triangles");
     out_ += 'f';
-    for (const std::string_view word : words_) out_ += " " + std::to_string(PlaceOf(word));
+    for (const std::string_view word : words_) out_ += " " + std::to_string(VertexOf(word));
     out_ += '\n';
   }
 
-  /// Which place a corner names. Its texture and normal are not read, but are numbers.
-  long PlaceOf(std::string_view corner) {
+  /// Which vertex a corner names. Its texture and normal are not read, but are numbers.
+  long VertexOf(std::string_view corner) {
     std::string_view rest = corner;
-    long place = 0;
+    long vertex = 0;
     for (int part = 0; part < 3; ++part) {
       const std::string_view digits = rest.substr(0, rest.find('/'));
       long index = 0;
@@ -112,23 +109,23 @@ class ObjText {
           std::from_chars(digits.data(), digits.data() + digits.size(), index);
       const bool whole = error == std::errc() && end == digits.data() + digits.size();
       if (!whole && (part == 0 || !digits.empty())) Refuse(kCorners);
-      if (part == 0) place = index;
-      if (digits.size() == rest.size()) return Absolute(place);
+      if (part == 0) vertex = index;
+      if (digits.size() == rest.size()) return Absolute(vertex);
       rest.remove_prefix(digits.size() + 1);
     }
     Refuse(kCorners);
   }
 
   long Absolute(long index) {
-    const long place = index < 0 ? places_ + 1 + index : index;
-    if (place < 1 || index > 3 * static_cast<long>(kMaxMeshTriangles)) {
-      Refuse("corners that name places of the file, counted from 1, or back from -1");
+    const long vertex = index < 0 ? vertices_ + 1 + index : index;
+    if (vertex < 1 || index > 3 * static_cast<long>(kMaxMeshTriangles)) {
+      Refuse("corners that name vertices of the file, counted from 1, or back from -1");
     }
-    if (place > highest_) {
-      highest_ = place;
+    if (vertex > highest_) {
+      highest_ = vertex;
       highest_at_ = begin_;
     }
-    return place;
+    return vertex;
   }
 
   static constexpr const char* kCorners = "'f' and corners such as 7, 7/2, 7//3 or 7/2/3";
@@ -137,7 +134,7 @@ class ObjText {
   const std::string& file_;
   std::size_t at_ = 0, begin_ = 0;  // of the next line; of this one, for messages
   std::vector<std::string_view> words_;
-  long places_ = 0, highest_ = 0;  // the highest place that a face names may come after it
+  long vertices_ = 0, highest_ = 0;  // the highest vertex that a face names may come after it
   std::size_t highest_at_ = 0, faces_ = 0;
   std::string out_;
 };

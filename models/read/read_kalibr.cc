@@ -119,14 +119,17 @@ Lens KalibrLens(const Link& link) {
   const YamlNode& model = link.Need("camera_model");
   const Distortion distortion = ReadDistortionModel(link);
   const std::optional<NumberGrid> d = ReadCoefficients(link);
+  const bool bent = d && std::any_of(d->values.begin(), d->values.end(),
+                                     [](double value) { return value != 0.0; });
+  if (bent && distortion == Distortion::kNone) {
+    throw ConfigError(d->Place() + ": expected zeros without a distortion_model, found others");
+  }
   if (model.scalar == "pinhole") return KalibrPinhole(link, distortion, d);
   if (model.scalar == "omni") return KalibrOmni(link, distortion, d);
   if (model.scalar != "ds" && model.scalar != "eucm") {
     RefuseNode(model, link.path + "camera_model", "one of pinhole, omni, ds, eucm");
   }
-  const bool bent = d && std::any_of(d->values.begin(), d->values.end(),
-                                     [](double value) { return value != 0.0; });
-  if (distortion != Distortion::kNone && bent) RefusePair(link, model.scalar.c_str(), "none");
+  if (bent) RefusePair(link, model.scalar.c_str(), "none");
   const NumberGrid in = link.Numbers("intrinsics", 6);
   const FocalNumbers focal = FocalAt(in, 2);
   if (model.scalar == "ds") {

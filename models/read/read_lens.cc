@@ -8,12 +8,10 @@ namespace {
 const Range kCoefficient = Between(-1e6, 1e6);
 
 template <typename L>
-L ReadFocal(const YamlReader& in, L lens) {
-  lens.fx = in.Number("fx_px", Positive(1e6));
-  lens.fy = in.Number("fy_px", Positive(1e6));
-  lens.cx = in.Number("cx_px", Between(-1e6, 1e6));
-  lens.cy = in.Number("cy_px", Between(-1e6, 1e6));
-  return lens;
+L ReadFocal(const YamlReader& in, const L& lens) {
+  return WithFocal(
+      lens, {in.Number("fx_px", Positive(1e6)), in.Number("fy_px", Positive(1e6)),
+             in.Number("cx_px", Between(-1e6, 1e6)), in.Number("cy_px", Between(-1e6, 1e6))});
 }
 
 Lens ReadPinhole(const YamlReader& in) { return ReadFocal(in, BrownPinhole{}); }

@@ -9,6 +9,20 @@
 
 namespace dockyard {
 
+/// Focal lengths and principal point [px].
+struct FocalNumbers {
+  double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;
+};
+
+template <typename L>
+L WithFocal(L lens, const FocalNumbers& focal) {
+  lens.fx = focal.fx;
+  lens.fy = focal.fy;
+  lens.cx = focal.cx;
+  lens.cy = focal.cy;
+  return lens;
+}
+
 /// xi of the double sphere, and the angle of the field-of-view lens.
 inline constexpr Range kXiOfSpheres{-1.0, 1.0, true};
 inline constexpr Range kWidthOfFov_rad = Positive(3.14);

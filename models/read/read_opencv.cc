@@ -78,8 +78,7 @@ void OpenCvSize(const YamlNode& root, Camera& camera) {
 bool IsFisheye(const YamlNode& root) {
   const YamlNode* flag = FindFirst(root, {"fisheye_model", "fisheye", "is_fisheye"});
   if (flag) return flag->scalar == "1" || flag->scalar == "true";
-  std::string key;
-  const YamlNode* model = FindFirst(root, {"distortion_model", "camera_model", "model_type"}, &key);
+  const YamlNode* model = FindFirst(root, {"distortion_model", "camera_model", "model_type"});
   return model && (model->scalar == "fisheye" || model->scalar == "equidistant");
 }
 

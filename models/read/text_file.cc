@@ -172,33 +172,4 @@ fs::path ResolveBeside(const std::string& written_in, const std::string& path) {
   return (fs::path(written_in).parent_path() / path).lexically_normal();
 }
 
-fs::path ResolveInside(const std::string& written_in, const std::string& path,
-                       const std::string& place) {
-  const auto refuse = [&](const std::string& why) {
-    throw ConfigError(place + ": expected a path inside the model's folder, found '" + path +
-                      "' (" + why + ")");
-  };
-  if (path.empty()) refuse("it is empty");
-  if (path.find("://") != std::string::npos) {
-    refuse(
-        "addresses such as package:// or file:// are not followed; write it relative to the "
-        "file");
-  }
-  if (fs::path(path).is_absolute()) refuse("it is absolute");
-  std::error_code error;
-  const fs::path parent = fs::path(written_in).parent_path();
-  const fs::path root = fs::canonical(parent.empty() ? fs::path(".") : parent, error);
-  if (error) refuse(error.message());
-  const fs::path real = fs::weakly_canonical(root / path, error);
-  if (error) refuse(error.message());
-  const fs::path inside = real.lexically_relative(root);
-  if (inside.empty() || *inside.begin() == "..") refuse("it leads out of it");
-  const fs::path file = ResolveBeside(written_in, path);
-  if (!fs::is_regular_file(file, error)) {
-    throw ConfigError(place + ": expected a file, found none at '" + file.string() + "'" +
-                      DidYouMeanFile(file));
-  }
-  return file;
-}
-
 }  // namespace dockyard

@@ -1,4 +1,4 @@
-// Reading input files of unknown content: size caps, plain text only, paths that stay in a folder.
+// Reading input files of unknown content: size caps, plain text only.
 #pragma once
 
 #include <cstddef>
@@ -39,10 +39,5 @@ std::string WithControlsShown(std::string_view text);
 
 /// A path written in a file, relative to that file's folder; absolute paths stay as they are.
 std::filesystem::path ResolveBeside(const std::string& written_in, const std::string& path);
-
-/// The same, but the result must lie in that folder, symbolic links followed. Throws ConfigError,
-/// its message opening with `place`.
-std::filesystem::path ResolveInside(const std::string& written_in, const std::string& path,
-                                    const std::string& place);
 
 }  // namespace dockyard

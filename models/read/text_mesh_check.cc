@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "models/read/config_error.h"
-#include "models/read/xml_scan.h"
-#include "models/read/yaml_reader.h"
+#include "controller/base/number_text.h"
+#include "models/read/mesh_text.h"
 
 namespace dockyard {
 namespace {
@@ -44,10 +43,7 @@ class StlText {
   bool CutAfterAFacet() const { return word_.empty() && has_facets_; }
 
   [[noreturn]] void Refuse(const std::string& expected) const {
-    throw ConfigError(file_ + ":" + LineAndColumn(text_, begin_) +
-                      ": not a usable mesh: expected " + expected + ", found '" +
-                      std::string(text_.substr(begin_, std::min<std::size_t>(at_ - begin_, 40))) +
-                      "'");
+    RefuseMeshText(file_, text_, begin_, at_, expected);
   }
 
   void Expect(const char* word) {

@@ -8,10 +8,10 @@
 
 #include "models/read/config_error.h"
 #include "models/read/urdf_elements.h"
+#include "models/read/urdf_numbers.h"
 #include "models/read/urdf_rules.h"
 #include "models/read/urdf_tree.h"
 #include "models/read/xml_scan.h"
-#include "models/read/yaml_reader.h"
 
 namespace dockyard {
 namespace {
@@ -73,20 +73,11 @@ class XmlCheck {
   void CheckList(const TiXmlElement& element, const std::string& name, std::size_t count) const {
     const char* attribute = element.Attribute(name.c_str());
     if (attribute == nullptr) return;
-    const std::string_view text = attribute;
-    std::size_t numbers = 0;
-    bool good = true;
-    for (std::size_t begin = text.find_first_not_of(" \t\r\n"); begin != std::string_view::npos;) {
-      const std::size_t end = std::min(text.find_first_of(" \t\r\n", begin), text.size());
-      double value = 0.0;
-      good = good && ParseNumber(text.substr(begin, end - begin), value);
-      ++numbers;
-      begin = text.find_first_not_of(" \t\r\n", end);
-    }
-    if (good && numbers == count) return;
+    const std::optional<std::vector<double>> numbers = NumbersOf(attribute);
+    if (numbers && numbers->size() == count) return;
     const std::string expected = count == 1 ? "a number" : std::to_string(count) + " numbers";
     faults_.Add(element, name + ": expected " + expected + ", found '" +
-                             std::string(text.substr(0, 60)) + "'");
+                             std::string(attribute).substr(0, 60) + "'");
   }
 
   void CheckJoint(const TiXmlElement& joint) {

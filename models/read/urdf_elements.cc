@@ -1,34 +1,18 @@
 #include "models/read/urdf_elements.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <vector>
 
+#include "controller/base/number_text.h"
+#include "models/read/near_names.h"
+#include "models/read/urdf_numbers.h"
 #include "models/read/urdf_rules.h"
-#include "models/read/yaml_reader.h"
 
 namespace dockyard {
 namespace {
-
-/// The numbers of an attribute, none where their count is not kCount.
-template <std::size_t kCount>
-std::optional<std::array<double, kCount>> NumbersIn(const char* attribute) {
-  std::array<double, kCount> numbers;
-  std::size_t found = 0;
-  const std::string_view text = attribute == nullptr ? "" : attribute;
-  for (std::size_t at = text.find_first_not_of(" \t\r\n"); at != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
-    if (found == kCount || !ParseNumber(text.substr(at, end - at), numbers[found++])) {
-      return std::nullopt;
-    }
-    at = text.find_first_not_of(" \t\r\n", end);
-  }
-  if (found != kCount) return std::nullopt;
-  return numbers;
-}
 
 bool Contains(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
@@ -73,14 +57,14 @@ class ElementCheck {
     for (const TiXmlElement* e = robot.FirstChildElement("material"); e;
          e = e->NextSiblingElement("material")) {
       const char *name = e->Attribute("name"), *rgba = ColourOf(*e);
-      if (name != nullptr && rgba != nullptr) colours_.emplace(name, NumbersIn<4>(rgba));
+      if (name != nullptr && rgba != nullptr) colours_.emplace(name, NumbersOf(rgba));
     }
   }
 
   std::map<std::string, int> TakeLeftOut() { return std::move(left_out_); }
 
  private:
-  using Colour = std::optional<std::array<double, 4>>;
+  using Colour = std::optional<std::vector<double>>;
 
   void CheckWhole(const TiXmlElement& element, const UrdfRule& rule,
                   const std::set<std::string>& found) const {
@@ -129,8 +113,8 @@ class ElementCheck {
     if (name == "color") CheckColour(element);
     if (name == "axis" && element.Attribute("rpy") != nullptr) {
       // The format before URDF 1.0 turned the axis by it.
-      const auto rpy = NumbersIn<3>(element.Attribute("rpy"));
-      if (rpy == std::array{0.0, 0.0, 0.0}) return;
+      const auto rpy = NumbersOf(element.Attribute("rpy"));
+      if (rpy == std::vector{0.0, 0.0, 0.0}) return;
       faults_.Add(element, std::string("rpy: expected 0 0 0, an axis is turned by its xyz alone; "
                                        "found '") +
                                element.Attribute("rpy") + "'");
@@ -140,8 +124,7 @@ class ElementCheck {
   void CheckDynamics(const TiXmlElement& element) const {
     for (const char* attribute : {"damping", "friction"}) {
       const char* text = element.Attribute(attribute);
-      double value = 0.0;
-      if (text == nullptr || (ParseNumber(text, value) && value == 0.0)) continue;
+      if (text == nullptr || NumbersOf(text) == std::vector{0.0}) continue;
       faults_.Add(element,
                   std::string(attribute) +
                       ": expected 0, the robot's YAML file has the motors' friction; found '" +
@@ -150,8 +133,8 @@ class ElementCheck {
   }
 
   void CheckColour(const TiXmlElement& element) const {
-    const Colour rgba = NumbersIn<4>(element.Attribute("rgba"));
-    if (!rgba || (*rgba)[3] != 1.0) {
+    const Colour rgba = NumbersOf(element.Attribute("rgba"));
+    if (!rgba || rgba->size() != 4 || (*rgba)[3] != 1.0) {
       faults_.Add(element, "rgba: expected a last number of 1, nothing is drawn transparent");
       return;
     }
@@ -177,7 +160,7 @@ class ElementCheck {
                   "expected a <color>, or the name of a material before, found '" + name + "'");
       return;
     }
-    const Colour rgba = NumbersIn<4>(ColourOf(material));
+    const Colour rgba = NumbersOf(ColourOf(material));
     if (name.empty() || colours_.emplace(name, rgba).first->second == rgba) return;
     faults_.Add(material, "'" + name + "' has another colour before");
   }

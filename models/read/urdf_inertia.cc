@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "controller/base/number_text.h"
 #include "controller/geometry/decompositions.h"
+#include "models/read/urdf_numbers.h"
 
 namespace dockyard {
 namespace {
@@ -21,22 +23,19 @@ std::string Short(double value, int digits = 6) {
 }
 
 double NumberOf(const TiXmlElement& element, const char* name) {
-  double value = 0.0;
-  const char* text = element.Attribute(name);
-  if (text != nullptr) ParseNumber(text, value);
-  return value;
+  const auto numbers = NumbersOf(element.Attribute(name));
+  return numbers && numbers->size() == 1 ? numbers->front() : 0.0;
 }
 
 /// How far rounding may have moved the sum of two principal moments against the third: a moment on
 /// the diagonal counts once, a product of inertia is twice in the matrix.
 double RoundingOfAll(const TiXmlElement& inertia) {
   double sum = 0.0;
-  for (const char* name : {"ixx", "iyy", "izz"}) {
-    if (const char* text = inertia.Attribute(name)) sum += RoundingOf(text);
-  }
-  for (const char* name : {"ixy", "ixz", "iyz"}) {
-    if (const char* text = inertia.Attribute(name)) {
-      sum += 2.0 * RoundingOf(text);
+  for (const auto& [name, times] :
+       {std::pair("ixx", 1.0), std::pair("iyy", 1.0), std::pair("izz", 1.0), std::pair("ixy", 2.0),
+        std::pair("ixz", 2.0), std::pair("iyz", 2.0)}) {
+    for (const std::string_view word : WordsOf(inertia.Attribute(name))) {
+      sum += times * RoundingOf(std::string(word));
     }
   }
   return sum;

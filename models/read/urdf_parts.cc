@@ -56,25 +56,6 @@ void CheckShape(const urdf::Geometry& geometry, const std::string& place) {
   }
 }
 
-std::string TypeName(int type) {
-  switch (type) {
-    case urdf::Joint::REVOLUTE:
-      return "revolute";
-    case urdf::Joint::CONTINUOUS:
-      return "continuous";
-    case urdf::Joint::PRISMATIC:
-      return "prismatic";
-    case urdf::Joint::FLOATING:
-      return "floating";
-    case urdf::Joint::PLANAR:
-      return "planar";
-    case urdf::Joint::FIXED:
-      return "fixed";
-    default:
-      return "unknown";
-  }
-}
-
 /// The children of that name, in their order.
 std::vector<const TiXmlElement*> ChildrenOf(const TiXmlElement& element, const char* tag) {
   std::vector<const TiXmlElement*> children;
@@ -221,7 +202,7 @@ UrdfJoint UrdfParts::ReadJoint(const urdf::Joint& in, const TiXmlElement& elemen
   joint.name = in.name;
   joint.parent = in.parent_link_name;
   joint.child = in.child_link_name;
-  joint.type = TypeName(in.type);
+  joint.type = element.Attribute("type");  // a known one: CheckUrdfXml
   joint.place = place;
   joint.X_PJ = ToPose(in.parent_to_joint_origin_transform, place, "joint");
   joint.axis_J = ToVector(in.axis, 1e3, place, "axis");

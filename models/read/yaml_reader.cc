@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <system_error>
 
 #include "controller/base/check.h"
@@ -30,21 +29,6 @@ double NumberAt(const YamlNode& node, const std::string& path, const Range& rang
   return value;
 }
 
-std::size_t EditDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-    }
-  }
-  return row.back();
-}
-
 std::string Joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -61,20 +45,6 @@ std::string Describe(const Range& range, bool too_high, std::string_view noun) {
   }
   const std::string low = text + (range.open_low ? " > 0" : " >= 0");
   return too_high ? low + " and <= " + NumberText(range.high) : low;
-}
-
-std::string NearestName(std::string_view name, const std::vector<std::string>& known) {
-  if (name.size() > 64) return {};
-  std::string nearest;
-  std::size_t best = 2 + name.size() / 3;  // a name farther off is no likely typing error
-  for (const std::string& candidate : known) {
-    const std::size_t distance = EditDistance(name, candidate);
-    if (distance < best) {
-      best = distance;
-      nearest = candidate;
-    }
-  }
-  return nearest;
 }
 
 YamlReader::YamlReader(const YamlNode& node, std::string path, std::vector<std::string> keys)

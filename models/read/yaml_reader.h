@@ -25,8 +25,6 @@ constexpr Range Between(double low, double high) { return {low, high, false}; }
 
 /// "a number > 0" (with "and <= 5" when the value is beyond it), "a number from -1 to 1".
 std::string Describe(const Range& range, bool too_high, std::string_view noun = "a number");
-/// The known name nearest to the given one by edit distance (Levenshtein); empty if none is near.
-std::string NearestName(std::string_view name, const std::vector<std::string>& known);
 
 class YamlReader {
  public:

@@ -2,6 +2,7 @@
 // one document, no anchors, aliases or tags, no repeated keys, bounded depth and size.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,6 +10,8 @@
 #include <vector>
 
 namespace dockyard {
+
+inline constexpr std::size_t kMaxYamlDepth = 32;
 
 /// Where something was written: a file with line and column, both from 1; or a --set option, whose
 /// line is 0.

@@ -26,7 +26,8 @@ Examples:
 Prints a line for each good file on stdout. The first fault of each bad one goes to
 stderr, with --all every fault of a URDF file, also of one that a robot's file names;
 for every other kind --all also gives the first fault alone. Warnings go to stderr and
-change no exit code.
+change no exit code; those of a URDF file also come for a robot, target, scenario or
+campaign that names it.
 A URDF file's package://NAME/PATH is found by the package.xml of that name above the
 file, or in the packages in its own or next to it; --package NAME=DIR names it. A file
 with macros (.xacro) is expanded by the program xacro, if it is on PATH.
@@ -80,7 +81,7 @@ int Check(const CheckArguments& arguments, Invocation& call) {
     for (const std::string& fault : checked.faults) PrintError(fault);
     if (!checked.faults.empty()) exit_code = kExitBadInput;
     for (const std::string& text : checked.check.warnings) {
-      const bool placed = text.rfind(file, 0) == 0;
+      const bool placed = text.starts_with(file) || PlaceOf(text, file).file != file;
       Warn(placed ? text : file + ": " + text, &call.warnings);
     }
     if (arguments.json || !checked.faults.empty()) continue;

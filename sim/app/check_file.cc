@@ -16,11 +16,11 @@
 #include "models/read/load_wheel.h"
 #include "models/read/mesh_loader.h"
 #include "models/read/mesh_size.h"
-#include "models/read/urdf_weld.h"
 #include "models/read/xacro.h"
 #include "models/read/yaml_reader.h"
 #include "sim/app/check_answer.h"
 #include "sim/app/check_cameras.h"
+#include "sim/app/check_urdf.h"
 #include "sim/app/reproduction_files.h"
 #include "sim/app/scenario_options.h"
 #include "sim/base/count_text.h"
@@ -38,63 +38,6 @@ FileCheck CheckMesh(const std::string& file) {
                               SizeText(extent_m) + " (x, y, z)"};
   if (const std::string doubt = UnitDoubt(extent_m); !doubt.empty()) check.warnings = {doubt};
   return check;
-}
-
-UrdfOptions OptionsOf(const CheckOptions& options) {
-  return {.meshes = nullptr, .packages = options.packages, .expand_xacro = true};
-}
-
-/// Links that a joint moves and that have no mass, with what is welded to them.
-void WarnOfMassless(const UrdfModel& model, std::vector<std::string>& warnings) {
-  const UrdfModel welded = WeldFixedLinks(model);
-  for (const UrdfJoint& joint : welded.joints) {
-    if (welded.Link(joint.child).mass_kg > 0.0) continue;
-    warnings.push_back(welded.PlaceOf(joint.child) + ": it has no mass, and the " + joint.type +
-                       " joint '" + joint.name + "' moves it: a run refuses such a link");
-  }
-}
-
-/// Warnings of what the reader takes and a user may not mean.
-std::vector<std::string> WarningsOf(const UrdfModel& model) {
-  std::vector<std::string> warnings = model.warnings;
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    for (const Visual& visual : model.links[i].visuals) {
-      const std::string doubt = UnitDoubt(ExtentOf(*visual.mesh));
-      if (!doubt.empty()) warnings.push_back(model.place[i] + ": visual: " + doubt);
-    }
-  }
-  WarnOfMassless(model, warnings);
-  for (const char* ignored : {"joint_properties", "surface", "contact", "contact_coefficients"}) {
-    if (model.left_out.count(ignored) == 0) continue;
-    warnings.push_back("<" + std::string(ignored) +
-                       "> is left out: friction and damping come from the robot's YAML file");
-  }
-  return warnings;
-}
-
-FileCheck CheckUrdf(const std::string& file, const CheckOptions& options) {
-  const UrdfModel model = LoadUrdf(file, OptionsOf(options));
-  double mass_kg = 0.0;
-  for (const LinkModel& link : model.links) mass_kg += link.mass_kg;
-  std::string summary = model.name + ": " + CountText(model.links.size(), "link") + ", " +
-                        CountText(model.joints.size(), "joint") + ", " + NumberText(mass_kg) +
-                        " kg";
-  std::string welded;
-  for (const LinkModel& link : model.links) {
-    const std::string carrier = CarrierOf(model, link.name);
-    if (carrier == link.name) continue;
-    welded += (welded.empty() ? "; welded: " : ", ") + link.name + " into " + carrier;
-  }
-  std::string left_out;
-  for (const auto& [element, count] : model.left_out) {
-    left_out +=
-        (left_out.empty() ? "; left out: " : ", ") + std::to_string(count) + " <" + element + ">";
-  }
-  return {"urdf",
-          summary + welded + left_out +
-              "; a run takes it only through a robot's or target's YAML file, with the links and "
-              "joints of that system",
-          WarningsOf(model), model.left_out};
 }
 
 FileCheck CheckBoard(const std::string& file) {
@@ -138,20 +81,28 @@ FileCheck CheckObstacles(const std::string& file) {
 
 FileCheck CheckScenario(const std::string& file, const std::vector<System>& systems) {
   const Scenario scenario = LoadScenario(file, {}, KnownSystems(systems));
-  const std::string found = FindSystem(systems, scenario.system).check(scenario);
-  return {"scenario", scenario.name + ": " + found + ", controller " + scenario.controller};
+  const System& system = FindSystem(systems, scenario.system);
+  const std::string found = system.check(scenario);
+  NamedUrdfs urdfs;
+  urdfs.AddScenario(scenario, system);
+  return WithUrdfs(
+      urdfs, {"scenario", scenario.name + ": " + found + ", controller " + scenario.controller});
 }
 
 FileCheck CheckCampaign(const std::string& file, const std::vector<System>& systems) {
   const Campaign campaign = LoadCampaign(file, {}, CampaignSystemsOf(systems));
+  NamedUrdfs urdfs;
   CheckRuns(campaign, KnownSystems(systems), [&](const Scenario& scenario) {
-    FindSystem(systems, scenario.system).check(scenario);
+    const System& system = FindSystem(systems, scenario.system);
+    system.check(scenario);
+    urdfs.AddScenario(scenario, system);
   });
   std::string labels;
   for (const std::string& label : campaign.labels) labels += (labels.empty() ? "" : ", ") + label;
-  return {"campaign", campaign.name + ": " + CountText(campaign.run_count(), "run") +
-                          (labels.empty() ? "" : " by " + labels) + "; seed " +
-                          std::to_string(campaign.seed)};
+  return WithUrdfs(urdfs,
+                   {"campaign", campaign.name + ": " + CountText(campaign.run_count(), "run") +
+                                    (labels.empty() ? "" : " by " + labels) + "; seed " +
+                                    std::to_string(campaign.seed)});
 }
 
 FileCheck CheckReproduction(const std::string& file, const std::vector<System>& systems) {
@@ -191,7 +142,11 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
   const YamlNode model = LoadModelYaml(file);
   for (const System& system : systems) {
     if (!system.check_file) continue;
-    if (const std::optional<FileCheck> check = system.check_file(file)) return *check;
+    const std::optional<FileCheck> check = system.check_file(file);
+    if (!check) continue;
+    NamedUrdfs urdfs;
+    urdfs.AddModel(file);
+    return WithUrdfs(urdfs, *check);
   }
   if (has("left") || has("right")) return CheckRig(file);
   if (has("model")) return CheckCameras(file);
@@ -219,7 +174,7 @@ FileCheck CheckFile(const std::string& file, const std::vector<System>& systems,
   }
   const std::string extension = std::filesystem::path(file).extension().string();
   if (IsMeshFile(file)) return CheckMesh(file);
-  if (IsUrdfFile(file)) return CheckUrdf(file, options);
+  if (IsUrdfFile(file)) return CheckUrdf(file, options.packages);
   if (extension == ".json" || extension == ".xml") return CheckCameras(file);
   if (extension == ".csv") return IsDiscTable(file) ? CheckObstacles(file) : CheckTable(file);
   if (extension == ".yaml" || extension == ".yml") return CheckYaml(file, systems);
@@ -232,7 +187,7 @@ FileCheck CheckFile(const std::string& file, const std::vector<System>& systems,
 
 UrdfFindings FindFaults(const std::string& file, const std::vector<System>& systems,
                         const CheckOptions& options) {
-  if (IsUrdfFile(file)) return FindUrdfFaults(file, OptionsOf(options));
+  if (IsUrdfFile(file)) return FindUrdfFaults(file, UrdfCheckOptions(options.packages));
   try {
     CheckFile(file, systems, options);
   } catch (const ConfigError& error) {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "controller/base/number_text.h"
-#include "models/read/yaml_reader.h"
+#include "models/read/near_names.h"
 #include "sim/app/commands.h"
 #include "sim/app/passing_folder.h"
 #include "sim/app/terminal.h"

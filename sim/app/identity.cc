@@ -6,6 +6,7 @@
 #include <set>
 
 #include "models/read/config_error.h"
+#include "models/read/mesh_address.h"
 #include "models/read/text_file.h"
 #include "models/read/yaml_tree.h"
 #include "sim/base/environment.h"
@@ -33,13 +34,22 @@ class ModelFiles {
   void AddModel(const fs::path& yaml) {
     if (files.insert(yaml).second) AddNamed(LoadYaml(yaml));
   }
-  /// A URDF with its meshes, which lie in its folder or below.
+  /// A URDF with its meshes, and with the files by which it finds those of packages.
   void AddUrdf(const fs::path& urdf) {
     if (!files.insert(urdf).second) return;
     const std::string text = ReadWhole(urdf).value_or("");
     static const std::regex mesh(R"(filename\s*=\s*["']([^"']+)["'])");
+    MeshAddresses addresses(urdf.string(), {});
     for (std::sregex_iterator at(text.begin(), text.end(), mesh), end; at != end; ++at) {
-      AddMesh(AbsolutePath(ResolveBeside(urdf.string(), (*at)[1].str()).string()));
+      try {
+        const fs::path file = addresses.Resolve((*at)[1].str(), urdf.string());
+        AddMesh(file);
+        if (!file.lexically_relative(urdf.parent_path()).string().starts_with("..")) continue;
+        AddPackageOf(urdf);
+        AddPackageOf(file);
+      } catch (const ConfigError&) {
+        // Another program's file, or one that the model's reader refuses with its line.
+      }
     }
   }
   void AddFile(const fs::path& file) { files.insert(file); }
@@ -47,13 +57,15 @@ class ModelFiles {
   std::set<fs::path> files;
 
  private:
-  /// A file that is not there is left out: the model's reader refuses it with its line.
+  void AddPackageOf(const fs::path& file) {
+    const fs::path package = PackageFileAbove(file.parent_path());
+    if (!package.empty()) files.insert(package);
+  }
   void AddMesh(const fs::path& mesh) {
-    std::error_code error;
-    if (!fs::is_regular_file(mesh, error)) return;
     files.insert(mesh);
     if (mesh.extension() != ".gltf") return;
     // The numbers of a glTF document may lie in .bin files beside it.
+    std::error_code error;
     for (const auto& entry : fs::directory_iterator(mesh.parent_path(), error)) {
       if (entry.is_regular_file(error) && entry.path().extension() == ".bin") {
         files.insert(entry.path());
@@ -101,11 +113,13 @@ void AddProgram(const NamedCommand& command, ModelFiles& models) {
   }
 }
 
-/// The longest folder that holds all of them.
+/// The longest folder that holds all of them. A model of Gazebo has the name of its folder, so it
+/// lies in a folder below.
 fs::path CommonFolder(const std::set<fs::path>& files) {
   fs::path common;
   for (const fs::path& file : files) {
-    const fs::path folder = file.parent_path();
+    fs::path folder = file.parent_path();
+    if (file.filename() == "model.config") folder = folder.parent_path();
     if (file == *files.begin()) common = folder;
     fs::path shared;
     for (auto a = common.begin(), b = folder.begin();

@@ -22,7 +22,7 @@ struct Mistake {
 
 Mistake Exchanged(Points points) {
   for (PointPixel& point : points) point.view = 1 - point.view;
-  return {std::move(points), "with left and right exchanged they do"};
+  return {std::move(points), "with left and right exchanged the points agree"};
 }
 
 /// A body in one plane, mirrored, is the same body viewed from behind.

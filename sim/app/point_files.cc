@@ -7,25 +7,42 @@
 
 #include "models/read/config_error.h"
 #include "models/read/csv_table.h"
+#include "models/read/near_names.h"
 #include "models/read/yaml_reader.h"
 
 namespace dockyard {
 namespace {
 
+const std::vector<std::string> kNeeded{"camera", "u_px", "v_px", "x_m", "y_m", "z_m"};
 const std::vector<std::string> kOptional{"frame", "survey_error_m", "disc_diameter_m"};
+
+/// The column's name that a strange one was meant to be; empty: it is one that we leave alone.
+std::string MeantBy(const std::string& name, const YamlNode& row) {
+  std::vector<std::string> missing;  // of those that a table needs
+  for (const auto* names : {&kNeeded, &kOptional}) {
+    for (const std::string& known : *names) {
+      if (row.Find(known) != nullptr) continue;
+      if (DiffersInCaseAlone(name, known)) return known;
+      if (names == &kNeeded) missing.push_back(known);
+    }
+  }
+  // `name` is no slip of `frame`: without a frame a sequence is refused anyway.
+  const std::string near = NearestName(name, {"survey_error_m", "disc_diameter_m"});
+  return near.empty() ? NearestName(name, missing) : near;
+}
 
 /// All columns' names: those that a row may have, and those that we leave alone.
 std::vector<std::string> Columns(const YamlNode& row) {
-  std::vector<std::string> known{"camera", "u_px", "v_px", "x_m", "y_m", "z_m"};
-  known.insert(known.end(), kOptional.begin(), kOptional.end());
-  std::vector<std::string> all = known;
+  std::vector<std::string> all = kNeeded;
+  all.insert(all.end(), kOptional.begin(), kOptional.end());
+  const std::size_t known = all.size();
   for (const YamlNode::Key& key : row.keys) {
-    if (std::find(known.begin(), known.end(), key.name) != known.end()) continue;
-    // `name` is no slip of `frame`: without a frame a sequence is refused anyway.
-    const std::string near = NearestName(key.name, {"survey_error_m", "disc_diameter_m"});
-    if (!near.empty()) {
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(known);
+    if (std::find(all.begin(), end, key.name) != end) continue;
+    const std::string meant = MeantBy(key.name, row);
+    if (!meant.empty()) {
       throw ConfigError(key.place.Text() + ": " + key.name + ": unknown column, did you mean '" +
-                        near + "'?");
+                        meant + "'?");
     }
     all.push_back(key.name);
   }

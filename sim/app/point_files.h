@@ -19,9 +19,9 @@ struct PointFrame {
 
 /// The columns are camera, u_px, v_px, x_m, y_m, z_m. Optional are frame, survey_error_m and
 /// disc_diameter_m; an empty cell there counts as a missing column. Other columns are ignored,
-/// unless the name nearly spells an optional one. Frames come in the order in which they first
-/// appear; their rows may be mixed. A row whose u_px or v_px is empty or NaN is a point that was
-/// not detected: it is counted and left out. Throws ConfigError.
+/// unless the name nearly spells an optional one or a missing one. Frames come in the order in
+/// which they first appear; their rows may be mixed. A row whose u_px or v_px is empty or NaN is a
+/// point that was not detected: it is counted and left out. Throws ConfigError.
 /// @param sequence  false: more than one frame is an error; true: a missing column `frame` is one
 /// @param rig  given: a pixel outside its camera's image is an error
 std::vector<PointFrame> LoadPointFrames(const std::string& file, bool sequence,

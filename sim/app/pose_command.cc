@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,6 +76,7 @@ void RequireSound(const PoseArguments& arguments) {
 struct Totals {
   std::size_t frames = 0, poses = 0, doubtful = 0;
   int not_detected = 0;
+  std::map<std::string, std::size_t> mistakes = {};  // what would make refused frames agree
 };
 
 void Note(const Totals& totals) {
@@ -83,6 +85,10 @@ void Note(const Totals& totals) {
               CountText(totals.frames, "frame has", "frames have") + " a chi-square above " +
               NumberText(kBeyondReason) +
               " times its freedom: check the images' size, the calibration and the points");
+  }
+  for (const auto& [mistake, count] : totals.mistakes) {
+    PrintNote("warning: " + std::to_string(count) + " of " + CountText(totals.frames, "frame") +
+              (count == 1 ? " has" : " have") + " no pose: " + mistake);
   }
   std::string text = CountText(totals.frames, "frame") + ", " + CountText(totals.poses, "pose");
   if (totals.not_detected > 0) {
@@ -109,12 +115,15 @@ int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
     totals.poses += static_cast<bool>(answer.pose);
     totals.doubtful += !answer.warnings.empty();
     totals.not_detected += frame.not_detected;
+    if (!answer.agree_when.empty()) ++totals.mistakes[answer.agree_when];
     if (!sequence) {
       if (frame.not_detected > 0) {
         answer.warnings.push_back(CountText(frame.not_detected, "row") +
                                   " without a pixel left out");
       }
       for (const std::string& warning : answer.warnings) PrintNote("warning: " + warning);
+      // The table's row has the reason alone.
+      if (arguments.csv && !answer.pose) PrintNote(FrameText(frame, answer, false));
     }
     const std::string text = arguments.json  ? FrameJson(frame, answer).dump(sequence ? -1 : 2)
                              : arguments.csv ? PoseTableRow(frame, answer)

@@ -31,6 +31,10 @@ bool IsBuried(const WheelModel& wheel, const SingleWheelResult& result) {
 std::vector<std::string> BrokenPremises(const SingleWheelSetup& setup,
                                         const SingleWheelResult& result) {
   std::vector<std::string> broken;
+  if (!result.steady) {
+    broken.push_back(
+        "the wheel was still changing at the end of its path of 60 radii; the row is no result");
+  }
   const double radius_m = RollingRadius(setup.wheel);
   const double deep = result.sinkage_m / radius_m, side_deg = Degrees(setup.side_slip_rad);
   if (IsBuried(setup.wheel, result)) {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "models/read/config_error.h"
-#include "models/read/yaml_reader.h"
+#include "models/read/near_names.h"
 #include "sim/plan/published.h"
 
 namespace dockyard {

@@ -4,6 +4,7 @@
 
 #include "models/read/config_error.h"
 #include "models/read/csv_table.h"
+#include "models/read/near_names.h"
 #include "models/read/text_file.h"
 #include "models/read/yaml_reader.h"
 #include "sim/plan/campaign.h"

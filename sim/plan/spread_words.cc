@@ -7,6 +7,7 @@
 #include "models/read/config_error.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_spreads.h"
+#include "models/read/near_names.h"
 #include "models/read/yaml_reader.h"
 #include "sim/plan/file_keys.h"
 #include "sim/scenario/key_path.h"

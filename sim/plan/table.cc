@@ -5,6 +5,7 @@
 
 #include "models/read/config_error.h"
 #include "models/read/csv_table.h"
+#include "models/read/near_names.h"
 #include "models/read/yaml_reader.h"
 #include "sim/plan/factor.h"
 #include "sim/scenario/key_path.h"
@@ -31,6 +32,12 @@ bool IsResultColumn(const std::string& name) {
                                                 "controller", "docked",     "outcome",
                                                 "images",     "sim_time_s", "state_hash"};
   return Contains(columns, name);
+}
+
+const std::vector<std::string>& PlanColumns() {
+  static const std::vector<std::string> columns{"seed",   "arm",     "point",
+                                                "repeat", "changed", "changed_to"};
+  return columns;
 }
 
 RunTable::Row ReadRow(const YamlReader& in, const std::vector<std::string>& columns) {
@@ -84,11 +91,7 @@ std::optional<std::size_t> RunTable::Find(const std::string& column) const {
   return std::nullopt;
 }
 
-bool IsPlanColumn(const std::string& name) {
-  static const std::vector<std::string> columns{"seed",   "arm",     "point",
-                                                "repeat", "changed", "changed_to"};
-  return Contains(columns, name);
-}
+bool IsPlanColumn(const std::string& name) { return Contains(PlanColumns(), name); }
 
 RunTable ReadTable(const YamlNode& list, const std::string& path) {
   if (list.items.empty() || list.items.size() > kMaxRuns) {
@@ -99,6 +102,10 @@ RunTable ReadTable(const YamlNode& list, const std::string& path) {
   std::vector<std::string> known{"run"};
   for (const YamlNode::Key& key : list.items[0].keys) {
     if (key.name == "run") continue;
+    if (DiffersInCaseAlone(key.name, "run") && list.items[0].Find("run") == nullptr) {
+      throw ConfigError(key.place.Text() + ": " + key.name +
+                        ": unknown column, did you mean 'run'?");
+    }
     table.columns.push_back(key);
     known.push_back(key.name);
   }
@@ -115,9 +122,10 @@ RunTable ReadTable(const YamlNode& list, const std::string& path) {
   return table;
 }
 
-void CheckColumn(const YamlNode::Key& column, bool is_tag,
+void CheckColumn(const YamlNode::Key& column, const std::vector<std::string>& tags,
                  const std::vector<std::string>& scenario_keys) {
   const std::string& name = column.name;
+  const bool is_tag = Contains(tags, name);
   const bool is_key = Contains(scenario_keys, HeadOf(name));
   if (IsPlanColumn(name) && !is_tag) return;
   if (is_tag) {
@@ -130,9 +138,13 @@ void CheckColumn(const YamlNode::Key& column, bool is_tag,
   }
   RequireSettable(column, name);
   if (is_key) return;
-  const std::string nearest = NearestName(name, scenario_keys);
+  std::vector<std::string> known = tags;
+  for (const auto& names : {scenario_keys, PlanColumns()}) {
+    known.insert(known.end(), names.begin(), names.end());
+  }
+  const std::string nearest = NearestName(name, known);
   RefuseColumn(column, "a key of the scenario or one of the campaign's tags" +
-                           (nearest.empty() ? "" : "; nearest key is '" + nearest + "'"));
+                           (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
 }
 
 TableCheck CheckRunTable(const std::string& file) {
@@ -145,7 +157,7 @@ TableCheck CheckRunTable(const std::string& file) {
     const auto row = std::find_if(rows.begin(), rows.end(),
                                   [&](const KeyRow& known) { return known.key == name; });
     if (row != rows.end() || name == "r_m" || name == "alpha_deg" || name == "heading_deg") {
-      CheckColumn(table.columns[i], false, {HeadOf(name)});
+      CheckColumn(table.columns[i], {}, {HeadOf(name)});
     }
     const bool checked = row != rows.end() && IsPlain(*row) && CheckCells(table, i);
     (checked ? check.checked : check.left_to_campaign).push_back(name);

@@ -73,6 +73,42 @@ TEST(CheckCommand, TellsAllFaultsOfTheUrdfThatARobotNames) {
   EXPECT_THAT(all.err, HasSubstr("<collisions>: unknown element in <robot>"));
 }
 
+TEST(CheckCommand, WarnsOfTheUrdfThatARobotOrAScenarioNames) {
+  const ScratchFolder folder;
+  folder.CopyModel("axel");
+  folder.CopyModel("soils");
+  const std::string urdf = (folder.path() / "models/axel/axel.urdf").string();
+  folder.Write("models/axel/axel.urdf",
+               Replaced(Slurp(urdf), "</robot>",
+                        "<gazebo/><link name=\"rod\"><inertial><mass value=\"0.01\"/><inertia "
+                        "ixx=\"1e-6\" iyy=\"1e-6\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>"
+                        "</inertial><contact/></link><joint name=\"rod_joint\" type=\"fixed\">"
+                        "<parent link=\"body\"/><child link=\"rod\"/></joint></robot>"));
+  const std::string scenario =
+      folder.Write("scenarios/x.yaml", Slurp(SourceFile("scenarios/axel_typical.yaml")));
+  const std::string campaign = folder.Write(
+      "scenarios/c.yaml", "campaign: c\nscenario: x.yaml\nruns: [{run: 1}, {run: 2}]\n");
+  for (const std::string& file :
+       {(folder.path() / "models/axel/axel.yaml").string(), scenario, campaign}) {
+    const Ended ended = Dockyard("check --json " + file);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const Json answer = Json::parse(ended.out);
+    EXPECT_EQ(answer["left_out"], (Json{{"contact", 1}, {"gazebo", 1}})) << file;
+    ASSERT_EQ(answer["warnings"].size(), 2u) << ended.out;
+    for (const auto& [i, text] : {std::pair(0u, "link 'rod': inertia: a principal moment of 0"),
+                                  std::pair(1u, "<contact> is left out")}) {
+      const std::string warning = answer["warnings"][i].get<std::string>();
+      EXPECT_THAT(warning, ::testing::StartsWith(urdf));
+      EXPECT_THAT(warning, HasSubstr(text));
+      EXPECT_THAT(ended.err, HasSubstr("warning: " + warning + "\n"));
+    }
+    EXPECT_THAT(answer["files"][0]["summary"].get<std::string>(),
+                HasSubstr("; left out of " + urdf + ": 1 <contact>, 1 <gazebo>"));
+  }
+  const Json none = Json::parse(Dockyard("check --json models/axel/axel.yaml").out);
+  EXPECT_EQ(none["warnings"], Json::array());
+}
+
 TEST(CheckCommand, HasNoLineForAFaultWithoutOne) {
   const Json answer = Json::parse(Dockyard("check --json /no/such.urdf").out);
   const Json fault = {

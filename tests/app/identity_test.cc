@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "models/read/urdf.h"
 #include "models/read/yaml_tree.h"
 #include "sim/plan/file_keys.h"
 #include "sim/scenario/key_path.h"
@@ -82,6 +85,37 @@ TEST_F(Identity, ChangesWithFilesThatAModelNamesInOtherFolders) {
   for (const char* name : {"urdf/a.urdf", "urdf/a.stl", "far/rig.yaml"}) {
     EXPECT_TRUE(SeesAChangeOf(name)) << name;
   }
+}
+
+// A campaign's folder holds copies, which later commands read in place of the files.
+TEST_F(Identity, HoldsTheMeshesOfPackagesSoThatTheCopiesLoad) {
+  constexpr char kTriangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const auto named = [](const std::string& mesh) {
+    return "<visual><geometry><mesh filename=\"" + mesh + "\"/></geometry></visual>";
+  };
+  folder_.Write("src/arm/package.xml", "<package><name>arm</name></package>");
+  folder_.Write("src/arm/urdf/arm.urdf", "<robot name=\"m\"><link name=\"a\">" +
+                                             named("package://arm/meshes/a.obj") +
+                                             named("../meshes/b%20c.obj") +
+                                             named("model://hand/d.obj") + "</link></robot>\n");
+  for (const char* mesh : {"arm/meshes/a.obj", "arm/meshes/b c.obj", "hand/d.obj"}) {
+    folder_.Write(std::string("src/") + mesh, kTriangle);
+  }
+  folder_.Write("src/hand/model.config", "<model/>");
+  folder_.Write("robot/robot.yaml", "urdf: ../src/arm/urdf/arm.urdf\n");
+  for (const char* mesh : {"arm/meshes/a.obj", "arm/meshes/b c.obj", "hand/d.obj"}) {
+    EXPECT_TRUE(SeesAChangeOf(std::string("src/") + mesh)) << mesh;
+  }
+  const std::vector<KnownSystem> systems{{"toy", {}, {"target"}, {}}};
+  const ScratchFolder results;
+  std::string urdf;
+  for (const auto& [copy, original] :
+       IdentityOf(WithAbsolutePaths(campaign_, systems), systems).files) {
+    const std::string file = results.Write(copy, Slurp(original));
+    if (original.extension() == ".urdf") urdf = file;
+  }
+  std::filesystem::remove_all(folder_.path() / "src");
+  EXPECT_EQ(LoadUrdf(urdf).links.at(0).visuals.size(), 3u);
 }
 
 TEST_F(Identity, ChangesWithAFileOfAnyArmPointOrDraw) {

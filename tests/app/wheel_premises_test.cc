@@ -14,7 +14,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-std::vector<std::string> WarningsOf(double sinkage_m, double slip = 0.2, double side_deg = 0.0) {
+std::vector<std::string> WarningsOf(double sinkage_m, double slip = 0.2, double side_deg = 0.0,
+                                    bool steady = true) {
   SingleWheelSetup setup;
   setup.wheel.rim_radius_m = 0.09;
   setup.wheel.paddle_count = 12;
@@ -23,6 +24,7 @@ std::vector<std::string> WarningsOf(double sinkage_m, double slip = 0.2, double 
   setup.side_slip_rad = Radians(side_deg);
   SingleWheelResult result;
   result.sinkage_m = sinkage_m;
+  result.steady = steady;
   EXPECT_EQ(IsBuried(setup.wheel, result), sinkage_m >= 0.1);
   return BrokenPremises(setup, result);
 }
@@ -42,6 +44,11 @@ TEST(BrokenPremises, NameTheDepthTheSlipAndTheSideSlip) {
 
 TEST(BrokenPremises, SayThatAWheelIsBuriedAndHowDeep) {
   EXPECT_THAT(WarningsOf(0.3), ElementsAre(HasSubstr("its axle is 0.2 m below the ground")));
+}
+
+TEST(BrokenPremises, SayThatAWheelWasStillChanging) {
+  EXPECT_THAT(WarningsOf(0.063, 0.2, 0.0, false),
+              ElementsAre(HasSubstr("still changing at the end of its path")));
 }
 
 TEST(WheelCommand, BelievesNoBuriedWheel) {

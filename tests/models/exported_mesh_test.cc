@@ -48,18 +48,19 @@ TEST(ExportedMesh, MayBeginWithAByteOrderMark) {
   const ScratchFolder folder;
   folder.Write("a.bin", TriangleBytes());
   EXPECT_EQ(LoadMesh(folder.Write("a.gltf", Windows(TriangleGltf("a.bin"))))->triangles.size(), 1u);
-  EXPECT_THAT(MessageFor("a.obj", std::string("\xFF\xFEv\0 \0", 6)), HasSubstr("UTF-16"));
+  EXPECT_THAT(MessageFor("a.obj", std::string("\xFF\xFEv\0 \0", 6)),
+              HasSubstr("a.obj:1:1: expected text in UTF-8, found UTF-16; save it as UTF-8"));
 }
 
 TEST(ExportedObj, CornersMayNameTextureAndNormalsThatAreNotThere) {
-  const std::string places = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
-  const auto plain = CornersOf("a.obj", places + "f 1 2 3\nf 1 3 4\n");
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const auto plain = CornersOf("a.obj", vertices + "f 1 2 3\nf 1 3 4\n");
   for (const char* faces :
        {"f 1/1/1 2/2/2 3/3/3\nf 1/9/9 3/9/9 4/9/9\n", "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\n",
         "f 1/1 2/2 3/3\nf 1/ 3/ 4/\n", "f -4 -3 -2\nf -4/-1/-1 -2 -1\n",
         "g a\nusemtl b\ns 1\nf 1 2 \\\n 3\nvn 0 0 1\nvt 0 0\no c\n\tf 1\t3 4 # end\n",
         "f 1 2 3 4\n"}) {
-    const auto corners = CornersOf("a.obj", places + faces);
+    const auto corners = CornersOf("a.obj", vertices + faces);
     if (std::string(faces) == "f 1 2 3 4\n") {
       EXPECT_EQ(corners.size(), 6u);
     } else {
@@ -72,18 +73,18 @@ TEST(ExportedObj, CornersMayComeBeforeTheirPlaces) {
   EXPECT_EQ(CornersOf("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").size(), 3u);
 }
 
-TEST(ExportedObj, CornersThatNameNoPlaceAreRefusedWithTheirLine) {
-  const std::string places = "v 0 0 0\nv +1.0 0 0\nv 0 1 0\n";
-  EXPECT_EQ(MessageFor("a.obj", places + "f 1 2 9\n"),
-            "a.obj:4:1: not a usable mesh: expected corners from 1 to 3, the places of the file, "
+TEST(ExportedObj, CornersThatNameNoVertexAreRefusedWithTheirLine) {
+  const std::string vertices = "v 0 0 0\nv +1.0 0 0\nv 0 1 0\n";
+  EXPECT_EQ(MessageFor("a.obj", vertices + "f 1 2 9\n"),
+            "a.obj:4:1: not a usable mesh: expected corners from 1 to 3, the vertices of the file, "
             "found 'f 1 2 9'");
   for (const char* bad :
        {"f 0 1 2", "f -4 1 2", "f 1 2 x", "f 1/a 2 3", "f 1/1/1/1 2 3", "f 1.5 2 3", "f /1 2 3"}) {
-    EXPECT_THAT(MessageFor("a.obj", places + bad + "\n"),
+    EXPECT_THAT(MessageFor("a.obj", vertices + bad + "\n"),
                 HasSubstr("a.obj:4:1: not a usable mesh: expected"))
         << bad;
   }
-  EXPECT_THAT(MessageFor("a.obj", places + "f 1 2\n"), HasSubstr("without faces"));
+  EXPECT_THAT(MessageFor("a.obj", vertices + "f 1 2\n"), HasSubstr("without faces"));
 }
 
 TEST(ExportedStl, TextMayBeInCapitalsAndWithoutItsLastLines) {

@@ -107,6 +107,10 @@ TEST_F(KalibrChain, BadOnesAreNamedByPlaceAndPath) {
             "c.yaml:3:17: cam0.camera_model: expected one of pinhole, omni, ds, eucm, found 'mei'");
   EXPECT_THAT(Message(Replaced(kKalibr, "radtan", "radtan8")),
               HasSubstr("c.yaml:5:21: cam0.distortion_model: expected one of radtan"));
+  for (const char* model : {"  distortion_model: none\n", ""}) {
+    EXPECT_THAT(Message(Replaced(kKalibr, "  distortion_model: radtan\n", model)),
+                HasSubstr("cam0.distortion_coeffs: expected zeros without a distortion_model"));
+  }
   EXPECT_THAT(Message(Replaced(kKalibr, "[1.0, 0.0, 0.0, -0.11]", "[-1.0, 0.0, 0.0, -0.11]")),
               HasSubstr("cam1.T_cn_cnm1: expected a rotation, found a mirrored one"));
   EXPECT_THAT(Message(Replaced(kKalibr, "[1.0, 0.0, 0.0, -0.11]", "[1.1, 0.0, 0.0, -0.11]")),

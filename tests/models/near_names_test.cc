@@ -32,6 +32,15 @@ class NearFiles : public testing::Test {
   ScratchFolder folder_;
 };
 
+TEST(NearestName, IsOneThatASlipOfThePenAway) {
+  EXPECT_EQ(NearestName("lenght_m", {"width_m", "length_m"}), "length_m");
+  EXPECT_EQ(NearestName("rm", {"r_m", "alpha_deg"}), "r_m");
+  EXPECT_EQ(NearestName("colour", {"radius_m", "width_m"}), "");
+  EXPECT_EQ(NearestName("SINKAGE_MM", {"slip", "sinkage_mm"}), "sinkage_mm");
+  EXPECT_EQ(NearestName("X_m", {"u_m", "x_m"}), "x_m");
+  EXPECT_EQ(NearestName(std::string(5000, 'x'), {"radius_m"}), "");
+}
+
 TEST(DidYouMean, NamesTheNearestOrTheOnlyOneThatBeginsSo) {
   EXPECT_EQ(DidYouMean("runn", {"run", "replay"}), ", did you mean 'run'?");
   EXPECT_EQ(DidYouMean("camp", {"campaign", "camera"}), ", did you mean 'campaign'?");

@@ -140,6 +140,10 @@ TEST(LoadObstacles, ReadsATableOfDiscs) {
   EXPECT_EQ(obstacles.discs[19999].radius_m, 0.1);
   EXPECT_TRUE(IsDiscTable(file));
   EXPECT_FALSE(IsDiscTable(folder.Write("runs.csv", "run,x_m\n1,2\n")));
+  const std::string capitals = folder.Write("capitals.csv", "X_m,Y_M,radius_m\n1,2,0.5\n");
+  EXPECT_TRUE(IsDiscTable(capitals));
+  EXPECT_EQ(MessageOf([&] { LoadObstacles(capitals); }, folder),
+            "capitals.csv:1:1: row 1.X_m: unknown key, did you mean 'x_m'?");
   const std::string bad = folder.Write("bad.csv", "x_m,y_m,radius_m\n1,2,0.5\n1,2,-0.5\n");
   EXPECT_THAT(MessageOf([&] { LoadObstacles(bad); }, folder),
               HasSubstr("bad.csv:3:5: row 2.radius_m: expected a number > 0"));

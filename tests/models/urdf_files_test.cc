@@ -81,6 +81,42 @@ TEST_F(UrdfPackages, AreNotLeft) {
   EXPECT_THAT(MessageFor("package://other/link.obj"), HasSubstr("it leads out of it"));
 }
 
+/// A file at that place with that mesh, next to a folder of meshes, without a package.
+std::string MessageAt(const std::string& urdf, const std::string& mesh) {
+  const ScratchFolder folder;
+  folder.Write("robot/meshes/a.obj", kTriangle);
+  folder.Write("outside.obj", kTriangle);
+  const std::string file = folder.Write(urdf, Robot(mesh));
+  return MessageOf([&] { LoadUrdf(file); }, folder);
+}
+
+TEST(UrdfWithoutPackage, NamesMeshesNextToAFolderOfUrdfFiles) {
+  for (const char* folder : {"urdf", "xacro", "robots"}) {
+    const std::string file = std::string("robot/") + folder + "/m.urdf";
+    EXPECT_EQ(MessageAt(file, "../meshes/a.obj"), "(no error)") << folder;
+    EXPECT_THAT(MessageAt(file, "../../outside.obj"), HasSubstr("it leads out of it")) << folder;
+    EXPECT_THAT(MessageAt(file, "/etc/passwd"), HasSubstr("is absolute and leads")) << folder;
+    EXPECT_THAT(MessageAt(file, "../meshes/b.obj"), HasSubstr("did you mean")) << folder;
+  }
+}
+
+TEST(UrdfWithoutPackage, StaysInAFolderOfAnotherName) {
+  EXPECT_THAT(MessageAt("robot/drawn/m.urdf", "../meshes/a.obj"),
+              HasSubstr("(it leads out of it); a file in a ROS package, or in a folder named urdf, "
+                        "xacro or robots, may name meshes next to its folder"));
+  EXPECT_THAT(MessageAt("robot/urdf/x/m.urdf", "../../meshes/a.obj"),
+              HasSubstr("it leads out of it"));
+}
+
+TEST(UrdfWithoutPackage, FollowsNoLinkOutOfTheRobotsFolder) {
+  const ScratchFolder folder;
+  folder.Write("robot/meshes/a.obj", kTriangle);
+  folder.Write("outside.obj", kTriangle);
+  fs::create_symlink(folder.path() / "outside.obj", folder.path() / "robot/meshes/link.obj");
+  const std::string file = folder.Write("robot/urdf/m.urdf", Robot("../meshes/link.obj"));
+  EXPECT_THAT(MessageOf([&] { LoadUrdf(file); }, folder), HasSubstr("it leads out of it"));
+}
+
 /// A program of that name first on PATH, as long as it lives.
 class OnPath {
  public:

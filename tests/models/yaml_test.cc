@@ -176,13 +176,6 @@ TEST(YamlFile, ThatIsEmptyMissingOrHugeIsRefused) {
             folder.path().string() + ": not a regular file");
 }
 
-TEST(NearestName, IsOneThatASlipOfThePenAway) {
-  EXPECT_EQ(NearestName("lenght_m", {"width_m", "length_m"}), "length_m");
-  EXPECT_EQ(NearestName("rm", {"r_m", "alpha_deg"}), "r_m");
-  EXPECT_EQ(NearestName("colour", {"radius_m", "width_m"}), "");
-  EXPECT_EQ(NearestName(std::string(5000, 'x'), {"radius_m"}), "");
-}
-
 TEST(NumberText, ReadsBackToTheSameBits) {
   for (const double value : {0.1, 1.0 / 3.0, 1e-300, 6.02214076e23, -0.0325}) {
     double back = 0.0;

@@ -256,6 +256,17 @@ TEST(PoseCommand, SaysWhatAFileOfFramesMustHave) {
   const Ended slip = Dockyard("pose " + file + rig);
   EXPECT_EQ(slip.code, 3);
   EXPECT_THAT(slip.err, HasSubstr("points.csv:1:30: survey_eror_m: unknown column, did you mean"));
+  for (const auto& [header, meant] :
+       {std::pair("Camera,u_px,v_px,x_m,y_m,z_m",
+                  "1:1: Camera: unknown column, did you mean 'camera'?"),
+        std::pair("camera,u_px,v_px,x_m,y_m,z_mm",
+                  "1:26: z_mm: unknown column, did you mean 'z_m'?"),
+        std::pair("camera,u_px,v_px,x_m,y_m,z_m,Frame",
+                  "1:30: Frame: unknown column, did you mean 'frame'?")}) {
+    WriteText(file, std::string(header) + "\nleft,1,2,0,0,0" +
+                        (std::string(header).ends_with("Frame") ? ",1\n" : "\n"));
+    EXPECT_THAT(Dockyard("pose " + file + rig).err, HasSubstr(meant)) << header;
+  }
   WriteText(file, "frame,camera,u_px,v_px,x_m,y_m,z_m\na,left,1,2,0,0,0\n");
   EXPECT_EQ(Dockyard("pose --sequence " + file + rig).code, 4);
 }
@@ -275,7 +286,24 @@ TEST(PoseCommand, NoticesThatLeftAndRightAreExchanged) {
   WriteText(file, csv);
   const Ended ended = Dockyard("pose " + file + " --robot models/axel/axel.yaml");
   EXPECT_EQ(ended.code, 4);
-  EXPECT_THAT(ended.out, HasSubstr("with left and right exchanged they do"));
+  const std::string mistake = "with left and right exchanged the points agree";
+  EXPECT_THAT(ended.out, HasSubstr(mistake));
+  // A table has no column for it.
+  const Ended table = Dockyard("pose " + file + " --robot models/axel/axel.yaml --csv");
+  EXPECT_THAT(table.err, HasSubstr("no pose: cameras disagree: "));
+  EXPECT_THAT(table.err, HasSubstr(mistake));
+  std::string frames = "frame," + csv.substr(0, csv.find('\n') + 1);
+  for (const char* name : {"a,", "b,"}) {
+    for (std::size_t at = csv.find('\n') + 1; at < csv.size(); at = csv.find('\n', at) + 1) {
+      frames += name + csv.substr(at, csv.find('\n', at) + 1 - at);
+    }
+  }
+  WriteText(file, frames);
+  for (const char* form : {" --csv", " --json", ""}) {
+    const Ended many =
+        Dockyard("pose --sequence " + file + " --robot models/axel/axel.yaml" + form);
+    EXPECT_THAT(many.err, HasSubstr("warning: 2 of 2 frames have no pose: " + mistake)) << form;
+  }
 }
 
 TEST(PoseCommand, TakesTheImagesSizeFromTheRigAndTheSurveysErrorFromItsColumn) {

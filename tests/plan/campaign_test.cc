@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <cctype>
 #include <optional>
 #include <set>
 
@@ -210,10 +211,24 @@ TEST_F(CampaignFile, UnknownColumnsAreToldByPlace) {
             "scenarios/c.csv:1:27: start.rm: unknown key, did you mean 'r_m'?");
   EXPECT_EQ(TableMessage(",light,", ",lihgt,"),
             "scenarios/c.csv:1:21: lihgt: expected a key of the scenario or one of the campaign's "
-            "tags; nearest key is 'light'");
+            "tags; did you mean 'light'?");
   EXPECT_EQ(TableMessage(",light,", ",crew,"),
             "scenarios/c.csv:1:21: crew: expected a key of the scenario or one of the campaign's "
             "tags");
+}
+
+TEST_F(CampaignFile, ColumnsInTheWrongCaseAreNamedByWhatTheyMean) {
+  EXPECT_EQ(TableMessage("run,", "Run,"),
+            "scenarios/c.csv:1:1: Run: unknown column, did you mean 'run'?");
+  for (const std::string column : {"light", "day"}) {
+    std::string other = column;
+    other[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(other[0])));
+    EXPECT_THAT(TableMessage("," + column + ",", "," + other + ","),
+                HasSubstr(": " + other +
+                          ": expected a key of the scenario or one of the campaign's tags; did you "
+                          "mean '" +
+                          column + "'?"));
+  }
 }
 
 TEST_F(CampaignFile, FormerKeysAndColumnsSayWhereTheyAreNow) {

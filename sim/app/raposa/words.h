@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "models/read/yaml_reader.h"
+#include "models/read/near_names.h"
 #include "sim/run/system.h"
 
 namespace dockyard::raposa {

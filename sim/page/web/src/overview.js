@@ -54,38 +54,27 @@ export function overview(header, table, runs, openRun) {
   );
 }
 
+/**
+ * A card with a list; null without items.
+ * @param {string} id @param {string} title @param {Record<string, string> | null} attributes of the list
+ * @param {HTMLElement[]} items
+ */
+function listCard(id, title, attributes, items) {
+  return items.length === 0 ? null : card(id, title, null, make('ul', attributes, items));
+}
+
 /** What became of the requirements on the results. @param {any} header */
 function requirements(header) {
-  const list = header.requirements ?? [];
-  if (list.length === 0) return null;
-  return card(
-    'requirements',
-    'Requirements',
-    null,
-    make(
-      'ul',
-      { class: 'requirements' },
-      list.map((/** @type {any} */ each) =>
-        make('li', { class: each.met ? 'docked' : 'failed' }, `${each.met ? '●' : '✕'} ${each.text}`),
-      ),
-    ),
+  const items = (header.requirements ?? []).map((/** @type {any} */ each) =>
+    make('li', { class: each.met ? 'docked' : 'failed' }, `${each.met ? '●' : '✕'} ${each.text}`),
   );
+  return listCard('requirements', 'Requirements', { class: 'requirements' }, items);
 }
 
 /** @param {any} header */
 function leftOut(header) {
-  const sentences = header.left_out ?? [];
-  if (sentences.length === 0) return null;
-  return card(
-    'left-out',
-    'Left out',
-    null,
-    make(
-      'ul',
-      null,
-      sentences.map((/** @type {string} */ text) => make('li', null, text)),
-    ),
-  );
+  const items = (header.left_out ?? []).map((/** @type {string} */ text) => make('li', null, text));
+  return listCard('left-out', 'Left out', null, items);
 }
 
 /** A first stop of the Tab key that leads past all figures. @param {import('./runs_table.js').RunsTable} runs */
