@@ -150,7 +150,7 @@ FileCheck CheckCampaign(const std::string& file, const std::vector<System>& syst
   for (const std::string& label : campaign.labels) labels += (labels.empty() ? "" : ", ") + label;
   return {"campaign", campaign.name + ": " + std::to_string(campaign.run_count()) + " runs" +
                           (labels.empty() ? "" : " by " + labels) + "; seed " +
-                          std::to_string(campaign.seed)};
+                          std::to_string(campaign.seed.number)};
 }
 
 FileCheck CheckReproduction(const std::string& file, const std::vector<System>& systems) {
