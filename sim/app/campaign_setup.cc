@@ -39,7 +39,7 @@ CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& c
   options.columns = system.Columns(campaign.labels);
   options.facts = {{"name", campaign.name},
                    {"system", system.name},
-                   {"seed", campaign.seed},
+                   {"seed", campaign.seed.number},
                    {"runs", campaign.run_count()},
                    {"columns", ColumnNames(options.columns)}};
   if (arguments.commands.answer_limit_s != CommandOptions{}.answer_limit_s) {

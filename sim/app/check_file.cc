@@ -102,7 +102,7 @@ FileCheck CheckCampaign(const std::string& file, const std::vector<System>& syst
   return WithUrdfs(urdfs,
                    {"campaign", campaign.name + ": " + CountText(campaign.run_count(), "run") +
                                     (labels.empty() ? "" : " by " + labels) + "; seed " +
-                                    std::to_string(campaign.seed)});
+                                    std::to_string(campaign.seed.number)});
 }
 
 FileCheck CheckReproduction(const std::string& file, const std::vector<System>& systems) {

@@ -129,12 +129,12 @@ Alone Conclude(Alone alone, const std::string& what, ReplayAnswer& answer) {
 }
 
 /// Throws ControllerFailure where its program fails.
-Alone ReportCommands(const std::filesystem::path& run_dir, const Scenario& scenario,
+Alone ReportCommands(const std::filesystem::path& run_dir, const CampaignRun& run,
                      const RunOptions& options, const std::vector<System>& systems,
                      ReplayAnswer& answer) {
   RunLogReader log(run_dir);
-  const System& system = FindSystem(systems, scenario.system);
-  const auto fed = ReplayLog(log, system, scenario, system.make_ready(scenario), options);
+  const System& system = FindSystem(systems, run.scenario.system);
+  const auto fed = ReplayLog(log, system, run, system.make_ready(run.scenario), options);
   if (!fed) {
     return Conclude(Alone::kDiffers, "not run, the models' nominal parameters are not the log's",
                     answer);
@@ -162,11 +162,11 @@ Alone ReportCommands(const std::filesystem::path& run_dir, const Scenario& scena
 }
 
 /// The same; a program that fails must have failed so in the run.
-Alone ReportController(const std::filesystem::path& run_dir, const Scenario& scenario,
+Alone ReportController(const std::filesystem::path& run_dir, const CampaignRun& run,
                        const std::string& outcome, const RunOptions& options,
                        const std::vector<System>& systems, ReplayAnswer& answer) {
   try {
-    return ReportCommands(run_dir, scenario, options, systems, answer);
+    return ReportCommands(run_dir, run, options, systems, answer);
   } catch (const ControllerFailure& failure) {
     const bool same = failure.outcome() == outcome;
     return Conclude(same ? Alone::kSame : Alone::kDiffers,
@@ -224,8 +224,8 @@ int Replay(const ReplayArguments& arguments, Invocation& call) {
     answer.Print();
     return same_row ? kExitIncomplete : kExitOurBug;
   }
-  const Alone alone = ReportController(kept.log_dir, kept.run.scenario, now.result.outcome, options,
-                                       call.systems, answer);
+  const Alone alone =
+      ReportController(kept.log_dir, kept.run, now.result.outcome, options, call.systems, answer);
   answer.Print();
   return same_row ? static_cast<int>(alone) : kExitOurBug;
 }

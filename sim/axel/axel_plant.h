@@ -44,7 +44,7 @@ class AxelPlant final : public Plant {
  private:
   StereoImages Picture(const SensorOptions& sensor);
 
-  std::uint64_t seed_;
+  Seed seed_;
   double step_s_;
   CameraFaults camera_faults_;
   BuiltRun built_;

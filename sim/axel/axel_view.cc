@@ -8,7 +8,7 @@
 namespace dockyard::axel {
 SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
                            const SoilModel& soil, Lighting lighting, const Pose3& X_WG,
-                           std::uint64_t run_seed)
+                           const Seed& run_seed)
     : body_(Convert(rover.body.visuals)),
       left_wheel_(Convert(rover.left_wheel.visuals)),
       right_wheel_(Convert(rover.right_wheel.visuals)),

@@ -19,7 +19,7 @@ namespace dockyard::axel {
 class SceneBuilder {
  public:
   SceneBuilder(const RoverModel& rover, const StationModel& station, const SoilModel& soil,
-               Lighting lighting, const Pose3& X_WG, std::uint64_t run_seed);
+               Lighting lighting, const Pose3& X_WG, const Seed& run_seed);
 
   /// Rocks that stand in the ground, in G.
   void AddRocks(const RockBed& bed);

@@ -92,7 +92,7 @@ void CheckBearing(const Scenario& scenario) {
 
 }  // namespace
 
-HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed) {
+HeightGrid MakeGround(const YardModel& yard, const Seed& seed) {
   HeightGrid ground = LevelGrid(-kYardBehind_m, yard.length_m, yard.width_m, yard.cell_m);
   AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadiusM,
                 StreamKey(seed, "yard"));
@@ -139,7 +139,7 @@ void CheckStart(const BuiltRun& run, const Truth& start) {
 
 // Which marks are dirty follows from the seed.
 std::vector<DustySpot> DustyMarks(const DirtyMarks& dirty, const FiducialBoard& board,
-                                  std::uint64_t seed) {
+                                  const Seed& seed) {
   std::vector<Fiducial> clean(board.fiducials.begin(), board.fiducials.end());
   RandomStream pick(StreamKey(seed, "dirty_marks"));
   std::vector<DustySpot> spots;

@@ -20,7 +20,7 @@ struct BuiltRun {
 };
 
 /// The yard's ground before anything has stood on it.
-HeightGrid MakeGround(const YardModel& yard, std::uint64_t seed);
+HeightGrid MakeGround(const YardModel& yard, const Seed& seed);
 
 /// Where a scenario's site lies in the world.
 Pose3 SiteOf(const Scenario& scenario);

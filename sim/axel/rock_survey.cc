@@ -7,7 +7,7 @@
 namespace dockyard::axel {
 
 RockMap RockMapOf(const RockMapKeys& keys, const RockBed& bed, const HeightGrid& ground,
-                  const Pose2& X_GD, std::uint64_t run_seed) {
+                  const Pose2& X_GD, const Seed& run_seed) {
   if (!keys.rocks.empty()) return {keys.rocks, keys.sigma_m};
   if (!keys.made) return {};
   RockMap map{.rocks = {}, .sigma_m = keys.sigma_m};

@@ -7,6 +7,7 @@
 #include "controller/geometry/pose.h"
 #include "sim/axel/axel_keys.h"
 #include "sim/axel/rock_bed.h"
+#include "sim/base/random.h"
 #include "sim/soil/height_grid.h"
 
 namespace dockyard::axel {
@@ -15,6 +16,6 @@ namespace dockyard::axel {
 /// its middle that holds it, its place with errors of sigma_m from the run's stream "rock_map".
 /// Empty unless the keys ask for one. In the dock's frame D.
 RockMap RockMapOf(const RockMapKeys& keys, const RockBed& bed, const HeightGrid& ground,
-                  const Pose2& X_GD, std::uint64_t run_seed);
+                  const Pose2& X_GD, const Seed& run_seed);
 
 }  // namespace dockyard::axel

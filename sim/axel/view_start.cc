@@ -78,7 +78,7 @@ void WriteStartView(const Scenario& scenario, const AxelModels& models,
   const Pose3 X_RB = Inverse(truth.X_WR) * scene.board.X_WB;
   Json view;
   view["scenario"] = scenario.name;
-  view["seed"] = scenario.seed;
+  view["seed"] = scenario.seed.number;
   view["X_RB"] = ToJson(X_RB);
   view["X_DR"] = ToJson(truth.X_DR);
   view["left"] = FiducialsJson(scene, built.built_rig.left, truth.X_WR * built.built_rig.X_RL);

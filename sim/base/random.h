@@ -4,7 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
+
+#include "sim/base/secret.h"
 
 namespace dockyard {
 
@@ -29,13 +32,34 @@ class RandomStream {
 /// cells, so at least 2^-53 from either end.
 double OpenUnit(std::uint64_t bits);
 
+/// What the draws of a campaign or of a run follow from. A plain one is a number, and whoever
+/// guesses it knows all of them: each map from it to a stream can be turned back. With a secret no
+/// stream can be told from the number, nor from another stream.
+struct Seed {
+  std::uint64_t number = 1;
+  std::optional<Secret> secret;
+
+  Seed() = default;
+  Seed(std::uint64_t plain) : number(plain) {}  // a number is a seed
+  Seed(std::uint64_t number_, const std::optional<Secret>& secret_)
+      : number(number_), secret(secret_) {}
+  bool operator==(const Seed&) const = default;
+};
+
 /// Key of one named stream of one run's seed.
-std::uint64_t StreamKey(std::uint64_t seed, std::string_view stream);
-/// Seed of all that the runs at one place of a campaign share. A place is a point of the campaign's
-/// grid or a row of its table, counted from 0.
-std::uint64_t PlaceSeed(std::uint64_t campaign_seed, std::uint64_t place);
+std::uint64_t StreamKey(const Seed& seed, std::string_view stream);
+/// Key of a named stream that the runs at one place of a campaign share. A place is a point of the
+/// campaign's grid or a row of its table, counted from 0.
+std::uint64_t PlaceKey(const Seed& campaign, std::uint64_t place, std::string_view stream);
+/// Key of a named stream of the run at that place with `repeat` others before it. Plain: that of
+/// the stream of its world's seed.
+std::uint64_t RunKey(const Seed& campaign, std::uint64_t place, std::uint64_t repeat,
+                     std::string_view stream);
 /// Seed of one run's world: the run at that place with `repeat` others before it. Place and repeat
 /// are mixed one after the other, so that more places or more repeats shift no seed.
-std::uint64_t WorldSeed(std::uint64_t campaign_seed, std::uint64_t place, std::uint64_t repeat);
+Seed WorldSeed(const Seed& campaign, std::uint64_t place, std::uint64_t repeat);
+/// Those of a plain seed.
+std::uint64_t PlaceSeed(std::uint64_t campaign, std::uint64_t place);
+std::uint64_t WorldSeed(std::uint64_t campaign, std::uint64_t place, std::uint64_t repeat);
 
 }  // namespace dockyard

@@ -21,11 +21,11 @@ double InStratum(std::uint64_t stratum, std::uint64_t strata, std::uint64_t bits
 
 }  // namespace
 
-Design::Design(DesignKind kind, std::uint64_t repeats, std::uint64_t campaign_seed,
+Design::Design(DesignKind kind, std::uint64_t repeats, const Seed& campaign,
                const std::vector<std::string>& keys)
     : kind_(kind),
       repeats_(repeats),
-      campaign_seed_(campaign_seed),
+      campaign_(campaign),
       sobol_(kind == DesignKind::kSobol ? SobolPoints(keys.size(), repeats) : SobolPoints(0, 0)) {
   DOCKYARD_CHECK(kind == DesignKind::kMonteCarlo || (repeats >= 1 && repeats <= kMostRepeats));
   DOCKYARD_CHECK(std::set<std::string>(keys.begin(), keys.end()).size() == keys.size());
@@ -38,10 +38,9 @@ double Design::Uniform(std::size_t key, std::uint64_t place, std::uint64_t repea
   DOCKYARD_CHECK(kind_ == DesignKind::kMonteCarlo || repeat < repeats_);
   const Streams& streams = streams_[key];
   const auto at_run = [&] {
-    const std::uint64_t seed = WorldSeed(campaign_seed_, place, repeat);
-    return RandomStream(StreamKey(seed, streams.run)).NextBits();
+    return RandomStream(RunKey(campaign_, place, repeat, streams.run)).NextBits();
   };
-  const auto at_place = [&] { return StreamKey(PlaceSeed(campaign_seed_, place), streams.place); };
+  const auto at_place = [&] { return PlaceKey(campaign_, place, streams.place); };
   switch (kind_) {
     case DesignKind::kMonteCarlo:
       return OpenUnit(at_run());

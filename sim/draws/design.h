@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/random.h"
 #include "sim/draws/permutation.h"
 #include "sim/draws/sobol.h"
 
@@ -32,7 +33,7 @@ class Design {
   ///   with Monte Carlo and Latin hypercube it has the same draws whatever the other keys are. With
   ///   Sobol' its place in the list is its dimension, so only keys at the end may come and go;
   ///   there are kSobolDimensions at most.
-  Design(DesignKind kind, std::uint64_t repeats, std::uint64_t campaign_seed,
+  Design(DesignKind kind, std::uint64_t repeats, const Seed& campaign,
          const std::vector<std::string>& keys);
 
   /// The number in (0, 1) of one key, counted from 0 in the list.
@@ -47,7 +48,8 @@ class Design {
   };
 
   DesignKind kind_;
-  std::uint64_t repeats_, campaign_seed_;
+  std::uint64_t repeats_;
+  Seed campaign_;
   std::vector<Streams> streams_;
   SobolPoints sobol_;
 };

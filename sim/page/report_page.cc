@@ -36,7 +36,7 @@ Json CampaignJson(const Campaign* campaign) {
                        : campaign->design == DesignKind::kLatinHypercube ? "Latin hypercube"
                                                                          : "Sobol";
   return {{"name", campaign->name},
-          {"seed", std::to_string(campaign->seed)},
+          {"seed", std::to_string(campaign->seed.number)},
           {"planned", campaign->run_count()},
           {"design", campaign->dispersions.empty() ? "as listed" : design},
           {"file", "campaign.yaml"}};

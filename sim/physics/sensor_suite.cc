@@ -18,7 +18,7 @@ std::int64_t Counts(double angle_rad, int counts_per_rev) {
 }  // namespace
 
 SensorSuite::SensorSuite(const ImuModel& imu, std::vector<MotorModel> motors, Tick control_period,
-                         std::uint64_t run_seed)
+                         const Seed& run_seed)
     : imu_(imu),
       motors_(std::move(motors)),
       control_period_(control_period),

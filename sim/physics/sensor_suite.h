@@ -16,7 +16,7 @@ class SensorSuite {
  public:
   /// Draws the power-on biases from the run's seed.
   SensorSuite(const ImuModel& imu, std::vector<MotorModel> motors, Tick control_period,
-              std::uint64_t run_seed);
+              const Seed& run_seed);
   /// Readings at a control tick (no images). true_imu: averages since the last one, as ImuAverage
   /// gives them; yaw starts at zero.
   SensorFrame Read(Tick tick, const std::vector<MotorTruth>& motors, const ImuSample& true_imu);

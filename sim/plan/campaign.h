@@ -51,7 +51,7 @@ struct Figures {
 
 struct Campaign {
   std::string name, file;
-  std::uint64_t seed = 1;
+  Seed seed;                          // sealed: a secret makes its worlds
   YamlNode base;                      // a scenario's tree, the same for all runs
   std::vector<Arm> arms;              // empty: the base alone
   RunTable table;                     // without rows: none

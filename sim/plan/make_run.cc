@@ -123,12 +123,16 @@ std::uint64_t RunMaker::WorldPlace(const Place& place) const {
   return (grid << 32) + static_cast<std::uint64_t>(row);
 }
 
-std::uint64_t RunMaker::SeedAt(const Place& place) const {
-  if (const YamlNode* cell = CellOf(campaign_.table, place.row, "seed")) return SeedCell(*cell);
+Seed RunMaker::SeedAt(const Place& place) const {
+  if (const YamlNode* cell = CellOf(campaign_.table, place.row, "seed")) {
+    return {SeedCell(*cell), campaign_.seed.secret};
+  }
   return WorldSeed(campaign_.seed, WorldPlace(place), static_cast<std::uint64_t>(place.repeat));
 }
 
-std::uint64_t RunMaker::Seed(std::int64_t index) const { return SeedAt(PlaceOf(index)); }
+std::uint64_t RunMaker::SeedNumber(std::int64_t index) const {
+  return SeedAt(PlaceOf(index)).number;
+}
 
 void RunMaker::SetArm(const Place& place, YamlNode& tree, CampaignRun& run) const {
   if (campaign_.arms.empty()) return;

@@ -23,8 +23,9 @@ class RunMaker {
   CampaignRun Make(std::int64_t index) const;
   /// The run's number, which names it in results.
   int Number(std::int64_t index) const;
-  /// The seed of its world: the same for all arms and for every key changed alone.
-  std::uint64_t Seed(std::int64_t index) const;
+  /// The number of its world's seed, which its row has: the same for all arms and for every key
+  /// changed alone.
+  std::uint64_t SeedNumber(std::int64_t index) const;
   /// The index of the run with that number; -1: there is none.
   std::int64_t IndexOf(int number) const;
 
@@ -32,7 +33,7 @@ class RunMaker {
   struct Place;
   Place PlaceOf(std::int64_t index) const;
   std::uint64_t WorldPlace(const Place& place) const;
-  std::uint64_t SeedAt(const Place& place) const;
+  Seed SeedAt(const Place& place) const;
   void SetArm(const Place& place, YamlNode& tree, CampaignRun& run) const;
   void SetRow(const Place& place, YamlNode& tree, CampaignRun& run) const;
   void SetGrid(const Place& place, YamlNode& tree, CampaignRun& run) const;

@@ -86,7 +86,7 @@ std::string CampaignYaml(const Campaign& campaign) {
     if (value != nullptr && value->kind != Kind::kMapping) RemovePath(base, key.name);
   }
   std::string text = "campaign: " + FlowText(ScalarNode(campaign.name, true)) + "\n";
-  text += "seed: " + std::to_string(campaign.seed) + "\n";
+  text += "seed: " + std::to_string(campaign.seed.number) + "\n";
   text += "scenario:\n" + BlockText(base, 2);
   const auto add = [&](const char* key, const YamlNode& mapping) {
     if (!mapping.keys.empty()) text += std::string(key) + ":\n" + BlockText(mapping, 2);
@@ -115,7 +115,8 @@ std::string PlanCsv(const Campaign& campaign, const std::vector<KnownSystem>& sy
   std::string text = CsvLine(header) + "\n";
   for (std::int64_t i = 0; i < campaign.run_count(); ++i) {
     const CampaignRun run = maker.Make(i);
-    std::vector<std::string> cells{std::to_string(run.run), std::to_string(run.scenario.seed)};
+    std::vector<std::string> cells{std::to_string(run.run),
+                                   std::to_string(run.scenario.seed.number)};
     cells.insert(cells.end(), run.labels.begin(), run.labels.end());
     if (campaign.sets_controller) cells.push_back(run.scenario.controller);
     text += CsvLine(cells) + "\n";

@@ -16,7 +16,7 @@ constexpr double kFlatRadius_m = 0.15;
 // The cable's far end lies within this of straight behind the pyramid. Assumed, 0-60 deg.
 constexpr double kCableWithin_rad = Radians(40.0);
 
-HeightGrid GroundOf(const YardModel& yard, double behind_m, std::uint64_t seed) {
+HeightGrid GroundOf(const YardModel& yard, double behind_m, const Seed& seed) {
   const double length_m = yard.length_m - kYardBehind_m + behind_m;
   // A level floor needs no cells, and is drawn as a plane.
   if (yard.undulation_rms_m == 0.0) {

@@ -60,7 +60,7 @@ double ClutterPiece::radius_m() const {
 }
 
 std::vector<ClutterPiece> DrawClutter(int count, const Pose2& X_DV, double behind_m,
-                                      std::uint64_t seed) {
+                                      const Seed& seed) {
   const Eigen::Vector2d camera(X_DV.x, X_DV.y), pyramid(0.0, 0.0), out(kOnAxis_m, 0.0);
   const Eigen::Vector2d view(std::cos(X_DV.heading), std::sin(X_DV.heading));
   const Eigen::Vector2d tail = camera - kBodyBehind_m * view;

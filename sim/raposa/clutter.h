@@ -10,6 +10,7 @@
 #include "controller/geometry/pose.h"
 #include "render/scene.h"
 #include "render/spectrum.h"
+#include "sim/base/random.h"
 
 namespace dockyard::raposa {
 
@@ -36,7 +37,7 @@ inline constexpr double kClutterClear_m = 0.5;
 /// @param X_DV      the camera at the start, x along its view
 /// @param behind_m  of the ground behind the pyramid
 std::vector<ClutterPiece> DrawClutter(int count, const Pose2& X_DV, double behind_m,
-                                      std::uint64_t seed);
+                                      const Seed& seed);
 
 /// In the piece's frame: its foot's middle, z up.
 RenderMesh ClutterMesh(const ClutterPiece& piece);

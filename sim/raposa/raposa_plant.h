@@ -40,7 +40,7 @@ class RaposaPlant final : public Plant {
   StageShapes shapes() const { return scene_.Shapes(); }
 
  private:
-  std::uint64_t seed_;
+  Seed seed_;
   double step_s_;
   BuiltRun built_;
   World world_;

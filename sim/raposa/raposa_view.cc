@@ -42,7 +42,7 @@ Spectrum LightOf(double temperature_k) {
                                          : DaylightLight(temperature_k);
 }
 
-SceneBuilder::SceneBuilder(const BuiltRun& built, Lighting lighting, std::uint64_t run_seed)
+SceneBuilder::SceneBuilder(const BuiltRun& built, Lighting lighting, const Seed& run_seed)
     : lighting_(std::move(lighting)),
       lamps_(built.world.robot.lamps),
       X_WG_(SiteInWorld(built.world.X_WG, built.world.slope)),

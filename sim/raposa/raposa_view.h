@@ -8,6 +8,7 @@
 #include "render/colour_table.h"
 #include "render/scene.h"
 #include "render/stereo_renderer.h"
+#include "sim/base/random.h"
 #include "sim/raposa/build_run.h"
 #include "sim/raposa/world.h"
 #include "sim/run/light.h"
@@ -19,7 +20,7 @@ namespace dockyard::raposa {
 /// the truth.
 class SceneBuilder {
  public:
-  SceneBuilder(const BuiltRun& built, Lighting lighting, std::uint64_t run_seed);
+  SceneBuilder(const BuiltRun& built, Lighting lighting, const Seed& run_seed);
 
   /// The scene borrows the grid's heights: draw it before the grid changes.
   Scene Make(const Truth& truth, const HeightGrid& ground, bool lamps_on) const;

@@ -51,7 +51,7 @@ MotorDrive DriveOf(const RobotModel& robot, Motor motor) {
 }  // namespace
 
 Tracks::Tracks(const RobotModel& robot, const BeltGround& ground,
-               const std::optional<SoilModel>& soil, std::uint64_t seed)
+               const std::optional<SoilModel>& soil, const Seed& seed)
     : radius_m_(robot.belts.roller_radius_m),
       inertia_kg_m2_(
           robot.motors[static_cast<std::size_t>(Motor::kLeftBelt)].reflected_inertia_kg_m2),

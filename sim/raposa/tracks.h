@@ -27,7 +27,7 @@ class Tracks {
   /// Draws the readings' errors and the ground's patches from the run's seed. On soil the ground's
   /// strength is the soil's.
   Tracks(const RobotModel& robot, const BeltGround& ground, const std::optional<SoilModel>& soil,
-         std::uint64_t seed);
+         const Seed& seed);
 
   /// Works one step under these commands to left and right, and adds the ground's loads to the
   /// robot.

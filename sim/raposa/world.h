@@ -13,6 +13,7 @@
 #include "models/parts/soil_model.h"
 #include "models/raposa/pyramid_model.h"
 #include "models/raposa/robot_model.h"
+#include "sim/base/random.h"
 #include "sim/physics/motor_truth.h"
 #include "sim/physics/slope.h"
 #include "sim/soil/height_grid.h"
@@ -31,7 +32,7 @@ struct WorldSetup {
   double cable_rad =
       0.0;           // the way to the cable's far end, off the one straight behind the pyramid
   Pose2 X_DV_start;  // the camera in plan, x along its view: towards the pyramid
-  std::uint64_t seed = 1;  // of the belts' readings
+  Seed seed;         // of the belts' readings
   double step_s = 1e-3;
   // Search for contacts in each step, also where robot and pyramid are apart: the slow way, for
   // tests of the fast one.

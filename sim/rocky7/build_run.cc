@@ -35,7 +35,7 @@ void CheckYard(const Scenario& scenario) {
                     NumberText(scenario.yard.cell_m));
 }
 
-ConvexBody TargetStone(const Rocky7Keys& keys, std::uint64_t seed) {
+ConvexBody TargetStone(const Rocky7Keys& keys, const Seed& seed) {
   const ConvexBody body_D =
       RockShape({keys.diameter_m, keys.height_m}, keys.buried, 0.0, StreamKey(seed, "target"));
   return FromGround({0.0, 0.0, keys.turn_rad}, 0.0) * body_D;

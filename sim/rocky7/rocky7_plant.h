@@ -51,7 +51,7 @@ class Rocky7Plant final : public Plant {
   PairView PairOf(int camera) const;
   StereoImages TakePair(const PairView& pair, double exposure_stops);
 
-  std::uint64_t seed_;
+  Seed seed_;
   double step_s_;
   BuiltRun built_;
   World world_;

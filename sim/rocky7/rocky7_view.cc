@@ -37,7 +37,7 @@ Eigen::Vector3d MiddleOf(const RenderMesh& mesh) {
 
 }  // namespace
 
-SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, std::uint64_t run_seed)
+SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, const Seed& run_seed)
     : lighting_(built.lighting),
       X_WG_(SiteInWorld(built.world.X_WG, built.world.slope)),
       soil_rgb_(built.world.soil.rgb),

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/scene.h"
+#include "sim/base/random.h"
 #include "sim/rocky7/build_run.h"
 #include "sim/rocky7/rover_shapes.h"
 #include "sim/run/stage_shapes.h"
@@ -16,7 +17,7 @@ namespace dockyard::rocky7 {
 /// Builds the scene that the cameras see. Meshes are converted once; poses come from the truth.
 class SceneBuilder {
  public:
-  SceneBuilder(const BuiltRun& built, const WheeledBody& rover, std::uint64_t run_seed);
+  SceneBuilder(const BuiltRun& built, const WheeledBody& rover, const Seed& run_seed);
 
   /// The scene borrows the grid's heights: draw it before the grid changes.
   Scene Make(const Truth& truth, const HeightGrid& ground) const;

@@ -30,7 +30,7 @@ Pose3 Turned(Pose3 X_RC, double about_x, double about_y, double about_z) {
 
 }  // namespace
 
-StereoRig BuiltRig(const StereoModel& stereo, std::uint64_t run_seed, const std::string& stream) {
+StereoRig BuiltRig(const StereoModel& stereo, const Seed& run_seed, const std::string& stream) {
   RandomStream random(StreamKey(run_seed, stream));
   StereoRig built = stereo.nominal;
   const double s = stereo.rotation_sigma_rad;
@@ -47,7 +47,7 @@ StereoRig BuiltRig(const StereoModel& stereo, std::uint64_t run_seed, const std:
   return built;
 }
 
-SensorOptions CameraSensor(const StereoModel& stereo, std::uint64_t run_seed, int index) {
+SensorOptions CameraSensor(const StereoModel& stereo, const Seed& run_seed, int index) {
   const ExposureModel& exposure = stereo.exposure;
   constexpr double kTurns[3] = {0.0, -1.0, 1.0};
   const bool bracketed = exposure.rule == ExposureRule::kBracketed;

@@ -7,7 +7,7 @@
 
 namespace dockyard {
 
-ImageLink::ImageLink(const CameraFaults& faults, std::uint64_t run_seed)
+ImageLink::ImageLink(const CameraFaults& faults, const Seed& run_seed)
     : delay_(std::llround(faults.delay_s / kTickSeconds)),
       lost_(faults.lost),
       random_(StreamKey(run_seed, "lost images")) {}
@@ -27,7 +27,7 @@ std::vector<CameraImage> ImageLink::Receive(Tick now) {
   return images;
 }
 
-SensorOptions WithFaults(SensorOptions sensor, const CameraFaults& faults, std::uint64_t run_seed) {
+SensorOptions WithFaults(SensorOptions sensor, const CameraFaults& faults, const Seed& run_seed) {
   std::size_t view = 0;
   for (const EyeFaults* eye : {&faults.left, &faults.right}) {
     sensor.windows[view] = {

@@ -15,7 +15,7 @@ namespace dockyard {
 /// cameras that are asked again begin anew, and what was on its way is dropped.
 class ImageLink {
  public:
-  ImageLink(const CameraFaults& faults, std::uint64_t run_seed);
+  ImageLink(const CameraFaults& faults, const Seed& run_seed);
 
   /// Pictures exposed now, as they are told from here on. False: they are lost. One draw for each
   /// call.
@@ -36,6 +36,6 @@ class ImageLink {
 
 /// The sensor of a run's stereo pair with what spoils its pictures. Dust lies at places drawn from
 /// the run's seed and stays there.
-SensorOptions WithFaults(SensorOptions sensor, const CameraFaults& faults, std::uint64_t run_seed);
+SensorOptions WithFaults(SensorOptions sensor, const CameraFaults& faults, const Seed& run_seed);
 
 }  // namespace dockyard

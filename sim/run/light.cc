@@ -153,8 +153,8 @@ Pose3 TurnedUpright(const Pose3& X_WD) {
 
 }  // namespace
 
-Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB,
-                      std::uint64_t seed, const SunModel& sun) {
+Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB, const Seed& seed,
+                      const SunModel& sun) {
   RandomStream random(StreamKey(seed, "light"));
   // On level ground D stands upright as it is, to the bit.
   const bool level = X_WD.R(2, 0) == 0.0 && X_WD.R(2, 1) == 0.0;

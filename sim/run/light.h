@@ -24,7 +24,7 @@ struct Lighting {
 /// @param p_DB   the board's centre in it [m]
 /// @param seed   of the run; sun's place and the occluders' detail vary with it
 /// @param sun    the scenario's values; its azimuth counts from +x of D, counter-clockwise
-Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB,
-                      std::uint64_t seed, const SunModel& sun = {});
+Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB, const Seed& seed,
+                      const SunModel& sun = {});
 
 }  // namespace dockyard

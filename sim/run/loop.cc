@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "controller/base/split_mix.h"
 #include "models/read/config_error.h"
 #include "sim/base/hash.h"
 #include "sim/base/random.h"
@@ -68,7 +69,7 @@ class Run {
       log_ = std::make_unique<RunLogWriter>(
           options.log_dir,
           RunLogHeader{.run = what.run,
-                       .seed = what.scenario.seed,
+                       .seed = what.scenario.seed.number,
                        .system = system.name,
                        .controller = what.scenario.controller,
                        .images_kept = what.scenario.log_images && options.log_images,
@@ -86,7 +87,7 @@ class Run {
     Commands commands;
     commands.motors.resize(static_cast<std::size_t>(ready_.motor_count));
     try {
-      controller_ = MakeController(system_, what_.scenario, ready_, options_);
+      controller_ = MakeController(system_, what_, ready_, options_);
       pipe_ = dynamic_cast<PipeController*>(controller_.get());
       Drive(time_limit, commands);
     } catch (const ControllerFailure& failure) {
@@ -237,8 +238,13 @@ void RequireAllowed(const Scenario& scenario, const RunOptions& options) {
                     ": controller.command: it starts a program; allow it with --allow-commands");
 }
 
-std::unique_ptr<Controller> MakeController(const System& system, const Scenario& scenario,
+std::uint64_t SeedOfProgram(std::uint64_t controller_seed, int run) {
+  return SplitMix(StreamKey(controller_seed, "controller"), static_cast<std::uint64_t>(run));
+}
+
+std::unique_ptr<Controller> MakeController(const System& system, const CampaignRun& run,
                                            const ReadyRun& ready, const RunOptions& options) {
+  const Scenario& scenario = run.scenario;
   RequireAllowed(scenario, options);
   if (scenario.script.kind != YamlNode::Kind::kNull) {
     if (system.play) return system.play(ready.nominal, scenario.script);
@@ -256,7 +262,7 @@ std::unique_ptr<Controller> MakeController(const System& system, const Scenario&
                          .camera_count = ready.camera_count,
                          .switch_count = ready.switch_count,
                          .contact_count = ready.contact_count,
-                         .seed = StreamKey(scenario.seed, "controller"),
+                         .seed = SeedOfProgram(scenario.controller_seed, run.run),
                          .nominal = ready.nominal},
       options.answer_limit_s);
 }
@@ -264,7 +270,7 @@ std::unique_ptr<Controller> MakeController(const System& system, const Scenario&
 RunResult StartOfRow(const CampaignRun& run) {
   RunResult row;
   row.run = run.run;
-  row.seed = run.scenario.seed;
+  row.seed = run.scenario.seed.number;
   row.system = run.scenario.system;
   row.controller = run.scenario.controller;
   row.labels = run.labels;

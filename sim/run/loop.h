@@ -25,8 +25,12 @@ void RequireAllowed(const Scenario& scenario, const RunOptions& options);
 /// A new controller as the scenario names it, made from the run's nominal parameters. Throws
 /// ConfigError, also for a command that the options do not allow, and ControllerFailure for a
 /// command.
-std::unique_ptr<Controller> MakeController(const System& system, const Scenario& scenario,
+std::unique_ptr<Controller> MakeController(const System& system, const CampaignRun& run,
                                            const ReadyRun& ready, const RunOptions& options);
+
+/// What a program gets as the seed of its own draws: a map of `controller: {seed: N}` and the run's
+/// number. The world has no part in it, so nothing about the world can be told from it.
+std::uint64_t SeedOfProgram(std::uint64_t controller_seed, int run);
 
 /// The part of a result that is known before the run. The row of a crashed run holds no more.
 RunResult StartOfRow(const CampaignRun& run);

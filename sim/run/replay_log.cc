@@ -3,7 +3,7 @@
 namespace dockyard {
 
 std::optional<ControllerReplay> ReplayLog(RunLogReader& log, const System& system,
-                                          const Scenario& scenario, const ReadyRun& ready,
+                                          const CampaignRun& run, const ReadyRun& ready,
                                           const RunOptions& options) {
   if (log.header().system != system.name) {
     throw DataError("the log: expected one of the system " + system.name + ", found one of '" +
@@ -11,7 +11,7 @@ std::optional<ControllerReplay> ReplayLog(RunLogReader& log, const System& syste
   }
   // As text: a number that is read back as a whole one is still the same.
   if (log.header().nominal.dump() != ready.nominal.dump()) return std::nullopt;
-  const auto controller = MakeController(system, scenario, ready, options);
+  const auto controller = MakeController(system, run, ready, options);
   return ReplayController(log, *controller,
                           {.motors = ready.motor_count,
                            .cameras = ready.camera_count,

@@ -8,12 +8,12 @@ namespace dockyard {
 
 /// Feeds the log's frames to a new controller, made from the nominal parameters of `ready`, and
 /// compares its commands with the logged ones.
-/// @param ready  made from the scenario again; its plant is not used
+/// @param ready  made from the run's scenario again; its plant is not used
 /// None: the log's nominal parameters are others, as after a change of the models. Throws DataError
 /// for a damaged log and for one of another robot, ConfigError and ControllerFailure as
 /// MakeController.
 std::optional<ControllerReplay> ReplayLog(RunLogReader& log, const System& system,
-                                          const Scenario& scenario, const ReadyRun& ready,
+                                          const CampaignRun& run, const ReadyRun& ready,
                                           const RunOptions& options);
 
 }  // namespace dockyard

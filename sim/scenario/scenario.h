@@ -10,6 +10,7 @@
 #include "controller/geometry/pose.h"
 #include "models/parts/rock_field.h"
 #include "models/read/yaml_tree.h"
+#include "sim/base/random.h"
 
 namespace dockyard {
 
@@ -72,6 +73,7 @@ struct Scenario {
   std::string controller;                          // a name that the system knows
   std::vector<std::string> command;                // else: a program that is the controller,
   std::string command_folder;                      // and where it runs: its file's folder
+  std::uint64_t controller_seed = 1;               // of the program's own draws
   DockingCoords start{.r = 4.0};
   // "file:line:column: start", for messages
   std::string start_place, camera_place, yard_place, rocks_place, sun_place;
@@ -85,7 +87,7 @@ struct Scenario {
   bool colour = false;  // view writes colour images beside the grey ones
   double time_limit_s = 600.0;
   double physics_step_s = 1e-3;  // 1e-3 unless a convergence study changes it
-  std::uint64_t seed = 1;
+  Seed seed;
   Pose2 X_WG;  // where the whole yard lies in the world (default identity)
   bool log_images = true;
   YamlNode of_system;  // the mapping under the system's own name; the system reads it. kNull: none

@@ -36,6 +36,8 @@ void VisitController(Keys& keys, Scenario& s, const KnownSystem* system) {
         in.Text(
             {"folder", "", "where the program runs, else the file's own folder", Presence::kUnset},
             s.command_folder);
+        in.Seed({"seed", "", "of the program's own random draws; the world's has no part in it"},
+                s.controller_seed);
       });
 }
 
@@ -239,7 +241,7 @@ void VisitScenario(Keys& keys, Scenario& s, const std::vector<KnownSystem>& syst
   // The physics refuses longer steps.
   keys.Number({"physics_step_s", "s", "of the physics, for convergence studies"}, s.physics_step_s,
               Between(1e-5, 5e-3));
-  keys.Seed({"seed", "", "every random draw follows from it"}, s.seed);
+  keys.Seed({"seed", "", "every random draw follows from it"}, s.seed.number);
   keys.Mapping({"site", "", ""}, [&](Keys& in) { VisitSite(in, s.X_WG); });
   keys.Bool({"log_images", "", "keep the images in the run's log"}, s.log_images);
   keys.Tree({"changes", "", "keys on top of the model files, by model", kUnset}, s.changes,

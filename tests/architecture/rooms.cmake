@@ -25,7 +25,7 @@ set(rooms
   "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h|${os}"
   "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
   "render|a scene in, images out, without physics|${contract}|render/|GL/|EGL/|dlfcn.h"
-  "sim/base|random streams, normal numbers, hashes, files, text, JSON, what this computer is|${contract}|sim/base/|nlohmann/|opencv2/core/version.hpp|zlib.h|${os}"
+  "sim/base|random streams, normal numbers, hashes, files, text, JSON, what this computer is|${contract}|sim/base/|nlohmann/|opencv2/core/version.hpp|zlib.h|openssl/|${os}"
   "sim/mcap|MCAP files, and messages in CDR in them|controller/base/|sim/(base|mcap)/|zstd.h|lz4frame.h"
   "sim/images|image files: PNG, JPEG, PGM, PPM and WebP in, PNG out|${contract}|sim/(base|images)/|png.h|zlib.h|jpeglib.h|webp/"
   "sim/draws|values of dispersed numbers: distributions, designs, correlation|${contract}|sim/(base|draws)/|boost/random/"

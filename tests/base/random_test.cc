@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <set>
+#include <string_view>
+
+#include "controller/base/split_mix.h"
 
 namespace dockyard {
 namespace {
@@ -58,6 +61,66 @@ TEST(WorldSeed, IsAnotherForEachPlaceAndRepeat) {
     }
   }
   EXPECT_EQ(seeds.size(), 10000u);
+}
+
+std::uint64_t Unshifted(std::uint64_t z, int shift) {
+  std::uint64_t r = z;
+  for (int i = 0; i < 64 / shift + 1; ++i) r = z ^ r >> shift;
+  return r;
+}
+/// The number whose SplitMix64 output is z.
+std::uint64_t Unmixed(std::uint64_t z) {
+  z = Unshifted(z, 31) * 0x319642b2d24d8ec3ull;  // the inverses of its factors modulo 2^64
+  z = Unshifted(z, 27) * 0x96de1b173f119089ull;
+  return Unshifted(z, 30);
+}
+/// Of the key of one plain stream.
+std::uint64_t SeedFromKey(std::uint64_t key, std::string_view stream) {
+  const std::uint64_t of_name = Unmixed(StreamKey(0, stream)) ^ SplitMix(0, 0);
+  return Unmixed(Unmixed(key) ^ of_name) - 0x9e3779b97f4a7c15ull;
+}
+
+TEST(SealedSeed, HasNoWayBackFromItsStreams) {
+  const std::uint64_t world = WorldSeed(1, 2, 3);
+  EXPECT_EQ(SeedFromKey(StreamKey(world, "imu"), "imu"), world);  // a plain one has
+  const Seed sealed = WorldSeed(Seed(1, NewSecret()), 2, 3);
+  EXPECT_NE(SeedFromKey(StreamKey(sealed, "imu"), "imu"), sealed.number);
+  EXPECT_NE(sealed.number, world);
+}
+
+// Seeds of campaigns are small numbers: a loop over them finds a plain world.
+TEST(SealedSeed, IsFoundByNoGuess) {
+  const Seed sealed = WorldSeed(Seed(1, NewSecret()), 2, 0), plain = WorldSeed(Seed(1), 2, 0);
+  int found = 0, found_plain = 0;
+  for (std::uint64_t campaign = 0; campaign < 10000; ++campaign) {
+    for (std::uint64_t place = 0; place < 1000; ++place) {
+      const std::uint64_t guess = StreamKey(WorldSeed(campaign, place, 0), "imu");
+      found += guess == StreamKey(sealed.number, "imu");
+      found_plain += guess == StreamKey(plain, "imu");
+    }
+  }
+  EXPECT_EQ(found_plain, 1);
+  EXPECT_EQ(found, 0);
+}
+
+TEST(SealedSeed, DrawsAreOthersForEachSecretPlaceRepeatAndStream) {
+  std::set<std::uint64_t> keys;
+  int count = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Seed sealed(1, NewSecret());
+    for (std::uint64_t place = 0; place < 10; ++place) {
+      for (const char* stream : {"draw/a", "draw/b"}) {
+        keys.insert(PlaceKey(sealed, place, stream));
+        ++count;
+        for (std::uint64_t repeat = 0; repeat < 10; ++repeat) {
+          keys.insert(RunKey(sealed, place, repeat, stream));
+          keys.insert(StreamKey(WorldSeed(sealed, place, repeat), stream));
+          count += 2;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(static_cast<int>(keys.size()), count);
 }
 
 TEST(OpenUnit, LeavesBothEndsOutByHalfACell) {

@@ -105,7 +105,7 @@ TEST(RunCampaign, KeepsARunThatDiesToItself) {
     EXPECT_EQ(ResultOf(end, run).outcome, kCrashed);
     EXPECT_TRUE(ResultOf(end, run).measures.empty());
     EXPECT_EQ(ResultOf(end, run).labels, FakeRuns(5)[run - 1].labels);
-    EXPECT_EQ(ResultOf(end, run).seed, FakeRuns(5)[run - 1].scenario.seed);
+    EXPECT_EQ(ResultOf(end, run).seed, FakeRuns(5)[run - 1].scenario.seed.number);
   }
   EXPECT_EQ(ResultOf(end, 1).outcome, "docked");
   EXPECT_EQ(ResultOf(end, 5).outcome, "docked");

@@ -37,9 +37,9 @@ struct LoggedRun {
   /// the first images.
   std::string Write(int count, bool keep_images) const {
     const ReadyRun run = system.make_ready(scenario);
-    const auto controller = MakeController(system, scenario, run, options);
+    const auto controller = MakeController(system, SingleRun(scenario), run, options);
     RunLogWriter log(folder.path(), {.run = 1,
-                                     .seed = scenario.seed,
+                                     .seed = scenario.seed.number,
                                      .system = system.name,
                                      .controller = scenario.controller,
                                      .images_kept = keep_images,
@@ -82,7 +82,7 @@ FuzzKind LogKind() {
               }
               if (++*good % kReplayEvery != 1) return;
               RunLogReader log(run->folder.path());
-              ReplayLog(log, run->system, run->scenario, run->ready, run->options);
+              ReplayLog(log, run->system, SingleRun(run->scenario), run->ready, run->options);
             });
           }};
 }

@@ -170,7 +170,7 @@ TEST_F(CampaignFile, GivesEachRunASeedOfItsOwn) {
   std::set<std::uint64_t> seeds;
   for (const CampaignRun& run : AllRuns(Load())) {
     EXPECT_EQ(run.scenario.seed, WorldSeed(9, static_cast<std::uint64_t>(run.run), 0));
-    seeds.insert(run.scenario.seed);
+    seeds.insert(run.scenario.seed.number);
   }
   EXPECT_EQ(seeds.size(), 2u);
 }

@@ -100,7 +100,7 @@ TEST(MarsYardGrid, GivesEachRunASeedOfItsOwn) {
   for (const CampaignRun& run : Runs(Grid())) {
     EXPECT_EQ(run.scenario.seed, WorldSeed(1, static_cast<std::uint64_t>(run.run), 0));
     EXPECT_EQ(run.scenario.name, "mars_yard_40 run " + std::to_string(run.run));
-    seeds.insert(run.scenario.seed);
+    seeds.insert(run.scenario.seed.number);
   }
   EXPECT_EQ(seeds.size(), 40u);
 }

@@ -80,7 +80,7 @@ TEST_F(SweepFile, SeedsFollowFromPlaceAndRepeatAndAreSharedByArmsAndChangedKeys)
     EXPECT_EQ(run.scenario.seed, WorldSeed(9, static_cast<std::uint64_t>(point % 2),
                                            static_cast<std::uint64_t>(repeat)));
     EXPECT_EQ(run.scenario.controller, run.labels[0] == "a" ? "wave" : "straight");
-    seeds.insert(run.scenario.seed);
+    seeds.insert(run.scenario.seed.number);
   }
   EXPECT_EQ(seeds.size(), 6u);
 }
