@@ -1,13 +1,14 @@
 #include "sim/base/files.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
-#include <memory>
+#include <utility>
 
 namespace dockyard {
 namespace {
@@ -21,27 +22,24 @@ void WriteAll(int descriptor, std::string_view bytes, const std::filesystem::pat
   }
 }
 
-// Some file systems have no fsync for their files; that is no reason to lose the run.
+// Some file systems have no fsync for their files, nor has a folder that may not be listed; that is
+// no reason to lose the run.
 void FlushToDisk(int descriptor, const std::filesystem::path& path) {
-  if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS) {
+  if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS && errno != EBADF) {
     throw IoErrorFromErrno("flush", path);
   }
 }
 
-class Descriptor {
- public:
-  Descriptor(const std::filesystem::path& path, int flags)
-      : value_(::open(path.c_str(), flags | O_CLOEXEC, 0644)) {}
-  ~Descriptor() {
-    if (value_ >= 0) ::close(value_);
+/// A folder, its files to be written.
+Descriptor FolderOf(const std::filesystem::path& path) {
+  const std::filesystem::path parent = path.has_parent_path() ? path.parent_path() : ".";
+  Descriptor folder(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // A folder may be written that may not be listed.
+  if (!folder && errno == EACCES) {
+    folder = Descriptor(::open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int value() const { return value_; }
-
- private:
-  int value_;
-};
+  return folder;
+}
 
 }  // namespace
 
@@ -65,66 +63,92 @@ void WriteWhole(const std::filesystem::path& path, std::string_view bytes) {
   file.Finish();
 }
 
+Descriptor::~Descriptor() {
+  if (value_ >= 0) ::close(value_);
+}
+
 std::optional<std::string> ReadWhole(const std::filesystem::path& path) {
-  const Descriptor file(path, O_RDONLY);
-  if (file.value() < 0 && errno == ENOENT) return std::nullopt;
-  if (file.value() < 0) throw IoErrorFromErrno("read", path);
-  std::string bytes;
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file && errno == ENOENT) return std::nullopt;
+  if (!file) throw IoErrorFromErrno("read", path);
+  return ReadAll(file, path);
+}
+
+std::uint64_t SizeOf(const Descriptor& file, const std::filesystem::path& path) {
+  struct stat status {};
+  if (::fstat(file.value(), &status) != 0) throw IoErrorFromErrno("read", path);
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
+void ReadBlocks(const Descriptor& file, const std::filesystem::path& path,
+                const std::function<void(std::string_view block)>& take) {
   char block[65536];
   for (;;) {
     const ssize_t count = ::read(file.value(), block, sizeof block);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw IoErrorFromErrno("read", path);
-    if (count == 0) return bytes;
-    bytes.append(block, static_cast<std::size_t>(count));
+    if (count == 0) return;
+    take({block, static_cast<std::size_t>(count)});
   }
 }
 
-LineAppender::LineAppender(const std::filesystem::path& path)
-    : path_(path),
-      descriptor_(::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644)) {
-  if (descriptor_ < 0) throw IoErrorFromErrno("write", path_);
+std::string ReadAll(const Descriptor& file, const std::filesystem::path& path) {
+  std::string bytes;
+  ReadBlocks(file, path, [&](std::string_view block) { bytes += block; });
+  return bytes;
 }
 
-LineAppender::~LineAppender() { ::close(descriptor_); }
+LineAppender::LineAppender(const std::filesystem::path& path)
+    : LineAppender(
+          Descriptor(::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644)), path) {
+}
+
+LineAppender::LineAppender(Descriptor file, const std::filesystem::path& path)
+    : path_(path), file_(std::move(file)) {
+  if (!file_) throw IoErrorFromErrno("write", path_);
+}
 
 void LineAppender::Append(std::string_view line) {
-  WriteAll(descriptor_, std::string(line) + "\n", path_);
+  WriteAll(file_.value(), std::string(line) + "\n", path_);
 }
 
-void LineAppender::Flush() { FlushToDisk(descriptor_, path_); }
+void LineAppender::Flush() { FlushToDisk(file_.value(), path_); }
 
-WholeFile::WholeFile(const std::filesystem::path& path) : path_(path), temporary_(path) {
+WholeFile::WholeFile(const std::filesystem::path& path) : WholeFile(FolderOf(path), path) {}
+
+WholeFile::WholeFile(Descriptor folder, const std::filesystem::path& path)
+    : path_(path), folder_(std::move(folder)) {
+  if (!folder_) throw IoErrorFromErrno("write", path_);
   // A name of its own: two programs may write the same file at once.
   const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-  temporary_ += "." + std::to_string(::getpid()) + "-" + std::to_string(now) + ".tmp";
-  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (descriptor_ < 0) throw IoErrorFromErrno("write", path_);
+  temporary_ = path.filename().string() + "." + std::to_string(::getpid()) + "-" +
+               std::to_string(now) + ".tmp";
+  file_ = Descriptor(
+      ::openat(folder_.value(), temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  if (!file_) throw IoErrorFromErrno("write", path_);
 }
 
 WholeFile::~WholeFile() {
-  if (descriptor_ < 0) return;
-  ::close(descriptor_);
-  ::unlink(temporary_.c_str());
+  if (file_) ::unlinkat(folder_.value(), temporary_.c_str(), 0);
 }
 
 void WholeFile::Add(std::string_view bytes) {
   constexpr std::size_t kBlock = 1u << 16;
   waiting_ += bytes;
   if (waiting_.size() < kBlock) return;
-  WriteAll(descriptor_, waiting_, path_);
+  WriteAll(file_.value(), waiting_, path_);
   waiting_.clear();
 }
 
-void WholeFile::Finish() {
-  WriteAll(descriptor_, waiting_, path_);
-  FlushToDisk(descriptor_, path_);
-  ::close(descriptor_);
-  descriptor_ = -1;
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw IoErrorFromErrno("write", path_);
-  const std::filesystem::path parent = path_.has_parent_path() ? path_.parent_path() : ".";
-  const Descriptor folder(parent, O_RDONLY | O_DIRECTORY);
-  if (folder.value() >= 0) FlushToDisk(folder.value(), parent);
+void WholeFile::Finish(bool to_the_disk) {
+  WriteAll(file_.value(), waiting_, path_);
+  if (to_the_disk) FlushToDisk(file_.value(), path_);
+  file_ = Descriptor();
+  if (::renameat(folder_.value(), temporary_.c_str(), folder_.value(), path_.filename().c_str()) !=
+      0) {
+    throw IoErrorFromErrno("write", path_);
+  }
+  if (to_the_disk) FlushToDisk(folder_.value(), path_.parent_path());
 }
 
 }  // namespace dockyard

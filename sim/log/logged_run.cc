@@ -130,8 +130,8 @@ const LoggedImage* LoggedRun::ImageAt(const std::string& camera, double time_s) 
   return found == images.end() ? nullptr : &found->value;
 }
 
-LoggedRun ReadLoggedRun(const std::filesystem::path& dir) {
-  const std::filesystem::path path = dir / kRunLogFile;
+LoggedRun ReadLoggedRun(const Folder& dir) {
+  const std::filesystem::path path = dir.path() / kRunLogFile;
   LoggedRun run;
   run.header = RunLogReader(dir).header();
   for (const NamedCamera& each : run.header.cameras) {
@@ -139,7 +139,7 @@ LoggedRun ReadLoggedRun(const std::filesystem::path& dir) {
                            static_cast<std::uint32_t>(each.camera.height)});
   }
   try {
-    McapReader file(path);
+    McapReader file(OpenLog(dir, kRunLogFile), path);
     Gatherer gatherer(run);
     while (const auto message = file.Next()) {
       const McapChannel& channel = file.channel(message->channel_id);

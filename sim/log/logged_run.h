@@ -71,6 +71,6 @@ struct LoggedRun {
 };
 
 /// Throws IoError, and DataError for a damaged log. One that is cut short gives what it has.
-LoggedRun ReadLoggedRun(const std::filesystem::path& dir);
+LoggedRun ReadLoggedRun(const Folder& dir);
 
 }  // namespace dockyard

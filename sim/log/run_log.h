@@ -112,7 +112,8 @@ class RunLogWriter {
 /// a file that is no log.
 class RunLogReader {
  public:
-  explicit RunLogReader(const std::filesystem::path& dir);
+  /// @param dir  the run's folder
+  explicit RunLogReader(const Folder& dir);
 
   const RunLogHeader& header() const { return header_; }
   /// None at the end of the log.

@@ -85,14 +85,14 @@ std::string CommandBytes(const Commands& commands) {
 
 }  // namespace
 
-RunLogReader::RunLogReader(const std::filesystem::path& dir) : path_(dir / kRunLogFile) {
+RunLogReader::RunLogReader(const Folder& dir) : path_(dir.path() / kRunLogFile) {
   try {
-    file_ = std::make_unique<McapReader>(path_);
+    file_ = std::make_unique<McapReader>(OpenLog(dir, kRunLogFile), path_);
     first_ = file_->Next();
     const McapAttachment* header = HeaderIn(*file_);
     std::optional<McapReader> whole;
     if (header == nullptr) {  // other writers may put it behind the messages
-      whole.emplace(path_);
+      whole.emplace(OpenLog(dir, kRunLogFile), path_);
       while (whole->Next()) {
       }
       header = HeaderIn(*whole);

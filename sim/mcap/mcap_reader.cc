@@ -1,11 +1,9 @@
 #include "sim/mcap/mcap_reader.h"
 
-#include <cerrno>
 #include <utility>
 
 #include "sim/base/bytes.h"
 #include "sim/base/crc32.h"
-#include "sim/base/files.h"
 
 namespace dockyard {
 namespace {
@@ -25,16 +23,22 @@ bool IsPrivate(McapOp op) { return static_cast<std::uint8_t>(op) >= kFirstPrivat
 
 }  // namespace
 
-McapReader::McapReader(const std::filesystem::path& file) : path_(file) {
-  errno = 0;
-  file_.open(path_, std::ios::binary);
+Descriptor OpenLog(const Folder& folder, const std::filesystem::path& name) {
+  auto file = folder.Open(name, kMostLogBytes);
+  if (file) return std::move(*file);
+  throw IoError("cannot read " + (folder.path() / name).string() + ": No such file or directory");
+}
+
+McapReader::McapReader(const std::filesystem::path& file)
+    : McapReader(OpenLog(file.has_parent_path() ? file.parent_path() : ".", file.filename()),
+                 file) {}
+
+McapReader::McapReader(Descriptor file, const std::filesystem::path& path)
+    : path_(path), size_(SizeOf(file, path)), file_(::fdopen(file.value(), "rb"), std::fclose) {
   if (!file_) throw IoErrorFromErrno("read", path_);
-  std::error_code error;
-  size_ = std::filesystem::file_size(path_, error);
-  if (error) throw IoError("cannot read " + path_.string() + ": " + error.message());
+  file.Release();
   std::string magic(kMcapMagic.size(), '\0');
-  if (!file_.read(magic.data(), static_cast<std::streamsize>(magic.size())) ||
-      magic != kMcapMagic) {
+  if (!Fill(magic) || magic != kMcapMagic) {
     throw DataError("it is no MCAP file");
   }
   at_ = magic.size();
@@ -47,16 +51,20 @@ McapReader::McapReader(const std::filesystem::path& file) : path_(file) {
   whole_ = at_;
 }
 
+bool McapReader::Fill(std::string& bytes) {
+  return std::fread(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size();
+}
+
 bool McapReader::ReadRecord(McapOp& op) {
   std::string head(kMcapRecordHead, '\0');
   if (size_ - at_ < head.size()) return false;
-  if (!file_.read(head.data(), static_cast<std::streamsize>(head.size()))) return false;
+  if (!Fill(head)) return false;
   ByteReader in(head);
   op = OpOf(in.U8());
   const std::uint64_t length = in.U64();
   if (length > size_ - at_ - head.size()) return false;
   content_.resize(length);
-  if (!file_.read(content_.data(), static_cast<std::streamsize>(length))) return false;
+  if (!Fill(content_)) return false;
   at_ += head.size() + length;
   // What ends the data holds their check value, so it is not part of them.
   if (op != McapOp::kDataEnd) crc_ = Crc32(content_, Crc32(head, crc_));
@@ -90,9 +98,8 @@ std::optional<McapMessage> McapReader::Next() {
 /// A file that has its last bytes was not cut short: then a length in it is damaged.
 void McapReader::RequireCutShort() {
   std::string last(kMcapMagic.size(), '\0');
-  file_.clear();
-  file_.seekg(-static_cast<std::streamoff>(last.size()), std::ios::end);
-  if (file_.read(last.data(), static_cast<std::streamsize>(last.size())) && last == kMcapMagic) {
+  std::fseek(file_.get(), -static_cast<long>(last.size()), SEEK_END);
+  if (Fill(last) && last == kMcapMagic) {
     throw DataError("the length of a record is damaged");
   }
 }
@@ -161,7 +168,7 @@ void McapReader::TakeEnd() {
     throw DataError("its data do not have their check value");
   }
   std::string rest(size_ - at_, '\0');
-  if (!file_.read(rest.data(), static_cast<std::streamsize>(rest.size()))) return;
+  if (!Fill(rest)) return;
   constexpr std::size_t kFooter = kMcapRecordHead + 2 * sizeof(std::uint64_t) + kCheck;
   const bool cut_short = rest.size() < kFooter + kMcapMagic.size() || !rest.ends_with(kMcapMagic);
   if (cut_short) return;

@@ -5,24 +5,34 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/base/folder.h"
 #include "sim/mcap/chunk.h"
 #include "sim/mcap/mcap_records.h"
 #include "sim/mcap/mcap_summary.h"
 
 namespace dockyard {
 
+/// Of a file of this kind; assumed, 1 to 1000 GiB: a docking with all images takes under 0.1 GiB.
+inline constexpr std::uint64_t kMostLogBytes = std::uint64_t{64} << 30;
+
+/// Throws IoError, and UnsafeContent for what is no file there.
+Descriptor OpenLog(const Folder& folder, const std::filesystem::path& name);
+
 /// Throws IoError, and DataError for a damaged file and one that is none. Every byte of a file of
 /// McapWriter counts: one that is changed is found, at the latest when Next comes to the end.
 class McapReader {
  public:
   explicit McapReader(const std::filesystem::path& file);
+  /// The path is for messages.
+  McapReader(Descriptor file, const std::filesystem::path& path);
 
   /// None at the end. The data are good until the next call.
   std::optional<McapMessage> Next();
@@ -58,10 +68,12 @@ class McapReader {
   void TakeEnd();
   void CloseChunk();
   void RequireCutShort();
+  /// False where fewer bytes are left.
+  bool Fill(std::string& bytes);
 
   std::filesystem::path path_;
-  std::ifstream file_;
-  std::uint64_t size_ = 0, at_ = 0;   // bytes of the file, and of what was read
+  std::uint64_t size_ = 0, at_ = 0;  // bytes of the file, and of what was read
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::uint32_t crc_ = 0;             // of what was read
   std::string content_;               // of the record
   std::string records_;               // of the chunk

@@ -8,7 +8,11 @@
 namespace dockyard {
 
 McapWriter::McapWriter(const std::filesystem::path& file, const McapOptions& options)
-    : path_(file), options_(options), file_(std::fopen(file.c_str(), "wbe")) {
+    : path_(file), options_(options) {
+  // What is there is removed: through a link or a pipe the log would end elsewhere.
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(file, ignored)) std::filesystem::remove(file, ignored);
+  file_.reset(std::fopen(file.c_str(), "wbxe"));
   if (!file_) throw IoErrorFromErrno("write", path_);
   Put(kMcapMagic);
   std::string header;

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <bit>
 #include <cmath>
@@ -238,9 +241,30 @@ TEST(RunLog, RefusesReadingsThatAreNotFinite) {
 
 TEST(RunLog, OnAFullDiskSaysSo) {
   const TemporaryFolder folder;
-  std::filesystem::create_symlink("/dev/full", folder.path() / kRunLogFile);
+  // In the place of a full disk: a file that may not grow.
+  ::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{4096, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);
   const std::string error = ErrorOf([&] { WriteLog(folder.path(), 60); });
-  EXPECT_THAT(error, HasSubstr("No space left on device"));
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_THAT(error, HasSubstr("File too large"));
+}
+
+TEST(RunLog, TakesThePlaceOfALinkOrAPipe) {
+  const TemporaryFolder folder;
+  const std::filesystem::path log = folder.path() / kRunLogFile, other = folder.path() / "other";
+  WriteText(other, "precious");
+  std::filesystem::create_symlink(other, log);
+  WriteLog(folder.path(), 3);
+  EXPECT_TRUE(ReadWholeLog(folder.path()).complete);
+  EXPECT_EQ(Slurp(other), "precious");
+  std::filesystem::remove(log);
+  ASSERT_EQ(::mkfifo(log.c_str(), 0600), 0);
+  EXPECT_THAT(ErrorOf([&] { ReadWholeLog(folder.path()); }), HasSubstr("found a pipe; remove it"));
+  WriteLog(folder.path(), 3);
+  EXPECT_TRUE(ReadWholeLog(folder.path()).complete);
 }
 
 TEST(RunLog, InAnUnwritableFolderSaysSo) {
