@@ -1,6 +1,18 @@
 #include "sim/base/text.h"
 
+#include <algorithm>
+
 namespace dockyard {
+namespace {
+
+/// Whether a spreadsheet would take the text for a formula, without the apostrophes before it.
+bool IsFormula(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
+  if (text.empty() || std::string_view("=+-@\t\r").find(text[0]) == text.npos) return false;
+  return !NumberFromText(std::string(text)).has_value();
+}
+
+}  // namespace
 
 std::string CsvCell(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
@@ -34,6 +46,22 @@ std::optional<std::vector<std::string>> SplitCsv(std::string_view line) {
     }
   }
   if (quoted) return std::nullopt;
+  return cells;
+}
+
+std::string SafeCsvLine(std::vector<std::string> cells) {
+  for (std::string& cell : cells) {
+    if (IsFormula(cell)) cell.insert(cell.begin(), '\'');
+  }
+  return CsvLine(cells);
+}
+
+std::optional<std::vector<std::string>> SplitSafeCsv(std::string_view line) {
+  auto cells = SplitCsv(line);
+  if (!cells) return cells;
+  for (std::string& cell : *cells) {
+    if (cell.starts_with('\'') && IsFormula(cell)) cell.erase(cell.begin());
+  }
   return cells;
 }
 

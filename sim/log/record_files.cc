@@ -1,7 +1,7 @@
 #include "sim/log/record_files.h"
 
 #include "controller/base/check.h"
-#include "sim/base/files.h"
+#include "sim/base/folder.h"
 #include "sim/base/text.h"
 #include "sim/log/belief_error.h"
 #include "sim/log/result_row.h"
@@ -10,6 +10,8 @@ namespace dockyard {
 namespace {
 
 constexpr const char* kSingleResultFile = "result.csv";
+// Assumed, 1 to 64 MiB: a row takes about 1 KiB.
+constexpr std::uint64_t kMostResultBytes = 16u << 20;
 
 std::vector<std::string> HistoryNames(const RunRecord& record) {
   std::vector<std::string> names{"time_s", "x_m", "y_m", "heading_deg"};
@@ -61,11 +63,11 @@ Json MarksJson(const std::vector<SightingReport::Mark>& marks) {
 }  // namespace
 
 std::string HistoryCsv(const RunRecord& record) {
-  std::string csv = CsvLine(HistoryNames(record)) + "\n";
+  std::string csv = SafeCsvLine(HistoryNames(record)) + "\n";
   for (const HistorySample& sample : record.history) {
     DOCKYARD_CHECK(sample.channels.size() == record.channels.size() &&
                    sample.beliefs.size() == record.belief_columns.size());
-    csv += CsvLine(HistoryCells(sample)) + "\n";
+    csv += SafeCsvLine(HistoryCells(sample)) + "\n";
   }
   return csv;
 }
@@ -122,7 +124,7 @@ void WriteSingleResult(const std::filesystem::path& dir, const RunResult& row,
 
 std::optional<RunResult> ReadSingleResult(const std::filesystem::path& dir,
                                           const RowColumns& columns) {
-  const std::string text = ReadWhole(dir / kSingleResultFile).value_or("");
+  const std::string text = Folder(dir).Read(kSingleResultFile, kMostResultBytes).value_or("");
   const std::string header = CsvHeader(columns) + "\n";
   if (text.rfind(header, 0) != 0 || text.back() != '\n') return std::nullopt;
   return RowFromCsv(std::string_view(text).substr(header.size(), text.size() - header.size() - 1),

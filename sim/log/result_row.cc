@@ -168,14 +168,14 @@ std::vector<std::string> RowCells(const RunResult& row, const RowColumns& column
   return cells;
 }
 
-std::string CsvHeader(const RowColumns& columns) { return CsvLine(ColumnNames(columns)); }
+std::string CsvHeader(const RowColumns& columns) { return SafeCsvLine(ColumnNames(columns)); }
 
 std::string CsvRow(const RunResult& row, const RowColumns& columns) {
-  return CsvLine(RowCells(row, columns));
+  return SafeCsvLine(RowCells(row, columns));
 }
 
 std::optional<RunResult> RowFromCsv(std::string_view line, const RowColumns& columns) {
-  const auto cells = SplitCsv(line);
+  const auto cells = SplitSafeCsv(line);
   return cells ? RowFromCells(*cells, columns) : std::nullopt;
 }
 

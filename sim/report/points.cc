@@ -143,7 +143,7 @@ std::string PointsCsv(const std::vector<std::string>& settings, const RowColumns
     if (column.name == kDocked) continue;
     Append(header, {column.name + "_mean", column.name + "_p10", column.name + "_p90"});
   }
-  std::string text = CsvLine(header) + "\n";
+  std::string text = SafeCsvLine(header) + "\n";
   for (const Point& point : ByPoint(settings, columns, rows)) {
     Cells cells = point.settings;
     const Spread share = SpreadOf(columns, kDocked, point.rows);
@@ -158,7 +158,7 @@ std::string PointsCsv(const std::vector<std::string>& settings, const RowColumns
         Append(cells, {NumberText(spread.mean), NumberText(spread.low), NumberText(spread.high)});
       }
     }
-    text += CsvLine(cells) + "\n";
+    text += SafeCsvLine(cells) + "\n";
   }
   return text;
 }

@@ -114,7 +114,7 @@ std::string SensitivityCsv(const std::vector<Sensitivity>& found) {
           cells.insert(cells.end(), {Cell(estimate->value), Cell(estimate->interval.low),
                                      Cell(estimate->interval.high)});
         }
-        text += CsvLine(cells) + "\n";
+        text += SafeCsvLine(cells) + "\n";
       }
     }
   }
@@ -126,10 +126,10 @@ std::string SensitivityLevelsCsv(const std::vector<Sensitivity>& found) {
   for (const Sensitivity& arm : found) {
     for (const LevelRate& rate : arm.rates) {
       const Interval interval = ClopperPearson(rate.docked, rate.runs);
-      text += CsvLine({arm.arm, rate.label, rate.word, Cell(rate.low), Cell(rate.high),
-                       std::to_string(rate.runs),
-                       NumberText(static_cast<double>(rate.docked) / rate.runs),
-                       NumberText(interval.low), NumberText(interval.high)}) +
+      text += SafeCsvLine({arm.arm, rate.label, rate.word, Cell(rate.low), Cell(rate.high),
+                           std::to_string(rate.runs),
+                           NumberText(static_cast<double>(rate.docked) / rate.runs),
+                           NumberText(interval.low), NumberText(interval.high)}) +
               "\n";
     }
   }

@@ -59,6 +59,13 @@ TEST(RecordFiles, HaveMarksAndCountsByCamera) {
   EXPECT_THAT(Slurp(folder.path() / "history.csv"), StartsWith("time_s,"));
 }
 
+TEST(RecordFiles, HoldNoFormulaInAPhaseThatAControllerNames) {
+  RunRecord record = FakeRecord(FakeRuns(3)[2]);
+  ASSERT_FALSE(record.history.empty());
+  record.history[0].phase = "=HYPERLINK(1)";
+  EXPECT_NE(HistoryCsv(record).find(",'=HYPERLINK(1),"), std::string::npos);
+}
+
 TEST(RecordFiles, TellTheOutcomeWithTheRowAndTheNote) {
   const TemporaryFolder folder;
   const RunRecord record = FakeRecord(FakeRuns(3)[2]);

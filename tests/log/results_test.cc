@@ -15,6 +15,22 @@ std::string ResultsText(const FinishedRuns& runs) {
   return Slurp(folder.path() / "results.csv");
 }
 
+TEST(ResultFiles, HoldNoFormulaOfASpreadsheetAndReadBackToTheSameText) {
+  const std::vector<std::string> texts{
+      "=1+1", "@SUM(1)", "+1", "-x",      "\t=1", "=A1,\"b\"", "'=1+1", "''-x", "-1.5",
+      "'-1",  "-inf",    "-",  "'quoted", "",     "it's =1+1", "'",     "1e-3", "+"};
+  FinishedRuns runs = FakeResults(static_cast<int>(texts.size()));
+  for (std::size_t i = 0; i < texts.size(); ++i) runs.results[i].labels[0] = texts[i];
+  const std::string file = ResultsText(runs);
+  for (const char* formula : {",=", ",@", ",+", ",-x", ",\t", ",\"=", ",\"\t"}) {
+    EXPECT_EQ(file.find(formula), std::string::npos) << formula;
+  }
+  EXPECT_NE(file.find(",-1.5,"), std::string::npos) << "a number stays as it is";
+  const auto back = RowsFromCsv(file, "results.csv", FakeColumns());
+  ASSERT_EQ(back.size(), texts.size());
+  for (std::size_t i = 0; i < texts.size(); ++i) EXPECT_EQ(back[i].labels[0], texts[i]);
+}
+
 TEST(ResultFiles, ReadBackToTheSameRuns) {
   FinishedRuns runs = FakeResults(6);
   runs.results[1].docked = false;
