@@ -11,6 +11,7 @@
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
 #include "sim/base/count_text.h"
+#include "sim/base/folder.h"
 #include "sim/base/json.h"
 #include "sim/base/text.h"
 #include "sim/report/until_accepted.h"
@@ -54,7 +55,7 @@ Counts CountsOf(const AcceptArguments& arguments, Invocation& call) {
     throw UsageError("expected DIR, or --trials with --failures");
   }
   const KeptCampaign kept = ReadKeptCampaign(arguments.dir, call.systems);
-  if (std::filesystem::exists(std::filesystem::path(arguments.dir) / kAcceptanceFile)) {
+  if (Folder(arguments.dir).HasFile(kAcceptanceFile)) {
     Warn("a sequential test ended this campaign (" + std::string(kAcceptanceFile) +
              "); the confidence of this verdict holds for a fixed number of runs alone",
          &call.warnings);

@@ -22,7 +22,7 @@ void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir,
   for (const bool logged : {true, false}) {
     for (const RunResult& result : runs.results) {
       if (result.docked || IsLost(result.outcome)) continue;
-      if (std::filesystem::exists(RunFolder(dir, result.run)) != logged) continue;
+      if (Folder(dir).HasFolder(RunFolder("", result.run)) != logged) continue;
       if (shown++ == kMost) return;
       const std::string command =
           ReplayCommand(program, dir, std::to_string(result.run), StartsProgram(result), limit_s);

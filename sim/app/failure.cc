@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <optional>
 
 #include "models/read/config_error.h"
@@ -12,7 +13,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/parse_fault.h"
 #include "sim/app/terminal.h"
-#include "sim/base/files.h"
+#include "sim/base/folder.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign.h"
 #include "sim/log/run_log.h"
@@ -28,7 +29,7 @@ bool IsOneOf(const std::exception& error) {
 
 int ExitCodeOf(const std::exception& error) {
   if (IsOneOf<UsageError, FolderTaken>(error)) return kExitUsage;
-  if (IsOneOf<ConfigError, ResultsError, DataError>(error)) return kExitBadInput;
+  if (IsOneOf<ConfigError, ResultsError, DataError, UnsafeContent>(error)) return kExitBadInput;
   if (IsOneOf<IoError, std::filesystem::filesystem_error>(error)) return kExitIo;
   return kExitOurBug;
 }
@@ -99,6 +100,9 @@ int WithFailuresTold(const CLI::App& app, const Invocation& call, bool as_json,
     return fail(std::string(other.what()) + "; simulate it with: " +
                     CommandText(call.program, {other.command(), other.file()}),
                 ExitCodeOf(other));
+  } catch (const std::bad_alloc&) {
+    return fail("there is not enough memory; give the program more (ulimit -v, ulimit -d)",
+                kExitIo);
   } catch (const std::exception& error) {
     return fail(error.what(), ExitCodeOf(error));
   }

@@ -62,8 +62,8 @@ Json WriteLook(const LoggedRun& log, const Look& look, std::size_t index, std::s
 
 int Frames(const FramesArguments& arguments, const Invocation& call) {
   const KeptRun kept = FindKeptRun(arguments.dir, arguments.run, "frames", call);
-  if (!std::filesystem::exists(kept.log_dir / kRunLogFile)) {
-    PrintError("there is no log in " + kept.log_dir.string() +
+  if (!kept.log_dir.HasFile(kRunLogFile)) {
+    PrintError("there is no log in " + kept.log_dir.path().string() +
                "; `keep` in the campaign's file says which runs keep theirs");
     return kExitIncomplete;
   }
@@ -79,7 +79,7 @@ int Frames(const FramesArguments& arguments, const Invocation& call) {
   }
   WriteWhole(std::filesystem::path(arguments.out_dir) / "frames.json", files.dump(1) + "\n");
   if (files.empty()) {
-    PrintError("the log in " + kept.log_dir.string() + " has no images");
+    PrintError("the log in " + kept.log_dir.path().string() + " has no images");
     return kExitIncomplete;
   }
   PrintNote(CountText(files.size(), "image") + " and frames.json in " + arguments.out_dir);

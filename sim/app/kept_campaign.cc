@@ -37,7 +37,7 @@ KeptCampaign OpenKeptCampaign(const std::filesystem::path& dir,
 KeptCampaign ReadKeptCampaign(const std::filesystem::path& dir,
                               const std::vector<System>& systems) {
   KeptCampaign kept = OpenKeptCampaign(dir, systems);
-  kept.runs = ReadShards(dir, kept.columns);
+  kept.runs = ReadShards(dir, RowCheck(kept.campaign), kept.columns);
   return kept;
 }
 

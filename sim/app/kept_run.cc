@@ -5,7 +5,6 @@
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/count_text.h"
-#include "sim/base/files.h"
 #include "sim/base/shell_word.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/merge.h"
@@ -18,8 +17,9 @@ namespace {
 
 /// An empty object where there is none that can be read.
 Json ReadManifest(const std::filesystem::path& dir) {
-  Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
-                              /*allow_exceptions=*/false);
+  Json manifest =
+      Json::parse(Folder(dir).Read("manifest.json", kMostManifestBytes).value_or(""), nullptr,
+                  /*allow_exceptions=*/false);
   return manifest.is_object() ? manifest : Json::object();
 }
 
@@ -37,8 +37,8 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
   const std::string difference =
       ManifestDifference(manifest, MakeManifest(IdentityOf(kept.campaign, known), {}));
   if (!difference.empty()) PrintNote("note: " + dir.string() + ": " + difference);
-  KeptRun run{maker.Make(index), kept.columns, {}, RunFolder(dir, number)};
-  const FinishedRuns finished = ReadShards(dir, kept.columns);
+  KeptRun run{maker.Make(index), kept.columns, {}, Folder(dir).In(RunFolder("", number))};
+  const FinishedRuns finished = ReadShards(dir, RowCheck(kept.campaign), kept.columns);
   const std::size_t place = finished.Find(number);
   if (place < finished.size()) run.result = finished.results[place];
   return run;
@@ -74,7 +74,7 @@ KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
     throw UsageError(dir.string() + " holds a campaign; name the run, as in: " +
                      CommandText(call.program, {command, dir.string(), "1"}));
   }
-  if (!campaign && number && std::filesystem::exists(dir / "result.csv")) {
+  if (!campaign && number && HoldsRun(dir)) {
     throw UsageError(dir.string() + " holds one run; leave out the number");
   }
   if (campaign) return RunOfCampaign(dir, *number, systems);
@@ -82,14 +82,11 @@ KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
   if (const auto found = FindRunOfFolder(dir)) {
     return RunOfCampaign(found->campaign, found->run, systems);
   }
-  std::error_code ignored;
-  if (!std::filesystem::exists(dir / "resolved.yaml", ignored)) {
-    RefuseResultsFolder(dir, kAnyResults);
-  }
+  if (!HoldsRun(dir)) RefuseResultsFolder(dir, kAnyResults);
   const Scenario scenario =
       LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
   const RowColumns columns = FindSystem(systems, scenario.system).Columns({});
-  return {SingleRun(scenario), columns, ReadSingleResult(dir, columns), dir};
+  return {SingleRun(scenario), columns, ReadSingleResult(dir, columns), Folder(dir)};
 }
 
 }  // namespace dockyard

@@ -8,6 +8,7 @@
 
 #include "sim/app/invocation.h"
 #include "sim/app/kept_campaign.h"
+#include "sim/base/folder.h"
 #include "sim/log/record.h"
 #include "sim/run/system.h"
 #include "sim/scenario/scenario.h"
@@ -19,7 +20,7 @@ struct KeptRun {
   CampaignRun run;
   RowColumns columns;
   std::optional<RunResult> result;
-  std::filesystem::path log_dir;
+  Folder log_dir;
 };
 
 /// Whether the run's controller is a program, by its row: `command` (docs/reference/columns.md).

@@ -16,10 +16,10 @@
 #include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/count_text.h"
-#include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/base/shell_word.h"
 #include "sim/bridge/pipe_controller.h"
+#include "sim/campaign/campaign_folder.h"
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
 #include "sim/run/loop.h"
@@ -57,8 +57,8 @@ a film of them. A run whose log is not kept is simulated again.)";
 
 /// The processors and libraries that a campaign's rows were made on, where they are not these.
 void ReportEnvironment(const std::filesystem::path& dir) {
-  const Json manifest = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
-                                    /*allow_exceptions=*/false);
+  const auto text = Folder(dir).Read("manifest.json", kMostManifestBytes);
+  const Json manifest = Json::parse(text.value_or(""), nullptr, /*allow_exceptions=*/false);
   if (!manifest.is_object() || !manifest.contains("shards")) return;
   const Json here = EnvironmentJson();
   for (const auto& [shard, header] : manifest["shards"].items()) {
@@ -129,9 +129,8 @@ Alone Conclude(Alone alone, const std::string& what, ReplayAnswer& answer) {
 }
 
 /// Throws ControllerFailure where its program fails.
-Alone ReportCommands(const std::filesystem::path& run_dir, const CampaignRun& run,
-                     const RunOptions& options, const std::vector<System>& systems,
-                     ReplayAnswer& answer) {
+Alone ReportCommands(const Folder& run_dir, const CampaignRun& run, const RunOptions& options,
+                     const std::vector<System>& systems, ReplayAnswer& answer) {
   RunLogReader log(run_dir);
   const System& system = FindSystem(systems, run.scenario.system);
   const auto fed = ReplayLog(log, system, run, system.make_ready(run.scenario), options);
@@ -162,9 +161,9 @@ Alone ReportCommands(const std::filesystem::path& run_dir, const CampaignRun& ru
 }
 
 /// The same; a program that fails must have failed so in the run.
-Alone ReportController(const std::filesystem::path& run_dir, const CampaignRun& run,
-                       const std::string& outcome, const RunOptions& options,
-                       const std::vector<System>& systems, ReplayAnswer& answer) {
+Alone ReportController(const Folder& run_dir, const CampaignRun& run, const std::string& outcome,
+                       const RunOptions& options, const std::vector<System>& systems,
+                       ReplayAnswer& answer) {
   try {
     return ReportCommands(run_dir, run, options, systems, answer);
   } catch (const ControllerFailure& failure) {
@@ -180,7 +179,7 @@ int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept, Invocation
   const System& system = FindSystem(call.systems, kept.run.scenario.system);
   const StageShapes shapes = ShapesToDraw(system, kept.run.scenario);
   const OutsideOptions outside = arguments.outside.options(shapes);
-  const bool logged = std::filesystem::exists(kept.log_dir / kRunLogFile);
+  const bool logged = kept.log_dir.HasFile(kRunLogFile);
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
   arguments.commands.Fill(options);
   const LoggedRun log =
@@ -218,8 +217,8 @@ int Replay(const ReplayArguments& arguments, Invocation& call) {
   ReplayAnswer answer{.as_json = arguments.json, .warnings = call.warnings};
   const bool same_row = ReportRow(*kept.result, now.result, kept.columns, answer);
   if (!same_row && arguments.run) ReportEnvironment(arguments.dir);
-  if (!std::filesystem::exists(kept.log_dir / kRunLogFile)) {
-    PrintError("controller alone: not run, there is no log in " + kept.log_dir.string());
+  if (!kept.log_dir.HasFile(kRunLogFile)) {
+    PrintError("controller alone: not run, there is no log in " + kept.log_dir.path().string());
     answer.json["controller_alone"] = nullptr;
     answer.Print();
     return same_row ? kExitIncomplete : kExitOurBug;

@@ -83,12 +83,12 @@ std::vector<Pose2> StartsOf(const ReportSource& source) {
   return starts;
 }
 
-WatchedRun Watched(std::size_t place, const fs::path& dir, std::string command) {
+WatchedRun Watched(std::size_t place, const Folder& dir, std::string command) {
   return {.place = place,
           .log = [dir] { return ReadLoggedRun(dir); },
           .shapes = {},
           .command = std::move(command),
-          .messages = ReadWhole(dir / "messages.txt").value_or("")};
+          .messages = dir.Read("messages.txt", kMostMessagesBytes).value_or("")};
 }
 
 void AddSystem(const System& system, ReportContent& content) {
@@ -107,13 +107,13 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
                 const std::string& program, ReportContent& content) {
   const std::vector<RunResult>& rows = source.kept.runs.results;
   const RunMaker* maker = source.maker.get();
-  if (!fs::exists(dir / "runs")) return;
+  if (!Folder(dir).HasFolder("runs")) return;
   const double limit_s = KeptAnswerLimit(dir);
   for (const bool docked : {false, true}) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const int number = rows[i].run;
-      const fs::path folder = RunFolder(dir, number);
-      if (rows[i].docked != docked || !fs::exists(folder / kRunLogFile)) continue;
+      const Folder folder = Folder(dir).In(RunFolder("", number));
+      if (rows[i].docked != docked || !folder.HasFile(kRunLogFile)) continue;
       WatchedRun run = Watched(
           i, folder,
           ReplayCommand(program, dir, std::to_string(number), StartsProgram(rows[i]), limit_s));
@@ -151,7 +151,7 @@ ReportContent ContentOfCampaign(const fs::path& dir, const Invocation& call, Rep
 ReportContent ContentOf(const fs::path& dir, const Invocation& call, ReportSource& source) {
   const std::vector<System>& systems = call.systems;
   if (HoldsCampaign(dir)) return ContentOfCampaign(dir, call, source);
-  if (!fs::exists(dir / "resolved.yaml")) RefuseResultsFolder(dir, kAnyResults);
+  if (!HoldsRun(dir)) RefuseResultsFolder(dir, kAnyResults);
   const Scenario scenario =
       LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
   const System& system = FindSystem(systems, scenario.system);

@@ -52,9 +52,12 @@ CampaignResults ResultsOf(const PublishedCampaign& campaign, const fs::path& dir
   const int replications = kept.campaign.repeats / RunsOfOne(campaign, systems);
   CampaignResults results{std::move(kept.runs.results), kept.columns, replications, {}};
   for (const RunResult& row : results.rows) {
-    fs::path file = SightingsFile(dir, row.run);
-    if (!fs::exists(file)) file = RunFolder(dir, row.run) / "sightings.json";
-    if (const auto text = ReadWhole(file)) results.sightings[row.run] = ErrorsOf(file, *text);
+    const Folder folder = dir;
+    fs::path file = SightingsFile("", row.run);
+    if (!folder.HasFile(file)) file = RunFolder("", row.run) / "sightings.json";
+    if (const auto text = folder.Read(file, kMostSightingsBytes)) {
+      results.sightings[row.run] = ErrorsOf(dir / file, *text);
+    }
   }
   return results;
 }
@@ -72,7 +75,7 @@ const RunResult* RunFor(const PublishedFigure& figure, const Published& publishe
   for (const RunResult& row : results.rows) {
     const bool shown = Matches(figure.where, row, results.columns) &&
                        Reaches(figure, row, results.columns) &&
-                       fs::exists(RunFolder(dir, row.run) / kRunLogFile);
+                       Folder(dir).HasFile(RunFolder("", row.run) / kRunLogFile);
     if (!shown) continue;
     if (Counts(published, row)) return &row;
     if (first == nullptr) first = &row;
@@ -98,7 +101,7 @@ std::string WriteRunFigure(const PublishedFigure& figure, const Published& publi
                            const System& system, const fs::path& into) {
   const RunResult* row = RunFor(figure, published, results, dir);
   if (row == nullptr) return figure.file + ": missing: no run like it has kept its log";
-  const LoggedRun run = ReadLoggedRun(RunFolder(dir, row->run));
+  const LoggedRun run = ReadLoggedRun(Folder(dir).In(RunFolder("", row->run)));
   const std::string title =
       figure.title + ": run " + std::to_string(row->run) + ", " + row->outcome;
   const std::vector<Column> channels = ChannelsOf(figure, system);
@@ -146,7 +149,7 @@ std::vector<std::string> WriteFigures(const Published& published, const fs::path
                                       const Invocation& call) {
   const fs::path first = dir / published.campaigns.at(0).name, into = dir / "figures";
   if (published.figures.empty() || !HoldsCampaign(first)) return {};
-  MakeFolder(into);
+  Folder(dir).Make("figures");
   ReportSource source;
   const ReportContent content = ContentOf(first, call, source);
   const System& system = FindSystem(call.systems, source.kept.system);

@@ -48,7 +48,7 @@ run, and `dockyard replay` runs it again. With --report a page shows it, with it
 /// The folder may be new, empty, or an earlier run's; nothing else is written over.
 void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
   MakeFolder(dir);
-  const bool ours = std::filesystem::exists(dir / "resolved.yaml") && !HoldsCampaign(dir);
+  const bool ours = HoldsRun(dir) && !HoldsCampaign(dir);
   if (!ours && !std::filesystem::is_empty(dir)) {
     throw UsageError(dir.string() + " is not empty and holds no single run; choose another --out");
   }

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "sim/app/exit_codes.h"
-#include "sim/base/files.h"
+#include "sim/base/folder.h"
 #include "sim/base/shell_word.h"
 
 namespace dockyard {
@@ -37,11 +37,12 @@ Answer AskShell(const std::string& command) {
 }
 
 void Write(const SlurmJob& job, const SlurmScripts& scripts) {
-  const fs::path dir = SubmitFolder(job.out_dir);
-  MakeFolder(JobLogFolder(job.out_dir));
-  WriteWhole(dir / "array.sh", scripts.array);
-  WriteWhole(dir / "merge.sh", scripts.merge);
-  WriteWhole(dir / "submit.sh", scripts.submit);
+  const Folder results = job.out_dir;
+  results.Make(JobLogFolder(""));
+  const fs::path dir = SubmitFolder("");
+  results.Write(dir / "array.sh", scripts.array);
+  results.Write(dir / "merge.sh", scripts.merge);
+  results.Write(dir / "submit.sh", scripts.submit);
 }
 
 }  // namespace

@@ -62,14 +62,15 @@ struct Stopped {
 /// two are simulated into it. Throws Stopped.
 double SecondsPerRun(const ReadyCampaign& ready) {
   const CampaignOptions& options = ready.options;
-  FinishedRuns runs = ReadShards(options.out_dir, options.columns);
+  const RowCheck check(ready.campaign);
+  FinishedRuns runs = ReadShards(options.out_dir, check, options.columns);
   if (runs.empty()) {
     PrintNote("timing the first two runs");
     CampaignOptions two = options;
     two.enough = [wanted = 2](const RunResult&) mutable { return --wanted == 0; };
     const ShardEnd end = RunShard(ready.campaign, ready.run, two);
     if (end.signal != 0) throw Stopped{end.signal};
-    runs = ReadShards(options.out_dir, options.columns);
+    runs = ReadShards(options.out_dir, check, options.columns);
   }
   double sum_s = 0.0;
   for (const RunTiming& timing : runs.timings) sum_s += timing.wall_time_s;

@@ -9,8 +9,9 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"
 #include "sim/app/terminal.h"
-#include "sim/base/files.h"
+#include "sim/base/folder.h"
 #include "sim/base/text.h"
+#include "sim/campaign/campaign_folder.h"
 #include "sim/report/until_accepted.h"
 
 namespace dockyard {
@@ -29,7 +30,7 @@ int MaxRunsOf(const UntilAcceptedOptions& options, const Campaign& campaign) {
 }
 
 void RequireTheseAims(const std::filesystem::path& dir, const SequentialAims& aims) {
-  const auto kept = ReadWhole(dir / kAcceptanceFile);
+  const auto kept = Folder(dir).Read(kAcceptanceFile, kMostTextBytes);
   if (!kept || HasTheseAims(*kept, aims)) return;
   throw UsageError("--until-accepted: " + (dir / kAcceptanceFile).string() +
                    " has other aims; aims that are chosen after a look have other risks: choose "

@@ -11,7 +11,6 @@
 #include "sim/campaign/finished_set.h"
 #include "sim/campaign/progress.h"
 #include "sim/jobs/signal_queue.h"
-#include "sim/plan/make_run.h"
 
 namespace dockyard {
 namespace {
@@ -33,15 +32,14 @@ void Print(const Tally& tally, std::int64_t total, bool json,
 
 int WatchCampaign(const std::filesystem::path& dir, bool json, const Invocation& call) {
   const KeptCampaign kept = OpenKeptCampaign(dir, call.systems);
-  const std::vector<KnownSystem> known = KnownSystems(call.systems);
-  const RunMaker maker(kept.campaign, known);
+  const RowCheck check(kept.campaign);
   SignalQueue signals;
   for (std::int64_t shown = -1;;) {
     std::vector<std::string> damaged;
-    const Tally tally = ReadFinished(dir, maker, kept.columns, damaged).TallyOf(Shard{});
-    if (tally.done != shown) Print(tally, maker.run_count(), json, call.warnings);
+    const Tally tally = ReadFinished(dir, check, kept.columns, damaged).TallyOf(Shard{});
+    if (tally.done != shown) Print(tally, check.run_count(), json, call.warnings);
     shown = tally.done;
-    if (tally.done == maker.run_count()) return tally.lost == 0 ? kExitDone : kExitIncomplete;
+    if (tally.done == check.run_count()) return tally.lost == 0 ? kExitDone : kExitIncomplete;
     pollfd news{signals.descriptor(), POLLIN, 0};
     constexpr int kPause_ms = 2000;
     ::poll(&news, 1, kPause_ms);

@@ -44,7 +44,9 @@ class Engine {
   Engine(const Campaign& campaign, const RunFunction& function, const CampaignOptions& options)
       : campaign_(campaign),
         options_(options),
+        folder_(options.out_dir),
         maker_(campaign, options.systems),
+        check_(campaign),
         work_{function, options.columns},
         finished_(0),
         next_(options.shard.number - 1),
@@ -54,7 +56,7 @@ class Engine {
     const Json header{{"shard", ShardFile("", options.shard).stem().string()},
                       {"environment", options.environment}};
     writer_.emplace(ShardFile(options.out_dir, options.shard), header, options.columns);
-    finished_ = ReadFinished(options.out_dir, maker_, options.columns, end_.damaged);
+    finished_ = ReadFinished(options.out_dir, check_, options.columns, end_.damaged);
     GoOn();
   }
 
@@ -97,25 +99,34 @@ class Engine {
   }
 
  private:
-  fs::path WorkFolder() const {
-    return options_.out_dir / "work" / ShardFile("", options_.shard).stem();
-  }
+  /// In the results folder.
+  fs::path WorkPlace() const { return fs::path("work") / ShardFile("", options_.shard).stem(); }
   /// Of the worker at that place.
-  fs::path WorkFolder(int place) const { return WorkFolder() / std::to_string(place); }
+  fs::path WorkPlace(int place) const { return WorkPlace() / std::to_string(place); }
+  fs::path WorkFolder(int place) const { return options_.out_dir / WorkPlace(place); }
+
+  void Empty(const fs::path& place) const {
+    folder_.Remove(place);
+    folder_.Make(place);
+  }
 
   /// Its own, and what shards left that were killed, half-written files too. Those of shards at
   /// work stay.
   void RemoveWork() const {
-    std::error_code ignored;
-    fs::remove_all(WorkFolder(), ignored);
-    const fs::path work = options_.out_dir / "work", shards = options_.out_dir / "shards";
-    for (const auto& entry : fs::directory_iterator(work, ignored)) {
-      const fs::path rows = shards / (entry.path().filename().string() + ".rows");
-      if (IsIdle(rows)) fs::remove_all(entry.path(), ignored);
-    }
-    if (!fs::remove(work, ignored)) return;  // a shard is at work
-    for (const auto& entry : fs::directory_iterator(options_.out_dir, ignored)) {
-      if (entry.path().extension() == ".tmp") fs::remove(entry.path(), ignored);
+    try {
+      folder_.Remove(WorkPlace());
+      const fs::path shards = options_.out_dir / "shards";
+      for (const std::string& name : folder_.Names("work")) {
+        if (IsIdle(shards / (name + ".rows"))) folder_.Remove(fs::path("work") / name);
+      }
+      if (!folder_.Names("work").empty()) return;  // a shard is at work
+      folder_.Remove("work");
+      const auto alone = TryLockResults(options_.out_dir);
+      if (!alone) return;  // a merge is at work
+      for (const std::string& name : folder_.Names()) {
+        if (name.ends_with(".tmp") && folder_.HasFile(name)) folder_.Remove(name);
+      }
+    } catch (const IoError&) {  // what is left hurts nobody
     }
   }
 
@@ -126,15 +137,15 @@ class Engine {
 
   /// What earlier programs left in the folder: logs that count, results in order.
   void GoOn() {
-    EmptyFolder(WorkFolder());
+    Empty(WorkPlace());
     if (!options_.enough && (campaign_.keep.none() || campaign_.keep.failures_per_cause < 0)) {
       return;
     }
-    const FinishedRuns runs = ReadShards(options_.out_dir, options_.columns);
+    const FinishedRuns runs = ReadShards(options_.out_dir, check_, options_.columns);
     for (const RunResult& result : runs.results) {
       const std::int64_t index = maker_.IndexOf(result.run);
       if (!options_.shard.Has(index)) continue;
-      if (fs::exists(RunFolder(options_.out_dir, result.run))) retention_.AddKept(result);
+      if (folder_.HasFolder(RunFolder("", result.run))) retention_.AddKept(result);
       in_order_.Add(index, result);
     }
   }
@@ -152,7 +163,7 @@ class Engine {
   }
 
   void Prepare(const Job&, int place) const {
-    if (!campaign_.keep.none() || !fs::exists(WorkFolder(place))) EmptyFolder(WorkFolder(place));
+    if (!campaign_.keep.none() || !folder_.HasFolder(WorkPlace(place))) Empty(WorkPlace(place));
   }
 
   /// In a worker.
@@ -162,30 +173,32 @@ class Engine {
   }
 
   void KeepSightings(const FinishedRun& run, int place) const {
-    const fs::path to = SightingsFile(options_.out_dir, run.result.run);
-    MakeFolder(to.parent_path());
-    WriteWhole(to, ReadWhole(WorkFolder(place) / "sightings.json").value_or("[]\n"));
+    const fs::path to = SightingsFile("", run.result.run),
+                   from = WorkPlace(place) / "sightings.json";
+    folder_.Make(to.parent_path());
+    folder_.Write(to, folder_.Read(from, kMostSightingsBytes).value_or("[]\n"));
   }
 
   void KeepLog(const FinishedRun& run, int place) {
     if (campaign_.keep.none()) return;
     if (campaign_.keep.sightings && !IsLost(run.result.outcome)) KeepSightings(run, place);
     const Retention::Choice choice = retention_.Choose(run.result);
-    if (choice.drop) fs::remove_all(RunFolder(options_.out_dir, *choice.drop));
+    if (choice.drop) folder_.Remove(RunFolder("", *choice.drop));
     if (!choice.keep) return;
-    const fs::path from = WorkFolder(place), to = RunFolder(options_.out_dir, run.result.run);
+    const fs::path from = WorkFolder(place), to = RunFolder("", run.result.run);
     if (IsLost(run.result.outcome)) WriteLostRun(from, run, options_.columns);
     std::error_code error;
     if (fs::file_size(from / "messages.txt", error) == 0) fs::remove(from / "messages.txt", error);
-    MakeFolder(to.parent_path());
-    fs::remove_all(to, error);
-    fs::rename(from, to, error);
-    if (error) throw IoError("cannot make folder " + to.string() + ": " + error.message());
+    folder_.Make(to.parent_path());
+    folder_.Remove(to);
+    folder_.Rename(WorkPlace(place), to);
   }
 
   const Campaign& campaign_;
   const CampaignOptions& options_;
+  Folder folder_;
   RunMaker maker_;
+  RowCheck check_;
   RunWork work_;
   ShardEnd end_;
   std::optional<ShardWriter> writer_;

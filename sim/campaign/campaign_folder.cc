@@ -1,14 +1,25 @@
 #include "sim/campaign/campaign_folder.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cstdio>
+#include <thread>
 
 #include "sim/base/files.h"
+#include "sim/mcap/mcap_reader.h"
 
 namespace dockyard {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The folders that programs of a campaign read, write and empty.
+constexpr const char* kOwnFolders[] = {"files", "shards", "runs",  "sightings",
+                                       "plots", "work",   "submit"};
 
 /// Nothing, or what is left of a claim that was cut short.
 bool HoldsOnlyScraps(const fs::path& dir) {
@@ -23,11 +34,11 @@ bool HoldsOnlyScraps(const fs::path& dir) {
   return true;
 }
 
-void Copy(const fs::path& from, const fs::path& to) {
+void Copy(const fs::path& from, const fs::path& dir, const fs::path& copy) {
   const auto bytes = ReadWhole(from);
   if (!bytes) throw IoError("cannot read " + from.string() + ": it is not there");
-  MakeFolder(to.parent_path());
-  WriteWhole(to, *bytes);
+  Folder(dir).Make(copy.parent_path());
+  Folder(dir).Write(copy, *bytes);
 }
 
 std::string NumberName(int run) {
@@ -57,7 +68,41 @@ fs::path SightingsFile(const fs::path& dir, int run) {
 
 bool HoldsCampaign(const fs::path& dir) {
   std::error_code ignored;
-  return fs::exists(dir / "campaign.yaml", ignored) && fs::exists(dir / "manifest.json", ignored);
+  if (!fs::is_directory(dir, ignored)) return false;
+  const Folder folder(dir);
+  if (!folder.HasFile("campaign.yaml") || !folder.HasFile("manifest.json")) return false;
+  folder.Checked("campaign.yaml", kMostFileBytes);
+  folder.Checked("files", kMostFileBytes);
+  for (const char* part : kOwnFolders) folder.HasFolder(part);
+  return true;
+}
+
+bool HoldsRun(const fs::path& dir) {
+  std::error_code ignored;
+  if (!fs::is_directory(dir, ignored)) return false;
+  const Folder folder(dir);
+  folder.Checked("resolved.yaml", kMostTextBytes);
+  return folder.HasFile("resolved.yaml");
+}
+
+void RequirePlain(const fs::path& dir) {
+  for (const char* part : kOwnFolders) Folder(dir).Checked(part, kMostLogBytes);
+}
+
+std::optional<Descriptor> TryLockResults(const fs::path& dir) {
+  Descriptor lock(::open(dir.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!lock) throw IoErrorFromErrno("read folder", dir);
+  if (::flock(lock.value(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return lock;
+  return std::nullopt;
+}
+
+Descriptor LockResults(const fs::path& dir) {
+  constexpr int kTries = 1200;  // of 50 ms
+  for (int tries = 0; tries < kTries; ++tries) {
+    if (auto lock = TryLockResults(dir)) return std::move(*lock);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  throw FolderTaken("another program is merging " + dir.string() + "; try again when it has ended");
 }
 
 // campaign.yaml comes last: a folder that has it is whole.
@@ -68,26 +113,20 @@ void ClaimFolder(const fs::path& dir, const CampaignIdentity& identity, const Js
   // In this order: another program may be making the same folder.
   const bool only_scraps = HoldsOnlyScraps(dir);
   if (HoldsCampaign(dir)) {
-    const Json kept = Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
-                                  /*allow_exceptions=*/false);
+    const auto text = Folder(dir).Read("manifest.json", kMostManifestBytes);
+    const Json kept = Json::parse(text.value_or(""), nullptr, /*allow_exceptions=*/false);
     const std::string difference = ManifestDifference(kept, manifest);
     if (!difference.empty()) throw FolderTaken(dir.string() + ": " + difference + other);
     return;
   }
+  for (const char* part : kOwnFolders) Folder(dir).HasFolder(part);
   if (!only_scraps) {
     throw FolderTaken(dir.string() + " is not empty and holds no campaign" + other);
   }
   WriteWhole(dir / "manifest.json", manifest.dump(2) + "\n");
-  MakeFolder(dir / "files");
-  for (const auto& [copy, original] : identity.files) Copy(original, dir / copy);
+  Folder(dir).Make("files");
+  for (const auto& [copy, original] : identity.files) Copy(original, dir, copy);
   WriteWhole(dir / "campaign.yaml", identity.campaign_yaml);
-}
-
-void EmptyFolder(const fs::path& path) {
-  std::error_code error;
-  fs::remove_all(path, error);
-  if (error) throw IoError("cannot empty folder " + path.string() + ": " + error.message());
-  MakeFolder(path);
 }
 
 }  // namespace dockyard

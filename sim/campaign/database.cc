@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "sim/base/files.h"
@@ -98,22 +97,21 @@ void Fill(sqlite3* database, const FinishedRuns& runs, const RowColumns& columns
 
 void WriteDatabase(const std::filesystem::path& path, const FinishedRuns& runs,
                    const RowColumns& columns) {
-  std::filesystem::path temporary = path;
-  temporary += ".tmp";
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
+  // A name of its own, as two programs may write the same file at once; SQLite goes on with an
+  // empty file.
+  WholeFile file(path);
   {
     sqlite3* raw = nullptr;
-    const int opened = sqlite3_open(temporary.c_str(), &raw);
+    const int opened =
+        sqlite3_open_v2(file.temporary().c_str(), &raw, SQLITE_OPEN_READWRITE, nullptr);
     const Database database(raw, sqlite3_close);
     Demand(opened, SQLITE_OK, raw, path);
+    Execute(raw, "PRAGMA journal_mode = OFF", path);  // a file that fails is thrown away
     Execute(raw, "BEGIN", path);
     Fill(raw, runs, columns, path);
     Execute(raw, "COMMIT", path);
   }
-  std::error_code error;
-  std::filesystem::rename(temporary, path, error);
-  if (error) throw IoError("cannot write " + path.string() + ": " + error.message());
+  file.Finish(/*to_the_disk=*/false);
 }
 
 }  // namespace dockyard

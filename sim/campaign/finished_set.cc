@@ -35,18 +35,13 @@ Tally FinishedSet::TallyOf(const Shard& shard) const {
   return tally;
 }
 
-FinishedSet ReadFinished(const std::filesystem::path& dir, const RunMaker& maker,
+FinishedSet ReadFinished(const std::filesystem::path& dir, const RowCheck& check,
                          const RowColumns& columns, std::vector<std::string>& damaged) {
-  FinishedSet finished(maker.run_count());
+  FinishedSet finished(check.run_count());
   for (const std::filesystem::path& path : ShardFiles(dir)) {
     const ShardReader shard(path, columns);
     const std::vector<int> lines = shard.ForEach([&](const RowPlace& row) {
-      const std::int64_t index = maker.IndexOf(row.run);
-      if (index < 0 || maker.SeedNumber(index) != row.seed) {
-        throw ResultsError(path.string() + ": run " + std::to_string(row.run) +
-                           " does not belong to this campaign");
-      }
-      finished.Add(index, row.docked, row.outcome);
+      finished.Add(check.Require(row, path), row.docked, row.outcome);
     });
     for (const int line : lines) damaged.push_back(path.string() + ":" + std::to_string(line));
   }

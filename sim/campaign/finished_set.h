@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "sim/campaign/shard_file.h"
-#include "sim/plan/make_run.h"
 
 namespace dockyard {
 
@@ -47,9 +46,9 @@ class FinishedSet {
 };
 
 /// The runs that the folder's shards hold. Throws ResultsError for a row that does not belong to
-/// the campaign, and IoError.
+/// the campaign, UnsafeContent and IoError.
 /// @param damaged  places of damaged lines, as "FILE:LINE", are added
-FinishedSet ReadFinished(const std::filesystem::path& dir, const RunMaker& maker,
+FinishedSet ReadFinished(const std::filesystem::path& dir, const RowCheck& check,
                          const RowColumns& columns, std::vector<std::string>& damaged);
 
 }  // namespace dockyard

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "sim/base/files.h"
+#include "sim/base/folder.h"
 #include "sim/base/json.h"
 #include "sim/base/text.h"
 #include "sim/campaign/campaign_folder.h"
@@ -11,6 +11,7 @@
 #include "sim/campaign/run_work.h"
 #include "sim/campaign/shard_file.h"
 #include "sim/log/result_row.h"
+#include "sim/mcap/mcap_reader.h"
 #include "sim/report/points.h"
 #include "sim/report/sensitivity.h"
 #include "sim/report/summary.h"
@@ -76,7 +77,7 @@ Json ShardHeaders(const fs::path& dir, const RowColumns& columns) {
 }
 
 void WriteManifest(const fs::path& dir, const RowColumns& columns) {
-  const auto text = ReadWhole(dir / "manifest.json");
+  const auto text = Folder(dir).Read("manifest.json", kMostManifestBytes);
   Json manifest = Json::parse(text.value_or(""), nullptr, /*allow_exceptions=*/false);
   if (!manifest.is_object()) throw ResultsError((dir / "manifest.json").string() + ": not JSON");
   manifest["shards"] = ShardHeaders(dir, columns);
@@ -92,7 +93,7 @@ void WritePoints(const fs::path& dir, const Campaign& campaign, const RowColumns
     WriteWhole(dir / "points.md", PointsTable(settings, measures, columns, rows));
   }
   const auto write = [&](const char* file, const std::string& figure) {
-    if (!figure.empty()) WriteWhole(dir / "plots" / file, figure);
+    if (!figure.empty()) Folder(dir).Write(fs::path("plots") / file, figure);
   };
   write("curves.svg", CurvesPlot(campaign.name, campaign.figures, columns, rows));
   write("bars.svg", BarsPlot(campaign.name, measures, columns, rows));
@@ -106,7 +107,7 @@ std::string WriteSensitivity(const fs::path& dir, const Campaign& campaign,
   WriteWhole(dir / "sensitivity.csv", SensitivityCsv(found));
   WriteWhole(dir / "sensitivity_levels.csv", SensitivityLevelsCsv(found));
   const std::string plot = SensitivityPlot(campaign.name, found);
-  if (!plot.empty()) WriteWhole(dir / "plots" / "sensitivity.svg", plot);
+  if (!plot.empty()) Folder(dir).Write("plots/sensitivity.svg", plot);
   return SensitivityText(found);
 }
 
@@ -116,7 +117,7 @@ bool OneContinuesTheOther(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-FinishedRuns ReadShards(const fs::path& dir, const RowColumns& columns,
+FinishedRuns ReadShards(const fs::path& dir, const RowCheck& check, const RowColumns& columns,
                         std::vector<std::string>* damaged) {
   const std::vector<fs::path> files = ShardFiles(dir);
   std::vector<std::unique_ptr<ShardReader>> shards;
@@ -124,6 +125,7 @@ FinishedRuns ReadShards(const fs::path& dir, const RowColumns& columns,
   for (std::uint32_t i = 0; i < files.size(); ++i) {
     shards.push_back(std::make_unique<ShardReader>(files[i], columns));
     const std::vector<int> lines = shards.back()->ForEach([&](const RowPlace& row) {
+      check.Require(row, files[i]);
       rows.push_back({row.run, i, IsLost(row.outcome), row.text});
     });
     if (damaged == nullptr) continue;
@@ -143,15 +145,17 @@ FinishedRuns ReadShards(const fs::path& dir, const RowColumns& columns,
 }
 
 void TakeShards(const fs::path& from, const fs::path& into) {
+  const Folder source = from, target = into;
+  if (HoldsCampaign(from)) RequirePlain(from);
   if (HoldsCampaign(from) && !fs::exists(into)) {
     MakeFolder(into);
     for (const char* part : {"files", "manifest.json", "campaign.yaml"}) {
-      fs::copy(from / part, into / part, fs::copy_options::recursive);
+      source.CopyInto(target, part, kMostLogBytes);
     }
   }
   const auto manifest_of = [](const fs::path& dir) {
     if (!HoldsCampaign(dir)) throw FolderTaken(dir.string() + " holds no campaign");
-    return Json::parse(ReadWhole(dir / "manifest.json").value_or(""), nullptr,
+    return Json::parse(Folder(dir).Read("manifest.json", kMostManifestBytes).value_or(""), nullptr,
                        /*allow_exceptions=*/false);
   };
   const std::string difference = ManifestDifference(manifest_of(from), manifest_of(into));
@@ -160,34 +164,32 @@ void TakeShards(const fs::path& from, const fs::path& into) {
   }
   for (const fs::path& path : ShardFiles(from)) {
     const fs::path place = into / "shards" / path.filename();
-    const std::string bytes = ReadWhole(path).value_or("");
-    const std::string there = ReadWhole(place).value_or("");
+    const fs::path name = fs::path("shards") / path.filename();
+    const std::string bytes = source.Read(name, kMostShardBytes).value_or("");
+    const std::string there = target.Read(name, kMostShardBytes).value_or("");
     if (!OneContinuesTheOther(bytes, there)) {
       throw FolderTaken(path.string() + " and " + place.string() +
                         " are shards of the same name with different rows: were both folders run "
                         "with the same --shard?");
     }
-    MakeFolder(into / "shards");
-    if (bytes.size() > there.size()) WriteWhole(place, bytes);
+    target.Make("shards");
+    if (bytes.size() > there.size()) target.Write(name, bytes);
   }
-  for (const char* part : {"runs", "sightings"}) {
-    if (!fs::exists(from / part)) continue;
-    fs::copy(from / part, into / part,
-             fs::copy_options::recursive | fs::copy_options::skip_existing);
-  }
+  for (const char* part : {"runs", "sightings"}) source.CopyInto(target, part, kMostLogBytes);
 }
 
 CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const RowColumns& columns,
                         bool enough) {
+  const Descriptor alone = LockResults(dir);
   CampaignEnd end;
   end.total = campaign.run_count();
-  end.runs = ReadShards(dir, columns, &end.damaged);
+  end.runs = ReadShards(dir, RowCheck(campaign), columns, &end.damaged);
   const std::vector<RunResult>& rows = end.runs.results;
   WriteManifest(dir, columns);
   WriteTimingCsv(dir / "timing.csv", end.runs);
   WriteResultsCsv(dir / "results.csv", end.runs, columns);
   WriteDatabase(dir / "results.sqlite", end.runs, columns);
-  MakeFolder(dir / "plots");
+  Folder(dir).Make("plots");
   WritePoints(dir, campaign, columns, rows);
   end.summary = SummaryText(campaign.name, end.runs, columns, end.total, enough) +
                 WriteSensitivity(dir, campaign, columns, rows);

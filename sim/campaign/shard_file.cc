@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,6 +23,7 @@ namespace dockyard {
 namespace {
 
 constexpr std::size_t kCheckLength = 9;  // 8 digits and the comma
+constexpr int kFirstLabel = 4;           // column, behind run, seed, system and controller
 
 std::string CheckOf(std::string_view text) {
   char check[16];
@@ -67,6 +67,14 @@ std::string_view CellAt(std::string_view row, int column) {
   return row.substr(from, CellEnd(row, from) - from);
 }
 
+/// Neighbours, with the commas between them.
+std::string_view CellsAt(std::string_view row, int column, int count) {
+  if (count == 0) return {};
+  const char* from = CellAt(row, column).data();
+  const std::string_view last = CellAt(row, column + count - 1);
+  return {from, static_cast<std::size_t>(last.data() + last.size() - from)};
+}
+
 template <class T>
 bool ReadNumber(std::string_view text, T& value) {
   const char* end = text.data() + text.size();
@@ -92,16 +100,22 @@ double SecondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// The results folder of a shard's file, and its place there.
+Folder ResultsOf(const std::filesystem::path& path) { return path.parent_path().parent_path(); }
+std::filesystem::path PlaceIn(const std::filesystem::path& path) {
+  return path.parent_path().filename() / path.filename();
+}
+
 /// Takes the file for this program alone. A file system that knows no locks gives them to all.
 int LockFile(const std::filesystem::path& path) {
-  const int lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock < 0) throw IoErrorFromErrno("write", path);
+  Descriptor lock = ResultsOf(path).OpenToWrite(PlaceIn(path), O_RDWR);
   // The worker of a program that was just killed may hold it for a moment.
   for (int tries = 0; tries < 40; ++tries) {
-    if (::flock(lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return lock;
+    if (::flock(lock.value(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) {
+      return lock.Release();
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  ::close(lock);
   throw FolderTaken("another campaign is running in " + path.parent_path().parent_path().string() +
                     " (" + path.filename().string() + " is in use)");
 }
@@ -126,21 +140,17 @@ std::filesystem::path ShardFile(const std::filesystem::path& dir, const Shard& s
 
 std::vector<std::filesystem::path> ShardFiles(const std::filesystem::path& dir) {
   std::vector<std::filesystem::path> files;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(dir / "shards", error)) {
-    if (entry.path().extension() == ".rows") files.push_back(entry.path());
+  for (const std::string& name : Folder(dir).Names("shards")) {
+    if (name.ends_with(".rows")) files.push_back(dir / "shards" / name);
   }
-  std::sort(files.begin(), files.end());
   return files;
 }
 
 bool IsIdle(const std::filesystem::path& shard_file) {
   std::filesystem::path path = shard_file;
-  const int lock = ::open(path.replace_extension(".lock").c_str(), O_RDWR | O_CLOEXEC);
-  if (lock < 0) return true;
-  const bool idle = ::flock(lock, LOCK_EX | LOCK_NB) == 0;
-  ::close(lock);
-  return idle;
+  path.replace_extension(".lock");
+  const auto lock = ResultsOf(path).Open(PlaceIn(path), kMostShardBytes);
+  return !lock || ::flock(lock->value(), LOCK_EX | LOCK_NB) == 0;
 }
 
 std::string ShardRow(const FinishedRun& run, const RowColumns& columns) {
@@ -167,18 +177,18 @@ std::optional<FinishedRun> RowFromShard(std::string_view text, const RowColumns&
 
 ShardReader::ShardReader(const std::filesystem::path& path, const RowColumns& columns)
     : path_(path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat status {};
-  if (file < 0 || ::fstat(file, &status) != 0) throw IoErrorFromErrno("read", path);
-  const auto size = static_cast<std::size_t>(status.st_size);
-  void* mapped = size == 0 ? nullptr : ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-  ::close(file);
+  const auto file = ResultsOf(path).Open(PlaceIn(path), kMostShardBytes);
+  if (!file) throw IoError("cannot read " + path.string() + ": it is not there");
+  const auto size = static_cast<std::size_t>(SizeOf(*file, path));
+  void* mapped =
+      size == 0 ? nullptr : ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file->value(), 0);
   if (mapped == MAP_FAILED) throw IoErrorFromErrno("read", path);
   bytes_ = {static_cast<const char*>(mapped), size};
   const std::vector<std::string> names = ShardColumnNames(columns);
   columns_line_ = CsvLine(names);
   outcome_column_ = PlaceOf(names, "outcome");
   docked_column_ = PlaceOf(names, "docked");
+  label_count_ = static_cast<int>(columns.labels.size());
   VisitLines(bytes_, [&](int, std::string_view line, bool whole) {
     const auto text = whole ? TextOf(line) : std::nullopt;
     if (!text) return true;
@@ -206,6 +216,7 @@ std::vector<int> ShardReader::ForEach(const std::function<void(const RowPlace&)>
     } else if (!IsHeader(*text)) {
       RowPlace row;
       row.text = *text;
+      row.labels = CellsAt(*text, kFirstLabel, label_count_);
       if (!ReadNumber(CellAt(*text, 0), row.run) || !ReadNumber(CellAt(*text, 1), row.seed)) {
         refuse("not a row");
       }
@@ -222,17 +233,19 @@ ShardWriter::ShardWriter(const std::filesystem::path& path, const Json& header,
                          const RowColumns& columns)
     : path_(path), columns_(columns) {
   DOCKYARD_CHECK(header.is_object());
-  MakeFolder(path.parent_path());
+  MakeFolder(ResultsOf(path).path());
+  ResultsOf(path).Make(path.parent_path().filename());
   std::filesystem::path lock = path;
   lock_ = LockFile(lock.replace_extension(".lock"));
   try {
     bool headed = false, cut_off = false;
-    if (std::filesystem::exists(path)) {
+    if (ResultsOf(path).HasFile(PlaceIn(path))) {
       const ShardReader before(path, columns);
       headed = !before.header().is_null();
       cut_off = before.ends_in_a_cut_off_line();
     }
-    file_ = std::make_unique<LineAppender>(path);
+    file_ = std::make_unique<LineAppender>(
+        ResultsOf(path).OpenToWrite(PlaceIn(path), O_WRONLY | O_APPEND), path);
     if (cut_off) file_->Append("");
     if (!headed) {
       file_->Append(Checked(header.dump()));

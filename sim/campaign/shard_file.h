@@ -15,8 +15,9 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/base/files.h"
+#include "sim/base/folder.h"
 #include "sim/base/json.h"
+#include "sim/campaign/row_check.h"
 #include "sim/log/results.h"
 
 namespace dockyard {
@@ -33,6 +34,8 @@ struct Shard {
 std::optional<Shard> ShardFromText(std::string_view text);
 /// shards/2-of-4.rows of a results folder.
 std::filesystem::path ShardFile(const std::filesystem::path& dir, const Shard& shard);
+/// Of a shard file; assumed, 1 to 100 GiB: a million rows take about 0.5 GiB.
+inline constexpr std::uint64_t kMostShardBytes = std::uint64_t{16} << 30;
 /// All shard files of a results folder, by name.
 std::vector<std::filesystem::path> ShardFiles(const std::filesystem::path& dir);
 
@@ -45,11 +48,9 @@ std::string ShardRow(const FinishedRun& run, const RowColumns& columns);
 std::optional<FinishedRun> RowFromShard(std::string_view text, const RowColumns& columns);
 
 /// What a shard's rows need to be found again without being read whole.
-struct RowPlace {
-  int run = 0;
-  std::uint64_t seed = 0;
+struct RowPlace : RowPlan {
   bool docked = false;
-  std::string_view outcome, text;  // text: the whole row; both within the file's bytes
+  std::string_view outcome, text;  // text: the whole row; all within the file's bytes
 };
 
 /// A shard file in memory, as it is on the disk.
@@ -74,7 +75,7 @@ class ShardReader {
   std::string_view bytes_;
   std::string columns_line_;
   Json header_;
-  int outcome_column_ = 0, docked_column_ = 0;
+  int outcome_column_ = 0, docked_column_ = 0, label_count_ = 0;
 };
 
 /// Appends rows to a shard file. One program at a time has it.

@@ -19,8 +19,8 @@ std::vector<std::string> KeysOf(const std::vector<Dispersion>& dispersions) {
   return keys;
 }
 
-void Put(const YamlNode::Key& key, const YamlNode& value, YamlNode& tree) {
-  PutPath(tree, key.name, key.place, value);
+void Put(const YamlNode::Key& key, const YamlNode& value, YamlNode* tree) {
+  if (tree != nullptr) PutPath(*tree, key.name, key.place, value);
 }
 
 const YamlNode* CellOf(const RunTable& table, std::int64_t row, const char* column) {
@@ -134,7 +134,7 @@ std::uint64_t RunMaker::SeedNumber(std::int64_t index) const {
   return SeedAt(PlaceOf(index)).number;
 }
 
-void RunMaker::SetArm(const Place& place, YamlNode& tree, CampaignRun& run) const {
+void RunMaker::SetArm(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const {
   if (campaign_.arms.empty()) return;
   std::size_t chosen = place.arm;
   if (const YamlNode* cell = CellOf(campaign_.table, place.row, "arm")) {
@@ -142,11 +142,11 @@ void RunMaker::SetArm(const Place& place, YamlNode& tree, CampaignRun& run) cons
     for (const Arm& arm : campaign_.arms) names.push_back(arm.name);
     chosen = LevelOf(*cell, "arm", names);
   }
-  run.labels.push_back(campaign_.arms[chosen].name);
+  labels.push_back(campaign_.arms[chosen].name);
   for (const KeyValue& set : campaign_.arms[chosen].sets) Put(set.key, set.value, tree);
 }
 
-void RunMaker::SetRow(const Place& place, YamlNode& tree, CampaignRun& run) const {
+void RunMaker::SetRow(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const {
   if (campaign_.table.rows.empty()) return;
   const RunTable::Row& row = campaign_.table.rows[static_cast<std::size_t>(place.row)];
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
@@ -154,7 +154,7 @@ void RunMaker::SetRow(const Place& place, YamlNode& tree, CampaignRun& run) cons
     if (IsPlanColumn(column.name)) continue;
     const YamlNode& cell = row.cells[i];
     if (IsTag(campaign_, column.name)) {
-      run.labels.push_back(cell.scalar);
+      labels.push_back(cell.scalar);
       continue;
     }
     const auto named =
@@ -165,23 +165,24 @@ void RunMaker::SetRow(const Place& place, YamlNode& tree, CampaignRun& run) cons
                                 : named->values[LevelOf(cell, column.name, named->labels)];
     Put(column, value, tree);
     if (!TellsController(column.name, named == campaign_.named.end() ? nullptr : &*named)) {
-      run.labels.push_back(CellText(cell));
+      labels.push_back(CellText(cell));
     }
   }
 }
 
-void RunMaker::SetGrid(const Place& place, YamlNode& tree, CampaignRun& run) const {
+void RunMaker::SetGrid(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const {
   std::int64_t rest = place.grid;
   for (const Factor& factor : campaign_.grid) {
     const auto count = static_cast<std::int64_t>(factor.values.size());
     const auto level = static_cast<std::size_t>(rest % count);
     rest /= count;
     Put(factor.key, factor.values[level], tree);
-    if (!TellsController(factor.key.name, &factor)) run.labels.push_back(factor.labels[level]);
+    if (!TellsController(factor.key.name, &factor)) labels.push_back(factor.labels[level]);
   }
 }
 
-void RunMaker::SetChange(const Place& place, YamlNode& tree, CampaignRun& run) const {
+void RunMaker::SetChange(const Place& place, YamlNode* tree,
+                         std::vector<std::string>& labels) const {
   if (campaign_.one_at_a_time.empty()) return;
   const Factor* factor = nullptr;
   std::size_t level = 0;
@@ -203,11 +204,11 @@ void RunMaker::SetChange(const Place& place, YamlNode& tree, CampaignRun& run) c
     }
   }
   if (factor != nullptr) Put(factor->key, factor->values[level], tree);
-  run.labels.push_back(factor == nullptr ? "" : factor->key.name);
-  run.labels.push_back(factor == nullptr ? "" : factor->labels[level]);
+  labels.push_back(factor == nullptr ? "" : factor->key.name);
+  labels.push_back(factor == nullptr ? "" : factor->labels[level]);
 }
 
-void RunMaker::Draw(const Place& place, YamlNode& tree, CampaignRun& run) const {
+void RunMaker::Draw(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const {
   std::vector<double> uniforms;
   for (std::size_t i = 0; i < campaign_.dispersions.size(); ++i) {
     uniforms.push_back(
@@ -218,10 +219,30 @@ void RunMaker::Draw(const Place& place, YamlNode& tree, CampaignRun& run) const 
     const Dispersion& dispersion = campaign_.dispersions[i];
     const YamlNode value = Drawn(dispersion, uniforms[i]);
     Put(dispersion.key, value, tree);
-    run.labels.push_back(dispersion.discrete()
-                             ? dispersion.values.labels[Pick(dispersion.weights, uniforms[i])]
-                             : value.scalar);
+    labels.push_back(dispersion.discrete()
+                         ? dispersion.values.labels[Pick(dispersion.weights, uniforms[i])]
+                         : value.scalar);
   }
+}
+
+void RunMaker::SetAll(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const {
+  SetArm(place, tree, labels);
+  const auto told = [&](const char* column, std::int64_t value) {
+    const YamlNode* cell = CellOf(campaign_.table, place.row, column);
+    labels.push_back(cell != nullptr ? CellText(*cell) : std::to_string(value + 1));
+  };
+  if (campaign_.has_points()) told("point", place.point);
+  if (campaign_.has_repeats()) told("repeat", place.repeat);
+  SetRow(place, tree, labels);
+  SetGrid(place, tree, labels);
+  SetChange(place, tree, labels);
+  Draw(place, tree, labels);
+}
+
+std::vector<std::string> RunMaker::Labels(std::int64_t index) const {
+  std::vector<std::string> labels;
+  SetAll(PlaceOf(index), nullptr, labels);
+  return labels;
 }
 
 CampaignRun RunMaker::Make(std::int64_t index) const {
@@ -229,17 +250,7 @@ CampaignRun RunMaker::Make(std::int64_t index) const {
   CampaignRun run;
   run.run = Number(index);
   YamlNode tree = campaign_.base;
-  SetArm(place, tree, run);
-  const auto told = [&](const char* column, std::int64_t value) {
-    const YamlNode* cell = CellOf(campaign_.table, place.row, column);
-    run.labels.push_back(cell != nullptr ? CellText(*cell) : std::to_string(value + 1));
-  };
-  if (campaign_.has_points()) told("point", place.point);
-  if (campaign_.has_repeats()) told("repeat", place.repeat);
-  SetRow(place, tree, run);
-  SetGrid(place, tree, run);
-  SetChange(place, tree, run);
-  Draw(place, tree, run);
+  SetAll(place, &tree, run.labels);
   PutPath(tree, "name", {}, ScalarNode(campaign_.name + " run " + std::to_string(run.run), true));
   RemovePath(tree, "seed");  // the base's own
   run.scenario = ReadScenario(tree, systems_);

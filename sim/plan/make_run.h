@@ -21,6 +21,8 @@ class RunMaker {
   /// @param index  0 .. run_count() - 1: arm by arm, repeat by repeat, point by point
   /// Throws ConfigError for a scenario that its reader refuses.
   CampaignRun Make(std::int64_t index) const;
+  /// The run's labels, as Make gives them but without its scenario.
+  std::vector<std::string> Labels(std::int64_t index) const;
   /// The run's number, which names it in results.
   int Number(std::int64_t index) const;
   /// The number of its world's seed, which its row has: the same for all arms and for every key
@@ -34,11 +36,13 @@ class RunMaker {
   Place PlaceOf(std::int64_t index) const;
   std::uint64_t WorldPlace(const Place& place) const;
   Seed SeedAt(const Place& place) const;
-  void SetArm(const Place& place, YamlNode& tree, CampaignRun& run) const;
-  void SetRow(const Place& place, YamlNode& tree, CampaignRun& run) const;
-  void SetGrid(const Place& place, YamlNode& tree, CampaignRun& run) const;
-  void SetChange(const Place& place, YamlNode& tree, CampaignRun& run) const;
-  void Draw(const Place& place, YamlNode& tree, CampaignRun& run) const;
+  // They set the keys of a tree, if there is one, and add labels.
+  void SetAll(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const;
+  void SetArm(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const;
+  void SetRow(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const;
+  void SetGrid(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const;
+  void SetChange(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const;
+  void Draw(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const;
 
   const Campaign& campaign_;
   const std::vector<KnownSystem>& systems_;

@@ -203,7 +203,7 @@ TEST(ProgramCampaign, ComesOutTheSameOnOneProcessorAndOnTwoAndReplays) {
 
   const RowColumns columns = AxelColumns(
       {"day", "region", "soil", "light", "start.r_m", "start.alpha_deg", "start.heading_deg"});
-  const int run = ReadShards(one, columns).results.front().run;
+  const int run = ReadShards(one, RowCheck::OfNoCampaign(), columns).results.front().run;
   const std::string replay = "replay " + one.string() + " " + std::to_string(run);
   const Ended same = Dockyard(replay);
   EXPECT_EQ(same.code, 0) << same.out;
@@ -212,7 +212,7 @@ TEST(ProgramCampaign, ComesOutTheSameOnOneProcessorAndOnTwoAndReplays) {
   EXPECT_THAT(same.err, Not(HasSubstr("differs")));
   EXPECT_EQ(Dockyard("replay " + RunFolder(one, run).string()).out, same.out);
 
-  FinishedRuns kept = ReadShards(one, columns);
+  FinishedRuns kept = ReadShards(one, RowCheck::OfNoCampaign(), columns);
   kept.results[0].state_hash ^= 1;
   const fs::path shard = ShardFile(one, Shard{});
   fs::remove(shard);

@@ -44,14 +44,15 @@ class ShardRows : public testing::Test {
   }
   std::vector<int> RunsRead(std::vector<std::string>* damaged = nullptr) {
     std::vector<int> runs;
-    for (const RunResult& result : ReadShards(dir_.path(), columns_, damaged).results) {
+    for (const RunResult& result :
+         ReadShards(dir_.path(), RowCheck::OfNoCampaign(), columns_, damaged).results) {
       runs.push_back(result.run);
     }
     return runs;
   }
   std::string ErrorOfReading() {
     try {
-      ReadShards(dir_.path(), columns_);
+      ReadShards(dir_.path(), RowCheck::OfNoCampaign(), columns_);
     } catch (const ResultsError& error) {
       return error.what();
     }
@@ -68,7 +69,7 @@ TEST_F(ShardRows, ReadBackToTheSameRuns) {
   odd.result.labels[0] = "wet, \"sticky\"";
   odd.note = "it said \"no\", twice";
   Write({}, {FakeFinished(3), odd, Lost(7)});
-  const FinishedRuns runs = ReadShards(dir_.path(), columns_);
+  const FinishedRuns runs = ReadShards(dir_.path(), RowCheck::OfNoCampaign(), columns_);
   ASSERT_EQ(runs.size(), 3u);
   EXPECT_EQ(CsvRow(runs.results[0], columns_), CsvRow(FakeFinished(3).result, columns_));
   EXPECT_EQ(runs.results[1].labels[0], "wet, \"sticky\"");
@@ -114,7 +115,8 @@ TEST_F(ShardRows, WithAnyBitChangedAreLeftOutAndToldOf) {
 TEST_F(ShardRows, OfARunThatWasLostGiveWayToItsResult) {
   Write({1, 2}, {Lost(1), FakeFinished(1), FakeFinished(2), Lost(2), Lost(3)});
   Write({2, 2}, {FakeFinished(3)});
-  for (const RunResult& result : ReadShards(dir_.path(), columns_).results) {
+  for (const RunResult& result :
+       ReadShards(dir_.path(), RowCheck::OfNoCampaign(), columns_).results) {
     EXPECT_FALSE(IsLost(result.outcome)) << result.run;
   }
 }

@@ -149,7 +149,8 @@ FuzzKind RowsKind() {
               checked += check + line + "\n";
             }
             folder->Write("shards/1-of-1.rows", checked);
-            return ReadOrRefused([&] { ReadShards(folder->path(), FakeColumns()); });
+            return ReadOrRefused(
+                [&] { ReadShards(folder->path(), RowCheck::OfNoCampaign(), FakeColumns()); });
           }};
 }
 
