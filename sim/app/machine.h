@@ -21,6 +21,11 @@ MemoryLimit UsableMemory();
 double CgroupLimitMib(const std::filesystem::path& tree, const std::string& group,
                       const std::string& file);
 
+/// Raises the limits on this process's stack and data where they are too low and may be raised.
+/// Returns a sentence on the one that is too small; empty if none is. Below them libraries crash,
+/// such as the one that draws.
+std::string LimitFault();
+
 /// Free disk in a folder; 0 when it cannot be asked.
 double FreeDiskMib(const std::filesystem::path& folder);
 

@@ -15,6 +15,7 @@
 #include "sim/app/failure.h"
 #include "sim/app/help.h"
 #include "sim/app/invocation.h"
+#include "sim/app/machine.h"
 #include "sim/app/parse_fault.h"
 #include "sim/app/terminal.h"
 #include "sim/base/math_pin.h"
@@ -129,12 +130,19 @@ void AddCommands(CLI::App& app, Invocation& call) {
 }  // namespace
 
 int RunProgram(int argc, char** argv, const std::vector<System>& systems) {
+  if (const std::string fault = LimitFault(); !fault.empty()) {
+    PrintError(fault);
+    return kExitIo;
+  }
   if (AskForNumbers(argc, argv) && !PinMathFunctions(argv)) {
     PrintNote(
         "note: results hold for processors like this one alone; the program could not start "
         "again with GLIBC_TUNABLES=" +
         PinnedTunables(""));
   }
+  // Past the limit on a file's size, write fails with EFBIG. A handler, as an ignored signal would
+  // stay so in controllers' programs.
+  std::signal(SIGXFSZ, [](int) {});
   // A failed internal check has printed its place; it ends with the code that says so.
   std::signal(SIGABRT, [](int) { ::_exit(kExitOurBug); });
   const bool named = argc > 0 && *argv[0] != '\0';
