@@ -43,8 +43,8 @@ Examples:
   dockyard campaign {sweep} --set design.runs=1 --out out/quick
   dockyard campaign {sweep} --set design.runs=1 --out out/quick \
     --require 'docked >= 0'
-  dockyard campaign {sweep} --set 'vary={start.alpha_deg: [0, 3]}' --set figures= \
-    --out out/two
+  dockyard campaign {sweep} --set 'vary={start.alpha_deg: [0, 3]}' \
+    --set figures= --out out/two
 
 Any key of a scenario can be varied or drawn, those of its models too. Stopped by Ctrl-C, a crash
 or a power cut, the same command goes on where it was. The results are the same, bit for bit, for

@@ -31,7 +31,7 @@ std::unique_ptr<Controller> MakeController(const System& system, const CampaignR
                                            const ReadyRun& ready, const RunOptions& options);
 
 /// What a program gets as the seed of its own draws: a map of `controller: {seed: N}` and the run's
-/// number. The world has no part in it, so nothing about the world can be told from it.
+/// number. The world has no part in it, so it shows nothing of the world.
 std::uint64_t SeedOfProgram(std::uint64_t controller_seed, int run);
 
 /// The part of a result that is known before the run. The row of a crashed run holds no more.

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 const std::string kScenario = "tests/toy/scenario.yaml --set start.r_m=1 ";
 
 std::string Command(const std::string& words) {
-  return "--set 'controller={command: [" + words +
-         "], folder: " DOCKYARD_SOURCE_DIR "/tests/bridge}' ";
+  return "--set 'controller={command: [" + words + "], folder: " + SourceFile("tests/bridge") +
+         "}' ";
 }
 
 Json RunWith(const std::string& words, const std::string& more = "") {
@@ -72,7 +72,7 @@ TEST(CommandController, ThatNeverSaidHelloReplaysAsTheSameFailure) {
 
 /// A folder with a table and a sweep of the toy whose controller is the given program.
 void WriteCommandFiles(const fs::path& folder, const std::string& words) {
-  const std::string base = "base: " DOCKYARD_SOURCE_DIR "/tests/toy/scenario.yaml\n";
+  const std::string base = "base: " + SourceFile("tests/toy/scenario.yaml") + "\n";
   const std::string command = "controller: {command: [" + words + "], folder: .}";
   WriteText(folder / "campaign.yaml", "campaign: c\nseed: 1\n" + base + "scenario: {" + command +
                                           "}\nruns: [{run: 1, start.r_m: 1}]\n");
@@ -168,7 +168,8 @@ TEST(CommandController, CostsOneRunOfACampaign) {
   const Ended end =
       Dockyard("campaign tests/toy/campaign.yaml --quiet --allow-commands --out " + out +
                " --set 'scenario={controller: {command: [python3, counting.py, crash], "
-               "folder: " DOCKYARD_SOURCE_DIR "/tests/bridge}}'");
+               "folder: " +
+               SourceFile("tests/bridge") + "}}'");
   EXPECT_EQ(end.code, 0) << end.err;
   EXPECT_THAT(end.out, HasSubstr("controller_crashed"));
   EXPECT_THAT(Slurp(folder.path() / "runs" / "001" / "messages.txt"),

@@ -12,6 +12,7 @@
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "support/fake_runs.h"
+#include "support/program_path.h"
 
 namespace dockyard {
 namespace {
@@ -308,7 +309,7 @@ TEST_F(Toy, MeetsRequirementsOrEndsWithTheirCode) {
   EXPECT_EQ(met.code, 0) << met.err;
   EXPECT_THAT(met.out, HasSubstr("met: docked >= 0, found "));
   EXPECT_THAT(Text("junit.xml"), HasSubstr("<testcase classname=\"toy_arms.fast\" name=\"run 2"));
-  EXPECT_THAT(Text("junit.xml"), HasSubstr("again: " DOCKYARD_PROGRAM " replay " + dir_.string()));
+  EXPECT_THAT(Text("junit.xml"), HasSubstr("again: " + ProgramPath() + " replay " + dir_.string()));
   const std::string merge = "merge " + dir_.string();
   const auto missed = Dockyard(merge + " --require 'docked.lower95 >= 0.99' --json");
   EXPECT_EQ(missed.code, 22);
