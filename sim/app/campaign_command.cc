@@ -105,6 +105,7 @@ int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
     throw UsageError("FILE: expected a campaign file, or --watch DIR");
   }
   Campaign loaded = LoadCampaign(arguments.campaign, systems);
+  call.secret_file = arguments.campaign.secret_file;
   if (arguments.dry_run) {
     std::printf("%s", PlanCsv(loaded, KnownSystems(systems)).c_str());
     return kExitDone;

@@ -176,6 +176,7 @@ void AddReportCommand(CLI::App& app, Invocation& call) {
       "say whether the results meet it, such as 'docked >= 0.9'; may be given again");
   command->add_option("--confidence", arguments->confidence, "of that verdict [0.95]")
       ->check(NumberWithin(0.5, 1.0 - 1e-12));
+  AddSecretOption(*command, call);
   command->callback([arguments, &call] { call.exit_code = Report(*arguments, call); });
 }
 

@@ -10,12 +10,14 @@
 namespace dockyard {
 
 inline constexpr int kResultsFormat = 1;
+inline constexpr const char* kSealedSha256 = "sealed_sha256";
 
 /// What a results folder belongs to. It holds no absolute path, so that the same campaign is the
 /// same on another computer.
 struct CampaignIdentity {
   std::string campaign_yaml;  // with the copies' paths in place of the files'
   Json program;               // an object: version, fingerprint and the like
+  std::string sealed_sha256;  // of a sealed campaign: the fingerprint of its secret
   /// Copies in the folder ("files/axel/axel.yaml") and the files that they are made from.
   std::map<std::string, std::filesystem::path> files;
 };

@@ -17,6 +17,8 @@ struct RunOptions {
   // its answers may take. Wall time; assumed, 1-60 s.
   bool allow_commands = false;
   double answer_limit_s = 10.0;
+  // A run's folder whose log gives the commands in place of the controller; empty: none does.
+  std::filesystem::path recorded_dir = {};
 };
 
 /// Throws ConfigError for a scenario whose controller is a program that may not be started.
