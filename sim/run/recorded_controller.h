@@ -1,4 +1,4 @@
-// A controller that gives the commands that a log has: it stands for a program that is not here.
+// A controller that gives the commands that a log has, in place of a program that is not here.
 #pragma once
 
 #include <cstddef>
