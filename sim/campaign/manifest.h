@@ -17,9 +17,9 @@ inline constexpr const char* kSealedSha256 = "sealed_sha256";
 struct CampaignIdentity {
   std::string campaign_yaml;  // with the copies' paths in place of the files'
   Json program;               // an object: version, fingerprint and the like
-  std::string sealed_sha256;  // of a sealed campaign: the fingerprint of its secret
   /// Copies in the folder ("files/axel/axel.yaml") and the files that they are made from.
   std::map<std::string, std::filesystem::path> files;
+  std::string sealed_sha256 = {};  // of a sealed campaign: the fingerprint of its secret
 };
 
 /// The manifest of a new folder. Throws IoError for a file that cannot be read.

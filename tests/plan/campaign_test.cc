@@ -169,7 +169,7 @@ TEST_F(CampaignFile, GivesEachRunASeedOfItsOwn) {
   std::set<std::uint64_t> seeds;
   for (const CampaignRun& run : AllRuns(Load())) {
     EXPECT_EQ(run.scenario.seed, WorldSeed(9, static_cast<std::uint64_t>(run.run), 0));
-    seeds.insert(run.scenario.seed);
+    seeds.insert(run.scenario.seed.number);
   }
   EXPECT_EQ(seeds.size(), 2u);
 }
@@ -241,6 +241,13 @@ TEST_F(CampaignFile, ColumnsThatCannotBeAreRefused) {
   EXPECT_THAT(TableMessage(",light,", ",system,"), HasSubstr("all runs are of one system"));
   EXPECT_THAT(TableMessage(",light,", ",start,"),
               HasSubstr("start.r_m: expected a key that is not set by 'start' as well"));
+}
+
+TEST_F(CampaignFile, AFileAsItsScenarioIsRefusedAtItsPlace) {
+  EXPECT_EQ(
+      Message("base: toy.yaml", "scenario: toy.yaml"),
+      "scenarios/c.yaml:3:11: scenario: expected a mapping of keys; a scenario's file is named "
+      "by base");
 }
 
 TEST_F(CampaignFile, TagsAreColumnsAndNoKeys) {
