@@ -38,6 +38,7 @@ KeptCampaign ReadKeptCampaign(const std::filesystem::path& dir,
                               const std::vector<System>& systems) {
   KeptCampaign kept = OpenKeptCampaign(dir, systems);
   kept.runs = ReadShards(dir, kept.columns);
+  LeaveOutUncounted(dir, kept.runs);
   return kept;
 }
 
