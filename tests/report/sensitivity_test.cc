@@ -170,7 +170,7 @@ TEST(Sensitivity, SaysThatItCannotTellWhereAllRunsDock) {
   EXPECT_FALSE(std::isnan(found[0].measures[kDepth].draws[0].eta));
   EXPECT_THAT(SensitivityText(found), HasSubstr("docked does not vary"));
   EXPECT_THAT(SensitivityPlot("all", found), IsEmpty());
-  EXPECT_THAT(SensitivityCsv(found), HasSubstr("\n,docked,start.r_m,numbers,100,,,,,,,,\n"));
+  EXPECT_THAT(SensitivityCsv(found), HasSubstr("\n,docked,start.r_m,numbers,100,,,,,,,,,\n"));
 }
 
 TEST(Sensitivity, TakesAnyNumberOfRuns) {
