@@ -5,6 +5,8 @@
 
 #include "app/program.h"
 #include "support/fake_runs.h"
+#include "support/program_path.h"
+#include "support/source_tree.h"
 
 namespace dockyard {
 namespace {
@@ -12,9 +14,9 @@ namespace {
 TEST(Nominal, IsDocumentedKeyByKeyAsProgramsGetIt) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "faults").string();
-  const std::string command = "python3 '" + SourceFile("tests/app/nominal_check.py") +
-                              "' '" DOCKYARD_PROGRAM "' '" DOCKYARD_SOURCE_DIR "' '" +
-                              folder.path().string() + "' >'" + out + "' 2>&1";
+  const std::string command = "python3 '" + SourceFile("tests/app/nominal_check.py") + "' '" +
+                              ProgramPath() + "' '" + SourceDir() + "' '" + folder.path().string() +
+                              "' >'" + out + "' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << Slurp(out);
 }
 
