@@ -121,9 +121,10 @@ int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
   options.progress = StyleOf(arguments);
   const ShardEnd shard = RunShard(campaign, run, options);
+  if (!plan) GoOnPastAcceptance(options.out_dir);
   if (!options.shard.whole()) return EndOfShard(arguments, options, shard, call);
-  const CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns, shard.enough);
   if (plan) KeepAcceptance(options.out_dir, *plan, followed);
+  const CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns);
   if (shard.signal != 0) return EndOfShard(arguments, options, shard, call);
   int code = ReportEnd(end, options.out_dir, arguments.json, call);
   if (plan) code = ReportAcceptance(*plan, followed, arguments.json, call);

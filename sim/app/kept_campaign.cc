@@ -85,6 +85,7 @@ KeptCampaign ReadKeptCampaign(const std::filesystem::path& dir, const std::vecto
                               const std::string& secret_file) {
   KeptCampaign kept = OpenKeptCampaign(dir, systems, secret_file);
   kept.runs = ReadShards(dir, kept.columns);
+  LeaveOutUncounted(dir, kept.runs);
   return kept;
 }
 

@@ -18,6 +18,7 @@
 #include "sim/page/markdown.h"
 #include "sim/report/run_plots.h"
 #include "sim/report/starts_plot.h"
+#include "sim/report/until_accepted.h"
 
 namespace dockyard {
 namespace {
@@ -131,6 +132,10 @@ int Report(const ReportArguments& arguments, const Invocation& call) {
   content.most_bytes = static_cast<std::size_t>(arguments.most_mib) << 20;
   if (arguments.reliability > 0.0) {
     content.aim = AcceptanceAim{arguments.reliability, arguments.confidence};
+    const std::string why = content.campaign == nullptr ? "" : WhyNotSequential(*content.campaign);
+    if (!why.empty()) {
+      PrintNote("note: no verdict, as " + why + "; dockyard accept judges points and arms");
+    }
   }
   if (!arguments.judging.require.empty()) {
     if (content.campaign == nullptr) {

@@ -45,6 +45,15 @@ TEST(CommandController, OfAnotherProtocolIsRefused) {
   EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("it speaks protocol 1, expected 3"));
 }
 
+TEST(CommandController, HelloOfAnyShapeIsAnOutcome) {
+  for (const char* hello :
+       {"deep_list", "deep_object", "real_protocol", "large_protocol", "text_protocol", "listed"}) {
+    const Json run = RunWith(std::string("python3, counting.py, ") + hello);
+    EXPECT_EQ(run["outcome"], "controller_error") << hello;
+    EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("a bad hello: ")) << hello;
+  }
+}
+
 TEST(CommandController, ExposureMustBeOneThatCamerasHave) {
   EXPECT_EQ(RunWith("python3, counting.py, stops")["outcome"], "at_flag");
   for (const char* fault : {"nan_stops", "far_stops"}) {
