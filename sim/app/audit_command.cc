@@ -49,14 +49,10 @@ struct Audited {
   std::string why;  // empty: the row is the same
 };
 
-/// The columns whose cells differ.
-std::string Difference(const RunResult& kept, const RunResult& now, const RowColumns& columns) {
-  const std::vector<std::string> names = ColumnNames(columns), then = RowCells(kept, columns),
-                                 again = RowCells(now, columns);
+std::string TextOf(const std::vector<DifferingCell>& cells) {
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (then[i] == again[i]) continue;
-    text += (text.empty() ? "" : ", ") + names[i] + " was " + then[i] + ", is " + again[i];
+  for (const DifferingCell& cell : cells) {
+    text += (text.empty() ? "" : ", ") + cell.column + " was " + cell.was + ", is " + cell.is;
   }
   return text;
 }
@@ -76,7 +72,7 @@ Audited AuditRun(const RunResult& row, const std::filesystem::path& dir, const R
   }
   try {
     const RunRecord now = Simulate(system, maker.Make(index), options);
-    return {row.run, true, Difference(row, now.result, kept.columns)};
+    return {row.run, true, TextOf(DifferingCells(row, now.result, kept.columns))};
   } catch (const DataError& error) {
     return {row.run, true, error.what()};
   }

@@ -1,6 +1,5 @@
 #include "sim/app/kept_campaign.h"
 
-#include "controller/base/check.h"
 #include "models/read/config_error.h"
 #include "models/read/near_names.h"
 #include "models/read/yaml_path.h"
@@ -75,7 +74,7 @@ KeptCampaign OpenKeptCampaign(const std::filesystem::path& dir, const std::vecto
   kept.campaign.sealed_sha256 = SealOf(dir);
   if (!secret_file.empty()) GiveSecret(SecretIn(secret_file, false), kept.campaign);
   const YamlNode* system = FindPath(kept.campaign.base, "system");
-  DOCKYARD_CHECK(system != nullptr);  // all runs are of one system, so the base names it
+  if (system == nullptr) throw ConfigError((dir / "campaign.yaml").string() + ": no system");
   kept.system = system->scalar;
   kept.columns = FindSystem(systems, kept.system).Columns(kept.campaign.labels);
   return kept;

@@ -93,13 +93,7 @@ struct ReplayAnswer {
 /// Columns whose values differ, with both values; true when none does.
 bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& columns,
                ReplayAnswer& answer) {
-  const std::vector<std::string> names = ColumnNames(columns);
-  const std::vector<std::string> cells_then = RowCells(then, columns),
-                                 cells_now = RowCells(now, columns);
-  std::vector<std::size_t> differing;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (cells_then[i] != cells_now[i]) differing.push_back(i);
-  }
+  const std::vector<DifferingCell> differing = DifferingCells(then, now, columns);
   const std::string run = "run " + std::to_string(now.run);
   answer.json["run"] = now.run;
   answer.json["outcome"] = now.outcome;
@@ -111,12 +105,12 @@ bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& co
   }
   answer.Say(run + ": not the same; " +
              CountText(differing.size(), "column differs", "columns differ"));
-  for (const std::size_t i : differing) {
-    std::string name = names[i];
+  for (const DifferingCell& cell : differing) {
+    std::string name = cell.column;
     name.resize(std::max<std::size_t>(name.size(), 22), ' ');
-    answer.Say("  " + name + " was " + cells_then[i] + ", is " + cells_now[i]);
+    answer.Say("  " + name + " was " + cell.was + ", is " + cell.is);
     answer.json["differing"].push_back(
-        {{"column", names[i]}, {"was", cells_then[i]}, {"is", cells_now[i]}});
+        {{"column", cell.column}, {"was", cell.was}, {"is", cell.is}});
   }
   return false;
 }

@@ -41,8 +41,8 @@ FinishedRun Parsed(const Candidate& row, const fs::path& file, const RowColumns&
                                   const fs::path& file_a, const fs::path& file_b,
                                   const RowColumns& columns) {
   std::string differing;
-  for (const std::string& name : DifferingColumns(a.result, b.result, columns)) {
-    differing += (differing.empty() ? "" : ", ") + name;
+  for (const DifferingCell& cell : DifferingCells(a.result, b.result, columns)) {
+    differing += (differing.empty() ? "" : ", ") + cell.column;
   }
   throw ResultsError("run " + std::to_string(a.result.run) + " has two results, in " +
                      file_a.string() + " and " + file_b.string() + ", which differ in " +
@@ -60,7 +60,7 @@ FinishedRun Chosen(const Candidate* first, const Candidate* last,
   for (const Candidate* other = result + 1; other != last; ++other) {
     if (other->lost || other->text == result->text) continue;
     const FinishedRun again = Parsed(*other, files[other->file], columns);
-    if (!DifferingColumns(chosen.result, again.result, columns).empty()) {
+    if (!DifferingCells(chosen.result, again.result, columns).empty()) {
       RefuseDifferent(chosen, again, files[result->file], files[other->file], columns);
     }
   }

@@ -168,6 +168,17 @@ std::vector<std::string> RowCells(const RunResult& row, const RowColumns& column
   return cells;
 }
 
+std::vector<DifferingCell> DifferingCells(const RunResult& then, const RunResult& now,
+                                          const RowColumns& columns) {
+  const std::vector<std::string> names = ColumnNames(columns), was = RowCells(then, columns),
+                                 is = RowCells(now, columns);
+  std::vector<DifferingCell> differing;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (was[i] != is[i]) differing.push_back({names[i], was[i], is[i]});
+  }
+  return differing;
+}
+
 std::string CsvHeader(const RowColumns& columns) { return CsvLine(ColumnNames(columns)); }
 
 std::string CsvRow(const RunResult& row, const RowColumns& columns) {
@@ -209,17 +220,6 @@ Json RowJson(const RunResult& row, const RowColumns& columns) {
     json[named[i].name] = CellJson(named[i].kind, cells[i]);
   }
   return json;
-}
-
-std::vector<std::string> DifferingColumns(const RunResult& a, const RunResult& b,
-                                          const RowColumns& columns) {
-  const std::vector<std::string> names = ColumnNames(columns);
-  const std::vector<std::string> cells_a = RowCells(a, columns), cells_b = RowCells(b, columns);
-  std::vector<std::string> differing;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (cells_a[i] != cells_b[i]) differing.push_back(names[i]);
-  }
-  return differing;
 }
 
 }  // namespace dockyard
