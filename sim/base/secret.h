@@ -29,8 +29,8 @@ Secret ReadSecret(const std::filesystem::path& file);
 /// Several programs may do so at once: all get the same. Throws as ReadSecret.
 Secret ReadOrMakeSecret(const std::filesystem::path& file);
 
-/// SHA-256 of the 16 bytes as 64 hexadecimal digits. It may be shown: it proves afterwards that the
-/// secret was not chosen after the runs.
+/// SHA-256 of the 16 bytes as 64 hexadecimal digits. Shown before the runs, it proves that the
+/// secret was not chosen after them.
 std::string Fingerprint(const Secret& secret);
 
 /// The first 64 bits of HMAC-SHA256 (RFC 2104) under the secret, of the purpose, a zero byte and
