@@ -18,8 +18,10 @@ class AnswerError : public std::runtime_error {
 
 /// Objects and lists within each other, at most: a belief needs 2. Assumed, 4-100.
 inline constexpr int kDeepestAnswer = 16;
-/// Values of one belief, and the bytes of a value's name, at most. Assumed, 64-4096 and 32-256.
-inline constexpr std::size_t kMostValues = 256, kLongestName = 64;
+/// Values of one belief, at most. Assumed, 64-4096.
+inline constexpr std::size_t kMostValues = 256;
+/// Bytes of a value's name, at most. Assumed, 32-256.
+inline constexpr std::size_t kLongestName = 64;
 
 /// An object. Throws AnswerError for text that is no JSON in UTF-8, is nested too deeply, or is no
 /// object.
