@@ -60,7 +60,7 @@ RunRecord FakeRecord(const CampaignRun& run) {
   record.belief_columns = {{"recoveries", "", "so far"}};
   RunResult& row = record.result;
   row.run = run.run;
-  row.seed = run.scenario.seed;
+  row.seed = run.scenario.seed.number;
   row.system = run.scenario.system;
   row.controller = run.scenario.controller;
   row.labels = run.labels;
