@@ -31,7 +31,7 @@ struct LoggedRun {
       KnownSystems(systems));
   const System& system = FindSystem(systems, scenario.system);
   ReadyRun ready = system.make_ready(scenario);
-  RunOptions options{.log_dir = {}, .labels = {}};
+  RunOptions options{.log_dir = {}, .labels = {}, .results_dir = {}};
 
   /// The log of `count` calls of the controller, every tenth period, so that a short log comes past
   /// the first images.
