@@ -4,6 +4,7 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/identity.h"
+#include "sim/app/kept_campaign.h"
 #include "sim/app/kept_run.h"
 #include "sim/app/misplaced_file.h"
 #include "sim/app/number_option.h"
@@ -59,6 +60,10 @@ void AddCampaignOptions(CLI::App& command, CampaignArguments& arguments) {
   command.add_option("--out", arguments.out_dir, "results folder [results/<name>]")
       ->type_name("DIR");
   AddSeedOption(command, arguments.seed);
+  command
+      .add_option("--sealed", arguments.secret_file,
+                  "seal the runs' worlds by the secret in this file, which is made if missing")
+      ->type_name("SECRET_FILE");
   AddSetOption(command, arguments.overrides);
   AddCommandOptions(command, arguments.commands);
   command.add_flag("--retry-crashed", arguments.retry_lost,
@@ -73,6 +78,9 @@ void AddCampaignOptions(CLI::App& command, CampaignArguments& arguments) {
 std::vector<std::string> OptionWords(const CampaignArguments& arguments) {
   std::vector<std::string> words;
   if (arguments.seed) words.insert(words.end(), {"--seed", std::to_string(*arguments.seed)});
+  if (!arguments.secret_file.empty()) {
+    words.insert(words.end(), {"--sealed", arguments.secret_file});
+  }
   for (const std::string& override : arguments.overrides) {
     words.insert(words.end(), {"--set", override});
   }
@@ -99,6 +107,9 @@ Campaign LoadCampaign(const CampaignArguments& arguments, const std::vector<Syst
     return LoadCampaign(arguments.file, overrides, CampaignSystemsOf(systems));
   });
   if (arguments.run_limit_s > 0.0) campaign.limits.wall_s = arguments.run_limit_s;
+  if (!arguments.secret_file.empty()) {
+    campaign.Seal(SecretIn(arguments.secret_file, /*make=*/true));
+  }
   return campaign;
 }
 

@@ -22,9 +22,9 @@ Json ReadManifest(const std::filesystem::path& dir) {
   return manifest.is_object() ? manifest : Json::object();
 }
 
-KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
-                      const std::vector<System>& systems) {
-  const KeptCampaign kept = OpenKeptCampaign(dir, systems);
+KeptRun RunOfCampaign(const std::filesystem::path& dir, int number, const Invocation& call) {
+  const std::vector<System>& systems = call.systems;
+  const KeptCampaign kept = OpenKeptCampaign(dir, systems, call.secret_file);
   const std::vector<KnownSystem> known = KnownSystems(systems);
   const RunMaker maker(kept.campaign, known);
   const std::int64_t index = maker.IndexOf(number);
@@ -80,10 +80,10 @@ KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
   if (!campaign && number && std::filesystem::exists(dir / "result.csv")) {
     throw UsageError(dir.string() + " holds one run; leave out the number");
   }
-  if (campaign) return RunOfCampaign(dir, *number, systems);
+  if (campaign) return RunOfCampaign(dir, *number, call);
   if (number) RefuseResultsFolder(dir, "the results folder of a campaign");
   if (const auto found = FindRunOfFolder(dir)) {
-    return RunOfCampaign(found->campaign, found->run, systems);
+    return RunOfCampaign(found->campaign, found->run, call);
   }
   std::error_code ignored;
   if (!std::filesystem::exists(dir / "resolved.yaml", ignored)) {

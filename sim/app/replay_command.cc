@@ -11,6 +11,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/film_files.h"
 #include "sim/app/identity.h"
+#include "sim/app/kept_campaign.h"
 #include "sim/app/kept_run.h"
 #include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
@@ -35,6 +36,7 @@ struct ReplayArguments {
   std::string frames_dir;  // empty: no pictures
   double period_s = 0.1;
   OutsideArguments outside;
+  bool recorded = false;
   bool json = false;
 };
 
@@ -214,6 +216,7 @@ int Replay(const ReplayArguments& arguments, Invocation& call) {
   const System& system = FindSystem(call.systems, kept.run.scenario.system);
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels, .results_dir = arguments.dir};
   arguments.commands.Fill(options);
+  if (arguments.recorded) options.recorded_dir = kept.log_dir;
   const RunRecord now = Simulate(system, kept.run, options);
   ReplayAnswer answer{.as_json = arguments.json, .warnings = call.warnings};
   const bool same_row = ReportRow(*kept.result, now.result, kept.columns, answer);
@@ -223,6 +226,11 @@ int Replay(const ReplayArguments& arguments, Invocation& call) {
     answer.json["controller_alone"] = nullptr;
     answer.Print();
     return same_row ? kExitIncomplete : kExitOurBug;
+  }
+  if (arguments.recorded) {
+    answer.json["controller_alone"] = nullptr;
+    answer.Print();
+    return same_row ? kExitDone : kExitOurBug;
   }
   const Alone alone =
       ReportController(kept.log_dir, kept.run, now.result.outcome, options, call.systems, answer);
@@ -244,8 +252,11 @@ void AddReplayCommand(CLI::App& app, Invocation& call) {
   command->add_option("--period", arguments->period_s, "simulated time from frame to frame [0.1 s]")
       ->type_name("SECONDS")
       ->check(NumberWithin(0.1, 60.0));
+  command->add_flag("--recorded", arguments->recorded,
+                    "give the commands that the log has, in place of the controller's program");
   command->add_flag("--json", arguments->json, "print what was found as JSON");
   AddOutsideOptions(*command, arguments->outside);
+  AddSecretOption(*command, call);
   command->callback([arguments, &call] { call.exit_code = Replay(*arguments, call); });
 }
 

@@ -127,7 +127,7 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
 
 ReportContent ContentOfCampaign(const fs::path& dir, const Invocation& call, ReportSource& source) {
   const std::vector<System>& systems = call.systems;
-  source.kept = ReadKeptCampaign(dir, systems);
+  source.kept = ReadKeptCampaign(dir, systems, call.secret_file);
   source.known = KnownSystems(systems);
   source.maker = std::make_unique<RunMaker>(source.kept.campaign, source.known);
   const System& system = FindSystem(systems, source.kept.system);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/text.h"
+#include "sim/bridge/answer_json.h"
 #include "sim/log/column.h"
 #include "sim/log/frame_codec.h"
 
@@ -59,14 +60,7 @@ std::string ShortLine(std::string text) {
 void TakeBelief(const Json& json, Belief& belief) {
   belief.phase = ShortLine(json.value("phase", belief.phase));
   belief.note = ShortLine(json.value("note", belief.note));
-  if (json.contains("x_m")) {
-    belief.located = true;
-    belief.X_DR = {json.at("x_m"), json.at("y_m"), WrapPi(json.at("heading_rad"))};
-  }
-  if (!json.contains("values")) return;
-  belief.values.clear();
-  for (const auto& [name, value] : json.at("values").items())
-    belief.values.push_back({name, value});
+  TakeNumbers(json, belief);
 }
 
 }  // namespace
@@ -95,13 +89,16 @@ Deadline PipeController::AnswerDeadline() const {
 }
 
 void PipeController::CheckHello(const Message& hello) {
-  const Json json = Json::parse(hello.payload, nullptr, /*allow_exceptions=*/false);
-  if (hello.kind != kHello || !json.is_object() || !json.contains("protocol")) {
-    FailBadly("its first message is no hello");
-  }
-  if (json["protocol"] != kControllerProtocol) {
-    FailBadly("it speaks protocol " + json["protocol"].dump() + ", expected " +
+  if (hello.kind != kHello) FailBadly("a first message that is no hello");
+  try {
+    const Json json = AnswerFrom(hello.payload);
+    const Json protocol = json.value("protocol", Json());
+    if (!protocol.is_number_integer()) throw AnswerError("no whole number as its protocol");
+    if (protocol == kControllerProtocol) return;
+    FailBadly("a hello: it speaks protocol " + protocol.dump() + ", expected " +
               std::to_string(kControllerProtocol));
+  } catch (const AnswerError& error) {
+    FailBadly(std::string("a bad hello: ") + error.what());
   }
 }
 
@@ -151,7 +148,7 @@ Commands PipeController::Answer(Deadline deadline) {
     const Message message = Receive(deadline);
     try {
       if (message.kind == kBelief) {
-        TakeBelief(Json::parse(message.payload), belief_);
+        TakeBelief(AnswerFrom(message.payload), belief_);
         continue;
       }
       if (message.kind != kCommands) {
@@ -164,8 +161,10 @@ Commands PipeController::Answer(Deadline deadline) {
       return commands;
     } catch (const DataError& error) {
       FailBadly(std::string("bad commands: ") + error.what());
-    } catch (const Json::exception& error) {
+    } catch (const AnswerError& error) {
       FailBadly(std::string("a bad belief: ") + error.what());
+    } catch (const Json::exception&) {
+      FailBadly("a bad belief: a phase or note that is no text");
     }
   }
 }

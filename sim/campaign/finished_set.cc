@@ -42,7 +42,7 @@ FinishedSet ReadFinished(const std::filesystem::path& dir, const RunMaker& maker
     const ShardReader shard(path, columns);
     const std::vector<int> lines = shard.ForEach([&](const RowPlace& row) {
       const std::int64_t index = maker.IndexOf(row.run);
-      if (index < 0 || maker.SeedNumber(index) != row.seed) {
+      if (index < 0 || maker.SeedNumber(index).value_or(row.seed) != row.seed) {
         throw ResultsError(path.string() + ": run " + std::to_string(row.run) +
                            " does not belong to this campaign");
       }

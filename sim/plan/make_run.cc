@@ -130,7 +130,8 @@ Seed RunMaker::SeedAt(const Place& place) const {
   return WorldSeed(campaign_.seed, WorldPlace(place), static_cast<std::uint64_t>(place.repeat));
 }
 
-std::uint64_t RunMaker::SeedNumber(std::int64_t index) const {
+std::optional<std::uint64_t> RunMaker::SeedNumber(std::int64_t index) const {
+  if (campaign_.is_hidden()) return std::nullopt;
   return SeedAt(PlaceOf(index)).number;
 }
 
@@ -225,6 +226,10 @@ void RunMaker::Draw(const Place& place, YamlNode& tree, CampaignRun& run) const 
 }
 
 CampaignRun RunMaker::Make(std::int64_t index) const {
+  if (campaign_.is_hidden()) {
+    throw ConfigError(campaign_.name +
+                      ": its worlds are sealed: expected its secret, --secret FILE");
+  }
   const Place place = PlaceOf(index);
   CampaignRun run;
   run.run = Number(index);

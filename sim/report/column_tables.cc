@@ -99,6 +99,9 @@ ColumnTable Sensitivities() {
            {"eta_p", "",
             "chance of so large an `eta`, or a larger, if the draw did not matter "
             "(Kruskal and Wallis)"},
+           {"eta_p_holm", "",
+            "the same for all draws of the measure together (Holm 1979): of draws that all do not "
+            "matter, one has it below 0.05 in at most 5 % of campaigns"},
            {"rank_correlation", "", "Spearman's, -1 to 1: whether the measure rises or falls"},
            {"rank_correlation_low", "", "lower end of its 95 % interval (Bonett and Wright)"},
            {"rank_correlation_high", "", "upper end"},

@@ -13,6 +13,7 @@
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
 #include "sim/run/camera_faults.h"
+#include "sim/run/recorded_controller.h"
 #include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
@@ -252,7 +253,7 @@ class Run {
 }  // namespace
 
 void RequireAllowed(const Scenario& scenario, const RunOptions& options) {
-  if (scenario.command.empty()) return;
+  if (scenario.command.empty() || !options.recorded_dir.empty()) return;
   if (!options.allow_commands) {
     throw ConfigError(scenario.name +
                       ": controller.command: it starts a program; allow it with --allow-commands");
@@ -269,6 +270,9 @@ std::uint64_t SeedOfProgram(std::uint64_t controller_seed, int run) {
 
 std::unique_ptr<Controller> MakeController(const System& system, const CampaignRun& run,
                                            const ReadyRun& ready, const RunOptions& options) {
+  if (!options.recorded_dir.empty()) {
+    return std::make_unique<RecordedController>(options.recorded_dir);
+  }
   const Scenario& scenario = run.scenario;
   RequireAllowed(scenario, options);
   if (scenario.script.kind != YamlNode::Kind::kNull) {

@@ -19,8 +19,10 @@ struct RunOptions {
   double answer_limit_s = 10.0;
   // Whether such a program is confined, and the folder of results that it must not read then.
   bool sandbox = false;
-  std::filesystem::path results_dir;
+  std::filesystem::path results_dir = {};
   double run_limit_s = 0.0;  // wall time, then the run is stopped; 0: no limit
+  // A run's folder whose log gives the commands in place of the controller; empty: none does.
+  std::filesystem::path recorded_dir = {};
 };
 
 /// Throws ConfigError for a scenario whose controller is a program that may not be started, and
@@ -35,7 +37,7 @@ std::unique_ptr<Controller> MakeController(const System& system, const CampaignR
                                            const ReadyRun& ready, const RunOptions& options);
 
 /// What a program gets as the seed of its own draws: a map of `controller: {seed: N}` and the run's
-/// number. The world has no part in it, so nothing about the world can be told from it.
+/// number. The world has no part in it, so it shows nothing of the world.
 std::uint64_t SeedOfProgram(std::uint64_t controller_seed, int run);
 
 /// The part of a result that is known before the run. The row of a crashed run holds no more.

@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include "app/program.h"
 #include "sim/base/json.h"
+#include "sim/base/shell_word.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -15,8 +17,8 @@ namespace fs = std::filesystem;
 const std::string kScenario = "tests/toy/scenario.yaml --set start.r_m=1 ";
 
 std::string Command(const std::string& words) {
-  return "--set 'controller={command: [" + words +
-         "], folder: " DOCKYARD_SOURCE_DIR "/tests/bridge}' ";
+  return "--set 'controller={command: [" + words + "], folder: " + SourceFile("tests/bridge") +
+         "}' ";
 }
 
 Json RunWith(const std::string& words, const std::string& more = "") {
@@ -41,6 +43,15 @@ TEST(CommandController, OfAnotherProtocolIsRefused) {
   const Json run = RunWith("python3, counting.py, first_protocol");
   EXPECT_EQ(run["outcome"], "controller_error");
   EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("it speaks protocol 1, expected 3"));
+}
+
+TEST(CommandController, HelloOfAnyShapeIsAnOutcome) {
+  for (const char* hello :
+       {"deep_list", "deep_object", "real_protocol", "large_protocol", "text_protocol", "listed"}) {
+    const Json run = RunWith(std::string("python3, counting.py, ") + hello);
+    EXPECT_EQ(run["outcome"], "controller_error") << hello;
+    EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("a bad hello: ")) << hello;
+  }
 }
 
 TEST(CommandController, ExposureMustBeOneThatCamerasHave) {
@@ -72,7 +83,7 @@ TEST(CommandController, ThatNeverSaidHelloReplaysAsTheSameFailure) {
 
 /// A folder with a table and a sweep of the toy whose controller is the given program.
 void WriteCommandFiles(const fs::path& folder, const std::string& words) {
-  const std::string base = "base: " DOCKYARD_SOURCE_DIR "/tests/toy/scenario.yaml\n";
+  const std::string base = "base: " + SourceFile("tests/toy/scenario.yaml") + "\n";
   const std::string command = "controller: {command: [" + words + "], folder: .}";
   WriteText(folder / "campaign.yaml", "campaign: c\nseed: 1\n" + base + "scenario: {" + command +
                                           "}\nruns: [{run: 1, start.r_m: 1}]\n");
@@ -190,11 +201,24 @@ TEST(CommandController, CostsOneRunOfACampaign) {
   const Ended end =
       Dockyard("campaign tests/toy/campaign.yaml --quiet --allow-commands --out " + out +
                " --set 'scenario={controller: {command: [python3, counting.py, crash], "
-               "folder: " DOCKYARD_SOURCE_DIR "/tests/bridge}}'");
+               "folder: " +
+               SourceFile("tests/bridge") + "}}'");
   EXPECT_EQ(end.code, 0) << end.err;
   EXPECT_THAT(end.out, HasSubstr("controller_crashed"));
   EXPECT_THAT(Slurp(folder.path() / "runs" / "001" / "messages.txt"),
               HasSubstr("the wheel fell off"));
+}
+
+/// The data of a report's page, which are compressed in it.
+std::string DataOf(const std::string& page) {
+  const std::string text = page + ".txt";
+  const std::string unpack =
+      "import base64, gzip, re, sys; page = open(sys.argv[1]).read(); "
+      "data = re.search('id=\"data\">([^<]*)<', page).group(1); "
+      "open(sys.argv[2], 'wb').write(gzip.decompress(base64.b64decode(data)))";
+  const std::string command = "python3 -c " + ShellWord(unpack) + " " + page + " " + text;
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return Slurp(text);
 }
 
 TEST(CommandController, IsReplayedWithTheLimitOfItsAnswers) {
@@ -212,7 +236,7 @@ TEST(CommandController, IsReplayedWithTheLimitOfItsAnswers) {
   EXPECT_THAT(Dockyard("merge " + out).out, Ends(out, 1));
   const std::string page = in + "/page.html", single = in + "/run";
   RunWith("python3, counting.py", "--answer-limit 20 --out " + single + " --report=" + page);
-  EXPECT_THAT(Slurp(page), HasSubstr(" replay " + single + " --allow-commands --answer-limit 20"));
+  EXPECT_THAT(DataOf(page), HasSubstr(" replay " + single + " --allow-commands --answer-limit 20"));
 }
 
 TEST(CommandController, OfACampaignCanBeTerminated) {

@@ -49,6 +49,16 @@ class Counting:
             self.speed_m_s = float("nan")
 
 
+HELLOS = {
+    "deep_list": '{"protocol": ' + "[" * 300_000 + "]" * 300_000 + "}",
+    "deep_object": '{"protocol":' * 60_000 + "3" + "}" * 60_000,
+    "real_protocol": '{"protocol": 3.5}',
+    "large_protocol": '{"protocol": 1e999}',
+    "text_protocol": '{"protocol": "3"}',
+    "listed": "[3]",
+}
+if sys.argv[1:] and sys.argv[1] in HELLOS:
+    dockyard_client.json.dumps = lambda value: HELLOS[sys.argv[1]]
 if sys.argv[1:] == ["first_protocol"]:
     dockyard_client.json.dumps = lambda value: '{"protocol": 1}'
 serve(Counting)

@@ -29,10 +29,9 @@ class SandboxedController : public testing::Test {
  protected:
   SandboxedController() {
     fs::create_directory(program());
-    const fs::path source = DOCKYARD_SOURCE_DIR;
     for (const char* file :
          {"tests/bridge/hostile_controller.py", "examples/python/dockyard_client.py"}) {
-      fs::copy(source / file, program());
+      fs::copy(SourceFile(file), program());
     }
     WriteText(in("secret"), "a secret");
   }
@@ -236,10 +235,9 @@ TEST_F(SandboxedController, MustHaveAFolderOfItsOwn) {
 TEST_F(SandboxedController, OfACampaignIsConfinedAndReplayedSo) {
   const std::string out = in("results");
   WriteText(in("campaign.yaml"),
-            "campaign: c\nseed: 1\nkeep: all\nbase: " DOCKYARD_SOURCE_DIR
-            "/tests/toy/scenario.yaml\nscenario: {controller: {command: [python3, "
-            "hostile_controller.py, read, " +
-                out + "/campaign.yaml], folder: program}}\nruns: [{run: 1, start.r_m: 1}]\n");
+            "campaign: c\nseed: 1\nkeep: all\nbase: " + SourceFile("tests/toy/scenario.yaml") +
+                "\nscenario: {controller: {command: [python3, hostile_controller.py, read, " + out +
+                "/campaign.yaml], folder: program}}\nruns: [{run: 1, start.r_m: 1}]\n");
   const Ended ended = Dockyard("campaign " + in("campaign.yaml") +
                                " --quiet --allow-commands --sandbox --out " + out);
   EXPECT_EQ(ended.code, 0) << ended.err;
