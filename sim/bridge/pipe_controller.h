@@ -101,7 +101,7 @@ class PipeController final : public Controller {
   ControllerGreeting greeting_;
   ProgramLimits limits_;
   double waited_s_ = 0.0;  // before waiting_since_
-  std::optional<Deadline> waiting_since_;
+  std::optional<Deadline> waiting_since_ = std::chrono::steady_clock::now();
   Process process_;
   Belief belief_;
   std::string bytes_;  // kept between calls for its memory

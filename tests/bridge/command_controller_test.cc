@@ -164,6 +164,14 @@ TEST(CommandController, IsStoppedAtTheRunsLimit) {
   EXPECT_GT(json["controller_cpu_s"].get<double>(), 0.0);
 }
 
+TEST(CommandController, TimesItsProgramFromItsStart) {
+  const Json run = RunWith("sh, -c, \"sleep 0.3; exec python3 counting.py\"");
+  EXPECT_EQ(run["outcome"], "at_flag");
+  EXPECT_GE(run["controller_wall_s"].get<double>(), 0.3);
+  EXPECT_FALSE(
+      Json::parse(Dockyard("run " + kScenario + "--json").out).contains("controller_wall_s"));
+}
+
 TEST(CommandController, LogsOfItsPhaseTheBeginning) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "run").string();
