@@ -62,7 +62,7 @@ Audited AuditRun(const RunResult& row, const std::filesystem::path& dir, const R
   const std::int64_t index = maker.IndexOf(row.run);
   if (index < 0) return {row.run, true, "the campaign has no such run"};
   if (IsLost(row.outcome)) return {row.run, false, "it " + row.outcome};
-  RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
+  RunOptions options{.log_dir = {}, .labels = kept.columns.labels, .results_dir = dir};
   commands.Fill(options);
   if (StartsProgram(row) && !commands.allow) {
     options.recorded_dir = RunFolder(dir, row.run);

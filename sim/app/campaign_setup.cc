@@ -29,12 +29,15 @@ CampaignRun CheckAll(const Campaign& campaign, const RunOptions& options,
   return RunMaker(campaign, known).Make(0);
 }
 
+std::string OutDir(const CampaignArguments& arguments, const Campaign& campaign) {
+  return arguments.out_dir.empty() ? "results/" + campaign.name : arguments.out_dir;
+}
+
 CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& campaign,
                            const System& system, const std::vector<System>& systems) {
   CampaignOptions options;
   options.systems = KnownSystems(systems);
-  options.out_dir =
-      arguments.out_dir.empty() ? "results/" + campaign.name : std::string(arguments.out_dir);
+  options.out_dir = OutDir(arguments, campaign);
   options.retry_lost = arguments.retry_lost;
   options.identity = IdentityOf(campaign, options.systems);
   options.columns = system.Columns(campaign.labels);
@@ -46,6 +49,7 @@ CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& c
   if (arguments.commands.answer_limit_s != CommandOptions{}.answer_limit_s) {
     options.facts[kAnswerLimitFact] = arguments.commands.answer_limit_s;
   }
+  if (arguments.commands.sandbox) options.facts[kSandboxFact] = true;
   options.environment = EnvironmentJson();
   return options;
 }
@@ -111,7 +115,10 @@ Campaign LoadCampaign(const CampaignArguments& arguments, const std::vector<Syst
 
 ReadyCampaign MakeReady(Campaign campaign, const CampaignArguments& arguments,
                         const std::vector<System>& systems) {
-  RunOptions of_run{.log_dir = {}, .log_images = campaign.keep.pictures, .labels = campaign.labels};
+  RunOptions of_run{.log_dir = {},
+                    .log_images = campaign.keep.pictures,
+                    .labels = campaign.labels,
+                    .results_dir = OutDir(arguments, campaign)};
   arguments.commands.Fill(of_run);
   const System& system = FindSystem(systems, CheckAll(campaign, of_run, systems).scenario.system);
   ReadyCampaign ready;

@@ -2,7 +2,6 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/identity.h"
-#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/count_text.h"
 #include "sim/base/files.h"
@@ -48,19 +47,23 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number, const Invoca
 
 bool StartsProgram(const RunResult& row) { return row.controller == "command"; }
 
-double KeptAnswerLimit(const std::filesystem::path& dir) {
+CommandOptions KeptCommandOptions(const std::filesystem::path& dir) {
+  CommandOptions options{.allow = true};
   const Json facts = ReadManifest(dir).value("facts", Json::object());
-  const double usual = CommandOptions{}.answer_limit_s;
-  const Json limit = facts.is_object() ? facts.value(kAnswerLimitFact, Json(usual)) : Json(usual);
-  return limit.is_number() ? limit.get<double>() : usual;
+  if (!facts.is_object()) return options;
+  const Json limit = facts.value(kAnswerLimitFact, Json());
+  if (limit.is_number()) options.answer_limit_s = limit.get<double>();
+  options.sandbox = facts.value(kSandboxFact, Json()) == true;
+  return options;
 }
 
 std::string ReplayCommand(const std::string& program, const std::filesystem::path& dir,
-                          const std::string& run, bool starts_program, double limit_s) {
+                          const std::string& run, bool starts_program,
+                          const CommandOptions& options) {
   std::string command =
       CommandText(program, {"replay", dir.string()}) + (run.empty() ? "" : " " + run);
   if (!starts_program) return command;
-  for (const std::string& word : OptionWords({.allow = true, .answer_limit_s = limit_s})) {
+  for (const std::string& word : OptionWords(options)) {
     command += " " + word;
   }
   return command;

@@ -177,7 +177,7 @@ int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept, Invocation
   const StageShapes shapes = ShapesToDraw(system, kept.run.scenario);
   const OutsideOptions outside = arguments.outside.options(shapes);
   const bool logged = std::filesystem::exists(kept.log_dir / kRunLogFile);
-  RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
+  RunOptions options{.log_dir = {}, .labels = kept.columns.labels, .results_dir = arguments.dir};
   arguments.commands.Fill(options);
   const LoggedRun log =
       logged ? ReadLoggedRun(kept.log_dir) : LogAnew(system, kept.run, std::move(options));
@@ -208,7 +208,7 @@ int Replay(const ReplayArguments& arguments, Invocation& call) {
     return kExitIncomplete;
   }
   const System& system = FindSystem(call.systems, kept.run.scenario.system);
-  RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
+  RunOptions options{.log_dir = {}, .labels = kept.columns.labels, .results_dir = arguments.dir};
   arguments.commands.Fill(options);
   if (arguments.recorded) options.recorded_dir = kept.log_dir;
   const RunRecord now = Simulate(system, kept.run, options);

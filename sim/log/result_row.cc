@@ -96,7 +96,8 @@ std::string Folded(std::string name) {
 }
 
 /// The names beside a row's own in outcome.json and in the output of `run --json`.
-const std::set<std::string> kNamesBesideTheRow{"failure_note", "cpu_time_s", "wall_time_s"};
+const std::set<std::string> kNamesBesideTheRow{"failure_note", "cpu_time_s", "wall_time_s",
+                                               "controller_cpu_s", "controller_wall_s"};
 
 bool IsAnOutcome(const RunResult& row, const RowColumns& columns) {
   if (IsLost(row.outcome)) return !row.docked;

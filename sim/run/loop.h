@@ -17,11 +17,17 @@ struct RunOptions {
   // its answers may take. Wall time; assumed, 1-60 s.
   bool allow_commands = false;
   double answer_limit_s = 10.0;
+  // Whether such a program is confined, and the folder of results that it must not read then.
+  bool sandbox = false;
+  std::filesystem::path results_dir = {};
+  double run_limit_s = 0.0;  // wall time, then the run is stopped; 0: no limit
   // A run's folder whose log gives the commands in place of the controller; empty: none does.
   std::filesystem::path recorded_dir = {};
 };
 
-/// Throws ConfigError for a scenario whose controller is a program that may not be started.
+/// Throws ConfigError for a scenario whose controller is a program that may not be started, and
+/// SandboxError where it is to be confined and cannot be. Hides this process's memory from a
+/// program that may.
 void RequireAllowed(const Scenario& scenario, const RunOptions& options);
 
 /// A new controller as the scenario names it, made from the run's nominal parameters. Throws

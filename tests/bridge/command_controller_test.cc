@@ -152,6 +152,36 @@ TEST(CommandController, ThatHangsIsEndedAtTheAnswersLimit) {
             "controller_timeout");
 }
 
+TEST(CommandController, IsStoppedAtTheRunsLimit) {
+  const std::string run = "run " + kScenario + Command("python3, counting.py, hang") +
+                          "--allow-commands --answer-limit 60 --json --run-limit ";
+  const Ended ended = Dockyard(run + "1");
+  EXPECT_EQ(ended.code, 10) << ended.err;
+  const Json json = Json::parse(ended.out, nullptr, false);
+  EXPECT_EQ(json["outcome"], "stopped");
+  EXPECT_THAT(json["failure_note"].get<std::string>(), HasSubstr("more than 1 s of wall time"));
+  EXPECT_GE(json["controller_wall_s"].get<double>(), 0.9);
+  EXPECT_GT(json["controller_cpu_s"].get<double>(), 0.0);
+}
+
+TEST(CommandController, TimesItsProgramFromItsStart) {
+  const Json run = RunWith("sh, -c, \"sleep 0.3; exec python3 counting.py\"");
+  EXPECT_EQ(run["outcome"], "at_flag");
+  EXPECT_GE(run["controller_wall_s"].get<double>(), 0.3);
+  EXPECT_FALSE(
+      Json::parse(Dockyard("run " + kScenario + "--json").out).contains("controller_wall_s"));
+}
+
+TEST(CommandController, LogsOfItsPhaseTheBeginning) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "run").string();
+  RunWith("python3, counting.py, long_phase", "--out " + out);
+  const std::string history = Slurp(folder.path() / "run" / "history.csv");
+  std::string most;
+  for (int i = 0; i < 100; ++i) most += "\u00e9";
+  EXPECT_THAT(history, HasSubstr("," + most + " ...,"));
+}
+
 TEST(CommandController, ThatAnswersNonsenseIsAnError) {
   EXPECT_EQ(RunWith("echo, hello world")["outcome"], "controller_error");
   EXPECT_EQ(RunWith("python3, counting.py, motors")["outcome"], "controller_error");
