@@ -43,8 +43,8 @@ Examples:
   dockyard campaign {sweep} --set design.runs=1 --out out/quick
   dockyard campaign {sweep} --set design.runs=1 --out out/quick \
     --require 'docked >= 0'
-  dockyard campaign {sweep} --set 'vary={start.alpha_deg: [0, 3]}' --set figures= \
-    --out out/two
+  dockyard campaign {sweep} --set 'vary={start.alpha_deg: [0, 3]}' \
+    --set figures= --out out/two
 
 Any key of a scenario can be varied or drawn, those of its models too. Stopped by Ctrl-C, a crash
 or a power cut, the same command goes on where it was. The results are the same, bit for bit, for
@@ -105,6 +105,7 @@ int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
     throw UsageError("FILE: expected a campaign file, or --watch DIR");
   }
   Campaign loaded = LoadCampaign(arguments.campaign, systems);
+  call.secret_file = arguments.campaign.secret_file;
   if (arguments.dry_run) {
     std::printf("%s", PlanCsv(loaded, KnownSystems(systems)).c_str());
     return kExitDone;
@@ -120,9 +121,10 @@ int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
   options.progress = StyleOf(arguments);
   const ShardEnd shard = RunShard(campaign, run, options);
+  if (!plan) GoOnPastAcceptance(options.out_dir);
   if (!options.shard.whole()) return EndOfShard(arguments, options, shard, call);
-  const CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns, shard.enough);
   if (plan) KeepAcceptance(options.out_dir, *plan, followed);
+  const CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns);
   if (shard.signal != 0) return EndOfShard(arguments, options, shard, call);
   int code = ReportEnd(end, options.out_dir, arguments.json, call);
   if (plan) code = ReportAcceptance(*plan, followed, arguments.json, call);

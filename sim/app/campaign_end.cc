@@ -17,7 +17,7 @@ namespace {
 void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir,
                   const std::string& program) {
   constexpr int kMost = 10;
-  const double limit_s = KeptAnswerLimit(dir);
+  const CommandOptions options = KeptCommandOptions(dir);
   int shown = 0;
   for (const bool logged : {true, false}) {
     for (const RunResult& result : runs.results) {
@@ -25,7 +25,7 @@ void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir,
       if (Folder(dir).HasFolder(RunFolder("", result.run)) != logged) continue;
       if (shown++ == kMost) return;
       const std::string command =
-          ReplayCommand(program, dir, std::to_string(result.run), StartsProgram(result), limit_s);
+          ReplayCommand(program, dir, std::to_string(result.run), StartsProgram(result), options);
       std::printf("%s%s   # %s\n", shown == 1 ? "\nto run a failure again:\n" : "", command.c_str(),
                   result.outcome.c_str());
     }

@@ -4,6 +4,7 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/identity.h"
+#include "sim/app/kept_campaign.h"
 #include "sim/app/kept_run.h"
 #include "sim/app/misplaced_file.h"
 #include "sim/app/number_option.h"
@@ -28,12 +29,15 @@ CampaignRun CheckAll(const Campaign& campaign, const RunOptions& options,
   return RunMaker(campaign, known).Make(0);
 }
 
+std::string OutDir(const CampaignArguments& arguments, const Campaign& campaign) {
+  return arguments.out_dir.empty() ? "results/" + campaign.name : arguments.out_dir;
+}
+
 CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& campaign,
                            const System& system, const std::vector<System>& systems) {
   CampaignOptions options;
   options.systems = KnownSystems(systems);
-  options.out_dir =
-      arguments.out_dir.empty() ? "results/" + campaign.name : std::string(arguments.out_dir);
+  options.out_dir = OutDir(arguments, campaign);
   options.retry_lost = arguments.retry_lost;
   options.identity = IdentityOf(campaign, options.systems);
   options.columns = system.Columns(campaign.labels);
@@ -45,6 +49,7 @@ CampaignOptions OptionsFor(const CampaignArguments& arguments, const Campaign& c
   if (arguments.commands.answer_limit_s != CommandOptions{}.answer_limit_s) {
     options.facts[kAnswerLimitFact] = arguments.commands.answer_limit_s;
   }
+  if (arguments.commands.sandbox) options.facts[kSandboxFact] = true;
   options.environment = EnvironmentJson();
   return options;
 }
@@ -55,6 +60,10 @@ void AddCampaignOptions(CLI::App& command, CampaignArguments& arguments) {
   command.add_option("--out", arguments.out_dir, "results folder [results/<name>]")
       ->type_name("DIR");
   AddSeedOption(command, arguments.seed);
+  command
+      .add_option("--sealed", arguments.secret_file,
+                  "seal the runs' worlds by the secret in this file, which is made if missing")
+      ->type_name("SECRET_FILE");
   AddSetOption(command, arguments.overrides);
   AddCommandOptions(command, arguments.commands);
   command.add_flag("--retry-crashed", arguments.retry_lost,
@@ -69,6 +78,9 @@ void AddCampaignOptions(CLI::App& command, CampaignArguments& arguments) {
 std::vector<std::string> OptionWords(const CampaignArguments& arguments) {
   std::vector<std::string> words;
   if (arguments.seed) words.insert(words.end(), {"--seed", std::to_string(*arguments.seed)});
+  if (!arguments.secret_file.empty()) {
+    words.insert(words.end(), {"--sealed", arguments.secret_file});
+  }
   for (const std::string& override : arguments.overrides) {
     words.insert(words.end(), {"--set", override});
   }
@@ -95,12 +107,18 @@ Campaign LoadCampaign(const CampaignArguments& arguments, const std::vector<Syst
     return LoadCampaign(arguments.file, overrides, CampaignSystemsOf(systems));
   });
   if (arguments.run_limit_s > 0.0) campaign.limits.wall_s = arguments.run_limit_s;
+  if (!arguments.secret_file.empty()) {
+    campaign.Seal(SecretIn(arguments.secret_file, /*make=*/true));
+  }
   return campaign;
 }
 
 ReadyCampaign MakeReady(Campaign campaign, const CampaignArguments& arguments,
                         const std::vector<System>& systems) {
-  RunOptions of_run{.log_dir = {}, .log_images = campaign.keep.pictures, .labels = campaign.labels};
+  RunOptions of_run{.log_dir = {},
+                    .log_images = campaign.keep.pictures,
+                    .labels = campaign.labels,
+                    .results_dir = OutDir(arguments, campaign)};
   arguments.commands.Fill(of_run);
   const System& system = FindSystem(systems, CheckAll(campaign, of_run, systems).scenario.system);
   ReadyCampaign ready;

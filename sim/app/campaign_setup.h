@@ -18,6 +18,7 @@ struct CampaignArguments {
   std::string file, out_dir;  // out_dir empty: results/<name>
   std::vector<std::string> overrides;
   std::optional<std::uint64_t> seed;  // none: as the campaign says
+  std::string secret_file;            // seals the campaign; empty: none
   double run_limit_s = 0.0;           // 0: as the campaign says
   bool retry_lost = false;
   CommandOptions commands;

@@ -22,6 +22,7 @@ void AddSubmitCommand(CLI::App& app, Invocation& call);
 void AddMergeCommand(CLI::App& app, Invocation& call);
 void AddReproduceCommand(CLI::App& app, Invocation& call);
 void AddReplayCommand(CLI::App& app, Invocation& call);
+void AddAuditCommand(CLI::App& app, Invocation& call);
 void AddFramesCommand(CLI::App& app, Invocation& call);
 void AddReportCommand(CLI::App& app, Invocation& call);
 void AddViewCommand(CLI::App& app, Invocation& call);

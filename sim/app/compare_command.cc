@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/app/commands.h"
+#include "sim/app/compare_groups.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/kept_campaign.h"
 #include "sim/app/number_option.h"
@@ -28,15 +29,17 @@ struct CompareArguments {
 };
 
 constexpr const char* kCompareHelp =
-    R"(Compare two arms of a campaign, or a campaign with a kept one, run by run.
+    R"(Compare two arms or groups of runs of a campaign, or a campaign with a kept one.
 
 Examples:
   dockyard compare --only-a 5 --only-b 14
   dockyard compare --only-a 5 --only-b 14 --fail-if-worse 0.001 --json
 
-Instead of counts, name the results folder of a campaign and two of its arms, or --baseline with the
-results of the same campaign file by another build. Runs in which A alone or B alone docked tell the
-two apart (McNemar's test, exact and mid-p). With --fail-if-worse, exit code 23: A is worse.)";
+Instead of counts, name the results folder of a campaign and two of its arms, or two values of a
+label as KEY=A KEY=B, or --baseline with the results of the same campaign file by another build.
+Runs in which A alone or B alone docked tell the two apart (McNemar's test, exact and mid-p); groups
+that share no draws are compared as they are (Fisher's exact test). With --fail-if-worse, exit code
+23: A is worse.)";
 
 struct Comparison {
   std::string a = "A", b = "B";  // their names
@@ -44,7 +47,28 @@ struct Comparison {
   bool whole = true;  // whether both and neither are known
   int unpaired = 0;   // runs of arms whose other half is missing
   std::optional<BaselinePairs> baseline;
+  std::optional<GroupCounts> apart;  // groups without pairs; counts has nothing then
+
+  double ChanceOfWorse() const {
+    return apart ? ChanceOfAWorseGroup(*apart) : ChanceOfAWorse(counts.only_a, counts.only_b);
+  }
 };
+
+Comparison CompareByLabel(const KeptCampaign& kept, const std::string& a, const std::string& b,
+                          std::vector<std::string>* warnings) {
+  const ComparedGroups groups = CompareGroups(kept, a, b);
+  Comparison found;
+  found.a = a;
+  found.b = b;
+  found.counts = groups.pairs.counts;
+  found.unpaired = groups.pairs.unpaired;
+  found.apart = groups.apart;
+  if (!groups.pooled.empty()) {
+    Warn("runs of a group differ in " + groups.pooled + " as well, and are counted together",
+         warnings);
+  }
+  return found;
+}
 
 Comparison CompareArms(const KeptCampaign& kept, const std::string& a, const std::string& b) {
   const ArmPairs pairs = PairArms(RunsOfArm(kept, a), RunsOfArm(kept, b));
@@ -81,7 +105,8 @@ Comparison CompareBaseline(const CompareArguments& arguments, const std::vector<
   return found;
 }
 
-Comparison Find(const CompareArguments& arguments, const std::vector<System>& systems) {
+Comparison Find(const CompareArguments& arguments, Invocation& call) {
+  const std::vector<System>& systems = call.systems;
   const bool counted = arguments.only_a && arguments.only_b,
              against_baseline = !arguments.dir.empty() && !arguments.baseline.empty(),
              arms = !arguments.dir.empty() && !arguments.b.empty();
@@ -90,7 +115,8 @@ Comparison Find(const CompareArguments& arguments, const std::vector<System>& sy
                        (against_baseline && !arguments.b.empty());
   if (strange || !(counted || against_baseline || arms)) {
     throw UsageError(
-        "expected DIR A B, DIR with --baseline and perhaps one arm, or --only-a with --only-b");
+        "expected DIR A B, DIR KEY=A KEY=B, DIR with --baseline and perhaps one arm, or --only-a "
+        "with --only-b");
   }
   if (counted) {
     Comparison found;
@@ -100,14 +126,36 @@ Comparison Find(const CompareArguments& arguments, const std::vector<System>& sy
   }
   if (against_baseline) return CompareBaseline(arguments, systems);
   const KeptCampaign kept = ReadKeptCampaign(arguments.dir, systems);
+  if (NameGroups(kept, arguments.a, arguments.b)) {
+    return CompareByLabel(kept, arguments.a, arguments.b, &call.warnings);
+  }
   RequireArm(kept, arguments.a);
   RequireArm(kept, arguments.b);
   return CompareArms(kept, arguments.a, arguments.b);
 }
 
+Json GroupsJson(const GroupCounts& counts) {
+  const Estimate difference = GroupDifference(counts);
+  return {{"paired", false},
+          {"a", {{"runs", counts.runs_a}, {"docked", counts.successes_a}}},
+          {"b", {{"runs", counts.runs_b}, {"docked", counts.successes_b}}},
+          {"exact", FisherExact(counts)},
+          {"a_worse", ChanceOfAWorseGroup(counts)},
+          {"difference", difference.value},
+          {"difference_low", difference.interval.low},
+          {"difference_high", difference.interval.high}};
+}
+
 void PrintJson(const Comparison& found, const std::vector<std::string>& warnings) {
   const PairedCounts& counts = found.counts;
-  Json json{{"only_a", counts.only_a},
+  if (found.apart) {
+    Json json = GroupsJson(*found.apart);
+    json["warnings"] = warnings;
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  Json json{{"paired", true},
+            {"only_a", counts.only_a},
             {"only_b", counts.only_b},
             {"exact", McNemarExact(counts.only_a, counts.only_b)},
             {"mid_p", McNemarMidP(counts.only_a, counts.only_b)},
@@ -158,9 +206,19 @@ void PrintBaseline(const BaselinePairs& pairs) {
             "have another seed or other labels there, and no partner");
 }
 
+void PrintGroups(const GroupCounts& counts, const char* a, const char* b) {
+  std::printf("%s: %s\n", a, BriefRate(counts.successes_a, counts.runs_a).c_str());
+  std::printf("%s: %s\n", b, BriefRate(counts.successes_b, counts.runs_b).c_str());
+  const Estimate difference = GroupDifference(counts);
+  std::printf("%s less %s: %+.3f (95 %%, %+.3f to %+.3f; Newcombe)\n", a, b, difference.value,
+              difference.interval.low, difference.interval.high);
+  std::printf("the groups share no draws: %s exact (Fisher)\n", PText(FisherExact(counts)).c_str());
+}
+
 void Print(const Comparison& found) {
   const PairedCounts& counts = found.counts;
   const char *a = found.a.c_str(), *b = found.b.c_str();
+  if (found.apart) return PrintGroups(*found.apart, a, b);
   if (found.whole) {
     const int pairs = counts.both + counts.only_a + counts.only_b + counts.neither;
     std::printf("%s: %s\n", a, BriefRate(counts.both + counts.only_a, pairs).c_str());
@@ -169,15 +227,15 @@ void Print(const Comparison& found) {
     std::printf("%s less %s: %+.3f (95 %%, %+.3f to %+.3f; Newcombe)\n", a, b, difference.value,
                 difference.interval.low, difference.interval.high);
   }
-  std::printf("only %s docked %s, only %s %s: p = %.4f exact, %.4f mid-p (McNemar)\n", a,
+  std::printf("only %s docked %s, only %s %s: %s exact, %s mid-p (McNemar)\n", a,
               CountText(counts.only_a, "time").c_str(), b, CountText(counts.only_b, "time").c_str(),
-              McNemarExact(counts.only_a, counts.only_b),
-              McNemarMidP(counts.only_a, counts.only_b));
+              PText(McNemarExact(counts.only_a, counts.only_b)).c_str(),
+              ChanceText(McNemarMidP(counts.only_a, counts.only_b)).c_str());
   if (found.baseline) PrintBaseline(*found.baseline);
 }
 
 int Compare(const CompareArguments& arguments, Invocation& call) {
-  const Comparison found = Find(arguments, call.systems);
+  const Comparison found = Find(arguments, call);
   if (found.unpaired > 0) {
     Warn(CountText(found.unpaired, "run has", "runs have") + " no partner yet", &call.warnings);
   }
@@ -187,7 +245,7 @@ int Compare(const CompareArguments& arguments, Invocation& call) {
     Print(found);
   }
   if (!arguments.fail_if_worse) return kExitDone;
-  const double chance = ChanceOfAWorse(found.counts.only_a, found.counts.only_b);
+  const double chance = found.ChanceOfWorse();
   const bool worse = chance <= *arguments.fail_if_worse;
   PrintNote(found.a + (worse ? " is worse than " : " is not shown to be worse than ") + found.b +
             ": p = " + BriefNumber(chance) + ", one-sided, exact");
@@ -200,8 +258,8 @@ void AddCompareCommand(CLI::App& app, Invocation& call) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", kCompareHelp);
   command->add_option("DIR", arguments->dir, "results folder of a campaign")->type_name("DIR");
-  command->add_option("A", arguments->a, "name of an arm");
-  command->add_option("B", arguments->b, "name of another");
+  command->add_option("A", arguments->a, "name of an arm, or KEY=VALUE with a label");
+  command->add_option("B", arguments->b, "another, of the same key");
   command->add_option("--baseline", arguments->baseline,
                       "results folder of the same campaign by another build");
   const CLI::Range count(0, 1000000000);

@@ -36,8 +36,8 @@ Examples:
   dockyard view {scenario} --out out/view
   dockyard detect out/view/left.png out/view/right.png --robot {robot} \
     --board {target}
-  dockyard detect out/view/left.png --robot {robot} --board {target} \
-    --json
+  dockyard detect out/view/left.png --robot {robot} \
+    --board {target} --json
   dockyard detect out/view/right.png --camera right --robot {robot} \
     --board {target} --draw out/view/seen.png
   dockyard detect --folder out/view --robot {robot} \

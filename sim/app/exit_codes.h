@@ -8,8 +8,8 @@ inline constexpr int kExitOurBug = 1;     // a fault of this program; replay: no
 inline constexpr int kExitUsage = 2;      // arguments that make no sense
 inline constexpr int kExitBadInput = 3;   // a file that is wrong
 inline constexpr int kExitNotDocked = 4;  // run: simulated to its end, but did not dock; plan: none
-// campaign: runs missing or crashed; replay: no such result; wheel: not steady; doctor: no runs
-// here
+// campaign: runs missing or crashed; run: stopped; replay: no such result; wheel: not steady;
+// doctor: no runs here
 inline constexpr int kExitIncomplete = 10;
 inline constexpr int kExitNotAccepted = 20;  // accept: the reliability is lower
 inline constexpr int kExitUndecided = 21;    // accept: too few runs to tell

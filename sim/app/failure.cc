@@ -15,6 +15,7 @@
 #include "sim/app/terminal.h"
 #include "sim/base/folder.h"
 #include "sim/base/shell_word.h"
+#include "sim/bridge/sandbox.h"
 #include "sim/campaign/campaign.h"
 #include "sim/log/run_log.h"
 #include "sim/scenario/other_file_kind.h"
@@ -28,7 +29,7 @@ bool IsOneOf(const std::exception& error) {
 }
 
 int ExitCodeOf(const std::exception& error) {
-  if (IsOneOf<UsageError, FolderTaken>(error)) return kExitUsage;
+  if (IsOneOf<UsageError, FolderTaken, SandboxError>(error)) return kExitUsage;
   if (IsOneOf<ConfigError, ResultsError, DataError, UnsafeContent>(error)) return kExitBadInput;
   if (IsOneOf<IoError, std::filesystem::filesystem_error>(error)) return kExitIo;
   return kExitOurBug;

@@ -7,6 +7,7 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/kept_campaign.h"
 #include "sim/app/kept_run.h"
 #include "sim/app/terminal.h"
 #include "sim/base/count_text.h"
@@ -105,6 +106,7 @@ void AddFramesCommand(CLI::App& app, Invocation& call) {
       ->type_name("DIR");
   command->add_flag("--plain", arguments->plain, "without marks");
   command->add_flag("--json", arguments->json, "print what was written as JSON");
+  AddSecretOption(*command, call);
   command->callback([arguments, &call] { call.exit_code = Frames(*arguments, call); });
 }
 

@@ -10,8 +10,8 @@
 namespace dockyard {
 
 /// The whole program's help lists its commands by group, a line each. In a command's help the
-/// options' values are in words: "NUMBER from 0 to 1"; their meanings end at column 100. Of a
-/// command inside there is the first line alone.
+/// options' values are in words: "NUMBER from 0 to 1"; their meanings end at column 100. A
+/// command inside shows its first line alone.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name,

@@ -162,6 +162,7 @@ CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSys
   }
   for (const NamedCommand& command : named.commands) AddProgram(command, models);
   CampaignIdentity identity;
+  identity.sealed_sha256 = campaign.sealed_sha256;
   const fs::path common = CommonFolder(models.files);
   std::map<std::string, std::string> moved;
   for (const fs::path& file : models.files) {

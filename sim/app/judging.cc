@@ -46,14 +46,14 @@ std::vector<std::string> NamedLabels(const Campaign& campaign) {
 std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
                     const RowColumns& columns, const std::filesystem::path& dir,
                     const std::vector<Judgement>& judged, const std::string& program) {
-  const double limit_s = KeptAnswerLimit(dir);
+  const CommandOptions options = KeptCommandOptions(dir);
   std::vector<JUnitRun> runs;
   for (std::size_t i = 0; i < finished.size(); ++i) {
     const RunResult& row = finished.results[i];
     JUnitRun run{&row, finished.timings[i].wall_time_s, finished.notes[i], ""};
     if (!row.docked && !IsLost(row.outcome)) {
       run.replay =
-          ReplayCommand(program, dir, std::to_string(row.run), StartsProgram(row), limit_s);
+          ReplayCommand(program, dir, std::to_string(row.run), StartsProgram(row), options);
     }
     runs.push_back(run);
   }

@@ -1,10 +1,13 @@
 // A campaign's results folder as a whole, for commands that judge it.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "sim/app/invocation.h"
+#include "sim/base/secret.h"
 #include "sim/log/results.h"
 #include "sim/plan/campaign.h"
 #include "sim/run/system.h"
@@ -27,9 +30,18 @@ inline constexpr const char* kAnyResults = "the results folder of a campaign or 
 
 /// Without its runs. Throws UsageError for a folder without a campaign, ConfigError, ResultsError
 /// and IoError.
-KeptCampaign OpenKeptCampaign(const std::filesystem::path& dir, const std::vector<System>& systems);
+/// @param secret_file  of a sealed campaign, whose worlds are hidden without it; empty: none
+KeptCampaign OpenKeptCampaign(const std::filesystem::path& dir, const std::vector<System>& systems,
+                              const std::string& secret_file = {});
 /// The same with its runs.
-KeptCampaign ReadKeptCampaign(const std::filesystem::path& dir, const std::vector<System>& systems);
+KeptCampaign ReadKeptCampaign(const std::filesystem::path& dir, const std::vector<System>& systems,
+                              const std::string& secret_file = {});
+
+/// `--secret FILE`, of a command that makes runs of the folder again.
+void AddSecretOption(CLI::App& command, Invocation& call);
+/// The secret in a file, which is made if `make` says so. Throws ConfigError for other content, and
+/// IoError.
+Secret SecretIn(const std::string& file, bool make);
 
 /// Throws UsageError unless the name is one of the campaign's arms; the message names all.
 void RequireArm(const KeptCampaign& kept, const std::string& arm);

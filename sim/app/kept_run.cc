@@ -2,7 +2,6 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/identity.h"
-#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/count_text.h"
 #include "sim/base/shell_word.h"
@@ -15,17 +14,9 @@
 namespace dockyard {
 namespace {
 
-/// An empty object where there is none that can be read.
-Json ReadManifest(const std::filesystem::path& dir) {
-  Json manifest =
-      Json::parse(Folder(dir).Read("manifest.json", kMostManifestBytes).value_or(""), nullptr,
-                  /*allow_exceptions=*/false);
-  return manifest.is_object() ? manifest : Json::object();
-}
-
-KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
-                      const std::vector<System>& systems) {
-  const KeptCampaign kept = OpenKeptCampaign(dir, systems);
+KeptRun RunOfCampaign(const std::filesystem::path& dir, int number, const Invocation& call) {
+  const std::vector<System>& systems = call.systems;
+  const KeptCampaign kept = OpenKeptCampaign(dir, systems, call.secret_file);
   const std::vector<KnownSystem> known = KnownSystems(systems);
   const RunMaker maker(kept.campaign, known);
   const std::int64_t index = maker.IndexOf(number);
@@ -48,19 +39,23 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number,
 
 bool StartsProgram(const RunResult& row) { return row.controller == "command"; }
 
-double KeptAnswerLimit(const std::filesystem::path& dir) {
+CommandOptions KeptCommandOptions(const std::filesystem::path& dir) {
+  CommandOptions options{.allow = true};
   const Json facts = ReadManifest(dir).value("facts", Json::object());
-  const double usual = CommandOptions{}.answer_limit_s;
-  const Json limit = facts.is_object() ? facts.value(kAnswerLimitFact, Json(usual)) : Json(usual);
-  return limit.is_number() ? limit.get<double>() : usual;
+  if (!facts.is_object()) return options;
+  const Json limit = facts.value(kAnswerLimitFact, Json());
+  if (limit.is_number()) options.answer_limit_s = limit.get<double>();
+  options.sandbox = facts.value(kSandboxFact, Json()) == true;
+  return options;
 }
 
 std::string ReplayCommand(const std::string& program, const std::filesystem::path& dir,
-                          const std::string& run, bool starts_program, double limit_s) {
+                          const std::string& run, bool starts_program,
+                          const CommandOptions& options) {
   std::string command =
       CommandText(program, {"replay", dir.string()}) + (run.empty() ? "" : " " + run);
   if (!starts_program) return command;
-  for (const std::string& word : OptionWords({.allow = true, .answer_limit_s = limit_s})) {
+  for (const std::string& word : OptionWords(options)) {
     command += " " + word;
   }
   return command;
@@ -77,10 +72,10 @@ KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
   if (!campaign && number && HoldsRun(dir)) {
     throw UsageError(dir.string() + " holds one run; leave out the number");
   }
-  if (campaign) return RunOfCampaign(dir, *number, systems);
+  if (campaign) return RunOfCampaign(dir, *number, call);
   if (number) RefuseResultsFolder(dir, "the results folder of a campaign");
   if (const auto found = FindRunOfFolder(dir)) {
-    return RunOfCampaign(found->campaign, found->run, systems);
+    return RunOfCampaign(found->campaign, found->run, call);
   }
   if (!HoldsRun(dir)) RefuseResultsFolder(dir, kAnyResults);
   const Scenario scenario =

@@ -8,6 +8,7 @@
 
 #include "sim/app/invocation.h"
 #include "sim/app/kept_campaign.h"
+#include "sim/app/scenario_options.h"
 #include "sim/base/folder.h"
 #include "sim/log/record.h"
 #include "sim/run/system.h"
@@ -28,13 +29,15 @@ bool StartsProgram(const RunResult& row);
 /// Of the facts in a campaign's manifest: the limit of a program's answers, where it is not the
 /// usual.
 inline constexpr const char* kAnswerLimitFact = "answer_limit_s";
-/// The limit with which the campaign in the folder was begun.
-double KeptAnswerLimit(const std::filesystem::path& dir);
+inline constexpr const char* kSandboxFact = "sandbox";  // whether programs were confined
+/// How the campaign in the folder starts programs.
+CommandOptions KeptCommandOptions(const std::filesystem::path& dir);
 /// The command that runs one run again, to be pasted.
 /// @param run      its number, or {run} for a reader to fill in; empty: the folder is of one run
-/// @param limit_s  of a program's answers; said where it starts one
+/// @param options  said where it starts a program
 std::string ReplayCommand(const std::string& program, const std::filesystem::path& dir,
-                          const std::string& run, bool starts_program, double limit_s);
+                          const std::string& run, bool starts_program,
+                          const CommandOptions& options);
 
 /// The folder of a campaign needs the run's number. That of a single run has none, nor has a run's
 /// own folder within a campaign's. Says on standard error where models or program are not those of

@@ -102,6 +102,7 @@ void AddCommands(CLI::App& app, Invocation& call) {
   AddReproduceCommand(app, call);
   EndGroup(app, "Run");
   AddReplayCommand(app, call);
+  AddAuditCommand(app, call);
   AddReportCommand(app, call);
   AddFramesCommand(app, call);
   AddAcceptCommand(app, call);

@@ -11,6 +11,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/film_files.h"
 #include "sim/app/identity.h"
+#include "sim/app/kept_campaign.h"
 #include "sim/app/kept_run.h"
 #include "sim/app/number_option.h"
 #include "sim/app/scenario_options.h"
@@ -35,6 +36,7 @@ struct ReplayArguments {
   std::string frames_dir;  // empty: no pictures
   double period_s = 0.1;
   OutsideArguments outside;
+  bool recorded = false;
   bool json = false;
 };
 
@@ -57,9 +59,8 @@ a film of them. A run whose log is not kept is simulated again.)";
 
 /// The processors and libraries that a campaign's rows were made on, where they are not these.
 void ReportEnvironment(const std::filesystem::path& dir) {
-  const auto text = Folder(dir).Read("manifest.json", kMostManifestBytes);
-  const Json manifest = Json::parse(text.value_or(""), nullptr, /*allow_exceptions=*/false);
-  if (!manifest.is_object() || !manifest.contains("shards")) return;
+  const Json manifest = ReadManifest(dir);
+  if (!manifest.contains("shards")) return;
   const Json here = EnvironmentJson();
   for (const auto& [shard, header] : manifest["shards"].items()) {
     const Json there = header.is_object() ? header.value("environment", Json()) : Json();
@@ -91,13 +92,7 @@ struct ReplayAnswer {
 /// Columns whose values differ, with both values; true when none does.
 bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& columns,
                ReplayAnswer& answer) {
-  const std::vector<std::string> names = ColumnNames(columns);
-  const std::vector<std::string> cells_then = RowCells(then, columns),
-                                 cells_now = RowCells(now, columns);
-  std::vector<std::size_t> differing;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (cells_then[i] != cells_now[i]) differing.push_back(i);
-  }
+  const std::vector<DifferingCell> differing = DifferingCells(then, now, columns);
   const std::string run = "run " + std::to_string(now.run);
   answer.json["run"] = now.run;
   answer.json["outcome"] = now.outcome;
@@ -109,12 +104,12 @@ bool ReportRow(const RunResult& then, const RunResult& now, const RowColumns& co
   }
   answer.Say(run + ": not the same; " +
              CountText(differing.size(), "column differs", "columns differ"));
-  for (const std::size_t i : differing) {
-    std::string name = names[i];
+  for (const DifferingCell& cell : differing) {
+    std::string name = cell.column;
     name.resize(std::max<std::size_t>(name.size(), 22), ' ');
-    answer.Say("  " + name + " was " + cells_then[i] + ", is " + cells_now[i]);
+    answer.Say("  " + name + " was " + cell.was + ", is " + cell.is);
     answer.json["differing"].push_back(
-        {{"column", names[i]}, {"was", cells_then[i]}, {"is", cells_now[i]}});
+        {{"column", cell.column}, {"was", cell.was}, {"is", cell.is}});
   }
   return false;
 }
@@ -180,7 +175,7 @@ int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept, Invocation
   const StageShapes shapes = ShapesToDraw(system, kept.run.scenario);
   const OutsideOptions outside = arguments.outside.options(shapes);
   const bool logged = kept.log_dir.HasFile(kRunLogFile);
-  RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
+  RunOptions options{.log_dir = {}, .labels = kept.columns.labels, .results_dir = arguments.dir};
   arguments.commands.Fill(options);
   const LoggedRun log =
       logged ? ReadLoggedRun(kept.log_dir) : LogAnew(system, kept.run, std::move(options));
@@ -211,8 +206,9 @@ int Replay(const ReplayArguments& arguments, Invocation& call) {
     return kExitIncomplete;
   }
   const System& system = FindSystem(call.systems, kept.run.scenario.system);
-  RunOptions options{.log_dir = {}, .labels = kept.columns.labels};
+  RunOptions options{.log_dir = {}, .labels = kept.columns.labels, .results_dir = arguments.dir};
   arguments.commands.Fill(options);
+  if (arguments.recorded) options.recorded_dir = kept.log_dir;
   const RunRecord now = Simulate(system, kept.run, options);
   ReplayAnswer answer{.as_json = arguments.json, .warnings = call.warnings};
   const bool same_row = ReportRow(*kept.result, now.result, kept.columns, answer);
@@ -222,6 +218,11 @@ int Replay(const ReplayArguments& arguments, Invocation& call) {
     answer.json["controller_alone"] = nullptr;
     answer.Print();
     return same_row ? kExitIncomplete : kExitOurBug;
+  }
+  if (arguments.recorded) {
+    answer.json["controller_alone"] = nullptr;
+    answer.Print();
+    return same_row ? kExitDone : kExitOurBug;
   }
   const Alone alone =
       ReportController(kept.log_dir, kept.run, now.result.outcome, options, call.systems, answer);
@@ -243,8 +244,11 @@ void AddReplayCommand(CLI::App& app, Invocation& call) {
   command->add_option("--period", arguments->period_s, "simulated time from frame to frame [0.1 s]")
       ->type_name("SECONDS")
       ->check(NumberWithin(0.1, 60.0));
+  command->add_flag("--recorded", arguments->recorded,
+                    "give the commands that the log has, in place of the controller's program");
   command->add_flag("--json", arguments->json, "print what was found as JSON");
   AddOutsideOptions(*command, arguments->outside);
+  AddSecretOption(*command, call);
   command->callback([arguments, &call] { call.exit_code = Replay(*arguments, call); });
 }
 

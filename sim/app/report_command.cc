@@ -18,6 +18,7 @@
 #include "sim/page/markdown.h"
 #include "sim/report/run_plots.h"
 #include "sim/report/starts_plot.h"
+#include "sim/report/until_accepted.h"
 
 namespace dockyard {
 namespace {
@@ -131,6 +132,10 @@ int Report(const ReportArguments& arguments, const Invocation& call) {
   content.most_bytes = static_cast<std::size_t>(arguments.most_mib) << 20;
   if (arguments.reliability > 0.0) {
     content.aim = AcceptanceAim{arguments.reliability, arguments.confidence};
+    const std::string why = content.campaign == nullptr ? "" : WhyNotSequential(*content.campaign);
+    if (!why.empty()) {
+      PrintNote("note: no verdict, as " + why + "; dockyard accept judges points and arms");
+    }
   }
   if (!arguments.judging.require.empty()) {
     if (content.campaign == nullptr) {
@@ -176,6 +181,7 @@ void AddReportCommand(CLI::App& app, Invocation& call) {
       "say whether the results meet it, such as 'docked >= 0.9'; may be given again");
   command->add_option("--confidence", arguments->confidence, "of that verdict [0.95]")
       ->check(NumberWithin(0.5, 1.0 - 1e-12));
+  AddSecretOption(*command, call);
   command->callback([arguments, &call] { call.exit_code = Report(*arguments, call); });
 }
 

@@ -108,7 +108,7 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
   const std::vector<RunResult>& rows = source.kept.runs.results;
   const RunMaker* maker = source.maker.get();
   if (!Folder(dir).HasFolder("runs")) return;
-  const double limit_s = KeptAnswerLimit(dir);
+  const CommandOptions options = KeptCommandOptions(dir);
   for (const bool docked : {false, true}) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const int number = rows[i].run;
@@ -116,7 +116,7 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
       if (rows[i].docked != docked || !folder.HasFile(kRunLogFile)) continue;
       WatchedRun run = Watched(
           i, folder,
-          ReplayCommand(program, dir, std::to_string(number), StartsProgram(rows[i]), limit_s));
+          ReplayCommand(program, dir, std::to_string(number), StartsProgram(rows[i]), options));
       run.shapes = [&system, maker, number] {
         return ShapesOf(system, maker->Make(maker->IndexOf(number)).scenario);
       };
@@ -127,7 +127,7 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
 
 ReportContent ContentOfCampaign(const fs::path& dir, const Invocation& call, ReportSource& source) {
   const std::vector<System>& systems = call.systems;
-  source.kept = ReadKeptCampaign(dir, systems);
+  source.kept = ReadKeptCampaign(dir, systems, call.secret_file);
   source.known = KnownSystems(systems);
   source.maker = std::make_unique<RunMaker>(source.kept.campaign, source.known);
   const System& system = FindSystem(systems, source.kept.system);
@@ -139,7 +139,7 @@ ReportContent ContentOfCampaign(const fs::path& dir, const Invocation& call, Rep
   const std::vector<RunResult>& rows = source.kept.runs.results;
   content.replay_command =
       ReplayCommand(call.program, dir, "{run}",
-                    std::any_of(rows.begin(), rows.end(), StartsProgram), KeptAnswerLimit(dir));
+                    std::any_of(rows.begin(), rows.end(), StartsProgram), KeptCommandOptions(dir));
   AddSystem(system, content);
   content.starts = StartsOf(source);
   AddWatched(dir, system, source, call.program, content);
@@ -159,7 +159,7 @@ ReportContent ContentOf(const fs::path& dir, const Invocation& call, ReportSourc
   if (!row) throw ResultsError(dir.string() + " has no result of its run");
   return ContentOfRun(
       dir, system, scenario, *row,
-      ReplayCommand(call.program, dir, "", StartsProgram(*row), CommandOptions{}.answer_limit_s),
+      ReplayCommand(call.program, dir, "", StartsProgram(*row), CommandOptions{.allow = true}),
       source);
 }
 

@@ -8,6 +8,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/kept_run.h"
+#include "sim/app/number_option.h"
 #include "sim/app/passing_folder.h"
 #include "sim/app/report_content.h"
 #include "sim/app/report_option.h"
@@ -30,6 +31,7 @@ struct RunArguments {
   CommandOptions commands;
   std::string out_dir;
   ReportOption report;
+  double run_limit_s = 0.0;  // 0: none
   bool json = false;
 };
 
@@ -42,8 +44,9 @@ Examples:
   dockyard run {scenario} --report out/typical.html
 
 Prints the result as a table on stdout, its last line a sentence; --json has every digit. Exit code
-0: docked, 4: it ran but did not dock. With --out the folder gets the log and the history of the
-run, and `dockyard replay` runs it again. With --report a page shows it, with its replay.)";
+0: docked, 4: it ran but did not dock, 10: --run-limit stopped it. With --out the folder gets the
+log and the history of the run, and `dockyard replay` runs it again. With --report a page shows it,
+with its replay.)";
 
 /// The folder may be new, empty, or an earlier run's; nothing else is written over.
 void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
@@ -58,6 +61,10 @@ void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
 void PrintJson(const RunRecord& record, const std::vector<std::string>& warnings) {
   Json json = RowJson(record.result, record.columns);
   json["cpu_time_s"] = record.timing.cpu_time_s;
+  if (StartsProgram(record.result)) {
+    json["controller_cpu_s"] = record.timing.controller_cpu_s;
+    json["controller_wall_s"] = record.timing.controller_wall_s;
+  }
   json["failure_note"] = record.failure_note;
   json["warnings"] = warnings;
   std::printf("%s\n", json.dump(1).c_str());
@@ -86,6 +93,9 @@ int Run(const RunArguments& arguments, const Invocation& call) {
   std::optional<PassingFolder> passing;
   if (arguments.out_dir.empty() && !report.empty()) options.log_dir = passing.emplace().path();
   arguments.commands.Fill(options);
+  options.run_limit_s = arguments.run_limit_s;
+  options.results_dir = options.log_dir;
+  RequireAllowed(run.scenario, options);
   if (!arguments.out_dir.empty()) PrepareFolder(arguments.out_dir, run.scenario);
   const RunRecord record = Simulate(system, run, options);
   if (!arguments.out_dir.empty()) {
@@ -100,7 +110,7 @@ int Run(const RunArguments& arguments, const Invocation& call) {
     const std::string replay =
         passing ? ""
                 : ReplayCommand(call.program, options.log_dir, "", StartsProgram(record.result),
-                                arguments.commands.answer_limit_s);
+                                arguments.commands);
     WriteReport(report, options.log_dir, system, run.scenario, record, replay);
   }
   if (!record.messages.empty()) PrintNote("the controller said:\n" + record.messages);
@@ -110,6 +120,7 @@ int Run(const RunArguments& arguments, const Invocation& call) {
     std::printf("%s\n%s\n", RunTable(run.scenario.name, record).c_str(),
                 RunSentence(record).c_str());
   }
+  if (IsLost(record.result.outcome)) return kExitIncomplete;
   return record.result.docked ? kExitDone : kExitNotDocked;
 }
 
@@ -121,6 +132,11 @@ void AddRunCommand(CLI::App& app, Invocation& call) {
   AddScenarioOptions(*command, arguments->scenario);
   AddCommandOptions(*command, arguments->commands);
   command->add_option("--out", arguments->out_dir, "folder for log and history")->type_name("DIR");
+  command
+      ->add_option("--run-limit", arguments->run_limit_s,
+                   "wall time, then the run is stopped [no limit]")
+      ->type_name("SECONDS")
+      ->check(NumberWithin(0.001, 1e6));
   AddReportOption(*command, arguments->report, "--out");
   command->add_flag("--json", arguments->json, "the result as JSON");
   command->callback([arguments, &call] { call.exit_code = Run(*arguments, call); });

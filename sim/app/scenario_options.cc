@@ -30,6 +30,8 @@ void AddCommandOptions(CLI::App& command, CommandOptions& options) {
                   "wall time of one answer of such a program [10 s]")
       ->type_name("SECONDS")
       ->check(NumberWithin(0.001, 1e6));
+  command.add_flag("--sandbox", options.sandbox,
+                   "such a program reaches its own folder only, no network and no other process");
 }
 
 std::vector<std::string> OptionWords(const CommandOptions& options) {
@@ -38,6 +40,7 @@ std::vector<std::string> OptionWords(const CommandOptions& options) {
   if (options.answer_limit_s != CommandOptions{}.answer_limit_s) {
     words.insert(words.end(), {"--answer-limit", NumberText(options.answer_limit_s)});
   }
+  if (options.sandbox) words.push_back("--sandbox");
   return words;
 }
 

@@ -28,13 +28,16 @@ void AddScenarioOptions(CLI::App& command, ScenarioOptions& options);
 /// Throws ConfigError.
 Scenario Load(const ScenarioOptions& options, const std::vector<System>& systems);
 
-/// Whether a controller's program may be started, and how long one of its answers may take.
+/// Whether a controller's program may be started, how long one of its answers may take, and whether
+/// it is confined.
 struct CommandOptions {
   bool allow = false;
   double answer_limit_s = 10.0;
+  bool sandbox = false;
   void Fill(RunOptions& options) const {
     options.allow_commands = allow;
     options.answer_limit_s = answer_limit_s;
+    options.sandbox = sandbox;
   }
 };
 void AddCommandOptions(CLI::App& command, CommandOptions& options);

@@ -114,7 +114,13 @@ std::function<bool(const RunResult&)> Follower(const std::filesystem::path& dir,
 
 void KeepAcceptance(const std::filesystem::path& dir, const SequentialPlan& plan,
                     const SequentialEnd& end) {
-  WriteWhole(dir / kAcceptanceFile, SequentialJson(plan, end).dump(2) + "\n");
+  Folder(dir).Write(kAcceptanceFile, SequentialJson(plan, end).dump(2) + "\n");
+}
+
+void GoOnPastAcceptance(const std::filesystem::path& dir) {
+  const auto kept = Folder(dir).Read(kAcceptanceFile, kMostTextBytes);
+  if (!kept || DecidedRuns(*kept) == 0) return;
+  Folder(dir).Write(kAcceptanceFile, WentOnText(*kept));
 }
 
 int ReportAcceptance(const SequentialPlan& plan, const SequentialEnd& end, bool json,

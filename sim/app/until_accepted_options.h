@@ -41,6 +41,10 @@ std::function<bool(const RunResult&)> Follower(const std::filesystem::path& dir,
 void KeepAcceptance(const std::filesystem::path& dir, const SequentialPlan& plan,
                     const SequentialEnd& end);
 
+/// A campaign that goes on without the test in a folder that one ended: all its rows count again.
+/// Throws IoError.
+void GoOnPastAcceptance(const std::filesystem::path& dir);
+
 /// Prints what was decided, as a line of JSON if asked. Returns the exit code: 0 accepted, 20 not
 /// accepted, 21 undecided.
 int ReportAcceptance(const SequentialPlan& plan, const SequentialEnd& end, bool json,

@@ -34,7 +34,7 @@ double OpenUnit(std::uint64_t bits);
 
 /// What the draws of a campaign or of a run follow from. A plain one is a number, and whoever
 /// guesses it knows all of them: each map from it to a stream can be turned back. With a secret no
-/// stream can be told from the number, nor from another stream.
+/// stream follows from the number, nor from another stream.
 struct Seed {
   std::uint64_t number = 1;
   std::optional<Secret> secret;

@@ -6,6 +6,7 @@
 #include <sys/random.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <stdexcept>
 
 #include "controller/base/check.h"
@@ -65,17 +66,24 @@ Secret ReadSecret(const std::filesystem::path& file) {
   return secret;
 }
 
-Secret MakeSecretFile(const std::filesystem::path& file) {
+Secret ReadOrMakeSecret(const std::filesystem::path& file) {
+  if (std::filesystem::exists(file)) return ReadSecret(file);
+  // Written whole under a name of its own; a link, unlike a rename, leaves a file that is there.
   const Secret secret = NewSecret();
+  const std::string own = file.string() + "." + SecretText(NewSecret()).substr(0, 8) + ".tmp";
   const std::string text = SecretText(secret) + "\n";
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  const int descriptor = ::open(own.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (descriptor < 0) throw IoErrorFromErrno("make", file);
   const bool written =
       ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
       ::fsync(descriptor) == 0;
+  const bool linked = written && ::link(own.c_str(), file.c_str()) == 0;
+  const bool is_there = written && !linked && errno == EEXIST;
   const IoError error = IoErrorFromErrno("write", file);
   ::close(descriptor);
-  if (!written) throw error;
+  ::unlink(own.c_str());
+  if (is_there) return ReadSecret(file);
+  if (!linked) throw error;
   return secret;
 }
 

@@ -25,12 +25,12 @@ std::string SecretText(const Secret& secret);
 /// The file's 32 hexadecimal digits, white space about them left out. Throws IoError, and
 /// std::invalid_argument for any other content.
 Secret ReadSecret(const std::filesystem::path& file);
-/// Makes the file, which only its owner may read, with a new secret. Throws IoError, also when
-/// there is a file already.
-Secret MakeSecretFile(const std::filesystem::path& file);
+/// The file's secret; a missing file is made with a new one, and only its owner may read it.
+/// Several programs may do so at once: all get the same. Throws as ReadSecret.
+Secret ReadOrMakeSecret(const std::filesystem::path& file);
 
-/// SHA-256 of the 16 bytes as 64 hexadecimal digits. It may be shown: it proves afterwards that the
-/// secret was not chosen after the runs.
+/// SHA-256 of the 16 bytes as 64 hexadecimal digits. Shown before the runs, it proves that the
+/// secret was not chosen after them.
 std::string Fingerprint(const Secret& secret);
 
 /// The first 64 bits of HMAC-SHA256 (RFC 2104) under the secret, of the purpose, a zero byte and

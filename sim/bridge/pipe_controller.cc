@@ -4,14 +4,22 @@
 #include <cmath>
 
 #include "sim/base/text.h"
+#include "sim/bridge/answer_json.h"
+#include "sim/log/column.h"
 #include "sim/log/frame_codec.h"
 
 namespace dockyard {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr char kHello = 'H', kFrame = 'F', kCommands = 'C', kBelief = 'B', kBye = 'X';
 constexpr std::uint32_t kLongestAnswer = 1u << 20;
 constexpr double kByeSeconds = 2.0;
+// Beliefs before one answer; assumed, 10-100 000. A controller has one in each control period.
+constexpr int kMostBeliefs = 1000;
+// Bytes of a phase or a note; assumed, 50-1000. Every sample of a history has its phase.
+constexpr std::size_t kLongestPhase = 200;
 
 std::string LastLine(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \n\r\t");
@@ -31,8 +39,9 @@ std::string Printable(std::string text) {
   return text;
 }
 
-/// On one line: phases and notes go into tables and onto terminals. JSON's own text is UTF-8.
-std::string OneLine(std::string text) {
+/// On one line, and not too long: phases and notes go into logs, tables and onto terminals. JSON's
+/// own text is UTF-8.
+std::string ShortLine(std::string text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     // C1, as U+009B, which terminals take for an escape, is C2 80..9F.
@@ -41,29 +50,24 @@ std::string OneLine(std::string text) {
     if (c1) text.erase(i + 1, 1);
     if (byte < 0x20 || byte == 0x7F || c1) text[i] = '?';
   }
-  return text;
+  if (text.size() <= kLongestPhase) return text;
+  std::size_t end = kLongestPhase;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end) + " ...";
 }
 
 /// A field that is there replaces the earlier belief.
 void TakeBelief(const Json& json, Belief& belief) {
-  belief.phase = OneLine(json.value("phase", belief.phase));
-  belief.note = OneLine(json.value("note", belief.note));
-  if (json.contains("x_m")) {
-    belief.located = true;
-    belief.X_DR = {json.at("x_m"), json.at("y_m"), WrapPi(json.at("heading_rad"))};
-  }
-  if (!json.contains("values")) return;
-  belief.values.clear();
-  for (const auto& [name, value] : json.at("values").items())
-    belief.values.push_back({name, value});
+  belief.phase = ShortLine(json.value("phase", belief.phase));
+  belief.note = ShortLine(json.value("note", belief.note));
+  TakeNumbers(json, belief);
 }
 
 }  // namespace
 
-PipeController::PipeController(const std::vector<std::string>& command,
-                               const std::filesystem::path& folder,
-                               const ControllerGreeting& greeting, double limit_s)
-    : greeting_(greeting), limit_s_(limit_s), process_(command, folder) {
+PipeController::PipeController(const ProgramStart& program, const ControllerGreeting& greeting,
+                               const ProgramLimits& limits)
+    : greeting_(greeting), limits_(limits), process_(program) {
   belief_.phase = "external";
   const Json hello{{"protocol", kControllerProtocol},
                    {"system", greeting.system},
@@ -74,19 +78,27 @@ PipeController::PipeController(const std::vector<std::string>& command,
                    {"contacts", greeting.contact_count},
                    {"seed", greeting.seed},
                    {"nominal", greeting.nominal}};
-  const Deadline deadline = DeadlineIn(limit_s_);
+  const Deadline deadline = AnswerDeadline();
   Send(kHello, hello.dump(), deadline);
   CheckHello(Receive(deadline));
+  StopWaiting();
+}
+
+Deadline PipeController::AnswerDeadline() const {
+  return std::min(DeadlineIn(limits_.answer_s), limits_.run_end);
 }
 
 void PipeController::CheckHello(const Message& hello) {
-  const Json json = Json::parse(hello.payload, nullptr, /*allow_exceptions=*/false);
-  if (hello.kind != kHello || !json.is_object() || !json.contains("protocol")) {
-    FailBadly("its first message is no hello");
-  }
-  if (json["protocol"] != kControllerProtocol) {
-    FailBadly("it speaks protocol " + json["protocol"].dump() + ", expected " +
+  if (hello.kind != kHello) FailBadly("a first message that is no hello");
+  try {
+    const Json json = AnswerFrom(hello.payload);
+    const Json protocol = json.value("protocol", Json());
+    if (!protocol.is_number_integer()) throw AnswerError("no whole number as its protocol");
+    if (protocol == kControllerProtocol) return;
+    FailBadly("a hello: it speaks protocol " + protocol.dump() + ", expected " +
               std::to_string(kControllerProtocol));
+  } catch (const AnswerError& error) {
+    FailBadly(std::string("a bad hello: ") + error.what());
   }
 }
 
@@ -98,7 +110,7 @@ void PipeController::Send(char kind, const std::string& payload, Deadline deadli
   if (trouble == Trouble::kNone) trouble = process_.Write(payload, deadline);
   // A program that has ended may have said why: what it wrote before is read first. Else the
   // outcome would depend on which of the two was faster.
-  if (trouble == Trouble::kLate) Fail(trouble);
+  if (trouble != Trouble::kNone && trouble != Trouble::kEnded) Fail(trouble);
 }
 
 PipeController::Message PipeController::Receive(Deadline deadline) {
@@ -120,13 +132,23 @@ Commands PipeController::Step(const SensorFrame& sensed) {
   bytes_.clear();
   PutFrame(bytes_, sensed, ImageCoding::kRaw);
   // One deadline for the frame and all that answers it, else beliefs could go on for ever.
-  const Deadline deadline = DeadlineIn(limit_s_);
+  const Deadline deadline = AnswerDeadline();
+  waiting_since_ = Clock::now();
   Send(kFrame, bytes_, deadline);
-  for (;;) {
+  Commands commands = Answer(deadline);
+  StopWaiting();
+  return commands;
+}
+
+Commands PipeController::Answer(Deadline deadline) {
+  for (int beliefs = 0;; ++beliefs) {
+    if (beliefs > kMostBeliefs) {
+      FailBadly("more than " + std::to_string(kMostBeliefs) + " beliefs before its commands");
+    }
     const Message message = Receive(deadline);
     try {
       if (message.kind == kBelief) {
-        TakeBelief(Json::parse(message.payload), belief_);
+        TakeBelief(AnswerFrom(message.payload), belief_);
         continue;
       }
       if (message.kind != kCommands) {
@@ -139,8 +161,10 @@ Commands PipeController::Step(const SensorFrame& sensed) {
       return commands;
     } catch (const DataError& error) {
       FailBadly(std::string("bad commands: ") + error.what());
-    } catch (const Json::exception& error) {
+    } catch (const AnswerError& error) {
       FailBadly(std::string("a bad belief: ") + error.what());
+    } catch (const Json::exception&) {
+      FailBadly("a bad belief: a phase or note that is no text");
     }
   }
 }
@@ -174,32 +198,56 @@ void PipeController::CheckCommands(const Commands& commands) const {
 }
 
 void PipeController::Finish() {
+  StopWaiting();
+  waiting_since_ = Clock::now();
   bytes_.assign(4, '\0');
   bytes_ += kBye;
   process_.Write(bytes_, DeadlineIn(kByeSeconds));
   process_.End(kByeSeconds);
+  StopWaiting();
+}
+
+void PipeController::StopWaiting() {
+  waited_s_ = use().wall_s;
+  waiting_since_.reset();
+}
+
+ProgramUse PipeController::use() const {
+  const double now_s =
+      waiting_since_ ? std::chrono::duration<double>(Clock::now() - *waiting_since_).count() : 0.0;
+  return {waited_s_ + now_s, process_.cpu_time_s()};
 }
 
 void PipeController::Fail(Trouble trouble) {
-  if (trouble == Trouble::kLate) {
-    process_.End(0.0);
-    throw ControllerFailure(
-        kControllerTimeout,
-        "the controller's program gave no whole answer within " + NumberText(limit_s_) + " s",
-        process_.Messages());
+  const std::string how = process_.End(trouble == Trouble::kEnded ? kByeSeconds : 0.0);
+  const auto failure = [&](const char* outcome, const std::string& what) {
+    return ControllerFailure(outcome, what, process_.Messages(), use());
+  };
+  if (trouble == Trouble::kTooLarge) {
+    throw failure(kControllerCrashed,
+                  "the controller's program was ended: with all that it started it took more than "
+                  "its limits");
   }
-  const std::string how = process_.End(kByeSeconds);
+  if (trouble == Trouble::kLate && Clock::now() >= limits_.run_end) {
+    throw failure(kStopped, OutOfTime(limits_.run_s));
+  }
+  if (trouble == Trouble::kLate) {
+    throw failure(kControllerTimeout, "the controller's program gave no whole answer within " +
+                                          NumberText(limits_.answer_s) + " s");
+  }
   const std::string last = Printable(LastLine(process_.Messages()));
-  throw ControllerFailure(
-      kControllerCrashed,
-      "the controller's program ended: " + how + (last.empty() ? "" : ", " + last),
-      process_.Messages());
+  throw failure(kControllerCrashed,
+                "the controller's program ended: " + how + (last.empty() ? "" : ", " + last));
 }
 
 void PipeController::FailBadly(const std::string& what) {
   process_.End(0.0);
   throw ControllerFailure(kControllerError, "the controller's program sent " + Printable(what),
-                          process_.Messages());
+                          process_.Messages(), use());
+}
+
+std::string OutOfTime(double run_s) {
+  return "it took more than " + NumberText(run_s) + " s of wall time";
 }
 
 }  // namespace dockyard

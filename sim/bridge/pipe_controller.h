@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,38 +26,61 @@ struct ControllerGreeting {
   Json nominal;
 };
 
+/// What a run's program took.
+struct ProgramUse {
+  double wall_s = 0.0;  // that we waited for it, from its start on
+  double cpu_s = 0.0;   // of it and all that it started
+};
+
+/// How long it may take, and what it may reach.
+struct ProgramLimits {
+  double answer_s = 10.0;              // wall time of a message and its whole answer
+  Deadline run_end = Deadline::max();  // of the whole run
+  double run_s = 0.0;                  // the run's wall time that ends then, for the message
+};
+
 /// The program ended, did not answer in time, or answered nonsense. `outcome` is one of
-/// ControllerOutcomes.
+/// ControllerOutcomes, or kStopped.
 class ControllerFailure : public std::runtime_error {
  public:
-  ControllerFailure(std::string outcome, const std::string& message, std::string messages)
-      : std::runtime_error(message), outcome_(std::move(outcome)), messages_(std::move(messages)) {}
+  ControllerFailure(std::string outcome, const std::string& message, std::string messages = "",
+                    const ProgramUse& use = {})
+      : std::runtime_error(message),
+        outcome_(std::move(outcome)),
+        messages_(std::move(messages)),
+        use_(use) {}
   const std::string& outcome() const { return outcome_; }
   /// The program's output on its standard error.
   const std::string& messages() const { return messages_; }
+  const ProgramUse& use() const { return use_; }
 
  private:
   std::string outcome_, messages_;
+  ProgramUse use_;
 };
 
 inline constexpr const char* kControllerCrashed = "controller_crashed";
 inline constexpr const char* kControllerTimeout = "controller_timeout";
 inline constexpr const char* kControllerError = "controller_error";
 
+/// Why a run was stopped after its wall time.
+std::string OutOfTime(double run_s);
+
 class PipeController final : public Controller {
  public:
-  /// @param limit_s  wall time from the start of a message to the end of its whole answer
   /// Throws ControllerFailure, also from Step, and IoError.
-  PipeController(const std::vector<std::string>& command, const std::filesystem::path& folder,
-                 const ControllerGreeting& greeting, double limit_s);
+  PipeController(const ProgramStart& program, const ControllerGreeting& greeting,
+                 const ProgramLimits& limits);
 
   Commands Step(const SensorFrame& sensed) override;
   const Belief& belief() const override { return belief_; }
 
-  /// Sends the good-bye and waits a little for the program's end.
+  /// Sends the good-bye and waits a little for the program's end, where it still runs.
   void Finish();
   /// The program's output on its standard error.
-  std::string Messages() const { return process_.Messages(); }
+  const std::string& Messages() const { return process_.Messages(); }
+  /// The processor time only after Finish.
+  ProgramUse use() const;
 
  private:
   struct Message {
@@ -65,13 +89,19 @@ class PipeController final : public Controller {
   };
   void Send(char kind, const std::string& payload, Deadline deadline);
   Message Receive(Deadline deadline);
+  /// When the answer to a message that starts now must have come.
+  Deadline AnswerDeadline() const;
+  Commands Answer(Deadline deadline);
+  void StopWaiting();
   void CheckHello(const Message& hello);
   void CheckCommands(const Commands& commands) const;
   [[noreturn]] void Fail(Trouble trouble);
   [[noreturn]] void FailBadly(const std::string& what);
 
   ControllerGreeting greeting_;
-  double limit_s_;
+  ProgramLimits limits_;
+  double waited_s_ = 0.0;  // before waiting_since_
+  std::optional<Deadline> waiting_since_ = std::chrono::steady_clock::now();
   Process process_;
   Belief belief_;
   std::string bytes_;  // kept between calls for its memory

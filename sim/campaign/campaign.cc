@@ -220,7 +220,7 @@ ShardEnd RunShard(const Campaign& campaign, const RunFunction& function,
 CampaignEnd RunCampaign(const Campaign& campaign, const RunFunction& function,
                         const CampaignOptions& options) {
   const ShardEnd shard = RunShard(campaign, function, options);
-  CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns, shard.enough);
+  CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns);
   end.signal = shard.signal;
   return end;
 }

@@ -24,7 +24,7 @@ constexpr const char* kOwnFolders[] = {"files", "shards", "runs",  "sightings",
 /// Nothing, or what is left of a claim that was cut short.
 bool HoldsOnlyScraps(const fs::path& dir) {
   std::error_code error;
-  const bool begun = fs::exists(dir / "manifest.json", error);
+  const bool begun = Folder(dir).HasFile("manifest.json");
   for (const auto& entry : fs::directory_iterator(dir, error)) {
     const std::string name = entry.path().filename().string();
     const bool of_claim = begun && (name == "manifest.json" || name == "files");
@@ -48,6 +48,12 @@ std::string NumberName(int run) {
 }
 
 }  // namespace
+
+Json ReadManifest(const fs::path& dir) {
+  const auto text = Folder(dir).Read("manifest.json", kMostManifestBytes);
+  Json manifest = Json::parse(text.value_or(""), nullptr, /*allow_exceptions=*/false);
+  return manifest.is_object() ? manifest : Json::object();
+}
 
 fs::path RunFolder(const fs::path& dir, int run) { return dir / "runs" / NumberName(run); }
 
@@ -113,9 +119,7 @@ void ClaimFolder(const fs::path& dir, const CampaignIdentity& identity, const Js
   // In this order: another program may be making the same folder.
   const bool only_scraps = HoldsOnlyScraps(dir);
   if (HoldsCampaign(dir)) {
-    const auto text = Folder(dir).Read("manifest.json", kMostManifestBytes);
-    const Json kept = Json::parse(text.value_or(""), nullptr, /*allow_exceptions=*/false);
-    const std::string difference = ManifestDifference(kept, manifest);
+    const std::string difference = ManifestDifference(ReadManifest(dir), manifest);
     if (!difference.empty()) throw FolderTaken(dir.string() + ": " + difference + other);
     return;
   }

@@ -39,6 +39,10 @@ inline constexpr std::uint64_t kMostMessagesBytes = 64u << 20;
 /// Of small texts: a run's row and scenario, a test's aims; assumed, 1 to 64 MiB.
 inline constexpr std::uint64_t kMostTextBytes = 16u << 20;
 
+/// manifest.json of a results folder; an empty object where there is none that can be read. Throws
+/// UnsafeContent and IoError.
+Json ReadManifest(const std::filesystem::path& dir);
+
 /// "runs/007" of a results folder.
 std::filesystem::path RunFolder(const std::filesystem::path& dir, int run);
 

@@ -35,11 +35,13 @@ Json MakeManifest(const CampaignIdentity& identity, const Json& facts) {
     files[copy] = HexText(HashText(kHashSeed, *bytes));
   }
   const std::string campaign = WithoutSettings(identity.campaign_yaml);
-  return {{"format", kResultsFormat},
-          {"campaign", HexText(HashText(kHashSeed, campaign))},
-          {"facts", facts},
-          {"program", identity.program.is_null() ? Json::object() : identity.program},
-          {"files", files}};
+  Json manifest{{"format", kResultsFormat},
+                {"campaign", HexText(HashText(kHashSeed, campaign))},
+                {"facts", facts},
+                {"program", identity.program.is_null() ? Json::object() : identity.program},
+                {"files", files}};
+  if (!identity.sealed_sha256.empty()) manifest[kSealedSha256] = identity.sealed_sha256;
+  return manifest;
 }
 
 std::string ManifestDifference(const Json& kept, const Json& wanted) {
@@ -48,6 +50,12 @@ std::string ManifestDifference(const Json& kept, const Json& wanted) {
   }
   if (kept.value("campaign", "") != wanted.value("campaign", "")) {
     return "it holds another campaign: its campaign.yaml differs";
+  }
+  const std::string sealed = kept.value(kSealedSha256, ""), seal = wanted.value(kSealedSha256, "");
+  if (sealed != seal) {
+    return sealed.empty() ? "it was begun without --sealed"
+           : seal.empty() ? "it is sealed: expected --sealed and the secret that it was begun with"
+                          : "it is sealed by another secret";
   }
   const std::string of_program =
       FirstDifference(ObjectAt(kept, "program"), ObjectAt(wanted, "program"));

@@ -10,6 +10,7 @@
 namespace dockyard {
 
 inline constexpr int kResultsFormat = 1;
+inline constexpr const char* kSealedSha256 = "sealed_sha256";
 
 /// What a results folder belongs to. It holds no absolute path, so that the same campaign is the
 /// same on another computer.
@@ -18,6 +19,7 @@ struct CampaignIdentity {
   Json program;               // an object: version, fingerprint and the like
   /// Copies in the folder ("files/axel/axel.yaml") and the files that they are made from.
   std::map<std::string, std::filesystem::path> files;
+  std::string sealed_sha256 = {};  // of a sealed campaign: the fingerprint of its secret
 };
 
 /// The manifest of a new folder. Throws IoError for a file that cannot be read.

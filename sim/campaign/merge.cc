@@ -15,6 +15,7 @@
 #include "sim/report/points.h"
 #include "sim/report/sensitivity.h"
 #include "sim/report/summary.h"
+#include "sim/report/until_accepted.h"
 
 namespace dockyard {
 namespace {
@@ -41,8 +42,8 @@ FinishedRun Parsed(const Candidate& row, const fs::path& file, const RowColumns&
                                   const fs::path& file_a, const fs::path& file_b,
                                   const RowColumns& columns) {
   std::string differing;
-  for (const std::string& name : DifferingColumns(a.result, b.result, columns)) {
-    differing += (differing.empty() ? "" : ", ") + name;
+  for (const DifferingCell& cell : DifferingCells(a.result, b.result, columns)) {
+    differing += (differing.empty() ? "" : ", ") + cell.column;
   }
   throw ResultsError("run " + std::to_string(a.result.run) + " has two results, in " +
                      file_a.string() + " and " + file_b.string() + ", which differ in " +
@@ -60,7 +61,7 @@ FinishedRun Chosen(const Candidate* first, const Candidate* last,
   for (const Candidate* other = result + 1; other != last; ++other) {
     if (other->lost || other->text == result->text) continue;
     const FinishedRun again = Parsed(*other, files[other->file], columns);
-    if (!DifferingColumns(chosen.result, again.result, columns).empty()) {
+    if (!DifferingCells(chosen.result, again.result, columns).empty()) {
       RefuseDifferent(chosen, again, files[result->file], files[other->file], columns);
     }
   }
@@ -77,9 +78,8 @@ Json ShardHeaders(const fs::path& dir, const RowColumns& columns) {
 }
 
 void WriteManifest(const fs::path& dir, const RowColumns& columns) {
-  const auto text = Folder(dir).Read("manifest.json", kMostManifestBytes);
-  Json manifest = Json::parse(text.value_or(""), nullptr, /*allow_exceptions=*/false);
-  if (!manifest.is_object()) throw ResultsError((dir / "manifest.json").string() + ": not JSON");
+  Json manifest = ReadManifest(dir);
+  if (manifest.empty()) throw ResultsError((dir / "manifest.json").string() + ": not JSON");
   manifest["shards"] = ShardHeaders(dir, columns);
   WriteWhole(dir / "manifest.json", manifest.dump(2) + "\n");
 }
@@ -144,6 +144,17 @@ FinishedRuns ReadShards(const fs::path& dir, const RowCheck& check, const RowCol
   return runs;
 }
 
+bool LeaveOutUncounted(const fs::path& dir, FinishedRuns& runs) {
+  const int decided = DecidedRuns(Folder(dir).Read(kAcceptanceFile, kMostTextBytes).value_or(""));
+  const auto counted = static_cast<std::size_t>(decided);
+  // The test takes runs in their order, and they are numbered from 1 on.
+  if (decided == 0 || runs.size() < counted) return false;
+  runs.results.resize(counted);
+  runs.timings.resize(counted);
+  runs.notes.resize(counted);
+  return true;
+}
+
 void TakeShards(const fs::path& from, const fs::path& into) {
   const Folder source = from, target = into;
   if (HoldsCampaign(from)) RequirePlain(from);
@@ -155,8 +166,7 @@ void TakeShards(const fs::path& from, const fs::path& into) {
   }
   const auto manifest_of = [](const fs::path& dir) {
     if (!HoldsCampaign(dir)) throw FolderTaken(dir.string() + " holds no campaign");
-    return Json::parse(Folder(dir).Read("manifest.json", kMostManifestBytes).value_or(""), nullptr,
-                       /*allow_exceptions=*/false);
+    return ReadManifest(dir);
   };
   const std::string difference = ManifestDifference(manifest_of(from), manifest_of(into));
   if (!difference.empty()) {
@@ -178,12 +188,12 @@ void TakeShards(const fs::path& from, const fs::path& into) {
   for (const char* part : {"runs", "sightings"}) source.CopyInto(target, part, kMostLogBytes);
 }
 
-CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const RowColumns& columns,
-                        bool enough) {
+CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const RowColumns& columns) {
   const Descriptor alone = LockResults(dir);
   CampaignEnd end;
   end.total = campaign.run_count();
   end.runs = ReadShards(dir, RowCheck(campaign), columns, &end.damaged);
+  const bool enough = LeaveOutUncounted(dir, end.runs);
   const std::vector<RunResult>& rows = end.runs.results;
   WriteManifest(dir, columns);
   WriteTimingCsv(dir / "timing.csv", end.runs);

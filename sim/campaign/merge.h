@@ -20,6 +20,11 @@ namespace dockyard {
 FinishedRuns ReadShards(const std::filesystem::path& dir, const RowCheck& check,
                         const RowColumns& columns, std::vector<std::string>* damaged = nullptr);
 
+/// Of a campaign that a sequential test ended (acceptance.json): leaves out the runs beyond the
+/// last one that it counted. Which of them have rows depends on the number of workers. Returns
+/// whether the test ended it.
+bool LeaveOutUncounted(const std::filesystem::path& dir, FinishedRuns& runs);
+
 /// Copies the shard files of another results folder of the same campaign and program into this one,
 /// and the logs of its runs. The folder is made where it is missing.
 /// Throws FolderTaken for another campaign, and for a shard file that both have and that is not the
@@ -38,11 +43,10 @@ struct CampaignEnd {
 };
 
 /// Writes results.csv, timing.csv, results.sqlite, points, plots and summary.txt of the folder's
-/// rows, and into its manifest where they were made. One program at a time does so in a folder:
-/// others wait. Throws ResultsError, UnsafeContent, IoError, and FolderTaken after a wait of a
-/// minute.
-/// @param enough  a sequential test needed no more runs
+/// rows, and into its manifest where they were made; of a campaign that a sequential test ended, of
+/// the runs that it counted. One program at a time does so in a folder: others wait. Throws
+/// ResultsError, UnsafeContent, IoError, and FolderTaken after a wait of a minute.
 CampaignEnd MergeShards(const std::filesystem::path& dir, const Campaign& campaign,
-                        const RowColumns& columns, bool enough = false);
+                        const RowColumns& columns);
 
 }  // namespace dockyard

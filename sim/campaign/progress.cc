@@ -53,7 +53,9 @@ std::string Progress::Line(int running) const {
   std::string line = TallyText(tally_, total_);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
   const std::int64_t finished_now = tally_.done - done_before_;
-  if (finished_now > 0 && spent.count() > 0.0) {
+  // The first run alone ends as soon as it is read: it shows no rate.
+  constexpr double kLeastSpent_s = 1.0;
+  if (finished_now > 1 && spent.count() >= kLeastSpent_s) {
     const double per_minute = 60.0 * static_cast<double>(finished_now) / spent.count();
     char rate[64];
     std::snprintf(rate, sizeof rate, ", %.1f runs/min", per_minute);

@@ -21,20 +21,15 @@ namespace {
 
 struct RowCheck::Plan {
   const Campaign& campaign;
-  bool draws_known = true;
   std::vector<KnownSystem> none{};  // no scenario is made
   RunMaker maker{campaign, none};
-
-  /// Whether the seed is known: by the draws, or by the table.
-  bool SeedKnown() const { return draws_known || campaign.table.Find("seed").has_value(); }
 };
 
 RowCheck::RowCheck() = default;
 RowCheck::~RowCheck() = default;
 RowCheck::RowCheck(RowCheck&&) noexcept = default;
 
-RowCheck::RowCheck(const Campaign& campaign, Known known)
-    : plan_(new Plan{campaign, known == Known::kAll}) {}
+RowCheck::RowCheck(const Campaign& campaign) : plan_(new Plan{campaign}) {}
 
 RowCheck RowCheck::OfNoCampaign() { return {}; }
 
@@ -44,14 +39,12 @@ std::int64_t RowCheck::Require(const RowPlan& row, const std::filesystem::path& 
   if (!plan_) return -1;
   const std::int64_t index = plan_->maker.IndexOf(row.run);
   if (index < 0) Refuse(row, "it has no run of that number", file);
-  if (plan_->SeedKnown() && plan_->maker.SeedNumber(index) != row.seed) {
-    Refuse(row,
-           "its seed is " + std::to_string(plan_->maker.SeedNumber(index)) + ", not " +
-               std::to_string(row.seed),
-           file);
+  const std::uint64_t seed = plan_->maker.SeedNumber(index).value_or(row.seed);
+  if (seed != row.seed) {
+    Refuse(row, "its seed is " + std::to_string(seed) + ", not " + std::to_string(row.seed), file);
   }
   std::vector<std::string> labels = plan_->maker.Labels(index);
-  if (plan_->draws_known) {
+  if (!plan_->campaign.is_hidden()) {
     if (row.labels != CsvLine(labels)) Refuse(row, "its labels differ from the plan's", file);
     return index;
   }

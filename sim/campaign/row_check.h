@@ -22,12 +22,9 @@ struct RowPlan {
 /// planned, or with other draws, must not count.
 class RowCheck {
  public:
-  /// What a reader knows of the campaign. Without the secret of a sealed one neither seeds nor
-  /// drawn labels follow from it.
-  enum class Known { kAll, kAllButDraws };
-
-  /// The campaign must outlive it.
-  explicit RowCheck(const Campaign& campaign, Known known = Known::kAll);
+  /// The campaign must outlive it. Where it is sealed and its secret is not known, neither drawn
+  /// seeds nor drawn labels follow from it, and any will do.
+  explicit RowCheck(const Campaign& campaign);
   /// Any row will do.
   static RowCheck OfNoCampaign();
   ~RowCheck();

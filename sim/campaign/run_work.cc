@@ -28,7 +28,8 @@ std::string Answer(const std::string& kind, const std::string& text) {
 
 FinishedRun Lost(const CampaignRun& run, const std::string& outcome, const std::string& note,
                  const JobEnd& end) {
-  FinishedRun lost{StartOfRow(run), {end.cpu_time_s, end.wall_time_s}, note};
+  FinishedRun lost{
+      StartOfRow(run), {.cpu_time_s = end.cpu_time_s, .wall_time_s = end.wall_time_s}, note};
   lost.result.outcome = outcome;
   return lost;
 }
@@ -42,8 +43,7 @@ std::string RunAndAnswer(const std::function<CampaignRun()>& make, const RunWork
     const RunRecord record = work.simulate(run, run_dir);
     if (!run_dir.empty()) WriteRecordFiles(run_dir, record);
     if (!record.messages.empty()) std::fputs(record.messages.c_str(), stderr);  // messages.txt
-    return Answer(kRow, CsvRow(record.result, work.columns)) +
-           NumberText(record.timing.cpu_time_s) + "\n" + NumberText(record.timing.wall_time_s) +
+    return Answer(kRow, CsvRow(record.result, work.columns)) + CsvLine(TimingCells(record.timing)) +
            "\n" + OneLine(record.failure_note) + "\n";
   } catch (const IoError& error) {
     return Answer(kIoError, error.what());
@@ -59,16 +59,16 @@ FinishedRun ReadAnswer(const std::function<CampaignRun()>& make, const RowColumn
   if (end.loss == Loss::kStopped) return Lost(make(), kStopped, end.how_it_died, end);
   if (end.loss == Loss::kCrashed) return Lost(make(), kCrashed, end.how_it_died, end);
   std::istringstream lines(end.answer);
-  std::string kind, text, cpu, wall, note;
-  for (std::string* line : {&kind, &text, &cpu, &wall, &note}) std::getline(lines, *line);
+  std::string kind, text, times, note;
+  for (std::string* line : {&kind, &text, &times, &note}) std::getline(lines, *line);
   if (kind == kIoError) throw IoError(text);
   // The campaign was checked before: this run alone drew what cannot be simulated.
   if (kind == kConfigError) return Lost(make(), kCrashed, "refused: " + text, end);
   if (kind == kThrew) return Lost(make(), kCrashed, "threw: " + text, end);
   const auto row = RowFromCsv(text, columns);
-  const auto cpu_s = NumberFromText(cpu), wall_s = NumberFromText(wall);
-  DOCKYARD_CHECK(kind == kRow && row && cpu_s && wall_s);
-  return {*row, {*cpu_s, *wall_s}, row->docked ? "" : note};
+  const auto timing = TimingFromCells(SplitCsv(times).value_or(std::vector<std::string>{}));
+  DOCKYARD_CHECK(kind == kRow && row && timing);
+  return {*row, *timing, row->docked ? "" : note};
 }
 
 void WriteLostRun(const std::filesystem::path& run_dir, const FinishedRun& run,

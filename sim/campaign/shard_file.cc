@@ -43,7 +43,8 @@ std::optional<std::string_view> TextOf(std::string_view line) {
 
 std::vector<std::string> ShardColumnNames(const RowColumns& columns) {
   std::vector<std::string> names = ColumnNames(columns);
-  names.insert(names.end(), {"cpu_time_s", "wall_time_s", "note"});
+  for (const std::string& name : TimingNames()) names.push_back(name);
+  names.push_back("note");
   return names;
 }
 
@@ -155,23 +156,24 @@ bool IsIdle(const std::filesystem::path& shard_file) {
 
 std::string ShardRow(const FinishedRun& run, const RowColumns& columns) {
   std::vector<std::string> cells = RowCells(run.result, columns);
-  cells.insert(cells.end(), {NumberText(run.timing.cpu_time_s), NumberText(run.timing.wall_time_s),
-                             OneLine(run.note)});
+  for (const std::string& cell : TimingCells(run.timing)) cells.push_back(cell);
+  cells.push_back(OneLine(run.note));
   return CsvLine(cells);
 }
 
 std::optional<FinishedRun> RowFromShard(std::string_view text, const RowColumns& columns) {
   auto cells = SplitCsv(text);
-  if (!cells || cells->size() < 3) return std::nullopt;
+  const std::size_t more = TimingNames().size() + 1;  // and the note
+  if (!cells || cells->size() < more) return std::nullopt;
   FinishedRun run;
   run.note = std::move(cells->back());
-  const auto wall = NumberFromText((*cells)[cells->size() - 2]);
-  const auto cpu = NumberFromText((*cells)[cells->size() - 3]);
-  cells->resize(cells->size() - 3);
+  const auto timing =
+      TimingFromCells({cells->end() - static_cast<std::ptrdiff_t>(more), cells->end() - 1});
+  cells->resize(cells->size() - more);
   const auto row = RowFromCells(*cells, columns);
-  if (!cpu || !wall || !row) return std::nullopt;
+  if (!timing || !row) return std::nullopt;
   run.result = *row;
-  run.timing = {*cpu, *wall};
+  run.timing = *timing;
   return run;
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "controller/base/check.h"
+#include "sim/base/descendants.h"
 
 namespace dockyard {
 namespace {
@@ -27,6 +28,13 @@ class Pool {
         calls_(calls),
         signal_descriptor_(signal_descriptor),
         places_(static_cast<std::size_t>(options.workers)) {}
+
+  ~Pool() {
+    places_.clear();
+    started_.End();
+  }
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
 
   /// Gives each free place a job, while there are any.
   void Fill() {
@@ -75,7 +83,10 @@ class Pool {
       place.worker->KillIfLate();
       if (!place.worker->Read()) continue;
       const JobEnd end = place.worker->Finish();
-      if (!place.worker->usable()) place.worker.reset();
+      if (!place.worker->usable()) {
+        place.worker.reset();
+        EndOrphans();
+      }
       if (end.loss != Loss::kNone && place.attempts <= options_.retries) {
         Attempt(i);
         continue;
@@ -87,6 +98,15 @@ class Pool {
   }
 
  private:
+  /// Ends what a worker that is gone had started.
+  void EndOrphans() {
+    std::vector<pid_t> workers;
+    for (const Place& place : places_) {
+      if (place.worker) workers.push_back(place.worker->process());
+    }
+    started_.End(workers);
+  }
+
   void Attempt(std::size_t i) {
     Place& place = places_[i];
     if (calls_.prepare) calls_.prepare(*place.job, static_cast<int>(i));
@@ -108,6 +128,7 @@ class Pool {
   const PoolOptions& options_;
   const PoolCalls& calls_;
   int signal_descriptor_;
+  Descendants started_;
   std::vector<Place> places_;
   bool more_ = true;
 };

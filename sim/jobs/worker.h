@@ -53,6 +53,7 @@ class Worker {
   void Start(std::int64_t job, const std::filesystem::path& messages);
 
   int descriptor() const { return answers_; }  // readable when there is something to read
+  pid_t process() const { return process_; }
   /// The parent's own ends of its pipes, which other workers must close.
   std::vector<int> descriptors() const { return {tasks_, answers_}; }
   /// Takes the bytes that have come; true when the job has ended, one way or the other.

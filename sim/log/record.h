@@ -27,6 +27,7 @@ struct RunResult {
 /// Timing, which differs from machine to machine.
 struct RunTiming {
   double cpu_time_s = 0.0, wall_time_s = 0.0;
+  double controller_cpu_s = 0.0, controller_wall_s = 0.0;  // of a program; 0 without one
 };
 
 /// One sample of the truth and of the controller's beliefs, every 0.1 s and at the end, for plots.

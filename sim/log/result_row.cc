@@ -96,7 +96,8 @@ std::string Folded(std::string name) {
 }
 
 /// The names beside a row's own in outcome.json and in the output of `run --json`.
-const std::set<std::string> kNamesBesideTheRow{"failure_note", "cpu_time_s", "wall_time_s"};
+const std::set<std::string> kNamesBesideTheRow{"failure_note", "cpu_time_s", "wall_time_s",
+                                               "controller_cpu_s", "controller_wall_s"};
 
 bool IsAnOutcome(const RunResult& row, const RowColumns& columns) {
   if (IsLost(row.outcome)) return !row.docked;
@@ -168,6 +169,17 @@ std::vector<std::string> RowCells(const RunResult& row, const RowColumns& column
   return cells;
 }
 
+std::vector<DifferingCell> DifferingCells(const RunResult& then, const RunResult& now,
+                                          const RowColumns& columns) {
+  const std::vector<std::string> names = ColumnNames(columns), was = RowCells(then, columns),
+                                 is = RowCells(now, columns);
+  std::vector<DifferingCell> differing;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (was[i] != is[i]) differing.push_back({names[i], was[i], is[i]});
+  }
+  return differing;
+}
+
 std::string CsvHeader(const RowColumns& columns) { return SafeCsvLine(ColumnNames(columns)); }
 
 std::string CsvRow(const RunResult& row, const RowColumns& columns) {
@@ -209,17 +221,6 @@ Json RowJson(const RunResult& row, const RowColumns& columns) {
     json[named[i].name] = CellJson(named[i].kind, cells[i]);
   }
   return json;
-}
-
-std::vector<std::string> DifferingColumns(const RunResult& a, const RunResult& b,
-                                          const RowColumns& columns) {
-  const std::vector<std::string> names = ColumnNames(columns);
-  const std::vector<std::string> cells_a = RowCells(a, columns), cells_b = RowCells(b, columns);
-  std::vector<std::string> differing;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (cells_a[i] != cells_b[i]) differing.push_back(names[i]);
-  }
-  return differing;
 }
 
 }  // namespace dockyard

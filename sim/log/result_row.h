@@ -37,6 +37,13 @@ std::vector<std::string> ColumnNames(const RowColumns& columns);
 /// none.
 std::vector<std::string> RowCells(const RunResult& row, const RowColumns& columns);
 
+struct DifferingCell {
+  std::string column, was, is;
+};
+/// The columns whose text differs, in order: equal text is equal bits.
+std::vector<DifferingCell> DifferingCells(const RunResult& then, const RunResult& now,
+                                          const RowColumns& columns);
+
 /// "run,seed,...,state_hash"
 std::string CsvHeader(const RowColumns& columns);
 /// One line without its newline.
@@ -49,9 +56,5 @@ std::optional<RunResult> RowFromCells(const std::vector<std::string>& cells,
 /// The row by names, in the order of results.csv: docked is a boolean, labels are text, NaN and
 /// missing are null.
 Json RowJson(const RunResult& row, const RowColumns& columns);
-
-/// Names of the columns whose text differs: equal text is equal bits.
-std::vector<std::string> DifferingColumns(const RunResult& a, const RunResult& b,
-                                          const RowColumns& columns);
 
 }  // namespace dockyard

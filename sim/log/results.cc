@@ -1,6 +1,7 @@
 #include "sim/log/results.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "controller/base/check.h"
 #include "sim/base/files.h"
@@ -24,7 +25,33 @@ std::size_t FinishedRuns::Find(int run) const {
                                                : static_cast<std::size_t>(at - results.begin());
 }
 
-std::string TimingHeader() { return "run,cpu_time_s,wall_time_s"; }
+std::vector<std::string> TimingNames() {
+  return {"cpu_time_s", "wall_time_s", "controller_cpu_s", "controller_wall_s"};
+}
+
+std::vector<std::string> TimingCells(const RunTiming& timing) {
+  return {NumberText(timing.cpu_time_s), NumberText(timing.wall_time_s),
+          NumberText(timing.controller_cpu_s), NumberText(timing.controller_wall_s)};
+}
+
+std::optional<RunTiming> TimingFromCells(const std::vector<std::string>& cells) {
+  RunTiming timing;
+  double* const parts[] = {&timing.cpu_time_s, &timing.wall_time_s, &timing.controller_cpu_s,
+                           &timing.controller_wall_s};
+  if (cells.size() != std::size(parts)) return std::nullopt;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto number = NumberFromText(cells[i]);
+    if (!number) return std::nullopt;
+    *parts[i] = *number;
+  }
+  return timing;
+}
+
+std::string TimingHeader() {
+  std::string header = "run";
+  for (const std::string& name : TimingNames()) header += "," + name;
+  return header;
+}
 
 void WriteResultsCsv(const std::filesystem::path& path, const FinishedRuns& runs,
                      const RowColumns& columns) {
@@ -38,8 +65,9 @@ void WriteTimingCsv(const std::filesystem::path& path, const FinishedRuns& runs)
   WholeFile file(path);
   file.Add(TimingHeader() + "\n");
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    file.Add(std::to_string(runs.results[i].run) + "," + NumberText(runs.timings[i].cpu_time_s) +
-             "," + NumberText(runs.timings[i].wall_time_s) + "\n");
+    std::string line = std::to_string(runs.results[i].run);
+    for (const std::string& cell : TimingCells(runs.timings[i])) line += "," + cell;
+    file.Add(line + "\n");
   }
   file.Finish();
 }

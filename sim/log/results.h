@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -39,7 +40,12 @@ struct FinishedRuns {
   std::size_t Find(int run) const;
 };
 
-std::string TimingHeader();  // "run,cpu_time_s,wall_time_s"
+/// The four numbers' names and texts, in one order.
+std::vector<std::string> TimingNames();
+std::vector<std::string> TimingCells(const RunTiming& timing);
+/// None unless these are the four cells of a timing.
+std::optional<RunTiming> TimingFromCells(const std::vector<std::string>& cells);
+std::string TimingHeader();  // of timing.csv: run, and the names
 
 /// Write whole files, in run order. Throw IoError.
 void WriteResultsCsv(const std::filesystem::path& path, const FinishedRuns& runs,

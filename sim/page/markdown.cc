@@ -46,6 +46,9 @@ std::string Number(const Json& value, int decimals) {
   return value.is_number() ? Fixed(value.get<double>(), decimals) : "-";
 }
 
+/// "0.0391", "< 0.0001"
+std::string Chance(const Json& p) { return p.is_number() ? ChanceText(p.get<double>()) : "-"; }
+
 std::string Estimate(const Json& estimate) {
   if (!estimate.is_object()) return "-";
   return Number(estimate["value"], 2) + " (" + Number(estimate["low"], 2) + " to " +
@@ -97,11 +100,15 @@ std::string SensitivityTable(const Json& sensitivity) {
   for (const Json& arm : sensitivity) {
     const std::string name = arm["arm"];
     text += "\nWhat success depends on" + (name.empty() ? "" : ", arm " + name) + ":\n";
-    text += Head({"draw", "eta", "p", "rank correlation", "partial"});
+    if (arm.contains("warning")) {
+      text += "\n" + arm["warning"].get<std::string>() + ".\n";
+      continue;
+    }
+    text += Head({"draw", "eta", "p (Holm)", "rank correlation", "partial"});
     std::size_t shown = 0;
     for (const Json& draw : arm["draws"]) {
       if (!draw["eta"].is_number() || shown++ == kMostDraws) break;
-      text += Line({draw["label"], Number(draw["eta"], 2), Number(draw["p"], 3),
+      text += Line({draw["label"], Number(draw["eta"], 2), Chance(draw["p"]),
                     Estimate(draw["rank"]), Estimate(draw["partial"])});
     }
   }
@@ -115,7 +122,7 @@ std::string Arms(const Json& arms) {
                   std::to_string(pair["only_b"].get<int>()),
                   Number(pair["difference"], 3) + " (" + Number(pair["interval"][0], 3) + " to " +
                       Number(pair["interval"][1], 3) + ")",
-                  Number(pair["mid_p"], 3)});
+                  Chance(pair["mid_p"])});
   }
   return text;
 }
@@ -128,6 +135,10 @@ std::string OverviewMarkdown(const std::string& title, const Json& overview,
   std::string text = "# " + title + "\n\nDocked " + Rate(totals) + "; 95 % intervals, exact.\n";
   const std::int64_t missing =
       totals["planned"].get<std::int64_t>() - totals["runs"].get<std::int64_t>();
+  if (totals.contains("changed_alone")) {
+    text += std::to_string(totals["changed_alone"].get<std::int64_t>()) +
+            " runs in which a key was changed alone are not counted there.\n";
+  }
   if (missing > 0) text += std::to_string(missing) + " planned runs are not there.\n";
   if (overview.contains("acceptance")) {
     text += "\n**" + overview["acceptance"]["verdict"].get<std::string>() +

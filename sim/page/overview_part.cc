@@ -10,6 +10,7 @@
 #include "sim/report/arm_pairs.h"
 #include "sim/report/points.h"
 #include "sim/report/sensitivity.h"
+#include "sim/report/until_accepted.h"
 #include "sim/statistics/acceptance.h"
 #include "sim/statistics/intervals.h"
 #include "sim/statistics/paired.h"
@@ -24,15 +25,17 @@ Json Number(double value) { return std::isfinite(value) ? Json(value) : Json(); 
 
 Json Ends(const Interval& interval) { return Json::array({interval.low, interval.high}); }
 
-Json Totals(const FinishedRuns& runs, std::int64_t planned) {
+/// Of the runs in which no key was changed alone: the others are no sample of the same population.
+Json Totals(const FinishedRuns& runs, const RowColumns& columns, std::int64_t planned) {
   int docked = 0, lost = 0;
-  for (const RunResult& row : runs.results) {
-    docked += row.docked;
-    lost += IsLost(row.outcome);
-  }
-  Json totals = ShareJson(docked, static_cast<int>(runs.size()));
-  totals["planned"] = planned;
+  const Rows unchanged = UnchangedRows(runs.results, columns);
+  for (const RunResult* row : unchanged) docked += row->docked;
+  for (const RunResult& row : runs.results) lost += IsLost(row.outcome);
+  const auto changed = static_cast<std::int64_t>(runs.size() - unchanged.size());
+  Json totals = ShareJson(docked, static_cast<int>(unchanged.size()));
+  totals["planned"] = planned - changed;
   totals["lost"] = lost;
+  if (changed > 0) totals["changed_alone"] = changed;
   return totals;
 }
 
@@ -68,7 +71,7 @@ Json SensitivityJson(const std::vector<Sensitivity>& found) {
       draws.push_back({{"label", draw.label},
                        {"words", draw.words},
                        {"eta", Number(draw.eta)},
-                       {"p", Number(draw.p_value)},
+                       {"p", Number(draw.holm_p)},
                        {"rank", EstimateJson(draw.rank_correlation)},
                        {"partial", EstimateJson(draw.partial)}});
     }
@@ -81,6 +84,7 @@ Json SensitivityJson(const std::vector<Sensitivity>& found) {
       levels.push_back(level);
     }
     list.push_back({{"arm", arm.arm}, {"draws", draws}, {"levels", levels}});
+    if (arm.too_few()) list.back()["warning"] = TooFewText(arm);
   }
   return list;
 }
@@ -153,7 +157,7 @@ Json OverviewPart(const Campaign* campaign, const FinishedRuns& runs, const RowC
                   const std::optional<AcceptanceAim>& aim,
                   const std::vector<Requirement>& requirements) {
   const auto count = static_cast<std::int64_t>(runs.size());
-  Json json{{"totals", Totals(runs, campaign ? campaign->run_count() : count)},
+  Json json{{"totals", Totals(runs, columns, campaign ? campaign->run_count() : count)},
             {"groups", GroupsPart(campaign, runs, columns)},
             {"causes", Causes(runs)}};
   if (campaign != nullptr) {
@@ -161,7 +165,8 @@ Json OverviewPart(const Campaign* campaign, const FinishedRuns& runs, const RowC
     if (!campaign->arms.empty()) json["arms"] = ArmsJson(*campaign, runs, columns);
   }
   if (campaign != nullptr) json["curves"] = CurvesPart(*campaign, runs, columns);
-  if (aim) json["acceptance"] = AcceptanceJson(json["totals"], *aim);
+  const bool sample = campaign == nullptr || WhyNotSequential(*campaign).empty();
+  if (aim && sample) json["acceptance"] = AcceptanceJson(json["totals"], *aim);
   AddRequirements(requirements, aim, runs, columns, json);
   return json;
 }

@@ -51,7 +51,8 @@ struct Figures {
 
 struct Campaign {
   std::string name, file;
-  Seed seed;                          // sealed: a secret makes its worlds
+  Seed seed;                          // with a secret: a sealed campaign
+  std::string sealed_sha256;          // of a sealed one: its secret's fingerprint
   YamlNode base;                      // a scenario's tree, the same for all runs
   std::vector<Arm> arms;              // empty: the base alone
   RunTable table;                     // without rows: none
@@ -75,6 +76,13 @@ struct Campaign {
   std::int64_t grid_size() const;
   /// Places of the grid and the table, each with at most one key changed.
   std::int64_t point_count() const;
+  /// Whether its worlds cannot be made here: it is sealed, and the secret is not known.
+  bool is_hidden() const { return !sealed_sha256.empty() && !seed.secret; }
+  /// Seals it, or gives the secret of a sealed one.
+  void Seal(const Secret& secret) {
+    seed.secret = secret;
+    sealed_sha256 = Fingerprint(secret);
+  }
   std::int64_t run_count() const;
   /// The arms that each row and point has a run of, at least 1.
   std::int64_t arm_count() const;

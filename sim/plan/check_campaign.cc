@@ -77,7 +77,7 @@ void CheckColumns(const Campaign& campaign, const std::vector<KnownSystem>& syst
   const std::vector<std::string> keys =
       KeyNames([&](Keys& in) { VisitScenario(in, none, systems); });
   for (const YamlNode::Key& column : campaign.table.columns) {
-    CheckColumn(column, campaign.tags, keys);
+    CheckColumn(column, IsTag(campaign, column.name), keys);
   }
   if (campaign.table.Find("arm") && campaign.arms.empty()) {
     RefuseKey(campaign.table.columns[*campaign.table.Find("arm")], "arm",

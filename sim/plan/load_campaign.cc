@@ -46,6 +46,10 @@ void RefuseScenario(const YamlNode& tree, const std::string& file) {
 
 /// The base: a scenario file, with the keys of `scenario` and `script` on top.
 YamlNode BaseTree(const YamlReader& root) {
+  if (root.Has("scenario") && root.Child("scenario").kind != YamlNode::Kind::kMapping) {
+    throw ConfigError(root.Child("scenario").place.Text() +
+                      ": scenario: expected a mapping of keys; a scenario's file is named by base");
+  }
   YamlNode base = root.Has("base") ? LoadYaml(root.File("base")) : root.Child("scenario");
   if (root.Has("base") && root.Has("scenario")) MergeYaml(base, root.Child("scenario"));
   if (root.Has("script")) {
@@ -69,8 +73,10 @@ void ReadTags(const YamlReader& in, Campaign& campaign) {
   for (const YamlNode& tag : in.List("tags", 1, 100).items) {
     const auto column = campaign.table.Find(tag.scalar);
     if (!column) {
+      std::vector<std::string> columns;
+      for (const YamlNode::Key& each : campaign.table.columns) columns.push_back(each.name);
       throw ConfigError(tag.place.Text() + ": tags: expected a column of the table, found " +
-                        tag.Found());
+                        tag.Found() + DidYouMean(tag.scalar, columns));
     }
     campaign.tags.push_back(tag.scalar);
     for (const RunTable::Row& row : campaign.table.rows) {

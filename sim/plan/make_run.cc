@@ -130,8 +130,11 @@ Seed RunMaker::SeedAt(const Place& place) const {
   return WorldSeed(campaign_.seed, WorldPlace(place), static_cast<std::uint64_t>(place.repeat));
 }
 
-std::uint64_t RunMaker::SeedNumber(std::int64_t index) const {
-  return SeedAt(PlaceOf(index)).number;
+std::optional<std::uint64_t> RunMaker::SeedNumber(std::int64_t index) const {
+  const Place place = PlaceOf(index);
+  const bool by_table = CellOf(campaign_.table, place.row, "seed") != nullptr;
+  if (campaign_.is_hidden() && !by_table) return std::nullopt;
+  return SeedAt(place).number;
 }
 
 void RunMaker::SetArm(const Place& place, YamlNode* tree, std::vector<std::string>& labels) const {
@@ -246,6 +249,10 @@ std::vector<std::string> RunMaker::Labels(std::int64_t index) const {
 }
 
 CampaignRun RunMaker::Make(std::int64_t index) const {
+  if (campaign_.is_hidden()) {
+    throw ConfigError(campaign_.name +
+                      ": its worlds are sealed: expected its secret, --secret FILE");
+  }
   const Place place = PlaceOf(index);
   CampaignRun run;
   run.run = Number(index);

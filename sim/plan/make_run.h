@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -19,7 +20,8 @@ class RunMaker {
 
   std::int64_t run_count() const { return campaign_.run_count(); }
   /// @param index  0 .. run_count() - 1: arm by arm, repeat by repeat, point by point
-  /// Throws ConfigError for a scenario that its reader refuses.
+  /// Throws ConfigError for a scenario that its reader refuses, and for a campaign whose secret is
+  /// not known.
   CampaignRun Make(std::int64_t index) const;
   /// The run's labels, as Make gives them but without its scenario.
   std::vector<std::string> Labels(std::int64_t index) const;
@@ -27,7 +29,8 @@ class RunMaker {
   int Number(std::int64_t index) const;
   /// The number of its world's seed, which its row has: the same for all arms and for every key
   /// changed alone.
-  std::uint64_t SeedNumber(std::int64_t index) const;
+  /// None: the campaign is sealed, and its secret is not known.
+  std::optional<std::uint64_t> SeedNumber(std::int64_t index) const;
   /// The index of the run with that number; -1: there is none.
   std::int64_t IndexOf(int number) const;
 

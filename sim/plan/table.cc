@@ -122,10 +122,9 @@ RunTable ReadTable(const YamlNode& list, const std::string& path) {
   return table;
 }
 
-void CheckColumn(const YamlNode::Key& column, const std::vector<std::string>& tags,
+void CheckColumn(const YamlNode::Key& column, bool is_tag,
                  const std::vector<std::string>& scenario_keys) {
   const std::string& name = column.name;
-  const bool is_tag = Contains(tags, name);
   const bool is_key = Contains(scenario_keys, HeadOf(name));
   if (IsPlanColumn(name) && !is_tag) return;
   if (is_tag) {
@@ -138,10 +137,8 @@ void CheckColumn(const YamlNode::Key& column, const std::vector<std::string>& ta
   }
   RequireSettable(column, name);
   if (is_key) return;
-  std::vector<std::string> known = tags;
-  for (const auto& names : {scenario_keys, PlanColumns()}) {
-    known.insert(known.end(), names.begin(), names.end());
-  }
+  std::vector<std::string> known = scenario_keys;
+  known.insert(known.end(), PlanColumns().begin(), PlanColumns().end());
   const std::string nearest = NearestName(name, known);
   RefuseColumn(column, "a key of the scenario or one of the campaign's tags" +
                            (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
@@ -157,7 +154,7 @@ TableCheck CheckRunTable(const std::string& file) {
     const auto row = std::find_if(rows.begin(), rows.end(),
                                   [&](const KeyRow& known) { return known.key == name; });
     if (row != rows.end() || name == "r_m" || name == "alpha_deg" || name == "heading_deg") {
-      CheckColumn(table.columns[i], {}, {HeadOf(name)});
+      CheckColumn(table.columns[i], false, {HeadOf(name)});
     }
     const bool checked = row != rows.end() && IsPlain(*row) && CheckCells(table, i);
     (checked ? check.checked : check.left_to_campaign).push_back(name);

@@ -30,7 +30,7 @@ bool IsPlanColumn(const std::string& name);
 RunTable ReadTable(const YamlNode& list, const std::string& path);
 
 /// Throws ConfigError unless the column is a tag or may be a key of a scenario that a table sets.
-void CheckColumn(const YamlNode::Key& column, const std::vector<std::string>& tags,
+void CheckColumn(const YamlNode::Key& column, bool is_tag,
                  const std::vector<std::string>& scenario_keys);
 
 /// The check of a campaign's table without the campaign's file.

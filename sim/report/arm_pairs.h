@@ -16,5 +16,9 @@ struct ArmPairs {
 
 /// Runs of both arms with the same seed and place are a pair. The first label is the arm's.
 ArmPairs PairArms(const Rows& a, const Rows& b);
+/// The same of two groups of runs that a label tells apart: runs with the same seed and all other
+/// labels equal are a pair, but for `point`, and for `changed_to` of a key changed alone.
+ArmPairs PairGroups(const std::string& label, const RowColumns& columns, const Rows& a,
+                    const Rows& b);
 
 }  // namespace dockyard

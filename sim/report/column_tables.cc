@@ -37,23 +37,32 @@ ColumnTable Results() {
         "16 hexadecimal digits: fingerprint of commands and true state over the whole run"}}};
 }
 
-ColumnTable Timing() {
-  return {"timing.csv",
-          "Values that differ between computers, a row per run.",
-          {{"run", "", "the run's number"},
-           {"cpu_time_s", "s", "processor time of the run"},
-           {"wall_time_s", "s", "wall time of the run"}}};
+std::vector<Column> Times() {
+  return {{"cpu_time_s", "s", "processor time of the run, without a controller's program"},
+          {"wall_time_s", "s", "wall time of the run"},
+          {"controller_cpu_s", "s",
+           "processor time of the controller's program and of all that it started; 0 without one"},
+          {"controller_wall_s", "s",
+           "wall time that the run waited for the controller's program, its start and end "
+           "included; 0 without one"}};
 }
 
-/// The columns of results.csv, and three more.
+ColumnTable Timing() {
+  return {"timing.csv", "Values that differ between computers, a row per run.", [] {
+            std::vector<Column> columns = Times();
+            columns.insert(columns.begin(), {"run", "", "the run's number"});
+            return columns;
+          }()};
+}
+
+/// The columns of results.csv, and five more.
 ColumnTable Shards() {
   ColumnTable table{"shards/K-of-N.rows",
                     "A line per finished run, as it ended, after two lines of head: a check value "
                     "(CRC-32 of the rest, 8 hexadecimal digits), a comma, and these columns. A run "
                     "may have several lines ([run_log.md](run_log.md#shards)).",
                     Results().columns};
-  table.columns.push_back({"cpu_time_s", "s", "processor time of the run"});
-  table.columns.push_back({"wall_time_s", "s", "wall time of the run"});
+  for (const Column& column : Times()) table.columns.push_back(column);
   table.columns.push_back({"note", "", "what went wrong, a sentence for people"});
   return table;
 }
@@ -90,6 +99,9 @@ ColumnTable Sensitivities() {
            {"eta_p", "",
             "chance of so large an `eta`, or a larger, if the draw did not matter "
             "(Kruskal and Wallis)"},
+           {"eta_p_holm", "",
+            "the same for all draws of the measure together (Holm 1979): of draws that all do not "
+            "matter, one has it below 0.05 in at most 5 % of campaigns"},
            {"rank_correlation", "", "Spearman's, -1 to 1: whether the measure rises or falls"},
            {"rank_correlation_low", "", "lower end of its 95 % interval (Bonett and Wright)"},
            {"rank_correlation_high", "", "upper end"},

@@ -28,24 +28,10 @@ std::string MarkdownLine(const Cells& cells) {
   return line + "\n";
 }
 
-struct Point {
-  Cells settings;
-  Rows rows;
-};
-
-/// Rows with equal settings together, in the order in which the settings first appear.
-std::vector<Point> ByPoint(const std::vector<std::string>& settings, const RowColumns& columns,
-                           const std::vector<RunResult>& rows) {
-  std::vector<Point> points;
-  std::map<Cells, std::size_t> places;
-  for (const RunResult& row : rows) {
-    Cells cells;
-    for (const std::string& label : settings) cells.push_back(LabelOf(row, columns, label));
-    const auto [place, fresh] = places.emplace(cells, points.size());
-    if (fresh) points.push_back({cells, {}});
-    points[place->second].rows.push_back(&row);
-  }
-  return points;
+Rows AllOf(const std::vector<RunResult>& rows) {
+  Rows all;
+  for (const RunResult& row : rows) all.push_back(&row);
+  return all;
 }
 
 int DockedOf(const Rows& rows) {
@@ -80,6 +66,20 @@ Rows UnchangedRows(const std::vector<RunResult>& rows, const RowColumns& columns
     if (!told || LabelOf(row, columns, "changed").empty()) unchanged.push_back(&row);
   }
   return unchanged;
+}
+
+std::vector<Point> ByPoint(const std::vector<std::string>& settings, const RowColumns& columns,
+                           const Rows& rows) {
+  std::vector<Point> points;
+  std::map<Cells, std::size_t> places;
+  for (const RunResult* row : rows) {
+    Cells cells;
+    for (const std::string& label : settings) cells.push_back(LabelOf(*row, columns, label));
+    const auto [place, fresh] = places.emplace(cells, points.size());
+    if (fresh) points.push_back({cells, {}});
+    points[place->second].rows.push_back(row);
+  }
+  return points;
 }
 
 std::vector<std::string> LevelsOf(const Rows& rows, const RowColumns& columns,
@@ -144,7 +144,7 @@ std::string PointsCsv(const std::vector<std::string>& settings, const RowColumns
     Append(header, {column.name + "_mean", column.name + "_p10", column.name + "_p90"});
   }
   std::string text = SafeCsvLine(header) + "\n";
-  for (const Point& point : ByPoint(settings, columns, rows)) {
+  for (const Point& point : ByPoint(settings, columns, AllOf(rows))) {
     Cells cells = point.settings;
     const Spread share = SpreadOf(columns, kDocked, point.rows);
     Append(cells, {std::to_string(share.count), NumberText(share.mean), NumberText(share.low),
@@ -175,7 +175,7 @@ std::string PointsTable(const std::vector<std::string>& settings,
   std::replace_if(
       rule.begin(), rule.end(), [](char c) { return c != '|' && c != '\n'; }, '-');
   text += rule;
-  for (const Point& point : ByPoint(settings, columns, rows)) {
+  for (const Point& point : ByPoint(settings, columns, AllOf(rows))) {
     Cells cells = point.settings;
     cells.push_back(RateText(DockedOf(point.rows), static_cast<int>(point.rows.size())));
     for (const std::string& name : measures) {

@@ -20,6 +20,14 @@ const std::string& LabelOf(const RunResult& row, const RowColumns& columns,
 using Rows = std::vector<const RunResult*>;
 /// Those in which no key was changed alone, where that is told.
 Rows UnchangedRows(const std::vector<RunResult>& rows, const RowColumns& columns);
+/// Rows with the same settings.
+struct Point {
+  std::vector<std::string> settings;  // their texts
+  Rows rows;
+};
+/// In the order in which the settings first appear. Settings are labels.
+std::vector<Point> ByPoint(const std::vector<std::string>& settings, const RowColumns& columns,
+                           const Rows& rows);
 /// The texts of a label in the order in which they first appear.
 std::vector<std::string> LevelsOf(const Rows& rows, const RowColumns& columns,
                                   const std::string& label);

@@ -30,6 +30,19 @@ std::string ShortRate(int successes, int trials) {
 
 std::string BriefRate(int docked, int runs) { return "docked " + RateText(docked, runs); }
 
+std::string ChanceText(double p) {
+  if (std::isnan(p)) return "nan";
+  if (p < 0.0001) return "< 0.0001";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4f", p);
+  return text;
+}
+
+std::string PText(double p) {
+  const std::string text = ChanceText(p);
+  return "p " + (text.starts_with("<") ? text : "= " + text);
+}
+
 std::string BriefNumber(double value) {
   if (std::isnan(value)) return "nan";  // one spelling, whatever its sign bit
   char text[32];

@@ -11,6 +11,10 @@ std::string RateText(int successes, int trials);
 std::string ShortRate(int successes, int trials);
 /// "docked 31/40 (78 %, 62-89 %)"
 std::string BriefRate(int docked, int runs);
+/// A chance for people, at four decimals: "0.0391", "< 0.0001"; "nan" where there is none.
+std::string ChanceText(double p);
+/// "p = 0.0391", "p < 0.0001"
+std::string PText(double p);
 /// Four figures: "0.2103", "4e-05", "nan".
 std::string BriefNumber(double value);
 

@@ -10,6 +10,7 @@
 #include "sim/report/points.h"
 #include "sim/report/rate_text.h"
 #include "sim/statistics/levels.h"
+#include "sim/statistics/multiple.h"
 #include "sim/statistics/ranks.h"
 
 namespace dockyard {
@@ -103,6 +104,13 @@ std::vector<Group> GroupsOf(std::size_t measures, const Rows& rows) {
   return groups;
 }
 
+void AdjustChances(std::vector<DrawEffect>& draws) {
+  Values p;
+  for (const DrawEffect& draw : draws) p.push_back(draw.p_value);
+  const Values adjusted = HolmAdjusted(p);
+  for (std::size_t i = 0; i < draws.size(); ++i) draws[i].holm_p = adjusted[i];
+}
+
 void SortByEta(std::vector<DrawEffect>& draws) {
   const auto size = [](const DrawEffect& draw) { return std::isnan(draw.eta) ? -1.0 : draw.eta; };
   std::stable_sort(draws.begin(), draws.end(),
@@ -120,7 +128,6 @@ void FindEffects(const std::vector<Draw>& draws, const Group& group, const Rows&
     for (const RunResult* row : rows) values.push_back(SummedValue(*row, measure));
     measure_ranks.push_back(Ranks(values));
     table.AddOutput(measure_ranks.back());
-    found[measure].runs = static_cast<int>(rows.size());
   }
   for (const Draw& draw : draws) {
     const Values values = ValuesOf(draw, rows), ranks = Ranks(values);
@@ -130,7 +137,7 @@ void FindEffects(const std::vector<Draw>& draws, const Group& group, const Rows&
       const LevelEffect effect = EffectOfLevels(levels, measure_ranks[m]);
       found[group.measures[m]].draws.push_back({draw.label, draw.words,
                                                 std::sqrt(effect.epsilon_squared), effect.p_value,
-                                                kUnknown, kUnknown});
+                                                kNaN, kUnknown, kUnknown});
     }
   }
   const RankCorrelations correlations = table.Correlate();
@@ -144,6 +151,7 @@ void FindEffects(const std::vector<Draw>& draws, const Group& group, const Rows&
       effects.draws[d].rank_correlation = correlations.spearman[m][input];
       effects.draws[d].partial = correlations.partial[m][input++];
     }
+    AdjustChances(effects.draws);
     SortByEta(effects.draws);
   }
 }
@@ -176,8 +184,8 @@ void AddRates(const Draw& draw, const Rows& rows, std::vector<LevelRate>& rates)
 
 Sensitivity OfArm(const std::string& arm, const Campaign& campaign, const RowColumns& columns,
                   const Rows& rows) {
-  Sensitivity found{arm, static_cast<int>(rows.size()), {}, {}};
   const std::vector<Draw> draws = DrawsOf(campaign, columns);
+  Sensitivity found{arm, static_cast<int>(rows.size()), static_cast<int>(draws.size()), {}, {}};
   for (const Draw& draw : draws) AddRates(draw, rows, found.rates);
   for (const Column& column : SummedColumns(columns)) found.measures.push_back({column, 0, {}});
   for (const Group& group : GroupsOf(found.measures.size(), rows)) {
@@ -185,6 +193,10 @@ Sensitivity OfArm(const std::string& arm, const Campaign& campaign, const RowCol
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (group.has[i]) having.push_back(rows[i]);
     }
+    for (const std::size_t measure : group.measures) {
+      found.measures[measure].runs = static_cast<int>(having.size());
+    }
+    if (having.size() < kLeastRunsPerDraw * draws.size()) continue;
     FindEffects(draws, group, having, found.measures);
   }
   return found;

@@ -22,6 +22,7 @@ struct DrawEffect {
   bool words = false;    // its values have no order: no correlations
   double eta = 0.0;      // 0 to 1
   double p_value = 1.0;  // the chance of so large an eta, or a larger, if the draw did not matter
+  double holm_p = 1.0;   // the same for all draws of the measure together (Holm)
   Estimate rank_correlation, partial;
 };
 
@@ -38,15 +39,25 @@ struct LevelRate {
   int docked = 0, runs = 0;
 };
 
+/// A list by eta of fewer runs is mostly chance.
+inline constexpr int kLeastRunsPerDraw = 5;
+
 /// Of one arm, as arms share their draws: rows of two arms are not independent.
 struct Sensitivity {
   std::string arm;  // empty: the campaign has none
   int runs = 0;
+  int draws = 0;                         // keys that are drawn
   std::vector<MeasureEffects> measures;  // docked first, then as SummedColumns
   std::vector<LevelRate> rates;          // by label as in the campaign, levels in their order
+
+  bool too_few() const { return runs < kLeastRunsPerDraw * draws; }
 };
 
-/// Empty for a campaign without draws. Rows in which a key was changed alone are left out. A draw
+/// Why an arm with too few runs has no list: a sentence; empty where it has one.
+std::string TooFewText(const Sensitivity& arm);
+
+/// Empty for a campaign without draws. A measure with fewer than kLeastRunsPerDraw runs for each
+/// draw has no effects. Rows in which a key was changed alone are left out. A draw
 /// of numbers, such as {discrete: {values: [20, 35]}}, counts as a number. 10^6 rows of 40 draws
 /// and 20 measures took 27 s of CPU.
 std::vector<Sensitivity> FindSensitivity(const Campaign& campaign, const RowColumns& columns,

@@ -27,8 +27,6 @@ std::string EstimateText(const Estimate& estimate) {
          Signed(estimate.interval.high) + ")";
 }
 
-std::string ChanceText(double p) { return p < 0.001 ? "< 0.001" : Fixed(p, 3); }
-
 /// "loose 60 % (36-81), compact 95 % (75-100)"
 std::string RatesText(const std::string& label, const std::vector<LevelRate>& rates) {
   std::string text;
@@ -69,10 +67,11 @@ std::string ArmText(const Sensitivity& found) {
   std::string text = "\nsensitivity of docked to the draws" +
                      (found.arm.empty() ? "" : ", arm " + found.arm) + ", " +
                      CountText(found.runs, "run") + ", 95 % intervals\n";
-  std::vector<Cells> lines{{"", "eta", "p", "rank correlation", "partial"}};
+  if (found.too_few()) return text + "  " + TooFewText(found) + "\n";
+  std::vector<Cells> lines{{"", "eta", "p (Holm)", "rank correlation", "partial"}};
   for (const DrawEffect& draw : docked.draws) {
     if (std::isnan(draw.eta) || lines.size() > kMostDraws) break;
-    Cells cells{draw.label, Fixed(draw.eta, 2), ChanceText(draw.p_value)};
+    Cells cells{draw.label, Fixed(draw.eta, 2), ChanceText(draw.holm_p)};
     if (draw.words) {
       cells.push_back(RatesText(draw.label, found.rates));
     } else {
@@ -90,6 +89,13 @@ std::string ArmText(const Sensitivity& found) {
 
 }  // namespace
 
+std::string TooFewText(const Sensitivity& arm) {
+  if (!arm.too_few()) return "";
+  return "warning: no list: " + CountText(arm.runs, "run") + " for " +
+         CountText(arm.draws, "draw") + ", and below " + std::to_string(kLeastRunsPerDraw) +
+         " runs a draw its order is mostly chance";
+}
+
 std::string SensitivityText(const std::vector<Sensitivity>& found) {
   std::string text;
   for (const Sensitivity& arm : found) text += ArmText(arm);
@@ -98,7 +104,7 @@ std::string SensitivityText(const std::vector<Sensitivity>& found) {
 
 std::string SensitivityCsv(const std::vector<Sensitivity>& found) {
   std::string text =
-      "arm,measure,draw,kind,runs,eta,eta_p,rank_correlation,rank_correlation_low,"
+      "arm,measure,draw,kind,runs,eta,eta_p,eta_p_holm,rank_correlation,rank_correlation_low,"
       "rank_correlation_high,partial,partial_low,partial_high\n";
   for (const Sensitivity& arm : found) {
     for (const MeasureEffects& measure : arm.measures) {
@@ -109,7 +115,8 @@ std::string SensitivityCsv(const std::vector<Sensitivity>& found) {
                     draw.words ? "words" : "numbers",
                     std::to_string(measure.runs),
                     Cell(draw.eta),
-                    Cell(draw.p_value)};
+                    Cell(draw.p_value),
+                    Cell(draw.holm_p)};
         for (const Estimate* estimate : {&draw.rank_correlation, &draw.partial}) {
           cells.insert(cells.end(), {Cell(estimate->value), Cell(estimate->interval.low),
                                      Cell(estimate->interval.high)});

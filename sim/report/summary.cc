@@ -5,6 +5,7 @@
 
 #include "sim/base/count_text.h"
 #include "sim/base/text.h"
+#include "sim/report/points.h"
 #include "sim/report/rate_text.h"
 
 namespace dockyard {
@@ -237,11 +238,16 @@ void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& colu
 
 std::string SummaryText(const std::string& title, const FinishedRuns& runs,
                         const RowColumns& columns, std::int64_t total, bool enough) {
+  const Rows unchanged = UnchangedRows(runs.results, columns);
   int docked = 0;
-  for (const RunResult& result : runs.results) docked += result.docked ? 1 : 0;
-  const int done = static_cast<int>(runs.size());
+  for (const RunResult* result : unchanged) docked += result->docked ? 1 : 0;
+  const int done = static_cast<int>(runs.size()), counted = static_cast<int>(unchanged.size());
   std::string out;
-  AddLine(out, title + ": " + BriefRate(docked, done) + ", 95 % intervals (Clopper-Pearson)");
+  AddLine(out, title + ": " + BriefRate(docked, counted) + ", 95 % intervals (Clopper-Pearson)");
+  if (counted < done) {
+    AddLine(out, "not counted there: " + CountText(done - counted, "run") +
+                     " in which a key was changed alone (points.md)");
+  }
   if (done < total) {
     AddLine(out, (enough ? "ended early, by --until-accepted: " : "incomplete: ") +
                      std::to_string(done) + " of " + CountText(total, "run"));

@@ -5,6 +5,7 @@
 #include "sim/base/count_text.h"
 #include "sim/base/text.h"
 #include "sim/report/rate_text.h"
+#include "sim/report/sample.h"
 
 namespace dockyard {
 namespace {
@@ -49,14 +50,7 @@ std::string Chances(double reliability, const SequentialOperation& operation) {
 }  // namespace
 
 std::string WhyNotSequential(const Campaign& campaign) {
-  if (!campaign.arms.empty()) return "it has arms";
-  if (!campaign.table.rows.empty()) return "its runs are rows of a table";
-  if (!campaign.grid.empty()) return "its runs are points of a grid (vary)";
-  if (!campaign.one_at_a_time.empty()) return "it sets keys one at a time";
-  if (campaign.design != DesignKind::kMonteCarlo) {
-    return "the runs of its design depend on each other; monte_carlo draws them independently";
-  }
-  return "";
+  return campaign.arms.empty() ? WhyNoSample(campaign) : "it has arms";
 }
 
 Json SequentialJson(const SequentialPlan& plan, const SequentialEnd& end) {
@@ -81,6 +75,22 @@ std::string SequentialText(const SequentialPlan& plan, const SequentialEnd& end)
     text += Chances(reliability, ExactOperation(plan, reliability));
   }
   return text + "The share of successes is no fair estimate: the runs ended because of it.\n";
+}
+
+int DecidedRuns(const std::string& json_text) {
+  const Json json = Json::parse(json_text, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object() || json.value("went_on", Json(false)) == true) return 0;
+  const Json verdict = json.value("verdict", Json()), trials = json.value("trials", Json());
+  const bool decided = verdict.is_string() && verdict != NameOf(SequentialState::kContinue);
+  const bool counted = trials.is_number_unsigned() && trials <= 1000000000u;
+  return decided && counted ? trials.get<int>() : 0;
+}
+
+std::string WentOnText(const std::string& json_text) {
+  Json json = Json::parse(json_text, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object()) return "";
+  json["went_on"] = true;
+  return json.dump(2) + "\n";
 }
 
 bool HasTheseAims(const std::string& json_text, const SequentialAims& aims) {

@@ -27,6 +27,12 @@ Json SequentialJson(const SequentialPlan& plan, const SequentialEnd& end);
 /// The same in some lines for people.
 std::string SequentialText(const SequentialPlan& plan, const SequentialEnd& end);
 
+/// How many runs decided, by SequentialJson's text; 0: no decision, or the campaign went on past it
+/// (WentOnText).
+int DecidedRuns(const std::string& json_text);
+/// The same text, noting that the campaign went on with all its runs; empty for other text.
+std::string WentOnText(const std::string& json_text);
+
 /// Whether SequentialJson's text is of a test with the same aims. A folder's runs are judged by the
 /// aims that were set before the first run: other aims, chosen after a look, have other risks.
 bool HasTheseAims(const std::string& json_text, const SequentialAims& aims);

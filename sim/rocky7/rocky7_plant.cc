@@ -111,9 +111,9 @@ StereoImages Rocky7Plant::TakePair(const PairView& pair, double exposure_stops) 
     return renderer.RenderRadiance(scene_.Make(then, world_.ground()), pair.built, X_WC,
                                    with_depth || sensor.focus.distance_m > 0.0);
   };
-  const Pose3 X_WC = pair.left == kMastLeft ? MastMovedOn(truth_, 0.0) : truth_.X_WR;
+  const Pose3 X_WB = pair.left == kMastLeft ? MastMovedOn(truth_, 0.0) : truth_.X_WR;
   const ExposureMotion motion =
-      MotionOverExposure(X_WC.R, pair.speed_m_s, pair.turning_rad_s, pair.model.shutter_s);
+      MotionOverExposure(X_WB.R, pair.speed_m_s, pair.turning_rad_s, pair.model.shutter_s);
   const double motion_px =
       MotionInExposure_px(pair.built.left, pair.turning_rad_s.norm(), pair.speed_m_s.norm(),
                           kNearest_m, pair.model.shutter_s);

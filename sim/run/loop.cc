@@ -9,9 +9,11 @@
 #include "sim/base/hash.h"
 #include "sim/base/random.h"
 #include "sim/bridge/pipe_controller.h"
+#include "sim/bridge/sandbox.h"
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
 #include "sim/run/camera_faults.h"
+#include "sim/run/recorded_controller.h"
 #include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
@@ -87,25 +89,42 @@ class Run {
     Commands commands;
     commands.motors.resize(static_cast<std::size_t>(ready_.motor_count));
     try {
+      if (options_.run_limit_s > 0.0) end_ = DeadlineIn(options_.run_limit_s);
       controller_ = MakeController(system_, what_, ready_, options_);
       pipe_ = dynamic_cast<PipeController*>(controller_.get());
       Drive(time_limit, commands);
     } catch (const ControllerFailure& failure) {
       failure_ = failure;
     }
-    if (pipe_ && !failure_) pipe_->Finish();
+    if (pipe_) pipe_->Finish();
     // The run's last sample is of its end, wherever that lies between two periods.
     if (controller_) KeepSample(controller_->belief());
     Finish(commands);
-    if (pipe_) record_.messages = pipe_->Messages();
-    if (failure_) record_.messages = failure_->messages();
+    if (pipe_) {
+      KeepUse(pipe_->Messages(), pipe_->use());
+    } else if (failure_) {
+      KeepUse(failure_->messages(), failure_->use());
+    }
     return std::move(record_);
   }
 
  private:
+  void KeepUse(const std::string& messages, const ProgramUse& use) {
+    record_.messages = messages;
+    record_.timing.controller_cpu_s = use.cpu_s;
+    record_.timing.controller_wall_s = use.wall_s;
+  }
+
+  /// After its wall time the run is lost, as in a campaign.
+  void RequireTime() const {
+    if (options_.run_limit_s <= 0.0 || std::chrono::steady_clock::now() < end_) return;
+    throw ControllerFailure(kStopped, OutOfTime(options_.run_limit_s));
+  }
+
   void Drive(Tick time_limit, Commands& commands) {
     while (commands.verdict == Verdict::kUnderWay && plant().tick() < time_limit &&
            !ready_.judge->fatal()) {
+      RequireTime();
       SensorFrame sensed = plant().Sense();
       if (!commands.take_images.empty() &&
           !link_.Send(plant().TakeImages(commands.take_images, commands.exposure_stops),
@@ -205,7 +224,7 @@ class Run {
     }
     row.outcome = conclusion.outcome;
     row.docked = record_.columns.IsSuccess(conclusion.outcome);
-    row.measures = std::move(conclusion.measures);
+    if (!IsLost(row.outcome)) row.measures = std::move(conclusion.measures);
     record_.failure_note = conclusion.note;
     row.state_hash = plant().FinalHash(hash_);
     if (!log_) return;
@@ -228,14 +247,21 @@ class Run {
   RunRecord record_;
   int sightings_ = 0, plans_ = 0;
   std::uint64_t hash_ = kHashSeed;
+  Deadline end_{};  // with a limit of wall time
 };
 
 }  // namespace
 
 void RequireAllowed(const Scenario& scenario, const RunOptions& options) {
-  if (scenario.command.empty() || options.allow_commands) return;
-  throw ConfigError(scenario.name +
-                    ": controller.command: it starts a program; allow it with --allow-commands");
+  if (scenario.command.empty() || options.recorded_dir) return;
+  if (!options.allow_commands) {
+    throw ConfigError(scenario.name +
+                      ": controller.command: it starts a program; allow it with --allow-commands");
+  }
+  HideMemory();
+  if (!options.sandbox) return;
+  RequireSandbox();
+  InSandbox(scenario.command, scenario.command_folder, options.results_dir);
 }
 
 std::uint64_t SeedOfProgram(std::uint64_t controller_seed, int run) {
@@ -244,6 +270,9 @@ std::uint64_t SeedOfProgram(std::uint64_t controller_seed, int run) {
 
 std::unique_ptr<Controller> MakeController(const System& system, const CampaignRun& run,
                                            const ReadyRun& ready, const RunOptions& options) {
+  if (options.recorded_dir) {
+    return std::make_unique<RecordedController>(*options.recorded_dir);
+  }
   const Scenario& scenario = run.scenario;
   RequireAllowed(scenario, options);
   if (scenario.script.kind != YamlNode::Kind::kNull) {
@@ -254,8 +283,14 @@ std::unique_ptr<Controller> MakeController(const System& system, const CampaignR
   if (scenario.command.empty()) {
     return system.RequireController(scenario.controller).make(ready.nominal);
   }
+  ProgramLimits limits{.answer_s = options.answer_limit_s};
+  if (options.run_limit_s > 0.0) {
+    limits.run_s = options.run_limit_s;
+    limits.run_end = DeadlineIn(limits.run_s);
+  }
   return std::make_unique<PipeController>(
-      scenario.command, scenario.command_folder,
+      options.sandbox ? InSandbox(scenario.command, scenario.command_folder, options.results_dir)
+                      : ProgramStart{scenario.command, scenario.command_folder, {}, {}},
       ControllerGreeting{.system = system.name,
                          .control_period = ready.control_period,
                          .motor_count = ready.motor_count,
@@ -264,7 +299,7 @@ std::unique_ptr<Controller> MakeController(const System& system, const CampaignR
                          .contact_count = ready.contact_count,
                          .seed = SeedOfProgram(scenario.controller_seed, run.run),
                          .nominal = ready.nominal},
-      options.answer_limit_s);
+      limits);
 }
 
 RunResult StartOfRow(const CampaignRun& run) {
@@ -280,7 +315,8 @@ RunResult StartOfRow(const CampaignRun& run) {
 RunRecord Simulate(const System& system, const CampaignRun& run, const RunOptions& options) {
   const double cpu = Clock(CLOCK_PROCESS_CPUTIME_ID), wall = Clock(CLOCK_MONOTONIC);
   RunRecord record = Run(system, run, options).Execute();
-  record.timing = {Clock(CLOCK_PROCESS_CPUTIME_ID) - cpu, Clock(CLOCK_MONOTONIC) - wall};
+  record.timing.cpu_time_s = Clock(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+  record.timing.wall_time_s = Clock(CLOCK_MONOTONIC) - wall;
   return record;
 }
 

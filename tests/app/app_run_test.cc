@@ -20,6 +20,7 @@
 #include "sim/log/result_row.h"
 #include "support/edited_log.h"
 #include "support/fake_runs.h"
+#include "support/source_tree.h"
 
 namespace dockyard {
 namespace {
@@ -80,7 +81,7 @@ TEST(ProgramRun, HasTheSameStateHashWhateverTheProcessorHas) {
 TEST(ProgramRun, FeelsAMastOnAFixedJoint) {
   const TemporaryFolder folder;
   const fs::path axel = folder.path() / "axel";
-  const fs::path models = fs::path(DOCKYARD_SOURCE_DIR) / "models";
+  const fs::path models = SourceFile("models");
   fs::copy(models / "axel", axel, fs::copy_options::recursive);
   const auto hash = [&] {
     const Ended ended =
@@ -232,7 +233,7 @@ TEST(ProgramCampaign, ReplaysElsewhereWithoutTheModelsThatItWasRunWith) {
   const fs::path home = folder.path() / "home", away = folder.path() / "away";
   for (const char* part : {"scenarios", "models"}) {
     fs::create_directories(home / part);
-    fs::copy(fs::path(DOCKYARD_SOURCE_DIR) / part, home / part, fs::copy_options::recursive);
+    fs::copy(SourceFile(part), home / part, fs::copy_options::recursive);
   }
   const std::string campaign = (home / "scenarios/ci_4.yaml").string();
   ASSERT_EQ(Dockyard("campaign " + campaign + " --quiet --set scenario.time_limit_s=3 --out " +

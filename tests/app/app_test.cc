@@ -6,6 +6,8 @@
 
 #include "app/program.h"
 #include "support/fake_runs.h"
+#include "support/program_path.h"
+#include "support/source_tree.h"
 
 namespace dockyard {
 namespace {
@@ -20,8 +22,8 @@ TEST(Program, OpensTheHelpOfEachCommandWithExamples) {
         "wheel", "plan", "camera", "detect", "pose", "accept", "compare", "columns"}) {
     const Ended ended = Dockyard(command + " --help");
     EXPECT_EQ(ended.code, 0) << command;
-    EXPECT_LT(ended.out.find("Examples:\n  " DOCKYARD_PROGRAM " "), 120u) << ended.out;
-    EXPECT_THAT(ended.out, HasSubstr("\n  " DOCKYARD_PROGRAM " " + command));
+    EXPECT_LT(ended.out.find("Examples:\n  " + ProgramPath() + " "), 120u) << ended.out;
+    EXPECT_THAT(ended.out, HasSubstr("\n  " + ProgramPath() + " " + command));
     EXPECT_EQ(ended.err, "") << command;
   }
 }
@@ -106,9 +108,9 @@ TEST(Program, ChecksAGoodFile) {
 TEST(Program, ChecksThatImagesOfAScenarioCanBeDrawn) {
   const TemporaryFolder folder;
   const fs::path wide = folder.path() / "wide.yaml";
-  std::string text = Slurp(fs::path(DOCKYARD_SOURCE_DIR) / "scenarios/axel_typical.yaml");
+  std::string text = Slurp(SourceFile("scenarios/axel_typical.yaml"));
   for (std::size_t at = 0; (at = text.find("../models", at)) != std::string::npos; at += 9) {
-    text.replace(at, 9, DOCKYARD_SOURCE_DIR "/models");
+    text.replace(at, 9, SourceFile("models"));
   }
   WriteText(wide, text + "camera: {width_px: 1200, height_px: 1400}\n");
   const Ended ended = Dockyard("check " + wide.string());

@@ -8,6 +8,7 @@
 
 #include "app/program.h"
 #include "support/fake_runs.h"
+#include "support/source_tree.h"
 
 namespace dockyard {
 namespace {
@@ -60,7 +61,7 @@ TEST(CameraCommand, GivesRaysThatProjectBackToTheirPixel) {
 
 TEST(CameraCommand, TakesOneJsonObjectWithoutAName) {
   const TemporaryFolder folder;
-  const Json all = Json::parse(Slurp(fs::path(DOCKYARD_SOURCE_DIR) / kMars));
+  const Json all = Json::parse(Slurp(SourceFile(kMars)));
   const fs::path one = folder.path() / "one.json";
   WriteText(one, all.at(2).dump());
   const Json answer = Answer("project " + one.string() + " 0 0 1");

@@ -86,8 +86,8 @@ TEST(CheckCommand, WarnsOfTheUrdfThatARobotOrAScenarioNames) {
                         "<parent link=\"body\"/><child link=\"rod\"/></joint></robot>"));
   const std::string scenario =
       folder.Write("scenarios/x.yaml", Slurp(SourceFile("scenarios/axel_typical.yaml")));
-  const std::string campaign = folder.Write(
-      "scenarios/c.yaml", "campaign: c\nscenario: x.yaml\nruns: [{run: 1}, {run: 2}]\n");
+  const std::string campaign =
+      folder.Write("scenarios/c.yaml", "campaign: c\nbase: x.yaml\nruns: [{run: 1}, {run: 2}]\n");
   for (const std::string& file :
        {(folder.path() / "models/axel/axel.yaml").string(), scenario, campaign}) {
     const Ended ended = Dockyard("check --json " + file);

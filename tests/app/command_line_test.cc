@@ -9,6 +9,7 @@
 #include "app/program.h"
 #include "sim/base/json.h"
 #include "support/fake_runs.h"
+#include "support/program_path.h"
 
 namespace dockyard {
 namespace {
@@ -32,7 +33,7 @@ TEST(Help, OfTheProgramFitsOneScreen) {
   const std::vector<std::string> lines = LinesOf(help.out);
   EXPECT_LE(lines.size(), 40u);
   for (const std::string& line : lines) {
-    const bool shows_call = line.find(DOCKYARD_PROGRAM) != line.npos;
+    const bool shows_call = line.find(ProgramPath()) != line.npos;
     EXPECT_TRUE(shows_call || line.size() <= 100u) << line;
   }
   for (const char* group : {"\nRun:\n", "\nResults:\n", "\nVision:\n", "\nTools:\n"}) {
@@ -48,7 +49,7 @@ TEST(Help, IsShortWithoutACommand) {
   EXPECT_EQ(none.code, 2);
   EXPECT_EQ(none.err, "");
   EXPECT_LE(LinesOf(none.out).size(), 10u);
-  EXPECT_THAT(none.out, HasSubstr("  " DOCKYARD_PROGRAM " help "));
+  EXPECT_THAT(none.out, HasSubstr("  " + ProgramPath() + " help "));
 }
 
 TEST(Help, OfACommandIsThatOfItsOption) {
@@ -56,7 +57,7 @@ TEST(Help, OfACommandIsThatOfItsOption) {
     const Ended help = Dockyard("help " + command);
     EXPECT_EQ(help.code, 0) << command << help.err;
     EXPECT_EQ(help.out, Dockyard(command + " --help").out) << command;
-    EXPECT_THAT(help.out, HasSubstr("Usage: " DOCKYARD_PROGRAM " " + command)) << command;
+    EXPECT_THAT(help.out, HasSubstr("Usage: " + ProgramPath() + " " + command)) << command;
   }
   const Ended slip = Dockyard("help camera projct");
   EXPECT_EQ(slip.code, 2);
@@ -101,21 +102,20 @@ TEST(DidYouMean, NamesTheCommandTheOptionAndTheFile) {
 }
 
 TEST(DidYouMean, LeadsToTheHelpWhereNothingIsNear) {
-  EXPECT_THAT(Dockyard("xyzzy").err, HasSubstr("; " DOCKYARD_PROGRAM " help lists them"));
+  EXPECT_THAT(Dockyard("xyzzy").err, HasSubstr("; " + ProgramPath() + " help lists them"));
   EXPECT_THAT(Dockyard("run x.yaml --quux").err,
-              HasSubstr("; " DOCKYARD_PROGRAM " help run lists"));
+              HasSubstr("; " + ProgramPath() + " help run lists"));
 }
 
 TEST(Program, SaysWhichOfScenarioAndCampaignAFileIs) {
   const Ended campaign = Dockyard("campaign scenarios/axel_typical.yaml");
   EXPECT_EQ(campaign.code, 3);
-  EXPECT_THAT(
-      campaign.err,
-      HasSubstr("expected a campaign, found one scenario; simulate it with: " DOCKYARD_PROGRAM
-                " run scenarios/axel_typical.yaml"));
+  EXPECT_THAT(campaign.err,
+              HasSubstr("expected a campaign, found one scenario; simulate it with: " +
+                        ProgramPath() + " run scenarios/axel_typical.yaml"));
   const Ended run = Dockyard("run scenarios/ci_4.yaml");
   EXPECT_EQ(run.code, 3);
-  EXPECT_THAT(run.err, HasSubstr("found a campaign; simulate it with: " DOCKYARD_PROGRAM
+  EXPECT_THAT(run.err, HasSubstr("found a campaign; simulate it with: " + ProgramPath() +
                                  " campaign scenarios/ci_4.yaml"));
 }
 
@@ -230,8 +230,8 @@ TEST(Completion, NamesEveryCommandForEachShell) {
 
 TEST(Man, HasAPageForEachCommandThatTroffTakes) {
   const TemporaryFolder folder;
-  const std::string make = "DOCKYARD='" DOCKYARD_PROGRAM "' '" + SourceFile("scripts/man") + "' '" +
-                           folder.path().string() + "' >/dev/null";
+  const std::string make = "DOCKYARD='" + ProgramPath() + "' '" + SourceFile("scripts/man") +
+                           "' '" + folder.path().string() + "' >/dev/null";
   ASSERT_EQ(std::system(make.c_str()), 0);
   for (const char* name :
        {"dockyard", "dockyard-run", "dockyard-camera-project", "dockyard-alpha"}) {
@@ -241,7 +241,7 @@ TEST(Man, HasAPageForEachCommandThatTroffTakes) {
     for (const char* section : {"\n.SH NAME\n", "\n.SH SYNOPSIS\n", "\n.SH EXAMPLES\n"}) {
       EXPECT_THAT(text, HasSubstr(section)) << name;
     }
-    EXPECT_THAT(text, Not(HasSubstr(DOCKYARD_PROGRAM))) << name;
+    EXPECT_THAT(text, Not(HasSubstr(ProgramPath()))) << name;
     const fs::path said = folder.path() / "said";
     // 127 where no groff is installed.
     const int status = std::system(

@@ -5,14 +5,15 @@
 #include <sstream>
 
 #include "app/program.h"
+#include "support/program_path.h"
 
 namespace dockyard {
 namespace {
 
 /// The help of the commands that the words name, and of all inside, with the program's short name.
 std::string AllHelp(const std::string& words) {
-  const std::string text = std::regex_replace(Dockyard(words + "--help").out,
-                                              std::regex(DOCKYARD_PROGRAM), "dockyard");
+  const std::string text =
+      std::regex_replace(Dockyard(words + "--help").out, std::regex(ProgramPath()), "dockyard");
   std::string all = text, line;
   const std::size_t inner = text.find("\nSubcommands:\n");
   std::istringstream lines(words.empty() ? text : inner == text.npos ? "" : text.substr(inner));
@@ -34,7 +35,7 @@ TEST(Help, HasNoLineLongerThan100Columns) {
   EXPECT_NE(all.find("--pitch-deg"), all.npos);
   std::istringstream lines(all);
   for (std::string line; std::getline(lines, line);) {
-    const bool shows_call = line.find(DOCKYARD_PROGRAM) != line.npos;
+    const bool shows_call = line.find(ProgramPath()) != line.npos;
     EXPECT_TRUE(shows_call || line.size() <= 100u) << line.size() << ": " << line;
   }
 }

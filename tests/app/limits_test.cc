@@ -6,6 +6,8 @@
 
 #include "app/program.h"
 #include "support/fake_runs.h"
+#include "support/program_path.h"
+#include "support/source_tree.h"
 
 namespace dockyard {
 namespace {
@@ -17,9 +19,8 @@ namespace fs = std::filesystem;
 Ended Under(const std::string& limit, const std::string& arguments) {
   const TemporaryFolder folder;
   const std::string err = (folder.path() / "err").string();
-  const std::string command = "cd '" DOCKYARD_SOURCE_DIR "' && ulimit " + limit +
-                              " && '" DOCKYARD_PROGRAM "' " + arguments + " >/dev/null 2>'" + err +
-                              "'";
+  const std::string command = "cd '" + SourceDir() + "' && ulimit " + limit + " && '" +
+                              ProgramPath() + "' " + arguments + " >/dev/null 2>'" + err + "'";
   const int status = std::system(("bash -c " + ("\"" + command + "\"")).c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), "", Slurp(err)};
 }

@@ -6,6 +6,7 @@
 #include "app/program.h"
 #include "sim/base/json.h"
 #include "support/fake_runs.h"
+#include "support/program_path.h"
 
 namespace dockyard {
 namespace {
@@ -73,9 +74,10 @@ TEST(Messages, LeadsToTheHelpOfASystemsOwnDetect) {
   EXPECT_EQ(unknown.code, 2);
   EXPECT_EQ(unknown.err,
             "error: detect, with a robot of the system raposa: unknown option "
-            "'--board'; " DOCKYARD_PROGRAM " detect --robot FILE --help lists the options\n");
+            "'--board'; " +
+                ProgramPath() + " detect --robot FILE --help lists the options\n");
   EXPECT_THAT(Dockyard(detect + "--draww x.png").err, EndsWith("did you mean '--draw'?\n"));
-  EXPECT_THAT(Dockyard("tune").err, HasSubstr("; " DOCKYARD_PROGRAM " help tune shows"));
+  EXPECT_THAT(Dockyard("tune").err, HasSubstr("; " + ProgramPath() + " help tune shows"));
 }
 
 }  // namespace

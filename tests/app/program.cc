@@ -6,13 +6,15 @@
 #include <cstdlib>
 
 #include "support/fake_runs.h"
+#include "support/program_path.h"
+#include "support/source_tree.h"
 
 namespace dockyard {
 namespace {
 
 std::string ShellCommand(const std::string& arguments, const std::string& out,
                          const std::string& err) {
-  return "cd '" DOCKYARD_SOURCE_DIR "' && exec '" DOCKYARD_PROGRAM "' " + arguments + " >'" + out +
+  return "cd '" + SourceDir() + "' && exec '" + ProgramPath() + "' " + arguments + " >'" + out +
          "' 2>'" + err + "'";
 }
 

@@ -35,7 +35,7 @@ set(rooms
   "sim/soil|stress of deformable soil on wheels with paddles, without Bullet|${models}|sim/(base|soil)/"
   "sim/physics|parts of any robot's world: drives, inertial unit, contacts, cables|${models}|sim/(base|soil|physics)/|bt|Bullet|LinearMath/"
   "sim/log|files of one run: log, history, result row|${contract}|sim/(base|mcap|images|log)/|nlohmann/"
-  "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|${os}"
+  "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|linux/|${os}"
   "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
   "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"
   "sim/run|one run in closed loop, for any system|${models}|render/|sim/(base|scenario|log|bridge|run)/|unistd.h"

@@ -80,7 +80,7 @@ std::uint64_t SeedFromKey(std::uint64_t key, std::string_view stream) {
   return Unmixed(Unmixed(key) ^ of_name) - 0x9e3779b97f4a7c15ull;
 }
 
-TEST(SealedSeed, HasNoWayBackFromItsStreams) {
+TEST(SealedSeed, DoesNotFollowFromItsStreams) {
   const std::uint64_t world = WorldSeed(1, 2, 3);
   EXPECT_EQ(SeedFromKey(StreamKey(world, "imu"), "imu"), world);  // a plain one has
   const Seed sealed = WorldSeed(Seed(1, NewSecret()), 2, 3);

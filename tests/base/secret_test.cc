@@ -7,8 +7,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "sim/base/files.h"
 
@@ -49,17 +51,27 @@ TEST(Secret, EachIsAnother) {
   EXPECT_EQ(texts.size(), 100u);
 }
 
-TEST_F(SecretFile, IsReadAsItWasMadeAndOnlyByItsOwner) {
-  const Secret made = MakeSecretFile(file_);
+TEST_F(SecretFile, IsMadeOnceAndOnlyForItsOwner) {
+  const Secret made = ReadOrMakeSecret(file_);
+  EXPECT_EQ(ReadOrMakeSecret(file_), made);
   EXPECT_EQ(ReadSecret(file_), made);
   struct stat about {};
   ASSERT_EQ(::stat(file_.c_str(), &about), 0);
   EXPECT_EQ(about.st_mode & 0777, 0600u);
 }
 
+TEST_F(SecretFile, IsTheSameForAllWhoMakeItAtOnce) {
+  std::vector<std::future<Secret>> made;
+  for (int i = 0; i < 8; ++i) {
+    made.push_back(std::async(std::launch::async, [&] { return ReadOrMakeSecret(file_); }));
+  }
+  const Secret kept = made.front().get();
+  for (std::size_t i = 1; i < made.size(); ++i) EXPECT_EQ(made[i].get(), kept);
+}
+
 TEST_F(SecretFile, IsNeverReplaced) {
   Write("mine");
-  EXPECT_THROW(MakeSecretFile(file_), IoError);
+  EXPECT_THROW(ReadOrMakeSecret(file_), std::invalid_argument);
   EXPECT_EQ(*ReadWhole(file_), "mine");
 }
 

@@ -7,6 +7,7 @@
 #include "axel/sim/scenarios.h"
 #include "axel/twin/mujoco_twin.h"
 #include "sim/axel/build_run.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
@@ -14,8 +15,7 @@ namespace {
 using MotorCommands = std::array<MotorCommand, kMotorCount>;
 
 WorldSetup Setup(const std::string& soil, const std::vector<std::string>& more) {
-  const std::string root = DOCKYARD_SOURCE_DIR;
-  std::vector<std::string> changes = {"soil=" + root + "/models/soils/" + soil};
+  std::vector<std::string> changes = {"soil=" + SourceFile("models/soils/" + soil)};
   changes.insert(changes.end(), more.begin(), more.end());
   return Build(TypicalScenario(changes)).world;
 }
@@ -126,8 +126,7 @@ double RestingStepsPerSecond(const std::string& soil) {
 }
 
 double SetUpSeconds(const std::string& soil) {
-  const std::string root = DOCKYARD_SOURCE_DIR;
-  const Scenario scenario = TypicalScenario({"soil=" + root + "/models/soils/" + soil});
+  const Scenario scenario = TypicalScenario({"soil=" + SourceFile("models/soils/" + soil)});
   const AxelModels models = LoadModels(scenario);
   constexpr int kRounds = 10;
   const double start = CpuSeconds();

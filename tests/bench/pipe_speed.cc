@@ -49,7 +49,7 @@ PipeSpeed TimePipe(const char* program, int width, int height) {
   greeting.motor_count = kMotors;
   greeting.camera_count = 2;
   greeting.nominal = Json::object();
-  PipeController controller({program, "peer"}, ".", greeting, 10.0);
+  PipeController controller({{program, "peer"}, ".", {}, {}}, greeting, {});
   SensorFrame frame;
   frame.motors.resize(kMotors);
   PipeSpeed speed;

@@ -102,7 +102,7 @@ class Colour : public testing::Test {
     run.scenario.system = "colour";
     run.scenario.controller = command.empty() ? "own" : "command";
     run.scenario.command = command;
-    run.scenario.command_folder = DOCKYARD_SOURCE_DIR "/tests/bridge";
+    run.scenario.command_folder = SourceFile("tests/bridge");
     return Simulate(system_, run, {.log_dir = log_dir, .labels = {}, .allow_commands = true});
   }
   const System system_ = ColourSystem();

@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include "app/program.h"
 #include "sim/base/json.h"
+#include "sim/base/shell_word.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -15,8 +17,8 @@ namespace fs = std::filesystem;
 const std::string kScenario = "tests/toy/scenario.yaml --set start.r_m=1 ";
 
 std::string Command(const std::string& words) {
-  return "--set 'controller={command: [" + words +
-         "], folder: " DOCKYARD_SOURCE_DIR "/tests/bridge}' ";
+  return "--set 'controller={command: [" + words + "], folder: " + SourceFile("tests/bridge") +
+         "}' ";
 }
 
 Json RunWith(const std::string& words, const std::string& more = "") {
@@ -41,6 +43,15 @@ TEST(CommandController, OfAnotherProtocolIsRefused) {
   const Json run = RunWith("python3, counting.py, first_protocol");
   EXPECT_EQ(run["outcome"], "controller_error");
   EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("it speaks protocol 1, expected 3"));
+}
+
+TEST(CommandController, HelloOfAnyShapeIsAnOutcome) {
+  for (const char* hello :
+       {"deep_list", "deep_object", "real_protocol", "large_protocol", "text_protocol", "listed"}) {
+    const Json run = RunWith(std::string("python3, counting.py, ") + hello);
+    EXPECT_EQ(run["outcome"], "controller_error") << hello;
+    EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("a bad hello: ")) << hello;
+  }
 }
 
 TEST(CommandController, ExposureMustBeOneThatCamerasHave) {
@@ -72,7 +83,7 @@ TEST(CommandController, ThatNeverSaidHelloReplaysAsTheSameFailure) {
 
 /// A folder with a table and a sweep of the toy whose controller is the given program.
 void WriteCommandFiles(const fs::path& folder, const std::string& words) {
-  const std::string base = "base: " DOCKYARD_SOURCE_DIR "/tests/toy/scenario.yaml\n";
+  const std::string base = "base: " + SourceFile("tests/toy/scenario.yaml") + "\n";
   const std::string command = "controller: {command: [" + words + "], folder: .}";
   WriteText(folder / "campaign.yaml", "campaign: c\nseed: 1\n" + base + "scenario: {" + command +
                                           "}\nruns: [{run: 1, start.r_m: 1}]\n");
@@ -141,6 +152,36 @@ TEST(CommandController, ThatHangsIsEndedAtTheAnswersLimit) {
             "controller_timeout");
 }
 
+TEST(CommandController, IsStoppedAtTheRunsLimit) {
+  const std::string run = "run " + kScenario + Command("python3, counting.py, hang") +
+                          "--allow-commands --answer-limit 60 --json --run-limit ";
+  const Ended ended = Dockyard(run + "1");
+  EXPECT_EQ(ended.code, 10) << ended.err;
+  const Json json = Json::parse(ended.out, nullptr, false);
+  EXPECT_EQ(json["outcome"], "stopped");
+  EXPECT_THAT(json["failure_note"].get<std::string>(), HasSubstr("more than 1 s of wall time"));
+  EXPECT_GE(json["controller_wall_s"].get<double>(), 0.9);
+  EXPECT_GT(json["controller_cpu_s"].get<double>(), 0.0);
+}
+
+TEST(CommandController, TimesItsProgramFromItsStart) {
+  const Json run = RunWith("sh, -c, \"sleep 0.3; exec python3 counting.py\"");
+  EXPECT_EQ(run["outcome"], "at_flag");
+  EXPECT_GE(run["controller_wall_s"].get<double>(), 0.3);
+  EXPECT_FALSE(
+      Json::parse(Dockyard("run " + kScenario + "--json").out).contains("controller_wall_s"));
+}
+
+TEST(CommandController, LogsOfItsPhaseTheBeginning) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "run").string();
+  RunWith("python3, counting.py, long_phase", "--out " + out);
+  const std::string history = Slurp(folder.path() / "run" / "history.csv");
+  std::string most;
+  for (int i = 0; i < 100; ++i) most += "\u00e9";
+  EXPECT_THAT(history, HasSubstr("," + most + " ...,"));
+}
+
 TEST(CommandController, ThatAnswersNonsenseIsAnError) {
   EXPECT_EQ(RunWith("echo, hello world")["outcome"], "controller_error");
   EXPECT_EQ(RunWith("python3, counting.py, motors")["outcome"], "controller_error");
@@ -168,11 +209,24 @@ TEST(CommandController, CostsOneRunOfACampaign) {
   const Ended end =
       Dockyard("campaign tests/toy/campaign.yaml --quiet --allow-commands --out " + out +
                " --set 'scenario={controller: {command: [python3, counting.py, crash], "
-               "folder: " DOCKYARD_SOURCE_DIR "/tests/bridge}}'");
+               "folder: " +
+               SourceFile("tests/bridge") + "}}'");
   EXPECT_EQ(end.code, 0) << end.err;
   EXPECT_THAT(end.out, HasSubstr("controller_crashed"));
   EXPECT_THAT(Slurp(folder.path() / "runs" / "001" / "messages.txt"),
               HasSubstr("the wheel fell off"));
+}
+
+/// The data of a report's page, which are compressed in it.
+std::string DataOf(const std::string& page) {
+  const std::string text = page + ".txt";
+  const std::string unpack =
+      "import base64, gzip, re, sys; page = open(sys.argv[1]).read(); "
+      "data = re.search('id=\"data\">([^<]*)<', page).group(1); "
+      "open(sys.argv[2], 'wb').write(gzip.decompress(base64.b64decode(data)))";
+  const std::string command = "python3 -c " + ShellWord(unpack) + " " + page + " " + text;
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return Slurp(text);
 }
 
 TEST(CommandController, IsReplayedWithTheLimitOfItsAnswers) {
@@ -190,7 +244,7 @@ TEST(CommandController, IsReplayedWithTheLimitOfItsAnswers) {
   EXPECT_THAT(Dockyard("merge " + out).out, Ends(out, 1));
   const std::string page = in + "/page.html", single = in + "/run";
   RunWith("python3, counting.py", "--answer-limit 20 --out " + single + " --report=" + page);
-  EXPECT_THAT(Slurp(page), HasSubstr(" replay " + single + " --allow-commands --answer-limit 20"));
+  EXPECT_THAT(DataOf(page), HasSubstr(" replay " + single + " --allow-commands --answer-limit 20"));
 }
 
 TEST(CommandController, OfACampaignCanBeTerminated) {

@@ -22,7 +22,8 @@ class Counting:
             self.misbehave()
         there = gone_m >= self.way_m
         motor = Motor(BRAKE if there else VELOCITY, self.speed_m_s / 0.1)
-        belief = {"phase": "drive", "x_m": self.way_m - gone_m, "y_m": 0.0, "heading_rad": 3.14159}
+        phase = "\u00e9" * 100000 if self.fault == "long_phase" else "drive"
+        belief = {"phase": phase, "x_m": self.way_m - gone_m, "y_m": 0.0, "heading_rad": 3.14159}
         motors = [motor] if self.fault != "motors" else [motor, motor]
         stops = {"nan_stops": float("nan"), "far_stops": 7.0, "stops": -2.0}.get(self.fault, 0.0)
         verdict = DOCKED if there else UNDER_WAY
@@ -48,6 +49,16 @@ class Counting:
             self.speed_m_s = float("nan")
 
 
+HELLOS = {
+    "deep_list": '{"protocol": ' + "[" * 300_000 + "]" * 300_000 + "}",
+    "deep_object": '{"protocol":' * 60_000 + "3" + "}" * 60_000,
+    "real_protocol": '{"protocol": 3.5}',
+    "large_protocol": '{"protocol": 1e999}',
+    "text_protocol": '{"protocol": "3"}',
+    "listed": "[3]",
+}
+if sys.argv[1:] and sys.argv[1] in HELLOS:
+    dockyard_client.json.dumps = lambda value: HELLOS[sys.argv[1]]
 if sys.argv[1:] == ["first_protocol"]:
     dockyard_client.json.dumps = lambda value: '{"protocol": 1}'
 serve(Counting)

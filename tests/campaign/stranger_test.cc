@@ -134,15 +134,14 @@ TEST_F(Stranger, RemovesLinksButNotTheirTargets) {
 /// A row as the run's own, but for one part.
 class ForgedRow : public Stranger {
  protected:
-  std::string RefusalOf(const std::function<void(RunResult&)>& forge,
-                        RowCheck::Known known = RowCheck::Known::kAll) {
+  std::string RefusalOf(const std::function<void(RunResult&)>& forge) {
     FinishedRun run;
     run.result = FakeResults(2).results[1];
     forge(run.result);
     fs::remove_all(out_);
     const RowColumns columns = FakeColumns();
     ShardWriter(ShardFile(out_, Shard{}), {{"shard", "x"}}, columns).Append(run);
-    return Refusal([&] { ReadShards(out_, RowCheck(campaign_, known), FakeColumns()); });
+    return Refusal([&] { ReadShards(out_, RowCheck(campaign_), FakeColumns()); });
   }
 };
 
@@ -161,11 +160,11 @@ TEST_F(ForgedRow, WithAnotherSeedOrLabelIsRefused) {
 }
 
 TEST_F(ForgedRow, OfASealedCampaignIsCheckedByWhatIsKnownWithoutTheSecret) {
-  const auto known = RowCheck::Known::kAllButDraws;
-  EXPECT_EQ(RefusalOf([](RunResult& row) { ++row.seed; }, known), "none");
-  EXPECT_THAT(RefusalOf([](RunResult& row) { row.labels[0] = "wet"; }, known),
+  campaign_.sealed_sha256 = "of a secret that is not known";
+  EXPECT_EQ(RefusalOf([](RunResult& row) { ++row.seed; }), "none");
+  EXPECT_THAT(RefusalOf([](RunResult& row) { row.labels[0] = "wet"; }),
               HasSubstr("its labels"));
-  EXPECT_THAT(RefusalOf([](RunResult& row) { row.run = 99; }, known), HasSubstr("no run"));
+  EXPECT_THAT(RefusalOf([](RunResult& row) { row.run = 99; }), HasSubstr("no run"));
 }
 
 TEST(Merges, AtOnceAllEndWithTheSameTables) {
@@ -177,7 +176,7 @@ TEST(Merges, AtOnceAllEndWithTheSameTables) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     rows.Append({runs.results[i], runs.timings[i], runs.notes[i]});
   }
-  WriteText(folder.path() / "manifest.json", "{}");
+  WriteText(folder.path() / "manifest.json", R"({"format": 1})");
   MergeShards(folder.path(), campaign, FakeColumns());
   const std::string database = Slurp(folder.path() / "results.sqlite");
   std::vector<pid_t> programs;

@@ -31,7 +31,7 @@ struct LoggedRun {
       KnownSystems(systems));
   const System& system = FindSystem(systems, scenario.system);
   ReadyRun ready = system.make_ready(scenario);
-  RunOptions options{.log_dir = {}, .labels = {}};
+  RunOptions options{.log_dir = {}, .labels = {}, .results_dir = {}};
 
   /// The log of `count` calls of the controller, every tenth period, so that a short log comes past
   /// the first images.
@@ -134,8 +134,9 @@ FuzzKind ResultsKind() {
 FuzzKind RowsKind() {
   const auto folder = std::make_shared<ScratchFolder>();
   const FinishedRuns runs = FakeResults(6);
-  std::string lines =
-      "{\"shard\": \"1-of-1\"}\n" + CsvHeader(FakeColumns()) + ",cpu_time_s,wall_time_s,note\n";
+  std::string lines = "{\"shard\": \"1-of-1\"}\n" + CsvHeader(FakeColumns()) +
+                      ",cpu_time_s,wall_time_s,controller_cpu_s,"
+                      "controller_wall_s,note\n";
   for (std::size_t i = 0; i < runs.size(); ++i) {
     lines += ShardRow({runs.results[i], runs.timings[i], runs.notes[i]}, FakeColumns()) + "\n";
   }

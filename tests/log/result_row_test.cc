@@ -34,6 +34,13 @@ RunResult CrashedRow() {
   return row;
 }
 
+std::vector<std::string> ColumnsThatDiffer(const RunResult& a, const RunResult& b,
+                                           const RowColumns& columns) {
+  std::vector<std::string> names;
+  for (const DifferingCell& cell : DifferingCells(a, b, columns)) names.push_back(cell.column);
+  return names;
+}
+
 TEST(ResultRow, HasTheHeadThenLabelsThenOutcomeThenMeasuresByName) {
   EXPECT_EQ(CsvHeader(FakeColumns()),
             "run,seed,system,controller,soil,start.r_m,docked,outcome,sim_time_s,images,depth_m,"
@@ -45,7 +52,7 @@ TEST(ResultRow, ReadsBackToTheSameBits) {
   const RunResult row = SomeRow();
   const auto back = RowFromCsv(CsvRow(row, columns), columns);
   ASSERT_TRUE(back.has_value());
-  EXPECT_THAT(DifferingColumns(row, *back, columns), IsEmpty());
+  EXPECT_THAT(ColumnsThatDiffer(row, *back, columns), IsEmpty());
   EXPECT_EQ(back->labels, row.labels);
   EXPECT_TRUE(std::signbit(back->measures[0]));
   EXPECT_EQ(back->measures[1], 0.1 + 0.2);
@@ -74,7 +81,7 @@ TEST(ResultRow, WithoutLabelsAndMeasuresIsItsHeadAlone) {
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(CsvHeader(columns),
             "run,seed,system,controller,docked,outcome,sim_time_s,images,state_hash");
-  EXPECT_THAT(DifferingColumns(row, *back, columns), IsEmpty());
+  EXPECT_THAT(ColumnsThatDiffer(row, *back, columns), IsEmpty());
 }
 
 TEST(ResultRow, TellsWhichColumnsDiffer) {
@@ -83,10 +90,13 @@ TEST(ResultRow, TellsWhichColumnsDiffer) {
   other.state_hash ^= 1;
   other.labels[1] = "2.50";
   other.measures[1] = std::nextafter(row.measures[1], 1.0);
-  EXPECT_THAT(DifferingColumns(row, other, FakeColumns()),
+  EXPECT_THAT(ColumnsThatDiffer(row, other, FakeColumns()),
               ElementsAre("start.r_m", "force_peak_n", "state_hash"));
-  EXPECT_THAT(DifferingColumns(row, CrashedRow(), FakeColumns()),
+  EXPECT_THAT(ColumnsThatDiffer(row, CrashedRow(), FakeColumns()),
               ElementsAre("docked", "outcome", "depth_m", "force_peak_n", "yaw_error_deg"));
+  const DifferingCell cell = DifferingCells(row, other, FakeColumns()).front();
+  EXPECT_EQ(cell.was, "2.5");
+  EXPECT_EQ(cell.is, "2.50");
 }
 
 TEST(ResultRow, RefusesALineThatIsNotOneWholeRow) {

@@ -53,7 +53,8 @@ TEST(ResultFiles, HaveALineForEachRunsTimes) {
   const TemporaryFolder folder;
   WriteTimingCsv(folder.path() / "timing.csv", FakeResults(2));
   EXPECT_EQ(Slurp(folder.path() / "timing.csv"),
-            "run,cpu_time_s,wall_time_s\n1,1.5,2.5\n2,1.5,2.5\n");
+            "run,cpu_time_s,wall_time_s,controller_cpu_s,controller_wall_s\n"
+            "1,1.5,2.5,0.5,0.75\n2,1.5,2.5,0.5,0.75\n");
 }
 
 TEST(ResultFiles, LeaveOutALastLineThatWasCutOff) {

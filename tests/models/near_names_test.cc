@@ -82,7 +82,7 @@ TEST(OtherKind, IsNamedWhereAKeyOrALinkIsOfNoSuchThing) {
 
 TEST(OtherKind, IsNamedForARobotsFileInPlaceOfAGround) {
   try {
-    LoadSoil(DOCKYARD_SOURCE_DIR "/models/axel/axel.yaml");
+    LoadSoil(SourceFile("models/axel/axel.yaml"));
     FAIL() << "read as a ground";
   } catch (const ConfigError& error) {
     EXPECT_THAT(error.what(), HasSubstr("a ground of another kind needs a system of its own"));

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "render/scene_samples.h"
+#include "support/program_path.h"
 
 namespace dockyard {
 namespace {
@@ -16,8 +17,7 @@ const StereoRig kRig = SampleRig(320, 240);
 
 // The thread count is read once a process, hence processes of their own.
 std::string HashWithThreads(const char* count) {
-  const std::string command =
-      std::string("LP_NUM_THREADS=") + count + " '" + DOCKYARD_RENDER_HASH + "'";
+  const std::string command = std::string("LP_NUM_THREADS=") + count + " '" + ProgramPath() + "'";
   FILE* pipe = popen(command.c_str(), "r");
   if (!pipe) return "";
   std::array<char, 64> line{};

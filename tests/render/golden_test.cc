@@ -5,12 +5,13 @@
 #include <filesystem>
 
 #include "render/golden_views.h"
+#include "support/source_tree.h"
 
 namespace dockyard {
 namespace {
 
 GrayImage Kept(const GoldenView& view) {
-  return ReadPng(std::string(DOCKYARD_SOURCE_DIR) + "/tests/render/golden/" + view.name + ".png");
+  return ReadPng(SourceFile("tests/render/golden/") + view.name + ".png");
 }
 
 ImageDifference FromKept(const GoldenView& view, const GrayImage& drawn) {
@@ -64,8 +65,7 @@ TEST(GoldenShadow, ATurnOfTheSunByTwoDegreesIsSeen) {
 
 TEST(GoldenImages, AreAllInUse) {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(DOCKYARD_SOURCE_DIR) +
-                                                               "/tests/render/golden")) {
+  for (const auto& entry : std::filesystem::directory_iterator(SourceFile("tests/render/golden"))) {
     files += entry.path().extension() == ".png";
   }
   EXPECT_EQ(files, static_cast<int>(GoldenViews().size()));

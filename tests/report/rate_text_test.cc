@@ -13,6 +13,15 @@ TEST(BriefRate, SaysHowSureItIs) {
   EXPECT_EQ(BriefRate(0, 0), "docked 0/0");
 }
 
+TEST(ChanceText, WritesNoZero) {
+  EXPECT_EQ(PText(0.0703125), "p = 0.0703");
+  EXPECT_EQ(PText(0.0001), "p = 0.0001");
+  EXPECT_EQ(PText(9.9e-5), "p < 0.0001");
+  EXPECT_EQ(PText(0.0), "p < 0.0001");
+  EXPECT_EQ(ChanceText(1.0), "1.0000");
+  EXPECT_EQ(ChanceText(std::nan("")), "nan");
+}
+
 TEST(BriefNumber, HasFourFigures) {
   EXPECT_EQ(BriefNumber(0.210349), "0.2103");
   EXPECT_EQ(BriefNumber(-12.0), "-12");

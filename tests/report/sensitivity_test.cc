@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/base/random.h"
@@ -169,7 +170,7 @@ TEST(Sensitivity, SaysThatItCannotTellWhereAllRunsDock) {
   EXPECT_FALSE(std::isnan(found[0].measures[kDepth].draws[0].eta));
   EXPECT_THAT(SensitivityText(found), HasSubstr("docked does not vary"));
   EXPECT_THAT(SensitivityPlot("all", found), IsEmpty());
-  EXPECT_THAT(SensitivityCsv(found), HasSubstr("\n,docked,start.r_m,numbers,100,,,,,,,,\n"));
+  EXPECT_THAT(SensitivityCsv(found), HasSubstr("\n,docked,start.r_m,numbers,100,,,,,,,,,\n"));
 }
 
 TEST(Sensitivity, TakesAnyNumberOfRuns) {
@@ -183,6 +184,33 @@ TEST(Sensitivity, TakesAnyNumberOfRuns) {
   }
   EXPECT_THAT(FindSensitivity(Drawn(), Columns(), {}), IsEmpty());
   EXPECT_THAT(FindSensitivity(Campaign{}, Columns(), RowsOf(5)), IsEmpty());
+}
+
+TEST(Sensitivity, ListsNothingBelowFiveRunsADraw) {
+  const auto few = FindSensitivity(Drawn(), Columns(), RowsOf(19));
+  EXPECT_THAT(SensitivityText(few), HasSubstr("warning: no list: 19 runs for 4 draws"));
+  EXPECT_THAT(SensitivityText(few), Not(HasSubstr("eta")));
+  EXPECT_THAT(SensitivityCsv(few), Not(HasSubstr("start.r_m")));
+  EXPECT_THAT(SensitivityPlot("few", few), IsEmpty());
+  const auto enough = FindSensitivity(Drawn(), Columns(), RowsOf(20));
+  EXPECT_THAT(SensitivityText(enough), HasSubstr("p (Holm)"));
+  EXPECT_THAT(SensitivityText(enough), Not(HasSubstr("warning")));
+}
+
+// Holm's method by hand, on the raw p of the same list.
+TEST(Sensitivity, AdjustsItsChancesForTheNumberOfDraws) {
+  const auto found = FindSensitivity(Drawn(), Columns(), RowsOf(100))[0];
+  std::vector<std::pair<double, double>> chances;
+  for (const DrawEffect& draw : found.measures[kDocked].draws) {
+    chances.push_back({draw.p_value, draw.holm_p});
+  }
+  std::sort(chances.begin(), chances.end());
+  double least = 0.0;
+  for (std::size_t i = 0; i < chances.size(); ++i) {
+    least = std::max(least, std::min(1.0, static_cast<double>(4 - i) * chances[i].first));
+    EXPECT_NEAR(chances[i].second, least, 1e-15);
+  }
+  EXPECT_THAT(SensitivityCsv({found}), HasSubstr("eta_p,eta_p_holm,"));
 }
 
 TEST(Sensitivity, ShowsTheStrongestDrawsFirst) {

@@ -107,6 +107,21 @@ TEST(UntilAccepted, DecidesTheSameWhateverTheOrderInWhichRunsEnd) {
   }
 }
 
+TEST(UntilAccepted, KnowsHowManyRunsDecided) {
+  const SequentialPlan plan = PlanSequential(kAims);
+  EXPECT_EQ(DecidedRuns(SequentialJson(plan, {}).dump()), 0);
+  const SequentialEnd end = FollowRuns(plan, std::vector<bool>(200, false));
+  const std::string text = SequentialJson(plan, end).dump();
+  EXPECT_EQ(DecidedRuns(text), end.trials);
+  EXPECT_EQ(DecidedRuns(WentOnText(text)), 0);
+  EXPECT_TRUE(HasTheseAims(WentOnText(text), kAims));
+  for (const char* damaged :
+       {"", "[]", "{}", R"({"verdict": 3, "trials": 4})",
+        R"({"verdict": "accepted", "trials": -1})", R"({"verdict": "accepted", "trials": 1e99})"}) {
+    EXPECT_EQ(DecidedRuns(damaged), 0) << damaged;
+  }
+}
+
 TEST(UntilAccepted, KnowsTheAimsThatAFolderWasBegunWith) {
   const std::string kept = SequentialJson(PlanSequential(kAims), {}).dump(2);
   EXPECT_TRUE(HasTheseAims(kept, kAims));

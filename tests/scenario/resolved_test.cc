@@ -108,6 +108,7 @@ TEST_F(Resolved, OtherValuesCoverEveryKeyOfAScenario) {
   here.insert(here.begin() + 1, "system");
   here.insert(here.begin() + 25, "controller.command");
   here.insert(here.begin() + 26, "controller.folder");
+  here.insert(here.begin() + 27, "controller.seed");
   here.back() = "<system>";
   EXPECT_EQ(here, known);
 }

@@ -10,6 +10,7 @@
 #include "controller/geometry/pose.h"
 #include "sim/soil/wheel_data.h"
 #include "soil/rig.h"
+#include "support/source_tree.h"
 
 namespace dockyard::soil_test {
 namespace {
@@ -19,7 +20,7 @@ struct Errors {
 };
 
 Errors Compare(const char* file, const char* name, const WheelModel& wheel, const SoilModel& soil) {
-  const std::string path = std::string(SOIL_DATA) + "/" + file;
+  const std::string path = SourceFile("tests/soil/data/") + file;
   const std::vector<MeasuredRow> rows = LoadMeasuredRows(path, name);
   Errors sum;
   SingleWheelSetup setup;
@@ -80,7 +81,7 @@ struct PlateRow {
 };
 
 std::vector<PlateRow> Plates() {
-  std::ifstream file(std::string(SOIL_DATA) + "/plates_90.csv");
+  std::ifstream file(SourceFile("tests/soil/data/plates_90.csv"));
   std::vector<PlateRow> rows;
   for (std::string line; std::getline(file, line);) {
     if (!line.starts_with("plate,")) continue;

@@ -4,15 +4,16 @@
 
 #include "models/read/load_soil.h"
 #include "models/read/load_wheel.h"
+#include "support/source_tree.h"
 
 namespace dockyard::soil_test {
 
 SoilModel Soil(const std::string& name) {
-  return LoadSoil(DOCKYARD_SOURCE_DIR "/models/soils/" + name + ".yaml");
+  return LoadSoil(SourceFile("models/soils/" + name + ".yaml"));
 }
 
 WheelModel Wheel(const std::string& name) {
-  return LoadWheel(DOCKYARD_SOURCE_DIR "/models/wheels/" + name + ".yaml").wheel;
+  return LoadWheel(SourceFile("models/wheels/" + name + ".yaml")).wheel;
 }
 
 double PlateModulus(const SoilModel& soil, double width_m) {

@@ -16,6 +16,7 @@
 
 #include "controller/geometry/pose.h"
 #include "soil/rig.h"
+#include "support/source_tree.h"
 
 namespace dockyard::soil_test {
 namespace {
@@ -60,7 +61,7 @@ const SingleWheelResult& Trial::model() const {
 }
 
 std::vector<Trial> ReadTrials(const std::string& name = "single_wheel.csv") {
-  std::ifstream file(std::string(SOIL_DATA) + "/" + name);
+  std::ifstream file(SourceFile("tests/soil/data/" + name));
   std::vector<Trial> trials;
   std::string line;
   int core_rows = 0;

@@ -37,10 +37,6 @@ void ScratchFolder::CopyModel(const std::string& model) const {
   fs::copy(SourceFile("models/" + model), path_ / "models" / model, fs::copy_options::recursive);
 }
 
-std::string SourceFile(const std::string& name) {
-  return std::string(DOCKYARD_SOURCE_DIR) + "/" + name;
-}
-
 std::string Slurp(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw std::runtime_error("cannot open " + file.string());

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "models/read/config_error.h"
+#include "support/source_tree.h"
 
 namespace dockyard {
 
@@ -27,7 +28,6 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-std::string SourceFile(const std::string& name);
 std::string Slurp(const std::filesystem::path& file);
 /// The text with the first occurrence of `from`, which must be there, replaced.
 std::string Replaced(std::string text, const std::string& from, const std::string& to);

@@ -70,7 +70,7 @@ RunRecord FakeRecord(const CampaignRun& run) {
   row.images = 14;
   row.measures = {draw.Normal() / 3.0, 0.1 + 0.2, draw.Normal()};  // 0.3...: no short decimal form
   row.state_hash = draw.NextBits();
-  record.timing = {1.5, 2.5};
+  record.timing = {1.5, 2.5, 0.5, 0.75};
   record.failure_note = row.docked ? "" : "it passed the flag on the left";
   for (int i = 0; i < 200; ++i) {
     HistorySample sample;

@@ -1,4 +1,4 @@
-// `dockyard submit` beside stand-ins for Slurm's commands. scripts/test-slurm has the real ones.
+// `dockyard submit` with fakes of Slurm's commands. scripts/test-slurm has the real ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ class Submit : public testing::Test {
     ::setenv("PATH", (bin_.string() + (alone ? "" : ":" + path_)).c_str(), 1);
   }
   /// A Slurm of one node without a queue: a job is done when sbatch ends.
-  void StandInForSlurm() {
+  void FakeSlurm() {
     Command("sbatch", R"(script=${*: -1}
 echo "$*" >>)" + (folder_.path() / "asked").string() +
                           R"(
@@ -56,7 +56,7 @@ exit 0
 };
 
 TEST_F(Submit, GivesTheResultsOfOneProgram) {
-  StandInForSlurm();
+  FakeSlurm();
   const Ended end = Run("--set design.runs=4 --shards 5 --time 10");
   EXPECT_EQ(end.code, 0) << end.err;
   EXPECT_THAT(end.out, HasSubstr("tasks: job 7, 5 of them; merge: job 7\n"));
@@ -74,7 +74,7 @@ TEST_F(Submit, GivesTheResultsOfOneProgram) {
 }
 
 TEST_F(Submit, KeepsTheRunsThatItTimes) {
-  StandInForSlurm();
+  FakeSlurm();
   Command("sbatch", "echo 7");
   const Ended end = Run("");
   EXPECT_EQ(end.code, 0) << end.err;
@@ -87,7 +87,7 @@ TEST_F(Submit, KeepsTheRunsThatItTimes) {
 }
 
 TEST_F(Submit, DividesByTheTimeOfARunAndWhatSlurmTakes) {
-  StandInForSlurm();
+  FakeSlurm();
   // 9 runs of 10 minutes are three half hours; of 2 hours they are more tasks than the 5 of Slurm.
   EXPECT_THAT(Run("--seconds-per-run 600 --dry-run").out, HasSubstr("#SBATCH --array=1-3\n"));
   EXPECT_THAT(Run("--seconds-per-run 7200 --dry-run").out, HasSubstr("#SBATCH --array=1-5\n"));
@@ -99,7 +99,7 @@ TEST_F(Submit, DividesByTheTimeOfARunAndWhatSlurmTakes) {
 }
 
 TEST_F(Submit, PrintsTheScriptsAndLeavesNothingInADryRun) {
-  StandInForSlurm();
+  FakeSlurm();
   const Ended dry = Run("--dry-run");
   EXPECT_EQ(dry.code, 0) << dry.err;
   EXPECT_THAT(dry.out, HasSubstr("#SBATCH --array=1-1\n"));
@@ -109,7 +109,7 @@ TEST_F(Submit, PrintsTheScriptsAndLeavesNothingInADryRun) {
 }
 
 TEST_F(Submit, SaysInJsonWhatItWouldSubmit) {
-  StandInForSlurm();
+  FakeSlurm();
   const std::string words = "--shards 4 --time 10 --dry-run";
   const Ended text = Run(words), json = Run(words + " --json");
   ASSERT_EQ(json.code, 0) << json.err;
@@ -134,7 +134,7 @@ TEST_F(Submit, SaysInJsonWhatItWouldSubmit) {
 }
 
 TEST_F(Submit, SaysInJsonWhatItSubmitted) {
-  StandInForSlurm();
+  FakeSlurm();
   Command("sbatch", "echo 7");
   const Ended json = Run("--shards 3 --time 10 --json"), text = Run("--shards 3 --time 10");
   ASSERT_EQ(json.code, 0) << json.err;
@@ -151,7 +151,7 @@ TEST_F(Submit, SaysInJsonWhatItSubmitted) {
 }
 
 TEST_F(Submit, TellsARefusalAsJson) {
-  StandInForSlurm();
+  FakeSlurm();
   Command("sbatch", "exit 1");
   const Ended refused = Run("--shards 3 --time 10 --json");
   EXPECT_EQ(refused.code, 50);
@@ -177,7 +177,7 @@ TEST_F(Submit, SaysWhatSlurmRefused) {
 }
 
 TEST_F(Submit, FindsEveryMistakeBefore) {
-  StandInForSlurm();
+  FakeSlurm();
   EXPECT_EQ(Run("--set start.r_m=far").code, 3);
   for (const char* words : {"--shards 0", "--shards 10", "--mem lots", "--time soon", "--slurm=-A",
                             "--partition 'a\\b'", "--cpus-per-task 0"}) {

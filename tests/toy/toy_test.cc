@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -12,6 +13,7 @@
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "support/fake_runs.h"
+#include "support/program_path.h"
 
 namespace dockyard {
 namespace {
@@ -249,6 +251,90 @@ TEST_F(Toy, IsJudgedAndItsArmsAreCompared) {
   EXPECT_EQ(Dockyard("compare " + dir_.string() + " slow quick").code, 2);
 }
 
+TEST_F(Toy, JudgesNoGridAsOneSampleButEachPointOfIt) {
+  ASSERT_EQ(Dockyard("campaign " + kToy + "sweep.yaml --quiet --set design.runs=20 --out " +
+                     dir_.string())
+                .code,
+            0);
+  const std::string judge = "accept " + dir_.string() + " --reliability 0.05 ";
+  const auto refused = Dockyard(judge);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("points of a grid (vary); --by start.r_m judges each"));
+  EXPECT_EQ(Dockyard(judge + "--by start.alpha_deg").code, 2);
+  const auto by = Dockyard(judge + "--json --by start.r_m");
+  const Json json = Json::parse(by.out);
+  ASSERT_EQ(json["points"].size(), 3u) << by.out;
+  EXPECT_EQ(json["points"][0]["value"], "1");
+  EXPECT_EQ(json["trials"], 60);
+  EXPECT_NEAR(json["family_error"].get<double>(), 0.05, 1e-15);
+  EXPECT_NEAR(json["confidence_of_each"].get<double>(), 1.0 - 0.05 / 3, 1e-15);
+  for (const Json& point : json["points"]) {
+    EXPECT_EQ(point["runs"], 20);
+    // Of the bound's equation: P(X <= failures; 20, 1 - lower) = 0.05 / 3.
+    const double lower = point["lower"];
+    double chance = 0.0, term = std::pow(lower, 20);
+    for (int k = 0; k <= point["failures"].get<int>(); ++k) {
+      chance += term;
+      term *= (1.0 - lower) / lower * (20 - k) / (k + 1);
+    }
+    EXPECT_NEAR(chance, 0.05 / 3, 1e-9);
+  }
+  EXPECT_EQ(by.code, json["verdict"] == "accepted" ? 0 : json["verdict"] == "undecided" ? 21 : 20);
+  EXPECT_EQ(Dockyard(judge + "--by start.r_m").code, by.code);
+  EXPECT_THAT(Dockyard(judge + "--by start.r_m").out, HasSubstr("Bonferroni"));
+}
+
+TEST_F(Toy, CountsNoRunsWithAKeyChangedAloneAsTheRest) {
+  ASSERT_EQ(Dockyard("campaign " + kToy +
+                     "draws.yaml --quiet --set design.runs=20 --set "
+                     "'one_at_a_time={time_limit_s: [0.1]}' --out " +
+                     dir_.string())
+                .code,
+            0);
+  const auto refused = Dockyard("accept " + dir_.string() + " --reliability 0.5");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("it sets keys one at a time; --by changed --by changed_to"));
+  EXPECT_THAT(Text("summary.txt"), HasSubstr("not counted there: 20 runs in which a key was"));
+  EXPECT_THAT(Text("summary.txt"), HasSubstr("/20 ("));
+  // Of the changed runs none docks: they are paired with the others by their seeds.
+  const auto compared =
+      Dockyard("compare " + dir_.string() + " changed= changed=time_limit_s --json");
+  const Json json = Json::parse(compared.out);
+  EXPECT_EQ(json["paired"], true);
+  EXPECT_EQ(json["only_a"].get<int>() + json["neither"].get<int>(), 20);
+  EXPECT_EQ(json["only_b"], 0);
+}
+
+TEST_F(Toy, RefusesToJudgeStratifiedDesigns) {
+  for (const char* kind : {"latin_hypercube", "sobol"}) {
+    const std::string out = (dir_ / kind).string();
+    ASSERT_EQ(Dockyard("campaign " + kToy + "draws.yaml --quiet --set design.kind=" + kind +
+                       " --out " + out)
+                  .code,
+              0);
+    const auto refused = Dockyard("accept " + out + " --reliability 0.5");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("depend on each other"));
+    EXPECT_EQ(Dockyard("accept " + out + " --reliability 0.5 --by toy.speed_m_s").code, 2);
+  }
+}
+
+TEST_F(Toy, ComparesGroupsThatALabelTellsApart) {
+  ASSERT_EQ(Dockyard("campaign " + kToy + "draws.yaml --quiet --out " + dir_.string()).code, 0);
+  const std::string compare = "compare " + dir_.string();
+  const auto groups = Dockyard(compare + " toy.speed_m_s=slow toy.speed_m_s=fast --json");
+  const Json json = Json::parse(groups.out);
+  EXPECT_EQ(json["paired"], false);
+  EXPECT_EQ(json["a"]["runs"].get<int>() + json["b"]["runs"].get<int>(), 60);
+  EXPECT_THAT(Dockyard(compare + " toy.speed_m_s=slow toy.speed_m_s=fast").out,
+              HasSubstr("exact (Fisher)"));
+  const auto unknown = Dockyard(compare + " toy.speed_m_s=slow toy.speed_m_s=quick");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("(slow, fast), found 'quick'"));
+  EXPECT_EQ(Dockyard(compare + " soil=a soil=b").code, 2);
+  EXPECT_EQ(Dockyard(compare + " toy.speed_m_s=slow start.r_m=1").code, 2);
+}
+
 TEST_F(Toy, RunsUntilASequentialTestHasDecided) {
   const std::string campaign = "campaign " + kToy + "draws.yaml --quiet --until-accepted ";
   const std::string bad = campaign + "--reliability 0.8 --design-reliability 0.95 --out ";
@@ -261,6 +347,11 @@ TEST_F(Toy, RunsUntilASequentialTestHasDecided) {
   EXPECT_THAT(kept, HasSubstr("\"verdict\": \"not accepted\""));
   EXPECT_EQ(Dockyard(bad + parallel.string() + " --jobs 3").code, 20);
   EXPECT_EQ(ReadWhole(parallel / "acceptance.json"), kept);
+  for (const char* file : {"results.csv", "summary.txt", "sensitivity.csv"}) {
+    EXPECT_EQ(ReadWhole(parallel / file), ReadWhole(serial / file)) << file;
+  }
+  EXPECT_EQ(Dockyard("merge " + parallel.string()).code, 10);
+  EXPECT_EQ(ReadWhole(parallel / "results.csv"), ReadWhole(serial / "results.csv"));
   // The same command again finds it decided; other aims are refused.
   EXPECT_EQ(Dockyard(bad + serial.string()).code, 20);
   EXPECT_EQ(ReadWhole(serial / "acceptance.json"), kept);
@@ -308,7 +399,7 @@ TEST_F(Toy, MeetsRequirementsOrEndsWithTheirCode) {
   EXPECT_EQ(met.code, 0) << met.err;
   EXPECT_THAT(met.out, HasSubstr("met: docked >= 0, found "));
   EXPECT_THAT(Text("junit.xml"), HasSubstr("<testcase classname=\"toy_arms.fast\" name=\"run 2"));
-  EXPECT_THAT(Text("junit.xml"), HasSubstr("again: " DOCKYARD_PROGRAM " replay " + dir_.string()));
+  EXPECT_THAT(Text("junit.xml"), HasSubstr("again: " + ProgramPath() + " replay " + dir_.string()));
   const std::string merge = "merge " + dir_.string();
   const auto missed = Dockyard(merge + " --require 'docked.lower95 >= 0.99' --json");
   EXPECT_EQ(missed.code, 22);

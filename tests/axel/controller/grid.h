@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "controller/geometry/pose.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 
@@ -19,7 +20,7 @@ struct GridStart {
 };
 
 inline std::vector<GridStart> MarsYardGrid() {
-  std::ifstream file(std::string(DOCKYARD_SOURCE_DIR) + "/scenarios/mars_yard_40.csv");
+  std::ifstream file(SourceFile("scenarios/mars_yard_40.csv"));
   std::vector<GridStart> starts;
   std::string line;
   std::getline(file, line);  // run,day,region,soil,light,r_m,alpha_deg,heading_deg

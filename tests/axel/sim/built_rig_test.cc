@@ -11,11 +11,12 @@
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
 #include "sim/run/built_cameras.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
 
-const std::string kSource = DOCKYARD_SOURCE_DIR;
+const std::string kSource = SourceDir();
 constexpr int kSeeds = 2000;
 
 /// Root mean square of what `of` measures on the rigs of many runs.

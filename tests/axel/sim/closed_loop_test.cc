@@ -9,6 +9,7 @@
 
 #include "axel/sim/scenarios.h"
 #include "sim/log/run_log.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
@@ -135,7 +136,7 @@ TEST(ClosedLoop, TheWholeWorldMovedAndTurnedChangesNoCommand) {
 
 // Lenses with a pupil that moves, in the world and in the controller's calibration.
 TEST(ClosedLoop, AShortDockingWithTheNavcamsOfMars2020Docks) {
-  const std::string navcam = std::string(DOCKYARD_SOURCE_DIR) + "/models/cameras/navcam.yaml";
+  const std::string navcam = SourceFile("models/cameras/navcam.yaml");
   const RunRecord record = SimulateTypical(
       {"start.r_m=2.5", "start.alpha_deg=5", "time_limit_s=400", "camera.file=" + navcam});
   EXPECT_TRUE(record.result.docked) << record.failure_note;
@@ -145,9 +146,8 @@ TEST(ClosedLoop, AShortDockingWithTheNavcamsOfMars2020Docks) {
 TEST(ClosedLoop, AxelWithItsMassesOnTheAxleDocks) {
   for (const char* soil : {"loose_sand", "compact_gravel"}) {
     const RunRecord record = SimulateTypical(
-        {"robot=" DOCKYARD_SOURCE_DIR "/models/axel/axel_coaxial.yaml", "start.r_m=2.5",
-         "start.alpha_deg=5",
-         std::string("soil=" DOCKYARD_SOURCE_DIR "/models/soils/") + soil + ".yaml"});
+        {"robot=" + SourceFile("models/axel/axel_coaxial.yaml"), "start.r_m=2.5",
+         "start.alpha_deg=5", "soil=" + SourceFile("models/soils/") + soil + ".yaml"});
     EXPECT_TRUE(record.result.docked) << soil << ": " << record.failure_note;
   }
 }

@@ -7,6 +7,7 @@
 
 #include "axel/sim/scenarios.h"
 #include "sim/base/hash.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
@@ -15,8 +16,8 @@ using Overrides = std::vector<std::string>;
 
 /// They differ in image size, light, soil, board and lens: in all that a renderer could keep.
 std::vector<Scenario> Scenarios() {
-  const std::string cameras = DOCKYARD_SOURCE_DIR "/models/cameras/";
-  const std::string soils = DOCKYARD_SOURCE_DIR "/models/soils/";
+  const std::string cameras = SourceFile("models/cameras/");
+  const std::string soils = SourceFile("models/soils/");
   std::vector<Scenario> scenarios;
   for (Overrides overrides :
        {Overrides{"start.r_m=2.5", "light=hard_shadow"},

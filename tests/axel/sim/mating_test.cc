@@ -4,16 +4,15 @@
 #include "axel/sim/scenarios.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/shake.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
 
-std::string Source(const std::string& name) { return std::string(DOCKYARD_SOURCE_DIR "/") + name; }
-
 BuiltRun Built(const std::string& soil, double alpha_deg, std::vector<std::string> sets = {}) {
   sets.insert(sets.begin(),
               {"start={r_m: 1.4, alpha_deg: " + std::to_string(alpha_deg) + ", heading_deg: 0}",
-               "soil=" + Source("models/soils/" + soil + ".yaml")});
+               "soil=" + SourceFile("models/soils/" + soil + ".yaml")});
   return Build(TypicalScenario(sets));
 }
 

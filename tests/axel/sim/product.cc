@@ -6,11 +6,12 @@
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
 #include "models/read/load_soil.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
 
-std::string Model(const char* name) { return std::string(DOCKYARD_SOURCE_DIR "/models/") + name; }
+std::string Model(const char* name) { return SourceFile("models/") + name; }
 
 }  // namespace
 

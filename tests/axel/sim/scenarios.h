@@ -8,11 +8,12 @@
 #include "sim/axel/build_run.h"
 #include "sim/run/loop.h"
 #include "sim/scenario/load_scenario.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 
 inline Scenario TypicalScenario(const std::vector<std::string>& overrides = {}) {
-  return LoadScenario(DOCKYARD_SOURCE_DIR "/scenarios/axel_typical.yaml", overrides,
+  return LoadScenario(SourceFile("scenarios/axel_typical.yaml"), overrides,
                       KnownSystems(Systems()));
 }
 

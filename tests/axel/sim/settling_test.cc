@@ -6,14 +6,14 @@
 
 #include "axel/sim/product.h"
 #include "axel/sim/scenarios.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
 
 /// The typical start on this soil; the seed sets the ground and which paddles the wheels stand on.
 WorldSetup SetupOf(const std::string& soil, int seed) {
-  const std::string root = DOCKYARD_SOURCE_DIR;
-  WorldSetup setup = Build(TypicalScenario({"soil=" + root + "/models/soils/" + soil + ".yaml",
+  WorldSetup setup = Build(TypicalScenario({"soil=" + SourceFile("models/soils/" + soil + ".yaml"),
                                             "seed=" + std::to_string(seed)}))
                          .world;
   setup.slack_start_m = 0.2;  // the tether holds nothing

@@ -7,6 +7,7 @@
 
 #include "axel/sim/scenarios.h"
 #include "sim/axel/world.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kAt = 2.0;
 WorldSetup Moved(const std::string& soil) {
   const Scenario scenario =
       TypicalScenario({"axel.station_moved={at_s: 2, forward_m: 0.08, left_m: -0.06, turn_deg: 3}",
-                       "soil=" DOCKYARD_SOURCE_DIR "/models/soils/" + soil + ".yaml"});
+                       "soil=" + SourceFile("models/soils/" + soil + ".yaml")});
   return Build(scenario).world;
 }
 

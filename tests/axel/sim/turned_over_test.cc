@@ -6,6 +6,7 @@
 
 #include "axel/sim/scenarios.h"
 #include "support/bad_files.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
@@ -22,7 +23,7 @@ const Start kStarts[] = {
     {"trailing, upside down", {"axel.start={arm: trailing, body_pitch_deg: 180}"}},
 };
 
-class TurnedOver : public testing::TestWithParam<const char*> {};
+class TurnedOver : public testing::TestWithParam<std::string> {};
 
 TEST_P(TurnedOver, RoverRightsItselfAndDocks) {
   for (const Start& start : kStarts) {
@@ -37,16 +38,14 @@ TEST_P(TurnedOver, RoverRightsItselfAndDocks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Soils, TurnedOver,
-                         testing::Values("soil=" DOCKYARD_SOURCE_DIR
-                                         "/models/soils/loose_sand.yaml",
-                                         "soil=" DOCKYARD_SOURCE_DIR
-                                         "/models/soils/compact_gravel.yaml"));
+                         testing::Values("soil=" + SourceFile("models/soils/loose_sand.yaml"),
+                                         "soil=" + SourceFile("models/soils/compact_gravel.yaml")));
 
 // A script drives over a slack tether until the arm has gone over the top.
 TEST(TurnedOverByScript, FlipIsCountedAndNamesTheRun) {
-  const RunRecord record = SimulateTypical(
-      {"soil=" DOCKYARD_SOURCE_DIR "/models/soils/loose_sand.yaml", "start.alpha_deg=0",
-       "script=[{for_s: 20, reel_m_s: -0.1}, {for_s: 25, speed_m_s: 0.05}]"});
+  const RunRecord record =
+      SimulateTypical({"soil=" + SourceFile("models/soils/loose_sand.yaml"), "start.alpha_deg=0",
+                       "script=[{for_s: 20, reel_m_s: -0.1}, {for_s: 25, speed_m_s: 0.05}]"});
   EXPECT_EQ(record.result.outcome, "tipped_over");
   EXPECT_EQ(MeasureOf(record, "flips"), 1.0);
   EXPECT_GT(MeasureOf(record, "arm_up_peak_deg"), 88.0);

@@ -12,12 +12,12 @@
 #include "sim/axel/build_run.h"
 #include "sim/axel/fiducial_truth.h"
 #include "sim/run/built_cameras.h"
+#include "support/source_tree.h"
 
 namespace dockyard::axel {
 namespace {
 
-const std::string kNavcam =
-    "camera.file=" + std::string(DOCKYARD_SOURCE_DIR) + "/models/cameras/navcam.yaml";
+const std::string kNavcam = "camera.file=" + SourceFile("models/cameras/navcam.yaml");
 
 /// Centroid of a dark disc of about this radius near a place. Grey levels of the plate and of the
 /// ink come from rings inside the image; a pixel counts by its share of ink, the middle with its

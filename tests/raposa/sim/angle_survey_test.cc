@@ -13,6 +13,7 @@
 #include "sim/app/systems.h"
 #include "sim/plan/make_run.h"
 #include "sim/run/loop.h"
+#include "support/source_tree.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -72,7 +73,7 @@ TEST(RaposaAngleSurvey, HalfOfTheRunsKnowTheirAngleAfterAFifthOfAMetre) {
   const int count = given ? std::atoi(given) : 200;
   const std::vector<System> systems = Systems();
   const std::vector<KnownSystem> known = KnownSystems(systems);
-  const Campaign campaign = LoadCampaign(DOCKYARD_SOURCE_DIR "/scenarios/raposa_acceptance.yaml",
+  const Campaign campaign = LoadCampaign(SourceFile("scenarios/raposa_acceptance.yaml"),
                                          {"seed=1330"}, CampaignSystemsOf(systems));
   const RunMaker maker(campaign, known);
   Errors near_axis, all;

@@ -10,13 +10,14 @@
 #include "sim/raposa/raposa_columns.h"
 #include "sim/raposa/raposa_system.h"
 #include "sim/run/loop.h"
+#include "support/source_tree.h"
 
 namespace dockyard::raposa {
 namespace {
 
 RunRecord RunFrom(const System& system, const std::string& controller, double r_m, double alpha_rad,
                   std::uint64_t seed) {
-  const std::string models = std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/";
+  const std::string models = SourceFile("models/raposa/");
   CampaignRun run;
   Scenario& scenario = run.scenario;
   scenario.name = "test";

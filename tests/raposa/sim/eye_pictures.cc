@@ -6,6 +6,7 @@
 #include "models/read/yaml_tree.h"
 #include "sim/base/random.h"
 #include "sim/raposa/raposa_plant.h"
+#include "support/source_tree.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -90,7 +91,7 @@ std::vector<ClutterPiece> ThingsAhead(const Pose2& X_DV, std::uint64_t seed) {
 }
 
 Scenario ScenarioOf(const PictureSetup& setup) {
-  const std::string models = std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/";
+  const std::string models = SourceFile("models/raposa/");
   Scenario scenario;
   scenario.robot_file = models + "raposa.yaml";
   scenario.soil_file = models + "grounds/" + setup.ground + ".yaml";

@@ -7,6 +7,7 @@
 #include "controller/raposa/marks.h"
 #include "models/read/yaml_tree.h"
 #include "sim/raposa/raposa_plant.h"
+#include "support/source_tree.h"
 
 namespace dockyard::raposa {
 
@@ -15,7 +16,7 @@ namespace dockyard::raposa {
 inline Scenario ScenarioAt(double r_m, double alpha_rad, const std::string& keys = {},
                            const std::string& changes = {}, std::uint64_t seed = 1,
                            const std::string& ground = "hard_floor") {
-  const std::string models = std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/";
+  const std::string models = SourceFile("models/raposa/");
   Scenario scenario;
   scenario.robot_file = models + "raposa.yaml";
   scenario.soil_file = models + "grounds/" + ground + ".yaml";

@@ -12,6 +12,7 @@
 
 #include "raposa/sim/raposa_rig.h"
 #include "sim/physics/bullet_math.h"
+#include "support/source_tree.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -20,9 +21,7 @@ constexpr double kStep_s = 1e-3, kGravity_m_s2 = 9.81;
 const Eigen::Vector3d kGravity_G(0.0, 0.0, -kGravity_m_s2);
 const Eigen::Vector3d kCableTo_G(-2.5, 0.0, 0.0);
 
-PyramidModel Pyramid() {
-  return LoadPyramid(std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/pyramid/pyramid.yaml");
-}
+PyramidModel Pyramid() { return LoadPyramid(SourceFile("models/raposa/pyramid/pyramid.yaml")); }
 
 /// So light that it resists nothing.
 PyramidModel PyramidWithoutCable() {

@@ -16,6 +16,7 @@
 #include "raposa/sim/pictures.h"
 #include "raposa/sim/raposa_rig.h"
 #include "sim/raposa/clutter.h"
+#include "support/source_tree.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -23,7 +24,7 @@ namespace {
 BuiltRun Built(const Scenario& scenario) { return BuildRun(scenario, LoadModels(scenario)); }
 
 TEST(RaposaKeys, PageHasTheTableThatTheVisitorDocuments) {
-  std::ifstream file(std::string(DOCKYARD_SOURCE_DIR) + "/docs/reference/scenarios.md");
+  std::ifstream file(SourceFile("docs/reference/scenarios.md"));
   std::stringstream page;
   page << file.rdbuf();
   const std::string begin = "tests/raposa/sim/raposa_keys_test.cc -->\n";
@@ -160,7 +161,7 @@ TEST(Clutter, FacesOfItsBodiesLookOutwardsAndEncloseTheirVolume) {
 TEST(RaposaSpreads, EveryToleranceCanBeBuiltAtBothItsEndsAndIsNotTold) {
   const Scenario told = ScenarioAt(1.0, 0.3);
   const RaposaModels as_told = LoadModels(told);
-  const std::string models = std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/";
+  const std::string models = SourceFile("models/raposa/");
   int spreads = 0;
   for (const auto& [root, file] : {std::pair("robot", models + "raposa.yaml"),
                                    std::pair("pyramid", models + "pyramid/pyramid.yaml"),
@@ -193,7 +194,7 @@ TEST(RaposaSpreads, EveryToleranceCanBeBuiltAtBothItsEndsAndIsNotTold) {
 }
 
 TEST(RaposaSpreads, FirmGroundsHaveTheSameTolerancesForOneWordToDrawThem) {
-  const std::string grounds = std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/grounds/";
+  const std::string grounds = SourceFile("models/raposa/grounds/");
   const auto floor = ReadSpreads(LoadModelYaml(grounds + "hard_floor.yaml"));
   const auto grass = ReadSpreads(LoadModelYaml(grounds + "grass.yaml"));
   ASSERT_EQ(floor.size(), grass.size());

@@ -8,6 +8,7 @@
 #include "models/raposa/load_pyramid.h"
 #include "models/raposa/load_robot.h"
 #include "sim/raposa/world.h"
+#include "support/source_tree.h"
 
 namespace dockyard::raposa {
 
@@ -16,7 +17,7 @@ using MotorCommands = std::array<MotorCommand, kMotorCount>;
 /// On the hard floor, r from the camera to the guide, the camera looking at it. Belts without
 /// errors of their readings.
 inline WorldSetup AtStart(double r_m, double alpha_rad = 0.0) {
-  const std::string models = std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/";
+  const std::string models = SourceFile("models/raposa/");
   WorldSetup setup;
   setup.robot = LoadRobot(models + "raposa.yaml");
   setup.pyramid = LoadPyramid(models + "pyramid/pyramid.yaml");

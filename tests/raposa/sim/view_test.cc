@@ -6,6 +6,7 @@
 #include "models/read/yaml_tree.h"
 #include "raposa/sim/raposa_rig.h"
 #include "sim/raposa/raposa_plant.h"
+#include "support/source_tree.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -16,7 +17,7 @@ struct Start {
   BuiltRun built;
 };
 Start At(double r_m, double alpha_rad) {
-  const std::string models = std::string(DOCKYARD_SOURCE_DIR) + "/models/raposa/";
+  const std::string models = SourceFile("models/raposa/");
   Start start;
   start.scenario.robot_file = models + "raposa.yaml";
   start.scenario.soil_file = models + "grounds/hard_floor.yaml";

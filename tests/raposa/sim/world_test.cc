@@ -10,6 +10,7 @@
 #include "raposa/sim/raposa_rig.h"
 #include "sim/physics/slope.h"
 #include "sim/soil/soil_laws.h"
+#include "support/source_tree.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -110,7 +111,7 @@ double BekkerLoad(const WorldSetup& setup, const Pose3& X_WL, double rear_m, dou
 // The cable lies on the ground, but for its last piece.
 TEST(RaposaWorld, PyramidSinksIntoSandAsBekkerHasIt) {
   WorldSetup setup = AtStart(kAway_m);
-  setup.soil = LoadGround(DOCKYARD_SOURCE_DIR "/models/raposa/grounds/sand.yaml").soil;
+  setup.soil = LoadGround(SourceFile("models/raposa/grounds/sand.yaml")).soil;
   const World world(setup);
   const Pose3 X_WP = world.truth().X_WP;
   const PyramidModel& pyramid = setup.pyramid;
@@ -128,7 +129,7 @@ TEST(RaposaWorld, PyramidSinksIntoSandAsBekkerHasIt) {
 
 TEST(RaposaWorld, SinksIntoSandAsBekkerHasIt) {
   WorldSetup setup = AtStart(kAway_m);
-  setup.soil = LoadGround(DOCKYARD_SOURCE_DIR "/models/raposa/grounds/sand.yaml").soil;
+  setup.soil = LoadGround(SourceFile("models/raposa/grounds/sand.yaml")).soil;
   const World world(setup);
   const Truth truth = world.truth();
   const BeltsModel& belts = setup.robot.belts;
