@@ -96,31 +96,26 @@ class ModelFiles {
   }
 };
 
-/// A controller's program: the words of its command that are files, and the files beside each with
-/// the same ending, which it may import.
+/// A controller's program: the words of its command that are files, and its `files`.
 void AddProgram(const NamedCommand& command, ModelFiles& models) {
   for (const std::string& word : command.words) {
     std::error_code error;
     const fs::path file = AbsolutePath((fs::path(command.folder) / word).string());
-    if (!fs::is_regular_file(file, error)) continue;
-    models.AddFile(file);
-    if (!file.has_extension()) continue;
-    for (const auto& entry : fs::directory_iterator(file.parent_path(), error)) {
-      if (entry.is_regular_file(error) && entry.path().extension() == file.extension()) {
-        models.AddFile(entry.path());
-      }
-    }
+    if (fs::is_regular_file(file, error)) models.AddFile(file);
   }
 }
 
-/// The longest folder that holds all of them. A model of Gazebo has the name of its folder, so it
+/// The longest folder that holds all of them and the programs' folders. A model of Gazebo has the name of its folder, so it
 /// lies in a folder below.
-fs::path CommonFolder(const std::set<fs::path>& files) {
-  fs::path common;
+fs::path CommonFolder(const std::set<fs::path>& files, const std::vector<NamedCommand>& commands) {
+  std::vector<fs::path> folders;
   for (const fs::path& file : files) {
-    fs::path folder = file.parent_path();
-    if (file.filename() == "model.config") folder = folder.parent_path();
-    if (file == *files.begin()) common = folder;
+    const fs::path folder = file.parent_path();
+    folders.push_back(file.filename() == "model.config" ? folder.parent_path() : folder);
+  }
+  for (const NamedCommand& command : commands) folders.emplace_back(command.folder);
+  fs::path common = folders.empty() ? fs::path() : folders.front();
+  for (const fs::path& folder : folders) {
     fs::path shared;
     for (auto a = common.begin(), b = folder.begin();
          a != common.end() && b != folder.end() && *a == *b; ++a, ++b) {
@@ -163,7 +158,7 @@ CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSys
   for (const NamedCommand& command : named.commands) AddProgram(command, models);
   CampaignIdentity identity;
   identity.sealed_sha256 = campaign.sealed_sha256;
-  const fs::path common = CommonFolder(models.files);
+  const fs::path common = CommonFolder(models.files, named.commands);
   std::map<std::string, std::string> moved;
   for (const fs::path& file : models.files) {
     const std::string copy = "files/" + file.lexically_relative(common).generic_string();
@@ -186,6 +181,31 @@ CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSys
                       {"mathematics", HexText(MathFingerprint())},
                       {"gl", GlWord()}};
   return identity;
+}
+
+std::vector<std::string> UnnamedFilesOf(const Campaign& campaign,
+                                        const std::vector<KnownSystem>& systems) {
+  std::vector<std::string> sentences;
+  for (const NamedCommand& command : FilesOf(campaign, systems).commands) {
+    ModelFiles named;
+    AddProgram(command, named);
+    std::set<std::string> unnamed;
+    for (const fs::path& file : named.files) {
+      std::error_code error;
+      for (const auto& entry : fs::directory_iterator(file.parent_path(), error)) {
+        const bool same_kind = file.has_extension() && entry.path().extension() == file.extension();
+        if (!same_kind || named.files.count(entry.path()) > 0) continue;
+        if (entry.is_regular_file(error)) unnamed.insert(entry.path().filename().string());
+      }
+    }
+    if (unnamed.empty()) continue;
+    sentences.push_back("controller.files: " + *unnamed.begin() +
+                        (unnamed.size() > 1 ? " and others lie" : " lies") +
+                        " beside the program and " + (unnamed.size() > 1 ? "are" : "is") +
+                        " not named: the results hold no copy, and a replay from them fails where "
+                        "the program needs it");
+  }
+  return sentences;
 }
 
 Json EnvironmentJson() {

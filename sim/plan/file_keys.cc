@@ -88,6 +88,15 @@ void VisitPrograms(Campaign& campaign, const Visit& visit) {
   });
 }
 
+/// Visits what may be files of a program.
+void VisitWords(YamlNode& controller, const Visit& visit) {
+  for (const char* key : {"command", "files"}) {
+    YamlNode* words = FindPath(controller, key);
+    if (words == nullptr) continue;
+    for (YamlNode& word : words->items) visit(word);
+  }
+}
+
 /// The values in a column of the table that can hold files, by their cells' texts.
 void NameFileColumns(Campaign& campaign, const std::vector<std::string>& file_keys) {
   for (std::size_t i = 0; i < campaign.table.columns.size(); ++i) {
@@ -144,9 +153,7 @@ CampaignFiles FilesOf(const Campaign& campaign, const std::vector<KnownSystem>& 
   });
   VisitPrograms(visited, [&](YamlNode& controller) {
     NamedCommand named{{}, controller.Find("folder")->scalar};
-    for (const YamlNode& word : controller.Find("command")->items) {
-      named.words.push_back(word.scalar);
-    }
+    VisitWords(controller, [&](YamlNode& word) { named.words.push_back(word.scalar); });
     found.commands.push_back(std::move(named));
   });
   return found;
@@ -159,11 +166,11 @@ Campaign WithMovedFiles(Campaign campaign, const std::vector<KnownSystem>& syste
   if (!programs_too) return campaign;
   VisitPrograms(campaign, [&](YamlNode& controller) {
     YamlNode& folder = *FindPath(controller, "folder");
-    for (YamlNode& word : FindPath(controller, "command")->items) {
+    VisitWords(controller, [&](YamlNode& word) {
       const std::string place = moved(word.scalar);
-      if (place == word.scalar) continue;
+      if (place == word.scalar) return;
       word.scalar = std::filesystem::path(place).lexically_relative(moved(folder.scalar)).string();
-    }
+    });
     folder.scalar = moved(folder.scalar);
   });
   return campaign;

@@ -18,5 +18,8 @@ Scenario LoadScenario(const std::string& file, const std::vector<std::string>& o
 /// Everything, defaults included, with absolute paths; LoadScenario reads it back to the same
 /// values, bit for bit, when angles came from degrees in a file.
 std::string ResolvedYaml(const Scenario& scenario);
+/// The same for a file that others get: a path below `dir` is relative to it, and of any other
+/// absolute path the last name alone stays.
+std::string YamlWithoutFolders(const Scenario& scenario, const std::string& dir);
 
 }  // namespace dockyard

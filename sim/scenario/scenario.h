@@ -72,6 +72,7 @@ struct Scenario {
   std::string robot_file, soil_file, camera_file;  // resolved paths; empty: none named
   std::string controller;                          // a name that the system knows
   std::vector<std::string> command;                // else: a program that is the controller,
+  std::vector<std::string> command_files{};        // that it needs, from there on
   std::string command_folder;                      // and where it runs: its file's folder
   std::uint64_t controller_seed = 1;               // of the program's own draws
   DockingCoords start{.r = 4.0};

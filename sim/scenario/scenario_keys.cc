@@ -36,6 +36,9 @@ void VisitController(Keys& keys, Scenario& s, const KnownSystem* system) {
         in.Text(
             {"folder", "", "where the program runs, else the file's own folder", Presence::kUnset},
             s.command_folder);
+        in.Texts({"files", "", "files that the program needs beside those of its command",
+                  Presence::kUnset},
+                 s.command_files, 1000);
         in.Seed({"seed", "", "of the program's own random draws; the world's has no part in it"},
                 s.controller_seed);
       });
@@ -184,6 +187,19 @@ std::string CommandFolder(const YamlNode& root, const std::string& named) {
   return AbsolutePath(folder.string());
 }
 
+/// A campaign copies them with its results, so that its runs can be made again.
+void CheckCommandFiles(const YamlNode& root, const Scenario& scenario) {
+  const YamlNode* list = FindPath(root, "controller.files");
+  if (list == nullptr) return;
+  for (const YamlNode& item : list->items) {
+    const std::filesystem::path file = std::filesystem::path(scenario.command_folder) / item.scalar;
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error)) continue;
+    throw ConfigError(item.place.Text() + ": controller.files: expected a file, found none at '" +
+                      file.string() + "'");
+  }
+}
+
 /// Dotted keys of a tree of the scenario whose values are files.
 void MakeFilesAbsolute(YamlNode& tree, const std::string& path,
                        const std::vector<std::string>& keys) {
@@ -268,6 +284,7 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
   CheckTogether(scenario, root);
   if (!scenario.command.empty()) {
     scenario.command_folder = CommandFolder(root, scenario.command_folder);
+    CheckCommandFiles(root, scenario);
   }
   const KnownSystem& system = *Find(systems, scenario.system);
   CheckFaults(scenario, system, root);

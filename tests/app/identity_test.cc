@@ -60,6 +60,21 @@ TEST_F(Identity, HasNothingOfFilesThatNobodyNames) {
   EXPECT_EQ(Text().find("diary"), std::string::npos);
 }
 
+TEST_F(Identity, HoldsOfAProgramWhatTheScenarioNames) {
+  for (const char* name : {"far/a.py", "far/b.py", "far/c.py", "weights.bin"}) {
+    folder_.Write(name, "pass\n");
+  }
+  Set("controller",
+      "{command: [python3, a.py], folder: far, files: [b.py, ../weights.bin]}");
+  for (const char* name : {"far/a.py", "far/b.py", "weights.bin"}) {
+    EXPECT_TRUE(SeesAChangeOf(name)) << name;
+  }
+  EXPECT_EQ(Text().find("c.py"), std::string::npos);
+  const auto said = UnnamedFilesOf(WithAbsolutePaths(campaign_, {}), {});
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_EQ(said[0].rfind("controller.files: c.py lies beside the program", 0), 0u) << said[0];
+}
+
 TEST_F(Identity, IsTheSameWhereverTheFilesLieTogether) {
   const std::string here = Text();
   EXPECT_EQ(here.find(folder_.path().string()), std::string::npos);

@@ -108,7 +108,8 @@ TEST_F(Resolved, OtherValuesCoverEveryKeyOfAScenario) {
   here.insert(here.begin() + 1, "system");
   here.insert(here.begin() + 25, "controller.command");
   here.insert(here.begin() + 26, "controller.folder");
-  here.insert(here.begin() + 27, "controller.seed");
+  here.insert(here.begin() + 27, "controller.files");
+  here.insert(here.begin() + 28, "controller.seed");
   here.back() = "<system>";
   EXPECT_EQ(here, known);
 }
@@ -151,6 +152,18 @@ TEST_F(Resolved, KeepsAProgramAsController) {
   EXPECT_THAT(Again(s).command, ElementsAre("python3", "a b.py", "-x"));
   EXPECT_EQ(Again(s).controller, "command");
   EXPECT_EQ(Again(s).command_folder, s.command_folder);
+}
+
+TEST_F(Resolved, HasNoFolderOfThisComputerForOthers) {
+  const Scenario s = Load({"controller={command: [/usr/bin/python3, x.py]}"});
+  const std::string folder = folder_.path().string();
+  ASSERT_THAT(ResolvedYaml(s), ::testing::HasSubstr(folder));
+  for (const std::string& dir : {std::string(), folder}) {
+    const std::string text = YamlWithoutFolders(s, dir);
+    EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr(folder)));
+    EXPECT_THAT(text, ::testing::Not(::testing::HasSubstr("/usr/bin")));
+    EXPECT_THAT(text, ::testing::HasSubstr("python3"));
+  }
 }
 
 TEST_F(Resolved, EachKeyAloneIsTheOneThatDiffers) {

@@ -57,6 +57,18 @@ TEST_F(ScenarioFile, ControllerMayBeAProgram) {
   EXPECT_THAT(SetMessage("controller={program: x}"), HasSubstr("unknown key"));
 }
 
+TEST_F(ScenarioFile, FilesOfAProgramMustBeThere) {
+  const std::string file = folder_.With(
+      "controller: wave\n", "controller: {command: [x], files: [no_such.py]}\n");
+  try {
+    LoadScenario(file, {}, ToySystems());
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(": controller.files: expected a file, found none at '"));
+    EXPECT_THAT(error.what(), HasSubstr("no_such.py"));
+  }
+}
+
 TEST_F(ScenarioFile, AProgramRunsInTheFolderOfItsFileUnlessThatNamesAnother) {
   const std::string command = "controller: {command: [x]";
   const std::string file = folder_.With("controller: wave\n", command + "}\n");
