@@ -64,7 +64,7 @@ Audited AuditRun(const RunResult& row, const std::filesystem::path& dir, const R
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels, .results_dir = dir};
   commands.Fill(options);
   if (StartsProgram(row) && !commands.allow) {
-    options.recorded_dir = Folder(dir).In(RunFolder("", row.run));
+    options.recorded_dir = FolderOfCommands(dir, row.run);
     if (!options.recorded_dir->HasFile(kRunLogFile)) {
       return {row.run, false, "there is no log of its commands"};
     }

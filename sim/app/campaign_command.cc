@@ -10,6 +10,7 @@
 #include "sim/app/campaign_setup.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
+#include "sim/app/identity.h"
 #include "sim/app/judging.h"
 #include "sim/app/report_content.h"
 #include "sim/app/report_option.h"
@@ -96,6 +97,20 @@ int EndOfShard(const CommandArguments& arguments, const CampaignOptions& options
   return end.complete() && end.tally.lost == 0 ? kExitDone : kExitIncomplete;
 }
 
+/// Whether all runs that were simulated again came to their rows.
+bool WarnOfNotRepeated(const ShardEnd& end, Invocation& call) {
+  for (const NotRepeated& each : end.not_repeated) {
+    std::string text = "run " + std::to_string(each.run) + ", simulated again for its log, ";
+    if (each.cells.empty()) text += "was lost";
+    for (std::size_t i = 0; i < each.cells.size(); ++i) {
+      const DifferingCell& cell = each.cells[i];
+      text += (i == 0 ? "differs: " : ", ") + cell.column + " was " + cell.was + ", is " + cell.is;
+    }
+    Warn(text + "; its log is not of its row", &call.warnings);
+  }
+  return end.not_repeated.empty();
+}
+
 int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
   const std::vector<System>& systems = call.systems;
   if (!arguments.watch_dir.empty()) {
@@ -120,7 +135,11 @@ int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
   options.shard = ShardOption(arguments.shard);
   options.jobs = arguments.jobs > 0 ? arguments.jobs : UsableProcessors();
   options.progress = StyleOf(arguments);
+  for (const std::string& sentence : UnnamedFilesOf(campaign, KnownSystems(systems))) {
+    Warn(sentence, &call.warnings);
+  }
   const ShardEnd shard = RunShard(campaign, run, options);
+  const bool repeated = WarnOfNotRepeated(shard, call);
   if (!plan) GoOnPastAcceptance(options.out_dir);
   if (!options.shard.whole()) return EndOfShard(arguments, options, shard, call);
   if (plan) KeepAcceptance(options.out_dir, *plan, followed);
@@ -131,8 +150,9 @@ int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
   if (arguments.report.asked) {
     WriteReport(options.out_dir, arguments.report.FileIn(options.out_dir), call, requirements);
   }
-  return JudgeResults(arguments.judging, requirements, end, campaign, options.columns,
+  code = JudgeResults(arguments.judging, requirements, end, campaign, options.columns,
                       options.out_dir, arguments.json, code, call);
+  return repeated ? code : kExitOurBug;
 }
 
 void AddOptions(CLI::App& command, CommandArguments& arguments) {

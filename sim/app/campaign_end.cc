@@ -15,9 +15,9 @@ namespace {
 
 /// Those with a log first: they can be replayed in full.
 void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir,
-                  const std::string& program) {
+                  const Invocation& call) {
   constexpr int kMost = 10;
-  const CommandOptions options = KeptCommandOptions(dir);
+  const ReplayOptions options = KeptReplayOptions(dir, call.secret_file);
   int shown = 0;
   for (const bool logged : {true, false}) {
     for (const RunResult& result : runs.results) {
@@ -25,7 +25,7 @@ void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir,
       if (Folder(dir).HasFolder(RunFolder("", result.run)) != logged) continue;
       if (shown++ == kMost) return;
       const std::string command =
-          ReplayCommand(program, dir, std::to_string(result.run), StartsProgram(result), options);
+          ReplayCommand(call.program, dir, std::to_string(result.run), StartsProgram(result), options);
       std::printf("%s%s   # %s\n", shown == 1 ? "\nto run a failure again:\n" : "", command.c_str(),
                   result.outcome.c_str());
     }
@@ -52,7 +52,7 @@ int ReportEnd(const CampaignEnd& end, const std::filesystem::path& dir, bool jso
     std::printf("%s\n", EndJson(end, call.warnings).dump().c_str());
   } else {
     std::printf("%s", end.summary.c_str());
-    PrintReplays(end.runs, dir, call.program);
+    PrintReplays(end.runs, dir, call);
   }
   for (const std::string& place : end.damaged) {
     PrintNote("note: " + place + ": a damaged row was left out");

@@ -116,7 +116,6 @@ Campaign LoadCampaign(const CampaignArguments& arguments, const std::vector<Syst
 ReadyCampaign MakeReady(Campaign campaign, const CampaignArguments& arguments,
                         const std::vector<System>& systems) {
   RunOptions of_run{.log_dir = {},
-                    .log_images = campaign.keep.pictures,
                     .labels = campaign.labels,
                     .results_dir = OutDir(arguments, campaign)};
   arguments.commands.Fill(of_run);
@@ -127,9 +126,12 @@ ReadyCampaign MakeReady(Campaign campaign, const CampaignArguments& arguments,
   // Runs read the copies: somebody may edit a model while the campaign runs.
   ready.campaign = OnCopies(ready.campaign, ready.options.systems, ready.options.identity,
                             ready.options.out_dir);
-  ready.run = [&system, of_run](const CampaignRun& what, const std::filesystem::path& log_dir) {
+  ready.run = [&system, of_run](const CampaignRun& what, const RunLogging& logging) {
     RunOptions logged = of_run;
-    logged.log_dir = log_dir;
+    logged.log_dir = logging.dir;
+    logged.log_images = logging.images;
+    logged.log_commands_alone = logging.commands_alone;
+    logged.recorded_dir = logging.recorded;
     return Simulate(system, what, logged);
   };
   return ready;

@@ -201,7 +201,7 @@ std::vector<std::string> UnnamedFilesOf(const Campaign& campaign,
     if (unnamed.empty()) continue;
     sentences.push_back("controller.files: " + *unnamed.begin() +
                         (unnamed.size() > 1 ? " and others lie" : " lies") +
-                        " beside the program and " + (unnamed.size() > 1 ? "are" : "is") +
+                        " next to the program and " + (unnamed.size() > 1 ? "are" : "is") +
                         " not named: the results hold no copy, and a replay from them fails where "
                         "the program needs it");
   }

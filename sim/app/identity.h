@@ -15,7 +15,7 @@ namespace dockyard {
 /// not YAML.
 CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSystem>& systems);
 
-/// A sentence for each controller's program beside which lie files of the same kind that the
+/// A sentence for each controller's program that lies with files of the same kind that the
 /// scenario does not name: it may need them, and the results would lack them.
 std::vector<std::string> UnnamedFilesOf(const Campaign& campaign,
                                         const std::vector<KnownSystem>& systems);

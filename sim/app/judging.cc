@@ -45,15 +45,15 @@ std::vector<std::string> NamedLabels(const Campaign& campaign) {
 
 std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
                     const RowColumns& columns, const std::filesystem::path& dir,
-                    const std::vector<Judgement>& judged, const std::string& program) {
-  const CommandOptions options = KeptCommandOptions(dir);
+                    const std::vector<Judgement>& judged, const Invocation& call) {
+  const ReplayOptions options = KeptReplayOptions(dir, call.secret_file);
   std::vector<JUnitRun> runs;
   for (std::size_t i = 0; i < finished.size(); ++i) {
     const RunResult& row = finished.results[i];
     JUnitRun run{&row, finished.timings[i].wall_time_s, finished.notes[i], ""};
     if (!row.docked && !IsLost(row.outcome)) {
       run.replay =
-          ReplayCommand(program, dir, std::to_string(row.run), StartsProgram(row), options);
+          ReplayCommand(call.program, dir, std::to_string(row.run), StartsProgram(row), options);
     }
     runs.push_back(run);
   }
@@ -97,7 +97,7 @@ int JudgeResults(const JudgingOptions& options, const std::vector<Requirement>& 
     Print(judged.back(), json, call.warnings);
   }
   if (!options.junit_file.empty()) {
-    WriteWhole(options.junit_file, JUnitOf(end.runs, campaign, columns, dir, judged, call.program));
+    WriteWhole(options.junit_file, JUnitOf(end.runs, campaign, columns, dir, judged, call));
   }
   const bool met =
       std::all_of(judged.begin(), judged.end(), [](const Judgement& each) { return each.met; });

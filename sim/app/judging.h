@@ -31,7 +31,7 @@ std::vector<Requirement> ReadRequirements(const JudgingOptions& options, const R
 /// @param program  as it was called, for the replay commands
 std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
                     const RowColumns& columns, const std::filesystem::path& dir,
-                    const std::vector<Judgement>& judged, const std::string& program);
+                    const std::vector<Judgement>& judged, const Invocation& call);
 
 /// Prints what became of each requirement, as lines of JSON if asked, and writes the JUnit file.
 /// @param code  the exit code without requirements

@@ -28,7 +28,11 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number, const Invoca
   const std::string difference =
       ManifestDifference(manifest, MakeManifest(IdentityOf(kept.campaign, known), {}));
   if (!difference.empty()) PrintNote("note: " + dir.string() + ": " + difference);
-  KeptRun run{maker.Make(index), kept.columns, {}, Folder(dir).In(RunFolder("", number))};
+  KeptRun run{maker.Make(index),
+              kept.columns,
+              {},
+              Folder(dir).In(RunFolder("", number)),
+              FolderOfCommands(dir, number)};
   const FinishedRuns finished = ReadShards(dir, RowCheck(kept.campaign), kept.columns);
   const std::size_t place = finished.Find(number);
   if (place < finished.size()) run.result = finished.results[place];
@@ -37,27 +41,28 @@ KeptRun RunOfCampaign(const std::filesystem::path& dir, int number, const Invoca
 
 }  // namespace
 
-bool StartsProgram(const RunResult& row) { return row.controller == "command"; }
-
-CommandOptions KeptCommandOptions(const std::filesystem::path& dir) {
-  CommandOptions options{.allow = true};
-  const Json facts = ReadManifest(dir).value("facts", Json::object());
+ReplayOptions KeptReplayOptions(const std::filesystem::path& dir, const std::string& secret_file) {
+  ReplayOptions options;
+  const Json manifest = ReadManifest(dir);
+  if (manifest.contains(kSealedSha256)) {
+    options.secret_file = secret_file.empty() ? "FILE" : secret_file;
+  }
+  const Json facts = manifest.value("facts", Json::object());
   if (!facts.is_object()) return options;
   const Json limit = facts.value(kAnswerLimitFact, Json());
-  if (limit.is_number()) options.answer_limit_s = limit.get<double>();
-  options.sandbox = facts.value(kSandboxFact, Json()) == true;
+  if (limit.is_number()) options.commands.answer_limit_s = limit.get<double>();
+  options.commands.sandbox = facts.value(kSandboxFact, Json()) == true;
   return options;
 }
 
 std::string ReplayCommand(const std::string& program, const std::filesystem::path& dir,
                           const std::string& run, bool starts_program,
-                          const CommandOptions& options) {
+                          const ReplayOptions& options) {
   std::string command =
       CommandText(program, {"replay", dir.string()}) + (run.empty() ? "" : " " + run);
+  if (!options.secret_file.empty()) command += " --secret " + ShellWord(options.secret_file);
   if (!starts_program) return command;
-  for (const std::string& word : OptionWords(options)) {
-    command += " " + word;
-  }
+  for (const std::string& word : OptionWords(options.commands)) command += " " + word;
   return command;
 }
 
@@ -81,7 +86,7 @@ KeptRun FindKeptRun(const std::filesystem::path& dir, std::optional<int> number,
   const Scenario scenario =
       LoadScenario((dir / "resolved.yaml").string(), {}, KnownSystems(systems));
   const RowColumns columns = FindSystem(systems, scenario.system).Columns({});
-  return {SingleRun(scenario), columns, ReadSingleResult(dir, columns), Folder(dir)};
+  return {SingleRun(scenario), columns, ReadSingleResult(dir, columns), Folder(dir), Folder(dir)};
 }
 
 }  // namespace dockyard

@@ -16,28 +16,32 @@
 
 namespace dockyard {
 
-/// A run as kept: its scenario, its result, and the folder of its log.
+/// A run as kept: its scenario, its result, and the folders of its log and of its commands' log.
 struct KeptRun {
   CampaignRun run;
   RowColumns columns;
   std::optional<RunResult> result;
-  Folder log_dir;
+  Folder log_dir, commands_dir;
 };
 
-/// Whether the run's controller is a program, by its row: `command` (docs/reference/columns.md).
-bool StartsProgram(const RunResult& row);
 /// Of the facts in a campaign's manifest: the limit of a program's answers, where it is not the
 /// usual.
 inline constexpr const char* kAnswerLimitFact = "answer_limit_s";
 inline constexpr const char* kSandboxFact = "sandbox";  // whether programs were confined
-/// How the campaign in the folder starts programs.
-CommandOptions KeptCommandOptions(const std::filesystem::path& dir);
+/// What a command needs to make runs again.
+struct ReplayOptions {
+  CommandOptions commands{.allow = true};
+  std::string secret_file{};  // of a sealed campaign
+};
+/// Of the campaign in the folder: how it starts programs, and its secret.
+/// @param secret_file  as the user named it; empty: a sealed campaign's is called FILE
+ReplayOptions KeptReplayOptions(const std::filesystem::path& dir, const std::string& secret_file);
 /// The command that runs one run again, to be pasted.
 /// @param run      its number, or {run} for a reader to fill in; empty: the folder is of one run
-/// @param options  said where it starts a program
+/// @param options  those of programs are said where it starts one
 std::string ReplayCommand(const std::string& program, const std::filesystem::path& dir,
                           const std::string& run, bool starts_program,
-                          const CommandOptions& options);
+                          const ReplayOptions& options);
 
 /// The folder of a campaign needs the run's number. That of a single run has none, nor has a run's
 /// own folder within a campaign's. Says on standard error where models or program are not those of

@@ -177,6 +177,7 @@ int DrawFrames(const ReplayArguments& arguments, const KeptRun& kept, Invocation
   const bool logged = kept.log_dir.HasFile(kRunLogFile);
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels, .results_dir = arguments.dir};
   arguments.commands.Fill(options);
+  if (arguments.recorded) options.recorded_dir = kept.commands_dir;
   const LoggedRun log =
       logged ? ReadLoggedRun(kept.log_dir) : LogAnew(system, kept.run, std::move(options));
   const std::filesystem::path dir = arguments.frames_dir;
@@ -208,21 +209,21 @@ int Replay(const ReplayArguments& arguments, Invocation& call) {
   const System& system = FindSystem(call.systems, kept.run.scenario.system);
   RunOptions options{.log_dir = {}, .labels = kept.columns.labels, .results_dir = arguments.dir};
   arguments.commands.Fill(options);
-  if (arguments.recorded) options.recorded_dir = kept.log_dir;
+  if (arguments.recorded) options.recorded_dir = kept.commands_dir;
   const RunRecord now = Simulate(system, kept.run, options);
   ReplayAnswer answer{.as_json = arguments.json, .warnings = call.warnings};
   const bool same_row = ReportRow(*kept.result, now.result, kept.columns, answer);
   if (!same_row && arguments.run) ReportEnvironment(arguments.dir);
+  if (arguments.recorded) {
+    answer.json["controller_alone"] = nullptr;
+    answer.Print();
+    return same_row ? kExitDone : kExitOurBug;
+  }
   if (!kept.log_dir.HasFile(kRunLogFile)) {
     PrintError("controller alone: not run, there is no log in " + kept.log_dir.path().string());
     answer.json["controller_alone"] = nullptr;
     answer.Print();
     return same_row ? kExitIncomplete : kExitOurBug;
-  }
-  if (arguments.recorded) {
-    answer.json["controller_alone"] = nullptr;
-    answer.Print();
-    return same_row ? kExitDone : kExitOurBug;
   }
   const Alone alone =
       ReportController(kept.log_dir, kept.run, now.result.outcome, options, call.systems, answer);

@@ -64,7 +64,7 @@ std::string ExtensionOf(const std::string& format) {
 }
 
 std::string ReportText(const std::string& format, const ReportContent& content,
-                       const std::filesystem::path& dir, const std::string& program) {
+                       const std::filesystem::path& dir, const Invocation& call) {
   if (format == "html") return ReportPage(content);
   if (format == "junit") {
     if (content.campaign == nullptr) {
@@ -74,7 +74,7 @@ std::string ReportText(const std::string& format, const ReportContent& content,
     for (const Requirement& requirement : content.requirements) {
       judged.push_back(Judge(requirement, content.columns, content.runs->results));
     }
-    return JUnitOf(*content.runs, *content.campaign, content.columns, dir, judged, program);
+    return JUnitOf(*content.runs, *content.campaign, content.columns, dir, judged, call);
   }
   const Json overview = OverviewPart(content.campaign, *content.runs, content.columns, content.aim,
                                      content.requirements);
@@ -147,7 +147,7 @@ int Report(const ReportArguments& arguments, const Invocation& call) {
                                          ? dir / ("report" + ExtensionOf(arguments.format))
                                          : std::filesystem::path(arguments.out);
   if (file.has_parent_path()) MakeFolder(file.parent_path());
-  WriteWhole(file, ReportText(arguments.format, content, dir, call.program));
+  WriteWhole(file, ReportText(arguments.format, content, dir, call));
   PrintNote("report in " + file.string());
   if (arguments.json) PrintWritten({file}, call.warnings);
   return kExitDone;

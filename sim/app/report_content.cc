@@ -104,11 +104,11 @@ StageShapes ShapesOf(const System& system, const Scenario& scenario) {
 
 /// The runs whose log is kept, failures first.
 void AddWatched(const fs::path& dir, const System& system, const ReportSource& source,
-                const std::string& program, ReportContent& content) {
+                const Invocation& call, ReportContent& content) {
   const std::vector<RunResult>& rows = source.kept.runs.results;
   const RunMaker* maker = source.maker.get();
   if (!Folder(dir).HasFolder("runs")) return;
-  const CommandOptions options = KeptCommandOptions(dir);
+  const ReplayOptions options = KeptReplayOptions(dir, call.secret_file);
   for (const bool docked : {false, true}) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const int number = rows[i].run;
@@ -116,7 +116,7 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
       if (rows[i].docked != docked || !folder.HasFile(kRunLogFile)) continue;
       WatchedRun run = Watched(
           i, folder,
-          ReplayCommand(program, dir, std::to_string(number), StartsProgram(rows[i]), options));
+          ReplayCommand(call.program, dir, std::to_string(number), StartsProgram(rows[i]), options));
       run.shapes = [&system, maker, number] {
         return ShapesOf(system, maker->Make(maker->IndexOf(number)).scenario);
       };
@@ -139,10 +139,10 @@ ReportContent ContentOfCampaign(const fs::path& dir, const Invocation& call, Rep
   const std::vector<RunResult>& rows = source.kept.runs.results;
   content.replay_command =
       ReplayCommand(call.program, dir, "{run}",
-                    std::any_of(rows.begin(), rows.end(), StartsProgram), KeptCommandOptions(dir));
+                    std::any_of(rows.begin(), rows.end(), StartsProgram), KeptReplayOptions(dir, call.secret_file));
   AddSystem(system, content);
   content.starts = StartsOf(source);
-  AddWatched(dir, system, source, call.program, content);
+  AddWatched(dir, system, source, call, content);
   return content;
 }
 
@@ -159,7 +159,7 @@ ReportContent ContentOf(const fs::path& dir, const Invocation& call, ReportSourc
   if (!row) throw ResultsError(dir.string() + " has no result of its run");
   return ContentOfRun(
       dir, system, scenario, *row,
-      ReplayCommand(call.program, dir, "", StartsProgram(*row), CommandOptions{.allow = true}),
+      ReplayCommand(call.program, dir, "", StartsProgram(*row), ReplayOptions{}),
       source);
 }
 

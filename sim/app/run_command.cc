@@ -110,7 +110,7 @@ int Run(const RunArguments& arguments, const Invocation& call) {
     const std::string replay =
         passing ? ""
                 : ReplayCommand(call.program, options.log_dir, "", StartsProgram(record.result),
-                                arguments.commands);
+                                {.commands = arguments.commands});
     WriteReport(report, options.log_dir, system, run.scenario, record, replay);
   }
   if (!record.messages.empty()) PrintNote("the controller said:\n" + record.messages);

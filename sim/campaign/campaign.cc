@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "controller/base/check.h"
-#include "sim/campaign/retention.h"
+#include "sim/campaign/run_logs.h"
 #include "sim/jobs/pool.h"
 
 namespace dockyard {
@@ -47,10 +47,10 @@ class Engine {
         folder_(options.out_dir),
         maker_(campaign, options.systems),
         check_(campaign),
-        work_{function, options.columns},
+        function_(function),
         finished_(0),
         next_(options.shard.number - 1),
-        retention_(campaign.keep),
+        logs_(campaign.keep, folder_, options.columns),
         in_order_(options.enough) {
     ClaimFolder(options.out_dir, options.identity, options.facts);
     const Json header{{"shard", ShardFile("", options.shard).stem().string()},
@@ -72,29 +72,30 @@ class Engine {
                              progress.Tick(running);
                            }};
     const auto take = [&](const Job& job, int place, const JobEnd& end) {
+      const Pass pass = PassOf(job.number);
       const FinishedRun run =
-          ReadAnswer([&] { return maker_.Make(job.number); }, options_.columns, end);
-      KeepLog(run, place);
+          ReadAnswer([&] { return maker_.Make(pass.index); }, options_.columns, end);
+      if (pass.again) return logs_.TakeLog(pass.index, run, WorkPlace(place));
+      logs_.TakeRow(pass.index, run, WorkPlace(place));
       writer_->Append(run);
-      finished_.Add(job.number, run.result.docked, run.result.outcome);
+      finished_.Add(pass.index, run.result.docked, run.result.outcome);
       progress.Finished(run);
-      return !in_order_.Add(job.number, run.result);
+      in_order_.Add(pass.index, run.result);
     };
-    if (!in_order_.done()) {
-      end_.signal =
-          RunPool(pool, signals,
-                  {.work = [&](std::int64_t index,
-                               const fs::path& messages) { return Work(index, messages); },
-                   .next = [&](int place) { return Next(place); },
-                   .prepare = [&](const Job& job, int place) { Prepare(job, place); },
-                   .take = take});
-    }
+    end_.signal = RunPool(
+        pool, signals,
+        {.work = [&](std::int64_t number,
+                     const fs::path& messages) { return Work(PassOf(number), messages); },
+         .next = [&](int place) { return Next(place); },
+         .prepare = [&](const Job&, int place) { Empty(WorkPlace(place)); },
+         .take = take});
     writer_->Flush();
     progress.End();
     RemoveWork();
     end_.tally = finished_.TallyOf(options_.shard);
     end_.total = RunsOfShard();
     end_.enough = in_order_.done();
+    end_.not_repeated = logs_.not_repeated();
     return std::move(end_);
   }
 
@@ -138,60 +139,46 @@ class Engine {
   /// What earlier programs left in the folder: logs that count, results in order.
   void GoOn() {
     Empty(WorkPlace());
-    if (!options_.enough && (campaign_.keep.none() || campaign_.keep.failures_per_cause < 0)) {
-      return;
-    }
+    if (!options_.enough && campaign_.keep.none()) return;
     const FinishedRuns runs = ReadShards(options_.out_dir, check_, options_.columns);
     for (const RunResult& result : runs.results) {
       const std::int64_t index = maker_.IndexOf(result.run);
       if (!options_.shard.Has(index)) continue;
-      if (folder_.HasFolder(RunFolder("", result.run))) retention_.AddKept(result);
+      if (!options_.retry_lost || !IsLost(result.outcome)) logs_.AddEarlier(index, result);
       in_order_.Add(index, result);
     }
   }
 
-  /// The next run of the shard that has no result.
+  Job JobOf(const Pass& pass, int place) const {
+    return {NumberOf(pass), WorkFolder(place) / "messages.txt"};
+  }
+
+  /// The next log that is to be written; else the next run of the shard that has no result.
   std::optional<Job> Next(int place) {
+    if (const auto index = logs_.NextAgain()) return JobOf({*index, true}, place);
+    if (in_order_.done()) return std::nullopt;
     const auto done = [&] {
       return finished_.Has(next_) && !(options_.retry_lost && finished_.Lost(next_));
     };
     while (next_ < maker_.run_count() && done()) next_ += options_.shard.count;
     if (next_ >= maker_.run_count()) return std::nullopt;
-    const Job job{next_, WorkFolder(place) / "messages.txt"};
+    const Job job = JobOf({next_, false}, place);
     next_ += options_.shard.count;
     return job;
   }
 
-  void Prepare(const Job&, int place) const {
-    if (!campaign_.keep.none() || !folder_.HasFolder(WorkPlace(place))) Empty(WorkPlace(place));
-  }
-
   /// In a worker.
-  std::string Work(std::int64_t index, const fs::path& messages) const {
-    const fs::path dir = campaign_.keep.none() ? fs::path() : messages.parent_path();
-    return RunAndAnswer([&] { return maker_.Make(index); }, work_, dir);
-  }
-
-  void KeepSightings(const FinishedRun& run, int place) const {
-    const fs::path to = SightingsFile("", run.result.run),
-                   from = WorkPlace(place) / "sightings.json";
-    folder_.Make(to.parent_path());
-    folder_.Write(to, folder_.Read(from, kMostSightingsBytes).value_or("[]\n"));
-  }
-
-  void KeepLog(const FinishedRun& run, int place) {
-    if (campaign_.keep.none()) return;
-    if (campaign_.keep.sightings && !IsLost(run.result.outcome)) KeepSightings(run, place);
-    const Retention::Choice choice = retention_.Choose(run.result);
-    if (choice.drop) folder_.Remove(RunFolder("", *choice.drop));
-    if (!choice.keep) return;
-    const fs::path from = WorkFolder(place), to = RunFolder("", run.result.run);
-    if (IsLost(run.result.outcome)) WriteLostRun(from, run, options_.columns);
-    std::error_code error;
-    if (fs::file_size(from / "messages.txt", error) == 0) fs::remove(from / "messages.txt", error);
-    folder_.Make(to.parent_path());
-    folder_.Remove(to);
-    folder_.Rename(WorkPlace(place), to);
+  std::string Work(const Pass& pass, const fs::path& messages) const {
+    const fs::path dir = messages.parent_path();
+    const auto logging = [&](const CampaignRun& run) {
+      return LoggingOf(run, campaign_.keep, pass.again, dir, folder_);
+    };
+    return RunAndAnswer({.make = [&] { return maker_.Make(pass.index); },
+                         .logging = logging,
+                         .simulate = function_,
+                         .columns = options_.columns,
+                         .dir = dir,
+                         .sightings = campaign_.keep.sightings && !pass.again});
   }
 
   const Campaign& campaign_;
@@ -199,12 +186,12 @@ class Engine {
   Folder folder_;
   RunMaker maker_;
   RowCheck check_;
-  RunWork work_;
+  const RunFunction& function_;
   ShardEnd end_;
   std::optional<ShardWriter> writer_;
   FinishedSet finished_;
   std::int64_t next_;
-  Retention retention_;
+  RunLogs logs_;
   InOrder in_order_;
 };
 

@@ -12,6 +12,7 @@
 #include "sim/campaign/finished_set.h"
 #include "sim/campaign/merge.h"
 #include "sim/campaign/progress.h"
+#include "sim/campaign/run_logs.h"
 #include "sim/campaign/run_work.h"
 #include "sim/campaign/shard_file.h"
 #include "sim/plan/campaign.h"
@@ -41,6 +42,7 @@ struct ShardEnd {
   int signal = 0;                    // SIGINT, SIGTERM or SIGHUP that stopped it; 0: none did
   bool enough = false;               // options.enough said so
   std::vector<std::string> damaged;  // places of damaged rows; their runs were simulated again
+  std::vector<NotRepeated> not_repeated;
 
   bool complete() const { return tally.done == total; }
 };

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "sim/base/files.h"
+#include "sim/log/run_log.h"
 #include "sim/mcap/mcap_reader.h"
 
 namespace dockyard {
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The folders that programs of a campaign read, write and empty.
-constexpr const char* kOwnFolders[] = {"files", "shards", "runs",  "sightings",
+constexpr const char* kOwnFolders[] = {"files", "shards", "runs", "commands", "sightings",
                                        "plots", "work",   "submit"};
 
 /// Nothing, or what is left of a claim that was cut short.
@@ -56,6 +57,16 @@ Json ReadManifest(const fs::path& dir) {
 }
 
 fs::path RunFolder(const fs::path& dir, int run) { return dir / "runs" / NumberName(run); }
+
+fs::path CommandsFolder(const fs::path& dir, int run) {
+  return dir / "commands" / NumberName(run);
+}
+
+Folder FolderOfCommands(const fs::path& dir, int run) {
+  const Folder whole = Folder(dir).In(RunFolder("", run));
+  const Folder commands = Folder(dir).In(CommandsFolder("", run));
+  return !whole.HasFile(kRunLogFile) && commands.HasFile(kRunLogFile) ? commands : whole;
+}
 
 std::optional<RunOfFolder> FindRunOfFolder(const fs::path& run_folder) {
   std::error_code ignored;

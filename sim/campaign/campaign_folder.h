@@ -8,6 +8,7 @@
 //   runs/NNN/               of the runs whose log is kept: run.mcap, history.csv, sightings.json,
 //                           plans.json, outcome.json, figures of the system, messages.txt (the
 //                           run's printed lines, if any)
+//   commands/NNN/run.mcap   of the other runs whose controller is a program: the log of the commands
 //   work/                   of the runs under way
 #pragma once
 
@@ -45,6 +46,11 @@ Json ReadManifest(const std::filesystem::path& dir);
 
 /// "runs/007" of a results folder.
 std::filesystem::path RunFolder(const std::filesystem::path& dir, int run);
+
+/// "commands/007" of a results folder.
+std::filesystem::path CommandsFolder(const std::filesystem::path& dir, int run);
+/// The folder whose log has the run's commands.
+Folder FolderOfCommands(const std::filesystem::path& dir, int run);
 
 /// A run of a campaign, told by the folder of its log.
 struct RunOfFolder {

@@ -4,17 +4,14 @@
 
 namespace dockyard {
 
-void Retention::AddKept(const RunResult& result) {
-  if (!result.docked) kept_failures_[result.outcome].insert(result.run);
+// By a hash: every n-th of a grid's runs would be the same point of it.
+bool StaysIfSuccess(const Keep& keep, int run) {
+  const auto n = static_cast<std::uint64_t>(keep.every_nth_success);
+  return n > 0 && HashBits(kHashSeed, static_cast<std::uint64_t>(run)) % n == 0;
 }
 
 Retention::Choice Retention::Choose(const RunResult& result) {
-  if (result.docked) {
-    const auto n = static_cast<std::uint64_t>(keep_.every_nth_success);
-    // By a hash: every n-th of a grid's runs would be the same point of it.
-    const std::uint64_t hash = HashBits(kHashSeed, static_cast<std::uint64_t>(result.run));
-    return {n > 0 && hash % n == 0, std::nullopt};
-  }
+  if (result.docked) return {StaysIfSuccess(keep_, result.run), std::nullopt};
   if (keep_.failures_per_cause < 0) return {true, std::nullopt};
   std::set<int>& kept = kept_failures_[result.outcome];
   kept.insert(result.run);

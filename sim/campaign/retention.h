@@ -13,18 +13,18 @@
 
 namespace dockyard {
 
+/// Whether the run's log stays if it is a success.
+bool StaysIfSuccess(const Keep& keep, int run);
+
 /// Chooses by the runs' numbers and outcomes alone: whatever the order in which runs end, the same
 /// logs are there in the end.
 class Retention {
  public:
   explicit Retention(const Keep& keep) : keep_(keep) {}
 
-  /// A run of an earlier program whose log is there.
-  void AddKept(const RunResult& result);
-
   struct Choice {
     bool keep = false;
-    std::optional<int> drop;  // the run whose log gives way
+    std::optional<int> drop;  // the failure whose log gives way
   };
   Choice Choose(const RunResult& result);
 

@@ -24,16 +24,13 @@ RunLogging LoggingOf(const CampaignRun& run, const Keep& keep, bool again,
   RunLogging logging;
   if (whole || of_program) logging.dir = work_dir;
   logging.images = whole && keep.pictures;
+  logging.commands_alone = !whole;
   if (again && of_program) logging.recorded = results.In(CommandsFolder("", run.run));
   return logging;
 }
 
 RunLogs::RunLogs(const Keep& keep, const Folder& results, const RowColumns& columns)
     : keep_(keep), results_(results), columns_(columns), retention_(keep) {}
-
-bool RunLogs::HasLogAtOnce(const RunResult& result) const {
-  return StaysIfSuccess(keep_, result.run) || (StartsProgram(result) && !keep_.pictures);
-}
 
 bool RunLogs::Chosen(const RunResult& result) {
   const Retention::Choice choice = retention_.Choose(result);
@@ -62,7 +59,7 @@ void RunLogs::TakeRow(std::int64_t index, const FinishedRun& run, const fs::path
   const RunResult& row = run.result;
   if (keep_.sightings && !IsLost(row.outcome)) KeepSightings(run, work);
   const bool stays = Chosen(row);
-  if (stays && HasLogAtOnce(row)) return KeepWhole(run, work);
+  if (stays && StaysIfSuccess(keep_, row.run)) return KeepWhole(run, work);
   results_.Remove(RunFolder("", row.run));  // of a former try that was lost
   if (StartsProgram(row)) KeepCommands(row.run, work);
   if (!stays) return;

@@ -61,7 +61,6 @@ class RunLogs {
 
  private:
   bool Chosen(const RunResult& result);
-  bool HasLogAtOnce(const RunResult& result) const;
   void Move(const std::filesystem::path& from, const std::filesystem::path& to) const;
   void KeepCommands(int run, const std::filesystem::path& from) const;
   void KeepWhole(const FinishedRun& run, const std::filesystem::path& work) const;
@@ -73,7 +72,7 @@ class RunLogs {
   const RowColumns& columns_;
   Retention retention_;
   std::set<std::int64_t> to_simulate_;           // again
-  std::map<std::int64_t, FinishedRun> waiting_;  // rows of those, and of those under way
+  std::map<std::int64_t, FinishedRun> waiting_;  // rows of those, and of those at work
   std::set<int> of_programs_;                    // of those that stay
   std::vector<NotRepeated> not_repeated_;
 };

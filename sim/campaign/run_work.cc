@@ -36,12 +36,16 @@ FinishedRun Lost(const CampaignRun& run, const std::string& outcome, const std::
 
 }  // namespace
 
-std::string RunAndAnswer(const std::function<CampaignRun()>& make, const RunWork& work,
-                         const std::filesystem::path& run_dir) {
+std::string RunAndAnswer(const RunWork& work) {
   try {
-    const CampaignRun run = make();
-    const RunRecord record = work.simulate(run, run_dir);
-    if (!run_dir.empty()) WriteRecordFiles(run_dir, record);
+    const CampaignRun run = work.make();
+    const RunLogging logging = work.logging(run);
+    const RunRecord record = work.simulate(run, logging);
+    if (!logging.dir.empty()) {
+      WriteRecordFiles(logging.dir, record);
+    } else if (work.sightings) {
+      WriteSightings(work.dir, record);
+    }
     if (!record.messages.empty()) std::fputs(record.messages.c_str(), stderr);  // messages.txt
     return Answer(kRow, CsvRow(record.result, work.columns)) + CsvLine(TimingCells(record.timing)) +
            "\n" + OneLine(record.failure_note) + "\n";

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/base/folder.h"
 #include "sim/jobs/worker.h"
 #include "sim/log/record.h"
 #include "sim/log/results.h"
@@ -14,19 +16,29 @@
 
 namespace dockyard {
 
-using RunFunction =
-    std::function<RunRecord(const CampaignRun& run, const std::filesystem::path& log_dir)>;
+/// What a run logs while it is simulated.
+struct RunLogging {
+  std::filesystem::path dir;       // empty: nothing
+  bool images = true;
+  bool commands_alone = false;     // RunLogHeader::commands_alone
+  std::optional<Folder> recorded;  // its log gives the commands in place of the controller
+};
+
+using RunFunction = std::function<RunRecord(const CampaignRun& run, const RunLogging& logging)>;
 
 /// What a worker does with a run.
 struct RunWork {
-  RunFunction simulate;
-  RowColumns columns;
+  std::function<CampaignRun()> make;
+  std::function<RunLogging(const CampaignRun&)> logging;
+  const RunFunction& simulate;
+  const RowColumns& columns;
+  std::filesystem::path dir;  // for what it writes
+  bool sightings = false;     // also without a log
 };
 
-/// In the worker: makes the run, simulates it, writes its files into its folder, if it
-/// has one, and gives the answer as lines of text: row, timing and failure note, or the exception.
-std::string RunAndAnswer(const std::function<CampaignRun()>& make, const RunWork& work,
-                         const std::filesystem::path& run_dir);
+/// In the worker: makes the run, simulates it, writes its files, if it has a log, and gives the
+/// answer as lines of text: row, timing and failure note, or the exception.
+std::string RunAndAnswer(const RunWork& work);
 
 /// In the parent: the run as the worker left it. A run that was lost has the outcome crashed or
 /// stopped. Throws IoError and ConfigError where the worker did, because every other run would fail

@@ -38,12 +38,12 @@ class Pool {
 
   /// Gives each free place a job, while there are any.
   void Fill() {
-    for (std::size_t i = 0; i < places_.size() && more_; ++i) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
       if (places_[i].job) continue;
       places_[i].job = calls_.next(static_cast<int>(i));
-      more_ = places_[i].job.has_value();
+      if (!places_[i].job) return;
       places_[i].attempts = 0;
-      if (more_) Attempt(i);
+      Attempt(i);
     }
   }
 
@@ -93,7 +93,7 @@ class Pool {
       }
       const Job job = *place.job;
       place.job.reset();
-      if (!calls_.take(job, static_cast<int>(i), end)) more_ = false;
+      calls_.take(job, static_cast<int>(i), end);
     }
   }
 
@@ -130,7 +130,6 @@ class Pool {
   int signal_descriptor_;
   Descendants started_;
   std::vector<Place> places_;
-  bool more_ = true;
 };
 
 }  // namespace

@@ -28,15 +28,16 @@ struct PoolOptions {
 /// What the pool asks of its caller.
 struct PoolCalls {
   JobWork work;  // in the worker
-  /// The next job for the worker at this place (0 .. workers - 1); none when there is no more.
+  /// The next job for the worker at this place (0 .. workers - 1); none when there is none now. It
+  /// is asked again when another job has ended.
   std::function<std::optional<Job>(int place)> next;
   /// Before each attempt at a job; may be empty.
   std::function<void(const Job&, int place)> prepare;
-  /// Takes a job's end, in the order in which the jobs end. False: enough, start no more.
-  std::function<bool(const Job&, int place, const JobEnd&)> take;
+  /// Takes a job's end, in the order in which the jobs end.
+  std::function<void(const Job&, int place, const JobEnd&)> take;
 };
 
-/// Runs jobs until `next` gives none. A worker goes on from job to job; a job that is lost is tried
+/// Runs jobs until `next` gives none and none runs. A worker goes on from job to job; a job that is lost is tried
 /// again in a new worker. Returns 0, or the signal that stopped it: it then kills the jobs under
 /// way and does not call `take` for them. An exception of the caller's functions is passed on after
 /// all workers are gone; no worker outlives the call. Throws IoError when no process can be had.

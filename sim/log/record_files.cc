@@ -107,12 +107,16 @@ Json PlansJson(const std::vector<PlanSample>& plans) {
   return json;
 }
 
+void WriteSightings(const std::filesystem::path& dir, const RunRecord& record) {
+  WriteWhole(dir / "sightings.json", SightingsJson(record.sightings).dump(1) + "\n");
+}
+
 void WriteRecordFiles(const std::filesystem::path& dir, const RunRecord& record) {
   MakeFolder(dir);
   Json outcome = RowJson(record.result, record.columns);
   outcome["failure_note"] = record.failure_note;
   WriteWhole(dir / "history.csv", HistoryCsv(record));
-  WriteWhole(dir / "sightings.json", SightingsJson(record.sightings).dump(1) + "\n");
+  WriteSightings(dir, record);
   WriteWhole(dir / "plans.json", PlansJson(record.plans).dump(1) + "\n");
   WriteWhole(dir / "outcome.json", outcome.dump(1) + "\n");
 }

@@ -23,6 +23,9 @@ Json PlansJson(const std::vector<PlanSample>& plans);
 /// the folder, which it makes. Throws IoError.
 void WriteRecordFiles(const std::filesystem::path& dir, const RunRecord& record);
 
+/// sightings.json alone.
+void WriteSightings(const std::filesystem::path& dir, const RunRecord& record);
+
 /// result.csv: header and row, as a campaign's results.csv has them. Throws IoError.
 void WriteSingleResult(const std::filesystem::path& dir, const RunResult& row,
                        const RowColumns& columns);

@@ -48,6 +48,8 @@ struct RunLogHeader {
   std::uint64_t seed = 0;
   std::string system{}, controller{};
   bool images_kept = true;
+  // Frames, beliefs and notes alone: what a run needs to be made again without its program.
+  bool commands_alone = false;
   Json nominal{};  // the nominal parameters that the controller got
   // Names for the messages. Motors and cameras without one are called by their number.
   std::vector<NamedMotor> motors{};
@@ -89,11 +91,13 @@ class RunLogWriter {
   std::uint16_t Channel(const std::string& topic, const std::string& type,
                         const McapTexts& metadata = {});
   void Put(std::uint16_t channel, Tick tick, const std::string& data);
+  void Append(const Stage& stage, Tick tick);
   void AppendImages(const SensorFrame& sensed, const std::vector<std::string>& pictures);
   const NamedCamera& CameraOf(int index);
   const std::vector<NamedMotor>& MotorsOf(const SensorFrame& sensed);
 
   bool keep_images_ = true;
+  bool commands_alone_ = false;
   std::vector<NamedMotor> motors_;
   std::vector<NamedCamera> cameras_;              // more are added as their images come
   const std::vector<NamedCamera> named_cameras_;  // with mounting and lens

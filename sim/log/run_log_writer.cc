@@ -23,7 +23,7 @@ Json CamerasJson(const std::vector<NamedCamera>& cameras) {
 }
 
 std::string HeaderText(const RunLogHeader& header) {
-  const Json json = {{"version", kRunLogVersion},
+  Json json = {{"version", kRunLogVersion},
                      {"run", header.run},
                      {"seed", header.seed},
                      {"system", header.system},
@@ -31,6 +31,7 @@ std::string HeaderText(const RunLogHeader& header) {
                      {"images_kept", header.images_kept},
                      {"nominal", header.nominal},
                      {"cameras", CamerasJson(header.cameras)}};
+  if (header.commands_alone) json["commands_alone"] = true;
   return json.dump();
 }
 
@@ -79,6 +80,7 @@ std::vector<Pose2> PosesAlong(const std::vector<PlannedArc>& arcs) {
 RunLogWriter::RunLogWriter(const std::filesystem::path& dir, const RunLogHeader& header,
                            const std::string& scenario)
     : keep_images_(header.images_kept),
+      commands_alone_(header.commands_alone),
       motors_(header.motors),
       cameras_(header.cameras),
       named_cameras_(header.cameras),
@@ -151,6 +153,7 @@ void RunLogWriter::Append(const SensorFrame& sensed, const Commands& commands) {
   AppendImages(sensed, pictures);
   const Tick tick = sensed.tick;
   Put(Channel(topic::kFrame, "dockyard_msgs/Frame"), tick, FrameMessage(tick, payload_));
+  if (commands_alone_) return;
   Put(Channel(topic::kImu, "sensor_msgs/Imu"), tick, ImuMessage(tick, sensed.imu));
   Put(Channel(topic::kMotors, "sensor_msgs/JointState",
               {{"position", "rad since power-on"}, {"effort", "current, A"}}),
@@ -158,8 +161,13 @@ void RunLogWriter::Append(const SensorFrame& sensed, const Commands& commands) {
   Put(Channel(topic::kCommands, "dockyard_msgs/Commands"), tick, CommandsMessage(tick, commands));
 }
 
-void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick tick) {
+void RunLogWriter::Append(const Stage& stage, Tick tick) {
   std::vector<BodyPose> frames{{kDockFrame, stage.X_WD}};
+  if (commands_alone_) {
+    Put(Channel(topic::kTransforms, "tf2_msgs/TFMessage"), tick,
+        TransformsMessage(tick, frames, {}));
+    return;
+  }
   if (stage.ground.heights_m != nullptr) frames.push_back({kGroundFrame, stage.ground.X_WG});
   frames.insert(frames.end(), stage.bodies.begin(), stage.bodies.end());
   Put(Channel(topic::kTransforms, "tf2_msgs/TFMessage"), tick,
@@ -175,6 +183,10 @@ void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick 
     Put(Channel("/" + line.name, "visualization_msgs/MarkerArray"), tick,
         LinesMessage(tick, {line}));
   }
+}
+
+void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick tick) {
+  Append(stage, tick);
   std::vector<double> truth{sample.X_DR.x, sample.X_DR.y, sample.X_DR.heading};
   truth.insert(truth.end(), sample.channels.begin(), sample.channels.end());
   const std::vector<double> errors = BeliefErrors(sample);
@@ -184,7 +196,7 @@ void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick 
   std::vector<double> belief{sample.located ? 1.0 : 0.0, X.x, X.y, X.heading};
   belief.insert(belief.end(), sample.beliefs.begin(), sample.beliefs.end());
   Put(channels_.at(topic::kBelief), tick, ScalarsMessage(tick, belief_names_, belief));
-  if (sample.located) {
+  if (sample.located && !commands_alone_) {
     Put(Channel(topic::kBeliefPose, "geometry_msgs/PoseWithCovarianceStamped"), tick,
         BeliefPoseMessage(tick, X));
   }
@@ -194,7 +206,7 @@ void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick 
 }
 
 void RunLogWriter::AppendGround(const StageGround& ground, Tick tick) {
-  if (!ground_.Update(ground)) return;
+  if (commands_alone_ || !ground_.Update(ground)) return;
   Put(Channel(topic::kGround, "dockyard_msgs/Ground"), tick, ground_.Message(tick));
   Put(Channel(topic::kGroundMarkers, "visualization_msgs/MarkerArray"), tick,
       ground_.Markers(tick));

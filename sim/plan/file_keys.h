@@ -24,7 +24,7 @@ struct NamedFile {
   std::string key, path;
 };
 struct NamedCommand {
-  std::vector<std::string> words;  // of the command, and the files beside
+  std::vector<std::string> words;  // of the command, then `files`
   std::string folder;
 };
 struct CampaignFiles {

@@ -75,12 +75,13 @@ class Run {
                        .system = system.name,
                        .controller = what.scenario.controller,
                        .images_kept = what.scenario.log_images && options.log_images,
+                       .commands_alone = options.log_commands_alone,
                        .nominal = ready_.nominal,
                        .motors = ready_.motors,
                        .cameras = ready_.cameras,
                        .channels = system.channels,
                        .beliefs = system.beliefs},
-          ResolvedYaml(what.scenario));
+          YamlWithoutFolders(what.scenario, options.results_dir.string()));
     }
   }
 
@@ -301,6 +302,8 @@ std::unique_ptr<Controller> MakeController(const System& system, const CampaignR
                          .nominal = ready.nominal},
       limits);
 }
+
+bool StartsProgram(const RunResult& row) { return row.controller == "command"; }
 
 RunResult StartOfRow(const CampaignRun& run) {
   RunResult row;

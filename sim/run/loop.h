@@ -14,6 +14,7 @@ namespace dockyard {
 struct RunOptions {
   std::filesystem::path log_dir;    // empty: no log is written
   bool log_images = true;           // in the log, if the scenario keeps them
+  bool log_commands_alone = false;  // what a run needs to be made again without its program
   std::vector<std::string> labels;  // names of the run's labels
   // Whether a scenario's `controller: {command: ...}` may start its program, and how long one of
   // its answers may take. Wall time; assumed, 1-60 s.
@@ -41,6 +42,9 @@ std::unique_ptr<Controller> MakeController(const System& system, const CampaignR
 /// What a program gets as the seed of its own draws: a map of `controller: {seed: N}` and the run's
 /// number. The world has no part in it, so it shows nothing of the world.
 std::uint64_t SeedOfProgram(std::uint64_t controller_seed, int run);
+
+/// Whether the run's controller is a program, by its row: `command` (docs/reference/columns.md).
+bool StartsProgram(const RunResult& row);
 
 /// The part of a result that is known before the run. The row of a crashed run holds no more.
 RunResult StartOfRow(const CampaignRun& run);

@@ -36,7 +36,7 @@ void VisitController(Keys& keys, Scenario& s, const KnownSystem* system) {
         in.Text(
             {"folder", "", "where the program runs, else the file's own folder", Presence::kUnset},
             s.command_folder);
-        in.Texts({"files", "", "files that the program needs beside those of its command",
+        in.Texts({"files", "", "files that the program needs, and its command does not name",
                   Presence::kUnset},
                  s.command_files, 1000);
         in.Seed({"seed", "", "of the program's own random draws; the world's has no part in it"},

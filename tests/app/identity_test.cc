@@ -72,7 +72,7 @@ TEST_F(Identity, HoldsOfAProgramWhatTheScenarioNames) {
   EXPECT_EQ(Text().find("c.py"), std::string::npos);
   const auto said = UnnamedFilesOf(WithAbsolutePaths(campaign_, {}), {});
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_EQ(said[0].rfind("controller.files: c.py lies beside the program", 0), 0u) << said[0];
+  EXPECT_EQ(said[0].rfind("controller.files: c.py lies next to the program", 0), 0u) << said[0];
 }
 
 TEST_F(Identity, IsTheSameWhereverTheFilesLieTogether) {

@@ -31,7 +31,7 @@ void Sleep(double milliseconds) {
   std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(milliseconds));
 }
 
-RunRecord ShortRun(const CampaignRun& run, const fs::path&) {
+RunRecord ShortRun(const CampaignRun& run, const RunLogging&) {
   Sleep(2.0 + 3.0 * (run.run % 4));
   return FakeRecord(run);
 }

@@ -72,14 +72,5 @@ TEST(Retention, KeepsAllOrNone) {
   EXPECT_TRUE(KeptOf(Keep::None(), InOrder(40)).empty());
 }
 
-TEST(Retention, GoesOnFromTheLogsThatAreThere) {
-  Retention retention({2, 0, true});
-  for (const int run : {12, 20}) retention.AddKept(ResultOf(run));
-  const Retention::Choice choice = retention.Choose(ResultOf(4));
-  EXPECT_TRUE(choice.keep);
-  EXPECT_EQ(choice.drop, 20);
-  EXPECT_FALSE(retention.Choose(ResultOf(28)).keep);
-}
-
 }  // namespace
 }  // namespace dockyard

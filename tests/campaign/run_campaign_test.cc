@@ -34,6 +34,12 @@ CampaignOptions OptionsFor(const fs::path& dir, int jobs) {
   return options;
 }
 
+/// FakeRecord, later for runs of odd number, so that runs do not end in order.
+RunRecord FakeRun(const CampaignRun& run, const RunLogging&) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(run.run % 2 == 1 ? 30 : 1));
+  return FakeRecord(run);
+}
+
 /// Every file that must not depend on how the campaign came to its end.
 void ExpectSameResults(const fs::path& a, const fs::path& b) {
   for (const char* file :
@@ -47,9 +53,9 @@ void ExpectSameResults(const fs::path& a, const fs::path& b) {
 pid_t StartCampaignProcess(const fs::path& dir, int count, int jobs, int pause_ms) {
   const pid_t child = ::fork();
   if (child != 0) return child;
-  const auto slow = [pause_ms](const CampaignRun& run, const fs::path& log_dir) {
+  const auto slow = [pause_ms](const CampaignRun& run, const RunLogging&) {
     std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
-    return FakeRun(run, log_dir);
+    return FakeRun(run, {});
   };
   const CampaignEnd end = RunCampaign(FakeCampaign(count), slow, OptionsFor(dir, jobs));
   ::_exit(end.signal != 0 ? 128 + end.signal : 0);
@@ -90,14 +96,14 @@ TEST(RunCampaign, GivesTheSameBytesForAnyNumberOfProcesses) {
 
 TEST(RunCampaign, KeepsARunThatDiesToItself) {
   const TemporaryFolder folder;
-  const auto dies = [](const CampaignRun& run, const fs::path& dir) -> RunRecord {
+  const auto dies = [](const CampaignRun& run, const RunLogging&) -> RunRecord {
     if (run.run == 2) {
       ::signal(SIGSEGV, SIG_DFL);
       ::raise(SIGSEGV);
     }
     if (run.run == 3) ::_exit(9);
     if (run.run == 4) throw std::runtime_error("the renderer found no context");
-    return FakeRun(run, dir);
+    return FakeRun(run, {});
   };
   const CampaignEnd end = RunCampaign(FakeCampaign(5), dies, OptionsFor(folder.path(), 2));
   ASSERT_TRUE(end.complete());
@@ -116,8 +122,8 @@ TEST(RunCampaign, KeepsARunThatDiesToItself) {
 
 TEST(RunCampaign, ClosesTheLogOfARunThatWasKilled) {
   const TemporaryFolder folder;
-  const auto dies = [](const CampaignRun& run, const fs::path& dir) -> RunRecord {
-    RunLogWriter log(dir, {.run = run.run, .system = "toy", .nominal = {}});
+  const auto dies = [](const CampaignRun& run, const RunLogging& logging) -> RunRecord {
+    RunLogWriter log(logging.dir, {.run = run.run, .system = "toy", .nominal = {}});
     for (Tick tick = 0; tick <= 2500; tick += 20) log.Append(SensorFrame{.tick = tick}, {});
     if (run.run == 2) ::raise(SIGKILL);
     log.Finish();
@@ -133,9 +139,9 @@ TEST(RunCampaign, ClosesTheLogOfARunThatWasKilled) {
 
 TEST(RunCampaign, KillsARunThatHangs) {
   const TemporaryFolder folder;
-  const auto hangs = [](const CampaignRun& run, const fs::path& dir) {
+  const auto hangs = [](const CampaignRun& run, const RunLogging&) {
     while (run.run == 1) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    return FakeRun(run, dir);
+    return FakeRun(run, {});
   };
   const CampaignOptions options = OptionsFor(folder.path(), 2);
   Campaign campaign = FakeCampaign(3);
@@ -148,10 +154,10 @@ TEST(RunCampaign, KillsARunThatHangs) {
 
 TEST(RunCampaign, KeepsWhatARunPrintsOutOfTheWay) {
   const TemporaryFolder folder;
-  const auto prints = [](const CampaignRun& run, const fs::path& dir) {
+  const auto prints = [](const CampaignRun& run, const RunLogging&) {
     if (run.run == 1) std::printf("a word to stdout\n");
     if (run.run == 1) std::fprintf(stderr, "a word to stderr\n");
-    return FakeRun(run, dir);
+    return FakeRun(run, {});
   };
   ::testing::internal::CaptureStdout();
   RunCampaign(FakeCampaign(2), prints, OptionsFor(folder.path(), 1));
@@ -183,7 +189,7 @@ TEST(RunCampaign, KilledInTheMiddleGoesOnToTheSameResults) {
 TEST(RunCampaign, RunsNoFinishedRunAgain) {
   const TemporaryFolder folder;
   RunCampaign(FakeCampaign(3), FakeRun, OptionsFor(folder.path(), 1));
-  const auto never = [](const CampaignRun&, const fs::path&) -> RunRecord {
+  const auto never = [](const CampaignRun&, const RunLogging&) -> RunRecord {
     throw std::runtime_error("ran again");
   };
   const CampaignEnd end = RunCampaign(FakeCampaign(3), never, OptionsFor(folder.path(), 1));
@@ -224,9 +230,9 @@ TEST(RunCampaign, GivesTheSameBytesInShards) {
 TEST(RunCampaign, TriesALostRunAgainAndRetriesLostOnesWhenAsked) {
   const TemporaryFolder folder;
   const fs::path well = folder.path() / "well", out = folder.path() / "out";
-  const auto sick = [&](const CampaignRun& run, const fs::path& dir) -> RunRecord {
+  const auto sick = [&](const CampaignRun& run, const RunLogging&) -> RunRecord {
     if (run.run == 2 && !fs::exists(well)) ::kill(::getpid(), SIGKILL);
-    return FakeRun(run, dir);
+    return FakeRun(run, {});
   };
   const CampaignEnd lost = RunCampaign(FakeCampaign(3), sick, OptionsFor(out, 1));
   EXPECT_EQ(ResultOf(lost, 2).outcome, kStopped);
@@ -296,7 +302,7 @@ TEST(RunCampaign, LeavesNoWorkerBehindWhenKilled) {
   const fs::path alive = folder.path() / "alive";
   const pid_t child = ::fork();
   if (child == 0) {
-    const auto forever = [&](const CampaignRun&, const fs::path&) -> RunRecord {
+    const auto forever = [&](const CampaignRun&, const RunLogging&) -> RunRecord {
       for (;;) {
         WriteText(alive, "x");
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -321,10 +327,10 @@ TEST(RunCampaign, WithoutLogsLeavesNoFolderOfARun) {
   const TemporaryFolder folder;
   Campaign campaign = FakeCampaign(3);
   campaign.keep = Keep::None();
-  const auto run = [](const CampaignRun& what, const fs::path& dir) -> RunRecord {
-    EXPECT_TRUE(dir.empty());
+  const auto run = [](const CampaignRun& what, const RunLogging& logging) -> RunRecord {
+    EXPECT_TRUE(logging.dir.empty());
     if (what.run == 2) throw std::runtime_error("no context");
-    return FakeRun(what, dir);
+    return FakeRun(what, {});
   };
   const CampaignEnd end = RunCampaign(campaign, run, OptionsFor(folder.path(), 2));
   EXPECT_TRUE(end.complete());
@@ -346,8 +352,8 @@ TEST(RunCampaign, SumsUpAGridPointByPoint) {
   campaign.figures = {.x = "start.r_m", .measures = {"docked"}};
   CampaignOptions options = OptionsFor(folder.path(), 2);
   options.columns.labels = campaign.labels;
-  const auto run = [&](const CampaignRun& what, const fs::path& dir) {
-    RunRecord record = FakeRun(what, dir);
+  const auto run = [&](const CampaignRun& what, const RunLogging&) {
+    RunRecord record = FakeRun(what, {});
     record.columns = options.columns;
     return record;
   };
@@ -360,8 +366,8 @@ TEST(RunCampaign, SumsUpAGridPointByPoint) {
 
 TEST(RunCampaign, TellsANoteOfSeveralLinesInOne) {
   const TemporaryFolder folder;
-  const auto run = [](const CampaignRun& what, const fs::path& dir) {
-    RunRecord record = FakeRun(what, dir);
+  const auto run = [](const CampaignRun& what, const RunLogging&) {
+    RunRecord record = FakeRun(what, {});
     record.failure_note = "first\nsecond";
     return record;
   };
@@ -373,9 +379,9 @@ TEST(RunCampaign, TellsANoteOfSeveralLinesInOne) {
 
 TEST(RunCampaign, LosesOnlyTheRunThatDrewWhatCannotBeSimulated) {
   const TemporaryFolder folder;
-  const auto bad = [](const CampaignRun& run, const fs::path& dir) {
+  const auto bad = [](const CampaignRun& run, const RunLogging&) {
     if (run.run == 3) throw ConfigError("axel.yaml:14:9: wheels.radius_m: expected a number > 0");
-    return FakeRun(run, dir);
+    return FakeRun(run, {});
   };
   const CampaignEnd end = RunCampaign(FakeCampaign(4), bad, OptionsFor(folder.path(), 1));
   EXPECT_EQ(RowsIn(folder.path()), 4);
@@ -384,9 +390,9 @@ TEST(RunCampaign, LosesOnlyTheRunThatDrewWhatCannotBeSimulated) {
 
 TEST(RunCampaign, EndsWhenARunCannotWrite) {
   const TemporaryFolder folder;
-  const auto full = [](const CampaignRun& run, const fs::path& dir) {
+  const auto full = [](const CampaignRun& run, const RunLogging&) {
     if (run.run == 2) throw IoError("cannot write run.mcap: No space left on device");
-    return FakeRun(run, dir);
+    return FakeRun(run, {});
   };
   EXPECT_THROW(RunCampaign(FakeCampaign(3), full, OptionsFor(folder.path(), 1)), IoError);
   EXPECT_EQ(RowsIn(folder.path()), 1);

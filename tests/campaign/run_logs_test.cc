@@ -84,7 +84,7 @@ TEST_F(RunLogsTest, AFailureWhoseLogWasNotWrittenInTimeGetsItWhenTheCampaignGoes
   EXPECT_EQ(Logged(), std::set<std::string>{"003"});
 }
 
-TEST_F(RunLogsTest, ARunThatComesToAnotherRowIsTold) {
+TEST_F(RunLogsTest, ARunThatComesToAnotherRowIsReported) {
   const ShardEnd end = Run({-1, 0, true}, 4, /*drifts=*/true);
   ASSERT_EQ(end.not_repeated.size(), 1u);
   EXPECT_EQ(end.not_repeated[0].run, 3);

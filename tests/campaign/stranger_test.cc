@@ -41,7 +41,8 @@ class Stranger : public testing::Test {
     options.systems = FakeSystems();
     options.columns = FakeColumns();
     options.identity.campaign_yaml = CampaignYaml(campaign_);
-    RunCampaign(campaign_, FakeRun, options);
+    RunCampaign(
+        campaign_, [](const CampaignRun& run, const RunLogging&) { return FakeRecord(run); }, options);
   }
   void LinkInPlaceOf(const fs::path& place, const fs::path& target) const {
     fs::remove_all(out_ / place);

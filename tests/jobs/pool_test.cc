@@ -62,7 +62,6 @@ class Jobs {
       EXPECT_EQ(ends.count(job.number), 0u);
       ends[job.number] = end;
       order.push_back(job.number);
-      return true;
     };
   }
 
@@ -113,7 +112,6 @@ TEST(Pool, GivesAnswersInTheOrderInWhichTheyCome) {
   jobs.calls.take = [&](const Job& job, int place, const JobEnd& end) {
     take(job, place, end);
     if (jobs.order.size() == 2) WriteText(folder.path() / "go", "");
-    return true;
   };
   jobs.Run();
   EXPECT_THAT(jobs.order, ElementsAre(1, 2, 0));
@@ -230,16 +228,23 @@ TEST(Pool, LosesNoJobByASignalThatASystemSendsToAll) {
   }
 }
 
-TEST(Pool, StopsStartingJobsWhenItsCallerHasEnough) {
-  Jobs jobs(9, [](std::int64_t) { return std::string("good"); });
-  jobs.options.workers = 2;
+TEST(Pool, AsksAgainForJobsThatComeOfOthers) {
+  Jobs jobs(2, [](std::int64_t) { return std::string("good"); });
+  std::vector<std::int64_t> further;
+  const auto next = jobs.calls.next;
+  jobs.calls.next = [&](int place) -> std::optional<Job> {
+    if (further.empty()) return next(place);
+    const std::int64_t job = further.back();
+    further.pop_back();
+    return Job{job, jobs.folder.path() / "further"};
+  };
   const auto take = jobs.calls.take;
   jobs.calls.take = [&](const Job& job, int place, const JobEnd& end) {
     take(job, place, end);
-    return false;
+    if (job.number == 1) further = {7};
   };
   EXPECT_EQ(jobs.Run(), 0);
-  EXPECT_EQ(jobs.ends.size(), 2u);  // what was under way comes to its end
+  EXPECT_THAT(jobs.order, ElementsAre(0, 1, 7));
 }
 
 TEST(Pool, EndsAtASignalAndTakesItsWorkersWithIt) {
@@ -263,7 +268,7 @@ TEST(Pool, LeavesNoWorkerBehindAnException) {
     return std::string("good");
   });
   jobs.options.workers = 2;
-  jobs.calls.take = [](const Job&, int, const JobEnd&) -> bool {
+  jobs.calls.take = [](const Job&, int, const JobEnd&) {
     throw std::runtime_error("disk full");
   };
   EXPECT_THROW(jobs.Run(), std::runtime_error);

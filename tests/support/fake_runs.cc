@@ -101,11 +101,6 @@ FinishedRuns FakeResults(int count) {
   return runs;
 }
 
-RunRecord FakeRun(const CampaignRun& run, const std::filesystem::path&) {
-  std::this_thread::sleep_for(std::chrono::milliseconds(run.run % 2 == 1 ? 30 : 1));
-  return FakeRecord(run);
-}
-
 void WriteText(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }

@@ -36,9 +36,6 @@ RunRecord FakeRecord(const CampaignRun& run);
 /// Results of FakeRuns(count), notes included.
 FinishedRuns FakeResults(int count);
 
-/// FakeRecord, later for runs of odd number, so that runs do not end in order.
-RunRecord FakeRun(const CampaignRun& run, const std::filesystem::path& log_dir);
-
 void WriteText(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace dockyard
