@@ -24,8 +24,9 @@ class DockStraight:
         self.looked = False
 
     def step(self, frame):
+        belief = {}
         if frame.images:
-            self.locate(frame.images[0])
+            belief["marks"] = self.locate(frame.images[0])  # with the frame that brought the image
         reeled_m = self.count_m * frame.counts[SPOOL]
         if abs(reeled_m - self.reeled_m) > STALL_M:
             self.reeled_m, self.still_since_s = reeled_m, frame.time_s
@@ -37,19 +38,23 @@ class DockStraight:
             motors[SPOOL] = Motor(VELOCITY, REEL_M_S / self.drum_m, 0.0, 2.0, self.pull_a)
         ask = () if self.looked else (0,)  # one image of the left camera
         self.looked = True
-        return Commands(
-            motors,
-            cameras=ask,
-            verdict=DOCKED if reeled_in else UNDER_WAY,
-            belief={"phase": "docked" if reeled_in else "reel", "values": {"reeled_m": reeled_m}},
-        )
+        belief["phase"] = "docked" if reeled_in else "reel"
+        belief["values"] = {  # they are in values.csv, in the log and in the report
+            "reeled_m": reeled_m,
+            "still_s": frame.time_s - self.still_since_s,
+        }
+        verdict = DOCKED if reeled_in else UNDER_WAY
+        return Commands(motors, cameras=ask, verdict=verdict, belief=belief)
 
     def locate(self, image):
-        """Says which column of the image is the darkest. Plain Python will do for that; Image.array()
-        gives a numpy array."""
+        """Marks the darkest pixel of the darkest column of the image. Plain Python will do for that;
+        Image.array() gives a numpy array."""
         columns = [sum(image.pixels[x :: image.width]) for x in range(image.width)]
         darkest = columns.index(min(columns))
+        column = image.pixels[darkest :: image.width]
         print("image of %d x %d, darkest column %d" % (image.width, image.height, darkest))
+        row = column.index(min(column))
+        return [{"id": 0, "camera": image.camera, "u_px": darkest, "v_px": row}]
 
 
 if __name__ == "__main__":

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace dockyard {
 namespace {
-
-constexpr double kFarthest_m = 1e6;  // beyond it a pose is no place in any yard
 
 /// How deep objects and lists lie within each other, by their brackets outside of texts. Parsed
 /// JSON is destroyed and compared level by level, which a million levels do not survive.
@@ -29,13 +28,6 @@ int DepthOf(const std::string& text) {
   return deepest;
 }
 
-double NumberOf(const Json& json, const char* what) {
-  if (!json.is_number()) throw AnswerError(std::string(what) + " that is no number");
-  const double value = json.get<double>();
-  if (!std::isfinite(value)) throw AnswerError(std::string(what) + " that is not finite");
-  return value;
-}
-
 double PoseNumber(const Json& answer, const char* name, double most) {
   const auto at = answer.find(name);
   if (at == answer.end()) throw AnswerError(std::string("a pose without ") + name);
@@ -44,7 +36,35 @@ double PoseNumber(const Json& answer, const char* name, double most) {
   return value;
 }
 
+/// A name as tables, logs and pages show it.
+std::string ValueName(const std::string& name) {
+  if (name.empty()) throw AnswerError("a value without a name");
+  if (name.size() > kLongestName) {
+    throw AnswerError("a value's name of more than " + std::to_string(kLongestName) + " bytes");
+  }
+  return WithoutControls(name);
+}
+
 }  // namespace
+
+double NumberOf(const Json& json, const std::string& what) {
+  if (!json.is_number()) throw AnswerError(what + " that is no number");
+  const double value = json.get<double>();
+  if (!std::isfinite(value)) throw AnswerError(what + " that is not finite");
+  return value;
+}
+
+std::string WithoutControls(std::string text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    // C1, as U+009B, which terminals take for an escape, is C2 80..9F.
+    const bool c1 =
+        byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    if (c1) text.erase(i + 1, 1);
+    if (byte < 0x20 || byte == 0x7F || c1) text[i] = '?';
+  }
+  return text;
+}
 
 Json AnswerFrom(const std::string& text) {
   if (DepthOf(text) > kDeepestAnswer) {
@@ -58,8 +78,9 @@ Json AnswerFrom(const std::string& text) {
 
 void TakeNumbers(const Json& answer, Belief& belief) {
   if (answer.contains("x_m") || answer.contains("y_m") || answer.contains("heading_rad")) {
-    const Pose2 X_DR{PoseNumber(answer, "x_m", kFarthest_m), PoseNumber(answer, "y_m", kFarthest_m),
-                     WrapPi(PoseNumber(answer, "heading_rad", kFarthest_m))};
+    const Pose2 X_DR{PoseNumber(answer, "x_m", kFarthestPose_m),
+                     PoseNumber(answer, "y_m", kFarthestPose_m),
+                     WrapPi(PoseNumber(answer, "heading_rad", kFarthestPose_m))};
     belief.located = true;
     belief.X_DR = X_DR;
   }
@@ -70,11 +91,12 @@ void TakeNumbers(const Json& answer, Belief& belief) {
     throw AnswerError("more than " + std::to_string(kMostValues) + " values");
   }
   belief.values.clear();
+  std::set<std::string> names;
   for (const auto& [name, value] : values->items()) {
-    if (name.size() > kLongestName) {
-      throw AnswerError("a value's name of more than " + std::to_string(kLongestName) + " bytes");
+    belief.values.push_back({ValueName(name), NumberOf(value, "a value")});
+    if (!names.insert(belief.values.back().name).second) {
+      throw AnswerError("two values of one name, once control characters are '?'");
     }
-    belief.values.push_back({name, NumberOf(value, "a value")});
   }
 }
 
