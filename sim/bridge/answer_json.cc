@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 namespace dockyard {
 namespace {
@@ -36,6 +37,20 @@ double PoseNumber(const Json& answer, const char* name, double most) {
   return value;
 }
 
+/// Bytes of the control character with which a text begins; 0 if it begins with another one.
+std::size_t ControlAt(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  if (byte(0) < 0x20 || byte(0) == 0x7F) return 1;
+  if (byte(0) == 0xC2 && byte(1) < 0xA0) return 2;  // C1: terminals take U+009B for an escape
+  if (byte(0) != 0xE2) return 0;
+  // U+2028 to 202E and 2066 to 2069 end lines or turn the direction of all that follows.
+  const bool turns = (byte(1) == 0x80 && byte(2) >= 0xA8 && byte(2) <= 0xAE) ||
+                     (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9);
+  return turns ? 3 : 0;
+}
+
 /// A name as tables, logs and pages show it.
 std::string ValueName(const std::string& name) {
   if (name.empty()) throw AnswerError("a value without a name");
@@ -54,16 +69,14 @@ double NumberOf(const Json& json, const std::string& what) {
   return value;
 }
 
-std::string WithoutControls(std::string text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    // C1, as U+009B, which terminals take for an escape, is C2 80..9F.
-    const bool c1 =
-        byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
-    if (c1) text.erase(i + 1, 1);
-    if (byte < 0x20 || byte == 0x7F || c1) text[i] = '?';
+std::string WithoutControls(const std::string& text) {
+  std::string line;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = ControlAt(std::string_view(text).substr(i));
+    line += length > 0 ? '?' : text[i];
+    i += std::max<std::size_t>(length, 1);
   }
-  return text;
+  return line;
 }
 
 Json AnswerFrom(const std::string& text) {

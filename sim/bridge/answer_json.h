@@ -33,8 +33,9 @@ Json AnswerFrom(const std::string& text);
 /// The number. Throws AnswerError for what is none or is not finite.
 double NumberOf(const Json& json, const std::string& what);
 
-/// Of one line: control characters become '?'. JSON's own text is UTF-8.
-std::string WithoutControls(std::string text);
+/// On one line and in one direction: control characters become '?'. The text is UTF-8, as JSON's
+/// is.
+std::string WithoutControls(const std::string& text);
 
 /// The pose and the values of a belief, where they are there. Throws AnswerError for a field of
 /// another type, a number that is not finite, and too many, too long, empty or equal names.

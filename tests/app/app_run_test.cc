@@ -155,13 +155,13 @@ TEST(ProgramFrames, WritesTheImagesOfALogWithAndWithoutMarks) {
   EXPECT_EQ(Dockyard("frames " + run + " --out " + marked.string()).code, 10);
 }
 
-// The program prints the column that it found: the ring is there.
+// The program prints the pixel that it found: the ring is there.
 TEST(ProgramFrames, DrawsTheMarksOfAProgramWhereItFoundThem) {
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run", images = folder.path() / "images";
   Dockyard("run examples/python/dock_straight.yaml --set time_limit_s=0.3 --allow-commands --out " +
            run.string());
-  const std::string said = Slurp(run / "messages.txt"), word = "darkest column ";
+  const std::string said = Slurp(run / "messages.txt"), word = "darkest at (";
   ASSERT_THAT(said, HasSubstr(word));
   const int u = std::stoi(said.substr(said.find(word) + word.size()));
   const Json sightings = Json::parse(Slurp(run / "sightings.json"));

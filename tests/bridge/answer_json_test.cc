@@ -72,10 +72,14 @@ TEST(AnswerJson, HasABoundedNumberOfValuesWithShortNames) {
 
 TEST(AnswerJson, HasNamesOfValuesWithoutControlCharacters) {
   Belief belief;
-  TakeNumbers(Json{{"values", {{"a\n\x1b[2J\u009b<b>", 1}, {"=1+1", 2}}}}, belief);
-  ASSERT_EQ(belief.values.size(), 2u);
+  TakeNumbers(
+      Json{{"values",
+            {{"a\n\x1b[2J\u009b<b>", 1}, {"\u202ex\u2069\u2028", 2}, {"=1+\u00e9\u20ac", 3}}}},
+      belief);
+  ASSERT_EQ(belief.values.size(), 3u);
   EXPECT_EQ(belief.values[0].name, "a??[2J?<b>");
-  EXPECT_EQ(belief.values[1].name, "=1+1");
+  EXPECT_EQ(belief.values[1].name, "?x??");
+  EXPECT_EQ(belief.values[2].name, "=1+\u00e9\u20ac");
 }
 
 TEST(AnswerJson, RefusesValuesThatNoNameTellsApart) {
