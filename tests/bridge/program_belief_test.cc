@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "sim/bridge/answer_json.h"
 
@@ -150,6 +151,23 @@ TEST(ProgramBelief, BoundsTheNamesOfValuesInARun) {
   for (int i = 0; i < 1024; ++i) belief.Take(Json{{"values", {{"v" + std::to_string(i), i}}}});
   belief.Take(Json{{"values", {{"v7", 1}}}});
   EXPECT_THROW(belief.Take(Json{{"values", {{"one more", 1}}}}), AnswerError);
+}
+
+TEST(ProgramBelief, OfAnyBytesIsTakenOrRefused) {
+  std::mt19937 random(5);
+  const std::string good = std::string(R"({"marks": [)") + kMark + R"(], "pose": )" + kTurned +
+                           R"(, "values": {"a": 1}, "phase": "p"})";
+  const std::string letters = "{}[]\",:0123456789.eE-null\xc3\xe2\x80\xae";
+  int taken = 0;
+  for (int i = 0; i < 5'000; ++i) {
+    std::string text = good;
+    for (int edits = 1 + static_cast<int>(random() % 3); edits > 0; --edits) {
+      text[random() % text.size()] = letters[random() % letters.size()];
+    }
+    taken += Refused(text).empty();
+  }
+  EXPECT_GT(taken, 50);
+  EXPECT_LT(taken, 4'950);
 }
 
 TEST(ProgramBelief, KeepsPhaseAndNoteOnOneLine) {

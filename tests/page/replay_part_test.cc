@@ -72,6 +72,26 @@ TEST(ReplayPart, HasTheControllersValuesInPanelsOfTheirUnits) {
   EXPECT_EQ(shown["speed_m_s"], "Values m/s");
 }
 
+TEST(ReplayPart, HasTheCamerasThatTookAnImageOrHaveAMark) {
+  LoggedRun run = SomeRun();
+  run.cameras = {{"left", 4, 2}, {"right", 4, 2}, {"mast", 4, 2}};
+  SightingSample sighting{};
+  sighting.report.marks = {{.id = 3, .camera = 2, .u_px = 1.5, .v_px = 0.25}};
+  run.sightings = {sighting};
+  const auto names = [&run] {
+    Payload payload;
+    std::vector<std::string> found;
+    const Json json = ReplayPart(run, {}, payload);
+    for (const Json& camera : json["sightings"][0]["cameras"]) {
+      found.push_back(camera["name"]);
+    }
+    return found;
+  };
+  EXPECT_THAT(names(), testing::ElementsAre("left", "right", "mast"));  // no image is kept
+  run.images = {{0.0, {"left", EncodePng(GrayImage{4, 2, std::vector<std::uint8_t>(8, 9)})}}};
+  EXPECT_THAT(names(), testing::ElementsAre("left", "mast"));
+}
+
 // The page draws the ground along its axes, so its world is the site.
 TEST(ReplayPart, StandsInTheSite) {
   Payload moved_payload, here_payload;
