@@ -29,9 +29,10 @@ class Motor:
 
 
 class Commands:
-    """What the robot is to do until the next frame. `belief` is for the run's history alone: phase,
-    note, x_m, y_m, heading_rad (in the target's frame), values (a dict of numbers). The cameras take
-    their images `exposure_stops` off the exposure that they choose: +1 is twice the light."""
+    """What the robot is to do until the next frame. `belief` is for the run's record alone: phase,
+    note, x_m, y_m, heading_rad (in the target's frame), values (a dict of numbers), marks (what was
+    found in an image), pose (of the target in the robot's body). The cameras take their images
+    `exposure_stops` off the exposure that they choose: +1 is twice the light."""
 
     def __init__(
         self, motors, cameras=(), switches=(), verdict=UNDER_WAY, belief=None, exposure_stops=0.0

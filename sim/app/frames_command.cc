@@ -33,8 +33,9 @@ Examples:
   dockyard frames results/{campaign_name} 17 --out out/frames
   dockyard frames out/typical --out out/frames --plain
 
-A ring with a number is a fiducial that was measured; one with a cross is where the controller
-expected a fiducial without measuring it. frames.json tells time, camera and verdict of each file.
+A ring with a number is a fiducial that was measured, or a mark of a controller's program; one with
+a cross is where the controller expected a fiducial without measuring it. frames.json tells time,
+camera and verdict of each file.
 --plain leaves the images as the controller got them.)";
 
 /// Writes one image; returns its entry in frames.json, null if there is no image.

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string_view>
 
 namespace dockyard {
 namespace {
-
-constexpr double kFarthest_m = 1e6;  // beyond it a pose is no place in any yard
 
 /// How deep objects and lists lie within each other, by their brackets outside of texts. Parsed
 /// JSON is destroyed and compared level by level, which a million levels do not survive.
@@ -29,13 +29,6 @@ int DepthOf(const std::string& text) {
   return deepest;
 }
 
-double NumberOf(const Json& json, const char* what) {
-  if (!json.is_number()) throw AnswerError(std::string(what) + " that is no number");
-  const double value = json.get<double>();
-  if (!std::isfinite(value)) throw AnswerError(std::string(what) + " that is not finite");
-  return value;
-}
-
 double PoseNumber(const Json& answer, const char* name, double most) {
   const auto at = answer.find(name);
   if (at == answer.end()) throw AnswerError(std::string("a pose without ") + name);
@@ -44,7 +37,47 @@ double PoseNumber(const Json& answer, const char* name, double most) {
   return value;
 }
 
+/// Bytes of the control character with which a text begins; 0 if it begins with another one.
+std::size_t ControlAt(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  if (byte(0) < 0x20 || byte(0) == 0x7F) return 1;
+  if (byte(0) == 0xC2 && byte(1) < 0xA0) return 2;  // C1: terminals take U+009B for an escape
+  if (byte(0) != 0xE2) return 0;
+  // U+2028 to 202E and 2066 to 2069 end lines or turn the direction of all that follows.
+  const bool turns = (byte(1) == 0x80 && byte(2) >= 0xA8 && byte(2) <= 0xAE) ||
+                     (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9);
+  return turns ? 3 : 0;
+}
+
+/// A name as tables, logs and pages show it.
+std::string ValueName(const std::string& name) {
+  if (name.empty()) throw AnswerError("a value without a name");
+  if (name.size() > kLongestName) {
+    throw AnswerError("a value's name of more than " + std::to_string(kLongestName) + " bytes");
+  }
+  return WithoutControls(name);
+}
+
 }  // namespace
+
+double NumberOf(const Json& json, const std::string& what) {
+  if (!json.is_number()) throw AnswerError(what + " that is no number");
+  const double value = json.get<double>();
+  if (!std::isfinite(value)) throw AnswerError(what + " that is not finite");
+  return value;
+}
+
+std::string WithoutControls(const std::string& text) {
+  std::string line;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = ControlAt(std::string_view(text).substr(i));
+    line += length > 0 ? '?' : text[i];
+    i += std::max<std::size_t>(length, 1);
+  }
+  return line;
+}
 
 Json AnswerFrom(const std::string& text) {
   if (DepthOf(text) > kDeepestAnswer) {
@@ -58,8 +91,9 @@ Json AnswerFrom(const std::string& text) {
 
 void TakeNumbers(const Json& answer, Belief& belief) {
   if (answer.contains("x_m") || answer.contains("y_m") || answer.contains("heading_rad")) {
-    const Pose2 X_DR{PoseNumber(answer, "x_m", kFarthest_m), PoseNumber(answer, "y_m", kFarthest_m),
-                     WrapPi(PoseNumber(answer, "heading_rad", kFarthest_m))};
+    const Pose2 X_DR{PoseNumber(answer, "x_m", kFarthestPose_m),
+                     PoseNumber(answer, "y_m", kFarthestPose_m),
+                     WrapPi(PoseNumber(answer, "heading_rad", kFarthestPose_m))};
     belief.located = true;
     belief.X_DR = X_DR;
   }
@@ -70,11 +104,12 @@ void TakeNumbers(const Json& answer, Belief& belief) {
     throw AnswerError("more than " + std::to_string(kMostValues) + " values");
   }
   belief.values.clear();
+  std::set<std::string> names;
   for (const auto& [name, value] : values->items()) {
-    if (name.size() > kLongestName) {
-      throw AnswerError("a value's name of more than " + std::to_string(kLongestName) + " bytes");
+    belief.values.push_back({ValueName(name), NumberOf(value, "a value")});
+    if (!names.insert(belief.values.back().name).second) {
+      throw AnswerError("two values of one name, once control characters are '?'");
     }
-    belief.values.push_back({name, NumberOf(value, "a value")});
   }
 }
 

@@ -23,12 +23,22 @@ inline constexpr std::size_t kMostValues = 256;
 /// Bytes of a value's name, at most. Assumed, 32-256.
 inline constexpr std::size_t kLongestName = 64;
 
+/// Beyond it a pose is no place in any yard.
+inline constexpr double kFarthestPose_m = 1e6;
+
 /// An object. Throws AnswerError for text that is no JSON in UTF-8, is nested too deeply, or is no
 /// object.
 Json AnswerFrom(const std::string& text);
 
+/// The number. Throws AnswerError for what is none or is not finite.
+double NumberOf(const Json& json, const std::string& what);
+
+/// On one line and in one direction: control characters become '?'. The text is UTF-8, as JSON's
+/// is.
+std::string WithoutControls(const std::string& text);
+
 /// The pose and the values of a belief, where they are there. Throws AnswerError for a field of
-/// another type, a number that is not finite, and too many or too long names.
+/// another type, a number that is not finite, and too many, too long, empty or equal names.
 void TakeNumbers(const Json& answer, Belief& belief);
 
 }  // namespace dockyard

@@ -18,8 +18,6 @@ constexpr std::uint32_t kLongestAnswer = 1u << 20;
 constexpr double kByeSeconds = 2.0;
 // Beliefs before one answer; assumed, 10-100 000. A controller has one in each control period.
 constexpr int kMostBeliefs = 1000;
-// Bytes of a phase or a note; assumed, 50-1000. Every sample of a history has its phase.
-constexpr std::size_t kLongestPhase = 200;
 
 std::string LastLine(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \n\r\t");
@@ -39,36 +37,11 @@ std::string Printable(std::string text) {
   return text;
 }
 
-/// On one line, and not too long: phases and notes go into logs, tables and onto terminals. JSON's
-/// own text is UTF-8.
-std::string ShortLine(std::string text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    // C1, as U+009B, which terminals take for an escape, is C2 80..9F.
-    const bool c1 =
-        byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
-    if (c1) text.erase(i + 1, 1);
-    if (byte < 0x20 || byte == 0x7F || c1) text[i] = '?';
-  }
-  if (text.size() <= kLongestPhase) return text;
-  std::size_t end = kLongestPhase;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return text.substr(0, end) + " ...";
-}
-
-/// A field that is there replaces the earlier belief.
-void TakeBelief(const Json& json, Belief& belief) {
-  belief.phase = ShortLine(json.value("phase", belief.phase));
-  belief.note = ShortLine(json.value("note", belief.note));
-  TakeNumbers(json, belief);
-}
-
 }  // namespace
 
 PipeController::PipeController(const ProgramStart& program, const ControllerGreeting& greeting,
                                const ProgramLimits& limits)
-    : greeting_(greeting), limits_(limits), process_(program) {
-  belief_.phase = "external";
+    : greeting_(greeting), limits_(limits), process_(program), belief_(greeting.camera_count) {
   const Json hello{{"protocol", kControllerProtocol},
                    {"system", greeting.system},
                    {"control_period_ms", greeting.control_period},
@@ -148,7 +121,7 @@ Commands PipeController::Answer(Deadline deadline) {
     const Message message = Receive(deadline);
     try {
       if (message.kind == kBelief) {
-        TakeBelief(AnswerFrom(message.payload), belief_);
+        belief_.Take(AnswerFrom(message.payload));
         continue;
       }
       if (message.kind != kCommands) {
@@ -158,13 +131,12 @@ Commands PipeController::Answer(Deadline deadline) {
       const Commands commands = TakeCommands(in);
       if (!in.AtEnd()) FailBadly("commands longer than their content");
       CheckCommands(commands);
+      belief_.EndAnswer();
       return commands;
     } catch (const DataError& error) {
       FailBadly(std::string("bad commands: ") + error.what());
     } catch (const AnswerError& error) {
       FailBadly(std::string("a bad belief: ") + error.what());
-    } catch (const Json::exception&) {
-      FailBadly("a bad belief: a phase or note that is no text");
     }
   }
 }

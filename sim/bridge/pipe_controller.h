@@ -12,6 +12,7 @@
 #include "controller/io/controller.h"
 #include "sim/base/json.h"
 #include "sim/bridge/process.h"
+#include "sim/bridge/program_belief.h"
 
 namespace dockyard {
 
@@ -73,7 +74,7 @@ class PipeController final : public Controller {
                  const ProgramLimits& limits);
 
   Commands Step(const SensorFrame& sensed) override;
-  const Belief& belief() const override { return belief_; }
+  const Belief& belief() const override { return belief_.belief(); }
 
   /// Sends the good-bye and waits a little for the program's end, where it still runs.
   void Finish();
@@ -103,7 +104,7 @@ class PipeController final : public Controller {
   double waited_s_ = 0.0;  // before waiting_since_
   std::optional<Deadline> waiting_since_ = std::chrono::steady_clock::now();
   Process process_;
-  Belief belief_;
+  ProgramBelief belief_;
   std::string bytes_;  // kept between calls for its memory
 };
 

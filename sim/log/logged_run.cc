@@ -8,6 +8,7 @@
 
 #include "sim/log/ros_messages.h"
 #include "sim/log/take_messages.h"
+#include "sim/log/value_table.h"
 
 namespace dockyard {
 namespace {
@@ -23,6 +24,7 @@ class Gatherer {
                {topic::kMotors, [this](const CdrReader& in) { TakeMotors(in); }},
                {topic::kTruth, [this](const CdrReader& in) { TakeScalars(in, run_.truth); }},
                {topic::kBelief, [this](const CdrReader& in) { TakeScalars(in, run_.belief); }},
+               {topic::kValues, [this](const CdrReader& in) { TakeValues(in); }},
                {topic::kSighting, into(run.sightings, TakeSighting)},
                {topic::kPlan, into(run.plans, TakePlan)},
                {topic::kNotes, into(run.notes, TakeNote)},
@@ -63,6 +65,7 @@ class Gatherer {
     each(shortest);
     run_.times_s.resize(samples);
     each([&](auto& list) { list.resize(samples); });
+    for (auto& [name, values] : run_.values) values.resize(samples, std::nan(""));
   }
 
  private:
@@ -96,6 +99,19 @@ class Gatherer {
     run_.X_WG.push_back(X_WG);
     // The last readings of the motors belong to this sample.
     for (const auto& [name, current] : motors_) run_.currents_a[name].push_back(current);
+  }
+
+  /// Of the last sample; it may lack names that others have.
+  void TakeValues(const CdrReader& in) {
+    if (run_.times_s.empty()) throw DataError("values before the first sample");
+    Series now;
+    TakeScalars(in, now);
+    for (const auto& [name, value] : now) {
+      std::vector<double>& values = run_.values[name];
+      values.resize(run_.times_s.size(), std::nan(""));
+      values.back() = value.back();
+    }
+    if (run_.values.size() > kMostValueNames) throw DataError("too many names of values");
   }
 
   void TakeMotors(CdrReader in) {

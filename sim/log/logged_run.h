@@ -57,6 +57,7 @@ struct LoggedRun {
   std::vector<Pose3> X_WD, X_WG;                        // target's frame, site; by sample
   std::map<std::string, std::vector<StageLine>> lines;  // by name, by sample
   Series truth, belief, currents_a;                     // currents by motor, as read
+  Series values;                                        // of a belief, NaN where there is none
   std::vector<SightingSample> sightings;                // without the camera's turn
   std::vector<Timed<std::vector<Pose2>>> plans;         // poses along the way, in D
   std::vector<Timed<LoggedNote>> notes;

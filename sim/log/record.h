@@ -40,6 +40,7 @@ struct HistorySample {
   Pose2 X_DR_believed;
   int sighting_count = 0, plan_count = 0;
   std::vector<double> beliefs;  // by System::beliefs
+  std::vector<double> values;   // belief, by RunRecord::value_names; shorter before a name came
 };
 
 /// A sighting of the target: the robot's true pose and the controller's measurement.
@@ -60,6 +61,7 @@ struct RunRecord {
   RunTiming timing;
   RowColumns columns;                            // of the result
   std::vector<Column> channels, belief_columns;  // of the history's samples
+  std::vector<std::string> value_names;          // of values that the system does not name
   std::vector<HistorySample> history;
   std::vector<SightingSample> sightings;
   std::vector<PlanSample> plans;

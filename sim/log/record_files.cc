@@ -5,6 +5,7 @@
 #include "sim/base/text.h"
 #include "sim/log/belief_error.h"
 #include "sim/log/result_row.h"
+#include "sim/log/value_table.h"
 
 namespace dockyard {
 namespace {
@@ -116,6 +117,12 @@ void WriteRecordFiles(const std::filesystem::path& dir, const RunRecord& record)
   Json outcome = RowJson(record.result, record.columns);
   outcome["failure_note"] = record.failure_note;
   WriteWhole(dir / "history.csv", HistoryCsv(record));
+  if (!record.value_names.empty()) {
+    WriteWhole(dir / kValuesFile, ValuesCsv(record));
+  } else {
+    std::error_code error;
+    std::filesystem::remove(dir / kValuesFile, error);  // of an earlier run in this folder
+  }
   WriteSightings(dir, record);
   WriteWhole(dir / "plans.json", PlansJson(record.plans).dump(1) + "\n");
   WriteWhole(dir / "outcome.json", outcome.dump(1) + "\n");

@@ -1,4 +1,5 @@
-// The readable part of a run's folder: history.csv, sightings.json, plans.json, outcome.json.
+// The readable part of a run's folder: history.csv, values.csv, sightings.json, plans.json,
+// outcome.json.
 // A single run's folder holds its row in result.csv too.
 #pragma once
 
@@ -20,7 +21,8 @@ Json SightingsJson(const std::vector<SightingSample>& sightings);
 Json PlansJson(const std::vector<PlanSample>& plans);
 
 /// Writes history.csv, sightings.json, plans.json and outcome.json (the row and failure_note) into
-/// the folder, which it makes. Throws IoError.
+/// the folder, which it makes, and values.csv where the controller has values that the system does
+/// not name. Throws IoError.
 void WriteRecordFiles(const std::filesystem::path& dir, const RunRecord& record);
 
 /// sightings.json alone.

@@ -37,6 +37,7 @@ inline constexpr const char* kGroundMarkers = "/ground";
 inline constexpr const char* kGround = "/truth/ground";
 inline constexpr const char* kTruth = "/truth/scalars";
 inline constexpr const char* kBelief = "/belief/scalars";
+inline constexpr const char* kValues = "/belief/values";
 inline constexpr const char* kBeliefPose = "/belief/pose";
 inline constexpr const char* kPlan = "/plan";
 inline constexpr const char* kSighting = "/sighting";
@@ -78,6 +79,9 @@ class RunLogWriter {
   void Append(const SensorFrame& sensed, const Commands& commands);
   /// What the truth and the belief were at a time of the history.
   void Append(const HistorySample& sample, const Stage& stage, Tick tick);
+  /// The belief's values that the system does not name, by their names; NaN ones are left out.
+  void AppendValues(const std::vector<std::string>& names, const std::vector<double>& values,
+                    Tick tick);
   /// What has changed of the ground since the last call.
   void AppendGround(const StageGround& ground, Tick tick);
   void Append(const SightingSample& sighting, Tick tick);

@@ -205,6 +205,19 @@ void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick 
   Note("phase", phase_, tick);
 }
 
+void RunLogWriter::AppendValues(const std::vector<std::string>& names,
+                                const std::vector<double>& values, Tick tick) {
+  std::vector<std::string> known;
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i])) continue;
+    known.push_back(names.at(i));
+    numbers.push_back(values[i]);
+  }
+  if (known.empty()) return;
+  Put(Channel(topic::kValues, "dockyard_msgs/Scalars"), tick, ScalarsMessage(tick, known, numbers));
+}
+
 void RunLogWriter::AppendGround(const StageGround& ground, Tick tick) {
   if (commands_alone_ || !ground_.Update(ground)) return;
   Put(Channel(topic::kGround, "dockyard_msgs/Ground"), tick, ground_.Message(tick));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "sim/log/belief_error.h"
 #include "sim/page/images_part.h"
@@ -81,11 +83,13 @@ Json BelievedJson(Series belief, Payload& payload) {
 
 /// A step that shows all that can be seen of values this large: about a 4 000th.
 double QuantumOf(const std::vector<double>& values) {
+  constexpr double kSmallest = 1e-300;  // a 4 000th of less is no number of full precision
   double largest = 0.0;
   for (const double value : values) {
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
   }
-  return largest == 0.0 ? 1.0 : std::pow(10.0, std::floor(std::log10(largest)) - 3.0);
+  if (largest < kSmallest) return 1.0;
+  return std::pow(10.0, std::floor(std::log10(largest)) - 3.0);
 }
 
 const char* GroupOf(const std::string& unit) {
@@ -96,8 +100,30 @@ const char* GroupOf(const std::string& unit) {
   return "Others";
 }
 
+/// By the end of a name, as the columns have it: "reeled_m". Empty where it tells none.
+const char* UnitOfName(const std::string& name) {
+  static constexpr std::pair<const char*, const char*> kEnds[] = {
+      {"_m_s", "m/s"}, {"_rad_s", "rad/s"}, {"_deg_s", "deg/s"}, {"_m", "m"},
+      {"_mm", "mm"},   {"_rad", "rad"},     {"_deg", "deg"},     {"_s", "s"},
+      {"_px", "px"},   {"_a", "A"},         {"_n", "N"}};
+  for (const auto& [end, unit] : kEnds) {
+    if (name.ends_with(end)) return unit;
+  }
+  return "";
+}
+
 bool HasValues(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
+}
+
+Json ScalarJson(const Column& column, const char* source, const std::string& group,
+                const std::vector<double>& values, Payload& payload) {
+  return {{"name", column.name},
+          {"unit", column.unit},
+          {"meaning", column.meaning},
+          {"source", source},
+          {"group", group},
+          {"channel", payload.AddChannel(values, QuantumOf(values))}};
 }
 
 void AddScalars(const Series& series, const std::vector<Column>& columns, const char* source,
@@ -105,12 +131,20 @@ void AddScalars(const Series& series, const std::vector<Column>& columns, const 
   for (const Column& column : columns) {
     const auto found = series.find(column.name);
     if (found == series.end() || !HasValues(found->second)) continue;
-    scalars.push_back({{"name", column.name},
-                       {"unit", column.unit},
-                       {"meaning", column.meaning},
-                       {"source", source},
-                       {"group", GroupOf(column.unit)},
-                       {"channel", payload.AddChannel(found->second, QuantumOf(found->second))}});
+    scalars.push_back(ScalarJson(column, source, GroupOf(column.unit), found->second, payload));
+  }
+}
+
+/// Values that the system does not name: a panel has one for each colour of the page.
+void AddValues(const Series& series, Payload& payload, Json& scalars) {
+  constexpr int kColours = 6;  // of sim/page/web/src/replay/scalars.js
+  std::map<std::string, int> counts;
+  for (const auto& [name, values] : series) {
+    if (!HasValues(values)) continue;
+    const Column column{name, UnitOfName(name), "as the controller gives it"};
+    const int panel = 1 + counts[column.unit]++ / kColours;
+    const std::string group = panel == 1 ? "Values" : "Values " + std::to_string(panel);
+    scalars.push_back(ScalarJson(column, "belief", group, values, payload));
   }
 }
 
@@ -127,6 +161,7 @@ Json ScalarsJson(const LoggedRun& run, const ReplayFacts& facts, Payload& payloa
   AddScalars(run.truth, truth, "truth", payload, scalars);
   AddScalars(run.belief, facts.beliefs, "belief", payload, scalars);
   AddScalars(run.truth, BeliefErrorColumns(), "belief", payload, scalars);
+  AddValues(run.values, payload, scalars);
   return scalars;
 }
 

@@ -1,5 +1,6 @@
 #include "sim/page/sightings_part.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/page/pictures.h"
@@ -25,10 +26,13 @@ Json MarksOf(int camera, const SightingReport& report) {
   return marks;
 }
 
-/// @param pictures  by camera
-Json CamerasJson(const LoggedRun& run, const SightingReport& report, const std::string* pictures,
+/// A camera that took no image and has no mark is left out where another one took an image.
+/// @param packed  images by camera; empty where there is none
+Json CamerasJson(const LoggedRun& run, const SightingReport& report, const std::string* packed,
                  Payload& payload) {
   Json cameras = Json::array();
+  const bool any = std::any_of(packed, packed + run.cameras.size(),
+                               [](const std::string& each) { return !each.empty(); });
   for (std::size_t index = 0; index < run.cameras.size(); ++index) {
     const LoggedCamera& camera = run.cameras[index];
     Json json{{"name", camera.name},
@@ -36,7 +40,8 @@ Json CamerasJson(const LoggedRun& run, const SightingReport& report, const std::
               {"height", camera.height},
               {"picture", nullptr},
               {"marks", MarksOf(static_cast<int>(index), report)}};
-    if (!pictures[index].empty()) json["picture"] = payload.Add(pictures[index]);
+    if (any && packed[index].empty() && json["marks"].empty()) continue;
+    if (!packed[index].empty()) json["picture"] = payload.Add(packed[index]);
     cameras.push_back(json);
   }
   return cameras;

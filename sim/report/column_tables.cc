@@ -151,6 +151,18 @@ ColumnTable History() {
   return table;
 }
 
+ColumnTable Values() {
+  return {
+      "values.csv",
+      "Of a run whose log is kept, where its controller has values that the system does not "
+      "name among its beliefs: a row at each time of history.csv, in the same order.",
+      {{"time_s", "s", "simulated time"},
+       {"[values]", "",
+        "belief: each value by its name, in the order in which the names came; `nan` while the "
+        "controller gives none. A name that begins with `=`, `+`, `-` or `@`, which spreadsheets "
+        "take for a formula, and a value called `time_s`, are called `value.<name>`"}}};
+}
+
 std::string MarkdownTable(const char* kind, const std::vector<Column>& columns) {
   std::string text = "| " + std::string(kind) + " | unit | meaning |\n|---|---|---|\n";
   for (const Column& column : columns) {
@@ -179,7 +191,7 @@ std::string Wrapped(const std::string& text) {
 }  // namespace
 
 std::vector<ColumnTable> ColumnTables() {
-  return {Results(), Timing(), Shards(), Points(), Sensitivities(), Levels(), History()};
+  return {Results(), Timing(), Shards(), Points(), Sensitivities(), Levels(), History(), Values()};
 }
 
 std::string ColumnsPage(const std::vector<SystemColumns>& systems) {

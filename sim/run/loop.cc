@@ -12,6 +12,7 @@
 #include "sim/bridge/sandbox.h"
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
+#include "sim/log/value_table.h"
 #include "sim/run/camera_faults.h"
 #include "sim/run/recorded_controller.h"
 #include "sim/scenario/load_scenario.h"
@@ -161,7 +162,9 @@ class Run {
 
   void KeepSample(const Belief& belief) {
     record_.history.push_back(Sample(belief));
-    if (log_) LogTruth(plant().tick());
+    if (!log_) return;
+    LogTruth(plant().tick());
+    log_->AppendValues(record_.value_names, record_.history.back().values, plant().tick());
   }
 
   void LogTruth(Tick tick) {
@@ -177,21 +180,24 @@ class Run {
                           .report = *belief.last_sighting,
                           .X_DR_measured = {}};
     if (sample.report.accepted) sample.X_DR_measured = plant().MeasuredPose(sample.report);
-    ready_.judge->ObserveSighting(sample.report);
+    // A program numbers its marks as it likes; the judge knows the target's numbers alone.
+    if (what_.scenario.command.empty()) ready_.judge->ObserveSighting(sample.report);
     if (log_) log_->Append(sample, plant().tick());
     record_.sightings.push_back(std::move(sample));
   }
 
-  HistorySample Sample(const Belief& belief) const {
-    HistorySample sample{.time_s = time_s(),
-                         .X_DR = plant().X_DR(),
-                         .channels = {},
-                         .phase = belief.phase,
-                         .located = belief.located,
-                         .X_DR_believed = belief.X_DR,
-                         .sighting_count = belief.sighting_count,
-                         .plan_count = belief.plan_count,
-                         .beliefs = {}};
+  HistorySample Sample(const Belief& belief) {
+    HistorySample sample{
+        .time_s = time_s(),
+        .X_DR = plant().X_DR(),
+        .channels = {},
+        .phase = belief.phase,
+        .located = belief.located,
+        .X_DR_believed = belief.X_DR,
+        .sighting_count = belief.sighting_count,
+        .plan_count = belief.plan_count,
+        .beliefs = {},
+        .values = FurtherValues(belief, record_.belief_columns, record_.value_names)};
     plant().AppendChannels(sample.channels);
     for (const Column& column : record_.belief_columns) {
       sample.beliefs.push_back(ValueOf(belief, column.name, std::nan("")));

@@ -41,13 +41,39 @@ Commands RecordedController::Step(const SensorFrame& sensed) {
 // sample is of the run's end.
 void RecordedController::TakeBelief(Tick tick) {
   const double time_s = (static_cast<double>(tick) + 0.5) * kTickSeconds;
-  while (samples_ < run_.times_s.size() && run_.times_s[samples_] <= time_s) ++samples_;
-  const std::size_t at = next_ ? samples_ : run_.times_s.size();
-  if (at == 0) return;
-  belief_.values.clear();
-  for (const auto& [name, values] : run_.belief) {
-    if (!std::isnan(values[at - 1])) belief_.values.push_back({name, values[at - 1]});
+  const auto past = [&](double each_s) { return !next_ || each_s <= time_s; };
+  while (samples_ < run_.times_s.size() && past(run_.times_s[samples_])) ++samples_;
+  if (samples_ > 0) TakeSample(samples_ - 1);
+  while (notes_ < run_.notes.size() && past(run_.notes[notes_].time_s)) {
+    const LoggedNote& note = run_.notes[notes_++].value;
+    if (note.name == "phase") belief_.phase = note.text;
   }
+  const auto count = static_cast<std::size_t>(belief_.sighting_count);
+  if (count == run_.sightings.size() || !past(run_.sightings[count].time_s)) return;
+  ++belief_.sighting_count;  // a program reports one with an answer
+  belief_.last_sighting = run_.sightings[count].report;
+}
+
+void RecordedController::TakeSample(std::size_t at) {
+  belief_.values.clear();
+  const auto add = [&](const std::string& name, double value) {
+    if (!std::isnan(value)) belief_.values.push_back({name, value});
+  };
+  for (const auto& [name, values] : run_.belief) {
+    const double value = values[at];
+    if (name == "located") {
+      belief_.located = value != 0.0;
+    } else if (name == "x_m") {
+      belief_.X_DR.x = value;
+    } else if (name == "y_m") {
+      belief_.X_DR.y = value;
+    } else if (name == "heading_rad") {
+      belief_.X_DR.heading = value;
+    } else {
+      add(name, value);
+    }
+  }
+  for (const auto& [name, values] : run_.values) add(name, values[at]);
 }
 
 void RecordedController::EndOfLog() const {

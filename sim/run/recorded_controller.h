@@ -19,18 +19,19 @@ class RecordedController final : public Controller {
   /// log, bit for bit: the commands answer another world. Images are not compared. Throws
   /// ControllerFailure where the log ends because the program failed.
   Commands Step(const SensorFrame& sensed) override;
-  /// The log's newest belief: values and phase of its history.
+  /// The log's newest belief: phase, pose and values of its history, and the newest sighting.
   const Belief& belief() const override { return belief_; }
 
  private:
   void TakeBelief(Tick tick);
+  void TakeSample(std::size_t at);
   [[noreturn]] void EndOfLog() const;
 
   LoggedRun run_;
   RunLogReader log_;
   std::optional<RunLogEntry> next_;
   Belief belief_;
-  std::size_t samples_ = 0;  // of the history, up to now
+  std::size_t samples_ = 0, notes_ = 0;  // up to now
 };
 
 }  // namespace dockyard

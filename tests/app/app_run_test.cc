@@ -155,6 +155,32 @@ TEST(ProgramFrames, WritesTheImagesOfALogWithAndWithoutMarks) {
   EXPECT_EQ(Dockyard("frames " + run + " --out " + marked.string()).code, 10);
 }
 
+// The program prints the pixel that it found: the ring is there.
+TEST(ProgramFrames, DrawsTheMarksOfAProgramWhereItFoundThem) {
+  const TemporaryFolder folder;
+  const fs::path run = folder.path() / "run", images = folder.path() / "images";
+  Dockyard("run examples/python/dock_straight.yaml --set time_limit_s=0.3 --allow-commands --out " +
+           run.string());
+  const std::string said = Slurp(run / "messages.txt"), word = "darkest at (";
+  ASSERT_THAT(said, HasSubstr(word));
+  const int u = std::stoi(said.substr(said.find(word) + word.size()));
+  const Json sightings = Json::parse(Slurp(run / "sightings.json"));
+  ASSERT_EQ(sightings.size(), 1u);
+  EXPECT_EQ(sightings[0]["accepted"], false);
+  EXPECT_EQ(sightings[0]["marks"][0]["u_px"], u);
+  const int v = sightings[0]["marks"][0]["v_px"];
+  ASSERT_EQ(Dockyard("frames " + run.string() + " --out " + images.string()).code, 0);
+  const Json first = Json::parse(Slurp(images / "frames.json"))[0];
+  EXPECT_EQ(first["verdict"], "no pose");
+  const auto drawn = DecodePng<RgbImage>(Slurp(images / first["file"].get<std::string>()));
+  ASSERT_TRUE(drawn);
+  const int radius = drawn->width / 128;
+  const std::uint8_t* ring =
+      &drawn->pixels[3 * static_cast<std::size_t>(v * drawn->width + u + radius)];
+  EXPECT_GT(ring[1], ring[0] + 50);  // green, in a grey image
+  EXPECT_GT(ring[1], ring[2] + 50);
+}
+
 // A log that is gone is made again: the same run gives the same film.
 TEST(ProgramReplay, DrawsTheSameFramesFromALogAndWithoutIt) {
   const TemporaryFolder folder;

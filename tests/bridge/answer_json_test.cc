@@ -70,6 +70,24 @@ TEST(AnswerJson, HasABoundedNumberOfValuesWithShortNames) {
             "a value's name of more than 64 bytes");
 }
 
+TEST(AnswerJson, HasNamesOfValuesWithoutControlCharacters) {
+  Belief belief;
+  TakeNumbers(
+      Json{{"values",
+            {{"a\n\x1b[2J\u009b<b>", 1}, {"\u202ex\u2069\u2028", 2}, {"=1+\u00e9\u20ac", 3}}}},
+      belief);
+  ASSERT_EQ(belief.values.size(), 3u);
+  EXPECT_EQ(belief.values[0].name, "a??[2J?<b>");
+  EXPECT_EQ(belief.values[1].name, "?x??");
+  EXPECT_EQ(belief.values[2].name, "=1+\u00e9\u20ac");
+}
+
+TEST(AnswerJson, RefusesValuesThatNoNameTellsApart) {
+  EXPECT_EQ(Refused(R"({"values": {"": 1}})"), "a value without a name");
+  EXPECT_EQ(Refused(R"({"values": {"a\n": 1, "a\t": 2}})"),
+            "two values of one name, once control characters are '?'");
+}
+
 TEST(AnswerJson, LeavesTheBeliefAsItWasWherePoseIsBad) {
   Belief belief;
   belief.X_DR = {1.0, 2.0, 0.5};

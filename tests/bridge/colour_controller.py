@@ -12,14 +12,16 @@ class Colour:
         self.camera = hello["nominal"]["colour_camera"]
 
     def step(self, frame):
-        target = 0.0
+        target, belief = 0.0, {}
         if self.camera in frame.images:
             image = frame.images[self.camera]
             assert (image.channels, image.width, image.height) == (3, 3, 2)
             assert image.exposed_ms == frame.tick_ms  # at once
+            belief["marks"] = [{"id": 7, "camera": self.camera, "u_px": 2, "v_px": 0.5}]
             target = float(sum((i + 1) * value for i, value in enumerate(image.pixels)))
         verdict = DOCKED if frame.tick_ms >= 200 else UNDER_WAY
-        return Commands([Motor(VELOCITY, target)], cameras=[self.camera], verdict=verdict)
+        motors = [Motor(VELOCITY, target)]
+        return Commands(motors, cameras=[self.camera], verdict=verdict, belief=belief)
 
 
 serve(Colour)

@@ -4,6 +4,7 @@
 
 #include "sim/base/hash.h"
 #include "sim/base/text.h"
+#include "sim/log/logged_run.h"
 #include "sim/log/run_log.h"
 #include "sim/run/loop.h"
 #include "support/fake_runs.h"
@@ -49,7 +50,9 @@ class ColourPlant final : public Plant {
 class EndsWell final : public Judge {
  public:
   void Observe() override {}
-  void ObserveSighting(const SightingReport&) override {}
+  void ObserveSighting(const SightingReport&) override {
+    ADD_FAILURE() << "a program's marks have numbers of its own, and no judge reads them";
+  }
   bool fatal() const override { return false; }
   Conclusion Conclude(const Commands& last, const Belief&, const TrialWatch&) override {
     return {"seen", NumberText(last.motors[0].target), {}};
@@ -121,6 +124,19 @@ TEST_F(Colour, ReachesAProgramBitForBit) {
   const RunRecord inside = Run({}, {}), outside = Run({"python3", "colour_controller.py"}, {});
   EXPECT_EQ(outside.result.outcome, "seen") << outside.messages;
   EXPECT_EQ(outside.result.state_hash, inside.result.state_hash);
+}
+
+TEST_F(Colour, HasTheProgramsMarksAtTheTimeOfItsImage) {
+  Run({"python3", "colour_controller.py"}, folder_.path());
+  const LoggedRun run = ReadLoggedRun(folder_.path());
+  ASSERT_EQ(run.sightings.size(), 10u);
+  for (const SightingSample& sighting : run.sightings) {
+    ASSERT_EQ(sighting.report.marks.size(), 1u);
+    EXPECT_EQ(sighting.report.marks[0].id, 7);
+    EXPECT_EQ(sighting.report.marks[0].camera, kColourCamera);
+    EXPECT_EQ(sighting.report.marks[0].v_px, 0.5);
+    EXPECT_NE(run.ImageAt(std::to_string(kColourCamera), sighting.time_s), nullptr);
+  }
 }
 
 TEST_F(Colour, StandsInTheLogAndReplays) {

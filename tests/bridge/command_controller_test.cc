@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
+#include <sstream>
+
 #include "app/program.h"
 #include "sim/base/json.h"
 #include "sim/base/shell_word.h"
+#include "sim/base/text.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -180,6 +184,70 @@ TEST(CommandController, LogsOfItsPhaseTheBeginning) {
   std::string most;
   for (int i = 0; i < 100; ++i) most += "\u00e9";
   EXPECT_THAT(history, HasSubstr("," + most + " ...,"));
+}
+
+/// Cells of a table by its header, row by row.
+std::vector<std::map<std::string, std::string>> TableOf(const fs::path& file) {
+  std::vector<std::map<std::string, std::string>> rows;
+  std::istringstream lines(Slurp(file));
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> header = SplitCsv(line).value();
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> cells = SplitCsv(line).value();
+    std::map<std::string, std::string>& row = rows.emplace_back();
+    for (std::size_t i = 0; i < header.size(); ++i) row[header[i]] = cells.at(i);
+  }
+  return rows;
+}
+
+// The robot goes on after each answer: at a sample it says how far it had come at this time.
+TEST(CommandController, HasAllItsValuesInATableAtTheirTimes) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "run";
+  RunWith("python3, counting.py, values", "--out " + out.string());
+  const auto values = TableOf(out / "values.csv"), history = TableOf(out / "history.csv");
+  ASSERT_EQ(values.size(), history.size());
+  ASSERT_GT(values.size(), 10u);
+  const double start_m = std::stod(history[0].at("believed_x_m"));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(values[i].at("time_s"), history[i].at("time_s"));
+    const double gone_m = std::stod(values[i].at("gone_m"));
+    EXPECT_NEAR(gone_m, start_m - std::stod(history[i].at("believed_x_m")), 1e-9);
+    EXPECT_EQ(values[i].at("value.=late"), gone_m > start_m - gone_m ? "2" : "nan");
+  }
+  EXPECT_GT(std::stod(values.back().at("gone_m")), 0.9);
+}
+
+TEST(CommandController, ThatSaysWhatItFoundReplaysAsTheSame) {
+  const TemporaryFolder folder;
+  const std::string plain = (folder.path() / "plain").string();
+  const Json without = RunWith("python3, counting.py", "--out " + plain);
+  for (const char* what : {"values", "pose"}) {
+    const std::string out = (folder.path() / what).string();
+    const Json run = RunWith(std::string("python3, counting.py, ") + what, "--out " + out);
+    EXPECT_EQ(run["state_hash"], without["state_hash"]);
+    const Ended replay = Dockyard("replay " + out + " --allow-commands");
+    EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
+    EXPECT_THAT(replay.out, HasSubstr("same result row, bit for bit"));
+    EXPECT_THAT(replay.out, HasSubstr("same commands at all"));
+  }
+  EXPECT_FALSE(fs::exists(fs::path(plain) / "values.csv"));
+  EXPECT_EQ(Slurp(fs::path(plain) / "sightings.json"), "[]\n");
+  const Json sightings = Json::parse(Slurp(folder.path() / "pose" / "sightings.json"));
+  ASSERT_GT(sightings.size(), 10u);
+  EXPECT_EQ(sightings[0]["accepted"], true);
+  EXPECT_EQ(sightings[0]["X_RB"]["p_m"], Json::array({1.0, 0.0, 0.0}));
+}
+
+TEST(CommandController, WithMarksOrAPoseOfAnotherShapeIsAnError) {
+  for (const auto& [fault, said] :
+       {std::pair{"bad_pose", "a bad belief: a pose without p_m"},
+        {"marks", "a bad belief: a mark, but the robot has no camera"}}) {
+    const Json run = RunWith(std::string("python3, counting.py, ") + fault);
+    EXPECT_EQ(run["outcome"], "controller_error") << fault;
+    EXPECT_THAT(run["said"].get<std::string>(), HasSubstr(said)) << fault;
+  }
 }
 
 TEST(CommandController, ThatAnswersNonsenseIsAnError) {

@@ -24,10 +24,23 @@ class Counting:
         motor = Motor(BRAKE if there else VELOCITY, self.speed_m_s / 0.1)
         phase = "\u00e9" * 100000 if self.fault == "long_phase" else "drive"
         belief = {"phase": phase, "x_m": self.way_m - gone_m, "y_m": 0.0, "heading_rad": 3.14159}
+        self.believe_more(belief, gone_m, belief["x_m"])
         motors = [motor] if self.fault != "motors" else [motor, motor]
         stops = {"nan_stops": float("nan"), "far_stops": 7.0, "stops": -2.0}.get(self.fault, 0.0)
         verdict = DOCKED if there else UNDER_WAY
         return Commands(motors, verdict=verdict, belief=belief, exposure_stops=stops)
+
+    def believe_more(self, belief, gone_m, left_m):
+        late = {"=late": 2.0} if gone_m > left_m else {}
+        level = [1, 0, 0, 0, 1, 0, 0, 0, 1]
+        if self.fault == "values":
+            belief["values"] = {"gone_m": gone_m, **late}
+        if self.fault == "pose":
+            belief["pose"] = {"R": level, "p_m": [left_m, 0, 0]}
+        if self.fault == "bad_pose":
+            belief["pose"] = {"R": level}
+        if self.fault == "marks":  # this robot has no camera
+            belief["marks"] = [{"id": 0, "camera": 0, "u_px": 1, "v_px": 1}]
 
     def misbehave(self):
         if self.fault == "crash":

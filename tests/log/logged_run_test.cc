@@ -166,6 +166,37 @@ TEST(LoggedRun, HasBeliefMinusTruthOverTime) {
   EXPECT_NEAR(run.truth.at("error_yaw_deg")[12], -1.0, 1e-9);
 }
 
+TEST(LoggedRun, HasTheValuesOfABeliefAtTheirSamples) {
+  const TemporaryFolder folder;
+  {
+    RunLogWriter log(folder.path(), {.run = 1, .system = "toy"});
+    const double none = std::nan("");
+    const std::vector<std::vector<double>> rows{{}, {1.5}, {none, 7.0}, {none, none}};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const auto tick = static_cast<Tick>(100 * i);
+      log.Append(HistorySample{}, Stage{}, tick);
+      log.AppendValues({"first", "x_m"}, rows[i], tick);
+    }
+    log.Finish();
+  }
+  const LoggedRun run = ReadLoggedRun(folder.path());
+  using testing::ElementsAre, testing::IsNan;
+  ASSERT_EQ(run.values.size(), 2u);
+  EXPECT_THAT(run.values.at("first"), ElementsAre(IsNan(), 1.5, IsNan(), IsNan()));
+  EXPECT_THAT(run.values.at("x_m"), ElementsAre(IsNan(), IsNan(), 7.0, IsNan()));
+  EXPECT_THAT(run.belief.at("x_m"), ElementsAre(0.0, 0.0, 0.0, 0.0));  // the robot's place
+}
+
+TEST(RunLog, HasATopicOfValuesOnlyWhereThereAreSome) {
+  const TemporaryFolder folder;
+  WriteRun(folder.path());
+  McapReader file(folder.path() / kRunLogFile);
+  while (const auto message = file.Next()) {
+    EXPECT_NE(file.channel(message->channel_id).topic, topic::kValues);
+  }
+  EXPECT_TRUE(ReadLoggedRun(folder.path()).values.empty());
+}
+
 TEST(LoggedRun, KeepsAllSamplesBesideSolidsThatAreWrittenOnce) {
   const TemporaryFolder folder;
   WriteRun(folder.path(), true);

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/log/result_row.h"
+#include "sim/log/value_table.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {
@@ -45,6 +48,51 @@ TEST(HistoryDeathTest, RefusesASampleThatLacksAChannel) {
   RunRecord record = FakeRecord(FakeRuns(1)[0]);
   record.history[7].channels.pop_back();
   EXPECT_DEATH(HistoryCsv(record), "check failed");
+}
+
+/// Two samples; the second has a name more.
+RunRecord RecordWithValues(std::vector<std::string> names) {
+  RunRecord record;
+  record.value_names = std::move(names);
+  record.history.resize(2);
+  record.history[0].values = {0.5};
+  record.history[1].time_s = 0.1;
+  record.history[1].values = {std::nan(""), -2.0};
+  return record;
+}
+
+TEST(ValuesTable, HasEachValueAtItsTimeAndNanWhereThereIsNone) {
+  EXPECT_EQ(ValuesCsv(RecordWithValues({"reeled_m", "late, and quoted"})),
+            "time_s,reeled_m,\"late, and quoted\"\n0,0.5,nan\n0.1,nan,-2\n");
+}
+
+TEST(ValuesTable, HasNoNameThatIsAFormulaOrThere) {
+  const auto header = [](const std::vector<std::string>& names) {
+    const std::string csv = ValuesCsv(RecordWithValues(names));
+    return csv.substr(0, csv.find('\n'));
+  };
+  EXPECT_EQ(header({"=1+1", "@cmd", "+a", "-b", "a=b"}),
+            "time_s,value.=1+1,value.@cmd,value.+a,value.-b,a=b");
+  EXPECT_EQ(header({"time_s", "value.time_s"}), "time_s,value.value.time_s,value.time_s");
+}
+
+TEST(ValuesTable, HasTheValuesThatNoColumnOfTheSystemHas) {
+  std::vector<std::string> names;
+  Belief belief;
+  belief.values = {{"recoveries", 2.0}, {"b", 1.0}};
+  const std::vector<Column> columns{{"recoveries", "", "so far"}};
+  EXPECT_THAT(FurtherValues(belief, columns, names), ElementsAre(1.0));
+  belief.values = {{"a", 3.0}};
+  EXPECT_THAT(FurtherValues(belief, columns, names), ElementsAre(testing::IsNan(), 3.0));
+  EXPECT_THAT(names, ElementsAre("b", "a"));
+}
+
+TEST(RecordFiles, HaveATableOfValuesOnlyWhereThereAreSome) {
+  const TemporaryFolder folder;
+  WriteRecordFiles(folder.path(), RecordWithValues({"a", "b"}));
+  EXPECT_THAT(Slurp(folder.path() / "values.csv"), StartsWith("time_s,a,b\n"));
+  WriteRecordFiles(folder.path(), RunRecord{});
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "values.csv"));
 }
 
 TEST(RecordFiles, HaveMarksAndCountsByCamera) {

@@ -56,7 +56,7 @@ test('a replay ends where the log says that the robot was', async () => {
   await context.close();
 });
 
-test("a program's run shows its images, and its command can be pasted", async () => {
+test("a program's run shows its marks and values, and its command can be pasted", async () => {
   const out = join(folder, 'program');
   const program = ['run', 'examples/python/dock_straight.yaml', '--allow-commands', '--set', 'time_limit_s=3'];
   try {
@@ -67,7 +67,10 @@ test("a program's run shows its images, and its command can be pasted", async ()
   execFileSync('build/dockyard', ['report', out], { cwd: root, stdio: 'ignore' });
   const { page, context, messages } = await openReport(browser, join(out, 'report.html'));
   await page.keyboard.press('End');
-  assert.match(await page.textContent('.sightings'), /The images of all 1 times without a sighting are shown/);
+  const sightings = await page.textContent('.sightings');
+  assert.match(sightings, /Sighting 1 of 1, 0\.\d s: ✕ not accepted: no pose/);
+  assert.match(sightings, /left: 1 mark measured/);
+  assert.match(await page.textContent('.scalars'), /Values m *reeled \(belief\)/);
   const command = await page.textContent('.command code');
   assert.match(command, /dockyard replay \S+ --allow-commands$/);
   const env = { ...process.env, PATH: `build:${process.env.PATH}` }; // of a program that is called without its folder

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
+
 #include "sim/images/png.h"
 #include "sim/page/pictures.h"
 #include "sim/page/replay_ground.h"
@@ -44,6 +47,49 @@ TEST(ReplayPart, HasThePhasesAndTheSystemsScalars) {
   ASSERT_EQ(json["scalars"].size(), 1u);
   EXPECT_EQ(json["scalars"][0]["group"], "Forces");
   EXPECT_TRUE(json["ground"].is_null());
+}
+
+TEST(ReplayPart, HasTheControllersValuesInPanelsOfTheirUnits) {
+  LoggedRun run = SomeRun();
+  for (const char* name : {"a_m", "b_m", "c_m", "d_m", "e_m", "f_m", "g_m"}) {
+    run.values[name] = {1.0, 2.0};
+  }
+  run.values["<b>turn_rad"] = {std::nan(""), 0.5};
+  run.values["speed_m_s"] = {1e-320, 1e308};
+  run.values["never"] = {std::nan(""), std::nan("")};
+  Payload payload;
+  const Json scalars = ReplayPart(run, {}, payload)["scalars"];
+  std::map<std::string, std::string> shown;
+  for (const Json& each : scalars) {
+    EXPECT_EQ(each["source"], "belief");
+    EXPECT_GT(each["channel"]["quantum"].get<double>(), 0.0);
+    shown[each["name"]] = each["group"].get<std::string>() + " " + each["unit"].get<std::string>();
+  }
+  EXPECT_EQ(shown.size(), 9u);
+  EXPECT_EQ(shown["f_m"], "Values m");
+  EXPECT_EQ(shown["g_m"], "Values 2 m");
+  EXPECT_EQ(shown["<b>turn_rad"], "Values rad");
+  EXPECT_EQ(shown["speed_m_s"], "Values m/s");
+}
+
+TEST(ReplayPart, HasTheCamerasThatTookAnImageOrHaveAMark) {
+  LoggedRun run = SomeRun();
+  run.cameras = {{"left", 4, 2}, {"right", 4, 2}, {"mast", 4, 2}};
+  SightingSample sighting{};
+  sighting.report.marks = {{.id = 3, .camera = 2, .u_px = 1.5, .v_px = 0.25}};
+  run.sightings = {sighting};
+  const auto names = [&run] {
+    Payload payload;
+    std::vector<std::string> found;
+    const Json json = ReplayPart(run, {}, payload);
+    for (const Json& camera : json["sightings"][0]["cameras"]) {
+      found.push_back(camera["name"]);
+    }
+    return found;
+  };
+  EXPECT_THAT(names(), testing::ElementsAre("left", "right", "mast"));  // no image is kept
+  run.images = {{0.0, {"left", EncodePng(GrayImage{4, 2, std::vector<std::uint8_t>(8, 9)})}}};
+  EXPECT_THAT(names(), testing::ElementsAre("left", "mast"));
 }
 
 // The page draws the ground along its axes, so its world is the site.

@@ -10,6 +10,7 @@
 #include "sim/log/record_files.h"
 #include "sim/log/result_row.h"
 #include "sim/log/results.h"
+#include "sim/log/value_table.h"
 #include "sim/report/points.h"
 #include "sim/report/sensitivity.h"
 #include "support/fake_runs.h"
@@ -47,6 +48,12 @@ TEST(ColumnTables, AreThoseOfResults) {
   EXPECT_EQ(HeaderOf("results.csv", {{"[labels]", {"soil"}}, {"[measures]", {"depth_m"}}}),
             CsvHeader(OneEach()));
   EXPECT_EQ(HeaderOf("timing.csv", {}), FirstLine(TimingHeader()));
+}
+
+TEST(ColumnTables, AreThoseOfValues) {
+  RunRecord record;
+  record.value_names = {"reeled_m"};
+  EXPECT_EQ(HeaderOf("values.csv", {{"[values]", {"reeled_m"}}}), FirstLine(ValuesCsv(record)));
 }
 
 TEST(ColumnTables, AreThoseOfPoints) {
