@@ -339,6 +339,27 @@ test('a damaged file says so', async () => {
   }
 });
 
+test('the chance of a strength is named as it is adjusted', async () => {
+  const { page, context } = await open({ rows: 40 });
+  const shown = await page.textContent('#sensitivity');
+  assert.match(shown, /0\.42 +p \(Holm\) 0\.0004/);
+  assert.doesNotMatch(shown, / p 0/);
+  await context.close();
+});
+
+test('a campaign of too few runs for its draws says so in the place of strengths', async () => {
+  const report = makeReport({ rows: 10 });
+  const [arm] = report.header.sensitivity;
+  report.header.sensitivity = [{ ...arm, draws: [], warning: 'warning: no list: 10 runs for 4 draws' }];
+  const file = join(folder, 'too_few.html');
+  writeFileSync(file, pageWith(packPayload(report.header, report.blobs)));
+  const { page, context, messages } = await openReport(browser, file);
+  assert.match(await page.textContent('#sensitivity'), /warning: no list: 10 runs for 4 draws\./);
+  assert.equal(await page.locator('#sensitivity svg').count(), 0);
+  assert.deepEqual(messages, []);
+  await context.close();
+});
+
 test('a single run opens at once', async () => {
   const { page, context } = await open({ rows: 1, replays: 1, single: true });
   assert.equal((await frameOf(page)).run, 1);
