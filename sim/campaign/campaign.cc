@@ -7,6 +7,7 @@
 #include "controller/base/check.h"
 #include "sim/campaign/retention.h"
 #include "sim/jobs/pool.h"
+#include "sim/run/renderer.h"
 
 namespace dockyard {
 namespace {
@@ -158,6 +159,7 @@ class Engine {
   /// In a worker.
   std::string Work(std::int64_t index, const fs::path& messages) const {
     const fs::path dir = campaign_.keep.none() ? fs::path() : messages.parent_path();
+    if (options_.jobs > 1) DrawWithoutThreads();
     return RunAndAnswer([&] { return maker_.Make(index); }, work_, dir);
   }
 
