@@ -10,7 +10,6 @@ namespace {
 // Measured on Debian 12 (glibc 2.36, Mesa 22.3.6 with llvmpipe, GCC 12.2), on an AMD EPYC with AVX2
 // and FMA, and with those masked.
 constexpr const char* kMathematicsOfDebian12 = "09309fb7948a3b9b";
-constexpr const char* kImageOfDebian12 = "8bd6a16b7e81542a";
 
 // Runs of Axel at 1024 x 768 had up to 254 MiB. With 683 MiB of address space they found no memory,
 // with 977 MiB they ended.
@@ -18,6 +17,9 @@ constexpr double kRunMib = 300.0, kAddressSpaceMib = 1000.0;
 // A run's log has 7 MB: room for a hundred.
 constexpr double kDiskMib = 1024.0;
 
+constexpr const char* kNoneBecause = "none: ";  // and the reason
+constexpr const char* kNoImages =
+    "No images: install libosmesa6, or libegl1 and set DOCKYARD_GL=egl.";
 constexpr const char* kDiffers =
     "Runs here equal those of computers with this value, not those of Debian 12.";
 
@@ -33,11 +35,9 @@ Finding Examined(const Fact& fact) {
     warn("Runs here may differ from those of other processors: start it without set-user-ID.");
   } else if (fact.name == "mathematics" && fact.value != kMathematicsOfDebian12) {
     warn(kDiffers);
-  } else if (fact.name == "gl_image" && fact.value.starts_with("none")) {
+  } else if (fact.name == "gl_renderer" && fact.value.starts_with(kNoneBecause)) {
     finding.health = Health::kMissing;
-    finding.advice = "No images: install libosmesa6, or libegl1 and set DOCKYARD_GL=egl.";
-  } else if (fact.name == "gl_image" && fact.value != kImageOfDebian12) {
-    warn(kDiffers);
+    finding.advice = kNoImages;
   } else if (fact.value == "unknown") {
     warn("It is not told here; write it down yourself.");
   }
@@ -77,6 +77,23 @@ std::vector<Finding> ExamineFacts(const std::vector<Fact>& facts) {
   std::vector<Finding> findings;
   for (const Fact& fact : facts) findings.push_back(Examined(fact));
   return findings;
+}
+
+Finding ExamineImages(const std::string& system, const std::string& value,
+                      const std::string& of_debian12) {
+  Finding finding{kImages + system, value, Health::kOk, ""};
+  if (value.starts_with(kNoneBecause)) {
+    finding.health = Health::kMissing;
+    finding.advice = kNoImages;
+  } else if (value == kNoScenario) {
+    finding.health = Health::kWarning;
+    finding.advice = "Its scenario is not found: start the program that is installed, or call it " +
+                     std::string("in Dockyard's folder.");
+  } else if (!of_debian12.empty() && value != of_debian12) {
+    finding.health = Health::kWarning;
+    finding.advice = kDiffers;
+  }
+  return finding;
 }
 
 std::vector<Finding> ExamineMachine(int processors, const MemoryLimit& memory, double disk_mib,

@@ -19,6 +19,16 @@ struct Finding {
 
 /// Of Environment() and RendererFacts(): whether runs here equal those of other computers.
 std::vector<Finding> ExamineFacts(const std::vector<Fact>& facts);
+
+/// The name of the finding on a system's images is this and the system's.
+inline constexpr const char* kImages = "image_";
+/// In place of a fingerprint.
+inline constexpr const char* kNoScenario = "unknown";
+/// @param value        StartImages(), or kNoScenario
+/// @param of_debian12  the value there; empty: not known
+Finding ExamineImages(const std::string& system, const std::string& value,
+                      const std::string& of_debian12);
+
 /// @param lock_fault  of the folder for results, as LockFault says
 std::vector<Finding> ExamineMachine(int processors, const MemoryLimit& memory, double disk_mib,
                                     const std::string& lock_fault, double shared_mib);

@@ -44,4 +44,15 @@ std::string WithExamples(const std::string& help, const std::string& program,
   return text;
 }
 
+std::filesystem::path FindExample(const std::string& file) {
+  std::error_code ignored;
+  const std::filesystem::path above =
+      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+  for (const std::filesystem::path& folder :
+       {above / "share/dockyard", above, std::filesystem::path()}) {
+    if (std::filesystem::exists(folder / file, ignored)) return folder / file;
+  }
+  return {};
+}
+
 }  // namespace dockyard

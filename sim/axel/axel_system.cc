@@ -184,7 +184,8 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
                           .robot = "models/axel/axel.yaml",
                           .target = "models/axel/station/station.yaml",
                           .cameras = "models/cameras/axel_1024.yaml",
-                          .reproduction = "axel2013"};
+                          .reproduction = "axel2013",
+                          .start_images = "65aebefd521771f2"};
   system.reproductions = {{"axel2013", "scenarios/axel2013_published.yaml",
                            "The 40 docking runs of Tsai et al. 2013 in the Mars Yard, driven by a "
                            "controller as they describe theirs, and pure reeling beside them."}};

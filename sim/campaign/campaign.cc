@@ -7,6 +7,7 @@
 #include "controller/base/check.h"
 #include "sim/campaign/run_logs.h"
 #include "sim/jobs/pool.h"
+#include "sim/run/renderer.h"
 
 namespace dockyard {
 namespace {
@@ -169,6 +170,7 @@ class Engine {
 
   /// In a worker.
   std::string Work(const Pass& pass, const fs::path& messages) const {
+    if (options_.jobs > 1) DrawWithoutThreads();
     const fs::path dir = messages.parent_path();
     const auto logging = [&](const CampaignRun& run) {
       return LoggingOf(run, campaign_.keep, pass.again, dir, folder_);

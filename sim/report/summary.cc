@@ -140,6 +140,14 @@ std::string ShortName(std::size_t label, const RowColumns& columns) {
   return same == 1 && !name.empty() ? name : columns.labels[label];
 }
 
+/// Whether the label `repeat` only says the runs' numbers again: all runs repeat one point.
+bool IsRunNumber(std::size_t label, const FinishedRuns& runs, const RowColumns& columns) {
+  if (columns.labels[label] != "repeat") return false;
+  return std::all_of(runs.results.begin(), runs.results.end(), [&](const RunResult& row) {
+    return row.labels[label] == std::to_string(row.run);
+  });
+}
+
 /// A line of cells, as wide as their columns' longest: numbers to the right, words to the left. A
 /// column of no width is left out.
 std::string TableLine(const Cells& cells, const std::vector<std::size_t>& widths,
@@ -255,7 +263,7 @@ std::string SummaryText(const std::string& title, const FinishedRuns& runs,
   std::vector<std::vector<Group>> by_label;
   std::vector<std::size_t> differing;
   for (std::size_t i = 0; i < columns.labels.size(); ++i) {
-    by_label.push_back(GroupsBy(i, runs));
+    by_label.push_back(IsRunNumber(i, runs, columns) ? std::vector<Group>{} : GroupsBy(i, runs));
     if (by_label[i].size() > 1) differing.push_back(i);
     if (by_label[i].size() == 1) {
       AddLine(out, "all runs: " + columns.labels[i] + " " + by_label[i].front().value);

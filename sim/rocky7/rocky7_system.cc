@@ -128,6 +128,7 @@ System Rocky7System(const std::vector<NamedController>& controllers) {
   system.example_files.scenario = "scenarios/rocky7_reach.yaml";
   system.example_files.robot = "models/rocky7/rocky7.yaml";
   system.example_files.reproduction = "rocky7";
+  system.example_files.start_images = "fefc89e5891d26af";
   system.reproductions = {
       {"rocky7", "scenarios/rocky7_published.yaml",
        "The 25 grasps and 14 tracking sequences of Nesnas, Maimone and Das (2000), "

@@ -1,6 +1,7 @@
 // The renderer of a run's images: by which GL it draws, and one for all runs of a process.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,12 +19,19 @@ std::string GlWord();
 /// reason when no context can be had.
 std::unique_ptr<StereoRenderer> MakeRenderer();
 
-/// Who draws, and how, in this order: gl (GlWord()), gl_vendor, gl_renderer, gl_version, and
-/// gl_image: a fingerprint of test_image.h, equal on computers whose images are equal. Asked in a
-/// process of its own: a process that has drawn cannot have children that draw. If nothing can be
-/// drawn, the value of gl_image is "none: " and the reason, and vendor, renderer and version are
-/// "none". Takes 0.3 s of processor time. Throws ConfigError.
+/// Contexts made later in this process draw without threads of Mesa's own, unless the environment
+/// asks for them: for one of several processes that draw and would wait for each other's threads.
+/// The images are the same.
+void DrawWithoutThreads();
+
+/// Who draws, and how, in this order: gl (GlWord()), gl_vendor, gl_renderer and gl_version. If
+/// there is no context, the value of gl_renderer is "none: " and the reason, and vendor and version
+/// are "none". Throws ConfigError.
 std::vector<Fact> RendererFacts();
+
+/// What `draw` returns, in a process of its own, as a process that has drawn cannot have children
+/// that draw; "none: " and the reason where that process fails.
+std::string AskInChild(const std::function<std::string()>& draw);
 
 /// One renderer for all runs of a process. It is made at the first use: a process that takes no
 /// images needs none. The images do not depend on those drawn before.

@@ -79,10 +79,11 @@ struct Reproduction {
 };
 
 /// Files of the system's for the examples in the program's help, as written on the command line. A
-/// line of help whose file is empty is left out.
+/// line of help whose file is empty is left out. `dockyard doctor` draws the scenario's start.
 struct ExampleFiles {
   std::string scenario, campaign, sweep, robot, target, cameras;
   std::string reproduction;  // a name of System::reproductions
+  std::string start_images;  // StartImages() of the scenario on Debian 12; empty: not known
 };
 
 struct System {

@@ -339,6 +339,46 @@ test('a damaged file says so', async () => {
   }
 });
 
+test('the chance of a strength is named as it is adjusted', async () => {
+  const { page, context } = await open({ rows: 40 });
+  const shown = await page.textContent('#sensitivity');
+  assert.match(shown, /0\.42 +p \(Holm\) 0\.0004/);
+  assert.doesNotMatch(shown, / p 0/);
+  await context.close();
+});
+
+test('a campaign of too few runs for its draws says so in the place of strengths', async () => {
+  const report = makeReport({ rows: 10 });
+  const [arm] = report.header.sensitivity;
+  report.header.sensitivity = [{ ...arm, draws: [], warning: 'warning: no list: 10 runs for 4 draws' }];
+  const file = join(folder, 'too_few.html');
+  writeFileSync(file, pageWith(packPayload(report.header, report.blobs)));
+  const { page, context, messages } = await openReport(browser, file);
+  assert.match(await page.textContent('#sensitivity'), /warning: no list: 10 runs for 4 draws\./);
+  assert.equal(await page.locator('#sensitivity svg').count(), 0);
+  assert.deepEqual(messages, []);
+  await context.close();
+});
+
+test('a replay without bodies, ground and lines can be used', async () => {
+  const report = makeReport({ rows: 1, replays: 1, single: true });
+  report.header.scenes[0] = { bodies: [] };
+  report.header.meshes = [];
+  const [replay] = report.header.replays;
+  for (const name of ['bodies', 'ground', 'lines']) delete replay[name];
+  const file = join(folder, 'no_bodies.html');
+  writeFileSync(file, pageWith(packPayload(report.header, report.blobs)));
+  const { page, context, messages } = await openReport(browser, file);
+  for (const name of ['Follow robot', 'Reset view', 'From above', 'Reset view', 'Follow robot', 'From above']) {
+    await page.click(`button:has-text("${name}")`);
+  }
+  await page.click('canvas.stage');
+  await page.keyboard.press('End');
+  assert.ok((await frameOf(page)).time > 60);
+  assert.deepEqual(messages, []);
+  await context.close();
+});
+
 test('a single run opens at once', async () => {
   const { page, context } = await open({ rows: 1, replays: 1, single: true });
   assert.equal((await frameOf(page)).run, 1);

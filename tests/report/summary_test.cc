@@ -66,6 +66,23 @@ TEST(Summary, ListsNumbersOfALabelInRisingOrder) {
               testing::ContainsRegex(" -10 .*\n.* 0 .*\n.* 5 .*\n\nfailures"));
 }
 
+TEST(Summary, LeavesOutRepeatsThatOnlySayTheRunsNumbersAgain) {
+  RowColumns columns = FakeColumns();
+  columns.labels = {"repeat", "start.r_m"};
+  FinishedRuns runs;
+  for (int i = 1; i <= 4; ++i) {
+    RunResult row;
+    row.run = i;
+    row.labels = {std::to_string(i), std::to_string(i)};
+    row.outcome = "missed";
+    runs.Add({row, {}, ""});
+  }
+  EXPECT_THAT(SummaryText("repeats", runs, columns, 4),
+              AllOf(HasSubstr("\nrun  r_m  outcome "), Not(HasSubstr("repeat "))));
+  runs.results.back().labels[0] = "1";  // now it says more
+  EXPECT_THAT(SummaryText("repeats", runs, columns, 4), HasSubstr("\nrun  repeat  r_m  outcome "));
+}
+
 TEST(Summary, GroupsByEveryLabelOfTwoToEightValues) {
   const std::string text = SummaryText("fake", FakeResults(12), FakeColumns(), 12);
   EXPECT_THAT(text, HasSubstr("fake: docked 8/12 (67 %, 35-90 %)"));

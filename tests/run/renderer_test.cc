@@ -2,12 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cstdlib>
 
 #include "models/read/config_error.h"
-#include "sim/base/hash.h"
-#include "sim/run/test_image.h"
 
 namespace dockyard {
 namespace {
@@ -58,23 +55,6 @@ TEST(RendererFacts, NameMesaOfBothBackEnds) {
     EXPECT_THAT(Value(facts, "gl_renderer"), testing::HasSubstr("llvmpipe"));
     EXPECT_THAT(Value(facts, "gl_version"), testing::HasSubstr("Mesa"));
   }
-}
-
-TEST(RendererFacts, HaveTheFingerprintOfTheTestImage) {
-  const std::vector<Fact> facts = RendererFacts();  // before this process draws
-  const auto renderer = MakeRenderer();
-  const StereoImages images = TestImages(*renderer);
-  EXPECT_EQ(Value(facts, "gl_image"), HexText(ImageFingerprint(images)));
-}
-
-TEST(TestImages, ShowTheSceneAndOtherImagesDoNot) {
-  const auto renderer = MakeRenderer();
-  GrayImage left = TestImages(*renderer).left;
-  EXPECT_TRUE(ShowsTheTestScene(left));
-  EXPECT_FALSE(ShowsTheTestScene({}));
-  EXPECT_FALSE(ShowsTheTestScene({96, 72, std::vector<std::uint8_t>(96 * 72, 90)}));
-  std::reverse(left.pixels.begin(), left.pixels.end());
-  EXPECT_FALSE(ShowsTheTestScene(left));
 }
 
 TEST(KeptRenderer, IsOneForTheProcessAndRefusesToDrawInItsChild) {

@@ -6,17 +6,20 @@ import { fixed, group, interval, number } from '../format.js';
 
 const MOST_DRAWS = 15;
 const MOST_LEVELS = 6;
-const BARS_WIDTH = 340;
+const BARS_WIDTH = 384;
 const CHARACTER_WIDTH = 6.1; // of the axis, 10 px high
 
 /** @param {any} header */
 export function sensitivity(header) {
-  const arms = (header.sensitivity ?? []).filter((/** @type {any} */ arm) => arm.draws.length > 0);
+  const arms = (header.sensitivity ?? []).filter(
+    (/** @type {any} */ arm) => arm.draws.length > 0 || arm.warning,
+  );
   if (arms.length === 0) return null;
   return card(
     'sensitivity',
     'What success depends on',
     'Strength 0 to 1: share of the variation of success that goes with a draw, of any shape (eta). ' +
+      'p: adjusted for the number of draws by Holm’s method. ' +
       'Direction -1 to 1: rank correlation with its 95 % interval, of draws of numbers.',
     ...arms.map((/** @type {any} */ arm) =>
       make(
@@ -25,7 +28,7 @@ export function sensitivity(header) {
         arm.arm && make('h3', null, `Arm ${arm.arm}`),
         ...(hasStrength(arm)
           ? [make('div', { class: 'pair' }, strengths(arm), directions(arm)), levels(arm)]
-          : [make('p', null, 'All runs ended alike, or are too few: success does not vary with any draw.')]),
+          : [make('p', null, whyNoStrength(arm))]),
       ),
     ),
   );
@@ -34,6 +37,13 @@ export function sensitivity(header) {
 /** @param {any} arm */
 function hasStrength(arm) {
   return arm.draws.some((/** @type {any} */ draw) => typeof draw.eta === 'number');
+}
+
+/** @param {any} arm */
+function whyNoStrength(arm) {
+  return arm.warning
+    ? `${arm.warning}.`
+    : 'All runs ended alike: success does not vary with any draw.';
 }
 
 /** The strongest draws. @param {any} arm */
@@ -66,7 +76,7 @@ function strengths(arm) {
     ...frame(rows),
     width: BARS_WIDTH + margin,
     marginLeft: margin,
-    marginRight: 92,
+    marginRight: 136,
     ariaLabel: 'Strength of each draw',
     x: { domain: [0, 1], label: 'strength', ticks: 5 },
     marks: [
@@ -78,7 +88,7 @@ function strengths(arm) {
         textAnchor: 'start',
         dx: 6,
         fill: 'var(--text)',
-        text: (/** @type {any} */ r) => `${fixed(r.eta, 2)}${r.p === null ? '' : `  p ${number(r.p, 2)}`}`,
+        text: (/** @type {any} */ r) => `${fixed(r.eta, 2)}${r.p === null ? '' : `  p (Holm) ${number(r.p, 2)}`}`,
       }),
     ],
   });
