@@ -34,11 +34,12 @@ std::string Encode(const Layout& layout, const void* pixels) {
   std::vector<png_bytep> rows =
       Rows(static_cast<png_bytep>(const_cast<void*>(pixels)), layout.height, row_bytes);
   const bool done = writer.Run([&] {
-    // Run lengths over a horizontal difference: measured on a noisy 1024x768 image 11 ms and 356
-    // kB; zlib's own strategy takes 23 ms and 403 kB at level 1, 139 ms and 378 kB at level 6.
+    // Huffman's code over a horizontal difference, as noise repeats nothing. Measured on images of
+    // Axel, RAPOSA and Rocky 7: 5.3, 1.7, 2.1 ms and 280, 129, 134 kB; with run lengths 6.7, 2.1,
+    // 2.6 ms and 282, 129, 134 kB. zlib's own strategy took twice as long as run lengths.
     png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_set_compression_level(writer.png, Z_BEST_SPEED);
-    png_set_compression_strategy(writer.png, Z_RLE);
+    png_set_compression_strategy(writer.png, Z_HUFFMAN_ONLY);
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(layout.width),
                  static_cast<png_uint_32>(layout.height), layout.bits,
                  layout.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY,

@@ -36,7 +36,7 @@ class Workers : public testing::TestWithParam<ShortRun> {
                                        "draw: {start.alpha_deg: {uniform: {min: -5, max: 5}}}\n");
     ReadyCampaign ready = MakeReady(LoadCampaign(arguments, systems_), arguments, systems_);
     ready.options.jobs = 2;
-    const auto counting = [&](const CampaignRun& what, const fs::path& log_dir) {
+    const auto counting = [&](const CampaignRun& what, const RunLogging& log_dir) {
       RunRecord record = ready.run(what, log_dir);
       folder_.Write(std::to_string(what.run), std::to_string(ThreadsOfThisProcess()));
       folder_.Write("images" + std::to_string(what.run), std::to_string(record.result.images));
