@@ -24,8 +24,8 @@ void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir,
       if (result.docked || IsLost(result.outcome)) continue;
       if (Folder(dir).HasFolder(RunFolder("", result.run)) != logged) continue;
       if (shown++ == kMost) return;
-      const std::string command =
-          ReplayCommand(call.program, dir, std::to_string(result.run), StartsProgram(result), options);
+      const std::string command = ReplayCommand(call.program, dir, std::to_string(result.run),
+                                                StartsProgram(result), options);
       std::printf("%s%s   # %s\n", shown == 1 ? "\nto run a failure again:\n" : "", command.c_str(),
                   result.outcome.c_str());
     }

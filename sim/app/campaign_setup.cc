@@ -115,9 +115,8 @@ Campaign LoadCampaign(const CampaignArguments& arguments, const std::vector<Syst
 
 ReadyCampaign MakeReady(Campaign campaign, const CampaignArguments& arguments,
                         const std::vector<System>& systems) {
-  RunOptions of_run{.log_dir = {},
-                    .labels = campaign.labels,
-                    .results_dir = OutDir(arguments, campaign)};
+  RunOptions of_run{
+      .log_dir = {}, .labels = campaign.labels, .results_dir = OutDir(arguments, campaign)};
   arguments.commands.Fill(of_run);
   const System& system = FindSystem(systems, CheckAll(campaign, of_run, systems).scenario.system);
   ReadyCampaign ready;

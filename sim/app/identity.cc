@@ -105,8 +105,8 @@ void AddProgram(const NamedCommand& command, ModelFiles& models) {
   }
 }
 
-/// The longest folder that holds all of them and the programs' folders. A model of Gazebo has the name of its folder, so it
-/// lies in a folder below.
+/// The longest folder that holds all of them and the programs' folders. A model of Gazebo has the
+/// name of its folder, so it lies in a folder below.
 fs::path CommonFolder(const std::set<fs::path>& files, const std::vector<NamedCommand>& commands) {
   std::vector<fs::path> folders;
   for (const fs::path& file : files) {

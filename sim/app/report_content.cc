@@ -114,9 +114,9 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
       const int number = rows[i].run;
       const Folder folder = Folder(dir).In(RunFolder("", number));
       if (rows[i].docked != docked || !folder.HasFile(kRunLogFile)) continue;
-      WatchedRun run = Watched(
-          i, folder,
-          ReplayCommand(call.program, dir, std::to_string(number), StartsProgram(rows[i]), options));
+      WatchedRun run = Watched(i, folder,
+                               ReplayCommand(call.program, dir, std::to_string(number),
+                                             StartsProgram(rows[i]), options));
       run.shapes = [&system, maker, number] {
         return ShapesOf(system, maker->Make(maker->IndexOf(number)).scenario);
       };
@@ -137,9 +137,9 @@ ReportContent ContentOfCampaign(const fs::path& dir, const Invocation& call, Rep
   content.runs = &source.kept.runs;
   content.columns = source.kept.columns;
   const std::vector<RunResult>& rows = source.kept.runs.results;
-  content.replay_command =
-      ReplayCommand(call.program, dir, "{run}",
-                    std::any_of(rows.begin(), rows.end(), StartsProgram), KeptReplayOptions(dir, call.secret_file));
+  content.replay_command = ReplayCommand(call.program, dir, "{run}",
+                                         std::any_of(rows.begin(), rows.end(), StartsProgram),
+                                         KeptReplayOptions(dir, call.secret_file));
   AddSystem(system, content);
   content.starts = StartsOf(source);
   AddWatched(dir, system, source, call, content);
@@ -157,10 +157,9 @@ ReportContent ContentOf(const fs::path& dir, const Invocation& call, ReportSourc
   const System& system = FindSystem(systems, scenario.system);
   const auto row = ReadSingleResult(dir, system.Columns({}));
   if (!row) throw ResultsError(dir.string() + " has no result of its run");
-  return ContentOfRun(
-      dir, system, scenario, *row,
-      ReplayCommand(call.program, dir, "", StartsProgram(*row), ReplayOptions{}),
-      source);
+  return ContentOfRun(dir, system, scenario, *row,
+                      ReplayCommand(call.program, dir, "", StartsProgram(*row), ReplayOptions{}),
+                      source);
 }
 
 void WriteReport(const fs::path& dir, const fs::path& file, const Invocation& call,

@@ -83,13 +83,13 @@ class Engine {
       progress.Finished(run);
       in_order_.Add(pass.index, run.result);
     };
-    end_.signal = RunPool(
-        pool, signals,
-        {.work = [&](std::int64_t number,
-                     const fs::path& messages) { return Work(PassOf(number), messages); },
-         .next = [&](int place) { return Next(place); },
-         .prepare = [&](const Job&, int place) { Empty(WorkPlace(place)); },
-         .take = take});
+    end_.signal =
+        RunPool(pool, signals,
+                {.work = [&](std::int64_t number,
+                             const fs::path& messages) { return Work(PassOf(number), messages); },
+                 .next = [&](int place) { return Next(place); },
+                 .prepare = [&](const Job&, int place) { Empty(WorkPlace(place)); },
+                 .take = take});
     writer_->Flush();
     progress.End();
     RemoveWork();

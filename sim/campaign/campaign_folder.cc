@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The folders that programs of a campaign read, write and empty.
-constexpr const char* kOwnFolders[] = {"files", "shards", "runs", "commands", "sightings",
-                                       "plots", "work",   "submit"};
+constexpr const char* kOwnFolders[] = {"files",     "shards", "runs", "commands",
+                                       "sightings", "plots",  "work", "submit"};
 
 /// Nothing, or what is left of a claim that was cut short.
 bool HoldsOnlyScraps(const fs::path& dir) {
@@ -58,9 +58,7 @@ Json ReadManifest(const fs::path& dir) {
 
 fs::path RunFolder(const fs::path& dir, int run) { return dir / "runs" / NumberName(run); }
 
-fs::path CommandsFolder(const fs::path& dir, int run) {
-  return dir / "commands" / NumberName(run);
-}
+fs::path CommandsFolder(const fs::path& dir, int run) { return dir / "commands" / NumberName(run); }
 
 Folder FolderOfCommands(const fs::path& dir, int run) {
   const Folder whole = Folder(dir).In(RunFolder("", run));

@@ -5,11 +5,12 @@
 //   results.csv, timing.csv, results.sqlite, summary.txt
 //   points.csv, points.md   of a campaign with a grid or arms: a line per point
 //   plots/                  curves.svg, bars.svg and figures of the system
-//   runs/NNN/               of the runs whose log is kept: run.mcap, history.csv, values.csv, sightings.json,
+//   runs/NNN/               of the runs whose log is kept: run.mcap, history.csv, values.csv,
+//   sightings.json,
 //                           plans.json, outcome.json, figures of the system, messages.txt (the
 //                           run's printed lines, if any)
-//   commands/NNN/run.mcap   of the other runs whose controller is a program: the log of the commands
-//   work/                   of the runs under way
+//   commands/NNN/run.mcap   of the other runs whose controller is a program: the log of the
+//   commands work/                   of the runs under way
 #pragma once
 
 #include <cstdint>

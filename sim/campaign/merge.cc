@@ -185,7 +185,8 @@ void TakeShards(const fs::path& from, const fs::path& into) {
     target.Make("shards");
     if (bytes.size() > there.size()) target.Write(name, bytes);
   }
-  for (const char* part : {"runs", "commands", "sightings"}) source.CopyInto(target, part, kMostLogBytes);
+  for (const char* part : {"runs", "commands", "sightings"})
+    source.CopyInto(target, part, kMostLogBytes);
 }
 
 CampaignEnd MergeShards(const fs::path& dir, const Campaign& campaign, const RowColumns& columns) {

@@ -13,12 +13,10 @@ namespace fs = std::filesystem;
 
 std::int64_t NumberOf(const Pass& pass) { return pass.again ? ~pass.index : pass.index; }
 
-Pass PassOf(std::int64_t number) {
-  return number < 0 ? Pass{~number, true} : Pass{number, false};
-}
+Pass PassOf(std::int64_t number) { return number < 0 ? Pass{~number, true} : Pass{number, false}; }
 
-RunLogging LoggingOf(const CampaignRun& run, const Keep& keep, bool again,
-                     const fs::path& work_dir, const Folder& results) {
+RunLogging LoggingOf(const CampaignRun& run, const Keep& keep, bool again, const fs::path& work_dir,
+                     const Folder& results) {
   const bool of_program = !run.scenario.command.empty();
   const bool whole = again || StaysIfSuccess(keep, run.run);
   RunLogging logging;

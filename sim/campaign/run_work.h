@@ -18,7 +18,7 @@ namespace dockyard {
 
 /// What a run logs while it is simulated.
 struct RunLogging {
-  std::filesystem::path dir;       // empty: nothing
+  std::filesystem::path dir;  // empty: nothing
   bool images = true;
   bool commands_alone = false;     // RunLogHeader::commands_alone
   std::optional<Folder> recorded;  // its log gives the commands in place of the controller

@@ -37,10 +37,11 @@ struct PoolCalls {
   std::function<void(const Job&, int place, const JobEnd&)> take;
 };
 
-/// Runs jobs until `next` gives none and none runs. A worker goes on from job to job; a job that is lost is tried
-/// again in a new worker. Returns 0, or the signal that stopped it: it then kills the jobs under
-/// way and does not call `take` for them. An exception of the caller's functions is passed on after
-/// all workers are gone; no worker outlives the call. Throws IoError when no process can be had.
+/// Runs jobs until `next` gives none and none runs. A worker goes on from job to job; a job that is
+/// lost is tried again in a new worker. Returns 0, or the signal that stopped it: it then kills the
+/// jobs under way and does not call `take` for them. An exception of the caller's functions is
+/// passed on after all workers are gone; no worker outlives the call. Throws IoError when no
+/// process can be had.
 int RunPool(const PoolOptions& options, SignalQueue& signals, const PoolCalls& calls);
 
 }  // namespace dockyard

@@ -49,13 +49,13 @@ struct RunLogHeader {
   std::uint64_t seed = 0;
   std::string system{}, controller{};
   bool images_kept = true;
-  // Frames, beliefs and notes alone: what a run needs to be made again without its program.
-  bool commands_alone = false;
   Json nominal{};  // the nominal parameters that the controller got
   // Names for the messages. Motors and cameras without one are called by their number.
   std::vector<NamedMotor> motors{};
   std::vector<NamedCamera> cameras{};         // read back: names and sizes
   std::vector<Column> channels{}, beliefs{};  // of the history
+  // Frames, beliefs and notes alone: what a run needs to be made again without its program.
+  bool commands_alone = false;
 };
 
 struct RunLogEntry {

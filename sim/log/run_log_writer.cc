@@ -24,13 +24,13 @@ Json CamerasJson(const std::vector<NamedCamera>& cameras) {
 
 std::string HeaderText(const RunLogHeader& header) {
   Json json = {{"version", kRunLogVersion},
-                     {"run", header.run},
-                     {"seed", header.seed},
-                     {"system", header.system},
-                     {"controller", header.controller},
-                     {"images_kept", header.images_kept},
-                     {"nominal", header.nominal},
-                     {"cameras", CamerasJson(header.cameras)}};
+               {"run", header.run},
+               {"seed", header.seed},
+               {"system", header.system},
+               {"controller", header.controller},
+               {"images_kept", header.images_kept},
+               {"nominal", header.nominal},
+               {"cameras", CamerasJson(header.cameras)}};
   if (header.commands_alone) json["commands_alone"] = true;
   return json.dump();
 }

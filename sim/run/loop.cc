@@ -76,12 +76,12 @@ class Run {
                        .system = system.name,
                        .controller = what.scenario.controller,
                        .images_kept = what.scenario.log_images && options.log_images,
-                       .commands_alone = options.log_commands_alone,
                        .nominal = ready_.nominal,
                        .motors = ready_.motors,
                        .cameras = ready_.cameras,
                        .channels = system.channels,
-                       .beliefs = system.beliefs},
+                       .beliefs = system.beliefs,
+                       .commands_alone = options.log_commands_alone},
           YamlWithoutFolders(what.scenario, options.results_dir.string()));
     }
   }

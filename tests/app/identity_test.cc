@@ -64,8 +64,7 @@ TEST_F(Identity, HoldsOfAProgramWhatTheScenarioNames) {
   for (const char* name : {"far/a.py", "far/b.py", "far/c.py", "weights.bin"}) {
     folder_.Write(name, "pass\n");
   }
-  Set("controller",
-      "{command: [python3, a.py], folder: far, files: [b.py, ../weights.bin]}");
+  Set("controller", "{command: [python3, a.py], folder: far, files: [b.py, ../weights.bin]}");
   for (const char* name : {"far/a.py", "far/b.py", "weights.bin"}) {
     EXPECT_TRUE(SeesAChangeOf(name)) << name;
   }

@@ -237,7 +237,8 @@ TEST_F(SandboxedController, OfACampaignIsConfinedAndReplayedSo) {
   WriteText(in("campaign.yaml"),
             "campaign: c\nseed: 1\nkeep: all\nbase: " + SourceFile("tests/toy/scenario.yaml") +
                 "\nscenario: {controller: {command: [python3, hostile_controller.py, read, " + out +
-                "/campaign.yaml], files: [dockyard_client.py], folder: program}}\nruns: [{run: 1, start.r_m: 1}]\n");
+                "/campaign.yaml], files: [dockyard_client.py], folder: program}}\nruns: [{run: 1, "
+                "start.r_m: 1}]\n");
   const Ended ended = Dockyard("campaign " + in("campaign.yaml") +
                                " --quiet --allow-commands --sandbox --out " + out);
   EXPECT_EQ(ended.code, 0) << ended.err;

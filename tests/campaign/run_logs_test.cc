@@ -28,8 +28,8 @@ class RunLogsTest : public testing::Test {
     options.identity.campaign_yaml = CampaignYaml(campaign);
     const auto simulate = [&](const CampaignRun& run, const RunLogging& logging) {
       const bool logs = !logging.dir.empty();
-      std::ofstream(folder_.path() / "calls", std::ios::app) << (logs ? "log " : "row ") << run.run
-                                                             << "\n";
+      std::ofstream(folder_.path() / "calls", std::ios::app)
+          << (logs ? "log " : "row ") << run.run << "\n";
       RunRecord record = FakeRecord(run);
       if (drifts && logs) ++record.result.images;
       return record;
@@ -58,8 +58,7 @@ class RunLogsTest : public testing::Test {
 
 TEST_F(RunLogsTest, OnlyAFailureThatStaysIsSimulatedAgain) {
   EXPECT_TRUE(Run({1, 0, true}, 6).not_repeated.empty());
-  EXPECT_THAT(Calls(),
-              ElementsAre("row 1", "row 2", "row 3", "log 3", "row 4", "row 5", "row 6"));
+  EXPECT_THAT(Calls(), ElementsAre("row 1", "row 2", "row 3", "log 3", "row 4", "row 5", "row 6"));
   EXPECT_EQ(Logged(), std::set<std::string>{"003"});
 }
 

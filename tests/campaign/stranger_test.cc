@@ -42,7 +42,8 @@ class Stranger : public testing::Test {
     options.columns = FakeColumns();
     options.identity.campaign_yaml = CampaignYaml(campaign_);
     RunCampaign(
-        campaign_, [](const CampaignRun& run, const RunLogging&) { return FakeRecord(run); }, options);
+        campaign_, [](const CampaignRun& run, const RunLogging&) { return FakeRecord(run); },
+        options);
   }
   void LinkInPlaceOf(const fs::path& place, const fs::path& target) const {
     fs::remove_all(out_ / place);
@@ -163,8 +164,7 @@ TEST_F(ForgedRow, WithAnotherSeedOrLabelIsRefused) {
 TEST_F(ForgedRow, OfASealedCampaignIsCheckedByWhatIsKnownWithoutTheSecret) {
   campaign_.sealed_sha256 = "of a secret that is not known";
   EXPECT_EQ(RefusalOf([](RunResult& row) { ++row.seed; }), "none");
-  EXPECT_THAT(RefusalOf([](RunResult& row) { row.labels[0] = "wet"; }),
-              HasSubstr("its labels"));
+  EXPECT_THAT(RefusalOf([](RunResult& row) { row.labels[0] = "wet"; }), HasSubstr("its labels"));
   EXPECT_THAT(RefusalOf([](RunResult& row) { row.run = 99; }), HasSubstr("no run"));
 }
 

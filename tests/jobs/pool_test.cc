@@ -268,9 +268,7 @@ TEST(Pool, LeavesNoWorkerBehindAnException) {
     return std::string("good");
   });
   jobs.options.workers = 2;
-  jobs.calls.take = [](const Job&, int, const JobEnd&) {
-    throw std::runtime_error("disk full");
-  };
+  jobs.calls.take = [](const Job&, int, const JobEnd&) { throw std::runtime_error("disk full"); };
   EXPECT_THROW(jobs.Run(), std::runtime_error);
   EXPECT_FALSE(IsAlive(alive));
 }

@@ -58,8 +58,8 @@ TEST_F(ScenarioFile, ControllerMayBeAProgram) {
 }
 
 TEST_F(ScenarioFile, FilesOfAProgramMustBeThere) {
-  const std::string file = folder_.With(
-      "controller: wave\n", "controller: {command: [x], files: [no_such.py]}\n");
+  const std::string file =
+      folder_.With("controller: wave\n", "controller: {command: [x], files: [no_such.py]}\n");
   try {
     LoadScenario(file, {}, ToySystems());
     FAIL();
