@@ -97,18 +97,24 @@ int EndOfShard(const CommandArguments& arguments, const CampaignOptions& options
   return end.complete() && end.tally.lost == 0 ? kExitDone : kExitIncomplete;
 }
 
-/// Whether all runs that were simulated again came to their rows.
-bool WarnOfNotRepeated(const ShardEnd& end, Invocation& call) {
+/// The exit code of what the second simulations came to.
+int WarnOfNotRepeated(const ShardEnd& end, Invocation& call) {
+  int code = kExitDone;
   for (const NotRepeated& each : end.not_repeated) {
     std::string text = "run " + std::to_string(each.run) + ", simulated again for its log, ";
-    if (each.cells.empty()) text += "was lost";
+    if (each.cells.empty()) {
+      Warn(text + "was lost: it has no log; the same command makes it up", &call.warnings);
+      if (code == kExitDone) code = kExitIncomplete;
+      continue;
+    }
     for (std::size_t i = 0; i < each.cells.size(); ++i) {
       const DifferingCell& cell = each.cells[i];
       text += (i == 0 ? "differs: " : ", ") + cell.column + " was " + cell.was + ", is " + cell.is;
     }
     Warn(text + "; its log is not of its row", &call.warnings);
+    code = kExitOurBug;
   }
-  return end.not_repeated.empty();
+  return code;
 }
 
 int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
@@ -139,9 +145,12 @@ int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
     Warn(sentence, &call.warnings);
   }
   const ShardEnd shard = RunShard(campaign, run, options);
-  const bool repeated = WarnOfNotRepeated(shard, call);
+  const int repeated = WarnOfNotRepeated(shard, call);
   if (!plan) GoOnPastAcceptance(options.out_dir);
-  if (!options.shard.whole()) return EndOfShard(arguments, options, shard, call);
+  if (!options.shard.whole()) {
+    const int code = EndOfShard(arguments, options, shard, call);
+    return shard.signal != 0 || repeated == kExitDone ? code : repeated;
+  }
   if (plan) KeepAcceptance(options.out_dir, *plan, followed);
   const CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns);
   if (shard.signal != 0) return EndOfShard(arguments, options, shard, call);
@@ -152,7 +161,7 @@ int RunCampaignCommand(const CommandArguments& arguments, Invocation& call) {
   }
   code = JudgeResults(arguments.judging, requirements, end, campaign, options.columns,
                       options.out_dir, arguments.json, code, call);
-  return repeated ? code : kExitOurBug;
+  return repeated == kExitDone ? code : repeated;
 }
 
 void AddOptions(CLI::App& command, CommandArguments& arguments) {

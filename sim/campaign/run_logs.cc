@@ -1,5 +1,7 @@
 #include "sim/campaign/run_logs.h"
 
+#include <utility>
+
 #include "sim/campaign/campaign_folder.h"
 #include "sim/log/run_log.h"
 #include "sim/run/loop.h"
@@ -68,18 +70,17 @@ void RunLogs::TakeRow(std::int64_t index, const FinishedRun& run, const fs::path
 void RunLogs::TakeLog(std::int64_t index, const FinishedRun& run, const fs::path& work) {
   const auto first = waiting_.find(index);
   if (first == waiting_.end()) return;  // its place was taken by a run of a lower number
-  const RunResult& row = first->second.result;
-  if (!IsLost(row.outcome)) {
-    const std::vector<DifferingCell> cells = DifferingCells(row, run.result, columns_);
-    if (IsLost(run.result.outcome)) {
-      not_repeated_.push_back({row.run, {}});
-    } else if (!cells.empty()) {
-      not_repeated_.push_back({row.run, cells});
-    }
-  }
-  KeepWhole(IsLost(row.outcome) ? first->second : run, work);
-  results_.Remove(CommandsFolder("", row.run));
+  const FinishedRun of_row = std::move(first->second);
   waiting_.erase(first);
+  const RunResult& row = of_row.result;
+  if (IsLost(row.outcome)) return KeepWhole(of_row, work);
+  const bool lost = IsLost(run.result.outcome);
+  std::vector<DifferingCell> cells;
+  if (!lost) cells = DifferingCells(row, run.result, columns_);
+  if (lost || !cells.empty()) not_repeated_.push_back({row.run, cells});
+  if (lost) return;  // made up when the campaign goes on
+  KeepWhole(run, work);
+  results_.Remove(CommandsFolder("", row.run));
 }
 
 void RunLogs::Move(const fs::path& from, const fs::path& to) const {

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <fstream>
 #include <set>
 
@@ -18,7 +20,7 @@ namespace fs = std::filesystem;
 class RunLogsTest : public testing::Test {
  protected:
   /// Every third run fails.
-  ShardEnd Run(const Keep& keep, int count, bool drifts = false) {
+  ShardEnd Run(const Keep& keep, int count, bool drifts = false, bool dies = false) {
     Campaign campaign = FakeCampaign(count);
     campaign.keep = keep;
     CampaignOptions options;
@@ -30,6 +32,7 @@ class RunLogsTest : public testing::Test {
       const bool logs = !logging.dir.empty();
       std::ofstream(folder_.path() / "calls", std::ios::app)
           << (logs ? "log " : "row ") << run.run << "\n";
+      if (dies && logs) ::_exit(9);
       RunRecord record = FakeRecord(run);
       if (drifts && logs) ++record.result.images;
       return record;
@@ -89,6 +92,16 @@ TEST_F(RunLogsTest, ARunThatComesToAnotherRowIsReported) {
   EXPECT_EQ(end.not_repeated[0].run, 3);
   ASSERT_EQ(end.not_repeated[0].cells.size(), 1u);
   EXPECT_EQ(end.not_repeated[0].cells[0].column, "images");
+}
+
+TEST_F(RunLogsTest, ALostSecondSimulationLeavesNoLogAndIsMadeUp) {
+  const ShardEnd end = Run({-1, 0, true}, 4, /*drifts=*/false, /*dies=*/true);
+  ASSERT_EQ(end.not_repeated.size(), 1u);
+  EXPECT_TRUE(end.not_repeated[0].cells.empty());
+  EXPECT_TRUE(end.complete());
+  EXPECT_TRUE(Logged().empty());
+  EXPECT_TRUE(Run({-1, 0, true}, 4).not_repeated.empty());
+  EXPECT_EQ(Logged(), std::set<std::string>{"003"});
 }
 
 }  // namespace

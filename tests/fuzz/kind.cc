@@ -1,6 +1,7 @@
 #include "fuzz/kind.h"
 
 #include "models/read/config_error.h"
+#include "sim/bridge/answer_json.h"
 #include "sim/log/frame_codec.h"
 #include "sim/log/results.h"
 
@@ -15,6 +16,8 @@ bool ReadOrRefused(const std::function<void()>& read) {
   } catch (const ResultsError&) {
     return false;
   } catch (const DataError&) {
+    return false;
+  } catch (const AnswerError&) {  // the run's outcome, controller_error
     return false;
   }
 }

@@ -1,12 +1,16 @@
 // What runs leave behind: logs of frames, tables of results.
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <sstream>
 
+#include "controller/base/check.h"
 #include "fuzz/kind.h"
 #include "sim/app/scenario_options.h"
 #include "sim/app/systems.h"
 #include "sim/base/crc32.h"
+#include "sim/bridge/answer_json.h"
+#include "sim/bridge/program_belief.h"
 #include "sim/campaign/merge.h"
 #include "sim/campaign/shard_file.h"
 #include "sim/log/result_row.h"
@@ -155,10 +159,44 @@ FuzzKind RowsKind() {
           }};
 }
 
+/// The beliefs of a controller's program, one a line, and what is kept of them.
+FuzzKind BeliefKind() {
+  const std::string line =
+      R"({"phase": "mate", "note": "a", "x_m": 1, "y_m": -0.5, "heading_rad": 3, "values": )"
+      R"({"a_m": 1e-3, "=b": 2}, "marks": [{"id": 3, "camera": 1, "u_px": 511.5, "v_px": 383}], )"
+      R"("pose": {"R": [1, 0, 0, 0, 1, 0, 0, 0, 1], "p_m": [1, 2, 3]}})";
+  return {
+      "belief",
+      [line] {
+        return std::vector{line + "\n{}\n" + line, line};
+      },
+      {"\"marks\"", "\"pose\"", "\"values\"", "null", "[[[[", "1e308", "-1", "\\u001b", "\\u0085"},
+      [](const std::string& bytes) {
+        return ReadOrRefused([&] {
+          ProgramBelief belief(2);
+          std::istringstream in(bytes);
+          for (std::string text; std::getline(in, text);) {
+            belief.Take(AnswerFrom(text));
+            belief.EndAnswer();
+          }
+          for (const unsigned char c : belief.belief().phase) {
+            DOCKYARD_CHECK(c >= 0x20 && c != 0x7F);
+          }
+          for (const NamedValue& value : belief.belief().values) {
+            DOCKYARD_CHECK(std::isfinite(value.value));
+          }
+        });
+      }};
+}
+
 }  // namespace
 
 std::vector<NamedKind> RecordKinds() {
-  return {{"log", LogKind}, {"mcap", McapKind}, {"results", ResultsKind}, {"rows", RowsKind}};
+  return {{"log", LogKind},
+          {"mcap", McapKind},
+          {"results", ResultsKind},
+          {"rows", RowsKind},
+          {"belief", BeliefKind}};
 }
 
 }  // namespace dockyard
