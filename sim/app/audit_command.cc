@@ -4,7 +4,9 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/app/commands.h"
@@ -14,9 +16,11 @@
 #include "sim/base/count_text.h"
 #include "sim/base/random.h"
 #include "sim/campaign/campaign_folder.h"
+#include "sim/campaign/shard_file.h"
 #include "sim/log/result_row.h"
 #include "sim/log/run_log.h"
 #include "sim/plan/make_run.h"
+#include "sim/report/until_accepted.h"
 #include "sim/run/loop.h"
 
 namespace dockyard {
@@ -39,7 +43,10 @@ Examples:
 
 The runs are drawn at random, so that nobody knows beforehand which rows are compared. A program
 that is the controller is started with --allow-commands. Without it the commands in the run's log
-are given again. Exit code 0: no row differs, 1: a row differs, 10: no row could be compared.
+are given again. Each line of results.csv must be the row of its run.
+
+Exit code 0: all runs of the sample are the same; 1: a row differs; 10: a run of the sample could
+not be compared, as it has no row, was lost, or has no log of its commands.
 
 --json prints {sampled, same, differs: [{run, why}], not_compared: [{run, why}], warnings}.)";
 
@@ -77,6 +84,27 @@ Audited AuditRun(const RunResult& row, const std::filesystem::path& dir, const R
   }
 }
 
+/// Lines of results.csv that are not the rows of the shards.
+std::vector<Audited> AuditTable(const std::filesystem::path& dir, const KeptCampaign& kept) {
+  const auto text = Folder(dir).Read("results.csv", kMostShardBytes);
+  if (!text) return {};
+  std::vector<Audited> differing;
+  std::istringstream lines(*text);
+  std::string line;
+  std::getline(lines, line);
+  if (line != CsvHeader(kept.columns)) return {{0, true, "results.csv has other columns"}};
+  std::size_t place = 0;
+  const std::vector<RunResult>& rows = kept.runs.results;
+  for (; std::getline(lines, line); ++place) {
+    if (place >= rows.size()) return {{0, true, "results.csv has more lines than there are rows"}};
+    if (line != CsvRow(rows[place], kept.columns)) {
+      differing.push_back({rows[place].run, true, "its line in results.csv is not its row"});
+    }
+  }
+  if (place < rows.size()) differing.push_back({rows[place].run, true, "it is not in results.csv"});
+  return differing;
+}
+
 /// So many of the places from 0 to count - 1, in order; each choice is as likely as another.
 std::vector<std::size_t> Sample(std::size_t count, int wanted, std::uint64_t seed) {
   std::vector<std::size_t> places(count);
@@ -93,35 +121,38 @@ std::vector<std::size_t> Sample(std::size_t count, int wanted, std::uint64_t see
   return places;
 }
 
-void PrintText(const std::vector<Audited>& all, int same) {
+void PrintText(const std::vector<Audited>& all, int sampled, int same) {
   for (const Audited& each : all) {
     const std::string found = each.why.empty() ? "the same, bit for bit"
                               : each.compared  ? "differs: " + each.why
                                                : "not compared: " + each.why;
     std::printf("run %d: %s\n", each.run, found.c_str());
   }
-  std::printf("%d of %s the same\n", same, CountText(all.size(), "run").c_str());
+  std::printf("%d of %s the same\n", same, CountText(sampled, "run").c_str());
 }
 
-int Answer(const std::vector<Audited>& all, bool as_json, const Invocation& call) {
+/// @param sampled  how many, from the first on, are runs of the sample; the others are lines of the
+///                 table
+int Answer(const std::vector<Audited>& all, int sampled, bool as_json, const Invocation& call) {
   Json differs = Json::array(), not_compared = Json::array();
   for (const Audited& each : all) {
     if (each.why.empty()) continue;
     (each.compared ? differs : not_compared).push_back({{"run", each.run}, {"why", each.why}});
   }
-  const int same = static_cast<int>(all.size() - differs.size() - not_compared.size());
+  const int same = static_cast<int>(std::count_if(
+      all.begin(), all.begin() + sampled, [](const Audited& each) { return each.why.empty(); }));
   if (as_json) {
-    const Json answer{{"sampled", all.size()},
+    const Json answer{{"sampled", sampled},
                       {"same", same},
                       {"differs", differs},
                       {"not_compared", not_compared},
                       {"warnings", call.warnings}};
     std::printf("%s\n", answer.dump(1).c_str());
   } else {
-    PrintText(all, same);
+    PrintText(all, sampled, same);
   }
   if (!differs.empty()) return kExitOurBug;
-  return same == 0 ? kExitIncomplete : kExitDone;
+  return same < sampled ? kExitIncomplete : kExitDone;
 }
 
 int Audit(const AuditArguments& arguments, const Invocation& call) {
@@ -130,14 +161,24 @@ int Audit(const AuditArguments& arguments, const Invocation& call) {
   const std::vector<KnownSystem> known = KnownSystems(call.systems);
   const RunMaker maker(kept.campaign, known);
   const System& system = FindSystem(call.systems, kept.system);
-  const std::vector<RunResult>& rows = kept.runs.results;
   const std::uint64_t seed =
       arguments.seed ? *arguments.seed : SealedBits(NewSecret(), "audit", {});
   std::vector<Audited> all;
-  for (const std::size_t place : Sample(rows.size(), arguments.sample, seed)) {
-    all.push_back(AuditRun(rows[place], dir, maker, kept, system, arguments.commands));
+  // Of all that were planned: a row that somebody took away is missed, too.
+  const bool decided =
+      DecidedRuns(Folder(dir).Read(kAcceptanceFile, kMostTextBytes).value_or("")) > 0;
+  const std::size_t planned =
+      decided ? kept.runs.size() : static_cast<std::size_t>(maker.run_count());
+  for (const std::size_t index : Sample(planned, arguments.sample, seed)) {
+    const int run = maker.Number(static_cast<std::int64_t>(index));
+    const std::size_t place = kept.runs.Find(run);
+    all.push_back(place == kept.runs.size() ? Audited{run, false, "it has no row"}
+                                            : AuditRun(kept.runs.results[place], dir, maker, kept,
+                                                       system, arguments.commands));
   }
-  return Answer(all, arguments.json, call);
+  const int sampled = static_cast<int>(all.size());
+  for (Audited& line : AuditTable(dir, kept)) all.push_back(std::move(line));
+  return Answer(all, sampled, arguments.json, call);
 }
 
 }  // namespace

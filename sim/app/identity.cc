@@ -13,6 +13,7 @@
 #include "sim/base/files.h"
 #include "sim/base/hash.h"
 #include "sim/base/math_pin.h"
+#include "sim/campaign/campaign_folder.h"
 #include "sim/plan/file_keys.h"
 #include "sim/run/renderer.h"
 #include "sim/scenario/key_path.h"
@@ -96,12 +97,23 @@ class ModelFiles {
   }
 };
 
+/// Whether a file below the folder is a link to one that is not: somebody else's file, which must
+/// not go out with the results.
+bool LeadsOut(const fs::path& file, const fs::path& folder) {
+  const auto below = [](const fs::path& path, const fs::path& top) {
+    const fs::path inside = path.lexically_relative(top);
+    return !inside.empty() && *inside.begin() != "..";
+  };
+  std::error_code error;
+  return below(file, folder) && !below(fs::canonical(file, error), fs::canonical(folder, error));
+}
+
 /// A controller's program: the words of its command that are files, and its `files`.
 void AddProgram(const NamedCommand& command, ModelFiles& models) {
   for (const std::string& word : command.words) {
     std::error_code error;
     const fs::path file = AbsolutePath((fs::path(command.folder) / word).string());
-    if (fs::is_regular_file(file, error)) models.AddFile(file);
+    if (fs::is_regular_file(file, error) && !LeadsOut(file, command.folder)) models.AddFile(file);
   }
 }
 
@@ -124,6 +136,16 @@ fs::path CommonFolder(const std::set<fs::path>& files, const std::vector<NamedCo
     common = shared;
   }
   return common;
+}
+
+void RequireReadableSizes(const std::set<fs::path>& files) {
+  for (const fs::path& file : files) {
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(file, error);
+    if (error || bytes <= kMostFileBytes) continue;
+    throw ConfigError(file.string() + ": expected at most " + std::to_string(kMostFileBytes >> 20) +
+                      " MiB, as the results keep a copy; found " + std::to_string(bytes >> 20));
+  }
 }
 
 /// A folder of results is read by its own campaign.yaml ever after.
@@ -156,6 +178,7 @@ CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSys
     }
   }
   for (const NamedCommand& command : named.commands) AddProgram(command, models);
+  RequireReadableSizes(models.files);
   CampaignIdentity identity;
   identity.sealed_sha256 = campaign.sealed_sha256;
   const fs::path common = CommonFolder(models.files, named.commands);

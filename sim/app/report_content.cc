@@ -88,7 +88,7 @@ WatchedRun Watched(std::size_t place, const Folder& dir, std::string command) {
           .log = [dir] { return ReadLoggedRun(dir); },
           .shapes = {},
           .command = std::move(command),
-          .messages = dir.Read("messages.txt", kMostMessagesBytes).value_or("")};
+          .messages = dir.Read(kMessagesFile, kMostMessagesBytes).value_or("")};
 }
 
 void AddSystem(const System& system, ReportContent& content) {

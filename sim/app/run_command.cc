@@ -102,7 +102,7 @@ int Run(const RunArguments& arguments, const Invocation& call) {
     WriteRecordFiles(arguments.out_dir, record);
     WriteSingleResult(arguments.out_dir, record.result, record.columns);
     if (!record.messages.empty()) {
-      WriteWhole(std::filesystem::path(arguments.out_dir) / "messages.txt", record.messages);
+      WriteWhole(std::filesystem::path(arguments.out_dir) / kMessagesFile, record.messages);
     }
     PrintNote("log and history in " + arguments.out_dir);
   }

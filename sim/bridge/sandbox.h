@@ -21,7 +21,7 @@ class SandboxError : public std::runtime_error {
 inline constexpr std::int64_t kSandboxAddressMib = 4096;  // RLIMIT_AS; assumed, 1024-16384
 inline constexpr std::int64_t kSandboxCpu_s = 3600;       // RLIMIT_CPU; assumed, 60-86400
 inline constexpr std::int64_t kSandboxFileMib = 64;       // RLIMIT_FSIZE; assumed, 1-1024
-inline constexpr std::int64_t kSandboxOpenFiles = 256;    // RLIMIT_NOFILE; assumed, 64-1024
+inline constexpr std::int64_t kSandboxOpenFiles = 64;     // RLIMIT_NOFILE; assumed, 32-1024
 
 inline constexpr std::int64_t kSandboxThreads = 128;     // and RLIMIT_NPROC; assumed, 32-512
 inline constexpr std::int64_t kSandboxMemoryMib = 2048;  // in main memory; assumed, 512-8192

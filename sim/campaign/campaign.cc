@@ -151,7 +151,7 @@ class Engine {
   }
 
   Job JobOf(const Pass& pass, int place) const {
-    return {NumberOf(pass), WorkFolder(place) / "messages.txt"};
+    return {NumberOf(pass), WorkFolder(place) / kMessagesFile};
   }
 
   /// The next log that is to be written; else the next run of the shard that has no result.

@@ -6,11 +6,11 @@
 //   points.csv, points.md   of a campaign with a grid or arms: a line per point
 //   plots/                  curves.svg, bars.svg and figures of the system
 //   runs/NNN/               of the runs whose log is kept: run.mcap, history.csv, values.csv,
-//   sightings.json,
-//                           plans.json, outcome.json, figures of the system, messages.txt (the
-//                           run's printed lines, if any)
-//   commands/NNN/run.mcap   of the other runs whose controller is a program: the log of the
-//   commands work/                   of the runs under way
+//                           sightings.json, plans.json, outcome.json, figures of the system,
+//                           messages.txt (the run's printed lines, if any)
+//   commands/NNN/           of the other runs whose controller is a program: run.mcap with its
+//                           commands, messages.txt
+//   work/                   of the runs under way
 #pragma once
 
 #include <cstdint>
@@ -36,6 +36,8 @@ inline constexpr std::uint64_t kMostManifestBytes = 64u << 20;
 inline constexpr std::uint64_t kMostFileBytes = 256u << 20;
 /// Of sightings.json; assumed, 16 to 1024 MiB: a sighting takes about 5 KiB.
 inline constexpr std::uint64_t kMostSightingsBytes = 256u << 20;
+/// What a run printed, or its program.
+inline constexpr const char* kMessagesFile = "messages.txt";
 /// Of messages.txt, which is shown; assumed, 1 to 256 MiB.
 inline constexpr std::uint64_t kMostMessagesBytes = 64u << 20;
 /// Of small texts: a run's row and scenario, a test's aims; assumed, 1 to 64 MiB.

@@ -79,8 +79,13 @@ void RunLogs::TakeLog(std::int64_t index, const FinishedRun& run, const fs::path
   if (!lost) cells = DifferingCells(row, run.result, columns_);
   if (lost || !cells.empty()) not_repeated_.push_back({row.run, cells});
   if (lost) return;  // made up when the campaign goes on
+  // A program did not run a second time: what it printed is of the first.
+  const fs::path commands = CommandsFolder("", row.run);
+  if (StartsProgram(row) && results_.HasFile(commands / kMessagesFile)) {
+    results_.Rename(commands / kMessagesFile, work / kMessagesFile);
+  }
   KeepWhole(run, work);
-  results_.Remove(CommandsFolder("", row.run));
+  results_.Remove(commands);
 }
 
 void RunLogs::Move(const fs::path& from, const fs::path& to) const {
@@ -90,17 +95,23 @@ void RunLogs::Move(const fs::path& from, const fs::path& to) const {
 }
 
 void RunLogs::KeepCommands(int run, const fs::path& from) const {
-  if (!results_.HasFile(from / kRunLogFile)) return;
   const fs::path folder = CommandsFolder("", run);
-  results_.Make(folder);
-  results_.Rename(from / kRunLogFile, folder / kRunLogFile);
+  for (const char* file : {kRunLogFile, kMessagesFile}) {
+    std::error_code error;
+    if (!results_.HasFile(from / file) ||
+        fs::file_size(results_.path() / from / file, error) == 0) {
+      continue;
+    }
+    results_.Make(folder);
+    results_.Rename(from / file, folder / file);
+  }
 }
 
 void RunLogs::KeepWhole(const FinishedRun& run, const fs::path& work) const {
   const fs::path folder = results_.path() / work;
   if (IsLost(run.result.outcome)) WriteLostRun(folder, run, columns_);
   std::error_code error;
-  const fs::path messages = folder / "messages.txt";
+  const fs::path messages = folder / kMessagesFile;
   if (fs::file_size(messages, error) == 0) fs::remove(messages, error);
   Move(work, RunFolder("", run.result.run));
 }

@@ -194,9 +194,10 @@ void CheckCommandFiles(const YamlNode& root, const Scenario& scenario) {
   for (const YamlNode& item : list->items) {
     const std::filesystem::path file = std::filesystem::path(scenario.command_folder) / item.scalar;
     std::error_code error;
-    if (std::filesystem::is_regular_file(file, error)) continue;
-    throw ConfigError(item.place.Text() + ": controller.files: expected a file, found none at '" +
-                      file.string() + "'");
+    const bool link = std::filesystem::is_symlink(file, error);
+    if (std::filesystem::is_regular_file(file, error) && !link) continue;
+    throw ConfigError(item.place.Text() + ": controller.files: expected a file, found " +
+                      (link ? "a link" : "none") + " at '" + file.string() + "'");
   }
 }
 

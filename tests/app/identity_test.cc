@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "models/read/config_error.h"
 #include "models/read/urdf.h"
 #include "models/read/yaml_tree.h"
 #include "sim/plan/file_keys.h"
@@ -72,6 +73,22 @@ TEST_F(Identity, HoldsOfAProgramWhatTheScenarioNames) {
   const auto said = UnnamedFilesOf(WithAbsolutePaths(campaign_, {}), {});
   ASSERT_EQ(said.size(), 1u);
   EXPECT_EQ(said[0].rfind("controller.files: c.py lies next to the program", 0), 0u) << said[0];
+}
+
+TEST_F(Identity, HoldsNoFileToWhichALinkLeadsOutOfAProgramsFolder) {
+  folder_.Write("secret", "private\n");
+  folder_.Write("far/a.py", "pass\n");
+  std::filesystem::create_symlink("../secret", At("far/b.py"));
+  Set("controller", "{command: [python3, a.py, b.py], folder: far}");
+  EXPECT_FALSE(SeesAChangeOf("secret"));
+  EXPECT_TRUE(SeesAChangeOf("far/a.py"));
+}
+
+TEST_F(Identity, RefusesAFileThatNoReaderOfTheResultsTakes) {
+  folder_.Write("far/a.py", "");
+  std::filesystem::resize_file(At("far/a.py"), std::uintmax_t{300} << 20);  // sparse
+  Set("controller", "{command: [python3, a.py], folder: far}");
+  EXPECT_THROW(Text(), ConfigError);
 }
 
 TEST_F(Identity, IsTheSameWhereverTheFilesLieTogether) {

@@ -171,6 +171,11 @@ TEST_F(SandboxedController, ReachesNoSocket) {
   ExpectShut("names", "-");
 }
 
+TEST_F(SandboxedController, FindsNoSignOfOthersOrOfAFormerRun) {
+  ExpectShut("signals", "-");
+  EXPECT_THAT(Try("signals", "-", kOpen), HasSubstr("flock"));
+}
+
 TEST_F(SandboxedController, CannotFillTheComputer) {
   EXPECT_THAT(Try("forks", "3000", kSandbox), Not(HasSubstr("it worked")));
   for (const char* folder : {"/tmp", "/dev/shm"}) ExpectShut("disk", folder);

@@ -98,6 +98,28 @@ TEST_F(Sealed, AnAuditFindsARowThatWasChanged) {
   EXPECT_NE(bad.code, 0) << bad.out;
 }
 
+TEST_F(Sealed, AnAuditMissesRowsThatWereTakenAwayAndSeesChangedLines) {
+  ASSERT_EQ(Campaign("a", "").code, 0);
+  const std::string audit = "audit " + At("a") + " --sample 1000 --json";
+  const std::string table = Text("a/results.csv");
+  const std::size_t place = table.find("at_flag");
+  ASSERT_NE(place, std::string::npos);
+  folder_.Write("a/results.csv", table.substr(0, place) + "missed" + table.substr(place + 7));
+  const Ended changed = Dockyard(audit);
+  EXPECT_EQ(changed.code, 1);
+  EXPECT_THAT(changed.out, HasSubstr("its line in results.csv is not its row"));
+  folder_.Write("a/results.csv", table);
+  EXPECT_EQ(Dockyard(audit).code, 0);
+  std::string rows = Text("a/shards/1-of-1.rows");
+  rows.erase(rows.rfind('\n', rows.size() - 2) + 1);
+  folder_.Write("a/shards/1-of-1.rows", rows);
+  EXPECT_EQ(Dockyard(audit).code, 1);  // the table has it
+  fs::remove(At("a/results.csv"));
+  const Ended missing = Dockyard(audit);
+  EXPECT_EQ(missing.code, 10);
+  EXPECT_THAT(missing.out, HasSubstr("it has no row"));
+}
+
 TEST_F(Sealed, AnAuditComparesAsManyRowsAsAsked) {
   ASSERT_EQ(Campaign("a", "").code, 0);
   const Json answer = Json::parse(Dockyard("audit " + At("a") + " --sample 2 --json").out);
