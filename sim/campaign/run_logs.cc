@@ -41,9 +41,10 @@ bool RunLogs::Chosen(const RunResult& result) {
 
 void RunLogs::AddEarlier(std::int64_t index, const RunResult& result) {
   if (!Chosen(result) || results_.HasFolder(RunFolder("", result.run))) return;
-  // A program's run cannot be made again without its commands.
+  // A program's run cannot be made again without all of its commands.
   const fs::path commands = CommandsFolder("", result.run);
-  if (StartsProgram(result) && !results_.HasFile(commands / kRunLogFile)) return;
+  const bool whole = !IsLost(result.outcome) && results_.HasFile(commands / kRunLogFile);
+  if (StartsProgram(result) && !whole) return;
   to_simulate_.insert(index);
   waiting_[index] = {result, {}, {}};
 }
@@ -59,7 +60,8 @@ void RunLogs::TakeRow(std::int64_t index, const FinishedRun& run, const fs::path
   const RunResult& row = run.result;
   if (keep_.sightings && !IsLost(row.outcome)) KeepSightings(run, work);
   const bool stays = Chosen(row);
-  if (stays && StaysIfSuccess(keep_, row.run)) return KeepWhole(run, work);
+  const bool cut_short = StartsProgram(row) && IsLost(row.outcome);
+  if (stays && (cut_short || StaysIfSuccess(keep_, row.run))) return KeepWhole(run, work);
   results_.Remove(RunFolder("", row.run));  // of a former try that was lost
   if (StartsProgram(row)) KeepCommands(row.run, work);
   if (!stays) return;

@@ -7,7 +7,9 @@
 #include <fstream>
 #include <set>
 
+#include "models/read/yaml_tree.h"
 #include "sim/campaign/campaign.h"
+#include "sim/scenario/key_path.h"
 #include "support/fake_campaign.h"
 #include "support/fake_runs.h"
 
@@ -20,9 +22,16 @@ namespace fs = std::filesystem;
 class RunLogsTest : public testing::Test {
  protected:
   /// Every third run fails.
-  ShardEnd Run(const Keep& keep, int count, bool drifts = false, bool dies = false) {
+  ShardEnd Run(const Keep& keep, int count, bool drifts = false, bool dies = false,
+               bool of_program = false) {
     Campaign campaign = FakeCampaign(count);
     campaign.keep = keep;
+    if (of_program) {
+      YamlNode controller = ParseYaml("{command: [x]}", "test");
+      controller.keys.push_back({"folder", {}});
+      controller.items.push_back(ScalarNode(folder_.path().string(), true));
+      PutPath(campaign.base, "controller", {}, controller);
+    }
     CampaignOptions options;
     options.out_dir = out_;
     options.systems = FakeSystems();
@@ -84,6 +93,13 @@ TEST_F(RunLogsTest, AFailureWhoseLogWasNotWrittenInTimeGetsItWhenTheCampaignGoes
   Run({1, 0, true}, 6);
   EXPECT_THAT(Calls(), ElementsAre("log 3"));
   EXPECT_EQ(Logged(), std::set<std::string>{"003"});
+}
+
+TEST_F(RunLogsTest, ALostRunOfAProgramKeepsWhatItLogged) {
+  Run({-1, 0, true}, 3, /*drifts=*/false, /*dies=*/true, /*of_program=*/true);
+  // Each run of a program logs its commands; a lost one is tried twice, and not for its log.
+  EXPECT_THAT(Calls(), ElementsAre("log 1", "log 1", "log 2", "log 2", "log 3", "log 3"));
+  EXPECT_EQ(Logged(), (std::set<std::string>{"001", "002", "003"}));
 }
 
 TEST_F(RunLogsTest, ARunThatComesToAnotherRowIsReported) {
