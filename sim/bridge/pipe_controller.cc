@@ -151,7 +151,7 @@ void PipeController::CheckCommands(const Commands& commands) const {
     if (!std::isfinite(motor.target) || !(motor.speed_limit_rad_s >= 0.0) ||
         !(motor.accel_rad_s2 >= 0.0) || !(motor.current_limit_a >= 0.0) ||
         !std::isfinite(motor.speed_limit_rad_s + motor.accel_rad_s2 + motor.current_limit_a)) {
-      bad("a motor's numbers must be finite, its limits not negative");
+      bad("a motor's numbers and the sum of its limits must be finite, no limit negative");
     }
   }
   for (const int camera : commands.take_images) {
@@ -196,9 +196,12 @@ void PipeController::Fail(Trouble trouble) {
     return ControllerFailure(outcome, what, process_.Messages(), use());
   };
   if (trouble == Trouble::kTooLarge) {
-    throw failure(kControllerCrashed,
-                  "the controller's program was ended: with all that it started it took more than "
-                  "its limits");
+    const SharedLimits& shared = process_.limits();
+    throw failure(
+        kControllerCrashed,
+        "the controller's program was ended: with all that it started it took more than " +
+            std::to_string(shared.threads) + " threads or " + std::to_string(shared.memory_mib) +
+            " MiB of main memory");
   }
   if (trouble == Trouble::kLate && Clock::now() >= limits_.run_end) {
     throw failure(kStopped, OutOfTime(limits_.run_s));

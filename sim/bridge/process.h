@@ -51,6 +51,8 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
+  const SharedLimits& limits() const { return limits_; }
+
   /// Writes all bytes. kLate: not before the deadline, though the program still runs.
   Trouble Write(std::string_view bytes, Deadline deadline);
   /// Reads exactly `count` bytes, on top of `into`.
