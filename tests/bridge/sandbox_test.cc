@@ -177,7 +177,7 @@ TEST_F(SandboxedController, FindsNoSignOfOthersOrOfAFormerRun) {
 }
 
 TEST_F(SandboxedController, CannotFillTheComputer) {
-  EXPECT_THAT(Try("forks", "3000", kSandbox), Not(HasSubstr("it worked")));
+  EXPECT_THAT(Try("forks", "400", kSandbox), Not(HasSubstr("it worked")));
   for (const char* folder : {"/tmp", "/dev/shm"}) ExpectShut("disk", folder);
   EXPECT_THAT(Try("hog", "10", kSandbox), Not(HasSubstr("it worked")));
   EXPECT_THAT(Try("hogs", "6", kSandbox), HasSubstr("MiB of main memory"));
