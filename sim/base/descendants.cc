@@ -92,11 +92,14 @@ std::map<pid_t, ProcessState> Below(const std::vector<pid_t>& without) {
   return below;
 }
 
-double Seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
 }  // namespace
+
+double ProcessorSeconds(const rusage& usage) {
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
 
 Descendants::Descendants() {
   int adopts = 0;
@@ -139,7 +142,7 @@ double Descendants::End(const std::vector<pid_t>& keep) {
     for (const auto& [process, state] : left) {
       rusage usage{};
       if (state.parent == self && ::wait4(process, nullptr, WNOHANG, &usage) == process) {
-        cpu_s += Seconds(usage.ru_utime) + Seconds(usage.ru_stime);
+        cpu_s += ProcessorSeconds(usage);
       }
     }
     ::usleep(1000);

@@ -1,12 +1,16 @@
 // The processes that this one started, with all that these started in turn.
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <cstdint>
 #include <vector>
 
 namespace dockyard {
+
+/// Of user and system.
+double ProcessorSeconds(const rusage& usage);
 
 /// While it lives, a process below this one whose parent ends becomes our child: none is lost by
 /// starting itself anew, as daemons do.

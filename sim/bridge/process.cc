@@ -24,6 +24,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Of standard error, the end; assumed, 16 KiB to 1 MiB.
 constexpr std::size_t kMessagesKept = 64 << 10;
 // How often a program with limits is counted; assumed, 0.05-1 s.
 constexpr std::chrono::milliseconds kCountPeriod{200};
@@ -89,10 +90,6 @@ int FileWith(const std::string& bytes) {
   }
   ::close(file);
   return -1;
-}
-
-double Seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 }  // namespace
@@ -234,7 +231,7 @@ std::string Process::End(double limit_s) {
   rusage usage{};
   while (::wait4(child_, &status, 0, &usage) < 0 && errno == EINTR) {
   }
-  cpu_time_s_ = Seconds(usage.ru_utime) + Seconds(usage.ru_stime) + descendants_.End();
+  cpu_time_s_ = ProcessorSeconds(usage) + descendants_.End();
   while (TakeMessages()) {
   }
   for (const int descriptor : {socket_, errors_}) {

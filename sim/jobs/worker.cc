@@ -16,6 +16,7 @@
 #include <new>
 
 #include "controller/base/check.h"
+#include "sim/base/descendants.h"
 #include "sim/base/files.h"
 
 namespace dockyard {
@@ -108,10 +109,6 @@ void PrintInto(const std::string& messages) {
     if (!WriteAll(answers, BytesOf(length) + answer)) break;
   }
   ::_exit(0);
-}
-
-double Seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 JobEnd HowItDied(int status) {
@@ -243,7 +240,7 @@ JobEnd Worker::Lost(double wall_s) {
               : "out of memory: it took more than " + std::to_string(limits_.memory_mib) + " MiB";
   }
   end.wall_time_s = wall_s;
-  end.cpu_time_s = Seconds(usage.ru_utime) + Seconds(usage.ru_stime) - cpu_at_start_s_;
+  end.cpu_time_s = ProcessorSeconds(usage) - cpu_at_start_s_;
   return end;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string_view>
 
 #include "controller/base/check.h"
 #include "sim/base/text.h"
@@ -11,21 +10,15 @@
 namespace dockyard {
 namespace {
 
-/// Spreadsheets take a cell that begins so for a formula.
-bool BeginsLikeAFormula(const std::string& name) {
-  return std::string_view("=+-@").find(name.front()) != std::string_view::npos;
-}
-
 std::vector<std::string> HeaderOf(const std::vector<std::string>& names) {
   std::vector<std::string> header{"time_s"};
-  std::set<std::string> taken(names.begin(), names.end());
-  taken.insert("time_s");
+  const std::set<std::string> taken(names.begin(), names.end());
   for (const std::string& name : names) {
     std::string shown = name;
-    if (name == "time_s" || BeginsLikeAFormula(name)) {
+    if (name == "time_s") {
       do {
         shown.insert(0, "value.");
-      } while (!taken.insert(shown).second);
+      } while (taken.count(shown) > 0);
     }
     header.push_back(shown);
   }
@@ -53,7 +46,7 @@ std::vector<double> FurtherValues(const Belief& belief, const std::vector<Column
 }
 
 std::string ValuesCsv(const RunRecord& record) {
-  std::string csv = CsvLine(HeaderOf(record.value_names)) + "\n";
+  std::string csv = SafeCsvLine(HeaderOf(record.value_names)) + "\n";
   for (const HistorySample& sample : record.history) {
     std::vector<std::string> cells{NumberText(sample.time_s)};
     // Samples from before a name came are shorter.

@@ -20,8 +20,7 @@ std::vector<double> FurtherValues(const Belief& belief, const std::vector<Column
                                   std::vector<std::string>& names);
 
 /// One line per sample of the history, header first: its time, and each value by its name; `nan`
-/// where there is none. A name that a spreadsheet takes for a formula, or that the table has
-/// already, is called `value.NAME`.
+/// where there is none. A value called `time_s` is called `value.time_s` there.
 std::string ValuesCsv(const RunRecord& record);
 
 }  // namespace dockyard

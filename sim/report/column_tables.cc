@@ -152,15 +152,13 @@ ColumnTable History() {
 }
 
 ColumnTable Values() {
-  return {
-      "values.csv",
-      "Of a run whose log is kept, where its controller has values that the system does not "
-      "name among its beliefs: a row at each time of history.csv, in the same order.",
-      {{"time_s", "s", "simulated time"},
-       {"[values]", "",
-        "belief: each value by its name, in the order in which the names came; `nan` while the "
-        "controller gives none. A name that begins with `=`, `+`, `-` or `@`, which spreadsheets "
-        "take for a formula, and a value called `time_s`, are called `value.<name>`"}}};
+  return {"values.csv",
+          "Of a run whose log is kept, where its controller has values that the system does not "
+          "name among its beliefs: a row at each time of history.csv, in the same order.",
+          {{"time_s", "s", "simulated time"},
+           {"[values]", "",
+            "belief: each value by its name, in the order in which the names came; `nan` while the "
+            "controller gives none. A value called `time_s` is called `value.time_s`"}}};
 }
 
 std::string MarkdownTable(const char* kind, const std::vector<Column>& columns) {

@@ -214,7 +214,7 @@ TEST(CommandController, HasAllItsValuesInATableAtTheirTimes) {
     EXPECT_EQ(values[i].at("time_s"), history[i].at("time_s"));
     const double gone_m = std::stod(values[i].at("gone_m"));
     EXPECT_NEAR(gone_m, start_m - std::stod(history[i].at("believed_x_m")), 1e-9);
-    EXPECT_EQ(values[i].at("value.=late"), gone_m > start_m - gone_m ? "2" : "nan");
+    EXPECT_EQ(values[i].at("'=late"), gone_m > start_m - gone_m ? "2" : "nan");
   }
   EXPECT_GT(std::stod(values.back().at("gone_m")), 0.9);
 }

@@ -71,8 +71,7 @@ TEST(ValuesTable, HasNoNameThatIsAFormulaOrThere) {
     const std::string csv = ValuesCsv(RecordWithValues(names));
     return csv.substr(0, csv.find('\n'));
   };
-  EXPECT_EQ(header({"=1+1", "@cmd", "+a", "-b", "a=b"}),
-            "time_s,value.=1+1,value.@cmd,value.+a,value.-b,a=b");
+  EXPECT_EQ(header({"=1+1", "@cmd", "+a", "-b", "a=b"}), "time_s,'=1+1,'@cmd,'+a,'-b,a=b");
   EXPECT_EQ(header({"time_s", "value.time_s"}), "time_s,value.value.time_s,value.time_s");
 }
 
