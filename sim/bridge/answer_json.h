@@ -23,7 +23,7 @@ inline constexpr std::size_t kMostValues = 256;
 /// Bytes of a value's name, at most. Assumed, 32-256.
 inline constexpr std::size_t kLongestName = 64;
 
-/// Beyond it a pose is no place in any yard.
+/// Beyond it a pose is no place in any yard. Assumed, 1e3-1e9.
 inline constexpr double kFarthestPose_m = 1e6;
 
 /// An object. Throws AnswerError for text that is no JSON in UTF-8, is nested too deeply, or is no

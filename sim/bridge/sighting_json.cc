@@ -9,8 +9,10 @@
 namespace dockyard {
 namespace {
 
-constexpr double kFarthest_px = 1e5;  // beyond it a mark is in no image
-constexpr int kLargestId = 999'999;   // an image has room for six digits
+// Beyond it a mark is in no image. Assumed, 2e4-1e6: the widest images have some 1e4.
+constexpr double kFarthest_px = 1e5;
+// An image has room for six digits. Assumed, 999-999 999.
+constexpr int kLargestId = 999'999;
 // An element of R R^T may be off the identity by this: a program may round its digits. Assumed,
 // 1e-6-1e-2.
 constexpr double kRotationOff = 1e-3;
