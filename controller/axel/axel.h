@@ -7,7 +7,7 @@
 
 #include "controller/axel/nominal/nominal.h"
 #include "controller/io/controller.h"
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 
 namespace dockyard::axel {
 

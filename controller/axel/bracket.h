@@ -8,8 +8,8 @@
 
 #include "controller/axel/nominal/nominal.h"
 #include "controller/axel/options.h"
-#include "controller/vision/exposure_merge.h"
-#include "controller/vision/locate.h"
+#include "controller/vision/board/exposure_merge.h"
+#include "controller/vision/board/locate.h"
 
 namespace dockyard::axel {
 

@@ -6,7 +6,7 @@
 
 #include "controller/axel/options.h"
 #include "controller/axel/senses.h"
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 
 namespace dockyard::axel {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "controller/axel/senses.h"
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 
 namespace dockyard::axel {
 

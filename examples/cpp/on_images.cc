@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "controller/geometry/camera.h"
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 
 namespace {
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMostBars = 32, kMostDiscs = 100;  // of one board; naming slows steeply
 // White between two plain discs, in diameters: detection compares the print with a ring of 0.175
-// diameters about the disc (controller/vision/bar.cc).
+// diameters about the disc (controller/vision/board/bar.cc).
 constexpr double kPlainGap = 0.2;
 
 /// The four rotations of Tsai et al., III-A, exactly as written.

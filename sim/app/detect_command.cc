@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 #include "models/read/config_error.h"
 #include "sim/app/commands.h"
 #include "sim/app/detect_report.h"

@@ -10,7 +10,7 @@
 #include "sim/app/exit_codes.h"
 #include "sim/app/terminal.h"
 #include "sim/base/json.h"
-#include "sim/run/renderer.h"
+#include "sim/plant/renderer.h"
 #include "sim/run/start_images.h"
 #include "sim/scenario/load_scenario.h"
 

@@ -12,7 +12,7 @@
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/images/png.h"
-#include "sim/run/renderer.h"
+#include "sim/plant/renderer.h"
 #include "sim/spectator/film.h"
 
 namespace dockyard {

@@ -15,7 +15,7 @@
 #include "sim/base/math_pin.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/plan/file_keys.h"
-#include "sim/run/renderer.h"
+#include "sim/plant/renderer.h"
 #include "sim/scenario/key_path.h"
 
 namespace dockyard {

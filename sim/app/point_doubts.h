@@ -1,7 +1,7 @@
 // Poses that the points contradict: the usual mistakes are tried, or the user is warned.
 #pragma once
 
-#include "controller/vision/point_pose.h"
+#include "controller/vision/points/point_pose.h"
 #include "sim/app/point_files.h"
 #include "sim/app/point_report.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "controller/vision/point_pose.h"
+#include "controller/vision/points/point_pose.h"
 #include "sim/app/point_files.h"
 #include "sim/base/json.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/vision/point_pose.h"
+#include "controller/vision/points/point_pose.h"
 #include "models/read/yaml_reader.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"

@@ -9,7 +9,7 @@
 #include "sim/axel/build_rocks.h"
 #include "sim/axel/exposure.h"
 #include "sim/base/hash.h"
-#include "sim/run/built_cameras.h"
+#include "sim/plant/built_cameras.h"
 #include "sim/run/camera_faults.h"
 
 namespace dockyard::axel {

@@ -7,9 +7,9 @@
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/world.h"
-#include "sim/physics/sensor_suite.h"
+#include "sim/drives/sensor_suite.h"
+#include "sim/plant/renderer.h"
 #include "sim/run/plant.h"
-#include "sim/run/renderer.h"
 
 namespace dockyard::axel {
 

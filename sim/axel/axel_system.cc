@@ -18,8 +18,8 @@
 #include "sim/axel/nominal_json.h"
 #include "sim/axel/read_script.h"
 #include "sim/axel/view_start.h"
-#include "sim/run/built_cameras.h"
-#include "sim/run/light.h"
+#include "sim/plant/built_cameras.h"
+#include "sim/plant/light.h"
 #include "sim/scenario/rock_keys.h"
 
 namespace dockyard::axel {

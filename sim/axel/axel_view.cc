@@ -2,7 +2,7 @@
 
 #include "sim/axel/build_rocks.h"
 #include "sim/base/random.h"
-#include "sim/run/drawn_mesh.h"
+#include "sim/plant/drawn_mesh.h"
 #include "sim/run/shade_body.h"
 
 namespace dockyard::axel {

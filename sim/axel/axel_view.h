@@ -9,7 +9,7 @@
 #include "models/parts/soil_model.h"
 #include "render/scene.h"
 #include "sim/axel/world.h"
-#include "sim/run/light.h"
+#include "sim/plant/light.h"
 #include "sim/run/stage_shapes.h"
 #include "sim/scenario/scenario.h"
 

@@ -8,7 +8,7 @@
 #include "models/read/config_error.h"
 #include "sim/axel/world.h"
 #include "sim/base/random.h"
-#include "sim/physics/rocks.h"
+#include "sim/rigid/rocks.h"
 #include "sim/scenario/rock_keys.h"
 
 namespace dockyard::axel {

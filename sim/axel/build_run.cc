@@ -15,7 +15,7 @@
 #include "sim/axel/rock_survey.h"
 #include "sim/axel/rover_start.h"
 #include "sim/base/random.h"
-#include "sim/run/built_cameras.h"
+#include "sim/plant/built_cameras.h"
 
 namespace dockyard::axel {
 namespace {

@@ -5,7 +5,7 @@
 #include "controller/axel/nominal/nominal.h"
 #include "sim/axel/load_models.h"
 #include "sim/axel/world.h"
-#include "sim/run/light.h"
+#include "sim/plant/light.h"
 #include "sim/scenario/scenario.h"
 
 namespace dockyard::axel {

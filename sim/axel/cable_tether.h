@@ -10,7 +10,7 @@
 #include "sim/axel/rover_body.h"
 #include "sim/axel/station_body.h"
 #include "sim/axel/tether.h"
-#include "sim/physics/cable.h"
+#include "sim/cable/cable.h"
 
 namespace dockyard::axel {
 

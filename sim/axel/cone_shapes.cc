@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "models/parts/collision_reach.h"
-#include "sim/physics/collision_shapes.h"
+#include "sim/rigid/collision_shapes.h"
 
 namespace dockyard::axel {
 

@@ -10,7 +10,7 @@
 #include "sim/axel/rock_contacts.h"
 #include "sim/axel/rover_body.h"
 #include "sim/axel/station_body.h"
-#include "sim/physics/contact_solver.h"
+#include "sim/rigid/contact_solver.h"
 
 namespace dockyard::axel {
 

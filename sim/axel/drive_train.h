@@ -17,7 +17,7 @@
 #include "controller/io/commands.h"
 #include "models/axel/axel_model.h"
 #include "sim/axel/rover_body.h"
-#include "sim/physics/motor_drive.h"
+#include "sim/drives/motor_drive.h"
 
 namespace dockyard::axel {
 

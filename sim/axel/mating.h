@@ -5,7 +5,7 @@
 
 #include "models/axel/station_model.h"
 #include "models/parts/link.h"
-#include "sim/physics/bore_contacts.h"
+#include "sim/rigid/bore_contacts.h"
 
 namespace dockyard::axel {
 

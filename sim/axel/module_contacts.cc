@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/physics/bullet_math.h"
+#include "sim/rigid/bullet_math.h"
 
 namespace dockyard::axel {
 namespace {

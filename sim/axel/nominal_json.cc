@@ -2,7 +2,7 @@
 
 #include "models/read/config_error.h"
 #include "sim/axel/tsai2013_json.h"
-#include "sim/run/nominal_parts.h"
+#include "sim/plant/nominal_parts.h"
 
 namespace dockyard::axel {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/physics/convex_body.h"
+#include "sim/rigid/convex_body.h"
 
 namespace dockyard::axel {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/physics/wheel_contact.h"
+#include "sim/vehicles/wheel_contact.h"
 
 namespace dockyard::axel {
 namespace {

@@ -8,7 +8,7 @@
 #include "models/parts/wheel.h"
 #include "sim/axel/rock_bed.h"
 #include "sim/axel/rover_body.h"
-#include "sim/physics/body_contact.h"
+#include "sim/rigid/body_contact.h"
 
 namespace dockyard::axel {
 

@@ -5,7 +5,7 @@
 
 #include "controller/io/sensors.h"
 #include "sim/base/hash.h"
-#include "sim/physics/bullet_math.h"
+#include "sim/rigid/bullet_math.h"
 
 namespace dockyard::axel {
 namespace {

@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "models/axel/axel_model.h"
-#include "sim/physics/collision_shapes.h"
-#include "sim/physics/inertia.h"
-#include "sim/physics/motion.h"
+#include "sim/rigid/collision_shapes.h"
+#include "sim/rigid/inertia.h"
+#include "sim/rigid/motion.h"
 
 namespace dockyard::axel {
 

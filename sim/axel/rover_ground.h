@@ -8,7 +8,7 @@
 
 #include "models/axel/axel_model.h"
 #include "sim/axel/rover_body.h"
-#include "sim/physics/ground_contact.h"
+#include "sim/rigid/ground_contact.h"
 
 namespace dockyard::axel {
 

@@ -7,7 +7,7 @@
 
 #include "controller/base/check.h"
 #include "sim/base/hash.h"
-#include "sim/physics/bullet_math.h"
+#include "sim/rigid/bullet_math.h"
 
 namespace dockyard::axel {
 namespace {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "models/axel/station_model.h"
-#include "sim/physics/collision_shapes.h"
-#include "sim/physics/ground_contact.h"
-#include "sim/physics/inertia.h"
-#include "sim/physics/motion.h"
+#include "sim/rigid/collision_shapes.h"
+#include "sim/rigid/ground_contact.h"
+#include "sim/rigid/inertia.h"
+#include "sim/rigid/motion.h"
 
 namespace dockyard::axel {
 

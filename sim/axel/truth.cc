@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "sim/axel/world_impl.h"
-#include "sim/physics/cable_shape.h"
+#include "sim/cable/cable_shape.h"
 
 namespace dockyard::axel {
 

@@ -9,9 +9,9 @@
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/images/png.h"
-#include "sim/run/built_cameras.h"
+#include "sim/plant/built_cameras.h"
+#include "sim/plant/renderer.h"
 #include "sim/run/camera_faults.h"
-#include "sim/run/renderer.h"
 
 namespace dockyard::axel {
 namespace {

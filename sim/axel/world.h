@@ -15,7 +15,7 @@
 #include "models/parts/soil_model.h"
 #include "sim/axel/rock_bed.h"
 #include "sim/axel/station_hand.h"
-#include "sim/physics/slope.h"
+#include "sim/rigid/slope.h"
 #include "sim/soil/height_grid.h"
 
 namespace dockyard::axel {

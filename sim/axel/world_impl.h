@@ -11,7 +11,7 @@
 #include "sim/axel/station_body.h"
 #include "sim/axel/tether.h"
 #include "sim/axel/world.h"
-#include "sim/physics/imu.h"
+#include "sim/drives/imu.h"
 #include "sim/soil/wheel_soil.h"
 
 namespace dockyard::axel {

@@ -7,7 +7,7 @@
 #include "controller/base/check.h"
 #include "sim/campaign/run_logs.h"
 #include "sim/jobs/pool.h"
-#include "sim/run/renderer.h"
+#include "sim/plant/renderer.h"
 
 namespace dockyard {
 namespace {

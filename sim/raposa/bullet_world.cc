@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "sim/physics/bullet_math.h"
 #include "sim/raposa/mating_shapes.h"
+#include "sim/rigid/bullet_math.h"
 
 namespace dockyard::raposa {
 namespace {

@@ -11,10 +11,10 @@
 #include <array>
 #include <vector>
 
-#include "sim/physics/bore_contacts.h"
 #include "sim/raposa/mating_solver.h"
 #include "sim/raposa/pyramid_body.h"
 #include "sim/raposa/robot_body.h"
+#include "sim/rigid/bore_contacts.h"
 
 namespace dockyard::raposa {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/physics/collision_shapes.h"
+#include "sim/rigid/collision_shapes.h"
 
 namespace dockyard::raposa {
 namespace {

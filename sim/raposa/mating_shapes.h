@@ -7,7 +7,7 @@
 #include "models/parts/link.h"
 #include "models/raposa/pyramid_model.h"
 #include "models/raposa/robot_model.h"
-#include "sim/physics/bore_contacts.h"
+#include "sim/rigid/bore_contacts.h"
 
 namespace dockyard::raposa {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/physics/bullet_math.h"
+#include "sim/rigid/bullet_math.h"
 
 namespace dockyard::raposa {
 

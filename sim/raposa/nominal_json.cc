@@ -1,8 +1,8 @@
 #include "sim/raposa/nominal_json.h"
 
 #include "models/read/config_error.h"
+#include "sim/plant/nominal_parts.h"
 #include "sim/raposa/ferreira_members.h"
-#include "sim/run/nominal_parts.h"
 
 namespace dockyard::raposa {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sim/base/hash.h"
-#include "sim/physics/bullet_math.h"
 #include "sim/raposa/mating_shapes.h"
+#include "sim/rigid/bullet_math.h"
 
 namespace dockyard::raposa {
 namespace {

@@ -10,11 +10,11 @@
 
 #include "models/parts/soil_model.h"
 #include "models/raposa/pyramid_model.h"
-#include "sim/physics/cable.h"
-#include "sim/physics/collision_shapes.h"
-#include "sim/physics/ground_contact.h"
-#include "sim/physics/inertia.h"
-#include "sim/physics/motion.h"
+#include "sim/cable/cable.h"
+#include "sim/rigid/collision_shapes.h"
+#include "sim/rigid/ground_contact.h"
+#include "sim/rigid/inertia.h"
+#include "sim/rigid/motion.h"
 
 namespace dockyard::raposa {
 

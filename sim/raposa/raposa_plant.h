@@ -4,12 +4,12 @@
 #include <memory>
 #include <optional>
 
-#include "sim/physics/sensor_suite.h"
+#include "sim/drives/sensor_suite.h"
+#include "sim/plant/renderer.h"
 #include "sim/raposa/build_run.h"
 #include "sim/raposa/raposa_view.h"
 #include "sim/raposa/world.h"
 #include "sim/run/plant.h"
-#include "sim/run/renderer.h"
 
 namespace dockyard::raposa {
 

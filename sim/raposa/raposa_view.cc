@@ -4,8 +4,8 @@
 
 #include "render/shading.h"
 #include "sim/base/random.h"
+#include "sim/plant/drawn_mesh.h"
 #include "sim/raposa/mark_meshes.h"
-#include "sim/run/drawn_mesh.h"
 #include "sim/run/shade_body.h"
 
 namespace dockyard::raposa {

@@ -9,9 +9,9 @@
 #include "render/scene.h"
 #include "render/stereo_renderer.h"
 #include "sim/base/random.h"
+#include "sim/plant/light.h"
 #include "sim/raposa/build_run.h"
 #include "sim/raposa/world.h"
-#include "sim/run/light.h"
 #include "sim/run/stage_shapes.h"
 
 namespace dockyard::raposa {

@@ -1,8 +1,8 @@
 #include "sim/raposa/robot_body.h"
 
 #include "sim/base/hash.h"
-#include "sim/physics/bullet_math.h"
 #include "sim/raposa/mating_shapes.h"
+#include "sim/rigid/bullet_math.h"
 
 namespace dockyard::raposa {
 namespace {

@@ -10,9 +10,9 @@
 #include <memory>
 
 #include "models/raposa/robot_model.h"
-#include "sim/physics/collision_shapes.h"
-#include "sim/physics/inertia.h"
-#include "sim/physics/motion.h"
+#include "sim/rigid/collision_shapes.h"
+#include "sim/rigid/inertia.h"
+#include "sim/rigid/motion.h"
 
 namespace dockyard::raposa {
 

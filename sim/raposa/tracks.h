@@ -14,9 +14,9 @@
 #include "models/parts/soil_model.h"
 #include "models/raposa/robot_model.h"
 #include "sim/base/random.h"
-#include "sim/physics/belt.h"
-#include "sim/physics/motor_drive.h"
+#include "sim/drives/motor_drive.h"
 #include "sim/raposa/robot_body.h"
+#include "sim/vehicles/belt.h"
 
 namespace dockyard::raposa {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sim/base/hash.h"
-#include "sim/physics/joint_stop.h"
+#include "sim/drives/joint_stop.h"
 #include "sim/raposa/bullet_world.h"
 #include "sim/raposa/pyramid_body.h"
 #include "sim/raposa/robot_body.h"

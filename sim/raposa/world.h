@@ -14,8 +14,8 @@
 #include "models/raposa/pyramid_model.h"
 #include "models/raposa/robot_model.h"
 #include "sim/base/random.h"
-#include "sim/physics/motor_truth.h"
-#include "sim/physics/slope.h"
+#include "sim/drives/motor_truth.h"
+#include "sim/rigid/slope.h"
 #include "sim/soil/height_grid.h"
 
 namespace dockyard::raposa {

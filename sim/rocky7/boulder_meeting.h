@@ -3,8 +3,8 @@
 #pragma once
 
 #include "models/rocky7/robot_model.h"
-#include "sim/physics/star_body.h"
-#include "sim/physics/wheeled_body.h"
+#include "sim/rigid/star_body.h"
+#include "sim/vehicles/wheeled_body.h"
 
 namespace dockyard::rocky7 {
 

@@ -8,10 +8,10 @@
 #include "models/read/load_soil.h"
 #include "models/rocky7/make_nominal.h"
 #include "sim/base/random.h"
-#include "sim/physics/boulder.h"
-#include "sim/physics/rocks.h"
-#include "sim/run/built_cameras.h"
+#include "sim/plant/built_cameras.h"
+#include "sim/rigid/rocks.h"
 #include "sim/scenario/rock_keys.h"
+#include "sim/vehicles/boulder.h"
 
 namespace dockyard::rocky7 {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "controller/rocky7/nominal/nominal.h"
+#include "sim/plant/light.h"
 #include "sim/rocky7/load_models.h"
 #include "sim/rocky7/world.h"
-#include "sim/run/light.h"
 
 namespace dockyard::rocky7 {
 

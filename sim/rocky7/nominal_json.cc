@@ -1,7 +1,7 @@
 #include "sim/rocky7/nominal_json.h"
 
 #include "models/read/config_error.h"
-#include "sim/run/nominal_parts.h"
+#include "sim/plant/nominal_parts.h"
 
 namespace dockyard::rocky7 {
 namespace {

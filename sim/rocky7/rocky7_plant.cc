@@ -6,9 +6,9 @@
 #include "controller/base/check.h"
 #include "render/shutter.h"
 #include "sim/base/hash.h"
+#include "sim/plant/built_cameras.h"
 #include "sim/rocky7/rocky7_columns.h"
 #include "sim/rocky7/user_click.h"
-#include "sim/run/built_cameras.h"
 
 namespace dockyard::rocky7 {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <memory>
 
-#include "sim/physics/sensor_suite.h"
+#include "sim/drives/sensor_suite.h"
+#include "sim/plant/renderer.h"
 #include "sim/rocky7/build_run.h"
 #include "sim/rocky7/rocky7_view.h"
 #include "sim/rocky7/world.h"
 #include "sim/run/plant.h"
-#include "sim/run/renderer.h"
 
 namespace dockyard::rocky7 {
 

@@ -4,7 +4,7 @@
 
 #include "controller/base/split_mix.h"
 #include "sim/base/random.h"
-#include "sim/run/drawn_mesh.h"
+#include "sim/plant/drawn_mesh.h"
 #include "sim/run/shade_body.h"
 
 namespace dockyard::rocky7 {

@@ -7,7 +7,7 @@
 
 #include "models/parts/mesh.h"
 #include "models/parts/rover_model.h"
-#include "sim/physics/wheeled_body.h"
+#include "sim/vehicles/wheeled_body.h"
 
 namespace dockyard::rocky7 {
 

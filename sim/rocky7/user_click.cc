@@ -5,8 +5,8 @@
 
 #include "models/read/config_error.h"
 #include "sim/base/random.h"
-#include "sim/physics/boulder.h"
-#include "sim/physics/slope.h"
+#include "sim/rigid/slope.h"
+#include "sim/vehicles/boulder.h"
 
 namespace dockyard::rocky7 {
 namespace {

@@ -9,16 +9,16 @@
 
 #include "models/parts/soil_model.h"
 #include "models/rocky7/robot_model.h"
-#include "sim/physics/convex_body.h"
-#include "sim/physics/face_contact.h"
-#include "sim/physics/imu.h"
-#include "sim/physics/loose_stones.h"
-#include "sim/physics/motor_truth.h"
-#include "sim/physics/slope.h"
-#include "sim/physics/star_body.h"
-#include "sim/physics/wheel_stones.h"
-#include "sim/physics/wheeled_body.h"
+#include "sim/drives/imu.h"
+#include "sim/drives/motor_truth.h"
+#include "sim/rigid/convex_body.h"
+#include "sim/rigid/slope.h"
+#include "sim/rigid/star_body.h"
 #include "sim/soil/height_grid.h"
+#include "sim/vehicles/face_contact.h"
+#include "sim/vehicles/loose_stones.h"
+#include "sim/vehicles/wheel_stones.h"
+#include "sim/vehicles/wheeled_body.h"
 
 namespace dockyard::rocky7 {
 

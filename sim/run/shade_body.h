@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/run/light.h"
+#include "sim/plant/light.h"
 #include "sim/run/stage_shapes.h"
 
 namespace dockyard {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/base/hash.h"
-#include "sim/run/renderer.h"
+#include "sim/plant/renderer.h"
 
 namespace dockyard {
 namespace {

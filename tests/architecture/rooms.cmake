@@ -9,13 +9,15 @@ set(systems axel raposa rocky7)
 set(contract "controller/(base|geometry|io)/|Eigen/")
 set(os "sys/|unistd.h|fcntl.h|poll.h|signal.h")
 set(models "${contract}|models/(parts|read)/")
-set(low "sim/(base|mcap|images|draws|jobs|scenario|plan|soil|physics|log|bridge|statistics|report|run)/")
+set(low "sim/(base|mcap|images|draws|jobs|scenario|plan|soil|rigid|cable|drives|vehicles|log|bridge|statistics|report|plant|run)/")
 
 set(rooms
   "controller/base|checks and results|${contract}"
   "controller/geometry|poses, cameras, lenses, images|${contract}"
   "controller/io|what any robot senses, can be told and believes|${contract}"
-  "controller/vision|images in, pose of the board out|${contract}|controller/vision/|opencv2/"
+  "controller/vision|poses from known points, of one camera or two, outlines and colours in images|${contract}|controller/vision/[a-z0-9_]*[.]h|opencv2/"
+  "controller/vision/board|images in, pose of a board of fiducials out|${contract}|controller/vision/([a-z0-9_]*[.]h|board/)|opencv2/"
+  "controller/vision/points|named points in, pose of any body out|${contract}|controller/vision/"
   "controller/stereo|a stereo pair in, distances out|${contract}|controller/stereo/|opencv2/"
   "controller/tracking|a target followed from one map of heights to the next|${contract}|controller/(stereo|tracking)/"
   "controller/motion|arcs and following them|${contract}|controller/motion/"
@@ -33,12 +35,16 @@ set(rooms
   "sim/scenario|what one run is: a scenario, its keys and files|${models}|sim/(base|scenario)/"
   "sim/plan|which runs a campaign has, and how each is made|${models}|sim/(base|draws|scenario|plan)/"
   "sim/soil|stress of deformable soil on wheels with paddles, without Bullet|${models}|sim/(base|soil)/"
-  "sim/physics|parts of any robot's world: drives, inertial unit, contacts, cables|${models}|sim/(base|soil|physics)/|bt|Bullet|LinearMath/"
+  "sim/rigid|rigid bodies: trees of links, shapes, contacts and their solver|${models}|sim/(base|soil|rigid)/|bt|Bullet|LinearMath/"
+  "sim/cable|a cable with mass over ground and bodies|${models}|sim/(base|soil|rigid|cable)/"
+  "sim/drives|motors with gears, encoders, currents, the inertial unit|${models}|sim/(base|rigid|drives)/"
+  "sim/vehicles|wheels, belts, arms and masts on soil, and the stones that they meet|${models}|sim/(base|soil|rigid|drives|vehicles)/"
   "sim/log|files of one run: log, history, result row|${contract}|sim/(base|mcap|images|log)/|nlohmann/"
   "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|linux/|${os}"
   "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
   "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"
-  "sim/run|one run in closed loop, for any system|${models}|render/|sim/(base|scenario|log|bridge|run)/|unistd.h"
+  "sim/plant|what the worlds of all systems share: cameras as built, light, meshes, nominal numbers|${models}|render/|sim/(base|images|scenario|soil|rigid|drives|vehicles|plant)/|unistd.h"
+  "sim/run|one run in closed loop, for any system|${models}|render/|sim/(base|scenario|log|bridge|plant|run)/|unistd.h"
   "sim/paths|planned paths: candidates, wheels along them, drawings, a run to watch|${contract}|controller/motion/|render/|sim/(base|log|report|run|paths)/"
   "sim/page|results as one HTML file|${contract}|models/read/|render/|sim/(base|images|plan|log|statistics|report|run|page)/|zlib.h"
   "sim/spectator|a logged run in pictures: from outside, and what its cameras saw|${contract}|models/read/|render/|sim/(base|images|log|run|spectator)/|opencv2/"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bench/tags.h"
-#include "controller/vision/fiducials.h"
+#include "controller/vision/board/fiducials.h"
 #include "perception/yard_views.h"
 #include "sim/base/files.h"
 #include "sim/base/random.h"

@@ -6,7 +6,7 @@
 
 #include "bench/physics_speed.h"
 #include "bench/tags.h"
-#include "controller/vision/fiducials.h"
+#include "controller/vision/board/fiducials.h"
 #include "perception/yard_views.h"
 
 namespace dockyard::axel {

@@ -7,11 +7,11 @@
 
 #include "axel/sim/scenarios.h"
 #include "bench/physics_speed.h"
-#include "controller/vision/fiducials.h"
-#include "controller/vision/locate.h"
+#include "controller/vision/board/fiducials.h"
+#include "controller/vision/board/locate.h"
 #include "render/stereo_renderer.h"
 #include "sim/axel/axel_view.h"
-#include "sim/run/built_cameras.h"
+#include "sim/plant/built_cameras.h"
 
 namespace dockyard::axel {
 namespace {

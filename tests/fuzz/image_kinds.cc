@@ -1,7 +1,7 @@
 // Image files, and pixels for the search of a board.
 #include <memory>
 
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 #include "fuzz/kind.h"
 #include "sim/app/image_files.h"
 #include "sim/app/systems.h"

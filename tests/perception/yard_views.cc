@@ -7,7 +7,7 @@
 #include "axel/sim/scenarios.h"
 #include "sim/base/files.h"
 #include "sim/base/random.h"
-#include "sim/run/built_cameras.h"
+#include "sim/plant/built_cameras.h"
 
 namespace dockyard::axel {
 namespace {

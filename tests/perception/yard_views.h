@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 #include "render/stereo_renderer.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"

@@ -7,7 +7,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "sim/run/light.h"
+#include "sim/plant/light.h"
 
 namespace dockyard {
 

@@ -1,4 +1,4 @@
-#include "sim/run/renderer.h"
+#include "sim/plant/renderer.h"
 
 #include <gmock/gmock.h>
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/run/renderer.h"
+#include "sim/plant/renderer.h"
 #include "sim/spectator/viewpoint.h"
 #include "spectator/some_run.h"
 

@@ -11,7 +11,7 @@
 #include "controller/geometry/image.h"
 #include "controller/stereo/match.h"
 #include "render/stereo_renderer.h"
-#include "sim/physics/rocks.h"
+#include "sim/rigid/rocks.h"
 
 namespace dockyard {
 

@@ -1,4 +1,4 @@
-#include "controller/vision/correspond.h"
+#include "controller/vision/board/correspond.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Centres from the grey levels: on images made here, blurred by sampling, against the closed-form
 // bound.
-#include "controller/vision/disc_fit.h"
+#include "controller/vision/board/disc_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Exposures merged: known light comes back within the noise, and the picture is its logarithm.
-#include "controller/vision/exposure_merge.h"
+#include "controller/vision/board/exposure_merge.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "controller/vision/fiducials.h"
+#include "controller/vision/board/fiducials.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <ctime>
 #include <optional>
 
-#include "controller/vision/blobs.h"
+#include "controller/vision/board/blobs.h"
 #include "controller/vision/pose_refine.h"
 #include "sim/base/random.h"
 #include "vision/synthetic_view.h"

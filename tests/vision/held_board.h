@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 #include "vision/synthetic_view.h"
 
 namespace dockyard {

@@ -1,4 +1,4 @@
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Boards that are bowed, and marks that do not belong: how far the noise is raised, and when not.
-#include "controller/vision/noise_raise.h"
+#include "controller/vision/board/noise_raise.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "controller/vision/pose_gates.h"
+#include "controller/vision/board/pose_gates.h"
 #include "controller/vision/stereo_pose.h"
 #include "sim/base/random.h"
 #include "vision/synthetic_view.h"

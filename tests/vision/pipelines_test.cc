@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 #include "sim/base/random.h"
 #include "vision/synthetic_view.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "controller/vision/pose_gates.h"
+#include "controller/vision/board/pose_gates.h"
 #include "vision/synthetic_view.h"
 
 namespace dockyard {

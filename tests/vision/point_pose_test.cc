@@ -1,12 +1,12 @@
-#include "controller/vision/point_pose.h"
+#include "controller/vision/points/point_pose.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 
 #include "controller/vision/p3p.h"
-#include "controller/vision/point_acceptance.h"
-#include "controller/vision/point_fit.h"
+#include "controller/vision/points/point_acceptance.h"
+#include "controller/vision/points/point_fit.h"
 #include "sim/base/random.h"
 #include "vision/synthetic_view.h"
 

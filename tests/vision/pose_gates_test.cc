@@ -1,5 +1,5 @@
 // Checks of a pose against its own predicted error: the distribution, and what is refused.
-#include "controller/vision/pose_gates.h"
+#include "controller/vision/board/pose_gates.h"
 
 #include <gtest/gtest.h>
 

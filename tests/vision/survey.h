@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "controller/vision/locate.h"
+#include "controller/vision/board/locate.h"
 #include "vision/synthetic_view.h"
 
 namespace dockyard {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "controller/vision/fiducials.h"
+#include "controller/vision/board/fiducials.h"
 #include "sim/base/random.h"
 #include "vision/survey.h"
 

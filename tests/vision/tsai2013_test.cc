@@ -1,5 +1,5 @@
 // The correspondence of the paper's pipeline on exact detections.
-#include "controller/vision/tsai2013.h"
+#include "controller/vision/board/tsai2013.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #ifdef REACHES_controller
 #include "controller/axel/axel.h"
-#include "controller/vision/locate.h"
-#elif __has_include("controller/vision/locate.h")
+#include "controller/vision/board/locate.h"
+#elif __has_include("controller/vision/board/locate.h")
 #error "dockyard::contract reaches controller/vision"
 #endif
 #if __has_include("sim/run/system.h") || __has_include("models/parts/link.h") || \

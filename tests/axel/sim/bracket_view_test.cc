@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "controller/axel/nominal/motors.h"
-#include "controller/vision/exposure_merge.h"
-#include "controller/vision/locate.h"
+#include "controller/vision/board/exposure_merge.h"
+#include "controller/vision/board/locate.h"
 #include "models/read/config_error.h"
 #include "sim/axel/axel_plant.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/load_models.h"
-#include "sim/run/built_cameras.h"
-#include "sim/run/renderer.h"
+#include "sim/plant/built_cameras.h"
+#include "sim/plant/renderer.h"
 #include "sim/scenario/load_scenario.h"
 #include "support/bad_files.h"
 

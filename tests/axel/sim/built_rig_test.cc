@@ -10,7 +10,7 @@
 #include "models/read/load_cameras.h"
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
-#include "sim/run/built_cameras.h"
+#include "sim/plant/built_cameras.h"
 #include "support/source_tree.h"
 
 namespace dockyard::axel {

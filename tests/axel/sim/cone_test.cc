@@ -17,7 +17,7 @@
 #include "sim/axel/contact_world.h"
 #include "sim/axel/tether_path.h"
 #include "sim/base/random.h"
-#include "sim/physics/bullet_math.h"
+#include "sim/rigid/bullet_math.h"
 
 namespace dockyard::axel {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/physics/motor_drive.h"
+#include "sim/drives/motor_drive.h"
 
 #include <gtest/gtest.h>
 

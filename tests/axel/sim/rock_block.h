@@ -1,7 +1,7 @@
 // A rock with level and upright sides, for tests.
 #pragma once
 
-#include "sim/physics/convex_body.h"
+#include "sim/rigid/convex_body.h"
 
 namespace dockyard::axel {
 

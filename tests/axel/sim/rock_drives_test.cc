@@ -7,7 +7,7 @@
 
 #include "axel/sim/product.h"
 #include "axel/sim/rock_block.h"
-#include "sim/physics/rocks.h"
+#include "sim/rigid/rocks.h"
 
 namespace dockyard::axel {
 namespace {

@@ -7,7 +7,7 @@
 #include "axel/sim/scenarios.h"
 #include "models/read/config_error.h"
 #include "sim/axel/axel_plant.h"
-#include "sim/physics/rocks.h"
+#include "sim/rigid/rocks.h"
 
 namespace dockyard::axel {
 namespace {

@@ -9,7 +9,7 @@
 #include "axel/sim/rock_block.h"
 #include "sim/axel/contact_world.h"
 #include "sim/base/random.h"
-#include "sim/physics/rocks.h"
+#include "sim/rigid/rocks.h"
 
 namespace dockyard::axel {
 namespace {

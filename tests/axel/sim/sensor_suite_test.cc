@@ -1,4 +1,4 @@
-#include "sim/physics/sensor_suite.h"
+#include "sim/drives/sensor_suite.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "axel/sim/product.h"
-#include "sim/physics/imu.h"
+#include "sim/drives/imu.h"
 
 namespace dockyard::axel {
 namespace {

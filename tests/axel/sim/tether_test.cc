@@ -7,7 +7,7 @@
 #include "axel/sim/product.h"
 #include "sim/axel/tether_path.h"
 #include "sim/base/random.h"
-#include "sim/physics/cable_shape.h"
+#include "sim/cable/cable_shape.h"
 
 namespace dockyard::axel {
 namespace {

@@ -8,7 +8,7 @@
 #include "axel/sim/scenarios.h"
 #include "models/parts/gravity.h"
 #include "models/read/config_error.h"
-#include "sim/physics/imu.h"
+#include "sim/drives/imu.h"
 
 namespace dockyard::axel {
 namespace {

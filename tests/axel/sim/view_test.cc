@@ -11,7 +11,7 @@
 #include "sim/axel/axel_view.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/fiducial_truth.h"
-#include "sim/run/built_cameras.h"
+#include "sim/plant/built_cameras.h"
 #include "support/source_tree.h"
 
 namespace dockyard::axel {

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "sim/axel/world.h"
-#include "sim/physics/motor_drive.h"
+#include "sim/drives/motor_drive.h"
 
 namespace dockyard::axel {
 

@@ -6,7 +6,7 @@
 
 #include "controller/geometry/image.h"
 #include "controller/raposa/nominal/nominal.h"
-#include "sim/run/renderer.h"
+#include "sim/plant/renderer.h"
 
 namespace dockyard::raposa {
 

@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "raposa/sim/raposa_rig.h"
-#include "sim/physics/bullet_math.h"
+#include "sim/rigid/bullet_math.h"
 #include "support/source_tree.h"
 
 namespace dockyard::raposa {

@@ -10,9 +10,9 @@
 
 #include "raposa/sim/raposa_rig.h"
 #include "sim/base/random.h"
-#include "sim/physics/turned_shape.h"
 #include "sim/raposa/bullet_world.h"
 #include "sim/raposa/mating_shapes.h"
+#include "sim/rigid/turned_shape.h"
 
 namespace dockyard::raposa {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "models/raposa/load_ground.h"
 #include "raposa/sim/raposa_rig.h"
-#include "sim/physics/slope.h"
+#include "sim/rigid/slope.h"
 #include "sim/soil/soil_laws.h"
 #include "support/source_tree.h"
 

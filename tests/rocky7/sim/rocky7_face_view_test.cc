@@ -8,8 +8,8 @@
 #include "controller/base/number_text.h"
 #include "controller/rocky7/face_eye.h"
 #include "models/read/yaml_tree.h"
-#include "sim/physics/boulder.h"
 #include "sim/rocky7/rocky7_plant.h"
+#include "sim/vehicles/boulder.h"
 #include "support/bad_files.h"
 
 namespace dockyard::rocky7 {

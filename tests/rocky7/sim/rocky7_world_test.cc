@@ -7,8 +7,8 @@
 
 #include "models/read/load_soil.h"
 #include "models/rocky7/load_robot.h"
-#include "sim/physics/boulder.h"
-#include "sim/physics/rocks.h"
+#include "sim/rigid/rocks.h"
+#include "sim/vehicles/boulder.h"
 #include "support/bad_files.h"
 
 namespace dockyard::rocky7 {

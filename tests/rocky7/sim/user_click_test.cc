@@ -6,8 +6,8 @@
 #include <string>
 
 #include "models/read/yaml_tree.h"
-#include "sim/physics/boulder.h"
-#include "sim/physics/slope.h"
+#include "sim/rigid/slope.h"
+#include "sim/vehicles/boulder.h"
 #include "support/bad_files.h"
 
 namespace dockyard::rocky7 {

@@ -1,0 +1,62 @@
+// A motor's drive at the output shaft: profile, servo within the current limit, gear friction in
+// every mode, brake.
+#pragma once
+
+#include <cstdint>
+
+#include "controller/io/commands.h"
+#include "models/parts/motor.h"
+#include "sim/drives/bristle.h"
+#include "sim/rigid/profile.h"
+
+namespace dockyard {
+
+/// The gears' losses. i is the current beyond the no-load current, e the gears' efficiency, and e k
+/// the model's torque per ampere. When the motor drives, the gears pass on e k i. When the load
+/// drives them, they bear on their other flanks and hold against up to (2 - e) k i. So the loss is
+/// friction in proportion to the load, and it also holds a resting shaft anywhere between the two.
+struct DriveOutput {
+  double motor_torque_nm = 0.0;     // k i, by current
+  double friction_torque_nm = 0.0;  // gears and brake
+  double current_a = 0.0;           // drawn, >= 0
+  double torque_nm() const { return motor_torque_nm + friction_torque_nm; }
+};
+
+class MotorDrive {
+ public:
+  /// inertia_kg_m2: what the shaft turns against the stator with no load; tunes servo and bristles.
+  MotorDrive(const MotorModel& motor, double inertia_kg_m2);
+
+  /// Torque on the shaft for the next step. Throws std::invalid_argument for a command that is not
+  /// finite.
+  DriveOutput Step(const MotorCommand& command, double angle_rad, double speed_rad_s, double dt_s);
+
+  /// Angle of the power-on zero: Step's angles are counted from here on.
+  void ResetProfile(double angle_rad) {
+    profile_ = {angle_rad};
+    on_move_ = false;
+  }
+  /// How far the profile went in the last step; a stalled shaft holds it back.
+  double profile_moved_rad() const { return profile_moved_rad_; }
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  double LosslessTorquePerAmp() const { return motor_.torque_per_amp_nm / motor_.gear_efficiency; }
+  void AdvanceAlong(const MotorCommand& command, double dt_s);
+  double ServoTorque(const MotorCommand& command, double angle_rad, double speed_rad_s,
+                     double dt_s);
+
+  MotorModel motor_;
+  ShaftBristle gears_, brake_;
+  double servo_stiffness_nm_per_rad_ = 0.0, servo_damping_nms_per_rad_ = 0.0;
+  MotorMode mode_ = MotorMode::kBrake;
+  ProfileState profile_;
+  SplineMove move_;
+  MotorCommand move_command_{};
+  double move_time_s_ = 0.0;
+  bool on_move_ = false;  // whether profile_ is where move_ has it
+  double profile_moved_rad_ = 0.0;
+  double gear_bend_rad_ = 0.0, brake_bend_rad_ = 0.0;
+};
+
+}  // namespace dockyard

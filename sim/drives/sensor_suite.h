@@ -1,0 +1,38 @@
+// From truth to readings: IMU noise, bias and drift; encoder quantisation; current noise.
+#pragma once
+
+#include <vector>
+
+#include "controller/geometry/pose.h"
+#include "controller/io/sensors.h"
+#include "models/parts/imu.h"
+#include "models/parts/motor.h"
+#include "sim/base/random.h"
+#include "sim/drives/motor_truth.h"
+
+namespace dockyard {
+
+class SensorSuite {
+ public:
+  /// Draws the power-on biases from the run's seed.
+  SensorSuite(const ImuModel& imu, std::vector<MotorModel> motors, Tick control_period,
+              const Seed& run_seed);
+  /// Readings at a control tick (no images). true_imu: averages since the last one, as ImuAverage
+  /// gives them; yaw starts at zero.
+  SensorFrame Read(Tick tick, const std::vector<MotorTruth>& motors, const ImuSample& true_imu);
+
+ private:
+  void Wander(double since_s);
+
+  ImuModel imu_;
+  std::vector<MotorModel> motors_;
+  Tick control_period_;
+  RandomStream imu_stream_, current_stream_;
+  ImuSample bias_{};       // since power-on
+  ImuSample wandering_{};  // first-order Gauss-Markov: the bias' instability
+  double yaw_error_rad_ = 0.0, yaw_at_start_rad_ = 0.0;
+  bool started_ = false;
+  Tick last_tick_ = 0;
+};
+
+}  // namespace dockyard

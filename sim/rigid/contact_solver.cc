@@ -1,0 +1,94 @@
+#include "sim/rigid/contact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard {
+namespace {
+
+constexpr int kMostSweeps = 500;
+constexpr double kSolved = 1e-7;  // of the largest impulse
+
+// What one contact's rows need in a sweep.
+struct Rows {
+  double softness = 0.0;  // velocity per normal impulse that the spring gives way [1/kg]
+  double bias_m_s = 0.0;  // velocity that the gap asks for
+  Eigen::Vector2d unbend_m_s{0.0, 0.0};  // velocity that the bend asks for
+  double along = 0.0;                    // 1 / (own answer + softness)
+  double across = 0.0;  // 1 / (the largest own answer of the two rows across + softness)
+};
+
+template <class Matrix>
+Rows RowsOf(const ContactLaw& law, const Matrix& answer, int row, double h) {
+  Rows rows;
+  const double give = h * law.stiffness_n_per_m + law.damping_ns_per_m;
+  rows.softness = 1.0 / (h * give);
+  rows.bias_m_s = law.gap_m > 0.0 ? law.gap_m / h : law.stiffness_n_per_m * law.gap_m / give;
+  rows.along = 1.0 / (answer(row, row) + rows.softness);
+  const double a = answer(row + 1, row + 1), b = answer(row + 2, row + 2);
+  rows.unbend_m_s = law.stiffness_n_per_m / give * law.bend_m;
+  rows.across =
+      1.0 / (0.5 * (a + b) + std::hypot(0.5 * (a - b), answer(row + 1, row + 2)) + rows.softness);
+  return rows;
+}
+
+// Advances the bends by the velocities after the step.
+template <int kMost>
+void Bend(double step_s, ContactStepOf<kMost>& contacts) {
+  for (int i = 0; i < contacts.count; ++i) {
+    ContactLaw& law = contacts.laws[i];
+    const int row = 3 * i + 1;
+    const Eigen::Vector2d sliding = contacts.velocity.template segment<2>(row) +
+                                    contacts.answer.template middleRows<2>(row) * contacts.impulse;
+    law.bend_m += step_s * sliding;
+    const double most = law.friction * contacts.impulse[3 * i] / (step_s * law.stiffness_n_per_m);
+    const double size = law.bend_m.norm();
+    if (size > most) law.bend_m *= most / size;
+  }
+}
+
+}  // namespace
+
+template <int kMost>
+int SolveContacts(double step_s, ContactStepOf<kMost>& contacts) {
+  std::array<Rows, kMost> rows;
+  for (int i = 0; i < contacts.count; ++i) {
+    rows[i] = RowsOf(contacts.laws[i], contacts.answer, 3 * i, step_s);
+  }
+  auto& impulse = contacts.impulse;
+  const auto VelocityOf = [&](int row) {
+    return contacts.velocity[row] + contacts.answer.row(row).dot(impulse);
+  };
+  int sweeps = 0;
+  while (sweeps < kMostSweeps) {
+    double change = 0.0, largest = 0.0;
+    for (int i = 0; i < contacts.count; ++i) {
+      const int row = 3 * i;
+      const Rows& own = rows[i];
+      const double before = impulse[row];
+      const double wanted =
+          before - own.along * (VelocityOf(row) + own.softness * before + own.bias_m_s);
+      impulse[row] = std::max(0.0, wanted);
+      change = std::max(change, std::abs(impulse[row] - before));
+      largest = std::max(largest, impulse[row]);
+
+      const Eigen::Vector2d rubbed = impulse.template segment<2>(row + 1);
+      const Eigen::Vector2d sliding(VelocityOf(row + 1), VelocityOf(row + 2));
+      Eigen::Vector2d rub =
+          rubbed - own.across * (sliding + own.softness * rubbed + own.unbend_m_s);
+      const double most = contacts.laws[i].friction * impulse[row], size = rub.norm();
+      if (size > most) rub *= most / size;
+      impulse.template segment<2>(row + 1) = rub;
+      change = std::max(change, (rub - rubbed).lpNorm<Eigen::Infinity>());
+    }
+    ++sweeps;
+    if (change <= kSolved * largest) break;
+  }
+  Bend(step_s, contacts);
+  return sweeps;
+}
+
+template int SolveContacts(double step_s, ContactStepOf<kMostContacts>& contacts);
+template int SolveContacts(double step_s, ContactStepOf<kManyContacts>& contacts);
+
+}  // namespace dockyard

@@ -1,0 +1,121 @@
+#include "sim/vehicles/arm_body.h"
+
+#include "models/parts/scoop_shape.h"
+#include "sim/drives/joint_stop.h"
+#include "sim/rigid/solid_link.h"
+
+namespace dockyard {
+namespace {
+
+using Eigen::Vector3d;
+
+// Share of the arm's mass in the shoulder's housing, which only rolls; assumed, 0.1-0.4. It is a
+// block of this size; assumed, 0.03-0.08.
+constexpr double kShoulderShare = 0.2, kShoulder_m = 0.05;
+// Stops of the shoulder: a milliradian under the motor's torque; assumed, 1e3-1e5 N m/rad.
+constexpr JointStop kShoulderStop{5e3, 15.0};
+// Stops of a scoop, and the lips on each other; assumed, 300-3000 N m/rad.
+constexpr JointStop kScoopStop{600.0, 0.9};
+
+SolidMass ScoopMass(const ScoopModel& scoop, bool front) {
+  std::vector<SolidMass> plates;
+  for (const TriangleMesh& plate : ScoopPlates(scoop, front)) {
+    plates.push_back(MassOf(HullOf(plate.vertices), 1.0));
+  }
+  SolidMass whole = Together(plates);
+  whole.I_com *= scoop.mass_kg / whole.mass_kg;
+  whole.mass_kg = scoop.mass_kg;
+  return whole;
+}
+
+SolidMass ShoulderMass(const ArmModel& arm) {
+  const double mass_kg = kShoulderShare * arm.mass_kg;
+  const double moment = mass_kg * kShoulder_m * kShoulder_m / 6.0;
+  return {mass_kg, Vector3d::Zero(), moment * Eigen::Matrix3d::Identity()};
+}
+
+SolidMass BarMass(const ArmModel& arm) {
+  const double mass_kg = (1.0 - kShoulderShare) * arm.mass_kg;
+  const ConvexBody bar = HullOf(ArmBar(arm).vertices);
+  return MassOf(bar, mass_kg / MassOf(bar, 1.0).mass_kg);
+}
+
+}  // namespace
+
+std::vector<TreeLink> ArmLinks(const ArmModel& arm, int first) {
+  const Vector3d end(arm.length_m, 0.0, 0.0), y = Vector3d::UnitY();
+  const double rotor = arm.scoop_motor.reflected_inertia_kg_m2;
+  return {SolidLink(0, arm.p_RA, Vector3d::UnitX(), ShoulderMass(arm),
+                    arm.roll.reflected_inertia_kg_m2),
+          SolidLink(first + kArmRoll, Vector3d::Zero(), y, BarMass(arm),
+                    arm.pitch.reflected_inertia_kg_m2),
+          SolidLink(first + kArmPitch, end, y, ScoopMass(arm.scoop, true), rotor),
+          SolidLink(first + kArmPitch, end, y, ScoopMass(arm.scoop, false), rotor)};
+}
+
+double ArmInertia(const ArmModel& arm, int motor) {
+  const auto AboutHinge = [](const SolidMass& mass, const Vector3d& axis) {
+    const double off2 = mass.p_com.cross(axis).squaredNorm();
+    return axis.dot(mass.I_com * axis) + mass.mass_kg * off2;
+  };
+  if (motor == kArmRoll) {
+    return arm.roll.reflected_inertia_kg_m2 + AboutHinge(ShoulderMass(arm), Vector3d::UnitX());
+  }
+  if (motor == kArmPitch) {
+    return arm.pitch.reflected_inertia_kg_m2 + AboutHinge(BarMass(arm), Vector3d::UnitY());
+  }
+  return arm.scoop_motor.reflected_inertia_kg_m2 +
+         AboutHinge(ScoopMass(arm.scoop, true), Vector3d::UnitY());
+}
+
+std::vector<ToolPart> ArmParts(const ArmModel& arm, int first) {
+  std::vector<ToolPart> parts{{first + kArmPitch, HullOf(ArmBar(arm).vertices)}};
+  for (const bool front : {true, false}) {
+    for (const TriangleMesh& plate : ScoopPlates(arm.scoop, front)) {
+      parts.push_back({first + (front ? kFrontScoop : kBackScoop), HullOf(plate.vertices)});
+    }
+  }
+  return parts;
+}
+
+ArmBody::ArmBody(const ArmModel& arm, int first, const SoilModel& soil)
+    : model_(arm),
+      first_(first),
+      soils_{ScoopSoil(arm.scoop, false, soil), ScoopSoil(arm.scoop, true, soil)} {}
+
+void ArmBody::Stow(TreeBody& tree) const {
+  tree.SetAngle(link(kArmPitch), model_.stowed_pitch_rad);
+  tree.SetAngle(link(kFrontScoop), model_.stowed_scoop_rad);
+  tree.SetAngle(link(kBackScoop), model_.stowed_scoop_rad);
+}
+
+void ArmBody::Work(TreeBody& tree, HeightGrid& ground, double step_s) {
+  const auto Stop = [&](int motor, const JointStop& stop, double low, double high) {
+    const int i = link(motor);
+    tree.AddJointTorque(i, stop.Load(tree.angle_rad(i), tree.rate_rad_s(i), low, high));
+  };
+  Stop(kArmRoll, kShoulderStop, -model_.roll_stop_rad, model_.roll_stop_rad);
+  Stop(kArmPitch, kShoulderStop, model_.pitch_low_rad, model_.pitch_high_rad);
+  Stop(kFrontScoop, kScoopStop, model_.scoop_low_rad, model_.scoop_high_rad);
+  Stop(kBackScoop, kScoopStop, model_.scoop_low_rad, model_.scoop_high_rad);
+  const int front = link(kFrontScoop), back = link(kBackScoop);
+  const double between = kScoopStop.Load(tree.angle_rad(back) - tree.angle_rad(front),
+                                         tree.rate_rad_s(back) - tree.rate_rad_s(front), 0.0,
+                                         MostOpen_rad(model_.scoop));
+  tree.AddJointTorque(back, between);
+  tree.AddJointTorque(front, -between);
+  for (const bool is_front : {false, true}) {
+    const int i = is_front ? front : back;
+    const LinkMotion& motion = tree.motion(i);
+    ScoopLoad& load = loads_[is_front];
+    load = soils_[is_front].Step(ground, motion, step_s);
+    tree.AddForce(i, load.force_G, motion.X_GL.p);
+    tree.AddTorque(i, load.torque_G);
+  }
+}
+
+std::uint64_t ArmBody::StateHash(std::uint64_t seed) const {
+  return soils_[1].StateHash(soils_[0].StateHash(seed));
+}
+
+}  // namespace dockyard

@@ -1,0 +1,47 @@
+// An arm with two scoops as links of a tree, with the soil on its scoops.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "models/parts/arm_model.h"
+#include "models/parts/soil_model.h"
+#include "sim/rigid/tree_body.h"
+#include "sim/vehicles/loose_stones.h"
+#include "sim/vehicles/scoop_soil.h"
+
+namespace dockyard {
+
+/// The arm's links on link 0, in the order of its motors. `first`: the number of the first one.
+std::vector<TreeLink> ArmLinks(const ArmModel& arm, int first);
+
+/// What a motor of the arm turns with no load, its rotor included [kg m^2].
+double ArmInertia(const ArmModel& arm, int motor);
+
+/// The bar and the scoops' plates, for stones to meet.
+std::vector<ToolPart> ArmParts(const ArmModel& arm, int first);
+
+class ArmBody {
+ public:
+  ArmBody(const ArmModel& arm, int first, const SoilModel& soil);
+
+  /// Puts the arm as it is stowed.
+  void Stow(TreeBody& tree) const;
+  /// Loads of a step: stops of the joints, the scoops' lips on each other, soil.
+  void Work(TreeBody& tree, HeightGrid& ground, double step_s);
+
+  int link(int motor) const { return first_ + motor; }
+  const ArmModel& model() const { return model_; }
+  /// Of the soil on a scoop in the last step.
+  const ScoopLoad& soil_load(bool front) const { return loads_[front]; }
+  std::uint64_t StateHash(std::uint64_t seed) const;
+
+ private:
+  ArmModel model_;
+  int first_ = 0;
+  std::array<ScoopSoil, 2> soils_;  // back, front
+  std::array<ScoopLoad, 2> loads_;
+};
+
+}  // namespace dockyard

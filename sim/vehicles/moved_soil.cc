@@ -1,0 +1,60 @@
+#include "sim/vehicles/moved_soil.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dockyard {
+namespace {
+
+void AddVolume(HeightGrid& grid, const Eigen::Vector2d& at, double volume_m3) {
+  const GridCell cell = CellAt(grid, at.x(), at.y());
+  const double height_m = volume_m3 / (grid.cell_m * grid.cell_m);
+  double* low = grid.heights_m.data() + static_cast<std::ptrdiff_t>(cell.iy) * grid.nx + cell.ix;
+  double* high = low + grid.nx;
+  low[0] += height_m * (1.0 - cell.u) * (1.0 - cell.v);
+  low[1] += height_m * cell.u * (1.0 - cell.v);
+  high[0] += height_m * (1.0 - cell.u) * cell.v;
+  high[1] += height_m * cell.u * cell.v;
+}
+
+void Slide(double& a, double& b, double steepest_m) {
+  const double excess_m = std::abs(a - b) - steepest_m;
+  if (excess_m <= 0.0) return;
+  const double moved_m = std::copysign(0.25 * excess_m, a - b);
+  a -= moved_m;
+  b += moved_m;
+}
+
+}  // namespace
+
+void MoveSoil(HeightGrid& grid, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+              double volume_m3) {
+  if (grid.undisturbed_m.empty()) grid.undisturbed_m = grid.heights_m;
+  AddVolume(grid, from, -volume_m3);
+  AddVolume(grid, to, volume_m3);
+  ++grid.revision;
+}
+
+void SlumpWithin(HeightGrid& grid, const Eigen::Vector2d& centre, double half_m, double friction) {
+  const GridCell low = CellAt(grid, centre.x() - half_m, centre.y() - half_m);
+  const GridCell high = CellAt(grid, centre.x() + half_m, centre.y() + half_m);
+  const double steepest_m = friction * grid.cell_m;
+  double* heights = grid.heights_m.data();
+  for (int iy = low.iy; iy <= high.iy; ++iy) {
+    for (int ix = low.ix; ix <= high.ix; ++ix) {
+      double* at = heights + static_cast<std::ptrdiff_t>(iy) * grid.nx + ix;
+      Slide(at[0], at[1], steepest_m);
+      Slide(at[0], at[grid.nx], steepest_m);
+    }
+  }
+  ++grid.revision;
+}
+
+double BearingHeight(const HeightGrid& grid, double x_m, double y_m) {
+  const GridCell cell = CellAt(grid, x_m, y_m);
+  const double height_m = Interpolate(grid, grid.heights_m, cell);
+  if (grid.undisturbed_m.empty()) return height_m;
+  return std::min(height_m, Interpolate(grid, grid.undisturbed_m, cell));
+}
+
+}  // namespace dockyard

@@ -1,0 +1,245 @@
+#include "sim/rigid/tree_body.h"
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+
+#include "sim/base/random.h"
+#include "sim/rigid/bullet_math.h"
+#include "sim/rigid/inertia.h"
+
+namespace dockyard {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kStep_s = 1e-3;
+const Vector3d kGravity(0.0, 0.0, -9.81);
+
+Vector3d AnyVector(RandomStream& random, double most) {
+  return {random.Uniform(-most, most), random.Uniform(-most, most), random.Uniform(-most, most)};
+}
+
+LinkModel AnyLink(RandomStream& random) {
+  LinkModel link;
+  link.mass_kg = random.Uniform(0.3, 5.0);
+  link.p_LoCom_L = AnyVector(random, 0.2);
+  const Vector3d size(random.Uniform(0.1, 0.5), random.Uniform(0.1, 0.5), random.Uniform(0.1, 0.5));
+  const Vector3d moments =
+      link.mass_kg / 12.0 *
+      Vector3d(size.y() * size.y() + size.z() * size.z(), size.z() * size.z() + size.x() * size.x(),
+               size.x() * size.x() + size.y() * size.y());
+  const Eigen::Matrix3d R = ToRotation({random.Uniform(-1, 1), 0.3, random.Uniform(-1, 1)});
+  link.I_LCom_L = R * moments.asDiagonal() * R.transpose();
+  return link;
+}
+
+std::vector<TreeLink> AnyTree(RandomStream& random, int count) {
+  std::vector<TreeLink> links{{AnyLink(random)}};
+  for (int i = 1; i < count; ++i) {
+    links.push_back({AnyLink(random), static_cast<int>(random.Uniform(0.0, i - 0.01)),
+                     AnyVector(random, 0.4), AnyVector(random, 1.0).normalized(), 0.0});
+  }
+  return links;
+}
+
+/// The same tree as a body of Bullet's.
+class BulletTree {
+ public:
+  explicit BulletTree(const std::vector<TreeLink>& links) {
+    for (const TreeLink& link : links) inertia_.push_back(FindPrincipalInertia(link.model));
+    const int joints = static_cast<int>(links.size()) - 1;
+    body_ = std::make_unique<btMultiBody>(joints, links[0].model.mass_kg,
+                                          ToBullet(inertia_[0].moments), false, false);
+    for (int i = 1; i <= joints; ++i) {
+      const TreeLink& link = links[static_cast<std::size_t>(i)];
+      const PrincipalInertia &own = inertia_[static_cast<std::size_t>(i)],
+                             &parent = inertia_[static_cast<std::size_t>(link.parent)];
+      const Eigen::Matrix3d R_own_parent = own.X_LP.R.transpose() * parent.X_LP.R;
+      body_->setupRevolute(
+          i - 1, link.model.mass_kg, ToBullet(own.moments), link.parent - 1,
+          ToQuaternion(R_own_parent), ToBullet(Vector3d(own.X_LP.R.transpose() * link.axis_L)),
+          ToBullet(Vector3d(parent.X_LP.R.transpose() * (link.p_PL - parent.X_LP.p))),
+          ToBullet(Vector3d(own.X_LP.R.transpose() * own.X_LP.p)), true);
+    }
+    body_->finalizeMultiDof();
+    body_->setLinearDamping(0.0);
+    body_->setAngularDamping(0.0);
+    body_->setMaxAppliedImpulse(1e18);
+    body_->setMaxCoordinateVelocity(1e9);
+    body_->setBasePos(ToBullet(inertia_[0].X_LP.p));
+    body_->setWorldToBaseRot(ToQuaternion(inertia_[0].X_LP.R.transpose()));
+  }
+
+  void AddJointTorque(int i, double torque_nm) { body_->addJointTorque(i - 1, torque_nm); }
+
+  /// With a differential between the joints a and b if a > 0: an impulse on both takes what their
+  /// rates have in common.
+  void Step(int a = 0, int b = 0) {
+    const btVector3 gravity = ToBullet(kGravity);
+    body_->addBaseForce(gravity * body_->getBaseMass());
+    for (int i = 0; i < body_->getNumLinks(); ++i) {
+      body_->addLinkForce(i, gravity * body_->getLinkMass(i));
+    }
+    numbers_.resize(body_->getNumDofs() + 7);
+    vectors_.resize(body_->getNumDofs() + 7);
+    matrices_.resize(body_->getNumDofs() + 7);
+    body_->computeAccelerationsArticulatedBodyAlgorithmMultiDof(kStep_s, numbers_, vectors_,
+                                                                matrices_, false, false, false);
+    if (a > 0) Tie(a, b);
+    body_->stepPositionsMultiDof(kStep_s);
+    body_->clearForcesAndTorques();
+  }
+
+  double angle(int i) const { return body_->getJointPos(i - 1); }
+  Pose3 X_GB() const {
+    const Pose3 X_GP = {FromBullet(btMatrix3x3(body_->getWorldToBaseRot().inverse())),
+                        FromBullet(body_->getBasePos())};
+    return X_GP * Inverse(inertia_[0].X_LP);
+  }
+
+ private:
+  void Tie(int a, int b) {
+    const auto speeds = static_cast<std::size_t>(body_->getNumDofs() + 6);
+    std::vector<btScalar> impulse(speeds, 0.0), answer(speeds, 0.0);
+    const std::size_t at_a = static_cast<std::size_t>(a) + 5,
+                      at_b = static_cast<std::size_t>(b) + 5;
+    impulse[at_a] = impulse[at_b] = 1.0;
+    body_->calcAccelerationDeltasMultiDof(impulse.data(), answer.data(), numbers_, vectors_);
+    const double common = body_->getJointVel(a - 1) + body_->getJointVel(b - 1);
+    body_->applyDeltaVeeMultiDof(answer.data(), -common / (answer[at_a] + answer[at_b]));
+  }
+
+  std::vector<PrincipalInertia> inertia_;
+  std::unique_ptr<btMultiBody> body_;
+  btAlignedObjectArray<btScalar> numbers_;  // scratch of Bullet's
+  btAlignedObjectArray<btVector3> vectors_;
+  btAlignedObjectArray<btMatrix3x3> matrices_;
+};
+
+TEST(TreeBody, MovesAsBulletsArticulatedBody) {
+  RandomStream random(StreamKey(1, "trees"));
+  for (int tree = 0; tree < 5; ++tree) {
+    const int count = 4 + 4 * tree;
+    const std::vector<TreeLink> links = AnyTree(random, count);
+    TreeBody ours(links, {}, {});
+    BulletTree bullets(links);
+    for (int step = 0; step < 300; ++step) {
+      for (int i = 1; i < count; ++i) {
+        const double torque_nm = 0.3 * std::sin(0.02 * step + i);
+        ours.AddJointTorque(i, torque_nm);
+        bullets.AddJointTorque(i, torque_nm);
+      }
+      ours.TakeLoads(kGravity, kStep_s);
+      ours.Move(kStep_s);
+      bullets.Step();
+    }
+    const Pose3 X = ours.motion(0).X_GL, Y = bullets.X_GB();
+    EXPECT_LT((X.p - Y.p).norm(), 1e-9) << count;
+    EXPECT_LT((X.R - Y.R).norm(), 1e-9) << count;
+    for (int i = 1; i < count; ++i) EXPECT_NEAR(ours.angle_rad(i), bullets.angle(i), 1e-9);
+  }
+}
+
+TEST(TreeBody, HoldsADifferentialAsAnImpulseInBulletsBodyDoes) {
+  RandomStream random(StreamKey(2, "differential"));
+  std::vector<TreeLink> links = AnyTree(random, 6);
+  links[1].parent = links[2].parent = 0;
+  links[1].axis_L = links[2].axis_L = Vector3d::UnitY();
+  TreeBody ours(links, {{{1, 1.0}, {2, 1.0}}}, {});
+  BulletTree bullets(links);
+  double most_rad = 0.0;
+  for (int step = 0; step < 300; ++step) {
+    ours.AddJointTorque(1, 2.0);
+    bullets.AddJointTorque(1, 2.0);
+    ours.TakeLoads(kGravity, kStep_s);
+    ours.Move(kStep_s);
+    bullets.Step(1, 2);
+    most_rad = std::max(most_rad, std::abs(ours.angle_rad(1) + ours.angle_rad(2)));
+  }
+  EXPECT_GT(std::abs(ours.angle_rad(1)), 0.1);
+  EXPECT_LT(most_rad, 1e-12);
+  for (int i = 1; i < 6; ++i) EXPECT_NEAR(ours.angle_rad(i), bullets.angle(i), 1e-9);
+  EXPECT_LT((ours.motion(0).X_GL.p - bullets.X_GB().p).norm(), 1e-9);
+}
+
+// Two bodies on one axle: q'' = torque / (I1 I2 / (I1 + I2) + J).
+TEST(TreeBody, FeelsARotorInTheJointsOwnAccelerationAlone) {
+  TreeLink base, wheel;
+  base.model.mass_kg = wheel.model.mass_kg = 1.0;
+  base.model.I_LCom_L = 0.3 * Eigen::Matrix3d::Identity();
+  wheel.model.I_LCom_L = 0.1 * Eigen::Matrix3d::Identity();
+  wheel.parent = 0;
+  wheel.rotor_kg_m2 = 0.05;
+  TreeBody body({base, wheel}, {}, {});
+  body.AddJointTorque(1, 1.0);
+  body.TakeLoads({0, 0, 0}, kStep_s);
+  EXPECT_NEAR(body.rate_rad_s(1), kStep_s / (0.3 * 0.1 / 0.4 + 0.05), 1e-12);
+  EXPECT_NEAR(0.3 * body.motion(0).w_GL_G.y() + 0.1 * body.motion(1).w_GL_G.y(), 0.0, 1e-12);
+}
+
+TEST(TreeBody, FallsAsSymplecticEulerFalls) {
+  RandomStream random(StreamKey(3, "fall"));
+  TreeBody body(AnyTree(random, 8), {}, {});
+  for (int i = 0; i < 1000; ++i) {
+    body.TakeLoads(kGravity, kStep_s);
+    body.Move(kStep_s);
+  }
+  // Sum of g k dt^2 for k = 1..1000; nothing turns.
+  EXPECT_NEAR(body.motion(0).X_GL.p.z(), -9.81 * 0.5 * 1.001, 1e-9);
+  for (int i = 1; i < 8; ++i) EXPECT_NEAR(body.angle_rad(i), 0.0, 1e-9);
+}
+
+TEST(TreeBody, KeepsItsEnergyButByTheStepsFirstOrderError) {
+  RandomStream random(StreamKey(4, "energy"));
+  const std::vector<TreeLink> links = AnyTree(random, 10);
+  const auto Drift = [&](double step_s) {
+    TreeBody body(links, {}, {});
+    TreeBody::Speeds speeds = TreeBody::Speeds::Zero(15);
+    for (int i = 0; i < 15; ++i) speeds[i] = 0.3 * std::sin(1.0 + i);
+    body.SetSpeeds(speeds);
+    const double before = body.KineticEnergy();
+    for (int i = 0; i < std::lround(0.5 / step_s); ++i) {
+      body.TakeLoads({0, 0, 0}, step_s);
+      body.Move(step_s);
+    }
+    return std::abs(body.KineticEnergy() / before - 1.0);
+  };
+  const double coarse = Drift(2e-3), fine = Drift(1e-3);
+  EXPECT_LT(fine, 5e-3);
+  EXPECT_LT(fine, 0.6 * coarse + 1e-9);
+}
+
+// Velocities of points by differences of places.
+TEST(TreeBody, HasTheJacobianOfItsPoints) {
+  RandomStream random(StreamKey(5, "jacobian"));
+  TreeBody body(AnyTree(random, 9), {}, {});
+  TreeBody::Speeds speeds = TreeBody::Speeds::Zero(14);
+  for (int i = 0; i < 14; ++i) speeds[i] = random.Uniform(-1, 1);
+  body.SetSpeeds(speeds);
+  for (int i = 0; i < 9; ++i) {
+    const Vector3d p_L = AnyVector(random, 0.3), p_G = body.motion(i).X_GL * p_L;
+    const Vector3d v_G = body.JacobianOf(i, p_G) * speeds;
+    EXPECT_LT((v_G - body.motion(i).VelocityAt(p_G)).norm(), 1e-12);
+    TreeBody moved = body;
+    moved.Move(1e-7);
+    EXPECT_LT((1e7 * (moved.motion(i).X_GL * p_L - p_G) - v_G).norm(), 1e-5);
+  }
+}
+
+TEST(TreeBody, RefusesLinksOutOfOrder) {
+  TreeLink link;
+  link.model.mass_kg = 1.0;
+  TreeLink late = link;
+  late.parent = 2;
+  EXPECT_THROW(TreeBody({link, late}, {}, {}), std::invalid_argument);
+  EXPECT_THROW(TreeBody({}, {}, {}), std::invalid_argument);
+  link.model.mass_kg = 0.0;
+  EXPECT_THROW(TreeBody({link}, {}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace dockyard

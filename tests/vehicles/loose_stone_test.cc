@@ -1,0 +1,194 @@
+// Stones by themselves: mass, flight, rest and sinking, against closed forms.
+#include "sim/vehicles/loose_stone.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/parts/scoop_shape.h"
+#include "vehicles/stone_rig.h"
+
+namespace dockyard {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST(SolidMass, OfABoxAwayFromTheOriginIsTheTextbooks) {
+  const Vector3d size(0.2, 0.3, 0.5), at(1.0, -2.0, 3.0);
+  const SolidMass mass = MassOf(Pose3{RotZ(0.0), at} * BoxBody(size), 1000.0);
+  EXPECT_NEAR(mass.mass_kg, 30.0, 1e-9);
+  EXPECT_LT((mass.p_com - at).norm(), 1e-12);
+  const Vector3d squares = size.cwiseProduct(size);
+  const Vector3d moments = 30.0 / 12.0 * (Vector3d::Constant(squares.sum()) - squares);
+  EXPECT_LT((mass.I_com - Eigen::Matrix3d(moments.asDiagonal())).norm(), 1e-9);
+}
+
+TEST(SolidMass, OfTwoHalvesIsThatOfTheWhole) {
+  const Vector3d half(0.1, 0.2, 0.3), aside(0.05, 0.0, 0.0);
+  const SolidMass whole = Together({MassOf(Pose3{RotZ(0.0), aside} * BoxBody(half), 500.0),
+                                    MassOf(Pose3{RotZ(0.0), -aside} * BoxBody(half), 500.0)});
+  const SolidMass at_once = MassOf(BoxBody({0.2, 0.2, 0.3}), 500.0);
+  EXPECT_NEAR(whole.mass_kg, at_once.mass_kg, 1e-12);
+  EXPECT_LT((whole.I_com - at_once.I_com).norm(), 1e-12);
+}
+
+// Plates face outwards and are solid: their volume is that of sheet of this thickness, less the
+// corners that bend inwards and the lip that is cut off.
+TEST(ScoopPlates, AreClosedAndMirrorEachOther) {
+  const ScoopModel scoop = RoverRig::Model("rocky7").arm->scoop;
+  const auto front = ScoopPlates(scoop, true), back = ScoopPlates(scoop, false);
+  ASSERT_EQ(front.size(), 5u);
+  const auto profile = ScoopProfile(scoop);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const SolidMass mass = MassOf(HullOf(front[i].vertices), 1.0);
+    const SolidMass mirrored = MassOf(HullOf(back[i].vertices), 1.0);
+    EXPECT_NEAR(mass.mass_kg, mirrored.mass_kg, 1e-12);
+    EXPECT_NEAR(mass.p_com.x(), -mirrored.p_com.x(), 1e-12);
+    double volume_m3[2] = {};
+    const TriangleMesh* meshes[2] = {&front[i], &back[i]};
+    for (int side = 0; side < 2; ++side) {
+      for (const auto& t : meshes[side]->triangles) {
+        const auto& v = meshes[side]->vertices;
+        volume_m3[side] += v[t[0]].dot(v[t[1]].cross(v[t[2]])) / 6.0;
+      }
+      EXPECT_NEAR(volume_m3[side], mass.mass_kg, 1e-12) << i;
+    }
+    if (i >= 3) continue;
+    const double sheet = (profile[3 - i] - profile[2 - i]).norm() * scoop.width_m * scoop.wall_m;
+    EXPECT_NEAR(mass.mass_kg, sheet, 0.1 * sheet) << i;
+  }
+}
+
+TEST(LooseStoneShape, HasItsLengthAndRoughlyItsRatiosAboutItsCentreOfMass) {
+  for (std::uint64_t key = 1; key <= 20; ++key) {
+    const ConvexBody shape = LooseStoneShape(0.04, key);
+    Vector3d low = shape.vertices[0], high = low;
+    for (const Vector3d& p : shape.vertices) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    EXPECT_NEAR((high - low).x(), 0.04, 1e-12);
+    EXPECT_NEAR((high - low).y() / 0.04, 0.8, 0.12);
+    EXPECT_NEAR((high - low).z() / 0.04, 0.65, 0.10);
+    EXPECT_LT(MassOf(shape, 1.0).p_com.norm(), 1e-12);
+  }
+  EXPECT_EQ(LooseStoneShape(0.04, 3).vertices, LooseStoneShape(0.04, 3).vertices);
+}
+
+TEST(LooseStone, FliesAParabolaWithItsAngularMomentumAndEnergyOfTurning) {
+  LooseStone stone(LooseStoneShape(0.05, 2), kStoneDensity_kg_m3, Pose3::Translation(0, 0, 1));
+  const Vector3d v(0.3, -0.2, 2.0), gravity(0.0, 0.0, -kEarthGravity_m_s2);
+  stone.SetMotion(v, {3.0, 8.0, -2.0});
+  const Vector3d spin = stone.angular_momentum_G();
+  const double turning = stone.KineticEnergy() - 0.5 * stone.mass_kg() * v.squaredNorm();
+  for (int i = 0; i < 1000; ++i) {
+    stone.TakeWeight(gravity, 1e-3);
+    stone.Move(1e-3);
+  }
+  // Steps of h fall g h t / 2 further than the parabola.
+  const Vector3d at = Vector3d(0, 0, 1) + v + 0.5 * gravity + 0.5e-3 * gravity;
+  EXPECT_LT((stone.motion().X_GL.p - at).norm(), 1e-9);
+  EXPECT_LT((stone.angular_momentum_G() - spin).norm(), 1e-12 * spin.norm());
+  const Vector3d last = v + gravity;
+  EXPECT_NEAR(stone.KineticEnergy() - 0.5 * stone.mass_kg() * last.squaredNorm(), turning,
+              1e-4 * turning);
+}
+
+/// A stone alone on level soil.
+struct Ground {
+  explicit Ground(const std::string& soil)
+      : grid(LevelGrid(-0.5, 1.0, 1.0, 5e-3)), stones({}, SoilNamed(soil), {}) {}
+  void Run(double time_s, bool awake = false) {
+    for (int i = 0; i < std::lround(1e3 * time_s); ++i) {
+      for (int k = 0; awake && k < stones.count(); ++k) stones.AddForce(k, {0.0, 0.0, 0.0});
+      tool.TakeLoads({0.0, 0.0, 0.0}, 1e-3);
+      stones.Step(tool, {0.0, 0.0, -kEarthGravity_m_s2}, 1e-3, grid);
+      tool.Move(1e-3);
+    }
+  }
+  static TreeLink Anything() {
+    TreeLink link;
+    link.model.mass_kg = 1.0;
+    link.model.I_LCom_L.setIdentity();
+    return link;
+  }
+
+  HeightGrid grid;
+  TreeBody tool{{Anything()}, {}, Pose3::Translation(0, 0, 10)};
+  LooseStones stones;
+};
+
+// A flat block sinks by p(z) A = m g.
+TEST(LooseStones, BlockSinksAsTheSoilsPressureSays) {
+  for (const char* name : {"loose_sand", "compact_gravel"}) {
+    Ground ground(name);
+    const Vector3d size(0.04, 0.03, 0.02);
+    ground.stones.Add(OnGround(BoxBody(size), 0.0, 0.0, 0.3));
+    ground.Run(3.0, true);
+    const SoilModel soil = SoilNamed(name);
+    const double pressure_pa = kStoneDensity_kg_m3 * size.z() * kEarthGravity_m_s2;
+    // Where that is less than the soil gives way elastically, it is the latter.
+    const double sunk_m = std::max(std::pow(pressure_pa / soil.k_phi, 1.0 / soil.n),
+                                   pressure_pa / soil.unloading_stiffness_pa_per_m);
+    const double below_m = 0.5 * size.z() - ground.stones.stone(0).motion().X_GL.p.z();
+    EXPECT_NEAR(below_m, sunk_m, 0.02 * sunk_m) << name;
+  }
+}
+
+// Of any shape: the soil's pressures at the corners bear the weight, and none is above p(z).
+TEST(LooseStones, StoneRestsWhereThePressureAtItsCornersBearsIt) {
+  for (std::uint64_t key = 1; key <= 5; ++key) {
+    Ground ground("loose_sand");
+    ground.stones.Add(OnGround(LooseStoneShape(0.04, key), 0.0, 0.0, 0.0));
+    ground.Run(2.0, true);
+    double borne_n = 0.0;
+    for (const StoneTouch& touch : ground.stones.touches()) {
+      borne_n += 1e3 * touch.impulse_G.z();
+      EXPECT_GE(touch.impulse_G.z(), 0.0);
+    }
+    const double weight_n = ground.stones.stone(0).mass_kg() * kEarthGravity_m_s2;
+    EXPECT_NEAR(borne_n, weight_n, 1e-3 * weight_n);
+  }
+}
+
+TEST(LooseStones, StoneAtRestCreepsLessThanHalfAMillimetreInTenSecondsThoughItMayNotSleep) {
+  for (const char* name : {"loose_sand", "compact_gravel"}) {
+    Ground ground(name);
+    ground.stones.Add(OnGround(LooseStoneShape(0.05, 4), 0.0, 0.0, 0.0));
+    ground.Run(2.0, true);
+    const Vector3d from = ground.stones.stone(0).motion().X_GL.p;
+    ground.Run(10.0, true);
+    EXPECT_LT((ground.stones.stone(0).motion().X_GL.p - from).norm(), 0.1e-3) << name;
+  }
+}
+
+TEST(LooseStones, SleeperStaysExactlyUntilTheGroundBelowItChanges) {
+  Ground ground("loose_sand");
+  ground.stones.Add(OnGround(LooseStoneShape(0.03, 1), 0.0, 0.0, 0.0));
+  ground.Run(2.0);
+  ASSERT_TRUE(ground.stones.asleep(0));
+  const Pose3 at = ground.stones.stone(0).motion().X_GL;
+  ground.Run(1.0);
+  EXPECT_EQ(ground.stones.stone(0).motion().X_GL.p, at.p);
+  EXPECT_EQ(ground.stones.stone(0).motion().X_GL.R, at.R);
+  for (double& height_m : ground.grid.heights_m) height_m -= 0.01;
+  ground.Run(2.0);
+  EXPECT_NEAR(ground.stones.stone(0).motion().X_GL.p.z(), at.p.z() - 0.01, 2e-3);
+}
+
+// A stone dropped on another comes to rest and no lower than the other lets it.
+TEST(LooseStones, OneStoneLiesOnAnother) {
+  Ground ground("compact_gravel");
+  const Vector3d size(0.06, 0.06, 0.02);
+  ground.stones.Add(OnGround(BoxBody(size), 0.0, 0.0, 0.0));
+  const ConvexBody small = BoxBody({0.02, 0.02, 0.02});
+  ground.stones.Add(LooseStone(small, kStoneDensity_kg_m3, Pose3::Translation(0.0, 0.0, 0.05)));
+  ground.Run(2.0);
+  const double above_m =
+      ground.stones.stone(1).motion().X_GL.p.z() - ground.stones.stone(0).motion().X_GL.p.z();
+  EXPECT_NEAR(above_m, 0.02, 0.2e-3);
+  EXPECT_TRUE(ground.stones.asleep(1));
+}
+
+}  // namespace
+}  // namespace dockyard
