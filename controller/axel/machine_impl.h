@@ -64,7 +64,7 @@ class AxelMachine final : public Controller {
       commands.motors[static_cast<std::size_t>(Motor::kArm)] = arm_.Hold(senses_);
     }
     if (event) Change(*event);
-    commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDocked
+    commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDone
                        : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
                                                    : Verdict::kUnderWay;
     FillBelief();

@@ -26,7 +26,7 @@ class ReelOnly final : public Controller {
     if (still >= options_.mate.stuck_after) reeled_in_ = true;
     if (reeled_in_) {
       belief_.phase = "docked";
-      commands.verdict = Verdict::kDocked;
+      commands.verdict = Verdict::kDone;
     } else {
       belief_.phase = "reel";
       SetWheels(MotorMode::kFree, &commands);

@@ -54,7 +54,7 @@ class Tsai2013 final : public Controller {
     Commands commands = BrakedCommands();
     if (const std::optional<Phase> next = Act(sensed, &commands)) Enter(*next);
     commands.motors[static_cast<std::size_t>(Motor::kArm)] = arm_.Hold(senses_);
-    commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDocked
+    commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDone
                        : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
                                                    : Verdict::kUnderWay;
     belief_.values[1].value = recoveries_;

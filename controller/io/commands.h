@@ -29,7 +29,7 @@ struct MotorCommand {
 };
 
 /// The controller's own verdict on its task. Scoring uses it only to name a false claim.
-enum class Verdict : std::uint8_t { kUnderWay, kDocked, kGivenUp };
+enum class Verdict : std::uint8_t { kUnderWay, kDone, kGivenUp };
 
 /// The most stops off that a controller may ask for, either way; assumed, 4-8: an electronic
 /// shutter spans more than 16 stops in all.

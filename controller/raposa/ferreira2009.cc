@@ -99,7 +99,7 @@ Commands Ferreira2009::Step(const SensorFrame& sensed) {
   }
   commands.take_images = {kBackCamera};
   commands.switches[kLamps] = lamps_ ? 1 : 0;
-  commands.verdict = part_ == Part::kDocked ? Verdict::kDocked : Verdict::kUnderWay;
+  commands.verdict = part_ == Part::kDocked ? Verdict::kDone : Verdict::kUnderWay;
   if (state_) belief_.values[0].value = static_cast<double>(*state_);
   belief_.values[4].value = sight_.band_changes();
   return commands;

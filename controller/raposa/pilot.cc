@@ -148,7 +148,7 @@ Commands Pilot::Step(const SensorFrame& sensed, const PyramidSeen* seen, double 
   SetDoors(nominal_, door_open_m_, &commands);
   if (Looks()) commands.take_images = {kBackCamera};
   commands.switches[kLamps] = lamps_ ? 1 : 0;
-  commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDocked
+  commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDone
                      : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
                                                  : Verdict::kUnderWay;
   Believe();

@@ -164,7 +164,7 @@ TargetSeen Approach::Peek(const StereoImages& images, const SensorFrame& sensed)
 void Approach::Decide() {
   const double off_m = (target_.p_RT() - nominal_.plan.p_RP).norm();
   if (off_m <= options_.claim_share * nominal_.reach_m) {
-    verdict_ = Verdict::kDocked;
+    verdict_ = Verdict::kDone;
     return Tell("there", "the point is on the target");
   }
   if (looks_ >= options_.most_looks) return GiveUp("cannot stabilize about the goal");

@@ -28,7 +28,7 @@ void Mission::Tell(const char* phase, const std::string& note) {
 void Mission::StepApproach(const SensorFrame& sensed, Commands& commands) {
   commands = approach_.Step(sensed);
   belief_ = approach_.belief();
-  if (commands.verdict != Verdict::kDocked || nominal_.task != Task::kGrasp) {
+  if (commands.verdict != Verdict::kDone || nominal_.task != Task::kGrasp) {
     verdict_ = commands.verdict;
     return;
   }
@@ -41,7 +41,7 @@ void Mission::StepGrasp(const SensorFrame& sensed) {
   Tell(grasp_.phase(), grasp_.note());
   if (!grasp_.lifted()) return;
   if (!options_.peeks || grasp_.load() == Load::kStone) {
-    verdict_ = Verdict::kDocked;
+    verdict_ = Verdict::kDone;
     return;
   }
   phase_ = Phase::kPeek;
@@ -65,14 +65,14 @@ void Mission::StepPeek(const SensorFrame& sensed, Commands& commands) {
     // The arm weighs no more, so the stone is on the ground wherever it has gone.
     if (seen.found || grasp_.load() == Load::kNone) return TryAgain();
     if (seen.gone) {
-      verdict_ = Verdict::kDocked;
+      verdict_ = Verdict::kDone;
       return;
     }
     asked_ = sensed.tick - kPeekAgain;
   }
   if (sensed.tick - asked_ < kPeekAgain) return;
   if (++peeks_ > kMostPeeks) {
-    verdict_ = Verdict::kDocked;
+    verdict_ = Verdict::kDone;
     return;
   }
   commands.take_images = {kFrontLeft, kFrontRight};

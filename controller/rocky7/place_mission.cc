@@ -88,7 +88,7 @@ void PlaceMission::StepBackOff(const SensorFrame& sensed, Commands& commands) {
   commands.motors = drive_.Step(sensed);
   Hold(commands, mast_);
   if (drive_.done()) {
-    End(Verdict::kDocked, "placed",
+    End(Verdict::kDone, "placed",
         "placed with " + std::to_string(placement_.closed()) + " switches");
   }
 }

@@ -33,7 +33,7 @@ class StraightIn final : public dockyard::Controller {
     }
     Commands commands = dockyard::axel::BrakedCommands();
     if (sensed.tick - still_since_ > kStalled) {
-      commands.verdict = dockyard::Verdict::kDocked;
+      commands.verdict = dockyard::Verdict::kDone;
     } else {
       Of(commands, Motor::kLeftWheel) = Of(commands, Motor::kRightWheel) = {MotorMode::kFree};
       Of(commands, Motor::kSpool) = {.mode = MotorMode::kVelocity,
@@ -45,7 +45,7 @@ class StraightIn final : public dockyard::Controller {
                                  .speed_limit_rad_s = kArmSpeed_rad_s,
                                  .accel_rad_s2 = kArmAccel_rad_s2,
                                  .current_limit_a = OfNominal(Motor::kArm).max_current_a};
-    belief_.phase = commands.verdict == dockyard::Verdict::kDocked ? "docked" : "reel";
+    belief_.phase = commands.verdict == dockyard::Verdict::kDone ? "docked" : "reel";
     return commands;
   }
 

@@ -104,7 +104,7 @@ AxelMeasures AxelJudge::FinalMeasures(const Belief& belief) const {
 
 Conclusion AxelJudge::Conclude(const Commands& last, const Belief& belief,
                                const TrialWatch& watch) {
-  if (last.verdict == Verdict::kDocked) {
+  if (last.verdict == Verdict::kDone) {
     for (Tick t = 0; t < kSettleTicks; t += kControlPeriod) {
       plant_.RefreshTruth();
       outcome_.Observe(plant_.truth());

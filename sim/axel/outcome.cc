@@ -242,7 +242,7 @@ OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
   const double now = last_.time_s;
   const bool firm = shake.done && shake.turn_rad < limits_.shake_turn_rad &&
                     shake.travel_m < limits_.shake_travel_m;
-  if (claimed == Verdict::kDocked && entered_at_rest() && firm) return ConcludeHeld(shake);
+  if (claimed == Verdict::kDone && entered_at_rest() && firm) return ConcludeHeld(shake);
 
   struct Candidate {
     Outcome outcome;
@@ -273,7 +273,7 @@ OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
   }
   if (first) return {first->outcome, first->note};
   switch (claimed) {
-    case Verdict::kDocked:
+    case Verdict::kDone:
       return {Outcome::kFalseDocked, "claimed docked; " + ClaimNote(shake)};
     case Verdict::kGivenUp:
       return ConcludeGivenUp(recoveries);

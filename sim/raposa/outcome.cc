@@ -79,7 +79,7 @@ std::string OutcomeJudge::ClaimNote() const {
 
 OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, const Trial& trial,
                                                bool searches) const {
-  if (claimed == Verdict::kDocked) {
+  if (claimed == Verdict::kDone) {
     const bool held = trial.done && trial.worst_m < limits_.seated_within_m;
     if (held) {
       return {Outcome::kDocked,

@@ -33,7 +33,7 @@ void RaposaJudge::Observe() {
 
 Conclusion RaposaJudge::Conclude(const Commands& last, const Belief& belief,
                                  const TrialWatch& watch) {
-  if (last.verdict == Verdict::kDocked) {
+  if (last.verdict == Verdict::kDone) {
     for (Tick t = 0; t < kSettle; t += kControlPeriod) {
       plant_.RefreshTruth();
       Observe();
@@ -50,7 +50,7 @@ Conclusion RaposaJudge::Conclude(const Commands& last, const Belief& belief,
   measures_.seat_m = end.p_SP_R.norm();
   measures_.contact_peak_n = end.contact_peak_n;
   Trial trial;
-  if (last.verdict == Verdict::kDocked && outcome_.holds()) {
+  if (last.verdict == Verdict::kDone && outcome_.holds()) {
     trial = TryToDriveAway(plant_.world(), plant_.built().world.robot, limits_, last,
                            [&](const Truth& now) {
                              plant_.TakeTruth(now);

@@ -22,7 +22,7 @@ Judged JudgePlacement(const EndOfRun& end, const OutcomeLimits& limits) {
   if (end.tilt_rad > limits.tilt_rad) {
     return {Outcome::kTilted, at_most(Fixed(Degrees(limits.tilt_rad), 1) + " deg")};
   }
-  if (end.claimed == Verdict::kDocked) return {Outcome::kPlaced, note};
+  if (end.claimed == Verdict::kDone) return {Outcome::kPlaced, note};
   return {end.claimed == Verdict::kGivenUp ? Outcome::kUnstable : Outcome::kTimeout,
           (end.claimed == Verdict::kGivenUp ? "gave up; " : "ran out of time; ") + note};
 }
@@ -67,7 +67,7 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
                   : "the target was not sighted";
   if (end.on_stone) return {Outcome::kOnStone, "the rover came down on a stone; " + point};
   if (end.places && end.touched) return JudgePlacement(end, limits);
-  if (end.places && end.claimed == Verdict::kDocked) {
+  if (end.places && end.claimed == Verdict::kDone) {
     return {Outcome::kFalsePlace, "claimed a contact; the instrument touched nothing"};
   }
   if (end.tried > 0) {
@@ -75,7 +75,7 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
     if (end.lifted) return {Outcome::kLostGrip, "the stone was lifted and lost; " + point};
     if (end.claimed != Verdict::kUnderWay) {
       const Outcome near =
-          end.claimed == Verdict::kDocked ? Outcome::kFalseGrasp : Outcome::kMissedGrasp;
+          end.claimed == Verdict::kDone ? Outcome::kFalseGrasp : Outcome::kMissedGrasp;
       return {end.point_off_m > limits.wrong_lock_m ? Outcome::kWrongLock
               : end.point_off_m > limits.reach_m    ? Outcome::kOffTarget
                                                     : near,
@@ -83,7 +83,7 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
     }
   }
   switch (end.claimed) {
-    case Verdict::kDocked:
+    case Verdict::kDone:
       if (end.point_off_m <= limits.reach_m) return {Outcome::kOnTarget, point};
       return {end.point_off_m > limits.wrong_lock_m ? Outcome::kWrongLock : Outcome::kNearTarget,
               "claimed to be there; " + point + " (at most " + Millimetres(limits.reach_m) + ")"};

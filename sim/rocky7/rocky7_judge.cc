@@ -99,7 +99,7 @@ void Rocky7Judge::JudgeContact(EndOfRun& told) {
 
 Conclusion Rocky7Judge::Conclude(const Commands& last, const Belief& belief,
                                  const TrialWatch& watch) {
-  if (last.verdict == Verdict::kDocked) Play(last, kSettle, "rest", watch);
+  if (last.verdict == Verdict::kDone) Play(last, kSettle, "rest", watch);
   plant_.RefreshTruth();
   Observe();
   const Truth end = plant_.truth();
@@ -116,7 +116,7 @@ Conclusion Rocky7Judge::Conclude(const Commands& last, const Belief& belief,
                 .estimate_off_m = measures_.estimate_off_m,
                 .on_stone = end.on_stone};
   if (plant_.built().world.boulder) JudgeContact(told);
-  if (last.verdict == Verdict::kDocked && told.grasps) told.held = HoldsOn(last, watch);
+  if (last.verdict == Verdict::kDone && told.grasps) told.held = HoldsOn(last, watch);
   told.lifted = lifted_;
   measures_.rise_m = plant_.truth().target_rise_m;
   const Judged judged = JudgeEnd(told, limits_);

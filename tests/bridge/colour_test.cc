@@ -71,7 +71,7 @@ class ColourController final : public Controller {
     }
     return {.motors = {{.mode = MotorMode::kVelocity, .target = target}},
             .take_images = {kColourCamera},
-            .verdict = sensed.tick >= 200 ? Verdict::kDocked : Verdict::kUnderWay};
+            .verdict = sensed.tick >= 200 ? Verdict::kDone : Verdict::kUnderWay};
   }
   const Belief& belief() const override { return belief_; }
 

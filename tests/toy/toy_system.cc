@@ -27,7 +27,7 @@ class Counting final : public Controller {
     belief_.X_DR = {way_m_ - gone_m, 0.0, kPi};
     Commands commands;
     const bool there = gone_m >= way_m_;
-    if (there) commands.verdict = Verdict::kDocked;
+    if (there) commands.verdict = Verdict::kDone;
     commands.motors.push_back({.mode = there ? MotorMode::kBrake : MotorMode::kVelocity,
                                .target = speed_m_s_ / kWheel_m});
     return commands;
@@ -80,7 +80,7 @@ class AtTheFlag final : public Judge {
   bool fatal() const override { return false; }
   Conclusion Conclude(const Commands& last, const Belief&, const TrialWatch&) override {
     const double miss_m = std::abs(plant_.X_DR().x);
-    const bool claimed = last.verdict == Verdict::kDocked;
+    const bool claimed = last.verdict == Verdict::kDone;
     const char* outcome = !claimed ? "timeout" : miss_m < 0.05 ? "at_flag" : "missed";
     return {outcome, "stopped " + NumberText(miss_m) + " m from the flag", {miss_m}};
   }

@@ -31,7 +31,7 @@ KinematicWorld SoilWorld(const GridStart& start) {
 }
 
 bool Docked(const KinematicRun& run) {
-  return run.verdict == Verdict::kDocked && run.depth_m >= 0.20 && run.entry.has_value();
+  return run.verdict == Verdict::kDone && run.depth_m >= 0.20 && run.entry.has_value();
 }
 
 bool EnteredWell(const KinematicRun& run) {
@@ -98,7 +98,7 @@ TEST(Axel, PlansAnewWhileDrivingOnlyWhenItComesOffItsPlan) {
   world.heading_short = 0.8;  // more than the wheels make up for
   const KinematicRun turns_too_little = RunKinematic(world, start);
   EXPECT_GT(PlansMadeWhileDriving(turns_too_little), 0);
-  EXPECT_EQ(turns_too_little.verdict, Verdict::kDocked);
+  EXPECT_EQ(turns_too_little.verdict, Verdict::kDone);
 }
 
 // The start whose arm leans by the whole of its play.

@@ -136,7 +136,7 @@ int Stops(const KinematicRun& run) {
 
 TEST(LooksUnderWay, SaveStops) {
   const KinematicRun with = DriveLooking({}), without = RunKinematic({}, {5.0, Radians(15.0), 0.0});
-  EXPECT_EQ(with.verdict, Verdict::kDocked);
+  EXPECT_EQ(with.verdict, Verdict::kDone);
   EXPECT_LT(Stops(with), Stops(without));
   EXPECT_GT(with.sightings, without.sightings);
   EXPECT_LT(with.time_s, without.time_s);
@@ -146,7 +146,7 @@ TEST(LooksUnderWay, ASecondLateTheyAreWorthAsMuch) {
   KinematicWorld world;
   world.images_late = 1'000;
   const KinematicRun run = DriveLooking(world);
-  EXPECT_EQ(run.verdict, Verdict::kDocked);
+  EXPECT_EQ(run.verdict, Verdict::kDone);
   EXPECT_EQ(Stops(run), Stops(DriveLooking({})));
   ASSERT_TRUE(run.entry);
   EXPECT_LT(std::abs(run.entry->offset_m), 0.02);
@@ -158,7 +158,7 @@ TEST(LooksUnderWay, CamerasThatAreBlindUnderWayChangeNothingElse) {
   world.images_lost = true;
   const KinematicRun run = DriveLooking(world),
                      without = RunKinematic({}, {5.0, Radians(15.0), 0.0});
-  EXPECT_EQ(run.verdict, Verdict::kDocked);
+  EXPECT_EQ(run.verdict, Verdict::kDone);
   EXPECT_EQ(run.time_s, without.time_s);
   EXPECT_EQ(run.phases, without.phases);
 }

@@ -35,12 +35,12 @@ const ShakeResult kFirm{true, Radians(1.0), 0.005, 0.268};
 TEST(Outcome, DockedNeedsDepthRestTensionAndAFirmShake) {
   OutcomeJudge judge(Station(), {});
   Hold(judge, At(100.0, 0.2704, 0.005, 50.0), 2.0);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, kFirm).outcome, Outcome::kDocked);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(5.0), 0.005, 0.268}).outcome,
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, 0, kFirm).outcome, Outcome::kDocked);
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, 0, {true, Radians(5.0), 0.005, 0.268}).outcome,
             Outcome::kFalseDocked);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, Radians(1.0), 0.02, 0.268}).outcome,
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, 0, {true, Radians(1.0), 0.02, 0.268}).outcome,
             Outcome::kFalseDocked);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {}).outcome, Outcome::kFalseDocked);
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, 0, {}).outcome, Outcome::kFalseDocked);
 }
 
 TEST(Outcome, DockedAfterAnExcursionNeedsNineTenthsOfTheToldWay) {
@@ -54,7 +54,7 @@ TEST(Outcome, DockedAfterAnExcursionNeedsNineTenthsOfTheToldWay) {
     judge.Observe(away);
     Hold(judge, At(100.0, 0.2704, 0.005, 50.0), 2.0);
     EXPECT_NEAR(judge.farthest_m(), way_m, 1e-9);
-    return judge.Conclude(Verdict::kDocked, 0, kFirm).outcome;
+    return judge.Conclude(Verdict::kDone, 0, kFirm).outcome;
   };
   EXPECT_EQ(WentOut(0.0), Outcome::kNotGone);
   EXPECT_EQ(WentOut(8.9), Outcome::kNotGone);
@@ -69,7 +69,7 @@ TEST(Outcome, SeatedIsNoSuccessWhenTheStationWasPushedOrOverloaded) {
   const auto Judged = [&] {
     OutcomeJudge judge(station, {});
     Hold(judge, truth, 2.0);
-    return judge.Conclude(Verdict::kDocked, 0, kFirm).outcome;
+    return judge.Conclude(Verdict::kDone, 0, kFirm).outcome;
   };
   truth.station_shift_m = 0.049;
   truth.cone_force_peak_n = 999.0;
@@ -86,7 +86,7 @@ TEST(Outcome, SeatedIsNoSuccessWhenTheStationWasPushedOrOverloaded) {
 TEST(Outcome, HeldBeforeTheFloorIsPartlySeatedAndNoSuccess) {
   OutcomeJudge judge(Station(), {});
   Hold(judge, At(100.0, 0.264, 0.005, 50.0), 2.0);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, kFirm).outcome, Outcome::kPartlySeated);
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, 0, kFirm).outcome, Outcome::kPartlySeated);
   EXPECT_FALSE(OutcomeNames()[static_cast<std::size_t>(Outcome::kPartlySeated)].success);
 }
 
@@ -94,7 +94,7 @@ TEST(Outcome, ArmThatTheShakePullsOffTheFloorIsPartlySeated) {
   OutcomeJudge judge(Station(), {});
   Hold(judge, At(100.0, 0.2704, 0.005, 50.0), 2.0);
   const ShakeResult pulled{true, Radians(1.0), 0.0074, 0.263};
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, pulled).outcome, Outcome::kPartlySeated);
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, 0, pulled).outcome, Outcome::kPartlySeated);
 }
 
 TEST(Outcome, WithoutAFloorSeatedIsWhatIsReeledIn) {
@@ -102,7 +102,7 @@ TEST(Outcome, WithoutAFloorSeatedIsWhatIsReeledIn) {
   station.cone.stop_depth_m = 0.0;
   OutcomeJudge judge(station, {});
   Hold(judge, At(100.0, 0.246, 0.005, 50.0), 2.0);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {true, 0.0, 0.0, 0.246}).outcome, Outcome::kDocked);
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, 0, {true, 0.0, 0.0, 0.246}).outcome, Outcome::kDocked);
 }
 
 TEST(Outcome, SlackShallowOrMovingHasNotEntered) {
@@ -175,13 +175,13 @@ TEST(Outcome, AFaceCatchIsTheTipPressedOnTheFace) {
 TEST(Outcome, AJamThatTheControllerTakesForADockingIsAJam) {
   OutcomeJudge judge(Station(), {});
   Hold(judge, At(50.0, 0.15, 0.02, 200.0), 10.0);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {}).outcome, Outcome::kJammed);
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, 0, {}).outcome, Outcome::kJammed);
 }
 
 TEST(Outcome, PassingTheMouthOutsideTheFaceMissesTheCone) {
   OutcomeJudge judge(Station(), {});
   Hold(judge, At(50.0, 0.05, 0.3, 20.0), 1.0);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, 0, {}).outcome, Outcome::kMissedCone);
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, 0, {}).outcome, Outcome::kMissedCone);
 }
 
 TEST(Outcome, TheConditionInForceThatBeganFirstNamesTheRun) {
@@ -256,7 +256,7 @@ TEST(Outcome, AFalseClaimNamesTheLimitsThatItMissed) {
     turned.X_DR.R = RotZ(kPi + Radians(5.3));
     OutcomeJudge judge(Station(), {});
     Hold(judge, turned, seconds);
-    return judge.Conclude(Verdict::kDocked, 0, shake).note;
+    return judge.Conclude(Verdict::kDone, 0, shake).note;
   };
   const std::string yaw = ", heading 5.3 deg against the axis";
   EXPECT_EQ(note(At(50.0, 0.189, 0.01, 50.0), 2.0, {}),

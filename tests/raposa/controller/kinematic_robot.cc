@@ -73,7 +73,7 @@ double KinematicRun::ahead_m() const { return (Inverse(X_PC) * Eigen::Vector2d::
 double KinematicRun::aside_m() const { return (Inverse(X_PC) * Eigen::Vector2d::Zero()).y(); }
 double KinematicRun::off_axis_rad() const { return WrapPi(X_PC.heading - kPi); }
 bool KinematicRun::reached() const {
-  return verdict == Verdict::kDocked && std::abs(ahead_m() - 0.09) < 0.05 &&
+  return verdict == Verdict::kDone && std::abs(ahead_m() - 0.09) < 0.05 &&
          std::abs(aside_m()) < 0.015 && std::abs(off_axis_rad()) < Radians(18.0);
 }
 

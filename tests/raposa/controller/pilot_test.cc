@@ -253,7 +253,7 @@ TEST(Pilot, DocksFromEveryPointOfThePapersGridWithinSixTenthsOfItsTimes) {
                            {2.0, 60, 68.34},
                            {2.0, -60, 68.34}}) {
     const Drive drive = RunPilot(cell.r_m, cell.alpha_deg, {});
-    EXPECT_EQ(drive.verdict, Verdict::kDocked) << cell.r_m << " m " << cell.alpha_deg << " deg";
+    EXPECT_EQ(drive.verdict, Verdict::kDone) << cell.r_m << " m " << cell.alpha_deg << " deg";
     EXPECT_LE(drive.time_s, 0.6 * cell.paper_s) << cell.r_m << " m " << cell.alpha_deg << " deg";
   }
 }
@@ -273,7 +273,7 @@ TEST(Pilot, DocksWithBeltsThatTurnOtherwiseThanTold) {
     const double r_m = draw(0.33, 2.5), alpha_deg = draw(-110, 110), aside_deg = draw(-10, 10);
     const Drive drive = RunPilot(r_m, alpha_deg, is, aside_deg);
     pushed += drive.pushed_m >= 0.01;
-    const bool well = drive.verdict == Verdict::kDocked && drive.nearest_m > 0.40;
+    const bool well = drive.verdict == Verdict::kDone && drive.nearest_m > 0.40;
     EXPECT_TRUE(well) << i << ": " << r_m << " m, " << alpha_deg << " deg, aside " << aside_deg
                       << " deg: " << drive.time_s << " s, passes " << drive.passes << ", nearest "
                       << drive.nearest_m << " m, pushed " << drive.pushed_m << " m";
@@ -287,7 +287,7 @@ TEST(Pilot, KeepsTheGuideInViewOnTheWayIn) {
   for (const double alpha_deg : {-6.0, -4.0, 4.0, 6.0}) {
     for (const double aside_deg : {-7.0, 0.0, 7.0}) {
       const Drive drive = RunPilot(0.55, alpha_deg, {}, aside_deg);
-      EXPECT_EQ(drive.verdict, Verdict::kDocked) << alpha_deg << ", aside " << aside_deg;
+      EXPECT_EQ(drive.verdict, Verdict::kDone) << alpha_deg << ", aside " << aside_deg;
       EXPECT_LE(Degrees(drive.aside_rad), 10.0) << alpha_deg << ", aside " << aside_deg;
     }
   }
@@ -311,7 +311,7 @@ TEST(Pilot, BreaksOffAWayInThatBeganOffTheAxis) {
       for (unsigned seed = 1; seed <= 5; ++seed) {
         const StandIn is{.first_turn_rad = Radians(wrong_deg), .seed = seed};
         const Drive drive = RunPilot(r_m, wrong_deg, is);
-        EXPECT_EQ(drive.verdict, Verdict::kDocked) << r_m << " m, " << wrong_deg << " deg";
+        EXPECT_EQ(drive.verdict, Verdict::kDone) << r_m << " m, " << wrong_deg << " deg";
         EXPECT_LT(drive.pushed_m, 0.01) << r_m << " m, " << wrong_deg << " deg, seed " << seed;
       }
     }
@@ -321,7 +321,7 @@ TEST(Pilot, BreaksOffAWayInThatBeganOffTheAxis) {
 TEST(Pilot, TurnsToAGuideAtTheEdgeOfItsView) {
   for (const double aside_deg : {-11.0, 11.0}) {
     const Drive drive = RunPilot(0.6, 0.0, {}, aside_deg);
-    EXPECT_EQ(drive.verdict, Verdict::kDocked) << aside_deg;
+    EXPECT_EQ(drive.verdict, Verdict::kDone) << aside_deg;
     EXPECT_LE(drive.time_s, 20.0) << aside_deg;
   }
 }
@@ -333,7 +333,7 @@ TEST(Pilot, GlancesBesideTheGuideForASquareOutOfView) {
     for (const double aside_deg : {4.0, 7.0}) {
       const Drive drive = RunPilot(0.5, side * 85.0, {}, side * aside_deg);
       EXPECT_LE(drive.located_s, 3.0) << side << ", aside " << aside_deg;
-      EXPECT_EQ(drive.verdict, Verdict::kDocked) << side << ", aside " << aside_deg;
+      EXPECT_EQ(drive.verdict, Verdict::kDone) << side << ", aside " << aside_deg;
     }
   }
 }
@@ -341,7 +341,7 @@ TEST(Pilot, GlancesBesideTheGuideForASquareOutOfView) {
 TEST(Pilot, TellsTwoPosesApartByMoving) {
   for (const double alpha_deg : {-80.0, -40.0, 40.0, 80.0, 110.0}) {
     const Drive drive = RunPilot(1.5, alpha_deg, {.two_fits = true, .seed = 3});
-    EXPECT_EQ(drive.verdict, Verdict::kDocked) << alpha_deg;
+    EXPECT_EQ(drive.verdict, Verdict::kDone) << alpha_deg;
   }
 }
 
@@ -350,7 +350,7 @@ TEST(Pilot, GoesOnToAFarGuideThatShowsInFewPictures) {
   for (const double alpha_deg : {-60.0, 0.0, 30.0}) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
       const Drive drive = RunPilot(3.0, alpha_deg, {.sees_far = 0.03, .seed = seed}, 3.0);
-      EXPECT_EQ(drive.verdict, Verdict::kDocked) << alpha_deg << " " << seed;
+      EXPECT_EQ(drive.verdict, Verdict::kDone) << alpha_deg << " " << seed;
       EXPECT_LE(drive.time_s, 80.0) << alpha_deg << " " << seed;
     }
   }
@@ -360,7 +360,7 @@ TEST(Pilot, GoesOnToAFarGuideThatShowsInFewPictures) {
 TEST(Pilot, GoesRoundAGuideThatShowsNoMarksFromWhereItStands) {
   for (const double alpha_deg : {-175.0, -120.0, -90.0, 90.0, 120.0, 175.0}) {
     const Drive drive = RunPilot(1.2, alpha_deg, {.marks_to_rad = Radians(70.0)});
-    EXPECT_EQ(drive.verdict, Verdict::kDocked) << alpha_deg;
+    EXPECT_EQ(drive.verdict, Verdict::kDone) << alpha_deg;
     EXPECT_LE(drive.time_s, 150.0) << alpha_deg;
     EXPECT_GE(drive.nearest_m, 0.40) << alpha_deg;
   }
@@ -372,7 +372,7 @@ TEST(Pilot, ComesBackFromBehindThePyramid) {
   for (const double alpha_deg : {-110.0, -95.0, 95.0, 110.0}) {
     const Drive drive =
         RunPilot(1.5, alpha_deg, {.marks_to_rad = Radians(70.0), .guide_to_rad = Radians(125.0)});
-    EXPECT_EQ(drive.verdict, Verdict::kDocked) << alpha_deg;
+    EXPECT_EQ(drive.verdict, Verdict::kDone) << alpha_deg;
     EXPECT_GE(drive.nearest_m, 0.40) << alpha_deg;
   }
 }

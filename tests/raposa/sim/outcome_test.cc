@@ -26,8 +26,8 @@ TEST(RaposaOutcome, ClaimHoldsWhenTheGuideFollowsItAway) {
   OutcomeJudge judge{OutcomeLimits{}};
   Hold(judge, At(30.0, 0.001, 0.006), 1.0);
   EXPECT_TRUE(judge.holds());
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, kFollows).outcome, Outcome::kDocked);
-  EXPECT_EQ(judge.Conclude(Verdict::kDocked, kComesLoose).outcome, Outcome::kFalseDocked);
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, kFollows).outcome, Outcome::kDocked);
+  EXPECT_EQ(judge.Conclude(Verdict::kDone, kComesLoose).outcome, Outcome::kFalseDocked);
 }
 
 TEST(RaposaOutcome, OpenDoorsOrAGuideOutsideHoldNothing) {
@@ -35,7 +35,7 @@ TEST(RaposaOutcome, OpenDoorsOrAGuideOutsideHoldNothing) {
     OutcomeJudge judge{OutcomeLimits{}};
     Hold(judge, truth, 1.0);
     EXPECT_FALSE(judge.holds());
-    EXPECT_EQ(judge.Conclude(Verdict::kDocked, {}).outcome, Outcome::kFalseDocked);
+    EXPECT_EQ(judge.Conclude(Verdict::kDone, {}).outcome, Outcome::kFalseDocked);
   }
 }
 

@@ -17,9 +17,9 @@ Outcome Of(Verdict claimed, double point_off_m, double estimate_off_m, bool on_s
 }
 
 TEST(Rocky7Outcome, TheTruthDecidesNotTheClaim) {
-  EXPECT_EQ(Of(Verdict::kDocked, 0.009, 0.0), Outcome::kOnTarget);
-  EXPECT_EQ(Of(Verdict::kDocked, 0.011, 0.0), Outcome::kNearTarget);
-  EXPECT_EQ(Of(Verdict::kDocked, 0.031, 0.0), Outcome::kWrongLock);
+  EXPECT_EQ(Of(Verdict::kDone, 0.009, 0.0), Outcome::kOnTarget);
+  EXPECT_EQ(Of(Verdict::kDone, 0.011, 0.0), Outcome::kNearTarget);
+  EXPECT_EQ(Of(Verdict::kDone, 0.031, 0.0), Outcome::kWrongLock);
   EXPECT_EQ(Of(Verdict::kGivenUp, 0.005, 0.0), Outcome::kUnstable);
   EXPECT_EQ(Of(Verdict::kGivenUp, 0.005, 0.04), Outcome::kLostTarget);
   EXPECT_EQ(Of(Verdict::kUnderWay, 0.005, 0.0), Outcome::kTimeout);
@@ -36,7 +36,7 @@ TEST(Rocky7Outcome, GivingUpWithoutASightingIsSaidToBeThat) {
 }
 
 TEST(Rocky7Outcome, ARoverOnAStoneHasLeftTheModel) {
-  EXPECT_EQ(Of(Verdict::kDocked, 0.001, 0.0, true), Outcome::kOnStone);
+  EXPECT_EQ(Of(Verdict::kDone, 0.001, 0.0, true), Outcome::kOnStone);
   EXPECT_EQ(Of(Verdict::kUnderWay, 1.0, 0.0, true), Outcome::kOnStone);
 }
 
@@ -52,19 +52,19 @@ Outcome AfterGrasp(Verdict claimed, bool lifted, bool held, double point_off_m =
 }
 
 TEST(Rocky7Outcome, AGraspIsCountedWhenTheStoneIsHeldNotWhenTheScoopsAreClosed) {
-  EXPECT_EQ(AfterGrasp(Verdict::kDocked, true, true), Outcome::kGrasped);
-  EXPECT_EQ(AfterGrasp(Verdict::kDocked, true, false), Outcome::kLostGrip);
+  EXPECT_EQ(AfterGrasp(Verdict::kDone, true, true), Outcome::kGrasped);
+  EXPECT_EQ(AfterGrasp(Verdict::kDone, true, false), Outcome::kLostGrip);
   EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, true, false), Outcome::kLostGrip);
-  EXPECT_EQ(AfterGrasp(Verdict::kDocked, false, false), Outcome::kFalseGrasp);
+  EXPECT_EQ(AfterGrasp(Verdict::kDone, false, false), Outcome::kFalseGrasp);
   EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, false, false), Outcome::kMissedGrasp);
-  EXPECT_EQ(AfterGrasp(Verdict::kDocked, false, false, 0.05), Outcome::kWrongLock);
+  EXPECT_EQ(AfterGrasp(Verdict::kDone, false, false, 0.05), Outcome::kWrongLock);
   EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, false, false, 0.02), Outcome::kOffTarget);
   EXPECT_EQ(AfterGrasp(Verdict::kGivenUp, false, false, 0.05), Outcome::kWrongLock);
 }
 
 EndOfRun Touched(double off_m, double tilt_deg, double most_n) {
   EndOfRun end;
-  end.claimed = Verdict::kDocked;
+  end.claimed = Verdict::kDone;
   end.places = end.touched = true;
   end.point_off_m = off_m;
   end.tilt_rad = Radians(tilt_deg);
