@@ -28,6 +28,12 @@ constexpr double kApart_m = 0.005;
 constexpr double kRoverRadius_m = 0.45;
 const Eigen::Vector2d kMiddle_R(0.17, 0.0);
 
+void CheckStep(const Scenario& scenario) {
+  if (scenario.physics_step_s <= kLongestStep_s) return;
+  throw ConfigError(scenario.step_place + ": expected at most " + NumberText(kLongestStep_s) +
+                    " s for Rocky 7, found " + NumberText(scenario.physics_step_s));
+}
+
 void CheckYard(const Scenario& scenario) {
   if (scenario.yard.cell_m <= kCoarsest_m) return;
   throw ConfigError(scenario.yard_place + ": expected yard.cell_m of at most " +
@@ -88,6 +94,7 @@ std::vector<ConvexBody> Stones(const Scenario& scenario, const Rocky7Keys& keys,
 }  // namespace
 
 BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
+  CheckStep(scenario);
   CheckYard(scenario);
   CheckCarries(models.built.soil, scenario.soil_file, models.built.robot.rover.tyre.width_m);
   const RobotModel& robot = models.built.robot;
