@@ -19,7 +19,7 @@ std::vector<MotorTruth> Motors(const Truth& truth) {
   std::vector<MotorTruth> motors(kMotorCount);
   for (std::size_t i = 0; i < motors.size(); ++i) {
     motors[i] = {truth.motor_angle_rad[i], truth.motor_speed_rad_s[i], truth.motor_torque_nm[i],
-                 truth.motor_current_a[i]};
+                 truth.motor_current_a[i], truth.motor_lead_rad[i]};
   }
   return motors;
 }

@@ -34,7 +34,8 @@ RaposaPlant::RaposaPlant(const Scenario& scenario, BuiltRun built,
       step_s_(scenario.physics_step_s),
       built_(std::move(built)),
       world_(built_.world),
-      sensors_(ImuModel{}, MotorModels(built_.world.robot), kControlPeriod, seed_),
+      sensors_(built_.world.robot.imu.value_or(ImuModel{}), MotorModels(built_.world.robot),
+               kControlPeriod, seed_),
       scene_(built_, LightingOf(scenario, built_), seed_),
       view_(ViewOf(built_.world.robot.camera)),
       sensor_(SensorOf(built_.world.robot.camera, built_.keys.balance_k, built_.keys.auto_balance)),
@@ -42,10 +43,11 @@ RaposaPlant::RaposaPlant(const Scenario& scenario, BuiltRun built,
       truth_(world_.truth()),
       exposed_(truth_) {}
 
-// The robot has no inertial unit: its sample stays zero.
+// Without an inertial unit its sample stays zero.
 SensorFrame RaposaPlant::Sense() {
   RefreshTruth();
-  return sensors_.Read(world_.tick(), {truth_.motors.begin(), truth_.motors.end()}, ImuSample{});
+  const TrueImu imu = built_.world.robot.imu ? world_.TakeTrueImu() : TrueImu(ImuSample{});
+  return sensors_.Read(world_.tick(), {truth_.motors.begin(), truth_.motors.end()}, imu);
 }
 
 std::vector<CameraImage> RaposaPlant::TakeImages(const std::vector<int>& cameras,

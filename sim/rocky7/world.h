@@ -79,7 +79,7 @@ class World {
   Tick tick() const { return std::llround(time_s() / kTickSeconds); }
   Truth truth() const;
   /// Averages since the last call.
-  ImuSample TakeTrueImu();
+  TrueImu TakeTrueImu();
   const WheeledBody& rover() const { return rover_; }
   const LooseStones& loose() const { return loose_; }
   const HeightGrid& ground() const { return setup_.ground; }
