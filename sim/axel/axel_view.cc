@@ -47,14 +47,14 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   AddParts(rocks_, X_WG_, scene.objects);
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
   scene.ground = ViewOf(ground, X_WG_, soil_rgb_, texture_seed_);
-  scene.board.board = board_;
-  scene.board.X_WB = truth.X_WS * X_SB_;
-  scene.board.p_BH = cutout_.p_B;
-  scene.board.hole_radius_m = cutout_.radius_m;
-  scene.board.dust_cover = lighting_.board_dust;
-  scene.board.dusty_spots = lighting_.dusty_spots;
-  scene.board.dust_seed = texture_seed_;
-  scene.board.dust_albedo = soil_rgb_;
+  scene.boards.push_back({.board = board_,
+                          .X_WB = truth.X_WS * X_SB_,
+                          .p_BH = cutout_.p_B,
+                          .hole_radius_m = cutout_.radius_m,
+                          .dust_cover = lighting_.board_dust,
+                          .dusty_spots = lighting_.dusty_spots,
+                          .dust_seed = texture_seed_,
+                          .dust_albedo = soil_rgb_});
   scene.tether.points_W = truth.tether_W;
   scene.tether.diameter_m = tether_diameter_m_;
   scene.light = lighting_.sun_and_sky;
