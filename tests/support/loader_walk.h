@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "controller/base/number_text.h"
+#include "models/parts/motor.h"
 #include "models/read/as_built.h"
 #include "models/read/config_error.h"
 #include "models/read/yaml_path.h"
@@ -22,6 +23,19 @@ using LoadChanged = std::function<void(const ModelChanges&)>;
 /// Values of a loaded model by dotted path, in the units of its file.
 using FileValues = std::map<std::string, double>;
 inline const std::string kNoError = "no error";
+
+inline void AddMotor(const std::string& at, const MotorModel& m, FileValues& values) {
+  values.merge(FileValues{{at + ".torque_per_amp_nm", m.torque_per_amp_nm},
+                          {at + ".no_load_current_a", m.no_load_current_a},
+                          {at + ".max_current_a", m.max_current_a},
+                          {at + ".gear_friction_nm", m.gear_friction_nm},
+                          {at + ".brake_torque_nm", m.brake_torque_nm},
+                          {at + ".max_speed_rad_s", m.max_speed_rad_s},
+                          {at + ".max_accel_rad_s2", m.max_accel_rad_s2},
+                          {at + ".reflected_inertia_kg_m2", m.reflected_inertia_kg_m2},
+                          {at + ".counts_per_rev", m.counts_per_rev},
+                          {at + ".current_noise_a", m.current_noise_a}});
+}
 
 /// The numbers of a tree. Spreads are none of the model itself.
 inline void CollectNumbers(const YamlNode& node, const std::string& path, FileValues& numbers) {

@@ -19,19 +19,6 @@ const char* const kName = "models/rocky7/rocky7.yaml";
 std::string File() { return SourceFile(kName); }
 void Load(const ModelChanges& changes) { LoadRobot(File(), changes); }
 
-void AddMotor(const std::string& at, const MotorModel& m, FileValues& values) {
-  values.merge(FileValues{{at + ".torque_per_amp_nm", m.torque_per_amp_nm},
-                          {at + ".no_load_current_a", m.no_load_current_a},
-                          {at + ".max_current_a", m.max_current_a},
-                          {at + ".gear_friction_nm", m.gear_friction_nm},
-                          {at + ".brake_torque_nm", m.brake_torque_nm},
-                          {at + ".max_speed_rad_s", m.max_speed_rad_s},
-                          {at + ".max_accel_rad_s2", m.max_accel_rad_s2},
-                          {at + ".reflected_inertia_kg_m2", m.reflected_inertia_kg_m2},
-                          {at + ".counts_per_rev", m.counts_per_rev},
-                          {at + ".current_noise_a", m.current_noise_a}});
-}
-
 void AddPlan(const RoverPlan& plan, FileValues& values) {
   values.merge(FileValues{{"speed_m_s", plan.speed_m_s},
                           {"steer_rate_deg_s", Degrees(plan.steer_rate_rad_s)},
