@@ -59,7 +59,7 @@ std::string Check(const Scenario& scenario) {
   const Rocky7Models models = LoadModels(scenario);
   BuildRun(scenario, models);
   const double width_m =
-      models.keys.task == "place" ? models.keys.boulder_m : models.keys.diameter_m;
+      models.keys.task == Task::kPlace ? models.keys.boulder_m : models.keys.diameter_m;
   return models.told.robot.rover.plan.name + " from " + NumberText(scenario.start.r) +
          " m to a stone of " + NumberText(1e3 * width_m) + " mm on " + models.told.soil.name;
 }

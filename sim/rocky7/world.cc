@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <variant>
 
+#include "controller/base/check.h"
 #include "sim/base/hash.h"
 #include "sim/rocky7/boulder_meeting.h"
 
@@ -43,9 +43,7 @@ World::World(const WorldSetup& setup)
              {.friction = setup.stone_friction}),
       face_(setup.robot.rover.mast->instrument, rover_.mast_link(kMastElbow),
             setup.robot.rover.mast->link2_m) {
-  if (!(setup.step_s > 0.0 && setup.step_s <= 2e-3)) {
-    throw std::invalid_argument("physics step must be in (0, 2] ms");
-  }
+  DOCKYARD_CHECK(setup.step_s > 0.0 && setup.step_s <= kLongestStep_s);
   if (setup.loose_target) {
     loose_.Add(LooseStone(*setup.loose_target, kStoneDensity_kg_m3,
                           StandingAt(*setup.loose_target, {0.0, 0.0}, setup.target_turn_rad,

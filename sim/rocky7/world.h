@@ -22,6 +22,9 @@
 
 namespace dockyard::rocky7 {
 
+/// Longer steps do not hold the contacts of scoops and stones. Assumed, 1-2 ms.
+inline constexpr double kLongestStep_s = 2e-3;
+
 struct WorldSetup {
   RobotModel robot;
   SoilModel soil;
@@ -68,8 +71,7 @@ struct Truth {
 
 class World {
  public:
-  /// The rover stands braked until it has come to rest. Throws std::invalid_argument for a step out
-  /// of (0, 2] ms.
+  /// The rover is braked until it has come to rest. The step must be in (0, kLongestStep_s].
   explicit World(const WorldSetup& setup);
 
   /// One step with the drives obeying these commands.

@@ -77,7 +77,7 @@ struct Scenario {
   std::uint64_t controller_seed = 1;               // of the program's own draws
   DockingCoords start{.r = 4.0};
   // "file:line:column: start", for messages
-  std::string start_place, camera_place, yard_place, rocks_place, sun_place;
+  std::string start_place, camera_place, yard_place, rocks_place, sun_place, step_place;
   Light light = Light::kEven;
   SunModel sun;
   YardModel yard;

@@ -1,4 +1,4 @@
-#include "controller/rocky7/ground_eye.h"
+#include "controller/rocky7/ground_stereo.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +33,10 @@ Plane GroundIn(const Nominal& nominal, const ImuSample& attitude) {
 
 }  // namespace
 
-GroundEye::GroundEye(const Nominal& nominal) : nominal_(nominal), rectifier_(nominal.front) {}
+GroundStereo::GroundStereo(const Nominal& nominal) : nominal_(nominal), rectifier_(nominal.front) {}
 
-GroundSeen GroundEye::Look(const StereoImages& images, const ImuSample& attitude) const {
-  GroundSeen seen;
+GroundScan GroundStereo::Look(const StereoImages& images, const ImuSample& attitude) const {
+  GroundScan seen;
   seen.ground_R = GroundIn(nominal_, attitude);
   seen.X_RE = FrameOn(seen.ground_R);
   const PlaneDisparity ground = DisparityOf(rectifier_.pair(), seen.ground_R);
@@ -44,7 +44,7 @@ GroundSeen GroundEye::Look(const StereoImages& images, const ImuSample& attitude
   return seen;
 }
 
-GroundMaps GroundEye::MapsAbout(const GroundSeen& seen, const Eigen::Vector2d& p_E) const {
+GroundMaps GroundStereo::MapsAbout(const GroundScan& seen, const Eigen::Vector2d& p_E) const {
   const RectifiedPair& pair = rectifier_.pair();
   const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
   const double away_m = (p_E - p_EC.head<2>()).norm(), up_m = std::max(0.05, p_EC.z());
@@ -65,7 +65,7 @@ GroundMaps GroundEye::MapsAbout(const GroundSeen& seen, const Eigen::Vector2d& p
   return maps;
 }
 
-GroundPicture GroundEye::PictureAhead(const GroundSeen& seen, const StereoImages& images) const {
+GroundPicture GroundStereo::PictureAhead(const GroundScan& seen, const StereoImages& images) const {
   const RectifiedPair& pair = rectifier_.pair();
   const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
   ElevationMap heights =
@@ -79,8 +79,8 @@ GroundPicture GroundEye::PictureAhead(const GroundSeen& seen, const StereoImages
   return FromAbove(pair, rectifier_.Rectified(images).left, heights);
 }
 
-std::optional<Eigen::Vector2d> GroundEye::PlaceOf(const GroundSeen& seen,
-                                                  const Eigen::Vector2d& pixel) const {
+std::optional<Eigen::Vector2d> GroundStereo::PlaceOf(const GroundScan& seen,
+                                                     const Eigen::Vector2d& pixel) const {
   const RectifiedPair& pair = rectifier_.pair();
   const Eigen::Vector3d ray_C =
       pair.X_RC.R.transpose() * nominal_.front.X_RL.R * nominal_.front.left.Direction(pixel);
@@ -102,8 +102,8 @@ std::optional<Eigen::Vector2d> GroundEye::PlaceOf(const GroundSeen& seen,
   return p_E.head<2>().eval();
 }
 
-std::optional<Clicked> GroundEye::ClickOf(const GroundSeen& seen,
-                                          const Eigen::Vector2d& pixel) const {
+std::optional<Clicked> GroundStereo::ClickOf(const GroundScan& seen,
+                                             const Eigen::Vector2d& pixel) const {
   const auto p_E = PlaceOf(seen, pixel);
   if (!p_E) return std::nullopt;
   const Eigen::Matrix3d R_EL = seen.X_RE.R.transpose() * nominal_.front.X_RL.R;

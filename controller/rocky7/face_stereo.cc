@@ -1,4 +1,4 @@
-#include "controller/rocky7/face_eye.h"
+#include "controller/rocky7/face_stereo.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,11 +61,12 @@ Pose3 LevelFrame(const Nominal& nominal, const ImuSample& attitude) {
           Eigen::Vector3d(0.0, 0.0, nominal.rolling_radius_m)};
 }
 
-FaceEye::FaceEye(const Nominal& nominal) : nominal_(nominal), rectifier_(nominal.mast.pair_K) {}
+FaceStereo::FaceStereo(const Nominal& nominal)
+    : nominal_(nominal), rectifier_(nominal.mast.pair_K) {}
 
-FaceView FaceEye::Look(const StereoImages& images, const MastAngles& angles,
-                       const ImuSample& attitude,
-                       const std::optional<Eigen::Vector3d>& p_ET) const {
+FaceView FaceStereo::Look(const StereoImages& images, const MastAngles& angles,
+                          const ImuSample& attitude,
+                          const std::optional<Eigen::Vector3d>& p_ET) const {
   FaceView view;
   view.X_ER = LevelFrame(nominal_, attitude);
   view.X_EK = view.X_ER * SecondLink(nominal_.mast, angles);
@@ -83,15 +84,15 @@ FaceView FaceEye::Look(const StereoImages& images, const MastAngles& angles,
   return view;
 }
 
-Eigen::Vector2d FaceEye::Rectified(const Eigen::Vector2d& pixel) const {
+Eigen::Vector2d FaceStereo::Rectified(const Eigen::Vector2d& pixel) const {
   const RectifiedPair& pair = rectifier_.pair();
   const StereoRig& rig = nominal_.mast.pair_K;
   const Eigen::Vector3d ray_C = pair.X_RC.R.transpose() * rig.X_RL.R * rig.left.Direction(pixel);
   return pair.centre_px + pair.focal_px * ray_C.head<2>() / std::max(1e-3, ray_C.z());
 }
 
-std::optional<Eigen::Vector2d> FaceEye::Pixel(const FaceView& view, const Eigen::Vector3d& p_E,
-                                              bool right) const {
+std::optional<Eigen::Vector2d> FaceStereo::Pixel(const FaceView& view, const Eigen::Vector3d& p_E,
+                                                 bool right) const {
   const StereoRig& rig = nominal_.mast.pair_K;
   const Pose3 X_EC = view.X_EK * (right ? rig.X_RQ : rig.X_RL);
   const Camera& camera = right ? rig.right : rig.left;
@@ -99,8 +100,8 @@ std::optional<Eigen::Vector2d> FaceEye::Pixel(const FaceView& view, const Eigen:
   return pixel && camera.Sees(*pixel) ? pixel : std::nullopt;
 }
 
-std::optional<FacePlane> FaceEye::PlaneAt(const FaceView& view,
-                                          const Eigen::Vector2d& pixel) const {
+std::optional<FacePlane> FaceStereo::PlaneAt(const FaceView& view,
+                                             const Eigen::Vector2d& pixel) const {
   const auto p_C = PointUnder(view.pair, view.disparities, pixel);
   if (!p_C) return std::nullopt;
   const FacePlaneSettings settings{.radius_m =
@@ -125,8 +126,8 @@ std::optional<FacePlane> FaceEye::PlaneAt(const FaceView& view,
   return plane;
 }
 
-ElevationMap FaceEye::HeightsAbout(const FaceView& view, const Eigen::Vector2d& p_E,
-                                   double half_m) const {
+ElevationMap FaceStereo::HeightsAbout(const FaceView& view, const Eigen::Vector2d& p_E,
+                                      double half_m) const {
   ElevationSettings settings{.x_low_m = p_E.x() - half_m,
                              .x_high_m = p_E.x() + half_m,
                              .y_low_m = p_E.y() - half_m,

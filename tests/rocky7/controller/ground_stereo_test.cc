@@ -1,4 +1,4 @@
-#include "controller/rocky7/ground_eye.h"
+#include "controller/rocky7/ground_stereo.h"
 
 #include <gtest/gtest.h>
 
@@ -29,22 +29,22 @@ struct Sample {
   }
 };
 
-TEST(GroundEye, PlacesAClickOnAStoneWithinACentimetreAndAHalf) {
+TEST(GroundStereo, PlacesAClickOnAStoneWithinACentimetreAndAHalf) {
   for (const auto& [x, y] : {std::pair{0.7, 0.05}, {1.0, -0.2}}) {
     const Sample sample(x, y);
-    const GroundEye eye(sample.nominal);
-    const GroundSeen seen = eye.Look(sample.images, {});
-    const auto at = eye.PlaceOf(seen, sample.top_px);
+    const GroundStereo stereo(sample.nominal);
+    const GroundScan seen = stereo.Look(sample.images, {});
+    const auto at = stereo.PlaceOf(seen, sample.top_px);
     ASSERT_TRUE(at);
     EXPECT_NEAR(at->x(), x - 0.02, 0.015);
     EXPECT_NEAR(at->y(), y, 0.006);
   }
 }
 
-TEST(GroundEye, MapsTheStoneAndTheGroundAboutItWithoutGaps) {
+TEST(GroundStereo, MapsTheStoneAndTheGroundAboutItWithoutGaps) {
   const Sample sample(0.8, 0.1);
-  const GroundEye eye(sample.nominal);
-  const ElevationMap map = eye.MapsAbout(eye.Look(sample.images, {}), {0.8, 0.1}).closed;
+  const GroundStereo stereo(sample.nominal);
+  const ElevationMap map = stereo.MapsAbout(stereo.Look(sample.images, {}), {0.8, 0.1}).closed;
   int known = 0;
   double top_m = -1.0;
   for (int i = 0; i < map.nx * map.ny; ++i) {
@@ -59,12 +59,12 @@ TEST(GroundEye, MapsTheStoneAndTheGroundAboutItWithoutGaps) {
   EXPECT_NEAR(top_m, 0.03, 0.006);
 }
 
-TEST(GroundEye, SeesNoPlaceAboveTheGround) {
+TEST(GroundStereo, SeesNoPlaceAboveTheGround) {
   const Sample sample(0.8, 0.1);
-  const GroundEye eye(sample.nominal);
-  GroundSeen seen = eye.Look(sample.images, {});
+  const GroundStereo stereo(sample.nominal);
+  GroundScan seen = stereo.Look(sample.images, {});
   for (float& px : seen.disparities.px) px = std::nanf("");
-  EXPECT_FALSE(eye.PlaceOf(seen, sample.top_px));
+  EXPECT_FALSE(stereo.PlaceOf(seen, sample.top_px));
 }
 
 }  // namespace

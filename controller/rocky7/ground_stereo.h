@@ -15,7 +15,7 @@ namespace dockyard::rocky7 {
 
 /// What one pair of pictures shows. Frame E: the rover's R brought down on the ground, level, x
 /// ahead.
-struct GroundSeen {
+struct GroundScan {
   Plane ground_R;  // level, at the height of the wheels' lowest points
   Pose3 X_RE;
   Disparities disparities;
@@ -36,26 +36,26 @@ struct Clicked {
   double sigma_rad = 0.0;          // of the ray along each side of the picture
 };
 
-class GroundEye {
+class GroundStereo {
  public:
-  explicit GroundEye(const Nominal& nominal);
+  explicit GroundStereo(const Nominal& nominal);
 
   /// The pictures were taken at the attitude of this sample.
-  GroundSeen Look(const StereoImages& images, const ImuSample& attitude) const;
+  GroundScan Look(const StereoImages& images, const ImuSample& attitude) const;
 
   /// The place of the ground, in E, that a pixel of the left camera shows; none without range data
   /// about it.
-  std::optional<Eigen::Vector2d> PlaceOf(const GroundSeen& seen,
+  std::optional<Eigen::Vector2d> PlaceOf(const GroundScan& seen,
                                          const Eigen::Vector2d& pixel) const;
 
   /// The click with the place that it shows; none as above.
-  std::optional<Clicked> ClickOf(const GroundSeen& seen, const Eigen::Vector2d& pixel) const;
+  std::optional<Clicked> ClickOf(const GroundScan& seen, const Eigen::Vector2d& pixel) const;
 
   /// Heights about a place of E.
-  GroundMaps MapsAbout(const GroundSeen& seen, const Eigen::Vector2d& p_E) const;
+  GroundMaps MapsAbout(const GroundScan& seen, const Eigen::Vector2d& p_E) const;
 
   /// The ground ahead from above, of the pictures that Look() got.
-  GroundPicture PictureAhead(const GroundSeen& seen, const StereoImages& images) const;
+  GroundPicture PictureAhead(const GroundScan& seen, const StereoImages& images) const;
 
  private:
   Nominal nominal_;

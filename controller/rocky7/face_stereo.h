@@ -13,7 +13,7 @@
 
 namespace dockyard::rocky7 {
 
-/// X_ER. Frame E: the rover's R brought down on the ground, level, x ahead; as GroundEye has it.
+/// X_ER. Frame E: the rover's R brought down on the ground, level, x ahead; as GroundStereo has it.
 Pose3 LevelFrame(const Nominal& nominal, const ImuSample& attitude);
 
 /// What one pair of pictures shows.
@@ -24,9 +24,9 @@ struct FaceView {
   Pose3 X_ER, X_EK;
 };
 
-class FaceEye {
+class FaceStereo {
  public:
-  explicit FaceEye(const Nominal& nominal);
+  explicit FaceStereo(const Nominal& nominal);
 
   /// @param angles  of the mast when the pictures were taken, at the attitude of the sample
   /// @param p_ET    where the target is expected; none: anywhere from 1.8 m on
