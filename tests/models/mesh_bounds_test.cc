@@ -251,7 +251,7 @@ TEST(GltfBounds, CountsAndLengthsAreThoseOfAMesh) {
   EXPECT_THAT(
       MessageFor("a.glb",
                  Glb(Replaced(large, "\"byteLength\":36}]}", "\"byteLength\":3600000}]}"), zeros)),
-      HasSubstr("more than 500000 triangles"));
+      HasSubstr("more than 1500000 vertices"));
 }
 
 TEST(Gltf, NodesPlaceWhatTheyHoldByMatrixOrByScaleRotationAndTranslation) {
