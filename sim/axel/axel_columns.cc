@@ -9,7 +9,8 @@ std::vector<Column> Channels() {
 }
 
 std::vector<Column> Measures() {
-  return MeasuresVisited([](const auto& visit) { VisitMeasures({}, visit); });
+  return WithMargins(MeasuresVisited([](const auto& visit) { VisitMeasures({}, visit); }),
+                     OutcomeJudge({}, {}).Limits({}));
 }
 
 std::vector<Column> Beliefs() {

@@ -102,7 +102,7 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
 }
 
 std::vector<Column> Channels();
-std::vector<Column> Measures();
+std::vector<Column> Measures();  // and the limits' margins
 /// Names of the values that the controllers' beliefs may hold.
 std::vector<Column> Beliefs();
 std::vector<double> Values(const AxelMeasures& measures);

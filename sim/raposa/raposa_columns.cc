@@ -1,6 +1,7 @@
 #include "sim/raposa/raposa_columns.h"
 
 #include "sim/log/visited_columns.h"
+#include "sim/raposa/outcome.h"
 
 namespace dockyard::raposa {
 
@@ -9,7 +10,8 @@ std::vector<Column> Channels() {
 }
 
 std::vector<Column> Measures() {
-  return MeasuresVisited([](const auto& visit) { VisitMeasures({}, visit); });
+  return WithMargins(MeasuresVisited([](const auto& visit) { VisitMeasures({}, visit); }),
+                     OutcomeJudge(OutcomeLimits{}).Limits({}, {}));
 }
 
 std::vector<Column> Beliefs() {

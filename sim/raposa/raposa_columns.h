@@ -67,7 +67,7 @@ void VisitMeasures(const RaposaMeasures& m, Visit&& visit) {
 }
 
 std::vector<Column> Channels();
-std::vector<Column> Measures();
+std::vector<Column> Measures();  // and the limits' margins
 /// Names of the values that the controllers' beliefs may hold.
 std::vector<Column> Beliefs();
 std::vector<double> Values(const RaposaMeasures& measures);

@@ -1,6 +1,7 @@
 #include "sim/rocky7/rocky7_columns.h"
 
 #include "sim/log/visited_columns.h"
+#include "sim/rocky7/outcome.h"
 
 namespace dockyard::rocky7 {
 
@@ -9,7 +10,8 @@ std::vector<Column> Channels() {
 }
 
 std::vector<Column> Measures() {
-  return MeasuresVisited([](const auto& visit) { VisitMeasures({}, visit); });
+  return WithMargins(MeasuresVisited([](const auto& visit) { VisitMeasures({}, visit); }),
+                     LimitsOf({}, {}));
 }
 
 std::vector<Column> Beliefs() {

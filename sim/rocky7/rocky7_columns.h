@@ -65,7 +65,7 @@ void VisitMeasures(const Rocky7Measures& m, Visit&& visit) {
 }
 
 std::vector<Column> Channels();
-std::vector<Column> Measures();
+std::vector<Column> Measures();  // and the limits' margins
 /// Names of the values that the controllers' beliefs may hold.
 std::vector<Column> Beliefs();
 std::vector<double> Values(const Rocky7Measures& measures);

@@ -46,6 +46,7 @@ ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>
   ReadyRun ready;
   ready.nominal = ToJson(nominal);
   ready.control_period = kControlPeriod;
+  ready.success_word = Name(SuccessOf(nominal.task));
   ready.motor_count = static_cast<int>(nominal.motors.size());
   ready.camera_count = kCameraCount;
   ready.contact_count = kContactCount;

@@ -17,7 +17,7 @@ std::string Joined(const std::vector<std::string>& names) {
 }  // namespace
 
 RowColumns System::Columns(std::vector<std::string> labels) const {
-  RowColumns columns{std::move(labels), measures, outcomes};
+  RowColumns columns{std::move(labels), measures, outcomes, false};
   columns.outcomes.push_back(
       {kControllerCrashed, false, "the controller's program ended before the run did"});
   columns.outcomes.push_back(

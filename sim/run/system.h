@@ -31,6 +31,7 @@ struct ReadyRun {
   std::unique_ptr<Judge> judge;
   Json nominal;  // the nominal parameters that the controller gets; no truth
   Tick control_period = 20;
+  std::string success_word;  // the outcome that the task asks for; empty: the first success
   int motor_count = 0, camera_count = 0, switch_count = 0, contact_count = 0;
   // Names for the log, in the controller's order; nominal numbers. May be empty.
   std::vector<NamedMotor> motors{};
@@ -90,7 +91,8 @@ struct System {
   std::string name;                          // the key `system` of a scenario
   std::vector<ControllerEntry> controllers;  // the first is the default
   std::vector<OutcomeName> outcomes;
-  std::vector<Column> channels, beliefs, measures;
+  std::vector<Column> channels, beliefs;
+  std::vector<Column> measures;                // of the judge, and last the limits' (WithMargins)
   std::vector<std::string> file_keys;          // keys under its own name whose values are files
   std::vector<std::string> changes_file_keys;  // and dotted keys under `changes` and `as_built`
   std::vector<ModelRoot> model_roots;          // the models that have these roots
