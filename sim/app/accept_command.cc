@@ -115,7 +115,7 @@ Counts CountsOf(const AcceptArguments& arguments, Invocation& call) {
   Counts counts;
   for (const RunResult* run : JudgedRuns(kept, arguments)) {
     ++counts.trials;
-    counts.failures += run->docked ? 0 : 1;
+    counts.failures += run->success ? 0 : 1;
   }
   counts.planned = PlannedRuns(kept, arguments);
   return counts;

@@ -92,12 +92,14 @@ std::vector<Audited> AuditTable(const std::filesystem::path& dir, const KeptCamp
   std::istringstream lines(*text);
   std::string line;
   std::getline(lines, line);
-  if (line != CsvHeader(kept.columns)) return {{0, true, "results.csv has other columns"}};
+  const bool former = line == CsvHeader(FormerColumns(kept.columns));
+  const RowColumns columns = former ? FormerColumns(kept.columns) : kept.columns;
+  if (line != CsvHeader(columns)) return {{0, true, "results.csv has other columns"}};
   std::size_t place = 0;
   const std::vector<RunResult>& rows = kept.runs.results;
   for (; std::getline(lines, line); ++place) {
     if (place >= rows.size()) return {{0, true, "results.csv has more lines than there are rows"}};
-    if (line != CsvRow(rows[place], kept.columns)) {
+    if (line != CsvRow(rows[place], columns)) {
       differing.push_back({rows[place].run, true, "its line in results.csv is not its row"});
     }
   }

@@ -43,7 +43,7 @@ Examples:
   dockyard campaign {campaign} --dry-run
   dockyard campaign {sweep} --set design.runs=1 --out out/quick
   dockyard campaign {sweep} --set design.runs=1 --out out/quick \
-    --require 'docked >= 0'
+    --require 'success >= 0'
   dockyard campaign {sweep} --set 'vary={start.alpha_deg: [0, 3]}' \
     --set figures= --out out/two
 
@@ -92,7 +92,8 @@ int EndOfShard(const CommandArguments& arguments, const CampaignOptions& options
               "\nto go on: " + CommandToGoOn(arguments, dir, call));
     return kExitSignal + end.signal;
   }
-  PrintNote("shard " + arguments.shard + ": " + TallyText(end.tally, end.total) +
+  PrintNote("shard " + arguments.shard + ": " +
+            TallyText(end.tally, end.total, SuccessWord(options.columns)) +
             "\nwhen all shards are done: " + CommandText(call.program, {"merge", dir}));
   return end.complete() && end.tally.lost == 0 ? kExitDone : kExitIncomplete;
 }

@@ -21,7 +21,7 @@ void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir,
   int shown = 0;
   for (const bool logged : {true, false}) {
     for (const RunResult& result : runs.results) {
-      if (result.docked || IsLost(result.outcome)) continue;
+      if (result.success || IsLost(result.outcome)) continue;
       if (Folder(dir).HasFolder(RunFolder("", result.run)) != logged) continue;
       if (shown++ == kMost) return;
       const std::string command = ReplayCommand(call.program, dir, std::to_string(result.run),
@@ -34,13 +34,14 @@ void PrintReplays(const FinishedRuns& runs, const std::filesystem::path& dir,
 
 Json EndJson(const CampaignEnd& end, const std::vector<std::string>& warnings) {
   std::map<std::string, int> outcomes;
-  int docked = 0, lost = 0;
+  int successes = 0, lost = 0;
   for (const RunResult& result : end.runs.results) {
     ++outcomes[result.outcome];
-    docked += result.docked ? 1 : 0;
+    successes += result.success ? 1 : 0;
     lost += IsLost(result.outcome) ? 1 : 0;
   }
-  return {{"done", end.runs.size()}, {"total", end.total},  {"successes", docked}, {"lost", lost},
+  return {{"done", end.runs.size()}, {"total", end.total},
+          {"successes", successes},  {"lost", lost},
           {"outcomes", outcomes},    {"warnings", warnings}};
 }
 

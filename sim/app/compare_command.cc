@@ -37,15 +37,16 @@ Examples:
 
 Instead of counts, name the results folder of a campaign and two of its arms, or two values of a
 label as KEY=A KEY=B, or --baseline with the results of the same campaign file by another build.
-Runs in which A alone or B alone docked tell the two apart (McNemar's test, exact and mid-p); groups
+Runs in which A alone or B alone succeeded tell the two apart (McNemar's test, exact and mid-p); groups
 that share no draws are compared as they are (Fisher's exact test). With --fail-if-worse, exit code
 23: A is worse.)";
 
 struct Comparison {
   std::string a = "A", b = "B";  // their names
   PairedCounts counts;
-  bool whole = true;  // whether both and neither are known
-  int unpaired = 0;   // runs of arms whose other half is missing
+  bool whole = true;               // whether both and neither are known
+  std::string word = "succeeded";  // SuccessWord
+  int unpaired = 0;                // runs of arms whose other half is missing
   std::optional<BaselinePairs> baseline;
   std::optional<GroupCounts> apart;  // groups without pairs; counts has nothing then
 
@@ -62,6 +63,7 @@ Comparison CompareByLabel(const KeptCampaign& kept, const std::string& a, const 
   found.b = b;
   found.counts = groups.pairs.counts;
   found.unpaired = groups.pairs.unpaired;
+  found.word = SuccessWord(kept.columns, kept.runs.results);
   found.apart = groups.apart;
   if (!groups.pooled.empty()) {
     Warn("runs of a group differ in " + groups.pooled + " as well, and are counted together",
@@ -77,6 +79,7 @@ Comparison CompareArms(const KeptCampaign& kept, const std::string& a, const std
   found.b = b;
   found.counts = pairs.counts;
   found.unpaired = pairs.unpaired;
+  found.word = SuccessWord(kept.columns, kept.runs.results);
   return found;
 }
 
@@ -93,6 +96,7 @@ Comparison CompareBaseline(const CompareArguments& arguments, const std::vector<
   Comparison found;
   found.a = "this campaign";
   found.b = "the baseline";
+  found.word = SuccessWord(here.columns, here.runs.results);
   found.baseline = PairWithBaseline(here.columns, RowsOfArm(here, arguments.a), there.columns,
                                     RowsOfArm(there, arguments.a));
   found.counts = found.baseline->counts;
@@ -134,11 +138,15 @@ Comparison Find(const CompareArguments& arguments, Invocation& call) {
   return CompareArms(kept, arguments.a, arguments.b);
 }
 
+Json ShareJson(int runs, int successes) {
+  return {{"runs", runs}, {"successes", successes}, {"docked", successes}};  // the former name
+}
+
 Json GroupsJson(const GroupCounts& counts) {
   const Estimate difference = GroupDifference(counts);
   return {{"paired", false},
-          {"a", {{"runs", counts.runs_a}, {"docked", counts.successes_a}}},
-          {"b", {{"runs", counts.runs_b}, {"docked", counts.successes_b}}},
+          {"a", ShareJson(counts.runs_a, counts.successes_a)},
+          {"b", ShareJson(counts.runs_b, counts.successes_b)},
           {"exact", FisherExact(counts)},
           {"a_worse", ChanceOfAWorseGroup(counts)},
           {"difference", difference.value},
@@ -193,22 +201,27 @@ void PrintRuns(const std::vector<int>& runs, const std::string& one, const std::
   std::printf("%s%s\n", text.c_str(), runs.size() > kMostShown ? " ..." : "");
 }
 
-void PrintBaseline(const BaselinePairs& pairs) {
+void PrintBaseline(const BaselinePairs& pairs, const std::string& word) {
   const int count =
       pairs.counts.both + pairs.counts.only_a + pairs.counts.only_b + pairs.counts.neither;
   std::printf("%s, %d of them the same bit for bit\n", CountText(count, "pair").c_str(),
               pairs.same_bits);
-  PrintRuns(pairs.lost, "docked in the baseline alone");
-  PrintRuns(pairs.won, "docked here alone");
+  PrintRuns(pairs.lost, word + " in the baseline alone");
+  PrintRuns(pairs.won, word + " here alone");
   PrintRuns(pairs.only_here, "is not in the baseline", "are not in the baseline");
   PrintRuns(pairs.only_there, "is in the baseline alone", "are in the baseline alone");
   PrintRuns(pairs.other_draw, "has another seed or other labels there, and no partner",
             "have another seed or other labels there, and no partner");
 }
 
-void PrintGroups(const GroupCounts& counts, const char* a, const char* b) {
-  std::printf("%s: %s\n", a, BriefRate(counts.successes_a, counts.runs_a).c_str());
-  std::printf("%s: %s\n", b, BriefRate(counts.successes_b, counts.runs_b).c_str());
+void PrintRate(const std::string& name, const std::string& word, int successes, int runs) {
+  std::printf("%s: %s %s\n", name.c_str(), word.c_str(), RateText(successes, runs).c_str());
+}
+
+void PrintGroups(const GroupCounts& counts, const Comparison& found) {
+  const char *a = found.a.c_str(), *b = found.b.c_str();
+  PrintRate(found.a, found.word, counts.successes_a, counts.runs_a);
+  PrintRate(found.b, found.word, counts.successes_b, counts.runs_b);
   const Estimate difference = GroupDifference(counts);
   std::printf("%s less %s: %+.3f (95 %%, %+.3f to %+.3f; Newcombe)\n", a, b, difference.value,
               difference.interval.low, difference.interval.high);
@@ -218,20 +231,20 @@ void PrintGroups(const GroupCounts& counts, const char* a, const char* b) {
 void Print(const Comparison& found) {
   const PairedCounts& counts = found.counts;
   const char *a = found.a.c_str(), *b = found.b.c_str();
-  if (found.apart) return PrintGroups(*found.apart, a, b);
+  if (found.apart) return PrintGroups(*found.apart, found);
   if (found.whole) {
     const int pairs = counts.both + counts.only_a + counts.only_b + counts.neither;
-    std::printf("%s: %s\n", a, BriefRate(counts.both + counts.only_a, pairs).c_str());
-    std::printf("%s: %s\n", b, BriefRate(counts.both + counts.only_b, pairs).c_str());
+    PrintRate(found.a, found.word, counts.both + counts.only_a, pairs);
+    PrintRate(found.b, found.word, counts.both + counts.only_b, pairs);
     const Estimate difference = PairedDifference(counts);
     std::printf("%s less %s: %+.3f (95 %%, %+.3f to %+.3f; Newcombe)\n", a, b, difference.value,
                 difference.interval.low, difference.interval.high);
   }
-  std::printf("only %s docked %s, only %s %s: %s exact, %s mid-p (McNemar)\n", a,
+  std::printf("only %s %s %s, only %s %s: %s exact, %s mid-p (McNemar)\n", a, found.word.c_str(),
               CountText(counts.only_a, "time").c_str(), b, CountText(counts.only_b, "time").c_str(),
               PText(McNemarExact(counts.only_a, counts.only_b)).c_str(),
               ChanceText(McNemarMidP(counts.only_a, counts.only_b)).c_str());
-  if (found.baseline) PrintBaseline(*found.baseline);
+  if (found.baseline) PrintBaseline(*found.baseline, found.word);
 }
 
 int Compare(const CompareArguments& arguments, Invocation& call) {
@@ -263,8 +276,10 @@ void AddCompareCommand(CLI::App& app, Invocation& call) {
   command->add_option("--baseline", arguments->baseline,
                       "results folder of the same campaign by another build");
   const CLI::Range count(0, 1000000000);
-  command->add_option("--only-a", arguments->only_a, "pairs in which A alone docked")->check(count);
-  command->add_option("--only-b", arguments->only_b, "pairs in which B alone docked")->check(count);
+  command->add_option("--only-a", arguments->only_a, "pairs in which A alone succeeded")
+      ->check(count);
+  command->add_option("--only-b", arguments->only_b, "pairs in which B alone succeeded")
+      ->check(count);
   command
       ->add_option("--fail-if-worse", arguments->fail_if_worse,
                    "exit code 23 where A is worse with at most this chance of error")

@@ -53,11 +53,11 @@ void RequireLabel(const KeptCampaign& kept, const std::string& a, const std::str
 }
 
 GroupCounts CountsOf(const Rows& a, const Rows& b) {
-  const auto docked = [](const Rows& rows) {
+  const auto successes = [](const Rows& rows) {
     return static_cast<int>(
-        std::count_if(rows.begin(), rows.end(), [](const RunResult* row) { return row->docked; }));
+        std::count_if(rows.begin(), rows.end(), [](const RunResult* row) { return row->success; }));
   };
-  return {docked(a), static_cast<int>(a.size()), docked(b), static_cast<int>(b.size())};
+  return {successes(a), static_cast<int>(a.size()), successes(b), static_cast<int>(b.size())};
 }
 
 }  // namespace

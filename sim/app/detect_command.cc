@@ -240,7 +240,7 @@ int Detect(const DetectArguments& arguments, Invocation& call) {
   } else {
     PrintDetectText(answer);
   }
-  return answer.report.accepted ? kExitDone : kExitNotDocked;
+  return answer.report.accepted ? kExitDone : kExitNoSuccess;
 }
 
 }  // namespace

@@ -3,11 +3,12 @@
 
 namespace dockyard {
 
-inline constexpr int kExitDone = 0;       // done; run: docked; replay: the same
-inline constexpr int kExitOurBug = 1;     // a fault of this program; replay: not the same
-inline constexpr int kExitUsage = 2;      // arguments that make no sense
-inline constexpr int kExitBadInput = 3;   // a file that is wrong
-inline constexpr int kExitNotDocked = 4;  // run: simulated to its end, but did not dock; plan: none
+inline constexpr int kExitDone = 0;      // done; run: a success; replay: the same
+inline constexpr int kExitOurBug = 1;    // a fault of this program; replay: not the same
+inline constexpr int kExitUsage = 2;     // arguments that make no sense
+inline constexpr int kExitBadInput = 3;  // a file that is wrong
+inline constexpr int kExitNoSuccess =
+    4;  // run: simulated to its end, but did not succeed; plan: none
 // campaign: runs missing or crashed; run: stopped; replay: no such result; wheel: not steady;
 // doctor: no runs here
 inline constexpr int kExitIncomplete = 10;

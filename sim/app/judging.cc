@@ -51,7 +51,7 @@ std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
   for (std::size_t i = 0; i < finished.size(); ++i) {
     const RunResult& row = finished.results[i];
     JUnitRun run{&row, finished.timings[i].wall_time_s, finished.notes[i], ""};
-    if (!row.docked && !IsLost(row.outcome)) {
+    if (!row.success && !IsLost(row.outcome)) {
       run.replay =
           ReplayCommand(call.program, dir, std::to_string(row.run), StartsProgram(row), options);
     }
@@ -64,7 +64,7 @@ std::string JUnitOf(const FinishedRuns& finished, const Campaign& campaign,
 
 void AddJudgingOptions(CLI::App& command, JudgingOptions& options) {
   command.add_option("--require", options.require,
-                     "exit code 22 unless the results meet it, such as 'docked >= 0.9'; may be "
+                     "exit code 22 unless the results meet it, such as 'success >= 0.9'; may be "
                      "given again (docs/reference/judging.md)");
   command.add_option("--junit", options.junit_file,
                      "write the results as JUnit XML into this file");

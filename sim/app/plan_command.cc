@@ -117,7 +117,7 @@ std::string PageOf(const PathTask& task, const PlannedPath& plan) {
   row.run = 1;
   row.system = task.rover.name;
   row.controller = "arcs";
-  row.docked = true;
+  row.success = true;
   row.outcome = "reached";
   const LoggedRun watched = WatchedPath(task, plan);
   row.sim_time_s = watched.times_s.back();
@@ -167,7 +167,7 @@ int PrintPlan(const Request& request, Invocation& call) {
   } else {
     PrintText(plan);
   }
-  return plan.best ? kExitDone : kExitNotDocked;
+  return plan.best ? kExitDone : kExitNoSuccess;
 }
 
 }  // namespace

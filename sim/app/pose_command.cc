@@ -131,7 +131,7 @@ int Pose(const PoseArguments& arguments, const std::vector<System>& systems) {
     std::printf("%s\n", text.c_str());
   }
   if (sequence) Note(totals);
-  return totals.poses > 0 ? kExitDone : kExitNotDocked;
+  return totals.poses > 0 ? kExitDone : kExitNoSuccess;
 }
 
 }  // namespace

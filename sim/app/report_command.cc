@@ -44,13 +44,13 @@ Examples:
   dockyard report results/{campaign_name}
   dockyard report results/{campaign_name} --out out/yard.html --no-pictures
   dockyard report results/{campaign_name} --reliability 0.9 --confidence 0.95
-  dockyard report results/{campaign_name} --require 'docked >= 0.9' --out out/aim.html
+  dockyard report results/{campaign_name} --require 'success >= 0.9' --out out/aim.html
   dockyard report results/{campaign_name} --format markdown --out out/yard.md
   dockyard report results/{campaign_name} --svg --out out/figures
 
 The page has success with exact intervals, failures by cause, a map of the starts, curves over the
 numbers that the campaign varies, the sensitivity, all runs in a table, and a replay of each run
-whose log is kept (`keep` in the campaign's file). --reliability and --require on `docked` draw
+whose log is kept (`keep` in the campaign's file). --reliability and --require on `success` draw
 their limit into the curves.
 
 --svg writes static figures instead, into the folder --out: of a campaign starts.svg, the starts
@@ -114,7 +114,9 @@ int WriteFigures(const ReportContent& content, const std::filesystem::path& out,
     PrintError("the rows do not tell where the runs started; there is nothing to draw");
     return kExitIncomplete;
   }
-  WriteWhole(out / "starts.svg", StartsPlot(content.title, content.runs->results, content.starts));
+  WriteWhole(out / "starts.svg",
+             StartsPlot(content.title, SuccessWord(content.columns, content.runs->results),
+                        content.runs->results, content.starts));
   PrintNote("starts.svg in " + out.string());
   if (json) PrintWritten({out / "starts.svg"}, warnings);
   return kExitDone;
@@ -178,7 +180,7 @@ void AddReportCommand(CLI::App& app, Invocation& call) {
       ->check(NumberWithin(1e-9, 1.0));
   command->add_option(
       "--require", arguments->judging.require,
-      "say whether the results meet it, such as 'docked >= 0.9'; may be given again");
+      "say whether the results meet it, such as 'success >= 0.9'; may be given again");
   command->add_option("--confidence", arguments->confidence, "of that verdict [0.95]")
       ->check(NumberWithin(0.5, 1.0 - 1e-12));
   AddSecretOption(*command, call);

@@ -109,11 +109,11 @@ void AddWatched(const fs::path& dir, const System& system, const ReportSource& s
   const RunMaker* maker = source.maker.get();
   if (!Folder(dir).HasFolder("runs")) return;
   const ReplayOptions options = KeptReplayOptions(dir, call.secret_file);
-  for (const bool docked : {false, true}) {
+  for (const bool success : {false, true}) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const int number = rows[i].run;
       const Folder folder = Folder(dir).In(RunFolder("", number));
-      if (rows[i].docked != docked || !folder.HasFile(kRunLogFile)) continue;
+      if (rows[i].success != success || !folder.HasFile(kRunLogFile)) continue;
       WatchedRun run = Watched(i, folder,
                                ReplayCommand(call.program, dir, std::to_string(number),
                                              StartsProgram(rows[i]), options));

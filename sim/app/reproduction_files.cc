@@ -115,8 +115,8 @@ std::string WriteStarts(const PublishedFigure& figure, const Published& publishe
                         std::vector<RunResult> rows, const std::vector<Pose2>& X_DR,
                         const fs::path& into) {
   if (X_DR.size() != rows.size()) return figure.file + ": missing: the starts are not known";
-  for (RunResult& row : rows) row.docked = Counts(published, row);
-  WriteWhole(into / (figure.file + ".svg"), StartsPlot(figure.title, rows, X_DR));
+  for (RunResult& row : rows) row.success = Counts(published, row);
+  WriteWhole(into / (figure.file + ".svg"), StartsPlot(figure.title, "succeeded", rows, X_DR));
   return figure.file + ".svg: " + figure.title;
 }
 

@@ -18,7 +18,6 @@
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/run_work.h"
 #include "sim/log/record_files.h"
-#include "sim/log/result_row.h"
 #include "sim/report/run_table.h"
 #include "sim/run/loop.h"
 #include "sim/scenario/load_scenario.h"
@@ -35,7 +34,7 @@ struct RunArguments {
   bool json = false;
 };
 
-constexpr const char* kRunHelp = R"(Simulate one docking.
+constexpr const char* kRunHelp = R"(Simulate one run.
 
 Examples:
   dockyard run {scenario}
@@ -44,7 +43,7 @@ Examples:
   dockyard run {scenario} --report out/typical.html
 
 Prints the result as a table on stdout, its last line a sentence; --json has every digit. Exit code
-0: docked, 4: it ran but did not dock, 10: --run-limit stopped it. With --out the folder gets the
+0: a success, 4: it ran but did not succeed, 10: --run-limit stopped it. With --out the folder gets the
 log and the history of the run, and `dockyard replay` runs it again. With --report a page shows it,
 with its replay.)";
 
@@ -59,13 +58,12 @@ void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
 }
 
 void PrintJson(const RunRecord& record, const std::vector<std::string>& warnings) {
-  Json json = RowJson(record.result, record.columns);
+  Json json = OutcomeJson(record);
   json["cpu_time_s"] = record.timing.cpu_time_s;
   if (StartsProgram(record.result)) {
     json["controller_cpu_s"] = record.timing.controller_cpu_s;
     json["controller_wall_s"] = record.timing.controller_wall_s;
   }
-  json["failure_note"] = record.failure_note;
   json["warnings"] = warnings;
   std::printf("%s\n", json.dump(1).c_str());
 }
@@ -121,7 +119,7 @@ int Run(const RunArguments& arguments, const Invocation& call) {
                 RunSentence(record).c_str());
   }
   if (IsLost(record.result.outcome)) return kExitIncomplete;
-  return record.result.docked ? kExitDone : kExitNotDocked;
+  return record.result.success ? kExitDone : kExitNoSuccess;
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ std::function<bool(const RunResult&)> Follower(const std::filesystem::path& dir,
       RequireTheseAims(dir, plan.aims);
       KeepAcceptance(dir, plan, end);
     }
-    FollowRun(plan, !row.docked, end);
+    FollowRun(plan, !row.success, end);
     return end.state != SequentialState::kContinue;
   };
 }

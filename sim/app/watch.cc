@@ -16,14 +16,14 @@ namespace dockyard {
 namespace {
 
 void Print(const Tally& tally, std::int64_t total, bool json,
-           const std::vector<std::string>& warnings) {
+           const std::vector<std::string>& warnings, const std::string& word) {
   if (json) {
-    const Json line{{"done", tally.done},         {"total", total},
-                    {"successes", tally.docked},  {"lost", tally.lost},
-                    {"failures", tally.failures}, {"warnings", warnings}};
+    const Json line{{"done", tally.done},           {"total", total},
+                    {"successes", tally.successes}, {"lost", tally.lost},
+                    {"failures", tally.failures},   {"warnings", warnings}};
     std::printf("%s\n", line.dump().c_str());
   } else {
-    std::printf("%s\n", TallyText(tally, total).c_str());
+    std::printf("%s\n", TallyText(tally, total, word).c_str());
   }
   std::fflush(stdout);
 }
@@ -37,7 +37,9 @@ int WatchCampaign(const std::filesystem::path& dir, bool json, const Invocation&
   for (std::int64_t shown = -1;;) {
     std::vector<std::string> damaged;
     const Tally tally = ReadFinished(dir, check, kept.columns, damaged).TallyOf(Shard{});
-    if (tally.done != shown) Print(tally, check.run_count(), json, call.warnings);
+    if (tally.done != shown) {
+      Print(tally, check.run_count(), json, call.warnings, SuccessWord(kept.columns));
+    }
     shown = tally.done;
     if (tally.done == check.run_count()) return tally.lost == 0 ? kExitDone : kExitIncomplete;
     pollfd news{signals.descriptor(), POLLIN, 0};

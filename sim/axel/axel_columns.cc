@@ -2,6 +2,10 @@
 
 namespace dockyard::axel {
 
+std::vector<Column> Measures() {
+  return WithMargins(MeasuresOf<AxelMeasures>(), OutcomeJudge({}, {}).Limits({}));
+}
+
 std::vector<Column> Beliefs() {
   return {
       {"recoveries", "", "times that the controller backed up to try again"},

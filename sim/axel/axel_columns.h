@@ -101,6 +101,7 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
         m.rock_force_peak_n);
 }
 
+std::vector<Column> Measures();  // and the limits' margins
 /// Names of the values that the controllers' beliefs may hold.
 std::vector<Column> Beliefs();
 

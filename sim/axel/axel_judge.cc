@@ -124,7 +124,7 @@ Conclusion AxelJudge::Conclude(const Commands& last, const Belief& belief,
   }
   const auto verdict =
       outcome_.Conclude(last.verdict, static_cast<int>(measures.recoveries), shake);
-  return {Name(verdict.outcome), verdict.note, Values(measures)};
+  return {Name(verdict.outcome), verdict.note, Values(measures), outcome_.Limits(shake)};
 }
 
 }  // namespace dockyard::axel

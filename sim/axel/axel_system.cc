@@ -133,7 +133,7 @@ System AxelSystem(const std::vector<NamedController<Nominal>>& controllers,
   system.scenario.model_roots = {{"robot", "robot"}, {"station", "axel.station"}, {"soil", "soil"}};
   system.scenario.spoiled_pictures = true;
   system.scenario.rocks = true;
-  system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), MeasuresOf<AxelMeasures>()};
+  system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), Measures()};
   system.keys = VisitOf(VisitAxelKeys);
   UseModels(store, {Check, MakeReady<AxelPlant, AxelJudge, PartsOf>, WriteStartView, AxelShapes},
             system);

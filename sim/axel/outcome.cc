@@ -127,6 +127,7 @@ void OutcomeJudge::Observe(const Truth& truth) {
   if (!stays) p_MT_rest_ = truth.p_MT;
   rest_.Update(stays, now);
   const double axle_tilt = std::asin(std::clamp(std::abs(truth.X_WR.R(2, 1)), 0.0, 1.0));
+  tilt_peak_rad_ = std::max(tilt_peak_rad_, axle_tilt);
   tipped_.Update(axle_tilt > limits_.tipped_rad, now);
   // A rover turns over and back: this names the run only if it lasts. One that starts with its arm
   // behind did not go over.
@@ -168,66 +169,59 @@ std::string OutcomeJudge::StandNote() const {
   return Sentence("; stood there for %.0f s with %.0f N on a rock", stood_s, rock_n);
 }
 
-OutcomeJudge::Verdicted OutcomeJudge::ConcludeHeld(const ShakeResult& shake) const {
-  if (farthest_m_ < limits_.excursion_share * limits_.excursion_m) {
-    return {Outcome::kNotGone,
-            Sentence("was %.2f m out at most, told were %.2f m", farthest_m_, limits_.excursion_m)};
-  }
-  const double seat = SeatDepth(station_.cone) - limits_.seated_within_m;
-  const bool seated = std::min(Depth(last_), shake.least_depth_m) >= seat;
-  if (seated && last_.station_shift_m > limits_.station_shift_m) {
-    return {
-        Outcome::kStationPushed,
-        Sentence("tip %.0f mm deep, station pushed by %.0f mm (at most %.0f mm)",
-                 1e3 * Depth(last_), 1e3 * last_.station_shift_m, 1e3 * limits_.station_shift_m)};
-  }
-  const double rated_n = station_.cone.rated_force_n;
-  if (seated && last_.cone_force_peak_n > rated_n) {
-    return {Outcome::kStationOverload,
-            Sentence("tip %.0f mm deep, the arm loaded the cone with %.0f N, rated for %.0f N",
-                     1e3 * Depth(last_), last_.cone_force_peak_n, rated_n)};
-  }
-  const std::string shaken = Sentence("shake turned it %.1f deg and moved it %.1f mm",
-                                      Degrees(shake.turn_rad), 1e3 * shake.travel_m);
-  if (seated)
-    return {Outcome::kDocked, Sentence("tip %.0f mm deep, ", 1e3 * Depth(last_)) + shaken};
-  return {Outcome::kPartlySeated,
-          Sentence("tip %.0f mm deep, not on the floor (docked: %.0f mm, under the shake too); ",
-                   1e3 * Depth(last_), 1e3 * seat) +
-              shaken};
+std::vector<JudgedLimit> OutcomeJudge::Limits(const ShakeResult& shake) const {
+  constexpr LimitSense kAtLeast = LimitSense::kAtLeast, kAtMost = LimitSense::kAtMost;
+  const double unjudged = std::nan(""), depth_m = Depth(last_);
+  const auto if_judged = [&](bool judged, double value) { return judged ? value : unjudged; };
+  const auto lasted_s = [&](const Condition& condition) {
+    return condition.since_s ? last_.time_s - *condition.since_s : 0.0;
+  };
+  const double seat_m = shake.done ? std::min(depth_m, shake.least_depth_m) : depth_m;
+  const OutcomeLimits& l = limits_;
+  return {
+      {"entered_depth_m", "m", "arm tip behind the plane of the cone's mouth, before the shake",
+       kAtLeast, depth_m, l.entered_depth_m},
+      {"seat_depth_m", "m", "least depth of the tip before and under the shake", kAtLeast, seat_m,
+       SeatDepth(station_.cone) - l.seated_within_m},
+      {"lateral_m", "m", "arm tip off the cone's axis", kAtMost, Lateral(last_),
+       station_.cone.mouth_radius_m},
+      {"rest_s", "s", "time that the tip has been at rest", kAtLeast, lasted_s(rest_),
+       l.rest_time_s},
+      {"tension_n", "N", "of the tether", kAtLeast, last_.tether_tension_n, l.taut_n},
+      {"shake_turn_deg", "deg", "turn of the rover under the shake", kAtMost,
+       if_judged(shake.done, Degrees(shake.turn_rad)), Degrees(l.shake_turn_rad)},
+      {"shake_travel_m", "m", "travel of the tip under the shake", kAtMost,
+       if_judged(shake.done, shake.travel_m), l.shake_travel_m},
+      {"excursion_m", "m", "largest distance of the axle from where it started", kAtLeast,
+       if_judged(l.excursion_m > 0.0, farthest_m_), l.excursion_share * l.excursion_m},
+      {"station_shift_m", "m", "mouth from where it was at the start", kAtMost,
+       last_.station_shift_m, l.station_shift_m},
+      {"cone_force_n", "N", "largest force of the arm on the cone", kAtMost,
+       if_judged(std::isfinite(station_.cone.rated_force_n), last_.cone_force_peak_n),
+       station_.cone.rated_force_n},
+      {"axle_tilt_deg", "deg", "largest tilt of the axle", kAtMost, Degrees(tilt_peak_rad_),
+       Degrees(l.tipped_rad)},
+      {"overload_s", "s", "time with the tether above its working load, up to the end", kAtMost,
+       lasted_s(overload_), l.overload_time_s},
+      {"face_s", "s", "time with the tip pressed on the face around the mouth, up to the end",
+       kAtMost, lasted_s(face_), l.catch_time_s},
+      {"jam_s", "s", "time stuck in the cone under pull, up to the end", kAtMost, lasted_s(jam_),
+       l.jam_time_s},
+  };
 }
 
-std::string OutcomeJudge::ClaimNote(const ShakeResult& shake) const {
-  const double depth_m = Depth(last_), lateral_m = Lateral(last_);
-  std::string note = Sentence(depth_m < limits_.entered_depth_m
-                                  ? "tip %.0f mm deep (held: at least %.0f mm; docked: %.0f mm)"
-                                  : "tip %.0f mm deep",
-                              1e3 * depth_m, 1e3 * limits_.entered_depth_m,
-                              1e3 * (SeatDepth(station_.cone) - limits_.seated_within_m));
-  note += Sentence(", heading %.1f deg against the axis",
-                   Degrees(WrapPi(AxleOnGround(last_.X_DR).heading - kPi)));
-  if (lateral_m >= station_.cone.mouth_radius_m) {
-    note += Sentence(", tip %.0f mm off the axis (less than %.0f mm)", 1e3 * lateral_m,
-                     1e3 * station_.cone.mouth_radius_m);
-  }
-  if (!rest_.Held(last_.time_s, limits_.rest_time_s)) {
-    note += Sentence(", not at rest (within %.0f mm for %.0f s)", 1e3 * limits_.rest_travel_m,
-                     limits_.rest_time_s);
-  }
-  if (last_.tether_tension_n <= limits_.taut_n) {
-    note +=
-        Sentence(", tether at %.0f N (taut: over %.0f N)", last_.tether_tension_n, limits_.taut_n);
-  }
-  if (!shake.done) return note;
-  if (shake.turn_rad >= limits_.shake_turn_rad) {
-    note += Sentence(", shake turned it %.1f deg (less than %.1f deg)", Degrees(shake.turn_rad),
-                     Degrees(limits_.shake_turn_rad));
-  }
-  if (shake.travel_m >= limits_.shake_travel_m) {
-    note += Sentence(", shake moved it %.1f mm (less than %.0f mm)", 1e3 * shake.travel_m,
-                     1e3 * limits_.shake_travel_m);
-  }
-  return note;
+OutcomeJudge::Verdicted OutcomeJudge::ConcludeHeld(const ShakeResult& shake) const {
+  const std::string broken = BrokenLimitsText(Limits(shake));
+  const std::string note = Sentence("tip %.0f mm deep, ", 1e3 * Depth(last_)) +
+                           (broken.empty() ? "" : broken + ", ") +
+                           Sentence("shake turned it %.1f deg and moved it %.1f mm",
+                                    Degrees(shake.turn_rad), 1e3 * shake.travel_m);
+  if (farthest_m_ < limits_.excursion_share * limits_.excursion_m) return {Outcome::kNotGone, note};
+  const double seat = SeatDepth(station_.cone) - limits_.seated_within_m;
+  if (std::min(Depth(last_), shake.least_depth_m) < seat) return {Outcome::kPartlySeated, note};
+  if (last_.station_shift_m > limits_.station_shift_m) return {Outcome::kStationPushed, note};
+  const bool overloaded = last_.cone_force_peak_n > station_.cone.rated_force_n;
+  return {overloaded ? Outcome::kStationOverload : Outcome::kDocked, note};
 }
 
 OutcomeJudge::Verdicted OutcomeJudge::ConcludeGivenUp(int recoveries) const {
@@ -274,7 +268,10 @@ OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, int recoveries,
   if (first) return {first->outcome, first->note};
   switch (claimed) {
     case Verdict::kDone:
-      return {Outcome::kFalseDocked, "claimed docked; " + ClaimNote(shake)};
+      return {Outcome::kFalseDocked,
+              "claimed docked; " + BrokenLimitsText(Limits(shake)) +
+                  Sentence(", heading %.1f deg against the axis",
+                           Degrees(WrapPi(AxleOnGround(last_.X_DR).heading - kPi)))};
     case Verdict::kGivenUp:
       return ConcludeGivenUp(recoveries);
     case Verdict::kUnderWay:

@@ -10,7 +10,7 @@
 #include "models/axel/axel_model.h"
 #include "models/axel/station_model.h"
 #include "sim/axel/world.h"
-#include "sim/log/column.h"
+#include "sim/log/judged_limit.h"
 
 namespace dockyard::axel {
 
@@ -110,10 +110,10 @@ class OutcomeJudge {
     std::string note;  // a sentence on the truth
   };
   Verdicted Conclude(Verdict claimed, int recoveries, const ShakeResult& shake) const;
+  /// What the run is held against, at its end.
+  std::vector<JudgedLimit> Limits(const ShakeResult& shake) const;
 
  private:
-  /// The limits that a claim of being docked did not keep, with what was measured.
-  std::string ClaimNote(const ShakeResult& shake) const;
   Verdicted ConcludeGivenUp(int recoveries) const;
   /// How long the rover has stood where it is at the end, and what of it lies on rocks; empty if it
   /// has not stood long.
@@ -135,6 +135,7 @@ class OutcomeJudge {
   bool fatal_ = false;
   std::optional<bool> arm_behind_;
   int flips_ = 0;
+  double tilt_peak_rad_ = 0.0;  // of the axle
   std::optional<Eigen::Vector3d> p_WR_first_;
   double farthest_m_ = 0.0;
   Eigen::Vector3d p_MT_rest_ = Eigen::Vector3d::Zero();  // where the tip rests

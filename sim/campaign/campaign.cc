@@ -62,7 +62,8 @@ class Engine {
   }
 
   ShardEnd Run() {
-    Progress progress(options_.progress, RunsOfShard(), finished_.TallyOf(options_.shard));
+    Progress progress(options_.progress, SuccessWord(options_.columns), RunsOfShard(),
+                      finished_.TallyOf(options_.shard));
     SignalQueue signals;
     const PoolOptions pool{.workers = options_.jobs,
                            .limits = {campaign_.limits.wall_s, campaign_.limits.memory_mib},
@@ -79,7 +80,7 @@ class Engine {
       if (pass.again) return logs_.TakeLog(pass.index, run, WorkPlace(place));
       logs_.TakeRow(pass.index, run, WorkPlace(place));
       writer_->Append(run);
-      finished_.Add(pass.index, run.result.docked, run.result.outcome);
+      finished_.Add(pass.index, run.result.success, run.result.outcome);
       progress.Finished(run);
       in_order_.Add(pass.index, run.result);
     };

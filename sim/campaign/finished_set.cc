@@ -7,15 +7,15 @@
 
 namespace dockyard {
 
-void FinishedSet::Add(std::int64_t index, bool docked, std::string_view outcome) {
+void FinishedSet::Add(std::int64_t index, bool success, std::string_view outcome) {
   if (Has(index) && !Lost(index)) return;
   const auto known = std::find_if(outcomes_.begin(), outcomes_.end(), [&](const Outcome& each) {
-    return each.name == outcome && each.docked == docked;
+    return each.name == outcome && each.success == success;
   });
   const std::size_t place = static_cast<std::size_t>(known - outcomes_.begin());
   if (known == outcomes_.end()) {
     DOCKYARD_CHECK(outcomes_.size() < 255);
-    outcomes_.push_back({std::string(outcome), docked, IsLost(outcome)});
+    outcomes_.push_back({std::string(outcome), success, IsLost(outcome)});
   }
   states_[static_cast<std::size_t>(index)] = static_cast<std::uint8_t>(place + 1);
 }
@@ -28,9 +28,9 @@ Tally FinishedSet::TallyOf(const Shard& shard) const {
     const Outcome& outcome = outcomes_[i];
     const std::int64_t count = counts[i + 1];
     tally.done += count;
-    if (outcome.docked) tally.docked += count;
+    if (outcome.success) tally.successes += count;
     if (outcome.lost) tally.lost += count;
-    if (!outcome.docked && count > 0) tally.failures[outcome.name] += count;
+    if (!outcome.success && count > 0) tally.failures[outcome.name] += count;
   }
   return tally;
 }
@@ -41,7 +41,7 @@ FinishedSet ReadFinished(const std::filesystem::path& dir, const RowCheck& check
   for (const std::filesystem::path& path : ShardFiles(dir)) {
     const ShardReader shard(path, columns);
     const std::vector<int> lines = shard.ForEach([&](const RowPlace& row) {
-      finished.Add(check.Require(row, path), row.docked, row.outcome);
+      finished.Add(check.Require(row, path), row.success, row.outcome);
     });
     for (const int line : lines) damaged.push_back(path.string() + ":" + std::to_string(line));
   }

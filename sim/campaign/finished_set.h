@@ -14,8 +14,8 @@ namespace dockyard {
 
 /// Counts of finished runs.
 struct Tally {
-  std::int64_t done = 0, docked = 0, lost = 0;   // lost: crashed or stopped
-  std::map<std::string, std::int64_t> failures;  // by outcome, lost runs included
+  std::int64_t done = 0, successes = 0, lost = 0;  // lost: crashed or stopped
+  std::map<std::string, std::int64_t> failures;    // by outcome, lost runs included
 };
 
 class FinishedSet {
@@ -25,16 +25,15 @@ class FinishedSet {
   std::int64_t run_count() const { return static_cast<std::int64_t>(states_.size()); }
   bool Has(std::int64_t index) const { return StateOf(index) != 0; }
   bool Lost(std::int64_t index) const { return Has(index) && OutcomeOf(index).lost; }
-  bool Docked(std::int64_t index) const { return Has(index) && OutcomeOf(index).docked; }
   /// A result takes the place of a lost run, never the other way round.
-  void Add(std::int64_t index, bool docked, std::string_view outcome);
+  void Add(std::int64_t index, bool success, std::string_view outcome);
   /// Of the shard's runs.
   Tally TallyOf(const Shard& shard) const;
 
  private:
   struct Outcome {
     std::string name;
-    bool docked = false, lost = false;
+    bool success = false, lost = false;
   };
   std::uint8_t StateOf(std::int64_t index) const {
     return states_[static_cast<std::size_t>(index)];

@@ -26,12 +26,12 @@ namespace fs = std::filesystem;
 struct Candidate {
   int run = 0;
   std::uint32_t file = 0;
-  bool lost = false;
+  bool lost = false, former = false;
   std::string_view text;
 };
 
 FinishedRun Parsed(const Candidate& row, const fs::path& file, const RowColumns& columns) {
-  auto run = RowFromShard(row.text, columns);
+  auto run = RowFromShard(row.text, row.former ? FormerColumns(columns) : columns);
   if (!run) {
     throw ResultsError(file.string() + ": run " + std::to_string(row.run) + ": not a row");
   }
@@ -126,7 +126,7 @@ FinishedRuns ReadShards(const fs::path& dir, const RowCheck& check, const RowCol
     shards.push_back(std::make_unique<ShardReader>(files[i], columns));
     const std::vector<int> lines = shards.back()->ForEach([&](const RowPlace& row) {
       check.Require(row, files[i]);
-      rows.push_back({row.run, i, IsLost(row.outcome), row.text});
+      rows.push_back({row.run, i, IsLost(row.outcome), row.former, row.text});
     });
     if (damaged == nullptr) continue;
     for (const int line : lines) damaged->push_back(files[i].string() + ":" + std::to_string(line));

@@ -29,9 +29,10 @@ std::string DurationText(double seconds) {
   return std::to_string(s) + " s";
 }
 
-std::string TallyText(const Tally& tally, std::int64_t total) {
-  std::string text = std::to_string(tally.done) + "/" + std::to_string(total) + " done, docked " +
-                     RateText(static_cast<int>(tally.docked), static_cast<int>(tally.done));
+std::string TallyText(const Tally& tally, std::int64_t total, const std::string& word) {
+  std::string text = std::to_string(tally.done) + "/" + std::to_string(total) + " done, " + word +
+                     " " +
+                     RateText(static_cast<int>(tally.successes), static_cast<int>(tally.done));
   std::vector<std::pair<std::int64_t, std::string>> causes;
   for (const auto& [outcome, count] : tally.failures) causes.push_back({-count, outcome});
   std::sort(causes.begin(), causes.end());
@@ -42,15 +43,16 @@ std::string TallyText(const Tally& tally, std::int64_t total) {
   return text;
 }
 
-Progress::Progress(ProgressStyle style, std::int64_t total, const Tally& already)
+Progress::Progress(ProgressStyle style, std::string word, std::int64_t total, const Tally& already)
     : style_(style),
+      word_(std::move(word)),
       total_(total),
       done_before_(already.done),
       tally_(already),
       started_(std::chrono::steady_clock::now()) {}
 
 std::string Progress::Line(int running) const {
-  std::string line = TallyText(tally_, total_);
+  std::string line = TallyText(tally_, total_, word_);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
   const std::int64_t finished_now = tally_.done - done_before_;
   // The first run alone ends as soon as it is read: it shows no rate.
@@ -72,8 +74,8 @@ std::string Progress::Line(int running) const {
 void Progress::Finished(const FinishedRun& run) {
   const RunResult& row = run.result;
   ++tally_.done;
-  tally_.docked += row.docked ? 1 : 0;
-  if (!row.docked) ++tally_.failures[row.outcome];
+  tally_.successes += row.success ? 1 : 0;
+  if (!row.success) ++tally_.failures[row.outcome];
   const bool lost = IsLost(row.outcome);
   tally_.lost += lost ? 1 : 0;
   const std::string what = "run " + std::to_string(row.run) + ": " + row.outcome +
@@ -83,13 +85,10 @@ void Progress::Finished(const FinishedRun& run) {
   } else if (style_ == ProgressStyle::kLive && lost) {
     std::fprintf(stderr, "\r\x1b[K%s\n", what.c_str());
   } else if (style_ == ProgressStyle::kJson) {
-    const Json line{{"run", row.run},
-                    {"outcome", row.outcome},
-                    {"docked", row.docked},
-                    {"note", run.note},
-                    {"done", tally_.done},
-                    {"total", total_},
-                    {"successes", tally_.docked},
+    const Json line{{"run", row.run},         {"outcome", row.outcome},
+                    {"success", row.success}, {"docked", row.success},  // the former name
+                    {"note", run.note},       {"done", tally_.done},
+                    {"total", total_},        {"successes", tally_.successes},
                     {"lost", tally_.lost}};
     std::printf("%s\n", line.dump().c_str());
     std::fflush(stdout);

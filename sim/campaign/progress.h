@@ -22,8 +22,9 @@ ProgressStyle ProgressStyleOfStderr();
 
 class Progress {
  public:
-  /// @param total    runs that this program has to do, those done already included
-  Progress(ProgressStyle style, std::int64_t total, const Tally& already);
+  /// @param word   of a success (SuccessWord)
+  /// @param total  runs that this program has to do, those done already included
+  Progress(ProgressStyle style, std::string word, std::int64_t total, const Tally& already);
 
   void Finished(const FinishedRun& run);
   /// Refreshes the live line; call it now and then.
@@ -35,13 +36,14 @@ class Progress {
   std::string Line(int running) const;
 
   ProgressStyle style_;
+  std::string word_;
   std::int64_t total_, done_before_;
   Tally tally_;
   std::chrono::steady_clock::time_point started_, ticked_;
 };
 
 /// "12/40 done, docked 11/12 (92 %, 62-100 %), timeout 1"
-std::string TallyText(const Tally& tally, std::int64_t total);
+std::string TallyText(const Tally& tally, std::int64_t total, const std::string& word);
 
 /// "2 h 5 min", "12 min 30 s", "45 s"
 std::string DurationText(double seconds);

@@ -11,7 +11,7 @@ bool StaysIfSuccess(const Keep& keep, int run) {
 }
 
 Retention::Choice Retention::Choose(const RunResult& result) {
-  if (result.docked) return {StaysIfSuccess(keep_, result.run), std::nullopt};
+  if (result.success) return {StaysIfSuccess(keep_, result.run), std::nullopt};
   if (keep_.failures_per_cause < 0) return {true, std::nullopt};
   std::set<int>& kept = kept_failures_[result.outcome];
   kept.insert(result.run);

@@ -72,7 +72,7 @@ FinishedRun ReadAnswer(const std::function<CampaignRun()>& make, const RowColumn
   const auto row = RowFromCsv(text, columns);
   const auto timing = TimingFromCells(SplitCsv(times).value_or(std::vector<std::string>{}));
   DOCKYARD_CHECK(kind == kRow && row && timing);
-  return {*row, *timing, row->docked ? "" : note};
+  return {*row, *timing, row->success ? "" : note};
 }
 
 void WriteLostRun(const std::filesystem::path& run_dir, const FinishedRun& run,

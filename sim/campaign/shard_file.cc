@@ -186,18 +186,20 @@ ShardReader::ShardReader(const std::filesystem::path& path, const RowColumns& co
       size == 0 ? nullptr : ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file->value(), 0);
   if (mapped == MAP_FAILED) throw IoErrorFromErrno("read", path);
   bytes_ = {static_cast<const char*>(mapped), size};
-  const std::vector<std::string> names = ShardColumnNames(columns);
-  columns_line_ = CsvLine(names);
-  outcome_column_ = PlaceOf(names, "outcome");
-  docked_column_ = PlaceOf(names, "docked");
+  const std::string former = CsvLine(ShardColumnNames(FormerColumns(columns)));
   label_count_ = static_cast<int>(columns.labels.size());
   VisitLines(bytes_, [&](int, std::string_view line, bool whole) {
     const auto text = whole ? TextOf(line) : std::nullopt;
     if (!text) return true;
-    if (!IsHeader(*text)) return false;
-    header_ = Json::parse(*text, nullptr, /*allow_exceptions=*/false);
-    return false;
+    if (IsHeader(*text)) header_ = Json::parse(*text, nullptr, /*allow_exceptions=*/false);
+    former_ = *text == former;
+    return IsHeader(*text);
   });
+  const std::vector<std::string> names =
+      ShardColumnNames(former_ ? FormerColumns(columns) : columns);
+  columns_line_ = CsvLine(names);
+  outcome_column_ = PlaceOf(names, "outcome");
+  success_column_ = PlaceOf(names, "docked");
 }
 
 ShardReader::~ShardReader() {
@@ -222,7 +224,8 @@ std::vector<int> ShardReader::ForEach(const std::function<void(const RowPlace&)>
       if (!ReadNumber(CellAt(*text, 0), row.run) || !ReadNumber(CellAt(*text, 1), row.seed)) {
         refuse("not a row");
       }
-      row.docked = CellAt(*text, docked_column_) == "1";
+      row.success = CellAt(*text, success_column_) == "1";
+      row.former = former_;
       row.outcome = CellAt(*text, outcome_column_);
       visit(row);
     }
@@ -243,6 +246,7 @@ ShardWriter::ShardWriter(const std::filesystem::path& path, const Json& header,
     bool headed = false, cut_off = false;
     if (ResultsOf(path).HasFile(PlaceIn(path))) {
       const ShardReader before(path, columns);
+      if (before.former()) throw FolderTaken(path.string() + " has rows of an earlier program");
       headed = !before.header().is_null();
       cut_off = before.ends_in_a_cut_off_line();
     }

@@ -44,19 +44,21 @@ bool IsIdle(const std::filesystem::path& shard_file);
 
 /// The row's text, without its check value.
 std::string ShardRow(const FinishedRun& run, const RowColumns& columns);
-/// None when the text is not exactly one row.
+/// None when the text is not exactly one row of these columns.
 std::optional<FinishedRun> RowFromShard(std::string_view text, const RowColumns& columns);
 
 /// What a shard's rows need to be found again without being read whole.
 struct RowPlace : RowPlan {
-  bool docked = false;
+  bool success = false;
+  bool former = false;             // by former columns
   std::string_view outcome, text;  // text: the whole row; all within the file's bytes
 };
 
 /// A shard file in memory, as it is on the disk.
 class ShardReader {
  public:
-  /// Throws ResultsError for a file with another format or other columns, and IoError.
+  /// Throws ResultsError for a file with another format or other columns than these or the former,
+  /// and IoError.
   ShardReader(const std::filesystem::path& path, const RowColumns& columns);
   ~ShardReader();
   ShardReader(const ShardReader&) = delete;
@@ -64,6 +66,8 @@ class ShardReader {
 
   /// What the file belongs to; null when the line is damaged.
   const Json& header() const { return header_; }
+  /// Whether an earlier program wrote it, by other columns.
+  bool former() const { return former_; }
   bool ends_in_a_cut_off_line() const { return !bytes_.empty() && bytes_.back() != '\n'; }
   /// Every whole row, in the file's order. Returns the numbers of damaged lines: a last line
   /// without its newline, and those whose check value is wrong. Their runs are missing. Throws
@@ -73,9 +77,10 @@ class ShardReader {
  private:
   std::filesystem::path path_;
   std::string_view bytes_;
-  std::string columns_line_;
+  std::string columns_line_;  // of the file
   Json header_;
-  int outcome_column_ = 0, docked_column_ = 0, label_count_ = 0;
+  int outcome_column_ = 0, success_column_ = 0, label_count_ = 0;
+  bool former_ = false;
 };
 
 /// Appends rows to a shard file. One program at a time has it.

@@ -32,6 +32,8 @@ struct RowColumns {
   std::vector<std::string> labels;    // columns of the campaign's table, the run's number left out
   std::vector<Column> measures;       // of the system
   std::vector<OutcomeName> outcomes;  // of the system, then those of every system
+  // Of results that an earlier program wrote: `docked` alone tells a success, and no margins.
+  bool former = false;
 
   bool IsSuccess(const std::string& outcome) const {
     for (const OutcomeName& known : outcomes) {

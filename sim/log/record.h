@@ -7,6 +7,7 @@
 
 #include "controller/io/belief.h"
 #include "sim/log/column.h"
+#include "sim/log/judged_limit.h"
 
 namespace dockyard {
 
@@ -16,12 +17,14 @@ struct RunResult {
   std::uint64_t seed = 0;
   std::string system, controller;
   std::vector<std::string> labels;  // as the campaign's table has them
-  bool docked = false;              // whether the outcome is a success of this system
+  bool success = false;             // whether the outcome is a success of this system
+  std::string success_word;         // outcome that its task asks for: "docked"; empty: lost run
   std::string outcome = kCrashed;
   double sim_time_s = 0.0;
   int images = 0;                // images that the controller was given, all cameras together
   std::vector<double> measures;  // empty for a run that was lost
   std::uint64_t state_hash = 0;  // written as 16 hex digits
+  bool former = false;           // read from RowColumns::former: word and margins are not known
 };
 
 /// Timing, which differs from machine to machine.
@@ -65,8 +68,9 @@ struct RunRecord {
   std::vector<HistorySample> history;
   std::vector<SightingSample> sightings;
   std::vector<PlanSample> plans;
-  std::string failure_note;  // a sentence on the truth, for people
-  std::string messages;      // a controller program's output on its standard error
+  std::string failure_note;         // a sentence on the truth, for people
+  std::vector<JudgedLimit> limits;  // of the judge
+  std::string messages;             // a controller program's output on its standard error
 };
 
 }  // namespace dockyard

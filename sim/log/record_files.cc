@@ -108,14 +108,19 @@ Json PlansJson(const std::vector<PlanSample>& plans) {
   return json;
 }
 
+Json OutcomeJson(const RunRecord& record) {
+  Json json = RowJson(record.result, record.columns);
+  json["failure_note"] = record.failure_note;
+  json["limits"] = LimitsJson(record.limits);
+  return json;
+}
+
 void WriteSightings(const std::filesystem::path& dir, const RunRecord& record) {
   WriteWhole(dir / "sightings.json", SightingsJson(record.sightings).dump(1) + "\n");
 }
 
 void WriteRecordFiles(const std::filesystem::path& dir, const RunRecord& record) {
   MakeFolder(dir);
-  Json outcome = RowJson(record.result, record.columns);
-  outcome["failure_note"] = record.failure_note;
   WriteWhole(dir / "history.csv", HistoryCsv(record));
   if (!record.value_names.empty()) {
     WriteWhole(dir / kValuesFile, ValuesCsv(record));
@@ -125,7 +130,7 @@ void WriteRecordFiles(const std::filesystem::path& dir, const RunRecord& record)
   }
   WriteSightings(dir, record);
   WriteWhole(dir / "plans.json", PlansJson(record.plans).dump(1) + "\n");
-  WriteWhole(dir / "outcome.json", outcome.dump(1) + "\n");
+  WriteWhole(dir / "outcome.json", OutcomeJson(record).dump(1) + "\n");
 }
 
 void WriteSingleResult(const std::filesystem::path& dir, const RunResult& row,
@@ -136,10 +141,13 @@ void WriteSingleResult(const std::filesystem::path& dir, const RunResult& row,
 std::optional<RunResult> ReadSingleResult(const std::filesystem::path& dir,
                                           const RowColumns& columns) {
   const std::string text = Folder(dir).Read(kSingleResultFile, kMostResultBytes).value_or("");
-  const std::string header = CsvHeader(columns) + "\n";
-  if (text.rfind(header, 0) != 0 || text.back() != '\n') return std::nullopt;
-  return RowFromCsv(std::string_view(text).substr(header.size(), text.size() - header.size() - 1),
-                    columns);
+  for (const RowColumns& known : {columns, FormerColumns(columns)}) {
+    const std::string header = CsvHeader(known) + "\n";
+    if (text.rfind(header, 0) != 0 || text.back() != '\n') continue;
+    return RowFromCsv(std::string_view(text).substr(header.size(), text.size() - header.size() - 1),
+                      known);
+  }
+  return std::nullopt;
 }
 
 }  // namespace dockyard

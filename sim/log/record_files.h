@@ -19,8 +19,10 @@ std::string HistoryCsv(const RunRecord& record);
 /// `detected` counts by camera; each mark names its camera by index.
 Json SightingsJson(const std::vector<SightingSample>& sightings);
 Json PlansJson(const std::vector<PlanSample>& plans);
+/// The row, failure_note, and `limits`: those that the judge held the run against.
+Json OutcomeJson(const RunRecord& record);
 
-/// Writes history.csv, sightings.json, plans.json and outcome.json (the row and failure_note) into
+/// Writes history.csv, sightings.json, plans.json and outcome.json into
 /// the folder, which it makes, and values.csv where the controller has values that the system does
 /// not name. Throws IoError.
 void WriteRecordFiles(const std::filesystem::path& dir, const RunRecord& record);
@@ -31,7 +33,8 @@ void WriteSightings(const std::filesystem::path& dir, const RunRecord& record);
 /// result.csv: header and row, as a campaign's results.csv has them. Throws IoError.
 void WriteSingleResult(const std::filesystem::path& dir, const RunResult& row,
                        const RowColumns& columns);
-/// None when there is no such file or it holds no whole row of these columns.
+/// None when there is no such file or it holds no whole row of these columns or of the
+/// former ones.
 std::optional<RunResult> ReadSingleResult(const std::filesystem::path& dir,
                                           const RowColumns& columns);
 

@@ -39,12 +39,18 @@ void VisitRow(Row& row, const RowColumns& columns, Visit&& visit) {
   for (std::size_t i = 0; i < columns.labels.size(); ++i) {
     visit(columns.labels[i], CellKind::kLabel, row.labels[i]);
   }
-  visit("docked", CellKind::kFlag, row.docked);
+  if (!columns.former) {
+    visit("success", CellKind::kFlag, row.success);
+    visit("success_word", CellKind::kText, row.success_word);
+  }
+  visit("docked", CellKind::kFlag, row.success);  // the former name
   visit("outcome", CellKind::kText, row.outcome);
   visit("sim_time_s", CellKind::kReal, row.sim_time_s);
   visit("images", CellKind::kInteger, row.images);
   for (std::size_t i = 0; i < columns.measures.size(); ++i) {
-    visit(columns.measures[i].name, CellKind::kMeasure, row.measures[i]);
+    const Column& measure = columns.measures[i];
+    if (columns.former && IsMargin(measure)) continue;
+    visit(measure.name, CellKind::kMeasure, row.measures[i]);
   }
   visit("state_hash", CellKind::kHash, row.state_hash);
 }
@@ -84,7 +90,8 @@ bool ReadCell(CellKind kind, const std::string& text, T& value) {
 RunResult EmptyRow(const RowColumns& columns) {
   RunResult row;
   row.labels.resize(columns.labels.size());
-  row.measures.resize(columns.measures.size());
+  row.measures.resize(columns.measures.size(), std::nan(""));
+  row.former = columns.former;
   return row;
 }
 
@@ -96,14 +103,14 @@ std::string Folded(std::string name) {
 }
 
 /// The names beside a row's own in outcome.json and in the output of `run --json`.
-const std::set<std::string> kNamesBesideTheRow{"failure_note", "cpu_time_s", "wall_time_s",
-                                               "controller_cpu_s", "controller_wall_s"};
+const std::set<std::string> kNamesBesideTheRow{
+    "failure_note", "limits", "cpu_time_s", "wall_time_s", "controller_cpu_s", "controller_wall_s"};
 
 bool IsAnOutcome(const RunResult& row, const RowColumns& columns) {
-  if (IsLost(row.outcome)) return !row.docked;
+  if (IsLost(row.outcome)) return !row.success;
   return std::any_of(columns.outcomes.begin(), columns.outcomes.end(),
                      [&](const OutcomeName& each) {
-                       return each.name == row.outcome && each.success == row.docked;
+                       return each.name == row.outcome && each.success == row.success;
                      });
 }
 
@@ -169,8 +176,14 @@ std::vector<std::string> RowCells(const RunResult& row, const RowColumns& column
   return cells;
 }
 
+RowColumns FormerColumns(RowColumns columns) {
+  columns.former = true;
+  return columns;
+}
+
 std::vector<DifferingCell> DifferingCells(const RunResult& then, const RunResult& now,
-                                          const RowColumns& columns) {
+                                          const RowColumns& all) {
+  const RowColumns columns = then.former || now.former ? FormerColumns(all) : all;
   const std::vector<std::string> names = ColumnNames(columns), was = RowCells(then, columns),
                                  is = RowCells(now, columns);
   std::vector<DifferingCell> differing;
@@ -194,21 +207,28 @@ std::optional<RunResult> RowFromCsv(std::string_view line, const RowColumns& col
 std::optional<RunResult> RowFromCells(const std::vector<std::string>& cells,
                                       const RowColumns& columns) {
   RunResult row = EmptyRow(columns);
-  std::size_t next = 0, empty = 0;
+  std::size_t next = 0, measures = 0, empty = 0;
   bool good = true;
+  std::optional<std::string> flag;
   VisitRow(row, columns, [&](const std::string&, CellKind kind, auto& value) {
     good = good && next < cells.size();
     if (!good) return;
     const std::string& cell = cells[next++];
+    measures += kind == CellKind::kMeasure;
+    // success, and again by its former name
+    if (kind == CellKind::kFlag) {
+      if (flag && *flag != cell) good = false;
+      flag = cell;
+    }
     if (kind == CellKind::kMeasure && cell.empty()) {
       ++empty;
     } else {
-      good = ReadCell(kind, cell, value);
+      good = good && ReadCell(kind, cell, value);
     }
   });
   if (!good || next != cells.size() || !IsAnOutcome(row, columns)) return std::nullopt;
   if (empty == 0) return row;
-  if (empty != columns.measures.size() || !IsLost(row.outcome)) return std::nullopt;
+  if (empty != measures || !IsLost(row.outcome)) return std::nullopt;
   row.measures.clear();
   return row;
 }

@@ -33,6 +33,10 @@ struct RowColumn {
 std::vector<RowColumn> ColumnsOfRow(const RowColumns& columns);
 std::vector<std::string> ColumnNames(const RowColumns& columns);
 
+/// The columns of results that an earlier program wrote. Rows read by them have NaN margins and no
+/// success_word.
+RowColumns FormerColumns(RowColumns columns);
+
 /// A cell for each column. The row has a value for each label, and a value for each measure or
 /// none.
 std::vector<std::string> RowCells(const RunResult& row, const RowColumns& columns);
@@ -40,7 +44,8 @@ std::vector<std::string> RowCells(const RunResult& row, const RowColumns& column
 struct DifferingCell {
   std::string column, was, is;
 };
-/// The columns whose text differs, in order: equal text is equal bits.
+/// The columns whose text differs, in order: equal text is equal bits. Where a row was read by
+/// former columns, those are compared.
 std::vector<DifferingCell> DifferingCells(const RunResult& then, const RunResult& now,
                                           const RowColumns& columns);
 
@@ -53,8 +58,8 @@ std::optional<RunResult> RowFromCsv(std::string_view line, const RowColumns& col
 std::optional<RunResult> RowFromCells(const std::vector<std::string>& cells,
                                       const RowColumns& columns);
 
-/// The row by names, in the order of results.csv: docked is a boolean, labels are text, NaN and
-/// missing are null.
+/// The row by names, in the order of results.csv: success and docked are booleans, labels are text,
+/// NaN and missing are null.
 Json RowJson(const RunResult& row, const RowColumns& columns);
 
 }  // namespace dockyard

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "controller/base/check.h"
 #include "sim/base/files.h"
@@ -23,6 +24,21 @@ std::size_t FinishedRuns::Find(int run) const {
                        [](const RunResult& result, int number) { return result.run < number; });
   return at == results.end() || at->run != run ? size()
                                                : static_cast<std::size_t>(at - results.begin());
+}
+
+std::string SuccessWord(const RowColumns& columns, const std::vector<RunResult>& rows) {
+  std::set<std::string> words;
+  for (const RunResult& row : rows) {
+    if (!row.success_word.empty()) words.insert(row.success_word);
+  }
+  const bool none = words.empty();
+  for (const OutcomeName& each : columns.outcomes) {
+    if (none && each.success) words.insert(each.name);
+  }
+  if (words.size() != 1) return "succeeded";
+  std::string word = *words.begin();
+  std::replace(word.begin(), word.end(), '_', ' ');
+  return word;
 }
 
 std::vector<std::string> TimingNames() {
@@ -75,6 +91,8 @@ void WriteTimingCsv(const std::filesystem::path& path, const FinishedRuns& runs)
 std::vector<RunResult> RowsFromCsv(std::string_view bytes, const std::string& file,
                                    const RowColumns& columns) {
   const std::string header = CsvHeader(columns);
+  const RowColumns former = FormerColumns(columns);
+  const RowColumns* of_file = &columns;
   std::vector<RunResult> rows;
   for (int number = 1; !bytes.empty(); ++number) {
     const std::size_t end = bytes.find('\n');
@@ -82,11 +100,12 @@ std::vector<RunResult> RowsFromCsv(std::string_view bytes, const std::string& fi
     const std::string_view line = bytes.substr(0, end);
     bytes.remove_prefix(end + 1);
     const std::string at = file + ":" + std::to_string(number) + ": ";
-    if (number == 1 && line != header) {
+    if (number == 1 && line == CsvHeader(former)) of_file = &former;
+    if (number == 1 && line != header && of_file == &columns) {
       throw ResultsError(at + "expected the columns '" + header + "'");
     }
     if (number == 1) continue;
-    const auto row = RowFromCsv(line, columns);
+    const auto row = RowFromCsv(line, *of_file);
     if (!row) throw ResultsError(at + "not a row of " + file);
     rows.push_back(*row);
   }

@@ -40,6 +40,10 @@ struct FinishedRuns {
   std::size_t Find(int run) const;
 };
 
+/// What a success is called: the one success_word of all rows; without any, the system's only
+/// outcome that is a success; else "succeeded".
+std::string SuccessWord(const RowColumns& columns, const std::vector<RunResult>& rows = {});
+
 /// The four numbers' names and texts, in one order.
 std::vector<std::string> TimingNames();
 std::vector<std::string> TimingCells(const RunTiming& timing);
@@ -52,8 +56,9 @@ void WriteResultsCsv(const std::filesystem::path& path, const FinishedRuns& runs
                      const RowColumns& columns);
 void WriteTimingCsv(const std::filesystem::path& path, const FinishedRuns& runs);
 
-/// Rows of results.csv's bytes; file is named in errors. A last line without its newline was cut
-/// off and is left out. Any other line that is not a row throws ResultsError.
+/// Rows of results.csv's bytes, also by former columns; file is named in errors. A last line
+/// without its newline was cut off and is left out. Any other line that is not a row throws
+/// ResultsError.
 std::vector<RunResult> RowsFromCsv(std::string_view bytes, const std::string& file,
                                    const RowColumns& columns);
 

@@ -116,7 +116,7 @@ Json CurvesPart(const Campaign& campaign, const FinishedRuns& runs, const RowCol
   for (const Factor& factor : campaign.grid) {
     const std::string& x = factor.key.name;
     if (x == asked.x || !IsAxis(rows, columns, x)) continue;
-    AddFigures({x, CurvesFor(campaign, x), "", {"docked"}}, rows, columns, figures);
+    AddFigures({x, CurvesFor(campaign, x), "", {kSuccess}}, rows, columns, figures);
   }
   return figures;
 }

@@ -45,10 +45,11 @@ bool IsSetting(const Campaign* campaign, const std::string& label,
 
 }  // namespace
 
-Json ShareJson(int docked, int runs) {
-  const Interval interval = ClopperPearson(docked, runs);
-  return {
-      {"docked", docked}, {"runs", runs}, {"interval", Json::array({interval.low, interval.high})}};
+Json ShareJson(int successes, int runs) {
+  const Interval interval = ClopperPearson(successes, runs);
+  return {{"successes", successes},
+          {"runs", runs},
+          {"interval", Json::array({interval.low, interval.high})}};
 }
 
 Json GroupsPart(const Campaign* campaign, const FinishedRuns& runs, const RowColumns& columns) {
@@ -59,7 +60,7 @@ Json GroupsPart(const Campaign* campaign, const FinishedRuns& runs, const RowCol
     for (const RunResult& row : runs.results) {
       const auto [at, fresh] = counts.try_emplace(row.labels[label]);
       if (fresh) values.push_back(row.labels[label]);
-      at->second.first += row.docked;
+      at->second.first += row.success;
       ++at->second.second;
       if (counts.size() > kMostGroups) break;
     }

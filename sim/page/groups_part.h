@@ -8,7 +8,7 @@
 namespace dockyard {
 
 /// Counts with their exact 95 % interval.
-Json ShareJson(int docked, int runs);
+Json ShareJson(int successes, int runs);
 
 /// `groups` of the header: an entry for each label with a few values. Drawn numbers are no
 /// settings: each run has its own; nor are the numbers of points and repeats. Numbers rise; words

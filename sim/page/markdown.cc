@@ -15,10 +15,10 @@ std::string Percent(double share) { return Fixed(100.0 * share, 0); }
 
 /// "36/40 (90 %, 76-97 %)"
 std::string Rate(const Json& share) {
-  const int docked = share["docked"], runs = share["runs"];
-  std::string text = std::to_string(docked) + "/" + std::to_string(runs);
+  const int successes = share["successes"], runs = share["runs"];
+  std::string text = std::to_string(successes) + "/" + std::to_string(runs);
   if (runs == 0) return text;
-  return text + " (" + Percent(static_cast<double>(docked) / runs) + " %, " +
+  return text + " (" + Percent(static_cast<double>(successes) / runs) + " %, " +
          Percent(share["interval"][0]) + "-" + Percent(share["interval"][1]) + " %)";
 }
 
@@ -61,9 +61,9 @@ std::string ShortNumber(const std::string& text) {
   return number ? BriefNumber(*number) : text;
 }
 
-std::string Groups(const Json& groups) {
+std::string Groups(const Json& groups, const std::string& word) {
   if (groups.empty()) return "";
-  std::string text = Head({"factor", "value", "docked"});
+  std::string text = Head({"factor", "value", word});
   for (const Json& group : groups) {
     for (const Json& value : group["values"]) {
       text += Line({group["label"], ShortNumber(value["value"]), Rate(value)});
@@ -93,6 +93,20 @@ std::string Causes(const Json& causes, const std::string& replay_command) {
     text += command.replace(command.find("{run}"), 5, std::to_string(run)) + "\n";
   }
   return text + "```\n";
+}
+
+std::string Limits(const Json& limits) {
+  if (limits.empty()) return "";
+  std::string text = Head({"limit", "broken", "least margin of a success", "run"});
+  for (const Json& each : limits) {
+    const bool any = each.contains("run");
+    text += Line({each["name"],
+                  std::to_string(each["broken"].get<int>()) + "/" +
+                      std::to_string(each["judged"].get<int>()),
+                  any ? BriefNumber(each["least"]) + " " + each["unit"].get<std::string>() : "-",
+                  any ? std::to_string(each["run"].get<int>()) : "-"});
+  }
+  return text;
 }
 
 std::string SensitivityTable(const Json& sensitivity) {
@@ -132,7 +146,9 @@ std::string Arms(const Json& arms) {
 std::string OverviewMarkdown(const std::string& title, const Json& overview,
                              const std::string& replay_command) {
   const Json& totals = overview["totals"];
-  std::string text = "# " + title + "\n\nDocked " + Rate(totals) + "; 95 % intervals, exact.\n";
+  const std::string word = totals["word"];
+  std::string text =
+      "# " + title + "\n\n" + word + " " + Rate(totals) + "; 95 % intervals, exact.\n";
   const std::int64_t missing =
       totals["planned"].get<std::int64_t>() - totals["runs"].get<std::int64_t>();
   if (totals.contains("changed_alone")) {
@@ -150,7 +166,8 @@ std::string OverviewMarkdown(const std::string& title, const Json& overview,
       text += "- " + each["text"].get<std::string>() + "\n";
     }
   }
-  text += Groups(overview["groups"]) + Causes(overview["causes"], replay_command);
+  text += Groups(overview["groups"], word) + Causes(overview["causes"], replay_command) +
+          Limits(overview["limits"]);
   if (overview.contains("arms")) text += Arms(overview["arms"]);
   if (overview.contains("sensitivity")) text += SensitivityTable(overview["sensitivity"]);
   return text;

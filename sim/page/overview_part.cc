@@ -8,6 +8,7 @@
 #include "sim/page/curves_part.h"
 #include "sim/page/groups_part.h"
 #include "sim/report/arm_pairs.h"
+#include "sim/report/margins.h"
 #include "sim/report/points.h"
 #include "sim/report/sensitivity.h"
 #include "sim/report/until_accepted.h"
@@ -27,12 +28,13 @@ Json Ends(const Interval& interval) { return Json::array({interval.low, interval
 
 /// Of the runs in which no key was changed alone: the others are no sample of the same population.
 Json Totals(const FinishedRuns& runs, const RowColumns& columns, std::int64_t planned) {
-  int docked = 0, lost = 0;
+  int successes = 0, lost = 0;
   const Rows unchanged = UnchangedRows(runs.results, columns);
-  for (const RunResult* row : unchanged) docked += row->docked;
+  for (const RunResult* row : unchanged) successes += row->success;
   for (const RunResult& row : runs.results) lost += IsLost(row.outcome);
   const auto changed = static_cast<std::int64_t>(runs.size() - unchanged.size());
-  Json totals = ShareJson(docked, static_cast<int>(unchanged.size()));
+  Json totals = ShareJson(successes, static_cast<int>(unchanged.size()));
+  totals["word"] = SuccessWord(columns, runs.results);
   totals["planned"] = planned - changed;
   totals["lost"] = lost;
   if (changed > 0) totals["changed_alone"] = changed;
@@ -42,7 +44,7 @@ Json Totals(const FinishedRuns& runs, const RowColumns& columns, std::int64_t pl
 Json Causes(const FinishedRuns& runs) {
   std::map<std::string, std::pair<int, std::vector<int>>> causes;
   for (const RunResult& row : runs.results) {
-    if (row.docked) continue;
+    if (row.success) continue;
     auto& [count, numbers] = causes[row.outcome];
     ++count;
     if (numbers.size() < kMostNumbers) numbers.push_back(row.run);
@@ -53,6 +55,24 @@ Json Causes(const FinishedRuns& runs) {
   }
   std::stable_sort(list.begin(), list.end(),
                    [](const Json& a, const Json& b) { return a["count"] > b["count"]; });
+  return list;
+}
+
+/// As LimitsOverRuns.
+Json LimitsOfRuns(const FinishedRuns& runs, const RowColumns& columns) {
+  Json list = Json::array();
+  for (const LimitOverRuns& each : LimitsOverRuns(columns, runs.results)) {
+    Json limit{{"name", each.name},
+               {"unit", each.unit},
+               {"meaning", each.meaning},
+               {"judged", each.judged},
+               {"broken", each.broken}};
+    if (each.least != nullptr) {
+      limit["least"] = each.least_margin;
+      limit["run"] = each.least->run;
+    }
+    list.push_back(limit);
+  }
   return list;
 }
 
@@ -76,7 +96,7 @@ Json SensitivityJson(const std::vector<Sensitivity>& found) {
                        {"partial", EstimateJson(draw.partial)}});
     }
     for (const LevelRate& rate : arm.rates) {
-      Json level = ShareJson(rate.docked, rate.runs);
+      Json level = ShareJson(rate.successes, rate.runs);
       level.update({{"label", rate.label},
                     {"word", rate.word},
                     {"low", Number(rate.low)},
@@ -114,9 +134,10 @@ Json ArmsJson(const Campaign& campaign, const FinishedRuns& runs, const RowColum
 }
 
 Json AcceptanceJson(const Json& totals, const AcceptanceAim& aim) {
-  const int runs = totals["runs"], docked = totals["docked"];
-  const Acceptance found = JudgeAcceptance(runs, runs - docked, aim.reliability, aim.confidence);
-  std::string sentence = std::to_string(docked) + " of " + std::to_string(runs) + " docked";
+  const int runs = totals["runs"], successes = totals["successes"];
+  const Acceptance found = JudgeAcceptance(runs, runs - successes, aim.reliability, aim.confidence);
+  std::string sentence = std::to_string(successes) + " of " + std::to_string(runs) + " " +
+                         totals["word"].get<std::string>();
   const bool undecided = found.verdict == AcceptanceVerdict::kUndecided,
              accepted = found.verdict == AcceptanceVerdict::kAccepted;
   sentence += accepted ? " show " : undecided ? " do not yet show " : " show less than ";
@@ -144,7 +165,7 @@ void AddRequirements(const std::vector<Requirement>& requirements,
   for (const Requirement& requirement : requirements) {
     const Judgement found = Judge(requirement, columns, runs.results);
     judged.push_back({{"met", found.met}, {"text", found.text}});
-    if (requirement.figure != "docked" || requirement.outcome) continue;
+    if (requirement.figure != kSuccess || requirement.outcome) continue;
     aims.push_back({{"text", requirement.text}, {"share", requirement.limit}});
   }
   if (!judged.empty()) json["requirements"] = judged;
@@ -159,7 +180,8 @@ Json OverviewPart(const Campaign* campaign, const FinishedRuns& runs, const RowC
   const auto count = static_cast<std::int64_t>(runs.size());
   Json json{{"totals", Totals(runs, columns, campaign ? campaign->run_count() : count)},
             {"groups", GroupsPart(campaign, runs, columns)},
-            {"causes", Causes(runs)}};
+            {"causes", Causes(runs)},
+            {"limits", LimitsOfRuns(runs, columns)}};
   if (campaign != nullptr) {
     json["sensitivity"] = SensitivityJson(FindSensitivity(*campaign, columns, runs.results));
     if (!campaign->arms.empty()) json["arms"] = ArmsJson(*campaign, runs, columns);

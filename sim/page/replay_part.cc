@@ -193,7 +193,7 @@ Json ReplayPart(const LoggedRun& run, const ReplayFacts& facts, Payload& payload
   Json json{{"run", facts.run},
             {"scene", facts.scene},
             {"outcome", facts.outcome},
-            {"docked", facts.docked},
+            {"success", facts.success},
             {"sentence", facts.sentence},
             {"command", facts.command},
             {"seed", facts.seed},

@@ -15,7 +15,7 @@ struct ReplayFacts {
   int run = 0;
   std::size_t scene = 0;  // in the header's list
   std::string outcome{}, sentence{}, command{}, seed{}, state_hash{}, messages{};
-  bool docked = false;
+  bool success = false;
   std::vector<Column> channels{}, beliefs{};  // of the system, for units and meanings
   bool pictures = true;
   std::size_t most_images = 240;  // of those without a sighting

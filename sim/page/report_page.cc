@@ -68,7 +68,7 @@ ReplayFacts FactsOf(const ReportContent& content, const WatchedRun& watched, std
           .seed = std::to_string(row.seed),
           .state_hash = Hexadecimal(row.state_hash),
           .messages = watched.messages,
-          .docked = row.docked,
+          .success = row.success,
           .channels = content.channels,
           .beliefs = content.beliefs,
           .pictures = content.pictures,
@@ -128,8 +128,12 @@ std::string ReportPage(const ReportContent& content) {
   header["campaign"] = CampaignJson(content.campaign);
   header["system"] = SystemJson(content);
   header["table"] = TablePart(*content.runs, content.columns, content.starts, payload, left_out);
-  // Which end of a measure is the bad one, no column says.
+  // Of a measure no column says which end is the bad one; of the tightest limit it is the least.
   header["worst"] = Json::array({{{"column", "sim_time_s"}, {"largest", true}}});
+  if (!header["limits"].empty()) {
+    const std::string name = header["limits"][0]["name"];
+    header["worst"].push_back({{"column", "margin." + name}, {"largest", false}});
+  }
   if (!content.replay_command.empty()) header["replay_command"] = content.replay_command;
   AddReplays(content, payload, header, left_out);
   header["left_out"] = left_out;

@@ -103,8 +103,8 @@ Json TablePart(const FinishedRuns& runs, const RowColumns& columns,
   table.Add("run", "", "i32",
             Each<std::int32_t>(count, [&](std::size_t i) { return rows[i].run; }));
   table.AddTexts("outcome", texts([](const RunResult& row) { return row.outcome; }));
-  table.Add("docked", "", "u8",
-            Each<std::uint8_t>(count, [&](std::size_t i) { return rows[i].docked ? 1 : 0; }));
+  table.Add("success", "", "u8",
+            Each<std::uint8_t>(count, [&](std::size_t i) { return rows[i].success ? 1 : 0; }));
   table.AddTexts("controller", texts([](const RunResult& row) { return row.controller; }));
   for (std::size_t label = 0; label < columns.labels.size(); ++label) {
     const std::string& name = columns.labels[label];

@@ -163,7 +163,7 @@ void AddLabels(Campaign& campaign) {
 
 void ReadFigures(const YamlReader& root, const std::vector<std::string>& measures,
                  Campaign& campaign) {
-  campaign.figures.measures = {"docked"};
+  campaign.figures.measures = {"success"};
   if (!root.Has("figures")) return;
   const YamlReader in(root.Child("figures"), "figures", {"x", "curves", "panels", "measures"});
   std::vector<std::string> labels = campaign.labels;
@@ -177,13 +177,14 @@ void ReadFigures(const YamlReader& root, const std::vector<std::string>& measure
   if (!in.Has("measures")) return;
   campaign.figures.measures.clear();
   for (const YamlNode& item : in.List("measures", 1, 8).items) {
-    if (std::find(measures.begin(), measures.end(), item.scalar) == measures.end()) {
+    const std::string name = item.scalar == "docked" ? "success" : item.scalar;  // its former name
+    if (std::find(measures.begin(), measures.end(), name) == measures.end()) {
       const std::string near = NearestName(item.scalar, measures);
       throw ConfigError(item.place.Text() +
                         ": figures.measures: expected a column of results.csv, found " +
                         item.Found() + (near.empty() ? "" : "; nearest is '" + near + "'"));
     }
-    campaign.figures.measures.push_back(item.scalar);
+    campaign.figures.measures.push_back(name);
   }
 }
 

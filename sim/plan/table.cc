@@ -28,9 +28,9 @@ bool Contains(const std::vector<std::string>& names, const std::string& name) {
 
 /// The columns of a row of results beside its labels.
 bool IsResultColumn(const std::string& name) {
-  static const std::vector<std::string> columns{"run",        "seed",       "system",
-                                                "controller", "docked",     "outcome",
-                                                "images",     "sim_time_s", "state_hash"};
+  static const std::vector<std::string> columns{
+      "run",    "seed",    "system", "controller", "success",   "success_word",
+      "docked", "outcome", "images", "sim_time_s", "state_hash"};
   return Contains(columns, name);
 }
 

@@ -1,6 +1,7 @@
 #include "sim/raposa/outcome.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -64,17 +65,24 @@ bool OutcomeJudge::holds() const {
          std::max(last_.left_door_m, last_.right_door_m) < limits_.closed_m;
 }
 
-std::string OutcomeJudge::ClaimNote() const {
-  std::string note = GuidePlace(last_);
-  if (last_.p_SP_R.norm() >= limits_.seated_within_m) {
-    note += Sentence(" (docked: within %.0f mm)", 1e3 * limits_.seated_within_m);
-  }
-  const double open_m = std::max(last_.left_door_m, last_.right_door_m);
-  if (open_m >= limits_.closed_m) {
-    note += Sentence(", a door %.0f mm from closed (less than %.0f mm)", 1e3 * open_m,
-                     1e3 * limits_.closed_m);
-  }
-  return note;
+std::vector<JudgedLimit> OutcomeJudge::Limits(Verdict claimed, const Trial& trial) const {
+  constexpr LimitSense kAtMost = LimitSense::kAtMost;
+  const bool claims = claimed == Verdict::kDone;
+  const auto if_judged = [](bool judged, double value) { return judged ? value : std::nan(""); };
+  return {
+      {"seat_m", "m", "guide's middle from its seat, before the trial", kAtMost,
+       last_.p_SP_R.norm(), limits_.seated_within_m},
+      {"door_m", "m", "the door that is further from closed", kAtMost,
+       std::max(last_.left_door_m, last_.right_door_m), limits_.closed_m},
+      {"trial_seat_m", "m", "largest distance of the guide from its seat while driven away",
+       kAtMost, if_judged(trial.done, trial.worst_m), limits_.seated_within_m},
+      {"pyramid_tilt_deg", "deg", "the pyramid from upright, without a claim", kAtMost,
+       if_judged(!claims, Degrees(last_.pyramid_tilt_rad)), Degrees(limits_.tipped_rad)},
+      {"pyramid_shift_m", "m", "the guide from where it was at the start, without a claim", kAtMost,
+       if_judged(!claims, last_.pyramid_shift_m), limits_.pushed_m},
+      {"jam_s", "s", "time that the guide has stuck in the socket, without a claim", kAtMost,
+       if_judged(!claims, stay_ ? last_.time_s - stay_->since_s : 0.0), limits_.jam_time_s},
+  };
 }
 
 OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, const Trial& trial,
@@ -86,25 +94,19 @@ OutcomeJudge::Verdicted OutcomeJudge::Conclude(Verdict claimed, const Trial& tri
               Sentence("guide within %.1f mm of its seat while it was driven away",
                        1e3 * trial.worst_m)};
     }
-    if (!trial.done) return {Outcome::kFalseDocked, "claimed docked; " + ClaimNote()};
-    return {Outcome::kFalseDocked,
-            Sentence("claimed docked; driven away, the guide came %.0f mm off its seat (at most "
-                     "%.0f mm)",
-                     1e3 * trial.worst_m, 1e3 * limits_.seated_within_m)};
+    return {Outcome::kFalseDocked, "claimed docked; " + BrokenLimitsText(Limits(claimed, trial)) +
+                                       "; " + GuidePlace(last_)};
   }
   if (tipped_since_s_) {
-    return {Outcome::kTippedPyramid,
-            Sentence("the pyramid leans by %.0f deg (at most %.0f deg)",
-                     Degrees(last_.pyramid_tilt_rad), Degrees(limits_.tipped_rad))};
+    return {Outcome::kTippedPyramid, BrokenLimitsText(Limits(claimed, trial))};
   }
   if (stay_ && last_.time_s - stay_->since_s > limits_.jam_time_s) {
     return {Outcome::kJammed, GuidePlace(last_)};
   }
   if (last_.pyramid_shift_m > limits_.pushed_m) {
     return {Outcome::kPushedAway,
-            Sentence("the pyramid was pushed by %.0f mm (at most %.0f mm) and turned by %.0f deg",
-                     1e3 * last_.pyramid_shift_m, 1e3 * limits_.pushed_m,
-                     Degrees(last_.pyramid_turn_rad))};
+            BrokenLimitsText(Limits(claimed, trial)) +
+                Sentence(", turned by %.0f deg", Degrees(last_.pyramid_turn_rad))};
   }
   if (touched_since_s_) return {Outcome::kMissedSocket, GuidePlace(last_)};
   const std::string where = Sentence("the camera %.2f m from the guide, %.0f deg off its axis",

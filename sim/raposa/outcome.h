@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "controller/io/commands.h"
-#include "sim/log/column.h"
+#include "sim/log/judged_limit.h"
 #include "sim/raposa/world.h"
 
 namespace dockyard::raposa {
@@ -64,9 +64,11 @@ class OutcomeJudge {
   /// @param searches  whether the controller says by its states that it searches
   Verdicted Conclude(Verdict claimed, const Trial& trial, bool searches = true) const;
 
+  /// What the run is held against, at its end: a claim by guide and doors, another run by what
+  /// happened to the pyramid.
+  std::vector<JudgedLimit> Limits(Verdict claimed, const Trial& trial) const;
+
  private:
-  /// The limits that a claim of being docked did not keep, with what was measured.
-  std::string ClaimNote() const;
   OutcomeLimits limits_;
   Truth last_{};
   std::optional<double> tipped_since_s_, touched_since_s_;

@@ -1,6 +1,12 @@
 #include "sim/raposa/raposa_columns.h"
 
+#include "sim/raposa/outcome.h"
+
 namespace dockyard::raposa {
+
+std::vector<Column> Measures() {
+  return WithMargins(MeasuresOf<RaposaMeasures>(), OutcomeJudge(OutcomeLimits{}).Limits({}, {}));
+}
 
 std::vector<Column> Beliefs() {
   return {{"state", "", "number of the state; of ferreira2009 as its authors count them"},

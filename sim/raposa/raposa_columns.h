@@ -66,6 +66,7 @@ void VisitMeasures(const RaposaMeasures& m, Visit&& visit) {
         m.belt_current_peak_a);
 }
 
+std::vector<Column> Measures();  // and the limits' margins
 /// Names of the values that the controllers' beliefs may hold.
 std::vector<Column> Beliefs();
 

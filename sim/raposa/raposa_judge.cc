@@ -59,7 +59,8 @@ Conclusion RaposaJudge::Conclude(const Commands& last, const Belief& belief,
   }
   const OutcomeJudge::Verdicted verdict =
       outcome_.Conclude(last.verdict, trial, !std::isnan(ValueOf(belief, "state", std::nan(""))));
-  return {Name(verdict.outcome), verdict.note, Values(measures_)};
+  return {Name(verdict.outcome), verdict.note, Values(measures_),
+          outcome_.Limits(last.verdict, trial)};
 }
 
 }  // namespace dockyard::raposa

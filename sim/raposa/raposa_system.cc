@@ -72,7 +72,7 @@ System RaposaSystem(const std::vector<NamedController<Nominal>>& controllers,
   system.scenario.changes_file_keys = {"robot.urdf", "pyramid.urdf"};
   system.scenario.model_roots = {
       {"robot", "robot"}, {"pyramid", "raposa.pyramid"}, {"soil", "soil"}};
-  system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), MeasuresOf<RaposaMeasures>()};
+  system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), Measures()};
   system.keys = VisitOf(VisitRaposaKeys);
   UseModels(
       std::make_shared<ModelStore<RaposaModels>>(LoadModels),

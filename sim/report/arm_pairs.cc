@@ -32,7 +32,7 @@ ArmPairs PairBy(const Rows& a, const Rows& b,
       ++found.unpaired;
       continue;
     }
-    const bool of_a = pair.first->docked, of_b = pair.second->docked;
+    const bool of_a = pair.first->success, of_b = pair.second->success;
     found.counts.both += of_a && of_b;
     found.counts.only_a += of_a && !of_b;
     found.counts.only_b += !of_a && of_b;

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "controller/base/check.h"
+#include "sim/log/results.h"
 #include "sim/report/plot_labels.h"
 #include "sim/report/points.h"
 #include "sim/report/rate_text.h"
@@ -13,7 +14,7 @@ namespace {
 
 struct Bar {
   std::string label;
-  double share_change = 0.0;    // of docked, 0 to 1
+  double share_change = 0.0;    // of successes, 0 to 1
   double measure_change = 0.0;  // of the measure's mean, in its unit
 };
 
@@ -32,7 +33,7 @@ struct BarGroup {
 std::optional<Column> SecondMeasure(const std::vector<std::string>& measures,
                                     const RowColumns& columns) {
   for (const std::string& name : measures) {
-    if (name == "docked") continue;
+    if (name == kSuccess) continue;
     const std::vector<Column> summed = SummedColumns(columns);
     const auto found = std::find_if(summed.begin(), summed.end(),
                                     [&](const Column& each) { return each.name == name; });
@@ -78,7 +79,7 @@ std::vector<BarGroup> BarGroups(const RowColumns& columns, const std::optional<C
   for (const Change& change : ChangesOf(columns, rows)) {
     if (groups.empty() || groups.back().key != change.key) groups.push_back({change.key, {}});
     groups.back().bars.push_back(
-        {change.to, mean("docked", change.rows) - mean("docked", base),
+        {change.to, mean(kSuccess, change.rows) - mean(kSuccess, base),
          second ? mean(second->name, change.rows) - mean(second->name, base) : 0.0});
   }
   std::stable_sort(groups.begin(), groups.end(),
@@ -158,17 +159,17 @@ std::string BarsPlot(const std::string& title, const std::vector<std::string>& m
   SvgDocument svg(kLeft + (second ? 2 : 1) * (kWide + kGap), kTop + HeightOf(groups) + 60, title);
   svg.Text({16, 26}, title + ": one key changed at a time", {15, "#111111", Anchor::kStart, true});
   const Rows base = UnchangedRows(rows, columns);
-  const Spread docked = SpreadOf(columns, "docked", base);
+  const Spread share_now = SpreadOf(columns, kSuccess, base);
   std::string unchanged =
-      "unchanged: " +
-      BriefRate(static_cast<int>(std::lround(docked.mean * docked.count)), docked.count);
+      "unchanged: " + SuccessWord(columns, rows) + " " +
+      RateText(static_cast<int>(std::lround(share_now.mean * share_now.count)), share_now.count);
   if (second) {
     unchanged += ", mean " + AxisLabel(*second) + " " +
                  BriefNumber(SpreadOf(columns, second->name, base).mean);
   }
   svg.Text({16, 48}, unchanged, {12, "#333333"});
   const PlotArea share = BarArea(0, groups, &Bar::share_change);
-  DrawScale(svg, share, "change of the docked share");
+  DrawScale(svg, share, "change of the share of successes");
   if (second) {
     const PlotArea area = BarArea(1, groups, &Bar::measure_change);
     DrawScale(svg, area, "change of the mean " + AxisLabel(*second));

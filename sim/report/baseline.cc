@@ -49,10 +49,10 @@ BaselinePairs PairWithBaseline(const RowColumns& columns, const std::vector<RunR
       pairs.other_draw.push_back(here.run);
       continue;
     }
-    pairs.counts.both += here.docked && there.docked;
-    pairs.counts.neither += !here.docked && !there.docked;
-    if (here.docked && !there.docked) pairs.won.push_back(here.run);
-    if (!here.docked && there.docked) pairs.lost.push_back(here.run);
+    pairs.counts.both += here.success && there.success;
+    pairs.counts.neither += !here.success && !there.success;
+    if (here.success && !there.success) pairs.won.push_back(here.run);
+    if (!here.success && there.success) pairs.lost.push_back(here.run);
     pairs.same_bits += here.state_hash == there.state_hash && here.outcome == there.outcome;
   }
   for (const auto& [run, row] : partners) pairs.only_there.push_back(run);

@@ -12,9 +12,10 @@ namespace {
 const Column kLabels{"[labels]", "",
                      "how the run was made, as text exactly as in the campaign's file or table; a "
                      "label with the name of another column is called `table.<name>`"};
-const Column kMeasures{"[measures]", "",
-                       "the system's, below; empty for a run that crashed or was stopped, `nan` "
-                       "where a measure does not apply"};
+const Column kMeasures{
+    "[measures]", "",
+    "the system's, below; empty for a run that crashed or was stopped, `nan` "
+    "where a measure does not apply; at their end `margin.NAME` of each limit of the judge"};
 
 ColumnTable Results() {
   return {
@@ -27,7 +28,9 @@ ColumnTable Results() {
        {"system", "", "name of the system"},
        {"controller", "", "name of the controller; `command` for a program"},
        kLabels,
-       {"docked", "", "1 or 0: whether the outcome is a success of the system"},
+       {"success", "", "1 or 0: whether the outcome is a success of the system"},
+       {"success_word", "", "the outcome that the run's task asks for; empty for a lost run"},
+       {"docked", "", "`success` by its former name"},
        {"outcome", "", "a name: [outcomes.md](outcomes.md)"},
        {"sim_time_s", "s",
         "simulated time, from the start to the last command; a docking is tried after it"},
@@ -74,8 +77,11 @@ ColumnTable Points() {
             "labels of the combination: `arm`, the grid's keys, `changed`, "
             "`changed_to`"},
            {"runs", "", "runs of the combination"},
-           {"docked", "", "share of the runs that docked"},
-           {"docked_low", "", "lower end of its 95 % interval (Clopper and Pearson)"},
+           {"success", "", "share of the runs that succeeded"},
+           {"success_low", "", "lower end of its 95 % interval (Clopper and Pearson)"},
+           {"success_high", "", "upper end"},
+           {"docked", "", "`success` by its former name; likewise the next two"},
+           {"docked_low", "", "lower end"},
            {"docked_high", "", "upper end"},
            {"[measure]_mean", "",
             "mean of `sim_time_s`, then of each measure, over the runs that "
@@ -89,7 +95,7 @@ ColumnTable Sensitivities() {
           "Of a campaign with draws: a row per arm, measure and draw, the largest `eta` first. An "
           "empty cell cannot be told: the measure does not vary, or the runs are too few.",
           {{"arm", "", "name of the arm; empty without arms"},
-           {"measure", "", "`docked`, `sim_time_s` or a measure"},
+           {"measure", "", "`success`, `sim_time_s` or a measure"},
            {"draw", "", "key that is drawn"},
            {"kind", "", "`numbers`, or `words`, which have no order and so no correlations"},
            {"runs", "", "runs that have the measure"},
@@ -120,8 +126,11 @@ ColumnTable Levels() {
            {"low", "", "smallest number of the level, in the unit of the key"},
            {"high", "", "largest number of the level, in the unit of the key"},
            {"runs", "", "runs in the level"},
-           {"docked", "", "share of them that docked"},
-           {"docked_low", "", "lower end of its 95 % interval (Clopper and Pearson)"},
+           {"success", "", "share of them that succeeded"},
+           {"success_low", "", "lower end of its 95 % interval (Clopper and Pearson)"},
+           {"success_high", "", "upper end"},
+           {"docked", "", "`success` by its former name; likewise the next two"},
+           {"docked_low", "", "lower end"},
            {"docked_high", "", "upper end"}}};
 }
 

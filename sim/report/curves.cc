@@ -132,7 +132,7 @@ DataRange YRange(const PanelCurves& panels, bool is_share) {
 /// A row of panels, one measure.
 void DrawMeasure(SvgDocument& svg, const Axes& axes, const PanelCurves& panels,
                  const Column& column, double top) {
-  const DataRange y = YRange(panels, column.name == "docked");
+  const DataRange y = YRange(panels, column.name == kSuccess);
   for (std::size_t panel = 0; panel < panels.size(); ++panel) {
     const double left = kLeft + static_cast<double>(panel) * (kWide + kGapX);
     const PlotArea area{{left, top}, kWide, kHigh, XRange(axes.x), y};
@@ -149,7 +149,7 @@ void DrawMeasure(SvgDocument& svg, const Axes& axes, const PanelCurves& panels,
 }  // namespace
 
 std::string AxisLabel(const Column& column) {
-  if (column.name == "docked") return "docked share";
+  if (column.name == kSuccess) return "share of successes";
   std::string suffix = "_", label = column.name;
   for (const unsigned char c : column.unit) {
     suffix += std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '_';  // "N", "m/s"

@@ -57,7 +57,7 @@ std::string CaseOf(const JUnitSuite& suite, const RowColumns& columns, const JUn
   std::string text = "    <testcase" + Attribute("classname", ClassOf(suite, columns, row)) +
                      Attribute("name", NameOf(suite, columns, row)) +
                      Attribute("time", Fixed(run.wall_time_s, 3));
-  if (row.docked) return text + "/>\n";
+  if (row.success) return text + "/>\n";
   const bool lost = IsLost(row.outcome);
   const std::string message = row.outcome + (run.note.empty() ? "" : ": " + run.note);
   return text + ">\n" +
@@ -78,7 +78,7 @@ std::string Property(const std::string& name, const std::string& value) {
 }
 
 struct Totals {
-  int docked = 0, errors = 0, failures = 0;
+  int successes = 0, errors = 0, failures = 0;
   double wall_time_s = 0.0;
   std::map<std::string, int> outcomes;
 };
@@ -88,9 +88,9 @@ Totals TotalsOf(const std::vector<JUnitRun>& runs, const std::vector<Judgement>&
   for (const JUnitRun& run : runs) {
     DOCKYARD_CHECK(run.row != nullptr);
     const bool lost = IsLost(run.row->outcome);
-    totals.docked += run.row->docked;
+    totals.successes += run.row->success;
     totals.errors += lost;
-    totals.failures += !run.row->docked && !lost;
+    totals.failures += !run.row->success && !lost;
     totals.wall_time_s += run.wall_time_s;
     ++totals.outcomes[run.row->outcome];
   }
@@ -113,7 +113,8 @@ std::string JUnitXml(const JUnitSuite& suite, const RowColumns& columns,
                      "  <testsuite" + counts + "    <properties>\n";
   for (const auto& [name, value] : suite.properties) text += Property(name, value);
   text += Property("runs", std::to_string(runs.size()));
-  text += Property("docked", std::to_string(totals.docked));
+  text += Property("successes", std::to_string(totals.successes));
+  text += Property("docked", std::to_string(totals.successes));  // the former name
   for (const auto& [outcome, count] : totals.outcomes) {
     text += Property("outcome." + outcome, std::to_string(count));
   }

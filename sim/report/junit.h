@@ -27,8 +27,8 @@ struct JUnitSuite {
   std::vector<std::pair<std::string, std::string>> properties;  // beside the counts
 };
 
-/// A run that docked passes, a run that was lost is an error, any other a failure by its outcome. A
-/// requirement that is not met is a failure. Bytes that are no UTF-8 are replaced.
+/// A run that succeeded passes, a run that was lost is an error, any other a failure by its
+/// outcome. A requirement that is not met is a failure. Bytes that are no UTF-8 are replaced.
 std::string JUnitXml(const JUnitSuite& suite, const RowColumns& columns,
                      const std::vector<JUnitRun>& runs, const std::vector<Judgement>& requirements);
 

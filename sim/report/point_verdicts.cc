@@ -57,7 +57,7 @@ PointVerdicts JudgePoints(const std::vector<std::string>& keys, const RowColumns
   }
   for (const Point& point : points) {
     PointVerdict verdict{point.settings, static_cast<int>(point.rows.size()), 0, {}};
-    for (const RunResult* row : point.rows) verdict.failures += row->docked ? 0 : 1;
+    for (const RunResult* row : point.rows) verdict.failures += row->success ? 0 : 1;
     verdict.found =
         JudgeAcceptance(verdict.runs, verdict.failures, reliability, judged.confidence_of_each);
     judged.points.push_back(verdict);

@@ -7,14 +7,13 @@
 
 #include "controller/base/check.h"
 #include "sim/base/text.h"
+#include "sim/log/results.h"
 #include "sim/report/rate_text.h"
 #include "sim/statistics/intervals.h"
 #include "sim/statistics/quantile.h"
 
 namespace dockyard {
 namespace {
-
-constexpr const char* kDocked = "docked";
 
 using Cells = std::vector<std::string>;
 
@@ -34,15 +33,15 @@ Rows AllOf(const std::vector<RunResult>& rows) {
   return all;
 }
 
-int DockedOf(const Rows& rows) {
+int SuccessesOf(const Rows& rows) {
   return static_cast<int>(
-      std::count_if(rows.begin(), rows.end(), [](const RunResult* row) { return row->docked; }));
+      std::count_if(rows.begin(), rows.end(), [](const RunResult* row) { return row->success; }));
 }
 
 }  // namespace
 
 std::vector<Column> SummedColumns(const RowColumns& columns) {
-  std::vector<Column> made{{kDocked, "", "whether the outcome is a success", true},
+  std::vector<Column> made{{kSuccess, "", "whether the outcome is a success", true},
                            {"sim_time_s", "s", "from the start to the last command"}};
   made.insert(made.end(), columns.measures.begin(), columns.measures.end());
   return made;
@@ -94,7 +93,7 @@ std::vector<std::string> LevelsOf(const Rows& rows, const RowColumns& columns,
 }
 
 double SummedValue(const RunResult& row, std::size_t column) {
-  if (column == 0) return row.docked ? 1.0 : 0.0;
+  if (column == 0) return row.success ? 1.0 : 0.0;
   if (row.measures.empty()) return std::nan("");
   return column == 1 ? row.sim_time_s : row.measures[column - 2];
 }
@@ -125,7 +124,7 @@ Spread SpreadOf(const RowColumns& columns, const std::string& measure, const Row
   spread.median = SampleQuantile(values, 0.5);
   spread.low = SampleQuantile(values, 0.1);
   spread.high = SampleQuantile(values, 0.9);
-  if (measure == kDocked) {
+  if (measure == kSuccess) {
     const Interval interval = ClopperPearson(static_cast<int>(std::lround(sum)), spread.count);
     spread.median = spread.mean;
     spread.low = interval.low;
@@ -138,19 +137,22 @@ std::string PointsCsv(const std::vector<std::string>& settings, const RowColumns
                       const std::vector<RunResult>& rows) {
   const std::vector<Column> summed = SummedColumns(columns);
   Cells header = settings;
-  Append(header, {"runs", kDocked, "docked_low", "docked_high"});
+  Append(header,
+         {"runs", kSuccess, "success_low", "success_high", "docked", "docked_low", "docked_high"});
   for (const Column& column : summed) {
-    if (column.name == kDocked) continue;
+    if (column.name == kSuccess) continue;
     Append(header, {column.name + "_mean", column.name + "_p10", column.name + "_p90"});
   }
   std::string text = SafeCsvLine(header) + "\n";
   for (const Point& point : ByPoint(settings, columns, AllOf(rows))) {
     Cells cells = point.settings;
-    const Spread share = SpreadOf(columns, kDocked, point.rows);
-    Append(cells, {std::to_string(share.count), NumberText(share.mean), NumberText(share.low),
-                   NumberText(share.high)});
+    const Spread share = SpreadOf(columns, kSuccess, point.rows);
+    const Cells share_cells{NumberText(share.mean), NumberText(share.low), NumberText(share.high)};
+    cells.push_back(std::to_string(share.count));
+    Append(cells, share_cells);
+    Append(cells, share_cells);  // under the former name
     for (const Column& column : summed) {
-      if (column.name == kDocked) continue;
+      if (column.name == kSuccess) continue;
       const Spread spread = SpreadOf(columns, column.name, point.rows);
       if (spread.count == 0) {
         Append(cells, {"", "", ""});
@@ -167,9 +169,9 @@ std::string PointsTable(const std::vector<std::string>& settings,
                         const std::vector<std::string>& measures, const RowColumns& columns,
                         const std::vector<RunResult>& rows) {
   Cells header = settings;
-  header.push_back(kDocked);
+  header.push_back(SuccessWord(columns, rows));
   for (const std::string& name : measures) {
-    if (name != kDocked) header.push_back(name + " (10-90 %)");
+    if (name != kSuccess) header.push_back(name + " (10-90 %)");
   }
   std::string text = MarkdownLine(header), rule = text;
   std::replace_if(
@@ -177,9 +179,9 @@ std::string PointsTable(const std::vector<std::string>& settings,
   text += rule;
   for (const Point& point : ByPoint(settings, columns, AllOf(rows))) {
     Cells cells = point.settings;
-    cells.push_back(RateText(DockedOf(point.rows), static_cast<int>(point.rows.size())));
+    cells.push_back(RateText(SuccessesOf(point.rows), static_cast<int>(point.rows.size())));
     for (const std::string& name : measures) {
-      if (name == kDocked) continue;
+      if (name == kSuccess) continue;
       const Spread spread = SpreadOf(columns, name, point.rows);
       cells.push_back(spread.count == 0
                           ? ""

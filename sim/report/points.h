@@ -9,7 +9,9 @@
 
 namespace dockyard {
 
-/// The columns of a result that can be summed up: docked (1 or 0), sim_time_s, then the system's
+inline constexpr const char* kSuccess = "success";  // or "docked", the former name
+
+/// The columns of a result that can be summed up: success (1 or 0), sim_time_s, then the system's
 /// measures.
 std::vector<Column> SummedColumns(const RowColumns& columns);
 
@@ -36,7 +38,7 @@ std::vector<std::string> LevelsOf(const Rows& rows, const RowColumns& columns,
 double SummedValue(const RunResult& row, std::size_t column);
 
 /// The values of one of the summed columns, without those that a row does not have: NaN, and all
-/// but `docked` of a crashed run.
+/// but `success` of a crashed run.
 std::vector<double> ValuesOf(const RowColumns& columns, const std::string& measure,
                              const Rows& rows);
 
@@ -60,8 +62,8 @@ std::string PointsTable(const std::vector<std::string>& settings,
 /// in Spread. Labels that are neither x, curves nor panels are pooled. Empty without x.
 std::string CurvesPlot(const std::string& title, const Figures& figures, const RowColumns& columns,
                        const std::vector<RunResult>& rows);
-/// Bars as SVG: how each key changed alone changes the docked share, and the mean of the first
-/// other measure, if there is one; longest first. Empty when no key was changed alone.
+/// Bars as SVG: how each key changed alone changes the share of successes, and the mean of the
+/// first other measure, if there is one; longest first. Empty when no key was changed alone.
 std::string BarsPlot(const std::string& title, const std::vector<std::string>& measures,
                      const RowColumns& columns, const std::vector<RunResult>& rows);
 

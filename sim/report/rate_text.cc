@@ -28,8 +28,6 @@ std::string ShortRate(int successes, int trials) {
          std::to_string(Percent(interval.low)) + "-" + std::to_string(Percent(interval.high)) + ")";
 }
 
-std::string BriefRate(int docked, int runs) { return "docked " + RateText(docked, runs); }
-
 std::string ChanceText(double p) {
   if (std::isnan(p)) return "nan";
   if (p < 0.0001) return "< 0.0001";

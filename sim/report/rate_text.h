@@ -9,8 +9,6 @@ namespace dockyard {
 std::string RateText(int successes, int trials);
 /// "78 % (62-89)", the same interval.
 std::string ShortRate(int successes, int trials);
-/// "docked 31/40 (78 %, 62-89 %)"
-std::string BriefRate(int docked, int runs);
 /// A chance for people, at four decimals: "0.0391", "< 0.0001"; "nan" where there is none.
 std::string ChanceText(double p);
 /// "p = 0.0391", "p < 0.0001"

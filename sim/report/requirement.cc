@@ -36,7 +36,7 @@ struct Found {
 
 Found ShareOf(const Requirement& requirement, const Rows& rows) {
   const auto hits = std::count_if(rows.begin(), rows.end(), [&](const RunResult* row) {
-    return requirement.outcome ? row->outcome == requirement.figure : row->docked;
+    return requirement.outcome ? row->outcome == requirement.figure : row->success;
   });
   const int hit = static_cast<int>(hits), count = static_cast<int>(rows.size());
   Found found{count, std::nan(""), std::to_string(hit) + "/" + std::to_string(count)};
@@ -86,7 +86,7 @@ bool IsMet(const Requirement& requirement, double found) {
 Judgement Judge(const Requirement& requirement, const RowColumns& columns,
                 const std::vector<RunResult>& rows) {
   const Rows chosen = RowsWhere(requirement, columns, rows);
-  const bool share = requirement.outcome || requirement.figure == "docked";
+  const bool share = requirement.outcome || requirement.figure == kSuccess;
   const Found found =
       share ? ShareOf(requirement, chosen) : StatisticOf(requirement, columns, chosen);
   Judgement judged{requirement, IsMet(requirement, found.value), found.count, found.value, ""};

@@ -14,7 +14,7 @@ using Names = std::vector<std::string>;
 using Relation = Requirement::Relation;
 using Statistic = Requirement::Statistic;
 
-const std::string kOutcome = "outcome.";
+const std::string kOutcome = "outcome.", kMargin = "margin.";
 const std::string kShareStatistics = "none, .lower95, .upper95, or another per cent from 50 on";
 const std::string kMeasureStatistics = ".mean, .min, .median, .max, or .p90 or another per cent";
 
@@ -53,7 +53,7 @@ Names TextsOf(const std::string& label, const Campaign& campaign) {
   return texts;
 }
 
-/// "docked[arm=ours].lower95 >= 0.9" in parts, spaces left out.
+/// "success[arm=ours].lower95 >= 0.9" in parts, spaces left out.
 struct Parts {
   std::string figure, where, statistic, relation, limit;
   bool filtered = false;
@@ -83,7 +83,10 @@ std::optional<Parts> Split(const std::string& text) {
 /// Without brackets the statistic is what follows the figure's name.
 void SplitStatistic(Parts& parts) {
   if (parts.filtered) return;
-  const std::size_t from = parts.figure.rfind(kOutcome, 0) == 0 ? kOutcome.size() : 0;
+  std::size_t from = 0;
+  for (const std::string& head : {kOutcome, kMargin}) {
+    if (parts.figure.starts_with(head)) from = head.size();
+  }
   const std::size_t dot = parts.figure.find('.', from);
   if (dot == std::string::npos) return;
   parts.statistic = parts.figure.substr(dot);
@@ -100,7 +103,7 @@ class Parser {
   Result<Requirement, std::string> Parse() {
     auto parts = Split(made_.text);
     if (!parts) {
-      return Said("a figure, a relation and a number, such as 'docked >= 0.9'", made_.text);
+      return Said("a figure, a relation and a number, such as 'success >= 0.9'", made_.text);
     }
     SplitStatistic(*parts);
     for (const auto& read : {&Parser::ReadFigure, &Parser::ReadWhere, &Parser::ReadStatistic,
@@ -116,12 +119,12 @@ class Parser {
     return "'" + made_.text + "': expected " + expected + ", found '" + found + "'";
   }
 
-  bool IsShare() const { return made_.outcome || made_.figure == "docked"; }
+  bool IsShare() const { return made_.outcome || made_.figure == kSuccess; }
 
   std::string ReadFigure(const Parts& parts) {
     Names figures;
     for (const Column& column : SummedColumns(columns_)) figures.push_back(column.name);
-    made_.figure = parts.figure;
+    made_.figure = parts.figure == "docked" ? kSuccess : parts.figure;  // the former name
     if (Holds(figures, made_.figure)) return "";
     for (const OutcomeName& outcome : columns_.outcomes) {
       figures.push_back(kOutcome + outcome.name);

@@ -79,6 +79,7 @@ std::map<std::string, std::string> LinesByTitle(const RunRecord& record, std::st
   const std::vector<Column>& measures = record.columns.measures;
   for (std::size_t i = 0; i < record.result.measures.size(); ++i) {
     const Column& column = measures[i];
+    if (IsMargin(column)) continue;
     const double value = record.result.measures[i];
     if (std::isnan(value)) {
       without += (without.empty() ? "" : ", ") + NameOf(column);
@@ -117,6 +118,10 @@ std::string RunTable(const std::string& name, const RunRecord& record) {
   text += lines[""];
   for (const std::string& title : TitlesInOrder(record.columns.measures)) {
     if (!lines[title].empty()) text += title + "\n" + lines[title];
+  }
+  if (const JudgedLimit* tightest = TightestLimit(record.limits)) {
+    text +=
+        TextRow("least margin", WithUnit(tightest->margin(), tightest->unit), LimitText(*tightest));
   }
   text += "This run\n";
   if (!without.empty()) text += TextRow("does not apply", without, "");

@@ -160,19 +160,19 @@ void AddRates(const Draw& draw, const Rows& rows, std::vector<LevelRate>& rates)
   const Values values = ValuesOf(draw, rows);
   const std::vector<int> levels = LevelsOf(draw, values, Ranks(values));
   struct Level {
-    int docked = 0, runs = 0;
+    int successes = 0, runs = 0;
     double low = std::numeric_limits<double>::infinity(), high = -low;
   };
   std::map<int, Level> by_level;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     Level& level = by_level[levels[i]];
-    level.docked += rows[i]->docked;
+    level.successes += rows[i]->success;
     ++level.runs;
     level.low = std::min(level.low, values[i]);
     level.high = std::max(level.high, values[i]);
   }
   for (const auto& [place, level] : by_level) {
-    LevelRate rate{draw.label, "", level.low, level.high, level.docked, level.runs};
+    LevelRate rate{draw.label, "", level.low, level.high, level.successes, level.runs};
     if (draw.words) {
       const auto text = static_cast<std::size_t>(place);
       rate.word = text < draw.texts.size() ? draw.texts[text] : "";

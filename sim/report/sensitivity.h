@@ -36,7 +36,7 @@ struct MeasureEffects {
 struct LevelRate {
   std::string label, word;       // the level's text where the draw's values are words
   double low = 0.0, high = 0.0;  // the smallest and largest number of the level, else NaN
-  int docked = 0, runs = 0;
+  int successes = 0, runs = 0;
 };
 
 /// A list by eta of fewer runs is mostly chance.
@@ -47,7 +47,7 @@ struct Sensitivity {
   std::string arm;  // empty: the campaign has none
   int runs = 0;
   int draws = 0;                         // keys that are drawn
-  std::vector<MeasureEffects> measures;  // docked first, then as SummedColumns
+  std::vector<MeasureEffects> measures;  // success first, then as SummedColumns
   std::vector<LevelRate> rates;          // by label as in the campaign, levels in their order
 
   bool too_few() const { return runs < kLeastRunsPerDraw * draws; }

@@ -72,7 +72,7 @@ void DrawRates(SvgDocument& svg, const PlotArea& area, const Sensitivity& arm,
   for (const LevelRate& rate : arm.rates) {
     if (rate.label != label) continue;
     const std::string more =
-        (text.empty() ? "" : ", ") + rate.word + " " + ShortRate(rate.docked, rate.runs);
+        (text.empty() ? "" : ", ") + rate.word + " " + ShortRate(rate.successes, rate.runs);
     if (text.size() + more.size() > kFits) {
       text += " ...";
       break;
@@ -129,7 +129,7 @@ std::string SensitivityPlot(const std::string& title, const std::vector<Sensitiv
   }
   if (height == kTop) return "";
   SvgDocument svg(kLeft + kEtaWide + kGap + kWide + 30, height, title);
-  svg.Text({16, 26}, title + ": what docked depends on", {15, "#111111", Anchor::kStart, true});
+  svg.Text({16, 26}, title + ": what success depends on", {15, "#111111", Anchor::kStart, true});
   DrawLegend(svg, {kLeft, 50},
              {{"eta", {kGrey, 8, "", 1.0}},
               {"rank correlation, 95 %", {kBlue, 8, "", 0.55}},

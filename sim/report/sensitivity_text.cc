@@ -32,7 +32,7 @@ std::string RatesText(const std::string& label, const std::vector<LevelRate>& ra
   std::string text;
   for (const LevelRate& rate : rates) {
     if (rate.label != label) continue;
-    text += (text.empty() ? "" : ", ") + rate.word + " " + ShortRate(rate.docked, rate.runs);
+    text += (text.empty() ? "" : ", ") + rate.word + " " + ShortRate(rate.successes, rate.runs);
   }
   return text;
 }
@@ -63,13 +63,13 @@ std::string Table(const std::vector<Cells>& lines) {
 }
 
 std::string ArmText(const Sensitivity& found) {
-  const MeasureEffects& docked = found.measures[0];
-  std::string text = "\nsensitivity of docked to the draws" +
+  const MeasureEffects& success = found.measures[0];
+  std::string text = "\nsensitivity of success to the draws" +
                      (found.arm.empty() ? "" : ", arm " + found.arm) + ", " +
                      CountText(found.runs, "run") + ", 95 % intervals\n";
   if (found.too_few()) return text + "  " + TooFewText(found) + "\n";
   std::vector<Cells> lines{{"", "eta", "p (Holm)", "rank correlation", "partial"}};
-  for (const DrawEffect& draw : docked.draws) {
+  for (const DrawEffect& draw : success.draws) {
     if (std::isnan(draw.eta) || lines.size() > kMostDraws) break;
     Cells cells{draw.label, Fixed(draw.eta, 2), ChanceText(draw.holm_p)};
     if (draw.words) {
@@ -80,9 +80,9 @@ std::string ArmText(const Sensitivity& found) {
     }
     lines.push_back(cells);
   }
-  if (lines.size() == 1) return text + "  docked does not vary, or the runs are too few\n";
+  if (lines.size() == 1) return text + "  success does not vary, or the runs are too few\n";
   text += Table(lines);
-  const std::size_t more = docked.draws.size() + 1 - lines.size();
+  const std::size_t more = success.draws.size() + 1 - lines.size();
   if (more > 0) text += "  " + std::to_string(more) + " more in sensitivity.csv\n";
   return text;
 }
@@ -129,15 +129,18 @@ std::string SensitivityCsv(const std::vector<Sensitivity>& found) {
 }
 
 std::string SensitivityLevelsCsv(const std::vector<Sensitivity>& found) {
-  std::string text = "arm,draw,word,low,high,runs,docked,docked_low,docked_high\n";
+  std::string text =
+      "arm,draw,word,low,high,runs,success,success_low,success_high,docked,docked_low,docked_"
+      "high\n";
   for (const Sensitivity& arm : found) {
     for (const LevelRate& rate : arm.rates) {
-      const Interval interval = ClopperPearson(rate.docked, rate.runs);
-      text += SafeCsvLine({arm.arm, rate.label, rate.word, Cell(rate.low), Cell(rate.high),
-                           std::to_string(rate.runs),
-                           NumberText(static_cast<double>(rate.docked) / rate.runs),
-                           NumberText(interval.low), NumberText(interval.high)}) +
-              "\n";
+      const Interval interval = ClopperPearson(rate.successes, rate.runs);
+      const Cells share{NumberText(static_cast<double>(rate.successes) / rate.runs),
+                        NumberText(interval.low), NumberText(interval.high)};
+      Cells cells{arm.arm,        rate.label,      rate.word,
+                  Cell(rate.low), Cell(rate.high), std::to_string(rate.runs)};
+      for (int i = 0; i < 2; ++i) cells.insert(cells.end(), share.begin(), share.end());
+      text += SafeCsvLine(cells) + "\n";
     }
   }
   return text;

@@ -21,7 +21,7 @@ constexpr std::size_t kMostArrows = 2000, kMostNames = 60;
 /// All runs that started in the same place: a campaign may repeat it.
 struct Start {
   Pose2 X_DR;
-  int runs = 0, docked = 0;
+  int runs = 0, successes = 0;
   const RunResult* first = nullptr;
   const RunResult* failed = nullptr;  // the first that did
 };
@@ -39,14 +39,14 @@ std::vector<Start> StartsOf(const std::vector<RunResult>& rows, const std::vecto
     if (fresh) starts.push_back({.X_DR = X_DR[i], .first = &rows[i]});
     Start& start = starts[place->second];
     ++start.runs;
-    start.docked += rows[i].docked;
-    if (!rows[i].docked && start.failed == nullptr) start.failed = &rows[i];
+    start.successes += rows[i].success;
+    if (!rows[i].success && start.failed == nullptr) start.failed = &rows[i];
   }
   return starts;
 }
 
 void DrawStart(SvgDocument& svg, const PlotArea& area, const Start& start, bool arrow) {
-  const bool all = start.docked == start.runs;
+  const bool all = start.successes == start.runs;
   const std::string color = all ? kBlue : kRed;
   const Px at = area.At(start.X_DR.x, start.X_DR.y);
   svg.OpenGroup("start", "run-" + std::to_string(start.first->run));
@@ -57,14 +57,14 @@ void DrawStart(SvgDocument& svg, const PlotArea& area, const Start& start, bool 
              {color, 1.4, "", 0.9});
   }
   const double size = arrow ? 3.5 : 1.5;
-  if (start.docked > 0) svg.Circle(at, size, kBlue, {kBlue, 0.5, "", 1.0});
+  if (start.successes > 0) svg.Circle(at, size, kBlue, {kBlue, 0.5, "", 1.0});
   if (!all) DrawCross(svg, at, size + 1.0, {kRed, 1.8, "", 1.0});
   svg.CloseGroup();
 }
 
 std::string NameOf(const Start& start) {
   if (start.runs == 1) return std::to_string(start.failed->run) + " " + start.failed->outcome;
-  return std::to_string(start.runs - start.docked) + " of " + std::to_string(start.runs) +
+  return std::to_string(start.runs - start.successes) + " of " + std::to_string(start.runs) +
          " failed";
 }
 
@@ -79,26 +79,28 @@ void DrawNames(SvgDocument& svg, const PlotArea& area, const std::vector<Start>&
   }
 }
 
-void DrawKey(SvgDocument& svg, Px at) {
+void DrawKey(SvgDocument& svg, Px at, const std::string& word) {
   svg.Circle({at.x + 4, at.y - 4}, 3.5, kBlue, {kBlue, 0.5, "", 1.0});
-  svg.Text({at.x + 13, at.y}, "docked");
-  DrawCross(svg, {at.x + 74, at.y - 4}, 4.0, {kRed, 1.8, "", 1.0});
-  svg.Text({at.x + 83, at.y}, "not docked");
+  svg.Text({at.x + 13, at.y}, word);
+  at.x += 20.0 + 7.0 * static_cast<double>(word.size());
+  DrawCross(svg, {at.x + 12, at.y - 4}, 4.0, {kRed, 1.8, "", 1.0});
+  svg.Text({at.x + 21, at.y}, "failed");
 }
 
 }  // namespace
 
-std::string StartsPlot(const std::string& title, const std::vector<RunResult>& rows,
-                       const std::vector<Pose2>& X_DR) {
+std::string StartsPlot(const std::string& title, const std::string& word,
+                       const std::vector<RunResult>& rows, const std::vector<Pose2>& X_DR) {
   DOCKYARD_CHECK(rows.size() == X_DR.size());
-  const auto docked =
-      std::count_if(rows.begin(), rows.end(), [](const RunResult& row) { return row.docked; });
+  const auto successes =
+      std::count_if(rows.begin(), rows.end(), [](const RunResult& row) { return row.success; });
   const PlotArea area = PlanArea(X_DR);
   SvgDocument svg(std::max(area.width + 110.0, 560.0), area.height + 134.0, title);
   svg.Text({area.corner.x, 30},
-           title + ": " + BriefRate(static_cast<int>(docked), static_cast<int>(rows.size())),
+           title + ": " + word + " " +
+               RateText(static_cast<int>(successes), static_cast<int>(rows.size())),
            {16, "#111111", Anchor::kStart, true});
-  DrawKey(svg, {area.corner.x, 56});
+  DrawKey(svg, {area.corner.x, 56}, word);
   DrawPlanAxes(svg, area);
   std::vector<Start> starts = StartsOf(rows, X_DR);
   std::stable_partition(starts.begin(), starts.end(),

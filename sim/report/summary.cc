@@ -5,6 +5,7 @@
 
 #include "sim/base/count_text.h"
 #include "sim/base/text.h"
+#include "sim/report/margins.h"
 #include "sim/report/points.h"
 #include "sim/report/rate_text.h"
 
@@ -23,7 +24,7 @@ using Cells = std::vector<std::string>;
 /// Rows of one value of a label.
 struct Group {
   std::string value;
-  int docked = 0, runs = 0;
+  int successes = 0, runs = 0;
 };
 
 std::string Padded(std::string text, std::size_t width) {
@@ -63,14 +64,14 @@ std::vector<Group> GroupsBy(std::size_t label, const FinishedRuns& runs) {
                               [&](const Group& each) { return each.value == value; });
     if (group == groups.end()) group = groups.insert(groups.end(), {value});
     ++group->runs;
-    group->docked += result.docked ? 1 : 0;
+    group->successes += result.success ? 1 : 0;
   }
   Sort(groups);
   return groups;
 }
 
 void AddGroups(std::string& out, const std::vector<std::vector<Group>>& by_label,
-               const RowColumns& columns) {
+               const RowColumns& columns, const std::string& word) {
   const auto shown = [](const std::vector<Group>& groups) {
     return groups.size() >= 2 && groups.size() <= kMostGroups;
   };
@@ -84,7 +85,8 @@ void AddGroups(std::string& out, const std::vector<std::vector<Group>>& by_label
     if (!shown(by_label[i])) continue;
     for (const Group& group : by_label[i]) {
       AddLine(out, "  " + Padded(columns.labels[i], name_width + 2) +
-                       Padded(group.value, value_width + 2) + BriefRate(group.docked, group.runs));
+                       Padded(group.value, value_width + 2) + word + " " +
+                       RateText(group.successes, group.runs));
     }
   }
 }
@@ -115,7 +117,7 @@ void AddCauses(std::string& out, const FinishedRuns& runs, const RowColumns& col
   std::size_t width = 0;
   for (const RunResult& result : runs.results) {
     const auto cause = std::find(causes.begin(), causes.end(), result.outcome);
-    if (result.docked || cause == causes.end()) continue;
+    if (result.success || cause == causes.end()) continue;
     numbers[static_cast<std::size_t>(cause - causes.begin())].push_back(result.run);
     width = std::max(width, cause->size());
   }
@@ -128,6 +130,23 @@ void AddCauses(std::string& out, const FinishedRuns& runs, const RowColumns& col
         out,
         "  " + Padded(causes[i], width + 2) + Padded(std::to_string(numbers[i].size()) + " ", 4),
         numbers[i]);
+  }
+}
+
+void AddMargins(std::string& out, const FinishedRuns& runs, const RowColumns& columns) {
+  const std::vector<LimitOverRuns> limits = LimitsOverRuns(columns, runs.results);
+  if (limits.empty()) return;
+  std::size_t width = 0;
+  for (const LimitOverRuns& each : limits) width = std::max(width, each.name.size());
+  AddLine(out, "");
+  AddLine(out, "limits: runs that broke them, and the least margin of those that " +
+                   SuccessWord(columns, runs.results));
+  for (const LimitOverRuns& each : limits) {
+    const std::string count = std::to_string(each.broken) + "/" + std::to_string(each.judged);
+    AddLine(out, "  " + Padded(each.name, width + 2) + Padded(count, 9) +
+                     (each.least == nullptr ? ""
+                                            : BriefNumber(each.least_margin) + " " + each.unit +
+                                                  ", run " + std::to_string(each.least->run)));
   }
 }
 
@@ -184,7 +203,7 @@ Cells TableCells(const RunResult& row, const std::vector<std::size_t>& labels,
 std::vector<std::size_t> ShownRuns(const FinishedRuns& runs) {
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs.size() > kMostRows && (runs.results[i].docked || shown.size() == kMostFailures)) {
+    if (runs.size() > kMostRows && (runs.results[i].success || shown.size() == kMostFailures)) {
       continue;
     }
     shown.push_back(i);
@@ -247,11 +266,13 @@ void AddTable(std::string& out, const FinishedRuns& runs, const RowColumns& colu
 std::string SummaryText(const std::string& title, const FinishedRuns& runs,
                         const RowColumns& columns, std::int64_t total, bool enough) {
   const Rows unchanged = UnchangedRows(runs.results, columns);
-  int docked = 0;
-  for (const RunResult* result : unchanged) docked += result->docked ? 1 : 0;
+  int successes = 0;
+  for (const RunResult* result : unchanged) successes += result->success ? 1 : 0;
   const int done = static_cast<int>(runs.size()), counted = static_cast<int>(unchanged.size());
+  const std::string word = SuccessWord(columns, runs.results);
   std::string out;
-  AddLine(out, title + ": " + BriefRate(docked, counted) + ", 95 % intervals (Clopper-Pearson)");
+  AddLine(out, title + ": " + word + " " + RateText(successes, counted) +
+                   ", 95 % intervals (Clopper-Pearson)");
   if (counted < done) {
     AddLine(out, "not counted there: " + CountText(done - counted, "run") +
                      " in which a key was changed alone (points.md)");
@@ -270,8 +291,9 @@ std::string SummaryText(const std::string& title, const FinishedRuns& runs,
     }
   }
   AddLine(out, "");
-  AddGroups(out, by_label, columns);
+  AddGroups(out, by_label, columns, word);
   AddCauses(out, runs, columns);
+  AddMargins(out, runs, columns);
   AddTable(out, runs, columns, differing);
   return out;
 }

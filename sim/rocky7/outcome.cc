@@ -1,5 +1,7 @@
 #include "sim/rocky7/outcome.h"
 
+#include <cmath>
+
 #include "controller/base/number_text.h"
 #include "controller/geometry/pose.h"
 
@@ -9,19 +11,13 @@ namespace {
 std::string Millimetres(double length_m) { return Fixed(1e3 * length_m, 0) + " mm"; }
 
 Judged JudgePlacement(const EndOfRun& end, const OutcomeLimits& limits) {
+  const std::string broken = BrokenLimitsText(LimitsOf(end, limits));
   const std::string note = "touched " + Millimetres(end.point_off_m) + " off the target, " +
                            Fixed(Degrees(end.tilt_rad), 1) + " deg off its normal, by " +
-                           Fixed(end.most_n, 1) + " N";
-  const auto at_most = [&](const std::string& limit) { return note + " (at most " + limit + ")"; };
-  if (end.most_n > limits.most_n) {
-    return {Outcome::kPressed, at_most(Fixed(limits.most_n, 1) + " N")};
-  }
-  if (end.point_off_m > limits.reach_m) {
-    return {Outcome::kMisplaced, at_most(Millimetres(limits.reach_m))};
-  }
-  if (end.tilt_rad > limits.tilt_rad) {
-    return {Outcome::kTilted, at_most(Fixed(Degrees(limits.tilt_rad), 1) + " deg")};
-  }
+                           Fixed(end.most_n, 1) + " N" + (broken.empty() ? "" : "; ") + broken;
+  if (end.most_n > limits.most_n) return {Outcome::kPressed, note};
+  if (end.point_off_m > limits.reach_m) return {Outcome::kMisplaced, note};
+  if (end.tilt_rad > limits.tilt_rad) return {Outcome::kTilted, note};
   if (end.claimed == Verdict::kDone) return {Outcome::kPlaced, note};
   return {end.claimed == Verdict::kGivenUp ? Outcome::kUnstable : Outcome::kTimeout,
           (end.claimed == Verdict::kGivenUp ? "gave up; " : "ran out of time; ") + note};
@@ -60,6 +56,27 @@ const char* Name(Outcome outcome) {
   return OutcomeNames()[static_cast<std::size_t>(outcome)].name.c_str();
 }
 
+Outcome SuccessOf(Task task) {
+  return task == Task::kGrasp   ? Outcome::kGrasped
+         : task == Task::kPlace ? Outcome::kPlaced
+                                : Outcome::kOnTarget;
+}
+
+std::vector<JudgedLimit> LimitsOf(const EndOfRun& end, const OutcomeLimits& limits) {
+  const auto if_judged = [](bool judged, double value) { return judged ? value : std::nan(""); };
+  const bool contact = end.places && end.touched, grasp = !end.places && end.tried > 0;
+  return {
+      {"point_off_m", "m", "the point off the target, at the end; of a placement, at its contact",
+       LimitSense::kAtMost, if_judged(end.places ? contact : !grasp, end.point_off_m),
+       limits.reach_m},
+      {"tilt_deg", "deg", "the instrument off the rock's normal, at its contact",
+       LimitSense::kAtMost, if_judged(contact, Degrees(end.tilt_rad)), Degrees(limits.tilt_rad)},
+      {"face_force_n", "N", "largest force on the instrument's face", LimitSense::kAtMost,
+       if_judged(contact, end.most_n), limits.most_n},
+      {"rise_m", "m", "of a stone after a grasp, the least of it in the trial",
+       LimitSense::kAtLeast, if_judged(grasp, end.rise_m), limits.lifted_m}};
+}
+
 Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
   const std::string point = "the point " + Millimetres(end.point_off_m) + " off the target";
   const std::string sighted =
@@ -71,7 +88,9 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
     return {Outcome::kFalsePlace, "claimed a contact; the instrument touched nothing"};
   }
   if (end.tried > 0) {
-    if (end.lifted && end.held) return {Outcome::kGrasped, "held through the trial"};
+    if (end.lifted && end.claimed == Verdict::kDone && end.rise_m >= limits.lifted_m) {
+      return {Outcome::kGrasped, "held through the trial"};
+    }
     if (end.lifted) return {Outcome::kLostGrip, "the stone was lifted and lost; " + point};
     if (end.claimed != Verdict::kUnderWay) {
       const Outcome near =
@@ -86,7 +105,7 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
     case Verdict::kDone:
       if (end.point_off_m <= limits.reach_m) return {Outcome::kOnTarget, point};
       return {end.point_off_m > limits.wrong_lock_m ? Outcome::kWrongLock : Outcome::kNearTarget,
-              "claimed to be there; " + point + " (at most " + Millimetres(limits.reach_m) + ")"};
+              "claimed to be there; " + BrokenLimitsText(LimitsOf(end, limits))};
     case Verdict::kGivenUp:
       if (!end.sighted) return {Outcome::kGaveUp, "gave up; " + sighted + ", " + point};
       return {end.estimate_off_m > limits.wrong_lock_m ? Outcome::kLostTarget : Outcome::kUnstable,

@@ -6,7 +6,8 @@
 
 #include "controller/geometry/pose.h"
 #include "controller/io/commands.h"
-#include "sim/log/column.h"
+#include "controller/rocky7/nominal/nominal.h"
+#include "sim/log/judged_limit.h"
 
 namespace dockyard::rocky7 {
 
@@ -34,6 +35,8 @@ enum class Outcome {
 /// In the order of Outcome.
 const std::vector<OutcomeName>& OutcomeNames();
 const char* Name(Outcome outcome);
+/// What the task asks for.
+Outcome SuccessOf(Task task);
 
 struct OutcomeLimits {
   double reach_m = 0.01;  // "to within 1 cm" (Nesnas, Maimone and Das 2000)
@@ -41,6 +44,7 @@ struct OutcomeLimits {
       0.03;  // a claim this far off is of another thing: half a stone's width more
   double tilt_rad = Radians(5.0);  // of a placement: 5 deg
   double most_n = 10.0;
+  double lifted_m = 0.02;  // a stone that has risen so far is off the ground; assumed, 1-5 cm
 };
 
 /// What the truth says at the end.
@@ -49,7 +53,7 @@ struct EndOfRun {
   bool grasps = false;          // a grasp was asked for
   int tried = 0;                // times that the arm was sent out
   bool lifted = false;          // the target was off the ground at some time
-  bool held = false;            // and through the trial at the end
+  double rise_m = 0.0;          // of the target at the end, the least of it in a trial
   double point_off_m = 0.0;     // the point from the target's middle
   bool sighted = true;          // the target was sighted at some time
   double estimate_off_m = 0.0;  // the target as it was sighted last
@@ -64,6 +68,8 @@ struct Judged {
   Outcome outcome = Outcome::kTimeout;
   std::string note;
 };
+/// What the run is held against: a grasp by the stone's rise, another task by the point.
+std::vector<JudgedLimit> LimitsOf(const EndOfRun& end, const OutcomeLimits& limits);
 Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits);
 
 }  // namespace dockyard::rocky7

@@ -1,6 +1,12 @@
 #include "sim/rocky7/rocky7_columns.h"
 
+#include "sim/rocky7/outcome.h"
+
 namespace dockyard::rocky7 {
+
+std::vector<Column> Measures() {
+  return WithMargins(MeasuresOf<Rocky7Measures>(), LimitsOf({}, {}));
+}
 
 std::vector<Column> Beliefs() {
   return {

@@ -64,6 +64,7 @@ void VisitMeasures(const Rocky7Measures& m, Visit&& visit) {
   visit("driven_m", "m", "way of the body", false, m.driven_m);
 }
 
+std::vector<Column> Measures();  // and the limits' margins
 /// Names of the values that the controllers' beliefs may hold.
 std::vector<Column> Beliefs();
 

@@ -8,8 +8,6 @@ namespace {
 
 // After a claim the rover comes to rest. Assumed, 0.2-2 s.
 constexpr Tick kSettle = 500;
-// A stone that has risen so far is off the ground. Assumed, 1-5 cm.
-constexpr double kLifted_m = 0.02;
 // The trial: held so long, then over so far, backwards, out of the rover's own ruts.
 constexpr Tick kHold = 10000;
 constexpr double kDrive_m = 0.5;
@@ -23,7 +21,7 @@ Rocky7Judge::Rocky7Judge(Rocky7Plant& plant) : plant_(plant), X_GR_last_(plant.t
 }
 
 void Rocky7Judge::Observe() {
-  if (plant_.truth().target_rise_m > kLifted_m) lifted_ = true;
+  if (plant_.truth().target_rise_m > limits_.lifted_m) lifted_ = true;
   const Truth& truth = plant_.truth();
   if (truth.face_n > contact_.force_n) contact_ = {truth.face_n, truth.p_GF, truth.axis_G};
   const Pose2& now = plant_.truth().X_GR;
@@ -57,10 +55,15 @@ void Rocky7Judge::Play(const Commands& commands, Tick time, const char* phase,
   plant_.RefreshTruth();
 }
 
-bool Rocky7Judge::HoldsOn(const Commands& last, const TrialWatch& watch) {
-  if (plant_.truth().target_rise_m < kLifted_m) return false;
+double Rocky7Judge::TryToHold(const Commands& last, const TrialWatch& watch) {
+  double least_m = plant_.truth().target_rise_m;
+  const auto falls = [&] {
+    least_m = std::min(least_m, plant_.truth().target_rise_m);
+    return least_m < limits_.lifted_m;
+  };
+  if (falls()) return least_m;
   Play(last, kHold, "hold", watch);
-  if (plant_.truth().target_rise_m < kLifted_m) return false;
+  if (falls()) return least_m;
   const RoverModel& rover = plant_.built().world.robot.rover;
   Commands back = last;
   for (std::size_t i = 0; i < rover.plan.wheels.size(); ++i) {
@@ -73,28 +76,29 @@ bool Rocky7Judge::HoldsOn(const Commands& last, const TrialWatch& watch) {
   Play(back, static_cast<Tick>(kDrive_m / rover.plan.speed_m_s / kTickSeconds), "drive_away",
        watch);
   Play(last, kSettle, "rest", watch);
-  return plant_.truth().target_rise_m > kLifted_m;
+  falls();
+  return least_m;
 }
 
-void Rocky7Judge::JudgeContact(EndOfRun& told) {
-  told.places = true;
-  told.touched = contact_.force_n > 0.0;
-  if (!told.touched) {
+void Rocky7Judge::JudgeContact(EndOfRun& found) {
+  found.places = true;
+  found.touched = contact_.force_n > 0.0;
+  if (!found.touched) {
     measures_.point_off_m = (plant_.truth().p_GF - plant_.target_G()).norm();
     return;
   }
   const BuiltRun& built = plant_.built();
   measures_.point_off_m = (contact_.p_GF - plant_.target_G()).norm();
-  told.point_off_m = measures_.point_off_m;
+  found.point_off_m = measures_.point_off_m;
   // What the can stands on; off the surface it stands askew by any measure.
   const double radius_m = built.world.robot.rover.mast->instrument.radius_m;
   const auto normal =
       NormalUnderDisc(*built.world.boulder, contact_.p_GF, -contact_.axis_G, radius_m);
-  told.tilt_rad =
+  found.tilt_rad =
       normal ? std::acos(std::clamp(-normal->dot(contact_.axis_G), -1.0, 1.0)) : 0.5 * kPi;
-  told.most_n = plant_.truth().most_face_n;
-  measures_.tilt_deg = Degrees(told.tilt_rad);
-  measures_.face_force_n = told.most_n;
+  found.most_n = plant_.truth().most_face_n;
+  measures_.tilt_deg = Degrees(found.tilt_rad);
+  measures_.face_force_n = found.most_n;
 }
 
 Conclusion Rocky7Judge::Conclude(const Commands& last, const Belief& belief,
@@ -106,21 +110,21 @@ Conclusion Rocky7Judge::Conclude(const Commands& last, const Belief& belief,
   measures_.point_off_m = end.p_GP.head<2>().norm();
   measures_.looks = ValueOf(belief, "looks", 0.0);
   measures_.grasps = ValueOf(belief, "grasps", 0.0);
-  EndOfRun told{.claimed = last.verdict,
-                .grasps = plant_.built().nominal.task == Task::kGrasp,
-                .tried = static_cast<int>(measures_.grasps),
-                .lifted = false,
-                .held = false,
-                .point_off_m = measures_.point_off_m,
-                .sighted = sighted_,
-                .estimate_off_m = measures_.estimate_off_m,
-                .on_stone = end.on_stone};
-  if (plant_.built().world.boulder) JudgeContact(told);
-  if (last.verdict == Verdict::kDone && told.grasps) told.held = HoldsOn(last, watch);
-  told.lifted = lifted_;
+  EndOfRun found{.claimed = last.verdict,
+                 .grasps = plant_.built().nominal.task == Task::kGrasp,
+                 .tried = static_cast<int>(measures_.grasps),
+                 .lifted = false,
+                 .rise_m = end.target_rise_m,
+                 .point_off_m = measures_.point_off_m,
+                 .sighted = sighted_,
+                 .estimate_off_m = measures_.estimate_off_m,
+                 .on_stone = end.on_stone};
+  if (plant_.built().world.boulder) JudgeContact(found);
+  if (last.verdict == Verdict::kDone && found.grasps) found.rise_m = TryToHold(last, watch);
+  found.lifted = lifted_;
   measures_.rise_m = plant_.truth().target_rise_m;
-  const Judged judged = JudgeEnd(told, limits_);
-  return {Name(judged.outcome), judged.note, Values(measures_)};
+  const Judged judged = JudgeEnd(found, limits_);
+  return {Name(judged.outcome), judged.note, Values(measures_), LimitsOf(found, limits_)};
 }
 
 }  // namespace dockyard::rocky7

@@ -22,9 +22,9 @@ class Rocky7Judge final : public Judge {
   /// Steps the plant under these commands.
   void Play(const Commands& commands, Tick time, const char* phase, const TrialWatch& watch);
   /// Where and how the instrument touched the boulder.
-  void JudgeContact(EndOfRun& told);
-  /// Whether the lifted stone stays where it is.
-  bool HoldsOn(const Commands& last, const TrialWatch& watch);
+  void JudgeContact(EndOfRun& found);
+  /// The least rise of the lifted stone while it is held and driven with; stops once it has fallen.
+  double TryToHold(const Commands& last, const TrialWatch& watch);
 
   OutcomeLimits limits_;
   Rocky7Plant& plant_;

@@ -21,6 +21,7 @@ constexpr const char* kMastHead = "mast_link_2";  // the body K: RoverShapes nam
 ReadyRun PartsOf(const Nominal& nominal) {
   ReadyRun ready;
   ready.control_period = kControlPeriod;
+  ready.success_word = Name(SuccessOf(nominal.task));
   ready.motor_count = static_cast<int>(nominal.motors.size());
   ready.camera_count = kCameraCount;
   ready.contact_count = kContactCount;
@@ -85,7 +86,7 @@ System Rocky7System(const std::vector<NamedController<Nominal>>& controllers) {
   system.controllers = EntriesOf(controllers, NominalFromJson);
   system.scenario.model_roots = {{"robot", "robot"}, {"soil", "soil"}};
   system.scenario.rocks = true;
-  system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), MeasuresOf<Rocky7Measures>()};
+  system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), Measures()};
   system.keys = VisitOf(VisitRocky7Keys);
   UseModels(
       std::make_shared<ModelStore<Rocky7Models>>(

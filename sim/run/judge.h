@@ -7,13 +7,15 @@
 
 #include "controller/io/belief.h"
 #include "controller/io/commands.h"
+#include "sim/log/judged_limit.h"
 
 namespace dockyard {
 
 struct Conclusion {
-  std::string outcome;           // one of the system's
-  std::string note;              // a sentence on the truth
-  std::vector<double> measures;  // by System::measures
+  std::string outcome;                   // one of the system's
+  std::string note;                      // a sentence on the truth
+  std::vector<double> measures;          // by System::measures, but for the margins
+  std::vector<JudgedLimit> limits = {};  // in the order of the margins among System::measures
 };
 
 /// Called every control period while a judge steps the plant to try a claim. phase: what it does.

@@ -2,15 +2,17 @@
 
 #include <ctime>
 
+#include <algorithm>
 #include <cmath>
 
+#include "controller/base/check.h"
 #include "controller/base/split_mix.h"
 #include "models/read/config_error.h"
 #include "sim/base/hash.h"
 #include "sim/base/random.h"
 #include "sim/bridge/pipe_controller.h"
 #include "sim/bridge/sandbox.h"
-#include "sim/log/result_row.h"
+#include "sim/log/record_files.h"
 #include "sim/log/run_log.h"
 #include "sim/log/value_table.h"
 #include "sim/run/camera_faults.h"
@@ -54,6 +56,13 @@ std::uint64_t HashCommands(std::uint64_t hash, const Commands& commands, int cam
   return HashBits(hash, static_cast<std::uint64_t>(commands.verdict));
 }
 
+std::string SuccessWordOf(const System& system, const ReadyRun& ready) {
+  if (!ready.success_word.empty()) return ready.success_word;
+  const auto success = std::find_if(system.columns.outcomes.begin(), system.columns.outcomes.end(),
+                                    [](const OutcomeName& each) { return each.success; });
+  return success == system.columns.outcomes.end() ? "" : success->name;
+}
+
 /// One run under way: plant, controller, judge and their records.
 class Run {
  public:
@@ -65,6 +74,7 @@ class Run {
         link_(what.scenario.camera_faults, what.scenario.seed) {
     RequireAllowed(what.scenario, options);
     record_.result = StartOfRow(what);
+    record_.result.success_word = SuccessWordOf(system, ready_);
     record_.columns = system.Columns(options.labels);
     record_.channels = system.columns.channels;
     record_.belief_columns = system.columns.beliefs;
@@ -221,6 +231,18 @@ class Run {
     return conclusion;
   }
 
+  /// The measures of the row: the judge's, then a margin for each limit that the system names.
+  std::vector<double> WithMargins(const Conclusion& conclusion) const {
+    std::vector<double> measures = conclusion.measures;
+    const std::vector<Column>& columns = record_.columns.measures;
+    DOCKYARD_CHECK(measures.size() + conclusion.limits.size() == columns.size());
+    for (const JudgedLimit& limit : conclusion.limits) {
+      DOCKYARD_CHECK(columns[measures.size()].name.ends_with("." + limit.name));
+      measures.push_back(limit.margin());
+    }
+    return measures;
+  }
+
   void Finish(const Commands& commands) {
     RunResult& row = record_.result;
     row.sim_time_s = time_s();
@@ -230,16 +252,15 @@ class Run {
       conclusion.note = failure_->what();
     }
     row.outcome = conclusion.outcome;
-    row.docked = record_.columns.IsSuccess(conclusion.outcome);
-    if (!IsLost(row.outcome)) row.measures = std::move(conclusion.measures);
+    row.success = record_.columns.IsSuccess(conclusion.outcome);
+    if (!IsLost(row.outcome)) row.measures = WithMargins(conclusion);
+    record_.limits = std::move(conclusion.limits);
     record_.failure_note = conclusion.note;
     row.state_hash = plant().FinalHash(hash_);
     if (!log_) return;
     log_->AppendGround(plant().Look().ground, plant().tick());
     log_->Note("outcome", row.outcome + ": " + conclusion.note, plant().tick());
-    Json outcome = RowJson(row, record_.columns);
-    outcome["failure_note"] = conclusion.note;
-    log_->Finish(outcome);
+    log_->Finish(OutcomeJson(record_));
   }
 
   const System& system_;

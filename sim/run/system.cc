@@ -17,7 +17,7 @@ std::string Joined(const std::vector<std::string>& names) {
 }  // namespace
 
 RowColumns System::Columns(std::vector<std::string> labels) const {
-  RowColumns row{std::move(labels), columns.measures, columns.outcomes};
+  RowColumns row{std::move(labels), columns.measures, columns.outcomes, false};
   row.outcomes.push_back(
       {kControllerCrashed, false, "the controller's program ended before the run did"});
   row.outcomes.push_back(

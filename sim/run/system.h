@@ -31,6 +31,7 @@ struct ReadyRun {
   std::unique_ptr<Judge> judge;
   Json nominal;  // the nominal parameters that the controller gets; no truth
   Tick control_period = 20;
+  std::string success_word;  // the outcome that the task asks for; empty: the first success
   int motor_count = 0, camera_count = 0, switch_count = 0, contact_count = 0;
   // Names for the log, in the controller's order; nominal numbers. May be empty.
   std::vector<NamedMotor> motors{};
@@ -90,7 +91,8 @@ struct ExampleFiles {
 /// The outcomes of a system's runs, and the numbers that it states.
 struct StatedColumns {
   std::vector<OutcomeName> outcomes;
-  std::vector<Column> channels{}, beliefs{}, measures{};
+  std::vector<Column> channels{}, beliefs{};
+  std::vector<Column> measures{};  // of the judge, and last the limits' (WithMargins)
 };
 
 /// The keys of a kind of model files, for its schema.

@@ -37,9 +37,10 @@ TEST(ProgramRun, ThatHasNoTimeToDockEndsWithFour) {
   const Ended ended = Dockyard("run scenarios/axel_typical.yaml --set time_limit_s=3 --json");
   EXPECT_EQ(ended.code, 4);
   const Json json = Json::parse(ended.out);
-  EXPECT_EQ(json["docked"], false);
+  EXPECT_EQ(json["success"], false);
+  EXPECT_EQ(json["success_word"], "docked");
   EXPECT_GT(json["cpu_time_s"].get<double>(), 0.0);
-  EXPECT_EQ(json.size(), ColumnNames(AxelColumns({})).size() + 3);
+  EXPECT_EQ(json.size(), ColumnNames(AxelColumns({})).size() + 4);
   EXPECT_EQ(json["warnings"], Json::array());
   EXPECT_THAT(json["failure_note"].get<std::string>(), Not(testing::IsEmpty()));
 }

@@ -41,7 +41,7 @@ TEST(Messages, CountOneThingInTheSingular) {
   EXPECT_THAT(Dockyard("accept --trials 1 --failures 1 --reliability 0.5").out,
               StartsWith("1 trial, 1 failure: "));
   EXPECT_THAT(Dockyard("compare --only-a 1 --only-b 0").out,
-              StartsWith("only A docked 1 time, only B 0 times: "));
+              StartsWith("only A succeeded 1 time, only B 0 times: "));
 }
 
 TEST(Messages, AreTheSameInJson) {

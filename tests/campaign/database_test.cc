@@ -65,7 +65,7 @@ TEST(Database, KnowsItsColumnsByNameAndKind) {
   WriteDatabase(file, SomeRuns(), FakeColumns());
   const auto asked = Ask(file,
                          "SELECT typeof(run), typeof(seed), typeof(soil), typeof(\"start.r_m\"),"
-                         " typeof(docked), typeof(sim_time_s), typeof(images), typeof(depth_m),"
+                         " typeof(success), typeof(sim_time_s), typeof(images), typeof(depth_m),"
                          " typeof(state_hash) FROM runs WHERE run = 1");
   EXPECT_EQ(asked[0], (std::vector<std::string>{"integer", "text", "text", "real", "integer",
                                                 "real", "integer", "real", "text"}));

@@ -16,8 +16,8 @@ namespace {
 RunResult ResultOf(int run) {
   RunResult result;
   result.run = run;
-  result.docked = run % 4 != 0;
-  result.outcome = result.docked ? "docked" : run % 8 == 0 ? "timeout" : "missed";
+  result.success = run % 4 != 0;
+  result.outcome = result.success ? "docked" : run % 8 == 0 ? "timeout" : "missed";
   return result;
 }
 

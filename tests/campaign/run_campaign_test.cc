@@ -148,7 +148,7 @@ TEST(RunCampaign, KillsARunThatHangs) {
   campaign.limits.wall_s = 1.0;
   const CampaignEnd end = RunCampaign(campaign, hangs, options);
   EXPECT_EQ(ResultOf(end, 1).outcome, kStopped);
-  EXPECT_TRUE(ResultOf(end, 2).docked);
+  EXPECT_TRUE(ResultOf(end, 2).success);
   EXPECT_THAT(end.summary, HasSubstr("killed: it took more than 1 s of wall time"));
 }
 
@@ -194,7 +194,7 @@ TEST(RunCampaign, RunsNoFinishedRunAgain) {
   };
   const CampaignEnd end = RunCampaign(FakeCampaign(3), never, OptionsFor(folder.path(), 1));
   EXPECT_TRUE(end.complete());
-  EXPECT_TRUE(ResultOf(end, 1).docked);
+  EXPECT_TRUE(ResultOf(end, 1).success);
 }
 
 TEST(RunCampaign, RunsARunAgainWhoseRowIsDamaged) {
@@ -241,7 +241,7 @@ TEST(RunCampaign, TriesALostRunAgainAndRetriesLostOnesWhenAsked) {
   EXPECT_EQ(ResultOf(RunCampaign(FakeCampaign(3), sick, OptionsFor(out, 1)), 2).outcome, kStopped);
   CampaignOptions again = OptionsFor(out, 1);
   again.retry_lost = true;
-  EXPECT_TRUE(ResultOf(RunCampaign(FakeCampaign(3), sick, again), 2).docked);
+  EXPECT_TRUE(ResultOf(RunCampaign(FakeCampaign(3), sick, again), 2).success);
   const fs::path straight = folder.path() / "straight";
   RunCampaign(FakeCampaign(3), FakeRun, OptionsFor(straight, 1));
   ExpectSameResults(out, straight);
@@ -349,7 +349,7 @@ TEST(RunCampaign, SumsUpAGridPointByPoint) {
       {{"start.r_m", {}}, {"2", "3"}, {ScalarNode("2", false), ScalarNode("3", false)}}};
   campaign.repeats = 2;
   campaign.labels = {"point", "repeat", "start.r_m"};
-  campaign.figures = {.x = "start.r_m", .measures = {"docked"}};
+  campaign.figures = {.x = "start.r_m", .measures = {"success"}};
   CampaignOptions options = OptionsFor(folder.path(), 2);
   options.columns.labels = campaign.labels;
   const auto run = [&](const CampaignRun& what, const RunLogging&) {
@@ -358,7 +358,7 @@ TEST(RunCampaign, SumsUpAGridPointByPoint) {
     return record;
   };
   EXPECT_TRUE(RunCampaign(campaign, run, options).complete());
-  EXPECT_THAT(Slurp(folder.path() / "points.csv"), HasSubstr("start.r_m,runs,docked,"));
+  EXPECT_THAT(Slurp(folder.path() / "points.csv"), HasSubstr("start.r_m,runs,success,"));
   EXPECT_THAT(Slurp(folder.path() / "points.csv"), HasSubstr("\n2,2,1,"));
   EXPECT_THAT(Slurp(folder.path() / "points.csv"), HasSubstr("\n3,2,0.5,"));  // run 3 misses
   EXPECT_THAT(Slurp(folder.path() / "plots/curves.svg"), HasSubstr("fake, 4 runs"));
@@ -373,7 +373,7 @@ TEST(RunCampaign, TellsANoteOfSeveralLinesInOne) {
   };
   const CampaignEnd end = RunCampaign(FakeCampaign(3), run, OptionsFor(folder.path(), 1));
   EXPECT_EQ(NoteOf(end, 3), "first second");
-  EXPECT_EQ(NoteOf(end, 1), "");  // it docked
+  EXPECT_EQ(NoteOf(end, 1), "");  // a success
   EXPECT_THAT(end.summary, HasSubstr("\n     first second\n"));
 }
 

@@ -28,7 +28,7 @@ FinishedRun FakeFinished(int run) {
 
 FinishedRun Lost(int run) {
   FinishedRun lost = FakeFinished(run);
-  lost.result.docked = false;
+  lost.result.success = false;
   lost.result.outcome = kStopped;
   lost.result.measures.clear();
   lost.note = "killed by signal 9 (Killed)";

@@ -28,7 +28,7 @@ RunResult SomeRow() {
 
 RunResult CrashedRow() {
   RunResult row = SomeRow();
-  row.docked = false;
+  row.success = false;
   row.outcome = kCrashed;
   row.measures.clear();
   return row;
@@ -43,7 +43,8 @@ std::vector<std::string> ColumnsThatDiffer(const RunResult& a, const RunResult& 
 
 TEST(ResultRow, HasTheHeadThenLabelsThenOutcomeThenMeasuresByName) {
   EXPECT_EQ(CsvHeader(FakeColumns()),
-            "run,seed,system,controller,soil,start.r_m,docked,outcome,sim_time_s,images,depth_m,"
+            "run,seed,system,controller,soil,start.r_m,success,success_word,docked,outcome,sim_"
+            "time_s,images,depth_m,"
             "force_peak_n,yaw_error_deg,state_hash");
 }
 
@@ -80,7 +81,8 @@ TEST(ResultRow, WithoutLabelsAndMeasuresIsItsHeadAlone) {
   const auto back = RowFromCsv(CsvRow(row, columns), columns);
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(CsvHeader(columns),
-            "run,seed,system,controller,docked,outcome,sim_time_s,images,state_hash");
+            "run,seed,system,controller,success,success_word,docked,outcome,sim_time_s,images,"
+            "state_hash");
   EXPECT_THAT(ColumnsThatDiffer(row, *back, columns), IsEmpty());
 }
 
@@ -92,8 +94,9 @@ TEST(ResultRow, TellsWhichColumnsDiffer) {
   other.measures[1] = std::nextafter(row.measures[1], 1.0);
   EXPECT_THAT(ColumnsThatDiffer(row, other, FakeColumns()),
               ElementsAre("start.r_m", "force_peak_n", "state_hash"));
-  EXPECT_THAT(ColumnsThatDiffer(row, CrashedRow(), FakeColumns()),
-              ElementsAre("docked", "outcome", "depth_m", "force_peak_n", "yaw_error_deg"));
+  EXPECT_THAT(
+      ColumnsThatDiffer(row, CrashedRow(), FakeColumns()),
+      ElementsAre("success", "docked", "outcome", "depth_m", "force_peak_n", "yaw_error_deg"));
   const DifferingCell cell = DifferingCells(row, other, FakeColumns()).front();
   EXPECT_EQ(cell.was, "2.5");
   EXPECT_EQ(cell.is, "2.50");
@@ -109,7 +112,47 @@ TEST(ResultRow, RefusesALineThatIsNotOneWholeRow) {
   EXPECT_FALSE(RowFromCsv(line + ",1", columns).has_value());
 }
 
-/// The row of one docked run with one cell changed.
+/// With a measure and two limits' margins.
+RowColumns ColumnsWithMargins() {
+  RowColumns columns = FakeColumns();
+  columns.measures = WithMargins({columns.measures[0]},
+                                 {{"depth_m", "m", "of the point", LimitSense::kAtLeast, 0.0, 0.0},
+                                  {"force_n", "N", "of it"}});
+  return columns;
+}
+
+TEST(ResultRow, OfAnEarlierProgramHasNoWordAndNoMarginsButAllElse) {
+  const RowColumns columns = ColumnsWithMargins(), former = FormerColumns(columns);
+  EXPECT_EQ(CsvHeader(former),
+            "run,seed,system,controller,soil,start.r_m,docked,outcome,sim_time_s,images,depth_m,"
+            "state_hash");
+  const auto row =
+      RowFromCsv("7,9,fake,straight,loose,2.5,1,docked,99.5,14,0.25,00000000000000af", former);
+  ASSERT_TRUE(row.has_value());
+  EXPECT_TRUE(row->success);
+  EXPECT_EQ(row->success_word, "");
+  EXPECT_EQ(row->measures[0], 0.25);
+  ASSERT_EQ(row->measures.size(), 3u);
+  EXPECT_TRUE(std::isnan(row->measures[1]) && std::isnan(row->measures[2]));
+  // A run of today that came to the same is the same.
+  RunResult now = *row;
+  now.former = false;
+  now.success_word = "docked";
+  now.measures = {0.25, 0.05, 3.0};
+  EXPECT_THAT(ColumnsThatDiffer(*row, now, columns), IsEmpty());
+  now.measures[0] = 0.26;
+  EXPECT_THAT(ColumnsThatDiffer(*row, now, columns), ElementsAre("depth_m"));
+}
+
+TEST(ResultRow, OfAnEarlierProgramThatWasLostIsRead) {
+  const RowColumns former = FormerColumns(ColumnsWithMargins());
+  const auto lost =
+      RowFromCsv("7,9,fake,straight,loose,2.5,0,crashed,0,0,,0000000000000000", former);
+  ASSERT_TRUE(lost.has_value());
+  EXPECT_TRUE(lost->measures.empty());
+}
+
+/// The row of one successful run with one cell changed.
 bool IsRead(std::size_t cell, const std::string& text) {
   const RowColumns columns = FakeColumns();
   std::vector<std::string> cells = RowCells(SomeRow(), columns);
@@ -122,19 +165,20 @@ TEST(ResultRow, RefusesADamagedCell) {
   EXPECT_FALSE(IsRead(0, "five"));
   EXPECT_FALSE(IsRead(1, "18446744073709551616"));  // 2^64
   EXPECT_FALSE(IsRead(6, "true"));
-  EXPECT_FALSE(IsRead(6, "0"));           // docked is the outcome of a success
-  EXPECT_FALSE(IsRead(7, "drove_past"));  // none of this system's
-  EXPECT_FALSE(IsRead(7, "missed"));      // no success
-  EXPECT_FALSE(IsRead(8, ""));
-  EXPECT_FALSE(IsRead(11, ""));  // one measure alone
-  EXPECT_FALSE(IsRead(11, "0.3 N"));
-  EXPECT_FALSE(IsRead(13, "af"));
+  EXPECT_FALSE(IsRead(6, "0"));           // docked says 1
+  EXPECT_FALSE(IsRead(8, "0"));           // success says 1
+  EXPECT_FALSE(IsRead(9, "drove_past"));  // none of this system's
+  EXPECT_FALSE(IsRead(9, "missed"));      // no success
+  EXPECT_FALSE(IsRead(10, ""));
+  EXPECT_FALSE(IsRead(13, ""));  // one measure alone
+  EXPECT_FALSE(IsRead(13, "0.3 N"));
+  EXPECT_FALSE(IsRead(15, "af"));
 }
 
 TEST(ResultRow, OfARunThatDidNotCrashHasItsMeasures) {
   const RowColumns columns = FakeColumns();
   std::vector<std::string> cells = RowCells(SomeRow(), columns);
-  cells[10] = cells[11] = cells[12] = "";
+  cells[12] = cells[13] = cells[14] = "";
   EXPECT_FALSE(RowFromCsv(CsvLine(cells), columns).has_value());
 }
 
@@ -143,7 +187,8 @@ TEST(ResultRow, GivesALabelThatIsAlreadyAColumnANameOfItsOwn) {
   columns.labels = {"controller", "depth_m", "Seed", "failure_note", "table.controller"};
   EXPECT_EQ(CsvHeader(columns),
             "run,seed,system,controller,table.controller,table.depth_m,table.Seed,"
-            "table.failure_note,table.table.controller,docked,outcome,sim_time_s,images,depth_m,"
+            "table.failure_note,table.table.controller,success,success_word,docked,outcome,sim_"
+            "time_s,images,depth_m,"
             "force_peak_n,yaw_error_deg,state_hash");
 }
 
@@ -155,7 +200,8 @@ TEST(RowAsJson, HoldsWhatTheCsvHoldsByName) {
   for (const auto& [name, value] : json.items()) names.push_back(name);
   EXPECT_EQ(names, ColumnNames(columns));
   EXPECT_EQ(json["seed"].get<std::uint64_t>(), row.seed);
-  EXPECT_EQ(json["docked"], true);
+  EXPECT_EQ(json["success"], true);
+  EXPECT_EQ(json["docked"], true);  // the former name
   EXPECT_EQ(json["outcome"], "docked");
   EXPECT_EQ(json["soil"], "in, \"quotes\"");
   EXPECT_EQ(json["start.r_m"], "2.5");  // text, as the table has it

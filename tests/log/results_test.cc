@@ -33,10 +33,10 @@ TEST(ResultFiles, HoldNoFormulaOfASpreadsheetAndReadBackToTheSameText) {
 
 TEST(ResultFiles, ReadBackToTheSameRuns) {
   FinishedRuns runs = FakeResults(6);
-  runs.results[1].docked = false;
+  runs.results[1].success = false;
   runs.results[1].outcome = kCrashed;
   runs.results[1].measures.clear();
-  runs.results[2].docked = false;
+  runs.results[2].success = false;
   runs.results[2].outcome = kStopped;
   runs.results[2].measures.clear();
   runs.results[3].labels[0] = "wet, \"sticky\"";

@@ -14,7 +14,7 @@ Campaign Design() {
   Campaign campaign;
   campaign.grid.resize(1);
   campaign.grid[0].key.name = "start.r_m";
-  campaign.figures.measures = {"docked"};
+  campaign.figures.measures = {"success"};
   return campaign;
 }
 
@@ -25,7 +25,7 @@ TEST(CurvesPart, HasTheShareAndItsExactIntervalAtEachValue) {
   const Json curves = CurvesPart(Design(), runs, FakeColumns());
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_EQ(curves[0]["x"], "start.r_m");
-  EXPECT_EQ(curves[0]["measure"], "docked");
+  EXPECT_EQ(curves[0]["measure"], "success");
   const Json& points = curves[0]["curves"][0]["points"];
   ASSERT_EQ(points.size(), 9u);
   for (std::size_t i = 0; i < 9; ++i) {
@@ -41,7 +41,7 @@ TEST(CurvesPart, HasTheShareAndItsExactIntervalAtEachValue) {
 
 TEST(CurvesPart, DrawsWhatTheFiguresAskFor) {
   Campaign campaign = Design();
-  campaign.figures = {.x = "start.r_m", .curves = "soil", .measures = {"docked", "depth_m"}};
+  campaign.figures = {.x = "start.r_m", .curves = "soil", .measures = {"success", "depth_m"}};
   const Json curves = CurvesPart(campaign, FakeResults(36), FakeColumns());
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_EQ(curves[1]["measure"], "depth_m");
@@ -62,8 +62,8 @@ TEST(CurvesPart, WordsAreNoAxis) {
 
 TEST(OverviewPart, HasTheLimitsOfRequirementsOnSuccess) {
   Requirement on_success, on_depth;
-  on_success.text = "docked >= 0.9";
-  on_success.figure = "docked";
+  on_success.text = "success >= 0.9";
+  on_success.figure = "success";
   on_success.limit = 0.9;
   on_depth.text = "depth_m.p90 <= 5";
   on_depth.figure = "depth_m";

@@ -22,8 +22,8 @@ export function randomFrom(seed) {
 }
 
 /** A stand-in for an exact interval: the page must show what it is given. */
-export function interval(docked, runs) {
-  const share = docked / runs,
+export function interval(successes, runs) {
+  const share = successes / runs,
     half = 1 / Math.sqrt(runs);
   return [Math.max(0, share - half), Math.min(1, share + half)];
 }
@@ -33,7 +33,7 @@ export function makeRows(rows) {
   const data = {
     run: new Int32Array(rows),
     outcome: new Uint8Array(rows),
-    docked: new Uint8Array(rows),
+    success: new Uint8Array(rows),
     soil: new Uint8Array(rows),
     light: new Uint8Array(rows),
   };
@@ -60,7 +60,7 @@ export function makeRows(rows) {
     data.light[i] = Math.floor(3 * random());
     const bad = random() < 0.06 + 0.1 * Math.abs(alpha) + (data.light[i] === 2 ? 0.08 : 0);
     data.outcome[i] = bad ? 1 + Math.floor(3 * random()) : 0;
-    data.docked[i] = bad ? 0 : 1;
+    data.success[i] = bad ? 0 : 1;
     data.start_x_m[i] = range * Math.cos(alpha);
     data.start_y_m[i] = range * Math.sin(alpha);
     data.start_heading_rad[i] = Math.PI + (random() - 0.5) * 0.5;
@@ -80,7 +80,7 @@ export function makeRows(rows) {
 export function columnMeanings() {
   return [
     ['run', '', 'the run’s number'],
-    ['docked', '', 'whether the outcome is a success'],
+    ['success', '', 'whether the outcome is a success'],
     ['sim_time_s', 's', 'simulated time'],
     ['tip_depth_m', 'm', 'arm tip behind the plane of the mouth, at the end'],
     ['lateral_error_m', 'm', 'arm tip off the axis, at the end'],
@@ -109,7 +109,7 @@ export function table(blobs, data) {
 /** Totals, success by factor, causes: counted here as the program would. */
 export function counts(data) {
   const rows = data.run.length,
-    docked = data.docked.reduce((sum, v) => sum + v, 0);
+    successes = data.success.reduce((sum, v) => sum + v, 0);
   const by = (codes, names, label) => ({
     label,
     values: names
@@ -119,9 +119,9 @@ export function counts(data) {
         for (let i = 0; i < rows; ++i)
           if (codes[i] === code) {
             ++runs;
-            good += data.docked[i];
+            good += data.success[i];
           }
-        return { value, docked: good, runs, interval: interval(good, Math.max(1, runs)) };
+        return { value, successes: good, runs, interval: interval(good, Math.max(1, runs)) };
       })
       .filter((value) => value.runs > 0),
   });
@@ -135,7 +135,7 @@ export function counts(data) {
     .filter((cause) => cause.count > 0)
     .sort((a, b) => b.count - a.count);
   return {
-    totals: { runs: rows, planned: rows, docked, interval: interval(docked, rows), lost: 0 },
+    totals: { runs: rows, planned: rows, successes, word: 'docked', interval: interval(successes, rows), lost: 0 },
     groups: rows > 1 ? [by(data.soil, SOILS, 'soil'), by(data.light, LIGHTS, 'light')] : [],
     causes,
   };

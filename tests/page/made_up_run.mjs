@@ -40,7 +40,7 @@ function drive(start, samples) {
 
 /**
  * @param {import('./payload_writer.mjs').BlobStore} blobs
- * @param {{run: number, outcome: string, docked: boolean, start: number[], duration_s: number}} run
+ * @param {{run: number, outcome: string, success: boolean, start: number[], duration_s: number}} run
  * @returns {{replay: object, last: number[]}} with the last pose of the body in W, as it was before packing
  */
 export function makeReplay(blobs, run, with_pictures = true) {
@@ -90,8 +90,8 @@ export function makeReplay(blobs, run, with_pictures = true) {
     scene: 0,
     title: `Run ${run.run}`,
     outcome: run.outcome,
-    docked: run.docked,
-    sentence: run.docked
+    success: run.success,
+    sentence: run.success
       ? 'Tip 243 mm deep; the shake moved it by 2.1 mm.'
       : 'The tip rests 41 mm short of the socket, and the controller says docked.',
     command: `dockyard replay out/made_up ${run.run}`,

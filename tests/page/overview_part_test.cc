@@ -12,10 +12,10 @@ namespace {
 TEST(OverviewPart, CountsWhatTheRowsHave) {
   const FinishedRuns runs = FakeResults(12);
   int docked = 0;
-  for (const RunResult& row : runs.results) docked += row.docked;
+  for (const RunResult& row : runs.results) docked += row.success;
   const Json json = OverviewPart(nullptr, runs, FakeColumns(), {});
   EXPECT_EQ(json["totals"]["runs"], 12);
-  EXPECT_EQ(json["totals"]["docked"], docked);
+  EXPECT_EQ(json["totals"]["successes"], docked);
   int failed = 0;
   for (const Json& cause : json["causes"]) failed += cause["count"].get<int>();
   EXPECT_EQ(failed, 12 - docked);
@@ -31,7 +31,7 @@ TEST(OverviewPart, HasExactIntervals) {
   const Json json = OverviewPart(nullptr, FakeResults(12), FakeColumns(), {});
   const Json loose = json["groups"][0]["values"][0];
   ASSERT_EQ(loose["runs"], 6);
-  ASSERT_EQ(loose["docked"], 4);
+  ASSERT_EQ(loose["successes"], 4);
   EXPECT_NEAR(loose["interval"][0].get<double>(), 0.223, 5e-4);
   EXPECT_NEAR(loose["interval"][1].get<double>(), 0.957, 5e-4);
 }
@@ -39,10 +39,10 @@ TEST(OverviewPart, HasExactIntervals) {
 // 59 of 59 is the smallest success run for 95 % at 95 % (0.95^59 = 0.0485).
 TEST(OverviewPart, JudgesAReliabilityThatIsAskedFor) {
   FinishedRuns runs = FakeResults(59);
-  for (RunResult& row : runs.results) row.docked = true;
+  for (RunResult& row : runs.results) row.success = true;
   const Json shown = OverviewPart(nullptr, runs, FakeColumns(), AcceptanceAim{0.95, 0.95});
   EXPECT_EQ(shown["acceptance"]["verdict"], "accepted");
-  runs.results[7].docked = false;
+  runs.results[7].success = false;
   const Json open = OverviewPart(nullptr, runs, FakeColumns(), AcceptanceAim{0.95, 0.95});
   EXPECT_EQ(open["acceptance"]["verdict"], "undecided");
   EXPECT_EQ(open["acceptance"]["further_runs"], 93 - 59);  // 93 with one failure: Hanson and Beard

@@ -29,10 +29,10 @@ const open = (hash = '') => openReport(browser, join(folder, 'report.html'), { h
 test('the page has the totals of results.csv and says nothing on the console', async () => {
   const { page, context, messages, requests } = await open();
   const [head, ...rows] = readFileSync(join(folder, 'results.csv'), 'utf8').trim().split('\n');
-  const docked = head.split(',').indexOf('docked');
+  const success = head.split(',').indexOf('success');
   const totals = await page.evaluate(() => window.report.totals);
   assert.equal(totals.runs, rows.length);
-  assert.equal(totals.docked, rows.filter((row) => row.split(',')[docked] === '1').length);
+  assert.equal(totals.successes, rows.filter((row) => row.split(',')[success] === '1').length);
   assert.deepEqual(messages, []);
   assert.equal(requests.length, 1);
   await context.close();
@@ -62,7 +62,7 @@ test("a program's run shows its marks and values, and its command can be pasted"
   try {
     execFileSync('build/dockyard', [...program, '--out', out], { cwd: root, stdio: 'ignore' });
   } catch (failure) {
-    assert.equal(failure.status, 4); // not docked, as it has no time
+    assert.equal(failure.status, 4); // no success, as it has no time
   }
   execFileSync('build/dockyard', ['report', out], { cwd: root, stdio: 'ignore' });
   const { page, context, messages } = await openReport(browser, join(out, 'report.html'));

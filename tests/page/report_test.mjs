@@ -55,13 +55,13 @@ test('the page shows the totals of its data', async () => {
   const shown = await page.evaluate(() => ({
     totals: window.report.totals,
     rows: window.report.rows,
-    docked: window.report.docked,
+    successes: window.report.successes,
     text: document.querySelector('#success').textContent,
   }));
   assert.deepEqual(shown.totals, header.totals);
   assert.equal(shown.rows, header.totals.runs);
-  assert.equal(shown.docked, header.totals.docked);
-  assert.match(shown.text, new RegExp(`${header.totals.docked} of 40 runs docked`));
+  assert.equal(shown.successes, header.totals.successes);
+  assert.match(shown.text, new RegExp(`${header.totals.successes} of 40 runs docked`));
   const low = Math.round(100 * header.totals.interval[0]),
     high = Math.round(100 * header.totals.interval[1]);
   assert.match(shown.text, new RegExp(`${low}–${high} %`));
@@ -225,9 +225,9 @@ test('curves of the design come before the table, with the line of the aim', asy
   const [curves, runs] = await Promise.all(['#curves', '#runs'].map((name) => page.locator(name).boundingBox()));
   assert.ok(curves.y < runs.y);
   assert.match(await page.textContent('#curves'), /Success over start\.r \[m\]/);
-  assert.match(await page.textContent('#curves svg'), /aim: docked >= 0\.9/);
+  assert.match(await page.textContent('#curves svg'), /aim: success >= 0\.9/);
   assert.equal(await page.locator('#curves g[aria-label="dot"] :is(path, circle)').count(), 8);
-  assert.match(await page.textContent('#requirements'), /not met: docked >= 0\.9/);
+  assert.match(await page.textContent('#requirements'), /not met: success >= 0\.9/);
   await context.close();
 });
 
@@ -405,7 +405,7 @@ test('a report without any optional part is shown', async () => {
     delete report.header[name];
   }
   report.header.table.columns = report.header.table.columns.filter((column) =>
-    ['run', 'outcome', 'docked'].includes(column.name),
+    ['run', 'outcome', 'success'].includes(column.name),
   );
   const file = join(folder, 'bare.html');
   writeFileSync(file, pageWith(packPayload(report.header, report.blobs)));

@@ -39,19 +39,11 @@ const std::vector<KnownSystem>& Known() {
 }
 CampaignSystems Systems() {
   return {Known(), [](const std::string&) {
-            return std::vector<std::string>{"docked",
-                                            "tip_depth_m",
-                                            "station_shift_m",
-                                            "tension_peak_n",
-                                            "rock_force_peak_n",
-                                            "entry_force_peak_n",
-                                            "entry_current_peak_a",
-                                            "rightings",
-                                            "sim_time_s",
-                                            "arm_up_peak_deg",
-                                            "spool_current_mean_a",
-                                            "advance_m",
-                                            "turned_deg"};
+            return std::vector<std::string>{
+                "success",           "tip_depth_m",        "station_shift_m",      "tension_peak_n",
+                "rock_force_peak_n", "entry_force_peak_n", "entry_current_peak_a", "rightings",
+                "sim_time_s",        "arm_up_peak_deg",    "spool_current_mean_a", "advance_m",
+                "turned_deg"};
           }};
 }
 Campaign Load(const std::string& file) { return LoadCampaign(SourceFile(file), {}, Systems()); }

@@ -135,7 +135,7 @@ TEST_F(SweepFile, PlotsMeasuresOfItsSystem) {
               ElementsAre("distance_to_toy"));
   EXPECT_THAT(Message("figures: {measures: [distance_to_other]}\n"),
               HasSubstr("expected a column of results.csv, found 'distance_to_other'"));
-  EXPECT_THAT(Message("figures: {measures: [dcked]}\n"), HasSubstr("nearest is 'docked'"));
+  EXPECT_THAT(Message("figures: {measures: [sucess]}\n"), HasSubstr("nearest is 'success'"));
 }
 
 TEST_F(SweepFile, FaultsAreToldByPlaceAndPath) {

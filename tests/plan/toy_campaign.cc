@@ -4,7 +4,7 @@ namespace dockyard {
 
 CampaignSystems ToyCampaigns() {
   return {ToySystems(), [](const std::string& system) {
-            return std::vector<std::string>{"docked", "distance_to_" + system};
+            return std::vector<std::string>{"success", "distance_to_" + system};
           }};
 }
 

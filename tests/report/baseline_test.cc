@@ -27,10 +27,10 @@ TEST(Baseline, OfTheSameResultsPairsAllOfThem) {
 
 TEST(Baseline, NamesTheRunsThatOneSideAloneDocks) {
   std::vector<RunResult> rows = Rows(9);
-  rows[0].docked = rows[3].docked = false;  // runs 1 and 4, lost
+  rows[0].success = rows[3].success = false;  // runs 1 and 4, lost
   rows[0].state_hash ^= 1;
   rows[3].state_hash ^= 1;
-  rows[2].docked = true;  // run 3
+  rows[2].success = true;  // run 3
   rows[2].state_hash ^= 1;
   const BaselinePairs pairs = Pair(rows, Rows(9));
   EXPECT_THAT(pairs.lost, ElementsAre(1, 4));

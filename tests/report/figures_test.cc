@@ -46,7 +46,7 @@ std::vector<double> Numbers(const std::string& svg, const std::string& name, int
 RunResult Row(int run, bool docked) {
   RunResult row;
   row.run = run;
-  row.docked = docked;
+  row.success = docked;
   row.outcome = docked ? "docked" : "missed_cone";
   return row;
 }
@@ -63,7 +63,7 @@ TEST(XmlFault, SeesFaults) {  // the checker itself
 // x runs to the right and y upwards on the page, while pixels count downwards.
 TEST(StartsPlot, PutsEachStartAtItsPlaceAndPointsItAlongItsHeading) {
   for (const double heading : {0.0, 0.7, -2.0}) {
-    const std::string svg = StartsPlot("grid", {Row(1, true), Row(2, true), Row(3, true)},
+    const std::string svg = StartsPlot("grid", "docked", {Row(1, true), Row(2, true), Row(3, true)},
                                        {{2.0, 0.0, kPi}, {3.0, 0.0, kPi}, {2.5, 1.2, heading}});
     EXPECT_EQ(XmlFault(svg), std::nullopt);
     const std::string a = GroupOf(svg, Start(1)), b = GroupOf(svg, Start(2));
@@ -80,7 +80,7 @@ TEST(StartsPlot, PutsEachStartAtItsPlaceAndPointsItAlongItsHeading) {
 }
 
 TEST(StartsPlot, TellsTheRateAndEachFailureByMoreThanColour) {
-  const std::string svg = StartsPlot("a < b & \"c\"", {Row(1, true), Row(2, false)},
+  const std::string svg = StartsPlot("a < b & \"c\"", "docked", {Row(1, true), Row(2, false)},
                                      {{2.0, 0.0, kPi}, {3.0, 0.0, kPi}});
   EXPECT_EQ(XmlFault(svg), std::nullopt);
   EXPECT_THAT(svg, HasSubstr("docked 1/2"));
@@ -92,7 +92,7 @@ TEST(StartsPlot, TellsTheRateAndEachFailureByMoreThanColour) {
 TEST(StartsPlot, CountsRunsThatStartAlikeAsOneStart) {
   const Pose2 place{2.0, 0.0, kPi}, other{2.0, 0.0, kPi - 0.2};
   const std::string svg =
-      StartsPlot("repeats", {Row(1, true), Row(2, false), Row(3, false), Row(4, false)},
+      StartsPlot("repeats", "docked", {Row(1, true), Row(2, false), Row(3, false), Row(4, false)},
                  {place, place, place, other});
   EXPECT_EQ(Occurrences(svg, "class=\"start\""), 2);
   EXPECT_THAT(svg, HasSubstr(">2 of 3 failed<"));
@@ -108,16 +108,16 @@ TEST(StartsPlot, GrowsWithTheRunsAndNotWithTheirSquare) {
       rows.push_back(Row(i, i % 2 == 0));
       starts.push_back({1.0 + i % 7, 1e-4 * i, kPi + 0.01 * (i % 100)});
     }
-    return static_cast<double>(StartsPlot("many", rows, starts).size());
+    return static_cast<double>(StartsPlot("many", "docked", rows, starts).size());
   };
   EXPECT_LT(size_of(20000), 2.5 * size_of(10000));
 }
 
 TEST(StartsPlot, IsWellFormedWithoutRunsAndWithWildStarts) {
-  EXPECT_EQ(XmlFault(StartsPlot("none", {}, {})), std::nullopt);
+  EXPECT_EQ(XmlFault(StartsPlot("none", "docked", {}, {})), std::nullopt);
   const double wild = std::numeric_limits<double>::quiet_NaN();
-  const std::string svg =
-      StartsPlot("wild", {Row(1, true), Row(2, true)}, {{wild, 0.0, 0.0}, {1e300, 0.0, 0.0}});
+  const std::string svg = StartsPlot("wild", "docked", {Row(1, true), Row(2, true)},
+                                     {{wild, 0.0, 0.0}, {1e300, 0.0, 0.0}});
   EXPECT_EQ(XmlFault(svg), std::nullopt);
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }

@@ -25,7 +25,7 @@ RunResult Row(int run, const std::string& arm, const std::string& outcome) {
   row.run = run;
   row.labels = {arm, "loose"};
   row.outcome = outcome;
-  row.docked = outcome == "docked";
+  row.success = outcome == "docked";
   if (outcome != kCrashed) row.measures = {0.1, 2.0, 3.0};
   return row;
 }
@@ -125,8 +125,8 @@ TEST(JUnit, HasTheTotalsAsProperties) {
   for (auto* at = list->FirstChildElement(); at != nullptr; at = at->NextSiblingElement()) {
     properties.push_back(Text(at, "name") + " " + Text(at, "value"));
   }
-  EXPECT_THAT(properties, ElementsAre("planned 4", "runs 3", "docked 1", "outcome.crashed 1",
-                                      "outcome.docked 1", "outcome.missed 1"));
+  EXPECT_THAT(properties, ElementsAre("planned 4", "runs 3", "successes 1", "docked 1",
+                                      "outcome.crashed 1", "outcome.docked 1", "outcome.missed 1"));
 }
 
 TEST(JUnit, UsesTheElementsAndAttributesOfTheSchemaAlone) {

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 const std::vector<std::string> kSettings{"start.alpha_deg", "changed", "changed_to"};
-const std::vector<std::string> kMeasures{"docked", "force_peak_n"};
+const std::vector<std::string> kMeasures{"success", "force_peak_n"};
 
 RowColumns Columns() {
   RowColumns columns = FakeColumns();
@@ -35,7 +35,7 @@ RunResult Row(int run, const std::string& alpha, bool docked, double force_n,
   row.run = run;
   row.seed = 7;
   row.labels = {alpha, to.empty() ? "" : "changes.a", to};
-  row.docked = docked;
+  row.success = docked;
   row.outcome = docked ? "docked" : "missed";
   row.sim_time_s = 30.0;
   row.measures = {0.2, force_n, 0.0};
@@ -46,10 +46,10 @@ TEST(Points, SumUpWhatTheSystemStatesBesideSuccessAndTime) {
   std::vector<std::string> names;
   for (const Column& column : SummedColumns(Columns())) names.push_back(column.name);
   EXPECT_THAT(names,
-              ElementsAre("docked", "sim_time_s", "depth_m", "force_peak_n", "yaw_error_deg"));
+              ElementsAre("success", "sim_time_s", "depth_m", "force_peak_n", "yaw_error_deg"));
   RunResult row = Row(1, "0", true, 3.0);
   row.sim_time_s = 12.5;
-  EXPECT_EQ(Of("docked", {&row}).mean, 1.0);
+  EXPECT_EQ(Of("success", {&row}).mean, 1.0);
   EXPECT_EQ(Of("sim_time_s", {&row}).mean, 12.5);
   EXPECT_EQ(Of("depth_m", {&row}).mean, 0.2);
 }
@@ -59,7 +59,7 @@ TEST(Points, ShareHasTheExactIntervalAndOthersTheirQuantiles) {
   for (int i = 0; i < 11; ++i) rows.push_back(Row(i + 1, "0", i < 8, 10.0 * i));
   Rows all;
   for (const RunResult& row : rows) all.push_back(&row);
-  const Spread share = Of("docked", all);
+  const Spread share = Of("success", all);
   EXPECT_DOUBLE_EQ(share.mean, 8.0 / 11.0);
   EXPECT_EQ(share.low, ClopperPearson(8, 11).low);
   EXPECT_EQ(share.high, ClopperPearson(8, 11).high);
@@ -74,7 +74,7 @@ TEST(Points, NotANumberCountsInNoSpread) {
   const Spread spread = Of("force_peak_n", {&outside, &inside});
   EXPECT_EQ(spread.count, 1);
   EXPECT_DOUBLE_EQ(spread.mean, 0.4);
-  EXPECT_EQ(Of("docked", {&outside, &inside}).count, 2);
+  EXPECT_EQ(Of("success", {&outside, &inside}).count, 2);
 }
 
 TEST(Points, ACrashedRunCountsAsNotDockedAndInNoOtherSpread) {
@@ -84,7 +84,7 @@ TEST(Points, ACrashedRunCountsAsNotDockedAndInNoOtherSpread) {
   const Spread spread = Of("force_peak_n", {&crashed, &good});
   EXPECT_EQ(spread.count, 1);
   EXPECT_EQ(spread.mean, 100.0);
-  EXPECT_EQ(Of("docked", {&crashed, &good}).mean, 0.5);
+  EXPECT_EQ(Of("success", {&crashed, &good}).mean, 0.5);
   EXPECT_EQ(Of("sim_time_s", {&crashed, &good}).count, 1);
 }
 
@@ -92,7 +92,8 @@ TEST(Points, TablesSayWhatWasSetAndWhatCameOut) {
   const std::vector<RunResult> rows{Row(1, "0", true, 80.0), Row(2, "0", false, 120.0),
                                     Row(5, "5", true, 90.0, "1")};
   const std::string points = PointsCsv(kSettings, Columns(), rows);
-  EXPECT_THAT(points, HasSubstr("start.alpha_deg,changed,changed_to,runs,docked,docked_low,"));
+  EXPECT_THAT(points, HasSubstr("start.alpha_deg,changed,changed_to,runs,success,success_low,"
+                                "success_high,docked,docked_low,"));
   EXPECT_THAT(points, HasSubstr("\n0,,,2,0.5,"));
   EXPECT_THAT(points, HasSubstr("\n5,changes.a,1,1,1,"));
   const std::string table = PointsTable(kSettings, kMeasures, Columns(), rows);
@@ -115,7 +116,7 @@ TEST(Points, CurvesBandIsInTheirPlotAndChangedPointsStayOut) {
 
 TEST(Points, CurvesByControllerNeedNoLabel) {
   const Figures figures{
-      .x = "start.alpha_deg", .curves = "controller", .panels = "", .measures = {"docked"}};
+      .x = "start.alpha_deg", .curves = "controller", .panels = "", .measures = {"success"}};
   std::vector<RunResult> rows{Row(1, "0", true, 1.0), Row(2, "0", true, 1.0)};
   rows[0].controller = "old";
   rows[1].controller = "new";
@@ -131,7 +132,7 @@ TEST(Points, BarsAreTheDifferenceFromTheUnchanged) {
   EXPECT_THAT(bars, HasSubstr("docked 1/1"));
   EXPECT_THAT(bars, HasSubstr("mean force peak [N] 80"));
   EXPECT_THAT(bars, HasSubstr("change of the mean force peak [N]"));
-  EXPECT_THAT(BarsPlot("sample", {"docked"}, Columns(), rows), Not(HasSubstr("force")));
+  EXPECT_THAT(BarsPlot("sample", {"success"}, Columns(), rows), Not(HasSubstr("force")));
   EXPECT_EQ(BarsPlot("sample", kMeasures, Columns(), {rows[0]}), "");
   EXPECT_EQ(BarsPlot("sample", kMeasures, FakeColumns(), {}), "");
 }
@@ -141,7 +142,7 @@ TEST(Points, AxesHaveTheColumnsUnits) {
   EXPECT_EQ(AxisLabel({"depth_m", "m", ""}), "depth [m]");
   EXPECT_EQ(AxisLabel({"speed_m_s", "m/s", ""}), "speed [m/s]");
   EXPECT_EQ(AxisLabel({"recoveries", "", ""}), "recoveries");
-  EXPECT_EQ(AxisLabel({"docked", "", ""}), "docked share");
+  EXPECT_EQ(AxisLabel({"success", "", ""}), "share of successes");
 }
 
 }  // namespace

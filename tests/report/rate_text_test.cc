@@ -7,10 +7,10 @@
 namespace dockyard {
 namespace {
 
-TEST(BriefRate, SaysHowSureItIs) {
-  EXPECT_EQ(BriefRate(31, 40), "docked 31/40 (78 %, 62-89 %)");
-  EXPECT_EQ(BriefRate(29, 40), "docked 29/40 (73 %, 56-85 %)");
-  EXPECT_EQ(BriefRate(0, 0), "docked 0/0");
+TEST(RateText, SaysHowSureItIs) {
+  EXPECT_EQ(RateText(31, 40), "31/40 (78 %, 62-89 %)");
+  EXPECT_EQ(RateText(29, 40), "29/40 (73 %, 56-85 %)");
+  EXPECT_EQ(RateText(0, 0), "0/0");
 }
 
 TEST(ChanceText, WritesNoZero) {

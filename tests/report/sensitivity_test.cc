@@ -50,10 +50,10 @@ std::vector<RunResult> RowsOf(int count, std::uint64_t seed = 4) {
     row.run = i + 1;
     row.labels = {NumberText(r), NumberText(alpha), loose ? "loose" : "compact",
                   NumberText(random.Uniform())};
-    row.docked = random.Uniform() < 1.4 - 0.2 * r - std::abs(alpha) / 60.0 - (loose ? 0.2 : 0.0);
-    row.outcome = row.docked ? "docked" : "missed";
+    row.success = random.Uniform() < 1.4 - 0.2 * r - std::abs(alpha) / 60.0 - (loose ? 0.2 : 0.0);
+    row.outcome = row.success ? "docked" : "missed";
     row.measures = {10.0 - r + 0.1 * random.Normal(), random.Normal(),
-                    row.docked ? random.Normal() : std::nan("")};
+                    row.success ? random.Normal() : std::nan("")};
     rows.push_back(row);
   }
   return rows;
@@ -91,7 +91,7 @@ TEST(Sensitivity, HasTheCorrelationsOfTheColumns) {
   for (const RunResult& row : rows) {
     r.push_back(*NumberFromText(row.labels[0]));
     depth.push_back(row.measures[0]);
-    if (!row.docked) continue;
+    if (!row.success) continue;
     r_of_docked.push_back(r.back());
     yaw.push_back(row.measures[2]);
   }
@@ -111,12 +111,12 @@ TEST(Sensitivity, GivesWordsTheirRatesAndNoRank) {
   EXPECT_TRUE(std::isnan(soil.partial.value));
   int docked = 0, runs = 0;
   for (const RunResult& row : RowsOf(400)) {
-    docked += row.docked && row.labels[2] == "compact";
+    docked += row.success && row.labels[2] == "compact";
     runs += row.labels[2] == "compact";
   }
   for (const LevelRate& rate : found.rates) {
     if (rate.word != "compact") continue;
-    EXPECT_EQ(rate.docked, docked);
+    EXPECT_EQ(rate.successes, docked);
     EXPECT_EQ(rate.runs, runs);
   }
   EXPECT_THAT(SensitivityLevelsCsv({found}), HasSubstr("\n,soil,loose,,,"));
@@ -164,13 +164,13 @@ TEST(Sensitivity, LeavesOutRunsInWhichAKeyWasChangedAlone) {
 
 TEST(Sensitivity, SaysThatItCannotTellWhereAllRunsDock) {
   std::vector<RunResult> rows = RowsOf(100);
-  for (RunResult& row : rows) row.docked = true;
+  for (RunResult& row : rows) row.success = true;
   const auto found = FindSensitivity(Drawn(), Columns(), rows);
   EXPECT_TRUE(std::isnan(found[0].measures[kDocked].draws[0].eta));
   EXPECT_FALSE(std::isnan(found[0].measures[kDepth].draws[0].eta));
-  EXPECT_THAT(SensitivityText(found), HasSubstr("docked does not vary"));
+  EXPECT_THAT(SensitivityText(found), HasSubstr("success does not vary"));
   EXPECT_THAT(SensitivityPlot("all", found), IsEmpty());
-  EXPECT_THAT(SensitivityCsv(found), HasSubstr("\n,docked,start.r_m,numbers,100,,,,,,,,,\n"));
+  EXPECT_THAT(SensitivityCsv(found), HasSubstr("\n,success,start.r_m,numbers,100,,,,,,,,,\n"));
 }
 
 TEST(Sensitivity, TakesAnyNumberOfRuns) {

@@ -21,7 +21,7 @@ FinishedRuns FourRuns() {
     RunResult row;
     row.run = i;
     row.labels = {i % 2 == 1 ? "loose" : "compact", "1.5"};
-    row.docked = i == 1;
+    row.success = i == 1;
     row.outcome = i == 1 ? "docked" : i == 2 ? "timeout" : i == 3 ? "missed" : kCrashed;
     row.sim_time_s = 100.25 * i;
     row.images = 2 * i;
@@ -112,7 +112,7 @@ TEST(Summary, HasColumnsAsWideAsTheirLongestCell) {
 TEST(Summary, StaysUnderAHundredColumns) {
   FinishedRuns runs = FakeResults(120);
   for (RunResult& result : runs.results) {
-    result.docked = false;
+    result.success = false;
     result.outcome = "missed";
   }
   std::istringstream lines(SummaryText("fake", runs, FakeColumns(), 120));

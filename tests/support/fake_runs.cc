@@ -64,14 +64,15 @@ RunRecord FakeRecord(const CampaignRun& run) {
   row.system = run.scenario.system;
   row.controller = run.scenario.controller;
   row.labels = run.labels;
-  row.docked = run.run % 3 != 0;
-  row.outcome = row.docked ? "docked" : "missed";
+  row.success = run.run % 3 != 0;
+  row.success_word = "docked";
+  row.outcome = row.success ? "docked" : "missed";
   row.sim_time_s = draw.Uniform(100.0, 300.0);
   row.images = 14;
   row.measures = {draw.Normal() / 3.0, 0.1 + 0.2, draw.Normal()};  // 0.3...: no short decimal form
   row.state_hash = draw.NextBits();
   record.timing = {1.5, 2.5, 0.5, 0.75};
-  record.failure_note = row.docked ? "" : "it passed the flag on the left";
+  record.failure_note = row.success ? "" : "it passed the flag on the left";
   for (int i = 0; i < 200; ++i) {
     HistorySample sample;
     sample.time_s = 0.1 * i;

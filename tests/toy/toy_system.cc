@@ -72,6 +72,10 @@ class Line final : public Plant {
   double x_m_ = 0.0, wheel_rad_ = 0.0;
 };
 
+std::vector<JudgedLimit> Limits(double miss_m) {
+  return {{"miss_m", "m", "distance from the flag at the end", LimitSense::kAtMost, miss_m, 0.05}};
+}
+
 class AtTheFlag final : public Judge {
  public:
   explicit AtTheFlag(const Plant& plant) : plant_(plant) {}
@@ -82,7 +86,8 @@ class AtTheFlag final : public Judge {
     const double miss_m = std::abs(plant_.X_DR().x);
     const bool claimed = last.verdict == Verdict::kDone;
     const char* outcome = !claimed ? "timeout" : miss_m < 0.05 ? "at_flag" : "missed";
-    return {outcome, "stopped " + NumberText(miss_m) + " m from the flag", {miss_m}};
+    return {
+        outcome, "stopped " + NumberText(miss_m) + " m from the flag", {miss_m}, Limits(miss_m)};
   }
 
  private:
@@ -129,7 +134,8 @@ System ToySystem() {
                              {"missed", false, "claimed to be there, farther off"},
                              {"timeout", false, "never claimed to be there"}};
   system.columns.channels = {{"wheel_rad", "rad", "the wheel's turn since the start"}};
-  system.columns.measures = {{"miss_m", "m", "distance from the flag at the end", true}};
+  system.columns.measures =
+      WithMargins({{"miss_m", "m", "distance from the flag at the end", true}}, Limits(0.0));
   system.check = [](const Scenario& s) { return "a point at " + NumberText(SpeedOf(s)) + " m/s"; };
   system.make_ready = MakeReady;
   system.files.check = CheckPoint;

@@ -202,9 +202,10 @@ TEST_F(Toy, GoesThroughACampaignWithKeysAndTagsOfItsOwn) {
   EXPECT_EQ(Dockyard("check " + kToy + "campaign.yaml").code, 0);
   const auto end = Dockyard("campaign " + kToy + "campaign.yaml --quiet --out " + dir_.string());
   EXPECT_EQ(end.code, 0) << end.err;
-  EXPECT_THAT(Text("results.csv"), HasSubstr("run,seed,system,controller,weather,start.r_m,"
-                                             "toy.speed_m_s,docked,outcome,sim_time_s,images,"
-                                             "miss_m,state_hash\n"));
+  EXPECT_THAT(Text("results.csv"),
+              HasSubstr("run,seed,system,controller,weather,start.r_m,"
+                        "toy.speed_m_s,success,success_word,docked,outcome,sim_time_s,images,"
+                        "miss_m,margin.miss_m,state_hash\n"));
   EXPECT_THAT(Text("results.csv"), HasSubstr(",toy,counting,windy,3,1,"));
   EXPECT_THAT(end.out, HasSubstr("weather"));
   EXPECT_EQ(Dockyard("replay " + dir_.string() + " 3").code, 0);
@@ -219,6 +220,35 @@ TEST_F(Toy, GoesThroughASweepOfAKey) {
   const auto former = Dockyard("study " + kToy + "sweep.yaml");
   EXPECT_EQ(former.code, 2);
   EXPECT_THAT(former.err, HasSubstr("a study is a campaign: dockyard campaign FILE"));
+}
+
+TEST_F(Toy, ASuccessHasAPositiveMarginAndAMissANegativeOne) {
+  const auto end = Dockyard("campaign " + kToy + "arms.yaml --quiet --out " + dir_.string() +
+                            " --require 'margin.miss_m.min >= 0' --require 'docked >= 0'");
+  EXPECT_EQ(end.code, 22) << end.err;
+  EXPECT_THAT(end.out, HasSubstr("not met: margin.miss_m.min >= 0, found -0."));
+  EXPECT_THAT(end.out, HasSubstr("met: docked >= 0, found "));
+  EXPECT_THAT(end.out, HasSubstr("\nlimits: runs that broke them, and the least margin of those "
+                                 "that at flag\n  miss_m  "));
+}
+
+TEST_F(Toy, ReadsTheResultsOfAnEarlierProgram) {
+  const std::string dir = dir_.string();
+  fs::copy(SourceFile(kToy + "former_results"), dir_, fs::copy_options::recursive);
+  ASSERT_THAT(Text("results.csv"), HasSubstr(",toy.speed_m_s,docked,outcome,"));
+  const auto audit = Dockyard("audit " + dir + " --sample 4");  // each run again, and each line
+  EXPECT_EQ(audit.code, 0) << audit.out << audit.err;
+  EXPECT_THAT(audit.out, HasSubstr("4 of 4 runs the same"));
+  EXPECT_THAT(Dockyard("replay " + dir + " 3").out, HasSubstr("run 3: same result row, bit for"));
+  EXPECT_EQ(Dockyard("report " + dir + " --out " + dir + "/page.html").code, 0);
+  const auto on = Dockyard("campaign " + kToy + "campaign.yaml --quiet --out " + dir);
+  EXPECT_EQ(on.code, 2);
+  EXPECT_THAT(on.err, HasSubstr("another program"));
+  const auto merge = Dockyard("merge " + dir + " --require 'success >= 0.2'");
+  EXPECT_EQ(merge.code, 0) << merge.err;
+  EXPECT_THAT(merge.out, HasSubstr("toy_campaign: at flag "));
+  EXPECT_THAT(Text("results.csv"), HasSubstr(",success,success_word,docked,outcome,"));
+  EXPECT_EQ(Dockyard("audit " + dir + " --sample 4").code, 0);  // of the table as it is now
 }
 
 // The page's lines for Python's standard library, as they stand there.
@@ -376,7 +406,7 @@ TEST_F(Toy, RefusesASequentialTestThatWouldNotHold) {
   for (const std::string& arguments :
        {"arms.yaml" + aims, "sweep.yaml" + aims, "campaign.yaml" + aims,
         std::string("draws.yaml --until-accepted"), std::string("draws.yaml --reliability 0.9"),
-        "draws.yaml --max-runs 61" + aims, "draws.yaml --require 'docked >= 0'" + aims,
+        "draws.yaml --max-runs 61" + aims, "draws.yaml --require 'success >= 0'" + aims,
         "draws.yaml --shard 1/2" + aims, "draws.yaml --retry-crashed" + aims,
         std::string("draws.yaml --until-accepted --reliability 0.9 --design-reliability 0.8")}) {
     EXPECT_EQ(Dockyard("campaign " + kToy + arguments + " --out " + dir_.string()).code, 2)
@@ -389,30 +419,31 @@ TEST_F(Toy, MeetsRequirementsOrEndsWithTheirCode) {
   const std::string campaign = "campaign " + kToy + "arms.yaml --quiet --out " + dir_.string();
   const auto unknown = Dockyard(campaign + " --require 'dockd >= 0.5'");
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("expected one of docked, sim_time_s, miss_m"));
+  EXPECT_THAT(unknown.err, HasSubstr("expected one of success, sim_time_s, miss_m"));
   EXPECT_FALSE(fs::exists(dir_));
   const std::string junit = (dir_ / "junit.xml").string();
   const auto met = Dockyard(campaign +
-                            " --require 'docked >= 0' --require 'miss_m[arm=fast].max "
+                            " --require 'success >= 0' --require 'miss_m[arm=fast].max "
                             "<= 1' --junit " +
                             junit);
   EXPECT_EQ(met.code, 0) << met.err;
-  EXPECT_THAT(met.out, HasSubstr("met: docked >= 0, found "));
+  EXPECT_THAT(met.out, HasSubstr("met: success >= 0, found "));
   EXPECT_THAT(Text("junit.xml"), HasSubstr("<testcase classname=\"toy_arms.fast\" name=\"run 2"));
   EXPECT_THAT(Text("junit.xml"), HasSubstr("again: " + ProgramPath() + " replay " + dir_.string()));
   const std::string merge = "merge " + dir_.string();
-  const auto missed = Dockyard(merge + " --require 'docked.lower95 >= 0.99' --json");
+  const auto missed = Dockyard(merge + " --require 'success.lower95 >= 0.99' --json");
   EXPECT_EQ(missed.code, 22);
   EXPECT_THAT(missed.out, HasSubstr("\"met\":false"));
-  EXPECT_EQ(Dockyard(merge + " --require 'docked[arm=slow] >= 0'").code, 0);
-  EXPECT_EQ(Dockyard(merge + " --require 'docked[arm=slw] >= 0'").code, 2);
-  EXPECT_EQ(Dockyard("campaign " + kToy + "arms.yaml --shard 1/2 --require 'docked >= 0'").code, 2);
+  EXPECT_EQ(Dockyard(merge + " --require 'success[arm=slow] >= 0'").code, 0);
+  EXPECT_EQ(Dockyard(merge + " --require 'success[arm=slw] >= 0'").code, 2);
+  EXPECT_EQ(Dockyard("campaign " + kToy + "arms.yaml --shard 1/2 --require 'success >= 0'").code,
+            2);
 }
 
 TEST_F(Toy, TellsWhatItsSuccessDependsOn) {
   const auto end = Dockyard("campaign " + kToy + "draws.yaml --quiet --out " + dir_.string());
   ASSERT_EQ(end.code, 0) << end.err;
-  EXPECT_THAT(end.out, HasSubstr("sensitivity of docked to the draws, 60 runs"));
+  EXPECT_THAT(end.out, HasSubstr("sensitivity of success to the draws, 60 runs"));
   EXPECT_THAT(Text("summary.txt"), HasSubstr("slow "));
   EXPECT_THAT(Text("sensitivity.csv"), HasSubstr("\n,miss_m,start.r_m,numbers,60,"));
   EXPECT_THAT(Text("sensitivity_levels.csv"), HasSubstr("\n,toy.speed_m_s,fast,,,"));

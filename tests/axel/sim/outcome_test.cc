@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 
 namespace dockyard::axel {
@@ -260,15 +263,76 @@ TEST(Outcome, AFalseClaimNamesTheLimitsThatItMissed) {
   };
   const std::string yaw = ", heading 5.3 deg against the axis";
   EXPECT_EQ(note(At(50.0, 0.189, 0.01, 50.0), 2.0, {}),
-            "claimed docked; tip 189 mm deep (held: at least 200 mm; docked: 265 mm)" + yaw);
-  EXPECT_EQ(note(At(50.0, 0.24, 0.01, 3.0), 2.0, {}),
-            "claimed docked; tip 240 mm deep" + yaw + ", tether at 3 N (taut: over 5 N)");
-  EXPECT_EQ(note(At(50.0, 0.24, 0.01, 50.0), 0.5, {}),
-            "claimed docked; tip 240 mm deep" + yaw + ", not at rest (within 1 mm for 1 s)");
-  EXPECT_EQ(note(At(50.0, 0.24, 0.01, 50.0), 2.0, {true, Radians(6.0), 0.02, 0.23}),
-            "claimed docked; tip 240 mm deep" + yaw +
-                ", shake turned it 6.0 deg (less than 4.5 deg)"
-                ", shake moved it 20.0 mm (less than 10 mm)");
+            "claimed docked; entered depth 189 mm (at least 200 mm), seat depth 189 mm (at least "
+            "265 mm)" +
+                yaw);
+  EXPECT_EQ(note(At(50.0, 0.27, 0.01, 3.0), 2.0, {}),
+            "claimed docked; tension 3 N (at least 5 N)" + yaw);
+  EXPECT_EQ(note(At(50.0, 0.27, 0.01, 50.0), 0.5, {}),
+            "claimed docked; rest 0.5 s (at least 1 s)" + yaw);
+  EXPECT_EQ(note(At(50.0, 0.27, 0.01, 50.0), 2.0, {true, Radians(6.0), 0.02, 0.27}),
+            "claimed docked; shake turn 6 deg (at most 4.5 deg), shake travel 20 mm (at most 10 "
+            "mm)" +
+                yaw);
+}
+
+/// Those that are judged, by name.
+std::map<std::string, double> MarginsOf(const OutcomeJudge& judge, const ShakeResult& shake) {
+  std::map<std::string, double> margins;
+  for (const JudgedLimit& limit : judge.Limits(shake)) {
+    if (!std::isnan(limit.value)) margins[limit.name] = limit.margin();
+  }
+  return margins;
+}
+
+TEST(Outcome, AClaimSucceedsExactlyWhereAllMarginsArePositive) {
+  StationModel station = Station();
+  station.cone.rated_force_n = 1000.0;
+  int successes = 0, failures = 0;
+  for (const double depth_m : {0.26, 0.2704}) {
+    for (const double tension_n : {3.0, 50.0}) {
+      for (const double shift_m : {0.04, 0.06}) {
+        for (const double force_n : {900.0, 1100.0}) {
+          for (const double travel_m : {0.005, 0.02}) {
+            OutcomeJudge judge(station, {});
+            Truth truth = At(100.0, depth_m, 0.005, tension_n);
+            truth.station_shift_m = shift_m;
+            truth.cone_force_peak_n = force_n;
+            Hold(judge, truth, 2.0);
+            const ShakeResult shake{true, Radians(1.0), travel_m, depth_m};
+            const auto margins = MarginsOf(judge, shake);
+            const bool all = std::all_of(margins.begin(), margins.end(),
+                                         [](const auto& each) { return each.second >= 0.0; });
+            const Outcome outcome = judge.Conclude(Verdict::kDone, 0, shake).outcome;
+            EXPECT_EQ(outcome == Outcome::kDocked, all) << Name(outcome);
+            ++(all ? successes : failures);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(successes, 1);
+  EXPECT_EQ(failures, 31);
+}
+
+TEST(Outcome, TheLimitThatNamesAFailureIsBroken) {
+  OutcomeJudge jammed(Station(), {});
+  Hold(jammed, At(50.0, 0.15, 0.02, 200.0), 10.0);
+  EXPECT_LT(MarginsOf(jammed, {}).at("jam_s"), 0.0);
+  OutcomeJudge caught(Station(), {});
+  Truth pressed = At(50.0, 0.0, 0.13, 90.0);
+  pressed.face_force_n = 60.0;
+  Hold(caught, pressed, 5.0);
+  EXPECT_LT(MarginsOf(caught, {}).at("face_s"), 0.0);
+  OutcomeJudge overload(Station(), {});
+  Hold(overload, At(5.0, -2.0, 0.0, 1200.0), 0.3);
+  EXPECT_LT(MarginsOf(overload, {}).at("overload_s"), 0.0);
+  OutcomeJudge tipped(Station(), {});
+  Truth on_end = At(5.0, -2.0, 0.0, 0.0);
+  on_end.X_WR.R = RotX(Radians(70));
+  tipped.Observe(on_end);
+  EXPECT_NEAR(MarginsOf(tipped, {}).at("axle_tilt_deg"), -10.0, 1e-9);
+  EXPECT_EQ(MarginsOf(tipped, {}).count("excursion_m"), 0u);  // none was asked for
 }
 
 TEST(Outcome, GivingUpInSightOfTheBoardIsTheRecoveryLimit) {

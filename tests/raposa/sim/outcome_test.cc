@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace dockyard::raposa {
 namespace {
 
@@ -81,6 +83,39 @@ TEST(RaposaOutcome, FailureIsNamedByWhatTheTruthShows) {
   Truth touched = At(10.0, 0.2, 0.03);
   touched.contact_n = 3.0;
   EXPECT_EQ(outcome(touched), Outcome::kMissedSocket);
+}
+
+double MarginOf(const OutcomeJudge& judge, Verdict claimed, const Trial& trial,
+                const std::string& name) {
+  for (const JudgedLimit& each : judge.Limits(claimed, trial)) {
+    if (each.name == name) return each.margin();
+  }
+  ADD_FAILURE() << name;
+  return 0.0;
+}
+
+TEST(RaposaOutcome, AClaimIsJudgedByGuideAndDoorsAndElseByThePyramid) {
+  OutcomeJudge judge{OutcomeLimits{}};
+  Truth truth = At(30.0, 0.001, 0.006);
+  truth.pyramid_shift_m = 0.06;  // pushed, and docked
+  Hold(judge, truth, 6.0);
+  ASSERT_EQ(judge.Conclude(Verdict::kDone, kFollows).outcome, Outcome::kDocked);
+  for (const JudgedLimit& each : judge.Limits(Verdict::kDone, kFollows)) {
+    EXPECT_FALSE(each.margin() < 0.0) << each.name;
+  }
+  EXPECT_NEAR(MarginOf(judge, Verdict::kDone, kFollows, "trial_seat_m"), 0.004, 1e-12);
+  EXPECT_NEAR(MarginOf(judge, Verdict::kDone, kComesLoose, "trial_seat_m"), -0.195, 1e-12);
+  EXPECT_NEAR(MarginOf(judge, Verdict::kGivenUp, {}, "pyramid_shift_m"), -0.01, 1e-12);
+  EXPECT_LT(MarginOf(judge, Verdict::kGivenUp, {}, "jam_s"), 0.0);
+}
+
+TEST(RaposaOutcome, AFalseClaimNamesTheLimitThatItMissed) {
+  OutcomeJudge judge{OutcomeLimits{}};
+  Hold(judge, At(30.0, 0.001, 0.03), 1.0);
+  EXPECT_EQ(
+      judge.Conclude(Verdict::kDone, {}).note,
+      "claimed docked; door 30 mm (at most 12 mm); guide 1 mm outside of its seat, 0 mm aside "
+      "and 0 mm above it");
 }
 
 TEST(RaposaOutcome, OnlyDockedIsASuccess) {

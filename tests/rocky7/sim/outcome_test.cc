@@ -46,7 +46,7 @@ Outcome AfterGrasp(Verdict claimed, bool lifted, bool held, double point_off_m =
   end.grasps = true;
   end.tried = 1;
   end.lifted = lifted;
-  end.held = held;
+  end.rise_m = held ? 0.15 : 0.0;
   end.point_off_m = point_off_m;
   return JudgeEnd(end, {}).outcome;
 }
@@ -79,14 +79,58 @@ TEST(Rocky7Outcome, APlacementIsJudgedByItsContact) {
   EXPECT_EQ(of(Touched(0.021, 4.9, 9.9)), Outcome::kMisplaced);
   EXPECT_EQ(of(Touched(0.019, 5.1, 9.9)), Outcome::kTilted);
   EXPECT_EQ(of(Touched(0.019, 4.9, 10.1)), Outcome::kPressed);
-  EXPECT_EQ(JudgeEnd(Touched(0.019, 5.1, 9.9), limits).note,
-            "touched 19 mm off the target, 5.1 deg off its normal, by 9.9 N (at most 5.0 deg)");
+  EXPECT_EQ(
+      JudgeEnd(Touched(0.019, 5.1, 9.9), limits).note,
+      "touched 19 mm off the target, 5.1 deg off its normal, by 9.9 N; tilt 5.1 deg (at most 5 "
+      "deg)");
   EndOfRun none = Touched(0.019, 4.9, 0.0);
   none.touched = false;
   EXPECT_EQ(of(none), Outcome::kFalsePlace);
   EndOfRun unsaid = Touched(0.019, 4.9, 5.0);
   unsaid.claimed = Verdict::kUnderWay;
   EXPECT_EQ(of(unsaid), Outcome::kTimeout);
+}
+
+/// Whether all limits that are judged are kept.
+bool AllKept(const EndOfRun& end, const OutcomeLimits& limits) {
+  int judged = 0;
+  for (const JudgedLimit& each : LimitsOf(end, limits)) {
+    if (each.margin() < 0.0) return false;
+    judged += each.margin() >= 0.0;
+  }
+  return judged > 0;
+}
+
+TEST(Rocky7Outcome, AClaimSucceedsExactlyWhereAllMarginsArePositive) {
+  const OutcomeLimits limits{.reach_m = 0.02};
+  for (const double off_m : {0.019, 0.021}) {
+    for (const double tilt_deg : {4.9, 5.1}) {
+      for (const double most_n : {9.9, 10.1}) {
+        const EndOfRun end = Touched(off_m, tilt_deg, most_n);
+        EXPECT_EQ(JudgeEnd(end, limits).outcome == Outcome::kPlaced, AllKept(end, limits));
+      }
+    }
+    EndOfRun reach;
+    reach.claimed = Verdict::kDone;
+    reach.point_off_m = off_m;
+    EXPECT_EQ(JudgeEnd(reach, limits).outcome == Outcome::kOnTarget, AllKept(reach, limits));
+  }
+  for (const double rise_m : {0.019, 0.021}) {
+    EndOfRun grasp;
+    grasp.claimed = Verdict::kDone;
+    grasp.tried = 1;
+    grasp.lifted = true;
+    grasp.rise_m = rise_m;
+    grasp.point_off_m = 0.1;  // is no limit of a grasp
+    EXPECT_EQ(JudgeEnd(grasp, limits).outcome == Outcome::kGrasped, AllKept(grasp, limits));
+  }
+}
+
+TEST(Rocky7Outcome, EachTaskAsksForASuccess) {
+  for (const Task task : {Task::kReach, Task::kGrasp, Task::kPlace}) {
+    EXPECT_TRUE(OutcomeNames()[static_cast<std::size_t>(SuccessOf(task))].success);
+  }
+  EXPECT_STREQ(Name(SuccessOf(Task::kGrasp)), "grasped");
 }
 
 TEST(Rocky7Outcome, NamesThreeSuccesses) {

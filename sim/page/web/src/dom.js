@@ -51,13 +51,13 @@ export function card(id, heading, note, ...children) {
 /**
  * A run's outcome as text with a sign: the sign differs in shape, not only in colour.
  * @param {string} outcome
- * @param {boolean} docked
+ * @param {boolean} success
  */
-export function outcomeMark(outcome, docked) {
+export function outcomeMark(outcome, success) {
   return make(
     'span',
-    { class: docked ? 'outcome docked' : 'outcome failed' },
-    make('span', { 'aria-hidden': 'true', class: 'sign' }, docked ? '●' : '✕'),
+    { class: success ? 'outcome success' : 'outcome failed' },
+    make('span', { 'aria-hidden': 'true', class: 'sign' }, success ? '●' : '✕'),
     ' ',
     outcome,
   );

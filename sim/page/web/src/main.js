@@ -57,7 +57,7 @@ function show({ header, blobs }) {
     totals: header.totals,
     header,
     rows: table.rows,
-    docked: table.docked_count,
+    successes: table.success_count,
     openRun,
     sort: (/** @type {string} */ name, /** @type {boolean} */ falling) => runs.sort(name, falling),
     filter: (/** @type {string} */ text_of) => runs.filter(text_of),

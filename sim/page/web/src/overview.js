@@ -5,6 +5,7 @@ import { causes } from './charts/causes.js';
 import { curves } from './charts/curves.js';
 import { distributions } from './charts/distributions.js';
 import { extremes } from './charts/extremes.js';
+import { margins } from './charts/margins.js';
 import { sensitivity } from './charts/sensitivity.js';
 import { starts } from './charts/starts.js';
 import { factors, headline } from './charts/success.js';
@@ -46,6 +47,7 @@ export function overview(header, table, runs, openRun) {
     curves(header, table),
     arms(header),
     runs.element,
+    margins(header, table, openRun),
     sensitivity(header),
     distributions(table),
     extremes(header, table, openRun),
@@ -66,7 +68,7 @@ function listCard(id, title, attributes, items) {
 /** What became of the requirements on the results. @param {any} header */
 function requirements(header) {
   const items = (header.requirements ?? []).map((/** @type {any} */ each) =>
-    make('li', { class: each.met ? 'docked' : 'failed' }, `${each.met ? '●' : '✕'} ${each.text}`),
+    make('li', { class: each.met ? 'success' : 'failed' }, `${each.met ? '●' : '✕'} ${each.text}`),
   );
   return listCard('requirements', 'Requirements', { class: 'requirements' }, items);
 }

@@ -3,12 +3,12 @@
 import { plainName } from './format.js';
 
 /**
- * Run, outcome, then the rest; `docked` says no more than the sign before the outcome.
+ * Run, outcome, then the rest; `success` says no more than the sign before the outcome.
  * @param {import('./table.js').Table} table
  */
 export function inOrder(table) {
   const front = [table.run, table.outcomes, table.byName.get('replay')].filter((c) => c !== undefined);
-  return [...front, ...table.columns.filter((c) => !front.includes(c) && c !== table.docked)];
+  return [...front, ...table.columns.filter((c) => !front.includes(c) && c !== table.success)];
 }
 
 /** @param {import('./table.js').Table} table @param {import('./table.js').Column} column */

@@ -150,12 +150,12 @@ export class RunsTable {
 
   /** Counts, height and lines after the rows have changed. */
   refresh() {
-    const docked = this.rows.reduce((sum, row) => sum + (this.table.isDocked(row) ? 1 : 0), 0);
+    const successes = this.rows.reduce((sum, row) => sum + (this.table.isSuccess(row) ? 1 : 0), 0);
     const all = this.rows.length === this.table.rows;
     this.counts.textContent =
       this.rows.length === 0
         ? 'No run fits the filter.'
-        : `${group(docked)} of ${group(this.rows.length)} ${all ? '' : 'chosen '}runs docked`;
+        : `${group(successes)} of ${group(this.rows.length)} ${all ? '' : 'chosen '}runs ${this.table.word}`;
     const height = Math.min(TALLEST, (this.rows.length + 1) * ROW_HEIGHT);
     this.spacer.style.height = `${height}px`;
     this.grid.setAttribute('aria-rowcount', String(this.rows.length + 1));
@@ -182,13 +182,13 @@ export class RunsTable {
   /** @param {any} line @param {number} place */
   fillLine(line, place) {
     const row = this.rows[place];
-    const docked = this.table.isDocked(row);
+    const success = this.table.isSuccess(row);
     line.setAttribute('aria-rowindex', String(place + 2));
     line.setAttribute('aria-selected', String(place === this.current));
-    line.className = docked ? '' : 'failed';
+    line.className = success ? '' : 'failed';
     this.columns.forEach((column, i) => {
       let text = this.table.text(column, row);
-      if (column === this.table.outcomes) text = `${docked ? '●' : '✕'} ${text}`;
+      if (column === this.table.outcomes) text = `${success ? '●' : '✕'} ${text}`;
       if (line.cells[i].textContent !== text) line.cells[i].textContent = text;
     });
   }

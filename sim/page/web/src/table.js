@@ -33,21 +33,21 @@ export class Table {
     addReplayColumn(this.columns, header.replays ?? [], this.rows);
     this.byName = new Map(this.columns.map((column) => [column.name, column]));
     this.outcomes = this.byName.get('outcome');
-    this.docked = this.byName.get('docked');
+    this.success = this.byName.get('success');
     this.run = this.byName.get('run');
-    if (!this.outcomes || !this.docked || !this.run) throw new Error('the table of runs lacks a column');
+    if (!this.outcomes || !this.success || !this.run) throw new Error('the table of runs lacks a column');
     this.starts = ['start_x_m', 'start_y_m', 'start_heading_deg'].map(
       (name) => this.byName.get(name)?.values,
     );
-    this.docked_count = this.docked.values.reduce(
+    this.success_count = this.success.values.reduce(
       (/** @type {number} */ sum, /** @type {number} */ v) => sum + v,
       0,
     );
   }
 
   /** @param {number} row */
-  isDocked(row) {
-    return this.docked.values[row] === 1;
+  isSuccess(row) {
+    return this.success.values[row] === 1;
   }
 
   /** @param {number} row */
@@ -72,7 +72,7 @@ export class Table {
   measures() {
     const other = new Set([
       'run',
-      'docked',
+      'success',
       'start_x_m',
       'start_y_m',
       'start_heading_deg',

@@ -17,7 +17,7 @@ export function arms(header) {
   return card(
     'arms',
     'Arms compared',
-    'Same start, same draws in both arms. Difference of the shares that docked, in percent points, with its 95 % interval.',
+    'Same start, same draws in both arms. Difference of the shares that succeeded, in percent points, with its 95 % interval.',
     make(
       'figure',
       null,
@@ -44,11 +44,11 @@ export function arms(header) {
             x1: 'low',
             x2: 'high',
             y: 'name',
-            stroke: 'var(--docked)',
+            stroke: 'var(--success)',
             strokeWidth: 5,
             strokeOpacity: 0.35,
           }),
-          Plot.dot(rows, { x: 'difference', y: 'name', fill: 'var(--docked)', r: 4.5 }),
+          Plot.dot(rows, { x: 'difference', y: 'name', fill: 'var(--success)', r: 4.5 }),
         ],
       }),
     ),

@@ -15,11 +15,11 @@ const MOST_TICKS = 8;
 export function curves(header, table) {
   const figures = header.curves ?? [];
   if (figures.length === 0) return null;
-  const measures = figures.some((/** @type {any} */ f) => f.measure !== 'docked');
+  const measures = figures.some((/** @type {any} */ f) => f.measure !== 'success');
   return card(
     'curves',
     'Curves of the design',
-    'Success: share of runs that docked, with its exact 95 % interval.' +
+    'Success: share of runs that succeeded, with its exact 95 % interval.' +
       (measures ? ' Measures: median, and where 10 to 90 % of the runs lie.' : ''),
     make(
       'div',
@@ -31,7 +31,7 @@ export function curves(header, table) {
 
 /** @param {any} f @param {any} header @param {import('../table.js').Table} table */
 function curveFigure(f, header, table) {
-  const success = f.measure === 'docked';
+  const success = f.measure === 'success';
   const x_name = axisName({ name: f.x, unit: table.byName.get(f.x)?.unit ?? /_(deg|m|s|kg)$/.exec(f.x)?.[1] });
   const y_name = success ? 'Success' : axisName({ name: f.measure, unit: f.unit });
   const rows = f.curves.flatMap((/** @type {any} */ curve, /** @type {number} */ i) =>

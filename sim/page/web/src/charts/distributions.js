@@ -1,4 +1,4 @@
-// Histograms of each measure: docked runs upwards, failed runs downwards.
+// Histograms of each measure: successes upwards, failed runs downwards.
 
 import * as Plot from './plot.js';
 import { card, make } from '../dom.js';
@@ -13,7 +13,9 @@ const PLACES = new Set(['point', 'repeat']); // they number the runs
 /** @param {import('../table.js').Table} table */
 export function distributions(table) {
   if (table.rows < 2) return null;
-  const columns = table.measures().filter((column) => !PLACES.has(column.name));
+  const columns = table
+    .measures()
+    .filter((column) => !PLACES.has(column.name) && !column.name.startsWith('margin.'));
   const told = columns.some((column) => column.meaning);
   const measured = columns.filter((column) => !told || column.meaning || MEASURED.has(column.name));
   const figures = histograms(table, measured);
@@ -21,7 +23,7 @@ export function distributions(table) {
   return card(
     'distributions',
     'Distributions',
-    'Number of runs by measure: docked runs upwards, failed runs downwards (hatched).',
+    'Number of runs by measure: successes upwards, failed runs downwards (hatched).',
     hatch(),
     make('div', { class: 'multiples' }, figures),
     given(
@@ -66,7 +68,7 @@ function count(table, column) {
   const limits = binLimits(column.values);
   if (!limits) return null;
   const [low, high] = limits;
-  const docked = new Float64Array(BINS),
+  const success = new Float64Array(BINS),
     failed = new Float64Array(BINS);
   const scale = BINS / (high - low);
   let beyond = 0;
@@ -75,10 +77,10 @@ function count(table, column) {
     if (Number.isNaN(value)) continue;
     if (value < low || value > high) ++beyond;
     const bin = Math.min(BINS - 1, Math.max(0, Math.floor((value - low) * scale)));
-    if (table.isDocked(row)) ++docked[bin];
+    if (table.isSuccess(row)) ++success[bin];
     else ++failed[bin];
   }
-  return { low, high, docked, failed, beyond };
+  return { low, high, success, failed, beyond };
 }
 
 /**
@@ -104,7 +106,7 @@ function histogram(column, bins) {
   const rows = Array.from({ length: BINS }, (_, i) => ({
     from: bins.low + i * width,
     to: bins.low + (i + 1) * width,
-    docked: bins.docked[i],
+    success: bins.success[i],
     failed: -bins.failed[i],
   }));
   const plot = Plot.plot({
@@ -126,8 +128,8 @@ function histogram(column, bins) {
       Plot.rectY(rows, {
         x1: 'from',
         x2: 'to',
-        y: 'docked',
-        fill: 'var(--docked)',
+        y: 'success',
+        fill: 'var(--success)',
         fillOpacity: 0.8,
         inset: 0.5,
       }),

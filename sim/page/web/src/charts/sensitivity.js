@@ -81,7 +81,7 @@ function strengths(arm) {
     x: { domain: [0, 1], label: 'strength', ticks: 5 },
     marks: [
       Plot.gridX({ strokeOpacity: 0.12, ticks: 5 }),
-      Plot.barX(shown, { x: 'eta', y: 'label', fill: 'var(--docked)', fillOpacity: 0.75 }),
+      Plot.barX(shown, { x: 'eta', y: 'label', fill: 'var(--success)', fillOpacity: 0.75 }),
       Plot.text(shown, {
         x: 'eta',
         y: 'label',
@@ -118,7 +118,7 @@ function directions(arm) {
       ariaLabel: 'Rank correlation of success with each draw',
       x: {
         domain: [-1, 1],
-        label: 'fails more often with more  ·  docks more often with more',
+        label: 'fails more often with more  ·  succeeds more often with more',
         labelAnchor: 'center',
         labelArrow: 'none',
         ticks: 5,
@@ -130,11 +130,11 @@ function directions(arm) {
           x1: 'low',
           x2: 'high',
           y: 'label',
-          stroke: 'var(--docked)',
+          stroke: 'var(--success)',
           strokeWidth: 5,
           strokeOpacity: 0.35,
         }),
-        Plot.dot(shown, { x: 'value', y: 'label', fill: 'var(--docked)', r: 4 }),
+        Plot.dot(shown, { x: 'value', y: 'label', fill: 'var(--success)', r: 4 }),
       ],
     }),
   );
@@ -158,10 +158,10 @@ function levels(arm) {
 function levelPlot(name, rows) {
   const shown = rows.map((level) => ({
     level: levelName(level),
-    share: level.docked / level.runs,
+    share: level.successes / level.runs,
     low: level.interval[0],
     high: level.interval[1],
-    text: `${levelName(level)}: ${group(level.docked)} of ${group(level.runs)}, ${interval(level.interval)}`,
+    text: `${levelName(level)}: ${group(level.successes)} of ${group(level.runs)}, ${interval(level.interval)}`,
   }));
   const every = Math.ceil(shown.length / 5);
   return make(
@@ -189,11 +189,11 @@ function levelPlot(name, rows) {
           x: 'level',
           y1: 'low',
           y2: 'high',
-          stroke: 'var(--docked)',
+          stroke: 'var(--success)',
           strokeWidth: 5,
           strokeOpacity: 0.35,
         }),
-        Plot.dot(shown, { x: 'level', y: 'share', fill: 'var(--docked)', r: 4, title: 'text' }),
+        Plot.dot(shown, { x: 'level', y: 'share', fill: 'var(--success)', r: 4, title: 'text' }),
       ],
     }),
   );

@@ -1,13 +1,13 @@
-// Map of the starts in the target's frame: where the runs began, and which docked.
+// Map of the starts in the target's frame: where the runs began, and which succeeded.
 
 import * as Plot from './plot.js';
 import { card, make } from '../dom.js';
 import { fixed, group } from '../format.js';
 
-const MOST_POINTS = 2000;
+export const MOST_POINTS = 2000;
 
 /** A run's place in a sample that follows no pattern of the numbers. @param {number} run */
-function scatter(run) {
+export function scatter(run) {
   let h = Math.imul(run ^ 0x9e3779b9, 0x85ebca6b);
   h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);
   return (h ^ (h >>> 16)) >>> 0;
@@ -28,7 +28,7 @@ export function starts(table, openRun) {
     'starts',
     'Starts',
     `Start poses seen from above, in the target's frame: it stands at 0, x points out of it. Click a run to open it.${thinned}`,
-    legend(),
+    legend(table.word),
     drawMap(points, Boolean(heading), openRun),
   );
 }
@@ -45,18 +45,19 @@ function samplePoints(table, x, y, heading) {
       x: x[row],
       y: y[row],
       heading: heading ? heading[row] : 0,
-      docked: table.isDocked(row),
+      success: table.isSuccess(row),
       outcome: table.outcome(row),
     });
   }
   return points;
 }
 
-function legend() {
+/** @param {string} word */
+function legend(word) {
   return make(
     'p',
     { class: 'legend' },
-    make('span', { class: 'docked' }, '● docked'),
+    make('span', { class: 'success' }, `● ${word}`),
     make('span', { class: 'failed' }, '✕ failed'),
     make('span', { class: 'quiet' }, 'the tick is the heading'),
   );
@@ -71,8 +72,8 @@ function onTheAxis(points) {
 
 /** @param {any[]} points @param {boolean} with_heading @param {(run: number) => void} openRun */
 function drawMap(points, with_heading, openRun) {
-  const docked = points.filter((p) => p.docked),
-    failed = points.filter((p) => !p.docked);
+  const successes = points.filter((p) => p.success),
+    failed = points.filter((p) => !p.success);
   const small = points.length > 400;
   const tick = (/** @type {string} */ colour) => ({
     x: 'x',
@@ -110,13 +111,13 @@ function drawMap(points, with_heading, openRun) {
         textAnchor: 'start',
         fill: 'var(--quiet)',
       }),
-      with_heading ? Plot.vector(docked, tick('var(--docked)')) : null,
+      with_heading ? Plot.vector(successes, tick('var(--success)')) : null,
       with_heading ? Plot.vector(failed, tick('var(--failed)')) : null,
-      Plot.dot(docked, {
+      Plot.dot(successes, {
         x: 'x',
         y: 'y',
         r: small ? 2.5 : 4,
-        fill: 'var(--docked)',
+        fill: 'var(--success)',
         stroke: 'var(--card)',
         strokeWidth: 0.7,
       }),

@@ -9,8 +9,8 @@ const MARGIN_RIGHT = 150;
 
 /** @param {any} header */
 export function headline(header) {
-  const { runs, docked, interval: limits, planned, lost } = header.totals;
-  const share = runs > 0 ? docked / runs : NaN;
+  const { runs, successes, word, interval: limits, planned, lost } = header.totals;
+  const share = runs > 0 ? successes / runs : NaN;
   const notes = [];
   if (planned > runs) notes.push(`${group(planned - runs)} of ${group(planned)} planned runs are missing.`);
   if (lost > 0) notes.push(`${group(lost)} runs were lost and count as failures.`);
@@ -25,7 +25,7 @@ export function headline(header) {
       make(
         'span',
         null,
-        `${group(docked)} of ${group(runs)} runs docked`,
+        `${group(successes)} of ${group(runs)} runs ${word}`,
         limits && make('br'),
         limits && `95 % interval ${interval(limits, runs)}`,
       ),
@@ -61,7 +61,7 @@ export function factors(header, table, showFilter) {
   return card(
     'factors',
     'Success by factor',
-    `Share of runs that docked, with its exact 95 % interval. The broken line marks all runs${aims(header).length > 0 ? ', the green line the aim' : ''}.`,
+    `Share of runs that succeeded, with its exact 95 % interval. The broken line marks all runs${aims(header).length > 0 ? ', the green line the aim' : ''}.`,
     ...groups.map((/** @type {any} */ g) =>
       factor(g, header, table.byName.has(g.label) ? showFilter : null),
     ),
@@ -79,10 +79,10 @@ function factor(factor_group, header, showFilter) {
   const rows = factor_group.values.map((/** @type {any} */ v) => ({
     value: String(v.value),
     name: shorten(setting(String(v.value))),
-    share: v.runs > 0 ? v.docked / v.runs : NaN,
+    share: v.runs > 0 ? v.successes / v.runs : NaN,
     low: v.interval?.[0],
     high: v.interval?.[1],
-    text: `${group(v.docked)}/${group(v.runs)}`,
+    text: `${group(v.successes)}/${group(v.runs)}`,
     range: interval(v.interval, v.runs),
   }));
   const plot = Plot.plot({
@@ -108,16 +108,16 @@ function factor(factor_group, header, showFilter) {
     },
     marks: [
       Plot.gridX({ ticks: 5, strokeOpacity: 0.12 }),
-      Plot.ruleX([totals.docked / totals.runs], { stroke: 'var(--quiet)', strokeDasharray: '3,3' }),
+      Plot.ruleX([totals.successes / totals.runs], { stroke: 'var(--quiet)', strokeDasharray: '3,3' }),
       Plot.ruleX(
         aims(header).map((aim) => aim.share),
         { stroke: 'var(--plan)', strokeWidth: 1.5 },
       ),
       Plot.ruleY(
         rows.filter((/** @type {any} */ r) => r.low !== undefined),
-        { x1: 'low', x2: 'high', y: 'value', stroke: 'var(--docked)', strokeWidth: 5, strokeOpacity: 0.35 },
+        { x1: 'low', x2: 'high', y: 'value', stroke: 'var(--success)', strokeWidth: 5, strokeOpacity: 0.35 },
       ),
-      Plot.dot(rows, { x: 'share', y: 'value', r: 4.5, fill: 'var(--docked)' }),
+      Plot.dot(rows, { x: 'share', y: 'value', r: 4.5, fill: 'var(--success)' }),
       Plot.text(rows, {
         x: 1,
         y: 'value',

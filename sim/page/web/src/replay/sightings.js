@@ -70,7 +70,7 @@ export class Sightings {
       `Sighting ${when}: `,
       make(
         'span',
-        { class: sighting.accepted ? 'docked' : 'failed' },
+        { class: sighting.accepted ? 'success' : 'failed' },
         sighting.accepted ? '● accepted' : '✕ not accepted',
       ),
       sighting.accepted ? (sighting.method ? ` (${sighting.method})` : '') : `: ${sighting.reason}`,

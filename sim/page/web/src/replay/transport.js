@@ -142,7 +142,7 @@ function sightingStrip(tracks) {
       make(
         'span',
         {
-          class: s.accepted ? 'docked' : 'failed',
+          class: s.accepted ? 'success' : 'failed',
           style: `left:${(100 * tracks.timeOf(s.sample)) / (tracks.end_s || 1)}%`,
           title: s.accepted ? 'sighting, accepted' : `sighting, not accepted: ${s.reason}`,
         },
