@@ -63,7 +63,7 @@ void Placement::Begin(Phase phase, Tick now) {
 }
 
 int Placement::Closed(const SensorFrame& sensed) {
-  return static_cast<int>(std::count(sensed.contacts.begin(), sensed.contacts.end(), 1));
+  return static_cast<int>(std::count(sensed.values.begin(), sensed.values.end(), 1.0));
 }
 
 void Placement::Stop(const std::string& why, const SensorFrame& sensed) {

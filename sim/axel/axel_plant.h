@@ -24,10 +24,10 @@ class AxelPlant final : public Plant {
   std::vector<CameraImage> TakeImages(const std::vector<int>& cameras,
                                       double exposure_stops) override;
   void Advance(const Commands& commands) override;
-  Pose2 X_DR() const override { return AxleOnGround(truth_.X_DR); }
+  RobotPose X_DR() const override { return {truth_.X_DR, AxleOnGround(truth_.X_DR)}; }
   void AppendChannels(std::vector<double>& values) const override;
   Stage Look() const override;
-  Pose2 MeasuredPose(const SightingReport& report) const override;
+  RobotPose MeasuredPose(const SightingReport& report) const override;
   std::uint64_t StateHash(std::uint64_t seed) const override { return world_.StateHash(seed); }
   std::uint64_t FinalHash(std::uint64_t seed) const override;
 

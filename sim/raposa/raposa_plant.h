@@ -23,10 +23,10 @@ class RaposaPlant final : public Plant {
   std::vector<CameraImage> TakeImages(const std::vector<int>& cameras,
                                       double exposure_stops) override;
   void Advance(const Commands& commands) override;
-  Pose2 X_DR() const override { return ToGround(truth_.X_DR_start); }
+  RobotPose X_DR() const override { return RobotPose(truth_.X_DR_start); }
   void AppendChannels(std::vector<double>& values) const override;
   Stage Look() const override;
-  Pose2 MeasuredPose(const SightingReport& report) const override {
+  RobotPose MeasuredPose(const SightingReport& report) const override {
     return Inverse(ToGround(report.X_RB));
   }
   std::uint64_t StateHash(std::uint64_t seed) const override { return world_.StateHash(seed); }

@@ -46,7 +46,7 @@ ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>
 std::string Check(const Scenario& scenario) {
   const RaposaModels models = LoadModels(scenario);
   BuildRun(scenario, models);
-  return models.told.robot.name + " from " + NumberText(scenario.start.r) + " m to " +
+  return models.told.robot.name + " from " + NumberText(scenario.start.on_plane().r) + " m to " +
          models.told.pyramid.name + " on " + models.told.ground.name;
 }
 

@@ -23,11 +23,11 @@ class Rocky7Plant final : public Plant {
   std::vector<CameraImage> TakeImages(const std::vector<int>& cameras,
                                       double exposure_stops) override;
   void Advance(const Commands& commands) override;
-  Pose2 X_DR() const override { return truth_.X_GR; }
+  RobotPose X_DR() const override { return {Inverse(X_WG()) * truth_.X_WR, truth_.X_GR}; }
   void AppendChannels(std::vector<double>& values) const override;
   Stage Look() const override;
   /// The place by the report, the heading by the truth: a stone has none of its own.
-  Pose2 MeasuredPose(const SightingReport& report) const override;
+  RobotPose MeasuredPose(const SightingReport& report) const override;
   std::uint64_t StateHash(std::uint64_t seed) const override { return world_.StateHash(seed); }
   std::uint64_t FinalHash(std::uint64_t seed) const override;
 

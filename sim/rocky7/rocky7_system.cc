@@ -48,7 +48,12 @@ ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>
   ready.control_period = kControlPeriod;
   ready.motor_count = static_cast<int>(nominal.motors.size());
   ready.camera_count = kCameraCount;
-  ready.contact_count = kContactCount;
+  for (int i = 0; i < kContactCount; ++i) {
+    ready.sensors.push_back({.name = "face_switch_" + std::to_string(i),
+                             .unit = "",
+                             .meaning = "contact switch of the instrument's face, 1 closed",
+                             .period = kControlPeriod});
+  }
   NameParts(nominal, ready);
   ready.judge = std::make_unique<Rocky7Judge>(*plant);
   ready.plant = std::move(plant);
@@ -60,7 +65,7 @@ std::string Check(const Scenario& scenario) {
   BuildRun(scenario, models);
   const double width_m =
       models.keys.task == "place" ? models.keys.boulder_m : models.keys.diameter_m;
-  return models.told.robot.rover.plan.name + " from " + NumberText(scenario.start.r) +
+  return models.told.robot.rover.plan.name + " from " + NumberText(scenario.start.on_plane().r) +
          " m to a stone of " + NumberText(1e3 * width_m) + " mm on " + models.told.soil.name;
 }
 

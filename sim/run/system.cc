@@ -59,7 +59,8 @@ std::vector<KnownSystem> KnownSystems(const std::vector<System>& systems) {
                      system.model_roots,
                      system.spoiled_pictures,
                      system.rocks,
-                     system.former_controllers});
+                     system.former_controllers,
+                     system.start});
     for (const ControllerEntry& entry : system.controllers) {
       known.back().controllers.push_back(entry.name);
     }

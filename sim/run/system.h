@@ -31,7 +31,8 @@ struct ReadyRun {
   std::unique_ptr<Judge> judge;
   Json nominal;  // the nominal parameters that the controller gets; no truth
   Tick control_period = 20;
-  int motor_count = 0, camera_count = 0, switch_count = 0, contact_count = 0;
+  int motor_count = 0, camera_count = 0, switch_count = 0;
+  std::vector<NamedSensor> sensors{};  // in the order of SensorFrame::values
   // Names for the log, in the controller's order; nominal numbers. May be empty.
   std::vector<NamedMotor> motors{};
   std::vector<NamedCamera> cameras{};
@@ -97,6 +98,7 @@ struct System {
   bool spoiled_pictures = false;               // draws CameraFaults::left and right
   bool rocks = false;                          // puts Scenario::rocks into its yard
   std::vector<FormerName> former_controllers;
+  Start start;  // the numbers that its starts have; by default those of the plane
 
   /// Reads the system's own keys and all models that the scenario names; returns a line that
   /// describes the system. Throws ConfigError.
