@@ -48,7 +48,6 @@ inline constexpr const char* kNotes = "/rosout";
 }  // namespace topic
 
 struct RunLogHeader {
-  std::uint32_t version = kRunLogVersion;
   int run = 0;
   std::uint64_t seed = 0;
   std::string system{}, controller{};
@@ -61,6 +60,7 @@ struct RunLogHeader {
   std::vector<Column> channels{}, beliefs{};  // of the history
   // Frames, beliefs and notes alone: what a run needs to be made again without its program.
   bool commands_alone = false;
+  std::uint32_t version = kRunLogVersion;  // as read
 };
 
 struct RunLogEntry {

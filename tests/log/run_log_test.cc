@@ -345,10 +345,12 @@ TEST(ControllerReplay, RefusesFramesOfAnotherRobot) {
       ReplayController(log, controller, robot);
     });
   };
-  EXPECT_THAT(replay({.motors = 5, .cameras = 3}),
+  EXPECT_THAT(replay({.motors = 5, .cameras = 3, .sensors = 3}),
               HasSubstr("at tick 0: expected the readings of 5 motors, found 4"));
-  EXPECT_THAT(replay({.motors = 4, .cameras = 2}),
+  EXPECT_THAT(replay({.motors = 4, .cameras = 2, .sensors = 3}),
               HasSubstr("at tick 0: expected images of cameras 0 to 1, found one of 2"));
+  EXPECT_THAT(replay({.motors = 4, .cameras = 3, .sensors = 1}),
+              HasSubstr("at tick 0: expected the values of 1 sensors, found 3"));
   EXPECT_EQ(replay(kSomeRobot), "no error");
 }
 
