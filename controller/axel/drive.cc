@@ -78,21 +78,4 @@ MotorCommand Winch(const Nominal& nominal, double reel_m_s, double tension_n, do
           .current_limit_a = CurrentForTension(nominal, tension_n)};
 }
 
-Commands WithinLimits(const Nominal& nominal, const Commands& commands) {
-  Commands bounded = commands;
-  DOCKYARD_CHECK(bounded.motors.size() == nominal.motors.size());
-  for (std::size_t i = 0; i < bounded.motors.size(); ++i) {
-    MotorCommand& motor = bounded.motors[i];
-    const NominalMotor& limit = nominal.motors[i];
-    DOCKYARD_CHECK(std::isfinite(motor.target) && std::isfinite(motor.speed_limit_rad_s) &&
-                   std::isfinite(motor.accel_rad_s2) && std::isfinite(motor.current_limit_a));
-    if (motor.mode == MotorMode::kVelocity)
-      motor.target = std::clamp(motor.target, -limit.max_speed_rad_s, limit.max_speed_rad_s);
-    motor.speed_limit_rad_s = std::clamp(motor.speed_limit_rad_s, 0.0, limit.max_speed_rad_s);
-    motor.accel_rad_s2 = std::clamp(motor.accel_rad_s2, 0.0, limit.max_accel_rad_s2);
-    motor.current_limit_a = std::clamp(motor.current_limit_a, 0.0, limit.max_current_a);
-  }
-  return bounded;
-}
-
 }  // namespace dockyard::axel

@@ -28,7 +28,4 @@ double TensionFromCurrent(const Nominal& nominal, double current_a);
 /// stalls at the tension and pays out above it.
 MotorCommand Winch(const Nominal& nominal, double reel_m_s, double tension_n, double accel_rad_s2);
 
-/// The command with every number inside the nominal's limits. Checks that all are finite.
-Commands WithinLimits(const Nominal& nominal, const Commands& commands);
-
 }  // namespace dockyard::axel

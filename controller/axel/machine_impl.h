@@ -24,6 +24,7 @@
 #include "controller/axel/sighting.h"
 #include "controller/axel/tether_pull.h"
 #include "controller/base/check.h"
+#include "controller/motion/limits.h"
 
 namespace dockyard::axel {
 
@@ -68,7 +69,8 @@ class AxelMachine final : public Controller {
                        : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
                                                    : Verdict::kUnderWay;
     FillBelief();
-    return WithinLimits(nominal_, commands);
+    KeepLimits(nominal_.motors, &commands);
+    return commands;
   }
 
   const Belief& belief() const override { return belief_; }

@@ -5,6 +5,7 @@
 #include "controller/axel/leg.h"
 #include "controller/axel/options.h"
 #include "controller/axel/senses.h"
+#include "controller/motion/limits.h"
 
 namespace dockyard::axel {
 namespace {
@@ -35,7 +36,8 @@ class ReelOnly final : public Controller {
                 options_.tether.accel_rad_s2);
     }
     commands.motors[static_cast<std::size_t>(Motor::kArm)] = arm_.Hold(senses_);
-    return WithinLimits(nominal_, commands);
+    KeepLimits(nominal_.motors, &commands);
+    return commands;
   }
 
   const Belief& belief() const override { return belief_; }

@@ -2,6 +2,7 @@
 
 #include "controller/axel/drive.h"
 #include "controller/axel/options.h"
+#include "controller/motion/limits.h"
 
 namespace dockyard::axel {
 namespace {
@@ -21,7 +22,8 @@ class Scripted final : public Controller {
       begun_s += step.for_s;
       if (now_s >= begun_s) continue;
       Play(step, &commands);
-      return WithinLimits(nominal_, commands);
+      KeepLimits(nominal_.motors, &commands);
+      return commands;
     }
     commands.verdict = Verdict::kGivenUp;
     return commands;

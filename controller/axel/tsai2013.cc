@@ -13,6 +13,7 @@
 #include "controller/axel/senses.h"
 #include "controller/axel/tsai2013_plan.h"
 #include "controller/axel/tsai2013_stop.h"
+#include "controller/motion/limits.h"
 
 namespace dockyard::axel {
 namespace {
@@ -58,7 +59,8 @@ class Tsai2013 final : public Controller {
                        : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
                                                    : Verdict::kUnderWay;
     belief_.values[1].value = recoveries_;
-    return WithinLimits(nominal_, commands);
+    KeepLimits(nominal_.motors, &commands);
+    return commands;
   }
 
   const Belief& belief() const override { return belief_; }

@@ -1,4 +1,5 @@
-// Commands to RAPOSA's motors from what the controller wants of them.
+// Commands to RAPOSA's motors. KeepLimits (controller/motion/limits.h) brings their speeds within
+// the limits.
 #pragma once
 
 #include "controller/motion/path_follower.h"
@@ -6,7 +7,7 @@
 
 namespace dockyard::raposa {
 
-/// The belts for a twist in N (odometry.h), within their speeds.
+/// The belts for a twist in N (odometry.h).
 void SetBelts(const Nominal& nominal, const Twist& twist_N, Commands* commands);
 /// The arm to that angle against the body, tip down [rad since power-on].
 void SetArm(const Nominal& nominal, double angle_rad, Commands* commands);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "controller/motion/arcs.h"
+#include "controller/motion/limits.h"
 #include "controller/raposa/align_pass.h"
 #include "controller/raposa/drive.h"
 #include "controller/raposa/ferreira_sight.h"
@@ -102,6 +103,7 @@ Commands Ferreira2009::Step(const SensorFrame& sensed) {
   commands.verdict = part_ == Part::kDocked ? Verdict::kDone : Verdict::kUnderWay;
   if (state_) belief_.values[0].value = static_cast<double>(*state_);
   belief_.values[4].value = sight_.band_changes();
+  KeepLimits(nominal_.motors, &commands);
   return commands;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "controller/motion/limits.h"
 #include "controller/raposa/drive.h"
 #include "controller/raposa/lean.h"
 #include "controller/raposa/odometry.h"
@@ -152,6 +153,7 @@ Commands Pilot::Step(const SensorFrame& sensed, const PyramidSeen* seen, double 
                      : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
                                                  : Verdict::kUnderWay;
   Believe();
+  KeepLimits(nominal_.motors, &commands);
   return commands;
 }
 

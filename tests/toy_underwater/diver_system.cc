@@ -179,16 +179,16 @@ System DiverSystem() {
   System system;
   system.name = "diver";
   system.controllers = {{"swim_in", MakeSwimIn}};
-  system.outcomes = {{"caged", true, "its nose within 5 cm of the cage's end"},
-                     {"outside", false, "claimed to be there, farther off"},
-                     {"timeout", false, "never claimed to be there"}};
-  system.channels = {{"nose_depth_m", "m", "of the nose behind the cage's mouth"},
-                     {"off_axis_m", "m", "of the nose off the cage's axis"},
-                     {"speed_m_s", "m/s", "over the ground"}};
-  system.beliefs = {{"believed_up_m", "m", "above the cage's axis"}};
-  system.measures = {{"nose_depth_m", "m", "of the nose behind the cage's mouth", true},
-                     {"off_axis_m", "m", "of the nose off the cage's axis", true}};
-  system.start = DiverStart();
+  system.columns.outcomes = {{"caged", true, "its nose within 5 cm of the cage's end"},
+                             {"outside", false, "claimed to be there, farther off"},
+                             {"timeout", false, "never claimed to be there"}};
+  system.columns.channels = {{"nose_depth_m", "m", "of the nose behind the cage's mouth"},
+                             {"off_axis_m", "m", "of the nose off the cage's axis"},
+                             {"speed_m_s", "m/s", "over the ground"}};
+  system.columns.beliefs = {{"believed_up_m", "m", "above the cage's axis"}};
+  system.columns.measures = {{"nose_depth_m", "m", "of the nose behind the cage's mouth", true},
+                             {"off_axis_m", "m", "of the nose off the cage's axis", true}};
+  system.scenario.start = DiverStart();
   system.keys = [](Keys& keys) {
     DiverKeys values;
     VisitDiver(keys, values);

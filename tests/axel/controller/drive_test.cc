@@ -99,14 +99,6 @@ TEST(Spool, TensionAndCurrentAreInverse) {
   EXPECT_DOUBLE_EQ(TensionFromCurrent(nominal, 0.5), 50.0);
 }
 
-TEST(Limits, BoundEveryCommand) {
-  const Nominal nominal = TestNominal();
-  Commands wild = BrakedCommands();
-  wild.motors[3] = {MotorMode::kVelocity, -100.0, 9.0, 1e6, 50.0};
-  const MotorCommand spool = WithinLimits(nominal, wild).motors[3];
-  EXPECT_EQ(spool, (MotorCommand{MotorMode::kVelocity, -2.0, 2.0, 5.0, 2.2}));
-}
-
 SensorFrame Frame(double left_rad, double right_rad, double pitch_rad, double yaw_rad) {
   SensorFrame frame = StillFrame();
   frame.motors[0].encoder_counts = std::llround(left_rad * 1e3);
