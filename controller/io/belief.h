@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "controller/geometry/pose.h"
+#include "controller/geometry/robot_pose.h"
 
 namespace dockyard {
 
@@ -37,7 +37,8 @@ struct SightingReport {
   Eigen::Vector3d camera_turn_sigma_rad = Eigen::Vector3d::Zero();
 };
 
-/// A planned arc in the dock frame: from start, length along the way (negative backwards), turn.
+/// A planned arc in the plane of the dock frame: from start, length along the way (negative
+/// backwards), turn.
 struct PlannedArc {
   Pose2 X_DR_start;
   double length_m = 0.0;  // signed
@@ -53,7 +54,7 @@ struct NamedValue {
 struct Belief {
   std::string phase;       // a name of the state machine's state
   bool located = false;    // whether X_DR means anything yet
-  Pose2 X_DR;              // estimated pose of the rover
+  RobotPose X_DR;          // estimated pose of the robot
   std::string note;        // reason of the last decision, in a few words
   int sighting_count = 0;  // sightings so far; last_sighting is the newest
   std::optional<SightingReport> last_sighting;

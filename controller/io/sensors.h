@@ -32,18 +32,19 @@ struct MotorReading {
 struct CameraImage {
   int camera = 0;  // index in the order of the robot's nominal parameters
   std::variant<GrayImage, RgbImage> pixels;
-  Tick exposed{};  // the middle of its exposure; the frame that brings it may be later
+  Tick exposed{};           // the middle of its exposure; the frame that brings it may be later
+  double exposure_s = 0.0;  // the nominal time of the exposure
 };
 
 /// One control period's readings. A robot's nominal parameters give the order of its motors and
-/// cameras, the radians of an encoder count, and which way counts up. Its system says which
-/// contacts it has.
+/// cameras, the radians of an encoder count, and which way counts up. Its system states the order
+/// of its further sensors, with name and unit (ReadyRun::sensors).
 struct SensorFrame {
   Tick tick = 0;
   ImuSample imu{};
   std::vector<MotorReading> motors{};
-  std::vector<std::uint8_t> contacts{};  // contact switches, by index: 1 closed, 0 open
-  std::vector<CameraImage> images{};     // the answer to Commands::take_images
+  std::vector<double> values{};  // the newest of each further sensor; a switch: 1 closed, 0 open
+  std::vector<CameraImage> images{};  // the answer to Commands::take_images
 };
 
 /// The image of that camera, or null when the frame holds none of this kind from it.

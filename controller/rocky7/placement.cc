@@ -36,7 +36,7 @@ constexpr double kPeriod_s = kControlPeriod * kTickSeconds;
 Placement::Placement(const Nominal& nominal) : nominal_(nominal), mast_(nominal) {}
 
 int Placement::Closed(const SensorFrame& sensed) {
-  return static_cast<int>(std::count(sensed.contacts.begin(), sensed.contacts.end(), 1));
+  return static_cast<int>(std::count(sensed.values.begin(), sensed.values.end(), 1.0));
 }
 
 Event Placement::Stop(const std::string& why, const SensorFrame& sensed) {

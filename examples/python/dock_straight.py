@@ -4,7 +4,7 @@ The wheels roll free, the arm is held, the spool reels in until it stalls. Tsai 
 below 5 deg off the cone's axis that is enough.
 """
 
-from dockyard_client import DOCKED, FREE, POSITION, UNDER_WAY, VELOCITY, Commands, Motor, serve
+from dockyard_client import DONE, FREE, POSITION, UNDER_WAY, VELOCITY, Commands, Motor, serve
 
 LEFT_WHEEL, RIGHT_WHEEL, ARM, SPOOL = range(4)
 REEL_M_S = 0.05  # assumed, 0.03-0.10
@@ -44,7 +44,7 @@ class DockStraight:
             "reeled_m": reeled_m,
             "still_s": frame.time_s - self.still_since_s,
         }
-        verdict = DOCKED if reeled_in else UNDER_WAY
+        verdict = DONE if reeled_in else UNDER_WAY
         return Commands(motors, cameras=ask, verdict=verdict, belief=belief)
 
     def locate(self, image):

@@ -15,9 +15,9 @@ import os
 import struct
 import sys
 
-PROTOCOL = 3
+PROTOCOL = 4
 FREE, BRAKE, VELOCITY, POSITION = range(4)  # modes of a motor
-UNDER_WAY, DOCKED, GIVEN_UP = range(3)  # verdicts
+UNDER_WAY, DONE, GIVEN_UP = range(3)  # verdicts
 
 
 class Motor:
@@ -30,7 +30,7 @@ class Motor:
 
 class Commands:
     """What the robot is to do until the next frame. `belief` is for the run's record alone: phase,
-    note, x_m, y_m, heading_rad (in the target's frame), values (a dict of numbers), marks (what was
+    note, x_m, y_m, heading_rad (in the target's frame; z_m, roll_rad, pitch_rad too), values (a dict of numbers), marks (what was
     found in an image), pose (of the target in the robot's body). The cameras take their images
     `exposure_stops` off the exposure that they choose: +1 is twice the light."""
 
@@ -44,9 +44,10 @@ class Commands:
 class Image:
     """What one camera took: 8 bits a channel, row by row from the top left."""
 
-    def __init__(self, camera, exposed_ms, channels, width, height, pixels):
+    def __init__(self, camera, exposed_ms, exposure_s, channels, width, height, pixels):
         self.camera, self.channels, self.width, self.height = camera, channels, width, height
         self.exposed_ms = exposed_ms  # on the frames' clock; earlier than the frame if it came late
+        self.exposure_s = exposure_s  # nominal
         self.pixels = pixels  # bytes
 
     def array(self):
@@ -72,19 +73,20 @@ class Frame:
             self.counts.append(counts)
             self.currents.append(current)
             at += 16
-        contact_count = struct.unpack_from("<I", payload, at)[0]
-        at += 4
-        self.contacts = list(payload[at : at + contact_count])  # switches: 1 closed, 0 open
-        at += contact_count
+        count = struct.unpack_from("<I", payload, at)[0]
+        self.values = struct.unpack_from("<%dd" % count, payload, at + 4)  # as hello["sensors"]
+        at += 4 + 8 * count
         image_count = struct.unpack_from("<BI", payload, at)[1]
         at += 5
         self.images = {}
         for _ in range(image_count):
-            camera, exposed_ms, kind, width, height, size = struct.unpack_from("<IqBIII", payload, at)
-            at += 25
+            camera, exposed_ms, exposure_s, kind, width, height, size = struct.unpack_from(
+                "<IqdBIII", payload, at
+            )
+            at += 33
             pixels = payload[at : at + size]
             self.images[camera] = Image(
-                camera, exposed_ms, 3 if kind == 1 else 1, width, height, pixels
+                camera, exposed_ms, exposure_s, 3 if kind == 1 else 1, width, height, pixels
             )
             at += size
 

@@ -20,25 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A label that tells a part of the start pose.
-struct StartLabel {
-  const char* name;
-  double DockingCoords::*part;
-  bool degrees;
-};
-constexpr StartLabel kStartLabels[] = {{"start.r_m", &DockingCoords::r, false},
-                                       {"start.alpha_deg", &DockingCoords::alpha, true},
-                                       {"start.heading_deg", &DockingCoords::h, true}};
+constexpr std::string_view kStart = "start.";
 
-bool SetsStart(const std::string& key) { return key == "start" || key.starts_with("start."); }
+bool SetsStart(const std::string& key) { return key == "start" || key.starts_with(kStart); }
 
 /// Whether the start pose of a run follows from its labels alone.
 bool LabelsTellStart(const Campaign& campaign) {
-  const auto untold = [](const YamlNode::Key& key) {
-    return SetsStart(key.name) &&
-           std::none_of(std::begin(kStartLabels), std::end(kStartLabels),
-                        [&](const StartLabel& label) { return key.name == label.name; });
-  };
+  const auto untold = [](const YamlNode::Key& key) { return key.name == "start"; };
   const std::vector<YamlNode::Key> keys = KeysOfRuns(campaign);
   bool told = std::none_of(keys.begin(), keys.end(), untold);
   for (const Arm& arm : campaign.arms) {
@@ -50,20 +38,18 @@ bool LabelsTellStart(const Campaign& campaign) {
 
 /// Empty where a label is no number.
 std::vector<Pose2> StartsFromLabels(const std::vector<RunResult>& rows, const RowColumns& columns,
-                                    const DockingCoords& base) {
-  std::vector<DockingCoords> starts(rows.size(), base);
-  for (const StartLabel& label : kStartLabels) {
-    const auto at = std::find(columns.labels.begin(), columns.labels.end(), label.name);
-    if (at == columns.labels.end()) continue;
-    const auto place = static_cast<std::size_t>(at - columns.labels.begin());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const auto number = NumberFromText(rows[i].labels[place]);
-      if (!number) return {};
-      starts[i].*label.part = label.degrees ? Radians(*number) : *number;
-    }
-  }
+                                    const Start& base) {
   std::vector<Pose2> poses;
-  for (const DockingCoords& start : starts) poses.push_back(FromDockingCoords(start));
+  for (const RunResult& row : rows) {
+    Start start = base;
+    for (std::size_t i = 0; i < columns.labels.size(); ++i) {
+      const std::string& label = columns.labels[i];
+      if (!label.starts_with(kStart)) continue;
+      const auto number = NumberFromText(row.labels[i]);
+      if (!number || !start.SetInFile(label.substr(kStart.size()), *number)) return {};
+    }
+    poses.push_back(start.pose());
+  }
   return poses;
 }
 
@@ -77,8 +63,7 @@ std::vector<Pose2> StartsOf(const ReportSource& source) {
   }
   if (!starts.empty() || rows.size() > kMostMade) return starts;
   for (const RunResult& row : rows) {
-    const Scenario scenario = source.maker->Make(source.maker->IndexOf(row.run)).scenario;
-    starts.push_back(FromDockingCoords(scenario.start));
+    starts.push_back(source.maker->Make(source.maker->IndexOf(row.run)).scenario.start.pose());
   }
   return starts;
 }
@@ -182,7 +167,7 @@ ReportContent ContentOfRun(const fs::path& dir, const System& system, const Scen
   content.runs = &source.kept.runs;
   content.columns = system.Columns({});
   AddSystem(system, content);
-  content.starts = {FromDockingCoords(scenario.start)};
+  content.starts = {scenario.start.pose()};
   WatchedRun run = Watched(0, dir, std::move(replay_command));
   run.shapes = [&system, kept = source.scenario] { return ShapesOf(system, *kept); };
   content.watched.push_back(std::move(run));

@@ -18,7 +18,6 @@ template <class Visit>
 void VisitChannels(const Truth& truth, Visit&& visit) {
   const AxleAttitude axle = ToAxleAttitude(truth.X_WR.R);
   const auto current = [&](Motor motor) { return truth.motor_current_a[static_cast<int>(motor)]; };
-  visit("z_m", "m", "middle of the axle above the dock's ground", truth.X_DR.p.z());
   visit("roll_deg", "deg", "of the axle against the level", Degrees(axle.roll));
   visit("pitch_deg", "deg", "of the body about the axle, nose-down positive, 180: upside down",
         Degrees(axle.pitch));

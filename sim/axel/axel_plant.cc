@@ -54,12 +54,13 @@ std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras,
                                     camera_faults_, seed_);
   sensor.exposure_stops += exposure_stops;
   exposed_truth_ = truth_;
+  const double shutter_s = built_.world.rover.stereo.shutter_s;
   StereoImages pair = Picture(sensor);
   std::vector<CameraImage> images;
   for (const int camera : cameras) {
     DOCKYARD_CHECK(camera == kLeftCamera || camera == kRightCamera);
     GrayImage& image = camera == kLeftCamera ? pair.left : pair.right;
-    if (!image.pixels.empty()) images.push_back({camera, std::move(image)});
+    if (!image.pixels.empty()) images.push_back({camera, std::move(image), {}, shutter_s});
   }
   return images;
 }
@@ -105,8 +106,8 @@ Stage AxelPlant::Look() const {
   return stage;
 }
 
-Pose2 AxelPlant::MeasuredPose(const SightingReport& report) const {
-  return ToGround(built_.nominal.X_DB * Inverse(report.X_RB));
+RobotPose AxelPlant::MeasuredPose(const SightingReport& report) const {
+  return RobotPose(built_.nominal.X_DB * Inverse(report.X_RB));
 }
 
 }  // namespace dockyard::axel

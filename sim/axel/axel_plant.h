@@ -22,9 +22,9 @@ class AxelPlant final : public WorldPlant<World, BuiltRun> {
   std::vector<CameraImage> TakeImages(const std::vector<int>& cameras,
                                       double exposure_stops) override;
   void Advance(const Commands& commands) override;
-  Pose2 X_DR() const override { return AxleOnGround(truth_.X_DR); }
+  RobotPose X_DR() const override { return {truth_.X_DR, AxleOnGround(truth_.X_DR)}; }
   Stage Look() const override;
-  Pose2 MeasuredPose(const SightingReport& report) const override;
+  RobotPose MeasuredPose(const SightingReport& report) const override;
 
   /// The truth when the latest images were exposed. No older ones are still on their way
   /// (ImageLink).

@@ -74,7 +74,7 @@ std::string Check(const Scenario& scenario, const AxelModels& models) {
     BuildRocks(scenario, models, MakeGround(scenario.yard, scenario.seed));
   }
   if (scenario.script.kind != YamlNode::Kind::kNull) ReadScript(scenario.script);
-  return models.told.rover.name + " from " + NumberText(scenario.start.r) + " m to " +
+  return models.told.rover.name + " from " + NumberText(scenario.start.on_plane().r) + " m to " +
          models.told.station.name + " on " + models.told.soil.name +
          Misfit(models.told.rover, models.told.station);
 }

@@ -60,7 +60,7 @@ void CheckClear(const Scenario& scenario, const ModelSet& models, const Footprin
 GivenRock UnderWheel(const Scenario& scenario, const AxelModels& models) {
   const double height_m = models.keys.start.rock_m;
   const Eigen::Vector2d p_RL(0.0, 0.5 * models.built.rover.track_m());
-  const Eigen::Vector2d p_DL = FromDockingCoords(scenario.start) * p_RL;
+  const Eigen::Vector2d p_DL = FromDockingCoords(scenario.start.on_plane()) * p_RL;
   GivenRock rock;
   rock.x_m = p_DL.x();
   rock.y_m = p_DL.y();
@@ -87,7 +87,7 @@ RockBed BuildRocks(const Scenario& scenario, const AxelModels& models, const Hei
   const YardModel& yard = scenario.yard;
   const GroundArea area{-kYardBehind_m, yard.length_m - kYardBehind_m, -0.5 * yard.width_m,
                         0.5 * yard.width_m};
-  const Pose2 start = FromDockingCoords(scenario.start);
+  const Pose2 start = FromDockingCoords(scenario.start.on_plane());
   std::vector<Rock> rocks;
   try {
     rocks = PlaceRocks(field, area, {{0.0, 0.0}, {start.x, start.y}},

@@ -84,10 +84,10 @@ void CheckStation(const BuiltRun& run, const Truth& start) {
 
 /// The yard ends close behind the station.
 void CheckBearing(const Scenario& scenario) {
-  if (std::abs(scenario.start.alpha) <= Radians(90.0)) return;
+  if (std::abs(scenario.start.on_plane().alpha) <= Radians(90.0)) return;
   throw ConfigError(scenario.start_place +
                     ": expected alpha_deg from -90 to 90, a start before the station, found '" +
-                    NumberText(Degrees(scenario.start.alpha)) + "'");
+                    NumberText(Degrees(scenario.start.on_plane().alpha)) + "'");
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.ground = MakeGround(scenario.yard, scenario.seed);
   world.X_WG = scenario.X_WG;
   world.slope = SlopeOf(scenario);
-  world.X_DR_start = FromDockingCoords(scenario.start);
+  world.X_DR_start = FromDockingCoords(scenario.start.on_plane());
   if (models.keys.excursion_m > 0.0) StartSeated(models, &run);
   world.rocks = BuildRocks(scenario, models, world.ground);
   run.nominal.rock_map =

@@ -90,12 +90,18 @@ Json AnswerFrom(const std::string& text) {
 }
 
 void TakeNumbers(const Json& answer, Belief& belief) {
-  if (answer.contains("x_m") || answer.contains("y_m") || answer.contains("heading_rad")) {
-    const Pose2 X_DR{PoseNumber(answer, "x_m", kFarthestPose_m),
-                     PoseNumber(answer, "y_m", kFarthestPose_m),
-                     WrapPi(PoseNumber(answer, "heading_rad", kFarthestPose_m))};
+  const auto given = [&](const char* name) { return answer.contains(name); };
+  if (given("x_m") || given("y_m") || given("heading_rad") || given("z_m") || given("roll_rad") ||
+      given("pitch_rad")) {
+    const auto number = [&](const char* name, bool required) {
+      return required || given(name) ? PoseNumber(answer, name, kFarthestPose_m) : 0.0;
+    };
+    const Eigen::Vector3d p(number("x_m", true), number("y_m", true), number("z_m", false));
+    const RollPitchYaw angles{.roll = number("roll_rad", false),
+                              .pitch = number("pitch_rad", false),
+                              .yaw = WrapPi(number("heading_rad", true))};
+    belief.X_DR = RobotPose::FromAngles(p, angles);
     belief.located = true;
-    belief.X_DR = X_DR;
   }
   const auto values = answer.find("values");
   if (values == answer.end()) return;

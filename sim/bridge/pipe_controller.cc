@@ -48,7 +48,7 @@ PipeController::PipeController(const ProgramStart& program, const ControllerGree
                    {"motors", greeting.motor_count},
                    {"cameras", greeting.camera_count},
                    {"switches", greeting.switch_count},
-                   {"contacts", greeting.contact_count},
+                   {"sensors", greeting.sensors},
                    {"seed", greeting.seed},
                    {"nominal", greeting.nominal}};
   const Deadline deadline = AnswerDeadline();

@@ -16,14 +16,15 @@
 
 namespace dockyard {
 
-inline constexpr int kControllerProtocol = 3;
+inline constexpr int kControllerProtocol = 4;
 
 /// The first message to such a controller.
 struct ControllerGreeting {
   std::string system;
   Tick control_period = 20;
-  int motor_count = 0, camera_count = 0, switch_count = 0, contact_count = 0;
-  std::uint64_t seed = 0;  // for its own random draws; reveals nothing of the world
+  int motor_count = 0, camera_count = 0, switch_count = 0;
+  Json sensors = Json::array();  // of NamedSensors (sim/log/named_sensor.h)
+  std::uint64_t seed = 0;        // for its own random draws; reveals nothing of the world
   Json nominal;
 };
 

@@ -14,7 +14,7 @@ const std::vector<Column>& BeliefErrorColumns() {
 
 std::vector<double> BeliefErrors(const HistorySample& sample) {
   if (!sample.located) return std::vector<double>(BeliefErrorColumns().size(), std::nan(""));
-  const Pose2 &believed = sample.X_DR_believed, &truth = sample.X_DR;
+  const RobotPose &believed = sample.X_DR_believed, &truth = sample.X_DR;
   return {believed.x - truth.x, believed.y - truth.y,
           Degrees(WrapPi(believed.heading - truth.heading))};
 }

@@ -33,6 +33,7 @@ Eigen::Vector3d TakeVector(ByteReader& in) {
 void PutImage(std::string& out, const CameraImage& image, std::vector<std::string>* pictures) {
   PutU32(out, static_cast<std::uint32_t>(image.camera));
   PutU64(out, static_cast<std::uint64_t>(image.exposed));
+  PutDouble(out, image.exposure_s);
   std::visit(
       [&](const auto& pixels) {
         constexpr bool rgb = std::is_same_v<std::decay_t<decltype(pixels)>, RgbImage>;
@@ -73,11 +74,12 @@ Image TakePixels(std::uint32_t width, std::uint32_t height, std::string_view byt
 }
 
 /// @param picture  its PNG; null: the pixels stand in the record
-CameraImage TakeImage(ByteReader& in, const std::string* picture) {
+CameraImage TakeImage(ByteReader& in, const std::string* picture, std::uint32_t version) {
   constexpr std::uint32_t kLargestSide = 16384;
   CameraImage image;
   image.camera = static_cast<int>(in.U32());
   image.exposed = static_cast<Tick>(in.U64());
+  if (version >= 6) image.exposure_s = TakeReading(in);
   const std::uint8_t kind = in.U8();
   const std::uint32_t width = in.U32(), height = in.U32();
   const ImageCoding coding = picture != nullptr ? ImageCoding::kBeside : ImageCoding::kRaw;
@@ -132,8 +134,8 @@ void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding,
     PutU64(out, static_cast<std::uint64_t>(motor.encoder_counts));
     PutDouble(out, motor.current_a);
   }
-  PutU32(out, static_cast<std::uint32_t>(frame.contacts.size()));
-  for (const std::uint8_t closed : frame.contacts) PutU8(out, closed);
+  PutU32(out, static_cast<std::uint32_t>(frame.values.size()));
+  for (const double value : frame.values) PutDouble(out, value);
   const bool left_out = coding == ImageCoding::kLeftOut && !frame.images.empty();
   PutU8(out, left_out ? 1 : 0);
   PutU32(out, left_out ? 0 : static_cast<std::uint32_t>(frame.images.size()));
@@ -141,8 +143,8 @@ void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding,
   for (const CameraImage& image : frame.images) PutImage(out, image, pictures);
 }
 
-LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding,
-                      const std::vector<std::string>& pictures) {
+LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding, const std::vector<std::string>& pictures,
+                      std::uint32_t version) {
   LoggedFrame logged;
   SensorFrame& frame = logged.frame;
   frame.tick = static_cast<Tick>(in.U64());
@@ -156,8 +158,8 @@ LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding,
     motor.encoder_counts = static_cast<std::int64_t>(in.U64());
     motor.current_a = TakeReading(in);
   }
-  frame.contacts.resize(TakeCount(in));
-  for (std::uint8_t& closed : frame.contacts) closed = in.U8();
+  frame.values.resize(TakeCount(in));
+  for (double& value : frame.values) value = version >= 6 ? TakeReading(in) : in.U8();
   const std::uint8_t left_out = in.U8();
   if (left_out > 1) throw DataError("unknown kind of images " + std::to_string(left_out));
   logged.images_left_out = left_out == 1;
@@ -165,7 +167,7 @@ LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding,
   const bool beside = coding == ImageCoding::kBeside;
   if (beside && pictures.size() != images) throw DataError("a frame's images are missing");
   for (std::uint32_t i = 0; i < images; ++i) {
-    frame.images.push_back(TakeImage(in, beside ? &pictures[i] : nullptr));
+    frame.images.push_back(TakeImage(in, beside ? &pictures[i] : nullptr, version));
   }
   return logged;
 }

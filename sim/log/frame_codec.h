@@ -24,10 +24,14 @@ struct LoggedFrame {
   SensorFrame frame;
   bool images_left_out = false;  // the controller saw images that the log does not hold
 };
+/// Layouts are those of the log's versions: 5 has contact switches in place of the values and no
+/// time of an exposure.
+inline constexpr std::uint32_t kFrameVersion = 6;
 /// Throws DataError, also for a reading that is not finite.
 /// @param pictures  as of PutFrame
 LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding,
-                      const std::vector<std::string>& pictures = {});
+                      const std::vector<std::string>& pictures = {},
+                      std::uint32_t version = kFrameVersion);
 Commands TakeCommands(ByteReader& in);
 
 }  // namespace dockyard

@@ -56,7 +56,8 @@ struct LoggedRun {
   std::vector<std::vector<Pose3>> X_WO;                 // by body, by sample
   std::vector<Pose3> X_WD, X_WG;                        // target's frame, site; by sample
   std::map<std::string, std::vector<StageLine>> lines;  // by name, by sample
-  Series truth, belief, currents_a;                     // currents by motor, as read
+  Series truth, belief, sensors;                        // sensors as the controller got them
+  Series currents_a;                                    // by motor, as read
   Series values;                                        // of a belief, NaN where there is none
   std::vector<SightingSample> sightings;                // without the camera's turn
   std::vector<Timed<std::vector<Pose2>>> plans;         // poses along the way, in D

@@ -24,8 +24,11 @@ class Gatherer {
                {topic::kMotors, [this](const CdrReader& in) { TakeMotors(in); }},
                {topic::kTruth, [this](const CdrReader& in) { TakeScalars(in, run_.truth); }},
                {topic::kBelief, [this](const CdrReader& in) { TakeScalars(in, run_.belief); }},
+               {topic::kSensors, [this](const CdrReader& in) { TakeScalars(in, run_.sensors); }},
                {topic::kValues, [this](const CdrReader& in) { TakeValues(in); }},
-               {topic::kSighting, into(run.sightings, TakeSighting)},
+               {topic::kSighting,
+                into(run.sightings,
+                     [&run](const CdrReader& in) { return TakeSighting(in, run.header.version); })},
                {topic::kPlan, into(run.plans, TakePlan)},
                {topic::kNotes, into(run.notes, TakeNote)},
                {topic::kGround, into(run.ground, TakeGround)}};
@@ -56,7 +59,7 @@ class Gatherer {
     const auto each = [&](const auto& call) {
       for (auto& poses : run_.X_WO) call(poses);
       for (auto& [name, line] : run_.lines) call(line);
-      for (Series* series : {&run_.truth, &run_.belief, &run_.currents_a}) {
+      for (Series* series : {&run_.truth, &run_.belief, &run_.sensors, &run_.currents_a}) {
         for (auto& [name, values] : *series) call(values);
       }
       call(run_.X_WD);

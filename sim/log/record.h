@@ -8,6 +8,7 @@
 #include "controller/io/belief.h"
 #include "sim/log/column.h"
 #include "sim/log/judged_limit.h"
+#include "sim/log/named_sensor.h"
 
 namespace dockyard {
 
@@ -36,11 +37,12 @@ struct RunTiming {
 /// One sample of the truth and of the controller's beliefs, every 0.1 s and at the end, for plots.
 struct HistorySample {
   double time_s = 0.0;
-  Pose2 X_DR;                    // truth
+  RobotPose X_DR;                // truth
   std::vector<double> channels;  // truth, by System::channels
+  std::vector<double> sensed;    // by RunRecord::sensors, as the controller got them last
   std::string phase;             // belief
   bool located = false;
-  Pose2 X_DR_believed;
+  RobotPose X_DR_believed;
   int sighting_count = 0, plan_count = 0;
   std::vector<double> beliefs;  // by System::beliefs
   std::vector<double> values;   // belief, by RunRecord::value_names; shorter before a name came
@@ -49,9 +51,9 @@ struct HistorySample {
 /// A sighting of the target: the robot's true pose and the controller's measurement.
 struct SightingSample {
   double time_s = 0.0;
-  Pose2 X_DR;  // truth
+  RobotPose X_DR;  // truth
   SightingReport report;
-  Pose2 X_DR_measured;  // from the report, ground plane; meaningful when accepted
+  RobotPose X_DR_measured;  // from the report; meaningful when accepted
 };
 
 struct PlanSample {
@@ -64,7 +66,8 @@ struct RunRecord {
   RunTiming timing;
   RowColumns columns;                            // of the result
   std::vector<Column> channels, belief_columns;  // of the history's samples
-  std::vector<std::string> value_names;          // of values that the system does not name
+  std::vector<NamedSensor> sensors;
+  std::vector<std::string> value_names;  // of values that the system does not name
   std::vector<HistorySample> history;
   std::vector<SightingSample> sightings;
   std::vector<PlanSample> plans;

@@ -4,6 +4,7 @@
 #include "sim/base/folder.h"
 #include "sim/base/text.h"
 #include "sim/log/belief_error.h"
+#include "sim/log/pose_numbers.h"
 #include "sim/log/result_row.h"
 #include "sim/log/value_table.h"
 
@@ -15,8 +16,10 @@ constexpr const char* kSingleResultFile = "result.csv";
 constexpr std::uint64_t kMostResultBytes = 16u << 20;
 
 std::vector<std::string> HistoryNames(const RunRecord& record) {
-  std::vector<std::string> names{"time_s", "x_m", "y_m", "heading_deg"};
+  std::vector<std::string> names{"time_s", "x_m",         "y_m",         "heading_deg",
+                                 "z_m",    "roll_DR_deg", "pitch_DR_deg"};
   for (const Column& channel : record.channels) names.push_back(channel.name);
+  for (const NamedSensor& sensor : record.sensors) names.push_back("sensor." + sensor.name);
   names.insert(names.end(), {"phase", "located", "believed_x_m", "believed_y_m",
                              "believed_heading_deg", "sightings", "plans"});
   for (const Column& belief : record.belief_columns) names.push_back(belief.name);
@@ -33,7 +36,12 @@ std::vector<std::string> HistoryCells(const HistorySample& sample) {
   };
   cells.push_back(NumberText(sample.time_s));
   add_pose(sample.X_DR);
+  const auto truth = PoseNumbers(sample.X_DR);
+  for (const double value : {truth[3], Degrees(truth[4]), Degrees(truth[5])}) {
+    cells.push_back(NumberText(value));
+  }
   for (const double value : sample.channels) cells.push_back(NumberText(value));
+  for (const double value : sample.sensed) cells.push_back(NumberText(value));
   cells.push_back(sample.phase);
   cells.push_back(sample.located ? "1" : "0");
   add_pose(sample.X_DR_believed);
@@ -42,6 +50,13 @@ std::vector<std::string> HistoryCells(const HistorySample& sample) {
   for (const double value : sample.beliefs) cells.push_back(NumberText(value));
   for (const double value : BeliefErrors(sample)) cells.push_back(NumberText(value));
   return cells;
+}
+
+Json PoseJson(const RobotPose& X_DR) {
+  const auto numbers = PoseNumbers(X_DR);
+  Json json = Json::object();
+  for (std::size_t i = 0; i < numbers.size(); ++i) json[kPoseNames[i]] = numbers[i];
+  return json;
 }
 
 Json Vector3Json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
@@ -67,6 +82,7 @@ std::string HistoryCsv(const RunRecord& record) {
   std::string csv = SafeCsvLine(HistoryNames(record)) + "\n";
   for (const HistorySample& sample : record.history) {
     DOCKYARD_CHECK(sample.channels.size() == record.channels.size() &&
+                   sample.sensed.size() == record.sensors.size() &&
                    sample.beliefs.size() == record.belief_columns.size());
     csv += SafeCsvLine(HistoryCells(sample)) + "\n";
   }
@@ -78,11 +94,11 @@ Json SightingsJson(const std::vector<SightingSample>& sightings) {
   for (const SightingSample& sample : sightings) {
     const SightingReport& report = sample.report;
     json.push_back({{"time_s", sample.time_s},
-                    {"true_X_DR", ToJson(sample.X_DR)},
+                    {"true_X_DR", PoseJson(sample.X_DR)},
                     {"accepted", report.accepted},
                     {"reason", report.reason},
                     {"method", report.method},
-                    {"measured_X_DR", report.accepted ? ToJson(sample.X_DR_measured) : Json()},
+                    {"measured_X_DR", report.accepted ? PoseJson(sample.X_DR_measured) : Json()},
                     {"detected", report.detected},
                     {"reprojection_px", report.reprojection_px},
                     {"X_RB", report.accepted ? ToJson(report.X_RB) : Json()},

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "sim/log/pose_numbers.h"
+
 namespace dockyard {
 namespace {
 
@@ -104,10 +106,10 @@ std::string ImageMessage(Tick tick, const std::string& frame, const std::string&
   return out.Take();
 }
 
-std::string BeliefPoseMessage(Tick tick, const Pose2& X_DR) {
+std::string BeliefPoseMessage(Tick tick, const Pose3& X_DR) {
   CdrWriter out;
   PutHeader(out, tick, kDockFrame);
-  PutPose(out, FromGround(X_DR, 0.0));
+  PutPose(out, X_DR);
   PutZeros(out, 36);
   return out.Take();
 }
@@ -187,8 +189,8 @@ std::string SightingMessage(Tick tick, const SightingSample& sighting) {
   for (int row = 0; row < 6; ++row) {
     for (int column = 0; column < 6; ++column) out.Double(report.covariance(row, column));
   }
-  for (const Pose2& X : {sighting.X_DR, sighting.X_DR_measured}) {
-    for (const double value : {X.x, X.y, X.heading}) out.Double(value);
+  for (const RobotPose* X : {&sighting.X_DR, &sighting.X_DR_measured}) {
+    for (const double value : PoseNumbers(*X)) out.Double(value);
   }
   return out.Take();
 }

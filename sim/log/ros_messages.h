@@ -49,7 +49,7 @@ std::string MotorsMessage(Tick tick, const std::vector<NamedMotor>& names,
 std::string ImageMessage(Tick tick, const std::string& frame, const std::string& format,
                          std::string_view bytes);
 /// geometry_msgs/PoseWithCovarianceStamped in the frame `dock`; the covariance is not known.
-std::string BeliefPoseMessage(Tick tick, const Pose2& X_DR);
+std::string BeliefPoseMessage(Tick tick, const Pose3& X_DR);
 /// nav_msgs/Path in the frame `dock`.
 std::string PathMessage(Tick tick, const std::vector<Pose2>& X_DP);
 /// rcl_interfaces/Log, level INFO. `name` is who says it.
@@ -61,7 +61,7 @@ std::string CommandsMessage(Tick tick, const Commands& commands);
 /// dockyard_msgs/Scalars
 std::string ScalarsMessage(Tick tick, const std::vector<std::string>& names,
                            const std::vector<double>& values);
-/// dockyard_msgs/Sighting; planar poses are x, y [m] and heading [rad].
+/// dockyard_msgs/Sighting; poses of the robot are their PoseNumbers.
 std::string SightingMessage(Tick tick, const SightingSample& sighting);
 
 }  // namespace dockyard

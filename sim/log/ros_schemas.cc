@@ -65,7 +65,7 @@ const std::map<std::string, std::string>& Definitions() {
        "uint8 FREE=0\nuint8 BRAKE=1\nuint8 VELOCITY=2\nuint8 POSITION=3\nuint8 mode\n"
        "float64 target\nfloat64 speed_limit\nfloat64 acceleration\nfloat64 current_limit\n"},
       {"dockyard_msgs/Commands",
-       "uint8 UNDER_WAY=0\nuint8 DOCKED=1\nuint8 GIVEN_UP=2\nbuiltin_interfaces/Time stamp\n"
+       "uint8 UNDER_WAY=0\nuint8 DONE=1\nuint8 GIVEN_UP=2\nbuiltin_interfaces/Time stamp\n"
        "dockyard_msgs/MotorCommand[] motors\nint32[] take_images\nuint8[] switches\n"
        "uint8 verdict\n"},
       {"dockyard_msgs/Scalars",
@@ -75,8 +75,8 @@ const std::map<std::string, std::string>& Definitions() {
        "builtin_interfaces/Time stamp\nbool accepted\nstring reason\nstring method\n"
        "int32[] detected\ndockyard_msgs/Mark[] marks\ndockyard_msgs/Mark[] predicted\n"
        "float64 reprojection_px\ngeometry_msgs/Pose target_in_robot\n"
-       "float64[36] covariance\nfloat64[3] robot_in_dock_true\n"
-       "float64[3] robot_in_dock_measured\n"},
+       "float64[36] covariance\nfloat64[6] robot_in_dock_true\n"
+       "float64[6] robot_in_dock_measured\n"},
       {"dockyard_msgs/Ground",
        "std_msgs/Header header\nfloat64 x0\nfloat64 y0\nfloat64 cell\nuint32 nx\nuint32 ny\n"
        "float64 step\nuint32[] cells\nint16[] heights\n"}};

@@ -15,6 +15,7 @@
 #include "sim/base/json.h"
 #include "sim/log/frame_codec.h"
 #include "sim/log/ground_log.h"
+#include "sim/log/named_sensor.h"
 #include "sim/log/record.h"
 #include "sim/log/ros_cameras.h"
 #include "sim/log/stage.h"
@@ -23,7 +24,8 @@
 
 namespace dockyard {
 
-inline constexpr std::uint32_t kRunLogVersion = 5;
+inline constexpr std::uint32_t kRunLogVersion = kFrameVersion;
+inline constexpr std::uint32_t kOldestRunLogVersion = 5;  // that is still read
 inline constexpr const char* kRunLogFile = "run.mcap";
 
 /// Topics of a log.
@@ -35,6 +37,7 @@ inline constexpr const char* kCommands = "/commands";
 inline constexpr const char* kTransforms = "/tf";
 inline constexpr const char* kGroundMarkers = "/ground";
 inline constexpr const char* kGround = "/truth/ground";
+inline constexpr const char* kSensors = "/sensors";
 inline constexpr const char* kTruth = "/truth/scalars";
 inline constexpr const char* kBelief = "/belief/scalars";
 inline constexpr const char* kValues = "/belief/values";
@@ -52,10 +55,12 @@ struct RunLogHeader {
   Json nominal{};  // the nominal parameters that the controller got
   // Names for the messages. Motors and cameras without one are called by their number.
   std::vector<NamedMotor> motors{};
-  std::vector<NamedCamera> cameras{};         // read back: names and sizes
+  std::vector<NamedCamera> cameras{};  // read back: names and sizes
+  std::vector<NamedSensor> sensors{};
   std::vector<Column> channels{}, beliefs{};  // of the history
   // Frames, beliefs and notes alone: what a run needs to be made again without its program.
   bool commands_alone = false;
+  std::uint32_t version = kRunLogVersion;  // as read
 };
 
 struct RunLogEntry {
@@ -106,7 +111,7 @@ class RunLogWriter {
   std::vector<NamedCamera> cameras_;              // more are added as their images come
   const std::vector<NamedCamera> named_cameras_;  // with mounting and lens
   std::vector<RosRectification> rectifications_;  // of these
-  std::vector<std::string> truth_names_, belief_names_;
+  std::vector<std::string> truth_names_, belief_names_, sensor_names_;
   std::unique_ptr<McapWriter> file_;
   std::map<std::string, std::uint16_t> schemas_, channels_;  // by type, by topic
   std::uint32_t sequence_ = 0;
@@ -151,10 +156,10 @@ struct ControllerReplay {
   bool guarded = true;             // a check value covers all of it
   bool same() const { return !differs_at && !blind_at && complete; }
 };
-/// How many motors, cameras and contact switches a robot has: a controller takes for granted that a
+/// How many motors, cameras and further sensors a robot has: a controller takes for granted that a
 /// frame has them.
 struct RobotShape {
-  int motors = 0, cameras = 0, contacts = 0;
+  int motors = 0, cameras = 0, sensors = 0;
 };
 /// Feeds the logged frames to a fresh controller and compares its commands with the logged ones.
 /// Throws DataError for a frame that is not of this robot.

@@ -9,12 +9,13 @@ namespace {
 RunLogHeader HeaderFromText(const std::string& text) {
   try {
     const Json json = Json::parse(text);
-    const std::uint32_t version = json.at("version");
-    if (version != kRunLogVersion) {
-      throw DataError("its version is " + std::to_string(version) + ", this program reads " +
+    RunLogHeader header;
+    header.version = json.at("version");
+    if (header.version < kOldestRunLogVersion || header.version > kRunLogVersion) {
+      throw DataError("its version is " + std::to_string(header.version) + ", this program reads " +
+                      std::to_string(kOldestRunLogVersion) + " to " +
                       std::to_string(kRunLogVersion));
     }
-    RunLogHeader header;
     header.run = json.at("run");
     header.seed = json.at("seed");
     header.system = json.at("system");
@@ -27,6 +28,7 @@ RunLogHeader HeaderFromText(const std::string& text) {
       camera.camera.height = each.at("height_px");
       header.cameras.push_back(std::move(camera));
     }
+    header.sensors = SensorsFromJson(json.value("sensors", Json::array()));
     return header;
   } catch (const Json::exception& error) {
     throw DataError(std::string("its header cannot be read: ") + error.what());
@@ -66,9 +68,9 @@ void RequireShape(const SensorFrame& frame, const RobotShape& robot) {
     refuse("expected the readings of " + std::to_string(robot.motors) + " motors, found " +
            std::to_string(frame.motors.size()));
   }
-  if (frame.contacts.size() != static_cast<std::size_t>(robot.contacts)) {
-    refuse("expected " + std::to_string(robot.contacts) + " contact switches, found " +
-           std::to_string(frame.contacts.size()));
+  if (frame.values.size() != static_cast<std::size_t>(robot.sensors)) {
+    refuse("expected the values of " + std::to_string(robot.sensors) + " sensors, found " +
+           std::to_string(frame.values.size()));
   }
   for (const CameraImage& image : frame.images) {
     if (image.camera >= 0 && image.camera < robot.cameras) continue;
@@ -125,7 +127,7 @@ std::optional<RunLogEntry> RunLogReader::Next() {
 RunLogEntry RunLogReader::EntryFrom(std::string_view message) {
   CdrReader outer = BehindTime(message);
   ByteReader in(outer.Bytes());
-  LoggedFrame logged = TakeFrame(in, ImageCoding::kBeside, pictures_);
+  LoggedFrame logged = TakeFrame(in, ImageCoding::kBeside, pictures_, header_.version);
   pictures_.clear();
   RunLogEntry entry{std::move(logged.frame), logged.images_left_out, TakeCommands(in)};
   if (!in.AtEnd()) throw DataError("a record is longer than its content");

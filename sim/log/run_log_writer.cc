@@ -3,6 +3,7 @@
 
 #include "sim/base/files.h"
 #include "sim/log/belief_error.h"
+#include "sim/log/pose_numbers.h"
 #include "sim/log/ros_cameras.h"
 #include "sim/log/ros_markers.h"
 #include "sim/log/ros_messages.h"
@@ -30,7 +31,8 @@ std::string HeaderText(const RunLogHeader& header) {
                {"controller", header.controller},
                {"images_kept", header.images_kept},
                {"nominal", header.nominal},
-               {"cameras", CamerasJson(header.cameras)}};
+               {"cameras", CamerasJson(header.cameras)},
+               {"sensors", ToJson(header.sensors)}};
   if (header.commands_alone) json["commands_alone"] = true;
   return json.dump();
 }
@@ -84,8 +86,10 @@ RunLogWriter::RunLogWriter(const std::filesystem::path& dir, const RunLogHeader&
       motors_(header.motors),
       cameras_(header.cameras),
       named_cameras_(header.cameras),
-      truth_names_(Names({"x_m", "y_m", "heading_rad"}, WithErrors(header.channels))),
-      belief_names_(Names({"located", "x_m", "y_m", "heading_rad"}, header.beliefs)) {
+      truth_names_(Names({kPoseNames.begin(), kPoseNames.end()}, WithErrors(header.channels))),
+      belief_names_(Names({kPoseNames.begin(), kPoseNames.end()}, header.beliefs)),
+      sensor_names_(Names({}, ColumnsOf(header.sensors))) {
+  belief_names_.insert(belief_names_.begin(), "located");
   MakeFolder(dir);
   file_ = std::make_unique<McapWriter>(dir / kRunLogFile,
                                        McapOptions{.profile = "ros2", .library = "dockyard"});
@@ -95,6 +99,9 @@ RunLogWriter::RunLogWriter(const std::filesystem::path& dir, const RunLogHeader&
       Channel(topic::kTruth, "dockyard_msgs/Scalars", Meanings(WithErrors(header.channels)));
   channels_[topic::kBelief] =
       Channel(topic::kBelief, "dockyard_msgs/Scalars", Meanings(header.beliefs));
+  if (!sensor_names_.empty()) {
+    Channel(topic::kSensors, "dockyard_msgs/Scalars", Meanings(ColumnsOf(header.sensors)));
+  }
   rectifications_ = RectificationsOf(cameras_);
   file_->Flush();
 }
@@ -187,18 +194,22 @@ void RunLogWriter::Append(const Stage& stage, Tick tick) {
 
 void RunLogWriter::Append(const HistorySample& sample, const Stage& stage, Tick tick) {
   Append(stage, tick);
-  std::vector<double> truth{sample.X_DR.x, sample.X_DR.y, sample.X_DR.heading};
+  const auto pose = PoseNumbers(sample.X_DR), believed = PoseNumbers(sample.X_DR_believed);
+  std::vector<double> truth(pose.begin(), pose.end());
   truth.insert(truth.end(), sample.channels.begin(), sample.channels.end());
   const std::vector<double> errors = BeliefErrors(sample);
   truth.insert(truth.end(), errors.begin(), errors.end());
   Put(channels_.at(topic::kTruth), tick, ScalarsMessage(tick, truth_names_, truth));
-  const Pose2& X = sample.X_DR_believed;
-  std::vector<double> belief{sample.located ? 1.0 : 0.0, X.x, X.y, X.heading};
+  std::vector<double> belief(believed.begin(), believed.end());
+  belief.insert(belief.begin(), sample.located ? 1.0 : 0.0);
   belief.insert(belief.end(), sample.beliefs.begin(), sample.beliefs.end());
   Put(channels_.at(topic::kBelief), tick, ScalarsMessage(tick, belief_names_, belief));
+  if (!sensor_names_.empty() && !commands_alone_) {
+    Put(channels_.at(topic::kSensors), tick, ScalarsMessage(tick, sensor_names_, sample.sensed));
+  }
   if (sample.located && !commands_alone_) {
     Put(Channel(topic::kBeliefPose, "geometry_msgs/PoseWithCovarianceStamped"), tick,
-        BeliefPoseMessage(tick, X));
+        BeliefPoseMessage(tick, sample.X_DR_believed.X));
   }
   if (sample.phase == phase_) return;
   phase_ = sample.phase;

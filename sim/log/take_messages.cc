@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "sim/log/pose_numbers.h"
 #include "sim/log/ros_markers.h"
 
 namespace dockyard {
@@ -47,7 +48,7 @@ Pose3 TakePose(CdrReader& in) {
   return X;
 }
 
-SightingSample TakeSighting(CdrReader in) {
+SightingSample TakeSighting(CdrReader in, std::uint32_t version) {
   SightingSample sighting{.time_s = TakeTime(in), .X_DR = {}, .report = {}, .X_DR_measured = {}};
   SightingReport& report = sighting.report;
   report.accepted = in.Bool();
@@ -62,8 +63,11 @@ SightingSample TakeSighting(CdrReader in) {
   for (int row = 0; row < 6; ++row) {
     for (int column = 0; column < 6; ++column) report.covariance(row, column) = in.Double();
   }
-  for (Pose2* X : {&sighting.X_DR, &sighting.X_DR_measured}) {
-    for (double* value : {&X->x, &X->y, &X->heading}) *value = in.Double();
+  const std::size_t given = version < 6 ? 3 : 6;
+  for (RobotPose* X : {&sighting.X_DR, &sighting.X_DR_measured}) {
+    std::array<double, 6> numbers{};
+    std::generate_n(numbers.begin(), given, [&] { return in.Double(); });
+    *X = PoseFromNumbers(numbers);
   }
   return sighting;
 }

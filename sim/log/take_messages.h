@@ -22,7 +22,8 @@ struct TakenHeader {
 TakenHeader TakeHeader(CdrReader& in);
 Pose3 TakePose(CdrReader& in);
 
-SightingSample TakeSighting(CdrReader in);
+/// @param version  of the log: before 6 a pose had three numbers
+SightingSample TakeSighting(CdrReader in, std::uint32_t version);
 Timed<std::vector<Pose2>> TakePlan(CdrReader in);
 Timed<LoggedNote> TakeNote(CdrReader in);
 Timed<LoggedImage> TakeImage(CdrReader in);

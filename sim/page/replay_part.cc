@@ -159,6 +159,7 @@ Json ScalarsJson(const LoggedRun& run, const ReplayFacts& facts, Payload& payloa
   std::copy_if(facts.channels.begin(), facts.channels.end(), std::back_inserter(truth),
                [&](const Column& column) { return column.unit != "A" || motors.empty(); });
   AddScalars(run.truth, truth, "truth", payload, scalars);
+  AddScalars(run.sensors, ColumnsOf(run.header.sensors), "sensor", payload, scalars);
   AddScalars(run.belief, facts.beliefs, "belief", payload, scalars);
   AddScalars(run.truth, BeliefErrorColumns(), "belief", payload, scalars);
   AddValues(run.values, payload, scalars);

@@ -32,7 +32,7 @@ HeightGrid GroundOf(const YardModel& yard, double behind_m, const Seed& seed) {
 constexpr double kMargin_m = 1.0;
 
 void CheckStart(const Scenario& scenario, const RaposaKeys& keys, const RobotModel& robot) {
-  const double x_m = scenario.start.r * std::cos(scenario.start.alpha);
+  const double x_m = scenario.start.on_plane().r * std::cos(scenario.start.on_plane().alpha);
   if (x_m < kMargin_m - keys.behind_m) {
     throw ConfigError(scenario.start_place + ": expected a start within raposa.behind_m of " +
                       NumberText(keys.behind_m) + " m and 1 m from its end, found one " +
@@ -40,10 +40,10 @@ void CheckStart(const Scenario& scenario, const RaposaKeys& keys, const RobotMod
   }
   // The camera sits inside the robot: nearer than the socket's mouth is no place to be.
   const double least_m = robot.camera.X_RC.p.x() - robot.socket.p_RS.x() + 0.1;
-  if (scenario.start.r >= least_m) return;
-  throw ConfigError(scenario.start_place +
-                    ": expected r_m, from the camera to the guide, of at least " +
-                    NumberText(least_m) + " m, found '" + NumberText(scenario.start.r) + "'");
+  if (scenario.start.on_plane().r >= least_m) return;
+  throw ConfigError(
+      scenario.start_place + ": expected r_m, from the camera to the guide, of at least " +
+      NumberText(least_m) + " m, found '" + NumberText(scenario.start.on_plane().r) + "'");
 }
 
 /// Its spectra come from the system's own keys.
@@ -91,7 +91,7 @@ BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
   world.ground = GroundOf(scenario.yard, run.keys.behind_m, scenario.seed);
   world.X_WG = scenario.X_WG;
   world.slope = SlopeOf(scenario);
-  DockingCoords at = scenario.start;
+  DockingCoords at = scenario.start.on_plane();
   if (!std::isnan(run.keys.off_guide_rad)) at.h = at.alpha + run.keys.off_guide_rad;
   world.X_DV_start = FromDockingCoords(at);
   run.clutter = DrawClutter(run.keys.clutter, world.X_DV_start, run.keys.behind_m, scenario.seed);

@@ -65,7 +65,10 @@ std::vector<CameraImage> RaposaPlant::TakeImages(const std::vector<int>& cameras
   const std::uint64_t key =
       SplitMix(StreamKey(seed_, "camera"), static_cast<std::uint64_t>(pictures_++));
   std::vector<CameraImage> images;
-  images.push_back({kBackCamera, TakePicture(light, sensor_, since_s, key, sensor_state_)});
+  images.push_back({kBackCamera,
+                    TakePicture(light, sensor_, since_s, key, sensor_state_),
+                    {},
+                    camera.shutter_s});
   return images;
 }
 

@@ -21,9 +21,9 @@ class RaposaPlant final : public WorldPlant<World, BuiltRun> {
   std::vector<CameraImage> TakeImages(const std::vector<int>& cameras,
                                       double exposure_stops) override;
   void Advance(const Commands& commands) override;
-  Pose2 X_DR() const override { return ToGround(truth_.X_DR_start); }
+  RobotPose X_DR() const override { return RobotPose(truth_.X_DR_start); }
   Stage Look() const override;
-  Pose2 MeasuredPose(const SightingReport& report) const override {
+  RobotPose MeasuredPose(const SightingReport& report) const override {
     return Inverse(ToGround(report.X_RB));
   }
   std::uint64_t FinalHash(std::uint64_t seed) const override { return StateHash(seed); }

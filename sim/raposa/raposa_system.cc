@@ -36,7 +36,7 @@ ReadyRun PartsOf(const Nominal& nominal) {
 
 std::string Check(const Scenario& scenario, const RaposaModels& models) {
   BuildRun(scenario, models);
-  return models.told.robot.name + " from " + NumberText(scenario.start.r) + " m to " +
+  return models.told.robot.name + " from " + NumberText(scenario.start.on_plane().r) + " m to " +
          models.told.pyramid.name + " on " + models.told.ground.name;
 }
 

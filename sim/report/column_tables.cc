@@ -145,7 +145,13 @@ ColumnTable History() {
         "([frames](../contributing.md#frames))"},
        {"y_m", "m", "truth, likewise"},
        {"heading_deg", "deg", "truth, likewise"},
+       {"z_m", "m", "truth, likewise: above the target's ground"},
+       {"roll_DR_deg", "deg", "truth: roll of `X_DR` about moving axes, right side down positive"},
+       {"pitch_DR_deg", "deg", "truth: its pitch, nose-down positive"},
        {"[channels]", "", "truth, by the system: below"},
+       {"sensor.NAME", "",
+        "each sensor that the system states by name, as the "
+        "controller got it last; unit and period are in the log's header"},
        {"phase", "",
         "belief: state of the controller; `rest` and `shake` while the judge tries a claim"},
        {"located", "", "belief: 1 if the believed pose means anything yet"},

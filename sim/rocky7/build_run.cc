@@ -112,7 +112,7 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
                 kFlatRadius_m, StreamKey(scenario.seed, "yard"));
   world.X_WG = scenario.X_WG;
   world.slope = {scenario.yard.slope_rad, scenario.yard.downhill_rad};
-  DockingCoords at = scenario.start;
+  DockingCoords at = scenario.start.on_plane();
   if (!std::isnan(models.keys.off_target_rad)) at.h = at.alpha + models.keys.off_target_rad;
   world.X_GR_start = FromDockingCoords(at);
   world.stones = Stones(scenario, models.keys, world.X_GR_start, world.ground);

@@ -53,7 +53,7 @@ Rocky7Plant::Rocky7Plant(const Scenario& scenario, BuiltRun built,
 SensorFrame Rocky7Plant::Sense() {
   RefreshTruth();
   SensorFrame frame = sensors_.Read(world_.tick(), truth_.motors, world_.TakeTrueImu());
-  frame.contacts.assign(truth_.closed.begin(), truth_.closed.end());
+  frame.values.assign(truth_.closed.begin(), truth_.closed.end());
   return frame;
 }
 
@@ -77,7 +77,8 @@ std::vector<CameraImage> Rocky7Plant::TakeImages(const std::vector<int>& cameras
     const PairView pair = PairOf(camera);
     if (pairs.count(pair.left) == 0) pairs[pair.left] = TakePair(pair, exposure_stops);
     StereoImages& both = pairs[pair.left];
-    images.push_back({camera, camera == pair.left ? both.left : both.right});
+    images.push_back(
+        {camera, camera == pair.left ? both.left : both.right, {}, pair.model.shutter_s});
   }
   return images;
 }
@@ -119,7 +120,7 @@ Stage Rocky7Plant::Look() const {
   return stage;
 }
 
-Pose2 Rocky7Plant::MeasuredPose(const SightingReport& report) const {
+RobotPose Rocky7Plant::MeasuredPose(const SightingReport& report) const {
   const double heading = truth_.X_GR.heading;
   const Eigen::Vector2d p_D =
       -(Eigen::Rotation2Dd(heading) * Eigen::Vector2d(report.X_RB.p.head<2>()));

@@ -22,10 +22,10 @@ class Rocky7Plant final : public WorldPlant<World, BuiltRun> {
   std::vector<CameraImage> TakeImages(const std::vector<int>& cameras,
                                       double exposure_stops) override;
   void Advance(const Commands& commands) override;
-  Pose2 X_DR() const override { return truth_.X_GR; }
+  RobotPose X_DR() const override { return {Inverse(X_WG()) * truth_.X_WR, truth_.X_GR}; }
   Stage Look() const override;
   /// The place by the report, the heading by the truth: a stone has none of its own.
-  Pose2 MeasuredPose(const SightingReport& report) const override;
+  RobotPose MeasuredPose(const SightingReport& report) const override;
 
   StageShapes shapes() const { return scene_.Shapes(); }
   const Pose3& X_WG() const { return world_.X_WG(); }

@@ -24,7 +24,12 @@ ReadyRun PartsOf(const Nominal& nominal) {
   ready.success_word = Name(SuccessOf(nominal.task));
   ready.motor_count = static_cast<int>(nominal.motors.size());
   ready.camera_count = kCameraCount;
-  ready.contact_count = kContactCount;
+  for (int i = 0; i < kContactCount; ++i) {
+    ready.sensors.push_back({.name = "face_switch_" + std::to_string(i),
+                             .unit = "",
+                             .meaning = "contact switch of the instrument's face, 1 closed",
+                             .period = kControlPeriod});
+  }
   std::size_t motor = 0;
   for (const WheelPlan& wheel : nominal.plan.wheels) {
     ready.motors.push_back({wheel.name, nominal.motors[motor++].rad_per_count});
@@ -50,7 +55,7 @@ std::string Check(const Scenario& scenario, const Rocky7Models& models) {
   BuildRun(scenario, models);
   const double width_m =
       models.keys.task == Task::kPlace ? models.keys.boulder_m : models.keys.diameter_m;
-  return models.told.robot.rover.plan.name + " from " + NumberText(scenario.start.r) +
+  return models.told.robot.rover.plan.name + " from " + NumberText(scenario.start.on_plane().r) +
          " m to a stone of " + NumberText(1e3 * width_m) + " mm on " + models.told.soil.name;
 }
 

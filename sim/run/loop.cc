@@ -17,6 +17,7 @@
 #include "sim/log/value_table.h"
 #include "sim/run/camera_faults.h"
 #include "sim/run/recorded_controller.h"
+#include "sim/run/sensor_link.h"
 #include "sim/scenario/load_scenario.h"
 
 namespace dockyard {
@@ -71,13 +72,16 @@ class Run {
         what_(what),
         options_(options),
         ready_(system.make_ready(what.scenario)),
-        link_(what.scenario.camera_faults, what.scenario.seed) {
+        link_(what.scenario.camera_faults, what.scenario.seed),
+        sensors_(ready_.sensors, what.scenario.seed),
+        sensed_(ready_.sensors.size(), std::nan("")) {
     RequireAllowed(what.scenario, options);
     record_.result = StartOfRow(what);
     record_.result.success_word = SuccessWordOf(system, ready_);
     record_.columns = system.Columns(options.labels);
     record_.channels = system.columns.channels;
     record_.belief_columns = system.columns.beliefs;
+    record_.sensors = ready_.sensors;
     if (!options.log_dir.empty()) {
       log_ = std::make_unique<RunLogWriter>(
           options.log_dir,
@@ -89,6 +93,7 @@ class Run {
                        .nominal = ready_.nominal,
                        .motors = ready_.motors,
                        .cameras = ready_.cameras,
+                       .sensors = ready_.sensors,
                        .channels = system.columns.channels,
                        .beliefs = system.columns.beliefs,
                        .commands_alone = options.log_commands_alone},
@@ -138,6 +143,7 @@ class Run {
            !ready_.judge->fatal()) {
       RequireTime();
       SensorFrame sensed = plant().Sense();
+      sensed_ = sensed.values = sensors_.Pass(sensed.values, sensed.tick);
       if (!commands.take_images.empty() &&
           !link_.Send(plant().TakeImages(commands.take_images, commands.exposure_stops),
                       sensed.tick)) {
@@ -201,6 +207,7 @@ class Run {
         .time_s = time_s(),
         .X_DR = plant().X_DR(),
         .channels = {},
+        .sensed = sensed_,
         .phase = belief.phase,
         .located = belief.located,
         .X_DR_believed = belief.X_DR,
@@ -268,6 +275,8 @@ class Run {
   const RunOptions& options_;
   ReadyRun ready_;
   ImageLink link_;
+  SensorLink sensors_;
+  std::vector<double> sensed_;  // last
   std::unique_ptr<Controller> controller_;
   PipeController* pipe_ = nullptr;  // the controller, if it is a program
   std::optional<ControllerFailure> failure_;
@@ -324,7 +333,7 @@ std::unique_ptr<Controller> MakeController(const System& system, const CampaignR
                          .motor_count = ready.motor_count,
                          .camera_count = ready.camera_count,
                          .switch_count = ready.switch_count,
-                         .contact_count = ready.contact_count,
+                         .sensors = ToJson(ready.sensors),
                          .seed = SeedOfProgram(scenario.controller_seed, run.run),
                          .nominal = ready.nominal},
       limits);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "controller/geometry/pose.h"
+#include "controller/geometry/robot_pose.h"
 #include "controller/io/belief.h"
 #include "controller/io/commands.h"
 #include "controller/io/sensors.h"
@@ -18,7 +18,8 @@ class Plant {
   virtual ~Plant() = default;
 
   virtual Tick tick() const = 0;
-  /// The readings of all sensors but the cameras now. Called once every control period.
+  /// The readings of all sensors but the cameras now, without the delay and the noise of those
+  /// with a name. Called once every control period.
   virtual SensorFrame Sense() = 0;
   /// The images of these cameras now; a camera that gives none is left out.
   /// @param exposure_stops  off the cameras' own exposure, as Commands has it
@@ -27,14 +28,14 @@ class Plant {
   /// One control period under these commands.
   virtual void Advance(const Commands& commands) = 0;
 
-  /// Truth, for the record: the robot in its target's frame D on the ground.
-  virtual Pose2 X_DR() const = 0;
+  /// Truth, for the record: the robot in its target's frame D.
+  virtual RobotPose X_DR() const = 0;
   /// Truth, for the history: appends the system's channels, in their order.
   virtual void AppendChannels(std::vector<double>& values) const = 0;
   /// Truth, for the log and for pictures from outside: where all that is seen is now.
   virtual Stage Look() const { return {}; }
   /// The robot's pose by an accepted sighting of its target.
-  virtual Pose2 MeasuredPose(const SightingReport& report) const = 0;
+  virtual RobotPose MeasuredPose(const SightingReport& report) const = 0;
 
   /// Bit-exact fingerprint of the moving state, on top of `seed`.
   virtual std::uint64_t StateHash(std::uint64_t seed) const = 0;

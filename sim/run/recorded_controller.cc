@@ -1,11 +1,13 @@
 #include "sim/run/recorded_controller.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "sim/bridge/pipe_controller.h"
 #include "sim/log/frame_codec.h"
+#include "sim/log/pose_numbers.h"
 
 namespace dockyard {
 namespace {
@@ -56,23 +58,22 @@ void RecordedController::TakeBelief(Tick tick) {
 
 void RecordedController::TakeSample(std::size_t at) {
   belief_.values.clear();
+  std::array<double, 6> pose{};
   const auto add = [&](const std::string& name, double value) {
     if (!std::isnan(value)) belief_.values.push_back({name, value});
   };
   for (const auto& [name, values] : run_.belief) {
     const double value = values[at];
+    const auto part = std::find(kPoseNames.begin(), kPoseNames.end(), name);
     if (name == "located") {
       belief_.located = value != 0.0;
-    } else if (name == "x_m") {
-      belief_.X_DR.x = value;
-    } else if (name == "y_m") {
-      belief_.X_DR.y = value;
-    } else if (name == "heading_rad") {
-      belief_.X_DR.heading = value;
+    } else if (part != kPoseNames.end()) {
+      pose[static_cast<std::size_t>(part - kPoseNames.begin())] = value;
     } else {
       add(name, value);
     }
   }
+  belief_.X_DR = PoseFromNumbers(pose);
   for (const auto& [name, values] : run_.values) add(name, values[at]);
 }
 

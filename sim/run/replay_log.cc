@@ -15,7 +15,7 @@ std::optional<ControllerReplay> ReplayLog(RunLogReader& log, const System& syste
   return ReplayController(log, *controller,
                           {.motors = ready.motor_count,
                            .cameras = ready.camera_count,
-                           .contacts = ready.contact_count});
+                           .sensors = static_cast<int>(ready.sensors.size())});
 }
 
 }  // namespace dockyard

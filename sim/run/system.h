@@ -32,7 +32,8 @@ struct ReadyRun {
   Json nominal;  // the nominal parameters that the controller gets; no truth
   Tick control_period = 20;
   std::string success_word;  // the outcome that the task asks for; empty: the first success
-  int motor_count = 0, camera_count = 0, switch_count = 0, contact_count = 0;
+  int motor_count = 0, camera_count = 0, switch_count = 0;
+  std::vector<NamedSensor> sensors{};  // in the order of SensorFrame::values
   // Names for the log, in the controller's order; nominal numbers. May be empty.
   std::vector<NamedMotor> motors{};
   std::vector<NamedCamera> cameras{};

@@ -11,6 +11,7 @@
 #include "models/parts/rock_field.h"
 #include "models/read/yaml_tree.h"
 #include "sim/base/random.h"
+#include "sim/scenario/start.h"
 
 namespace dockyard {
 
@@ -75,7 +76,7 @@ struct Scenario {
   std::vector<std::string> command_files{};        // that it needs, from there on
   std::string command_folder;                      // and where it runs: its file's folder
   std::uint64_t controller_seed = 1;               // of the program's own draws
-  DockingCoords start{.r = 4.0};
+  Start start;
   // "file:line:column: start", for messages
   std::string start_place, camera_place, yard_place, rocks_place, sun_place, step_place;
   Light light = Light::kEven;
@@ -121,6 +122,7 @@ struct KnownSystem {
   bool spoiled_pictures = false;         // whether its cameras may be dead, covered or dusty
   bool rocks = false;                    // whether rocks may lie in its yard
   std::vector<FormerName> former_controllers{};
+  Start start{};  // the numbers that a start has
 };
 
 /// One run of many, or alone.

@@ -44,15 +44,6 @@ void VisitController(Keys& keys, Scenario& s, const KnownSystem* system) {
       });
 }
 
-void VisitStart(Keys& keys, DockingCoords& start) {
-  using enum Presence;
-  keys.Number({"r_m", "m", "distance from the target", kRequired}, start.r, Between(0.1, 100.0));
-  keys.Degrees({"alpha_deg", "deg", "bearing about the target, from its axis", kRequired},
-               start.alpha, Between(-180.0, 180.0));
-  keys.Degrees({"heading_deg", "deg", "heading against the target's axis", kRequired}, start.h,
-               Between(-180.0, 180.0));
-}
-
 void VisitSun(Keys& keys, SunModel& sun) {
   using enum Presence;
   keys.Degrees({"azimuth_deg", "deg", "from the way the target faces; none: random", kUnset},
@@ -149,8 +140,10 @@ void CheckTogether(const Scenario& s, const YamlNode& root) {
   if ((s.image_width > 0) != (s.image_height > 0)) {
     RefuseValue(root, "camera", "both width_px and height_px, or neither");
   }
+  if (!s.start.IsOnPlane()) return;  // the system checks its own
   constexpr double kMargin_m = 1.0;  // from the yard's border
-  const double x = s.start.r * std::cos(s.start.alpha), y = s.start.r * std::sin(s.start.alpha);
+  const DockingCoords at = s.start.on_plane();
+  const double x = at.r * std::cos(at.alpha), y = at.r * std::sin(at.alpha);
   const double x_end = yard.length_m - kYardBehind_m - kMargin_m;
   const double y_end = 0.5 * yard.width_m - kMargin_m;
   if (x > x_end || std::abs(y) > y_end) {
@@ -247,8 +240,10 @@ void VisitScenario(Keys& keys, Scenario& s, const std::vector<KnownSystem>& syst
   keys.File({"robot", "", "the robot's model", kUnset}, s.robot_file);
   keys.File({"soil", "", "the soil's model", kUnset}, s.soil_file);
   keys.Mapping({"camera", "", ""}, [&](Keys& in) { VisitCamera(in, s); });
-  VisitController(keys, s, Find(systems, s.system));
-  keys.Mapping({"start", "", "", kRequired}, [&](Keys& in) { VisitStart(in, s.start); });
+  const KnownSystem* system = Find(systems, s.system);
+  VisitController(keys, s, system);
+  if (system != nullptr && !s.start.HasNames(system->start)) s.start = system->start;
+  keys.Mapping({"start", "", "", kRequired}, [&](Keys& in) { s.start.Visit(in); });
   keys.Choice({"light", "", "kind of light"}, s.light, LightWords());
   keys.Mapping({"sun", "", ""}, [&](Keys& in) { VisitSun(in, s.sun); });
   keys.Mapping({"yard", "", ""}, [&](Keys& in) { VisitYard(in, s.yard); });
@@ -276,7 +271,7 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
   SayWhereToGoOn(
       [&] { ReadKeys(root, "", [&](Keys& keys) { VisitScenario(keys, scenario, systems); }); });
   if (scenario.of_system.kind == YamlNode::Kind::kNull) scenario.of_system.place = root.place;
-  scenario.start_place = PlaceOf(root, "start", "r_m");
+  scenario.start_place = PlaceOf(root, "start", scenario.start.numbers().front().name);
   scenario.camera_place = PlaceOf(root, "camera", "width_px");
   scenario.yard_place = PlaceOf(root, "yard", "slope_deg");
   scenario.step_place = PlaceOf(root, "physics_step_s", "");
@@ -299,7 +294,8 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
 
 YamlNode WriteScenario(const Scenario& scenario) {
   Scenario copy = scenario;
-  const std::vector<KnownSystem> itself{{scenario.system, {scenario.controller}, {}, {}}};
+  std::vector<KnownSystem> itself{{scenario.system, {scenario.controller}, {}, {}}};
+  itself[0].start = scenario.start;
   return WriteKeys([&](Keys& keys) { VisitScenario(keys, copy, itself); });
 }
 

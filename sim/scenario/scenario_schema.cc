@@ -1,5 +1,7 @@
 #include "sim/scenario/scenario_schema.h"
 
+#include <algorithm>
+
 #include "sim/scenario/key_schema.h"
 #include "sim/scenario/scenario_keys.h"
 
@@ -22,7 +24,8 @@ Json SchemaOf(const SystemKeys& system, bool whole) {
 
 /// In a scenario of one system the keys of others are refused.
 Json RuleOf(const SystemKeys& system, const Json& its, const std::vector<SystemKeys>& systems) {
-  Json properties{{"controller", its["properties"]["controller"]}};
+  Json properties{{"controller", its["properties"]["controller"]},
+                  {"start", its["properties"]["start"]}};
   for (const SystemKeys& other : systems) {
     if (other.known.name != system.known.name) properties[other.known.name] = false;
   }
@@ -35,7 +38,8 @@ Json RuleOf(const SystemKeys& system, const Json& its, const std::vector<SystemK
 }  // namespace
 
 Json ScenarioSchema(const std::vector<SystemKeys>& systems, bool whole) {
-  Json schema, names = Json::array(), controllers = Json::array(), rules = Json::array();
+  Json schema, names = Json::array(), controllers = Json::array(), starts = Json::array(),
+               rules = Json::array();
   for (const SystemKeys& system : systems) {
     const Json its = SchemaOf(system, whole);
     if (schema.is_null()) schema = its;
@@ -43,11 +47,14 @@ Json ScenarioSchema(const std::vector<SystemKeys>& systems, bool whole) {
     schema["properties"][name] = its["properties"][name];
     names.push_back(name);
     controllers.push_back(its["properties"]["controller"]);
+    const Json& start = its["properties"]["start"];
+    if (std::find(starts.begin(), starts.end(), start) == starts.end()) starts.push_back(start);
     rules.push_back(RuleOf(system, its, systems));
   }
   if (systems.empty()) return {{"type", "object"}};
   schema["properties"]["system"]["enum"] = names;
   schema["properties"]["controller"] = {{"anyOf", controllers}};
+  if (starts.size() > 1) schema["properties"]["start"] = {{"anyOf", starts}};
   schema["allOf"] = rules;
   return schema;
 }

@@ -74,7 +74,7 @@ int RunPeer() {
     payload.resize(size);
     if (std::fread(payload.data(), 1, size, stdin) != size) return 1;
     if (kind == 'X') return 0;
-    if (kind == 'H') Send('H', R"({"protocol": 3})");
+    if (kind == 'H') Send('H', R"({"protocol": 4})");
     if (kind == 'F') Send('C', AllBraked());
   }
   return 1;

@@ -96,6 +96,16 @@ TEST(AnswerJson, LeavesTheBeliefAsItWasWherePoseIsBad) {
   EXPECT_EQ(belief.X_DR.x, 1.0);
 }
 
+TEST(AnswerJson, TakesAPoseInSpace) {
+  Belief belief;
+  TakeNumbers(Json{{"x_m", 1}, {"y_m", 2}, {"heading_rad", 0.5}, {"z_m", -3}, {"pitch_rad", 0.25}},
+              belief);
+  EXPECT_EQ(belief.X_DR.heading, 0.5);
+  EXPECT_EQ(belief.X_DR.X.p, Eigen::Vector3d(1.0, 2.0, -3.0));
+  EXPECT_LT((belief.X_DR.X.R - RotZ(0.5) * RotY(0.25)).norm(), 1e-15);
+  EXPECT_THROW(TakeNumbers(Json{{"z_m", -3}}, belief), AnswerError);  // a depth alone is no pose
+}
+
 TEST(AnswerJson, OfAnyBytesIsTakenOrRefused) {
   std::mt19937 random(3);
   const std::string letters =

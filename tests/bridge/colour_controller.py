@@ -4,7 +4,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/python"))
-from dockyard_client import DOCKED, UNDER_WAY, VELOCITY, Commands, Motor, serve
+from dockyard_client import DONE, UNDER_WAY, VELOCITY, Commands, Motor, serve
 
 
 class Colour:
@@ -19,7 +19,7 @@ class Colour:
             assert image.exposed_ms == frame.tick_ms  # at once
             belief["marks"] = [{"id": 7, "camera": self.camera, "u_px": 2, "v_px": 0.5}]
             target = float(sum((i + 1) * value for i, value in enumerate(image.pixels)))
-        verdict = DOCKED if frame.tick_ms >= 200 else UNDER_WAY
+        verdict = DONE if frame.tick_ms >= 200 else UNDER_WAY
         motors = [Motor(VELOCITY, target)]
         return Commands(motors, cameras=[self.camera], verdict=verdict, belief=belief)
 

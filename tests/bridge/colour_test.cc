@@ -37,9 +37,9 @@ class ColourPlant final : public Plant {
     target_ = commands.motors[0].target;
     tick_ += kPeriod;
   }
-  Pose2 X_DR() const override { return {}; }
+  RobotPose X_DR() const override { return {}; }
   void AppendChannels(std::vector<double>&) const override {}
-  Pose2 MeasuredPose(const SightingReport&) const override { return {}; }
+  RobotPose MeasuredPose(const SightingReport&) const override { return {}; }
   std::uint64_t StateHash(std::uint64_t seed) const override { return HashDouble(seed, target_); }
 
  private:

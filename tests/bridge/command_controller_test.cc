@@ -46,7 +46,7 @@ TEST(CommandController, GivesTheSameRunAsTheSameControllerInOurProcess) {
 TEST(CommandController, OfAnotherProtocolIsRefused) {
   const Json run = RunWith("python3, counting.py, first_protocol");
   EXPECT_EQ(run["outcome"], "controller_error");
-  EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("it speaks protocol 1, expected 3"));
+  EXPECT_THAT(run["said"].get<std::string>(), HasSubstr("it speaks protocol 1, expected 4"));
 }
 
 TEST(CommandController, HelloOfAnyShapeIsAnOutcome) {

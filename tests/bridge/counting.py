@@ -8,7 +8,7 @@ import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/python"))
 import dockyard_client
-from dockyard_client import BRAKE, DOCKED, UNDER_WAY, VELOCITY, Commands, Motor, serve
+from dockyard_client import BRAKE, DONE, UNDER_WAY, VELOCITY, Commands, Motor, serve
 
 
 class Counting:
@@ -27,7 +27,7 @@ class Counting:
         self.believe_more(belief, gone_m, belief["x_m"])
         motors = [motor] if self.fault != "motors" else [motor, motor]
         stops = {"nan_stops": float("nan"), "far_stops": 7.0, "stops": -2.0}.get(self.fault, 0.0)
-        verdict = DOCKED if there else UNDER_WAY
+        verdict = DONE if there else UNDER_WAY
         return Commands(motors, verdict=verdict, belief=belief, exposure_stops=stops)
 
     def believe_more(self, belief, gone_m, left_m):

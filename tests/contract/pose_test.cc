@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "controller/geometry/robot_pose.h"
 #include "sim/base/random.h"
 
 namespace dockyard {
@@ -77,6 +78,28 @@ TEST(WrapPi, KeepsTheHalfOpenInterval) {
   EXPECT_DOUBLE_EQ(WrapPi(kPi), kPi);
   EXPECT_DOUBLE_EQ(WrapPi(-kPi), kPi);
   EXPECT_NEAR(WrapPi(7.0), 7.0 - 2.0 * kPi, 1e-15);
+}
+
+// A matrix rounds a heading: 0.1 rad does not come back from one.
+TEST(RobotPose, KeepsTheBitsOfAPlanarPose) {
+  for (const double heading : {0.1, -2.7, 3.0, 1e-9}) {
+    const Pose2 X_DR{4.1, -0.3, heading};
+    const RobotPose pose = X_DR;
+    EXPECT_EQ(Pose2(pose), X_DR);
+    EXPECT_EQ(pose.X.p, Eigen::Vector3d(4.1, -0.3, 0.0));
+    EXPECT_LT((pose.X.R - RotZ(heading)).norm(), 1e-15);
+  }
+}
+
+TEST(RobotPose, OfASpatialPoseHasItsPlanarView) {
+  const RollPitchYaw angles{.roll = 0.2, .pitch = -0.4, .yaw = 1.1};
+  const Pose3 X{ToRotation(angles), Eigen::Vector3d(1.0, 2.0, -3.0)};
+  const RobotPose pose(X), same = RobotPose::FromAngles(X.p, angles);
+  EXPECT_NEAR(pose.heading, 1.1, 1e-15);
+  EXPECT_EQ(same.heading, 1.1);
+  EXPECT_EQ(pose.x, 1.0);
+  EXPECT_EQ(pose.y, 2.0);
+  EXPECT_EQ(same.X.R, X.R);
 }
 
 }  // namespace

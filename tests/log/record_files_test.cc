@@ -30,18 +30,39 @@ TEST(History, HasTheSystemsChannelsAndBeliefsByName) {
   sample.beliefs = {1.0};
   record.history.resize(1);
   EXPECT_EQ(HistoryCsv(record),
-            "time_s,x_m,y_m,heading_deg,tension_n,roll_deg,phase,located,believed_x_m,believed_y_m,"
-            "believed_heading_deg,sightings,plans,recoveries,error_x_m,error_y_m,error_yaw_deg\n"
-            "0.1,4,-0.5,90,40.5,-1.5,\"look, again\",1,3.5,0.25,0,3,2,1,-0.5,0.75,-90\n");
+            "time_s,x_m,y_m,heading_deg,z_m,roll_DR_deg,pitch_DR_deg,tension_n,roll_deg,phase,"
+            "located,believed_x_m,believed_y_m,believed_heading_deg,sightings,plans,recoveries,"
+            "error_x_m,error_y_m,error_yaw_deg\n"
+            "0.1,4,-0.5,90,0,0,0,40.5,-1.5,\"look, again\",1,3.5,0.25,0,3,2,1,-0.5,0.75,-90\n");
 }
 
 TEST(History, OfASystemWithoutChannelsIsThePathAndTheBelief) {
   RunRecord record;
   record.history.resize(1);
   EXPECT_EQ(HistoryCsv(record),
-            "time_s,x_m,y_m,heading_deg,phase,located,believed_x_m,believed_y_m,"
-            "believed_heading_deg,sightings,plans,error_x_m,error_y_m,error_yaw_deg\n"
-            "0,0,0,0,,0,0,0,0,0,0,nan,nan,nan\n");
+            "time_s,x_m,y_m,heading_deg,z_m,roll_DR_deg,pitch_DR_deg,phase,located,believed_x_m,"
+            "believed_y_m,believed_heading_deg,sightings,plans,error_x_m,error_y_m,error_yaw_deg\n"
+            "0,0,0,0,0,0,0,,0,0,0,0,0,0,nan,nan,nan\n");
+}
+
+TEST(History, HasPoseInSpaceAndSensorsByName) {
+  RunRecord record;
+  record.sensors = {{"depth_m", "m", "below the surface"}};
+  record.history.resize(1);
+  const RollPitchYaw angles{.roll = Radians(-90.0), .pitch = Radians(30.0), .yaw = 0.0};
+  record.history[0].X_DR = RobotPose::FromAngles({1.0, 2.0, -3.5}, angles);
+  record.history[0].sensed = {12.5};
+  const std::string csv = HistoryCsv(record);
+  EXPECT_THAT(csv, StartsWith("time_s,x_m,y_m,heading_deg,z_m,roll_DR_deg,pitch_DR_deg,"
+                              "sensor.depth_m,phase"));
+  double x = 0.0, y = 0.0, heading = 0.0, z = 0.0, roll = 0.0, pitch = 0.0, depth = 0.0;
+  const std::string row = csv.substr(csv.find('\n') + 1);
+  ASSERT_EQ(std::sscanf(row.c_str(), "0,%lf,%lf,%lf,%lf,%lf,%lf,%lf", &x, &y, &heading, &z, &roll,
+                        &pitch, &depth),
+            7);
+  EXPECT_THAT((std::vector{x, y, heading, z, depth}), ElementsAre(1.0, 2.0, 0.0, -3.5, 12.5));
+  EXPECT_NEAR(roll, -90.0, 1e-12);
+  EXPECT_NEAR(pitch, 30.0, 1e-12);
 }
 
 TEST(HistoryDeathTest, RefusesASampleThatLacksAChannel) {

@@ -43,16 +43,17 @@ SensorFrame SomeFrame(Tick tick) {
   frame.imu.roll_rad = draw.Normal();
   frame.imu.specific_force_R = Eigen::Vector3d(draw.Normal(), -0.0, 9.81);
   frame.motors = {{-5, draw.Uniform()}, {1ll << 62, 5e-324}, {0, 0.0}, {tick, 1.0}};
+  frame.values = {draw.Normal(), -0.0, static_cast<double>(tick)};
   if (tick % 60 == 0) {
     const auto key = static_cast<std::uint64_t>(tick);
     const GrayImage other = NoisyImage(3 * 64, 48, key + 1);
-    frame.images = {{0, NoisyImage(64, 48, key), tick},
+    frame.images = {{0, NoisyImage(64, 48, key), tick, 0.02},
                     {2, RgbImage{64, 48, other.pixels}, tick - 1234}};
   }
   return frame;
 }
 
-constexpr RobotShape kSomeRobot{.motors = 4, .cameras = 3};
+constexpr RobotShape kSomeRobot{.motors = 4, .cameras = 3, .sensors = 3};
 
 struct WholeLog {
   RunLogHeader header;
@@ -212,9 +213,9 @@ TEST(RunLog, OfAnotherKindIsRefusedWithASentence) {
   EXPECT_EQ(ErrorOf(read), file + ": it is no MCAP file");
   WriteLog(folder.path(), 1);
   EditLog(file, [](McapAttachment& each) {
-    each.data.replace(each.data.find("\"version\":5"), 11, "\"version\":4");
+    each.data.replace(each.data.find("\"version\":6"), 11, "\"version\":4");
   });
-  EXPECT_EQ(ErrorOf(read), file + ": its version is 4, this program reads 5");
+  EXPECT_EQ(ErrorOf(read), file + ": its version is 4, this program reads 5 to 6");
   EditLog(file, [](McapAttachment& each) { each.name = "other"; });
   EXPECT_EQ(ErrorOf(read),
             file +
@@ -344,10 +345,12 @@ TEST(ControllerReplay, RefusesFramesOfAnotherRobot) {
       ReplayController(log, controller, robot);
     });
   };
-  EXPECT_THAT(replay({.motors = 5, .cameras = 3}),
+  EXPECT_THAT(replay({.motors = 5, .cameras = 3, .sensors = 3}),
               HasSubstr("at tick 0: expected the readings of 5 motors, found 4"));
-  EXPECT_THAT(replay({.motors = 4, .cameras = 2}),
+  EXPECT_THAT(replay({.motors = 4, .cameras = 2, .sensors = 3}),
               HasSubstr("at tick 0: expected images of cameras 0 to 1, found one of 2"));
+  EXPECT_THAT(replay({.motors = 4, .cameras = 3, .sensors = 1}),
+              HasSubstr("at tick 0: expected the values of 1 sensors, found 3"));
   EXPECT_EQ(replay(kSomeRobot), "no error");
 }
 

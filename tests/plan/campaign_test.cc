@@ -76,8 +76,8 @@ TEST_F(CampaignFile, ColumnsSetKeysOfTheScenario) {
   EXPECT_EQ(run.name, "c run 4");
   EXPECT_EQ(run.soil_file, (folder_.path() / "models/sand.yaml").string());
   EXPECT_EQ(run.light, Light::kHardShadow);
-  EXPECT_EQ(run.start.r, 2.5);
-  EXPECT_EQ(run.start.alpha, Radians(15.0));  // of the base
+  EXPECT_EQ(run.start.on_plane().r, 2.5);
+  EXPECT_EQ(run.start.on_plane().alpha, Radians(15.0));  // of the base
   EXPECT_EQ(run.of_system.Find("colour")->scalar, "blue");
   EXPECT_EQ(FindPath(run.changes, "soil.k")->scalar, "1e3");
 }
@@ -187,7 +187,7 @@ TEST_F(CampaignFile, ResolvedReadsBackFromAListWithMappingsAndFiles) {
   EXPECT_THAT(campaign.labels, ElementsAre("start", "soil", "toy", "sun"));
   const std::vector<CampaignRun> runs = AllRuns(campaign);
   EXPECT_EQ(runs[0].labels[1], "../models/gravel.yaml");
-  EXPECT_EQ(runs[1].scenario.start.r, 4.0);
+  EXPECT_EQ(runs[1].scenario.start.on_plane().r, 4.0);
   EXPECT_EQ(runs[1].scenario.controller, "command");
   ExpectReadsBack(campaign);
 }

@@ -46,8 +46,8 @@ TEST_F(DrawFile, LabelsTellTheDrawsBitForBit) {
   EXPECT_THAT(campaign.labels, ElementsAre("repeat", "start.r_m", "start.alpha_deg",
                                            "changes.flag.mass_kg", "light"));
   for (const CampaignRun& run : AllRuns(campaign)) {
-    EXPECT_EQ(NumberFromText(run.labels[1]), run.scenario.start.r);
-    EXPECT_EQ(Radians(NumberFromText(run.labels[2]).value()), run.scenario.start.alpha);
+    EXPECT_EQ(NumberFromText(run.labels[1]), run.scenario.start.on_plane().r);
+    EXPECT_EQ(Radians(NumberFromText(run.labels[2]).value()), run.scenario.start.on_plane().alpha);
     EXPECT_EQ(FindPath(run.scenario.changes, "flag.mass_kg")->scalar, run.labels[3]);
     EXPECT_EQ(LightName(run.scenario.light), run.labels[4]);
   }

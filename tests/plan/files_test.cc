@@ -63,9 +63,9 @@ int Count(const Campaign& campaign, const std::string& name, const std::string& 
 
 TEST(TypicalScenario, IsTheOneOfFigure10) {
   const Scenario s = LoadScenario(SourceFile("scenarios/axel_typical.yaml"), {}, Known());
-  EXPECT_EQ(s.start.r, 4.0);
-  EXPECT_EQ(s.start.alpha, Radians(15.0));
-  EXPECT_EQ(s.start.h, 0.0);
+  EXPECT_EQ(s.start.on_plane().r, 4.0);
+  EXPECT_EQ(s.start.on_plane().alpha, Radians(15.0));
+  EXPECT_EQ(s.start.on_plane().h, 0.0);
   EXPECT_EQ(s.controller, "dockyard");
   EXPECT_EQ(s.of_system.Find("station")->scalar,
             AbsolutePath(SourceFile("models/axel/station/station.yaml")));
@@ -81,9 +81,9 @@ TEST(MarsYardGrid, KeepsEveryCountThatIsPublished) {
   EXPECT_EQ(Count(grid, "light", "hard_shadow"), 15);
   EXPECT_EQ(Count(grid, "day", "3"), 15);
   for (const CampaignRun& run : Runs(grid)) {
-    EXPECT_LE(run.scenario.start.r, 7.0);
-    EXPECT_LE(std::abs(run.scenario.start.alpha), Radians(40.0));
-    EXPECT_LE(std::abs(run.scenario.start.h), Radians(25.0));
+    EXPECT_LE(run.scenario.start.on_plane().r, 7.0);
+    EXPECT_LE(std::abs(run.scenario.start.on_plane().alpha), Radians(40.0));
+    EXPECT_LE(std::abs(run.scenario.start.on_plane().h), Radians(25.0));
   }
 }
 
@@ -120,9 +120,9 @@ TEST(SmokeCampaign, HasRunsOfTheGrid) {
   for (const CampaignRun& run : Runs(smoke)) {
     const CampaignRun& same = runs[static_cast<std::size_t>(run.run - 1)];
     EXPECT_EQ(run.labels, same.labels);
-    EXPECT_EQ(run.scenario.start.r, same.scenario.start.r);
-    EXPECT_EQ(run.scenario.start.alpha, same.scenario.start.alpha);
-    EXPECT_EQ(run.scenario.start.h, same.scenario.start.h);
+    EXPECT_EQ(run.scenario.start.on_plane().r, same.scenario.start.on_plane().r);
+    EXPECT_EQ(run.scenario.start.on_plane().alpha, same.scenario.start.on_plane().alpha);
+    EXPECT_EQ(run.scenario.start.on_plane().h, same.scenario.start.on_plane().h);
     EXPECT_EQ(run.scenario.light, same.scenario.light);
     EXPECT_EQ(run.scenario.image_width, 640);
   }

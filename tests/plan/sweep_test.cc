@@ -31,10 +31,10 @@ TEST_F(SweepFile, GridHasEveryCombinationFirstFactorFastest) {
   const Campaign campaign = Load("vary:\n  start.r_m: [2, 3]\n  start.alpha_deg: [-5, 0, 5]\n");
   const std::vector<CampaignRun> runs = AllRuns(campaign);
   ASSERT_EQ(runs.size(), 6u);
-  EXPECT_EQ(runs[1].scenario.start.r, 3.0);
-  EXPECT_EQ(runs[1].scenario.start.alpha, Radians(-5.0));
-  EXPECT_EQ(runs[2].scenario.start.r, 2.0);
-  EXPECT_EQ(runs[5].scenario.start.alpha, Radians(5.0));
+  EXPECT_EQ(runs[1].scenario.start.on_plane().r, 3.0);
+  EXPECT_EQ(runs[1].scenario.start.on_plane().alpha, Radians(-5.0));
+  EXPECT_EQ(runs[2].scenario.start.on_plane().r, 2.0);
+  EXPECT_EQ(runs[5].scenario.start.on_plane().alpha, Radians(5.0));
   EXPECT_THAT(campaign.labels, ElementsAre("point", "start.r_m", "start.alpha_deg"));
   EXPECT_THAT(runs[5].labels, ElementsAre("6", "3", "5"));
 }

@@ -127,9 +127,9 @@ TEST_F(Resolved, ReadsBackBitForBit) {
   const Scenario odd = Odd(), again = Again(odd);
   EXPECT_EQ(again.name, odd.name);
   EXPECT_EQ(again.seed, odd.seed);
-  EXPECT_EQ(again.start.r, odd.start.r);
-  EXPECT_EQ(again.start.alpha, odd.start.alpha);
-  EXPECT_EQ(again.start.h, odd.start.h);
+  EXPECT_EQ(again.start.on_plane().r, odd.start.on_plane().r);
+  EXPECT_EQ(again.start.on_plane().alpha, odd.start.on_plane().alpha);
+  EXPECT_EQ(again.start.on_plane().h, odd.start.on_plane().h);
   EXPECT_EQ(again.X_WG, odd.X_WG);
   EXPECT_EQ(again.sun.azimuth_rad, odd.sun.azimuth_rad);
   EXPECT_EQ(FlowText(again.changes), FlowText(odd.changes));

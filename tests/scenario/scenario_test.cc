@@ -34,9 +34,9 @@ TEST_F(ScenarioFile, IsReadWithItsDefaults) {
   const Scenario s = Load({});
   EXPECT_EQ(s.system, "toy");
   EXPECT_EQ(s.controller, "wave");
-  EXPECT_EQ(s.start.r, 4.0);
-  EXPECT_EQ(s.start.alpha, Radians(15.0));
-  EXPECT_EQ(s.start.h, 0.0);
+  EXPECT_EQ(s.start.on_plane().r, 4.0);
+  EXPECT_EQ(s.start.on_plane().alpha, Radians(15.0));
+  EXPECT_EQ(s.start.on_plane().h, 0.0);
   EXPECT_EQ(s.time_limit_s, 600.0);
   EXPECT_EQ(s.image_width, 0);
   EXPECT_EQ(s.changes.kind, YamlNode::Kind::kNull);

@@ -45,8 +45,8 @@ std::vector<CampaignRun> FakeRuns(int count) {
     run.scenario.system = "fake";
     run.scenario.controller = "straight";
     run.scenario.seed = WorldSeed(7, static_cast<std::uint64_t>(i), 0);
-    run.scenario.start.r = 2.0 + 0.5 * (i % 9);
-    run.labels = {i % 2 == 0 ? "loose" : "compact", NumberText(run.scenario.start.r)};
+    run.scenario.start.SetInFile("r_m", 2.0 + 0.5 * (i % 9));
+    run.labels = {i % 2 == 0 ? "loose" : "compact", NumberText(run.scenario.start.on_plane().r)};
     runs.push_back(run);
   }
   return runs;

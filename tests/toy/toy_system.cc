@@ -43,13 +43,14 @@ class Line final : public Plant {
  public:
   explicit Line(const Scenario& scenario) {
     RandomStream random(StreamKey(scenario.seed, "start"));
-    x_m_ = scenario.start.r + random.Uniform(-0.1, 0.1);  // where it was really put
+    x_m_ = scenario.start.on_plane().r + random.Uniform(-0.1, 0.1);  // where it was really put
   }
   Tick tick() const override { return tick_; }
   SensorFrame Sense() override {
     SensorFrame frame;
     frame.tick = tick_;
     frame.motors = {{std::llround(wheel_rad_ / kRadPerCount), 0.0}};
+    frame.values = {kWheel_m * wheel_rad_, x_m_};
     return frame;
   }
   std::vector<CameraImage> TakeImages(const std::vector<int>&, double) override { return {}; }
@@ -60,9 +61,9 @@ class Line final : public Plant {
     x_m_ -= kWheel_m * rad;
     tick_ += kPeriod;
   }
-  Pose2 X_DR() const override { return {x_m_, 0.0, kPi}; }
+  RobotPose X_DR() const override { return {x_m_, 0.0, kPi}; }
   void AppendChannels(std::vector<double>& values) const override { values.push_back(wheel_rad_); }
-  Pose2 MeasuredPose(const SightingReport&) const override { return {}; }
+  RobotPose MeasuredPose(const SightingReport&) const override { return {}; }
   std::uint64_t StateHash(std::uint64_t seed) const override {
     return HashDouble(HashDouble(seed, x_m_), wheel_rad_);
   }
@@ -103,9 +104,11 @@ ReadyRun MakeReady(const Scenario& scenario) {
   ReadyRun ready;
   ready.plant = std::make_unique<Line>(scenario);
   ready.judge = std::make_unique<AtTheFlag>(*ready.plant);
-  ready.nominal = {{"distance_m", scenario.start.r}, {"speed_m_s", SpeedOf(scenario)}};
+  ready.nominal = {{"distance_m", scenario.start.on_plane().r}, {"speed_m_s", SpeedOf(scenario)}};
   ready.control_period = kPeriod;
   ready.motor_count = 1;
+  ready.sensors = {{"gone_m", "m", "path of the wheel"},
+                   {"range_m", "m", "to the flag, by sound", /*period=*/100, /*latency=*/60}};
   return ready;
 }
 

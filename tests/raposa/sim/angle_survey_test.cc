@@ -79,11 +79,11 @@ TEST(RaposaAngleSurvey, HalfOfTheRunsKnowTheirAngleAfterAFifthOfAMetre) {
   Errors near_axis, all;
   for (int i = 0; i < count; ++i) {
     CampaignRun run = maker.Make(i);
-    run.scenario.start.r = kRange_m;
+    run.scenario.start.SetInFile("r_m", kRange_m);
     run.scenario.time_limit_s = 12.0;
     const RunRecord record = Simulate(FindSystem(systems, "raposa"), run, {});
     const std::optional<double> error = AngleError(record);
-    const double alpha_deg = std::abs(Degrees(run.scenario.start.alpha));
+    const double alpha_deg = std::abs(Degrees(run.scenario.start.on_plane().alpha));
     all.Add(error);
     if (alpha_deg <= 60.0) near_axis.Add(error);
     if (!error || std::abs(*error) > Radians(5.0)) {

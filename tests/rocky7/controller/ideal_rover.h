@@ -23,7 +23,7 @@ struct IdealRover {
   std::vector<double> angles = std::vector<double>(15), speeds = std::vector<double>(15);
   Tick tick = 0;
   double most_n = 0.0;
-  std::vector<std::uint8_t> contacts = {0, 0, 0};
+  std::vector<double> closed = {0, 0, 0};
   std::vector<int> asked;
   Eigen::Vector3d touched_W{0, 0, 0};  // the face's middle where the force was most
   Eigen::Vector3d tool_W{1, 0, 0};
@@ -76,7 +76,7 @@ struct IdealRover {
       const Eigen::Vector3d p =
           X_WK * Eigen::Vector3d(nominal.mast.link2_m, r * std::sin(turn), r * std::cos(turn));
       const double one_n = kSpring_n_m * std::max(0.0, -scene.normal_W.dot(p - scene.p_W));
-      contacts[i] = one_n > kSwitch_n;
+      closed[i] = one_n > kSwitch_n;
       force_n += one_n;
     }
     if (force_n > most_n) {
@@ -99,7 +99,7 @@ struct IdealRover {
       frame.motors[i].encoder_counts = std::llround(angles[i] / 1e-4);
       frame.motors[i].current_a = 0.2;
     }
-    frame.contacts = contacts;
+    frame.values = closed;
     if (!asked.empty()) {
       const StereoImages pair = scene.Pair(nominal, X_WR, mast());
       frame.images = {{kMastLeft, pair.left, tick}, {kMastRight, pair.right, tick}};

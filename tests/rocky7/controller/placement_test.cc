@@ -26,7 +26,7 @@ struct IdealMast {
   Tick tick = 0;
   double most_n = 0.0, deepest_m = 0.0;
   double lowest_m = 1.0;  // of the face's middle before the surface
-  std::vector<std::uint8_t> contacts = {0, 0, 0};
+  std::vector<double> closed = {0, 0, 0};
   double current_a = 0.2;
   Phase phase = Phase::kUnfold;
 
@@ -59,7 +59,7 @@ struct IdealMast {
           X_RK * Eigen::Vector3d(nominal.mast.link2_m, r * std::sin(turn), r * std::cos(turn));
       const double in_m = -face.normal_R.dot(p - face.p_RT);
       const double one_n = kSpring_n_m * std::max(0.0, in_m);
-      contacts[static_cast<std::size_t>(i)] = one_n > kSwitch_n;
+      closed[static_cast<std::size_t>(i)] = one_n > kSwitch_n;
       force_n += one_n;
       deepest_m = std::max(deepest_m, in_m);
     }
@@ -76,7 +76,7 @@ struct IdealMast {
       frame.motors[12 + i].encoder_counts = std::llround(angles[i] / 1e-4);
       frame.motors[12 + i].current_a = current_a;
     }
-    frame.contacts = contacts;
+    frame.values = closed;
     return frame;
   }
 

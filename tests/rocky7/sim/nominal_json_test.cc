@@ -1,10 +1,13 @@
 #include "sim/rocky7/nominal_json.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "controller/rocky7/dockyard.h"
 #include "models/read/config_error.h"
 #include "models/rocky7/load_robot.h"
 #include "models/rocky7/make_nominal.h"
+#include "sim/log/logged_run.h"
 #include "support/bad_files.h"
 
 namespace dockyard::rocky7 {
@@ -44,6 +47,34 @@ TEST(Rocky7NominalJson, ReadsEveryNumberThatItWrites) {
 
 TEST(Rocky7NominalJson, RefusesAnothersParameters) {
   EXPECT_THROW(NominalFromJson(Json{{"belts", 2}}), ConfigError);
+}
+
+// Written by the last program of version 5: contact switches as bytes, images without the time of
+// their exposure, planar poses. It is of 0.1 s with two images.
+TEST(Rocky7Log, OfVersion5IsReadAndAnsweredAsThen) {
+  const Folder folder(SourceFile("tests/log/version_5"));
+  RunLogReader frames(folder);
+  EXPECT_EQ(frames.header().version, 5u);
+  int images = 0;
+  while (const auto entry = frames.Next()) {
+    EXPECT_THAT(entry->sensed.values, testing::ElementsAre(0.0, 0.0, 0.0));
+    images += static_cast<int>(entry->sensed.images.size());
+  }
+  EXPECT_TRUE(frames.complete());
+  EXPECT_EQ(images, 2);
+  const LoggedRun run = ReadLoggedRun(folder);
+  EXPECT_EQ(run.truth.at("x_m").size(), run.times_s.size());
+  EXPECT_EQ(run.truth.count("z_m"), 0u);
+  EXPECT_TRUE(run.header.sensors.empty());
+
+  RunLogReader log(folder);
+  const Nominal nominal = NominalFromJson(log.header().nominal);
+  const auto controller = MakeDockyardController(nominal);
+  const ControllerReplay replay = ReplayController(
+      log, *controller,
+      {.motors = static_cast<int>(nominal.motors.size()), .cameras = kCameraCount, .sensors = 3});
+  EXPECT_TRUE(replay.same());
+  EXPECT_EQ(replay.compared, 2u);
 }
 
 }  // namespace

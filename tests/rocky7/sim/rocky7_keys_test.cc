@@ -18,7 +18,7 @@ Scenario SampleScenario() {
   scenario.system = "rocky7";
   scenario.robot_file = SourceFile("models/rocky7/rocky7.yaml");
   scenario.soil_file = SourceFile("models/soils/compact_gravel.yaml");
-  scenario.start = {.r = 1.5, .alpha = 0.0, .h = 0.0};
+  scenario.start = {1.5, 0.0, 0.0};
   scenario.start_place = "test.yaml:5:3: start";
   scenario.yard_place = "test.yaml:6:3";
   scenario.yard.length_m = scenario.yard.width_m = 5.0;
@@ -61,7 +61,7 @@ TEST(Rocky7Scenario, RefusesWhatItCannotSimulate) {
   };
   EXPECT_THAT(error([](Scenario& s) { s.yard.cell_m = 0.02; }),
               HasSubstr("test.yaml:6:3: expected yard.cell_m of at most 0.01 m"));
-  EXPECT_THAT(error([](Scenario& s) { s.start.h = Radians(120.0); }),
+  EXPECT_THAT(error([](Scenario& s) { s.start.SetInFile("heading_deg", 120.0); }),
               HasSubstr("test.yaml:5:3: start: expected a start from where the front cameras see"));
   const auto set_step = [](Scenario& s) {
     s.physics_step_s = 0.0021;
