@@ -15,10 +15,6 @@ float Below(float distance, float reach) {
   return std::clamp(0.5f - distance / std::max(2.0f * reach, 1e-9f), 0.0f, 1.0f);
 }
 
-Tan Middle(const PixelCorners& c) {
-  return {0.25f * (c[0].x + c[1].x + c[2].x + c[3].x), 0.25f * (c[0].y + c[1].y + c[2].y + c[3].y)};
-}
-
 }  // namespace
 
 float DustShare(const BoardView& board, const Eigen::Vector2f& p_B) {
@@ -47,28 +43,14 @@ float DustShare(const BoardView& board, const Eigen::Vector2f& p_B) {
   return std::min(static_cast<float>(cover) * (0.5f + patches), 1.0f);
 }
 
-BoardShader::BoardShader(const Scene& scene, const Pose3& X_WC, Channel channel)
-    : view_(scene.board) {
-  const BoardView& view = scene.board;
+BoardShader::BoardShader(const BoardView& view, const Pose3& X_WC) : view_(view) {
   const Pose3 X_CB = Inverse(X_WC) * view.X_WB;
   // A point (x, y) of the board lies at x e1 + y e2 + p in the camera; tan is that over its depth.
   Eigen::Matrix3d tan_from_board;
   tan_from_board << X_CB.R.col(0), X_CB.R.col(1), X_CB.p;
   board_from_tan_ = tan_from_board.inverse().cast<float>();
   printed_side_ = X_CB.R.col(2).dot(X_CB.p) > 0.0;
-  const Eigen::Vector3d normal_W = (printed_side_ ? -1.0 : 1.0) * view.X_WB.R.col(2);
-  const auto to_sun = static_cast<float>(normal_W.dot(scene.light.to_sun_W));
-  const auto to_zenith = static_cast<float>(normal_W.z());
-  const auto radiance = [&](const Eigen::Vector3d& albedo, float& sun, float& around) {
-    const Reflected r = Reflect(scene.light, albedo, channel);
-    const auto [s, k, b] = std::array{static_cast<float>(r.sun), static_cast<float>(r.sky),
-                                      static_cast<float>(r.bounce)};
-    around = Shade(s, k, b, to_sun, to_zenith, 0.0f);
-    sun = Shade(s, k, b, to_sun, to_zenith, 1.0f) - around;
-  };
-  radiance(Eigen::Vector3d::Constant(view.white_albedo), white_sun_, white_around_);
-  radiance(Eigen::Vector3d::Constant(view.black_albedo), black_sun_, black_around_);
-  radiance(view.dust_albedo, dust_sun_, dust_around_);
+  normal_W_ = (printed_side_ ? -1.0 : 1.0) * view.X_WB.R.col(2);
   for (const Fiducial& f : view.board.fiducials) {
     // Counter-clockwise for the viewer is towards -y, for y points down.
     marks_.push_back({static_cast<float>(f.p_BF.x()), static_cast<float>(f.p_BF.y()),
@@ -187,27 +169,9 @@ void BoardShader::NearMarks(const PixelRow& row, int first, int count, std::uint
   }
 }
 
-void BoardShader::Row(const PixelRow& row, int first, int count, const float* shares,
-                      float* radiance) const {
-  std::uint8_t near[kBoardAtOnce];
-  NearMarks(row, first, count, near);
-  const bool dusty = Dusty();
-  for (int i = 0; i < count; ++i) {
-    if (dusty || near[i] != 0) {
-      radiance[i] = (*this)(row.At(first + i).corners(), shares[i]);
-    } else {
-      radiance[i] = white_around_ + shares[i] * white_sun_;
-    }
-  }
-}
-
-float BoardShader::operator()(const PixelCorners& corners, float share) const {
-  const float ink = InkShare(corners);
-  const float clean = (1.0f - ink) * (white_around_ + share * white_sun_) +
-                      ink * (black_around_ + share * black_sun_);
-  if (!Dusty()) return clean;
-  const float dust = DustShare(view_, ToBoard(Middle(corners)));
-  return clean + dust * (dust_around_ + share * dust_sun_ - clean);
+float BoardShader::DustAt(const PixelCorners& c) const {
+  return DustShare(view_, ToBoard({0.25f * (c[0].x + c[1].x + c[2].x + c[3].x),
+                                   0.25f * (c[0].y + c[1].y + c[2].y + c[3].y)}));
 }
 
 }  // namespace dockyard

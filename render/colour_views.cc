@@ -7,8 +7,8 @@
 #include "controller/base/check.h"
 #include "render/ground_mesh.h"
 #include "render/ground_sectors.h"
-#include "render/ray_source.h"
 #include "render/view_rects.h"
+#include "render/view_turn.h"
 
 namespace dockyard {
 namespace {
@@ -152,23 +152,10 @@ const ColourViews::Lens& ColourViews::LensOf(const ColourView& view) {
   return lenses_.back();
 }
 
-void ColourViews::PaintInto(ScenePainter& painter, std::unique_ptr<GlViewTarget>& target,
-                            const Pose3& X_WC, FlatView& view) {
-  if (!target || target->width() < view.width || target->height() < view.height) {
-    const int w = std::max(view.width, target ? target->width() : 0);
-    const int h = std::max(view.height, target ? target->height() : 0);
-    target = std::make_unique<GlViewTarget>(gl_, w, h);
-  }
-  painter.Paint(*target, X_WC, view);
-}
-
 ColourRadiance ColourViews::Render(ScenePainter& painter, const GroundTexture& texture,
                                    const Scene& scene, const ColourTable& colours,
                                    const ColourView& view, const std::vector<Pose3>& X_WC) {
   DOCKYARD_CHECK(!X_WC.empty());
-  if (scene.board.board.width_m > 0.0) {
-    throw std::invalid_argument("scene: a colour camera draws no board");
-  }
   const Lens& lens = LensOf(view);
   const Pose3& middle = X_WC[X_WC.size() / 2];
   const bool level = HasGround(scene.ground) && IsLevel(scene.ground);
@@ -177,7 +164,7 @@ ColourRadiance ColourViews::Render(ScenePainter& painter, const GroundTexture& t
                    .shadows = scene.light.sun_irradiance > 0.0,
                    .fan = FanOf(scene, Rolled(middle), lens.rect),
                    .ground = !level});
-  const ColourLit lit{scene, texture, painter.shadow(), colours};
+  const Lit lit{scene, texture, painter.shadow()};
   ColourRadiance light{
       .width = view.camera.width, .height = view.camera.height, .x0 = lens.x0, .y0 = lens.y0};
   for (RadianceImage& channel : light.part) {
@@ -187,18 +174,18 @@ ColourRadiance ColourViews::Render(ScenePainter& painter, const GroundTexture& t
   for (const Pose3& X : X_WC) {
     SizeView(view.camera, lens.rect, kWideRays, kMostRays, wide_);
     const Pose3 X_WV = Rolled(X);
-    PaintInto(painter, wide_target_, X_WV, wide_);
+    painter.PaintInto(wide_target_, X_WV, wide_);
     if (level) AddPlane(scene.ground, X_WV, wide_);
     const FlatView* close = nullptr;
-    if (const auto about = scene.interest ? CloseRect(scene, X_WV, lens.rect) : std::nullopt) {
+    if (const auto about = CloseRect(scene, X_WV, lens.rect)) {
       SizeView(view.camera, *about, kCloseRays, kMostRays, close_);
       if (static_cast<double>(close_.width) * close_.height <= kMostCloseRays) {
-        PaintInto(painter, close_target_, X_WV, close_);
+        painter.PaintInto(close_target_, X_WV, close_);
         if (level) AddPlane(scene.ground, X_WV, close_);
         close = &close_;
       }
     }
-    ComposeColour(lens.grid, lens.spans, wide_, close, lit, X, light.part);
+    ComposeColour(lens.grid, lens.spans, wide_, close, lit, colours, X, light.part);
   }
   const float per = 1.0f / static_cast<float>(X_WC.size());
   for (RadianceImage& channel : light.part) {

@@ -6,17 +6,15 @@
 #include <vector>
 
 #include "render/colour_view.h"
-#include "render/compose_colour.h"
+#include "render/compose.h"
 #include "render/scene_painter.h"
 
 namespace dockyard {
 
 class ColourViews {
  public:
-  /// gl must outlive this, and be current at each call and at the end.
-  explicit ColourViews(const GlFunctions& gl) : gl_(gl) {}
-
-  /// The texture is that of the scene's ground.
+  /// The context must be current at each call and at the end. The texture is that of the scene's
+  /// ground.
   ColourRadiance Render(ScenePainter& painter, const GroundTexture& texture, const Scene& scene,
                         const ColourTable& colours, const ColourView& view,
                         const std::vector<Pose3>& X_WC);
@@ -33,10 +31,7 @@ class ColourViews {
   };
   static Lens MakeLens(const ColourView& view);
   const Lens& LensOf(const ColourView& view);
-  void PaintInto(ScenePainter& painter, std::unique_ptr<GlViewTarget>& target, const Pose3& X_WC,
-                 FlatView& view);
 
-  const GlFunctions& gl_;
   std::vector<Lens> lenses_;
   std::unique_ptr<GlViewTarget> wide_target_, close_target_;
   FlatView wide_, close_;

@@ -4,76 +4,120 @@
 #include <cstdint>
 #include <optional>
 
-#include "render/board_ink.h"
-#include "render/ground_mesh.h"
-#include "render/ground_shader.h"
-#include "render/object_shader.h"
-#include "render/sky_shader.h"
 #include "render/two_widths.h"
 #include "render/view_sampler.h"
+#include "render/view_turn.h"
 
 namespace dockyard {
 namespace {
 
 // The kind of surface that all rays of a pixel met.
-enum class Kind : std::uint8_t { kOther, kGround, kSky, kBoard };
+enum class Kind : std::uint8_t { kMixed, kGround, kSky, kBoard };
 
-// Rays of one pixel that met one thing.
-struct Met {
-  float count = 0.0f, code = 0.0f;
-  Tan ray, from;  // where the pixel's rays point; where those of the view that met it point
-
-  void Add(float c, Tan r, Tan f) {
-    ++count;
-    code += c;
-    ray = {ray.x + r.x, ray.y + r.y};
-    from = {from.x + f.x, from.y + f.y};
-  }
-  float MeanCode() const { return code / count; }
-  Tan MeanRay() const { return {ray.x / count, ray.y / count}; }
-  Tan MeanFrom() const { return {from.x / count, from.y / count}; }
+// A view and how many of its rays a pixel asks for along either side.
+struct RaySource {
+  ViewSampler sampler;
+  int rays;
 };
 
-// One camera's image, row by row.
+// One camera's image, row by row. Views of colour cameras are turned against the image.
+template <typename Value>
 class Composer {
+  static constexpr bool kColour = SceneShader<Value>::kColour;
+  static constexpr int kMostRays = kColour ? kCloseRays * kCloseRays : kRays;
+  static_assert(kWideRays * kWideRays == kRays);
+
  public:
-  Composer(int width, const FlatView& wide, const FlatView* close, const Lit& lit,
-           const Pose3& X_WC, Channel channel)
+  Composer(int width, const FlatView& wide, const FlatView* close, SceneShader<Value> shader)
       : row_(width),
+        turned_(kColour ? width : 0),
         rays_(width),
-        code_(width),
+        inverse_depth_(width),
         kind_(width),
         held_(width, 0),
         thin_(width, 0),
-        wide_(wide),
+        wide_{ViewSampler(wide), kWideRays},
         has_thin_(wide.HasThin() || (close && close->HasThin())),
-        sky_(lit.scene, X_WC, channel),
-        objects_(lit.scene, lit.ground.highest_m(), lit.shadow, X_WC, channel) {
-    if (close) close_.emplace(*close);
-    if (HasGround(lit.scene.ground)) {
-      ground_.emplace(lit.ground, lit.scene, lit.shadow, X_WC, channel);
-    }
-    if (lit.scene.board.board.width_m > 0.0) board_.emplace(lit.scene, X_WC, channel);
+        shader_(std::move(shader)) {
+    if (close) close_.emplace(ViewSampler(*close), kColour ? kCloseRays : kWideRays);
   }
 
-  void Row(const PixelGrid& grid, int y, float* radiance) {
+  void Row(const PixelGrid& grid, int y, const PixelSpan& span, Value* radiance) {
     row_.Fill(grid, y);
-    if (close_) close_->Hold(row_, grid.width, held_.data());
-    for (int first = 0, last; first < grid.width; first = last) {
+    if constexpr (kColour) turn_.ToView(row_, turned_);
+    if (close_) close_->sampler.Hold(InView(), grid.width, held_.data());
+    for (int first = span.first, last; first < span.last; first = last) {
       last = first + 1;
-      while (last < grid.width && held_[last] == held_[first]) ++last;
+      while (last < span.last && held_[last] == held_[first]) ++last;
       Part(held_[first] ? *close_ : wide_, first, last, radiance);
     }
   }
   /// 1/z of the surface in the middle of a pixel of the last row, thin bodies aside.
-  float InverseDepthAt(int x) const { return InverseDepth(wide_.At(Middle(x)).code); }
+  float InverseDepthAt(int x) const {
+    return InverseDepth(wide_.sampler.At(Tan{row_.x[x], row_.y[x]}).code);
+  }
 
  private:
-  Tan Middle(int x) const { return {row_.x[x], row_.y[x]}; }
+  // The row in the tan plane of the views, and from there to the image's.
+  const PixelRow& InView() const { return kColour ? turned_ : row_; }
+  Tan ToImage(Tan t) const {
+    if constexpr (kColour) return turn_.ToImage(t);
+    return t;
+  }
+  Tan ToView(Tan t) const {
+    if constexpr (kColour) return turn_.ToView(t);
+    return t;
+  }
 
   // Pixels first to last - 1, all from one view.
-  void Part(const ViewSampler& view, int first, int last, float* radiance) {
-    view.Find(row_, first, last, rays_);
+  void Part(const RaySource& source, int first, int last, Value* radiance) {
+    if (source.rays == kWideRays) {
+      AskFour(source.sampler, first, last);
+    } else {
+      for (int x = first; x < last; ++x) AskMany(source, x);
+    }
+    for (int x = first; kColour && x < last; ++x) {
+      const Tan known = ToImage({rays_.from_x[x], rays_.from_y[x]});
+      rays_.from_x[x] = known.x;
+      rays_.from_y[x] = known.y;
+    }
+    for (int from = first, to; from < last; from = to) {
+      to = from + 1;
+      while (to < last && kind_[to] == kind_[from]) ++to;
+      if (kind_[from] == Kind::kGround) {
+        shader_.Ground({.x = &row_.x[from],
+                        .y = &row_.y[from],
+                        .known_x = &rays_.from_x[from],
+                        .known_y = &rays_.from_y[from],
+                        .inverse_depth = &inverse_depth_[from],
+                        .along_x = &row_.along_x[from],
+                        .along_y = &row_.along_y[from],
+                        .down_x = &row_.down_x[from],
+                        .down_y = &row_.down_y[from],
+                        .count = to - from,
+                        .column = from,
+                        .row = row_.number},
+                       radiance + from);
+      } else if (kind_[from] == Kind::kSky) {
+        for (int x = from; x < to; ++x) radiance[x] = shader_.Sky({row_.x[x], row_.y[x]});
+      } else if (kind_[from] == Kind::kBoard) {
+        Boards(source, from, to, radiance);
+      } else {
+        for (int x = from; x < to; ++x) radiance[x] = Mixed(source, x);
+      }
+    }
+    if (has_thin_) AddThin(source.sampler, first, last, radiance);
+  }
+
+  static Kind KindOf(float least, float most) {
+    return least > 0.0f && most < kBoardCode ? Kind::kGround
+           : least == 0.0f && most == 0.0f   ? Kind::kSky
+           : least >= kBoardCode             ? Kind::kBoard
+                                             : Kind::kMixed;
+  }
+
+  void AskFour(const ViewSampler& view, int first, int last) {
+    view.Find(InView(), first, last, rays_);
     for (int x = first; x < last; ++x) {
       constexpr int kAhead = 24;
       if (x + kAhead < last) {
@@ -84,146 +128,150 @@ class Composer {
       const float c = view.At(rays_.at[2][x]).code, d = view.At(rays_.at[3][x]).code;
       const float least = std::min(std::min(a, b), std::min(c, d));
       const float most = std::max(std::max(a, b), std::max(c, d));
-      code_[x] = 0.25f * (a + b + c + d);
-      kind_[x] = least > 0.0f && most < kBoardCode ? Kind::kGround
-                 : least == 0.0f && most == 0.0f   ? Kind::kSky
-                 : least >= kBoardCode             ? Kind::kBoard
-                                                   : Kind::kOther;
-    }
-    for (int from = first, to; from < last; from = to) {
-      to = from + 1;
-      while (to < last && kind_[to] == kind_[from]) ++to;
-      if (kind_[from] == Kind::kGround) {
-        Ground(from, to, radiance);
-      } else if (kind_[from] == Kind::kSky) {
-        sky_(&row_.x[from], &row_.y[from], to - from, radiance + from);
-      } else if (kind_[from] == Kind::kBoard) {
-        Board(from, to, radiance);
-      } else {
-        for (int x = from; x < to; ++x) radiance[x] = Mixed(view, x);
-      }
-    }
-    if (!has_thin_) return;
-    for (std::size_t body = 0; body < view.layers().size(); ++body) {
-      if (view.layers()[body].width == 0) continue;
-      view.HaveThin(view.layers()[body], row_, first, last, thin_.data());
-      for (int x = first; x < last; ++x) {
-        if (thin_[x]) radiance[x] = Behind(view, body, x, radiance[x]);
-      }
+      inverse_depth_[x] = 0.25f * (a + b + c + d);
+      kind_[x] = KindOf(least, most);
     }
   }
 
-  void Ground(int from, int to, float* radiance) const {
-    (*ground_)({.x = &row_.x[from],
-                .y = &row_.y[from],
-                .known_x = &rays_.from_x[from],
-                .known_y = &rays_.from_y[from],
-                .inverse_depth = &code_[from],
-                .along_x = &row_.along_x[from],
-                .along_y = &row_.along_y[from],
-                .down_x = &row_.down_x[from],
-                .down_y = &row_.down_y[from],
-                .count = to - from,
-                .column = from,
-                .row = row_.number},
-               radiance + from);
+  void AskMany(const RaySource& source, int x) {
+    float least = 1e9f, most = -1e9f, code = 0.0f, count = 0.0f;
+    Tan from_sum;
+    source.sampler.Each(InView().At(x), source.rays, [&](Tan, const Seen& seen, Tan from) {
+      least = std::min(least, seen.code);
+      most = std::max(most, seen.code);
+      code += seen.code;
+      from_sum = {from_sum.x + from.x, from_sum.y + from.y};
+      ++count;
+    });
+    kind_[x] = KindOf(least, most);
+    inverse_depth_[x] = code / count;
+    rays_.from_x[x] = from_sum.x / count;
+    rays_.from_y[x] = from_sum.y / count;
   }
 
-  // Pixels of which all rays met the board.
-  void Board(int from, int to, float* radiance) {
-    for (int x = from; x < to; x += kBoardAtOnce) {
-      const int count = std::min(kBoardAtOnce, to - x);
-      float shares[kBoardAtOnce];
-      objects_.BoardShares(row_, x, count, shares);
-      board_->Row(row_, x, count, shares, radiance + x);
+  // Calls for each ray of a pixel: where it points, the hit, and where the view's ray points; all
+  // in the view's tan plane.
+  template <typename Visit>
+  void Each(const RaySource& source, int x, const Visit& visit) const {
+    const Pixel pixel = InView().At(x);
+    if (source.rays != kWideRays) return source.sampler.Each(pixel, source.rays, visit);
+    for (int k = 0; k < kRays; ++k) {
+      visit(pixel.Ray(k), source.sampler.At(rays_.at[k][x]), source.sampler.From(rays_, k, x));
     }
   }
 
-  // Rays of one pixel that met objects, the board, or different things.
-  float Mixed(const ViewSampler& view, int x) const {
+  // Pixels of which all rays met boards.
+  void Boards(const RaySource& source, int from, int to, Value* radiance) const {
+    if (shader_.boards() == 1) return shader_.Board(0, row_, from, to - from, radiance + from);
+    for (int x = from; x < to; ++x) radiance[x] = Mixed(source, x);
+  }
+
+  // Rays of one pixel that met objects, or different things.
+  Value Mixed(const RaySource& source, int x) const {
     const Pixel pixel = row_.At(x);
-    Seen seen[kRays];
-    Tan from[kRays];  // of the view's rays: each up to half a ray's distance off the pixel's own
-    for (int k = 0; k < kRays; ++k) {
-      seen[k] = view.At(rays_.at[k][x]);
-      from[k] = view.From(rays_, k, x);
-    }
-    float radiance = 0.0f, skies = 0.0f;
-    Met grounds, boards;
-    for (int k = 0; k < kRays; ++k) {
-      if (IsObject(seen[k].code)) {
-        radiance += Facet(pixel, seen, from, k);
-      } else if (IsBoard(seen[k].code)) {
-        boards.Add(seen[k].code, pixel.Ray(k), from[k]);
-      } else if (IsSky(seen[k].code)) {
+    std::array<Met, kMostRays> things;
+    int kinds = 0;
+    Met ground;
+    float skies = 0.0f, count = 0.0f;
+    Each(source, x, [&](Tan ray, const Seen& seen, Tan from) {
+      ++count;
+      if (IsSky(seen.code)) {
         ++skies;
-      } else {
-        grounds.Add(seen[k].code, pixel.Ray(k), from[k]);
+        return;
       }
+      const bool object = IsObject(seen.code), board = IsBoard(seen.code);
+      const float inverse_depth = InverseDepth(seen.code);
+      if (!object && !board) return ground.Add(inverse_depth, ray, from);
+      const std::uint32_t thing = kColour && object
+                                      ? static_cast<std::uint32_t>(ObjectOf(seen, shader_.bits()))
+                                      : seen.object;
+      int k = 0;
+      while (k < kinds && (things[k].thing != thing || things[k].of_board != board)) ++k;
+      if (k == kinds) ++kinds;
+      Met& met = things[k];
+      met.thing = thing;
+      met.of_board = board;
+      if (object && (kColour || met.count == 0.0f)) {
+        met.normal += UnpackNormal(seen, shader_.bits());
+      }
+      met.Add(inverse_depth, ray, from);
+    });
+    Value sum{};
+    for (int k = 0; k < kinds; ++k) {
+      if (things[k].of_board) continue;
+      Average(things[k]);
+      const std::uint32_t thing = things[k].thing;
+      const std::size_t object = kColour ? thing : thing >> (2 * shader_.bits().normal);
+      sum += things[k].count * shader_.OfObject(object, things[k], pixel);
     }
-    if (grounds.count > 0.0f) radiance += grounds.count * GroundPart(pixel, grounds, x);
-    if (boards.count > 0.0f) {
-      const float share = objects_.BoardShare(boards.MeanRay(), pixel);
-      radiance += boards.count * (*board_)(pixel.corners(), share);
+    if (ground.count > 0.0f) {
+      Average(ground);
+      sum += ground.count * GroundPart(ground, pixel);
     }
-    if (skies > 0.0f) radiance += skies * sky_(pixel.middle);
-    return radiance * (1.0f / kRays);
+    for (int k = 0; k < kinds; ++k) {
+      if (!things[k].of_board) continue;
+      Average(things[k]);
+      sum += things[k].count * shader_.BoardPart(things[k], pixel);
+    }
+    if (skies > 0.0f) sum += skies * shader_.Sky(pixel.middle);
+    return 1.0f / count * sum;
   }
 
-  float GroundPart(const Pixel& pixel, const Met& met, int x) const {
-    const Tan ray = met.MeanRay(), from = met.MeanFrom();
-    const float code = met.MeanCode();
-    float radiance = 0.0f;
-    (*ground_)({.x = &ray.x,
-                .y = &ray.y,
-                .known_x = &from.x,
-                .known_y = &from.y,
-                .inverse_depth = &code,
-                .along_x = &pixel.along.x,
-                .along_y = &pixel.along.y,
-                .down_x = &pixel.down.x,
-                .down_y = &pixel.down.y,
-                .count = 1,
-                .column = x,
-                .row = row_.number},
-               &radiance);
+  // From sums in the view's tan plane to means in the image's.
+  void Average(Met& met) const {
+    const float count = met.count, per = 1.0f / count;
+    // The two kinds of cameras round differently.
+    const auto mean = [&](float sum) { return kColour ? sum * per : sum / count; };
+    met.inverse_depth = mean(met.inverse_depth);
+    met.ray = ToImage({mean(met.ray.x), mean(met.ray.y)});
+    met.from = ToImage({mean(met.from.x), mean(met.from.y)});
+    if constexpr (kColour) met.normal *= per;
+  }
+
+  Value GroundPart(const Met& met, const Pixel& pixel) const {
+    Value radiance{};
+    shader_.Ground({.x = &met.ray.x,
+                    .y = &met.ray.y,
+                    .known_x = &met.from.x,
+                    .known_y = &met.from.y,
+                    .inverse_depth = &met.inverse_depth,
+                    .along_x = &pixel.along.x,
+                    .along_y = &pixel.along.y,
+                    .down_x = &pixel.down.x,
+                    .down_y = &pixel.down.y,
+                    .count = 1,
+                    .column = pixel.column,
+                    .row = pixel.row},
+                   &radiance);
     return radiance;
   }
 
-  // All rays that met the facet of ray k are shaded once, in their middle, by the first of them.
-  float Facet(const Pixel& pixel, const Seen (&seen)[kRays], const Tan (&from)[kRays],
-              int k) const {
-    Met met;
-    for (int j = 0; j < kRays; ++j) {
-      if (!IsObject(seen[j].code) || seen[j].object != seen[k].object) continue;
-      if (j < k) return 0.0f;
-      met.Add(seen[j].code, pixel.Ray(j), from[j]);
+  // Thin bodies before all that.
+  void AddThin(const ViewSampler& view, int first, int last, Value* radiance) {
+    for (std::size_t body = 0; body < view.layers().size(); ++body) {
+      const ThinLayer& layer = view.layers()[body];
+      if (layer.width == 0) continue;
+      view.HaveThin(layer, InView(), first, last, thin_.data());
+      for (int x = first; x < last; ++x) {
+        if (!thin_[x]) continue;
+        const Pixel pixel = row_.At(x);
+        Thin sum;
+        for (int k = 0; k < kRays; ++k) sum.Add(view.ThinAt(layer, ToView(pixel.Ray(k))), 0.25f);
+        if (sum.cover > 0.0f) radiance[x] = shader_.OfThin(body, sum, pixel, radiance[x]);
+      }
     }
-    const Seen middle{.object = seen[k].object, .code = met.MeanCode()};
-    return met.count * objects_(middle, met.MeanFrom(), met.MeanRay(), pixel);
   }
 
-  // The same behind a thin body.
-  float Behind(const ViewSampler& view, std::size_t body, int x, float radiance) const {
-    const Pixel pixel = row_.At(x);
-    Thin sum;
-    for (int k = 0; k < kRays; ++k) sum.Add(view.ThinAt(view.layers()[body], pixel.Ray(k)), 0.25f);
-    if (sum.cover <= 0.0f) return radiance;
-    return radiance * (1.0f - sum.cover) + objects_.OfThin(body, sum, pixel.middle, pixel);
-  }
-
-  PixelRow row_;
+  ViewTurn turn_;
+  PixelRow row_, turned_;
   RowRays rays_;
-  std::vector<float> code_;
+  std::vector<float> inverse_depth_;  // mean of a pixel's rays
   std::vector<Kind> kind_;
   std::vector<std::uint8_t> held_, thin_;  // by the close view; by bodies that are thin
-  ViewSampler wide_;
-  std::optional<ViewSampler> close_;
+  RaySource wide_;
+  std::optional<RaySource> close_;
   bool has_thin_;
-  SkyShader sky_;
-  ObjectShader objects_;
-  std::optional<GroundShader> ground_;
-  std::optional<BoardShader> board_;
+  SceneShader<Value> shader_;
 };
 
 }  // namespace
@@ -234,14 +282,32 @@ RadianceImage Compose(const PixelGrid& grid, const FlatView& wide, const FlatVie
   RadianceImage image{
       .width = grid.width, .height = grid.height, .values = {}, .inverse_depth = {}};
   image.values.resize(static_cast<std::size_t>(grid.width) * grid.height);
-  Composer composer(grid.width, wide, close, lit, X_WC, channel);
+  Composer<float> composer(grid.width, wide, close,
+                           {lit, LightIn(lit.scene, channel, X_WC), X_WC, channel});
   for (int y = 0; y < grid.height; ++y) {
-    composer.Row(grid, y, &image.values[static_cast<std::size_t>(y) * grid.width]);
+    composer.Row(grid, y, {0, grid.width}, &image.values[static_cast<std::size_t>(y) * grid.width]);
     for (int x = 0; with_depth && x < grid.width; ++x) {
       image.inverse_depth.push_back(composer.InverseDepthAt(x));
     }
   }
   return image;
+}
+
+void ComposeColour(const PixelGrid& grid, const std::vector<PixelSpan>& spans, const FlatView& wide,
+                   const FlatView* close, const Lit& lit, const ColourTable& colours,
+                   const Pose3& X_WC, std::array<RadianceImage, 3>& sum) {
+  Composer<Rgb> composer(grid.width, wide, close,
+                         {lit, LightBy(colours, lit.scene, X_WC), X_WC, Channel::kGrey});
+  std::vector<Rgb> row(static_cast<std::size_t>(grid.width));
+  for (int y = 0; y < grid.height; ++y) {
+    const PixelSpan& span = spans[static_cast<std::size_t>(y)];
+    composer.Row(grid, y, span, row.data());
+    const std::size_t at = static_cast<std::size_t>(y) * grid.width;
+    float *r = &sum[0].values[at], *g = &sum[1].values[at], *b = &sum[2].values[at];
+    for (int x = span.first; x < span.last; ++x) r[x] += row[static_cast<std::size_t>(x)].r;
+    for (int x = span.first; x < span.last; ++x) g[x] += row[static_cast<std::size_t>(x)].g;
+    for (int x = span.first; x < span.last; ++x) b[x] += row[static_cast<std::size_t>(x)].b;
+  }
 }
 
 }  // namespace dockyard

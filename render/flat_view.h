@@ -19,7 +19,7 @@ struct TanRect {
 
 /// The hit of one ray.
 struct Seen {
-  std::uint32_t object = 0;  // object's index in the scene, and normal: see SeenBits
+  std::uint32_t object = 0;  // object's index in the scene, and normal: see SeenBits; board's index
   float code = 0.0f;         // object: -1/z; sky: 0; ground: 1/z; board: kBoardCode + 1/z  [1/m]
 };
 

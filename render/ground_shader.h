@@ -1,6 +1,8 @@
 // The ground's light for one camera, many pixels at a time. No GL.
 #pragma once
 
+#include <algorithm>
+
 #include "render/ground_texture.h"
 #include "render/scene.h"
 #include "render/shading.h"
@@ -10,6 +12,8 @@ namespace dockyard {
 
 class GroundShader {
  public:
+  static constexpr int kAtOnce = 64;
+
   /// texture and shadow must outlive this.
   GroundShader(const GroundTexture& texture, const Scene& scene, const SunShadow& shadow,
                const Pose3& X_WC, Channel channel);
@@ -23,11 +27,26 @@ class GroundShader {
     const float *down_x, *down_y;    // the same from row to row
     int count;
     int column, row;  // of the first pixel
+
+    /// kAtOnce pixels from one of them on, or what there is.
+    PixelRow From(int first) const {
+      return {x + first,
+              y + first,
+              known_x + first,
+              known_y + first,
+              inverse_depth + first,
+              along_x + first,
+              along_y + first,
+              down_x + first,
+              down_y + first,
+              std::min(kAtOnce, count - first),
+              column + first,
+              row};
+    }
   };
   /// Their radiance. A pixel's radiance does not depend on the other pixels.
   void operator()(const PixelRow& row, float* radiance) const;
 
-  static constexpr int kAtOnce = 64;
   /// The same before any light has a strength or the ground a colour: radiance is the sum of
   /// factors times albedo times irradiance.
   struct Factors {

@@ -28,39 +28,25 @@ Eigen::Vector3f UnpackNormal(const Seen& seen, SeenBits bits) {
 }
 
 ObjectShader::ObjectShader(const Scene& scene, double highest_m, const SunShadow& shadow,
-                           const Pose3& X_WC, Channel channel)
-    : shadow_(shadow), horizon_(scene, highest_m), bits_(BitsFor(scene.objects.size())) {
+                           const Pose3& X_WC)
+    : shadow_(shadow), horizon_(scene, highest_m) {
   const Pose3 X_UC = Inverse(shadow_.fit().X_WU) * X_WC;
   R_UC_ = X_UC.R.cast<float>();
   p_UC_ = X_UC.p.cast<float>();
   const Pose3 X_GC = Inverse(scene.ground.X_WG) * X_WC;
   R_GC_ = X_GC.R.cast<float>();
   p_GC_ = X_GC.p.cast<float>();
-  up_U_ = shadow_.fit().X_WU.R.row(2).transpose().cast<float>();
-  for (const TetherView* body : ThinBodies(scene)) {
-    thin_.push_back(ToFloats(scene, body->albedo, channel));
+  for (const SceneObject& object : scene.objects) stains_.emplace_back(object, X_WC);
+  for (const BoardView& board : scene.boards) {
+    const Eigen::Vector3d n_C = X_WC.R.transpose() * board.X_WB.R.col(2);
+    const Eigen::Vector3f n_U =
+        (shadow_.fit().X_WU.R.transpose() * board.X_WB.R.col(2)).cast<float>();
+    const bool face = (Inverse(board.X_WB) * X_WC.p).z() < 0.0;  // which points along -z
+    boards_.push_back(
+        {.n_U = face ? Eigen::Vector3f(-n_U) : n_U,
+         .plane_C = (n_C / n_C.dot(X_WC.R.transpose() * (board.X_WB.p - X_WC.p))).cast<float>(),
+         .in_plane = boards_.empty()});
   }
-  for (const SceneObject& object : scene.objects) {
-    objects_.push_back(ToFloats(scene, object.albedo, channel));
-    stains_.emplace_back(object, X_WC);
-  }
-  const BoardView& board = scene.board;
-  n_board_U_ = (shadow_.fit().X_WU.R.transpose() * board.X_WB.R.col(2)).cast<float>();
-  const Eigen::Vector3d p_B = Inverse(board.X_WB) * X_WC.p;
-  const Eigen::Vector3d n_C = X_WC.R.transpose() * board.X_WB.R.col(2);
-  board_plane_C_ = (n_C / n_C.dot(X_WC.R.transpose() * (board.X_WB.p - X_WC.p))).cast<float>();
-  if (p_B.z() < 0.0) n_board_U_ = -n_board_U_;  // its face, which points along -z
-}
-
-float ObjectShader::operator()(const Seen& seen, Tan tan, Tan ray, const Pixel& pixel) const {
-  const Eigen::Vector3f n = UnpackNormal(seen, bits_);
-  const auto object = static_cast<std::size_t>(ObjectOf(seen, bits_));
-  const Floats& f = objects_[object];
-  const float share =
-      n.z() > 0.0f ? Share(tan, -seen.code, n, kCurvedBias_m, pixel, kSearches, kPoints) : 0.0f;
-  const float light = Shade(f.sun, f.sky, f.bounce, n.z(), n.dot(up_U_), share);
-  if (!stains_[object].any()) return light;
-  return light * stains_[object].At({tan, ray, -seen.code, R_UC_.transpose() * n, pixel.blur()});
 }
 
 float ObjectShader::Stain(std::size_t object, Tan tan, Tan ray, float inverse_depth,
@@ -69,26 +55,28 @@ float ObjectShader::Stain(std::size_t object, Tan tan, Tan ray, float inverse_de
   return stains_[object].At({tan, ray, inverse_depth, R_UC_.transpose() * n, pixel.blur()});
 }
 
-float ObjectShader::BoardShare(Tan tan, const Pixel& pixel) const {
-  if (n_board_U_.z() <= 0.0f) return 0.0f;
+float ObjectShader::BoardShare(std::size_t board, Tan tan, const Pixel& pixel) const {
+  const Board& b = boards_[board];
+  if (b.n_U.z() <= 0.0f) return 0.0f;
   // Its plane is known better than any ray's depth.
-  const float inverse_depth =
-      board_plane_C_.x() * tan.x + board_plane_C_.y() * tan.y + board_plane_C_.z();
-  return Share(tan, inverse_depth, n_board_U_, kFlatBias_m, pixel, kBoardSearches, kBoardPoints,
-               true);
+  const float inverse_depth = b.plane_C.x() * tan.x + b.plane_C.y() * tan.y + b.plane_C.z();
+  return Share(tan, inverse_depth, b.n_U, kFlatBias_m, pixel, kBoardSearches, kBoardPoints,
+               b.in_plane);
 }
 
 DOCKYARD_TWO_WIDTHS
-void ObjectShader::BoardShares(const PixelRow& row, int first, int count, float* shares) const {
-  if (n_board_U_.z() <= 0.0f) {
+void ObjectShader::BoardShares(std::size_t board, const PixelRow& row, int first, int count,
+                               float* shares) const {
+  const Board& b = boards_[board];
+  if (b.n_U.z() <= 0.0f) {
     std::fill(shares, shares + count, 0.0f);
     return;
   }
   constexpr int kMost = kBoardAtOnce;
   float x[kMost], y[kMost], z[kMost], u_x[kMost], u_y[kMost], u_z[kMost], g_z[kMost];
   float slope_x[kMost], slope_y[kMost];
-  const SunShadow::Slopes slopes = SunShadow::SlopesOf(n_board_U_);
-  const Eigen::Vector3f plane = board_plane_C_, p = p_UC_;
+  const SunShadow::Slopes slopes = SunShadow::SlopesOf(b.n_U);
+  const Eigen::Vector3f plane = b.plane_C, p = p_UC_;
   const Eigen::Matrix3f m = R_UC_, g = R_GC_;
   const float above = p_GC_.z();
   const float* __restrict mx = &row.x[first];
@@ -121,7 +109,7 @@ void ObjectShader::BoardShares(const PixelRow& row, int first, int count, float*
     slope_x[i] = slopes.x;
     slope_y[i] = slopes.y;
   }
-  shadow_.PlainOf({u_x, u_y, u_z, slope_x, slope_y}, count, kFlatBias_m, true, shares);
+  shadow_.PlainOf({u_x, u_y, u_z, slope_x, slope_y}, count, kFlatBias_m, b.in_plane, shares);
   for (int i = 0; i < count; ++i) {
     const float over_ground =
         horizon_.IsFreeAt(g_z[i])
@@ -138,7 +126,7 @@ void ObjectShader::BoardShares(const PixelRow& row, int first, int count, float*
                                               .blur_m = pixel.blur() * z[i],
                                               .pixel_x = pixel.column,
                                               .pixel_y = pixel.row,
-                                              .in_plane = true},
+                                              .in_plane = b.in_plane},
                                              kBoardSearches, kBoardPoints);
   }
 }
@@ -148,22 +136,8 @@ float ObjectShader::SunShare(Tan tan, float inverse_depth, const Eigen::Vector3f
   return Share(tan, inverse_depth, n, kCurvedBias_m, pixel, kSearches, kPoints);
 }
 
-float ObjectShader::OfThin(std::size_t body, const Thin& thin, Tan tan, const Pixel& pixel) const {
-  const Floats& f = thin_[body];
-  const float per = 1.0f / thin.cover;
-  const float share = Share(tan, thin.inverse_depth * per, Eigen::Vector3f::UnitZ(), kCurvedBias_m,
-                            pixel, kSearches, kPoints);
-  return thin.cover * Shade(f.sun, f.sky, f.bounce, thin.to_sun * per, thin.to_zenith * per, share);
-}
-
-ObjectShader::Floats ObjectShader::ToFloats(const Scene& scene, const Eigen::Vector3d& albedo,
-                                            Channel channel) {
-  const Reflected r = Reflect(scene.light, albedo, channel);
-  return {static_cast<float>(r.sun), static_cast<float>(r.sky), static_cast<float>(r.bounce)};
-}
-
 float ObjectShader::Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n, float bias,
-                          const Pixel& pixel, int searches, int points, bool of_board) const {
+                          const Pixel& pixel, int searches, int points, bool in_plane) const {
   const float z = 1.0f / inverse_depth;
   const Eigen::Vector3f p_C(z * tan.x, z * tan.y, z);
   const float over_ground = horizon_.Share(p_GC_ + R_GC_ * p_C);
@@ -174,7 +148,7 @@ float ObjectShader::Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n
                                       .blur_m = pixel.blur() * z,
                                       .pixel_x = pixel.column,
                                       .pixel_y = pixel.row,
-                                      .in_plane = of_board},
+                                      .in_plane = in_plane},
                                      searches, points);
 }
 

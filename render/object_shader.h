@@ -1,4 +1,4 @@
-// Light of objects and thin bodies for one camera, and the board's share of the sun. No GL.
+// Shares of the sun on objects and boards for one camera, and the stains of objects. No GL.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,6 @@
 #include "render/object_stains.h"
 #include "render/pixel_row.h"
 #include "render/scene.h"
-#include "render/shading.h"
 #include "render/sun_shadow.h"
 
 namespace dockyard {
@@ -16,40 +15,38 @@ namespace dockyard {
 class ObjectShader {
  public:
   /// scene and shadow must outlive this. highest_m: of the scene's ground.
-  ObjectShader(const Scene& scene, double highest_m, const SunShadow& shadow, const Pose3& X_WC,
-               Channel channel);
+  ObjectShader(const Scene& scene, double highest_m, const SunShadow& shadow, const Pose3& X_WC);
 
-  /// Radiance of an object where the view's ray (tan, 1) meets it, in a pixel of the image whose
-  /// own ray is (ray, 1).
-  float operator()(const Seen& seen, Tan tan, Tan ray, const Pixel& pixel) const;
-  /// Albedo there over the object's mean albedo; n: its normal in light axes.
+  /// Albedo of an object over its mean where the view's ray (tan, 1) meets it, in a pixel of the
+  /// image whose own ray is (ray, 1); n: its normal in light axes.
   float Stain(std::size_t object, Tan tan, Tan ray, float inverse_depth, const Eigen::Vector3f& n,
               const Pixel& pixel) const;
-  /// Share of the sun where the ray meets the board's plane.
-  float BoardShare(Tan tan, const Pixel& pixel) const;
-  /// The same of pixels first to first + count - 1 of a row, at most kBoardAtOnce, all of whose
-  /// rays met the board.
-  void BoardShares(const PixelRow& row, int first, int count, float* shares) const;
-  /// Radiance times cover of one of the scene's ThinBodies.
-  float OfThin(std::size_t body, const Thin& thin, Tan tan, const Pixel& pixel) const;
   /// Share of the sun in sight of an object where the ray meets it; n: its normal in light axes.
   float SunShare(Tan tan, float inverse_depth, const Eigen::Vector3f& n, const Pixel& pixel) const;
+  /// The same where the ray meets a board's plane.
+  float BoardShare(std::size_t board, Tan tan, const Pixel& pixel) const;
+  /// The same of pixels first to first + count - 1 of a row, at most kBoardAtOnce, all of whose
+  /// rays met the board.
+  void BoardShares(std::size_t board, const PixelRow& row, int first, int count,
+                   float* shares) const;
+  /// 1/z of a board's plane: the product with (tan, 1).
+  const Eigen::Vector3f& BoardPlane(std::size_t board) const { return boards_[board].plane_C; }
 
  private:
-  struct Floats {
-    float sun, sky, bounce;
+  struct Board {
+    Eigen::Vector3f n_U;  // of the side that the camera faces
+    Eigen::Vector3f plane_C;
+    bool in_plane;  // of the shadow's TakePlane
   };
-  static Floats ToFloats(const Scene& scene, const Eigen::Vector3d& albedo, Channel channel);
   float Share(Tan tan, float inverse_depth, const Eigen::Vector3f& n, float bias,
-              const Pixel& pixel, int searches, int points, bool of_board = false) const;
+              const Pixel& pixel, int searches, int points, bool in_plane = false) const;
 
   const SunShadow& shadow_;
   GroundHorizon horizon_;
-  SeenBits bits_;
-  std::vector<Floats> thin_, objects_;
   std::vector<ObjectStains> stains_;
+  std::vector<Board> boards_;
   Eigen::Matrix3f R_UC_, R_GC_;
-  Eigen::Vector3f p_UC_, p_GC_, up_U_, n_board_U_, board_plane_C_;
+  Eigen::Vector3f p_UC_, p_GC_;
 };
 
 }  // namespace dockyard

@@ -2,12 +2,14 @@
 // from one point. The end of a ray in the scene decides which point of the flat view the ray shows.
 #pragma once
 
+#include <vector>
+
 #include "controller/geometry/camera.h"
 #include "render/scene.h"
 
 namespace dockyard {
 
-/// The two surfaces on which rays are taken to end: the board's plate, exactly; else the level
+/// The surfaces on which rays are taken to end: the nearest board's plate, exactly; else the level
 /// ground under the yard; else nothing, far away. Other things are drawn where the surface behind
 /// them would be: wrong by at most the pupil's shift over their distance.
 class RayEnds {
@@ -18,8 +20,11 @@ class RayEnds {
   Eigen::Vector2d Seen(const Eigen::Vector3d& o, const Eigen::Vector2d& tan) const;
 
  private:
-  Pose3 X_BC_;
-  double half_width_ = 0.0, half_height_ = 0.0;  // of the plate, with a margin; 0: no plate
+  struct Plate {
+    Pose3 X_BC;
+    double half_width, half_height;  // with a margin
+  };
+  std::vector<Plate> plates_;
   Eigen::Vector3d up_C_;
   double height_ = 0.0;  // of the camera above the ground
 };

@@ -1,4 +1,4 @@
-// The scene to draw: posed meshes, board, ground, cables, sun, sky and lamps. It contains no
+// The scene to draw: posed meshes, boards, ground, cables, sun, sky and lamps. It contains no
 // physics. Lengths in metres, colours linear 0..1, light in arbitrary radiance units.
 #pragma once
 
@@ -96,8 +96,8 @@ struct SunAndSky {
   Eigen::Vector3d sun_rgb{1, 1, 1}, sky_rgb{1, 1, 1};
 };
 
-/// A lamp without an extent. Colour cameras alone see its light, and it throws no shadows: one that
-/// stands beside the camera would hide them behind what throws them.
+/// A lamp without an extent. It throws no shadows: those of a lamp at the camera would be hidden
+/// behind what throws them. Its light counts as white for grey cameras.
 struct Lamp {
   Eigen::Vector3d p_W{0, 0, 0}, axis_W{0, 0, 1};  // axis: unit, the way it shines
   // Off the axis to where the intensity has fallen to one half: it goes as a power of the cosine,
@@ -117,12 +117,12 @@ struct Interest {
 struct Scene {
   std::vector<SceneObject> objects;  // robot, target, occluders; all cast shadows
   GroundView ground;
-  BoardView board;  // none if it has no width
   TetherView tether;
   SunAndSky light;
-  std::vector<TetherView> cables{};    // further ones
-  std::vector<Lamp> lamps{};           // of colour cameras
-  std::optional<Interest> interest{};  // none: the board, if there is one
+  std::vector<BoardView> boards{};
+  std::vector<TetherView> cables{};  // further ones
+  std::vector<Lamp> lamps{};
+  std::optional<Interest> interest{};  // none: the board that fills most of the image, if any
 };
 
 /// Tether and cables together.

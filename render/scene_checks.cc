@@ -46,9 +46,9 @@ void RequireLamp(const Lamp& lamp) {
 
 void RequireBoard(const BoardView& view) {
   const FiducialBoard& board = view.board;
-  Require(board.width_m >= 0.0 && board.height_m >= 0.0 && board.width_m < 10.0 &&
-              board.height_m < 10.0,
-          "the board's sides must lie in 0 to 10 m");
+  Require(
+      board.width_m > 0.0 && board.height_m > 0.0 && board.width_m < 10.0 && board.height_m < 10.0,
+      "a board's sides must be longer than 0 and shorter than 10 m");
   for (const Fiducial& f : board.fiducials) {
     Require(f.p_BF.allFinite() && std::isfinite(f.rotation), "a fiducial is not finite");
   }
@@ -89,7 +89,7 @@ void RequireSoundScene(const Scene& scene) {
             "a point of interest needs a place and a radius");
   }
   RequireLight(scene.light);
-  RequireBoard(scene.board);
+  for (const BoardView& board : scene.boards) RequireBoard(board);
   Require(scene.ground.grain >= 0.0 && scene.ground.grain <= 1.0,
           "the ground's grain must lie in 0 to 1");
   Require(scene.ground.largest_pebble_m >= 0.0, "a pebble's size must not be negative");

@@ -40,18 +40,13 @@ bool MayShow(const TanRect& r, const Eigen::Vector3d& center_C, double radius) {
          inside(0, 1, -r.top) && inside(0, -1, r.bottom);
 }
 
-bool HasBoard(const Scene& scene) {
-  return scene.board.board.width_m > 0.0 && scene.board.board.height_m > 0.0;
-}
-
-Ball BoardBall(const Scene& scene) {
-  const FiducialBoard& board = scene.board.board;
-  return {scene.board.X_WB.p, 0.5 * std::hypot(board.width_m, board.height_m)};
+Ball BoardBall(const BoardView& view) {
+  return {view.X_WB.p, 0.5 * std::hypot(view.board.width_m, view.board.height_m)};
 }
 
 Ball InterestBall(const Scene& scene, const Pose3& X_WR) {
   if (scene.interest) return {scene.interest->p_W, scene.interest->radius_m};
-  return HasBoard(scene) ? BoardBall(scene) : Ball{X_WR.p, 0.5};
+  return scene.boards.empty() ? Ball{X_WR.p, 0.5} : BoardBall(scene.boards.front());
 }
 
 }  // namespace
@@ -64,7 +59,6 @@ ScenePainter::ScenePainter(const GlFunctions& gl)
       board_(gl, PlainVertexShader(), BoardFragmentShader()),
       thin_(gl, SurfaceVertexShader(), ThinFragmentShader()),
       ground_mesh_(gl),
-      board_mesh_(gl),
       tether_mesh_(gl),
       empty_mesh_(gl) {
   empty_mesh_.Upload(SurfaceMesh{});
@@ -74,7 +68,10 @@ void ScenePainter::Prepare(const Scene& scene, const Pose3& X_WR, const Detail& 
   scene_ = &scene;
   X_WP_ = {Eigen::Matrix3d::Identity(), X_WR.p};
   UploadObjects(scene);
-  if (HasBoard(scene)) board_mesh_.Upload(BoardPlate(scene.board));
+  for (std::size_t i = 0; i < scene.boards.size(); ++i) {
+    if (i == board_meshes_.size()) board_meshes_.push_back(std::make_unique<GlMesh>(gl_));
+    board_meshes_[i]->Upload(BoardPlate(scene.boards[i]));
+  }
   with_ground_ = detail.ground && HasGround(scene.ground);
   if (with_ground_) UploadGround(scene, X_WR, detail.fan);
   fit_ = FitShadow(Casters(scene), InterestBall(scene, X_WR), X_WR, scene.light.to_sun_W,
@@ -87,8 +84,8 @@ void ScenePainter::Prepare(const Scene& scene, const Pose3& X_WR, const Detail& 
         DrawCasters(program, clip_from_U, window);
       },
       shadow_);
-  if (HasBoard(scene)) {
-    const Pose3 X_UB = Inverse(fit_.X_WU) * scene.board.X_WB;
+  if (!scene.boards.empty()) {
+    const Pose3 X_UB = Inverse(fit_.X_WU) * scene.boards.front().X_WB;
     shadow_.TakePlane(X_UB.p, X_UB.R.col(2));
   }
 }
@@ -99,7 +96,7 @@ std::vector<Ball> ScenePainter::Casters(const Scene& scene) const {
     const Ball& ball = cache_.at(object.mesh.get()).ball;
     casters.push_back({object.X_WO * ball.center, ball.radius});
   }
-  if (HasBoard(scene)) casters.push_back(BoardBall(scene));
+  for (const BoardView& board : scene.boards) casters.push_back(BoardBall(board));
   for (const TetherView* body : ThinBodies(scene)) {
     for (const Eigen::Vector3d& p : body->points_W) {
       casters.push_back({p, 0.5 * body->diameter_m});
@@ -122,9 +119,9 @@ void ScenePainter::DrawCasters(GlProgram& program, const Eigen::Matrix4d& clip_f
     place(object.X_WO);
     cached.buffers->Draw();
   }
-  if (HasBoard(*scene_)) {
-    place(scene_->board.X_WB);
-    board_mesh_.Draw();
+  for (std::size_t i = 0; i < scene_->boards.size(); ++i) {
+    place(scene_->boards[i].X_WB);
+    board_meshes_[i]->Draw();
   }
   // Thinner than a texel, a tether would flicker along its length.
   const double least = 0.6 * window.texel_m();
@@ -140,6 +137,16 @@ void ScenePainter::Pose(GlProgram& program, const Frustum& frustum, const Pose3&
   program.Set("u_clip_from_object",
               Eigen::Matrix4d(frustum.clip_from_C * ToMatrix(frustum.X_CW * X_WO)));
   program.Set("u_light_from_object", ToMatrix(Inverse(fit_.X_WU) * X_WO));
+}
+
+void ScenePainter::PaintInto(std::unique_ptr<GlViewTarget>& target, const Pose3& X_WC,
+                             FlatView& view) {
+  if (!target || target->width() < view.width || target->height() < view.height) {
+    const int w = std::max(view.width, target ? target->width() : 0);
+    const int h = std::max(view.height, target ? target->height() : 0);
+    target = std::make_unique<GlViewTarget>(gl_, w, h);
+  }
+  Paint(*target, X_WC, view);
 }
 
 void ScenePainter::Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView& view) {
@@ -161,7 +168,7 @@ void ScenePainter::Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView
   gl_.ClearBufferuiv(GL_COLOR, 0, kSky);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   PaintObjects(frustum);
-  if (HasBoard(*scene_)) PaintBoard(frustum);
+  PaintBoards(frustum);
   if (with_ground_) PaintGround(frustum);
   view.seen.resize(static_cast<std::size_t>(view.width) * view.height);
   target.Read(view.width, view.height, view.seen.data());
@@ -192,13 +199,17 @@ void ScenePainter::PaintObjects(const Frustum& frustum) {
   }
 }
 
-void ScenePainter::PaintBoard(const Frustum& frustum) {
+void ScenePainter::PaintBoards(const Frustum& frustum) {
+  if (scene_->boards.empty()) return;
   board_.Use();
-  Pose(board_, frustum, scene_->board.X_WB);
   // A plate that is drawn in the board's plane must not shine through.
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(-1.0f, -8.0f);
-  board_mesh_.Draw();
+  for (std::size_t i = 0; i < scene_->boards.size(); ++i) {
+    Pose(board_, frustum, scene_->boards[i].X_WB);
+    board_.Set("u_board", static_cast<int>(i));
+    board_meshes_[i]->Draw();
+  }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 

@@ -37,9 +37,9 @@ class ScenePainter {
   /// Everything that the views share. The scene must outlive the calls of Paint that follow.
   void Prepare(const Scene& scene, const Pose3& X_WR) { Prepare(scene, X_WR, Detail{}); }
   void Prepare(const Scene& scene, const Pose3& X_WR, const Detail& detail);
-  /// Fills a view whose rect and size are set; the target is at least as large. The far end of the
-  /// view is 400 m, the near one 2 cm.
-  void Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView& view);
+  /// Fills a view whose rect and size are set, through a target that is made anew where it is too
+  /// small. The far end of the view is 400 m, the near one 2 cm.
+  void PaintInto(std::unique_ptr<GlViewTarget>& target, const Pose3& X_WC, FlatView& view);
   /// Of the scene prepared last.
   const SunShadow& shadow() const { return shadow_; }
 
@@ -66,8 +66,9 @@ class ScenePainter {
   SurfaceMesh TetherTube(const TetherView& body,
                          const std::function<double(const Eigen::Vector3d&)>& drawn) const;
   void Pose(GlProgram& program, const Frustum& frustum, const Pose3& X_WO) const;
+  void Paint(const GlViewTarget& target, const Pose3& X_WC, FlatView& view);
   void PaintObjects(const Frustum& frustum);
-  void PaintBoard(const Frustum& frustum);
+  void PaintBoards(const Frustum& frustum);
   void PaintGround(const Frustum& frustum);
   bool FitThin(const Frustum& frustum, const TetherView& body, ThinLayer& layer) const;
   void PaintTether(const Frustum& frustum, const GlViewTarget& target, const TetherView& body,
@@ -78,7 +79,8 @@ class ScenePainter {
   SunShadow shadow_;
   GlProgram object_, ground_, board_, thin_;
   std::optional<GlProgram> many_objects_;  // of scenes that need kManyObjects
-  GlMesh ground_mesh_, board_mesh_, tether_mesh_;
+  GlMesh ground_mesh_, tether_mesh_;
+  std::vector<std::unique_ptr<GlMesh>> board_meshes_;  // the first are the scene's
   GlMesh empty_mesh_;  // core GL draws nothing without a vertex array
   std::map<const RenderMesh*, Cached> cache_;
 

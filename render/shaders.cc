@@ -60,8 +60,9 @@ void main() { o_seen = uvec2(0u, floatBitsToUint(gl_FragCoord.w)); }
 std::string BoardFragmentShader() {
   return kVersion + std::string("const float kBoardCode = ") + std::to_string(kBoardCode) + ";\n" +
          R"(
+uniform int u_board;
 out uvec2 o_seen;
-void main() { o_seen = uvec2(0u, floatBitsToUint(kBoardCode + gl_FragCoord.w)); }
+void main() { o_seen = uvec2(uint(u_board), floatBitsToUint(kBoardCode + gl_FragCoord.w)); }
 )";
 }
 

@@ -25,9 +25,11 @@ Reflected Reflect(const SunAndSky& light, const Eigen::Vector3d& albedo_rgb, Cha
 
 inline constexpr float kInversePi = 0.318309886f;
 
-/// Radiance of a surface: cosine of its normal to the sun and to the zenith; the shader's twin.
-inline float Shade(float sun, float sky, float bounce, float to_sun, float to_zenith, float share) {
-  const float around = 0.5f * (1.0f + to_zenith) * sky + 0.5f * (1.0f - to_zenith) * bounce;
+/// Radiance of a surface, a float or a colour: cosine of its normal to the sun and to the zenith.
+template <typename Value>
+Value Shade(const Value& sun, const Value& sky, const Value& bounce, float to_sun, float to_zenith,
+            float share) {
+  const Value around = 0.5f * (1.0f + to_zenith) * sky + 0.5f * (1.0f - to_zenith) * bounce;
   return kInversePi * (std::max(to_sun, 0.0f) * share * sun + around);
 }
 

@@ -14,8 +14,6 @@ namespace dockyard {
 /// surface it adds up to the whole sky's irradiance: 2 * integral of 0.75 (2 - s) s ds = 1.
 class SkyShader {
  public:
-  SkyShader(const Scene& scene, const Pose3& X_WC, Channel channel)
-      : SkyShader(scene, X_WC, Reflect(scene.light, Eigen::Vector3d::Ones(), channel)) {}
   /// r: what a white surface would send back.
   SkyShader(const Scene& scene, const Pose3& X_WC, const Reflected& r)
       : up_C_(X_WC.R.row(2).transpose().cast<float>()),
@@ -44,10 +42,6 @@ class SkyShader {
     const float cosine = (sun_C_.x() * tan.x + sun_C_.y() * tan.y + sun_C_.z()) * shorten;
     const float sky = s > 0.0f ? sky_ * 0.75f * (2.0f - s) : bounce_;
     return cosine > near_sun_ ? sky + disc_ : sky;
-  }
-  /// Of many points at once.
-  void operator()(const float* x, const float* y, int count, float* radiance) const {
-    for (int i = 0; i < count; ++i) radiance[i] = (*this)({x[i], y[i]});
   }
 
  private:

@@ -34,7 +34,7 @@ class StereoRenderer::Impl {
   explicit Impl(GlBackend backend)
       : context_(CreateContext(backend)),
         painter_(std::make_unique<ScenePainter>(context_->functions())),
-        colour_(std::make_unique<ColourViews>(context_->functions())) {}
+        colour_(std::make_unique<ColourViews>()) {}
   ~Impl() {
     // The objects die before the context, with it current; a refusal leaves them to the context.
     try {
@@ -128,11 +128,11 @@ class StereoRenderer::Impl {
     const Camera& camera = lens.scale.camera();
     const TanRect& rect = lens.rect;
     SizeView(camera, rect, kWideDensity, kMostFlatPixels, wide_);
-    PaintInto(wide_target_, X_WC, wide_);
+    painter_->PaintInto(wide_target_, X_WC, wide_);
     const FlatView* close = nullptr;
     if (const auto about = CloseRect(scene, X_WC, rect)) {
       SizeView(camera, *about, kCloseDensity, kMostClosePixels, close_);
-      PaintInto(close_target_, X_WC, close_);
+      painter_->PaintInto(close_target_, X_WC, close_);
       close = &close_;
     }
     const Lit lit{scene, texture_, painter_->shadow()};
@@ -141,15 +141,6 @@ class StereoRenderer::Impl {
       images.push_back(Compose(lens.grid, wide_, close, lit, X_WC, channel, with_depth));
     }
     return images;
-  }
-
-  void PaintInto(std::unique_ptr<GlViewTarget>& target, const Pose3& X_WC, FlatView& view) {
-    if (!target || target->width() < view.width || target->height() < view.height) {
-      const int w = std::max(view.width, target ? target->width() : 0);
-      const int h = std::max(view.height, target ? target->height() : 0);
-      target = std::make_unique<GlViewTarget>(context_->functions(), w, h);
-    }
-    painter_->Paint(*target, X_WC, view);
   }
 
   std::unique_ptr<GlContext> context_;

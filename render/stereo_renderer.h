@@ -96,7 +96,7 @@ class StereoRenderer {
                                                 const Pose3& X_WC, const Eigen::Vector3d& p_W);
   /// One view of a colour camera in spectral light, through its hole: colour_view.h. X_WC: where it
   /// stands while it exposes, one pose or several (PosesInExposure), of which it sees the mean.
-  /// Throws std::invalid_argument when the scene cannot be drawn; boards are none of its parts.
+  /// Throws std::invalid_argument when the scene cannot be drawn.
   ColourRadiance RenderThrough(const Scene& scene, const ColourTable& colours,
                                const ColourView& view, const std::vector<Pose3>& X_WC);
   /// Both views through the sensor; one exposure for the pair.

@@ -59,9 +59,13 @@ void SizeView(const Camera& camera, const TanRect& rect, double density, double 
 
 std::optional<TanRect> CloseRect(const Scene& scene, const Pose3& X_WC, const TanRect& image) {
   if (scene.interest) return BallRect(*scene.interest, X_WC, image);
-  const FiducialBoard& board = scene.board.board;
-  if (board.width_m <= 0.0 || board.height_m <= 0.0) return std::nullopt;
-  return BoardRect(scene.board, X_WC, image);
+  std::optional<TanRect> largest;
+  const auto area = [](const TanRect& r) { return (r.right - r.left) * (r.bottom - r.top); };
+  for (const BoardView& board : scene.boards) {
+    const auto rect = BoardRect(board, X_WC, image);
+    if (rect && (!largest || area(*rect) > area(*largest))) largest = rect;
+  }
+  return largest;
 }
 
 }  // namespace dockyard

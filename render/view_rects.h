@@ -13,8 +13,8 @@ namespace dockyard {
 void SizeView(const Camera& camera, const TanRect& rect, double density, double most_pixels,
               FlatView& view);
 
-/// The scene's point of interest, else its board, in the tan plane, cut to the image; none when it
-/// does not stand wholly before the camera or lies outside the image.
+/// The scene's point of interest, else the board that fills most of the image, in the tan plane,
+/// cut to the image; none when it does not lie wholly before the camera or lies outside the image.
 std::optional<TanRect> CloseRect(const Scene& scene, const Pose3& X_WC, const TanRect& image);
 
 }  // namespace dockyard

@@ -43,6 +43,25 @@ class ViewSampler {
     return {(rays.columns[k][x] + 0.5f) * per_sx_ + x0_, (rays.lines[k][x] + 0.5f) * per_sy_ + y0_};
   }
 
+  /// Calls for each of rays x rays of a pixel: where it points, the hit, and where the view's ray
+  /// points.
+  template <typename Visit>
+  void Each(const Pixel& pixel, int rays, const Visit& visit) const {
+    const float step = 1.0f / static_cast<float>(rays);
+    for (int j = 0; j < rays; ++j) {
+      const float v = (static_cast<float>(j) + 0.5f) * step - 0.5f;
+      for (int i = 0; i < rays; ++i) {
+        const float u = (static_cast<float>(i) + 0.5f) * step - 0.5f;
+        const Tan ray{pixel.middle.x + u * pixel.along.x + v * pixel.down.x,
+                      pixel.middle.y + u * pixel.along.y + v * pixel.down.y};
+        const int column = Column(ray.x), line = Row(ray.y);
+        visit(ray, At(line * view_.width + column),
+              Tan{(static_cast<float>(column) + 0.5f) * per_sx_ + x0_,
+                  (static_cast<float>(line) + 0.5f) * per_sy_ + y0_});
+      }
+    }
+  }
+
   /// The rays of pixels first to last - 1, all of which the view holds.
   void Find(const PixelRow& row, int first, int last, RowRays& rays) const;
   /// Which of count pixels have their whole footprint in the view: 1, else 0.

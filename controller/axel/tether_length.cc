@@ -57,24 +57,4 @@ double ExposedTetherRate(const TetherGeometry& geometry, const Pose2& X_DR, doub
          slope.y() * speed_m_s * std::sin(X_DR.heading) + slope.z() * turn_rad_s;
 }
 
-LinearTetherError LinearTetherErrorAlong(const TetherGeometry& geometry, const Pose2& X_DR_start,
-                                         const std::vector<Arc>& arcs) {
-  constexpr int kSamples = 200;
-  LinearTetherError error;
-  Pose2 start = X_DR_start;
-  for (const Arc& arc : arcs) {
-    const Pose2 end = Advance(start, arc);
-    const double from = ExposedTether(geometry, start, 0.0), to = ExposedTether(geometry, end, 0.0);
-    for (int i = 0; i <= kSamples; ++i) {
-      const double share = static_cast<double>(i) / kSamples;
-      const double given = from + share * (to - from);
-      const double slack = given - ExposedTether(geometry, Advance(start, Part(arc, share)), 0.0);
-      error.most_slack_m = std::max(error.most_slack_m, slack);
-      error.most_shortage_m = std::min(error.most_shortage_m, slack);
-    }
-    start = end;
-  }
-  return error;
-}
-
 }  // namespace dockyard::axel

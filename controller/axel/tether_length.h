@@ -41,12 +41,4 @@ Eigen::Vector3d ExposedTetherSlope(const TetherGeometry& geometry, const Pose2& 
 double ExposedTetherRate(const TetherGeometry& geometry, const Pose2& X_DR, double elevation_rad,
                          double speed_m_s, double turn_rad_s);
 
-/// The linear approximation of the paper (IV-A): most slack (positive) and most shortage
-/// (negative) against the exact length when the spool turns evenly over each arc [m].
-struct LinearTetherError {
-  double most_slack_m = 0.0, most_shortage_m = 0.0;
-};
-LinearTetherError LinearTetherErrorAlong(const TetherGeometry& geometry, const Pose2& X_DR_start,
-                                         const std::vector<Arc>& arcs);
-
 }  // namespace dockyard::axel

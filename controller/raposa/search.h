@@ -16,7 +16,6 @@ class WideningSearch {
   void End() { begun_ = false; }
   /// Turning rate, with the turn since the last call.
   double Step(double turned_rad);
-  double leg_rad() const { return leg_rad_; }
 
  private:
   FerreiraMotion options_;

@@ -4,17 +4,14 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "controller/io/controller.h"
+#include "controller/imaging/image_request.h"
 #include "controller/rocky7/arc_drive.h"
-#include "controller/rocky7/ground_eye.h"
-#include "controller/rocky7/paths_to_point.h"
+#include "controller/rocky7/ground_perception.h"
+#include "controller/rocky7/phases.h"
 #include "controller/rocky7/retreat.h"
-#include "controller/rocky7/target_odometry.h"
-#include "controller/rocky7/target_tracker.h"
 
 namespace dockyard::rocky7 {
 
@@ -45,26 +42,32 @@ class Approach {
   Approach(const Nominal& nominal, std::unique_ptr<TargetTracker> tracker,
            const ApproachOptions& options);
 
-  Commands Step(const SensorFrame& sensed);
+  /// First in each period of kObserve and kDrive: turns the wheels. kArrived at an arc's end.
+  Event Move(Phase phase, const SensorFrame& sensed, std::vector<MotorCommand>& motors);
+  /// In kObserve: asks for images, and decides by them.
+  Event Observe(const SensorFrame& sensed, Commands& commands);
+  /// In kDrive: the same while the rover drives. It may stop it.
+  void Watch(const SensorFrame& sensed, Commands& commands);
+  /// After a grasp, where the target was detected last. It changes no plan.
+  TargetSighting Inspect(const StereoImages& images, const SensorFrame& sensed);
   double exposure_stops() const { return stops_; }
-  /// A look at where the target was seen last, by a rover that stands. It changes no plan.
-  TargetSeen Peek(const StereoImages& images, const SensorFrame& sensed);
-  /// Takes a claim back: the target was moved, and is looked for where it was last.
-  void LookAgain() { verdict_ = Verdict::kUnderWay; }
   const Belief& belief() const { return belief_; }
 
  private:
-  TargetSeen Look(const StereoImages& images, const SensorFrame& sensed);
-  void LookStanding(const StereoImages& images, const SensorFrame& sensed);
-  void LookUnderWay(const StereoImages& images, const SensorFrame& sensed);
-  void StepStanding(const SensorFrame& sensed, Commands& commands);
-  void StepUnderWay(const SensorFrame& sensed, Commands& commands);
-  void Ask(const SensorFrame& sensed, Commands& commands);
-  bool Waits(const SensorFrame& sensed) const;
-  void Decide();
-  void Drive(const Arc& way);
-  void GiveUp(const std::string& why);
-  void Report(const TargetSeen& seen, const ImuSample& attitude);
+  /// What is driven until the rover rests: all of an arc or a part of it.
+  struct DrivenPart {
+    Arc part, whole;         // as the rover itself should go; whole: to the target
+    bool aimed = false;      // it ends at the target
+    bool watched = false;    // image pairs are taken under way
+    double imaged_at_m = 0;  // of it, the last time
+    int misses = 0;          // image pairs in a row, under way, without the target
+  };
+  TargetSighting Detect(const StereoImages& images, const SensorFrame& sensed);
+  void Keep(const TargetSighting& sighting, const ImuSample& attitude);
+  Event DecideBy(const TargetSighting& sighting, double yaw_rad);
+  Event Decide(double yaw_rad);
+  Event Drive(const Arc& way, double yaw_rad);
+  Event GiveUp(const std::string& why);
   void Tell(const std::string& phase, const std::string& note);
   std::vector<Arc> PathToTarget() const;
   double OffAtEnd() const;
@@ -72,21 +75,15 @@ class Approach {
 
   const Nominal nominal_;
   const ApproachOptions options_;
-  GroundEye eye_;
+  GroundStereo stereo_;
+  GroundMemory memory_;
   ArcDrive drive_;
-  std::unique_ptr<TargetTracker> tracker_;
   TargetOdometry target_;
-  Verdict verdict_ = Verdict::kUnderWay;
-  bool driving_ = false, begun_ = false;
-  std::optional<Tick> asked_;
-  int asks_ = 0, looks_ = 0, misses_ = 0, misses_under_way_ = 0;
-  double stops_ = 0.0;  // off the cameras' own exposure
-  double yaw_rad_ = 0.0;
-  Eigen::Vector2d aim_m_{0, 0};  // beside the target, as arcs have missed it
-  Arc way_, to_target_;          // the present part, as the rover should go it, and the whole arc
-  bool aimed_ = false;           // the present part ends at the target
-  bool watched_ = false;         // there are looks while it is driven
-  double looked_at_m_ = 0.0;     // of it, at the last look
+  ImageRequest request_;
+  double stops_ = 0.0;           // off the cameras' own exposure
+  int pairs_ = 0, misses_ = 0;   // of images in all; in a row without the target
+  Eigen::Vector2d aim_m_{0, 0};  // off the target, as arcs have missed it
+  DrivenPart driven_;
   Retreat retreat_;
   Belief belief_;
 };

@@ -34,25 +34,17 @@ void ArcDrive::Start(const Arc& arc) {
   phase_ = Phase::kSteer;
 }
 
-double ArcDrive::Angle(const SensorFrame& sensed, std::size_t motor) const {
-  return static_cast<double>(sensed.motors[motor].encoder_counts) *
-         nominal_.motors[motor].rad_per_count;
-}
-
 void ArcDrive::BeginSteering(const SensorFrame& sensed) {
   start_rad_.resize(nominal_.motors.size());
-  for (std::size_t i = 0; i < start_rad_.size(); ++i) start_rad_[i] = Angle(sensed, i);
+  for (std::size_t i = 0; i < start_rad_.size(); ++i) start_rad_[i] = AngleOf(nominal_, sensed, i);
   since_ = sensed.tick;
   commands_.assign(nominal_.motors.size(), {});
   std::size_t motor = wheels();
   for (const WheelPlan& wheel : nominal_.plan.wheels) {
     if (wheel.steer_limit_rad == 0.0) continue;
     const NominalMotor& drive = nominal_.motors[motor];
-    commands_[motor++] = {.mode = MotorMode::kPosition,
-                          .target = OnArc(wheel, arc_).steer_rad,
-                          .speed_limit_rad_s = drive.max_speed_rad_s,
-                          .accel_rad_s2 = drive.max_accel_rad_s2,
-                          .current_limit_a = drive.max_current_a};
+    commands_[motor] = MoveTo(drive, OnArc(wheel, arc_).steer_rad, drive.max_speed_rad_s);
+    ++motor;
   }
 }
 
@@ -67,11 +59,7 @@ void ArcDrive::BeginDriving(const SensorFrame& sensed) {
     const double way_rad = OnArc(nominal_.plan.wheels[i], arc_).way_m / nominal_.rolling_radius_m;
     // All wheels begin and end together.
     const double share = std::max(1e-3, std::abs(way_rad) / std::max(most_rad, 1e-9));
-    commands_[i] = {.mode = MotorMode::kPosition,
-                    .target = start_rad_[i] + way_rad,
-                    .speed_limit_rad_s = share * speed_rad_s,
-                    .accel_rad_s2 = share * nominal_.motors[i].max_accel_rad_s2,
-                    .current_limit_a = nominal_.motors[i].max_current_a};
+    commands_[i] = MoveTo(nominal_.motors[i], start_rad_[i] + way_rad, share * speed_rad_s, share);
   }
 }
 
@@ -81,7 +69,7 @@ bool ArcDrive::Arrived(const SensorFrame& sensed, std::size_t first, std::size_t
   for (std::size_t i = first; i < first + count; ++i) {
     const MotorCommand& command = commands_[i];
     if (command.mode != MotorMode::kPosition) continue;
-    all = all && std::abs(Angle(sensed, i) - command.target) < kArrived_rad;
+    all = all && std::abs(AngleOf(nominal_, sensed, i) - command.target) < kArrived_rad;
     longest_s = std::max(longest_s, TimeOf(std::abs(command.target - start_rad_[i]),
                                            command.speed_limit_rad_s, command.accel_rad_s2));
   }
@@ -96,7 +84,8 @@ void ArcDrive::Count(const SensorFrame& sensed) {
     const WheelPlan& wheel = nominal_.plan.wheels[i];
     if (wheel.steer_limit_rad > 0.0) continue;
     const double way_m = OnArc(wheel, arc_).way_m;
-    const double rolled_m = (Angle(sensed, i) - start_rad_[i]) * nominal_.rolling_radius_m;
+    const double rolled_m =
+        (AngleOf(nominal_, sensed, i) - start_rad_[i]) * nominal_.rolling_radius_m;
     turned_m += way_m < 0.0 ? -rolled_m : rolled_m;
     whole_m += std::abs(way_m);
   }

@@ -31,7 +31,6 @@ class ArcDrive {
 
  private:
   enum class Phase { kDone, kSteer, kDrive, kRest };
-  double Angle(const SensorFrame& sensed, std::size_t motor) const;
   void BeginSteering(const SensorFrame& sensed);
   void BeginDriving(const SensorFrame& sensed);
   bool Arrived(const SensorFrame& sensed, std::size_t first, std::size_t count) const;

@@ -23,7 +23,7 @@ constexpr ApproachOptions kOptions{.image_share = 0.25,
                                    .most_misses = 8};
 
 // Assumed, 1-5 tries.
-constexpr MissionOptions kMission{.tries = 3, .peeks = true};
+constexpr MissionOptions kMission{.tries = 3, .inspects = true};
 
 }  // namespace
 

@@ -77,9 +77,9 @@ GrayImage OnFace(const FaceView& view, const FacePatch& patch) {
 
 }  // namespace
 
-FaceSeen PatchTracker::Measure(const FaceEye& eye, const FaceView& view,
-                               const Eigen::Vector2d& pixel) {
-  FaceSeen seen;
+FaceSighting PatchTracker::Measure(const FaceStereo& stereo, const FaceView& view,
+                                   const Eigen::Vector2d& pixel) {
+  FaceSighting seen;
   const auto p_C = PointUnder(view.pair, view.disparities, pixel);
   if (!p_C) {
     seen.why = "no range data about the target";
@@ -88,7 +88,7 @@ FaceSeen PatchTracker::Measure(const FaceEye& eye, const FaceView& view,
   seen.found = true;
   seen.p_E = view.pair.X_RC * *p_C;
   seen.range_m = p_C->norm();
-  if (const auto plane = eye.PlaneAt(view, pixel)) {
+  if (const auto plane = stereo.PlaneAt(view, pixel)) {
     seen.p_E = plane->p;
     seen.normal_E = plane->normal;
     seen.normal_sigma_rad = plane->normal_sigma_rad;
@@ -96,7 +96,7 @@ FaceSeen PatchTracker::Measure(const FaceEye& eye, const FaceView& view,
   return seen;
 }
 
-void PatchTracker::Keep(const FaceView& view, const FaceSeen& seen) {
+void PatchTracker::Keep(const FaceView& view, const FaceSighting& seen) {
   const Pose3 X_CE = Inverse(view.pair.X_RC);
   patch_.left = view.images.left;
   patch_.focal_px = view.pair.focal_px;
@@ -110,9 +110,9 @@ void PatchTracker::Keep(const FaceView& view, const FaceSeen& seen) {
   turned_rad_ = 0.0;
 }
 
-FaceSeen PatchTracker::Begin(const FaceEye& eye, const FaceView& view,
-                             const Eigen::Vector2d& pixel) {
-  FaceSeen seen = Measure(eye, view, pixel);
+FaceSighting PatchTracker::Begin(const FaceStereo& stereo, const FaceView& view,
+                                 const Eigen::Vector2d& pixel) {
+  FaceSighting seen = Measure(stereo, view, pixel);
   if (!seen.found) {
     seen.why = "no range data where the user clicked";
     return seen;
@@ -123,8 +123,8 @@ FaceSeen PatchTracker::Begin(const FaceEye& eye, const FaceView& view,
   return seen;
 }
 
-FaceSeen PatchTracker::Follow(const FaceEye& eye, const FaceView& view,
-                              const FaceExpected& target) {
+FaceSighting PatchTracker::Follow(const FaceStereo& stereo, const FaceView& view,
+                                  const FaceExpected& target) {
   // The older picture's E in the present one: turned, and so that its target lies where odometry
   // has it since the last look.
   const double turned_rad = turned_rad_ + target.turned_rad;
@@ -151,7 +151,7 @@ FaceSeen PatchTracker::Follow(const FaceEye& eye, const FaceView& view,
   FaceView face = view;
   face.disparities = Between(view.disparities, view.pair, depth_m - within_m - kFaceDepth_m,
                              depth_m + within_m + kFaceDepth_m);
-  FaceSeen seen = Measure(eye, face, found.pixel);
+  FaceSighting seen = Measure(stereo, face, found.pixel);
   seen.score = found.score;
   if (!seen.found) {
     if (range_m < kDirectionBeyond_m) return seen;

@@ -6,13 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "controller/rocky7/face_eye.h"
+#include "controller/rocky7/face_stereo.h"
 #include "controller/stereo/face_patch.h"
 
 namespace dockyard::rocky7 {
 
 /// Where a look has the target; or why it has it not.
-struct FaceSeen {
+struct FaceSighting {
   bool found = false;
   bool ranged = true;  // else only its direction is seen, its range is the expected one
   Eigen::Vector3d p_E{0, 0, 0};
@@ -34,21 +34,25 @@ class FaceTracker {
  public:
   virtual ~FaceTracker() = default;
   /// The first look: the user clicked on this pixel of the rectified left picture.
-  virtual FaceSeen Begin(const FaceEye& eye, const FaceView& view,
-                         const Eigen::Vector2d& pixel) = 0;
+  virtual FaceSighting Begin(const FaceStereo& stereo, const FaceView& view,
+                             const Eigen::Vector2d& pixel) = 0;
   /// A later one.
-  virtual FaceSeen Follow(const FaceEye& eye, const FaceView& view, const FaceExpected& target) = 0;
+  virtual FaceSighting Follow(const FaceStereo& stereo, const FaceView& view,
+                              const FaceExpected& target) = 0;
 };
 
 /// Ours: the appearance of the face about the target, with its range as a check.
 class PatchTracker final : public FaceTracker {
  public:
-  FaceSeen Begin(const FaceEye& eye, const FaceView& view, const Eigen::Vector2d& pixel) override;
-  FaceSeen Follow(const FaceEye& eye, const FaceView& view, const FaceExpected& target) override;
+  FaceSighting Begin(const FaceStereo& stereo, const FaceView& view,
+                     const Eigen::Vector2d& pixel) override;
+  FaceSighting Follow(const FaceStereo& stereo, const FaceView& view,
+                      const FaceExpected& target) override;
 
  private:
-  static FaceSeen Measure(const FaceEye& eye, const FaceView& view, const Eigen::Vector2d& pixel);
-  void Keep(const FaceView& view, const FaceSeen& seen);
+  static FaceSighting Measure(const FaceStereo& stereo, const FaceView& view,
+                              const Eigen::Vector2d& pixel);
+  void Keep(const FaceView& view, const FaceSighting& seen);
 
   FacePatchSettings settings_;
   FacePatch patch_;

@@ -40,43 +40,16 @@ constexpr double kThere_rad = 0.02;
 Grasp::Grasp(const Nominal& nominal)
     : nominal_(nominal), first_(FirstArmMotor(nominal)), commands_(kArmMotorCount) {}
 
-const char* Grasp::phase() const {
-  switch (phase_) {
-    case Phase::kStowed:
-      break;
-    case Phase::kDeploy:
-      return "deploy";
-    case Phase::kWeigh:
-    case Phase::kReturn:
-      return "weigh";
-    case Phase::kLower:
-      return "lower";
-    case Phase::kClose:
-      return "close";
-    case Phase::kLift:
-      return "lift";
-    case Phase::kEnded:
-      return "ended";
-  }
-  return "stowed";
-}
-
-void Grasp::Begin(Phase phase, Tick now) {
-  phase_ = phase;
-  since_ = now;
-}
-
 void Grasp::Start(const SensorFrame& sensed, bool weighs) {
   weighs_ = weighs;
   note_.clear();
   empty_ = loaded_ = {};
   pitch_rad_ = PitchFor(kAbove_m);
-  Begin(Phase::kDeploy, sensed.tick);
+  since_ = sensed.tick;
 }
 
 double Grasp::Angle(const SensorFrame& sensed, ArmMotor motor) const {
-  const std::size_t i = first_ + static_cast<std::size_t>(motor);
-  return static_cast<double>(sensed.motors[i].encoder_counts) * nominal_.motors[i].rad_per_count;
+  return AngleOf(nominal_, sensed, first_ + static_cast<std::size_t>(motor));
 }
 
 double Grasp::Current(const SensorFrame& sensed, ArmMotor motor) const {
@@ -92,19 +65,12 @@ double Grasp::PitchFor(double height_m) const {
   return std::asin(std::clamp((shoulder_m - height_m) / nominal_.arm.length_m, -1.0, 1.0));
 }
 
-MotorCommand Grasp::To(ArmMotor motor, double target_rad, double speed_rad_s) const {
-  const NominalMotor& model = nominal_.motors[first_ + static_cast<std::size_t>(motor)];
-  return {.mode = MotorMode::kPosition,
-          .target = target_rad,
-          .speed_limit_rad_s = std::min(speed_rad_s, model.max_speed_rad_s),
-          .accel_rad_s2 = model.max_accel_rad_s2,
-          .current_limit_a = model.max_current_a};
-}
-
 void Grasp::Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s, double open_rad,
                  double scoop_rad_s) {
   const auto set = [&](ArmMotor motor, double target_rad, double speed_rad_s) {
-    commands_[static_cast<std::size_t>(motor)] = To(motor, target_rad, speed_rad_s);
+    const auto i = static_cast<std::size_t>(motor);
+    const NominalMotor& model = nominal_.motors[first_ + i];
+    commands_[i] = MoveTo(model, target_rad, std::min(speed_rad_s, model.max_speed_rad_s));
   };
   set(ArmMotor::kRoll, 0.0, kSwing_rad_s);
   set(ArmMotor::kPitch, pitch_rad - sensed.imu.pitch_rad, pitch_rad_s);
@@ -129,7 +95,7 @@ Load Grasp::load() const {
                 nominal_.motors[first_ + static_cast<std::size_t>(ArmMotor::kPitch)]);
 }
 
-void Grasp::Lower(const SensorFrame& sensed) {
+Event Grasp::Lower(const SensorFrame& sensed) {
   const double now_a = Current(sensed, ArmMotor::kPitch);
   if (sensed.tick - since_ < kStill / 2) usual_a_ = now_a;
   usual_a_ += kLearn * (now_a - usual_a_);
@@ -139,17 +105,18 @@ void Grasp::Lower(const SensorFrame& sensed) {
     raised_rad_ = 0.0;
     least_open_rad_ = 10.0;
     still_ = sensed.tick;
-    return Begin(Phase::kClose, sensed.tick);
+    return Event::kTouched;
   }
   pitch_rad_ += kLower_rad_s * kControlPeriod * kTickSeconds;
   Turn(sensed, pitch_rad_, kSwing_rad_s, nominal_.arm.open_rad, kSwing_rad_s);
+  return Event::kNone;
 }
 
-void Grasp::Close(const SensorFrame& sensed) {
+Event Grasp::Close(const SensorFrame& sensed) {
   const double open_rad = Open(sensed);
   if (open_rad < kClosed_rad || sensed.tick - since_ > kTimeOut) {
     note_ = open_rad < kClosed_rad ? "the scoops are shut" : "the scoops did not come to rest";
-    return Begin(Phase::kLift, sensed.tick);
+    return Event::kArrived;
   }
   if (open_rad < least_open_rad_ - kStill_rad) {
     least_open_rad_ = open_rad;
@@ -163,30 +130,27 @@ void Grasp::Close(const SensorFrame& sensed) {
     raised_rad_ += kRaise_rad;
   } else if (sensed.tick - still_ > kStill) {
     note_ = "the scoops came to rest";
-    return Begin(Phase::kLift, sensed.tick);
+    return Event::kArrived;
   }
   Turn(sensed, pitch_rad_, kSwing_rad_s, 0.0, kClose_rad_s);
+  return Event::kNone;
 }
 
-void Grasp::Lift(const SensorFrame& sensed) {
+Event Grasp::Lift(const SensorFrame& sensed) {
   const auto takes = static_cast<Tick>((pitch_rad_ - kCarry_rad) / kLift_rad_s / kTickSeconds);
   Turn(sensed, kCarry_rad, kLift_rad_s, 0.0, kLift_rad_s);
   Weigh(sensed, loaded_);
-  if (sensed.tick - since_ >= takes + kHold) Begin(Phase::kEnded, sensed.tick);
+  return sensed.tick - since_ >= takes + kHold ? Event::kArrived : Event::kNone;
 }
 
-std::vector<MotorCommand> Grasp::Step(const SensorFrame& sensed) {
-  switch (phase_) {
-    case Phase::kStowed:
-      commands_.assign(kArmMotorCount, {});
-      break;
-    case Phase::kEnded:
-      break;
+Event Grasp::Step(Phase phase, const SensorFrame& sensed) {
+  Event event = Event::kNone;
+  switch (phase) {
     case Phase::kDeploy:
     case Phase::kReturn:
       Turn(sensed, pitch_rad_, kSwing_rad_s, nominal_.arm.open_rad, kSwing_rad_s);
-      if (Arrived(sensed))
-        Begin(phase_ == Phase::kDeploy && weighs_ ? Phase::kWeigh : Phase::kLower, sensed.tick);
+      if (!Arrived(sensed)) break;
+      event = phase == Phase::kDeploy && weighs_ ? Event::kWeighs : Event::kArrived;
       break;
     case Phase::kWeigh:
       pitch_rad_ = kWeighTo_rad - kOvershoot_rad;
@@ -194,19 +158,19 @@ std::vector<MotorCommand> Grasp::Step(const SensorFrame& sensed) {
       Weigh(sensed, empty_);
       if (!Arrived(sensed)) break;
       pitch_rad_ = PitchFor(kAbove_m);
-      Begin(Phase::kReturn, sensed.tick);
+      event = Event::kArrived;
       break;
     case Phase::kLower:
-      Lower(sensed);
+      event = Lower(sensed);
       break;
     case Phase::kClose:
-      Close(sensed);
+      event = Close(sensed);
       break;
-    case Phase::kLift:
-      Lift(sensed);
-      break;
+    default:
+      event = Lift(sensed);
   }
-  return commands_;
+  if (event != Event::kNone) since_ = sensed.tick;
+  return event;
 }
 
 }  // namespace dockyard::rocky7

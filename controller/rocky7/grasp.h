@@ -12,6 +12,7 @@
 #include "controller/io/sensors.h"
 #include "controller/rocky7/arm_weight.h"
 #include "controller/rocky7/nominal/nominal.h"
+#include "controller/rocky7/phases.h"
 
 namespace dockyard::rocky7 {
 
@@ -21,20 +22,16 @@ class Grasp {
 
   /// From the arm as it is stowed, the rover standing.
   void Start(const SensorFrame& sensed, bool weighs);
-  /// The commands of the arm's motors, in their order.
-  std::vector<MotorCommand> Step(const SensorFrame& sensed);
-
-  bool busy() const { return phase_ != Phase::kStowed && phase_ != Phase::kEnded; }
-  /// Lifted, whatever the scoops have: shut ones feel the same with a stone as without.
-  bool lifted() const { return phase_ == Phase::kEnded; }
+  /// One period of kDeploy to kLift; what ends the phase, if anything.
+  Event Step(Phase phase, const SensorFrame& sensed);
+  /// Of the arm's motors, in their order: braked until the first grasp. Lifted, the arm holds what
+  /// the scoops have: shut ones feel the same with a stone as without.
+  const std::vector<MotorCommand>& commands() const { return commands_; }
   /// What the arm weighs more than before the grasp; unknown where it was not weighed.
   Load load() const;
-  const char* phase() const;
   const std::string& note() const { return note_; }
 
  private:
-  enum class Phase { kStowed, kDeploy, kWeigh, kReturn, kLower, kClose, kLift, kEnded };
-  void Begin(Phase phase, Tick now);
   double Angle(const SensorFrame& sensed, ArmMotor motor) const;
   double Current(const SensorFrame& sensed, ArmMotor motor) const;
   double Open(const SensorFrame& sensed) const;
@@ -43,17 +40,15 @@ class Grasp {
   /// Pitch against the level; scoops about the vertical, open by so much.
   void Turn(const SensorFrame& sensed, double pitch_rad, double pitch_rad_s, double open_rad,
             double scoop_rad_s);
-  MotorCommand To(ArmMotor motor, double target_rad, double speed_rad_s) const;
   bool Arrived(const SensorFrame& sensed) const;
   void Weigh(const SensorFrame& sensed, RisingCurrent& rise) const;
-  void Lower(const SensorFrame& sensed);
-  void Close(const SensorFrame& sensed);
-  void Lift(const SensorFrame& sensed);
+  Event Lower(const SensorFrame& sensed);
+  Event Close(const SensorFrame& sensed);
+  Event Lift(const SensorFrame& sensed);
 
   const Nominal nominal_;
   std::size_t first_ = 0;  // of the arm's motors
-  Phase phase_ = Phase::kStowed;
-  Tick since_ = 0;
+  Tick since_ = 0;         // the phase began
   std::vector<MotorCommand> commands_;
   double pitch_rad_ = 0.0;  // commanded, against the level
   double usual_a_ = 0.0, raised_rad_ = 0.0, least_open_rad_ = 0.0;

@@ -23,10 +23,7 @@ MastDrive::MastDrive(const Nominal& nominal)
 
 MastAngles MastDrive::Angles(const SensorFrame& sensed) const {
   MastAngles angles{};
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    angles[i] = static_cast<double>(sensed.motors[first_ + i].encoder_counts) *
-                nominal_.motors[first_ + i].rad_per_count;
-  }
+  for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = AngleOf(nominal_, sensed, first_ + i);
   return angles;
 }
 
@@ -46,11 +43,7 @@ void MastDrive::Begin(const MastAngles& goal, double speed_share, const SensorFr
     const NominalMotor& motor = nominal_.motors[first_ + i];
     const double share = longest_s > 0.0 ? std::max(0.02, takes_s[i] / longest_s) : 1.0;
     const double speed_rad_s = share * speed_share * motor.max_speed_rad_s;
-    commands_[i] = {.mode = MotorMode::kPosition,
-                    .target = goal[i],
-                    .speed_limit_rad_s = speed_rad_s,
-                    .accel_rad_s2 = share * motor.max_accel_rad_s2,
-                    .current_limit_a = motor.max_current_a};
+    commands_[i] = MoveTo(motor, goal[i], speed_rad_s, share);
     takes_s_ = std::max(takes_s_,
                         longest_s + speed_share * motor.max_speed_rad_s / motor.max_accel_rad_s2);
   }
@@ -60,11 +53,7 @@ void MastDrive::Follow(const MastAngles& goal) {
   goal_ = goal;
   for (std::size_t i = 0; i < goal.size(); ++i) {
     const NominalMotor& motor = nominal_.motors[first_ + i];
-    commands_[i] = {.mode = MotorMode::kPosition,
-                    .target = goal[i],
-                    .speed_limit_rad_s = motor.max_speed_rad_s,
-                    .accel_rad_s2 = motor.max_accel_rad_s2,
-                    .current_limit_a = motor.max_current_a};
+    commands_[i] = MoveTo(motor, goal[i], motor.max_speed_rad_s);
   }
 }
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "controller/motion/limits.h"
+
 namespace dockyard::rocky7 {
 namespace {
 
-// Cameras that do not answer are asked again after so long, so often; then the scoops are believed.
-// Assumed, 1-10 s and 2-10.
-constexpr Tick kPeekAgain = 3000;
-constexpr int kMostPeeks = 3;
+// Then the scoops are believed. Assumed, 1-10 s and 2-10.
+constexpr ImagePatience kInspection{.wait = 3000, .most_asks = 3};
 
 }  // namespace
 
@@ -19,80 +19,66 @@ Mission::Mission(const Nominal& nominal, std::unique_ptr<TargetTracker> tracker,
       approach_(nominal, std::move(tracker), approach),
       grasp_(nominal) {}
 
-void Mission::Tell(const char* phase, const std::string& note) {
+void Mission::Tell(const std::string& note) {
   belief_ = approach_.belief();
-  belief_.phase = phase;
+  belief_.phase = Name(phase_);
   belief_.note = note;
 }
 
 void Mission::StepApproach(const SensorFrame& sensed, Commands& commands) {
-  commands = approach_.Step(sensed);
-  belief_ = approach_.belief();
-  if (commands.verdict != Verdict::kDone || nominal_.task != Task::kGrasp) {
-    verdict_ = commands.verdict;
-    return;
+  On(approach_.Move(phase_, sensed, commands.motors));
+  if (phase_ == Phase::kDrive) {
+    approach_.Watch(sensed, commands);
+  } else {
+    On(approach_.Observe(sensed, commands));
   }
+  belief_ = approach_.belief();
+  if (phase_ != Phase::kDeploy) return;
   ++tried_;
-  grasp_.Start(sensed, options_.peeks);
-  phase_ = Phase::kGrasp;
+  grasp_.Start(sensed, options_.inspects);
 }
 
 void Mission::StepGrasp(const SensorFrame& sensed) {
-  Tell(grasp_.phase(), grasp_.note());
-  if (!grasp_.lifted()) return;
-  if (!options_.peeks || grasp_.load() == Load::kStone) {
-    verdict_ = Verdict::kDone;
-    return;
-  }
-  phase_ = Phase::kPeek;
-  peeks_ = 0;
-  asked_ = sensed.tick - kPeekAgain;
+  On(grasp_.Step(phase_, sensed));
+  Tell(grasp_.note());
+  if (phase_ != Phase::kLifted) return;
+  On(options_.inspects && grasp_.load() != Load::kStone ? Event::kUnsure : Event::kHeld);
+  request_ = {};
 }
 
 void Mission::TryAgain() {
-  if (tried_ >= options_.tries) {
-    verdict_ = Verdict::kGivenUp;
-    return Tell("given_up", "the stone is still on the ground");
-  }
-  approach_.LookAgain();
-  phase_ = Phase::kApproach;
+  On(tried_ < options_.tries ? Event::kMissed : Event::kFailed);
+  if (phase_ == Phase::kGivenUp) Tell("the stone is still on the ground");
 }
 
-void Mission::StepPeek(const SensorFrame& sensed, Commands& commands) {
+void Mission::Inspect(const SensorFrame& sensed, Commands& commands) {
   if (const auto images = FrontPair(sensed)) {
-    const TargetSeen seen = approach_.Peek(*images, sensed);
-    Tell("peek", seen.why);
+    const TargetSighting sighting = approach_.Inspect(*images, sensed);
+    Tell(sighting.why);
     // The arm weighs no more, so the stone is on the ground wherever it has gone.
-    if (seen.found || grasp_.load() == Load::kNone) return TryAgain();
-    if (seen.gone) {
-      verdict_ = Verdict::kDone;
-      return;
-    }
-    asked_ = sensed.tick - kPeekAgain;
+    if (sighting.found || grasp_.load() == Load::kNone) return TryAgain();
+    if (sighting.gone) return On(Event::kHeld);
+    request_.asked.reset();
   }
-  if (sensed.tick - asked_ < kPeekAgain) return;
-  if (++peeks_ > kMostPeeks) {
-    verdict_ = Verdict::kDone;
-    return;
-  }
-  commands.take_images = {kFrontLeft, kFrontRight};
+  const RequestState state = StateOf(request_, kInspection, sensed.tick);
+  if (state == RequestState::kUnanswered) return On(Event::kHeld);
+  if (state == RequestState::kAwaited) return;
+  Ask({kFrontLeft, kFrontRight}, sensed.tick, &request_, &commands);
   commands.exposure_stops = approach_.exposure_stops();
-  asked_ = sensed.tick;
 }
 
 Commands Mission::Step(const SensorFrame& sensed) {
   Commands commands;
   commands.motors.resize(nominal_.motors.size());
-  const bool acts = verdict_ == Verdict::kUnderWay;
-  if (acts && phase_ == Phase::kApproach) StepApproach(sensed, commands);
-  const std::vector<MotorCommand> arm = grasp_.Step(sensed);
-  std::copy(arm.begin(), arm.end(),
+  if (Approaches(phase_)) StepApproach(sensed, commands);
+  if (Grasps(phase_)) StepGrasp(sensed);
+  if (phase_ == Phase::kInspect) Inspect(sensed, commands);
+  std::copy(grasp_.commands().begin(), grasp_.commands().end(),
             commands.motors.begin() + static_cast<long>(FirstArmMotor(nominal_)));
-  if (acts && phase_ == Phase::kGrasp) StepGrasp(sensed);
-  if (acts && phase_ == Phase::kPeek) StepPeek(sensed, commands);
-  belief_.values.resize(3);
+  belief_.values = approach_.belief().values;
   belief_.values.push_back({"grasps", static_cast<double>(tried_)});
-  commands.verdict = verdict_;
+  commands.verdict = VerdictOf(phase_);
+  KeepLimits(nominal_.motors, &commands);
   return commands;
 }
 

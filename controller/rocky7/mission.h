@@ -1,5 +1,5 @@
-// Reach, and grasp where it is asked for: the approach, then the arm, then its weight, and a look
-// at the place where that says nothing of a stone.
+// Reach, and grasp where it is asked for: the approach, then the arm, then its weight, and an image
+// pair of the place where that says nothing of a stone.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@
 namespace dockyard::rocky7 {
 
 struct MissionOptions {
-  int tries = 1;       // grasps, at most
-  bool peeks = false;  // weighs, and looks if need be; without it the scoops are believed
+  int tries = 1;          // grasps, at most
+  bool inspects = false;  // weighs, and inspects if need be; without it the scoops are believed
 };
 
 class Mission final : public Controller {
@@ -24,21 +24,20 @@ class Mission final : public Controller {
   const Belief& belief() const override { return belief_; }
 
  private:
-  enum class Phase { kApproach, kGrasp, kPeek };
+  void On(Event event) { Follow(nominal_.task, event, phase_); }
   void StepApproach(const SensorFrame& sensed, Commands& commands);
   void StepGrasp(const SensorFrame& sensed);
-  void StepPeek(const SensorFrame& sensed, Commands& commands);
+  void Inspect(const SensorFrame& sensed, Commands& commands);
   void TryAgain();
-  void Tell(const char* phase, const std::string& note);
+  void Tell(const std::string& note);
 
   const Nominal nominal_;
   const MissionOptions options_;
   Approach approach_;
   Grasp grasp_;
-  Phase phase_ = Phase::kApproach;
-  int tried_ = 0, peeks_ = 0;
-  Tick asked_ = 0;
-  Verdict verdict_ = Verdict::kUnderWay;
+  Phase phase_ = Phase::kObserve;
+  int tried_ = 0;
+  ImageRequest request_;  // of the inspection
   Belief belief_;
 };
 

@@ -13,15 +13,15 @@ class HighestPoint final : public TargetTracker {
  public:
   explicit HighestPoint(const NesnasTracking& with) : settings_{with.window_m} {}
 
-  TargetSeen Begin(const GroundMaps& maps, const Clicked& clicked) override {
+  TargetSighting Begin(const GroundMaps& maps, const Clicked& clicked) override {
     return Find(maps, clicked.p_E);
   }
-  TargetSeen Follow(const GroundMaps& maps, const Predicted& target) override {
+  TargetSighting Follow(const GroundMaps& maps, const Predicted& target) override {
     return Find(maps, {target.X_ET.x, target.X_ET.y});
   }
 
  private:
-  TargetSeen Find(const GroundMaps& maps, const Eigen::Vector2d& p_E) const {
+  TargetSighting Find(const GroundMaps& maps, const Eigen::Vector2d& p_E) const {
     const auto top = HighestInWindow(maps.fine, p_E, settings_);
     if (!top) return {.why = "no range data in the window"};
     return {.found = true, .p_E = top->p_E, .height_m = top->height_m};

@@ -31,7 +31,7 @@ class Odometry {
   explicit Odometry(const OdometryOptions& options)
       : options_(options), slip_{options.slip, options.slip} {}
 
-  /// An arc begins. What the last one turned is learnt.
+  /// An arc begins. The turn of the last one is learnt.
   void Begin(double yaw_rad);
   /// The motion since the last call, from what the wheels count of the arc.
   Pose2 Step(double driven_m, const Pose2& counted, double yaw_rad);

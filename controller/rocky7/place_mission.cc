@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "controller/base/number_text.h"
+#include "controller/motion/limits.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -40,76 +41,54 @@ void PlaceMission::Tell(const char* phase, const std::string& note) {
   belief_.note = note;
 }
 
-void PlaceMission::End(Verdict verdict, const char* phase, const std::string& note) {
-  verdict_ = verdict;
-  Tell(phase, note);
-}
-
-void PlaceMission::Hold(Commands& commands, const std::vector<MotorCommand>& mast) const {
-  std::copy(mast.begin(), mast.end(),
-            commands.motors.begin() + static_cast<long>(FirstMastMotor(nominal_)));
-}
-
 void PlaceMission::StepApproach(const SensorFrame& sensed, Commands& commands) {
-  commands = approach_.Step(sensed);
-  mast_.assign(commands.motors.begin() + static_cast<long>(FirstMastMotor(nominal_)),
-               commands.motors.end());
+  if (phase_ == Phase::kDrive) On(approach_.Drive(sensed, commands.motors));
+  if (phase_ == Phase::kAim) On(approach_.Aim(sensed));
+  if (phase_ == Phase::kObserve) On(approach_.Observe(sensed, commands));
+  mast_ = approach_.mast_commands();
   belief_ = approach_.belief();
-  if (commands.verdict != Verdict::kUnderWay) verdict_ = commands.verdict;
-  if (!approach_.ready()) return;
+  if (phase_ != Phase::kUnfold) return;
   ++tried_;
   placement_.Start(approach_.face(), sensed);
-  phase_ = Phase::kPlace;
 }
 
-void PlaceMission::StepPlace(const SensorFrame& sensed, Commands& commands) {
-  mast_ = placement_.Step(sensed);
-  Hold(commands, mast_);
-  Tell(placement_.phase(), placement_.note());
-  switch (placement_.result()) {
-    case Placement::Result::kNone:
-      return;
-    case Placement::Result::kBlocked:
-      return End(Verdict::kGivenUp, "given_up", placement_.note());
-    case Placement::Result::kMissed:
-      if (tried_ >= tries_) return End(Verdict::kGivenUp, "given_up", placement_.note());
-      approach_.LookAgain();
-      phase_ = Phase::kApproach;
-      return;
-    case Placement::Result::kPlaced:
-      drive_.Start({-kAway_m, 0.0});
-      phase_ = Phase::kBackOff;
-      Tell("back_off", "moves away");
-      return;
-  }
+void PlaceMission::StepPlace(const SensorFrame& sensed) {
+  const bool stows = phase_ == Phase::kStow;
+  Event event = placement_.Step(phase_, sensed);
+  if (stows && event == Event::kMissed && tried_ >= tries_) event = Event::kFailed;
+  On(event);
+  mast_ = placement_.commands();
+  Tell(Name(phase_ == Phase::kAim ? Phase::kStow : phase_), placement_.note());
+  if (phase_ != Phase::kBackOff) return;
+  drive_.Start({-kAway_m, 0.0});
+  belief_.note = "moves away";
 }
 
 void PlaceMission::StepBackOff(const SensorFrame& sensed, Commands& commands) {
   commands.motors = drive_.Step(sensed);
-  Hold(commands, mast_);
-  if (drive_.done()) {
-    End(Verdict::kDone, "placed",
-        "placed with " + std::to_string(placement_.closed()) + " switches");
-  }
+  if (!drive_.done()) return;
+  On(Event::kArrived);
+  Tell("placed", "placed with " + std::to_string(placement_.closed()) + " switches");
 }
 
 Commands PlaceMission::Step(const SensorFrame& sensed) {
   Commands commands;
   commands.motors.resize(nominal_.motors.size());
-  if (verdict_ != Verdict::kUnderWay) {
-    Hold(commands, mast_);
-  } else if (phase_ == Phase::kApproach) {
+  if (Approaches(phase_)) {
     StepApproach(sensed, commands);
-  } else if (phase_ == Phase::kPlace) {
-    StepPlace(sensed, commands);
-  } else {
+  } else if (Places(phase_)) {
+    StepPlace(sensed);
+  } else if (phase_ == Phase::kBackOff) {
     StepBackOff(sensed, commands);
   }
+  std::copy(mast_.begin(), mast_.end(),
+            commands.motors.begin() + static_cast<long>(FirstMastMotor(nominal_)));
   belief_.values = approach_.belief().values;
   belief_.values.push_back({"placements", static_cast<double>(tried_)});
   belief_.values.push_back({"switches", static_cast<double>(placement_.closed())});
   belief_.values.push_back({"beyond_mm", 1e3 * placement_.beyond_m()});
-  commands.verdict = verdict_;
+  commands.verdict = VerdictOf(phase_);
+  KeepLimits(nominal_.motors, &commands);
   return commands;
 }
 

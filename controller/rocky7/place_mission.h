@@ -19,22 +19,19 @@ class PlaceMission final : public Controller {
   const Belief& belief() const override { return belief_; }
 
  private:
-  enum class Phase { kApproach, kPlace, kBackOff };
+  void On(Event event) { Follow(Task::kPlace, event, phase_); }
   void StepApproach(const SensorFrame& sensed, Commands& commands);
-  void StepPlace(const SensorFrame& sensed, Commands& commands);
+  void StepPlace(const SensorFrame& sensed);
   void StepBackOff(const SensorFrame& sensed, Commands& commands);
-  void Hold(Commands& commands, const std::vector<MotorCommand>& mast) const;
   void Tell(const char* phase, const std::string& note);
-  void End(Verdict verdict, const char* phase, const std::string& note);
 
   const Nominal nominal_;
   const int tries_;
   FaceApproach approach_;
   Placement placement_;
   ArcDrive drive_;
-  Phase phase_ = Phase::kApproach;
+  Phase phase_ = Phase::kAim;
   int tried_ = 0;
-  Verdict verdict_ = Verdict::kUnderWay;
   std::vector<MotorCommand> mast_;
   Belief belief_;
 };

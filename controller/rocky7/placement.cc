@@ -35,42 +35,14 @@ constexpr double kPeriod_s = kControlPeriod * kTickSeconds;
 
 Placement::Placement(const Nominal& nominal) : nominal_(nominal), mast_(nominal) {}
 
-const char* Placement::phase() const {
-  switch (phase_) {
-    case Phase::kIdle:
-      return "idle";
-    case Phase::kUnfold:
-      return "unfold";
-    case Phase::kAdvance:
-      return "advance";
-    case Phase::kPress:
-      return "press";
-    case Phase::kHold:
-      return "hold";
-    case Phase::kRetract:
-      return "retract";
-    case Phase::kStow:
-      return "stow";
-    case Phase::kStopped:
-      break;
-  }
-  return "stopped";
-}
-
-void Placement::Begin(Phase phase, Tick now) {
-  phase_ = phase;
-  since_ = now;
-}
-
 int Placement::Closed(const SensorFrame& sensed) {
   return static_cast<int>(std::count(sensed.contacts.begin(), sensed.contacts.end(), 1));
 }
 
-void Placement::Stop(const std::string& why, const SensorFrame& sensed) {
+Event Placement::Stop(const std::string& why, const SensorFrame& sensed) {
   note_ = why;
-  result_ = Result::kBlocked;
   mast_.Follow(mast_.Angles(sensed));
-  Begin(Phase::kStopped, sensed.tick);
+  return Event::kFailed;
 }
 
 bool Placement::MoveTo(double before_m) {
@@ -88,16 +60,18 @@ double Placement::BeforeSurface(const SensorFrame& sensed) const {
 
 void Placement::Start(const FaceAt& face, const SensorFrame& sensed) {
   face_ = face;
-  result_ = Result::kNone;
   touched_ = false;
   closed_ = risen_ = 0;
   beyond_m_ = 0.0;
   usual_a_.clear();
   note_ = "unfolds to 20 cm before the surface";
   const auto angles = AnglesTo(nominal_.mast, face.p_RT + kBeforeSurface_m * face.normal_R);
-  if (!angles) return Stop("the mast does not reach the place before the surface", sensed);
-  mast_.Begin(*angles, kUnfoldSpeed, sensed);
-  Begin(Phase::kUnfold, sensed.tick);
+  reaches_ = angles.has_value();
+  if (reaches_) {
+    mast_.Begin(*angles, kUnfoldSpeed, sensed);
+  } else {
+    Stop("the mast does not reach the place before the surface", sensed);
+  }
 }
 
 bool Placement::MeetsSomething(const SensorFrame& sensed) {
@@ -115,16 +89,17 @@ bool Placement::MeetsSomething(const SensorFrame& sensed) {
   return risen_ >= kRisePeriods || Closed(sensed) > 0;
 }
 
-void Placement::Unfold(const SensorFrame& sensed) {
+Event Placement::Unfold(const SensorFrame& sensed) {
+  if (!reaches_) return Event::kFailed;
   if (MeetsSomething(sensed)) return Stop("the mast met something on its way", sensed);
-  if (!mast_.Rests(sensed)) return;
+  if (!mast_.Rests(sensed)) return Event::kNone;
   if (mast_.Missed(sensed)) return Stop("something holds the mast back", sensed);
   before_m_ = kBeforeSurface_m;
   note_ = "moves along the normal";
-  Begin(Phase::kAdvance, sensed.tick);
+  return Event::kArrived;
 }
 
-void Placement::Advance(const SensorFrame& sensed) {
+Event Placement::Advance(const SensorFrame& sensed) {
   closed_ = std::max(closed_, Closed(sensed));
   if (closed_ > 0) {
     touched_ = true;
@@ -133,58 +108,54 @@ void Placement::Advance(const SensorFrame& sensed) {
     MoveTo(std::max(before_m_, BeforeSurface(sensed)));
     touched_m_ = before_m_;
     note_ = "touches";
-    return Begin(Phase::kPress, sensed.tick);
+    return Event::kTouched;
   }
   const double speed_m_s = before_m_ > kNear_m ? kAdvance_m_s : kNear_m_s;
-  if (before_m_ < -kBeyond_m || !MoveTo(before_m_ - speed_m_s * kPeriod_s)) {
-    note_ = "nothing was there to touch";
-    Begin(Phase::kRetract, sensed.tick);
-  }
+  if (before_m_ >= -kBeyond_m && MoveTo(before_m_ - speed_m_s * kPeriod_s)) return Event::kNone;
+  note_ = "nothing was there to touch";
+  return Event::kMissed;
 }
 
-void Placement::Press(const SensorFrame& sensed) {
+Event Placement::Press(const SensorFrame& sensed) {
   closed_ = std::max(closed_, Closed(sensed));
   const bool enough = Closed(sensed) >= kEnoughSwitches || before_m_ <= touched_m_ - kPress_m;
-  if (enough || !MoveTo(before_m_ - kPress_m_s * kPeriod_s)) {
-    note_ = "holds with " + std::to_string(Closed(sensed)) + " switches closed";
-    Begin(Phase::kHold, sensed.tick);
+  if (!enough && MoveTo(before_m_ - kPress_m_s * kPeriod_s)) return Event::kNone;
+  note_ = "holds with " + std::to_string(Closed(sensed)) + " switches closed";
+  return Event::kArrived;
+}
+
+Event Placement::Retract(const SensorFrame& sensed) {
+  if (before_m_ < kBeforeSurface_m && MoveTo(before_m_ + kRetract_m_s * kPeriod_s)) {
+    return Event::kNone;
   }
-}
-
-void Placement::Retract(const SensorFrame& sensed) {
-  if (before_m_ < kBeforeSurface_m && MoveTo(before_m_ + kRetract_m_s * kPeriod_s)) return;
   mast_.Begin(nominal_.mast.watch_rad, kUnfoldSpeed, sensed);
-  Begin(Phase::kStow, sensed.tick);
+  return Event::kArrived;
 }
 
-std::vector<MotorCommand> Placement::Step(const SensorFrame& sensed) {
-  switch (phase_) {
-    case Phase::kIdle:
-    case Phase::kStopped:
-      break;
+Event Placement::Step(Phase phase, const SensorFrame& sensed) {
+  Event event = Event::kNone;
+  switch (phase) {
     case Phase::kUnfold:
-      Unfold(sensed);
+      event = Unfold(sensed);
       break;
     case Phase::kAdvance:
-      Advance(sensed);
+      event = Advance(sensed);
       break;
     case Phase::kPress:
-      Press(sensed);
+      event = Press(sensed);
       break;
     case Phase::kHold:
       closed_ = std::max(closed_, Closed(sensed));
-      if (sensed.tick - since_ >= kMeasure) Begin(Phase::kRetract, sensed.tick);
+      if (sensed.tick - since_ >= kMeasure) event = Event::kArrived;
       break;
     case Phase::kRetract:
-      Retract(sensed);
+      event = Retract(sensed);
       break;
-    case Phase::kStow:
-      if (mast_.Rests(sensed) && result_ == Result::kNone) {
-        result_ = touched_ ? Result::kPlaced : Result::kMissed;
-      }
-      break;
+    default:
+      if (mast_.Rests(sensed)) event = touched_ ? Event::kHeld : Event::kMissed;
   }
-  return mast_.commands();
+  if (event != Event::kNone) since_ = sensed.tick;
+  return event;
 }
 
 }  // namespace dockyard::rocky7

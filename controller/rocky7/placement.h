@@ -10,6 +10,7 @@
 #include "controller/io/commands.h"
 #include "controller/io/sensors.h"
 #include "controller/rocky7/mast_drive.h"
+#include "controller/rocky7/phases.h"
 #include "controller/rocky7/place_plan.h"
 
 namespace dockyard::rocky7 {
@@ -20,18 +21,12 @@ class Placement {
 
   /// From the mast as it watches, the rover standing.
   void Start(const FaceAt& face, const SensorFrame& sensed);
-  /// The commands of the mast's motors, in their order.
-  std::vector<MotorCommand> Step(const SensorFrame& sensed);
-
-  enum class Result {
-    kNone,     // not ended
-    kPlaced,   // touched, held, drawn back and stowed
-    kMissed,   // nothing touched; drawn back and stowed
-    kBlocked,  // the mast met something on its way, or cannot go it; it stands where it stopped
-  };
-  Result result() const { return result_; }
-  bool busy() const { return phase_ != Phase::kIdle && result_ == Result::kNone; }
-  const char* phase() const;
+  /// One period of kUnfold to kStow. What ends the phase, if anything; of kStow kHeld, or kMissed
+  /// where nothing touched. kFailed: the mast met something on its path, or cannot move along it;
+  /// it stays where it stopped.
+  Event Step(Phase phase, const SensorFrame& sensed);
+  /// Of the mast's motors, in their order.
+  const std::vector<MotorCommand>& commands() const { return mast_.commands(); }
   const std::string& note() const { return note_; }
   int closed() const { return closed_; }  // switches, at most, in this placement
   /// How far the face's middle went beyond the surface as it was seen, by the encoders, when the
@@ -39,28 +34,24 @@ class Placement {
   double beyond_m() const { return beyond_m_; }
 
  private:
-  enum class Phase { kIdle, kUnfold, kAdvance, kPress, kHold, kRetract, kStow, kStopped };
-  void Begin(Phase phase, Tick now);
-  void Unfold(const SensorFrame& sensed);
-  void Advance(const SensorFrame& sensed);
-  void Press(const SensorFrame& sensed);
-  void Retract(const SensorFrame& sensed);
+  Event Unfold(const SensorFrame& sensed);
+  Event Advance(const SensorFrame& sensed);
+  Event Press(const SensorFrame& sensed);
+  Event Retract(const SensorFrame& sensed);
   /// Sets the face's middle at this distance before the surface; false where it cannot go.
   bool MoveTo(double before_m);
   double BeforeSurface(const SensorFrame& sensed) const;
   bool MeetsSomething(const SensorFrame& sensed);
-  void Stop(const std::string& why, const SensorFrame& sensed);
+  Event Stop(const std::string& why, const SensorFrame& sensed);
   static int Closed(const SensorFrame& sensed);
 
   const Nominal nominal_;
   MastDrive mast_;
   FaceAt face_;
-  Phase phase_ = Phase::kIdle;
-  Result result_ = Result::kNone;
-  Tick since_ = 0;
+  Tick since_ = 0;         // the phase began
   double before_m_ = 0.0;  // as it is set
   double touched_m_ = 0.0, beyond_m_ = 0.0;
-  bool touched_ = false;
+  bool reaches_ = false, touched_ = false;
   int closed_ = 0, risen_ = 0;
   std::vector<double> usual_a_;
   std::string note_;

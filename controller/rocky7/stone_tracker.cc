@@ -42,7 +42,7 @@ FieldMatch Unmatched(std::size_t stones, const Matrix2d& shift_spread_m2) {
 
 }  // namespace
 
-TargetSeen StoneTracker::Begin(const GroundMaps& maps, const Clicked& clicked) {
+TargetSighting StoneTracker::Begin(const GroundMaps& maps, const Clicked& clicked) {
   field_.focal_baseline_px_m = maps.focal_baseline_px_m;
   const auto at = Bilinear(maps.closed, clicked.p_E);
   const double ground_m = at ? at->height_m : 0.0;
@@ -53,12 +53,12 @@ TargetSeen StoneTracker::Begin(const GroundMaps& maps, const Clicked& clicked) {
                        .sigma_rad = clicked.sigma_rad};
   const auto seen = StonesAbout(maps.fine, clicked.p_E, maps.p_EC, field_);
   if (memory_.Begin(click, ground_m, seen)) return Found(maps, memory_.target());
-  TargetSeen place = Lost("no stone is told from the ground where the user clicked");
+  TargetSighting place = Lost("no stone is told from the ground where the user clicked");
   place.found = true;
   return place;
 }
 
-TargetSeen StoneTracker::Follow(const GroundMaps& maps, const Predicted& target) {
+TargetSighting StoneTracker::Follow(const GroundMaps& maps, const Predicted& target) {
   const Vector2d predicted(target.X_ET.x, target.X_ET.y);
   const std::vector<FieldStone> seen = StonesAbout(maps.fine, predicted, maps.p_EC, field_);
   memory_.Turn(target.X_ET);
@@ -85,26 +85,26 @@ TargetSeen StoneTracker::Follow(const GroundMaps& maps, const Predicted& target)
   const auto now = std::find_if(seen.begin(), seen.end(),
                                 [&](const FieldStone& other) { return Agree(stone, other.p); });
   if (now != seen.end()) {
-    TargetSeen found = Found(maps, *now);
+    TargetSighting found = Found(maps, *now);
     found.further_m = match.shift_m.x();
     return found;
   }
-  TargetSeen lost = Lost("nothing stands out where the target should be");
+  TargetSighting lost = Lost("nothing stands out where the target should be");
   lost.gone = (lost.p_E - maps.p_EC.head<2>()).norm() < kNear_m && IsKnown(maps.closed, lost.p_E);
   return lost;
 }
 
 // Not seen, but at least where the prediction has it, among its neighbours.
-TargetSeen StoneTracker::Lost(const std::string& why) {
+TargetSighting StoneTracker::Lost(const std::string& why) {
   const FieldStone& stone = memory_.target();
-  TargetSeen lost{
+  TargetSighting lost{
       .guess = true, .p_E = stone.p, .height_m = stone.ground_m + stone.height_m, .why = why};
   memory_.Shift(-lost.p_E);
   return lost;
 }
 
 // Close by, a plane through the ground about the stone alone tells its middle best.
-TargetSeen StoneTracker::Found(const GroundMaps& maps, const FieldStone& target) {
+TargetSighting StoneTracker::Found(const GroundMaps& maps, const FieldStone& target) {
   Vector2d p_E = target.p;
   double top_m = target.ground_m + target.height_m;
   StoneMiddleSettings close;
@@ -115,14 +115,14 @@ TargetSeen StoneTracker::Found(const GroundMaps& maps, const FieldStone& target)
     p_E = stone.p_E;
     top_m = stone.ground.dot(Eigen::Vector3d(1.0, p_E.x(), p_E.y())) + stone.height_m;
   }
-  TargetSeen seen{.found = true, .p_E = p_E, .height_m = top_m};
+  TargetSighting seen{.found = true, .p_E = p_E, .height_m = top_m};
   const bool near = (p_E - maps.p_EC.head<2>()).norm() < kSure_m;
   if (near && memory_.HasSeenTargetWell()) memory_.Settle();
   memory_.Shift(-p_E);
   return seen;
 }
 
-TargetSeen StoneTracker::Check(const GroundMaps& maps, const Pose2& X_ET) {
+TargetSighting StoneTracker::Check(const GroundMaps& maps, const Pose2& X_ET) {
   StoneMiddleSettings near;
   near.apart_m = 0.0;
   const StoneMiddle stone = FindStone(maps.fine, {X_ET.x, X_ET.y}, near);

@@ -13,14 +13,14 @@ class StoneTracker final : public TargetTracker {
  public:
   /// From afar a stone may be too low to be told from the ground; then the place that was clicked
   /// on is the target until it is seen.
-  TargetSeen Begin(const GroundMaps& maps, const Clicked& clicked) override;
-  TargetSeen Follow(const GroundMaps& maps, const Predicted& target) override;
+  TargetSighting Begin(const GroundMaps& maps, const Clicked& clicked) override;
+  TargetSighting Follow(const GroundMaps& maps, const Predicted& target) override;
   /// Scoops leave heaps and trenches; they may also have moved the stone.
-  TargetSeen Check(const GroundMaps& maps, const Pose2& X_ET) override;
+  TargetSighting Check(const GroundMaps& maps, const Pose2& X_ET) override;
 
  private:
-  TargetSeen Found(const GroundMaps& maps, const FieldStone& target);
-  TargetSeen Lost(const std::string& why);
+  TargetSighting Found(const GroundMaps& maps, const FieldStone& target);
+  TargetSighting Lost(const std::string& why);
 
   FieldSettings field_;
   StoneMemory memory_;  // in the axes of the last look, from the target's place then

@@ -5,12 +5,12 @@
 #include <string>
 
 #include "controller/geometry/pose.h"
-#include "controller/rocky7/ground_eye.h"
+#include "controller/rocky7/ground_stereo.h"
 
 namespace dockyard::rocky7 {
 
 /// Where a look has the target, in E; or why it has it not.
-struct TargetSeen {
+struct TargetSighting {
   bool found = false;
   bool gone = false;   // it is seen that nothing stands there
   bool guess = false;  // not found, but p_E is better than the prediction
@@ -32,11 +32,11 @@ class TargetTracker {
  public:
   virtual ~TargetTracker() = default;
   /// The first look: the user clicked on this place of the ground.
-  virtual TargetSeen Begin(const GroundMaps& maps, const Clicked& clicked) = 0;
+  virtual TargetSighting Begin(const GroundMaps& maps, const Clicked& clicked) = 0;
   /// A later one.
-  virtual TargetSeen Follow(const GroundMaps& maps, const Predicted& target) = 0;
+  virtual TargetSighting Follow(const GroundMaps& maps, const Predicted& target) = 0;
   /// After a grasp: whether the target still stands there, among what the scoops have dug up.
-  virtual TargetSeen Check(const GroundMaps& maps, const Pose2& X_ET) {
+  virtual TargetSighting Check(const GroundMaps& maps, const Pose2& X_ET) {
     return Follow(maps, {X_ET});
   }
 };

@@ -13,27 +13,30 @@ class TopTracker final : public FaceTracker {
  public:
   explicit TopTracker(const NesnasTracking& with) : settings_{with.window_m} {}
 
-  FaceSeen Begin(const FaceEye& eye, const FaceView& view, const Eigen::Vector2d& pixel) override {
+  FaceSighting Begin(const FaceStereo& stereo, const FaceView& view,
+                     const Eigen::Vector2d& pixel) override {
     const auto p_C = PointUnder(view.pair, view.disparities, pixel);
     if (!p_C) return {.why = "no range data where the user clicked"};
-    return Find(eye, view, view.pair.X_RC * *p_C);
+    return Find(stereo, view, view.pair.X_RC * *p_C);
   }
-  FaceSeen Follow(const FaceEye& eye, const FaceView& view, const FaceExpected& target) override {
-    return Find(eye, view, target.p_E);
+  FaceSighting Follow(const FaceStereo& stereo, const FaceView& view,
+                      const FaceExpected& target) override {
+    return Find(stereo, view, target.p_E);
   }
 
  private:
-  FaceSeen Find(const FaceEye& eye, const FaceView& view, const Eigen::Vector3d& p_E) const {
-    const auto top =
-        HighestInWindow(eye.HeightsAbout(view, p_E.head<2>(), kTopMap_m), p_E.head<2>(), settings_);
+  FaceSighting Find(const FaceStereo& stereo, const FaceView& view,
+                    const Eigen::Vector3d& p_E) const {
+    const auto top = HighestInWindow(stereo.HeightsAbout(view, p_E.head<2>(), kTopMap_m),
+                                     p_E.head<2>(), settings_);
     if (!top) return {.why = "no range data in the window"};
-    FaceSeen seen{.found = true, .p_E = {top->p_E.x(), top->p_E.y(), top->height_m}};
+    FaceSighting seen{.found = true, .p_E = {top->p_E.x(), top->p_E.y(), top->height_m}};
     const Eigen::Vector3d p_C = Inverse(view.pair.X_RC) * seen.p_E;
     seen.range_m = p_C.norm();
     if (p_C.z() <= 0.0) return seen;
     const Eigen::Vector2d pixel =
         view.pair.centre_px + view.pair.focal_px * p_C.head<2>() / p_C.z();
-    if (const auto plane = eye.PlaneAt(view, pixel)) {
+    if (const auto plane = stereo.PlaneAt(view, pixel)) {
       seen.normal_E = plane->normal;
       seen.normal_sigma_rad = plane->normal_sigma_rad;
     }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "controller/base/check.h"
+
 namespace dockyard {
 namespace {
 
@@ -51,9 +53,7 @@ ElevationMap MapHeights(const RectifiedPair& pair, const Disparities& disparitie
   map.cell_m = settings.cell_m;
   map.nx = static_cast<int>(std::ceil((settings.x_high_m - settings.x_low_m) / map.cell_m));
   map.ny = static_cast<int>(std::ceil((settings.y_high_m - settings.y_low_m) / map.cell_m));
-  if (!(map.cell_m > 0.0) || map.nx < 1 || map.ny < 1) {
-    throw std::invalid_argument("a map of heights needs cells");
-  }
+  DOCKYARD_CHECK(map.cell_m > 0.0 && map.nx > 0 && map.ny > 0);
   map.x0_m = settings.x_low_m + 0.5 * map.cell_m;
   map.y0_m = settings.y_low_m + 0.5 * map.cell_m;
   const Pose3 X_EC = Inverse(map.X_RE) * pair.X_RC;

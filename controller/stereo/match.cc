@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "controller/base/check.h"
 #include "controller/stereo/gray_mat.h"
 
 namespace dockyard {
@@ -37,18 +38,11 @@ int LeastWidth(const MatchSettings& with) {
 }
 
 void Check(const StereoImages& images, const MatchSettings& with) {
-  if (images.left.width != images.right.width || images.left.height != images.right.height) {
-    throw std::invalid_argument("the images of a pair must have one size");
-  }
-  const int least_px = with.matcher == Matcher::kBlocks ? 5 : 3;
-  if (with.block_px < least_px || with.block_px % 2 == 0 || with.count_px < 16 ||
-      with.count_px % 16 != 0) {
-    throw std::invalid_argument(
-        "a block needs an odd side of 3 px or 5, disparities a multiple of 16");
-  }
-  if (!(with.smooth_px >= 0.0 && with.smooth_px <= 5.0)) {
-    throw std::invalid_argument("images can be smoothed by 0 to 5 px");
-  }
+  DOCKYARD_CHECK(images.left.width == images.right.width &&
+                 images.left.height == images.right.height);
+  DOCKYARD_CHECK(with.block_px >= (with.matcher == Matcher::kBlocks ? 5 : 3));
+  DOCKYARD_CHECK(with.block_px % 2 == 1 && with.count_px >= 16 && with.count_px % 16 == 0);
+  DOCKYARD_CHECK(with.smooth_px >= 0.0 && with.smooth_px <= 5.0);
 }
 
 cv::Mat Smoothed(const cv::Mat& image, double sigma_px) {

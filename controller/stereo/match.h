@@ -60,7 +60,7 @@ struct MatchSettings {
 std::string WhyNoSearch(int width, int height, const MatchSettings& with);
 
 /// Of the pair's images; none where a block, in either image, reaches beyond what the camera saw.
-/// Throws std::invalid_argument for images of another size and settings out of range.
+/// Images of one size, and settings that their matcher has.
 Disparities Match(const Rectifier& rectifier, const StereoImages& images,
                   const MatchSettings& settings);
 

@@ -2,17 +2,15 @@
 
 #include <limits>
 #include <opencv2/imgproc.hpp>
-#include <stdexcept>
 
+#include "controller/base/check.h"
 #include "controller/stereo/gray_mat.h"
 
 namespace dockyard {
 
 Disparities WithoutPlainParts(Disparities disparities, const GrayImage& left,
                               const PlainSettings& settings) {
-  if (disparities.width != left.width || disparities.height != left.height) {
-    throw std::invalid_argument("disparities and their picture must have one size");
-  }
+  DOCKYARD_CHECK(disparities.width == left.width && disparities.height == left.height);
   cv::Mat grey, mean, square;
   MatOn(left).convertTo(grey, CV_32F);
   // A third of the sensor's noise is left.

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "controller/base/check.h"
 #include "controller/stereo/gray_mat.h"
 
 namespace dockyard {
@@ -183,9 +184,7 @@ bool Rectifier::IsSeen(int u, int v, bool right, int margin_px) const {
 
 StereoImages Rectifier::Rectified(const StereoImages& images) const {
   const auto Turned = [&](const GrayImage& image, const Camera& camera, const Map& map) {
-    if (image.width != camera.width || image.height != camera.height) {
-      throw std::invalid_argument("an image must have its camera's size");
-    }
+    DOCKYARD_CHECK(image.width == camera.width && image.height == camera.height);
     GrayImage out{pair_.width, pair_.height, std::vector<std::uint8_t>(map.u.size())};
     cv::Mat to = MatOn(out);
     const cv::Mat u(pair_.height, pair_.width, CV_32F, const_cast<float*>(map.u.data()));

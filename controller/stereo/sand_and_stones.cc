@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
-#include <stdexcept>
 #include <vector>
+
+#include "controller/base/check.h"
 
 namespace dockyard {
 namespace {
@@ -56,9 +57,7 @@ cv::Mat Surroundings(const cv::Mat& rest_px, int around_tiles) {
 
 Disparities MergeStones(const Disparities& sand, const Disparities& stones,
                         const PlaneDisparity& ground, const SandAndStonesSettings& with) {
-  if (sand.width != stones.width || sand.height != stones.height) {
-    throw std::invalid_argument("disparities that are merged must have one size");
-  }
+  DOCKYARD_CHECK(sand.width == stones.width && sand.height == stones.height);
   cv::Mat rest_px(stones.height, stones.width, CV_32F);
   for (int v = 0; v < stones.height; ++v) {
     for (int u = 0; u < stones.width; ++u) {

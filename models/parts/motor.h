@@ -25,6 +25,11 @@ struct MotorModel {
   double reflected_inertia_kg_m2 = 0.0;  // rotor inertia times gear ratio squared
   int counts_per_rev = 0;                // encoder at the output shaft
   double current_noise_a = 0.0;          // 1 sigma of one reading
+  double current_offset_a = 0.0;         // of each reading
+  // The encoder and the servo are on the motor's side of these. 0: none.
+  double backlash_rad = 0.0;      // the output's whole play
+  double bend_nm_per_rad = 0.0;   // stiffness of gears and shaft; 0: rigid
+  double homing_error_rad = 0.0;  // what the encoder reads at the true zero
 };
 
 /// What a controller is told of it.

@@ -8,6 +8,7 @@
 #include "models/read/load_mounting.h"
 #include "models/read/load_spreads.h"
 #include "models/read/other_kind.h"
+#include "models/read/read_imu.h"
 #include "models/read/urdf.h"
 #include "models/read/urdf_weld.h"
 #include "models/read/yaml_reader.h"
@@ -185,7 +186,7 @@ static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& cha
   if (changes.built != nullptr) PutBuilt(tree, *changes.built);
   const YamlReader in(tree, "",
                       {"name", "urdf", "mass_scale", "belts", "motors", "doors", "socket", "camera",
-                       "lamps", "spreads"});
+                       "lamps", "imu", "spreads"});
   RobotModel robot;
   robot.name = in.Text("name");
   ReadBelts(in, robot.belts);
@@ -194,6 +195,7 @@ static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& cha
   ReadSocket(in, robot.socket);
   ReadCamera(in, robot.camera);
   ReadLamps(in, robot.lamps);
+  if (in.Has("imu")) robot.imu = ReadImu(in);
   TakeLinks(LoadUrdf(in.File("urdf"), meshes), robot);
   ScaleMasses(in.Number("mass_scale", Between(0.1, 10.0)), robot);
   CheckTogether(in, robot);

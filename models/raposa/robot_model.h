@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "controller/geometry/camera.h"
 #include "controller/raposa/nominal/motors.h"
+#include "models/parts/imu.h"
 #include "models/parts/link.h"
 #include "models/parts/motor.h"
 
@@ -74,6 +76,7 @@ struct RobotModel {
   SocketModel socket;
   BackCameraModel camera;
   LampsModel lamps;
+  std::optional<ImuModel> imu;  // the paper's robot has none
 
   double mass_kg() const {
     return body.mass_kg + arm.mass_kg + left_door.mass_kg + right_door.mass_kg;

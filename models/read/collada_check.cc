@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -32,6 +33,27 @@ void StripDeep(TiXmlElement& parent) {
                                              "render", "instance_camera"};
   Strip(parent, no_part, false);
   for (TiXmlElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement()) StripDeep(*e);
+}
+
+/// Numbers of transforms, which an importer reads beyond their end, in all nodes below.
+void CheckNodes(const std::string& file, const TiXmlElement& parent) {
+  static const std::map<std::string, int> counts{{"lookat", 9}, {"matrix", 16},   {"rotate", 4},
+                                                 {"scale", 3},  {"translate", 3}, {"skew", 7}};
+  for (const TiXmlElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement()) {
+    const std::string name = e->Value();
+    if (name == "instance_controller") RefuseElement(file, *e, "skinned meshes are not read");
+    CheckNodes(file, *e);
+    const auto count = counts.find(name);
+    if (count == counts.end()) continue;
+    std::string_view text = TextOf(file, *e);
+    int found = 0;
+    double value = 0.0;
+    for (std::string_view word = TakeWord(text); !word.empty(); word = TakeWord(text)) {
+      found += ParseNumber(word, value) ? 1 : 100;
+    }
+    if (found == count->second) continue;
+    RefuseElement(file, *e, "expected " + std::to_string(count->second) + " numbers");
+  }
 }
 
 /// The length that the file's numbers count. An importer multiplies by any number.
@@ -130,7 +152,12 @@ std::string CheckedCollada(const std::string& text, const std::string& file) {
       }
     }
   }
-  CheckColladaScene(file, *collada);
+  for (const char* library : {"library_nodes", "library_visual_scenes"}) {
+    for (const TiXmlElement* e = collada->FirstChildElement(library); e;
+         e = e->NextSiblingElement(library)) {
+      CheckNodes(file, *e);
+    }
+  }
   TiXmlPrinter printer;
   printer.SetStreamPrinting();
   collada->Accept(&printer);

@@ -23,7 +23,5 @@ long CountOf(const std::string& file, const TiXmlElement& element, const char* n
 
 /// One <mesh> of <library_geometries>.
 void CheckColladaMesh(const std::string& file, const TiXmlElement& mesh);
-/// All nodes of <library_nodes> and <library_visual_scenes>, instances followed.
-void CheckColladaScene(const std::string& file, const TiXmlElement& collada);
 
 }  // namespace dockyard

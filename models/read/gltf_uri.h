@@ -13,8 +13,10 @@ std::optional<std::string> PercentDecoded(std::string_view text);
 
 /// The file name that a buffer's address means: a name alone, or "./" and a name, that ends in .bin
 /// and leads to no other folder.
-/// @param json  the string between its quotes, its escapes ("\u0020") not yet followed
 /// @returns none for any other address
-std::optional<std::string> BufferNameOf(std::string_view json);
+std::optional<std::string> BufferNameOf(std::string_view uri);
+
+/// The bytes of a text in base64 (RFC 4648, 4), its padding left out or not; none for another text.
+std::optional<std::string> FromBase64(std::string_view text);
 
 }  // namespace dockyard

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "models/read/config_error.h"
-#include "models/read/mesh_loader.h"
+#include "models/read/mesh_limits.h"
 
 namespace dockyard {
 namespace {

@@ -8,8 +8,7 @@
 
 #include "models/read/collada_check.h"
 #include "models/read/config_error.h"
-#include "models/read/gltf_check.h"
-#include "models/read/mesh_loader.h"
+#include "models/read/mesh_limits.h"
 #include "models/read/obj_text.h"
 #include "models/read/text_file.h"
 #include "models/read/text_mesh_check.h"
@@ -56,40 +55,6 @@ std::string_view SkipSpace(std::string_view text) {
   return at == std::string_view::npos ? std::string_view() : text.substr(at);
 }
 
-constexpr char kNoGlb[] = "no binary glTF 2.0 file of the length that its header states";
-
-struct GlbChunks {
-  std::string_view json;
-  std::size_t own_bytes = 0;  // of the buffer in the file
-};
-
-/// The chunks of a GLB file (Khronos, glTF 2.0, 4.4): a header of 12 bytes, then chunks, each with
-/// its length and type before it; JSON first, then the buffer. Nothing when the lengths do not add
-/// up.
-std::optional<GlbChunks> ChunksOf(std::string_view bytes) {
-  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
-  if (bytes.size() < kHeader + kChunkHeader || bytes.substr(0, 4) != "glTF" ||
-      LittleEndian32(bytes, 4) != 2 || LittleEndian32(bytes, 8) != bytes.size()) {
-    return std::nullopt;
-  }
-  std::optional<GlbChunks> chunks;
-  std::size_t json_end = 0;
-  for (std::size_t at = kHeader; at < bytes.size();) {
-    if (bytes.size() - at < kChunkHeader) return std::nullopt;
-    const std::size_t length = LittleEndian32(bytes, at);
-    if (length % 4 != 0 || length > bytes.size() - at - kChunkHeader) return std::nullopt;
-    if (!chunks) {
-      if (bytes.substr(at + 4, 4) != "JSON") return std::nullopt;
-      chunks = GlbChunks{bytes.substr(at + kChunkHeader, length), 0};
-      json_end = at + kChunkHeader + length;
-    } else if (at == json_end && bytes.substr(at + 4, 3) == "BIN") {
-      chunks->own_bytes = length;
-    }
-    at += kChunkHeader + length;
-  }
-  return chunks;
-}
-
 /// Whether a line of the text begins with the letter and a space.
 bool HasLineOf(std::string_view text, char letter) {
   return text.find(std::string{letter, ' '}) != std::string_view::npos ||
@@ -118,7 +83,7 @@ bool IsTextStl(std::string_view text) {
          }) != text.end();
 }
 
-/// Of the formats that are not glTF.
+/// Why no importer is asked; glTF has a reader of its own.
 std::string Objection(MeshFormat format, std::string_view bytes) {
   const std::string_view text = SkipSpace(bytes);
   switch (format) {
@@ -142,21 +107,9 @@ std::string Objection(MeshFormat format, std::string_view bytes) {
       return {};
     case MeshFormat::kGltf:
     case MeshFormat::kGlb:
-      break;
+      return {};
   }
   return "of no known format";
-}
-
-GltfFindings FindingsOf(MeshFormat format, std::string_view bytes) {
-  if (format == MeshFormat::kGlb) {
-    const std::optional<GlbChunks> chunks = ChunksOf(bytes);
-    return chunks ? CheckGltf(chunks->json, chunks->own_bytes) : GltfFindings{kNoGlb, 0};
-  }
-  const std::string_view text = SkipSpace(bytes);
-  if (text.substr(0, 1) != "{" || text.find("\"asset\"") == std::string_view::npos) {
-    return {"no glTF document", 0};
-  }
-  return CheckGltf(text, 0);
 }
 
 }  // namespace
@@ -178,16 +131,13 @@ MeshStatement CheckMeshFormat(const std::filesystem::path& file, std::string byt
     RefuseWideText(bytes, name);
     bytes.erase(0, bytes.size() - WithoutByteOrderMark(bytes).size());
   }
-  const bool gltf = *format == MeshFormat::kGltf || *format == MeshFormat::kGlb;
-  const GltfFindings findings = gltf ? FindingsOf(*format, bytes) : GltfFindings{};
-  const std::string objection = gltf ? findings.objection : Objection(*format, bytes);
+  const std::string objection = Objection(*format, bytes);
   if (!objection.empty()) throw ConfigError(name + ": not a usable mesh: " + objection);
   if (text) CheckIsText(bytes, name);
-  if (*format == MeshFormat::kGlb) CheckIsText(ChunksOf(bytes)->json, name);
   if (*format == MeshFormat::kObj) bytes = SimplifiedObj(bytes, name);
   if (*format == MeshFormat::kStl && text) bytes = CheckedStl(bytes, name);
   if (*format == MeshFormat::kDae) bytes = CheckedCollada(bytes, name);
-  return {*format, gltf ? findings.triangles : -1, std::move(bytes)};
+  return {*format, std::move(bytes)};
 }
 
 }  // namespace dockyard

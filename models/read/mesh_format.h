@@ -10,8 +10,7 @@ enum class MeshFormat { kStl, kObj, kDae, kGltf, kGlb };
 
 struct MeshStatement {
   MeshFormat format;
-  long triangles = -1;  // as a glTF document states them; -1: not known
-  std::string bytes;    // for an importer
+  std::string bytes;  // for an importer
 };
 
 /// The format by extension, confirmed by the file's own bytes; throws ConfigError, naming the file.

@@ -15,9 +15,8 @@
 #include <set>
 
 #include "models/read/config_error.h"
-#include "models/read/gltf_uri.h"
-#include "models/read/mesh_loader.h"
-#include "models/read/text_file.h"
+#include "models/read/gltf_mesh.h"
+#include "models/read/mesh_limits.h"
 
 namespace dockyard {
 namespace {
@@ -54,44 +53,25 @@ class MemoryStream : public Assimp::IOStream {
   std::size_t at_ = 0;
 };
 
-/// All files open to an importer: the mesh itself, and .bin buffers of glTF in the same folder.
-class OneFolder : public Assimp::IOSystem {
+/// The only file open to an importer: the mesh itself.
+class OneFile : public Assimp::IOSystem {
  public:
-  OneFolder(fs::path file, std::string bytes) : file_(std::move(file)), bytes_(std::move(bytes)) {}
-  bool Exists(const char* name) const override { return IsMesh(name) || IsBuffer(name); }
+  OneFile(std::string file, std::string bytes) : file_(std::move(file)), bytes_(std::move(bytes)) {}
+  bool Exists(const char* name) const override { return file_ == name; }
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* name, const char* mode) override {
-    if (std::strchr(mode, 'w') != nullptr || std::strchr(mode, 'a') != nullptr) return nullptr;
-    if (IsMesh(name)) return new MemoryStream(bytes_);
-    if (!IsBuffer(name)) return nullptr;
-    return new MemoryStream(ReadBytes(Beside(name), kMaxMeshBytes));
+    const bool reads = std::strpbrk(mode, "wa") == nullptr;
+    return reads && Exists(name) ? new MemoryStream(bytes_) : nullptr;
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
 
  private:
-  bool IsMesh(const char* name) const { return file_.string() == name; }
-  /// assimp asks for an address as the document has it: "rover%20body.bin".
-  fs::path Beside(const char* name) const {
-    const std::string written = fs::path(name).filename().string();
-    return file_.parent_path() / PercentDecoded(written).value_or(written);
-  }
-  bool IsBuffer(const char* name) const {
-    const fs::path path = fs::path(name).lexically_normal(), buffer = Beside(name);
-    std::error_code error;
-    const fs::path folder = file_.parent_path().lexically_normal();
-    const bool beside = path.parent_path() == folder || !path.has_parent_path();
-    return beside && buffer.parent_path() == file_.parent_path() &&
-           BufferNameOf(path.filename().string()).has_value() &&
-           fs::symlink_status(buffer, error).type() == fs::file_type::regular;
-  }
-
-  fs::path file_;
-  std::string bytes_;
+  std::string file_, bytes_;
 };
 
 /// Leaves the importer with the allowed formats only, so that no other parser sees the bytes.
 void KeepAllowedFormats(Assimp::Importer& importer) {
-  const std::set<std::string> allowed{"stl", "obj", "dae", "gltf", "glb"};
+  const std::set<std::string> allowed{"stl", "obj", "dae"};
   std::vector<Assimp::BaseImporter*> others;
   for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
     std::set<std::string> extensions;
@@ -104,16 +84,6 @@ void KeepAllowedFormats(Assimp::Importer& importer) {
     importer.UnregisterLoader(other);
     delete other;
   }
-}
-
-long CountTriangles(const aiScene& scene) {
-  long count = 0;
-  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-    const aiMesh& part = *scene.mMeshes[i];
-    count += std::count_if(part.mFaces, part.mFaces + part.mNumFaces,
-                           [](const aiFace& face) { return face.mNumIndices == 3; });
-  }
-  return count;
 }
 
 class Collector {
@@ -179,13 +149,15 @@ class Collector {
 
 }  // namespace
 
-TriangleMesh ImportMesh(const fs::path& file, std::string bytes, long triangles) {
+TriangleMesh ImportMesh(const fs::path& file, const MeshStatement& stated) {
+  const bool binary = stated.format == MeshFormat::kGlb;
+  if (binary || stated.format == MeshFormat::kGltf) return ReadGltf(file, stated.bytes, binary);
   try {
     Assimp::Importer importer;
     KeepAllowedFormats(importer);
     // Numbers as written: a link frame is z up, whatever up axis the file states.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-    importer.SetIOHandler(new OneFolder(file, std::move(bytes)));
+    importer.SetIOHandler(new OneFile(file.string(), stated.bytes));
     const aiScene* scene =
         importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr) {
@@ -193,12 +165,6 @@ TriangleMesh ImportMesh(const fs::path& file, std::string bytes, long triangles)
       std::replace(reason.begin(), reason.end(), '\n', ' ');
       throw ConfigError(file.string() + ": not a usable mesh: " +
                         (reason.empty() ? "it cannot be read" : reason.substr(0, 200)));
-    }
-    const long found = CountTriangles(*scene);
-    if (triangles >= 0 && found != triangles) {
-      throw ConfigError(file.string() + ": not a usable mesh: expected " +
-                        std::to_string(triangles) + " triangles with indices in range, found " +
-                        std::to_string(found));
     }
     // First as it is: the step that joins vertices drops those that are not numbers.
     Collector(*scene, file.string()).Take();

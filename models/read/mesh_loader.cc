@@ -37,7 +37,7 @@ std::shared_ptr<const TriangleMesh> LoadMesh(const std::filesystem::path& file, 
   }
   std::optional<TriangleMesh> plain;
   if (format == MeshFormat::kObj) plain = PlainObj(stated.bytes);
-  const auto import = [&] { return ImportMesh(file, stated.bytes, stated.triangles); };
+  const auto import = [&] { return ImportMesh(file, stated); };
   const auto mesh = std::make_shared<const TriangleMesh>(
       plain ? std::move(*plain) : MeshFromChild(file.string(), kImportLimits, import));
   if (store != nullptr) store->Keep(key, mesh);

@@ -12,12 +12,9 @@
 #include <string>
 
 #include "models/parts/mesh.h"
+#include "models/read/mesh_limits.h"
 
 namespace dockyard {
-
-inline constexpr std::size_t kMaxMeshBytes = 32u << 20;
-inline constexpr std::size_t kMaxMeshTriangles = 500000;
-inline constexpr double kMaxMeshCoordinate_m = 1000.0;
 
 /// Meshes read before, by what the importer saw: a process of its own costs 15 ms, and each load of
 /// a model reads all its meshes. Only of formats that keep everything in one file. For one thread.

@@ -6,7 +6,7 @@
 
 #include "controller/base/number_text.h"
 #include "models/read/config_error.h"
-#include "models/read/mesh_loader.h"
+#include "models/read/mesh_limits.h"
 #include "models/read/mesh_text.h"
 
 namespace dockyard {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "controller/base/number_text.h"
-#include "models/read/mesh_loader.h"
+#include "models/read/mesh_limits.h"
 
 namespace dockyard {
 namespace {

@@ -75,12 +75,12 @@ std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const Camera& came
                                           const Pose3& X_WC) {
   const auto triangles = Triangles(scene);
   const Pose3 X_CW = Inverse(X_WC);
-  const double radius = 0.5 * scene.board.board.disc_diameter_m;
+  const double radius = 0.5 * scene.boards[0].board.disc_diameter_m;
   std::vector<FiducialPixels> all;
-  for (const Fiducial& fiducial : scene.board.board.fiducials) {
+  for (const Fiducial& fiducial : scene.boards[0].board.fiducials) {
     const auto point_W = [&](double r, double angle) {
-      return scene.board.X_WB * Eigen::Vector3d(fiducial.p_BF.x() + r * std::cos(angle),
-                                                fiducial.p_BF.y() + r * std::sin(angle), 0.0);
+      return scene.boards[0].X_WB * Eigen::Vector3d(fiducial.p_BF.x() + r * std::cos(angle),
+                                                    fiducial.p_BF.y() + r * std::sin(angle), 0.0);
     };
     FiducialPixels truth;
     truth.centre = camera.Project(X_CW * point_W(0.0, 0.0));
@@ -122,17 +122,17 @@ std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const Camera& came
 std::vector<double> ShadedShares(const Scene& scene) {
   constexpr double kFarM = 100.0;  // beyond everything that can stand in the sun's way
   const auto triangles = Triangles(scene);
-  const double radius = 0.5 * scene.board.board.disc_diameter_m;
+  const double radius = 0.5 * scene.boards[0].board.disc_diameter_m;
   std::vector<double> shares;
-  for (const Fiducial& fiducial : scene.board.board.fiducials) {
+  for (const Fiducial& fiducial : scene.boards[0].board.fiducials) {
     int shaded = 0, samples = 0;
     for (int ring = 0; ring < kRings; ++ring) {
       const int spokes = 1 + 6 * ring;
       for (int k = 0; k < spokes; ++k) {
         const double r = radius * (ring + 0.5) / kRings, angle = 2.0 * kPi * k / spokes;
         const Eigen::Vector3d p =
-            scene.board.X_WB * Eigen::Vector3d(fiducial.p_BF.x() + r * std::cos(angle),
-                                               fiducial.p_BF.y() + r * std::sin(angle), 0.0);
+            scene.boards[0].X_WB * Eigen::Vector3d(fiducial.p_BF.x() + r * std::cos(angle),
+                                                   fiducial.p_BF.y() + r * std::sin(angle), 0.0);
         // From the sun to just before the board: its own plate shades nothing.
         const Eigen::Vector3d sun = p + kFarM * scene.light.to_sun_W;
         const Eigen::Vector3d end = p + 0.01 * scene.light.to_sun_W;

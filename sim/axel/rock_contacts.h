@@ -25,7 +25,6 @@ class RockContacts {
   RockContacts(const RoverModel& rover, const std::vector<Collision>& arm_parts,
                std::vector<ConvexBody> rocks);
 
-  bool has_rocks() const { return !rocks_.empty(); }
   /// Contacts of the rover as it stands.
   void Find(const RoverBody& rover, std::vector<RockContact>& contacts);
   /// How deep a link reaches into any rock there [m]; 0: clear of all.

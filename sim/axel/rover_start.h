@@ -1,7 +1,7 @@
 // Where the rover is put down at the start of a run.
 #pragma once
 
-#include "sim/axel/world.h"
+#include "sim/axel/world_setup.h"
 
 namespace dockyard::axel {
 

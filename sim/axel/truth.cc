@@ -54,6 +54,7 @@ void World::Impl::TellMotors(Truth& truth) const {
     truth.motor_speed_rad_s[i] = drives_.speed_rad_s(motor, rover_);
     truth.motor_torque_nm[i] = drives_.output(motor).motor_torque_nm;
     truth.motor_current_a[i] = drives_.output(motor).current_a;
+    truth.motor_lead_rad[i] = drives_.output(motor).lead_rad;
   }
 }
 

@@ -75,7 +75,7 @@ void WriteStartView(const Scenario& scenario, const AxelModels& models,
                          scenario.camera_faults, scenario.seed),
               scenario.colour, out_dir);
 
-  const Pose3 X_RB = Inverse(truth.X_WR) * scene.board.X_WB;
+  const Pose3 X_RB = Inverse(truth.X_WR) * scene.boards[0].X_WB;
   Json view;
   view["scenario"] = scenario.name;
   view["seed"] = scenario.seed.number;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "controller/base/check.h"
 #include "controller/geometry/axle_attitude.h"
 #include "sim/axel/rover_start.h"
 #include "sim/axel/world_impl.h"
@@ -21,16 +21,12 @@ constexpr double kSettleSeconds = 1.5;
 // mrad/s, 0.05-0.3 s.
 constexpr double kRestMPerS = 1e-3, kRestRadPerS = 3e-3, kRestSeconds = 0.1;
 
-void Require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
-}
-
 void CheckSetup(const WorldSetup& setup) {
-  Require(setup.step_s > 0.0 && setup.step_s <= 5e-3, "physics step must be in (0, 5] ms");
-  Require(setup.slack_start_m >= 0.0, "the tether cannot start shorter than its way");
-  Require(setup.ground.nx > 1 && setup.ground.ny > 1, "the ground has no cells");
-  Require(!setup.station.feet.empty(), "the station has no feet");
-  Require(setup.rover.arm_length_m > 0.0, "the arm has no length");
+  DOCKYARD_CHECK(setup.step_s > 0.0 && setup.step_s <= 5e-3);
+  DOCKYARD_CHECK(setup.slack_start_m >= 0.0);
+  DOCKYARD_CHECK(setup.ground.nx > 1 && setup.ground.ny > 1);
+  DOCKYARD_CHECK(!setup.station.feet.empty());
+  DOCKYARD_CHECK(setup.rover.arm_length_m > 0.0);
 }
 
 // A foot's force over its depth [N/m]: of one with a sole, at an equal share of the weight.
@@ -97,7 +93,7 @@ World::Impl::Impl(WorldSetup setup)
       rover_ground_(setup_.rover),
       left_soil_(setup_.rover.left_wheel_soil, setup_.soil),
       right_soil_(setup_.rover.right_wheel_soil, setup_.soil),
-      imu_(setup_.rover.imu.p_RI, gravity_G_) {
+      imu_(setup_.rover.imu, gravity_G_) {
   contacts_.PutRocks(setup_.rover, setup_.rocks);
   Settle();
 }
@@ -254,7 +250,7 @@ Tick World::tick() const { return impl_->tick(); }
 bool World::at_rest() const { return impl_->at_rest(); }
 Truth World::truth() const { return impl_->MakeTruth(); }
 const HeightGrid& World::ground() const { return impl_->ground(); }
-ImuSample World::TakeTrueImu() { return impl_->TakeTrueImu(); }
+TrueImu World::TakeTrueImu() { return impl_->TakeTrueImu(); }
 std::uint64_t World::StateHash(std::uint64_t seed) const { return impl_->StateHash(seed); }
 
 }  // namespace dockyard::axel

@@ -10,34 +10,10 @@
 
 #include "controller/io/commands.h"
 #include "controller/io/sensors.h"
-#include "models/axel/axel_model.h"
-#include "models/axel/station_model.h"
-#include "models/parts/soil_model.h"
-#include "sim/axel/rock_bed.h"
-#include "sim/axel/station_hand.h"
-#include "sim/rigid/slope.h"
-#include "sim/soil/height_grid.h"
+#include "sim/axel/world_setup.h"
+#include "sim/drives/imu.h"
 
 namespace dockyard::axel {
-
-struct WorldSetup {
-  RoverModel rover;
-  StationModel station;
-  SoilModel soil;
-  HeightGrid ground;  // in the site frame G
-  Pose2 X_WG;         // site in the world, before it is tilted
-  Slope slope;        // of the site, under rover and station
-  RockBed rocks;      // in the ground, in G
-  Pose2 X_GD;         // dock in the site: where the station is put
-  Pose2 X_DR_start;
-  double arm_start_rad = 0.0;    // arm against body, tip-down positive
-  double pitch_start_rad = 0.0;  // body about the axle, nose-down positive; 180 deg: upside down
-  double slack_start_m = 0.0;    // exposed tether beyond the straight path at the start, >= 0
-  StationMove station_move{};    // while the run is under way
-  double step_s = 1e-3;
-  bool may_rest = true;               // off: every step is computed, nothing moving or not
-  bool add_right_side_first = false;  // order in which the bodies are added (mirror test)
-};
 
 /// What is true now, for scoring, plots and drawing. Never handed to a controller.
 struct Truth {
@@ -49,7 +25,8 @@ struct Truth {
   Eigen::Vector3d v_MT = Eigen::Vector3d::Zero();  // its velocity there [m/s]
   double arm_rad = 0.0, arm_rate_rad_s = 0.0;      // joint, tip-down positive
   std::array<double, kMotorCount> motor_angle_rad{}, motor_speed_rad_s{}, motor_torque_nm{},
-      motor_current_a{};                  // current as drawn, without reading noise
+      motor_current_a{},                  // current as drawn, without reading noise
+      motor_lead_rad{};                   // of the encoder before the output
   double tether_tension_n = 0.0;          // at the arm's tip
   double tether_path_m = 0.0;             // arm tip to anchor, round the bends
   double tether_free_m = 0.0;             // unstretched length paid out
@@ -83,7 +60,7 @@ class World {
   Truth truth() const;
   const HeightGrid& ground() const;
   /// Specific force and body rate averaged over the steps since the last call, in R.
-  ImuSample TakeTrueImu();
+  TrueImu TakeTrueImu();
   /// Bit-exact fingerprint of all bodies, joints, drives, tether and soil contact.
   std::uint64_t StateHash(std::uint64_t seed) const;
 

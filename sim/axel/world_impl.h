@@ -27,7 +27,7 @@ class World::Impl {
   bool at_rest() const { return still_steps_ >= kRestSteps; }
   double time_s() const { return static_cast<double>(steps_) * setup_.step_s; }
   const HeightGrid& ground() const { return ground_; }
-  ImuSample TakeTrueImu() { return imu_.Take(rover_.motion(RoverLink::kBody), X_WG_); }
+  TrueImu TakeTrueImu() { return imu_.Take(rover_.motion(RoverLink::kBody), X_WG_); }
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:

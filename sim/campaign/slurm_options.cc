@@ -4,7 +4,6 @@
 #include <sstream>
 #include <string_view>
 
-#include "sim/campaign/slurm_script.h"
 
 namespace dockyard {
 namespace {

@@ -7,7 +7,6 @@
 #include "controller/base/check.h"
 #include "sim/base/count_text.h"
 #include "sim/base/shell_word.h"
-#include "sim/campaign/slurm_options.h"
 
 namespace dockyard {
 namespace {

@@ -4,18 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace dockyard {
+#include "sim/campaign/slurm_options.h"
 
-/// Something that cannot be written into a job's script. The message is a sentence.
-class SlurmError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace dockyard {
 
 /// What a task may use, in sbatch's own words (man sbatch). Empty: the cluster's default.
 struct SlurmLimits {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dockyard {
 namespace {
@@ -13,6 +14,22 @@ Eigen::Vector3d NormalVector(RandomStream& stream, double sigma) {
 
 std::int64_t Counts(double angle_rad, int counts_per_rev) {
   return std::llround(std::floor(angle_rad * counts_per_rev / (2.0 * kPi) + 0.5));
+}
+
+Eigen::Matrix3d DrawAxes(const InertialAxes& axes, RandomStream& stream) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      R(i, j) += (i == j ? axes.scale_share : axes.misalignment_rad) * stream.Normal();
+    }
+  }
+  return R;
+}
+
+Eigen::Vector3d CutAndStepped(const Eigen::Vector3d& value, const InertialAxes& axes) {
+  const Eigen::Vector3d cut = value.cwiseMax(-axes.range).cwiseMin(axes.range);
+  if (axes.step <= 0.0) return cut;
+  return axes.step * (cut / axes.step).array().round().matrix();
 }
 
 }  // namespace
@@ -30,6 +47,9 @@ SensorSuite::SensorSuite(const ImuModel& imu, std::vector<MotorModel> motors, Ti
   bias_.specific_force_R = NormalVector(imu_stream_, imu.accel_bias_m_s2);
   wandering_.rate_R = NormalVector(imu_stream_, imu.gyro_instability_rad_s);
   wandering_.specific_force_R = NormalVector(imu_stream_, imu.accel_instability_m_s2);
+  if (!imu.unit) return;
+  gyro_axes_ = DrawAxes(imu.unit->gyro, imu_stream_);
+  accelerometer_axes_ = DrawAxes(imu.unit->accelerometer, imu_stream_);
 }
 
 void SensorSuite::Wander(double since_s) {
@@ -42,40 +62,80 @@ void SensorSuite::Wander(double since_s) {
                                 NormalVector(imu_stream_, stir * imu.accel_instability_m_s2);
 }
 
+ImuSample SensorSuite::Disturb(const ImuSample& truth, bool first, double since_s) {
+  const double root_s = std::sqrt(std::max(since_s, kTickSeconds));
+  Wander(since_s);
+  const Eigen::Vector3d rate_error = bias_.rate_R + wandering_.rate_R +
+                                     NormalVector(imu_stream_, imu_.gyro_walk_rad_sqrt_s / root_s);
+  // The unit integrates its gyros: about the vertical nothing corrects their error.
+  const Eigen::Matrix3d R_WR =
+      ToRotation(RollPitchYaw{truth.roll_rad, truth.pitch_rad, truth.yaw_rad});
+  if (first) yaw_at_start_rad_ = truth.yaw_rad;
+  if (!first) yaw_error_rad_ += R_WR.row(2).dot(rate_error) * since_s;
+
+  ImuSample read;
+  read.roll_rad = truth.roll_rad + bias_.roll_rad + imu_.attitude_noise_rad * imu_stream_.Normal();
+  read.pitch_rad =
+      truth.pitch_rad + bias_.pitch_rad + imu_.attitude_noise_rad * imu_stream_.Normal();
+  read.yaw_rad = WrapPi(truth.yaw_rad - yaw_at_start_rad_ + yaw_error_rad_);
+  read.rate_R = truth.rate_R + rate_error;
+  read.specific_force_R = truth.specific_force_R + bias_.specific_force_R +
+                          wandering_.specific_force_R +
+                          NormalVector(imu_stream_, imu_.accel_walk_m_s_sqrt_s / root_s);
+  return read;
+}
+
+ImuSample SensorSuite::Filter(const TrueImu& truth, bool first, double since_s) {
+  const AttitudeUnit& unit = *imu_.unit;
+  std::vector<InertialMean> readings = truth.readings;
+  if (first) readings = {{since_s, truth.sample.rate_R, truth.sample.specific_force_R}};
+  InertialMean sum;
+  for (const InertialMean& reading : readings) {
+    const double root_s = std::sqrt(std::max(reading.span_s, kTickSeconds));
+    Wander(reading.span_s);
+    const Eigen::Vector3d rate_R =
+        CutAndStepped(gyro_axes_ * reading.rate_R + bias_.rate_R + wandering_.rate_R +
+                          NormalVector(imu_stream_, imu_.gyro_walk_rad_sqrt_s / root_s),
+                      unit.gyro);
+    const Eigen::Vector3d force_R =
+        CutAndStepped(accelerometer_axes_ * reading.specific_force_R + bias_.specific_force_R +
+                          wandering_.specific_force_R +
+                          NormalVector(imu_stream_, imu_.accel_walk_m_s_sqrt_s / root_s),
+                      unit.accelerometer);
+    if (first) {
+      attitude_ = LevelledBy(force_R);
+    } else {
+      TakeIn(unit, rate_R, force_R, reading.span_s, attitude_);
+    }
+    sum.span_s += reading.span_s;
+    sum.rate_R += reading.span_s * rate_R;
+    sum.specific_force_R += reading.span_s * force_R;
+  }
+  if (readings.empty()) return filtered_;
+  const RollPitchYaw attitude = ToRollPitchYaw(attitude_.q_WR.toRotationMatrix());
+  filtered_ = {attitude.roll, attitude.pitch, attitude.yaw, sum.rate_R / sum.span_s,
+               sum.specific_force_R / sum.span_s};
+  return filtered_;
+}
+
 SensorFrame SensorSuite::Read(Tick tick, const std::vector<MotorTruth>& motors,
-                              const ImuSample& true_imu) {
-  const ImuModel& imu = imu_;
-  const bool first = !started_;
-  if (first) yaw_at_start_rad_ = true_imu.yaw_rad;
-  started_ = true;
+                              const TrueImu& true_imu) {
+  const bool first = !std::exchange(started_, true);
   // The first reading averages over one control period, as all do in a run.
   const Tick since = first ? control_period_ : tick - last_tick_;
   const double since_s = static_cast<double>(since) * kTickSeconds;
   last_tick_ = tick;
-  const double root_s = std::sqrt(std::max(since_s, kTickSeconds));
-  Wander(since_s);
-  const Eigen::Vector3d rate_error = bias_.rate_R + wandering_.rate_R +
-                                     NormalVector(imu_stream_, imu.gyro_walk_rad_sqrt_s / root_s);
-  // The unit integrates its gyros: about the vertical nothing corrects their error.
-  const Eigen::Matrix3d R_WR =
-      ToRotation(RollPitchYaw{true_imu.roll_rad, true_imu.pitch_rad, true_imu.yaw_rad});
-  if (!first) yaw_error_rad_ += R_WR.row(2).dot(rate_error) * since_s;
 
   SensorFrame frame;
   frame.tick = tick;
-  frame.imu.roll_rad =
-      true_imu.roll_rad + bias_.roll_rad + imu.attitude_noise_rad * imu_stream_.Normal();
-  frame.imu.pitch_rad =
-      true_imu.pitch_rad + bias_.pitch_rad + imu.attitude_noise_rad * imu_stream_.Normal();
-  frame.imu.yaw_rad = WrapPi(true_imu.yaw_rad - yaw_at_start_rad_ + yaw_error_rad_);
-  frame.imu.rate_R = true_imu.rate_R + rate_error;
-  frame.imu.specific_force_R = true_imu.specific_force_R + bias_.specific_force_R +
-                               wandering_.specific_force_R +
-                               NormalVector(imu_stream_, imu.accel_walk_m_s_sqrt_s / root_s);
+  frame.imu =
+      imu_.unit ? Filter(true_imu, first, since_s) : Disturb(true_imu.sample, first, since_s);
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     const double noise_a = motors_[i].current_noise_a * current_stream_.Normal();
-    frame.motors.push_back({Counts(motors[i].angle_rad, motors_[i].counts_per_rev),
-                            std::max(0.0, motors[i].current_a + noise_a)});
+    const double read_rad = motors[i].angle_rad + motors[i].lead_rad + motors_[i].homing_error_rad;
+    frame.motors.push_back(
+        {Counts(read_rad, motors_[i].counts_per_rev),
+         std::max(0.0, motors[i].current_a + motors_[i].current_offset_a + noise_a)});
   }
   return frame;
 }

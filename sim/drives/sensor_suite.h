@@ -8,6 +8,8 @@
 #include "models/parts/imu.h"
 #include "models/parts/motor.h"
 #include "sim/base/random.h"
+#include "sim/drives/attitude_filter.h"
+#include "sim/drives/imu.h"
 #include "sim/drives/motor_truth.h"
 
 namespace dockyard {
@@ -19,10 +21,14 @@ class SensorSuite {
               const Seed& run_seed);
   /// Readings at a control tick (no images). true_imu: averages since the last one, as ImuAverage
   /// gives them; yaw starts at zero.
-  SensorFrame Read(Tick tick, const std::vector<MotorTruth>& motors, const ImuSample& true_imu);
+  SensorFrame Read(Tick tick, const std::vector<MotorTruth>& motors, const TrueImu& true_imu);
 
  private:
   void Wander(double since_s);
+  /// Of a unit without a filter of its own: the true attitude with errors on it.
+  ImuSample Disturb(const ImuSample& truth, bool first, double since_s);
+  /// Of a unit that filters its own readings, each of which errs.
+  ImuSample Filter(const TrueImu& truth, bool first, double since_s);
 
   ImuModel imu_;
   std::vector<MotorModel> motors_;
@@ -31,6 +37,9 @@ class SensorSuite {
   ImuSample bias_{};       // since power-on
   ImuSample wandering_{};  // first-order Gauss-Markov: the bias' instability
   double yaw_error_rad_ = 0.0, yaw_at_start_rad_ = 0.0;
+  Eigen::Matrix3d gyro_axes_, accelerometer_axes_;  // true to read, of a unit with a filter
+  Attitude attitude_;
+  ImuSample filtered_{};  // the last reading's
   bool started_ = false;
   Tick last_tick_ = 0;
 };

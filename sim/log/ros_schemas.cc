@@ -113,12 +113,6 @@ std::string RosSchema(const std::string& type) {
   return text;
 }
 
-std::vector<std::string> RosTypes() {
-  std::vector<std::string> types;
-  for (const auto& [type, definition] : Definitions()) types.push_back(type);
-  return types;
-}
-
 std::string RosSchemaName(const std::string& type) {
   const std::size_t slash = type.find('/');
   return type.substr(0, slash) + "/msg/" + type.substr(slash + 1);

@@ -11,9 +11,6 @@ namespace dockyard {
 /// for a type that has no definition here. Types are "package/Name".
 std::string RosSchema(const std::string& type);
 
-/// All types that have a definition.
-std::vector<std::string> RosTypes();
-
 /// "package/msg/Name", as a schema is named.
 std::string RosSchemaName(const std::string& type);
 

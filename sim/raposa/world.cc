@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
+#include "controller/base/check.h"
 #include "sim/base/hash.h"
 #include "sim/drives/joint_stop.h"
 #include "sim/raposa/bullet_world.h"
@@ -94,6 +94,7 @@ class World::Impl {
 
   void Step(const std::array<MotorCommand, kMotorCount>& commands);
   Truth MakeTruth() const;
+  TrueImu TakeTrueImu() { return imu_.Take(robot_.motion(RobotLink::kBody), X_WG_); }
   Tick tick() const { return std::llround(time_s() / kTickSeconds); }
   const HeightGrid& ground() const { return setup_.ground; }
   std::uint64_t StateHash(std::uint64_t seed) const;
@@ -120,6 +121,7 @@ class World::Impl {
   WorldSetup setup_;
   Pose3 X_WG_;
   Eigen::Vector3d gravity_G_;
+  ImuAverage imu_;
   RobotBody robot_;
   PyramidBody pyramid_;
   BulletWorld bullet_;
@@ -137,6 +139,7 @@ World::Impl::Impl(const WorldSetup& setup)
     : setup_(WithRotors(setup)),
       X_WG_(SiteInWorld(setup.X_WG, setup.slope)),
       gravity_G_(GravityInSite(setup.slope)),
+      imu_(setup.robot.imu.value_or(ImuModel{}), gravity_G_),
       robot_(setup_.robot, RobotStart(setup), 0.0),
       pyramid_(setup.pyramid, PyramidStart(setup), CableFarEnd(setup), setup.soil),
       bullet_(robot_, pyramid_, setup_.robot, setup_.pyramid, gravity_G_, setup.search_always),
@@ -144,9 +147,7 @@ World::Impl::Impl(const WorldSetup& setup)
       arm_drive_(ModelOf(setup.robot, Motor::kArm), ArmInertia(setup_.robot)),
       door_drives_{MotorDrive(ModelOf(setup.robot, Motor::kLeftDoor), DoorInertia(setup_.robot)),
                    MotorDrive(ModelOf(setup.robot, Motor::kRightDoor), DoorInertia(setup_.robot))} {
-  if (!(setup.step_s > 0.0 && setup.step_s <= 5e-3)) {
-    throw std::invalid_argument("physics step must be in (0, 5] ms");
-  }
+  DOCKYARD_CHECK(setup.step_s > 0.0 && setup.step_s <= 5e-3);
   const std::array<MotorCommand, kMotorCount> braked{};
   const long settle = std::lround(kSettleSeconds / setup.step_s);
   for (long i = 0; i < settle; ++i) Step(braked);
@@ -154,6 +155,7 @@ World::Impl::Impl(const WorldSetup& setup)
   tracks_.PowerOn();
   contact_peak_n_ = 0.0;
   X_GP_start_ = pyramid_.motion().X_GL;
+  imu_.Start(robot_.motion(RobotLink::kBody));
 }
 
 double World::Impl::DoorAngle(const DoorDrive& door) const {
@@ -194,6 +196,7 @@ void World::Impl::Step(const std::array<MotorCommand, kMotorCount>& commands) {
   bullet_.Step(setup_.step_s);
   robot_.Refresh();
   pyramid_.Refresh();
+  imu_.Add(robot_.motion(RobotLink::kBody), setup_.step_s);
   contact_peak_n_ = std::max(contact_peak_n_, bullet_.contact_n());
   ++steps_;
 }
@@ -228,7 +231,7 @@ Truth World::Impl::MakeTruth() const {
   truth.right_door_m = -robot_.joint(RobotLink::kRightDoor);
   const auto tell = [&](Motor motor, double angle, double speed, const DriveOutput& output) {
     truth.motors[static_cast<std::size_t>(motor)] = {angle, speed, output.torque_nm(),
-                                                     output.current_a};
+                                                     output.current_a, output.lead_rad};
   };
   tell(Motor::kLeftBelt, tracks_.read_rad(Side::kLeft), tracks_.speed_rad_s(Side::kLeft),
        tracks_.output(Side::kLeft));
@@ -268,6 +271,7 @@ World::~World() = default;
 void World::Step(const std::array<MotorCommand, kMotorCount>& commands) { impl_->Step(commands); }
 Tick World::tick() const { return impl_->tick(); }
 Truth World::truth() const { return impl_->MakeTruth(); }
+TrueImu World::TakeTrueImu() { return impl_->TakeTrueImu(); }
 const HeightGrid& World::ground() const { return impl_->ground(); }
 std::uint64_t World::StateHash(std::uint64_t seed) const { return impl_->StateHash(seed); }
 

@@ -14,6 +14,7 @@
 #include "models/raposa/pyramid_model.h"
 #include "models/raposa/robot_model.h"
 #include "sim/base/random.h"
+#include "sim/drives/imu.h"
 #include "sim/drives/motor_truth.h"
 #include "sim/rigid/slope.h"
 #include "sim/soil/height_grid.h"
@@ -73,6 +74,8 @@ class World {
   void Step(const std::array<MotorCommand, kMotorCount>& commands);
   Tick tick() const;
   Truth truth() const;
+  /// Without errors; averages since the last call. At the body's middle where it has no unit.
+  TrueImu TakeTrueImu();
   const HeightGrid& ground() const;
   std::uint64_t StateHash(std::uint64_t seed) const;
 

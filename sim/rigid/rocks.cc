@@ -118,10 +118,6 @@ void AddField(const RockField& field, const GroundArea& area,
 
 }  // namespace
 
-double RockCover(double cover, double diameter_m) {
-  return cover > 0.0 ? cover * std::exp(-Steepness(cover) * diameter_m) : 0.0;
-}
-
 double RocksPerArea(double cover, double least_m, double largest_m) {
   if (cover <= 0.0 || least_m >= largest_m) return 0.0;
   // A cover of -dF goes by circles of pi/4 D^2: the integral of 4 k q exp(-q D) / (pi D^2), over

@@ -10,10 +10,6 @@
 
 namespace dockyard {
 
-/// Share of the ground that is covered by rocks of at least this diameter, of a cover k by all:
-/// k exp(-q D) with q = 1.79 + 0.152 / k (Golombek and Rapp, JGR 102, 1997).
-double RockCover(double cover, double diameter_m);
-
 /// Rocks per square metre between two diameters, each of the area of its circle.
 double RocksPerArea(double cover, double least_m, double largest_m);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "controller/base/check.h"
 #include "sim/base/hash.h"
 
 namespace dockyard {
@@ -32,21 +33,16 @@ Composite Shifted(const Composite& at, const Vector3d& r) {
           at.inertia - first * arm - arm * first - at.mass * arm * arm};
 }
 
-void Require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
-}
-
 }  // namespace
 
 TreeBody::TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, const Pose3& X_GB)
     : links_(std::move(links)), X_GB_(X_GB) {
   const std::size_t count = links_.size();
-  Require(count > 0 && links_[0].parent == -1, "a tree of links begins with its base");
-  Require(count + 5 <= kMostSpeeds, "a tree has too many links");
+  DOCKYARD_CHECK(count > 0 && links_[0].parent == -1);
+  if (count + 5 > kMostSpeeds) throw std::invalid_argument("a tree has too many links");
   for (std::size_t i = 0; i < count; ++i) {
-    Require(links_[i].model.mass_kg > 0.0, "a link of a tree needs a mass");
-    Require(i == 0 || (links_[i].parent >= 0 && Place(links_[i].parent) < i),
-            "a link of a tree comes after its parent");
+    DOCKYARD_CHECK(links_[i].model.mass_kg > 0.0);
+    DOCKYARD_CHECK(i == 0 || (links_[i].parent >= 0 && Place(links_[i].parent) < i));
     mass_kg_ += links_[i].model.mass_kg;
   }
   const auto speeds = static_cast<Eigen::Index>(count + 5);
@@ -61,7 +57,7 @@ TreeBody::TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, cons
   ties_.setZero(static_cast<Eigen::Index>(ties.size()), speeds);
   for (std::size_t row = 0; row < ties.size(); ++row) {
     for (const auto& [link, weight] : ties[row]) {
-      Require(link > 0 && Place(link) < count, "a tie names a joint of the tree");
+      DOCKYARD_CHECK(link > 0 && Place(link) < count);
       ties_(static_cast<Eigen::Index>(row), 5 + link) = weight;
     }
   }

@@ -42,8 +42,8 @@ class TreeBody {
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostSpeeds, kMostSpeeds>;
   using PointJacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMostSpeeds>;
 
-  /// The base comes first and stands at X_GB; all angles are 0. Throws std::invalid_argument for
-  /// links out of order, too many of them, or a mass that is not positive.
+  /// The base comes first and stands at X_GB; all angles are 0. Each link has a mass and comes
+  /// after its parent.
   TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, const Pose3& X_GB);
 
   int link_count() const { return static_cast<int>(links_.size()); }

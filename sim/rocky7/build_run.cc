@@ -28,6 +28,12 @@ constexpr double kApart_m = 0.005;
 constexpr double kRoverRadius_m = 0.45;
 const Eigen::Vector2d kMiddle_R(0.17, 0.0);
 
+void CheckStep(const Scenario& scenario) {
+  if (scenario.physics_step_s <= kLongestStep_s) return;
+  throw ConfigError(scenario.step_place + ": expected at most " + NumberText(kLongestStep_s) +
+                    " s for Rocky 7, found " + NumberText(scenario.physics_step_s));
+}
+
 void CheckYard(const Scenario& scenario) {
   if (scenario.yard.cell_m <= kCoarsest_m) return;
   throw ConfigError(scenario.yard_place + ": expected yard.cell_m of at most " +
@@ -54,7 +60,7 @@ BoulderShape ShapeOfBoulder(const Rocky7Keys& keys) {
 bool IsInTheWay(const Rock& rock, const Rocky7Keys& keys, const Pose2& X_DR) {
   if (rock.given) return false;
   const double half_m = 0.5 * rock.size.diameter_m;
-  const double own_m = keys.task == "place" ? 2.0 * keys.boulder_m : keys.diameter_m;
+  const double own_m = keys.task == Task::kPlace ? 2.0 * keys.boulder_m : keys.diameter_m;
   if (rock.p_D.norm() < 0.5 * own_m + half_m + kApart_m) return true;
   return (Inverse(X_DR) * rock.p_D - kMiddle_R).norm() < kRoverRadius_m + half_m;
 }
@@ -65,7 +71,8 @@ std::vector<ConvexBody> Stones(const Scenario& scenario, const Rocky7Keys& keys,
   const auto lift = [&](double x_m, double y_m) {
     return Pose3::Translation(0.0, 0.0, ground.Height(x_m, y_m));
   };
-  if (keys.task == "reach") stones.push_back(lift(0.0, 0.0) * TargetStone(keys, scenario.seed));
+  if (keys.task == Task::kReach)
+    stones.push_back(lift(0.0, 0.0) * TargetStone(keys, scenario.seed));
   if (!HasRocks(scenario.rocks)) return stones;
   const YardModel& yard = scenario.yard;
   const GroundArea area{-kYardBehind_m, yard.length_m - kYardBehind_m, -0.5 * yard.width_m,
@@ -87,6 +94,7 @@ std::vector<ConvexBody> Stones(const Scenario& scenario, const Rocky7Keys& keys,
 }  // namespace
 
 BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
+  CheckStep(scenario);
   CheckYard(scenario);
   CheckCarries(models.built.soil, scenario.soil_file, models.built.robot.rover.tyre.width_m);
   const RobotModel& robot = models.built.robot;
@@ -108,12 +116,12 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   if (!std::isnan(models.keys.off_target_rad)) at.h = at.alpha + models.keys.off_target_rad;
   world.X_GR_start = FromDockingCoords(at);
   world.stones = Stones(scenario, models.keys, world.X_GR_start, world.ground);
-  if (models.keys.task == "grasp") {
+  if (models.keys.task == Task::kGrasp) {
     world.loose_target =
         LooseStoneShape(models.keys.diameter_m / kMeanOfLength, StreamKey(scenario.seed, "target"));
     world.target_turn_rad = models.keys.turn_rad;
   }
-  if (models.keys.task == "place") {
+  if (models.keys.task == Task::kPlace) {
     world.boulder = MakeBoulder(ShapeOfBoulder(models.keys), StreamKey(scenario.seed, "target"));
     world.target_G = {0.0, 0.0, models.keys.target_up_m};
   }
@@ -125,14 +133,12 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   run.lighting = MakeLighting(scenario.light, SiteInWorld(world.X_WG, world.slope),
                               {0.0, 0.0, 0.5 * models.keys.height_m}, scenario.seed, scenario.sun);
   run.nominal = MakeNominal(models.told.robot);
-  if (models.keys.task == "grasp") {
+  if (models.keys.task == Task::kGrasp) {
     // Not the point where the arm reaches the ground, but the one where its scoops close.
     run.nominal.plan.p_RP = GraspPoint(run.nominal.arm, run.nominal.rolling_radius_m);
     world.robot.rover.plan.p_RP = run.nominal.plan.p_RP;
   }
-  run.nominal.task = models.keys.task == "grasp"   ? Task::kGrasp
-                     : models.keys.task == "place" ? Task::kPlace
-                                                   : Task::kReach;
+  run.nominal.task = models.keys.task;
   run.nominal.reach_m = models.keys.reach_m;
   return run;
 }

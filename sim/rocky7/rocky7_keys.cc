@@ -3,8 +3,9 @@
 namespace dockyard::rocky7 {
 
 void VisitRocky7Keys(Keys& keys, Rocky7Keys& values) {
-  keys.Word({"task", "", "bring the point to the target, grasp it, or place the instrument on it"},
-            values.task, {"reach", "grasp", "place"});
+  keys.Choice(
+      {"task", "", "bring the point to the target, grasp it, or place the instrument on it"},
+      values.task, {"reach", "grasp", "place"});
   keys.Number({"diameter_m", "m", "of the target stone, the mean of its length and width"},
               values.diameter_m, Between(0.01, 0.3));
   keys.Number(

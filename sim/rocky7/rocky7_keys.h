@@ -2,16 +2,15 @@
 #pragma once
 
 #include <limits>
-#include <string>
 
-#include "controller/geometry/pose.h"
+#include "controller/rocky7/nominal/nominal.h"
 #include "sim/scenario/keys.h"
 #include "sim/scenario/scenario.h"
 
 namespace dockyard::rocky7 {
 
 struct Rocky7Keys {
-  std::string task = "reach";
+  Task task = Task::kReach;
   // The target: a stone at the origin of D; to be grasped it lies loose on the ground. 3-5 cm
   // (Nesnas, Maimone and Das 2000).
   double diameter_m = 0.04;

@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <variant>
 
+#include "controller/base/check.h"
 #include "sim/base/hash.h"
 #include "sim/rocky7/boulder_meeting.h"
 
@@ -37,15 +37,13 @@ World::World(const WorldSetup& setup)
       X_WG_(SiteInWorld(setup.X_WG, setup.slope)),
       gravity_G_(GravityInSite(setup.slope)),
       rover_(setup.robot.rover, setup.soil, StartPose(setup)),
-      imu_(setup.robot.imu.p_RI, gravity_G_),
+      imu_(setup.robot.imu, gravity_G_),
       stones_(setup.stones, setup.soil, setup.ground, setup.robot.rover.tyre, setup.stone_friction),
       loose_(ArmParts(*setup.robot.rover.arm, rover_.arm().link(0)), setup.soil,
              {.friction = setup.stone_friction}),
       face_(setup.robot.rover.mast->instrument, rover_.mast_link(kMastElbow),
             setup.robot.rover.mast->link2_m) {
-  if (!(setup.step_s > 0.0 && setup.step_s <= 2e-3)) {
-    throw std::invalid_argument("physics step must be in (0, 2] ms");
-  }
+  DOCKYARD_CHECK(setup.step_s > 0.0 && setup.step_s <= kLongestStep_s);
   if (setup.loose_target) {
     loose_.Add(LooseStone(*setup.loose_target, kStoneDensity_kg_m3,
                           StandingAt(*setup.loose_target, {0.0, 0.0}, setup.target_turn_rad,
@@ -132,7 +130,7 @@ Truth World::truth() const {
   if (loose_.count() > 0) truth.target_rise_m = truth.X_GT.p.z() - target_start_m_;
   for (int i = 0; i < rover_.motor_count(); ++i) {
     truth.motors.push_back({rover_.angle_rad(i), rover_.rate_rad_s(i), rover_.output(i).torque_nm(),
-                            rover_.output(i).current_a});
+                            rover_.output(i).current_a, rover_.output(i).lead_rad});
   }
   const int wheels = static_cast<int>(setup_.robot.rover.plan.wheels.size());
   for (int i = 0; i < wheels; ++i) truth.sinkage_m += rover_.load(i).sinkage_m / wheels;
@@ -142,7 +140,7 @@ Truth World::truth() const {
   return truth;
 }
 
-ImuSample World::TakeTrueImu() { return imu_.Take(rover_.body(), X_WG_); }
+TrueImu World::TakeTrueImu() { return imu_.Take(rover_.body(), X_WG_); }
 
 std::uint64_t World::StateHash(std::uint64_t seed) const {
   return face_.StateHash(loose_.StateHash(

@@ -22,6 +22,9 @@
 
 namespace dockyard::rocky7 {
 
+/// Longer steps do not hold the contacts of scoops and stones. Assumed, 1-2 ms.
+inline constexpr double kLongestStep_s = 2e-3;
+
 struct WorldSetup {
   RobotModel robot;
   SoilModel soil;
@@ -68,8 +71,7 @@ struct Truth {
 
 class World {
  public:
-  /// The rover stands braked until it has come to rest. Throws std::invalid_argument for a step out
-  /// of (0, 2] ms.
+  /// The rover is braked until it has come to rest. The step must be in (0, kLongestStep_s].
   explicit World(const WorldSetup& setup);
 
   /// One step with the drives obeying these commands.
@@ -77,7 +79,7 @@ class World {
   Tick tick() const { return std::llround(time_s() / kTickSeconds); }
   Truth truth() const;
   /// Averages since the last call.
-  ImuSample TakeTrueImu();
+  TrueImu TakeTrueImu();
   const WheeledBody& rover() const { return rover_; }
   const LooseStones& loose() const { return loose_; }
   const HeightGrid& ground() const { return setup_.ground; }

@@ -77,7 +77,7 @@ struct Scenario {
   std::uint64_t controller_seed = 1;               // of the program's own draws
   DockingCoords start{.r = 4.0};
   // "file:line:column: start", for messages
-  std::string start_place, camera_place, yard_place, rocks_place, sun_place;
+  std::string start_place, camera_place, yard_place, rocks_place, sun_place, step_place;
   Light light = Light::kEven;
   SunModel sun;
   YardModel yard;
@@ -111,9 +111,9 @@ struct FormerName {
 
 /// The part of a system that a reader needs to check a scenario.
 struct KnownSystem {
-  std::string name;
-  std::vector<std::string> controllers;  // the first is the default
-  std::vector<std::string> file_keys;    // keys under its own name whose values are files
+  std::string name{};
+  std::vector<std::string> controllers{};  // the first is the default
+  std::vector<std::string> file_keys{};    // keys under its own name whose values are files
   // The same under `changes` and `as_built`. The reader makes all absolute, so that a scenario can
   // be written into another folder.
   std::vector<std::string> changes_file_keys{};

@@ -279,6 +279,7 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
   scenario.start_place = PlaceOf(root, "start", "r_m");
   scenario.camera_place = PlaceOf(root, "camera", "width_px");
   scenario.yard_place = PlaceOf(root, "yard", "slope_deg");
+  scenario.step_place = PlaceOf(root, "physics_step_s", "");
   scenario.sun_place = PlaceOf(
       root, "sun", scenario.sun.temperature_k > 0.0 ? "temperature_k" : "sky_temperature_k");
   scenario.rocks_place = PlaceOf(root, "rocks", scenario.rocks.cover > 0.0 ? "cover" : "given");

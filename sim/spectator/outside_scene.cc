@@ -35,10 +35,11 @@ void OutsideScenes::AddBodies(std::size_t sample, Scene& scene) const {
           {.mesh = part.mesh, .X_WO = X_WO * part.X_OP, .albedo = part.rgb, .stains = part.stains});
     }
     if (!shapes_.board || shapes_.board->body != body.name) continue;
-    scene.board.board = shapes_.board->board;
-    scene.board.X_WB = X_WO * shapes_.board->X_OB;
-    scene.board.p_BH = shapes_.board->p_BH;
-    scene.board.hole_radius_m = shapes_.board->hole_radius_m;
+    scene.boards.push_back({.board = shapes_.board->board,
+                            .X_WB = X_WO * shapes_.board->X_OB,
+                            .p_BH = shapes_.board->p_BH,
+                            .hole_radius_m = shapes_.board->hole_radius_m,
+                            .dusty_spots = {}});
   }
 }
 

@@ -107,8 +107,7 @@ void ArmBody::Work(TreeBody& tree, HeightGrid& ground, double step_s) {
   for (const bool is_front : {false, true}) {
     const int i = is_front ? front : back;
     const LinkMotion& motion = tree.motion(i);
-    ScoopLoad& load = loads_[is_front];
-    load = soils_[is_front].Step(ground, motion, step_s);
+    const ScoopLoad load = soils_[is_front].Step(ground, motion, step_s);
     tree.AddForce(i, load.force_G, motion.X_GL.p);
     tree.AddTorque(i, load.torque_G);
   }

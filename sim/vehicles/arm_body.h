@@ -33,15 +33,12 @@ class ArmBody {
 
   int link(int motor) const { return first_ + motor; }
   const ArmModel& model() const { return model_; }
-  /// Of the soil on a scoop in the last step.
-  const ScoopLoad& soil_load(bool front) const { return loads_[front]; }
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
   ArmModel model_;
   int first_ = 0;
   std::array<ScoopSoil, 2> soils_;  // back, front
-  std::array<ScoopLoad, 2> loads_;
 };
 
 }  // namespace dockyard

@@ -63,14 +63,6 @@ void LooseStones::AddForce(int stone, const Vector3d& force_G) {
   kept.still_s = 0.0;
 }
 
-Vector3d LooseStones::PartsForce(int stone, double step_s) const {
-  Vector3d sum = Vector3d::Zero();
-  for (const StoneTouch& touch : touches_) {
-    if (touch.stone == stone && touch.part >= 0) sum += touch.impulse_G / step_s;
-  }
-  return sum;
-}
-
 void LooseStones::Step(TreeBody& tool, const Vector3d& gravity_G, double step_s,
                        const HeightGrid& ground) {
   FindTouches(tool, ground, step_s);

@@ -57,8 +57,6 @@ class LooseStones {
   /// until a part or a waking stone touches it, or the ground below it changes.
   bool asleep(int i) const { return stones_[Place(i)].asleep; }
   const std::vector<StoneTouch>& touches() const { return touches_; }
-  /// Sum of the parts' forces on a stone in the last step [N].
-  Eigen::Vector3d PartsForce(int stone, double step_s) const;
 
   void Step(TreeBody& tool, const Eigen::Vector3d& gravity_G, double step_s,
             const HeightGrid& ground);

@@ -1,8 +1,8 @@
 #include "sim/vehicles/wheeled_body.h"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "controller/base/check.h"
 #include "sim/base/hash.h"
 #include "sim/drives/joint_stop.h"
 #include "sim/rigid/solid_link.h"
@@ -183,9 +183,7 @@ void WheeledBody::Step(const std::vector<MotorCommand>& commands, const Vector3d
 
 void WheeledBody::TakeLoads(const std::vector<MotorCommand>& commands, const Vector3d& gravity_G,
                             double step_s, HeightGrid& ground) {
-  if (commands.size() != motors_.size()) {
-    throw std::invalid_argument("a rover needs one command for each motor");
-  }
+  DOCKYARD_CHECK(commands.size() == motors_.size());
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     Motor& motor = motors_[i];
     motor.output = motor.drive.Step(commands[i], tree_.angle_rad(motor.link),

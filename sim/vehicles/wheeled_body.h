@@ -49,11 +49,10 @@ class WheeledBody {
   int wheel_link(int wheel) const { return wheel_link_[Place(wheel)]; }  // of the tree
   /// The soil's load on a wheel in the last step.
   const WheelLoad& load(int wheel) const { return loads_[Place(wheel)]; }
-  /// Angles of rocker and bogie on one side; nose-down positive. 0 of a rigid rover.
+  /// Angle of the rocker on one side; nose-down positive. 0 of a rigid rover.
   double rocker_rad(bool left) const {
     return rocker_[left] > 0 ? tree_.angle_rad(rocker_[left]) : 0;
   }
-  double bogie_rad(bool left) const { return bogie_[left] > 0 ? tree_.angle_rad(bogie_[left]) : 0; }
   /// Where the bogie's hinge is; R itself of a rigid rover.
   const Eigen::Vector3d& bogie_place_G(bool left) const {
     return tree_.motion(bogie_[left]).X_GL.p;

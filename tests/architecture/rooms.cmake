@@ -4,7 +4,7 @@
 # A single file may have a line of its own, which holds instead of its folder's.
 # The standard library is open to all by its C++ names (<cmath>, not math.h), the operating system to those
 # that name it. A folder with sources and without a line here is an error. No semicolon in a line: CMake ends an item there.
-set(systems axel raposa rocky7)
+include(${CMAKE_CURRENT_LIST_DIR}/systems.cmake)
 
 set(contract "controller/(base|geometry|io)/|Eigen/")
 set(os "sys/|unistd.h|fcntl.h|poll.h|signal.h")
@@ -25,7 +25,7 @@ set(rooms
   "controller/<system>/nominal|the nominal parameters that a controller is told|${contract}|controller/<system>/nominal/"
   "controller/<system>|a system's controllers|${contract}|controller/(imaging|vision|motion|stereo|tracking|<system>)/"
   "models/parts|what things are: links, motors, wheels, cameras, soil|${contract}|models/parts/"
-  "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h|${os}"
+  "models/read|files in: YAML, CSV, URDF, meshes, and parts|${models}|yaml-cpp/|assimp/|nlohmann/|console_bridge/|urdf_parser/|urdf_model/|tinyxml2?.h|${os}"
   "models/<system>|a system's robot and target: structs, readers, data|${models}|models/<system>/|controller/<system>/nominal/"
   "render|a scene in, images out, without physics|${contract}|render/|GL/|EGL/|dlfcn.h"
   "sim/base|random streams, normal numbers, hashes, files, text, JSON, what this computer is|${contract}|sim/base/|nlohmann/|opencv2/core/version.hpp|zlib.h|openssl/|${os}"
@@ -44,7 +44,7 @@ set(rooms
   "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|linux/|${os}"
   "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
   "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"
-  "sim/plant|what the worlds of all systems share: cameras as built, light, meshes, nominal numbers|${models}|render/|sim/(base|images|scenario|soil|rigid|drives|vehicles|plant)/|unistd.h"
+  "sim/plant|what the worlds of all systems share: cameras as built, light, meshes, models read once, nominal numbers|${models}|render/|sim/(base|images|scenario|soil|rigid|drives|vehicles|plant)/|unistd.h"
   "sim/run|one run in closed loop, for any system|${models}|render/|sim/(base|scenario|log|bridge|plant|run)/|unistd.h"
   "sim/paths|planned paths: candidates, wheels along them, drawings, a run to watch|${contract}|controller/motion/|render/|sim/(base|log|report|run|paths)/"
   "sim/page|results as one HTML file|${contract}|models/read/|render/|sim/(base|images|plan|log|statistics|report|run|page)/|zlib.h"

@@ -110,7 +110,7 @@ Finds LookForTags(const GrayImage& image, TagDetector& detector, const Truths& t
 /// For one camera; of marks in view, by a disc round the tag's white corners.
 Truths TruthsOf(const YardViews& views, const YardSample& sample, bool right) {
   Scene scene = views.last_scene();
-  scene.board.board.disc_diameter_m = kTagImage_m * std::sqrt(2.0);
+  scene.boards[0].board.disc_diameter_m = kTagImage_m * std::sqrt(2.0);
   const Camera& camera = right ? sample.built_rig.right : sample.built_rig.left;
   const Pose3 X_WC = sample.X_WR * (right ? sample.built_rig.X_RQ : sample.built_rig.X_RL);
   Truths truths;
@@ -119,7 +119,7 @@ Truths TruthsOf(const YardViews& views, const YardSample& sample, bool right) {
     const std::optional<Eigen::Vector2d>& centroid = sample.marks[right ? 1 : 0][id].truth.centroid;
     truths.emplace_back();
     if (!around[id].whole || around[id].hidden > 0.0 || !centroid) continue;
-    const double range_m = (Inverse(X_WC) * scene.board.X_WB.p).norm();
+    const double range_m = (Inverse(X_WC) * scene.boards[0].X_WB.p).norm();
     truths.back() = {*around[id].centre, *centroid, kTagSize_m * camera.focal_px().x() / range_m};
   }
   return truths;

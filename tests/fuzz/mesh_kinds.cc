@@ -28,7 +28,7 @@ class MeshReader {
       const MeshStatement stated = CheckMeshFormat(file, bytes);
       if (++passed_ % options_.import_every != 0) return;
       if (options_.unguarded) {
-        ImportMesh(file, stated.bytes, stated.triangles);
+        ImportMesh(file, stated);
       } else {
         LoadGuarded(file, bytes);
       }

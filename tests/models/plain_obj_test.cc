@@ -16,7 +16,7 @@ namespace {
 void ExpectAsImported(const std::string& text, const std::string& what) {
   const auto plain = PlainObj(text);
   ASSERT_TRUE(plain) << what;
-  const TriangleMesh imported = ImportMesh("a.obj", text, -1);
+  const TriangleMesh imported = ImportMesh("a.obj", {MeshFormat::kObj, text});
   ASSERT_EQ(plain->vertices.size(), imported.vertices.size()) << what;
   for (std::size_t i = 0; i < plain->vertices.size(); ++i) {
     // assimp takes 2.14313e-18 for 2.1431302e-18.

@@ -102,8 +102,8 @@ YardSample YardViews::TakeAt(int i, const DockingCoords& at, double pitch_rad, b
   builder_ = std::make_unique<SceneBuilder>(built.world.rover, built.world.station,
                                             built.world.soil, lighting, SiteOf(scenario_), seed);
   scene_ = builder_->Make(truth, world_->ground());
-  sample.X_RB = Inverse(truth.X_WR) * scene_.board.X_WB;
-  sample.X_DB = Inverse(built.X_WD) * scene_.board.X_WB;
+  sample.X_RB = Inverse(truth.X_WR) * scene_.boards[0].X_WB;
+  sample.X_DB = Inverse(built.X_WD) * scene_.boards[0].X_WB;
   const std::array<const Camera*, 2> cameras{&sample.built_rig.left, &sample.built_rig.right};
   const std::array<Pose3, 2> X_RC{sample.built_rig.X_RL, sample.built_rig.X_RQ};
   const std::vector<double> shaded = ShadedShares(scene_);
@@ -120,7 +120,7 @@ YardSample YardViews::TakeAt(int i, const DockingCoords& at, double pitch_rad, b
   const Eigen::Matrix3d R_WR_sensed = RotY(sigma * imu.Normal()) * RotX(sigma * imu.Normal());
   sample.hints.up_R = R_WR_sensed.transpose() * truth.X_WR.R.transpose() * Eigen::Vector3d::UnitZ();
   if (!options_.has_board) {
-    scene_.board.X_WB.p.z() = -5.0;  // under the ground
+    scene_.boards[0].X_WB.p.z() = -5.0;  // under the ground
     for (auto& view : sample.marks) view.clear();
   }
   if (render) Draw(sample, &sample.images);

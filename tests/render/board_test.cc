@@ -17,21 +17,21 @@ Offsets CentroidOffsets(const Camera& camera, double range_m, double yaw_rad,
                         const Eigen::Matrix3d& turn_C = Eigen::Matrix3d::Identity(),
                         int least_discs = 12) {
   Scene scene = BoardOnly();
-  scene.board.board.width_m = 1.3;  // its edges stay out of the windows
-  scene.board.board.height_m = 0.9;
-  scene.board.X_WB.R = RotZ(yaw_rad) * scene.board.X_WB.R;
+  scene.boards[0].board.width_m = 1.3;  // its edges stay out of the windows
+  scene.boards[0].board.height_m = 0.9;
+  scene.boards[0].X_WB.R = RotZ(yaw_rad) * scene.boards[0].X_WB.R;
   Pose3 X_WC = LookAt({range_m, 0.05, 0.62}, {0.0, -0.03, 0.75});
   X_WC.R = X_WC.R * turn_C;
   StereoRenderer renderer;
   const StereoRig rig = RigAt(camera, X_WC);
   const auto pair = renderer.RenderRadiance(scene, rig, {});
-  const double white = UnshadedRadiance(scene.light, -scene.board.X_WB.R.col(2), 0.85);
+  const double white = UnshadedRadiance(scene.light, -scene.boards[0].X_WB.R.col(2), 0.85);
   Offsets offsets;
   int count = 0;
   for (int view = 0; view < 2; ++view) {
-    const Pose3 X_CB = Inverse(view == 0 ? rig.X_RL : rig.X_RQ) * scene.board.X_WB;
-    for (const Fiducial& f : scene.board.board.fiducials) {
-      const Eigen::Vector2d exact = ExactBlackCentroid(scene.board.board, f, camera, X_CB);
+    const Pose3 X_CB = Inverse(view == 0 ? rig.X_RL : rig.X_RQ) * scene.boards[0].X_WB;
+    for (const Fiducial& f : scene.boards[0].board.fiducials) {
+      const Eigen::Vector2d exact = ExactBlackCentroid(scene.boards[0].board, f, camera, X_CB);
       if (!camera.Sees(exact, 1.2 * 0.1 * camera.focal_px().x() / range_m)) continue;
       const double window = 0.068 * camera.focal_px().x() / range_m + 2.0;
       const double off = (CentroidOfDark(pair[view], exact, window, white) - exact).norm();
@@ -101,9 +101,9 @@ TEST(Centroids, FollowALensWhosePupilMoves) {
 class Upright : public testing::Test {
  protected:
   Upright() {
-    scene_.board.board.fiducials = {{{0.3, 0.15}, kPi / 4}};
+    scene_.boards[0].board.fiducials = {{{0.3, 0.15}, kPi / 4}};
     image_ = StereoRenderer().RenderRadiance(scene_, RigAt(camera_, X_WC_), {})[0];
-    X_CB_ = Inverse(X_WC_) * scene_.board.X_WB;
+    X_CB_ = Inverse(X_WC_) * scene_.boards[0].X_WB;
   }
   Eigen::Vector2d Pixel(double x_m, double y_m) const {
     return *camera_.Project(X_CB_ * Eigen::Vector3d(x_m, y_m, 0.0));
@@ -139,7 +139,7 @@ TEST_F(Upright, WhiteAndBlackHaveTheirAlbedos) {
 TEST_F(Upright, TheBackShowsNoDiscs) {
   const Pose3 X_WC = LookAt({-1.0, 0.0, 0.7}, {0.0, 0.0, 0.7});
   const RadianceImage back = StereoRenderer().RenderRadiance(scene_, RigAt(camera_, X_WC), {})[0];
-  const Pose3 X_CB = Inverse(X_WC) * scene_.board.X_WB;
+  const Pose3 X_CB = Inverse(X_WC) * scene_.boards[0].X_WB;
   const Eigen::Vector2d disc = *camera_.Project(X_CB * Eigen::Vector3d(0.33, 0.15, 0.0));
   const Eigen::Vector2d plain = *camera_.Project(X_CB * Eigen::Vector3d(0.1, 0.15, 0.0));
   EXPECT_NEAR(RadianceAt(back, disc), RadianceAt(back, plain), 1e-4);

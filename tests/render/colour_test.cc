@@ -32,7 +32,7 @@ TEST(Colour, LuminanceIsTheGreyImage) {
   auto yard = SampleYard(2.0, SunAt(0.5, 0.7));
   yard->scene.light.sun_rgb = BlackbodyRgb(4500);
   yard->scene.light.sky_rgb = BlackbodyRgb(9000);
-  yard->scene.board.dust_cover = 0.2;
+  yard->scene.boards[0].dust_cover = 0.2;
   yard->scene.objects[0].albedo = {0.7, 0.3, 0.1};
   const StereoRig rig = SampleRig(320, 240);
   StereoRenderer renderer;
@@ -111,10 +111,11 @@ TEST(Dust, LowersTheContrastByItsShare) {
       RigAt(EquidistantCamera(640, 480, kPi / 2), LookAt({1.0, 0, 0.7}, {0, 0, 0.7}));
   StereoRenderer renderer;
   const auto clean = renderer.RenderRadiance(scene, rig, {})[0];
-  scene.board.dust_cover = 0.3;
+  scene.boards[0].dust_cover = 0.3;
   const auto dusty = renderer.RenderRadiance(scene, rig, {})[0];
   // On the board's pixels the image moves towards the dust's own radiance, pixel by pixel.
-  const double dust = UnshadedRadiance(scene.light, {1, 0, 0}, Luminance(scene.board.dust_albedo));
+  const double dust =
+      UnshadedRadiance(scene.light, {1, 0, 0}, Luminance(scene.boards[0].dust_albedo));
   double share = 0.0;
   int count = 0;
   for (int y = 180; y < 300; y += 3) {

@@ -376,9 +376,6 @@ TEST(ColourView, RefusesWhatTheTableDoesNotHave) {
   marks->scene.objects[0].material = 0;
   marks->scene.lamps = {{.kind = 3}};
   EXPECT_THROW(DrawBy(renderer, *marks, MarksView()), std::invalid_argument);
-  marks->scene.lamps.clear();
-  marks->scene.board.board.width_m = marks->scene.board.board.height_m = 0.3;
-  EXPECT_THROW(DrawBy(renderer, *marks, MarksView()), std::invalid_argument);
 }
 
 }  // namespace

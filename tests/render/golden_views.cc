@@ -21,7 +21,7 @@ const std::vector<GoldenView>& GoldenViews() {
 
 std::unique_ptr<Yard> GoldenYard(const GoldenView& view) {
   auto yard = SampleYard(view.range_m, {0, 0, 1});
-  const Lighting lighting = MakeLighting(view.light, Pose3{}, yard->scene.board.X_WB.p, 1);
+  const Lighting lighting = MakeLighting(view.light, Pose3{}, yard->scene.boards[0].X_WB.p, 1);
   yard->scene.light = lighting.sun_and_sky;
   for (const SceneObject& occluder : lighting.occluders) yard->scene.objects.push_back(occluder);
   return yard;

@@ -93,14 +93,14 @@ std::array<RadianceImage, 2> RenderPrinted(StereoRenderer& renderer, const Scene
                                            const StereoRig& rig, const Pose3& X_WR,
                                            const std::vector<PrintedImage>& prints) {
   Scene plain = scene;
-  plain.board.board.fiducials.clear();
+  plain.boards[0].board.fiducials.clear();
   std::array<RadianceImage, 2> views = renderer.RenderRadiance(plain, rig, X_WR);
-  plain.board.white_albedo = plain.board.black_albedo;
+  plain.boards[0].white_albedo = plain.boards[0].black_albedo;
   const std::array<RadianceImage, 2> black = renderer.RenderRadiance(plain, rig, X_WR);
   for (std::size_t view = 0; view < 2; ++view) {
     const Camera& camera = view == 0 ? rig.left : rig.right;
     const Pose3 X_WC = X_WR * (view == 0 ? rig.X_RL : rig.X_RQ);
-    Footprints footprints(camera, Inverse(scene.board.X_WB) * X_WC);
+    Footprints footprints(camera, Inverse(scene.boards[0].X_WB) * X_WC);
     for (int y = 0; y < camera.height; ++y) {
       for (int x = 0; x < camera.width; ++x) {
         float& value = views[view].values[static_cast<std::size_t>(y) * camera.width + x];

@@ -62,9 +62,9 @@ TEST(PrintedBoard, DiscsOfFineSquaresLookLikeTheRenderers) {
     const StereoRig rig = SampleRig(640, 480);
     const auto drawn = renderer.RenderRadiance(yard->scene, rig, yard->X_WR);
     const auto printed = RenderPrinted(renderer, yard->scene, rig, yard->X_WR,
-                                       FineFiducials(yard->scene.board.board));
+                                       FineFiducials(yard->scene.boards[0].board));
     const double white =
-        UnshadedRadiance(yard->scene.light, -yard->scene.board.X_WB.R.col(2), 0.85);
+        UnshadedRadiance(yard->scene.light, -yard->scene.boards[0].X_WB.R.col(2), 0.85);
     double worst = 0.0, squares = 0.0;
     int count = 0;
     for (int view = 0; view < 2; ++view) {
@@ -88,19 +88,19 @@ TEST(PrintedBoard, DiscsOfFineSquaresLookLikeTheRenderers) {
 TEST(PrintedBoard, CentroidsOfSquaresLieWhereTheyProject) {
   for (const double range_m : {1.5, 3.0, 5.0}) {
     Scene scene = BoardOnly();
-    scene.board.board.width_m = 1.3;
-    scene.board.board.height_m = 0.9;
-    scene.board.X_WB.R = RotZ(0.5) * scene.board.X_WB.R;
+    scene.boards[0].board.width_m = 1.3;
+    scene.boards[0].board.height_m = 0.9;
+    scene.boards[0].X_WB.R = RotZ(0.5) * scene.boards[0].X_WB.R;
     const Camera camera = EquidistantCamera(1024, 768, kPi / 2);
     const StereoRig rig = RigAt(camera, LookAt({range_m, 0.05, 0.62}, {0.0, -0.03, 0.75}));
     std::vector<PrintedImage> prints;
-    for (const Fiducial& fiducial : scene.board.board.fiducials) {
+    for (const Fiducial& fiducial : scene.boards[0].board.fiducials) {
       prints.push_back({fiducial.p_BF, 0.1, 1, {true}});
     }
     StereoRenderer renderer;
     const auto pair = RenderPrinted(renderer, scene, rig, {}, prints);
-    const double white = UnshadedRadiance(scene.light, -scene.board.X_WB.R.col(2), 0.85);
-    const Pose3 X_CB = Inverse(rig.X_RL) * scene.board.X_WB;
+    const double white = UnshadedRadiance(scene.light, -scene.boards[0].X_WB.R.col(2), 0.85);
+    const Pose3 X_CB = Inverse(rig.X_RL) * scene.boards[0].X_WB;
     double squares = 0.0;
     for (const PrintedImage& print : prints) {
       // Its area in the image and the area's centroid, cell by cell.

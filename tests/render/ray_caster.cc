@@ -42,7 +42,7 @@ double Grey(const Eigen::Vector3d& rgb) { return rgb.dot(Eigen::Vector3d(0.299, 
 
 class World {
  public:
-  explicit World(const Scene& scene) : scene_(scene), origin_(scene.board.X_WB.p) {
+  explicit World(const Scene& scene) : scene_(scene), origin_(scene.boards.at(0).X_WB.p) {
     device_ = rtcNewDevice(nullptr);
     if (!device_) throw std::runtime_error("Embree has no device");
     world_ = rtcNewScene(device_);
@@ -118,10 +118,11 @@ class World {
     Add(points, object.mesh->triangles, index);
   }
   void AddBoard() {
-    const double x = 0.5 * scene_.board.board.width_m, y = 0.5 * scene_.board.board.height_m;
+    const FiducialBoard& board = scene_.boards[0].board;
+    const double x = 0.5 * board.width_m, y = 0.5 * board.height_m;
     std::vector<Eigen::Vector3d> points;
     for (const auto& [sx, sy] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
-      points.push_back(scene_.board.X_WB * Eigen::Vector3d(sx * x, sy * y, 0.0));
+      points.push_back(scene_.boards[0].X_WB * Eigen::Vector3d(sx * x, sy * y, 0.0));
     }
     Add(points, {{0, 1, 2}, {0, 2, 3}}, kBoard);
   }
@@ -207,7 +208,7 @@ class World {
     if (kind >= 0) return Grey(scene_.objects[static_cast<std::size_t>(kind)].albedo);
     if (kind == kGround) return Grey(scene_.ground.albedo);
     if (kind == kTether) return Grey(scene_.tether.albedo);
-    const BoardView& view = scene_.board;
+    const BoardView& view = scene_.boards[0];
     if (ray_W.dot(view.X_WB.R.col(2)) < 0.0) return view.white_albedo;  // its back
     const Eigen::Vector3d p_B = Inverse(view.X_WB) * p_W;
     for (const Fiducial& f : view.board.fiducials) {

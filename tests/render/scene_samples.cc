@@ -156,8 +156,8 @@ Eigen::Vector3d SunAt(double azimuth_rad, double elevation_rad) {
 
 Scene BoardOnly() {
   Scene scene;
-  scene.board.board = SampleBoard();
-  scene.board.X_WB = UprightBoard(0, 0, 0.7);
+  scene.boards.push_back(
+      {.board = SampleBoard(), .X_WB = UprightBoard(0, 0, 0.7), .dusty_spots = {}});
   scene.light.to_sun_W = SunAt(0.3, 0.8);
   return scene;
 }
@@ -173,8 +173,8 @@ std::unique_ptr<Yard> SampleYard(double range_m, const Eigen::Vector3d& to_sun_W
                   .nx = kNx,
                   .ny = kNy,
                   .heights_m = yard->heights_m.data()};
-  scene.board.board = SampleBoard();
-  scene.board.X_WB = UprightBoard(0.0, 0, 0.85);
+  scene.boards.push_back(
+      {.board = SampleBoard(), .X_WB = UprightBoard(0.0, 0, 0.85), .dusty_spots = {}});
   scene.light.to_sun_W = to_sun_W;
   yard->X_WR = LevelRover(range_m, 0.0, kPi);
   AddStation(scene);
@@ -190,7 +190,7 @@ void AddCanopy(Yard& yard) {
   // Its lower edge lies on the ray to the sun from the board's middle, tilted a little.
   Pose3 X_WO;
   const Eigen::Vector3d s = yard.scene.light.to_sun_W;
-  X_WO.p = yard.scene.board.X_WB.p + 3.0 * s + Eigen::Vector3d(0, 0, 0.75);
+  X_WO.p = yard.scene.boards[0].X_WB.p + 3.0 * s + Eigen::Vector3d(0, 0, 0.75);
   X_WO.R = RotX(0.25);
   yard.scene.objects.push_back(
       {Share(BoxToRender({0.05, 3.0, 1.5})), X_WO, Eigen::Vector3d(0.4, 0.4, 0.4)});
@@ -205,7 +205,7 @@ std::unique_ptr<Yard> Moved(const Yard& yard, double x_m, double y_m, double tur
   for (Eigen::Vector3d& p : scene.tether.points_W) p = X_VW * p;
   scene.ground.X_WG = X_VW * scene.ground.X_WG;
   scene.ground.heights_m = moved->heights_m.data();
-  scene.board.X_WB = X_VW * scene.board.X_WB;
+  scene.boards[0].X_WB = X_VW * scene.boards[0].X_WB;
   scene.light.to_sun_W = X_VW.R * scene.light.to_sun_W;
   return moved;
 }

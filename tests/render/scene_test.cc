@@ -95,9 +95,9 @@ TEST(Shadow, OnASlopeIsAsLongAsTheAnglesSay) {
 
 TEST(Object, InFrontHidesTheBoard) {
   Scene scene = BoardOnly();
-  const Fiducial& f = scene.board.board.fiducials[0];
+  const Fiducial& f = scene.boards[0].board.fiducials[0];
   const Eigen::Vector3d disc_W =
-      scene.board.X_WB * Eigen::Vector3d(f.p_BF.x() + 0.03, f.p_BF.y() + 0.02, 0);
+      scene.boards[0].X_WB * Eigen::Vector3d(f.p_BF.x() + 0.03, f.p_BF.y() + 0.02, 0);
   const Eigen::Vector3d from(1.5, 0, 0.7);
   const Eigen::Vector3d between = from + 0.5 * (disc_W - from);
   const Pose3 X_WC = LookAt(from, {0, 0, 0.7});
@@ -166,7 +166,7 @@ TEST(Shadow, OfAPoleIsAsWideAsThePole) {
 // from F(s) = 1/2 + (s sqrt(1 - s^2) + asin s) / pi, F(0.404) = 0.75.
 double PenumbraWidth(double edge_distance_m, double sun_diameter_rad) {
   Scene scene = BoardOnly();
-  scene.board.board.fiducials.clear();
+  scene.boards[0].board.fiducials.clear();
   scene.light = {.to_sun_W = {1, 0, 0}, .sky_irradiance = 0.0, .ground_bounce_albedo = 0.0};
   scene.light.sun_angular_diameter_rad = sun_diameter_rad;
   // Covers the side y < 0; the camera stands on the other side of its edge.

@@ -19,11 +19,10 @@ RockField Field(double cover) {
   return field;
 }
 
-TEST(RockCover, IsGolombekAndRappsExponential) {
-  // Their total cover is k; half a metre of diameter leaves k exp(-q / 2).
-  EXPECT_DOUBLE_EQ(RockCover(0.1, 0.0), 0.1);
-  EXPECT_NEAR(RockCover(0.1, 0.5), 0.1 * std::exp(-0.5 * 3.31), 1e-15);
-  EXPECT_NEAR(RockCover(0.19, 1.0), 0.19 * std::exp(-2.59), 1e-16);
+/// Share of the ground that is covered by rocks of at least this diameter, of a cover k by all:
+/// k exp(-q D) with q = 1.79 + 0.152 / k (Golombek and Rapp, JGR 102, 1997).
+double RockCover(double cover, double diameter_m) {
+  return cover * std::exp(-(1.79 + 0.152 / cover) * diameter_m);
 }
 
 TEST(RocksPerArea, CoverByTheirCirclesWhatTheLawSays) {

@@ -235,10 +235,10 @@ TEST(TreeBody, RefusesLinksOutOfOrder) {
   link.model.mass_kg = 1.0;
   TreeLink late = link;
   late.parent = 2;
-  EXPECT_THROW(TreeBody({link, late}, {}, {}), std::invalid_argument);
-  EXPECT_THROW(TreeBody({}, {}, {}), std::invalid_argument);
+  EXPECT_DEATH(TreeBody({link, late}, {}, {}), "check failed");
+  EXPECT_DEATH(TreeBody({}, {}, {}), "check failed");
   link.model.mass_kg = 0.0;
-  EXPECT_THROW(TreeBody({link}, {}, {}), std::invalid_argument);
+  EXPECT_DEATH(TreeBody({link}, {}, {}), "check failed");
 }
 
 }  // namespace

@@ -112,11 +112,10 @@ TEST_F(OnLevelGround, SmoothedPicturesMatchAtTheSamePlace) {
 TEST(Match, RefusesSettingsThatNoMatcherHas) {
   const StereoImages images{{8, 8, std::vector<std::uint8_t>(64)},
                             {8, 8, std::vector<std::uint8_t>(64)}};
-  EXPECT_THROW(Match(images, {.block_px = 4}), std::invalid_argument);
-  EXPECT_THROW(Match(images, {.count_px = 20}), std::invalid_argument);
-  EXPECT_THROW(Match(images, {.smooth_px = -1.0}), std::invalid_argument);
-  EXPECT_THROW(Match({images.left, {4, 8, std::vector<std::uint8_t>(32)}}, {}),
-               std::invalid_argument);
+  EXPECT_DEATH(Match(images, {.block_px = 4}), "check failed");
+  EXPECT_DEATH(Match(images, {.count_px = 20}), "check failed");
+  EXPECT_DEATH(Match(images, {.smooth_px = -1.0}), "check failed");
+  EXPECT_DEATH(Match({images.left, {4, 8, std::vector<std::uint8_t>(32)}}, {}), "check failed");
 }
 
 }  // namespace

@@ -84,4 +84,19 @@ inline std::size_t FirstMastMotor(const Nominal& nominal) {
   return nominal.motors.size() - kMastMotorCount;
 }
 
+/// By its encoder.
+inline double AngleOf(const Nominal& nominal, const SensorFrame& sensed, std::size_t motor) {
+  return static_cast<double>(sensed.motors[motor].encoder_counts) *
+         nominal.motors[motor].rad_per_count;
+}
+/// To an angle, at a share of the most acceleration.
+inline MotorCommand MoveTo(const NominalMotor& motor, double target_rad, double speed_rad_s,
+                           double accel_share = 1.0) {
+  return {.mode = MotorMode::kPosition,
+          .target = target_rad,
+          .speed_limit_rad_s = speed_rad_s,
+          .accel_rad_s2 = accel_share * motor.max_accel_rad_s2,
+          .current_limit_a = motor.max_current_a};
+}
+
 }  // namespace dockyard::rocky7

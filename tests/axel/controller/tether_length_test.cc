@@ -70,6 +70,31 @@ TEST(Tether, ShortensAsFastAsTheRoverDrivesWhenTheArmPointsAtIt) {
               DoubleNear(-0.05, 1e-9));
 }
 
+/// The linear approximation of the paper (IV-A): most slack (positive) and most shortage
+/// (negative) against the exact length when the spool turns evenly over each arc [m].
+struct LinearTetherError {
+  double most_slack_m = 0.0, most_shortage_m = 0.0;
+};
+LinearTetherError LinearTetherErrorAlong(const TetherGeometry& geometry, const Pose2& X_DR_start,
+                                         const std::vector<Arc>& arcs) {
+  constexpr int kSamples = 200;
+  LinearTetherError error;
+  Pose2 start = X_DR_start;
+  for (const Arc& arc : arcs) {
+    const Pose2 end = Advance(start, arc);
+    const double from = ExposedTether(geometry, start, 0.0), to = ExposedTether(geometry, end, 0.0);
+    for (int i = 0; i <= kSamples; ++i) {
+      const double share = static_cast<double>(i) / kSamples;
+      const double given = from + share * (to - from);
+      const double slack = given - ExposedTether(geometry, Advance(start, Part(arc, share)), 0.0);
+      error.most_slack_m = std::max(error.most_slack_m, slack);
+      error.most_shortage_m = std::min(error.most_shortage_m, slack);
+    }
+    start = end;
+  }
+  return error;
+}
+
 struct LinearCase {
   double alpha_deg, turn_low_deg, turn_high_deg, slack_low_m, slack_high_m;
 };

@@ -53,7 +53,7 @@ struct HalfShade {
     SceneBuilder builder(run.world.rover, run.world.station, run.world.soil, run.lighting,
                          SiteInWorld(run.world.X_WG, run.world.slope), 3);
     scene = builder.Make(truth, world.ground());
-    X_RB = Inverse(truth.X_WR) * scene.board.X_WB;
+    X_RB = Inverse(truth.X_WR) * scene.boards[0].X_WB;
     const auto renderer = MakeRenderer();
     light = renderer->RenderRadiance(scene, rig, truth.X_WR);
     Shade(share);

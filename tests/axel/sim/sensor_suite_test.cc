@@ -13,12 +13,12 @@ namespace dockyard::axel {
 namespace {
 
 TEST(TrueImu, FeelsGravityAtRestAlongTheTiltedAxes) {
-  ImuAverage imu(Eigen::Vector3d(0.1, 0, 0), Eigen::Vector3d(0.0, 0.0, -9.81));
+  ImuAverage imu({.p_RI = {0.1, 0, 0}}, {0.0, 0.0, -9.81});
   LinkMotion body;
   body.X_GL.R = ToRotation({0.1, 0.2, 0.3});
   imu.Start(body);
   for (int i = 0; i < 20; ++i) imu.Add(body, 1e-3);
-  const ImuSample sample = imu.Take(body, FromGround({1, 2, 0.5}, 0.0));
+  const ImuSample sample = imu.Take(body, FromGround({1, 2, 0.5}, 0.0)).sample;
   EXPECT_NEAR(sample.roll_rad, 0.1, 1e-12);
   EXPECT_NEAR(sample.pitch_rad, 0.2, 1e-12);
   EXPECT_NEAR(sample.yaw_rad, 0.8, 1e-12);
@@ -29,18 +29,18 @@ TEST(TrueImu, FeelsGravityAtRestAlongTheTiltedAxes) {
 }
 
 TEST(TrueImu, FeelsNothingFalling) {
-  ImuAverage imu(Eigen::Vector3d(0.1, 0, 0), Eigen::Vector3d(0.0, 0.0, -9.81));
+  ImuAverage imu({.p_RI = {0.1, 0, 0}}, {0.0, 0.0, -9.81});
   LinkMotion body;
   imu.Start(body);
   for (int i = 0; i < 20; ++i) {
     body.v_GL_G.z() -= 9.81e-3;
     imu.Add(body, 1e-3);
   }
-  EXPECT_LT(imu.Take(body, Pose3{}).specific_force_R.norm(), 1e-12);
+  EXPECT_LT(imu.Take(body, Pose3{}).sample.specific_force_R.norm(), 1e-12);
 }
 
 TEST(TrueImu, FeelsTheCentripetalPullOfItsOwnPlace) {
-  ImuAverage imu(Eigen::Vector3d(0.1, 0, 0), Eigen::Vector3d(0.0, 0.0, -9.81));
+  ImuAverage imu({.p_RI = {0.1, 0, 0}}, {0.0, 0.0, -9.81});
   LinkMotion body;
   body.w_GL_G = Eigen::Vector3d(0, 0, 2.0);
   imu.Start(body);
@@ -48,7 +48,7 @@ TEST(TrueImu, FeelsTheCentripetalPullOfItsOwnPlace) {
     body.X_GL.R = body.X_GL.R * RotZ(2e-3);
     imu.Add(body, 1e-3);
   }
-  const ImuSample sample = imu.Take(body, Pose3{});
+  const ImuSample sample = imu.Take(body, Pose3{}).sample;
   EXPECT_NEAR(sample.specific_force_R.x(), -0.1 * 4.0, 1e-3);
   EXPECT_NEAR(sample.rate_R.z(), 2.0, 1e-12);
 }

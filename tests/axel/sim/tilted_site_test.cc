@@ -42,10 +42,10 @@ TEST(TiltedSite, InertialUnitReadsTheSlopeAsPitchRollAndPull) {
   for (const double turned : {0.0, 90.0, 180.0, -90.0}) {  // of the rover against the way down
     const Slope slope{angle, 0.6};
     const LinkMotion body{{RotZ(0.6 + Radians(turned)), {}}, {0, 0, 0}, {0, 0, 0}};
-    ImuAverage imu({-0.05, 0.0, 0.05}, GravityInSite(slope));
+    ImuAverage imu({.p_RI = {-0.05, 0.0, 0.05}}, GravityInSite(slope));
     imu.Start(body);
     for (int i = 0; i < 10; ++i) imu.Add(body, 1e-3);
-    const ImuSample sample = imu.Take(body, SiteInWorld({1.0, 2.0, 0.4}, slope));
+    const ImuSample sample = imu.Take(body, SiteInWorld({1.0, 2.0, 0.4}, slope)).sample;
     const double c = std::cos(Radians(turned)), s = std::sin(Radians(turned));
     // Nose down is positive; facing 90 deg left of the way down, its right side is the low one.
     EXPECT_NEAR(std::sin(sample.pitch_rad), c * std::sin(angle), 1e-9);

@@ -73,7 +73,7 @@ TEST_P(StartView, DiscCentroidsLieWhereTheImageHasThem) {
     const Pose3& X_RC = right ? built.built_rig.X_RQ : built.built_rig.X_RL;
     for (const FiducialPixels& fiducial : TrueFiducials(scene, camera, truth.X_WR * X_RC)) {
       if (!fiducial.whole || fiducial.hidden > 0.0) continue;
-      const double range = (truth.X_WR * X_RC).p.x() - scene.board.X_WB.p.x();
+      const double range = (truth.X_WR * X_RC).p.x() - scene.boards[0].X_WB.p.x();
       const double radius_px = 0.05 * camera.focal_px().x() / range;
       const Eigen::Vector2d& centroid = *fiducial.centroid;
       if (!camera.Sees(centroid, 1.5 * radius_px + 2.0)) continue;
@@ -97,9 +97,10 @@ INSTANTIATE_TEST_SUITE_P(NavcamRanges, StartView,
 TEST(FiducialTruth, ArmInFrontHidesWhatTheRendererHides) {
   // A plate a hand's breadth before one fiducial, and nothing before the others.
   Scene scene;
-  scene.board.board.disc_diameter_m = 0.1;
-  scene.board.board.fiducials = {{.p_BF = {-0.3, 0.0}}, {.p_BF = {0.3, 0.0}}};
-  scene.board.X_WB.p = {0.0, 0.0, 2.0};
+  scene.boards.resize(1);
+  scene.boards[0].board.disc_diameter_m = 0.1;
+  scene.boards[0].board.fiducials = {{.p_BF = {-0.3, 0.0}}, {.p_BF = {0.3, 0.0}}};
+  scene.boards[0].X_WB.p = {0.0, 0.0, 2.0};
   auto plate = std::make_shared<RenderMesh>();
   plate->vertices = {
       {-0.4f, -0.2f, 1.9f}, {-0.3f, -0.2f, 1.9f}, {-0.3f, 0.2f, 1.9f}, {-0.4f, 0.2f, 1.9f}};

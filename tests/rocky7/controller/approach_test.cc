@@ -7,6 +7,7 @@
 #include <random>
 
 #include "controller/rocky7/dockyard.h"
+#include "controller/rocky7/paths_to_point.h"
 #include "rocky7/controller/nominal_rover.h"
 
 namespace dockyard::rocky7 {

@@ -70,7 +70,7 @@ TEST(ArcDrive, TurnsEveryWheelByItsWayAndCountsTheWholeArc) {
   }
 }
 
-TEST(ArcDrive, SteersWhileTheWheelsStand) {
+TEST(ArcDrive, SteersWhileTheWheelsRest) {
   const Nominal nominal = NominalRover();
   ArcDrive drive(nominal);
   IdealDrives drives(nominal);

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 // A rover before a face, and what its looks give.
 struct Watch {
   Nominal nominal = NominalRover();
-  FaceEye eye{nominal};
+  FaceStereo stereo{nominal};
   FaceScene scene;
   Pose2 X_WE;
 
@@ -27,7 +27,7 @@ struct Watch {
         first ? nominal.mast.watch_rad : AnglesToWatch(nominal.mast, Inverse(X_ER) * p_E);
     std::optional<Eigen::Vector3d> target;
     if (!first) target = p_E + Eigen::Vector3d(0.02, 0.01, 0.0);
-    return eye.Look(scene.Pair(nominal, X_WE, angles), angles, {}, target);
+    return stereo.Look(scene.Pair(nominal, X_WE, angles), angles, {}, target);
   }
   Eigen::Vector2d PixelIn(const FaceView& view) const {
     const Eigen::Vector3d p_C = Inverse(view.pair.X_RC) * FaceScene::InE(X_WE, scene.p_W);
@@ -35,13 +35,13 @@ struct Watch {
   }
 };
 
-TEST(FaceEye, MeasuresPointAndNormalOfAFaceFromNearBy) {
+TEST(FaceStereo, MeasuresPointAndNormalOfAFaceFromNearBy) {
   for (const double up_deg : {10.0, 30.0, 55.0}) {
     Watch watch;
     watch.scene.p_W = {0.9, 0.05, 0.4};
     watch.scene.normal_W = NormalOf(up_deg, 10.0);
     const FaceView view = watch.Look();
-    const auto plane = watch.eye.PlaneAt(view, watch.PixelIn(view));
+    const auto plane = watch.stereo.PlaneAt(view, watch.PixelIn(view));
     ASSERT_TRUE(plane);
     EXPECT_LT((plane->p - watch.scene.p_W).norm(), 0.003) << up_deg;
     EXPECT_LT(Degrees(AngleBetween(plane->normal, watch.scene.normal_W)), 1.0) << up_deg;
@@ -50,11 +50,11 @@ TEST(FaceEye, MeasuresPointAndNormalOfAFaceFromNearBy) {
 }
 
 // A cell of few points is left out whole: the highest one of a window would be not a number.
-TEST(FaceEye, EveryCellOfItsHeightsHasPointsOrNoHeight) {
+TEST(FaceStereo, EveryCellOfItsHeightsHasPointsOrNoHeight) {
   Watch watch;
   watch.scene.p_W = {0.9, 0.05, 0.4};
   watch.scene.normal_W = NormalOf(40.0, 30.0);
-  const ElevationMap map = watch.eye.HeightsAbout(watch.Look(), {0.9, 0.05}, 0.2);
+  const ElevationMap map = watch.stereo.HeightsAbout(watch.Look(), {0.9, 0.05}, 0.2);
   int known = 0;
   for (std::size_t i = 0; i < map.points.size(); ++i) {
     ASSERT_EQ(map.points[i] == 0, std::isnan(map.height_m[i])) << i;
@@ -63,13 +63,13 @@ TEST(FaceEye, EveryCellOfItsHeightsHasPointsOrNoHeight) {
   EXPECT_GT(known, 100);
 }
 
-TEST(FaceEye, FindsAClickWithinAFewCentimetresFromSixMetres) {
+TEST(FaceStereo, FindsAClickWithinAFewCentimetresFromSixMetres) {
   Watch watch;
   watch.scene.p_W = {6.0, 0.3, 0.4};
   watch.scene.normal_W = NormalOf(20.0, 0.0);
   const FaceView view = watch.Look(true);
   PatchTracker tracker;
-  const FaceSeen seen = tracker.Begin(watch.eye, view, watch.PixelIn(view));
+  const FaceSighting seen = tracker.Begin(watch.stereo, view, watch.PixelIn(view));
   ASSERT_TRUE(seen.found) << seen.why;
   EXPECT_LT((seen.p_E - watch.scene.p_W).norm(), 0.08);
   ASSERT_TRUE(seen.normal_E);
@@ -84,7 +84,7 @@ TEST(PatchTracker, KeepsAPointOfAFaceWithinMillimetresAllTheWay) {
     watch.scene.normal_W = NormalOf(up_deg, 0.0);
     PatchTracker tracker;
     FaceView view = watch.Look(true);
-    FaceSeen seen = tracker.Begin(watch.eye, view, watch.PixelIn(view));
+    FaceSighting seen = tracker.Begin(watch.stereo, view, watch.PixelIn(view));
     ASSERT_TRUE(seen.found) << seen.why;
     int looks = 1;
     while (watch.X_WE.x < 5.2) {
@@ -97,7 +97,7 @@ TEST(PatchTracker, KeepsAPointOfAFaceWithinMillimetresAllTheWay) {
       expected.p_E = Inverse(FromGround(counted, 0.0)) * seen.p_E;
       expected.turned_rad = counted.heading;
       view = watch.Look();
-      seen = tracker.Follow(watch.eye, view, expected);
+      seen = tracker.Follow(watch.stereo, view, expected);
       ++looks;
       ASSERT_TRUE(seen.found) << looks << ": " << seen.why;
     }
@@ -112,7 +112,7 @@ TEST(PatchTracker, KeepsAPointOfAFaceWithinMillimetresAllTheWay) {
 struct Step {
   Watch watch;
   PatchTracker tracker;
-  FaceSeen first;
+  FaceSighting first;
   FaceExpected expected;
 
   // One step from 3 m to 2.6 m.
@@ -120,17 +120,17 @@ struct Step {
     watch.scene.p_W = {3.0, 0.2, 0.4};
     watch.scene.normal_W = NormalOf(20.0, 10.0);
     const FaceView view = watch.Look();
-    first = tracker.Begin(watch.eye, view, watch.PixelIn(view));
+    first = tracker.Begin(watch.stereo, view, watch.PixelIn(view));
     watch.X_WE = {0.4, 0.0, 0.0};
     expected = {.p_E = first.p_E - Eigen::Vector3d(0.4, 0.0, 0.0), .way_m = 0.4};
   }
-  FaceSeen Follow() { return tracker.Follow(watch.eye, watch.Look(), expected); }
+  FaceSighting Follow() { return tracker.Follow(watch.stereo, watch.Look(), expected); }
 };
 
 TEST(PatchTracker, FindsThePointAfterAStep) {
   Step step;
   ASSERT_TRUE(step.first.found);
-  const FaceSeen seen = step.Follow();
+  const FaceSighting seen = step.Follow();
   ASSERT_TRUE(seen.found) << seen.why;
   EXPECT_GT(seen.score, 0.8);
 }
@@ -138,7 +138,7 @@ TEST(PatchTracker, FindsThePointAfterAStep) {
 TEST(PatchTracker, SaysThatTheFaceIsAnother) {
   Step step;
   step.watch.scene.other = 7.0;
-  const FaceSeen seen = step.Follow();
+  const FaceSighting seen = step.Follow();
   EXPECT_FALSE(seen.found);
   EXPECT_THAT(seen.why, HasSubstr("like the target"));
 }
@@ -146,7 +146,7 @@ TEST(PatchTracker, SaysThatTheFaceIsAnother) {
 TEST(PatchTracker, RefusesTheSameFaceAtAnotherRange) {
   Step step;
   step.watch.X_WE.x = 0.0;
-  const FaceSeen seen = step.Follow();
+  const FaceSighting seen = step.Follow();
   EXPECT_FALSE(seen.found);
 }
 
@@ -154,7 +154,7 @@ TEST(PatchTracker, SaysThatABlankPictureHasNothing) {
   Step step;
   FaceView view = step.watch.Look();
   std::fill(view.images.left.pixels.begin(), view.images.left.pixels.end(), 90);
-  EXPECT_FALSE(step.tracker.Follow(step.watch.eye, view, step.expected).found);
+  EXPECT_FALSE(step.tracker.Follow(step.watch.stereo, view, step.expected).found);
 }
 
 }  // namespace

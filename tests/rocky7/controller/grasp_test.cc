@@ -29,7 +29,8 @@ class ArmStand {
                              current_a[i]};
     }
     if (tick_ == 0) grasp.Start(frame, weighs);
-    const std::vector<MotorCommand> commands = grasp.Step(frame);
+    if (!lifted()) Follow(Task::kGrasp, grasp.Step(phase, frame), phase);
+    const std::vector<MotorCommand>& commands = grasp.commands();
     for (std::size_t i = 0; i < 4; ++i) {
       if (commands[i].mode != MotorMode::kPosition) continue;
       const double step = commands[i].speed_limit_rad_s * kControlPeriod * kTickSeconds;
@@ -44,6 +45,7 @@ class ArmStand {
     resists = apart < least_open_rad + 1e-9;
     tick_ += kControlPeriod;
   }
+  bool lifted() const { return phase == Phase::kLifted; }
   double height_m() const { return 0.13 + 0.07 - 0.32 * std::sin(rad_[1]); }
   double seconds() const { return static_cast<double>(tick_) * kTickSeconds; }
 
@@ -54,6 +56,7 @@ class ArmStand {
 
  public:
   Grasp grasp;
+  Phase phase = Phase::kDeploy;
   bool weighs = false;
   std::array<double, 4> current_a{0.1, 0.5, 0.1, 0.1};
   double least_open_rad = 0.0;
@@ -63,11 +66,11 @@ class ArmStand {
 TEST(Grasp, GoesDownToTheGroundShutsAndLiftsWithoutAStone) {
   ArmStand stand(NominalRover());
   double lowest_m = 1.0;
-  while (!stand.grasp.lifted() && stand.seconds() < 60.0) {
+  while (!stand.lifted() && stand.seconds() < 60.0) {
     stand.Step();
     lowest_m = std::min(lowest_m, stand.height_m());
   }
-  EXPECT_TRUE(stand.grasp.lifted());
+  EXPECT_TRUE(stand.lifted());
   EXPECT_NEAR(lowest_m, 0.03, 0.003);
   EXPECT_GT(stand.height_m(), 0.28);
   EXPECT_EQ(stand.grasp.note(), "the scoops are shut");
@@ -76,7 +79,7 @@ TEST(Grasp, GoesDownToTheGroundShutsAndLiftsWithoutAStone) {
 TEST(Grasp, StopsGoingDownWhereThePitchMotorsCurrentRises) {
   ArmStand stand(NominalRover());
   double lowest_m = 1.0;
-  while (std::string(stand.grasp.phase()) != "close" && stand.seconds() < 60.0) {
+  while (stand.phase != Phase::kClose && stand.seconds() < 60.0) {
     stand.current_a[1] = stand.height_m() < 0.06 ? 1.2 : 0.5;
     stand.Step();
     lowest_m = std::min(lowest_m, stand.height_m());
@@ -88,13 +91,13 @@ TEST(Grasp, RaisesTheArmWhileScoopsThatResistClose) {
   ArmStand stand(NominalRover());
   stand.least_open_rad = 0.5;
   double lowest_m = 1.0, at_lift_m = 0.0;
-  while (!stand.grasp.lifted() && stand.seconds() < 60.0) {
+  while (!stand.lifted() && stand.seconds() < 60.0) {
     stand.current_a[2] = stand.current_a[3] = stand.resists ? 1.1 : 0.1;
     stand.Step();
     lowest_m = std::min(lowest_m, stand.height_m());
-    if (std::string(stand.grasp.phase()) == "close") at_lift_m = stand.height_m();
+    if (stand.phase == Phase::kClose) at_lift_m = stand.height_m();
   }
-  EXPECT_TRUE(stand.grasp.lifted());
+  EXPECT_TRUE(stand.lifted());
   EXPECT_EQ(stand.grasp.note(), "the scoops came to rest");
   // 0.12 rad of raising, at the arm's pitch.
   EXPECT_NEAR(at_lift_m - lowest_m, 0.12 * 0.32 * 0.87, 0.008);
@@ -106,12 +109,12 @@ TEST(Grasp, WeighsWhatTheScoopsHaveBroughtUp) {
     ArmStand stand(NominalRover());
     stand.weighs = true;
     bool closed = false;
-    while (!stand.grasp.lifted() && stand.seconds() < 60.0) {
-      closed = closed || std::string(stand.grasp.phase()) == "close";
+    while (!stand.lifted() && stand.seconds() < 60.0) {
+      closed = closed || stand.phase == Phase::kClose;
       stand.current_a[1] = closed && holds ? 0.54 : 0.5;
       stand.Step();
     }
-    EXPECT_TRUE(stand.grasp.lifted());
+    EXPECT_TRUE(stand.lifted());
     EXPECT_EQ(stand.grasp.load(), holds ? Load::kStone : Load::kNone);
   }
 }
@@ -122,10 +125,10 @@ TEST(Grasp, WithoutCurrentsNeverRaises) {
   stand.least_open_rad = 0.5;
   stand.current_a = {};
   double lowest_m = 1.0, at_lift_m = 0.0;
-  while (!stand.grasp.lifted() && stand.seconds() < 60.0) {
+  while (!stand.lifted() && stand.seconds() < 60.0) {
     stand.Step();
     lowest_m = std::min(lowest_m, stand.height_m());
-    if (std::string(stand.grasp.phase()) == "close") at_lift_m = stand.height_m();
+    if (stand.phase == Phase::kClose) at_lift_m = stand.height_m();
   }
   EXPECT_NEAR(at_lift_m, lowest_m, 1e-3);
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "controller/motion/steering.h"
-#include "controller/rocky7/approach.h"
+#include "controller/rocky7/paths_to_point.h"
 #include "rocky7/controller/nominal_rover.h"
 
 namespace dockyard::rocky7 {

@@ -1,5 +1,6 @@
 #include "controller/rocky7/placement.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 
 namespace dockyard::rocky7 {
 namespace {
+
+using testing::ElementsAre;
 
 constexpr double kSpring_n_m = 500.0, kSwitch_n = 1.0;
 
@@ -25,6 +28,7 @@ struct IdealMast {
   double lowest_m = 1.0;  // of the face's middle before the surface
   std::vector<std::uint8_t> contacts = {0, 0, 0};
   double current_a = 0.2;
+  Phase phase = Phase::kUnfold;
 
   void Turn(const std::vector<MotorCommand>& commands) {
     constexpr double dt = 1e-3;
@@ -76,13 +80,22 @@ struct IdealMast {
     return frame;
   }
 
+  void Start(Placement& placement, const FaceAt& face_R) {
+    phase = Phase::kUnfold;
+    placement.Start(face_R, Frame());
+  }
+  /// One period. After its end the mast holds.
+  void Step(Placement& placement) {
+    if (Places(phase)) Follow(Task::kPlace, placement.Step(phase, Frame()), phase);
+    Turn(placement.commands());
+  }
   /// Runs until it ends, at most two minutes; phases in their order.
-  std::vector<std::string> Run(Placement& placement, const FaceAt& as_seen) {
-    placement.Start(as_seen, Frame());
-    std::vector<std::string> phases;
-    while (placement.busy() && tick < 120000) {
-      Turn(placement.Step(Frame()));
-      if (phases.empty() || phases.back() != placement.phase()) phases.push_back(placement.phase());
+  std::vector<Phase> Run(Placement& placement, const FaceAt& face_R) {
+    Start(placement, face_R);
+    std::vector<Phase> phases;
+    while (Places(phase) && tick < 120000) {
+      if (phases.empty() || phases.back() != phase) phases.push_back(phase);
+      Step(placement);
     }
     return phases;
   }
@@ -98,9 +111,9 @@ TEST(Placement, TouchesHoldsDrawsBackAndStows) {
   mast.face = Face(30.0);
   Placement placement(mast.nominal);
   const auto phases = mast.Run(placement, mast.face);
-  EXPECT_EQ(placement.result(), Placement::Result::kPlaced) << placement.note();
-  EXPECT_EQ(phases,
-            (std::vector<std::string>{"unfold", "advance", "press", "hold", "retract", "stow"}));
+  EXPECT_EQ(mast.phase, Phase::kBackOff) << placement.note();
+  EXPECT_THAT(phases, ElementsAre(Phase::kUnfold, Phase::kAdvance, Phase::kPress, Phase::kHold,
+                                  Phase::kRetract, Phase::kStow));
   EXPECT_GE(placement.closed(), 2);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(mast.angles[i], mast.nominal.mast.watch_rad[i], 0.01);
@@ -115,7 +128,7 @@ TEST(Placement, PressesWithLessThanTenNewtonsWhereverTheSurfaceIs) {
     seen.p_RT += further_m * seen.normal_R;
     Placement placement(mast.nominal);
     mast.Run(placement, seen);
-    EXPECT_EQ(placement.result(), Placement::Result::kPlaced) << further_m;
+    EXPECT_EQ(mast.phase, Phase::kBackOff) << further_m;
     EXPECT_LT(mast.most_n, 10.0) << further_m;
     EXPECT_NEAR(placement.beyond_m(), further_m, 0.006);
   }
@@ -138,8 +151,8 @@ TEST(Placement, DrawsBackAndSaysSoWhenNothingIsThere) {
   seen.p_RT += 0.12 * seen.normal_R;
   Placement placement(mast.nominal);
   const auto phases = mast.Run(placement, seen);
-  EXPECT_EQ(placement.result(), Placement::Result::kMissed);
-  EXPECT_EQ(phases, (std::vector<std::string>{"unfold", "advance", "retract", "stow"}));
+  EXPECT_EQ(mast.phase, Phase::kAim);
+  EXPECT_THAT(phases, ElementsAre(Phase::kUnfold, Phase::kAdvance, Phase::kRetract, Phase::kStow));
   EXPECT_GT(mast.lowest_m, 0.04);
 }
 
@@ -147,11 +160,11 @@ TEST(Placement, ComesDownAlongTheNormal) {
   IdealMast mast;
   mast.face = Face(45.0);
   Placement placement(mast.nominal);
-  placement.Start(mast.face, mast.Frame());
+  mast.Start(placement, mast.face);
   double off_m = 0.0;
-  while (placement.busy() && std::string(placement.phase()) != "hold") {
-    mast.Turn(placement.Step(mast.Frame()));
-    if (std::string(placement.phase()) != "advance") continue;
+  while (Places(mast.phase) && mast.phase != Phase::kHold) {
+    mast.Step(placement);
+    if (mast.phase != Phase::kAdvance) continue;
     const Eigen::Vector3d from = FaceCentre(mast.nominal.mast, mast.angles) - mast.face.p_RT;
     off_m = std::max(off_m, (from - mast.face.normal_R * mast.face.normal_R.dot(from)).norm());
   }
@@ -162,14 +175,14 @@ TEST(Placement, StopsWhereACurrentRisesOnItsWay) {
   IdealMast mast;
   mast.face = Face(30.0);
   Placement placement(mast.nominal);
-  placement.Start(mast.face, mast.Frame());
-  for (int i = 0; i < 20; ++i) mast.Turn(placement.Step(mast.Frame()));
-  EXPECT_TRUE(placement.busy());
+  mast.Start(placement, mast.face);
+  for (int i = 0; i < 20; ++i) mast.Step(placement);
+  EXPECT_EQ(mast.phase, Phase::kUnfold);
   mast.current_a = 1.5;
-  for (int i = 0; i < 6; ++i) mast.Turn(placement.Step(mast.Frame()));
-  EXPECT_EQ(placement.result(), Placement::Result::kBlocked);
+  for (int i = 0; i < 6; ++i) mast.Step(placement);
+  EXPECT_EQ(mast.phase, Phase::kGivenUp);
   const MastAngles stopped = mast.angles;
-  for (int i = 0; i < 40; ++i) mast.Turn(placement.Step(mast.Frame()));
+  for (int i = 0; i < 40; ++i) mast.Step(placement);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(mast.angles[i], stopped[i], 0.05);
 }
 
@@ -180,7 +193,7 @@ TEST(Placement, RefusesAPlaceOutOfReach) {
   far.p_RT.x() = 1.6;
   Placement placement(mast.nominal);
   mast.Run(placement, far);
-  EXPECT_EQ(placement.result(), Placement::Result::kBlocked);
+  EXPECT_EQ(mast.phase, Phase::kGivenUp);
 }
 
 }  // namespace

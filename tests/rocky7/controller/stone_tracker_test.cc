@@ -37,7 +37,7 @@ Predicted From(const Pose2& X_WE, const Vector2d& p_W, const Pose2& X_WE_before,
 TEST(StoneTracker, TakesTheStoneOnTheClicksRayNotTheOneNearTheRangeData) {
   const HeightScene scene{{{{0.9, 0.0}, 0.02, 0.02}, {{0.82, 0.06}, 0.02, 0.02}}};
   StoneTracker tracker;
-  const TargetSeen seen =
+  const TargetSighting seen =
       tracker.Begin(Maps(scene, {}, 1e-3, 1), ClickOn({0.9, 0.0}, 0.01, {-0.08, 0.05}));
   ASSERT_TRUE(seen.found);
   EXPECT_LT((seen.p_E - scene.stones[0].p).norm(), 0.005);
@@ -50,7 +50,7 @@ TEST(StoneTracker, KeepsItsStoneWhereOdometryPointsAtTheNeighbour) {
   StoneTracker tracker;
   ASSERT_TRUE(tracker.Begin(Maps(scene, {}, 1e-3, 2), ClickOn({1.0, 0.0}, 0.01)).found);
   const Pose2 X_WE{0.3, 0.02, 0.1};
-  const TargetSeen seen =
+  const TargetSighting seen =
       tracker.Follow(Maps(scene, X_WE, 1e-3, 3), From(X_WE, {1.0, 0.0}, {}, {0.06, 0.01}));
   ASSERT_TRUE(seen.found) << seen.why;
   EXPECT_LT((X_WE * seen.p_E - scene.stones[0].p).norm(), 0.005);
@@ -63,7 +63,7 @@ TEST(StoneTracker, SaysThatItsStoneIsGoneThoughANeighbourStandsThere) {
   ASSERT_TRUE(tracker.Begin(Maps(scene, {}, 1e-3, 4), ClickOn({0.6, 0.0}, 0.01)).found);
   scene.stones.erase(scene.stones.begin());
   const Pose2 X_WE{0.1, 0.0, 0.0};
-  const TargetSeen seen =
+  const TargetSighting seen =
       tracker.Follow(Maps(scene, X_WE, 1e-3, 5), From(X_WE, {0.6, 0.0}, {}, {0.01, 0.0}));
   EXPECT_FALSE(seen.found);
   EXPECT_TRUE(seen.gone);
@@ -76,7 +76,7 @@ TEST(StoneTracker, FindsItsStoneThoughTheRoverStoodStill) {
   ASSERT_TRUE(tracker.Begin(Maps(scene, {}, 1e-3, 6), ClickOn({0.8, 0.0}, 0.01)).found);
   Predicted target = From({}, {0.8, 0.0}, {}, {-0.1, 0.0});
   target.way_m = 0.11;
-  const TargetSeen seen = tracker.Follow(Maps(scene, {}, 1e-3, 7), target);
+  const TargetSighting seen = tracker.Follow(Maps(scene, {}, 1e-3, 7), target);
   ASSERT_TRUE(seen.found) << seen.why;
   EXPECT_LT((seen.p_E - scene.stones[0].p).norm(), 0.004);
 }

@@ -1,4 +1,4 @@
-#include "controller/rocky7/target_odometry.h"
+#include "controller/rocky7/ground_perception.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace dockyard::rocky7 {
 namespace {
 
-constexpr OdometryOptions kByUnit{.turn_by_unit = true, .slip = 0.1};
+constexpr OdometryOptions kSlipping{.turn_by_unit = true, .slip = 0.1};
 
 // Smooth stains of the ground in the world.
 float GreyAt(const Eigen::Vector2d& p_W) {
@@ -24,7 +24,7 @@ float GreyAt(const Eigen::Vector2d& p_W) {
   return static_cast<float>(90.0 + 8.0 * sum);
 }
 
-// What a rover at X_WR sees of it from above.
+// It from above, about a rover at X_WR.
 GroundPicture GroundFrom(const Pose2& X_WR) {
   GroundPicture picture{.x0_m = 0.2, .y0_m = -0.4, .cell_m = 0.01, .nx = 80, .ny = 80};
   for (int iy = 0; iy < picture.ny; ++iy) {
@@ -39,10 +39,12 @@ GroundPicture GroundFrom(const Pose2& X_WR) {
 struct Rover {
   Nominal nominal = NominalRover();
   ArcDrive drive{nominal};
-  TargetOdometry odometry{kByUnit};
+  TargetOdometry odometry{kSlipping};
   Pose2 X_WR;
   SensorFrame frame;
   double slip = 0.3;
+  GroundMemory memory{};
+  Eigen::Matrix2d spread_m2 = Eigen::Matrix2d::Zero();  // of the last prediction
 
   Rover() { frame.motors.resize(nominal.motors.size()); }
 
@@ -55,12 +57,12 @@ struct Rover {
     odometry.BeginArc(arc, frame.imu.yaw_rad);
     double before_m = 0.0;
     while (!drive.done()) {
+      frame.tick += kControlPeriod;
       const auto commands = drive.Step(frame);
       odometry.Step(drive, true, frame);
       const Arc gone{(1.0 - slip) * (drive.driven_m() - before_m), 0.0};
       before_m = drive.driven_m();
       X_WR = Advance(X_WR, gone);
-      frame.tick += kControlPeriod;
       for (std::size_t i = 0; i < commands.size(); ++i) {
         if (commands[i].mode != MotorMode::kPosition) continue;
         const double rad_per_count = nominal.motors[i].rad_per_count;
@@ -71,35 +73,30 @@ struct Rover {
       }
     }
   }
-  /// A look that finds the target where it is, or none.
-  bool Look(const std::optional<Eigen::Vector2d>& p_WT) {
-    odometry.BeginLook(frame.tick);
-    const bool saw = odometry.SeeGround(GroundFrom(X_WR));
-    if (p_WT) odometry.TakeOver(Inverse(X_WR) * *p_WT, 0.0);
-    odometry.EndLook();
-    return saw;
+  /// An image pair in which the target is detected where it is, or not. Whether the ground showed
+  /// the motion.
+  bool Detect(const std::optional<Eigen::Vector2d>& p_WT) {
+    const ExposurePrior prior = odometry.At(frame.tick);
+    GroundDetection detection{.predicted = prior.target};
+    CompareGround(GroundFrom(X_WR), prior, memory, detection);
+    if (p_WT) detection.sighting = {.found = true, .p_E = Inverse(X_WR) * *p_WT};
+    odometry.Take(prior, detection);
+    spread_m2 = detection.predicted.spread_m2;
+    return detection.X_BE.has_value();
   }
 };
-
-TEST(Odometry, CountsSlipThatIsLearntHalfWayFromThereOn) {
-  Odometry odometry(kByUnit);
-  odometry.Begin(0.0);
-  EXPECT_NEAR(odometry.Step(0.1, {0.1, 0.0, 0.0}, 0.0).x, 0.09, 1e-12);
-  odometry.Learn(0.02, 1e-6, 0.1);
-  EXPECT_NEAR(odometry.Step(0.2, {0.2, 0.0, 0.0}, 0.0).x, 0.07, 1e-6);
-}
 
 TEST(TargetOdometry, HasTheTargetWithinMillimetresWhereTheGroundShowsThatWheelsSlipped) {
   const Eigen::Vector2d p_WT(1.2, 0.1);
   Rover rover;
   rover.Rest();
-  rover.Look(p_WT);
+  rover.Detect(p_WT);
   rover.Go({0.2, 0.0});
   // Slip is thrice what is taken: 4 cm.
   EXPECT_GT((rover.odometry.p_RT() - Inverse(rover.X_WR) * p_WT).norm(), 0.03);
-  EXPECT_TRUE(rover.Look({}));
+  EXPECT_TRUE(rover.Detect({}));
   EXPECT_LT((rover.odometry.p_RT() - Inverse(rover.X_WR) * p_WT).norm(), 0.003);
-  EXPECT_LT(rover.odometry.predicted().spread_m2.trace(), 2.0 * 0.003 * 0.003);
+  EXPECT_LT(rover.spread_m2.trace(), 2.0 * 0.003 * 0.003);
   // What was learnt is most of the slip.
   rover.Go({0.2, 0.0});
   EXPECT_LT((rover.odometry.p_RT() - Inverse(rover.X_WR) * p_WT).norm(), 0.02);
@@ -110,25 +107,25 @@ TEST(TargetOdometry, SeesThatTheRoverStoodStillWhileItsWheelsTurned) {
   Rover rover;
   rover.slip = 1.0;
   rover.Rest();
-  rover.Look(p_WT);
+  rover.Detect(p_WT);
   rover.Go({0.2, 0.0});
-  EXPECT_TRUE(rover.Look({}));
+  EXPECT_TRUE(rover.Detect({}));
   EXPECT_LT((rover.odometry.p_RT() - p_WT).norm(), 0.003);
 }
 
-// 4.5 cm go by between a picture's exposure and its arrival.
+// 4.5 cm go by between an image's exposure and its arrival.
 TEST(TargetOdometry, CountsALateLookFromWhenItWasExposed) {
   const Eigen::Vector2d p_WT(1.0, 0.0);
   Rover rover;
   rover.slip = 0.1;
   rover.Rest();
-  rover.Look(p_WT);
+  rover.Detect(p_WT);
   const Tick exposed = rover.frame.tick;
   rover.Go({0.05, 0.0});
-  rover.odometry.BeginLook(exposed);
-  EXPECT_LT((rover.odometry.p_RT() - p_WT).norm(), 1e-3);
-  rover.odometry.TakeOver(p_WT + Eigen::Vector2d(0.0, 0.02), 0.0);
-  rover.odometry.EndLook();
+  const ExposurePrior prior = rover.odometry.At(exposed);
+  EXPECT_LT((prior.target.p_RT - p_WT).norm(), 1e-3);
+  const TargetSighting sighting{.found = true, .p_E = p_WT + Eigen::Vector2d(0.0, 0.02)};
+  rover.odometry.Take(prior, {.sighting = sighting, .predicted = prior.target});
   const Eigen::Vector2d now = Inverse(rover.X_WR) * Eigen::Vector2d(p_WT.x(), 0.02);
   EXPECT_LT((rover.odometry.p_RT() - now).norm(), 2e-3);
 }

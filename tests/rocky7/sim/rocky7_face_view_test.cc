@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "controller/base/number_text.h"
-#include "controller/rocky7/face_eye.h"
+#include "controller/rocky7/face_stereo.h"
 #include "models/read/yaml_tree.h"
 #include "sim/rocky7/rocky7_plant.h"
 #include "sim/vehicles/boulder.h"
@@ -70,9 +70,9 @@ Seen LookAt(std::uint64_t seed, double from_m, const Face& face = {}) {
   const Pose3 X_ER = LevelFrame(nominal, sensed.imu);
   const Pose3 X_EG = X_ER * Inverse(truth.X_WR) * plant.X_WG();
   const Eigen::Vector3d p_ET = X_EG * plant.target_G();
-  const FaceEye eye(nominal);
-  const FaceView view = eye.Look(pair, nominal.mast.watch_rad, sensed.imu, p_ET);
-  const auto plane = eye.PlaneAt(view, eye.Rectified(nominal.target_px));
+  const FaceStereo stereo(nominal);
+  const FaceView view = stereo.Look(pair, nominal.mast.watch_rad, sensed.imu, p_ET);
+  const auto plane = stereo.PlaneAt(view, stereo.Rectified(nominal.target_px));
   EXPECT_TRUE(plane.has_value()) << seed;
   if (!plane) return {kPi, 1.0};
   const Eigen::Vector3d face_G =

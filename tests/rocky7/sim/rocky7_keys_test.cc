@@ -63,14 +63,20 @@ TEST(Rocky7Scenario, RefusesWhatItCannotSimulate) {
               HasSubstr("test.yaml:6:3: expected yard.cell_m of at most 0.01 m"));
   EXPECT_THAT(error([](Scenario& s) { s.start.h = Radians(120.0); }),
               HasSubstr("test.yaml:5:3: start: expected a start from where the front cameras see"));
+  const auto set_step = [](Scenario& s) {
+    s.physics_step_s = 0.0021;
+    s.step_place = "test.yaml:7:17: physics_step_s";
+  };
+  EXPECT_THAT(error(set_step),
+              HasSubstr("test.yaml:7:17: physics_step_s: expected at most 0.002 s"));
   EXPECT_THAT(error([](Scenario& s) { s.soil_file.clear(); }), HasSubstr("a soil's file"));
   EXPECT_THAT(error([](Scenario& s) { s.image_width = 320; }), HasSubstr("640 x 480"));
 }
 
 TEST(Rocky7Robot, NeedsFixedWheelsAndRockers) {
   const System system = Rocky7System({});
-  EXPECT_FALSE(system.check_file(SourceFile("models/rovers/rocky7.yaml")));
-  EXPECT_THAT(system.check_file(SourceFile("models/rocky7/rocky7.yaml"))->summary,
+  EXPECT_FALSE(system.files.check(SourceFile("models/rovers/rocky7.yaml")));
+  EXPECT_THAT(system.files.check(SourceFile("models/rocky7/rocky7.yaml"))->summary,
               HasSubstr("front pair of 0.1 m"));
 }
 

@@ -1,0 +1,39 @@
+// A face's point and normal as the rover believes them, from one image pair to the next.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "controller/io/belief.h"
+#include "controller/rocky7/face_tracker.h"
+#include "controller/rocky7/place_plan.h"
+
+namespace dockyard::rocky7 {
+
+/// In E of now, by odometry since the last detection.
+struct FaceBelief {
+  bool begun = false;  // the target was detected
+  Eigen::Vector3d p_ET{0, 0, 0};
+  std::optional<Eigen::Vector3d> normal_E{};
+  double normal_sigma_rad = 0.0;
+  std::vector<Eigen::Vector2d> obstacles_E{};
+  double turned_rad = 0.0, driven_m = 0.0, signed_m = 0.0;  // since then
+
+  bool IsNormalSure() const;
+};
+
+/// The rover went on by this, and drove that far.
+void MoveOn(const Pose2& since, double driven_m, FaceBelief& belief);
+/// The target was detected: it is there now, and the face's normal is known better.
+void Take(const Nominal& nominal, const FaceStereo& stereo, const FaceView& view,
+          const FaceSighting& sighting, FaceBelief& belief);
+/// In R. Without a normal, the face leans back along the line of sight.
+FaceAt FaceNow(const Nominal& nominal, const ImuSample& attitude, const FaceBelief& belief);
+/// The same face, leaning back.
+FaceAt LeaningBack(const FaceAt& face);
+
+/// For the record, after that many image pairs.
+std::vector<NamedValue> ValuesOf(const FaceBelief& belief, int pairs, double tool_off_rad);
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,128 @@
+#include "controller/rocky7/ground_stereo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "controller/stereo/fill_gaps.h"
+#include "controller/stereo/sand_and_stones.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+// Half the side of a map: the largest window, and the shape in it. Assumed, 0.2-0.5 m.
+constexpr double kHalf_m = 0.3;
+// Cells of a map: 5 mm near by (assumed, 2.5-10 mm), and this share of a pixel's footprint along
+// the ground (assumed, 0.5-1).
+constexpr double kFinest_m = 0.005, kOfFootprint = 0.7;
+// Range data about a pixel: those within this of it. Assumed, 1-4 px.
+constexpr int kAbout_px = 2;
+// Of a user's click on a stone's middle, 1 sigma along each side. Assumed, 1-4.
+constexpr double kClick_px = 2.0;
+// Cells without a pixel of their own, in a row. Assumed, 2-5.
+constexpr int kGap_cells = 3;
+// Of the ground ahead of the cameras so much tells the rover's motion; further away a pixel shows
+// more than a cell. Assumed, 0.7-1.2 m and 0.4-0.7 m.
+constexpr double kAhead_m = 0.95, kAside_m = 0.5;
+
+// Level ground below R, in R.
+Plane GroundIn(const Nominal& nominal, const ImuSample& attitude) {
+  const Eigen::Matrix3d R_ER = RotY(attitude.pitch_rad) * RotX(attitude.roll_rad);
+  return {R_ER.transpose() * Eigen::Vector3d::UnitZ(), -nominal.rolling_radius_m};
+}
+
+}  // namespace
+
+GroundStereo::GroundStereo(const Nominal& nominal) : nominal_(nominal), rectifier_(nominal.front) {}
+
+GroundScan GroundStereo::Look(const StereoImages& images, const ImuSample& attitude) const {
+  GroundScan seen;
+  seen.ground_R = GroundIn(nominal_, attitude);
+  seen.X_RE = FrameOn(seen.ground_R);
+  const PlaneDisparity ground = DisparityOf(rectifier_.pair(), seen.ground_R);
+  seen.disparities = WithoutEdges(MatchSandAndStones(rectifier_, images, ground), ground);
+  return seen;
+}
+
+GroundMaps GroundStereo::MapsAbout(const GroundScan& seen, const Eigen::Vector2d& p_E) const {
+  const RectifiedPair& pair = rectifier_.pair();
+  const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
+  const double away_m = (p_E - p_EC.head<2>()).norm(), up_m = std::max(0.05, p_EC.z());
+  const double footprint_m = (away_m * away_m + up_m * up_m) / (up_m * pair.focal_px);
+  ElevationSettings settings{.cell_m = kFinest_m,
+                             .x_low_m = p_E.x() - kHalf_m,
+                             .x_high_m = p_E.x() + kHalf_m,
+                             .y_low_m = p_E.y() - kHalf_m,
+                             .y_high_m = p_E.y() + kHalf_m};
+  const int block_px = SandAndStonesSettings{}.stones.block_px;
+  GroundMaps maps;
+  maps.p_EC = p_EC;
+  maps.focal_baseline_px_m = pair.focal_px * pair.baseline_m;
+  maps.fine = MapHeights(pair, seen.disparities, seen.ground_R, block_px, settings);
+  settings.cell_m = std::max(kFinest_m, kOfFootprint * footprint_m);
+  maps.closed = MapHeights(pair, seen.disparities, seen.ground_R, block_px, settings);
+  FillGaps(kGap_cells, maps.closed);
+  return maps;
+}
+
+GroundPicture GroundStereo::PictureAhead(const GroundScan& seen, const StereoImages& images) const {
+  const RectifiedPair& pair = rectifier_.pair();
+  const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
+  ElevationMap heights =
+      MapHeights(pair, seen.disparities, seen.ground_R, SandAndStonesSettings{}.stones.block_px,
+                 {.cell_m = kFinest_m,
+                  .x_low_m = p_EC.x(),
+                  .x_high_m = p_EC.x() + kAhead_m,
+                  .y_low_m = -kAside_m,
+                  .y_high_m = kAside_m});
+  FillGaps(kGap_cells, heights);
+  return FromAbove(pair, rectifier_.Rectified(images).left, heights);
+}
+
+std::optional<Eigen::Vector2d> GroundStereo::PlaceOf(const GroundScan& seen,
+                                                     const Eigen::Vector2d& pixel) const {
+  const RectifiedPair& pair = rectifier_.pair();
+  const Eigen::Vector3d ray_C =
+      pair.X_RC.R.transpose() * nominal_.front.X_RL.R * nominal_.front.left.Direction(pixel);
+  if (ray_C.z() <= 0.0) return std::nullopt;
+  const Eigen::Vector2d at = pair.centre_px + pair.focal_px * ray_C.head<2>() / ray_C.z();
+  std::vector<double> found;
+  const int u0 = static_cast<int>(std::lround(at.x())), v0 = static_cast<int>(std::lround(at.y()));
+  for (int v = v0 - kAbout_px; v <= v0 + kAbout_px; ++v) {
+    for (int u = u0 - kAbout_px; u <= u0 + kAbout_px; ++u) {
+      if (u < 0 || v < 0 || u >= pair.width || v >= pair.height) continue;
+      const double disparity_px = seen.disparities.at(u, v);
+      if (std::isfinite(disparity_px) && disparity_px > 0.0) found.push_back(disparity_px);
+    }
+  }
+  if (found.empty()) return std::nullopt;
+  std::nth_element(found.begin(), found.begin() + static_cast<long>(found.size()) / 2, found.end());
+  const Eigen::Vector3d p_C = pair.Point(at.x(), at.y(), found[found.size() / 2]);
+  const Eigen::Vector3d p_E = Inverse(seen.X_RE) * (pair.X_RC * p_C);
+  return p_E.head<2>().eval();
+}
+
+std::optional<Clicked> GroundStereo::ClickOf(const GroundScan& seen,
+                                             const Eigen::Vector2d& pixel) const {
+  const auto p_E = PlaceOf(seen, pixel);
+  if (!p_E) return std::nullopt;
+  const Eigen::Matrix3d R_EL = seen.X_RE.R.transpose() * nominal_.front.X_RL.R;
+  return Clicked{*p_E, R_EL * nominal_.front.left.Direction(pixel),
+                 kClick_px / rectifier_.pair().focal_px};
+}
+
+std::optional<StereoImages> FrontPair(const SensorFrame& frame) {
+  const GrayImage* left = GrayImageOf(frame, kFrontLeft);
+  const GrayImage* right = GrayImageOf(frame, kFrontRight);
+  if (left == nullptr || right == nullptr) return std::nullopt;
+  return StereoImages{*left, *right};
+}
+
+Tick ExposureOfFront(const SensorFrame& frame) {
+  for (const CameraImage& image : frame.images) {
+    if (image.camera == kFrontLeft) return image.exposed;
+  }
+  return frame.tick;
+}
+
+}  // namespace dockyard::rocky7

@@ -1,0 +1,143 @@
+// One compositor for all cameras: boards in colour, lamps in grey, several boards in one image.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "controller/vision/board/locate.h"
+#include "render/colour_samples.h"
+#include "render/measure.h"
+
+namespace dockyard {
+namespace {
+
+Camera PlainCamera() { return EquidistantCamera(320, 240, kPi / 2); }
+Pose3 BeforeTheBoard() { return LevelRover(1.0, 0.1, kPi, 0.75) * ForwardCamera(0.0, 0.0, 0.0); }
+
+/// White light on even greys; light bounces off what grey images take for the ground.
+ColourTable WhiteTable(const Scene& scene) {
+  const Spectrum light = PlanckLight(5000.0);
+  return MakeColourTable({.sun = light,
+                          .sky = light,
+                          .lamps = {light},
+                          .materials = {EvenGrey(scene.light.ground_bounce_albedo)}},
+                         CheapCamera());
+}
+
+ColourRadiance InColour(const Scene& scene) {
+  return StereoRenderer().RenderThrough(scene, WhiteTable(scene), {.camera = PlainCamera()},
+                                        {BeforeTheBoard()});
+}
+RadianceImage InGrey(const Scene& scene) {
+  return StereoRenderer().RenderRadiance(scene, RigAt(PlainCamera(), BeforeTheBoard()), {})[0];
+}
+
+// Light is measured in the camera's green, so a grey camera's radiance of grey things in white
+// light is the colour camera's green. All rays on the board are shaded by its exact ink shares.
+TEST(Compositor, ColourCameraSeesABoardAsAGreyOneDoes) {
+  Scene scene = BoardOnly();
+  scene.lamps = {{.p_W = {1.0, 0.2, 0.9}, .axis_W = {-1, 0, 0}, .irradiance_1m = 0.4}};
+  const RadianceImage grey = InGrey(scene);
+  const ColourRadiance colour = InColour(scene);
+  double darkest = 1e9, brightest = 0.0;
+  int count = 0;
+  for (int y = 60; y < 180; ++y) {
+    for (int x = 80; x < 240; ++x) {
+      const double expected = grey.at(x, y), green = colour.part[1].at(x, y);
+      EXPECT_NEAR(green, expected, 1e-4 * expected) << x << " " << y;
+      darkest = std::min(darkest, green);
+      brightest = std::max(brightest, green);
+      ++count;
+    }
+  }
+  EXPECT_GT(brightest / darkest, 8.0);  // paints of 0.85 and 0.05
+  EXPECT_GT(count, 10000);
+}
+
+// The plate's outline, which rays decide: the same area in both images.
+TEST(Compositor, BoardHasTheSameOutlineInColour) {
+  Scene scene = BoardOnly();
+  scene.boards[0].board.fiducials.clear();
+  scene.light.sky_irradiance = 0.0;
+  scene.light.ground_bounce_albedo = 0.0;
+  const RadianceImage grey = InGrey(scene);
+  const ColourRadiance colour = InColour(scene);
+  const double white = grey.at(160, 120);
+  double of_grey = 0.0, of_colour = 0.0;
+  for (std::size_t i = 0; i < grey.values.size(); ++i) {
+    of_grey += grey.values[i] / white;
+    of_colour += colour.part[1].values[i] / white;
+  }
+  EXPECT_GT(of_grey, 2000.0);
+  EXPECT_NEAR(of_colour, of_grey, 0.003 * of_grey);
+}
+
+// Radiance albedo / pi * E_1m * cos(to the lamp) / distance^2, with the beam's power law.
+double LampLit(const Lamp& lamp, const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_W,
+               double albedo) {
+  const Eigen::Vector3d to_lamp = lamp.p_W - p_W;
+  const double off = -lamp.axis_W.dot(to_lamp.normalized());
+  const double power = std::log(0.5) / std::log(std::cos(lamp.half_angle_rad));
+  return albedo / kPi * lamp.irradiance_1m * std::pow(off, power) * n_W.dot(to_lamp.normalized()) /
+         to_lamp.squaredNorm();
+}
+
+TEST(Compositor, GreyCameraSeesALampOnBoardObjectAndGround) {
+  const std::vector<double> level(9, 0.0);
+  Scene scene = BoardOnly();
+  scene.boards[0].board.fiducials.clear();
+  scene.light.sun_irradiance = scene.light.sky_irradiance = 0.0;
+  scene.objects.push_back({std::make_shared<const RenderMesh>(BoxToRender({0.2, 3.0, 0.2})),
+                           Pose3::Translation(0.0, 0.0, 0.1), Eigen::Vector3d(0.3, 0.3, 0.3)});
+  scene.ground = {.x0_m = -5.0,
+                  .y0_m = -5.0,
+                  .cell_m = 5.0,
+                  .nx = 3,
+                  .ny = 3,
+                  .heights_m = level.data(),
+                  .albedo = Eigen::Vector3d::Constant(0.2),
+                  .grain = 0.0};
+  scene.lamps = {{.p_W = {1.0, 0.1, 0.8},
+                  .axis_W = Eigen::Vector3d(-1, 0, -0.3).normalized(),
+                  .half_angle_rad = 0.6,
+                  .irradiance_1m = 2.0}};
+  const Pose3 X_WC = BeforeTheBoard();
+  const RadianceImage grey = InGrey(scene);
+  const auto expect = [&](const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_W, double albedo) {
+    const auto pixel = PlainCamera().Project(Inverse(X_WC) * p_W);
+    ASSERT_TRUE(pixel);
+    const int x = static_cast<int>(std::lround(pixel->x()));
+    const int y = static_cast<int>(std::lround(pixel->y()));
+    const double exact = LampLit(scene.lamps[0], p_W, n_W, albedo);
+    EXPECT_NEAR(grey.at(x, y), exact, 0.03 * exact) << p_W.transpose();  // half a pixel aside
+  };
+  expect({0.0, 0.1, 0.6}, {1, 0, 0}, scene.boards[0].white_albedo);
+  expect({0.1, -0.1, 0.1}, {1, 0, 0}, 0.3);
+  expect({0.3, 0.1, 0.0}, {0, 0, 1}, 0.2);
+}
+
+// Two boards of different discs in one pair, one of them in front of the other's edge: each is
+// found where it is.
+TEST(Compositor, TwoBoardsOfOneSceneAreBothLocated) {
+  Scene scene = BoardOnly();
+  FiducialBoard second = SampleBoard();
+  for (Fiducial& fiducial : second.fiducials) {
+    fiducial.p_BF = {-fiducial.p_BF.y() * 1.3, fiducial.p_BF.x() * 0.6};
+  }
+  std::swap(second.width_m, second.height_m);
+  scene.boards[0].X_WB = UprightBoard(0.0, -0.6, 0.9);
+  scene.boards.push_back({.board = second, .X_WB = UprightBoard(0.3, 0.6, 0.8), .dusty_spots = {}});
+  scene.boards[1].X_WB.R = RotZ(0.15) * scene.boards[1].X_WB.R;
+  const StereoRig rig = SampleRig();
+  const Pose3 X_WR = LevelRover(2.2, 0.0, kPi);
+  const StereoImages images = StereoRenderer().Render(scene, rig, X_WR, {.noise_key = 1});
+  for (const BoardView& board : scene.boards) {
+    const LocateOutput out = LocateBoard(images, rig, board.board, {});
+    ASSERT_TRUE(out.sighting) << Name(out.sighting.error());
+    const Pose3 X_RB = Inverse(X_WR) * board.X_WB;
+    EXPECT_LT((out.sighting->X_RB.p - X_RB.p).norm(), 0.01);
+    EXPECT_GE(out.sighting->fiducials_used, 12);
+  }
+}
+
+}  // namespace
+}  // namespace dockyard

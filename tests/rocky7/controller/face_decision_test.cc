@@ -1,0 +1,132 @@
+#include "controller/rocky7/face_decision.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rocky7/controller/face_scene.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr FaceApproachOptions kOurs{
+    .image_share = 0.3, .least_step_m = 0.12, .most_step_m = 0.6, .corrects = true};
+
+// A rover on level ground that believes the truth.
+struct Before {
+  Nominal nominal = NominalRover();
+  FaceBelief belief;
+  FaceProgress progress;
+
+  Before(double x_m, double up_deg, double aside_deg) {
+    belief.begun = true;
+    belief.p_ET = {x_m, 0.1, 0.4};
+    belief.normal_E = NormalOf(up_deg, aside_deg);
+    belief.normal_sigma_rad = Radians(1.0);
+  }
+  FaceAt Face() const { return FaceNow(nominal, {}, belief); }
+  double ToolOffNow() const { return ToolOff(nominal.mast, Face()); }
+  FaceDecision Decide(const FaceApproachOptions& options) {
+    return DecideNext(nominal, options, belief, Face(), ToolOffNow(), progress);
+  }
+  void Drive(const std::vector<Arc>& arcs) {
+    for (const Arc& arc : arcs) MoveOn(Advance({}, arc), arc.length_m, belief);
+  }
+};
+
+TEST(FaceDecision, FarAwayItIsOneArcWithinTheStepsBounds) {
+  Before before(6.0, 25.0, 20.0);
+  const FaceDecision next = before.Decide(kOurs);
+  ASSERT_EQ(next.arcs.size(), 1u) << next.why_not;
+  EXPECT_DOUBLE_EQ(next.arcs[0].length_m, kOurs.most_step_m);
+  EXPECT_FALSE(before.progress.near);
+}
+
+// The paper's tenth of what is left.
+TEST(FaceDecision, TheStepIsItsShareOfTheDistanceToAMetreBeforeTheGoal) {
+  const FaceApproachOptions paper{};
+  Before before(6.0, 25.0, 0.0);
+  const auto goal =
+      GoalFor(before.nominal, before.Face(), LeastStandOff(before.nominal, before.Face(), {}), 1.0);
+  ASSERT_TRUE(goal);
+  const auto whole = OneArcTo(goal->p_RM_goal, before.nominal.mast.p_RM.head<2>());
+  EXPECT_NEAR(before.Decide(paper).arcs.at(0).length_m, 0.1 * whole->length_m, 1e-9);
+}
+
+// Without errors of odometry and perception the rover comes to where the tool fits.
+TEST(FaceDecision, RepeatedItLeadsToWhereTheToolIsOnTheNormal) {
+  for (const double aside_deg : {-30.0, 0.0, 25.0}) {
+    Before before(5.0, 30.0, aside_deg);
+    int steps = 0;
+    FaceDecision next = before.Decide(kOurs);
+    while (!next.arcs.empty() && steps < 60) {
+      before.Drive(next.arcs);
+      next = before.Decide(kOurs);
+      ++steps;
+    }
+    EXPECT_EQ(next.why_not, "") << aside_deg;
+    EXPECT_LT(steps, 40);
+    EXPECT_LT(Degrees(before.ToolOffNow()), 3.5) << aside_deg;
+  }
+}
+
+TEST(FaceDecision, WithoutCorrectionsTheArcsOfTheLastMetreAreDrivenWholeAndThatIsAll) {
+  const FaceApproachOptions paper{};
+  Before before(1.9, 30.0, 15.0);
+  before.progress.near = true;
+  const FaceDecision first = before.Decide(paper);
+  ASSERT_GE(first.arcs.size(), 2u) << first.why_not;
+  before.Drive(first.arcs);
+  const FaceDecision second = before.Decide(paper);
+  EXPECT_TRUE(second.arcs.empty());
+  EXPECT_EQ(second.why_not, "");
+  EXPECT_LT(Degrees(before.ToolOffNow()), 0.1);
+}
+
+// At most a degree and a quarter at first, then a quarter of a degree more each time.
+TEST(FaceDecision, AsksForLessWithEachPairNearBy) {
+  Before before(2.0, 30.0, 0.0);
+  const auto goal = GoalFor(before.nominal, before.Face(), 0.0);
+  ASSERT_TRUE(goal);
+  before.progress.near = true;
+  // So near that the tool is off by some 2 deg.
+  double back_m = 0.0;
+  const FaceBelief at_start = before.belief;
+  while (before.ToolOffNow() > kPi - 1e-9 || Degrees(before.ToolOffNow()) > 2.2) {
+    before.belief = at_start;
+    back_m += 0.001;
+    MoveOn({goal->X_RG.x - 0.05 + back_m, goal->X_RG.y, goal->X_RG.heading}, 1.0, before.belief);
+    ASSERT_LT(back_m, 0.1);
+  }
+  const double off_rad = before.ToolOffNow();
+  ASSERT_GT(Degrees(off_rad), 1.3);
+  int pairs = 1;
+  while (!before.Decide(kOurs).arcs.empty() && pairs < 20) ++pairs;
+  EXPECT_EQ(pairs, 1 + static_cast<int>(std::ceil((Degrees(off_rad) - 1.2) / 0.25)));
+}
+
+TEST(FaceDecision, SaysWhyItCannotGoOn) {
+  Before high(3.0, 30.0, 0.0);
+  high.belief.p_ET.z() = 3.0;
+  EXPECT_THAT(high.Decide(kOurs).why_not, HasSubstr("does not reach the target from anywhere"));
+  Before blind(1.3, 30.0, 0.0);
+  blind.belief.normal_E.reset();
+  blind.progress.near = true;
+  EXPECT_THAT(blind.Decide(kOurs).why_not, HasSubstr("normal is not"));
+}
+
+TEST(FaceDecision, AnUnsureNormalDoesNotSayWhereToGo) {
+  Before sure(5.0, 30.0, 60.0), unsure(5.0, 30.0, 60.0);
+  unsure.belief.normal_sigma_rad = Radians(20.0);
+  const double to_target = std::atan2(0.1, 5.0);
+  // The arc turns twice as far as its chord is aside.
+  const Arc arc = unsure.Decide(kOurs).arcs.at(0);
+  EXPECT_NEAR(arc.turn_rad, 0.0, 2.0 * to_target);
+  EXPECT_GT(std::abs(sure.Decide(kOurs).arcs.at(0).turn_rad), std::abs(arc.turn_rad));
+}
+
+}  // namespace
+}  // namespace dockyard::rocky7

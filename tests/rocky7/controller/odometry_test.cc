@@ -1,0 +1,91 @@
+#include "controller/rocky7/odometry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "controller/motion/arcs.h"
+
+namespace dockyard::rocky7 {
+namespace {
+
+constexpr OdometryOptions kByUnit{.turn_by_unit = true, .slip = 0.1};
+
+TEST(Odometry, WithoutAUnitItBelievesTheWheels) {
+  Odometry odometry(OdometryOptions{});
+  odometry.Begin(0.3);
+  const Arc arc{0.4, 0.3};
+  Pose2 sum;
+  for (const double share : {0.25, 0.5, 1.0}) {
+    sum = sum * odometry.Step(share * 0.4, Advance({}, Part(arc, share)), 2.0);
+  }
+  const Pose2 whole = Advance({}, arc);
+  EXPECT_NEAR(sum.x, whole.x, 1e-12);
+  EXPECT_NEAR(sum.y, whole.y, 1e-12);
+  EXPECT_NEAR(sum.heading, whole.heading, 1e-12);
+}
+
+// The distance by the wheels less the slip, the turn by the unit.
+TEST(Odometry, WithAUnitItIsAnArcOfTheCountedDistanceLessSlip) {
+  Odometry odometry(kByUnit);
+  odometry.Begin(1.0);
+  const Pose2 since = odometry.Step(0.5, {0.5, 0.0, 0.0}, 1.2);
+  const double radius_m = 0.45 / 0.2;
+  EXPECT_NEAR(since.x, radius_m * std::sin(0.2), 1e-12);
+  EXPECT_NEAR(since.y, radius_m * (1.0 - std::cos(0.2)), 1e-12);
+  EXPECT_NEAR(since.heading, 0.2, 1e-12);
+}
+
+// The gain of two independent measurements: the slip's variance over the sum of both.
+TEST(Odometry, LearnsSlipByTheRatioOfVariances) {
+  Odometry odometry(kByUnit);
+  const double driven_m = 0.4, sigma_m = 0.01;
+  odometry.Learn(0.02, sigma_m, driven_m);
+  const double by_slip2 = std::pow(kSlipSigma * driven_m, 2);
+  const double gain = by_slip2 / (by_slip2 + sigma_m * sigma_m);
+  EXPECT_NEAR(odometry.SlipOn(1.0), 0.1 + gain * 0.02 / driven_m, 1e-12);
+  EXPECT_EQ(odometry.SlipOn(-1.0), 0.1);
+}
+
+TEST(Odometry, CountsSlipFromWhereItWasLearnt) {
+  Odometry odometry(kByUnit);
+  odometry.Begin(0.0);
+  EXPECT_NEAR(odometry.Step(0.1, {0.1, 0.0, 0.0}, 0.0).x, 0.09, 1e-12);
+  odometry.Learn(0.02, 1e-6, 0.1);
+  EXPECT_NEAR(odometry.Step(0.2, {0.2, 0.0, 0.0}, 0.0).x, 0.07, 1e-6);
+}
+
+TEST(Odometry, SlipAheadAndBackAreLearntApartAndStayWithinBounds) {
+  Odometry odometry(kByUnit);
+  odometry.Learn(0.5, 1e-6, 0.4);
+  odometry.Learn(0.5, 1e-6, -0.4);
+  EXPECT_EQ(odometry.SlipOn(0.1), kMostSlip);
+  EXPECT_EQ(odometry.SlipOn(-0.1), 0.0);
+  Odometry believes(OdometryOptions{});
+  believes.Learn(0.5, 1e-6, 0.4);
+  EXPECT_EQ(believes.SlipOn(0.1), 0.0);
+}
+
+// A turn of 4 deg teaches half of what it shows (odometry.cc), a large one nearly all.
+TEST(Odometry, LearnsTheShareOfTheTurnByItsSize) {
+  for (const double counted_rad : {Radians(4.0), 1.5}) {
+    Odometry odometry(kByUnit);
+    odometry.Begin(0.0);
+    odometry.Step(0.5, {0.5, 0.0, counted_rad}, 0.6 * counted_rad);
+    odometry.Begin(0.6 * counted_rad);
+    const double noise = Radians(4.0) / counted_rad;
+    EXPECT_NEAR(odometry.turn_share(), kTurnShare + (0.6 - kTurnShare) / (1.0 + noise * noise),
+                1e-12);
+  }
+}
+
+TEST(Odometry, AStraightArcTeachesNothingOfTurns) {
+  Odometry odometry(kByUnit);
+  odometry.Begin(0.0);
+  odometry.Step(0.5, {0.5, 0.0, 0.0}, 0.1);
+  odometry.Begin(0.1);
+  EXPECT_EQ(odometry.turn_share(), kTurnShare);
+}
+
+}  // namespace
+}  // namespace dockyard::rocky7
