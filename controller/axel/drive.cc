@@ -11,9 +11,6 @@ namespace {
 const NominalMotor& NominalOf(const Nominal& nominal, Motor motor) {
   return nominal.motors[static_cast<std::size_t>(motor)];
 }
-MotorCommand& CommandOf(Commands* commands, Motor motor) {
-  return commands->motors[static_cast<std::size_t>(motor)];
-}
 
 }  // namespace
 

@@ -8,6 +8,10 @@
 
 namespace dockyard::axel {
 
+inline MotorCommand& CommandOf(Commands* commands, Motor motor) {
+  return commands->motors[static_cast<std::size_t>(motor)];
+}
+
 /// Wheel commands for a twist. If one wheel would exceed the nominal limit, both are slowed by the
 /// same factor.
 void CommandWheels(const Nominal& nominal, const Twist& twist, double accel_rad_s2,

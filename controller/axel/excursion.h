@@ -1,8 +1,11 @@
-// The way out of a rover that starts seated: what the spool pulls with, and how far it is.
+// A rover that starts seated: out of the cone, as far as its mission says, and back to where it may
+// see the board.
 #pragma once
 
 #include "controller/axel/nominal/nominal.h"
 #include "controller/axel/options.h"
+#include "controller/axel/senses.h"
+#include "controller/io/commands.h"
 
 namespace dockyard::axel {
 
@@ -23,5 +26,32 @@ double WayOut(double paid_out_m, double rolled_back_m);
 
 /// Nominal way of a return by dead reckoning [m]; 0: the board is near enough as it is.
 double WayBack(double way_out_m, const ExcursionOptions& options);
+
+/// Out in reverse: the arm stays ahead, and the tether steadies it.
+class Excursion {
+ public:
+  enum class Status { kUnderWay, kOut, kLate };
+
+  Excursion(const Nominal& nominal, const AxelOptions& options)
+      : nominal_(nominal), options_(options) {}
+
+  /// The mission says that the rover starts seated, so it knows where it is, and its arm how the
+  /// ground falls.
+  void Begin(Senses* senses);
+  /// Whether it is so far out of the seat, or does not get there.
+  Status Step(double distance_m, Tick in_phase, Senses* senses, Commands* commands) const;
+  /// Plans the return; 0: none is needed.
+  void PlanReturn(const Senses& senses);
+  double back_m() const { return back_m_; }
+
+ private:
+  double OutOf(const Senses& senses) const;
+
+  Nominal nominal_;
+  AxelOptions options_;
+  Moment seated_;
+  double tension_n_ = 0.0;  // of the spool on the way out
+  double back_m_ = 0.0;
+};
 
 }  // namespace dockyard::axel

@@ -7,8 +7,56 @@
 
 #include "controller/axel/machine_impl.h"
 #include "controller/axel/rock_check.h"
+#include "controller/base/check.h"
+#include "controller/motion/limits.h"
 
 namespace dockyard::axel {
+
+AxelMachine::AxelMachine(const Nominal& nominal, const AxelOptions& options, Locator locator)
+    : nominal_(nominal),
+      options_(options),
+      perception_{std::move(locator)},
+      senses_(nominal, options),
+      driving_(nominal, options),
+      arm_(nominal, options.arm),
+      felt_rocks_(nominal.track_m, options.felt_rocks, RockLimits{}),
+      righting_(nominal, options.righting),
+      looks_(options, nominal),
+      stop_(nominal, options),
+      judge_(options.look, nominal.X_DB),
+      search_(nominal, options),
+      entry_(nominal, options),
+      reel_in_(nominal, options),
+      seat_check_(nominal, options),
+      haul_(nominal, options),
+      excursion_(nominal, options),
+      still_(options.tether.still_m) {
+  DOCKYARD_CHECK(perception_.locator != nullptr);
+  belief_.phase = Name(phase_);
+  belief_.values = {{"tether_length_m", 0.0}, {"recoveries", 0.0}, {"rightings", 0.0}};
+}
+
+Commands AxelMachine::Step(const SensorFrame& sensed) {
+  senses_.Update(sensed);
+  if (!entered_) Enter(nominal_.excursion_m > 0.0 ? Phase::kUndock : Phase::kTighten);
+  const auto change = [&](Event event) {
+    const std::optional<Phase> next = Next(phase_, event);
+    DOCKYARD_CHECK(next.has_value());
+    Enter(*next);
+  };
+  Commands commands = BrakedCommands();
+  FeelRocks();
+  if (const std::optional<Event> event = TurnedOver()) change(*event);
+  const std::optional<Event> event = Act(sensed, &commands);
+  if (phase_ != Phase::kRight) CommandOf(&commands, Motor::kArm) = arm_.Hold(senses_);
+  if (event) change(*event);
+  commands.verdict = phase_ == Phase::kDocked    ? Verdict::kDone
+                     : phase_ == Phase::kGivenUp ? Verdict::kGivenUp
+                                                 : Verdict::kUnderWay;
+  FillBelief();
+  KeepLimits(nominal_.motors, &commands);
+  return commands;
+}
 
 std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* commands) {
   switch (phase_) {
@@ -29,7 +77,7 @@ std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* comma
     case Phase::kEnter:
       return Drive(commands);
     case Phase::kReel:
-      return Reel(commands);
+      return reel_in_.Step(senses_, commands) ? std::optional(Event::kReeledIn) : std::nullopt;
     case Phase::kConfirm:
       return Confirm(sensed, commands);
     case Phase::kHaul:
@@ -39,7 +87,7 @@ std::optional<Event> AxelMachine::Act(const SensorFrame& sensed, Commands* comma
     case Phase::kExcursion:
       return GoOut(nominal_.excursion_m, commands);
     case Phase::kReturn:
-      return returns_ ? Drive(commands) : Event::kArrived;
+      return excursion_.back_m() > 0.0 ? Drive(commands) : Event::kArrived;
     case Phase::kRight:
       return TurnBack(commands);
     case Phase::kDocked:
@@ -67,9 +115,10 @@ std::optional<Event> AxelMachine::Drive(Commands* commands) {
   const bool high = !to_mouth && (held_ || BodyNearRock(driving_.geometry(), senses_.pose()));
   if (may_level) arm_.Level(senses_, high ? options_.arm.over_rock_rad : 0.0);
   if (driving_.paused()) belief_.note = "arm lifted: reeling in";
-  if (StopsAbeam()) {
+  const bool to_axis = phase_ == Phase::kApproach || phase_ == Phase::kAlign;
+  if (to_axis && search_.StopsAbeam(Known())) {
     belief_.note = "tether abeam";
-    seeking_ = true;  // so that it is pulled first
+    search_.Seek();  // so that it is pulled first
     return Event::kArrived;
   }
   if (phase_ == Phase::kEnter &&
@@ -96,25 +145,14 @@ void AxelMachine::FeelRocks() {
   belief_.note = "rock felt";
 }
 
-// The arm went over the top, or the rover starts so. An arm that only swings past the upright comes
-// back by itself.
-bool AxelMachine::TurnedOver() {
-  const bool stands = phase_ == Phase::kTighten || phase_ == Phase::kLook;
-  const bool over =
-      senses_.arm_trails() || (stands && !Righting::Upright(senses_, options_.righting));
-  const bool may = phase_ != Phase::kDocked && phase_ != Phase::kGivenUp && phase_ != Phase::kRight;
-  if (!over || !may) {
-    over_since_.reset();
-    return false;
-  }
-  if (!over_since_) over_since_ = senses_.now();
-  return senses_.now() - *over_since_ >= options_.righting.over_for;
-}
-
-Event AxelMachine::Right() {
+std::optional<Event> AxelMachine::TurnedOver() {
+  if (phase_ == Phase::kDocked || phase_ == Phase::kGivenUp || phase_ == Phase::kRight)
+    return std::nullopt;
+  const bool at_rest = phase_ == Phase::kTighten || phase_ == Phase::kLook;
+  if (!righting_.TurnedOver(senses_, at_rest)) return std::nullopt;
   belief_.note = "turned over";
-  if (rightings_ >= options_.limit.rightings) return Event::kLimitReached;
-  ++rightings_;
+  if (tries_.rightings >= options_.limit.rightings) return Event::kLimitReached;
+  ++tries_.rightings;
   return Event::kTurnedOver;
 }
 
@@ -125,10 +163,20 @@ std::optional<Event> AxelMachine::TurnBack(Commands* commands) {
   return status == Righting::Status::kDone ? Event::kArrived : Event::kLimitReached;
 }
 
-void AxelMachine::Change(Event event) {
-  const std::optional<Phase> next = Next(phase_, event);
-  DOCKYARD_CHECK(next.has_value());
-  Enter(*next);
+// A rover that does not get out goes back: how far it was is not for it to claim.
+std::optional<Event> AxelMachine::GoOut(double distance_m, Commands* commands) {
+  const Excursion::Status status = excursion_.Step(distance_m, InPhase(), &senses_, commands);
+  if (status == Excursion::Status::kLate) belief_.note = "does not get out as far as told";
+  if (status != Excursion::Status::kUnderWay) return Event::kArrived;
+  if (std::abs(senses_.pitch_rad()) < Radians(45.0)) arm_.Level(senses_);
+  return std::nullopt;
+}
+
+// By dead reckoning.
+void AxelMachine::DriveOn(double distance_m) {
+  driving_.PlanAhead(senses_, distance_m);
+  const DriveOptions& drive = options_.drive;
+  driving_.Start({drive.approach_m_s, drive.reverse_m_s, drive.steering}, senses_.now());
 }
 
 void AxelMachine::Enter(Phase phase) {
@@ -138,30 +186,46 @@ void AxelMachine::Enter(Phase phase) {
     reel_in_.Begin(senses_, TipOf(driving_.geometry(), senses_.pose()).gap_m);
   }
   phase_ = phase;
-  entered_ = look_from_ = senses_.now();
-  reeled_at_entry_m_ = senses_.reeled_m();
-  yaw_at_entry_rad_ = senses_.yaw_rad();
+  entered_ = MomentOf(senses_);
   still_.Reset();
-  levelling_since_.reset();
-  rolled_before_m_ = senses_.rolled_m();
-  asked_at_.reset();
-  asks_ = 0;
+  levelling_.reset();
   looks_.Begin(senses_.now());
   driving_.Enter(phase, senses_);
-  braked_.reset();
-  bracket_.NewStop();
   if (phase != Phase::kLook) taut_ = false;
-  if (phase == Phase::kLook || phase == Phase::kRecheck) judge_.NewStop();
-  if (phase == Phase::kSearch) BeginSearch();
-  if (phase == Phase::kRight) righting_.Begin(senses_);
-  if (phase == Phase::kHaul) haul_.Begin(senses_);
-  if (phase == Phase::kEnter) entry_.Begin();
-  if (phase == Phase::kUndock) BeginExcursion();
-  if (phase == Phase::kReturn) BeginReturn();
-  const bool drives = phase == Phase::kApproach || phase == Phase::kAlign ||
-                      phase == Phase::kBackOff || phase == Phase::kRecover ||
-                      phase == Phase::kMate || phase == Phase::kEnter;
-  if (drives) seeking_ = false;
+  switch (phase) {
+    case Phase::kLook:
+    case Phase::kRecheck:
+      stop_.Begin(senses_.now());
+      return judge_.NewStop();
+    case Phase::kSearch:
+      search_.Begin(senses_, Known());
+      if (search_.action() && search_.action()->move == SearchMove::kAdvance)
+        DriveOn(search_.action()->amount);
+      return;
+    case Phase::kConfirm:
+      return seat_check_.Begin();
+    case Phase::kRight:
+      return righting_.Begin(senses_);
+    case Phase::kHaul:
+      return haul_.Begin(senses_);
+    case Phase::kUndock:
+      return excursion_.Begin(&senses_);
+    case Phase::kReturn:
+      excursion_.PlanReturn(senses_);
+      if (excursion_.back_m() > 0.0) DriveOn(excursion_.back_m());
+      return;
+    case Phase::kEnter:
+      entry_.Begin();
+      return search_.Drives();
+    case Phase::kApproach:
+    case Phase::kAlign:
+    case Phase::kBackOff:
+    case Phase::kRecover:
+    case Phase::kMate:
+      return search_.Drives();
+    default:
+      return;
+  }
 }
 
 void AxelMachine::FillBelief() {
@@ -174,7 +238,7 @@ void AxelMachine::FillBelief() {
   belief_.values[0].value =
       belief_.located ? senses_.filter().ExposedLength(senses_.reeled_m()) : 0.0;
   belief_.values[1].value = driving_.recoveries();
-  belief_.values[2].value = rightings_;
+  belief_.values[2].value = tries_.rightings;
 }
 
 std::unique_ptr<Controller> MakeAxelMachine(const Nominal& nominal, const AxelOptions& options,

@@ -11,13 +11,11 @@ void AxelMachine::LookUnderWay(const SensorFrame& sensed, Commands* commands) {
   const std::optional<SinceExposure> since = looks_.Answered(sensed, senses_);
   const std::optional<StereoImages> images = since ? PairOf(sensed) : std::nullopt;
   if (images) {
-    LocateHints hints = HintsThen(senses_, *since);
-    hints.camera_turn = camera_turn_.belief();
-    LocateOutput seen = locator_(*images, hints);
+    LocateOutput seen = perception_.Locate(*images, HintsThen(senses_, *since));
     CarryToNow(*since, options_.noise, &seen);
-    Tell(seen);
+    Tell(seen.report);
     if (seen.sighting && judge_.JudgeUnderWay(*seen.sighting, &senses_)) {
-      camera_turn_.Take(*seen.sighting);
+      perception_.camera_turn.Take(*seen.sighting);
       looks_.Accepted(*ExposedAt(sensed));
       belief_.note = "board seen under way";
     }

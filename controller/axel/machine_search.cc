@@ -6,23 +6,6 @@
 #include "controller/axel/machine_impl.h"
 
 namespace dockyard::axel {
-namespace {
-
-std::optional<Event> ArrivedIf(bool arrived) {
-  return arrived ? std::optional<Event>(Event::kArrived) : std::nullopt;
-}
-
-}  // namespace
-
-// On sand a rover that drives with the tether abeam tips its arm over.
-bool AxelMachine::StopsAbeam() const {
-  const bool on_leg = phase_ == Phase::kApproach || phase_ == Phase::kAlign;
-  if (!on_leg || turning_pulls_ >= options_.search.turning_pulls) return false;
-  const SearchKnowledge known = Known();
-  return std::abs(known.tether_rad) > options_.search.abeam_rad &&
-         PullFirst(known, options_.search);
-}
-
 SearchKnowledge AxelMachine::Known() const {
   const Pose2 X_DR = senses_.pose();
   const PlanGeometry& geometry = driving_.geometry();
@@ -31,45 +14,20 @@ SearchKnowledge AxelMachine::Known() const {
           std::hypot(tip.gap_m, tip.offset_m), TetherAngle(geometry, X_DR)};
 }
 
-// In the middle of its arcs the rover has the tether aside, too. So this counts only where it finds
-// the board, and a tether that does not turn it is not pulled for ever.
-bool AxelMachine::TetherAbeam() {
-  return seeking_ && PullFirst(Known(), options_.search) &&
-         turning_pulls_++ < options_.search.turning_pulls;
-}
-
-void AxelMachine::BeginSearch() {
-  seeking_ = true;
-  search_.reset();
-  pull_.Begin(senses_);
-  if (senses_.filter().located()) search_ = NextSearchAction(attempts_++, Known(), options_.search);
-  if (!search_)
-    search_ = seeker_.Next(
-        {senses_.yaw_rad(), senses_.reeled_m(), senses_.rolled_m(), senses_.elevation_rad()});
-  if (!search_ || search_->move != SearchMove::kAdvance) return;
-  driving_.PlanAhead(senses_, search_->amount);
-  const DriveOptions& drive = options_.drive;
-  driving_.Start({drive.approach_m_s, drive.reverse_m_s, drive.steering}, senses_.now());
-}
-
 std::optional<Event> AxelMachine::Search(Commands* commands) {
-  if (!search_) return GoBlind("board not found");
+  const std::optional<SearchAction>& action = search_.action();
+  if (!action) return GoBlind("board not found");
   if (InPhase() > options_.search.move_limit) return Event::kArrived;
-  switch (search_->move) {
+  switch (action->move) {
     case SearchMove::kAgain:
       return Event::kArrived;
     case SearchMove::kTilt:
-      return Level(search_->amount, commands);
+      return Level(action->amount, commands);
     case SearchMove::kTurn:
-      return ArrivedIf(TurnInPlace(nominal_, options_, search_->amount, TurnedHere(), commands));
     case SearchMove::kReel:
-      return ArrivedIf(pull_.Step(senses_, commands) || ReeledHere() >= search_->amount ||
-                       RolledHere() >= search_->amount ||
-                       RolledHere() <= -options_.search.backwards_m ||
-                       std::abs(TurnedHere()) >= options_.search.pull_turn_rad);
     case SearchMove::kReverse:
-      return ArrivedIf(
-          ReverseStraight(nominal_, options_, search_->amount, RolledHere(), commands));
+      return search_.Move(senses_, *entered_, commands) ? std::optional(Event::kArrived)
+                                                        : std::nullopt;
     case SearchMove::kAdvance:
       return Drive(commands);
     case SearchMove::kBackUp:
@@ -84,7 +42,7 @@ Event AxelMachine::GoBlind(const std::string& why) {
   const Pose2 X_DR = senses_.pose();
   const bool aside =
       senses_.filter().located() && std::abs(std::atan2(X_DR.y, X_DR.x)) > options_.haul.aside_rad;
-  if (aside || hauls_++ >= options_.haul.tries) return Event::kLimitReached;
+  if (aside || tries_.blind++ >= options_.haul.tries) return Event::kLimitReached;
   return Event::kGoBlind;
 }
 

@@ -31,6 +31,10 @@ std::optional<StereoImages> PairOf(const SensorFrame& sensed) {
   return StereoImages{left ? *left : Dark(*right), right ? *right : Dark(*left)};
 }
 
+std::optional<StereoImages> AnswerTo(const ImageRequest& request, const SensorFrame& sensed) {
+  return IsAnswered(request, sensed) ? PairOf(sensed) : std::nullopt;
+}
+
 double ExpectedBlur_px(const Nominal& nominal, const ImuSample& imu, double speed_m_s,
                        double range_m) {
   const double focal_px = nominal.rig.left.focal_px().maxCoeff();
@@ -66,47 +70,43 @@ void CarryToNow(const SinceExposure& since, const FilterNoise& noise, LocateOutp
 }
 
 void MovingLooks::Begin(Tick now) {
-  places_.clear();
-  awaited_.reset();
-  unanswered_ = 0;
+  past_.Clear();
+  request_ = {};
   if (!Fresh(now)) last_ask_ = now;
 }
 
 void MovingLooks::Remember(const Senses& senses) {
-  places_.push_back({senses.now(), senses.reckoned(), senses.imu()});
-  while (senses.now() - places_.front().tick > options_.moving.oldest) places_.pop_front();
+  past_.Add({senses.now(), senses.reckoned(), senses.imu()});
 }
 
 bool MovingLooks::Asks(const Senses& senses, bool due, bool sees, double range_m) {
-  const Tick since = senses.now() - last_ask_;
-  if (since < options_.moving.soonest || (!due && since < options_.moving.period)) return false;
-  if (due && Fresh(senses.now())) return false;
-  if (awaited_ && since < options_.moving.oldest) return false;
-  if (!senses.filter().located() || !sees || unanswered_ >= options_.moving.unanswered)
-    return false;
+  const MovingOptions& moving = options_.moving;
+  const Tick now = senses.now(), since = now - last_ask_;
+  if (since < moving.soonest || (!due && since < moving.period)) return false;
+  if (due && Fresh(now)) return false;
+  const ImagePatience patience{.wait = moving.oldest, .most_asks = moving.unanswered + 1};
+  if (StateOf(request_, patience, now) != RequestState::kDue) return false;
+  if (!senses.filter().located() || !sees) return false;
   if (std::abs(senses.pitch_rad()) > options_.arm.look_pitch_rad) return false;
   if (ExpectedBlur_px(nominal_, senses.imu(), options_.drive.approach_m_s, range_m) >
-      options_.moving.blur_px)
+      moving.blur_px)
     return false;
-  if (awaited_) ++unanswered_;
-  last_ask_ = senses.now();
-  awaited_ = senses.now();
+  request_ = {.asked = now, .asks = request_.asks + 1};
+  last_ask_ = now;
   return true;
 }
 
 std::optional<SinceExposure> MovingLooks::Answered(const SensorFrame& sensed,
                                                    const Senses& senses) {
-  const std::optional<Tick> exposed = ExposedAt(sensed);
-  if (!exposed || !awaited_ || *exposed < *awaited_) return std::nullopt;
-  awaited_.reset();
-  unanswered_ = 0;
-  const auto then = std::find_if(places_.begin(), places_.end(),
-                                 [&](const Place& place) { return place.tick >= *exposed; });
-  if (then == places_.end() || *exposed < places_.front().tick) return std::nullopt;
-  const Pose2 X_NT = Inverse(senses.reckoned()) * then->X_OR;  // then, in the heading now
+  if (!IsAnswered(request_, sensed)) return std::nullopt;
+  request_ = {};
+  const Tick exposed = *ExposedAt(sensed);
+  if (!past_.Holds(exposed)) return std::nullopt;
+  const PastMoment& then = past_.Nearest(exposed);
+  const Pose2 X_NT = Inverse(senses.reckoned()) * then.X_OR;  // then, in the heading now
   const double heading_rad = senses.pose().heading + X_NT.heading;
   SinceExposure since;
-  since.attitude = senses.ground().Against(then->imu, heading_rad);
+  since.attitude = senses.ground().Against(then.imu, heading_rad);
   const Pose3 X_now{Tilt(senses.attitude()), Eigen::Vector3d::Zero()};
   const Pose3 X_then{Tilt(since.attitude), Eigen::Vector3d::Zero()};
   since.X_NR = Inverse(X_now) * FromGround(X_NT, 0.0) * X_then;

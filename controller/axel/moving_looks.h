@@ -1,11 +1,12 @@
 // Pictures under way: when a pair is asked for, and where the rover was when it was exposed.
 #pragma once
 
-#include <deque>
 #include <optional>
 
 #include "controller/axel/options.h"
 #include "controller/axel/senses.h"
+#include "controller/imaging/image_request.h"
+#include "controller/imaging/past_motion.h"
 #include "controller/vision/board/locate.h"
 
 namespace dockyard::axel {
@@ -15,6 +16,9 @@ std::optional<Tick> ExposedAt(const SensorFrame& sensed);
 
 /// The frame's pair; the picture of a camera that gave none is dark. None without any picture.
 std::optional<StereoImages> PairOf(const SensorFrame& sensed);
+
+/// The frame's pair, if it answers the request.
+std::optional<StereoImages> AnswerTo(const ImageRequest& request, const SensorFrame& sensed);
 
 /// Way in the image of a board at range_m while the shutter is open, at most [px]: by the gyros and
 /// the speed ahead.
@@ -37,7 +41,7 @@ void CarryToNow(const SinceExposure& since, const FilterNoise& noise, LocateOutp
 class MovingLooks {
  public:
   MovingLooks(const AxelOptions& options, const Nominal& nominal)
-      : options_(options), nominal_(nominal) {}
+      : options_(options), nominal_(nominal), past_(options.moving.oldest) {}
 
   /// A phase begins: what was asked for is not awaited any more.
   void Begin(Tick now);
@@ -54,19 +58,12 @@ class MovingLooks {
   bool Fresh(Tick now) const { return accepted_ && now - *accepted_ <= options_.moving.fresh; }
 
  private:
-  struct Place {
-    Tick tick = 0;
-    Pose2 X_OR;  // by odometry alone
-    ImuSample imu;
-  };
-
   AxelOptions options_;
   Nominal nominal_;
-  std::deque<Place> places_;  // the latest
-  Tick last_ask_ = 0;
-  std::optional<Tick> awaited_;  // since this tick
+  PastMotion past_;  // by odometry alone
+  ImageRequest request_;
+  Tick last_ask_ = 0;  // answered or not
   std::optional<Tick> accepted_;
-  int unanswered_ = 0;
 };
 
 }  // namespace dockyard::axel

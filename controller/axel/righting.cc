@@ -10,7 +10,15 @@ namespace dockyard::axel {
 void Righting::Begin(const Senses& senses) {
   moves_ = 0;
   left_ = false;
+  over_since_.reset();
   Enter(Stage::kRest, senses);
+}
+
+bool Righting::TurnedOver(const Senses& senses, bool at_rest) {
+  const bool over = senses.arm_trails() || (at_rest && !Upright(senses, options_));
+  if (!over) over_since_.reset();
+  if (over && !over_since_) over_since_ = senses.now();
+  return over && senses.now() - *over_since_ >= options_.over_for;
 }
 
 void Righting::Enter(Stage stage, const Senses& senses) {

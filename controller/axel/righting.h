@@ -30,6 +30,11 @@ class Righting {
   /// Sets the commands of all motors. kFailed: still turned over after all tries.
   Status Step(const Senses& senses, Commands* commands);
 
+  /// Each control period but while it is righted: whether the arm has gone over the top for so long
+  /// that it does not swing back by itself. A rover at rest has turned over as well if its
+  /// body is not upright.
+  bool TurnedOver(const Senses& senses, bool at_rest);
+
   /// Whether the body stands upright enough to look and drive.
   static bool Upright(const Senses& senses, const RightingOptions& options) {
     return std::abs(senses.pitch_rad()) <= options.upright_rad;
@@ -52,6 +57,7 @@ class Righting {
   double held_rad_ = 0.0;  // arm, while at rest
   int moves_ = 0;
   bool left_ = false;  // driven off before the next move
+  std::optional<Tick> over_since_;
 };
 
 }  // namespace dockyard::axel

@@ -96,4 +96,13 @@ class Senses {
   double wheel_thrust_n_ = 0.0;
 };
 
+/// Where the rover was at a time, by its own counting.
+struct Moment {
+  Tick tick = 0;
+  double reeled_m = 0.0, rolled_m = 0.0, yaw_rad = 0.0;
+};
+inline Moment MomentOf(const Senses& senses) {
+  return {senses.now(), senses.reeled_m(), senses.rolled_m(), senses.yaw_rad()};
+}
+
 }  // namespace dockyard::axel

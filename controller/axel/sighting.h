@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "controller/axel/axel.h"
 #include "controller/axel/senses.h"
-#include "controller/vision/board/locate.h"
 
 namespace dockyard::axel {
 
@@ -52,6 +52,16 @@ class CameraTurnFilter {
 
  private:
   CameraTurn belief_{};
+};
+
+/// Images in, the board out.
+struct Perception {
+  Locator locator;
+  CameraTurnFilter camera_turn{};
+  LocateOutput Locate(const StereoImages& images, LocateHints hints) const {
+    hints.camera_turn = camera_turn.belief();
+    return locator(images, hints);
+  }
 };
 
 }  // namespace dockyard::axel

@@ -52,19 +52,18 @@ Tsai2013Stop::Status Tsai2013Stop::Look(const Senses& senses, const SensorFrame&
   StandStill(nominal_, {}, senses.now() - *looking_since_, commands);
   const GrayImage* left = GrayImageOf(sensed, kLeftCamera);
   const GrayImage* right = GrayImageOf(sensed, kRightCamera);
-  if (asked_at_ && left && right) {
-    images_ = {*left, *right};
-    asked_at_.reset();
+  // The last ask counts as unanswered a tick after its time.
+  const ImagePatience patience{.wait = LookOptions{}.image_limit + 1};
+  const bool answered = request_.asked && left && right;
+  const RequestState state = StateOf(request_, patience, senses.now());
+  if (answered || state == RequestState::kUnanswered) {
+    if (answered) images_ = {*left, *right};
+    request_ = {};
     looking_since_ = senses.now();
-    return Status::kImages;
+    return answered ? Status::kImages : Status::kNoImages;
   }
-  if (!asked_at_ && senses.now() - *looking_since_ >= options_.settle) {
-    commands->take_images = {kLeftCamera, kRightCamera};
-    asked_at_ = senses.now();
-  } else if (asked_at_ && senses.now() - *asked_at_ > LookOptions{}.image_limit) {
-    asked_at_.reset();
-    looking_since_ = senses.now();
-    return Status::kNoImages;
+  if (state == RequestState::kDue && senses.now() - *looking_since_ >= options_.settle) {
+    Ask({kLeftCamera, kRightCamera}, senses.now(), &request_, commands);
   }
   return Status::kLooking;
 }

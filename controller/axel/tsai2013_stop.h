@@ -9,6 +9,7 @@
 #include "controller/axel/nominal/tsai2013_options.h"
 #include "controller/axel/senses.h"
 #include "controller/geometry/image.h"
+#include "controller/imaging/image_request.h"
 
 namespace dockyard::axel {
 
@@ -33,7 +34,8 @@ class Tsai2013Stop {
   StillWatch still_;
   enum class Part { kTighten, kLevel, kLook };
   Part part_ = Part::kTighten;
-  std::optional<Tick> stopped_at_, levelling_since_, looking_since_, asked_at_;
+  std::optional<Tick> stopped_at_, levelling_since_, looking_since_;
+  ImageRequest request_;
   StereoImages images_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/raposa/odometry.h"
+
 namespace dockyard::raposa {
 namespace {
 
@@ -23,8 +25,7 @@ void DoorFeel::Read(const SensorFrame& sensed) {
   double current_a = 1e9;
   for (std::size_t i = 0; i < kDoors.size(); ++i) {
     const auto motor = static_cast<std::size_t>(kDoors[i]);
-    const double angle_rad = static_cast<double>(sensed.motors[motor].encoder_counts) *
-                             nominal_.motors[motor].rad_per_count;
+    const double angle_rad = MotorAngle(nominal_, sensed, kDoors[i]);
     opening_m_[i] = nominal_.door_travel_m - angle_rad * nominal_.door_pinion_radius_m;
     current_a = std::min(current_a, sensed.motors[motor].current_a);
   }

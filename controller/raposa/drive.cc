@@ -1,5 +1,7 @@
 #include "controller/raposa/drive.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "controller/raposa/odometry.h"
@@ -31,6 +33,16 @@ void SetBelts(const Nominal& nominal, const Twist& twist_N, Commands* commands) 
         .accel_rad_s2 = limits.max_accel_rad_s2,
         .current_limit_a = limits.max_current_a};
   }
+}
+
+Twist TurnAt(double left_rad, double most_rad_s, const DockyardOptions& options) {
+  const double rate = std::clamp(options.turn_gain_per_s * left_rad, -most_rad_s, most_rad_s);
+  return {0.0, std::copysign(std::max(std::abs(rate), options.least_turn_rad_s), rate)};
+}
+
+double PressAngle(const DockyardOptions& options, int tries) {
+  if (tries == 0) return options.press_rad;
+  return options.press_rad + (tries % 2 == 1 ? -1.0 : 1.0) * options.press_other_rad;
 }
 
 void SetArm(const Nominal& nominal, double angle_rad, Commands* commands) {

@@ -3,14 +3,10 @@
 #include "controller/motion/arcs.h"
 
 namespace dockyard::raposa {
-namespace {
-
 double MotorAngle(const Nominal& nominal, const SensorFrame& sensed, Motor motor) {
   const auto i = static_cast<std::size_t>(motor);
   return static_cast<double>(sensed.motors[i].encoder_counts) * nominal.motors[i].rad_per_count;
 }
-
-}  // namespace
 
 BeltMotion MotionOfBelts(const Nominal& nominal, double left_rad, double right_rad) {
   const double radius_m = nominal.sprocket_radius_m;

@@ -12,6 +12,9 @@
 
 namespace dockyard::raposa {
 
+/// Of the motor's shaft since power-on.
+double MotorAngle(const Nominal& nominal, const SensorFrame& sensed, Motor motor);
+
 /// Motion between two readings.
 struct BeltMotion {
   double length_m = 0.0;  // along x_N
@@ -24,7 +27,8 @@ BeltMotion MotionOfBelts(const Nominal& nominal, double left_rad, double right_r
 
 /// The sprockets' speeds that (8) and (9) give for a twist in N.
 struct BeltSpeeds {
-  double left_rad_s = 0.0, right_rad_s = 0.0;  // counting up drives towards the arm, along -x_N
+  double left_rad_s = 0.0,
+         right_rad_s = 0.0;  // counting up drives towards the arm, along -x_N
 };
 BeltSpeeds SpeedsOfBelts(const Nominal& nominal, const Twist& twist_N);
 

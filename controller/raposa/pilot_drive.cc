@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/raposa/drive.h"
 #include "controller/raposa/lean.h"
 
 namespace dockyard::raposa {
@@ -21,6 +22,28 @@ constexpr double kApproachTurn_rad_s = 0.35;
 // command. Assumed, 1-4 deg and 0.2-0.5 s.
 constexpr double kEdge_rad = Radians(2.0), kEdgeLead_s = 0.4;
 
+/// Left to turn to a heading; 0: it is there.
+double LeftTo(double heading_rad, const PyramidFilter& filter, const DockyardOptions& options) {
+  const double left = WrapPi(heading_rad - filter.X_DN().heading);
+  return std::abs(left) < options.turn_tolerance_rad ? 0.0 : left;
+}
+
+/// As fast as the images allow where they should show the guide.
+Twist TurnTo(double left_rad, const PyramidFilter& filter, const Nominal& nominal,
+             const DockyardOptions& options) {
+  const bool in_view = std::abs(filter.bearing_rad()) < nominal.half_view_rad;
+  return TurnAt(left_rad, in_view ? options.seen_turn_rad_s : options.turn_rad_s, options);
+}
+
+/// No turn out of the view: without images the way in would be blind.
+void KeepInView(const PyramidFilter& filter, const Nominal& nominal, Twist* twist) {
+  const double radius_rad = std::atan2(0.5 * nominal.marks.guide_diameter_m, filter.range_m());
+  const double most = std::max(0.0, nominal.half_view_rad - kEdge_rad - radius_rad);
+  const double bearing = filter.bearing_rad();
+  twist->turn_rad_s =
+      std::clamp(twist->turn_rad_s, (bearing - most) / kEdgeLead_s, (bearing + most) / kEdgeLead_s);
+}
+
 }  // namespace
 
 void Pilot::Decide() {
@@ -29,15 +52,18 @@ void Pilot::Decide() {
     Enter(Phase::kCreep, "the angle is not sure");
     return;
   }
-  backs_ = 0;
-  round_side_ = 0.0;
-  other_side_ = false;
-  searched_rad_ = 0.0;
-  pressed_once_ = false;
+  tries_.backs = 0;
+  round_.side = 0.0;
+  round_.other_side = false;
+  tries_.searched_rad = 0.0;
+  tries_.low = false;
   const Pose2 X_DN = filter_.X_DN();
   if (InCone(X_DN, options_)) {
-    nudges_ = 0;
-    const double end_m = SeatBehind(nominal_, LeanOf(nominal_, PressAngle())) + options_.short_m;
+    tries_.nudges = 0;
+    const double end_m =
+        SeatBehind(nominal_,
+                   LeanOf(nominal_, PressAngle(options_, tries_.attempts + tries_.nudges))) +
+        options_.short_m;
     follower_.emplace(Pose2{X_DN.x, 0.0, kPi}, std::vector<Arc>{{X_DN.x - end_m, 0.0}});
     belief_.plan = {{Pose2{X_DN.x, 0.0, 0.0}, end_m - X_DN.x, 0.0}};
     ++belief_.plan_count;
@@ -49,12 +75,12 @@ void Pilot::Decide() {
     TryAgain("no way to the axis");
     return;
   }
-  if (passes_ >= options_.passes) {
+  if (tries_.passes >= options_.passes) {
     Enter(Phase::kGivenUp, "too many ways to the axis");
     return;
   }
   legs_ = plan.legs;
-  ++passes_;
+  ++tries_.passes;
   belief_.plan.clear();
   Pose2 at = X_DN;
   for (const Leg& leg : legs_) {
@@ -66,7 +92,7 @@ void Pilot::Decide() {
 }
 
 void Pilot::BeginLeg() {
-  arm_told_rad_ = 0.0;
+  kept_.arm_rad = 0.0;
   if (legs_.empty()) {
     Enter(Phase::kFace, "at the gate");
     return;
@@ -74,24 +100,9 @@ void Pilot::BeginLeg() {
   Enter(Phase::kTurn, "to the gate");
 }
 
-Twist Pilot::TurnTo(double heading_rad, bool* done) const {
-  const double left = WrapPi(heading_rad - filter_.X_DN().heading);
-  *done = std::abs(left) < options_.turn_tolerance_rad;
-  if (*done) return {};
-  const double most = GuideExpected() ? options_.seen_turn_rad_s : options_.turn_rad_s;
-  const double rate = std::clamp(options_.turn_gain_per_s * left, -most, most);
-  return {0.0, std::copysign(std::max(std::abs(rate), options_.least_turn_rad_s), rate)};
-}
-
-/// Whether the guide should be in view.
-bool Pilot::GuideExpected() const {
-  return filter_.located() && std::abs(filter_.bearing_rad()) < nominal_.half_view_rad;
-}
-
 Twist Pilot::Turn() {
-  bool done = false;
-  const Twist twist = TurnTo(legs_.front().heading_rad, &done);
-  if (!done) return twist;
+  const double left = LeftTo(legs_.front().heading_rad, filter_, options_);
+  if (left != 0.0) return TurnTo(left, filter_, nominal_, options_);
   const Leg& leg = legs_.front();
   const Eigen::Vector2d along(std::cos(leg.heading_rad), std::sin(leg.heading_rad));
   const Eigen::Vector2d start = leg.p_D_end - leg.length_m * along;
@@ -124,34 +135,24 @@ Twist Pilot::DriveLeg() {
 
 Twist Pilot::Face() {
   const Pose2 X_DN = filter_.X_DN();
-  bool done = false;
   // To the guide: off the axis by a little it is to be in the middle of the view.
-  const Twist twist = TurnTo(std::atan2(-X_DN.y, -X_DN.x), &done);
-  if (done) Enter(Phase::kLook, "at the gate");
-  return twist;
-}
-
-/// No turn out of the view: without pictures the way in would be blind.
-void Pilot::KeepInView(Twist* twist) const {
-  if (!Looks()) return;
-  const double radius_rad = std::atan2(0.5 * nominal_.marks.guide_diameter_m, filter_.range_m());
-  const double most = std::max(0.0, nominal_.half_view_rad - kEdge_rad - radius_rad);
-  const double bearing = filter_.bearing_rad();
-  twist->turn_rad_s =
-      std::clamp(twist->turn_rad_s, (bearing - most) / kEdgeLead_s, (bearing + most) / kEdgeLead_s);
+  const double left = LeftTo(std::atan2(-X_DN.y, -X_DN.x), filter_, options_);
+  if (left != 0.0) return TurnTo(left, filter_, nominal_, options_);
+  Enter(Phase::kLook, "at the gate");
+  return {};
 }
 
 Twist Pilot::Approach() {
   const Pose2 X_DN = filter_.X_DN();
   if (X_DN.x < options_.press_m) {
-    arm_told_rad_ = PressAngle();
-    lamps_ = true;
+    kept_.arm_rad = PressAngle(options_, tries_.attempts + tries_.nudges);
+    kept_.lamps = true;
   } else {
-    arm_told_rad_ = 0.0;
+    kept_.arm_rad = 0.0;
   }
   const double ahead_m = X_DN.x - options_.cone_from_m;
   if (ahead_m > kCommitted_m) {
-    if (UnseenFor() > options_.lost_s) {
+    if (UnseenFor(guide_, now_) > options_.lost_s) {
       Enter(Phase::kLook, "lost the guide");
       return {};
     }
@@ -169,7 +170,7 @@ Twist Pilot::Approach() {
   const double settle_m = Looks() ? options_.settle_m : options_.blind_settle_m;
   Twist twist =
       follower_->Follow(X_DN, speed, {.settle_m = settle_m, .max_turn_rad_s = kApproachTurn_rad_s});
-  if (!follower_->done()) KeepInView(&twist);
+  if (!follower_->done() && Looks()) KeepInView(filter_, nominal_, &twist);
   // Half a period's way before or after the end, whichever is nearer.
   const double stop_m = 0.5 * kTickSeconds * kControlPeriod * speed;
   if (!follower_->done() && follower_->Remaining() > stop_m) return twist;

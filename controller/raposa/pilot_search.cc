@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/raposa/drive.h"
+
 namespace dockyard::raposa {
 namespace {
 
@@ -19,20 +21,20 @@ constexpr double kCreepGain_per_s = 1.0, kCreepTurn_rad_s = 0.2;
 
 /// Towards a guide at the view's edge, which shows no marks there. Zero if there is none.
 Twist Pilot::TurnToAside() {
-  const bool aside = guide_ && guide_->clipped && fits_ == 0 &&
-                     std::abs(guide_->bearing_rad) > kAside_rad &&
-                     turned_aside_rad_ < nominal_.half_view_rad;
+  const bool aside = guide_.now && guide_.now->clipped && here_.fits == 0 &&
+                     std::abs(guide_.now->bearing_rad) > kAside_rad &&
+                     here_.turned_aside_rad < nominal_.half_view_rad;
   if (!aside) return {};
-  turned_aside_rad_ += std::abs(turned_rad_);
-  entered_ = now_;  // what it looks for comes into view now
-  return {0.0, std::copysign(options_.seen_turn_rad_s, guide_->bearing_rad)};
+  here_.turned_aside_rad += std::abs(turned_rad_);
+  here_.entered = now_;  // what it looks for comes into view now
+  return {0.0, std::copysign(options_.seen_turn_rad_s, guide_.now->bearing_rad)};
 }
 
 Twist Pilot::Look() {
-  lamps_ = pressed_once_ || (filter_.located() && filter_.range_m() < options_.lamps_m);
-  if (filter_.located() && fits_ >= options_.looks) {
+  kept_.lamps = tries_.low || (filter_.located() && filter_.range_m() < options_.lamps_m);
+  if (filter_.located() && here_.fits >= options_.looks) {
     const double sigma = std::sqrt(filter_.covariance()(2, 2));
-    if (sigma < options_.sure_heading_rad || For() > options_.patience_s) {
+    if (sigma < options_.sure_heading_rad || here_.For(now_) > options_.patience_s) {
       Decide();
       return {};
     }
@@ -40,69 +42,64 @@ Twist Pilot::Look() {
   const Twist aside = TurnToAside();
   if (aside.turn_rad_s != 0.0) return aside;
   // A guide this low is cut by the view's edge, or lies below it.
-  const bool low = !guide_ || guide_->clipped;
-  if (For() > options_.glance_s && fits_ == 0 && low && arm_told_rad_ == 0.0 && !pressed_once_) {
-    arm_told_rad_ = options_.look_low_rad;
-    lamps_ = pressed_once_ = true;
+  const bool low = !guide_.now || guide_.now->clipped;
+  if (here_.For(now_) > options_.glance_s && here_.fits == 0 && low && kept_.arm_rad == 0.0 &&
+      !tries_.low) {
+    kept_.arm_rad = options_.look_low_rad;
+    kept_.lamps = tries_.low = true;
     Enter(Phase::kLook, "looks lower");
     return {};
   }
-  // At the start it is told that the guide is in view: far off it shows in some pictures alone.
-  const bool first = guide_seen_ == 0;
-  if (For() < (first ? options_.first_patience_s : options_.patience_s)) return {};
-  pressed_once_ = false;
-  if (first || UnseenFor() > options_.lost_s) {
-    arm_told_rad_ = 0.0;
-    if (MayBeAhead()) {
+  // At the start the guide is in view, by the mission: far off it shows in some images alone.
+  const bool first = guide_.detected == 0;
+  if (here_.For(now_) < (first ? options_.first_patience_s : options_.patience_s)) return {};
+  tries_.low = false;
+  if (first || UnseenFor(guide_, now_) > options_.lost_s) {
+    kept_.arm_rad = 0.0;
+    if (MayBeAhead(guide_, options_)) {
       Enter(Phase::kCreep, "on towards a far guide");
     } else {
       Enter(Phase::kSearch, "no guide in view");
     }
-  } else if (last_guide_->range_m > options_.creep_to_m) {
+  } else if (guide_.last->range_m > options_.creep_to_m) {
     Enter(Phase::kCreep, "the guide is too far for its marks");
-  } else if (backs_ < options_.backs) {
-    ++backs_;
-    glance_side_ = last_guide_->bearing_rad < 0.0 ? -1.0 : 1.0;
+  } else if (tries_.backs < options_.backs) {
+    ++tries_.backs;
+    round_.glance_side = guide_.last->bearing_rad < 0.0 ? -1.0 : 1.0;
     Enter(Phase::kGlance, "the guide shows no marks");
   } else {
-    backs_ = 0;
-    round_side_ = 0.0;
+    tries_.backs = 0;
+    round_.side = 0.0;
     filter_.Forget();
-    attempts_ += options_.attempts / 2;  // seen from all round: of two such guides it gives up
-    away_from_rad_ = 2.0 * nominal_.half_view_rad;
+    tries_.attempts +=
+        options_.attempts / 2;  // seen from all round: of two such guides it gives up
+    round_.away_from_rad = 2.0 * nominal_.half_view_rad;
     Enter(Phase::kSearch, "this guide never shows marks");
   }
   return {};
 }
 
-/// A far guide shows in some pictures alone: it is gone on to for a while. At the start it is told
-/// to be in view.
-bool Pilot::MayBeAhead() const {
-  const bool far = !last_guide_ || last_guide_->range_m > options_.far_m;
-  return far && unseen_m_ < options_.unseen_way_m;
-}
-
 Twist Pilot::Search() {
-  away_from_rad_ = std::max(0.0, away_from_rad_ - std::abs(turned_rad_));
-  if (guide_ && away_from_rad_ == 0.0) {
+  round_.away_from_rad = std::max(0.0, round_.away_from_rad - std::abs(turned_rad_));
+  if (guide_.now && round_.away_from_rad == 0.0) {
     Enter(Phase::kLook, "guide in view");
     return {};
   }
   if (!search_.begun()) {
     search_.Begin(filter_.located() ? -filter_.bearing_rad() : -1.0);
   }
-  searched_rad_ += std::abs(turned_rad_);
-  if (filter_.located() && !other_side_ && searched_rad_ > kAllRound_rad) {
+  tries_.searched_rad += std::abs(turned_rad_);
+  if (filter_.located() && !round_.other_side && tries_.searched_rad > kAllRound_rad) {
     // It stands where the pyramid hides its guide: it went round it by the wrong side, or by a
     // wrong pose.
-    other_side_ = true;
-    round_side_ = -round_side_;
-    last_guide_->range_m = filter_.range_m();
-    last_guide_->bearing_rad = filter_.bearing_rad();
+    round_.other_side = true;
+    round_.side = -round_.side;
+    guide_.last->range_m = filter_.range_m();
+    guide_.last->bearing_rad = filter_.bearing_rad();
     GoRound();
     return {};
   }
-  if (searched_rad_ > options_.most_search_rad || attempts_ >= options_.attempts) {
+  if (tries_.searched_rad > options_.most_search_rad || tries_.attempts >= options_.attempts) {
     Enter(Phase::kGivenUp, "no pyramid in three turns");
     return {};
   }
@@ -110,17 +107,17 @@ Twist Pilot::Search() {
 }
 
 Twist Pilot::Creep() {
-  if (UnseenFor() > options_.lost_s && !MayBeAhead()) {
+  if (UnseenFor(guide_, now_) > options_.lost_s && !MayBeAhead(guide_, options_)) {
     Enter(Phase::kLook, "lost the guide");
     return {};
   }
-  arm_told_rad_ = 0.0;
+  kept_.arm_rad = 0.0;
   const double turn_rad_s =
-      std::clamp(kCreepGain_per_s * guide_bearing_rad_, -kCreepTurn_rad_s, kCreepTurn_rad_s);
-  if (!guide_) return {options_.creep_m_s, turn_rad_s};
-  const bool sure = filter_.located() && fits_ >= options_.looks &&
+      std::clamp(kCreepGain_per_s * guide_.bearing_rad, -kCreepTurn_rad_s, kCreepTurn_rad_s);
+  if (!guide_.now) return {options_.creep_m_s, turn_rad_s};
+  const bool sure = filter_.located() && here_.fits >= options_.looks &&
                     std::sqrt(filter_.covariance()(2, 2)) < options_.sure_heading_rad;
-  if (sure || guide_->range_m < options_.creep_to_m) {
+  if (sure || guide_.now->range_m < options_.creep_to_m) {
     Enter(Phase::kLook, "near enough");
     return {};
   }
@@ -128,24 +125,21 @@ Twist Pilot::Creep() {
 }
 
 Twist Pilot::Glance() {
-  if (fits_ > 0 || UnseenFor() > options_.lost_s) {
-    Enter(Phase::kLook, fits_ > 0 ? "marks beside the guide" : "lost the guide");
+  if (here_.fits > 0 || UnseenFor(guide_, now_) > options_.lost_s) {
+    Enter(Phase::kLook, here_.fits > 0 ? "marks beside the guide" : "lost the guide");
     return {};
   }
-  const double left = last_guide_->bearing_rad - glance_side_ * options_.glance_rad;
-  const bool there = std::abs(left) < options_.turn_tolerance_rad || For() > options_.glance_most_s;
-  if (!there) {
-    const double rate = std::clamp(options_.turn_gain_per_s * left, -options_.seen_turn_rad_s,
-                                   options_.seen_turn_rad_s);
-    return {0.0, std::copysign(std::max(std::abs(rate), options_.least_turn_rad_s), rate)};
-  }
-  if (!glanced_) {
-    glanced_ = true;
-    glance_side_ = -glance_side_;
-    entered_ = now_;
+  const double left = guide_.last->bearing_rad - round_.glance_side * options_.glance_rad;
+  const bool there =
+      std::abs(left) < options_.turn_tolerance_rad || here_.For(now_) > options_.glance_most_s;
+  if (!there) return TurnAt(left, options_.seen_turn_rad_s, options_);
+  if (!here_.glanced) {
+    here_.glanced = true;
+    round_.glance_side = -round_.glance_side;
+    here_.entered = now_;
     return {};
   }
-  if (backs_ > options_.straight_backs) {
+  if (tries_.backs > options_.straight_backs) {
     GoRound();
   } else {
     Enter(Phase::kBack, "no marks on either side");
@@ -157,16 +151,16 @@ Twist Pilot::Glance() {
 /// drives there. The first side is the one that the pictures make likely. It stays, so that the
 /// robot comes to the front in the end.
 void Pilot::GoRound() {
-  if (round_side_ == 0.0) round_side_ = sides_seen_ < 0.0 ? -1.0 : 1.0;
-  filter_.Suppose(*last_guide_, round_side_ * options_.round_rad);
-  supposed_ = true;
+  if (round_.side == 0.0) round_.side = guide_.sides < 0.0 ? -1.0 : 1.0;
+  filter_.Suppose(*guide_.last, round_.side * options_.round_rad);
+  round_.supposed = true;
   legs_ = PlanToGate(filter_.X_DN(), nominal_, options_).legs;
   BeginLeg();
   belief_.note = "goes round a guide without marks";
 }
 
 Twist Pilot::Back() {
-  if (driven_m_ < -options_.back_m) {
+  if (here_.driven_m < -options_.back_m) {
     Enter(Phase::kLook, "backed off");
     return {};
   }

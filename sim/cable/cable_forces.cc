@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/cable/cable.h"
+#include "sim/cable/cable_forces.h"
 
 namespace dockyard {
 namespace {
@@ -23,10 +23,8 @@ struct Tension {
   double n = 0.0, per_speed = 0.0;  // and its slope over the rate of stretch
 };
 
-}  // namespace
-
 /// The straight parts of a segment as tried, from a and from b to where they end.
-struct Cable::Pulled {
+struct Pulled {
   struct Part {
     Eigen::Vector3d dir{0, 0, 0}, off{0, 0, 0};  // off: what the direction leaves, per length
     double length_m = 0.0, rate_m_s = 0.0;
@@ -38,16 +36,17 @@ struct Cable::Pulled {
   Tension tension;
 };
 
-void Cable::PullBent(const Pulled& pulled, double h, const Bend& bend, Span& span) const {
+void PullBent(const Pulled& pulled, double h, const CableBend& bend, CableSpan& span) {
   const Eigen::Vector3d &a = pulled.a.dir, &b = pulled.b.dir, &m = span.across_G;
   const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
   const double tension = pulled.tension.n;
   // Along the cable: what slides from a's side to b's makes b's part the tighter one.
   const double slid = bend.slid_m + 0.5 * h * (pulled.b.rate_m_s - pulled.a.rate_m_s);
-  const double held = kBristleNPerM * Held(span.most_ratio * tension, slid, kBristleNPerM);
+  const double held =
+      kCableBristleNPerM * Held(span.most_ratio * tension, slid, kCableBristleNPerM);
   const double rub = held * slid, t_a = tension - rub, t_b = tension + rub;
   const double stiff = pulled.tension.per_speed, give = 0.5 * h * held;
-  span.slid_m = rub / kBristleNPerM;
+  span.slid_m = rub / kCableBristleNPerM;
   span.on_a_G = t_a * (a + pulled.a.off);
   span.on_b_G = t_b * (b + pulled.b.off);
   span.aa =
@@ -62,9 +61,9 @@ void Cable::PullBent(const Pulled& pulled, double h, const Bend& bend, Span& spa
       m.dot(w_a * (pulled.v_a_G - span.v_first_G) + w_b * (pulled.v_b_G - span.v_last_G));
   const double swept = bend.swept_m + h * sweep;
   const double press = (span.on_a_G + span.on_b_G).norm();
-  const double hold = kBristleNPerM * Held(span.friction * press, swept, kBristleNPerM);
+  const double hold = kCableBristleNPerM * Held(span.friction * press, swept, kCableBristleNPerM);
   const Eigen::Matrix3d mm = h * hold * m * m.transpose();
-  span.swept_m = hold * swept / kBristleNPerM;
+  span.swept_m = hold * swept / kCableBristleNPerM;
   span.on_a_G -= w_a * hold * swept * m;
   span.on_b_G -= w_b * hold * swept * m;
   span.aa += w_a * w_a * mm;
@@ -72,35 +71,16 @@ void Cable::PullBent(const Pulled& pulled, double h, const Bend& bend, Span& spa
   span.ab += w_a * w_b * mm;
 }
 
-void Cable::LookForEdges(const CableStep& step, int j) {
-  Span& span = spans_[j];
-  const auto Line = [&](int from, const Eigen::Vector3d& to) -> Eigen::Vector3d {
-    return (to - (from < 0 ? step.p_GF : nodes_[from].p_G)).normalized();
-  };
-  if (j > 0) {
-    span.a_is_near = (span.first_G - nodes_[j - 1].p_G).squaredNorm() < kNearEdgeM * kNearEdgeM;
-    if (span.a_is_near) span.a_straight_G = Line(j - 2, span.first_G);
-  }
-  if (j + 1 < masses()) {
-    span.b_is_near = (span.last_G - nodes_[j].p_G).squaredNorm() < kNearEdgeM * kNearEdgeM;
-    if (span.b_is_near) span.b_straight_G = Line(j + 1, span.last_G);
-  }
-  const Pulled pulled = PartsOf(step, j, 0.0, nodes_[j].v_G, nodes_[j].v_G);
-  const double turn = std::acos(std::clamp(-pulled.a.dir.dot(pulled.b.dir), -1.0, 1.0));
-  const double ratio = std::exp(span.friction * turn);
-  span.most_ratio = (ratio - 1.0) / (ratio + 1.0);
-}
-
 // A part that is shorter than kNearEdgeM keeps its direction through the step, so that a mass
 // passes the edge as on a straight line; aside of that it is held as by a part of that length.
-Cable::Pulled Cable::PartsOf(const CableStep& step, int j, double ahead_s,
-                             const Eigen::Vector3d& v_a_G, const Eigen::Vector3d& v_b_G) const {
-  const Node& node = nodes_[j];
-  const Span& span = spans_[j];
+Pulled PartsOf(const CableStep& step, const std::vector<CableNode>& nodes, int j,
+               const CableSpan& span, double ahead_s, const Eigen::Vector3d& v_a_G,
+               const Eigen::Vector3d& v_b_G) {
+  const CableNode& node = nodes[j];
   Pulled pulled;
   pulled.v_a_G = v_a_G;
   pulled.v_b_G = v_b_G;
-  const Eigen::Vector3d a = (j == 0 ? step.p_GF : nodes_[j - 1].p_G) + ahead_s * v_a_G;
+  const Eigen::Vector3d a = (j == 0 ? step.p_GF : nodes[j - 1].p_G) + ahead_s * v_a_G;
   const Eigen::Vector3d b = node.p_G + ahead_s * v_b_G;
   const auto Part = [&](const Eigen::Vector3d& way, const Eigen::Vector3d& rate, bool is_near,
                         const Eigen::Vector3d& straight) {
@@ -127,42 +107,63 @@ Cable::Pulled Cable::PartsOf(const CableStep& step, int j, double ahead_s,
   return pulled;
 }
 
+}  // namespace
+
+void LookForEdges(const CableStep& step, const std::vector<CableNode>& nodes, int j,
+                  CableSpan& span) {
+  const auto Line = [&](int from, const Eigen::Vector3d& to) -> Eigen::Vector3d {
+    return (to - (from < 0 ? step.p_GF : nodes[from].p_G)).normalized();
+  };
+  if (j > 0) {
+    span.a_is_near = (span.first_G - nodes[j - 1].p_G).squaredNorm() < kNearEdgeM * kNearEdgeM;
+    if (span.a_is_near) span.a_straight_G = Line(j - 2, span.first_G);
+  }
+  if (j + 1 < static_cast<int>(nodes.size())) {
+    span.b_is_near = (span.last_G - nodes[j].p_G).squaredNorm() < kNearEdgeM * kNearEdgeM;
+    if (span.b_is_near) span.b_straight_G = Line(j + 1, span.last_G);
+  }
+  const Pulled pulled = PartsOf(step, nodes, j, span, 0.0, nodes[j].v_G, nodes[j].v_G);
+  const double turn = std::acos(std::clamp(-pulled.a.dir.dot(pulled.b.dir), -1.0, 1.0));
+  const double ratio = std::exp(span.friction * turn);
+  span.most_ratio = (ratio - 1.0) / (ratio + 1.0);
+}
+
 // Spring and damper of a segment in one: k (L' - l) + c (L' - L) / h is a spring of k + c / h from
 // a length between l and L. The damper works where the segment is taut, and pulls or gives at most
 // as much as the spring pulls.
-void Cable::Stiffen(const CableStep& step, int j) {
+void Stiffen(const CableStep& step, const CableModel& model, double damping_n_s,
+             const std::vector<CableNode>& nodes, int j, CableSpan& span) {
   const double h = step.step_s;
-  const Node& node = nodes_[j];
-  Span& span = spans_[j];
-  const Eigen::Vector3d& v_a = j == 0 ? step.v_GF_G : nodes_[j - 1].v_G;
-  const Eigen::Vector3d way = node.p_G - (j == 0 ? step.p_GF : nodes_[j - 1].p_G);
+  const CableNode& node = nodes[j];
+  const Eigen::Vector3d& v_a = j == 0 ? step.v_GF_G : nodes[j - 1].v_G;
+  const Eigen::Vector3d way = node.p_G - (j == 0 ? step.p_GF : nodes[j - 1].p_G);
   double length = way.norm(), rate = 0.0;
-  if (node.bend.body != kNone) {
-    const Pulled pulled = PartsOf(step, j, 0.0, v_a, node.v_G);
+  if (node.bend.body != kCableFree) {
+    const Pulled pulled = PartsOf(step, nodes, j, span, 0.0, v_a, node.v_G);
     length = pulled.length_m;
     rate = pulled.a.rate_m_s + pulled.b.rate_m_s;
   } else if (length > kNothingM) {
     rate = way.dot(node.v_G - v_a) / length;
   }
-  const double relaxed = std::max(kShortestM, node.rest_m + (j == 0 ? model_.inside_m : 0.0));
+  const double relaxed = std::max(kShortestM, node.rest_m + (j == 0 ? model.inside_m : 0.0));
   const double fed_m = j == 0 ? step.fed_m : 0.0;
-  const double k = model_.axial_stiffness_n / relaxed, stretch = length - node.rest_m;
+  const double k = model.axial_stiffness_n / relaxed, stretch = length - node.rest_m;
   span.stiffness_n_per_m = k;
   span.slack_m = node.rest_m;
   if (stretch <= 0.0) return;
   const double change = h * rate - fed_m;
-  double c = damping_n_s_ / relaxed;
+  double c = damping_n_s / relaxed;
   if (c * std::abs(change) > h * k * stretch) c = h * k * stretch / std::abs(change);
   span.stiffness_n_per_m = k + c / h;
   span.slack_m = (k * node.rest_m + c / h * (length + fed_m)) / span.stiffness_n_per_m;
 }
 
-void Cable::PullStraight(const CableStep& step, int j) {
+void PullStraight(const CableStep& step, const std::vector<CableNode>& nodes,
+                  const std::vector<Eigen::Vector3d>& speed, int j, CableSpan& span) {
   const double h = step.step_s;
-  Span& span = spans_[j];
-  const Eigen::Vector3d& v_a = j == 0 ? step.v_GF_G : speed_[j - 1];
-  const Eigen::Vector3d& a = j == 0 ? step.p_GF : nodes_[j - 1].p_G;
-  const Eigen::Vector3d way = nodes_[j].p_G - a + h * (speed_[j] - v_a);
+  const Eigen::Vector3d& v_a = j == 0 ? step.v_GF_G : speed[j - 1];
+  const Eigen::Vector3d& a = j == 0 ? step.p_GF : nodes[j - 1].p_G;
+  const Eigen::Vector3d way = nodes[j].p_G - a + h * (speed[j] - v_a);
   const double square = way.squaredNorm();
   span.tension_n = 0.0;
   if (square <= span.slack_m * span.slack_m) return;
@@ -173,11 +174,11 @@ void Cable::PullStraight(const CableStep& step, int j) {
   span.along = h * span.stiffness_n_per_m - span.across;
 }
 
-void Cable::PullRound(const CableStep& step, int j) {
+void PullRound(const CableStep& step, const std::vector<CableNode>& nodes,
+               const std::vector<Eigen::Vector3d>& speed, int j, CableSpan& span) {
   const double h = step.step_s;
-  const Node& node = nodes_[j];
-  Span& span = spans_[j];
-  Pulled pulled = PartsOf(step, j, h, j == 0 ? step.v_GF_G : speed_[j - 1], speed_[j]);
+  const CableNode& node = nodes[j];
+  Pulled pulled = PartsOf(step, nodes, j, span, h, j == 0 ? step.v_GF_G : speed[j - 1], speed[j]);
   const double stretch = pulled.length_m - span.slack_m;
   span.tension_n = 0.0;
   span.slid_m = span.swept_m = 0.0;
@@ -187,10 +188,9 @@ void Cable::PullRound(const CableStep& step, int j) {
   PullBent(pulled, h, node.bend, span);
 }
 
-void Cable::AssembleTouch(const CableStep& step, Touch& touch) {
-  const double h = step.step_s;
+void Press(double h, const Eigen::Vector3d& v_G, CableTouch& touch) {
   const Eigen::Vector3d& n = touch.normal_G;
-  const Eigen::Vector3d v = speed_[touch.node] - touch.v_body_G;
+  const Eigen::Vector3d v = v_G - touch.v_body_G;
   const double in = -(touch.gap_m + h * v.dot(n));
   touch.force_G.setZero();
   touch.resistance.setZero();
@@ -200,8 +200,8 @@ void Cable::AssembleTouch(const CableStep& step, Touch& touch) {
   touch.press_n = stiffness * in;
   const Eigen::Vector3d tried = touch.bend_G + h * (v - v.dot(n) * n);
   const double held =
-      kBristleNPerM * Held(touch.friction * touch.press_n, tried.norm(), kBristleNPerM);
-  touch.held = held / kBristleNPerM;
+      kCableBristleNPerM * Held(touch.friction * touch.press_n, tried.norm(), kCableBristleNPerM);
+  touch.held = held / kCableBristleNPerM;
   touch.force_G = touch.press_n * n - held * tried;
   touch.resistance = h * (stiffness - held) * n * n.transpose();
   touch.resistance.diagonal().array() += h * held;

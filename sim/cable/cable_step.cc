@@ -4,6 +4,8 @@
 
 #include "controller/base/check.h"
 #include "sim/cable/cable.h"
+#include "sim/cable/cable_bends.h"
+#include "sim/cable/cable_forces.h"
 #include "sim/rigid/symmetric3.h"
 
 namespace dockyard {
@@ -20,6 +22,63 @@ constexpr double kSwingDampingPerS = 0.5;
 constexpr double kSameHold = 0.01;
 constexpr double kShortestM = 1e-3, kNothingM = 1e-9;
 
+void AddStraight(const CableSpan& span, double h, std::size_t j, CableEquations& e) {
+  const Eigen::Vector3d& d = span.dir_G;
+  const Eigen::Vector3d pull = h * span.tension_n * d, along = h * span.along * d;
+  Eigen::Matrix3d own;
+  for (int k = 0; k < 3; ++k) own.col(k) = d[k] * along;
+  for (int k = 0; k < 3; ++k) own(k, k) += h * span.across;
+  e.right[j] -= pull;
+  e.diagonal[j] += own;
+  if (j == 0) return;
+  e.right[j - 1] += pull;
+  e.diagonal[j - 1] += own;
+  e.upper[j - 1] = -own;
+}
+
+void AddRound(const CableSpan& span, double h, std::size_t j, CableEquations& e) {
+  e.right[j] += h * span.on_b_G;
+  e.diagonal[j] += h * span.bb;
+  if (j == 0) return;
+  e.right[j - 1] += h * span.on_a_G;
+  e.diagonal[j - 1] += h * span.aa;
+  e.upper[j - 1] = h * span.ab;
+}
+
+// Gauss' elimination of the block tridiagonal equations; returns the largest change of speed.
+double Solve(CableEquations& e) {
+  const std::size_t count = e.speed.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Symmetric s = SymmetricOf(e.diagonal[i]);
+    if (i > 0 && e.linked[i - 1]) {
+      TakeProduct(e.upper[i - 1], e.solved[i - 1], s);
+      e.right[i].noalias() -= e.upper[i - 1].transpose() * e.change[i - 1];
+    }
+    const Symmetric inverse = InverseOf(s);
+    e.change[i] = Product(inverse, e.right[i]);
+    if (i + 1 == count || !e.linked[i]) continue;
+    for (int k = 0; k < 3; ++k) e.solved[i].col(k) = Product(inverse, e.upper[i].col(k));
+  }
+  double most = 0.0;
+  for (std::size_t i = count; i-- > 0;) {
+    if (i + 1 < count && e.linked[i]) e.change[i].noalias() -= e.solved[i] * e.change[i + 1];
+    e.speed[i] += e.change[i];
+    most = std::max(most, e.change[i].squaredNorm());
+  }
+  return std::sqrt(most);
+}
+
+void Resize(std::size_t masses, CableEquations& e) {
+  e.mass_kg.resize(masses);
+  e.speed.resize(masses);
+  e.right.resize(masses);
+  e.change.resize(masses);
+  e.diagonal.resize(masses);
+  e.upper.resize(masses);
+  e.solved.resize(masses);
+  e.linked.resize(masses);
+}
+
 }  // namespace
 
 CablePull FixedCableEnd::Try(const Eigen::Vector3d& p_G, const Eigen::Vector3d& v_G,
@@ -35,87 +94,42 @@ CablePull FixedCableEnd::Try(const Eigen::Vector3d& p_G, const Eigen::Vector3d& 
   return pull;
 }
 
-void Cable::AddStraight(const Span& span, double h, std::size_t j) {
-  const Eigen::Vector3d& d = span.dir_G;
-  const Eigen::Vector3d pull = h * span.tension_n * d, along = h * span.along * d;
-  Eigen::Matrix3d own;
-  for (int k = 0; k < 3; ++k) own.col(k) = d[k] * along;
-  for (int k = 0; k < 3; ++k) own(k, k) += h * span.across;
-  right_[j] -= pull;
-  diagonal_[j] += own;
-  if (j == 0) return;
-  right_[j - 1] += pull;
-  diagonal_[j - 1] += own;
-  upper_[j - 1] = -own;
-}
-
-void Cable::AddRound(const Span& span, double h, std::size_t j) {
-  right_[j] += h * span.on_b_G;
-  diagonal_[j] += h * span.bb;
-  if (j == 0) return;
-  right_[j - 1] += h * span.on_a_G;
-  diagonal_[j - 1] += h * span.aa;
-  upper_[j - 1] = h * span.ab;
-}
-
 void Cable::Assemble(const CableStep& step) {
+  CableEquations& e = equations_;
   const double h = step.step_s;
   const std::size_t count = nodes_.size();
   for (std::size_t i = 0; i < count; ++i) {
-    right_[i] = mass_kg_[i] *
-                (nodes_[i].v_G - speed_[i] + h * (step.gravity_G - kSwingDampingPerS * speed_[i]));
-    diagonal_[i].setZero();
-    diagonal_[i].diagonal().setConstant(mass_kg_[i] * (1.0 + h * kSwingDampingPerS));
+    e.right[i] = e.mass_kg[i] * (nodes_[i].v_G - e.speed[i] +
+                                 h * (step.gravity_G - kSwingDampingPerS * e.speed[i]));
+    e.diagonal[i].setZero();
+    e.diagonal[i].diagonal().setConstant(e.mass_kg[i] * (1.0 + h * kSwingDampingPerS));
   }
   for (std::size_t j = 0; j < count; ++j) {
-    const bool bent = nodes_[j].bend.body != kNone;
+    const bool bent = nodes_[j].bend.body != kCableFree;
+    CableSpan& span = spans_[j];
     if (bent) {
-      PullRound(step, static_cast<int>(j));
+      PullRound(step, nodes_, e.speed, static_cast<int>(j), span);
     } else {
-      PullStraight(step, static_cast<int>(j));
+      PullStraight(step, nodes_, e.speed, static_cast<int>(j), span);
     }
-    const Span& span = spans_[j];
-    if (j > 0) linked_[j - 1] = span.tension_n > 0.0;
+    if (j > 0) e.linked[j - 1] = span.tension_n > 0.0;
     if (span.tension_n <= 0.0) continue;
     if (bent) {
-      AddRound(span, h, j);
+      AddRound(span, h, j, e);
     } else {
-      AddStraight(span, h, j);
+      AddStraight(span, h, j, e);
     }
   }
-  for (Touch& touch : touches_) {
-    AssembleTouch(step, touch);
+  for (CableTouch& touch : touches_) {
+    Press(h, e.speed[touch.node], touch);
     if (touch.press_n <= 0.0) continue;
-    right_[touch.node] += h * touch.force_G;
-    diagonal_[touch.node] += h * touch.resistance;
+    e.right[touch.node] += h * touch.force_G;
+    e.diagonal[touch.node] += h * touch.resistance;
   }
-  const Node& last = nodes_.back();
-  end_pull_ = step.end->Try(last.p_G, speed_.back(), h);
-  right_[count - 1] += h * end_pull_.force_G;
-  diagonal_[count - 1] += h * end_pull_.resistance;
-}
-
-// Gauss' elimination of the block tridiagonal equations; returns the largest change of speed.
-double Cable::Solve() {
-  const std::size_t count = nodes_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    Symmetric s = SymmetricOf(diagonal_[i]);
-    if (i > 0 && linked_[i - 1]) {
-      TakeProduct(upper_[i - 1], solved_[i - 1], s);
-      right_[i].noalias() -= upper_[i - 1].transpose() * change_[i - 1];
-    }
-    const Symmetric inverse = InverseOf(s);
-    change_[i] = Product(inverse, right_[i]);
-    if (i + 1 == count || !linked_[i]) continue;
-    for (int k = 0; k < 3; ++k) solved_[i].col(k) = Product(inverse, upper_[i].col(k));
-  }
-  double most = 0.0;
-  for (std::size_t i = count; i-- > 0;) {
-    if (i + 1 < count && linked_[i]) change_[i].noalias() -= solved_[i] * change_[i + 1];
-    speed_[i] += change_[i];
-    most = std::max(most, change_[i].squaredNorm());
-  }
-  return std::sqrt(most);
+  const CableNode& last = nodes_.back();
+  end_pull_ = step.end->Try(last.p_G, e.speed.back(), h);
+  e.right[count - 1] += h * end_pull_.force_G;
+  e.diagonal[count - 1] += h * end_pull_.resistance;
 }
 
 // Whether the speeds found leave taut what was taut, slack what was slack, and pressed and sliding
@@ -124,21 +138,21 @@ double Cable::Solve() {
 bool Cable::IsSettled(const CableStep& step) const {
   const double h = step.step_s;
   for (std::size_t j = 0; j < nodes_.size(); ++j) {
-    const Span& span = spans_[j];
-    const Eigen::Vector3d& v_a = j == 0 ? step.v_GF_G : speed_[j - 1];
+    const CableSpan& span = spans_[j];
+    const Eigen::Vector3d& v_a = j == 0 ? step.v_GF_G : equations_.speed[j - 1];
     const Eigen::Vector3d& a = j == 0 ? step.p_GF : nodes_[j - 1].p_G;
-    if (nodes_[j].bend.body != kNone && span.tension_n > 0.0) return false;
-    const double square = (nodes_[j].p_G - a + h * (speed_[j] - v_a)).squaredNorm();
+    if (nodes_[j].bend.body != kCableFree && span.tension_n > 0.0) return false;
+    const double square = (nodes_[j].p_G - a + h * (equations_.speed[j] - v_a)).squaredNorm();
     if ((square > span.slack_m * span.slack_m) != (span.tension_n > 0.0)) return false;
   }
-  for (const Touch& touch : touches_) {
-    const Eigen::Vector3d v = speed_[touch.node] - touch.v_body_G;
+  for (const CableTouch& touch : touches_) {
+    const Eigen::Vector3d v = equations_.speed[touch.node] - touch.v_body_G;
     const double along = v.dot(touch.normal_G), in = -(touch.gap_m + h * along);
     if ((in > 0.0) != (touch.press_n > 0.0)) return false;
     if (touch.press_n <= 0.0) continue;
     const double bend = (touch.bend_G + h * (v - along * touch.normal_G)).norm();
     const double most = touch.friction * std::min(touch.stiffness_n_per_m * in, touch.most_n);
-    const double held = bend * kBristleNPerM > most ? most / (bend * kBristleNPerM) : 1.0;
+    const double held = bend * kCableBristleNPerM > most ? most / (bend * kCableBristleNPerM) : 1.0;
     if (std::abs(held - touch.held) > kSameHold * touch.held) return false;
   }
   return true;
@@ -146,81 +160,73 @@ bool Cable::IsSettled(const CableStep& step) const {
 
 // The forces that the speeds found belong to: those tried, less what the last change took.
 void Cable::ReadForces(const CableStep& step) {
-  loads_.clear();
-  of_ground_G_.setZero();
+  forces_.loads.clear();
+  forces_.of_ground_G.setZero();
   const Eigen::Vector3d none = Eigen::Vector3d::Zero();
-  on_fed_end_G_.setZero();
+  forces_.on_fed_end_G.setZero();
   for (std::size_t j = 0; j < nodes_.size(); ++j) {
-    const Span& span = spans_[j];
-    const Bend& bend = nodes_[j].bend;
-    if ((j > 0 && bend.body == kNone) || span.tension_n <= 0.0) continue;
-    const Eigen::Vector3d& d_a = j == 0 ? none : change_[j - 1];
-    const Eigen::Vector3d& d_b = change_[j];
-    if (bend.body == kNone) {
-      on_fed_end_G_ = span.tension_n * span.dir_G + span.along * span.dir_G.dot(d_b) * span.dir_G +
-                      span.across * d_b;
+    const CableSpan& span = spans_[j];
+    const CableBend& bend = nodes_[j].bend;
+    if ((j > 0 && bend.body == kCableFree) || span.tension_n <= 0.0) continue;
+    const Eigen::Vector3d& d_a = j == 0 ? none : equations_.change[j - 1];
+    const Eigen::Vector3d& d_b = equations_.change[j];
+    if (bend.body == kCableFree) {
+      forces_.on_fed_end_G = span.tension_n * span.dir_G +
+                             span.along * span.dir_G.dot(d_b) * span.dir_G + span.across * d_b;
       continue;
     }
     const Eigen::Vector3d on_a = span.on_a_G - span.aa * d_a - span.ab * d_b;
     const Eigen::Vector3d on_b = span.on_b_G - span.ab.transpose() * d_a - span.bb * d_b;
-    if (j == 0) on_fed_end_G_ = on_a;
-    loads_.push_back({bend.body, span.first_G, -on_a});
-    loads_.push_back({bend.body, span.last_G, -on_b});
+    if (j == 0) forces_.on_fed_end_G = on_a;
+    forces_.loads.push_back({bend.body, span.first_G, -on_a});
+    forces_.loads.push_back({bend.body, span.last_G, -on_b});
   }
   // Half of the first segment's mass hangs on the fed end itself.
-  on_fed_end_n_ = on_fed_end_G_.norm();
-  on_fed_end_G_ += 0.5 * model_.mass_kg_per_m * nodes_[0].rest_m * step.gravity_G;
-  for (Touch& touch : touches_) {
+  forces_.on_fed_end_n = forces_.on_fed_end_G.norm();
+  forces_.on_fed_end_G += 0.5 * model_.mass_kg_per_m * nodes_[0].rest_m * step.gravity_G;
+  for (CableTouch& touch : touches_) {
     if (touch.press_n <= 0.0) continue;
-    const Eigen::Vector3d force = touch.force_G - touch.resistance * change_[touch.node];
-    if (touch.body == kGround) {
-      of_ground_G_ += force;
+    const Eigen::Vector3d force = touch.force_G - touch.resistance * equations_.change[touch.node];
+    if (touch.body == kCableOnGround) {
+      forces_.of_ground_G += force;
     } else {
-      loads_.push_back({touch.body, nodes_[touch.node].p_G, -force});
+      forces_.loads.push_back({touch.body, nodes_[touch.node].p_G, -force});
     }
     const Eigen::Vector3d& n = touch.normal_G;
-    const Eigen::Vector3d v = speed_[touch.node] - touch.v_body_G;
+    const Eigen::Vector3d v = equations_.speed[touch.node] - touch.v_body_G;
     touch.bend_G = touch.held * (touch.bend_G + step.step_s * (v - v.dot(n) * n));
   }
-  of_air_G_.setZero();
+  forces_.of_air_G.setZero();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    of_air_G_ -= kSwingDampingPerS * mass_kg_[i] * speed_[i];
+    forces_.of_air_G -= kSwingDampingPerS * equations_.mass_kg[i] * equations_.speed[i];
   }
-  of_end_G_ = end_pull_.force_G - end_pull_.resistance * change_.back();
+  forces_.of_end_G = end_pull_.force_G - end_pull_.resistance * equations_.change.back();
 }
 
 void Cable::Step(const CableStep& step) {
   DOCKYARD_CHECK(!nodes_.empty() && step.end != nullptr);
   Feed(step);
-  FindNearBodies(step);
-  FindBends(step);
-  FindTouches(step);
+  FindNearBodies(step, model_, nodes_, near_);
+  FindBends(step, model_, near_, nodes_, spans_);
+  FindTouches(step, model_, nodes_, near_, deepest_m, touches_);
   const std::size_t count = nodes_.size();
-  mass_kg_.resize(count);
-  speed_.resize(count);
-  right_.resize(count);
-  change_.resize(count);
-  diagonal_.resize(count);
-  upper_.resize(count);
-  solved_.resize(count);
-  linked_.resize(count);
+  Resize(count, equations_);
   for (std::size_t i = 0; i < count; ++i) {
     const double after =
         i + 1 < count ? nodes_[i + 1].rest_m : std::min(step.end_rest_m, model_.spacing_m);
-    mass_kg_[i] = 0.5 * model_.mass_kg_per_m * (nodes_[i].rest_m + after);
-    speed_[i] = nodes_[i].v_G;
+    equations_.mass_kg[i] = 0.5 * model_.mass_kg_per_m * (nodes_[i].rest_m + after);
+    equations_.speed[i] = nodes_[i].v_G;
   }
-  damping_n_s_ = model_.damping_ns_per_m * (rest_m() + step.end_rest_m + model_.inside_m);
+  const double damping_n_s =
+      model_.damping_ns_per_m * (rest_m() + step.end_rest_m + model_.inside_m);
   for (int j = 0; j < masses(); ++j) {
-    if (nodes_[j].bend.body != kNone) LookForEdges(step, j);
-    Stiffen(step, j);
+    if (nodes_[j].bend.body != kCableFree) LookForEdges(step, nodes_, j, spans_[j]);
+    Stiffen(step, model_, damping_n_s, nodes_, j, spans_[j]);
   }
-  iterations_ = 0;
   bool solved = false;
-  while (!solved && iterations_ < kMostIterations) {
+  for (int i = 0; !solved && i < kMostIterations; ++i) {
     Assemble(step);
-    const double change = Solve();
-    ++iterations_;
+    const double change = Solve(equations_);
     solved = change < kSolvedMPerS || (change < kSmoothlySolvedMPerS && IsSettled(step));
   }
   ReadForces(step);

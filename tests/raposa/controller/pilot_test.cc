@@ -215,13 +215,13 @@ Drive RunPilot(double r_m, double alpha_deg, const StandIn& is, double aside_deg
     if (pilot.filter().located()) drive.located_s = std::min(drive.located_s, robot.time_s());
     const Pose2 X = robot.X_DN();
     const Pose2 X_VD = Inverse(X * Pose2{kCamera_m, 0.0, 0.0});
-    if (pilot.phase() == Pilot::Phase::kApproach && X_VD.x > 0.2) {
+    if (pilot.phase() == Phase::kApproach && X_VD.x > 0.2) {
       drive.aside_rad = std::max(drive.aside_rad, std::abs(std::atan2(X_VD.y, X_VD.x)));
     }
     if (std::abs(X.y) > 0.05) {
       drive.nearest_m = std::min(drive.nearest_m, std::hypot(X.x + 0.06, X.y));
     }
-    if (pilot.phase() == Pilot::Phase::kClose && !closes) {
+    if (pilot.phase() == Phase::kClose && !closes) {
       closes = true;
       drive.off_axis_m = std::abs(X.y);
     }
