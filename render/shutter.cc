@@ -64,17 +64,21 @@ std::vector<double> ExposureMoments(double motion_px, const ShutterSteps& steps)
   return moments;
 }
 
+Pose3 MovedOn(const Pose3& X_WB, const Eigen::Vector3d& v_WB_W, const Eigen::Vector3d& w_WB_W,
+              double seconds) {
+  Pose3 X = X_WB;
+  X.p += seconds * v_WB_W;
+  const double turn_rad = seconds * w_WB_W.norm();
+  if (turn_rad != 0.0) X.R = Eigen::AngleAxisd(turn_rad, w_WB_W.normalized()) * X_WB.R;
+  return X;
+}
+
 std::vector<Pose3> PosesInExposure(const Pose3& X_WC, const Eigen::Vector3d& v_WC_W,
                                    const Eigen::Vector3d& w_WC_W, double exposure_s,
                                    double motion_px, const ShutterSteps& steps) {
   std::vector<Pose3> poses;
   for (const double moment : ExposureMoments(motion_px, steps)) {
-    const double after_s = moment * exposure_s;
-    Pose3 X = X_WC;
-    X.p += after_s * v_WC_W;
-    const double turn_rad = after_s * w_WC_W.norm();
-    if (turn_rad != 0.0) X.R = Eigen::AngleAxisd(turn_rad, w_WC_W.normalized()) * X_WC.R;
-    poses.push_back(X);
+    poses.push_back(MovedOn(X_WC, v_WC_W, w_WC_W, moment * exposure_s));
   }
   return poses;
 }

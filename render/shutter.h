@@ -35,6 +35,10 @@ ShutterSteps StepsUnderBlur(double sigma_px);
 /// widened by as much as by a box of motion_px.
 std::vector<double> ExposureMoments(double motion_px, const ShutterSteps& steps = {});
 
+/// A body's pose after some time at these speeds, of its origin and about it.
+Pose3 MovedOn(const Pose3& X_WB, const Eigen::Vector3d& v_WB_W, const Eigen::Vector3d& w_WB_W,
+              double seconds);
+
 /// Where a camera is at these moments, for StereoRenderer::RenderThrough. X_WC: at the exposure's
 /// middle; v_WC_W: of its origin [m/s]; w_WC_W: [rad/s].
 std::vector<Pose3> PosesInExposure(const Pose3& X_WC, const Eigen::Vector3d& v_WC_W,

@@ -141,8 +141,8 @@ FileCheck CheckYaml(const std::string& file, const std::vector<System>& systems)
   if (IsBoardFile(root)) return CheckBoard(file);
   const YamlNode model = LoadModelYaml(file);
   for (const System& system : systems) {
-    if (!system.check_file) continue;
-    const std::optional<FileCheck> check = system.check_file(file);
+    if (!system.files.check) continue;
+    const std::optional<FileCheck> check = system.files.check(file);
     if (!check) continue;
     NamedUrdfs urdfs;
     urdfs.AddModel(file);

@@ -95,7 +95,7 @@ void NamedUrdfs::AddModel(const std::string& yaml) {
 
 void NamedUrdfs::AddScenario(const Scenario& scenario, const System& system) {
   const std::string own = system.name + ".";
-  for (const ModelRoot& root : system.model_roots) {
+  for (const ModelRoot& root : system.scenario.model_roots) {
     std::string model;
     if (root.file_key == "robot") {
       model = scenario.robot_file;

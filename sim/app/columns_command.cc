@@ -45,7 +45,8 @@ int PrintColumnsJson(const std::vector<SystemColumns>& systems,
 int PrintColumns(const Invocation& call, bool as_json) {
   std::vector<SystemColumns> columns;
   for (const System& system : call.systems) {
-    columns.push_back({system.name, system.measures, system.channels, system.beliefs});
+    columns.push_back(
+        {system.name, system.columns.measures, system.columns.channels, system.columns.beliefs});
   }
   if (as_json) return PrintColumnsJson(columns, call.warnings);
   std::printf("%s", ColumnsPage(columns).c_str());

@@ -51,7 +51,7 @@ std::optional<int> DetectBySystem(int argc, char** argv, const Invocation& call)
   const std::string robot = ValueOf(words, "--robot");
   if (robot.empty()) return std::nullopt;
   for (const System& system : call.systems) {
-    if (!system.detect || !system.check_file || !system.check_file(robot)) continue;
+    if (!system.detect || !system.files.check || !system.files.check(robot)) continue;
     try {
       return system.detect(call.program, words);
     } catch (const CLI::ParseError& error) {  // which says where its own help is

@@ -93,8 +93,8 @@ WatchedRun Watched(std::size_t place, const Folder& dir, std::string command) {
 
 void AddSystem(const System& system, ReportContent& content) {
   content.system = system.name;
-  content.channels = system.channels;
-  content.beliefs = system.beliefs;
+  content.channels = system.columns.channels;
+  content.beliefs = system.columns.beliefs;
   content.program = "dockyard " DOCKYARD_VERSION;
 }
 

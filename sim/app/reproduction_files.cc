@@ -86,7 +86,7 @@ const RunResult* RunFor(const PublishedFigure& figure, const Published& publishe
 /// Those that the figure names, and the yaw.
 std::vector<Column> ChannelsOf(const PublishedFigure& figure, const System& system) {
   std::vector<Column> channels;
-  for (const Column& channel : system.channels) {
+  for (const Column& channel : system.columns.channels) {
     const auto named = [&](const PublishedName& name) { return name.text == channel.name; };
     if (figure.channels.empty() || channel.name == "yaw_deg" ||
         std::any_of(figure.channels.begin(), figure.channels.end(), named)) {
@@ -128,7 +128,7 @@ CampaignNames NamesOf(const Campaign& campaign, const std::vector<System>& syste
   const RowColumns columns = system.Columns(campaign.labels);
   CampaignNames names{columns.labels, {}, CampaignSystemsOf(systems).measures(system.name), {}};
   for (const OutcomeName& outcome : columns.outcomes) names.outcomes.push_back(outcome.name);
-  for (const Column& channel : system.channels) names.channels.push_back(channel.name);
+  for (const Column& channel : system.columns.channels) names.channels.push_back(channel.name);
   return names;
 }
 

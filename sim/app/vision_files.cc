@@ -22,8 +22,8 @@ StereoRig RigOf(const RigOptions& options, const std::vector<System>& systems, i
   }
   if (!options.rig.empty()) return LoadRig(options.rig, width, height, Rays::kMasked);
   for (const System& system : systems) {
-    if (!system.rig) continue;
-    if (const auto rig = system.rig(options.robot, width, height)) return *rig;
+    if (!system.files.rig) continue;
+    if (const auto rig = system.files.rig(options.robot, width, height)) return *rig;
   }
   throw ConfigError(options.robot + ": expected a robot's file with a stereo pair, found another");
 }
@@ -35,8 +35,8 @@ double CalibrationErrorOf(const RigOptions& options) {
 NamedBoard BoardOf(const std::string& file, const std::vector<System>& systems) {
   if (IsBoardFile(LoadYaml(file))) return LoadBoard(file);
   for (const System& system : systems) {
-    if (!system.board) continue;
-    if (auto board = system.board(file)) return *board;
+    if (!system.files.board) continue;
+    if (auto board = system.files.board(file)) return *board;
   }
   throw ConfigError(file + ": expected a board's file or a target's with a board, found another");
 }

@@ -9,7 +9,7 @@
 #include "controller/geometry/axle_attitude.h"
 #include "sim/axel/outcome.h"
 #include "sim/axel/world.h"
-#include "sim/log/column.h"
+#include "sim/log/visited_columns.h"
 
 namespace dockyard::axel {
 
@@ -101,10 +101,7 @@ void VisitMeasures(const AxelMeasures& m, Visit&& visit) {
         m.rock_force_peak_n);
 }
 
-std::vector<Column> Channels();
-std::vector<Column> Measures();
 /// Names of the values that the controllers' beliefs may hold.
 std::vector<Column> Beliefs();
-std::vector<double> Values(const AxelMeasures& measures);
 
 }  // namespace dockyard::axel

@@ -1,14 +1,11 @@
 #include "sim/axel/axel_plant.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "controller/base/check.h"
 #include "render/shutter.h"
-#include "sim/axel/axel_columns.h"
 #include "sim/axel/build_rocks.h"
 #include "sim/axel/exposure.h"
-#include "sim/base/hash.h"
 #include "sim/plant/built_cameras.h"
 #include "sim/run/camera_faults.h"
 
@@ -32,16 +29,11 @@ std::vector<MotorModel> MotorModels(const RoverModel& rover) {
 
 AxelPlant::AxelPlant(const Scenario& scenario, BuiltRun built,
                      std::shared_ptr<KeptRenderer> renderer)
-    : seed_(scenario.seed),
-      step_s_(scenario.physics_step_s),
+    : WorldPlant(scenario, std::move(built), std::move(renderer)),
       camera_faults_(scenario.camera_faults),
-      built_(std::move(built)),
-      world_(built_.world),
       sensors_(built_.world.rover.imu, MotorModels(built_.world.rover), kControlPeriod, seed_),
       scene_(built_.world.rover, built_.world.station, built_.world.soil, built_.lighting,
-             SiteInWorld(built_.world.X_WG, built_.world.slope), seed_),
-      renderer_(std::move(renderer)),
-      truth_(world_.truth()) {
+             SiteInWorld(built_.world.X_WG, built_.world.slope), seed_) {
   scene_.AddRocks(built_.world.rocks);
   const Pose3 X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope);
   for (const Eigen::Vector3f& p : RockMesh(built_.world.rocks).vertices) {
@@ -88,30 +80,20 @@ StereoImages AxelPlant::Picture(const SensorOptions& sensor) {
 }
 
 void AxelPlant::Advance(const Commands& commands) {
-  DOCKYARD_CHECK(commands.motors.size() == kMotorCount);
-  std::array<MotorCommand, kMotorCount> motors;
-  std::copy(commands.motors.begin(), commands.motors.end(), motors.begin());
-  const int steps = static_cast<int>(std::llround(kControlPeriod * kTickSeconds / step_s_));
-  for (int i = 0; i < steps; ++i) world_.Step(motors);
-}
-
-void AxelPlant::AppendChannels(std::vector<double>& values) const {
-  VisitChannels(truth_, [&](const char*, const char*, const char*, double value) {
-    values.push_back(value);
-  });
+  const auto motors = MotorsOf<kMotorCount>(commands);
+  for (long i = StepsIn(kControlPeriod); i > 0; --i) world_.Step(motors);
 }
 
 Stage AxelPlant::Look() const {
-  const HeightGrid& ground = world_.ground();
-  Stage stage;
+  const Pose3 X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope);
+  Stage stage = StageOn(X_WG, truth_.X_WR * Inverse(truth_.X_DR), built_.world.soil.rgb);
   stage.bodies = {{"robot", truth_.X_WR},
                   {"left_wheel", truth_.X_W_left_wheel},
                   {"right_wheel", truth_.X_W_right_wheel},
                   {"arm", truth_.X_WA},
                   {"station", truth_.X_WS}};
-  const Pose3 X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope);
   if (!built_.world.rocks.rocks.empty()) stage.bodies.push_back({"rocks", X_WG});
-  // What throws a shadow stands where the scene's objects say.
+  // What throws a shadow is where the scene's objects say.
   if (!built_.lighting.occluders.empty()) stage.bodies.push_back({"shade", Pose3{}});
   stage.lines = {{.name = "tether",
                   .diameter_m = built_.world.rover.tether.diameter_m,
@@ -120,27 +102,11 @@ Stage AxelPlant::Look() const {
     stage.solids = {
         {.name = "rocks", .rgb = RockAlbedo(built_.world.soil), .corners_W = &rock_corners_W_}};
   }
-  stage.ground = {.X_WG = X_WG,
-                  .x0_m = ground.x0_m,
-                  .y0_m = ground.y0_m,
-                  .cell_m = ground.cell_m,
-                  .nx = ground.nx,
-                  .ny = ground.ny,
-                  .heights_m = ground.heights_m.data(),
-                  .revision = ground.revision,
-                  .rgb = built_.world.soil.rgb};
-  stage.X_WD = truth_.X_WR * Inverse(truth_.X_DR);
   return stage;
 }
 
 Pose2 AxelPlant::MeasuredPose(const SightingReport& report) const {
   return ToGround(built_.nominal.X_DB * Inverse(report.X_RB));
-}
-
-// The ruts sum up all that the wheels did: once, at the end, is enough.
-std::uint64_t AxelPlant::FinalHash(std::uint64_t seed) const {
-  for (const double height : world_.ground().heights_m) seed = HashDouble(seed, height);
-  return world_.StateHash(seed);
 }
 
 }  // namespace dockyard::axel

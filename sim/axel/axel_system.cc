@@ -25,32 +25,22 @@
 namespace dockyard::axel {
 namespace {
 
-/// In the order of Motor and of the cameras' numbers.
-void NameParts(const Nominal& nominal, ReadyRun& ready) {
+/// Motors and cameras in the order of their numbers.
+ReadyRun PartsOf(const Nominal& nominal) {
   const char* const names[kMotorCount] = {"left_wheel", "right_wheel", "arm", "spool"};
+  ReadyRun ready;
+  ready.control_period = kControlPeriod;
+  ready.motor_count = kMotorCount;
+  ready.camera_count = kCameraCount;
   for (std::size_t i = 0; i < kMotorCount; ++i) {
     ready.motors.push_back({names[i], nominal.motors[i].rad_per_count});
   }
   ready.cameras = {{"left", nominal.rig.left, nominal.rig.X_RL},
                    {"right", nominal.rig.right, nominal.rig.X_RQ}};
-}
-
-ReadyRun MakeReady(const Scenario& scenario, const AxelModels& models,
-                   const std::shared_ptr<KeptRenderer>& renderer) {
-  BuiltRun built = BuildRun(scenario, models);
-  ReadyRun ready;
-  ready.nominal = ToJson(built.nominal);
-  ready.control_period = kControlPeriod;
-  ready.motor_count = kMotorCount;
-  ready.camera_count = kCameraCount;
-  NameParts(built.nominal, ready);
-  auto plant = std::make_unique<AxelPlant>(scenario, std::move(built), renderer);
-  ready.judge = std::make_unique<AxelJudge>(*plant);
-  ready.plant = std::move(plant);
   return ready;
 }
 
-StageShapes ShapesOf(const Scenario& scenario, const AxelModels& models) {
+StageShapes AxelShapes(const Scenario& scenario, const AxelModels& models) {
   const ModelSet& built = models.built;
   const Pose3 X_WG = SiteOf(scenario), X_WD = X_WG * FromGround(WorldSetup{}.X_GD, 0.0);
   const Lighting lighting =
@@ -132,52 +122,29 @@ std::optional<NamedBoard> BoardOfStation(const std::string& file, MeshStore& mes
 
 }  // namespace
 
-System AxelSystem(const std::vector<NamedController>& controllers, const ScriptPlayer& play) {
-  const auto store = std::make_shared<ModelStore>();
-  const auto renderer = std::make_shared<KeptRenderer>();
+System AxelSystem(const std::vector<NamedController<Nominal>>& controllers,
+                  const ScriptPlayer& play) {
+  const auto store = std::make_shared<ModelStore<AxelModels>>(LoadModels, CheckBracket);
   System system;
   system.name = "axel";
-  for (const NamedController& controller : controllers) {
-    system.controllers.push_back({controller.name, [make = controller.make](const Json& nominal) {
-                                    return make(NominalFromJson(nominal));
-                                  }});
-    if (controller.former_name.empty()) continue;
-    system.former_controllers.push_back({controller.former_name, controller.name});
-  }
-  system.file_keys = {"station"};
-  system.changes_file_keys = {"robot.urdf", "robot.cameras.file", "station.urdf"};
-  system.model_roots = {{"robot", "robot"}, {"station", "axel.station"}, {"soil", "soil"}};
-  system.spoiled_pictures = true;
-  system.rocks = true;
-  system.outcomes = OutcomeNames();
-  system.channels = Channels();
-  system.beliefs = Beliefs();
-  system.measures = Measures();
-  system.keys = [](Keys& keys) {
-    AxelKeys values;
-    VisitAxelKeys(keys, values);
-  };
-  system.check = [store](const Scenario& scenario) {
-    return Check(scenario, *store->Get(scenario));
-  };
-  system.make_ready = [store, renderer](const Scenario& scenario) {
-    return MakeReady(scenario, *store->Get(scenario), renderer);
-  };
+  system.controllers = EntriesOf(controllers, NominalFromJson);
+  system.scenario.file_keys = {"station"};
+  system.scenario.changes_file_keys = {"robot.urdf", "robot.cameras.file", "station.urdf"};
+  system.scenario.model_roots = {{"robot", "robot"}, {"station", "axel.station"}, {"soil", "soil"}};
+  system.scenario.spoiled_pictures = true;
+  system.scenario.rocks = true;
+  system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), MeasuresOf<AxelMeasures>()};
+  system.keys = VisitOf(VisitAxelKeys);
+  UseModels(store, {Check, MakeReady<AxelPlant, AxelJudge, PartsOf>, WriteStartView, AxelShapes},
+            system);
   system.play = [play](const Json& nominal, const YamlNode& script) {
     return play(NominalFromJson(nominal), ReadScript(script));
   };
-  system.view = [store](const Scenario& scenario, const std::filesystem::path& dir) {
-    WriteStartView(scenario, *store->Get(scenario), dir);
-  };
-  system.shapes = [store](const Scenario& scenario) {
-    return ShapesOf(scenario, *store->Get(scenario));
-  };
-  system.check_file = [store](const std::string& file) {
-    return CheckModelFile(file, store->meshes());
-  };
-  system.rig = [store](const std::string& file, int width, int height) {
-    return RigOfRobot(file, width, height, store->meshes());
-  };
+  system.files = {
+      .check = [store](const std::string& file) { return CheckModelFile(file, store->meshes()); },
+      .rig = [store](const std::string& file, int width,
+                     int height) { return RigOfRobot(file, width, height, store->meshes()); },
+      .board = [store](const std::string& file) { return BoardOfStation(file, store->meshes()); }};
   system.example_files = {.scenario = "scenarios/axel_typical.yaml",
                           .campaign = "scenarios/mars_yard_40.yaml",
                           .sweep = "scenarios/studies/reel_alpha.yaml",
@@ -189,7 +156,6 @@ System AxelSystem(const std::vector<NamedController>& controllers, const ScriptP
   system.reproductions = {{"axel2013", "scenarios/axel2013_published.yaml",
                            "The 40 docking runs of Tsai et al. 2013 in the Mars Yard, driven by a "
                            "controller as they describe theirs, and pure reeling beside them."}};
-  system.board = [store](const std::string& file) { return BoardOfStation(file, store->meshes()); };
   return system;
 }
 

@@ -3,18 +3,19 @@
 #include "sim/axel/build_rocks.h"
 #include "sim/base/random.h"
 #include "sim/plant/drawn_mesh.h"
+#include "sim/plant/ground_view.h"
 #include "sim/run/shade_body.h"
 
 namespace dockyard::axel {
 SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
                            const SoilModel& soil, Lighting lighting, const Pose3& X_WG,
                            const Seed& run_seed)
-    : body_(Convert(rover.body.visuals)),
-      left_wheel_(Convert(rover.left_wheel.visuals)),
-      right_wheel_(Convert(rover.right_wheel.visuals)),
-      arm_(Convert(rover.arm.visuals)),
-      station_(Convert(station.module.visuals)),
-      stand_(Convert(station.stand_visuals)),
+    : body_(DrawnParts(rover.body.visuals)),
+      left_wheel_(DrawnParts(rover.left_wheel.visuals)),
+      right_wheel_(DrawnParts(rover.right_wheel.visuals)),
+      arm_(DrawnParts(rover.arm.visuals)),
+      station_(DrawnParts(station.module.visuals)),
+      stand_(DrawnParts(station.stand_visuals)),
       X_SB_(BoardInStation(station)),
       p_SM_(MouthInStation(station).p),
       p_AT_(rover.arm_length_m, 0.0, 0.0),
@@ -30,19 +31,6 @@ SceneBuilder::SceneBuilder(const RoverModel& rover, const StationModel& station,
   X_S_module_ = MouthInStation(station) * Pose3::Translation(0.0, 0.0, -station.mouth_height_m);
 }
 
-std::vector<SceneBuilder::Part> SceneBuilder::Convert(const std::vector<Visual>& visuals) {
-  std::vector<Part> parts;
-  for (const Visual& visual : visuals) {
-    parts.push_back({DrawnMesh(*visual.mesh), visual.X_LV, visual.rgb});
-  }
-  return parts;
-}
-
-void SceneBuilder::Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
-                       const Pose3& X_WL) {
-  for (const Part& part : parts) objects.push_back({part.mesh, X_WL * part.X_LV, part.albedo});
-}
-
 void SceneBuilder::AddRocks(const RockBed& bed) {
   if (bed.rocks.empty()) return;
   rocks_ = {{std::make_shared<RenderMesh>(RockMesh(bed)), Pose3{}, rock_rgb_}};
@@ -50,24 +38,15 @@ void SceneBuilder::AddRocks(const RockBed& bed) {
 
 Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   Scene scene;
-  Add(scene.objects, body_, truth.X_WR);
-  Add(scene.objects, left_wheel_, truth.X_W_left_wheel);
-  Add(scene.objects, right_wheel_, truth.X_W_right_wheel);
-  Add(scene.objects, arm_, truth.X_WA);
-  Add(scene.objects, station_, truth.X_WS * X_S_module_);
-  Add(scene.objects, stand_, truth.X_WS);
-  Add(scene.objects, rocks_, X_WG_);
+  AddParts(body_, truth.X_WR, scene.objects);
+  AddParts(left_wheel_, truth.X_W_left_wheel, scene.objects);
+  AddParts(right_wheel_, truth.X_W_right_wheel, scene.objects);
+  AddParts(arm_, truth.X_WA, scene.objects);
+  AddParts(station_, truth.X_WS * X_S_module_, scene.objects);
+  AddParts(stand_, truth.X_WS, scene.objects);
+  AddParts(rocks_, X_WG_, scene.objects);
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
-  scene.ground = {.X_WG = X_WG_,
-                  .x0_m = ground.x0_m,
-                  .y0_m = ground.y0_m,
-                  .cell_m = ground.cell_m,
-                  .nx = ground.nx,
-                  .ny = ground.ny,
-                  .heights_m = ground.heights_m.data(),
-                  .revision = ground.revision,
-                  .albedo = soil_rgb_,
-                  .texture_seed = texture_seed_};
+  scene.ground = ViewOf(ground, X_WG_, soil_rgb_, texture_seed_);
   scene.boards.push_back({.board = board_,
                           .X_WB = truth.X_WS * X_SB_,
                           .p_BH = cutout_.p_B,
@@ -84,14 +63,12 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
 
 StageShapes SceneBuilder::Shapes() const {
   StageShapes shapes;
-  const auto add = [&](const char* name, bool robot, const std::vector<Part>& parts,
+  const auto add = [&](const char* name, bool robot, const std::vector<DrawnPart>& parts,
                        const Pose3& X_OL = {}) {
     if (shapes.bodies.empty() || shapes.bodies.back().name != name) {
       shapes.bodies.push_back({name, robot, {}});
     }
-    for (const Part& part : parts) {
-      shapes.bodies.back().parts.push_back({part.mesh, X_OL * part.X_LV, part.albedo});
-    }
+    AddParts(parts, X_OL, shapes.bodies.back());
   };
   add("robot", true, body_);
   add("left_wheel", true, left_wheel_);

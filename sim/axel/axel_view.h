@@ -29,16 +29,7 @@ class SceneBuilder {
   StageShapes Shapes() const;
 
  private:
-  struct Part {
-    std::shared_ptr<const RenderMesh> mesh;
-    Pose3 X_LV;
-    Eigen::Vector3d albedo;
-  };
-  static std::vector<Part> Convert(const std::vector<Visual>& visuals);
-  static void Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
-                  const Pose3& X_WL);
-
-  std::vector<Part> body_, left_wheel_, right_wheel_, arm_, station_, stand_, rocks_;
+  std::vector<DrawnPart> body_, left_wheel_, right_wheel_, arm_, station_, stand_, rocks_;
   Pose3 X_S_module_, X_SB_;
   Eigen::Vector3d p_SM_, p_AT_;  // the mouth; the arm's tip
   FiducialBoard board_;

@@ -1,6 +1,5 @@
 #include "sim/axel/exposure.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "models/axel/station_model.h"
@@ -15,12 +14,7 @@ Pose3 TurnedAboutY(const Pose3& X, double angle_rad) { return {X.R * RotY(angle_
 
 Truth MovedOn(const Truth& truth, double seconds) {
   Truth moved = truth;
-  const double turn_rad = seconds * truth.w_WR_W.norm();
-  if (turn_rad != 0.0) {
-    const Eigen::Vector3d axis = truth.w_WR_W.normalized();
-    moved.X_WR.R = Eigen::AngleAxisd(turn_rad, axis) * truth.X_WR.R;
-  }
-  moved.X_WR.p += seconds * truth.v_WR_W;
+  moved.X_WR = MovedOn(truth.X_WR, truth.v_WR_W, truth.w_WR_W, seconds);
   const Pose3 moving = moved.X_WR * Inverse(truth.X_WR);
   moved.X_WA = TurnedAboutY(moving * truth.X_WA, seconds * truth.arm_rate_rad_s);
   const auto wheel = [&](const Pose3& X_WK, Motor motor) {

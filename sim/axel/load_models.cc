@@ -1,6 +1,5 @@
 #include "sim/axel/load_models.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "models/axel/load_axel.h"
@@ -12,27 +11,11 @@
 #include "models/read/read_stereo.h"
 #include "models/read/yaml_path.h"
 #include "models/read/yaml_reader.h"
+#include "sim/plant/model_files.h"
 #include "sim/scenario/key_path.h"
 
 namespace dockyard::axel {
 namespace {
-
-/// All that the models depend on, as text: equal text means equal models.
-std::string ModelKey(const Scenario& scenario) {
-  return scenario.robot_file + "\n" + scenario.soil_file + "\n" + scenario.camera_file + "\n" +
-         std::to_string(scenario.image_width) + "x" + std::to_string(scenario.image_height) + "\n" +
-         FlowText(scenario.of_system) + "\n" + FlowText(scenario.changes) + "\n" +
-         FlowText(scenario.as_built);
-}
-
-void RequireFiles(const Scenario& scenario) {
-  if (scenario.robot_file.empty()) {
-    throw ConfigError(scenario.name + ": expected the key 'robot', Axel's file, found none");
-  }
-  if (scenario.soil_file.empty()) {
-    throw ConfigError(scenario.name + ": expected the key 'soil', a soil's file, found none");
-  }
-}
 
 /// Keys of a scenario that stand for a model's own, as changes to it.
 YamlNode ChangesOf(const Scenario& scenario, const AxelKeys& keys) {
@@ -44,25 +27,9 @@ YamlNode ChangesOf(const Scenario& scenario, const AxelKeys& keys) {
   return changes;
 }
 
-void RefuseKey(const YamlNode& changes, const std::string& root, const std::string& path,
-               const std::string& expected) {
-  const YamlNode* value = FindPath(changes, path);
-  if (value == nullptr) return;
-  throw ConfigError(value->place.Text() + ": " + root + "." + path + ": expected " + expected);
-}
-
-void CheckRoots(const YamlNode& changes, const std::string& root) {
-  if (changes.kind == YamlNode::Kind::kNull) return;
-  const YamlReader known(changes, root, {"robot", "station", "soil"});
-  for (const char* model : {"robot.spreads", "station.spreads", "soil.spreads"}) {
-    RefuseKey(changes, root, model, "none; spreads are read from the model's own file");
-  }
-}
-
 /// What a world cannot be built otherwise than told.
 void CheckAsBuilt(const Scenario& scenario) {
   const YamlNode& built = scenario.as_built;
-  CheckRoots(built, "as_built");
   for (const char* text : {"robot.name", "station.name", "soil.name", "soil.source"}) {
     RefuseKey(built, "as_built", text, "keys that something is built by, a name is not");
   }
@@ -124,15 +91,6 @@ ModelSet LoadSet(const Scenario& scenario, const AxelKeys& keys, const YamlNode&
   return set;
 }
 
-/// A bracket that is asked for must be of use.
-void CheckBracket(const Scenario& scenario, const AxelModels& models) {
-  if (!(models.keys.bracket_stops > 0.0)) return;
-  const std::string why = WhyNoBracket(scenario, models);
-  if (why.empty()) return;
-  throw ConfigError(FindPath(scenario.of_system, "vision.bracket_stops")->place.Text() +
-                    ": axel.vision.bracket_stops: expected 0 " + why);
-}
-
 }  // namespace
 
 std::string WhyNoBracket(const Scenario& scenario, const AxelModels& models) {
@@ -152,11 +110,19 @@ std::string WhyNoBracket(const Scenario& scenario, const AxelModels& models) {
   return "";
 }
 
+void CheckBracket(const Scenario& scenario, const AxelModels& models) {
+  if (!(models.keys.bracket_stops > 0.0)) return;
+  const std::string why = WhyNoBracket(scenario, models);
+  if (why.empty()) return;
+  throw ConfigError(FindPath(scenario.of_system, "vision.bracket_stops")->place.Text() +
+                    ": axel.vision.bracket_stops: expected 0 " + why);
+}
+
 AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
-  RequireFiles(scenario);
+  RequireFiles(scenario, "Axel's");
   AxelModels models;
   models.keys = ReadAxelKeys(scenario);
-  CheckRoots(scenario.changes, "changes");
+  CheckRoots(scenario, {"robot", "station", "soil"});
   CheckAsBuilt(scenario);
   const YamlNode changes = ChangesOf(scenario, models.keys);
   models.told = LoadSet(scenario, models.keys, changes, {}, nullptr, meshes);
@@ -173,20 +139,6 @@ AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes) {
                       "tsai2013 needs them, found others");
   }
   CheckBracket(scenario, models);
-  return models;
-}
-
-std::shared_ptr<const AxelModels> ModelStore::Get(const Scenario& scenario) {
-  const std::string key = ModelKey(scenario);
-  const auto known =
-      std::find_if(sets_.begin(), sets_.end(), [&](const auto& set) { return set.first == key; });
-  if (known != sets_.end()) {
-    CheckBracket(scenario, *known->second);  // the controller is none of the models
-    return known->second;
-  }
-  auto models = std::make_shared<const AxelModels>(LoadModels(scenario, &meshes_));
-  if (sets_.size() >= kMostSets) sets_.erase(sets_.begin());
-  sets_.emplace_back(key, models);
   return models;
 }
 

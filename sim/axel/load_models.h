@@ -1,10 +1,7 @@
 // The models that a scenario of Axel names, loaded once.
 #pragma once
 
-#include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "models/axel/axel_model.h"
 #include "models/axel/station_model.h"
@@ -32,22 +29,9 @@ struct AxelModels {
 /// @param meshes  as of LoadMesh
 AxelModels LoadModels(const Scenario& scenario, MeshStore* meshes = nullptr);
 
+/// Throws ConfigError for a bracket of exposures that is asked for and cannot be of use.
+void CheckBracket(const Scenario& scenario, const AxelModels& models);
 /// Why the controller's bracket of exposures cannot be of use, or empty.
 std::string WhyNoBracket(const Scenario& scenario, const AxelModels& models);
-
-/// Keeps the last few sets of models, so that the runs of a campaign share them. A worker that is
-/// forked after a set was loaded has the set without reading a file.
-class ModelStore {
- public:
-  /// As LoadModels. Files that changed since are not noticed.
-  std::shared_ptr<const AxelModels> Get(const Scenario& scenario);
-  /// The meshes of all models read so far.
-  MeshStore& meshes() { return meshes_; }
-
- private:
-  MeshStore meshes_;
-  static constexpr std::size_t kMostSets = 16;  // a set holds some megabytes of meshes
-  std::vector<std::pair<std::string, std::shared_ptr<const AxelModels>>> sets_;  // newest last
-};
 
 }  // namespace dockyard::axel

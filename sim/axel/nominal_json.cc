@@ -1,165 +1,119 @@
 #include "sim/axel/nominal_json.h"
 
-#include "models/read/config_error.h"
-#include "sim/axel/tsai2013_json.h"
 #include "sim/plant/nominal_parts.h"
 
+namespace dockyard {
+
+template <Of<Fiducial> F, class Visit>
+void VisitMembers(F& fiducial, const Visit& visit) {
+  visit("p_m", fiducial.p_BF);
+  visit("rotation_rad", fiducial.rotation);
+}
+
+template <Of<FiducialBoard> B, class Visit>
+void VisitMembers(B& board, const Visit& visit) {
+  visit("width_m", board.width_m);
+  visit("height_m", board.height_m);
+  visit("disc_diameter_m", board.disc_diameter_m);
+  visit("bar_length_m", board.bar_length_m);
+  visit("bar_width_m", board.bar_width_m);
+  visit("fiducials", board.fiducials);
+  auto& upright = board.upright;
+  if (!visit.Has("upright_in", upright.against != Upright::Against::kPlumb)) return;
+  int index = static_cast<int>(upright.against) - 1;
+  visit.Word("upright_in", "upright_in", index, std::array{"gravity", "image"});
+  if constexpr (!std::is_const_v<B>) upright.against = static_cast<Upright::Against>(index + 1);
+  visit("upright_within_rad", upright.within_rad);
+}
+
+}  // namespace dockyard
+
 namespace dockyard::axel {
-namespace {
 
-using dockyard::ToJson;
-
-Json BoardToJson(const FiducialBoard& board) {
-  Json fiducials = Json::array();
-  for (const Fiducial& fiducial : board.fiducials) {
-    fiducials.push_back({{"p_m", ToJson(fiducial.p_BF)}, {"rotation_rad", fiducial.rotation}});
-  }
-  Json json{{"width_m", board.width_m},
-            {"height_m", board.height_m},
-            {"disc_diameter_m", board.disc_diameter_m},
-            {"bar_length_m", board.bar_length_m},
-            {"bar_width_m", board.bar_width_m},
-            {"fiducials", fiducials}};
-  const Upright& upright = board.upright;
-  if (upright.against == Upright::Against::kPlumb) return json;
-  json["upright_in"] = upright.against == Upright::Against::kGravity ? "gravity" : "image";
-  json["upright_within_rad"] = upright.within_rad;
-  return json;
+template <Of<MappedRock> R, class Visit>
+void VisitMembers(R& rock, const Visit& visit) {
+  visit("x_m", rock.x_m);
+  visit("y_m", rock.y_m);
+  visit("radius_m", rock.radius_m);
+  visit("height_m", rock.height_m);
 }
 
-FiducialBoard BoardFromJson(const Json& json) {
-  FiducialBoard board;
-  board.width_m = json.at("width_m");
-  board.height_m = json.at("height_m");
-  board.disc_diameter_m = json.at("disc_diameter_m");
-  board.bar_length_m = json.at("bar_length_m");
-  board.bar_width_m = json.at("bar_width_m");
-  for (const Json& entry : json.at("fiducials")) {
-    Fiducial fiducial;
-    fiducial.p_BF =
-        Eigen::Vector2d(entry.at("p_m").at(0).get<double>(), entry.at("p_m").at(1).get<double>());
-    fiducial.rotation = entry.at("rotation_rad");
-    board.fiducials.push_back(fiducial);
-  }
-  if (json.contains("upright_in")) {
-    const std::string against = json.at("upright_in");
-    if (against != "gravity" && against != "image") {
-      throw ConfigError("upright_in: expected gravity or image, found '" + against + "'");
-    }
-    board.upright.against =
-        against == "gravity" ? Upright::Against::kGravity : Upright::Against::kImage;
-    board.upright.within_rad = json.at("upright_within_rad");
-  }
-  return board;
+template <Of<RockMap> M, class Visit>
+void VisitMembers(M& map, const Visit& visit) {
+  visit("rocks", map.rocks);
+  visit("sigma_m", map.sigma_m);
 }
 
-VisionSettings VisionFromJson(const Json& json) {
-  VisionSettings vision;
-  const std::string name = json.at("pipeline");
-  if (name == PipelineName(VisionPipeline::kTsai2013)) {
-    vision.pipeline = VisionPipeline::kTsai2013;
-  } else if (name != PipelineName(VisionPipeline::kDockyard)) {
-    throw ConfigError("vision pipeline: expected dockyard or tsai2013, found '" + name + "'");
+/// What Tsai et al. (2013) leave open.
+template <class Vision, class Options, class Visit>
+void VisitTsai2013(Vision& vision, Options& options, const Visit& visit) {
+  visit.Word("first", "tsai2013 first", vision.first,
+             std::array{"lowest", "topmost", "leftmost", "largest"});
+  visit("black_below_mean", vision.black_below_mean);
+  visit("window_share", vision.window_share);
+  visit("closeness_px", vision.closeness_px);
+  visit("closeness_radii", vision.closeness_radii);
+  visit("agreeing_points", vision.agreeing_points);
+  visit("align_r_m", options.align_r_m);
+  visit("mate_r_m", options.mate_r_m);
+  visit("mate_gap_m", options.mate_gap_m);
+  visit("recover_r_m", options.recover_r_m);
+  visit("heading_rad", options.heading_rad);
+  visit("tip_offset_m", options.tip_offset_m);
+  visit("contact_depth_m", options.contact_depth_m);
+  visit("contact_within_m", options.contact_within_m);
+  visit("reel_in_m", options.reel_in_m);
+  visit("turn_cost_m", options.turn_cost_m);
+  visit("least_radius_m", options.least_radius_m);
+  visit("most_turn_rad", options.most_turn_rad);
+  visit("drive_m_s", options.drive_m_s);
+  visit("mate_m_s", options.mate_m_s);
+  visit("reel_m_s", options.reel_m_s);
+  visit("wheel_accel_rad_s2", options.wheel_accel_rad_s2);
+  visit("taut_n", options.taut_n);
+  visit("tighten_m_s", options.tighten_m_s);
+  visit("blind_looks", options.blind_looks);
+  visit("look_pitch_rad", options.look_pitch_rad);
+}
+
+template <Of<Nominal> N, class Visit>
+void VisitMembers(N& n, const Visit& visit) {
+  visit("left_camera", n.rig.left);
+  visit("right_camera", n.rig.right);
+  visit("X_RL", n.rig.X_RL);
+  visit("X_RQ", n.rig.X_RQ);
+  visit("shutter_s", n.shutter_s);
+  visit("board", n.board);
+  visit.Within("vision", [&](const auto& in) {
+    in.Word("pipeline", "vision pipeline", n.vision.pipeline, std::array{"dockyard", "tsai2013"});
+    in("min_points", n.vision.min_points);
+    in("while_driving", n.vision.while_driving);
+    in("bracket_stops", n.vision.bracket_stops);
+  });
+  visit("X_DB", n.X_DB);
+  visit("motors", n.motors);
+  visit("wheel_radius_m", n.wheel_radius_m);
+  visit("paddle_pitch_m", n.paddle_pitch_m);
+  visit("track_m", n.track_m);
+  visit("arm_length_m", n.arm_length_m);
+  visit("arm_at_zero_rad", n.arm_at_zero_rad);
+  visit("drum_radius_m", n.drum_radius_m);
+  visit("mouth_height_m", n.mouth_height_m);
+  visit("anchor_depth_m", n.anchor_depth_m);
+  visit("spool_friction_n", n.spool_friction_n);
+  visit("throat_depth_m", n.throat_depth_m);
+  visit("seat_depth_m", n.seat_depth_m);
+  visit("mating_depth_m", n.mating_depth_m);
+  if (visit.Has("tsai2013", true)) {  // logs of earlier versions have none
+    visit.Within("tsai2013",
+                 [&](const auto& in) { VisitTsai2013(n.vision.tsai2013, n.tsai2013, in); });
   }
-  vision.min_points = json.at("min_points");
-  vision.while_driving = json.at("while_driving");
-  vision.bracket_stops = json.at("bracket_stops");
-  return vision;
+  if (visit.Has("rock_map", !n.rock_map.rocks.empty())) visit("rock_map", n.rock_map);
+  if (visit.Has("excursion_m", n.excursion_m > 0.0)) visit("excursion_m", n.excursion_m);
 }
 
-Json RocksToJson(const RockMap& map) {
-  Json rocks = Json::array();
-  for (const MappedRock& rock : map.rocks) {
-    rocks.push_back({{"x_m", rock.x_m},
-                     {"y_m", rock.y_m},
-                     {"radius_m", rock.radius_m},
-                     {"height_m", rock.height_m}});
-  }
-  return {{"rocks", rocks}, {"sigma_m", map.sigma_m}};
-}
+Json ToJson(const Nominal& nominal) { return WriteMember(nominal); }
 
-RockMap RocksFromJson(const Json& json) {
-  RockMap map{.rocks = {}, .sigma_m = json.at("sigma_m")};
-  for (const Json& rock : json.at("rocks")) {
-    map.rocks.push_back({rock.at("x_m"), rock.at("y_m"), rock.at("radius_m"), rock.at("height_m")});
-  }
-  return map;
-}
-
-Nominal Read(const Json& json) {
-  Nominal nominal;
-  nominal.rig.left = CameraFromJson(json.at("left_camera"));
-  nominal.rig.right = CameraFromJson(json.at("right_camera"));
-  nominal.rig.X_RL = Pose3FromJson(json.at("X_RL"));
-  nominal.rig.X_RQ = Pose3FromJson(json.at("X_RQ"));
-  nominal.shutter_s = json.at("shutter_s");
-  nominal.board = BoardFromJson(json.at("board"));
-  nominal.vision = VisionFromJson(json.at("vision"));
-  ReadTsai2013(json, &nominal.vision.tsai2013, &nominal.tsai2013);
-  nominal.X_DB = Pose3FromJson(json.at("X_DB"));
-  for (std::size_t i = 0; i < nominal.motors.size(); ++i) {
-    nominal.motors[i] = MotorFromJson(json.at("motors").at(i));
-  }
-  nominal.wheel_radius_m = json.at("wheel_radius_m");
-  nominal.paddle_pitch_m = json.at("paddle_pitch_m");
-  nominal.track_m = json.at("track_m");
-  nominal.arm_length_m = json.at("arm_length_m");
-  nominal.arm_at_zero_rad = json.at("arm_at_zero_rad");
-  nominal.drum_radius_m = json.at("drum_radius_m");
-  nominal.mouth_height_m = json.at("mouth_height_m");
-  nominal.anchor_depth_m = json.at("anchor_depth_m");
-  nominal.spool_friction_n = json.at("spool_friction_n");
-  nominal.throat_depth_m = json.at("throat_depth_m");
-  nominal.seat_depth_m = json.at("seat_depth_m");
-  nominal.mating_depth_m = json.at("mating_depth_m");
-  if (json.contains("rock_map")) nominal.rock_map = RocksFromJson(json.at("rock_map"));
-  nominal.excursion_m = json.value("excursion_m", 0.0);
-  return nominal;
-}
-
-}  // namespace
-
-Json ToJson(const Nominal& nominal) {
-  Json motors = Json::array();
-  for (const NominalMotor& motor : nominal.motors) motors.push_back(MotorToJson(motor));
-  Json json{{"left_camera", CameraToJson(nominal.rig.left)},
-            {"right_camera", CameraToJson(nominal.rig.right)},
-            {"X_RL", ToJson(nominal.rig.X_RL)},
-            {"X_RQ", ToJson(nominal.rig.X_RQ)},
-            {"shutter_s", nominal.shutter_s},
-            {"board", BoardToJson(nominal.board)},
-            {"vision",
-             {{"pipeline", PipelineName(nominal.vision.pipeline)},
-              {"min_points", nominal.vision.min_points},
-              {"while_driving", nominal.vision.while_driving},
-              {"bracket_stops", nominal.vision.bracket_stops}}},
-            {"X_DB", ToJson(nominal.X_DB)},
-            {"motors", motors},
-            {"wheel_radius_m", nominal.wheel_radius_m},
-            {"paddle_pitch_m", nominal.paddle_pitch_m},
-            {"track_m", nominal.track_m},
-            {"arm_length_m", nominal.arm_length_m},
-            {"arm_at_zero_rad", nominal.arm_at_zero_rad},
-            {"drum_radius_m", nominal.drum_radius_m},
-            {"mouth_height_m", nominal.mouth_height_m},
-            {"anchor_depth_m", nominal.anchor_depth_m},
-            {"spool_friction_n", nominal.spool_friction_n},
-            {"throat_depth_m", nominal.throat_depth_m},
-            {"seat_depth_m", nominal.seat_depth_m},
-            {"mating_depth_m", nominal.mating_depth_m},
-            {"tsai2013", Tsai2013ToJson(nominal.vision.tsai2013, nominal.tsai2013)}};
-  if (!nominal.rock_map.rocks.empty()) json["rock_map"] = RocksToJson(nominal.rock_map);
-  if (nominal.excursion_m > 0.0) json["excursion_m"] = nominal.excursion_m;
-  return json;
-}
-
-Nominal NominalFromJson(const Json& json) {
-  try {
-    return Read(json);
-  } catch (const Json::exception& error) {
-    throw ConfigError(std::string("nominal parameters: expected Axel's, found others: ") +
-                      error.what());
-  }
-}
+Nominal NominalFromJson(const Json& json) { return ReadNominal<Nominal>(json, "Axel's"); }
 
 }  // namespace dockyard::axel

@@ -38,4 +38,18 @@ std::vector<double> ValuesVisited(VisitAll&& visit_all) {
   return values;
 }
 
+/// Of a system whose truth and measures have VisitChannels and VisitMeasures.
+template <class Truth>
+std::vector<Column> ChannelsOf() {
+  return ColumnsVisited([](const auto& visit) { VisitChannels(Truth{}, visit); });
+}
+template <class Measures>
+std::vector<Column> MeasuresOf() {
+  return MeasuresVisited([](const auto& visit) { VisitMeasures(Measures{}, visit); });
+}
+template <class Measures>
+std::vector<double> Values(const Measures& measures) {
+  return ValuesVisited([&](const auto& visit) { VisitMeasures(measures, visit); });
+}
+
 }  // namespace dockyard

@@ -1,11 +1,10 @@
 // The models that a scenario of RAPOSA names.
 #pragma once
 
-#include <optional>
-
 #include "models/raposa/ground_model.h"
 #include "models/raposa/pyramid_model.h"
 #include "models/raposa/robot_model.h"
+#include "models/read/mesh_loader.h"
 #include "sim/raposa/raposa_keys.h"
 #include "sim/scenario/scenario.h"
 
@@ -24,6 +23,7 @@ struct RaposaModels {
 };
 
 /// Reads the files and applies the scenario's changes. Throws ConfigError.
-RaposaModels LoadModels(const Scenario& scenario);
+/// @param meshes  as of LoadMesh
+RaposaModels LoadModels(const Scenario& scenario, MeshStore* meshes = nullptr);
 
 }  // namespace dockyard::raposa

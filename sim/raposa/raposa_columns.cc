@@ -1,16 +1,6 @@
 #include "sim/raposa/raposa_columns.h"
 
-#include "sim/log/visited_columns.h"
-
 namespace dockyard::raposa {
-
-std::vector<Column> Channels() {
-  return ColumnsVisited([](const auto& visit) { VisitChannels(Truth{}, visit); });
-}
-
-std::vector<Column> Measures() {
-  return MeasuresVisited([](const auto& visit) { VisitMeasures({}, visit); });
-}
 
 std::vector<Column> Beliefs() {
   return {{"state", "", "number of the state; of ferreira2009 as its authors count them"},
@@ -18,10 +8,6 @@ std::vector<Column> Beliefs() {
           {"r_m", "m", "camera to guide, as believed"},
           {"passes", "", "times that it manoeuvred to the pyramid's axis"},
           {"gauge_share", "", "turns by the told gauge that come about, as believed"}};
-}
-
-std::vector<double> Values(const RaposaMeasures& measures) {
-  return ValuesVisited([&](const auto& visit) { VisitMeasures(measures, visit); });
 }
 
 }  // namespace dockyard::raposa

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/log/column.h"
+#include "sim/log/visited_columns.h"
 #include "sim/raposa/world.h"
 
 namespace dockyard::raposa {
@@ -66,10 +66,7 @@ void VisitMeasures(const RaposaMeasures& m, Visit&& visit) {
         m.belt_current_peak_a);
 }
 
-std::vector<Column> Channels();
-std::vector<Column> Measures();
 /// Names of the values that the controllers' beliefs may hold.
 std::vector<Column> Beliefs();
-std::vector<double> Values(const RaposaMeasures& measures);
 
 }  // namespace dockyard::raposa

@@ -7,7 +7,6 @@
 #include "controller/base/split_mix.h"
 #include "render/shutter.h"
 #include "sim/base/random.h"
-#include "sim/raposa/raposa_columns.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -30,17 +29,12 @@ Lighting LightingOf(const Scenario& scenario, const BuiltRun& built) {
 
 RaposaPlant::RaposaPlant(const Scenario& scenario, BuiltRun built,
                          std::shared_ptr<KeptRenderer> renderer)
-    : seed_(scenario.seed),
-      step_s_(scenario.physics_step_s),
-      built_(std::move(built)),
-      world_(built_.world),
+    : WorldPlant(scenario, std::move(built), std::move(renderer)),
       sensors_(built_.world.robot.imu.value_or(ImuModel{}), MotorModels(built_.world.robot),
                kControlPeriod, seed_),
       scene_(built_, LightingOf(scenario, built_), seed_),
       view_(ViewOf(built_.world.robot.camera)),
       sensor_(SensorOf(built_.world.robot.camera, built_.keys.balance_k, built_.keys.auto_balance)),
-      renderer_(std::move(renderer)),
-      truth_(world_.truth()),
       exposed_(truth_) {}
 
 // Without an inertial unit its sample stays zero.
@@ -76,11 +70,9 @@ std::vector<CameraImage> RaposaPlant::TakeImages(const std::vector<int>& cameras
 }
 
 void RaposaPlant::Advance(const Commands& commands) {
-  DOCKYARD_CHECK(commands.motors.size() == kMotorCount);
-  std::array<MotorCommand, kMotorCount> motors;
-  std::copy(commands.motors.begin(), commands.motors.end(), motors.begin());
+  const auto motors = MotorsOf<kMotorCount>(commands);
   lamps_on_ = commands.switches.size() > kLamps && commands.switches[kLamps] != 0;
-  const auto steps = std::lround(kControlPeriod * kTickSeconds / step_s_);
+  const long steps = StepsIn(kControlPeriod);
   const auto before_end = std::lround(built_.world.robot.camera.delay_s / step_s_);
   for (long i = 0; i < steps; ++i) {
     world_.Step(motors);
@@ -88,21 +80,15 @@ void RaposaPlant::Advance(const Commands& commands) {
   }
 }
 
-void RaposaPlant::AppendChannels(std::vector<double>& values) const {
-  VisitChannels(truth_, [&](const char*, const char*, const char*, double value) {
-    values.push_back(value);
-  });
-}
-
 Stage RaposaPlant::Look() const {
-  const HeightGrid& ground = world_.ground();
-  Stage stage;
+  const Pose3 X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope);
+  const StageShapes shapes = scene_.Shapes();
+  Stage stage = StageOn(X_WG, X_WG * FromGround(built_.world.X_GD, 0.0), shapes.ground_rgb);
   stage.bodies = {{"robot", truth_.X_WR},
                   {"arm", truth_.X_WA},
                   {"left_door", truth_.X_W_left_door},
                   {"right_door", truth_.X_W_right_door},
                   {"pyramid", truth_.X_WP}};
-  const StageShapes shapes = scene_.Shapes();
   // Clutter and shade stand where they are.
   for (std::size_t i = stage.bodies.size(); i < shapes.bodies.size(); ++i) {
     stage.bodies.push_back({shapes.bodies[i].name, Pose3{}});
@@ -111,17 +97,6 @@ Stage RaposaPlant::Look() const {
                   .diameter_m = built_.world.pyramid.cable.diameter_m,
                   .rgb = {0.06, 0.06, 0.06},
                   .points_W = truth_.cable_W}};
-  const Pose3 X_WG = SiteInWorld(built_.world.X_WG, built_.world.slope);
-  stage.ground = {.X_WG = X_WG,
-                  .x0_m = ground.x0_m,
-                  .y0_m = ground.y0_m,
-                  .cell_m = ground.cell_m,
-                  .nx = ground.nx,
-                  .ny = ground.ny,
-                  .heights_m = ground.heights_m.data(),
-                  .revision = ground.revision,
-                  .rgb = shapes.ground_rgb};
-  stage.X_WD = X_WG * FromGround(built_.world.X_GD, 0.0);
   return stage;
 }
 

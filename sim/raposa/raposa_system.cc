@@ -18,42 +18,26 @@
 namespace dockyard::raposa {
 namespace {
 
-/// In the order of Motor.
-void NameParts(const Nominal& nominal, ReadyRun& ready) {
+/// Motors in the order of Motor.
+ReadyRun PartsOf(const Nominal& nominal) {
   const char* const names[kMotorCount] = {"left_belt", "right_belt", "arm", "left_door",
                                           "right_door"};
-  for (std::size_t i = 0; i < kMotorCount; ++i) {
-    ready.motors.push_back({names[i], nominal.motors[i].rad_per_count});
-  }
-  ready.cameras = {{"back", nominal.camera, nominal.X_RC}};
-}
-
-ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>& renderer) {
-  BuiltRun built = BuildRun(scenario, LoadModels(scenario));
   ReadyRun ready;
-  ready.nominal = ToJson(built.nominal);
   ready.control_period = kControlPeriod;
   ready.motor_count = kMotorCount;
   ready.camera_count = kCameraCount;
   ready.switch_count = kSwitchCount;
-  NameParts(built.nominal, ready);
-  auto plant = std::make_unique<RaposaPlant>(scenario, std::move(built), renderer);
-  ready.judge = std::make_unique<RaposaJudge>(*plant);
-  ready.plant = std::move(plant);
+  for (std::size_t i = 0; i < kMotorCount; ++i) {
+    ready.motors.push_back({names[i], nominal.motors[i].rad_per_count});
+  }
+  ready.cameras = {{"back", nominal.camera, nominal.X_RC}};
   return ready;
 }
 
-std::string Check(const Scenario& scenario) {
-  const RaposaModels models = LoadModels(scenario);
+std::string Check(const Scenario& scenario, const RaposaModels& models) {
   BuildRun(scenario, models);
   return models.told.robot.name + " from " + NumberText(scenario.start.r) + " m to " +
          models.told.pyramid.name + " on " + models.told.ground.name;
-}
-
-StageShapes ShapesOf(const Scenario& scenario) {
-  return RaposaPlant(scenario, BuildRun(scenario, LoadModels(scenario)),
-                     std::make_shared<KeptRenderer>())
-      .shapes();
 }
 
 std::optional<FileCheck> CheckModelFile(const std::string& file) {
@@ -79,36 +63,22 @@ std::optional<FileCheck> CheckModelFile(const std::string& file) {
 
 }  // namespace
 
-System RaposaSystem(const std::vector<NamedController>& controllers,
+System RaposaSystem(const std::vector<NamedController<Nominal>>& controllers,
                     const std::vector<SystemCommand>& commands, const CommandFunction& detect) {
-  const auto renderer = std::make_shared<KeptRenderer>();
   System system;
   system.name = "raposa";
-  for (const NamedController& controller : controllers) {
-    system.controllers.push_back({controller.name, [make = controller.make](const Json& nominal) {
-                                    return make(NominalFromJson(nominal));
-                                  }});
-  }
-  system.file_keys = {"pyramid"};
-  system.changes_file_keys = {"robot.urdf", "pyramid.urdf"};
-  system.model_roots = {{"robot", "robot"}, {"pyramid", "raposa.pyramid"}, {"soil", "soil"}};
-  system.outcomes = OutcomeNames();
-  system.channels = Channels();
-  system.beliefs = Beliefs();
-  system.measures = Measures();
-  system.keys = [](Keys& keys) {
-    RaposaKeys values;
-    VisitRaposaKeys(keys, values);
-  };
-  system.check = Check;
-  system.make_ready = [renderer](const Scenario& scenario) {
-    return MakeReady(scenario, renderer);
-  };
-  system.view = [](const Scenario& scenario, const std::filesystem::path& dir) {
-    WriteStartView(scenario, LoadModels(scenario), dir);
-  };
-  system.shapes = ShapesOf;
-  system.check_file = CheckModelFile;
+  system.controllers = EntriesOf(controllers, NominalFromJson);
+  system.scenario.file_keys = {"pyramid"};
+  system.scenario.changes_file_keys = {"robot.urdf", "pyramid.urdf"};
+  system.scenario.model_roots = {
+      {"robot", "robot"}, {"pyramid", "raposa.pyramid"}, {"soil", "soil"}};
+  system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), MeasuresOf<RaposaMeasures>()};
+  system.keys = VisitOf(VisitRaposaKeys);
+  UseModels(
+      std::make_shared<ModelStore<RaposaModels>>(LoadModels),
+      {Check, MakeReady<RaposaPlant, RaposaJudge, PartsOf>, WriteStartView, ShapesOf<RaposaPlant>},
+      system);
+  system.files.check = CheckModelFile;
   system.example_files.scenario = "scenarios/raposa_point_9.yaml";
   system.example_files.campaign = "scenarios/raposa_grid.yaml";
   system.example_files.robot = "models/raposa/raposa.yaml";

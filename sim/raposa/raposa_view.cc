@@ -5,6 +5,7 @@
 #include "render/shading.h"
 #include "sim/base/random.h"
 #include "sim/plant/drawn_mesh.h"
+#include "sim/plant/ground_view.h"
 #include "sim/raposa/mark_meshes.h"
 #include "sim/run/shade_body.h"
 
@@ -105,44 +106,26 @@ void SceneBuilder::AddClutter(const BuiltRun& built) {
   }
 }
 
-std::vector<SceneBuilder::Part> SceneBuilder::Convert(const std::vector<Visual>& visuals) {
-  std::vector<Part> parts;
-  for (const Visual& visual : visuals) {
-    parts.push_back(
-        {DrawnMesh(*visual.mesh), visual.X_LV, visual.rgb, GreyMaterial(Luminance(visual.rgb))});
-  }
+std::vector<DrawnPart> SceneBuilder::Convert(const std::vector<Visual>& visuals) {
+  std::vector<DrawnPart> parts = DrawnParts(visuals);
+  for (DrawnPart& part : parts) part.material = GreyMaterial(Luminance(part.albedo));
   return parts;
-}
-
-void SceneBuilder::Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
-                       const Pose3& X_WL, bool seen) {
-  for (const Part& part : parts) {
-    objects.push_back({part.mesh, X_WL * part.X_LV, part.albedo, part.material, seen});
-  }
 }
 
 Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground, bool lamps_on) const {
   Scene scene;
   // The camera looks out of the robot: of its own body it sees the shadow.
-  Add(scene.objects, body_, truth.X_WR, false);
-  Add(scene.objects, arm_, truth.X_WA, false);
-  Add(scene.objects, left_door_, truth.X_W_left_door, false);
-  Add(scene.objects, right_door_, truth.X_W_right_door, false);
-  if (!hide_pyramid_) Add(scene.objects, pyramid_, truth.X_WP, true);
-  Add(scene.objects, clutter_, Pose3{}, true);
+  AddParts(body_, truth.X_WR, scene.objects);
+  AddParts(arm_, truth.X_WA, scene.objects);
+  AddParts(left_door_, truth.X_W_left_door, scene.objects);
+  AddParts(right_door_, truth.X_W_right_door, scene.objects);
+  for (SceneObject& own : scene.objects) own.seen = false;
+  if (!hide_pyramid_) AddParts(pyramid_, truth.X_WP, scene.objects);
+  AddParts(clutter_, Pose3{}, scene.objects);
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
-  scene.ground = {.X_WG = X_WG_,
-                  .x0_m = ground.x0_m,
-                  .y0_m = ground.y0_m,
-                  .cell_m = ground.cell_m,
-                  .nx = ground.nx,
-                  .ny = ground.ny,
-                  .heights_m = ground.heights_m.data(),
-                  .revision = ground.revision,
-                  .albedo = ground_rgb_,
-                  .texture_seed = texture_seed_,
-                  .grain = grain_,
-                  .material = kGround};
+  scene.ground = ViewOf(ground, X_WG_, ground_rgb_, texture_seed_);
+  scene.ground.grain = grain_;
+  scene.ground.material = kGround;
   scene.tether.points_W = truth.cable_W;
   scene.tether.diameter_m = cable_m_;
   scene.tether.material = cable_material_;
@@ -163,11 +146,9 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground, bool lamp
 
 StageShapes SceneBuilder::Shapes() const {
   StageShapes shapes;
-  const auto add = [&](const char* name, bool robot, const std::vector<Part>& parts) {
+  const auto add = [&](const char* name, bool robot, const std::vector<DrawnPart>& parts) {
     shapes.bodies.push_back({name, robot, {}});
-    for (const Part& part : parts) {
-      shapes.bodies.back().parts.push_back({part.mesh, part.X_LV, part.albedo});
-    }
+    AddParts(parts, Pose3{}, shapes.bodies.back());
   };
   add("robot", true, body_);
   add("arm", true, arm_);

@@ -1,176 +1,96 @@
 #include "sim/rocky7/nominal_json.h"
 
-#include "models/read/config_error.h"
 #include "sim/plant/nominal_parts.h"
 
+namespace dockyard {
+
+template <Of<WheelPlan> W, class Visit>
+void VisitMembers(W& wheel, const Visit& visit) {
+  visit("name", wheel.name);
+  visit("p_RW", wheel.p_RW);
+  visit("steer_limit_rad", wheel.steer_limit_rad);
+}
+
+template <Of<ViewPlan> V, class Visit>
+void VisitMembers(V& view, const Visit& visit) {
+  visit("p_RC", view.p_RC);
+  visit("azimuth_rad", view.azimuth_rad);
+  visit("half_width_rad", view.half_width_rad);
+  visit("near_m", view.near_m);
+  visit("far_m", view.far_m);
+}
+
+template <Of<RoverPlan> P, class Visit>
+void VisitMembers(P& plan, const Visit& visit) {
+  visit("name", plan.name);
+  visit("wheels", plan.wheels);
+  visit("wheel_radius_m", plan.wheel_radius_m);
+  visit("wheel_width_m", plan.wheel_width_m);
+  visit("body", plan.body);
+  visit("p_RP", plan.p_RP);
+  visit("speed_m_s", plan.speed_m_s);
+  visit("steer_rate_rad_s", plan.steer_rate_rad_s);
+  visit("view", plan.view);
+}
+
+template <Of<StereoRig> R, class Visit>
+void VisitMembers(R& rig, const Visit& visit) {
+  visit("left", rig.left);
+  visit("right", rig.right);
+  visit("X_RL", rig.X_RL);
+  visit("X_RQ", rig.X_RQ);
+}
+
+}  // namespace dockyard
+
 namespace dockyard::rocky7 {
-namespace {
 
-using dockyard::ToJson;
-
-Eigen::Vector2d Vector2From(const Json& json) {
-  const auto p = json.get<std::array<double, 2>>();
-  return {p[0], p[1]};
+template <Of<NominalArm> A, class Visit>
+void VisitMembers(A& arm, const Visit& visit) {
+  visit("p_RA", arm.p_RA);
+  visit("length_m", arm.length_m);
+  visit("scoop_depth_m", arm.scoop_depth_m);
+  visit("open_rad", arm.open_rad);
 }
 
-Json PolygonToJson(const Polygon& polygon) {
-  Json corners = Json::array();
-  for (const Eigen::Vector2d& corner : polygon) corners.push_back(ToJson(corner));
-  return corners;
+template <Of<NominalMast> M, class Visit>
+void VisitMembers(M& mast, const Visit& visit) {
+  visit("p_RM", mast.p_RM);
+  visit("link1_m", mast.link1_m);
+  visit("link2_m", mast.link2_m);
+  visit("low_rad", mast.low_rad);
+  visit("high_rad", mast.high_rad);
+  visit("stowed_rad", mast.stowed_rad);
+  visit("watch_rad", mast.watch_rad);
+  visit("switch_radius_m", mast.switch_radius_m);
+  visit("pair_K", mast.pair_K);
 }
 
-Json PlanToJson(const RoverPlan& plan) {
-  Json wheels = Json::array(), body = Json::array();
-  for (const WheelPlan& wheel : plan.wheels) {
-    wheels.push_back({{"name", wheel.name},
-                      {"p_RW", ToJson(wheel.p_RW)},
-                      {"steer_limit_rad", wheel.steer_limit_rad}});
-  }
-  for (const Polygon& part : plan.body) body.push_back(PolygonToJson(part));
-  Json json{{"name", plan.name},
-            {"wheels", wheels},
-            {"wheel_radius_m", plan.wheel_radius_m},
-            {"wheel_width_m", plan.wheel_width_m},
-            {"body", body},
-            {"p_RP", ToJson(plan.p_RP)},
-            {"speed_m_s", plan.speed_m_s},
-            {"steer_rate_rad_s", plan.steer_rate_rad_s}};
-  if (plan.view) {
-    json["view"] = {{"p_RC", ToJson(plan.view->p_RC)},
-                    {"azimuth_rad", plan.view->azimuth_rad},
-                    {"half_width_rad", plan.view->half_width_rad},
-                    {"near_m", plan.view->near_m},
-                    {"far_m", plan.view->far_m}};
-  }
-  return json;
-}
-
-RoverPlan PlanFromJson(const Json& json) {
-  RoverPlan plan;
-  plan.name = json.at("name");
-  for (const Json& wheel : json.at("wheels")) {
-    plan.wheels.push_back(
-        {wheel.at("name"), Vector2From(wheel.at("p_RW")), wheel.at("steer_limit_rad")});
-  }
-  plan.wheel_radius_m = json.at("wheel_radius_m");
-  plan.wheel_width_m = json.at("wheel_width_m");
-  for (const Json& part : json.at("body")) {
-    plan.body.emplace_back();
-    for (const Json& corner : part) plan.body.back().push_back(Vector2From(corner));
-  }
-  plan.p_RP = Vector2From(json.at("p_RP"));
-  plan.speed_m_s = json.at("speed_m_s");
-  plan.steer_rate_rad_s = json.at("steer_rate_rad_s");
-  if (json.contains("view")) {
-    const Json& view = json.at("view");
-    plan.view = ViewPlan{Vector2From(view.at("p_RC")), view.at("azimuth_rad"),
-                         view.at("half_width_rad"), view.at("near_m"), view.at("far_m")};
-  }
-  return plan;
-}
-
-Json ArmToJson(const NominalArm& arm) {
-  return {{"p_RA", {arm.p_RA.x(), arm.p_RA.y(), arm.p_RA.z()}},
-          {"length_m", arm.length_m},
-          {"scoop_depth_m", arm.scoop_depth_m},
-          {"open_rad", arm.open_rad}};
-}
-
-NominalArm ArmFromJson(const Json& json) {
-  const auto p = json.at("p_RA").get<std::array<double, 3>>();
-  return {{p[0], p[1], p[2]}, json.at("length_m"), json.at("scoop_depth_m"), json.at("open_rad")};
-}
-
-Json RigToJson(const StereoRig& rig) {
-  return {{"left", CameraToJson(rig.left)},
-          {"right", CameraToJson(rig.right)},
-          {"X_RL", ToJson(rig.X_RL)},
-          {"X_RQ", ToJson(rig.X_RQ)}};
-}
-
-StereoRig RigFromJson(const Json& json) {
-  return {CameraFromJson(json.at("left")), CameraFromJson(json.at("right")),
-          Pose3FromJson(json.at("X_RL")), Pose3FromJson(json.at("X_RQ"))};
-}
-
-Json MastToJson(const NominalMast& mast) {
-  return {{"p_RM", {mast.p_RM.x(), mast.p_RM.y(), mast.p_RM.z()}},
-          {"link1_m", mast.link1_m},
-          {"link2_m", mast.link2_m},
-          {"low_rad", mast.low_rad},
-          {"high_rad", mast.high_rad},
-          {"stowed_rad", mast.stowed_rad},
-          {"watch_rad", mast.watch_rad},
-          {"switch_radius_m", mast.switch_radius_m},
-          {"pair_K", RigToJson(mast.pair_K)}};
-}
-
-NominalMast MastFromJson(const Json& json) {
-  const auto p = json.at("p_RM").get<std::array<double, 3>>();
-  const auto angles = [&](const char* key) { return json.at(key).get<std::array<double, 3>>(); };
-  return {.p_RM = {p[0], p[1], p[2]},
-          .link1_m = json.at("link1_m"),
-          .link2_m = json.at("link2_m"),
-          .low_rad = angles("low_rad"),
-          .high_rad = angles("high_rad"),
-          .stowed_rad = angles("stowed_rad"),
-          .watch_rad = angles("watch_rad"),
-          .switch_radius_m = json.at("switch_radius_m"),
-          .pair_K = RigFromJson(json.at("pair_K"))};
-}
-
-constexpr const char* kTasks[] = {"reach", "grasp", "place"};  // in the order of Task
-
-Task TaskFrom(const std::string& name) {
-  return name == "grasp" ? Task::kGrasp : name == "place" ? Task::kPlace : Task::kReach;
-}
-
-Nominal ReadNominal(const Json& json) {
-  Nominal nominal;
-  nominal.plan = PlanFromJson(json.at("plan"));
-  for (const Json& motor : json.at("motors")) nominal.motors.push_back(MotorFromJson(motor));
-  nominal.rolling_radius_m = json.at("rolling_radius_m");
-  nominal.front = RigFromJson(json.at("front"));
-  nominal.back = RigFromJson(json.at("back"));
-  nominal.arm = ArmFromJson(json.at("arm"));
-  nominal.mast = MastFromJson(json.at("mast"));
-  nominal.task = TaskFrom(json.at("task"));
-  nominal.reach_m = json.at("reach_m");
-  nominal.target_px = Vector2From(json.at("target_px"));
-  const Json& nesnas = json.at("nesnas");
-  nominal.nesnas = {nesnas.at("window_m"), nesnas.at("image_share"), nesnas.at("least_step_m")};
-  return nominal;
+template <Of<NesnasTracking> T, class Visit>
+void VisitMembers(T& tracking, const Visit& visit) {
+  visit("window_m", tracking.window_m);
+  visit("image_share", tracking.image_share);
+  visit("least_step_m", tracking.least_step_m);
 }
 static_assert(sizeof(NesnasTracking) == 3 * sizeof(double));
 
-}  // namespace
-
-Json ToJson(const Nominal& nominal) {
-  Json motors = Json::array();
-  for (const NominalMotor& motor : nominal.motors) motors.push_back(MotorToJson(motor));
-  return {{"plan", PlanToJson(nominal.plan)},
-          {"motors", motors},
-          {"rolling_radius_m", nominal.rolling_radius_m},
-          {"front", RigToJson(nominal.front)},
-          {"back", RigToJson(nominal.back)},
-          {"arm", ArmToJson(nominal.arm)},
-          {"mast", MastToJson(nominal.mast)},
-          {"task", kTasks[static_cast<int>(nominal.task)]},
-          {"reach_m", nominal.reach_m},
-          {"target_px", ToJson(nominal.target_px)},
-          {"nesnas",
-           {{"window_m", nominal.nesnas.window_m},
-            {"image_share", nominal.nesnas.image_share},
-            {"least_step_m", nominal.nesnas.least_step_m}}}};
+template <Of<Nominal> N, class Visit>
+void VisitMembers(N& n, const Visit& visit) {
+  visit("plan", n.plan);
+  visit("motors", n.motors);
+  visit("rolling_radius_m", n.rolling_radius_m);
+  visit("front", n.front);
+  visit("back", n.back);
+  visit("arm", n.arm);
+  visit("mast", n.mast);
+  visit.Word("task", "task", n.task, std::array{"reach", "grasp", "place"});
+  visit("reach_m", n.reach_m);
+  visit("target_px", n.target_px);
+  visit("nesnas", n.nesnas);
 }
 
-Nominal NominalFromJson(const Json& json) {
-  try {
-    return ReadNominal(json);
-  } catch (const Json::exception& error) {
-    throw ConfigError(std::string("nominal parameters: expected Rocky 7's, found others: ") +
-                      error.what());
-  }
-}
+Json ToJson(const Nominal& nominal) { return WriteMember(nominal); }
+
+Nominal NominalFromJson(const Json& json) { return ReadNominal<Nominal>(json, "Rocky 7's"); }
 
 }  // namespace dockyard::rocky7

@@ -1,16 +1,6 @@
 #include "sim/rocky7/rocky7_columns.h"
 
-#include "sim/log/visited_columns.h"
-
 namespace dockyard::rocky7 {
-
-std::vector<Column> Channels() {
-  return ColumnsVisited([](const auto& visit) { VisitChannels(Truth{}, visit); });
-}
-
-std::vector<Column> Measures() {
-  return MeasuresVisited([](const auto& visit) { VisitMeasures({}, visit); });
-}
 
 std::vector<Column> Beliefs() {
   return {
@@ -23,10 +13,6 @@ std::vector<Column> Beliefs() {
       {"normal_azimuth_deg", "deg", "the same in the rover's plan, to the left"},
       {"tool_off_deg", "deg", "the tool off the normal if it were placed from here, as believed"},
       {"placements", "", "times that the instrument was sent out so far"}};
-}
-
-std::vector<double> Values(const Rocky7Measures& measures) {
-  return ValuesVisited([&](const auto& visit) { VisitMeasures(measures, visit); });
 }
 
 }  // namespace dockyard::rocky7

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/log/column.h"
+#include "sim/log/visited_columns.h"
 #include "sim/rocky7/world.h"
 
 namespace dockyard::rocky7 {
@@ -64,10 +64,7 @@ void VisitMeasures(const Rocky7Measures& m, Visit&& visit) {
   visit("driven_m", "m", "way of the body", false, m.driven_m);
 }
 
-std::vector<Column> Channels();
-std::vector<Column> Measures();
 /// Names of the values that the controllers' beliefs may hold.
 std::vector<Column> Beliefs();
-std::vector<double> Values(const Rocky7Measures& measures);
 
 }  // namespace dockyard::rocky7

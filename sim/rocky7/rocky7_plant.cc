@@ -1,13 +1,10 @@
 #include "sim/rocky7/rocky7_plant.h"
 
-#include <cmath>
 #include <map>
 
 #include "controller/base/check.h"
 #include "render/shutter.h"
-#include "sim/base/hash.h"
 #include "sim/plant/built_cameras.h"
-#include "sim/rocky7/rocky7_columns.h"
 #include "sim/rocky7/user_click.h"
 
 namespace dockyard::rocky7 {
@@ -29,22 +26,12 @@ constexpr double kNearest_m = 0.3;
 
 // The mast's second link as it will be.
 Pose3 MastMovedOn(const Truth& truth, double seconds) {
-  Pose3 X_WK = truth.X_WK;
-  const double turn_rad = seconds * truth.w_WK_W.norm();
-  if (turn_rad != 0.0) {
-    X_WK.R = Eigen::AngleAxisd(turn_rad, truth.w_WK_W.normalized()) * X_WK.R;
-  }
-  X_WK.p += seconds * truth.v_WK_W;
-  return X_WK;
+  return MovedOn(truth.X_WK, truth.v_WK_W, truth.w_WK_W, seconds);
 }
 
 Truth MovedOn(const Truth& truth, double seconds) {
   Truth moved = truth;
-  const double turn_rad = seconds * truth.w_WR_W.norm();
-  if (turn_rad != 0.0) {
-    moved.X_WR.R = Eigen::AngleAxisd(turn_rad, truth.w_WR_W.normalized()) * truth.X_WR.R;
-  }
-  moved.X_WR.p += seconds * truth.v_WR_W;
+  moved.X_WR = MovedOn(truth.X_WR, truth.v_WR_W, truth.w_WR_W, seconds);
   const Pose3 moving = moved.X_WR * Inverse(truth.X_WR);
   for (Pose3& X_WL : moved.X_WL) X_WL = moving * X_WL;
   return moved;
@@ -54,15 +41,10 @@ Truth MovedOn(const Truth& truth, double seconds) {
 
 Rocky7Plant::Rocky7Plant(const Scenario& scenario, BuiltRun built,
                          std::shared_ptr<KeptRenderer> renderer)
-    : seed_(scenario.seed),
-      step_s_(scenario.physics_step_s),
-      built_(std::move(built)),
-      world_(built_.world),
+    : WorldPlant(scenario, std::move(built), std::move(renderer)),
       sensors_(built_.world.robot.imu, MotorModels(built_.world.robot.rover), kControlPeriod,
                seed_),
-      scene_(built_, world_.rover(), seed_),
-      renderer_(std::move(renderer)),
-      truth_(world_.truth()) {
+      scene_(built_, world_.rover(), seed_) {
   const UserClick click = ClickOn(scenario, built_, truth_);
   built_.nominal.target_px = click.pixel;
   target_G_ = click.target_G;
@@ -121,20 +103,12 @@ StereoImages Rocky7Plant::TakePair(const PairView& pair, double exposure_stops) 
 }
 
 void Rocky7Plant::Advance(const Commands& commands) {
-  const auto steps = std::lround(kControlPeriod * kTickSeconds / step_s_);
-  for (long i = 0; i < steps; ++i) world_.Step(commands.motors);
-}
-
-void Rocky7Plant::AppendChannels(std::vector<double>& values) const {
-  VisitChannels(truth_, [&](const char*, const char*, const char*, double value) {
-    values.push_back(value);
-  });
+  for (long i = StepsIn(kControlPeriod); i > 0; --i) world_.Step(commands.motors);
 }
 
 Stage Rocky7Plant::Look() const {
-  const HeightGrid& ground = world_.ground();
   const StageShapes shapes = scene_.Shapes();
-  Stage stage;
+  Stage stage = StageOn(world_.X_WG(), world_.X_WG(), shapes.ground_rgb);
   for (std::size_t i = 0; i < shapes.bodies.size(); ++i) {
     // Beyond the rover's links there are stones, in G, and shades, in the world.
     const std::string& name = shapes.bodies[i].name;
@@ -142,16 +116,6 @@ Stage Rocky7Plant::Look() const {
     if (name == "target" && built_.world.loose_target) fixed = world_.X_WG() * truth_.X_GT;
     stage.bodies.push_back({name, i < truth_.X_WL.size() ? truth_.X_WL[i] : fixed});
   }
-  stage.ground = {.X_WG = world_.X_WG(),
-                  .x0_m = ground.x0_m,
-                  .y0_m = ground.y0_m,
-                  .cell_m = ground.cell_m,
-                  .nx = ground.nx,
-                  .ny = ground.ny,
-                  .heights_m = ground.heights_m.data(),
-                  .revision = ground.revision,
-                  .rgb = shapes.ground_rgb};
-  stage.X_WD = world_.X_WG();
   return stage;
 }
 
@@ -160,12 +124,6 @@ Pose2 Rocky7Plant::MeasuredPose(const SightingReport& report) const {
   const Eigen::Vector2d p_D =
       -(Eigen::Rotation2Dd(heading) * Eigen::Vector2d(report.X_RB.p.head<2>()));
   return {p_D.x(), p_D.y(), heading};
-}
-
-// The ruts sum up all that the wheels did: once, at the end, is enough.
-std::uint64_t Rocky7Plant::FinalHash(std::uint64_t seed) const {
-  for (const double height : world_.ground().heights_m) seed = HashDouble(seed, height);
-  return world_.StateHash(seed);
 }
 
 }  // namespace dockyard::rocky7

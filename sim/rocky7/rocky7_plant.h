@@ -4,37 +4,29 @@
 #include <memory>
 
 #include "sim/drives/sensor_suite.h"
-#include "sim/plant/renderer.h"
 #include "sim/rocky7/build_run.h"
+#include "sim/rocky7/rocky7_columns.h"
 #include "sim/rocky7/rocky7_view.h"
 #include "sim/rocky7/world.h"
-#include "sim/run/plant.h"
+#include "sim/run/world_plant.h"
 
 namespace dockyard::rocky7 {
 
-class Rocky7Plant final : public Plant {
+class Rocky7Plant final : public WorldPlant<World, BuiltRun> {
  public:
-  /// The renderer may serve other plants too. Puts the user's click into the nominal parameters.
-  /// Throws ConfigError when the cameras do not see the target at the start.
+  /// Puts the user's click into the nominal parameters. Throws ConfigError when the cameras do not
+  /// see the target at the start.
   Rocky7Plant(const Scenario& scenario, BuiltRun built, std::shared_ptr<KeptRenderer> renderer);
 
-  Tick tick() const override { return world_.tick(); }
   SensorFrame Sense() override;
   std::vector<CameraImage> TakeImages(const std::vector<int>& cameras,
                                       double exposure_stops) override;
   void Advance(const Commands& commands) override;
   Pose2 X_DR() const override { return truth_.X_GR; }
-  void AppendChannels(std::vector<double>& values) const override;
   Stage Look() const override;
   /// The place by the report, the heading by the truth: a stone has none of its own.
   Pose2 MeasuredPose(const SightingReport& report) const override;
-  std::uint64_t StateHash(std::uint64_t seed) const override { return world_.StateHash(seed); }
-  std::uint64_t FinalHash(std::uint64_t seed) const override;
 
-  const BuiltRun& built() const { return built_; }
-  /// The truth at the last sensor reading.
-  const Truth& truth() const { return truth_; }
-  void RefreshTruth() { truth_ = world_.truth(); }
   StageShapes shapes() const { return scene_.Shapes(); }
   const Pose3& X_WG() const { return world_.X_WG(); }
   /// What is to be reached: the target's middle at the start, or the point clicked on a boulder.
@@ -51,15 +43,9 @@ class Rocky7Plant final : public Plant {
   PairView PairOf(int camera) const;
   StereoImages TakePair(const PairView& pair, double exposure_stops);
 
-  Seed seed_;
-  double step_s_;
-  BuiltRun built_;
-  World world_;
   SensorSuite sensors_;
   SceneBuilder scene_;
-  std::shared_ptr<KeptRenderer> renderer_;
   int pairs_taken_ = 0;
-  Truth truth_;
   Eigen::Vector3d target_G_{0, 0, 0};
 };
 

@@ -18,7 +18,12 @@ namespace {
 
 constexpr const char* kMastHead = "mast_link_2";  // the body K: RoverShapes names it
 
-void NameParts(const Nominal& nominal, ReadyRun& ready) {
+ReadyRun PartsOf(const Nominal& nominal) {
+  ReadyRun ready;
+  ready.control_period = kControlPeriod;
+  ready.motor_count = static_cast<int>(nominal.motors.size());
+  ready.camera_count = kCameraCount;
+  ready.contact_count = kContactCount;
   std::size_t motor = 0;
   for (const WheelPlan& wheel : nominal.plan.wheels) {
     ready.motors.push_back({wheel.name, nominal.motors[motor++].rad_per_count});
@@ -37,37 +42,15 @@ void NameParts(const Nominal& nominal, ReadyRun& ready) {
                    {"mast_right", nominal.mast.pair_K.right, nominal.mast.pair_K.X_RQ, kMastHead},
                    {"back_left", nominal.back.left, nominal.back.X_RL},
                    {"back_right", nominal.back.right, nominal.back.X_RQ}};
-}
-
-ReadyRun MakeReady(const Scenario& scenario, const std::shared_ptr<KeptRenderer>& renderer) {
-  auto plant =
-      std::make_unique<Rocky7Plant>(scenario, BuildRun(scenario, LoadModels(scenario)), renderer);
-  const Nominal& nominal = plant->built().nominal;
-  ReadyRun ready;
-  ready.nominal = ToJson(nominal);
-  ready.control_period = kControlPeriod;
-  ready.motor_count = static_cast<int>(nominal.motors.size());
-  ready.camera_count = kCameraCount;
-  ready.contact_count = kContactCount;
-  NameParts(nominal, ready);
-  ready.judge = std::make_unique<Rocky7Judge>(*plant);
-  ready.plant = std::move(plant);
   return ready;
 }
 
-std::string Check(const Scenario& scenario) {
-  const Rocky7Models models = LoadModels(scenario);
+std::string Check(const Scenario& scenario, const Rocky7Models& models) {
   BuildRun(scenario, models);
   const double width_m =
       models.keys.task == Task::kPlace ? models.keys.boulder_m : models.keys.diameter_m;
   return models.told.robot.rover.plan.name + " from " + NumberText(scenario.start.r) +
          " m to a stone of " + NumberText(1e3 * width_m) + " mm on " + models.told.soil.name;
-}
-
-StageShapes ShapesOf(const Scenario& scenario) {
-  return Rocky7Plant(scenario, BuildRun(scenario, LoadModels(scenario)),
-                     std::make_shared<KeptRenderer>())
-      .shapes();
 }
 
 bool IsRobotFile(const std::string& file) {
@@ -96,35 +79,20 @@ std::optional<StereoRig> RigOf(const std::string& file, int width, int height) {
 
 }  // namespace
 
-System Rocky7System(const std::vector<NamedController>& controllers) {
-  const auto renderer = std::make_shared<KeptRenderer>();
+System Rocky7System(const std::vector<NamedController<Nominal>>& controllers) {
   System system;
   system.name = "rocky7";
-  for (const NamedController& controller : controllers) {
-    system.controllers.push_back({controller.name, [make = controller.make](const Json& nominal) {
-                                    return make(NominalFromJson(nominal));
-                                  }});
-  }
-  system.model_roots = {{"robot", "robot"}, {"soil", "soil"}};
-  system.rocks = true;
-  system.outcomes = OutcomeNames();
-  system.channels = Channels();
-  system.beliefs = Beliefs();
-  system.measures = Measures();
-  system.keys = [](Keys& keys) {
-    Rocky7Keys values;
-    VisitRocky7Keys(keys, values);
-  };
-  system.check = Check;
-  system.make_ready = [renderer](const Scenario& scenario) {
-    return MakeReady(scenario, renderer);
-  };
-  system.view = [](const Scenario& scenario, const std::filesystem::path& dir) {
-    WriteStartView(scenario, LoadModels(scenario), dir);
-  };
-  system.shapes = ShapesOf;
-  system.check_file = CheckModelFile;
-  system.rig = RigOf;
+  system.controllers = EntriesOf(controllers, NominalFromJson);
+  system.scenario.model_roots = {{"robot", "robot"}, {"soil", "soil"}};
+  system.scenario.rocks = true;
+  system.columns = {OutcomeNames(), ChannelsOf<Truth>(), Beliefs(), MeasuresOf<Rocky7Measures>()};
+  system.keys = VisitOf(VisitRocky7Keys);
+  UseModels(
+      std::make_shared<ModelStore<Rocky7Models>>(
+          [](const Scenario& scenario, MeshStore*) { return LoadModels(scenario); }),
+      {Check, MakeReady<Rocky7Plant, Rocky7Judge, PartsOf>, WriteStartView, ShapesOf<Rocky7Plant>},
+      system);
+  system.files = {.check = CheckModelFile, .rig = RigOf};
   system.example_files.scenario = "scenarios/rocky7_reach.yaml";
   system.example_files.robot = "models/rocky7/rocky7.yaml";
   system.example_files.reproduction = "rocky7";

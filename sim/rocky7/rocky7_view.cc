@@ -5,6 +5,7 @@
 #include "controller/base/split_mix.h"
 #include "sim/base/random.h"
 #include "sim/plant/drawn_mesh.h"
+#include "sim/plant/ground_view.h"
 #include "sim/run/shade_body.h"
 
 namespace dockyard::rocky7 {
@@ -45,10 +46,7 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, cons
       stains_(built.keys.stone_stains),
       texture_seed_(StreamKey(run_seed, "texture")) {
   for (const LinkLook& look : LooksOf(built.world.robot.rover, rover)) {
-    Link link{look.name, {}};
-    for (const Visual& visual : look.visuals) {
-      link.parts.push_back({DrawnMesh(*visual.mesh), visual.X_LV, visual.rgb});
-    }
+    Link link{look.name, DrawnParts(look.visuals)};
     if (link.name == "mast_link_2") {
       instrument_link_ = links_.size();
       instrument_m_ = built.world.robot.rover.mast->link2_m;
@@ -71,9 +69,7 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, const WheeledBody& rover, cons
 Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   Scene scene;
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    for (const Part& part : links_[i].parts) {
-      scene.objects.push_back({part.mesh, truth.X_WL.at(i) * part.X_LV, part.albedo});
-    }
+    AddParts(links_[i].parts, truth.X_WL.at(i), scene.objects);
   }
   for (std::size_t i = 0; i < stones_.size(); ++i) {
     scene.objects.push_back({.mesh = stones_[i],
@@ -95,17 +91,8 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
          .stains = {.contrast = stains_, .seed = texture_seed_, .largest_m = kBoulderStain_m}});
   }
   for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
-  scene.ground = {.X_WG = X_WG_,
-                  .x0_m = ground.x0_m,
-                  .y0_m = ground.y0_m,
-                  .cell_m = ground.cell_m,
-                  .nx = ground.nx,
-                  .ny = ground.ny,
-                  .heights_m = ground.heights_m.data(),
-                  .revision = ground.revision,
-                  .albedo = soil_rgb_,
-                  .texture_seed = texture_seed_,
-                  .largest_pebble_m = kLargestPebble_m};
+  scene.ground = ViewOf(ground, X_WG_, soil_rgb_, texture_seed_);
+  scene.ground.largest_pebble_m = kLargestPebble_m;
   scene.light = lighting_.sun_and_sky;
   scene.interest = Interest{X_WG_ * truth.X_GT.p, kInterest_m};
   return scene;
@@ -131,9 +118,7 @@ StageShapes SceneBuilder::Shapes() const {
   StageShapes shapes;
   for (const Link& link : links_) {
     shapes.bodies.push_back({link.name, true, {}});
-    for (const Part& part : link.parts) {
-      shapes.bodies.back().parts.push_back({part.mesh, part.X_LV, part.albedo});
-    }
+    AddParts(link.parts, Pose3{}, shapes.bodies.back());
   }
   if (loose_target_) {
     shapes.bodies.push_back(

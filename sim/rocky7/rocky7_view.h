@@ -25,14 +25,9 @@ class SceneBuilder {
   StageShapes Shapes() const;
 
  private:
-  struct Part {
-    std::shared_ptr<const RenderMesh> mesh;
-    Pose3 X_LV;
-    Eigen::Vector3d albedo;
-  };
   struct Link {
     std::string name;
-    std::vector<Part> parts;
+    std::vector<DrawnPart> parts;
   };
 
   Stains StainsOf(std::uint64_t seed) const { return {.contrast = stains_, .seed = seed}; }

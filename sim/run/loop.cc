@@ -66,8 +66,8 @@ class Run {
     RequireAllowed(what.scenario, options);
     record_.result = StartOfRow(what);
     record_.columns = system.Columns(options.labels);
-    record_.channels = system.channels;
-    record_.belief_columns = system.beliefs;
+    record_.channels = system.columns.channels;
+    record_.belief_columns = system.columns.beliefs;
     if (!options.log_dir.empty()) {
       log_ = std::make_unique<RunLogWriter>(
           options.log_dir,
@@ -79,8 +79,8 @@ class Run {
                        .nominal = ready_.nominal,
                        .motors = ready_.motors,
                        .cameras = ready_.cameras,
-                       .channels = system.channels,
-                       .beliefs = system.beliefs,
+                       .channels = system.columns.channels,
+                       .beliefs = system.columns.beliefs,
                        .commands_alone = options.log_commands_alone},
           YamlWithoutFolders(what.scenario, options.results_dir.string()));
     }

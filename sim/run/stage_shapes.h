@@ -10,6 +10,7 @@
 
 #include "controller/geometry/board.h"
 #include "render/scene.h"
+#include "sim/plant/drawn_mesh.h"
 
 namespace dockyard {
 
@@ -27,6 +28,13 @@ struct StageBody {
   bool about = false;   // surroundings: part neither of the robot nor of its target
   bool leaves = false;  // a crown that throws speckled shade
 };
+
+/// Adds drawn parts, whose frame L is X_OL in the body.
+inline void AddParts(const std::vector<DrawnPart>& parts, const Pose3& X_OL, StageBody& body) {
+  for (const DrawnPart& part : parts) {
+    body.parts.push_back({part.mesh, X_OL * part.X_LV, part.albedo});
+  }
+}
 
 /// A point that a spectator may want to see from near.
 struct StagePoint {

@@ -17,17 +17,16 @@ std::string Joined(const std::vector<std::string>& names) {
 }  // namespace
 
 RowColumns System::Columns(std::vector<std::string> labels) const {
-  RowColumns columns{std::move(labels), measures, outcomes};
-  columns.outcomes.push_back(
+  RowColumns row{std::move(labels), columns.measures, columns.outcomes};
+  row.outcomes.push_back(
       {kControllerCrashed, false, "the controller's program ended before the run did"});
-  columns.outcomes.push_back(
+  row.outcomes.push_back(
       {kControllerTimeout, false, "the controller's program gave no answer in time"});
-  columns.outcomes.push_back(
+  row.outcomes.push_back(
       {kControllerError, false, "the controller's program sent an invalid answer"});
-  columns.outcomes.push_back({kCrashed, false, "the run's process died by its own fault"});
-  columns.outcomes.push_back(
-      {kStopped, false, "a limit, or somebody else, ended the run's process"});
-  return columns;
+  row.outcomes.push_back({kCrashed, false, "the run's process died by its own fault"});
+  row.outcomes.push_back({kStopped, false, "a limit, or somebody else, ended the run's process"});
+  return row;
 }
 
 const ControllerEntry& System::RequireController(const std::string& controller) const {
@@ -52,16 +51,12 @@ const System& FindSystem(const std::vector<System>& systems, const std::string& 
 std::vector<KnownSystem> KnownSystems(const std::vector<System>& systems) {
   std::vector<KnownSystem> known;
   for (const System& system : systems) {
-    known.push_back({system.name,
-                     {},
-                     system.file_keys,
-                     system.changes_file_keys,
-                     system.model_roots,
-                     system.spoiled_pictures,
-                     system.rocks,
-                     system.former_controllers});
+    KnownSystem& each = known.emplace_back(system.scenario);
+    each.name = system.name;
     for (const ControllerEntry& entry : system.controllers) {
-      known.back().controllers.push_back(entry.name);
+      each.controllers.push_back(entry.name);
+      if (entry.former_name.empty()) continue;
+      each.former_controllers.push_back({entry.former_name, entry.name});
     }
   }
   return known;

@@ -42,6 +42,7 @@ struct ReadyRun {
 struct ControllerEntry {
   std::string name;
   std::function<std::unique_ptr<Controller>(const Json& nominal)> make;
+  std::string former_name{};  // that scenarios of earlier versions give it; empty: none
 };
 
 /// The kind of a file and, in a line, its content. `left_out` counts what the reader passes over,
@@ -86,17 +87,36 @@ struct ExampleFiles {
   std::string start_images;  // StartImages() of the scenario on Debian 12; empty: not known
 };
 
+/// The outcomes of a system's runs, and the numbers that it states.
+struct StatedColumns {
+  std::vector<OutcomeName> outcomes;
+  std::vector<Column> channels{}, beliefs{}, measures{};
+};
+
+/// The keys of a kind of model files, for its schema.
+struct ModelKeys {
+  std::string kind;  // "robot"
+  std::function<void(Keys&)> visit;
+};
+
+/// What the program asks of a system's model files. Each function returns none for a file of
+/// another kind and throws ConfigError for a bad one. Empty: the system has no such files.
+struct FileReaders {
+  /// The kind of a robot's or a target's file.
+  std::function<std::optional<FileCheck>(const std::string& yaml_file)> check{};
+  /// The nominal stereo cameras of a robot's file, for images of that size (0: as in the file).
+  std::function<std::optional<StereoRig>(const std::string& robot_file, int width, int height)>
+      rig{};
+  /// The fiducial board in a target's file.
+  std::function<std::optional<NamedBoard>(const std::string& target_file)> board{};
+  std::vector<ModelKeys> keys{};
+};
+
 struct System {
   std::string name;                          // the key `system` of a scenario
   std::vector<ControllerEntry> controllers;  // the first is the default
-  std::vector<OutcomeName> outcomes;
-  std::vector<Column> channels, beliefs, measures;
-  std::vector<std::string> file_keys;          // keys under its own name whose values are files
-  std::vector<std::string> changes_file_keys;  // and dotted keys under `changes` and `as_built`
-  std::vector<ModelRoot> model_roots;          // the models that have these roots
-  bool spoiled_pictures = false;               // draws CameraFaults::left and right
-  bool rocks = false;                          // puts Scenario::rocks into its yard
-  std::vector<FormerName> former_controllers;
+  KnownSystem scenario;  // what a scenario of it may have; name and controllers are those above
+  StatedColumns columns;
 
   /// Reads the system's own keys and all models that the scenario names; returns a line that
   /// describes the system. Throws ConfigError.
@@ -110,15 +130,7 @@ struct System {
   std::function<StageShapes(const Scenario&)> shapes;
   /// The images at the start pose with the truth beside them, into a folder. Empty: it has none.
   std::function<void(const Scenario&, const std::filesystem::path& dir)> view;
-  /// The kind of a model file of the system's own (its robot, its target); none: another file.
-  /// Throws ConfigError for a bad one.
-  std::function<std::optional<FileCheck>(const std::string& yaml_file)> check_file;
-  /// The nominal stereo cameras of a robot's file, for images of that size (0: as in the file);
-  /// none: the file is not this system's, or the robot has no pair. Throws ConfigError.
-  std::function<std::optional<StereoRig>(const std::string& robot_file, int width, int height)> rig;
-  /// The fiducial board in a target's file; none: the file is not this system's, or has none.
-  /// Throws ConfigError.
-  std::function<std::optional<NamedBoard>(const std::string& target_file)> board;
+  FileReaders files;
   /// `dockyard detect` for a robot of this system whose perception is its own. Empty: the
   /// program's own, which locates boards of discs.
   CommandFunction detect;

@@ -111,9 +111,9 @@ struct FormerName {
 
 /// The part of a system that a reader needs to check a scenario.
 struct KnownSystem {
-  std::string name;
-  std::vector<std::string> controllers;  // the first is the default
-  std::vector<std::string> file_keys;    // keys under its own name whose values are files
+  std::string name{};
+  std::vector<std::string> controllers{};  // the first is the default
+  std::vector<std::string> file_keys{};    // keys under its own name whose values are files
   // The same under `changes` and `as_built`. The reader makes all absolute, so that a scenario can
   // be written into another folder.
   std::vector<std::string> changes_file_keys{};

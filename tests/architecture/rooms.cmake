@@ -4,7 +4,7 @@
 # A single file may have a line of its own, which holds instead of its folder's.
 # The standard library is open to all by its C++ names (<cmath>, not math.h), the operating system to those
 # that name it. A folder with sources and without a line here is an error. No semicolon in a line: CMake ends an item there.
-set(systems axel raposa rocky7)
+include(${CMAKE_CURRENT_LIST_DIR}/systems.cmake)
 
 set(contract "controller/(base|geometry|io)/|Eigen/")
 set(os "sys/|unistd.h|fcntl.h|poll.h|signal.h")
@@ -44,7 +44,7 @@ set(rooms
   "sim/bridge|a controller in another process|${contract}|sim/(base|log|bridge)/|linux/|${os}"
   "sim/statistics|numbers in, numbers out: intervals, acceptance, sequential tests, comparisons, rank correlation|${contract}|sim/statistics/|boost/math/"
   "sim/report|results in figures and words|${contract}|sim/(base|plan|log|statistics|report)/"
-  "sim/plant|what the worlds of all systems share: cameras as built, light, meshes, nominal numbers|${models}|render/|sim/(base|images|scenario|soil|rigid|drives|vehicles|plant)/|unistd.h"
+  "sim/plant|what the worlds of all systems share: cameras as built, light, meshes, models read once, nominal numbers|${models}|render/|sim/(base|images|scenario|soil|rigid|drives|vehicles|plant)/|unistd.h"
   "sim/run|one run in closed loop, for any system|${models}|render/|sim/(base|scenario|log|bridge|plant|run)/|unistd.h"
   "sim/paths|planned paths: candidates, wheels along them, drawings, a run to watch|${contract}|controller/motion/|render/|sim/(base|log|report|run|paths)/"
   "sim/page|results as one HTML file|${contract}|models/read/|render/|sim/(base|images|plan|log|statistics|report|run|page)/|zlib.h"

@@ -83,7 +83,7 @@ System ColourSystem() {
   System system;
   system.name = "colour";
   system.controllers = {{"own", [](const Json&) { return std::make_unique<ColourController>(); }}};
-  system.outcomes = {{"seen", true, "at its end"}};
+  system.columns.outcomes = {{"seen", true, "at its end"}};
   system.make_ready = [](const Scenario&) {
     ReadyRun ready;
     ready.plant = std::make_unique<ColourPlant>();

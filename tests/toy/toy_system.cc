@@ -125,14 +125,14 @@ System ToySystem() {
   System system;
   system.name = "toy";
   system.controllers = {{"counting", [](const Json& n) { return std::make_unique<Counting>(n); }}};
-  system.outcomes = {{"at_flag", true, "within 5 cm of the flag"},
-                     {"missed", false, "claimed to be there, farther off"},
-                     {"timeout", false, "never claimed to be there"}};
-  system.channels = {{"wheel_rad", "rad", "the wheel's turn since the start"}};
-  system.measures = {{"miss_m", "m", "distance from the flag at the end", true}};
+  system.columns.outcomes = {{"at_flag", true, "within 5 cm of the flag"},
+                             {"missed", false, "claimed to be there, farther off"},
+                             {"timeout", false, "never claimed to be there"}};
+  system.columns.channels = {{"wheel_rad", "rad", "the wheel's turn since the start"}};
+  system.columns.measures = {{"miss_m", "m", "distance from the flag at the end", true}};
   system.check = [](const Scenario& s) { return "a point at " + NumberText(SpeedOf(s)) + " m/s"; };
   system.make_ready = MakeReady;
-  system.check_file = CheckPoint;
+  system.files.check = CheckPoint;
   system.detect = Detect;
   system.example_files.scenario = "tests/toy/scenario.yaml";
   system.example_files.reproduction = "toy";

@@ -10,7 +10,8 @@ namespace dockyard {
 namespace {
 
 TEST(AxelColumns, EachHasAMeaningAndANameThatEndsInItsUnit) {
-  for (const auto& columns : {axel::Channels(), axel::Beliefs(), axel::Measures()}) {
+  for (const auto& columns :
+       {ChannelsOf<axel::Truth>(), axel::Beliefs(), MeasuresOf<axel::AxelMeasures>()}) {
     for (const Column& column : columns) {
       EXPECT_FALSE(column.meaning.empty()) << column.name;
       std::string ending = column.unit.empty() ? "" : "_" + column.unit;

@@ -74,7 +74,7 @@ TEST(CameraFaults, DeadEyesGiveDarkOrNoPictures) {
 void ExpectOrdinaryEnd(const RunRecord& record) {
   const System system = Systems().front();
   bool known = false;
-  for (const OutcomeName& outcome : system.outcomes) {
+  for (const OutcomeName& outcome : system.columns.outcomes) {
     known = known || outcome.name == record.result.outcome;
   }
   EXPECT_TRUE(known) << record.result.outcome;

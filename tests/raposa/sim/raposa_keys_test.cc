@@ -15,6 +15,7 @@
 #include "models/read/yaml_path.h"
 #include "raposa/sim/pictures.h"
 #include "raposa/sim/raposa_rig.h"
+#include "sim/plant/model_store.h"
 #include "sim/raposa/clutter.h"
 #include "support/source_tree.h"
 
@@ -108,6 +109,16 @@ double FromTheWay(const Eigen::Vector2d& p, const Pose2& X_DV) {
     least_m = std::min(least_m, (p - s * Eigen::Vector2d(X_DV.x, X_DV.y)).norm());
   }
   return least_m;
+}
+
+TEST(RaposaModels, RunsShareThemUntilAKeyOfThemDiffers) {
+  ModelStore<RaposaModels> store(LoadModels);
+  const auto models = store.Get(ScenarioAt(1.0, 0.0));
+  EXPECT_EQ(store.Get(ScenarioAt(1.5, 0.2, {}, {}, 2)), models);
+  const auto heavier = store.Get(ScenarioAt(1.0, 0.0, {}, "robot: {mass_scale: 1.1}"));
+  EXPECT_NE(heavier, models);
+  EXPECT_GT(heavier->built.robot.mass_kg(), models->built.robot.mass_kg());
+  EXPECT_EQ(store.Get(ScenarioAt(1.0, 0.0, {}, {}, 3)), models);
 }
 
 TEST(Clutter, StandsClearOfTheWay) {

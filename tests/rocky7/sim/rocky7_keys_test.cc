@@ -75,8 +75,8 @@ TEST(Rocky7Scenario, RefusesWhatItCannotSimulate) {
 
 TEST(Rocky7Robot, NeedsFixedWheelsAndRockers) {
   const System system = Rocky7System({});
-  EXPECT_FALSE(system.check_file(SourceFile("models/rovers/rocky7.yaml")));
-  EXPECT_THAT(system.check_file(SourceFile("models/rocky7/rocky7.yaml"))->summary,
+  EXPECT_FALSE(system.files.check(SourceFile("models/rovers/rocky7.yaml")));
+  EXPECT_THAT(system.files.check(SourceFile("models/rocky7/rocky7.yaml"))->summary,
               HasSubstr("front pair of 0.1 m"));
 }
 
