@@ -97,11 +97,6 @@ class Water final : public Plant {
   void AppendChannels(std::vector<double>& values) const override {
     values.insert(values.end(), {nose_depth_m(), off_axis_m(), GroundSpeed().norm()});
   }
-  Stage Look() const override {
-    Stage stage;
-    stage.bodies = {{"robot", state_.X_DR}, {"cage", Pose3{}}};
-    return stage;
-  }
   RobotPose MeasuredPose(const SightingReport& report) const override {
     return RobotPose(Inverse(report.X_RB));
   }
