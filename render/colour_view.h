@@ -5,7 +5,7 @@
 
 #include "controller/geometry/camera.h"
 #include "render/colour_table.h"
-#include "render/stereo_renderer.h"
+#include "render/radiance_image.h"
 #include "render/view_hole.h"
 
 namespace dockyard {

@@ -7,8 +7,8 @@
 
 #include "render/colour_table.h"
 #include "render/pixel_row.h"
+#include "render/radiance_image.h"
 #include "render/scene_shader.h"
-#include "render/stereo_renderer.h"
 
 namespace dockyard {
 

@@ -10,6 +10,7 @@
 
 #include "controller/geometry/camera.h"
 #include "controller/geometry/image.h"
+#include "render/radiance_image.h"
 #include "render/scene.h"
 
 namespace dockyard {
@@ -17,14 +18,6 @@ namespace dockyard {
 struct ColourRadiance;
 struct ColourTable;
 struct ColourView;
-
-/// Linear radiance of one ideal view: exact lens geometry, no sensor.
-struct RadianceImage {
-  int width = 0, height = 0;
-  std::vector<float> values;           // one channel, row by row from the top left
-  std::vector<float> inverse_depth{};  // 1/z of what each pixel shows [1/m]; empty: not asked for
-  float at(int x, int y) const { return values[static_cast<std::size_t>(y) * width + x]; }
-};
 
 /// Thin lens; all is sharp when distance_m is 0.
 struct Focus {

@@ -88,7 +88,8 @@ TEST(Compositor, GreyCameraSeesALampOnBoardObjectAndGround) {
   scene.light.sun_irradiance = scene.light.sky_irradiance = 0.0;
   scene.objects.push_back({std::make_shared<const RenderMesh>(BoxToRender({0.2, 3.0, 0.2})),
                            Pose3::Translation(0.0, 0.0, 0.1), Eigen::Vector3d(0.3, 0.3, 0.3)});
-  scene.ground = {.x0_m = -5.0,
+  scene.ground = {.X_WG = {},
+                  .x0_m = -5.0,
                   .y0_m = -5.0,
                   .cell_m = 5.0,
                   .nx = 3,
