@@ -64,9 +64,9 @@ FuzzKind PixelsKind() {
     }
     return std::vector{pair, pair.substr(0, kPixels)};
   };
-  const StereoRig rig = axel.rig(scenario.robot_file, kWidth, kHeight).value();
+  const StereoRig rig = axel.files.rig(scenario.robot_file, kWidth, kHeight).value();
   const FiducialBoard board =
-      axel.board(SourceFile("models/axel/station/station.yaml")).value().board;
+      axel.files.board(SourceFile("models/axel/station/station.yaml")).value().board;
   return {"pixels", seeds, {}, [rig, board](const std::string& bytes) {
             const std::string_view all = bytes;
             StereoImages images{ImageOf(all.substr(0, kPixels)), {}};

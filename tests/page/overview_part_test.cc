@@ -52,7 +52,7 @@ TEST(OverviewPart, JudgesAReliabilityThatIsAskedFor) {
 TEST(OverviewMarkdown, HasTheRateTheCausesAndTheCommandsThatReplayThem) {
   const Json json = OverviewPart(nullptr, FakeResults(12), FakeColumns(), AcceptanceAim{0.8, 0.95});
   const std::string text = OverviewMarkdown("yard", json, "dockyard replay out {run}");
-  EXPECT_THAT(text, testing::StartsWith("# yard\n\nDocked 8/12 (67 %, 35-90 %)"));
+  EXPECT_THAT(text, testing::StartsWith("# yard\n\ndocked 8/12 (67 %, 35-90 %)"));
   EXPECT_THAT(text, testing::HasSubstr("| soil | loose | 4/6 (67 %, 22-96 %) |"));
   EXPECT_THAT(text, testing::HasSubstr("| missed | 4 | 3 6 9 12 |"));
   EXPECT_THAT(text, testing::HasSubstr("\ndockyard replay out 6\n"));

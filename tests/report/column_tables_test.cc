@@ -74,7 +74,10 @@ TEST(ColumnTables, AreThoseOfTheHistory) {
   RunRecord record;
   record.channels = {{"tension_n", "N", "x"}};
   record.belief_columns = {{"recoveries", "", "x"}};
-  EXPECT_EQ(HeaderOf("history.csv", {{"[channels]", {"tension_n"}}, {"[beliefs]", {"recoveries"}}}),
+  record.sensors = {{.name = "depth_m", .unit = "m", .meaning = "x"}};
+  EXPECT_EQ(HeaderOf("history.csv", {{"[channels]", {"tension_n"}},
+                                     {"sensor.NAME", {"sensor.depth_m"}},
+                                     {"[beliefs]", {"recoveries"}}}),
             FirstLine(HistoryCsv(record)));
 }
 

@@ -62,9 +62,10 @@ class Reproduced : public testing::Test {
   /// A line of results.csv.
   void Add(const std::string& region, const std::string& soil, const std::string& outcome) {
     ++run_;
-    csv_ += std::to_string(run_) + ",7,axel,tsai," + region + "," + soil + "," +
-            (outcome == "docked" ? "1" : "0") + "," + outcome + ",99.5,12,0." +
-            std::to_string(4 + run_ % 4) + ",00000000000000ff\n";
+    const std::string docked = outcome == "docked" ? "1" : "0";
+    csv_ += std::to_string(run_) + ",7,axel,tsai," + region + "," + soil + "," + docked +
+            ",docked," + docked + "," + outcome + ",99.5,12,0." + std::to_string(4 + run_ % 4) +
+            ",00000000000000ff\n";
   }
   /// Successes first, every third of them partly; then failures.
   void AddRegion(const std::string& region, int successes, int runs, const char* failure) {

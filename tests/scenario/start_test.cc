@@ -45,7 +45,7 @@ TEST(Start, OfASystemsOwnIsReadAndWritten) {
   EXPECT_EQ(scenario.start.Value("up_m"), -2.5);
   EXPECT_FALSE(scenario.start.IsOnPlane());
   EXPECT_EQ(scenario.start.pose().x, 12.0);
-  EXPECT_EQ(scenario.start_place, "s.yaml:3:21: start");
+  EXPECT_EQ(scenario.start_place, "s.yaml:3:30: start");
   const std::string text = ResolvedYaml(scenario);
   EXPECT_THAT(text, HasSubstr("start:\n  range_m: 12\n  bearing_deg: 30\n  up_m: -2.5\n"));
   EXPECT_EQ(ResolvedYaml(ReadScenario(ParseYaml(text, "again.yaml"), Divers())), text);
@@ -53,7 +53,7 @@ TEST(Start, OfASystemsOwnIsReadAndWritten) {
 
 TEST(Start, OfASystemsOwnRefusesWhatTheSystemDoesNotName) {
   EXPECT_EQ(Refused("{range_m: 5, bearing_deg: 0, up: 1}"),
-            "s.yaml:3:37: start.up: unknown key, did you mean 'up_m'?");
+            "s.yaml:3:37: start.up: unknown key, known are: range_m, bearing_deg, up_m");
   EXPECT_THAT(Refused("{r_m: 5, alpha_deg: 0, heading_deg: 0}"), HasSubstr("start.r_m: unknown"));
   EXPECT_EQ(Refused("{range_m: 5, up_m: 1}"), "s.yaml:3:8: start: missing key 'bearing_deg'");
   EXPECT_EQ(Refused("{range_m: 51, bearing_deg: 0, up_m: 1}"),

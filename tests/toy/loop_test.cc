@@ -26,7 +26,7 @@ class Loop : public testing::Test {
   RunRecord Run(const std::vector<std::string>& changes, const RunOptions& options = {}) const {
     return Simulate(toy_, Make(changes), options);
   }
-  RunOptions Logged() const { return {.log_dir = folder_.path()}; }
+  RunOptions Logged() const { return {.log_dir = folder_.path(), .labels = {}}; }
   std::string Error(const std::function<void()>& call) const {
     try {
       call();

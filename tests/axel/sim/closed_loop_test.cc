@@ -44,7 +44,7 @@ TEST(ClosedLoop, TheSameSeedGivesTheSameRunBitForBit) {
   EXPECT_EQ(first.result.state_hash, second.result.state_hash);
   EXPECT_EQ(first.result.sim_time_s, second.result.sim_time_s);
   ASSERT_EQ(first.history.size(), second.history.size());
-  EXPECT_EQ(first.history.back().X_DR, second.history.back().X_DR);
+  EXPECT_EQ(Pose2(first.history.back().X_DR), Pose2(second.history.back().X_DR));
 }
 
 // The rest of 2 s, turns of 11 deg to and fro at 0.1 rad/s and 2 s of driving away.
