@@ -85,9 +85,9 @@ void Step(const BodyModel& body, const Wrench& wrench, const Eigen::Vector3d& cu
   const BodyState half = moved(pushed(state, 0.5 * step_s), 0.5 * step_s);
   BodyState end = pushed(half, step_s);
   BodyState path = state;
-  path.v_R = half.v_R;
   path.w_R = half.w_R;
-  end.X_DR = moved(path, step_s).X_DR;
+  end.X_DR.R = moved(path, step_s).X_DR.R;
+  end.X_DR.p = state.X_DR.p + step_s * (half.X_DR.R * half.v_R + current_D);
   state = end;
 }
 
