@@ -16,8 +16,8 @@
 
 namespace dockyard {
 
-/// `Built` is the run as its scenario builds it, with the world's setup as `world`. The namespace of
-/// `Truth`, which `World::truth()` returns, has VisitChannels(truth, visit).
+/// `Built` is the run as its scenario builds it, with the world's setup as `world`. The namespace
+/// of `Truth`, which `World::truth()` returns, has VisitChannels(truth, visit).
 template <class World, class Built>
 class WorldPlant : public Plant {
  public:
