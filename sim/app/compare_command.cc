@@ -37,9 +37,9 @@ Examples:
 
 Instead of counts, name the results folder of a campaign and two of its arms, or two values of a
 label as KEY=A KEY=B, or --baseline with the results of the same campaign file by another build.
-Runs in which A alone or B alone succeeded tell the two apart (McNemar's test, exact and mid-p); groups
-that share no draws are compared as they are (Fisher's exact test). With --fail-if-worse, exit code
-23: A is worse.)";
+Runs in which A alone or B alone succeeded tell the two apart (McNemar's test, exact and mid-p);
+groups that share no draws are compared as they are (Fisher's exact test). With --fail-if-worse,
+exit code 23: A is worse.)";
 
 struct Comparison {
   std::string a = "A", b = "B";  // their names

@@ -43,9 +43,9 @@ Examples:
   dockyard run {scenario} --report out/typical.html
 
 Prints the result as a table on stdout, its last line a sentence; --json has every digit. Exit code
-0: a success, 4: it ran but did not succeed, 10: --run-limit stopped it. With --out the folder gets the
-log and the history of the run, and `dockyard replay` runs it again. With --report a page shows it,
-with its replay.)";
+0: a success, 4: it ran but did not succeed, 10: --run-limit stopped it. With --out the folder
+gets the log and the history of the run, and `dockyard replay` runs it again. With --report a page
+shows it, with its replay.)";
 
 /// The folder may be new, empty, or an earlier run's; nothing else is written over.
 void PrepareFolder(const std::filesystem::path& dir, const Scenario& scenario) {
