@@ -37,9 +37,9 @@ TEST_F(Diver, IsCheckedAndRefusesAStartOfThePlane) {
                                "scenario.yaml --set "
                                "'start={r_m: 4, alpha_deg: 0, heading_deg: 0}'");
   EXPECT_EQ(rover.code, 3);
-  EXPECT_THAT(rover.err, HasSubstr("start.r_m: unknown key"));
+  EXPECT_THAT(rover.err, HasSubstr("unknown key 'start.r_m'"));
   const Ended misspelt = Dockyard("run " + kDiver + "scenario.yaml --set start.uo_m=1");
-  EXPECT_THAT(misspelt.err, HasSubstr("start.uo_m: unknown key, did you mean 'start.up_m'?"));
+  EXPECT_THAT(misspelt.err, HasSubstr("unknown key 'start.uo_m', did you mean 'start.up_m'?"));
 }
 
 TEST_F(Diver, SwimsIntoItsCageAndIsReplayed) {
