@@ -6,7 +6,7 @@ import { axisName } from './format.js';
 /** Shown on paper in place of the table: the first failed runs. @param {import('./table.js').Table} table */
 export function failuresForPrint(table) {
   const rows = [];
-  for (let row = 0; row < table.rows && rows.length < 100; ++row) if (!table.isDocked(row)) rows.push(row);
+  for (let row = 0; row < table.rows && rows.length < 100; ++row) if (!table.isSuccess(row)) rows.push(row);
   if (rows.length === 0) return null;
   const texts = table.columns
     .filter((c) => c.dictionary && c !== table.outcomes && c.name !== 'replay')

@@ -85,7 +85,7 @@ export class RunPanel {
             '← All runs',
           ),
         make('h1', { tabindex: '-1' }, replay?.title ?? `Run ${this.run}`),
-        outcomeMark(this.table.outcome(row), this.table.isDocked(row)),
+        outcomeMark(this.table.outcome(row), this.table.isSuccess(row)),
         campaign && this.neighbours(),
       ),
       make('p', { class: 'sentence' }, replay?.sentence ?? this.meaning(row)),

@@ -68,7 +68,7 @@ function chooser(table, columns, name, largest, openRun) {
               String(run),
             ),
           ),
-          make('td', null, outcomeMark(table.outcome(row), table.isDocked(row))),
+          make('td', null, outcomeMark(table.outcome(row), table.isSuccess(row))),
           make('td', { class: 'value' }, table.text(column, row)),
         );
       }),
