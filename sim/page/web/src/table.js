@@ -35,6 +35,9 @@ export class Table {
     this.outcomes = this.byName.get('outcome');
     this.success = this.byName.get('success');
     this.run = this.byName.get('run');
+    /** The system's word for a success: its first one's outcome. @type {string} */
+    this.word =
+      (header.system?.outcomes ?? []).find((/** @type {any} */ each) => each.success)?.name ?? 'that succeeded';
     if (!this.outcomes || !this.success || !this.run) throw new Error('the table of runs lacks a column');
     this.starts = ['start_x_m', 'start_y_m', 'start_heading_deg'].map(
       (name) => this.byName.get(name)?.values,
