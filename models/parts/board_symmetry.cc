@@ -9,7 +9,8 @@ namespace dockyard {
 namespace {
 
 // Two places nearer than this count as one for the correspondence gate
-// (controller/vision/board/correspond.cc: 2.5 px and 8 % of the diameter), for discs of 15 px or more.
+// (controller/vision/board/correspond.cc: 2.5 px and 8 % of the diameter), for discs of 15 px or
+// more.
 constexpr double kSameInDiameters = 0.25;
 constexpr double kSameBar_rad = kPi / 8.0;  // half the angle between two rotations
 
