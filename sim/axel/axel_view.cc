@@ -57,7 +57,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   Add(scene.objects, station_, truth.X_WS * X_S_module_);
   Add(scene.objects, stand_, truth.X_WS);
   Add(scene.objects, rocks_, X_WG_);
-  for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
+  AddSurroundings(lighting_, scene.objects);
   scene.ground = {.X_WG = X_WG_,
                   .x0_m = ground.x0_m,
                   .y0_m = ground.y0_m,
@@ -103,7 +103,7 @@ StageShapes SceneBuilder::Shapes() const {
     add("rocks", false, rocks_);
     shapes.bodies.back().about = true;
   }
-  for (StageBody& shade : ShadeBodies(lighting_)) shapes.bodies.push_back(std::move(shade));
+  for (StageBody& body : SurroundingBodies(lighting_)) shapes.bodies.push_back(std::move(body));
   shapes.points = {
       {"target", "station", p_SM_}, {"tip", "arm", p_AT_}, {"board", "station", X_SB_.p}};
   shapes.board = {"station", X_SB_, board_, cutout_.p_B, cutout_.radius_m};

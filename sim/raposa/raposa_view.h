@@ -38,13 +38,11 @@ class SceneBuilder {
   std::vector<Part> Convert(const std::vector<Visual>& visuals);
   int GreyMaterial(double reflectance);
   int MaterialOf(const Spectrum& reflectance);
-  void AddClutter(const BuiltRun& built);
   static void Add(std::vector<SceneObject>& objects, const std::vector<Part>& parts,
                   const Pose3& X_WL, bool seen);
 
   SceneSpectra spectra_;
   std::vector<Part> body_, arm_, left_door_, right_door_, pyramid_;
-  std::vector<Part> clutter_;  // in the world
   Lighting lighting_;
   LampsModel lamps_;
   Pose3 X_WG_;
