@@ -19,7 +19,7 @@ struct TanRect {
 
 /// The hit of one ray.
 struct Seen {
-  std::uint32_t object = 0;  // object's index in the scene, and normal: see SeenBits; board's index
+  std::uint32_t object = 0;  // object's index in the scene, and normal: see HitBits; board's index
   float code = 0.0f;         // object: -1/z; sky: 0; ground: 1/z; board: kBoardCode + 1/z  [1/m]
 };
 
@@ -36,23 +36,23 @@ inline float InverseDepth(float code) {
 
 /// How Seen::object holds an index and a normal: two numbers of so many bits for the normal, the
 /// rest for the index.
-struct SeenBits {
+struct HitBits {
   int normal = 12;
 
   /// Even, so that axes are met exactly.
   int NormalSteps() const { return (1 << normal) - 2; }
-  bool operator==(const SeenBits&) const = default;
+  bool operator==(const HitBits&) const = default;
 };
 inline constexpr int kMaxObjects = 2000;  // eleven bits; a yard of ten square metres has hundreds
-inline constexpr SeenBits kFewObjects{.normal = 12};   // up to 255; normals within 5e-4 rad
-inline constexpr SeenBits kManyObjects{.normal = 10};  // up to 4095; within 2e-3 rad
-inline SeenBits BitsFor(std::size_t objects) { return objects > 255 ? kManyObjects : kFewObjects; }
+inline constexpr HitBits kFewObjects{.normal = 12};   // up to 255; normals within 5e-4 rad
+inline constexpr HitBits kManyObjects{.normal = 10};  // up to 4095; within 2e-3 rad
+inline HitBits BitsFor(std::size_t objects) { return objects > 255 ? kManyObjects : kFewObjects; }
 
-inline int ObjectOf(const Seen& seen, SeenBits bits) {
+inline int ObjectOf(const Seen& seen, HitBits bits) {
   return static_cast<int>(seen.object >> (2 * bits.normal));
 }
 /// Of length 1, in light axes.
-Eigen::Vector3f UnpackNormal(const Seen& seen, SeenBits bits);
+Eigen::Vector3f UnpackNormal(const Seen& seen, HitBits bits);
 
 /// Thin bodies before all that, each times its cover: cosine to the sun, cosine to the zenith, 1/z,
 /// and 1.

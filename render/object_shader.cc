@@ -15,7 +15,7 @@ constexpr int kSearches = 4, kPoints = 8, kBoardSearches = 8, kBoardPoints = 16;
 
 }  // namespace
 
-Eigen::Vector3f UnpackNormal(const Seen& seen, SeenBits bits) {
+Eigen::Vector3f UnpackNormal(const Seen& seen, HitBits bits) {
   const float per_step = 2.0f / static_cast<float>(bits.NormalSteps());
   const std::uint32_t mask = (1u << bits.normal) - 1u;
   const float x = static_cast<float>(seen.object & mask) * per_step - 1.0f;

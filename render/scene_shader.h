@@ -65,7 +65,7 @@ class SceneShader {
     up_U_ = X_WU.R.row(2).transpose().template cast<float>();
   }
 
-  SeenBits bits() const { return bits_; }
+  HitBits bits() const { return bits_; }
   std::size_t boards() const { return boards_.size(); }
 
   Value Sky(Tan tan) const {
@@ -179,7 +179,7 @@ class SceneShader {
   }
 
   SceneLight<Value> light_;
-  SeenBits bits_;
+  HitBits bits_;
   ObjectShader objects_;
   SkyShader sky_;  // of colour cameras: of lights of strength 1
   std::optional<GroundShader> ground_;

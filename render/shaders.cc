@@ -32,7 +32,7 @@ void main() {
 }
 
 // The normal unfolded from the octahedron |x| + |y| + |z| = 1 (Meyer et al., EGSR 2010).
-std::string ObjectFragmentShader(SeenBits bits) {
+std::string ObjectFragmentShader(HitBits bits) {
   const std::string of_normal = std::to_string(bits.normal);
   return kVersion + std::string("const float kSteps = ") + std::to_string(bits.NormalSteps()) +
          ".0;\nconst int kBits = " + of_normal + ";\n" + R"(

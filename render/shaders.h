@@ -11,7 +11,7 @@ namespace dockyard {
 /// Positions alone, and with normals and coverage.
 std::string PlainVertexShader();
 std::string SurfaceVertexShader();
-std::string ObjectFragmentShader(SeenBits bits);
+std::string ObjectFragmentShader(HitBits bits);
 std::string GroundFragmentShader();
 std::string BoardFragmentShader();
 /// Of bodies thinner than the rays are apart.

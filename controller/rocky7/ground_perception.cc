@@ -18,7 +18,7 @@ Eigen::Matrix3d TiltOf(const ImuSample& attitude) {  // R_ER
 
 }  // namespace
 
-void CompareGround(GroundPicture picture, const ExposurePrior& prior, GroundMemory& memory,
+void CompareGround(GroundImage picture, const ExposurePrior& prior, GroundMemory& memory,
                    GroundDetection& detection) {
   GroundMotion motion;
   for (const double share : kShares) {
@@ -38,7 +38,7 @@ GroundDetection DetectTarget(const GroundStereo& stereo, const StereoImages& ima
                              GroundMemory& memory) {
   GroundDetection detection{.predicted = prior.target};
   const GroundScan scan = stereo.Look(images, prior.attitude);
-  if (memory.compares) CompareGround(stereo.PictureAhead(scan, images), prior, memory, detection);
+  if (memory.compares) CompareGround(stereo.ImageAhead(scan, images), prior, memory, detection);
   if (memory.begun) {
     detection.sighting = memory.tracker->Follow(stereo.MapsAbout(scan, detection.predicted.p_RT),
                                                 detection.predicted.predicted());

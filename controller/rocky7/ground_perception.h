@@ -14,14 +14,14 @@ namespace dockyard::rocky7 {
 /// What is kept from one image pair to the next.
 struct GroundMemory {
   std::unique_ptr<TargetTracker> tracker;
-  bool begun = false;                     // the tracker has its target
-  bool compares = false;                  // the ground of two pairs, for the motion between them
-  std::optional<GroundPicture> ground{};  // of the last pair
+  bool begun = false;                   // the tracker has its target
+  bool compares = false;                // the ground of two pairs, for the motion between them
+  std::optional<GroundImage> ground{};  // of the last pair
 };
 
 /// Corrects the prediction where the ground of the last pair and of this one shows the motion
 /// between them.
-void CompareGround(GroundPicture picture, const ExposurePrior& prior, GroundMemory& memory,
+void CompareGround(GroundImage picture, const ExposurePrior& prior, GroundMemory& memory,
                    GroundDetection& detection);
 
 GroundDetection DetectTarget(const GroundStereo& stereo, const StereoImages& images,

@@ -65,7 +65,7 @@ GroundMaps GroundStereo::MapsAbout(const GroundScan& seen, const Eigen::Vector2d
   return maps;
 }
 
-GroundPicture GroundStereo::PictureAhead(const GroundScan& seen, const StereoImages& images) const {
+GroundImage GroundStereo::ImageAhead(const GroundScan& seen, const StereoImages& images) const {
   const RectifiedPair& pair = rectifier_.pair();
   const Eigen::Vector3d p_EC = (Inverse(seen.X_RE) * pair.X_RC).p;
   ElevationMap heights =

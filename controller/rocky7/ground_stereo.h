@@ -55,7 +55,7 @@ class GroundStereo {
   GroundMaps MapsAbout(const GroundScan& seen, const Eigen::Vector2d& p_E) const;
 
   /// The ground ahead from above, of the pictures that Look() got.
-  GroundPicture PictureAhead(const GroundScan& seen, const StereoImages& images) const;
+  GroundImage ImageAhead(const GroundScan& seen, const StereoImages& images) const;
 
  private:
   Nominal nominal_;

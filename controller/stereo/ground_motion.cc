@@ -34,7 +34,7 @@ struct Known {
 };
 
 // `before` as the later grid would show it.
-Known Moved(const GroundPicture& before, const GroundPicture& now, const Pose2& X_NB) {
+Known Moved(const GroundImage& before, const GroundImage& now, const Pose2& X_NB) {
   const cv::Mat from(before.ny, before.nx, CV_32F, const_cast<float*>(before.grey.data()));
   cv::Mat map_x(now.ny, now.nx, CV_32F), map_y(now.ny, now.nx, CV_32F);
   const Pose2 X_BN = Inverse(X_NB);
@@ -53,7 +53,7 @@ Known Moved(const GroundPicture& before, const GroundPicture& now, const Pose2& 
   return known;
 }
 
-Known Split(const GroundPicture& picture) {
+Known Split(const GroundImage& picture) {
   Known known;
   known.grey =
       cv::Mat(picture.ny, picture.nx, CV_32F, const_cast<float*>(picture.grey.data())).clone();
@@ -76,7 +76,7 @@ double Between(double before, double at, double after) {
   return bend < 0.0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
 }
 
-Matrix2d InformationAt(const GroundPicture& now, const Vector2d& p_N,
+Matrix2d InformationAt(const GroundImage& now, const Vector2d& p_N,
                        const GroundMotionSettings& with) {
   const Vector2d away = p_N - now.p_EC.head<2>();
   const double up_m = now.p_EC.z(), r = std::max(away.norm(), 1e-3);
@@ -99,7 +99,7 @@ cv::Mat Filled(const Known& all, const cv::Rect& where) {
   return out;
 }
 
-std::optional<Part> FindPart(const Known& before, const Known& now_all, const GroundPicture& now,
+std::optional<Part> FindPart(const Known& before, const Known& now_all, const GroundImage& now,
                              const cv::Point& middle, int half, int search,
                              const GroundMotionSettings& with) {
   const cv::Rect part(middle.x - half, middle.y - half, 2 * half + 1, 2 * half + 1);
@@ -176,14 +176,14 @@ Correction Fit(const std::vector<Part>& parts, const Correction& about, double y
 
 }  // namespace
 
-GroundPicture FromAbove(const RectifiedPair& pair, const GrayImage& left,
-                        const ElevationMap& heights, double highest_m) {
-  GroundPicture out{.x0_m = heights.x0_m,
-                    .y0_m = heights.y0_m,
-                    .cell_m = heights.cell_m,
-                    .nx = heights.nx,
-                    .ny = heights.ny,
-                    .focal_px = pair.focal_px};
+GroundImage FromAbove(const RectifiedPair& pair, const GrayImage& left, const ElevationMap& heights,
+                      double highest_m) {
+  GroundImage out{.x0_m = heights.x0_m,
+                  .y0_m = heights.y0_m,
+                  .cell_m = heights.cell_m,
+                  .nx = heights.nx,
+                  .ny = heights.ny,
+                  .focal_px = pair.focal_px};
   const Pose3 X_CE = Inverse(pair.X_RC) * heights.X_RE;
   out.p_EC = Inverse(X_CE).p;
   out.grey.assign(heights.height_m.size(), kUnknown);
@@ -203,7 +203,7 @@ GroundPicture FromAbove(const RectifiedPair& pair, const GrayImage& left,
   return out;
 }
 
-GroundMotion MotionBetween(const GroundPicture& before, const GroundPicture& now, const Pose2& X_NB,
+GroundMotion MotionBetween(const GroundImage& before, const GroundImage& now, const Pose2& X_NB,
                            double yaw_sigma_rad, const GroundMotionSettings& settings) {
   const Known then = Moved(before, now, X_NB), there = Split(now);
   const auto cells = [&](double length_m) {

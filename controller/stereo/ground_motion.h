@@ -15,7 +15,7 @@ namespace dockyard {
 
 /// The ground's greys from above, by cell of a grid on frame E, iy * nx + ix; NaN where the camera
 /// does not see the ground.
-struct GroundPicture {
+struct GroundImage {
   double x0_m = 0.0, y0_m = 0.0, cell_m = 0.0;  // middle of the first cell
   int nx = 0, ny = 0;
   std::vector<float> grey{};
@@ -25,8 +25,8 @@ struct GroundPicture {
 
 /// @param left     rectified
 /// @param heights  of the ground, gaps closed; what stands higher than highest_m is none
-GroundPicture FromAbove(const RectifiedPair& pair, const GrayImage& left,
-                        const ElevationMap& heights, double highest_m = 0.06);
+GroundImage FromAbove(const RectifiedPair& pair, const GrayImage& left, const ElevationMap& heights,
+                      double highest_m = 0.06);
 
 struct GroundMotionSettings {
   double half_m = 0.04, apart_m = 0.06;  // of a part, and between their middles; assumed, 3-6 cm
@@ -53,7 +53,7 @@ struct GroundMotion {
 
 /// @param X_NB           as odometry has it
 /// @param yaw_sigma_rad  of its heading
-GroundMotion MotionBetween(const GroundPicture& before, const GroundPicture& now, const Pose2& X_NB,
+GroundMotion MotionBetween(const GroundImage& before, const GroundImage& now, const Pose2& X_NB,
                            double yaw_sigma_rad, const GroundMotionSettings& settings = {});
 
 }  // namespace dockyard

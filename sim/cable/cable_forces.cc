@@ -109,8 +109,8 @@ Pulled PartsOf(const CableStep& step, const std::vector<CableNode>& nodes, int j
 
 }  // namespace
 
-void LookForEdges(const CableStep& step, const std::vector<CableNode>& nodes, int j,
-                  CableSpan& span) {
+void FindSolidEdges(const CableStep& step, const std::vector<CableNode>& nodes, int j,
+                    CableSpan& span) {
   const auto Line = [&](int from, const Eigen::Vector3d& to) -> Eigen::Vector3d {
     return (to - (from < 0 ? step.p_GF : nodes[from].p_G)).normalized();
   };

@@ -10,8 +10,8 @@
 namespace dockyard {
 
 /// Of a bent segment, at the start of a step.
-void LookForEdges(const CableStep& step, const std::vector<CableNode>& nodes, int j,
-                  CableSpan& span);
+void FindSolidEdges(const CableStep& step, const std::vector<CableNode>& nodes, int j,
+                    CableSpan& span);
 /// Spring and damper of a segment in one, at the start of a step. damping_n_s: force per rate of
 /// strain.
 void Stiffen(const CableStep& step, const CableModel& model, double damping_n_s,

@@ -220,7 +220,7 @@ void Cable::Step(const CableStep& step) {
   const double damping_n_s =
       model_.damping_ns_per_m * (rest_m() + step.end_rest_m + model_.inside_m);
   for (int j = 0; j < masses(); ++j) {
-    if (nodes_[j].bend.body != kCableFree) LookForEdges(step, nodes_, j, spans_[j]);
+    if (nodes_[j].bend.body != kCableFree) FindSolidEdges(step, nodes_, j, spans_[j]);
     Stiffen(step, model_, damping_n_s, nodes_, j, spans_[j]);
   }
   bool solved = false;

@@ -30,7 +30,7 @@ Eigen::Vector3d TakeVector(ByteReader& in) {
   return value;
 }
 
-void PutImage(std::string& out, const CameraImage& image, std::vector<std::string>* pictures) {
+void PutImage(std::string& out, const CameraImage& image, std::vector<std::string>* pngs) {
   PutU32(out, static_cast<std::uint32_t>(image.camera));
   PutU64(out, static_cast<std::uint64_t>(image.exposed));
   PutDouble(out, image.exposure_s);
@@ -42,8 +42,8 @@ void PutImage(std::string& out, const CameraImage& image, std::vector<std::strin
         PutU8(out, static_cast<std::uint8_t>(rgb ? PixelKind::kRgb : PixelKind::kGray));
         PutU32(out, static_cast<std::uint32_t>(pixels.width));
         PutU32(out, static_cast<std::uint32_t>(pixels.height));
-        if (pictures != nullptr) {
-          pictures->push_back(count == 0 ? std::string() : EncodePng(pixels));
+        if (pngs != nullptr) {
+          pngs->push_back(count == 0 ? std::string() : EncodePng(pixels));
         } else {
           PutU32(out, static_cast<std::uint32_t>(pixels.pixels.size()));
           out.append(reinterpret_cast<const char*>(pixels.pixels.data()), pixels.pixels.size());
@@ -73,8 +73,8 @@ Image TakePixels(std::uint32_t width, std::uint32_t height, std::string_view byt
   return image;
 }
 
-/// @param picture  its PNG; null: the pixels stand in the record
-CameraImage TakeImage(ByteReader& in, const std::string* picture, std::uint32_t version) {
+/// @param png  its PNG; null: the pixels stand in the record
+CameraImage TakeImage(ByteReader& in, const std::string* png, std::uint32_t version) {
   constexpr std::uint32_t kLargestSide = 16384;
   CameraImage image;
   image.camera = static_cast<int>(in.U32());
@@ -82,8 +82,8 @@ CameraImage TakeImage(ByteReader& in, const std::string* picture, std::uint32_t 
   if (version >= 6) image.exposure_s = TakeReading(in);
   const std::uint8_t kind = in.U8();
   const std::uint32_t width = in.U32(), height = in.U32();
-  const ImageCoding coding = picture != nullptr ? ImageCoding::kBeside : ImageCoding::kRaw;
-  const std::string_view bytes = picture != nullptr ? *picture : in.Take(in.U32());
+  const ImageCoding coding = png != nullptr ? ImageCoding::kBeside : ImageCoding::kRaw;
+  const std::string_view bytes = png != nullptr ? *png : in.Take(in.U32());
   if (width > kLargestSide || height > kLargestSide)
     throw DataError("an image is impossibly large");
   if (kind == static_cast<std::uint8_t>(PixelKind::kGray)) {
@@ -121,8 +121,8 @@ MotorCommand TakeMotor(ByteReader& in) {
 }  // namespace
 
 void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding,
-              std::vector<std::string>* pictures) {
-  DOCKYARD_CHECK((coding == ImageCoding::kBeside) == (pictures != nullptr));
+              std::vector<std::string>* pngs) {
+  DOCKYARD_CHECK((coding == ImageCoding::kBeside) == (pngs != nullptr));
   PutU64(out, static_cast<std::uint64_t>(frame.tick));
   PutDouble(out, frame.imu.roll_rad);
   PutDouble(out, frame.imu.pitch_rad);
@@ -140,10 +140,10 @@ void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding,
   PutU8(out, left_out ? 1 : 0);
   PutU32(out, left_out ? 0 : static_cast<std::uint32_t>(frame.images.size()));
   if (left_out) return;
-  for (const CameraImage& image : frame.images) PutImage(out, image, pictures);
+  for (const CameraImage& image : frame.images) PutImage(out, image, pngs);
 }
 
-LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding, const std::vector<std::string>& pictures,
+LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding, const std::vector<std::string>& pngs,
                       std::uint32_t version) {
   LoggedFrame logged;
   SensorFrame& frame = logged.frame;
@@ -165,9 +165,9 @@ LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding, const std::vector<std:
   logged.images_left_out = left_out == 1;
   const std::uint32_t images = TakeCount(in);
   const bool beside = coding == ImageCoding::kBeside;
-  if (beside && pictures.size() != images) throw DataError("a frame's images are missing");
+  if (beside && pngs.size() != images) throw DataError("a frame's images are missing");
   for (std::uint32_t i = 0; i < images; ++i) {
-    frame.images.push_back(TakeImage(in, beside ? &pictures[i] : nullptr, version));
+    frame.images.push_back(TakeImage(in, beside ? &pngs[i] : nullptr, version));
   }
   return logged;
 }

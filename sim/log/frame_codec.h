@@ -15,9 +15,9 @@ namespace dockyard {
 /// were some.
 enum class ImageCoding { kBeside, kRaw, kLeftOut };
 
-/// @param pictures  gets the PNG of each image, with kBeside; an image without pixels is empty
+/// @param pngs  gets the PNG of each image, with kBeside; an image without pixels is empty
 void PutFrame(std::string& out, const SensorFrame& frame, ImageCoding coding,
-              std::vector<std::string>* pictures = nullptr);
+              std::vector<std::string>* pngs = nullptr);
 void PutCommands(std::string& out, const Commands& commands);
 
 struct LoggedFrame {
@@ -28,9 +28,8 @@ struct LoggedFrame {
 /// time of an exposure.
 inline constexpr std::uint32_t kFrameVersion = 6;
 /// Throws DataError, also for a reading that is not finite.
-/// @param pictures  as of PutFrame
-LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding,
-                      const std::vector<std::string>& pictures = {},
+/// @param pngs  as of PutFrame
+LoggedFrame TakeFrame(ByteReader& in, ImageCoding coding, const std::vector<std::string>& pngs = {},
                       std::uint32_t version = kFrameVersion);
 Commands TakeCommands(ByteReader& in);
 

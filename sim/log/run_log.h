@@ -101,7 +101,7 @@ class RunLogWriter {
                         const McapTexts& metadata = {});
   void Put(std::uint16_t channel, Tick tick, const std::string& data);
   void Append(const Stage& stage, Tick tick);
-  void AppendImages(const SensorFrame& sensed, const std::vector<std::string>& pictures);
+  void AppendImages(const SensorFrame& sensed, const std::vector<std::string>& pngs);
   const NamedCamera& CameraOf(int index);
   const std::vector<NamedMotor>& MotorsOf(const SensorFrame& sensed);
 

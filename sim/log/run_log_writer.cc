@@ -137,9 +137,8 @@ const std::vector<NamedMotor>& RunLogWriter::MotorsOf(const SensorFrame& sensed)
   return motors_;
 }
 
-void RunLogWriter::AppendImages(const SensorFrame& sensed,
-                                const std::vector<std::string>& pictures) {
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
+void RunLogWriter::AppendImages(const SensorFrame& sensed, const std::vector<std::string>& pngs) {
+  for (std::size_t i = 0; i < pngs.size(); ++i) {
     const int index = sensed.images[i].camera;
     const NamedCamera& camera = CameraOf(index);
     if (const auto place = static_cast<std::size_t>(index); place < rectifications_.size()) {
@@ -147,17 +146,17 @@ void RunLogWriter::AppendImages(const SensorFrame& sensed,
           CameraInfoMessage(sensed.tick, camera.name, camera.camera, rectifications_[place]));
     }
     Put(Channel("/camera/" + camera.name + "/image/compressed", "sensor_msgs/CompressedImage"),
-        sensed.tick, ImageMessage(sensed.tick, camera.name, "png", pictures[i]));
+        sensed.tick, ImageMessage(sensed.tick, camera.name, "png", pngs[i]));
   }
 }
 
 void RunLogWriter::Append(const SensorFrame& sensed, const Commands& commands) {
-  std::vector<std::string> pictures;
+  std::vector<std::string> pngs;
   payload_.clear();
   PutFrame(payload_, sensed, keep_images_ ? ImageCoding::kBeside : ImageCoding::kLeftOut,
-           keep_images_ ? &pictures : nullptr);
+           keep_images_ ? &pngs : nullptr);
   PutCommands(payload_, commands);
-  AppendImages(sensed, pictures);
+  AppendImages(sensed, pngs);
   const Tick tick = sensed.tick;
   Put(Channel(topic::kFrame, "dockyard_msgs/Frame"), tick, FrameMessage(tick, payload_));
   if (commands_alone_) return;

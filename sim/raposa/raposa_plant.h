@@ -38,7 +38,7 @@ class RaposaPlant final : public WorldPlant<World, BuiltRun> {
   int pictures_ = 0;
   std::optional<Tick> last_picture_;
   bool lamps_on_ = false;
-  Truth exposed_;  // exposed: of the picture that is there by now
+  Truth exposed_;  // exposed: of the image that is there by now
 };
 
 }  // namespace dockyard::raposa

@@ -20,8 +20,8 @@ constexpr int kGroundYards = 3, kMotions = 8;
 constexpr ElevationSettings kAhead{
     .x_low_m = 0.0, .x_high_m = 0.95, .y_low_m = -0.5, .y_high_m = 0.5};
 
-GroundPicture PictureFrom(StereoRenderer& renderer, const RenderedYard& yard, const Pose2& X_WR,
-                          std::uint64_t key) {
+GroundImage PictureFrom(StereoRenderer& renderer, const RenderedYard& yard, const Pose2& X_WR,
+                        std::uint64_t key) {
   static const StereoRig rig = BodyCameras();
   static const Rectifier rectifier(rig);
   const Plane ground{{0, 0, 1}, 0.0};
@@ -56,13 +56,12 @@ TEST(GroundMotionSurvey, TellsAMotionWithinMillimetresInEveryLight) {
       const RenderedYard yard = MakeYard(settings);
       RandomStream random(StreamKey(settings.seed, "motions"));
       Pose2 X_WR;
-      GroundPicture before = PictureFrom(renderer, yard, X_WR, 1);
+      GroundImage before = PictureFrom(renderer, yard, X_WR, 1);
       for (int motion = 0; motion < kMotions; ++motion) {
         const double way_m = random.Uniform(0.03, 0.3) * (motion % 2 == 0 ? 1.0 : -1.0);
         const Pose2 moved{way_m, random.Uniform(-0.02, 0.02), Radians(random.Uniform(-8.0, 8.0))};
         X_WR = X_WR * moved;
-        GroundPicture now =
-            PictureFrom(renderer, yard, X_WR, 2 + static_cast<std::uint64_t>(motion));
+        GroundImage now = PictureFrom(renderer, yard, X_WR, 2 + static_cast<std::uint64_t>(motion));
         const Pose2 X_NB = Inverse(moved);
         const Pose2 counted{X_NB.x + random.Uniform(-0.05, 0.05),
                             X_NB.y + random.Uniform(-0.015, 0.015),

@@ -16,7 +16,7 @@ namespace {
 // Level ground 0 below the rig, as the rover at X_WR sees it. `sticks` is a square of the left
 // picture that moves with the rover.
 struct Seen {
-  GroundPicture picture;
+  GroundImage picture;
 
   Seen(const RayScene& scene, const Pose2& X_WR, int sticks_px = 0) {
     const StereoRig rig = BodyPair();

@@ -25,8 +25,8 @@ float GreyAt(const Eigen::Vector2d& p_W) {
 }
 
 // It from above, about a rover at X_WR.
-GroundPicture GroundFrom(const Pose2& X_WR) {
-  GroundPicture picture{.x0_m = 0.2, .y0_m = -0.4, .cell_m = 0.01, .nx = 80, .ny = 80};
+GroundImage GroundFrom(const Pose2& X_WR) {
+  GroundImage picture{.x0_m = 0.2, .y0_m = -0.4, .cell_m = 0.01, .nx = 80, .ny = 80};
   for (int iy = 0; iy < picture.ny; ++iy) {
     for (int ix = 0; ix < picture.nx; ++ix) {
       picture.grey.push_back(GreyAt(X_WR * Eigen::Vector2d(0.2 + 0.01 * ix, -0.4 + 0.01 * iy)));
