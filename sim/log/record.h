@@ -38,13 +38,13 @@ struct RunTiming {
 struct HistorySample {
   double time_s = 0.0;
   RobotPose X_DR;                // truth
-  std::vector<double> channels;  // truth, by System::channels
+  std::vector<double> channels;  // truth, by StatedColumns::channels
   std::vector<double> sensed;    // by RunRecord::sensors, as the controller got them last
   std::string phase;             // belief
   bool located = false;
   RobotPose X_DR_believed;
   int sighting_count = 0, plan_count = 0;
-  std::vector<double> beliefs;  // by System::beliefs
+  std::vector<double> beliefs;  // by StatedColumns::beliefs
   std::vector<double> values;   // belief, by RunRecord::value_names; shorter before a name came
 };
 

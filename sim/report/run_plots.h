@@ -14,7 +14,7 @@ std::string PathPlot(const std::string& title, const LoggedRun& run);
 
 /// Over time, as SVG: the controller's phases, and a panel for each group of channels. Channels
 /// whose names differ in their first word alone ("left_current_a", "right_current_a") share one.
-/// @param channels  of the truth, by System::channels
+/// @param channels  of the truth, by StatedColumns::channels
 std::string HistoryPlot(const std::string& title, const LoggedRun& run,
                         const std::vector<Column>& channels);
 

@@ -14,8 +14,8 @@ namespace dockyard {
 struct Conclusion {
   std::string outcome;                   // one of the system's
   std::string note;                      // a sentence on the truth
-  std::vector<double> measures;          // by System::measures, but for the margins
-  std::vector<JudgedLimit> limits = {};  // in the order of the margins among System::measures
+  std::vector<double> measures;          // by StatedColumns::measures, without margins
+  std::vector<JudgedLimit> limits = {};  // in the order of their margins
 };
 
 /// Called every control period while a judge steps the plant to try a claim. phase: what it does.
