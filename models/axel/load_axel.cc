@@ -1,7 +1,8 @@
 #include "models/axel/load_axel.h"
 
+#include <cmath>
+#include <limits>
 #include <utility>
-#include <vector>
 
 #include "models/axel/rover_changes.h"
 #include "models/axel/rover_links.h"
@@ -20,109 +21,112 @@
 namespace dockyard::axel {
 namespace {
 
-const std::vector<std::string> kKeys{"name",   "urdf",    "mass_scale", "body_com_x_m",
-                                     "wheels", "motors",  "arm",        "tether",
-                                     "imu",    "cameras", "spreads"};
-const std::vector<std::string> kWheelKeys{
-    "radius_m",           "width_m",         "paddles",
-    "left_phase_deg",     "right_phase_deg", "left_radius_scale",
-    "right_radius_scale", "track_m"};
-const std::vector<std::string> kArmKeys{
-    "length_m",        "at_power_on_deg",          "tip_radius_m", "tip_length_m",
-    "ground_friction", "ground_stiffness_n_per_m", "offset_m",     "collar"};
-
 // A cable's masses must be some.
 constexpr double kLightestCable_kg_per_m = 0.001;
 
-/// The wheels' motor with the keys of one side on top.
-MotorModel ReadWheelMotor(const YamlReader& motors, const char* side) {
-  if (!motors.Has(side)) return ReadMotor(motors.Child("wheel"), motors.PathOf("wheel"));
-  YamlNode merged = motors.Child("wheel");
-  MergeYaml(merged, motors.Child(side));
-  return ReadMotor(merged, motors.PathOf(side));
+/// Keys of the file that the model has otherwise.
+struct RoverFile {
+  std::string urdf;
+  StereoFile cameras;
+  // In which a rover may differ from what it was drawn for; NaN: as drawn.
+  double left_radius_scale = 1.0, right_radius_scale = 1.0, arm_offset_m = 0.0, mass_scale = 1.0;
+  double track_m = kNone, body_com_x_m = kNone;
+
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+};
+
+void VisitMotors(Keys& keys, RoverModel& rover) {
+  MotorModel& left = rover.motors[static_cast<int>(Motor::kLeftWheel)];
+  MotorModel& right = rover.motors[static_cast<int>(Motor::kRightWheel)];
+  keys.Mapping("wheel", [&](Keys& in) { VisitMotor(in, left); });
+  right = left;  // a side's own keys come on top
+  keys.Mapping(Unset("left_wheel"), [&](Keys& in) { VisitMotor(in, left, Presence::kDefault); });
+  keys.Mapping(Unset("right_wheel"), [&](Keys& in) { VisitMotor(in, right, Presence::kDefault); });
+  keys.Mapping("arm",
+               [&](Keys& in) { VisitMotor(in, rover.motors[static_cast<int>(Motor::kArm)]); });
+  keys.Mapping("spool",
+               [&](Keys& in) { VisitMotor(in, rover.motors[static_cast<int>(Motor::kSpool)]); });
 }
 
-void ReadMotors(const YamlReader& root, RoverModel& rover) {
-  const YamlReader in(root.Child("motors"), "motors",
-                      {"wheel", "left_wheel", "right_wheel", "arm", "spool"});
-  rover.motors[static_cast<int>(Motor::kLeftWheel)] = ReadWheelMotor(in, "left_wheel");
-  rover.motors[static_cast<int>(Motor::kRightWheel)] = ReadWheelMotor(in, "right_wheel");
-  rover.motors[static_cast<int>(Motor::kArm)] = ReadMotor(in.Child("arm"), in.PathOf("arm"));
-  rover.motors[static_cast<int>(Motor::kSpool)] = ReadMotor(in.Child("spool"), in.PathOf("spool"));
+void VisitWheels(Keys& keys, RoverModel& rover, RoverFile& file) {
+  WheelModel &left = rover.left_wheel_soil, &right = rover.right_wheel_soil;
+  VisitWheelShape(keys, left);
+  right = left;
+  keys.Degrees(Optional("left_phase_deg"), left.phase_rad, Between(-180.0, 180.0));
+  keys.Degrees(Optional("right_phase_deg"), right.phase_rad, Between(-180.0, 180.0));
+  keys.Number(Optional("left_radius_scale"), file.left_radius_scale, Between(0.5, 2.0));
+  keys.Number(Optional("right_radius_scale"), file.right_radius_scale, Between(0.5, 2.0));
+  keys.Number(Unset("track_m"), file.track_m, Between(0.05, 10.0));
 }
 
-void ReadWheels(const YamlReader& root, RoverModel& rover) {
-  const YamlReader in(root.Child("wheels"), "wheels", kWheelKeys);
-  const WheelModel wheel = ReadWheelShape(in);
-  rover.left_wheel_soil = rover.right_wheel_soil = wheel;
-  rover.left_wheel_soil.phase_rad = in.DegreesOr("left_phase_deg", 0.0, Between(-180.0, 180.0));
-  rover.right_wheel_soil.phase_rad = in.DegreesOr("right_phase_deg", 0.0, Between(-180.0, 180.0));
-}
-
-void ReadCollar(const YamlReader& arm, RoverModel& rover) {
-  if (!arm.Has("collar")) return;
-  const YamlReader in(arm.Child("collar"), arm.PathOf("collar"),
-                      {"radius_m", "front_m", "front_radius_m", "lead_in_m", "length_m"});
+void VisitCollar(Keys& keys, RoverModel& rover) {
   CollarModel& collar = rover.collar;
-  collar.radius_m = in.Number("radius_m", Positive(0.5));
-  collar.front_m = in.Number("front_m", Positive(5.0));
-  collar.front_radius_m = in.Number("front_radius_m", Between(0.002, 0.5));
-  collar.lead_in_m = in.Number("lead_in_m", Between(0.002, 1.0));
-  collar.length_m = in.Number("length_m", Between(0.002, 1.0));
-  if (collar.front_m > rover.arm_length_m - rover.tip.length_m) {
-    in.Refuse("front_m", "at most length_m - tip_length_m: a collar behind the tip");
-  }
-  if (collar.lead_in_m + collar.length_m >= collar.front_m) {
-    in.Refuse("length_m", "a collar that ends before the axle");
-  }
-  if (collar.front_radius_m > collar.radius_m) {
-    in.Refuse("front_radius_m", "at most radius_m: the lead-in widens backwards");
-  }
+  keys.Number("radius_m", collar.radius_m, Positive(0.5));
+  keys.Number("front_m", collar.front_m, Positive(5.0));
+  keys.Number("front_radius_m", collar.front_radius_m, Between(0.002, 0.5));
+  keys.Number("lead_in_m", collar.lead_in_m, Between(0.002, 1.0));
+  keys.Number("length_m", collar.length_m, Between(0.002, 1.0));
+  keys.Check("front_m", collar.front_m <= rover.arm_length_m - rover.tip.length_m,
+             "at most length_m - tip_length_m: a collar behind the tip");
+  keys.Check("length_m", collar.lead_in_m + collar.length_m < collar.front_m,
+             "a collar that ends before the axle");
+  keys.Check("front_radius_m", collar.front_radius_m <= collar.radius_m,
+             "at most radius_m: the lead-in widens backwards");
 }
 
-void ReadArm(const YamlReader& root, RoverModel& rover) {
-  const YamlReader in(root.Child("arm"), "arm", kArmKeys);
-  rover.arm_length_m = in.Number("length_m", Positive(5.0));
-  rover.arm_at_power_on_rad = in.Degrees("at_power_on_deg", Between(-180.0, 180.0));
-  rover.tip.radius_m = in.Number("tip_radius_m", Positive(0.5));
-  rover.tip.length_m = in.Number("tip_length_m", Positive(1.0));
-  rover.tip.ground_friction = in.Number("ground_friction", NonNegative(2.0));
-  rover.tip.ground_stiffness_n_per_m = in.Number("ground_stiffness_n_per_m", Between(100.0, 1e6));
-  if (rover.tip.length_m >= rover.arm_length_m) in.Refuse("tip_length_m", "less than length_m");
-  ReadCollar(in, rover);
+void VisitArm(Keys& keys, RoverModel& rover, RoverFile& file) {
+  keys.Number("length_m", rover.arm_length_m, Positive(5.0));
+  keys.Degrees("at_power_on_deg", rover.arm_at_power_on_rad, Between(-180.0, 180.0));
+  keys.Number("tip_radius_m", rover.tip.radius_m, Positive(0.5));
+  keys.Number("tip_length_m", rover.tip.length_m, Positive(1.0));
+  keys.Number("ground_friction", rover.tip.ground_friction, NonNegative(2.0));
+  keys.Number("ground_stiffness_n_per_m", rover.tip.ground_stiffness_n_per_m, Between(100.0, 1e6));
+  keys.Check("tip_length_m", rover.tip.length_m < rover.arm_length_m, "less than length_m");
+  keys.Mapping(Unset("collar"), [&](Keys& in) { VisitCollar(in, rover); });
+  keys.Number(Optional("offset_m"), file.arm_offset_m, Between(-1.0, 1.0));
 }
 
-void ReadTether(const YamlReader& root, RoverModel& rover) {
-  const YamlReader in(
-      root.Child("tether"), "tether",
-      {"law", "axial_stiffness_n", "damping_ns_per_m", "diameter_m", "mass_kg_per_m",
-       "friction_on_station", "friction_on_ground", "friction_on_rock", "friction_on_rover",
-       "drum_radius_m", "drum_growth_m_per_turn"});
-  TetherModel& tether = rover.tether;
-  tether.law =
-      in.ChoiceOr("law", 0, {"massless", "cable"}) == 0 ? TetherLaw::kMassless : TetherLaw::kCable;
-  tether.axial_stiffness_n = in.Number("axial_stiffness_n", Between(100.0, 1e6));
-  tether.damping_ns_per_m = in.Number("damping_ns_per_m", NonNegative(1e5));
-  tether.diameter_m = in.Number("diameter_m", Positive(0.05));
-  tether.mass_kg_per_m = in.Number("mass_kg_per_m", NonNegative(5.0));
-  tether.friction_on_station = in.Number("friction_on_station", NonNegative(2.0));
-  tether.friction_on_ground = in.NumberOr("friction_on_ground", 0.5, NonNegative(2.0));
-  tether.friction_on_rock = in.NumberOr("friction_on_rock", 0.4, NonNegative(2.0));
-  tether.friction_on_rover = in.NumberOr("friction_on_rover", 0.4, NonNegative(2.0));
-  if (tether.law == TetherLaw::kCable && tether.mass_kg_per_m < kLightestCable_kg_per_m) {
-    in.Refuse("mass_kg_per_m", "at least 0.001 for the law 'cable'");
-  }
-  tether.drum_radius_m = in.Number("drum_radius_m", Between(0.005, 0.5));
-  tether.drum_growth_m_per_turn =
-      in.NumberOr("drum_growth_m_per_turn", 0.0, NonNegative(0.1 * tether.drum_radius_m));
+void VisitTether(Keys& keys, TetherModel& tether) {
+  keys.Choice(Optional("law"), tether.law, {"massless", "cable"});
+  keys.Number("axial_stiffness_n", tether.axial_stiffness_n, Between(100.0, 1e6));
+  keys.Number("damping_ns_per_m", tether.damping_ns_per_m, NonNegative(1e5));
+  keys.Number("diameter_m", tether.diameter_m, Positive(0.05));
+  keys.Number("mass_kg_per_m", tether.mass_kg_per_m, NonNegative(5.0));
+  keys.Number("friction_on_station", tether.friction_on_station, NonNegative(2.0));
+  tether.friction_on_ground = 0.5;
+  tether.friction_on_rock = tether.friction_on_rover = 0.4;
+  keys.Number(Optional("friction_on_ground"), tether.friction_on_ground, NonNegative(2.0));
+  keys.Number(Optional("friction_on_rock"), tether.friction_on_rock, NonNegative(2.0));
+  keys.Number(Optional("friction_on_rover"), tether.friction_on_rover, NonNegative(2.0));
+  keys.Check("mass_kg_per_m",
+             tether.law != TetherLaw::kCable || tether.mass_kg_per_m >= kLightestCable_kg_per_m,
+             "at least 0.001 for the law 'cable'");
+  keys.Number("drum_radius_m", tether.drum_radius_m, Between(0.005, 0.5));
+  keys.Number(Optional("drum_growth_m_per_turn"), tether.drum_growth_m_per_turn,
+              keys.Limits(NonNegative(0.1 * tether.drum_radius_m), NonNegative(0.05)));
+}
+
+void VisitRover(Keys& keys, RoverModel& rover, RoverFile& file) {
+  keys.Text("name", rover.name);
+  keys.Mapping("wheels", [&](Keys& in) { VisitWheels(in, rover, file); });
+  keys.Mapping("motors", [&](Keys& in) { VisitMotors(in, rover); });
+  keys.Mapping("arm", [&](Keys& in) { VisitArm(in, rover, file); });
+  keys.Mapping("tether", [&](Keys& in) { VisitTether(in, rover.tether); });
+  keys.Mapping("imu", [&](Keys& in) { VisitImu(in, rover.imu); });
+  VisitStereo(keys, "cameras", file.cameras);
+  keys.File("urdf", file.urdf);
+  keys.Number(Optional("mass_scale"), file.mass_scale, Between(0.1, 10.0));
+  keys.Number(Unset("body_com_x_m"), file.body_com_x_m, Between(-1.0, 1.0));
+  NameSpreads(keys);
 }
 
 /// What the URDF must agree with: the numbers that it holds too, and its links.
 RoverModel ReadDrawn(const YamlNode& tree, const UrdfModel& urdf) {
-  const YamlReader in(tree, "", kKeys);
   RoverModel rover;
-  ReadWheels(in, rover);
-  ReadArm(in, rover);
+  RoverFile file;
+  const YamlReader in(tree, "", KeyNames(VisitRoverKeys));
+  ReadKeys(in.Child("wheels"), "wheels", [&](Keys& keys) { VisitWheels(keys, rover, file); });
+  ReadKeys(in.Child("arm"), "arm", [&](Keys& keys) { VisitArm(keys, rover, file); });
   TakeRoverLinks(urdf, rover);
   CheckArm(urdf, rover);
   RequireAgreement(in, rover);
@@ -130,21 +134,18 @@ RoverModel ReadDrawn(const YamlNode& tree, const UrdfModel& urdf) {
 }
 
 /// Numbers in which a rover may differ from what it was drawn for.
-void Differ(const YamlReader& root, RoverModel& rover) {
-  const YamlReader wheels(root.Child("wheels"), "wheels", kWheelKeys);
-  for (const auto& [key, wheel] : {std::pair("left_radius_scale", &rover.left_wheel_soil),
-                                   std::pair("right_radius_scale", &rover.right_wheel_soil)}) {
-    const double scale = wheels.NumberOr(key, 1.0, Between(0.5, 2.0));
+void Differ(const RoverFile& file, RoverModel& rover) {
+  for (const auto& [scale, wheel] : {std::pair(file.left_radius_scale, &rover.left_wheel_soil),
+                                     std::pair(file.right_radius_scale, &rover.right_wheel_soil)}) {
     wheel->rim_radius_m *= scale;
     wheel->paddle_height_m *= scale;
   }
-  const YamlReader arm(root.Child("arm"), "arm", kArmKeys);
-  const double offset_m = arm.NumberOr("offset_m", 0.0, Between(-1.0, 1.0));
-  rover.arm_length_m += offset_m;
-  rover.collar.front_m += offset_m;
+  rover.arm_length_m += file.arm_offset_m;
+  rover.collar.front_m += file.arm_offset_m;
 }
 
-void TakeLinks(const YamlReader& in, const RoverModel& drawn, RoverModel& rover) {
+void TakeLinks(const YamlReader& in, const RoverFile& file, const RoverModel& drawn,
+               RoverModel& rover) {
   rover.body = drawn.body;
   rover.left_wheel = drawn.left_wheel;
   rover.right_wheel = drawn.right_wheel;
@@ -152,34 +153,28 @@ void TakeLinks(const YamlReader& in, const RoverModel& drawn, RoverModel& rover)
   rover.arm_lower_rad = drawn.arm_lower_rad;
   rover.arm_upper_rad = drawn.arm_upper_rad;
   FitLinks(in, drawn, rover);
-  const YamlReader wheels(in.Child("wheels"), "wheels", kWheelKeys);
-  const double track_m = wheels.NumberOr("track_m", drawn.track_m(), Between(0.05, 10.0));
+  const double track_m = std::isnan(file.track_m) ? drawn.track_m() : file.track_m;
   rover.p_R_left_wheel = Eigen::Vector3d(0.0, 0.5 * track_m, 0.0);
   rover.p_R_right_wheel = -rover.p_R_left_wheel;
-  const double scale = in.NumberOr("mass_scale", 1.0, Between(0.1, 10.0));
   for (LinkModel* link : {&rover.body, &rover.left_wheel, &rover.right_wheel, &rover.arm}) {
-    link->mass_kg *= scale;
-    link->I_LCom_L *= scale;
+    link->mass_kg *= file.mass_scale;
+    link->I_LCom_L *= file.mass_scale;
   }
-  double& com_x_m = rover.body.p_LoCom_L.x();
-  com_x_m = in.NumberOr("body_com_x_m", com_x_m, Between(-1.0, 1.0));
+  if (!std::isnan(file.body_com_x_m)) rover.body.p_LoCom_L.x() = file.body_com_x_m;
 }
 
 RoverModel ReadRoverKeys(const YamlNode& tree, const YamlNode& drawn_by, int image_width,
                          int image_height, MeshStore* meshes) {
-  const YamlReader in(tree, "", kKeys);
   RoverModel rover;
-  rover.name = in.Text("name");
-  ReadWheels(in, rover);
-  ReadMotors(in, rover);
-  ReadArm(in, rover);
-  ReadTether(in, rover);
-  rover.imu = ReadImu(in);
-  rover.stereo =
-      ReadStereo(in, {image_width, image_height}, {kDefaultImageWidth, kDefaultImageHeight});
-  Differ(in, rover);
-  const UrdfModel urdf = LoadUrdf(in.File("urdf"), meshes);
-  TakeLinks(in, ReadDrawn(drawn_by, urdf), rover);
+  RoverFile file;
+  const auto visit = [&](Keys& keys) { VisitRover(keys, rover, file); };
+  ReadKeys(tree, "", visit);
+  const YamlReader in(tree, "", KeyNames(visit));
+  rover.stereo = StereoOf(file.cameras, {image_width, image_height},
+                          {kDefaultImageWidth, kDefaultImageHeight});
+  Differ(file, rover);
+  const UrdfModel urdf = LoadUrdf(file.urdf, meshes);
+  TakeLinks(in, file, ReadDrawn(drawn_by, urdf), rover);
   CheckArm(urdf, rover);
   if (rover.arm_at_power_on_rad < rover.arm_lower_rad ||
       rover.arm_at_power_on_rad > rover.arm_upper_rad) {
@@ -195,6 +190,12 @@ RoverModel ReadRover(const YamlNode& tree, const YamlNode& drawn_by, int image_w
 }
 
 }  // namespace
+
+void VisitRoverKeys(Keys& keys) {
+  RoverModel rover;
+  RoverFile file;
+  VisitRover(keys, rover, file);
+}
 
 RoverModel LoadRover(const std::string& file, int image_width, int image_height,
                      const ModelChanges& changes, MeshStore* meshes) {

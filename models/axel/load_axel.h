@@ -5,11 +5,15 @@
 
 #include "models/axel/axel_model.h"
 #include "models/read/as_built.h"
+#include "models/read/keys.h"
 #include "models/read/mesh_loader.h"
 
 namespace dockyard::axel {
 
 inline constexpr int kDefaultImageWidth = 1024, kDefaultImageHeight = 768;
+
+/// Names every key of the file.
+void VisitRoverKeys(Keys& keys);
 
 /// The URDF must have the links body (its root), left_wheel, right_wheel and arm, and the joints
 /// left_wheel_joint, right_wheel_joint (continuous) and arm_joint (revolute, at the body's origin),

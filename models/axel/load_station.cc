@@ -1,6 +1,7 @@
 #include "models/axel/load_station.h"
 
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "models/axel/mating_fit.h"
@@ -18,52 +19,58 @@
 namespace dockyard::axel {
 namespace {
 
-void ReadCone(const YamlReader& root, ConeModel& cone) {
-  const YamlReader in(root.Child("cone"), "cone",
-                      {"mouth_radius_m", "funnel_length_m", "throat_radius_m", "socket_end_m",
-                       "stop_depth_m", "face_outer_radius_m", "funnel_friction", "face_friction",
-                       "rated_force_n", "contact_stiffness_n_per_m", "contact_damping_ns_per_m"});
-  cone.mouth_radius_m = in.Number("mouth_radius_m", Positive(2.0));
-  cone.funnel_length_m = in.Number("funnel_length_m", Positive(2.0));
-  cone.throat_radius_m = in.Number("throat_radius_m", Positive(2.0));
-  cone.socket_end_m = in.Number("socket_end_m", Positive(5.0));
-  cone.stop_depth_m = in.NumberOr("stop_depth_m", 0.0, NonNegative(5.0));
-  cone.face_outer_radius_m = in.Number("face_outer_radius_m", Positive(2.0));
-  cone.funnel_friction = in.Number("funnel_friction", NonNegative(2.0));
-  cone.face_friction = in.Number("face_friction", NonNegative(2.0));
-  cone.rated_force_n = in.NumberOr("rated_force_n", cone.rated_force_n, Positive(1e6));
-  cone.contact_stiffness_n_per_m = in.Number("contact_stiffness_n_per_m", Between(1e3, 1e7));
-  cone.contact_damping_ns_per_m = in.Number("contact_damping_ns_per_m", NonNegative(1e6));
-  if (cone.throat_radius_m >= cone.mouth_radius_m) {
-    in.Refuse("throat_radius_m", "less than mouth_radius_m");
-  }
-  if (cone.face_outer_radius_m <= cone.mouth_radius_m) {
-    in.Refuse("face_outer_radius_m", "more than mouth_radius_m");
-  }
-  if (cone.stop_depth_m > 0.0 && cone.stop_depth_m < cone.funnel_length_m) {
-    in.Refuse("stop_depth_m", "0 or at least funnel_length_m");
-  }
-  if (cone.socket_end_m < cone.funnel_length_m) {
-    in.Refuse("socket_end_m", "at least funnel_length_m");
-  }
+void VisitCone(Keys& keys, ConeModel& cone) {
+  keys.Number("mouth_radius_m", cone.mouth_radius_m, Positive(2.0));
+  keys.Number("funnel_length_m", cone.funnel_length_m, Positive(2.0));
+  keys.Number("throat_radius_m", cone.throat_radius_m, Positive(2.0));
+  keys.Number("socket_end_m", cone.socket_end_m, Positive(5.0));
+  keys.Number(Optional("stop_depth_m"), cone.stop_depth_m, NonNegative(5.0));
+  keys.Number("face_outer_radius_m", cone.face_outer_radius_m, Positive(2.0));
+  keys.Number("funnel_friction", cone.funnel_friction, NonNegative(2.0));
+  keys.Number("face_friction", cone.face_friction, NonNegative(2.0));
+  keys.Number(Unset("rated_force_n"), cone.rated_force_n, Positive(1e6));
+  keys.Number("contact_stiffness_n_per_m", cone.contact_stiffness_n_per_m, Between(1e3, 1e7));
+  keys.Number("contact_damping_ns_per_m", cone.contact_damping_ns_per_m, NonNegative(1e6));
+  keys.Check("throat_radius_m", cone.throat_radius_m < cone.mouth_radius_m,
+             "less than mouth_radius_m");
+  keys.Check("face_outer_radius_m", cone.face_outer_radius_m > cone.mouth_radius_m,
+             "more than mouth_radius_m");
+  keys.Check("stop_depth_m", cone.stop_depth_m <= 0.0 || cone.stop_depth_m >= cone.funnel_length_m,
+             "0 or at least funnel_length_m");
+  keys.Check("socket_end_m", cone.socket_end_m >= cone.funnel_length_m, "at least funnel_length_m");
 }
 
+/// Keys of the file that the model has otherwise.
+struct StationFile {
+  bool board_named = false;  // the board's mapping names its file
+  std::string urdf, board;
+  double mass_kg = kNone, mouth_height_m = kNone;  // NaN: as the URDF has it
+
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+};
+
 /// The board inline, or by the name of its file; the station places it.
-void ReadBoardOf(const YamlReader& root, StationModel& station) {
+void VisitBoardOf(Keys& keys, StationModel& station, StationFile& file) {
+  keys.Number("height_above_axis_m", station.board_height_above_axis_m, Between(-2.0, 2.0));
+  VisitMounting(keys, station.board_mounting);
+  file.board_named ? keys.File("file", file.board) : VisitBoard(keys, station.board);
+}
+
+void FinishBoard(const YamlReader& root, StationModel& station, StationFile& file) {
   const YamlNode& node = root.Child("board");
-  const bool named = node.Find("file") != nullptr;
   const YamlReader in(node, "board",
-                      named ? std::vector<std::string>{"file", "height_above_axis_m", "mounting"}
-                            : BoardKeys({"height_above_axis_m", "mounting"}));
-  station.board_height_above_axis_m = in.Number("height_above_axis_m", Between(-2.0, 2.0));
-  station.board_mounting = ReadMounting(in);
-  station.board = named ? LoadBoard(in.File("file")).board : ReadBoard(in);
+                      KeyNames([&](Keys& keys) { VisitBoardOf(keys, station, file); }));
+  if (file.board_named) {
+    station.board = LoadBoard(file.board).board;
+  } else {
+    CheckBoard(in, station.board);
+  }
   const BoardCutout cutout = CutoutOf(station);
   const double least_m = 0.5 * station.board.disc_diameter_m + cutout.radius_m;
   for (std::size_t i = 0; i < station.board.fiducials.size(); ++i) {
     const double overlap_m = least_m - (station.board.fiducials[i].p_BF - cutout.p_B).norm();
     if (overlap_m <= 0.0) continue;
-    const bool listed = !named && in.Has("fiducials");
+    const bool listed = !file.board_named && in.Has("fiducials");
     const YamlNode& place = listed ? in.Child("fiducials").items[i] : node;
     throw ConfigError(place.place.Text() + ": " + YamlReader::PathOf(in.PathOf("fiducials"), i) +
                       ": expected a disc clear of the cone's mouth and face, it overlaps by " +
@@ -71,18 +78,32 @@ void ReadBoardOf(const YamlReader& root, StationModel& station) {
   }
 }
 
-void ReadFeet(const YamlReader& root, StationModel& station) {
-  const YamlReader in(root.Child("feet"), "feet",
-                      {"soles_m", "friction", "stiffness_n_per_m", "sole_diameter_m"});
-  const YamlNode& list = in.List("soles_m", 3, 16);
-  for (std::size_t i = 0; i < list.items.size(); ++i) {
-    const YamlReader sole(list.items[i], YamlReader::PathOf(in.PathOf("soles_m"), i), {"x", "y"});
-    station.feet.push_back({Eigen::Vector3d(sole.Number("x", Between(-5.0, 5.0)),
-                                            sole.Number("y", Between(-5.0, 5.0)), 0.0)});
+void VisitFeet(Keys& keys, StationModel& station) {
+  keys.Items("soles_m", station.feet, 3, 16, [](Keys& in, FootModel& foot) {
+    in.Number("x", foot.p_SF.x(), Between(-5.0, 5.0));
+    in.Number("y", foot.p_SF.y(), Between(-5.0, 5.0));
+  });
+  keys.Number("friction", station.foot_friction, NonNegative(3.0));
+  keys.Number("stiffness_n_per_m", station.foot_stiffness_n_per_m, Between(1e3, 1e8));
+  keys.Number(Optional("sole_diameter_m"), station.sole_diameter_m, NonNegative(0.3));
+}
+
+void VisitStation(Keys& keys, StationModel& station, StationFile& file) {
+  keys.Text("name", station.name);
+  keys.Degrees("tip_angle_deg", station.tip_angle_rad, Between(0.0, 30.0));
+  keys.Mapping("cone", [&](Keys& in) { VisitCone(in, station.cone); });
+  keys.Mapping("board", [&](Keys& in) { VisitBoardOf(in, station, file); });
+  keys.Number("anchor_depth_m", station.anchor_depth_m, Positive(5.0));
+  keys.Mapping("feet", [&](Keys& in) { VisitFeet(in, station); });
+  keys.File("urdf", file.urdf);
+  if (keys.reads()) {
+    keys.Number(Unset("mouth_height_m"), file.mouth_height_m, Positive(5.0));
+  } else {  // or `from_axle`: FitMouth
+    YamlNode either;
+    keys.Tree(Unset("mouth_height_m"), either, YamlNode::Kind::kNull);
   }
-  station.foot_friction = in.Number("friction", NonNegative(3.0));
-  station.foot_stiffness_n_per_m = in.Number("stiffness_n_per_m", Between(1e3, 1e8));
-  station.sole_diameter_m = in.NumberOr("sole_diameter_m", 0.0, NonNegative(0.3));
+  keys.Number(Unset("mass_kg"), file.mass_kg, Between(0.1, 1e5));
+  NameSpreads(keys);
 }
 
 /// The station must stand: the weight must fall between the soles, else it topples by itself.
@@ -119,8 +140,8 @@ UrdfModel WeldStation(const UrdfModel& urdf) {
 }
 
 /// mass_kg and mouth_height_m of the file, where given, stand instead of the URDF's.
-void TakeLinks(const YamlReader& in, const UrdfModel& file, StationModel& station) {
-  const UrdfModel urdf = WeldStation(file);
+void TakeLinks(const StationFile& file, const UrdfModel& drawn, StationModel& station) {
+  const UrdfModel urdf = WeldStation(drawn);
   UrdfJoint tilt = urdf.Joint("tilt_joint");
   const bool fits = urdf.root == "stand" && tilt.parent == "stand" && tilt.child == "module" &&
                     tilt.type == "revolute" && tilt.axis_J == Eigen::Vector3d::UnitY() &&
@@ -131,12 +152,12 @@ void TakeLinks(const YamlReader& in, const UrdfModel& file, StationModel& statio
                       ": expected a revolute joint about 0 1 0 from the root link 'stand' to "
                       "'module', its origin straight above the stand's");
   }
-  tilt.X_PJ.p.z() = in.NumberOr("mouth_height_m", tilt.X_PJ.p.z(), Positive(5.0));
+  if (!std::isnan(file.mouth_height_m)) tilt.X_PJ.p.z() = file.mouth_height_m;
   station.mouth_height_m = tilt.X_PJ.p.z();
   station.stand_visuals = urdf.Link("stand").visuals;
   station.module = RequireInertial(urdf, "module");
-  const double scale =
-      in.NumberOr("mass_kg", station.module.mass_kg, Between(0.1, 1e5)) / station.module.mass_kg;
+  const double mass_kg = std::isnan(file.mass_kg) ? station.module.mass_kg : file.mass_kg;
+  const double scale = mass_kg / station.module.mass_kg;
   station.module.mass_kg *= scale;
   station.module.I_LCom_L *= scale;
   // From the mouth's frame, where the joint has it, to S.
@@ -146,17 +167,15 @@ void TakeLinks(const YamlReader& in, const UrdfModel& file, StationModel& statio
 }
 
 StationModel ReadStationKeys(const YamlNode& tree, MeshStore* meshes) {
-  const YamlReader in(tree, "",
-                      {"name", "urdf", "tip_angle_deg", "cone", "board", "anchor_depth_m", "feet",
-                       "mass_kg", "mouth_height_m", "spreads"});
   StationModel station;
-  station.name = in.Text("name");
-  station.tip_angle_rad = in.Degrees("tip_angle_deg", Between(0.0, 30.0));
-  ReadCone(in, station.cone);
-  ReadBoardOf(in, station);
-  station.anchor_depth_m = in.Number("anchor_depth_m", Positive(5.0));
-  ReadFeet(in, station);
-  TakeLinks(in, LoadUrdf(in.File("urdf"), meshes), station);
+  StationFile file;
+  const YamlNode* board = tree.Find("board");
+  file.board_named = board != nullptr && board->Find("file") != nullptr;
+  const auto visit = [&](Keys& keys) { VisitStation(keys, station, file); };
+  ReadKeys(tree, "", visit);
+  const YamlReader in(tree, "", KeyNames(visit));
+  FinishBoard(in, station, file);
+  TakeLinks(file, LoadUrdf(file.urdf, meshes), station);
   CheckStands(in, station);
   const double lowest = station.mouth_height_m - station.cone.face_outer_radius_m;
   if (lowest <= 0.0) in.Refuse("cone", "a face that clears the ground below the mouth");
@@ -195,6 +214,12 @@ void WriteLeftOut(const StationModel& told, YamlNode& tree) {
 }
 
 }  // namespace
+
+void VisitStationKeys(Keys& keys) {
+  StationModel station;
+  StationFile file;
+  VisitStation(keys, station, file);
+}
 
 StationModel LoadStation(const std::string& file, const ModelChanges& changes, MeshStore* meshes,
                          const RoverModel* docked_by) {

@@ -5,9 +5,13 @@
 
 #include "models/axel/station_model.h"
 #include "models/read/as_built.h"
+#include "models/read/keys.h"
 #include "models/read/mesh_loader.h"
 
 namespace dockyard::axel {
+
+/// Names every key of a file with the board inline.
+void VisitStationKeys(Keys& keys);
 
 /// The URDF must have the root link stand (feet and legs; no mass, the module's counts for all),
 /// the link module and between them the joint tilt_joint (revolute about +y) at the centre of the

@@ -11,37 +11,39 @@
 namespace dockyard::raposa {
 namespace {
 
-std::vector<std::string> FirmKeys() {
-  return {"name",        "source",  "friction_angle_deg",  "lateral_ratio",
-          "cohesion_pa", "spreads", "shear_displacement_m"};
+void VisitFirm(Keys& keys, GroundModel& ground) {
+  keys.Text("name", ground.name);
+  keys.Text("source", ground.source);
+  double angle_rad = 0.0;
+  keys.Degrees("friction_angle_deg", angle_rad, Between(1.0, 60.0));
+  ground.belt.friction = std::tan(angle_rad);
+  keys.Number("lateral_ratio", ground.belt.lateral_ratio, Between(0.2, 3.0));
+  keys.Number("cohesion_pa", ground.belt.cohesion_pa, NonNegative(1e5));
+  keys.Number("shear_displacement_m", ground.belt.shear_displacement_m, NonNegative(0.2));
+  NameSpreads(keys);
 }
 
-void ReadFirm(const YamlReader& in, BeltGround& belt) {
-  belt.friction = std::tan(in.Degrees("friction_angle_deg", Between(1.0, 60.0)));
-  belt.lateral_ratio = in.Number("lateral_ratio", Between(0.2, 3.0));
-  belt.cohesion_pa = in.Number("cohesion_pa", NonNegative(1e5));
-  belt.shear_displacement_m = in.Number("shear_displacement_m", NonNegative(0.2));
+/// soft: it has a soil's keys, too.
+void VisitGround(Keys& keys, GroundModel& ground, bool soft) {
+  if (soft) {
+    if (!ground.soil) ground.soil.emplace();
+    VisitSoil(keys, *ground.soil);
+    ground.name = ground.soil->name;
+    ground.source = ground.soil->source;
+  } else {
+    VisitFirm(keys, ground);
+  }
+  keys.Number("rolling_loss", ground.belt.rolling_loss, NonNegative(1.0));
+  keys.Number("patch_scatter", ground.belt.patch_scatter, Between(0.0, 0.9));
+  keys.Number("patch_m", ground.belt.patch_m, Between(0.01, 10.0));
+  keys.Choice("material", ground.material, {"floor", "soil", "grass", "brick", "grey"});
+  keys.Number("grain", ground.grain, Between(0.0, 1.0));
 }
 
 GroundModel ReadGround(const YamlNode& root) {
-  const bool soft = root.Find("k_phi") != nullptr;
-  std::vector<std::string> keys = soft ? SoilKeys() : FirmKeys();
-  keys.insert(keys.end(), {"rolling_loss", "patch_scatter", "patch_m", "material", "grain"});
-  const YamlReader in(root, "", keys);
   GroundModel ground;
-  ground.name = in.Text("name");
-  ground.source = in.Text("source");
-  if (soft) {
-    ground.soil = ReadSoil(in);
-  } else {
-    ReadFirm(in, ground.belt);
-  }
-  ground.belt.rolling_loss = in.Number("rolling_loss", NonNegative(1.0));
-  ground.belt.patch_scatter = in.Number("patch_scatter", Between(0.0, 0.9));
-  ground.belt.patch_m = in.Number("patch_m", Between(0.01, 10.0));
-  const int material = in.Choice("material", {"floor", "soil", "grass", "brick", "grey"});
-  ground.material = static_cast<GroundMaterialKind>(material);
-  ground.grain = in.Number("grain", Between(0.0, 1.0));
+  const bool soft = root.Find("k_phi") != nullptr;
+  ReadKeys(root, "", [&](Keys& keys) { VisitGround(keys, ground, soft); });
   CheckSpreads(root);
   return ground;
 }

@@ -1,6 +1,6 @@
 #include "models/raposa/load_pyramid.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "models/read/config_error.h"
 #include "models/read/load_model_yaml.h"
@@ -13,58 +13,45 @@
 namespace dockyard::raposa {
 namespace {
 
-void ReadMarks(const YamlReader& root, MarksModel& marks) {
-  const YamlReader in(root.Child("marks"), "marks", {"edge_m", "behind_m", "strip_m", "rise_deg"});
-  marks.edge_m = in.Number("edge_m", Positive(1.0));
-  marks.behind_m = in.Number("behind_m", Positive(1.0));
-  marks.strip_m = in.Number("strip_m", Positive(0.5));
-  marks.rise_rad = in.Degrees("rise_deg", Between(0.0, 80.0));
-  if (marks.strip_m > 0.5 * marks.edge_m) in.Refuse("strip_m", "at most half of edge_m");
+void VisitMarks(Keys& keys, MarksModel& marks) {
+  keys.Number("edge_m", marks.edge_m, Positive(1.0));
+  keys.Number("behind_m", marks.behind_m, Positive(1.0));
+  keys.Number("strip_m", marks.strip_m, Positive(0.5));
+  keys.Degrees("rise_deg", marks.rise_rad, Between(0.0, 80.0));
+  keys.Check("strip_m", marks.strip_m <= 0.5 * marks.edge_m, "at most half of edge_m");
 }
 
-void ReadGuide(const YamlReader& root, GuideModel& guide) {
-  const YamlReader in(root.Child("guide"), "guide",
-                      {"diameter_m", "length_m", "half_angle_deg", "height_m", "up_deg",
-                       "rod_radius_m", "blunt_radius_m"});
-  guide.diameter_m = in.Number("diameter_m", Positive(0.5));
-  guide.length_m = in.Number("length_m", Positive(0.5));
-  guide.half_angle_rad = in.Degrees("half_angle_deg", Between(5.0, 80.0));
-  guide.height_m = in.Number("height_m", Positive(1.0));
-  guide.up_rad = in.Degrees("up_deg", Between(-30.0, 30.0));
-  guide.rod_radius_m = in.Number("rod_radius_m", Positive(0.1));
-  if (guide.rod_radius_m >= 0.5 * guide.diameter_m) {
-    in.Refuse("rod_radius_m", "less than half of diameter_m");
-  }
-  guide.blunt_radius_m = in.Number("blunt_radius_m", Positive(0.1));
-  if (guide.blunt_radius_m >= 0.5 * guide.diameter_m) {
-    in.Refuse("blunt_radius_m", "less than half of diameter_m");
+void VisitGuide(Keys& keys, GuideModel& guide) {
+  keys.Number("diameter_m", guide.diameter_m, Positive(0.5));
+  keys.Number("length_m", guide.length_m, Positive(0.5));
+  keys.Degrees("half_angle_deg", guide.half_angle_rad, Between(5.0, 80.0));
+  keys.Number("height_m", guide.height_m, Positive(1.0));
+  keys.Degrees("up_deg", guide.up_rad, Between(-30.0, 30.0));
+  for (const auto& [key, radius_m] : {std::pair("rod_radius_m", &guide.rod_radius_m),
+                                      std::pair("blunt_radius_m", &guide.blunt_radius_m)}) {
+    keys.Number(key, *radius_m, Positive(0.1));
+    keys.Check(key, *radius_m < 0.5 * guide.diameter_m, "less than half of diameter_m");
   }
 }
 
-void ReadFeet(const YamlReader& root, PyramidModel& pyramid) {
-  const YamlReader in(root.Child("feet"), "feet",
-                      {"soles_m", "friction", "stiffness_n_per_m", "diameter_m"});
-  const YamlNode& list = in.List("soles_m", 3, 16);
-  for (std::size_t i = 0; i < list.items.size(); ++i) {
-    const YamlReader sole(list.items[i], YamlReader::PathOf(in.PathOf("soles_m"), i), {"x", "y"});
-    pyramid.p_P_soles.emplace_back(sole.Number("x", Between(-1.0, 1.0)),
-                                   sole.Number("y", Between(-1.0, 1.0)));
-  }
-  pyramid.foot_friction = in.Number("friction", NonNegative(3.0));
-  pyramid.foot_stiffness_n_per_m = in.Number("stiffness_n_per_m", Between(100.0, 1e7));
-  pyramid.foot_diameter_m = in.Number("diameter_m", Between(0.003, 0.3));
+void VisitFeet(Keys& keys, PyramidModel& pyramid) {
+  keys.Items("soles_m", pyramid.p_P_soles, 3, 16, [](Keys& in, Eigen::Vector2d& sole) {
+    in.Number("x", sole.x(), Between(-1.0, 1.0));
+    in.Number("y", sole.y(), Between(-1.0, 1.0));
+  });
+  keys.Number("friction", pyramid.foot_friction, NonNegative(3.0));
+  keys.Number("stiffness_n_per_m", pyramid.foot_stiffness_n_per_m, Between(100.0, 1e7));
+  keys.Number("diameter_m", pyramid.foot_diameter_m, Between(0.003, 0.3));
 }
 
-void ReadCable(const YamlReader& root, TetherCableModel& cable) {
-  const YamlReader in(root.Child("cable"), "cable",
-                      {"length_m", "slack_m", "mass_kg_per_m", "diameter_m", "axial_stiffness_n",
-                       "friction_on_ground"});
-  cable.length_m = in.Number("length_m", Between(0.3, 50.0));
-  cable.slack_m = in.Number("slack_m", NonNegative(0.5 * cable.length_m));
-  cable.mass_kg_per_m = in.Number("mass_kg_per_m", Between(1e-3, 5.0));
-  cable.diameter_m = in.Number("diameter_m", Positive(0.1));
-  cable.axial_stiffness_n = in.Number("axial_stiffness_n", Between(10.0, 1e6));
-  cable.friction_on_ground = in.Number("friction_on_ground", NonNegative(2.0));
+void VisitCable(Keys& keys, TetherCableModel& cable) {
+  keys.Number("length_m", cable.length_m, Between(0.3, 50.0));
+  keys.Number("slack_m", cable.slack_m,
+              keys.Limits(NonNegative(0.5 * cable.length_m), NonNegative(25.0)));
+  keys.Number("mass_kg_per_m", cable.mass_kg_per_m, Between(1e-3, 5.0));
+  keys.Number("diameter_m", cable.diameter_m, Positive(0.1));
+  keys.Number("axial_stiffness_n", cable.axial_stiffness_n, Between(10.0, 1e6));
+  keys.Number("friction_on_ground", cable.friction_on_ground, NonNegative(2.0));
 }
 
 /// It must stand by itself: the weight must fall between the soles.
@@ -80,7 +67,30 @@ void CheckStands(const YamlReader& in, const PyramidModel& pyramid) {
                         ", y " + NumberText(com.y()));
 }
 
+/// Keys of the file that the model has otherwise.
+struct PyramidFile {
+  std::string urdf;
+  double mass_scale = 1.0;
+};
+
+void VisitPyramid(Keys& keys, PyramidModel& pyramid, PyramidFile& file) {
+  keys.Text("name", pyramid.name);
+  keys.Mapping("marks", [&](Keys& in) { VisitMarks(in, pyramid.marks); });
+  keys.Mapping("guide", [&](Keys& in) { VisitGuide(in, pyramid.guide); });
+  keys.Mapping("feet", [&](Keys& in) { VisitFeet(in, pyramid); });
+  keys.Mapping("cable", [&](Keys& in) { VisitCable(in, pyramid.cable); });
+  keys.File("urdf", file.urdf);
+  keys.Number(Optional("mass_scale"), file.mass_scale, Between(0.1, 10.0));
+  NameSpreads(keys);
+}
+
 }  // namespace
+
+void VisitPyramidKeys(Keys& keys) {
+  PyramidModel pyramid;
+  PyramidFile file;
+  VisitPyramid(keys, pyramid, file);
+}
 
 static PyramidModel ReadPyramidFile(const std::string& file, const ModelChanges& changes,
                                     MeshStore* meshes) {
@@ -88,24 +98,19 @@ static PyramidModel ReadPyramidFile(const std::string& file, const ModelChanges&
   if (changes.told != nullptr) MergeYaml(tree, *changes.told);
   PutIfLeftOut(tree, "mass_scale", 1.0);
   if (changes.built != nullptr) PutBuilt(tree, *changes.built);
-  const YamlReader in(tree, "",
-                      {"name", "urdf", "mass_scale", "marks", "guide", "feet", "cable", "spreads"});
   PyramidModel pyramid;
-  pyramid.name = in.Text("name");
-  ReadMarks(in, pyramid.marks);
-  ReadGuide(in, pyramid.guide);
-  ReadFeet(in, pyramid);
-  ReadCable(in, pyramid.cable);
-  const UrdfModel urdf = WeldFixedLinks(LoadUrdf(in.File("urdf"), meshes));
+  PyramidFile keys;
+  const auto visit = [&](Keys& all) { VisitPyramid(all, pyramid, keys); };
+  ReadKeys(tree, "", visit);
+  const UrdfModel urdf = WeldFixedLinks(LoadUrdf(keys.urdf, meshes));
   RequireJoints(urdf, {}, "'pyramid'");
   if (urdf.root != "pyramid") {
     throw ConfigError(urdf.PlaceOf(urdf.root) + ": expected the root link to be 'pyramid'");
   }
   pyramid.body = RequireInertial(urdf, "pyramid");
-  const double scale = in.Number("mass_scale", Between(0.1, 10.0));
-  pyramid.body.mass_kg *= scale;
-  pyramid.body.I_LCom_L *= scale;
-  CheckStands(in, pyramid);
+  pyramid.body.mass_kg *= keys.mass_scale;
+  pyramid.body.I_LCom_L *= keys.mass_scale;
+  CheckStands(YamlReader(tree, "", KeyNames(visit)), pyramid);
   CheckSpreads(tree);
   return pyramid;
 }

@@ -16,63 +16,53 @@
 namespace dockyard::raposa {
 namespace {
 
-void ReadBelts(const YamlReader& root, BeltsModel& belts) {
-  const YamlReader in(root.Child("belts"), "belts",
-                      {"gauge_m", "width_m", "roller_radius_m", "body_rear_m", "body_front_m",
-                       "arm_length_m", "stiffness_pa_per_m", "damping_pa_s_per_m",
-                       "shear_stiffness_pa_per_m", "shear_damping_pa_s_per_m", "effective_gauge_m",
-                       "speed_offset", "drift_time_s", "dead_band_m_s"});
-  belts.gauge_m = in.Number("gauge_m", Positive(3.0));
-  belts.width_m = in.Number("width_m", Positive(1.0));
-  belts.roller_radius_m = in.Number("roller_radius_m", Positive(1.0));
-  belts.body_rear_m = in.Number("body_rear_m", Between(-3.0, 0.0));
-  belts.body_front_m = in.Number("body_front_m", Between(0.0, 3.0));
-  belts.arm_length_m = in.Number("arm_length_m", Positive(2.0));
-  belts.stiffness_pa_per_m = in.Number("stiffness_pa_per_m", Between(1e5, 1e9));
-  belts.damping_pa_s_per_m = in.Number("damping_pa_s_per_m", NonNegative(1e8));
-  belts.shear_stiffness_pa_per_m = in.Number("shear_stiffness_pa_per_m", Between(1e4, 1e9));
-  belts.shear_damping_pa_s_per_m = in.Number("shear_damping_pa_s_per_m", NonNegative(1e8));
-  belts.effective_gauge_m = in.Number("effective_gauge_m", Positive(10.0));
-  belts.speed_offset = in.Number("speed_offset", NonNegative(0.5));
-  belts.drift_time_s = in.Number("drift_time_s", Between(1.0, 1e5));
-  belts.dead_band_m_s = in.Number("dead_band_m_s", NonNegative(1.0));
-  if (belts.width_m >= belts.gauge_m) in.Refuse("width_m", "less than gauge_m");
+void VisitBelts(Keys& keys, BeltsModel& belts) {
+  keys.Number("gauge_m", belts.gauge_m, Positive(3.0));
+  keys.Number("width_m", belts.width_m, Positive(1.0));
+  keys.Number("roller_radius_m", belts.roller_radius_m, Positive(1.0));
+  keys.Number("body_rear_m", belts.body_rear_m, Between(-3.0, 0.0));
+  keys.Number("body_front_m", belts.body_front_m, Between(0.0, 3.0));
+  keys.Number("arm_length_m", belts.arm_length_m, Positive(2.0));
+  keys.Number("stiffness_pa_per_m", belts.stiffness_pa_per_m, Between(1e5, 1e9));
+  keys.Number("damping_pa_s_per_m", belts.damping_pa_s_per_m, NonNegative(1e8));
+  keys.Number("shear_stiffness_pa_per_m", belts.shear_stiffness_pa_per_m, Between(1e4, 1e9));
+  keys.Number("shear_damping_pa_s_per_m", belts.shear_damping_pa_s_per_m, NonNegative(1e8));
+  keys.Number("effective_gauge_m", belts.effective_gauge_m, Positive(10.0));
+  keys.Number("speed_offset", belts.speed_offset, NonNegative(0.5));
+  keys.Number("drift_time_s", belts.drift_time_s, Between(1.0, 1e5));
+  keys.Number("dead_band_m_s", belts.dead_band_m_s, NonNegative(1.0));
+  keys.Check("width_m", belts.width_m < belts.gauge_m, "less than gauge_m");
 }
 
-void ReadMotors(const YamlReader& root, RobotModel& robot) {
-  const YamlReader in(root.Child("motors"), "motors", {"belt", "arm", "door"});
-  const auto read = [&](const char* key) { return ReadMotor(in.Child(key), in.PathOf(key)); };
-  const auto of = [&](Motor motor) -> MotorModel& {
-    return robot.motors[static_cast<std::size_t>(motor)];
+void VisitMotors(Keys& keys, RobotModel& robot) {
+  const auto visit = [&](const char* key, Motor left, Motor right) {
+    MotorModel& motor = robot.motors[static_cast<std::size_t>(left)];
+    keys.Mapping(key, [&](Keys& in) { VisitMotor(in, motor); });
+    robot.motors[static_cast<std::size_t>(right)] = motor;
   };
-  of(Motor::kLeftBelt) = of(Motor::kRightBelt) = read("belt");
-  of(Motor::kArm) = read("arm");
-  of(Motor::kLeftDoor) = of(Motor::kRightDoor) = read("door");
+  visit("belt", Motor::kLeftBelt, Motor::kRightBelt);
+  visit("arm", Motor::kArm, Motor::kArm);
+  visit("door", Motor::kLeftDoor, Motor::kRightDoor);
 }
 
-void ReadDoors(const YamlReader& root, DoorsModel& doors) {
-  const YamlReader in(root.Child("doors"), "doors",
-                      {"pinion_radius_m", "travel_m", "plate_m", "closed_radius_m", "friction"});
-  doors.pinion_radius_m = in.Number("pinion_radius_m", Positive(0.2));
-  doors.travel_m = in.Number("travel_m", Positive(0.5));
-  doors.plate_m = in.Number("plate_m", Between(1e-3, 0.05));
-  doors.closed_radius_m = in.Number("closed_radius_m", Positive(0.2));
-  doors.friction = in.Number("friction", NonNegative(2.0));
+void VisitDoors(Keys& keys, DoorsModel& doors) {
+  keys.Number("pinion_radius_m", doors.pinion_radius_m, Positive(0.2));
+  keys.Number("travel_m", doors.travel_m, Positive(0.5));
+  keys.Number("plate_m", doors.plate_m, Between(1e-3, 0.05));
+  keys.Number("closed_radius_m", doors.closed_radius_m, Positive(0.2));
+  keys.Number("friction", doors.friction, NonNegative(2.0));
 }
 
-void ReadSocket(const YamlReader& root, SocketModel& socket) {
-  const YamlReader in(root.Child("socket"), "socket",
-                      {"seat_m", "entrance_radius_m", "throat_radius_m", "seat_radius_m",
-                       "half_angle_deg", "friction"});
-  socket.p_RS = in.Vector3("seat_m", Between(-2.0, 2.0));
-  socket.entrance_radius_m = in.Number("entrance_radius_m", Positive(0.5));
-  socket.throat_radius_m = in.Number("throat_radius_m", Positive(0.5));
-  socket.seat_radius_m = in.Number("seat_radius_m", Positive(socket.throat_radius_m));
-  socket.half_angle_rad = in.Degrees("half_angle_deg", Between(5.0, 80.0));
-  socket.friction = in.Number("friction", NonNegative(2.0));
-  if (socket.throat_radius_m >= socket.entrance_radius_m) {
-    in.Refuse("throat_radius_m", "less than entrance_radius_m");
-  }
+void VisitSocket(Keys& keys, SocketModel& socket) {
+  keys.Vector3("seat_m", socket.p_RS, Between(-2.0, 2.0));
+  keys.Number("entrance_radius_m", socket.entrance_radius_m, Positive(0.5));
+  keys.Number("throat_radius_m", socket.throat_radius_m, Positive(0.5));
+  keys.Number("seat_radius_m", socket.seat_radius_m,
+              keys.Limits(Positive(socket.throat_radius_m), Positive(0.5)));
+  keys.Degrees("half_angle_deg", socket.half_angle_rad, Between(5.0, 80.0));
+  keys.Number("friction", socket.friction, NonNegative(2.0));
+  keys.Check("throat_radius_m", socket.throat_radius_m < socket.entrance_radius_m,
+             "less than entrance_radius_m");
 }
 
 /// A pinhole that looks back along -x, turned down by its pitch.
@@ -87,39 +77,37 @@ Pose3 BackLooking(const Eigen::Vector3d& p_R, double pitch_rad) {
   return X_RC;
 }
 
-void ReadCamera(const YamlReader& root, BackCameraModel& camera) {
-  const YamlReader in(root.Child("camera"), "camera",
-                      {"width_px", "height_px", "focal_px", "position_m", "pitch_deg",
-                       "half_view_deg", "hole_m", "delay_s", "shutter_s", "blur_sigma_px",
-                       "full_well_e", "read_noise_e", "vignetting_exponent", "mounting"});
-  camera.camera.width = in.Integer("width_px", 16, 4096);
-  camera.camera.height = in.Integer("height_px", 16, 4096);
-  const double f = in.Number("focal_px", Positive(1e5));
-  camera.camera.lens = BrownPinhole{.fx = f,
-                                    .fy = f,
+void VisitCamera(Keys& keys, BackCameraModel& camera) {
+  keys.Integer("width_px", camera.camera.width, 16, 4096);
+  keys.Integer("height_px", camera.camera.height, 16, 4096);
+  double focal_px = 0.0, pitch_rad = 0.0;
+  Eigen::Vector3d p_R = Eigen::Vector3d::Zero();
+  Pose3 mounting;
+  keys.Number("focal_px", focal_px, Positive(1e5));
+  keys.Vector3("position_m", p_R, Between(-2.0, 2.0));
+  keys.Degrees("pitch_deg", pitch_rad, Between(-60.0, 60.0));
+  VisitMounting(keys, mounting);
+  camera.camera.lens = BrownPinhole{.fx = focal_px,
+                                    .fy = focal_px,
                                     .cx = 0.5 * (camera.camera.width - 1),
                                     .cy = 0.5 * (camera.camera.height - 1)};
-  camera.X_RC = BackLooking(in.Vector3("position_m", Between(-2.0, 2.0)),
-                            in.Degrees("pitch_deg", Between(-60.0, 60.0)));
-  const Pose3 mounting = ReadMounting(in);
+  camera.X_RC = BackLooking(p_R, pitch_rad);
   camera.X_RC = {mounting.R * camera.X_RC.R, camera.X_RC.p + mounting.p};
-  camera.half_view_rad = in.Degrees("half_view_deg", Between(1.0, 60.0));
-  camera.hole_m = in.Number("hole_m", Positive(0.5));
-  camera.delay_s = in.Number("delay_s", NonNegative(kTickSeconds * kControlPeriod));
-  camera.shutter_s = in.Number("shutter_s", Between(1e-4, 0.5));
-  camera.blur_sigma_px = in.Number("blur_sigma_px", NonNegative(10.0));
-  camera.full_well_e = in.Number("full_well_e", Between(100.0, 1e6));
-  camera.read_noise_e = in.Number("read_noise_e", NonNegative(1e4));
-  camera.vignetting_exponent = in.Number("vignetting_exponent", NonNegative(10.0));
+  keys.Degrees("half_view_deg", camera.half_view_rad, Between(1.0, 60.0));
+  keys.Number("hole_m", camera.hole_m, Positive(0.5));
+  keys.Number("delay_s", camera.delay_s, NonNegative(kTickSeconds * kControlPeriod));
+  keys.Number("shutter_s", camera.shutter_s, Between(1e-4, 0.5));
+  keys.Number("blur_sigma_px", camera.blur_sigma_px, NonNegative(10.0));
+  keys.Number("full_well_e", camera.full_well_e, Between(100.0, 1e6));
+  keys.Number("read_noise_e", camera.read_noise_e, NonNegative(1e4));
+  keys.Number("vignetting_exponent", camera.vignetting_exponent, NonNegative(10.0));
 }
 
-void ReadLamps(const YamlReader& root, LampsModel& lamps) {
-  const YamlReader in(root.Child("lamps"), "lamps",
-                      {"position_m", "apart_m", "irradiance_at_1m", "half_angle_deg"});
-  lamps.p_R = in.Vector3("position_m", Between(-2.0, 2.0));
-  lamps.apart_m = in.Number("apart_m", NonNegative(2.0));
-  lamps.irradiance_at_1m = in.Number("irradiance_at_1m", NonNegative(100.0));
-  lamps.half_angle_rad = in.Degrees("half_angle_deg", Between(1.0, 89.0));
+void VisitLamps(Keys& keys, LampsModel& lamps) {
+  keys.Vector3("position_m", lamps.p_R, Between(-2.0, 2.0));
+  keys.Number("apart_m", lamps.apart_m, NonNegative(2.0));
+  keys.Number("irradiance_at_1m", lamps.irradiance_at_1m, NonNegative(100.0));
+  keys.Degrees("half_angle_deg", lamps.half_angle_rad, Between(1.0, 89.0));
 }
 
 void RequireJoint(const UrdfJoint& joint, const char* type, const char* child) {
@@ -175,7 +163,34 @@ void CheckTogether(const YamlReader& in, const RobotModel& robot) {
   }
 }
 
+/// Keys of the file that the model has otherwise.
+struct RobotFile {
+  std::string urdf;
+  double mass_scale = 1.0;
+};
+
+void VisitRobot(Keys& keys, RobotModel& robot, RobotFile& file) {
+  keys.Text("name", robot.name);
+  keys.Mapping("belts", [&](Keys& in) { VisitBelts(in, robot.belts); });
+  keys.Mapping("motors", [&](Keys& in) { VisitMotors(in, robot); });
+  keys.Mapping("doors", [&](Keys& in) { VisitDoors(in, robot.doors); });
+  keys.Mapping("socket", [&](Keys& in) { VisitSocket(in, robot.socket); });
+  keys.Mapping("camera", [&](Keys& in) { VisitCamera(in, robot.camera); });
+  keys.Mapping("lamps", [&](Keys& in) { VisitLamps(in, robot.lamps); });
+  keys.Mapping(Unset("imu"),
+               [&](Keys& in) { VisitImu(in, robot.imu ? *robot.imu : robot.imu.emplace()); });
+  keys.File("urdf", file.urdf);
+  keys.Number(Optional("mass_scale"), file.mass_scale, Between(0.1, 10.0));
+  NameSpreads(keys);
+}
+
 }  // namespace
+
+void VisitRobotKeys(Keys& keys) {
+  RobotModel robot;
+  RobotFile file;
+  VisitRobot(keys, robot, file);
+}
 
 static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& changes,
                                 MeshStore* meshes) {
@@ -184,20 +199,13 @@ static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& cha
   PutIfLeftOut(tree, "mass_scale", 1.0);
   PutMountingIfLeftOut(tree, "camera.mounting");
   if (changes.built != nullptr) PutBuilt(tree, *changes.built);
-  const YamlReader in(tree, "",
-                      {"name", "urdf", "mass_scale", "belts", "motors", "doors", "socket", "camera",
-                       "lamps", "imu", "spreads"});
   RobotModel robot;
-  robot.name = in.Text("name");
-  ReadBelts(in, robot.belts);
-  ReadMotors(in, robot);
-  ReadDoors(in, robot.doors);
-  ReadSocket(in, robot.socket);
-  ReadCamera(in, robot.camera);
-  ReadLamps(in, robot.lamps);
-  if (in.Has("imu")) robot.imu = ReadImu(in);
-  TakeLinks(LoadUrdf(in.File("urdf"), meshes), robot);
-  ScaleMasses(in.Number("mass_scale", Between(0.1, 10.0)), robot);
+  RobotFile keys;
+  const auto visit = [&](Keys& all) { VisitRobot(all, robot, keys); };
+  ReadKeys(tree, "", visit);
+  TakeLinks(LoadUrdf(keys.urdf, meshes), robot);
+  ScaleMasses(keys.mass_scale, robot);
+  const YamlReader in(tree, "", KeyNames(visit));
   CheckTogether(in, robot);
   CheckSpreads(tree);
   return robot;

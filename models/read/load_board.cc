@@ -1,5 +1,6 @@
 #include "models/read/load_board.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,48 +17,41 @@ constexpr int kMostBars = 32, kMostDiscs = 100;  // of one board; naming slows s
 constexpr double kPlainGap = 0.2;
 
 /// The four rotations of Tsai et al., III-A, exactly as written.
-double ReadRotation(const YamlReader& mark) {
-  constexpr std::array<double, 4> kRotations{-kPi / 4, 0.0, kPi / 4, kPi / 2};
-  return kRotations[static_cast<std::size_t>(
-      mark.Choice("rotation_deg", {"-45", "0", "45", "90"}))];
+void VisitRotation(Keys& keys, double& rotation_rad) {
+  constexpr std::array kRotations{-kPi / 4, 0.0, kPi / 4, kPi / 2};
+  const auto at = std::find(kRotations.begin(), kRotations.end(), rotation_rad);
+  auto index = static_cast<std::size_t>(at - kRotations.begin());
+  keys.Choice("rotation_deg", index, {"-45", "0", "45", "90"});
+  rotation_rad = kRotations[index];
 }
 
-std::vector<Fiducial> ReadList(const YamlReader& in, bool bars) {
-  const YamlNode& list =
-      in.List("fiducials", bars ? 4 : 6, static_cast<std::size_t>(bars ? kMostBars : kMostDiscs));
-  std::vector<std::string> keys{"x_m", "y_m"};
-  if (bars) keys.push_back("rotation_deg");
-  std::vector<Fiducial> marks;
-  for (std::size_t i = 0; i < list.items.size(); ++i) {
-    const YamlReader mark(list.items[i], YamlReader::PathOf(in.PathOf("fiducials"), i), keys);
-    Fiducial fiducial;
-    fiducial.p_BF = {mark.Number("x_m", Between(-3.0, 3.0)),
-                     mark.Number("y_m", Between(-3.0, 3.0))};
-    if (bars) fiducial.rotation = ReadRotation(mark);
-    marks.push_back(fiducial);
-  }
-  return marks;
+/// A grid of discs in place of a list.
+struct DiscGrid {
+  int columns = 2, rows = 2;
+  double pitch_m = 0.0, row_pitch_m = 0.0;
+  bool staggered = false;
+};
+
+void VisitGrid(Keys& keys, DiscGrid& grid) {
+  keys.Integer("columns", grid.columns, 2, 50);
+  keys.Integer("rows", grid.rows, 2, 50);
+  keys.Number("pitch_m", grid.pitch_m, Positive(2.0));
+  grid.row_pitch_m = grid.pitch_m;
+  keys.Number(Unset("row_pitch_m"), grid.row_pitch_m, Positive(2.0));
+  keys.Bool(Optional("staggered"), grid.staggered);
 }
 
 /// Row by row from the top left, centred on the board; every other row of a staggered grid is
 /// shifted right by half a pitch, as in OpenCV's asymmetric circle grid.
-std::vector<Fiducial> ReadGrid(const YamlReader& board) {
-  const YamlReader in(board.Child("grid"), board.PathOf("grid"),
-                      {"columns", "rows", "pitch_m", "row_pitch_m", "staggered"});
-  const int columns = in.Integer("columns", 2, 50), rows = in.Integer("rows", 2, 50);
-  const double pitch = in.Number("pitch_m", Positive(2.0));
-  const double row_pitch = in.NumberOr("row_pitch_m", pitch, Positive(2.0));
-  const bool staggered = in.BoolOr("staggered", false);
-  if (columns * rows < 6 || columns * rows > kMostDiscs) {
-    board.Refuse("grid", "from 6 to " + std::to_string(kMostDiscs) + " discs");
-  }
-  const double width = (columns - 1 + (staggered ? 0.5 : 0.0)) * pitch;
+std::vector<Fiducial> DiscsOf(const DiscGrid& grid) {
+  const double pitch = grid.pitch_m;
+  const double width = (grid.columns - 1 + (grid.staggered ? 0.5 : 0.0)) * pitch;
   std::vector<Fiducial> marks;
-  for (int row = 0; row < rows; ++row) {
-    const double shift = staggered && row % 2 == 1 ? 0.5 * pitch : 0.0;
-    for (int column = 0; column < columns; ++column) {
-      marks.push_back(
-          {.p_BF = {column * pitch + shift - 0.5 * width, (row - 0.5 * (rows - 1)) * row_pitch}});
+  for (int row = 0; row < grid.rows; ++row) {
+    const double shift = grid.staggered && row % 2 == 1 ? 0.5 * pitch : 0.0;
+    for (int column = 0; column < grid.columns; ++column) {
+      marks.push_back({.p_BF = {column * pitch + shift - 0.5 * width,
+                                (row - 0.5 * (grid.rows - 1)) * grid.row_pitch_m}});
     }
   }
   return marks;
@@ -118,55 +112,62 @@ void CheckUprightDecides(const YamlReader& in, const FiducialBoard& board) {
                 Text(motion) + " maps the discs onto themselves");
 }
 
-Upright ReadUpright(const YamlReader& in) {
-  constexpr std::array kWords{Upright::Against::kImage, Upright::Against::kGravity};
-  return {.against =
-              kWords[static_cast<std::size_t>(in.ChoiceOr("upright_in", 0, {"image", "gravity"}))],
-          .within_rad = in.Degrees("upright_within_deg", Between(1.0, 180.0))};
-}
-
-void RefuseKeys(const YamlReader& in, const std::vector<std::string>& keys,
-                const std::string& why) {
-  for (const std::string& key : keys) {
-    if (in.Has(key)) in.Refuse(key, why);
-  }
+void VisitUpright(Keys& keys, bool needed, Upright& upright) {
+  int index = 0;
+  keys.Choice(Optional("upright_in"), index, {"image", "gravity"});
+  if (needed) upright.against = index == 0 ? Upright::Against::kImage : Upright::Against::kGravity;
+  keys.Degrees(keys.NeededIf(needed, "upright_within_deg"), upright.within_rad,
+               Between(1.0, 180.0));
 }
 
 }  // namespace
 
-std::vector<std::string> BoardKeys(std::vector<std::string> more) {
-  for (const char* key : {"kind", "width_m", "height_m", "disc_diameter_m", "bar_length_m",
-                          "bar_width_m", "fiducials", "grid", "upright_in", "upright_within_deg"}) {
-    more.push_back(key);
+void VisitBoard(Keys& keys, FiducialBoard& board) {
+  int kind = 0;
+  keys.Choice(Optional("kind"), kind, {"bars", "plain"});
+  const bool bars = kind == 0;
+  keys.Number("width_m", board.width_m, Positive(5.0));
+  keys.Number("height_m", board.height_m, Positive(5.0));
+  keys.Number("disc_diameter_m", board.disc_diameter_m, Positive(1.0));
+  for (const char* key : {"grid", "upright_in", "upright_within_deg"}) {
+    keys.Allow(key, !bars, "no such key beside kind: bars, or kind: plain");
   }
-  return more;
+  for (const char* key : {"bar_length_m", "bar_width_m"}) {
+    keys.Allow(key, bars, "no bar in a board of kind: plain");
+  }
+  keys.Number(keys.NeededIf(bars, "bar_length_m"), board.bar_length_m, Positive(1.0));
+  keys.Number(keys.NeededIf(bars, "bar_width_m"), board.bar_width_m, Positive(1.0));
+  keys.Check("bar_length_m",
+             !bars || std::hypot(board.bar_length_m, board.bar_width_m) < board.disc_diameter_m,
+             "a bar whose corners lie inside the disc");
+  VisitUpright(keys, !bars, board.upright);
+  DiscGrid grid{.columns = 0};
+  keys.Mapping(Unset("grid"), [&](Keys& in) { VisitGrid(in, grid); });
+  const bool listed = grid.columns == 0;
+  const int count = grid.columns * grid.rows;
+  keys.Check("grid", listed || (count >= 6 && count <= kMostDiscs),
+             "from 6 to " + std::to_string(kMostDiscs) + " discs");
+  if (!listed) board.fiducials = DiscsOf(grid);
+  const bool any = !keys.reads();
+  keys.Items(keys.NeededIf(listed, "fiducials"), board.fiducials, any || bars ? 4 : 6,
+             static_cast<std::size_t>(bars && !any ? kMostBars : kMostDiscs),
+             [&](Keys& in, Fiducial& mark) {
+               in.Number("x_m", mark.p_BF.x(), Between(-3.0, 3.0));
+               in.Number("y_m", mark.p_BF.y(), Between(-3.0, 3.0));
+               if (any) {
+                 in.Degrees(Unset("rotation_deg"), mark.rotation, Between(-45.0, 90.0));
+               } else if (bars) {
+                 VisitRotation(in, mark.rotation);
+               }
+             });
 }
 
-FiducialBoard ReadBoard(const YamlReader& in) {
-  FiducialBoard board;
-  const bool bars = in.ChoiceOr("kind", 0, {"bars", "plain"}) == 0;
-  board.width_m = in.Number("width_m", Positive(5.0));
-  board.height_m = in.Number("height_m", Positive(5.0));
-  board.disc_diameter_m = in.Number("disc_diameter_m", Positive(1.0));
-  if (bars) {
-    RefuseKeys(in, {"grid", "upright_in", "upright_within_deg"},
-               "no such key beside kind: bars, or kind: plain");
-    board.bar_length_m = in.Number("bar_length_m", Positive(1.0));
-    board.bar_width_m = in.Number("bar_width_m", Positive(1.0));
-    if (std::hypot(board.bar_length_m, board.bar_width_m) >= board.disc_diameter_m) {
-      in.Refuse("bar_length_m", "a bar whose corners lie inside the disc");
-    }
-  } else {
-    RefuseKeys(in, {"bar_length_m", "bar_width_m"}, "no bar in a board of kind: plain");
-    if (in.Has("grid") && in.Has("fiducials")) {
-      in.Refuse("grid", "either grid or fiducials, not both");
-    }
-    board.upright = ReadUpright(in);
+void CheckBoard(const YamlReader& in, const FiducialBoard& board) {
+  if (in.Has("grid") && in.Has("fiducials")) {
+    in.Refuse("grid", "either grid or fiducials, not both");
   }
-  board.fiducials = in.Has("grid") ? ReadGrid(in) : ReadList(in, bars);
   CheckPlaces(in, board);
-  bars ? CheckBarsDiffer(in, board) : CheckUprightDecides(in, board);
-  return board;
+  board.HasBars() ? CheckBarsDiffer(in, board) : CheckUprightDecides(in, board);
 }
 
 bool IsBoardFile(const YamlNode& root) {
@@ -174,13 +175,20 @@ bool IsBoardFile(const YamlNode& root) {
          root.Find("disc_diameter_m") != nullptr;
 }
 
+void VisitNamedBoard(Keys& keys, NamedBoard& named) {
+  constexpr double kMostBow_m = 0.05;  // a bow beyond it shows no plane any more
+  keys.Text("name", named.name);
+  VisitBoard(keys, named.board);
+  keys.Number(Optional("flatness_m"), named.flatness_m, NonNegative(kMostBow_m));
+}
+
 NamedBoard LoadBoard(const std::string& file) {
   const YamlNode root = LoadYaml(file);
-  constexpr double kMostBow_m = 0.05;  // a bow beyond it shows no plane any more
-  const YamlReader in(root, "", BoardKeys({"name", "flatness_m"}));
-  return {.name = in.Text("name"),
-          .board = ReadBoard(in),
-          .flatness_m = in.NumberOr("flatness_m", 0.0, NonNegative(kMostBow_m))};
+  NamedBoard named;
+  const auto visit = [&](Keys& keys) { VisitNamedBoard(keys, named); };
+  ReadKeys(root, "", visit);
+  CheckBoard(YamlReader(root, "", KeyNames(visit)), named.board);
+  return named;
 }
 
 }  // namespace dockyard

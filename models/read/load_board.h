@@ -7,16 +7,15 @@
 
 #include "controller/geometry/board.h"
 #include "models/parts/board_cutout.h"
-#include "models/read/yaml_reader.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 
-/// Keys of a board's mapping; a station's board has more.
-std::vector<std::string> BoardKeys(std::vector<std::string> more);
-
-/// The board that the mapping describes (docs/reference/models.md). Throws ConfigError, also when a
-/// disc overlaps another or sticks out, or when the layout leaves a mark's identity open.
-FiducialBoard ReadBoard(const YamlReader& in);
+/// Names the keys of a board's mapping (docs/reference/models.md); a station's board has more.
+void VisitBoard(Keys& keys, FiducialBoard& board);
+/// Throws ConfigError when a disc overlaps another or sticks out, or when the layout leaves a
+/// mark's identity open.
+void CheckBoard(const YamlReader& in, const FiducialBoard& board);
 
 /// Whether the root has a board's keys and not a station's.
 bool IsBoardFile(const YamlNode& root);
@@ -27,6 +26,8 @@ struct NamedBoard {
   std::optional<BoardCutout> cutout{};  // none for a board of its own file
   double flatness_m = 0.0;              // how far the print may lie off a plane; 0 for a target's
 };
+/// Names every key of a board's file.
+void VisitNamedBoard(Keys& keys, NamedBoard& named);
 /// A board's file. Throws ConfigError.
 NamedBoard LoadBoard(const std::string& file);
 

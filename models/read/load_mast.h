@@ -1,14 +1,12 @@
 // The mast in a rover's file.
 #pragma once
 
-#include <string>
-
 #include "models/parts/mast_model.h"
-#include "models/read/yaml_tree.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 
-/// Reads the mapping. Throws ConfigError.
-MastModel ReadMast(const YamlNode& node, const std::string& path);
+/// Names its keys.
+void VisitMast(Keys& keys, MastModel& mast);
 
 }  // namespace dockyard

@@ -1,14 +1,12 @@
 // A motor's mapping in a robot's file -> MotorModel.
 #pragma once
 
-#include <string>
-
 #include "models/parts/motor.h"
-#include "models/read/yaml_reader.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 
-/// Reads one motor. `path`: dotted, of the mapping itself, for messages. Throws ConfigError.
-MotorModel ReadMotor(const YamlNode& node, const std::string& path);
+/// needed: kRequired, or kDefault where the motor's values so far hold for what is left out.
+void VisitMotor(Keys& keys, MotorModel& motor, Presence needed = Presence::kRequired);
 
 }  // namespace dockyard

@@ -10,18 +10,18 @@ const std::vector<std::string> kMountingKeys{"x_m",      "y_m",       "z_m",
 
 }  // namespace
 
-Pose3 ReadMounting(const YamlReader& in, const std::string& key) {
-  Pose3 mounting;
-  if (!in.Has(key)) return mounting;
-  const YamlReader part(in.Child(key), in.PathOf(key), kMountingKeys);
-  const Range shift_m = Between(-0.5, 0.5), turn_deg = Between(-30.0, 30.0);
-  mounting.p =
-      Eigen::Vector3d(part.NumberOr("x_m", 0.0, shift_m), part.NumberOr("y_m", 0.0, shift_m),
-                      part.NumberOr("z_m", 0.0, shift_m));
-  mounting.R = ToRotation({.roll = part.DegreesOr("roll_deg", 0.0, turn_deg),
-                           .pitch = part.DegreesOr("pitch_deg", 0.0, turn_deg),
-                           .yaw = part.DegreesOr("yaw_deg", 0.0, turn_deg)});
-  return mounting;
+void VisitMounting(Keys& keys, Pose3& mounting, std::string_view key) {
+  keys.Mapping(Unset(key), [&](Keys& in) {
+    mounting = Pose3{};
+    RollPitchYaw turn;
+    for (int i = 0; i < 3; ++i) {
+      in.Number(Optional(kMountingKeys[i]), mounting.p[i], Between(-0.5, 0.5));
+    }
+    in.Degrees(Optional("roll_deg"), turn.roll, Between(-30.0, 30.0));
+    in.Degrees(Optional("pitch_deg"), turn.pitch, Between(-30.0, 30.0));
+    in.Degrees(Optional("yaw_deg"), turn.yaw, Between(-30.0, 30.0));
+    mounting.R = ToRotation(turn);
+  });
 }
 
 void PutMountingIfLeftOut(YamlNode& tree, const std::string& path) {

@@ -4,13 +4,13 @@
 #include <string>
 
 #include "controller/geometry/pose.h"
-#include "models/read/yaml_reader.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 
-/// Reads the optional mapping under `key` {x_m, y_m, z_m, roll_deg, pitch_deg, yaw_deg}, each 0 if
+/// Names the optional mapping under `key` {x_m, y_m, z_m, roll_deg, pitch_deg, yaw_deg}, each 0 if
 /// left out: R turns the part about its own middle, p shifts it, both in the carrier's axes.
-Pose3 ReadMounting(const YamlReader& in, const std::string& key = "mounting");
+void VisitMounting(Keys& keys, Pose3& mounting, std::string_view key = "mounting");
 
 /// Writes its numbers into a tree that leaves them out. `path`: dotted, of the mapping itself.
 void PutMountingIfLeftOut(YamlNode& tree, const std::string& path);

@@ -63,6 +63,11 @@ Eigen::Vector2d ReadPlace(const YamlReader& in) {
   return {in.Number("x_m", range), in.Number("y_m", range)};
 }
 
+void VisitPlace(Keys& keys, Eigen::Vector2d& p) {
+  keys.Number("x_m", p.x(), Between(-kFarthest_m, kFarthest_m));
+  keys.Number("y_m", p.y(), Between(-kFarthest_m, kFarthest_m));
+}
+
 Polygon ReadPolygon(const YamlReader& in, std::string_view key) {
   const YamlNode& list = in.List(key, 3, kMostCorners);
   Polygon polygon;

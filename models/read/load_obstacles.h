@@ -4,12 +4,15 @@
 #include <string>
 
 #include "controller/geometry/plan_shapes.h"
-#include "models/read/yaml_reader.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 
 /// x_m and y_m of the mapping [m].
 Eigen::Vector2d ReadPlace(const YamlReader& in);
+
+/// Names them.
+void VisitPlace(Keys& keys, Eigen::Vector2d& p);
 
 /// The list of {x_m, y_m} under a key: 3 to 100 corners round an area.
 Polygon ReadPolygon(const YamlReader& in, std::string_view key);

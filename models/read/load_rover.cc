@@ -15,19 +15,93 @@ namespace {
 
 constexpr double kOnTheLine_m = 1e-6;
 
-std::vector<WheelPlan> ReadWheels(const YamlReader& in) {
-  const YamlNode& list = in.List("wheels", 2, 24);
-  std::vector<WheelPlan> wheels;
-  for (std::size_t i = 0; i < list.items.size(); ++i) {
-    const YamlReader one(list.items[i], YamlReader::PathOf("wheels", i),
-                         {"name", "x_m", "y_m", "steer_limit_deg"});
-    wheels.push_back({one.Text("name"), ReadPlace(one),
-                      one.DegreesOr("steer_limit_deg", 0.0, Between(0.0, 180.0))});
-    for (std::size_t k = 0; k < i; ++k) {
-      if (wheels[k].name == wheels[i].name) one.Refuse("name", "a name of its own");
-    }
-  }
-  return wheels;
+void VisitWheels(Keys& keys, std::vector<WheelPlan>& wheels) {
+  keys.Items("wheels", wheels, 2, 24, [&](Keys& in, WheelPlan& wheel) {
+    in.Text("name", wheel.name);
+    VisitPlace(in, wheel.p_RW);
+    in.Degrees(Optional("steer_limit_deg"), wheel.steer_limit_rad, Between(0.0, 180.0));
+    const auto same = [&](const WheelPlan& other) { return other.name == wheel.name; };
+    in.Check("name", std::count_if(wheels.begin(), wheels.end(), same) == 1, "a name of its own");
+  });
+}
+
+void VisitView(Keys& keys, ViewPlan& view) {
+  VisitPlace(keys, view.p_RC);
+  keys.Degrees(Optional("azimuth_deg"), view.azimuth_rad, Between(-180.0, 180.0));
+  keys.Degrees("half_width_deg", view.half_width_rad, Positive(90.0));
+  keys.Number("near_m", view.near_m, NonNegative(1e3));
+  keys.Number("far_m", view.far_m, Positive(1e3));
+  keys.Check("far_m", view.far_m > view.near_m, "a number above near_m");
+}
+
+void VisitPlan(Keys& keys, RoverPlan& plan) {
+  std::string source;
+  YamlNode body;  // ReadBody reads it
+  keys.Text("name", plan.name);
+  keys.Text("source", source);
+  keys.Number("speed_m_s", plan.speed_m_s, Positive(10.0));
+  keys.Degrees("steer_rate_deg_s", plan.steer_rate_rad_s, Positive(1e4));
+  keys.Mapping("wheel", [&](Keys& in) {
+    in.Number("radius_m", plan.wheel_radius_m, Positive(2.0));
+    in.Number("width_m", plan.wheel_width_m, Positive(2.0));
+  });
+  VisitWheels(keys, plan.wheels);
+  const double line_m = TurningLine_m(plan.wheels).value_or(0.0);
+  keys.Check("wheels", std::abs(line_m) <= kOnTheLine_m,
+             "fixed wheels whose places have a mean x_m of 0", "one of " + std::to_string(line_m));
+  keys.Tree("body", body, YamlNode::Kind::kNull);
+  keys.Mapping("point", [&](Keys& in) { VisitPlace(in, plan.p_RP); });
+  keys.Mapping(Unset("view"),
+               [&](Keys& in) { VisitView(in, plan.view ? *plan.view : plan.view.emplace()); });
+}
+
+// A box of even density.
+void VisitBox(Keys& keys, LinkModel& body) {
+  body.name = "body";
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  keys.Number("mass_kg", body.mass_kg, Positive(1e4));
+  keys.Number("x_m", body.p_LoCom_L.x(), Between(-10.0, 10.0));
+  keys.Number("z_m", body.p_LoCom_L.z(), Between(-10.0, 10.0));
+  keys.Number("length_m", size.x(), Positive(10.0));
+  keys.Number("width_m", size.y(), Positive(10.0));
+  keys.Number("height_m", size.z(), Positive(10.0));
+  const Eigen::Vector3d squares = size.cwiseProduct(size);
+  body.I_LCom_L.diagonal() =
+      body.mass_kg / 12.0 * (Eigen::Vector3d::Constant(squares.sum()) - squares);
+  body.collisions = {{"body", BoxShape{size}, {Eigen::Matrix3d::Identity(), body.p_LoCom_L}}};
+}
+
+void VisitSuspension(Keys& keys, SuspensionModel& suspension) {
+  YamlNode on_bogies;  // ReadOnBogies reads it
+  keys.Choice("kind", suspension.kind, {"rigid", "rocker_bogie"});
+  const bool bogie = suspension.kind == SuspensionKind::kRockerBogie;
+  const auto number = [&](const char* key, double& value, const Range& range) {
+    keys.Number(keys.NeededIf(bogie, key), value, range);
+  };
+  number("pivot_x_m", suspension.pivot_x_m, Between(-10.0, 10.0));
+  number("pivot_z_m", suspension.pivot_z_m, Between(-10.0, 10.0));
+  number("bogie_x_m", suspension.bogie_x_m, Between(-10.0, 10.0));
+  number("bogie_z_m", suspension.bogie_z_m, Between(-10.0, 10.0));
+  number("rocker_mass_kg", suspension.rocker_kg, Positive(1e3));
+  number("bogie_mass_kg", suspension.bogie_kg, Positive(1e3));
+  number("friction_nm", suspension.friction_nm, NonNegative(100.0));
+  keys.Degrees(keys.NeededIf(bogie, "rocker_stop_deg"), suspension.rocker_stop_rad, Positive(90.0));
+  keys.Degrees(keys.NeededIf(bogie, "bogie_stop_deg"), suspension.bogie_stop_rad, Positive(90.0));
+  keys.Tree(Unset("on_bogies"), on_bogies, YamlNode::Kind::kNull);
+}
+
+void VisitBuild(Keys& keys, RoverModel& rover) {
+  keys.Mapping("body", [&](Keys& in) { VisitBox(in, rover.body); });
+  keys.Mapping("suspension", [&](Keys& in) { VisitSuspension(in, rover.suspension); });
+  keys.Number("wheel_mass_kg", rover.wheel_kg, Positive(1e3));
+  keys.Number("bracket_mass_kg", rover.bracket_kg, Positive(1e3));
+  VisitPaddles(keys, rover.tyre);
+  keys.Mapping("drive", [&](Keys& in) { VisitMotor(in, rover.drive); });
+  keys.Mapping("steer", [&](Keys& in) { VisitMotor(in, rover.steer); });
+  keys.Mapping(Unset("arm"),
+               [&](Keys& in) { VisitArm(in, rover.arm ? *rover.arm : rover.arm.emplace()); });
+  keys.Mapping(Unset("mast"),
+               [&](Keys& in) { VisitMast(in, rover.mast ? *rover.mast : rover.mast.emplace()); });
 }
 
 std::vector<Polygon> ReadBody(const YamlReader& in) {
@@ -38,83 +112,6 @@ std::vector<Polygon> ReadBody(const YamlReader& in) {
     body.push_back(ReadPolygon(part, "corners"));
   }
   return body;
-}
-
-ViewPlan ReadView(const YamlReader& rover) {
-  const YamlReader in(rover.Child("view"), "view",
-                      {"x_m", "y_m", "azimuth_deg", "half_width_deg", "near_m", "far_m"});
-  ViewPlan view;
-  view.p_RC = ReadPlace(in);
-  view.azimuth_rad = in.DegreesOr("azimuth_deg", 0.0, Between(-180.0, 180.0));
-  view.half_width_rad = in.Degrees("half_width_deg", {0.0, 90.0, true});
-  view.near_m = in.Number("near_m", NonNegative(1e3));
-  view.far_m = in.Number("far_m", Positive(1e3));
-  if (view.far_m <= view.near_m) in.Refuse("far_m", "a number above near_m");
-  return view;
-}
-
-RoverPlan ReadPlan(const YamlReader& in) {
-  RoverPlan rover;
-  rover.name = in.Text("name");
-  in.Text("source");
-  rover.speed_m_s = in.Number("speed_m_s", Positive(10.0));
-  rover.steer_rate_rad_s = in.Degrees("steer_rate_deg_s", {0.0, 1e4, true});
-  const YamlReader wheel(in.Child("wheel"), "wheel", {"radius_m", "width_m"});
-  rover.wheel_radius_m = wheel.Number("radius_m", Positive(2.0));
-  rover.wheel_width_m = wheel.Number("width_m", Positive(2.0));
-  rover.wheels = ReadWheels(in);
-  const std::optional<double> line_m = TurningLine_m(rover.wheels);
-  if (line_m && std::abs(*line_m) > kOnTheLine_m) {
-    in.Refuse("wheels", "fixed wheels whose places have a mean x_m of 0",
-              "one of " + std::to_string(*line_m));
-  }
-  rover.body = ReadBody(in);
-  rover.p_RP = ReadPlace(YamlReader(in.Child("point"), "point", {"x_m", "y_m"}));
-  if (in.Has("view")) rover.view = ReadView(in);
-  return rover;
-}
-
-// A box of even density.
-LinkModel ReadBox(const YamlReader& build) {
-  const YamlReader in(build.Child("body"), build.PathOf("body"),
-                      {"mass_kg", "x_m", "z_m", "length_m", "width_m", "height_m"});
-  LinkModel body;
-  body.name = "body";
-  body.mass_kg = in.Number("mass_kg", Positive(1e4));
-  body.p_LoCom_L = {in.Number("x_m", Between(-10.0, 10.0)), 0.0,
-                    in.Number("z_m", Between(-10.0, 10.0))};
-  const Eigen::Vector3d size(in.Number("length_m", Positive(10.0)),
-                             in.Number("width_m", Positive(10.0)),
-                             in.Number("height_m", Positive(10.0)));
-  const Eigen::Vector3d squares = size.cwiseProduct(size);
-  body.I_LCom_L.diagonal() =
-      body.mass_kg / 12.0 * (Eigen::Vector3d::Constant(squares.sum()) - squares);
-  body.collisions = {{"body", BoxShape{size}, {Eigen::Matrix3d::Identity(), body.p_LoCom_L}}};
-  return body;
-}
-
-SuspensionModel ReadSuspension(const YamlReader& build) {
-  const std::string path = build.PathOf("suspension");
-  const YamlReader in(
-      build.Child("suspension"), path,
-      {"kind", "pivot_x_m", "pivot_z_m", "bogie_x_m", "bogie_z_m", "rocker_mass_kg",
-       "bogie_mass_kg", "friction_nm", "rocker_stop_deg", "bogie_stop_deg", "on_bogies"});
-  SuspensionModel suspension;
-  if (in.Choice("kind", {"rigid", "rocker_bogie"}) == 0) {
-    if (build.Child("suspension").keys.size() > 1) in.Refuse("kind", "no other key beside rigid");
-    return suspension;
-  }
-  suspension.kind = SuspensionKind::kRockerBogie;
-  suspension.pivot_x_m = in.Number("pivot_x_m", Between(-10.0, 10.0));
-  suspension.pivot_z_m = in.Number("pivot_z_m", Between(-10.0, 10.0));
-  suspension.bogie_x_m = in.Number("bogie_x_m", Between(-10.0, 10.0));
-  suspension.bogie_z_m = in.Number("bogie_z_m", Between(-10.0, 10.0));
-  suspension.rocker_kg = in.Number("rocker_mass_kg", Positive(1e3));
-  suspension.bogie_kg = in.Number("bogie_mass_kg", Positive(1e3));
-  suspension.friction_nm = in.Number("friction_nm", NonNegative(100.0));
-  suspension.rocker_stop_rad = in.Degrees("rocker_stop_deg", {0.0, 90.0, true});
-  suspension.bogie_stop_rad = in.Degrees("bogie_stop_deg", {0.0, 90.0, true});
-  return suspension;
 }
 
 // Each side's rocker and bogie carry wheels.
@@ -150,50 +147,53 @@ std::vector<bool> ReadOnBogies(const YamlReader& build, const RoverPlan& plan) {
   return on_bogie;
 }
 
-const std::vector<std::string> kKeys{"name",  "source", "speed_m_s", "steer_rate_deg_s",
-                                     "wheel", "wheels", "body",      "point",
-                                     "view",  "build"};
-
-}  // namespace
-
-RoverPlan LoadRoverPlan(const std::string& file) {
-  const YamlNode root = LoadYaml(file);
-  return ReadPlan(YamlReader(root, "", kKeys));
-}
-
-std::vector<std::string> RoverKeys(const std::vector<std::string>& more) {
-  std::vector<std::string> keys = kKeys;
-  keys.insert(keys.end(), more.begin(), more.end());
-  return keys;
-}
-
-RoverModel LoadRover(const std::string& file) {
-  const YamlNode root = LoadYaml(file);
-  return ReadRover(YamlReader(root, "", kKeys));
-}
-
-RoverModel ReadRover(const YamlReader& in) {
-  RoverModel rover;
-  rover.plan = ReadPlan(in);
+// What the visit leaves: the body's outline, and what wheels and suspension must have in common.
+void FinishRover(const YamlReader& in, RoverModel& rover) {
+  rover.plan.body = ReadBody(in);
   const YamlReader build(in.Child("build"), "build",
-                         {"body", "wheel_mass_kg", "bracket_mass_kg", "paddles", "suspension",
-                          "drive", "steer", "arm", "mast"});
-  rover.body = ReadBox(build);
-  rover.suspension = ReadSuspension(build);
+                         KeyNames([&](Keys& keys) { VisitBuild(keys, rover); }));
   rover.on_bogie.assign(rover.plan.wheels.size(), false);
   if (rover.suspension.kind == SuspensionKind::kRockerBogie) {
     rover.on_bogie = ReadOnBogies(build, rover.plan);
+  } else if (build.Child("suspension").keys.size() > 1) {
+    const auto visit = [&](Keys& keys) { VisitSuspension(keys, rover.suspension); };
+    YamlReader(build.Child("suspension"), "build.suspension", KeyNames(visit))
+        .Refuse("kind", "no other key beside rigid");
   }
-  rover.wheel_kg = build.Number("wheel_mass_kg", Positive(1e3));
-  rover.bracket_kg = build.Number("bracket_mass_kg", Positive(1e3));
   rover.tyre.rim_radius_m = rover.plan.wheel_radius_m;
   rover.tyre.width_m = rover.plan.wheel_width_m;
-  ReadPaddles(build, rover.tyre);
-  rover.drive = ReadMotor(build.Child("drive"), build.PathOf("drive"));
-  rover.steer = ReadMotor(build.Child("steer"), build.PathOf("steer"));
-  if (build.Has("arm")) rover.arm = ReadArm(build.Child("arm"), build.PathOf("arm"));
-  if (build.Has("mast")) rover.mast = ReadMast(build.Child("mast"), build.PathOf("mast"));
+}
+
+}  // namespace
+
+void VisitRover(Keys& keys, RoverModel& rover) {
+  VisitPlan(keys, rover.plan);
+  keys.Mapping("build", [&](Keys& in) { VisitBuild(in, rover); });
+}
+
+RoverPlan LoadRoverPlan(const std::string& file) {
+  const YamlNode root = LoadYaml(file);
+  RoverPlan plan;
+  const auto visit = [&](Keys& keys) {
+    YamlNode build;  // not read
+    VisitPlan(keys, plan);
+    keys.Tree(Unset("build"), build, YamlNode::Kind::kNull);
+  };
+  ReadKeys(root, "", visit);
+  plan.body = ReadBody(YamlReader(root, "", KeyNames(visit)));
+  return plan;
+}
+
+RoverModel LoadRover(const std::string& file) {
+  RoverModel rover;
+  ReadRover(
+      LoadYaml(file), [&](Keys& keys) { VisitRover(keys, rover); }, rover);
   return rover;
+}
+
+void ReadRover(const YamlNode& root, const Keys::Visit& visit, RoverModel& rover) {
+  ReadKeys(root, "", visit);
+  FinishRover(YamlReader(root, "", KeyNames(visit)), rover);
 }
 
 }  // namespace dockyard

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "models/parts/rover_model.h"
-#include "models/read/yaml_reader.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 
@@ -16,9 +15,9 @@ RoverPlan LoadRoverPlan(const std::string& file);
 /// The same with what the file's mapping `build` says of masses, suspension and motors.
 RoverModel LoadRover(const std::string& file);
 
-/// The same from a tree whose root may have further keys, which its reader must know: RoverKeys and
-/// `more`.
-RoverModel ReadRover(const YamlReader& in);
-std::vector<std::string> RoverKeys(const std::vector<std::string>& more);
+/// Names every key of a rover's file.
+void VisitRover(Keys& keys, RoverModel& rover);
+/// The same as LoadRover from a tree. `visit` visits this rover, and maybe further keys.
+void ReadRover(const YamlNode& root, const Keys::Visit& visit, RoverModel& rover);
 
 }  // namespace dockyard

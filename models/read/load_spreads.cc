@@ -89,6 +89,11 @@ std::vector<NumberSpread> ReadSpreads(const YamlNode& root) {
   return spreads;
 }
 
+void NameSpreads(Keys& keys) {
+  YamlNode spreads;
+  keys.Tree(Unset("spreads"), spreads, YamlNode::Kind::kNull);
+}
+
 void CheckSpreads(const YamlNode& model) {
   for (const NumberSpread& spread : ReadSpreads(model)) {
     const YamlNode* number = FindPath(model, spread.key.name);

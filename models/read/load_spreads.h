@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "models/read/yaml_tree.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 
@@ -33,6 +33,8 @@ struct NumberSpread {
 /// Reads the optional mapping `spreads` of a file's root. Throws ConfigError.
 std::vector<NumberSpread> ReadSpreads(const YamlNode& root);
 
+/// Names the key `spreads`, which CheckSpreads reads.
+void NameSpreads(Keys& keys);
 /// Throws ConfigError for a spread whose key is no number of `model`: the file's root with all
 /// numbers that it may leave out.
 void CheckSpreads(const YamlNode& model);

@@ -2,32 +2,30 @@
 
 namespace dockyard {
 
-void ReadPaddles(const YamlReader& in, WheelModel& wheel) {
-  const YamlReader paddles(in.Child("paddles"), in.PathOf("paddles"),
-                           {"count", "height_m", "thickness_m"});
-  wheel.paddle_count = paddles.Integer("count", 0, 64);
-  wheel.paddle_height_m = paddles.Number("height_m", NonNegative(0.5));
-  wheel.paddle_thickness_m = paddles.Number("thickness_m", NonNegative(0.1));
-  if (wheel.paddle_count > 0 && !(wheel.paddle_height_m > 0 && wheel.paddle_thickness_m > 0)) {
-    paddles.Refuse("count", "0, or a height_m and a thickness_m above 0");
-  }
+void VisitPaddles(Keys& keys, WheelModel& wheel) {
+  keys.Mapping("paddles", [&](Keys& in) {
+    in.Integer("count", wheel.paddle_count, 0, 64);
+    in.Number("height_m", wheel.paddle_height_m, NonNegative(0.5));
+    in.Number("thickness_m", wheel.paddle_thickness_m, NonNegative(0.1));
+    in.Check("count",
+             wheel.paddle_count == 0 || (wheel.paddle_height_m > 0 && wheel.paddle_thickness_m > 0),
+             "0, or a height_m and a thickness_m above 0");
+  });
 }
 
-WheelModel ReadWheelShape(const YamlReader& in) {
-  WheelModel wheel;
-  wheel.rim_radius_m = in.Number("radius_m", Positive(2.0));
-  wheel.width_m = in.Number("width_m", Positive(2.0));
-  ReadPaddles(in, wheel);
-  return wheel;
+void VisitWheelShape(Keys& keys, WheelModel& wheel) {
+  keys.Number("radius_m", wheel.rim_radius_m, Positive(2.0));
+  keys.Number("width_m", wheel.width_m, Positive(2.0));
+  VisitPaddles(keys, wheel);
 }
 
 WheelFile LoadWheel(const std::string& file) {
-  const YamlNode root = LoadYaml(file);
-  const YamlReader in(root, "", {"name", "source", "radius_m", "width_m", "paddles"});
   WheelFile wheel;
-  wheel.name = in.Text("name");
-  wheel.source = in.Text("source");
-  wheel.wheel = ReadWheelShape(in);
+  ReadKeys(LoadYaml(file), "", [&](Keys& keys) {
+    keys.Text("name", wheel.name);
+    keys.Text("source", wheel.source);
+    VisitWheelShape(keys, wheel.wheel);
+  });
   return wheel;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "models/parts/wheel.h"
-#include "models/read/yaml_reader.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 
@@ -17,10 +17,10 @@ struct WheelFile {
 /// Throws ConfigError.
 WheelFile LoadWheel(const std::string& file);
 
-/// Reads the mapping `paddles` of a mapping, phase zero.
-void ReadPaddles(const YamlReader& in, WheelModel& wheel);
+/// Names the mapping `paddles` of a mapping.
+void VisitPaddles(Keys& keys, WheelModel& wheel);
 
-/// Reads radius_m, width_m and paddles of a mapping that has them, phase zero.
-WheelModel ReadWheelShape(const YamlReader& in);
+/// Names radius_m, width_m and paddles of a mapping that has them.
+void VisitWheelShape(Keys& keys, WheelModel& wheel);
 
 }  // namespace dockyard

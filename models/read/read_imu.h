@@ -2,11 +2,11 @@
 #pragma once
 
 #include "models/parts/imu.h"
-#include "models/read/yaml_reader.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 
-/// Reads `imu`. Throws ConfigError.
-ImuModel ReadImu(const YamlReader& root);
+/// Names its keys.
+void VisitImu(Keys& keys, ImuModel& imu);
 
 }  // namespace dockyard

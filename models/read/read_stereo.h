@@ -4,7 +4,7 @@
 #include <string>
 
 #include "models/parts/cameras.h"
-#include "models/read/yaml_reader.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 
@@ -13,10 +13,17 @@ struct PictureSize {
   int width = 0, height = 0;
 };
 
-/// Reads the mapping under `key`. `size` 0: that of `cameras.file`, or else `usual`. Throws
-/// ConfigError.
-StereoModel ReadStereo(const YamlReader& root, const PictureSize& size, const PictureSize& usual,
-                       const std::string& key = "cameras");
+/// A pair's mapping: its rig's file, or else the numbers of a rig side by side.
+struct StereoFile {
+  StereoModel stereo;  // without its nominal rig
+  std::string rig;     // empty: none
+  double field_of_view_rad = 0.0, baseline_m = 0.0, forward_m = 0.0, height_m = 0.0;
+  double pitch_rad = 0.0;
+};
+/// Names the mapping under `key`.
+void VisitStereo(Keys& keys, const char* key, StereoFile& file);
+/// `size` 0: that of the rig's file, or else `usual`. Throws ConfigError.
+StereoModel StereoOf(const StereoFile& file, const PictureSize& size, const PictureSize& usual);
 
 /// The pair turned and shifted as the mountings of `stereo` say.
 StereoRig MountedRig(const StereoRig& rig, const StereoModel& stereo);

@@ -32,7 +32,33 @@ void TurnAbout(StereoRig& rig) {
   rig.X_RQ = turn * rig.X_RQ;
 }
 
+struct RobotPairs {
+  StereoFile front, back, mast;
+};
+
+void VisitRobot(Keys& keys, RobotModel& robot, RobotPairs& pairs) {
+  VisitRover(keys, robot.rover);
+  VisitStereo(keys, "cameras", pairs.front);
+  if (keys.reads()) {
+    VisitStereo(keys, "back_cameras", pairs.back);
+    VisitStereo(keys, "mast_cameras", pairs.mast);
+  } else {  // what they leave out is as the front pair has it
+    YamlNode part;
+    for (const char* key : {"back_cameras", "mast_cameras"}) {
+      keys.Tree(key, part, YamlNode::Kind::kMapping);
+    }
+  }
+  keys.Mapping("imu", [&](Keys& in) { VisitImu(in, robot.imu); });
+  NameSpreads(keys);
+}
+
 }  // namespace
+
+void VisitRobotKeys(Keys& keys) {
+  RobotModel robot;
+  RobotPairs pairs;
+  VisitRobot(keys, robot, pairs);
+}
 
 static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& changes) {
   YamlNode tree = LoadModelYaml(file);
@@ -42,15 +68,15 @@ static RobotModel ReadRobotFile(const std::string& file, const ModelChanges& cha
     PutMountingIfLeftOut(tree, std::string(key) + ".mounting");
   }
   if (changes.built != nullptr) PutBuilt(tree, *changes.built);
-  const YamlReader in(tree, "",
-                      RoverKeys({"cameras", "back_cameras", "mast_cameras", "imu", "spreads"}));
   RobotModel robot;
-  robot.rover = ReadRover(in);
-  robot.front = ReadStereo(in, {}, kImage);
-  robot.back = ReadStereo(in, {}, kImage, "back_cameras");
+  RobotPairs pairs;
+  const auto visit = [&](Keys& keys) { VisitRobot(keys, robot, pairs); };
+  ReadRover(tree, visit, robot.rover);
+  robot.front = StereoOf(pairs.front, {}, kImage);
+  robot.back = StereoOf(pairs.back, {}, kImage);
   TurnAbout(robot.back.nominal);
-  robot.mast_pair = ReadStereo(in, {}, kImage, "mast_cameras");
-  robot.imu = ReadImu(in);
+  robot.mast_pair = StereoOf(pairs.mast, {}, kImage);
+  const YamlReader in(tree, "", KeyNames(visit));
   CheckSpreads(tree);
   if (!TurningLine_m(robot.rover.plan.wheels)) {
     in.Refuse("wheels", "some fixed ones: odometry counts their turns");

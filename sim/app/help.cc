@@ -13,7 +13,8 @@
 namespace dockyard {
 namespace {
 
-constexpr std::size_t kColumns = 100;  // of a line of help
+constexpr std::size_t kColumns = 100;          // of a line of help
+constexpr std::size_t kMostWordsColumns = 60;  // of an option, in its heading
 
 constexpr const char* kHelpHelp = R"(Show all commands, or the help of one.
 
@@ -122,7 +123,7 @@ std::string TypeInWords(const std::string& type) {
   if (check.front() == '{' && check.back() == '}') {
     std::string words = check.substr(1, check.size() - 2);
     std::replace(words.begin(), words.end(), ',', '|');
-    return words;
+    return words.size() <= kMostWordsColumns ? words : kind;  // else the description has them
   }
   const std::size_t open = check.find(" in [");
   if (open != check.npos) return kind + " from " + BoundsOf(check, open + 4);

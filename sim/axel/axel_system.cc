@@ -144,7 +144,8 @@ System AxelSystem(const std::vector<NamedController<Nominal>>& controllers,
       .check = [store](const std::string& file) { return CheckModelFile(file, store->meshes()); },
       .rig = [store](const std::string& file, int width,
                      int height) { return RigOfRobot(file, width, height, store->meshes()); },
-      .board = [store](const std::string& file) { return BoardOfStation(file, store->meshes()); }};
+      .board = [store](const std::string& file) { return BoardOfStation(file, store->meshes()); },
+      .keys = {{"robot", VisitRoverKeys}, {"station", VisitStationKeys}}};
   system.example_files = {.scenario = "scenarios/axel_typical.yaml",
                           .campaign = "scenarios/mars_yard_40.yaml",
                           .sweep = "scenarios/studies/reel_alpha.yaml",

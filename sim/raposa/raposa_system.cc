@@ -78,7 +78,8 @@ System RaposaSystem(const std::vector<NamedController<Nominal>>& controllers,
       std::make_shared<ModelStore<RaposaModels>>(LoadModels),
       {Check, MakeReady<RaposaPlant, RaposaJudge, PartsOf>, WriteStartView, ShapesOf<RaposaPlant>},
       system);
-  system.files.check = CheckModelFile;
+  system.files = {.check = CheckModelFile,
+                  .keys = {{"robot", VisitRobotKeys}, {"pyramid", VisitPyramidKeys}}};
   system.example_files.scenario = "scenarios/raposa_point_9.yaml";
   system.example_files.campaign = "scenarios/raposa_grid.yaml";
   system.example_files.robot = "models/raposa/raposa.yaml";

@@ -98,7 +98,7 @@ System Rocky7System(const std::vector<NamedController<Nominal>>& controllers) {
           [](const Scenario& scenario, MeshStore*) { return LoadModels(scenario); }),
       {Check, MakeReady<Rocky7Plant, Rocky7Judge, PartsOf>, WriteStartView, ShapesOf<Rocky7Plant>},
       system);
-  system.files = {.check = CheckModelFile, .rig = RigOf};
+  system.files = {.check = CheckModelFile, .rig = RigOf, .keys = {{"robot", VisitRobotKeys}}};
   system.example_files.scenario = "scenarios/rocky7_reach.yaml";
   system.example_files.robot = "models/rocky7/rocky7.yaml";
   system.example_files.reproduction = "rocky7";

@@ -96,6 +96,12 @@ struct StatedColumns {
   std::vector<Column> measures{};  // of the judge, and last the limits' (WithMargins)
 };
 
+/// The keys of a kind of model files, for its schema.
+struct ModelKeys {
+  std::string kind;  // "robot"
+  std::function<void(Keys&)> visit;
+};
+
 /// What the program asks of a system's model files. Each function returns none for a file of
 /// another kind and throws ConfigError for a bad one. Empty: the system has no such files.
 struct FileReaders {
@@ -106,6 +112,7 @@ struct FileReaders {
       rig{};
   /// The fiducial board in a target's file.
   std::function<std::optional<NamedBoard>(const std::string& target_file)> board{};
+  std::vector<ModelKeys> keys{};
 };
 
 struct System {

@@ -81,6 +81,17 @@ class DocumentArchive : public Keys {
     Add(key, kind == YamlNode::Kind::kMapping ? Kind::kMapping : Kind::kList, "", "");
   }
   void Mapping(const Key& key, const Visit& inside) override { Descend(key, inside); }
+  void List(const Key& key, std::size_t least, std::size_t most, std::size_t,
+            const std::function<void(std::size_t)>& resize,
+            const std::function<void(Keys&, std::size_t)>& inside) override {
+    Add(key, Kind::kList, std::to_string(least) + " to " + std::to_string(most), "");
+    resize(1);
+    DocumentArchive archive(rows_, prefix_ + std::string(key.name) + "[].");
+    inside(archive, 0);
+  }
+  void Vector3(const Key& key, Eigen::Vector3d&, const Range& range) override {
+    Add(key, Kind::kList, "3 numbers, " + RangeText(range), "");
+  }
   void Refused(std::string_view, std::string_view) override {}
   void RefusedWord(std::string_view, std::string_view, std::string_view) override {}
 

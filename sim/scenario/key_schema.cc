@@ -58,10 +58,29 @@ class SchemaArchive : public Keys {
     Add(key, {{"type", "string"}, {"minLength", 1}}, nullptr);
   }
   void Tree(const Key& key, YamlNode&, YamlNode::Kind kind) override {
-    Add(key, {{"type", kind == YamlNode::Kind::kMapping ? "object" : "array"}}, nullptr);
+    Json schema = Json::object();
+    if (kind != YamlNode::Kind::kNull) {
+      schema["type"] = kind == YamlNode::Kind::kMapping ? "object" : "array";
+    }
+    Add(key, std::move(schema), nullptr);
   }
   void Mapping(const Key& key, const Visit& inside) override {
     Add(key, SchemaOfKeys(inside, whole_), nullptr);
+  }
+  void List(const Key& key, std::size_t least, std::size_t most, std::size_t,
+            const std::function<void(std::size_t)>& resize,
+            const std::function<void(Keys&, std::size_t)>& inside) override {
+    resize(1);
+    Add(key,
+        {{"type", "array"},
+         {"items", SchemaOfKeys([&](Keys& keys) { inside(keys, 0); }, whole_)},
+         {"minItems", least},
+         {"maxItems", most}},
+        nullptr);
+  }
+  void Vector3(const Key& key, Eigen::Vector3d&, const Range& range) override {
+    Add(key, {{"type", "array"}, {"items", NumberSchema(range)}, {"minItems", 3}, {"maxItems", 3}},
+        nullptr);
   }
   void Refused(std::string_view, std::string_view) override {}
   void RefusedWord(std::string_view, std::string_view, std::string_view) override {}
@@ -103,6 +122,12 @@ Json SchemaOfKeys(const Keys::Visit& visit, bool whole) {
   SchemaArchive archive(whole);
   visit(archive);
   return archive.schema();
+}
+
+Json SchemaOfModel(const Keys::Visit& visit) {
+  Json changed = SchemaOfKeys(visit, false);
+  changed["properties"]["base"] = {{"type", "string"}, {"minLength", 1}};
+  return {{"if", {{"required", {"base"}}}}, {"then", changed}, {"else", SchemaOfKeys(visit, true)}};
 }
 
 Json SeedSchema() {

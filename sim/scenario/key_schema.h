@@ -12,6 +12,9 @@ namespace dockyard {
 /// @param whole  required keys must be there
 Json SchemaOfKeys(const Keys::Visit& visit, bool whole);
 
+/// Of a model's file. One with a `base` may leave out all other keys.
+Json SchemaOfModel(const Keys::Visit& visit);
+
 /// Of a seed, which any 64 bits may be.
 Json SeedSchema();
 

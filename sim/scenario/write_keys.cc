@@ -90,6 +90,24 @@ class WriteArchive : public Keys {
     inside(archive);
     if (!archive.tree.keys.empty()) Add(key, std::move(archive.tree));
   }
+  void List(const Key& key, std::size_t, std::size_t, std::size_t count,
+            const std::function<void(std::size_t)>&,
+            const std::function<void(Keys&, std::size_t)>& inside) override {
+    YamlNode list;
+    list.kind = YamlNode::Kind::kSequence;
+    for (std::size_t i = 0; i < count; ++i) {
+      WriteArchive item;
+      inside(item, i);
+      list.items.push_back(std::move(item.tree));
+    }
+    Add(key, std::move(list));
+  }
+  void Vector3(const Key& key, Eigen::Vector3d& value, const Range&) override {
+    YamlNode list;
+    list.kind = YamlNode::Kind::kSequence;
+    for (const double number : value) list.items.push_back(Scalar(NumberText(number)));
+    Add(key, std::move(list));
+  }
   void Refused(std::string_view, std::string_view) override {}
   void RefusedWord(std::string_view, std::string_view, std::string_view) override {}
 

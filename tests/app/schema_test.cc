@@ -114,6 +114,74 @@ TEST_P(Schema, RefusesACampaignThatTheReaderRefuses) {
   EXPECT_NE(FaultsOfText("campaign: a/b\nbase: x.yaml\n"), "");  // no name of a folder
 }
 
+/// A kind of model files, some of them, and a required key of theirs.
+struct ModelFiles {
+  std::string kind;
+  std::vector<std::string> files;
+  std::string key;
+};
+
+class ModelSchema : public testing::TestWithParam<ModelFiles> {
+ protected:
+  ModelSchema() {
+    WriteText(folder_.path() / "schema.json", Dockyard("schema " + GetParam().kind).out);
+  }
+
+  /// What the validator says of the files.
+  std::string Faults(const std::vector<std::string>& files) const {
+    const std::string out = (folder_.path() / "faults").string();
+    std::string command = "python3 '" + SourceFile("tests/app/schema_check.py") + "' '" +
+                          (folder_.path() / "schema.json").string() + "'";
+    for (const std::string& file : files) command += " '" + file + "'";
+    std::system((command + " >'" + out + "' 2>&1").c_str());
+    return Slurp(out);
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_P(ModelSchema, TakesTheFilesOfItsKindAndRefusesATypoAsTheReaderDoes) {
+  std::vector<std::string> files;
+  for (const std::string& file : GetParam().files) files.push_back(SourceFile(file));
+  EXPECT_EQ(Faults(files), "");
+  const std::string folder = fs::path(files[0]).parent_path().string() + "/";
+  const std::string good =
+      std::regex_replace(Slurp(files[0]), std::regex("\nbase: "), "\nbase: " + folder);
+  const std::size_t at = ("\n" + good).find("\n" + GetParam().key + ":");
+  ASSERT_NE(at, std::string::npos);
+  const std::string written = (folder_.path() / "bad.yaml").string();
+  WriteText(written, good.substr(0, at) + "x" + good.substr(at));
+  EXPECT_NE(Faults({written}), "");
+  EXPECT_THAT(Dockyard("check " + written).err, HasSubstr("x" + GetParam().key + ": unknown key"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, ModelSchema,
+    testing::Values(ModelFiles{"soil",
+                               {"models/soils/compact_gravel.yaml", "models/soils/loose_sand.yaml",
+                                "models/soils/ding_2011.yaml", "models/soils/fjs_1.yaml",
+                                "models/soils/grc_1.yaml", "models/soils/grc_3.yaml",
+                                "models/soils/lete_sand.yaml", "models/soils/pavlov_90.yaml",
+                                "models/soils/wong_dry_sand.yaml"},
+                               "source"},
+                    ModelFiles{"board",
+                               {"models/boards/five_discs.yaml", "models/boards/grid_4x3.yaml",
+                                "models/boards/asymmetric_4x11.yaml"},
+                               "name"},
+                    ModelFiles{"axel.robot",
+                               {"models/axel/axel.yaml", "models/axel/axel_coaxial.yaml",
+                                "models/axel/axel_former_mating.yaml"},
+                               "tether"},
+                    ModelFiles{"axel.station",
+                               {"models/axel/station/station.yaml",
+                                "models/axel/station/station_anchored.yaml",
+                                "models/axel/station/station_former_mating.yaml"},
+                               "feet"},
+                    ModelFiles{"raposa.robot", {"models/raposa/raposa.yaml"}, "lamps"},
+                    ModelFiles{"raposa.pyramid", {"models/raposa/pyramid/pyramid.yaml"}, "cable"},
+                    ModelFiles{"rocky7.robot", {"models/rocky7/rocky7.yaml"}, "imu"}),
+    [](const auto& info) { return std::regex_replace(info.param.kind, std::regex("[.]"), "_"); });
+
 TEST(SchemaCommand, DescribesKeysWithUnitsDefaultsAndRanges) {
   const Ended ended = Dockyard("schema scenario");
   EXPECT_EQ(ended.code, 0) << ended.err;

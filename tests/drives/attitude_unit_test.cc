@@ -165,7 +165,11 @@ constexpr const char* kPlain = R"(imu:
 
 ImuModel Load(const ScratchFolder& folder, const std::string& more) {
   const YamlNode root = LoadYaml(folder.Write("robot.yaml", kPlain + more));
-  return ReadImu(YamlReader(root, "", {"imu"}));
+  ImuModel imu;
+  ReadKeys(root, "", [&](Keys& keys) {
+    keys.Mapping("imu", [&](Keys& in) { VisitImu(in, imu); });
+  });
+  return imu;
 }
 
 TEST(ImuFile, AFilterAndItsReadingsAreReadInDegreesAndHeldInRadians) {

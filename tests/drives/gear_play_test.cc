@@ -163,7 +163,9 @@ TEST(MotorFile, PlayBendHomingAndOffsetAreOptionalAndZeroUnlessGiven) {
       "counts_per_rev: 100\ncurrent_noise_a: 0\n";
   const auto load = [&](const std::string& more) {
     const YamlNode root = LoadYaml(folder.Write("motor.yaml", plain + more));
-    return ReadMotor(root, "motor");
+    MotorModel motor;
+    ReadKeys(root, "motor", [&](Keys& keys) { VisitMotor(keys, motor); });
+    return motor;
   };
   const MotorModel none = load("");
   EXPECT_EQ(none.backlash_rad, 0.0);

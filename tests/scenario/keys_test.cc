@@ -214,5 +214,71 @@ TEST(DocumentKeys, SaysKindRangeUnitDefaultAndMeaning) {
   }
 }
 
+struct Cart {
+  int kind = 0;
+  double length_m = 0.0, play_m = 0.0;
+  Eigen::Vector3d seat_m{0, 0, 0};
+  std::vector<double> wheels_m;
+};
+
+void VisitCart(Keys& keys, Cart& cart) {
+  keys.Choice(Optional("kind"), cart.kind, {"plain", "long"});
+  keys.Allow("length_m", cart.kind == 1, "none of a plain cart");
+  keys.Number(keys.NeededIf(cart.kind == 1, "length_m"), cart.length_m, Positive(10.0));
+  keys.Number(Optional("play_m"), cart.play_m,
+              keys.Limits(NonNegative(0.1 * cart.length_m), NonNegative(1.0)));
+  keys.Vector3("seat_m", cart.seat_m, Between(-1.0, 1.0));
+  keys.Items("wheels", cart.wheels_m, 1, 4,
+             [](Keys& in, double& x_m) { in.Number("x_m", x_m, Between(-5.0, 5.0)); });
+  keys.Check("wheels", cart.wheels_m.size() != 3, "no tricycle");
+}
+
+std::string CartMessage(const std::string& text) {
+  const ScratchFolder folder;
+  Cart cart;
+  return MessageOf(
+      [&] { ReadKeys(ParseYaml(text, "c.yaml"), "", [&](Keys& k) { VisitCart(k, cart); }); },
+      folder);
+}
+
+TEST(DependentKeys, AreRefusedAtTheirPlaceByWhatWasReadBefore) {
+  const std::string rest = ", seat_m: [0, 0.5, 1], wheels: [{x_m: 1}, {x_m: -1}]}";
+  EXPECT_EQ(CartMessage("{kind: long, length_m: 2, play_m: 0.2" + rest), "(no error)");
+  EXPECT_EQ(CartMessage("{play_m: 0" + rest), "(no error)");
+  EXPECT_EQ(CartMessage("{length_m: 2" + rest),
+            "c.yaml:1:12: length_m: expected none of a plain cart, found '2'");
+  EXPECT_EQ(CartMessage("{kind: long" + rest), "c.yaml:1:1: missing key 'length_m'");
+  EXPECT_THAT(CartMessage("{kind: long, length_m: 2, play_m: 0.3" + rest),
+              HasSubstr("play_m: expected a number >= 0 and <= 0.2, found '0.3'"));
+  EXPECT_THAT(CartMessage("{seat_m: [0, 2, 0], wheels: [{x_m: 1}]}"),
+              HasSubstr("seat_m[1]: expected a number from -1 to 1, found '2'"));
+  EXPECT_THAT(CartMessage("{seat_m: [0, 0, 0], wheels: [{x_m: 1}, {y_m: 1}]}"),
+              HasSubstr("wheels[1].y_m: unknown key"));
+  EXPECT_THAT(CartMessage("{seat_m: [0, 0, 0], wheels: []}"),
+              HasSubstr("wheels: expected a list of 1 to 4, found a list of 0"));
+  EXPECT_THAT(CartMessage("{seat_m: [0, 0, 0], wheels: [{x_m: 1}, {x_m: 2}, {x_m: 3}]}"),
+              HasSubstr("wheels: expected no tricycle, found a list"));
+}
+
+TEST(DependentKeys, AreAllNamedWhereNoFileIsRead) {
+  Cart cart;
+  std::vector<std::string> keys;
+  for (const KeyRow& row : DocumentKeys([&](Keys& k) { VisitCart(k, cart); })) {
+    keys.push_back(row.key + " " + row.range);
+  }
+  EXPECT_THAT(keys,
+              ElementsAre("kind plain, long", "length_m above 0 to 10", "play_m 0 to 1",
+                          "seat_m 3 numbers, -1 to 1", "wheels 1 to 4", "wheels[].x_m -5 to 5"));
+}
+
+TEST(DependentKeys, ReadBackAsTheyAreWritten) {
+  Cart cart{.kind = 1, .length_m = 3.0, .seat_m = {0.1, 0.2, 0.3}, .wheels_m = {1.5, -1.5}}, back;
+  const YamlNode written = WriteKeys([&](Keys& k) { VisitCart(k, cart); });
+  ReadKeys(written, "", [&](Keys& k) { VisitCart(k, back); });
+  EXPECT_EQ(back.seat_m, cart.seat_m);
+  EXPECT_EQ(back.wheels_m, cart.wheels_m);
+  EXPECT_EQ(back.length_m, 3.0);
+}
+
 }  // namespace
 }  // namespace dockyard

@@ -17,12 +17,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-MastModel Rocky7Mast() {
-  const YamlNode tree = LoadModelYaml(SourceFile("models/rocky7/rocky7.yaml"));
-  const YamlReader in(tree, "",
-                      RoverKeys({"cameras", "back_cameras", "mast_cameras", "imu", "spreads"}));
-  return *ReadRover(in).mast;
+MastModel MastOf(const YamlNode& tree) {
+  RoverModel rover;
+  const auto visit = [&](Keys& keys) {
+    VisitRover(keys, rover);
+    YamlNode other;
+    for (const char* key : {"cameras", "back_cameras", "mast_cameras", "imu", "spreads"}) {
+      keys.Tree(Unset(key), other, YamlNode::Kind::kNull);
+    }
+  };
+  ReadRover(tree, visit, rover);
+  return *rover.mast;
 }
+
+MastModel Rocky7Mast() { return MastOf(LoadModelYaml(SourceFile("models/rocky7/rocky7.yaml"))); }
 
 // The mast alone, on a base that nothing moves.
 struct Rig {
@@ -89,9 +97,7 @@ TEST(Mast, FileNamesWhatIsWrong) {
   const auto read = [](const std::string& assignment) {
     YamlNode tree = LoadModelYaml(SourceFile("models/rocky7/rocky7.yaml"));
     SetYaml(tree, assignment);
-    const YamlReader in(tree, "",
-                        RoverKeys({"cameras", "back_cameras", "mast_cameras", "imu", "spreads"}));
-    ReadRover(in);
+    MastOf(tree);
   };
   EXPECT_NO_THROW(read("build.mast.link1_m=0.6"));
   EXPECT_THROW(read("build.mast.link2_m=0.1"), std::exception);  // shorter than the can

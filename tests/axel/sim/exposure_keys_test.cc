@@ -76,7 +76,7 @@ TEST_F(ExposureKeys, FixedExposureWithoutElectronsIsRefused) {
 TEST_F(ExposureKeys, UnknownExposureKeyIsRefused) {
   EXPECT_EQ(Refused("    exposure: {stops: 1}"),
             "16: cameras.sensor.exposure.stops: unknown key, known are: rule, percent, level, "
-            "fixed_e, bracket_stops");
+            "bracket_stops, fixed_e");
 }
 
 }  // namespace

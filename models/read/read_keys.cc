@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "models/read/config_error.h"
-#include "sim/scenario/keys.h"
+#include "models/read/keys.h"
 
 namespace dockyard {
 namespace {
@@ -29,6 +29,13 @@ class NameKeys : public Keys {
   void File(const Key& key, std::string&) override { Add(key); }
   void Tree(const Key& key, YamlNode&, YamlNode::Kind) override { Add(key); }
   void Mapping(const Key& key, const Visit&) override { Add(key); }
+  void List(const Key& key, std::size_t, std::size_t, std::size_t,
+            const std::function<void(std::size_t)>&,
+            const std::function<void(Keys&, std::size_t)>&) override {
+    Add(key);
+  }
+  void Vector3(const Key& key, Eigen::Vector3d&, const Range&) override { Add(key); }
+  bool reads() const override { return true; }
   void Refused(std::string_view name, std::string_view hint) override {
     refused.push_back({std::string(name), std::string(hint)});
   }
@@ -96,13 +103,40 @@ class ReadArchive : public Keys {
   }
   void Tree(const Key& key, YamlNode& tree, YamlNode::Kind kind) override {
     if (!Given(key)) return;
-    if (in_.Child(key.name).kind != kind) {
+    if (kind != YamlNode::Kind::kNull && in_.Child(key.name).kind != kind) {
       in_.Refuse(key.name, kind == YamlNode::Kind::kMapping ? "a mapping (key: value)" : "a list");
     }
     tree = in_.Child(key.name);
   }
   void Mapping(const Key& key, const Visit& inside) override {
     if (Given(key)) Descend(key, inside);
+  }
+  void List(const Key& key, std::size_t least, std::size_t most, std::size_t /*count*/,
+            const std::function<void(std::size_t)>& resize,
+            const std::function<void(Keys&, std::size_t)>& inside) override {
+    if (!Given(key)) return;
+    const std::vector<YamlNode>& items = in_.List(key.name, least, most).items;
+    resize(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      Read(
+          items[i], YamlReader::PathOf(in_.PathOf(key.name), i),
+          [&](Keys& keys) { inside(keys, i); }, demands_);
+    }
+  }
+  void Vector3(const Key& key, Eigen::Vector3d& value, const Range& range) override {
+    if (Given(key)) value = in_.Vector3(key.name, range);
+  }
+  bool reads() const override { return true; }
+  void Allow(std::string_view key, bool allowed, const std::string& expected) override {
+    if (!allowed && in_.Has(key)) in_.Refuse(key, expected);
+  }
+  void Check(std::string_view key, bool holds, const std::string& expected,
+             const std::string& found) override {
+    if (holds) return;
+    if (!in_.Has(key)) {
+      throw ConfigError(node_.place.Text() + ": " + in_.PathOf(key) + ": expected " + expected);
+    }
+    found.empty() ? in_.Refuse(key, expected) : in_.Refuse(key, expected, found);
   }
   void Refused(std::string_view name, std::string_view hint) override {
     for (const YamlNode::Key& key : node_.keys) {
