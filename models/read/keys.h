@@ -82,6 +82,8 @@ class Keys {
   /// Whether the values are those of a file, so that what is asked of a key may depend on keys
   /// before it. Otherwise all that any file may have is named.
   virtual bool reads() const { return false; }
+  /// Whether the values are to be written, so that what has no effect may be left out.
+  virtual bool writes() const { return false; }
   /// A key that a file must have if `needed`.
   Key NeededIf(bool needed, const char* name) const {
     return reads() && needed ? Key(name) : Unset(name);

@@ -54,14 +54,6 @@ class ModelFiles {
     }
   }
   void AddFile(const fs::path& file) { files.insert(file); }
-
-  std::set<fs::path> files;
-
- private:
-  void AddPackageOf(const fs::path& file) {
-    const fs::path package = PackageFileAbove(file.parent_path());
-    if (!package.empty()) files.insert(package);
-  }
   void AddMesh(const fs::path& mesh) {
     files.insert(mesh);
     if (mesh.extension() != ".gltf") return;
@@ -72,6 +64,14 @@ class ModelFiles {
         files.insert(entry.path());
       }
     }
+  }
+
+  std::set<fs::path> files;
+
+ private:
+  void AddPackageOf(const fs::path& file) {
+    const fs::path package = PackageFileAbove(file.parent_path());
+    if (!package.empty()) files.insert(package);
   }
   /// The files that a model's YAML names by the keys `base`, `urdf` and `file`.
   void AddNamed(const YamlNode& node) {
@@ -171,6 +171,8 @@ CampaignIdentity IdentityOf(const Campaign& campaign, const std::vector<KnownSys
   for (const NamedFile& file : named.files) {
     if (file.key.ends_with(".urdf")) {
       models.AddUrdf(file.path);
+    } else if (file.key == "scenery[].file") {
+      models.AddMesh(file.path);
     } else if (file.key.ends_with(".file")) {
       models.AddFile(file.path);
     } else {

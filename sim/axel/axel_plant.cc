@@ -94,7 +94,8 @@ Stage AxelPlant::Look() const {
                   {"arm", truth_.X_WA},
                   {"station", truth_.X_WS}};
   if (!built_.world.rocks.rocks.empty()) stage.bodies.push_back({"rocks", X_WG});
-  // What throws a shadow is where the scene's objects say.
+  // Scenery and what throws a shadow are posed in the world.
+  if (!built_.lighting.scenery.empty()) stage.bodies.push_back({"scenery", Pose3{}});
   if (!built_.lighting.occluders.empty()) stage.bodies.push_back({"shade", Pose3{}});
   stage.lines = {{.name = "tether",
                   .diameter_m = built_.world.rover.tether.diameter_m,

@@ -20,6 +20,7 @@
 #include "sim/axel/view_start.h"
 #include "sim/plant/built_cameras.h"
 #include "sim/plant/light.h"
+#include "sim/plant/scenery.h"
 #include "sim/scenario/rock_keys.h"
 
 namespace dockyard::axel {
@@ -43,8 +44,12 @@ ReadyRun PartsOf(const Nominal& nominal) {
 StageShapes AxelShapes(const Scenario& scenario, const AxelModels& models) {
   const ModelSet& built = models.built;
   const Pose3 X_WG = SiteOf(scenario), X_WD = X_WG * FromGround(WorldSetup{}.X_GD, 0.0);
-  const Lighting lighting =
+  Lighting lighting =
       MakeLighting(scenario.light, X_WD, BoardInDock(built.station).p, scenario.seed, scenario.sun);
+  if (!scenario.scenery.empty()) {
+    AddScenery(scenario, MakeGround(scenario.yard, scenario.seed), X_WG, WorldSetup{}.X_GD,
+               lighting);
+  }
   SceneBuilder scene(built.rover, built.station, built.soil, lighting, X_WG, scenario.seed);
   if (HasRocks(scenario, models)) {
     scene.AddRocks(BuildRocks(scenario, models, MakeGround(scenario.yard, scenario.seed)));

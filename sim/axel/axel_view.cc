@@ -45,7 +45,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
   AddParts(station_, truth.X_WS * X_S_module_, scene.objects);
   AddParts(stand_, truth.X_WS, scene.objects);
   AddParts(rocks_, X_WG_, scene.objects);
-  for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
+  AddSurroundings(lighting_, scene.objects);
   scene.ground = ViewOf(ground, X_WG_, soil_rgb_, texture_seed_);
   scene.boards.push_back({.board = board_,
                           .X_WB = truth.X_WS * X_SB_,
@@ -80,7 +80,7 @@ StageShapes SceneBuilder::Shapes() const {
     add("rocks", false, rocks_);
     shapes.bodies.back().about = true;
   }
-  for (StageBody& shade : ShadeBodies(lighting_)) shapes.bodies.push_back(std::move(shade));
+  for (StageBody& body : SurroundingBodies(lighting_)) shapes.bodies.push_back(std::move(body));
   shapes.points = {
       {"target", "station", p_SM_}, {"tip", "arm", p_AT_}, {"board", "station", X_SB_.p}};
   shapes.board = {"station", X_SB_, board_, cutout_.p_B, cutout_.radius_m};

@@ -16,6 +16,8 @@
 #include "sim/axel/rover_start.h"
 #include "sim/base/random.h"
 #include "sim/plant/built_cameras.h"
+#include "sim/plant/scenery.h"
+#include "sim/plant/yard.h"
 
 namespace dockyard::axel {
 namespace {
@@ -93,10 +95,7 @@ void CheckBearing(const Scenario& scenario) {
 }  // namespace
 
 HeightGrid MakeGround(const YardModel& yard, const Seed& seed) {
-  HeightGrid ground = LevelGrid(-kYardBehind_m, yard.length_m, yard.width_m, yard.cell_m);
-  AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadiusM,
-                StreamKey(seed, "yard"));
-  return ground;
+  return YardGround(yard, kFlatRadiusM, seed);
 }
 
 Pose3 SiteOf(const Scenario& scenario) { return SiteInWorld(scenario.X_WG, SlopeOf(scenario)); }
@@ -195,6 +194,8 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   world.rover.right_wheel_soil.phase_rad = start.Uniform(0.0, pitch_rad);
   world.slack_start_m = start.Uniform(0.02, 0.10);  // assumed: loosely picked up, range 0-0.2
   world.ground = MakeGround(scenario.yard, scenario.seed);
+  world.patch_soils =
+      PatchSoils(scenario.yard, world.soil.gravity_m_s2, world.rover.left_wheel_soil.width_m);
   world.X_WG = scenario.X_WG;
   world.slope = SlopeOf(scenario);
   world.X_DR_start = FromDockingCoords(scenario.start.on_plane());
@@ -215,6 +216,7 @@ BuiltRun BuildRun(const Scenario& scenario, const AxelModels& models) {
   run.X_WD = SiteOf(scenario) * FromGround(world.X_GD, 0.0);
   run.lighting = MakeLighting(scenario.light, run.X_WD, BoardInDock(world.station).p, scenario.seed,
                               scenario.sun);
+  AddScenery(scenario, world.ground, SiteOf(scenario), world.X_GD, run.lighting);
   run.lighting.board_dust = models.keys.board_dust;
   run.lighting.dusty_spots =
       DustyMarks(models.keys.dirty_marks, world.station.board, scenario.seed);

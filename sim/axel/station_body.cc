@@ -51,12 +51,16 @@ StationBody::StationBody(const StationModel& station, const Pose3& X_GS, const S
 
   DOCKYARD_CHECK(!station.feet.empty());
   feet_.resize(station.feet.size());
-  const double share_kg = station.module.mass_kg / static_cast<double>(station.feet.size());
-  const bool sinks = sole.force_n_per_m_n > 0.0;
-  const double stiffness = sinks ? sole.rebound_n_per_m : station.foot_stiffness_n_per_m;
-  sole_ = {stiffness, 2.0 * kFootDampingRatio * std::sqrt(stiffness * share_kg),
-           station.foot_friction, sole};
+  AddSole(sole);
   Refresh();
+}
+
+GroundMaterial StationBody::MaterialOf(const SinkingPlate& sole) const {
+  const double share_kg = station_.module.mass_kg / static_cast<double>(station_.feet.size());
+  const bool sinks = sole.force_n_per_m_n > 0.0;
+  const double stiffness = sinks ? sole.rebound_n_per_m : station_.foot_stiffness_n_per_m;
+  return {stiffness, 2.0 * kFootDampingRatio * std::sqrt(stiffness * share_kg),
+          station_.foot_friction, sole};
 }
 
 void StationBody::AddShapes() {
@@ -102,8 +106,8 @@ void StationBody::AddTorque(const Eigen::Vector3d& torque_G) {
 void StationBody::AddFeetForces(const HeightGrid& ground, double dt_s) {
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     const Eigen::Vector3d p_G = motion_.X_GL * station_.feet[i].p_SF;
-    const Eigen::Vector3d force_G =
-        GroundForce(ground, sole_, p_G, motion_.VelocityAt(p_G), dt_s, feet_[i]);
+    const Eigen::Vector3d force_G = GroundForce(ground, soles_.at(ground.SoilAt(p_G)), p_G,
+                                                motion_.VelocityAt(p_G), dt_s, feet_[i]);
     if (!force_G.isZero(0.0)) AddForce(force_G, p_G);
   }
 }

@@ -29,6 +29,8 @@ class StationBody {
  public:
   /// sole: of each foot, as SoleOf gives it; by default the feet are hard.
   StationBody(const StationModel& station, const Pose3& X_GS, const SinkingPlate& sole = {});
+  /// On the soil of the ground's next number.
+  void AddSole(const SinkingPlate& sole) { soles_.push_back(MaterialOf(sole)); }
 
   /// Motion of the frame S.
   const LinkMotion& motion() const { return motion_; }
@@ -73,7 +75,9 @@ class StationBody {
   std::vector<std::vector<StationFace>> faces_;  // by piece
   std::unique_ptr<btRigidBody> body_;
   LinkMotion motion_;
-  GroundMaterial sole_;
+  GroundMaterial MaterialOf(const SinkingPlate& sole) const;
+
+  std::vector<GroundMaterial> soles_;  // by the number of the soil under a foot
   std::vector<GroundPoint> feet_;
   double reach_m_ = 0.0;
 };

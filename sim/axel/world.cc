@@ -30,9 +30,10 @@ void CheckSetup(const WorldSetup& setup) {
 }
 
 // A foot's force over its depth [N/m]: of one with a sole, at an equal share of the weight.
-double FootStiffness(const WorldSetup& setup) {
+double FootStiffness(const WorldSetup& setup, std::size_t soil) {
   const StationModel& station = setup.station;
-  const SinkingPlate sole = SoleOf(station, setup.soil);
+  const SinkingPlate sole =
+      SoleOf(station, soil == 0 ? setup.soil : setup.patch_soils.at(soil - 1));
   if (sole.force_n_per_m_n == 0.0) return station.foot_stiffness_n_per_m;
   const double share_n = station.module.mass_kg * -GravityInSite(setup.slope).z() /
                          static_cast<double>(station.feet.size());
@@ -48,7 +49,6 @@ Pose3 StationStart(const WorldSetup& setup, const HeightGrid& ground) {
       Eigen::Vector3d(station.module.p_LoCom_L - station.mouth_height_m * Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d weight_D =
       station.module.mass_kg * (RotZ(-setup.X_GD.heading) * GravityInSite(setup.slope));
-  const double foot_stiffness_n_per_m = FootStiffness(setup);
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
   Eigen::Vector3d load = Eigen::Vector3d::Zero();
   double sole_m = 0.0;
@@ -58,6 +58,7 @@ Pose3 StationStart(const WorldSetup& setup, const HeightGrid& ground) {
     const Eigen::Vector2d at = setup.X_GD * Eigen::Vector2d(p.x(), p.y());
     feet.emplace_back(1.0, p.y(), -p.x(), ground.Height(at.x(), at.y()) - p.z());
     const Eigen::Vector3d rise = feet.back().head<3>();
+    const double foot_stiffness_n_per_m = FootStiffness(setup, ground.SoilAt(at.x(), at.y()));
     stiffness += foot_stiffness_n_per_m * rise * rise.transpose();
     load += foot_stiffness_n_per_m * feet.back()[3] * rise;
     sole_m += p.z() / static_cast<double>(station.feet.size());
@@ -94,6 +95,11 @@ World::Impl::Impl(WorldSetup setup)
       left_soil_(setup_.rover.left_wheel_soil, setup_.soil),
       right_soil_(setup_.rover.right_wheel_soil, setup_.soil),
       imu_(setup_.rover.imu, gravity_G_) {
+  for (const SoilModel& soil : setup_.patch_soils) {
+    station_.AddSole(SoleOf(setup_.station, soil));
+    left_soil_.AddSoil(soil);
+    right_soil_.AddSoil(soil);
+  }
   contacts_.PutRocks(setup_.rover, setup_.rocks);
   Settle();
 }

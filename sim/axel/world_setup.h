@@ -1,6 +1,8 @@
 // What the world of one run is made of.
 #pragma once
 
+#include <vector>
+
 #include "models/axel/axel_model.h"
 #include "models/axel/station_model.h"
 #include "models/parts/soil_model.h"
@@ -15,11 +17,12 @@ struct WorldSetup {
   RoverModel rover;
   StationModel station;
   SoilModel soil;
-  HeightGrid ground;  // in the site frame G
-  Pose2 X_WG;         // site in the world, before it is tilted
-  Slope slope;        // of the site, under rover and station
-  RockBed rocks;      // in the ground, in G
-  Pose2 X_GD;         // dock in the site: where the station is put
+  std::vector<SoilModel> patch_soils;  // of the ground's numbers 1, 2 ...
+  HeightGrid ground;                   // in the site frame G
+  Pose2 X_WG;                          // site in the world, before it is tilted
+  Slope slope;                         // of the site, under rover and station
+  RockBed rocks;                       // in the ground, in G
+  Pose2 X_GD;                          // dock in the site: where the station is put
   Pose2 X_DR_start;
   double arm_start_rad = 0.0;    // arm against body, tip-down positive
   double pitch_start_rad = 0.0;  // body about the axle, nose-down positive; 180 deg: upside down

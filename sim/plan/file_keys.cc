@@ -18,6 +18,10 @@ using Visit = std::function<void(YamlNode&)>;
 void VisitPath(YamlNode& tree, const std::string& at, const std::string& wanted,
                const Visit& visit) {
   if (at == wanted) return visit(tree);
+  if (tree.kind == YamlNode::Kind::kSequence && wanted.starts_with(at + "[].")) {
+    for (YamlNode& item : tree.items) VisitPath(item, at + "[]", wanted, visit);
+    return;
+  }
   if (tree.kind != YamlNode::Kind::kMapping || !(at.empty() || PathsOverlap(at, wanted))) return;
   for (std::size_t i = 0; i < tree.keys.size(); ++i) {
     const std::string inner = at.empty() ? tree.keys[i].name : at + "." + tree.keys[i].name;
@@ -124,6 +128,7 @@ std::vector<std::string> FileKeys(const std::vector<KnownSystem>& systems) {
   for (const KeyRow& row : ScenarioRows()) {
     if (row.kind == KeyRow::Kind::kFile) keys.push_back(row.key);
   }
+  keys.insert(keys.end(), {"yard.patches[].soil", "scenery[].file"});
   for (const KnownSystem& system : systems) {
     for (const std::string& key : system.file_keys) keys.push_back(system.name + "." + key);
     for (const std::string& key : system.changes_file_keys) {

@@ -153,6 +153,11 @@ Pose3 TurnedUpright(const Pose3& X_WD) {
 
 }  // namespace
 
+void AddSurroundings(const Lighting& lighting, std::vector<SceneObject>& objects) {
+  for (const SceneryObject& thing : lighting.scenery) objects.push_back(thing.object);
+  objects.insert(objects.end(), lighting.occluders.begin(), lighting.occluders.end());
+}
+
 Lighting MakeLighting(Light light, const Pose3& X_WD, const Eigen::Vector3d& p_DB, const Seed& seed,
                       const SunModel& sun) {
   RandomStream random(StreamKey(seed, "light"));

@@ -7,17 +7,28 @@
 
 #include "controller/geometry/pose.h"
 #include "render/scene.h"
+#include "render/spectrum.h"
 #include "sim/scenario/scenario.h"
 
 namespace dockyard {
 
+/// A thing that cameras see, posed in the world, where it stays.
+struct SceneryObject {
+  SceneObject object;
+  Spectrum reflectance;
+};
+
 struct Lighting {
   SunAndSky sun_and_sky;
   std::vector<SceneObject> occluders;  // posed in the world; they stay where they are
+  std::vector<SceneryObject> scenery{};
   bool leaves = false;                 // whether those are leaves
   double board_dust = 0.0;             // mean share of the board's face under dust
   std::vector<DustySpot> dusty_spots;  // of the board, dirtier than the rest
 };
+
+/// Scenery and occluders at the end of a scene's objects.
+void AddSurroundings(const Lighting& lighting, std::vector<SceneObject>& objects);
 
 /// @param X_WD   the dock's ground frame in the world, z off the ground: the board faces along its
 ///               +x. The sun's elevation is above the level, on a slope too.

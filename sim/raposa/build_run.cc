@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "models/raposa/load_ground.h"
 #include "models/raposa/make_nominal.h"
 #include "models/read/config_error.h"
 #include "models/read/load_soil.h"
 #include "sim/base/random.h"
+#include "sim/plant/yard.h"
 #include "sim/raposa/ferreira_keys.h"
 
 namespace dockyard::raposa {
@@ -17,15 +19,12 @@ constexpr double kFlatRadius_m = 0.15;
 constexpr double kCableWithin_rad = Radians(40.0);
 
 HeightGrid GroundOf(const YardModel& yard, double behind_m, const Seed& seed) {
-  const double length_m = yard.length_m - kYardBehind_m + behind_m;
-  // A level floor needs no cells, and is drawn as a plane.
-  if (yard.undulation_rms_m == 0.0) {
-    return LevelGrid(-behind_m, length_m, yard.width_m, 0.5 * length_m);
+  if (yard.undulation_rms_m > 0.0 || !yard.heights.file.empty() || !yard.patches.empty()) {
+    return YardGround(yard, kFlatRadius_m, seed, behind_m);
   }
-  HeightGrid ground = LevelGrid(-behind_m, length_m, yard.width_m, yard.cell_m);
-  AddUndulation(ground, yard.undulation_rms_m, yard.undulation_wavelength_m, kFlatRadius_m,
-                StreamKey(seed, "yard"));
-  return ground;
+  // A level floor needs no cells, and is drawn as a plane.
+  const double length_m = yard.length_m - kYardBehind_m + behind_m;
+  return LevelGrid(-behind_m, length_m, yard.width_m, 0.5 * length_m);
 }
 
 // A start stays this far from the yard's border, as the scenario's reader has it on other sides.
@@ -62,6 +61,12 @@ void CheckHolds(const Scenario& scenario, const PyramidModel& pyramid) {
                     NumberText(pyramid.foot_friction));
 }
 
+void CheckCarriesAll(const GroundModel& ground, const std::string& file, const ModelSet& models) {
+  if (!ground.soil) return;
+  CheckCarries(*ground.soil, file, models.robot.belts.width_m);
+  CheckCarries(*ground.soil, file, 0.5 * models.pyramid.foot_diameter_m);
+}
+
 }  // namespace
 
 Slope SlopeOf(const Scenario& scenario) {
@@ -72,11 +77,7 @@ BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
   CheckStart(scenario, models.keys, models.built.robot);
   CheckHolds(scenario, models.built.pyramid);
   CheckLight(scenario);
-  if (models.built.ground.soil) {
-    CheckCarries(*models.built.ground.soil, scenario.soil_file, models.built.robot.belts.width_m);
-    CheckCarries(*models.built.ground.soil, scenario.soil_file,
-                 0.5 * models.built.pyramid.foot_diameter_m);
-  }
+  CheckCarriesAll(models.built.ground, scenario.soil_file, models.built);
   BuiltRun run;
   run.keys = models.keys;
   run.ground = models.built.ground;
@@ -86,8 +87,11 @@ BuiltRun BuildRun(const Scenario& scenario, const RaposaModels& models) {
   WorldSetup& world = run.world;
   world.robot = models.built.robot;
   world.pyramid = models.built.pyramid;
-  world.belt_ground = models.built.ground.belt;
-  world.soil = models.built.ground.soil;
+  world.grounds = {models.built.ground};
+  for (const std::string& file : PatchSoilFiles(scenario.yard)) {
+    world.grounds.push_back(LoadGround(file));
+    CheckCarriesAll(world.grounds.back(), file, models.built);
+  }
   world.ground = GroundOf(scenario.yard, run.keys.behind_m, scenario.seed);
   world.X_WG = scenario.X_WG;
   world.slope = SlopeOf(scenario);

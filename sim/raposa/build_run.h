@@ -11,7 +11,7 @@ namespace dockyard::raposa {
 struct BuiltRun {
   WorldSetup world;
   GroundModel ground;  // its look
-  std::vector<ClutterPiece> clutter;
+  std::vector<SceneryItem> clutter;
   RaposaKeys keys;
   Nominal nominal;  // what the controller is told
 };

@@ -3,12 +3,11 @@
 #include <array>
 #include <cmath>
 
+#include "sim/plant/scenery.h"
 #include "sim/raposa/mating_shapes.h"
 
 namespace dockyard::raposa {
 namespace {
-
-constexpr int kFacets = 32;  // round a turned body: its outline is within 0.5 % of round
 
 /// Corners of the square on the faces at this distance from the base, along a face; ordered
 /// counter-clockwise as seen from the guide.
@@ -20,37 +19,6 @@ std::array<Eigen::Vector3d, 4> SquareOn(const MarksModel& marks, double along_m)
 }
 
 }  // namespace
-
-RenderMesh TurnedMesh(const std::vector<Eigen::Vector2d>& profile_m, const Pose3& X_OA) {
-  RenderMesh mesh;
-  const auto add = [&](double z, double x, double y) {
-    mesh.vertices.push_back((X_OA * Eigen::Vector3d(x, y, z)).cast<float>());
-  };
-  for (const Eigen::Vector2d& at : profile_m) {
-    for (int k = 0; k < kFacets; ++k) {
-      const double angle = 2.0 * kPi * k / kFacets;
-      add(at.x(), at.y() * std::cos(angle), at.y() * std::sin(angle));
-    }
-  }
-  const auto index = [](std::size_t ring, int k) {
-    return static_cast<std::uint32_t>(ring * kFacets + static_cast<std::size_t>(k % kFacets));
-  };
-  for (std::size_t ring = 0; ring + 1 < profile_m.size(); ++ring) {
-    for (int k = 0; k < kFacets; ++k) {
-      mesh.triangles.push_back({index(ring, k), index(ring, k + 1), index(ring + 1, k + 1)});
-      mesh.triangles.push_back({index(ring, k), index(ring + 1, k + 1), index(ring + 1, k)});
-    }
-  }
-  const auto low = static_cast<std::uint32_t>(mesh.vertices.size());
-  add(profile_m.front().x(), 0.0, 0.0);
-  add(profile_m.back().x(), 0.0, 0.0);
-  for (int k = 0; k < kFacets; ++k) {
-    mesh.triangles.push_back({low, index(0, k + 1), index(0, k)});
-    mesh.triangles.push_back(
-        {low + 1, index(profile_m.size() - 1, k), index(profile_m.size() - 1, k + 1)});
-  }
-  return mesh;
-}
 
 RenderMesh GuideMesh(const GuideModel& guide) {
   return TurnedMesh(GuideProfile(guide), GuideAxis(guide));

@@ -6,8 +6,6 @@
 
 namespace dockyard::raposa {
 
-/// A closed solid turned about z of the frame A from (z, radius), lowest z first.
-RenderMesh TurnedMesh(const std::vector<Eigen::Vector2d>& profile_m, const Pose3& X_OA);
 RenderMesh GuideMesh(const GuideModel& guide);
 /// The rod from the bi-cone to the faces.
 RenderMesh RodMesh(const PyramidModel& pyramid);

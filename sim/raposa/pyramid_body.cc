@@ -36,7 +36,8 @@ CableModel ModelOf(const TetherCableModel& cable) {
 }  // namespace
 
 PyramidBody::PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP,
-                         const Eigen::Vector3d& cable_to_G, const std::optional<SoilModel>& soil)
+                         const Eigen::Vector3d& cable_to_G,
+                         const std::vector<std::optional<SoilModel>>& soils)
     : pyramid_(pyramid),
       inertia_(FindPrincipalInertia(pyramid.body)),
       feet_(pyramid.p_P_soles.size()),
@@ -56,11 +57,14 @@ PyramidBody::PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP,
   body_->setDamping(0.0, 0.0);
   body_->setActivationState(DISABLE_DEACTIVATION);
   const double share_kg = pyramid.body.mass_kg / static_cast<double>(feet_.size());
-  sole_ = {.stiffness_n_per_m = pyramid.foot_stiffness_n_per_m,
-           .damping_ns_per_m =
-               2.0 * kFootDampingRatio * std::sqrt(pyramid.foot_stiffness_n_per_m * share_kg),
-           .friction = pyramid.foot_friction};
-  if (soil) sole_.plate = RoundPlate(*soil, pyramid.foot_diameter_m);
+  GroundMaterial sole{.stiffness_n_per_m = pyramid.foot_stiffness_n_per_m,
+                      .damping_ns_per_m = 2.0 * kFootDampingRatio *
+                                          std::sqrt(pyramid.foot_stiffness_n_per_m * share_kg),
+                      .friction = pyramid.foot_friction};
+  for (const std::optional<SoilModel>& soil : soils) {
+    sole.plate = soil ? RoundPlate(*soil, pyramid.foot_diameter_m) : SinkingPlate{};
+    soles_.push_back(sole);
+  }
   Refresh();
   // The last of the pieces is the one from the last mass to the pyramid.
   const Eigen::Vector3d way_G = CableEndInG() - cable_to_G_;
@@ -86,7 +90,8 @@ void PyramidBody::AddForces(const HeightGrid& ground, const Eigen::Vector3d& gra
     const Eigen::Vector2d& p = pyramid_.p_P_soles[i];
     const Eigen::Vector3d p_G =
         motion_.X_GL * Eigen::Vector3d(p.x(), p.y(), -pyramid_.guide.height_m);
-    AddForce(GroundForce(ground, sole_, p_G, motion_.VelocityAt(p_G), dt_s, feet_[i]), p_G);
+    const GroundMaterial& sole = soles_.at(ground.SoilAt(p_G));
+    AddForce(GroundForce(ground, sole, p_G, motion_.VelocityAt(p_G), dt_s, feet_[i]), p_G);
   }
   PullCable(ground, gravity_G, dt_s);
 }

@@ -20,9 +20,10 @@ namespace dockyard::raposa {
 
 class PyramidBody {
  public:
-  /// cable_to_G: the fixed far end of its cable, on the ground. soil: the feet sink into it.
+  /// cable_to_G: the fixed far end of its cable, on the ground. soils: of the ground's
+  /// numbers 0, 1, ...; the feet sink into those that are there.
   PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP, const Eigen::Vector3d& cable_to_G,
-              const std::optional<SoilModel>& soil);
+              const std::vector<std::optional<SoilModel>>& soils);
 
   /// Motion of the frame P.
   const LinkMotion& motion() const { return motion_; }
@@ -45,7 +46,7 @@ class PyramidBody {
   LinkShape shape_;
   std::unique_ptr<btRigidBody> body_;
   LinkMotion motion_;
-  GroundMaterial sole_;
+  std::vector<GroundMaterial> soles_;  // by the number of the ground under a foot
   std::vector<GroundPoint> feet_;
   CableModel cable_model_;
   Cable cable_;

@@ -7,6 +7,7 @@
 #include "controller/base/split_mix.h"
 #include "render/shutter.h"
 #include "sim/base/random.h"
+#include "sim/plant/scenery.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -22,6 +23,9 @@ Lighting LightingOf(const Scenario& scenario, const BuiltRun& built) {
   Lighting lighting = MakeLighting(scenario.light, X_WD, p_DP, scenario.seed, scenario.sun);
   lighting.sun_and_sky.sun_irradiance *= built.keys.light_level;
   lighting.sun_and_sky.sky_irradiance *= built.keys.light_level;
+  const Pose3 X_WG = SiteInWorld(built.world.X_WG, built.world.slope);
+  AddItems(built.clutter, built.world.ground, X_WG, built.world.X_GD, lighting);
+  AddScenery(scenario, built.world.ground, X_WG, built.world.X_GD, lighting);
   return lighting;
 }
 
@@ -92,7 +96,7 @@ Stage RaposaPlant::Look() const {
                   {"left_door", truth_.X_W_left_door},
                   {"right_door", truth_.X_W_right_door},
                   {"pyramid", truth_.X_WP}};
-  // Clutter and shade stand where they are.
+  // Scenery and shade stay where they are.
   for (std::size_t i = stage.bodies.size(); i < shapes.bodies.size(); ++i) {
     stage.bodies.push_back({shapes.bodies[i].name, Pose3{}});
   }

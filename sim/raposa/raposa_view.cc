@@ -74,7 +74,9 @@ SceneBuilder::SceneBuilder(const BuiltRun& built, Lighting lighting, const Seed&
   mark(FacesMesh(pyramid.marks), Eigen::Vector3d::Constant(kBareFaces), GreyMaterial(kBareFaces));
   mark(RodMesh(pyramid), Eigen::Vector3d::Constant(kRubber), GreyMaterial(kRubber));
   cable_material_ = GreyMaterial(kRubber);
-  AddClutter(built);
+  for (SceneryObject& thing : lighting_.scenery) {
+    thing.object.material = MaterialOf(thing.reflectance);
+  }
   const CameraResponse response = CheapCamera();
   ground_rgb_ = ColourOf(DaylightLight(6500.0), spectra_.materials[kGround], response)
                     .cwiseProduct(BalanceFor(DaylightLight(6500.0), response));
@@ -89,21 +91,6 @@ int SceneBuilder::MaterialOf(const Spectrum& reflectance) {
   }
   spectra_.materials.push_back(reflectance);
   return static_cast<int>(spectra_.materials.size()) - 1;
-}
-
-void SceneBuilder::AddClutter(const BuiltRun& built) {
-  const Spectrum day = DaylightLight(6500.0);
-  const CameraResponse response = CheapCamera();
-  const HeightGrid& ground = built.world.ground;
-  for (const ClutterPiece& piece : built.clutter) {
-    const Pose2 X_GO = built.world.X_GD * piece.X_DO;
-    const Spectrum reflectance = ReflectanceOf(piece.paint);
-    const Eigen::Vector3d rgb =
-        ColourOf(day, reflectance, response).cwiseProduct(BalanceFor(day, response));
-    clutter_.push_back({std::make_shared<const RenderMesh>(ClutterMesh(piece)),
-                        X_WG_ * FromGround(X_GO, ground.Height(X_GO.x, X_GO.y)), rgb,
-                        MaterialOf(reflectance)});
-  }
 }
 
 std::vector<DrawnPart> SceneBuilder::Convert(const std::vector<Visual>& visuals) {
@@ -121,8 +108,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground, bool lamp
   AddParts(right_door_, truth.X_W_right_door, scene.objects);
   for (SceneObject& own : scene.objects) own.seen = false;
   if (!hide_pyramid_) AddParts(pyramid_, truth.X_WP, scene.objects);
-  AddParts(clutter_, Pose3{}, scene.objects);
-  for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
+  AddSurroundings(lighting_, scene.objects);
   scene.ground = ViewOf(ground, X_WG_, ground_rgb_, texture_seed_);
   scene.ground.grain = grain_;
   scene.ground.material = kGround;
@@ -155,11 +141,7 @@ StageShapes SceneBuilder::Shapes() const {
   add("left_door", true, left_door_);
   add("right_door", true, right_door_);
   add("pyramid", false, pyramid_);
-  if (!clutter_.empty()) {
-    add("clutter", false, clutter_);
-    shapes.bodies.back().about = true;
-  }
-  for (StageBody& shade : ShadeBodies(lighting_)) shapes.bodies.push_back(std::move(shade));
+  for (StageBody& body : SurroundingBodies(lighting_)) shapes.bodies.push_back(std::move(body));
   shapes.light = lighting_.sun_and_sky;
   shapes.ground_rgb = ground_rgb_;
   shapes.ground_texture_seed = texture_seed_;

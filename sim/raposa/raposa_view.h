@@ -32,11 +32,9 @@ class SceneBuilder {
   std::vector<DrawnPart> Convert(const std::vector<Visual>& visuals);
   int GreyMaterial(double reflectance);
   int MaterialOf(const Spectrum& reflectance);
-  void AddClutter(const BuiltRun& built);
 
   SceneSpectra spectra_;
   std::vector<DrawnPart> body_, arm_, left_door_, right_door_, pyramid_;
-  std::vector<DrawnPart> clutter_;  // in the world
   Lighting lighting_;
   LampsModel lamps_;
   Pose3 X_WG_;

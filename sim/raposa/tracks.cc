@@ -1,7 +1,6 @@
 #include "sim/raposa/tracks.h"
 
 #include <cmath>
-#include <functional>
 
 #include "sim/base/hash.h"
 
@@ -27,20 +26,21 @@ BeltModel BeltOf(const BeltsModel& belts, double rear_m, double front_m, double 
   return belt;
 }
 
-/// A belt on a kind of ground.
-using MakeBelt = std::function<Belt(const BeltModel& belt)>;
-
-MakeBelt On(const BeltGround& ground, const std::optional<SoilModel>& soil) {
-  return [&ground, &soil](const BeltModel& belt) {
-    return soil ? Belt(belt, *soil, ground.rolling_loss) : Belt(belt, ground);
+Belt BeltOn(const std::vector<GroundModel>& grounds, const BeltModel& model) {
+  const auto on = [&](const GroundModel& ground) {
+    return ground.soil ? Belt(model, *ground.soil, ground.belt.rolling_loss)
+                       : Belt(model, ground.belt);
   };
+  Belt belt = on(grounds.front());
+  for (std::size_t i = 1; i < grounds.size(); ++i) belt.AddGround(on(grounds[i]));
+  return belt;
 }
 
-std::array<Belt, 2> BothSides(const RobotModel& robot, const MakeBelt& make, double rear_m,
-                              double front_m) {
+std::array<Belt, 2> BothSides(const RobotModel& robot, const std::vector<GroundModel>& grounds,
+                              double rear_m, double front_m) {
   const double y_m = 0.5 * robot.belts.gauge_m;
-  return {make(BeltOf(robot.belts, rear_m, front_m, y_m)),
-          make(BeltOf(robot.belts, rear_m, front_m, -y_m))};
+  return {BeltOn(grounds, BeltOf(robot.belts, rear_m, front_m, y_m)),
+          BeltOn(grounds, BeltOf(robot.belts, rear_m, front_m, -y_m))};
 }
 
 MotorDrive DriveOf(const RobotModel& robot, Motor motor) {
@@ -50,8 +50,7 @@ MotorDrive DriveOf(const RobotModel& robot, Motor motor) {
 
 }  // namespace
 
-Tracks::Tracks(const RobotModel& robot, const BeltGround& ground,
-               const std::optional<SoilModel>& soil, const Seed& seed)
+Tracks::Tracks(const RobotModel& robot, const std::vector<GroundModel>& grounds, const Seed& seed)
     : radius_m_(robot.belts.roller_radius_m),
       inertia_kg_m2_(
           robot.motors[static_cast<std::size_t>(Motor::kLeftBelt)].reflected_inertia_kg_m2),
@@ -61,10 +60,10 @@ Tracks::Tracks(const RobotModel& robot, const BeltGround& ground,
       dead_band_rad_s_(robot.belts.dead_band_m_s / radius_m_),
       drift_(StreamKey(seed, "belt_speed")),
       drives_{DriveOf(robot, Motor::kLeftBelt), DriveOf(robot, Motor::kRightBelt)},
-      body_belts_(
-          BothSides(robot, On(ground, soil), robot.belts.body_rear_m, robot.belts.body_front_m)),
-      arm_belts_(BothSides(robot, On(ground, soil), 0.0, robot.belts.arm_length_m)) {
+      body_belts_(BothSides(robot, grounds, robot.belts.body_rear_m, robot.belts.body_front_m)),
+      arm_belts_(BothSides(robot, grounds, 0.0, robot.belts.arm_length_m)) {
   for (double& error : error_rad_s_) error = offset_rad_s_ * drift_.Normal();
+  const BeltGround& ground = grounds.front().belt;
   const FrictionPatches patches{ground.patch_scatter, ground.patch_m, StreamKey(seed, "friction")};
   for (auto* const belts : {&body_belts_, &arm_belts_}) {
     for (Belt& belt : *belts) belt.SetPatches(patches);

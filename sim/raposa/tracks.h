@@ -7,11 +7,11 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <vector>
 
 #include "controller/io/commands.h"
 #include "models/parts/belt.h"
-#include "models/parts/soil_model.h"
+#include "models/raposa/ground_model.h"
 #include "models/raposa/robot_model.h"
 #include "sim/base/random.h"
 #include "sim/drives/motor_drive.h"
@@ -24,10 +24,9 @@ enum class Side : std::uint8_t { kLeft, kRight };
 
 class Tracks {
  public:
-  /// Draws the readings' errors and the ground's patches from the run's seed. On soil the ground's
-  /// strength is the soil's.
-  Tracks(const RobotModel& robot, const BeltGround& ground, const std::optional<SoilModel>& soil,
-         const Seed& seed);
+  /// Draws the readings' errors and the ground's scatter from the run's seed; the first ground's
+  /// scatter holds on all. On soil the ground's strength is the soil's.
+  Tracks(const RobotModel& robot, const std::vector<GroundModel>& grounds, const Seed& seed);
 
   /// Works one step under these commands to left and right, and adds the ground's loads to the
   /// robot.

@@ -37,6 +37,12 @@ Pose3 PyramidStart(const WorldSetup& setup) {
                     setup.ground.Height(setup.X_GD.x, setup.X_GD.y) + setup.pyramid.guide.height_m);
 }
 
+std::vector<std::optional<SoilModel>> SoilsOf(const WorldSetup& setup) {
+  std::vector<std::optional<SoilModel>> soils;
+  for (const GroundModel& ground : setup.grounds) soils.push_back(ground.soil);
+  return soils;
+}
+
 Eigen::Vector3d CableFarEnd(const WorldSetup& setup) {
   const TetherCableModel& cable = setup.pyramid.cable;
   const double way_m = cable.length_m - cable.slack_m;
@@ -141,9 +147,9 @@ World::Impl::Impl(const WorldSetup& setup)
       gravity_G_(GravityInSite(setup.slope)),
       imu_(setup.robot.imu.value_or(ImuModel{}), gravity_G_),
       robot_(setup_.robot, RobotStart(setup), 0.0),
-      pyramid_(setup.pyramid, PyramidStart(setup), CableFarEnd(setup), setup.soil),
+      pyramid_(setup.pyramid, PyramidStart(setup), CableFarEnd(setup), SoilsOf(setup)),
       bullet_(robot_, pyramid_, setup_.robot, setup_.pyramid, gravity_G_, setup.search_always),
-      tracks_(setup.robot, setup.belt_ground, setup.soil, setup.seed),
+      tracks_(setup.robot, setup.grounds, setup.seed),
       arm_drive_(ModelOf(setup.robot, Motor::kArm), ArmInertia(setup_.robot)),
       door_drives_{MotorDrive(ModelOf(setup.robot, Motor::kLeftDoor), DoorInertia(setup_.robot)),
                    MotorDrive(ModelOf(setup.robot, Motor::kRightDoor), DoorInertia(setup_.robot))} {

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "controller/io/commands.h"
-#include "models/parts/belt.h"
-#include "models/parts/soil_model.h"
+#include "models/raposa/ground_model.h"
 #include "models/raposa/pyramid_model.h"
 #include "models/raposa/robot_model.h"
 #include "sim/base/random.h"
@@ -24,10 +23,10 @@ namespace dockyard::raposa {
 struct WorldSetup {
   RobotModel robot;
   PyramidModel pyramid;
-  BeltGround belt_ground;
-  std::optional<SoilModel> soil;  // that belts and feet sink into
-  HeightGrid ground;              // in the site frame G
-  Pose2 X_WG;                     // site in the world, before it is tilted
+  std::vector<GroundModel> grounds{
+      1};             // by the ground's numbers; soils that belts and feet sink into
+  HeightGrid ground;  // in the site frame G
+  Pose2 X_WG;         // site in the world, before it is tilted
   Slope slope;
   Pose2 X_GD;  // the pyramid: D is its frame P projected to the ground
   double cable_rad =

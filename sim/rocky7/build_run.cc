@@ -9,6 +9,8 @@
 #include "models/rocky7/make_nominal.h"
 #include "sim/base/random.h"
 #include "sim/plant/built_cameras.h"
+#include "sim/plant/scenery.h"
+#include "sim/plant/yard.h"
 #include "sim/rigid/rocks.h"
 #include "sim/scenario/rock_keys.h"
 #include "sim/vehicles/boulder.h"
@@ -106,10 +108,9 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   WorldSetup& world = run.world;
   world.robot = models.built.robot;
   world.soil = models.built.soil;
-  world.ground = LevelGrid(-kYardBehind_m, scenario.yard.length_m, scenario.yard.width_m,
-                           scenario.yard.cell_m);
-  AddUndulation(world.ground, scenario.yard.undulation_rms_m, scenario.yard.undulation_wavelength_m,
-                kFlatRadius_m, StreamKey(scenario.seed, "yard"));
+  world.ground = YardGround(scenario.yard, kFlatRadius_m, scenario.seed);
+  world.patch_soils =
+      PatchSoils(scenario.yard, world.soil.gravity_m_s2, world.robot.rover.tyre.width_m);
   world.X_WG = scenario.X_WG;
   world.slope = {scenario.yard.slope_rad, scenario.yard.downhill_rad};
   DockingCoords at = scenario.start.on_plane();
@@ -132,6 +133,7 @@ BuiltRun BuildRun(const Scenario& scenario, const Rocky7Models& models) {
   run.mast_pair = BuiltRig(robot.mast_pair, scenario.seed, "mast_calibration");
   run.lighting = MakeLighting(scenario.light, SiteInWorld(world.X_WG, world.slope),
                               {0.0, 0.0, 0.5 * models.keys.height_m}, scenario.seed, scenario.sun);
+  AddScenery(scenario, world.ground, SiteInWorld(world.X_WG, world.slope), Pose2{}, run.lighting);
   run.nominal = MakeNominal(models.told.robot);
   if (models.keys.task == Task::kGrasp) {
     // Not the point where the arm reaches the ground, but the one where its scoops close.

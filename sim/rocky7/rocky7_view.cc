@@ -90,7 +90,7 @@ Scene SceneBuilder::Make(const Truth& truth, const HeightGrid& ground) const {
          .albedo = stone_rgb_,
          .stains = {.contrast = stains_, .seed = texture_seed_, .largest_m = kBoulderStain_m}});
   }
-  for (const SceneObject& occluder : lighting_.occluders) scene.objects.push_back(occluder);
+  AddSurroundings(lighting_, scene.objects);
   scene.ground = ViewOf(ground, X_WG_, soil_rgb_, texture_seed_);
   scene.ground.largest_pebble_m = kLargestPebble_m;
   scene.light = lighting_.sun_and_sky;
@@ -136,7 +136,7 @@ StageShapes SceneBuilder::Shapes() const {
     shapes.bodies.back().parts.push_back(
         {stones_[i], Pose3{}, stone_rgb_, StainsOf(SplitMix(texture_seed_, i))});
   }
-  for (StageBody& shade : ShadeBodies(lighting_)) shapes.bodies.push_back(std::move(shade));
+  for (StageBody& body : SurroundingBodies(lighting_)) shapes.bodies.push_back(std::move(body));
   shapes.light = lighting_.sun_and_sky;
   shapes.ground_rgb = soil_rgb_;
   shapes.ground_texture_seed = texture_seed_;

@@ -30,16 +30,24 @@ Pose3 StartPose(const WorldSetup& setup) {
   return FromGround(at, highest_m + RollingRadius(setup.robot.rover.tyre));
 }
 
+// By the ground's numbers.
+std::vector<SoilModel> SoilsOf(const WorldSetup& setup) {
+  std::vector<SoilModel> soils{setup.soil};
+  soils.insert(soils.end(), setup.patch_soils.begin(), setup.patch_soils.end());
+  return soils;
+}
+
 }  // namespace
 
 World::World(const WorldSetup& setup)
     : setup_(setup),
       X_WG_(SiteInWorld(setup.X_WG, setup.slope)),
       gravity_G_(GravityInSite(setup.slope)),
-      rover_(setup.robot.rover, setup.soil, StartPose(setup)),
+      rover_(setup.robot.rover, SoilsOf(setup), StartPose(setup)),
       imu_(setup.robot.imu, gravity_G_),
-      stones_(setup.stones, setup.soil, setup.ground, setup.robot.rover.tyre, setup.stone_friction),
-      loose_(ArmParts(*setup.robot.rover.arm, rover_.arm().link(0)), setup.soil,
+      stones_(setup.stones, SoilsOf(setup), setup.ground, setup.robot.rover.tyre,
+              setup.stone_friction),
+      loose_(ArmParts(*setup.robot.rover.arm, rover_.arm().link(0)), SoilsOf(setup),
              {.friction = setup.stone_friction}),
       face_(setup.robot.rover.mast->instrument, rover_.mast_link(kMastElbow),
             setup.robot.rover.mast->link2_m) {

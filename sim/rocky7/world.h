@@ -28,8 +28,9 @@ inline constexpr double kLongestStep_s = 2e-3;
 struct WorldSetup {
   RobotModel robot;
   SoilModel soil;
-  HeightGrid ground;  // in the site frame G
-  Pose2 X_WG;         // site in the world, before it is tilted
+  std::vector<SoilModel> patch_soils;  // of the ground's numbers 1, 2 ...
+  HeightGrid ground;                   // in the site frame G
+  Pose2 X_WG;                          // site in the world, before it is tilted
   Slope slope;
   Pose2 X_GR_start;                // the rover in plan
   std::vector<ConvexBody> stones;  // in the ground, in G; the target first

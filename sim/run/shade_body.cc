@@ -45,8 +45,13 @@ std::shared_ptr<const RenderMesh> LeavesOf(const RenderMesh& flakes) {
 
 }  // namespace
 
-std::vector<StageBody> ShadeBodies(const Lighting& lighting) {
-  if (lighting.occluders.empty()) return {};
+std::vector<StageBody> SurroundingBodies(const Lighting& lighting) {
+  std::vector<StageBody> bodies;
+  if (!lighting.scenery.empty()) bodies.push_back({.name = "scenery", .parts = {}, .about = true});
+  for (const SceneryObject& thing : lighting.scenery) {
+    bodies.back().parts.push_back({thing.object.mesh, thing.object.X_WO, thing.object.albedo});
+  }
+  if (lighting.occluders.empty()) return bodies;
   StageBody shade{.name = "shade", .parts = {}, .about = true, .leaves = lighting.leaves};
   for (const SceneObject& object : lighting.occluders) {
     const bool flakes =
@@ -58,7 +63,8 @@ std::vector<StageBody> ShadeBodies(const Lighting& lighting) {
       shade.parts.push_back({object.mesh, object.X_WO, object.albedo});
     }
   }
-  return {shade};
+  bodies.push_back(std::move(shade));
+  return bodies;
 }
 
 }  // namespace dockyard

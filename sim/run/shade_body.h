@@ -1,4 +1,4 @@
-// What throws a run's shadows, as a spectator sees it.
+// Scenery and what throws a run's shadows, as a spectator sees them.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace dockyard {
 
-/// The body `shade`, posed in the world; none where nothing throws shadows but the robot and its
-/// target. The cameras see no more of leaves than their shadows, which flakes throw as well; a
-/// spectator sees them green and with points, each as large as its flake.
-std::vector<StageBody> ShadeBodies(const Lighting& lighting);
+/// The bodies `scenery` and `shade`, posed in the world, each where there is any. The cameras see
+/// no more of leaves than their shadows, which flakes throw as well; a spectator sees them green
+/// and with points, each as large as its flake.
+std::vector<StageBody> SurroundingBodies(const Lighting& lighting);
 
 }  // namespace dockyard

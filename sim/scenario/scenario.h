@@ -11,6 +11,7 @@
 #include "models/parts/rock_field.h"
 #include "models/read/yaml_tree.h"
 #include "sim/base/random.h"
+#include "sim/scenario/scenery.h"
 #include "sim/scenario/start.h"
 
 namespace dockyard {
@@ -27,6 +28,24 @@ struct SunModel {
 };
 
 /// The yard: a slope with gentle undulation, deterministic in the run's seed.
+/// A file of heights: sim/plant/height_file.h.
+struct YardHeights {
+  std::string file{};                                        // resolved path; empty: none
+  double cell_m = std::numeric_limits<double>::quiet_NaN();  // NaN: as the file says
+  double scale_m = 1.0;                                      // of 1 in the file
+  Pose2 X_GM{};  // of the map's middle, x along its rows, y up its columns
+};
+
+/// A part of the yard with a soil of its own: a rectangle, a disc or a polygon.
+struct YardPatch {
+  std::string soil_file;                     // resolved path
+  Pose2 X_DP;                                // of rectangle and disc
+  double length_m = 0.0, width_m = 0.0;      // of a rectangle
+  double radius_m = 0.0;                     // of a disc
+  std::vector<Eigen::Vector2d> corners_D{};  // of a polygon
+  std::string place;                         // "file:line:column: yard.patches[0]"
+};
+
 struct YardModel {
   // Gentle undulation as on the Mars Yard's docking site ("relatively small terrain undulations",
   // Tsai et al., IV): assumed 10 mm rms, range 0-30 mm, over 2 m, range 1-5 m. The yard reaches 3 m
@@ -38,6 +57,9 @@ struct YardModel {
   double undulation_wavelength_m = 2.0;
   double slope_rad = 0.0;     // of the whole yard
   double downhill_rad = 0.0;  // the way down, from the way the target faces
+  YardHeights heights{};
+  std::vector<YardPatch> patches{};  // later ones lie on earlier ones
+  YamlNode given_patches{};          // the same as they are written. kNull: none
 };
 /// The grid begins this far behind the target.
 inline constexpr double kYardBehind_m = 1.5;
@@ -83,6 +105,8 @@ struct Scenario {
   SunModel sun;
   YardModel yard;
   RockField rocks;
+  std::vector<SceneryItem> scenery;
+  YamlNode given_scenery;                 // the same as it is written. kNull: none
   YamlNode given_rocks;                   // RockField::given as it is written. kNull: none
   int image_width = 0, image_height = 0;  // 0: as the cameras' file says, else the system's default
   CameraFaults camera_faults;

@@ -11,7 +11,9 @@
 #include "models/read/text_file.h"
 #include "sim/scenario/camera_keys.h"
 #include "sim/scenario/key_path.h"
+#include "sim/scenario/patch_keys.h"
 #include "sim/scenario/rock_keys.h"
+#include "sim/scenario/scenery_keys.h"
 
 namespace dockyard {
 namespace {
@@ -57,6 +59,20 @@ void VisitSun(Keys& keys, SunModel& sun) {
               sun.sky_temperature_k, Between(1667.0, 25000.0));
 }
 
+void VisitHeights(Keys& keys, YardHeights& heights) {
+  using enum Presence;
+  keys.File({"file", "", "of heights, added to the undulation: .png, .tif or .asc", kUnset},
+            heights.file);
+  keys.Number({"cell_m", "m", "between its samples; none: as the .asc file says", kUnset},
+              heights.cell_m, Between(1e-3, 100.0));
+  keys.Number({"scale_m", "m", "height of 1 in the file"}, heights.scale_m, Between(-100.0, 100.0));
+  keys.Number({"x_m", "m", "of the file's middle, in the target's frame D"}, heights.X_GM.x,
+              Between(-1e4, 1e4));
+  keys.Number({"y_m", "m", "the same"}, heights.X_GM.y, Between(-1e4, 1e4));
+  keys.Degrees({"turn_deg", "deg", "of its rows, from the target's x axis"}, heights.X_GM.heading,
+               Between(-180.0, 180.0));
+}
+
 void VisitYard(Keys& keys, YardModel& yard) {
   keys.Number({"length_m", "m", "of the ground, from 1.5 m behind the target"}, yard.length_m,
               Between(4.0, 200.0));
@@ -71,6 +87,12 @@ void VisitYard(Keys& keys, YardModel& yard) {
                Between(0.0, 30.0));
   keys.Degrees({"slope_direction_deg", "deg", "the way down, from the way the target faces"},
                yard.downhill_rad, Between(-180.0, 180.0));
+  if (!keys.writes() || !yard.heights.file.empty()) {
+    keys.Mapping({"heights", "", ""}, [&](Keys& in) { VisitHeights(in, yard.heights); });
+  }
+  keys.Tree({"patches", "", "parts with a soil of their own: soil, and rectangle, disc or polygon",
+             Presence::kUnset},
+            yard.given_patches, YamlNode::Kind::kSequence);
 }
 
 void VisitSite(Keys& keys, Pose2& X_WG) {
@@ -136,6 +158,9 @@ void CheckTogether(const Scenario& s, const YamlNode& root) {
   const double cells = yard.length_m * yard.width_m / (yard.cell_m * yard.cell_m);
   if (cells > kMaxCells) {
     RefuseValue(root, "yard", "at most 4 million cells", Fixed(1e-6 * cells, 1) + " million");
+  }
+  if (yard.heights.file.empty() && FindPath(root, "yard.heights") != nullptr) {
+    RefuseValue(root, "yard.heights", "the key 'file' in it", "none");
   }
   if ((s.image_width > 0) != (s.image_height > 0)) {
     RefuseValue(root, "camera", "both width_px and height_px, or neither");
@@ -248,6 +273,8 @@ void VisitScenario(Keys& keys, Scenario& s, const std::vector<KnownSystem>& syst
   keys.Mapping({"sun", "", ""}, [&](Keys& in) { VisitSun(in, s.sun); });
   keys.Mapping({"yard", "", ""}, [&](Keys& in) { VisitYard(in, s.yard); });
   keys.Mapping({"rocks", "", ""}, [&](Keys& in) { VisitRocks(in, s); });
+  keys.Tree({"scenery", "", "more that cameras see: solids, meshes and sets of solids", kUnset},
+            s.given_scenery, YamlNode::Kind::kSequence);
   keys.Number({"time_limit_s", "s", "simulated time after which the run ends"}, s.time_limit_s,
               Positive(1e5));
   // The physics refuses longer steps.
@@ -286,6 +313,8 @@ Scenario ReadScenario(const YamlNode& root, const std::vector<KnownSystem>& syst
   const KnownSystem& system = *Find(systems, scenario.system);
   CheckFaults(scenario, system, root);
   SayWhereToGoOn([&] { ReadRocks(scenario, root, system); });
+  ReadScenery(scenario);
+  ReadPatches(scenario.yard);
   MakeFilesAbsolute(scenario.of_system, system.name, system.file_keys);
   MakeFilesAbsolute(scenario.changes, "changes", system.changes_file_keys);
   MakeFilesAbsolute(scenario.as_built, "as_built", system.changes_file_keys);

@@ -108,6 +108,7 @@ class WriteArchive : public Keys {
     for (const double number : value) list.items.push_back(Scalar(NumberText(number)));
     Add(key, std::move(list));
   }
+  bool writes() const override { return true; }
   void Refused(std::string_view, std::string_view) override {}
   void RefusedWord(std::string_view, std::string_view, std::string_view) override {}
 

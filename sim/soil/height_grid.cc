@@ -13,6 +13,14 @@ double HeightGrid::Height(double x_m, double y_m) const {
   return Interpolate(*this, heights_m, CellAt(*this, x_m, y_m));
 }
 
+std::size_t HeightGrid::SoilAt(double x_m, double y_m) const {
+  if (soils.empty()) return 0;
+  const GridCell at = CellAt(*this, x_m, y_m);
+  const int ix = at.ix + (at.u > 0.5 ? 1 : 0), iy = at.iy + (at.v > 0.5 ? 1 : 0);
+  return soils[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) +
+               static_cast<std::size_t>(ix)];
+}
+
 Eigen::Vector3d HeightGrid::Normal(double x_m, double y_m) const {
   const GridCell at = CellAt(*this, x_m, y_m);
   const double* low = heights_m.data() + static_cast<std::ptrdiff_t>(at.iy) * nx + at.ix;
@@ -55,14 +63,13 @@ std::vector<Wave> DrawWaves(double wavelength_m, std::uint64_t seed) {
   return waves;
 }
 
-/// 0 up to the flat radius, 1 from twice that radius on, with zero slope at both ends.
-double UndulationWeight(double distance_m, double flat_radius_m) {
+}  // namespace
+
+double ReliefWeight(double distance_m, double flat_radius_m) {
   if (flat_radius_m <= 0.0) return 1.0;
   const double t = std::clamp(distance_m / flat_radius_m - 1.0, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
-
-}  // namespace
 
 void AddUndulation(HeightGrid& grid, double rms_m, double wavelength_m, double flat_radius_m,
                    std::uint64_t seed) {
@@ -91,8 +98,7 @@ void AddUndulation(HeightGrid& grid, double rms_m, double wavelength_m, double f
     }
     for (std::size_t ix = 0; ix < nx; ++ix) {
       const double x = grid.x0_m + static_cast<double>(ix) * grid.cell_m;
-      const double height =
-          heights[ix] * amplitude * UndulationWeight(std::hypot(x, y), flat_radius_m);
+      const double height = heights[ix] * amplitude * ReliefWeight(std::hypot(x, y), flat_radius_m);
       const std::size_t index = static_cast<std::size_t>(iy) * nx + ix;
       grid.heights_m[index] += height;
       if (!grid.undisturbed_m.empty()) grid.undisturbed_m[index] += height;

@@ -20,9 +20,15 @@ struct HeightGrid {
   /// The soil as it was before any wheel, same layout: ruts lie below it, heaps above it. Empty
   /// until the first wheel, which takes the heights as they are.
   std::vector<double> undisturbed_m;
+  /// Number of each sample's soil, same layout: 0 is the yard's, the others are its patches'.
+  /// Empty: all 0.
+  std::vector<std::uint8_t> soils{};
 
   /// Bilinear height; outside the grid, the height of the nearest border point.
   double Height(double x_m, double y_m) const;
+  /// Number of the nearest sample's soil.
+  std::size_t SoilAt(double x_m, double y_m) const;
+  std::size_t SoilAt(const Eigen::Vector3d& p_G) const { return SoilAt(p_G.x(), p_G.y()); }
   /// Upward unit normal of the bilinear surface.
   Eigen::Vector3d Normal(double x_m, double y_m) const;
 };
@@ -132,6 +138,9 @@ inline void GroundUnder::Read(Four x_m, Four y_m, Four& surface_m, Four& undistu
 
 /// A level grid that covers [x0, x0 + length] x [-width/2, width/2].
 HeightGrid LevelGrid(double x0_m, double length_m, double width_m, double cell_m);
+
+/// 0 up to the flat radius, 1 from twice that radius on, with zero slope at both ends.
+double ReliefWeight(double distance_m, double flat_radius_m);
 
 /// Adds a gentle, band-limited undulation: a sum of plane waves with random directions and phases,
 /// zero height and slope at the dock's feet (weight grows smoothly from flat_radius_m outwards).

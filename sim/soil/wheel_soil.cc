@@ -21,26 +21,16 @@ constexpr double kRutPeriod_s = 2e-3;
 
 }  // namespace
 
-WheelSoil::WheelSoil(const WheelModel& wheel, const SoilModel& soil)
-    : wheel_(wheel), rim_(MakeRimLaws(soil, wheel.width_m)) {
+WheelSoil::WheelSoil(const WheelModel& wheel, const SoilModel& soil) : wheel_(wheel) {
   DOCKYARD_CHECK(wheel.rim_radius_m > 0.0 && wheel.width_m > 0.0 && wheel.paddle_count >= 0);
-  bearing_radius_m_ = wheel.rim_radius_m;
   line_width_m_ = wheel.width_m / kLines;
   if (wheel.paddle_count > 0) {
-    const double height = wheel.paddle_height_m;
-    DOCKYARD_CHECK(height > 0.0 && wheel.paddle_thickness_m > 0.0);
-    tip_ = MakeTipLaws(soil, wheel.paddle_thickness_m, wheel.width_m);
+    DOCKYARD_CHECK(wheel.paddle_height_m > 0.0 && wheel.paddle_thickness_m > 0.0);
     paddle_spacing_m_ = 2.0 * kPi * wheel.rim_radius_m / wheel.paddle_count;
     rim_share_ = std::max(0.0, 1.0 - wheel.paddle_thickness_m / paddle_spacing_m_);
-    // Soil between two paddles is caught in the passive wedges before the one and behind the other,
-    // h tan(45 deg + phi/2) long: two triangles that fill this share of the gap.
-    const double gap = std::max(1e-3 * paddle_spacing_m_, rim_share_ * paddle_spacing_m_);
-    const double filled = std::min(1.0, height * rim_.sqrt_n_phi / gap);
-    bearing_radius_m_ += height * filled;
-    // Of this share of the rim a share as large carries soil out to the tips.
-    rim_.tan_caught = filled * filled * (rim_.tan_phi - rim_.tan_rim);
   }
-  strip_length_m_ = bearing_radius_m_ * 2.0 * kPi / kStrips;
+  AddSoil(soil);
+  Use(laws_.front());
   strips_.resize(kFours);
   for (int i = 0; i < kFours; ++i) {
     const auto angle = [&](int k) { return (4 * i + k + 0.5) * 2.0 * kPi / kStrips; };
@@ -55,6 +45,30 @@ WheelSoil::WheelSoil(const WheelModel& wheel, const SoilModel& soil)
     paddles_[i].cos = std::cos(angle);
     paddles_[i].sin = std::sin(angle);
   }
+}
+
+WheelSoil::Laws WheelSoil::LawsOf(const SoilModel& soil) const {
+  Laws laws{.rim = MakeRimLaws(soil, wheel_.width_m), .bearing_radius_m = wheel_.rim_radius_m};
+  if (wheel_.paddle_count > 0) {
+    laws.tip = MakeTipLaws(soil, wheel_.paddle_thickness_m, wheel_.width_m);
+    // Soil between two paddles is caught in the passive wedges before the one and behind the other,
+    // h tan(45 deg + phi/2) long: two triangles that fill this share of the gap.
+    const double height = wheel_.paddle_height_m;
+    const double gap = std::max(1e-3 * paddle_spacing_m_, rim_share_ * paddle_spacing_m_);
+    const double filled = std::min(1.0, height * laws.rim.sqrt_n_phi / gap);
+    laws.bearing_radius_m += height * filled;
+    // Of this share of the rim a share as large carries soil out to the tips.
+    laws.rim.tan_caught = filled * filled * (laws.rim.tan_phi - laws.rim.tan_rim);
+  }
+  laws.strip_length_m = laws.bearing_radius_m * 2.0 * kPi / kStrips;
+  return laws;
+}
+
+void WheelSoil::Use(const Laws& laws) {
+  rim_ = laws.rim;
+  tip_ = laws.tip;
+  bearing_radius_m_ = laws.bearing_radius_m;
+  strip_length_m_ = laws.strip_length_m;
 }
 
 void WheelSoil::FindTop(const HeightGrid& grid, WheelFrame& frame) const {
@@ -174,6 +188,7 @@ WheelLoad WheelSoil::Step(HeightGrid& grid, const WheelMotion& motion, double dt
   DOCKYARD_CHECK(dt_s > 0.0 && motion.X_GK.p.allFinite() && motion.X_GK.R.allFinite());
   DOCKYARD_CHECK(grid.nx > 1 && grid.ny > 1);
   if (grid.undisturbed_m.size() != grid.heights_m.size()) grid.undisturbed_m = grid.heights_m;
+  if (laws_.size() > 1) Use(laws_.at(grid.SoilAt(motion.X_GK.p)));
   Place at{WheelFrame(motion, dt_s), GroundUnder(grid)};
   const WheelFrame& frame = at.frame;
   FindTop(grid, at.frame);

@@ -43,6 +43,8 @@ struct WheelLoad {
 class WheelSoil {
  public:
   WheelSoil(const WheelModel& wheel, const SoilModel& soil);
+  /// The soil of the grid's next number: each wheel is on that below its centre.
+  void AddSoil(const SoilModel& soil) { laws_.push_back(LawsOf(soil)); }
 
   /// Advances the contact by dt and returns the load; leaves the rut in the grid.
   WheelLoad Step(HeightGrid& grid, const WheelMotion& motion, double dt_s);
@@ -74,6 +76,13 @@ class WheelSoil {
     GroundUnder ground;
   };
 
+  struct Laws {
+    SoilLaws rim{}, tip{};
+    double bearing_radius_m = 0.0;  // of the rim with the soil caught between the paddles
+    double strip_length_m = 0.0;
+  };
+  Laws LawsOf(const SoilModel& soil) const;
+  void Use(const Laws& laws);
   void FindTop(const HeightGrid& grid, WheelFrame& frame) const;
   void FollowMotion(const WheelFrame& frame);
   template <typename Real>
@@ -94,9 +103,10 @@ class WheelSoil {
   void LeaveRut(HeightGrid& grid, const WheelFrame& frame);
 
   WheelModel wheel_;
-  SoilLaws rim_, tip_;
-  double bearing_radius_m_ = 0.0;  // of the rim with the soil caught between the paddles
-  double strip_length_m_ = 0.0, line_width_m_ = 0.0, paddle_spacing_m_ = 0.0;
+  std::vector<Laws> laws_;  // by the soil's number
+  SoilLaws rim_, tip_;      // those in use, and the next two
+  double bearing_radius_m_ = 0.0, strip_length_m_ = 0.0;
+  double line_width_m_ = 0.0, paddle_spacing_m_ = 0.0;
   double rim_share_ = 1.0;  // of the rim's area that paddles leave free
   std::vector<Strips> strips_;
   std::vector<Paddle> paddles_;

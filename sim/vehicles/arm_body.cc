@@ -78,10 +78,10 @@ std::vector<ToolPart> ArmParts(const ArmModel& arm, int first) {
   return parts;
 }
 
-ArmBody::ArmBody(const ArmModel& arm, int first, const SoilModel& soil)
+ArmBody::ArmBody(const ArmModel& arm, int first, const std::vector<SoilModel>& soils)
     : model_(arm),
       first_(first),
-      soils_{ScoopSoil(arm.scoop, false, soil), ScoopSoil(arm.scoop, true, soil)} {}
+      soils_{ScoopSoil(arm.scoop, false, soils), ScoopSoil(arm.scoop, true, soils)} {}
 
 void ArmBody::Stow(TreeBody& tree) const {
   tree.SetAngle(link(kArmPitch), model_.stowed_pitch_rad);

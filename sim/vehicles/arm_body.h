@@ -24,7 +24,7 @@ std::vector<ToolPart> ArmParts(const ArmModel& arm, int first);
 
 class ArmBody {
  public:
-  ArmBody(const ArmModel& arm, int first, const SoilModel& soil);
+  ArmBody(const ArmModel& arm, int first, const std::vector<SoilModel>& soils);
 
   /// Puts the arm as it is stowed.
   void Stow(TreeBody& tree) const;

@@ -26,7 +26,7 @@ constexpr double kMargin = 0.5;
 }  // namespace
 
 Belt::Belt(const BeltModel& belt, const BeltGround& ground)
-    : belt_(belt), ground_(ground), loop_(MakeBeltLoop(belt)) {
+    : belt_(belt), grounds_{{ground}}, loop_(MakeBeltLoop(belt)) {
   DOCKYARD_CHECK(belt.pads > 0 && belt.width_m > 0.0 && belt.stiffness_pa_per_m > 0.0);
   DOCKYARD_CHECK(belt.shear_stiffness_pa_per_m > 0.0 && ground.shear_displacement_m >= 0.0);
   pitch_m_ = loop_.length_m / belt.pads;
@@ -38,9 +38,10 @@ Belt::Belt(const BeltModel& belt, const SoilModel& soil, double rolling_loss)
     : Belt(belt, BeltGround{.friction = std::tan(soil.friction_angle_rad),
                             .cohesion_pa = soil.cohesion_pa,
                             .rolling_loss = rolling_loss}) {
-  soil_ = MakeRimLaws(soil, belt.width_m);
-  const double rebound = 1.0 / (1.0 / belt.stiffness_pa_per_m + 1.0 / soil_->elastic_pa_per_m);
-  plate_ = {soil_->k, soil_->n, rebound};
+  const SoilLaws laws = MakeRimLaws(soil, belt.width_m);
+  const double rebound = 1.0 / (1.0 / belt.stiffness_pa_per_m + 1.0 / laws.elastic_pa_per_m);
+  grounds_.front().soil = laws;
+  grounds_.front().plate = {laws.k, laws.n, rebound};
 }
 
 BeltLoad Belt::Step(const HeightGrid& ground, const LinkMotion& carrier, double belt_speed_m_s,
@@ -74,40 +75,43 @@ BeltLoad Belt::Step(const HeightGrid& ground, const LinkMotion& carrier, double 
       // By rounding the loop's end may be the begin of the pad after its last one.
       const int pad = ((k % belt_.pads) + belt_.pads) % belt_.pads;
       if (pad != touching) {
-        LoadPad(touching, touch, at, load);
+        LoadPad(touching, touch, ground, at, load);
         touch = {};
         touching = pad;
       }
       AddPiece(loop_.segments[i % 4], begin_m, end_m, at, touch);
     }
   }
-  LoadPad(touching, touch, at, load);
+  LoadPad(touching, touch, ground, at, load);
   turned_m_ = std::clamp(turned_m_ + belt_speed_m_s * dt_s, -kLossTurns_m, kLossTurns_m);
-  const double loss_n = ground_.rolling_loss * load.normal_n * (turned_m_ / kLossTurns_m);
+  const double rolling_loss = grounds_.at(ground.SoilAt(carrier.X_GL.p)).firm.rolling_loss;
+  const double loss_n = rolling_loss * load.normal_n * (turned_m_ / kLossTurns_m);
   load.drive_torque_nm = belt_.sprocket_radius_m * (load.traction_n + loss_n);
   return load;
 }
 
-double Belt::Pressure(double depth_m, Pad& pad) const {
-  return soil_ ? PressPlate(plate_, depth_m, pad.sunk_m) : belt_.stiffness_pa_per_m * depth_m;
+double Belt::Pressure(const Ground& on, double depth_m, Pad& pad) const {
+  return on.soil ? PressPlate(on.plate, depth_m, pad.sunk_m) : belt_.stiffness_pa_per_m * depth_m;
 }
 
-void Belt::LoadPad(int index, const BeltTouch& touch, BeltPlace& at, BeltLoad& load) {
+void Belt::LoadPad(int index, const BeltTouch& touch, const HeightGrid& ground, BeltPlace& at,
+                   BeltLoad& load) {
   if (!(touch.area_m2 > 0.0)) return;
   Pad& pad = pads_.at(static_cast<std::size_t>(index));
   if (pad.step != step_ - 1) pad = {};
   pad.step = step_;
   const double per_area = 1.0 / touch.area_m2, per_length = 1.0 / touch.length_m;
   const Eigen::Vector3d arm_G = per_area * touch.arm_G;
+  const Ground& on = grounds_.at(ground.SoilAt(at.p_G + arm_G));
   // Firm ground is elastic and presses along its own normal. Soil stays down behind a roller, so
   // that what presses on the roller before it leans against the way: the soil's resistance.
-  const Eigen::Vector3d& pressing_G = soil_ ? touch.in_G : touch.up_G;
+  const Eigen::Vector3d& pressing_G = on.soil ? touch.in_G : touch.up_G;
   if (pressing_G != touch.area_m2 * at.n_G) at.Face(pressing_G.normalized());
   const Eigen::Vector3d v_G = at.v_G + at.w_G.cross(arm_G);
   const double depth_m = touch.area_m2 * per_length, area_m2 = belt_.width_m * touch.length_m;
   const double damping_pa = belt_.damping_pa_s_per_m * per_area *
                             v_G.dot(touch.up_G);  // the carrier's way, not the belt's
-  const double normal_n = area_m2 * std::max(0.0, Pressure(depth_m, pad) - damping_pa);
+  const double normal_n = area_m2 * std::max(0.0, Pressure(on, depth_m, pad) - damping_pa);
 
   const Eigen::Vector2d slide_m_s(v_G.dot(at.forward_G) - at.speed_m_s, v_G.dot(at.left_G));
   // What has run on in this step has not slid yet.
@@ -119,13 +123,13 @@ void Belt::LoadPad(int index, const BeltTouch& touch, BeltPlace& at, BeltLoad& l
   pad.slid_m = stays * pad.slid_m + at.dt_s * slide_m_s;
   const double here = FrictionFactor(patches_, at.p_G.x() + arm_G.x(), at.p_G.y() + arm_G.y());
   const double strength_n =
-      here * (ground_.friction * normal_n + std::min(ground_.cohesion_pa * area_m2, normal_n));
+      here * (on.firm.friction * normal_n + std::min(on.firm.cohesion_pa * area_m2, normal_n));
   const double shear_m =
-      soil_ ? ShearModulus(*soil_, ContactDepth(depth_m)) : ground_.shear_displacement_m;
+      on.soil ? ShearModulus(*on.soil, ContactDepth(depth_m)) : on.firm.shear_displacement_m;
   const Eigen::Vector2d grip = Grip(slide_m_s, strength_n, shear_m, pad);
-  const double side_n = soil_ ? touch.length_m * BulldozingResistance(*soil_, pad.sunk_m) : 0.0;
+  const double side_n = on.soil ? touch.length_m * BulldozingResistance(*on.soil, pad.sunk_m) : 0.0;
   const double forward_n = strength_n * grip.x();
-  const double left_n = (ground_.lateral_ratio * strength_n + side_n) * grip.y();
+  const double left_n = (on.firm.lateral_ratio * strength_n + side_n) * grip.y();
 
   const Eigen::Vector3d force_G = normal_n * at.n_G + forward_n * at.forward_G + left_n * at.left_G;
   load.force_G += force_G;

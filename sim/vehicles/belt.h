@@ -50,7 +50,12 @@ class Belt {
   /// The rolling loss is that of the belt alone; compacting the soil resists by itself.
   Belt(const BeltModel& belt, const SoilModel& soil, double rolling_loss);
 
-  /// The ground's strength from place to place. The same patches for all belts of a robot.
+  /// The ground of the grid's next number, of another belt of the same model: each pad is on that
+  /// below it, and the rolling loss is that below the carrier's origin.
+  void AddGround(const Belt& other) { grounds_.push_back(other.grounds_.front()); }
+
+  /// The ground's strength from place to place, on top of its own. The same patches for all belts
+  /// of a robot.
   void SetPatches(const FrictionPatches& patches) { patches_ = patches; }
 
   /// Advances the contact by dt and returns the load. The drive's torque acts between the sprocket
@@ -73,17 +78,21 @@ class Belt {
     double sunk_m = 0.0;  // depth of the soil under it that stays when the load goes
   };
 
+  struct Ground {
+    BeltGround firm;
+    std::optional<SoilLaws> soil{};
+    SinkingPlate plate{};  // of the soil under 1 m^2
+  };
   /// What bears the pad, before damping [Pa].
-  double Pressure(double depth_m, Pad& pad) const;
-  void LoadPad(int index, const BeltTouch& touch, BeltPlace& at, BeltLoad& load);
+  double Pressure(const Ground& on, double depth_m, Pad& pad) const;
+  void LoadPad(int index, const BeltTouch& touch, const HeightGrid& ground, BeltPlace& at,
+               BeltLoad& load);
   Eigen::Vector2d Grip(const Eigen::Vector2d& slide_m_s, double strength_n, double shear_m,
                        Pad& pad) const;
 
   BeltModel belt_;
-  BeltGround ground_;
+  std::vector<Ground> grounds_;  // by the ground's number
   FrictionPatches patches_;
-  std::optional<SoilLaws> soil_;
-  SinkingPlate plate_;  // of the soil under 1 m^2
   BeltLoop loop_;
   double pitch_m_ = 0.0;
   double travel_m_ = 0.0;  // of pad 0's beginning round the loop

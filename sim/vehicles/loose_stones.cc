@@ -44,14 +44,15 @@ std::vector<Vector3d> CornerAreas(const ConvexBody& body) {
 
 }  // namespace
 
-LooseStones::LooseStones(std::vector<ToolPart> parts, const SoilModel& soil,
+LooseStones::LooseStones(std::vector<ToolPart> parts, std::vector<SoilModel> soils,
                          const StoneMaterial& material)
-    : parts_(std::move(parts)), soil_(soil), material_(material) {}
+    : parts_(std::move(parts)), soils_(std::move(soils)), material_(material) {}
 
 int LooseStones::Add(const LooseStone& stone) {
   const ConvexBody& shape = stone.shape_S();
-  // A round plate as wide as the stone.
-  stones_.push_back({stone, MakeRimLaws(soil_, shape.radius_m), CornerAreas(shape),
+  std::vector<SoilLaws> laws;  // of a round plate as wide as the stone
+  for (const SoilModel& soil : soils_) laws.push_back(MakeRimLaws(soil, shape.radius_m));
+  stones_.push_back({stone, std::move(laws), CornerAreas(shape),
                      std::vector<double>(shape.vertices.size(), 0.0)});
   return count() - 1;
 }

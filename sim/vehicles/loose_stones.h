@@ -47,7 +47,9 @@ struct StoneTouch {
 
 class LooseStones {
  public:
-  LooseStones(std::vector<ToolPart> parts, const SoilModel& soil, const StoneMaterial& material);
+  /// soils: by the ground's numbers; each corner is on that below it.
+  LooseStones(std::vector<ToolPart> parts, std::vector<SoilModel> soils,
+              const StoneMaterial& material);
 
   /// Its number. A stone starts awake, at rest.
   int Add(const LooseStone& stone);
@@ -70,7 +72,7 @@ class LooseStones {
  private:
   struct Kept {
     LooseStone body;
-    SoilLaws laws;
+    std::vector<SoilLaws> laws;           // by the soil's number
     std::vector<Eigen::Vector3d> area_S;  // of each corner, outwards [m^2]
     std::vector<double> sunk_m;           // of each corner's soil: depth that stays
     Eigen::Vector3d load_G{0, 0, 0};
@@ -95,7 +97,7 @@ class LooseStones {
   std::vector<Eigen::Vector3d> part_centres_;  // in G
   Eigen::Vector3d parts_centre_G_{0, 0, 0};
   double parts_reach_m_ = 0.0;  // of a sphere about it that holds all parts
-  SoilModel soil_;
+  std::vector<SoilModel> soils_;
   StoneMaterial material_;
   std::vector<Kept> stones_;
   std::vector<StoneTouch> touches_, last_touches_;

@@ -128,8 +128,9 @@ void LooseStones::FindSoil(int stone, const HeightGrid& ground, double step_s) {
     const Vector3d v_G = motion.VelocityAt(p_G);
     const double aside_m = step_s * (v_G - v_G.dot(normal_G) * normal_G).norm();
     sunk_m *= std::max(0.0, 1.0 - aside_m / std::sqrt(area_m2));
-    const double rebound = area_m2 * kept.laws.elastic_pa_per_m;
-    const SinkingPlate plate{area_m2 * kept.laws.k, kept.laws.n, rebound};
+    const SoilLaws& laws = kept.laws.at(ground.SoilAt(p_G));
+    const double rebound = area_m2 * laws.elastic_pa_per_m;
+    const SinkingPlate plate{area_m2 * laws.k, laws.n, rebound};
     const double borne_n = PressPlate(plate, depth_m, sunk_m);
     // Yielding soil dissipates by itself; damping is for the elastic rest.
     const double yield_n = plate.force_n_per_m_n * std::pow(depth_m, plate.n);
@@ -139,7 +140,7 @@ void LooseStones::FindSoil(int stone, const HeightGrid& ground, double step_s) {
               .p_G = p_G,
               .normal_G = normal_G,
               .law = {sunk_m - depth_m, material_.soil_friction, rebound,
-                      elastic * area_m2 * kept.laws.damping_pa_s_per_m}});
+                      elastic * area_m2 * laws.damping_pa_s_per_m}});
   }
 }
 

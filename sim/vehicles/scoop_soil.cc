@@ -25,9 +25,13 @@ double Below(const HeightGrid& ground, const Vector3d& p_G) {
 
 }  // namespace
 
-ScoopSoil::ScoopSoil(const ScoopModel& scoop, bool front, const SoilModel& soil)
-    : laws_(MakeTipLaws(soil, scoop.wall_m, scoop.width_m)),
-      wall_laws_(MakeRimLaws(soil, scoop.width_m)) {
+ScoopSoil::ScoopSoil(const ScoopModel& scoop, bool front, const std::vector<SoilModel>& soils) {
+  for (const SoilModel& soil : soils) {
+    all_laws_.push_back(
+        {MakeTipLaws(soil, scoop.wall_m, scoop.width_m), MakeRimLaws(soil, scoop.width_m)});
+  }
+  laws_ = all_laws_.front().lip;
+  wall_laws_ = all_laws_.front().wall;
   const auto profile = ScoopProfile(scoop);
   const auto At = [&](const Eigen::Vector2d& xz, double across) {
     return Vector3d((front ? 1.0 : -1.0) * xz.x(), scoop.width_m * across, xz.y());
@@ -63,6 +67,11 @@ void ScoopSoil::Heap(HeightGrid& ground, const Wall& wall, const Vector3d& p_G,
 }
 
 ScoopLoad ScoopSoil::Step(HeightGrid& ground, const LinkMotion& scoop, double step_s) {
+  if (all_laws_.size() > 1) {
+    const Laws& here = all_laws_.at(ground.SoilAt(scoop.X_GL.p));
+    laws_ = here.lip;
+    wall_laws_ = here.wall;
+  }
   ScoopLoad load;
   load.deepest_m = -1e3;
   const auto Add = [&](const Vector3d& force_G, const Vector3d& p_G) {

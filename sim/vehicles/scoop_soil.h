@@ -32,7 +32,8 @@ struct ScoopLoad {
 /// where that is too steep. What a scoop lifts out is not taken from the ground.
 class ScoopSoil {
  public:
-  ScoopSoil(const ScoopModel& scoop, bool front, const SoilModel& soil);
+  /// soils: by the ground's numbers; the one below the scoop's origin counts.
+  ScoopSoil(const ScoopModel& scoop, bool front, const std::vector<SoilModel>& soils);
 
   /// The load on a scoop that moves so; advances the soil's memory by a step.
   ScoopLoad Step(HeightGrid& ground, const LinkMotion& scoop, double step_s);
@@ -54,7 +55,11 @@ class ScoopSoil {
   void Heap(HeightGrid& ground, const Wall& wall, const Eigen::Vector3d& p_G,
             const Eigen::Vector3d& swept_G, double depth_m) const;
 
-  SoilLaws laws_, wall_laws_;
+  struct Laws {
+    SoilLaws lip, wall;
+  };
+  std::vector<Laws> all_laws_;
+  SoilLaws laws_, wall_laws_;       // those of the last step
   Eigen::Vector3d way_L_{0, 0, 0};  // of the lip, out of its plate
   double lip_area_m2_ = 0.0;        // of a piece
   std::vector<Lip> lips_;

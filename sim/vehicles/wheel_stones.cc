@@ -19,7 +19,7 @@ constexpr double kNear_m = 0.01;
 
 }  // namespace
 
-WheelStones::WheelStones(std::vector<ConvexBody> stones, const SoilModel& soil,
+WheelStones::WheelStones(std::vector<ConvexBody> stones, const std::vector<SoilModel>& soils,
                          const HeightGrid& ground, const WheelModel& tyre, double friction)
     : stones_(std::move(stones)), tyre_(tyre), friction_(friction) {
   const double radius_m = RollingRadius(tyre), half_m = 0.5 * tyre.width_m;
@@ -32,7 +32,7 @@ WheelStones::WheelStones(std::vector<ConvexBody> stones, const SoilModel& soil,
     }
     const double diameter_m = 0.5 * (high - low).head<2>().sum();
     const double surface_m = ground.Height(stone.centre.x(), stone.centre.y());
-    Bed bed{RoundPlate(soil, diameter_m)};
+    Bed bed{RoundPlate(soils.at(ground.SoilAt(stone.centre)), diameter_m)};
     bed.start_m = bed.depth_m = bed.stays_m = std::max(0.0, surface_m - low.z());
     beds_.push_back(bed);
   }

@@ -16,8 +16,9 @@ namespace dockyard {
 class WheelStones {
  public:
   /// Stones in G, standing in this ground. A stone bears like a round plate of its own area.
-  WheelStones(std::vector<ConvexBody> stones, const SoilModel& soil, const HeightGrid& ground,
-              const WheelModel& tyre, double friction);
+  /// soils: by the ground's numbers.
+  WheelStones(std::vector<ConvexBody> stones, const std::vector<SoilModel>& soils,
+              const HeightGrid& ground, const WheelModel& tyre, double friction);
 
   /// Adds the stones' loads of the next step to the wheels, and lets the pressed stones sink.
   void AddLoads(double step_s, WheeledBody& rover);

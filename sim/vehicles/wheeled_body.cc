@@ -127,7 +127,8 @@ std::vector<JointTie> WheeledBody::TiesOf() const {
   return {{{rocker_[0], 1.0}, {rocker_[1], 1.0}}};
 }
 
-WheeledBody::WheeledBody(const RoverModel& rover, const SoilModel& soil, const Pose3& X_GB)
+WheeledBody::WheeledBody(const RoverModel& rover, const std::vector<SoilModel>& soils,
+                         const Pose3& X_GB)
     : tree_{LinksOf(rover), TiesOf(), X_GB} {  // in this order: the ties name links
   hinge_friction_.limit_nm = rover.suspension.friction_nm;
   hinge_friction_.stiffness_nm_per_rad = rover.suspension.friction_nm / kFrictionBend_rad;
@@ -137,14 +138,15 @@ WheeledBody::WheeledBody(const RoverModel& rover, const SoilModel& soil, const P
       rover.steer.reflected_inertia_kg_m2 + WheelInertia(rover.wheel_kg, rover.tyre)(2, 2);
   for (const int link : wheel_link_) {
     motors_.push_back({link, MotorDrive(rover.drive, drive_kg_m2), {}});
-    soils_.emplace_back(rover.tyre, soil);
+    soils_.emplace_back(rover.tyre, soils.front());
+    for (std::size_t i = 1; i < soils.size(); ++i) soils_.back().AddSoil(soils[i]);
   }
   for (const int link : bracket_link_) {
     motors_.push_back({link, MotorDrive(rover.steer, steer_kg_m2), {}});
   }
   loads_.resize(soils_.size());
   if (rover.arm) {
-    arm_.emplace(*rover.arm, arm_link_, soil);
+    arm_.emplace(*rover.arm, arm_link_, soils);
     arm_->Stow(tree_);
     for (int i = 0; i < kArmMotors; ++i) {
       const MotorModel& motor = i == kArmRoll    ? rover.arm->roll

@@ -22,7 +22,10 @@ namespace dockyard {
 class WheeledBody {
  public:
   /// The body's frame starts at X_GB: R's place in plan, at the height of the axles.
-  WheeledBody(const RoverModel& rover, const SoilModel& soil, const Pose3& X_GB);
+  /// soils: by the ground's numbers.
+  WheeledBody(const RoverModel& rover, const std::vector<SoilModel>& soils, const Pose3& X_GB);
+  WheeledBody(const RoverModel& rover, const SoilModel& soil, const Pose3& X_GB)
+      : WheeledBody(rover, std::vector{soil}, X_GB) {}
 
   /// Motors: the wheels' drives in the plan's order, then the steered wheels' steering in the same
   /// order, then the arm's (arm_model.h), then the mast's (mast_model.h). Angles count from the

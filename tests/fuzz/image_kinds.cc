@@ -6,6 +6,7 @@
 #include "sim/app/image_files.h"
 #include "sim/app/systems.h"
 #include "sim/images/png.h"
+#include "sim/plant/height_file.h"
 #include "sim/scenario/load_scenario.h"
 #include "support/bad_files.h"
 
@@ -37,6 +38,42 @@ FuzzKind ImageKind() {
               LoadGray(file);
               IsCutJpeg(file);
             });
+          }};
+}
+
+/// Each reader of heights, as the program asks it.
+FuzzKind HeightsKind() {
+  const auto folder = std::make_shared<ScratchFolder>();
+  // A TIFF of 2 x 2 numbers of 8 bits in one strip.
+  std::string tiff("II*\0\x08\0\0\0\x08\0", 10);
+  const auto tag = [&](int id, int type, int value) {
+    for (const int half : {id, type, 1, 0, value, 0}) {
+      tiff += static_cast<char>(half & 255);
+      tiff += static_cast<char>(half >> 8);
+    }
+  };
+  for (const auto& [id, value] : {std::pair(256, 2), {257, 2}, {258, 8}, {259, 1}, {262, 1}}) {
+    tag(id, 3, value);
+  }
+  tag(273, 4, 110);
+  tag(278, 3, 2);
+  tag(279, 4, 4);
+  tiff += std::string(4, '\0') + "abcd";
+  const std::vector<std::string> seeds{
+      "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 0.5\nNODATA_value -9999\n1 2 3\n-4 "
+      "5e-1 "
+      "-9999\n",
+      EncodePng(GrayImage{4, 3, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 255}}),
+      EncodePng(DeepImage{2, 2, 16, {0, 1, 500, 65535}}), tiff};
+  return {"heights",
+          [seeds] { return seeds; },
+          {"ncols", "nrows", "cellsize", "NODATA_value", "IHDR", "IDAT", "II*", "MM", "nan", "1e9"},
+          [folder](const std::string& bytes) {
+            const char* ending = bytes.starts_with("\x89PNG")                         ? "png"
+                                 : bytes.starts_with("II") || bytes.starts_with("MM") ? "tif"
+                                                                                      : "asc";
+            const std::string file = folder->Write(std::string("heights.") + ending, bytes);
+            return ReadOrRefused([&] { LoadHeights({.file = file, .cell_m = 0.5}); });
           }};
 }
 
@@ -83,6 +120,8 @@ FuzzKind PixelsKind() {
 
 }  // namespace
 
-std::vector<NamedKind> ImageKinds() { return {{"image", ImageKind}, {"pixels", PixelsKind}}; }
+std::vector<NamedKind> ImageKinds() {
+  return {{"image", ImageKind}, {"heights", HeightsKind}, {"pixels", PixelsKind}};
+}
 
 }  // namespace dockyard

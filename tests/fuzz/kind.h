@@ -37,7 +37,8 @@ std::vector<NamedKind> PlanKinds();   // scenarios, campaigns, tables
 std::vector<NamedKind> ModelKinds();  // robots, stations, soils, cameras; URDF
 std::vector<NamedKind> MeshKinds(const MeshFuzzOptions& options);
 std::vector<NamedKind> RecordKinds();  // logs of runs, MCAP files, results, beliefs
-std::vector<NamedKind> ImageKinds();   // image files; pixels for the search of a board
+std::vector<NamedKind>
+ImageKinds();  // image files; files of heights; pixels for the search of a board
 
 /// Calls `read`; false for the exceptions that the program turns into the exit code of bad input.
 bool ReadOrRefused(const std::function<void()>& read);

@@ -185,5 +185,25 @@ TEST(Studies, OfTheTreeHaveTheirPoints) {
   EXPECT_THAT(files, ElementsAre());
 }
 
+TEST(CampaignFiles, OfTheListsOfPatchesAndSceneryAreFoundAndMoved) {
+  const std::string soil = AbsolutePath(SourceFile("models/soils/loose_sand.yaml")),
+                    mesh = AbsolutePath(SourceFile("models/axel/meshes/wheel.obj"));
+  Campaign campaign = Load("scenarios/ci_4.yaml");
+  SetYaml(campaign.base,
+          "yard={patches: [{soil: " + soil + ", disc: {x_m: 1, y_m: 0, radius_m: 1}}]}");
+  SetYaml(campaign.base,
+          "scenery=[{kind: set, x_m: 0, y_m: 0, count: 1, radius_m: 1}, {kind: mesh, file: " +
+              mesh + ", x_m: 1, y_m: 1}]");
+  campaign = WithAbsolutePaths(campaign, Known());
+  std::vector<std::string> found;
+  for (const NamedFile& file : FilesOf(campaign, Known()).files) found.push_back(file.path);
+  EXPECT_THAT(found, ::testing::IsSupersetOf({soil, mesh}));
+  const Campaign moved = WithMovedFiles(
+      campaign, Known(), [](const std::string& path) { return "/copy" + path; }, false);
+  EXPECT_EQ(FindPath(moved.base.Find("yard")->Find("patches")->items[0], "soil")->scalar,
+            "/copy" + soil);
+  EXPECT_EQ(FindPath(moved.base.Find("scenery")->items[1], "file")->scalar, "/copy" + mesh);
+}
+
 }  // namespace
 }  // namespace dockyard

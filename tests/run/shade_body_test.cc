@@ -21,9 +21,9 @@ double AreaOf(const RenderMesh& mesh, std::size_t first, std::size_t count) {
 }
 
 // A spectator's leaf throws the same shade as the flake that the cameras' light meets.
-TEST(ShadeBodies, LeavesAreGreenAndAsLargeAsTheFlakesBehindTheShade) {
+TEST(SurroundingBodies, LeavesAreGreenAndAsLargeAsTheFlakesBehindTheShade) {
   const Lighting lighting = LightOf(Light::kSpeckled);
-  const std::vector<StageBody> bodies = ShadeBodies(lighting);
+  const std::vector<StageBody> bodies = SurroundingBodies(lighting);
   ASSERT_EQ(bodies.size(), 1u);
   EXPECT_TRUE(bodies[0].leaves);
   EXPECT_TRUE(bodies[0].about);
@@ -39,16 +39,16 @@ TEST(ShadeBodies, LeavesAreGreenAndAsLargeAsTheFlakesBehindTheShade) {
   }
 }
 
-TEST(ShadeBodies, ShowWhatIsNoLeafAsTheCamerasSeeIt) {
+TEST(SurroundingBodies, ShowWhatIsNoLeafAsTheCamerasSeeIt) {
   const Lighting lighting = LightOf(Light::kHardShadow);
-  const std::vector<StageBody> bodies = ShadeBodies(lighting);
+  const std::vector<StageBody> bodies = SurroundingBodies(lighting);
   ASSERT_EQ(bodies.size(), 1u);
   EXPECT_FALSE(bodies[0].leaves);
   ASSERT_EQ(bodies[0].parts.size(), lighting.occluders.size());
   for (std::size_t i = 0; i < bodies[0].parts.size(); ++i) {
     EXPECT_EQ(bodies[0].parts[i].mesh, lighting.occluders[i].mesh);
   }
-  EXPECT_TRUE(ShadeBodies(LightOf(Light::kEven)).empty());
+  EXPECT_TRUE(SurroundingBodies(LightOf(Light::kEven)).empty());
 }
 
 }  // namespace

@@ -53,6 +53,13 @@ const std::vector<std::pair<std::string, std::string>>& OtherValues() {
       {"yard.undulation_wavelength_m", "3"},
       {"yard.slope_deg", "7"},
       {"yard.slope_direction_deg", "-30"},
+      {"yard.heights.file", "ROOT/models/lens.yaml"},
+      {"yard.heights.cell_m", "0.5"},
+      {"yard.heights.scale_m", "0.001"},
+      {"yard.heights.x_m", "2.5"},
+      {"yard.heights.y_m", "-1.25"},
+      {"yard.heights.turn_deg", "-33.333333333333336"},
+      {"yard.patches", "[{soil: ROOT/models/gravel.yaml, disc: {x_m: 1, y_m: 2, radius_m: 0.5}}]"},
       {"rocks.cover", "0.07"},
       {"rocks.least_m", "0.06"},
       {"rocks.largest_m", "0.4"},
@@ -62,6 +69,7 @@ const std::vector<std::pair<std::string, std::string>>& OtherValues() {
       {"rocks.buried", "0.25"},
       {"rocks.friction", "0.45"},
       {"rocks.given", "[{x_m: 2, y_m: 0.425, diameter_m: 0.2, height_m: 0.08, turn_deg: 30}]"},
+      {"scenery", "[{kind: set, x_m: 3, y_m: -2, count: 5, radius_m: 4, colours: [blue, brick]}]"},
       {"time_limit_s", "12.5"},
       {"physics_step_s", "0.0005"},
       {"seed", "18446744073709551615"},
@@ -167,9 +175,12 @@ TEST_F(Resolved, HasNoFolderOfThisComputerForOthers) {
 }
 
 TEST_F(Resolved, EachKeyAloneIsTheOneThatDiffers) {
-  const Scenario plain = Load({"camera={width_px: 640, height_px: 480}"});
+  // Keys that others need.
+  const std::string size = "camera={width_px: 640, height_px: 480}",
+                    heights = Set("yard.heights", "{file: ROOT/models/gravel.yaml}");
+  const Scenario plain = Load({size, heights});
   for (const auto& [key, value] : OtherValues()) {
-    const Scenario changed = Load({"camera={width_px: 640, height_px: 480}", Set(key, value)});
+    const Scenario changed = Load({size, heights, Set(key, value)});
     const std::vector<std::string> differing = DifferingKeys(plain, changed);
     if (key == "changes") {
       EXPECT_THAT(differing, ElementsAre("changes.soil.k", "changes.soil.name"));

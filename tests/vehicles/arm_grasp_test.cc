@@ -62,7 +62,7 @@ TEST(ArmGrasp, PressesAsTheMotorsTorqueOverTheLever) {
 TEST(ArmGrasp, ClosesOnNothingWithoutAStone) {
   ArmRig rig = Standing("loose_sand", 0.04, 3);
   rig.stones =
-      LooseStones(ArmParts(*rig.model.arm, rig.body.arm().link(0)), SoilNamed("loose_sand"), {});
+      LooseStones(ArmParts(*rig.model.arm, rig.body.arm().link(0)), {SoilNamed("loose_sand")}, {});
   EXPECT_EQ(Grasp(rig, {}, 0.35), GraspEnd::kClosed);
 }
 

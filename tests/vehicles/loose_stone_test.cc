@@ -97,7 +97,7 @@ TEST(LooseStone, FliesAParabolaWithItsAngularMomentumAndEnergyOfTurning) {
 /// A stone alone on level soil.
 struct Ground {
   explicit Ground(const std::string& soil)
-      : grid(LevelGrid(-0.5, 1.0, 1.0, 5e-3)), stones({}, SoilNamed(soil), {}) {}
+      : grid(LevelGrid(-0.5, 1.0, 1.0, 5e-3)), stones({}, {SoilNamed(soil)}, {}) {}
   void Run(double time_s, bool awake = false) {
     for (int i = 0; i < std::lround(1e3 * time_s); ++i) {
       for (int k = 0; awake && k < stones.count(); ++k) stones.AddForce(k, {0.0, 0.0, 0.0});

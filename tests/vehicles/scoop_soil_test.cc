@@ -18,7 +18,7 @@ struct Scoop {
   explicit Scoop(const std::string& soil)
       : model(RoverRig::Model("rocky7").arm->scoop),
         laws(SoilNamed(soil)),
-        forces(model, true, laws),
+        forces(model, true, {laws}),
         ground(LevelGrid(-0.5, 1.0, 1.0, 5e-3)) {
     const auto profile = ScoopProfile(model);
     const Eigen::Vector2d way = profile[3] - profile[2];

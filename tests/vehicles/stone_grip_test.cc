@@ -35,7 +35,7 @@ struct Vice {
   explicit Vice(const StoneMaterial& material = {}, double apart_m = kBlock_m)
       : tree({Base(), Jaw(-0.5 * apart_m), Jaw(0.5 * apart_m)}, {}, Pose3::Translation(0, 0, 5)),
         ground(LevelGrid(-1.0, 2.0, 2.0, 0.1)),
-        stones({{1, Plate(-1.0)}, {2, Plate(1.0)}}, SoilNamed("loose_sand"), material) {
+        stones({{1, Plate(-1.0)}, {2, Plate(1.0)}}, {SoilNamed("loose_sand")}, material) {
     stones.Add(LooseStone(BoxBody(Vector3d::Constant(kBlock_m)), kStoneDensity_kg_m3,
                           Pose3::Translation(0, 0, 5)));
   }
@@ -110,7 +110,7 @@ TEST(Grip, GainsNoEnergyFromBlows) {
     LooseStones& stones = vice.stones;
     stone.SetMotion({0.3 + 0.1 * run, 0.02 * run, 0.1}, {1.0 + run, 5.0 - run, 3.0});
     stones =
-        LooseStones({{1, Vice::Plate(-1.0)}, {2, Vice::Plate(1.0)}}, SoilNamed("loose_sand"), {});
+        LooseStones({{1, Vice::Plate(-1.0)}, {2, Vice::Plate(1.0)}}, {SoilNamed("loose_sand")}, {});
     stones.Add(stone);
     const double start_j = stone.KineticEnergy();
     for (int i = 0; i < 1000; ++i) {

@@ -40,7 +40,7 @@ class ArmRig {
       : model(rover),
         ground(LevelGrid(-1.0, 3.0, 2.0, 5e-3)),
         body(rover, SoilNamed(soil), Pose3::Translation(0.0, 0.0, RollingRadius(rover.tyre))),
-        stones(ArmParts(*rover.arm, body.arm().link(0)), SoilNamed(soil), material),
+        stones(ArmParts(*rover.arm, body.arm().link(0)), {SoilNamed(soil)}, material),
         commands(static_cast<std::size_t>(body.motor_count())),
         step_s_(step_s) {}
 

@@ -5,6 +5,7 @@
 #include "controller/raposa/drive.h"
 #include "models/read/yaml_tree.h"
 #include "sim/base/random.h"
+#include "sim/plant/scenery.h"
 #include "sim/raposa/raposa_plant.h"
 #include "support/source_tree.h"
 
@@ -79,13 +80,13 @@ Pose2 PlanOf(const Pose3& X_WC) {
 
 /// Around a point ahead. DrawClutter keeps things off a pyramid and the way to it; here the camera
 /// stands in their place.
-std::vector<ClutterPiece> ThingsAhead(const Pose2& X_DV, std::uint64_t seed) {
+std::vector<SceneryItem> ThingsAhead(const Pose2& X_DV, std::uint64_t seed) {
   constexpr int kCount = 40;
   constexpr double kAhead_m = 2.5, kNearest_m = 0.3;
-  std::vector<ClutterPiece> pieces = DrawClutter(kCount, {-100.0, 0.0, kPi}, 10.0, seed);
-  for (ClutterPiece& piece : pieces) piece.X_DO = X_DV * Pose2{kAhead_m, 0.0, kPi / 2} * piece.X_DO;
-  std::erase_if(pieces, [&](const ClutterPiece& piece) {
-    return std::hypot(piece.X_DO.x - X_DV.x, piece.X_DO.y - X_DV.y) < kNearest_m + piece.radius_m();
+  std::vector<SceneryItem> pieces = DrawClutter(kCount, {-100.0, 0.0, kPi}, 10.0, seed);
+  for (SceneryItem& piece : pieces) piece.X_DO = X_DV * Pose2{kAhead_m, 0.0, kPi / 2} * piece.X_DO;
+  std::erase_if(pieces, [&](const SceneryItem& piece) {
+    return std::hypot(piece.X_DO.x - X_DV.x, piece.X_DO.y - X_DV.y) < kNearest_m + RadiusOf(piece);
   });
   return pieces;
 }

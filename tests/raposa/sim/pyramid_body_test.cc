@@ -36,7 +36,8 @@ class OnTheFloor {
  public:
   explicit OnTheFloor(const PyramidModel& pyramid)
       : ground_(LevelGrid(-4.0, 10.0, 10.0, 0.1)),
-        pyramid_(pyramid, Pose3::Translation(0.0, 0.0, pyramid.guide.height_m), kCableTo_G, {}) {
+        pyramid_(pyramid, Pose3::Translation(0.0, 0.0, pyramid.guide.height_m), kCableTo_G,
+                 {std::nullopt}) {
     world_.setGravity(ToBullet(kGravity_G));
     world_.addRigidBody(pyramid_.body());
   }

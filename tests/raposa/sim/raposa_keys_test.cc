@@ -16,6 +16,7 @@
 #include "raposa/sim/pictures.h"
 #include "raposa/sim/raposa_rig.h"
 #include "sim/plant/model_store.h"
+#include "sim/plant/scenery.h"
 #include "sim/raposa/clutter.h"
 #include "support/source_tree.h"
 
@@ -125,9 +126,9 @@ TEST(Clutter, StandsClearOfTheWay) {
   const Pose2 X_DV = FromDockingCoords({2.0, Radians(40.0), Radians(40.0)});
   int pieces = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    for (const ClutterPiece& piece : DrawClutter(20, X_DV, 4.0, seed)) {
+    for (const SceneryItem& piece : DrawClutter(20, X_DV, 4.0, seed)) {
       const Eigen::Vector2d p(piece.X_DO.x, piece.X_DO.y);
-      EXPECT_GE(FromTheWay(p, X_DV), kClutterClear_m + piece.radius_m() - 1e-3);
+      EXPECT_GE(FromTheWay(p, X_DV), kClutterClear_m + RadiusOf(piece) - 1e-3);
       EXPECT_LE(p.norm(), 3.0);
       ++pieces;
     }
@@ -139,14 +140,14 @@ TEST(Clutter, PiecesFollowFromTheSeedAndNotFromTheirNumber) {
   const Pose2 X_DV = FromDockingCoords({2.0, 0.0, 0.0});
   const auto three = DrawClutter(3, X_DV, 4.0, 5), ten = DrawClutter(10, X_DV, 4.0, 5),
              other = DrawClutter(3, X_DV, 4.0, 6);
-  std::set<ClutterPaint> paints;
+  std::set<SceneryItem::Colour> paints;
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(three[i].X_DO.x, ten[i].X_DO.x);
     EXPECT_EQ(three[i].size_m, ten[i].size_m);
     EXPECT_NE(three[i].X_DO.x, other[i].X_DO.x);
   }
-  for (const ClutterPiece& piece : DrawClutter(60, X_DV, 4.0, 5)) paints.insert(piece.paint);
-  EXPECT_EQ(paints.size(), static_cast<std::size_t>(kClutterPaints));
+  for (const SceneryItem& piece : DrawClutter(60, X_DV, 4.0, 5)) paints.insert(piece.colour);
+  EXPECT_EQ(paints.size(), 4u);
 }
 
 TEST(Clutter, FacesOfItsBodiesLookOutwardsAndEncloseTheirVolume) {
@@ -163,10 +164,9 @@ TEST(Clutter, FacesOfItsBodiesLookOutwardsAndEncloseTheirVolume) {
   const Eigen::Vector3d box(0.2, 0.1, 0.3), round(0.2, 0.2, 0.3),
       ball = Eigen::Vector3d::Constant(0.2);
   const double frustum = kPi * 0.3 / 3.0 * (0.01 + 0.1 * 0.02 + 0.0004);
-  EXPECT_NEAR(volume(ClutterMesh({ClutterShape::kBox, {}, {}, box})), 0.006, 1e-6);
-  EXPECT_NEAR(volume(ClutterMesh({ClutterShape::kCone, {}, {}, round})) / frustum, 1.0, 0.02);
-  EXPECT_NEAR(volume(ClutterMesh({ClutterShape::kBall, {}, {}, ball})) / (kPi * 0.008 / 6.0), 1.0,
-              0.05);
+  EXPECT_NEAR(volume(SolidMesh(SceneryItem::Kind::kBox, box)), 0.006, 1e-6);
+  EXPECT_NEAR(volume(SolidMesh(SceneryItem::Kind::kCone, round)) / frustum, 1.0, 0.02);
+  EXPECT_NEAR(volume(SolidMesh(SceneryItem::Kind::kSphere, ball)) / (kPi * 0.008 / 6.0), 1.0, 0.05);
 }
 
 TEST(RaposaSpreads, EveryToleranceCanBeBuiltAtBothItsEndsAndIsNotTold) {

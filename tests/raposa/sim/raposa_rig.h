@@ -22,7 +22,7 @@ inline WorldSetup AtStart(double r_m, double alpha_rad = 0.0) {
   setup.robot = LoadRobot(models + "raposa.yaml");
   setup.pyramid = LoadPyramid(models + "pyramid/pyramid.yaml");
   setup.robot.belts.speed_offset = 0.0;
-  setup.belt_ground = kHardFloor;
+  setup.grounds[0].belt = kHardFloor;
   setup.ground = LevelGrid(-4.0, 10.0, 10.0, 0.1);
   setup.X_DV_start = FromDockingCoords({r_m, alpha_rad, alpha_rad});
   return setup;

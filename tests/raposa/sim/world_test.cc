@@ -93,7 +93,7 @@ TEST(RaposaWorld, GaugeAgreesBetweenSteps) {
 /// runs and of the rollers' arcs: the pressure is k z^n. The ground is at height 0.
 double BekkerLoad(const WorldSetup& setup, const Pose3& X_WL, double rear_m, double front_m) {
   const BeltsModel& belts = setup.robot.belts;
-  const SoilLaws laws = MakeRimLaws(*setup.soil, belts.width_m);
+  const SoilLaws laws = MakeRimLaws(*setup.grounds[0].soil, belts.width_m);
   constexpr int kCells = 4000;
   const double radius_m = belts.roller_radius_m;
   const double from_m = rear_m - radius_m, cell_m = (front_m - rear_m + 2.0 * radius_m) / kCells;
@@ -111,12 +111,12 @@ double BekkerLoad(const WorldSetup& setup, const Pose3& X_WL, double rear_m, dou
 // The cable lies on the ground, but for its last piece.
 TEST(RaposaWorld, PyramidSinksIntoSandAsBekkerHasIt) {
   WorldSetup setup = AtStart(kAway_m);
-  setup.soil = LoadGround(SourceFile("models/raposa/grounds/sand.yaml")).soil;
+  setup.grounds[0].soil = LoadGround(SourceFile("models/raposa/grounds/sand.yaml")).soil;
   const World world(setup);
   const Pose3 X_WP = world.truth().X_WP;
   const PyramidModel& pyramid = setup.pyramid;
   const double radius_m = 0.5 * pyramid.foot_diameter_m;
-  const SoilLaws laws = MakeRimLaws(*setup.soil, radius_m);
+  const SoilLaws laws = MakeRimLaws(*setup.grounds[0].soil, radius_m);
   double load_n = 0.0;
   for (const Eigen::Vector2d& p : pyramid.p_P_soles) {
     const double z_m = -(X_WP * Eigen::Vector3d(p.x(), p.y(), -pyramid.guide.height_m)).z();
@@ -129,7 +129,7 @@ TEST(RaposaWorld, PyramidSinksIntoSandAsBekkerHasIt) {
 
 TEST(RaposaWorld, SinksIntoSandAsBekkerHasIt) {
   WorldSetup setup = AtStart(kAway_m);
-  setup.soil = LoadGround(SourceFile("models/raposa/grounds/sand.yaml")).soil;
+  setup.grounds[0].soil = LoadGround(SourceFile("models/raposa/grounds/sand.yaml")).soil;
   const World world(setup);
   const Truth truth = world.truth();
   const BeltsModel& belts = setup.robot.belts;
@@ -142,7 +142,7 @@ TEST(RaposaWorld, SinksIntoSandAsBekkerHasIt) {
 
 TEST(RaposaWorld, BeltsWithoutFrictionDoNotTurnIt) {
   WorldSetup setup = AtStart(kAway_m);
-  setup.belt_ground.friction = 1e-6;
+  setup.grounds[0].belt.friction = 1e-6;
   World world(setup);
   const double from = HeadingOf(world.truth());
   Play(world, setup, Belts(setup, -0.05, 0.05), 3.0);
