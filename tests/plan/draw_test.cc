@@ -131,6 +131,48 @@ TEST_F(DrawFile, FaultsAreToldByPlaceAndPath) {
               HasSubstr("start.r_m: expected a key that is not set by 'start.r_m' as well"));
 }
 
+// Each system states the numbers of its start: a campaign may draw those and no others.
+TEST_F(DrawFile, KeysOfAStartAreThoseOfTheSystem) {
+  EXPECT_EQ(Message("draw:\n  start.range_m: {uniform: {min: 2, max: 7}}\n"),
+            "scenarios/d.yaml:4:3: start.range_m: unknown key, known are: r_m, alpha_deg, "
+            "heading_deg");
+  EXPECT_EQ(Message("draw:\n  start.up_m: {discrete: {values: [1, 2]}}\n"),
+            "scenarios/d.yaml:4:3: start.up_m: unknown key, did you mean 'r_m'?");
+  EXPECT_EQ(Message("vary:\n  start.range_m: [2, 3]\n"),
+            "scenarios/d.yaml:4:3: start.range_m: unknown key, known are: r_m, alpha_deg, "
+            "heading_deg");
+}
+
+TEST_F(DrawFile, KeysOfAStartOnThePlaneAreNotThoseOfOneInSpace) {
+  KnownSystem diver{"diver", {"sinking"}, {}};
+  diver.start = Start({{"range_m", "m", Between(1.0, 50.0), "from the cage"},
+                       {"up_m", "m", Between(-10.0, 10.0), "above the cage"}},
+                      [](const Start&) { return RobotPose(); });
+  const std::vector<KnownSystem> divers{diver};
+  folder_.Write("scenarios/dive.yaml",
+                "name: dive\nsystem: diver\nstart: {range_m: 5, up_m: -2}\n");
+  const auto load = [&](const std::string& draw) {
+    const std::string file =
+        folder_.Write("scenarios/d.yaml", "campaign: d\nbase: dive.yaml\ndraw:\n  " + draw);
+    const auto measures = [](const std::string&) { return std::vector<std::string>{}; };
+    Campaign campaign = LoadCampaign(file, {}, {divers, measures});
+    CheckRuns(campaign, divers, {});
+    return campaign;
+  };
+  const auto message = [&](const std::string& draw) {
+    return MessageOf([&] { load(draw); }, folder_);
+  };
+  EXPECT_EQ(message("start.alpha_deg: {uniform: {min: 2, max: 7}}\n"),
+            "scenarios/d.yaml:4:3: start.alpha_deg: unknown key, known are: range_m, up_m");
+  EXPECT_THAT(message("start.up_m: {uniform: {min: 2, max: 12}}\n"),
+              HasSubstr("d.yaml:4:3: start.up_m: expected a number from -10 to 10, found '1"));
+  const Campaign campaign = load("start.up_m: {uniform: {min: 2, max: 7}}\ndesign: {runs: 5}\n");
+  for (const CampaignRun& run : AllRuns(campaign, divers)) {
+    EXPECT_EQ(NumberFromText(run.labels.back()), run.scenario.start.Value("up_m"));
+    EXPECT_EQ(run.scenario.start.Value("range_m"), 5.0);
+  }
+}
+
 // A run in the middle of the night must not be the first to find out.
 TEST_F(DrawFile, EndsOfADistributionAreWithinTheKeysRange) {
   EXPECT_THAT(Message("draw: {start.r_m: {normal: {mean: 1, std: 0.2}}}\n"),
