@@ -172,8 +172,13 @@ class Run {
       record_.plans.push_back({time_s(), belief.plan});
       if (log_) log_->Append(record_.plans.back(), tick);
     }
-    if (tick % kHistoryPeriod == 0) KeepSample(belief);
-    if (tick % kHashPeriod == 0) hash_ = plant().StateHash(hash_);
+    if (IsDue(tick, kHistoryPeriod)) KeepSample(belief);
+    if (IsDue(tick, kHashPeriod)) hash_ = plant().StateHash(hash_);
+  }
+
+  /// Whether the control period that ends now is the first to reach a multiple of `every`.
+  bool IsDue(Tick tick, Tick every) const {
+    return tick == 0 || tick / every > (tick - ready_.control_period) / every;
   }
 
   void KeepSample(const Belief& belief) {
@@ -186,7 +191,7 @@ class Run {
   void LogTruth(Tick tick) {
     const Stage stage = plant().Look();
     log_->Append(record_.history.back(), stage, tick);
-    if (tick % kGroundPeriod == 0) log_->AppendGround(stage.ground, tick);
+    if (IsDue(tick, kGroundPeriod)) log_->AppendGround(stage.ground, tick);
   }
 
   void KeepSighting(const Belief& belief) {

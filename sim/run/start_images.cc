@@ -21,7 +21,9 @@ std::string Draw(const System& system, const Scenario& scenario) {
   std::iota(cameras.begin(), cameras.end(), 0);
   ready.plant->Sense();
   std::uint64_t hash = kHashSeed;
-  for (const CameraImage& image : ready.plant->TakeImages(cameras, 0.0)) {
+  const std::vector<CameraImage> images = ready.plant->TakeImages(cameras, 0.0);
+  if (images.empty()) return "none: no camera gives an image";
+  for (const CameraImage& image : images) {
     const std::vector<std::uint8_t>& pixels =
         std::visit([](const auto& any) -> const std::vector<std::uint8_t>& { return any.pixels; },
                    image.pixels);
