@@ -20,8 +20,9 @@ std::vector<std::string> HistoryNames(const RunRecord& record) {
                                  "z_m",    "roll_DR_deg", "pitch_DR_deg"};
   for (const Column& channel : record.channels) names.push_back(channel.name);
   for (const NamedSensor& sensor : record.sensors) names.push_back("sensor." + sensor.name);
-  names.insert(names.end(), {"phase", "located", "believed_x_m", "believed_y_m",
-                             "believed_heading_deg", "sightings", "plans"});
+  names.insert(names.end(),
+               {"phase", "located", "believed_x_m", "believed_y_m", "believed_heading_deg",
+                "believed_z_m", "believed_roll_deg", "believed_pitch_deg", "sightings", "plans"});
   for (const Column& belief : record.belief_columns) names.push_back(belief.name);
   for (const Column& error : BeliefErrorColumns()) names.push_back(error.name);
   return names;
@@ -29,17 +30,15 @@ std::vector<std::string> HistoryNames(const RunRecord& record) {
 
 std::vector<std::string> HistoryCells(const HistorySample& sample) {
   std::vector<std::string> cells;
-  const auto add_pose = [&cells](const Pose2& pose) {
-    for (const double value : {pose.x, pose.y, Degrees(pose.heading)}) {
+  const auto add_pose = [&cells](const RobotPose& pose) {
+    const auto n = PoseNumbers(pose);
+    for (const double value :
+         {pose.x, pose.y, Degrees(pose.heading), n[3], Degrees(n[4]), Degrees(n[5])}) {
       cells.push_back(NumberText(value));
     }
   };
   cells.push_back(NumberText(sample.time_s));
   add_pose(sample.X_DR);
-  const auto truth = PoseNumbers(sample.X_DR);
-  for (const double value : {truth[3], Degrees(truth[4]), Degrees(truth[5])}) {
-    cells.push_back(NumberText(value));
-  }
   for (const double value : sample.channels) cells.push_back(NumberText(value));
   for (const double value : sample.sensed) cells.push_back(NumberText(value));
   cells.push_back(sample.phase);

@@ -158,6 +158,9 @@ ColumnTable History() {
        {"believed_x_m", "m", "belief: `X_DR`"},
        {"believed_y_m", "m", "belief, likewise"},
        {"believed_heading_deg", "deg", "belief, likewise"},
+       {"believed_z_m", "m", "belief, likewise; 0 of a controller that believes on the plane"},
+       {"believed_roll_deg", "deg", "belief, likewise"},
+       {"believed_pitch_deg", "deg", "belief, likewise"},
        {"sightings", "", "sightings of the target so far"},
        {"plans", "", "plans of the controller so far"},
        {"[beliefs]", "", "belief, by the system: below; `nan` if the controller gives none"}}};

@@ -23,6 +23,13 @@ TEST(BeliefError, IsBeliefMinusTruthInTheTargetsFrame) {
   EXPECT_NEAR(errors[2], 30.0, 1e-9);
 }
 
+TEST(BeliefError, OfTheHeightIsThatOfThePoseInSpace) {
+  HistorySample sample = Sample({}, {}, true);
+  sample.X_DR.X.p.z() = -4.0;
+  sample.X_DR_believed.X.p.z() = -3.25;
+  EXPECT_DOUBLE_EQ(BeliefErrors(sample).back(), 0.75);
+}
+
 TEST(BeliefError, OfTheHeadingIsTheShortTurn) {
   // 179 deg believed, -179 deg true: 2 deg to the right.
   const Pose2 truth{0, 0, Radians(-179.0)}, believed{0, 0, Radians(179.0)};

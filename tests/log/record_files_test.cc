@@ -24,16 +24,19 @@ TEST(History, HasTheSystemsChannelsAndBeliefsByName) {
   sample.channels = {40.5, -1.5};
   sample.phase = "look, again";
   sample.located = true;
-  sample.X_DR_believed = {3.5, 0.25, 0.0};
+  sample.X_DR_believed =
+      RobotPose::FromAngles({3.5, 0.25, -0.5}, {.roll = 0.0, .pitch = 0.0, .yaw = 0.0});
   sample.sighting_count = 3;
   sample.plan_count = 2;
   sample.beliefs = {1.0};
   record.history.resize(1);
   EXPECT_EQ(HistoryCsv(record),
             "time_s,x_m,y_m,heading_deg,z_m,roll_DR_deg,pitch_DR_deg,tension_n,roll_deg,phase,"
-            "located,believed_x_m,believed_y_m,believed_heading_deg,sightings,plans,recoveries,"
-            "error_x_m,error_y_m,error_yaw_deg\n"
-            "0.1,4,-0.5,90,0,0,0,40.5,-1.5,\"look, again\",1,3.5,0.25,0,3,2,1,-0.5,0.75,-90\n");
+            "located,believed_x_m,believed_y_m,believed_heading_deg,believed_z_m,"
+            "believed_roll_deg,believed_pitch_deg,sightings,plans,recoveries,"
+            "error_x_m,error_y_m,error_yaw_deg,error_z_m\n"
+            "0.1,4,-0.5,90,0,0,0,40.5,-1.5,\"look, again\",1,3.5,0.25,0,-0.5,0,0,3,2,1,"
+            "-0.5,0.75,-90,-0.5\n");
 }
 
 TEST(History, OfASystemWithoutChannelsIsThePathAndTheBelief) {
@@ -41,8 +44,9 @@ TEST(History, OfASystemWithoutChannelsIsThePathAndTheBelief) {
   record.history.resize(1);
   EXPECT_EQ(HistoryCsv(record),
             "time_s,x_m,y_m,heading_deg,z_m,roll_DR_deg,pitch_DR_deg,phase,located,believed_x_m,"
-            "believed_y_m,believed_heading_deg,sightings,plans,error_x_m,error_y_m,error_yaw_deg\n"
-            "0,0,0,0,0,0,0,,0,0,0,0,0,0,nan,nan,nan\n");
+            "believed_y_m,believed_heading_deg,believed_z_m,believed_roll_deg,believed_pitch_deg,"
+            "sightings,plans,error_x_m,error_y_m,error_yaw_deg,error_z_m\n"
+            "0,0,0,0,0,0,0,,0,0,0,0,0,0,0,0,0,nan,nan,nan,nan\n");
 }
 
 TEST(History, HasPoseInSpaceAndSensorsByName) {
