@@ -119,12 +119,11 @@ std::optional<Linear> Linearise(const Nominal& nominal, const FitWindow& window,
 
 void Describe(const FitWindow& window, const LayerImage& layers, const Point& point,
               PlaceFit* fit) {
-  double sum = 0.0, orange = 0.0, blue = 0.0;
+  double sum = 0.0, blue = 0.0;
   int count = 0;
   for (std::size_t k = 0; k < window.size(); ++k) {
     if (window.open[k] == 0.0f) continue;
     const float o = layers.Shares(kOrangeLayer)[k], b = layers.Shares(kBlueLayer)[k];
-    orange += o;
     blue += b;
     const float marks = o + b + layers.Shares(kFaces)[k] + layers.Shares(kBoxes)[k];
     if (marks < kOfMarks && window.seen[k].norm() < kOtherColour) continue;
@@ -132,9 +131,7 @@ void Describe(const FitWindow& window, const LayerImage& layers, const Point& po
     ++count;
   }
   fit->misfit = count > 0 ? sum / (2.0 * count) : 0.0;
-  const double cell_px2 = window.unit_px * window.across_px();
-  fit->orange_px2 = cell_px2 * orange;
-  fit->blue_px2 = cell_px2 * blue;
+  fit->blue_px2 = window.unit_px * window.across_px() * blue;
   const Eigen::Matrix2d plain = window.whiten.cast<double>().inverse();
   const auto colour = [&](Eigen::Index l) {
     return Eigen::Vector2d(point.colours.colours.row(l).transpose().cast<double>());

@@ -32,7 +32,6 @@ struct PlaceFit {
   Eigen::Vector2d orange{0, 0}, blue{0, 0};       // the two values of FitWindow
   double orange_sigmas = 0.0, blue_sigmas = 0.0;  // of those from 0
   double blue_px2 = 0.0;                          // of it in the open part of the window
-  double orange_px2 = 0.0;
 };
 
 enum class MarksDrawn { kGuide, kAll };

@@ -50,8 +50,4 @@ State ChooseState(const StateCues& cues, const FerreiraMotion& options) {
   return cues.blue ? State::kBlueOnly : State::kNothing;
 }
 
-State NextState(State now, bool over, const StateCues& cues, const FerreiraMotion& options) {
-  return Latched(now) && !over ? now : ChooseState(cues, options);
-}
-
 }  // namespace dockyard::raposa

@@ -42,9 +42,4 @@ bool InRegionOne(double alpha_rad, double r_m, const FerreiraMotion& options);
 /// manoeuvre.
 State ChooseState(const StateCues& cues, const FerreiraMotion& options);
 
-/// Whether the state stays until its own behaviour ends: 6 and 7 (F, C.3).
-inline bool Latched(State state) { return state == State::kFinal || state == State::kVisualTurn; }
-/// The choice, unless the present state is latched and not over.
-State NextState(State now, bool over, const StateCues& cues, const FerreiraMotion& options);
-
 }  // namespace dockyard::raposa

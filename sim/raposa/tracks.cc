@@ -95,17 +95,15 @@ void Tracks::Step(const HeightGrid& ground, const std::array<MotorCommand, 2>& c
   const Eigen::Vector3d y_G = body.X_GL.R.col(1);
   for (std::size_t side = 0; side < 2; ++side) {
     const double surface_m_s = radius_m_ * speed_rad_s_[side];
-    body_load_[side] = body_belts_[side].Step(ground, body, surface_m_s, dt_s);
-    arm_load_[side] = arm_belts_[side].Step(ground, arm, surface_m_s, dt_s);
-    const double arm_nm = arm_load_[side].drive_torque_nm;
-    robot.AddLoad(RobotLink::kBody, body_load_[side].force_G,
-                  body_load_[side].torque_G - arm_nm * y_G);
-    robot.AddLoad(RobotLink::kArm, arm_load_[side].force_G,
-                  arm_load_[side].torque_G + arm_nm * y_G);
+    const BeltLoad on_body = body_belts_[side].Step(ground, body, surface_m_s, dt_s);
+    const BeltLoad on_arm = arm_belts_[side].Step(ground, arm, surface_m_s, dt_s);
+    const double arm_nm = on_arm.drive_torque_nm;
+    robot.AddLoad(RobotLink::kBody, on_body.force_G, on_body.torque_G - arm_nm * y_G);
+    robot.AddLoad(RobotLink::kArm, on_arm.force_G, on_arm.torque_G + arm_nm * y_G);
 
     output_[side] = drives_[side].Step(Obeyed(commands[side], side), angle_rad_[side],
                                        speed_rad_s_[side], dt_s);
-    const double load_nm = body_load_[side].drive_torque_nm + arm_nm;
+    const double load_nm = on_body.drive_torque_nm + arm_nm;
     speed_rad_s_[side] += dt_s * (output_[side].torque_nm() - load_nm) / inertia_kg_m2_;
     angle_rad_[side] += dt_s * speed_rad_s_[side];
     const bool driven = commands[side].mode == MotorMode::kVelocity &&

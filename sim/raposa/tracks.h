@@ -39,9 +39,6 @@ class Tracks {
   double read_rad(Side side) const { return read_rad_[Index(side)]; }
   double speed_rad_s(Side side) const { return speed_rad_s_[Index(side)]; }  // true
   const DriveOutput& output(Side side) const { return output_[Index(side)]; }
-  /// Of the main belt and the arm's in the last step.
-  const BeltLoad& body_load(Side side) const { return body_load_[Index(side)]; }
-  const BeltLoad& arm_load(Side side) const { return arm_load_[Index(side)]; }
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
@@ -55,7 +52,6 @@ class Tracks {
   std::array<Belt, 2> body_belts_, arm_belts_;
   std::array<double, 2> read_rad_{}, angle_rad_{}, speed_rad_s_{}, error_rad_s_{};
   std::array<DriveOutput, 2> output_{};
-  std::array<BeltLoad, 2> body_load_{}, arm_load_{};
 };
 
 }  // namespace dockyard::raposa

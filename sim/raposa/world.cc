@@ -230,8 +230,6 @@ Truth World::Impl::MakeTruth() const {
   truth.range_m = std::hypot(p_PC.x(), p_PC.y());
   truth.alpha_rad = std::atan2(p_PC.y(), p_PC.x());
   truth.p_SP_R = GuideFromSeat();
-  const Eigen::Vector3d v_G = pyramid.v_GL_G - body.VelocityAt(pyramid.X_GL.p);
-  truth.guide_speed_m_s = v_G.norm();
   truth.arm_rad = ArmAngle();
   truth.left_door_m = robot_.joint(RobotLink::kLeftDoor);
   truth.right_door_m = -robot_.joint(RobotLink::kRightDoor);
@@ -255,10 +253,6 @@ Truth World::Impl::MakeTruth() const {
   truth.pyramid_tilt_rad = std::acos(std::clamp(X_start_now.R(2, 2), -1.0, 1.0));
   truth.cable_pull_n = pyramid_.cable_pull_n();
   for (const Eigen::Vector3d& p_G : pyramid_.CableLine()) truth.cable_W.push_back(X_WG_ * p_G);
-  truth.left_traction_n =
-      tracks_.body_load(Side::kLeft).traction_n + tracks_.arm_load(Side::kLeft).traction_n;
-  truth.right_traction_n =
-      tracks_.body_load(Side::kRight).traction_n + tracks_.arm_load(Side::kRight).traction_n;
   return truth;
 }
 

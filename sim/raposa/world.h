@@ -50,7 +50,6 @@ struct Truth {
   double alpha_rad = 0.0;  // the camera's place about the pyramid's axis
   // The guide's middle from the socket's seat, in R: x < 0 is outside of it.
   Eigen::Vector3d p_SP_R = Eigen::Vector3d::Zero();
-  double guide_speed_m_s = 0.0;  // of that
   double arm_rad = 0.0;
   double left_door_m = 0.0, right_door_m = 0.0;  // from closed, >= 0
   std::array<MotorTruth, kMotorCount> motors{};
@@ -59,7 +58,6 @@ struct Truth {
   double pyramid_shift_m = 0.0, pyramid_turn_rad = 0.0, pyramid_tilt_rad = 0.0;  // from the start
   double cable_pull_n = 0.0;
   std::vector<Eigen::Vector3d> cable_W;
-  double left_traction_n = 0.0, right_traction_n = 0.0;
 };
 
 class World {

@@ -51,17 +51,6 @@ TEST(StateChoice, EveryBranch) {
   for (const Row& row : rows) EXPECT_EQ(ChooseState(row.cues, kRegions), row.state) << row.what;
 }
 
-TEST(StateChoice, StatesSixAndSevenStayUntilTheyAreOver) {
-  for (int now = 1; now <= 7; ++now) {
-    const State state = static_cast<State>(now);
-    const bool latched = now >= 6;
-    EXPECT_EQ(Latched(state), latched);
-    EXPECT_EQ(NextState(state, false, {}, kRegions), latched ? state : State::kNothing);
-    EXPECT_EQ(NextState(state, true, {}, kRegions), State::kNothing);
-    EXPECT_EQ(NextState(state, true, PairAt(40, 1.0), kRegions), State::kAlign);
-  }
-}
-
 // Both distances are the camera's, so both move with the marks' sizes.
 TEST(StateChoice, TheDeadZoneIsADistanceOfTheMarks) {
   MarksSeen seen;
