@@ -90,24 +90,6 @@ std::vector<double> Ranks(const std::vector<double>& values) {
   return ranks;
 }
 
-Estimate Spearman(const std::vector<double>& x, const std::vector<double>& y, double confidence) {
-  DOCKYARD_CHECK(x.size() == y.size());
-  if (x.size() < 3 || HasNaN(x) || HasNaN(y)) return kUnknown;
-  const VectorXd a = Centred(Ranks(x)), b = Centred(Ranks(y));
-  const double squares = a.squaredNorm() * b.squaredNorm();
-  if (squares == 0.0) return kUnknown;
-  return WithInterval(std::clamp(a.dot(b) / std::sqrt(squares), -1.0, 1.0), a.size(), confidence);
-}
-
-std::vector<Estimate> PartialRankCorrelations(const std::vector<std::vector<double>>& inputs,
-                                              const std::vector<double>& output,
-                                              double confidence) {
-  RankTable table(output.size(), inputs.size() + 1);
-  for (const std::vector<double>& input : inputs) table.AddInput(Ranks(input));
-  table.AddOutput(Ranks(output));
-  return table.Correlate(confidence).partial[0];
-}
-
 RankTable::RankTable(std::size_t rows, std::size_t columns)
     : ranks_(static_cast<Index>(rows), static_cast<Index>(columns)) {}
 

@@ -16,29 +16,20 @@ namespace dockyard {
 /// 1 for the smallest value; equal values share the mean of their ranks. All NaN if one value is.
 std::vector<double> Ranks(const std::vector<double>& values);
 
-/// Spearman's rank correlation of two columns of the same length, in [-1, 1]. Its interval is
-/// Fisher's z with the variance (1 + r^2 / 2) / (n - 3) of Bonett and Wright (Psychometrika 65,
-/// 2000), good for |r| up to about 0.95 and few equal values. At r = -1 and 1 that interval has no
-/// width, which says nothing.
-/// NaN: a column without two different values, a NaN in a column, n < 3. Interval NaN: n = 3.
-Estimate Spearman(const std::vector<double>& x, const std::vector<double>& y,
-                  double confidence = 0.95);
-
-/// Partial rank correlation of each input with the output: of what is left of both ranks after the
-/// linear regression on the ranks of all other inputs (Marino, Hogue, Ray and Kirschner, J. Theor.
-/// Biol. 254, 2008). The interval is Spearman's with n less the number of other inputs, as Fisher
-/// found for partial correlations (Metron 3, 1924). Other inputs that do not vary, or that repeat
-/// others, are not counted.
-/// NaN: the input or the output does not vary; the other inputs explain all ranks of either; fewer
-/// than three runs more than other inputs. All are NaN if one value of all columns is.
-/// @param inputs  columns, each of the output's length
-std::vector<Estimate> PartialRankCorrelations(const std::vector<std::vector<double>>& inputs,
-                                              const std::vector<double>& output,
-                                              double confidence = 0.95);
-
-/// Of each output with each input: Spearman's and the partial rank correlation, as above.
+/// Of each output with each input, in [-1, 1].
 struct RankCorrelations {
-  std::vector<std::vector<Estimate>> spearman, partial;  // [output][input]
+  /// Spearman's. Its interval is Fisher's z with the variance (1 + r^2 / 2) / (n - 3) of Bonett and
+  /// Wright (Psychometrika 65, 2000), good for |r| up to about 0.95 and few equal values. At r = -1
+  /// and 1 that interval has no width, which says nothing.
+  /// NaN: a column without two different values, a NaN in a column, n < 3. Interval NaN: n = 3.
+  std::vector<std::vector<Estimate>> spearman;  // [output][input]
+  /// Of what is left of both ranks after the linear regression on the ranks of all other inputs
+  /// (Marino, Hogue, Ray and Kirschner, J. Theor. Biol. 254, 2008). The interval is Spearman's with
+  /// n less the number of other inputs, as Fisher found for partial correlations (Metron 3, 1924).
+  /// Other inputs that do not vary, or that repeat others, are not counted.
+  /// NaN: the input or the output does not vary; the other inputs explain all ranks of either;
+  /// fewer than three runs more than other inputs.
+  std::vector<std::vector<Estimate>> partial;
 };
 
 /// Many columns at once, each given as its ranks and let go. n runs of c columns take n c^2 steps,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "controller/base/check.h"
 
@@ -75,12 +76,6 @@ void FollowRun(const SequentialPlan& plan, bool failed, SequentialEnd& end) {
   ++end.trials;
   end.failures += failed;
   end.state = StateAfter(plan, end.trials, end.failures);
-}
-
-SequentialEnd FollowRuns(const SequentialPlan& plan, const std::vector<bool>& failed) {
-  SequentialEnd end;
-  for (const bool run_failed : failed) FollowRun(plan, run_failed, end);
-  return end;
 }
 
 SequentialOperation ExactOperation(const SequentialPlan& plan, double true_reliability) {

@@ -13,8 +13,6 @@
 // their alpha is beta here, and their beta is alpha.
 #pragma once
 
-#include <vector>
-
 namespace dockyard {
 
 struct SequentialAims {
@@ -57,10 +55,6 @@ struct SequentialEnd {
 
 /// Takes the next run, in the order of the runs. A run after the end changes nothing.
 void FollowRun(const SequentialPlan& plan, bool failed, SequentialEnd& end);
-
-/// Goes through the runs in their order, up to the one that ends the test.
-/// @param failed  true for a run that failed; runs after the end are not looked at
-SequentialEnd FollowRuns(const SequentialPlan& plan, const std::vector<bool>& failed);
 
 /// How the test fares with a system of that reliability.
 struct SequentialOperation {

@@ -5,7 +5,7 @@
 #include "plan/toy_campaign.h"
 #include "sim/base/text.h"
 #include "sim/scenario/key_path.h"
-#include "sim/statistics/ranks.h"
+#include "statistics/correlations_of_columns.h"
 
 namespace dockyard {
 namespace {

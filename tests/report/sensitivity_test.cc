@@ -7,7 +7,7 @@
 
 #include "sim/base/random.h"
 #include "sim/base/text.h"
-#include "sim/statistics/ranks.h"
+#include "statistics/correlations_of_columns.h"
 #include "support/fake_runs.h"
 
 namespace dockyard {

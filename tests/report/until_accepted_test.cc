@@ -6,6 +6,7 @@
 #include <random>
 
 #include "sim/log/record.h"
+#include "statistics/follow_runs.h"
 #include "support/fake_campaign.h"
 
 namespace dockyard {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/base/random.h"
-#include "sim/statistics/ranks.h"
+#include "statistics/correlations_of_columns.h"
 
 namespace dockyard {
 namespace {

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "sim/base/random.h"
+#include "statistics/follow_runs.h"
 
 namespace dockyard {
 namespace {
@@ -207,7 +208,7 @@ TEST(AnEarlierEnd, LowersTheChanceToAcceptAnySystem) {
   }
 }
 
-TEST(FollowRuns, StopsAtTheRunThatEndsTheTest) {
+TEST(FollowRun, StopsAtTheRunThatEndsTheTest) {
   const SequentialPlan plan = WaldPlan(kEven);  // rejects after 5 failures in a row
   const SequentialEnd end = FollowRuns(plan, std::vector<bool>(10, true));
   EXPECT_EQ(end.state, SequentialState::kRejected);
@@ -220,7 +221,7 @@ TEST(FollowRuns, StopsAtTheRunThatEndsTheTest) {
 }
 
 // Failures early reject; that later successes would bring the sum back does not count.
-TEST(FollowRuns, KeepsTheFirstDecision) {
+TEST(FollowRun, KeepsTheFirstDecision) {
   const SequentialPlan plan = WaldPlan(kEven);
   std::vector<bool> failed(5, true);
   failed.resize(200, false);
