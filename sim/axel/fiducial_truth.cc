@@ -119,31 +119,4 @@ std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const Camera& came
   return all;
 }
 
-std::vector<double> ShadedShares(const Scene& scene) {
-  constexpr double kFarM = 100.0;  // beyond everything that can stand in the sun's way
-  const auto triangles = Triangles(scene);
-  const double radius = 0.5 * scene.boards[0].board.disc_diameter_m;
-  std::vector<double> shares;
-  for (const Fiducial& fiducial : scene.boards[0].board.fiducials) {
-    int shaded = 0, samples = 0;
-    for (int ring = 0; ring < kRings; ++ring) {
-      const int spokes = 1 + 6 * ring;
-      for (int k = 0; k < spokes; ++k) {
-        const double r = radius * (ring + 0.5) / kRings, angle = 2.0 * kPi * k / spokes;
-        const Eigen::Vector3d p =
-            scene.boards[0].X_WB * Eigen::Vector3d(fiducial.p_BF.x() + r * std::cos(angle),
-                                                   fiducial.p_BF.y() + r * std::sin(angle), 0.0);
-        // From the sun to just before the board: its own plate shades nothing.
-        const Eigen::Vector3d sun = p + kFarM * scene.light.to_sun_W;
-        const Eigen::Vector3d end = p + 0.01 * scene.light.to_sun_W;
-        shaded += std::any_of(triangles.begin(), triangles.end(),
-                              [&](const auto& triangle) { return Meets(sun, end, triangle); });
-        ++samples;
-      }
-    }
-    shares.push_back(static_cast<double>(shaded) / samples);
-  }
-  return shares;
-}
-
 }  // namespace dockyard::axel

@@ -21,8 +21,4 @@ struct FiducialPixels {
 std::vector<FiducialPixels> TrueFiducials(const Scene& scene, const Camera& camera,
                                           const Pose3& X_WC);
 
-/// By fiducial: share of the disc from which something hides the sun's middle, 0..1. The ground and
-/// the tether cast no shadow here.
-std::vector<double> ShadedShares(const Scene& scene);
-
 }  // namespace dockyard::axel

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "axel/sim/scenarios.h"
+#include "perception/shaded_shares.h"
 #include "sim/base/files.h"
 #include "sim/base/random.h"
 #include "sim/plant/built_cameras.h"
