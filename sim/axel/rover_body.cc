@@ -241,19 +241,6 @@ void RoverBody::Refresh() {
   }
 }
 
-void RoverBody::SetJointSpeed(RoverLink link, double speed_rad_s) {
-  multibody_->setJointVel(BulletIndex(link), speed_rad_s);
-  Refresh();
-}
-
-void RoverBody::SetBodySpeed(const Eigen::Vector3d& v_GR_G, const Eigen::Vector3d& w_GR_G) {
-  const Eigen::Vector3d v_com =
-      v_GR_G + w_GR_G.cross(CentreOfMass(RoverLink::kBody) - motion_[0].X_GL.p);
-  multibody_->setBaseVel(ToBullet(v_com));
-  multibody_->setBaseOmega(ToBullet(w_GR_G));
-  Refresh();
-}
-
 std::uint64_t RoverBody::StateHash(std::uint64_t seed) const {
   std::uint64_t hash = seed;
   const btQuaternion q = multibody_->getWorldToBaseRot();

@@ -65,8 +65,6 @@ class RoverBody {
   Eigen::Matrix<double, 3, kSpeeds> PointJacobian(RoverLink link, const Eigen::Vector3d& p_G) const;
   void AddSpeeds(const Speeds& change);
 
-  void SetJointSpeed(RoverLink link, double speed_rad_s);
-  void SetBodySpeed(const Eigen::Vector3d& v_GR_G, const Eigen::Vector3d& w_GR_G);
   btMultiBody* multibody() { return multibody_.get(); }
   /// Shapes of the arm, in A.
   const std::vector<Collision>& arm_parts() const { return arm_parts_; }

@@ -21,7 +21,6 @@ class CdrWriter {
   void U32(std::uint32_t value);
   void I32(std::int32_t value) { U32(static_cast<std::uint32_t>(value)); }
   void U64(std::uint64_t value);
-  void I64(std::int64_t value) { U64(static_cast<std::uint64_t>(value)); }
   void Float(float value);
   void Double(double value);
   void Text(std::string_view text);
@@ -50,7 +49,6 @@ class CdrReader {
   std::uint32_t U32();
   std::int32_t I32() { return static_cast<std::int32_t>(U32()); }
   std::uint64_t U64();
-  std::int64_t I64() { return static_cast<std::int64_t>(U64()); }
   float Float();
   double Double();
   std::string Text();

@@ -74,11 +74,6 @@ void TreeBody::SetPose(const Pose3& X_GB) {
   Refresh();
 }
 
-void TreeBody::SetSpeeds(const Speeds& speeds) {
-  speeds_ = speeds;
-  Refresh();
-}
-
 // Places, speeds and inertias of all links, from the base outwards.
 void TreeBody::Refresh() {
   for (std::size_t i = 0; i < links_.size(); ++i) {

@@ -205,7 +205,6 @@ WheelLoad WheelSoil::Step(HeightGrid& grid, const WheelMotion& motion, double dt
   load.force_G = motion.X_GK.R * Eigen::Vector3d(sum.force_x, sum.force_y, sum.force_z);
   load.torque_G = motion.X_GK.R * Eigen::Vector3d(sum.torque_x, sum.torque_y, sum.torque_z);
   load.sinkage_m = sum.sinkage_m;
-  load.in_contact = sum.sinkage_m > 0.0;
   return load;
 }
 

@@ -34,8 +34,7 @@ namespace dockyard {
 struct WheelLoad {
   Eigen::Vector3d force_G = Eigen::Vector3d::Zero();   // on the wheel [N]
   Eigen::Vector3d torque_G = Eigen::Vector3d::Zero();  // about the wheel's centre [N m]
-  double sinkage_m = 0.0;   // of the lowest element below the soil as it was
-  bool in_contact = false;  // anything of it below the soil as it was
+  double sinkage_m = 0.0;  // of the lowest element below the soil as it was
 };
 
 /// One wheel's contact state (shear displacement of every element) and the soil under it. Copyable

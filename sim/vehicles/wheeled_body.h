@@ -62,8 +62,6 @@ class WheeledBody {
   }
   bool has_arm() const { return arm_.has_value(); }
   const ArmBody& arm() const { return *arm_; }
-  /// The number of the arm's first motor.
-  int arm_motor() const { return motor_count() - (mast_ ? kMastMotors : 0) - kArmMotors; }
   /// The link that a motor of the mast turns.
   int mast_link(int motor) const { return mast_link_ + motor; }
   /// Puts the mast at these angles, for a start.

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <cstdint>
 
 namespace dockyard {
 namespace {
@@ -34,7 +34,7 @@ TEST(Cdr, GivesBackWhatWasWritten) {
   writer.Bool(true);
   writer.I32(-7);
   writer.U16(65535);
-  writer.I64(std::numeric_limits<std::int64_t>::min());
+  writer.U64(std::uint64_t{1} << 63);
   writer.Float(-0.5f);
   writer.Text("");
   writer.Bytes(Bytes({0, 255, 7}));
@@ -44,7 +44,7 @@ TEST(Cdr, GivesBackWhatWasWritten) {
   EXPECT_TRUE(reader.Bool());
   EXPECT_EQ(reader.I32(), -7);
   EXPECT_EQ(reader.U16(), 65535);
-  EXPECT_EQ(reader.I64(), std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(reader.U64(), std::uint64_t{1} << 63);
   EXPECT_EQ(reader.Float(), -0.5f);
   EXPECT_EQ(reader.Text(), "");
   EXPECT_EQ(reader.Bytes(), Bytes({0, 255, 7}));

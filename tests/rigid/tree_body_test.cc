@@ -200,7 +200,7 @@ TEST(TreeBody, KeepsItsEnergyButByTheStepsFirstOrderError) {
     TreeBody body(links, {}, {});
     TreeBody::Speeds speeds = TreeBody::Speeds::Zero(15);
     for (int i = 0; i < 15; ++i) speeds[i] = 0.3 * std::sin(1.0 + i);
-    body.SetSpeeds(speeds);
+    body.AddSpeeds(speeds);
     const double before = body.KineticEnergy();
     for (int i = 0; i < std::lround(0.5 / step_s); ++i) {
       body.TakeLoads({0, 0, 0}, step_s);
@@ -219,7 +219,7 @@ TEST(TreeBody, HasTheJacobianOfItsPoints) {
   TreeBody body(AnyTree(random, 9), {}, {});
   TreeBody::Speeds speeds = TreeBody::Speeds::Zero(14);
   for (int i = 0; i < 14; ++i) speeds[i] = random.Uniform(-1, 1);
-  body.SetSpeeds(speeds);
+  body.AddSpeeds(speeds);
   for (int i = 0; i < 9; ++i) {
     const Vector3d p_L = AnyVector(random, 0.3), p_G = body.motion(i).X_GL * p_L;
     const Vector3d v_G = body.JacobianOf(i, p_G) * speeds;

@@ -51,7 +51,7 @@ TEST(ArmGrasp, PressesAsTheMotorsTorqueOverTheLever) {
     const Vector3d arm_G = tree.motion(link).X_GL.R * scoop.p_LoCom_L;
     const double weight_nm =
         axis_G.dot(arm_G.cross(Vector3d(0.0, 0.0, -scoop.mass_kg * kEarthGravity_m_s2)));
-    const double torque_nm = rig.body.output(rig.body.arm_motor() + motor).torque_nm();
+    const double torque_nm = rig.body.output(rig.first_motor() + motor).torque_nm();
     EXPECT_NEAR(moment_nm, -torque_nm - weight_nm, 2e-3);
     EXPECT_NEAR(std::abs(moment_nm), limit_nm, friction_nm + std::abs(weight_nm) + 1e-3);
   }

@@ -55,12 +55,14 @@ class ArmRig {
     for (int i = 0; i < std::lround(time_s / step_s_); ++i) Step();
   }
 
-  double angle_rad(int arm_motor) const { return body.angle_rad(body.arm_motor() + arm_motor); }
-  double current_a(int arm_motor) const {
-    return body.output(body.arm_motor() + arm_motor).current_a;
+  /// The number of the arm's first motor.
+  int first_motor() const {
+    return body.motor_count() - (model.mast ? kMastMotors : 0) - kArmMotors;
   }
+  double angle_rad(int arm_motor) const { return body.angle_rad(first_motor() + arm_motor); }
+  double current_a(int arm_motor) const { return body.output(first_motor() + arm_motor).current_a; }
   void Turn(int arm_motor, double angle_rad, double speed_rad_s = 0.4, double current_a = 10.0) {
-    commands[static_cast<std::size_t>(body.arm_motor() + arm_motor)] = {
+    commands[static_cast<std::size_t>(first_motor() + arm_motor)] = {
         MotorMode::kPosition, angle_rad, speed_rad_s, 2.0, current_a};
   }
   /// Of the scoops' axis in G.

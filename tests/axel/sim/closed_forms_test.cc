@@ -116,8 +116,10 @@ TEST(ClosedForm, TumblingBodyKeepsEnergyAndMomentumToTheStepsFirstOrder) {
 /// The same of the whole rover, joints free.
 Drift TumbleRover(double step_s) {
   Afloat world(0.0);
-  world.rover.SetBodySpeed(Eigen::Vector3d::Zero(), Eigen::Vector3d(0.2, 0.4, 0.9));
-  world.rover.SetJointSpeed(RoverLink::kArm, 0.5);
+  RoverBody::Speeds start;
+  start << 0.0, 0.0, 0.0, 0.2, 0.4, 0.9, 0.0, 0.0, 0.5;
+  world.rover.AddSpeeds(start);
+  world.rover.Refresh();
   const auto Energy = [&] {
     double sum = 0.0;
     for (RoverLink link : kAllLinks) {

@@ -105,7 +105,8 @@ double PeakOfAnArmsBlow(double rotor_kg_m2, double step_s) {
                   false);
   StationBody station(heavy, Pose3{});
   ContactWorld bullet(heavy.cone, kWeightless, rover, station);
-  rover.SetJointSpeed(RoverLink::kArm, 0.2);
+  rover.AddSpeeds(0.2 * RoverBody::Speeds::Unit(8));  // of the arm
+  rover.Refresh();
   double peak = 0.0;
   for (long i = 0; i < std::lround(0.4 / step_s); ++i) {
     bullet.Step(step_s);

@@ -94,14 +94,11 @@ TEST(RoverBody, MassMatrixGivesTheLinksKineticEnergyAndJacobiansTheirVelocities)
   const RoverModel model = Axel();
   RoverBody rover(model, {RotZ(0.4) * RotY(0.3) * RotX(0.2), Eigen::Vector3d(5.0, 1.0, 2.0)}, 0.7,
                   false);
-  rover.SetBodySpeed({0.3, -0.2, 0.1}, {0.5, 0.7, -0.4});
   RoverBody::Speeds speeds;
   speeds << 0.3, -0.2, 0.1, 0.5, 0.7, -0.4, 1.1, -0.9, 0.6;
+  rover.AddSpeeds(speeds);
+  rover.Refresh();
   double energy = 0.0;
-  for (int i = 0; i < kRoverLinkCount; ++i) {
-    const RoverLink link = static_cast<RoverLink>(i);
-    if (i > 0) rover.SetJointSpeed(link, speeds[5 + i]);
-  }
   for (int i = 0; i < kRoverLinkCount; ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
     const LinkModel& own = LinkOf(model, link);
@@ -125,11 +122,11 @@ TEST(RoverBody, SpeedsChangeAsByTheArticulatedBodyAlgorithm) {
   model.body.p_LoCom_L = Eigen::Vector3d(0.05, 0.02, -0.03);
   const Pose3 X_GR{RotZ(0.4) * RotY(0.3) * RotX(0.2), Eigen::Vector3d(5.0, 1.0, 2.0)};
   RoverBody ours(model, X_GR, 0.7, false), bullets(model, X_GR, 0.7, false);
+  RoverBody::Speeds start;
+  start << 0.3, -0.2, 0.1, 0.5, 0.7, -0.4, 1.1, -0.9, 0.6;
   for (RoverBody* rover : {&ours, &bullets}) {
-    rover->SetBodySpeed({0.3, -0.2, 0.1}, {0.5, 0.7, -0.4});
-    rover->SetJointSpeed(RoverLink::kLeftWheel, 1.1);
-    rover->SetJointSpeed(RoverLink::kRightWheel, -0.9);
-    rover->SetJointSpeed(RoverLink::kArm, 0.6);
+    rover->AddSpeeds(start);
+    rover->Refresh();
   }
   const Eigen::Vector3d gravity_G(0.3, -0.2, -9.7);
   btMultiBody& body = *bullets.multibody();
