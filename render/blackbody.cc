@@ -1,15 +1,12 @@
 #include "render/blackbody.h"
 
-#include <stdexcept>
-
+#include "controller/base/check.h"
 #include "render/shading.h"
 
 namespace dockyard {
 
 Eigen::Vector2d BlackbodyChromaticity(double t) {
-  if (!(t >= 1667.0 && t <= 25000.0)) {
-    throw std::invalid_argument("colour temperature: expected 1667 to 25000 K");
-  }
+  DOCKYARD_CHECK(t >= 1667.0 && t <= 25000.0);
   const double u = 1e3 / t;
   const double x = t < 4000.0 ? ((-0.2661239 * u - 0.2343589) * u + 0.8776956) * u + 0.179910
                               : ((-3.0258469 * u + 2.1070379) * u + 0.2226347) * u + 0.240390;

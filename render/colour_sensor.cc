@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
+#include "controller/base/check.h"
 #include "render/optics.h"
 #include "render/pixel_noise.h"
 #include "render/two_widths.h"
@@ -22,18 +22,16 @@ constexpr float kLeastSkew = 0.14f;
 constexpr double kDarkest = 1e-9;  // radiance
 
 void RequireSound(const ColourSensorOptions& o) {
-  const auto require = [](bool good, const char* what) {
-    if (!good) throw std::invalid_argument(std::string("colour sensor: ") + what);
-  };
-  require(o.blur_sigma_px >= 0.0 && o.blur_sigma_px <= 1.5, "blur must lie in 0 to 1.5 px");
-  require(o.full_well_e > 0.0 && std::isfinite(o.full_well_e), "full well must be positive");
-  require(o.read_noise_e >= 0.0 && std::isfinite(o.read_noise_e),
-          "read noise must not be negative");
-  require(o.target_level > 0.0 && o.target_level <= 1.0, "target level must lie in 0 to 1");
-  require(o.exposure_lag_s >= 0.0 && o.balance_lag_s >= 0.0, "no lag may be negative");
-  require(o.fixed_exposure_e >= 0.0 && o.most_exposure_e > 0.0, "exposures must be positive");
-  require(o.most_balance >= 1.0, "the balance's range must be at least 1");
-  require(o.balance.allFinite() && o.balance.minCoeff() > 0.0, "gains must be positive");
+  if (!(o.blur_sigma_px >= 0.0 && o.blur_sigma_px <= 1.5)) {
+    throw std::invalid_argument("colour sensor: blur must lie in 0 to 1.5 px");
+  }
+  DOCKYARD_CHECK(o.full_well_e > 0.0 && std::isfinite(o.full_well_e));
+  DOCKYARD_CHECK(o.read_noise_e >= 0.0 && std::isfinite(o.read_noise_e));
+  DOCKYARD_CHECK(o.target_level > 0.0 && o.target_level <= 1.0);
+  DOCKYARD_CHECK(o.exposure_lag_s >= 0.0 && o.balance_lag_s >= 0.0);
+  DOCKYARD_CHECK(o.fixed_exposure_e >= 0.0 && o.most_exposure_e > 0.0);
+  DOCKYARD_CHECK(o.most_balance >= 1.0);
+  DOCKYARD_CHECK(o.balance.allFinite() && o.balance.minCoeff() > 0.0);
 }
 
 // Means of red, green and blue over the part that the hole leaves.

@@ -1,13 +1,12 @@
 #include "render/colour_table.h"
 
-#include <stdexcept>
+#include "controller/base/check.h"
 
 namespace dockyard {
 
 ColourTable MakeColourTable(const SceneSpectra& spectra, const CameraResponse& camera) {
-  if (spectra.ground < 0 || spectra.ground >= static_cast<int>(spectra.materials.size())) {
-    throw std::invalid_argument("colour table: the ground is none of the materials");
-  }
+  DOCKYARD_CHECK(spectra.ground >= 0 &&
+                 spectra.ground < static_cast<int>(spectra.materials.size()));
   const Spectrum& ground = spectra.materials[static_cast<std::size_t>(spectra.ground)];
   const auto colour = [&](const Spectrum& material) {
     MaterialColour c{.sun = ColourOf(spectra.sun, material, camera),

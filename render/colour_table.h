@@ -29,7 +29,7 @@ struct ColourTable {
   MaterialColour white;  // of reflectance 1: what is seen of the sky itself
 };
 
-/// Throws std::invalid_argument when the ground is none of the materials.
+/// The ground is one of the materials.
 ColourTable MakeColourTable(const SceneSpectra& spectra, const CameraResponse& camera);
 
 }  // namespace dockyard

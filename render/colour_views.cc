@@ -23,13 +23,6 @@ constexpr ShadowDetail kShadow{.coarse_texels = 384, .fine_texels = 256, .near_m
 constexpr int kFanStep = 3;
 constexpr int kSectorsBeside = 6;  // more of the ground's fan for poses beside the middle one
 
-void RequireSound(const ColourView& view) {
-  RequireSoundHole(view.hole);
-  if (!(view.vignetting_exponent >= 0.0 && view.vignetting_exponent <= 20.0)) {
-    throw std::invalid_argument("view: vignetting exponent must lie in 0 to 20");
-  }
-}
-
 Pose3 Rolled(const Pose3& X_WC) { return {X_WC.R * RotZ(kViewTurn_rad), X_WC.p}; }
 
 // A level ground is a plane, whose 1/z is linear in the tan plane: no triangles are needed.
@@ -92,10 +85,11 @@ TanRect RectOf(const Camera& camera, const PixelGrid& grid, const std::vector<Pi
 }  // namespace
 
 ColourViews::Lens ColourViews::MakeLens(const ColourView& view) {
-  RequireSound(view);
+  CheckHole(view.hole);
+  DOCKYARD_CHECK(view.vignetting_exponent >= 0.0 && view.vignetting_exponent <= 20.0);
   const Camera& camera = view.camera;
   const TanScale scale(camera);
-  if (scale.pupil_moves()) throw std::invalid_argument("view: the lens must have one centre");
+  DOCKYARD_CHECK(!scale.pupil_moves());
   const int w = camera.width, h = camera.height;
   std::vector<float> shares(static_cast<std::size_t>(w) * h);
   int left = w, right = -1, top = h, bottom = -1;

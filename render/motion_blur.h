@@ -30,7 +30,7 @@ Eigen::Vector2d ImageShift_px(const Camera& camera, const ExposureMotion& camera
 /// Widens the image as a box of ImageShift_px would, by its second moment d^2/12:
 ///   I + (du^2 I_uu + 2 du dv I_uv + dv^2 I_vv) / 24,
 /// with derivatives of fourth order. For shifts below a pixel; longer ones count as 2.5 px.
-/// Throws std::logic_error when the image has no depths.
+/// The image has depths.
 void BlurByMotion(const Camera& camera, const ExposureMotion& camera_motion, RadianceImage& image);
 
 }  // namespace dockyard

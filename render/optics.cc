@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <type_traits>
 #include <variant>
 
+#include "controller/base/check.h"
 #include "render/two_widths.h"
 
 namespace dockyard {
@@ -212,9 +212,7 @@ Disc MakeDisc(double diameter_px) {
 // and far meet, the blur of either spills over the other.
 void Defocus(const Focus& focus, RadianceImage& image) {
   if (focus.distance_m == 0.0) return;
-  if (image.inverse_depth.size() != image.values.size()) {
-    throw std::invalid_argument("defocus: the view holds no depths");
-  }
+  DOCKYARD_CHECK(image.inverse_depth.size() == image.values.size());
   std::vector<Disc> discs;
   for (int i = 0; i * kDiameterStep_px <= kWidest_px; ++i) {
     discs.push_back(MakeDisc(std::max(i * kDiameterStep_px, kSharp_px)));
@@ -255,19 +253,13 @@ double BlurCircle_px(const Focus& focus, double z_m) {
   return c_m / focus.pixel_pitch_m;
 }
 
-void RequireSoundOptics(const SensorOptions& s) {
-  const auto require = [](bool good, const char* what) {
-    if (!good) throw std::invalid_argument(std::string("sensor: ") + what);
-  };
-  require(s.vignetting_exponent >= 0.0 && s.vignetting_exponent <= 20.0,
-          "vignetting exponent must lie in 0 to 20");
-  require(s.blur_sigma_px >= 0.0 && s.blur_sigma_px <= 20.0, "blur must lie in 0 to 20 px");
+void CheckOptics(const SensorOptions& s) {
+  DOCKYARD_CHECK(s.vignetting_exponent >= 0.0 && s.vignetting_exponent <= 20.0);
+  DOCKYARD_CHECK(s.blur_sigma_px >= 0.0 && s.blur_sigma_px <= 20.0);
   const Focus& focus = s.focus;
-  require(focus.distance_m == 0.0 ||
-              (focus.focal_length_m > 0.0 && focus.f_number > 0.0 && focus.pixel_pitch_m > 0.0 &&
-               focus.distance_m > focus.focal_length_m),
-          "focus needs a focal length, an f-number, a pixel pitch, and a distance beyond the focal "
-          "length");
+  if (focus.distance_m == 0.0) return;
+  DOCKYARD_CHECK(focus.focal_length_m > 0.0 && focus.distance_m > focus.focal_length_m);
+  DOCKYARD_CHECK(focus.f_number > 0.0 && focus.pixel_pitch_m > 0.0);
 }
 
 void ApplyOptics(const Camera& camera, const SensorOptions& sensor, RadianceImage& image) {

@@ -9,8 +9,8 @@ namespace dockyard {
 /// f)) (e.g. Ray, Applied Photographic Optics). 0 when the focus distance is 0: all is sharp.
 double BlurCircle_px(const Focus& focus, double z_m);
 
-/// Throws std::invalid_argument when options are no lens's.
-void RequireSoundOptics(const SensorOptions& sensor);
+/// Checks that the options are a lens's.
+void CheckOptics(const SensorOptions& sensor);
 
 /// Gaussian blur; the border's values go on beyond it. 0: none.
 void Blur(double sigma_px, RadianceImage& image);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "controller/base/check.h"
 #include "render/scene_painter.h"
 
 namespace dockyard {
@@ -17,47 +18,50 @@ void RequirePose(const Pose3& X, const std::string& whose) {
   Require(X.p.allFinite() && off < 1e-6, whose + " pose is not a rigid transform");
 }
 
-void RequireLight(const SunAndSky& light) {
-  Require(std::abs(light.to_sun_W.norm() - 1.0) < 1e-6, "to_sun_W must be a unit vector");
-  Require(light.sun_irradiance >= 0.0 && light.sky_irradiance >= 0.0 &&
-              light.ground_bounce_albedo >= 0.0,
-          "light must not be negative");
-  Require(light.sun_rgb.minCoeff() >= 0.0 && light.sky_rgb.minCoeff() >= 0.0,
-          "no colour of light may be negative");
-  Require(light.sun_angular_diameter_rad >= 0.0 && light.sun_angular_diameter_rad < 0.2,
-          "the sun's diameter must lie in 0 to 0.2 rad");
+void CheckLight(const SunAndSky& light) {
+  DOCKYARD_CHECK(std::abs(light.to_sun_W.norm() - 1.0) < 1e-6);
+  DOCKYARD_CHECK(light.sun_irradiance >= 0.0 && light.sky_irradiance >= 0.0);
+  DOCKYARD_CHECK(light.ground_bounce_albedo >= 0.0);
+  DOCKYARD_CHECK(light.sun_rgb.minCoeff() >= 0.0 && light.sky_rgb.minCoeff() >= 0.0);
+  DOCKYARD_CHECK(light.sun_angular_diameter_rad >= 0.0 && light.sun_angular_diameter_rad < 0.2);
 }
 
-void RequireTether(const TetherView& tether) {
-  for (const Eigen::Vector3d& p : tether.points_W) {
+void CheckObject(const SceneObject& object) {
+  DOCKYARD_CHECK(object.mesh != nullptr);
+  DOCKYARD_CHECK(object.albedo.allFinite());
+  const Stains& stains = object.stains;
+  DOCKYARD_CHECK(stains.contrast >= 0.0 && stains.contrast <= 0.5);
+  DOCKYARD_CHECK(stains.least_m >= 1e-4 && stains.largest_m >= stains.least_m &&
+                 stains.largest_m <= 10.0);
+  RequirePose(object.X_WO, "an object's");
+}
+
+void CheckThinBody(const TetherView& body) {
+  DOCKYARD_CHECK(body.diameter_m >= 0.0);
+  for (const Eigen::Vector3d& p : body.points_W) {
     Require(p.allFinite(), "a point of the tether is not finite");
   }
-  Require(tether.diameter_m >= 0.0, "the tether's diameter must not be negative");
 }
 
-void RequireLamp(const Lamp& lamp) {
+void CheckLamp(const Lamp& lamp) {
   Require(lamp.p_W.allFinite(), "a lamp's place is not finite");
-  Require(std::abs(lamp.axis_W.norm() - 1.0) < 1e-6, "a lamp's axis must be a unit vector");
-  Require(lamp.half_angle_rad >= 0.0 && lamp.half_angle_rad < 0.5 * kPi,
-          "a lamp's half angle must lie in 0 to 90 deg");
-  Require(lamp.irradiance_1m >= 0.0 && std::isfinite(lamp.irradiance_1m),
-          "a lamp's light must not be negative");
+  DOCKYARD_CHECK(std::abs(lamp.axis_W.norm() - 1.0) < 1e-6);
+  DOCKYARD_CHECK(lamp.half_angle_rad >= 0.0 && lamp.half_angle_rad < 0.5 * kPi);
+  DOCKYARD_CHECK(lamp.irradiance_1m >= 0.0 && std::isfinite(lamp.irradiance_1m));
 }
 
-void RequireBoard(const BoardView& view) {
+void CheckBoard(const BoardView& view) {
   const FiducialBoard& board = view.board;
-  Require(
-      board.width_m > 0.0 && board.height_m > 0.0 && board.width_m < 10.0 && board.height_m < 10.0,
-      "a board's sides must be longer than 0 and shorter than 10 m");
+  DOCKYARD_CHECK(board.width_m > 0.0 && board.width_m < 10.0);
+  DOCKYARD_CHECK(board.height_m > 0.0 && board.height_m < 10.0);
   for (const Fiducial& f : board.fiducials) {
-    Require(f.p_BF.allFinite() && std::isfinite(f.rotation), "a fiducial is not finite");
+    DOCKYARD_CHECK(f.p_BF.allFinite() && std::isfinite(f.rotation));
   }
   for (const DustySpot& spot : view.dusty_spots) {
-    Require(spot.p_B.allFinite() && spot.radius_m >= 0.0 && spot.cover >= 0.0 && spot.cover <= 0.95,
-            "dust must cover 0 to 0.95 of a spot");
+    DOCKYARD_CHECK(spot.p_B.allFinite() && spot.radius_m >= 0.0);
+    DOCKYARD_CHECK(spot.cover >= 0.0 && spot.cover <= 0.95);
   }
-  Require(view.dust_cover >= 0.0 && view.dust_cover <= 0.6,
-          "dust must cover 0 to 0.6 of the board");
+  DOCKYARD_CHECK(view.dust_cover >= 0.0 && view.dust_cover <= 0.6);
   RequirePose(view.X_WB, "the board's");
 }
 
@@ -72,27 +76,16 @@ std::vector<const TetherView*> ThinBodies(const Scene& scene) {
 void RequireSoundScene(const Scene& scene) {
   Require(scene.objects.size() <= static_cast<std::size_t>(kMaxObjects),
           "at most " + std::to_string(kMaxObjects) + " objects can be drawn");
-  for (const SceneObject& object : scene.objects) {
-    Require(object.mesh != nullptr, "an object has no mesh");
-    RequirePose(object.X_WO, "an object's");
-    Require(object.albedo.allFinite(), "an albedo is not finite");
-    const Stains& stains = object.stains;
-    Require(stains.contrast >= 0.0 && stains.contrast <= 0.5,
-            "stains must have a contrast of 0 to 0.5");
-    Require(stains.least_m >= 1e-4 && stains.largest_m >= stains.least_m && stains.largest_m <= 10,
-            "stains must have sizes of 0.1 mm to 10 m, the largest no less than the least");
-  }
-  for (const TetherView* tether : ThinBodies(scene)) RequireTether(*tether);
-  for (const Lamp& lamp : scene.lamps) RequireLamp(lamp);
+  for (const SceneObject& object : scene.objects) CheckObject(object);
+  for (const TetherView* body : ThinBodies(scene)) CheckThinBody(*body);
+  for (const Lamp& lamp : scene.lamps) CheckLamp(lamp);
   if (scene.interest) {
-    Require(scene.interest->p_W.allFinite() && scene.interest->radius_m > 0.0,
-            "a point of interest needs a place and a radius");
+    DOCKYARD_CHECK(scene.interest->p_W.allFinite() && scene.interest->radius_m > 0.0);
   }
-  RequireLight(scene.light);
-  for (const BoardView& board : scene.boards) RequireBoard(board);
-  Require(scene.ground.grain >= 0.0 && scene.ground.grain <= 1.0,
-          "the ground's grain must lie in 0 to 1");
-  Require(scene.ground.largest_pebble_m >= 0.0, "a pebble's size must not be negative");
+  CheckLight(scene.light);
+  for (const BoardView& board : scene.boards) CheckBoard(board);
+  DOCKYARD_CHECK(scene.ground.grain >= 0.0 && scene.ground.grain <= 1.0);
+  DOCKYARD_CHECK(scene.ground.largest_pebble_m >= 0.0);
   RequireSoundGround(scene.ground);
   if (HasGround(scene.ground)) RequirePose(scene.ground.X_WG, "the ground's");
 }

@@ -1,8 +1,8 @@
 #include "render/scene_light.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+
+#include "controller/base/check.h"
 
 namespace dockyard {
 namespace {
@@ -11,18 +11,15 @@ Rgb ToRgb(const Eigen::Vector3d& c) {
   return {static_cast<float>(c.x()), static_cast<float>(c.y()), static_cast<float>(c.z())};
 }
 
-void RequireInTable(const Scene& scene, const ColourTable& table) {
-  const auto require = [](int index, std::size_t count, const char* what) {
-    if (index < 0 || index >= static_cast<int>(count)) {
-      throw std::invalid_argument(std::string("scene: the colour table has no ") + what + " " +
-                                  std::to_string(index));
-    }
+void CheckInTable(const Scene& scene, const ColourTable& table) {
+  const auto check = [](int index, std::size_t count) {
+    DOCKYARD_CHECK(index >= 0 && index < static_cast<int>(count));
   };
   const std::size_t materials = table.materials.size();
-  for (const SceneObject& object : scene.objects) require(object.material, materials, "material");
-  for (const TetherView* body : ThinBodies(scene)) require(body->material, materials, "material");
-  require(scene.ground.material, materials, "material");
-  for (const Lamp& lamp : scene.lamps) require(lamp.kind, table.white.lamps.size(), "lamp");
+  for (const SceneObject& object : scene.objects) check(object.material, materials);
+  for (const TetherView* body : ThinBodies(scene)) check(body->material, materials);
+  check(scene.ground.material, materials);
+  for (const Lamp& lamp : scene.lamps) check(lamp.kind, table.white.lamps.size());
 }
 
 SurfaceLight<float> OnAlbedo(const Scene& scene, const Eigen::Vector3d& albedo, Channel channel) {
@@ -79,7 +76,7 @@ SceneLight<float> LightIn(const Scene& scene, Channel channel, const Pose3& X_WC
 }
 
 SceneLight<Rgb> LightBy(const ColourTable& table, const Scene& scene, const Pose3& X_WC) {
-  RequireInTable(scene, table);
+  CheckInTable(scene, table);
   SceneLight<Rgb> light = Lamps<Rgb>(scene, X_WC);
   const auto place = [](int material) { return static_cast<std::size_t>(material); };
   for (const MaterialColour& colour : table.materials) {

@@ -53,8 +53,7 @@ struct SceneLight {
 /// By the surfaces' albedo in one channel. A lamp's light counts as white.
 SceneLight<float> LightIn(const Scene& scene, Channel channel, const Pose3& X_WC);
 /// By the materials of the table; a board's paints are even greys, its dust has the ground's
-/// material. Throws std::invalid_argument when the scene names a material or a kind of lamp that
-/// the table does not have.
+/// material. The table has the scene's materials and kinds of lamps.
 SceneLight<Rgb> LightBy(const ColourTable& table, const Scene& scene, const Pose3& X_WC);
 
 }  // namespace dockyard

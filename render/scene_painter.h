@@ -17,7 +17,8 @@
 
 namespace dockyard {
 
-/// Throws std::invalid_argument that names the part of the scene that cannot be drawn.
+/// Throws std::invalid_argument for what logs and files bring: places that are not finite, poses
+/// that are not rigid, a ground that cannot be drawn, too many objects. Checks all else.
 void RequireSoundScene(const Scene& scene);
 
 /// Views begin at this depth.

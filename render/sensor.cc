@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <stdexcept>
 
 #include "controller/base/check.h"
 #include "render/optics.h"
@@ -20,24 +19,17 @@ namespace {
 // mean and variance: its skewness, 1 / sqrt(mean), is 0.14 there.
 constexpr float kFewElectrons = 50.0f;
 
-void RequireSound(const SensorOptions& s) {
-  const auto require = [](bool good, const char* what) {
-    if (!good) throw std::invalid_argument(std::string("sensor: ") + what);
-  };
-  require(s.full_well_e > 0.0 && std::isfinite(s.full_well_e), "full well must be positive");
-  require(s.read_noise_e >= 0.0 && std::isfinite(s.read_noise_e),
-          "read noise must not be negative");
-  require(s.response_sigma >= 0.0 && s.response_sigma <= 0.2,
-          "the pixels' response must vary by 0 to 0.2");
-  require(s.bits >= 8 && s.bits <= 16, "a pixel has 8 to 16 bits");
-  require(s.exposure_percent > 0.0 && s.exposure_percent < 100.0,
-          "exposure percentage must lie between 0 and 100");
-  require(s.target_level > 0.0 && s.target_level <= 1.0, "target level must lie in 0 to 1");
-  require(s.fixed_exposure_e >= 0.0 && std::isfinite(s.fixed_exposure_e),
-          "a fixed exposure must not be negative");
-  require(std::abs(s.exposure_stops) <= 16.0, "at most 16 stops off");
-  RequireSoundOptics(s);
-  for (const WindowOptions& window : s.windows) RequireSoundWindow(window);
+void CheckSensor(const SensorOptions& s) {
+  DOCKYARD_CHECK(s.full_well_e > 0.0 && std::isfinite(s.full_well_e));
+  DOCKYARD_CHECK(s.read_noise_e >= 0.0 && std::isfinite(s.read_noise_e));
+  DOCKYARD_CHECK(s.response_sigma >= 0.0 && s.response_sigma <= 0.2);
+  DOCKYARD_CHECK(s.bits >= 8 && s.bits <= 16);
+  DOCKYARD_CHECK(s.exposure_percent > 0.0 && s.exposure_percent < 100.0);
+  DOCKYARD_CHECK(s.target_level > 0.0 && s.target_level <= 1.0);
+  DOCKYARD_CHECK(s.fixed_exposure_e >= 0.0 && std::isfinite(s.fixed_exposure_e));
+  DOCKYARD_CHECK(std::abs(s.exposure_stops) <= 16.0);
+  CheckOptics(s);
+  for (const WindowOptions& window : s.windows) CheckWindow(window);
 }
 
 // The k-th smallest of numbers that are not negative: their bits are in the same order, so first
@@ -143,7 +135,7 @@ GrayImage UpperBits(const DeepImage& deep) {
 
 std::array<DeepImage, 2> ExposeDeep(std::array<RadianceImage, 2> radiance, const StereoRig& rig,
                                     const SensorOptions& sensor) {
-  RequireSound(sensor);
+  CheckSensor(sensor);
   const std::array<RadianceImage, 2> images = ThroughLens(std::move(radiance), rig, sensor);
   const double gain = Gain(images, sensor);
   return {Digitise(images[0], gain, sensor, 0, SplitMix(sensor.noise_key, 0)),
@@ -159,7 +151,7 @@ StereoImages ExposeStereo(std::array<RadianceImage, 2> radiance, const StereoRig
 std::array<std::array<DeepImage, 3>, 2> ExposeColour(
     const std::array<std::array<RadianceImage, 3>, 2>& radiance, const StereoRig& rig,
     const SensorOptions& sensor) {
-  RequireSound(sensor);
+  CheckSensor(sensor);
   std::array<std::array<RadianceImage, 2>, 3> seen;  // by channel, then camera
   for (int channel = 0; channel < 3; ++channel) {
     seen[channel] = ThroughLens({radiance[0][channel], radiance[1][channel]}, rig, sensor);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "controller/base/check.h"
 
 namespace dockyard {
 namespace {
@@ -60,9 +61,7 @@ Spectrum PlanckLight(double temperature_k) {
 }
 
 Spectrum DaylightLight(double t) {
-  if (!(t >= 4000.0 && t <= 25000.0)) {
-    throw std::invalid_argument("daylight: expected 4000 to 25000 K");
-  }
+  DOCKYARD_CHECK(t >= 4000.0 && t <= 25000.0);
   const double u = 1e3 / t;
   const double x = t <= 7000.0 ? ((-4.6070 * u + 2.9678) * u + 0.09911) * u + 0.244063
                                : ((-2.0064 * u + 1.9018) * u + 0.24748) * u + 0.237040;

@@ -29,7 +29,7 @@ struct Spectrum {
 /// A black body's (Planck). Lamps with filaments 2700-3000 K, warm ones up to 4000 K.
 Spectrum PlanckLight(double temperature_k);
 /// Daylight of the CIE's D series, 4000 to 25000 K (CIE 15; Judd, MacAdam and Wyszecki 1964).
-/// Throws std::invalid_argument beyond. D65 is that of 6504 K.
+/// D65 is that of 6504 K.
 Spectrum DaylightLight(double temperature_k);
 /// A white light diode: a blue line at 450 nm, 20 nm wide at half its height (assumed, 445-460 and
 /// 18-30), and a phosphor's broad yellow at 560 nm, 120 nm wide (assumed, 545-570 and 100-140).

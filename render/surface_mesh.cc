@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 #include <tuple>
 
+#include "controller/base/check.h"
 #include "controller/geometry/pose.h"
 
 namespace dockyard {
@@ -15,17 +15,10 @@ namespace {
 constexpr double kCreaseAngle = 40.0 * kPi / 180.0;
 constexpr int kTubeSides = 8;
 
-void RequireSound(const RenderMesh& mesh) {
-  for (const Eigen::Vector3f& v : mesh.vertices) {
-    if (!v.allFinite()) throw std::invalid_argument("mesh: a vertex is not finite");
-  }
+void Check(const RenderMesh& mesh) {
+  for (const Eigen::Vector3f& v : mesh.vertices) DOCKYARD_CHECK(v.allFinite());
   for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t i : triangle) {
-      if (i >= mesh.vertices.size()) {
-        throw std::invalid_argument("mesh: a triangle names vertex " + std::to_string(i) + " of " +
-                                    std::to_string(mesh.vertices.size()));
-      }
-    }
+    for (const std::uint32_t i : triangle) DOCKYARD_CHECK(i < mesh.vertices.size());
   }
 }
 
@@ -99,7 +92,7 @@ std::vector<Eigen::Vector3d> WithoutRepeats(const std::vector<Eigen::Vector3d>& 
 }  // namespace
 
 SurfaceMesh WithNormals(const RenderMesh& mesh) {
-  RequireSound(mesh);
+  Check(mesh);
   const auto weld = WeldByPlace(mesh.vertices);
   const FacesAtVertex at = CollectFaces(mesh, weld);
   std::vector<Eigen::Vector3f> area(mesh.triangles.size());  // twice the face's area, along normal

@@ -23,8 +23,7 @@ struct SurfaceMesh {
 
 /// Normals by crease angle: faces that meet at less than 40 deg share a normal (assumed, 30-60 deg
 /// is what modelling tools default to), sharper edges stay sharp. Degenerate triangles are dropped.
-/// Throws std::invalid_argument when a triangle names a vertex that is not there, or one is not
-/// finite.
+/// The readers of meshes refuse vertices that are not finite, and triangles of others.
 SurfaceMesh WithNormals(const RenderMesh& mesh);
 
 /// Centre and radius of a ball round all vertices, in the mesh's frame; radius 0 when empty.

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
+#include "controller/base/check.h"
 #include "controller/geometry/pose.h"
 
 namespace dockyard {
@@ -25,14 +24,9 @@ double ShareThroughHole(const ViewHole& hole, const Eigen::Vector2d& tan) {
   return (segment(a, to_chord) + segment(r, d - to_chord)) / (kPi * r * r);
 }
 
-void RequireSoundHole(const ViewHole& hole) {
-  const auto require = [](bool good, const char* what) {
-    if (!good) throw std::invalid_argument(std::string("hole: ") + what);
-  };
-  require(hole.half_angle_rad >= 0.0 && hole.half_angle_rad < 1.2,
-          "the hole's half angle must lie in 0 to 1.2 rad");
-  require(hole.distance_m > 0.0 && hole.pupil_m >= 0.0 && hole.middle.allFinite(),
-          "the hole needs a distance, and a pupil that is not negative");
+void CheckHole(const ViewHole& hole) {
+  DOCKYARD_CHECK(hole.half_angle_rad >= 0.0 && hole.half_angle_rad < 1.2);
+  DOCKYARD_CHECK(hole.distance_m > 0.0 && hole.pupil_m >= 0.0 && hole.middle.allFinite());
 }
 
 }  // namespace dockyard

@@ -18,7 +18,7 @@ struct ViewHole {
 /// Share of the pupil that sees out through the hole along (tan, 1), far away: two discs' overlap.
 double ShareThroughHole(const ViewHole& hole, const Eigen::Vector2d& tan);
 
-/// Throws std::invalid_argument when the numbers are no hole's.
-void RequireSoundHole(const ViewHole& hole);
+/// Checks that the numbers are a hole's.
+void CheckHole(const ViewHole& hole);
 
 }  // namespace dockyard

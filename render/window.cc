@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
+#include "controller/base/check.h"
 #include "render/pixel_noise.h"
 
 namespace dockyard {
@@ -145,24 +144,16 @@ std::vector<float> DustTransmission(const Camera& camera, const WindowOptions& w
   return shaded;
 }
 
-void RequireSoundWindow(const WindowOptions& window) {
-  const auto require = [](bool good, const char* what) {
-    if (!good) throw std::invalid_argument(std::string("window: ") + what);
-  };
-  require(window.cover_share >= 0.0 && window.cover_share <= 0.95,
-          "a cover takes 0 to 0.95 of the image");
-  require(std::isfinite(window.cover_side_rad), "a cover's side must be an angle");
-  require(window.dust_share >= 0.0 && window.dust_share <= 0.8, "dust takes 0 to 0.8 of the image");
-  require(window.dust_scatter >= 0.0 && window.dust_scatter <= 1.0,
-          "dust scatters 0 to 1 of its light");
+void CheckWindow(const WindowOptions& window) {
+  DOCKYARD_CHECK(window.cover_share >= 0.0 && window.cover_share <= 0.95);
+  DOCKYARD_CHECK(std::isfinite(window.cover_side_rad));
+  DOCKYARD_CHECK(window.dust_share >= 0.0 && window.dust_share <= 0.8);
+  DOCKYARD_CHECK(window.dust_scatter >= 0.0 && window.dust_scatter <= 1.0);
   if (window.cover_share == 0.0 && window.dust_share == 0.0) return;
-  require(window.distance_m > 0.0 && std::isfinite(window.distance_m),
-          "its distance must be positive");
-  require(window.pupil_m > 0.0 && window.pupil_m <= window.distance_m,
-          "the pupil must be positive and not wider than the window is far");
+  DOCKYARD_CHECK(window.distance_m > 0.0 && std::isfinite(window.distance_m));
+  DOCKYARD_CHECK(window.pupil_m > 0.0 && window.pupil_m <= window.distance_m);
   if (window.dust_share == 0.0) return;
-  require(window.dust_clump_m > 0.0 && window.dust_clump_m <= window.distance_m,
-          "clumps must be positive and not wider than the window is far");
+  DOCKYARD_CHECK(window.dust_clump_m > 0.0 && window.dust_clump_m <= window.distance_m);
 }
 
 void ApplyWindow(const Camera& camera, const WindowOptions& window, RadianceImage& image) {

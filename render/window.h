@@ -20,8 +20,8 @@ double CoverEdge_px(const Camera& camera, const WindowOptions& window);
 std::vector<float> DustTransmission(const Camera& camera, const WindowOptions& window);
 std::vector<float> CoverTransmission(const Camera& camera, const WindowOptions& window);
 
-/// Throws std::invalid_argument when options are no window's.
-void RequireSoundWindow(const WindowOptions& window);
+/// Checks that the options are a window's.
+void CheckWindow(const WindowOptions& window);
 
 /// Dims the ideal view by cover and dust, and veils it by the light that the dust scatters. Leaves
 /// a view behind a clean window as it is.

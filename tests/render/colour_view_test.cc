@@ -7,6 +7,7 @@
 
 #include "render/colour_samples.h"
 #include "render/measure.h"
+#include "render/scene_light.h"
 #include "render/shutter.h"
 
 namespace dockyard {
@@ -370,12 +371,12 @@ TEST(ColourView, HasEqualBitsWhateverWasDrawnBefore) {
 
 TEST(ColourView, RefusesWhatTheTableDoesNotHave) {
   const auto marks = MarksAt(0.7, PlanckLight(4000.0));
-  StereoRenderer renderer;
+  const ColourTable table = MakeColourTable(marks->spectra, CheapCamera());
   marks->scene.objects[0].material = 9;
-  EXPECT_THROW(DrawBy(renderer, *marks, MarksView()), std::invalid_argument);
+  EXPECT_DEATH(LightBy(table, marks->scene, marks->X_WC), "check failed");
   marks->scene.objects[0].material = 0;
   marks->scene.lamps = {{.kind = 3}};
-  EXPECT_THROW(DrawBy(renderer, *marks, MarksView()), std::invalid_argument);
+  EXPECT_DEATH(LightBy(table, marks->scene, marks->X_WC), "check failed");
 }
 
 }  // namespace

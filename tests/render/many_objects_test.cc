@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/measure.h"
+#include "render/scene_painter.h"
 #include "render/soil_texture.h"
 
 namespace dockyard {
@@ -165,9 +166,9 @@ TEST(Stains, LieAtOnePlaceInBothPicturesOfAPair) {
 }
 
 TEST(Stains, AreRefusedOutOfRange) {
-  EXPECT_THROW(LeftOf(StainedPlate({.contrast = 0.6}).scene, kView), std::invalid_argument);
-  EXPECT_THROW(LeftOf(StainedPlate({.contrast = 0.1, .largest_m = 1e-3}).scene, kView),
-               std::invalid_argument);
+  EXPECT_DEATH(RequireSoundScene(StainedPlate({.contrast = 0.6}).scene), "check failed");
+  const Stains narrow{.contrast = 0.1, .largest_m = 1e-3};
+  EXPECT_DEATH(RequireSoundScene(StainedPlate(narrow).scene), "check failed");
 }
 
 // Height is the fourth byte, 127 steps for 3 cm. A pebble reaches up to 0.7 of its radius at most,

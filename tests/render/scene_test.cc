@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "render/measure.h"
+#include "render/scene_painter.h"
 
 namespace dockyard {
 namespace {
@@ -267,20 +268,24 @@ TEST(Tether, ThinnerThanAPixelStaysAFaintLine) {
   EXPECT_GT(worst, 0.5 * thickness_px);
 }
 
-TEST(Scene, BadInputIsRefusedWithAReason) {
+TEST(Scene, BadPlacesAreRefused) {
   StereoRenderer renderer;
   const StereoRig rig = SampleRig(64, 48);
   Scene scene = BoardOnly();
-  scene.light.to_sun_W = {0, 0, 2};
-  EXPECT_THROW(renderer.RenderRadiance(scene, rig, {}), std::invalid_argument);
-  scene = BoardOnly();
   scene.ground.nx = scene.ground.ny = 10;
   EXPECT_THROW(renderer.RenderRadiance(scene, rig, {}), std::invalid_argument);
   scene = BoardOnly();
+  scene.boards[0].X_WB.p.x() = std::nan("");
+  EXPECT_THROW(renderer.RenderRadiance(scene, rig, {}), std::invalid_argument);
+}
+
+TEST(Scene, IsCheckedWhereOurOwnCodeMadeIt) {
+  Scene scene = BoardOnly();
+  scene.light.to_sun_W = {0, 0, 2};
+  EXPECT_DEATH(RequireSoundScene(scene), "check failed");
   RenderMesh broken = BoxToRender({1, 1, 1});
   broken.triangles.push_back({0, 1, 99});
-  scene.objects.push_back({Share(broken), {}, {0.5, 0.5, 0.5}});
-  EXPECT_THROW(renderer.RenderRadiance(scene, rig, {}), std::invalid_argument);
+  EXPECT_DEATH(WithNormals(broken), "check failed");
 }
 
 TEST(Lens, WiderThanOneFlatViewServesIsRefused) {
