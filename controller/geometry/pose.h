@@ -32,6 +32,17 @@ constexpr double Degrees(double radians) { return radians * (180.0 / kPi); }
 /// The angle wrapped to (-pi, pi].
 double WrapPi(double angle_rad);
 
+/// Of the cross product of two vectors in a plane, the part out of it.
+inline double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+/// The matrix that makes v x w of w.
+inline Eigen::Matrix3d CrossMatrix(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d M;
+  M << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return M;
+}
+
 /// Planar rigid transform.
 struct Pose2 {
   double x = 0.0;        // [m]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/geometry/pose.h"
 #include "controller/motion/circle_way.h"
 
 namespace dockyard {

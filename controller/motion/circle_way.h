@@ -44,7 +44,6 @@ struct CircleWay {
   double LeastAlong(const Eigen::Vector2d& direction) const;
 };
 
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 /// Distance of a point from a segment.
 double ToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 

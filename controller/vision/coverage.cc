@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/geometry/pose.h"
+
 namespace dockyard {
 namespace {
-
-double CrossOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Weights at -n .. n. A narrow Gaussian has three, with its variance.
 std::vector<float> Kernel(double sigma) {
@@ -42,7 +40,7 @@ ConvexPolygon HullOf(ConvexPolygon points) {
   for (int side = 0; side < 2; ++side) {
     const int first = hull.count;
     for (auto p = points.corners.begin(); p != end; ++p) {
-      while (hull.count >= first + 2 && CrossOf(last(1) - last(2), *p - last(1)) <= 0.0) {
+      while (hull.count >= first + 2 && Cross(last(1) - last(2), *p - last(1)) <= 0.0) {
         --hull.count;
       }
       hull.Add(*p);
@@ -64,7 +62,7 @@ void Coverage::Add(const ConvexPolygon& polygon) {
   const auto at = [&](int i) {
     return polygon.corners[static_cast<std::size_t>(i % polygon.count)];
   };
-  for (int i = 0; i < polygon.count; ++i) area += CrossOf(at(i), at(i + 1));
+  for (int i = 0; i < polygon.count; ++i) area += Cross(at(i), at(i + 1));
   // An edge that goes down takes what lies right of it away in one sense of turning.
   const double sign = area > 0.0 ? -1.0 : 1.0;
   for (int i = 0; i < polygon.count; ++i) {

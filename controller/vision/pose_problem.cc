@@ -3,8 +3,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 #include "controller/base/check.h"
 
@@ -17,12 +15,6 @@ Eigen::Matrix3d Turn(const Eigen::Vector3d& w) {
   const double angle = w.norm();
   if (angle < 1e-14) return Eigen::Matrix3d::Identity();
   return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
-}
-
-Eigen::Matrix3d Cross(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d M;
-  M << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return M;
 }
 
 }  // namespace
@@ -55,7 +47,8 @@ std::array<PoseProblem::PosedCamera, 2> PoseProblem::PosedCameras(const PoseEsti
       const double half = v == 0 ? -0.5 : 0.5;
       posed.R_CR = Turn(half * at.turn_rad).transpose() * posed.R_CR;
       // Right Jacobian of the rotation vector, to first order: the turn is below 1 deg.
-      posed.turn_by_step = half * (Eigen::Matrix3d::Identity() - 0.5 * half * Cross(at.turn_rad));
+      posed.turn_by_step =
+          half * (Eigen::Matrix3d::Identity() - 0.5 * half * CrossMatrix(at.turn_rad));
     }
     posed.p_CR = -(posed.R_CR * X_RC.p);
     posed.R_CB = posed.R_CR * at.X_RB.R;
@@ -85,11 +78,11 @@ Eigen::Vector2d PoseProblem::Error(const PosedCamera& posed, std::size_t i,
 void PoseProblem::Steps(const PosedCamera& posed, std::size_t i, const PixelJacobian& J,
                         Eigen::Matrix<double, 2, 9>* by_step) const {
   const PointPixel& point = points_[i];
-  by_step->leftCols<3>() = -(J * posed.R_CB) * Cross(point.p_B);
+  by_step->leftCols<3>() = -(J * posed.R_CB) * CrossMatrix(point.p_B);
   by_step->middleCols<3>(3) = J * posed.R_CR;
   if (joint_) {
     const Eigen::Vector3d p_C = posed.R_CB * point.p_B + posed.p_CB;
-    by_step->rightCols<3>() = J * Cross(p_C) * posed.turn_by_step;
+    by_step->rightCols<3>() = J * CrossMatrix(p_C) * posed.turn_by_step;
   } else {
     by_step->rightCols<3>().setZero();
   }

@@ -14,12 +14,6 @@ double RotorInertia(const RoverModel& rover, Motor motor) {
   return rover.motors[static_cast<int>(motor)].reflected_inertia_kg_m2;
 }
 
-Eigen::Matrix3d Cross(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d M;
-  M << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return M;
-}
-
 // Half the diagonal of the box round a shape, from its compound's origin.
 double Reach(btCompoundShape* shape) {
   if (shape->getNumChildShapes() == 0) return 0.0;
@@ -180,7 +174,7 @@ RoverBody::Inertia RoverBody::MassMatrix(const LinkInertias& inertias) const {
     const double m = mass_kg_[i];
     const Eigen::Vector3d com_G = CentreOfMass(link), r = com_G - motion_[0].X_GL.p;
     const Eigen::Matrix3d& I_G = inertias[i];
-    const Eigen::Matrix3d r_cross = Cross(r);
+    const Eigen::Matrix3d r_cross = CrossMatrix(r);
     M.topLeftCorner<3, 3>().diagonal().array() += m;
     M.block<3, 3>(0, 3) -= m * r_cross;
     M.block<3, 3>(3, 3) += I_G - m * r_cross * r_cross;
@@ -199,7 +193,7 @@ Eigen::Matrix<double, 3, RoverBody::kSpeeds> RoverBody::PointJacobian(
     RoverLink link, const Eigen::Vector3d& p_G) const {
   Eigen::Matrix<double, 3, kSpeeds> J = Eigen::Matrix<double, 3, kSpeeds>::Zero();
   J.leftCols<3>().setIdentity();
-  J.block<3, 3>(0, 3) = -Cross(p_G - motion_[0].X_GL.p);
+  J.block<3, 3>(0, 3) = -CrossMatrix(p_G - motion_[0].X_GL.p);
   if (link != RoverLink::kBody) {
     const Eigen::Vector3d y_G = motion_[0].X_GL.R.col(1);
     J.col(5 + Index(link)) = y_G.cross(p_G - motion_[Index(link)].X_GL.p);

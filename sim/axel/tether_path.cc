@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/geometry/pose.h"
+
 namespace dockyard::axel {
 namespace {
-
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 struct Node {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "controller/geometry/pose.h"
+
 namespace dockyard {
 namespace {
 
@@ -14,10 +16,6 @@ struct Slice {
   std::array<Eigen::Vector2d, kMostCorners> corners;
   int count = 0;
 };
-
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 // Keeps what lies where normal . p <= offset.
 void Cut(Slice& slice, const Eigen::Vector2d& normal, double offset_m) {

@@ -13,12 +13,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d CrossMatrix(const Vector3d& v) {
-  Matrix3d M;
-  M << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return M;
-}
-
 /// A link and all beyond it, about its centre: mass, first moment, inertia.
 struct Composite {
   double mass = 0.0;
@@ -66,11 +60,6 @@ TreeBody::TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, cons
 
 void TreeBody::SetAngle(int i, double angle_rad) {
   angle_rad_[Place(i)] = angle_rad;
-  Refresh();
-}
-
-void TreeBody::SetPose(const Pose3& X_GB) {
-  X_GB_ = X_GB;
   Refresh();
 }
 

@@ -56,7 +56,6 @@ class TreeBody {
 
   /// For a start. The ties keep the sums of the angles given last.
   void SetAngle(int i, double angle_rad);
-  void SetPose(const Pose3& X_GB);
 
   /// Loads of the next step, in G. A torque on a joint acts on the link, its opposite on the
   /// parent.

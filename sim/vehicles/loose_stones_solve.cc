@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <stdexcept>
 
+#include "controller/geometry/pose.h"
 #include "sim/vehicles/loose_stones.h"
 
 namespace dockyard {
@@ -18,12 +18,6 @@ Eigen::Matrix3d AxesAlong(const Vector3d& normal) {
   Eigen::Matrix3d axes;
   axes << normal, a, normal.cross(a);
   return axes;
-}
-
-Eigen::Matrix3d Cross(const Vector3d& v) {
-  Eigen::Matrix3d M;
-  M << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return M;
 }
 
 }  // namespace
@@ -53,7 +47,7 @@ void LooseStones::Solve(TreeBody& tool, const std::vector<int>& stones,
     const auto AddStone = [&](int stone, double sign) {
       const Vector3d arm = touch.p_G - stones_[Place(stone)].body.motion().X_GL.p;
       J.block<3, 3>(ColumnOf(stone), row) = sign * axes;
-      J.block<3, 3>(ColumnOf(stone) + 3, row) = sign * (Cross(arm) * axes);
+      J.block<3, 3>(ColumnOf(stone) + 3, row) = sign * (CrossMatrix(arm) * axes);
     };
     AddStone(touch.stone, 1.0);
     if (touch.other_stone >= 0) AddStone(touch.other_stone, -1.0);

@@ -166,12 +166,6 @@ std::optional<Candidate> Test(const Scene& scene, const std::vector<MarkMatch>& 
   return candidate;
 }
 
-bool Same(const std::vector<MarkMatch>& a, const std::vector<MarkMatch>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& m, const auto& n) {
-    return m.id == n.id && m.detection == n.detection;
-  });
-}
-
 /// The candidates of the hypotheses, best first, each naming once.
 /// @param whole  those alone that agree with a homography without leaving out any mark
 std::vector<Candidate> Vote(const Scene& scene,
@@ -182,7 +176,7 @@ std::vector<Candidate> Vote(const Scene& scene,
     const auto candidate = Test(scene, hypothesis, whole ? size : std::min(scene.min_marks, size));
     if (!candidate) continue;
     const bool known = std::any_of(candidates.begin(), candidates.end(), [&](const auto& other) {
-      return Same(other.matches, candidate->matches);
+      return other.matches == candidate->matches;
     });
     if (!known) candidates.push_back(*candidate);
   }

@@ -11,6 +11,8 @@ namespace dockyard {
 struct MarkMatch {
   int id = -1;         // fiducial of the board
   int detection = -1;  // index into the detections
+
+  bool operator==(const MarkMatch&) const = default;
 };
 
 /// The product of the namings of the four rotations: (2!)^4 = 16 with two marks of each. At most

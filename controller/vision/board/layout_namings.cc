@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/geometry/pose.h"
 #include "controller/vision/board/detected_marks.h"
 #include "controller/vision/board/pose_gates.h"
 #include "controller/vision/homography.h"
@@ -23,10 +24,6 @@ constexpr int kRounds = 3;            // of fits by homography
 constexpr std::size_t kKept = 40;     // namings
 constexpr int kMostTriples = 25000;   // compared in one image; 2 s for a board of 44 not found
 constexpr double kLargeShare = 0.75;  // of the marks, in a naming whose discs are not tried again
-
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// A neighbour of the first disc, and its place relative to it on the board.
 struct Beside {
@@ -123,12 +120,6 @@ Naming Grown(const DetectedMarks& marks, const FiducialBoard& board, Naming nami
   return naming;
 }
 
-bool Same(const Naming& a, const Naming& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& m, const auto& n) {
-    return m.id == n.id && m.detection == n.detection;
-  });
-}
-
 struct Search {
   const DetectedMarks& marks;
   const Camera& camera;
@@ -166,9 +157,9 @@ void TryTriple(Search& search, std::size_t seed, const Beside& a, const Beside& 
     const Naming naming = Grown(search.marks, search.board,
                                 NameByPose(search.marks, search.camera, search.board, X_CB));
     if (static_cast<int>(naming.size()) < MarksNeeded(search.board)) continue;
-    const bool known = std::any_of(search.found.begin(), search.found.end(),
-                                   [&](const Naming& other) { return Same(naming, other); });
-    if (!known) search.found.push_back(naming);
+    if (std::ranges::find(search.found, naming) == search.found.end()) {
+      search.found.push_back(naming);
+    }
   }
 }
 
