@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "controller/base/median.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -31,12 +34,6 @@ constexpr double kFaintStrength = 0.3;  // such a spot counts with its blue alon
 // as wide and fills 0.7 of its box. Assumed, 30-100 pairs, 2-3, 0.35-0.5.
 constexpr std::size_t kGroundPairs = 50;
 constexpr double kGroundLonger = 2.5, kGroundFill = 0.4;
-
-float MedianOf(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 float RedBlue(const Eigen::Vector3f& c) { return std::log((c[0] + kDark) / (c[2] + kDark)); }
 
@@ -87,7 +84,7 @@ void LeaveWarmGround(TintMap* map, float redder_by) {
       for (const Eigen::Vector2i& at : region.pairs) {
         values.push_back(map->red_blue[map->Index(at.x(), at.y())]);
       }
-      const float redder = MedianOf(values) + redder_by;
+      const float redder = Median(std::move(values)) + redder_by;
       for (const Eigen::Vector2i& at : region.pairs) {
         const std::size_t n = map->Index(at.x(), at.y());
         if (map->red_blue[n] <= redder) map->tints[n] = Tint::kPlain;
@@ -239,7 +236,7 @@ std::vector<OrangeSpot> OrangeSpots(const TintMap& map, std::size_t most) {
       if (map.tints[k] == Tint::kPlain) plain.push_back(map.red_blue[k]);
     }
     if (plain.empty()) return {};
-    level = MedianOf(plain);
+    level = Median(std::move(plain));
   }
   for (int j = 0; j < map.light.height; ++j) {
     for (int i = 0; i < map.light.width; ++i) {
@@ -273,9 +270,9 @@ std::optional<GroundColour> GroundAbout(const TintMap& map, int left, int right,
   }
   if (red.size() < 12) return std::nullopt;
   GroundColour ground;
-  ground.green = std::max(MedianOf(green), 1e-4f);
-  ground.red_green = MedianOf(red) / ground.green;
-  ground.blue_green = MedianOf(blue) / ground.green;
+  ground.green = std::max(Median(std::move(green)), 1e-4f);
+  ground.red_green = Median(std::move(red)) / ground.green;
+  ground.blue_green = Median(std::move(blue)) / ground.green;
   return ground;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/base/median.h"
+
 namespace dockyard::raposa {
 namespace {
 
@@ -14,12 +16,6 @@ constexpr double kShade_px = 4.5;
 constexpr double kHorizonStep = 0.3;
 constexpr double kLeastNoise = 0.01;   // of the two values, for even ground; assumed, 0.005-0.02
 constexpr double kSkyClosed_px = 1.0;  // below the horizon
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Row of the strongest step of brightness from dark below to bright above, or the other way, in
 /// the columns of the window.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "controller/base/median.h"
 #include "controller/stereo/fill_gaps.h"
 #include "controller/stereo/sand_and_stones.h"
 
@@ -96,8 +98,7 @@ std::optional<Eigen::Vector2d> GroundStereo::PlaceOf(const GroundScan& seen,
     }
   }
   if (found.empty()) return std::nullopt;
-  std::nth_element(found.begin(), found.begin() + static_cast<long>(found.size()) / 2, found.end());
-  const Eigen::Vector3d p_C = pair.Point(at.x(), at.y(), found[found.size() / 2]);
+  const Eigen::Vector3d p_C = pair.Point(at.x(), at.y(), Median(std::move(found)));
   const Eigen::Vector3d p_E = Inverse(seen.X_RE) * (pair.X_RC * p_C);
   return p_E.head<2>().eval();
 }

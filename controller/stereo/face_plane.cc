@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "controller/base/median.h"
+
 namespace dockyard {
 namespace {
 
@@ -17,12 +19,6 @@ constexpr double kLeastOff_px = 0.15;
 struct FacePixel {
   double u = 0.0, v = 0.0, disparity_px = 0.0;  // u, v from the pixel that is asked for
 };
-
-double MedianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<long>(values.size()) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<FacePixel> PixelsAbout(const Disparities& disparities, const Eigen::Vector2d& pixel,
                                    double radius_px) {
@@ -84,7 +80,7 @@ std::optional<Eigen::Vector3d> PointUnder(const RectifiedPair& pair, const Dispa
     near.push_back(at.disparity_px);
   }
   if (near.empty()) return std::nullopt;
-  return pair.Point(pixel.x(), pixel.y(), MedianOf(near));
+  return pair.Point(pixel.x(), pixel.y(), Median(near));
 }
 
 std::optional<FacePlane> PlaneUnder(const RectifiedPair& pair, const Disparities& disparities,
@@ -100,7 +96,7 @@ std::optional<FacePlane> PlaneUnder(const RectifiedPair& pair, const Disparities
   // From wide to narrow: the first rounds let a slope in, the last ones leave edges out.
   std::vector<double> all;
   for (const FacePixel& point : seen) all.push_back(point.disparity_px);
-  Eigen::Vector3d fit(MedianOf(all), 0.0, 0.0);
+  Eigen::Vector3d fit(Median(all), 0.0, 0.0);
   const double slope_px =
       0.5 * (*std::max_element(all.begin(), all.end()) - *std::min_element(all.begin(), all.end()));
   Eigen::Matrix3d A;

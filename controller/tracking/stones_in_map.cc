@@ -4,6 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "controller/base/median.h"
 
 namespace dockyard {
 namespace {
@@ -24,13 +27,6 @@ Terms TermsAt(const Vector2d& p, GroundShape shape) {
   terms.head<3>() << 1.0, p.x(), p.y();
   if (shape == GroundShape::kCurved) terms.tail<3>() << p.x() * p.x(), p.x() * p.y(), p.y() * p.y();
   return terms;
-}
-
-double MedianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 struct HighCell {
@@ -178,7 +174,8 @@ GroundFit FitGround(const std::vector<MapCell>& cells, const Vector2d& middle, G
       off.push_back(std::abs(cells[i].height_m - rows[i].dot(ground.terms)));
     }
     // Not below a map without noise.
-    ground.sigma_m = std::max(kSigmaOfMad * MedianOf(std::move(off)), 1e-5);
+    const double median_m = off.empty() ? 0.0 : Median(std::move(off));
+    ground.sigma_m = std::max(kSigmaOfMad * median_m, 1e-5);
   }
   return ground;
 }

@@ -1,8 +1,10 @@
+#include "controller/base/median.h"
 #include "controller/vision/board/fiducials.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "controller/vision/board/bar.h"
 #include "controller/vision/board/blobs.h"
@@ -85,8 +87,7 @@ void DropStones(std::vector<DetectedFiducial>& found) {
     if (fiducial.clear) radii.push_back(fiducial.rim.mean_radius_px());
   }
   if (radii.size() < 3) return;
-  std::nth_element(radii.begin(), radii.begin() + static_cast<long>(radii.size() / 2), radii.end());
-  const double median = radii[radii.size() / 2];
+  const double median = Median(std::move(radii));
   std::erase_if(found, [&](const DetectedFiducial& fiducial) {
     return !fiducial.clear && fiducial.rim.mean_radius_px() < 0.5 * median;
   });

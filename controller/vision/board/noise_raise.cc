@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controller/base/median.h"
 #include "controller/vision/board/pose_gates.h"
 
 namespace dockyard {
@@ -17,12 +18,10 @@ double Worst(const Fix& fix) {
 
 /// The factor on the sigmas at which the median error is as expected, at least 1.
 double MedianScale(const Fix& fix, double scale) {
-  std::vector<double> sigmas = fix.fit.mark_sigmas;
-  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
-  std::nth_element(sigmas.begin(), middle, sigmas.end());
+  const std::vector<double>& sigmas = fix.fit.mark_sigmas;
   // Chi-square's median with two degrees of freedom, less the part that the pose takes.
   const double share = std::max(0.25, 1.0 - 3.0 / static_cast<double>(sigmas.size()));
-  return std::max(1.0, scale * *middle / std::sqrt(2.0 * std::log(2.0) * share));
+  return std::max(1.0, scale * Median(sigmas) / std::sqrt(2.0 * std::log(2.0) * share));
 }
 
 /// The factor at which the sum of squares is as expected, at least 1.

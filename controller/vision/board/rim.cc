@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "controller/base/median.h"
 #include "controller/geometry/pose.h"
 
 namespace dockyard {
@@ -107,10 +108,7 @@ std::optional<RimFit> FitRobust(const std::vector<Eigen::Vector2d>& all, int ray
   double rms = 0.0;
   for (int round = 0; round < 3 && ellipse; ++round) {
     const std::vector<double> distances = RimDistances(*ellipse, all);
-    std::vector<double> sorted = distances;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2),
-                     sorted.end());
-    const double limit = std::max(0.3, 2.5 * 1.4826 * sorted[sorted.size() / 2]);
+    const double limit = std::max(0.3, 2.5 * 1.4826 * Median(distances));
     std::vector<Eigen::Vector2d> near;
     double sum = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i) {

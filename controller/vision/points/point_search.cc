@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "controller/base/median.h"
 #include "controller/geometry/decompositions.h"
 #include "controller/vision/points/point_acceptance.h"
 #include "controller/vision/points/point_consensus.h"
@@ -14,12 +15,6 @@ namespace dockyard {
 namespace {
 
 constexpr std::size_t kMinPoints = 4;  // three fix a pose and agree with any
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Chi-square that good errors exceed one time in 25 000 (Wilson and Hilferty, PNAS 17(12), 1931).
 double Limit(std::size_t pixels) {
