@@ -1,3 +1,4 @@
+#include "controller/vision/descend.h"
 #include "controller/vision/pose_refine.h"
 
 #include <Eigen/Cholesky>
@@ -11,35 +12,6 @@
 
 namespace dockyard {
 namespace {
-
-/// Levenberg-Marquardt with fixed offsets.
-PoseEstimate Descend(const PoseProblem& problem, PoseEstimate at, int max_iterations) {
-  double damping = 1e-3;
-  NormalEquations normal;
-  double cost = problem.Cost(at, &normal);
-  for (int i = 0; i < max_iterations; ++i) {
-    bool better = false;
-    double gain = 0.0;
-    while (!better && damping < 1e8) {
-      Eigen::Matrix<double, 9, 9> damped = normal.A;
-      damped.diagonal() *= 1.0 + damping;
-      damped.diagonal().array() += 1e-12;
-      const PoseStep step = -damped.ldlt().solve(normal.b);
-      if (!step.allFinite()) return at;
-      const PoseEstimate moved = Moved(at, step);
-      const double moved_cost = problem.Cost(moved);
-      better = moved_cost < cost;
-      damping *= better ? 0.1 : 8.0;
-      if (!better) continue;
-      gain = cost - moved_cost;
-      at = moved;
-      cost = moved_cost;
-    }
-    if (!better || gain < 1e-9 * (1.0 + cost)) break;
-    problem.Cost(at, &normal);
-  }
-  return at;
-}
 
 /// All errors about the optimum, linear: A over the step and the calibration terms of all views.
 struct Linear {
@@ -196,7 +168,7 @@ RefinedPose RefinePoints(const std::vector<PointPixel>& points,
   for (int round = 0; round < 4; ++round) {  // offsets depend on the pose, but weakly
     const double change = problem.UpdateOffsets(at);
     if (round > 0 && change < 1e-3) break;
-    at = Descend(problem, at, round == 0 ? options.max_iterations : 6);
+    at = Descend<NormalEquations>(problem, at, round == 0 ? options.max_iterations : 6, 1e-9);
   }
   RefinedPose refined{.X_RB = at.X_RB, .turn = options.turn};
   if (problem.joint()) refined.turn.mean_rad = at.turn_rad;

@@ -5,12 +5,20 @@
 #include <cmath>
 
 #include "controller/base/check.h"
+#include "controller/vision/descend.h"
 #include "controller/vision/pose_linear.h"
 
 namespace dockyard {
-namespace {
 
 constexpr int kSought = 17;  // 6 of the pose, 3 of the turn, 4 of each camera's calibration
+// Descend finds it by its argument, so not in the namespace below.
+static PointEstimate Moved(const PointEstimate& at, const Eigen::Matrix<double, kSought, 1>& step) {
+  return {.pose = Moved(at.pose, PoseStep(step.head<9>())),
+          .calibration = at.calibration + step.tail<8>()};
+}
+
+namespace {
+
 using Matrix17 = Eigen::Matrix<double, kSought, kSought>;
 using Vector17 = Eigen::Matrix<double, kSought, 1>;
 // Where Huber's loss turns linear, in sigmas of a pixel; 2 leaves 97 % of good points' weight (86 %
@@ -21,11 +29,6 @@ struct Equations {
   Matrix17 A;
   Vector17 b;  // A step = -b
 };
-
-PointEstimate Moved(const PointEstimate& at, const Vector17& step) {
-  return {.pose = Moved(at.pose, PoseStep(step.head<9>())),
-          .calibration = at.calibration + step.tail<8>()};
-}
 
 class Problem {
  public:
@@ -38,7 +41,7 @@ class Problem {
         problem_(places_, views, refine) {}
 
   /// Robust sum of squares; with `equations` their normal equations too.
-  double Cost(const PointEstimate& at, Equations* equations);
+  double Cost(const PointEstimate& at, Equations* equations = nullptr);
   double Squares(const PointEstimate& at);  // not robust
   double UpdateOffsets(const PointEstimate& at) { return problem_.UpdateOffsets(at.pose); }
   const PoseProblem& pose() const { return problem_; }
@@ -171,34 +174,6 @@ double Problem::Squares(const PointEstimate& at) {
   return squares;
 }
 
-PointEstimate Descend(Problem& problem, PointEstimate at, int max_iterations) {
-  double damping = 1e-3;
-  Equations equations;
-  double cost = problem.Cost(at, &equations);
-  for (int i = 0; i < max_iterations; ++i) {
-    bool better = false;
-    double gain = 0.0;
-    while (!better && damping < 1e8) {
-      Matrix17 damped = equations.A;
-      damped.diagonal() *= 1.0 + damping;
-      damped.diagonal().array() += 1e-12;
-      const Vector17 step = -damped.ldlt().solve(equations.b);
-      if (!step.allFinite()) return at;
-      const PointEstimate moved = Moved(at, step);
-      const double moved_cost = problem.Cost(moved, nullptr);
-      better = moved_cost < cost;
-      damping *= better ? 0.1 : 8.0;
-      if (!better) continue;
-      gain = cost - moved_cost;
-      at = moved;
-      cost = moved_cost;
-    }
-    if (!better || gain < 1e-7 * (1.0 + cost)) break;
-    problem.Cost(at, &equations);
-  }
-  return at;
-}
-
 }  // namespace
 
 PointFit FitPoints(const std::vector<PointPixel>& points, const std::vector<bool>& chosen,
@@ -217,7 +192,7 @@ PointFit FitPoints(const std::vector<PointPixel>& points, const std::vector<bool
   for (int round = 0; round < 4; ++round) {  // discs' offsets depend on the pose, but weakly
     const double change = problem.UpdateOffsets(at);
     if (round > 0 && change < 1e-3) break;
-    at = Descend(problem, at, round == 0 ? refine.max_iterations : 6);
+    at = Descend<Equations>(problem, at, round == 0 ? refine.max_iterations : 6, 1e-7);
   }
   PointFit found{.at = at, .fit = {.X_RB = at.pose.X_RB, .turn = refine.turn}};
   RefinedPose& fit = found.fit;
