@@ -24,6 +24,7 @@
 #include "sim/app/reproduction_files.h"
 #include "sim/app/scenario_options.h"
 #include "sim/base/count_text.h"
+#include "sim/base/text.h"
 #include "sim/plan/make_run.h"
 #include "sim/scenario/load_scenario.h"
 
@@ -97,8 +98,7 @@ FileCheck CheckCampaign(const std::string& file, const std::vector<System>& syst
     system.check(scenario);
     urdfs.AddScenario(scenario, system);
   });
-  std::string labels;
-  for (const std::string& label : campaign.labels) labels += (labels.empty() ? "" : ", ") + label;
+  const std::string labels = Listed(campaign.labels);
   return WithUrdfs(urdfs,
                    {"campaign", campaign.name + ": " + CountText(campaign.run_count(), "run") +
                                     (labels.empty() ? "" : " by " + labels) + "; seed " +
@@ -120,9 +120,7 @@ FileCheck CheckReproduction(const std::string& file, const std::vector<System>& 
 FileCheck CheckTable(const std::string& file) {
   const TableCheck table = CheckRunTable(file);
   const auto list = [](const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text.empty() ? "none" : text;
+    return names.empty() ? "none" : Listed(names);
   };
   return {"campaign table", CountText(table.runs, "run") + "; checked: " + list(table.checked) +
                                 "; left to the campaign's file: " + list(table.left_to_campaign)};

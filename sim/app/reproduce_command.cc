@@ -17,6 +17,7 @@
 #include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/base/shell_word.h"
+#include "sim/base/text.h"
 #include "sim/campaign/campaign.h"
 #include "sim/plan/make_run.h"
 #include "sim/report/reproduction_text.h"
@@ -52,16 +53,14 @@ missing, crashed or were stopped, or are not those of the experiment. --set sets
 campaign, or of the one of --only. Stopped, the same command goes on where it was.)";
 
 const Reproduction& FindReproduction(const std::string& name, const std::vector<System>& systems) {
-  std::string names;
   std::vector<std::string> known;
   for (const System& system : systems) {
     for (const Reproduction& each : system.reproductions) {
       if (each.name == name) return each;
       known.push_back(each.name);
-      names += (names.empty() ? "" : ", ") + each.name;
     }
   }
-  throw UsageError("NAME: expected one of " + names + ", found '" + name + "'" +
+  throw UsageError("NAME: expected one of " + Listed(known) + ", found '" + name + "'" +
                    DidYouMean(name, known));
 }
 

@@ -10,6 +10,9 @@
 
 namespace dockyard {
 
+/// With commas between them.
+std::string Listed(const std::vector<std::string>& names);
+
 /// RFC 4180: quoted where it must be.
 std::string CsvCell(std::string_view text);
 /// The cells with commas between them, no newline.

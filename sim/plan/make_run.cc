@@ -7,6 +7,7 @@
 #include "controller/base/check.h"
 #include "models/read/config_error.h"
 #include "sim/base/random.h"
+#include "sim/base/text.h"
 #include "sim/scenario/key_path.h"
 #include "sim/scenario/scenario_keys.h"
 
@@ -31,10 +32,8 @@ const YamlNode* CellOf(const RunTable& table, std::int64_t row, const char* colu
 
 [[noreturn]] void RefuseCell(const YamlNode& cell, const std::string& column,
                              const std::vector<std::string>& known) {
-  std::string names;
-  for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-  throw ConfigError(cell.place.Text() + ": " + column + ": expected one of " + names + ", found " +
-                    cell.Found());
+  throw ConfigError(cell.place.Text() + ": " + column + ": expected one of " + Listed(known) +
+                    ", found " + cell.Found());
 }
 
 /// The place of the cell's text among the labels; throws ConfigError that names all.

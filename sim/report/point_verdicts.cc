@@ -16,12 +16,6 @@ int CountOf(const PointVerdicts& judged, AcceptanceVerdict verdict) {
                     [&](const PointVerdict& point) { return point.found.verdict == verdict; }));
 }
 
-std::string Joined(const std::vector<std::string>& texts) {
-  std::string joined;
-  for (const std::string& text : texts) joined += (joined.empty() ? "" : ", ") + text;
-  return joined;
-}
-
 /// Columns as wide as their longest cell.
 std::string Aligned(const std::vector<std::vector<std::string>>& lines) {
   std::vector<std::size_t> widths(lines.front().size(), 0);
@@ -73,7 +67,7 @@ Json PointVerdictsJson(const PointVerdicts& judged, AcceptanceVerdict verdict) {
     failures += point.failures;
     Json settings = Json::object();
     for (std::size_t i = 0; i < judged.keys.size(); ++i) settings[judged.keys[i]] = point.values[i];
-    points.push_back({{"value", Joined(point.values)},
+    points.push_back({{"value", Listed(point.values)},
                       {"settings", settings},
                       {"runs", point.runs},
                       {"failures", point.failures},

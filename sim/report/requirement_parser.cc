@@ -24,12 +24,6 @@ std::string Trimmed(const std::string& text) {
   return text.substr(from, text.find_last_not_of(" \t") - from + 1);
 }
 
-std::string Listed(const Names& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 bool Holds(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }

@@ -3,18 +3,10 @@
 #include <algorithm>
 
 #include "models/read/config_error.h"
+#include "sim/base/text.h"
 #include "sim/bridge/pipe_controller.h"
 
 namespace dockyard {
-namespace {
-
-std::string Joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-}  // namespace
 
 RowColumns System::Columns(std::vector<std::string> labels) const {
   RowColumns row{std::move(labels), columns.measures, columns.outcomes, false};
@@ -35,7 +27,7 @@ const ControllerEntry& System::RequireController(const std::string& controller) 
     if (entry.name == controller) return entry;
     known.push_back(entry.name);
   }
-  throw ConfigError("controller: expected one of " + Joined(known) + ", found '" + controller +
+  throw ConfigError("controller: expected one of " + Listed(known) + ", found '" + controller +
                     "'");
 }
 
@@ -45,7 +37,7 @@ const System& FindSystem(const std::vector<System>& systems, const std::string& 
     if (system.name == name) return system;
     known.push_back(system.name);
   }
-  throw ConfigError("system: expected one of " + Joined(known) + ", found '" + name + "'");
+  throw ConfigError("system: expected one of " + Listed(known) + ", found '" + name + "'");
 }
 
 std::vector<KnownSystem> KnownSystems(const std::vector<System>& systems) {

@@ -6,17 +6,9 @@
 #include "models/read/config_error.h"
 #include "models/read/csv_table.h"
 #include "models/read/yaml_reader.h"
+#include "sim/base/text.h"
 
 namespace dockyard {
-namespace {
-
-std::string Listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
-}  // namespace
 
 std::vector<MeasuredRow> LoadMeasuredRows(const std::string& file, const std::string& wheel) {
   const YamlNode table = LoadCsv(file);
