@@ -207,12 +207,4 @@ ShardEnd RunShard(const Campaign& campaign, const RunFunction& function,
   return Engine(campaign, function, options).Run();
 }
 
-CampaignEnd RunCampaign(const Campaign& campaign, const RunFunction& function,
-                        const CampaignOptions& options) {
-  const ShardEnd shard = RunShard(campaign, function, options);
-  CampaignEnd end = MergeShards(options.out_dir, campaign, options.columns);
-  end.signal = shard.signal;
-  return end;
-}
-
 }  // namespace dockyard

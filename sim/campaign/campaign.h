@@ -55,8 +55,4 @@ struct ShardEnd {
 ShardEnd RunShard(const Campaign& campaign, const RunFunction& function,
                   const CampaignOptions& options);
 
-/// RunShard of all runs, then MergeShards.
-CampaignEnd RunCampaign(const Campaign& campaign, const RunFunction& function,
-                        const CampaignOptions& options);
-
 }  // namespace dockyard

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,7 +34,6 @@ void TakeShards(const std::filesystem::path& from, const std::filesystem::path& 
 struct CampaignEnd {
   FinishedRuns runs;
   std::int64_t total = 0;  // planned
-  int signal = 0;          // that stopped it; 0: none did
   std::string summary;
   std::vector<std::string> damaged;  // places of damaged rows, whose runs are missing
 

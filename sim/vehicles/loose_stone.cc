@@ -79,12 +79,6 @@ void LooseStone::SetMotion(const Vector3d& v_G, const Vector3d& w_G) {
   spin_G_ = motion_.X_GL.R * (inertia_S_ * (motion_.X_GL.R.transpose() * w_G));
 }
 
-void LooseStone::SetPose(const Pose3& X_GS) {
-  const Vector3d v = motion_.v_GL_G, w = motion_.w_GL_G;
-  motion_.X_GL = X_GS;
-  SetMotion(v, w);
-}
-
 void LooseStone::AddImpulse(const Vector3d& impulse_G, const Vector3d& p_G) {
   motion_.v_GL_G += impulse_G / mass_kg_;
   spin_G_ += (p_G - motion_.X_GL.p).cross(impulse_G);

@@ -37,7 +37,6 @@ class LooseStone {
   Eigen::Matrix3d InverseInertia() const;
 
   void SetMotion(const Eigen::Vector3d& v_G, const Eigen::Vector3d& w_G);
-  void SetPose(const Pose3& X_GS);
   /// An impulse on the point p_G [N s].
   void AddImpulse(const Eigen::Vector3d& impulse_G, const Eigen::Vector3d& p_G);
   /// Weight for a step.

@@ -9,6 +9,7 @@
 #include "sim/app/campaign_setup.h"
 #include "sim/app/systems.h"
 #include "support/bad_files.h"
+#include "support/run_campaign.h"
 #include "support/source_tree.h"
 
 namespace dockyard {

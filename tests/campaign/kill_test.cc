@@ -19,6 +19,7 @@
 #include "sim/campaign/campaign.h"
 #include "support/fake_campaign.h"
 #include "support/fake_runs.h"
+#include "support/run_campaign.h"
 
 namespace dockyard {
 namespace {

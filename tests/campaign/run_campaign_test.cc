@@ -17,6 +17,7 @@
 #include "sim/scenario/key_path.h"
 #include "support/fake_campaign.h"
 #include "support/fake_runs.h"
+#include "support/run_campaign.h"
 
 namespace dockyard {
 namespace {
@@ -57,8 +58,10 @@ pid_t StartCampaignProcess(const fs::path& dir, int count, int jobs, int pause_m
     std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms));
     return FakeRun(run, {});
   };
-  const CampaignEnd end = RunCampaign(FakeCampaign(count), slow, OptionsFor(dir, jobs));
-  ::_exit(end.signal != 0 ? 128 + end.signal : 0);
+  const CampaignOptions options = OptionsFor(dir, jobs);
+  const int signal = RunShard(FakeCampaign(count), slow, options).signal;
+  MergeShards(dir, FakeCampaign(count), options.columns);
+  ::_exit(signal != 0 ? 128 + signal : 0);
 }
 
 int LinesIn(const fs::path& file) {

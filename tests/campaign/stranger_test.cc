@@ -13,6 +13,7 @@
 #include "sim/campaign/database.h"
 #include "support/fake_campaign.h"
 #include "support/fake_runs.h"
+#include "support/run_campaign.h"
 
 namespace dockyard {
 namespace {
