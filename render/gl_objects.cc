@@ -1,7 +1,6 @@
 #include "render/gl_objects.h"
 
 #include <stdexcept>
-#include <vector>
 
 #include "controller/base/check.h"
 

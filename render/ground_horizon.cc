@@ -1,7 +1,6 @@
 #include "render/ground_horizon.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "render/ground_mesh.h"
 

@@ -1,7 +1,6 @@
 // The scene's lights on its surfaces for one camera and one image, grey or in colour. No GL.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "render/colour_table.h"

@@ -1,7 +1,6 @@
 // The sky's radiance for one camera. No GL.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "render/flat_view.h"

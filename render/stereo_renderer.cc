@@ -1,7 +1,6 @@
 #include "render/stereo_renderer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 

@@ -1,7 +1,6 @@
 #include "controller/axel/bracket.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dockyard::axel {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "controller/axel/drive.h"
-#include "controller/axel/tether_length.h"
 
 namespace dockyard::axel {
 namespace {

@@ -1,6 +1,5 @@
 #include "controller/axel/mating.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "controller/axel/drive.h"

@@ -1,7 +1,5 @@
 #include "controller/axel/odometry.h"
 
-#include <cmath>
-
 #include "controller/geometry/axle_attitude.h"
 
 namespace dockyard::axel {

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 
 #include "controller/axel/ground_slope.h"
 #include "controller/axel/odometry.h"

@@ -1,5 +1,4 @@
 // The control experiment of Tsai et al., V-C: no cameras, no wheels, only the spool.
-#include <optional>
 
 #include "controller/axel/axel.h"
 #include "controller/axel/leg.h"

@@ -1,6 +1,5 @@
 #include "controller/axel/righting.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "controller/axel/drive.h"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "controller/axel/nominal/nominal.h"
 #include "controller/geometry/pose.h"

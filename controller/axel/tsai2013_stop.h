@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "controller/axel/leg.h"
 #include "controller/axel/nominal/tsai2013_options.h"

@@ -1,5 +1,4 @@
 #include <Eigen/LU>
-#include <cmath>
 
 #include "controller/geometry/lens.h"
 

@@ -1,7 +1,6 @@
 #include "controller/geometry/rational_distortion.h"
 
 #include <Eigen/LU>
-#include <cmath>
 
 namespace dockyard {
 namespace {

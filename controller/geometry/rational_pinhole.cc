@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "controller/geometry/lens.h"
 #include "controller/geometry/rational_distortion.h"

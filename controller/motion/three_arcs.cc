@@ -1,8 +1,5 @@
 #include "controller/motion/three_arcs.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "controller/base/check.h"
 
 namespace dockyard {

@@ -1,7 +1,6 @@
 // The shortest safe way onto the pyramid's axis: turns in place and straight legs round it.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "controller/geometry/pose.h"

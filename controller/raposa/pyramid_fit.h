@@ -3,7 +3,6 @@
 // step, so no colour is known beforehand.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "controller/raposa/layers.h"

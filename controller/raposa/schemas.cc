@@ -1,7 +1,6 @@
 #include "controller/raposa/schemas.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dockyard::raposa {
 namespace {

@@ -1,7 +1,6 @@
 #include "controller/raposa/tune_bands.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 

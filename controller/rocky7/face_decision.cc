@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controller/motion/steering.h"
 #include "controller/rocky7/paths_to_point.h"
 
 namespace dockyard::rocky7 {

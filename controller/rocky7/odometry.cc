@@ -1,7 +1,6 @@
 #include "controller/rocky7/odometry.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "controller/motion/arcs.h"
 

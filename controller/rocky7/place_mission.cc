@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "controller/base/number_text.h"
 #include "controller/motion/limits.h"
 
 namespace dockyard::rocky7 {

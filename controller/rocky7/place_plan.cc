@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "controller/motion/free_path.h"
-#include "controller/motion/steering.h"
 #include "controller/rocky7/paths_to_point.h"
 
 namespace dockyard::rocky7 {

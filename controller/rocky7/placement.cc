@@ -1,9 +1,6 @@
 #include "controller/rocky7/placement.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "controller/base/number_text.h"
 
 namespace dockyard::rocky7 {
 namespace {

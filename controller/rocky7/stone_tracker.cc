@@ -1,7 +1,6 @@
 #include "controller/rocky7/stone_tracker.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "controller/tracking/height_patch.h"
 

@@ -1,7 +1,6 @@
 #include "controller/tracking/stone_middle.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "controller/geometry/pose.h"
 #include "controller/tracking/stones_in_map.h"

@@ -1,7 +1,6 @@
 #include "controller/vision/stereo_pose.h"
 
 #include <Eigen/LU>
-#include <cmath>
 
 #include "controller/base/check.h"
 #include "controller/geometry/decompositions.h"

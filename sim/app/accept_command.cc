@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,7 +13,6 @@
 #include "sim/base/count_text.h"
 #include "sim/base/folder.h"
 #include "sim/base/json.h"
-#include "sim/base/text.h"
 #include "sim/report/point_verdicts.h"
 #include "sim/report/sample.h"
 #include "sim/report/until_accepted.h"

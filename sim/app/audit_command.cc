@@ -11,7 +11,6 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/kept_campaign.h"
-#include "sim/app/kept_run.h"
 #include "sim/app/scenario_options.h"
 #include "sim/base/count_text.h"
 #include "sim/base/random.h"

@@ -7,7 +7,6 @@
 #include "sim/app/board_sheet.h"
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
-#include "sim/app/terminal.h"
 #include "sim/app/vision_files.h"
 #include "sim/base/count_text.h"
 #include "sim/base/files.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "controller/geometry/pose.h"
-#include "models/read/yaml_reader.h"
 #include "sim/app/commands.h"
 
 namespace dockyard {

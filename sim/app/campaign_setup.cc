@@ -8,8 +8,6 @@
 #include "sim/app/kept_run.h"
 #include "sim/app/misplaced_file.h"
 #include "sim/app/number_option.h"
-#include "sim/base/environment.h"
-#include "sim/base/text.h"
 #include "sim/log/result_row.h"
 #include "sim/plan/file_keys.h"
 #include "sim/plan/make_run.h"

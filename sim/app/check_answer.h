@@ -1,7 +1,6 @@
 // What `dockyard check` found in its files, as JSON.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 

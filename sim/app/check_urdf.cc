@@ -5,7 +5,6 @@
 #include "models/read/text_file.h"
 #include "models/read/urdf_weld.h"
 #include "models/read/yaml_path.h"
-#include "models/read/yaml_reader.h"
 #include "sim/base/count_text.h"
 
 namespace dockyard {

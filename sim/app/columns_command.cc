@@ -4,7 +4,6 @@
 
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
-#include "sim/app/terminal.h"
 #include "sim/base/json.h"
 #include "sim/report/column_tables.h"
 

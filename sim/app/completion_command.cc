@@ -1,7 +1,6 @@
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "sim/app/commands.h"
 #include "sim/app/completion.h"

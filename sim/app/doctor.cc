@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "controller/base/number_text.h"
-
 namespace dockyard {
 namespace {
 

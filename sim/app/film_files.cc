@@ -9,7 +9,6 @@
 #include "models/read/near_names.h"
 #include "sim/app/commands.h"
 #include "sim/app/passing_folder.h"
-#include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/images/png.h"
 #include "sim/plant/renderer.h"

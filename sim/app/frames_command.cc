@@ -13,7 +13,6 @@
 #include "sim/base/count_text.h"
 #include "sim/base/files.h"
 #include "sim/images/png.h"
-#include "sim/log/record_files.h"
 #include "sim/spectator/canvas.h"
 #include "sim/spectator/looks.h"
 

@@ -6,7 +6,6 @@
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/kept_run.h"
-#include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/base/shell_word.h"

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "sim/app/invocation.h"
 #include "sim/app/kept_campaign.h"

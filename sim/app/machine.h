@@ -1,7 +1,6 @@
 // What this computer gives to the processes that run here: memory, disk, locks.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "models/read/near_names.h"
-#include "models/read/yaml_reader.h"
 #include "sim/app/help.h"
 
 namespace dockyard {

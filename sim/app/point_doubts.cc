@@ -1,11 +1,8 @@
 #include "sim/app/point_doubts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <optional>
-
-#include "models/read/yaml_reader.h"
 
 namespace dockyard {
 namespace {

@@ -1,7 +1,6 @@
 // Files of points and their pixels for the command pose.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // Reports of the command pose on a frame: JSON, a row of a table, a line of text.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "controller/vision/points/point_pose.h"

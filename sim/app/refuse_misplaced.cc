@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "models/read/config_error.h"
-#include "models/read/yaml_reader.h"
 #include "sim/app/check_file.h"
 
 namespace dockyard {

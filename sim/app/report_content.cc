@@ -7,12 +7,10 @@
 
 #include "controller/base/number_text.h"
 #include "sim/app/kept_run.h"
-#include "sim/app/scenario_options.h"
 #include "sim/app/terminal.h"
 #include "sim/base/files.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/log/record_files.h"
-#include "sim/log/result_row.h"
 #include "sim/scenario/load_scenario.h"
 
 namespace dockyard {

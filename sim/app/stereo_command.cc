@@ -5,7 +5,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "controller/stereo/elevation.h"
 #include "models/read/config_error.h"

@@ -1,7 +1,4 @@
 // Commands that a system brings with it.
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "sim/app/commands.h"
 

@@ -8,9 +8,7 @@
 #include "sim/app/commands.h"
 #include "sim/app/exit_codes.h"
 #include "sim/app/number_option.h"
-#include "sim/app/terminal.h"
 #include "sim/base/folder.h"
-#include "sim/base/text.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/report/until_accepted.h"
 

@@ -6,7 +6,6 @@
 
 #include "sim/app/exit_codes.h"
 #include "sim/app/kept_campaign.h"
-#include "sim/app/terminal.h"
 #include "sim/base/json.h"
 #include "sim/campaign/finished_set.h"
 #include "sim/campaign/progress.h"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "controller/geometry/pose.h"
-#include "models/read/config_error.h"
 #include "models/read/load_soil.h"
 #include "models/read/load_wheel.h"
 #include "sim/app/commands.h"

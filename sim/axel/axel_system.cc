@@ -6,7 +6,6 @@
 #include "models/axel/load_axel.h"
 #include "models/axel/load_station.h"
 #include "models/axel/mating_fit.h"
-#include "models/read/config_error.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/yaml_reader.h"
 #include "sim/axel/axel_columns.h"

@@ -1,7 +1,6 @@
 #include "sim/axel/build_rocks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "controller/base/number_text.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <utility>
 
 #include "controller/base/number_text.h"
 #include "controller/geometry/axle_attitude.h"

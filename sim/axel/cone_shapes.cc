@@ -1,10 +1,6 @@
 #include "sim/axel/cone_shapes.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "models/parts/collision_reach.h"
-#include "sim/rigid/collision_shapes.h"
 
 namespace dockyard::axel {
 

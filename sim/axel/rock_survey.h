@@ -1,8 +1,6 @@
 // The controller's map of rocks, as a survey of the yard gives it.
 #pragma once
 
-#include <cstdint>
-
 #include "controller/axel/nominal/rock_map.h"
 #include "controller/geometry/pose.h"
 #include "sim/axel/axel_keys.h"

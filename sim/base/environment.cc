@@ -3,14 +3,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <fstream>
 #include <opencv2/core/version.hpp>
 
 #include "sim/base/files.h"
 #include "sim/base/hash.h"
 #include "sim/base/math_pin.h"
-#include "sim/base/text.h"
 
 namespace dockyard {
 namespace {

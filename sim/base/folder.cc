@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
-#include <utility>
 
 #include "controller/base/check.h"
 #include "sim/base/count_text.h"

@@ -3,11 +3,9 @@
 // program never gets the truth. docs/reference/controller_protocol.md defines every byte.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "controller/io/controller.h"
 #include "sim/base/json.h"

@@ -17,7 +17,6 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
-#include <string>
 
 #include "sim/base/folder.h"
 #include "sim/campaign/manifest.h"

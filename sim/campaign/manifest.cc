@@ -1,6 +1,5 @@
 #include "sim/campaign/manifest.h"
 
-#include <cstdio>
 #include <string_view>
 
 #include "sim/base/files.h"

@@ -5,7 +5,6 @@
 
 #include "sim/base/folder.h"
 #include "sim/base/json.h"
-#include "sim/base/text.h"
 #include "sim/campaign/campaign_folder.h"
 #include "sim/campaign/database.h"
 #include "sim/campaign/run_work.h"

@@ -1,8 +1,6 @@
 // Which runs leave their log in the results folder.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>

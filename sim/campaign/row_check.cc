@@ -1,6 +1,5 @@
 #include "sim/campaign/row_check.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "sim/base/folder.h"
 #include "sim/jobs/worker.h"

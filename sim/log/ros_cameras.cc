@@ -1,7 +1,6 @@
 #include "sim/log/ros_cameras.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <optional>
 
 #include "sim/log/ros_messages.h"

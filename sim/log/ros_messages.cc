@@ -1,7 +1,6 @@
 #include "sim/log/ros_messages.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "sim/log/pose_numbers.h"
 

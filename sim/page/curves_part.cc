@@ -1,8 +1,6 @@
 #include "sim/page/curves_part.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <string>
 #include <vector>
 

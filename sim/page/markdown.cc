@@ -1,6 +1,5 @@
 #include "sim/page/markdown.h"
 
-#include <cstdio>
 #include <vector>
 
 #include "controller/base/number_text.h"

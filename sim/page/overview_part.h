@@ -1,9 +1,7 @@
 // What a campaign came to, in numbers: the head of a report, and the report as JSON.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "sim/base/json.h"

@@ -2,7 +2,6 @@
 // (docs/reference/report_payload.md).
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>

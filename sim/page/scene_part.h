@@ -1,7 +1,6 @@
 // The shapes of a run's world in a report.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <string>
 

@@ -1,7 +1,6 @@
 #include "sim/page/table_part.h"
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <utility>

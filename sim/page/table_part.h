@@ -1,7 +1,6 @@
 // The table of all runs in a report.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

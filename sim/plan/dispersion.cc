@@ -1,7 +1,6 @@
 #include "sim/plan/dispersion.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 

@@ -1,7 +1,6 @@
 // From the truth to pictures: the only caller of render/.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "render/colour_sensor.h"

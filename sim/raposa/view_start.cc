@@ -1,7 +1,5 @@
 #include "sim/raposa/view_start.h"
 
-#include <cstdint>
-
 #include "sim/base/files.h"
 #include "sim/base/json.h"
 #include "sim/images/png.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "controller/base/number_text.h"

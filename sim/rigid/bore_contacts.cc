@@ -1,7 +1,6 @@
 #include "sim/rigid/bore_contacts.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/rigid/collision_shapes.h"
 #include "sim/rigid/convex_body.h"

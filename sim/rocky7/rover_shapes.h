@@ -1,7 +1,6 @@
 // Meshes of a rover on wheels, made of the numbers of its file: for pictures alone.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 

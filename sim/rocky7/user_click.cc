@@ -1,7 +1,6 @@
 #include "sim/rocky7/user_click.h"
 
 #include <cmath>
-#include <optional>
 
 #include "models/read/config_error.h"
 #include "sim/base/random.h"

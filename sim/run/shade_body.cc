@@ -1,6 +1,5 @@
 #include "sim/run/shade_body.h"
 
-#include <cmath>
 #include <cstddef>
 
 namespace dockyard {

@@ -1,7 +1,6 @@
 #include "sim/soil/height_map.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "controller/base/check.h"
 

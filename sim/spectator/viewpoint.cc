@@ -1,7 +1,6 @@
 #include "sim/spectator/viewpoint.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 namespace dockyard {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>

@@ -1,7 +1,6 @@
 #include "controller/vision/board/guided.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "controller/vision/board/bar.h"

@@ -1,7 +1,6 @@
 #include <array>
 #include <cmath>
 
-#include "controller/vision/board/pose_gates.h"
 #include "controller/vision/board/sighting_report.h"
 #include "controller/vision/board/tsai2013.h"
 #include "controller/vision/robust_planar_pose.h"

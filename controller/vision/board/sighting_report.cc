@@ -1,7 +1,6 @@
 #include "controller/vision/board/sighting_report.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dockyard {
 

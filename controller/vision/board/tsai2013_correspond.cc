@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "controller/vision/board/tsai2013.h"
 #include "controller/vision/homography.h"
