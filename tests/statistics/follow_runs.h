@@ -6,7 +6,7 @@
 
 namespace dockyard {
 
-/// Where the test stands after these runs in their order, true for one that failed.
+/// The end of the test, or its state after these runs in their order, true for one that failed.
 inline SequentialEnd FollowRuns(const SequentialPlan& plan, const std::vector<bool>& failed) {
   SequentialEnd end;
   for (const bool run_failed : failed) FollowRun(plan, run_failed, end);
