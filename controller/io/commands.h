@@ -33,7 +33,7 @@ enum class Verdict : std::uint8_t { kUnderWay, kDone, kGivenUp };
 
 /// The most stops off that a controller may ask for, either way; assumed, 4-8: an electronic
 /// shutter spans more than 16 stops in all.
-inline constexpr double kMostExposureStops = 6.0;
+inline constexpr double kMostExposure_stops = 6.0;
 
 struct Commands {
   std::vector<MotorCommand> motors{};    // one for each of the robot's motors, in their order

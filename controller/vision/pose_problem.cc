@@ -9,7 +9,7 @@
 namespace dockyard {
 namespace {
 
-constexpr double kUnseenPx = 1e3;  // error of a point that the pose puts out of sight
+constexpr double kUnseen_px = 1e3;  // error of a point that the pose puts out of sight
 
 Eigen::Matrix3d Turn(const Eigen::Vector3d& w) {
   const double angle = w.norm();
@@ -70,7 +70,7 @@ Eigen::Vector2d PoseProblem::Error(const PosedCamera& posed, std::size_t i,
   const auto pixel = J ? camera.Project(p_C, *J) : camera.Project(p_C);
   if (!pixel || p_C.z() <= -0.3 * p_C.norm()) {
     if (J) J->setZero();
-    return {kUnseenPx, kUnseenPx};
+    return {kUnseen_px, kUnseen_px};
   }
   return *pixel + offsets_[i] - point.pixel;
 }

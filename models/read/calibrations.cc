@@ -11,7 +11,7 @@
 namespace dockyard {
 namespace {
 
-constexpr double kMostPx = 1e6;
+constexpr double kMost_px = 1e6;
 
 bool IsKalibrCamera(const YamlNode& node) {
   return node.kind == YamlNode::Kind::kMapping &&
@@ -101,7 +101,7 @@ int PixelCount(const YamlNode& node, const std::string& path) {
 FocalNumbers ReadFocalMatrix(const NumberGrid& K) {
   K.RequireShape(3, 3);
   for (const std::size_t i : {std::size_t{0}, std::size_t{4}}) {
-    if (!(K.values[i] > 0.0 && K.values[i] <= kMostPx)) {
+    if (!(K.values[i] > 0.0 && K.values[i] <= kMost_px)) {
       K.Refuse(i, "a focal length > 0 px (a camera without a calibration has 0)");
     }
   }
@@ -111,7 +111,7 @@ FocalNumbers ReadFocalMatrix(const NumberGrid& K) {
   if (K.values[1] != 0.0) K.Refuse(1, "0: no lens here has skewed pixels");
   if (K.values[8] != 1.0) K.Refuse(8, "1 in [fx 0 cx; 0 fy cy; 0 0 1]");
   for (const std::size_t i : {std::size_t{2}, std::size_t{5}}) {
-    if (!(std::abs(K.values[i]) <= kMostPx)) K.Refuse(i, "a principal point within 1e6 px");
+    if (!(std::abs(K.values[i]) <= kMost_px)) K.Refuse(i, "a principal point within 1e6 px");
   }
   return {K.values[0], K.values[4], K.values[2], K.values[5]};
 }

@@ -69,11 +69,11 @@ bool IsNoNumber(const YamlNode& row, const char* column) {
 /// The camera's image holds the pixel. A corner that is found by its edges may lie a little
 /// outside.
 void RequireInside(const YamlReader& in, const PointPixel& point, const StereoRig& rig) {
-  constexpr double kOutsidePx = 2.0;  // assumed, 1-5
+  constexpr double kOutside_px = 2.0;  // assumed, 1-5
   const Camera& camera = point.view == 0 ? rig.left : rig.right;
-  if (camera.Sees(point.pixel, -kOutsidePx)) return;
+  if (camera.Sees(point.pixel, -kOutside_px)) return;
   const bool across =
-      point.pixel.x() < -kOutsidePx || point.pixel.x() > camera.width - 1.0 + kOutsidePx;
+      point.pixel.x() < -kOutside_px || point.pixel.x() > camera.width - 1.0 + kOutside_px;
   in.Refuse(across ? "u_px" : "v_px",
             std::string("a pixel of the ") + (point.view == 0 ? "left" : "right") +
                 " camera's image of " + std::to_string(camera.width) + " x " +

@@ -49,7 +49,7 @@ SensorFrame AxelPlant::Sense() {
 
 std::vector<CameraImage> AxelPlant::TakeImages(const std::vector<int>& cameras,
                                                double exposure_stops) {
-  DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposureStops);
+  DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposure_stops);
   SensorOptions sensor = WithFaults(CameraSensor(built_.world.rover.stereo, seed_, pairs_taken_++),
                                     camera_faults_, seed_);
   sensor.exposure_stops += exposure_stops;

@@ -22,7 +22,7 @@ namespace dockyard::axel {
 namespace {
 
 // Yard in the dock's surroundings: level enough for the feet, then as undulating as the file says.
-constexpr double kFlatRadiusM = 0.6;
+constexpr double kFlatRadius_m = 0.6;
 
 Slope SlopeOf(const Scenario& scenario) {
   return {scenario.yard.slope_rad, scenario.yard.downhill_rad};
@@ -63,18 +63,18 @@ Lying LyingAt(const RoverModel& rover, const StartKeys& start) {
 }
 
 // An arm laid on the funnel slides down a few centimetres at most.
-constexpr double kMostSettlingM = 0.05;
+constexpr double kMostSettling_m = 0.05;
 // Further from the mouth than the arm's length and this the rover does not meet the station, and
 // may roll off a paddle's tip by half a pitch, 8 cm. Assumed, range 0.1-0.5 m.
-constexpr double kClearM = 0.3;
+constexpr double kClear_m = 0.3;
 // Put down on a slope a station may slip by 1 cm before its feet hold; one that tips over moves by
 // more than this.
-constexpr double kStandsM = 0.05;
+constexpr double kStands_m = 0.05;
 
 void CheckStation(const BuiltRun& run, const Truth& start) {
   if (run.world.slope.angle_rad == 0.0) return;
   const double moved_m = (Inverse(run.X_WD) * start.X_WS).p.norm();
-  if (moved_m < kStandsM) return;
+  if (moved_m < kStands_m) return;
   char text[120];
   std::snprintf(text, sizeof text,
                 ": expected a slope on which the station stands, on this one of %.1f deg it moved "
@@ -94,7 +94,7 @@ void CheckBearing(const Scenario& scenario) {
 }  // namespace
 
 HeightGrid MakeGround(const YardModel& yard, const Seed& seed) {
-  return YardGround(yard, kFlatRadiusM, seed);
+  return YardGround(yard, kFlatRadius_m, seed);
 }
 
 Pose3 SiteOf(const Scenario& scenario) { return SiteInWorld(scenario.X_WG, SlopeOf(scenario)); }
@@ -123,8 +123,8 @@ void CheckStart(const BuiltRun& run, const Truth& start) {
   }
   const Pose2 &wanted = run.world.X_DR_start, is = AxleOnGround(start.X_DR);
   const double moved_m = std::hypot(is.x - wanted.x, is.y - wanted.y);
-  const double clear_m = run.world.rover.arm_length_m + kClearM;
-  if (moved_m < kMostSettlingM || std::hypot(wanted.x, wanted.y) > clear_m) {
+  const double clear_m = run.world.rover.arm_length_m + kClear_m;
+  if (moved_m < kMostSettling_m || std::hypot(wanted.x, wanted.y) > clear_m) {
     CheckStation(run, start);
     return;
   }

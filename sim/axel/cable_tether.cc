@@ -10,9 +10,9 @@ namespace {
 constexpr double kFarthest = 1.5, kNearest = 0.5;
 // Laying out: a mass inside a solid is pushed out by this per step [m]; the tether is paid out
 // where it would pull by more than this [N], by this per step [m]. Numerical.
-constexpr double kPushedOutM = 5e-4, kLaidWithN = 1.0, kPaidOutM = 2e-4;
+constexpr double kPushedOut_m = 5e-4, kLaidWith_n = 1.0, kPaidOut_m = 2e-4;
 constexpr int kLayingSteps = 3000, kSettlingSteps = 1500;
-constexpr double kLayingStepS = 1e-3;
+constexpr double kLayingStep_s = 1e-3;
 
 /// The massless tether in the cone, as the end of the cable outside.
 class ConeEnd : public CableEnd {
@@ -30,9 +30,9 @@ class ConeEnd : public CableEnd {
     CablePull pull;
     if (load.tension_n <= 0.0) return pull;
     const Eigen::Vector3d dir_M = load.force_on_tip_M / load.tension_n;
-    constexpr double kDifferenceM = 1e-6;
-    const double more_n = PullAt(p_M - kDifferenceM * dir_M).tension_n;
-    const double stiffness = std::max(0.0, (more_n - load.tension_n) / kDifferenceM);
+    constexpr double kDifference_m = 1e-6;
+    const double more_n = PullAt(p_M - kDifference_m * dir_M).tension_n;
+    const double stiffness = std::max(0.0, (more_n - load.tension_n) / kDifference_m);
     const Eigen::Vector3d dir = X_GM_.R * dir_M;
     const double across = load.tension_n / std::max(1e-3, (load.p_M[0] - p_M).norm());
     pull.force_G = load.tension_n * dir;
@@ -121,14 +121,14 @@ CableStep CableTether::MakeStep(const TetherPlace& place, const HeightGrid& grou
 void CableTether::Relax(const TetherPlace& place, const StationBody& station,
                         const HeightGrid& ground) {
   // Without weight and at rest after every step it becomes the shortest way round.
-  CableStep step = MakeStep(place, ground, Eigen::Vector3d::Zero(), kLayingStepS);
+  CableStep step = MakeStep(place, ground, Eigen::Vector3d::Zero(), kLayingStep_s);
   const ConeEnd end(inner_, place.X_GM, station);
   step.end = &end;
-  cable_.deepest_m = kPushedOutM;
+  cable_.deepest_m = kPushedOut_m;
   for (int i = 0; i < kLayingSteps && cable_.masses() > 0; ++i) {
     cable_.Calm();
     step.end_rest_m = inner_.free_m();
-    step.fed_m = cable_.tension_at_fed_end_n() > kLaidWithN ? kPaidOutM : 0.0;
+    step.fed_m = cable_.tension_at_fed_end_n() > kLaidWith_n ? kPaidOut_m : 0.0;
     cable_.Step(step);
     const int last = cable_.masses() - 1;
     inner_.Step(Inverse(place.X_GM) * cable_.p_G(last), Eigen::Vector3d::Zero(), inner_.free_m(),
@@ -155,7 +155,7 @@ double CableTether::TieUp(const RoverBody& rover, const StationBody& station,
     return inner_.free_m();
   }
   Relax(place, station, ground);
-  CableStep step = MakeStep(place, ground, gravity_G, kLayingStepS);
+  CableStep step = MakeStep(place, ground, gravity_G, kLayingStep_s);
   const ConeEnd end(inner_, place.X_GM, station);
   step.end = &end;
   for (int i = 0; i < kSettlingSteps; ++i) {

@@ -13,7 +13,7 @@ constexpr double kBodyFriction = 0.4;
 // fifth of critical damping. Assumed, ranges 0.2-2 MN/m and 0.5-4 kN s/m.
 constexpr double kRockStiffness_n_per_m = 5e5, kRockDamping_ns_per_m = 1.3e3;
 // Contacts are looked for when the rover's sphere comes this near the station's [m].
-constexpr double kNearM = 0.1;
+constexpr double kNear_m = 0.1;
 // Surfaces this far apart count as contacts that may close within the step: at 0.1 m/s over 5 ms.
 constexpr double kWithin_m = 0.5e-3;
 // A contact goes on from the last step's impulse and bend when that was this near: further than one
@@ -62,7 +62,7 @@ void ContactWorld::Step(double dt_s) {
 
 bool ContactWorld::MayTouch() const {
   const Eigen::Vector3d apart = rover_.motion(RoverLink::kBody).X_GL.p - station_.X_GM().p;
-  return apart.norm() < rover_.reach_m() + station_.reach_m() + kNearM;
+  return apart.norm() < rover_.reach_m() + station_.reach_m() + kNear_m;
 }
 
 void ContactWorld::FindTouches(double dt_s) {

@@ -8,9 +8,9 @@ namespace dockyard::axel {
 namespace {
 
 // End stops of an arm's hinge that has any: stiff rubber (assumed, range 1e3-1e4 Nm/rad).
-constexpr double kStopStiffnessNmPerRad = 5e3;
+constexpr double kStopStiffness_nm_per_rad = 5e3;
 // A fifth of critical on the arm and its rotor, 3.3 kg m^2 (assumed, range 20-250 Nm s/rad).
-constexpr double kStopDampingNmsPerRad = 50.0;
+constexpr double kStopDamping_nms_per_rad = 50.0;
 
 constexpr std::array<RoverLink, 3> kLinks = {RoverLink::kLeftWheel, RoverLink::kRightWheel,
                                              RoverLink::kArm};
@@ -80,8 +80,8 @@ double DriveTrain::ArmStopTorque(const RoverBody& rover) const {
                         : q < arm_lower_rad_ ? q - arm_lower_rad_
                                              : 0.0;
   if (beyond == 0.0) return 0.0;
-  const double torque =
-      -kStopStiffnessNmPerRad * beyond - kStopDampingNmsPerRad * rover.joint_rad_s(RoverLink::kArm);
+  const double torque = -kStopStiffness_nm_per_rad * beyond -
+                        kStopDamping_nms_per_rad * rover.joint_rad_s(RoverLink::kArm);
   return torque * beyond < 0.0 ? torque : 0.0;  // a stop does not hold on
 }
 

@@ -14,7 +14,7 @@ namespace {
 // Pieces further apart than this, and than twice what the link moved in the last step, do not meet
 // in the next: by a tenth of a millimetre more the link would have to speed up by 0.1 m/s in 1 ms,
 // ten times g.
-constexpr double kGapM = 0.1e-3;
+constexpr double kGap_m = 0.1e-3;
 constexpr double kGapSteps = 2.0;
 
 const btCompoundShape& Compound(const btCollisionObject& body) {
@@ -149,7 +149,7 @@ void ModuleContacts::Find(double step_s, std::vector<ModuleContact>& contacts) {
       rover = rover_.collider(pair.link);
       X_SL = X_SG * rover->getWorldTransform();
       moved = MovedSinceLastStep(pair.link, X_SL);
-      gap = kGapM + kGapSteps * moved;
+      gap = kGap_m + kGapSteps * moved;
     }
     pair.clear_m -= moved;
     if (pair.clear_m > gap) continue;

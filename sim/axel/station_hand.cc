@@ -8,7 +8,7 @@ namespace {
 constexpr double kSeconds = 4.0;  // from hold to let go; assumed, 1-20
 // Of the hand, a critically damped spring on the station's mass. Against the feet's friction of
 // some 300 N a station of 35 kg stays back by 2 mm. Assumed, 30-100.
-constexpr double kStiffnessRadPerS = 60.0;
+constexpr double kStiffness_rad_s = 60.0;
 
 // Minimum jerk (Flash and Hogan 1985): share of the way, and its rate times the whole time.
 struct Share {
@@ -45,7 +45,7 @@ void StationHand::Hold(double time_s, StationBody& station) {
   const Eigen::Vector3d away = p_GM_ + carried_G_ + lever_G - p_GC;
   const LinkMotion& motion = station.motion();
   const Eigen::Vector3d v = motion.VelocityAt(p_GC);
-  const double w = kStiffnessRadPerS;
+  const double w = kStiffness_rad_s;
   Eigen::Vector3d force_G =
       (w * w * away + 2.0 * w * (v_wanted - v)) / station.inverse_mass_per_kg();
   force_G.z() = 0.0;

@@ -10,7 +10,7 @@ namespace dockyard::axel {
 namespace {
 
 // A piece always counts as at least this long, so that its stiffness stays finite.
-constexpr double kShortestPieceM = 1e-3;
+constexpr double kShortestPiece_m = 1e-3;
 // Tensions on both sides of a bend settle to this share within one step.
 constexpr double kSlideTolerance = 1e-9;
 constexpr int kSlideSweeps = 40;
@@ -52,7 +52,7 @@ void Tether::BeginAt(const Eigen::Vector3d& p_MT, double shorter_m, double insid
 }
 
 double Tether::Pull(int piece) const {
-  const double relaxed = std::max(kShortestPieceM, free_[piece] + Inside(piece));
+  const double relaxed = std::max(kShortestPiece_m, free_[piece] + Inside(piece));
   return tether_.axial_stiffness_n * (path_.length_m[piece] - free_[piece]) / relaxed;
 }
 
@@ -114,8 +114,8 @@ void Tether::SlideOverBends() {
       const int to = outwards ? bend : bend + 1, from = outwards ? bend + 1 : bend;
       // Newton on the length that slides until the tensions stand at the capstan's ratio.
       for (int newton = 0; newton < 2; ++newton) {
-        const double c_to = std::max(kShortestPieceM, free_[to] + Inside(to));
-        const double c_from = std::max(kShortestPieceM, free_[from] + Inside(from));
+        const double c_to = std::max(kShortestPiece_m, free_[to] + Inside(to));
+        const double c_from = std::max(kShortestPiece_m, free_[from] + Inside(from));
         const double gap = Pull(to) - ratio * Pull(from);
         const double slope = tether_.axial_stiffness_n *
                              ((path_.length_m[to] + Inside(to)) / (c_to * c_to) +
@@ -149,7 +149,7 @@ TetherLoad Tether::Step(const Eigen::Vector3d& p_MT, const Eigen::Vector3d& v_MT
   std::array<Eigen::Vector3d, kBendCount + 1> along{};
   for (int i = 0; i < path_.pieces; ++i) {
     along[i] = (Lift(path_.nodes[i + 1]) - Lift(path_.nodes[i])) /
-               std::max(kShortestPieceM, path_.length_m[i]);
+               std::max(kShortestPiece_m, path_.length_m[i]);
     load.p_M[i] = Lift(path_.nodes[i + 1]);
   }
   if (tension[0] > 0.0) {

@@ -19,7 +19,7 @@ constexpr double kSettleSeconds = 1.5;
 // They have, once no body was faster than this for a third of the time in which the rover swings
 // about its axle, 0.3 s: what is left then is a swing of 0.1 mm. Assumed, ranges 0.3-3 mm/s and
 // mrad/s, 0.05-0.3 s.
-constexpr double kRestMPerS = 1e-3, kRestRadPerS = 3e-3, kRestSeconds = 0.1;
+constexpr double kRest_m_s = 1e-3, kRest_rad_s = 3e-3, kRestSeconds = 0.1;
 
 void CheckSetup(const WorldSetup& setup) {
   DOCKYARD_CHECK(setup.step_s > 0.0 && setup.step_s <= 5e-3);
@@ -128,7 +128,7 @@ void World::Impl::Settle() {
   const int most = StepsIn(kSettleSeconds), enough = StepsIn(kRestSeconds);
   for (int i = 0, slow = 0; i < most && slow < enough; ++i) {
     Step(braked);
-    slow = NoneFaster(kRestMPerS, kRestRadPerS) ? slow + 1 : 0;
+    slow = NoneFaster(kRest_m_s, kRest_rad_s) ? slow + 1 : 0;
   }
   steps_ = 0;
   drives_.PowerOn(rover_);
@@ -151,10 +151,10 @@ bool World::Impl::NoneFaster(double m_s, double rad_s) const {
 }
 
 bool World::Impl::IsStill() const {
-  if (cable_ && cable_->fastest_m_s() > kStillCableMPerS) return false;
+  if (cable_ && cable_->fastest_m_s() > kStillCable_m_s) return false;
   const double slower = cable_ ? kSlowerWithCable : 1.0;
-  return NoneFaster(slower * kStillMPerS, slower * kStillRadPerS) &&
-         drives_.IsStill(kStillRadPerS, setup_.step_s);
+  return NoneFaster(slower * kStill_m_s, slower * kStill_rad_s) &&
+         drives_.IsStill(kStill_rad_s, setup_.step_s);
 }
 
 void World::Impl::Step(const std::array<MotorCommand, kMotorCount>& commands) {

@@ -33,11 +33,11 @@ class World::Impl {
  private:
   // At rest: no speed was above these for this many steps. Such a speed moves a body by half a
   // micrometre in a minute. Assumed, range 1e-10 to 1e-7 and 20-200 steps.
-  static constexpr double kStillMPerS = 1e-8, kStillRadPerS = 1e-8;
+  static constexpr double kStill_m_s = 1e-8, kStill_rad_s = 1e-8;
   static constexpr int kRestSteps = 50;
   // A cable's masses of 4 g that swing or creep slower than this move nothing. Assumed, range 1e-4
   // to 1e-2.
-  static constexpr double kStillCableMPerS = 1e-3;
+  static constexpr double kStillCable_m_s = 1e-3;
   // It shakes rover and station by more than the limits above. Assumed, range 10-1000.
   static constexpr double kSlowerWithCable = 100.0;
 

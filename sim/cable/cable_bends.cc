@@ -9,23 +9,23 @@ namespace {
 
 // Contact of cable and solid. Stiff enough that 300 N press a mass in by less than kSlip, below
 // which a segment counts as bent over the solid. Numerical.
-constexpr double kStiffnessNPerM = 1e6;
+constexpr double kStiffness_n_per_m = 1e6;
 // A segment bends over a solid that is smaller by this than what the masses touch, so that a mass
 // passes over an edge without a jump of the length.
-constexpr double kSlipM = 1e-5;
+constexpr double kSlip_m = 1e-5;
 // Ground below a cable gives way: sand under a rod as wide as the cable bears this (assumed, range
 // 3e4-3e5 Pa), and rebounds with this stiffness per mass (assumed, range 5e3-1e5 N/m).
-constexpr double kBearingPa = 1e5;
-constexpr double kGroundNPerM = 2e4;
+constexpr double kBearing_pa = 1e5;
+constexpr double kGround_n_per_m = 2e4;
 // Masses this far off are looked at in a step [m], and twice their way in it.
-constexpr double kNearM = 1e-3;
+constexpr double kNear_m = 1e-3;
 // The plane of a bend turns by this at a time when the cable slips sideways over a solid.
-constexpr double kTurnRad = 0.01;
-constexpr double kNothingM = 1e-9;
+constexpr double kTurn_rad = 0.01;
+constexpr double kNothing_m = 1e-9;
 
 // A bend that the masses leave by less than this stays where it was: a mass that passes an edge
 // hands its bend over to the next segment. Numerical.
-constexpr double kHandOverM = 2e-5, kHandOverReachM = 5e-3;
+constexpr double kHandOver_m = 2e-5, kHandOverReach_m = 5e-3;
 
 // The last direction out of the solid, turned with the cable's. When it has little of the direction
 // between the faces' normals, that one.
@@ -46,7 +46,7 @@ WayRound Kept(const WayRound& last, const Eigen::Vector3d& a_B, const Eigen::Vec
   };
   way.first_B = Apart(last.first_B) < Apart(last.last_B) ? last.first_B : last.last_B;
   way.last_B = way.first_B;
-  way.bends = last.bends && Apart(way.first_B) < kHandOverReachM * kHandOverReachM;
+  way.bends = last.bends && Apart(way.first_B) < kHandOverReach_m * kHandOverReach_m;
   way.turn_rad = last.turn_rad;
   way.length_m = (way.first_B - a_B).norm() + (b_B - way.last_B).norm();
   return way;
@@ -56,17 +56,17 @@ void TurnUp(const CableBody& body, double diameter_m, const Eigen::Vector3d& a_B
             const Eigen::Vector3d& b_B, CableBend& bend) {
   // Sideways the cable slips where the way becomes shorter by more than friction holds: the work of
   // turning the plane by d against the friction of N = 2 T sin(turn / 2) at its lever.
-  const double grow = 0.5 * diameter_m + kSlipM;
+  const double grow = 0.5 * diameter_m + kSlip_m;
   const Eigen::Vector3d along = (b_B - a_B).normalized();
   const Eigen::Vector3d up = (bend.up_B - bend.up_B.dot(along) * along).normalized();
   const Eigen::Vector3d aside = along.cross(up);
   const Eigen::Vector3d to = bend.way.first_B - a_B;
   const double lever = (to - to.dot(along) * along).norm();
-  const double hold = body.friction * 2.0 * std::sin(0.5 * bend.way.turn_rad) * lever * kTurnRad;
-  for (const double turn : {kTurnRad, -kTurnRad}) {
+  const double hold = body.friction * 2.0 * std::sin(0.5 * bend.way.turn_rad) * lever * kTurn_rad;
+  for (const double turn : {kTurn_rad, -kTurn_rad}) {
     const Eigen::Vector3d turned = up + turn * aside;
     const WayRound way = FindWayRound(body, a_B, b_B, turned, grow);
-    if (!way.bends || bend.way.length_m - way.length_m <= hold + kNothingM) continue;
+    if (!way.bends || bend.way.length_m - way.length_m <= hold + kNothing_m) continue;
     bend.up_B = turned.normalized();
     bend.way = way;
     return;
@@ -81,7 +81,7 @@ void BendOver(const CableStep& step, const CableModel& model, const std::vector<
   const Eigen::Vector3d& b_G = nodes[segment].p_G;
   const Eigen::Vector3d middle = 0.5 * (a_G + b_G);
   const double half = 0.5 * (b_G - a_G).norm(), radius = 0.5 * model.diameter_m;
-  const double grow = radius + kSlipM;
+  const double grow = radius + kSlip_m;
   for (const int i : near) {
     const CableBody& body = (*step.bodies)[i];
     const double reach = body.reach_m + radius + half;
@@ -91,7 +91,7 @@ void BendOver(const CableStep& step, const CableModel& model, const std::vector<
     const Eigen::Vector3d middle_B = 0.5 * (a_B + b_B);
     if (middle_B.head<2>().norm() < body.hole_radius_m && middle_B.z() > 0.0) continue;
     Eigen::Vector3d out_B;
-    const double within = last.body == i ? kHandOverM : 0.0;
+    const double within = last.body == i ? kHandOver_m : 0.0;
     if (!PassesThrough(body, a_B, b_B, grow + within, out_B)) continue;
     CableBend tried;
     if (last.body == i) tried = last;
@@ -151,7 +151,7 @@ void FindTouches(const CableStep& step, const CableModel& model,
   };
   for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
     const CableNode& node = nodes[i];
-    const double near_m = kNearM + 2.0 * step.step_s * node.v_G.norm();
+    const double near_m = kNear_m + 2.0 * step.step_s * node.v_G.norm();
     if (step.ground != nullptr) {
       const double above = node.p_G.z() - radius - step.ground->Height(node.p_G.x(), node.p_G.y());
       if (above < near_m) {
@@ -161,8 +161,8 @@ void FindTouches(const CableStep& step, const CableModel& model,
         touch.normal_G = step.ground->Normal(node.p_G.x(), node.p_G.y());
         touch.gap_m = above * touch.normal_G.z();
         touch.friction = model.friction_on_ground;
-        touch.stiffness_n_per_m = kGroundNPerM;
-        touch.most_n = kBearingPa * model.diameter_m * model.spacing_m;
+        touch.stiffness_n_per_m = kGround_n_per_m;
+        touch.most_n = kBearing_pa * model.diameter_m * model.spacing_m;
         Add(touch);
       }
     }
@@ -189,7 +189,7 @@ void FindTouches(const CableStep& step, const CableModel& model,
       touch.v_body_G = v_body_G;
       touch.gap_m = nearest.gap_m - radius;
       touch.friction = body.friction;
-      touch.stiffness_n_per_m = kStiffnessNPerM;
+      touch.stiffness_n_per_m = kStiffness_n_per_m;
       touch.most_n = 1e9;
       Add(touch);
     }

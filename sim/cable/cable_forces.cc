@@ -9,10 +9,10 @@ namespace dockyard {
 namespace {
 
 // A piece counts as at least this long, so that stiffness and direction stay finite.
-constexpr double kShortestM = 1e-3;
-constexpr double kNothingM = 1e-9;
+constexpr double kShortest_m = 1e-3;
+constexpr double kNothing_m = 1e-9;
 // So near an edge a mass is about to pass it. Numerical: ten times its way in a step.
-constexpr double kNearEdgeM = 2e-3;
+constexpr double kNearEdge_m = 2e-3;
 // The share of a bristle's stiffness that keeps its force within the limit at this bend.
 double Held(double most_n, double bend_m, double bristle_n_per_m) {
   const double force = bristle_n_per_m * std::abs(bend_m);
@@ -43,10 +43,10 @@ void PullBent(const Pulled& pulled, double h, const CableBend& bend, CableSpan& 
   // Along the cable: what slides from a's side to b's makes b's part the tighter one.
   const double slid = bend.slid_m + 0.5 * h * (pulled.b.rate_m_s - pulled.a.rate_m_s);
   const double held =
-      kCableBristleNPerM * Held(span.most_ratio * tension, slid, kCableBristleNPerM);
+      kCableBristle_n_per_m * Held(span.most_ratio * tension, slid, kCableBristle_n_per_m);
   const double rub = held * slid, t_a = tension - rub, t_b = tension + rub;
   const double stiff = pulled.tension.per_speed, give = 0.5 * h * held;
-  span.slid_m = rub / kCableBristleNPerM;
+  span.slid_m = rub / kCableBristle_n_per_m;
   span.on_a_G = t_a * (a + pulled.a.off);
   span.on_b_G = t_b * (b + pulled.b.off);
   span.aa =
@@ -61,9 +61,10 @@ void PullBent(const Pulled& pulled, double h, const CableBend& bend, CableSpan& 
       m.dot(w_a * (pulled.v_a_G - span.v_first_G) + w_b * (pulled.v_b_G - span.v_last_G));
   const double swept = bend.swept_m + h * sweep;
   const double press = (span.on_a_G + span.on_b_G).norm();
-  const double hold = kCableBristleNPerM * Held(span.friction * press, swept, kCableBristleNPerM);
+  const double hold =
+      kCableBristle_n_per_m * Held(span.friction * press, swept, kCableBristle_n_per_m);
   const Eigen::Matrix3d mm = h * hold * m * m.transpose();
-  span.swept_m = hold * swept / kCableBristleNPerM;
+  span.swept_m = hold * swept / kCableBristle_n_per_m;
   span.on_a_G -= w_a * hold * swept * m;
   span.on_b_G -= w_b * hold * swept * m;
   span.aa += w_a * w_a * mm;
@@ -71,7 +72,7 @@ void PullBent(const Pulled& pulled, double h, const CableBend& bend, CableSpan& 
   span.ab += w_a * w_b * mm;
 }
 
-// A part that is shorter than kNearEdgeM keeps its direction through the step, so that a mass
+// A part that is shorter than kNearEdge_m keeps its direction through the step, so that a mass
 // passes the edge as on a straight line; aside of that it is held as by a part of that length.
 Pulled PartsOf(const CableStep& step, const std::vector<CableNode>& nodes, int j,
                const CableSpan& span, double ahead_s, const Eigen::Vector3d& v_a_G,
@@ -88,13 +89,13 @@ Pulled PartsOf(const CableStep& step, const std::vector<CableNode>& nodes, int j
     if (is_near) {
       part.dir = straight;
       part.length_m = straight.dot(way);
-      part.per_m = 1.0 / kNearEdgeM;
+      part.per_m = 1.0 / kNearEdge_m;
       part.off = part.per_m * (way - part.length_m * straight);
     } else {
-      const double length = std::max(kNothingM, way.norm());
+      const double length = std::max(kNothing_m, way.norm());
       part.dir = way / length;
       part.length_m = length;
-      part.per_m = 1.0 / std::max(kShortestM, length);
+      part.per_m = 1.0 / std::max(kShortest_m, length);
     }
     part.rate_m_s = part.dir.dot(rate);
     return part;
@@ -115,11 +116,11 @@ void FindSolidEdges(const CableStep& step, const std::vector<CableNode>& nodes, 
     return (to - (from < 0 ? step.p_GF : nodes[from].p_G)).normalized();
   };
   if (j > 0) {
-    span.a_is_near = (span.first_G - nodes[j - 1].p_G).squaredNorm() < kNearEdgeM * kNearEdgeM;
+    span.a_is_near = (span.first_G - nodes[j - 1].p_G).squaredNorm() < kNearEdge_m * kNearEdge_m;
     if (span.a_is_near) span.a_straight_G = Line(j - 2, span.first_G);
   }
   if (j + 1 < static_cast<int>(nodes.size())) {
-    span.b_is_near = (span.last_G - nodes[j].p_G).squaredNorm() < kNearEdgeM * kNearEdgeM;
+    span.b_is_near = (span.last_G - nodes[j].p_G).squaredNorm() < kNearEdge_m * kNearEdge_m;
     if (span.b_is_near) span.b_straight_G = Line(j + 1, span.last_G);
   }
   const Pulled pulled = PartsOf(step, nodes, j, span, 0.0, nodes[j].v_G, nodes[j].v_G);
@@ -142,10 +143,10 @@ void Stiffen(const CableStep& step, const CableModel& model, double damping_n_s,
     const Pulled pulled = PartsOf(step, nodes, j, span, 0.0, v_a, node.v_G);
     length = pulled.length_m;
     rate = pulled.a.rate_m_s + pulled.b.rate_m_s;
-  } else if (length > kNothingM) {
+  } else if (length > kNothing_m) {
     rate = way.dot(node.v_G - v_a) / length;
   }
-  const double relaxed = std::max(kShortestM, node.rest_m + (j == 0 ? model.inside_m : 0.0));
+  const double relaxed = std::max(kShortest_m, node.rest_m + (j == 0 ? model.inside_m : 0.0));
   const double fed_m = j == 0 ? step.fed_m : 0.0;
   const double k = model.axial_stiffness_n / relaxed, stretch = length - node.rest_m;
   span.stiffness_n_per_m = k;
@@ -167,10 +168,10 @@ void PullStraight(const CableStep& step, const std::vector<CableNode>& nodes,
   const double square = way.squaredNorm();
   span.tension_n = 0.0;
   if (square <= span.slack_m * span.slack_m) return;
-  const double length = std::max(kNothingM, std::sqrt(square));
+  const double length = std::max(kNothing_m, std::sqrt(square));
   span.tension_n = span.stiffness_n_per_m * (length - span.slack_m);
   span.dir_G = way / length;
-  span.across = h * span.tension_n / std::max(kShortestM, length);
+  span.across = h * span.tension_n / std::max(kShortest_m, length);
   span.along = h * span.stiffness_n_per_m - span.across;
 }
 
@@ -199,9 +200,9 @@ void Press(double h, const Eigen::Vector3d& v_G, CableTouch& touch) {
   const double stiffness = std::min(touch.stiffness_n_per_m, touch.most_n / in);
   touch.press_n = stiffness * in;
   const Eigen::Vector3d tried = touch.bend_G + h * (v - v.dot(n) * n);
-  const double held =
-      kCableBristleNPerM * Held(touch.friction * touch.press_n, tried.norm(), kCableBristleNPerM);
-  touch.held = held / kCableBristleNPerM;
+  const double held = kCableBristle_n_per_m *
+                      Held(touch.friction * touch.press_n, tried.norm(), kCableBristle_n_per_m);
+  touch.held = held / kCableBristle_n_per_m;
   touch.force_G = touch.press_n * n - held * tried;
   touch.resistance = h * (stiffness - held) * n * n.transpose();
   touch.resistance.diagonal().array() += h * held;

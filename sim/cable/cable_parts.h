@@ -69,7 +69,7 @@ inline constexpr int kCableOnGround = -1, kCableFree = -2;  // in place of a bod
 inline constexpr int kMostCableGrips = 3;
 // Bristles of friction on solids and ground [N/m]: 10 N bend them by 0.2 mm (assumed, range
 // 2e4-1e6).
-inline constexpr double kCableBristleNPerM = 5e4;
+inline constexpr double kCableBristle_n_per_m = 5e4;
 /// Where a mass is held by friction.
 struct CableGrip {
   int body = kCableFree;

@@ -9,7 +9,7 @@ namespace dockyard {
 namespace {
 
 constexpr int kPieces = 24;
-constexpr double kSmallestTensionN = 0.1;  // slacker than this, the excess length gives the sag
+constexpr double kSmallestTension_n = 0.1;  // slacker than this, the excess length gives the sag
 // Flatter than this the cosh is lost in rounding and the chord is drawn.
 constexpr double kFlattest = 1e5;  // a per span
 constexpr int kBisections = 80;
@@ -62,7 +62,7 @@ std::vector<Eigen::Vector3d> HangingTether(const TetherModel& tether, const Heig
   const double h = way.head<2>().norm(), v = way.z();
   const double weight_n_per_m = tether.mass_kg_per_m * kEarthGravity_m_s2;
   double a = kFlattest * h;
-  if (tension_n > kSmallestTensionN && weight_n_per_m > 0.0) {
+  if (tension_n > kSmallestTension_n && weight_n_per_m > 0.0) {
     a = OfTension(tension_n / weight_n_per_m, h, v);
   } else if (excess_m > 0.0) {
     a = OfLength(way.norm() + excess_m, h, v);

@@ -13,14 +13,14 @@ namespace {
 
 constexpr int kMostIterations = 8;
 // Solved when no mass changes its speed by more [m/s]: 1e-8 m of a step.
-constexpr double kSolvedMPerS = 1e-5;
-constexpr double kSmoothlySolvedMPerS = 5e-3;
+constexpr double kSolved_m_s = 1e-5;
+constexpr double kSmoothlySolved_m_s = 5e-3;
 // Air and the cord's own friction take this share of its masses' speeds per second: 4 % of critical
 // at 1 Hz (assumed, range 0.1-2).
-constexpr double kSwingDampingPerS = 0.5;
+constexpr double kSwingDamping_per_s = 0.5;
 // Friction's share of the bristle's stiffness is found to this.
 constexpr double kSameHold = 0.01;
-constexpr double kShortestM = 1e-3, kNothingM = 1e-9;
+constexpr double kShortest_m = 1e-3, kNothing_m = 1e-9;
 
 void AddStraight(const CableSpan& span, double h, std::size_t j, CableEquations& e) {
   const Eigen::Vector3d& d = span.dir_G;
@@ -84,7 +84,7 @@ void Resize(std::size_t masses, CableEquations& e) {
 CablePull FixedCableEnd::Try(const Eigen::Vector3d& p_G, const Eigen::Vector3d& v_G,
                              double step_s) const {
   const Eigen::Vector3d way = p_GE_ - p_G - step_s * v_G;
-  const double length = std::max(kNothingM, way.norm()), relaxed = std::max(kShortestM, rest_m_);
+  const double length = std::max(kNothing_m, way.norm()), relaxed = std::max(kShortest_m, rest_m_);
   const Eigen::Vector3d dir = way / length;
   const double stiffness = cable_.axial_stiffness_n / relaxed;
   const double pull_n = stiffness * std::max(0.0, length - rest_m_);
@@ -100,9 +100,9 @@ void Cable::Assemble(const CableStep& step) {
   const std::size_t count = nodes_.size();
   for (std::size_t i = 0; i < count; ++i) {
     e.right[i] = e.mass_kg[i] * (nodes_[i].v_G - e.speed[i] +
-                                 h * (step.gravity_G - kSwingDampingPerS * e.speed[i]));
+                                 h * (step.gravity_G - kSwingDamping_per_s * e.speed[i]));
     e.diagonal[i].setZero();
-    e.diagonal[i].diagonal().setConstant(e.mass_kg[i] * (1.0 + h * kSwingDampingPerS));
+    e.diagonal[i].diagonal().setConstant(e.mass_kg[i] * (1.0 + h * kSwingDamping_per_s));
   }
   for (std::size_t j = 0; j < count; ++j) {
     const bool bent = nodes_[j].bend.body != kCableFree;
@@ -152,7 +152,8 @@ bool Cable::IsSettled(const CableStep& step) const {
     if (touch.press_n <= 0.0) continue;
     const double bend = (touch.bend_G + h * (v - along * touch.normal_G)).norm();
     const double most = touch.friction * std::min(touch.stiffness_n_per_m * in, touch.most_n);
-    const double held = bend * kCableBristleNPerM > most ? most / (bend * kCableBristleNPerM) : 1.0;
+    const double held =
+        bend * kCableBristle_n_per_m > most ? most / (bend * kCableBristle_n_per_m) : 1.0;
     if (std::abs(held - touch.held) > kSameHold * touch.held) return false;
   }
   return true;
@@ -198,7 +199,7 @@ void Cable::ReadForces(const CableStep& step) {
   }
   forces_.of_air_G.setZero();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    forces_.of_air_G -= kSwingDampingPerS * equations_.mass_kg[i] * equations_.speed[i];
+    forces_.of_air_G -= kSwingDamping_per_s * equations_.mass_kg[i] * equations_.speed[i];
   }
   forces_.of_end_G = end_pull_.force_G - end_pull_.resistance * equations_.change.back();
 }
@@ -227,7 +228,7 @@ void Cable::Step(const CableStep& step) {
   for (int i = 0; !solved && i < kMostIterations; ++i) {
     Assemble(step);
     const double change = Solve(equations_);
-    solved = change < kSolvedMPerS || (change < kSmoothlySolvedMPerS && IsSettled(step));
+    solved = change < kSolved_m_s || (change < kSmoothlySolved_m_s && IsSettled(step));
   }
   ReadForces(step);
   Move(step);

@@ -11,20 +11,20 @@ namespace dockyard {
 namespace {
 
 // Closed loop of the drive's angle servo, critically damped: 16 Hz (assumed, range 5-30 Hz).
-constexpr double kServoRadPerS = 100.0;
+constexpr double kServo_rad_s = 100.0;
 // A shaft gives this much before its gears slide (assumed, range 0.5-5 mrad: gear backlash) ...
-constexpr double kBristleTravelRad = 2e-3;
+constexpr double kBristleTravel_rad = 2e-3;
 // ... but never so stiff that it rings faster than this, so that 1 ms steps carry it well.
-constexpr double kBristleRadPerS = 150.0;
+constexpr double kBristle_rad_s = 150.0;
 // A shaft that turns slower than this draws no no-load current (assumed, range 1e-4 to 1e-2).
-constexpr double kStandstillRadPerS = 1e-3;
+constexpr double kStandstill_rad_s = 1e-3;
 // Stiffness over that of the servo, of teeth with backlash and no bend (assumed, range 10-1000).
 constexpr double kTeethOverServo = 100.0;
 
 ShaftBristle MakeBristle(double limit_nm, double inertia_kg_m2) {
   if (limit_nm <= 0.0) return {};
   const double stiffness =
-      std::min(limit_nm / kBristleTravelRad, inertia_kg_m2 * kBristleRadPerS * kBristleRadPerS);
+      std::min(limit_nm / kBristleTravel_rad, inertia_kg_m2 * kBristle_rad_s * kBristle_rad_s);
   return {stiffness, std::sqrt(stiffness * inertia_kg_m2), limit_nm};
 }
 
@@ -41,8 +41,8 @@ MotorDrive::MotorDrive(const MotorModel& motor, double inertia_kg_m2)
                                                       LosslessTorquePerAmp() * motor.max_current_a,
                          inertia_kg_m2)),
       brake_(MakeBristle(motor.brake_torque_nm, inertia_kg_m2)),
-      servo_stiffness_nm_per_rad_(inertia_kg_m2 * kServoRadPerS * kServoRadPerS),
-      servo_damping_nms_per_rad_(2.0 * inertia_kg_m2 * kServoRadPerS),
+      servo_stiffness_nm_per_rad_(inertia_kg_m2 * kServo_rad_s * kServo_rad_s),
+      servo_damping_nms_per_rad_(2.0 * inertia_kg_m2 * kServo_rad_s),
       bend_nm_per_rad_(motor.bend_nm_per_rad) {
   DOCKYARD_CHECK(inertia_kg_m2 > 0.0 && motor.gear_efficiency > 0.0);
   if (motor.backlash_rad > 0.0 && bend_nm_per_rad_ == 0.0) {
@@ -104,8 +104,8 @@ DriveOutput MotorDrive::Work(const MotorCommand& command, double angle_rad, doub
     out.friction_torque_nm += BristleTorque(brake_, speed_rad_s, dt_s, brake_bend_rad_);
   }
   if (!driving) return out;
-  const bool turning = std::abs(speed_rad_s) > kStandstillRadPerS ||
-                       std::abs(profile_.speed_rad_s) > kStandstillRadPerS;
+  const bool turning = std::abs(speed_rad_s) > kStandstill_rad_s ||
+                       std::abs(profile_.speed_rad_s) > kStandstill_rad_s;
   out.current_a = std::abs(out.motor_torque_nm) / LosslessTorquePerAmp() +
                   (turning ? motor_.no_load_current_a : 0.0);
   return out;

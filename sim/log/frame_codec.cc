@@ -203,8 +203,8 @@ Commands TakeCommands(ByteReader& in) {
   }
   commands.verdict = static_cast<Verdict>(verdict);
   commands.exposure_stops = in.Double();
-  if (!(std::abs(commands.exposure_stops) <= kMostExposureStops)) {
-    throw DataError("an exposure must lie within " + NumberText(kMostExposureStops) +
+  if (!(std::abs(commands.exposure_stops) <= kMostExposure_stops)) {
+    throw DataError("an exposure must lie within " + NumberText(kMostExposure_stops) +
                     " stops of the cameras' own");
   }
   return commands;

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLeftPx = 78.0, kTopPx = 84.0, kWidthPx = 820.0, kMostHeightPx = 700.0;
-constexpr double kAnglesPx = 150.0, kBetweenPx = 70.0, kLegendPx = 56.0;
+constexpr double kLeft_px = 78.0, kTop_px = 84.0, kWidth_px = 820.0, kMostHeight_px = 700.0;
+constexpr double kAngles_px = 150.0, kBetween_px = 70.0, kLegend_px = 56.0;
 constexpr double kStep_m = 0.04, kStep_rad = 0.08;
 const Pen kKept{"#9aa7b5", 1.0, "", 0.9}, kLeftOut{"#d3a29a", 1.0, "3 4", 0.9};
 const Pen kPath{"#0b6fb8", 3.0, "", 1.0}, kPointWay{"#1c8a4b", 1.5, "5 3", 1.0};
@@ -65,8 +65,8 @@ PlotArea AreaOf(const PathTask& task, const PlannedPath& plan) {
   const double beside_m = 0.12 * std::hypot(x.span(), y.span());
   y.Hold(y.low - beside_m * (y.span() < x.span()));
   y.Hold(y.high + beside_m * (y.span() < x.span()));
-  const double scale = std::min(kWidthPx / x.span(), kMostHeightPx / y.span());
-  return {{kLeftPx, kTopPx}, scale * x.span(), scale * y.span(), x, y};
+  const double scale = std::min(kWidth_px / x.span(), kMostHeight_px / y.span());
+  return {{kLeft_px, kTop_px}, scale * x.span(), scale * y.span(), x, y};
 }
 
 // The parts of a line that lie within the area.
@@ -137,7 +137,7 @@ void DrawAngles(SvgDocument& svg, const PathTask& task, const PlannedPath& plan,
     }
   }
   const double length_m = std::max(Length(plan.best->arcs), 1e-3);
-  const PlotArea area{corner, kWidthPx, kAnglesPx, {0.0, length_m}, {least - 5.0, most + 5.0}};
+  const PlotArea area{corner, kWidth_px, kAngles_px, {0.0, length_m}, {least - 5.0, most + 5.0}};
   area.DrawAxes(svg, "way of the reference point [m]", "steering [deg]");
   std::vector<std::pair<std::string, Pen>> legend;
   for (const WheelPlan& wheel : task.rover.wheels) {
@@ -154,7 +154,7 @@ void DrawAngles(SvgDocument& svg, const PathTask& task, const PlannedPath& plan,
     svg.Polyline(line, pen);
     legend.emplace_back(wheel.name, pen);
   }
-  DrawLegend(svg, {corner.x, corner.y + kAnglesPx + kLegendPx}, legend);
+  DrawLegend(svg, {corner.x, corner.y + kAngles_px + kLegend_px}, legend);
 }
 
 bool HasSteeredWheels(const RoverPlan& rover) {
@@ -167,11 +167,12 @@ bool HasSteeredWheels(const RoverPlan& rover) {
 std::string PathSvg(const PathTask& task, const PlannedPath& plan) {
   const PlotArea area = AreaOf(task, plan);
   const bool angles = plan.best && !plan.best->arcs.empty() && HasSteeredWheels(task.rover);
-  const double bottom_px = kTopPx + area.height + kBetweenPx;
-  SvgDocument svg(kLeftPx + kWidthPx + 30.0,
-                  angles ? bottom_px + kAnglesPx + kLegendPx + 24.0 : bottom_px, "A planned path");
-  svg.Text({kLeftPx, 24}, Words(plan), {15, "#222222", Anchor::kStart, true});
-  DrawLegend(svg, {kLeftPx, 48},
+  const double bottom_px = kTop_px + area.height + kBetween_px;
+  SvgDocument svg(kLeft_px + kWidth_px + 30.0,
+                  angles ? bottom_px + kAngles_px + kLegend_px + 24.0 : bottom_px,
+                  "A planned path");
+  svg.Text({kLeft_px, 24}, Words(plan), {15, "#222222", Anchor::kStart, true});
+  DrawLegend(svg, {kLeft_px, 48},
              {{"path of R", kPath},
               {"of the point", kPointWay},
               {"candidate", kKept},
@@ -201,7 +202,7 @@ std::string PathSvg(const PathTask& task, const PlannedPath& plan) {
     DrawRover(svg, area, task, {}, {1.0, 0.0});
   }
   DrawMarks(svg, area, task);
-  if (angles) DrawAngles(svg, task, plan, {kLeftPx, bottom_px});
+  if (angles) DrawAngles(svg, task, plan, {kLeft_px, bottom_px});
   return svg.Finish();
 }
 

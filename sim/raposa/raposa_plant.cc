@@ -50,7 +50,7 @@ SensorFrame RaposaPlant::Sense() {
 
 std::vector<CameraImage> RaposaPlant::TakeImages(const std::vector<int>& cameras,
                                                  double exposure_stops) {
-  DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposureStops);
+  DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposure_stops);
   if (cameras.empty()) return {};
   const BackCameraModel& camera = built_.world.robot.camera;
   const Pose3 X_WC = exposed_.X_WR * camera.X_RC;

@@ -87,12 +87,12 @@ std::vector<BarGroup> BarGroups(const RowColumns& columns, const std::optional<C
   return groups;
 }
 
-constexpr double kLeft = 330, kTop = 84, kWide = 260, kGap = 50, kBarPx = 11, kGroupGap = 7;
+constexpr double kLeft = 330, kTop = 84, kWide = 260, kGap = 50, kBar_px = 11, kGroupGap = 7;
 
 double HeightOf(const std::vector<BarGroup>& groups) {
   double high = 0.0;
   for (const BarGroup& group : groups) {
-    high += kBarPx * static_cast<double>(group.bars.size()) + kGroupGap;
+    high += kBar_px * static_cast<double>(group.bars.size()) + kGroupGap;
   }
   return high;
 }
@@ -129,9 +129,9 @@ void DrawBars(SvgDocument& svg, const PlotArea& area, const std::vector<BarGroup
     std::size_t color = 0;
     for (const Bar& bar : group.bars) {
       const double zero = area.At(0.0, 0.0).x, end = area.At(bar.*change, 0.0).x;
-      svg.Rect({std::min(zero, end), top + 1}, std::max(0.8, std::abs(end - zero)), kBarPx - 2,
+      svg.Rect({std::min(zero, end), top + 1}, std::max(0.8, std::abs(end - zero)), kBar_px - 2,
                CurveColor(color++));
-      top += kBarPx;
+      top += kBar_px;
     }
     top += kGroupGap;
   }
@@ -141,9 +141,9 @@ void DrawNames(SvgDocument& svg, const std::vector<BarGroup>& groups) {
   double top = kTop;
   for (const BarGroup& group : groups) {
     for (const Bar& bar : group.bars) {
-      svg.Text({kLeft - 8, top + kBarPx - 2}, group.key + " = " + bar.label,
+      svg.Text({kLeft - 8, top + kBar_px - 2}, group.key + " = " + bar.label,
                {10, "#333333", Anchor::kEnd});
-      top += kBarPx;
+      top += kBar_px;
     }
     top += kGroupGap;
   }

@@ -32,12 +32,13 @@ std::vector<Pose2> PosesOf(const Series& series) {
 /// Points nearer than a third of a pixel to the last one are left out, and those off the page.
 void DrawWay(SvgDocument& svg, const PlotArea& area, const std::vector<Pose2>& poses,
              const char* css_class, const Pen& pen) {
-  constexpr double kNearPx = 0.33;
+  constexpr double kNear_px = 0.33;
   std::vector<Px> line;
   for (const Pose2& pose : poses) {
     if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !Inside(area, pose.x, pose.y)) continue;
     const Px at = area.At(pose.x, pose.y);
-    if (!line.empty() && std::hypot(at.x - line.back().x, at.y - line.back().y) < kNearPx) continue;
+    if (!line.empty() && std::hypot(at.x - line.back().x, at.y - line.back().y) < kNear_px)
+      continue;
     line.push_back(at);
   }
   svg.OpenGroup(css_class);

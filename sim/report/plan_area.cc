@@ -6,7 +6,7 @@
 namespace dockyard {
 
 PlotArea PlanArea(const std::vector<Pose2>& X_DO) {
-  constexpr double kFarthest_m = 20.0, kAround_m = 0.6, kWidthPx = 860.0, kHeightPx = 760.0;
+  constexpr double kFarthest_m = 20.0, kAround_m = 0.6, kWidth_px = 860.0, kHeight_px = 760.0;
   DataRange x{-1.0, 1.5}, y{-1.0, 1.0};
   const auto near = [&](double at) { return std::clamp(at, -kFarthest_m, kFarthest_m); };
   for (const Pose2& pose : X_DO) {
@@ -16,7 +16,7 @@ PlotArea PlanArea(const std::vector<Pose2>& X_DO) {
       y.Hold(near(pose.y) + around_m);
     }
   }
-  const double scale = std::min(kWidthPx / x.span(), kHeightPx / y.span());
+  const double scale = std::min(kWidth_px / x.span(), kHeight_px / y.span());
   return {{78.0, 74.0}, scale * x.span(), scale * y.span(), x, y};
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kBlue = "#1f5fbf";
 constexpr const char* kRed = "#c8321e";
-constexpr double kArrowPx = 26.0;
+constexpr double kArrow_px = 26.0;
 constexpr std::size_t kMostArrows = 2000, kMostNames = 60;
 
 /// All runs that started in the same place: a campaign may repeat it.
@@ -52,8 +52,8 @@ void DrawStart(SvgDocument& svg, const PlotArea& area, const Start& start, bool 
   svg.OpenGroup("start", "run-" + std::to_string(start.first->run));
   if (arrow) {
     svg.Line(at,
-             {at.x + kArrowPx * std::cos(start.X_DR.heading),
-              at.y - kArrowPx * std::sin(start.X_DR.heading)},
+             {at.x + kArrow_px * std::cos(start.X_DR.heading),
+              at.y - kArrow_px * std::sin(start.X_DR.heading)},
              {color, 1.4, "", 0.9});
   }
   const double size = arrow ? 3.5 : 1.5;

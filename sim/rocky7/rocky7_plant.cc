@@ -69,7 +69,7 @@ Rocky7Plant::PairView Rocky7Plant::PairOf(int camera) const {
 
 std::vector<CameraImage> Rocky7Plant::TakeImages(const std::vector<int>& cameras,
                                                  double exposure_stops) {
-  DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposureStops);
+  DOCKYARD_CHECK(std::abs(exposure_stops) <= kMostExposure_stops);
   std::vector<CameraImage> images;
   std::map<int, StereoImages> pairs;  // by left camera: a pair is exposed together
   for (const int camera : cameras) {

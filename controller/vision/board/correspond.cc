@@ -287,7 +287,7 @@ bool FitsElsewhere(const Scene& scene, const Candidate& candidate, const Pose3& 
 Result<Correspondence, PoseFailure> BestWithoutRival(
     const Scene& scene, const std::vector<std::vector<MarkMatch>>& hypotheses,
     const Eigen::Vector3d& up_C) {
-  constexpr double kFitsAsWell = 3.0, kFitsAsWellPx = 0.3;  // assumed, 2-4 and 0.2-0.5
+  constexpr double kFitsAsWell = 3.0, kFitsAsWell_px = 0.3;  // assumed, 2-4 and 0.2-0.5
   std::optional<Correspondence> best;
   for (const Candidate& candidate : Vote(scene, hypotheses, false)) {
     if (best && candidate.matches.size() + 1 < best->matches.size()) break;
@@ -298,7 +298,7 @@ Result<Correspondence, PoseFailure> BestWithoutRival(
       best = Complete(scene, candidate, branches);
       continue;
     }
-    const double most_px = kFitsAsWell * best->branches[0].rms_px + kFitsAsWellPx;
+    const double most_px = kFitsAsWell * best->branches[0].rms_px + kFitsAsWell_px;
     if (branches[0].rms_px < most_px && Contradict(candidate.matches, best->matches)) {
       return PoseFailure::kAmbiguous;
     }

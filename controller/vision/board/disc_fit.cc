@@ -10,15 +10,15 @@
 namespace dockyard {
 namespace {
 
-constexpr double kBlurPx = 0.7;  // lens and pixel, 1 sigma; assumed, 0.5-1.0
+constexpr double kBlur_px = 0.7;  // lens and pixel, 1 sigma; assumed, 0.5-1.0
 // Beyond the rim and inside it [px]: three sigmas of blur, and levels to compare. A wider ring
 // would take in other changes of the light.
-constexpr double kRingPx = 2.0, kInsidePx = 4.0;
+constexpr double kRing_px = 2.0, kInside_px = 4.0;
 // In a disc smaller than this [px] the bar's blur reaches the rim, and both are fitted. In a larger
 // one the bar is left out: its middle is the disc's printed centre, which is not the centre of the
 // disc's image.
-constexpr double kWithBarPx = 6.5;
-constexpr double kFarthestPx = 1.0;  // no rim's centre is off by more
+constexpr double kWithBar_px = 6.5;
+constexpr double kFarthest_px = 1.0;  // no rim's centre is off by more
 // Largest misfit over contrast in even light (99 % of rendered discs): without and with the bar. A
 // shadow's edge across the disc leaves more, and pulls the centre.
 constexpr double kMostMisfit = 0.07, kMostMisfitWithBar = 0.12;
@@ -32,9 +32,9 @@ using Matrix7 = Eigen::Matrix<double, 7, 7>;
 struct Step {
   double value = 0.0, slope = 0.0;
   explicit Step(double distance_px) {
-    const double t = std::clamp(0.5 + distance_px / (3.75 * kBlurPx), 0.0, 1.0);
+    const double t = std::clamp(0.5 + distance_px / (3.75 * kBlur_px), 0.0, 1.0);
     value = t * t * (3.0 - 2.0 * t);
-    slope = 6.0 * t * (1.0 - t) / (3.75 * kBlurPx);
+    slope = 6.0 * t * (1.0 - t) / (3.75 * kBlur_px);
   }
 };
 
@@ -87,9 +87,9 @@ struct Window {
   explicit Window(const Ellipse& rim)
       : centre_px(rim.centre_px),
         inverse(rim.shape_px.inverse()),
-        with_bar(rim.mean_radius_px() < kWithBarPx),
-        ring(1.0 + kRingPx / rim.mean_radius_px()),
-        inside(with_bar ? 0.0 : std::max(1.0 - kInsidePx / rim.mean_radius_px(), 0.0)),
+        with_bar(rim.mean_radius_px() < kWithBar_px),
+        ring(1.0 + kRing_px / rim.mean_radius_px()),
+        inside(with_bar ? 0.0 : std::max(1.0 - kInside_px / rim.mean_radius_px(), 0.0)),
         reach_x(ring * rim.shape_px.row(0).norm()),
         reach_y(ring * rim.shape_px.row(1).norm()),
         x0(static_cast<int>(std::ceil(rim.centre_px.x() - reach_x))),
@@ -177,7 +177,7 @@ std::optional<DiscFit> FitDisc(const GrayImage& image, const Ellipse& rim, doubl
     guess.size += solution(4);
     fit.centre_px = guess.centre_px;
     if (!fit.centre_px.allFinite() || fit.contrast_dn < 5.0 ||
-        (fit.centre_px - rim.centre_px).norm() > kFarthestPx) {
+        (fit.centre_px - rim.centre_px).norm() > kFarthest_px) {
       return std::nullopt;
     }
     // The shift was found with the columns of the step before: scale it at the next round.

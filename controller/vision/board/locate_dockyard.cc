@@ -20,9 +20,9 @@ namespace {
 
 // How far a mark may lie from where the other camera's pose puts it [px]: a mono range error of 0.3
 // m at 5 m shifts it by 3 px, 0.5 deg between the cameras by 6 px.
-constexpr double kCrossGatePx = 12.0;
-constexpr double kFinalGatePx = 4.0;   // the same once both cameras gave the pose
-constexpr double kGuidedGatePx = 2.5;  // of a missing mark from its place, and 4 % of its diameter
+constexpr double kCrossGate_px = 12.0;
+constexpr double kFinalGate_px = 4.0;   // the same once both cameras gave the pose
+constexpr double kGuidedGate_px = 2.5;  // of a missing mark from its place, and 4 % of its diameter
 
 using CorrespondenceResult = Result<Correspondence, PoseFailure>;
 
@@ -88,7 +88,7 @@ Fix WithAllMarks(const DetectedPair& pair, const FiducialBoard& board, const Fix
   std::vector<MarkPixel> marks;
   for (int view = 0; view < 2; ++view) {
     const auto found = MatchByPose(pair.detections[Index(view)], pair.views[Index(view)].camera,
-                                   board, CameraFromBoard(pair, fix, view), kFinalGatePx);
+                                   board, CameraFromBoard(pair, fix, view), kFinalGate_px);
     marks = Joined(marks, Marks(pair, view, found));
   }
   if (marks.size() <= fix.marks.size() || CountIn(marks, 0) < kMinSecondCamera ||
@@ -117,7 +117,7 @@ Fix WithGuidedMarks(const DetectedPair& pair, const FiducialBoard& board, const 
       if (!rim) continue;
       const auto found = DetectAt(*pair.images[Index(view)], pair.levels[Index(view)], *rim,
                                   ExpectedBar(camera, X_CB, fiducial, board.bar_length_m, *rim),
-                                  board, kGuidedGatePx + 0.08 * rim->mean_radius_px());
+                                  board, kGuidedGate_px + 0.08 * rim->mean_radius_px());
       if (found)
         marks.push_back(
             {.id = id, .view = view, .pixel = found->rim.centre_px, .sigma_px = found->sigma_px});
@@ -153,7 +153,7 @@ std::optional<Fix> FromOneAndSearch(const DetectedPair& pair, const FiducialBoar
   for (const Pose3& X_RB : InRover(named.branches, pair.views[Index(view)].X_RC)) {
     const Pose3 X_OB = Inverse(pair.views[Index(other)].X_RC) * X_RB;
     const auto matches = MatchByPose(pair.detections[Index(other)], pair.views[Index(other)].camera,
-                                     board, X_OB, kCrossGatePx);
+                                     board, X_OB, kCrossGate_px);
     if (static_cast<int>(matches.size()) < kMinSecondCamera) continue;
     const auto marks = Joined(Marks(pair, view, named.matches), Marks(pair, other, matches));
     const auto fix = BestJointFit(pair, board, marks, {X_RB});

@@ -44,9 +44,9 @@ Fix Settled(FitInputs& inputs, Fix at, Next next) {
 }
 
 bool EachFitsAlone(const FitInputs& inputs, const Fix& fix) {
-  constexpr double kBetterAlone = 3.0, kAgreePx = 0.5;  // assumed, 2-6 and 0.3-1
+  constexpr double kBetterAlone = 3.0, kAgree_px = 0.5;  // assumed, 2-6 and 0.3-1
   constexpr std::size_t kLeast = 5;
-  if (fix.method != "stereo" || fix.fit.rms_px < kAgreePx) return false;
+  if (fix.method != "stereo" || fix.fit.rms_px < kAgree_px) return false;
   for (int view = 0; view < 2; ++view) {
     std::vector<MarkPixel> mine;
     for (const MarkPixel& mark : fix.marks) {
@@ -88,12 +88,12 @@ void WidenForSmoothErrors(FitInputs inputs, Fix* fix) {
 }  // namespace
 
 double MostRaisedRmsPx(int freedom) {
-  constexpr double kMostPx = 1.0;
-  constexpr double kGatePx = 2.5;   // correspond.cc, GatePx
-  constexpr double kFivePx = 0.12;  // of five marks that err by 0.06 px, at ChiSquareLimit
+  constexpr double kMost_px = 1.0;
+  constexpr double kGate_px = 2.5;   // correspond.cc, GatePx
+  constexpr double kFive_px = 0.12;  // of five marks that err by 0.06 px, at ChiSquareLimit
   constexpr double kFreedomOfFive = 4.0;
   if (freedom < kFreedomOfFive) return 0.0;
-  return std::min(kMostPx, kGatePx * std::pow(kFivePx / kGatePx, kFreedomOfFive / freedom));
+  return std::min(kMost_px, kGate_px * std::pow(kFive_px / kGate_px, kFreedomOfFive / freedom));
 }
 
 RaisedFix WithNoiseRaised(FitInputs inputs, const Fix& fix) {

@@ -112,11 +112,11 @@ bool IsAmbiguous(const std::vector<PlanarBranch>& branches, std::size_t chosen, 
                  const LocateHints& hints, const Upright& rule, double noise) {
   constexpr double kClear = 9.0;  // three sigma between the branches
   // Branches nearer than this are one pose for any purpose here: half of "wrong" (10 deg).
-  constexpr double kSameRad = 5.0 * kPi / 180.0;
+  constexpr double kSame_rad = 5.0 * kPi / 180.0;
   for (std::size_t i = 0; i < branches.size(); ++i) {
     if (i == chosen || !IsPossible(branches[i], X_RC, hints, rule)) continue;
     const Eigen::Matrix3d between = branches[i].X_CB.R.transpose() * branches[chosen].X_CB.R;
-    if (Eigen::AngleAxisd(between).angle() < kSameRad) continue;
+    if (Eigen::AngleAxisd(between).angle() < kSame_rad) continue;
     if (BranchScore(branches[i], X_RC, hints) <
         BranchScore(branches[chosen], X_RC, hints) + noise * kClear) {
       return true;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMaxTriples = 400;
 // A pose from three points errs by pixels elsewhere, in the other image by the calibration's error
 // too (0.5 deg at 700 px a radian). Assumed, 2-8 and 6-20.
-constexpr double kOwnGatePx = 5.0, kOtherGatePx = 12.0;
+constexpr double kOwnGate_px = 5.0, kOtherGate_px = 12.0;
 // A gate is widened by this many sigmas of the survey's error: the point's own, and the one that
 // the three points pass on. Assumed, 2-5.
 constexpr double kSurveySigmas = 3.0;
@@ -71,7 +71,7 @@ double Search::Share(const PointPixel& point, const std::array<Pose3, 2>& X_CB, 
   }
   if (!pixel) return 1e6;
   const double survey = point.survey_m >= 0.0 ? point.survey_m : survey_m_;
-  const double gate = std::hypot(point.view == view ? kOwnGatePx : kOtherGatePx,
+  const double gate = std::hypot(point.view == view ? kOwnGate_px : kOtherGate_px,
                                  kSurveySigmas * survey * camera.focal_px().x() / p_C.norm());
   return (*pixel - point.pixel).squaredNorm() / (gate * gate);
 }

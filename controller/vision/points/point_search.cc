@@ -64,9 +64,9 @@ class PointSearch {
 /// with the noise.
 template <class Excess>
 double NoiseWhere(double least_px, Excess excess) {
-  constexpr double kMostPx = 1e4;
+  constexpr double kMost_px = 1e4;
   if (excess(least_px) <= 0.0) return least_px;
-  double low = least_px, high = kMostPx;
+  double low = least_px, high = kMost_px;
   while (high > 1.001 * low) {
     const double middle = std::sqrt(low * high);
     (excess(middle) > 0.0 ? low : high) = middle;
@@ -299,12 +299,12 @@ Result<PointPose, PoseFailure> SearchPose(const std::vector<PointPixel>& points,
                                           const std::vector<CameraView>& views,
                                           const PointOptions& options) {
   // With more noise than this the cameras are checked one by one. Assumed, 1-4.
-  constexpr double kDoubtfulPx = 2.0;
+  constexpr double kDoubtful_px = 2.0;
   // Each camera alone must fit this many times better than both together: left and right exchanged
   // give 50, chance with five points 1 in 1000. Assumed, 2-6.
   constexpr double kBetterAlone = 3.0;
   const auto found = PointSearch(points, views, options).Find();
-  if (found && (found->method != "stereo" || found->sigma_px < kDoubtfulPx)) return found;
+  if (found && (found->method != "stereo" || found->sigma_px < kDoubtful_px)) return found;
   std::array<std::vector<PointPixel>, 2> of;
   for (const PointPixel& point : points) of[static_cast<std::size_t>(point.view)].push_back(point);
   if (GroupsOf(of[0]).size() < kMinPoints || GroupsOf(of[1]).size() < kMinPoints) return found;

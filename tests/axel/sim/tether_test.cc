@@ -14,7 +14,7 @@ namespace {
 
 const Eigen::Matrix3d kLevel = Eigen::Matrix3d::Identity();
 
-constexpr double kInsideArmM = 1.0;
+constexpr double kInsideArm_m = 1.0;
 constexpr double kDt = 1e-3;
 
 TEST(TetherPath, IsStraightOnTheAxis) {
@@ -65,7 +65,7 @@ TEST(TetherPath, ChangesItsLengthSmoothlyAsTheTipGoesRound) {
 }
 
 TEST(Tether, NeverPushes) {
-  Tether tether(Axel().tether, Station(), kInsideArmM);
+  Tether tether(Axel().tether, Station(), kInsideArm_m);
   tether.LayOut({2.0, 0.0, 0.0}, 2.5);
   const TetherLoad load = tether.Step({2.0, 0.0, 0.0}, {1.0, 0, 0}, 2.5, 0.0);
   EXPECT_EQ(load.tension_n, 0.0);
@@ -79,9 +79,9 @@ struct Hung {
 Hung Hang(double stiffness_n_per_m, double seconds) {
   const double mass = 30.0, free = 2.35;
   TetherModel model = Axel().tether;
-  model.axial_stiffness_n = stiffness_n_per_m * (free + kInsideArmM);
+  model.axial_stiffness_n = stiffness_n_per_m * (free + kInsideArm_m);
   model.damping_ns_per_m = 0.1 * 2.0 * std::sqrt(stiffness_n_per_m * mass);
-  Tether tether(model, Station(), kInsideArmM);
+  Tether tether(model, Station(), kInsideArm_m);
   Eigen::Vector3d p(2.0, 0.0, 0.0), v = Eigen::Vector3d::Zero();
   tether.LayOut(p, free);
   Hung hung;
@@ -120,7 +120,7 @@ TEST(Tether, HangingMassStretchesByHookesLawAndPeaksAsADampedSpring) {
 
 TEST(Tether, CatchesADroppedMassAfterTheFreeFall) {
   for (double slack : {0.01, 0.1, 0.5}) {
-    Tether tether(Axel().tether, Station(), kInsideArmM);
+    Tether tether(Axel().tether, Station(), kInsideArm_m);
     Eigen::Vector3d p(2.0, 0.0, 0.0), v = Eigen::Vector3d::Zero();
     tether.LayOut(p, 2.35 + slack);
     int steps = 0;
@@ -138,7 +138,7 @@ TEST(Tether, CatchesADroppedMassAfterTheFreeFall) {
 TetherLoad PullFromTheSide(double friction, Tether* out = nullptr) {
   TetherModel model = Axel().tether;
   model.friction_on_station = friction;
-  Tether tether(model, Station(), kInsideArmM);
+  Tether tether(model, Station(), kInsideArm_m);
   const Eigen::Vector3d p(1.0, 2.0, 0.5);
   tether.LayOut(p, 1.0);
   double free = tether.path_m();
@@ -153,7 +153,7 @@ TetherLoad PullFromTheSide(double friction, Tether* out = nullptr) {
 }
 
 TEST(Tether, SlidesOverABendAtTheCapstanRatio) {
-  Tether tether(Axel().tether, Station(), kInsideArmM);
+  Tether tether(Axel().tether, Station(), kInsideArm_m);
   const TetherLoad load = PullFromTheSide(0.3, &tether);
   ASSERT_EQ(load.nodes, 3);
   const TetherPath& path = tether.path();
@@ -181,7 +181,7 @@ TEST(Tether, ForcesOnTipAndStationAddUpToNothing) {
 }
 
 TEST(Tether, KeepsItsLengthWhenItComesToLieOverAnEdge) {
-  Tether tether(Axel().tether, Station(), kInsideArmM);
+  Tether tether(Axel().tether, Station(), kInsideArm_m);
   tether.LayOut({2.0, 0.0, 0.0}, 2.34);
   for (double angle = 0.0; angle < 1.4; angle += 1e-3) {
     const Eigen::Vector3d p(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
