@@ -97,7 +97,7 @@ void VisitCamera(Keys& keys, BackCameraModel& camera) {
   keys.Number("hole_m", camera.hole_m, Positive(0.5));
   keys.Number("delay_s", camera.delay_s, NonNegative(kTickSeconds * kControlPeriod));
   keys.Number("shutter_s", camera.shutter_s, Between(1e-4, 0.5));
-  keys.Number("blur_sigma_px", camera.blur_sigma_px, NonNegative(10.0));
+  keys.Number("blur_sigma_px", camera.blur_sigma_px, Between(0.0, 1.5));
   keys.Number("full_well_e", camera.full_well_e, Between(100.0, 1e6));
   keys.Number("read_noise_e", camera.read_noise_e, NonNegative(1e4));
   keys.Number("vignetting_exponent", camera.vignetting_exponent, NonNegative(10.0));
