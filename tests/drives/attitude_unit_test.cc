@@ -166,9 +166,8 @@ constexpr const char* kPlain = R"(imu:
 ImuModel Load(const ScratchFolder& folder, const std::string& more) {
   const YamlNode root = LoadYaml(folder.Write("robot.yaml", kPlain + more));
   ImuModel imu;
-  ReadKeys(root, "", [&](Keys& keys) {
-    keys.Mapping("imu", [&](Keys& in) { VisitImu(in, imu); });
-  });
+  ReadKeys(root, "",
+           [&](Keys& keys) { keys.Mapping("imu", [&](Keys& in) { VisitImu(in, imu); }); });
   return imu;
 }
 
