@@ -5,6 +5,7 @@
 
 #include "sim/base/hash.h"
 #include "sim/base/random.h"
+#include "sim/plant/scenery.h"
 #include "sim/scenario/keys.h"
 #include "toy_underwater/diver_body.h"
 #include "toy_underwater/swim_in.h"
@@ -13,6 +14,7 @@ namespace dockyard::diver {
 namespace {
 
 constexpr double kStep_s = 1e-3;
+constexpr double kFromEnd_m = 0.05;  // the nose of a caged body
 
 struct DiverKeys {
   double current_m_s = 0.0, current_rad = 0.0;  // towards this side, from D's x
@@ -97,6 +99,11 @@ class Water final : public Plant {
   void AppendChannels(std::vector<double>& values) const override {
     values.insert(values.end(), {nose_depth_m(), off_axis_m(), GroundSpeed().norm()});
   }
+  Stage Look() const override {
+    Stage stage;
+    stage.bodies = {{"robot", state_.X_DR}, {"cage", Pose3{}}};
+    return stage;
+  }
   RobotPose MeasuredPose(const SightingReport& report) const override {
     return RobotPose(Inverse(report.X_RB));
   }
@@ -125,6 +132,27 @@ class Water final : public Plant {
   Tick tick_ = 0;
 };
 
+/// A box of the vehicle's size, and a rod along each side of the cage.
+StageShapes ShapesOf(const Cage& cage) {
+  const auto box = [](const Eigen::Vector3d& size_m) {
+    return std::make_shared<const RenderMesh>(SolidMesh(SceneryItem::Kind::kBox, size_m));
+  };
+  StageShapes shapes;
+  shapes.bodies = {{.name = "robot", .robot = true, .parts = {}}, {.name = "cage", .parts = {}}};
+  shapes.bodies[0].parts = {{box({0.46, 0.34, 0.25}), Pose3::Translation(0.0, 0.0, -0.125)}};
+  for (const Eigen::Vector2d& side : {Eigen::Vector2d{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+    const Eigen::Vector2d yz = cage.tube_radius_m * side;
+    shapes.bodies[1].parts.push_back({box({cage.length_m, 0.02, 0.02}),
+                                      Pose3::Translation(-0.5 * cage.length_m, yz.x(), yz.y())});
+  }
+  return shapes;
+}
+
+std::vector<JudgedLimit> Limits(double depth_m, double wanted_m) {
+  return {{"nose_depth_m", "m", "of the nose behind the cage's mouth", LimitSense::kAtLeast,
+           depth_m, wanted_m}};
+}
+
 class InTheCage final : public Judge {
  public:
   explicit InTheCage(const Water& water) : water_(water) {}
@@ -132,12 +160,13 @@ class InTheCage final : public Judge {
   void ObserveSighting(const SightingReport&) override {}
   bool fatal() const override { return false; }
   Conclusion Conclude(const Commands& last, const Belief&, const TrialWatch&) override {
-    const double depth_m = water_.nose_depth_m(), wanted_m = water_.cage().length_m - 0.05;
+    const double depth_m = water_.nose_depth_m(), wanted_m = water_.cage().length_m - kFromEnd_m;
     const bool claimed = last.verdict == Verdict::kDone;
     const char* outcome = !claimed ? "timeout" : depth_m >= wanted_m ? "caged" : "outside";
     return {outcome,
             "its nose is " + NumberText(depth_m) + " m in the cage",
-            {depth_m, water_.off_axis_m()}};
+            {depth_m, water_.off_axis_m()},
+            Limits(depth_m, wanted_m)};
   }
 
  private:
@@ -181,8 +210,10 @@ System DiverSystem() {
                              {"off_axis_m", "m", "of the nose off the cage's axis"},
                              {"speed_m_s", "m/s", "over the ground"}};
   system.columns.beliefs = {{"believed_up_m", "m", "above the cage's axis"}};
-  system.columns.measures = {{"nose_depth_m", "m", "of the nose behind the cage's mouth", true},
-                             {"off_axis_m", "m", "of the nose off the cage's axis", true}};
+  system.columns.measures =
+      WithMargins({{"nose_depth_m", "m", "of the nose behind the cage's mouth", true},
+                   {"off_axis_m", "m", "of the nose off the cage's axis", true}},
+                  Limits(0.0, 0.0));
   system.scenario.start = DiverStart();
   system.keys = [](Keys& keys) {
     DiverKeys values;
@@ -192,6 +223,7 @@ System DiverSystem() {
     return "a diver in a current of " + NumberText(ReadDiver(scenario).current_m_s) + " m/s";
   };
   system.make_ready = MakeReady;
+  system.shapes = [](const Scenario&) { return ShapesOf(Cage{}); };
   return system;
 }
 

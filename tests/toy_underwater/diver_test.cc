@@ -63,6 +63,12 @@ TEST_F(Diver, SwimsIntoItsCageAndIsReplayed) {
               AllOf(HasSubstr("same result row, bit for bit"), HasSubstr("same commands at all")));
   const Ended report = Dockyard("report " + dir("run") + " --out " + dir("run.html"));
   EXPECT_EQ(report.code, 0) << report.err;
+  const Json limits = Json::parse(Text("run/outcome.json"))["limits"];
+  ASSERT_EQ(limits.size(), 1u);
+  EXPECT_GT(limits[0]["margin"].get<double>(), 0.0);
+  const Ended view =
+      Dockyard("view " + kDiver + "scenario.yaml --outside --time 5 --out " + dir("view"));
+  EXPECT_EQ(view.code, 0) << view.err;
 }
 
 TEST_F(Diver, IsVariedOverItsOwnStartInACampaign) {
@@ -70,7 +76,8 @@ TEST_F(Diver, IsVariedOverItsOwnStartInACampaign) {
       Dockyard("campaign " + kDiver + "campaign.yaml --quiet --out " + dir("campaign"));
   ASSERT_EQ(end.code, 0) << end.out << end.err;
   EXPECT_THAT(Text("campaign/results.csv"),
-              AllOf(HasSubstr("start.range_m"), HasSubstr("start.up_m"), HasSubstr(",caged,")));
+              AllOf(HasSubstr("start.range_m"), HasSubstr("start.up_m"), HasSubstr(",caged,"),
+                    HasSubstr("margin.nose_depth_m")));
   EXPECT_THAT(Text("campaign/summary.txt"), HasSubstr("range_m"));
   const Ended report = Dockyard("report " + dir("campaign") + " --out " + dir("campaign.html"));
   EXPECT_EQ(report.code, 0) << report.err;
