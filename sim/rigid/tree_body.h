@@ -1,6 +1,7 @@
-// A robot as a tree of rigid links on hinges about a free base. Only the loads given to it act on
-// it. Its speeds follow Newton's and Euler's laws in Kane's form; the matrix of inertia is that of
-// composite bodies (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 6).
+// A robot as a tree of rigid links on hinges and slides about a base that is free or fixed in the
+// ground. Only the loads given to it act on it. Its speeds follow Newton's and Euler's laws in
+// Kane's form; the matrix of inertia is that of composite bodies (Featherstone, Rigid Body Dynamics
+// Algorithms, 2008, chapter 6).
 //
 // A rotor turns many times as fast as its joint and so stands on the diagonal of that matrix alone
 // (same book, section 9.6).
@@ -20,22 +21,51 @@
 
 namespace dockyard {
 
-/// A link and the hinge that carries it. At angle 0 its frame L is parallel to its parent's, P.
+enum class JointKind : std::uint8_t { kHinge, kSlide, kFixed };
+
+/// A link and the joint that carries it: a hinge, a slide, or none. "Angle" below is a slide's
+/// travel as well [m], and "torque" its force [N]. At angle 0 the link's frame L has the pose
+/// (R_PL, p_PL) in its parent's, P.
 struct TreeLink {
   LinkModel model{};
   int parent = -1;                        // an earlier link; -1: this is the base
   Eigen::Vector3d p_PL{0, 0, 0};          // of the hinge, L's origin [m]
   Eigen::Vector3d axis_L{0.0, 1.0, 0.0};  // unit; the angle is positive about it
-  double rotor_kg_m2 = 0.0;               // of the motor, at the joint
+  double rotor_kg_m2 = 0.0;               // of the motor, at the joint; of a slide [kg]
+  JointKind joint = JointKind::kHinge;
+  Eigen::Matrix3d R_PL = Eigen::Matrix3d::Identity();
+  double damping_nms_per_rad = 0.0;  // of the joint, at the step's end; of a slide [N s/m]
+
+  bool IsHinge() const { return joint == JointKind::kHinge; }
+  /// Of the joint's axis, from a force and a torque about its centre.
+  double Along(const Eigen::Vector3d& axis_G, const Eigen::Vector3d& force,
+               const Eigen::Vector3d& torque) const {
+    return axis_G.dot(IsHinge() ? torque : force);
+  }
 };
 
 /// Weights of joints, by link: the weighted sum of their angles stays as it is at the start.
 using JointTie = std::vector<std::pair<int, double>>;
 
+enum class TreeBase : std::uint8_t { kFree, kFixed };
+
+/// At which speeds the loads count that grow with the square of speed (Coriolis, centrifugal):
+/// those of the step's start, or its middle. The latter makes a step of second order (leapfrog,
+/// speeds belong to the middle of steps); it costs a second sum of loads. Constraints then change
+/// the speeds by mid-step as they did in the step before.
+enum class VelocityTerms : std::uint8_t { kAtStart, kMidstep };
+
+struct TreeRules {
+  TreeBase base = TreeBase::kFree;
+  VelocityTerms terms = VelocityTerms::kAtStart;
+};
+
+/// A body of one free link keeps its angular momentum to rounding in flight, and turns by the rate
+/// at the middle of the step.
 class TreeBody {
  public:
-  static constexpr int kMostSpeeds = 32;
-  /// Velocity of the base's centre of mass in G, the base's turning in G, then the joints' rates in
+  static constexpr int kMostSpeeds = 32, kMostLinks = 32;
+  /// Velocity of a free base's centre of mass in G and its turning in G, then the joints' rates in
   /// the order of the links [m/s, rad/s].
   using Speeds = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostSpeeds, 1>;
   using Inertia =
@@ -44,13 +74,16 @@ class TreeBody {
 
   /// The base comes first and stands at X_GB; all angles are 0. Each link has a mass and comes
   /// after its parent.
-  TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, const Pose3& X_GB);
+  TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, const Pose3& X_GB,
+           const TreeRules& rules = {});
 
   int link_count() const { return static_cast<int>(links_.size()); }
   const TreeLink& link(int i) const { return links_[Place(i)]; }
   const LinkMotion& motion(int i) const { return motion_[Place(i)]; }
   double angle_rad(int i) const { return angle_rad_[Place(i)]; }
-  double rate_rad_s(int i) const { return i == 0 ? 0.0 : speeds_[5 + i]; }
+  double rate_rad_s(int i) const { return SpeedOf(i) < 0 ? 0.0 : speeds_[SpeedOf(i)]; }
+  /// The place of a joint's rate among the speeds; -1: it has none.
+  Eigen::Index SpeedOf(int i) const { return speed_of_[Place(i)]; }
   const Speeds& speeds() const { return speeds_; }
   double mass_kg() const { return mass_kg_; }
 
@@ -70,12 +103,17 @@ class TreeBody {
   Speeds Answer(const Speeds& impulse) const;
   /// The same for an impulse in each column.
   Eigen::MatrixXd Answers(const Eigen::MatrixXd& impulses) const;
+  /// The same for as many as a constraint has rows, without memory from the heap.
+  using FewImpulses = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostSpeeds, 3>;
+  void AnswerInPlace(FewImpulses& impulses) const;
   void AddSpeeds(const Speeds& change);
   /// A step's positions by the speeds.
   void Move(double step_s);
 
   /// Velocity in G of a link's material point at p_G over the speeds.
   PointJacobian JacobianOf(int i, const Eigen::Vector3d& p_G) const;
+  /// A link's turning in G over the speeds.
+  PointJacobian TurningOf(int i) const;
   /// Inertia of the speeds, rotors included.
   Inertia MassMatrix() const;
   /// Of all motion, rotors' own left out but for their joints' rates [J].
@@ -89,14 +127,19 @@ class TreeBody {
     return i == 0 ? com_G_[0] : motion_[Place(i)].X_GL.p;
   }
   void Refresh();
-  void FindAnswers();
+  void RefreshJoint(std::size_t i);
+  void FindAnswers(double step_s);
   Speeds CollectLoads(const Eigen::Vector3d& gravity_G);
+  void MoveBase(double step_s);
 
   struct Wrench {
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
   };
 
   std::vector<TreeLink> links_;
+  TreeRules rules_;
+  std::vector<Eigen::Index> speed_of_;  // by link; -1: none
+  std::vector<bool> turned_;            // by link: R_PL is not the identity
   std::vector<LinkMotion> motion_;
   std::vector<Eigen::Vector3d> com_G_, axis_G_;
   std::vector<Eigen::Matrix3d> inertia_G_;  // about centres of mass
@@ -106,6 +149,7 @@ class TreeBody {
   double mass_kg_ = 0.0;
   Pose3 X_GB_;
   Speeds speeds_;
+  Speeds loaded_, resisted_;         // after TakeLoads; what changed from there to Move
   Inertia ties_;                     // a row each, over the speeds
   Eigen::LLT<Inertia> mass_, held_;  // of the inertia; of what it leaves of the ties
   Inertia tie_answers_;              // what a unit impulse on each tie gives

@@ -49,21 +49,32 @@ std::vector<TreeLink> AnyTree(RandomStream& random, int count) {
 /// The same tree as a body of Bullet's.
 class BulletTree {
  public:
-  explicit BulletTree(const std::vector<TreeLink>& links) {
+  explicit BulletTree(const std::vector<TreeLink>& links, bool fixed = false) {
     for (const TreeLink& link : links) inertia_.push_back(FindPrincipalInertia(link.model));
     const int joints = static_cast<int>(links.size()) - 1;
     body_ = std::make_unique<btMultiBody>(joints, links[0].model.mass_kg,
-                                          ToBullet(inertia_[0].moments), false, false);
+                                          ToBullet(inertia_[0].moments), fixed, false);
     for (int i = 1; i <= joints; ++i) {
       const TreeLink& link = links[static_cast<std::size_t>(i)];
       const PrincipalInertia &own = inertia_[static_cast<std::size_t>(i)],
                              &parent = inertia_[static_cast<std::size_t>(link.parent)];
-      const Eigen::Matrix3d R_own_parent = own.X_LP.R.transpose() * parent.X_LP.R;
-      body_->setupRevolute(
-          i - 1, link.model.mass_kg, ToBullet(own.moments), link.parent - 1,
-          ToQuaternion(R_own_parent), ToBullet(Vector3d(own.X_LP.R.transpose() * link.axis_L)),
-          ToBullet(Vector3d(parent.X_LP.R.transpose() * (link.p_PL - parent.X_LP.p))),
-          ToBullet(Vector3d(own.X_LP.R.transpose() * own.X_LP.p)), true);
+      const btQuaternion turn = ToQuaternion(
+          Eigen::Matrix3d(own.X_LP.R.transpose() * link.R_PL.transpose() * parent.X_LP.R));
+      const btVector3 axis = ToBullet(Vector3d(own.X_LP.R.transpose() * link.axis_L)),
+                      to_joint = ToBullet(
+                          Vector3d(parent.X_LP.R.transpose() * (link.p_PL - parent.X_LP.p))),
+                      to_com = ToBullet(Vector3d(own.X_LP.R.transpose() * own.X_LP.p)),
+                      moments = ToBullet(own.moments);
+      const double mass_kg = link.model.mass_kg;
+      if (link.joint == JointKind::kHinge) {
+        body_->setupRevolute(i - 1, mass_kg, moments, link.parent - 1, turn, axis, to_joint, to_com,
+                             true);
+      } else if (link.joint == JointKind::kSlide) {
+        body_->setupPrismatic(i - 1, mass_kg, moments, link.parent - 1, turn, axis, to_joint,
+                              to_com, true);
+      } else {
+        body_->setupFixed(i - 1, mass_kg, moments, link.parent - 1, turn, to_joint, to_com);
+      }
     }
     body_->finalizeMultiDof();
     body_->setLinearDamping(0.0);
@@ -142,6 +153,44 @@ TEST(TreeBody, MovesAsBulletsArticulatedBody) {
     EXPECT_LT((X.R - Y.R).norm(), 1e-9) << count;
     for (int i = 1; i < count; ++i) EXPECT_NEAR(ours.angle_rad(i), bullets.angle(i), 1e-9);
   }
+}
+
+// Hinges, slides and fixed joints in any directions, on a base that is free or fixed.
+TEST(TreeBody, MovesAsBulletsArticulatedBodyWithAllKindsOfJoints) {
+  RandomStream random(StreamKey(6, "joints"));
+  double furthest = 0.0;
+  for (int tree = 0; tree < 6; ++tree) {
+    const int count = 6 + tree;
+    std::vector<TreeLink> links = AnyTree(random, count);
+    for (int i = 1; i < count; ++i) {
+      TreeLink& link = links[static_cast<std::size_t>(i)];
+      link.joint = static_cast<JointKind>((i + tree) % 3);
+      link.R_PL = ToRotation({random.Uniform(-1, 1), 0.4, random.Uniform(-1, 1)});
+    }
+    const bool fixed = tree % 2 == 1;
+    TreeBody ours(links, {}, {}, {.base = fixed ? TreeBase::kFixed : TreeBase::kFree});
+    BulletTree bullets(links, fixed);
+    for (int step = 0; step < 300; ++step) {
+      for (int i = 1; i < count; ++i) {
+        if (ours.SpeedOf(i) < 0) continue;
+        const double load = 0.3 * std::sin(0.02 * step + i);
+        ours.AddJointTorque(i, load);
+        bullets.AddJointTorque(i, load);
+      }
+      ours.TakeLoads(kGravity, kStep_s);
+      ours.Move(kStep_s);
+      bullets.Step();
+    }
+    const Pose3 X = ours.motion(0).X_GL, Y = bullets.X_GB();
+    furthest = std::max({furthest, (X.p - Y.p).norm(), (X.R - Y.R).norm()});
+    for (int i = 1; i < count; ++i) {
+      if (ours.SpeedOf(i) < 0) continue;
+      furthest = std::max(furthest, std::abs(ours.angle_rad(i) - bullets.angle(i)));
+      EXPECT_GT(std::abs(ours.angle_rad(i)), 1e-4);
+    }
+  }
+  RecordProperty("furthest", std::to_string(1e9 * furthest));
+  EXPECT_LT(furthest, 1e-8);
 }
 
 TEST(TreeBody, HoldsADifferentialAsAnImpulseInBulletsBodyDoes) {
