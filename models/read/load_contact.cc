@@ -1,0 +1,16 @@
+#include "models/read/load_contact.h"
+
+namespace dockyard {
+
+void VisitContact(Keys& keys, ContactMaterial& material, Presence needed) {
+  keys.Number({"stiffness_n_per_m", "N/m", "force over the depth of a contact", needed},
+              material.stiffness_n_per_m, Positive(1e10));
+  keys.Number({"damping_ns_per_m", "N s/m", "force over the speed of its yielding", needed},
+              material.damping_ns_per_m, NonNegative(1e8));
+  keys.Number({"friction", "", "Coulomb's coefficient", needed}, material.friction,
+              NonNegative(10.0));
+  keys.Number({"rolling_resistance_m", "m", "moment against rolling over the normal force"},
+              material.rolling_resistance_m, NonNegative(1.0));
+}
+
+}  // namespace dockyard

@@ -1,0 +1,13 @@
+// A contact's mapping in a file -> ContactMaterial.
+#pragma once
+
+#include "models/parts/contact_material.h"
+#include "models/read/keys.h"
+
+namespace dockyard {
+
+/// needed: kRequired, or kDefault where the material's values so far hold for what is left out.
+/// rolling_resistance_m may always be left out.
+void VisitContact(Keys& keys, ContactMaterial& material, Presence needed = Presence::kRequired);
+
+}  // namespace dockyard
