@@ -6,9 +6,6 @@
 namespace dockyard {
 namespace {
 
-constexpr int kMostSweeps = 500;
-constexpr double kSolved = 1e-7;  // of the largest impulse
-
 // What one contact's rows need in a sweep.
 struct Rows {
   double softness = 0.0;  // velocity per normal impulse that the spring gives way [1/kg]

@@ -8,6 +8,11 @@ namespace dockyard {
 
 inline constexpr int kMostContacts = 24;
 
+/// Projected Gauss-Seidel ends after this number of sweeps, or once no impulse changes by more than
+/// this share of the largest.
+inline constexpr int kMostSweeps = 500;
+inline constexpr double kSolved = 1e-7;
+
 /// One contact. Rows of it below: along its normal, along the two directions across it.
 struct ContactLaw {
   double gap_m = 0.0;  // < 0: pressed in

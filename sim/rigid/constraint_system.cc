@@ -1,0 +1,230 @@
+#include "sim/rigid/constraint_system.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "controller/base/check.h"
+
+namespace dockyard {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// The largest eigenvalue of a symmetric matrix of two rows.
+double Largest(double a, double b, double off) {
+  return 0.5 * (a + b) + std::hypot(0.5 * (a - b), off);
+}
+
+}  // namespace
+
+bool ConstraintSystem::Sweep::IsLast() const {
+  return force <= kSolved * largest_force && torque <= kSolved * largest_torque;
+}
+
+void ConstraintSystem::Start(Index speeds, double step_s) {
+  step_s_ = step_s;
+  speeds_.resize(speeds);
+  numbers_.clear();
+  contacts_.clear();
+  rollings_.clear();
+  ties_.clear();
+  joints_.clear();
+}
+
+ConstraintSystem::Rows ConstraintSystem::AddRows(const Vector3d& impulse,
+                                                 const ConstraintEnds& ends) {
+  Rows rows;
+  rows.numbers = numbers_.size();
+  rows.impulse = impulse;
+  rows.own.setZero();
+  numbers_.resize(rows.numbers + static_cast<std::size_t>(
+                                     6 * (ends[0].jacobian.rows() + ends[1].jacobian.rows())));
+  double* number = numbers_.data() + rows.numbers;
+  for (std::size_t e = 0; e < 2; ++e) {
+    const ConstraintEnd& end = ends[e];
+    rows.first[e] = end.first;
+    rows.count[e] = end.jacobian.rows();
+    for (Index i = 0; i < rows.count[e]; ++i, number += 6) {
+      const Vector3d to(end.jacobian(i, 0), end.jacobian(i, 1), end.jacobian(i, 2));
+      const Vector3d from(end.answer(i, 0), end.answer(i, 1), end.answer(i, 2));
+      std::copy_n(to.data(), 3, number);
+      std::copy_n(from.data(), 3, number + 3);
+      rows.own += to * from.transpose();
+    }
+  }
+  return rows;
+}
+
+void ConstraintSystem::AddContact(const ContactLaw& law, const Vector3d& impulse,
+                                  const ConstraintEnds& ends) {
+  DOCKYARD_CHECK(law.stiffness_n_per_m > 0.0);
+  Contact contact;
+  contact.rows = AddRows(impulse, ends);
+  contact.law = law;
+  const Matrix3d& own = contact.rows.own;
+  const double give = step_s_ * law.stiffness_n_per_m + law.damping_ns_per_m;
+  contact.softness = 1.0 / (step_s_ * give);
+  contact.bias_m_s =
+      law.gap_m > 0.0 ? law.gap_m / step_s_ : law.stiffness_n_per_m * law.gap_m / give;
+  contact.along = 1.0 / (own(0, 0) + contact.softness);
+  contact.unbend_m_s = law.stiffness_n_per_m / give * law.bend_m;
+  contact.across = 1.0 / (Largest(own(1, 1), own(2, 2), own(1, 2)) + contact.softness);
+  contacts_.push_back(contact);
+}
+
+void ConstraintSystem::AddRolling(double resistance_m, const Vector3d& impulse,
+                                  const ConstraintEnds& ends) {
+  Rolling rolling;
+  rolling.rows = AddRows(impulse, ends);
+  rolling.contact = contacts_.size() - 1;
+  rolling.resistance_m = resistance_m;
+  const Matrix3d& own = rolling.rows.own;
+  const double largest = Largest(own(0, 0), own(1, 1), own(0, 1));
+  rolling.across = largest > 0.0 ? 1.0 / largest : 0.0;
+  rollings_.push_back(rolling);
+}
+
+void ConstraintSystem::AddTie(double stiffness_n_per_m, double damping_ns_per_m,
+                              const Vector3d& gap_m, const Vector3d& impulse,
+                              const ConstraintEnds& ends) {
+  DOCKYARD_CHECK(stiffness_n_per_m > 0.0);
+  Tie tie;
+  tie.rows = AddRows(impulse, ends);
+  const double give = step_s_ * stiffness_n_per_m + damping_ns_per_m;
+  tie.softness = 1.0 / (step_s_ * give);
+  tie.bias_m_s = stiffness_n_per_m / give * gap_m;
+  tie.inverse = (tie.rows.own + tie.softness * Matrix3d::Identity()).inverse();
+  ties_.push_back(tie);
+}
+
+void ConstraintSystem::AddJoint(const JointRow& row, const TreeBody::Speeds& answer) {
+  Joint joint{.row = row, .count = answer.size(), .numbers = numbers_.size()};
+  for (Index i = 0; i < answer.size(); ++i) numbers_.push_back(answer[i]);
+  joint.own = answer[row.speed - row.first];
+  joints_.push_back(joint);
+}
+
+Vector3d ConstraintSystem::VelocityOf(const Rows& rows) const {
+  double x = 0.0, y = 0.0, z = 0.0;
+  const double* number = numbers_.data() + rows.numbers;
+  for (std::size_t e = 0; e < 2; ++e) {
+    const double* speed = speeds_.data() + rows.first[e];
+    for (Index i = 0; i < rows.count[e]; ++i, number += 6) {
+      x += number[0] * speed[i];
+      y += number[1] * speed[i];
+      z += number[2] * speed[i];
+    }
+  }
+  return {x, y, z};
+}
+
+void ConstraintSystem::Push(Rows& rows, const Vector3d& more) {
+  const double* number = numbers_.data() + rows.numbers + 3;
+  for (std::size_t e = 0; e < 2; ++e) {
+    double* speed = speeds_.data() + rows.first[e];
+    for (Index i = 0; i < rows.count[e]; ++i, number += 6) {
+      speed[i] += number[0] * more[0] + number[1] * more[1] + number[2] * more[2];
+    }
+  }
+}
+
+void ConstraintSystem::PushJoint(Joint& joint, double more) {
+  const double* number = numbers_.data() + joint.numbers;
+  double* speed = speeds_.data() + joint.row.first;
+  for (Index i = 0; i < joint.count; ++i) speed[i] += joint.row.sign * more * number[i];
+}
+
+void ConstraintSystem::PushFirstGuesses() {
+  for (Tie& tie : ties_) Push(tie.rows, tie.rows.impulse);
+  for (Joint& joint : joints_) PushJoint(joint, joint.row.impulse);
+  for (Contact& contact : contacts_) Push(contact.rows, contact.rows.impulse);
+  for (Rolling& rolling : rollings_) Push(rolling.rows, rolling.rows.impulse);
+}
+
+void ConstraintSystem::SolveTie(Tie& tie, Sweep& sweep) {
+  const Vector3d more =
+      -tie.inverse * (VelocityOf(tie.rows) + tie.softness * tie.rows.impulse + tie.bias_m_s);
+  tie.rows.impulse += more;
+  Push(tie.rows, more);
+  sweep.force = std::max(sweep.force, more.lpNorm<Eigen::Infinity>());
+  sweep.largest_force = std::max(sweep.largest_force, tie.rows.impulse.lpNorm<Eigen::Infinity>());
+}
+
+void ConstraintSystem::SolveJoint(Joint& joint, Sweep& sweep) {
+  JointRow& row = joint.row;
+  const double rate = row.sign * speeds_[row.speed], before = row.impulse;
+  row.impulse = std::clamp(
+      before - (rate + row.softness * before + row.bias_rad_s) / (joint.own + row.softness),
+      row.low, row.high);
+  PushJoint(joint, row.impulse - before);
+  sweep.torque = std::max(sweep.torque, std::abs(row.impulse - before));
+  sweep.largest_torque = std::max(sweep.largest_torque, std::abs(row.impulse));
+}
+
+// The normal first, then both directions across by what the normal leaves.
+void ConstraintSystem::SolveContact(Contact& contact, Sweep& sweep) {
+  const Vector3d velocity = VelocityOf(contact.rows);
+  const Vector3d before = contact.rows.impulse;
+  Vector3d& impulse = contact.rows.impulse;
+  impulse[0] = std::max(
+      0.0,
+      before[0] - contact.along * (velocity[0] + contact.softness * before[0] + contact.bias_m_s));
+  const Vector2d sliding =
+      velocity.tail<2>() + (impulse[0] - before[0]) * contact.rows.own.col(0).tail<2>();
+  const Vector2d rubbed = before.tail<2>();
+  Vector2d rub =
+      rubbed - contact.across * (sliding + contact.softness * rubbed + contact.unbend_m_s);
+  const double most = contact.law.friction * impulse[0], size = rub.norm();
+  if (size > most) rub *= most / size;
+  impulse.tail<2>() = rub;
+  const Vector3d more = impulse - before;
+  Push(contact.rows, more);
+  sweep.force = std::max(sweep.force, more.lpNorm<Eigen::Infinity>());
+  sweep.largest_force = std::max(sweep.largest_force, impulse[0]);
+}
+
+void ConstraintSystem::SolveRolling(Rolling& rolling, Sweep& sweep) {
+  const Vector3d before = rolling.rows.impulse;
+  Vector3d wanted = before - rolling.across * VelocityOf(rolling.rows);
+  wanted[2] = 0.0;
+  const double most = rolling.resistance_m * contacts_[rolling.contact].rows.impulse[0];
+  const double size = wanted.norm();
+  if (size > most) wanted *= most / size;
+  rolling.rows.impulse = wanted;
+  Push(rolling.rows, wanted - before);
+  sweep.torque = std::max(sweep.torque, (wanted - before).lpNorm<Eigen::Infinity>());
+  sweep.largest_torque = std::max(sweep.largest_torque, wanted.lpNorm<Eigen::Infinity>());
+}
+
+// Advances the bends by the velocities after the step.
+void ConstraintSystem::Bend() {
+  for (Contact& contact : contacts_) {
+    ContactLaw& law = contact.law;
+    law.bend_m += step_s_ * VelocityOf(contact.rows).tail<2>();
+    const double most = law.friction * contact.rows.impulse[0] / (step_s_ * law.stiffness_n_per_m);
+    const double size = law.bend_m.norm();
+    if (size > most) law.bend_m *= most / size;
+  }
+}
+
+int ConstraintSystem::Solve() {
+  PushFirstGuesses();
+  int sweeps = 0;
+  while (sweeps < kMostSweeps) {
+    Sweep sweep;
+    for (Tie& tie : ties_) SolveTie(tie, sweep);
+    for (Joint& joint : joints_) SolveJoint(joint, sweep);
+    for (Contact& contact : contacts_) SolveContact(contact, sweep);
+    for (Rolling& rolling : rollings_) SolveRolling(rolling, sweep);
+    ++sweeps;
+    if (sweep.IsLast()) break;
+  }
+  Bend();
+  return sweeps;
+}
+
+}  // namespace dockyard

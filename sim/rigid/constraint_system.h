@@ -1,0 +1,126 @@
+// Constraints on the speeds of several bodies, solved together: contacts that rub and roll, points
+// tied together, stops and friction of joints.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "sim/rigid/contact_solver.h"
+#include "sim/rigid/tree_body.h"
+
+namespace dockyard {
+
+/// A body in a constraint of three rows: how the rows' velocities go with its speeds, and the
+/// speeds that a unit impulse on each row gives. A row of these matrices for each speed; none: the
+/// body does not move.
+struct ConstraintEnd {
+  Eigen::Index first = 0;  // of the body's speeds among all
+  TreeBody::FewImpulses jacobian, answer;
+};
+using ConstraintEnds = std::array<ConstraintEnd, 2>;
+
+/// A constraint on the rate of one joint; `sign` makes the rate positive where it opens a gap.
+struct JointRow {
+  Eigen::Index speed = 0, first = 0;  // of the joint, of its body's first, among all
+  double sign = 1.0;
+  double low = 0.0, high = 0.0;             // of the impulse [N m s]
+  double softness = 0.0, bias_rad_s = 0.0;  // as of a contact's normal
+  double impulse = 0.0;                     // first guess, then solved
+  std::size_t owner = 0;                    // whose it is; the solver leaves it alone
+};
+
+/// Springs and dampers act at the step's end, as in SolveContacts.
+class ConstraintSystem {
+ public:
+  /// Forgets all constraints. `speeds` is the number of all bodies' speeds.
+  void Start(Eigen::Index speeds, double step_s);
+  /// Of all bodies, without constraints; Solve changes them.
+  Eigen::VectorXd& speeds() { return speeds_; }
+
+  /// Rows: along the normal, along two directions across it. impulse: a first guess [N s].
+  void AddContact(const ContactLaw& law, const Eigen::Vector3d& impulse,
+                  const ConstraintEnds& ends);
+  /// Of the contact that was added last. Rows: turning about the two directions across, and none.
+  void AddRolling(double resistance_m, const Eigen::Vector3d& impulse, const ConstraintEnds& ends);
+  /// Two points that a spring and a damper hold together. Rows: along three axes; gap_m: along
+  /// them, of the first point from the second.
+  void AddTie(double stiffness_n_per_m, double damping_ns_per_m, const Eigen::Vector3d& gap_m,
+              const Eigen::Vector3d& impulse, const ConstraintEnds& ends);
+  /// answer: the body's speeds that a unit impulse on the joint gives.
+  void AddJoint(const JointRow& row, const TreeBody::Speeds& answer);
+  bool empty() const { return contacts_.empty() && ties_.empty() && joints_.empty(); }
+
+  /// Projected Gauss-Seidel until no impulse changes by more than 1e-7 of the largest of its kind;
+  /// returns the number of sweeps, at most 500. Advances the contacts' bends.
+  int Solve();
+
+  /// In the order in which they were added.
+  const Eigen::Vector3d& contact_impulse(std::size_t i) const { return contacts_[i].rows.impulse; }
+  const Eigen::Vector2d& contact_bend_m(std::size_t i) const { return contacts_[i].law.bend_m; }
+  const Eigen::Vector3d& rolling_impulse(std::size_t i) const { return rollings_[i].rows.impulse; }
+  const Eigen::Vector3d& tie_impulse(std::size_t i) const { return ties_[i].rows.impulse; }
+  std::size_t joint_count() const { return joints_.size(); }
+  const JointRow& joint_row(std::size_t i) const { return joints_[i].row; }
+
+ private:
+  /// Three rows over the speeds of two bodies. Numbers lie in numbers_: for each speed three of the
+  /// Jacobian, then for each speed three of the answer.
+  struct Rows {
+    std::array<Eigen::Index, 2> first{}, count{};
+    std::size_t numbers = 0;
+    Eigen::Matrix3d own;  // velocity of each row for a unit impulse on another
+    Eigen::Vector3d impulse;
+  };
+  struct Contact {
+    Rows rows;
+    ContactLaw law;
+    double softness = 0.0, bias_m_s = 0.0, along = 0.0, across = 0.0;
+    Eigen::Vector2d unbend_m_s{0.0, 0.0};
+  };
+  struct Rolling {
+    Rows rows;
+    std::size_t contact = 0;
+    double resistance_m = 0.0, across = 0.0;
+  };
+  struct Tie {
+    Rows rows;
+    double softness = 0.0;
+    Eigen::Vector3d bias_m_s;
+    Eigen::Matrix3d inverse;  // of the answer with the softness
+  };
+  struct Joint {
+    JointRow row;
+    Eigen::Index count = 0;
+    std::size_t numbers = 0;  // of the answer
+    double own = 0.0;
+  };
+  /// The largest change of a sweep and the largest impulse, of forces and of torques.
+  struct Sweep {
+    double force = 0.0, largest_force = 0.0, torque = 0.0, largest_torque = 0.0;
+    bool IsLast() const;
+  };
+
+  Rows AddRows(const Eigen::Vector3d& impulse, const ConstraintEnds& ends);
+  Eigen::Vector3d VelocityOf(const Rows& rows) const;
+  /// Adds an impulse on the rows to the speeds.
+  void Push(Rows& rows, const Eigen::Vector3d& more);
+  void PushJoint(Joint& joint, double more);
+  void PushFirstGuesses();
+  void SolveTie(Tie& tie, Sweep& sweep);
+  void SolveJoint(Joint& joint, Sweep& sweep);
+  void SolveContact(Contact& contact, Sweep& sweep);
+  void SolveRolling(Rolling& rolling, Sweep& sweep);
+  void Bend();
+
+  double step_s_ = 0.0;
+  Eigen::VectorXd speeds_;
+  std::vector<double> numbers_;
+  std::vector<Contact> contacts_;
+  std::vector<Rolling> rollings_;
+  std::vector<Tie> ties_;
+  std::vector<Joint> joints_;
+};
+
+}  // namespace dockyard
