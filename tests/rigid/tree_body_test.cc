@@ -189,7 +189,6 @@ TEST(TreeBody, MovesAsBulletsArticulatedBodyWithAllKindsOfJoints) {
       EXPECT_GT(std::abs(ours.angle_rad(i)), 1e-4);
     }
   }
-  RecordProperty("furthest", std::to_string(1e9 * furthest));
   EXPECT_LT(furthest, 1e-8);
 }
 
