@@ -53,7 +53,11 @@ struct StationFile {
 void VisitBoardOf(Keys& keys, StationModel& station, StationFile& file) {
   keys.Number("height_above_axis_m", station.board_height_above_axis_m, Between(-2.0, 2.0));
   VisitMounting(keys, station.board_mounting);
-  file.board_named ? keys.File("file", file.board) : VisitBoard(keys, station.board);
+  if (file.board_named) {
+    keys.File("file", file.board);
+  } else {
+    VisitBoard(keys, station.board);
+  }
 }
 
 void FinishBoard(const YamlReader& root, StationModel& station, StationFile& file) {

@@ -17,6 +17,7 @@ constexpr int kFacets = 32;
 constexpr int kTries = 200;
 // Assumed, 0.1-0.6, 0.7-0.9 and 0.03-0.1.
 constexpr double kGrey = 0.3, kWhite = 0.8, kBlack = 0.05;
+constexpr double kTopOfCone = 0.2;  // its radius, of that of the foot; assumed, 0.1-0.3
 
 RenderMesh Lifted(const TriangleMesh& from, double up_m) {
   RenderMesh mesh;
@@ -73,7 +74,7 @@ RenderMesh SolidMesh(Kind kind, const Eigen::Vector3d& size_m) {
     case Kind::kCylinder:
       return TurnedMesh({{0.0, radius_m}, {height_m, radius_m}}, Pose3{});
     case Kind::kCone:  // as traffic's: blunt
-      return TurnedMesh({{0.0, radius_m}, {height_m, 0.2 * radius_m}}, Pose3{});
+      return TurnedMesh({{0.0, radius_m}, {height_m, kTopOfCone * radius_m}}, Pose3{});
     case Kind::kSphere:
       return Lifted(SphereMesh(radius_m), 0.5 * height_m);
     default:

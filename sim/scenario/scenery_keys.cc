@@ -12,6 +12,8 @@ using Colour = SceneryItem::Colour;
 
 constexpr std::size_t kMostItems = 200;
 constexpr int kMostInSet = 500;
+// The renderer draws 2000 objects, of which the robot, its target and shade are some.
+constexpr int kMostSolids = 1500;
 constexpr Range kSide_m{0.01, 100.0};
 
 /// The keys of one kind, next to those of all.
@@ -110,8 +112,14 @@ void ReadScenery(Scenario& s) {
     throw ConfigError(s.given_scenery.place.Text() + ": scenery: expected at most " +
                       std::to_string(kMostItems) + " items, found " + std::to_string(items.size()));
   }
+  int solids = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     s.scenery.push_back(ReadItem(items[i], YamlReader::PathOf("scenery", i)));
+    solids += s.scenery.back().kind == Kind::kSet ? s.scenery.back().count : 1;
+    if (solids <= kMostSolids) continue;
+    throw ConfigError(items[i].place.Text() + ": " + YamlReader::PathOf("scenery", i) +
+                      ": expected at most " + std::to_string(kMostSolids) +
+                      " things in all, those of sets counted, found " + std::to_string(solids));
   }
 }
 

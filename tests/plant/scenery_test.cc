@@ -125,5 +125,16 @@ TEST(Scenery, BadItemsAreRefusedWithTheirPlace) {
   }
 }
 
+TEST(Scenery, MoreThingsThanCanBeDrawnAreRefusedAtTheItemThatIsTooMuch) {
+  const ScratchFolder folder;
+  const std::string set = "{kind: set, count: 500, radius_m: 9, x_m: 1, y_m: 1}";
+  EXPECT_EQ(ScenarioOf("[" + set + ", " + set + ", " + set + "]").scenery.size(), 3u);
+  EXPECT_THAT(
+      MessageOf([&] { ScenarioOf("[" + set + ", " + set + ", " + set + ", " + set + "]"); },
+                folder),
+      HasSubstr(
+          "scenery[3]: expected at most 1500 things in all, those of sets counted, found 2000"));
+}
+
 }  // namespace
 }  // namespace dockyard
