@@ -41,7 +41,7 @@ TEST(TiltedSite, InertialUnitReadsTheSlopeAsPitchRollAndPull) {
   const double angle = Radians(12.0);
   for (const double turned : {0.0, 90.0, 180.0, -90.0}) {  // of the rover against the way down
     const Slope slope{angle, 0.6};
-    const LinkMotion body{{RotZ(0.6 + Radians(turned)), {}}, {0, 0, 0}, {0, 0, 0}};
+    const LinkMotion body{{RotZ(0.6 + Radians(turned)), {0, 0, 0}}, {0, 0, 0}, {0, 0, 0}};
     ImuAverage imu({.p_RI = {-0.05, 0.0, 0.05}}, GravityInSite(slope));
     imu.Start(body);
     for (int i = 0; i < 10; ++i) imu.Add(body, 1e-3);
