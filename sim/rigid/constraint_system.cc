@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "controller/base/check.h"
 
@@ -28,6 +29,8 @@ bool ConstraintSystem::Sweep::IsLast() const {
 void ConstraintSystem::Start(Index speeds, double step_s) {
   step_s_ = step_s;
   speeds_.resize(speeds);
+  joined_.resize(static_cast<std::size_t>(speeds));
+  std::iota(joined_.begin(), joined_.end(), 0);
   numbers_.clear();
   contacts_.clear();
   rollings_.clear();
@@ -55,6 +58,10 @@ ConstraintSystem::Rows ConstraintSystem::AddRows(const Vector3d& impulse,
       std::copy_n(from.data(), 3, number + 3);
       rows.own += to * from.transpose();
     }
+  }
+  if (rows.count[0] > 0 && rows.count[1] > 0) {
+    const Index a = LowestOf(rows.first[0]), b = LowestOf(rows.first[1]);
+    joined_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   }
   return rows;
 }
@@ -105,6 +112,7 @@ void ConstraintSystem::AddJoint(const JointRow& row, const TreeBody::Speeds& ans
   Joint joint{.row = row, .count = answer.size(), .numbers = numbers_.size()};
   for (Index i = 0; i < answer.size(); ++i) numbers_.push_back(answer[i]);
   joint.own = answer[row.speed - row.first];
+  if (row.other >= 0) joint.own -= answer[row.other - row.first];
   joints_.push_back(joint);
 }
 
@@ -145,6 +153,46 @@ void ConstraintSystem::PushFirstGuesses() {
   for (Rolling& rolling : rollings_) Push(rolling.rows, rolling.rows.impulse);
 }
 
+Index ConstraintSystem::LowestOf(Index first) const {
+  while (joined_[static_cast<std::size_t>(first)] != first) {
+    first = joined_[static_cast<std::size_t>(first)];
+  }
+  return first;
+}
+
+ConstraintSystem::Island& ConstraintSystem::IslandOf(Index first) {
+  int& number = island_of_[static_cast<std::size_t>(LowestOf(first))];
+  if (number < 0) {
+    number = island_count_++;
+    if (static_cast<std::size_t>(number) == islands_.size()) islands_.emplace_back();
+    Island& island = islands_[static_cast<std::size_t>(number)];
+    for (auto* part : {&island.ties, &island.joints, &island.contacts, &island.rollings}) {
+      part->clear();
+    }
+  }
+  return islands_[static_cast<std::size_t>(number)];
+}
+
+void ConstraintSystem::FindIslands() {
+  island_count_ = 0;
+  island_of_.assign(joined_.size(), -1);
+  for (std::size_t i = 0; i < ties_.size(); ++i) IslandOf(ties_[i].rows).ties.push_back(i);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    IslandOf(joints_[i].row.first).joints.push_back(i);
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    IslandOf(contacts_[i].rows).contacts.push_back(i);
+  }
+  for (std::size_t i = 0; i < rollings_.size(); ++i) {
+    IslandOf(rollings_[i].rows).rollings.push_back(i);
+  }
+}
+
+double ConstraintSystem::RateOf(const JointRow& row) const {
+  const double rate = speeds_[row.speed];
+  return row.sign * (row.other < 0 ? rate : rate - speeds_[row.other]);
+}
+
 void ConstraintSystem::SolveTie(Tie& tie, Sweep& sweep) {
   const Vector3d more =
       -tie.inverse * (VelocityOf(tie.rows) + tie.softness * tie.rows.impulse + tie.bias_m_s);
@@ -156,7 +204,7 @@ void ConstraintSystem::SolveTie(Tie& tie, Sweep& sweep) {
 
 void ConstraintSystem::SolveJoint(Joint& joint, Sweep& sweep) {
   JointRow& row = joint.row;
-  const double rate = row.sign * speeds_[row.speed], before = row.impulse;
+  const double rate = RateOf(row), before = row.impulse;
   row.impulse = std::clamp(
       before - (rate + row.softness * before + row.bias_rad_s) / (joint.own + row.softness),
       row.low, row.high);
@@ -211,17 +259,26 @@ void ConstraintSystem::Bend() {
   }
 }
 
-int ConstraintSystem::Solve() {
-  PushFirstGuesses();
+int ConstraintSystem::SolveIsland(const Island& island) {
   int sweeps = 0;
   while (sweeps < kMostSweeps) {
     Sweep sweep;
-    for (Tie& tie : ties_) SolveTie(tie, sweep);
-    for (Joint& joint : joints_) SolveJoint(joint, sweep);
-    for (Contact& contact : contacts_) SolveContact(contact, sweep);
-    for (Rolling& rolling : rollings_) SolveRolling(rolling, sweep);
+    for (const std::size_t i : island.ties) SolveTie(ties_[i], sweep);
+    for (const std::size_t i : island.joints) SolveJoint(joints_[i], sweep);
+    for (const std::size_t i : island.contacts) SolveContact(contacts_[i], sweep);
+    for (const std::size_t i : island.rollings) SolveRolling(rollings_[i], sweep);
     ++sweeps;
     if (sweep.IsLast()) break;
+  }
+  return sweeps;
+}
+
+int ConstraintSystem::Solve() {
+  PushFirstGuesses();
+  FindIslands();
+  int sweeps = 0;
+  for (int i = 0; i < island_count_; ++i) {
+    sweeps = std::max(sweeps, SolveIsland(islands_[static_cast<std::size_t>(i)]));
   }
   Bend();
   return sweeps;

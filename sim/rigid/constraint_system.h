@@ -21,9 +21,11 @@ struct ConstraintEnd {
 };
 using ConstraintEnds = std::array<ConstraintEnd, 2>;
 
-/// A constraint on the rate of one joint; `sign` makes the rate positive where it opens a gap.
+/// A constraint on the rate of one joint, or on its rate less that of another joint of the same
+/// body; `sign` makes the rate positive where it opens a gap.
 struct JointRow {
   Eigen::Index speed = 0, first = 0;  // of the joint, of its body's first, among all
+  Eigen::Index other = -1;            // of the other joint; -1: none
   double sign = 1.0;
   double low = 0.0, high = 0.0;             // of the impulse [N m s]
   double softness = 0.0, bias_rad_s = 0.0;  // as of a contact's normal
@@ -48,12 +50,14 @@ class ConstraintSystem {
   /// them, of the first point from the second.
   void AddTie(double stiffness_n_per_m, double damping_ns_per_m, const Eigen::Vector3d& gap_m,
               const Eigen::Vector3d& impulse, const ConstraintEnds& ends);
-  /// answer: the body's speeds that a unit impulse on the joint gives.
+  /// answer: the body's speeds that a unit impulse on the joint gives, with its opposite on the
+  /// other joint.
   void AddJoint(const JointRow& row, const TreeBody::Speeds& answer);
   bool empty() const { return contacts_.empty() && ties_.empty() && joints_.empty(); }
 
-  /// Projected Gauss-Seidel until no impulse changes by more than 1e-7 of the largest of its kind;
-  /// returns the number of sweeps, at most 500. Advances the contacts' bends.
+  /// Projected Gauss-Seidel for each island, that is bodies that constraints join, until no impulse
+  /// changes by more than 1e-7 of the island's largest of its kind. Returns the most sweeps of an
+  /// island, at most 500. Advances the contacts' bends.
   int Solve();
 
   /// In the order in which they were added.
@@ -96,6 +100,10 @@ class ConstraintSystem {
     std::size_t numbers = 0;  // of the answer
     double own = 0.0;
   };
+  /// Constraints by their numbers.
+  struct Island {
+    std::vector<std::size_t> ties, joints, contacts, rollings;
+  };
   /// The largest change of a sweep and the largest impulse, of forces and of torques.
   struct Sweep {
     double force = 0.0, largest_force = 0.0, torque = 0.0, largest_torque = 0.0;
@@ -108,6 +116,13 @@ class ConstraintSystem {
   void Push(Rows& rows, const Eigen::Vector3d& more);
   void PushJoint(Joint& joint, double more);
   void PushFirstGuesses();
+  /// The first speed of the lowest body that is known to be joined with this one.
+  Eigen::Index LowestOf(Eigen::Index first) const;
+  Island& IslandOf(Eigen::Index first);
+  Island& IslandOf(const Rows& rows) { return IslandOf(rows.first[rows.count[0] > 0 ? 0 : 1]); }
+  void FindIslands();
+  int SolveIsland(const Island& island);
+  double RateOf(const JointRow& row) const;
   void SolveTie(Tie& tie, Sweep& sweep);
   void SolveJoint(Joint& joint, Sweep& sweep);
   void SolveContact(Contact& contact, Sweep& sweep);
@@ -121,6 +136,10 @@ class ConstraintSystem {
   std::vector<Rolling> rollings_;
   std::vector<Tie> ties_;
   std::vector<Joint> joints_;
+  std::vector<Eigen::Index> joined_;  // by a body's first speed: one that it is joined with
+  std::vector<int> island_of_;        // by the lowest body's first speed; -1: none yet
+  std::vector<Island> islands_;       // the first island_count_ count
+  int island_count_ = 0;
 };
 
 }  // namespace dockyard

@@ -27,19 +27,28 @@ int RigidWorld::Add(TreeBody body) {
   first_.push_back(speeds_);
   speeds_ += body.speeds().size();
   bodies_.push_back(std::move(body));
+  asleep_.push_back(false);
   return static_cast<int>(bodies_.size()) - 1;
 }
 
-void RigidWorld::Limit(const BodyLink& joint, const JointLaw& law) {
+void RigidWorld::Limit(const BodyLink& joint, const JointLaw& law) { LimitBetween(joint, -1, law); }
+
+void RigidWorld::LimitBetween(const BodyLink& joint, int other_link, const JointLaw& law) {
   DOCKYARD_CHECK(body(joint.body).SpeedOf(joint.link) >= 0);
+  DOCKYARD_CHECK(other_link < 0 || body(joint.body).SpeedOf(other_link) >= 0);
   const bool stops = std::isfinite(law.low_rad) || std::isfinite(law.high_rad);
   DOCKYARD_CHECK(!stops || law.stop_nm_per_rad > 0.0);
-  joints_.push_back({joint, law});
+  joints_.push_back({joint, other_link, law});
 }
 
 int RigidWorld::Add(const PointTie& tie) {
   ties_.push_back({tie});
   return static_cast<int>(ties_.size()) - 1;
+}
+
+void RigidWorld::SetAsleep(int body, bool asleep) {
+  asleep_[Place(body)] = asleep;
+  if (asleep) bodies_[Place(body)].Stop();
 }
 
 void RigidWorld::Step(double step_s) {
@@ -49,18 +58,22 @@ void RigidWorld::Step(double step_s) {
 }
 
 void RigidWorld::TakeLoads(double step_s) {
-  for (TreeBody& body : bodies_) body.TakeLoads(gravity_G_, step_s);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!asleep_[i]) bodies_[i].TakeLoads(gravity_G_, step_s);
+  }
 }
 
 void RigidWorld::Move(double step_s) {
-  for (TreeBody& body : bodies_) body.Move(step_s);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!asleep_[i]) bodies_[i].Move(step_s);
+  }
 }
 
 void RigidWorld::Resist(double step_s) {
   sweeps_ = 0;
   system_.Start(speeds_, step_s);
   AddTieRows();
-  AddJointRows(step_s);
+  for (std::size_t i = 0; i < joints_.size(); ++i) AddJointRows(i, step_s);
   AddContactRows(step_s);
   if (!system_.empty()) {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -76,8 +89,15 @@ void RigidWorld::Resist(double step_s) {
   }
   TakeJointImpulses();
   TakeContactImpulses();
+  KeepContactsOfSleepers();
   std::swap(contacts_, next_contacts_);
   next_contacts_.clear();
+}
+
+void RigidWorld::KeepContactsOfSleepers() {
+  for (const WorldContact& last : contacts_) {
+    if (!Moves(last.a.body) && !Moves(last.b.body)) next_contacts_.push_back(last);
+  }
 }
 
 std::uint64_t RigidWorld::StateHash(std::uint64_t seed) const {

@@ -60,8 +60,15 @@ class RigidWorld {
   TreeBody& body(int i) { return bodies_[Place(i)]; }
   const TreeBody& body(int i) const { return bodies_[Place(i)]; }
   void Limit(const BodyLink& joint, const JointLaw& law);
+  /// Limits the joint's angle less that of another link's joint of the same body.
+  void LimitBetween(const BodyLink& joint, int other_link, const JointLaw& law);
   int Add(const PointTie& tie);
   void SetGravity(const Eigen::Vector3d& gravity_G) { gravity_G_ = gravity_G; }
+
+  /// A body that sleeps rests where it is and is as the ground for others: to move again it is to
+  /// be woken. Meanwhile its contacts stay as they are.
+  void SetAsleep(int body, bool asleep);
+  bool asleep(int body) const { return asleep_[Place(body)]; }
 
   /// For the next step; places as they are now.
   void AddContact(const WorldContact& contact) { next_contacts_.push_back(contact); }
@@ -84,6 +91,7 @@ class RigidWorld {
  private:
   struct Joint {
     BodyLink at;
+    int other_link = -1;
     JointLaw law;
     double rub = 0.0, from_low = 0.0, from_high = 0.0;  // impulses of the last step
   };
@@ -93,10 +101,12 @@ class RigidWorld {
   };
   static std::size_t Place(int i) { return static_cast<std::size_t>(i); }
   LinkMotion MotionOf(const BodyLink& at) const;
+  bool Moves(int body) const { return body >= 0 && !asleep(body); }
+  void KeepContactsOfSleepers();
+  void AddJointRows(std::size_t joint, double step_s);
   void GoOnFromLastStep(WorldContact& contact, double step_s) const;
   void FillEnds(const BodyLink& a, const BodyLink& b, const Eigen::Vector3d& p_G,
                 const Eigen::Matrix3d& axes, bool turning);
-  void AddJointRows(double step_s);
   void AddTieRows();
   void AddContactRows(double step_s);
   void TakeJointImpulses();
@@ -105,6 +115,7 @@ class RigidWorld {
   Eigen::Vector3d gravity_G_;
   std::vector<TreeBody> bodies_;
   std::vector<Eigen::Index> first_;  // of each body's speeds among all
+  std::vector<bool> asleep_;
   Eigen::Index speeds_ = 0;
   std::vector<Joint> joints_;
   std::vector<Tie> ties_;

@@ -179,8 +179,19 @@ void TreeBody::TakeLoads(const Vector3d& gravity_G, double step_s) {
   speeds_ = before;
   AddSpeeds(Answer(step_s * loads));
   if (rules_.terms == VelocityTerms::kMidstep) loaded_ = speeds_;
+  ForgetLoads();
+}
+
+void TreeBody::ForgetLoads() {
   for (Wrench& load : loads_) load = {};
   std::fill(joint_loads_nm_.begin(), joint_loads_nm_.end(), 0.0);
+}
+
+void TreeBody::Stop() {
+  speeds_.setZero();
+  resisted_.setZero();
+  ForgetLoads();
+  Refresh();
 }
 
 void TreeBody::AddSpeeds(const Speeds& change) {

@@ -107,6 +107,8 @@ class TreeBody {
   using FewImpulses = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostSpeeds, 3>;
   void AnswerInPlace(FewImpulses& impulses) const;
   void AddSpeeds(const Speeds& change);
+  /// At rest, without loads.
+  void Stop();
   /// A step's positions by the speeds.
   void Move(double step_s);
 
@@ -129,6 +131,7 @@ class TreeBody {
   void Refresh();
   void RefreshJoint(std::size_t i);
   void FindAnswers(double step_s);
+  void ForgetLoads();
   Speeds CollectLoads(const Eigen::Vector3d& gravity_G);
   void MoveBase(double step_s);
 

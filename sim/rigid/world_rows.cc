@@ -1,5 +1,6 @@
 // Which rows a world's constraints have in a step.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -71,7 +72,7 @@ void RigidWorld::FillEnds(const BodyLink& a, const BodyLink& b, const Vector3d& 
     end.first = 0;
     end.jacobian.resize(0, 3);
     end.answer.resize(0, 3);
-    if (at.body < 0 || (of_b && one_body)) continue;
+    if (!Moves(at.body) || (of_b && one_body)) continue;
     const TreeBody& tree = body(at.body);
     TreeBody::PointJacobian J = turning ? tree.TurningOf(at.link) : tree.JacobianOf(at.link, p_G);
     if (one_body) J -= turning ? tree.TurningOf(b.link) : tree.JacobianOf(b.link, p_G);
@@ -93,38 +94,48 @@ void RigidWorld::AddTieRows() {
   }
 }
 
-void RigidWorld::AddJointRows(double step_s) {
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const Joint& joint = joints_[i];
-    const TreeBody& tree = body(joint.at.body);
-    const JointLaw& law = joint.law;
-    const double angle_rad = tree.angle_rad(joint.at.link), rate = tree.rate_rad_s(joint.at.link);
-    TreeBody::Speeds answer = TreeBody::Speeds::Zero(tree.speeds().size());
-    answer[tree.SpeedOf(joint.at.link)] = 1.0;
-    answer = tree.Answer(answer);
-    JointRow row{.speed = first_[Place(joint.at.body)] + tree.SpeedOf(joint.at.link),
-                 .first = first_[Place(joint.at.body)],
-                 .owner = i};
-    if (law.friction_nm > 0.0) {
-      row.high = step_s * law.friction_nm;
-      row.low = -row.high;
-      row.impulse = joint.rub;
-      system_.AddJoint(row, answer);
-    }
-    row.low = 0.0;
-    row.high = std::numeric_limits<double>::infinity();
-    const double give = step_s * law.stop_nm_per_rad + law.stop_nms_per_rad;
-    row.softness = give > 0.0 ? 1.0 / (step_s * give) : 0.0;
-    const auto AddStop = [&](double gap_rad, double sign, double guess) {
-      if (gap_rad > kStepsAhead * step_s * std::abs(rate)) return;
-      row.sign = sign;
-      row.impulse = guess;
-      row.bias_rad_s = gap_rad > 0.0 ? gap_rad / step_s : law.stop_nm_per_rad * gap_rad / give;
-      system_.AddJoint(row, answer);
-    };
-    AddStop(angle_rad - law.low_rad, 1.0, joint.from_low);
-    AddStop(law.high_rad - angle_rad, -1.0, joint.from_high);
+void RigidWorld::AddJointRows(std::size_t i, double step_s) {
+  const Joint& joint = joints_[i];
+  if (!Moves(joint.at.body)) return;
+  const TreeBody& tree = body(joint.at.body);
+  const JointLaw& law = joint.law;
+  double angle_rad = tree.angle_rad(joint.at.link), rate = tree.rate_rad_s(joint.at.link);
+  if (joint.other_link >= 0) {
+    angle_rad -= tree.angle_rad(joint.other_link);
+    rate -= tree.rate_rad_s(joint.other_link);
   }
+  const double to_low_rad = angle_rad - law.low_rad, to_high_rad = law.high_rad - angle_rad;
+  const double reach_rad = kStepsAhead * step_s * std::abs(rate);
+  if (law.friction_nm <= 0.0 && std::min(to_low_rad, to_high_rad) > reach_rad) return;
+
+  const Eigen::Index first = first_[Place(joint.at.body)];
+  JointRow row{.speed = first + tree.SpeedOf(joint.at.link), .first = first, .owner = i};
+  TreeBody::Speeds answer = TreeBody::Speeds::Zero(tree.speeds().size());
+  answer[tree.SpeedOf(joint.at.link)] = 1.0;
+  if (joint.other_link >= 0) {
+    row.other = first + tree.SpeedOf(joint.other_link);
+    answer[tree.SpeedOf(joint.other_link)] = -1.0;
+  }
+  answer = tree.Answer(answer);
+  if (law.friction_nm > 0.0) {
+    row.high = step_s * law.friction_nm;
+    row.low = -row.high;
+    row.impulse = joint.rub;
+    system_.AddJoint(row, answer);
+  }
+  row.low = 0.0;
+  row.high = std::numeric_limits<double>::infinity();
+  const double give = step_s * law.stop_nm_per_rad + law.stop_nms_per_rad;
+  row.softness = give > 0.0 ? 1.0 / (step_s * give) : 0.0;
+  const auto AddStop = [&](double gap_rad, double sign, double guess) {
+    if (gap_rad > reach_rad) return;
+    row.sign = sign;
+    row.impulse = guess;
+    row.bias_rad_s = gap_rad > 0.0 ? gap_rad / step_s : law.stop_nm_per_rad * gap_rad / give;
+    system_.AddJoint(row, answer);
+  };
+  AddStop(to_low_rad, 1.0, joint.from_low);
+  AddStop(to_high_rad, -1.0, joint.from_high);
 }
 
 void RigidWorld::AddContactRows(double step_s) {
