@@ -37,6 +37,21 @@ inline Symmetric InverseOf(const Symmetric& s) {
           d * (s.xx * s.yy - s.xy * s.xy)};
 }
 
+/// Of a tensor whose axes R turns: R I R^T.
+inline Symmetric TurnedTensor(const Eigen::Matrix3d& R, const Eigen::Matrix3d& I) {
+  const Eigen::Matrix3d M = R.lazyProduct(I);
+  const double *a = M.data(), *b = R.data();  // by columns
+  return {a[0] * b[0] + a[3] * b[3] + a[6] * b[6], a[0] * b[1] + a[3] * b[4] + a[6] * b[7],
+          a[0] * b[2] + a[3] * b[5] + a[6] * b[8], a[1] * b[1] + a[4] * b[4] + a[7] * b[7],
+          a[1] * b[2] + a[4] * b[5] + a[7] * b[8], a[2] * b[2] + a[5] * b[5] + a[8] * b[8]};
+}
+
+inline Eigen::Matrix3d MatrixOf(const Symmetric& s) {
+  Eigen::Matrix3d m;
+  m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
+  return m;
+}
+
 template <class V>
 Eigen::Vector3d Product(const Symmetric& s, const V& v) {
   return {s.xx * v[0] + s.xy * v[1] + s.xz * v[2], s.xy * v[0] + s.yy * v[1] + s.yz * v[2],

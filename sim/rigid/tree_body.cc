@@ -1,7 +1,6 @@
 #include "sim/rigid/tree_body.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -23,11 +22,25 @@ Matrix3d Turned(const Matrix3d& R, const Vector3d& turn) {
   return q.normalized().toRotationMatrix();
 }
 
+// Of each speed the next joint's inwards; -1: none.
+std::vector<int> JointsInwards(const std::vector<TreeLink>& links,
+                               const std::vector<Eigen::Index>& speed_of, Eigen::Index speeds) {
+  std::vector<int> inwards(static_cast<std::size_t>(speeds), -1);
+  for (std::size_t i = 1; i < links.size(); ++i) {
+    if (speed_of[i] < 0) continue;
+    auto at = static_cast<std::size_t>(links[i].parent);
+    while (at > 0 && speed_of[at] < 0) at = static_cast<std::size_t>(links[at].parent);
+    inwards[static_cast<std::size_t>(speed_of[i])] = static_cast<int>(speed_of[at]);
+  }
+  return inwards;
+}
+
 }  // namespace
 
 TreeBody::TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, const Pose3& X_GB,
                    const TreeRules& rules)
-    : links_(std::move(links)), rules_(rules), X_GB_(X_GB) {
+    : links_(std::move(links)), rules_(rules), X_GB_(X_GB), factor_(0, {}) {
+  flies_alone_ = links_.size() == 1 && rules.base == TreeBase::kFree;
   const std::size_t count = links_.size();
   DOCKYARD_CHECK(count > 0 && links_[0].parent == -1);
   Eigen::Index speeds = rules.base == TreeBase::kFree ? 6 : 0;
@@ -48,7 +61,7 @@ TreeBody::TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, cons
   axis_G_.resize(count);
   inertia_G_.resize(count);
   angle_rad_.assign(count, 0.0);
-  loads_.resize(count);
+  loads_.assign(count, {Vector3d::Zero(), Vector3d::Zero()});
   joint_loads_nm_.assign(count, 0.0);
   speeds_.setZero(speeds);
   loaded_ = resisted_ = speeds_;
@@ -59,51 +72,56 @@ TreeBody::TreeBody(std::vector<TreeLink> links, std::vector<JointTie> ties, cons
       ties_(static_cast<Eigen::Index>(row), SpeedOf(link)) = weight;
     }
   }
-  Refresh();
+  factor_ =
+      TreeFactor(rules.base == TreeBase::kFree ? 6 : 0, JointsInwards(links_, speed_of_, speeds));
+  inverse_L_ = InverseOf(SymmetricOf(links_[0].model.I_LCom_L));
+  RefreshPlaces();
+  RefreshSpeeds();
 }
 
 void TreeBody::SetAngle(int i, double angle_rad) {
   angle_rad_[Place(i)] = angle_rad;
-  Refresh();
+  RefreshPlaces();
+  RefreshSpeeds();
 }
 
-void TreeBody::RefreshJoint(std::size_t i) {
-  const TreeLink& link = links_[i];
-  const LinkMotion& parent = motion_[Place(link.parent)];
-  LinkMotion& own = motion_[i];
-  Matrix3d R = parent.X_GL.R;
-  if (turned_[i]) R *= link.R_PL;
-  axis_G_[i] = R * link.axis_L;
-  own.X_GL.p = parent.X_GL * link.p_PL;
-  if (link.joint == JointKind::kHinge) {
-    own.X_GL.R = R * Eigen::AngleAxisd(angle_rad_[i], link.axis_L).toRotationMatrix();
-    own.w_GL_G = parent.w_GL_G + speeds_[speed_of_[i]] * axis_G_[i];
-    own.v_GL_G = parent.VelocityAt(own.X_GL.p);
-    return;
-  }
-  own.X_GL.R = R;
-  own.w_GL_G = parent.w_GL_G;
-  if (link.joint == JointKind::kSlide) own.X_GL.p += angle_rad_[i] * axis_G_[i];
-  own.v_GL_G = parent.VelocityAt(own.X_GL.p);
-  if (link.joint == JointKind::kSlide) own.v_GL_G += speeds_[speed_of_[i]] * axis_G_[i];
-}
-
-// Places, speeds and inertias of all links, from the base outwards.
-void TreeBody::Refresh() {
+// Places and inertias of all links, from the base outwards.
+void TreeBody::RefreshPlaces() {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const TreeLink& link = links_[i];
-    LinkMotion& own = motion_[i];
-    if (i > 0) {
-      RefreshJoint(i);
+    Pose3& own = motion_[i].X_GL;
+    if (i == 0) {
+      own = X_GB_;
     } else {
-      own.X_GL = X_GB_;
-      if (rules_.base == TreeBase::kFree) {
-        own.w_GL_G = speeds_.segment<3>(3);
-        own.v_GL_G = speeds_.head<3>() - own.w_GL_G.cross(X_GB_.R * link.model.p_LoCom_L);
+      const Pose3& parent = motion_[Place(link.parent)].X_GL;
+      own.R = parent.R;
+      if (turned_[i]) own.R = parent.R * link.R_PL;
+      axis_G_[i] = own.R.lazyProduct(link.axis_L);
+      own.p = parent.R.lazyProduct(link.p_PL) + parent.p;
+      if (link.joint == JointKind::kSlide) own.p += angle_rad_[i] * axis_G_[i];
+      if (link.joint == JointKind::kHinge) {
+        own.R *= Eigen::AngleAxisd(angle_rad_[i], link.axis_L).toRotationMatrix();
       }
     }
-    com_G_[i] = own.X_GL * link.model.p_LoCom_L;
-    inertia_G_[i] = own.X_GL.R * link.model.I_LCom_L * own.X_GL.R.transpose();
+    com_G_[i] = own.R.lazyProduct(link.model.p_LoCom_L) + own.p;
+    inertia_G_[i] = TurnedTensor(own.R, link.model.I_LCom_L);
+  }
+}
+
+void TreeBody::RefreshSpeeds() {
+  if (rules_.base == TreeBase::kFree) {
+    LinkMotion& base = motion_[0];
+    base.w_GL_G = speeds_.segment<3>(3);
+    base.v_GL_G = speeds_.head<3>() + base.w_GL_G.cross(base.X_GL.p - com_G_[0]);
+  }
+  for (std::size_t i = 1; i < links_.size(); ++i) {
+    const TreeLink& link = links_[i];
+    const LinkMotion& parent = motion_[Place(link.parent)];
+    LinkMotion& own = motion_[i];
+    own.w_GL_G = parent.w_GL_G;
+    own.v_GL_G = parent.VelocityAt(own.X_GL.p);
+    if (link.joint == JointKind::kHinge) own.w_GL_G += speeds_[speed_of_[i]] * axis_G_[i];
+    if (link.joint == JointKind::kSlide) own.v_GL_G += speeds_[speed_of_[i]] * axis_G_[i];
   }
 }
 
@@ -140,8 +158,9 @@ TreeBody::Speeds TreeBody::CollectLoads(const Vector3d& gravity_G) {
     const Vector3d acceleration = going[i] + turning[i].cross(to_com) + w.cross(w.cross(to_com));
     const Vector3d force = links_[i].model.mass_kg * (gravity_G - acceleration);
     all[i].force += force;
-    if (links_.size() == 1) continue;  // what its turning takes is in MoveBase
-    all[i].torque += to_com.cross(force) - inertia_G_[i] * turning[i] - w.cross(inertia_G_[i] * w);
+    if (flies_alone_) continue;  // what its turning takes is in MoveBase
+    all[i].torque += to_com.cross(force) - Product(inertia_G_[i], turning[i]) -
+                     w.cross(Product(inertia_G_[i], w));
   }
   Speeds over_speeds = Speeds::Zero(speeds_.size());
   for (std::size_t i = links_.size() - 1; i > 0; --i) {
@@ -175,40 +194,37 @@ void TreeBody::TakeLoads(const Vector3d& gravity_G, double step_s) {
   if (rules_.terms == VelocityTerms::kMidstep) {
     AddSpeeds(0.5 * (Answer(step_s * Loads()) + resisted_));
   }
-  const Speeds loads = Loads();
+  const Speeds change = Answer(step_s * Loads());
   speeds_ = before;
-  AddSpeeds(Answer(step_s * loads));
+  AddSpeeds(change);
   if (rules_.terms == VelocityTerms::kMidstep) loaded_ = speeds_;
-  ForgetLoads();
-}
-
-void TreeBody::ForgetLoads() {
-  for (Wrench& load : loads_) load = {};
+  for (Wrench& load : loads_) load = {Vector3d::Zero(), Vector3d::Zero()};
   std::fill(joint_loads_nm_.begin(), joint_loads_nm_.end(), 0.0);
 }
 
 void TreeBody::Stop() {
   speeds_.setZero();
   resisted_.setZero();
-  ForgetLoads();
-  Refresh();
+  RefreshSpeeds();
 }
 
 void TreeBody::AddSpeeds(const Speeds& change) {
   speeds_ += change;
-  Refresh();
+  RefreshSpeeds();
 }
 
 void TreeBody::MoveBase(double step_s) {
   const Vector3d com_G = com_G_[0] + step_s * speeds_.head<3>();
   Vector3d w_G = speeds_.segment<3>(3);
-  if (links_.size() == 1) {
-    const Matrix3d inverse_L = links_[0].model.I_LCom_L.inverse();
-    const Vector3d spin_G = inertia_G_[0] * w_G;
-    const Matrix3d half = Turned(X_GB_.R, 0.5 * step_s * w_G);
-    w_G = half * (inverse_L * (half.transpose() * spin_G));
+  if (flies_alone_) {
+    const Vector3d spin_G = Product(inertia_G_[0], w_G);
+    const auto RateAt = [&](const Matrix3d& R) {
+      const Vector3d spin_L = R.transpose() * spin_G;
+      return Vector3d(R * Product(inverse_L_, spin_L));
+    };
+    w_G = RateAt(Turned(X_GB_.R, 0.5 * step_s * w_G));
     X_GB_.R = Turned(X_GB_.R, step_s * w_G);
-    speeds_.segment<3>(3) = X_GB_.R * (inverse_L * (X_GB_.R.transpose() * spin_G));
+    speeds_.segment<3>(3) = RateAt(X_GB_.R);
   } else {
     X_GB_.R = Turned(X_GB_.R, step_s * w_G);
   }
@@ -221,7 +237,8 @@ void TreeBody::Move(double step_s) {
   for (std::size_t i = 1; i < links_.size(); ++i) {
     if (speed_of_[i] >= 0) angle_rad_[i] += step_s * speeds_[speed_of_[i]];
   }
-  Refresh();
+  RefreshPlaces();
+  RefreshSpeeds();
 }
 
 std::uint64_t TreeBody::StateHash(std::uint64_t seed) const {

@@ -18,6 +18,8 @@
 
 #include "models/parts/link.h"
 #include "sim/rigid/motion.h"
+#include "sim/rigid/symmetric3.h"
+#include "sim/rigid/tree_factor.h"
 
 namespace dockyard {
 
@@ -85,7 +87,6 @@ class TreeBody {
   /// The place of a joint's rate among the speeds; -1: it has none.
   Eigen::Index SpeedOf(int i) const { return speed_of_[Place(i)]; }
   const Speeds& speeds() const { return speeds_; }
-  double mass_kg() const { return mass_kg_; }
 
   /// For a start. The ties keep the sums of the angles given last.
   void SetAngle(int i, double angle_rad);
@@ -100,14 +101,13 @@ class TreeBody {
   /// loads.
   void TakeLoads(const Eigen::Vector3d& gravity_G, double step_s);
   /// Speeds that an impulse over the speeds gives [N s, N m s]; good from TakeLoads to Move.
-  Speeds Answer(const Speeds& impulse) const;
+  Speeds Answer(Speeds impulse) const;
   /// The same for an impulse in each column.
   Eigen::MatrixXd Answers(const Eigen::MatrixXd& impulses) const;
   /// The same for as many as a constraint has rows, without memory from the heap.
-  using FewImpulses = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostSpeeds, 3>;
+  using FewImpulses = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, kMostSpeeds, 3>;
   void AnswerInPlace(FewImpulses& impulses) const;
   void AddSpeeds(const Speeds& change);
-  /// At rest, without loads.
   void Stop();
   /// A step's positions by the speeds.
   void Move(double step_s);
@@ -128,24 +128,26 @@ class TreeBody {
   const Eigen::Vector3d& Centre(int i) const {
     return i == 0 ? com_G_[0] : motion_[Place(i)].X_GL.p;
   }
-  void Refresh();
-  void RefreshJoint(std::size_t i);
+  void RefreshPlaces();
+  void RefreshSpeeds();
+  /// Rows of the lower half, so long; numbers that are zero by the tree's shape are left out.
+  void FillInertia(double* rows, Eigen::Index row_length) const;
   void FindAnswers(double step_s);
-  void ForgetLoads();
   Speeds CollectLoads(const Eigen::Vector3d& gravity_G);
   void MoveBase(double step_s);
 
   struct Wrench {
-    Eigen::Vector3d force = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
+    Eigen::Vector3d force, torque;
   };
 
   std::vector<TreeLink> links_;
   TreeRules rules_;
+  bool flies_alone_ = false;            // one free link
   std::vector<Eigen::Index> speed_of_;  // by link; -1: none
-  std::vector<bool> turned_;            // by link: R_PL is not the identity
+  std::vector<std::uint8_t> turned_;    // by link: R_PL is not the identity
   std::vector<LinkMotion> motion_;
   std::vector<Eigen::Vector3d> com_G_, axis_G_;
-  std::vector<Eigen::Matrix3d> inertia_G_;  // about centres of mass
+  std::vector<Symmetric> inertia_G_;  // about centres of mass
   std::vector<double> angle_rad_;
   std::vector<Wrench> loads_;  // about the centres
   std::vector<double> joint_loads_nm_;
@@ -153,8 +155,10 @@ class TreeBody {
   Pose3 X_GB_;
   Speeds speeds_;
   Speeds loaded_, resisted_;         // after TakeLoads; what changed from there to Move
+  TreeFactor factor_;                // of the inertia, but for a body that flies alone:
+  Symmetric inverse_L_, inverse_G_;  // of its moments
   Inertia ties_;                     // a row each, over the speeds
-  Eigen::LLT<Inertia> mass_, held_;  // of the inertia; of what it leaves of the ties
+  Eigen::LLT<Inertia> held_;         // of what the inertia leaves of the ties
   Inertia tie_answers_;              // what a unit impulse on each tie gives
 };
 

@@ -11,108 +11,125 @@ using Eigen::Vector3d;
 
 /// A link and all beyond it, about its centre: mass, first moment, inertia.
 struct Composite {
-  double mass = 0.0;
-  Vector3d moment = Vector3d::Zero();
-  Matrix3d inertia = Matrix3d::Zero();
+  double mass;
+  Vector3d moment;
+  Symmetric inertia;
 };
 
-// Of the same bodies about a point that lies -r from the composite's.
-Composite Shifted(const Composite& at, const Vector3d& r) {
-  const Matrix3d first = CrossMatrix(at.moment), arm = CrossMatrix(r);
-  return {at.mass, at.moment + at.mass * r,
-          at.inertia - first * arm - arm * first - at.mass * arm * arm};
+// Adds the same bodies about a point that lies -r from the composite's.
+void AddShifted(const Composite& at, const Vector3d& r, Composite& onto) {
+  const double m = at.mass;
+  const Vector3d &c = at.moment, half = c + 0.5 * m * r;
+  const double xx = 2.0 * half.x() * r.x(), yy = 2.0 * half.y() * r.y(),
+               zz = 2.0 * half.z() * r.z();
+  onto.mass += m;
+  onto.moment += c + m * r;
+  onto.inertia.xx += at.inertia.xx + (yy + zz);
+  onto.inertia.yy += at.inertia.yy + (zz + xx);
+  onto.inertia.zz += at.inertia.zz + (xx + yy);
+  onto.inertia.xy += at.inertia.xy - (half.x() * r.y() + half.y() * r.x());
+  onto.inertia.xz += at.inertia.xz - (half.x() * r.z() + half.z() * r.x());
+  onto.inertia.yz += at.inertia.yz - (half.y() * r.z() + half.z() * r.y());
 }
 
 }  // namespace
 
-TreeBody::Inertia TreeBody::MassMatrix() const {
+void TreeBody::FillInertia(double* rows, Eigen::Index row_length) const {
   const auto count = static_cast<int>(links_.size());
+  const bool free = rules_.base == TreeBase::kFree;
   std::array<Composite, kMostLinks> bodies;
   for (int i = 0; i < count; ++i) {
-    const double mass = links_[Place(i)].model.mass_kg;
-    bodies[Place(i)] =
-        Shifted({mass, Vector3d::Zero(), inertia_G_[Place(i)]}, com_G_[Place(i)] - Centre(i));
+    bodies[Place(i)] = {0.0, Vector3d::Zero(), {}};
+    AddShifted({links_[Place(i)].model.mass_kg, Vector3d::Zero(), inertia_G_[Place(i)]},
+               com_G_[Place(i)] - Centre(i), bodies[Place(i)]);
   }
-  Inertia M = Inertia::Zero(speeds_.size(), speeds_.size());
   for (int i = count - 1; i > 0; --i) {
+    const TreeLink& link = links_[Place(i)];
     const Composite& own = bodies[Place(i)];
     if (SpeedOf(i) >= 0) {
       const Vector3d& axis = axis_G_[Place(i)];
-      const Eigen::Index row = SpeedOf(i);
+      double* const row = rows + SpeedOf(i) * row_length;
       // Load that a unit rate of this joint alone takes, carried inwards.
       Vector3d force =
-          links_[Place(i)].IsHinge() ? Vector3d(axis.cross(own.moment)) : Vector3d(own.mass * axis);
-      Vector3d torque = links_[Place(i)].IsHinge() ? Vector3d(own.inertia * axis)
-                                                   : Vector3d(own.moment.cross(axis));
-      M(row, row) = links_[Place(i)].Along(axis, force, torque) + links_[Place(i)].rotor_kg_m2;
+          link.IsHinge() ? Vector3d(axis.cross(own.moment)) : Vector3d(own.mass * axis);
+      Vector3d torque =
+          link.IsHinge() ? Product(own.inertia, axis) : Vector3d(own.moment.cross(axis));
+      row[SpeedOf(i)] = link.Along(axis, force, torque) + link.rotor_kg_m2;
       for (int at = i; at != 0;) {
         const int parent = links_[Place(at)].parent;
         torque += (Centre(at) - Centre(parent)).cross(force);
         at = parent;
-        if (SpeedOf(at) >= 0)
-          M(row, SpeedOf(at)) = links_[Place(at)].Along(axis_G_[Place(at)], force, torque);
+        if (SpeedOf(at) < 0) continue;
+        row[SpeedOf(at)] = links_[Place(at)].Along(axis_G_[Place(at)], force, torque);
       }
-      if (rules_.base == TreeBase::kFree) {
-        M.row(row).head<3>() = force;
-        M.row(row).segment<3>(3) = torque;
+      if (free) {
+        for (int k = 0; k < 3; ++k) row[k] = force[k], row[3 + k] = torque[k];
       }
     }
-    const int parent = links_[Place(i)].parent;
-    const Composite inwards = Shifted(own, Centre(i) - Centre(parent));
-    Composite& onto = bodies[Place(parent)];
-    onto.mass += inwards.mass;
-    onto.moment += inwards.moment;
-    onto.inertia += inwards.inertia;
+    AddShifted(own, Centre(i) - Centre(link.parent), bodies[Place(link.parent)]);
   }
-  if (rules_.base == TreeBase::kFree) {
-    M.topLeftCorner<3, 3>().diagonal().setConstant(bodies[0].mass);
-    M.block<3, 3>(3, 0) = CrossMatrix(bodies[0].moment);
-    M.block<3, 3>(3, 3) = bodies[0].inertia;
+  if (!free) return;
+  const Composite& all = bodies[0];
+  const Matrix3d cross = CrossMatrix(all.moment), inertia = MatrixOf(all.inertia);
+  for (int i = 0; i < 3; ++i) {
+    double *const going = rows + i * row_length, *const turning = rows + (3 + i) * row_length;
+    for (int j = 0; j < i; ++j) going[j] = 0.0;
+    going[i] = all.mass;
+    for (int j = 0; j < 3; ++j) turning[j] = cross(i, j);
+    for (int j = 0; j <= i; ++j) turning[3 + j] = inertia(i, j);
   }
-  M.triangularView<Eigen::StrictlyUpper>() = M.transpose();
+}
+
+TreeBody::Inertia TreeBody::MassMatrix() const {
+  Inertia M = Inertia::Zero(speeds_.size(), speeds_.size());
+  FillInertia(M.data(), M.cols());  // its columns are rows there
+  M.triangularView<Eigen::StrictlyLower>() = M.transpose();
   return M;
 }
 
 // A joint's damper acts at the step's end, so it counts with the inertia.
 void TreeBody::FindAnswers(double step_s) {
-  Inertia M = MassMatrix();
+  if (flies_alone_) {
+    inverse_G_ = TurnedTensor(X_GB_.R, MatrixOf(inverse_L_));
+    return;
+  }
+  FillInertia(factor_.row(0), speeds_.size());
   for (std::size_t i = 1; i < links_.size(); ++i) {
     if (speed_of_[i] < 0 || links_[i].damping_nms_per_rad <= 0.0) continue;
-    M(speed_of_[i], speed_of_[i]) += step_s * links_[i].damping_nms_per_rad;
+    const int at = static_cast<int>(speed_of_[i]);
+    factor_.row(at)[at] += step_s * links_[i].damping_nms_per_rad;
   }
-  mass_.compute(M);
+  factor_.Compute();
   if (ties_.rows() == 0) return;
-  tie_answers_ = mass_.solve(ties_.transpose());
+  tie_answers_ = ties_.transpose();
+  for (Eigen::Index i = 0; i < tie_answers_.cols(); ++i) factor_.Solve(tie_answers_.col(i).data());
   held_.compute(ties_ * tie_answers_);
 }
 
-TreeBody::Speeds TreeBody::Answer(const Speeds& impulse) const {
-  Speeds change = mass_.solve(impulse);
-  if (ties_.rows() > 0) change -= tie_answers_ * held_.solve(ties_ * change);
-  return change;
+TreeBody::Speeds TreeBody::Answer(Speeds impulse) const {
+  if (flies_alone_) {
+    impulse.head<3>() /= mass_kg_;
+    impulse.segment<3>(3) = Product(inverse_G_, Vector3d(impulse.segment<3>(3)));
+    return impulse;
+  }
+  factor_.Solve(impulse.data());
+  if (ties_.rows() > 0) impulse -= tie_answers_ * held_.solve(ties_ * impulse);
+  return impulse;
 }
 
 Eigen::MatrixXd TreeBody::Answers(const Eigen::MatrixXd& impulses) const {
-  Eigen::MatrixXd changes = mass_.solve(impulses);
-  if (ties_.rows() > 0) changes -= tie_answers_ * held_.solve(ties_ * changes);
+  Eigen::MatrixXd changes(impulses.rows(), impulses.cols());
+  for (Eigen::Index i = 0; i < impulses.cols(); ++i) changes.col(i) = Answer(impulses.col(i));
   return changes;
 }
 
-// By the factor's columns: for three right sides Eigen's kernels take twice as long.
 void TreeBody::AnswerInPlace(FewImpulses& impulses) const {
-  const Inertia& L = mass_.matrixLLT();  // its lower half
-  const Eigen::Index count = L.rows();
-  for (Eigen::Index column = 0; column < impulses.cols(); ++column) {
-    double* x = impulses.col(column).data();
-    for (Eigen::Index i = 0; i < count; ++i) {
-      x[i] /= L(i, i);
-      for (Eigen::Index k = i + 1; k < count; ++k) x[k] -= L(k, i) * x[i];
-    }
-    for (Eigen::Index i = count - 1; i >= 0; --i) {
-      for (Eigen::Index k = i + 1; k < count; ++k) x[i] -= L(k, i) * x[k];
-      x[i] /= L(i, i);
-    }
+  if (flies_alone_) {
+    impulses.topRows<3>() /= mass_kg_;
+    impulses.bottomRows<3>() = MatrixOf(inverse_G_).lazyProduct(impulses.bottomRows<3>()).eval();
+    return;
   }
+  factor_.SolveThree(impulses.data());
   if (ties_.rows() > 0) impulses -= tie_answers_ * held_.solve(ties_ * impulses);
 }
 

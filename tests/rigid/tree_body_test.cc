@@ -86,6 +86,12 @@ class BulletTree {
   }
 
   void AddJointTorque(int i, double torque_nm) { body_->addJointTorque(i - 1, torque_nm); }
+  /// At its centre of mass.
+  void AddLoad(int i, const Vector3d& force_G, const Vector3d& torque_G) {
+    const btVector3 force = ToBullet(force_G), torque = ToBullet(torque_G);
+    i == 0 ? body_->addBaseForce(force) : body_->addLinkForce(i - 1, force);
+    i == 0 ? body_->addBaseTorque(torque) : body_->addLinkTorque(i - 1, torque);
+  }
 
   /// With a differential between the joints a and b if a > 0: an impulse on both takes what their
   /// rates have in common.
@@ -143,6 +149,16 @@ TEST(TreeBody, MovesAsBulletsArticulatedBody) {
         const double torque_nm = 0.3 * std::sin(0.02 * step + i);
         ours.AddJointTorque(i, torque_nm);
         bullets.AddJointTorque(i, torque_nm);
+      }
+      for (int i = 0; i < count; ++i) {
+        const Vector3d force_G(0.2 * std::sin(0.05 * step + i), 0.1, 0.3 * std::cos(i)),
+            torque_G(0.02 * std::cos(0.03 * step), 0.0, 0.01 * i);
+        const Pose3& X_GL = ours.motion(i).X_GL;
+        const Vector3d p_G = X_GL * Vector3d(0.2, 0.1 * i, -0.1),
+                       com_G = X_GL * ours.link(i).model.p_LoCom_L;
+        ours.AddForce(i, force_G, p_G);
+        ours.AddTorque(i, torque_G);
+        bullets.AddLoad(i, force_G, torque_G + (p_G - com_G).cross(force_G));
       }
       ours.TakeLoads(kGravity, kStep_s);
       ours.Move(kStep_s);
@@ -275,6 +291,26 @@ TEST(TreeBody, HasTheJacobianOfItsPoints) {
     TreeBody moved = body;
     moved.Move(1e-7);
     EXPECT_LT((1e7 * (moved.motion(i).X_GL * p_L - p_G) - v_G).norm(), 1e-5);
+  }
+}
+
+// By the dense matrix of inertia.
+TEST(TreeBody, AnswersImpulsesByItsInertiaWhateverItsShape) {
+  RandomStream random(StreamKey(7, "answers"));
+  for (const int count : {1, 2, 4, 9, 20}) {
+    for (const TreeBase base : {TreeBase::kFree, TreeBase::kFixed}) {
+      if (base == TreeBase::kFixed && count == 1) continue;
+      TreeBody body(AnyTree(random, count), {}, {RotX(0.7), AnyVector(random, 1.0)}, {base});
+      for (int i = 1; i < count; ++i) body.SetAngle(i, random.Uniform(-1.0, 1.0));
+      body.TakeLoads({0, 0, 0}, kStep_s);
+      TreeBody::FewImpulses impulses(body.speeds().size(), 3);
+      for (Eigen::Index i = 0; i < impulses.size(); ++i) impulses(i) = random.Uniform(-1.0, 1.0);
+      TreeBody::FewImpulses answers = impulses;
+      body.AnswerInPlace(answers);
+      EXPECT_LT((body.MassMatrix() * answers - impulses).norm(), 1e-11) << count;
+      const TreeBody::Speeds one = body.Answer(impulses.col(1));
+      EXPECT_LT((one - answers.col(1)).norm(), 1e-12 * one.norm()) << count;
+    }
   }
 }
 
