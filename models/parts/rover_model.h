@@ -7,6 +7,7 @@
 
 #include "controller/geometry/rover_plan.h"
 #include "models/parts/arm_model.h"
+#include "models/parts/contact_material.h"
 #include "models/parts/link.h"
 #include "models/parts/mast_model.h"
 #include "models/parts/motor.h"
@@ -30,6 +31,14 @@ struct SuspensionModel {
   double rocker_stop_rad = 0.0, bogie_stop_rad = 0.0;  // either way
 };
 
+/// How parts press on stones and on each other; how they rub is the stones'.
+struct RoverContacts {
+  ContactMaterial wheels{2.5e4, 60.0};  // 1 mm under 25 N; assumed, 1e4-1e5 N/m and 20-200 N s/m
+  // A contact yields by half a millimetre under 10 N, as a lip of sheet metal does; assumed,
+  // 1e4-1e5 N/m and 20-100 N s/m. Of arm and scoops, and of body, suspension and mast.
+  ContactMaterial arm{2e4, 40.0}, body{2e4, 40.0};
+};
+
 struct RoverModel {
   RoverPlan plan;
   LinkModel body;  // its frame: R's place in plan, at the height of the axles
@@ -41,6 +50,7 @@ struct RoverModel {
   MotorModel drive, steer;
   std::optional<ArmModel> arm;
   std::optional<MastModel> mast;
+  RoverContacts contacts;
 
   double mass_kg() const;
 };

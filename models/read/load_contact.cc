@@ -2,11 +2,15 @@
 
 namespace dockyard {
 
-void VisitContact(Keys& keys, ContactMaterial& material, Presence needed) {
+void VisitYield(Keys& keys, ContactMaterial& material, Presence needed) {
   keys.Number({"stiffness_n_per_m", "N/m", "force over the depth of a contact", needed},
               material.stiffness_n_per_m, Positive(1e10));
   keys.Number({"damping_ns_per_m", "N s/m", "force over the speed of its yielding", needed},
               material.damping_ns_per_m, NonNegative(1e8));
+}
+
+void VisitContact(Keys& keys, ContactMaterial& material, Presence needed) {
+  VisitYield(keys, material, needed);
   keys.Number({"friction", "", "Coulomb's coefficient", needed}, material.friction,
               NonNegative(10.0));
   keys.Number({"rolling_resistance_m", "m", "moment against rolling over the normal force"},

@@ -6,6 +6,9 @@
 
 namespace dockyard {
 
+/// Stiffness and damping alone, where friction is another file's.
+void VisitYield(Keys& keys, ContactMaterial& material, Presence needed = Presence::kRequired);
+
 /// needed: kRequired, or kDefault where the material's values so far hold for what is left out.
 /// rolling_resistance_m may always be left out.
 void VisitContact(Keys& keys, ContactMaterial& material, Presence needed = Presence::kRequired);

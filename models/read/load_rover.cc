@@ -5,6 +5,7 @@
 
 #include "models/read/config_error.h"
 #include "models/read/load_arm.h"
+#include "models/read/load_contact.h"
 #include "models/read/load_mast.h"
 #include "models/read/load_motor.h"
 #include "models/read/load_obstacles.h"
@@ -98,6 +99,14 @@ void VisitBuild(Keys& keys, RoverModel& rover) {
   VisitPaddles(keys, rover.tyre);
   keys.Mapping("drive", [&](Keys& in) { VisitMotor(in, rover.drive); });
   keys.Mapping("steer", [&](Keys& in) { VisitMotor(in, rover.steer); });
+  keys.Mapping(Optional("contacts"), [&](Keys& in) {
+    const auto Of = [&](const char* part, ContactMaterial& material) {
+      in.Mapping(Optional(part), [&](Keys& of) { VisitYield(of, material, Presence::kDefault); });
+    };
+    Of("wheels", rover.contacts.wheels);
+    Of("arm", rover.contacts.arm);
+    Of("body", rover.contacts.body);
+  });
   keys.Mapping(Unset("arm"),
                [&](Keys& in) { VisitArm(in, rover.arm ? *rover.arm : rover.arm.emplace()); });
   keys.Mapping(Unset("mast"),

@@ -70,8 +70,11 @@ class RigidWorld {
   void SetAsleep(int body, bool asleep);
   bool asleep(int body) const { return asleep_[Place(body)]; }
 
-  /// For the next step; places as they are now.
-  void AddContact(const WorldContact& contact) { next_contacts_.push_back(contact); }
+  /// For the next step; places as they are now. Returns its number among the step's contacts.
+  int AddContact(const WorldContact& contact) {
+    next_contacts_.push_back(contact);
+    return static_cast<int>(next_contacts_.size()) - 1;
+  }
 
   /// TakeLoads, Resist and Move, between which others may change the speeds.
   void Step(double step_s);
@@ -81,7 +84,7 @@ class RigidWorld {
   void Resist(double step_s);
   void Move(double step_s);
 
-  /// Of the last step, in the order in which they were added.
+  /// Of the last step, in the order in which they were added; then those of sleepers.
   const std::vector<WorldContact>& contacts() const { return contacts_; }
   /// On the first point of a tie in the last step [N s].
   const Eigen::Vector3d& tie_impulse_G(int tie) const { return ties_[Place(tie)].impulse_G; }
@@ -99,12 +102,20 @@ class RigidWorld {
     PointTie points;
     Eigen::Vector3d impulse_G{0, 0, 0};
   };
+  /// What a link's velocity at a point and its turning go with, and what answers impulses on them:
+  /// its contacts share them.
+  struct LinkAnswers {
+    BodyLink at;
+    Eigen::Vector3d p_G{0, 0, 0};
+    TreeBody::FewImpulses moving, turning, answer, turning_answer;
+  };
   static std::size_t Place(int i) { return static_cast<std::size_t>(i); }
   LinkMotion MotionOf(const BodyLink& at) const;
   bool Moves(int body) const { return body >= 0 && !asleep(body); }
   void KeepContactsOfSleepers();
   void AddJointRows(std::size_t joint, double step_s);
   void GoOnFromLastStep(WorldContact& contact, double step_s) const;
+  const LinkAnswers& AnswersOf(const BodyLink& at);
   void FillEnds(const BodyLink& a, const BodyLink& b, const Eigen::Vector3d& p_G,
                 const Eigen::Matrix3d& axes, bool turning);
   void AddTieRows();
@@ -122,6 +133,8 @@ class RigidWorld {
   std::vector<WorldContact> contacts_, next_contacts_;
   ConstraintSystem system_;
   ConstraintEnds ends_;
+  std::vector<LinkAnswers> answers_;  // of this step; the first answers_count_ count
+  std::size_t answers_count_ = 0;
   int sweeps_ = 0;
 };
 

@@ -102,9 +102,7 @@ class TreeBody {
   void TakeLoads(const Eigen::Vector3d& gravity_G, double step_s);
   /// Speeds that an impulse over the speeds gives [N s, N m s]; good from TakeLoads to Move.
   Speeds Answer(Speeds impulse) const;
-  /// The same for an impulse in each column.
-  Eigen::MatrixXd Answers(const Eigen::MatrixXd& impulses) const;
-  /// The same for as many as a constraint has rows, without memory from the heap.
+  /// The same for an impulse in each column, as many as a constraint has rows.
   using FewImpulses = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, kMostSpeeds, 3>;
   void AnswerInPlace(FewImpulses& impulses) const;
   void AddSpeeds(const Speeds& change);

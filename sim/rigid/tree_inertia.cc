@@ -117,12 +117,6 @@ TreeBody::Speeds TreeBody::Answer(Speeds impulse) const {
   return impulse;
 }
 
-Eigen::MatrixXd TreeBody::Answers(const Eigen::MatrixXd& impulses) const {
-  Eigen::MatrixXd changes(impulses.rows(), impulses.cols());
-  for (Eigen::Index i = 0; i < impulses.cols(); ++i) changes.col(i) = Answer(impulses.col(i));
-  return changes;
-}
-
 void TreeBody::AnswerInPlace(FewImpulses& impulses) const {
   if (flies_alone_) {
     impulses.topRows<3>() /= mass_kg_;

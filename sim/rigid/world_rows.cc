@@ -62,25 +62,49 @@ void RigidWorld::GoOnFromLastStep(WorldContact& contact, double step_s) const {
   contact.bend_G = Carry(nearest->bend_G);
 }
 
+const RigidWorld::LinkAnswers& RigidWorld::AnswersOf(const BodyLink& at) {
+  for (std::size_t i = 0; i < answers_count_; ++i) {
+    if (answers_[i].at.body == at.body && answers_[i].at.link == at.link) return answers_[i];
+  }
+  if (answers_count_ == answers_.size()) answers_.emplace_back();
+  LinkAnswers& found = answers_[answers_count_++];
+  const TreeBody& tree = body(at.body);
+  found.at = at;
+  found.p_G = tree.motion(at.link).X_GL.p;
+  found.moving = tree.JacobianOf(at.link, found.p_G).transpose();
+  found.turning = tree.TurningOf(at.link).transpose();
+  found.answer = found.moving;
+  tree.AnswerInPlace(found.answer);
+  found.turning_answer = found.turning;
+  tree.AnswerInPlace(found.turning_answer);
+  return found;
+}
+
 // Of rows that are the velocity along axes of a's point from b's, or their turning.
 void RigidWorld::FillEnds(const BodyLink& a, const BodyLink& b, const Vector3d& p_G,
                           const Matrix3d& axes, bool turning) {
-  const bool one_body = a.body == b.body;
-  for (const bool of_b : {false, true}) {
-    const BodyLink& at = of_b ? b : a;
-    ConstraintEnd& end = ends_[of_b ? 1 : 0];
+  for (ConstraintEnd& end : ends_) {
     end.first = 0;
     end.jacobian.resize(0, 3);
     end.answer.resize(0, 3);
-    if (!Moves(at.body) || (of_b && one_body)) continue;
-    const TreeBody& tree = body(at.body);
-    TreeBody::PointJacobian J = turning ? tree.TurningOf(at.link) : tree.JacobianOf(at.link, p_G);
-    if (one_body) J -= turning ? tree.TurningOf(b.link) : tree.JacobianOf(b.link, p_G);
-    end.first = first_[Place(at.body)];
-    end.jacobian.noalias() = J.transpose().lazyProduct(of_b ? Matrix3d(-axes) : axes);
-    end.answer = end.jacobian;
-    tree.AnswerInPlace(end.answer);
   }
+  const auto AddLink = [&](const BodyLink& at, const Matrix3d& along, ConstraintEnd& end) {
+    if (!Moves(at.body)) return;
+    const LinkAnswers& link = AnswersOf(at);
+    if (end.jacobian.rows() == 0) {
+      end.first = first_[Place(at.body)];
+      end.jacobian.setZero(link.moving.rows(), 3);
+      end.answer.setZero(link.moving.rows(), 3);
+    }
+    const Matrix3d about = turning ? along : Matrix3d(CrossMatrix(p_G - link.p_G) * along);
+    end.jacobian += link.turning.lazyProduct(about);
+    end.answer += link.turning_answer.lazyProduct(about);
+    if (turning) return;
+    end.jacobian += link.moving.lazyProduct(along);
+    end.answer += link.answer.lazyProduct(along);
+  };
+  AddLink(a, axes, ends_[0]);
+  AddLink(b, -axes, ends_[a.body == b.body ? 0 : 1]);
 }
 
 void RigidWorld::AddTieRows() {

@@ -47,7 +47,7 @@ const std::vector<OutcomeName>& OutcomeNames() {
       {"lost_target", false, "gave up, and had the target last where it is not"},
       {"unstable", false, "gave up though it saw the target: its steps are coarser than its reach"},
       {"gave_up", false, "gave up without a sighting of the target"},
-      {"on_stone", false, "a part that no contact is simulated of met a stone"},
+      {"on_stone", false, "body, suspension or mast met a stone or the boulder"},
       {"timeout", false, "ran out of time, and nothing else explains it"}};
   return names;
 }
@@ -82,7 +82,8 @@ Judged JudgeEnd(const EndOfRun& end, const OutcomeLimits& limits) {
   const std::string sighted =
       end.sighted ? "the target was sighted " + Millimetres(end.estimate_off_m) + " off"
                   : "the target was not sighted";
-  if (end.on_stone) return {Outcome::kOnStone, "the rover came down on a stone; " + point};
+  if (end.on_stone)
+    return {Outcome::kOnStone, "body, suspension or mast met a stone or the boulder; " + point};
   if (end.places && end.touched) return JudgePlacement(end, limits);
   if (end.places && end.claimed == Verdict::kDone) {
     return {Outcome::kFalsePlace, "claimed a contact; the instrument touched nothing"};

@@ -61,7 +61,7 @@ struct EndOfRun {
   bool touched = false;         // its face has met the rock
   double tilt_rad = 0.0;        // of it off the rock's normal there
   double most_n = 0.0;          // on it, in the whole run
-  bool on_stone = false;        // a part that is not simulated so has met a stone
+  bool on_stone = false;        // of body, suspension or mast
 };
 
 struct Judged {

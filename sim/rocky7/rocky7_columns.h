@@ -29,7 +29,7 @@ void VisitChannels(const Truth& t, Visit&& visit) {
         Degrees(std::atan2(t.X_WR.R(2, 1), t.X_WR.R(2, 2))));
   visit("speed_m_s", "m/s", "of the body", t.v_WR_W.norm());
   visit("sinkage_m", "m", "mean of the wheels, below the ground as it was", t.sinkage_m);
-  visit("stone_force_n", "N", "between wheels and stones, normal forces summed", t.stone_force_n);
+  visit("stone_force_n", "N", "on stones in the ground, normal forces summed", t.stone_force_n);
   visit("face_force_n", "N", "on the instrument's face, normal forces summed", t.face_n);
   visit("most_current_a", "A", "largest of all motors", wheel_current_a);
   visit("yaw_deg", "deg", "heading against the axis of the target's frame, 0: towards it",

@@ -2,6 +2,7 @@
 
 #include "models/parts/scoop_shape.h"
 #include "models/read/mesh_loader.h"
+#include "sim/vehicles/rover_parts.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -11,8 +12,8 @@ using Eigen::Vector3d;
 // Linear albedos. Assumed: dark solar panel 0.03-0.1, anodised bars 0.3-0.6, wheels 0.2-0.5.
 const Vector3d kPanel(0.04, 0.04, 0.08), kBody(0.5, 0.45, 0.35), kBars(0.45, 0.45, 0.45),
     kWheels(0.3, 0.3, 0.3), kPaddles(0.2, 0.2, 0.2);
-// Of panel and bars. Assumed, 5-20 mm and 10-40 mm.
-constexpr double kPanel_m = 0.01, kBar_m = 0.02;
+// Of bars; assumed, 10-40 mm.
+constexpr double kBar_m = 0.02;
 // Height of the panel over the body's middle, so that the cameras look out below its edge: the
 // body's box and half the panel.
 double PanelHeight(const LinkModel& body) {

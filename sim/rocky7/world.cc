@@ -3,11 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "controller/base/check.h"
 #include "sim/base/hash.h"
-#include "sim/rocky7/boulder_meeting.h"
+#include "sim/vehicles/rover_parts.h"
 
 namespace dockyard::rocky7 {
 namespace {
@@ -15,10 +14,8 @@ namespace {
 // The rover is put down with its axles at the height that they have above hard ground, and comes to
 // rest within this time.
 constexpr double kSettle_s = 2.0;
-// Beyond this from R no part of the body is. Half a bogie's bar is that thick; assumed, 5-20 mm.
-constexpr double kNearby_m = 0.6, kBogie_m = 0.01;
-// The body is looked after every so many steps: at 0.1 m/s it moves by 2 mm.
-constexpr long kLookEvery = 20;
+// The housing of a mast's camera; assumed, 15-40 mm.
+constexpr double kCamera_m = 0.02;
 
 Pose3 StartPose(const WorldSetup& setup) {
   const Pose2& at = setup.X_GR_start;
@@ -37,26 +34,45 @@ std::vector<SoilModel> SoilsOf(const WorldSetup& setup) {
   return soils;
 }
 
+// Of stones on each other: as metal on them (rover_model.h).
+ContactMaterial StoneOnStone(const WorldSetup& setup) {
+  return {2e4, 40.0, setup.stone_friction, 0.0};
+}
+
+void AddMastCameras(const WorldSetup& setup, const WheeledBody& rover, PartContacts& parts) {
+  ContactMaterial material = setup.robot.rover.contacts.body;
+  material.friction = setup.stone_friction;
+  const StereoRig& pair_K = setup.robot.mast_pair.nominal;
+  for (const Eigen::Vector3d& p_K : {pair_K.X_RL.p, pair_K.X_RQ.p}) {
+    parts.Add({.at = {rover.number(), rover.mast_link(kMastElbow)},
+               .body_L = BoxAt(p_K, Eigen::Vector3d::Constant(kCamera_m)),
+               .is_bar = true,
+               .material = material,
+               .groups = {part_group::kMast, part_group::kStones | part_group::kChassis}});
+  }
+}
+
 }  // namespace
 
 World::World(const WorldSetup& setup)
     : setup_(setup),
       X_WG_(SiteInWorld(setup.X_WG, setup.slope)),
-      gravity_G_(GravityInSite(setup.slope)),
-      rover_(setup.robot.rover, SoilsOf(setup), StartPose(setup)),
-      imu_(setup.robot.imu, gravity_G_),
-      stones_(setup.stones, SoilsOf(setup), setup.ground, setup.robot.rover.tyre,
-              setup.stone_friction),
-      loose_(ArmParts(*setup.robot.rover.arm, rover_.arm().link(0)), SoilsOf(setup),
-             {.friction = setup.stone_friction}),
+      world_(GravityInSite(setup.slope)),
+      rover_(world_, setup.robot.rover, SoilsOf(setup), StartPose(setup)),
+      imu_(setup.robot.imu, GravityInSite(setup.slope)),
+      parts_(world_),
+      stones_(setup.stones, SoilsOf(setup), setup.ground),
+      loose_(world_, SoilsOf(setup), setup.stone_friction),
       face_(setup.robot.rover.mast->instrument, rover_.mast_link(kMastElbow),
             setup.robot.rover.mast->link2_m) {
   DOCKYARD_CHECK(setup.step_s > 0.0 && setup.step_s <= kLongestStep_s);
-  if (setup.loose_target) {
-    loose_.Add(LooseStone(*setup.loose_target, kStoneDensity_kg_m3,
-                          StandingAt(*setup.loose_target, {0.0, 0.0}, setup.target_turn_rad,
-                                     setup.ground.Height(0.0, 0.0))));
-  }
+  AddRoverParts(setup.robot.rover, rover_, setup.stone_friction, parts_);
+  AddMastCameras(setup, rover_, parts_);
+  rover_parts_ = parts_.count();
+  const PartGroups fixed{part_group::kBeddedStones, part_group::kRover | part_group::kLooseStones};
+  if (setup.boulder) parts_.Add(BoulderPart(*setup.boulder, fixed));
+  stones_.AddTo(parts_, StoneOnStone(setup), fixed);
+  if (setup.loose_target) AddLooseTarget();
   if (setup.boulder) {
     rover_.PutMast(setup.robot.rover.mast->watch_rad);
     rover_.tree().SetAngle(rover_.arm().link(kArmRoll), setup.robot.rover.arm->roll_stop_rad);
@@ -65,45 +81,45 @@ World::World(const WorldSetup& setup)
   const long settle = std::lround(kSettle_s / setup.step_s);
   for (long i = 0; i < settle; ++i) Step(braked);
   steps_ = 0;
-  if (loose_.count() > 0) target_start_m_ = loose_.stone(0).motion().X_GL.p.z();
+  if (loose_.count() > 0) target_start_m_ = loose_.motion(0).X_GL.p.z();
   imu_.Start(rover_.body());
 }
 
+void World::AddLooseTarget() {
+  const LooseStone stone =
+      MakeLooseStone(*setup_.loose_target, kStoneDensity_kg_m3,
+                     StandingAt(*setup_.loose_target, {0.0, 0.0}, setup_.target_turn_rad,
+                                setup_.ground.Height(0.0, 0.0)));
+  const int number = loose_.Add(stone);
+  parts_.Add({.at = {loose_.body(number), 0},
+              .body_L = stone.shape_S,
+              .material = StoneOnStone(setup_),
+              .groups = {part_group::kLooseStones, part_group::kRover | part_group::kStones}});
+}
+
 void World::Step(const std::vector<MotorCommand>& commands) {
-  stones_.AddLoads(setup_.step_s, rover_);
+  rover_.AddLoads(commands, setup_.step_s, setup_.ground);
   if (setup_.boulder) {
     face_.Step(*setup_.boulder, setup_.step_s, rover_.tree());
     most_face_n_ = std::max(most_face_n_, face_.force_n());
   }
-  rover_.TakeLoads(commands, gravity_G_, setup_.step_s, setup_.ground);
-  loose_.Step(rover_.tree(), gravity_G_, setup_.step_s, setup_.ground);
-  rover_.Move(setup_.step_s);
+  parts_.AddContacts();
+  loose_.AddSoilContacts(setup_.ground, setup_.step_s);
+  world_.Step(setup_.step_s);
+  stones_.Sink(world_, setup_.step_s, parts_);
+  loose_.Rest(setup_.ground, setup_.step_s);
   imu_.Add(rover_.body(), setup_.step_s);
-  if (steps_ % kLookEvery == 0) on_stone_ = on_stone_ || MeetsStone();
+  on_stone_ = on_stone_ || MeetsStone();
   ++steps_;
 }
 
-// Below the body, and about the bogies' hinges, which hang between the wheels.
 bool World::MeetsStone() const {
-  if (setup_.boulder && MeetsBoulder(rover_, setup_.robot, *setup_.boulder)) return true;
-  const LinkModel& body = setup_.robot.rover.body;
-  const auto* box = std::get_if<BoxShape>(&body.collisions.front().shape);
-  const Eigen::AlignedBox3d under(Eigen::Vector3d(body.p_LoCom_L - 0.5 * box->size_m),
-                                  Eigen::Vector3d(body.p_LoCom_L + 0.5 * box->size_m));
-  const Pose3 X_BG = Inverse(rover_.body().X_GL);
-  for (std::size_t s = 0; s < setup_.stones.size(); ++s) {
-    const ConvexBody& stone = setup_.stones[s];
-    const Eigen::Vector3d sunk_G(0.0, 0.0, -stones_.sunk_m(s));
-    if ((stone.centre - rover_.body().X_GL.p).norm() > kNearby_m + stone.radius_m) continue;
-    for (const Eigen::Vector3d& vertex : stone.vertices) {
-      if (under.contains(X_BG * (vertex + sunk_G))) return true;
-    }
-    for (const bool left : {false, true}) {
-      const Eigen::Vector3d p_G = rover_.bogie_place_G(left) - sunk_G;
-      if (DistanceTo(stone, p_G).distance_m < kBogie_m) return true;
-    }
-  }
-  return false;
+  // Stones and the boulder come after the rover's parts.
+  const auto& met = parts_.met();
+  return std::any_of(met.begin(), met.end(), [&](const PartContacts::Met& at) {
+    const int group = parts_.part(at.a).groups.group;
+    return at.b >= rover_parts_ && (group & (part_group::kChassis | part_group::kMast)) != 0;
+  });
 }
 
 Truth World::truth() const {
@@ -131,7 +147,7 @@ Truth World::truth() const {
   truth.most_face_n = most_face_n_;
   if (setup_.boulder) truth.p_GP = truth.p_GF;
   truth.X_GT = setup_.boulder       ? Pose3{Eigen::Matrix3d::Identity(), setup_.target_G}
-               : loose_.count() > 0 ? loose_.stone(0).motion().X_GL
+               : loose_.count() > 0 ? loose_.motion(0).X_GL
                : setup_.stones.empty()
                    ? Pose3{}
                    : Pose3::Translation(0.0, 0.0, setup_.stones.front().centre.z());
@@ -151,8 +167,8 @@ Truth World::truth() const {
 TrueImu World::TakeTrueImu() { return imu_.Take(rover_.body(), X_WG_); }
 
 std::uint64_t World::StateHash(std::uint64_t seed) const {
-  return face_.StateHash(loose_.StateHash(
-      stones_.StateHash(rover_.StateHash(HashBits(seed, static_cast<std::uint64_t>(steps_))))));
+  const std::uint64_t bodies = world_.StateHash(HashBits(seed, static_cast<std::uint64_t>(steps_)));
+  return face_.StateHash(loose_.StateHash(stones_.StateHash(rover_.StateHash(bodies))));
 }
 
 }  // namespace dockyard::rocky7

@@ -15,9 +15,10 @@
 #include "sim/rigid/slope.h"
 #include "sim/rigid/star_body.h"
 #include "sim/soil/height_grid.h"
+#include "sim/vehicles/bedded_stones.h"
 #include "sim/vehicles/face_contact.h"
 #include "sim/vehicles/loose_stones.h"
-#include "sim/vehicles/wheel_stones.h"
+#include "sim/vehicles/part_contacts.h"
 #include "sim/vehicles/wheeled_body.h"
 
 namespace dockyard::rocky7 {
@@ -34,7 +35,7 @@ struct WorldSetup {
   Slope slope;
   Pose2 X_GR_start;                // the rover in plan
   std::vector<ConvexBody> stones;  // in the ground, in G; the target first
-  double stone_friction = 0.6;     // of the wheels on them
+  double stone_friction = 0.6;     // of the rover's parts and of other stones on them
   // The target where it lies loose, in its own frame and at rest; then it is not among the stones.
   std::optional<ConvexBody> loose_target{};
   double target_turn_rad = 0.0;
@@ -57,7 +58,7 @@ struct Truth {
   std::vector<MotorTruth> motors{};
   double sinkage_m = 0.0;        // mean of the wheels
   std::vector<double> sunk_m{};  // each stone, by wheels
-  double stone_force_n = 0.0;    // between wheels and stones
+  double stone_force_n = 0.0;    // on all stones in the ground
   // The mast's second link, and how it moves.
   Pose3 X_WK;
   Eigen::Vector3d v_WK_W = Eigen::Vector3d::Zero(), w_WK_W = Eigen::Vector3d::Zero();
@@ -66,14 +67,15 @@ struct Truth {
   Eigen::Vector3d p_GF{0, 0, 0}, axis_G{1, 0, 0};
   std::array<bool, kFaceSwitches> closed{};
   double face_n = 0.0, most_face_n = 0.0;
-  bool on_stone =
-      false;  // another part of the rover than a wheel has met a stone, or any the boulder
+  bool on_stone = false;  // body, suspension or mast has met a stone or the boulder
 };
 
 class World {
  public:
   /// The rover is braked until it has come to rest. The step must be in (0, kLongestStep_s].
   explicit World(const WorldSetup& setup);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
 
   /// One step with the drives obeying these commands.
   void Step(const std::vector<MotorCommand>& commands);
@@ -89,14 +91,17 @@ class World {
 
  private:
   double time_s() const { return static_cast<double>(steps_) * setup_.step_s; }
+  void AddLooseTarget();
   bool MeetsStone() const;
 
   WorldSetup setup_;
   Pose3 X_WG_;
-  Eigen::Vector3d gravity_G_;
+  RigidWorld world_;
   WheeledBody rover_;
   ImuAverage imu_;
-  WheelStones stones_;
+  PartContacts parts_;
+  int rover_parts_ = 0;  // the first ones
+  BeddedStones stones_;
   LooseStones loose_;
   FaceContact face_;
   double most_face_n_ = 0.0;

@@ -1,7 +1,6 @@
 #include "sim/vehicles/arm_body.h"
 
 #include "models/parts/scoop_shape.h"
-#include "sim/drives/joint_stop.h"
 #include "sim/rigid/solid_link.h"
 
 namespace dockyard {
@@ -13,9 +12,9 @@ using Eigen::Vector3d;
 // block of this size; assumed, 0.03-0.08.
 constexpr double kShoulderShare = 0.2, kShoulder_m = 0.05;
 // Stops of the shoulder: a milliradian under the motor's torque; assumed, 1e3-1e5 N m/rad.
-constexpr JointStop kShoulderStop{5e3, 15.0};
+constexpr JointLaw kShoulderStop{.stop_nm_per_rad = 5e3, .stop_nms_per_rad = 15.0};
 // Stops of a scoop, and the lips on each other; assumed, 300-3000 N m/rad.
-constexpr JointStop kScoopStop{600.0, 0.9};
+constexpr JointLaw kScoopStop{.stop_nm_per_rad = 600.0, .stop_nms_per_rad = 0.9};
 
 SolidMass ScoopMass(const ScoopModel& scoop, bool front) {
   std::vector<SolidMass> plates;
@@ -68,14 +67,20 @@ double ArmInertia(const ArmModel& arm, int motor) {
          AboutHinge(ScoopMass(arm.scoop, true), Vector3d::UnitY());
 }
 
-std::vector<ToolPart> ArmParts(const ArmModel& arm, int first) {
-  std::vector<ToolPart> parts{{first + kArmPitch, HullOf(ArmBar(arm).vertices)}};
-  for (const bool front : {true, false}) {
-    for (const TriangleMesh& plate : ScoopPlates(arm.scoop, front)) {
-      parts.push_back({first + (front ? kFrontScoop : kBackScoop), HullOf(plate.vertices)});
-    }
+void LimitArm(const ArmModel& arm, const BodyLink& first, RigidWorld& world) {
+  const auto Link = [&](int motor) { return BodyLink{first.body, first.link + motor}; };
+  const auto Within = [](JointLaw stop, double low_rad, double high_rad) {
+    stop.low_rad = low_rad;
+    stop.high_rad = high_rad;
+    return stop;
+  };
+  world.Limit(Link(kArmRoll), Within(kShoulderStop, -arm.roll_stop_rad, arm.roll_stop_rad));
+  world.Limit(Link(kArmPitch), Within(kShoulderStop, arm.pitch_low_rad, arm.pitch_high_rad));
+  for (const int scoop : {kFrontScoop, kBackScoop}) {
+    world.Limit(Link(scoop), Within(kScoopStop, arm.scoop_low_rad, arm.scoop_high_rad));
   }
-  return parts;
+  world.LimitBetween(Link(kBackScoop), first.link + kFrontScoop,
+                     Within(kScoopStop, 0.0, MostOpen_rad(arm.scoop)));
 }
 
 ArmBody::ArmBody(const ArmModel& arm, int first, const std::vector<SoilModel>& soils)
@@ -89,23 +94,9 @@ void ArmBody::Stow(TreeBody& tree) const {
   tree.SetAngle(link(kBackScoop), model_.stowed_scoop_rad);
 }
 
-void ArmBody::Work(TreeBody& tree, HeightGrid& ground, double step_s) {
-  const auto Stop = [&](int motor, const JointStop& stop, double low, double high) {
-    const int i = link(motor);
-    tree.AddJointTorque(i, stop.Load(tree.angle_rad(i), tree.rate_rad_s(i), low, high));
-  };
-  Stop(kArmRoll, kShoulderStop, -model_.roll_stop_rad, model_.roll_stop_rad);
-  Stop(kArmPitch, kShoulderStop, model_.pitch_low_rad, model_.pitch_high_rad);
-  Stop(kFrontScoop, kScoopStop, model_.scoop_low_rad, model_.scoop_high_rad);
-  Stop(kBackScoop, kScoopStop, model_.scoop_low_rad, model_.scoop_high_rad);
-  const int front = link(kFrontScoop), back = link(kBackScoop);
-  const double between = kScoopStop.Load(tree.angle_rad(back) - tree.angle_rad(front),
-                                         tree.rate_rad_s(back) - tree.rate_rad_s(front), 0.0,
-                                         MostOpen_rad(model_.scoop));
-  tree.AddJointTorque(back, between);
-  tree.AddJointTorque(front, -between);
+void ArmBody::AddSoilLoads(TreeBody& tree, HeightGrid& ground, double step_s) {
   for (const bool is_front : {false, true}) {
-    const int i = is_front ? front : back;
+    const int i = link(is_front ? kFrontScoop : kBackScoop);
     const LinkMotion& motion = tree.motion(i);
     const ScoopLoad load = soils_[is_front].Step(ground, motion, step_s);
     tree.AddForce(i, load.force_G, motion.X_GL.p);

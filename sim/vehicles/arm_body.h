@@ -7,8 +7,7 @@
 
 #include "models/parts/arm_model.h"
 #include "models/parts/soil_model.h"
-#include "sim/rigid/tree_body.h"
-#include "sim/vehicles/loose_stones.h"
+#include "sim/rigid/rigid_world.h"
 #include "sim/vehicles/scoop_soil.h"
 
 namespace dockyard {
@@ -19,8 +18,8 @@ std::vector<TreeLink> ArmLinks(const ArmModel& arm, int first);
 /// What a motor of the arm turns with no load, its rotor included [kg m^2].
 double ArmInertia(const ArmModel& arm, int motor);
 
-/// The bar and the scoops' plates, for stones to meet.
-std::vector<ToolPart> ArmParts(const ArmModel& arm, int first);
+/// Adds the stops of the joints and the scoops' lips on each other. `first`: of the arm's links.
+void LimitArm(const ArmModel& arm, const BodyLink& first, RigidWorld& world);
 
 class ArmBody {
  public:
@@ -28,8 +27,8 @@ class ArmBody {
 
   /// Puts the arm as it is stowed.
   void Stow(TreeBody& tree) const;
-  /// Loads of a step: stops of the joints, the scoops' lips on each other, soil.
-  void Work(TreeBody& tree, HeightGrid& ground, double step_s);
+  /// Of the soil on the scoops, for the next step.
+  void AddSoilLoads(TreeBody& tree, HeightGrid& ground, double step_s);
 
   int link(int motor) const { return first_ + motor; }
   const ArmModel& model() const { return model_; }

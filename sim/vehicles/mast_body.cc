@@ -1,6 +1,5 @@
 #include "sim/vehicles/mast_body.h"
 
-#include "sim/drives/joint_stop.h"
 #include "sim/rigid/solid_link.h"
 
 namespace dockyard {
@@ -9,10 +8,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Of a bar's cross-section, and of the shoulder's housing; assumed, 2-5 cm and 3-8 cm.
-constexpr double kMastBar_m = 0.03, kHousing_m = 0.05;
+// Of the shoulder's housing; assumed, 3-8 cm.
+constexpr double kHousing_m = 0.05;
 // A milliradian under the motor's torque; assumed, 1e3-1e5 N m/rad.
-constexpr JointStop kMastStop{1e4, 30.0};
+constexpr JointLaw kMastStop{.stop_nm_per_rad = 1e4, .stop_nms_per_rad = 30.0};
 
 Matrix3d BlockInertia(double mass_kg, const Vector3d& size_m) {
   const Vector3d s2 = size_m.cwiseAbs2();
@@ -61,11 +60,12 @@ double MastInertia(const MastModel& mast, int motor) {
          About(outer.mass_kg, mast.link1_m + outer.p_com.x(), outer_yy);
 }
 
-void WorkMastStops(const MastModel& mast, int first, TreeBody& tree) {
+void LimitMast(const MastModel& mast, const BodyLink& first, RigidWorld& world) {
   for (std::size_t i = 0; i < kMastMotors; ++i) {
-    const int link = first + static_cast<int>(i);
-    tree.AddJointTorque(link, kMastStop.Load(tree.angle_rad(link), tree.rate_rad_s(link),
-                                             mast.low_rad[i], mast.high_rad[i]));
+    JointLaw stop = kMastStop;
+    stop.low_rad = mast.low_rad[i];
+    stop.high_rad = mast.high_rad[i];
+    world.Limit({first.body, first.link + static_cast<int>(i)}, stop);
   }
 }
 

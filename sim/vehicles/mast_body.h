@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "models/parts/mast_model.h"
-#include "sim/rigid/tree_body.h"
+#include "sim/rigid/rigid_world.h"
 
 namespace dockyard {
+
+/// Thickness of its bars; assumed, 2-5 cm.
+inline constexpr double kMastBar_m = 0.03;
 
 /// The mast's links on link 0, in the order of its motors. `first`: the number of the first one.
 std::vector<TreeLink> MastLinks(const MastModel& mast, int first);
@@ -14,7 +17,7 @@ std::vector<TreeLink> MastLinks(const MastModel& mast, int first);
 /// What a motor of the mast turns with no load, its rotor included, both links straight [kg m^2].
 double MastInertia(const MastModel& mast, int motor);
 
-/// Loads of a step: stops of the joints.
-void WorkMastStops(const MastModel& mast, int first, TreeBody& tree);
+/// Adds the stops of the joints. `first`: of the mast's links.
+void LimitMast(const MastModel& mast, const BodyLink& first, RigidWorld& world);
 
 }  // namespace dockyard

@@ -1,10 +1,10 @@
 #include "sim/vehicles/wheeled_body.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "controller/base/check.h"
 #include "sim/base/hash.h"
-#include "sim/drives/joint_stop.h"
 #include "sim/rigid/solid_link.h"
 
 namespace dockyard {
@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 // Rocker and bogie against their stops: a tenth of a degree under the weight of a side. Assumed,
 // 1e3-1e5 N m/rad; a tenth of critical or more on a rocker with its wheels, 5-50 N m s/rad.
-constexpr JointStop kHingeStop{1e4, 20.0};
+constexpr double kHingeStop_nm_per_rad = 1e4, kHingeStop_nms_per_rad = 20.0;
 // A hinge's friction is reached after so little turning. Assumed, 0.1-2 mrad.
 constexpr double kFrictionBend_rad = 5e-4;
 
@@ -127,9 +127,17 @@ std::vector<JointTie> WheeledBody::TiesOf() const {
   return {{{rocker_[0], 1.0}, {rocker_[1], 1.0}}};
 }
 
-WheeledBody::WheeledBody(const RoverModel& rover, const std::vector<SoilModel>& soils,
-                         const Pose3& X_GB)
-    : tree_{LinksOf(rover), TiesOf(), X_GB} {  // in this order: the ties name links
+WheeledBody::WheeledBody(RigidWorld& world, const RoverModel& rover,
+                         const std::vector<SoilModel>& soils, const Pose3& X_GB)
+    : world_(world) {
+  std::vector<TreeLink> links = LinksOf(rover);  // the ties name them
+  number_ = world.Add(TreeBody(std::move(links), TiesOf(), X_GB));
+  for (const Hinge& hinge : hinges_) {
+    world.Limit({number_, hinge.link}, {.low_rad = -hinge.stop_rad,
+                                        .high_rad = hinge.stop_rad,
+                                        .stop_nm_per_rad = kHingeStop_nm_per_rad,
+                                        .stop_nms_per_rad = kHingeStop_nms_per_rad});
+  }
   hinge_friction_.limit_nm = rover.suspension.friction_nm;
   hinge_friction_.stiffness_nm_per_rad = rover.suspension.friction_nm / kFrictionBend_rad;
   const double drive_kg_m2 =
@@ -147,7 +155,8 @@ WheeledBody::WheeledBody(const RoverModel& rover, const std::vector<SoilModel>& 
   loads_.resize(soils_.size());
   if (rover.arm) {
     arm_.emplace(*rover.arm, arm_link_, soils);
-    arm_->Stow(tree_);
+    arm_->Stow(tree());
+    LimitArm(*rover.arm, {number_, arm_link_}, world);
     for (int i = 0; i < kArmMotors; ++i) {
       const MotorModel& motor = i == kArmRoll    ? rover.arm->roll
                                 : i == kArmPitch ? rover.arm->pitch
@@ -158,6 +167,7 @@ WheeledBody::WheeledBody(const RoverModel& rover, const std::vector<SoilModel>& 
   if (!rover.mast) return;
   mast_ = rover.mast;
   PutMast(mast_->stowed_rad);
+  LimitMast(*mast_, {number_, mast_link_}, world);
   for (int i = 0; i < kMastMotors; ++i) {
     motors_.push_back(
         {mast_link(i), MotorDrive(mast_->motors[Place(i)], MastInertia(*mast_, i)), {}});
@@ -165,47 +175,40 @@ WheeledBody::WheeledBody(const RoverModel& rover, const std::vector<SoilModel>& 
 }
 
 void WheeledBody::PutMast(const std::array<double, 3>& angle_rad) {
-  for (int i = 0; i < kMastMotors; ++i) tree_.SetAngle(mast_link(i), angle_rad[Place(i)]);
+  for (int i = 0; i < kMastMotors; ++i) tree().SetAngle(mast_link(i), angle_rad[Place(i)]);
 }
 
-void WheeledBody::WorkHinges(double step_s) {
-  for (Hinge& hinge : hinges_) {
-    const double rate = tree_.rate_rad_s(hinge.link);
-    tree_.AddJointTorque(hinge.link, BristleTorque(hinge_friction_, rate, step_s, hinge.bend_rad) +
-                                         kHingeStop.Load(tree_.angle_rad(hinge.link), rate,
-                                                         -hinge.stop_rad, hinge.stop_rad));
-  }
+bool WheeledBody::IsSuspension(int link) const {
+  return std::any_of(hinges_.begin(), hinges_.end(),
+                     [&](const Hinge& hinge) { return hinge.link == link; });
 }
 
-void WheeledBody::Step(const std::vector<MotorCommand>& commands, const Vector3d& gravity_G,
-                       double step_s, HeightGrid& ground) {
-  TakeLoads(commands, gravity_G, step_s, ground);
-  Move(step_s);
-}
-
-void WheeledBody::TakeLoads(const std::vector<MotorCommand>& commands, const Vector3d& gravity_G,
-                            double step_s, HeightGrid& ground) {
+void WheeledBody::AddLoads(const std::vector<MotorCommand>& commands, double step_s,
+                           HeightGrid& ground) {
   DOCKYARD_CHECK(commands.size() == motors_.size());
+  TreeBody& tree = this->tree();
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     Motor& motor = motors_[i];
-    motor.output = motor.drive.Step(commands[i], tree_.angle_rad(motor.link),
-                                    tree_.rate_rad_s(motor.link), step_s);
-    tree_.AddJointTorque(motor.link, motor.output.torque_nm());
+    motor.output = motor.drive.Step(commands[i], tree.angle_rad(motor.link),
+                                    tree.rate_rad_s(motor.link), step_s);
+    tree.AddJointTorque(motor.link, motor.output.torque_nm());
   }
-  WorkHinges(step_s);
+  for (Hinge& hinge : hinges_) {
+    tree.AddJointTorque(hinge.link, BristleTorque(hinge_friction_, tree.rate_rad_s(hinge.link),
+                                                  step_s, hinge.bend_rad));
+  }
   for (std::size_t i = 0; i < soils_.size(); ++i) {
-    const LinkMotion& wheel = tree_.motion(wheel_link_[i]);
+    const LinkMotion& wheel = tree.motion(wheel_link_[i]);
     loads_[i] = soils_[i].Step(ground, {wheel.X_GL, wheel.v_GL_G, wheel.w_GL_G}, step_s);
-    tree_.AddForce(wheel_link_[i], loads_[i].force_G, wheel.X_GL.p);
-    tree_.AddTorque(wheel_link_[i], loads_[i].torque_G);
+    tree.AddForce(wheel_link_[i], loads_[i].force_G, wheel.X_GL.p);
+    tree.AddTorque(wheel_link_[i], loads_[i].torque_G);
   }
-  if (arm_) arm_->Work(tree_, ground, step_s);
-  if (mast_) WorkMastStops(*mast_, mast_link_, tree_);
-  tree_.TakeLoads(gravity_G, step_s);
+  if (arm_) arm_->AddSoilLoads(tree, ground, step_s);
 }
 
+// The tree's own is the world's.
 std::uint64_t WheeledBody::StateHash(std::uint64_t seed) const {
-  std::uint64_t hash = tree_.StateHash(seed);
+  std::uint64_t hash = seed;
   for (const Motor& motor : motors_) hash = motor.drive.StateHash(hash);
   for (const WheelSoil& soil : soils_) hash = soil.StateHash(hash);
   for (const Hinge& hinge : hinges_) hash = HashDouble(hash, hinge.bend_rad);

@@ -12,7 +12,7 @@
 #include "models/parts/soil_model.h"
 #include "sim/drives/bristle.h"
 #include "sim/drives/motor_drive.h"
-#include "sim/rigid/tree_body.h"
+#include "sim/rigid/rigid_world.h"
 #include "sim/soil/wheel_soil.h"
 #include "sim/vehicles/arm_body.h"
 #include "sim/vehicles/mast_body.h"
@@ -21,44 +21,37 @@ namespace dockyard {
 
 class WheeledBody {
  public:
-  /// The body's frame starts at X_GB: R's place in plan, at the height of the axles.
-  /// soils: by the ground's numbers.
-  WheeledBody(const RoverModel& rover, const std::vector<SoilModel>& soils, const Pose3& X_GB);
-  WheeledBody(const RoverModel& rover, const SoilModel& soil, const Pose3& X_GB)
-      : WheeledBody(rover, std::vector{soil}, X_GB) {}
+  /// Adds its tree to the world, which must outlive this. The body's frame starts at X_GB: R's
+  /// place in plan, at the height of the axles. soils: by the ground's numbers.
+  WheeledBody(RigidWorld& world, const RoverModel& rover, const std::vector<SoilModel>& soils,
+              const Pose3& X_GB);
 
   /// Motors: the wheels' drives in the plan's order, then the steered wheels' steering in the same
   /// order, then the arm's (arm_model.h), then the mast's (mast_model.h). Angles count from the
   /// start, those of arm and mast from their zeros.
   int motor_count() const { return static_cast<int>(motors_.size()); }
-  double angle_rad(int motor) const { return tree_.angle_rad(motors_[Place(motor)].link); }
-  double rate_rad_s(int motor) const { return tree_.rate_rad_s(motors_[Place(motor)].link); }
+  double angle_rad(int motor) const { return tree().angle_rad(motors_[Place(motor)].link); }
+  double rate_rad_s(int motor) const { return tree().rate_rad_s(motors_[Place(motor)].link); }
   const DriveOutput& output(int motor) const { return motors_[Place(motor)].output; }
 
-  /// One step under a command for each motor: drives, soil, gravity, positions. Leaves the ruts in
-  /// the ground.
-  void Step(const std::vector<MotorCommand>& commands, const Eigen::Vector3d& gravity_G,
-            double step_s, HeightGrid& ground);
-  /// The same in two parts, between which others may change the speeds (loose_stones.h).
-  void TakeLoads(const std::vector<MotorCommand>& commands, const Eigen::Vector3d& gravity_G,
-                 double step_s, HeightGrid& ground);
-  void Move(double step_s) { tree_.Move(step_s); }
+  /// Loads of the next step under a command for each motor: drives, hinges, soil. Leaves the ruts
+  /// in the ground.
+  void AddLoads(const std::vector<MotorCommand>& commands, double step_s, HeightGrid& ground);
 
-  const TreeBody& tree() const { return tree_; }
-  TreeBody& tree() { return tree_; }
-  const LinkMotion& body() const { return tree_.motion(0); }
-  const LinkMotion& wheel(int i) const { return tree_.motion(wheel_link_[Place(i)]); }
+  int number() const { return number_; }  // in the world
+  const TreeBody& tree() const { return world_.body(number_); }
+  TreeBody& tree() { return world_.body(number_); }
+  const LinkMotion& body() const { return tree().motion(0); }
+  const LinkMotion& wheel(int i) const { return tree().motion(wheel_link_[Place(i)]); }
   int wheel_count() const { return static_cast<int>(wheel_link_.size()); }
   int wheel_link(int wheel) const { return wheel_link_[Place(wheel)]; }  // of the tree
+  /// Whether a link is a rocker or a bogie.
+  bool IsSuspension(int link) const;
   /// The soil's load on a wheel in the last step.
   const WheelLoad& load(int wheel) const { return loads_[Place(wheel)]; }
   /// Angle of the rocker on one side; nose-down positive. 0 of a rigid rover.
   double rocker_rad(bool left) const {
-    return rocker_[left] > 0 ? tree_.angle_rad(rocker_[left]) : 0;
-  }
-  /// Where the bogie's hinge is; R itself of a rigid rover.
-  const Eigen::Vector3d& bogie_place_G(bool left) const {
-    return tree_.motion(bogie_[left]).X_GL.p;
+    return rocker_[left] > 0 ? tree().angle_rad(rocker_[left]) : 0;
   }
   bool has_arm() const { return arm_.has_value(); }
   const ArmBody& arm() const { return *arm_; }
@@ -77,7 +70,7 @@ class WheeledBody {
   /// A passive hinge with friction and stops.
   struct Hinge {
     int link = 0;
-    double stop_rad = 0.0, bend_rad = 0.0;
+    double stop_rad = 0.0, bend_rad = 0.0;  // of the friction's bristle
   };
   static std::size_t Place(int i) { return static_cast<std::size_t>(i); }
   /// The links in a tree's order, with their places in the members.
@@ -85,14 +78,14 @@ class WheeledBody {
   std::vector<JointTie> TiesOf() const;
   void AddHinge(std::vector<TreeLink>& links, const RoverModel& rover, bool left, bool bogie);
   void AddWheel(std::vector<TreeLink>& links, const RoverModel& rover, std::size_t wheel);
-  void WorkHinges(double step_s);
 
+  RigidWorld& world_;
+  int number_ = 0;
   int arm_link_ = 0, mast_link_ = 0;  // their first
   int rocker_[2]{}, bogie_[2]{};      // links, right and left; 0: none
   std::vector<int> wheel_link_, bracket_link_;
   std::vector<Hinge> hinges_;
   ShaftBristle hinge_friction_;
-  TreeBody tree_;
   std::vector<Motor> motors_;
   std::vector<WheelSoil> soils_;
   std::vector<WheelLoad> loads_;

@@ -67,8 +67,10 @@ class Meeting {
                       {0.0, 0.0}};
     }
     MatrixXd answers(J.rows(), rows);
-    answers.topRows(of_tree) = tree.Answers(J.topRows(of_tree));
-    answers.bottomRows(6) = free.Answers(J.bottomRows(6));
+    for (Index row = 0; row < rows; ++row) {
+      answers.col(row).head(of_tree) = tree.Answer(J.col(row).head(of_tree));
+      answers.col(row).tail(6) = free.Answer(J.col(row).tail(6));
+    }
     Eigen::VectorXd speeds(J.rows());
     speeds << tree.speeds(), free.speeds();
     step.answer = J.transpose() * answers;

@@ -10,18 +10,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-ArmRig Standing(const std::string& soil, double length_m, std::uint64_t key,
-                const StoneMaterial& material = {}) {
-  ArmRig rig(RoverRig::Model("rocky7"), soil, material);
-  rig.Run(1.0);
-  const Eigen::Vector2d at = rig.PointUnderArm();
-  rig.stones.Add(OnGround(LooseStoneShape(length_m, key), at.x(), at.y(), 0.0));
-  return rig;
-}
+/// A rover at rest, with a stone under its arm.
+struct Standing : ArmRig {
+  Standing(const std::string& soil, double length_m, std::uint64_t key, double friction = 0.6)
+      : ArmRig(RoverRig::Model("rocky7"), soil, friction) {
+    Run(1.0);
+    const Eigen::Vector2d at = PointUnderArm();
+    Add(OnGround(LooseStoneShape(length_m, key), at.x(), at.y(), 0.0));
+  }
+};
 
 TEST(ArmGrasp, LiftsAStoneAndHoldsItForTenSecondsOnEitherSoil) {
   for (const char* soil : {"loose_sand", "compact_gravel"}) {
-    ArmRig rig = Standing(soil, 0.04, 3);
+    Standing rig(soil, 0.04, 3);
     Grasp(rig, {}, 0.35);
     EXPECT_GT(rig.StoneHeight(0), 0.08) << soil;
     rig.Run(1.0);
@@ -33,7 +34,7 @@ TEST(ArmGrasp, LiftsAStoneAndHoldsItForTenSecondsOnEitherSoil) {
 
 // About their axis the stone's forces on a scoop balance its motor and its weight: N = tau / lever.
 TEST(ArmGrasp, PressesAsTheMotorsTorqueOverTheLever) {
-  ArmRig rig = Standing("compact_gravel", 0.05, 1);
+  Standing rig("compact_gravel", 0.05, 1);
   Grasp(rig, {}, 0.35);
   rig.Run(2.0);
   const double limit_nm = 0.6, friction_nm = 0.03;
@@ -41,11 +42,10 @@ TEST(ArmGrasp, PressesAsTheMotorsTorqueOverTheLever) {
     const int link = rig.body.arm().link(motor);
     const TreeBody& tree = rig.body.tree();
     const Vector3d axis_G = tree.motion(link).X_GL.R.col(1), at_G = tree.motion(link).X_GL.p;
-    const std::vector<ToolPart> parts = ArmParts(*rig.model.arm, rig.body.arm().link(0));
     double moment_nm = 0.0;
-    for (const StoneTouch& touch : rig.stones.touches()) {
-      if (touch.part < 0 || parts[static_cast<std::size_t>(touch.part)].link != link) continue;
-      moment_nm += axis_G.dot((touch.p_G - at_G).cross(-1e3 * touch.impulse_G));
+    for (const WorldContact& contact : rig.world.contacts()) {
+      if (contact.a.body != rig.body.number() || contact.a.link != link) continue;
+      moment_nm += axis_G.dot((contact.p_G - at_G).cross(1e3 * contact.impulse_G));
     }
     const LinkModel& scoop = tree.link(link).model;
     const Vector3d arm_G = tree.motion(link).X_GL.R * scoop.p_LoCom_L;
@@ -60,15 +60,14 @@ TEST(ArmGrasp, PressesAsTheMotorsTorqueOverTheLever) {
 // A controller feels it: the motors' currents are at their limit with a stone between the scoops,
 // and at that of turning alone when they close on nothing.
 TEST(ArmGrasp, ClosesOnNothingWithoutAStone) {
-  ArmRig rig = Standing("loose_sand", 0.04, 3);
-  rig.stones =
-      LooseStones(ArmParts(*rig.model.arm, rig.body.arm().link(0)), {SoilNamed("loose_sand")}, {});
+  ArmRig rig(RoverRig::Model("rocky7"), "loose_sand");
+  rig.Run(1.0);
   EXPECT_EQ(Grasp(rig, {}, 0.35), GraspEnd::kClosed);
 }
 
 TEST(ArmGrasp, LeavesARockOfTwelveCentimetresWhereItIs) {
   for (const char* soil : {"loose_sand", "compact_gravel"}) {
-    ArmRig rig = Standing(soil, 0.12, 2);
+    Standing rig(soil, 0.12, 2);
     const double height_m = rig.StoneHeight(0);
     Grasp(rig, {}, 0.35);
     EXPECT_LT(rig.StoneHeight(0), height_m + 0.01) << soil;
@@ -79,9 +78,7 @@ TEST(ArmGrasp, LeavesARockOfTwelveCentimetresWhereItIs) {
 // 0.1 it slides to the scoops' wall.
 TEST(ArmGrasp, LosesHoldOfASlipperyStoneThatIsPulledByTwoNewtons) {
   for (const double friction : {0.6, 0.1}) {
-    StoneMaterial material;
-    material.friction = friction;
-    ArmRig rig = Standing("compact_gravel", 0.05, 1, material);
+    Standing rig("compact_gravel", 0.05, 1, friction);
     Grasp(rig, {}, 0.35);
     rig.Run(1.0);
     const Vector3d from = rig.StoneInArm(0);
@@ -100,9 +97,9 @@ TEST(ArmGrasp, LosesHoldOfASlipperyStoneThatIsPulledByTwoNewtons) {
 
 TEST(ArmGrasp, GivesTheSameBitsAgain) {
   const auto Hash = [] {
-    ArmRig rig = Standing("loose_sand", 0.04, 5);
+    Standing rig("loose_sand", 0.04, 5);
     Grasp(rig, {}, 0.1);
-    return rig.stones.StateHash(rig.body.StateHash(1));
+    return rig.world.StateHash(rig.stones.StateHash(rig.body.StateHash(1)));
   };
   EXPECT_EQ(Hash(), Hash());
 }

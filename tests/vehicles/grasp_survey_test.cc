@@ -33,14 +33,14 @@ Outcome Try(const std::string& soil, int seed, Off off, double step_s) {
   // Uniform on the ring.
   const double off_m = std::sqrt(random.Uniform(off.from_m * off.from_m, off.to_m * off.to_m));
   const double off_rad = random.Uniform(-kPi, kPi);
-  ArmRig rig(model, soil, {}, step_s);
+  ArmRig rig(model, soil, 0.6, step_s);
   rig.Run(1.0);
   const Eigen::Vector2d at = rig.PointUnderArm();
-  rig.stones.Add(OnGround(LooseStoneShape(length_m, static_cast<std::uint64_t>(seed)),
-                          at.x() + off_m * std::cos(off_rad), at.y() + off_m * std::sin(off_rad),
-                          turn_rad));
+  rig.Add(OnGround(LooseStoneShape(length_m, static_cast<std::uint64_t>(seed)),
+                   at.x() + off_m * std::cos(off_rad), at.y() + off_m * std::sin(off_rad),
+                   turn_rad));
   Outcome outcome;
-  rig.each_period = [&] { outcome.sweeps = std::max(outcome.sweeps, rig.stones.sweeps()); };
+  rig.each_period = [&] { outcome.sweeps = std::max(outcome.sweeps, rig.world.sweeps()); };
   Grasp(rig, {}, 0.35);
   outcome.lifted = rig.StoneHeight(0) > 0.05;
   rig.Run(2.0);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "models/parts/scoop_shape.h"
+#include "sim/rigid/solid_mass.h"
 #include "vehicles/stone_rig.h"
 
 namespace dockyard {
@@ -76,45 +77,56 @@ TEST(LooseStoneShape, HasItsLengthAndRoughlyItsRatiosAboutItsCentreOfMass) {
 }
 
 TEST(LooseStone, FliesAParabolaWithItsAngularMomentumAndEnergyOfTurning) {
-  LooseStone stone(LooseStoneShape(0.05, 2), kStoneDensity_kg_m3, Pose3::Translation(0, 0, 1));
-  const Vector3d v(0.3, -0.2, 2.0), gravity(0.0, 0.0, -kEarthGravity_m_s2);
-  stone.SetMotion(v, {3.0, 8.0, -2.0});
-  const Vector3d spin = stone.angular_momentum_G();
-  const double turning = stone.KineticEnergy() - 0.5 * stone.mass_kg() * v.squaredNorm();
+  TreeBody stone = BodyOf(
+      MakeLooseStone(LooseStoneShape(0.05, 2), kStoneDensity_kg_m3, Pose3::Translation(0, 0, 1)));
+  const Vector3d v(0.3, -0.2, 2.0), w(3.0, 8.0, -2.0), gravity(0.0, 0.0, -kEarthGravity_m_s2);
+  TreeBody::Speeds start(6);
+  start << v, w;
+  stone.AddSpeeds(start);
+  const auto Spin = [&] {
+    const Eigen::Matrix3d& R = stone.motion(0).X_GL.R;
+    return Vector3d(R * stone.link(0).model.I_LCom_L * R.transpose() * stone.motion(0).w_GL_G);
+  };
+  const Vector3d spin = Spin();
+  const double turning =
+      stone.KineticEnergy() - 0.5 * stone.link(0).model.mass_kg * v.squaredNorm();
   for (int i = 0; i < 1000; ++i) {
-    stone.TakeWeight(gravity, 1e-3);
+    stone.TakeLoads(gravity, 1e-3);
     stone.Move(1e-3);
   }
   // Steps of h fall g h t / 2 further than the parabola.
   const Vector3d at = Vector3d(0, 0, 1) + v + 0.5 * gravity + 0.5e-3 * gravity;
-  EXPECT_LT((stone.motion().X_GL.p - at).norm(), 1e-9);
-  EXPECT_LT((stone.angular_momentum_G() - spin).norm(), 1e-12 * spin.norm());
+  EXPECT_LT((stone.motion(0).X_GL.p - at).norm(), 1e-9);
+  EXPECT_LT((Spin() - spin).norm(), 1e-12 * spin.norm());
   const Vector3d last = v + gravity;
-  EXPECT_NEAR(stone.KineticEnergy() - 0.5 * stone.mass_kg() * last.squaredNorm(), turning,
-              1e-4 * turning);
+  EXPECT_NEAR(stone.KineticEnergy() - 0.5 * stone.link(0).model.mass_kg * last.squaredNorm(),
+              turning, 1e-4 * turning);
 }
 
-/// A stone alone on level soil.
+/// Stones alone on level soil.
 struct Ground {
   explicit Ground(const std::string& soil)
-      : grid(LevelGrid(-0.5, 1.0, 1.0, 5e-3)), stones({}, {SoilNamed(soil)}, {}) {}
+      : grid(LevelGrid(-0.5, 1.0, 1.0, 5e-3)), stones(world, {SoilNamed(soil)}, 0.6) {}
+  void Add(const LooseStone& stone) {
+    const int number = stones.Add(stone);
+    parts.Add({.at = {stones.body(number), 0},
+               .body_L = stone.shape_S,
+               .material = MaterialOf(0.6),
+               .groups = kStoneGroups});
+  }
   void Run(double time_s, bool awake = false) {
     for (int i = 0; i < std::lround(1e3 * time_s); ++i) {
       for (int k = 0; awake && k < stones.count(); ++k) stones.AddForce(k, {0.0, 0.0, 0.0});
-      tool.TakeLoads({0.0, 0.0, 0.0}, 1e-3);
-      stones.Step(tool, {0.0, 0.0, -kEarthGravity_m_s2}, 1e-3, grid);
-      tool.Move(1e-3);
+      parts.AddContacts();
+      stones.AddSoilContacts(grid, 1e-3);
+      world.Step(1e-3);
+      stones.Rest(grid, 1e-3);
     }
-  }
-  static TreeLink Anything() {
-    TreeLink link;
-    link.model.mass_kg = 1.0;
-    link.model.I_LCom_L.setIdentity();
-    return link;
   }
 
   HeightGrid grid;
-  TreeBody tool{{Anything()}, {}, Pose3::Translation(0, 0, 10)};
+  RigidWorld world{{0.0, 0.0, -kEarthGravity_m_s2}};
+  PartContacts parts{world};
   LooseStones stones;
 };
 
@@ -123,14 +135,14 @@ TEST(LooseStones, BlockSinksAsTheSoilsPressureSays) {
   for (const char* name : {"loose_sand", "compact_gravel"}) {
     Ground ground(name);
     const Vector3d size(0.04, 0.03, 0.02);
-    ground.stones.Add(OnGround(BoxBody(size), 0.0, 0.0, 0.3));
+    ground.Add(OnGround(BoxBody(size), 0.0, 0.0, 0.3));
     ground.Run(3.0, true);
     const SoilModel soil = SoilNamed(name);
     const double pressure_pa = kStoneDensity_kg_m3 * size.z() * kEarthGravity_m_s2;
     // Where that is less than the soil gives way elastically, it is the latter.
     const double sunk_m = std::max(std::pow(pressure_pa / soil.k_phi, 1.0 / soil.n),
                                    pressure_pa / soil.unloading_stiffness_pa_per_m);
-    const double below_m = 0.5 * size.z() - ground.stones.stone(0).motion().X_GL.p.z();
+    const double below_m = 0.5 * size.z() - ground.stones.motion(0).X_GL.p.z();
     EXPECT_NEAR(below_m, sunk_m, 0.02 * sunk_m) << name;
   }
 }
@@ -139,14 +151,14 @@ TEST(LooseStones, BlockSinksAsTheSoilsPressureSays) {
 TEST(LooseStones, StoneRestsWhereThePressureAtItsCornersBearsIt) {
   for (std::uint64_t key = 1; key <= 5; ++key) {
     Ground ground("loose_sand");
-    ground.stones.Add(OnGround(LooseStoneShape(0.04, key), 0.0, 0.0, 0.0));
+    ground.Add(OnGround(LooseStoneShape(0.04, key), 0.0, 0.0, 0.0));
     ground.Run(2.0, true);
     double borne_n = 0.0;
-    for (const StoneTouch& touch : ground.stones.touches()) {
-      borne_n += 1e3 * touch.impulse_G.z();
-      EXPECT_GE(touch.impulse_G.z(), 0.0);
+    for (const WorldContact& contact : ground.world.contacts()) {
+      borne_n += 1e3 * contact.impulse_G.z();
+      EXPECT_GE(contact.impulse_G.z(), 0.0);
     }
-    const double weight_n = ground.stones.stone(0).mass_kg() * kEarthGravity_m_s2;
+    const double weight_n = ground.stones.mass_kg(0) * kEarthGravity_m_s2;
     EXPECT_NEAR(borne_n, weight_n, 1e-3 * weight_n);
   }
 }
@@ -154,38 +166,37 @@ TEST(LooseStones, StoneRestsWhereThePressureAtItsCornersBearsIt) {
 TEST(LooseStones, StoneAtRestCreepsLessThanHalfAMillimetreInTenSecondsThoughItMayNotSleep) {
   for (const char* name : {"loose_sand", "compact_gravel"}) {
     Ground ground(name);
-    ground.stones.Add(OnGround(LooseStoneShape(0.05, 4), 0.0, 0.0, 0.0));
+    ground.Add(OnGround(LooseStoneShape(0.05, 4), 0.0, 0.0, 0.0));
     ground.Run(2.0, true);
-    const Vector3d from = ground.stones.stone(0).motion().X_GL.p;
+    const Vector3d from = ground.stones.motion(0).X_GL.p;
     ground.Run(10.0, true);
-    EXPECT_LT((ground.stones.stone(0).motion().X_GL.p - from).norm(), 0.1e-3) << name;
+    EXPECT_LT((ground.stones.motion(0).X_GL.p - from).norm(), 0.1e-3) << name;
   }
 }
 
 TEST(LooseStones, SleeperStaysExactlyUntilTheGroundBelowItChanges) {
   Ground ground("loose_sand");
-  ground.stones.Add(OnGround(LooseStoneShape(0.03, 1), 0.0, 0.0, 0.0));
+  ground.Add(OnGround(LooseStoneShape(0.03, 1), 0.0, 0.0, 0.0));
   ground.Run(2.0);
   ASSERT_TRUE(ground.stones.asleep(0));
-  const Pose3 at = ground.stones.stone(0).motion().X_GL;
+  const Pose3 at = ground.stones.motion(0).X_GL;
   ground.Run(1.0);
-  EXPECT_EQ(ground.stones.stone(0).motion().X_GL.p, at.p);
-  EXPECT_EQ(ground.stones.stone(0).motion().X_GL.R, at.R);
+  EXPECT_EQ(ground.stones.motion(0).X_GL.p, at.p);
+  EXPECT_EQ(ground.stones.motion(0).X_GL.R, at.R);
   for (double& height_m : ground.grid.heights_m) height_m -= 0.01;
   ground.Run(2.0);
-  EXPECT_NEAR(ground.stones.stone(0).motion().X_GL.p.z(), at.p.z() - 0.01, 2e-3);
+  EXPECT_NEAR(ground.stones.motion(0).X_GL.p.z(), at.p.z() - 0.01, 2e-3);
 }
 
 // A stone dropped on another comes to rest and no lower than the other lets it.
 TEST(LooseStones, OneStoneLiesOnAnother) {
   Ground ground("compact_gravel");
   const Vector3d size(0.06, 0.06, 0.02);
-  ground.stones.Add(OnGround(BoxBody(size), 0.0, 0.0, 0.0));
+  ground.Add(OnGround(BoxBody(size), 0.0, 0.0, 0.0));
   const ConvexBody small = BoxBody({0.02, 0.02, 0.02});
-  ground.stones.Add(LooseStone(small, kStoneDensity_kg_m3, Pose3::Translation(0.0, 0.0, 0.05)));
+  ground.Add(MakeLooseStone(small, kStoneDensity_kg_m3, Pose3::Translation(0.0, 0.0, 0.05)));
   ground.Run(2.0);
-  const double above_m =
-      ground.stones.stone(1).motion().X_GL.p.z() - ground.stones.stone(0).motion().X_GL.p.z();
+  const double above_m = ground.stones.motion(1).X_GL.p.z() - ground.stones.motion(0).X_GL.p.z();
   EXPECT_NEAR(above_m, 0.02, 0.2e-3);
   EXPECT_TRUE(ground.stones.asleep(1));
 }

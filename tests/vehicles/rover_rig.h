@@ -26,13 +26,14 @@ class RoverRig {
            double reach_m = 2.5)
       : model(rover),
         ground(LevelGrid(-reach_m, 2.0 * reach_m, 2.0 * reach_m, cell_m)),
-        body(rover, LoadSoil(SourceFile("models/soils/" + soil + ".yaml")),
+        body(world, rover, {LoadSoil(SourceFile("models/soils/" + soil + ".yaml"))},
              Pose3::Translation(0.0, 0.0, RollingRadius(rover.tyre))),
         commands_(static_cast<std::size_t>(body.motor_count())) {}
 
   void Run(double time_s) {
     for (int i = 0; i < std::lround(time_s / kStep_s); ++i) {
-      body.Step(commands_, {0.0, 0.0, -kEarthGravity_m_s2}, kStep_s, ground);
+      body.AddLoads(commands_, kStep_s, ground);
+      world.Step(kStep_s);
     }
   }
 
@@ -67,6 +68,7 @@ class RoverRig {
 
   RoverModel model;
   HeightGrid ground;
+  RigidWorld world{{0.0, 0.0, -kEarthGravity_m_s2}};
   WheeledBody body;
 
  private:

@@ -32,37 +32,50 @@ struct Vice {
   static ConvexBody Plate(double side) {
     return Pose3::Translation(side * 0.001, 0.0, -kLever_m) * BoxBody({0.002, 0.1, 0.2});
   }
-  explicit Vice(const StoneMaterial& material = {}, double apart_m = kBlock_m)
-      : tree({Base(), Jaw(-0.5 * apart_m), Jaw(0.5 * apart_m)}, {}, Pose3::Translation(0, 0, 5)),
-        ground(LevelGrid(-1.0, 2.0, 2.0, 0.1)),
-        stones({{1, Plate(-1.0)}, {2, Plate(1.0)}}, {SoilNamed("loose_sand")}, material) {
-    stones.Add(LooseStone(BoxBody(Vector3d::Constant(kBlock_m)), kStoneDensity_kg_m3,
-                          Pose3::Translation(0, 0, 5)));
+  explicit Vice(double friction = 0.6, double apart_m = kBlock_m, const Vector3d& v = {0, 0, 0},
+                const Vector3d& w = {0, 0, 0})
+      : ground(LevelGrid(-1.0, 2.0, 2.0, 0.1)), stones(world, {SoilNamed("loose_sand")}, 0.6) {
+    world.Add(TreeBody({Base(), Jaw(-0.5 * apart_m), Jaw(0.5 * apart_m)}, {},
+                       Pose3::Translation(0, 0, 5), {.base = TreeBase::kFixed}));
+    stones.Add(MakeLooseStone(BoxBody(Vector3d::Constant(kBlock_m)), kStoneDensity_kg_m3,
+                              Pose3::Translation(0, 0, 5)));
+    TreeBody::Speeds start(6);
+    start << v, w;
+    world.body(stones.body(0)).AddSpeeds(start);
+    const auto AddPart = [&](const BodyLink& at, const ConvexBody& body_L) {
+      parts.Add({.at = at, .body_L = body_L, .material = MaterialOf(friction)});
+    };
+    AddPart({0, 1}, Plate(-1.0));
+    AddPart({0, 2}, Plate(1.0));
+    AddPart({stones.body(0), 0}, stones.shape_S(0));
   }
-  const LooseStone& block() const { return stones.stone(0); }
-  double weight_n() const { return block().mass_kg() * kEarthGravity_m_s2; }
+  const TreeBody& tree() const { return world.body(0); }
+  const TreeBody& block() const { return world.body(stones.body(0)); }
+  double weight_n() const { return block().link(0).model.mass_kg * kEarthGravity_m_s2; }
 
-  /// press_n: of each jaw on the block.
+  /// press_n: of each jaw on the block. The jaws have no weight.
   void Step(double press_n, const Vector3d& gravity, const Vector3d& pull_G = {0, 0, 0}) {
     // About +y a jaw that hangs goes towards -x.
-    tree.AddJointTorque(1, -press_n * kLever_m);
-    tree.AddJointTorque(2, press_n * kLever_m);
-    tree.TakeLoads({0.0, 0.0, 0.0}, step_s);
-    stones.AddForce(0, pull_G);
-    stones.Step(tree, gravity, step_s, ground);
-    tree.Move(step_s);
+    world.body(0).AddJointTorque(1, -press_n * kLever_m);
+    world.body(0).AddJointTorque(2, press_n * kLever_m);
+    stones.AddForce(0, pull_G + block().link(0).model.mass_kg * gravity);
+    parts.AddContacts();
+    stones.AddSoilContacts(ground, step_s);
+    world.Step(step_s);
+    stones.Rest(ground, step_s);
   }
   /// How far the block goes in a time under its weight and a pull, once it is gripped.
   double Creep(double press_n, double time_s, const Vector3d& pull_G = {0, 0, 0}) {
     for (int i = 0; i < 500; ++i) Step(press_n, {0, 0, 0});
-    const Vector3d from = block().motion().X_GL.p;
+    const Vector3d from = block().motion(0).X_GL.p;
     const Vector3d gravity(0.0, 0.0, -kEarthGravity_m_s2);
     for (int i = 0; i < std::lround(time_s / step_s); ++i) Step(press_n, gravity, pull_G);
-    return (block().motion().X_GL.p - from).norm();
+    return (block().motion(0).X_GL.p - from).norm();
   }
 
-  TreeBody tree;
   HeightGrid ground;
+  RigidWorld world{{0.0, 0.0, 0.0}};
+  PartContacts parts{world};
   LooseStones stones;
   double step_s = 1e-3;
 };
@@ -70,34 +83,30 @@ struct Vice {
 // It slips at m g = 2 mu N.
 TEST(Grip, HoldsABlockBelowCoulombsLimitAndNotAbove) {
   for (const double friction : {0.2, 0.6}) {
-    StoneMaterial material;
-    material.friction = friction;
-    const double slips_n = Vice(material).weight_n() / (2.0 * friction);
-    EXPECT_LT(Vice(material).Creep(slips_n / 0.95, 2.0), 0.05e-3) << friction;
+    const double slips_n = Vice(friction).weight_n() / (2.0 * friction);
+    EXPECT_LT(Vice(friction).Creep(slips_n / 0.95, 2.0), 0.05e-3) << friction;
     // What friction leaves of gravity: g (1 - 1 / 1.05).
     const double falls_m = 0.5 * kEarthGravity_m_s2 * (1.0 - 1.0 / 1.05) * 0.3 * 0.3;
-    EXPECT_NEAR(Vice(material).Creep(slips_n / 1.05, 0.3), falls_m, 0.1 * falls_m) << friction;
+    EXPECT_NEAR(Vice(friction).Creep(slips_n / 1.05, 0.3), falls_m, 0.1 * falls_m) << friction;
   }
 }
 
 TEST(Grip, GivesWayToAPullOfTwoNewtonsAtAFrictionOfATenthAndNotAtSixTenths) {
   const Vector3d pull_G(0.0, 2.0, 0.0);
-  StoneMaterial slippery;
-  slippery.friction = 0.1;
-  EXPECT_GT(Vice(slippery).Creep(8.0, 0.3, pull_G), 0.02);  // 2 x 0.1 x 8 N
+  EXPECT_GT(Vice(0.1).Creep(8.0, 0.3, pull_G), 0.02);  // 2 x 0.1 x 8 N
   EXPECT_LT(Vice().Creep(8.0, 0.3, pull_G), 1e-4);
 }
 
 // Jaws that are driven open, shut and open give back no more than was put in.
 TEST(Grip, GainsNoEnergyOverOpenCloseOpen) {
-  Vice vice({}, 0.03);
+  Vice vice(0.6, 0.03);
   double work_j = 0.0;
-  const auto Energy = [&] { return vice.tree.KineticEnergy() + vice.block().KineticEnergy(); };
+  const auto Energy = [&] { return vice.tree().KineticEnergy() + vice.block().KineticEnergy(); };
   for (int i = 0; i < 3000; ++i) {
     const double press_n = i < 300 ? -0.05 : i < 1500 ? 2.0 : -0.5;
     vice.Step(press_n, {0, 0, 0});
     work_j +=
-        press_n * kLever_m * vice.step_s * (vice.tree.rate_rad_s(2) - vice.tree.rate_rad_s(1));
+        press_n * kLever_m * vice.step_s * (vice.tree().rate_rad_s(2) - vice.tree().rate_rad_s(1));
     ASSERT_LE(Energy(), work_j + 1e-6) << i;
   }
 }
@@ -105,17 +114,11 @@ TEST(Grip, GainsNoEnergyOverOpenCloseOpen) {
 // A block thrown between free jaws tumbles and bounces.
 TEST(Grip, GainsNoEnergyFromBlows) {
   for (int run = 0; run < 5; ++run) {
-    Vice vice({}, 0.05);
-    LooseStone stone = vice.block();
-    LooseStones& stones = vice.stones;
-    stone.SetMotion({0.3 + 0.1 * run, 0.02 * run, 0.1}, {1.0 + run, 5.0 - run, 3.0});
-    stones =
-        LooseStones({{1, Vice::Plate(-1.0)}, {2, Vice::Plate(1.0)}}, {SoilNamed("loose_sand")}, {});
-    stones.Add(stone);
-    const double start_j = stone.KineticEnergy();
+    Vice vice(0.6, 0.05, {0.3 + 0.1 * run, 0.02 * run, 0.1}, {1.0 + run, 5.0 - run, 3.0});
+    const double start_j = vice.block().KineticEnergy();
     for (int i = 0; i < 1000; ++i) {
       vice.Step(0.0, {0, 0, 0});
-      ASSERT_LE(vice.tree.KineticEnergy() + vice.block().KineticEnergy(), 1.001 * start_j) << run;
+      ASSERT_LE(vice.tree().KineticEnergy() + vice.block().KineticEnergy(), 1.001 * start_j) << run;
     }
   }
 }

@@ -8,19 +8,21 @@
 #include <vector>
 
 #include "sim/vehicles/loose_stones.h"
+#include "sim/vehicles/part_contacts.h"
+#include "sim/vehicles/rover_parts.h"
 #include "vehicles/rover_rig.h"
 
 namespace dockyard {
 
 /// A box about the origin.
 inline ConvexBody BoxBody(const Eigen::Vector3d& size_m) {
-  std::vector<Eigen::Vector3d> corners;
-  for (int i = 0; i < 8; ++i) {
-    corners.push_back({(i & 1 ? 0.5 : -0.5) * size_m.x(), (i & 2 ? 0.5 : -0.5) * size_m.y(),
-                       (i & 4 ? 0.5 : -0.5) * size_m.z()});
-  }
-  return HullOf(corners);
+  return BoxAt(Eigen::Vector3d::Zero(), size_m);
 }
+
+/// Of a rover's scoops, and of stones on each other.
+inline ContactMaterial MaterialOf(double friction) { return {2e4, 40.0, friction, 0.0}; }
+inline constexpr PartGroups kStoneGroups{part_group::kLooseStones,
+                                         part_group::kRover | part_group::kStones};
 
 inline SoilModel SoilNamed(const std::string& name) {
   return LoadSoil(SourceFile("models/soils/" + name + ".yaml"));
@@ -29,26 +31,39 @@ inline SoilModel SoilNamed(const std::string& name) {
 /// Puts a stone's lowest corner on level ground.
 inline LooseStone OnGround(const ConvexBody& shape, double x_m, double y_m, double turn_rad,
                            double density_kg_m3 = kStoneDensity_kg_m3) {
-  return LooseStone(shape, density_kg_m3, StandingAt(shape, {x_m, y_m}, turn_rad, 0.0));
+  return MakeLooseStone(shape, density_kg_m3, StandingAt(shape, {x_m, y_m}, turn_rad, 0.0));
 }
 
 /// A rover with an arm and stones before it.
 class ArmRig {
  public:
-  ArmRig(const RoverModel& rover, const std::string& soil, const StoneMaterial& material = {},
+  ArmRig(const RoverModel& rover, const std::string& soil, double friction = 0.6,
          double step_s = 1e-3)
       : model(rover),
         ground(LevelGrid(-1.0, 3.0, 2.0, 5e-3)),
-        body(rover, SoilNamed(soil), Pose3::Translation(0.0, 0.0, RollingRadius(rover.tyre))),
-        stones(ArmParts(*rover.arm, body.arm().link(0)), {SoilNamed(soil)}, material),
+        body(world, rover, {SoilNamed(soil)},
+             Pose3::Translation(0.0, 0.0, RollingRadius(rover.tyre))),
+        parts(world),
+        stones(world, {SoilNamed(soil)}, 0.6),
         commands(static_cast<std::size_t>(body.motor_count())),
-        step_s_(step_s) {}
+        step_s_(step_s),
+        friction_(friction) {
+    AddRoverParts(rover, body, friction, parts);
+  }
 
+  void Add(const LooseStone& stone) {
+    const int number = stones.Add(stone);
+    parts.Add({.at = {stones.body(number), 0},
+               .body_L = stone.shape_S,
+               .material = MaterialOf(friction_),
+               .groups = kStoneGroups});
+  }
   void Step() {
-    const Eigen::Vector3d gravity(0.0, 0.0, -kEarthGravity_m_s2);
-    body.TakeLoads(commands, gravity, step_s_, ground);
-    stones.Step(body.tree(), gravity, step_s_, ground);
-    body.Move(step_s_);
+    body.AddLoads(commands, step_s_, ground);
+    parts.AddContacts();
+    stones.AddSoilContacts(ground, step_s_);
+    world.Step(step_s_);
+    stones.Rest(ground, step_s_);
     time_s += step_s_;
   }
   void Run(double time_s) {
@@ -79,11 +94,11 @@ class ArmRig {
     return (body.body().X_GL * Eigen::Vector3d(model.arm->p_RA.x() + ahead_m, 0.0, 0.0)).head<2>();
   }
   /// Of a stone's centre of mass above the level ground.
-  double StoneHeight(int i) const { return stones.stone(i).motion().X_GL.p.z(); }
+  double StoneHeight(int i) const { return stones.motion(i).X_GL.p.z(); }
   /// The same in the arm's frame.
   Eigen::Vector3d StoneInArm(int i) const {
     const Pose3& X_GA = body.tree().motion(body.arm().link(kArmPitch)).X_GL;
-    return Inverse(X_GA) * stones.stone(i).motion().X_GL.p;
+    return Inverse(X_GA) * stones.motion(i).X_GL.p;
   }
   /// Straight on by this way of the wheels' rims, at the rover's speed.
   void Drive(double way_m) {
@@ -98,14 +113,16 @@ class ArmRig {
 
   RoverModel model;
   HeightGrid ground;
+  RigidWorld world{{0.0, 0.0, -kEarthGravity_m_s2}};
   WheeledBody body;
+  PartContacts parts;
   LooseStones stones;
   std::vector<MotorCommand> commands;  // braked at first
   double time_s = 0.0;
   std::function<void()> each_period;  // of a script
 
  private:
-  double step_s_ = 1e-3;
+  double step_s_ = 1e-3, friction_ = 0.6;
 };
 
 /// A grasp as a controller may do it: from the motors' angles and currents alone, on level ground.

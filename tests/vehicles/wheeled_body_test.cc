@@ -121,7 +121,7 @@ TEST(WheeledBody, GivesTheSameBitsAgain) {
     RoverRig rig(RoverRig::Model("rocky7"), "loose_sand");
     rig.Run(0.5);
     rig.Drive({0.05, 0.0});
-    return rig.body.StateHash(1);
+    return rig.world.StateHash(rig.body.StateHash(1));
   };
   EXPECT_EQ(Hash(), Hash());
 }

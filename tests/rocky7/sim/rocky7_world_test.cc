@@ -136,12 +136,16 @@ TEST(Rocky7World, TheInstrumentTouchesTheFaceWhereTheMastBringsIt) {
   }
 }
 
-TEST(Rocky7World, AWheelAgainstTheBoulderIsNotSimulated) {
+// The boulder bears: its wheels turn, but the rover comes no nearer.
+TEST(Rocky7World, BoulderStopsTheWheelThatMeetsIt) {
   World world(BeforeBoulder(0.75));
-  EXPECT_FALSE(world.truth().on_stone);
   const auto commands = Ahead(world, 0.7);
-  for (int i = 0; i < 9000 && !world.truth().on_stone; ++i) world.Step(commands);
-  EXPECT_TRUE(world.truth().on_stone);
+  for (int i = 0; i < 9000; ++i) world.Step(commands);
+  const double there_m = world.truth().X_GR.x;
+  for (int i = 0; i < 4000; ++i) world.Step(commands);
+  EXPECT_GT(there_m, 0.4);
+  EXPECT_NEAR(world.truth().X_GR.x, there_m, 0.002);
+  EXPECT_FALSE(world.truth().on_stone);
 }
 
 }  // namespace
