@@ -145,7 +145,7 @@ void BoreContacts::MeetWalls(const Pose3& X_MC, const Pose3& X_MA, double within
       int pair = static_cast<int>(e) * walls;
       for (const TurnedSolid& wall : walls_) {
         ++pair;
-        const int count = FindNearPoints(ring, wall, edge.radius_m + within_m, points);
+        const int count = FindNearPoints(ring, wall, edge.radius_m + within_m, points, all_round_);
         for (int i = 0; i < count; ++i) {
           const RingPoint& point = points[i];
           contacts.push_back({pair, X_MC * (point.p - edge.radius_m * point.normal),
@@ -166,7 +166,8 @@ void BoreContacts::MeetParts(const Pose3& X_MC, const Pose3& X_MA, double within
     const Pose3 X_PC = Inverse(X_MP) * X_MC;
     for (const Ring& edge : wall_edges_) {
       ++pair;
-      const int count = FindNearPoints(X_PC * edge, part.core, part.rounding_m + within_m, points);
+      const int count =
+          FindNearPoints(X_PC * edge, part.core, part.rounding_m + within_m, points, all_round_);
       for (int i = 0; i < count; ++i) {
         const RingPoint& point = points[i];
         if (!point.on_side) continue;  // edge to edge: found as the part's edge on the wall

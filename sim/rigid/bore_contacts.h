@@ -21,6 +21,9 @@ struct BoreContact {
 
 class BoreContacts {
  public:
+  /// all_round: as of FindNearPoints, for parts that fit their seat.
+  explicit BoreContacts(bool all_round = false) : all_round_(all_round) {}
+
   /// outline_m: corners (z, r) as TurnedSolid takes them, in the frame C of the walls.
   void AddWall(const std::vector<Eigen::Vector2d>& outline_m);
   /// An edge that stands out of the walls.
@@ -57,6 +60,7 @@ class BoreContacts {
   void MeetParts(const Pose3& X_MC, const Pose3& X_MA, double within_m,
                  std::vector<BoreContact>& contacts) const;
 
+  bool all_round_;
   std::vector<TurnedSolid> walls_;  // their axis z of C
   std::vector<Ring> wall_edges_;    // in C
   std::vector<Edge> part_edges_;    // in A

@@ -84,6 +84,23 @@ Probe Least(const Ring& ring, const TurnedSolid& solid, Probe low, Probe high) {
   return middle;
 }
 
+// To one or two places of least distance on a side, those between them. `spread` is the greatest
+// distance less the least, over the one up to which places count.
+int AddAllRound(const Ring& ring, const TurnedSolid& solid, double spread, int count,
+                RingPoints& points) {
+  const int places = count + 2;
+  const double share = std::min(1.0, (1.0 + (places - 1) * spread) / places);
+  const double middle_rad =
+      count == 1 ? points[0].angle_rad : 0.5 * (points[0].angle_rad + points[1].angle_rad);
+  const double turn_rad = count == 1 ? 2.0 * kPi / 3.0 : kPi;
+  const double from_rad = count == 1 ? middle_rad + turn_rad : middle_rad;
+  for (const double angle_rad : {from_rad, from_rad + turn_rad}) {
+    points[count++] = ProbeAt(ring, solid, Direction(angle_rad)).point;
+  }
+  for (int i = 0; i < count; ++i) points[i].share = share;
+  return count;
+}
+
 }  // namespace
 
 TurnedSolid::TurnedSolid(const std::vector<Eigen::Vector2d>& outline_m) {
@@ -155,8 +172,8 @@ bool TurnedSolid::IsBeyond(const Eigen::AlignedBox2d& cut_m, double distance_m) 
   return false;
 }
 
-int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m,
-                   RingPoints& points) {
+int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m, RingPoints& points,
+                   bool all_round) {
   const double reach = ring.radius_m + within_m;
   const Eigen::Vector2d centre(ring.centre.z(), ring.centre.head<2>().norm());
   if (solid.NearestTo(centre).distance_m >= reach) return 0;
@@ -164,10 +181,12 @@ int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m,
   const double worth = within_m + 0.5 * kSampleStep * ring.radius_m;
   if (solid.IsBeyond(CutOf(ring), worth + kRounding_m)) return 0;
   std::array<Probe, kSamples + 1> probes;
-  double least = 1e9;
+  double least = 1e9, most = -1e9;
   for (int i = 0; i < kSamples; ++i) {
     probes[i] = ProbeAt(ring, solid, SampleDirections()[i]);
     least = std::min(least, probes[i].point.distance_m);
+    most = std::max(most, probes[i].point.distance_m);
+    all_round &= !probes[i].on_flat_end;
   }
   if (least >= worth) return 0;
   probes[kSamples] = probes[0];
@@ -192,6 +211,9 @@ int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m,
       }
     }
   }
+  if (all_round && ring.radius_m > 0.0 && most < within_m && (count == 1 || count == 2)) {
+    return AddAllRound(ring, solid, (most - least) / within_m, count, points);
+  }
   if (count == 0) {  // level on a flat end, or about the axis: near all round, nowhere nearest
     const Probe any = ProbeAt(ring, solid, Direction());
     if (any.point.distance_m >= within_m || std::abs(any.slope_m) > 1e-12) return 0;
@@ -199,6 +221,7 @@ int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m,
       const Probe probe = ProbeAt(ring, solid, Direction(turn));
       points[count++] = probe.point;
       if (probe.on_flat_end) points[count - 1].share = share;
+      if (all_round) points[count - 1].share = 1.0 / 3.0;
       if (ring.radius_m == 0.0) break;
     }
   }

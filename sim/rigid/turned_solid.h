@@ -62,6 +62,10 @@ using RingPoints = std::array<RingPoint, kMostRingPoints>;
 /// where a ring that lies on it is near all round, that place and those 120 deg from it; the share
 /// of each goes from 1/3, level, to 1 where the ring is tilted by a millimetre. Returns their
 /// count. The solid's axis is z of the frame that the ring is given in.
-int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m, RingPoints& points);
+/// all_round: a ring that is near a solid's side all round, as in a cone that fits it, counts by
+/// three places, or by four where two are least; the share of each goes from a third or a quarter,
+/// equally near, to 1 where they differ by within_m. So what bears does not jump to the other side.
+int FindNearPoints(const Ring& ring, const TurnedSolid& solid, double within_m, RingPoints& points,
+                   bool all_round = false);
 
 }  // namespace dockyard

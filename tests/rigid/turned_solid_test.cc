@@ -43,6 +43,34 @@ TEST(Ring, AskewInATubeIsNearAtBothEndsOfTheAxisItIsTurnedAbout) {
   }
 }
 
+// A line all round that is pressed in and moved aside by s is pushed back by s / 2 times the square
+// of the normal's part across the axis, to whichever side.
+TEST(Ring, ThatFitsAConeIsPushedBackFromAllSides) {
+  const double radius_m = 0.015, slope = std::tan(Radians(30.0)), within_m = 5e-4;
+  const TurnedSolid cone({{0.02, 0.045},
+                          {0.02, radius_m - 0.02 * slope},
+                          {-0.02, radius_m + 0.02 * slope},
+                          {-0.02, 0.045}});
+  const double across = std::cos(Radians(30.0));
+  for (const double aside_m : {-2e-6, -1e-9, 1e-9, 2e-6}) {
+    for (const double tilt : {0.0, 1e-4}) {
+      const Ring ring = Pose3{RotY(tilt), Eigen::Vector3d(aside_m, 0.0, 3e-5)} *
+                        Ring{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, radius_m};
+      RingPoints points;
+      const int count = FindNearPoints(ring, cone, within_m, points, true);
+      ASSERT_GE(count, 3);
+      Eigen::Vector3d push = Eigen::Vector3d::Zero();
+      for (int i = 0; i < count; ++i) {
+        push -= points[i].share * points[i].distance_m * points[i].normal;
+      }
+      EXPECT_NEAR(push.y(), 0.0, 1e-9);
+      EXPECT_NEAR(push.z(), -0.5 * 0.5 * 3e-5, 0.02 * 1.5e-5);
+      if (tilt > 0.0) continue;
+      EXPECT_NEAR(push.x(), -0.5 * across * across * aside_m, 0.03e-6);
+    }
+  }
+}
+
 TEST(Ring, ThatLiesOnAFlatEndHasThreePointsThirdsOfATurnApart) {
   const TurnedSolid floor({{-0.1, 0.0}, {-0.1, 0.05}, {0.0, 0.05}, {0.0, 0.0}});
   for (double tilt : {0.0, 1e-12, 0.01}) {
