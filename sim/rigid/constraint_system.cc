@@ -15,6 +15,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+// Of an island before it is solved along conjugate directions. Numerical: most end sooner.
+constexpr int kPlainSweeps = 10;
+
 // The largest eigenvalue of a symmetric matrix of two rows.
 double Largest(double a, double b, double off) {
   return 0.5 * (a + b) + std::hypot(0.5 * (a - b), off);
@@ -22,12 +25,13 @@ double Largest(double a, double b, double off) {
 
 }  // namespace
 
-bool ConstraintSystem::Sweep::IsLast() const {
-  return force <= kSolved * largest_force && torque <= kSolved * largest_torque;
+bool ConstraintSystem::Sweep::IsLast(double solved) const {
+  return force <= solved * largest_force && torque <= solved * largest_torque;
 }
 
-void ConstraintSystem::Start(Index speeds, double step_s) {
+void ConstraintSystem::Start(Index speeds, double step_s, double solved) {
   step_s_ = step_s;
+  solved_ = solved;
   speeds_.resize(speeds);
   joined_.resize(static_cast<std::size_t>(speeds));
   std::iota(joined_.begin(), joined_.end(), 0);
@@ -230,6 +234,7 @@ void ConstraintSystem::SolveContact(Contact& contact, Sweep& sweep) {
   if (size > most) rub *= most / size;
   impulse.tail<2>() = rub;
   const Vector3d more = impulse - before;
+  contact.change = more;
   Push(contact.rows, more);
   sweep.force = std::max(sweep.force, more.lpNorm<Eigen::Infinity>());
   sweep.largest_force = std::max(sweep.largest_force, impulse[0]);
@@ -260,15 +265,33 @@ void ConstraintSystem::Bend() {
 }
 
 int ConstraintSystem::SolveIsland(const Island& island) {
+  // The last sweep's change of the contacts' impulses is the residual of a conjugate gradient; the
+  // direction starts anew where it grows.
+  double last = 0.0;
+  const auto GoOn = [&] {
+    double square = 0.0;
+    for (const std::size_t i : island.contacts) square += contacts_[i].change.squaredNorm();
+    const double kept = last > 0.0 && square <= last ? square / last : 0.0;
+    last = square;
+    for (const std::size_t i : island.contacts) {
+      Contact& contact = contacts_[i];
+      const Vector3d more = kept * contact.direction;
+      contact.direction = more + contact.change;
+      if (kept == 0.0) continue;
+      contact.rows.impulse += more;
+      Push(contact.rows, more);
+    }
+  };
   int sweeps = 0;
   while (sweeps < kMostSweeps) {
+    if (sweeps > kPlainSweeps) GoOn();
     Sweep sweep;
     for (const std::size_t i : island.ties) SolveTie(ties_[i], sweep);
     for (const std::size_t i : island.joints) SolveJoint(joints_[i], sweep);
     for (const std::size_t i : island.contacts) SolveContact(contacts_[i], sweep);
     for (const std::size_t i : island.rollings) SolveRolling(rollings_[i], sweep);
     ++sweeps;
-    if (sweep.IsLast()) break;
+    if (sweep.IsLast(solved_)) break;
   }
   return sweeps;
 }

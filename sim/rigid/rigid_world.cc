@@ -72,7 +72,7 @@ void RigidWorld::Move(double step_s) {
 void RigidWorld::Resist(double step_s) {
   sweeps_ = 0;
   answers_count_ = 0;
-  system_.Start(speeds_, step_s);
+  system_.Start(speeds_, step_s, solved_);
   AddTieRows();
   for (std::size_t i = 0; i < joints_.size(); ++i) AddJointRows(i, step_s);
   AddContactRows(step_s);

@@ -63,6 +63,8 @@ class RigidWorld {
   /// Limits the joint's angle less that of another link's joint of the same body.
   void LimitBetween(const BodyLink& joint, int other_link, const JointLaw& law);
   int Add(const PointTie& tie);
+  /// As of ConstraintSystem::Start.
+  void SetSolved(double share) { solved_ = share; }
   void SetGravity(const Eigen::Vector3d& gravity_G) { gravity_G_ = gravity_G; }
 
   /// A body that sleeps rests where it is and is as the ground for others: to move again it is to
@@ -131,6 +133,7 @@ class RigidWorld {
   std::vector<Joint> joints_;
   std::vector<Tie> ties_;
   std::vector<WorldContact> contacts_, next_contacts_;
+  double solved_ = kSolved;
   ConstraintSystem system_;
   ConstraintEnds ends_;
   std::vector<LinkAnswers> answers_;  // of this step; the first answers_count_ count
