@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "models/read/config_error.h"
+#include "models/read/load_contact.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_motor.h"
 #include "models/read/load_mounting.h"
@@ -50,7 +51,7 @@ void VisitDoors(Keys& keys, DoorsModel& doors) {
   keys.Number("travel_m", doors.travel_m, Positive(0.5));
   keys.Number("plate_m", doors.plate_m, Between(1e-3, 0.05));
   keys.Number("closed_radius_m", doors.closed_radius_m, Positive(0.2));
-  keys.Number("friction", doors.friction, NonNegative(2.0));
+  VisitContact(keys, doors.contact, Presence::kDefault);
 }
 
 void VisitSocket(Keys& keys, SocketModel& socket) {
@@ -60,7 +61,7 @@ void VisitSocket(Keys& keys, SocketModel& socket) {
   keys.Number("seat_radius_m", socket.seat_radius_m,
               keys.Limits(Positive(socket.throat_radius_m), Positive(0.5)));
   keys.Degrees("half_angle_deg", socket.half_angle_rad, Between(5.0, 80.0));
-  keys.Number("friction", socket.friction, NonNegative(2.0));
+  VisitContact(keys, socket.contact, Presence::kDefault);
   keys.Check("throat_radius_m", socket.throat_radius_m < socket.entrance_radius_m,
              "less than entrance_radius_m");
 }

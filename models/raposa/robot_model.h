@@ -8,6 +8,7 @@
 
 #include "controller/geometry/camera.h"
 #include "controller/raposa/nominal/motors.h"
+#include "models/parts/contact_material.h"
 #include "models/parts/imu.h"
 #include "models/parts/link.h"
 #include "models/parts/motor.h"
@@ -30,21 +31,25 @@ struct BeltsModel {
   double dead_band_m_s = 0.0;
 };
 
+/// Metal or stiff plastic: 100 N press it in by 20 um; damped by 0.3 of critical on the pyramid's
+/// mass, as is its rebound. Assumed, 1e6-1e7 N/m, 300-3000 N s/m, 0.1-0.3.
+inline constexpr ContactMaterial kHardContact{5e6, 1e3, 0.2, 0.0};
+
 struct DoorsModel {
   double pinion_radius_m = 0.0;
   double travel_m = 0.0;  // of each
   double plate_m = 0.0;
   double closed_radius_m = 0.0;  // of the circle in the square that both V leave
-  double friction = 0.0;
+  ContactMaterial contact = kHardContact;
 };
 
 /// Turned about the seat's axis, which is R's x axis through the seat.
 struct SocketModel {
   Eigen::Vector3d p_RS{0, 0, 0};  // the guide's middle once docked
   double entrance_radius_m = 0.0, throat_radius_m = 0.0;
-  double seat_radius_m = 0.0;   // of the seat's cone at the guide's middle
-  double half_angle_rad = 0.0;  // of funnel and seat
-  double friction = 0.0;
+  double seat_radius_m = 0.0;              // of the seat's cone at the guide's middle
+  double half_angle_rad = 0.0;             // of funnel and seat
+  ContactMaterial contact = kHardContact;  // of the body
 };
 
 struct BackCameraModel {

@@ -41,7 +41,7 @@ BoreContacts SocketContacts(const RobotModel& robot, const PyramidModel& pyramid
   const Rim entrance{before_m - funnel_m, socket.entrance_radius_m},
       throat{before_m, socket.throat_radius_m}, bore{behind_m, socket.throat_radius_m},
       bore_end{bore_ends_m, socket.throat_radius_m}, seat_end = seat(kSeatEnds_m);
-  BoreContacts contacts;
+  BoreContacts contacts(true);  // front cone and seat fit each other
   AddWall(entrance, throat, contacts);
   AddWall(bore, bore_end, contacts);
   AddWall(seat(bore_ends_m), seat_end, contacts);

@@ -89,17 +89,19 @@ MotorCommand Tracks::Obeyed(const MotorCommand& command, std::size_t side) const
 }
 
 void Tracks::Step(const HeightGrid& ground, const std::array<MotorCommand, 2>& commands,
-                  double dt_s, RobotBody& robot) {
+                  double dt_s, TreeBody& robot) {
   Wander(dt_s);
-  const LinkMotion &body = robot.motion(RobotLink::kBody), &arm = robot.motion(RobotLink::kArm);
+  const LinkMotion &body = robot.motion(kBody), &arm = robot.motion(kArm);
   const Eigen::Vector3d y_G = body.X_GL.R.col(1);
   for (std::size_t side = 0; side < 2; ++side) {
     const double surface_m_s = radius_m_ * speed_rad_s_[side];
     const BeltLoad on_body = body_belts_[side].Step(ground, body, surface_m_s, dt_s);
     const BeltLoad on_arm = arm_belts_[side].Step(ground, arm, surface_m_s, dt_s);
     const double arm_nm = on_arm.drive_torque_nm;
-    robot.AddLoad(RobotLink::kBody, on_body.force_G, on_body.torque_G - arm_nm * y_G);
-    robot.AddLoad(RobotLink::kArm, on_arm.force_G, on_arm.torque_G + arm_nm * y_G);
+    robot.AddForce(kBody, on_body.force_G, body.X_GL.p);
+    robot.AddTorque(kBody, on_body.torque_G - arm_nm * y_G);
+    robot.AddForce(kArm, on_arm.force_G, arm.X_GL.p);
+    robot.AddTorque(kArm, on_arm.torque_G + arm_nm * y_G);
 
     output_[side] = drives_[side].Step(Obeyed(commands[side], side), angle_rad_[side],
                                        speed_rad_s_[side], dt_s);

@@ -15,7 +15,7 @@
 #include "models/raposa/robot_model.h"
 #include "sim/base/random.h"
 #include "sim/drives/motor_drive.h"
-#include "sim/raposa/robot_body.h"
+#include "sim/raposa/robot_links.h"
 #include "sim/vehicles/belt.h"
 
 namespace dockyard::raposa {
@@ -31,7 +31,7 @@ class Tracks {
   /// Works one step under these commands to left and right, and adds the ground's loads to the
   /// robot.
   void Step(const HeightGrid& ground, const std::array<MotorCommand, 2>& commands, double dt_s,
-            RobotBody& robot);
+            TreeBody& robot);
 
   /// Makes the present angles zero: power-on.
   void PowerOn() { read_rad_ = {}; }

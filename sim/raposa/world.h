@@ -1,5 +1,5 @@
-// The physical world of one run: robot, pyramid with its cable, and ground, under steps of Bullet.
-// Every run makes a new world and never resets it. No Bullet type appears in this header.
+// The physical world of one run: robot, pyramid with its cable, and ground. Every run makes a new
+// world and never resets it. No Bullet type appears in this header.
 #pragma once
 
 #include <array>

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include "models/raposa/make_nominal.h"
 #include "models/read/load_model_yaml.h"
@@ -43,7 +45,9 @@ FileValues ValuesOf(const RobotModel& r) {
                     {"doors.travel_m", d.travel_m},
                     {"doors.plate_m", d.plate_m},
                     {"doors.closed_radius_m", d.closed_radius_m},
-                    {"doors.friction", d.friction},
+                    {"doors.friction", d.contact.friction},
+                    {"doors.stiffness_n_per_m", d.contact.stiffness_n_per_m},
+                    {"doors.damping_ns_per_m", d.contact.damping_ns_per_m},
                     {"socket.seat_m[0]", s.p_RS.x()},
                     {"socket.seat_m[1]", s.p_RS.y()},
                     {"socket.seat_m[2]", s.p_RS.z()},
@@ -51,7 +55,9 @@ FileValues ValuesOf(const RobotModel& r) {
                     {"socket.throat_radius_m", s.throat_radius_m},
                     {"socket.seat_radius_m", s.seat_radius_m},
                     {"socket.half_angle_deg", Degrees(s.half_angle_rad)},
-                    {"socket.friction", s.friction},
+                    {"socket.friction", s.contact.friction},
+                    {"socket.stiffness_n_per_m", s.contact.stiffness_n_per_m},
+                    {"socket.damping_ns_per_m", s.contact.damping_ns_per_m},
                     {"camera.width_px", c.camera.width},
                     {"camera.height_px", c.camera.height},
                     {"camera.focal_px", lens.fx},
@@ -93,6 +99,22 @@ TEST(RaposaFile, EachNumberIsNeeded) {
   folder.CopyModel("raposa");
   ExpectNumbersNeeded(LoadModelYaml(File()), {},
                       [&](const std::string& text) { LoadRobot(folder.Write(kName, text)); });
+}
+
+TEST(RaposaFile, WithoutStiffnessOfContactsHasThatOfBefore) {
+  const ScratchFolder folder;
+  folder.CopyModel("raposa");
+  std::istringstream lines(Slurp(File()));
+  std::string kept;
+  for (std::string line; std::getline(lines, line);) {
+    const bool of_contact = line.find("stiffness_n_per_m") != std::string::npos ||
+                            line.find("damping_ns_per_m") != std::string::npos;
+    if (!of_contact) kept += line + "\n";
+  }
+  folder.Write(kName, kept);
+  const RobotModel robot = LoadRobot((folder.path() / kName).string());
+  EXPECT_EQ(robot.socket.contact.stiffness_n_per_m, kHardContact.stiffness_n_per_m);
+  EXPECT_EQ(robot.doors.contact.damping_ns_per_m, kHardContact.damping_ns_per_m);
 }
 
 TEST(RaposaFile, NumbersThatDoNotAgreeAreRefused) {

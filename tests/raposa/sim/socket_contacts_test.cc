@@ -10,8 +10,8 @@
 
 #include "raposa/sim/raposa_rig.h"
 #include "sim/base/random.h"
-#include "sim/raposa/bullet_world.h"
 #include "sim/raposa/mating_shapes.h"
+#include "sim/rigid/collision_shapes.h"
 #include "sim/rigid/turned_shape.h"
 
 namespace dockyard::raposa {

@@ -1,11 +1,9 @@
-#include "sim/raposa/pyramid_body.h"
+#include "sim/raposa/pyramid_loads.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "sim/base/hash.h"
-#include "sim/raposa/mating_shapes.h"
-#include "sim/rigid/bullet_math.h"
 
 namespace dockyard::raposa {
 namespace {
@@ -35,27 +33,19 @@ CableModel ModelOf(const TetherCableModel& cable) {
 
 }  // namespace
 
-PyramidBody::PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP,
-                         const Eigen::Vector3d& cable_to_G,
-                         const std::vector<std::optional<SoilModel>>& soils)
+TreeBody MakePyramid(const PyramidModel& pyramid, const Pose3& X_GP) {
+  return TreeBody({TreeLink{.model = pyramid.body}}, {}, X_GP);
+}
+
+PyramidLoads::PyramidLoads(const PyramidModel& pyramid, const Pose3& X_GP,
+                           const Eigen::Vector3d& cable_to_G,
+                           const std::vector<std::optional<SoilModel>>& soils)
     : pyramid_(pyramid),
-      inertia_(FindPrincipalInertia(pyramid.body)),
       feet_(pyramid.p_P_soles.size()),
       cable_model_(ModelOf(pyramid.cable)),
       cable_(cable_model_),
       cable_to_G_(cable_to_G),
       slack_left_m_(pyramid.cable.slack_m) {
-  for (const std::vector<Collision>& pieces : {GuidePieces(pyramid), pyramid.body.collisions}) {
-    for (const Collision& piece : pieces) shape_.Add(piece, Inverse(inertia_.X_LP));
-  }
-  btRigidBody::btRigidBodyConstructionInfo info(pyramid.body.mass_kg, nullptr, shape_.compound(),
-                                                ToBullet(inertia_.moments));
-  info.m_startWorldTransform = ToBullet(X_GP * inertia_.X_LP);
-  info.m_friction = 1.0;  // Bullet multiplies: the robot's numbers are those of the pair
-  info.m_restitution = 0.0;
-  body_ = std::make_unique<btRigidBody>(info);
-  body_->setDamping(0.0, 0.0);
-  body_->setActivationState(DISABLE_DEACTIVATION);
   const double share_kg = pyramid.body.mass_kg / static_cast<double>(feet_.size());
   GroundMaterial sole{.stiffness_n_per_m = pyramid.foot_stiffness_n_per_m,
                       .damping_ns_per_m = 2.0 * kFootDampingRatio *
@@ -65,44 +55,40 @@ PyramidBody::PyramidBody(const PyramidModel& pyramid, const Pose3& X_GP,
     sole.plate = soil ? RoundPlate(*soil, pyramid.foot_diameter_m) : SinkingPlate{};
     soles_.push_back(sole);
   }
-  Refresh();
   // The last of the pieces is the one from the last mass to the pyramid.
-  const Eigen::Vector3d way_G = CableEndInG() - cable_to_G_;
+  const Eigen::Vector3d way_G = CableEndInG(X_GP) - cable_to_G_;
   const int pieces = std::max(3, static_cast<int>(std::lround(way_G.norm() / kCableSpacing_m)));
   last_piece_m_ = way_G.norm() / pieces;
   cable_.LayOut(cable_to_G_, cable_to_G_ + (1.0 - 1.0 / pieces) * way_G, pieces - 1);
 }
 
-Eigen::Vector3d PyramidBody::CableEndInG() const {
+Eigen::Vector3d PyramidLoads::CableEndInG(const Pose3& X_GP) const {
   double rear_m = 0.0;
   for (const Eigen::Vector2d& p : pyramid_.p_P_soles) rear_m = std::min(rear_m, p.x());
-  return motion_.X_GL * Eigen::Vector3d(rear_m, 0.0, kCableHeight_m - pyramid_.guide.height_m);
+  return X_GP * Eigen::Vector3d(rear_m, 0.0, kCableHeight_m - pyramid_.guide.height_m);
 }
 
-void PyramidBody::AddForce(const Eigen::Vector3d& force_G, const Eigen::Vector3d& p_G) {
-  const Eigen::Vector3d com_G = motion_.X_GL * inertia_.X_LP.p;
-  body_->applyForce(ToBullet(force_G), ToBullet(Eigen::Vector3d(p_G - com_G)));
-}
-
-void PyramidBody::AddForces(const HeightGrid& ground, const Eigen::Vector3d& gravity_G,
-                            double dt_s) {
+void PyramidLoads::AddTo(TreeBody& pyramid, const HeightGrid& ground,
+                         const Eigen::Vector3d& gravity_G, double dt_s) {
+  const LinkMotion& motion = pyramid.motion(0);
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     const Eigen::Vector2d& p = pyramid_.p_P_soles[i];
     const Eigen::Vector3d p_G =
-        motion_.X_GL * Eigen::Vector3d(p.x(), p.y(), -pyramid_.guide.height_m);
+        motion.X_GL * Eigen::Vector3d(p.x(), p.y(), -pyramid_.guide.height_m);
     const GroundMaterial& sole = soles_.at(ground.SoilAt(p_G));
-    AddForce(GroundForce(ground, sole, p_G, motion_.VelocityAt(p_G), dt_s, feet_[i]), p_G);
+    pyramid.AddForce(0, GroundForce(ground, sole, p_G, motion.VelocityAt(p_G), dt_s, feet_[i]),
+                     p_G);
   }
-  PullCable(ground, gravity_G, dt_s);
+  PullCable(pyramid, ground, gravity_G, dt_s);
 }
 
-void PyramidBody::PullCable(const HeightGrid& ground, const Eigen::Vector3d& gravity_G,
-                            double dt_s) {
+void PyramidLoads::PullCable(TreeBody& pyramid, const HeightGrid& ground,
+                             const Eigen::Vector3d& gravity_G, double dt_s) {
   const double fed_m = std::min(slack_left_m_, kSlackRate_m_s * dt_s);
   slack_left_m_ -= fed_m;
-  const Eigen::Vector3d p_GE = CableEndInG();
+  const Eigen::Vector3d p_GE = CableEndInG(pyramid.motion(0).X_GL);
   const bool stirred = fed_m > 0.0 || (p_GE - p_GE_calm_).norm() > kStirred_m;
-  if (calm_steps_ * dt_s >= kCalm_s && !stirred) return AddForce(pull_G_, p_GE);
+  if (calm_steps_ * dt_s >= kCalm_s && !stirred) return pyramid.AddForce(0, pull_G_, p_GE);
   const FixedCableEnd end(cable_model_, p_GE, last_piece_m_);
   cable_.Step({.step_s = dt_s,
                .gravity_G = gravity_G,
@@ -113,33 +99,19 @@ void PyramidBody::PullCable(const HeightGrid& ground, const Eigen::Vector3d& gra
                .end_rest_m = last_piece_m_});
   pull_G_ = -cable_.force_of_end_G();
   cable_pull_n_ = pull_G_.norm();
-  AddForce(pull_G_, p_GE);
+  pyramid.AddForce(0, pull_G_, p_GE);
   calm_steps_ = stirred || cable_.fastest_m_s() > kCalm_m_s ? 0 : calm_steps_ + 1;
   if (calm_steps_ == 0) p_GE_calm_ = p_GE;
 }
 
-void PyramidBody::Refresh() {
-  const Pose3 X_GI = FromBullet(body_->getWorldTransform());
-  motion_.X_GL = X_GI * Inverse(inertia_.X_LP);
-  motion_.w_GL_G = FromBullet(body_->getAngularVelocity());
-  motion_.v_GL_G =
-      FromBullet(body_->getLinearVelocity()) + motion_.w_GL_G.cross(motion_.X_GL.p - X_GI.p);
-}
-
-std::vector<Eigen::Vector3d> PyramidBody::CableLine() const {
+std::vector<Eigen::Vector3d> PyramidLoads::CableLine(const Pose3& X_GP) const {
   std::vector<Eigen::Vector3d> line = cable_.Line(cable_to_G_, {});
-  line.push_back(CableEndInG());
+  line.push_back(CableEndInG(X_GP));
   return line;
 }
 
-std::uint64_t PyramidBody::StateHash(std::uint64_t seed) const {
+std::uint64_t PyramidLoads::StateHash(std::uint64_t seed) const {
   std::uint64_t hash = seed;
-  const btTransform& X = body_->getWorldTransform();
-  const btVector3 v = body_->getLinearVelocity(), w = body_->getAngularVelocity();
-  for (int i = 0; i < 3; ++i) {
-    for (const double value : {X.getOrigin()[i], v[i], w[i]}) hash = HashDouble(hash, value);
-    for (int j = 0; j < 3; ++j) hash = HashDouble(hash, X.getBasis()[i][j]);
-  }
   for (const GroundPoint& foot : feet_) hash = HashPoint(hash, foot);
   return cable_.StateHash(hash);
 }
