@@ -31,9 +31,13 @@ class Shaker {
     std::array<MotorCommand, kMotorCount> commands{};
     commands[0] = Wheel((forward_m_s - half_track * turn_rad_s) / radius, Motor::kLeftWheel);
     commands[1] = Wheel((forward_m_s + half_track * turn_rad_s) / radius, Motor::kRightWheel);
-    for (Tick i = 0; i < ticks; ++i) {
+    const Tick start = world_.tick();
+    Tick next = start;  // to be observed
+    while (world_.tick() < start + ticks) {
       world_.Step(commands);
-      if (i % kControlPeriod == 0) Observe();
+      if (world_.tick() <= next) continue;
+      Observe();
+      next += kControlPeriod;
     }
     Observe();
   }

@@ -1,6 +1,8 @@
 // The mating parts: disc, shaft and collar in throat and socket, drawn in by the spool alone.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "axel/sim/scenarios.h"
 #include "sim/axel/build_run.h"
 #include "sim/axel/shake.h"
@@ -25,8 +27,9 @@ Truth Reel(World& world, const RoverModel& rover, double seconds) {
                                                        .target = 0.05 / rover.tether.drum_radius_m,
                                                        .accel_rad_s2 = 2.0,
                                                        .current_limit_a = spool.max_current_a};
-  for (int i = 0; i < static_cast<int>(1000 * seconds); ++i) world.Step(commands);
-  for (int i = 0; i < 1000; ++i) world.Step({});
+  const Tick reeled = std::lround(seconds / kTickSeconds);
+  while (world.tick() < reeled) world.Step(commands);
+  while (world.tick() < reeled + 1000) world.Step({});
   return world.truth();
 }
 
@@ -72,6 +75,22 @@ TEST(Mating, ArmThatComesThreeDegreesAskewIsDrawnInAndHeld) {
     const ShakeResult shake = Shake(world, built.world.rover);
     EXPECT_LT(Degrees(shake.turn_rad), 4.5) << soil;
     EXPECT_LT(shake.travel_m, 0.01) << soil;
+  }
+}
+
+// The judge's shake lasts as long and turns as far at every step of the physics.
+TEST(Mating, ShakeTurnsTheSeatedArmAlikeAtEveryStep) {
+  double fine_rad = 0.0;
+  for (const double step_s : {0.5e-3, 1e-3, 2e-3}) {
+    const BuiltRun built =
+        Built("compact_gravel", 3.0, {"physics_step_s=" + std::to_string(step_s)});
+    World world(built.world);
+    Reel(world, built.world.rover, 22.0);
+    const Tick start = world.tick();
+    const ShakeResult shake = Shake(world, built.world.rover);
+    EXPECT_EQ(world.tick() - start, 9680);
+    if (fine_rad == 0.0) fine_rad = shake.turn_rad;
+    EXPECT_NEAR(Degrees(shake.turn_rad), Degrees(fine_rad), 0.3) << step_s;
   }
 }
 
