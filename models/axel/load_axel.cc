@@ -8,6 +8,7 @@
 #include "models/axel/rover_links.h"
 #include "models/axel/urdf_agreement.h"
 #include "models/read/config_error.h"
+#include "models/read/load_contact.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_motor.h"
 #include "models/read/load_spreads.h"
@@ -84,6 +85,12 @@ void VisitArm(Keys& keys, RoverModel& rover, RoverFile& file) {
   keys.Check("tip_length_m", rover.tip.length_m < rover.arm_length_m, "less than length_m");
   keys.Mapping(Unset("collar"), [&](Keys& in) { VisitCollar(in, rover); });
   keys.Number(Optional("offset_m"), file.arm_offset_m, Between(-1.0, 1.0));
+  keys.Mapping(Optional("stop"), [&](Keys& in) {
+    in.Number({"stiffness_nm_per_rad", "N m/rad", "of the arm's end stops, if it has any"},
+              rover.arm_stop_nm_per_rad, Positive(1e7));
+    in.Number({"damping_nms_per_rad", "N m s/rad", "of the same"}, rover.arm_stop_nms_per_rad,
+              NonNegative(1e6));
+  });
 }
 
 void VisitTether(Keys& keys, TetherModel& tether) {
@@ -111,6 +118,8 @@ void VisitRover(Keys& keys, RoverModel& rover, RoverFile& file) {
   keys.Mapping("wheels", [&](Keys& in) { VisitWheels(in, rover, file); });
   keys.Mapping("motors", [&](Keys& in) { VisitMotors(in, rover); });
   keys.Mapping("arm", [&](Keys& in) { VisitArm(in, rover, file); });
+  keys.Mapping(Optional("rock_contact"),
+               [&](Keys& in) { VisitYield(in, rover.rock_contact, Presence::kDefault); });
   keys.Mapping("tether", [&](Keys& in) { VisitTether(in, rover.tether); });
   keys.Mapping("imu", [&](Keys& in) { VisitImu(in, rover.imu); });
   VisitStereo(keys, "cameras", file.cameras);

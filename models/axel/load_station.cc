@@ -7,6 +7,7 @@
 #include "models/axel/mating_fit.h"
 #include "models/read/config_error.h"
 #include "models/read/load_board.h"
+#include "models/read/load_contact.h"
 #include "models/read/load_model_yaml.h"
 #include "models/read/load_mounting.h"
 #include "models/read/load_spreads.h"
@@ -92,10 +93,19 @@ void VisitFeet(Keys& keys, StationModel& station) {
   keys.Number(Optional("sole_diameter_m"), station.sole_diameter_m, NonNegative(0.3));
 }
 
+void YieldAsTheCone(StationModel& station) {
+  station.body_contact.stiffness_n_per_m = station.cone.contact_stiffness_n_per_m;
+  station.body_contact.damping_ns_per_m = station.cone.contact_damping_ns_per_m;
+}
+
 void VisitStation(Keys& keys, StationModel& station, StationFile& file) {
   keys.Text("name", station.name);
   keys.Degrees("tip_angle_deg", station.tip_angle_rad, Between(0.0, 30.0));
   keys.Mapping("cone", [&](Keys& in) { VisitCone(in, station.cone); });
+  keys.Mapping(Optional("body_contact"), [&](Keys& in) {
+    if (in.reads()) YieldAsTheCone(station);
+    VisitContact(in, station.body_contact, Presence::kDefault);
+  });
   keys.Mapping("board", [&](Keys& in) { VisitBoardOf(in, station, file); });
   keys.Number("anchor_depth_m", station.anchor_depth_m, Positive(5.0));
   keys.Mapping("feet", [&](Keys& in) { VisitFeet(in, station); });
@@ -177,6 +187,7 @@ StationModel ReadStationKeys(const YamlNode& tree, MeshStore* meshes) {
   file.board_named = board != nullptr && board->Find("file") != nullptr;
   const auto visit = [&](Keys& keys) { VisitStation(keys, station, file); };
   ReadKeys(tree, "", visit);
+  if (tree.Find("body_contact") == nullptr) YieldAsTheCone(station);
   const YamlReader in(tree, "", KeyNames(visit));
   FinishBoard(in, station, file);
   TakeLinks(file, LoadUrdf(file.urdf, meshes), station);

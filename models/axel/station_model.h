@@ -42,6 +42,9 @@ struct StationModel {
   double tip_angle_rad = 0.0;         // Tsai et al., V-F: 5 deg
   double mouth_height_m = 0.0;        // centre of the mouth above the soles
   ConeModel cone;
+  // Of the rover with all but the mating's surfaces: painted metal on rubber or metal (friction
+  // assumed, range 0.3-0.6). A file that leaves its stiffness and damping out has the cone's.
+  ContactMaterial body_contact{.friction = 0.4};
   FiducialBoard board;
   double board_height_above_axis_m = 0.0;  // board's centre above the mouth's centre, in the face
   Pose3 board_mounting;         // of the board with its hole about its middle, in M's axes

@@ -1,5 +1,5 @@
-// Moves rover and station by one step: their loads, then the contacts between them and with rocks,
-// then their positions. It has no ground: soil and feet act as loads.
+// Rover and station in the rigid world: finds where they touch each other and rocks, and reads what
+// the contacts bore. It has no ground: soil and feet act as loads.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 #include "sim/axel/rock_contacts.h"
 #include "sim/axel/rover_body.h"
 #include "sim/axel/station_body.h"
-#include "sim/rigid/contact_solver.h"
+#include "sim/rigid/rigid_world.h"
 
 namespace dockyard::axel {
 
@@ -23,12 +23,13 @@ struct ArmContact {
 
 class ContactWorld {
  public:
-  ContactWorld(const ConeModel& cone, const Eigen::Vector3d& gravity_G, RoverBody& rover,
-               StationBody& station);
+  /// All of them must outlive it.
+  ContactWorld(RigidWorld& world, const RoverModel& rover_model, const StationModel& station_model,
+               const RoverBody& rover, const StationBody& station);
 
   /// Puts rocks into the rover's way; they are fixed in the ground.
   void PutRocks(const RoverModel& rover, RockBed bed);
-  /// One step under the loads given to rover and station.
+  /// One step of the world under the loads given to its bodies.
   void Step(double dt_s);
   const ArmContact& arm_contact() const { return contact_; }
   /// Largest sum of the station's contact forces on the arm in any step [N].
@@ -40,36 +41,26 @@ class ContactWorld {
   void ForgetPeaks() { arm_force_peak_n_ = rock_force_peak_n_ = 0.0; }
 
  private:
-  /// A contact between a link and the station or a rock, in G, with the impulse it gave.
-  struct Touch {
-    RoverLink link = RoverLink::kArm;
-    int pair = 0;
-    Eigen::Vector3d p_G{0, 0, 0}, normal_G{0, 0, 0};
-    double gap_m = 0.0, share = 1.0, friction = 0.0;
-    bool on_face = false, on_rock = false;
-    Eigen::Vector3d impulse_G{0, 0, 0}, bend_G{0, 0, 0};
-  };
+  /// Which surfaces a contact is of.
+  enum class Surfaces { kFunnel, kFace, kBody, kRock };
+  void Add(Surfaces surfaces, RoverLink link, WorldContact contact);
   bool MayTouch() const;
   void FindTouches(double dt_s);
   void FindRocks();
-  void BearByTheDeepest();
-  void GoOnFromLastStep(Touch& touch) const;
-  void Resist(double dt_s);
   void ReadContacts(double dt_s);
 
+  RigidWorld& world_;
+  const RoverBody& rover_;
+  const StationBody& station_;
   ConeModel cone_;
-  Eigen::Vector3d gravity_G_{0, 0, 0};  // [m/s^2]
-  RoverBody& rover_;
-  StationBody& station_;
+  ContactMaterial body_material_, rock_material_;
   Mating mating_;
   ModuleContacts module_contacts_;
+  std::optional<RockContacts> rock_contacts_;
   std::vector<BoreContact> matings_;
   std::vector<ModuleContact> modules_;
-  std::optional<RockContacts> rock_contacts_;
-  double rock_friction_ = 0.0;
   std::vector<RockContact> rocks_;
-  std::vector<Touch> touches_, last_touches_;
-  ContactStep step_;
+  std::vector<Surfaces> added_;  // of the world's contacts in this step
   ArmContact contact_;
   double arm_force_peak_n_ = 0.0;
   Eigen::Vector3d rock_force_G_{0, 0, 0};

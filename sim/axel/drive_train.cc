@@ -7,11 +7,6 @@
 namespace dockyard::axel {
 namespace {
 
-// End stops of an arm's hinge that has any: stiff rubber (assumed, range 1e3-1e4 Nm/rad).
-constexpr double kStopStiffness_nm_per_rad = 5e3;
-// A fifth of critical on the arm and its rotor, 3.3 kg m^2 (assumed, range 20-250 Nm s/rad).
-constexpr double kStopDamping_nms_per_rad = 50.0;
-
 constexpr std::array<RoverLink, 3> kLinks = {RoverLink::kLeftWheel, RoverLink::kRightWheel,
                                              RoverLink::kArm};
 
@@ -44,8 +39,6 @@ DriveTrain::DriveTrain(const RoverModel& rover, double arm_rad)
     : drum_radius_m_(rover.tether.drum_radius_m),
       drum_growth_m_per_rad_(rover.tether.drum_growth_m_per_turn / (2.0 * kPi)),
       drum_inertia_kg_m2_(rover.motors[static_cast<int>(Motor::kSpool)].reflected_inertia_kg_m2),
-      arm_lower_rad_(rover.arm_lower_rad),
-      arm_upper_rad_(rover.arm_upper_rad),
       drives_{MakeDrive(rover, Motor::kLeftWheel), MakeDrive(rover, Motor::kRightWheel),
               MakeDrive(rover, Motor::kArm), MakeDrive(rover, Motor::kSpool)} {
   zero_rad_[static_cast<int>(Motor::kArm)] = arm_rad;
@@ -64,7 +57,7 @@ void DriveTrain::Step(const std::array<MotorCommand, kMotorCount>& commands, dou
   }
   // Cut through the tether at the arm's root: it pulls the arm's guide and the drum together.
   const double pull_nm = tension_n * drum_radius_m(rover);
-  rover.AddJointTorque(RoverLink::kArm, pull_nm + ArmStopTorque(rover));
+  rover.AddJointTorque(RoverLink::kArm, pull_nm);
   // The body does not feel the tether's torque on the drum but the motor's reaction.
   const double drum_nm = output_[static_cast<int>(Motor::kSpool)].torque_nm();
   const Eigen::Vector3d y_G = rover.motion(RoverLink::kBody).X_GL.R.col(1);
@@ -72,17 +65,6 @@ void DriveTrain::Step(const std::array<MotorCommand, kMotorCount>& commands, dou
 
   drum_rad_s_ += (drum_nm - pull_nm) / drum_inertia_kg_m2_ * dt_s;
   drum_rad_ += drum_rad_s_ * dt_s;
-}
-
-double DriveTrain::ArmStopTorque(const RoverBody& rover) const {
-  const double q = rover.joint_rad(RoverLink::kArm);
-  const double beyond = q > arm_upper_rad_   ? q - arm_upper_rad_
-                        : q < arm_lower_rad_ ? q - arm_lower_rad_
-                                             : 0.0;
-  if (beyond == 0.0) return 0.0;
-  const double torque = -kStopStiffness_nm_per_rad * beyond -
-                        kStopDamping_nms_per_rad * rover.joint_rad_s(RoverLink::kArm);
-  return torque * beyond < 0.0 ? torque : 0.0;  // a stop does not hold on
 }
 
 void DriveTrain::PowerOn(const RoverBody& rover) {

@@ -45,8 +45,6 @@ class DriveTrain {
   std::uint64_t StateHash(std::uint64_t seed) const;
 
  private:
-  double ArmStopTorque(const RoverBody& rover) const;
-
   /// Tether wound on since power-on, as an angle of the drum against the arm's guide [rad].
   double wound_rad(const RoverBody& rover) const {
     return drum_rad_ - angle_rad(Motor::kArm, rover);
@@ -57,7 +55,6 @@ class DriveTrain {
   }
 
   double drum_radius_m_ = 0.0, drum_growth_m_per_rad_ = 0.0, drum_inertia_kg_m2_ = 0.0;
-  double arm_lower_rad_ = 0.0, arm_upper_rad_ = 0.0;
   std::array<MotorDrive, kMotorCount> drives_;
   std::array<double, kMotorCount> zero_rad_{};  // joint angles at power-on
   std::array<DriveOutput, kMotorCount> output_{};

@@ -17,14 +17,6 @@ namespace {
 constexpr double kGap_m = 0.1e-3;
 constexpr double kGapSteps = 2.0;
 
-const btCompoundShape& Compound(const btCollisionObject& body) {
-  return static_cast<const btCompoundShape&>(*body.getCollisionShape());
-}
-
-const btConvexShape& Piece(const btCollisionObject& body, int piece) {
-  return static_cast<const btConvexShape&>(*Compound(body).getChildShape(piece));
-}
-
 // The least distance of the points that Bullet has found; 0 when it has found none.
 double Distance(btCollisionAlgorithm& algorithm) {
   btManifoldArray manifolds;
@@ -40,22 +32,17 @@ double Distance(btCollisionAlgorithm& algorithm) {
 
 }  // namespace
 
-ModuleContacts::ModuleContacts(RoverBody& rover, StationBody& station)
-    : rover_(rover), station_(station), dispatcher_(&configuration_) {
-  const btCollisionObject& module = *station.collision_object();
+ModuleContacts::ModuleContacts(const RoverModel& rover, const StationModel& station)
+    : shapes_(rover, station), dispatcher_(&configuration_) {
   for (int i = 0; i < kRoverLinkCount; ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
-    const btCompoundShape& pieces = Compound(*rover.collider(link));
-    for (int a = 0; a < pieces.getNumChildShapes(); ++a) {
-      for (int b = 0; b < Compound(module).getNumChildShapes(); ++b) {
-        if (link == RoverLink::kArm && !station.MeetsArm(b)) continue;
+    for (int a = 0; a < shapes_.link(link).pieces(); ++a) {
+      for (int b = 0; b < shapes_.station().pieces(); ++b) {
+        if (link == RoverLink::kArm && !shapes_.MeetsArm(b)) continue;
         pairs_.push_back({link, a, b});
       }
     }
-    btVector3 low, high;
-    pieces.getAabb(btTransform::getIdentity(), low, high);
-    reach_m_[i] = (-low).absolute().length() + high.absolute().length();
-    last_X_SL_[i].setIdentity();
+    last_X_ML_[i].setIdentity();
   }
 }
 
@@ -71,48 +58,38 @@ void ModuleContacts::Part(Pair& pair) {
 }
 
 // Bound of the motion of any point of the link against the station since the last call.
-double ModuleContacts::MovedSinceLastStep(RoverLink link, const btTransform& X_SL) {
-  btTransform& last = last_X_SL_[static_cast<int>(link)];
+double ModuleContacts::MovedSinceLastStep(RoverLink link, const btTransform& X_ML) {
+  btTransform& last = last_X_ML_[static_cast<int>(link)];
   double turned = 0.0;  // square of the Frobenius norm of the change
   for (int row = 0; row < 3; ++row) {
-    turned += (X_SL.getBasis()[row] - last.getBasis()[row]).length2();
+    turned += (X_ML.getBasis()[row] - last.getBasis()[row]).length2();
   }
-  const double moved = (X_SL.getOrigin() - last.getOrigin()).length();
-  last = X_SL;
-  return moved + std::sqrt(turned) * reach_m_[static_cast<int>(link)];
+  const double moved = (X_ML.getOrigin() - last.getOrigin()).length();
+  last = X_ML;
+  return moved + std::sqrt(turned) * shapes_.link(link).reach_m();
 }
 
 // A lower bound of the distance; 0 unless beyond the gap one of the station piece's faces parts
-// them. X_SR: rover's piece in the station's shape frame.
-double ModuleContacts::Separation(const btConvexShape& rover_piece, const btTransform& X_SR,
+// them. X_MR: the rover's piece.
+double ModuleContacts::Separation(const btConvexShape& rover_piece, const btTransform& X_MR,
                                   int station_piece, double gap_m) const {
-  for (const StationFace& face : station_.Faces(station_piece)) {
-    const btVector3 towards = X_SR.getBasis().transpose() * -face.normal;
-    const btVector3 nearest = X_SR * rover_piece.localGetSupportingVertex(towards);
+  for (const StationFace& face : shapes_.Faces(station_piece)) {
+    const btVector3 towards = X_MR.getBasis().transpose() * -face.normal;
+    const btVector3 nearest = X_MR * rover_piece.localGetSupportingVertex(towards);
     const double distance = face.normal.dot(nearest) - face.offset_m;
     if (distance > gap_m) return distance;
   }
   return 0.0;
 }
 
-void ModuleContacts::PlaceColliders() {
-  for (int i = 0; i < kRoverLinkCount; ++i) {
-    const RoverLink link = static_cast<RoverLink>(i);
-    rover_.collider(link)->setWorldTransform(ToBullet(rover_.X_GP(link)));
-  }
-}
-
 void ModuleContacts::Test(Pair& pair) {
-  const btCollisionObject* rover = rover_.collider(pair.link);
-  const btCollisionObject* station = station_.collision_object();
-  const btTransform X_GR =
-      rover->getWorldTransform() * Compound(*rover).getChildTransform(pair.rover_piece);
-  const btTransform X_GS =
-      station->getWorldTransform() * Compound(*station).getChildTransform(pair.station_piece);
-  const btCollisionObjectWrapper a(nullptr, &Piece(*rover, pair.rover_piece), rover, X_GR, -1,
-                                   pair.rover_piece);
-  const btCollisionObjectWrapper b(nullptr, &Piece(*station, pair.station_piece), station, X_GS, -1,
-                                   pair.station_piece);
+  const ShapedObject &rover = shapes_.link(pair.link), &station = shapes_.station();
+  const btTransform X_GR = rover.X_GB() * rover.X_BP(pair.rover_piece);
+  const btTransform X_GS = station.X_GB() * station.X_BP(pair.station_piece);
+  const btCollisionObjectWrapper a(nullptr, &rover.piece(pair.rover_piece), rover.object(), X_GR,
+                                   -1, pair.rover_piece);
+  const btCollisionObjectWrapper b(nullptr, &station.piece(pair.station_piece), station.object(),
+                                   X_GS, -1, pair.station_piece);
   if (pair.algorithm == nullptr) {
     pair.algorithm = dispatcher_.findAlgorithm(&a, &b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
   }
@@ -124,7 +101,7 @@ void ModuleContacts::Read(const Pair& pair, std::vector<ModuleContact>& contacts
   btManifoldArray manifolds;
   pair.algorithm->getAllContactManifolds(manifolds);
   for (int i = 0; i < manifolds.size(); ++i) {
-    const bool rover_is_0 = manifolds[i]->getBody0() == rover_.collider(pair.link);
+    const bool rover_is_0 = manifolds[i]->getBody0() == shapes_.link(pair.link).object();
     for (int j = 0; j < manifolds[i]->getNumContacts(); ++j) {
       const btManifoldPoint& point = manifolds[i]->getContactPoint(j);
       const Eigen::Vector3d normal_G = FromBullet(point.m_normalWorldOnB);
@@ -136,25 +113,26 @@ void ModuleContacts::Read(const Pair& pair, std::vector<ModuleContact>& contacts
   }
 }
 
-void ModuleContacts::Find(double step_s, std::vector<ModuleContact>& contacts) {
+void ModuleContacts::Find(const RoverBody& rover, const StationBody& station, double step_s,
+                          std::vector<ModuleContact>& contacts) {
   contacts.clear();
   info_.m_timeStep = step_s;
-  PlaceColliders();
-  const btTransform X_SG = station_.collision_object()->getWorldTransform().inverse();
+  shapes_.MoveTo(rover, station);
+  const btTransform X_MG = shapes_.station().X_GB().inverse();
   double moved = 0.0, gap = 0.0;
-  const btCollisionObject* rover = nullptr;
-  btTransform X_SL;
+  const ShapedObject* link = nullptr;
+  btTransform X_ML;
   for (Pair& pair : pairs_) {
-    if (rover != rover_.collider(pair.link)) {
-      rover = rover_.collider(pair.link);
-      X_SL = X_SG * rover->getWorldTransform();
-      moved = MovedSinceLastStep(pair.link, X_SL);
+    if (link != &shapes_.link(pair.link)) {
+      link = &shapes_.link(pair.link);
+      X_ML = X_MG * link->X_GB();
+      moved = MovedSinceLastStep(pair.link, X_ML);
       gap = kGap_m + kGapSteps * moved;
     }
     pair.clear_m -= moved;
     if (pair.clear_m > gap) continue;
-    const btTransform X_SR = X_SL * Compound(*rover).getChildTransform(pair.rover_piece);
-    pair.clear_m = Separation(Piece(*rover, pair.rover_piece), X_SR, pair.station_piece, gap);
+    pair.clear_m = Separation(link->piece(pair.rover_piece), X_ML * link->X_BP(pair.rover_piece),
+                              pair.station_piece, gap);
     if (pair.clear_m > gap) {
       Part(pair);
       continue;

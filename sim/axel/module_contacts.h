@@ -7,13 +7,11 @@
 #include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
-#include <BulletCollision/CollisionShapes/btConvexShape.h>
 
 #include <array>
 #include <vector>
 
-#include "sim/axel/rover_body.h"
-#include "sim/axel/station_body.h"
+#include "sim/axel/contact_shapes.h"
 
 namespace dockyard::axel {
 
@@ -27,13 +25,16 @@ struct ModuleContact {
 
 class ModuleContacts {
  public:
-  ModuleContacts(RoverBody& rover, StationBody& station);
+  ModuleContacts(const RoverModel& rover, const StationModel& station);
   ~ModuleContacts();
   ModuleContacts(const ModuleContacts&) = delete;
   ModuleContacts& operator=(const ModuleContacts&) = delete;
 
+  /// Distance of the axle's middle from the mouth beyond which rover and station cannot touch [m].
+  double reach_m() const { return shapes_.reach_m(); }
   /// Contacts of the bodies as they stand, for a step of this length.
-  void Find(double step_s, std::vector<ModuleContact>& contacts);
+  void Find(const RoverBody& rover, const StationBody& station, double step_s,
+            std::vector<ModuleContact>& contacts);
 
  private:
   struct Pair {
@@ -45,21 +46,18 @@ class ModuleContacts {
     double clear_m = 0.0;
   };
   void Part(Pair& pair);
-  void PlaceColliders();
-  double MovedSinceLastStep(RoverLink link, const btTransform& X_SL);
-  double Separation(const btConvexShape& rover_piece, const btTransform& X_SR, int station_piece,
+  double MovedSinceLastStep(RoverLink link, const btTransform& X_ML);
+  double Separation(const btConvexShape& rover_piece, const btTransform& X_MR, int station_piece,
                     double gap_m) const;
   void Test(Pair& pair);
   void Read(const Pair& pair, std::vector<ModuleContact>& contacts) const;
 
-  RoverBody& rover_;
-  StationBody& station_;
+  ContactShapes shapes_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDispatcherInfo info_;
   std::vector<Pair> pairs_;  // by link
-  std::array<double, kRoverLinkCount> reach_m_{};
-  std::array<btTransform, kRoverLinkCount> last_X_SL_;
+  std::array<btTransform, kRoverLinkCount> last_X_ML_;
 };
 
 }  // namespace dockyard::axel

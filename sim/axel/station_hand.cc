@@ -46,8 +46,7 @@ void StationHand::Hold(double time_s, StationBody& station) {
   const LinkMotion& motion = station.motion();
   const Eigen::Vector3d v = motion.VelocityAt(p_GC);
   const double w = kStiffness_rad_s;
-  Eigen::Vector3d force_G =
-      (w * w * away + 2.0 * w * (v_wanted - v)) / station.inverse_mass_per_kg();
+  Eigen::Vector3d force_G = station.link().mass_kg * (w * w * away + 2.0 * w * (v_wanted - v));
   force_G.z() = 0.0;
   station.AddForce(force_G, p_GC);
   const double turn = WrapPi(heading_rad_ + share.way * move_.turn_rad - HeadingOf(motion.X_GL));

@@ -17,10 +17,10 @@ Truth World::Impl::MakeTruth() const {
   truth.cone_force_peak_n = contacts_.arm_force_peak_n();
   truth.face_force_n = contact.face_G.norm();
   truth.tip_ground_force_n = rover_ground_.tip_force_n();
-  truth.left_sinkage_m = left_load_.sinkage_m;
-  truth.right_sinkage_m = right_load_.sinkage_m;
-  truth.left_wheel_load_n = left_load_.force_G.z();
-  truth.right_wheel_load_n = right_load_.force_G.z();
+  truth.left_sinkage_m = loads_[0].sinkage_m;
+  truth.right_sinkage_m = loads_[1].sinkage_m;
+  truth.left_wheel_load_n = loads_[0].force_G.z();
+  truth.right_wheel_load_n = loads_[1].force_G.z();
   return truth;
 }
 

@@ -84,11 +84,13 @@ World::Impl::Impl(WorldSetup setup)
       X_WG_(SiteInWorld(setup_.X_WG, setup_.slope)),
       gravity_G_(GravityInSite(setup_.slope)),
       ground_(std::move(setup_.ground)),
-      rover_(setup_.rover, RoverStart(setup_, ground_), setup_.arm_start_rad,
+      rigid_(gravity_G_),
+      rover_(rigid_, setup_.rover, RoverStart(setup_, ground_), setup_.arm_start_rad,
              setup_.add_right_side_first),
-      station_(setup_.station, StationStart(setup_, ground_), SoleOf(setup_.station, setup_.soil)),
+      station_(rigid_, setup_.station, StationStart(setup_, ground_),
+               SoleOf(setup_.station, setup_.soil)),
       hand_(setup_.station_move),
-      contacts_(setup_.station.cone, gravity_G_, rover_, station_),
+      contacts_(rigid_, setup_.rover, setup_.station, rover_, station_),
       drives_(setup_.rover, setup_.arm_start_rad),
       tether_(setup_.rover.tether, setup_.station, setup_.rover.arm_length_m),
       rover_ground_(setup_.rover),
@@ -198,9 +200,9 @@ double World::Impl::PullTether() {
 }
 
 void World::Impl::RollOnSoil() {
-  if (setup_.add_right_side_first) RollWheel(RoverLink::kRightWheel, right_soil_, right_load_);
-  RollWheel(RoverLink::kLeftWheel, left_soil_, left_load_);
-  if (!setup_.add_right_side_first) RollWheel(RoverLink::kRightWheel, right_soil_, right_load_);
+  if (setup_.add_right_side_first) RollWheel(RoverLink::kRightWheel, right_soil_, loads_[1]);
+  RollWheel(RoverLink::kLeftWheel, left_soil_, loads_[0]);
+  if (!setup_.add_right_side_first) RollWheel(RoverLink::kRightWheel, right_soil_, loads_[1]);
 }
 
 void World::Impl::RollWheel(RoverLink link, WheelSoil& soil, WheelLoad& load) {
@@ -231,7 +233,7 @@ Tick World::Impl::tick() const {
 
 std::uint64_t World::Impl::StateHash(std::uint64_t seed) const {
   std::uint64_t hash = HashBits(seed, static_cast<std::uint64_t>(steps_));
-  hash = rover_.StateHash(hash);
+  hash = rigid_.StateHash(hash);
   hash = station_.StateHash(hash);
   hash = drives_.StateHash(hash);
   hash = tether_.StateHash(hash);

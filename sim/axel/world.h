@@ -1,6 +1,5 @@
-// The physical world of one run: rover, station, tether and soil under 1 ms steps of Bullet.
-// Every run makes a new world and never resets it, so runs are repeatable (bullet3 issue 2442). No
-// Bullet type appears in this header.
+// The physical world of one run: rover, station, tether and soil under steps of 1 ms. Every run
+// makes a new world and never resets it, so runs are repeatable.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 // The parts of World.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "sim/axel/cable_tether.h"
@@ -61,6 +62,7 @@ class World::Impl {
   Pose3 X_WG_;
   Eigen::Vector3d gravity_G_;  // [m/s^2]; leans where the site is a slope
   HeightGrid ground_;
+  RigidWorld rigid_;
   RoverBody rover_;
   StationBody station_;
   StationHand hand_;
@@ -70,7 +72,7 @@ class World::Impl {
   std::optional<CableTether> cable_;  // in place of the massless tether
   RoverGround rover_ground_;
   WheelSoil left_soil_, right_soil_;
-  WheelLoad left_load_, right_load_;
+  std::array<WheelLoad, 2> loads_;  // of the left wheel and the right one
   ImuAverage imu_;
   TetherLoad pull_;
   bool tether_tied_ = false;        // on level ground not before the rover has settled

@@ -20,6 +20,7 @@ class LinkShape {
   LinkShape();
   void Add(const Collision& collision, const Pose3& X_PL);
   btCompoundShape* compound() { return &compound_; }
+  const btCompoundShape* compound() const { return &compound_; }
   int pieces() const { return compound_.getNumChildShapes(); }
 
  private:

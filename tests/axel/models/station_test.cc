@@ -38,6 +38,24 @@ TEST(Station, HasTheInertiaOfASolidBox) {
   EXPECT_LT((station.module.p_LoCom_L - Eigen::Vector3d(-0.4025, 0, 0.425)).norm(), 1e-9);
 }
 
+TEST(Station, YieldsAllOverAsItsConeDoesUnlessItsFileSaysMore) {
+  const StationModel station = Station();
+  EXPECT_EQ(station.body_contact.stiffness_n_per_m, station.cone.contact_stiffness_n_per_m);
+  EXPECT_EQ(station.body_contact.damping_ns_per_m, station.cone.contact_damping_ns_per_m);
+  EXPECT_EQ(station.body_contact.friction, 0.4);
+  const ScratchFolder folder;
+  folder.CopyModel("axel");
+  const std::string name = "models/axel/station/station.yaml";
+  const auto Load = [&](const std::string& to) {
+    const std::string from = "body_contact:\n  friction: 0.4 # assumed\n";
+    return LoadStation(folder.Write(name, Replaced(Slurp(SourceFile(name)), from, to)));
+  };
+  const StationModel stiff = Load("body_contact:\n  stiffness_n_per_m: 3e6\n  friction: 0.5\n");
+  EXPECT_EQ(stiff.body_contact.stiffness_n_per_m, 3e6);
+  EXPECT_EQ(stiff.body_contact.damping_ns_per_m, station.cone.contact_damping_ns_per_m);
+  EXPECT_EQ(stiff.body_contact.friction, 0.5);
+}
+
 TEST(Station, SlidesBeforeItTipsWhenPulledAtTheMouth) {
   const StationModel station = Station();
   const double weight_n = station.module.mass_kg * 9.81;

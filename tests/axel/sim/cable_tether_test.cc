@@ -123,8 +123,9 @@ TEST(CableTether, GivesRoverAndStationTheForcesThatItsOwnMomentumMisses) {
   // Before a rover that faces away: the tether lies along body, ground and lip.
   RoverModel model = Axel();
   model.tether.law = TetherLaw::kCable;
-  RoverBody rover(model, Pose3::Translation(3.0, 0.3, 0.284), 0.2, false);
-  StationBody station(Station(), Pose3{});
+  RigidWorld rigid(Eigen::Vector3d::Zero());
+  RoverBody rover(rigid, model, Pose3::Translation(3.0, 0.3, 0.284), 0.2, false);
+  StationBody station(rigid, Station(), Pose3{});
   const HeightGrid ground = LevelGrid(-3.0, 12.0, 8.0, 0.05);
   const Eigen::Vector3d gravity(0.0, 0.0, -9.81);
   CableTether tether(model, Station(), {});

@@ -223,14 +223,12 @@ Entered DrawIn(double step_s, double damping_ns_per_m) {
   model.cone.contact_damping_ns_per_m = damping_ns_per_m;
   model.module.mass_kg = 1e6;  // stands fast
   model.module.I_LCom_L = 1e6 * Eigen::Matrix3d::Identity();
-  const RoverModel rover_model = Axel();
-  StationBody station(model, Pose3{});
-  const Pose3 X_GM = station.X_GM();
+  const Pose3 X_GM = MouthInStation(model);
   // The tip 0.15 m before the mouth, 10 cm aside; the arm along the axis but for 10 deg of yaw.
   const Eigen::Matrix3d R = X_GM.R * RotZ(kPi - Radians(10.0));
   const Eigen::Vector3d tip = X_GM * Eigen::Vector3d(0.15, 0.1, 0.0);
-  RoverBody rover(rover_model, {R, tip - R * Eigen::Vector3d(1.0, 0.0, 0.0)}, 0.0, false);
-  ContactWorld bullet(model.cone, kWeightless, rover, station);
+  Afloat world(Axel(), model, kWeightless, {R, tip - R * Eigen::Vector3d(1.0, 0.0, 0.0)}, 0.0);
+  RoverBody& rover = world.rover;
   Entered entered;
   for (long i = 0; i < std::lround(8.0 / step_s); ++i) {
     // The joints held, the body slowed as by soil: 400 N s/m, 300 Nm s.
@@ -250,8 +248,8 @@ Entered DrawIn(double step_s, double damping_ns_per_m) {
     const Eigen::Vector3d next_M = path.nodes[1].x() * Eigen::Vector3d::UnitX() +
                                    path.nodes[1].y() * aside / std::max(1e-9, aside.norm());
     rover.AddForce(RoverLink::kArm, 60.0 * (X_GM * next_M - tip_G).normalized(), tip_G);
-    bullet.Step(step_s);
-    const double force_n = bullet.arm_contact().total_G.norm();
+    world.contacts.Step(step_s);
+    const double force_n = world.contacts.arm_contact().total_G.norm();
     entered.peak_n = std::max(entered.peak_n, force_n);
     if (entered.time_s == 0.0 && p_MT.x() < -0.2) entered.time_s = i * step_s;
     entered.depth_m = -p_MT.x();

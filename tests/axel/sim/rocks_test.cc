@@ -20,13 +20,16 @@ constexpr double kG = 9.81, kRadius = 0.265;
 struct OnRocks {
   OnRocks(std::vector<ConvexBody> rocks, double z_m, double friction, double step_s = 1e-3,
           const WheelModel& wheel = {.rim_radius_m = kRadius, .width_m = 0.15})
+      : OnRocks(std::move(rocks), Pose3::Translation(0.0, 0.0, z_m), friction, step_s, wheel) {}
+  OnRocks(std::vector<ConvexBody> rocks, const Pose3& X_GR, double friction, double step_s,
+          const WheelModel& wheel)
       : step(step_s) {
     model.body.p_LoCom_L.setZero();
     model.arm.p_LoCom_L.setZero();
     for (MotorModel& motor : model.motors) motor.reflected_inertia_kg_m2 = 1e-9;
     model.left_wheel_soil = model.right_wheel_soil = wheel;
-    rover.emplace(model, Pose3::Translation(0.0, 0.0, z_m), 0.0, false);
-    world.emplace(Station().cone, Eigen::Vector3d(0.0, 0.0, -kG), *rover, station);
+    rover.emplace(rigid, model, X_GR, 0.0, false);
+    world.emplace(rigid, model, Station(), *rover, station);
     world->PutRocks(model, {std::move(rocks), friction});
   }
   void Step() { world->Step(step); }
@@ -52,7 +55,8 @@ struct OnRocks {
 
   double step;
   RoverModel model = Axel();
-  StationBody station{Station(), Pose3::Translation(-50.0, 0.0, 0.0)};
+  RigidWorld rigid{{0.0, 0.0, -kG}};
+  StationBody station{rigid, Station(), Pose3::Translation(-50.0, 0.0, 0.0)};
   std::optional<RoverBody> rover;
   std::optional<ContactWorld> world;
 };
@@ -105,14 +109,9 @@ TEST(Rocks, AStepTakesThePullThatStaticsGive) {
 /// Acceleration along the fall line of a facet that tilts to the rover's side [m/s^2].
 double SlideDown(double tilt_rad, double friction) {
   const Pose3 X_GF{RotX(tilt_rad), Eigen::Vector3d::Zero()};
-  OnRocks rig({X_GF * Floor()}, 0.0, friction);
   // Put down along the facet.
-  RoverBody& rover = *rig.rover;
-  const Pose3 X_GR = X_GF * Pose3::Translation(0.0, 0.0, kRadius - 3e-4);
-  rover.multibody()->setBasePos({X_GR.p.x(), X_GR.p.y(), X_GR.p.z()});
-  const Eigen::Quaterniond q(X_GR.R.transpose());
-  rover.multibody()->setWorldToBaseRot({q.x(), q.y(), q.z(), q.w()});
-  rover.Refresh();
+  OnRocks rig({X_GF * Floor()}, X_GF * Pose3::Translation(0.0, 0.0, kRadius - 3e-4), friction, 1e-3,
+              {.rim_radius_m = kRadius, .width_m = 0.15});
   rig.Play(0.5);
   const double before = rig.body().v_GL_G.norm();
   rig.Play(0.5);

@@ -38,7 +38,7 @@ double EnergyError(double dt, double x) {
       world.rover.AddJointTorque(joint, torque[link]);
       work -= world.rover.joint_rad(joint) * torque[link];
     }
-    world.bullet.Step(dt);
+    world.contacts.Step(dt);
     for (int link = 1; link < 4; ++link) {
       work += world.rover.joint_rad(static_cast<RoverLink>(link)) * torque[link];
     }
@@ -57,14 +57,13 @@ TEST(Rotors, DoNotResistTheBodyThatTurnsAsAWhole) {
   RoverModel model = Axel();
   model.body.p_LoCom_L.setZero();
   model.arm.p_LoCom_L.setZero();
-  RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.0, false);
-  StationBody station(Station(), Pose3{});
-  ContactWorld bullet(Station().cone, kWeightless, rover, station);
+  Afloat world(model, Station(), kWeightless, Pose3::Translation(50.0, 0, 0), 0.0);
+  RoverBody& rover = world.rover;
   for (int i = 0; i < 100; ++i) {
     for (RoverLink link : kAllLinks) {
       rover.AddTorque(link, Eigen::Vector3d(0.0, LinkOf(model, link).I_LCom_L(1, 1), 0.0));
     }
-    bullet.Step(kDt);
+    world.contacts.Step(kDt);
   }
   EXPECT_NEAR(rover.motion(RoverLink::kBody).w_GL_G.y(), 0.1, 1e-12);
   EXPECT_NEAR(rover.joint_rad_s(RoverLink::kArm), 0.0, 1e-12);
@@ -75,13 +74,12 @@ TEST(Rotors, ResistTheJointsTurningByTheirWholeInertia) {
   RoverModel model = Axel();
   model.body.mass_kg = 1e9;
   model.body.I_LCom_L = 1e9 * Eigen::Matrix3d::Identity();
-  RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.0, false);
-  StationBody station(Station(), Pose3{});
-  ContactWorld bullet(Station().cone, kWeightless, rover, station);
+  Afloat world(model, Station(), kWeightless, Pose3::Translation(50.0, 0, 0), 0.0);
+  RoverBody& rover = world.rover;
   const double I = model.left_wheel.I_LCom_L(1, 1), J = model.motors[0].reflected_inertia_kg_m2;
   for (int i = 0; i < 1000; ++i) {
     rover.AddJointTorque(RoverLink::kLeftWheel, 2.0);
-    bullet.Step(kDt);
+    world.contacts.Step(kDt);
   }
   EXPECT_NEAR(rover.joint_rad_s(RoverLink::kLeftWheel), 2.0 / (I + J), 1e-6);
 }
@@ -101,16 +99,13 @@ double PeakOfAnArmsBlow(double rotor_kg_m2, double step_s) {
   // Hanging ahead of the face, its nose above the mouth, and swinging back against it.
   const double on_face =
       heavy.mouth_height_m + 0.5 * (heavy.cone.mouth_radius_m + heavy.cone.face_outer_radius_m);
-  RoverBody rover(model, Pose3::Translation(0.035, 0.0, model.arm_length_m + on_face), 0.5 * kPi,
-                  false);
-  StationBody station(heavy, Pose3{});
-  ContactWorld bullet(heavy.cone, kWeightless, rover, station);
-  rover.AddSpeeds(0.2 * RoverBody::Speeds::Unit(8));  // of the arm
-  rover.Refresh();
+  Afloat world(model, heavy, kWeightless,
+               Pose3::Translation(0.035, 0.0, model.arm_length_m + on_face), 0.5 * kPi);
+  world.rover.tree().AddSpeeds(0.2 * TreeBody::Speeds::Unit(9, 8));  // of the arm
   double peak = 0.0;
   for (long i = 0; i < std::lround(0.4 / step_s); ++i) {
-    bullet.Step(step_s);
-    peak = std::max(peak, bullet.arm_contact().total_G.norm());
+    world.contacts.Step(step_s);
+    peak = std::max(peak, world.contacts.arm_contact().total_G.norm());
   }
   return peak;
 }

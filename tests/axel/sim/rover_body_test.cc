@@ -6,6 +6,7 @@
 
 #include "axel/sim/afloat.h"
 #include "sim/axel/drive_train.h"
+#include "sim/rigid/inertia.h"
 
 namespace dockyard::axel {
 namespace {
@@ -35,7 +36,7 @@ Momentum TotalMomentum(const Afloat& world) {
 TEST(RoverBody, FallsAsSymplecticEulerFalls) {
   Afloat world(9.81);
   const double z0 = world.rover.motion(RoverLink::kBody).X_GL.p.z();
-  for (int i = 0; i < 1000; ++i) world.bullet.Step(kDt);
+  for (int i = 0; i < 1000; ++i) world.contacts.Step(kDt);
   // Sum of g k dt^2 for k = 1..1000.
   EXPECT_NEAR(world.rover.motion(RoverLink::kBody).X_GL.p.z() - z0, -9.81 * 0.5 * 1.001, 1e-9);
 }
@@ -47,7 +48,7 @@ Momentum MomentumError(double dt) {
     world.rover.AddJointTorque(RoverLink::kArm, 3.0);
     world.rover.AddJointTorque(RoverLink::kLeftWheel, 2.0);
     world.rover.AddJointTorque(RoverLink::kRightWheel, -1.0);
-    world.bullet.Step(dt);
+    world.contacts.Step(dt);
   }
   return TotalMomentum(world);
 }
@@ -66,16 +67,15 @@ TEST(RoverBody, ArmSwingsWithThePeriodOfAPendulum) {
   model.body.mass_kg = 1e9;
   model.body.I_LCom_L = 1e9 * Eigen::Matrix3d::Identity();
   model.body.p_LoCom_L.setZero();
-  RoverBody rover(model, Pose3::Translation(50.0, 0, 0), 0.5 * kPi + 0.01, false);
-  StationBody station(Station(), Pose3{});
-  ContactWorld bullet(Station().cone, kWeightless, rover, station);
+  Afloat world(model, Station(), kWeightless, Pose3::Translation(50.0, 0, 0), 0.5 * kPi + 0.01);
+  RoverBody& rover = world.rover;
   double last = 0.01, first_crossing = 0.0, last_crossing = 0.0;
   int crossings = 0;
   for (int i = 1; i <= 20000; ++i) {
     const LinkMotion& arm = rover.motion(RoverLink::kArm);
     rover.AddForce(RoverLink::kArm, Eigen::Vector3d(0, 0, -4.0 * 9.81),
                    arm.X_GL * Eigen::Vector3d(0.5, 0, 0));
-    bullet.Step(kDt);
+    world.contacts.Step(kDt);
     const double swing = rover.joint_rad(RoverLink::kArm) - 0.5 * kPi;
     if (last < 0.0 && swing >= 0.0) {
       last_crossing = kDt * (i - swing / (swing - last));
@@ -92,12 +92,12 @@ TEST(RoverBody, ArmSwingsWithThePeriodOfAPendulum) {
 
 TEST(RoverBody, MassMatrixGivesTheLinksKineticEnergyAndJacobiansTheirVelocities) {
   const RoverModel model = Axel();
-  RoverBody rover(model, {RotZ(0.4) * RotY(0.3) * RotX(0.2), Eigen::Vector3d(5.0, 1.0, 2.0)}, 0.7,
-                  false);
-  RoverBody::Speeds speeds;
+  RigidWorld world(kWeightless);
+  RoverBody rover(world, model, {RotZ(0.4) * RotY(0.3) * RotX(0.2), Eigen::Vector3d(5.0, 1.0, 2.0)},
+                  0.7, false);
+  TreeBody::Speeds speeds(9);
   speeds << 0.3, -0.2, 0.1, 0.5, 0.7, -0.4, 1.1, -0.9, 0.6;
-  rover.AddSpeeds(speeds);
-  rover.Refresh();
+  rover.tree().AddSpeeds(speeds);
   double energy = 0.0;
   for (int i = 0; i < kRoverLinkCount; ++i) {
     const RoverLink link = static_cast<RoverLink>(i);
@@ -110,73 +110,23 @@ TEST(RoverBody, MassMatrixGivesTheLinksKineticEnergyAndJacobiansTheirVelocities)
       energy += 0.5 * model.motors[i - 1].reflected_inertia_kg_m2 * speeds[5 + i] * speeds[5 + i];
     }
     const Eigen::Vector3d p_G = motion.X_GL * Eigen::Vector3d(0.4, 0.1, -0.2);
-    EXPECT_LT((rover.PointJacobian(link, p_G) * speeds - motion.VelocityAt(p_G)).norm(), 1e-12);
+    const TreeBody::PointJacobian J = rover.tree().JacobianOf(rover.Place(link).link, p_G);
+    EXPECT_LT((J * speeds - motion.VelocityAt(p_G)).norm(), 1e-12);
   }
-  EXPECT_NEAR(0.5 * speeds.dot(rover.MassMatrix() * speeds), energy, 1e-12 * energy);
-}
-
-/// A step under the same loads by Featherstone's algorithm in Bullet, which knows no rotors.
-TEST(RoverBody, SpeedsChangeAsByTheArticulatedBodyAlgorithm) {
-  RoverModel model = Axel();
-  for (MotorModel& motor : model.motors) motor.reflected_inertia_kg_m2 = 1e-15;
-  model.body.p_LoCom_L = Eigen::Vector3d(0.05, 0.02, -0.03);
-  const Pose3 X_GR{RotZ(0.4) * RotY(0.3) * RotX(0.2), Eigen::Vector3d(5.0, 1.0, 2.0)};
-  RoverBody ours(model, X_GR, 0.7, false), bullets(model, X_GR, 0.7, false);
-  RoverBody::Speeds start;
-  start << 0.3, -0.2, 0.1, 0.5, 0.7, -0.4, 1.1, -0.9, 0.6;
-  for (RoverBody* rover : {&ours, &bullets}) {
-    rover->AddSpeeds(start);
-    rover->Refresh();
-  }
-  const Eigen::Vector3d gravity_G(0.3, -0.2, -9.7);
-  btMultiBody& body = *bullets.multibody();
-  for (int i = 0; i < kRoverLinkCount; ++i) {
-    const RoverLink link = static_cast<RoverLink>(i);
-    const Eigen::Vector3d force_G(20.0 - 7.0 * i, 5.0 * i, 30.0), torque_G(1.0, -2.0 * i, 0.5);
-    const Eigen::Vector3d p_G = ours.motion(link).X_GL * Eigen::Vector3d(0.2, 0.1 * i, -0.1);
-    ours.AddForce(link, force_G, p_G);
-    ours.AddTorque(link, torque_G);
-    const Eigen::Vector3d about_com = torque_G + (p_G - bullets.CentreOfMass(link)).cross(force_G);
-    const Eigen::Vector3d all_G = force_G + LinkOf(model, link).mass_kg * gravity_G;
-    const btVector3 force(all_G.x(), all_G.y(), all_G.z()),
-        torque(about_com.x(), about_com.y(), about_com.z());
-    if (link == RoverLink::kBody) {
-      body.addBaseForce(force);
-      body.addBaseTorque(torque);
-    } else {
-      body.addLinkForce(i - 1, force);
-      body.addLinkTorque(i - 1, torque);
-      body.addJointTorque(i - 1, 0.3 * i);
-      ours.AddJointTorque(link, 0.3 * i);
-    }
-  }
-  ours.TakeLoads(gravity_G, kDt);
-  btAlignedObjectArray<btScalar> r;
-  btAlignedObjectArray<btVector3> v;
-  btAlignedObjectArray<btMatrix3x3> m;
-  body.setUseGyroTerm(true);
-  body.computeAccelerationsArticulatedBodyAlgorithmMultiDof(kDt, r, v, m, false, false, false);
-  ours.Refresh();
-  bullets.Refresh();
-  for (RoverLink link : kAllLinks) {
-    const LinkMotion &a = ours.motion(link), &b = bullets.motion(link);
-    EXPECT_LT((a.v_GL_G - b.v_GL_G).norm(), 1e-11);
-    EXPECT_LT((a.w_GL_G - b.w_GL_G).norm(), 1e-11);
-  }
+  EXPECT_NEAR(0.5 * speeds.dot(rover.tree().MassMatrix() * speeds), energy, 1e-12 * energy);
 }
 
 TEST(RoverBody, OrderOfTheWheelsChangesNothing) {
-  const RoverModel model = Axel();
   const Pose3 X_GR = Pose3::Translation(50.0, 0, 0);
-  RoverBody a(model, X_GR, 0.2, false), b(model, X_GR, 0.2, true);
-  StationBody station_a(Station(), Pose3{}), station_b(Station(), Pose3{});
-  ContactWorld bullet_a(Station().cone, {0.0, 0.0, -9.81}, a, station_a);
-  ContactWorld bullet_b(Station().cone, {0.0, 0.0, -9.81}, b, station_b);
+  const Eigen::Vector3d gravity_G(0.0, 0.0, -9.81);
+  Afloat left(Axel(), Station(), gravity_G, X_GR, 0.2),
+      right(Axel(), Station(), gravity_G, X_GR, 0.2, {}, true);
+  RoverBody &a = left.rover, &b = right.rover;
   for (int i = 0; i < 1000; ++i) {
     a.AddJointTorque(RoverLink::kLeftWheel, 1.0);
     b.AddJointTorque(RoverLink::kLeftWheel, 1.0);
-    bullet_a.Step(kDt);
-    bullet_b.Step(kDt);
+    left.contacts.Step(kDt);
+    right.contacts.Step(kDt);
   }
   EXPECT_NEAR((a.motion(RoverLink::kArm).X_GL.p - b.motion(RoverLink::kArm).X_GL.p).norm(), 0.0,
               1e-12);
@@ -255,7 +205,7 @@ TEST(DriveTrain, TetherInTheArmTurnsItTipDownAgainstTheBody) {
   At(commands, Motor::kSpool) = MotorCommand{};  // braked: the drum holds
   for (int i = 0; i < 100; ++i) {
     drives.Step(commands, 200.0, kDt, world.rover);
-    world.bullet.Step(kDt);
+    world.contacts.Step(kDt);
   }
   EXPECT_GT(world.rover.joint_rad_s(RoverLink::kArm), 0.0);
   EXPECT_LT(world.rover.motion(RoverLink::kBody).w_GL_G.y(), 0.0);

@@ -20,7 +20,8 @@ StationModel SoftStation() {
 
 struct Standing {
   Standing(const StationModel& model, const SoilModel& soil)
-      : station(model, Pose3::Translation(0.0, 0.0, -DepthUnder(SoleOf(model, soil), Share(model))),
+      : station(world, model,
+                Pose3::Translation(0.0, 0.0, -DepthUnder(SoleOf(model, soil), Share(model))),
                 SoleOf(model, soil)) {}
   static double Share(const StationModel& model) {
     return model.module.mass_kg * kG / static_cast<double>(model.feet.size());
@@ -30,9 +31,7 @@ struct Standing {
       const double share = rising_s > 0.0 ? std::min(1.0, t / rising_s) : 1.0;
       station.AddForce({share * force_x_n, 0.0, 0.0}, station.X_GM().p);
       station.AddFeetForces(ground, kStep);
-      station.TakeLoads({0.0, 0.0, -kG}, kStep);
-      station.Move(kStep);
-      station.Refresh();
+      world.Step(kStep);
     }
   }
   double Depth(std::size_t foot) const {
@@ -41,6 +40,7 @@ struct Standing {
   double pitch() const { return ToRollPitchYaw(station.motion().X_GL.R).pitch; }
 
   HeightGrid ground = LevelGrid(-3.0, 6.0, 6.0, 0.1);
+  RigidWorld world{{0.0, 0.0, -kG}};
   StationBody station;
 };
 

@@ -15,7 +15,7 @@
 
 #include "axel/sim/product.h"
 #include "axel/twin/mujoco_twin.h"
-#include "sim/axel/contact_world.h"
+#include "sim/axel/rover_body.h"
 #include "sim/soil/soil_laws.h"
 
 namespace dockyard::axel {
@@ -32,9 +32,8 @@ Afloat CompareAfloat(double step_s) {
   RoverModel& model = setup.rover;
   model.body.I_LCom_L(0, 2) = model.body.I_LCom_L(2, 0) = 0.2;  // no axis of symmetry
   const Pose3 X_GR = Pose3::Translation(50.0, 0.0, 0.0);
-  RoverBody rover(model, X_GR, 0.3, false);
-  StationBody station(setup.station, Pose3{});
-  ContactWorld bullet(setup.station.cone, Eigen::Vector3d::Zero(), rover, station);
+  RigidWorld world(Eigen::Vector3d::Zero());
+  RoverBody rover(world, model, X_GR, 0.3, false);
   MujocoTwin twin(setup, 0.5, 0.0);
   twin.SetPose(X_GR, 0.3);
   const std::array<double, 3> torque = {3.0, -2.0, 4.0};
@@ -42,7 +41,7 @@ Afloat CompareAfloat(double step_s) {
     rover.AddJointTorque(RoverLink::kLeftWheel, torque[0]);
     rover.AddJointTorque(RoverLink::kRightWheel, torque[1]);
     rover.AddJointTorque(RoverLink::kArm, torque[2]);
-    bullet.Step(step_s);
+    world.Step(step_s);
     twin.StepUnder(torque);
   }
   const Pose3 ours = rover.motion(RoverLink::kBody).X_GL, theirs = twin.X_GR();
