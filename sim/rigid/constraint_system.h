@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/rigid/contact_solver.h"
+#include "sim/rigid/contact_law.h"
 #include "sim/rigid/tree_body.h"
 
 namespace dockyard {
@@ -33,7 +33,7 @@ struct JointRow {
   std::size_t owner = 0;                    // whose it is; the solver leaves it alone
 };
 
-/// Springs and dampers act at the step's end, as in SolveContacts.
+/// Springs and dampers act at the step's end: contact_law.h.
 class ConstraintSystem {
  public:
   /// Forgets all constraints. `speeds` is the number of all bodies' speeds. Sweeps end once none

@@ -90,15 +90,11 @@ void RigidWorld::Resist(double step_s) {
   }
   TakeJointImpulses();
   TakeContactImpulses();
-  KeepContactsOfSleepers();
-  std::swap(contacts_, next_contacts_);
-  next_contacts_.clear();
-}
-
-void RigidWorld::KeepContactsOfSleepers() {
-  for (const WorldContact& last : contacts_) {
+  for (const WorldContact& last : contacts_) {  // of sleepers
     if (!Moves(last.a.body) && !Moves(last.b.body)) next_contacts_.push_back(last);
   }
+  std::swap(contacts_, next_contacts_);
+  next_contacts_.clear();
 }
 
 std::uint64_t RigidWorld::StateHash(std::uint64_t seed) const {

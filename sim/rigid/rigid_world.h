@@ -114,7 +114,6 @@ class RigidWorld {
   static std::size_t Place(int i) { return static_cast<std::size_t>(i); }
   LinkMotion MotionOf(const BodyLink& at) const;
   bool Moves(int body) const { return body >= 0 && !asleep(body); }
-  void KeepContactsOfSleepers();
   void AddJointRows(std::size_t joint, double step_s);
   void GoOnFromLastStep(WorldContact& contact, double step_s) const;
   const LinkAnswers& AnswersOf(const BodyLink& at);

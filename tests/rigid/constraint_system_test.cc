@@ -3,9 +3,9 @@
 
 #include <Eigen/Geometry>
 
+#include "rigid/dense_contacts.h"
 #include "rigid/world_scenes.h"
 #include "sim/base/random.h"
-#include "sim/rigid/contact_solver.h"
 
 namespace dockyard {
 namespace {

@@ -1,14 +1,36 @@
-#include "sim/rigid/contact_solver.h"
+// Contacts solved by a dense matrix of what each answers to each: an independent computation for
+// tests of the world's solver.
+#pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "sim/rigid/contact_law.h"
+
 namespace dockyard {
-namespace {
+
+inline constexpr int kMostContacts = 24;
+
+/// At most kMostContacts contacts of one step. `answer` is the velocity of each row for a unit
+/// impulse on another [1/kg]; `velocity` that without contacts, apart positive [m/s]; `impulse` [N
+/// s] goes in as a first guess and comes out solved.
+struct ContactStep {
+  static constexpr int kMostRows = 3 * kMostContacts;
+  using Matrix =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostRows, kMostRows>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows, 1>;
+
+  int count = 0;
+  std::array<ContactLaw, kMostContacts> laws;
+  Matrix answer;
+  Vector velocity, impulse;
+};
 
 // What one contact's rows need in a sweep.
 struct Rows {
-  double softness = 0.0;  // velocity per normal impulse that the spring gives way [1/kg]
+  double softness = 0.0;  // velocity per normal impulse that the spring yields [1/kg]
   double bias_m_s = 0.0;  // velocity that the gap asks for
   Eigen::Vector2d unbend_m_s{0.0, 0.0};  // velocity that the bend asks for
   double along = 0.0;                    // 1 / (own answer + softness)
@@ -30,13 +52,12 @@ Rows RowsOf(const ContactLaw& law, const Matrix& answer, int row, double h) {
 }
 
 // Advances the bends by the velocities after the step.
-template <int kMost>
-void Bend(double step_s, ContactStepOf<kMost>& contacts) {
+inline void Bend(double step_s, ContactStep& contacts) {
   for (int i = 0; i < contacts.count; ++i) {
     ContactLaw& law = contacts.laws[i];
     const int row = 3 * i + 1;
-    const Eigen::Vector2d sliding = contacts.velocity.template segment<2>(row) +
-                                    contacts.answer.template middleRows<2>(row) * contacts.impulse;
+    const Eigen::Vector2d sliding =
+        contacts.velocity.segment<2>(row) + contacts.answer.middleRows<2>(row) * contacts.impulse;
     law.bend_m += step_s * sliding;
     const double most = law.friction * contacts.impulse[3 * i] / (step_s * law.stiffness_n_per_m);
     const double size = law.bend_m.norm();
@@ -44,11 +65,8 @@ void Bend(double step_s, ContactStepOf<kMost>& contacts) {
   }
 }
 
-}  // namespace
-
-template <int kMost>
-int SolveContacts(double step_s, ContactStepOf<kMost>& contacts) {
-  std::array<Rows, kMost> rows;
+inline int SolveContacts(double step_s, ContactStep& contacts) {
+  std::array<Rows, kMostContacts> rows;
   for (int i = 0; i < contacts.count; ++i) {
     rows[i] = RowsOf(contacts.laws[i], contacts.answer, 3 * i, step_s);
   }
@@ -69,13 +87,13 @@ int SolveContacts(double step_s, ContactStepOf<kMost>& contacts) {
       change = std::max(change, std::abs(impulse[row] - before));
       largest = std::max(largest, impulse[row]);
 
-      const Eigen::Vector2d rubbed = impulse.template segment<2>(row + 1);
+      const Eigen::Vector2d rubbed = impulse.segment<2>(row + 1);
       const Eigen::Vector2d sliding(VelocityOf(row + 1), VelocityOf(row + 2));
       Eigen::Vector2d rub =
           rubbed - own.across * (sliding + own.softness * rubbed + own.unbend_m_s);
       const double most = contacts.laws[i].friction * impulse[row], size = rub.norm();
       if (size > most) rub *= most / size;
-      impulse.template segment<2>(row + 1) = rub;
+      impulse.segment<2>(row + 1) = rub;
       change = std::max(change, (rub - rubbed).lpNorm<Eigen::Infinity>());
     }
     ++sweeps;
@@ -84,8 +102,5 @@ int SolveContacts(double step_s, ContactStepOf<kMost>& contacts) {
   Bend(step_s, contacts);
   return sweeps;
 }
-
-template int SolveContacts(double step_s, ContactStepOf<kMostContacts>& contacts);
-template int SolveContacts(double step_s, ContactStepOf<kManyContacts>& contacts);
 
 }  // namespace dockyard

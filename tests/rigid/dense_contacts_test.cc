@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/rigid/contact_solver.h"
+#include "rigid/dense_contacts.h"
 
 namespace dockyard {
 namespace {
@@ -44,7 +44,7 @@ struct Block {
   }
 };
 
-TEST(SolveContacts, BlockRestsAsDeepAsItsSpringsSay) {
+TEST(DenseContacts, BlockRestsAsDeepAsItsSpringsSay) {
   for (int contacts : {1, 3}) {
     Block block;
     block.contacts = contacts;
@@ -54,14 +54,14 @@ TEST(SolveContacts, BlockRestsAsDeepAsItsSpringsSay) {
   }
 }
 
-TEST(SolveContacts, BlockSticksBelowTheFrictionAngleWithoutCreeping) {
+TEST(DenseContacts, BlockSticksBelowTheFrictionAngleWithoutCreeping) {
   Block block;
   for (int i = 0; i < 3000; ++i) block.Move({48.0, 0.0, -98.1});  // 0.49 of the weight
   EXPECT_NEAR(block.p.x(), 48.0 / kStiffness, 1e-7);              // the bend alone
   EXPECT_NEAR(block.v.x(), 0.0, 1e-9);
 }
 
-TEST(SolveContacts, BlockSlidesByWhatFrictionLeaves) {
+TEST(DenseContacts, BlockSlidesByWhatFrictionLeaves) {
   // From rest on its spring, pushed with 0.7 of its weight against a friction of 0.5.
   Block block;
   for (int i = 0; i < 2000; ++i) block.Move({0.0, 0.0, -98.1});
@@ -71,7 +71,7 @@ TEST(SolveContacts, BlockSlidesByWhatFrictionLeaves) {
   EXPECT_NEAR(block.v.x() - before, 0.2 * 9.81, 1e-6);
 }
 
-TEST(SolveContacts, FrictionPointsAgainstTheSliding) {
+TEST(DenseContacts, FrictionPointsAgainstTheSliding) {
   Block block;
   block.v = {0.3, 0.4, 0.0};
   block.p.z() = -98.1 / kStiffness;
@@ -80,7 +80,7 @@ TEST(SolveContacts, FrictionPointsAgainstTheSliding) {
   EXPECT_NEAR(block.v.head<2>().norm(), 0.5 - 0.5 * 9.81 * 0.05, 2e-3);
 }
 
-TEST(SolveContacts, OpenGapClosesAndNoFurther) {
+TEST(DenseContacts, OpenGapClosesAndNoFurther) {
   Block block;
   block.p.z() = 0.4e-4;
   block.v.z() = -0.05;  // would pass the plane by a hundredth of a millimetre
@@ -90,7 +90,7 @@ TEST(SolveContacts, OpenGapClosesAndNoFurther) {
   EXPECT_GT(block.step.impulse[0], 0.0);
 }
 
-TEST(SolveContacts, BlowTakesAsLongAsSpringAndMassSay) {
+TEST(DenseContacts, BlowTakesAsLongAsSpringAndMassSay) {
   // Without a damper: half a period of sqrt(k / m), peak force v sqrt(k m).
   Block block;
   block.v.z() = -0.1;
