@@ -29,7 +29,7 @@ struct ContactStep {
 };
 
 // What one contact's rows need in a sweep.
-struct Rows {
+struct DenseRows {
   double softness = 0.0;  // velocity per normal impulse that the spring yields [1/kg]
   double bias_m_s = 0.0;  // velocity that the gap asks for
   Eigen::Vector2d unbend_m_s{0.0, 0.0};  // velocity that the bend asks for
@@ -38,8 +38,8 @@ struct Rows {
 };
 
 template <class Matrix>
-Rows RowsOf(const ContactLaw& law, const Matrix& answer, int row, double h) {
-  Rows rows;
+DenseRows RowsOf(const ContactLaw& law, const Matrix& answer, int row, double h) {
+  DenseRows rows;
   const double give = h * law.stiffness_n_per_m + law.damping_ns_per_m;
   rows.softness = 1.0 / (h * give);
   rows.bias_m_s = law.gap_m > 0.0 ? law.gap_m / h : law.stiffness_n_per_m * law.gap_m / give;
@@ -66,7 +66,7 @@ inline void Bend(double step_s, ContactStep& contacts) {
 }
 
 inline int SolveContacts(double step_s, ContactStep& contacts) {
-  std::array<Rows, kMostContacts> rows;
+  std::array<DenseRows, kMostContacts> rows;
   for (int i = 0; i < contacts.count; ++i) {
     rows[i] = RowsOf(contacts.laws[i], contacts.answer, 3 * i, step_s);
   }
@@ -79,7 +79,7 @@ inline int SolveContacts(double step_s, ContactStep& contacts) {
     double change = 0.0, largest = 0.0;
     for (int i = 0; i < contacts.count; ++i) {
       const int row = 3 * i;
-      const Rows& own = rows[i];
+      const DenseRows& own = rows[i];
       const double before = impulse[row];
       const double wanted =
           before - own.along * (VelocityOf(row) + own.softness * before + own.bias_m_s);
