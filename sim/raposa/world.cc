@@ -18,10 +18,8 @@ namespace {
 constexpr double kSettleSeconds = 1.5;
 // End stops of arm and doors: a tenth of a millimetre at the motors' limits, a fifth of critical or
 // more on what they stop. Assumed: 1e4-1e6 N m/rad and N/m, 20-100 N m s/rad, 5-50 N s/m.
-struct JointStop {
-  double stiffness = 0.0, damping = 0.0;
-};
-constexpr JointStop kArmStop{2e4, 50.0}, kDoorStop{1e5, 20.0};
+constexpr JointLaw kArmStop{.stop_nm_per_rad = 2e4, .stop_nms_per_rad = 50.0},
+    kDoorStop{.stop_nm_per_rad = 1e5, .stop_nms_per_rad = 20.0};
 
 // Where sweeps of contacts end: impulses are good to 0.1 %. Numerical, 1e-7 to 1e-5.
 constexpr double kSolvedTo = 1e-5;
@@ -78,11 +76,10 @@ RigidWorld MakeWorld(const WorldSetup& setup) {
   world.SetSolved(kSolvedTo);
   world.Add(MakeRobot(setup.robot, RobotStart(setup)));
   world.Add(MakePyramid(setup.pyramid, PyramidStart(setup)));
-  const auto stop = [&](int link, double low, double high, const JointStop& stop) {
-    world.Limit({kRobot, link}, {.low_rad = low,
-                                 .high_rad = high,
-                                 .stop_nm_per_rad = stop.stiffness,
-                                 .stop_nms_per_rad = stop.damping});
+  const auto stop = [&](int link, double low, double high, JointLaw law) {
+    law.low_rad = low;
+    law.high_rad = high;
+    world.Limit({kRobot, link}, law);
   };
   stop(kArm, setup.robot.arm_lower_rad, setup.robot.arm_upper_rad, kArmStop);
   stop(kLeftDoor, 0.0, setup.robot.doors.travel_m, kDoorStop);

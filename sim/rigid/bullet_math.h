@@ -21,10 +21,6 @@ inline Eigen::Matrix3d FromBullet(const btMatrix3x3& R) {
   }
   return M;
 }
-inline btQuaternion ToQuaternion(const Eigen::Matrix3d& R) {
-  const Eigen::Quaterniond q(R);
-  return {q.x(), q.y(), q.z(), q.w()};
-}
 inline btTransform ToBullet(const Pose3& X) { return btTransform(ToBullet(X.R), ToBullet(X.p)); }
 inline Pose3 FromBullet(const btTransform& X) {
   return {FromBullet(X.getBasis()), FromBullet(X.getOrigin())};

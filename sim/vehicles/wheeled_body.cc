@@ -165,12 +165,11 @@ WheeledBody::WheeledBody(RigidWorld& world, const RoverModel& rover,
     }
   }
   if (!rover.mast) return;
-  mast_ = rover.mast;
-  PutMast(mast_->stowed_rad);
-  LimitMast(*mast_, {number_, mast_link_}, world);
+  PutMast(rover.mast->stowed_rad);
+  LimitMast(*rover.mast, {number_, mast_link_}, world);
   for (int i = 0; i < kMastMotors; ++i) {
     motors_.push_back(
-        {mast_link(i), MotorDrive(mast_->motors[Place(i)], MastInertia(*mast_, i)), {}});
+        {mast_link(i), MotorDrive(rover.mast->motors[Place(i)], MastInertia(*rover.mast, i)), {}});
   }
 }
 

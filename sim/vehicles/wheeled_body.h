@@ -90,7 +90,6 @@ class WheeledBody {
   std::vector<WheelSoil> soils_;
   std::vector<WheelLoad> loads_;
   std::optional<ArmBody> arm_;
-  std::optional<MastModel> mast_;
 };
 
 }  // namespace dockyard

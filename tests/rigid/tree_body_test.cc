@@ -7,9 +7,9 @@
 #include <cmath>
 #include <memory>
 
+#include "rigid/principal_inertia.h"
 #include "sim/base/random.h"
 #include "sim/rigid/bullet_math.h"
-#include "sim/rigid/inertia.h"
 
 namespace dockyard {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "axel/sim/afloat.h"
+#include "rigid/principal_inertia.h"
 #include "sim/axel/drive_train.h"
-#include "sim/rigid/inertia.h"
 
 namespace dockyard::axel {
 namespace {
