@@ -182,12 +182,14 @@ TreeBody::Speeds TreeBody::CollectLoads(const Vector3d& gravity_G) {
 void TreeBody::TakeLoads(const Vector3d& gravity_G, double step_s) {
   FindAnswers(step_s);
   const Speeds before = speeds_;
-  // The loads less those of the joints' dampers, which count with the inertia, too.
+  // With those of the joints' springs and dampers, which count with the inertia, too.
   const auto Loads = [&] {
     Speeds loads = CollectLoads(gravity_G);
     for (std::size_t i = 1; i < links_.size(); ++i) {
-      const double damping = links_[i].damping_nms_per_rad;
-      if (speed_of_[i] >= 0 && damping > 0.0) loads[speed_of_[i]] -= damping * before[speed_of_[i]];
+      const double resistance = links_[i].Resistance(step_s);
+      if (speed_of_[i] < 0 || resistance <= 0.0) continue;
+      loads[speed_of_[i]] -= links_[i].stiffness_nm_per_rad * (angle_rad_[i] - links_[i].rest_rad) +
+                             resistance * before[speed_of_[i]];
     }
     return loads;
   };

@@ -36,9 +36,15 @@ struct TreeLink {
   double rotor_kg_m2 = 0.0;               // of the motor, at the joint; of a slide [kg]
   JointKind joint = JointKind::kHinge;
   Eigen::Matrix3d R_PL = Eigen::Matrix3d::Identity();
-  double damping_nms_per_rad = 0.0;  // of the joint, at the step's end; of a slide [N s/m]
+  // Of the joint's damper and spring, both by the step's end, and the angle at which the spring is
+  // free; of a slide [N s/m, N/m, m].
+  double damping_nms_per_rad = 0.0, stiffness_nm_per_rad = 0.0, rest_rad = 0.0;
 
   bool IsHinge() const { return joint == JointKind::kHinge; }
+  /// How the torque of spring and damper falls with the joint's rate at the step's end.
+  double Resistance(double step_s) const {
+    return damping_nms_per_rad + step_s * stiffness_nm_per_rad;
+  }
   /// Of the joint's axis, from a force and a torque about its centre.
   double Along(const Eigen::Vector3d& axis_G, const Eigen::Vector3d& force,
                const Eigen::Vector3d& torque) const {

@@ -87,7 +87,7 @@ TreeBody::Inertia TreeBody::MassMatrix() const {
   return M;
 }
 
-// A joint's damper acts at the step's end, so it counts with the inertia.
+// A joint's spring and damper act at the step's end, so they count with the inertia.
 void TreeBody::FindAnswers(double step_s) {
   if (flies_alone_) {
     inverse_G_ = TurnedTensor(X_GB_.R, MatrixOf(inverse_L_));
@@ -95,9 +95,10 @@ void TreeBody::FindAnswers(double step_s) {
   }
   FillInertia(factor_.row(0), speeds_.size());
   for (std::size_t i = 1; i < links_.size(); ++i) {
-    if (speed_of_[i] < 0 || links_[i].damping_nms_per_rad <= 0.0) continue;
+    const double resistance = links_[i].Resistance(step_s);
+    if (speed_of_[i] < 0 || resistance <= 0.0) continue;
     const int at = static_cast<int>(speed_of_[i]);
-    factor_.row(at)[at] += step_s * links_[i].damping_nms_per_rad;
+    factor_.row(at)[at] += step_s * resistance;
   }
   factor_.Compute();
   if (ties_.rows() == 0) return;

@@ -232,5 +232,54 @@ TEST_P(WorldMotion, JointsDamperSlowsItExponentially) {
   EXPECT_NEAR(world.body(0).rate_rad_s(1), wanted, 0.01 * wanted);
 }
 
+// The time of five swings, by where the joint passes the angle at which its spring is free.
+double PeriodOf(TreeBody tree, double rest_rad, double step_s) {
+  RigidWorld world(Vector3d::Zero());
+  world.Add(std::move(tree));
+  std::vector<double> passed_s;
+  double before_rad = world.body(0).angle_rad(1) - rest_rad;
+  for (long i = 0; passed_s.size() < 11; ++i) {
+    world.Step(step_s);
+    const double now_rad = world.body(0).angle_rad(1) - rest_rad;
+    if ((now_rad > 0.0) != (before_rad > 0.0)) {
+      const double share = before_rad / (before_rad - now_rad);
+      passed_s.push_back((static_cast<double>(i) + share) * step_s);
+    }
+    before_rad = now_rad;
+  }
+  return (passed_s.back() - passed_s.front()) / 5.0;
+}
+
+TEST_P(WorldMotion, JointSwingsOnItsSpringAtItsPeriod) {
+  const double moment = 0.2, mass_kg = 3.0, rate_rad_s = 20.0, rest = 0.3;
+  for (const JointKind kind : {JointKind::kHinge, JointKind::kSlide}) {
+    TreeLink rotor = JointedLink(0, TurningModel(mass_kg, moment, moment), {0, 0, 0}, kZ, kind);
+    rotor.stiffness_nm_per_rad = (rotor.IsHinge() ? moment : mass_kg) * rate_rad_s * rate_rad_s;
+    rotor.rest_rad = rest;
+    for (const TreeRules& rules : {kMounted, TreeRules{TreeBase::kFixed}}) {
+      const double wanted = 2.0 * kPi / rate_rad_s;
+      EXPECT_NEAR(PeriodOf(TreeBody({Mount(), rotor}, {}, {}, rules), rest, GetParam()), wanted,
+                  0.01 * wanted);
+    }
+  }
+}
+
+// The stiffer spring would swing many times within a step.
+TEST_P(WorldMotion, JointHangsOnItsSpringByTheLoadOverItsStiffness) {
+  const double mass_kg = 3.0, weight_n = mass_kg * kEarthGravity_m_s2;
+  for (const double stiffness_n_per_m : {300.0, 1e7}) {
+    TreeLink hung =
+        JointedLink(0, BoxModel(mass_kg, {0.1, 0.1, 0.1}), {0, 0, 0}, kZ, JointKind::kSlide);
+    hung.stiffness_nm_per_rad = stiffness_n_per_m;
+    hung.damping_nms_per_rad = std::sqrt(mass_kg * stiffness_n_per_m);
+    hung.rest_rad = 0.05;
+    RigidWorld world(kDown);
+    world.Add(TreeBody({Mount(), hung}, {}, {}, kMounted));
+    for (long i = 0; i < std::lround(3.0 / GetParam()); ++i) world.Step(GetParam());
+    const double wanted = weight_n / stiffness_n_per_m;
+    EXPECT_NEAR(0.05 - world.body(0).angle_rad(1), wanted, 1e-4 * wanted);
+  }
+}
+
 }  // namespace
 }  // namespace dockyard
